@@ -1,0 +1,1 @@
+"""The device wing: jitted, differentiable steps on padded buffers, in JAX only."""

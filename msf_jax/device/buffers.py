@@ -1,0 +1,48 @@
+"""Fixed-capacity padded buffers: what a jitted step sees of the surface.
+
+A capacity is compiled once, so there are few: 256, 384, 512, 768, ... for vertices, `ring_capacity` for neighbours. A
+padded row has no neighbours, is not free, and points at itself; a padded slot points at its own row. Neither adds to
+any sum, so values and gradients do not depend on the padding.
+"""
+
+from typing import Any, NamedTuple
+
+import jax
+import jax.numpy as jnp
+
+SMALLEST = 256
+
+
+class Buffers(NamedTuple):
+    """A padded surface of capacity n with K slots a ring; everything the host tells a step."""
+
+    positions: jax.Array  # (n, 3), fractions of the diagonal
+    ring: jax.Array  # (K, n) int32, neighbours counter-clockwise
+    degree: jax.Array  # (n,) int32
+    free: jax.Array  # (n,) 1.0 where the vertex may move
+    poles: jax.Array  # (n, 3)
+    pull: jax.Array  # (n,) 1.0 where the pole pulls
+    area: jax.Array  # (n,) one-ring areas at the start of the flow, for the system whose w_H follows them
+
+
+def capacity(count: int) -> int:
+    """The smallest capacity for ``count`` vertices: 256 times 1, 1.5, 2, 3, 4, 6, 8, ..."""
+    size = SMALLEST
+    while size < count:
+        if size * 3 // 2 >= count and size >= SMALLEST:
+            return size * 3 // 2
+        size *= 2
+    return size
+
+
+def next_capacity(current: int, count: int) -> int:
+    """Where a buffer of capacity ``current`` goes for ``count`` vertices: up when outgrown, down when half empty."""
+    return capacity(count) if count > current or 2 * count <= current else current
+
+
+def pad(array: Any, size: int, fill: float = 0) -> Any:
+    """``array`` with rows of ``fill`` appended up to ``size``; works on NumPy and JAX arrays alike."""
+    missing = size - array.shape[0]
+    filler = array[:0]
+    del filler
+    return jnp.pad(array, [(0, missing)] + [(0, 0)] * (array.ndim - 1), constant_values=fill)

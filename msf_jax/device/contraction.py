@@ -1,0 +1,179 @@
+"""The least-squares contraction, by conjugate gradients on its normal equations (article Eq. 2).
+
+Minimise |W_L L V'|^2 + |W_H (V' - V)|^2 + |W_M (V' - poles)|^2 over the free vertices, the fixed ones held exactly:
+their rows are zero and their columns are on the right-hand side. In the displacement D = V' - V, which is zero at fixed
+vertices and the natural start of the iteration, the normal equations read
+
+    P (L^T W_L^2 L + W_H^2 + W_M^2) P D = P (W_M^2 (poles - V) - L^T W_L^2 L V),      P = 1 on free vertices, else 0.
+
+This is the one module that imports jaxopt for a solve. jaxopt's `solve_cg` reports neither its steps nor its residual,
+so the loop is a jaxopt `IterativeSolver`, whose state holds both; `lax.custom_linear_solve` differentiates it
+implicitly, forwards and in reverse, at the cost of one more solve.
+"""
+
+import warnings
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any, NamedTuple
+
+import jax
+import jax.numpy as jnp
+from jax import lax
+
+with warnings.catch_warnings():
+    warnings.simplefilter("ignore", DeprecationWarning)  # jaxopt announces on import that it is no longer maintained
+    from jaxopt import base
+
+from msf_jax.device.laplacian import Rows
+
+
+class SolveReport(NamedTuple):
+    """How a solve ended: CG steps, the residual over its tolerance's scale, and whether it reached the tolerance."""
+
+    steps: jax.Array
+    residual: jax.Array
+
+
+class CGState(NamedTuple):
+    """State of the iteration; ``iter_num`` and ``error`` are jaxopt's names."""
+
+    iter_num: jax.Array
+    error: jax.Array
+    residual: jax.Array
+    direction: jax.Array
+    gamma: jax.Array
+
+
+@dataclass(eq=False)
+class ConjugateGradients(base.IterativeSolver):
+    """Preconditioned CG for A x = b; ``error`` is the Euclidean norm of b - A x."""
+
+    matvec: Any
+    precondition: Any
+    maxiter: int = 2000
+    tol: Any = 0.0
+    implicit_diff: bool = False
+    jit: bool = True
+    unroll: bool = False
+    verbose: bool = False
+
+    def init_state(self, init_params: jax.Array, b: jax.Array) -> CGState:
+        residual = b - self.matvec(init_params)
+        z = self.precondition(residual)
+        return CGState(jnp.asarray(0), _norm(residual), residual, z, (residual * z).sum())
+
+    def update(self, params: jax.Array, state: CGState, b: jax.Array) -> base.OptStep:
+        del b
+        product = self.matvec(state.direction)
+        curvature = (state.direction * product).sum()
+        step = state.gamma / jnp.where(curvature > 0, curvature, 1.0)  # 0 / 1 once the residual is exactly zero
+        residual = state.residual - step * product
+        z = self.precondition(residual)
+        gamma = (residual * z).sum()
+        beta = gamma / jnp.where(state.gamma > 0, state.gamma, 1.0)
+        following = CGState(state.iter_num + 1, _norm(residual), residual, z + beta * state.direction, gamma)
+        return base.OptStep(params + step * state.direction, following)
+
+    def optimality_fun(self, params: jax.Array, b: jax.Array) -> jax.Array:
+        return self.matvec(params) - b
+
+
+def _norm(x: jax.Array) -> jax.Array:
+    return jnp.sqrt((x * x).sum())
+
+
+def solve(
+    matvec: Callable[[jax.Array], jax.Array],
+    diagonal: jax.Array,
+    b: jax.Array,
+    tolerance: jax.Array,
+    max_steps: int,
+) -> tuple[jax.Array, SolveReport]:
+    """Solve A x = b for a symmetric positive definite A by Jacobi-preconditioned CG from x = 0.
+
+    Stops when the norm of the residual is at most ``tolerance`` times that of ``b``.
+    Differentiable in: b and whatever ``matvec`` closes over, implicitly, in forward and reverse mode.
+    """
+    inverse = 1.0 / diagonal[:, None]
+
+    def run(operator: Callable[[jax.Array], jax.Array], rhs: jax.Array) -> tuple[jax.Array, SolveReport]:
+        scale = _norm(rhs)
+        solver = ConjugateGradients(
+            matvec=operator, precondition=lambda r: inverse * r, maxiter=max_steps, tol=tolerance * scale
+        )
+        x, state = solver.run(jnp.zeros_like(rhs), rhs)
+        return x, SolveReport(state.iter_num, state.error / jnp.where(scale > 0, scale, 1.0))
+
+    return lax.custom_linear_solve(matvec, b, run, symmetric=True, has_aux=True)
+
+
+class Gram(NamedTuple):
+    """x -> A^T A x + shift x for A = scale (alpha I + beta L) in slots, with A's rows and columns of fixed vertices out.
+
+    The two products are two trips of one scan over the stacked weights: written as two calls, XLA on the CPU fuses them
+    into one kernel that computes L x anew for every slot (DESIGN section 3).
+    """
+
+    weights: jax.Array  # (2, K, n): A's off-diagonal entries by row, then by column
+    diagonal: jax.Array  # (n,): A's diagonal
+    shift: jax.Array  # (n,)
+    free: jax.Array  # (n,) 1.0 for free vertices, 0.0 for fixed and padded ones
+    ring: jax.Array  # (K, n)
+
+    def twice(self, x: jax.Array) -> jax.Array:
+        """A^T A x, for any x, fixed entries included."""
+
+        def product(y: jax.Array, weights: jax.Array) -> tuple[jax.Array, None]:
+            return slot_product(weights, self.diagonal, self.ring, y), None
+
+        return lax.scan(product, x, self.weights)[0]
+
+    def __call__(self, x: jax.Array) -> jax.Array:
+        """The normal operator on free vertices; the identity on the others, to keep it definite."""
+        held = 1.0 - self.free
+        return self.free[:, None] * (self.twice(x) + self.shift[:, None] * x) + held[:, None] * x
+
+    def jacobi(self) -> jax.Array:
+        """Diagonal (n,) of the operator."""
+        square = self.diagonal**2 + (self.weights[1] ** 2).sum(0)
+        return self.free * (square + self.shift) + (1.0 - self.free)
+
+
+def slot_product(weights: jax.Array, diagonal: jax.Array, ring: jax.Array, x: jax.Array) -> jax.Array:
+    """y_i = diagonal_i x_i + sum_k weights[k, i] x[ring[k, i]], one gather a slot."""
+    y = diagonal[:, None] * x
+    for k in range(ring.shape[0]):
+        y = y + weights[k][:, None] * x[ring[k]]
+    return y
+
+
+def gram(rows: Rows, ring: jax.Array, free: jax.Array, row_scale: jax.Array, alpha: float, beta: Any, shift: Any) -> Gram:
+    """The operator of `Gram` for A = diag(row_scale) (alpha I + beta L), rows of fixed vertices zero."""
+    scale = free * row_scale
+    out = beta * scale[None] * rows.out
+    into = beta * scale[ring] * rows.into
+    diagonal = scale * (alpha - beta * rows.out.sum(0))
+    return Gram(jnp.stack([out, into]), diagonal, shift * free, free, ring)
+
+
+def contract(
+    positions: jax.Array,
+    rows: Rows,
+    ring: jax.Array,
+    free: jax.Array,
+    poles: jax.Array,
+    w_L: jax.Array,
+    w_H: jax.Array,
+    w_M: jax.Array,
+    tolerance: jax.Array,
+    max_steps: int,
+) -> tuple[jax.Array, SolveReport]:
+    """Article Eq. 2 for positions (n, 3), free (n,), poles (n, 3) and weights (n,) each, one per row.
+
+    Differentiable in: positions, rows, poles, w_L, w_H, w_M.
+    """
+    operator = gram(rows, ring, free, w_L, 0.0, 1.0, w_H**2 + w_M**2)
+    pull = (w_M**2)[:, None] * (poles - positions) - operator.twice(positions)
+    b = free[:, None] * pull
+    displacement, report = solve(operator, operator.jacobi(), b, tolerance, max_steps)
+    return positions + free[:, None] * displacement, report

@@ -1,0 +1,143 @@
+"""Edge collapse: every edge shorter than t_c goes to its midpoint (article 3.2.4, DESIGN "Collapse").
+
+Collapses go in rounds. A round takes a maximal set of edges whose ends are not even neighbours of each other's ends,
+shortest first and ties by index: such collapses neither touch each other's rings nor change each other's link
+condition, so they can be applied at once and the surface stays a closed manifold. After a round only the edges around
+the survivors, and those that had to wait, are looked at again: the cost follows the edits, not the mesh.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from msf_jax.host import connectivity
+from msf_jax.host.connectivity import decode_edges, encode_edges, find_slot
+from msf_jax.host.meso import Meso
+
+
+class CollapseRound(NamedTuple):
+    """One round of independent collapses, (c,) each: ``removed`` goes into ``survivor``."""
+
+    survivor: np.ndarray
+    removed: np.ndarray
+    fraction: np.ndarray  # new position = (1 - fraction) survivor + fraction removed
+    takes_pole: np.ndarray  # True where the survivor takes the removed vertex's pole
+
+
+def edge_lengths(positions: np.ndarray, a: np.ndarray, b: np.ndarray) -> np.ndarray:
+    """Lengths (c,) of the edges ab."""
+    difference = positions[a] - positions[b]
+    return np.sqrt(np.einsum("ij,ij->i", difference, difference))
+
+
+def collapse_short_edges(meso: Meso, t_c: float, *, check: bool = False) -> list[CollapseRound]:
+    """Collapse in place until no edge shorter than ``t_c`` can go; returns the rounds.
+
+    ``check`` verifies after each round that the surface is a closed manifold of the same genus.
+    """
+    euler = connectivity.euler_characteristic(meso.rings) if check else 0
+    rounds = []
+    candidates = encode_edges(*connectivity.edges_from_rings(meso.rings), meso.num_rows)
+    while True:
+        a, b = decode_edges(candidates, meso.num_rows)
+        length = edge_lengths(meso.positions, a, b)
+        is_short = (length < t_c) & ~(meso.is_fixed[a] & meso.is_fixed[b])
+        a, b, length = a[is_short], b[is_short], length[is_short]
+        can_go = connectivity.is_collapsible(meso.rings, meso.degree, a, b)
+        a, b, length = a[can_go], b[can_go], length[can_go]
+        if len(a) == 0:
+            return rounds
+        chosen = _independent(meso.rings, a, b, np.lexsort((b, a, length)))
+        done = _apply(meso, a[chosen], b[chosen])
+        rounds.append(done)
+        if check:
+            connectivity.check_closed_manifold(meso.rings, euler)
+        waiting = np.ones(len(a), dtype=bool)
+        waiting[chosen] = False
+        waiting &= (meso.degree[a] > 0) & (meso.degree[b] > 0)
+        touched = np.unique(meso.rings[done.survivor])
+        touched = np.concatenate([done.survivor, touched[touched >= 0]])
+        around = encode_edges(*connectivity.edges_from_rings(meso.rings, touched), meso.num_rows)
+        candidates = np.union1d(encode_edges(a[waiting], b[waiting], meso.num_rows), around)
+
+
+def _independent(rings: np.ndarray, a: np.ndarray, b: np.ndarray, order: np.ndarray) -> np.ndarray:
+    """Indices of a maximal set of edges ab, first in ``order`` first, no two with equal or neighbouring ends."""
+    num_vertices, num_edges = len(rings), len(a)
+    chosen = []
+    a, b = a[order], b[order]
+    rank = np.arange(num_edges)
+    is_blocked = np.zeros(num_vertices, dtype=bool)
+    # One more entry than vertices: it stands for the padding -1, and no edge ends there.
+    best = np.full(num_vertices + 1, num_edges)
+    while len(rank):
+        best[:] = num_edges
+        np.minimum.at(best, a, rank)
+        np.minimum.at(best, b, rank)
+        nearby = np.minimum(
+            np.minimum(best[a], best[rings[a]].min(axis=1)), np.minimum(best[b], best[rings[b]].min(axis=1))
+        )
+        wins = nearby == rank
+        chosen.append(order[rank[wins]])
+        for end in (a[wins], b[wins]):
+            is_blocked[end] = True
+            reach = rings[end]
+            is_blocked[reach[reach >= 0]] = True
+        open_edges = ~(is_blocked[a] | is_blocked[b])
+        a, b, rank = a[open_edges], b[open_edges], rank[open_edges]
+    return np.sort(np.concatenate(chosen))
+
+
+def _apply(meso: Meso, a: np.ndarray, b: np.ndarray) -> CollapseRound:
+    """Merge the independent edges ab: splice the two rings into one, rename b around it, drop the two faces."""
+    swap = meso.is_fixed[b] & ~meso.is_fixed[a]  # the fixed end survives
+    a, b = np.where(swap, b, a), np.where(swap, a, b)
+    merged_degree = meso.degree[a] + meso.degree[b] - 4
+    rings = meso.rings = connectivity.widen(meso.rings, int(merged_degree.max()))
+    row = np.arange(len(a))[:, None]
+    slot_b, slot_a = find_slot(rings[a], b)[:, None], find_slot(rings[b], a)[:, None]
+    degree_a, degree_b = meso.degree[a][:, None], meso.degree[b][:, None]
+    left = rings[a, ((slot_b + 1) % degree_a)[:, 0]]
+    right = rings[a, ((slot_b - 1) % degree_a)[:, 0]]
+
+    # a's ring from `left` round to `right`, then b's ring from behind `right` to before `left`.
+    place = np.arange(rings.shape[1])[None, :]
+    from_a = rings[a[:, None], (slot_b + 1 + place) % degree_a]
+    from_b = rings[b[:, None], (slot_a + 2 + place - (degree_a - 1)) % degree_b]
+    merged = np.where(place < degree_a - 1, from_a, from_b)
+    merged = np.where(place < merged_degree[:, None], merged, -1)
+
+    # b's other neighbours now see a instead of b; the two apexes, which see a already, lose b.
+    is_other = (rings[b] >= 0) & (rings[b] != a[:, None])
+    is_other &= (rings[b] != left[:, None]) & (rings[b] != right[:, None])
+    owner, slot = np.nonzero(is_other)
+    other = rings[b[owner], slot]
+    other_slot = find_slot(rings[other], b[owner])
+    left_slot, right_slot = find_slot(rings[left], b), find_slot(rings[right], b)
+    rings[other, other_slot] = a[owner]
+    rings[left, left_slot] = -1
+    rings[right, right_slot] = -1
+    rings[a] = merged
+    rings[b] = -1
+    _close_gaps(meso, np.concatenate([left, right]))
+    meso.degree[a], meso.degree[b] = merged_degree, 0
+
+    fraction = np.where(meso.is_fixed[a], 0.0, 0.5)
+    position = meso.positions[a] + fraction[:, None] * (meso.positions[b] - meso.positions[a])
+    reach_a = np.where(meso.has_pole[a], np.linalg.norm(meso.poles[a] - position, axis=1), np.inf)
+    reach_b = np.where(meso.has_pole[b], np.linalg.norm(meso.poles[b] - position, axis=1), np.inf)
+    takes_pole = reach_b < reach_a
+    meso.positions[a] = position
+    meso.poles[a] = np.where(takes_pole[:, None], meso.poles[b], meso.poles[a])
+    meso.has_pole[a] |= takes_pole
+    meso.merge_map(a, b)
+    return CollapseRound(a, b, fraction, takes_pole)
+
+
+def _close_gaps(meso: Meso, vertices: np.ndarray) -> None:
+    """Move the neighbours of ``vertices`` to the front of their rows, in order, and count them again."""
+    vertices = np.unique(vertices)
+    rows = meso.rings[vertices]
+    order = np.argsort(rows < 0, axis=1, kind="stable")
+    meso.rings[vertices] = np.take_along_axis(rows, order, axis=1)
+    meso.degree[vertices] = connectivity.ring_degrees(rows)

@@ -1,0 +1,181 @@
+"""Ordered one-rings: the connectivity of a closed oriented surface as one table.
+
+Row i of ``rings`` (n, K) lists the neighbours of vertex i counter-clockwise seen from outside, padded with -1, so that
+every face at i is ``(i, rings[i, k], rings[i, k + 1])``, cyclically. The table alone is the surface: faces, edges, the
+two apexes of an edge and the link condition are read off it, an edit touches only the rows around it, and the same
+table, transposed, is what the device gathers through. A vertex has one row and so one fan: pinches cannot be expressed.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from msf_jax.errors import FlowError, MeshError
+
+RING_CAPACITIES = (8, 12, 16, 24, 32)
+
+
+def ring_capacity(degree: int) -> int:
+    """The smallest ring capacity that holds ``degree`` neighbours: 8, 12, 16, 24, 32, then multiples of 32."""
+    for capacity in RING_CAPACITIES:
+        if degree <= capacity:
+            return capacity
+    return -(-degree // 32) * 32
+
+
+class HalfEdges(NamedTuple):
+    """Half-edges of a triangle list: number 3f + c runs from corner c of face f to the next corner."""
+
+    origin: np.ndarray
+    target: np.ndarray
+    twin: np.ndarray  # -1 where no half-edge runs the other way
+
+
+def half_edges(faces: np.ndarray) -> HalfEdges:
+    """Half-edges of ``faces`` (F, 3) with their twins; the faces need not be closed, but no half-edge may occur twice."""
+    origin = faces.ravel()
+    target = faces[:, [1, 2, 0]].ravel()
+    num = int(faces.max(initial=-1)) + 1
+    forward = origin.astype(np.int64) * num + target
+    backward = target.astype(np.int64) * num + origin
+    order = np.argsort(forward, kind="stable")
+    place = np.searchsorted(forward, backward, sorter=order).clip(max=len(order) - 1)
+    twin = order[place] if len(order) else order
+    return HalfEdges(origin, target, np.where(forward[twin] == backward, twin, -1))
+
+
+def next_in_ring(edges: HalfEdges) -> np.ndarray:
+    """For the half-edge i -> j of face (i, j, k), the number of the half-edge i -> k: one step around vertex i."""
+    num = np.arange(len(edges.origin))
+    previous = num - num % 3 + (num + 2) % 3
+    return edges.twin[previous]
+
+
+def rings_from_faces(faces: np.ndarray, num_vertices: int) -> np.ndarray:
+    """Ring table (n, K) of a closed, oriented, vertex-manifold triangle list.
+
+    Raises:
+        MeshError: a vertex is in no face, or its faces do not form one closed fan.
+    """
+    edges = half_edges(faces)
+    step = next_in_ring(edges)
+    degree = np.bincount(edges.origin, minlength=num_vertices)
+    if len(edges.origin) == 0 or degree.min() == 0 or (edges.twin < 0).any():
+        raise MeshError("the faces do not cover every vertex with a closed surface: check the mesh with host.surface first")
+    rings = np.full((num_vertices, ring_capacity(int(degree.max()))), -1, dtype=np.int64)
+    first = np.empty(num_vertices, dtype=np.int64)
+    first[edges.origin[::-1]] = np.arange(len(edges.origin))[::-1]
+    current = first.copy()
+    for k in range(int(degree.max())):  # one step around every vertex at once
+        open_ring = degree > k
+        rings[open_ring, k] = edges.target[current[open_ring]]
+        current = step[current]
+        if (current[open_ring & (degree > k + 1)] == first[open_ring & (degree > k + 1)]).any():
+            raise MeshError("the faces around a vertex form several fans: split the vertex with host.surface first")
+    return rings
+
+
+def ring_degrees(rings: np.ndarray) -> np.ndarray:
+    """Number of neighbours (n,) in each row."""
+    return np.count_nonzero(rings >= 0, axis=1)
+
+
+def widen(rings: np.ndarray, degree: int) -> np.ndarray:
+    """The same table with room for ``degree`` neighbours; unchanged where there already is."""
+    missing = ring_capacity(degree) - rings.shape[1]
+    return np.pad(rings, ((0, 0), (0, missing)), constant_values=-1) if missing > 0 else rings
+
+
+def find_slot(rows: np.ndarray, neighbour: np.ndarray) -> np.ndarray:
+    """The slot (c,) of ``neighbour`` (c,) in each of ``rows`` (c, K); it must be there."""
+    return (rows == neighbour[:, None]).argmax(axis=1)
+
+
+def apexes(rings: np.ndarray, degree: np.ndarray, a: np.ndarray, b: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """For edges ab (c,), the third vertices of the faces to the left (a, b, left) and to the right (b, a, right)."""
+    slot = find_slot(rings[a], b)
+    return rings[a, (slot + 1) % degree[a]], rings[a, (slot - 1) % degree[a]]
+
+
+def edges_from_rings(rings: np.ndarray, vertices: np.ndarray | None = None) -> tuple[np.ndarray, np.ndarray]:
+    """Every edge once, as (a, b) with a < b, in ascending order; only those at ``vertices`` if given."""
+    if vertices is None:
+        a, slot = np.nonzero(rings > np.arange(len(rings))[:, None])
+        return a, rings[a, slot]
+    rows = rings[vertices]
+    row, slot = np.nonzero(rows >= 0)
+    one, other = vertices[row], rows[row, slot]
+    return decode_edges(np.unique(encode_edges(np.minimum(one, other), np.maximum(one, other), len(rings))), len(rings))
+
+
+def encode_edges(a: np.ndarray, b: np.ndarray, num_vertices: int) -> np.ndarray:
+    """One sortable integer an edge."""
+    return a * np.int64(num_vertices) + b
+
+
+def decode_edges(code: np.ndarray, num_vertices: int) -> tuple[np.ndarray, np.ndarray]:
+    """The inverse of `encode_edges`."""
+    return code // num_vertices, code % num_vertices
+
+
+def faces_from_rings(rings: np.ndarray) -> np.ndarray:
+    """Every face (F, 3) once, its smallest vertex first."""
+    n, capacity = rings.shape
+    degree = ring_degrees(rings)
+    following = np.concatenate([rings[:, 1:], np.full((n, 1), -1)], axis=1)
+    live = np.flatnonzero(degree)
+    following[live, degree[live] - 1] = rings[live, 0]
+    vertex = np.broadcast_to(np.arange(n)[:, None], (n, capacity))
+    smallest = (rings > vertex) & (following > vertex)
+    return np.stack([vertex[smallest], rings[smallest], following[smallest]], axis=1)
+
+
+def is_collapsible(rings: np.ndarray, degree: np.ndarray, a: np.ndarray, b: np.ndarray) -> np.ndarray:
+    """The link condition (c,): the ends of ab have exactly two common neighbours, and no tetrahedron would be crushed.
+
+    In a closed surface the two apexes are always common neighbours; a third one means that the edge runs through a
+    neck of three edges, and merging its ends would pinch the surface there. An apex of degree three stands on a
+    tetrahedron when there are just two common neighbours, and would be left with two faces back to back.
+    """
+    rows_a, rows_b = rings[a], rings[b]
+    is_common = ((rows_a[:, :, None] == rows_b[:, None, :]) & (rows_a >= 0)[:, :, None]).any(axis=2)
+    left, right = apexes(rings, degree, a, b)
+    return (is_common.sum(axis=1) == 2) & (degree[left] > 3) & (degree[right] > 3)
+
+
+def euler_characteristic(rings: np.ndarray) -> int:
+    """V - E + F of the live part of the table: 2 - 2 genus for each component."""
+    half = int((rings >= 0).sum())
+    return int((rings[:, 0] >= 0).sum()) - half // 2 + half // 3
+
+
+def check_closed_manifold(rings: np.ndarray, euler: int) -> None:
+    """The debug check after an edit: closed, oriented, simplicial, and of the Euler characteristic it had.
+
+    Raises:
+        FlowError: naming the first vertex that breaks a rule.
+    """
+    vertex, slot = np.nonzero(rings >= 0)
+    neighbour = rings[vertex, slot]
+    degree = ring_degrees(rings)
+    code = encode_edges(vertex, neighbour, len(rings))
+    faults = {
+        "is its own neighbour": vertex[vertex == neighbour],
+        "has a neighbour twice": np.sort(code)[1:][np.diff(np.sort(code)) == 0] // len(rings),
+        "has a neighbour that does not know it": vertex[~np.isin(code, encode_edges(neighbour, vertex, len(rings)))],
+        "has fewer than three neighbours": np.flatnonzero((degree > 0) & (degree < 3)),
+        "has a gap in its ring": np.flatnonzero((rings >= 0) != (np.arange(rings.shape[1]) < degree[:, None]))
+        // rings.shape[1],
+    }
+    # Face (i, j, k) read at i must be read at j as (j, k, i): after k comes i.
+    following = np.where(slot + 1 < degree[vertex], slot + 1, 0)
+    third = rings[vertex, following]
+    if not any(len(found) for found in faults.values()):
+        slot_of_third = find_slot(rings[neighbour], third)
+        after = rings[neighbour, np.where(slot_of_third + 1 < degree[neighbour], slot_of_third + 1, 0)]
+        faults["bears a face that its neighbours do not"] = vertex[after != vertex]
+    for what, found in faults.items():
+        if len(found):
+            raise FlowError(f"the surface is no closed manifold any more: vertex {found[0]} {what}, as do {len(found) - 1} others")
+    if (now := euler_characteristic(rings)) != euler:
+        raise FlowError(f"an edit changed the topology: Euler characteristic {now}, was {euler}")

@@ -1,0 +1,28 @@
+"""Fixing degenerate vertices, and the threshold's saw-tooth (article 3.2.5 and 3.2.6)."""
+
+import numpy as np
+
+from msf_jax.host import connectivity
+from msf_jax.host.collapse import edge_lengths
+from msf_jax.host.meso import Meso
+
+
+def fix_degenerate_vertices(meso: Meso, t_f: float) -> int:
+    """Fix, in place, every vertex with two or more incident edges shorter than ``t_f`` that cannot collapse.
+
+    Returns how many became fixed.
+    """
+    a, b = connectivity.edges_from_rings(meso.rings)
+    is_short = edge_lengths(meso.positions, a, b) < t_f
+    a, b = a[is_short], b[is_short]
+    is_stuck = ~connectivity.is_collapsible(meso.rings, meso.degree, a, b)
+    count = np.bincount(np.concatenate([a[is_stuck], b[is_stuck]]), minlength=meso.num_rows)
+    fresh = (count >= 2) & ~meso.is_fixed
+    meso.is_fixed |= fresh
+    return int(fresh.sum())
+
+
+def next_threshold(t_c: float, t_min: float, t_step: float, t_max: float) -> float:
+    """The saw-tooth: t_c rises by ``t_step`` each iteration and falls back to ``t_min`` above ``t_max``."""
+    raised = t_c + t_step
+    return t_min if raised > t_max else raised

@@ -1,0 +1,97 @@
+"""The surface while it contracts: positions, rings, and what every vertex carries.
+
+The meso-skeleton is the one object that the host edits. Its arrays have a row for every vertex ever made in the run up
+to the last `compacted`; merged vertices leave dead rows, whose ring is empty.
+"""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from msf_jax.host import connectivity
+
+
+@dataclass
+class Meso:
+    """A closed surface under contraction. Lengths are fractions of the input's bounding-box diagonal.
+
+    positions: (n, 3). rings: (n, K), see `connectivity`. degree: (n,), 0 for a dead row.
+    poles: (n, 3), finite everywhere. has_pole: (n,), False where the pole must not pull.
+    is_fixed: (n,), True where the vertex has reached the skeleton for good.
+    node_of_input: (V,), the row that every vertex of the input has been merged into.
+    """
+
+    positions: np.ndarray
+    rings: np.ndarray
+    degree: np.ndarray
+    poles: np.ndarray
+    has_pole: np.ndarray
+    is_fixed: np.ndarray
+    node_of_input: np.ndarray
+
+    @classmethod
+    def from_mesh(cls, vertices: np.ndarray, faces: np.ndarray, poles: np.ndarray, has_pole: np.ndarray) -> "Meso":
+        """The uncontracted surface, nothing fixed, every vertex its own."""
+        rings = connectivity.rings_from_faces(faces, len(vertices))
+        return cls(
+            positions=np.array(vertices, dtype=np.float64),
+            rings=rings,
+            degree=connectivity.ring_degrees(rings),
+            poles=np.array(poles, dtype=np.float64),
+            has_pole=np.array(has_pole, dtype=bool),
+            is_fixed=np.zeros(len(vertices), dtype=bool),
+            node_of_input=np.arange(len(vertices)),
+        )
+
+    @property
+    def num_rows(self) -> int:
+        """Rows, dead ones included."""
+        return len(self.positions)
+
+    @property
+    def is_live(self) -> np.ndarray:
+        """(n,) True for the vertices that are still part of the surface."""
+        return self.degree > 0
+
+    @property
+    def num_live(self) -> int:
+        """Vertices of the surface."""
+        return int(np.count_nonzero(self.degree))
+
+    def faces(self) -> np.ndarray:
+        """(F, 3), rows as they are numbered now."""
+        return connectivity.faces_from_rings(self.rings)
+
+    def volume(self) -> float:
+        """Signed enclosed volume, one sixth of the sum of det(a, b, c) over the faces."""
+        return signed_volume(self.positions, self.faces())
+
+    def merge_map(self, survivor: np.ndarray, removed: np.ndarray) -> None:
+        """Carry the input's vertices from removed rows to their survivors."""
+        target = np.arange(self.num_rows)
+        target[removed] = survivor
+        self.node_of_input = target[self.node_of_input]
+
+    def compacted(self) -> "Meso":
+        """The same surface without its dead rows."""
+        live = np.flatnonzero(self.degree)
+        if len(live) == self.num_rows:
+            return self
+        number = np.full(self.num_rows + 1, -1)  # the last entry serves the padding -1
+        number[live] = np.arange(len(live))
+        return replace(
+            self,
+            positions=self.positions[live],
+            rings=number[self.rings[live]],
+            degree=self.degree[live],
+            poles=self.poles[live],
+            has_pole=self.has_pole[live],
+            is_fixed=self.is_fixed[live],
+            node_of_input=number[self.node_of_input],
+        )
+
+
+def signed_volume(vertices: np.ndarray, faces: np.ndarray) -> float:
+    """Signed volume that closed ``faces`` (F, 3) enclose, positive when they face outwards."""
+    a, b, c = vertices[faces[:, 0]], vertices[faces[:, 1]], vertices[faces[:, 2]]
+    return float(np.einsum("ij,ij->", a, np.cross(b, c)) / 6.0)

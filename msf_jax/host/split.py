@@ -1,0 +1,126 @@
+"""Edge split: an edge with two obtuse opposite angles is cut where an apex projects on it (article 3.2.4).
+
+The collapse leaves long thin triangles; cutting their longest edge gives the contraction a vertex to move there. The
+new vertex lies on the old edge, so the shape does not change, and has no pole of its own: the interpolated one, at the
+same fraction of the edge, is carried along but does not pull (DESIGN "Split").
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from msf_jax.host import connectivity
+from msf_jax.host.collapse import edge_lengths
+from msf_jax.host.connectivity import decode_edges, encode_edges, find_slot
+from msf_jax.host.meso import Meso
+
+
+class SplitRound(NamedTuple):
+    """One round of independent splits, (c,) each: the new vertex is (1 - fraction) a + fraction b."""
+
+    a: np.ndarray
+    b: np.ndarray
+    new: np.ndarray
+    fraction: np.ndarray
+
+
+def split_obtuse_edges(
+    meso: Meso, angle: float, shortest: float, max_rows: int, *, check: bool = False
+) -> list[SplitRound]:
+    """Split in place until no edge longer than ``shortest`` has two opposite angles over ``angle`` degrees.
+
+    Stops early rather than let the surface outgrow ``max_rows``; returns the rounds.
+    """
+    euler = connectivity.euler_characteristic(meso.rings) if check else 0
+    cosine = np.cos(np.radians(angle))
+    rounds = []
+    a, b = connectivity.edges_from_rings(meso.rings)
+    while True:
+        keep = edge_lengths(meso.positions, a, b) > shortest
+        a, b = a[keep], b[keep]
+        left, right = connectivity.apexes(meso.rings, meso.degree, a, b)
+        cos_left = _cos_at(meso.positions, left, a, b)
+        cos_right = _cos_at(meso.positions, right, a, b)
+        is_obtuse = (cos_left < cosine) & (cos_right < cosine)
+        a, b, left, right = a[is_obtuse], b[is_obtuse], left[is_obtuse], right[is_obtuse]
+        apex = np.where(cos_left[is_obtuse] <= cos_right[is_obtuse], left, right)
+        along = meso.positions[b] - meso.positions[a]
+        length2 = np.einsum("ij,ij->i", along, along)
+        fraction = np.einsum("ij,ij->i", meso.positions[apex] - meso.positions[a], along) / length2
+        chosen = _disjoint(np.stack([a, b, left, right], axis=1), np.lexsort((b, a, -length2)), meso.num_rows)
+        if len(chosen) == 0 or meso.num_live + len(chosen) > max_rows:
+            return rounds
+        rounds.append(split_edges(meso, a[chosen], b[chosen], fraction[chosen]))
+        if check:
+            connectivity.check_closed_manifold(meso.rings, euler)
+        touched = np.concatenate([rounds[-1].new, left[chosen], right[chosen]])
+        around = encode_edges(*connectivity.edges_from_rings(meso.rings, touched), meso.num_rows)
+        waiting = np.delete(np.arange(len(a)), chosen)
+        a, b = decode_edges(np.union1d(encode_edges(a[waiting], b[waiting], meso.num_rows), around), meso.num_rows)
+
+
+def split_long_edges(meso: Meso, longest: float, max_rows: int) -> None:
+    """Halve every edge longer than ``longest``, longest first, until none is left or ``max_rows`` is reached."""
+    while True:
+        a, b = connectivity.edges_from_rings(meso.rings)
+        length = edge_lengths(meso.positions, a, b)
+        is_long = length > longest
+        a, b, length = a[is_long], b[is_long], length[is_long]
+        left, right = connectivity.apexes(meso.rings, meso.degree, a, b)
+        chosen = _disjoint(np.stack([a, b, left, right], axis=1), np.lexsort((b, a, -length)), meso.num_rows)
+        if len(chosen) == 0 or meso.num_live + len(chosen) > max_rows:
+            return
+        split_edges(meso, a[chosen], b[chosen], np.full(len(chosen), 0.5))
+
+
+def split_edges(meso: Meso, a: np.ndarray, b: np.ndarray, fraction: np.ndarray) -> SplitRound:
+    """Cut the edges ab (c,), which share no face, at ``fraction`` of the way from a to b."""
+    left, right = connectivity.apexes(meso.rings, meso.degree, a, b)
+    rings = meso.rings = connectivity.widen(meso.rings, int(meso.degree.max(initial=0)) + 1)
+    new = np.arange(meso.num_rows, meso.num_rows + len(a))
+    slot_b, slot_a = find_slot(rings[a], b), find_slot(rings[b], a)
+    rings[a, slot_b] = new
+    rings[b, slot_a] = new
+    # Around the left apex a comes before b, around the right one b before a: the new vertex goes between them.
+    for apex, before in ((left, a), (right, b)):
+        slot = find_slot(rings[apex], before)[:, None]
+        place = np.arange(rings.shape[1])[None, :]
+        shifted = np.take_along_axis(rings[apex], np.where(place > slot + 1, place - 1, place), axis=1)
+        rings[apex] = np.where(place == slot + 1, new[:, None], shifted)
+        meso.degree[apex] += 1
+    fresh = np.full((len(a), rings.shape[1]), -1, dtype=rings.dtype)
+    fresh[:, 0], fresh[:, 1], fresh[:, 2], fresh[:, 3] = b, left, a, right
+    meso.rings = np.concatenate([rings, fresh])
+    meso.degree = np.concatenate([meso.degree, np.full(len(a), 4)])
+    weight = fraction[:, None]
+    for name in ("positions", "poles"):
+        old = getattr(meso, name)
+        setattr(meso, name, np.concatenate([old, (1 - weight) * old[a] + weight * old[b]]))
+    meso.has_pole = np.concatenate([meso.has_pole, np.zeros(len(a), dtype=bool)])
+    meso.is_fixed = np.concatenate([meso.is_fixed, np.zeros(len(a), dtype=bool)])
+    return SplitRound(a, b, new, fraction)
+
+
+def _cos_at(positions: np.ndarray, apex: np.ndarray, a: np.ndarray, b: np.ndarray) -> np.ndarray:
+    """Cosine (c,) of the angle that ab subtends at ``apex``; 1 where the apex coincides with an end."""
+    to_a, to_b = positions[a] - positions[apex], positions[b] - positions[apex]
+    product = np.sqrt(np.einsum("ij,ij->i", to_a, to_a) * np.einsum("ij,ij->i", to_b, to_b))
+    dot = np.einsum("ij,ij->i", to_a, to_b)
+    return np.where(product > 0, dot / np.where(product > 0, product, 1.0), 1.0)
+
+
+def _disjoint(claims: np.ndarray, order: np.ndarray, num_vertices: int) -> np.ndarray:
+    """Rows of ``claims`` (c, 4), first in ``order`` first, no two of which share a vertex."""
+    chosen = []
+    claims, rank = claims[order], np.arange(len(claims))
+    is_taken = np.zeros(num_vertices, dtype=bool)
+    best = np.empty(num_vertices, dtype=np.int64)
+    while len(rank):
+        best[claims.ravel()] = len(order)
+        np.minimum.at(best, claims.ravel(), np.repeat(rank, claims.shape[1]))
+        wins = (best[claims] == rank[:, None]).all(axis=1)
+        chosen.append(order[rank[wins]])
+        is_taken[claims[wins].ravel()] = True
+        is_open = ~is_taken[claims].any(axis=1)
+        claims, rank = claims[is_open], rank[is_open]
+    return np.sort(np.concatenate(chosen)) if chosen else np.empty(0, dtype=np.int64)

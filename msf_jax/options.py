@@ -1,0 +1,166 @@
+"""The two halves of a run's settings: `Weights`, which gradients flow through, and `Config`, which is compiled in."""
+
+import math
+import numbers
+from dataclasses import dataclass, fields, replace
+from functools import partial
+from typing import Any
+
+import jax
+
+from msf_jax.errors import ConfigError
+
+LAPLACIANS = ("mean_value", "cotangent", "uniform")
+SYSTEMS = ("msf", "tagliasacchi2012", "au2008")
+
+
+@partial(jax.tree_util.register_dataclass, data_fields=["w_L", "w_H", "w_M", "smoothing"], meta_fields=[])
+@dataclass(frozen=True)
+class Weights:
+    """Weights of the flow, a pytree. They multiply rows, so energies scale with their squares (article Eq. 2).
+
+    Attributes:
+        w_L: contraction, >= 0.
+        w_H: attraction to where the vertex is, > 0: it keeps the system definite.
+        w_M: attraction to the Voronoi pole, >= 0.
+        smoothing: lambda of the implicit Laplacian step, >= 0; 0 turns it off.
+
+    All are dimensionless. The ratios matter: a larger w_L / w_H contracts more in one iteration.
+
+    Raises:
+        ConfigError: a value is negative or not finite.
+    """
+
+    w_L: Any = 1.0
+    w_H: Any = 0.05
+    w_M: Any = 0.1
+    smoothing: Any = 0.001
+
+    def __post_init__(self) -> None:
+        for field in fields(self):
+            value = getattr(self, field.name)
+            if isinstance(value, str) or (isinstance(value, numbers.Real) and not _is_weight(value)):
+                raise ConfigError(f"Weights.{field.name} is {value!r}: expected a finite number of 0 or more")
+        if isinstance(self.w_H, numbers.Real) and float(self.w_H) == 0.0:
+            raise ConfigError("Weights.w_H is 0: expected more than 0, without it the least-squares system is singular")
+
+
+def _is_weight(value: Any) -> bool:
+    return math.isfinite(float(value)) and float(value) >= 0
+
+
+@dataclass(frozen=True)
+class Config:
+    """Everything about a run that is not differentiable; frozen and hashable. Lengths are fractions of the diagonal.
+
+    ``Config()`` is the article's own system, `Config.tagliasacchi2012()` and `Config.au2008()` the two it builds on.
+
+    Attributes:
+        system: the name of the system, for reports.
+        laplacian: "mean_value" (article Eq. 4), "cotangent" or "uniform".
+        reconstruct_poles: eigenvectors kept in the mesh that the poles are computed on; 0 takes the mesh as it is.
+        reconstruct_mesh: eigenvectors kept in the mesh that is contracted; 0 takes the mesh as it is.
+        resample: target edge length that the mesh is resampled to before anything else; 0 keeps its sampling.
+        use_poles: whether Voronoi poles pull at all.
+        edit_connectivity: whether edges are collapsed and split, and vertices fixed, in the loop.
+        t_min, t_step, t_max: saw-tooth of the collapse threshold t_c (article 3.2.6); t_step 0 keeps it constant.
+        split_angle: theta_s in degrees: an edge with two opposite angles over it is split.
+        growth: factor on w_L after each iteration (Au et al. 2008); 1 keeps it.
+        w_H_follows_area: whether w_H grows as a vertex's one-ring area shrinks (Au et al. 2008).
+        max_iterations: the flow gives up after so many.
+        volume_tolerance: the flow has converged when this fraction of the volume is left.
+        free_tolerance: it has converged, too, when this fraction of the vertices is not fixed.
+        solve_tolerance: residual of the linear solves, relative to the right-hand side.
+        solve_steps: CG steps after which a solve gives up (and the report says so).
+        check: verify after every round of edits that the surface is a closed manifold of the same genus.
+
+    Raises:
+        ConfigError: a value is out of its range, or a name is unknown.
+    """
+
+    system: str = "msf"
+    laplacian: str = "mean_value"
+    reconstruct_poles: int = 200
+    reconstruct_mesh: int = 0
+    resample: float = 0.0
+    use_poles: bool = True
+    edit_connectivity: bool = True
+    t_min: float = 0.002
+    t_step: float = 0.0001
+    t_max: float = 0.016
+    split_angle: float = 110.0
+    growth: float = 1.0
+    w_H_follows_area: bool = False
+    max_iterations: int = 200
+    volume_tolerance: float = 1e-4
+    free_tolerance: float = 0.01
+    solve_tolerance: float = 1e-2
+    solve_steps: int = 2000
+    check: bool = False
+
+    def __post_init__(self) -> None:
+        if self.system not in SYSTEMS:
+            raise ConfigError(f"unknown system {self.system!r}: expected one of {', '.join(SYSTEMS)}")
+        if self.laplacian not in LAPLACIANS:
+            raise ConfigError(f"unknown Laplacian {self.laplacian!r}: expected one of {', '.join(LAPLACIANS)}")
+        ranges = {
+            "reconstruct_poles": (0, math.inf),
+            "reconstruct_mesh": (0, math.inf),
+            "resample": (0, 0.5),
+            "t_min": (0, 0.5),
+            "t_step": (0, 0.5),
+            "t_max": (0, 0.5),
+            "split_angle": (90, 180),
+            "growth": (1, 100),
+            "max_iterations": (1, math.inf),
+            "volume_tolerance": (0, 1),
+            "free_tolerance": (0, 1),
+            "solve_tolerance": (0, 1),
+            "solve_steps": (1, math.inf),
+        }
+        for name, (low, high) in ranges.items():
+            value = getattr(self, name)
+            if isinstance(value, bool) or not isinstance(value, numbers.Real) or not low <= float(value) <= high:
+                raise ConfigError(f"Config.{name} is {value!r}: expected a number from {low} to {high}")
+        if self.t_max < self.t_min:
+            raise ConfigError(f"Config.t_max is {self.t_max}, below t_min {self.t_min}: expected t_min <= t_max")
+        if 0 < self.reconstruct_poles < 4 or 0 < self.reconstruct_mesh < 4:
+            raise ConfigError("fewer than 4 eigenvectors rebuild no volume: expected 0 (off) or at least 4")
+
+    @classmethod
+    def tagliasacchi2012(cls, **changes: Any) -> "Config":
+        """Tagliasacchi et al. 2012: resampled input, cotangent L, poles as they are, constant t_c."""
+        base = cls(
+            system="tagliasacchi2012", laplacian="cotangent", reconstruct_poles=0, resample=0.02, t_step=0.0
+        )
+        return replace(base, **changes)
+
+    @classmethod
+    def au2008(cls, **changes: Any) -> "Config":
+        """Au et al. 2008: cotangent L, no poles, no edits in the loop; w_L grows and w_H follows the one-ring area."""
+        base = cls(
+            system="au2008",
+            laplacian="cotangent",
+            reconstruct_poles=0,
+            use_poles=False,
+            edit_connectivity=False,
+            growth=2.0,
+            w_H_follows_area=True,
+        )
+        return replace(base, **changes)
+
+    @classmethod
+    def named(cls, system: str, **changes: Any) -> "Config":
+        """The configuration of the ``system`` of that name: "msf", "tagliasacchi2012" or "au2008"."""
+        makers = {"msf": cls, "tagliasacchi2012": cls.tagliasacchi2012, "au2008": cls.au2008}
+        if system not in makers:
+            raise ConfigError(f"unknown system {system!r}: expected one of {', '.join(SYSTEMS)}")
+        return makers[system](**changes)
+
+    def default_weights(self) -> Weights:
+        """The weights that go with this system."""
+        return {
+            "msf": Weights(),
+            "tagliasacchi2012": Weights(w_L=1.0, w_H=0.1, w_M=0.2, smoothing=0.0),
+            "au2008": Weights(w_L=1.0, w_H=1.0, w_M=0.0, smoothing=0.0),
+        }[self.system]
