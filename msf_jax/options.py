@@ -32,8 +32,8 @@ class Weights:
     """
 
     w_L: Any = 1.0
-    w_H: Any = 0.05
-    w_M: Any = 0.1
+    w_H: Any = 0.1
+    w_M: Any = 0.4
     smoothing: Any = 0.001
 
     def __post_init__(self) -> None:
@@ -94,7 +94,7 @@ class Config:
     max_iterations: int = 200
     volume_tolerance: float = 1e-4
     free_tolerance: float = 0.01
-    solve_tolerance: float = 1e-2
+    solve_tolerance: float = 1e-3
     solve_steps: int = 2000
     check: bool = False
 
@@ -131,7 +131,7 @@ class Config:
     def tagliasacchi2012(cls, **changes: Any) -> "Config":
         """Tagliasacchi et al. 2012: resampled input, cotangent L, poles as they are, constant t_c."""
         base = cls(
-            system="tagliasacchi2012", laplacian="cotangent", reconstruct_poles=0, resample=0.02, t_step=0.0
+            system="tagliasacchi2012", laplacian="cotangent", reconstruct_poles=0, resample=0.01, t_step=0.0
         )
         return replace(base, **changes)
 

@@ -1,11 +1,11 @@
 """Fixed-capacity padded buffers: what a jitted step sees of the surface.
 
-A capacity is compiled once, so there are few: 256, 384, 512, 768, ... for vertices, `ring_capacity` for neighbours. A
-padded row has no neighbours, is not free, and points at itself; a padded slot points at its own row. Neither adds to
-any sum, so values and gradients do not depend on the padding.
+A capacity is compiled once, so there are few: 256 times 1, 1.5, 2, 3, 4, ... for vertices, `ring_capacity` for
+neighbours. A padded row has no neighbours, is not free, and its slots point at itself, as unused slots of live rows
+do. Neither adds to any sum, so values and gradients do not depend on the padding.
 """
 
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import jax
 import jax.numpy as jnp
@@ -29,7 +29,7 @@ def capacity(count: int) -> int:
     """The smallest capacity for ``count`` vertices: 256 times 1, 1.5, 2, 3, 4, 6, 8, ..."""
     size = SMALLEST
     while size < count:
-        if size * 3 // 2 >= count and size >= SMALLEST:
+        if size * 3 // 2 >= count:
             return size * 3 // 2
         size *= 2
     return size
@@ -40,9 +40,6 @@ def next_capacity(current: int, count: int) -> int:
     return capacity(count) if count > current or 2 * count <= current else current
 
 
-def pad(array: Any, size: int, fill: float = 0) -> Any:
-    """``array`` with rows of ``fill`` appended up to ``size``; works on NumPy and JAX arrays alike."""
-    missing = size - array.shape[0]
-    filler = array[:0]
-    del filler
-    return jnp.pad(array, [(0, missing)] + [(0, 0)] * (array.ndim - 1), constant_values=fill)
+def real_dtype() -> jnp.dtype:
+    """float64 when JAX has it on, float32 otherwise."""
+    return jnp.zeros(()).dtype

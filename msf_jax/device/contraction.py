@@ -46,7 +46,7 @@ class CGState(NamedTuple):
 
 @dataclass(eq=False)
 class ConjugateGradients(base.IterativeSolver):
-    """Preconditioned CG for A x = b; ``error`` is the Euclidean norm of b - A x."""
+    """Preconditioned CG for A x = b from x = 0; ``error`` is the Euclidean norm of b - A x."""
 
     matvec: Any
     precondition: Any
@@ -58,9 +58,9 @@ class ConjugateGradients(base.IterativeSolver):
     verbose: bool = False
 
     def init_state(self, init_params: jax.Array, b: jax.Array) -> CGState:
-        residual = b - self.matvec(init_params)
-        z = self.precondition(residual)
-        return CGState(jnp.asarray(0), _norm(residual), residual, z, (residual * z).sum())
+        del init_params  # zero: the residual is b
+        z = self.precondition(b)
+        return CGState(jnp.asarray(0), _norm(b), b, z, (b * z).sum())
 
     def update(self, params: jax.Array, state: CGState, b: jax.Array) -> base.OptStep:
         del b

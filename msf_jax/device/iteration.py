@@ -28,7 +28,7 @@ def move(buffers: Buffers, weights: Weights, config: Config) -> Moved:
     _, ring, degree, free, poles, pull, area = buffers
     positions = buffers.positions
     tolerance, max_steps = config.solve_tolerance, config.solve_steps
-    rows = laplacian.assemble(config.laplacian, positions, ring, degree)
+    rows = laplacian.limit(laplacian.assemble(config.laplacian, positions, ring, degree))
     w_H = weights.w_H * jnp.ones_like(free)
     if config.w_H_follows_area:
         w_H = w_H * jnp.sqrt(area / laplacian.one_ring_areas(positions, ring, degree))
@@ -36,7 +36,7 @@ def move(buffers: Buffers, weights: Weights, config: Config) -> Moved:
     positions, contracted = contraction.contract(
         positions, rows, ring, free, poles, w_L, w_H, w_M, tolerance, max_steps
     )
-    rows = laplacian.assemble(config.laplacian, positions, ring, degree)
+    rows = laplacian.limit(laplacian.assemble(config.laplacian, positions, ring, degree))
     positions, smoothed = smoothing.smooth(positions, rows, ring, free, weights.smoothing, tolerance, max_steps)
     return Moved(positions, contracted, smoothed)
 

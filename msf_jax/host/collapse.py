@@ -30,6 +30,15 @@ def edge_lengths(positions: np.ndarray, a: np.ndarray, b: np.ndarray) -> np.ndar
     return np.sqrt(np.einsum("ij,ij->i", difference, difference))
 
 
+def shortest_first(a: np.ndarray, b: np.ndarray, length: np.ndarray, unit: float) -> np.ndarray:
+    """Order (c,) of the edges ab by length, ties by index.
+
+    Lengths count as tied when they agree to 1e-6 of ``unit``: equal edges of a symmetric mesh stay tied when rounding
+    makes them differ in the last bit, so that a scaled or shifted mesh is edited alike.
+    """
+    return np.lexsort((b, a, np.round(length / (1e-6 * unit))))
+
+
 def collapse_short_edges(meso: Meso, t_c: float, *, check: bool = False) -> list[CollapseRound]:
     """Collapse in place until no edge shorter than ``t_c`` can go; returns the rounds.
 
@@ -47,7 +56,7 @@ def collapse_short_edges(meso: Meso, t_c: float, *, check: bool = False) -> list
         a, b, length = a[can_go], b[can_go], length[can_go]
         if len(a) == 0:
             return rounds
-        chosen = _independent(meso.rings, a, b, np.lexsort((b, a, length)))
+        chosen = _independent(meso.rings, a, b, shortest_first(a, b, length, t_c))
         done = _apply(meso, a[chosen], b[chosen])
         rounds.append(done)
         if check:

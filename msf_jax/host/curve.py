@@ -8,9 +8,11 @@ A node is the centroid of the meso vertices merged into it.
 from typing import NamedTuple
 
 import numpy as np
+from scipy import sparse
+from scipy.sparse import csgraph
 
 from msf_jax.host import connectivity
-from msf_jax.host.collapse import edge_lengths
+from msf_jax.host.collapse import edge_lengths, shortest_first
 
 
 class Curve(NamedTuple):
@@ -27,7 +29,7 @@ def extract_curve(positions: np.ndarray, rings: np.ndarray) -> Curve:
     The order makes this step sequential: a loop over the edges of the meso-skeleton, once, after the flow.
     """
     a, b = connectivity.edges_from_rings(rings)
-    order = np.lexsort((b, a, edge_lengths(positions, a, b)))
+    order = shortest_first(a, b, edge_lengths(positions, a, b), 1e-3)
     root = _merge_in_order(a[order].tolist(), b[order].tolist(), connectivity.faces_from_rings(rings).tolist(), len(rings))
     kept, node_of_meso = np.unique(root, return_inverse=True)
     count = np.bincount(node_of_meso)
@@ -79,9 +81,6 @@ def _merge_in_order(a: list[int], b: list[int], faces: list[list[int]], num_vert
 
 def cycle_count(num_nodes: int, edges: np.ndarray) -> tuple[int, int]:
     """Components and independent cycles of a graph."""
-    from scipy import sparse
-    from scipy.sparse import csgraph
-
     graph = sparse.coo_matrix((np.ones(len(edges)), (edges[:, 0], edges[:, 1])), shape=(num_nodes, num_nodes))
     components = int(csgraph.connected_components(graph, directed=False)[0])
     return components, len(edges) - num_nodes + components

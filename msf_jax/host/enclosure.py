@@ -24,7 +24,8 @@ class Enclosure:
         self.faces = faces
         self.vertices = vertices
         self._grid: _Grid | None = None
-        self._trees: tuple[spatial.cKDTree, spatial.cKDTree, float] | None = None
+        self._classes: list[tuple[spatial.cKDTree, np.ndarray, float]] | None = None
+        self._vertex_tree: spatial.cKDTree | None = None
 
     def winding_numbers(self, points: np.ndarray) -> np.ndarray:
         """Winding number (P,) of the surface around each point: 1 inside, 0 outside an embedded surface."""
@@ -68,36 +69,39 @@ class Enclosure:
         return np.where(is_above, is_up.astype(float) - is_down, 0.0)
 
     def distances(self, points: np.ndarray) -> np.ndarray:
-        """Unsigned distance (P,) from each point to the surface."""
-        if self._trees is None:
-            centroid = self.triangles.mean(axis=1)
-            reach = np.linalg.norm(self.triangles - centroid[:, None], axis=2).max(axis=1)
-            self._trees = spatial.cKDTree(self.vertices), spatial.cKDTree(centroid), reach
-        vertex_tree, centroid_tree, reach = self._trees
-        bound = vertex_tree.query(points)[0]
-        best2 = bound**2
-        # A triangle can only be nearer if its centroid is within the bound plus its own reach. Triangles are taken
-        # in classes of like size, so that a few large ones do not make every search wide.
-        return self._refine(points, bound, best2, centroid_tree, reach)
+        """Unsigned distance (P,) from each point to the surface.
 
-    def _refine(self, points, bound, best2, centroid_tree, reach):
-        order = np.argsort(-bound, kind="stable")
-        batches = np.array_split(order, max(1, len(order) // 256))
-        for batch in batches:
-            near = centroid_tree.query_ball_point(points[batch], bound[batch] * (1 + 1e-12) + reach.max())
-            counts = np.fromiter(map(len, near), dtype=np.int64, count=len(near))
-            if counts.sum() == 0:
-                continue
-            triangle = np.concatenate([np.asarray(found, dtype=np.int64) for found in near])
-            point = np.repeat(batch, counts)
-            gap2 = ((points[point] - centroid_tree.data[triangle]) ** 2).sum(axis=1)
-            close = gap2 <= (bound[point] * (1 + 1e-12) + reach[triangle]) ** 2
-            point, triangle = point[close], triangle[close]
-            for start in range(0, len(point), PAIRS_AT_ONCE):
-                part = slice(start, start + PAIRS_AT_ONCE)
-                d2 = point_triangle_distance2(points[point[part]], self.triangles[triangle[part]])
-                np.minimum.at(best2, point[part], d2)
+        The nearest vertex bounds it; a triangle can only be nearer if its centroid is within that bound plus the
+        triangle's own reach. Triangles are searched in classes of like reach, so that a few large ones do not widen
+        the search for all.
+        """
+        if self._classes is None:
+            self._classes = _size_classes(self.triangles)
+            self._vertex_tree = spatial.cKDTree(self.vertices)
+        best2 = self._vertex_tree.query(points)[0] ** 2
+        for tree, triangle_of_row, reach in self._classes:
+            bound = np.sqrt(best2)
+            near = tree.query_ball_point(points, bound * (1 + 1e-12) + reach, return_sorted=False)
+            count = np.fromiter(map(len, near), dtype=np.int64, count=len(near))
+            batch = np.cumsum(count) // PAIRS_AT_ONCE
+            for number in np.unique(batch[count > 0]):
+                chosen = np.flatnonzero((batch == number) & (count > 0))
+                triangle = triangle_of_row[np.concatenate([near[row] for row in chosen])]
+                point = np.repeat(chosen, count[chosen])
+                np.minimum.at(best2, point, point_triangle_distance2(points[point], self.triangles[triangle]))
         return np.sqrt(best2)
+
+
+def _size_classes(triangles: np.ndarray) -> list[tuple[spatial.cKDTree, np.ndarray, float]]:
+    """Trees of centroids, one for each power of two of the reach (largest distance from centroid to corner)."""
+    centroid = triangles.mean(axis=1)
+    reach = np.sqrt(((triangles - centroid[:, None]) ** 2).sum(axis=2).max(axis=1))
+    level = np.floor(np.log2(np.maximum(reach, 1e-6 * reach.max())))
+    classes = []
+    for value in np.unique(level):
+        rows = np.flatnonzero(level == value)
+        classes.append((spatial.cKDTree(centroid[rows]), rows, float(reach[rows].max())))
+    return classes
 
 
 def point_triangle_distance2(point: np.ndarray, triangle: np.ndarray) -> np.ndarray:

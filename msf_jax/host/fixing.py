@@ -7,6 +7,11 @@ from msf_jax.host.collapse import edge_lengths
 from msf_jax.host.meso import Meso
 
 
+def degenerate_length(t_c: float) -> float:
+    """t_f = t_c / 10: below it an edge is as good as a point."""
+    return t_c / 10
+
+
 def fix_degenerate_vertices(meso: Meso, t_f: float) -> int:
     """Fix, in place, every vertex with two or more incident edges shorter than ``t_f`` that cannot collapse.
 

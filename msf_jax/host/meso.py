@@ -30,15 +30,15 @@ class Meso:
     node_of_input: np.ndarray
 
     @classmethod
-    def from_mesh(cls, vertices: np.ndarray, faces: np.ndarray, poles: np.ndarray, has_pole: np.ndarray) -> "Meso":
-        """The uncontracted surface, nothing fixed, every vertex its own."""
+    def from_mesh(cls, vertices: np.ndarray, faces: np.ndarray) -> "Meso":
+        """The uncontracted surface: nothing fixed, every vertex its own, no poles."""
         rings = connectivity.rings_from_faces(faces, len(vertices))
         return cls(
             positions=np.array(vertices, dtype=np.float64),
             rings=rings,
             degree=connectivity.ring_degrees(rings),
-            poles=np.array(poles, dtype=np.float64),
-            has_pole=np.array(has_pole, dtype=bool),
+            poles=np.array(vertices, dtype=np.float64),
+            has_pole=np.zeros(len(vertices), dtype=bool),
             is_fixed=np.zeros(len(vertices), dtype=bool),
             node_of_input=np.arange(len(vertices)),
         )

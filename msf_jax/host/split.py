@@ -10,7 +10,7 @@ from typing import NamedTuple
 import numpy as np
 
 from msf_jax.host import connectivity
-from msf_jax.host.collapse import edge_lengths
+from msf_jax.host.collapse import edge_lengths, shortest_first
 from msf_jax.host.connectivity import decode_edges, encode_edges, find_slot
 from msf_jax.host.meso import Meso
 
@@ -47,7 +47,7 @@ def split_obtuse_edges(
         along = meso.positions[b] - meso.positions[a]
         length2 = np.einsum("ij,ij->i", along, along)
         fraction = np.einsum("ij,ij->i", meso.positions[apex] - meso.positions[a], along) / length2
-        chosen = _disjoint(np.stack([a, b, left, right], axis=1), np.lexsort((b, a, -length2)), meso.num_rows)
+        chosen = _disjoint(np.stack([a, b, left, right], axis=1), shortest_first(a, b, -np.sqrt(length2), shortest), meso.num_rows)
         if len(chosen) == 0 or meso.num_live + len(chosen) > max_rows:
             return rounds
         rounds.append(split_edges(meso, a[chosen], b[chosen], fraction[chosen]))
@@ -59,16 +59,16 @@ def split_obtuse_edges(
         a, b = decode_edges(np.union1d(encode_edges(a[waiting], b[waiting], meso.num_rows), around), meso.num_rows)
 
 
-def split_long_edges(meso: Meso, longest: float, max_rows: int) -> None:
-    """Halve every edge longer than ``longest``, longest first, until none is left or ``max_rows`` is reached."""
+def split_long_edges(meso: Meso, longest: float) -> None:
+    """Halve every edge longer than ``longest``, longest first, until none is left."""
     while True:
         a, b = connectivity.edges_from_rings(meso.rings)
         length = edge_lengths(meso.positions, a, b)
         is_long = length > longest
         a, b, length = a[is_long], b[is_long], length[is_long]
         left, right = connectivity.apexes(meso.rings, meso.degree, a, b)
-        chosen = _disjoint(np.stack([a, b, left, right], axis=1), np.lexsort((b, a, -length)), meso.num_rows)
-        if len(chosen) == 0 or meso.num_live + len(chosen) > max_rows:
+        chosen = _disjoint(np.stack([a, b, left, right], axis=1), shortest_first(a, b, -length, longest), meso.num_rows)
+        if len(chosen) == 0:
             return
         split_edges(meso, a[chosen], b[chosen], np.full(len(chosen), 0.5))
 

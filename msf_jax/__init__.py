@@ -1,0 +1,34 @@
+"""Curve skeletons of closed triangle meshes by Medial Skeletonization Flow, as a differentiable JAX program.
+
+    import msf_jax
+
+    skeleton = msf_jax.skeletonize("hand.off")
+    print(skeleton.report)
+    skeleton.save("hand.swc")
+"""
+
+from msf_jax import metrics
+from msf_jax.errors import ConfigError, FlowError, MeshError
+from msf_jax.flow import Flow, contract
+from msf_jax.options import Config, Weights
+from msf_jax.preprocessing import reconstruct, voronoi_poles
+from msf_jax.skeleton import Report, Skeleton
+from msf_jax.skeletonize import skeletonize
+
+__all__ = [
+    "Config",
+    "ConfigError",
+    "Flow",
+    "FlowError",
+    "MeshError",
+    "Report",
+    "Skeleton",
+    "Weights",
+    "contract",
+    "metrics",
+    "reconstruct",
+    "skeletonize",
+    "voronoi_poles",
+]
+
+__version__ = "0.1.0"

@@ -1,0 +1,158 @@
+"""Files that other programs read, one writer a format. Written beside the target and renamed, so never by halves."""
+
+import json
+import os
+import tempfile
+from collections.abc import Callable
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import networkx as nx
+import numpy as np
+
+from msf_jax.errors import ConfigError
+
+if TYPE_CHECKING:
+    from msf_jax.skeleton import Skeleton
+
+
+def save(skeleton: "Skeleton", path: str | os.PathLike[str]) -> None:
+    """Write ``skeleton`` to ``path`` in the format of its suffix; see `Skeleton.save`."""
+    write_whole(path, writer_for(path)(skeleton))
+
+
+def writer_for(path: str | os.PathLike[str]) -> "Callable[[Skeleton], str]":
+    """The writer that the suffix of ``path`` names.
+
+    Raises:
+        ConfigError: there is none.
+    """
+    name = Path(path).name.lower()
+    for suffix, writer in WRITERS.items():
+        if name.endswith(suffix):
+            return writer
+    raise ConfigError(f"no format for {Path(path).name!r}: expected one of the suffixes {', '.join(WRITERS)}")
+
+
+def write_whole(path: str | os.PathLike[str], content: str | bytes) -> None:
+    """Write a file beside ``path`` and rename it, so that ``path`` is the old file or the new one, never half."""
+    path = Path(path)
+    data = content.encode() if isinstance(content, str) else content
+    handle, beside = tempfile.mkstemp(prefix=f".{path.name}.", dir=path.parent)
+    try:
+        with os.fdopen(handle, "wb") as file:
+            file.write(data)
+        mask = os.umask(0)
+        os.umask(mask)
+        os.chmod(beside, 0o666 & ~mask)  # mkstemp's file is private; a new file should not be
+        os.replace(beside, path)
+    except BaseException:
+        os.unlink(beside)
+        raise
+
+
+def polylines(skeleton: "Skeleton") -> list[list[int]]:
+    """The curve as branches: node lists between nodes that have other than two edges; a loop without one is closed.
+
+    A lone node is a branch of its own, of one node.
+    """
+    graph = nx.Graph()
+    graph.add_nodes_from(range(len(skeleton.vertices)))
+    graph.add_edges_from(skeleton.edges.tolist())
+    ends = [node for node, degree in graph.degree if degree != 2]
+    branches = [[node] for node in ends if graph.degree[node] == 0]
+    seen: set[tuple[int, int]] = set()
+
+    def follow(start: int, onward: int) -> list[int]:
+        branch = [start, onward]
+        while graph.degree[branch[-1]] == 2 and branch[-1] != start:
+            a, b = graph[branch[-1]]
+            branch.append(b if a == branch[-2] else a)
+        seen.add((branch[0], branch[1]))
+        seen.add((branch[-1], branch[-2]))
+        return branch
+
+    for node in ends:
+        branches += [follow(node, onward) for onward in sorted(graph[node]) if (node, onward) not in seen]
+    covered = {node for branch in branches for node in branch}
+    for loop in nx.connected_components(graph):
+        if not loop & covered:
+            start = min(loop)
+            branches.append(follow(start, min(graph[start])))
+    return branches
+
+
+def _number(value: float) -> str:
+    return repr(float(value))
+
+
+def _point(position: np.ndarray) -> str:
+    return " ".join(map(_number, position))
+
+
+def _swc(skeleton: "Skeleton") -> str:
+    """SWC: id, type, x, y, z, radius, parent. Ids from 1, parents before children, -1 for a root."""
+    graph = nx.Graph()
+    graph.add_nodes_from(range(len(skeleton.vertices)))
+    graph.add_edges_from(skeleton.edges.tolist())
+    parent: dict[int, int] = {}
+    for component in nx.connected_components(graph):
+        leaves = [node for node in component if graph.degree[node] == 1]
+        root = min(leaves or component)
+        parent[root] = -1
+        parent.update({child: above for above, child in nx.bfs_edges(graph, root, sort_neighbors=sorted)})
+    number = {node: index + 1 for index, node in enumerate(parent)}
+    cut = [
+        f"# cut edge {number[a]} {number[b]}"
+        for a, b in skeleton.edges.tolist()
+        if parent[a] != b and parent[b] != a
+    ]
+    header = ["# curve skeleton written by msf_jax", f"# {len(cut)} loops cut; each cut edge is listed by its two ids"]
+    rows = [
+        f"{number[node]} 0 {_point(skeleton.vertices[node])} {_number(skeleton.radii[node])} "
+        f"{number[above] if above >= 0 else -1}"
+        for node, above in parent.items()
+    ]
+    return "\n".join([*header, *cut, *rows]) + "\n"
+
+
+def _obj(skeleton: "Skeleton") -> str:
+    vertices = [f"v {_point(position)}" for position in skeleton.vertices]
+    lines = [f"l {a + 1} {b + 1}" for a, b in skeleton.edges.tolist()]
+    return "\n".join(["# curve skeleton written by msf_jax", *vertices, *lines]) + "\n"
+
+
+def _cg(skeleton: "Skeleton") -> str:
+    header = f"# D:3 NV:{len(skeleton.vertices)} NE:{len(skeleton.edges)}"
+    vertices = [f"v {_point(position)}" for position in skeleton.vertices]
+    edges = [f"e {a + 1} {b + 1}" for a, b in skeleton.edges.tolist()]
+    return "\n".join([header, *vertices, *edges]) + "\n"
+
+
+def _polylines(skeleton: "Skeleton") -> str:
+    return "".join(
+        f"{len(branch)} {' '.join(_point(skeleton.vertices[node]) for node in branch)}\n"
+        for branch in polylines(skeleton)
+    )
+
+
+def _json(skeleton: "Skeleton") -> str:
+    content = {
+        "format": "msf_jax skeleton",
+        "version": 1,
+        "vertices": skeleton.vertices.tolist(),
+        "edges": skeleton.edges.tolist(),
+        "radii": skeleton.radii.tolist(),
+        "mesh_map": skeleton.mesh_map.tolist(),
+        "report": skeleton.report.to_dict(),
+    }
+    return json.dumps(content) + "\n"
+
+
+WRITERS: "dict[str, Callable[[Skeleton], str]]" = {
+    ".swc": _swc,
+    ".obj": _obj,
+    ".cg": _cg,
+    ".polylines.txt": _polylines,
+    ".json": _json,
+}

@@ -1,0 +1,375 @@
+"""The flow, Algorithm 2: the only place where host and device meet.
+
+`init` prepares a component, `step` runs one iteration (update L, contract and smooth on the device; collapse, split,
+fix and raise the threshold on the host), `done` says whether and why to stop, and `contract` runs them all and reads
+the curve off what is left.
+"""
+
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass, field, replace
+from typing import Any, NamedTuple
+
+import jax
+import numpy as np
+from scipy import spatial
+from tqdm import tqdm
+
+from msf_jax.device import buffers, laplacian
+from msf_jax.device.buffers import Buffers
+from msf_jax.device.iteration import jitted_move
+from msf_jax.errors import ConfigError
+from msf_jax.host import collapse, connectivity, curve, fixing, packing, poles, reconstruction, split, surface
+from msf_jax.host.curve import Curve
+from msf_jax.host.enclosure import Enclosure
+from msf_jax.host.meso import Meso
+from msf_jax.host.surface import Component, Surface
+from msf_jax.metrics import inside_fraction
+from msf_jax.options import Config, Weights
+from msf_jax.skeleton import Report, Skeleton
+
+STALL_ITERATIONS = 12  # without progress, after which the flow gives up
+GROWTH_LIMIT = 3  # splitting may not take the surface past so many times its first number of vertices
+BLOW_UP = 10.0  # diagonals from the centre: nothing that contracts goes there
+
+
+class Iteration(NamedTuple):
+    """One line of the history. Lengths are fractions of the component's diagonal."""
+
+    component: int
+    iteration: int
+    t_c: float  # collapse threshold in this iteration
+    live: int  # vertices of the surface after it
+    fixed: int  # of which fixed
+    collapses: int
+    splits: int
+    volume: float  # fraction of the first volume that is left
+    steps: int  # CG steps of the contraction
+    residual: float  # relative residual at the end of it
+    smoothing_steps: int
+    smoothing_residual: float
+    moved: float  # largest displacement
+
+
+@dataclass
+class State:
+    """A component under contraction.
+
+    The first group is set once; the second changes with every iteration.
+    """
+
+    component: Component
+    number: int
+    centre: np.ndarray
+    diagonal: float
+    first_volume: float
+    max_rows: int
+    first_area: np.ndarray
+    poles: np.ndarray
+    has_pole: np.ndarray
+
+    meso: Meso
+    t_c: float
+    w_L_factor: float
+    capacity: int
+    ring_capacity: int
+    history: list[Iteration] = field(default_factory=list)
+    failure: str = ""
+
+
+@dataclass(frozen=True, eq=False)
+class Flow:
+    """A run, opened up. All coordinates are in the caller's units.
+
+    Attributes:
+        weights, config: what the run used.
+        meso_skeleton: ``(vertices (n, 3), faces (m, 3))`` of the contracted surface, all components together.
+        is_fixed: (n,) True where a vertex of the meso-skeleton was fixed.
+        poles: (V, 3) the Voronoi pole of each vertex of the flow's first surface (the input's, unless it was resampled
+            or repaired); the vertex itself where it has none.
+        has_pole: (V,) whether that pole pulls.
+        history: one `Iteration` for each iteration of each component.
+        curve: the curve as the flow left it.
+        skeleton: the finished curve; its first nodes are those of ``curve``, new ones come last.
+    """
+
+    weights: Weights
+    config: Config
+    meso_skeleton: tuple[np.ndarray, np.ndarray]
+    is_fixed: np.ndarray
+    poles: np.ndarray
+    has_pole: np.ndarray
+    history: tuple[Iteration, ...]
+    curve: Skeleton
+    skeleton: Skeleton
+
+
+class Stopwatch:
+    """Seconds by stage, added up."""
+
+    def __init__(self) -> None:
+        self.seconds: dict[str, float] = {}
+
+    @contextmanager
+    def stage(self, name: str) -> Iterator[None]:
+        """Add the time spent inside to stage ``name``."""
+        start = time.perf_counter()
+        try:
+            yield
+        finally:
+            self.seconds[name] = self.seconds.get(name, 0.0) + time.perf_counter() - start
+
+
+def init(component: Component, number: int, config: Config, watch: Stopwatch) -> State:
+    """The component at the start of its flow: recentred, divided by its diagonal, resampled if asked, with its poles."""
+    low, high = component.vertices.min(axis=0), component.vertices.max(axis=0)
+    centre, diagonal = (low + high) / 2, float(np.linalg.norm(high - low))
+    vertices = (component.vertices - centre) / diagonal
+    input_surface = Enclosure(vertices, component.faces)
+    if config.reconstruct_mesh:
+        with watch.stage("reconstruction"):
+            vertices = reconstruction.reconstruct(vertices, component.faces, config.reconstruct_mesh)
+    meso = Meso.from_mesh(vertices, component.faces)
+    max_rows = GROWTH_LIMIT * meso.num_rows + 1000
+    if config.resample:
+        with watch.stage("resampling"):
+            meso = _resampled(meso, config.resample)
+            max_rows = max(max_rows, GROWTH_LIMIT * meso.num_rows)
+    if config.use_poles:
+        meso.poles, meso.has_pole = _poles(meso, input_surface, config, watch)
+    return State(
+        component=component,
+        number=number,
+        centre=centre,
+        diagonal=diagonal,
+        first_volume=meso.volume(),
+        max_rows=max_rows,
+        first_area=_one_ring_areas(meso) if config.w_H_follows_area else np.ones(meso.num_rows),
+        poles=meso.poles.copy(),
+        has_pole=meso.has_pole.copy(),
+        meso=meso,
+        t_c=config.t_min,
+        w_L_factor=1.0,
+        capacity=0,
+        ring_capacity=0,
+    )
+
+
+def _resampled(meso: Meso, length: float) -> Meso:
+    """Edges between 4/5 and 4/3 of ``length``, as far as the topology lets them."""
+    for _ in range(3):
+        split.split_long_edges(meso, 4 / 3 * length)
+        collapse.collapse_short_edges(meso, 4 / 5 * length)
+        meso = meso.compacted()
+    return meso
+
+
+def _poles(meso: Meso, input_surface: Enclosure, config: Config, watch: Stopwatch) -> tuple[np.ndarray, np.ndarray]:
+    """Poles of the (reconstructed) surface; one that lies outside the input's surface does not pull."""
+    sites, faces = meso.positions, meso.faces()
+    if config.reconstruct_poles:
+        with watch.stage("reconstruction"):
+            sites = reconstruction.reconstruct(sites, faces, config.reconstruct_poles)
+    with watch.stage("poles"):
+        found = poles.voronoi_poles(sites, faces)
+        has_pole = found.is_found.copy()
+        has_pole[has_pole] = input_surface.contains(found.position[has_pole])
+        return np.where(has_pole[:, None], found.position, meso.positions), has_pole
+
+
+def _one_ring_areas(meso: Meso) -> np.ndarray:
+    packed = packing.pack(meso, meso.num_rows, meso.rings.shape[1], np.ones(meso.num_rows), np.dtype(np.float64))
+    return np.asarray(laplacian.one_ring_areas(packed["positions"], packed["ring"], packed["degree"]))
+
+
+def step(state: State, weights: Weights, config: Config, watch: Stopwatch) -> State:
+    """One iteration, in place; on numbers that are not finite or run away, ``state.failure`` says so instead."""
+    meso = state.meso
+    state.capacity = buffers.next_capacity(state.capacity, meso.num_rows)
+    state.ring_capacity = max(state.ring_capacity, connectivity.ring_capacity(int(meso.degree.max())))
+    dtype = np.dtype(buffers.real_dtype())
+    with watch.stage("solve"):
+        packed = packing.pack(meso, state.capacity, state.ring_capacity, state.first_area, dtype)
+        scaled = replace(weights, w_L=weights.w_L * state.w_L_factor)
+        scaled = jax.tree_util.tree_map(lambda weight: np.asarray(weight, dtype), scaled)
+        moved = jax.device_get(jitted_move(Buffers(**packed), scaled, config))
+    positions = np.array(moved.positions[: meso.num_rows], dtype=np.float64)
+    if not np.isfinite(positions).all() or np.abs(positions).max() > BLOW_UP:
+        state.failure = "a step left finite or sensible coordinates; the one before it was kept"
+        return state
+    displacement = float(np.sqrt(((positions - meso.positions) ** 2).sum(axis=1).max()))
+    meso.positions = positions
+
+    num_collapses = num_splits = 0
+    if config.edit_connectivity:
+        with watch.stage("collapse"):
+            rounds = collapse.collapse_short_edges(meso, state.t_c, check=config.check)
+            num_collapses = sum(len(done.removed) for done in rounds)
+        with watch.stage("split"):
+            t_f = fixing.degenerate_length(state.t_c)
+            cuts = split.split_obtuse_edges(meso, config.split_angle, t_f, state.max_rows, check=config.check)
+            num_splits = sum(len(done.new) for done in cuts)
+        with watch.stage("fix"):
+            fixing.fix_degenerate_vertices(meso, t_f)
+            state.meso = meso = meso.compacted()
+    state.history.append(
+        Iteration(
+            component=state.number,
+            iteration=len(state.history) + 1,
+            t_c=state.t_c,
+            live=meso.num_live,
+            fixed=int(meso.is_fixed.sum()),
+            collapses=num_collapses,
+            splits=num_splits,
+            volume=meso.volume() / state.first_volume,
+            steps=int(moved.contraction.steps),
+            residual=float(moved.contraction.residual),
+            smoothing_steps=int(moved.smoothing.steps),
+            smoothing_residual=float(moved.smoothing.residual),
+            moved=displacement,
+        )
+    )
+    state.t_c = fixing.next_threshold(state.t_c, config.t_min, config.t_step, config.t_max)
+    state.w_L_factor *= config.growth
+    return state
+
+
+def done(state: State, config: Config) -> tuple[bool, str] | None:
+    """None to go on; else whether the flow converged, and why it stops (``has_volume`` is false, or it cannot go on)."""
+    if state.failure:
+        return False, state.failure
+    if not state.history:
+        return None
+    last = state.history[-1]
+    if abs(last.volume) <= config.volume_tolerance:
+        return True, "no volume left"
+    if last.live - last.fixed <= config.free_tolerance * last.live:
+        return True, "all vertices fixed"
+    if len(state.history) >= config.max_iterations:
+        return False, f"max_iterations ({config.max_iterations}) reached"
+    if len(state.history) > STALL_ITERATIONS:
+        before = state.history[-1 - STALL_ITERATIONS]
+        recent = state.history[-STALL_ITERATIONS:]
+        best = min(abs(line.volume) for line in recent)
+        if best > 0.99 * abs(before.volume) and last.live - last.fixed >= before.live - before.fixed:
+            return False, f"stalled: no progress in {STALL_ITERATIONS} iterations"
+    return None
+
+
+def contract(mesh: Any, weights: Weights | None = None, config: Config | None = None, *, progress: bool = False) -> Flow:
+    """Run the flow on ``mesh`` and keep everything; `skeletonize` is the short way to the curve alone.
+
+    Args:
+        mesh: a path that trimesh reads, a `trimesh.Trimesh`, or ``(vertices, faces)``: closed triangle surfaces.
+        weights: of the flow; those of ``config``'s system if not given.
+        config: the system and its options; ``Config()``, the article's own, if not given.
+        progress: show a progress bar on standard error, if that is a terminal.
+
+    Raises:
+        MeshError: the mesh is not a closed manifold that encloses a volume, and cannot be repaired without a doubt.
+        ConfigError: a weight or an option is out of range.
+        FlowError: the mesh has no Voronoi diagram.
+    """
+    config = Config() if config is None else config
+    weights = config.default_weights() if weights is None else weights
+    if not isinstance(config, Config):
+        raise ConfigError(f"config is a {type(config).__name__}: expected a msf_jax.Config")
+    if not isinstance(weights, Weights):
+        raise ConfigError(f"weights is a {type(weights).__name__}: expected a msf_jax.Weights")
+    watch = Stopwatch()
+    with watch.stage("front door"):
+        checked = surface.prepare(mesh)
+    states, reasons, curves = [], [], []
+    with tqdm(desc="msf_jax", unit="it", disable=None if progress else True) as bar:
+        for number, component in enumerate(checked.components):
+            state = init(component, number, config, watch)
+            while (end := done(state, config)) is None:
+                step(state, weights, config, watch)
+                if state.history:
+                    bar.set_postfix(vertices=state.history[-1].live, volume=f"{state.history[-1].volume:.1e}")
+                bar.update()
+            states.append(state)
+            reasons.append(end)
+            with watch.stage("curve"):
+                curves.append(_curve(state.meso, config))
+    return _finish(checked, states, reasons, curves, weights, config, watch)
+
+
+def _curve(meso: Meso, config: Config) -> tuple[Curve, Meso]:
+    """The curve of a contracted surface; one whose edges were never edited first loses its short ones."""
+    if not config.edit_connectivity:
+        meso = replace(meso, positions=meso.positions.copy(), rings=meso.rings.copy(), degree=meso.degree.copy())
+        collapse.collapse_short_edges(meso, config.t_min, check=config.check)
+        meso = meso.compacted()
+    return curve.extract_curve(meso.positions, meso.rings), meso
+
+
+def _finish(
+    checked: Surface,
+    states: list[State],
+    reasons: list[tuple[bool, str]],
+    curves: list[tuple[Curve, Meso]],
+    weights: Weights,
+    config: Config,
+    watch: Stopwatch,
+) -> Flow:
+    """Put the components together again, in the caller's units, and write the report."""
+    nodes, edges, meso_vertices, meso_faces = [], [], [], []
+    node_of_vertex = np.empty(len(checked.vertices), dtype=np.int64)
+    num_nodes = num_meso = 0
+    for state, (found, meso), member in zip(states, curves, checked.members, strict=True):
+        nodes.append(state.centre + state.diagonal * found.nodes)
+        edges.append(found.edges + num_nodes)
+        node_of_vertex[member] = found.node_of_meso[meso.node_of_input] + num_nodes
+        meso_vertices.append(state.centre + state.diagonal * state.meso.positions)
+        meso_faces.append(state.meso.faces() + num_meso)
+        num_nodes += len(found.nodes)
+        num_meso += len(state.meso.positions)
+    vertices, all_edges = np.concatenate(nodes), np.concatenate(edges)
+    with watch.stage("report"):
+        shape = Enclosure(checked.vertices, checked.faces)
+        radii = np.where(shape.contains(vertices), shape.distances(vertices), 0.0)
+        inside = inside_fraction(shape, vertices, all_edges)
+        mesh_map = _map_of_input(checked, vertices, node_of_vertex)
+        components, cycles = curve.cycle_count(len(vertices), all_edges)
+    history = tuple(line for state in states for line in state.history)
+    report = Report(
+        components=components,
+        genus=sum(component.genus for component in checked.components),
+        cycles=cycles,
+        inside=inside,
+        converged=all(is_converged for is_converged, _ in reasons),
+        reason="; ".join(dict.fromkeys(reason for _, reason in reasons)),
+        iterations=len(history),
+        fixed=sum(int(state.meso.is_fixed.sum()) for state in states),
+        live=sum(state.meso.num_live for state in states),
+        volume=max(abs(state.history[-1].volume) if state.history else 1.0 for state in states),
+        unsolved=sum(
+            (line.residual > config.solve_tolerance) + (line.smoothing_residual > config.solve_tolerance)
+            for line in history
+        ),
+        solve_steps=sum(line.steps + line.smoothing_steps for line in history),
+        repairs=checked.repairs,
+        seconds=watch.seconds,
+    )
+    skeleton = Skeleton(vertices, all_edges, radii, mesh_map, report)
+    return Flow(
+        weights=weights,
+        config=config,
+        meso_skeleton=(np.concatenate(meso_vertices), np.concatenate(meso_faces)),
+        is_fixed=np.concatenate([state.meso.is_fixed for state in states]),
+        poles=np.concatenate([state.centre + state.diagonal * state.poles for state in states]),
+        has_pole=np.concatenate([state.has_pole for state in states]),
+        history=history,
+        curve=skeleton,
+        skeleton=skeleton,
+    )
+
+
+def _map_of_input(checked: Surface, nodes: np.ndarray, node_of_vertex: np.ndarray) -> np.ndarray:
+    """(V,) the node of every vertex of the caller's mesh; one that no face uses goes to the nearest node."""
+    is_used = checked.vertex_of_input >= 0
+    mesh_map = np.where(is_used, node_of_vertex[checked.vertex_of_input], -1)
+    mesh_map[~is_used] = spatial.cKDTree(nodes).query(checked.strays)[1]
+    return mesh_map

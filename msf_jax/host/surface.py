@@ -1,0 +1,285 @@
+"""The front door: read a mesh, check it, repair what can be repaired without a doubt, refuse the rest by name.
+
+A surface that passes is closed, consistently oriented outwards, manifold at edges and vertices, and encloses a volume.
+Repairs made here, each one listed for the report: coincident vertices of an open mesh are welded, vertices without a
+face dropped, a component turned inside out is flipped, a vertex where several fans meet is split into one per fan.
+"""
+
+import contextlib
+import io
+import os
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import trimesh
+from scipy import sparse
+from scipy.sparse import csgraph
+
+from msf_jax.errors import MeshError
+from msf_jax.host import connectivity
+from msf_jax.host.meso import signed_volume
+
+FEWEST_VERTICES = 5
+FLATTEST = 1e-9  # volume over the cube of the diagonal, below which a component encloses nothing
+
+
+@dataclass(frozen=True)
+class Component:
+    """One closed connected surface.
+
+    vertices: (V, 3) float64, the caller's units. faces: (F, 3). genus: handles.
+    """
+
+    vertices: np.ndarray
+    faces: np.ndarray
+    genus: int
+
+
+@dataclass(frozen=True)
+class Surface:
+    """A checked input.
+
+    vertices: (V, 3) and faces: (F, 3) of the whole repaired surface, in the caller's units.
+    components: its parts, whose vertices are ``vertices[members[c]]``.
+    vertex_of_input: (V_in,) where every vertex of the caller's mesh went, -1 if it is in no face.
+    strays: (S, 3) the vertices that are in no face, in the caller's order.
+    repairs: what was changed, one sentence each.
+    """
+
+    vertices: np.ndarray
+    faces: np.ndarray
+    components: tuple[Component, ...]
+    members: tuple[np.ndarray, ...]
+    vertex_of_input: np.ndarray
+    strays: np.ndarray
+    repairs: tuple[str, ...]
+
+
+def read(mesh: Any) -> tuple[np.ndarray, np.ndarray]:
+    """Vertices (V, 3) float64 and faces (F, 3) int64 of a path, a `trimesh.Trimesh` or a pair; always copies.
+
+    Raises:
+        MeshError: there is no such file, it holds no triangle mesh, or the arrays have the wrong shape or values.
+    """
+    if isinstance(mesh, str | os.PathLike):
+        mesh = _load(Path(mesh))
+    if hasattr(mesh, "vertices") and hasattr(mesh, "faces"):
+        vertices, faces = mesh.vertices, mesh.faces
+    elif isinstance(mesh, tuple | list) and len(mesh) == 2:
+        vertices, faces = mesh
+    else:
+        raise MeshError(
+            f"cannot take a mesh from {type(mesh).__name__}: expected a path, an object with vertices and faces "
+            "(a trimesh.Trimesh), or a pair (vertices, faces)"
+        )
+    return _as_vertices(vertices), _as_faces(faces, len(vertices))
+
+
+def _load(path: Path) -> Any:
+    if not path.exists():
+        raise MeshError(f"no file {str(path)!r}: check the path")
+    if path.is_dir():
+        raise MeshError(f"{str(path)!r} is a folder: expected one mesh file (for many, use the batch command)")
+    known = sorted(trimesh.available_formats())
+    suffix = path.suffix.lower().lstrip(".")
+    if suffix not in known:
+        raise MeshError(f"cannot read {path.name!r}: unknown suffix {path.suffix!r}, expected one of {', '.join(known)}")
+    try:
+        with contextlib.redirect_stderr(io.StringIO()):
+            loaded = trimesh.load(path, process=False, maintain_order=True)
+    except MemoryError as error:
+        raise MeshError(f"{path.name!r} asks for more memory than there is: it is damaged or too large") from error
+    except Exception as error:  # trimesh's readers raise whatever a damaged file provokes
+        reason = str(error).strip().splitlines()[0] if str(error).strip() else type(error).__name__
+        raise MeshError(f"cannot read {path.name!r} as {suffix}: {reason[:200]}") from error
+    if isinstance(loaded, trimesh.Scene):
+        parts = [part for part in loaded.dump() if isinstance(part, trimesh.Trimesh)]
+        loaded = trimesh.util.concatenate(parts) if parts else loaded
+    if not isinstance(loaded, trimesh.Trimesh):
+        raise MeshError(f"{path.name!r} holds a {type(loaded).__name__} without triangles: expected a triangle mesh")
+    return loaded
+
+
+def _as_vertices(vertices: Any) -> np.ndarray:
+    try:
+        array = np.array(vertices, dtype=np.float64)
+    except (TypeError, ValueError) as error:
+        raise MeshError(f"the vertices are no table of numbers: {error}") from error
+    if array.ndim != 2 or array.shape[1] != 3:
+        raise MeshError(f"the vertices have shape {array.shape}: expected (V, 3)")
+    if len(array) == 0:
+        raise MeshError("the mesh is empty: it has no vertices")
+    bad = np.flatnonzero(~np.isfinite(array).all(axis=1))
+    if len(bad):
+        raise MeshError(f"{_count(bad, 'vertex', 'vertices')} not finite (NaN or infinite): remove or repair them")
+    return array
+
+
+def _as_faces(faces: Any, num_vertices: int) -> np.ndarray:
+    try:
+        array = np.array(faces)
+    except ValueError as error:
+        raise MeshError("the faces have different numbers of corners: triangulate the mesh") from error
+    if array.size == 0:
+        raise MeshError("the mesh has no faces: expected a closed triangle mesh, not a point cloud or a set of lines")
+    if array.ndim != 2 or array.shape[1] != 3:
+        raise MeshError(f"the faces have shape {array.shape}: expected (F, 3): triangulate the mesh")
+    if not np.issubdtype(array.dtype, np.integer):
+        if not np.issubdtype(array.dtype, np.floating) or not (np.isfinite(array) & (array == np.round(array))).all():
+            raise MeshError(f"the faces are {array.dtype}, not whole numbers: expected vertex indices from 0")
+    array = array.astype(np.int64)
+    bad = np.flatnonzero(((array < 0) | (array >= num_vertices)).any(axis=1))
+    if len(bad):
+        raise MeshError(
+            f"{_count(bad, 'face', 'faces')} out of range: expected vertex indices from 0 to {num_vertices - 1}"
+            + (" (are they counted from 1?)" if array.min() == 1 and array.max() == num_vertices else "")
+        )
+    return array
+
+
+def _count(found: np.ndarray, one: str, many: str) -> str:
+    first = ", ".join(map(str, found[:5].tolist()))
+    more = ", ..." if len(found) > 5 else ""
+    return f"{len(found)} {one if len(found) == 1 else many} ({first}{more}) {'is' if len(found) == 1 else 'are'}"
+
+
+def prepare(mesh: Any) -> Surface:
+    """Read, check and repair ``mesh``; the caller's object stays as it is.
+
+    Raises:
+        MeshError: what was found, how often and where first, and what to do about it.
+    """
+    vertices, faces = read(mesh)
+    repairs: list[str] = []
+    vertex_of_input = np.arange(len(vertices))
+    faces = _without_repeated_corners(faces)
+
+    if (connectivity.half_edges(faces).twin < 0).any():
+        vertices, faces, welded, vertex_of_input = _weld(vertices, faces)
+        if welded:
+            repairs.append(f"welded {welded} duplicate {'vertex' if welded == 1 else 'vertices'}")
+    _check_edges(faces)
+
+    strays = np.empty((0, 3))
+    used = np.zeros(len(vertices), dtype=bool)
+    used[faces] = True
+    if not used.all():
+        repairs.append(f"dropped {int((~used).sum())} unreferenced vertices (mapped to the node nearest to them)")
+        number = np.where(used, np.cumsum(used) - 1, -1)
+        strays = vertices[vertex_of_input[number[vertex_of_input] < 0]]
+        vertices, faces, vertex_of_input = vertices[used], number[faces], number[vertex_of_input]
+
+    vertices, faces, pinches = _split_pinches(vertices, faces)
+    if pinches:
+        repairs.append(f"split {pinches} pinched {'vertex' if pinches == 1 else 'vertices'} into one per fan")
+
+    label = _component_labels(faces, len(vertices))
+    components, members = [], []
+    for number in range(int(label.max()) + 1):
+        member = np.flatnonzero(label == number)
+        local = np.full(len(vertices), -1)
+        local[member] = np.arange(len(member))
+        mine = label[faces[:, 0]] == number
+        name = "the mesh" if label.max() == 0 else f"component {number}"
+        component, is_flipped = _component(vertices[member], local[faces[mine]], name)
+        if is_flipped:
+            faces[mine] = faces[mine][:, ::-1]
+            repairs.append(f"flipped {name}, which was turned inside out")
+        components.append(component)
+        members.append(member)
+    return Surface(vertices, faces, tuple(components), tuple(members), vertex_of_input, strays, tuple(repairs))
+
+
+def _without_repeated_corners(faces: np.ndarray) -> np.ndarray:
+    bad = np.flatnonzero(
+        (faces[:, 0] == faces[:, 1]) | (faces[:, 1] == faces[:, 2]) | (faces[:, 2] == faces[:, 0])
+    )
+    if len(bad):
+        raise MeshError(f"{_count(bad, 'face', 'faces')} degenerate (a corner occurs twice): remove them")
+    return faces
+
+
+def _weld(vertices: np.ndarray, faces: np.ndarray) -> tuple[np.ndarray, np.ndarray, int, np.ndarray]:
+    """Merge exactly coincident vertices that faces use, and drop the faces that this crushes."""
+    _, first, inverse = np.unique(vertices, axis=0, return_index=True, return_inverse=True)
+    inverse = inverse.ravel()
+    order = np.argsort(first, kind="stable")  # keep the caller's order
+    number = np.empty(len(order), dtype=np.int64)
+    number[order] = np.arange(len(order))
+    welded = number[inverse][faces]
+    keep = (welded[:, 0] != welded[:, 1]) & (welded[:, 1] != welded[:, 2]) & (welded[:, 2] != welded[:, 0])
+    return vertices[first[order]], welded[keep], len(vertices) - len(first), number[inverse]
+
+
+def _check_edges(faces: np.ndarray) -> None:
+    """Every edge must have exactly two faces, and run once each way."""
+    if len(faces) == 0:
+        raise MeshError("no face is left once coincident vertices are welded: the mesh is degenerate")
+    num = np.int64(faces.max()) + 1
+    edge = np.sort(np.stack([faces, faces[:, [1, 2, 0]]], axis=-1).reshape(-1, 2), axis=1)
+    code, inverse, count = np.unique(edge[:, 0] * num + edge[:, 1], return_inverse=True, return_counts=True)
+
+    def say(bad: np.ndarray) -> str:
+        shown = ", ".join(f"{int(c // num)}-{int(c % num)}" for c in code[bad][:5])
+        return f"{len(bad)} {'edge' if len(bad) == 1 else 'edges'} ({shown}{', ...' if len(bad) > 5 else ''})"
+
+    crowded = np.flatnonzero(count > 2)
+    if len(crowded):
+        raise MeshError(f"not manifold: {say(crowded)} with more than two faces: separate the sheets that meet there")
+    single = np.flatnonzero(count == 1)
+    if len(single):
+        raise MeshError(
+            f"the mesh is open: {say(single)} with only one face: close its holes first, "
+            "for example with trimesh.repair.fill_holes"
+        )
+    forward = faces.ravel() < faces[:, [1, 2, 0]].ravel()
+    odd = np.flatnonzero(np.bincount(inverse.ravel(), weights=forward) != 1)
+    if len(odd):
+        raise MeshError(
+            f"not consistently oriented: {say(odd)} run the same way in both faces: "
+            "orient the faces first, for example with trimesh.repair.fix_winding"
+        )
+
+
+def _split_pinches(vertices: np.ndarray, faces: np.ndarray) -> tuple[np.ndarray, np.ndarray, int]:
+    """One vertex per fan: the first fan keeps its number, the others get new ones at the end."""
+    edges = connectivity.half_edges(faces)
+    num = len(edges.origin)
+    step = connectivity.next_in_ring(edges)
+    graph = sparse.coo_matrix((np.ones(num), (np.arange(num), step)), shape=(num, num))
+    fan = csgraph.connected_components(graph, directed=False)[1]
+    _, first = np.unique(fan, return_index=True)  # fans are numbered in the order in which they first occur
+    owner = edges.origin[first]
+    is_extra = np.ones(len(owner), dtype=bool)
+    is_extra[np.unique(owner, return_index=True)[1]] = False
+    number = owner.copy()
+    number[is_extra] = len(vertices) + np.arange(int(is_extra.sum()))
+    pinches = len(np.unique(owner[is_extra]))
+    return np.concatenate([vertices, vertices[owner[is_extra]]]), number[fan].reshape(-1, 3), pinches
+
+
+def _component_labels(faces: np.ndarray, num_vertices: int) -> np.ndarray:
+    a, b = faces.ravel(), faces[:, [1, 2, 0]].ravel()
+    graph = sparse.coo_matrix((np.ones(len(a)), (a, b)), shape=(num_vertices, num_vertices))
+    return csgraph.connected_components(graph, directed=False)[1]
+
+
+def _component(vertices: np.ndarray, faces: np.ndarray, name: str) -> tuple[Component, bool]:
+    if len(vertices) < FEWEST_VERTICES:
+        raise MeshError(
+            f"{name} has {len(vertices)} vertices, a tetrahedron: expected at least {FEWEST_VERTICES}; "
+            "subdivide it if it is meant to have a skeleton"
+        )
+    centred = vertices - (vertices.min(axis=0) + vertices.max(axis=0)) / 2
+    diagonal = float(np.linalg.norm(np.ptp(vertices, axis=0)))
+    volume = signed_volume(centred, faces)
+    if not abs(volume) > FLATTEST * diagonal**3:
+        raise MeshError(
+            f"{name} encloses no volume ({volume:.3g} with a diagonal of {diagonal:.3g}): expected a solid, not a flat sheet"
+        )
+    if volume < 0:
+        faces = faces[:, ::-1]
+    euler = len(vertices) - len(faces) // 2
+    return Component(vertices, faces, (2 - euler) // 2), volume < 0

@@ -1,0 +1,30 @@
+"""The one call: a mesh in, its curve skeleton out."""
+
+from typing import Any
+
+from msf_jax import flow
+from msf_jax.options import Config, Weights
+from msf_jax.skeleton import Skeleton
+
+
+def skeletonize(
+    mesh: Any, weights: Weights | None = None, config: Config | None = None, *, progress: bool = False
+) -> Skeleton:
+    """The curve skeleton of a closed triangle mesh, by Medial Skeletonization Flow.
+
+    Args:
+        mesh: a path that trimesh reads, a `trimesh.Trimesh`, or ``(vertices (V, 3), faces (F, 3))``. It is not changed.
+            Several components are skeletonised each, and returned as one skeleton.
+        weights: of the flow; those of ``config``'s system if not given.
+        config: the system and its options; ``Config()``, the article's own, if not given.
+        progress: show a progress bar on standard error, if that is a terminal.
+
+    Returns:
+        The curve in the caller's units, with radii, the map from the input's vertices, and a report to look at first.
+
+    Raises:
+        MeshError: the mesh is not a closed manifold that encloses a volume, and cannot be repaired without a doubt.
+        ConfigError: a weight or an option is out of range.
+        FlowError: the mesh has no Voronoi diagram.
+    """
+    return flow.contract(mesh, weights, config, progress=progress).skeleton
