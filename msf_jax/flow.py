@@ -145,7 +145,7 @@ def init(component: Component, number: int, config: Config, watch: Stopwatch) ->
         diagonal=diagonal,
         first_volume=meso.volume(),
         max_rows=max_rows,
-        first_area=_one_ring_areas(meso) if config.w_H_follows_area else np.ones(meso.num_rows),
+        first_area=_one_ring_areas(meso) if config.w_H_follows_area else np.empty(0),
         poles=meso.poles.copy(),
         has_pole=meso.has_pole.copy(),
         meso=meso,
