@@ -16,15 +16,15 @@ import numpy as np
 from scipy import spatial
 from tqdm import tqdm
 
-from msf_jax.device import buffers, laplacian
-from msf_jax.device.buffers import Buffers
+from msf_jax.device.buffers import Buffers, Rings, real_dtype
 from msf_jax.device.iteration import jitted_move
 from msf_jax.errors import ConfigError
-from msf_jax.host import collapse, connectivity, curve, fixing, packing, poles, reconstruction, split, surface
+from msf_jax.host import collapse, curve, fixing, packing, poles, reconstruction, split, surface
 from msf_jax.host.curve import Curve
 from msf_jax.host.enclosure import Enclosure
 from msf_jax.host.meso import Meso
 from msf_jax.host.surface import Component, Surface
+from msf_jax.layout import Layout, next_layout
 from msf_jax.metrics import inside_fraction
 from msf_jax.options import Config, Weights
 from msf_jax.skeleton import Report, Skeleton
@@ -72,8 +72,7 @@ class State:
     meso: Meso
     t_c: float
     w_L_factor: float
-    capacity: int
-    ring_capacity: int
+    layout: Layout | None
     history: list[Iteration] = field(default_factory=list)
     failure: str = ""
 
@@ -151,8 +150,7 @@ def init(component: Component, number: int, config: Config, watch: Stopwatch) ->
         meso=meso,
         t_c=config.t_min,
         w_L_factor=1.0,
-        capacity=0,
-        ring_capacity=0,
+        layout=None,
     )
 
 
@@ -179,22 +177,23 @@ def _poles(meso: Meso, input_surface: Enclosure, config: Config, watch: Stopwatc
 
 
 def _one_ring_areas(meso: Meso) -> np.ndarray:
-    packed = packing.pack(meso, meso.num_rows, meso.rings.shape[1], np.ones(meso.num_rows), np.dtype(np.float64))
-    return np.asarray(laplacian.one_ring_areas(packed["positions"], packed["ring"], packed["degree"]))
+    a, b, c = (meso.positions[corner] for corner in meso.faces().T)
+    area = np.linalg.norm(np.cross(b - a, c - a), axis=1) / 2
+    return np.bincount(meso.faces().T.ravel(), weights=np.tile(area, 3), minlength=meso.num_rows)
 
 
 def step(state: State, weights: Weights, config: Config, watch: Stopwatch) -> State:
     """One iteration, in place; on numbers that are not finite or run away, ``state.failure`` says so instead."""
     meso = state.meso
-    state.capacity = buffers.next_capacity(state.capacity, meso.num_rows)
-    state.ring_capacity = max(state.ring_capacity, connectivity.ring_capacity(int(meso.degree.max())))
-    dtype = np.dtype(buffers.real_dtype())
+    dtype = np.dtype(real_dtype())
     with watch.stage("solve"):
-        packed = packing.pack(meso, state.capacity, state.ring_capacity, state.first_area, dtype)
+        state.layout = next_layout(state.layout, meso.num_rows, packing.rows_beyond(meso))
+        order, packed = packing.pack(meso, state.layout, state.first_area, dtype)
+        packed["rings"] = Rings(*packed["rings"])
         scaled = replace(weights, w_L=weights.w_L * state.w_L_factor)
         scaled = jax.tree_util.tree_map(lambda weight: np.asarray(weight, dtype), scaled)
-        moved = jax.device_get(jitted_move(Buffers(**packed), scaled, config))
-    positions = np.array(moved.positions[: meso.num_rows], dtype=np.float64)
+        moved = jax.device_get(jitted_move(Buffers(**packed), scaled, config, state.layout))
+    positions = packing.unpack(moved.positions, order)
     if not np.isfinite(positions).all() or np.abs(positions).max() > BLOW_UP:
         state.failure = "a step left finite or sensible coordinates; the one before it was kept"
         return state

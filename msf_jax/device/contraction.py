@@ -24,7 +24,9 @@ with warnings.catch_warnings():
     warnings.simplefilter("ignore", DeprecationWarning)  # jaxopt announces on import that it is no longer maintained
     from jaxopt import base
 
+from msf_jax.device.buffers import Buffers, at_rows, slot_product, slot_sum
 from msf_jax.device.laplacian import Rows
+from msf_jax.layout import Layout
 
 
 class SolveReport(NamedTuple):
@@ -86,7 +88,7 @@ def solve(
     matvec: Callable[[jax.Array], jax.Array],
     diagonal: jax.Array,
     b: jax.Array,
-    tolerance: jax.Array,
+    tolerance: float,
     max_steps: int,
 ) -> tuple[jax.Array, SolveReport]:
     """Solve A x = b for a symmetric positive definite A by Jacobi-preconditioned CG from x = 0.
@@ -114,66 +116,59 @@ class Gram(NamedTuple):
     into one kernel that computes L x anew for every slot (DESIGN section 3).
     """
 
-    weights: jax.Array  # (2, K, n): A's off-diagonal entries by row, then by column
+    weights: jax.Array  # (2, S): A's off-diagonal entries by row, then by column
     diagonal: jax.Array  # (n,): A's diagonal
     shift: jax.Array  # (n,)
     free: jax.Array  # (n,) 1.0 for free vertices, 0.0 for fixed and padded ones
-    ring: jax.Array  # (K, n)
+    neighbour: jax.Array  # (S,)
 
-    def twice(self, x: jax.Array) -> jax.Array:
+    def twice(self, layout: Layout, x: jax.Array) -> jax.Array:
         """A^T A x, for any x, fixed entries included."""
 
         def product(y: jax.Array, weights: jax.Array) -> tuple[jax.Array, None]:
-            return slot_product(weights, self.diagonal, self.ring, y), None
+            return self.diagonal[:, None] * y + slot_product(layout, weights, self.neighbour, y), None
 
         return lax.scan(product, x, self.weights)[0]
 
-    def __call__(self, x: jax.Array) -> jax.Array:
+    def normal(self, layout: Layout, x: jax.Array) -> jax.Array:
         """The normal operator on free vertices; the identity on the others, to keep it definite."""
         held = 1.0 - self.free
-        return self.free[:, None] * (self.twice(x) + self.shift[:, None] * x) + held[:, None] * x
+        return self.free[:, None] * (self.twice(layout, x) + self.shift[:, None] * x) + held[:, None] * x
 
-    def jacobi(self) -> jax.Array:
-        """Diagonal (n,) of the operator."""
-        square = self.diagonal**2 + (self.weights[1] ** 2).sum(0)
+    def jacobi(self, layout: Layout) -> jax.Array:
+        """Diagonal (n,) of the normal operator."""
+        square = self.diagonal**2 + slot_sum(layout, self.weights[1] ** 2)
         return self.free * (square + self.shift) + (1.0 - self.free)
 
 
-def slot_product(weights: jax.Array, diagonal: jax.Array, ring: jax.Array, x: jax.Array) -> jax.Array:
-    """y_i = diagonal_i x_i + sum_k weights[k, i] x[ring[k, i]], one gather a slot."""
-    y = diagonal[:, None] * x
-    for k in range(ring.shape[0]):
-        y = y + weights[k][:, None] * x[ring[k]]
-    return y
-
-
-def gram(rows: Rows, ring: jax.Array, free: jax.Array, row_scale: jax.Array, alpha: float, beta: Any, shift: Any) -> Gram:
+def gram(rows: Rows, buffers: Buffers, layout: Layout, row_scale: jax.Array, alpha: float, beta: Any, shift: Any) -> Gram:
     """The operator of `Gram` for A = diag(row_scale) (alpha I + beta L), rows of fixed vertices zero."""
-    scale = free * row_scale
-    out = beta * scale[None] * rows.out
-    into = beta * scale[ring] * rows.into
-    diagonal = scale * (alpha - beta * rows.out.sum(0))
-    return Gram(jnp.stack([out, into]), diagonal, shift * free, free, ring)
+    scale = buffers.free * row_scale
+    neighbour = buffers.rings.neighbour
+    out = beta * at_rows(layout, scale) * rows.out
+    into = beta * scale[neighbour] * rows.into
+    diagonal = scale * (alpha - beta * slot_sum(layout, rows.out))
+    return Gram(jnp.stack([out, into]), diagonal, shift * buffers.free, buffers.free, neighbour)
 
 
 def contract(
-    positions: jax.Array,
+    buffers: Buffers,
     rows: Rows,
-    ring: jax.Array,
-    free: jax.Array,
-    poles: jax.Array,
+    layout: Layout,
     w_L: jax.Array,
     w_H: jax.Array,
     w_M: jax.Array,
-    tolerance: jax.Array,
+    tolerance: float,
     max_steps: int,
 ) -> tuple[jax.Array, SolveReport]:
-    """Article Eq. 2 for positions (n, 3), free (n,), poles (n, 3) and weights (n,) each, one per row.
+    """Article Eq. 2 for the surface in ``buffers`` and weights (n,) each, one per row: the new positions (n, 3).
 
-    Differentiable in: positions, rows, poles, w_L, w_H, w_M.
+    Differentiable in: buffers.positions, buffers.poles, rows, w_L, w_H, w_M.
     """
-    operator = gram(rows, ring, free, w_L, 0.0, 1.0, w_H**2 + w_M**2)
-    pull = (w_M**2)[:, None] * (poles - positions) - operator.twice(positions)
-    b = free[:, None] * pull
-    displacement, report = solve(operator, operator.jacobi(), b, tolerance, max_steps)
-    return positions + free[:, None] * displacement, report
+    positions, free = buffers.positions, buffers.free[:, None]
+    operator = gram(rows, buffers, layout, w_L, 0.0, 1.0, w_H**2 + w_M**2)
+    b = free * ((w_M**2)[:, None] * (buffers.poles - positions) - operator.twice(layout, positions))
+    displacement, report = solve(
+        lambda x: operator.normal(layout, x), operator.jacobi(layout), b, tolerance, max_steps
+    )
+    return positions + free * displacement, report

@@ -9,6 +9,7 @@ import jax.numpy as jnp
 from msf_jax.device import contraction, laplacian, smoothing
 from msf_jax.device.buffers import Buffers
 from msf_jax.device.contraction import SolveReport
+from msf_jax.layout import Layout
 from msf_jax.options import Config, Weights
 
 
@@ -20,25 +21,37 @@ class Moved(NamedTuple):
     smoothing: SolveReport
 
 
-def move(buffers: Buffers, weights: Weights, config: Config) -> Moved:
+def move(buffers: Buffers, weights: Weights, config: Config, layout: Layout) -> Moved:
     """One iteration on ``buffers``; weights are scalars or (n,), one value a row.
 
     Differentiable in: buffers.positions, buffers.poles, weights.
     """
-    _, ring, degree, free, poles, pull, area = buffers
-    positions = buffers.positions
+    one = jnp.ones_like(buffers.free)
     tolerance, max_steps = config.solve_tolerance, config.solve_steps
-    rows = laplacian.limit(laplacian.assemble(config.laplacian, positions, ring, degree))
-    w_H = weights.w_H * jnp.ones_like(free)
+    w_H = weights.w_H * one
     if config.w_H_follows_area:
-        w_H = w_H * jnp.sqrt(area / laplacian.one_ring_areas(positions, ring, degree))
-    w_L, w_M = weights.w_L * jnp.ones_like(free), weights.w_M * pull
+        area = laplacian.one_ring_areas(buffers.positions, buffers.rings, buffers.degree, layout)
+        w_H = w_H * jnp.sqrt(buffers.area / area)
     positions, contracted = contraction.contract(
-        positions, rows, ring, free, poles, w_L, w_H, w_M, tolerance, max_steps
+        buffers,
+        _rows(buffers, config, layout),
+        layout,
+        weights.w_L * one,
+        w_H,
+        weights.w_M * buffers.pull,
+        tolerance,
+        max_steps,
     )
-    rows = laplacian.limit(laplacian.assemble(config.laplacian, positions, ring, degree))
-    positions, smoothed = smoothing.smooth(positions, rows, ring, free, weights.smoothing, tolerance, max_steps)
+    buffers = buffers._replace(positions=positions)
+    positions, smoothed = smoothing.smooth(
+        buffers, _rows(buffers, config, layout), layout, weights.smoothing * one, tolerance, max_steps
+    )
     return Moved(positions, contracted, smoothed)
 
 
-jitted_move = partial(jax.jit, static_argnames="config")(move)
+def _rows(buffers: Buffers, config: Config, layout: Layout) -> laplacian.Rows:
+    rows = laplacian.assemble(config.laplacian, buffers.positions, buffers.rings, buffers.degree, layout)
+    return laplacian.limit(rows)
+
+
+jitted_move = partial(jax.jit, static_argnames=("config", "layout"))(move)

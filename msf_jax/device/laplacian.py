@@ -1,9 +1,8 @@
 """Laplacians on padded one-ring slots: mean value (article Eq. 4), cotangent and uniform.
 
-``ring`` (K, n) holds, for slot k of vertex i, its k-th neighbour counter-clockwise; a padded slot points at i itself.
-Slot k of vertex i needs only the positions of i, of the neighbour j, and of the two apexes, which are the neighbours in
-the slots before and after. The weight that j gives to i is computed from the same four points, so that the product
-with the transpose is a gather too. Every length is a fraction of the diagonal.
+Every entry needs only the positions of its edge i -> j and of the two apexes. The weight that j gives to i is computed
+from the same four points, so that the product with the transpose is a gather too. Lengths are fractions of the
+diagonal.
 """
 
 from typing import NamedTuple
@@ -11,7 +10,8 @@ from typing import NamedTuple
 import jax
 import jax.numpy as jnp
 
-LAPLACIANS = ("mean_value", "cotangent", "uniform")
+from msf_jax.device.buffers import Rings, at_rows, slot_sum
+from msf_jax.layout import Layout
 
 # Floors that keep weights and gradients finite on degenerate triangles; both are far below anything the flow keeps.
 SHORTEST = 1e-7  # an edge length, as a fraction of the diagonal
@@ -22,45 +22,45 @@ LARGEST = 20.0
 
 
 class Rows(NamedTuple):
-    """L in slots: (L x)_i = sum_k out[k, i] (x[ring[k, i]] - x_i), and into[k, i] is the weight L[j, i] for that j."""
+    """L in slots: (L x)_i = sum over slots of out (x_j - x_i); ``into`` is the weight L[j, i] of the same edge."""
 
-    out: jax.Array  # (K, n)
-    into: jax.Array  # (K, n)
-
-
-def is_slot(ring: jax.Array, degree: jax.Array) -> jax.Array:
-    """(K, n) True for the slots that hold a neighbour."""
-    return jnp.arange(ring.shape[0])[:, None] < degree[None, :]
+    out: jax.Array  # (S,)
+    into: jax.Array  # (S,)
 
 
-def assemble(kind: str, positions: jax.Array, ring: jax.Array, degree: jax.Array) -> Rows:
-    """Weights of the Laplacian named ``kind``, dimensionless, for positions (n, 3), ring (K, n), degree (n,).
+def assemble(kind: str, positions: jax.Array, rings: Rings, degree: jax.Array, layout: Layout) -> Rows:
+    """Weights of the Laplacian named ``kind``, dimensionless, for positions (n, 3), rings (S,) each, degree (n,).
 
     Mean-value rows are multiplied by the mean length of their one-ring edges, which takes their unit away; cotangent
     and uniform weights have none. Differentiable in: positions (finite everywhere, degenerate triangles included).
     """
-    used = is_slot(ring, degree)
-    edge = positions[ring] - positions[None]  # e_k = v_j - v_i, (K, n, 3)
-    last = jnp.maximum(degree - 1, 0)
-    at_last = jnp.take_along_axis(edge, last[None, :, None], axis=0)
-    k = jnp.arange(ring.shape[0])[:, None]
-    after = jnp.where((k == last)[..., None], edge[:1], jnp.roll(edge, -1, axis=0))
-    before = jnp.concatenate([at_last, edge[:-1]], axis=0)
+    used = rings.is_used
     if kind == "uniform":
         weight = used.astype(positions.dtype)
         return Rows(weight, weight)
+    at_i = at_rows(layout, positions)
+    edge = positions[rings.neighbour] - at_i
+    after = positions[rings.after] - at_i
+    before = positions[rings.before] - at_i
     if kind == "cotangent":
         weight = 0.5 * (_cotangent(after, after - edge) + _cotangent(before, before - edge))
         weight = jnp.where(used, jnp.maximum(weight, 0.0), 0.0)
         return Rows(weight, weight)
     length = _length(edge)
-    tangent = _half_angle_tangent(edge, after)  # of the angle at i between slots k and k + 1
-    tangent_before = jnp.concatenate([jnp.take_along_axis(tangent, last[None], axis=0), tangent[:-1]], axis=0)
-    mean_length = jnp.where(used, length, 0.0).sum(0) / jnp.maximum(degree, 1)
-    out = (tangent + tangent_before) / length * mean_length
-    at_j = _half_angle_tangent(-edge, after - edge) + _half_angle_tangent(-edge, before - edge)
-    into = at_j / length * mean_length[ring]
+    mean_length = slot_sum(layout, jnp.where(used, length, 0.0)) / jnp.maximum(degree, 1)
+    at_i_tangents = _half_angle_tangent(edge, after) + _half_angle_tangent(before, edge)
+    at_j_tangents = _half_angle_tangent(-edge, after - edge) + _half_angle_tangent(before - edge, -edge)
+    out = at_i_tangents / length * at_rows(layout, mean_length)
+    into = at_j_tangents / length * mean_length[rings.neighbour]
     return Rows(jnp.where(used, out, 0.0), jnp.where(used, into, 0.0))
+
+
+def one_ring_areas(positions: jax.Array, rings: Rings, degree: jax.Array, layout: Layout) -> jax.Array:
+    """Area (n,) of the triangles around each vertex, at least SHORTEST squared; 1 for a padded row."""
+    at_i = at_rows(layout, positions)
+    area = 0.5 * _cross_length(positions[rings.neighbour] - at_i, positions[rings.after] - at_i)
+    total = slot_sum(layout, jnp.where(rings.is_used, area, 0.0))
+    return jnp.where(degree > 0, jnp.maximum(total, SHORTEST**2), 1.0)
 
 
 def limit(rows: Rows, largest: float = LARGEST) -> Rows:
@@ -106,11 +106,3 @@ def _cross_length(a: jax.Array, b: jax.Array) -> jax.Array:
     is_wide = square > 0
     return jnp.where(is_wide, jnp.sqrt(jnp.where(is_wide, square, 1.0)), 0.0)
 
-
-def one_ring_areas(positions: jax.Array, ring: jax.Array, degree: jax.Array) -> jax.Array:
-    """Area (n,) of the triangles around each vertex, at least SHORTEST squared; 1 for a padded row."""
-    edge = positions[ring] - positions[None]
-    k = jnp.arange(ring.shape[0])[:, None]
-    after = jnp.where((k == degree - 1)[..., None], edge[:1], jnp.roll(edge, -1, axis=0))
-    area = jnp.where(is_slot(ring, degree), 0.5 * _cross_length(edge, after), 0.0).sum(0)
-    return jnp.where(degree > 0, jnp.maximum(area, SHORTEST**2), 1.0)

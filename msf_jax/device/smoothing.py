@@ -4,27 +4,28 @@ import jax
 import jax.numpy as jnp
 
 from msf_jax.device import contraction
+from msf_jax.device.buffers import Buffers, at_rows, slot_product, slot_sum
 from msf_jax.device.contraction import SolveReport
 from msf_jax.device.laplacian import Rows
+from msf_jax.layout import Layout
 
 
 def smooth(
-    positions: jax.Array,
-    rows: Rows,
-    ring: jax.Array,
-    free: jax.Array,
-    strength: jax.Array,
-    tolerance: jax.Array,
-    max_steps: int,
+    buffers: Buffers, rows: Rows, layout: Layout, strength: jax.Array, tolerance: float, max_steps: int
 ) -> tuple[jax.Array, SolveReport]:
-    """One implicit step of ``strength`` lambda (dimensionless, like L) for positions (n, 3), free (n,).
+    """One implicit step of ``strength`` lambda (dimensionless, like L, per row (n,)): the new positions (n, 3).
 
     The matrix is not symmetric, so its normal equations are solved, for the displacement D: with A = I - lambda L and
-    the fixed rows out, A D = lambda L V becomes A^T A D = A^T lambda L V. Differentiable in: positions, rows, strength.
+    the fixed rows out, A D = lambda L V becomes A^T A D = A^T lambda L V.
+    Differentiable in: buffers.positions, rows, strength.
     """
-    operator = contraction.gram(rows, ring, free, jnp.ones_like(free), 1.0, -strength, jnp.zeros_like(free))
-    pull = contraction.slot_product(rows.out, -rows.out.sum(0), ring, positions)
-    right = strength * free[:, None] * pull
-    b = free[:, None] * contraction.slot_product(operator.weights[1], operator.diagonal, ring, right)
-    displacement, report = contraction.solve(operator, operator.jacobi(), b, tolerance, max_steps)
-    return positions + free[:, None] * displacement, report
+    positions, free = buffers.positions, buffers.free[:, None]
+    scaled = Rows(rows.out * at_rows(layout, strength), rows.into * strength[buffers.rings.neighbour])
+    operator = contraction.gram(scaled, buffers, layout, jnp.ones_like(buffers.free), 1.0, -1.0, jnp.zeros(()))
+    pull = slot_product(layout, scaled.out, buffers.rings.neighbour, positions)
+    pull = free * (pull - slot_sum(layout, scaled.out)[:, None] * positions)
+    b = slot_product(layout, operator.weights[1], buffers.rings.neighbour, pull) + operator.diagonal[:, None] * pull
+    displacement, report = contraction.solve(
+        lambda x: operator.normal(layout, x), operator.jacobi(layout), free * b, tolerance, max_steps
+    )
+    return positions + free * displacement, report

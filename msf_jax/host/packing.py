@@ -1,8 +1,24 @@
-"""Padding: the meso-skeleton's arrays at a fixed capacity, ready for the device."""
+"""Padding: the meso-skeleton's arrays in a fixed layout, ready for the device, and back."""
+
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from msf_jax.host.meso import Meso
+from msf_jax.layout import Layout
+
+
+class Packed(NamedTuple):
+    """``order`` (n,): the vertex in each live row. ``fields``: the arrays of `device.buffers.Buffers`, by name."""
+
+    order: np.ndarray
+    fields: dict[str, Any]
+
+
+def rows_beyond(meso: Meso) -> list[int]:
+    """How many vertices have more than k neighbours, for k up to the largest degree: what a layout must hold."""
+    count = np.bincount(meso.degree)
+    return (len(meso.degree) - np.cumsum(count))[:-1].tolist()
 
 
 def pad(array: np.ndarray, size: int, fill: float, dtype: np.dtype) -> np.ndarray:
@@ -12,17 +28,47 @@ def pad(array: np.ndarray, size: int, fill: float, dtype: np.dtype) -> np.ndarra
     return padded
 
 
-def pack(meso: Meso, size: int, ring_size: int, area: np.ndarray, dtype: np.dtype) -> dict[str, np.ndarray]:
-    """The arrays of `device.buffers.Buffers`, by field: ``size`` rows, ``ring_size`` slots, numbers as ``dtype``."""
-    ring = np.repeat(np.arange(size, dtype=np.int32)[None], ring_size, axis=0)  # an unused slot points at its own row
-    columns = meso.rings[:, :ring_size].T
-    np.copyto(ring[: len(columns), : meso.num_rows], columns, where=columns >= 0, casting="same_kind")
-    return {
-        "positions": pad(meso.positions, size, 0, dtype),
-        "ring": ring,
-        "degree": pad(meso.degree, size, 0, np.dtype(np.int32)),
-        "free": pad(~meso.is_fixed & meso.is_live, size, 0, dtype),
-        "poles": pad(meso.poles, size, 0, dtype),
-        "pull": pad(meso.has_pole, size, 0, dtype),
-        "area": pad(area, size, 1, dtype),
+def pack(meso: Meso, layout: Layout, area: np.ndarray, dtype: np.dtype) -> Packed:
+    """The surface in ``layout``: rows by degree, largest first, numbers as ``dtype``."""
+    order = np.argsort(-meso.degree, kind="stable")
+    rank = np.empty(meso.num_rows + 1, dtype=np.int32)
+    rank[order] = np.arange(meso.num_rows, dtype=np.int32)
+    degree = meso.degree[order]
+    rings = rank[meso.rings[order, : max(1, int(degree.max()))]]  # padding -1 takes the spare last entry; masked below
+    last = np.arange(len(rings)), degree - 1
+    after = np.concatenate([rings[:, 1:], rings[:, :1]], axis=1)
+    after[last] = rings[:, 0]
+    before = np.concatenate([rings[last][:, None], rings[:, :-1]], axis=1)
+
+    size = layout.capacity
+    flat = {name: np.empty(layout.num_slots, dtype=np.int32) for name in ("neighbour", "after", "before")}
+    is_used = np.zeros(layout.num_slots, dtype=bool)
+    slot = 0
+    for level in layout.levels:
+        own = np.arange(level.rows, dtype=np.int32)
+        for k in range(level.slots):  # an unused slot points at its own row
+            part = slice(level.offset + k * level.rows, level.offset + (k + 1) * level.rows)
+            count = int(np.searchsorted(-degree, -slot, side="left"))  # rows with more than `slot` neighbours
+            for name, table in (("neighbour", rings), ("after", after), ("before", before)):
+                flat[name][part] = own
+                if count:
+                    flat[name][part][:count] = table[:count, slot]
+            is_used[part][:count] = True
+            slot += 1
+    fields = {
+        "positions": pad(meso.positions[order], size, 0, dtype),
+        "rings": (flat["neighbour"], flat["after"], flat["before"], is_used),
+        "degree": pad(degree, size, 0, dtype),
+        "free": pad(~meso.is_fixed[order] & (degree > 0), size, 0, dtype),
+        "poles": pad(meso.poles[order], size, 0, dtype),
+        "pull": pad(meso.has_pole[order], size, 0, dtype),
+        "area": pad(area[order] if len(area) else area, size, 1, dtype),
     }
+    return Packed(order, fields)
+
+
+def unpack(rows: np.ndarray, order: np.ndarray) -> np.ndarray:
+    """The live ``rows`` of a device array, as float64 and in the order of the vertices."""
+    vertices = np.empty((len(order), *rows.shape[1:]), dtype=np.float64)
+    vertices[order] = rows[: len(order)]
+    return vertices

@@ -1,0 +1,95 @@
+"""How a surface is laid out in fixed-capacity buffers: the one thing that both wings know.
+
+A capacity is compiled once, so there are few: 256 times 1, 1.5, 2, 3, 4, ... vertices. Rows are sorted by degree, largest
+first, so that slot k of the one-rings is a prefix of the rows: a staircase of four levels that holds the 6 neighbours
+of a regular vertex for all rows, two more for half of them, four more for an eighth, and a tail for one in 64. That is
+7.8 numbers a vertex where a rectangle for the largest degree met in a flow (20) would be 24, and nearly all of a
+CG step is gathering them.
+"""
+
+from typing import NamedTuple
+
+SMALLEST = 256
+RAGGED_TAIL = 20  # slots of the last level, unless a vertex needs more
+
+
+class Level(NamedTuple):
+    """``slots`` one-ring slots for the first ``rows`` rows, stored slot by slot from ``offset``."""
+
+    slots: int
+    rows: int
+    offset: int
+
+    @property
+    def end(self) -> int:
+        """Where the next level starts."""
+        return self.offset + self.slots * self.rows
+
+
+class Layout(NamedTuple):
+    """Capacity in vertices, and the levels of the staircase; hashable, so that a jitted step can depend on it."""
+
+    capacity: int
+    levels: tuple[Level, ...]
+
+    @property
+    def num_slots(self) -> int:
+        """Length of a flat array with one entry for every slot."""
+        return self.levels[-1].end
+
+
+def _layout(capacity: int, shape: list[tuple[int, int]]) -> Layout:
+    levels, offset = [], 0
+    for slots, rows in shape:
+        levels.append(Level(slots, rows, offset))
+        offset = levels[-1].end
+    return Layout(capacity, tuple(levels))
+
+
+def staircase(capacity: int, largest_degree: int) -> Layout:
+    """The usual layout: 6, 2, 4 and 20 slots for all, 1/2, 1/8 and 1/64 of the rows."""
+    tail = RAGGED_TAIL if largest_degree <= 12 + RAGGED_TAIL else -(-(largest_degree - 12) // 32) * 32
+    return _layout(capacity, [(6, capacity), (2, capacity // 2), (4, capacity // 8), (tail, capacity // 64)])
+
+
+def rectangle(capacity: int, largest_degree: int) -> Layout:
+    """The layout for a surface whose degrees fit no staircase: as many slots for every row."""
+    return _layout(capacity, [(-(-largest_degree // 8) * 8, capacity)])
+
+
+def capacity_for(count: int) -> int:
+    """The smallest capacity for ``count`` vertices: 256 times 1, 1.5, 2, 3, 4, 6, 8, ..."""
+    size = SMALLEST
+    while size < count:
+        if size * 3 // 2 >= count:
+            return size * 3 // 2
+        size *= 2
+    return size
+
+
+def fits(layout: Layout, count: int, rows_beyond: list[int]) -> bool:
+    """Whether ``count`` vertices fit, ``rows_beyond[k]`` of which have more than k neighbours."""
+    if count > layout.capacity:
+        return False
+    first = 0
+    for level in layout.levels:
+        if first < len(rows_beyond) and rows_beyond[first] > level.rows:
+            return False
+        first += level.slots
+    return first >= len(rows_beyond)
+
+
+def next_layout(current: Layout | None, count: int, rows_beyond: list[int]) -> Layout:
+    """Where a buffer goes for ``count`` vertices, of which ``rows_beyond[k]`` have more than k neighbours.
+
+    It stays while the surface fits and fills more than half, else it takes the smallest layout that fits; the next
+    larger capacity is tried before the rectangle, since a few more rows cost less than many more slots.
+    """
+    if current is not None and fits(current, count, rows_beyond) and 2 * count > current.capacity:
+        return current
+    largest_degree = len(rows_beyond)
+    for size in (capacity_for(count), capacity_for(capacity_for(count) + 1)):
+        layout = staircase(size, largest_degree)
+        if fits(layout, count, rows_beyond):
+            return layout
+    return rectangle(capacity_for(count), largest_degree)
