@@ -11,7 +11,7 @@ from typing import NamedTuple
 import numpy as np
 
 from msf_jax.host import connectivity
-from msf_jax.host.connectivity import decode_edges, encode_edges, find_slot
+from msf_jax.host.connectivity import find_slot
 from msf_jax.host.meso import Meso
 
 
@@ -46,9 +46,8 @@ def collapse_short_edges(meso: Meso, t_c: float, *, check: bool = False) -> list
     """
     euler = connectivity.euler_characteristic(meso.rings) if check else 0
     rounds = []
-    candidates = encode_edges(*connectivity.edges_from_rings(meso.rings), meso.num_rows)
+    a, b = connectivity.edges_from_rings(meso.rings)
     while True:
-        a, b = decode_edges(candidates, meso.num_rows)
         length = edge_lengths(meso.positions, a, b)
         is_short = (length < t_c) & ~(meso.is_fixed[a] & meso.is_fixed[b])
         a, b, length = a[is_short], b[is_short], length[is_short]
@@ -61,13 +60,14 @@ def collapse_short_edges(meso: Meso, t_c: float, *, check: bool = False) -> list
         rounds.append(done)
         if check:
             connectivity.check_closed_manifold(meso.rings, euler)
-        waiting = np.ones(len(a), dtype=bool)
-        waiting[chosen] = False
-        waiting &= (meso.degree[a] > 0) & (meso.degree[b] > 0)
-        touched = np.unique(meso.rings[done.survivor])
-        touched = np.concatenate([done.survivor, touched[touched >= 0]])
-        around = encode_edges(*connectivity.edges_from_rings(meso.rings, touched), meso.num_rows)
-        candidates = np.union1d(encode_edges(a[waiting], b[waiting], meso.num_rows), around)
+        # Look again at the edges around the survivors, and at those that had to wait further away.
+        is_touched = np.zeros(meso.num_rows + 1, dtype=bool)  # the last entry serves the padding -1
+        is_touched[meso.rings[done.survivor]] = True
+        is_touched[done.survivor] = True
+        is_touched = is_touched[:-1]
+        waits = ~(is_touched[a] | is_touched[b]) & (meso.degree[a] > 0) & (meso.degree[b] > 0)
+        around_a, around_b = connectivity.edges_around(meso.rings, is_touched)
+        a, b = np.concatenate([a[waits], around_a]), np.concatenate([b[waits], around_b])
 
 
 def _independent(rings: np.ndarray, a: np.ndarray, b: np.ndarray, order: np.ndarray) -> np.ndarray:

@@ -97,25 +97,25 @@ def apexes(rings: np.ndarray, degree: np.ndarray, a: np.ndarray, b: np.ndarray) 
     return rings[a, (slot + 1) % degree[a]], rings[a, (slot - 1) % degree[a]]
 
 
-def edges_from_rings(rings: np.ndarray, vertices: np.ndarray | None = None) -> tuple[np.ndarray, np.ndarray]:
-    """Every edge once, as (a, b) with a < b, in ascending order; only those at ``vertices`` if given."""
-    if vertices is None:
-        a, slot = np.nonzero(rings > np.arange(len(rings))[:, None])
-        return a, rings[a, slot]
-    rows = rings[vertices]
-    row, slot = np.nonzero(rows >= 0)
-    one, other = vertices[row], rows[row, slot]
-    return decode_edges(np.unique(encode_edges(np.minimum(one, other), np.maximum(one, other), len(rings))), len(rings))
+def edges_from_rings(rings: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Every edge once, as (a, b) with a < b, in ascending order of a."""
+    a, slot = np.nonzero(rings > np.arange(len(rings))[:, None])
+    return a, rings[a, slot]
+
+
+def edges_around(rings: np.ndarray, is_center: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Every edge with at least one end in ``is_center`` (n,), once, as (a, b) with a < b."""
+    center = np.flatnonzero(is_center)
+    rows = rings[center]
+    # An edge between two centres is met from both ends: it is taken from the smaller one.
+    row, slot = np.nonzero((rows >= 0) & ((rows > center[:, None]) | ~is_center[rows]))
+    one, other = center[row], rows[row, slot]
+    return np.minimum(one, other), np.maximum(one, other)
 
 
 def encode_edges(a: np.ndarray, b: np.ndarray, num_vertices: int) -> np.ndarray:
     """One sortable integer an edge."""
     return a * np.int64(num_vertices) + b
-
-
-def decode_edges(code: np.ndarray, num_vertices: int) -> tuple[np.ndarray, np.ndarray]:
-    """The inverse of `encode_edges`."""
-    return code // num_vertices, code % num_vertices
 
 
 def faces_from_rings(rings: np.ndarray) -> np.ndarray:
@@ -137,7 +137,8 @@ def is_collapsible(rings: np.ndarray, degree: np.ndarray, a: np.ndarray, b: np.n
     neck of three edges, and merging its ends would pinch the surface there. An apex of degree three stands on a
     tetrahedron when there are just two common neighbours, and would be left with two faces back to back.
     """
-    rows_a, rows_b = rings[a], rings[b]
+    width = int(np.maximum(degree[a], degree[b]).max(initial=1))
+    rows_a, rows_b = rings[a, :width], rings[b, :width]
     is_common = ((rows_a[:, :, None] == rows_b[:, None, :]) & (rows_a >= 0)[:, :, None]).any(axis=2)
     left, right = apexes(rings, degree, a, b)
     return (is_common.sum(axis=1) == 2) & (degree[left] > 3) & (degree[right] > 3)

@@ -11,7 +11,7 @@ import numpy as np
 
 from msf_jax.host import connectivity
 from msf_jax.host.collapse import edge_lengths, shortest_first
-from msf_jax.host.connectivity import decode_edges, encode_edges, find_slot
+from msf_jax.host.connectivity import find_slot
 from msf_jax.host.meso import Meso
 
 
@@ -53,10 +53,12 @@ def split_obtuse_edges(
         rounds.append(split_edges(meso, a[chosen], b[chosen], fraction[chosen]))
         if check:
             connectivity.check_closed_manifold(meso.rings, euler)
-        touched = np.concatenate([rounds[-1].new, left[chosen], right[chosen]])
-        around = encode_edges(*connectivity.edges_from_rings(meso.rings, touched), meso.num_rows)
-        waiting = np.delete(np.arange(len(a)), chosen)
-        a, b = decode_edges(np.union1d(encode_edges(a[waiting], b[waiting], meso.num_rows), around), meso.num_rows)
+        # Look again at the edges of the cut faces, and at those that had to wait.
+        is_touched = np.zeros(meso.num_rows, dtype=bool)
+        is_touched[np.concatenate([rounds[-1].new, left[chosen], right[chosen], a[chosen], b[chosen]])] = True
+        waits = ~(is_touched[a] | is_touched[b])
+        around_a, around_b = connectivity.edges_around(meso.rings, is_touched)
+        a, b = np.concatenate([a[waits], around_a]), np.concatenate([b[waits], around_b])
 
 
 def split_long_edges(meso: Meso, longest: float) -> None:
