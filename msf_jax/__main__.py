@@ -1,0 +1,8 @@
+"""``python -m msf_jax``: the command line."""
+
+import sys
+
+from msf_jax.cli import main
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,147 @@
+"""The command line: ``msf-jax skeletonize IN -o OUT`` and ``msf-jax demo``, also as ``python -m msf_jax``.
+
+Exit codes: 0 when a curve was written, 2 for bad input or options, 130 for Ctrl-C. A curve that the report does not call
+sound is written all the same, with a warning.
+"""
+
+import argparse
+import os
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+
+import jax
+import numpy as np
+
+import msf_jax
+from msf_jax import export, shapes
+from msf_jax.errors import ConfigError, FlowError, MeshError
+from msf_jax.options import SYSTEMS, Config, Weights
+from msf_jax.skeleton import Skeleton
+
+WEIGHTS = {
+    "w_L": "contraction (w_L)",
+    "w_H": "attraction to where a vertex is (w_H)",
+    "w_M": "attraction to the Voronoi pole (w_M)",
+    "smoothing": "lambda of the implicit smoothing",
+}
+
+
+def main(argv: Sequence[str] | None = None) -> int:
+    """Run the command line with ``argv`` (the process's own if not given); returns the exit code."""
+    arguments = _parser().parse_args(argv)
+    jax.config.update("jax_enable_x64", not arguments.float32)
+    _cache_compilations()
+    try:
+        return arguments.run(arguments)
+    except (MeshError, ConfigError, FlowError) as error:
+        return _fail(str(error), 2)
+    except OSError as error:
+        return _fail(f"{error.strerror or error}: {error.filename}" if error.filename else str(error), 2)
+    except KeyboardInterrupt:
+        return _fail("interrupted, nothing was written", 130)
+
+
+def _fail(message: str, code: int) -> int:
+    print(f"msf-jax: {' '.join(message.split())}", file=sys.stderr)
+    return code
+
+
+def _cache_compilations() -> None:
+    """Keep compiled steps in the user's cache folder, so that only the first run on a machine compiles."""
+    if jax.config.jax_compilation_cache_dir is None:
+        base = Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache")
+        jax.config.update("jax_compilation_cache_dir", str(base / "msf_jax"))
+        jax.config.update("jax_persistent_cache_min_compile_time_secs", 0.2)
+
+
+def _parser() -> argparse.ArgumentParser:
+    parser = argparse.ArgumentParser(
+        prog="msf-jax", description="Curve skeletons of closed triangle meshes by Medial Skeletonization Flow."
+    )
+    parser.add_argument("--version", action="version", version=f"msf-jax {msf_jax.__version__}")
+    commands = parser.add_subparsers(title="commands", required=True, metavar="COMMAND")
+
+    one = commands.add_parser(
+        "skeletonize",
+        help="a mesh in, its curve skeleton out",
+        description="Skeletonise one closed mesh. The report is printed at the end.",
+        epilog="example: msf-jax skeletonize hand.off -o hand.swc --w-M 0.6 --picture hand.png",
+    )
+    one.add_argument("mesh", metavar="IN", help="a closed triangle mesh in any format that trimesh reads")
+    one.add_argument("-o", "--output", metavar="OUT", required=True, help=f"one of {', '.join(export.WRITERS)}")
+    one.add_argument("--picture", metavar="PNG", help="draw the curve in the mesh, too")
+    one.add_argument("--system", default="msf", metavar="NAME", help=f"one of {', '.join(SYSTEMS)} (default: msf)")
+    for name, meaning in WEIGHTS.items():
+        one.add_argument(f"--{name.replace('_', '-')}", dest=name, type=float, metavar="X", help=meaning)
+    one.add_argument("--max-iterations", type=int, metavar="N", help="give up after N iterations")
+    one.add_argument("--check", action="store_true", help="verify the surface after every round of edits (slower)")
+    _common(one)
+    one.set_defaults(run=_skeletonize)
+
+    demo = commands.add_parser(
+        "demo",
+        help="skeletonise a hand with five fingers and a handle, made in code",
+        description="Make a hand with five fingers and a handle, skeletonise it, and leave a skeleton file and a picture.",
+    )
+    demo.add_argument("-o", "--output", metavar="FOLDER", default=".", help="where to put the files (default: here)")
+    _common(demo)
+    demo.set_defaults(run=_demo)
+    return parser
+
+
+def _common(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("--float32", action="store_true", help="compute in float32 instead of float64")
+    parser.add_argument("-q", "--quiet", action="store_true", help="no progress bar and no report")
+
+
+def _skeletonize(arguments: argparse.Namespace) -> int:
+    target = _checked_target(arguments.output)
+    export.writer_for(target)  # a wrong suffix is found before the flow, not after it
+    picture = _checked_target(arguments.picture) if arguments.picture else None
+    changes = {} if arguments.max_iterations is None else {"max_iterations": arguments.max_iterations}
+    config = Config.named(arguments.system, check=arguments.check, **changes)
+    given = {name: getattr(arguments, name) for name in WEIGHTS if getattr(arguments, name) is not None}
+    weights = Weights(**(vars(config.default_weights()) | given))
+    skeleton = msf_jax.skeletonize(arguments.mesh, weights, config, progress=not arguments.quiet)
+    skeleton.save(target)
+    if picture:
+        from msf_jax import view
+
+        view.save_picture(skeleton, picture, arguments.mesh)
+    _tell(skeleton, [target, *([picture] if picture else [])], arguments.quiet)
+    return 0
+
+
+def _checked_target(path: str) -> Path:
+    target = Path(path)
+    if not target.absolute().parent.is_dir():
+        raise ConfigError(f"no folder {str(target.absolute().parent)!r} to write {target.name!r} to: make it first")
+    if target.is_dir():
+        raise ConfigError(f"{path!r} is a folder: expected the name of a file to write")
+    return target
+
+
+def _demo(arguments: argparse.Namespace) -> int:
+    from msf_jax import view
+
+    folder = Path(arguments.output)
+    folder.mkdir(parents=True, exist_ok=True)
+    mesh = shapes.hand()
+    skeleton = msf_jax.skeletonize(mesh, progress=not arguments.quiet)
+    written = [folder / "hand.off", folder / "hand.swc", folder / "hand.png"]
+    export.write_whole(written[0], mesh.export(file_type="off"))
+    skeleton.save(written[1])
+    view.save_picture(skeleton, written[2], mesh)
+    _tell(skeleton, written, arguments.quiet)
+    return 0
+
+
+def _tell(skeleton: Skeleton, written: list[Path], quiet: bool) -> None:
+    if not quiet:
+        tips = int((np.bincount(skeleton.edges.ravel(), minlength=len(skeleton.vertices)) == 1).sum())
+        print(f"{len(skeleton.vertices)} nodes, {len(skeleton.edges)} edges, {tips} tips")
+        print(skeleton.report)
+        print("wrote " + ", ".join(map(str, written)))
+    if not skeleton.report.is_sound:
+        print("msf-jax: warning: look at this curve before you use it, its report is not clean", file=sys.stderr)

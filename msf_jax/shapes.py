@@ -1,0 +1,105 @@
+"""Closed meshes made in code, for the demo, the notebooks and the tests: solids around known curves."""
+
+import numpy as np
+import trimesh
+
+
+def solid_around(
+    points: np.ndarray, edges: np.ndarray, radii: np.ndarray, spacing: float, *, blend: float = 0.3
+) -> trimesh.Trimesh:
+    """The closed surface around a curve: the smooth union of a round cone along each edge.
+
+    Args:
+        points: (N, 3) nodes of the curve.
+        edges: (E, 2) its edges.
+        radii: (N,) radius at each node; it is interpolated along the edges.
+        spacing: edge length of the sampling grid; the triangles are about as large.
+        blend: how far the cones melt into each other where they meet, as a fraction of the smallest radius.
+    """
+    margin = float(radii.max()) + 2 * spacing
+    low, high = points.min(axis=0) - margin, points.max(axis=0) + margin
+    axes = [np.arange(low[k], high[k] + spacing, spacing) for k in range(3)]
+    grid = np.stack(np.meshgrid(*axes, indexing="ij"), axis=-1)
+    width = blend * float(radii.min())
+    total = np.zeros(grid.shape[:3])
+    nearest = np.full(grid.shape[:3], np.inf)
+    layers = []
+    for a, b in edges:
+        along = points[b] - points[a]
+        t = np.clip((grid - points[a]) @ along / (along @ along), 0.0, 1.0)
+        distance = np.linalg.norm(grid - points[a] - t[..., None] * along, axis=-1)
+        layers.append(distance - (radii[a] + t * (radii[b] - radii[a])))
+        nearest = np.minimum(nearest, layers[-1])
+    for layer in layers:
+        total += np.exp(-(layer - nearest) / width)
+    return level_set(nearest - width * np.log(total), low, spacing)
+
+
+def level_set(field: np.ndarray, low: np.ndarray, spacing: float) -> trimesh.Trimesh:
+    """The closed surface where ``field`` (X, Y, Z), sampled from ``low`` with ``spacing``, turns from negative (inside).
+
+    Marching tetrahedra: each cube is cut into six tetrahedra around its diagonal, which share their faces with their
+    neighbours, so that the surface is a closed manifold whatever the values.
+    """
+    shape = np.array(field.shape)
+    corner = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [0, 0, 1], [1, 0, 1], [1, 1, 1], [0, 1, 1]])
+    tetrahedra = np.array([[0, 1, 2, 6], [0, 2, 3, 6], [0, 3, 7, 6], [0, 7, 4, 6], [0, 4, 5, 6], [0, 5, 1, 6]])
+    cube = np.stack(np.meshgrid(*(np.arange(n - 1) for n in shape), indexing="ij"), axis=-1).reshape(-1, 3)
+    number = np.ravel_multi_index(tuple((cube[:, None] + corner).reshape(-1, 3).T), tuple(shape)).reshape(-1, 8)
+    value = field.ravel()
+    is_mixed = (value[number] < 0).any(axis=1) & (value[number] >= 0).any(axis=1)
+    corners = number[is_mixed][:, tetrahedra].reshape(-1, 4)
+    is_in = value[corners] < 0
+    count = is_in.sum(axis=1)
+    order = np.argsort(~is_in, axis=1, kind="stable")  # the inside corners to the front
+    corners, count = np.take_along_axis(corners, order, axis=1), count[:, None, None]
+    one_in = np.array([[[0, 1], [0, 2], [0, 3]], [[-1, -1]] * 3])
+    two_in = np.array([[[0, 2], [0, 3], [1, 3]], [[0, 2], [1, 3], [1, 2]]])
+    three_in = np.array([[[0, 3], [2, 3], [1, 3]], [[-1, -1]] * 3])
+    cuts = []
+    for inside, table in ((1, one_in), (2, two_in), (3, three_in)):
+        chosen = corners[count[:, 0, 0] == inside]
+        for triangle in table[table[:, 0, 0] >= 0]:
+            cuts.append((chosen[:, triangle], chosen[:, :inside], chosen[:, inside:]))
+    ends = np.sort(np.concatenate([cut for cut, _, _ in cuts]).reshape(-1, 2), axis=1)
+    edge, inverse = np.unique(ends, axis=0, return_inverse=True)
+    faces = inverse.reshape(-1, 3)
+
+    def place(corner: np.ndarray) -> np.ndarray:
+        return np.stack(np.unravel_index(corner, tuple(shape)), axis=-1).astype(float)
+
+    a, b = value[edge[:, 0]], value[edge[:, 1]]
+    t = np.clip(a / (a - b), 0.02, 0.98)[:, None]
+    vertices = (1 - t) * place(edge[:, 0]) + t * place(edge[:, 1])
+    outwards = np.concatenate([place(out).mean(axis=1) - place(into).mean(axis=1) for _, into, out in cuts])
+    normal = np.cross(vertices[faces[:, 1]] - vertices[faces[:, 0]], vertices[faces[:, 2]] - vertices[faces[:, 0]])
+    is_inward = (normal * outwards).sum(axis=1) < 0
+    faces[is_inward] = faces[is_inward][:, ::-1]
+    return trimesh.Trimesh(low + spacing * vertices, faces, process=False)
+
+
+def hand(spacing: float = 0.05) -> trimesh.Trimesh:
+    """A hand with five fingers and a handle at the wrist: five tips, a forearm, and one loop (genus 1)."""
+    points, edges, radii = hand_curve()
+    return solid_around(points, edges, radii, spacing)
+
+
+def hand_curve() -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """The curve that `hand` is built around: points (N, 3), edges (E, 2), radii (N,)."""
+    points = [(0.0, 0.0, -1.1), (0.0, 0.0, -0.55), (0.0, 0.0, 0.0)]
+    radii = [0.17, 0.18, 0.22]
+    edges = [(0, 1), (1, 2)]
+    for angle, length, radius in ((-62, 0.62, 0.1), (-27, 0.92, 0.085), (-8, 1.05, 0.085), (11, 0.98, 0.085), (30, 0.8, 0.075)):
+        direction = np.array([np.sin(np.radians(angle)), 0.0, np.cos(np.radians(angle))])
+        bend = np.array([0.0, -0.12, 0.0])
+        for fraction, follows in ((0.35, 2), (0.7, None), (1.0, None)):
+            points.append(tuple(direction * length * (0.15 + fraction) + bend * fraction**2))
+            radii.append(radius * (1.25 - 0.25 * fraction))
+            edges.append((2 if follows == 2 else len(points) - 2, len(points) - 1))
+    start = len(points)
+    for angle in np.linspace(-60, 60, 5):  # the handle, a bow from the wrist to the forearm's end
+        points.append((0.0, 0.2 + 0.35 * np.cos(np.radians(angle)), -0.62 + 0.36 * np.sin(np.radians(angle))))
+        radii.append(0.06)
+    edges += [(0, start), *((k, k + 1) for k in range(start, start + 4)), (start + 4, 2)]
+    points[start] = (0.0, 0.32, -1.0)
+    return np.array(points, dtype=float), np.array(edges), np.array(radii)

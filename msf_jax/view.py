@@ -1,0 +1,55 @@
+"""Pictures of a curve in its mesh, and the demo's own shape."""
+
+import io
+import os
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from msf_jax.export import write_whole
+from msf_jax.host import surface
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+    from msf_jax.skeleton import Skeleton
+
+
+def figure(skeleton: "Skeleton", mesh: Any = None, *, elevation: float = 15.0, azimuth: float = -70.0) -> "Figure":
+    """A matplotlib figure: the mesh translucent, the curve coloured by radius.
+
+    Args:
+        skeleton: the curve.
+        mesh: what it was made from, as `skeletonize` takes it; the curve alone if not given.
+        elevation, azimuth: where it is seen from, in degrees.
+    """
+    from matplotlib.figure import Figure
+    from mpl_toolkits.mplot3d.art3d import Line3DCollection, Poly3DCollection
+
+    picture = Figure(figsize=(8, 8), layout="constrained")
+    axes: Any = picture.add_subplot(projection="3d", computed_zorder=False)
+    shown = [skeleton.vertices]
+    if mesh is not None:
+        vertices, faces = surface.read(mesh)
+        shown.append(vertices)
+        axes.add_collection3d(Poly3DCollection(vertices[faces], facecolor=(0.55, 0.62, 0.72, 0.10), zorder=1))
+    lines = Line3DCollection(skeleton.vertices[skeleton.edges], linewidths=2.5, cmap="plasma", zorder=2)
+    lines.set_array(skeleton.radii[skeleton.edges].mean(axis=1))
+    axes.add_collection3d(lines)
+    points = np.concatenate(shown)
+    low, high = points.min(axis=0), points.max(axis=0)
+    axes.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]), zlim=(low[2], high[2]))
+    axes.set_box_aspect(np.maximum(high - low, 1e-9 * np.linalg.norm(high - low)))
+    axes.view_init(elev=elevation, azim=azimuth)
+    axes.set_axis_off()
+    picture.colorbar(lines, ax=axes, shrink=0.5, label="radius")
+    return picture
+
+
+def save_picture(
+    skeleton: "Skeleton", path: str | os.PathLike[str], mesh: Any = None, *, elevation: float = 15.0, azimuth: float = -70.0
+) -> None:
+    """Write `figure` as a PNG, whole or not at all."""
+    buffer = io.BytesIO()
+    figure(skeleton, mesh, elevation=elevation, azimuth=azimuth).savefig(buffer, format="png", dpi=150)
+    write_whole(path, buffer.getvalue())

@@ -1,0 +1,54 @@
+"""Shared by all tests: float64, meshes made in code, and the research meshes where they are at hand."""
+
+import os
+from pathlib import Path
+
+import jax
+import numpy as np
+import pytest
+import trimesh
+
+jax.config.update("jax_enable_x64", True)
+
+# The research meshes are not part of the project; tests that want them skip where the folder is absent.
+MESHES = Path(os.environ.get("MSF_JAX_MESHES", Path(__file__).parents[2] / "shared" / "meshes"))
+
+
+@pytest.fixture(scope="session")
+def research_mesh():
+    """A function from a name to ``(vertices, faces)`` of that research mesh; skips where it is absent."""
+
+    def load(name: str) -> tuple[np.ndarray, np.ndarray]:
+        path = MESHES / f"{name}.off"
+        if not path.exists():
+            pytest.skip(f"no research mesh {path.name} in the folder of MSF_JAX_MESHES")
+        mesh = trimesh.load(path, process=False)
+        return np.array(mesh.vertices, dtype=np.float64), np.array(mesh.faces, dtype=np.int64)
+
+    return load
+
+
+def torus(major: float = 1.0, minor: float = 0.35, around: int = 24, across: int = 12) -> trimesh.Trimesh:
+    """A torus in the xy plane: genus 1, every vertex of degree 6."""
+    u, v = np.meshgrid(np.arange(around), np.arange(across), indexing="ij")
+    phi, psi = 2 * np.pi * u.ravel() / around, 2 * np.pi * v.ravel() / across
+    ring = major + minor * np.cos(psi)
+    vertices = np.stack([ring * np.cos(phi), ring * np.sin(phi), minor * np.sin(psi)], axis=1)
+
+    def index(i, j):
+        return ((i % around) * across + j % across).ravel()
+
+    a, b, c, d = index(u, v), index(u + 1, v), index(u + 1, v + 1), index(u, v + 1)
+    faces = np.concatenate([np.stack([a, b, c], 1), np.stack([a, c, d], 1)])
+    mesh = trimesh.Trimesh(vertices, faces, process=False)
+    if mesh.volume < 0:
+        mesh.invert()
+    return mesh
+
+
+def blob(seed: int, subdivisions: int = 3) -> trimesh.Trimesh:
+    """A sphere with random smooth bumps: genus 0, triangles of many shapes."""
+    mesh = trimesh.creation.icosphere(subdivisions)
+    random = np.random.default_rng(seed)
+    bumps = sum(0.25 * np.cos(mesh.vertices @ (3 * random.normal(size=3)) + random.uniform(0, 6)) for _ in range(4))
+    return trimesh.Trimesh(mesh.vertices * (1 + 0.5 * bumps[:, None]), mesh.faces, process=False)
