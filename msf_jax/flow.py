@@ -270,12 +270,7 @@ def contract(mesh: Any, weights: Weights | None = None, config: Config | None = 
         ConfigError: a weight or an option is out of range.
         FlowError: the mesh has no Voronoi diagram.
     """
-    config = Config() if config is None else config
-    weights = config.default_weights() if weights is None else weights
-    if not isinstance(config, Config):
-        raise ConfigError(f"config is a {type(config).__name__}: expected a msf_jax.Config")
-    if not isinstance(weights, Weights):
-        raise ConfigError(f"weights is a {type(weights).__name__}: expected a msf_jax.Weights")
+    weights, config = _checked_options(weights, config)
     watch = Stopwatch()
     with watch.stage("front door"):
         checked = surface.prepare(mesh)
@@ -293,6 +288,15 @@ def contract(mesh: Any, weights: Weights | None = None, config: Config | None = 
             with watch.stage("curve"):
                 curves.append(_curve(state.meso, config))
     return _finish(checked, states, reasons, curves, weights, config, watch)
+
+
+def _checked_options(weights: Any, config: Any) -> tuple[Weights, Config]:
+    if not isinstance(config, Config | None):
+        raise ConfigError(f"config is a {type(config).__name__}: expected a msf_jax.Config")
+    if not isinstance(weights, Weights | None):
+        raise ConfigError(f"weights is a {type(weights).__name__}: expected a msf_jax.Weights (config comes after it)")
+    config = Config() if config is None else config
+    return (config.default_weights() if weights is None else weights), config
 
 
 def _curve(meso: Meso, config: Config) -> tuple[Curve, Meso]:

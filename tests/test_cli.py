@@ -1,0 +1,120 @@
+"""The command line as a user meets it: files, exit codes, one clear line for what is wrong."""
+
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+import trimesh
+from conftest import blob
+
+from msf_jax.cli import main
+
+
+@pytest.fixture(autouse=True)
+def own_cache(tmp_path_factory, monkeypatch):
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path_factory.getbasetemp() / "cache"))
+
+
+@pytest.fixture
+def ball(tmp_path):
+    path = tmp_path / "ball.off"
+    blob(4).export(path)
+    return path
+
+
+def test_a_mesh_in_a_curve_and_a_picture_out(ball, tmp_path, capsys):
+    assert main(["skeletonize", str(ball), "-o", str(tmp_path / "a.swc"), "--picture", str(tmp_path / "a.png")]) == 0
+    out = capsys.readouterr().out
+    assert "converged" in out
+    assert "0 cycles for genus 0" in out
+    rows = [line for line in (tmp_path / "a.swc").read_text().splitlines() if line[0] != "#"]
+    assert len(rows) >= 2
+    assert (tmp_path / "a.png").read_bytes().startswith(b"\x89PNG")
+
+
+def test_the_demo_leaves_a_skeleton_and_a_picture(tmp_path, capsys):
+    assert main(["demo", "-o", str(tmp_path)]) == 0
+    assert "1 cycles for genus 1" in capsys.readouterr().out
+    assert (tmp_path / "hand.png").read_bytes().startswith(b"\x89PNG")
+    assert "# 1 loops cut" in (tmp_path / "hand.swc").read_text()
+
+
+def open_box():
+    box = trimesh.creation.box()
+    box.update_faces(np.arange(len(box.faces)) > 0)
+    return box
+
+
+BAD = {
+    "missing.off": (None, "no file"),
+    "other.txt": (b"hello", "unknown suffix"),
+    "garbage.off": (b"\x00\x01 not a mesh", "cannot read"),
+    "empty.off": (b"", "cannot read"),
+    "empty-mesh.off": (b"OFF\n0 0 0\n", ""),
+    "nan.off": (b"OFF\n4 4 0\n0 0 nan\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n", "not finite"),
+    "range.off": (b"OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 9\n", "range"),
+    "tetrahedron.off": (b"OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n", "tetrahedron"),
+    "open.off": (open_box(), "open"),
+    "flat.off": (trimesh.creation.box((1, 1, 0)), "no volume"),
+}
+
+
+@pytest.mark.parametrize("name", BAD)
+def test_bad_input_is_one_clear_line_and_exit_2(name, tmp_path, capsys):
+    content, message = BAD[name]
+    if isinstance(content, bytes):
+        (tmp_path / name).write_bytes(content)
+    elif content is not None:
+        content.export(tmp_path / name)
+    assert main(["skeletonize", str(tmp_path / name), "-o", str(tmp_path / "out.swc")]) == 2
+    err = capsys.readouterr().err
+    assert err.startswith("msf-jax: ")
+    assert err.count("\n") == 1
+    assert message in err
+    assert not (tmp_path / "out.swc").exists()
+
+
+@pytest.mark.parametrize(
+    ("options", "message"),
+    [
+        (["--w-L", "-1"], "Weights.w_L is -1.0"),
+        (["--system", "cgal"], "unknown system 'cgal'"),
+        (["--max-iterations", "0"], "max_iterations"),
+    ],
+)
+def test_bad_options_are_one_clear_line_and_exit_2(options, message, ball, tmp_path, capsys):
+    assert main(["skeletonize", str(ball), "-o", str(tmp_path / "out.swc"), *options]) == 2
+    err = capsys.readouterr().err
+    assert message in err
+    assert err.count("\n") == 1
+
+
+@pytest.mark.parametrize(("out", "message"), [("out.xyz", "no format"), ("nowhere/out.swc", "no folder")])
+def test_a_bad_target_is_found_before_the_flow(out, message, ball, tmp_path, capsys):
+    assert main(["skeletonize", str(ball), "-o", str(tmp_path / out)]) == 2
+    assert message in capsys.readouterr().err
+
+
+def test_a_typo_in_an_option_is_named():
+    done = subprocess.run(
+        [sys.executable, "-m", "msf_jax", "skeletonize", "a.off", "-o", "b.swc", "--wL", "1"],
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert done.returncode == 2
+    assert "--wL" in done.stderr
+    assert "Traceback" not in done.stderr
+
+
+def test_no_progress_bar_where_there_is_no_terminal(ball, tmp_path):
+    done = subprocess.run(
+        [sys.executable, "-m", "msf_jax", "skeletonize", str(ball), "-o", str(tmp_path / "a.json"), "--float32"],
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert done.returncode == 0
+    assert done.stderr == ""
+    assert "wrote" in done.stdout

@@ -1,0 +1,254 @@
+"""The whole flow: topology, map, units, symmetries, the same bits twice, and the three systems."""
+
+import jax
+import numpy as np
+import pytest
+import trimesh
+from conftest import blob, torus
+
+import msf_jax
+from msf_jax import Config, Weights, flow, shapes
+from msf_jax.device.iteration import jitted_move
+
+CLOSED = ["bunny", "three-holes", "homer", "elephant", "cheburashka", "indorelax", "sindorelax"]
+
+
+def diagonal(vertices):
+    return np.linalg.norm(np.ptp(vertices, axis=0))
+
+
+def tubes():
+    """A torus and a Y of tubes, as (mesh, genus)."""
+    points = np.array([[0, 0, 0], [0, 0, 1.0], [0.9, 0, -0.5], [-0.8, 0.3, -0.6]])
+    y = shapes.solid_around(points, np.array([[0, 1], [0, 2], [0, 3]]), np.full(4, 0.15), 0.06)
+    return [(torus(minor=0.2, around=60, across=16), 1), (y, 0)]
+
+
+@pytest.fixture(scope="module")
+def y_flow():
+    return flow.contract(tubes()[1][0], config=Config(check=True))
+
+
+@pytest.mark.parametrize("which", [0, 1])
+def test_tubes_become_curves_of_their_topology(which):
+    mesh, genus = tubes()[which]
+    skeleton = msf_jax.skeletonize(mesh, config=Config(check=True))
+    report = skeleton.report
+    assert report.converged
+    assert (report.components, report.cycles, report.genus) == (1, genus, genus)
+    assert report.inside == 1.0
+    assert skeleton.mesh_map.shape == (len(mesh.vertices),)
+    assert np.array_equal(np.unique(skeleton.mesh_map), np.arange(len(skeleton.vertices)))
+
+
+def test_the_curve_of_a_y_follows_its_arms(y_flow):
+    skeleton = y_flow.skeleton
+    tips = np.flatnonzero(np.bincount(skeleton.edges.ravel()) == 1)
+    ends = np.array([[0, 0, 1.0], [0.9, 0, -0.5], [-0.8, 0.3, -0.6]])
+    gap = np.linalg.norm(skeleton.vertices[tips][None] - ends[:, None], axis=-1).min(axis=1)
+    assert gap.max() < 2 * 0.15  # each arm is followed to within its diameter of its end
+    arm = np.stack([np.linspace(0, 1, 400)[:, None] * end for end in ends]).reshape(-1, 3)
+    off = np.linalg.norm(skeleton.vertices[:, None] - arm[None], axis=-1).min(axis=1)
+    assert off.mean() < 0.3 * 0.15
+    assert off.max() < 0.15
+
+
+def test_radii_are_the_distance_to_the_surface(y_flow):
+    mesh = tubes()[1][0]
+    nearest = trimesh.proximity.closest_point_naive(mesh, y_flow.skeleton.vertices)[1]
+    assert np.allclose(y_flow.skeleton.radii, nearest, atol=1e-9 * diagonal(mesh.vertices))
+
+
+def test_the_map_sends_vertices_to_near_nodes(y_flow):
+    mesh, skeleton = tubes()[1][0], y_flow.skeleton
+    away = np.linalg.norm(mesh.vertices - skeleton.vertices[skeleton.mesh_map], axis=1)
+    assert np.median(away) < 2 * 0.15
+
+
+def test_the_history_adds_up(y_flow):
+    history = y_flow.history
+    live = len(tubes()[1][0].vertices)
+    for line in history:
+        live += line.splits - line.collapses
+        assert line.live == live
+        assert 0 <= line.fixed <= line.live
+        assert np.isfinite(line.residual)
+        assert line.steps > 0
+    assert history[-1].volume <= y_flow.config.volume_tolerance
+    assert y_flow.skeleton.report.iterations == len(history)
+    assert len(y_flow.is_fixed) == history[-1].live == len(y_flow.meso_skeleton[0])
+
+
+def test_the_volume_is_gone_by_an_independent_measure(y_flow):
+    vertices, faces = y_flow.meso_skeleton
+    meso = trimesh.Trimesh(vertices, faces, process=False)
+    assert meso.is_watertight
+    assert meso.is_winding_consistent
+    assert abs(meso.volume) <= 2 * y_flow.config.volume_tolerance * tubes()[1][0].volume
+
+
+def test_fixed_vertices_do_not_move():
+    component = flow.surface.prepare(blob(3)).components[0]
+    config, watch = Config(reconstruct_poles=0), flow.Stopwatch()
+    state = flow.init(component, 0, config, watch)
+    held = np.arange(0, state.meso.num_rows, 5)
+    state.meso.is_fixed[held] = True
+    before = state.meso.positions.copy()
+    packed = flow.packing.pack(state.meso, flow.next_layout(None, state.meso.num_rows, flow.packing.rows_beyond(state.meso)), np.empty(0), np.dtype(float))
+    del packed
+    free_config = Config(reconstruct_poles=0, edit_connectivity=False)
+    flow.step(state, Weights(), free_config, watch)
+    moved = np.abs(state.meso.positions - before).max(axis=1)
+    assert (moved[held] == 0).all()
+    assert np.delete(moved, held).min() > 0
+
+
+def test_two_runs_give_the_same_bits():
+    mesh = blob(7)
+    one, two = msf_jax.skeletonize(mesh), msf_jax.skeletonize(mesh)
+    assert one.vertices.tobytes() == two.vertices.tobytes()
+    assert np.array_equal(one.edges, two.edges)
+    assert np.array_equal(one.mesh_map, two.mesh_map)
+
+
+def same_curve(one, two, tolerance):
+    """Equal edges, and nodes within ``tolerance``."""
+    assert np.array_equal(one.edges, two.edges)
+    assert np.abs(one.vertices - two.vertices).max() <= tolerance
+
+
+@pytest.mark.parametrize("name", ["blob", "homer"])
+def test_the_skeleton_scales_shifts_and_turns_with_the_mesh(name, research_mesh):
+    vertices, faces = (blob(5).vertices, blob(5).faces) if name == "blob" else research_mesh(name)
+    size = diagonal(vertices)
+    plain = msf_jax.skeletonize((vertices, faces))
+    shift = 1e4 * size * np.array([1.0, -0.5, 0.3])
+    shifted = msf_jax.skeletonize((1000 * vertices + 1000 * shift, faces))
+    back = (shifted.vertices - 1000 * shift) / 1000
+    assert np.array_equal(shifted.edges, plain.edges)
+    assert np.abs(back - plain.vertices).max() <= 1e-6 * size
+    turn = np.array([[0.0, -1.0, 0.0], [0.0, 0.0, 1.0], [-1.0, 0.0, 0.0]])
+    turned = msf_jax.skeletonize((vertices @ turn.T, faces))
+    assert np.array_equal(turned.edges, plain.edges)
+    assert np.abs(turned.vertices @ turn - plain.vertices).max() <= 1e-6 * size
+
+
+def test_a_permutation_of_the_vertices_leaves_the_curve_in_place():
+    mesh = tubes()[1][0]
+    order = np.random.default_rng(0).permutation(len(mesh.vertices))
+    number = np.argsort(order)
+    plain = msf_jax.skeletonize(mesh)
+    permuted = msf_jax.skeletonize((mesh.vertices[order], number[mesh.faces]))
+    size = diagonal(mesh.vertices)
+
+    def samples(skeleton):
+        ends = skeleton.vertices[skeleton.edges]
+        t = np.linspace(0, 1, 20)[None, :, None]
+        return ((1 - t) * ends[:, :1] + t * ends[:, 1:]).reshape(-1, 3)
+
+    one, two = samples(plain), samples(permuted)
+    gap = np.linalg.norm(one[:, None] - two[None], axis=-1)
+    assert gap.min(axis=1).mean() <= 0.01 * size
+    assert gap.min(axis=0).mean() <= 0.01 * size
+
+
+def test_float32_gives_a_sound_curve_too():
+    mesh, genus = tubes()[0]
+    jax.config.update("jax_enable_x64", False)
+    try:
+        report = msf_jax.skeletonize(mesh).report
+    finally:
+        jax.config.update("jax_enable_x64", True)
+    assert report.converged
+    assert report.cycles == genus
+    assert report.inside == 1.0
+
+
+@pytest.mark.parametrize("system", ["tagliasacchi2012", "au2008"])
+def test_the_other_systems_end_in_a_curve(system):
+    mesh, _ = tubes()[1]
+    skeleton = msf_jax.skeletonize(mesh, config=Config.named(system, check=True))
+    assert skeleton.report.components == 1
+    assert skeleton.report.cycles == 0
+    assert len(skeleton.vertices) >= 4
+    assert len(skeleton.mesh_map) == len(mesh.vertices)
+    assert skeleton.mesh_map.min() >= 0
+
+
+def test_components_are_skeletonised_each_as_if_alone():
+    mesh = torus(minor=0.2, around=60, across=16)
+    far = mesh.copy()
+    far.apply_scale(0.01)
+    far.apply_translation([50, 0, 0])
+    both = msf_jax.skeletonize(trimesh.util.concatenate([mesh, far]))
+    alone = msf_jax.skeletonize(mesh)
+    assert (both.report.components, both.report.cycles, both.report.genus) == (2, 2, 2)
+    assert np.array_equal(both.vertices[: len(alone.vertices)], alone.vertices)
+    assert both.mesh_map[: len(mesh.vertices)].max() < len(alone.vertices) <= both.mesh_map[len(mesh.vertices) :].min()
+
+
+def test_the_callers_mesh_is_not_changed():
+    mesh = blob(2, subdivisions=2)
+    mesh.invert()
+    vertices, faces = mesh.vertices.copy(), mesh.faces.copy()
+    skeleton = msf_jax.skeletonize(mesh)
+    assert np.array_equal(mesh.vertices, vertices)
+    assert np.array_equal(mesh.faces, faces)
+    assert any("inside out" in repair for repair in skeleton.report.repairs)
+
+
+def test_running_out_of_iterations_is_said():
+    skeleton = msf_jax.skeletonize(blob(1), config=Config(max_iterations=2))
+    assert not skeleton.report.converged
+    assert "max_iterations (2)" in skeleton.report.reason
+    assert skeleton.report.iterations == 2
+
+
+def test_a_solve_that_runs_out_of_steps_is_said():
+    skeleton = msf_jax.skeletonize(blob(1), config=Config(max_iterations=2, solve_steps=3))
+    assert skeleton.report.unsolved >= 2
+    assert "stopped before they reached their tolerance" in str(skeleton.report)
+
+
+def test_weights_that_blow_up_are_said():
+    state = flow.init(flow.surface.prepare(blob(1)).components[0], 0, Config(), flow.Stopwatch())
+    state.meso.poles[:] = 1e9
+    flow.step(state, Weights(w_M=1e3), Config(), flow.Stopwatch())
+    ended = flow.done(state, Config())
+    assert ended is not None
+    assert not ended[0]
+    assert "coordinates" in ended[1]
+    assert np.abs(state.meso.positions).max() < 1
+
+
+def test_one_compilation_for_each_layout():
+    config = Config(solve_tolerance=0.00123)  # a configuration that no other test compiles for
+    layouts = set()
+    before = jitted_move._cache_size()
+    for seed in (11, 12):
+        state = flow.init(flow.surface.prepare(blob(seed)).components[0], 0, config, flow.Stopwatch())
+        while flow.done(state, config) is None:
+            flow.step(state, Weights(), config, flow.Stopwatch())
+            layouts.add(state.layout)
+    assert jitted_move._cache_size() - before == len(layouts)
+
+
+@pytest.mark.parametrize("name", CLOSED)
+def test_research_meshes_come_out_sound(name, research_mesh):
+    vertices, faces = research_mesh(name)
+    check = name in ("three-holes", "bunny")
+    skeleton = msf_jax.skeletonize((vertices, faces), config=Config(check=check))
+    report = skeleton.report
+    assert report.converged
+    assert report.components == 1
+    assert report.cycles == report.genus
+    assert report.inside >= 0.99
+    assert np.array_equal(np.unique(skeleton.mesh_map), np.arange(len(skeleton.vertices)))
+
+
+@pytest.mark.parametrize("name", ["cow-pinched", "camel-pinched"])
+def test_pinched_meshes_come_out_with_the_repair_reported(name, research_mesh):
+    skeleton = msf_jax.skeletonize(research_mesh(name))
+    assert any("pinched" in repair for repair in skeleton.report.repairs)
+    assert skeleton.report.cycles == skeleton.report.genus
+    assert skeleton.mesh_map.min() >= 0

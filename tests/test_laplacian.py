@@ -1,0 +1,366 @@
+"""Laplacian rows against closed forms, a plain NumPy version, the stiffness matrix, and degenerate triangles."""
+
+import jax
+import jax.numpy as jnp
+import numpy as np
+import pytest
+from conftest import blob, torus
+from device_cases import (
+    bipyramid,
+    build,
+    central_difference,
+    jitted_rows,
+    one_level,
+    outwards,
+    pebble,
+    reference_laplacian,
+    reference_weights,
+    ring_areas,
+    slot_rows,
+)
+from scipy.spatial import ConvexHull, Delaunay
+
+from msf_jax.device import laplacian
+from msf_jax.device.buffers import slot_product, slot_sum
+from msf_jax.layout import rectangle
+from msf_jax.options import LAPLACIANS
+
+
+def rows_of(case, kind, positions=None):
+    buffers = case.buffers
+    positions = buffers.positions if positions is None else positions
+    return jitted_rows(kind, positions, buffers.rings, buffers.degree, case.layout)
+
+
+def edges_of(case):
+    """Used slots, and the vertices i and j of each."""
+    used = np.asarray(case.buffers.rings.is_used)
+    neighbour = np.asarray(case.buffers.rings.neighbour)
+    return used, case.order[slot_rows(case.layout)[used]], case.order[neighbour[used]]
+
+
+def weight_matrices(case, kind):
+    """Dense off-diagonal weights, once as row i's ``out`` to j, once as the ``into`` that i -> j holds for j -> i."""
+    rows = rows_of(case, kind)
+    used, i, j = edges_of(case)
+    out, into = np.zeros((2, len(case.vertices), len(case.vertices)))
+    out[i, j] = np.asarray(rows.out)[used]
+    into[j, i] = np.asarray(rows.into)[used]
+    return out, into
+
+
+@pytest.mark.parametrize(("sides", "radius", "top", "bottom"), [(5, 1.0, 0.8, 0.5), (6, 0.4, 0.3, 0.9), (4, 1, 1, 1)])
+def test_rows_of_a_bipyramid_in_closed_form(sides, radius, top, bottom):
+    case = build(*bipyramid(sides, radius, top, bottom), layout=one_level(16, 8))
+    side = 2 * radius * np.sin(np.pi / sides)
+    slant = {sides: np.hypot(radius, top), sides + 1: np.hypot(radius, bottom)}
+    tip = {apex: 2 * np.arcsin(side / 2 / length) for apex, length in slant.items()}  # angle at the apex
+    foot = {apex: (np.pi - angle) / 2 for apex, angle in tip.items()}  # the two others of its triangles
+    mean_at_ring = (2 * side + sum(slant.values())) / 4
+    tangents, lengths, cotangents = np.zeros((3, sides + 2, sides + 2))
+    for i in range(sides):
+        j = (i + 1) % sides
+        tangents[i, j] = tangents[j, i] = sum(np.tan(angle / 2) for angle in foot.values())
+        lengths[i, j] = lengths[j, i] = side
+        cotangents[i, j] = cotangents[j, i] = sum(1 / np.tan(angle) for angle in tip.values()) / 2
+        for apex in slant:
+            tangents[apex, i], tangents[i, apex] = 2 * np.tan(tip[apex] / 2), 2 * np.tan(foot[apex] / 2)
+            lengths[apex, i] = lengths[i, apex] = slant[apex]
+            cotangents[apex, i] = cotangents[i, apex] = 1 / np.tan(foot[apex])
+    mean_length = np.array([mean_at_ring] * sides + list(slant.values()))
+    mean_value = np.divide(tangents, lengths, where=lengths > 0, out=np.zeros_like(lengths)) * mean_length[:, None]
+    for kind, expected in (("mean_value", mean_value), ("cotangent", np.maximum(cotangents, 0))):
+        out, into = weight_matrices(case, kind)
+        np.testing.assert_allclose(out, expected, rtol=1e-12, atol=1e-14)
+        np.testing.assert_allclose(into, expected, rtol=1e-12, atol=1e-14)
+
+
+def test_equilateral_triangles_by_hand():
+    """Octahedron: angles of 60 degrees, so 2 tan(30 degrees) and cot(60 degrees) on every edge."""
+    case = build(*bipyramid(4, 1.0, 1.0, 1.0), layout=one_level(16, 4))
+    used, _, _ = edges_of(case)
+    for kind, expected in (("mean_value", 2 / np.sqrt(3)), ("cotangent", 1 / np.sqrt(3)), ("uniform", 1.0)):
+        rows = rows_of(case, kind)
+        np.testing.assert_allclose(np.asarray(rows.out)[used], expected, rtol=1e-14)
+        np.testing.assert_allclose(np.asarray(rows.into)[used], expected, rtol=1e-14)
+
+
+@pytest.fixture(scope="module")
+def surfaces(research_mesh):
+    """A blob, a torus, a pebble with many degrees, and a function for the research mesh."""
+    made = {"blob": (blob(1, 2).vertices, blob(1, 2).faces), "torus": (torus().vertices, torus().faces)}
+    made["pebble"] = pebble(0)
+
+    def load(name):
+        vertices, faces = made[name] if name in made else research_mesh(name)
+        vertices = np.array(vertices)
+        return build(vertices / np.linalg.norm(np.ptp(vertices, axis=0)), np.array(faces))
+
+    return load
+
+
+@pytest.mark.parametrize("kind", LAPLACIANS)
+@pytest.mark.parametrize("name", ["blob", "torus", "pebble", "three-holes"])
+def test_all_rows_agree_with_half_edges_in_numpy(surfaces, name, kind):
+    case = surfaces(name)
+    reference = reference_weights(kind, case.vertices, case.faces)
+    rows = rows_of(case, kind)
+    used, i, j = edges_of(case)
+    assert used.sum() == 3 * len(case.faces)
+    np.testing.assert_allclose(np.asarray(rows.out)[used], reference[i, j], rtol=1e-10, atol=1e-10)
+    np.testing.assert_allclose(np.asarray(rows.into)[used], reference[j, i], rtol=1e-10, atol=1e-10)
+    assert not np.asarray(rows.out)[~used].any()
+    assert not np.asarray(rows.into)[~used].any()
+
+
+@pytest.mark.parametrize("kind", LAPLACIANS)
+def test_into_is_the_out_weight_of_the_twin(surfaces, kind):
+    out, into = weight_matrices(surfaces("pebble"), kind)
+    np.testing.assert_allclose(into, out, rtol=1e-12)
+    assert np.array_equal(out, out.T) == (kind == "uniform") or kind == "cotangent"
+
+
+def stiffness(vertices, faces):
+    """G^T M G: gradients of the hat functions on every face, weighted with its area."""
+    G, M = np.zeros((3 * len(faces), len(vertices))), np.zeros(3 * len(faces))
+    for f, corners in enumerate(faces):
+        p = vertices[corners]
+        normal = np.cross(p[1] - p[0], p[2] - p[0])
+        for k in range(3):
+            opposite = p[(k + 2) % 3] - p[(k + 1) % 3]
+            G[3 * f : 3 * f + 3, corners[k]] = np.cross(normal, opposite) / (normal @ normal)
+        M[3 * f : 3 * f + 3] = np.linalg.norm(normal) / 2
+    return G.T @ (M[:, None] * G)
+
+
+def test_cotangent_is_the_stiffness_matrix_where_no_weight_is_negative():
+    points = blob(0, 2).vertices
+    points = points / np.linalg.norm(points, axis=1, keepdims=True)  # a hull of points on a sphere is Delaunay
+    case = build(points, outwards(points, ConvexHull(points).simplices))
+    K = stiffness(case.vertices, case.faces)
+    assert (K - np.diag(np.diag(K)) <= 1e-12).all()
+    out, into = weight_matrices(case, "cotangent")
+    np.testing.assert_allclose(out - np.diag(out.sum(axis=1)), -K, atol=1e-11)
+    np.testing.assert_allclose(into, out, atol=1e-13)
+
+
+def test_negative_cotangent_weights_are_set_to_zero():
+    case = build(*pebble(4))
+    K = stiffness(case.vertices, case.faces)
+    off_diagonal = -(K - np.diag(np.diag(K)))
+    assert (off_diagonal < -0.01).any()
+    np.testing.assert_allclose(weight_matrices(case, "cotangent")[0], np.maximum(off_diagonal, 0), atol=1e-11)
+
+
+def pillow(seed):
+    """Two copies of a Delaunay triangulation of a disc, glued along the rim: flat around every vertex but the rim's."""
+    random = np.random.default_rng(seed)
+    turn, rim = 2 * np.pi * np.arange(14) / 14, 14
+    radius, angle = 0.75 * np.sqrt(random.uniform(size=25)), random.uniform(0, 2 * np.pi, size=25)
+    disc = np.stack([np.r_[np.cos(turn), radius * np.cos(angle)], np.r_[np.sin(turn), radius * np.sin(angle)]], axis=1)
+    top = Delaunay(disc).simplices
+    a, b, c = (disc[corner] for corner in top.T)
+    is_clockwise = (b - a)[:, 0] * (c - a)[:, 1] < (b - a)[:, 1] * (c - a)[:, 0]
+    top = np.where(is_clockwise[:, None], top[:, ::-1], top)
+    bottom = np.where(top < rim, top, top + 25)[:, ::-1]
+    plane = np.concatenate([disc, disc[rim:]])
+    tilt = np.linalg.qr(random.normal(size=(3, 3)))[0]
+    vertices = np.concatenate([plane, np.zeros((len(plane), 1))], axis=1) @ tilt
+    return vertices, np.concatenate([top, bottom]), np.arange(len(plane)) >= rim
+
+
+@pytest.mark.parametrize("kind", ["mean_value", "cotangent"])
+def test_linear_functions_have_no_laplacian_where_the_surface_is_flat(kind):
+    vertices, faces, is_flat = pillow(5)
+    case = build(vertices, faces)
+    rows, rings = rows_of(case, kind), case.buffers.rings
+    linear = case.buffers.positions @ jnp.array([[1.0], [-2.0], [0.5]]) + 3.0
+    value = slot_product(case.layout, rows.out, rings.neighbour, linear)[:, 0]
+    value = case.to_vertices(value - slot_sum(case.layout, rows.out) * linear[:, 0])
+    assert np.abs(value[is_flat]).max() < 1e-11
+    assert np.abs(value[~is_flat]).min() > 1e-3  # the rim is a fold; the weights are not just zero
+
+
+@pytest.mark.parametrize("kind", LAPLACIANS)
+def test_slot_sums_and_products_are_those_of_the_matrix(kind):
+    case = build(*pebble(1))
+    rows, L = rows_of(case, kind), reference_laplacian(kind, case.vertices, case.faces)
+    x = np.random.default_rng(0).normal(size=(len(L), 2))
+    product = slot_product(case.layout, rows.out, case.buffers.rings.neighbour, jnp.asarray(case.to_rows(x)))
+    transposed = slot_product(case.layout, rows.into, case.buffers.rings.neighbour, jnp.asarray(case.to_rows(x)))
+    diagonal = case.to_vertices(slot_sum(case.layout, rows.out))
+    np.testing.assert_allclose(diagonal, -np.diag(L), rtol=1e-12)
+    np.testing.assert_allclose(case.to_vertices(product) - diagonal[:, None] * x, L @ x, atol=1e-12)
+    np.testing.assert_allclose(case.to_vertices(transposed) - diagonal[:, None] * x, L.T @ x, atol=1e-12)
+    constant = case.to_vertices(slot_product(case.layout, rows.out, case.buffers.rings.neighbour, jnp.ones((256, 1))))
+    np.testing.assert_allclose(constant[:, 0], diagonal, rtol=1e-13)
+
+
+@pytest.mark.parametrize("kind", LAPLACIANS)
+@pytest.mark.parametrize("factor", [1e-3, 0.37, 41.0])
+def test_weights_have_no_unit(kind, factor):
+    case = build(*pebble(2))
+    rows, scaled = rows_of(case, kind), rows_of(case, kind, factor * case.buffers.positions)
+    np.testing.assert_allclose(scaled.out, rows.out, rtol=1e-11, atol=1e-12)
+    np.testing.assert_allclose(scaled.into, rows.into, rtol=1e-11, atol=1e-12)
+
+
+@pytest.mark.parametrize("kind", LAPLACIANS)
+def test_weights_do_not_change_in_a_rigid_motion(kind):
+    case = build(*pebble(2))
+    turn = np.linalg.qr(np.random.default_rng(8).normal(size=(3, 3)))[0]
+    moved = case.to_rows(case.vertices @ turn + [0.3, -0.2, 0.5])
+    np.testing.assert_allclose(rows_of(case, kind, moved).out, rows_of(case, kind).out, rtol=1e-9, atol=1e-10)
+
+
+def test_one_ring_areas():
+    case = build(*pebble(3))
+    buffers = case.buffers
+    area = laplacian.one_ring_areas(buffers.positions, buffers.rings, buffers.degree, case.layout)
+    np.testing.assert_allclose(case.to_vertices(area), ring_areas(case.vertices, case.faces), rtol=1e-12)
+    assert (np.asarray(area)[len(case.order) :] == 1).all()
+    flat = laplacian.one_ring_areas(0 * buffers.positions, buffers.rings, buffers.degree, case.layout)
+    assert (np.asarray(flat) > 0).all()
+
+
+def test_limit_bounds_entries_and_stops_their_gradient():
+    entries = jnp.array([0.0, 1.5, 19.0, 20.5, 1e9])
+    limited = laplacian.limit(laplacian.Rows(entries, entries[::-1]))
+    np.testing.assert_array_equal(limited.out, [0, 1.5, 19, 20, 20])
+    np.testing.assert_array_equal(limited.into, [20, 20, 19, 1.5, 0])
+    np.testing.assert_array_equal(laplacian.limit(laplacian.Rows(entries, entries), 2.0).out, [0, 1.5, 2, 2, 2])
+    slope = jax.grad(lambda x: laplacian.limit(laplacian.Rows(x, 0 * x)).out.sum())(entries)
+    np.testing.assert_array_equal(slope, [1, 1, 1, 0, 0])
+
+
+def degenerate_positions(name):
+    """Vertices of the pebble, some of its triangles degenerate."""
+    vertices, faces = pebble(0)
+    a, b, c = faces[0]
+    along = vertices[b] - vertices[a]
+    if name == "zero edge":
+        vertices[b] = vertices[a]
+    elif name == "angles 0 and pi":
+        vertices[c] = (vertices[a] + vertices[b]) / 2
+    elif name == "flat, outside":
+        vertices[c] = vertices[a] + 3 * along
+    elif name == "triangle in a point":
+        vertices[b] = vertices[c] = vertices[a]
+    elif name == "one-ring in a point":
+        vertices[np.unique(faces[(faces == a).any(axis=1)])] = vertices[a]
+    elif name == "all in a point":
+        vertices[:] = vertices[a]
+    elif name == "all in the origin":
+        vertices[:] = 0
+    elif name == "all on a line":
+        vertices[:, :2] = 0
+    elif name == "all on a lattice line":
+        vertices = np.round(8 * vertices) / 8 * [0, 1, 0]
+    elif name == "folded flat":
+        vertices[:, 2] = 0
+    return vertices, faces
+
+
+DEGENERATE = [
+    "zero edge",
+    "angles 0 and pi",
+    "flat, outside",
+    "triangle in a point",
+    "one-ring in a point",
+    "all in a point",
+    "all in the origin",
+    "all on a line",
+    "all on a lattice line",
+    "folded flat",
+]
+
+
+def mixed_sum(rows, seed=1):
+    """A scalar in which every weight has its own factor."""
+    factors = jnp.asarray(np.random.default_rng(seed).normal(size=(2, *rows.out.shape)), rows.out.dtype)
+    return (factors[0] * rows.out + factors[1] * rows.into).sum()
+
+
+@pytest.fixture(scope="module")
+def value_and_slope():
+    """For a case, a kind and positions: the rows, and the gradient of their mixed sum; compiled once for each kind."""
+
+    def function(positions, buffers, kind, layout):
+        rows = laplacian.assemble(kind, positions, buffers.rings, buffers.degree, layout)
+        return mixed_sum(rows), rows
+
+    compiled = jax.jit(jax.grad(function, has_aux=True), static_argnames=("kind", "layout"))
+
+    def call(case, kind, positions):
+        slope, rows = compiled(positions, case.buffers, kind, case.layout)
+        return rows, np.asarray(slope)
+
+    return call
+
+
+@pytest.mark.parametrize("dtype", [np.float64, np.float32])
+@pytest.mark.parametrize("name", DEGENERATE)
+@pytest.mark.parametrize("kind", LAPLACIANS)
+def test_degenerate_triangles_have_finite_weights_and_gradients(value_and_slope, kind, name, dtype):
+    vertices, faces = degenerate_positions(name)
+    case = build(vertices, faces, dtype=dtype)
+    rows, slope = value_and_slope(case, kind, case.buffers.positions)
+    assert rows.out.dtype == rows.into.dtype == slope.dtype == dtype
+    for weights in rows:
+        assert np.isfinite(weights).all()
+        assert (np.asarray(weights) >= 0).all()
+    assert np.isfinite(slope).all()
+
+
+@pytest.mark.parametrize("dtype", [np.float64, np.float32])
+@pytest.mark.parametrize("kind", ["mean_value", "cotangent"])
+def test_nearly_degenerate_triangles_have_finite_weights_and_gradients(value_and_slope, kind, dtype):
+    """On the way into each degenerate surface, at distances down to far below a rounding error."""
+    start = pebble(0)[0]
+    for name in DEGENERATE:
+        end, faces = degenerate_positions(name)
+        case = build(start, faces, dtype=dtype)
+        for distance in 10.0 ** -np.arange(1, 24, 2):
+            positions = case.to_rows(end + distance * (start - end)).astype(dtype)
+            rows, slope = value_and_slope(case, kind, positions)
+            assert np.isfinite(rows.out).all(), (name, distance)
+            assert np.isfinite(rows.into).all(), (name, distance)
+            assert np.isfinite(slope).all(), (name, distance)
+
+
+@pytest.mark.parametrize("kind", ["mean_value", "cotangent"])
+def test_gradient_agrees_with_central_differences(value_and_slope, kind):
+    mesh = blob(2, 2)
+    case = build(mesh.vertices / np.linalg.norm(mesh.extents), mesh.faces)
+    _, slope = value_and_slope(case, kind, case.buffers.positions)
+    assert np.abs(slope).max() > 1
+    assert not slope[len(case.order) :].any()
+
+    def scalar(vertices):
+        return mixed_sum(rows_of(case, kind, jnp.asarray(case.to_rows(vertices))))
+
+    random = np.random.default_rng(9)
+    for _ in range(8):
+        direction = random.normal(size=case.vertices.shape)
+        expected = central_difference(scalar, case.vertices, direction, h=1e-6)
+        np.testing.assert_allclose((case.to_vertices(slope) * direction).sum(), expected, rtol=1e-6)
+
+
+def test_forward_and_reverse_mode_agree_on_rows():
+    case = build(*pebble(0))
+    vector = np.random.default_rng(4).normal(size=case.buffers.positions.shape)
+
+    def scalar(positions):
+        return mixed_sum(rows_of(case, "mean_value", positions))
+
+    _, forward = jax.jvp(scalar, (case.buffers.positions,), (jnp.asarray(vector),))
+    reverse = (jax.grad(scalar)(case.buffers.positions) * vector).sum()
+    np.testing.assert_allclose(forward, reverse, rtol=1e-10)
+
+
+def test_rows_do_not_depend_on_the_layout():
+    vertices, faces = pebble(6)
+    case, wide = build(vertices, faces), build(vertices, faces, layout=rectangle(384, 11))
+    assert wide.layout != case.layout
+    for kind in LAPLACIANS:
+        np.testing.assert_allclose(weight_matrices(wide, kind), weight_matrices(case, kind), rtol=1e-13)

@@ -1,0 +1,73 @@
+"""Options say what is wrong with them; weights are a pytree."""
+
+import jax
+import jax.numpy as jnp
+import pytest
+
+import msf_jax
+from msf_jax import Config, ConfigError, Weights
+
+
+@pytest.mark.parametrize("bad", [{"w_L": -1.0}, {"w_H": float("nan")}, {"w_M": float("inf")}, {"w_H": 0}, {"smoothing": "a"}])
+def test_a_weight_out_of_range_is_named(bad):
+    with pytest.raises(ConfigError, match=next(iter(bad))):
+        Weights(**bad)
+
+
+@pytest.mark.parametrize(
+    ("bad", "message"),
+    [
+        ({"system": "mcf"}, "unknown system 'mcf': expected one of msf, tagliasacchi2012, au2008"),
+        ({"laplacian": "cot"}, "unknown Laplacian 'cot'"),
+        ({"t_min": -0.1}, "Config.t_min is -0.1"),
+        ({"t_min": 0.02}, "below t_min"),
+        ({"split_angle": 60}, "Config.split_angle is 60: expected a number from 90 to 180"),
+        ({"max_iterations": 0}, "Config.max_iterations"),
+        ({"max_iterations": True}, "Config.max_iterations"),
+        ({"solve_tolerance": "loose"}, "Config.solve_tolerance"),
+        ({"reconstruct_poles": 2}, "fewer than 4 eigenvectors"),
+    ],
+)
+def test_an_option_out_of_range_is_named(bad, message):
+    with pytest.raises(ConfigError, match=message):
+        Config(**bad)
+
+
+def test_a_config_is_hashable_and_equal_by_value():
+    assert hash(Config()) == hash(Config())
+    assert Config() == Config.named("msf")
+    assert Config.tagliasacchi2012() != Config.au2008()
+
+
+def test_an_unknown_system_is_named():
+    with pytest.raises(ConfigError, match=r"unknown system 'cgal'"):
+        Config.named("cgal")
+
+
+def test_the_three_systems_differ_as_their_papers_do():
+    ours, tagliasacchi, au = Config(), Config.tagliasacchi2012(), Config.au2008()
+    assert (ours.laplacian, tagliasacchi.laplacian, au.laplacian) == ("mean_value", "cotangent", "cotangent")
+    assert ours.t_step > 0
+    assert tagliasacchi.t_step == 0
+    assert tagliasacchi.resample > 0
+    assert not au.use_poles
+    assert au.growth > 1
+    assert au.w_H_follows_area
+    assert au.default_weights().w_M == 0
+    assert tagliasacchi.default_weights().smoothing == 0
+
+
+def test_weights_are_a_pytree_that_gradients_flow_through():
+    gradient = jax.grad(lambda w: w.w_L**2 + 3 * w.w_M)(Weights(w_L=2.0, w_M=1.0))
+    assert isinstance(gradient, Weights)
+    assert float(gradient.w_L) == 4.0
+    assert float(gradient.w_M) == 3.0
+    stacked = jax.vmap(lambda x: Weights(w_L=x))(jnp.arange(3.0))
+    assert stacked.w_L.shape == (3,)
+
+
+def test_the_wrong_kind_of_options_is_refused():
+    with pytest.raises(ConfigError, match=r"config is a dict"):
+        msf_jax.contract((None, None), config={"system": "msf"})  # type: ignore[arg-type]
+    with pytest.raises(ConfigError, match=r"weights is a float"):
+        msf_jax.contract((None, None), weights=1.0)  # type: ignore[arg-type]
