@@ -1,10 +1,10 @@
 """Curve skeletons of closed triangle meshes by Medial Skeletonization Flow, as a differentiable JAX program.
 
-    import msf_jax
+import msf_jax
 
-    skeleton = msf_jax.skeletonize("hand.off")
-    print(skeleton.report)
-    skeleton.save("hand.swc")
+skeleton = msf_jax.skeletonize("hand.off")
+print(skeleton.report)
+skeleton.save("hand.swc")
 """
 
 from msf_jax import metrics

@@ -1,7 +1,7 @@
 """The command line: ``msf-jax skeletonize IN -o OUT`` and ``msf-jax demo``, also as ``python -m msf_jax``.
 
-Exit codes: 0 when a curve was written, 2 for bad input or options, 130 for Ctrl-C. A curve that the report does not call
-sound is written all the same, with a warning.
+Exit codes: 0 when a curve was written, 2 for bad input or options, 130 for Ctrl-C. A curve whose report
+is not clean is written all the same, with a warning.
 """
 
 import argparse
@@ -49,7 +49,7 @@ def _fail(message: str, code: int) -> int:
 
 def _cache_compilations() -> None:
     """Keep compiled steps in the user's cache folder, so that only the first run on a machine compiles."""
-    if jax.config.jax_compilation_cache_dir is None:
+    if getattr(jax.config, "jax_compilation_cache_dir", None) is None:
         base = Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache")
         jax.config.update("jax_compilation_cache_dir", str(base / "msf_jax"))
         jax.config.update("jax_persistent_cache_min_compile_time_secs", 0.2)
@@ -82,7 +82,7 @@ def _parser() -> argparse.ArgumentParser:
     demo = commands.add_parser(
         "demo",
         help="skeletonise a hand with five fingers and a handle, made in code",
-        description="Make a hand with five fingers and a handle, skeletonise it, and leave a skeleton file and a picture.",
+        description="Skeletonise a hand with five fingers and a handle; leaves mesh, skeleton and picture.",
     )
     demo.add_argument("-o", "--output", metavar="FOLDER", default=".", help="where to put the files (default: here)")
     _common(demo)
@@ -130,7 +130,7 @@ def _demo(arguments: argparse.Namespace) -> int:
     mesh = shapes.hand()
     skeleton = msf_jax.skeletonize(mesh, progress=not arguments.quiet)
     written = [folder / "hand.off", folder / "hand.swc", folder / "hand.png"]
-    export.write_whole(written[0], mesh.export(file_type="off"))
+    export.write_whole(written[0], str(mesh.export(file_type="off")))
     skeleton.save(written[1])
     view.save_picture(skeleton, written[2], mesh)
     _tell(skeleton, written, arguments.quiet)

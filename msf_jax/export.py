@@ -103,9 +103,7 @@ def _swc(skeleton: "Skeleton") -> str:
         parent.update({child: above for above, child in nx.bfs_edges(graph, root, sort_neighbors=sorted)})
     number = {node: index + 1 for index, node in enumerate(parent)}
     cut = [
-        f"# cut edge {number[a]} {number[b]}"
-        for a, b in skeleton.edges.tolist()
-        if parent[a] != b and parent[b] != a
+        f"# cut edge {number[a]} {number[b]}" for a, b in skeleton.edges.tolist() if parent[a] != b and parent[b] != a
     ]
     header = ["# curve skeleton written by msf_jax", f"# {len(cut)} loops cut; each cut edge is listed by its two ids"]
     rows = [

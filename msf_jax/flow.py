@@ -121,7 +121,7 @@ class Stopwatch:
 
 
 def init(component: Component, number: int, config: Config, watch: Stopwatch) -> State:
-    """The component at the start of its flow: recentred, divided by its diagonal, resampled if asked, with its poles."""
+    """The component at the start of its flow: recentred, over its diagonal, resampled if asked, with its poles."""
     low, high = component.vertices.min(axis=0), component.vertices.max(axis=0)
     centre, diagonal = (low + high) / 2, float(np.linalg.norm(high - low))
     vertices = (component.vertices - centre) / diagonal
@@ -235,7 +235,7 @@ def step(state: State, weights: Weights, config: Config, watch: Stopwatch) -> St
 
 
 def done(state: State, config: Config) -> tuple[bool, str] | None:
-    """None to go on; else whether the flow converged, and why it stops (``has_volume`` is false, or it cannot go on)."""
+    """None while the surface has volume and the flow can go on; else whether it converged, and why it stops."""
     if state.failure:
         return False, state.failure
     if not state.history:
@@ -256,7 +256,9 @@ def done(state: State, config: Config) -> tuple[bool, str] | None:
     return None
 
 
-def contract(mesh: Any, weights: Weights | None = None, config: Config | None = None, *, progress: bool = False) -> Flow:
+def contract(
+    mesh: Any, weights: Weights | None = None, config: Config | None = None, *, progress: bool = False
+) -> Flow:
     """Run the flow on ``mesh`` and keep everything; `skeletonize` is the short way to the curve alone.
 
     Args:
@@ -374,5 +376,5 @@ def _map_of_input(checked: Surface, nodes: np.ndarray, node_of_vertex: np.ndarra
     """(V,) the node of every vertex of the caller's mesh; one that no face uses goes to the nearest node."""
     is_used = checked.vertex_of_input >= 0
     mesh_map = np.where(is_used, node_of_vertex[checked.vertex_of_input], -1)
-    mesh_map[~is_used] = spatial.cKDTree(nodes).query(checked.strays)[1]
+    mesh_map[~is_used] = spatial.KDTree(nodes).query(checked.strays)[1]
     return mesh_map

@@ -130,9 +130,7 @@ class Config:
     @classmethod
     def tagliasacchi2012(cls, **changes: Any) -> "Config":
         """Tagliasacchi et al. 2012: resampled input, cotangent L, poles as they are, constant t_c."""
-        base = cls(
-            system="tagliasacchi2012", laplacian="cotangent", reconstruct_poles=0, resample=0.01, t_step=0.0
-        )
+        base = cls(system="tagliasacchi2012", laplacian="cotangent", reconstruct_poles=0, resample=0.01, t_step=0.0)
         return replace(base, **changes)
 
     @classmethod

@@ -36,7 +36,7 @@ def solid_around(
 
 
 def level_set(field: np.ndarray, low: np.ndarray, spacing: float) -> trimesh.Trimesh:
-    """The closed surface where ``field`` (X, Y, Z), sampled from ``low`` with ``spacing``, turns from negative (inside).
+    """The closed surface where ``field`` (X, Y, Z), sampled from ``low`` by ``spacing``, leaves the negative inside.
 
     Marching tetrahedra: each cube is cut into six tetrahedra around its diagonal, which share their faces with their
     neighbours, so that the surface is a closed manifold whatever the values.
@@ -89,7 +89,13 @@ def hand_curve() -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     points = [(0.0, 0.0, -1.1), (0.0, 0.0, -0.55), (0.0, 0.0, 0.0)]
     radii = [0.17, 0.18, 0.22]
     edges = [(0, 1), (1, 2)]
-    for angle, length, radius in ((-62, 0.62, 0.1), (-27, 0.92, 0.085), (-8, 1.05, 0.085), (11, 0.98, 0.085), (30, 0.8, 0.075)):
+    for angle, length, radius in (
+        (-62, 0.62, 0.1),
+        (-27, 0.92, 0.085),
+        (-8, 1.05, 0.085),
+        (11, 0.98, 0.085),
+        (30, 0.8, 0.075),
+    ):
         direction = np.array([np.sin(np.radians(angle)), 0.0, np.cos(np.radians(angle))])
         bend = np.array([0.0, -0.12, 0.0])
         for fraction, follows in ((0.35, 2), (0.7, None), (1.0, None)):

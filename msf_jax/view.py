@@ -47,7 +47,12 @@ def figure(skeleton: "Skeleton", mesh: Any = None, *, elevation: float = 15.0, a
 
 
 def save_picture(
-    skeleton: "Skeleton", path: str | os.PathLike[str], mesh: Any = None, *, elevation: float = 15.0, azimuth: float = -70.0
+    skeleton: "Skeleton",
+    path: str | os.PathLike[str],
+    mesh: Any = None,
+    *,
+    elevation: float = 15.0,
+    azimuth: float = -70.0,
 ) -> None:
     """Write `figure` as a PNG, whole or not at all."""
     buffer = io.BytesIO()

@@ -82,7 +82,9 @@ def pebble(seed: int, count: int = 120) -> tuple[np.ndarray, np.ndarray]:
     points += 0.6 / np.sqrt(count) * random.normal(size=points.shape)
     points /= np.linalg.norm(points, axis=1, keepdims=True)
     faces = outwards(points, ConvexHull(points).simplices)
-    points *= 1 + 0.2 * np.sin(3 * points[:, :1] + 1) * np.cos(2 * points[:, 1:2]) + 0.02 * random.normal(size=(count, 1))
+    points *= (
+        1 + 0.2 * np.sin(3 * points[:, :1] + 1) * np.cos(2 * points[:, 1:2]) + 0.02 * random.normal(size=(count, 1))
+    )
     points *= [1.0, 0.7, 1.6]
     return points / np.linalg.norm(np.ptp(points, axis=0)), faces
 
@@ -195,9 +197,7 @@ def jitted_contract(buffers, w_L, w_H, w_M, layout, kind="mean_value", tolerance
     """`contraction.contract`, rows assembled from the same positions, weights scalars or (n,)."""
     one = jnp.ones_like(buffers.free)
     rows = laplacian.assemble(kind, buffers.positions, buffers.rings, buffers.degree, layout)
-    return contraction.contract(
-        buffers, rows, layout, w_L * one, w_H * one, w_M * buffers.pull, tolerance, max_steps
-    )
+    return contraction.contract(buffers, rows, layout, w_L * one, w_H * one, w_M * buffers.pull, tolerance, max_steps)
 
 
 @partial(jax.jit, static_argnames=("layout", "kind", "tolerance", "max_steps"))

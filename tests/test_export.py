@@ -1,6 +1,7 @@
 """Files read back by hand or by another library, and never left by halves."""
 
 import json
+from itertools import pairwise
 
 import networkx as nx
 import numpy as np
@@ -21,7 +22,8 @@ def skeleton_of(vertices, edges):
 def lollipop():
     """A stick (0-1), a loop (1-2-3-4), and a lone node (5)."""
     return skeleton_of(
-        [[0, 0, 0], [1, 0, 0], [2, 1, 0], [3, 0, 0], [2, -1, 1 / 3], [9, 9, 9]], [[0, 1], [1, 2], [2, 3], [3, 4], [1, 4]]
+        [[0, 0, 0], [1, 0, 0], [2, 1, 0], [3, 0, 0], [2, -1, 1 / 3], [9, 9, 9]],
+        [[0, 1], [1, 2], [2, 3], [3, 4], [1, 4]],
     )
 
 
@@ -72,7 +74,7 @@ def test_polylines_cover_every_edge_once(lollipop, tmp_path):
         points = np.array(numbers, dtype=float).reshape(-1, 3)
         assert len(points) == int(count)
         nodes = [vertices[tuple(point)] for point in points.tolist()]
-        found += [tuple(sorted(pair)) for pair in zip(nodes, nodes[1:], strict=False)]
+        found += [tuple(sorted(pair)) for pair in pairwise(nodes)]
     assert sorted(found) == sorted(map(tuple, lollipop.edges.tolist()))
 
 

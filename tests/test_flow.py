@@ -94,7 +94,12 @@ def test_fixed_vertices_do_not_move():
     held = np.arange(0, state.meso.num_rows, 5)
     state.meso.is_fixed[held] = True
     before = state.meso.positions.copy()
-    packed = flow.packing.pack(state.meso, flow.next_layout(None, state.meso.num_rows, flow.packing.rows_beyond(state.meso)), np.empty(0), np.dtype(float))
+    packed = flow.packing.pack(
+        state.meso,
+        flow.next_layout(None, state.meso.num_rows, flow.packing.rows_beyond(state.meso)),
+        np.empty(0),
+        np.dtype(float),
+    )
     del packed
     free_config = Config(reconstruct_poles=0, edit_connectivity=False)
     flow.step(state, Weights(), free_config, watch)

@@ -8,7 +8,9 @@ import msf_jax
 from msf_jax import Config, ConfigError, Weights
 
 
-@pytest.mark.parametrize("bad", [{"w_L": -1.0}, {"w_H": float("nan")}, {"w_M": float("inf")}, {"w_H": 0}, {"smoothing": "a"}])
+@pytest.mark.parametrize(
+    "bad", [{"w_L": -1.0}, {"w_H": float("nan")}, {"w_M": float("inf")}, {"w_H": 0}, {"smoothing": "a"}]
+)
 def test_a_weight_out_of_range_is_named(bad):
     with pytest.raises(ConfigError, match=next(iter(bad))):
         Weights(**bad)

@@ -110,7 +110,7 @@ def solve(
 
 
 class Gram(NamedTuple):
-    """x -> A^T A x + shift x for A = scale (alpha I + beta L) in slots, with A's rows and columns of fixed vertices out.
+    """x -> A^T A x + shift x for A = scale (alpha I + beta L) in slots, fixed vertices' rows and columns out.
 
     The two products are two trips of one scan over the stacked weights: written as two calls, XLA on the CPU fuses them
     into one kernel that computes L x anew for every slot (DESIGN section 3).
@@ -141,7 +141,9 @@ class Gram(NamedTuple):
         return self.free * (square + self.shift) + (1.0 - self.free)
 
 
-def gram(rows: Rows, buffers: Buffers, layout: Layout, row_scale: jax.Array, alpha: float, beta: Any, shift: Any) -> Gram:
+def gram(
+    rows: Rows, buffers: Buffers, layout: Layout, row_scale: jax.Array, alpha: float, beta: Any, shift: Any
+) -> Gram:
     """The operator of `Gram` for A = diag(row_scale) (alpha I + beta L), rows of fixed vertices zero."""
     scale = buffers.free * row_scale
     neighbour = buffers.rings.neighbour
@@ -168,7 +170,5 @@ def contract(
     positions, free = buffers.positions, buffers.free[:, None]
     operator = gram(rows, buffers, layout, w_L, 0.0, 1.0, w_H**2 + w_M**2)
     b = free * ((w_M**2)[:, None] * (buffers.poles - positions) - operator.twice(layout, positions))
-    displacement, report = solve(
-        lambda x: operator.normal(layout, x), operator.jacobi(layout), b, tolerance, max_steps
-    )
+    displacement, report = solve(lambda x: operator.normal(layout, x), operator.jacobi(layout), b, tolerance, max_steps)
     return positions + free * displacement, report

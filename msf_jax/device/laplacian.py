@@ -105,4 +105,3 @@ def _cross_length(a: jax.Array, b: jax.Array) -> jax.Array:
     square = (jnp.cross(a, b) ** 2).sum(-1)
     is_wide = square > 0
     return jnp.where(is_wide, jnp.sqrt(jnp.where(is_wide, square, 1.0)), 0.0)
-

@@ -103,7 +103,6 @@ def _apply(meso: Meso, a: np.ndarray, b: np.ndarray) -> CollapseRound:
     a, b = np.where(swap, b, a), np.where(swap, a, b)
     merged_degree = meso.degree[a] + meso.degree[b] - 4
     rings = meso.rings = connectivity.widen(meso.rings, int(merged_degree.max()))
-    row = np.arange(len(a))[:, None]
     slot_b, slot_a = find_slot(rings[a], b)[:, None], find_slot(rings[b], a)[:, None]
     degree_a, degree_b = meso.degree[a][:, None], meso.degree[b][:, None]
     left = rings[a, ((slot_b + 1) % degree_a)[:, 0]]

@@ -32,7 +32,7 @@ class HalfEdges(NamedTuple):
 
 
 def half_edges(faces: np.ndarray) -> HalfEdges:
-    """Half-edges of ``faces`` (F, 3) with their twins; the faces need not be closed, but no half-edge may occur twice."""
+    """Half-edges of ``faces`` (F, 3) with their twins; they need not be closed, but no half-edge may occur twice."""
     origin = faces.ravel()
     target = faces[:, [1, 2, 0]].ravel()
     num = int(faces.max(initial=-1)) + 1
@@ -61,7 +61,9 @@ def rings_from_faces(faces: np.ndarray, num_vertices: int) -> np.ndarray:
     step = next_in_ring(edges)
     degree = np.bincount(edges.origin, minlength=num_vertices)
     if len(edges.origin) == 0 or degree.min() == 0 or (edges.twin < 0).any():
-        raise MeshError("the faces do not cover every vertex with a closed surface: check the mesh with host.surface first")
+        raise MeshError(
+            "the faces do not cover every vertex with a closed surface: check the mesh with host.surface first"
+        )
     rings = np.full((num_vertices, ring_capacity(int(degree.max()))), -1, dtype=np.int64)
     first = np.empty(num_vertices, dtype=np.int64)
     first[edges.origin[::-1]] = np.arange(len(edges.origin))[::-1]
@@ -177,6 +179,8 @@ def check_closed_manifold(rings: np.ndarray, euler: int) -> None:
         faults["bears a face that its neighbours do not"] = vertex[after != vertex]
     for what, found in faults.items():
         if len(found):
-            raise FlowError(f"the surface is no closed manifold any more: vertex {found[0]} {what}, as do {len(found) - 1} others")
+            raise FlowError(
+                f"the surface is no closed manifold any more: vertex {found[0]} {what}, as do {len(found) - 1} others"
+            )
     if (now := euler_characteristic(rings)) != euler:
         raise FlowError(f"an edit changed the topology: Euler characteristic {now}, was {euler}")

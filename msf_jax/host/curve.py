@@ -30,8 +30,10 @@ def extract_curve(positions: np.ndarray, rings: np.ndarray) -> Curve:
     """
     a, b = connectivity.edges_from_rings(rings)
     order = shortest_first(a, b, edge_lengths(positions, a, b), 1e-3)
-    root = _merge_in_order(a[order].tolist(), b[order].tolist(), connectivity.faces_from_rings(rings).tolist(), len(rings))
-    kept, node_of_meso = np.unique(root, return_inverse=True)
+    root = _merge_in_order(
+        a[order].tolist(), b[order].tolist(), connectivity.faces_from_rings(rings).tolist(), len(rings)
+    )
+    node_of_meso = np.unique(root, return_inverse=True)[1]
     count = np.bincount(node_of_meso)
     nodes = np.stack([np.bincount(node_of_meso, weights=positions[:, axis]) / count for axis in range(3)], axis=1)
     ends = np.sort(node_of_meso[np.stack([a, b], axis=1)], axis=1)

@@ -5,10 +5,21 @@ for a closed mesh it equals the generalised winding number of Jacobson et al. 20
 where the mesh crosses itself. The distance is that to the nearest point of the nearest triangle (Ericson 2005, 5.1.5).
 """
 
+from collections.abc import Iterator
+from typing import NamedTuple
+
 import numpy as np
 from scipy import spatial
 
 PAIRS_AT_ONCE = 2_000_000  # bounds the memory of one vectorised batch
+
+
+class SizeClass(NamedTuple):
+    """Triangles of like size: a tree of their centroids, their numbers, and the largest reach among them."""
+
+    tree: spatial.KDTree
+    triangle: np.ndarray
+    reach: float
 
 
 class Enclosure:
@@ -24,8 +35,7 @@ class Enclosure:
         self.faces = faces
         self.vertices = vertices
         self._grid: _Grid | None = None
-        self._classes: list[tuple[spatial.cKDTree, np.ndarray, float]] | None = None
-        self._vertex_tree: spatial.cKDTree | None = None
+        self._trees: tuple[spatial.KDTree, list[SizeClass]] | None = None
 
     def winding_numbers(self, points: np.ndarray) -> np.ndarray:
         """Winding number (P,) of the surface around each point: 1 inside, 0 outside an embedded surface."""
@@ -75,11 +85,11 @@ class Enclosure:
         triangle's own reach. Triangles are searched in classes of like reach, so that a few large ones do not widen
         the search for all.
         """
-        if self._classes is None:
-            self._classes = _size_classes(self.triangles)
-            self._vertex_tree = spatial.cKDTree(self.vertices)
-        best2 = self._vertex_tree.query(points)[0] ** 2
-        for tree, triangle_of_row, reach in self._classes:
+        if self._trees is None:
+            self._trees = spatial.KDTree(self.vertices), _size_classes(self.triangles)
+        vertex_tree, classes = self._trees
+        best2 = vertex_tree.query(points)[0] ** 2
+        for tree, triangle_of_row, reach in classes:
             bound = np.sqrt(best2)
             near = tree.query_ball_point(points, bound * (1 + 1e-12) + reach, return_sorted=False)
             count = np.fromiter(map(len, near), dtype=np.int64, count=len(near))
@@ -92,15 +102,15 @@ class Enclosure:
         return np.sqrt(best2)
 
 
-def _size_classes(triangles: np.ndarray) -> list[tuple[spatial.cKDTree, np.ndarray, float]]:
-    """Trees of centroids, one for each power of two of the reach (largest distance from centroid to corner)."""
+def _size_classes(triangles: np.ndarray) -> list[SizeClass]:
+    """One class for each power of two of the reach, the largest distance from a triangle's centroid to a corner."""
     centroid = triangles.mean(axis=1)
     reach = np.sqrt(((triangles - centroid[:, None]) ** 2).sum(axis=2).max(axis=1))
     level = np.floor(np.log2(np.maximum(reach, 1e-6 * reach.max())))
     classes = []
     for value in np.unique(level):
         rows = np.flatnonzero(level == value)
-        classes.append((spatial.cKDTree(centroid[rows]), rows, float(reach[rows].max())))
+        classes.append(SizeClass(spatial.KDTree(centroid[rows]), rows, float(reach[rows].max())))
     return classes
 
 
@@ -150,7 +160,7 @@ class _Grid:
     def _cell(self, flat: np.ndarray) -> np.ndarray:
         return np.clip(((flat - self.low) / self.size).astype(np.int64), 0, self.shape - 1)
 
-    def pairs(self, points: np.ndarray):
+    def pairs(self, points: np.ndarray) -> Iterator[tuple[np.ndarray, np.ndarray]]:
         """Batches of (point, triangle) index pairs that share a cell; a point outside the grid is in no pair."""
         cell = self._cell(points[:, :2])
         is_on_grid = ((points[:, :2] >= self.low) & (points[:, :2] <= self.low + self.shape * self.size)).all(axis=1)

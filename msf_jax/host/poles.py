@@ -67,8 +67,7 @@ def voronoi_poles(sites: np.ndarray, faces: np.ndarray) -> Poles:
         ) from error
     centre = circumcentres(sites, tetrahedra)
     low, high = sites.min(axis=0), sites.max(axis=0)
-    is_inside_box = np.isfinite(centre).all(axis=1)
-    is_inside_box[is_inside_box] = ((centre[is_inside_box] >= low) & (centre[is_inside_box] <= high)).all(axis=1)
+    is_inside_box = ((centre >= low) & (centre <= high)).all(axis=1)  # False, too, where a centre is not finite
     tetrahedra, centre = tetrahedra[is_inside_box], centre[is_inside_box]
 
     normal = vertex_normals(sites, faces)

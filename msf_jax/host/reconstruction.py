@@ -21,6 +21,15 @@ def graph_laplacian(faces: np.ndarray, num_vertices: int) -> sparse.csc_matrix:
     return sparse.csc_matrix(sparse.diags(degree) - adjacency)
 
 
+class _Inverse:
+    """A factorised matrix's inverse, as SciPy's `aslinearoperator` takes it."""
+
+    def __init__(self, factor: linalg.SuperLU, size: int):
+        self.matvec = factor.solve
+        self.shape = (size, size)
+        self.dtype = np.dtype(np.float64)
+
+
 def spectral_basis(faces: np.ndarray, num_vertices: int, k: int) -> np.ndarray:
     """Orthonormal eigenvectors (V, k) of the ``k`` smallest eigenvalues of the graph Laplacian.
 
@@ -36,7 +45,7 @@ def spectral_basis(faces: np.ndarray, num_vertices: int, k: int) -> np.ndarray:
         diag_pivot_thresh=0.0,
         options={"SymmetricMode": True},
     )
-    inverse = linalg.LinearOperator((num_vertices, num_vertices), matvec=factor.solve, dtype=np.float64)
+    inverse = linalg.aslinearoperator(_Inverse(factor, num_vertices))
     start = np.cos(np.arange(num_vertices))  # any fixed vector that is not an eigenvector: the same bits on every run
     return linalg.eigsh(laplacian, k=k, sigma=SHIFT, OPinv=inverse, v0=start)[1]
 

@@ -47,7 +47,9 @@ def split_obtuse_edges(
         along = meso.positions[b] - meso.positions[a]
         length2 = np.einsum("ij,ij->i", along, along)
         fraction = np.einsum("ij,ij->i", meso.positions[apex] - meso.positions[a], along) / length2
-        chosen = _disjoint(np.stack([a, b, left, right], axis=1), shortest_first(a, b, -np.sqrt(length2), shortest), meso.num_rows)
+        chosen = _disjoint(
+            np.stack([a, b, left, right], axis=1), shortest_first(a, b, -np.sqrt(length2), shortest), meso.num_rows
+        )
         if len(chosen) == 0 or meso.num_live + len(chosen) > max_rows:
             return rounds
         rounds.append(split_edges(meso, a[chosen], b[chosen], fraction[chosen]))

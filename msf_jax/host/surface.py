@@ -85,7 +85,9 @@ def _load(path: Path) -> Any:
     known = sorted(trimesh.available_formats())
     suffix = path.suffix.lower().lstrip(".")
     if suffix not in known:
-        raise MeshError(f"cannot read {path.name!r}: unknown suffix {path.suffix!r}, expected one of {', '.join(known)}")
+        raise MeshError(
+            f"cannot read {path.name!r}: unknown suffix {path.suffix!r}, expected one of {', '.join(known)}"
+        )
     try:
         with contextlib.redirect_stderr(io.StringIO()):
             loaded = trimesh.load(path, process=False, maintain_order=True)
@@ -126,9 +128,8 @@ def _as_faces(faces: Any, num_vertices: int) -> np.ndarray:
         raise MeshError("the mesh has no faces: expected a closed triangle mesh, not a point cloud or a set of lines")
     if array.ndim != 2 or array.shape[1] != 3:
         raise MeshError(f"the faces have shape {array.shape}: expected (F, 3): triangulate the mesh")
-    if not np.issubdtype(array.dtype, np.integer):
-        if not np.issubdtype(array.dtype, np.floating) or not (np.isfinite(array) & (array == np.round(array))).all():
-            raise MeshError(f"the faces are {array.dtype}, not whole numbers: expected vertex indices from 0")
+    if not (np.issubdtype(array.dtype, np.integer) or _is_whole(array)):
+        raise MeshError(f"the faces are {array.dtype}, not whole numbers: expected vertex indices from 0")
     array = array.astype(np.int64)
     bad = np.flatnonzero(((array < 0) | (array >= num_vertices)).any(axis=1))
     if len(bad):
@@ -137,6 +138,10 @@ def _as_faces(faces: Any, num_vertices: int) -> np.ndarray:
             + (" (are they counted from 1?)" if array.min() == 1 and array.max() == num_vertices else "")
         )
     return array
+
+
+def _is_whole(array: np.ndarray) -> bool:
+    return np.issubdtype(array.dtype, np.floating) and bool((np.isfinite(array) & (array == np.round(array))).all())
 
 
 def _count(found: np.ndarray, one: str, many: str) -> str:
@@ -193,9 +198,7 @@ def prepare(mesh: Any) -> Surface:
 
 
 def _without_repeated_corners(faces: np.ndarray) -> np.ndarray:
-    bad = np.flatnonzero(
-        (faces[:, 0] == faces[:, 1]) | (faces[:, 1] == faces[:, 2]) | (faces[:, 2] == faces[:, 0])
-    )
+    bad = np.flatnonzero((faces[:, 0] == faces[:, 1]) | (faces[:, 1] == faces[:, 2]) | (faces[:, 2] == faces[:, 0]))
     if len(bad):
         raise MeshError(f"{_count(bad, 'face', 'faces')} degenerate (a corner occurs twice): remove them")
     return faces
@@ -276,9 +279,7 @@ def _component(vertices: np.ndarray, faces: np.ndarray, name: str) -> tuple[Comp
     diagonal = float(np.linalg.norm(np.ptp(vertices, axis=0)))
     volume = signed_volume(centred, faces)
     if not abs(volume) > FLATTEST * diagonal**3:
-        raise MeshError(
-            f"{name} encloses no volume ({volume:.3g} with a diagonal of {diagonal:.3g}): expected a solid, not a flat sheet"
-        )
+        raise MeshError(f"{name} encloses no volume ({volume:.3g} with a diagonal of {diagonal:.3g}): expected a solid")
     if volume < 0:
         faces = faces[:, ::-1]
     euler = len(vertices) - len(faces) // 2

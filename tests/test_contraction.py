@@ -1,0 +1,329 @@
+"""The contraction against dense least squares: values, what the solve reports, fixed vertices and gradients."""
+
+import jax
+import jax.numpy as jnp
+import numpy as np
+import pytest
+from device_cases import (
+    TIGHT,
+    Case,
+    bipyramid,
+    build,
+    case_with_everything,
+    central_difference,
+    dense_contract,
+    jitted_contract,
+    one_level,
+    pebble,
+    reference_laplacian,
+)
+from jax.test_util import check_grads
+
+from msf_jax.device import contraction
+from msf_jax.device.buffers import Buffers, Rings
+from msf_jax.device.laplacian import Rows
+
+W_L, W_H, W_M = 1.3, 0.2, 0.35
+
+
+@pytest.fixture(scope="module")
+def case() -> Case:
+    return case_with_everything()
+
+
+@pytest.fixture(scope="module")
+def free_case() -> Case:
+    """Nothing fixed, every vertex with a pole."""
+    vertices, faces = pebble(7, 150)
+    return build(vertices, faces, poles=0.2 * vertices)
+
+
+def contracted(case, w_L=W_L, w_H=W_H, w_M=W_M, **options):
+    """New positions of the vertices, in their order."""
+    return case.to_vertices(jitted_contract(case.buffers, w_L, w_H, w_M, case.layout, **options)[0])
+
+
+def expected(case, w_L=W_L, w_H=W_H, w_M=W_M, kind="mean_value"):
+    L = reference_laplacian(kind, case.vertices, case.faces)
+    return dense_contract(L, case.vertices, case.poles, case.is_fixed, w_L, w_H, w_M * case.has_pole)
+
+
+# Values
+
+
+@pytest.mark.parametrize("kind", ["mean_value", "cotangent", "uniform"])
+def test_it_minimises_the_energy(free_case, kind):
+    moved = contracted(free_case, kind=kind, tolerance=1e-12)
+    np.testing.assert_allclose(moved, expected(free_case, kind=kind), atol=1e-8)
+    assert np.abs(moved - free_case.vertices).max() > 0.05
+
+
+@pytest.mark.parametrize("kind", ["mean_value", "cotangent", "uniform"])
+def test_it_minimises_the_energy_with_vertices_fixed_and_without_poles(case, kind):
+    assert 5 < case.is_fixed.sum() < 40
+    assert 5 < (~case.has_pole).sum() < 60
+    moved = contracted(case, kind=kind, tolerance=1e-12)
+    np.testing.assert_allclose(moved, expected(case, kind=kind), atol=1e-8)
+
+
+@pytest.mark.parametrize("fixture", ["free_case", "case"])
+def test_weights_per_row(fixture, request):
+    case = request.getfixturevalue(fixture)
+    random = np.random.default_rng(11)
+    weights = [scale * np.exp(random.normal(size=len(case.vertices))) for scale in (1.0, 0.3, 0.3)]
+    moved = contracted(case, *(jnp.asarray(case.to_rows(w)) for w in weights), tolerance=1e-12)
+    np.testing.assert_allclose(moved, expected(case, *weights), atol=1e-8)
+
+
+def test_pull_of_poles_alone_is_a_weighted_mean(case):
+    """Without w_L each free vertex goes to (w_H^2 V + w_M^2 pole) / (w_H^2 + w_M^2)."""
+    moved = contracted(case, w_L=0.0, w_H=0.3, w_M=0.6)
+    pull = 0.36 * case.has_pole / (0.09 + 0.36 * case.has_pole) * ~case.is_fixed
+    np.testing.assert_allclose(moved, case.vertices + pull[:, None] * (case.poles - case.vertices), atol=1e-11)
+
+
+def test_nothing_moves_without_contraction_and_poles(case):
+    new, report = jitted_contract(case.buffers, 0.0, W_H, 0.0, case.layout)
+    np.testing.assert_array_equal(new, case.buffers.positions)
+    assert int(report.steps) == 0
+    assert float(report.residual) == 0.0
+
+
+def test_gradients_are_finite_where_nothing_moves(case):
+    def scalar(w_L, w_M, positions):
+        new, _ = jitted_contract(case.buffers._replace(positions=positions), w_L, W_H, w_M, case.layout)
+        return (new * jnp.arange(new.size).reshape(new.shape)).sum()
+
+    w_L, w_M, positions = jax.grad(scalar, argnums=(0, 1, 2))(0.0, 0.0, case.buffers.positions)
+    assert float(w_L) == float(w_M) == 0.0  # only their squares count
+    np.testing.assert_array_equal(positions, np.arange(positions.size).reshape(positions.shape))
+
+
+def test_it_moves_with_the_surface(case):
+    """A rotation and a translation of surface and poles turn and shift the result."""
+    turn = np.linalg.qr(np.random.default_rng(2).normal(size=(3, 3)))[0]
+    shift = np.array([0.4, -0.3, 0.2])
+    buffers = case.buffers._replace(
+        positions=case.buffers.positions @ turn + shift, poles=case.buffers.poles @ turn + shift
+    )
+    moved = case.to_vertices(jitted_contract(buffers, W_L, W_H, W_M, case.layout)[0])
+    np.testing.assert_allclose(moved, contracted(case) @ turn + shift, atol=1e-10)
+
+
+def test_common_factor_of_all_weights_changes_nothing(case):
+    np.testing.assert_allclose(contracted(case, 7 * W_L, 7 * W_H, 7 * W_M), contracted(case), atol=1e-10)
+
+
+# Fixed vertices
+
+
+@pytest.mark.parametrize("weights", [(1.0, 0.1, 0.4), (1e3, 1e-2, 0.0), (1.0, 0.1, 1e3), (1e-3, 10.0, 1.0)])
+def test_fixed_vertices_stay_bit_for_bit(case, weights):
+    moved = contracted(case, *weights)
+    np.testing.assert_array_equal(moved[case.is_fixed], case.vertices[case.is_fixed])
+    assert (moved[~case.is_fixed] != case.vertices[~case.is_fixed]).any(axis=1).all()
+
+
+def chain():
+    """Vertices at 0, 1, 2 on the x axis, the first one fixed, with the uniform Laplacian's rows."""
+    rings = Rings(
+        neighbour=jnp.array([1, 0, 1, 0, 2, 2]),  # slot 0 of three rows, then slot 1
+        after=jnp.array([1, 2, 1, 0, 0, 2]),
+        before=jnp.array([1, 2, 1, 0, 0, 2]),
+        is_used=jnp.array([True, True, True, False, True, False]),
+    )
+    positions = jnp.array([[0.0, 0, 0], [1, 0, 0], [2, 0, 0]])
+    one = jnp.ones(3)
+    buffers = Buffers(positions, rings, jnp.array([1.0, 2, 1]), jnp.array([0.0, 1, 1]), positions, 0 * one, one)
+    return buffers, Rows(rings.is_used.astype(float), rings.is_used.astype(float))
+
+
+def test_chain_with_a_fixed_end_by_hand():
+    """With w_L = w_H = 1: minimise (x2 - 2 x1)^2 + (x1 - x2)^2 + (x1 - 1)^2 + (x2 - 2)^2, so x = 0, 1, 5/3.
+
+    With the fixed end's rows zeroed, but its column left among the unknowns, that end would drift.
+    """
+    buffers, rows = chain()
+    one = jnp.ones(3)
+    new, _ = contraction.contract(buffers, rows, one_level(3, 2), one, one, 0 * one, TIGHT, 100)
+    np.testing.assert_allclose(new, [[0, 0, 0], [1, 0, 0], [5 / 3, 0, 0]], atol=1e-14)
+    assert float(new[0, 0]) == 0.0
+
+
+def test_fixing_everything_holds_everything(case):
+    buffers = case.buffers._replace(free=jnp.zeros_like(case.buffers.free))
+    new, report = jitted_contract(buffers, W_L, W_H, W_M, case.layout)
+    np.testing.assert_array_equal(new, buffers.positions)
+    assert int(report.steps) == 0
+
+
+# The report
+
+
+def relative_residual(case, new):
+    """Of the normal equations in the displacement, relative to their right-hand side, by dense matrices."""
+    free = ~case.is_fixed
+    L = np.where(case.is_fixed[:, None], 0.0, reference_laplacian("mean_value", case.vertices, case.faces))
+    w_M = W_M * case.has_pole
+    A = W_L**2 * (L.T @ L) + np.diag(W_H**2 + w_M**2)
+    b = (w_M**2)[:, None] * (case.poles - case.vertices) - W_L**2 * L.T @ (L @ case.vertices)
+    displacement = case.to_vertices(new) - case.vertices
+    return np.linalg.norm((b - A @ displacement)[free]) / np.linalg.norm(b[free])
+
+
+@pytest.mark.parametrize("tolerance", [1e-2, 1e-5])
+def test_solve_ends_when_the_residual_it_reports_is_below_the_tolerance(case, tolerance):
+    new, report = jitted_contract(case.buffers, W_L, W_H, W_M, case.layout, tolerance=tolerance)
+    residual, steps = float(report.residual), int(report.steps)
+    assert residual <= tolerance
+    assert 1 < steps < 300
+    np.testing.assert_allclose(residual, relative_residual(case, new), rtol=1e-6)
+    _, before = jitted_contract(
+        case.buffers, W_L, W_H, W_M, case.layout, tolerance=tolerance, max_steps=steps - 1
+    )
+    assert float(before.residual) > tolerance
+    assert int(before.steps) == steps - 1
+
+
+def test_solve_that_gives_up_says_so(case):
+    new, report = jitted_contract(case.buffers, W_L, W_H, W_M, case.layout, tolerance=1e-6, max_steps=3)
+    assert int(report.steps) == 3
+    assert float(report.residual) > 1e-6
+    np.testing.assert_allclose(float(report.residual), relative_residual(case, new), rtol=1e-9)
+
+
+# Gradients
+
+
+def scalar_of(case):
+    """A compiled scalar of the result, as a function of the three weights and the positions in rows."""
+    factors = jnp.asarray(case.to_rows(np.random.default_rng(21).normal(size=case.vertices.shape)))
+
+    def scalar(w_L, w_H, w_M, positions):
+        new, _ = jitted_contract(case.buffers._replace(positions=positions), w_L, w_H, w_M, case.layout)
+        return (factors * new).sum()
+
+    return scalar
+
+
+@pytest.fixture(scope="module")
+def gradients(case):
+    """Of the scalar, in all four arguments, by reverse mode."""
+    return jax.jit(jax.grad(scalar_of(case), argnums=(0, 1, 2, 3)))(W_L, W_H, W_M, case.buffers.positions)
+
+
+@pytest.mark.parametrize("number", [0, 1, 2])
+def test_gradient_in_the_weights(case, gradients, number):
+    scalar, weights = scalar_of(case), np.array([W_L, W_H, W_M])
+    slope = central_difference(lambda w: scalar(*w, case.buffers.positions), weights, np.eye(3)[number], h=1e-4)
+    assert abs(slope) > 1e-3
+    np.testing.assert_allclose(gradients[number], slope, rtol=1e-5)
+
+
+def test_gradient_in_the_weights_of_the_dense_solution(case, gradients):
+    """The same slope, with the package out of the differences altogether."""
+    factors = np.random.default_rng(21).normal(size=case.vertices.shape)
+    weights, direction = np.array([W_L, W_H, W_M]), np.array([0.5, -0.3, 0.4])
+    slope = central_difference(lambda w: (factors * expected(case, *w)).sum(), weights, direction, h=1e-4)
+    np.testing.assert_allclose(np.dot(gradients[:3], direction), slope, rtol=1e-5)
+
+
+def test_gradient_in_the_positions(case, gradients):
+    scalar, random = scalar_of(case), np.random.default_rng(5)
+    for _ in range(4):
+        direction = case.to_rows(random.normal(size=case.vertices.shape))
+        slope = central_difference(
+            lambda x: scalar(W_L, W_H, W_M, jnp.asarray(x)), case.buffers.positions, direction, h=1e-6
+        )
+        np.testing.assert_allclose((gradients[3] * direction).sum(), slope, rtol=1e-5)
+
+
+def test_gradient_in_the_poles_is_linear(case):
+    """The result is affine in the poles: one derivative reproduces any change of them."""
+    change = jnp.asarray(case.to_rows(np.random.default_rng(6).normal(size=case.vertices.shape)))
+
+    def new(poles):
+        return jitted_contract(case.buffers._replace(poles=poles), W_L, W_H, W_M, case.layout)[0]
+
+    start, tangent = jax.jvp(new, (case.buffers.poles,), (change,))
+    np.testing.assert_allclose(new(case.buffers.poles + 3 * change), start + 3 * tangent, atol=1e-9)
+    assert not np.asarray(tangent)[case.rank[case.is_fixed]].any()
+
+
+def test_gradient_with_weights_per_row(case):
+    random = np.random.default_rng(12)
+    weights = [jnp.asarray(case.to_rows(s * np.exp(random.normal(size=120)), fill=s)) for s in (1.0, 0.3, 0.3)]
+    direction = jnp.asarray(case.to_rows(random.normal(size=120)))
+    scalar, positions = scalar_of(case), case.buffers.positions
+    slopes = jax.grad(lambda *w: scalar(*w, positions), argnums=(0, 1, 2))(*weights)
+    for k, slope in enumerate(slopes):
+
+        def along(t, k=k):
+            return scalar(*(w + t * direction if m == k else w for m, w in enumerate(weights)), positions)
+
+        np.testing.assert_allclose((slope * direction).sum(), central_difference(along, 0.0, 1.0, 1e-3), rtol=1e-5)
+        held = np.asarray(slope)[case.rank[case.is_fixed]]
+        np.testing.assert_array_equal(held, 0.0)  # a fixed vertex has no rows
+
+
+@pytest.fixture(scope="module")
+def small() -> Case:
+    """Eight vertices, one of them fixed."""
+    vertices, faces = bipyramid(6, 0.4, 0.5, 0.3)
+    vertices = vertices + 0.03 * np.random.default_rng(1).normal(size=vertices.shape)
+    is_fixed = np.arange(8) == 2
+    return build(vertices, faces, is_fixed=is_fixed, poles=0.1 * vertices, layout=one_level(8, 8))
+
+
+def test_check_grads_forward_and_reverse(small):
+    def new(w_L, w_H, w_M, positions):
+        return jitted_contract(small.buffers._replace(positions=positions), w_L, w_H, w_M, small.layout)[0]
+
+    arguments = (jnp.asarray(W_L), jnp.asarray(W_H), jnp.asarray(W_M), small.buffers.positions)
+    check_grads(new, arguments, order=1, modes=("fwd", "rev"), atol=1e-6, rtol=1e-6, eps=1e-5)
+
+
+def test_jvp_and_vjp_are_transposes(case):
+    random = np.random.default_rng(30)
+
+    def new(w_L, w_H, w_M, positions):
+        return jitted_contract(case.buffers._replace(positions=positions), w_L, w_H, w_M, case.layout)[0]
+
+    arguments = (W_L, W_H, W_M, case.buffers.positions)
+    tangents = (0.3, -0.2, 0.7, jnp.asarray(random.normal(size=case.buffers.positions.shape)))
+    value, forward = jax.jvp(new, arguments, tangents)
+    again, backward = jax.vjp(new, *arguments)
+    cotangent = jnp.asarray(random.normal(size=value.shape))
+    transposed = sum(jnp.vdot(t, g) for t, g in zip(tangents, backward(cotangent), strict=True))
+    np.testing.assert_allclose(jnp.vdot(cotangent, forward), transposed, rtol=1e-9)
+    np.testing.assert_array_equal(value, again)
+
+
+def test_jacobians_by_columns_and_by_rows_agree(small):
+    def new(weights):
+        return jitted_contract(small.buffers, *weights, small.layout)[0]
+
+    weights = jnp.array([W_L, W_H, W_M])
+    by_columns, by_rows = jax.jacfwd(new)(weights), jax.jacrev(new)(weights)
+    assert by_columns.shape == (8, 3, 3)
+    np.testing.assert_allclose(by_columns, by_rows, atol=1e-10)
+    for k in range(3):
+        step = 1e-4 * np.eye(3)[k]
+        slope = (expected(small, *(weights + step)) - expected(small, *(weights - step))) / 2e-4
+        np.testing.assert_allclose(small.to_vertices(by_rows[:, :, k]), slope, atol=1e-6)
+
+
+def test_vmap_over_weights_is_one_solve_each(case):
+    weights = jnp.array([[1.0, 0.1, 0.4], [0.3, 0.3, 0.0], [2.0, 0.05, 0.2]])
+    many, report = jax.vmap(lambda w: jitted_contract(case.buffers, *w, case.layout))(weights)
+    assert report.steps.shape == report.residual.shape == (3,)
+    for w, new in zip(weights, many, strict=True):
+        np.testing.assert_allclose(case.to_vertices(new), expected(case, *w), atol=1e-8)
+
+
+def test_compiled_and_traced_step_by_step_agree(small):
+    with jax.disable_jit():
+        eager, report = jitted_contract(small.buffers, W_L, W_H, W_M, small.layout)
+    new, compiled = jitted_contract(small.buffers, W_L, W_H, W_M, small.layout)
+    np.testing.assert_allclose(eager, new, atol=1e-12)
+    assert abs(int(report.steps) - int(compiled.steps)) <= 1

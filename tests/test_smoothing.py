@@ -1,0 +1,166 @@
+"""The implicit smoothing step against a dense solve, and a whole iteration against the same steps in NumPy."""
+
+import jax
+import jax.numpy as jnp
+import numpy as np
+import pytest
+from device_cases import (
+    MANY,
+    TIGHT,
+    Case,
+    build,
+    case_with_everything,
+    central_difference,
+    dense_contract,
+    dense_smooth,
+    jitted_smooth,
+    pebble,
+    reference_laplacian,
+    ring_areas,
+)
+
+from msf_jax.device.iteration import jitted_move
+from msf_jax.device.laplacian import LARGEST
+from msf_jax.options import Config, Weights
+
+
+@pytest.fixture(scope="module")
+def case() -> Case:
+    return case_with_everything(1)
+
+
+@pytest.fixture(scope="module")
+def free_case() -> Case:
+    return build(*pebble(2, 140))
+
+
+def smoothed(case, strength, **options):
+    return case.to_vertices(jitted_smooth(case.buffers, strength, case.layout, **options)[0])
+
+
+def expected(case, strength, kind="mean_value"):
+    return dense_smooth(
+        reference_laplacian(kind, case.vertices, case.faces), case.vertices, case.is_fixed, strength
+    )
+
+
+@pytest.mark.parametrize("strength", [0.001, 0.1, 3.0])
+@pytest.mark.parametrize("fixture", ["free_case", "case"])
+def test_it_solves_the_implicit_step(fixture, strength, request):
+    case = request.getfixturevalue(fixture)
+    moved = smoothed(case, strength)
+    np.testing.assert_allclose(moved, expected(case, strength), atol=1e-8)
+    assert np.abs(moved - case.vertices).max() > 1e-5
+
+
+@pytest.mark.parametrize("kind", ["cotangent", "uniform"])
+def test_it_solves_the_implicit_step_of_every_laplacian(case, kind):
+    np.testing.assert_allclose(smoothed(case, 0.2, kind=kind), expected(case, 0.2, kind), atol=1e-8)
+
+
+def test_strength_per_row(case):
+    strength = 0.1 * np.exp(np.random.default_rng(3).normal(size=len(case.vertices)))
+    moved = smoothed(case, jnp.asarray(case.to_rows(strength, fill=9.0)))
+    np.testing.assert_allclose(moved, expected(case, strength), atol=1e-8)
+
+
+def test_nothing_moves_at_strength_zero(case):
+    new, report = jitted_smooth(case.buffers, 0.0, case.layout)
+    np.testing.assert_array_equal(new, case.buffers.positions)
+    assert int(report.steps) == 0
+
+
+def test_fixed_vertices_stay_bit_for_bit(case):
+    moved = smoothed(case, 5.0)
+    np.testing.assert_array_equal(moved[case.is_fixed], case.vertices[case.is_fixed])
+    assert (moved[~case.is_fixed] != case.vertices[~case.is_fixed]).any(axis=1).all()
+
+
+def test_every_coordinate_stays_between_those_it_had(free_case):
+    """Positive weights: no vertex of I - lambda L leaves the box of the surface, and a large step fills little of it."""
+    start, moved = free_case.vertices, smoothed(free_case, 20.0)
+    assert (moved.min(axis=0) > start.min(axis=0)).all()
+    assert (moved.max(axis=0) < start.max(axis=0)).all()
+    assert np.ptp(moved, axis=0).max() < 0.5 * np.ptp(start, axis=0).max()
+
+
+@pytest.mark.parametrize("strength", [0.01, 0.5])
+def test_gradient_in_the_strength(case, strength):
+    factors = np.random.default_rng(4).normal(size=case.vertices.shape)
+
+    def scalar(value):
+        return (jnp.asarray(case.to_rows(factors)) * jitted_smooth(case.buffers, value, case.layout)[0]).sum()
+
+    slope = jax.grad(scalar)(strength)
+    h = 0.01 * strength
+    np.testing.assert_allclose(slope, central_difference(scalar, strength, 1.0, h), rtol=1e-6)
+    dense = central_difference(lambda value: (factors * expected(case, value)).sum(), strength, 1.0, h)
+    np.testing.assert_allclose(slope, dense, rtol=1e-6)
+    np.testing.assert_allclose(jax.jvp(scalar, (strength,), (1.0,))[1], slope, rtol=1e-9)
+
+
+def test_slope_at_strength_zero_is_the_laplacian(case):
+    """dV'/d lambda = L V at lambda = 0, on free vertices."""
+    _, tangent = jax.jvp(lambda s: jitted_smooth(case.buffers, s, case.layout)[0], (0.0,), (1.0,))
+    L = reference_laplacian("mean_value", case.vertices, case.faces)
+    slope = np.where(case.is_fixed[:, None], 0.0, L @ case.vertices)
+    np.testing.assert_allclose(case.to_vertices(tangent), slope, atol=1e-9)
+
+
+def test_gradient_in_the_positions(case):
+    random = np.random.default_rng(5)
+    factors = jnp.asarray(case.to_rows(random.normal(size=case.vertices.shape)))
+
+    def scalar(positions):
+        return (factors * jitted_smooth(case.buffers._replace(positions=positions), 0.2, case.layout)[0]).sum()
+
+    gradient = jax.grad(scalar)(case.buffers.positions)
+    for _ in range(3):
+        direction = case.to_rows(random.normal(size=case.vertices.shape))
+        slope = central_difference(lambda x: scalar(jnp.asarray(x)), case.buffers.positions, direction, h=1e-6)
+        np.testing.assert_allclose((gradient * direction).sum(), slope, rtol=1e-5)
+
+
+def test_report_of_a_solve_that_gives_up(case):
+    _, full = jitted_smooth(case.buffers, 3.0, case.layout)
+    _, short = jitted_smooth(case.buffers, 3.0, case.layout, max_steps=2)
+    assert float(full.residual) <= TIGHT
+    assert 2 < int(full.steps) < MANY
+    assert int(short.steps) == 2
+    assert float(short.residual) > TIGHT
+
+
+# A whole iteration
+
+
+def near_coincident(case):
+    """``case`` with one edge a thousandth as long: its weights are beyond the limit."""
+    a, b, _ = case.faces[7]
+    vertices = case.vertices.copy()
+    vertices[b] = vertices[a] + 1e-3 * (vertices[b] - vertices[a])
+    return build(
+        vertices, case.faces, is_fixed=case.is_fixed, poles=case.poles, has_pole=case.has_pole, layout=case.layout
+    )
+
+
+@pytest.mark.parametrize("follows_area", [False, True])
+def test_iteration_contracts_and_then_smooths_with_fresh_rows(case, follows_area):
+    case = near_coincident(case)
+    config = Config(solve_tolerance=TIGHT, solve_steps=20000, w_H_follows_area=follows_area)
+    w_L, w_H, w_M, strength = 0.8, 0.15, 0.3, 0.05
+    first_area = ring_areas(*pebble(1))
+    buffers = case.buffers._replace(area=jnp.asarray(case.to_rows(first_area, fill=1.0)))
+    moved = jitted_move(buffers, Weights(w_L, w_H, w_M, strength), config, case.layout)
+
+    L = reference_laplacian("mean_value", case.vertices, case.faces)
+    assert L.max() > 2 * LARGEST
+    L = reference_laplacian("mean_value", case.vertices, case.faces, LARGEST)
+    w_H = w_H * np.sqrt(first_area / ring_areas(case.vertices, case.faces)) if follows_area else w_H
+    middle = dense_contract(L, case.vertices, case.poles, case.is_fixed, w_L, w_H, w_M * case.has_pole)
+    L = reference_laplacian("mean_value", middle, case.faces, LARGEST)
+    end = dense_smooth(L, middle, case.is_fixed, strength)
+    assert np.abs(end - middle).max() > 1e-3
+    np.testing.assert_allclose(case.to_vertices(moved.positions), end, atol=1e-8)
+    np.testing.assert_array_equal(case.to_vertices(moved.positions)[case.is_fixed], case.vertices[case.is_fixed])
+    assert float(moved.contraction.residual) <= TIGHT
+    assert float(moved.smoothing.residual) <= TIGHT
