@@ -22,6 +22,7 @@ from msf_jax.errors import ConfigError
 from msf_jax.host import collapse, curve, fixing, packing, poles, reconstruction, split, surface
 from msf_jax.host.curve import Curve
 from msf_jax.host.enclosure import Enclosure
+from msf_jax.host.frame import Frame, frame_of
 from msf_jax.host.meso import Meso
 from msf_jax.host.surface import Component, Surface
 from msf_jax.layout import Layout, next_layout
@@ -61,8 +62,7 @@ class State:
 
     component: Component
     number: int
-    centre: np.ndarray
-    diagonal: float
+    frame: Frame
     first_volume: float
     max_rows: int
     first_area: np.ndarray
@@ -121,10 +121,9 @@ class Stopwatch:
 
 
 def init(component: Component, number: int, config: Config, watch: Stopwatch) -> State:
-    """The component at the start of its flow: recentred, over its diagonal, resampled if asked, with its poles."""
-    low, high = component.vertices.min(axis=0), component.vertices.max(axis=0)
-    centre, diagonal = (low + high) / 2, float(np.linalg.norm(high - low))
-    vertices = (component.vertices - centre) / diagonal
+    """The component at the start of its flow: in its own frame, resampled if asked, with its poles."""
+    frame = frame_of(component.vertices)
+    vertices = frame.enter(component.vertices)
     input_surface = Enclosure(vertices, component.faces)
     if config.reconstruct_mesh:
         with watch.stage("reconstruction"):
@@ -140,8 +139,7 @@ def init(component: Component, number: int, config: Config, watch: Stopwatch) ->
     return State(
         component=component,
         number=number,
-        centre=centre,
-        diagonal=diagonal,
+        frame=frame,
         first_volume=meso.volume(),
         max_rows=max_rows,
         first_area=_one_ring_areas(meso) if config.w_H_follows_area else np.empty(0),
@@ -324,10 +322,10 @@ def _finish(
     node_of_vertex = np.empty(len(checked.vertices), dtype=np.int64)
     num_nodes = num_meso = 0
     for state, (found, meso), member in zip(states, curves, checked.members, strict=True):
-        nodes.append(state.centre + state.diagonal * found.nodes)
+        nodes.append(state.frame.leave(found.nodes))
         edges.append(found.edges + num_nodes)
         node_of_vertex[member] = found.node_of_meso[meso.node_of_input] + num_nodes
-        meso_vertices.append(state.centre + state.diagonal * state.meso.positions)
+        meso_vertices.append(state.frame.leave(state.meso.positions))
         meso_faces.append(state.meso.faces() + num_meso)
         num_nodes += len(found.nodes)
         num_meso += len(state.meso.positions)
@@ -364,7 +362,7 @@ def _finish(
         config=config,
         meso_skeleton=(np.concatenate(meso_vertices), np.concatenate(meso_faces)),
         is_fixed=np.concatenate([state.meso.is_fixed for state in states]),
-        poles=np.concatenate([state.centre + state.diagonal * state.poles for state in states]),
+        poles=np.concatenate([state.frame.leave(state.poles) for state in states]),
         has_pole=np.concatenate([state.has_pole for state in states]),
         history=history,
         curve=skeleton,

@@ -192,7 +192,7 @@ def jitted_rows(kind: str, positions, rings, degree, layout) -> laplacian.Rows:
     return laplacian.assemble(kind, positions, rings, degree, layout)
 
 
-@partial(jax.jit, static_argnames=("layout", "kind", "tolerance", "max_steps"))
+@partial(jax.jit, static_argnames=("layout", "kind", "max_steps"))
 def jitted_contract(buffers, w_L, w_H, w_M, layout, kind="mean_value", tolerance=TIGHT, max_steps=MANY):
     """`contraction.contract`, rows assembled from the same positions, weights scalars or (n,)."""
     one = jnp.ones_like(buffers.free)
@@ -200,7 +200,7 @@ def jitted_contract(buffers, w_L, w_H, w_M, layout, kind="mean_value", tolerance
     return contraction.contract(buffers, rows, layout, w_L * one, w_H * one, w_M * buffers.pull, tolerance, max_steps)
 
 
-@partial(jax.jit, static_argnames=("layout", "kind", "tolerance", "max_steps"))
+@partial(jax.jit, static_argnames=("layout", "kind", "max_steps"))
 def jitted_smooth(buffers, strength, layout, kind="mean_value", tolerance=TIGHT, max_steps=MANY):
     """`smoothing.smooth`, rows assembled from the same positions, ``strength`` a scalar or (n,)."""
     rows = laplacian.assemble(kind, buffers.positions, buffers.rings, buffers.degree, layout)

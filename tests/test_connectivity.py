@@ -378,7 +378,7 @@ def test_a_sphere_collapses_to_a_tetrahedron(seed):
     mesh = blob(seed, 2)
     meso = meso_of(np.array(mesh.vertices), np.array(mesh.faces))
     collapse.collapse_short_edges(meso, 100.0, check=True)
-    assert meso.num_live == 4 and turned(meso.faces()) == turned(meso.faces()) and len(meso.faces()) == 4
+    assert meso.num_live == 4 and len(turned(meso.faces())) == 4
     assert connectivity.euler_characteristic(meso.rings) == 2
 
 

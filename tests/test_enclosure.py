@@ -1,0 +1,274 @@
+"""Inside or outside, and how far from the surface: against plain solid angles, brute force and closed forms."""
+
+import numpy as np
+import pytest
+import trimesh
+from conftest import blob, torus
+
+from msf_jax.host.enclosure import Enclosure, point_triangle_distance2
+
+
+def arrays(mesh: trimesh.Trimesh) -> tuple[np.ndarray, np.ndarray]:
+    """Plain arrays of a Trimesh."""
+    return np.array(mesh.vertices), np.array(mesh.faces)
+
+
+def solid_angle_winding(points: np.ndarray, vertices: np.ndarray, faces: np.ndarray) -> np.ndarray:
+    """Generalised winding numbers: signed solid angles (Van Oosterom and Strackee 1983) over 4 pi, all pairs."""
+    a, b, c = (vertices[faces[:, k]][None] - points[:, None] for k in range(3))
+    la, lb, lc = (np.linalg.norm(v, axis=2) for v in (a, b, c))
+    determinant = np.einsum("pfi,pfi->pf", a, np.cross(b, c))
+    dot = [np.einsum("pfi,pfi->pf", u, v) for u, v in ((a, b), (b, c), (c, a))]
+    angle = 2 * np.arctan2(determinant, la * lb * lc + dot[0] * lc + dot[1] * la + dot[2] * lb)
+    return angle.sum(axis=1) / (4 * np.pi)
+
+
+def assert_winding(points: np.ndarray, vertices: np.ndarray, faces: np.ndarray) -> np.ndarray:
+    """The package's winding numbers, which equal the solid angles' at ``points``."""
+    expected = solid_angle_winding(points, vertices, faces)
+    assert np.abs(expected - np.round(expected)).max() < 1e-6, "a point of the test lies on the surface"
+    found = Enclosure(vertices, faces).winding_numbers(points)
+    np.testing.assert_array_equal(found, np.round(expected).astype(int))
+    return found
+
+
+def crossed() -> trimesh.Trimesh:
+    """Two balls that overlap, the second inside out: windings 1, 0 in the overlap, and -1."""
+    one, two = trimesh.creation.icosphere(2), trimesh.creation.icosphere(2).apply_translation([0.9, 0.03, 0.02])
+    two.invert()
+    return trimesh.util.concatenate([one, two])
+
+
+def doubled() -> trimesh.Trimesh:
+    """Two balls that overlap: winding 2 where they do."""
+    one, two = trimesh.creation.icosphere(2), trimesh.creation.icosphere(2).apply_translation([0.9, 0.03, 0.02])
+    return trimesh.util.concatenate([one, two])
+
+
+SHAPES = {"blob": lambda: blob(21), "torus": torus, "crossed": crossed, "doubled": doubled}
+
+
+# Inside or outside
+
+
+@pytest.mark.parametrize("name", SHAPES)
+def test_winding_numbers_equal_the_solid_angles(name):
+    vertices, faces = arrays(SHAPES[name]())
+    low, high = vertices.min(axis=0), vertices.max(axis=0)
+    points = np.random.default_rng(1).uniform(low - 0.3, high + 0.3, (600, 3))
+    found = assert_winding(points, vertices, faces)
+    expected_values = {"blob": {0, 1}, "torus": {0, 1}, "crossed": {-1, 0, 1}, "doubled": {0, 1, 2}}[name]
+    assert set(found.tolist()) == expected_values
+    np.testing.assert_array_equal(Enclosure(vertices, faces).contains(points), found > 0)
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_winding_numbers_close_to_the_surface(seed):
+    """A thousandth of a unit to either side of the middle of every face."""
+    mesh = blob(seed, 2)
+    vertices, faces = arrays(mesh)
+    for side, inside in ((-1e-3, 1), (1e-3, 0)):
+        found = Enclosure(vertices, faces).winding_numbers(mesh.triangles_center + side * mesh.face_normals)
+        np.testing.assert_array_equal(found, inside)
+
+
+def test_an_inverted_surface_winds_the_other_way():
+    vertices, faces = arrays(torus())
+    points = np.random.default_rng(2).uniform(-1.3, 1.3, (300, 3)) * [1, 1, 0.3]
+    forth = Enclosure(vertices, faces).winding_numbers(points)
+    back = Enclosure(vertices, faces[:, ::-1]).winding_numbers(points)
+    np.testing.assert_array_equal(forth, -back)
+    assert forth.any() and not Enclosure(vertices, faces[:, ::-1]).contains(points).any()
+
+
+def test_a_box_contains_what_lies_between_its_sides():
+    mesh = trimesh.creation.box([2.0, 1.0, 0.5])
+    points = np.random.default_rng(3).uniform(-1.2, 1.2, (2000, 3))
+    expected = (np.abs(points) < [1.0, 0.5, 0.25]).all(axis=1)
+    np.testing.assert_array_equal(Enclosure(*arrays(mesh)).contains(points), expected)
+
+
+def test_points_far_away_are_outside():
+    far = 1e6 * np.concatenate([np.eye(3), -np.eye(3)])
+    assert not Enclosure(*arrays(blob(4))).contains(far).any()
+
+
+def test_no_points_no_answers():
+    enclosure = Enclosure(*arrays(torus()))
+    assert enclosure.winding_numbers(np.empty((0, 3))).shape == (0,)
+    assert enclosure.distances(np.empty((0, 3))).shape == (0,)
+
+
+def test_rays_through_edges_count_once():
+    """A box has diagonals across its top and bottom: points exactly below them, at dyadic places, on both sides of it."""
+    vertices, faces = arrays(trimesh.creation.box())
+    place = np.array([-0.375, -0.25, -0.125, 0.0, 0.125, 0.25, 0.375])
+    for x, y in ((place, place), (place, -place)):
+        for z in (-2.0, -0.25, 0.25, 2.0):
+            points = np.stack([x, y, np.full(7, z)], axis=1)
+            np.testing.assert_array_equal(Enclosure(vertices, faces).winding_numbers(points), int(abs(z) < 0.5))
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_rays_through_edges_count_once_however_the_vertices_are_numbered(seed):
+    """Points below the middle of every upper edge of a polyhedron with dyadic coordinates."""
+    mesh = trimesh.creation.icosphere(1)
+    vertices, faces = np.round(np.array(mesh.vertices) * 64) / 64, np.array(mesh.faces)
+    number = np.random.default_rng(seed).permutation(len(vertices))
+    vertices, faces = vertices[np.argsort(number)], number[faces]
+    edges = np.unique(np.sort(np.concatenate([faces[:, :2], faces[:, 1:]]), axis=1), axis=0)
+    # Edges whose middle is above no vertex: only the edge itself is met exactly.
+    points = vertices[edges].mean(axis=1)
+    is_generic = ~(points[:, None, :2] == vertices[None, :, :2]).all(axis=2).any(axis=1)
+    points = (points * [1, 1, 0.5])[is_generic & (points[:, 2] > 0.1)]
+    assert len(points) > 20
+    # Under the silhouette the point may lie outside: the solid angle knows.
+    assert_winding(points, vertices, faces)
+
+
+@pytest.mark.parametrize("offset", [0.0, 1e3])
+def test_winding_numbers_far_from_the_origin(offset):
+    vertices, faces = arrays(blob(23, 2))
+    points = np.random.default_rng(5).uniform(-1, 1, (200, 3))
+    here = solid_angle_winding(points, vertices, faces)
+    found = Enclosure(vertices + offset, faces).winding_numbers(points + offset)
+    np.testing.assert_array_equal(found, np.round(here).astype(int))
+
+
+def test_more_pairs_than_fit_in_one_batch(monkeypatch):
+    """Cut into many batches, the answers are the same."""
+    vertices, faces = arrays(blob(24))
+    points = np.random.default_rng(6).uniform(-1.2, 1.2, (500, 3))
+    whole = Enclosure(vertices, faces)
+    winding, distance = whole.winding_numbers(points), whole.distances(points)
+    monkeypatch.setattr("msf_jax.host.enclosure.PAIRS_AT_ONCE", 50)
+    cut = Enclosure(vertices, faces)
+    np.testing.assert_array_equal(cut.winding_numbers(points), winding)
+    np.testing.assert_array_equal(cut.distances(points), distance)
+
+
+# How far
+
+
+def brute_force(points: np.ndarray, vertices: np.ndarray, faces: np.ndarray) -> np.ndarray:
+    """Distance to the nearest of all triangles, by trimesh's closest point on a triangle, one point at a time."""
+    triangles = vertices[faces]
+    return np.array(
+        [
+            np.linalg.norm(trimesh.triangles.closest_point(triangles, np.tile(point, (len(triangles), 1))) - point, axis=1).min()
+            for point in points
+        ]
+    )
+
+
+def with_large_faces() -> trimesh.Trimesh:
+    """A fine ball beside a box of twelve large triangles: sizes that differ by a hundred."""
+    return trimesh.util.concatenate([blob(25), trimesh.creation.box([40.0, 30, 20]).apply_translation([30, 0, 0])])
+
+
+@pytest.mark.parametrize("name", ["blob", "torus", "large and small"])
+def test_distances_equal_brute_force(name):
+    vertices, faces = arrays(with_large_faces() if name == "large and small" else SHAPES[name]())
+    low, high = vertices.min(axis=0), vertices.max(axis=0)
+    points = np.random.default_rng(7).uniform(low - 0.5, high + 0.5, (150, 3))
+    found = Enclosure(vertices, faces).distances(points)
+    np.testing.assert_allclose(found, brute_force(points, vertices, faces), rtol=1e-10, atol=1e-12)
+
+
+def test_distances_to_a_box():
+    """Outside: the length of the excess over each half side; inside: the least of what is missing."""
+    half = np.array([3.0, 2.0, 0.5])
+    vertices, faces = arrays(trimesh.creation.box(2 * half))
+    points = np.random.default_rng(8).uniform(-5, 5, (3000, 3)) * [1, 0.8, 0.3]
+    excess = np.abs(points) - half
+    expected = np.where(
+        (excess < 0).all(axis=1), -excess.max(axis=1), np.linalg.norm(np.maximum(excess, 0), axis=1)
+    )
+    found = Enclosure(vertices, faces).distances(points)
+    np.testing.assert_allclose(found, expected, rtol=1e-12, atol=1e-12)
+    assert (excess < 0).all(axis=1).sum() > 50
+
+
+def test_points_of_the_surface_are_at_distance_zero():
+    mesh = blob(26, 2)
+    vertices, faces = arrays(mesh)
+    weights = np.random.default_rng(9).dirichlet(np.ones(3), len(faces))
+    on_faces = np.einsum("fk,fkx->fx", weights, mesh.triangles)
+    enclosure = Enclosure(vertices, faces)
+    assert enclosure.distances(on_faces).max() < 1e-12
+    assert (enclosure.distances(vertices) == 0).all()
+
+
+def test_the_distance_from_the_centre_of_a_ball():
+    """Between the inscribed radius, the nearest plane of a face, and the vertices' radius."""
+    mesh = trimesh.creation.icosphere(3, radius=2.0)
+    planes = np.einsum("ij,ij->i", mesh.triangles_center, mesh.face_normals)
+    found = Enclosure(*arrays(mesh)).distances(np.zeros((1, 3)))[0]
+    assert found == pytest.approx(planes.min(), rel=1e-12) and found < 2.0
+
+
+@pytest.mark.parametrize("scale", [1e-6, 1e6])
+def test_distances_scale(scale):
+    vertices, faces = arrays(torus())
+    points = np.random.default_rng(10).uniform(-1.5, 1.5, (200, 3))
+    unit = Enclosure(vertices, faces).distances(points)
+    np.testing.assert_allclose(Enclosure(vertices * scale, faces).distances(points * scale), unit * scale, rtol=1e-9)
+
+
+def segment_distance(point: np.ndarray, a: np.ndarray, b: np.ndarray) -> float:
+    """Distance from a point to the segment ab."""
+    t = np.clip((point - a) @ (b - a) / ((b - a) @ (b - a)), 0, 1)
+    return float(np.linalg.norm(point - a - t * (b - a)))
+
+
+def test_a_triangle_that_is_a_segment_or_a_point():
+    """Corners on one line, in every order, two corners equal, all equal: the distance to what is left of it."""
+    random = np.random.default_rng(11)
+    a, b = np.array([1.0, 2, 3]), np.array([4.0, -1, 5])
+    for point in random.normal(size=(50, 3)) * 5:
+        for third in (0.0, 0.25, 0.5, 1.0):
+            corners = np.array([a, b, a + third * (b - a)])
+            for turn in range(3):
+                triangle = np.roll(corners, turn, axis=0)[None]
+                found = np.sqrt(point_triangle_distance2(point[None], triangle)[0])
+                assert found == pytest.approx(segment_distance(point, a, b), rel=1e-9)
+        single = np.sqrt(point_triangle_distance2(point[None], np.tile(a, (1, 3, 1)))[0])
+        assert single == pytest.approx(np.linalg.norm(point - a), rel=1e-12)
+
+
+def test_a_point_against_one_triangle():
+    """Above the face, beyond each edge, beyond each corner of the triangle (0,0,0) (4,0,0) (0,3,0)."""
+    triangle = np.array([[0.0, 0, 0], [4, 0, 0], [0, 3, 0]])
+    cases = {
+        (1, 1, 2): 2.0,
+        (1, 1, -2): 2.0,
+        (2, -3, 4): 5.0,
+        (-3, 1, 4): 5.0,
+        (2 + 3, 1.5 + 4, 0): 5.0,  # along the normal (3, 4) / 5 of the long edge, from its middle
+        (-3, -4, 0): 5.0,
+        (4 + 3, -4, 0): 5.0,
+        (-4, 3 + 3, 0): 5.0,
+        (0, 0, 0): 0.0,
+        (1, 1, 0): 0.0,
+    }
+    points = np.array(list(cases), dtype=float)
+    for turn in range(3):
+        for order in (1, -1):
+            corners = np.tile(np.roll(triangle, turn, axis=0)[::order], (len(points), 1, 1))
+            found = np.sqrt(point_triangle_distance2(points, corners))
+            np.testing.assert_allclose(found, list(cases.values()), atol=1e-12)
+
+
+def test_slivers_in_a_surface_do_not_disturb_its_distances():
+    """A box with a vertex in the middle of an edge, so that two faces have no area."""
+    half = 0.5
+    vertices, faces = arrays(trimesh.creation.box())
+    a, b = vertices[faces[0, 0]], vertices[faces[0, 1]]
+    vertices = np.concatenate([vertices, [(a + b) / 2]])
+    flat = np.array([[faces[0, 0], faces[0, 1], 8], [faces[0, 1], faces[0, 0], 8]])
+    points = np.random.default_rng(12).uniform(-1, 1, (300, 3))
+    excess = np.abs(points) - half
+    expected = np.where((excess < 0).all(axis=1), -excess.max(axis=1), np.linalg.norm(np.maximum(excess, 0), axis=1))
+    enclosure = Enclosure(vertices, np.concatenate([faces, flat]))
+    np.testing.assert_allclose(enclosure.distances(points), expected, rtol=1e-12, atol=1e-12)
+    np.testing.assert_array_equal(enclosure.contains(points), (excess < 0).all(axis=1))

@@ -1,0 +1,218 @@
+"""The padded layout: few capacities, room for every neighbour, and nothing lost or doubled in packing."""
+
+import numpy as np
+import pytest
+from conftest import blob, torus
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from msf_jax.host import collapse, packing
+from msf_jax.host.meso import Meso
+from msf_jax.layout import Layout, capacity_for, fits, next_layout, rectangle, staircase
+
+
+def spindle(sides: int) -> Meso:
+    """A double pyramid: two vertices of degree ``sides``, as many of degree 4."""
+    around = np.arange(sides)
+    after = (around + 1) % sides
+    faces = [np.stack([around, after, np.full(sides, sides)], 1), np.stack([after, around, np.full(sides, sides + 1)], 1)]
+    angle = 2 * np.pi * around / sides
+    rim = np.stack([np.cos(angle), np.sin(angle), 0 * angle], axis=1)
+    return Meso.from_mesh(np.concatenate([rim, [[0, 0, 1.0], [0, 0, -1.0]]]), np.concatenate(faces))
+
+
+def ragged() -> Meso:
+    """A collapsed blob: degrees from 3 to many."""
+    mesh = blob(31)
+    meso = Meso.from_mesh(np.array(mesh.vertices), np.array(mesh.faces))
+    collapse.collapse_short_edges(meso, 0.25)
+    return meso.compacted()
+
+
+def regular() -> Meso:
+    """A torus: every vertex of degree 6."""
+    mesh = torus()
+    return Meso.from_mesh(np.array(mesh.vertices), np.array(mesh.faces))
+
+
+SURFACES = {"regular": regular, "ragged": ragged, "spindle": lambda: spindle(40), "huge spindle": lambda: spindle(300)}
+
+
+def degree_counts(degrees: np.ndarray) -> list[int]:
+    """How many of ``degrees`` exceed k, for k from 0 to the largest, less one."""
+    return [int((degrees > k).sum()) for k in range(int(degrees.max()))]
+
+
+# Capacities
+
+
+def test_capacities_are_monotone_tight_and_few():
+    """Enough room, never more than half as much again once past the smallest, and under thirty up to a million."""
+    counts = np.arange(1, 100_000, 37)
+    capacities = np.array([capacity_for(int(count)) for count in counts])
+    assert (capacities >= counts).all() and (np.diff(capacities) >= 0).all()
+    is_large = counts > 256
+    assert (capacities[is_large] < 1.5 * counts[is_large] + 1).all() and (capacities[~is_large] == 256).all()
+    assert len({capacity_for(count) for count in range(1, 1_000_000, 97)}) < 30
+
+
+def test_a_capacity_holds_exactly_itself():
+    for capacity in (256, 384, 512, 768, 1024, 1536):
+        assert capacity_for(capacity) == capacity
+        assert capacity_for(capacity + 1) > capacity
+
+
+# Levels
+
+
+@pytest.mark.parametrize("layout", [staircase(256, 6), staircase(384, 30), staircase(1024, 90), rectangle(256, 17)])
+def test_levels_follow_one_another_without_gap_and_shrink(layout: Layout):
+    assert layout.levels[0].offset == 0 and layout.levels[0].rows == layout.capacity
+    for one, two in zip(layout.levels, layout.levels[1:], strict=False):
+        assert two.offset == one.offset + one.slots * one.rows == one.end
+        assert 0 < two.rows <= one.rows
+    assert layout.num_slots == sum(level.slots * level.rows for level in layout.levels)
+    assert hash(layout) == hash(Layout(*layout))
+
+
+def test_the_staircase_is_smaller_than_the_rectangle():
+    assert staircase(4096, 20).num_slots < 8 * 4096 < rectangle(4096, 20).num_slots
+
+
+def test_what_fits():
+    """One row more than a level has, one neighbour more than there are slots, one vertex more than the capacity."""
+    layout = staircase(256, 20)
+    slots = [level.slots for level in layout.levels]
+    rows = [level.rows for level in layout.levels]
+    beyond = [count for slot, count in zip(slots, rows, strict=True) for _ in range(slot)]  # every level full
+    assert fits(layout, 256, beyond)
+    assert not fits(layout, 257, beyond)
+    assert not fits(layout, 256, [*beyond, 1])
+    for level in range(1, 4):
+        crowded = list(beyond)
+        crowded[sum(slots[:level])] = rows[level] + 1
+        assert not fits(layout, 256, crowded)
+    assert fits(layout, 1, [])
+
+
+@settings(max_examples=80, deadline=None, derandomize=True)
+@given(
+    st.lists(st.integers(3, 9), min_size=4, max_size=900),
+    st.lists(st.integers(10, 80), max_size=40),
+    st.integers(0, 2**31),
+)
+def test_the_next_layout_always_fits(common, rare, seed):
+    """For any degrees: it has a slot for every neighbour of every row, largest first, and stays when asked again."""
+    degrees = np.sort(np.array(common + rare))[::-1]
+    beyond = degree_counts(degrees)
+    layout = next_layout(None, len(degrees), beyond)
+    room = np.zeros(layout.capacity, dtype=int)
+    for level in layout.levels:
+        room[: level.rows] += level.slots
+    assert (room[: len(degrees)] >= degrees).all()
+    assert fits(layout, len(degrees), beyond)
+    assert next_layout(layout, len(degrees), beyond) == layout
+
+
+def test_a_layout_stays_while_it_fits_and_is_more_than_half_full():
+    beyond = [300] * 6
+    large = next_layout(None, 300, beyond)
+    assert large.capacity == 384
+    assert next_layout(large, 193, [193] * 6) == large  # just over half
+    assert next_layout(large, 192, [192] * 6).capacity == 256
+    assert next_layout(large, 385, [385] * 6).capacity > 384
+    assert next_layout(large, 300, [300] * 7) != large  # a level overflows
+
+
+def test_a_flow_that_shrinks_meets_few_layouts():
+    """From 20,000 vertices to 300, a percent at a time: one layout for each capacity passed, at most."""
+    count, layout, seen = 20_000, None, set()
+    while count > 300:
+        layout = next_layout(layout, count, [count] * 6 + [count // 4] * 2 + [count // 20] * 4)
+        seen.add(layout)
+        count = int(count * 0.99)
+    assert len(seen) <= 8
+
+
+# Packing
+
+
+@pytest.mark.parametrize("name", SURFACES)
+def test_degrees_counted_for_a_layout(name):
+    meso = SURFACES[name]()
+    assert packing.rows_beyond(meso) == degree_counts(meso.degree)
+
+
+def packed_directed_edges(layout: Layout, rings, order: np.ndarray) -> list[tuple[int, int, int, int]]:
+    """(i, j, after, before) of every used slot, as vertices."""
+    neighbour, after, before, is_used = rings
+    row = np.concatenate([np.arange(level.rows) for level in layout.levels for _ in range(level.slots)])
+    columns = (row[is_used], neighbour[is_used], after[is_used], before[is_used])
+    return list(zip(*(order[column].tolist() for column in columns), strict=True))
+
+
+@pytest.mark.parametrize("kind", ["usual", "rectangle", "next size"])
+@pytest.mark.parametrize("name", SURFACES)
+def test_every_directed_edge_has_one_slot_with_its_two_apexes(name, kind):
+    meso = SURFACES[name]()
+    largest = int(meso.degree.max())
+    layout = next_layout(None, meso.num_rows, packing.rows_beyond(meso))
+    if kind == "rectangle":
+        layout = rectangle(capacity_for(meso.num_rows), largest)
+    elif kind == "next size":
+        layout = staircase(4 * layout.capacity, largest)
+    assert fits(layout, meso.num_rows, packing.rows_beyond(meso))
+    order, fields = packing.pack(meso, layout, np.empty(0), np.dtype(np.float64))
+    third = {}
+    for a, b, c in meso.faces().tolist():
+        third[a, b], third[b, c], third[c, a] = c, a, b
+    found = packed_directed_edges(layout, fields["rings"], order)
+    assert sorted(found) == sorted((i, j, third[i, j], third[j, i]) for i, j in third)
+
+    neighbour, after, before, is_used = fields["rings"]
+    row = np.concatenate([np.arange(level.rows) for level in layout.levels for _ in range(level.slots)])
+    for table in (neighbour, after, before):
+        assert table.dtype == np.int32 and table.shape == (layout.num_slots,)
+        np.testing.assert_array_equal(table[~is_used], row[~is_used])  # an unused slot names its own row
+    np.testing.assert_array_equal(np.bincount(row[is_used], minlength=layout.capacity), fields["degree"])
+    assert (np.diff(fields["degree"]) <= 0).all()
+
+
+@pytest.mark.parametrize("dtype", [np.float32, np.float64])
+@pytest.mark.parametrize("name", SURFACES)
+def test_pack_and_unpack(name, dtype):
+    """Values of the vertices go in and come out, in their order; padding is still and empty."""
+    meso = SURFACES[name]()
+    random = np.random.default_rng(1)
+    meso.poles = random.normal(size=meso.positions.shape)
+    meso.has_pole = random.random(meso.num_rows) < 0.5
+    meso.is_fixed = random.random(meso.num_rows) < 0.3
+    area = random.uniform(1, 2, meso.num_rows)
+    layout = next_layout(None, meso.num_rows, packing.rows_beyond(meso))
+    order, fields = packing.pack(meso, layout, area, np.dtype(dtype))
+    expected = {
+        "positions": meso.positions,
+        "poles": meso.poles,
+        "pull": meso.has_pole.astype(float),
+        "free": (~meso.is_fixed).astype(float),
+        "degree": meso.degree.astype(float),
+        "area": area,
+    }
+    np.testing.assert_array_equal(np.sort(order), np.arange(meso.num_rows))
+    for key, value in expected.items():
+        assert fields[key].dtype == dtype and len(fields[key]) == layout.capacity
+        back = packing.unpack(fields[key], order)
+        assert back.dtype == np.float64
+        np.testing.assert_array_equal(back, value.astype(dtype).astype(np.float64))
+        assert (fields[key][meso.num_rows :] == (1 if key == "area" else 0)).all()
+
+
+def test_packing_leaves_the_surface_alone():
+    meso = ragged()
+    before = {name: getattr(meso, name).copy() for name in ("positions", "rings", "degree", "poles", "has_pole")}
+    layout = next_layout(None, meso.num_rows, packing.rows_beyond(meso))
+    _, fields = packing.pack(meso, layout, np.empty(0), np.dtype(np.float64))
+    fields["positions"][:] = 7
+    fields["poles"][:] = 7
+    for name, value in before.items():
+        np.testing.assert_array_equal(getattr(meso, name), value)

@@ -1,0 +1,180 @@
+"""Padding, layout, the order of the vertices: nothing of it shows in values or gradients, nor compiles anew."""
+
+from functools import partial
+
+import jax
+import jax.numpy as jnp
+import numpy as np
+import pytest
+from conftest import blob
+from device_cases import (
+    MANY,
+    TIGHT,
+    bipyramid,
+    build,
+    case_with_everything,
+    jitted_contract,
+    jitted_smooth,
+    one_level,
+    pebble,
+)
+
+from msf_jax.device import iteration
+from msf_jax.layout import Layout, rectangle, staircase
+from msf_jax.options import Config, Weights
+
+CONFIG = Config(solve_tolerance=TIGHT, solve_steps=MANY, w_H_follows_area=True)
+WEIGHTS = Weights(w_L=0.9, w_H=0.2, w_M=0.3, smoothing=0.05)
+OWN = staircase(256, 11)
+OTHERS = {"twice the capacity": staircase(512, 11), "rectangle": rectangle(256, 11), "exact": one_level(120, 11)}
+
+
+def contract(buffers, weights: Weights, layout: Layout):
+    return jitted_contract(buffers, weights.w_L, weights.w_H, weights.w_M, layout)[0]
+
+
+def smooth(buffers, weights: Weights, layout: Layout):
+    return jitted_smooth(buffers, weights.smoothing, layout)[0]
+
+
+def move(buffers, weights: Weights, layout: Layout):
+    return iteration.move(buffers, weights, CONFIG, layout).positions
+
+
+STEPS = {"contract": contract, "smooth": smooth, "move": move}
+
+
+@partial(jax.jit, static_argnames=("name", "layout"))
+def step_with_gradients(name, buffers, weights, factors, layout):
+    """New positions in rows, and the gradients of their product with ``factors`` in weights and in floating buffers."""
+
+    def scalar(weights, positions, poles, area):
+        new = STEPS[name](buffers._replace(positions=positions, poles=poles, area=area), weights, layout)
+        return (factors * new).sum(), new
+
+    floats = (buffers.positions, buffers.poles, buffers.area)
+    gradients, new = jax.grad(scalar, argnums=(0, 1, 2, 3), has_aux=True)(weights, *floats)
+    return new, *gradients
+
+
+def outcome(case, name):
+    """Values and gradients in rows, for factors that are those of the vertices, and zero in padded rows."""
+    factors = case.to_rows(np.random.default_rng(17).normal(size=case.vertices.shape))
+    weights = jax.tree_util.tree_map(jnp.asarray, WEIGHTS)
+    return step_with_gradients(name, case.buffers, weights, jnp.asarray(factors), case.layout)
+
+
+def assert_same(case, found, reference_case, reference):
+    """Equal values and gradients, vertex by vertex and weight by weight; nothing in padded rows."""
+    new, by_weights, *by_rows = found
+    np.testing.assert_allclose(case.to_vertices(new), reference_case.to_vertices(reference[0]), atol=1e-12)
+    scale = max(float(abs(g)) for g in jax.tree_util.tree_leaves(reference[1]))
+    assert scale > 1e-3
+    for ours, theirs in zip(*map(jax.tree_util.tree_leaves, (by_weights, reference[1])), strict=True):
+        np.testing.assert_allclose(ours, theirs, atol=1e-10 * scale)
+    for ours, theirs in zip(by_rows, reference[2:], strict=True):
+        scale = 1 + np.abs(np.asarray(theirs)).max()
+        vertices = reference_case.to_vertices(theirs)
+        np.testing.assert_allclose(case.to_vertices(ours), vertices, atol=1e-10 * scale)
+        np.testing.assert_array_equal(np.asarray(ours)[len(case.order) :], 0.0)
+    for leaf in jax.tree_util.tree_leaves(found):
+        assert np.isfinite(leaf).all()
+
+
+@pytest.fixture(scope="module")
+def own():
+    """The surface in its own layout, and a function for what each step makes of it."""
+    case, outcomes = case_with_everything(layout=OWN), {}
+
+    def of(name):
+        if name not in outcomes:
+            outcomes[name] = outcome(case, name)
+        return outcomes[name]
+
+    return case, of
+
+
+@pytest.mark.parametrize("name", STEPS)
+def test_gradients_reach_what_they_should(own, name):
+    """What the other tests compare is not zero: each step moves, and has slopes in its own weights and positions."""
+    case, of = own
+    new, weights, positions, poles, area = of(name)
+    assert np.abs(case.to_vertices(new) - case.vertices)[~case.is_fixed].max() > 1e-2
+    assert np.abs(positions).max() > 0.1
+    slopes = {"contract": ["w_L", "w_H", "w_M"], "smooth": ["smoothing"], "move": ["w_L", "w_H", "w_M", "smoothing"]}
+    for weight in ("w_L", "w_H", "w_M", "smoothing"):
+        assert (float(getattr(weights, weight)) != 0) == (weight in slopes[name])
+    assert np.asarray(poles).any() == (name != "smooth")
+    assert np.asarray(area).any() == (name == "move")
+
+
+@pytest.mark.parametrize("other", OTHERS)
+@pytest.mark.parametrize("name", STEPS)
+def test_layout_does_not_show(own, name, other):
+    case, of = own
+    elsewhere = case_with_everything(layout=OTHERS[other])
+    assert_same(elsewhere, outcome(elsewhere, name), case, of(name))
+
+
+@pytest.mark.parametrize("name", STEPS)
+def test_values_in_padded_rows_do_not_show(own, name):
+    case, of = own
+    random, count = np.random.default_rng(8), len(case.order)
+
+    def scrambled(array, low, high):
+        junk = random.uniform(low, high, size=np.shape(array))
+        return jnp.concatenate([array[:count], jnp.asarray(junk[count:])])
+
+    buffers = case.buffers._replace(
+        positions=scrambled(case.buffers.positions, -100, 100),
+        poles=scrambled(case.buffers.poles, -1e4, 1e4),
+        area=scrambled(case.buffers.area, 1e-3, 1e3),
+    )
+    strewn = case._replace(buffers=buffers)
+    found = outcome(strewn, name)
+    assert_same(strewn, found, case, of(name))
+    np.testing.assert_array_equal(found[0][count:], buffers.positions[count:])
+
+
+@pytest.mark.parametrize("name", STEPS)
+def test_order_of_the_vertices_does_not_show(own, name):
+    case, of = own
+    order = np.random.default_rng(6).permutation(len(case.vertices))
+    renumbered = case_with_everything(layout=OWN, order=order)
+    assert (renumbered.vertices != case.vertices).any()
+    found = renumbered.to_vertices(step_in(renumbered, name))
+    np.testing.assert_allclose(found, case.to_vertices(of(name)[0])[order], atol=1e-9)
+
+
+def step_in(case, name):
+    return outcome(case, name)[0]
+
+
+def cache_size():
+    return iteration.jitted_move._cache_size()
+
+
+def test_a_layout_is_compiled_once():
+    """Another surface, other weights: the same program. Another layout or another config: one more."""
+    config = Config(laplacian="uniform", solve_steps=50)
+    layout = one_level(176, 16)
+    mesh = blob(0, 2)
+    first = build(*pebble(0, 120), layout=layout)
+    second = build(mesh.vertices / np.linalg.norm(mesh.extents), mesh.faces, layout=layout)
+    assert len(first.vertices) != len(second.vertices)
+
+    def run(case, config, **weights):
+        scalars = jax.tree_util.tree_map(np.asarray, Weights(**weights))
+        return iteration.jitted_move(case.buffers, scalars, config, case.layout)
+
+    before = cache_size()
+    run(first, config)
+    assert cache_size() == before + 1
+    run(second, config, w_L=3.0, w_M=0.2)
+    run(first, Config(laplacian="uniform", solve_steps=50), smoothing=0.5)
+    assert cache_size() == before + 1
+    small = build(*bipyramid(5, 0.3, 0.4, 0.3), layout=one_level(8, 8))
+    run(small, config)
+    assert cache_size() == before + 2
+    run(small, Config(laplacian="uniform", solve_steps=51))
+    assert cache_size() == before + 3
