@@ -86,7 +86,7 @@ class Config:
     use_poles: bool = True
     edit_connectivity: bool = True
     t_min: float = 0.002
-    t_step: float = 0.0001
+    t_step: float = 0.0005
     t_max: float = 0.016
     split_angle: float = 110.0
     growth: float = 1.0
@@ -94,7 +94,7 @@ class Config:
     max_iterations: int = 200
     volume_tolerance: float = 1e-4
     free_tolerance: float = 0.01
-    solve_tolerance: float = 1e-3
+    solve_tolerance: float = 3e-3
     solve_steps: int = 2000
     check: bool = False
 

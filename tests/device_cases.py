@@ -1,4 +1,4 @@
-"""Surfaces in buffers for the tests of the device wing, and what they are compared with: plain NumPy over half-edges."""
+"""Surfaces in buffers for the tests of the device wing, and what they are compared with: NumPy over half-edges."""
 
 from functools import partial
 from typing import NamedTuple
@@ -183,28 +183,32 @@ def slot_rows(layout: Layout) -> np.ndarray:
     return rows
 
 
-# The package's functions, compiled once for each layout
+# The package's functions on weights that are scalars or (n,), plain and compiled once for each layout
+
+quick_jit = partial(jax.jit, compiler_options={"xla_backend_optimization_level": 0})  # compiles in half the time
 
 
-@partial(jax.jit, static_argnames=("kind", "layout"))
-def jitted_rows(kind: str, positions, rings, degree, layout) -> laplacian.Rows:
+def plain_rows(kind: str, positions, rings, degree, layout) -> laplacian.Rows:
     """`laplacian.assemble`."""
     return laplacian.assemble(kind, positions, rings, degree, layout)
 
 
-@partial(jax.jit, static_argnames=("layout", "kind", "max_steps"))
-def jitted_contract(buffers, w_L, w_H, w_M, layout, kind="mean_value", tolerance=TIGHT, max_steps=MANY):
-    """`contraction.contract`, rows assembled from the same positions, weights scalars or (n,)."""
+def plain_contract(buffers, w_L, w_H, w_M, layout, kind="mean_value", tolerance=TIGHT, max_steps=MANY):
+    """`contraction.contract`, rows assembled from the same positions."""
     one = jnp.ones_like(buffers.free)
     rows = laplacian.assemble(kind, buffers.positions, buffers.rings, buffers.degree, layout)
     return contraction.contract(buffers, rows, layout, w_L * one, w_H * one, w_M * buffers.pull, tolerance, max_steps)
 
 
-@partial(jax.jit, static_argnames=("layout", "kind", "max_steps"))
-def jitted_smooth(buffers, strength, layout, kind="mean_value", tolerance=TIGHT, max_steps=MANY):
-    """`smoothing.smooth`, rows assembled from the same positions, ``strength`` a scalar or (n,)."""
+def plain_smooth(buffers, strength, layout, kind="mean_value", tolerance=TIGHT, max_steps=MANY):
+    """`smoothing.smooth`, rows assembled from the same positions."""
     rows = laplacian.assemble(kind, buffers.positions, buffers.rings, buffers.degree, layout)
     return smoothing.smooth(buffers, rows, layout, strength * jnp.ones_like(buffers.free), tolerance, max_steps)
+
+
+jitted_rows = quick_jit(plain_rows, static_argnames=("kind", "layout"))
+jitted_contract = quick_jit(plain_contract, static_argnames=("layout", "kind", "max_steps"))
+jitted_smooth = quick_jit(plain_smooth, static_argnames=("layout", "kind", "max_steps"))
 
 
 def dense_contract(L, vertices, poles, is_fixed, w_L, w_H, w_M) -> np.ndarray:

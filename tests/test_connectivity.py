@@ -1,7 +1,7 @@
 """Ring tables, and the edits that the host makes to them: collapse, split, fixing.
 
-The edits return their rounds. The tests replay these on a plain list of faces, where every rule is checked the slow way,
-and compare what comes out with the ring table that the package edited.
+The edits return their rounds. The tests replay these on a plain list of faces, where every rule is checked the slow
+way, and compare what comes out with the ring table that the package edited.
 """
 
 from collections import defaultdict
@@ -292,7 +292,9 @@ def assert_nothing_left_to_collapse(meso: Meso, t_c: float) -> None:
                 assert len(around[a] & around[b]) > 2 or is_tetrahedron(around, a), f"{a}-{b} could go"
 
 
-def replay_collapse(before: Meso, rounds: list[collapse.CollapseRound], t_c: float) -> tuple[set, np.ndarray, np.ndarray]:
+def replay_collapse(
+    before: Meso, rounds: list[collapse.CollapseRound], t_c: float
+) -> tuple[set, np.ndarray, np.ndarray]:
     """The rounds on a plain face list, each rule checked; returns the faces, positions and poles at the end."""
     faces = turned(before.faces())
     positions, poles, has_pole = before.positions.copy(), before.poles.copy(), before.has_pole.copy()
@@ -407,6 +409,24 @@ def test_an_edge_of_just_the_threshold_stays():
     assert collapse.collapse_short_edges(meso, 1.01)
 
 
+def test_an_edge_that_a_collapse_frees_goes_too():
+    """A vertex inside the face (b, x, y) keeps xy from collapsing; once it has gone into b, xy can and must go."""
+    sphere = trimesh.creation.icosphere(1)
+    vertices, faces = np.array(sphere.vertices), np.array(sphere.faces)
+    b, x, y = faces[40]
+    middle = (vertices[x] + vertices[y]) / 2
+    vertices[[x, y]] = middle + 0.5 * (vertices[[x, y]] - middle)
+    inner = vertices[b] + 0.1 * ((vertices[b] + vertices[x] + vertices[y]) / 3 - vertices[b])
+    fan = [[b, x, 42], [x, y, 42], [y, b, 42]]
+    meso = Meso.from_mesh(np.vstack([vertices, inner]), np.concatenate([np.delete(faces, 40, axis=0), fan]))
+    around = neighbours_of(meso.faces())
+    assert len(around[int(x)] & around[int(y)]) == 3
+    t_c = 1.2 * float(np.linalg.norm(vertices[x] - vertices[y]))
+    assert len(collapse.collapse_short_edges(meso, t_c, check=True)) == 2
+    assert meso.num_live == 41 and meso.node_of_input[x] == meso.node_of_input[y]
+    assert_nothing_left_to_collapse(meso, t_c)
+
+
 def test_independent_edges_are_a_maximal_set():
     """No two chosen edges have equal or neighbouring ends, and every other candidate does with one chosen before it."""
     mesh = blob(10)
@@ -515,7 +535,7 @@ def test_one_edge_is_cut_where_its_apex_projects():
     vertices = np.array([[0, 0, 0], [10, 0, 0], [3, 1, 0], [5, -2, 0], [5, 0, -20]], dtype=float)
     faces = np.array([[0, 1, 2], [1, 0, 3], [1, 4, 2], [2, 4, 0], [0, 4, 3], [3, 4, 1]])
     meso = Meso.from_mesh(vertices, faces)
-    meso.poles = vertices + [0, 0, 7.0]
+    meso.poles = vertices + np.array([0, 0, 7.0])
     meso.has_pole[:] = True
     rounds = split.split_obtuse_edges(meso, OBTUSE, 1.0, 100, check=True)
     assert len(rounds) == 1
@@ -575,6 +595,15 @@ def test_a_thread_is_fixed():
     assert fixing.fix_degenerate_vertices(meso, 1.01 * across) == 72
     assert meso.is_fixed.all()
     assert fixing.fix_degenerate_vertices(meso, 1.01 * across) == 0
+
+
+def test_one_short_edge_is_not_enough_to_be_fixed():
+    """The same tube flattened: each ring of three has one short edge, and none of its vertices has two."""
+    mesh = torus(1.0, 0.01, 24, 3)
+    meso = Meso.from_mesh(mesh.vertices * [1, 1, 0.5], np.array(mesh.faces))
+    assert fixing.fix_degenerate_vertices(meso, 0.01) == 0  # one edge of 0.00866 and two of 0.0156
+    assert not meso.is_fixed.any()
+    assert fixing.fix_degenerate_vertices(meso, 0.016) == 72
 
 
 @pytest.mark.parametrize("name", ["torus", "blob", "three-holes"])

@@ -15,6 +15,8 @@ from device_cases import (
     jitted_contract,
     one_level,
     pebble,
+    plain_contract,
+    quick_jit,
     reference_laplacian,
 )
 from jax.test_util import check_grads
@@ -91,10 +93,10 @@ def test_nothing_moves_without_contraction_and_poles(case):
 
 def test_gradients_are_finite_where_nothing_moves(case):
     def scalar(w_L, w_M, positions):
-        new, _ = jitted_contract(case.buffers._replace(positions=positions), w_L, W_H, w_M, case.layout)
+        new, _ = plain_contract(case.buffers._replace(positions=positions), w_L, W_H, w_M, case.layout)
         return (new * jnp.arange(new.size).reshape(new.shape)).sum()
 
-    w_L, w_M, positions = jax.jit(jax.grad(scalar, argnums=(0, 1, 2)))(0.0, 0.0, case.buffers.positions)
+    w_L, w_M, positions = quick_jit(jax.grad(scalar, argnums=(0, 1, 2)))(0.0, 0.0, case.buffers.positions)
     assert float(w_L) == float(w_M) == 0.0  # only their squares count
     np.testing.assert_array_equal(positions, np.arange(positions.size).reshape(positions.shape))
 
@@ -178,9 +180,7 @@ def test_solve_ends_when_the_residual_it_reports_is_below_the_tolerance(case, to
     assert residual <= tolerance
     assert 1 < steps < 300
     np.testing.assert_allclose(residual, relative_residual(case, new), rtol=1e-6)
-    _, before = jitted_contract(
-        case.buffers, W_L, W_H, W_M, case.layout, tolerance=tolerance, max_steps=steps - 1
-    )
+    _, before = jitted_contract(case.buffers, W_L, W_H, W_M, case.layout, tolerance=tolerance, max_steps=steps - 1)
     assert float(before.residual) > tolerance
     assert int(before.steps) == steps - 1
 
@@ -200,21 +200,25 @@ def scalar_of(case):
     factors = jnp.asarray(case.to_rows(np.random.default_rng(21).normal(size=case.vertices.shape)))
 
     def scalar(w_L, w_H, w_M, positions):
-        new, _ = jitted_contract(case.buffers._replace(positions=positions), w_L, w_H, w_M, case.layout)
+        new, _ = plain_contract(case.buffers._replace(positions=positions), w_L, w_H, w_M, case.layout)
         return (factors * new).sum()
 
     return scalar
 
 
+def jitted_scalar_of(case):
+    return quick_jit(scalar_of(case))
+
+
 @pytest.fixture(scope="module")
 def gradients(case):
     """Of the scalar, in all four arguments, by reverse mode."""
-    return jax.jit(jax.grad(scalar_of(case), argnums=(0, 1, 2, 3)))(W_L, W_H, W_M, case.buffers.positions)
+    return quick_jit(jax.grad(scalar_of(case), argnums=(0, 1, 2, 3)))(W_L, W_H, W_M, case.buffers.positions)
 
 
 @pytest.mark.parametrize("number", [0, 1, 2])
 def test_gradient_in_the_weights(case, gradients, number):
-    scalar, weights = scalar_of(case), np.array([W_L, W_H, W_M])
+    scalar, weights = jitted_scalar_of(case), np.array([W_L, W_H, W_M])
     slope = central_difference(lambda w: scalar(*w, case.buffers.positions), weights, np.eye(3)[number], h=1e-4)
     assert abs(slope) > 1e-3
     np.testing.assert_allclose(gradients[number], slope, rtol=1e-5)
@@ -229,7 +233,7 @@ def test_gradient_in_the_weights_of_the_dense_solution(case, gradients):
 
 
 def test_gradient_in_the_positions(case, gradients):
-    scalar, random = scalar_of(case), np.random.default_rng(5)
+    scalar, random = jitted_scalar_of(case), np.random.default_rng(5)
     for _ in range(4):
         direction = case.to_rows(random.normal(size=case.vertices.shape))
         slope = central_difference(
@@ -243,10 +247,10 @@ def test_gradient_in_the_poles_is_linear(case):
     change = jnp.asarray(case.to_rows(np.random.default_rng(6).normal(size=case.vertices.shape)))
 
     def new(poles):
-        return jitted_contract(case.buffers._replace(poles=poles), W_L, W_H, W_M, case.layout)[0]
+        return plain_contract(case.buffers._replace(poles=poles), W_L, W_H, W_M, case.layout)[0]
 
-    start, tangent = jax.jit(lambda poles: jax.jvp(new, (poles,), (change,)))(case.buffers.poles)
-    np.testing.assert_allclose(new(case.buffers.poles + 3 * change), start + 3 * tangent, atol=1e-9)
+    start, tangent = quick_jit(lambda poles: jax.jvp(new, (poles,), (change,)))(case.buffers.poles)
+    np.testing.assert_allclose(quick_jit(new)(case.buffers.poles + 3 * change), start + 3 * tangent, atol=1e-9)
     assert not np.asarray(tangent)[case.rank[case.is_fixed]].any()
 
 
@@ -255,9 +259,10 @@ def test_gradient_with_weights_per_row(case):
     weights = [jnp.asarray(case.to_rows(s * np.exp(random.normal(size=120)), fill=s)) for s in (1.0, 0.3, 0.3)]
     direction = jnp.asarray(case.to_rows(random.normal(size=120)))
     scalar, positions = scalar_of(case), case.buffers.positions
-    slopes = jax.jit(jax.grad(lambda *w: scalar(*w, positions), argnums=(0, 1, 2)))(*weights)
+    slopes = quick_jit(jax.grad(lambda *w: scalar(*w, positions), argnums=(0, 1, 2)))(*weights)
     for k, slope in enumerate(slopes):
 
+        @quick_jit
         def along(t, k=k):
             return scalar(*(w + t * direction if m == k else w for m, w in enumerate(weights)), positions)
 
@@ -277,23 +282,23 @@ def small() -> Case:
 
 def test_check_grads_forward_and_reverse(small):
     def new(w_L, w_H, w_M, positions):
-        return jitted_contract(small.buffers._replace(positions=positions), w_L, w_H, w_M, small.layout)[0]
+        return plain_contract(small.buffers._replace(positions=positions), w_L, w_H, w_M, small.layout)[0]
 
     arguments = (jnp.asarray(W_L), jnp.asarray(W_H), jnp.asarray(W_M), small.buffers.positions)
-    check_grads(new, arguments, order=1, modes=("fwd", "rev"), atol=1e-6, rtol=1e-6, eps=1e-5)
+    check_grads(jax.jit(new), arguments, order=1, modes=("fwd", "rev"), atol=1e-6, rtol=1e-6, eps=1e-5)
 
 
 def test_jvp_and_vjp_are_transposes(case):
     random = np.random.default_rng(30)
 
     def new(w_L, w_H, w_M, positions):
-        return jitted_contract(case.buffers._replace(positions=positions), w_L, w_H, w_M, case.layout)[0]
+        return plain_contract(case.buffers._replace(positions=positions), w_L, w_H, w_M, case.layout)[0]
 
     arguments = (W_L, W_H, W_M, case.buffers.positions)
     tangents = (0.3, -0.2, 0.7, jnp.asarray(random.normal(size=case.buffers.positions.shape)))
     cotangent = jnp.asarray(random.normal(size=case.buffers.positions.shape))
 
-    @jax.jit
+    @quick_jit
     def both(arguments, tangents, cotangent):
         return jax.jvp(new, arguments, tangents), jax.vjp(new, *arguments)[1](cotangent)
 
@@ -305,10 +310,10 @@ def test_jvp_and_vjp_are_transposes(case):
 
 def test_jacobians_by_columns_and_by_rows_agree(small):
     def new(weights):
-        return jitted_contract(small.buffers, *weights, small.layout)[0]
+        return plain_contract(small.buffers, *weights, small.layout)[0]
 
     weights = jnp.array([W_L, W_H, W_M])
-    by_columns, by_rows = jax.jit(lambda w: (jax.jacfwd(new)(w), jax.jacrev(new)(w)))(weights)
+    by_columns, by_rows = quick_jit(lambda w: (jax.jacfwd(new)(w), jax.jacrev(new)(w)))(weights)
     assert by_columns.shape == (8, 3, 3)
     np.testing.assert_allclose(by_columns, by_rows, atol=1e-10)
     for k in range(3):
@@ -319,15 +324,7 @@ def test_jacobians_by_columns_and_by_rows_agree(small):
 
 def test_vmap_over_weights_is_one_solve_each(case):
     weights = jnp.array([[1.0, 0.1, 0.4], [0.3, 0.3, 0.0], [2.0, 0.05, 0.2]])
-    many, report = jax.jit(jax.vmap(lambda w: jitted_contract(case.buffers, *w, case.layout)))(weights)
+    many, report = quick_jit(jax.vmap(lambda w: plain_contract(case.buffers, *w, case.layout)))(weights)
     assert report.steps.shape == report.residual.shape == (3,)
     for w, new in zip(weights, many, strict=True):
         np.testing.assert_allclose(case.to_vertices(new), expected(case, *w), atol=1e-8)
-
-
-def test_compiled_and_traced_step_by_step_agree(small):
-    with jax.disable_jit():
-        eager, report = jitted_contract(small.buffers, W_L, W_H, W_M, small.layout)
-    new, compiled = jitted_contract(small.buffers, W_L, W_H, W_M, small.layout)
-    np.testing.assert_allclose(eager, new, atol=1e-12)
-    assert abs(int(report.steps) - int(compiled.steps)) <= 1

@@ -15,7 +15,10 @@ def spindle(sides: int) -> Meso:
     """A double pyramid: two vertices of degree ``sides``, as many of degree 4."""
     around = np.arange(sides)
     after = (around + 1) % sides
-    faces = [np.stack([around, after, np.full(sides, sides)], 1), np.stack([after, around, np.full(sides, sides + 1)], 1)]
+    faces = [
+        np.stack([around, after, np.full(sides, sides)], 1),
+        np.stack([after, around, np.full(sides, sides + 1)], 1),
+    ]
     angle = 2 * np.pi * around / sides
     rim = np.stack([np.cos(angle), np.sin(angle), 0 * angle], axis=1)
     return Meso.from_mesh(np.concatenate([rim, [[0, 0, 1.0], [0, 0, -1.0]]]), np.concatenate(faces))

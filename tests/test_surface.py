@@ -141,7 +141,7 @@ def test_a_scene_file_is_read_with_all_its_parts(tmp_path: Path):
 @pytest.mark.parametrize("scale", [1e-30, 1e-9, 1e-3, 1e3, 1e9, 1e30])
 def test_scale_and_place_do_not_matter(scale):
     vertices, faces = pair(torus())
-    checked = surface.prepare(((vertices + [30.0, -20, 10]) * scale, faces))
+    checked = surface.prepare(((vertices + np.array([30.0, -20, 10])) * scale, faces))
     assert checked.repairs == () and checked.components[0].genus == 1
 
 
@@ -288,12 +288,14 @@ def test_a_half_turned_mesh_is_refused_with_as_many_edges_as_lie_between():
 
 def test_a_tetrahedron_is_refused():
     mesh = trimesh.Trimesh([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]])
-    assert_says(refusal(mesh), "the mesh has 4 vertices, a tetrahedron", "at least 5", "subdivide")
+    assert_says(refusal(mesh), "the mesh is a tetrahedron", "at least 5", "subdivide")
     assert surface.prepare(mesh.subdivide()).repairs == ()  # what the message advises
 
 
 def test_a_small_component_is_named_among_many():
-    tetrahedron = trimesh.Trimesh([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]])
+    tetrahedron = trimesh.Trimesh(
+        [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]]
+    )
     both = trimesh.util.concatenate([torus().apply_translation([9, 0, 0]), tetrahedron])
     assert_says(refusal(both), "component 1 has 4 vertices")
 
@@ -345,7 +347,7 @@ def test_nearly_coincident_vertices_are_not_welded():
 
 def test_closed_parts_that_touch_are_not_welded():
     """A closed mesh has nothing to weld, even if vertices of its parts coincide."""
-    vertices = np.concatenate([OCTAHEDRON, OCTAHEDRON + [2.0, 0, 0]])
+    vertices = np.concatenate([OCTAHEDRON, OCTAHEDRON + np.array([2.0, 0, 0])])
     checked = surface.prepare((vertices, np.concatenate([OCTAHEDRON_FACES, OCTAHEDRON_FACES + 6])))
     assert checked.repairs == () and len(checked.vertices) == 12 and len(checked.components) == 2
 
@@ -374,7 +376,7 @@ def test_only_the_component_that_is_inside_out_is_flipped():
 def touching_octahedra() -> tuple[np.ndarray, np.ndarray]:
     """Two octahedra that share the vertex (1, 0, 0), number 0: 11 vertices, 16 faces."""
     number = np.array([6, 0, 7, 8, 9, 10])  # the second's (-1, 0, 0) is the first's (1, 0, 0)
-    others = np.delete(OCTAHEDRON, 1, axis=0) + [2.0, 0, 0]
+    others = np.delete(OCTAHEDRON, 1, axis=0) + np.array([2.0, 0, 0])
     return np.concatenate([OCTAHEDRON, others]), np.concatenate([OCTAHEDRON_FACES, number[OCTAHEDRON_FACES]])
 
 
@@ -431,7 +433,7 @@ def test_vertices_without_a_face_are_dropped_and_remembered():
 
 
 def test_all_repairs_at_once():
-    """A soup of a sphere that touches an octahedron turned inside out, with strays: every input vertex is accounted for."""
+    """A soup of two octahedra that touch, one inside out, with strays: every input vertex is accounted for."""
     vertices, faces = touching_octahedra()
     faces[8:] = faces[8:, ::-1]
     soup = np.concatenate([[[5.0, 5, 5]], vertices[faces].reshape(-1, 3), [[6.0, 6, 6]]])
@@ -456,7 +458,12 @@ def test_components_are_told_apart():
     checked = surface.prepare((vertices, faces))
     assert checked.repairs == ()
     found = {
-        (len(component.vertices), len(component.faces), component.genus, round(volume(component.vertices, component.faces), 9))
+        (
+            len(component.vertices),
+            len(component.faces),
+            component.genus,
+            round(volume(component.vertices, component.faces), 9),
+        )
         for component in checked.components
     }
     genus = (0, 1, 0)

@@ -81,16 +81,18 @@ def _length(vector: jax.Array) -> jax.Array:
     return jnp.where(is_long, jnp.sqrt(jnp.where(is_long, square, 1.0)), SHORTEST)
 
 
-def _ratio(numerator: jax.Array, denominator: jax.Array) -> jax.Array:
-    """numerator / denominator for a numerator >= 0, clamped to [-STEEPEST, STEEPEST] with a zero gradient there."""
-    is_tame = numerator < STEEPEST * jnp.abs(denominator)
-    clamped = jnp.where(denominator < 0, -STEEPEST, STEEPEST)
-    return jnp.where(is_tame, numerator / jnp.where(is_tame, denominator, 1.0), jnp.where(numerator > 0, clamped, 0.0))
-
-
 def _half_angle_tangent(a: jax.Array, b: jax.Array) -> jax.Array:
-    """tan(alpha / 2) = |a x b| / (|a| |b| + a . b) for the angle alpha between a and b."""
-    return _ratio(_cross_length(a, b), _length(a) * _length(b) + (a * b).sum(-1))
+    """tan(alpha / 2) for the angle alpha between a and b, from 0 to STEEPEST, with a zero gradient at the clamp.
+
+    |a x b| / (|a| |b| + a . b), or (|a| |b| - a . b) / |a x b| for an obtuse angle, where the first would cancel.
+    """
+    cross, dot = _cross_length(a, b), (a * b).sum(-1)
+    product = _length(a) * _length(b)
+    is_obtuse = dot < 0
+    numerator = jnp.where(is_obtuse, product - dot, cross)
+    denominator = jnp.where(is_obtuse, cross, product + dot)
+    is_tame = numerator < STEEPEST * denominator
+    return jnp.where(is_tame, numerator / jnp.where(is_tame, denominator, 1.0), STEEPEST)
 
 
 def _cotangent(a: jax.Array, b: jax.Array) -> jax.Array:

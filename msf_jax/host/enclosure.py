@@ -55,28 +55,26 @@ class Enclosure:
     def _crossings(self, point: np.ndarray, face: np.ndarray) -> np.ndarray:
         """+1, -1 or 0 (c,): how the upward ray from each point crosses each face.
 
-        In the plane z = const the ray is a point. It is in the triangle if it is on the same side of all three edges;
-        the side of an edge is computed with its ends in order of index, so that both faces at an edge agree, and a
-        point exactly on the line counts as left of it: every ray crosses exactly one of the two faces there.
+        Seen from above the ray is a point. It is in the triangle if it is on the same side of all three edges. The side
+        is computed with an edge's ends in order of index, so that both faces at the edge agree; a point on the line is
+        taken as shifted by (e, e^2) for a vanishing e, so that a ray through a vertex or along a wall is no exception.
         """
         side = np.empty((len(face), 3))
         is_left = np.empty((len(face), 3), dtype=bool)
         for k in range(3):
             start, end = face[:, k], face[:, (k + 1) % 3]
             low, high = self.vertices[np.minimum(start, end)], self.vertices[np.maximum(start, end)]
-            value = (high[:, 0] - low[:, 0]) * (point[:, 1] - low[:, 1]) - (high[:, 1] - low[:, 1]) * (
-                point[:, 0] - low[:, 0]
-            )
-            is_left[:, k] = (value >= 0) == (start < end)
+            dx, dy = high[:, 0] - low[:, 0], high[:, 1] - low[:, 1]
+            value = dx * (point[:, 1] - low[:, 1]) - dy * (point[:, 0] - low[:, 0])
+            is_positive = (value > 0) | ((value == 0) & ((dy < 0) | ((dy == 0) & (dx > 0))))
+            is_left[:, k] = is_positive == (start < end)
             side[:, k] = np.where(start < end, value, -value)
-        is_up = is_left.all(axis=1)
-        is_down = ~is_left.any(axis=1)
         # Height at which the ray meets the plane, by barycentric weights: edge k is opposite corner k + 2.
+        corner_height = self.vertices[face][:, :, 2]
         total = side.sum(axis=1)
-        height = np.einsum("ck,ck->c", side[:, [1, 2, 0]], self.vertices[face][:, :, 2])
-        safe = np.where(total == 0, 1.0, total)
-        is_above = (height / safe > point[:, 2]) & (total != 0)
-        return np.where(is_above, is_up.astype(float) - is_down, 0.0)
+        height = np.einsum("ck,ck->c", side[:, [1, 2, 0]], corner_height) / np.where(total == 0, 1.0, total)
+        is_above = np.clip(height, corner_height.min(axis=1), corner_height.max(axis=1)) > point[:, 2]
+        return np.where(is_above, is_left.all(axis=1).astype(float) - ~is_left.any(axis=1), 0.0)
 
     def distances(self, points: np.ndarray) -> np.ndarray:
         """Unsigned distance (P,) from each point to the surface.

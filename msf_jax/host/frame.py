@@ -1,8 +1,8 @@
 """The frame that a component is worked on in: centred, of diagonal 1, its axes and digits chosen by the mesh itself.
 
 The flow takes thousands of yes-or-no decisions, and CG amplifies a difference in the last bit until some of them turn
-out otherwise. A mesh that is scaled, shifted or turned by right angles differs in last bits only. So the axes are put in
-an order, and given signs, that turn with the mesh, and the coordinates are rounded to 2^-20 of the diagonal: both
+out otherwise. A mesh that is scaled, shifted or turned by right angles differs in last bits only. So the axes are put
+in an order, and given signs, that turn with the mesh, and the coordinates are rounded to 2^-20 of the diagonal: both
 meshes then start from the same bits, and end in the same curve. The rounding is a two-hundredth of the smallest length
 that the flow's defaults look at (t_f).
 """

@@ -22,7 +22,7 @@ from msf_jax.host import connectivity
 from msf_jax.host.meso import signed_volume
 
 FEWEST_VERTICES = 5
-FLATTEST = 1e-9  # volume over the cube of the diagonal, below which a component encloses nothing
+FLATTEST = 1e-9  # volume over the cube of the largest extent, below which a component encloses nothing
 
 
 @dataclass(frozen=True)
@@ -205,7 +205,7 @@ def _without_repeated_corners(faces: np.ndarray) -> np.ndarray:
 
 
 def _weld(vertices: np.ndarray, faces: np.ndarray) -> tuple[np.ndarray, np.ndarray, int, np.ndarray]:
-    """Merge exactly coincident vertices that faces use, and drop the faces that this crushes."""
+    """Merge exactly coincident vertices, and drop the faces that this crushes."""
     _, first, inverse = np.unique(vertices, axis=0, return_index=True, return_inverse=True)
     inverse = inverse.ravel()
     order = np.argsort(first, kind="stable")  # keep the caller's order
@@ -271,15 +271,17 @@ def _component_labels(faces: np.ndarray, num_vertices: int) -> np.ndarray:
 
 def _component(vertices: np.ndarray, faces: np.ndarray, name: str) -> tuple[Component, bool]:
     if len(vertices) < FEWEST_VERTICES:
+        what = "is a tetrahedron" if len(vertices) == 4 else f"has {len(vertices)} vertices"
         raise MeshError(
-            f"{name} has {len(vertices)} vertices, a tetrahedron: expected at least {FEWEST_VERTICES}; "
-            "subdivide it if it is meant to have a skeleton"
+            f"{name} {what}: expected at least {FEWEST_VERTICES} vertices; subdivide it if it should have a skeleton"
         )
-    centred = vertices - (vertices.min(axis=0) + vertices.max(axis=0)) / 2
-    diagonal = float(np.linalg.norm(np.ptp(vertices, axis=0)))
-    volume = signed_volume(centred, faces)
-    if not abs(volume) > FLATTEST * diagonal**3:
-        raise MeshError(f"{name} encloses no volume ({volume:.3g} with a diagonal of {diagonal:.3g}): expected a solid")
+    low, high = vertices.min(axis=0), vertices.max(axis=0)
+    size = float((high - low).max())
+    volume = signed_volume((vertices - (low + high) / 2) / size, faces) if size > 0 else 0.0
+    if not abs(volume) > FLATTEST:
+        raise MeshError(
+            f"{name} encloses no volume ({volume:.3g} of the cube of its extent, {size:.3g}): expected a solid"
+        )
     if volume < 0:
         faces = faces[:, ::-1]
     euler = len(vertices) - len(faces) // 2
