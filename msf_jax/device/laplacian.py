@@ -15,7 +15,7 @@ from msf_jax.layout import Layout
 
 # Floors that keep weights and gradients finite on degenerate triangles; both are far below anything the flow keeps.
 SHORTEST = 1e-7  # an edge length, as a fraction of the diagonal
-STEEPEST = 1e6  # tan(alpha / 2) and cot(alpha): angles within 1e-4 degrees of pi and 0
+STEEPEST = 1e4  # tan(alpha / 2) and cot(alpha): angles within a hundredth of a degree of pi and 0
 
 # Largest entry that the flow takes, see `limit`; a regular mesh has 1.2.
 LARGEST = 20.0
@@ -55,14 +55,6 @@ def assemble(kind: str, positions: jax.Array, rings: Rings, degree: jax.Array, l
     return Rows(jnp.where(used, out, 0.0), jnp.where(used, into, 0.0))
 
 
-def one_ring_areas(positions: jax.Array, rings: Rings, degree: jax.Array, layout: Layout) -> jax.Array:
-    """Area (n,) of the triangles around each vertex, at least SHORTEST squared; 1 for a padded row."""
-    at_i = at_rows(layout, positions)
-    area = 0.5 * _cross_length(positions[rings.neighbour] - at_i, positions[rings.after] - at_i)
-    total = slot_sum(layout, jnp.where(rings.is_used, area, 0.0))
-    return jnp.where(degree > 0, jnp.maximum(total, SHORTEST**2), 1.0)
-
-
 def limit(rows: Rows, largest: float = LARGEST) -> Rows:
     """The same rows with no entry above ``largest``.
 
@@ -74,6 +66,13 @@ def limit(rows: Rows, largest: float = LARGEST) -> Rows:
     return Rows(jnp.minimum(rows.out, largest), jnp.minimum(rows.into, largest))
 
 
+def _norm(vector: jax.Array) -> jax.Array:
+    """Norm over the last axis, with a zero gradient where it vanishes."""
+    square = (vector * vector).sum(-1)
+    is_zero = square == 0
+    return jnp.where(is_zero, 0.0, jnp.sqrt(jnp.where(is_zero, 1.0, square)))
+
+
 def _length(vector: jax.Array) -> jax.Array:
     """Norm over the last axis, at least SHORTEST, with a zero gradient below it."""
     square = (vector * vector).sum(-1)
@@ -81,29 +80,35 @@ def _length(vector: jax.Array) -> jax.Array:
     return jnp.where(is_long, jnp.sqrt(jnp.where(is_long, square, 1.0)), SHORTEST)
 
 
+def _sine_and_cosine(a: jax.Array, b: jax.Array) -> tuple[jax.Array, jax.Array]:
+    """|a x b| and a . b of the directions of a and b: of order one, so that no gradient leaves float32's range."""
+    a, b = a / _length(a)[..., None], b / _length(b)[..., None]
+    return _norm(jnp.cross(a, b)), (a * b).sum(-1)
+
+
 def _half_angle_tangent(a: jax.Array, b: jax.Array) -> jax.Array:
     """tan(alpha / 2) for the angle alpha between a and b, from 0 to STEEPEST, with a zero gradient at the clamp.
 
-    |a x b| / (|a| |b| + a . b), or (|a| |b| - a . b) / |a x b| for an obtuse angle, where the first would cancel.
+    sin / (1 + cos), or (1 - cos) / sin for an obtuse angle, where the first would cancel.
     """
-    cross, dot = _cross_length(a, b), (a * b).sum(-1)
-    product = _length(a) * _length(b)
-    is_obtuse = dot < 0
-    numerator = jnp.where(is_obtuse, product - dot, cross)
-    denominator = jnp.where(is_obtuse, cross, product + dot)
+    sine, cosine = _sine_and_cosine(a, b)
+    is_obtuse = cosine < 0
+    numerator = jnp.where(is_obtuse, 1 - cosine, sine)
+    denominator = jnp.where(is_obtuse, sine, 1 + cosine)
     is_tame = numerator < STEEPEST * denominator
     return jnp.where(is_tame, numerator / jnp.where(is_tame, denominator, 1.0), STEEPEST)
 
 
 def _cotangent(a: jax.Array, b: jax.Array) -> jax.Array:
-    """cot(alpha) = a . b / |a x b|."""
-    dot, cross = (a * b).sum(-1), _cross_length(a, b)
-    is_tame = jnp.abs(dot) < STEEPEST * cross
-    return jnp.where(is_tame, dot / jnp.where(is_tame, cross, 1.0), STEEPEST * jnp.sign(dot))
+    """cot(alpha) for the angle alpha between a and b, between -STEEPEST and STEEPEST, likewise."""
+    sine, cosine = _sine_and_cosine(a, b)
+    is_tame = jnp.abs(cosine) < STEEPEST * sine
+    return jnp.where(is_tame, cosine / jnp.where(is_tame, sine, 1.0), STEEPEST * jnp.sign(cosine))
 
 
-def _cross_length(a: jax.Array, b: jax.Array) -> jax.Array:
-    """|a x b|, with a zero gradient where it vanishes."""
-    square = (jnp.cross(a, b) ** 2).sum(-1)
-    is_wide = square > 0
-    return jnp.where(is_wide, jnp.sqrt(jnp.where(is_wide, square, 1.0)), 0.0)
+def one_ring_areas(positions: jax.Array, rings: Rings, degree: jax.Array, layout: Layout) -> jax.Array:
+    """Area (n,) of the triangles around each vertex, at least SHORTEST squared; 1 for a padded row."""
+    at_i = at_rows(layout, positions)
+    area = 0.5 * _norm(jnp.cross(positions[rings.neighbour] - at_i, positions[rings.after] - at_i))
+    total = slot_sum(layout, jnp.where(rings.is_used, area, 0.0))
+    return jnp.where(degree > 0, jnp.maximum(total, SHORTEST**2), 1.0)
