@@ -19,7 +19,7 @@ from tqdm import tqdm
 from msf_jax.device.buffers import Buffers, Rings, real_dtype
 from msf_jax.device.iteration import jitted_move
 from msf_jax.errors import ConfigError
-from msf_jax.host import collapse, curve, fixing, packing, poles, reconstruction, split, surface
+from msf_jax.host import collapse, curve, fixing, homology, packing, poles, reconstruction, split, surface
 from msf_jax.host.curve import Curve
 from msf_jax.host.enclosure import Enclosure
 from msf_jax.host.frame import Frame, frame_of
@@ -123,12 +123,15 @@ class Stopwatch:
 def init(component: Component, number: int, config: Config, watch: Stopwatch) -> State:
     """The component at the start of its flow: in its own frame, resampled if asked, with its poles."""
     frame = frame_of(component.vertices)
-    vertices = frame.enter(component.vertices)
+    original = vertices = frame.enter(component.vertices)
     input_surface = Enclosure(vertices, component.faces)
     if config.reconstruct_mesh:
         with watch.stage("reconstruction"):
             vertices = reconstruction.reconstruct(vertices, component.faces, config.reconstruct_mesh)
     meso = Meso.from_mesh(vertices, component.faces)
+    if 0 < component.genus <= homology.LARGEST_GENUS:
+        with watch.stage("homology"):
+            meso.classes = homology.ring_classes(original, component.faces, meso.rings)
     max_rows = GROWTH_LIMIT * meso.num_rows + 1000
     if config.resample:
         with watch.stage("resampling"):
@@ -302,10 +305,10 @@ def _checked_options(weights: Any, config: Any) -> tuple[Weights, Config]:
 def _curve(meso: Meso, config: Config) -> tuple[Curve, Meso]:
     """The curve of a contracted surface; one whose edges were never edited first loses its short ones."""
     if not config.edit_connectivity:
-        meso = replace(meso, positions=meso.positions.copy(), rings=meso.rings.copy(), degree=meso.degree.copy())
+        meso = replace(meso, **{name: value.copy() for name, value in vars(meso).items() if value is not None})
         collapse.collapse_short_edges(meso, config.t_min, check=config.check)
         meso = meso.compacted()
-    return curve.extract_curve(meso.positions, meso.rings), meso
+    return curve.extract_curve(meso.positions, meso.rings, meso.classes), meso
 
 
 def _finish(

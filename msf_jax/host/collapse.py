@@ -102,7 +102,8 @@ def _apply(meso: Meso, a: np.ndarray, b: np.ndarray) -> CollapseRound:
     swap = meso.is_fixed[b] & ~meso.is_fixed[a]  # the fixed end survives
     a, b = np.where(swap, b, a), np.where(swap, a, b)
     merged_degree = meso.degree[a] + meso.degree[b] - 4
-    rings = meso.rings = connectivity.widen(meso.rings, int(merged_degree.max()))
+    meso.widen(int(merged_degree.max()))
+    rings = meso.rings
     slot_b, slot_a = find_slot(rings[a], b)[:, None], find_slot(rings[b], a)[:, None]
     degree_a, degree_b = meso.degree[a][:, None], meso.degree[b][:, None]
     left = rings[a, ((slot_b + 1) % degree_a)[:, 0]]
@@ -110,9 +111,9 @@ def _apply(meso: Meso, a: np.ndarray, b: np.ndarray) -> CollapseRound:
 
     # a's ring from `left` round to `right`, then b's ring from behind `right` to before `left`.
     place = np.arange(rings.shape[1])[None, :]
-    from_a = rings[a[:, None], (slot_b + 1 + place) % degree_a]
-    from_b = rings[b[:, None], (slot_a + 2 + place - (degree_a - 1)) % degree_b]
-    merged = np.where(place < degree_a - 1, from_a, from_b)
+    in_a, in_b = (slot_b + 1 + place) % degree_a, (slot_a + 2 + place - (degree_a - 1)) % degree_b
+    is_from_a = place < degree_a - 1
+    merged = np.where(is_from_a, rings[a[:, None], in_a], rings[b[:, None], in_b])
     merged = np.where(place < merged_degree[:, None], merged, -1)
 
     # b's other neighbours now see a instead of b; the two apexes, which see a already, lose b.
@@ -122,6 +123,11 @@ def _apply(meso: Meso, a: np.ndarray, b: np.ndarray) -> CollapseRound:
     other = rings[b[owner], slot]
     other_slot = find_slot(rings[other], b[owner])
     left_slot, right_slot = find_slot(rings[left], b), find_slot(rings[right], b)
+    if meso.classes is not None:  # b's edges start at a now: the way a -> b comes before them
+        a_to_b = meso.classes[a, slot_b[:, 0]][:, None]
+        merged_classes = np.where(is_from_a, meso.classes[a[:, None], in_a], a_to_b + meso.classes[b[:, None], in_b])
+        meso.classes[other, other_slot] -= a_to_b[owner, 0]
+        meso.classes[a] = merged_classes
     rings[other, other_slot] = a[owner]
     rings[left, left_slot] = -1
     rings[right, right_slot] = -1
@@ -148,4 +154,6 @@ def _close_gaps(meso: Meso, vertices: np.ndarray) -> None:
     rows = meso.rings[vertices]
     order = np.argsort(rows < 0, axis=1, kind="stable")
     meso.rings[vertices] = np.take_along_axis(rows, order, axis=1)
+    if meso.classes is not None:
+        meso.classes[vertices] = np.take_along_axis(meso.classes[vertices], order, axis=1)
     meso.degree[vertices] = connectivity.ring_degrees(rows)

@@ -82,12 +82,6 @@ def ring_degrees(rings: np.ndarray) -> np.ndarray:
     return np.count_nonzero(rings >= 0, axis=1)
 
 
-def widen(rings: np.ndarray, degree: int) -> np.ndarray:
-    """The same table with room for ``degree`` neighbours; unchanged where there already is."""
-    missing = ring_capacity(degree) - rings.shape[1]
-    return np.pad(rings, ((0, 0), (0, missing)), constant_values=-1) if missing > 0 else rings
-
-
 def find_slot(rows: np.ndarray, neighbour: np.ndarray) -> np.ndarray:
     """The slot (c,) of ``neighbour`` (c,) in each of ``rows`` (c, K); it must be there."""
     return (rows == neighbour[:, None]).argmax(axis=1)

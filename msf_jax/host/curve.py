@@ -23,16 +23,24 @@ class Curve(NamedTuple):
     node_of_meso: np.ndarray
 
 
-def extract_curve(positions: np.ndarray, rings: np.ndarray) -> Curve:
+def extract_curve(positions: np.ndarray, rings: np.ndarray, classes: np.ndarray | None = None) -> Curve:
     """Collapse the closed surface ``(positions, rings)`` to a graph of the same components.
 
+    With ``classes`` (n, K), no merge pinches a loop that the solid's curve must keep (see `homology`).
     The order makes this step sequential: a loop over the edges of the meso-skeleton, once, after the flow.
     """
     a, b = connectivity.edges_from_rings(rings)
     order = shortest_first(a, b, edge_lengths(positions, a, b), 1e-3)
-    root = _merge_in_order(
-        a[order].tolist(), b[order].tolist(), connectivity.faces_from_rings(rings).tolist(), len(rings)
-    )
+    complex_ = _Complex(rings, classes)
+    edges = list(zip(a[order].tolist(), b[order].tolist(), strict=True))
+    while edges:  # an edge that would pinch a cycle waits for others to go first
+        waiting = [edge for edge in edges if not complex_.merge(*edge, force=classes is None)]
+        if len(waiting) == len(edges):
+            for edge in edges:
+                complex_.merge(*edge, force=True)
+            break
+        edges = waiting
+    root = np.array([complex_.find(vertex) for vertex in range(len(rings))])
     node_of_meso = np.unique(root, return_inverse=True)[1]
     count = np.bincount(node_of_meso)
     nodes = np.stack([np.bincount(node_of_meso, weights=positions[:, axis]) / count for axis in range(3)], axis=1)
@@ -40,45 +48,71 @@ def extract_curve(positions: np.ndarray, rings: np.ndarray) -> Curve:
     return Curve(nodes, np.unique(ends[ends[:, 0] < ends[:, 1]], axis=0), node_of_meso)
 
 
-def _merge_in_order(a: list[int], b: list[int], faces: list[list[int]], num_vertices: int) -> np.ndarray:
-    """The vertex (n,) that every vertex ends up in."""
-    root = list(range(num_vertices))
-    apexes: list[dict[int, set[int]]] = [{} for _ in range(num_vertices)]  # apexes[u][v]: third vertices of faces at uv
+class _Complex:
+    """Triangles and edges while vertices are merged; ``root`` is a union-find forest."""
 
-    def link(u: int, v: int, w: int) -> None:
-        apexes[u].setdefault(v, set()).add(w)
+    def __init__(self, rings: np.ndarray, classes: np.ndarray | None):
+        num = len(rings)
+        self.root = list(range(num))
+        # apexes[u][v]: the third vertices of the faces at uv. classes[u][v]: the class of the way from u to v.
+        self.apexes: list[dict[int, set[int]]] = [{} for _ in range(num)]
+        self.classes: list[dict[int, int]] = [{} for _ in range(num)]
+        for u, v, w in connectivity.faces_from_rings(rings).tolist():
+            for x, y, z in ((u, v, w), (v, w, u), (w, u, v)):
+                self.apexes[x].setdefault(y, set()).add(z)
+                self.apexes[y].setdefault(x, set()).add(z)
+        if classes is not None:
+            vertex, slot = np.nonzero(rings >= 0)
+            ends = rings[vertex, slot].tolist()
+            for u, v, value in zip(vertex.tolist(), ends, classes[vertex, slot].tolist(), strict=True):
+                self.classes[u][v] = value
 
-    for u, v, w in faces:
-        for x, y, z in ((u, v, w), (v, w, u), (w, u, v)):
-            link(x, y, z)
-            link(y, x, z)
-
-    def find(u: int) -> int:
+    def find(self, u: int) -> int:
+        """The vertex that u has been merged into."""
+        root = self.root
         while root[u] != u:
             root[u] = root[root[u]]
             u = root[u]
         return u
 
-    for u, v in zip(a, b, strict=True):
-        u, v = find(u), find(v)
-        if u == v or not apexes[u].get(v):
-            continue
-        root[v] = u
-        around_v = apexes[v]
-        apexes[v] = {}
+    def merge(self, u: int, v: int, *, force: bool) -> bool:
+        """Merge the ends of an edge that bears a face; False if it has to wait, lest it pinch a cycle."""
+        u, v = self.find(u), self.find(v)
+        if u == v or not self.apexes[u].get(v):
+            return True
+        if not force and self._pinches(u, v):
+            return False
+        self.root[v] = u
+        self._move_classes(u, v)
+        around_v, self.apexes[v] = self.apexes[v], {}
         for x, thirds in around_v.items():  # faces (v, x, z) become (u, x, z), those with u vanish
-            around_x = apexes[x]
+            around_x = self.apexes[x]
             around_x.pop(v, None)
             for z in thirds:
                 if z != u and x != u:
-                    link(u, x, z)
+                    self.apexes[u].setdefault(x, set()).add(z)
                     around_x.setdefault(u, set()).add(z)
                 around_xz = around_x.get(z)
                 if around_xz is not None:
                     around_xz.discard(v)
                     if x != u and z != u:
                         around_xz.add(u)
-    return np.array([find(u) for u in range(num_vertices)])
+        return True
+
+    def _pinches(self, u: int, v: int) -> bool:
+        """Whether a loop u -> v -> x -> u is not zero in the solid."""
+        of_u, of_v = self.classes[u], self.classes[v]
+        way = of_u[v]
+        return any(x in of_u and of_u[x] != way + value for x, value in of_v.items() if x != u)
+
+    def _move_classes(self, u: int, v: int) -> None:
+        of_v, self.classes[v] = self.classes[v], {}
+        way = self.classes[u].pop(v, 0)
+        for x, value in of_v.items():
+            self.classes[x].pop(v, None)
+            if x != u:
+                self.classes[u].setdefault(x, way + value)
+                self.classes[x].setdefault(u, -self.classes[u][x])
 
 
 def cycle_count(num_nodes: int, edges: np.ndarray) -> tuple[int, int]:

@@ -17,6 +17,7 @@ class Meso:
 
     positions: (n, 3). rings: (n, K), see `connectivity`. degree: (n,), 0 for a dead row.
     poles: (n, 3), finite everywhere. has_pole: (n,), False where the pole must not pull.
+    classes: (n, K), the class of every edge (see `homology`), or None for a surface without handles.
     is_fixed: (n,), True where the vertex has reached the skeleton for good.
     node_of_input: (V,), the row that every vertex of the input has been merged into.
     """
@@ -28,6 +29,7 @@ class Meso:
     has_pole: np.ndarray
     is_fixed: np.ndarray
     node_of_input: np.ndarray
+    classes: np.ndarray | None = None
 
     @classmethod
     def from_mesh(cls, vertices: np.ndarray, faces: np.ndarray) -> "Meso":
@@ -66,6 +68,14 @@ class Meso:
         """Signed enclosed volume, one sixth of the sum of det(a, b, c) over the faces."""
         return signed_volume(self.positions, self.faces())
 
+    def widen(self, degree: int) -> None:
+        """Make room for ``degree`` neighbours in every row."""
+        missing = connectivity.ring_capacity(degree) - self.rings.shape[1]
+        if missing > 0:
+            self.rings = np.pad(self.rings, ((0, 0), (0, missing)), constant_values=-1)
+            if self.classes is not None:
+                self.classes = np.pad(self.classes, ((0, 0), (0, missing)))
+
     def merge_map(self, survivor: np.ndarray, removed: np.ndarray) -> None:
         """Carry the input's vertices from removed rows to their survivors."""
         target = np.arange(self.num_rows)
@@ -88,6 +98,7 @@ class Meso:
             has_pole=self.has_pole[live],
             is_fixed=self.is_fixed[live],
             node_of_input=number[self.node_of_input],
+            classes=None if self.classes is None else self.classes[live],
         )
 
 

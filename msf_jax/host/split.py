@@ -80,21 +80,31 @@ def split_long_edges(meso: Meso, longest: float) -> None:
 def split_edges(meso: Meso, a: np.ndarray, b: np.ndarray, fraction: np.ndarray) -> SplitRound:
     """Cut the edges ab (c,), which share no face, at ``fraction`` of the way from a to b."""
     left, right = connectivity.apexes(meso.rings, meso.degree, a, b)
-    rings = meso.rings = connectivity.widen(meso.rings, int(meso.degree.max(initial=0)) + 1)
+    meso.widen(int(meso.degree.max(initial=0)) + 1)
+    rings = meso.rings
     new = np.arange(meso.num_rows, meso.num_rows + len(a))
     slot_b, slot_a = find_slot(rings[a], b), find_slot(rings[b], a)
     rings[a, slot_b] = new
     rings[b, slot_a] = new
     # Around the left apex a comes before b, around the right one b before a: the new vertex goes between them.
-    for apex, before in ((left, a), (right, b)):
+    place = np.arange(rings.shape[1])[None, :]
+    from_b = None if meso.classes is None else np.zeros((len(a), 4), dtype=np.int64)  # new -> b, left, a, right
+    if meso.classes is not None and from_b is not None:  # the new vertex is as good as b: new -> b has class 0
+        from_b[:, 2] = meso.classes[b, slot_a]
+        meso.classes[b, slot_a] = 0
+    for apex, before, column in ((left, a, 1), (right, b, 3)):
         slot = find_slot(rings[apex], before)[:, None]
-        place = np.arange(rings.shape[1])[None, :]
-        shifted = np.take_along_axis(rings[apex], np.where(place > slot + 1, place - 1, place), axis=1)
-        rings[apex] = np.where(place == slot + 1, new[:, None], shifted)
+        source = np.where(place > slot + 1, place - 1, place)
+        if meso.classes is not None and from_b is not None:
+            from_apex = meso.classes[apex, find_slot(rings[apex], b)]
+            shifted = np.take_along_axis(meso.classes[apex], source, axis=1)
+            meso.classes[apex] = np.where(place == slot + 1, from_apex[:, None], shifted)
+            from_b[:, column] = -from_apex
+        rings[apex] = np.where(place == slot + 1, new[:, None], np.take_along_axis(rings[apex], source, axis=1))
         meso.degree[apex] += 1
-    fresh = np.full((len(a), rings.shape[1]), -1, dtype=rings.dtype)
-    fresh[:, 0], fresh[:, 1], fresh[:, 2], fresh[:, 3] = b, left, a, right
-    meso.rings = np.concatenate([rings, fresh])
+    meso.rings = _with_rows(rings, np.stack([b, left, a, right], axis=1), -1)
+    if meso.classes is not None and from_b is not None:
+        meso.classes = _with_rows(meso.classes, from_b, 0)
     meso.degree = np.concatenate([meso.degree, np.full(len(a), 4)])
     weight = fraction[:, None]
     for name in ("positions", "poles"):
@@ -103,6 +113,13 @@ def split_edges(meso: Meso, a: np.ndarray, b: np.ndarray, fraction: np.ndarray) 
     meso.has_pole = np.concatenate([meso.has_pole, np.zeros(len(a), dtype=bool)])
     meso.is_fixed = np.concatenate([meso.is_fixed, np.zeros(len(a), dtype=bool)])
     return SplitRound(a, b, new, fraction)
+
+
+def _with_rows(table: np.ndarray, rows: np.ndarray, fill: int) -> np.ndarray:
+    """``table`` (n, K) with ``rows`` (c, 4) appended, padded with ``fill``."""
+    fresh = np.full((len(rows), table.shape[1]), fill, dtype=table.dtype)
+    fresh[:, : rows.shape[1]] = rows
+    return np.concatenate([table, fresh])
 
 
 def _cos_at(positions: np.ndarray, apex: np.ndarray, a: np.ndarray, b: np.ndarray) -> np.ndarray:
