@@ -74,7 +74,7 @@ def test_classes_follow_collapses_and_splits():
     check_classes(meso)
 
 
-@pytest.mark.parametrize("seed", range(6))
+@pytest.mark.parametrize("seed", range(30))
 def test_the_curve_keeps_its_cycle_in_whatever_order_edges_go(seed):
     """With random lengths the published rule may pinch the handle itself; with classes it never does."""
     meso = with_classes(torus(around=12, across=6))

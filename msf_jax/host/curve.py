@@ -5,6 +5,7 @@ index, and each that bears a face when its turn comes is merged; when none is le
 A node is the centroid of the meso vertices merged into it.
 """
 
+from collections.abc import Iterable
 from typing import NamedTuple
 
 import numpy as np
@@ -35,8 +36,8 @@ def extract_curve(positions: np.ndarray, rings: np.ndarray, classes: np.ndarray 
     edges = list(zip(a[order].tolist(), b[order].tolist(), strict=True))
     while edges:  # an edge that would pinch a cycle waits for others to go first
         waiting = [edge for edge in edges if not complex_.merge(*edge, force=classes is None)]
-        if len(waiting) == len(edges):
-            for edge in edges:
+        if len(waiting) == len(edges) and not complex_.open_free_face(reversed(edges)):
+            for edge in edges:  # nothing else is left; the report will show what this costs
                 complex_.merge(*edge, force=True)
             break
         edges = waiting
@@ -44,6 +45,8 @@ def extract_curve(positions: np.ndarray, rings: np.ndarray, classes: np.ndarray 
     node_of_meso = np.unique(root, return_inverse=True)[1]
     count = np.bincount(node_of_meso)
     nodes = np.stack([np.bincount(node_of_meso, weights=positions[:, axis]) / count for axis in range(3)], axis=1)
+    if classes is not None:  # what is left of the edges is known, those that were opened are gone
+        a, b = complex_.edges()
     ends = np.sort(node_of_meso[np.stack([a, b], axis=1)], axis=1)
     return Curve(nodes, np.unique(ends[ends[:, 0] < ends[:, 1]], axis=0), node_of_meso)
 
@@ -98,6 +101,30 @@ class _Complex:
                     if x != u and z != u:
                         around_xz.add(u)
         return True
+
+    def open_free_face(self, edges: Iterable[tuple[int, int]]) -> bool:
+        """Take away the first of ``edges`` that bears just one face, and that face: the shape is open there anyway.
+
+        This is how a face goes whose three edges all close cycles. False if there is no such edge.
+        """
+        for u, v in edges:
+            u, v = self.find(u), self.find(v)
+            thirds = self.apexes[u].get(v, ())
+            if u != v and len(thirds) == 1:
+                (w,) = thirds
+                for x, y, z in ((u, v, w), (v, w, u), (w, u, v)):
+                    self.apexes[x][y].discard(z)
+                    self.apexes[y][x].discard(z)
+                self.classes[u].pop(v)
+                self.classes[v].pop(u)
+                return True
+        return False
+
+    def edges(self) -> tuple[np.ndarray, np.ndarray]:
+        """The ends of every edge that is left, where classes are known."""
+        pairs = [(u, v) for u, ways in enumerate(self.classes) for v in ways if u < v]
+        left = np.array(pairs, dtype=np.int64).reshape(-1, 2)
+        return left[:, 0], left[:, 1]
 
     def _pinches(self, u: int, v: int) -> bool:
         """Whether a loop u -> v -> x -> u is not zero in the solid."""
