@@ -498,3 +498,12 @@ def test_sound_research_meshes_pass_with_their_genus(research_mesh, name, genus)
     checked = surface.prepare(research_mesh(name))
     assert checked.repairs == ()
     assert [component.genus for component in checked.components] == [genus]
+
+
+def test_a_cavity_is_named_as_one():
+    outer, inner = trimesh.creation.icosphere(2), trimesh.creation.icosphere(2, radius=0.5)
+    inner.invert()
+    (repair,) = surface.prepare(trimesh.util.concatenate([outer, inner])).repairs
+    assert "component 1" in repair and "cavity" in repair
+    (repair,) = surface.prepare(trimesh.util.concatenate([outer, inner.apply_translation([5, 0, 0])])).repairs
+    assert "inside out" in repair

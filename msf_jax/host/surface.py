@@ -19,6 +19,7 @@ from scipy.sparse import csgraph
 
 from msf_jax.errors import MeshError
 from msf_jax.host import connectivity
+from msf_jax.host.enclosure import Enclosure
 from msf_jax.host.meso import signed_volume
 
 FEWEST_VERTICES = 5
@@ -190,8 +191,13 @@ def prepare(mesh: Any) -> Surface:
         name = "the mesh" if label.max() == 0 else f"component {number}"
         component, is_flipped = _component(vertices[member], local[faces[mine]], name)
         if is_flipped:
+            is_cavity = bool((~mine).any()) and Enclosure(vertices, faces[~mine]).contains(vertices[member[:1]])[0]
             faces[mine] = faces[mine][:, ::-1]
-            repairs.append(f"flipped {name}, which was turned inside out")
+            repairs.append(
+                f"flipped {name}, a cavity in another component: it is skeletonised as a solid of its own"
+                if is_cavity
+                else f"flipped {name}, which was turned inside out"
+            )
         components.append(component)
         members.append(member)
     return Surface(vertices, faces, tuple(components), tuple(members), vertex_of_input, strays, tuple(repairs))
