@@ -2,7 +2,8 @@
 
 import json
 import os
-import tempfile
+import secrets
+import shutil
 from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -35,19 +36,23 @@ def writer_for(path: str | os.PathLike[str]) -> "Callable[[Skeleton], str]":
 
 
 def write_whole(path: str | os.PathLike[str], content: str | bytes) -> None:
-    """Write a file beside ``path`` and rename it, so that ``path`` is the old file or the new one, never half."""
-    path = Path(path)
+    """Write a file beside ``path`` and rename it, so that ``path`` is the old file or the new one, never half.
+
+    A link is followed, and a file that is replaced keeps its permissions.
+    """
+    target = Path(os.path.realpath(path))
     data = content.encode() if isinstance(content, str) else content
-    handle, beside = tempfile.mkstemp(prefix=f".{path.name}.", dir=path.parent)
+    beside = target.with_name(f".msf_jax-{secrets.token_hex(8)}.tmp")
     try:
-        with os.fdopen(handle, "wb") as file:
+        with open(beside, "xb") as file:
             file.write(data)
-        mask = os.umask(0)
-        os.umask(mask)
-        os.chmod(beside, 0o666 & ~mask)  # mkstemp's file is private; a new file should not be
-        os.replace(beside, path)
-    except BaseException:
-        os.unlink(beside)
+        if target.exists():
+            shutil.copymode(target, beside)
+        os.replace(beside, target)
+    except BaseException as error:
+        beside.unlink(missing_ok=True)
+        if isinstance(error, OSError):
+            raise type(error)(error.errno, error.strerror, str(path)) from error
         raise
 
 
@@ -105,7 +110,7 @@ def _swc(skeleton: "Skeleton") -> str:
     cut = [
         f"# cut edge {number[a]} {number[b]}" for a, b in skeleton.edges.tolist() if parent[a] != b and parent[b] != a
     ]
-    header = ["# curve skeleton written by msf_jax", f"# {len(cut)} loops cut; each cut edge is listed by its two ids"]
+    header = ["# curve skeleton written by msf_jax", f"# loops cut: {len(cut)}; each cut edge is listed by its two ids"]
     rows = [
         f"{number[node]} 0 {_point(skeleton.vertices[node])} {_number(skeleton.radii[node])} "
         f"{number[above] if above >= 0 else -1}"

@@ -46,6 +46,7 @@ class Iteration(NamedTuple):
     collapses: int
     splits: int
     volume: float  # fraction of the first volume that is left
+    area: float  # fraction of the first surface area that is left
     steps: int  # CG steps of the contraction
     residual: float  # relative residual at the end of it
     smoothing_steps: int
@@ -64,8 +65,9 @@ class State:
     number: int
     frame: Frame
     first_volume: float
+    first_area: float
     max_rows: int
-    first_area: np.ndarray
+    first_ring_area: np.ndarray
     poles: np.ndarray
     has_pole: np.ndarray
 
@@ -145,7 +147,8 @@ def init(component: Component, number: int, config: Config, watch: Stopwatch) ->
         frame=frame,
         first_volume=meso.volume(),
         max_rows=max_rows,
-        first_area=_one_ring_areas(meso) if config.w_H_follows_area else np.empty(0),
+        first_area=meso.area(),
+        first_ring_area=_one_ring_areas(meso) if config.w_H_follows_area else np.empty(0),
         poles=meso.poles.copy(),
         has_pole=meso.has_pole.copy(),
         meso=meso,
@@ -189,7 +192,7 @@ def step(state: State, weights: Weights, config: Config, watch: Stopwatch) -> St
     dtype = np.dtype(real_dtype())
     with watch.stage("solve"):
         state.layout = next_layout(state.layout, meso.num_rows, packing.rows_beyond(meso))
-        order, packed = packing.pack(meso, state.layout, state.first_area, dtype)
+        order, packed = packing.pack(meso, state.layout, state.first_ring_area, dtype)
         packed["rings"] = Rings(*packed["rings"])
         scaled = replace(weights, w_L=weights.w_L * state.w_L_factor)
         scaled = jax.tree_util.tree_map(lambda weight: np.asarray(weight, dtype), scaled)
@@ -223,6 +226,7 @@ def step(state: State, weights: Weights, config: Config, watch: Stopwatch) -> St
             collapses=num_collapses,
             splits=num_splits,
             volume=meso.volume() / state.first_volume,
+            area=meso.area() / state.first_area,
             steps=int(moved.contraction.steps),
             residual=float(moved.contraction.residual),
             smoothing_steps=int(moved.smoothing.steps),
@@ -235,6 +239,18 @@ def step(state: State, weights: Weights, config: Config, watch: Stopwatch) -> St
     return state
 
 
+def has_volume(state: State, config: Config) -> bool:
+    """Whether there is more to contract: volume, or, as a flat sheet has none, area that is not yet down to a curve's.
+
+    A thin curve still has some area; it is as small as it gets when an iteration takes less than a tenth of it away.
+    """
+    last = state.history[-1]
+    if abs(last.volume) > config.volume_tolerance:
+        return True
+    is_settled = len(state.history) > 1 and last.area > 0.9 * state.history[-2].area
+    return last.area > config.area_tolerance and not is_settled
+
+
 def done(state: State, config: Config) -> tuple[bool, str] | None:
     """None while the surface has volume and the flow can go on; else whether it converged, and why it stops."""
     if state.failure:
@@ -242,7 +258,7 @@ def done(state: State, config: Config) -> tuple[bool, str] | None:
     if not state.history:
         return None
     last = state.history[-1]
-    if abs(last.volume) <= config.volume_tolerance:
+    if not has_volume(state, config):
         return True, "no volume left"
     if last.live - last.fixed <= config.free_tolerance * last.live:
         return True, "all vertices fixed"

@@ -18,7 +18,8 @@ class Report:
     """What was found, and how far to trust it.
 
     Attributes:
-        components: connected components of the curve; one for each of the mesh when all is well.
+        components: connected components of the curve; as many as ``mesh_components`` when all is well.
+        mesh_components: connected components of the mesh.
         genus: sum of the genera of the mesh's components.
         cycles: independent cycles of the curve; equal to ``genus`` when all is well.
         inside: fraction of the curve's length that is inside the mesh.
@@ -35,6 +36,7 @@ class Report:
     """
 
     components: int
+    mesh_components: int
     genus: int
     cycles: int
     inside: float
@@ -47,12 +49,13 @@ class Report:
     unsolved: int
     solve_steps: int
     repairs: tuple[str, ...] = ()
-    seconds: dict[str, float] = field(default_factory=dict)
+    seconds: dict[str, float] = field(default_factory=dict, compare=False)
 
     @property
     def is_sound(self) -> bool:
-        """Converged, every cycle found and none too many, and the curve at least 99 % inside."""
-        return self.converged and self.cycles == self.genus and self.inside >= 0.99
+        """Converged, every component and cycle found and none too many, and the curve at least 99 % inside."""
+        is_right = self.components == self.mesh_components and self.cycles == self.genus
+        return self.converged and is_right and self.inside >= 0.99
 
     def to_dict(self) -> dict[str, Any]:
         """Plain values, for JSON or a table."""
@@ -62,8 +65,9 @@ class Report:
         lines = [
             f"{'converged' if self.converged else 'NOT converged'}: {self.reason}, "
             f"after {self.iterations} iterations ({self.volume:.1e} of the volume left)",
-            f"{self.components} component{'' if self.components == 1 else 's'}, {self.cycles} cycles"
-            + (f" for genus {self.genus}" if self.cycles == self.genus else f", EXPECTED {self.genus} (the genus)"),
+            _compare("component", self.components, "components of the mesh", self.mesh_components)
+            + ", "
+            + _compare("cycle", self.cycles, "genus", self.genus),
             f"{100 * self.inside:.2f} % of the curve's length is inside the mesh",
             f"{self.fixed} of {self.live} meso-skeleton vertices fixed, {self.solve_steps} CG steps",
         ]
@@ -72,6 +76,11 @@ class Report:
         lines += [f"repaired: {repair}" for repair in self.repairs]
         lines.append(", ".join(f"{stage} {seconds:.2f} s" for stage, seconds in self.seconds.items()))
         return "\n".join(lines)
+
+
+def _compare(what: str, found: int, source: str, expected: int) -> str:
+    count = f"{found} {what}{'' if found == 1 else 's'}"
+    return f"{count} for {source} {expected}" if found == expected else f"{count}, EXPECTED {expected} ({source})"
 
 
 @dataclass(frozen=True, eq=False)

@@ -1,4 +1,4 @@
-"""Pictures of a curve in its mesh, and the demo's own shape."""
+"""Pictures of a curve in its mesh."""
 
 import io
 import os
@@ -33,9 +33,12 @@ def figure(skeleton: "Skeleton", mesh: Any = None, *, elevation: float = 15.0, a
         vertices, faces = surface.read(mesh)
         shown.append(vertices)
         axes.add_collection3d(Poly3DCollection(vertices[faces], facecolor=(0.55, 0.62, 0.72, 0.10), zorder=1))
-    lines = Line3DCollection(skeleton.vertices[skeleton.edges], linewidths=2.5, cmap="plasma", zorder=2)
-    lines.set_array(skeleton.radii[skeleton.edges].mean(axis=1))
-    axes.add_collection3d(lines)
+    if len(skeleton.edges):
+        lines: Any = Line3DCollection(skeleton.vertices[skeleton.edges], linewidths=2.5, cmap="plasma", zorder=2)
+        lines.set_array(skeleton.radii[skeleton.edges].mean(axis=1))
+        axes.add_collection3d(lines)
+    else:
+        lines = axes.scatter(*skeleton.vertices.T, c=skeleton.radii, cmap="plasma", zorder=2)
     points = np.concatenate(shown)
     low, high = points.min(axis=0), points.max(axis=0)
     axes.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]), zlim=(low[2], high[2]))

@@ -81,7 +81,10 @@ class ConjugateGradients(base.IterativeSolver):
 
 
 def _norm(x: jax.Array) -> jax.Array:
-    return jnp.sqrt((x * x).sum())
+    """Euclidean norm of all entries, taken of x over its largest one: squares of squared weights overflow float32."""
+    largest = jnp.abs(x).max()
+    scale = jnp.where((largest > 0) & jnp.isfinite(largest), largest, 1.0)
+    return scale * jnp.sqrt(((x / scale) ** 2).sum())
 
 
 def solve(
@@ -132,8 +135,8 @@ class Gram(NamedTuple):
 
     def normal(self, layout: Layout, x: jax.Array) -> jax.Array:
         """The normal operator on free vertices; the identity on the others, to keep it definite."""
-        held = 1.0 - self.free
-        return self.free[:, None] * (self.twice(layout, x) + self.shift[:, None] * x) + held[:, None] * x
+        free = self.free[:, None]
+        return free * (self.twice(layout, free * x) + self.shift[:, None] * x) + (1.0 - free) * x
 
     def jacobi(self, layout: Layout) -> jax.Array:
         """Diagonal (n,) of the normal operator."""

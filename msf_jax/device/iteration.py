@@ -5,6 +5,7 @@ from typing import NamedTuple
 
 import jax
 import jax.numpy as jnp
+from jax import lax
 
 from msf_jax.device import contraction, laplacian, smoothing
 from msf_jax.device.buffers import Buffers
@@ -27,8 +28,10 @@ def move(buffers: Buffers, weights: Weights, config: Config, layout: Layout) -> 
     Differentiable in: buffers.positions, buffers.poles, weights.
     """
     one = jnp.ones_like(buffers.free)
+    # Only the ratios of w_L, w_H and w_M matter, and their fourth powers must stay within float32's range.
+    largest = lax.stop_gradient(jnp.maximum(jnp.maximum(jnp.max(weights.w_L), jnp.max(weights.w_H)), jnp.max(weights.w_M)))
     tolerance, max_steps = config.solve_tolerance, config.solve_steps
-    w_H = weights.w_H * one
+    w_H = weights.w_H / largest * one
     if config.w_H_follows_area:
         area = laplacian.one_ring_areas(buffers.positions, buffers.rings, buffers.degree, layout)
         w_H = w_H * jnp.sqrt(buffers.area / area)
@@ -36,9 +39,9 @@ def move(buffers: Buffers, weights: Weights, config: Config, layout: Layout) -> 
         buffers,
         _rows(buffers, config, layout),
         layout,
-        weights.w_L * one,
+        weights.w_L / largest * one,
         w_H,
-        weights.w_M * buffers.pull,
+        weights.w_M / largest * buffers.pull,
         tolerance,
         max_steps,
     )

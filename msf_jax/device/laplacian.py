@@ -49,7 +49,10 @@ def assemble(kind: str, positions: jax.Array, rings: Rings, degree: jax.Array, l
     length = _length(edge)
     mean_length = slot_sum(layout, jnp.where(used, length, 0.0)) / jnp.maximum(degree, 1)
     at_i_tangents = _half_angle_tangent(edge, after) + _half_angle_tangent(before, edge)
-    at_j_tangents = _half_angle_tangent(-edge, after - edge) + _half_angle_tangent(before - edge, -edge)
+    # From j's own differences, not from after - edge: rounding would make L and its transpose differ on needles.
+    at_j = positions[rings.neighbour]
+    after_j, before_j = positions[rings.after] - at_j, positions[rings.before] - at_j
+    at_j_tangents = _half_angle_tangent(-edge, after_j) + _half_angle_tangent(before_j, -edge)
     out = at_i_tangents / length * at_rows(layout, mean_length)
     into = at_j_tangents / length * mean_length[rings.neighbour]
     return Rows(jnp.where(used, out, 0.0), jnp.where(used, into, 0.0))

@@ -27,7 +27,9 @@ def fix_degenerate_vertices(meso: Meso, t_f: float) -> int:
     return int(fresh.sum())
 
 
-def next_threshold(t_c: float, t_min: float, t_step: float, t_max: float) -> float:
-    """The saw-tooth: t_c rises by ``t_step`` each iteration and falls back to ``t_min`` above ``t_max``."""
-    raised = t_c + t_step
-    return t_min if raised > t_max else raised
+def threshold(iteration: int, t_min: float, t_step: float, t_max: float) -> float:
+    """The saw-tooth: t_c in that iteration, from 0; it rises by ``t_step`` and falls back to ``t_min`` above ``t_max``."""
+    if t_step == 0:
+        return t_min
+    teeth = int((t_max - t_min) / t_step * (1 + 1e-9)) + 1
+    return t_min + (iteration % teeth) * t_step

@@ -20,8 +20,12 @@ PUSH = 1e-3  # how far out, as a fraction of the mean edge length
 LARGEST_GENUS = 32  # beyond, the cost of all linking numbers is no longer small
 
 
-def half_edge_classes(positions: np.ndarray, faces: np.ndarray) -> np.ndarray:
-    """The class (3F,) of every half-edge of a connected closed surface; twins have opposite ones."""
+def half_edge_classes(positions: np.ndarray, faces: np.ndarray) -> np.ndarray | None:
+    """The class (3F,) of every half-edge of a connected closed surface; twins have opposite ones.
+
+    None where the linking numbers are not those of a solid (their rank is the genus): the surface crosses itself, or is
+    so coarse that a push along its normals goes inside.
+    """
     edges = connectivity.half_edges(faces)
     num_half, num_faces, num_vertices = len(edges.origin), len(faces), len(positions)
     is_first = np.arange(num_half) < edges.twin
@@ -54,6 +58,8 @@ def half_edge_classes(positions: np.ndarray, faces: np.ndarray) -> np.ndarray:
     linking = linking_numbers(
         [positions[loop] for loop in loops], [(positions + PUSH * spacing * normal)[loop] for loop in loops]
     )
+    if 2 * np.linalg.matrix_rank(linking) != len(generator):
+        return None
     weight = np.random.default_rng(2003).integers(1, 2**30, size=len(generator))
 
     # Zero on the tree, known on the generators; across the cotree, from the leaves up, a face's three add up to zero.
@@ -70,15 +76,18 @@ def half_edge_classes(positions: np.ndarray, faces: np.ndarray) -> np.ndarray:
     return value
 
 
-def ring_classes(positions: np.ndarray, faces: np.ndarray, rings: np.ndarray) -> np.ndarray:
+def ring_classes(positions: np.ndarray, faces: np.ndarray, rings: np.ndarray) -> np.ndarray | None:
     """The same, beside the ring table ``rings`` (n, K) of ``faces``: entry [i, k] is the class of i -> rings[i, k]."""
+    values = half_edge_classes(positions, faces)
+    if values is None:
+        return None
     edges = connectivity.half_edges(faces)
     code = connectivity.encode_edges(edges.origin, edges.target, len(rings))
     order = np.argsort(code)
     vertex, slot = np.nonzero(rings >= 0)
     wanted = connectivity.encode_edges(vertex, rings[vertex, slot], len(rings))
     classes = np.zeros(rings.shape, dtype=np.int64)
-    classes[vertex, slot] = half_edge_classes(positions, faces)[order[np.searchsorted(code, wanted, sorter=order)]]
+    classes[vertex, slot] = values[order[np.searchsorted(code, wanted, sorter=order)]]
     return classes
 
 

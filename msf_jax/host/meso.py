@@ -51,11 +51,6 @@ class Meso:
         return len(self.positions)
 
     @property
-    def is_live(self) -> np.ndarray:
-        """(n,) True for the vertices that are still part of the surface."""
-        return self.degree > 0
-
-    @property
     def num_live(self) -> int:
         """Vertices of the surface."""
         return int(np.count_nonzero(self.degree))
@@ -67,6 +62,11 @@ class Meso:
     def volume(self) -> float:
         """Signed enclosed volume, one sixth of the sum of det(a, b, c) over the faces."""
         return signed_volume(self.positions, self.faces())
+
+    def area(self) -> float:
+        """Area of the surface."""
+        a, b, c = (self.positions[corner] for corner in self.faces().T)
+        return float(np.linalg.norm(np.cross(b - a, c - a), axis=1).sum() / 2)
 
     def widen(self, degree: int) -> None:
         """Make room for ``degree`` neighbours in every row."""

@@ -57,8 +57,10 @@ def circumcentres(diagram: spatial.Delaunay) -> np.ndarray:
         return -plane[:, :3] / (2 * diagram.paraboloid_scale * plane[:, 3:4])
 
 
-def voronoi_poles(sites: np.ndarray, faces: np.ndarray) -> Poles:
+def voronoi_poles(sites: np.ndarray, faces: np.ndarray, box: np.ndarray | None = None) -> Poles:
     """The pole of every vertex of the closed mesh ``(sites, faces)``.
+
+    ``box`` (P, 3) holds points whose bounding box the poles must lie in, the sites if not given.
 
     A vertex whose cell has no Voronoi vertex behind the surface and inside the bounding box has no pole.
 
@@ -73,7 +75,8 @@ def voronoi_poles(sites: np.ndarray, faces: np.ndarray) -> Poles:
             "expected points that span a volume: check the mesh, or turn the poles off (use_poles=False)"
         ) from error
     tetrahedra, centre = diagram.simplices, circumcentres(diagram)
-    low, high = sites.min(axis=0), sites.max(axis=0)
+    box = sites if box is None else box
+    low, high = box.min(axis=0), box.max(axis=0)
     is_inside_box = ((centre >= low) & (centre <= high)).all(axis=1)  # False, too, where a centre is not finite
     tetrahedra, centre = tetrahedra[is_inside_box], centre[is_inside_box]
 
