@@ -16,8 +16,9 @@ import jax
 import numpy as np
 
 import msf_jax
-from msf_jax import export, shapes
+from msf_jax import export, shapes, view
 from msf_jax.errors import ConfigError, FlowError, MeshError
+from msf_jax.host import surface
 from msf_jax.options import SYSTEMS, Config, Weights
 from msf_jax.skeleton import Skeleton
 
@@ -42,11 +43,12 @@ def main(argv: Sequence[str] | None = None) -> int:
     except OSError as error:
         return _fail(f"{error.strerror or error}: {error.filename}" if error.filename else str(error), 2)
     except KeyboardInterrupt:
-        return _fail("interrupted, nothing was written", 130)
+        return _fail("interrupted", 130)
 
 
 def _fail(message: str, code: int) -> int:
-    print(f"msf-jax: {' '.join(message.split())}", file=sys.stderr)
+    if sys.stderr is not None:
+        print(f"msf-jax: {' '.join(message.splitlines())}", file=sys.stderr)
     return code
 
 
@@ -65,13 +67,16 @@ def _without_loader_noise() -> Iterator[None]:
     For every step that it takes from the cache on a CPU, XLA prints five kilobytes about tuning flags that are "not
     supported on the host machine" (jax issue 38445, xla issue 44565). It listens to no option that can still be set.
     """
+    python_stderr = sys.stderr
+    if python_stderr is None:  # closed by whoever started us: there is nothing to hold back
+        yield
+        return
     with tempfile.TemporaryFile() as held:
-        sys.stderr.flush()
+        python_stderr.flush()
         original = os.dup(2)
         os.dup2(held.fileno(), 2)
-        python_stderr = sys.stderr
         if python_stderr is sys.__stderr__:  # Python's own messages and the progress bar still go out at once
-            sys.stderr = os.fdopen(os.dup(original), "w", buffering=1)
+            sys.stderr = os.fdopen(original, "w", buffering=1, closefd=False)
         try:
             yield
         finally:
@@ -126,52 +131,66 @@ def _common(parser: argparse.ArgumentParser) -> None:
 
 
 def _skeletonize(arguments: argparse.Namespace) -> int:
-    target = _checked_target(arguments.output)
-    export.writer_for(target)  # a wrong suffix is found before the flow, not after it
-    picture = _checked_target(arguments.picture) if arguments.picture else None
+    target = _checked_target(arguments.output, arguments.mesh)
+    render = export.writer_for(target)  # a wrong suffix is found before the flow, not after it
+    picture = None
+    if arguments.picture is not None:
+        picture = _checked_target(arguments.picture, arguments.mesh, arguments.output)
+        if picture.suffix.lower() != ".png":
+            raise ConfigError(f"the picture is a PNG file: expected a name that ends in .png, not {picture.name!r}")
     changes = {} if arguments.max_iterations is None else {"max_iterations": arguments.max_iterations}
     config = Config.named(arguments.system, check=arguments.check, **changes)
     given = {name: getattr(arguments, name) for name in WEIGHTS if getattr(arguments, name) is not None}
     weights = Weights(**(vars(config.default_weights()) | given))
-    skeleton = msf_jax.skeletonize(arguments.mesh, weights, config, progress=not arguments.quiet)
-    skeleton.save(target)
+    mesh = surface.read(arguments.mesh)
+    skeleton = msf_jax.skeletonize(mesh, weights, config, progress=not arguments.quiet)
+    files: dict[Path, str | bytes] = {target: render(skeleton)}
     if picture:
-        from msf_jax import view
-
-        view.save_picture(skeleton, picture, arguments.mesh)
-    _tell(skeleton, [target, *([picture] if picture else [])], arguments.quiet)
-    return 0
+        files[picture] = view.picture(skeleton, mesh)
+    return _finish(skeleton, files, arguments.quiet)
 
 
-def _checked_target(path: str) -> Path:
+def _checked_target(path: str, *others: str) -> Path:
+    """A file that can be written to, and is none of ``others``."""
     target = Path(path)
-    if not target.absolute().parent.is_dir():
-        raise ConfigError(f"no folder {str(target.absolute().parent)!r} to write {target.name!r} to: make it first")
-    if target.is_dir():
-        raise ConfigError(f"{path!r} is a folder: expected the name of a file to write")
+    folder = target.absolute().parent
+    if not path or target.is_dir():
+        raise ConfigError(f"{path!r} is no file name: expected the name of a file to write")
+    if not folder.is_dir():
+        raise ConfigError(f"no folder {str(folder)!r} to write {target.name!r} to: make it first")
+    if not os.access(folder, os.W_OK):
+        raise ConfigError(f"cannot write to {str(folder)!r}: choose another folder for {target.name!r}")
+    if any(os.path.realpath(path) == os.path.realpath(other) for other in others):
+        raise ConfigError(f"{path!r} is named twice: writing it would overwrite the other; choose another name")
     return target
 
 
 def _demo(arguments: argparse.Namespace) -> int:
-    from msf_jax import view
-
     folder = Path(arguments.output)
     folder.mkdir(parents=True, exist_ok=True)
     mesh = shapes.hand()
     skeleton = msf_jax.skeletonize(mesh, progress=not arguments.quiet)
-    written = [folder / "hand.off", folder / "hand.swc", folder / "hand.png"]
-    export.write_whole(written[0], str(mesh.export(file_type="off")))
-    skeleton.save(written[1])
-    view.save_picture(skeleton, written[2], mesh)
-    _tell(skeleton, written, arguments.quiet)
+    files: dict[Path, str | bytes] = {
+        folder / "hand.off": str(mesh.export(file_type="off")),
+        folder / "hand.swc": export.writer_for("hand.swc")(skeleton),
+        folder / "hand.png": view.picture(skeleton, mesh),
+    }
+    return _finish(skeleton, files, arguments.quiet)
+
+
+def _finish(skeleton: Skeleton, files: dict[Path, str | bytes], quiet: bool) -> int:
+    """Write ``files``, all of them rendered by now, and tell about it."""
+    for path, content in files.items():
+        export.write_whole(path, content)
+    _tell(skeleton, list(files), quiet)
     return 0
 
 
 def _tell(skeleton: Skeleton, written: list[Path], quiet: bool) -> None:
     if not quiet:
-        tips = int((np.bincount(skeleton.edges.ravel(), minlength=len(skeleton.vertices)) == 1).sum())
-        print(f"{len(skeleton.vertices)} nodes, {len(skeleton.edges)} edges, {tips} tips")
+        num_tips = int((np.bincount(skeleton.edges.ravel(), minlength=len(skeleton.vertices)) == 1).sum())
+        print(f"nodes: {len(skeleton.vertices)}, edges: {len(skeleton.edges)}, tips: {num_tips}")
         print(skeleton.report)
         print("wrote " + ", ".join(map(str, written)))
-    if not skeleton.report.is_sound:
+    if not skeleton.report.is_sound and sys.stderr is not None:
         print("msf-jax: warning: look at this curve before you use it, its report is not clean", file=sys.stderr)

@@ -18,11 +18,11 @@ from tqdm import tqdm
 
 from msf_jax.device.buffers import Buffers, Rings, real_dtype
 from msf_jax.device.iteration import jitted_move
-from msf_jax.errors import ConfigError
+from msf_jax.errors import ConfigError, MeshError
 from msf_jax.host import collapse, curve, fixing, homology, packing, poles, reconstruction, split, surface
 from msf_jax.host.curve import Curve
 from msf_jax.host.enclosure import Enclosure
-from msf_jax.host.frame import Frame, frame_of
+from msf_jax.host.frame import RESOLUTION, Frame, frame_of
 from msf_jax.host.meso import Meso
 from msf_jax.host.surface import Component, Surface
 from msf_jax.layout import Layout, next_layout
@@ -30,7 +30,9 @@ from msf_jax.metrics import inside_fraction
 from msf_jax.options import Config, Weights
 from msf_jax.skeleton import Report, Skeleton
 
-STALL_ITERATIONS = 12  # without progress, after which the flow gives up
+STALL_ITERATIONS = 30  # without progress, after which the flow gives up: longer than a tooth of the default threshold
+LARGEST_FACTOR = 2.0**20  # where a growing w_L stops: past it the other weights no longer count
+FLATTEST = 1e-9  # volume, in diagonals cubed, that must be left when coordinates are rounded to the frame's resolution
 GROWTH_LIMIT = 3  # splitting may not take the surface past so many times its first number of vertices
 BLOW_UP = 10.0  # diagonals from the centre: nothing that contracts goes there
 
@@ -87,8 +89,8 @@ class Flow:
         weights, config: what the run used.
         meso_skeleton: ``(vertices (n, 3), faces (m, 3))`` of the contracted surface, all components together.
         is_fixed: (n,) True where a vertex of the meso-skeleton was fixed.
-        poles: (V, 3) the Voronoi pole of each vertex of the flow's first surface (the input's, unless it was resampled
-            or repaired); the vertex itself where it has none.
+        poles: (V, 3) the Voronoi pole that each vertex of the repaired input started with, near the vertex itself
+            where it has none; of the resampled surface, component by component, where the system resamples.
         has_pole: (V,) whether that pole pulls.
         history: one `Iteration` for each iteration of each component.
         curve: the curve as the flow left it.
@@ -104,6 +106,9 @@ class Flow:
     history: tuple[Iteration, ...]
     curve: Skeleton
     skeleton: Skeleton
+
+    def __repr__(self) -> str:
+        return f"Flow({len(self.history)} iterations, {self.skeleton!r})"
 
 
 class Stopwatch:
@@ -131,13 +136,18 @@ def init(component: Component, number: int, config: Config, watch: Stopwatch) ->
         with watch.stage("reconstruction"):
             vertices = reconstruction.reconstruct(vertices, component.faces, config.reconstruct_mesh)
     meso = Meso.from_mesh(vertices, component.faces)
+    if abs(meso.volume()) < FLATTEST:
+        raise MeshError(
+            f"component {number} is too thin: no volume is left of it at the flow's resolution, "
+            f"{RESOLUTION:.0e} of its diagonal; expected a solid"
+        )
     if 0 < component.genus <= homology.LARGEST_GENUS:
         with watch.stage("homology"):
             meso.classes = homology.ring_classes(original, component.faces, meso.rings)
     max_rows = GROWTH_LIMIT * meso.num_rows + 1000
     if config.resample:
         with watch.stage("resampling"):
-            meso = _resampled(meso, config.resample)
+            meso = _resampled(meso, config.resample, check=config.check)
             max_rows = max(max_rows, GROWTH_LIMIT * meso.num_rows)
     if config.use_poles:
         meso.poles, meso.has_pole = _poles(meso, input_surface, config, watch)
@@ -158,11 +168,11 @@ def init(component: Component, number: int, config: Config, watch: Stopwatch) ->
     )
 
 
-def _resampled(meso: Meso, length: float) -> Meso:
+def _resampled(meso: Meso, length: float, *, check: bool) -> Meso:
     """Edges between 4/5 and 4/3 of ``length``, as far as the topology lets them."""
     for _ in range(3):
-        split.split_long_edges(meso, 4 / 3 * length)
-        collapse.collapse_short_edges(meso, 4 / 5 * length)
+        split.split_long_edges(meso, 4 / 3 * length, check=check)
+        collapse.collapse_short_edges(meso, 4 / 5 * length, check=check)
         meso = meso.compacted()
     return meso
 
@@ -174,7 +184,7 @@ def _poles(meso: Meso, input_surface: Enclosure, config: Config, watch: Stopwatc
         with watch.stage("reconstruction"):
             sites = reconstruction.reconstruct(sites, faces, config.reconstruct_poles)
     with watch.stage("poles"):
-        found = poles.voronoi_poles(sites, faces)
+        found = poles.voronoi_poles(sites, faces, box=input_surface.vertices)
         has_pole = found.is_found.copy()
         has_pole[has_pole] = input_surface.contains(found.position[has_pole])
         return np.where(has_pole[:, None], found.position, meso.positions), has_pole
@@ -198,7 +208,8 @@ def step(state: State, weights: Weights, config: Config, watch: Stopwatch) -> St
         scaled = jax.tree_util.tree_map(lambda weight: np.asarray(weight, dtype), scaled)
         moved = jax.device_get(jitted_move(Buffers(**packed), scaled, config, state.layout))
     positions = packing.unpack(moved.positions, order)
-    if not np.isfinite(positions).all() or np.abs(positions).max() > BLOW_UP:
+    is_solved = np.isfinite(moved.contraction.residual) and np.isfinite(moved.smoothing.residual)
+    if not is_solved or not np.isfinite(positions).all() or np.abs(positions).max() > BLOW_UP:
         state.failure = "a step left finite or sensible coordinates; the one before it was kept"
         return state
     displacement = float(np.sqrt(((positions - meso.positions) ** 2).sum(axis=1).max()))
@@ -234,8 +245,8 @@ def step(state: State, weights: Weights, config: Config, watch: Stopwatch) -> St
             moved=displacement,
         )
     )
-    state.t_c = fixing.next_threshold(state.t_c, config.t_min, config.t_step, config.t_max)
-    state.w_L_factor *= config.growth
+    state.t_c = fixing.threshold(len(state.history), config.t_min, config.t_step, config.t_max)
+    state.w_L_factor = min(state.w_L_factor * config.growth, LARGEST_FACTOR)
     return state
 
 
@@ -350,14 +361,19 @@ def _finish(
         num_meso += len(state.meso.positions)
     vertices, all_edges = np.concatenate(nodes), np.concatenate(edges)
     with watch.stage("report"):
-        shape = Enclosure(checked.vertices, checked.faces)
-        radii = np.where(shape.contains(vertices), shape.distances(vertices), 0.0)
-        inside = inside_fraction(shape, vertices, all_edges)
+        # In units of the whole mesh, so that no square leaves the range of floating point.
+        low, high = checked.vertices.min(axis=0), checked.vertices.max(axis=0)
+        centre, unit = (low + high) / 2, float((high - low).max())
+        shape = Enclosure((checked.vertices - centre) / unit, checked.faces)
+        points = (vertices - centre) / unit
+        radii = unit * np.where(shape.contains(points), shape.distances(points), 0.0)
+        inside = inside_fraction(shape, points, all_edges)
         mesh_map = _map_of_input(checked, vertices, node_of_vertex)
         components, cycles = curve.cycle_count(len(vertices), all_edges)
     history = tuple(line for state in states for line in state.history)
     report = Report(
         components=components,
+        mesh_components=len(checked.components),
         genus=sum(component.genus for component in checked.components),
         cycles=cycles,
         inside=inside,
@@ -368,7 +384,7 @@ def _finish(
         live=sum(state.meso.num_live for state in states),
         volume=max(abs(state.history[-1].volume) if state.history else 1.0 for state in states),
         unsolved=sum(
-            (line.residual > config.solve_tolerance) + (line.smoothing_residual > config.solve_tolerance)
+            (not line.residual <= config.solve_tolerance) + (not line.smoothing_residual <= config.solve_tolerance)
             for line in history
         ),
         solve_steps=sum(line.steps + line.smoothing_steps for line in history),
@@ -381,12 +397,22 @@ def _finish(
         config=config,
         meso_skeleton=(np.concatenate(meso_vertices), np.concatenate(meso_faces)),
         is_fixed=np.concatenate([state.meso.is_fixed for state in states]),
-        poles=np.concatenate([state.frame.leave(state.poles) for state in states]),
-        has_pole=np.concatenate([state.has_pole for state in states]),
+        poles=_by_vertex([state.frame.leave(state.poles) for state in states], checked),
+        has_pole=_by_vertex([state.has_pole for state in states], checked),
         history=history,
         curve=skeleton,
         skeleton=skeleton,
     )
+
+
+def _by_vertex(parts: list[np.ndarray], checked: Surface) -> np.ndarray:
+    """One array for the whole surface from one for each component; joined as they are where these were resampled."""
+    joined = np.concatenate(parts)
+    if len(joined) != len(checked.vertices):
+        return joined
+    whole = np.empty_like(joined)
+    whole[np.concatenate(checked.members)] = joined
+    return whole
 
 
 def _map_of_input(checked: Surface, nodes: np.ndarray, node_of_vertex: np.ndarray) -> np.ndarray:

@@ -8,6 +8,7 @@ from typing import Any
 
 import jax
 import numpy as np
+from jax.core import Tracer
 
 from msf_jax.errors import ConfigError
 
@@ -41,7 +42,7 @@ class Weights:
     def __post_init__(self) -> None:
         for field in fields(self):
             value = getattr(self, field.name)
-            if isinstance(value, jax.core.Tracer):
+            if isinstance(value, Tracer):
                 continue
             try:
                 array = np.asarray(value, dtype=np.float64)
@@ -58,7 +59,7 @@ class Weights:
 
     @classmethod
     def tree_unflatten(cls, _: None, children: Iterable[Any]) -> "Weights":
-        """A tree of the same shape with anything in it: JAX puts axes, masks and gradients there, so nothing is checked."""
+        """A tree of the same shape, unchecked: JAX puts axes, masks and gradients there."""
         weights = object.__new__(cls)
         for field, child in zip(fields(cls), children, strict=True):
             object.__setattr__(weights, field.name, child)

@@ -1,5 +1,6 @@
 """The two steps before the flow, as calls of their own: spectral reconstruction and Voronoi poles."""
 
+import numbers
 from typing import Any
 
 import numpy as np
@@ -23,8 +24,9 @@ def reconstruct(mesh: Any, k: int = 400) -> trimesh.Trimesh:
         MeshError: see `skeletonize`.
         ConfigError: ``k`` is below 4.
     """
-    if k < 4:
-        raise ConfigError(f"k is {k!r}: expected at least 4 eigenvectors, fewer rebuild no volume")
+    if not isinstance(k, numbers.Integral) or isinstance(k, bool) or k < 4:
+        raise ConfigError(f"k is {k!r}: expected a whole number of at least 4, fewer eigenvectors rebuild no volume")
+    k = int(k)
     checked = surface.prepare(mesh)
     vertices = checked.vertices.copy()
     for component, member in zip(checked.components, checked.members, strict=True):

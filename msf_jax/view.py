@@ -1,12 +1,10 @@
 """Pictures of a curve in its mesh."""
 
 import io
-import os
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from msf_jax.export import write_whole
 from msf_jax.host import surface
 
 if TYPE_CHECKING:
@@ -26,8 +24,8 @@ def figure(skeleton: "Skeleton", mesh: Any = None, *, elevation: float = 15.0, a
     from matplotlib.figure import Figure
     from mpl_toolkits.mplot3d.art3d import Line3DCollection, Poly3DCollection
 
-    picture = Figure(figsize=(8, 8), layout="constrained")
-    axes: Any = picture.add_subplot(projection="3d", computed_zorder=False)
+    drawing = Figure(figsize=(8, 8), layout="constrained")
+    axes: Any = drawing.add_subplot(projection="3d", computed_zorder=False)
     shown = [skeleton.vertices]
     if mesh is not None:
         vertices, faces = surface.read(mesh)
@@ -45,19 +43,12 @@ def figure(skeleton: "Skeleton", mesh: Any = None, *, elevation: float = 15.0, a
     axes.set_box_aspect(np.maximum(high - low, 1e-9 * np.linalg.norm(high - low)))
     axes.view_init(elev=elevation, azim=azimuth)
     axes.set_axis_off()
-    picture.colorbar(lines, ax=axes, shrink=0.5, label="radius")
-    return picture
+    drawing.colorbar(lines, ax=axes, shrink=0.5, label="radius")
+    return drawing
 
 
-def save_picture(
-    skeleton: "Skeleton",
-    path: str | os.PathLike[str],
-    mesh: Any = None,
-    *,
-    elevation: float = 15.0,
-    azimuth: float = -70.0,
-) -> None:
-    """Write `figure` as a PNG, whole or not at all."""
+def picture(skeleton: "Skeleton", mesh: Any = None, *, elevation: float = 15.0, azimuth: float = -70.0) -> bytes:
+    """`figure` as the bytes of a PNG file."""
     buffer = io.BytesIO()
     figure(skeleton, mesh, elevation=elevation, azimuth=azimuth).savefig(buffer, format="png", dpi=150)
-    write_whole(path, buffer.getvalue())
+    return buffer.getvalue()

@@ -35,9 +35,9 @@ def test_a_mesh_in_a_curve_and_a_picture_out(ball, tmp_path, capsys):
 
 def test_the_demo_leaves_a_skeleton_and_a_picture(tmp_path, capsys):
     assert main(["demo", "-o", str(tmp_path)]) == 0
-    assert "1 cycles for genus 1" in capsys.readouterr().out
+    assert "1 cycle for genus 1" in capsys.readouterr().out
     assert (tmp_path / "hand.png").read_bytes().startswith(b"\x89PNG")
-    assert "# 1 loops cut" in (tmp_path / "hand.swc").read_text()
+    assert "# loops cut: 1" in (tmp_path / "hand.swc").read_text()
 
 
 def open_box():
@@ -120,3 +120,26 @@ def test_nothing_on_standard_error_where_there_is_no_terminal(ball, tmp_path):
         assert done.returncode == 0
         assert done.stderr == ""
         assert "wrote" in done.stdout
+
+
+def test_nothing_is_overwritten_by_its_own_result(ball, tmp_path, capsys):
+    copy = tmp_path / "mine.obj"
+    trimesh.load(ball, process=False).export(copy)
+    before = copy.read_bytes()
+    assert main(["skeletonize", str(copy), "-o", str(copy)]) == 2
+    assert main(["skeletonize", str(ball), "-o", str(tmp_path / "a.swc"), "--picture", str(tmp_path / "a.swc")]) == 2
+    assert main(["skeletonize", str(ball), "-o", str(tmp_path / "a.swc"), "--picture", str(tmp_path / "a.jpg")]) == 2
+    assert "named twice" in capsys.readouterr().err
+    assert copy.read_bytes() == before
+    assert not (tmp_path / "a.swc").exists()
+
+
+def test_ctrl_c_writes_nothing_and_exits_130(ball, tmp_path, capsys, monkeypatch):
+    def interrupt(*_, **__):
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr("msf_jax.view.picture", interrupt)  # after the flow, before the files
+    out, picture = tmp_path / "a.swc", tmp_path / "a.png"
+    assert main(["skeletonize", str(ball), "-o", str(out), "--picture", str(picture)]) == 130
+    assert "interrupted" in capsys.readouterr().err
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["ball.off"]

@@ -338,7 +338,7 @@ def test_collapse(research_mesh, monkeypatch, name, fixed):
 
     faces, positions, poles = replay_collapse(before, rounds, t_c)
     assert turned(meso.faces()) == faces
-    live = meso.is_live
+    live = meso.degree > 0
     assert set(np.flatnonzero(live)) == {v for face in faces for v in face}
     np.testing.assert_allclose(meso.positions[live], positions[live], rtol=0, atol=1e-15)
     np.testing.assert_array_equal(meso.poles[live], poles[live])
@@ -630,12 +630,9 @@ def test_fixing_follows_its_rule(research_mesh, name):
 
 def test_the_saw_tooth():
     """It rises step by step and falls back once it would pass the top; t_f is a tenth of it."""
-    t_c, seen = 0.002, []
-    for _ in range(300):
-        seen.append(t_c)
-        t_c = fixing.next_threshold(t_c, 0.002, 0.0001, 0.016)
-    assert min(seen) == 0.002 and 0.0158 < max(seen) <= 0.016
-    fall = [k for k in range(1, 300) if seen[k] < seen[k - 1]]
-    assert all(seen[k] == 0.002 for k in fall) and len(fall) == 2
-    assert np.diff(fall).tolist() in ([140], [141])  # (0.016 - 0.002) / 0.0001 = 140 steps, give or take rounding
+    seen = [fixing.threshold(k, 0.002, 0.0001, 0.016) for k in range(300)]
+    assert seen[0] == 0.002
+    assert max(seen) == pytest.approx(0.016, abs=1e-12)  # (0.016 - 0.002) / 0.0001 = 140 steps take it to the top
+    assert [k for k in range(1, 300) if seen[k] < seen[k - 1]] == [141, 282]
+    assert fixing.threshold(7, 0.002, 0.0, 0.016) == 0.002
     assert fixing.degenerate_length(0.016) == pytest.approx(0.0016)

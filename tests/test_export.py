@@ -13,7 +13,7 @@ from msf_jax import ConfigError, Report, Skeleton, export
 
 def skeleton_of(vertices, edges):
     vertices = np.array(vertices, dtype=float)
-    report = Report(1, 0, 0, 1.0, True, "no volume left", 3, 0, 4, 1e-5, 0, 30)
+    report = Report(1, 1, 0, 0, 1.0, True, "no volume left", 3, 0, 4, 1e-5, 0, 30)
     radii = np.linspace(0.1, 0.2, len(vertices))
     return Skeleton(vertices, np.array(edges).reshape(-1, 2), radii, np.zeros(5, dtype=int), report)
 

@@ -255,3 +255,40 @@ def test_pinched_meshes_come_out_with_the_repair_reported(name, research_mesh):
     assert any("pinched" in repair for repair in skeleton.report.repairs)
     assert skeleton.report.cycles == skeleton.report.genus
     assert skeleton.mesh_map.min() >= 0
+
+
+@pytest.mark.parametrize("sections", [(32, 32), (24, 10)])
+def test_a_torus_goes_on_from_a_flat_ring_to_a_curve(sections):
+    """A flat ring has no volume either; its curve must not cut across the hole."""
+    mesh = trimesh.creation.torus(2, 0.6, major_sections=sections[0], minor_sections=sections[1])
+    skeleton = msf_jax.skeletonize(mesh)
+    assert skeleton.report.converged
+    assert (skeleton.report.cycles, skeleton.report.inside) == (1, 1.0)
+    away = np.linalg.norm(mesh.vertices - skeleton.vertices[skeleton.mesh_map], axis=1)
+    assert away.max() < 1.5 * 0.6 + 0.3
+
+
+def test_poles_are_in_the_order_of_the_vertices():
+    ball, far = blob(2, 2), blob(3, 2)
+    far.apply_translation([9, 0, 0])
+    both = trimesh.util.concatenate([ball, far])
+    order = np.random.default_rng(1).permutation(len(both.vertices))
+    mixed = both.vertices[order], np.argsort(order)[both.faces]
+    found = flow.contract(mixed, config=Config(max_iterations=1))
+    assert np.array_equal(found.poles[:, 0] > 4, mixed[0][:, 0] > 4)
+
+
+def test_too_thin_a_plate_is_refused_by_every_system():
+    plate = trimesh.creation.box((1, 1, 1e-7)).subdivide().subdivide()
+    for system in ("msf", "tagliasacchi2012", "au2008"):
+        with pytest.raises(msf_jax.MeshError, match="too thin"):
+            msf_jax.skeletonize(plate, config=Config.named(system))
+
+
+def test_the_skeleton_of_a_tiny_or_huge_mesh_is_the_same():
+    mesh = blob(4, 2)
+    plain = msf_jax.skeletonize(mesh)
+    for scale in (2.0**-200, 2.0**200):
+        scaled = msf_jax.skeletonize((mesh.vertices * scale, mesh.faces))
+        assert np.allclose(scaled.vertices / scale, plain.vertices, atol=1e-9)
+        assert np.allclose(scaled.radii / scale, plain.radii, atol=1e-9)

@@ -2,6 +2,7 @@
 
 import jax
 import jax.numpy as jnp
+import numpy as np
 import pytest
 
 import msf_jax
@@ -9,7 +10,16 @@ from msf_jax import Config, ConfigError, Weights
 
 
 @pytest.mark.parametrize(
-    "bad", [{"w_L": -1.0}, {"w_H": float("nan")}, {"w_M": float("inf")}, {"w_H": 0}, {"smoothing": "a"}]
+    "bad",
+    [
+        {"w_L": -1.0},
+        {"w_H": float("nan")},
+        {"w_M": float("inf")},
+        {"w_H": 0},
+        {"smoothing": "a"},
+        {"w_H": np.array(-1.0)},
+        {"w_M": None},
+    ],
 )
 def test_a_weight_out_of_range_is_named(bad):
     with pytest.raises(ConfigError, match=next(iter(bad))):
@@ -26,6 +36,10 @@ def test_a_weight_out_of_range_is_named(bad):
         ({"split_angle": 60}, "Config.split_angle is 60: expected a number from 90 to 180"),
         ({"max_iterations": 0}, "Config.max_iterations"),
         ({"max_iterations": True}, "Config.max_iterations"),
+        ({"max_iterations": 1.5}, "Config.max_iterations is 1.5: expected a whole number"),
+        ({"use_poles": "no"}, "Config.use_poles is 'no': expected True or False"),
+        ({"resample": 1e-9}, "Config.resample"),
+        ({"w_H_follows_area": True}, "edit_connectivity=False"),
         ({"solve_tolerance": "loose"}, "Config.solve_tolerance"),
         ({"reconstruct_poles": 2}, "fewer than 4 eigenvectors"),
     ],
@@ -73,3 +87,11 @@ def test_the_wrong_kind_of_options_is_refused():
         msf_jax.contract((None, None), config={"system": "msf"})  # type: ignore[arg-type]
     with pytest.raises(ConfigError, match=r"weights is a float"):
         msf_jax.contract((None, None), weights=1.0)  # type: ignore[arg-type]
+
+
+def test_jax_may_put_anything_into_a_tree_of_weights():
+    assert jax.tree_util.tree_map(lambda w: -w, Weights()).w_H == -Weights().w_H
+    axes = Weights(w_L=0.0, w_H=1.0)
+    axes = jax.tree_util.tree_map(lambda _: 0, axes)
+    total = jax.vmap(lambda w: w.w_L + w.w_H, in_axes=(axes,))(jax.tree_util.tree_map(jnp.atleast_1d, Weights()))
+    assert total.shape == (1,)

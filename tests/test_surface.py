@@ -297,7 +297,7 @@ def test_a_small_component_is_named_among_many():
         [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]]
     )
     both = trimesh.util.concatenate([torus().apply_translation([9, 0, 0]), tetrahedron])
-    assert_says(refusal(both), "component 1 is a tetrahedron")
+    assert_says(refusal(both), "component 1 (the one with vertex 288) is a tetrahedron")
 
 
 @pytest.mark.parametrize("tilt", [0.0, 0.7])
@@ -367,7 +367,7 @@ def test_only_the_component_that_is_inside_out_is_flipped():
     parts = [torus(), trimesh.creation.icosphere(1).apply_translation([4, 0, 0]), torus().apply_translation([9, 0, 0])]
     parts[1].invert()
     checked = surface.prepare(trimesh.util.concatenate(parts))
-    assert checked.repairs == ("flipped component 1, which was turned inside out",)
+    assert checked.repairs == ("flipped component 1 (the one with vertex 288), which was turned inside out",)
     for component, part in zip(checked.components, parts, strict=True):
         assert volume(component.vertices, component.faces) == pytest.approx(abs(part.volume))
     assert volume(checked.vertices, checked.faces) == pytest.approx(sum(abs(part.volume) for part in parts))
@@ -423,7 +423,7 @@ def test_vertices_without_a_face_are_dropped_and_remembered():
     place = np.concatenate([np.arange(1, 21), np.arange(22, 42)])
     checked = surface.prepare((vertices, place[mesh.faces]))
     assert len(checked.repairs) == 1
-    assert_says(checked.repairs[0], "dropped 3 unreferenced vertices")
+    assert_says(checked.repairs[0], "left out vertices that no face uses: 3")
     np.testing.assert_array_equal(checked.vertices, mesh.vertices)
     np.testing.assert_array_equal(checked.faces, mesh.faces)
     np.testing.assert_array_equal(checked.strays, strays)
@@ -439,7 +439,9 @@ def test_all_repairs_at_once():
     soup = np.concatenate([[[5.0, 5, 5]], vertices[faces].reshape(-1, 3), [[6.0, 6, 6]]])
     checked = surface.prepare((soup, 1 + np.arange(faces.size).reshape(-1, 3)))
     said = "; ".join(checked.repairs)
-    assert_says(said, "welded 37", "dropped 2", "split 1 pinched vertex", "flipped component 1")
+    assert_says(
+        said, "welded 37", "no face uses: 2", "split 1 pinched vertex", "flipped component 1 (the one with vertex 25)"
+    )
     assert len(checked.vertices) == 12 and len(checked.components) == 2
     assert_closed_and_oriented(checked.faces, 12)
     assert volume(checked.vertices, checked.faces) == pytest.approx(8 / 3)  # an octahedron holds 4/3

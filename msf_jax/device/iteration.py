@@ -29,7 +29,9 @@ def move(buffers: Buffers, weights: Weights, config: Config, layout: Layout) -> 
     """
     one = jnp.ones_like(buffers.free)
     # Only the ratios of w_L, w_H and w_M matter, and their fourth powers must stay within float32's range.
-    largest = lax.stop_gradient(jnp.maximum(jnp.maximum(jnp.max(weights.w_L), jnp.max(weights.w_H)), jnp.max(weights.w_M)))
+    largest = lax.stop_gradient(
+        jnp.maximum(jnp.maximum(jnp.max(weights.w_L), jnp.max(weights.w_H)), jnp.max(weights.w_M))
+    )
     tolerance, max_steps = config.solve_tolerance, config.solve_steps
     w_H = weights.w_H / largest * one
     if config.w_H_follows_area:

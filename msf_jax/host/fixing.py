@@ -28,7 +28,7 @@ def fix_degenerate_vertices(meso: Meso, t_f: float) -> int:
 
 
 def threshold(iteration: int, t_min: float, t_step: float, t_max: float) -> float:
-    """The saw-tooth: t_c in that iteration, from 0; it rises by ``t_step`` and falls back to ``t_min`` above ``t_max``."""
+    """The saw-tooth: t_c in that iteration, from 0; rises by ``t_step``, falls to ``t_min`` above ``t_max``."""
     if t_step == 0:
         return t_min
     teeth = int((t_max - t_min) / t_step * (1 + 1e-9)) + 1

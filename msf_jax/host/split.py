@@ -63,8 +63,9 @@ def split_obtuse_edges(
         a, b = np.concatenate([a[waits], around_a]), np.concatenate([b[waits], around_b])
 
 
-def split_long_edges(meso: Meso, longest: float) -> None:
+def split_long_edges(meso: Meso, longest: float, *, check: bool = False) -> None:
     """Halve every edge longer than ``longest``, longest first, until none is left."""
+    euler = connectivity.euler_characteristic(meso.rings) if check else 0
     while True:
         a, b = connectivity.edges_from_rings(meso.rings)
         length = edge_lengths(meso.positions, a, b)
@@ -75,6 +76,8 @@ def split_long_edges(meso: Meso, longest: float) -> None:
         if len(chosen) == 0:
             return
         split_edges(meso, a[chosen], b[chosen], np.full(len(chosen), 0.5))
+        if check:
+            connectivity.check_closed_manifold(meso.rings, euler)
 
 
 def split_edges(meso: Meso, a: np.ndarray, b: np.ndarray, fraction: np.ndarray) -> SplitRound:

@@ -5,8 +5,6 @@ Repairs made here, each one listed for the report: coincident vertices of an ope
 face dropped, a component turned inside out is flipped, a vertex where several fans meet is split into one per fan.
 """
 
-import contextlib
-import io
 import os
 from dataclasses import dataclass
 from pathlib import Path
@@ -82,7 +80,7 @@ def _load(path: Path) -> Any:
     if not path.exists():
         raise MeshError(f"no file {str(path)!r}: check the path")
     if path.is_dir():
-        raise MeshError(f"{str(path)!r} is a folder: expected one mesh file (for many, use the batch command)")
+        raise MeshError(f"{str(path)!r} is a folder: expected one mesh file")
     known = sorted(trimesh.available_formats())
     suffix = path.suffix.lower().lstrip(".")
     if suffix not in known:
@@ -90,13 +88,14 @@ def _load(path: Path) -> Any:
             f"cannot read {path.name!r}: unknown suffix {path.suffix!r}, expected one of {', '.join(known)}"
         )
     try:
-        with contextlib.redirect_stderr(io.StringIO()):
-            loaded = trimesh.load(path, process=False, maintain_order=True)
+        loaded = trimesh.load(path, process=False, maintain_order=True)
     except MemoryError as error:
         raise MeshError(f"{path.name!r} asks for more memory than there is: it is damaged or too large") from error
     except Exception as error:  # trimesh's readers raise whatever a damaged file provokes
         reason = str(error).strip().splitlines()[0] if str(error).strip() else type(error).__name__
-        raise MeshError(f"cannot read {path.name!r} as {suffix}: {reason[:200]}") from error
+        raise MeshError(
+            f"cannot read {path.name!r} as {suffix}: it is damaged, or its suffix is wrong ({reason[:200]})"
+        ) from error
     if isinstance(loaded, trimesh.Scene):
         parts = [part for part in loaded.dump() if isinstance(part, trimesh.Trimesh)]
         loaded = trimesh.util.concatenate(parts) if parts else loaded
@@ -161,21 +160,26 @@ def prepare(mesh: Any) -> Surface:
     repairs: list[str] = []
     vertex_of_input = np.arange(len(vertices))
     faces = _without_repeated_corners(faces)
+    caller_number = np.arange(len(vertices))
 
     if (connectivity.half_edges(faces).twin < 0).any():
         vertices, faces, welded, vertex_of_input = _weld(vertices, faces)
         if welded:
             repairs.append(f"welded {welded} duplicate {'vertex' if welded == 1 else 'vertices'}")
-    _check_edges(faces)
+            caller_number = np.unique(vertex_of_input, return_index=True)[1]
+    _check_edges(faces, caller_number)
 
     strays = np.empty((0, 3))
     used = np.zeros(len(vertices), dtype=bool)
     used[faces] = True
     if not used.all():
-        repairs.append(f"dropped {int((~used).sum())} unreferenced vertices (mapped to the node nearest to them)")
+        repairs.append(
+            f"left out vertices that no face uses: {int((~used).sum())} (mapped to the node nearest to them)"
+        )
         number = np.where(used, np.cumsum(used) - 1, -1)
         strays = vertices[vertex_of_input[number[vertex_of_input] < 0]]
         vertices, faces, vertex_of_input = vertices[used], number[faces], number[vertex_of_input]
+        caller_number = caller_number[used]
 
     vertices, faces, pinches = _split_pinches(vertices, faces)
     if pinches:
@@ -188,7 +192,8 @@ def prepare(mesh: Any) -> Surface:
         local = np.full(len(vertices), -1)
         local[member] = np.arange(len(member))
         mine = label[faces[:, 0]] == number
-        name = "the mesh" if label.max() == 0 else f"component {number}"
+        first = caller_number[min(member[0], len(caller_number) - 1)]
+        name = "the mesh" if label.max() == 0 else f"component {number} (the one with vertex {first})"
         component, is_flipped = _component(vertices[member], local[faces[mine]], name)
         if is_flipped:
             is_cavity = bool((~mine).any()) and Enclosure(vertices, faces[~mine]).contains(vertices[member[:1]])[0]
@@ -222,8 +227,8 @@ def _weld(vertices: np.ndarray, faces: np.ndarray) -> tuple[np.ndarray, np.ndarr
     return vertices[first[order]], welded[keep], len(vertices) - len(first), number[inverse]
 
 
-def _check_edges(faces: np.ndarray) -> None:
-    """Every edge must have exactly two faces, and run once each way."""
+def _check_edges(faces: np.ndarray, caller_number: np.ndarray) -> None:
+    """Every edge must have exactly two faces, and run once each way; ``caller_number`` names vertices in messages."""
     if len(faces) == 0:
         raise MeshError("no face is left once coincident vertices are welded: the mesh is degenerate")
     num = np.int64(faces.max()) + 1
@@ -231,13 +236,16 @@ def _check_edges(faces: np.ndarray) -> None:
     code, inverse, count = np.unique(edge[:, 0] * num + edge[:, 1], return_inverse=True, return_counts=True)
 
     def say(bad: np.ndarray) -> str:
-        shown = ", ".join(f"{int(c // num)}-{int(c % num)}" for c in code[bad][:5])
+        shown = ", ".join(f"{caller_number[c // num]}-{caller_number[c % num]}" for c in code[bad][:5])
         return f"{len(bad)} {'edge' if len(bad) == 1 else 'edges'} ({shown}{', ...' if len(bad) > 5 else ''})"
 
-    crowded = np.flatnonzero(count > 2)
+    crowded, single = np.flatnonzero(count > 2), np.flatnonzero(count == 1)
     if len(crowded):
-        raise MeshError(f"not manifold: {say(crowded)} with more than two faces: separate the sheets that meet there")
-    single = np.flatnonzero(count == 1)
+        also = f", and open: {say(single)} with only one face" if len(single) else ""
+        raise MeshError(
+            f"not manifold: {say(crowded)} with more than two faces{also}: separate the sheets that meet there"
+            + (" and close the holes" if len(single) else "")
+        )
     if len(single):
         raise MeshError(
             f"the mesh is open: {say(single)} with only one face: close its holes first, "
