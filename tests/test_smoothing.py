@@ -150,7 +150,9 @@ def near_coincident(case):
 @pytest.mark.parametrize("follows_area", [False, True])
 def test_iteration_contracts_and_then_smooths_with_fresh_rows(case, follows_area):
     case = near_coincident(case)
-    config = Config(solve_tolerance=TIGHT, solve_steps=20000, w_H_follows_area=follows_area)
+    config = Config(
+        solve_tolerance=TIGHT, solve_steps=20000, w_H_follows_area=follows_area, edit_connectivity=not follows_area
+    )
     w_L, w_H, w_M, strength = 0.8, 0.15, 0.3, 0.05
     first_area = ring_areas(*pebble(1))
     buffers = case.buffers._replace(area=jnp.asarray(case.to_rows(first_area, fill=1.0)))
