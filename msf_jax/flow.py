@@ -253,12 +253,12 @@ def step(state: State, weights: Weights, config: Config, watch: Stopwatch) -> St
 def has_volume(state: State, config: Config) -> bool:
     """Whether there is more to contract: volume, or, as a flat sheet has none, area that is not yet down to a curve's.
 
-    A thin curve still has some area; it is as small as it gets when an iteration takes less than a tenth of it away.
+    A thin curve still has some area; it is as small as it gets when three iterations take less than a tenth of it away.
     """
     last = state.history[-1]
     if abs(last.volume) > config.volume_tolerance:
         return True
-    is_settled = len(state.history) > 1 and last.area > 0.9 * state.history[-2].area
+    is_settled = len(state.history) > 3 and last.area > 0.9 * state.history[-4].area
     return last.area > config.area_tolerance and not is_settled
 
 

@@ -65,9 +65,9 @@ class Report:
         lines = [
             f"{'converged' if self.converged else 'NOT converged'}: {self.reason}, "
             f"after {self.iterations} iterations ({self.volume:.1e} of the volume left)",
-            _compare("component", self.components, "components of the mesh", self.mesh_components)
+            _compare(self.components, "component", self.mesh_components, "as in the mesh")
             + ", "
-            + _compare("cycle", self.cycles, "genus", self.genus),
+            + _compare(self.cycles, "cycle", self.genus, f"for genus {self.genus}"),
             f"{100 * self.inside:.2f} % of the curve's length is inside the mesh",
             f"{self.fixed} of {self.live} meso-skeleton vertices fixed, {self.solve_steps} CG steps",
         ]
@@ -78,9 +78,9 @@ class Report:
         return "\n".join(lines)
 
 
-def _compare(what: str, found: int, source: str, expected: int) -> str:
+def _compare(found: int, what: str, expected: int, why: str) -> str:
     count = f"{found} {what}{'' if found == 1 else 's'}"
-    return f"{count} for {source} {expected}" if found == expected else f"{count}, EXPECTED {expected} ({source})"
+    return f"{count} {why}" if found == expected else f"{count}, EXPECTED {expected} {why}"
 
 
 @dataclass(frozen=True, eq=False)
