@@ -286,7 +286,7 @@ def test_the_public_reconstruction_treats_each_component_alone():
 
 @pytest.mark.parametrize("k", [3, 0, -5])
 def test_too_few_eigenvectors_are_refused(k):
-    with pytest.raises(ConfigError, match=f"k is {k}: expected at least 4"):
+    with pytest.raises(ConfigError, match=f"k is {k}: expected a whole number of at least 4"):
         preprocessing.reconstruct(torus(), k)
 
 
