@@ -22,7 +22,7 @@ from msf_jax.errors import ConfigError, MeshError
 from msf_jax.host import collapse, curve, fixing, homology, packing, poles, reconstruction, split, surface
 from msf_jax.host.curve import Curve
 from msf_jax.host.enclosure import Enclosure
-from msf_jax.host.frame import RESOLUTION, Frame, frame_of
+from msf_jax.host.frame import RESOLUTION, Frame, frame_of, sort_mesh
 from msf_jax.host.meso import Meso
 from msf_jax.host.surface import Component, Surface
 from msf_jax.layout import Layout, next_layout
@@ -66,6 +66,7 @@ class State:
     component: Component
     number: int
     frame: Frame
+    order: np.ndarray  # (V,) the component's vertex that each of the sorted ones is
     first_volume: float
     first_area: float
     max_rows: int
@@ -130,12 +131,14 @@ class Stopwatch:
 def init(component: Component, number: int, config: Config, watch: Stopwatch) -> State:
     """The component at the start of its flow: in its own frame, resampled if asked, with its poles."""
     frame = frame_of(component.vertices)
-    original = vertices = frame.enter(component.vertices)
-    input_surface = Enclosure(vertices, component.faces)
+    entered = frame.enter(component.vertices)
+    order, faces = sort_mesh(entered, component.faces)
+    original = vertices = entered[order]
+    input_surface = Enclosure(vertices, faces)
     if config.reconstruct_mesh:
         with watch.stage("reconstruction"):
-            vertices = reconstruction.reconstruct(vertices, component.faces, config.reconstruct_mesh)
-    meso = Meso.from_mesh(vertices, component.faces)
+            vertices = reconstruction.reconstruct(vertices, faces, config.reconstruct_mesh)
+    meso = Meso.from_mesh(vertices, faces)
     if abs(meso.volume()) < FLATTEST:
         raise MeshError(
             f"component {number} is too thin: no volume is left of it at the flow's resolution, "
@@ -143,7 +146,7 @@ def init(component: Component, number: int, config: Config, watch: Stopwatch) ->
         )
     if 0 < component.genus <= homology.LARGEST_GENUS:
         with watch.stage("homology"):
-            meso.classes = homology.ring_classes(original, component.faces, meso.rings)
+            meso.classes = homology.ring_classes(original, faces, meso.rings)
     max_rows = GROWTH_LIMIT * meso.num_rows + 1000
     if config.resample:
         with watch.stage("resampling"):
@@ -155,6 +158,7 @@ def init(component: Component, number: int, config: Config, watch: Stopwatch) ->
         component=component,
         number=number,
         frame=frame,
+        order=order,
         first_volume=meso.volume(),
         max_rows=max_rows,
         first_area=meso.area(),
@@ -354,7 +358,7 @@ def _finish(
     for state, (found, meso), member in zip(states, curves, checked.members, strict=True):
         nodes.append(state.frame.leave(found.nodes))
         edges.append(found.edges + num_nodes)
-        node_of_vertex[member] = found.node_of_meso[meso.node_of_input] + num_nodes
+        node_of_vertex[member[state.order]] = found.node_of_meso[meso.node_of_input] + num_nodes
         meso_vertices.append(state.frame.leave(state.meso.positions))
         meso_faces.append(state.meso.faces() + num_meso)
         num_nodes += len(found.nodes)
@@ -397,21 +401,22 @@ def _finish(
         config=config,
         meso_skeleton=(np.concatenate(meso_vertices), np.concatenate(meso_faces)),
         is_fixed=np.concatenate([state.meso.is_fixed for state in states]),
-        poles=_by_vertex([state.frame.leave(state.poles) for state in states], checked),
-        has_pole=_by_vertex([state.has_pole for state in states], checked),
+        poles=_by_vertex([state.frame.leave(state.poles) for state in states], states, checked),
+        has_pole=_by_vertex([state.has_pole for state in states], states, checked),
         history=history,
         curve=skeleton,
         skeleton=skeleton,
     )
 
 
-def _by_vertex(parts: list[np.ndarray], checked: Surface) -> np.ndarray:
+def _by_vertex(parts: list[np.ndarray], states: list[State], checked: Surface) -> np.ndarray:
     """One array for the whole surface from one for each component; joined as they are where these were resampled."""
     joined = np.concatenate(parts)
     if len(joined) != len(checked.vertices):
         return joined
     whole = np.empty_like(joined)
-    whole[np.concatenate(checked.members)] = joined
+    orders = [member[state.order] for member, state in zip(checked.members, states, strict=True)]
+    whole[np.concatenate(orders)] = joined
     return whole
 
 
