@@ -1,0 +1,107 @@
+"""The records of a run: `Iteration`, a line of its history; `State`, while it goes on; `Flow`, when it has ended."""
+
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+from typing import NamedTuple
+
+import numpy as np
+
+from msf_jax.host.frame import Frame
+from msf_jax.host.meso import Meso
+from msf_jax.host.surface import Component
+from msf_jax.layout import Layout
+from msf_jax.options import Config, Weights
+from msf_jax.skeleton import Skeleton
+
+
+class Iteration(NamedTuple):
+    """One line of the history. Lengths are fractions of the component's diagonal."""
+
+    component: int
+    iteration: int
+    t_c: float  # collapse threshold in this iteration
+    live: int  # vertices of the surface after it
+    fixed: int  # of which fixed
+    collapses: int
+    splits: int
+    volume: float  # fraction of the first volume that is left
+    area: float  # fraction of the first surface area that is left
+    steps: int  # CG steps of the contraction
+    residual: float  # relative residual at the end of it
+    smoothing_steps: int
+    smoothing_residual: float
+    moved: float  # largest displacement
+
+
+@dataclass
+class State:
+    """A component under contraction.
+
+    The first group is set once; the second changes with every iteration.
+    """
+
+    component: Component
+    number: int
+    frame: Frame
+    order: np.ndarray  # (V,) the component's vertex that each of the sorted ones is
+    first_volume: float
+    first_area: float
+    max_rows: int
+    first_ring_area: np.ndarray
+    poles: np.ndarray
+    has_pole: np.ndarray
+
+    meso: Meso
+    t_c: float
+    w_L_factor: float
+    layout: Layout | None
+    history: list[Iteration] = field(default_factory=list)
+    failure: str = ""
+
+
+@dataclass(frozen=True, eq=False)
+class Flow:
+    """A run, opened up. All coordinates are in the caller's units.
+
+    Attributes:
+        weights, config: what the run used.
+        meso_skeleton: ``(vertices (n, 3), faces (m, 3))`` of the contracted surface, all components together.
+        is_fixed: (n,) True where a vertex of the meso-skeleton was fixed.
+        poles: (V, 3) the Voronoi pole that each vertex of the repaired input started with, near the vertex itself
+            where it has none; of the resampled surface, component by component, where the system resamples.
+        has_pole: (V,) whether that pole pulls.
+        history: one `Iteration` for each iteration of each component.
+        curve: the curve as the flow left it.
+        skeleton: the finished curve; its first nodes are those of ``curve``, new ones come last.
+    """
+
+    weights: Weights
+    config: Config
+    meso_skeleton: tuple[np.ndarray, np.ndarray]
+    is_fixed: np.ndarray
+    poles: np.ndarray
+    has_pole: np.ndarray
+    history: tuple[Iteration, ...]
+    curve: Skeleton
+    skeleton: Skeleton
+
+    def __repr__(self) -> str:
+        return f"Flow({len(self.history)} iterations, {self.skeleton!r})"
+
+
+class Stopwatch:
+    """Seconds by stage, added up."""
+
+    def __init__(self) -> None:
+        self.seconds: dict[str, float] = {}
+
+    @contextmanager
+    def stage(self, name: str) -> Iterator[None]:
+        """Add the time spent inside to stage ``name``."""
+        start = time.perf_counter()
+        try:
+            yield
+        finally:
+            self.seconds[name] = self.seconds.get(name, 0.0) + time.perf_counter() - start
