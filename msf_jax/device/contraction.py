@@ -30,7 +30,7 @@ from msf_jax.layout import Layout
 
 
 class SolveReport(NamedTuple):
-    """How a solve ended: CG steps, the residual over its tolerance's scale, and whether it reached the tolerance."""
+    """How a solve ended: CG steps, and the residual's norm over that of the right-hand side."""
 
     steps: jax.Array
     residual: jax.Array
@@ -48,7 +48,7 @@ class CGState(NamedTuple):
 
 @dataclass(eq=False)
 class ConjugateGradients(base.IterativeSolver):
-    """Preconditioned CG for A x = b from x = 0; ``error`` is the Euclidean norm of b - A x."""
+    """Preconditioned CG for A x = b from x = 0; ``error`` is the norm of the residual that the iteration carries."""
 
     matvec: Any
     precondition: Any
@@ -68,7 +68,8 @@ class ConjugateGradients(base.IterativeSolver):
         del b
         product = self.matvec(state.direction)
         curvature = (state.direction * product).sum()
-        step = state.gamma / jnp.where(curvature > 0, curvature, 1.0)  # 0 / 1 once the residual is exactly zero
+        # No step where rounding leaves no curvature, as once the residual is exactly zero.
+        step = jnp.where(curvature > 0, state.gamma / jnp.where(curvature > 0, curvature, 1.0), 0.0)
         residual = state.residual - step * product
         z = self.precondition(residual)
         gamma = (residual * z).sum()
