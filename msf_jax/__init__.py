@@ -10,12 +10,14 @@ skeleton.save("hand.swc")
 from msf_jax import metrics
 from msf_jax.errors import ConfigError, FlowError, MeshError
 from msf_jax.flow import Flow, contract
+from msf_jax.host.branches import Branch
 from msf_jax.options import Config, Weights
 from msf_jax.preprocessing import reconstruct, voronoi_poles
 from msf_jax.skeleton import Report, Skeleton
 from msf_jax.skeletonize import skeletonize
 
 __all__ = [
+    "Branch",
     "Config",
     "ConfigError",
     "Flow",

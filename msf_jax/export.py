@@ -12,6 +12,7 @@ import networkx as nx
 import numpy as np
 
 from msf_jax.errors import ConfigError
+from msf_jax.host import branches
 
 if TYPE_CHECKING:
     from msf_jax.skeleton import Skeleton
@@ -54,37 +55,6 @@ def write_whole(path: str | os.PathLike[str], content: str | bytes) -> None:
         if isinstance(error, OSError):
             raise type(error)(error.errno, error.strerror, str(path)) from error
         raise
-
-
-def polylines(skeleton: "Skeleton") -> list[list[int]]:
-    """The curve as branches: node lists between nodes that have other than two edges; a loop without one is closed.
-
-    A lone node is a branch of its own, of one node.
-    """
-    graph = nx.Graph()
-    graph.add_nodes_from(range(len(skeleton.vertices)))
-    graph.add_edges_from(skeleton.edges.tolist())
-    ends = [node for node, degree in graph.degree if degree != 2]
-    branches = [[node] for node in ends if graph.degree[node] == 0]
-    seen: set[tuple[int, int]] = set()
-
-    def follow(start: int, onward: int) -> list[int]:
-        branch = [start, onward]
-        while graph.degree[branch[-1]] == 2 and branch[-1] != start:
-            a, b = graph[branch[-1]]
-            branch.append(b if a == branch[-2] else a)
-        seen.add((branch[0], branch[1]))
-        seen.add((branch[-1], branch[-2]))
-        return branch
-
-    for node in ends:
-        branches += [follow(node, onward) for onward in sorted(graph[node]) if (node, onward) not in seen]
-    covered = {node for branch in branches for node in branch}
-    for loop in nx.connected_components(graph):
-        if not loop & covered:
-            start = min(loop)
-            branches.append(follow(start, min(graph[start])))
-    return branches
 
 
 def _number(value: float) -> str:
@@ -135,7 +105,7 @@ def _cg(skeleton: "Skeleton") -> str:
 def _polylines(skeleton: "Skeleton") -> str:
     return "".join(
         f"{len(branch)} {' '.join(_point(skeleton.vertices[node]) for node in branch)}\n"
-        for branch in polylines(skeleton)
+        for branch in branches.trace(len(skeleton.vertices), skeleton.edges)
     )
 
 

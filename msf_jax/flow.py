@@ -10,23 +10,20 @@ from typing import Any
 
 import jax
 import numpy as np
-from scipy import spatial
 from tqdm import tqdm
 
+from msf_jax import assembly
 from msf_jax.device.buffers import Buffers, Rings, real_dtype
 from msf_jax.device.iteration import jitted_move
 from msf_jax.errors import ConfigError, MeshError
-from msf_jax.host import collapse, curve, fixing, homology, packing, poles, reconstruction, split, surface
-from msf_jax.host.curve import Curve
+from msf_jax.host import collapse, fixing, homology, packing, poles, reconstruction, split, surface
 from msf_jax.host.enclosure import Enclosure
 from msf_jax.host.frame import RESOLUTION, frame_of, sort_mesh
 from msf_jax.host.meso import Meso
-from msf_jax.host.surface import Component, Surface
+from msf_jax.host.surface import Component
 from msf_jax.layout import next_layout
-from msf_jax.metrics import inside_fraction
 from msf_jax.options import Config, Weights
 from msf_jax.run import Flow, Iteration, State, Stopwatch
-from msf_jax.skeleton import Report, Skeleton
 
 STALL_ITERATIONS = 30  # without progress, after which the flow gives up: longer than a tooth of the default threshold
 LARGEST_FACTOR = 2.0**20  # where a growing w_L stops: past it the other weights no longer count
@@ -35,17 +32,23 @@ GROWTH_LIMIT = 3  # splitting may not take the surface past so many times its fi
 BLOW_UP = 10.0  # diagonals from the centre: nothing that contracts goes there
 
 
-def init(component: Component, number: int, config: Config, watch: Stopwatch) -> State:
-    """The component at the start of its flow: in its own frame, resampled if asked, with its poles."""
+def init(component: Component, number: int, config: Config, watch: Stopwatch, pins: np.ndarray | None = None) -> State:
+    """The component at the start of its flow: in its own frame, resampled if asked, with its poles.
+
+    ``pins`` are vertices of the component that are fixed from the start.
+    """
     frame = frame_of(component.vertices)
     entered = frame.enter(component.vertices)
     order, faces = sort_mesh(entered, component.faces)
     original = vertices = entered[order]
-    input_surface = Enclosure(vertices, faces)
+    shape = Enclosure(vertices, faces)
+    pins = np.flatnonzero(np.isin(order, [] if pins is None else pins))
     if config.reconstruct_mesh:
         with watch.stage("reconstruction"):
             vertices = reconstruction.reconstruct(vertices, faces, config.reconstruct_mesh)
+            vertices[pins] = original[pins]
     meso = Meso.from_mesh(vertices, faces)
+    meso.is_fixed[pins] = True
     if abs(meso.volume()) < FLATTEST:
         raise MeshError(
             f"component {number} is too thin: no volume is left of it at the flow's resolution, "
@@ -60,12 +63,14 @@ def init(component: Component, number: int, config: Config, watch: Stopwatch) ->
             meso = _resampled(meso, config.resample, check=config.check)
             max_rows = max(max_rows, GROWTH_LIMIT * meso.num_rows)
     if config.use_poles:
-        meso.poles, meso.has_pole = _poles(meso, input_surface, config, watch)
+        meso.poles, meso.has_pole = _poles(meso, shape, config, watch)
     return State(
         component=component,
         number=number,
         frame=frame,
         order=order,
+        shape=shape,
+        pins=pins,
         first_volume=meso.volume(),
         max_rows=max_rows,
         first_area=meso.area(),
@@ -88,16 +93,16 @@ def _resampled(meso: Meso, length: float, *, check: bool) -> Meso:
     return meso
 
 
-def _poles(meso: Meso, input_surface: Enclosure, config: Config, watch: Stopwatch) -> tuple[np.ndarray, np.ndarray]:
+def _poles(meso: Meso, shape: Enclosure, config: Config, watch: Stopwatch) -> tuple[np.ndarray, np.ndarray]:
     """Poles of the (reconstructed) surface; one that lies outside the input's surface does not pull."""
     sites, faces = meso.positions, meso.faces()
     if config.reconstruct_poles:
         with watch.stage("reconstruction"):
             sites = reconstruction.reconstruct(sites, faces, config.reconstruct_poles)
     with watch.stage("poles"):
-        found = poles.voronoi_poles(sites, faces, box=input_surface.vertices)
+        found = poles.voronoi_poles(sites, faces, box=shape.vertices)
         has_pole = found.is_found.copy()
-        has_pole[has_pole] = input_surface.contains(found.position[has_pole])
+        has_pole[has_pole] = shape.contains(found.position[has_pole])
         return np.where(has_pole[:, None], found.position, meso.positions), has_pole
 
 
@@ -196,7 +201,7 @@ def done(state: State, config: Config) -> tuple[bool, str] | None:
 
 
 def contract(
-    mesh: Any, weights: Weights | None = None, config: Config | None = None, *, progress: bool = False
+    mesh: Any, weights: Weights | None = None, config: Config | None = None, *, pins: Any = None, progress: bool = False
 ) -> Flow:
     """Run the flow on ``mesh`` and keep everything; `skeletonize` is the short way to the curve alone.
 
@@ -204,21 +209,24 @@ def contract(
         mesh: a path that trimesh reads, a `trimesh.Trimesh`, or ``(vertices, faces)``: closed triangle surfaces.
         weights: of the flow; those of ``config``'s system if not given.
         config: the system and its options; ``Config()``, the article's own, if not given.
+        pins: numbers of vertices of the mesh that are held in place; the curve goes through them.
         progress: show a progress bar on standard error, if that is a terminal.
 
     Raises:
         MeshError: the mesh is not a closed manifold that encloses a volume, and cannot be repaired without a doubt.
-        ConfigError: a weight or an option is out of range.
+        ConfigError: a weight or an option is out of range, or a pin is no vertex of the surface.
         FlowError: the mesh has no Voronoi diagram.
     """
     weights, config = _checked_options(weights, config)
     watch = Stopwatch()
     with watch.stage("front door"):
         checked = surface.prepare(mesh)
-    states, reasons, curves = [], [], []
+    pinned = _checked_pins(pins, checked)
+    states, reasons, parts = [], [], []
     with tqdm(desc="msf_jax", unit="it", disable=None if progress else True) as bar:
         for number, component in enumerate(checked.components):
-            state = init(component, number, config, watch)
+            pins_here = np.flatnonzero(np.isin(checked.members[number], pinned))
+            state = init(component, number, config, watch, pins_here)
             while (end := done(state, config)) is None:
                 step(state, weights, config, watch)
                 if state.history:
@@ -226,9 +234,8 @@ def contract(
                 bar.update()
             states.append(state)
             reasons.append(end)
-            with watch.stage("curve"):
-                curves.append(_curve(state.meso, config))
-    return _finish(checked, states, reasons, curves, weights, config, watch)
+            parts.append(assembly.read_curve(state, _thinned(state.meso, config), config, watch))
+    return assembly.assemble(checked, states, reasons, parts, weights, config, watch)
 
 
 def _checked_options(weights: Any, config: Any) -> tuple[Weights, Config]:
@@ -240,96 +247,26 @@ def _checked_options(weights: Any, config: Any) -> tuple[Weights, Config]:
     return (config.default_weights() if weights is None else weights), config
 
 
-def _curve(meso: Meso, config: Config) -> tuple[Curve, Meso]:
-    """The curve of a contracted surface; one whose edges were never edited first loses its short ones."""
-    if not config.edit_connectivity:
-        meso = replace(meso, **{name: value.copy() for name, value in vars(meso).items() if value is not None})
-        collapse.collapse_short_edges(meso, config.t_min, check=config.check)
-        meso = meso.compacted()
-    return curve.extract_curve(meso.positions, meso.rings, meso.classes), meso
+def _thinned(meso: Meso, config: Config) -> Meso:
+    """The surface to read the curve off: one whose edges were never edited first loses its short ones."""
+    if config.edit_connectivity:
+        return meso
+    meso = replace(meso, **{name: value.copy() for name, value in vars(meso).items() if value is not None})
+    collapse.collapse_short_edges(meso, config.t_min, check=config.check)
+    return meso.compacted()
 
 
-def _finish(
-    checked: Surface,
-    states: list[State],
-    reasons: list[tuple[bool, str]],
-    curves: list[tuple[Curve, Meso]],
-    weights: Weights,
-    config: Config,
-    watch: Stopwatch,
-) -> Flow:
-    """Put the components together again, in the caller's units, and write the report."""
-    nodes, edges, meso_vertices, meso_faces = [], [], [], []
-    node_of_vertex = np.empty(len(checked.vertices), dtype=np.int64)
-    num_nodes = num_meso = 0
-    for state, (found, meso), member in zip(states, curves, checked.members, strict=True):
-        nodes.append(state.frame.leave(found.nodes))
-        edges.append(found.edges + num_nodes)
-        node_of_vertex[member[state.order]] = found.node_of_meso[meso.node_of_input] + num_nodes
-        meso_vertices.append(state.frame.leave(state.meso.positions))
-        meso_faces.append(state.meso.faces() + num_meso)
-        num_nodes += len(found.nodes)
-        num_meso += len(state.meso.positions)
-    vertices, all_edges = np.concatenate(nodes), np.concatenate(edges)
-    with watch.stage("report"):
-        # In units of the whole mesh, so that no square leaves the range of floating point.
-        low, high = checked.vertices.min(axis=0), checked.vertices.max(axis=0)
-        centre, unit = (low + high) / 2, float((high - low).max())
-        shape = Enclosure((checked.vertices - centre) / unit, checked.faces)
-        points = (vertices - centre) / unit
-        radii = unit * np.where(shape.contains(points), shape.distances(points), 0.0)
-        inside = inside_fraction(shape, points, all_edges)
-        mesh_map = _map_of_input(checked, vertices, node_of_vertex)
-        components, cycles = curve.cycle_count(len(vertices), all_edges)
-    history = tuple(line for state in states for line in state.history)
-    report = Report(
-        components=components,
-        mesh_components=len(checked.components),
-        genus=sum(component.genus for component in checked.components),
-        cycles=cycles,
-        inside=inside,
-        converged=all(is_converged for is_converged, _ in reasons),
-        reason="; ".join(dict.fromkeys(reason for _, reason in reasons)),
-        iterations=len(history),
-        fixed=sum(int(state.meso.is_fixed.sum()) for state in states),
-        live=sum(state.meso.num_live for state in states),
-        volume=max(abs(state.history[-1].volume) if state.history else 1.0 for state in states),
-        unsolved=sum(
-            (not line.residual <= config.solve_tolerance) + (not line.smoothing_residual <= config.solve_tolerance)
-            for line in history
-        ),
-        solve_steps=sum(line.steps + line.smoothing_steps for line in history),
-        repairs=checked.repairs,
-        seconds=watch.seconds,
-    )
-    skeleton = Skeleton(vertices, all_edges, radii, mesh_map, report)
-    return Flow(
-        weights=weights,
-        config=config,
-        meso_skeleton=(np.concatenate(meso_vertices), np.concatenate(meso_faces)),
-        is_fixed=np.concatenate([state.meso.is_fixed for state in states]),
-        poles=_by_vertex([state.frame.leave(state.poles) for state in states], states, checked),
-        has_pole=_by_vertex([state.has_pole for state in states], states, checked),
-        history=history,
-        curve=skeleton,
-        skeleton=skeleton,
-    )
-
-
-def _by_vertex(parts: list[np.ndarray], states: list[State], checked: Surface) -> np.ndarray:
-    """One array for the whole surface from one for each component; joined as they are where these were resampled."""
-    joined = np.concatenate(parts)
-    if len(joined) != len(checked.vertices):
-        return joined
-    whole = np.empty_like(joined)
-    orders = [member[state.order] for member, state in zip(checked.members, states, strict=True)]
-    whole[np.concatenate(orders)] = joined
-    return whole
-
-
-def _map_of_input(checked: Surface, nodes: np.ndarray, node_of_vertex: np.ndarray) -> np.ndarray:
-    """(V,) the node of every vertex of the caller's mesh; one that no face uses goes to the nearest node."""
-    is_used = checked.vertex_of_input >= 0
-    mesh_map = np.where(is_used, node_of_vertex[checked.vertex_of_input], -1)
-    mesh_map[~is_used] = spatial.KDTree(nodes).query(checked.strays)[1]
-    return mesh_map
+def _checked_pins(pins: Any, checked: surface.Surface) -> np.ndarray:
+    """Rows of the checked surface that the caller's vertices ``pins`` became."""
+    given = np.atleast_1d(np.asarray([] if pins is None else pins))
+    num = len(checked.vertex_of_input)
+    if given.size == 0:
+        return np.empty(0, dtype=np.int64)
+    if given.ndim != 1 or given.dtype.kind not in "iu" or given.min() < 0 or given.max() >= num:
+        raise ConfigError(f"pins is {pins!r}: expected vertex numbers from 0 to {num - 1}")
+    rows = checked.vertex_of_input[given]
+    if (rows < 0).any():
+        raise ConfigError(
+            f"pins name vertex {given[rows < 0][0]}, which no face uses: expected vertices of the surface"
+        )
+    return np.unique(rows)

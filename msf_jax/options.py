@@ -92,6 +92,10 @@ class Config:
         free_tolerance: it has converged, too, when this fraction of the vertices is not fixed.
         solve_tolerance: residual of the linear solves, relative to the right-hand side.
         solve_steps: CG steps after which a solve gives up (and the report says so).
+        prune: branches of less than this `persistence` are taken away; 0 keeps all. See `msf_jax.Branch`.
+        centre: whether nodes are moved to the middle of their limb's cross-section, and edges refined, at the end.
+        extend_tips: whether leaves are carried on to the ends of their limbs.
+        evaluate: whether the report gets the figures of `metrics.evaluate`.
         check: verify after every round of edits that the surface is a closed manifold of the same genus.
 
     Raises:
@@ -117,6 +121,10 @@ class Config:
     free_tolerance: float = 0.01
     solve_tolerance: float = 3e-3
     solve_steps: int = 2000
+    prune: float = 1.4
+    centre: bool = True
+    extend_tips: bool = True
+    evaluate: bool = False
     check: bool = False
 
     def __post_init__(self) -> None:
@@ -139,13 +147,22 @@ class Config:
             "free_tolerance": (0, 1),
             "solve_tolerance": (0, 1),
             "solve_steps": (1, math.inf),
+            "prune": (0, math.inf),
         }
         for name, (low, high) in ranges.items():
             value = getattr(self, name)
             kind, what = (numbers.Integral, "whole number") if name in WHOLE else (numbers.Real, "number")
             if isinstance(value, bool) or not isinstance(value, kind) or not low <= float(value) <= high:
                 raise ConfigError(f"Config.{name} is {value!r}: expected a {what} from {low} to {high}")
-        for name in ("use_poles", "edit_connectivity", "w_H_follows_area", "check"):
+        for name in (
+            "use_poles",
+            "edit_connectivity",
+            "w_H_follows_area",
+            "centre",
+            "extend_tips",
+            "evaluate",
+            "check",
+        ):
             if not isinstance(getattr(self, name), bool):
                 raise ConfigError(f"Config.{name} is {getattr(self, name)!r}: expected True or False")
         if self.t_max < self.t_min:

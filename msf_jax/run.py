@@ -8,6 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from msf_jax.host.enclosure import Enclosure
 from msf_jax.host.frame import Frame
 from msf_jax.host.meso import Meso
 from msf_jax.host.surface import Component
@@ -46,6 +47,8 @@ class State:
     number: int
     frame: Frame
     order: np.ndarray  # (V,) the component's vertex that each of the sorted ones is
+    shape: Enclosure  # the input's surface, in the frame
+    pins: np.ndarray  # sorted vertices that are held in place
     first_volume: float
     first_area: float
     max_rows: int
@@ -73,8 +76,8 @@ class Flow:
             where it has none; of the resampled surface, component by component, where the system resamples.
         has_pole: (V,) whether that pole pulls.
         history: one `Iteration` for each iteration of each component.
-        curve: the curve as the flow left it.
-        skeleton: the finished curve; its first nodes are those of ``curve``, new ones come last.
+        curve: the curve as the flow left it, without the branches that were pruned.
+        skeleton: the finished curve; its first nodes are those of ``curve``, moved, and new ones come last.
     """
 
     weights: Weights

@@ -1,13 +1,18 @@
 """What comes out: `Skeleton`, a curve with radii and a map from the input, and `Report`, how far to trust it."""
 
 import os
-from dataclasses import asdict, dataclass, field
-from typing import TYPE_CHECKING, Any
+from dataclasses import asdict, dataclass, field, replace
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import networkx as nx
 import numpy as np
 
-from msf_jax import export
+from msf_jax import export, metrics
+from msf_jax.errors import ConfigError
+from msf_jax.host import branches, containment, curve, finishing
+from msf_jax.host.branches import Branch
+from msf_jax.host.centring import arc_length, at
+from msf_jax.host.solid import Solid
 
 if TYPE_CHECKING:
     from trimesh.path import Path3D
@@ -32,6 +37,7 @@ class Report:
         unsolved: linear solves that ran out of steps before they reached their tolerance.
         solve_steps: CG steps in all.
         repairs: what was changed in the input, a sentence each.
+        figures: `metrics.evaluate` of the curve as the run ended, where ``Config(evaluate=True)`` asks for it.
         seconds: by stage.
     """
 
@@ -49,6 +55,7 @@ class Report:
     unsolved: int
     solve_steps: int
     repairs: tuple[str, ...] = ()
+    figures: dict[str, float] = field(default_factory=dict)
     seconds: dict[str, float] = field(default_factory=dict, compare=False)
 
     @property
@@ -73,6 +80,8 @@ class Report:
         ]
         if self.unsolved:
             lines.append(f"{self.unsolved} linear solves stopped before they reached their tolerance")
+        if self.figures:
+            lines.append(", ".join(f"{name} {value:.4g}" for name, value in self.figures.items()))
         lines += [f"repaired: {repair}" for repair in self.repairs]
         lines.append(", ".join(f"{stage} {seconds:.2f} s" for stage, seconds in self.seconds.items()))
         return "\n".join(lines)
@@ -81,6 +90,13 @@ class Report:
 def _compare(found: int, what: str, expected: int, why: str) -> str:
     count = f"{found} {what}{'' if found == 1 else 's'}"
     return f"{count} {why}" if found == expected else f"{count}, EXPECTED {expected} {why}"
+
+
+class Source(NamedTuple):
+    """What a curve was made from. areas: (V,) share of the surface's area that belongs to each input vertex."""
+
+    solid: Solid
+    areas: np.ndarray
 
 
 @dataclass(frozen=True, eq=False)
@@ -93,6 +109,7 @@ class Skeleton:
         radii: (N,) radius of the largest ball around the node that lies inside the surface; 0 for a node outside.
         mesh_map: (V,) int, the node of every input vertex.
         report: what was found and how far to trust it.
+        source: the surface that the curve was made from; without it, radii of a changed curve are lower bounds.
     """
 
     vertices: np.ndarray
@@ -100,6 +117,7 @@ class Skeleton:
     radii: np.ndarray
     mesh_map: np.ndarray
     report: Report
+    source: Source | None = field(default=None, repr=False)
 
     def __repr__(self) -> str:
         return f"Skeleton({len(self.vertices)} nodes, {len(self.edges)} edges, {self.report.cycles} cycles)"
@@ -108,6 +126,114 @@ class Skeleton:
     def length(self) -> float:
         """Length of all edges, in the caller's units."""
         return float(np.linalg.norm(self.vertices[self.edges[:, 0]] - self.vertices[self.edges[:, 1]], axis=1).sum())
+
+    @property
+    def branches(self) -> list[Branch]:
+        """The ways between nodes that have other than two edges, with their length, persistence and surface."""
+        share = None
+        if self.source is not None:
+            share = np.bincount(self.mesh_map, weights=self.source.areas, minlength=len(self.vertices))
+        return branches.measure(self.vertices, self.edges, self.radii, share)
+
+    def prune(self, persistence: float = 1.4) -> "Skeleton":
+        """A new skeleton without the branches of less than ``persistence``, the least first; see `Branch`.
+
+        Components and cycles stay. The vertices of the mesh that went to a pruned branch go to its junction. A run has
+        pruned at ``Config.prune`` already: to slide the threshold below that, run once with ``Config(prune=0)``.
+
+        Raises:
+            ConfigError: ``persistence`` is negative or not a number.
+        """
+        if not persistence >= 0:
+            raise ConfigError(f"persistence is {persistence!r}: expected a number of 0 or more")
+        stays, target = branches.prune(self.vertices, self.edges, self.radii, persistence)
+        rank = np.cumsum(stays) - 1
+        edges = rank[self.edges[stays[self.edges].all(axis=1)]]
+        return self._changed(self.vertices[stays], edges, rank[target[self.mesh_map]], self.radii[stays])
+
+    def resample(self, spacing: float) -> "Skeleton":
+        """A new skeleton whose branches have nodes about every ``spacing``, in the caller's units; their ends stay.
+
+        Where a longer edge would leave the solid, there are more.
+
+        Raises:
+            ConfigError: ``spacing`` is not above 0.
+        """
+        if not spacing > 0:
+            raise ConfigError(f"spacing is {spacing!r}: expected a length above 0")
+        degree = np.bincount(self.edges.ravel(), minlength=len(self.vertices))
+        is_end = degree != 2
+        found = self.branches
+        for branch in found:
+            is_end[[branch.nodes[0], branch.nodes[-1]]] = True
+        rank = np.cumsum(is_end) - 1
+        vertices, edges, count = [self.vertices[is_end]], [], int(is_end.sum())
+        node_of_old = np.where(is_end, rank, -1)
+        for branch in found:
+            nodes = np.array(branch.nodes)
+            along = arc_length(self.vertices[nodes])
+            num = max(1, round(along[-1] / spacing))
+            if nodes[0] == nodes[-1]:
+                num = max(3, num)  # a loop needs three edges
+            stops = np.linspace(0, along[-1], num + 1)
+            chain = np.r_[rank[nodes[0]], np.arange(count, count + num - 1), rank[nodes[-1]]]
+            if len(nodes) > 1:
+                vertices.append(at(self.vertices[nodes], along, stops[1:-1]))
+                edges.append(np.stack([chain[:-1], chain[1:]], axis=1))
+                count += num - 1
+                nearest = np.abs(along[1:-1, None] - stops).argmin(axis=1)
+                node_of_old[nodes[1:-1]] = chain[nearest]
+        joined = np.concatenate(edges) if edges else np.empty((0, 2), dtype=np.int64)
+        return self._changed(*self._led_inside(np.concatenate(vertices), joined), node_of_old[self.mesh_map])
+
+    def smooth(self, rounds: int = 10) -> "Skeleton":
+        """A new skeleton: in each of ``rounds`` nodes go half of the way to the middle of their two neighbours.
+
+        Ends of branches stay, and so does a node that would leave the solid or half of its clearance.
+
+        Raises:
+            ConfigError: ``rounds`` is negative.
+        """
+        if isinstance(rounds, bool) or not rounds >= 0:
+            raise ConfigError(f"rounds is {rounds!r}: expected a whole number of 0 or more")
+        x, radii = self.vertices.copy(), self.radii.copy()
+        for _ in range(int(rounds)):
+            goal = x.copy()
+            for way in branches.trace(len(x), self.edges):
+                goal[way[1:-1]] = x[way[1:-1]] / 2 + (x[way[:-2]] + x[way[2:]]) / 4
+            moved = self.source.solid.radii(goal) if self.source is not None else radii
+            is_safe = moved >= radii / 2
+            x[is_safe], radii[is_safe] = goal[is_safe], moved[is_safe]
+        return self._changed(*self._led_inside(x, self.edges), self.mesh_map)
+
+    def _led_inside(self, vertices: np.ndarray, edges: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """The curve with edges that left the solid led through it; as it is where the solid is not known."""
+        if self.source is None:
+            return vertices, edges
+        solid = self.source.solid
+        entered, led = containment.contain(
+            solid.shape, solid.enter(vertices), edges, np.zeros(len(vertices), dtype=bool)
+        )
+        led_vertices = solid.leave(entered)
+        is_same = (entered[: len(vertices)] == solid.enter(vertices)).all(axis=1)
+        led_vertices[: len(vertices)][is_same] = vertices[is_same]
+        return led_vertices, led
+
+    def _changed(
+        self, vertices: np.ndarray, edges: np.ndarray, mesh_map: np.ndarray, radii: np.ndarray | None = None
+    ) -> "Skeleton":
+        """A skeleton of the same mesh with another curve, and the report's counts made again."""
+        edges = finishing.in_order(edges)
+        components, cycles = curve.cycle_count(len(vertices), edges)
+        report = replace(self.report, components=components, cycles=cycles, figures={})
+        if self.source is not None:
+            solid = self.source.solid
+            report = replace(report, inside=metrics.inside_fraction(solid.shape, solid.enter(vertices), edges))
+            radii = solid.radii(vertices)
+        elif radii is None:  # a ball inside the ball of a node that is known
+            away = np.linalg.norm(vertices[:, None] - self.vertices, axis=2)
+            radii = np.maximum((self.radii - away).max(axis=1), 0.0)
+        return Skeleton(vertices, edges, radii, mesh_map, report, self.source)
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write the curve in the format that the suffix names, whole or not at all.
@@ -137,5 +263,7 @@ class Skeleton:
         from trimesh.path.entities import Line
 
         return Path3D(
-            entities=[Line(branch) for branch in export.polylines(self)], vertices=self.vertices.copy(), process=False
+            entities=[Line(branch) for branch in branches.trace(len(self.vertices), self.edges)],
+            vertices=self.vertices.copy(),
+            process=False,
         )

@@ -8,7 +8,7 @@ from msf_jax.skeleton import Skeleton
 
 
 def skeletonize(
-    mesh: Any, weights: Weights | None = None, config: Config | None = None, *, progress: bool = False
+    mesh: Any, weights: Weights | None = None, config: Config | None = None, *, pins: Any = None, progress: bool = False
 ) -> Skeleton:
     """The curve skeleton of a closed triangle mesh, by Medial Skeletonization Flow.
 
@@ -17,6 +17,7 @@ def skeletonize(
             Several components are skeletonised each, and returned as one skeleton.
         weights: of the flow; those of ``config``'s system if not given.
         config: the system and its options; ``Config()``, the article's own, if not given.
+        pins: numbers of vertices of the mesh that are held in place; the curve goes through them.
         progress: show a progress bar on standard error, if that is a terminal.
 
     Returns:
@@ -24,7 +25,7 @@ def skeletonize(
 
     Raises:
         MeshError: the mesh is not a closed manifold that encloses a volume, and cannot be repaired without a doubt.
-        ConfigError: a weight or an option is out of range.
+        ConfigError: a weight or an option is out of range, or a pin is no vertex of the surface.
         FlowError: the mesh has no Voronoi diagram.
     """
-    return flow.contract(mesh, weights, config, progress=progress).skeleton
+    return flow.contract(mesh, weights, config, pins=pins, progress=progress).skeleton

@@ -36,6 +36,7 @@ class Enclosure:
         self.vertices = vertices
         self._grid: _Grid | None = None
         self._trees: tuple[spatial.KDTree, list[SizeClass]] | None = None
+        self._neighbours: np.ndarray | None = None
 
     def winding_numbers(self, points: np.ndarray) -> np.ndarray:
         """Winding number (P,) of the surface around each point: 1 inside, 0 outside an embedded surface."""
@@ -77,27 +78,87 @@ class Enclosure:
         return np.where(is_above, is_left.all(axis=1).astype(float) - ~is_left.any(axis=1), 0.0)
 
     def distances(self, points: np.ndarray) -> np.ndarray:
-        """Unsigned distance (P,) from each point to the surface.
+        """Unsigned distance (P,) from each point to the surface."""
+        return self.nearest(points)[0]
+
+    def nearest(self, points: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Unsigned distance (P,) from each point to the surface, and the nearest triangle (P,).
 
         The nearest vertex bounds it; a triangle can only be nearer if its centroid is within that bound plus the
         triangle's own reach. Triangles are searched in classes of like reach, so that a few large ones do not widen
         the search for all.
         """
+        vertex_tree, classes = self._searched()
+        best2 = np.full(len(points), np.inf)
+        chosen = np.zeros(len(points), dtype=np.int64)
+        bound = vertex_tree.query(points)[0] * (1 + 1e-12)
+        for size_class in classes:
+            for point, triangle in _near([size_class], points, bound):
+                distance2 = point_triangle_distance2(points[point], self.triangles[triangle])
+                order = np.lexsort((distance2, point))
+                first = order[np.r_[True, point[order][1:] != point[order][:-1]]] if len(order) else order
+                row, value = point[first], distance2[first]
+                is_nearer = value < best2[row]
+                best2[row[is_nearer]] = value[is_nearer]
+                chosen[row[is_nearer]] = triangle[first][is_nearer]
+            bound = np.minimum(bound, np.sqrt(best2) * (1 + 1e-12))
+        return np.sqrt(best2), chosen
+
+    def triangles_near(self, points: np.ndarray, reach: np.ndarray) -> Iterator[tuple[np.ndarray, np.ndarray]]:
+        """Batches of (point, triangle) index pairs: all triangles that come within ``reach`` (P,) of each point.
+
+        A few that do not come so near are among them. All pairs of a point are in one batch.
+        """
+        return _near(self._searched()[1], points, reach)
+
+    def ray_lengths(self, points: np.ndarray, directions: np.ndarray, reach: np.ndarray) -> np.ndarray:
+        """How far (P,) the surface is from each point along its unit vector; ``reach`` (P,) where it is farther."""
+        length = reach.astype(float)
+        for point, triangle in self.triangles_near(points + reach[:, None] / 2 * directions, reach / 2):
+            a, b, c = np.moveaxis(self.triangles[triangle] - points[point][:, None], 1, 0)
+            way = directions[point]
+            # Volumes of the ray's tetrahedra with the three edges: all of one sign where it goes through the triangle.
+            sides = np.stack([np.einsum("ci,ci->c", way, np.cross(u, v)) for u, v in ((b, c), (c, a), (a, b))])
+            total = sides.sum(axis=0)
+            is_hit = ((sides >= 0).all(axis=0) | (sides <= 0).all(axis=0)) & (total != 0)
+            volume = np.einsum("ci,ci->c", a, np.cross(b, c))
+            t = np.where(is_hit, volume / np.where(total == 0, 1.0, total), np.inf)
+            is_hit &= t >= 0
+            np.minimum.at(length, point[is_hit], t[is_hit])
+        return length
+
+    def neighbours(self) -> np.ndarray:
+        """(F, 3, 2) for each edge of each face, the face on its other side and which edge of that it is."""
+        if self._neighbours is None:
+            tail, head = self.faces.ravel(), np.roll(self.faces, -1, axis=1).ravel()
+            num = len(self.vertices)
+            there, back = np.argsort(tail * num + head), np.argsort(head * num + tail)
+            other = np.empty(len(tail), dtype=np.int64)
+            other[there] = back
+            self._neighbours = np.stack([other // 3, other % 3], axis=1).reshape(-1, 3, 2)
+        return self._neighbours
+
+    def _searched(self) -> tuple[spatial.KDTree, list[SizeClass]]:
         if self._trees is None:
             self._trees = spatial.KDTree(self.vertices), _size_classes(self.triangles)
-        vertex_tree, classes = self._trees
-        best2 = vertex_tree.query(points)[0] ** 2
-        for tree, triangle_of_row, reach in classes:
-            bound = np.sqrt(best2)
-            near = tree.query_ball_point(points, bound * (1 + 1e-12) + reach, return_sorted=False)
-            count = np.fromiter(map(len, near), dtype=np.int64, count=len(near))
-            batch = np.cumsum(count) // PAIRS_AT_ONCE
-            for number in np.unique(batch[count > 0]):
-                chosen = np.flatnonzero((batch == number) & (count > 0))
-                triangle = triangle_of_row[np.concatenate([near[row] for row in chosen])]
-                point = np.repeat(chosen, count[chosen])
-                np.minimum.at(best2, point, point_triangle_distance2(points[point], self.triangles[triangle]))
-        return np.sqrt(best2)
+        return self._trees
+
+
+def _near(classes: list[SizeClass], points: np.ndarray, reach: np.ndarray) -> Iterator[tuple[np.ndarray, np.ndarray]]:
+    found = [
+        size_class.tree.query_ball_point(points, reach + size_class.reach, return_sorted=False)
+        for size_class in classes
+    ]
+    counts = [np.fromiter(map(len, near), dtype=np.int64, count=len(near)) for near in found]
+    batch = np.cumsum(np.sum(counts, axis=0)) // PAIRS_AT_ONCE
+    for number in np.unique(batch):
+        chosen = np.flatnonzero(batch == number)
+        point = [np.repeat(chosen, count[chosen]) for count in counts]
+        triangle = [
+            size_class.triangle[np.concatenate([near[row] for row in chosen]).astype(np.int64)]
+            for size_class, near in zip(classes, found, strict=True)
+        ]
+        yield np.concatenate(point), np.concatenate(triangle)
 
 
 def _size_classes(triangles: np.ndarray) -> list[SizeClass]:

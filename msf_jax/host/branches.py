@@ -1,0 +1,101 @@
+"""A curve as branches: the ways between nodes that have other than two edges, and how much each of them matters."""
+
+from typing import NamedTuple
+
+import networkx as nx
+import numpy as np
+
+
+class Branch(NamedTuple):
+    """nodes: along the branch; a closed one names its first node again at its end. length: of the way.
+
+    persistence: for a branch that ends in a leaf, 1 + (how far its balls reach out of those of the rest of the curve) /
+    (radius at its junction). A twig inside a tube has 1, a limb that sticks out of it by h has 1 + h / radius. Infinite
+    for a branch without a junction, and for one that joins two of them, or a junction to itself: taking it away would
+    change the curve's components or cycles.
+
+    surface: share of the mesh's area that goes to the branch's own nodes, its junctions not among them; NaN if unknown.
+    """
+
+    nodes: list[int]
+    length: float
+    persistence: float
+    surface: float
+
+
+def trace(num_nodes: int, edges: np.ndarray) -> list[list[int]]:
+    """Node lists between nodes that have other than two edges; a loop without one is closed.
+
+    A lone node is a branch of its own, of one node.
+    """
+    graph = nx.Graph()
+    graph.add_nodes_from(range(num_nodes))
+    graph.add_edges_from(edges.tolist())
+    ends = [node for node, degree in graph.degree if degree != 2]
+    branches = [[node] for node in ends if graph.degree[node] == 0]
+    seen: set[tuple[int, int]] = set()
+
+    def follow(start: int, onward: int) -> list[int]:
+        branch = [start, onward]
+        while graph.degree[branch[-1]] == 2 and branch[-1] != start:
+            a, b = graph[branch[-1]]
+            branch.append(b if a == branch[-2] else a)
+        seen.add((branch[0], branch[1]))
+        seen.add((branch[-1], branch[-2]))
+        return branch
+
+    for node in ends:
+        branches += [follow(node, onward) for onward in sorted(graph[node]) if (node, onward) not in seen]
+    covered = {node for branch in branches for node in branch}
+    for loop in nx.connected_components(graph):
+        if not loop & covered:
+            start = min(loop)
+            branches.append(follow(start, min(graph[start])))
+    return branches
+
+
+def measure(
+    vertices: np.ndarray, edges: np.ndarray, radii: np.ndarray, share: np.ndarray | None = None
+) -> list[Branch]:
+    """The branches of a curve ``(vertices (N, 3), edges (E, 2), radii (N,))``; ``share`` (N,) of the area by node."""
+    degree = np.bincount(edges.ravel(), minlength=len(vertices))
+    in_use = degree > 0
+    found = []
+    for nodes in trace(len(vertices), edges):
+        length = float(np.linalg.norm(np.diff(vertices[nodes], axis=0), axis=1).sum())
+        junctions = [node for node in (nodes[0], nodes[-1]) if degree[node] > 2]
+        own = np.setdiff1d(nodes, junctions)
+        persistence = np.inf
+        if len(junctions) == 1 and min(degree[nodes[0]], degree[nodes[-1]]) == 1:
+            rest = in_use.copy()
+            rest[own] = False
+            away = np.linalg.norm(vertices[own][:, None] - vertices[rest], axis=2) - radii[rest]
+            reach = float((away.min(axis=1) + radii[own]).max())
+            persistence = 1 + max(reach, 0.0) / max(float(radii[junctions[0]]), 1e-300)
+        found.append(Branch(nodes, length, persistence, np.nan if share is None else float(share[own].sum())))
+    return found
+
+
+def prune(
+    vertices: np.ndarray, edges: np.ndarray, radii: np.ndarray, persistence: float, is_held: np.ndarray | None = None
+) -> tuple[np.ndarray, np.ndarray]:
+    """Take away branches of less than ``persistence``, the least first, until none is left.
+
+    Each time the rest is measured again: where two branches remain at a junction they become one. A branch with a node
+    of ``is_held`` (N,) stays. Returns which nodes stay (N,), and the node that each goes to (N,): itself, or the
+    junction that its branch grew out of.
+    """
+    is_kept = np.ones(len(vertices), dtype=bool)
+    target = np.arange(len(vertices))
+    while True:
+        left = edges[is_kept[edges].all(axis=1)]
+        found = measure(vertices, left, radii)
+        if is_held is not None:
+            found = [branch for branch in found if not is_held[branch.nodes].any()]
+        least = min(found, key=lambda branch: branch.persistence, default=None)
+        if least is None or least.persistence >= persistence:
+            return is_kept, target
+        degree = np.bincount(left.ravel(), minlength=len(vertices))
+        nodes = least.nodes if degree[least.nodes[0]] > 2 else least.nodes[::-1]
+        is_kept[nodes[1:]] = False
+        target[np.isin(target, nodes[1:])] = nodes[0]

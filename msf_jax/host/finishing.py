@@ -1,0 +1,100 @@
+"""From the curve as the flow left it to the finished one: inside, pruned, centred, and out to the ends of the limbs.
+
+The nodes of the flow that stay keep their order, and new ones come after them, so that whatever speaks of the flow's
+nodes (a loss on a replay, say) speaks of the same ones in the finished curve.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+from scipy import sparse
+from scipy.sparse import csgraph
+
+from msf_jax.host import branches, centring, containment, tips
+from msf_jax.host.centring import clearance
+from msf_jax.host.enclosure import Enclosure
+
+SPACING = 0.5  # radii, between the nodes of a finished curve
+LATER_ROUNDS = 4  # of centring, once it has been centred
+
+
+class Finished(NamedTuple):
+    """vertices (N, 3) and edges (E, 2) of the finished curve.
+
+    is_kept: (n,) which of the flow's nodes are in it, in their order, before all others.
+    target: (n,) the flow's node that stands for each: itself, or the junction that its branch was pruned from.
+    """
+
+    vertices: np.ndarray
+    edges: np.ndarray
+    is_kept: np.ndarray
+    target: np.ndarray
+
+
+def finish(
+    shape: Enclosure,
+    nodes: np.ndarray,
+    edges: np.ndarray,
+    is_held: np.ndarray,
+    *,
+    persistence: float,
+    centre: bool,
+    extend: bool,
+) -> Finished:
+    """Finish the curve ``(nodes (n, 3), edges)`` of a solid of diagonal 1; nodes of ``is_held`` (n,) do not move.
+
+    ``persistence`` is that below which branches are pruned; ``centre`` and ``extend`` switch those steps.
+    """
+    x, e = containment.contain(shape, nodes, edges, is_held)
+    held = np.pad(is_held, (0, len(x) - len(is_held)))
+    if centre:  # what to prune is decided on a curve that is centred already
+        x = centring.centre(shape, x, e, held)
+    stays, target = branches.prune(x, e, clearance(shape, x), persistence, held)
+    rank = np.cumsum(stays) - 1
+    x, e, held = x[stays], rank[e[stays[e].all(axis=1)]], held[stays]
+    if centre and not stays.all():
+        x = centring.centre(shape, x, e, held, LATER_ROUNDS)
+    if extend:
+        x, e = tips.extend(shape, x, e, held)
+    if centre:
+        x, e = containment.refine(shape, x, e, SPACING)
+        held = np.pad(held, (0, len(x) - len(held)))
+        is_leaf = np.bincount(e.ravel(), minlength=len(x)) == 1
+        x = centring.centre(shape, x, e, held | is_leaf, LATER_ROUNDS)
+    held = np.pad(held, (0, len(x) - len(held)))
+    x, e = containment.contain(shape, x, e, held)
+    return Finished(x, in_order(e), stays[: len(nodes)], target[: len(nodes)])
+
+
+def in_order(edges: np.ndarray) -> np.ndarray:
+    """Edges with their smaller node first, in ascending order."""
+    return np.unique(np.sort(edges, axis=1), axis=0).reshape(-1, 2)
+
+
+def nearest_on_chain(
+    nodes: np.ndarray, edges: np.ndarray, num_old: int, points: np.ndarray, node_of_point: np.ndarray
+) -> np.ndarray:
+    """Let each point (P, 3) go to a new node, if one that hangs on the point's own node is nearer.
+
+    Nodes from ``num_old`` on are new: they lie on chains between old nodes, or beyond one. Returns (P,) nodes.
+    """
+    num = len(nodes)
+    is_new = edges >= num_old
+    inner, border = edges[is_new.all(axis=1)], edges[is_new.sum(axis=1) == 1]
+    graph = sparse.coo_matrix((np.ones(len(inner)), (inner[:, 0], inner[:, 1])), shape=(num, num))
+    chain = csgraph.connected_components(graph, directed=False)[1]
+    members: dict[int, list[int]] = {}
+    for node in range(num_old, num):
+        members.setdefault(int(chain[node]), []).append(node)
+    hanging: dict[int, list[int]] = {}
+    for old, new in np.sort(border, axis=1).tolist():
+        hanging.setdefault(old, []).extend(members[int(chain[new])])
+    found = node_of_point.copy()
+    order = np.argsort(node_of_point, kind="stable")
+    bounds = np.searchsorted(node_of_point[order], np.arange(num_old + 1))
+    for old, new in hanging.items():
+        own = order[bounds[old] : bounds[old + 1]]
+        choice = np.array([old, *new])
+        away = np.linalg.norm(points[own][:, None] - nodes[choice], axis=2)
+        found[own] = choice[away.argmin(axis=1)]
+    return found
