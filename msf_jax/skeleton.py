@@ -149,7 +149,7 @@ class Skeleton:
         stays, target = branches.prune(self.vertices, self.edges, self.radii, persistence)
         rank = np.cumsum(stays) - 1
         edges = rank[self.edges[stays[self.edges].all(axis=1)]]
-        return self._changed(self.vertices[stays], edges, rank[target[self.mesh_map]], self.radii[stays])
+        return self._changed(self.vertices[stays], edges, rank[target[self.mesh_map]])
 
     def resample(self, spacing: float) -> "Skeleton":
         """A new skeleton whose branches have nodes about every ``spacing``, in the caller's units; their ends stay.
@@ -219,9 +219,7 @@ class Skeleton:
         led_vertices[: len(vertices)][is_same] = vertices[is_same]
         return led_vertices, led
 
-    def _changed(
-        self, vertices: np.ndarray, edges: np.ndarray, mesh_map: np.ndarray, radii: np.ndarray | None = None
-    ) -> "Skeleton":
+    def _changed(self, vertices: np.ndarray, edges: np.ndarray, mesh_map: np.ndarray) -> "Skeleton":
         """A skeleton of the same mesh with another curve, and the report's counts made again."""
         edges = finishing.in_order(edges)
         components, cycles = curve.cycle_count(len(vertices), edges)
@@ -230,7 +228,7 @@ class Skeleton:
             solid = self.source.solid
             report = replace(report, inside=metrics.inside_fraction(solid.shape, solid.enter(vertices), edges))
             radii = solid.radii(vertices)
-        elif radii is None:  # a ball inside the ball of a node that is known
+        else:  # the largest ball inside one that is known
             away = np.linalg.norm(vertices[:, None] - self.vertices, axis=2)
             radii = np.maximum((self.radii - away).max(axis=1), 0.0)
         return Skeleton(vertices, edges, radii, mesh_map, report, self.source)

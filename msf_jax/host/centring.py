@@ -23,7 +23,7 @@ from msf_jax.host.enclosure import Enclosure
 
 # Chosen on the ground-truth shapes and the research meshes, for the mean distance to the true curve, off-centre and
 # missed together; see `tests.benchmarks.curves`.
-ROUNDS = 8
+ROUNDS = 6
 STIFFNESS = 0.35  # the length l, in radii
 STIFFEST = 1e5  # of (l / h)^4
 ZONE = 0.7  # radii of a junction, within which sections do not count

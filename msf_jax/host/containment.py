@@ -1,8 +1,8 @@
-"""Keep the curve inside: nodes off the surface, edges covered by balls that are inside, whatever the flow did.
+"""Keep the curve inside: nodes off the surface, edges that do not cross it, whatever the flow did.
 
-The ball around a point with the distance to the surface as its radius is inside the solid. Where the balls at the ends
-of an edge overlap, so is the edge. An edge without such a cover is halved, and its new node moved to where there is
-room, again and again; where that fails, it is led through a graph of overlapping balls, the shortest way.
+A node outside goes to the middle of the solid behind the nearest triangle. An edge that leaves the solid is led through
+it: over the middle of its own cross-section, if that will do, or else over middles of chords of the solid around it, by
+the shortest and roomiest way that does not cross the surface.
 """
 
 import itertools
@@ -15,10 +15,10 @@ from msf_jax.host import sections
 from msf_jax.host.centring import clearance, unit
 from msf_jax.host.enclosure import Enclosure
 
-HALVINGS = 6  # of an edge that is not inside, with new nodes
-LOOKS = 8  # halvings of an edge without new nodes, to see whether it is inside
-TOUCHING = 1e-4  # diagonals: a point with less room than that counts as outside
-BALL_NEIGHBOURS = 24
+HALVINGS = 2  # of an edge that is not inside, before a way is looked for
+SAMPLES = 64  # of an edge that crosses the surface, to see whether it comes out, or meets a fold of the surface inside
+TOUCHING = 1e-5  # diagonals: a point with less room than that counts as outside
+NEIGHBOURS = 16  # of a point, in the search for a way
 
 
 def contain(
@@ -28,40 +28,29 @@ def contain(
 
     Nodes of ``is_held`` stay where they are. An edge that cannot be led through the solid stays as it is.
     """
-    x = vertices.copy()
+    x, edges = vertices.copy(), edges.copy()
     is_out = (clearance(shape, x) < TOUCHING) & ~is_held
     x[is_out] = _inward(shape, x[is_out])
-    edges = edges.copy()
     for _ in range(HALVINGS):
         is_bad = ~is_inside(shape, x[edges[:, 0]], x[edges[:, 1]])
-        if not is_bad.any():
-            return x, edges
-        middles = _roomy_middles(shape, x[edges[is_bad, 0]], x[edges[is_bad, 1]])
-        x, edges = _replaced(x, edges, is_bad, [middle[None] for middle in middles])
+        middle, is_near = _middles(shape, x[edges[is_bad, 0]], x[edges[is_bad, 1]])
+        is_bad[is_bad] = is_near
+        x, edges = _replaced(x, edges, is_bad, [point[None] for point in middle[is_near]])
     is_bad = ~is_inside(shape, x[edges[:, 0]], x[edges[:, 1]])
     return _replaced(x, edges, is_bad, [_way(shape, x[a], x[b]) for a, b in edges[is_bad]])
 
 
 def is_inside(shape: Enclosure, a: np.ndarray, b: np.ndarray) -> np.ndarray:
-    """(E,) True for a segment from a (E, 3) to b (E, 3) that balls inside the surface cover."""
-    room_a, room_b = clearance(shape, a), clearance(shape, b)
-    is_covered = np.ones(len(a), dtype=bool)
-    edge = np.arange(len(a))
-    for _ in range(LOOKS):
-        is_open = np.linalg.norm(a - b, axis=1) >= room_a + room_b
-        a, b, room_a, room_b, edge = a[is_open], b[is_open], room_a[is_open], room_b[is_open], edge[is_open]
-        if not len(edge):
-            break
-        middle = (a + b) / 2
-        room = clearance(shape, middle)
-        is_covered[edge[room < TOUCHING]] = False
-        a, b = np.concatenate([a, middle]), np.concatenate([middle, b])
-        room_a, room_b = np.concatenate([room_a, room]), np.concatenate([room, room_b])
-        edge = np.concatenate([edge, edge])
-        is_left = is_covered[edge]
-        a, b, room_a, room_b, edge = a[is_left], b[is_left], room_a[is_left], room_b[is_left], edge[is_left]
-    is_covered[edge] = False
-    return is_covered
+    """(E,) True for a segment from a (E, 3) to b (E, 3) that is inside the solid."""
+    is_in = shape.contains(a) & shape.contains(b)
+    length = np.linalg.norm(b - a, axis=1)
+    rows = np.flatnonzero(is_in)
+    hit = shape.ray_lengths(a[rows], unit(b - a)[rows], length[rows]) < length[rows]
+    rows = rows[hit]
+    t = (np.arange(SAMPLES) + 0.5) / SAMPLES
+    points = a[rows, None] + t[None, :, None] * (b - a)[rows, None]
+    is_in[rows] = shape.contains(points.reshape(-1, 3)).reshape(-1, SAMPLES).all(axis=1)
+    return is_in
 
 
 def refine(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray, spacing: float) -> tuple[np.ndarray, np.ndarray]:
@@ -92,16 +81,17 @@ def _replaced(
     return np.concatenate([x, *chains]), np.concatenate([edges[~is_gone], new])
 
 
-def _roomy_middles(shape: Enclosure, a: np.ndarray, b: np.ndarray) -> np.ndarray:
-    """A point for the middle of each edge: of its cross-section there, or inwards from it where it is outside."""
+def _middles(shape: Enclosure, a: np.ndarray, b: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """A point inside for the middle of each edge, and whether it is near enough to the edge to be on its way."""
     middle = (a + b) / 2
-    room = clearance(shape, middle)
-    is_out = room < TOUCHING
-    middle[is_out] = _inward(shape, middle[is_out])
-    room = clearance(shape, middle)
-    found = sections.cut(shape, middle, unit(b - a), np.maximum(room, 0.01))
+    inner = middle.copy()
+    is_out = clearance(shape, middle) < TOUCHING
+    inner[is_out] = _inward(shape, middle[is_out])
+    room = clearance(shape, inner)
+    found = sections.cut(shape, inner, unit(b - a), np.maximum(room, 0.01))
     is_better = found.is_around & (clearance(shape, found.centroid) > np.maximum(room, TOUCHING))
-    return np.where(is_better[:, None], found.centroid, middle)
+    inner = np.where(is_better[:, None], found.centroid, inner)
+    return inner, np.linalg.norm(inner - middle, axis=1) < np.linalg.norm(b - a, axis=1)
 
 
 def _inward(shape: Enclosure, points: np.ndarray) -> np.ndarray:
@@ -131,28 +121,39 @@ def chord_middles(shape: Enclosure, points: np.ndarray, ways: np.ndarray) -> np.
 
 
 def _way(shape: Enclosure, a: np.ndarray, b: np.ndarray) -> np.ndarray:
-    """Centres (k, 3) from a to b, each ball overlapping the next; none if there is no such way.
+    """Points (k, 3) from a to b, with segments that are inside; none if there is no such way.
 
-    The balls are those in the middles of chords behind the vertices around.
+    It is looked for close by first, and then ever farther.
     """
-    middle, reach = (a + b) / 2, 2 * np.linalg.norm(b - a) + 0.05
+    for effort in (1, 2, 4, 8):
+        reach = effort * (float(np.linalg.norm(b - a)) + 0.05)
+        found = _way_within(shape, a, b, reach, effort * NEIGHBOURS)
+        if len(found):
+            return found
+    return np.empty((0, 3))
+
+
+def _way_within(shape: Enclosure, a: np.ndarray, b: np.ndarray, reach: float, neighbours: int) -> np.ndarray:
+    """The same, over the middles of chords behind the faces within ``reach``, each joined to its neighbours."""
+    middle = (a + b) / 2
     near = np.linalg.norm(shape.triangles.mean(axis=1) - middle, axis=1) < reach
     corner = shape.triangles[near]
     behind = -unit(np.cross(corner[:, 1] - corner[:, 0], corner[:, 2] - corner[:, 0]))
-    centre = chord_middles(shape, corner.mean(axis=1) + TOUCHING / 2 * behind, behind)
-    room = clearance(shape, centre)
-    centre, room = centre[room > TOUCHING], room[room > TOUCHING]
-    centre, room = np.concatenate([centre, [a, b]]), np.concatenate([room, clearance(shape, np.array([a, b]))])
-    distance, near = spatial.KDTree(centre).query(centre, k=min(BALL_NEIGHBOURS, len(centre)))
-    tail = np.repeat(np.arange(len(centre)), near.size // len(centre))
-    head, length = near.ravel(), distance.ravel()
-    is_joined = (length < room[tail] + room[head]) & (tail != head)
-    cost = length[is_joined] / np.maximum(np.minimum(room[tail], room[head])[is_joined], 1e-9)
-    graph = sparse.coo_matrix((cost, (tail[is_joined], head[is_joined])), shape=(len(centre),) * 2)
-    start, end = len(centre) - 2, len(centre) - 1
+    points = chord_middles(shape, corner.mean(axis=1) + TOUCHING / 2 * behind, behind)
+    room = clearance(shape, points)
+    points, room = points[room > TOUCHING], room[room > TOUCHING]
+    points, room = np.concatenate([points, [a, b]]), np.concatenate([room, clearance(shape, np.array([a, b]))])
+    distance, other = spatial.KDTree(points).query(points, k=min(neighbours, len(points)))
+    tail = np.repeat(np.arange(len(points)), other.size // len(points))
+    head, length = other.ravel(), distance.ravel()
+    is_open = tail != head
+    is_open[is_open] = is_inside(shape, points[tail[is_open]], points[head[is_open]])
+    cost = length[is_open] / np.maximum(np.minimum(room[tail], room[head])[is_open], TOUCHING)  # roomy ways first
+    graph = sparse.coo_matrix((cost, (tail[is_open], head[is_open])), shape=(len(points),) * 2)
+    start, end = len(points) - 2, len(points) - 1
     before = csgraph.dijkstra(graph.tocsr(), directed=False, indices=start, return_predecessors=True)[1]
     stops = []
     while before[end] >= 0:
         end = before[end]
         stops.append(end)
-    return centre[stops[-2::-1]] if len(stops) > 1 else np.empty((0, 3))
+    return points[stops[-2::-1]] if len(stops) > 1 else np.empty((0, 3))

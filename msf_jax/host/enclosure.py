@@ -34,6 +34,8 @@ class Enclosure:
         self.triangles = vertices[faces]
         self.faces = faces
         self.vertices = vertices
+        self.centroids = self.triangles.mean(axis=1)
+        self.reaches = np.sqrt(((self.triangles - self.centroids[:, None]) ** 2).sum(axis=2).max(axis=1))
         self._grid: _Grid | None = None
         self._trees: tuple[spatial.KDTree, list[SizeClass]] | None = None
         self._neighbours: np.ndarray | None = None
@@ -94,13 +96,19 @@ class Enclosure:
         bound = vertex_tree.query(points)[0] * (1 + 1e-12)
         for size_class in classes:
             for point, triangle in _near([size_class], points, bound):
+                away = points[point] - self.centroids[triangle]
+                may_be = np.einsum("ci,ci->c", away, away) <= (bound[point] + self.reaches[triangle]) ** 2
+                point, triangle = point[may_be], triangle[may_be]
+                if not len(point):
+                    continue
                 distance2 = point_triangle_distance2(points[point], self.triangles[triangle])
-                order = np.lexsort((distance2, point))
-                first = order[np.r_[True, point[order][1:] != point[order][:-1]]] if len(order) else order
-                row, value = point[first], distance2[first]
-                is_nearer = value < best2[row]
-                best2[row[is_nearer]] = value[is_nearer]
-                chosen[row[is_nearer]] = triangle[first][is_nearer]
+                start = np.flatnonzero(np.r_[True, point[1:] != point[:-1]])  # pairs come point by point
+                least = np.minimum.reduceat(distance2, start)
+                row = point[start]
+                is_nearer = least < best2[row]
+                is_least = distance2 == np.repeat(np.where(is_nearer, least, -1.0), np.diff(np.r_[start, len(point)]))
+                chosen[point[is_least][::-1]] = triangle[is_least][::-1]
+                best2[row] = np.minimum(best2[row], least)
             bound = np.minimum(bound, np.sqrt(best2) * (1 + 1e-12))
         return np.sqrt(best2), chosen
 
@@ -140,7 +148,7 @@ class Enclosure:
 
     def _searched(self) -> tuple[spatial.KDTree, list[SizeClass]]:
         if self._trees is None:
-            self._trees = spatial.KDTree(self.vertices), _size_classes(self.triangles)
+            self._trees = spatial.KDTree(self.vertices), _size_classes(self.centroids, self.reaches)
         return self._trees
 
 
@@ -161,11 +169,9 @@ def _near(classes: list[SizeClass], points: np.ndarray, reach: np.ndarray) -> It
         yield np.concatenate(point), np.concatenate(triangle)
 
 
-def _size_classes(triangles: np.ndarray) -> list[SizeClass]:
-    """One class for each power of two of the reach, the largest distance from a triangle's centroid to a corner."""
-    centroid = triangles.mean(axis=1)
-    reach = np.sqrt(((triangles - centroid[:, None]) ** 2).sum(axis=2).max(axis=1))
-    level = np.floor(np.log2(np.maximum(reach, 1e-6 * reach.max())))
+def _size_classes(centroid: np.ndarray, reach: np.ndarray) -> list[SizeClass]:
+    """One class for each power of four of the reach, the largest distance from a triangle's centroid to a corner."""
+    level = np.floor(np.log2(np.maximum(reach, 1e-6 * reach.max())) / 2)
     classes = []
     for value in np.unique(level):
         rows = np.flatnonzero(level == value)

@@ -15,7 +15,7 @@ from msf_jax.host.centring import clearance
 from msf_jax.host.enclosure import Enclosure
 
 SPACING = 0.5  # radii, between the nodes of a finished curve
-LATER_ROUNDS = 4  # of centring, once it has been centred
+LATER_ROUNDS = 3  # of centring, once it has been centred
 
 
 class Finished(NamedTuple):
@@ -52,13 +52,14 @@ def finish(
     stays, target = branches.prune(x, e, clearance(shape, x), persistence, held)
     rank = np.cumsum(stays) - 1
     x, e, held = x[stays], rank[e[stays[e].all(axis=1)]], held[stays]
-    if centre and not stays.all():
-        x = centring.centre(shape, x, e, held, LATER_ROUNDS)
-    if extend:
-        x, e = tips.extend(shape, x, e, held)
     if centre:
         x, e = containment.refine(shape, x, e, SPACING)
         held = np.pad(held, (0, len(x) - len(held)))
+        x = centring.centre(shape, x, e, held, LATER_ROUNDS)
+    if extend:
+        x, e = tips.extend(shape, x, e, held)
+        held = np.pad(held, (0, len(x) - len(held)))
+    if centre and extend:
         is_leaf = np.bincount(e.ravel(), minlength=len(x)) == 1
         x = centring.centre(shape, x, e, held | is_leaf, LATER_ROUNDS)
     held = np.pad(held, (0, len(x) - len(held)))

@@ -11,6 +11,7 @@ import numpy as np
 
 from msf_jax.host.enclosure import Enclosure
 
+SEARCHES = 3  # for the nearest loop, each three times as far as the last
 LONGEST_LOOP = 20_000  # triangles, after which a walk is given up
 
 
@@ -37,9 +38,10 @@ def cut(shape: Enclosure, points: np.ndarray, normals: np.ndarray, radii: np.nda
     """
     start = np.full((len(points), 2), -1)
     left, reach = np.arange(len(points)), 1.5 * np.maximum(radii, 1e-3 * np.ptp(shape.vertices, axis=0).max())
-    for _ in range(4):
-        start[left] = _nearest_crossings(shape, points[left], normals[left], reach[left])
-        left, reach = left[start[left, 0] < 0], 2 * reach
+    for _ in range(SEARCHES):
+        start[left] = _nearest_crossings(shape, points[left], normals[left], reach)
+        is_left = start[left, 0] < 0
+        left, reach = left[is_left], 3 * reach[is_left]
         if not len(left):
             break
     none = np.zeros(len(points), dtype=bool)

@@ -13,10 +13,11 @@ from msf_jax.host import branches, sections
 from msf_jax.host.centring import arc_length, at, clearance, unit
 from msf_jax.host.enclosure import Enclosure
 
-GAP = 0.35  # limb radii, that are left between the end of the curve and the surface ahead
+GAP = 0.3  # limb radii, that are left between the end of the curve and the surface ahead
 BACK = 1.0  # limb radii, by which a leaf is taken back first: the last bit of a contracted curve is bent
 STEP = 0.4  # limb radii, of one step
-MOST_STEPS = 200
+TURN = 1.0  # step lengths, that a step goes sideways at most
+MOST_STEPS = 80
 
 
 def extend(
@@ -63,10 +64,10 @@ def _march(shape: Enclosure, ways: list[np.ndarray], radii: list[np.ndarray]) ->
         along = arc_length(points)
         size = radius[0]
         for _ in range(3):  # the limb's radius is the largest ball within that radius of the leaf
-            size = max(size, float(radius[along <= BACK * size].max()))
+            size = max(size, float(radius[along <= size].max()))
         back = min(BACK * size, 0.5 * along[-1])
         first = int(np.searchsorted(along, back))
-        ahead = at(points, along, np.array([along[first], min(along[first] + 2 * size, along[-1])]))
+        ahead = at(points, along, np.array([along[first], min(along[first] + size, along[-1])]))
         kept.append(first)
         start.append(points[first])
         direction.append(ahead[0] - ahead[1] if np.ptp(ahead, axis=0).any() else points[0] - points[-1])
@@ -84,8 +85,8 @@ def _march(shape: Enclosure, ways: list[np.ndarray], radii: list[np.ndarray]) ->
         off = found.centroid - goal
         length = np.linalg.norm(off, axis=1)
         is_limb = found.is_around & (found.radius < 2 * size[active])
-        # A cap's sections wander: near the surface ahead they count for less.
-        share = np.minimum(1.0, 0.25 * size[active] / np.maximum(length, 1e-300)) * np.clip(room / size[active], 0, 1)
+        # A turn of half a right angle at most in a step; and a cap's sections wander, so they count for less.
+        share = np.minimum(1.0, TURN * step / np.maximum(length, 1e-300)) * np.clip(room / size[active], 0, 1)
         goal = goal + np.where(is_limb, share, 0.0)[:, None] * off
         is_open = (room > 0.02 * size[active]) & (clearance(shape, goal) > 0.1 * np.minimum(size[active], ahead))
         for row, point in zip(active[is_open], goal[is_open], strict=True):
@@ -97,7 +98,7 @@ def _march(shape: Enclosure, ways: list[np.ndarray], radii: list[np.ndarray]) ->
         size[active[is_full]] = np.minimum(size[active], found.radius)[is_full]
         # Where the way is barred, a shorter step may go round the bend.
         stride[active] = np.where(is_open, np.minimum(2 * stride[active], STEP), stride[active] / 2)
-        active = active[(room > 0.02 * size[active]) & (stride[active] > STEP / 10)]
+        active = active[(room > 0.02 * size[active]) & (stride[active] > STEP / 5)]
         if not len(active):
             break
     return [(number, np.array(course)) for number, course in zip(kept, courses, strict=True)]
