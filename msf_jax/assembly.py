@@ -92,7 +92,7 @@ def assemble(
         edges.append(number[done.edges])
         vertex_to_flow[where] = node_of_vertex + num_old
         vertex_to_node[where] = number[
-            finishing.nearest_on_chain(done.vertices, done.edges, count, state.shape.vertices, node_of_vertex)
+            finishing.nearest_on_branch(done.vertices, done.edges, state.shape.vertices, node_of_vertex)
         ]
         meso_vertices.append(leave(state.meso.positions))
         meso_faces.append(state.meso.faces() + num_meso)

@@ -110,6 +110,11 @@ def _parser() -> argparse.ArgumentParser:
     for name, meaning in WEIGHTS.items():
         one.add_argument(f"--{name.replace('_', '-')}", dest=name, type=float, metavar="X", help=meaning)
     one.add_argument("--max-iterations", type=int, metavar="N", help="give up after N iterations")
+    one.add_argument(
+        "--prune", type=float, metavar="X", help="take branches of less than this persistence away; 0: none"
+    )
+    one.add_argument("--pin", type=int, action="append", metavar="N", help="hold vertex N in place (can be repeated)")
+    one.add_argument("--evaluate", action="store_true", help="report off-centre, missed surface and the like, too")
     one.add_argument("--check", action="store_true", help="verify the surface after every round of edits (slower)")
     _common(one)
     one.set_defaults(run=_skeletonize)
@@ -138,12 +143,13 @@ def _skeletonize(arguments: argparse.Namespace) -> int:
         picture = _checked_target(arguments.picture, arguments.mesh, arguments.output)
         if picture.suffix.lower() != ".png":
             raise ConfigError(f"the picture is a PNG file: expected a name that ends in .png, not {picture.name!r}")
-    changes = {} if arguments.max_iterations is None else {"max_iterations": arguments.max_iterations}
-    config = Config.named(arguments.system, check=arguments.check, **changes)
+    changes = {name: getattr(arguments, name) for name in ("max_iterations", "prune")}
+    changes = {name: value for name, value in changes.items() if value is not None}
+    config = Config.named(arguments.system, check=arguments.check, evaluate=arguments.evaluate, **changes)
     given = {name: getattr(arguments, name) for name in WEIGHTS if getattr(arguments, name) is not None}
     weights = Weights(**(vars(config.default_weights()) | given))
     mesh = surface.read(arguments.mesh)
-    skeleton = msf_jax.skeletonize(mesh, weights, config, progress=not arguments.quiet)
+    skeleton = msf_jax.skeletonize(mesh, weights, config, pins=arguments.pin, progress=not arguments.quiet)
     files: dict[Path, str | bytes] = {target: render(skeleton)}
     if picture:
         files[picture] = view.picture(skeleton, mesh)

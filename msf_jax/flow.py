@@ -63,7 +63,8 @@ def init(component: Component, number: int, config: Config, watch: Stopwatch, pi
             meso = _resampled(meso, config.resample, check=config.check)
             max_rows = max(max_rows, GROWTH_LIMIT * meso.num_rows)
     if config.use_poles:
-        meso.poles, meso.has_pole = _poles(meso, shape, config, watch)
+        meso.poles, meso.has_pole, trust = _poles(meso, shape, config, watch)
+        meso.trust = trust if config.pole_confidence else None
     return State(
         component=component,
         number=number,
@@ -93,8 +94,11 @@ def _resampled(meso: Meso, length: float, *, check: bool) -> Meso:
     return meso
 
 
-def _poles(meso: Meso, shape: Enclosure, config: Config, watch: Stopwatch) -> tuple[np.ndarray, np.ndarray]:
-    """Poles of the (reconstructed) surface; one that lies outside the input's surface does not pull."""
+def _poles(meso: Meso, shape: Enclosure, config: Config, watch: Stopwatch) -> tuple[np.ndarray, ...]:
+    """Poles of the (reconstructed) surface, which of them pull (none outside the input's surface), and their trust.
+
+    A pole is trusted by (1 - cos(spoke angle)) / 2.
+    """
     sites, faces = meso.positions, meso.faces()
     if config.reconstruct_poles:
         with watch.stage("reconstruction"):
@@ -103,7 +107,8 @@ def _poles(meso: Meso, shape: Enclosure, config: Config, watch: Stopwatch) -> tu
         found = poles.voronoi_poles(sites, faces, box=shape.vertices)
         has_pole = found.is_found.copy()
         has_pole[has_pole] = shape.contains(found.position[has_pole])
-        return np.where(has_pole[:, None], found.position, meso.positions), has_pole
+        trust = (1 - np.cos(poles.spoke_angles(found, sites))) / 2
+        return np.where(has_pole[:, None], found.position, meso.positions), has_pole, trust
 
 
 def _one_ring_areas(meso: Meso) -> np.ndarray:

@@ -25,7 +25,7 @@ def tubes():
 
 
 def check_map(skeleton):
-    """Every input vertex has a node, and most nodes have input vertices (not all: a split's new vertex may be one)."""
+    """Every input vertex has a node, and most nodes have input vertices (not all: limbs can be thin and coarse)."""
     assert skeleton.mesh_map.min() >= 0
     assert skeleton.mesh_map.max() < len(skeleton.vertices)
     assert len(np.unique(skeleton.mesh_map)) >= 0.75 * len(skeleton.vertices)
@@ -180,8 +180,10 @@ def test_components_are_skeletonised_each_as_if_alone():
     both = msf_jax.skeletonize(trimesh.util.concatenate([mesh, far]))
     alone = msf_jax.skeletonize(mesh)
     assert (both.report.components, both.report.cycles, both.report.genus) == (2, 2, 2)
-    assert np.array_equal(both.vertices[: len(alone.vertices)], alone.vertices)
-    assert both.mesh_map[: len(mesh.vertices)].max() < len(alone.vertices) <= both.mesh_map[len(mesh.vertices) :].min()
+    is_near = both.vertices[:, 0] < 25
+    assert np.array_equal(both.vertices[is_near], alone.vertices)
+    assert is_near[both.mesh_map[: len(mesh.vertices)]].all()
+    assert not is_near[both.mesh_map[len(mesh.vertices) :]].any()
 
 
 def test_the_callers_mesh_is_not_changed():

@@ -34,7 +34,7 @@ class Buffers(NamedTuple):
     degree: jax.Array  # (n,)
     free: jax.Array  # (n,) 1.0 where the vertex may move
     poles: jax.Array  # (n, 3)
-    pull: jax.Array  # (n,) 1.0 where the pole pulls
+    pull: jax.Array  # (n,) 1.0 where the pole pulls, less where it is trusted less
     area: jax.Array  # (n,) one-ring areas at the start of the flow, for the system whose w_H follows them
 
 

@@ -144,6 +144,8 @@ def _apply(meso: Meso, a: np.ndarray, b: np.ndarray) -> CollapseRound:
     meso.positions[a] = position
     meso.poles[a] = np.where(takes_pole[:, None], meso.poles[b], meso.poles[a])
     meso.has_pole[a] |= takes_pole
+    if meso.trust is not None:
+        meso.trust[a] = np.where(takes_pole, meso.trust[b], meso.trust[a])
     meso.merge_map(a, b)
     return CollapseRound(a, b, fraction, takes_pole)
 

@@ -7,8 +7,7 @@ nodes (a loss on a replay, say) speaks of the same ones in the finished curve.
 from typing import NamedTuple
 
 import numpy as np
-from scipy import sparse
-from scipy.sparse import csgraph
+from scipy import spatial
 
 from msf_jax.host import branches, centring, containment, tips
 from msf_jax.host.centring import clearance
@@ -72,30 +71,22 @@ def in_order(edges: np.ndarray) -> np.ndarray:
     return np.unique(np.sort(edges, axis=1), axis=0).reshape(-1, 2)
 
 
-def nearest_on_chain(
-    nodes: np.ndarray, edges: np.ndarray, num_old: int, points: np.ndarray, node_of_point: np.ndarray
+def nearest_on_branch(
+    nodes: np.ndarray, edges: np.ndarray, points: np.ndarray, node_of_point: np.ndarray
 ) -> np.ndarray:
-    """Let each point (P, 3) go to a new node, if one that hangs on the point's own node is nearer.
+    """Let each point (P, 3) go to the nearest node of its own branch; one at a junction, of any that meet there.
 
-    Nodes from ``num_old`` on are new: they lie on chains between old nodes, or beyond one. Returns (P,) nodes.
+    Nodes have moved along their branches, and there are new ones, since a point was given its node. Returns (P,) nodes.
     """
-    num = len(nodes)
-    is_new = edges >= num_old
-    inner, border = edges[is_new.all(axis=1)], edges[is_new.sum(axis=1) == 1]
-    graph = sparse.coo_matrix((np.ones(len(inner)), (inner[:, 0], inner[:, 1])), shape=(num, num))
-    chain = csgraph.connected_components(graph, directed=False)[1]
-    members: dict[int, list[int]] = {}
-    for node in range(num_old, num):
-        members.setdefault(int(chain[node]), []).append(node)
-    hanging: dict[int, list[int]] = {}
-    for old, new in np.sort(border, axis=1).tolist():
-        hanging.setdefault(old, []).extend(members[int(chain[new])])
     found = node_of_point.copy()
+    least = np.full(len(points), np.inf)
     order = np.argsort(node_of_point, kind="stable")
-    bounds = np.searchsorted(node_of_point[order], np.arange(num_old + 1))
-    for old, new in hanging.items():
-        own = order[bounds[old] : bounds[old + 1]]
-        choice = np.array([old, *new])
-        away = np.linalg.norm(points[own][:, None] - nodes[choice], axis=2)
-        found[own] = choice[away.argmin(axis=1)]
+    bounds = np.searchsorted(node_of_point[order], np.arange(len(nodes) + 1))
+    for way in branches.trace(len(nodes), edges):
+        own = np.concatenate([order[bounds[node] : bounds[node + 1]] for node in dict.fromkeys(way)])
+        if len(own):
+            away, place = spatial.KDTree(nodes[way]).query(points[own])
+            is_nearer = away < least[own]
+            found[own[is_nearer]] = np.array(way)[place[is_nearer]]
+            least[own[is_nearer]] = away[is_nearer]
     return found

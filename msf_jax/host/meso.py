@@ -17,6 +17,7 @@ class Meso:
 
     positions: (n, 3). rings: (n, K), see `connectivity`. degree: (n,), 0 for a dead row.
     poles: (n, 3), finite everywhere. has_pole: (n,), False where the pole must not pull.
+    trust: (n,) from 0 to 1, how much the pole counts, or None where all count the same.
     classes: (n, K), the class of every edge (see `homology`), or None for a surface without handles.
     is_fixed: (n,), True where the vertex has reached the skeleton for good.
     node_of_input: (V,), the row that every vertex of the input has been merged into.
@@ -29,6 +30,7 @@ class Meso:
     has_pole: np.ndarray
     is_fixed: np.ndarray
     node_of_input: np.ndarray
+    trust: np.ndarray | None = None
     classes: np.ndarray | None = None
 
     @classmethod
@@ -98,6 +100,7 @@ class Meso:
             has_pole=self.has_pole[live],
             is_fixed=self.is_fixed[live],
             node_of_input=number[self.node_of_input],
+            trust=None if self.trust is None else self.trust[live],
             classes=None if self.classes is None else self.classes[live],
         )
 

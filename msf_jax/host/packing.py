@@ -40,6 +40,7 @@ def pack(meso: Meso, layout: Layout, area: np.ndarray, dtype: np.dtype) -> Packe
     after[last] = rings[:, 0]
     before = np.concatenate([rings[last][:, None], rings[:, :-1]], axis=1)
 
+    pull = meso.has_pole if meso.trust is None else meso.has_pole * meso.trust
     size = layout.capacity
     flat = {name: np.empty(layout.num_slots, dtype=np.int32) for name in ("neighbour", "after", "before")}
     is_used = np.zeros(layout.num_slots, dtype=bool)
@@ -61,7 +62,7 @@ def pack(meso: Meso, layout: Layout, area: np.ndarray, dtype: np.dtype) -> Packe
         "degree": pad(degree, size, 0, dtype),
         "free": pad(~meso.is_fixed[order] & (degree > 0), size, 0, dtype),
         "poles": pad(meso.poles[order], size, 0, dtype),
-        "pull": pad(meso.has_pole[order], size, 0, dtype),
+        "pull": pad(pull[order], size, 0, dtype),
         "area": pad(area[order] if len(area) else area, size, 1, dtype),
     }
     return Packed(order, fields)

@@ -26,6 +26,18 @@ class Poles(NamedTuple):
         return self.tetrahedron[:, 0] >= 0
 
 
+def spoke_angles(found: Poles, sites: np.ndarray) -> np.ndarray:
+    """Largest angle (V,) between the spokes from each pole to its four sites, in radians; 0 where there is no pole.
+
+    It is near pi for a ball that touches the surface on opposite sides, and small for one that belongs to noise
+    (Amenta et al. 2001; Tagliasacchi et al. 2012).
+    """
+    spokes = sites[found.tetrahedron] - found.position[:, None]
+    spokes /= np.maximum(np.linalg.norm(spokes, axis=2, keepdims=True), 1e-300)
+    cosines = np.einsum("vai,vbi->vab", spokes, spokes).min(axis=(1, 2))
+    return np.where(found.is_found, np.arccos(np.clip(cosines, -1, 1)), 0.0)
+
+
 def vertex_normals(vertices: np.ndarray, faces: np.ndarray) -> np.ndarray:
     """Vertex normals (V, 3), unit face normals weighted by the corner's angle (Thuermer and Wuethrich 1998).
 

@@ -114,6 +114,8 @@ def split_edges(meso: Meso, a: np.ndarray, b: np.ndarray, fraction: np.ndarray) 
         old = getattr(meso, name)
         setattr(meso, name, np.concatenate([old, (1 - weight) * old[a] + weight * old[b]]))
     meso.has_pole = np.concatenate([meso.has_pole, np.zeros(len(a), dtype=bool)])
+    if meso.trust is not None:
+        meso.trust = np.concatenate([meso.trust, np.zeros(len(a))])
     meso.is_fixed = np.concatenate([meso.is_fixed, np.zeros(len(a), dtype=bool)])
     return SplitRound(a, b, new, fraction)
 

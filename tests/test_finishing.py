@@ -1,0 +1,274 @@
+"""The passes after the flow: containment, centring, pruning, tips; and shapes whose curve is known."""
+
+import numpy as np
+import pytest
+import trimesh
+from conftest import blob, torus
+from scipy import spatial
+
+import msf_jax
+from msf_jax import Config, ground_truth, metrics
+from msf_jax.host import centring, containment, finishing, tips
+from msf_jax.host.curve import cycle_count
+from msf_jax.host.enclosure import Enclosure
+
+
+def path(points):
+    """A polyline as (vertices, edges)."""
+    points = np.array(points, dtype=float)
+    return points, np.stack([np.arange(len(points) - 1), np.arange(1, len(points))], axis=1)
+
+
+def unit_shape(mesh):
+    """The mesh with a diagonal of 1 as an Enclosure, and the factor."""
+    size = np.linalg.norm(np.ptp(mesh.vertices, axis=0))
+    return Enclosure(np.asarray(mesh.vertices) / size, np.asarray(mesh.faces)), 1 / size
+
+
+def is_inside(shape, x, edges):
+    """By dense samples of the winding number, not by rays."""
+    points, _ = metrics.sample_curve(x, edges, 1e-4)
+    return shape.contains(points).all()
+
+
+def none_held(x):
+    return np.zeros(len(x), dtype=bool)
+
+
+def length_of(x, edges):
+    return np.linalg.norm(x[edges[:, 0]] - x[edges[:, 1]], axis=1).sum()
+
+
+def tube(points, radius=0.15, sides=16):
+    points = np.array(points, dtype=float)
+    return ground_truth.swept_tube(points, np.full(len(points), radius), sides)
+
+
+def bow(turn, num=60):
+    """Points of an arc of radius 1 that goes ``turn`` of the way round."""
+    angle = np.linspace(0, 2 * np.pi * turn, num)
+    return np.stack([np.cos(angle), np.sin(angle), 0 * angle], axis=1)
+
+
+def test_an_edge_across_a_bend_is_led_round_it():
+    shape, scale = unit_shape(tube(bow(0.6)))
+    x, edges = path(scale * bow(0.6)[[2, -3]])
+    assert not is_inside(shape, x, edges)
+    led, led_edges = containment.contain(shape, x, edges, none_held(x))
+    assert is_inside(shape, led, led_edges)
+    assert cycle_count(len(led), led_edges) == (1, 0)
+    np.testing.assert_array_equal(led[:2], x)
+    assert length_of(led, led_edges) < 2 * np.pi * 0.6 * scale * 1.6  # the way round, and no tour of the tube
+
+
+def test_nodes_outside_come_in_and_held_ones_stay():
+    shape, scale = unit_shape(tube(bow(0.25)))
+    middle = scale * bow(0.25)[[10, 20, 30, 40, 50]]
+    out = middle.copy()
+    out[2] *= 1.3
+    x, edges = containment.contain(shape, *path(out), none_held(out))
+    assert is_inside(shape, x, edges)
+    np.testing.assert_array_equal(x[[0, 1, 3, 4]], out[[0, 1, 3, 4]])
+    assert np.linalg.norm(x[2] - middle[2]) < 0.15 * scale
+    held = np.arange(5) == 2
+    x, _ = containment.contain(shape, *path(out), held)
+    np.testing.assert_array_equal(x[2], out[2])
+
+
+def test_a_curve_that_is_inside_is_not_touched():
+    shape, scale = unit_shape(tube(bow(0.25)))
+    before, edges = path(scale * bow(0.25)[5:-5])
+    x, after = containment.contain(shape, before, edges, none_held(before))
+    np.testing.assert_array_equal(x, before)
+    np.testing.assert_array_equal(np.sort(after, axis=1), edges)
+
+
+def test_a_segment_through_a_fold_inside_the_solid_is_inside():
+    """Two balls that overlap, one surface: it crosses itself, but between the centres nothing is outside."""
+    one, other = trimesh.creation.icosphere(2, 1.0), trimesh.creation.icosphere(2, 1.0)
+    other.apply_translation([1.2, 0, 0])
+    both = trimesh.util.concatenate([one, other])
+    shape = Enclosure(np.asarray(both.vertices), np.asarray(both.faces))
+    ends = np.array([[0.0, 0, 0], [1.2, 0, 0], [0.6, 0.5, 0], [0.6, 1.2, 0]])
+    a, b = ends[[0, 0, 0]], ends[[1, 2, 3]]
+    assert containment.is_inside(shape, a, b).tolist() == [True, True, False]
+
+
+def test_a_shifted_axis_goes_back_to_the_middle():
+    line = np.stack([np.linspace(-1, 1, 41), np.zeros(41), np.zeros(41)], axis=1)
+    shape, scale = unit_shape(tube(line, 0.2))
+    wavy = scale * (line[4:-4] + np.array([0, 0.1, 0.05]) * np.cos(7 * line[4:-4, :1]))
+    x = centring.centre(shape, *path(wavy), none_held(wavy))
+    assert np.linalg.norm(x[:, 1:], axis=1).max() < 0.01 * 0.2 * scale
+    held = np.arange(len(wavy)) == 10
+    x = centring.centre(shape, *path(wavy), held)
+    np.testing.assert_array_equal(x[10], wavy[10])
+    assert np.linalg.norm(x[:, 1:], axis=1)[20:].max() < 0.02 * 0.2 * scale
+
+
+def test_centring_turns_with_the_solid():
+    line = bow(0.3)
+    mesh = tube(line)
+    turn = trimesh.transformations.random_rotation_matrix(np.array([0.1, 0.7, 0.4]))[:3, :3]
+    shape, scale = unit_shape(mesh)
+    turned = Enclosure(shape.vertices @ turn.T, shape.faces)
+    rough = scale * (line[5:-5] + 0.05 * np.sin(9 * line[5:-5, :1]))
+    x = centring.centre(shape, *path(rough), none_held(rough))
+    y = centring.centre(turned, *path(rough @ turn.T), none_held(rough))
+    assert np.abs(y - x @ turn.T).max() < 1e-7
+
+
+@pytest.mark.parametrize("turn", [0.02, 0.3])
+def test_a_short_curve_is_carried_to_both_ends(turn):
+    line = bow(turn) * (5 if turn < 0.1 else 1)
+    shape, scale = unit_shape(tube(line))
+    x, edges = tips.extend(shape, *path(scale * line[20:-20]), none_held(line[20:-20]))
+    leaves = x[np.bincount(edges.ravel()) == 1]
+    gap = spatial.KDTree(leaves).query(scale * line[[0, -1]])[0] / (0.15 * scale)
+    assert (gap < 0.5).all()
+    assert (gap > 0.1).all()
+    assert is_inside(shape, x, edges)
+    assert cycle_count(len(x), edges) == (1, 0)
+
+
+def test_a_held_leaf_is_not_carried_on():
+    line = bow(0.3)
+    shape, scale = unit_shape(tube(line))
+    short = scale * line[20:-20]
+    x, edges = tips.extend(shape, *path(short), np.arange(len(short)) == 0)
+    leaves = np.flatnonzero(np.bincount(edges.ravel()) == 1)
+    assert 0 in leaves
+    np.testing.assert_array_equal(x[0], short[0])
+    assert (leaves >= len(short)).sum() == 1
+
+
+def test_points_go_to_the_nearest_node_of_their_own_branch():
+    # A Y: branches 0-1-2, 0-3-4 and 0-5-6.
+    nodes = np.array([[0.0, 0, 0], [2, 0, 0], [4, 0, 0], [0, 2, 0], [0, 4, 0], [-2, 0, 0], [-4, 0, 0]])
+    edges = np.array([[0, 1], [1, 2], [0, 3], [3, 4], [0, 5], [5, 6]])
+    points = np.array([[3.9, 1, 0], [0.1, 1, 0], [0, 3.9, 0], [-1.9, 0, 0], [-1.9, 0, 0]])
+    found = finishing.nearest_on_branch(nodes, edges, points, np.array([1, 2, 1, 1, 0]))
+    assert found.tolist() == [2, 0, 0, 0, 5]
+
+
+def score(shape, skeleton):
+    """Mean distances to and from the true curve over the tube's radius, and the worst gap at a tip over its own."""
+    figures = metrics.evaluate(shape.mesh, skeleton, truth=(shape.points, shape.edges))
+    size = np.linalg.norm(np.ptp(shape.mesh.vertices, axis=0))
+    span = np.linalg.norm(shape.points[shape.edges[:, 0]] - shape.points[shape.edges[:, 1]], axis=1)
+    radius = (span * shape.radii[shape.edges].max(axis=1)).sum() / span.sum() / size
+    leaves = skeleton.vertices[np.bincount(skeleton.edges.ravel()) == 1]
+    gap = (spatial.KDTree(leaves).query(shape.tips)[0] / shape.tip_radii).max() if len(leaves) else 0.0
+    return figures["to_truth_mean"] / radius, figures["from_truth_mean"] / radius, gap, figures["leaves"]
+
+
+@pytest.mark.parametrize("name", ["straight", "arc_coarse", "taper", "y", "tee", "comb", "ring", "theta", "y_coarse"])
+def test_a_tube_gives_its_curve_back(name):
+    shape = ground_truth.make(name)
+    skeleton = msf_jax.skeletonize(shape.mesh)
+    to_truth, from_truth, gap, leaves = score(shape, skeleton)
+    assert skeleton.report.is_sound
+    assert skeleton.report.inside == 1.0
+    assert leaves == shape.num_leaves
+    assert to_truth < 0.04
+    assert from_truth < 0.05
+    assert gap < 0.5
+
+
+@pytest.mark.parametrize("name", ["octopus_low", "pawn_low", "helix_coarse"])
+def test_a_coarse_mesh_keeps_its_curve_inside(name):
+    shape = ground_truth.make(name)
+    flow = msf_jax.contract(shape.mesh)
+    report = flow.skeleton.report
+    assert report.inside == 1.0
+    assert (report.components, report.cycles) == (1, shape.genus)
+    if name == "octopus_low":
+        assert flow.curve.report.inside < 0.95  # the flow alone leaves it
+
+
+def test_noise_moves_the_curve_by_less_than_twice_itself_and_adds_no_branch():
+    amount = 0.005
+    plain = ground_truth.make("straight")
+    one = msf_jax.skeletonize(plain.mesh)
+    other = msf_jax.skeletonize(ground_truth.noisy(plain, amount, seed=3).mesh)
+    figures = metrics.evaluate(plain.mesh, other, truth=one)
+    assert figures["leaves"] == 2
+    assert figures["to_truth_mean"] < 2 * amount
+    assert figures["from_truth_mean"] < 2 * amount
+
+
+@pytest.fixture(scope="module")
+def y_flow():
+    return msf_jax.contract(ground_truth.make("y_coarse").mesh)
+
+
+def test_the_nodes_of_the_flow_come_first_in_the_finished_curve(y_flow):
+    curve, skeleton = y_flow.curve, y_flow.skeleton
+    num = len(curve.vertices)
+    assert len(skeleton.vertices) > num
+    near = np.linalg.norm(skeleton.vertices[:num] - curve.vertices, axis=1)
+    assert np.median(near) < 0.02 * np.ptp(curve.vertices)
+    degree, new_degree = np.bincount(curve.edges.ravel()), np.bincount(skeleton.edges.ravel())
+    assert np.array_equal(np.flatnonzero(degree > 2), np.flatnonzero(new_degree > 2))
+    assert curve.report.cycles == skeleton.report.cycles
+
+
+def test_without_its_passes_the_finished_curve_is_that_of_the_flow():
+    flow = msf_jax.contract(ground_truth.make("arc").mesh, config=Config(prune=0, centre=False, extend_tips=False))
+    np.testing.assert_array_equal(flow.skeleton.vertices, flow.curve.vertices)
+    np.testing.assert_array_equal(flow.skeleton.edges, flow.curve.edges)
+    np.testing.assert_array_equal(flow.skeleton.mesh_map, flow.curve.mesh_map)
+
+
+def test_the_map_goes_to_a_node_near_by(y_flow):
+    mesh, skeleton = ground_truth.make("y_coarse").mesh, y_flow.skeleton
+    away = np.linalg.norm(mesh.vertices - skeleton.vertices[skeleton.mesh_map], axis=1)
+    nearest = spatial.KDTree(skeleton.vertices).query(mesh.vertices)[0]
+    assert skeleton.mesh_map.min() >= 0
+    assert (away < nearest + 0.3).mean() > 0.99
+    assert len(np.unique(skeleton.mesh_map)) > 0.3 * len(skeleton.vertices)
+
+
+def test_the_report_has_the_figures_where_asked(y_flow):
+    mesh = ground_truth.make("arc_coarse").mesh
+    skeleton = msf_jax.skeletonize(mesh, config=Config(evaluate=True))
+    figures = metrics.evaluate(mesh, skeleton)
+    assert skeleton.report.figures == {name: pytest.approx(figures[name]) for name in skeleton.report.figures}
+    assert "off_centre" in str(skeleton.report)
+    assert y_flow.skeleton.report.figures == {}
+
+
+def test_pins_hold_vertices_in_place_and_the_curve_goes_through_them():
+    mesh = torus(minor=0.3, around=40, across=16)
+    pins = [3, 200, 411]
+    flow = msf_jax.contract(mesh, pins=pins, config=Config(check=True))
+    for skeleton in (flow.curve, flow.skeleton):
+        for pin in pins:
+            at_pin = np.flatnonzero((skeleton.vertices == mesh.vertices[pin]).all(axis=1))
+            assert len(at_pin) == 1
+            assert skeleton.mesh_map[pin] == at_pin[0]
+    assert flow.skeleton.report.cycles == 1
+    assert flow.skeleton.report.components == 1
+    assert flow.is_fixed.sum() >= 3
+
+
+def test_pins_are_the_callers_vertices_whatever_their_order():
+    mesh = blob(5)
+    order = np.random.default_rng(4).permutation(len(mesh.vertices))
+    renamed = mesh.vertices[order], np.argsort(order)[mesh.faces]
+    one = msf_jax.skeletonize(mesh, pins=[int(order[7])])
+    other = msf_jax.skeletonize(renamed, pins=np.array([7]))
+    assert np.abs(one.vertices - other.vertices).max() < 1e-9
+
+
+@pytest.mark.parametrize("pins", [[-1], [10_000], [0.5], [[1, 2]], ["a"]])
+def test_a_pin_that_is_no_vertex_is_refused(pins):
+    with pytest.raises(msf_jax.ConfigError, match="expected vertex numbers from 0 to 639"):
+        msf_jax.skeletonize(torus(minor=0.3, around=40, across=16), pins=pins)
+
+
+def test_a_pin_that_no_face_uses_is_refused():
+    mesh = torus(minor=0.3, around=40, across=16)
+    vertices = np.concatenate([mesh.vertices, [[5.0, 5, 5]]])
+    with pytest.raises(msf_jax.ConfigError, match="vertex 640, which no face uses"):
+        msf_jax.skeletonize((vertices, mesh.faces), pins=[640])

@@ -1,0 +1,318 @@
+"""Rays, nearest triangles and neighbours of a surface: against every triangle, one formula at a time."""
+
+import numpy as np
+import pytest
+import trimesh
+from conftest import blob, torus
+from scipy.spatial.transform import Rotation
+
+from msf_jax.host.enclosure import Enclosure
+
+
+def arrays(mesh: trimesh.Trimesh) -> tuple[np.ndarray, np.ndarray]:
+    """Plain arrays of a Trimesh."""
+    return np.array(mesh.vertices), np.array(mesh.faces)
+
+
+def two_parts() -> trimesh.Trimesh:
+    """Two balls that overlap: a surface that crosses itself."""
+    return trimesh.util.concatenate([blob(61, 2), blob(62, 2).apply_translation([0.9, 0.1, 0])])
+
+
+def large_and_small() -> trimesh.Trimesh:
+    """A fine ball beside a box of twelve large triangles: sizes that differ by a hundred."""
+    return trimesh.util.concatenate([blob(63), trimesh.creation.box([40.0, 30, 20]).apply_translation([22, 0, 0])])
+
+
+SHAPES = {"blob": lambda: blob(60), "torus": torus, "two parts": two_parts, "large and small": large_and_small}
+
+
+@pytest.fixture(scope="module", params=SHAPES)
+def shape(request) -> Enclosure:
+    return Enclosure(*arrays(SHAPES[request.param]()))
+
+
+def random_directions(random: np.random.Generator, num: int) -> np.ndarray:
+    """Unit vectors (num, 3), evenly in all directions."""
+    ways = random.normal(size=(num, 3))
+    return ways / np.linalg.norm(ways, axis=1)[:, None]
+
+
+def random_points(shape: Enclosure, random: np.random.Generator, num: int) -> np.ndarray:
+    """Points (num, 3) in the bounding box, and a little beyond; half of them around the small triangles."""
+    low, high = shape.vertices.min(axis=0), shape.vertices.max(axis=0)
+    points = random.uniform(low - 0.2, high + 0.2, (num, 3))
+    points[::2] = random.uniform(-1.1, 1.1, (len(points[::2]), 3))
+    return points
+
+
+# How far a ray goes
+
+
+def moeller_trumbore(points: np.ndarray, ways: np.ndarray, triangles: np.ndarray) -> np.ndarray:
+    """(P,) how far each ray goes to the first of all triangles; infinite where it meets none."""
+    first = np.full(len(points), np.inf)
+    ab, ac = triangles[:, 1] - triangles[:, 0], triangles[:, 2] - triangles[:, 0]
+    for row, (point, way) in enumerate(zip(points, ways, strict=True)):
+        p = np.cross(way, ac)
+        determinant = (ab * p).sum(axis=1)
+        offset = point - triangles[:, 0]
+        u = (offset * p).sum(axis=1) / determinant
+        q = np.cross(offset, ab)
+        v, t = q @ way / determinant, (q * ac).sum(axis=1) / determinant
+        is_hit = (u >= 0) & (v >= 0) & (u + v <= 1) & (t >= 0)
+        first[row] = t[is_hit].min(initial=np.inf)
+    return first
+
+
+def test_rays_go_as_far_as_the_nearest_of_all_triangles(shape):
+    """With reaches from far less than the way to the surface to far more."""
+    random, num = np.random.default_rng(1), 250
+    points, ways = random_points(shape, random, num), random_directions(random, num)
+    first = moeller_trumbore(points, ways, shape.triangles)
+    reach = np.where(np.isfinite(first), first, 1.0) * random.uniform(0.2, 4, num)
+    found = shape.ray_lengths(points, ways, reach)
+    np.testing.assert_allclose(found, np.minimum(first, reach), rtol=1e-9)
+    assert (found == reach).sum() > 50 and (found < reach).sum() > 50 and np.isinf(first).sum() > 10
+
+
+def test_rays_from_within_a_ball():
+    random, num = np.random.default_rng(2), 200
+    shape = Enclosure(*arrays(trimesh.creation.icosphere(4, radius=2.0)))
+    points, ways = random.uniform(-1, 1, (num, 3)), random_directions(random, num)
+    along = np.einsum("pi,pi->p", points, ways)
+    expected = -along + np.sqrt(along**2 - (points**2).sum(axis=1) + 4)
+    np.testing.assert_allclose(shape.ray_lengths(points, ways, np.full(num, 9.0)), expected, atol=0.01)
+
+
+def test_a_ray_ends_at_its_reach():
+    """From the middle of a box, whose side is one half away."""
+    shape = Enclosure(*arrays(trimesh.creation.box()))
+    reach = np.array([0.0, 0.3, 0.4999, 0.5, 0.5001, 7.0])
+    ways = np.tile([0, 0.6, 0.8], (6, 1))
+    found = shape.ray_lengths(np.zeros((6, 3)), np.tile([1.0, 0, 0], (6, 1)), reach)
+    np.testing.assert_allclose(found, np.minimum(reach, 0.5), rtol=1e-12)
+    np.testing.assert_allclose(shape.ray_lengths(np.zeros((6, 3)), ways, reach), np.minimum(reach, 0.625), rtol=1e-12)
+
+
+def test_a_ray_that_misses_goes_all_the_way():
+    shape = Enclosure(*arrays(torus()))
+    points = np.array([[0.0, 0, 0], [0, 0, 0.5], [3, 0, 0], [3, 0, 0]])  # in the hole, above it, beside, and turned away
+    ways = np.array([[0.0, 0, 1], [0, 0, -1], [0, 1, 0], [1, 0, 0]])
+    np.testing.assert_array_equal(shape.ray_lengths(points, ways, np.full(4, 5)), 5.0)
+
+
+def test_the_surface_behind_a_ray_does_not_count():
+    shape = Enclosure(*arrays(trimesh.creation.box()))
+    points, ways = np.array([[0.7, 0.1, 0.2], [0.7, 0.1, 0.2]]), np.array([[1.0, 0, 0], [-1, 0, 0]])
+    np.testing.assert_allclose(shape.ray_lengths(points, ways, np.full(2, 3.0)), [3.0, 0.2], rtol=1e-12)
+
+
+@pytest.mark.parametrize("inverted", [False, True])
+def test_rays_stop_on_either_side_of_a_triangle(inverted):
+    vertices, faces = arrays(blob(64, 2))
+    shape = Enclosure(vertices, faces[:, ::-1] if inverted else faces)
+    random = np.random.default_rng(3)
+    ways = random_directions(random, 50)
+    out = shape.ray_lengths(np.zeros((50, 3)), ways, np.full(50, 10.0))
+    back = shape.ray_lengths(10 * ways, -ways, np.full(50, 10.0))
+    np.testing.assert_allclose(out, moeller_trumbore(np.zeros((50, 3)), ways, shape.triangles), rtol=1e-9)
+    np.testing.assert_allclose(back, moeller_trumbore(10 * ways, -ways, shape.triangles), rtol=1e-9)
+
+
+def turned_ball(seed: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Vertices and faces of a ball that lies along no axis, and a start for a ray to each of its vertices."""
+    mesh = trimesh.creation.icosphere(2)
+    vertices = np.array(mesh.vertices) @ Rotation.random(random_state=seed).as_matrix()
+    return vertices, np.array(mesh.faces), np.random.default_rng(seed).uniform(-0.3, 0.3, vertices.shape)
+
+
+def assert_rays_reach(shape: Enclosure, points: np.ndarray, targets: np.ndarray) -> None:
+    """Rays from ``points`` end at ``targets``."""
+    length = np.linalg.norm(targets - points, axis=1)
+    found = shape.ray_lengths(points, (targets - points) / length[:, None], np.full(len(points), 4.0))
+    np.testing.assert_allclose(found, length, rtol=1e-6)
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_no_ray_slips_out_between_two_triangles(seed):
+    """From within, at points of the edges, as exactly as floats tell."""
+    vertices, faces, points = turned_ball(seed)
+    ends = vertices[faces[: len(points), :2]]
+    share = np.random.default_rng(seed).uniform(0, 1, (len(points), 1))
+    assert_rays_reach(Enclosure(vertices, faces), points, share * ends[:, 0] + (1 - share) * ends[:, 1])
+
+
+@pytest.mark.xfail(strict=True, reason="rounding puts the ray on the same side of all edges at a vertex")
+def test_no_ray_slips_out_at_a_vertex():
+    for seed in range(20):
+        vertices, faces, points = turned_ball(seed)
+        assert_rays_reach(Enclosure(vertices, faces), points, vertices)
+
+
+def corner_piece() -> tuple[np.ndarray, np.ndarray]:
+    """An L of height 1; the planes of its two inner walls go on into the solid."""
+    outline = np.array([[0, 0], [2, 0], [2, 1], [1, 1], [1, 2], [0, 2.0]])
+    vertices = np.concatenate([np.pad(outline, ((0, 0), (0, 1)), constant_values=z) for z in (0.0, 1.0)])
+    floor = np.array([[1, 0, 3], [2, 1, 3], [3, 0, 5], [4, 3, 5]])
+    i, j = np.arange(6), (np.arange(6) + 1) % 6
+    walls = np.concatenate([np.stack([i, j, j + 6], axis=1), np.stack([i, j + 6, i + 6], axis=1)])
+    return vertices, np.concatenate([floor, floor[:, ::-1] + 6, walls])
+
+
+def test_rays_in_the_plane_of_a_wall_go_past_it():
+    """The wall at x = 1 is in the ray's plane, exactly, and not on its way."""
+    points, ways = np.tile([1.0, 0.5, 0.5], (4, 1)), np.array([[0.0, -1, 0], [0, 0, 1], [0, 0, -1], [-1, 0, 0]])
+    np.testing.assert_array_equal(Enclosure(*corner_piece()).ray_lengths(points, ways, np.full(4, 3.0)), [0.5] * 3 + [1])
+
+
+@pytest.mark.xfail(strict=True, reason="rounding errors of one sign count as a hit anywhere on the ray")
+def test_rays_in_the_plane_of_a_turned_wall_go_past_it():
+    vertices, faces = corner_piece()
+    points, ways = np.tile([1.0, 0.5, 0.5], (3, 1)), np.array([[0.0, -1, 0], [0, 0, 1], [0, 0, -1]])
+    for seed in range(200):
+        turn = Rotation.random(random_state=seed).as_matrix().T
+        shift = np.random.default_rng(seed).normal(size=3)
+        shape = Enclosure(vertices @ turn + shift, faces)
+        np.testing.assert_allclose(shape.ray_lengths(points @ turn + shift, ways @ turn, np.full(3, 3.0)), 0.5)
+
+
+def test_rays_in_many_batches(monkeypatch):
+    random, shape = np.random.default_rng(4), Enclosure(*arrays(blob(65)))
+    points, ways, reach = random.uniform(-1, 1, (300, 3)), random_directions(random, 300), random.uniform(0, 2, 300)
+    whole = shape.ray_lengths(points, ways, reach)
+    monkeypatch.setattr("msf_jax.host.enclosure.PAIRS_AT_ONCE", 50)
+    np.testing.assert_array_equal(shape.ray_lengths(points, ways, reach), whole)
+
+
+@pytest.mark.parametrize("scale", [1e-6, 1e6])
+def test_rays_scale(scale):
+    random, (vertices, faces) = np.random.default_rng(5), arrays(torus())
+    points, ways, reach = random.uniform(-1, 1, (200, 3)), random_directions(random, 200), np.full(200, 1.5)
+    unit = Enclosure(vertices, faces).ray_lengths(points, ways, reach)
+    found = Enclosure(vertices * scale, faces).ray_lengths(points * scale, ways, reach * scale)
+    np.testing.assert_allclose(found, unit * scale, rtol=1e-9)
+
+
+def test_reaches_are_left_as_they_are():
+    reach = np.full(3, 9.0)
+    found = Enclosure(*arrays(torus())).ray_lengths(np.eye(3), np.eye(3), reach)
+    assert (found < 9).any() and (reach == 9).all()
+
+
+def test_no_rays_no_lengths():
+    empty = np.empty((0, 3))
+    assert Enclosure(*arrays(torus())).ray_lengths(empty, empty, np.empty(0)).shape == (0,)
+
+
+# The nearest triangle
+
+
+def distances_to_all(points: np.ndarray, triangles: np.ndarray) -> np.ndarray:
+    """(P, F) distance from each point to each triangle, by trimesh, one point at a time."""
+    return np.stack(
+        [
+            np.linalg.norm(
+                trimesh.triangles.closest_point(triangles, np.tile(point, (len(triangles), 1))) - point, axis=1
+            )
+            for point in points
+        ]
+    )
+
+
+def test_the_nearest_triangle_is_at_the_least_of_all_distances(shape):
+    points = random_points(shape, np.random.default_rng(6), 100)
+    away = distances_to_all(points, shape.triangles)
+    distance, triangle = shape.nearest(points)
+    np.testing.assert_allclose(distance, away.min(axis=1), rtol=1e-9, atol=1e-12)
+    np.testing.assert_allclose(away[np.arange(100), triangle], distance, rtol=1e-9, atol=1e-12)
+    np.testing.assert_array_equal(shape.distances(points), distance)
+    assert len(np.unique(triangle)) > 20
+
+
+def test_a_point_over_a_face_is_nearest_to_that_face():
+    mesh = blob(66)
+    middle = mesh.triangles_center + 1e-6 * mesh.face_normals
+    distance, triangle = Enclosure(*arrays(mesh)).nearest(middle)
+    np.testing.assert_array_equal(triangle, np.arange(len(mesh.faces)))
+    np.testing.assert_allclose(distance, 1e-6, rtol=1e-6)
+
+
+def test_the_nearest_triangle_of_a_vertex_is_one_of_its_own(shape):
+    distance, triangle = shape.nearest(shape.vertices)
+    assert (distance == 0).all()
+    assert (shape.faces[triangle] == np.arange(len(shape.vertices))[:, None]).any(axis=1).all()
+
+
+@pytest.mark.xfail(strict=True, reason="no slack where a vertex is as far from a centroid as the triangle reaches")
+def test_a_corner_of_a_regular_solid_is_on_its_surface():
+    """Every corner of an equilateral triangle is as far from its centroid as it reaches: a bound of 0 has no slack."""
+    corners = np.array([[1.0, 1, 1], [1, -1, -1], [-1, 1, -1], [-1, -1, 1]])
+    faces = np.array([[0, 1, 2], [0, 3, 1], [0, 2, 3], [1, 3, 2]])
+    for size in np.arange(1, 200) / 100:
+        shape = Enclosure(corners * size + [0.3, 0.7, 0.9], faces)
+        np.testing.assert_array_equal(shape.nearest(shape.vertices)[0], 0.0)
+
+
+def test_nearest_triangles_in_many_batches(monkeypatch):
+    points, mesh = np.random.default_rng(7).uniform(-1, 1, (300, 3)), large_and_small()
+    whole = Enclosure(*arrays(mesh)).nearest(points)
+    monkeypatch.setattr("msf_jax.host.enclosure.PAIRS_AT_ONCE", 50)
+    for found, expected in zip(Enclosure(*arrays(mesh)).nearest(points), whole, strict=True):
+        np.testing.assert_array_equal(found, expected)
+
+
+# Neighbours
+
+
+@pytest.mark.parametrize("order", ["as built", "shuffled"])
+def test_neighbours_share_exactly_that_edge(shape, order):
+    faces = shape.faces
+    if order == "shuffled":
+        random = np.random.default_rng(8)
+        turn = (np.arange(3) + random.integers(3, size=(len(faces), 1))) % 3
+        faces = np.take_along_axis(faces, turn, axis=1)[random.permutation(len(faces))]
+    neighbours = Enclosure(shape.vertices, faces).neighbours()
+    assert neighbours.shape == (len(faces), 3, 2)
+    face, edge = neighbours[..., 0], neighbours[..., 1]
+    np.testing.assert_array_equal(faces[face, edge], np.roll(faces, -1, axis=1))  # it runs the other way there
+    np.testing.assert_array_equal(faces[face, (edge + 1) % 3], faces)
+
+
+def test_neighbours_are_neighbours_of_each_other(shape):
+    neighbours = shape.neighbours()
+    back = neighbours[neighbours[..., 0], neighbours[..., 1]]
+    np.testing.assert_array_equal(back[..., 0], np.tile(np.arange(len(shape.faces))[:, None], (1, 3)))
+    np.testing.assert_array_equal(back[..., 1], np.tile(np.arange(3), (len(shape.faces), 1)))
+    assert (neighbours[..., 0] != np.arange(len(shape.faces))[:, None]).all()
+
+
+def test_neighbours_of_a_tetrahedron():
+    faces = np.array([[0, 1, 2], [0, 3, 1], [0, 2, 3], [1, 3, 2]])
+    expected = [[[1, 2], [3, 2], [2, 0]], [[2, 2], [3, 0], [0, 0]], [[0, 2], [3, 1], [1, 0]], [[1, 1], [2, 1], [0, 1]]]
+    np.testing.assert_array_equal(Enclosure(np.eye(4)[:, :3], faces).neighbours(), expected)
+
+
+# All triangles near a point
+
+
+@pytest.mark.parametrize("at_once", [2_000_000, 50])
+def test_every_triangle_within_reach_is_found(shape, monkeypatch, at_once):
+    """Each once, all of a point's in one batch, and few that are not within reach."""
+    monkeypatch.setattr("msf_jax.host.enclosure.PAIRS_AT_ONCE", at_once)
+    random, num = np.random.default_rng(9), 80
+    points, reach = random_points(shape, random, num), random.uniform(0, 0.8, num)
+    batches = list(shape.triangles_near(points, reach))
+    assert (len(batches) > 5) == (at_once == 50)
+    owners = [set(point.tolist()) for point, _ in batches]
+    assert sum(map(len, owners)) == len(set.union(*owners)), "a point in two batches"
+    pairs = np.concatenate([np.stack(batch, axis=1) for batch in batches])
+    found = np.zeros((num, len(shape.faces)), dtype=int)
+    np.add.at(found, tuple(pairs.T), 1)
+    assert found.max() == 1
+    away = distances_to_all(points, shape.triangles)
+    is_within = away <= reach[:, None]
+    assert found[is_within].all() and is_within.sum() > 500
+    width = np.linalg.norm(shape.triangles - np.roll(shape.triangles, 1, axis=1), axis=2).max(axis=1)
+    # What is found in vain is nearer than the largest triangle of its size class, four times as large, makes it seem.
+    assert not found[away > reach[:, None] + 5 * width].any()

@@ -1,0 +1,140 @@
+"""What can be done with a skeleton once it is there: branches, prune, resample, smooth."""
+
+import numpy as np
+import pytest
+
+import msf_jax
+from msf_jax import ConfigError, Skeleton, ground_truth
+from msf_jax.host.enclosure import Enclosure
+
+
+@pytest.fixture(scope="module")
+def whole():
+    """A rough Y with all the branches that the flow found."""
+    mesh = ground_truth.make("y_noisy").mesh
+    return mesh, msf_jax.skeletonize(mesh, config=msf_jax.Config(prune=0))
+
+
+@pytest.fixture(scope="module")
+def ring():
+    mesh = ground_truth.make("theta").mesh
+    return mesh, msf_jax.skeletonize(mesh)
+
+
+def num_leaves(skeleton):
+    return int((np.bincount(skeleton.edges.ravel(), minlength=len(skeleton.vertices)) == 1).sum())
+
+
+def check(mesh, skeleton, like):
+    """A sound skeleton of the same mesh and the same topology."""
+    assert skeleton.report.components == like.report.components
+    assert skeleton.report.cycles == like.report.cycles == len(skeleton.edges) - len(skeleton.vertices) + 1
+    assert skeleton.report.inside == 1.0
+    assert len(skeleton.mesh_map) == len(mesh.vertices)
+    assert skeleton.mesh_map.min() >= 0
+    assert skeleton.mesh_map.max() < len(skeleton.vertices)
+    assert (skeleton.edges[:, 0] < skeleton.edges[:, 1]).all()
+    distance = Enclosure(np.asarray(mesh.vertices), np.asarray(mesh.faces)).distances(skeleton.vertices)
+    assert np.abs(skeleton.radii - distance).max() < 1e-6 * np.ptp(mesh.vertices)
+
+
+def test_a_slid_threshold_takes_twigs_first_and_limbs_later(whole):
+    mesh, skeleton = whole
+    leaves = []
+    for persistence in (0.0, 1.6, 100.0):
+        pruned = skeleton.prune(persistence)
+        check(mesh, pruned, skeleton)
+        leaves.append(num_leaves(pruned))
+        assert all(branch.persistence >= persistence for branch in pruned.branches)
+    assert leaves[0] > leaves[1] == 3 > leaves[2] == 2
+    assert len(skeleton.prune(0).vertices) == len(skeleton.vertices)
+
+
+def test_pruning_while_running_and_afterwards_take_the_same_branches(whole):
+    mesh, skeleton = whole
+    assert num_leaves(msf_jax.skeletonize(mesh)) == num_leaves(skeleton.prune(msf_jax.Config().prune))
+
+
+def test_cycles_are_never_pruned(ring):
+    mesh, skeleton = ring
+    check(mesh, skeleton.prune(1e9), skeleton)
+
+
+def test_branches_cover_the_curve_and_the_surface(whole):
+    _, skeleton = whole
+    found = skeleton.branches
+    assert sum(branch.length for branch in found) == pytest.approx(skeleton.length)
+    junctions = np.flatnonzero(np.bincount(skeleton.edges.ravel()) > 2)
+    at_junctions = skeleton.source.areas[np.isin(skeleton.mesh_map, junctions)].sum()
+    assert sum(branch.surface for branch in found) + at_junctions == pytest.approx(1.0)
+    degree = np.bincount(skeleton.edges.ravel())
+    for branch in found:
+        is_limb = min(degree[branch.nodes[0]], degree[branch.nodes[-1]]) == 1
+        assert np.isfinite(branch.persistence) == is_limb
+
+
+@pytest.mark.parametrize("spacing", [0.02, 0.1, 0.5])
+def test_resampled_edges_are_as_long_as_asked(whole, ring, spacing):
+    for mesh, skeleton in (whole, ring):
+        size = np.ptp(mesh.vertices)
+        resampled = skeleton.resample(spacing * size)
+        check(mesh, resampled, skeleton)
+        length = np.linalg.norm(np.diff(resampled.vertices[resampled.edges], axis=1)[:, 0], axis=1)
+        assert length.max() < 1.5 * spacing * size
+        if spacing < 0.05:
+            assert np.median(length) == pytest.approx(spacing * size, rel=0.25)
+        degree, before = (np.bincount(s.edges.ravel()) for s in (resampled, skeleton))
+        assert (degree != 2).sum() == (before != 2).sum()
+        away = np.linalg.norm(resampled.vertices[resampled.mesh_map] - skeleton.vertices[skeleton.mesh_map], axis=1)
+        assert away.max() < 0.76 * spacing * size
+
+
+def test_a_pure_loop_stays_a_loop_when_resampled():
+    shape = ground_truth.make("ring")
+    skeleton = msf_jax.skeletonize(shape.mesh)
+    resampled = skeleton.resample(100.0)
+    assert len(resampled.vertices) >= 3
+    check(shape.mesh, resampled, skeleton)
+
+
+def test_smoothing_shortens_and_keeps_ends(whole):
+    mesh, skeleton = whole
+    smooth = skeleton.smooth(20)
+    check(mesh, smooth, skeleton)
+    assert smooth.length < skeleton.length
+    ends = np.flatnonzero(np.bincount(skeleton.edges.ravel()) != 2)
+    np.testing.assert_array_equal(smooth.vertices[ends], skeleton.vertices[ends])
+    np.testing.assert_array_equal(smooth.mesh_map, skeleton.mesh_map)
+    np.testing.assert_array_equal(skeleton.smooth(0).vertices, skeleton.vertices)
+
+
+def test_the_original_is_not_changed(whole):
+    _, skeleton = whole
+    before = [skeleton.vertices.copy(), skeleton.edges.copy(), skeleton.radii.copy(), skeleton.mesh_map.copy()]
+    skeleton.prune(3), skeleton.resample(0.1), skeleton.smooth(3)
+    for array, copy in zip((skeleton.vertices, skeleton.edges, skeleton.radii, skeleton.mesh_map), before, strict=True):
+        np.testing.assert_array_equal(array, copy)
+
+
+def test_a_skeleton_without_its_surface_keeps_radii_that_fit(whole):
+    mesh, skeleton = whole
+    bare = Skeleton(skeleton.vertices, skeleton.edges, skeleton.radii, skeleton.mesh_map, skeleton.report)
+    resampled = bare.resample(0.05)
+    largest = Enclosure(np.asarray(mesh.vertices), np.asarray(mesh.faces)).distances(resampled.vertices)
+    assert (resampled.radii <= largest + 1e-9).all()
+    assert np.isnan([branch.surface for branch in bare.branches]).all()
+    assert len(bare.prune(1.6).vertices) == len(skeleton.prune(1.6).vertices)
+
+
+@pytest.mark.parametrize(
+    ("call", "message"),
+    [
+        (lambda s: s.prune(-1), "persistence is -1: expected a number of 0 or more"),
+        (lambda s: s.prune(float("nan")), "persistence is nan"),
+        (lambda s: s.resample(0), "spacing is 0: expected a length above 0"),
+        (lambda s: s.smooth(-2), "rounds is -2"),
+    ],
+)
+def test_arguments_out_of_range_are_refused(whole, call, message):
+    with pytest.raises(ConfigError, match=message):
+        call(whole[1])
