@@ -110,9 +110,7 @@ def _parser() -> argparse.ArgumentParser:
     for name, meaning in WEIGHTS.items():
         one.add_argument(f"--{name.replace('_', '-')}", dest=name, type=float, metavar="X", help=meaning)
     one.add_argument("--max-iterations", type=int, metavar="N", help="give up after N iterations")
-    one.add_argument(
-        "--prune", type=float, metavar="X", help="take branches of less than this persistence away; 0: none"
-    )
+    one.add_argument("--prune", type=float, metavar="X", help="take away branches of less persistence; 0: none")
     one.add_argument("--pin", type=int, action="append", metavar="N", help="hold vertex N in place (can be repeated)")
     one.add_argument("--evaluate", action="store_true", help="report off-centre, missed surface and the like, too")
     one.add_argument("--check", action="store_true", help="verify the surface after every round of edits (slower)")

