@@ -169,12 +169,17 @@ class Skeleton:
         rank = np.cumsum(is_end) - 1
         vertices, edges, count = [self.vertices[is_end]], [], int(is_end.sum())
         node_of_old = np.where(is_end, rank, -1)
+        joined_ends: set[tuple[int, int]] = set()
         for branch in found:
             nodes = np.array(branch.nodes)
             along = arc_length(self.vertices[nodes])
             num = max(1, round(along[-1] / spacing))
+            ends = (min(branch.nodes[0], branch.nodes[-1]), max(branch.nodes[0], branch.nodes[-1]))
             if nodes[0] == nodes[-1]:
-                num = max(3, num)  # a loop needs three edges
+                num = max(3, num)  # a loop needs three edges,
+            elif num == 1 and ends in joined_ends:
+                num = 2  # and of two branches with the same ends one needs a node of its own
+            joined_ends.add(ends)
             stops = np.linspace(0, along[-1], num + 1)
             chain = np.r_[rank[nodes[0]], np.arange(count, count + num - 1), rank[nodes[-1]]]
             if len(nodes) > 1:

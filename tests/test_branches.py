@@ -230,7 +230,7 @@ def test_the_least_goes_first_and_the_rest_is_measured_again():
 
 @pytest.mark.parametrize("thickness", [0.2, 1.0])
 def test_a_fork_that_loses_a_prong_is_one_limb(thickness):
-    """Its other prong, which alone would have stayed, is measured together with the stem: out of a thick tube it goes."""
+    """Its other prong, which alone would have stayed, is measured with the stem: out of a thick tube both go."""
     vertices, edges, radii = tube_with_twig(2.0, 0.2)
     radii[:41] = thickness
     vertices = np.concatenate([vertices, vertices[45] + np.array([[0, 0, 0.5], [0, 0, -0.6]])])

@@ -271,3 +271,23 @@ def test_a_pin_that_no_face_uses_is_refused():
     vertices = np.concatenate([mesh.vertices, [[5.0, 5, 5]]])
     with pytest.raises(msf_jax.ConfigError, match="vertex 640, which no face uses"):
         msf_jax.skeletonize((vertices, mesh.faces), pins=[640])
+
+
+def test_both_ends_of_a_short_branch_are_carried_on():
+    """Taken back from both ends, they must not be taken back past each other."""
+    shape, scale = unit_shape(tube(np.stack([np.linspace(-1, 1, 40), np.zeros(40), np.zeros(40)], axis=1), 0.3))
+    for num in (2, 3, 4):
+        line = np.stack([np.linspace(-0.1, 0.1, num), np.zeros(num), np.zeros(num)], axis=1) * scale
+        x, edges = tips.extend(shape, *path(line), none_held(line))
+        leaves = x[np.bincount(edges.ravel()) == 1]
+        assert len(leaves) == 2
+        assert np.abs(np.sort(leaves[:, 0] / scale) - [-0.9, 0.9]).max() < 0.05
+        assert length_of(x, edges) < 1.9 * scale
+
+
+def test_a_held_node_behind_a_leaf_is_not_moved():
+    line = bow(0.3)[20:-20]
+    shape, scale = unit_shape(tube(bow(0.3)))
+    held = np.arange(len(line)) == 1
+    x, _ = tips.extend(shape, *path(scale * line), held)
+    np.testing.assert_array_equal(x[1], scale * line[1])

@@ -153,7 +153,7 @@ def test_what_a_curve_misses_of_a_cylinder_is_its_rim(tube):
 
 
 def test_what_a_single_node_misses(tube):
-    """Its ball has radius 1. Of the area, 1/7 is in the ends, where a point at r from the axis misses sqrt(9 + r^2) - 1."""
+    """Its ball has radius 1. A seventh of the area is in the ends: there r from the axis misses sqrt(9 + r^2) - 1."""
     figures = evaluate(tube, ([[0, 0, LENGTH / 2]], []))
     assert figures["missed_max"] == pytest.approx((np.sqrt(10) - 1) / diagonal(tube), rel=0.01)
     share = 1 - 0.05 * 7

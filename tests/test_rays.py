@@ -24,7 +24,19 @@ def large_and_small() -> trimesh.Trimesh:
     return trimesh.util.concatenate([blob(63), trimesh.creation.box([40.0, 30, 20]).apply_translation([22, 0, 0])])
 
 
-SHAPES = {"blob": lambda: blob(60), "torus": torus, "two parts": two_parts, "large and small": large_and_small}
+def graded() -> trimesh.Trimesh:
+    """A ball drawn out like a pear: triangles of all sizes from one to twenty, side by side."""
+    mesh = trimesh.creation.icosphere(2)
+    return trimesh.Trimesh(mesh.vertices * np.exp(1.5 * mesh.vertices[:, 2:]) / 4, mesh.faces, process=False)
+
+
+SHAPES = {
+    "blob": lambda: blob(60),
+    "torus": torus,
+    "two parts": two_parts,
+    "large and small": large_and_small,
+    "graded": graded,
+}
 
 
 @pytest.fixture(scope="module", params=SHAPES)

@@ -1,4 +1,4 @@
-"""Plane sections: closed forms of balls, cylinders, ellipsoids and boxes, and loops that are joined anew in the test."""
+"""Plane sections: closed forms of balls, cylinders, ellipsoids and boxes, and loops that the test joins by itself."""
 
 from typing import NamedTuple
 

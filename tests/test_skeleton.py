@@ -138,3 +138,10 @@ def test_a_skeleton_without_its_surface_keeps_radii_that_fit(whole):
 def test_arguments_out_of_range_are_refused(whole, call, message):
     with pytest.raises(ConfigError, match=message):
         call(whole[1])
+
+
+def test_branches_with_the_same_ends_stay_apart_when_resampled(ring):
+    mesh, skeleton = ring
+    resampled = skeleton.resample(100.0)
+    check(mesh, resampled, skeleton)
+    assert skeleton.report.cycles == 2

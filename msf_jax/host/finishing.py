@@ -85,8 +85,9 @@ def nearest_on_branch(
     for way in branches.trace(len(nodes), edges):
         own = np.concatenate([order[bounds[node] : bounds[node + 1]] for node in dict.fromkeys(way)])
         if len(own):
-            away, place = spatial.KDTree(nodes[way]).query(points[own])
+            on_way = np.array(way)
+            away, place = spatial.KDTree(nodes[on_way]).query(points[own])
             is_nearer = away < least[own]
-            found[own[is_nearer]] = np.array(way)[place[is_nearer]]
+            found[own[is_nearer]] = on_way[np.asarray(place)[is_nearer]]
             least[own[is_nearer]] = away[is_nearer]
     return found

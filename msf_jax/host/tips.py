@@ -6,6 +6,7 @@ nearer than a part of the limb's radius.
 """
 
 import itertools
+from typing import NamedTuple
 
 import numpy as np
 
@@ -20,6 +21,13 @@ TURN = 1.0  # step lengths, that a step goes sideways at most
 MOST_STEPS = 80
 
 
+class Tip(NamedTuple):
+    """nodes: of the leaf's branch, from the leaf on. last: which of them it may be taken back to."""
+
+    nodes: np.ndarray
+    last: int
+
+
 def extend(
     shape: Enclosure, vertices: np.ndarray, edges: np.ndarray, is_held: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
@@ -31,17 +39,19 @@ def extend(
     degree = np.bincount(edges.ravel(), minlength=len(x))
     tips = []
     for way in branches.trace(len(x), edges):
-        for nodes in (way, way[::-1]):
+        for nodes in (np.array(way), np.array(way[::-1])):
             if degree[nodes[0]] == 1 and not is_held[nodes[0]]:
-                tips.append(np.array(nodes))
+                # A branch with two leaves can be taken back to its middle from both; a held node is not passed.
+                last = (len(nodes) - 1) // 2 if degree[nodes[-1]] == 1 else len(nodes) - 1
+                tips.append(Tip(nodes, int(np.argmax(np.append(is_held[nodes[:last]], True)))))
     if not tips:
         return x, edges
     radii = clearance(shape, x)
-    courses = _march(shape, [x[nodes] for nodes in tips], [radii[nodes] for nodes in tips])
+    courses = _march(shape, vertices, radii, tips)
     added, joined, count = [], [], len(x)
-    for nodes, (kept, course) in zip(tips, courses, strict=True):
+    for (nodes, _), (kept, course) in zip(tips, courses, strict=True):
         along = arc_length(course)
-        if along[-1] < arc_length(x[nodes[: kept + 1]])[-1]:
+        if along[-1] < arc_length(vertices[nodes[: kept + 1]])[-1]:
             continue  # no farther than before
         # Nodes that were taken back lie on the course again, evenly; what they leave uncovered gets new nodes.
         moved = nodes[:kept]
@@ -57,16 +67,17 @@ def extend(
     return np.concatenate([x, *added]), np.concatenate([edges, np.array(joined, dtype=np.int64).reshape(-1, 2)])
 
 
-def _march(shape: Enclosure, ways: list[np.ndarray], radii: list[np.ndarray]) -> list[tuple[int, np.ndarray]]:
+def _march(shape: Enclosure, vertices: np.ndarray, radii: np.ndarray, tips: list[Tip]) -> list[tuple[int, np.ndarray]]:
     """For each leaf, how many nodes of its branch are taken back, and the course (k, 3) from there to the end."""
     start, direction, limb, kept = [], [], [], []
-    for points, radius in zip(ways, radii, strict=True):
+    for nodes, last in tips:
+        points, radius = vertices[nodes], radii[nodes]
         along = arc_length(points)
         size = radius[0]
         for _ in range(3):  # the limb's radius is the largest ball within that radius of the leaf
             size = max(size, float(radius[along <= size].max()))
         back = min(BACK * size, 0.5 * along[-1])
-        first = int(np.searchsorted(along, back))
+        first = min(int(np.searchsorted(along, back)), last)
         ahead = at(points, along, np.array([along[first], min(along[first] + size, along[-1])]))
         kept.append(first)
         start.append(points[first])
@@ -74,7 +85,7 @@ def _march(shape: Enclosure, ways: list[np.ndarray], radii: list[np.ndarray]) ->
         limb.append(size)
     place, heading, size = np.array(start), unit(np.array(direction)), np.array(limb)
     stride = np.full(len(place), STEP)
-    courses = [[point] for point in place]
+    courses = [[point.copy()] for point in place]
     active = np.flatnonzero(size > 0)
     for _ in range(MOST_STEPS):
         ahead = shape.ray_lengths(place[active], heading[active], 4 * size[active])
