@@ -34,9 +34,10 @@ class Part(NamedTuple):
 def read_curve(state: State, meso: Meso, config: Config, watch: Stopwatch) -> Part:
     """The curve of a contracted surface ``meso``, as it is and finished."""
     with watch.stage("curve"):
-        found = curve.extract_curve(meso.positions, meso.rings, meso.classes)
+        pinned = meso.node_of_input[state.pins]
+        found = curve.extract_curve(meso.positions, meso.rings, meso.classes, pinned)
         nodes = found.nodes.copy()
-        node_of_pin = found.node_of_meso[meso.node_of_input[state.pins]]
+        node_of_pin = found.node_of_meso[pinned]
         is_held = np.zeros(len(nodes), dtype=bool)
         is_held[node_of_pin] = True
         nodes[is_held] = _means(state.shape.vertices[state.pins], node_of_pin, len(nodes))[is_held]
@@ -61,6 +62,7 @@ def read_curve(state: State, meso: Meso, config: Config, watch: Stopwatch) -> Pa
 
 def assemble(
     checked: Surface,
+    pins: np.ndarray,
     states: list[State],
     reasons: list[tuple[bool, str]],
     parts: list[Part],
@@ -68,7 +70,10 @@ def assemble(
     config: Config,
     watch: Stopwatch,
 ) -> Flow:
-    """The whole run. Nodes of the flow come first, component by component, then those that finishing added."""
+    """The whole run, with the caller's ``pins``.
+
+    Nodes of the flow come first, component by component, then those that finishing added.
+    """
     flow_nodes, flow_edges, moved_nodes, new_nodes, edges = [], [], [], [], []
     meso_vertices, meso_faces = [], []
     num_flow = sum(len(part.curve.nodes) for part in parts)
@@ -101,7 +106,7 @@ def assemble(
         num_meso += len(state.meso.positions)
     with watch.stage("report"):
         solid = Solid(checked.vertices, checked.faces)
-        source = Source(solid, _areas_of_input(checked, solid))
+        source = Source(solid, _areas_of_input(checked, solid), pins)
         drafts = []
         for vertices, joined, of_vertex in (
             (np.concatenate(flow_nodes), np.concatenate(flow_edges), vertex_to_flow),

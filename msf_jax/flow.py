@@ -240,7 +240,8 @@ def contract(
             states.append(state)
             reasons.append(end)
             parts.append(assembly.read_curve(state, _thinned(state.meso, config), config, watch))
-    return assembly.assemble(checked, states, reasons, parts, weights, config, watch)
+    held = np.unique(np.asarray([] if pins is None else pins, dtype=np.int64))
+    return assembly.assemble(checked, held, states, reasons, parts, weights, config, watch)
 
 
 def _checked_options(weights: Any, config: Any) -> tuple[Weights, Config]:

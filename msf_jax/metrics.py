@@ -45,7 +45,8 @@ def evaluate(mesh: Any, skeleton: Any, truth: Any = None) -> dict[str, float]:
         - ``smoothness``: mean cosine of the angle by which a branch turns from one hundredth of the diagonal to the
           next. 1 is best (Wen et al. 2025, who take it over neighbouring points).
         - ``tip_gap``: distance from a leaf onward to the surface, over the inscribed radius one such radius back: 1 for
-          a curve that ends in the middle of a round end. The mean over leaves, 0 if there is none.
+          a curve that ends in the middle of a round end, 8 for any gap that is longer. The mean over the leaves that
+          are inside, NaN if there is none.
         - ``length``: of the curve.
         - with ``truth``: ``to_truth_mean``, ``to_truth_max``, ``from_truth_mean``, ``from_truth_max``: distance from
           the curve to the truth and back, by length.
@@ -117,6 +118,8 @@ def sample_curve(vertices: np.ndarray, edges: np.ndarray, spacing: float) -> tup
     """Points (P, 3) on the edges, in the middles of parts of at most ``spacing``, and the length of each part (P,)."""
     a, b = vertices[edges[:, 0]], vertices[edges[:, 1]]
     length = np.linalg.norm(b - a, axis=1)
+    if not length.sum() > 0:  # a curve without length is its nodes
+        return vertices, np.ones(len(vertices))
     count = np.maximum(1, np.ceil(length / spacing)).astype(np.int64)
     edge = np.repeat(np.arange(len(edges)), count)
     t = (np.arange(len(edge)) - np.repeat(np.cumsum(count) - count, count) + 0.5) / count[edge]
@@ -150,7 +153,8 @@ def _curve_of(skeleton: Any) -> tuple[np.ndarray, np.ndarray]:
         raise MeshError(f"vertices of the curve have shape {vertices.shape}: expected (N, 3) finite numbers, N > 0")
     if len(edges) and (edges.dtype.kind not in "iu" or edges.min() < 0 or edges.max() >= len(vertices)):
         raise MeshError(f"edges of the curve: expected whole numbers from 0 to {len(vertices) - 1}")
-    return vertices, edges.astype(np.int64)
+    edges = np.sort(edges.astype(np.int64), axis=1)
+    return vertices, np.unique(edges[edges[:, 0] < edges[:, 1]], axis=0).reshape(-1, 2)
 
 
 def _off_centre(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray) -> float:
@@ -211,8 +215,9 @@ def _tip_gap(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray, ways: li
                 tips.append(points[0])
                 backs.append(back[0])
                 limbs.append(max(radius, 1e-9))
-    if not tips:
-        return 0.0
+    is_inside = shape.contains(np.array(tips).reshape(-1, 3))
+    if not is_inside.any():
+        return float("nan")
     start, radius = np.array(tips), np.array(limbs)
     ahead = shape.ray_lengths(start, unit(start - np.array(backs)), 8 * radius)
-    return float(np.where(shape.contains(start), ahead / radius, 0.0).mean())
+    return float((ahead / radius)[is_inside].mean())

@@ -1,5 +1,6 @@
 """What comes out: `Skeleton`, a curve with radii and a map from the input, and `Report`, how far to trust it."""
 
+import itertools
 import os
 from dataclasses import asdict, dataclass, field, replace
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -93,10 +94,14 @@ def _compare(found: int, what: str, expected: int, why: str) -> str:
 
 
 class Source(NamedTuple):
-    """What a curve was made from. areas: (V,) share of the surface's area that belongs to each input vertex."""
+    """What a curve was made from.
+
+    areas: (V,) share of the surface's area that belongs to each input vertex. pins: (k,) input vertices held in place.
+    """
 
     solid: Solid
     areas: np.ndarray
+    pins: np.ndarray
 
 
 @dataclass(frozen=True, eq=False)
@@ -138,23 +143,24 @@ class Skeleton:
     def prune(self, persistence: float = 1.6) -> "Skeleton":
         """A new skeleton without the branches of less than ``persistence``, the least first; see `Branch`.
 
-        Components and cycles stay. The vertices of the mesh that went to a pruned branch go to its junction. A run has
-        pruned at ``Config.prune`` already: to slide the threshold below that, run once with ``Config(prune=0)``.
+        Components and cycles stay, and so does a branch with a pin. The vertices of the mesh that went to a pruned
+        branch go to its junction. A run has pruned at ``Config.prune`` already: to slide the threshold below that, run
+        once with ``Config(prune=0)``.
 
         Raises:
             ConfigError: ``persistence`` is negative or not a number.
         """
         if not persistence >= 0:
             raise ConfigError(f"persistence is {persistence!r}: expected a number of 0 or more")
-        stays, target = branches.prune(self.vertices, self.edges, self.radii, persistence)
+        stays, target = branches.prune(self.vertices, self.edges, self.radii, persistence, self._is_held())
         rank = np.cumsum(stays) - 1
         edges = rank[self.edges[stays[self.edges].all(axis=1)]]
         return self._changed(self.vertices[stays], edges, rank[target[self.mesh_map]])
 
     def resample(self, spacing: float) -> "Skeleton":
-        """A new skeleton whose branches have nodes about every ``spacing``, in the caller's units; their ends stay.
+        """A new skeleton whose branches have nodes about every ``spacing``, in the caller's units; ends and pins stay.
 
-        Where a longer edge would leave the solid, there are more.
+        Where an edge would leave the solid, the nodes that it would skip stay.
 
         Raises:
             ConfigError: ``spacing`` is not above 0.
@@ -162,67 +168,80 @@ class Skeleton:
         if not spacing > 0:
             raise ConfigError(f"spacing is {spacing!r}: expected a length above 0")
         degree = np.bincount(self.edges.ravel(), minlength=len(self.vertices))
-        is_end = degree != 2
-        found = self.branches
-        for branch in found:
-            is_end[[branch.nodes[0], branch.nodes[-1]]] = True
-        rank = np.cumsum(is_end) - 1
-        vertices, edges, count = [self.vertices[is_end]], [], int(is_end.sum())
-        node_of_old = np.where(is_end, rank, -1)
+        is_end = (degree != 2) | self._is_held()
+        courses, stops = [], []
         joined_ends: set[tuple[int, int]] = set()
-        for branch in found:
-            nodes = np.array(branch.nodes)
-            along = arc_length(self.vertices[nodes])
-            num = max(1, round(along[-1] / spacing))
-            ends = (min(branch.nodes[0], branch.nodes[-1]), max(branch.nodes[0], branch.nodes[-1]))
-            if nodes[0] == nodes[-1]:
-                num = max(3, num)  # a loop needs three edges,
-            elif num == 1 and ends in joined_ends:
-                num = 2  # and of two branches with the same ends one needs a node of its own
-            joined_ends.add(ends)
-            stops = np.linspace(0, along[-1], num + 1)
-            chain = np.r_[rank[nodes[0]], np.arange(count, count + num - 1), rank[nodes[-1]]]
-            if len(nodes) > 1:
-                vertices.append(at(self.vertices[nodes], along, stops[1:-1]))
-                edges.append(np.stack([chain[:-1], chain[1:]], axis=1))
-                count += num - 1
-                nearest = np.abs(along[1:-1, None] - stops).argmin(axis=1)
-                node_of_old[nodes[1:-1]] = chain[nearest]
-        joined = np.concatenate(edges) if edges else np.empty((0, 2), dtype=np.int64)
-        return self._changed(*self._led_inside(np.concatenate(vertices), joined), node_of_old[self.mesh_map])
+        for branch in self.branches:
+            cuts = [0, *(np.flatnonzero(is_end[branch.nodes[1:-1]]) + 1).tolist(), len(branch.nodes) - 1]
+            for first, last in itertools.pairwise(cuts) if len(branch.nodes) > 1 else ():
+                nodes = np.array(branch.nodes[first : last + 1])
+                is_end[nodes[[0, -1]]] = True
+                ends = (int(nodes[[0, -1]].min()), int(nodes[[0, -1]].max()))
+                along = arc_length(self.vertices[nodes])
+                num = max(1, round(along[-1] / spacing))
+                if ends[0] == ends[1]:
+                    num = max(3, num)  # a loop needs three edges,
+                elif num == 1 and ends in joined_ends:
+                    num = 2  # and of two branches with the same ends one needs a node of its own
+                joined_ends.add(ends)
+                courses.append((nodes, along))
+                stops.append(self._stops_inside(nodes, along, np.linspace(0, along[-1], num + 1)))
+        rank = np.cumsum(is_end) - 1
+        node_of_old = np.where(is_end, rank, -1)
+        vertices, edges, count = [self.vertices[is_end]], [np.empty((0, 2), dtype=np.int64)], int(is_end.sum())
+        for (nodes, along), stop in zip(courses, stops, strict=True):
+            chain = np.r_[rank[nodes[0]], np.arange(count, count + len(stop) - 2), rank[nodes[-1]]]
+            vertices.append(at(self.vertices[nodes], along, stop[1:-1]))
+            edges.append(np.stack([chain[:-1], chain[1:]], axis=1))
+            count += len(stop) - 2
+            node_of_old[nodes[1:-1]] = chain[np.abs(along[1:-1, None] - stop).argmin(axis=1)]
+        return self._changed(np.concatenate(vertices), np.concatenate(edges), node_of_old[self.mesh_map])
+
+    def _stops_inside(self, nodes: np.ndarray, along: np.ndarray, stops: np.ndarray) -> np.ndarray:
+        """Arc lengths ``stops`` and those of the old nodes between two of them that the solid parts."""
+        if self.source is None:
+            return stops
+        solid = self.source.solid
+        points = solid.enter(at(self.vertices[nodes], along, stops))
+        is_bad = ~containment.is_inside(solid.shape, points[:-1], points[1:])
+        span = np.clip(np.searchsorted(stops, along, side="right") - 1, 0, len(is_bad) - 1)
+        return np.unique(np.concatenate([stops, along[is_bad[span]]]))
 
     def smooth(self, rounds: int = 10) -> "Skeleton":
         """A new skeleton: in each of ``rounds`` nodes go half of the way to the middle of their two neighbours.
 
-        Ends of branches stay, and so does a node that would leave the solid or half of its clearance.
+        Ends of branches and pins stay, and so does a node that would leave the solid or lose half of its clearance.
 
         Raises:
             ConfigError: ``rounds`` is negative.
         """
         if isinstance(rounds, bool) or not rounds >= 0:
             raise ConfigError(f"rounds is {rounds!r}: expected a whole number of 0 or more")
-        x, radii = self.vertices.copy(), self.radii.copy()
+        x, is_held = self.vertices.copy(), self._is_held()
+        degree = np.bincount(self.edges.ravel(), minlength=len(x))
+        ways = branches.trace(len(x), self.edges)
         for _ in range(int(rounds)):
             goal = x.copy()
-            for way in branches.trace(len(x), self.edges):
-                goal[way[1:-1]] = x[way[1:-1]] / 2 + (x[way[:-2]] + x[way[2:]]) / 4
-            moved = self.source.solid.radii(goal) if self.source is not None else radii
-            is_safe = moved >= radii / 2
-            x[is_safe], radii[is_safe] = goal[is_safe], moved[is_safe]
-        return self._changed(*self._led_inside(x, self.edges), self.mesh_map)
+            for way in ways:
+                nodes = way[:-1] + way[:2] if degree[way[0]] == 2 else way  # a loop has no ends that stay
+                goal[nodes[1:-1]] = x[nodes[1:-1]] / 2 + (x[nodes[:-2]] + x[nodes[2:]]) / 4
+            is_safe = ~is_held
+            if self.source is not None:
+                is_safe &= self.source.solid.radii(goal) >= self.radii / 2
+            x[is_safe] = goal[is_safe]
+        edges = self.edges
+        if self.source is not None:
+            solid = self.source.solid
+            entered, edges = containment.contain(solid.shape, solid.enter(x), edges, np.ones(len(x), dtype=bool))
+            x = np.concatenate([x, solid.leave(entered[len(x) :])])
+        return self._changed(x, edges, self.mesh_map)
 
-    def _led_inside(self, vertices: np.ndarray, edges: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """The curve with edges that left the solid led through it; as it is where the solid is not known."""
-        if self.source is None:
-            return vertices, edges
-        solid = self.source.solid
-        entered, led = containment.contain(
-            solid.shape, solid.enter(vertices), edges, np.zeros(len(vertices), dtype=bool)
-        )
-        led_vertices = solid.leave(entered)
-        is_same = (entered[: len(vertices)] == solid.enter(vertices)).all(axis=1)
-        led_vertices[: len(vertices)][is_same] = vertices[is_same]
-        return led_vertices, led
+    def _is_held(self) -> np.ndarray:
+        """(N,) True for a node that a pinned vertex of the mesh goes to."""
+        is_held = np.zeros(len(self.vertices), dtype=bool)
+        if self.source is not None:
+            is_held[self.mesh_map[self.source.pins]] = True
+        return is_held
 
     def _changed(self, vertices: np.ndarray, edges: np.ndarray, mesh_map: np.ndarray) -> "Skeleton":
         """A skeleton of the same mesh with another curve, and the report's counts made again."""

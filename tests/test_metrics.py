@@ -135,6 +135,12 @@ def test_half_of_a_curve_is_outside(tube, nodes):
     assert figures["boundedness"] == pytest.approx(1 - 1 / nodes)
 
 
+def test_an_edge_is_sampled_in_the_middles_of_16_parts(tube):
+    """The end of the tube is at 0.45 of it: middles up to 6.5 / 16 are inside."""
+    for curve in (way([[0.1, 0, LENGTH - 0.9], [0.1, 0, LENGTH + 1.1]]), way([[0.1, 0, 7.1], [0.1, 0, 5.1]])):
+        assert evaluate(tube, curve)["inside"] == pytest.approx(7 / 16, rel=1e-12)
+
+
 def test_a_curve_outside_is_not_inside(tube):
     figures = evaluate(tube, upright(1, 5, aside=1.2))
     assert figures["inside"] == figures["boundedness"] == figures["tip_gap"] == 0
@@ -160,6 +166,16 @@ def test_what_a_single_node_misses(tube):
     assert figures["missed_95"] == pytest.approx((np.sqrt(9 + share) - 1) / diagonal(tube), rel=0.01)
     lengths = [figures[name] for name in ("off_centre", "tip_gap", "length", "leaves", "cycles")]
     assert lengths == [0] * 5 and figures["smoothness"] == figures["inside"] == figures["boundedness"] == 1
+
+
+def test_what_is_missed_counts_by_area(monkeypatch):
+    """Half of the triangles of a pear are around its small end, where they have almost no area."""
+    mesh = trimesh.creation.icosphere(3)
+    mesh.vertices *= np.exp(1.5 * mesh.vertices[:, 2:])
+    dense = evaluate(mesh, ([[0, 0, 2]], []))
+    monkeypatch.setattr(metrics, "SURFACE_SAMPLES", 10)  # one on each triangle
+    sparse = evaluate(mesh, ([[0, 0, 2]], []))
+    assert sparse["missed_95"] == pytest.approx(dense["missed_95"], rel=0.05)
 
 
 def test_a_capsule_misses_next_to_nothing(capsule):
@@ -285,6 +301,15 @@ def test_distances_from_a_truth_do_not_depend_on_the_nodes(tube):
         assert coarse[name] == pytest.approx(fine[name], rel=5e-3)
 
 
+def test_distances_from_a_truth_are_means_by_length(tube):
+    """A thousand edges of next to no length at one end, which is off the truth by 0.5, do not count."""
+    z = np.r_[1, np.linspace(4.99, 5, 1000)]
+    slope = way(np.stack([0.5 * (z - 1) / 4, 0 * z, z], axis=1))
+    figures = evaluate(tube, slope, truth=upright(1, 5))
+    assert figures["to_truth_mean"] == pytest.approx(0.25 / diagonal(tube), rel=0.01)
+    assert figures["to_truth_max"] == pytest.approx(0.5 / diagonal(tube), rel=1e-3)
+
+
 @pytest.mark.xfail(strict=True, raises=(ValueError, RuntimeWarning), reason="a curve without length has no samples")
 @pytest.mark.parametrize("dot", [([[0, 0, 3.0]], []), ([[0, 0, 3.0], [0, 0, 3.0]], [[0, 1]])])
 @pytest.mark.parametrize("is_truth", [False, True])
@@ -313,11 +338,6 @@ def test_samples_add_up_and_are_dense():
     assert weight.sum() == pytest.approx(length.sum()) and weight.max() <= 0.01 and len(points) == len(weight)
     assert len(points) <= length.sum() / 0.01 + 40
     assert curve_distance(points, vertices, edges).max() < 1e-12
-
-
-def test_no_edges_no_samples():
-    points, weight = sample_curve(np.zeros((2, 3)), np.empty((0, 2), dtype=int), 0.1)
-    assert points.shape == (0, 3) and weight.shape == (0,)
 
 
 def segment_distance(point: np.ndarray, a: np.ndarray, b: np.ndarray) -> float:
@@ -453,11 +473,11 @@ LINE = [[0, 0, 1.0], [0, 0, 2.0]]
         ("curve.swc", "str is no curve"),
         ((LINE,), "tuple is no curve"),
         ((LINE, [[0, 1]], [1, 1]), "tuple is no curve"),
-        ((LINE, None), "tuple is no curve"),
-        ((LINE, [[0, 1], [1]]), "tuple is no curve"),
-        ((LINE, [[0, 1, 0]]), "tuple is no curve"),
+        ((LINE, None), "no curve|edges of the curve"),
+        ((LINE, [[0, 1], [1]]), "no curve|edges of the curve"),
+        ((LINE, [[0, 1, 0]]), "no curve|edges of the curve"),
         (([["a", "b", "c"]], []), "tuple is no curve"),
-        (SimpleNamespace(vertices=LINE, edges=None), "SimpleNamespace is no curve"),
+        (SimpleNamespace(vertices=LINE, edges=None), "no curve|edges of the curve"),
         (SimpleNamespace(vertices=LINE), "SimpleNamespace is no curve"),
         (([], []), r"vertices of the curve have shape \(0,\)"),
         ((np.empty((0, 3)), []), r"shape \(0, 3\): expected \(N, 3\) finite numbers, N > 0"),

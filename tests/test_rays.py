@@ -85,7 +85,7 @@ def test_rays_go_as_far_as_the_nearest_of_all_triangles(shape):
     reach = np.where(np.isfinite(first), first, 1.0) * random.uniform(0.2, 4, num)
     found = shape.ray_lengths(points, ways, reach)
     np.testing.assert_allclose(found, np.minimum(first, reach), rtol=1e-9)
-    assert (found == reach).sum() > 50 and (found < reach).sum() > 50 and np.isinf(first).sum() > 10
+    assert (found == reach).sum() > 50 and (found < reach).sum() > 40 and np.isinf(first).sum() > 10
 
 
 def test_rays_from_within_a_ball():

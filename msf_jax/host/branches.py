@@ -4,6 +4,7 @@ from typing import NamedTuple
 
 import networkx as nx
 import numpy as np
+from scipy import spatial
 
 
 class Branch(NamedTuple):
@@ -55,11 +56,18 @@ def trace(num_nodes: int, edges: np.ndarray) -> list[list[int]]:
 
 
 def measure(
-    vertices: np.ndarray, edges: np.ndarray, radii: np.ndarray, share: np.ndarray | None = None
+    vertices: np.ndarray,
+    edges: np.ndarray,
+    radii: np.ndarray,
+    share: np.ndarray | None = None,
+    known: "dict[tuple[int, ...], Reach] | None" = None,
 ) -> list[Branch]:
-    """The branches of a curve ``(vertices (N, 3), edges (E, 2), radii (N,))``; ``share`` (N,) of the area by node."""
+    """The branches of a curve ``(vertices (N, 3), edges (E, 2), radii (N,))``; ``share`` (N,) of the area by node.
+
+    ``known`` remembers what was measured, for a curve that loses branches.
+    """
     degree = np.bincount(edges.ravel(), minlength=len(vertices))
-    in_use = degree > 0
+    known = {} if known is None else known
     found = []
     for nodes in trace(len(vertices), edges):
         length = float(np.linalg.norm(np.diff(vertices[nodes], axis=0), axis=1).sum())
@@ -67,13 +75,29 @@ def measure(
         own = np.setdiff1d(nodes, junctions)
         persistence = np.inf
         if len(junctions) == 1 and min(degree[nodes[0]], degree[nodes[-1]]) == 1:
-            rest = in_use.copy()
-            rest[own] = False
-            away = np.linalg.norm(vertices[own][:, None] - vertices[rest], axis=2) - radii[rest]
-            reach = float((away.min(axis=1) + radii[own]).max())
-            persistence = 1 + max(reach, 0.0) / max(float(radii[junctions[0]]), 1e-300)
+            reach = known.get(tuple(own.tolist()))
+            if reach is None or not degree[reach.cover].all():
+                reach = known[tuple(own.tolist())] = _reach(vertices, radii, own, degree)
+            persistence = 1 + reach.distance / max(float(radii[junctions[0]]), 1e-300)
         found.append(Branch(nodes, length, persistence, np.nan if share is None else float(share[own].sum())))
     return found
+
+
+class Reach(NamedTuple):
+    """How far the balls of a branch reach out of those of the rest, and the nodes whose balls cover it most."""
+
+    distance: float
+    cover: np.ndarray
+
+
+def _reach(vertices: np.ndarray, radii: np.ndarray, own: np.ndarray, degree: np.ndarray) -> Reach:
+    is_rest = degree > 0
+    is_rest[own] = False
+    rest = np.flatnonzero(is_rest)
+    away = spatial.distance.cdist(vertices[own], vertices[rest]) - radii[rest]
+    nearest = away.argmin(axis=1)
+    out = away[np.arange(len(own)), nearest] + radii[own]
+    return Reach(max(float(out.max()), 0.0), rest[nearest])
 
 
 def prune(
@@ -87,15 +111,17 @@ def prune(
     """
     is_kept = np.ones(len(vertices), dtype=bool)
     target = np.arange(len(vertices))
+    known: dict[tuple[int, ...], Reach] = {}
     while True:
         left = edges[is_kept[edges].all(axis=1)]
-        found = measure(vertices, left, radii)
-        if is_held is not None:
-            found = [branch for branch in found if not is_held[branch.nodes].any()]
-        least = min(found, key=lambda branch: branch.persistence, default=None)
-        if least is None or least.persistence >= persistence:
-            return is_kept, target
         degree = np.bincount(left.ravel(), minlength=len(vertices))
-        nodes = least.nodes if degree[least.nodes[0]] > 2 else least.nodes[::-1]
-        is_kept[nodes[1:]] = False
-        target[np.isin(target, nodes[1:])] = nodes[0]
+        least, going = persistence, []
+        for branch in measure(vertices, left, radii, known=known):
+            if branch.persistence < least:
+                nodes = branch.nodes if degree[branch.nodes[0]] > 2 else branch.nodes[::-1]
+                if is_held is None or not is_held[nodes[1:]].any():
+                    least, going = branch.persistence, nodes
+        if not going:
+            return is_kept, target
+        is_kept[going[1:]] = False
+        target[np.isin(target, going[1:])] = going[0]

@@ -5,11 +5,11 @@ the minimum of
 
     sum_i w_i |P_i (x_i - c_i)|^2  +  sum_i (l_i / h_i)^4 |x_{i-1} - 2 x_i + x_{i+1}|^2  +  sum_i a_i |x_i - y_i|^2,
 
-where P_i projects along the branch: a smoothing spline, whose stiffness reaches over a part l of the limb's radius
-whatever the spacing h of the nodes, and along which nodes can slide. Near a junction a cross-section cuts several limbs
-and says nothing: w is 0 there, and the branches run straight on, so that the junction comes to where the axes of its
-limbs meet. That is right for tubes. Where the solid is roomier around y, the place that the flow found for a node, than
-around the straight way (the rump of a horse, a shell on a back), a holds the node there.
+where P_i takes away most of what is along the branch: a smoothing spline, whose stiffness reaches over a part l of the
+limb's radius whatever the spacing h of the nodes, and along which they can slide. Near a junction a cross-section cuts
+several limbs and says nothing: w is 0 there, and the branches run straight on, so that the junction comes to where the
+axes of its limbs meet. That is right for tubes. Where the solid is roomier around y, the place that the flow found for
+a node, than around the straight way (the rump of a horse, a shell on a back), a holds the node there.
 """
 
 from typing import NamedTuple
@@ -31,22 +31,20 @@ LOPSIDED = 3.5  # a section so many times as wide as the inscribed ball is not t
 ROUNDNESS = 4  # a section wider than its branch's usual one counts less, by this power of the ratio
 STRAY = 0.3  # section radii: a centroid so far from the smooth curve counts for half
 SLIDING = 0.03  # what is left of w along the branch
-ANCHOR, JUNCTION_ANCHOR, ROOMY_ANCHOR = (
-    0.003,
-    0.1,
-    2.0,
-)  # a: in general, at a junction, where the flow's place is roomier
-ROOMIER = 1.0  # so many times the clearance
+ANCHOR, LEAF_ANCHOR, JUNCTION_ANCHOR = 0.003, 0.3, 0.1  # a: in general, at a leaf, at a junction, and
+ROOMY_ANCHOR = 2.0  # near a junction, where the place that the flow found is roomier,
+ROOMIER = 1.0  # so many times
 LONGEST_STEP = 0.5  # radii, in one round
 HELD = 1e9  # a, for a node that is not to move
-THINNEST = 0.5  # of the clearance that a node had must be left of it after a step
+THINNEST = 0.5  # of the clearance that the flow gave a node must be left of it
 
 
 class Way(NamedTuple):
-    """A branch with its arc length: nodes (k,), along (k,)."""
+    """A branch with its arc length: nodes (k,), along (k,). is_loop: it has no junction, and its ends are one node."""
 
     nodes: np.ndarray
     along: np.ndarray
+    is_loop: bool
 
 
 def centre(
@@ -62,7 +60,7 @@ def centre(
     first_radii = clearance(shape, x)
     radii = first_radii.copy()
     for _ in range(rounds):
-        measured = [Way(nodes, arc_length(x[nodes])) for nodes in ways]
+        measured = [Way(nodes, arc_length(x[nodes]), nodes[0] == nodes[-1] and degree[nodes[0]] == 2) for nodes in ways]
         tangent = _tangents(x, measured, radii)
         is_near = _near_junction(measured, degree, radii, len(x))
         limb = np.flatnonzero((degree > 0) & (degree <= 2) & ~is_near & ~is_held & (radii > 0))
@@ -70,7 +68,7 @@ def centre(
         is_good = found.is_around & (found.radius < LOPSIDED * radii[limb])
         limb, middle, width = limb[is_good], found.centroid[is_good], found.radius[is_good]
         round_weight = np.minimum(1.0, _usual_width(ways, limb, width, len(x)) / width) ** ROUNDNESS
-        anchor = np.where(degree > 2, JUNCTION_ANCHOR, ANCHOR)
+        anchor = np.where(degree > 2, JUNCTION_ANCHOR, np.where(degree < 2, LEAF_ANCHOR, ANCHOR))
         anchor[is_near & (first_radii > ROOMIER * radii)] = ROOMY_ANCHOR
         anchor[is_held] = HELD
         weight, goal = round_weight, x
@@ -85,7 +83,7 @@ def centre(
         left = np.flatnonzero(~is_held)
         for part in (1.0, 0.5, 0.25):
             moved = clearance(shape, x[left] + part * step[left])
-            is_safe = moved > THINNEST * radii[left]
+            is_safe = moved > np.minimum(THINNEST * first_radii[left], radii[left])
             x[left[is_safe]] += part * step[left[is_safe]]
             radii[left[is_safe]] = moved[is_safe]
             left = left[~is_safe]
@@ -118,8 +116,8 @@ def _fair(
     """The minimum of the energy in the module's docstring, by its normal equations."""
     num = len(x)
     triples, stiffness = [], []
-    for nodes, along in ways:
-        if nodes[0] == nodes[-1]:
+    for nodes, along, is_loop in ways:
+        if is_loop:
             nodes, along = np.r_[nodes, nodes[1]], np.r_[along, along[-1] + along[1]]
         if len(nodes) > 2:
             triples.append(np.stack([nodes[:-2], nodes[1:-1], nodes[2:]], axis=1))
@@ -164,9 +162,9 @@ def unit(vectors: np.ndarray) -> np.ndarray:
 def _tangents(x: np.ndarray, ways: list[Way], radii: np.ndarray) -> np.ndarray:
     """Direction (N, 3) of the branch at each node, over one radius to either side."""
     tangent = np.zeros_like(x)
-    for nodes, along in ways:
+    for nodes, along, is_loop in ways:
         points, reach = x[nodes], radii[nodes]
-        if nodes[0] == nodes[-1]:
+        if is_loop:
             lap = along[-1]
             points = np.concatenate([points[:-1], points[:-1], points])
             along = np.concatenate([along[:-1] - lap, along[:-1], along + lap])
@@ -181,7 +179,7 @@ def _tangents(x: np.ndarray, ways: list[Way], radii: np.ndarray) -> np.ndarray:
 def _near_junction(ways: list[Way], degree: np.ndarray, radii: np.ndarray, num: int) -> np.ndarray:
     """(N,) True for a node within the zone of a junction at an end of its branch."""
     is_near = degree > 2
-    for nodes, along in ways:
+    for nodes, along, _ in ways:
         for end, distance in ((nodes[0], along), (nodes[-1], along[-1] - along)):
             if degree[end] > 2:
                 is_near[nodes[distance < ZONE * radii[end]]] = True

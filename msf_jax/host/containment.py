@@ -16,7 +16,6 @@ from msf_jax.host.centring import clearance, unit
 from msf_jax.host.enclosure import Enclosure
 
 HALVINGS = 2  # of an edge that is not inside, before a way is looked for
-SAMPLES = 64  # of an edge that crosses the surface, to see whether it comes out, or meets a fold of the surface inside
 TOUCHING = 1e-5  # diagonals: a point with less room than that counts as outside
 NEIGHBOURS = 16  # of a point, in the search for a way
 
@@ -45,11 +44,18 @@ def is_inside(shape: Enclosure, a: np.ndarray, b: np.ndarray) -> np.ndarray:
     is_in = shape.contains(a) & shape.contains(b)
     length = np.linalg.norm(b - a, axis=1)
     rows = np.flatnonzero(is_in)
-    hit = shape.ray_lengths(a[rows], unit(b - a)[rows], length[rows]) < length[rows]
-    rows = rows[hit]
-    t = (np.arange(SAMPLES) + 0.5) / SAMPLES
-    points = a[rows, None] + t[None, :, None] * (b - a)[rows, None]
-    is_in[rows] = shape.contains(points.reshape(-1, 3)).reshape(-1, SAMPLES).all(axis=1)
+    ray, hit = shape.ray_hits(a[rows], unit(b - a)[rows], length[rows])
+    # Where it meets the surface it comes out, or only crosses a fold of the surface inside: the stretches between tell.
+    edge = np.concatenate([rows[ray], np.unique(rows[ray])])
+    stop = np.concatenate([hit, np.zeros(len(edge) - len(hit))])
+    order = np.lexsort((stop, edge))
+    edge, stop = edge[order], stop[order]
+    onward = np.append(stop[1:], 0.0)
+    is_last = np.append(edge[1:] != edge[:-1], True)[: len(edge)]
+    onward = np.where(is_last, length[edge], onward[: len(edge)])
+    middle = a[edge] + ((stop + onward) / 2)[:, None] * unit(b - a)[edge]
+    is_stretch = onward - stop > 1e-9
+    is_in[edge[is_stretch][~shape.contains(middle[is_stretch])]] = False
     return is_in
 
 

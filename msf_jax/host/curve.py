@@ -24,19 +24,23 @@ class Curve(NamedTuple):
     node_of_meso: np.ndarray
 
 
-def extract_curve(positions: np.ndarray, rings: np.ndarray, classes: np.ndarray | None = None) -> Curve:
+def extract_curve(
+    positions: np.ndarray, rings: np.ndarray, classes: np.ndarray | None = None, pinned: np.ndarray | None = None
+) -> Curve:
     """Collapse the closed surface ``(positions, rings)`` to a graph of the same components.
 
-    With ``classes`` (n, K), no merge pinches a loop that the solid's curve must keep (see `homology`).
+    With ``classes`` (n, K), no merge pinches a loop that the solid's curve must keep (see `homology`). Vertices of
+    ``pinned`` are not merged with each other while any other edge will do.
     The order makes this step sequential: a loop over the edges of the meso-skeleton, once, after the flow.
     """
     a, b = connectivity.edges_from_rings(rings)
     order = shortest_first(a, b, edge_lengths(positions, a, b), 1e-3)
-    complex_ = _Complex(rings, classes)
+    complex_ = _Complex(rings, classes, pinned)
     edges = list(zip(a[order].tolist(), b[order].tolist(), strict=True))
     while edges:  # an edge that would pinch a cycle waits for others to go first
-        waiting = [edge for edge in edges if not complex_.merge(*edge, force=classes is None)]
-        if len(waiting) == len(edges) and not complex_.open_free_face(reversed(edges)):
+        waiting = [edge for edge in edges if not complex_.merge(*edge, force=False)]
+        is_stuck = len(waiting) == len(edges)
+        if is_stuck and (classes is None or not complex_.open_free_face(reversed(edges))):
             for edge in edges:  # nothing else is left; the report will show what this costs
                 complex_.merge(*edge, force=True)
             break
@@ -54,8 +58,10 @@ def extract_curve(positions: np.ndarray, rings: np.ndarray, classes: np.ndarray 
 class _Complex:
     """Triangles and edges while vertices are merged; ``root`` is a union-find forest."""
 
-    def __init__(self, rings: np.ndarray, classes: np.ndarray | None):
+    def __init__(self, rings: np.ndarray, classes: np.ndarray | None, pinned: np.ndarray | None):
         num = len(rings)
+        self.pinned = set() if pinned is None else set(pinned.tolist())  # roots
+        self.has_classes = classes is not None
         self.root = list(range(num))
         # apexes[u][v]: the third vertices of the faces at uv. classes[u][v]: the class of the way from u to v.
         self.apexes: list[dict[int, set[int]]] = [{} for _ in range(num)]
@@ -83,9 +89,12 @@ class _Complex:
         u, v = self.find(u), self.find(v)
         if u == v or not self.apexes[u].get(v):
             return True
-        if not force and self._pinches(u, v):
+        is_kept_apart = u in self.pinned and v in self.pinned
+        if not force and (is_kept_apart or (self.has_classes and self._pinches(u, v))):
             return False
         self.root[v] = u
+        if v in self.pinned:
+            self.pinned.add(u)
         self._move_classes(u, v)
         around_v, self.apexes[v] = self.apexes[v], {}
         for x, thirds in around_v.items():  # faces (v, x, z) become (u, x, z), those with u vanish

@@ -12,6 +12,7 @@ import numpy as np
 from scipy import spatial
 
 PAIRS_AT_ONCE = 2_000_000  # bounds the memory of one vectorised batch
+POINTS_AT_ONCE = 2_000  # and that of the lists that a tree answers with
 
 
 class SizeClass(NamedTuple):
@@ -122,18 +123,31 @@ class Enclosure:
     def ray_lengths(self, points: np.ndarray, directions: np.ndarray, reach: np.ndarray) -> np.ndarray:
         """How far (P,) the surface is from each point along its unit vector; ``reach`` (P,) where it is farther."""
         length = reach.astype(float)
+        ray, distance = self.ray_hits(points, directions, reach)
+        np.minimum.at(length, ray, distance)
+        return length
+
+    def ray_hits(self, points: np.ndarray, directions: np.ndarray, reach: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Every hit (H,) of the rays from ``points`` (P, 3) along unit vectors, up to ``reach`` (P,): ray and distance.
+
+        A hit on an edge or a vertex counts for each triangle there, or for some. A ray that starts on the surface may
+        hit it at 0 or not at all.
+        """
+        rays, distances = [np.empty(0, dtype=np.int64)], [np.empty(0)]
         for point, triangle in self.triangles_near(points + reach[:, None] / 2 * directions, reach / 2):
             a, b, c = np.moveaxis(self.triangles[triangle] - points[point][:, None], 1, 0)
             way = directions[point]
             # Volumes of the ray's tetrahedra with the three edges: all of one sign where it goes through the triangle.
             sides = np.stack([np.einsum("ci,ci->c", way, np.cross(u, v)) for u, v in ((b, c), (c, a), (a, b))])
             total = sides.sum(axis=0)
-            is_hit = ((sides >= 0).all(axis=0) | (sides <= 0).all(axis=0)) & (total != 0)
+            slack = 1e-12 * np.abs(sides).sum(axis=0)  # without it a ray can slip through at a vertex
+            is_hit = ((sides >= -slack).all(axis=0) | (sides <= slack).all(axis=0)) & (total != 0)
             volume = np.einsum("ci,ci->c", a, np.cross(b, c))
             t = np.where(is_hit, volume / np.where(total == 0, 1.0, total), np.inf)
-            is_hit &= t >= 0
-            np.minimum.at(length, point[is_hit], t[is_hit])
-        return length
+            is_hit &= (t >= 0) & (t <= reach[point])
+            rays.append(point[is_hit])
+            distances.append(t[is_hit])
+        return np.concatenate(rays), np.concatenate(distances)
 
     def neighbours(self) -> np.ndarray:
         """(F, 3, 2) for each edge of each face, the face on its other side and which edge of that it is."""
@@ -153,20 +167,23 @@ class Enclosure:
 
 
 def _near(classes: list[SizeClass], points: np.ndarray, reach: np.ndarray) -> Iterator[tuple[np.ndarray, np.ndarray]]:
-    found = [
-        size_class.tree.query_ball_point(points, reach + size_class.reach, return_sorted=False)
-        for size_class in classes
-    ]
-    counts = [np.fromiter(map(len, near), dtype=np.int64, count=len(near)) for near in found]
-    batch = np.cumsum(np.sum(counts, axis=0)) // PAIRS_AT_ONCE
-    for number in np.unique(batch):
-        chosen = np.flatnonzero(batch == number)
-        point = [np.repeat(chosen, count[chosen]) for count in counts]
-        triangle = [
-            size_class.triangle[np.concatenate([near[row] for row in chosen]).astype(np.int64)]
-            for size_class, near in zip(classes, found, strict=True)
+    """Batches of (point, triangle) index pairs, all of a point's in one batch and side by side."""
+    for first in range(0, len(points), POINTS_AT_ONCE):
+        chunk = slice(first, first + POINTS_AT_ONCE)
+        found = [
+            size_class.tree.query_ball_point(points[chunk], reach[chunk] + size_class.reach, return_sorted=False)
+            for size_class in classes
         ]
-        yield np.concatenate(point), np.concatenate(triangle)
+        counts = [np.fromiter(map(len, near), dtype=np.int64, count=len(near)) for near in found]
+        batch = np.cumsum(np.sum(counts, axis=0)) // PAIRS_AT_ONCE
+        for number in np.unique(batch):
+            chosen = np.flatnonzero(batch == number)
+            point = [np.repeat(first + chosen, count[chosen]) for count in counts]
+            triangle = [
+                size_class.triangle[np.concatenate([near[row] for row in chosen]).astype(np.int64)]
+                for size_class, near in zip(classes, found, strict=True)
+            ]
+            yield np.concatenate(point), np.concatenate(triangle)
 
 
 def _size_classes(centroid: np.ndarray, reach: np.ndarray) -> list[SizeClass]:

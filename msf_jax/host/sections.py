@@ -127,6 +127,9 @@ def _walk(shape: Enclosure, points: np.ndarray, normals: np.ndarray, start: np.n
     safe = np.where(is_found, area2, np.inf)
     centroid = np.stack([total(twice * (place + onward)[:, i]) for i in range(3)], axis=1) / (3 * safe[:, None])
     length = np.linalg.norm(onward - place, axis=1)
-    away = np.linalg.norm((place + onward) / 2 - centroid[loop], axis=1)
+    at_start, at_middle, at_end = (
+        np.linalg.norm(where - centroid[loop], axis=1) for where in (place, (place + onward) / 2, onward)
+    )
+    away = (at_start + 4 * at_middle + at_end) / 6  # Simpson's rule
     radius = total(length * away) / np.maximum(total(length), 1e-300)
     return Sections(points + centroid, np.where(is_found, radius, 0.0), is_found, is_found & (winding > 0.5))
