@@ -92,13 +92,16 @@ def _without_loader_noise() -> Iterator[None]:
 
 def _parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(
-        prog="msf-jax", description="Curve skeletons of closed triangle meshes by Medial Skeletonization Flow."
+        prog="msf-jax",
+        allow_abbrev=False,
+        description="Curve skeletons of closed triangle meshes by Medial Skeletonization Flow.",
     )
     parser.add_argument("--version", action="version", version=f"msf-jax {msf_jax.__version__}")
     commands = parser.add_subparsers(title="commands", required=True, metavar="COMMAND")
 
     one = commands.add_parser(
         "skeletonize",
+        allow_abbrev=False,
         help="a mesh in, its curve skeleton out",
         description="Skeletonise one closed mesh. The report is printed at the end.",
         epilog="example: msf-jax skeletonize hand.off -o hand.swc --w-M 0.6 --picture hand.png",
@@ -119,6 +122,7 @@ def _parser() -> argparse.ArgumentParser:
 
     demo = commands.add_parser(
         "demo",
+        allow_abbrev=False,
         help="skeletonise a hand with five fingers and a handle, made in code",
         description="Skeletonise a hand with five fingers and a handle; leaves mesh, skeleton and picture.",
     )

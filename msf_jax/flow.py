@@ -5,6 +5,8 @@ fix and raise the threshold on the host), `done` says whether and why to stop, a
 the curve off what is left.
 """
 
+import reprlib
+from collections.abc import Iterable
 from dataclasses import replace
 from typing import Any
 
@@ -226,7 +228,7 @@ def contract(
     watch = Stopwatch()
     with watch.stage("front door"):
         checked = surface.prepare(mesh)
-    pinned = _checked_pins(pins, checked)
+    held, pinned = _checked_pins(pins, checked)
     states, reasons, parts = [], [], []
     with tqdm(desc="msf_jax", unit="it", disable=None if progress else True) as bar:
         for number, component in enumerate(checked.components):
@@ -240,7 +242,6 @@ def contract(
             states.append(state)
             reasons.append(end)
             parts.append(assembly.read_curve(state, _thinned(state.meso, config), config, watch))
-    held = np.unique(np.asarray([] if pins is None else pins, dtype=np.int64))
     return assembly.assemble(checked, held, states, reasons, parts, weights, config, watch)
 
 
@@ -262,17 +263,26 @@ def _thinned(meso: Meso, config: Config) -> Meso:
     return meso.compacted()
 
 
-def _checked_pins(pins: Any, checked: surface.Surface) -> np.ndarray:
-    """Rows of the checked surface that the caller's vertices ``pins`` became."""
-    given = np.atleast_1d(np.asarray([] if pins is None else pins))
+def _checked_pins(pins: Any, checked: surface.Surface) -> tuple[np.ndarray, np.ndarray]:
+    """The caller's ``pins`` as numbers, and the rows of the checked surface that those vertices became."""
     num = len(checked.vertex_of_input)
-    if given.size == 0:
-        return np.empty(0, dtype=np.int64)
+    if pins is None:
+        listed: Any = []
+    elif isinstance(pins, np.ndarray) or not isinstance(pins, Iterable):
+        listed = np.atleast_1d(pins)
+    else:
+        listed = list(pins)
+    try:
+        given: np.ndarray = np.array(listed)
+    except ValueError:  # lists of different lengths
+        given = np.empty((0, 0))
+    if given.size == 0 and given.ndim == 1:
+        return np.empty(0, dtype=np.int64), np.empty(0, dtype=np.int64)
     if given.ndim != 1 or given.dtype.kind not in "iu" or given.min() < 0 or given.max() >= num:
-        raise ConfigError(f"pins is {pins!r}: expected vertex numbers from 0 to {num - 1}")
+        raise ConfigError(f"pins is {reprlib.repr(pins)}: expected vertex numbers from 0 to {num - 1}")
     rows = checked.vertex_of_input[given]
     if (rows < 0).any():
         raise ConfigError(
             f"pins name vertex {given[rows < 0][0]}, which no face uses: expected vertices of the surface"
         )
-    return np.unique(rows)
+    return np.unique(given).astype(np.int64), np.unique(rows)

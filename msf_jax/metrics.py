@@ -38,8 +38,9 @@ def evaluate(mesh: Any, skeleton: Any, truth: Any = None) -> dict[str, float]:
           (Jacobson et al. 2013), sampled at the middles of 16 equal parts of each edge. 1 is best.
         - ``boundedness``: fraction of the nodes that are inside (Wen et al. 2025). 1 is best.
         - ``off_centre``: distance of an edge's middle from the centroid of the cross-section there, over the section's
-          mean radius; the mean over edges, by length. A section more than three times as wide as the inscribed ball is
-          not one of a limb, and does not count. 0 is best (centredness, Cornea et al. 2007).
+          mean radius; the mean over edges, by length. A section more than three times as wide as the largest ball
+          around its centroid is not one of a limb, and does not count; NaN if none does. 0 is best (centredness, Cornea
+          et al. 2007).
         - ``missed_95``, ``missed_max``: distance from a point of the surface to the union of the nodes' inscribed
           balls: 95th percentile by area, and the largest. 0 is best (reconstruction, Cornea et al. 2007).
         - ``smoothness``: mean cosine of the angle by which a branch turns from one hundredth of the diagonal to the
@@ -146,9 +147,12 @@ def _curve_of(skeleton: Any) -> tuple[np.ndarray, np.ndarray]:
     is_whole = hasattr(skeleton, "vertices") and hasattr(skeleton, "edges")
     try:
         vertices, edges = (skeleton.vertices, skeleton.edges) if is_whole else skeleton
-        vertices, edges = np.asarray(vertices, dtype=np.float64), np.asarray(edges).reshape(-1, 2)
+        vertices, edges = np.asarray(vertices, dtype=np.float64), np.asarray(edges)
+        edges = edges.reshape(0, 2) if edges.size == 0 else edges
     except (TypeError, ValueError):
         raise MeshError(f"{type(skeleton).__name__} is no curve: expected a Skeleton or (vertices, edges)") from None
+    if edges.ndim != 2 or edges.shape[1] != 2:
+        raise MeshError(f"edges of the curve have shape {edges.shape}: expected (E, 2)")
     if vertices.ndim != 2 or vertices.shape[1] != 3 or not len(vertices) or not np.isfinite(vertices).all():
         raise MeshError(f"vertices of the curve have shape {vertices.shape}: expected (N, 3) finite numbers, N > 0")
     if len(edges) and (edges.dtype.kind not in "iu" or edges.min() < 0 or edges.max() >= len(vertices)):
@@ -162,11 +166,12 @@ def _off_centre(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray) -> fl
     length = np.linalg.norm(b - a, axis=1)
     a, b, length = a[length > 0], b[length > 0], length[length > 0]
     if not len(length):
-        return 0.0
+        return float("nan")
     middle = (a + b) / 2
-    room = shape.distances(middle)
-    found = sections.cut(shape, middle, unit(b - a), room)
-    is_found = found.is_found & (found.radius > 0) & (found.radius < LOPSIDED * room)
+    found = sections.cut(shape, middle, unit(b - a), shape.distances(middle))
+    is_found = found.is_found & (found.radius > 0) & (found.radius < LOPSIDED * shape.distances(found.centroid))
+    if not is_found.any():
+        return float("nan")
     off = np.linalg.norm(found.centroid - middle, axis=1)[is_found] / found.radius[is_found]
     return float((off * length[is_found]).sum() / max(length[is_found].sum(), 1e-300))
 

@@ -1,6 +1,7 @@
 """What comes out: `Skeleton`, a curve with radii and a map from the input, and `Report`, how far to trust it."""
 
 import itertools
+import numbers
 import os
 from dataclasses import asdict, dataclass, field, replace
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -150,7 +151,7 @@ class Skeleton:
         Raises:
             ConfigError: ``persistence`` is negative or not a number.
         """
-        if not persistence >= 0:
+        if not (isinstance(persistence, numbers.Real) and persistence >= 0):
             raise ConfigError(f"persistence is {persistence!r}: expected a number of 0 or more")
         stays, target = branches.prune(self.vertices, self.edges, self.radii, persistence, self._is_held())
         rank = np.cumsum(stays) - 1
@@ -165,7 +166,7 @@ class Skeleton:
         Raises:
             ConfigError: ``spacing`` is not above 0.
         """
-        if not spacing > 0:
+        if not (isinstance(spacing, numbers.Real) and 0 < spacing < np.inf):
             raise ConfigError(f"spacing is {spacing!r}: expected a length above 0")
         degree = np.bincount(self.edges.ravel(), minlength=len(self.vertices))
         is_end = (degree != 2) | self._is_held()
@@ -215,7 +216,7 @@ class Skeleton:
         Raises:
             ConfigError: ``rounds`` is negative.
         """
-        if isinstance(rounds, bool) or not rounds >= 0:
+        if isinstance(rounds, bool) or not isinstance(rounds, numbers.Integral) or rounds < 0:
             raise ConfigError(f"rounds is {rounds!r}: expected a whole number of 0 or more")
         x, is_held = self.vertices.copy(), self._is_held()
         degree = np.bincount(self.edges.ravel(), minlength=len(x))

@@ -243,6 +243,18 @@ def test_a_fork_that_loses_a_prong_is_one_limb(thickness):
     assert (limb > 3.8) == (thickness == 0.2) and target[46] == (45 if limb > 3.8 else 20)
 
 
+def test_a_limb_that_was_hidden_by_a_twig_is_not_when_the_twig_is_gone():
+    """Two limbs side by side, each in the other but for 0.1: the thinner one goes, and then the other sticks out."""
+    vertices, edges, radii = tube_with_twig(3.0, 0.3)
+    beside = vertices[41:] + [0.02, 0, 0]
+    vertices, radii = np.concatenate([vertices, beside]), np.r_[radii, np.full(5, 0.25)]
+    edges = np.concatenate([edges, as_edges(chain(20, *range(46, 51)))])
+    reaches = {leaf: branch.persistence for branch in measure(vertices, edges, radii) for leaf in branch.nodes}
+    assert reaches[50] == pytest.approx(1) and reaches[45] == pytest.approx(1 + 0.05 + 0.02)
+    stays, target = prune(vertices, edges, radii, 2.0)
+    assert np.flatnonzero(~stays).tolist() == [*range(46, 51)] and (target[46:] == 20).all()
+
+
 def test_a_node_goes_to_a_junction_that_stays():
     """A twig on a twig: what went to the first junction goes on to the second with it."""
     tube, edges, radii = tube_with_twig(0.9, 0.05)
@@ -254,10 +266,10 @@ def test_a_node_goes_to_a_junction_that_stays():
 
 
 def test_a_held_branch_stays_and_others_go():
-    """Also where it is held by a node in its middle, and where only its junction is."""
+    """Also where it is held by a node in its middle; its junction stays anyhow, and holds nothing."""
     legs = {1: range(1, 5), 2: range(5, 10), 3: range(10, 16), 4: range(16, 24)}  # lengths 1, 1.25, 1.5, 2
     vertices, edges, radii = star_of([1.0, 1.25, 1.5, 2.0], 0.5)
-    for held, gone in ((None, (1, 2)), (2, (2, 3)), (4, (2, 3)), (11, (1, 2)), (23, (1, 2)), (0, ())):
+    for held, gone in ((None, (1, 2)), (2, (2, 3)), (4, (2, 3)), (11, (1, 2)), (23, (1, 2)), (0, (1, 2))):
         is_held = np.zeros(len(vertices), dtype=bool)
         is_held[[] if held is None else held] = True
         stays, _ = prune(vertices, edges, radii, 100.0, is_held)
@@ -341,7 +353,8 @@ def test_pruning_leaves_cycles_and_components_and_nothing_below_the_threshold(cu
     assert left.number_of_edges() - left.number_of_nodes() == len(edges) - num
     branches = measure(vertices, edges[stays[edges].all(axis=1)], radii)
     for branch in branches:
-        assert branch.persistence >= threshold or is_held[branch.nodes].any()
+        if branch.persistence < threshold:
+            assert is_held[[node for node in branch.nodes if left.degree[node] <= 2]].any()
     # What goes to a node hangs on it, and the node stays.
     np.testing.assert_array_equal(target[stays], np.flatnonzero(stays))
     assert stays[target].all()

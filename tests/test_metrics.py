@@ -93,7 +93,7 @@ def test_the_axis_of_a_tube_is_as_good_as_can_be(tube):
     assert figures["length"] == pytest.approx((LENGTH - 2) / diagonal(tube))
 
 
-@pytest.mark.parametrize("shift", [0.1, 0.3, 0.6])
+@pytest.mark.parametrize("shift", [0.1, 0.3, 0.6, 0.9])
 def test_off_centre_is_the_shift_in_radii(tube, shift):
     assert evaluate(tube, upright(1, 5, aside=shift))["off_centre"] == pytest.approx(shift, rel=0.01)
 
@@ -107,9 +107,11 @@ def test_off_centre_is_a_mean_by_length(tube):
     assert figures["off_centre"] == pytest.approx(0.1, rel=0.01) and figures["components"] == 2
 
 
-def test_a_section_much_wider_than_the_ball_that_fits_in_does_not_count(tube):
-    """At 0.8 of the radius a ball of 0.2 fits in, a fifth of the section."""
-    assert evaluate(tube, upright(1, 5, aside=0.8))["off_centre"] == 0
+def test_a_section_much_wider_than_the_ball_that_fits_in_does_not_count():
+    """The points of a rectangle of 4 by 1.2 are 2.3 times as far from its middle as its long sides, of 4 by 0.7 3.5."""
+    line, plate = upright(-1, 1, aside=0.5), trimesh.creation.box([4, 1.2, 4]).subdivide().subdivide().subdivide()
+    assert evaluate(plate, line)["off_centre"] == pytest.approx(0.5 / 1.405, rel=0.01)
+    assert np.isnan(evaluate(plate.apply_scale([1, 0.7 / 1.2, 1]), line)["off_centre"])
 
 
 def test_a_tilted_curve_is_off_by_where_its_sections_are(tube):
@@ -143,7 +145,7 @@ def test_an_edge_is_sampled_in_the_middles_of_16_parts(tube):
 
 def test_a_curve_outside_is_not_inside(tube):
     figures = evaluate(tube, upright(1, 5, aside=1.2))
-    assert figures["inside"] == figures["boundedness"] == figures["tip_gap"] == 0
+    assert figures["inside"] == figures["boundedness"] == 0 and np.isnan(figures["tip_gap"])
     assert figures["missed_max"] > 0.1
 
 
@@ -164,8 +166,9 @@ def test_what_a_single_node_misses(tube):
     assert figures["missed_max"] == pytest.approx((np.sqrt(10) - 1) / diagonal(tube), rel=0.01)
     share = 1 - 0.05 * 7
     assert figures["missed_95"] == pytest.approx((np.sqrt(9 + share) - 1) / diagonal(tube), rel=0.01)
-    lengths = [figures[name] for name in ("off_centre", "tip_gap", "length", "leaves", "cycles")]
-    assert lengths == [0] * 5 and figures["smoothness"] == figures["inside"] == figures["boundedness"] == 1
+    lengths = [figures[name] for name in ("length", "leaves", "cycles")]
+    assert lengths == [0] * 3 and np.isnan([figures["tip_gap"], figures["off_centre"]]).all()
+    assert figures["smoothness"] == figures["inside"] == figures["boundedness"] == 1
 
 
 def test_what_is_missed_counts_by_area(monkeypatch):
@@ -203,9 +206,16 @@ def test_the_gap_of_a_tip_near_the_end_is_measured_in_radii(tube, capsule, ends,
     assert figures["tip_gap"] == pytest.approx(gap, rel=0.05)
 
 
-def test_the_gap_is_a_mean_over_tips_and_none_for_one_outside(tube):
+def test_the_gap_is_a_mean_over_the_tips_inside(tube):
     assert evaluate(tube, upright(0.5, LENGTH - 1.5))["tip_gap"] == pytest.approx(1.0, rel=0.02)
-    assert evaluate(tube, upright(0.5, LENGTH + 1))["tip_gap"] == pytest.approx(0.25, rel=0.02)
+    assert evaluate(tube, upright(0.5, LENGTH + 1))["tip_gap"] == pytest.approx(0.5, rel=0.02)
+    assert evaluate(tube, upright(-1, LENGTH - 2))["tip_gap"] == pytest.approx(2.0, rel=0.02)
+
+
+def test_a_gap_is_no_longer_than_eight_radii():
+    long = swept_tube(np.stack([0 * np.arange(30), 0 * np.arange(30), np.arange(30.0)], axis=1), np.ones(30), 12)
+    assert evaluate(long, upright(7, 29 - 7))["tip_gap"] == pytest.approx(7, rel=0.05)
+    assert evaluate(long, upright(10, 29 - 10))["tip_gap"] == pytest.approx(8, rel=1e-9)
 
 
 # Turns
@@ -244,7 +254,7 @@ def test_a_ring_and_its_circle():
     mesh = torus(1.0, 0.35, 60, 24)
     figures = evaluate(mesh, circle())
     assert [figures[name] for name in ("genus", "cycles", "leaves", "components")] == [1, 1, 0, 1]
-    assert figures["inside"] == figures["boundedness"] == 1 and figures["tip_gap"] == 0
+    assert figures["inside"] == figures["boundedness"] == 1 and np.isnan(figures["tip_gap"])
     assert figures["length"] == pytest.approx(2 * np.pi / diagonal(mesh), rel=1e-3)
     assert figures["smoothness"] == pytest.approx(np.cos(metrics.STRIDE * diagonal(mesh)), rel=1e-3)
     assert figures["off_centre"] < 0.01 and figures["missed_max"] < 0.01
@@ -302,15 +312,14 @@ def test_distances_from_a_truth_do_not_depend_on_the_nodes(tube):
 
 
 def test_distances_from_a_truth_are_means_by_length(tube):
-    """A thousand edges of next to no length at one end, which is off the truth by 0.5, do not count."""
-    z = np.r_[1, np.linspace(4.99, 5, 1000)]
+    """Three hundred edges of next to no length at one end, which is off the truth by 0.5, do not count."""
+    z = np.r_[1, np.linspace(4.99, 5, 300)]
     slope = way(np.stack([0.5 * (z - 1) / 4, 0 * z, z], axis=1))
     figures = evaluate(tube, slope, truth=upright(1, 5))
     assert figures["to_truth_mean"] == pytest.approx(0.25 / diagonal(tube), rel=0.01)
     assert figures["to_truth_max"] == pytest.approx(0.5 / diagonal(tube), rel=1e-3)
 
 
-@pytest.mark.xfail(strict=True, raises=(ValueError, RuntimeWarning), reason="a curve without length has no samples")
 @pytest.mark.parametrize("dot", [([[0, 0, 3.0]], []), ([[0, 0, 3.0], [0, 0, 3.0]], [[0, 1]])])
 @pytest.mark.parametrize("is_truth", [False, True])
 def test_a_curve_of_a_single_place_has_a_distance(tube, dot, is_truth):
@@ -328,6 +337,14 @@ def test_samples_are_the_middles_of_equal_parts():
     expected = [[0.125, 0, 0], [0.375, 0, 0], [0.625, 0, 0], [0.875, 0, 0], [1, 0.1, 0], [1, 0.2, 0]]
     np.testing.assert_allclose(points, expected, atol=1e-15)
     np.testing.assert_allclose(weight, [0.25, 0.25, 0.25, 0.25, 0.2, 0])
+
+
+def test_samples_of_a_curve_without_length_are_its_nodes():
+    nodes = np.array([[0.0, 1, 2], [3, 4, 5]])
+    for edges in (np.empty((0, 2), dtype=int), np.array([[1, 1]])):
+        points, weight = sample_curve(nodes, edges, 0.1)
+        np.testing.assert_array_equal(points, nodes)
+        assert weight[0] == weight[1] > 0
 
 
 def test_samples_add_up_and_are_dense():
@@ -499,7 +516,6 @@ def test_what_is_no_curve_is_refused(tube, curve, message):
         evaluate(tube, upright(1, 5), truth=curve)
 
 
-@pytest.mark.xfail(strict=True, reason="edges of any shape are read as pairs")
 @pytest.mark.parametrize("edges", [[[0, 1, 2], [2, 1, 0]], [[0, 1, 1, 2]], [0, 1, 1, 2]])
 def test_edges_that_are_no_pairs_are_refused(tube, edges):
     """The faces of a mesh, say."""
@@ -507,7 +523,6 @@ def test_edges_that_are_no_pairs_are_refused(tube, edges):
         evaluate(tube, ([[0, 0, 1.0], [0, 0, 2], [0, 0, 3]], edges))
 
 
-@pytest.mark.xfail(strict=True, reason="an edge that comes twice counts as a cycle, and its ends as no leaves")
 @pytest.mark.parametrize("extra", [[0, 1], [1, 0], [1, 1]])
 def test_an_edge_that_comes_twice_or_leads_nowhere_is_no_cycle(tube, extra):
     figures = evaluate(tube, (LINE, [[0, 1], extra]))

@@ -105,15 +105,15 @@ def test_the_sections_of_an_ellipsoid_lie_around_the_conjugate_diameter():
 
 
 def test_the_section_of_a_box_is_a_square_or_a_hexagon():
-    mesh = trimesh.creation.box().subdivide().subdivide().subdivide().subdivide()
+    mesh = trimesh.creation.box()  # two triangles to a side
     square = cut_one(mesh, [0.3, -0.2, 0.21], [0, 0, 1])
     np.testing.assert_allclose(square.centroid, [0, 0, 0.21], atol=1e-12)
-    assert square.radius == pytest.approx((np.sqrt(2) + np.arcsinh(1)) / 4, rel=0.001)
+    assert square.radius == pytest.approx((np.sqrt(2) + np.arcsinh(1)) / 4, rel=0.01)
     hexagon = cut_one(mesh, [0.3, -0.2, -0.1], [1, 1, 1])
     np.testing.assert_allclose(hexagon.centroid, 0, atol=1e-12)
     apothem = np.sqrt(3 / 8)  # of a regular hexagon with sides of half a diagonal
     assert hexagon.radius == pytest.approx(
-        apothem * (2 / np.sqrt(3) + np.sqrt(3) * np.arcsinh(1 / np.sqrt(3))) / 2, rel=0.001
+        apothem * (2 / np.sqrt(3) + np.sqrt(3) * np.arcsinh(1 / np.sqrt(3))) / 2, rel=0.01
     )
 
 
@@ -216,10 +216,7 @@ def test_the_nearest_loop_is_the_one_that_is_joined_from_all_segments(name, seed
         assert found.is_around[k] == is_around(loop.corners, np.zeros(2))
         middle = centroid_of(loop.corners)
         np.testing.assert_allclose(found.centroid[k], points[k] + middle @ plane_axes(normals[k]), atol=1e-6)
-        # The middles of segments stand for them, which tells in a small loop of few.
-        assert found.radius[k] == pytest.approx(
-            mean_distance(loop, middle), rel=0.01 if len(loop.corners) > 20 else 0.2
-        )
+        assert found.radius[k] == pytest.approx(mean_distance(loop, middle), rel=0.02)
     assert found.is_around.sum() > 10 and (found.is_found & ~found.is_around).sum() > 5
     assert name != "hollow" or (~found.is_found & (np.array(counts) > 0)).sum() > 5
     assert max(counts) > 1 or name == "blob"

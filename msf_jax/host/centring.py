@@ -31,7 +31,7 @@ LOPSIDED = 3.5  # a section so many times as wide as the inscribed ball is not t
 ROUNDNESS = 4  # a section wider than its branch's usual one counts less, by this power of the ratio
 STRAY = 0.3  # section radii: a centroid so far from the smooth curve counts for half
 SLIDING = 0.03  # what is left of w along the branch
-ANCHOR, LEAF_ANCHOR, JUNCTION_ANCHOR = 0.003, 0.3, 0.1  # a: in general, at a leaf, at a junction, and
+ANCHOR, JUNCTION_ANCHOR = 0.003, 0.1  # a: in general, at a junction, and
 ROOMY_ANCHOR = 2.0  # near a junction, where the place that the flow found is roomier,
 ROOMIER = 1.0  # so many times
 LONGEST_STEP = 0.5  # radii, in one round
@@ -68,7 +68,7 @@ def centre(
         is_good = found.is_around & (found.radius < LOPSIDED * radii[limb])
         limb, middle, width = limb[is_good], found.centroid[is_good], found.radius[is_good]
         round_weight = np.minimum(1.0, _usual_width(ways, limb, width, len(x)) / width) ** ROUNDNESS
-        anchor = np.where(degree > 2, JUNCTION_ANCHOR, np.where(degree < 2, LEAF_ANCHOR, ANCHOR))
+        anchor = np.where(degree > 2, JUNCTION_ANCHOR, ANCHOR)
         anchor[is_near & (first_radii > ROOMIER * radii)] = ROOMY_ANCHOR
         anchor[is_held] = HELD
         weight, goal = round_weight, x

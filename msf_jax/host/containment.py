@@ -101,7 +101,11 @@ def _middles(shape: Enclosure, a: np.ndarray, b: np.ndarray) -> tuple[np.ndarray
 
 
 def _inward(shape: Enclosure, points: np.ndarray) -> np.ndarray:
-    """For points outside or on the surface, the middle of the chord that starts at the nearest triangle."""
+    """For points outside or on the surface, one on the chord behind the nearest triangle.
+
+    It is the middle of the chord, or less deep where another wall is nearer than that: behind the flat end of a limb
+    the chord goes all along the limb.
+    """
     _, triangle = shape.nearest(points)
     a, b, c = np.moveaxis(shape.triangles[triangle], 1, 0)
     normal = np.cross(b - a, c - a)
@@ -111,8 +115,14 @@ def _inward(shape: Enclosure, points: np.ndarray) -> np.ndarray:
     weight = np.stack([np.einsum("ij,ij->i", normal, np.cross(u - points, v - points)) / area2 for u, v in sides])
     weight = np.clip(weight, 0.05, 1.0)
     entry = np.einsum("kp,kpi->pi", weight / weight.sum(axis=0), np.stack([a, b, c]))
-    behind = -unit(normal)
-    return chord_middles(shape, entry + TOUCHING / 2 * behind, behind)
+    entry, behind = entry - TOUCHING / 2 * unit(normal), -unit(normal)
+    depth = np.linalg.norm(chord_middles(shape, entry, behind) - entry, axis=1)
+    shallower = 0.5 ** np.arange(8)
+    choice = entry[:, None] + (depth[:, None] * shallower)[..., None] * behind[:, None]
+    room = clearance(shape, choice.reshape(-1, 3)).reshape(len(points), len(shallower))
+    is_bounded = room >= 0.7 * depth[:, None] * shallower
+    is_bounded[:, -1] = True
+    return choice[np.arange(len(points)), is_bounded.argmax(axis=1)]
 
 
 def chord_middles(shape: Enclosure, points: np.ndarray, ways: np.ndarray) -> np.ndarray:
