@@ -213,13 +213,14 @@ def _tip_gap(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray, ways: li
         for nodes in (way, way[::-1]):
             if degree[nodes[0]] == 1:
                 points = vertices[nodes]
-                along, radius, back = arc_length(points), 0.0, points[:1]
-                for _ in range(3):  # the limb's radius is that of the ball one such radius back from the tip
-                    radius = max(radius, float(shape.distances(back)[0]))
-                    back = at(points, along, np.array([radius]))
+                along = arc_length(points)
+                back = np.linspace(0, along[-1], 65)
+                fits = shape.distances(at(points, along, back)) <= back  # once it does, it does farther on
+                back = back[fits.argmax()] if fits.any() else along[-1]
+                inner = at(points, along, np.array([back]))
                 tips.append(points[0])
-                backs.append(back[0])
-                limbs.append(max(radius, 1e-9))
+                backs.append(inner[0])
+                limbs.append(max(float(shape.distances(inner)[0]), 1e-9))
     is_inside = shape.contains(np.array(tips).reshape(-1, 3))
     if not is_inside.any():
         return float("nan")

@@ -68,7 +68,8 @@ class Report:
 
     def to_dict(self) -> dict[str, Any]:
         """Plain values, for JSON or a table."""
-        return asdict(self) | {"repairs": list(self.repairs)}
+        figures = {name: None if np.isnan(value) else value for name, value in self.figures.items()}
+        return asdict(self) | {"repairs": list(self.repairs), "figures": figures}
 
     def __str__(self) -> str:
         lines = [

@@ -195,9 +195,6 @@ def test_the_gap_of_a_tip_is_measured_in_radii(tube, capsule, ends, gap):
     assert figures["tip_gap"] == pytest.approx(gap, rel=0.02)
 
 
-@pytest.mark.xfail(
-    strict=True, reason="the radius grows by no more than the gap in each of three steps: 1/3 is the least"
-)
 @pytest.mark.parametrize("gap", [0.02, 0.1, 0.25])
 @pytest.mark.parametrize("ends", ["flat", "round"])
 def test_the_gap_of_a_tip_near_the_end_is_measured_in_radii(tube, capsule, ends, gap):

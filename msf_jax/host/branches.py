@@ -106,8 +106,8 @@ def prune(
     """Take away branches of less than ``persistence``, the least first, until none is left.
 
     Each time the rest is measured again: where two branches remain at a junction they become one. A branch with a node
-    of ``is_held`` (N,) stays. Returns which nodes stay (N,), and the node that each goes to (N,): itself, or the
-    junction that its branch grew out of.
+    of ``is_held`` (N,) beyond its junction stays. Returns which nodes stay (N,), and the node that each goes to (N,):
+    itself, or the junction that its branch grew out of.
     """
     is_kept = np.ones(len(vertices), dtype=bool)
     target = np.arange(len(vertices))

@@ -15,6 +15,7 @@ from msf_jax.host import sections
 from msf_jax.host.centring import clearance, unit
 from msf_jax.host.enclosure import Enclosure
 
+UNFOLDINGS = 20  # rounds
 HALVINGS = 2  # of an edge that is not inside, before a way is looked for
 TOUCHING = 1e-5  # diagonals: a point with less room than that counts as outside
 NEIGHBOURS = 16  # of a point, in the search for a way
@@ -57,6 +58,27 @@ def is_inside(shape: Enclosure, a: np.ndarray, b: np.ndarray) -> np.ndarray:
     is_stretch = onward - stop > 1e-9
     is_in[edge[is_stretch][~shape.contains(middle[is_stretch])]] = False
     return is_in
+
+
+def unfold(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray, is_held: np.ndarray) -> np.ndarray:
+    """The nodes (N, 3) without sharp turns: where a branch turns back at a node, it cuts the corner if that is inside.
+
+    A node that came in from outside, or is caught in a fold of the surface, would make a spike of the branch.
+    """
+    x = vertices.copy()
+    ends = np.concatenate([edges, edges[:, ::-1]])
+    ends = ends[np.argsort(ends[:, 0], kind="stable")]
+    degree = np.bincount(edges.ravel(), minlength=len(x))
+    inner = np.flatnonzero((degree == 2) & ~is_held)
+    start = np.searchsorted(ends[:, 0], inner)
+    before, after = ends[start, 1], ends[start + 1, 1]
+    for _ in range(UNFOLDINGS):
+        turns_back = np.einsum("ni,ni->n", x[inner] - x[before], x[after] - x[inner]) < 0
+        turns_back[turns_back] = is_inside(shape, x[before[turns_back]], x[after[turns_back]])
+        if not turns_back.any():
+            break
+        x[inner[turns_back]] = (x[before[turns_back]] + x[after[turns_back]]) / 2
+    return x
 
 
 def refine(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray, spacing: float) -> tuple[np.ndarray, np.ndarray]:

@@ -98,7 +98,9 @@ class Enclosure:
         for size_class in classes:
             for point, triangle in _near([size_class], points, bound):
                 away = points[point] - self.centroids[triangle]
-                may_be = np.einsum("ci,ci->c", away, away) <= (bound[point] + self.reaches[triangle]) ** 2
+                may_be = (
+                    np.einsum("ci,ci->c", away, away) <= ((bound[point] + self.reaches[triangle]) * (1 + 1e-12)) ** 2
+                )
                 point, triangle = point[may_be], triangle[may_be]
                 if not len(point):
                     continue
@@ -133,17 +135,21 @@ class Enclosure:
         A hit on an edge or a vertex counts for each triangle there, or for some. A ray that starts on the surface may
         hit it at 0 or not at all.
         """
+        # Two axes across each ray: seen along it, the ray is a point.
+        across = np.cross(directions, np.eye(3)[np.abs(directions).argmin(axis=1)])
+        across /= np.maximum(np.linalg.norm(across, axis=1, keepdims=True), 1e-300)
+        axes = np.stack([across, np.cross(directions, across), directions], axis=1)
         rays, distances = [np.empty(0, dtype=np.int64)], [np.empty(0)]
         for point, triangle in self.triangles_near(points + reach[:, None] / 2 * directions, reach / 2):
-            a, b, c = np.moveaxis(self.triangles[triangle] - points[point][:, None], 1, 0)
-            way = directions[point]
-            # Volumes of the ray's tetrahedra with the three edges: all of one sign where it goes through the triangle.
-            sides = np.stack([np.einsum("ci,ci->c", way, np.cross(u, v)) for u, v in ((b, c), (c, a), (a, b))])
-            total = sides.sum(axis=0)
-            slack = 1e-12 * np.abs(sides).sum(axis=0)  # without it a ray can slip through at a vertex
-            is_hit = ((sides >= -slack).all(axis=0) | (sides <= slack).all(axis=0)) & (total != 0)
-            volume = np.einsum("ci,ci->c", a, np.cross(b, c))
-            t = np.where(is_hit, volume / np.where(total == 0, 1.0, total), np.inf)
+            corners = np.einsum("cki,cai->cka", self.triangles[triangle] - points[point][:, None], axes[point])
+            x, y, depth = np.moveaxis(corners, 2, 0)
+            side = x * np.roll(y, -1, axis=1) - np.roll(x, -1, axis=1) * y  # of edge k to k + 1; k + 2 is opposite
+            total = side.sum(axis=1)
+            # Seen edge-on a triangle has no area but rounding errors, and is no hit.
+            is_broad = np.abs(total) > 1e-14 * (x**2 + y**2).max(axis=1)
+            is_hit = ((side >= 0).all(axis=1) | (side <= 0).all(axis=1)) & is_broad
+            t = np.einsum("ck,ck->c", side, np.roll(depth, 1, axis=1)) / np.where(is_hit, total, 1.0)
+            t = np.clip(t, depth.min(axis=1), depth.max(axis=1))
             is_hit &= (t >= 0) & (t <= reach[point])
             rays.append(point[is_hit])
             distances.append(t[is_hit])
@@ -171,7 +177,9 @@ def _near(classes: list[SizeClass], points: np.ndarray, reach: np.ndarray) -> It
     for first in range(0, len(points), POINTS_AT_ONCE):
         chunk = slice(first, first + POINTS_AT_ONCE)
         found = [
-            size_class.tree.query_ball_point(points[chunk], reach[chunk] + size_class.reach, return_sorted=False)
+            size_class.tree.query_ball_point(
+                points[chunk], (reach[chunk] + size_class.reach) * (1 + 1e-12), return_sorted=False
+            )
             for size_class in classes
         ]
         counts = [np.fromiter(map(len, near), dtype=np.int64, count=len(near)) for near in found]

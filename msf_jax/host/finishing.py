@@ -47,7 +47,8 @@ def finish(
     x, e = containment.contain(shape, nodes, edges, is_held)
     held = np.pad(is_held, (0, len(x) - len(is_held)))
     if centre:  # what to prune is decided on a curve that is centred already
-        x = centring.centre(shape, x, e, held)
+        x = centring.centre(shape, containment.unfold(shape, x, e, held), e, held)
+        x = containment.unfold(shape, x, e, held)
     stays, target = branches.prune(x, e, clearance(shape, x), persistence, held)
     rank = np.cumsum(stays) - 1
     x, e, held = x[stays], rank[e[stays[e].all(axis=1)]], held[stays]
@@ -61,6 +62,8 @@ def finish(
     if centre and extend:
         is_leaf = np.bincount(e.ravel(), minlength=len(x)) == 1
         x = centring.centre(shape, x, e, held | is_leaf, LATER_ROUNDS)
+    if centre:
+        x = containment.unfold(shape, x, e, np.pad(held, (0, len(x) - len(held))))
     held = np.pad(held, (0, len(x) - len(held)))
     x, e = containment.contain(shape, x, e, held)
     return Finished(x, in_order(e), stays[: len(nodes)], target[: len(nodes)])
