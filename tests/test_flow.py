@@ -24,11 +24,12 @@ def tubes():
     return [(torus(minor=0.2, around=60, across=16), 1), (y, 0)]
 
 
-def check_map(skeleton):
-    """Every input vertex has a node, and most nodes have input vertices (not all: limbs can be thin and coarse)."""
-    assert skeleton.mesh_map.min() >= 0
-    assert skeleton.mesh_map.max() < len(skeleton.vertices)
-    assert len(np.unique(skeleton.mesh_map)) >= 0.75 * len(skeleton.vertices)
+def check_map(run):
+    """Every input vertex has a node, and most of the flow's nodes have input vertices (not all: some are of splits)."""
+    for skeleton in (run.curve, run.skeleton):
+        assert skeleton.mesh_map.min() >= 0
+        assert skeleton.mesh_map.max() < len(skeleton.vertices)
+    assert len(np.unique(run.curve.mesh_map)) >= 0.75 * len(run.curve.vertices)
 
 
 @pytest.fixture(scope="module")
@@ -39,13 +40,13 @@ def y_flow():
 @pytest.mark.parametrize("which", [0, 1])
 def test_tubes_become_curves_of_their_topology(which):
     mesh, genus = tubes()[which]
-    skeleton = msf_jax.skeletonize(mesh, config=Config(check=True))
-    report = skeleton.report
+    run = flow.contract(mesh, config=Config(check=True))
+    report = run.skeleton.report
     assert report.converged
     assert (report.components, report.cycles, report.genus) == (1, genus, genus)
     assert report.inside == 1.0
-    assert skeleton.mesh_map.shape == (len(mesh.vertices),)
-    check_map(skeleton)
+    assert run.skeleton.mesh_map.shape == (len(mesh.vertices),)
+    check_map(run)
 
 
 def test_the_curve_of_a_y_follows_its_arms(y_flow):
@@ -236,19 +237,20 @@ def test_one_compilation_for_each_layout():
 def test_research_meshes_come_out_sound(name, research_mesh):
     vertices, faces = research_mesh(name)
     check = name in ("three-holes", "bunny")
-    skeleton = msf_jax.skeletonize((vertices, faces), config=Config(check=check))
-    report = skeleton.report
+    run = flow.contract((vertices, faces), config=Config(check=check))
+    report = run.skeleton.report
     assert report.converged
     assert report.components == 1
     assert report.cycles == report.genus
-    assert report.inside >= 0.99
-    check_map(skeleton)
+    assert report.inside == 1.0
+    check_map(run)
 
 
 @pytest.mark.parametrize("name", ["cow-pinched", "camel-pinched"])
 def test_pinched_meshes_come_out_with_the_repair_reported(name, research_mesh):
     skeleton = msf_jax.skeletonize(research_mesh(name))
     assert any("pinched" in repair for repair in skeleton.report.repairs)
+    assert skeleton.report.inside == 1.0
     assert skeleton.report.cycles == skeleton.report.genus
     assert skeleton.mesh_map.min() >= 0
 
