@@ -207,7 +207,7 @@ class Skeleton:
         points = solid.enter(at(self.vertices[nodes], along, stops))
         is_bad = ~containment.is_inside(solid.shape, points[:-1], points[1:])
         span = np.clip(np.searchsorted(stops, along, side="right") - 1, 0, len(is_bad) - 1)
-        return np.unique(np.concatenate([stops, along[is_bad[span]]]))
+        return np.sort(np.concatenate([stops, np.setdiff1d(along[is_bad[span]], stops)]))
 
     def smooth(self, rounds: int = 10) -> "Skeleton":
         """A new skeleton: in each of ``rounds`` nodes go half of the way to the middle of their two neighbours.

@@ -32,8 +32,7 @@ ROUNDNESS = 4  # a section wider than its branch's usual one counts less, by thi
 STRAY = 0.3  # section radii: a centroid so far from the smooth curve counts for half
 SLIDING = 0.03  # what is left of w along the branch
 ANCHOR, JUNCTION_ANCHOR = 0.003, 0.1  # a: in general, at a junction, and
-ROOMY_ANCHOR = 2.0  # near a junction, where the place that the flow found is roomier,
-ROOMIER = 1.0  # so many times
+ROOMY_ANCHOR = 2.0  # near a junction, where the place that the flow found is roomier
 LONGEST_STEP = 0.5  # radii, in one round
 HELD = 1e9  # a, for a node that is not to move
 THINNEST = 0.5  # of the clearance that the flow gave a node must be left of it
@@ -52,7 +51,7 @@ def centre(
 ) -> np.ndarray:
     """The nodes ``vertices`` (N, 3) of the curve, centred; those of ``is_held`` (N,) stay where they are.
 
-    A step that would leave the solid, or most of a node's clearance, is cut short.
+    A step that would leave the solid, or half of the clearance that a node came with, is cut short.
     """
     x = vertices.copy()
     degree = np.bincount(edges.ravel(), minlength=len(x))
@@ -69,7 +68,7 @@ def centre(
         limb, middle, width = limb[is_good], found.centroid[is_good], found.radius[is_good]
         round_weight = np.minimum(1.0, _usual_width(ways, limb, width, len(x)) / width) ** ROUNDNESS
         anchor = np.where(degree > 2, JUNCTION_ANCHOR, ANCHOR)
-        anchor[is_near & (first_radii > ROOMIER * radii)] = ROOMY_ANCHOR
+        anchor[is_near & (first_radii > radii)] = ROOMY_ANCHOR
         anchor[is_held] = HELD
         weight, goal = round_weight, x
         for _ in range(2):

@@ -1,8 +1,8 @@
 """Keep the curve inside: nodes off the surface, edges that do not cross it, whatever the flow did.
 
-A node outside goes to the middle of the solid behind the nearest triangle. An edge that leaves the solid is led through
-it: over the middle of its own cross-section, if that will do, or else over middles of chords of the solid around it, by
-the shortest and roomiest way that does not cross the surface.
+A node outside goes into the solid behind the nearest triangle, as deep as the limb is there. An edge that leaves the
+solid is led through it: over the middle of its own cross-section, if that will do, or else over middles of chords of the
+solid around it, by the shortest and roomiest way that does not cross the surface.
 """
 
 import itertools
@@ -175,10 +175,10 @@ def _way(shape: Enclosure, a: np.ndarray, b: np.ndarray) -> np.ndarray:
 def _way_within(shape: Enclosure, a: np.ndarray, b: np.ndarray, reach: float, neighbours: int) -> np.ndarray:
     """The same, over the middles of chords behind the faces within ``reach``, each joined to its neighbours."""
     middle = (a + b) / 2
-    near = np.linalg.norm(shape.triangles.mean(axis=1) - middle, axis=1) < reach
+    near = np.linalg.norm(shape.centroids - middle, axis=1) < reach
     corner = shape.triangles[near]
     behind = -unit(np.cross(corner[:, 1] - corner[:, 0], corner[:, 2] - corner[:, 0]))
-    points = chord_middles(shape, corner.mean(axis=1) + TOUCHING / 2 * behind, behind)
+    points = chord_middles(shape, shape.centroids[near] + TOUCHING / 2 * behind, behind)
     room = clearance(shape, points)
     points, room = points[room > TOUCHING], room[room > TOUCHING]
     # One for each cell of about half its ball: faces around a limb all have their chords' middles on its axis.

@@ -63,8 +63,7 @@ def finish(
         is_leaf = np.bincount(e.ravel(), minlength=len(x)) == 1
         x = centring.centre(shape, x, e, held | is_leaf, LATER_ROUNDS)
     if centre:
-        x = containment.unfold(shape, x, e, np.pad(held, (0, len(x) - len(held))))
-    held = np.pad(held, (0, len(x) - len(held)))
+        x = containment.unfold(shape, x, e, held)
     x, e = containment.contain(shape, x, e, held)
     return Finished(x, in_order(e), stays[: len(nodes)], target[: len(nodes)])
 
