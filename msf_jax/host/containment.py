@@ -1,8 +1,8 @@
 """Keep the curve inside: nodes off the surface, edges that do not cross it, whatever the flow did.
 
 A node outside goes into the solid behind the nearest triangle, as deep as the limb is there. An edge that leaves the
-solid is led through it: over the middle of its own cross-section, if that will do, or else over middles of chords of the
-solid around it, by the shortest and roomiest way that does not cross the surface.
+solid is led through it: over the middle of its own cross-section, if that will do, or else over middles of chords of
+the solid around it, by the shortest and roomiest way that does not cross the surface.
 """
 
 import itertools
