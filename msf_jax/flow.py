@@ -47,7 +47,7 @@ def init(component: Component, number: int, config: Config, watch: Stopwatch, pi
     pins = np.flatnonzero(np.isin(order, [] if pins is None else pins))
     if config.reconstruct_mesh:
         with watch.stage("reconstruction"):
-            vertices = reconstruction.reconstruct(vertices, faces, config.reconstruct_mesh)
+            vertices = _rebuilt(vertices, faces, config.reconstruct_mesh, config)
             vertices[pins] = original[pins]
     meso = Meso.from_mesh(vertices, faces)
     meso.is_fixed[pins] = True
@@ -87,6 +87,11 @@ def init(component: Component, number: int, config: Config, watch: Stopwatch, pi
     )
 
 
+def _rebuilt(vertices: np.ndarray, faces: np.ndarray, k: int, config: Config) -> np.ndarray:
+    rebuild = reconstruction.reconstruct if config.exact_reconstruction else reconstruction.filtered
+    return rebuild(vertices, faces, k)
+
+
 def _resampled(meso: Meso, length: float, *, check: bool) -> Meso:
     """Edges between 4/5 and 4/3 of ``length``, as far as the topology lets them."""
     for _ in range(3):
@@ -104,7 +109,7 @@ def _poles(meso: Meso, shape: Enclosure, config: Config, watch: Stopwatch) -> tu
     sites, faces = meso.positions, meso.faces()
     if config.reconstruct_poles:
         with watch.stage("reconstruction"):
-            sites = reconstruction.reconstruct(sites, faces, config.reconstruct_poles)
+            sites = _rebuilt(sites, faces, config.reconstruct_poles, config)
     with watch.stage("poles"):
         found = poles.voronoi_poles(sites, faces, box=shape.vertices)
         has_pole = found.is_found.copy()

@@ -118,6 +118,11 @@ class Case(NamedTuple):
     shape: Any = None  # its KnownShape, in the suite of known curves
 
 
+def stopped(code: int) -> str:
+    """How a process with this exit code ended."""
+    return "stopped" + (f" by {signal.Signals(-code).name}" if code < 0 else "")
+
+
 def run_peer(name: str, source: str, target: str) -> None:
     """What the process of a peer does: a mesh from one file, its curve into another."""
     importlib.import_module(PEERS[name][1])
@@ -142,8 +147,8 @@ def peer_result(name: str, case: Case, limit: float, cache: Path | None) -> Figu
         try:
             done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, errors="replace", timeout=limit)
             if code := done.returncode:
-                by = f" by {signal.Signals(-code).name}" if code < 0 else ""
-                failure = {"failure": f"stopped{by}: {['no message', *done.stderr.strip().splitlines()][-1][:100]}"}
+                message = ["no message", *done.stderr.strip().splitlines()][-1][:100]
+                failure = {"failure": f"{stopped(code)}: {message}"}
         except subprocess.TimeoutExpired:
             failure = {"failure": f"timed out after {limit:g} s", "limit": limit}
         if failure:
@@ -235,10 +240,15 @@ def summary(suite: str, methods: list[str], results: dict[str, Rows], columns: l
     return text
 
 
+def mesh_files(folder: Path) -> dict[str, Path]:
+    """The closed meshes of a folder, by name."""
+    return {path.stem: path for path in sorted(folder.glob("*.off")) if "open" not in path.stem}
+
+
 def cases_of(suite: str, folder: Path, only: list[str] | None) -> Iterator[Case]:
     from msf_jax import ground_truth
 
-    files = {path.stem: path for path in sorted(folder.glob("*.off")) if "open" not in path.stem}
+    files = mesh_files(folder)
     for name in files if suite == "meshes" else ground_truth.names():
         if not only or name in only:
             shape = ground_truth.make(name) if suite == "truth" else None
@@ -246,11 +256,21 @@ def cases_of(suite: str, folder: Path, only: list[str] | None) -> Iterator[Case]
             yield Case(name, np.array(mesh.vertices), np.array(mesh.faces), shape)
 
 
+def opening(title: str, wanted: list[str], methods: list[str]) -> str:
+    """The head of a report on ``methods``, those of the wanted ones that are installed."""
+    text = f"# {title}\n\nPython {platform.python_version()}, {platform.machine()}, {os.cpu_count()} cores.\n"
+    for name in sorted({*wanted} - {*methods}):
+        text += f"\nLeft out: {name}, whose package {PACKAGES[name]} is not installed.\n"
+    return text
+
+
+def installed(methods: list[str]) -> list[str]:
+    return [name for name in methods if importlib.util.find_spec(PACKAGES[name])]
+
+
 def report(wanted: argparse.Namespace) -> Iterator[str]:
-    yield f"# Curves\n\nPython {platform.python_version()}, {platform.machine()}, {os.cpu_count()} cores.\n"
-    methods = [name for name in wanted.methods if importlib.util.find_spec(PACKAGES[name])]
-    for name in sorted({*wanted.methods} - {*methods}):
-        yield f"\nLeft out: {name}, whose package {PACKAGES[name]} is not installed.\n"
+    methods = installed(wanted.methods)
+    yield opening("Curves", wanted.methods, methods)
     for suite in ["meshes", "truth"] if wanted.suite == "all" else [wanted.suite]:
         columns = COLUMNS + (TRUTH_COLUMNS if suite == "truth" else [])
         results: dict[str, Rows] = {}
@@ -264,35 +284,61 @@ def report(wanted: argparse.Namespace) -> Iterator[str]:
             yield summary(suite, methods, results, columns)
 
 
-def main() -> None:
-    parser = argparse.ArgumentParser(prog="python -m tests.benchmarks.curves", description=__doc__.splitlines()[0])
+def publish(pieces: Iterator[str], output: Path | None) -> None:
+    """Print a report as it comes, and write it to a file."""
+    text = ""
+    for piece in pieces:
+        print(piece, end="", flush=True)  # at once, since a whole run takes long
+        text += piece
+    if output:
+        write_whole(output, text.encode())
+
+
+def write_whole(path: Path, content: bytes) -> None:
+    """Write a file; what was there stays until all is written."""
+    part = path.with_name(f"{path.name}.part")
+    part.write_bytes(content)
+    part.replace(path)
+
+
+def configure_jax(*, float32: bool = False) -> None:
+    """As the command line does it."""
+    import jax  # not in a peer's process
+
+    jax.config.update("jax_enable_x64", not float32)
+    jax.config.update("jax_persistent_cache_min_compile_time_secs", 0.2)
+
+
+def parser_for(name: str, description: str) -> argparse.ArgumentParser:
+    """The options that the benchmarks have in common."""
+    parser = argparse.ArgumentParser(prog=f"python -m tests.benchmarks.{name}", description=description)
     parser.add_argument("--meshes", type=Path, default=os.environ.get("MSF_JAX_MESHES", ROOT.parent / "shared/meshes"))
-    parser.add_argument("--suite", choices=["meshes", "truth", "all"], default="all")
     parser.add_argument("--only", type=lambda text: text.split(","), help="names of meshes, with commas between")
-    parser.add_argument("--methods", type=lambda text: text.split(","), default=[*PACKAGES], help=",".join(PACKAGES))
+    parser.add_argument("--methods", type=method_names, default=[*PACKAGES], help=",".join(PACKAGES))
     parser.add_argument("--limit", type=float, default=300, help="seconds for one call of a peer")
-    parser.add_argument("--cache", type=Path, help="folder that keeps the peers' results")
     parser.add_argument("--output", type=Path, help="file for the tables")
+    return parser
+
+
+def method_names(text: str) -> list[str]:
+    names = text.split(",")
+    if set(names) - set(PACKAGES):
+        raise argparse.ArgumentTypeError(f"takes {', '.join(PACKAGES)}")
+    return names
+
+
+def main() -> None:
+    parser = parser_for("curves", __doc__.splitlines()[0])
+    parser.add_argument("--suite", choices=["meshes", "truth", "all"], default="all")
+    parser.add_argument("--cache", type=Path, help="folder that keeps the peers' results")
     parser.add_argument("--peer", nargs=3, help=argparse.SUPPRESS)
     wanted = parser.parse_args()
     if wanted.peer:
         return run_peer(*wanted.peer)
-    if set(wanted.methods) - set(PACKAGES):
-        parser.error(f"--methods takes {', '.join(PACKAGES)}")
-    import jax  # not in a peer's process
-
-    jax.config.update("jax_enable_x64", True)
-    jax.config.update("jax_persistent_cache_min_compile_time_secs", 0.2)  # as the command line does
+    configure_jax()
     for folder in filter(None, (wanted.cache, wanted.output and wanted.output.parent)):
         folder.mkdir(parents=True, exist_ok=True)
-    text = ""
-    for piece in report(wanted):
-        print(piece, end="", flush=True)  # at once, since a whole run takes long
-        text += piece
-    if wanted.output:  # what was there stays until all is written
-        part = wanted.output.with_name(f"{wanted.output.name}.part")
-        part.write_text(text)
-        part.replace(wanted.output)
+    publish(report(wanted), wanted.output)
 
 
 if __name__ == "__main__":
