@@ -23,7 +23,7 @@ from msf_jax.host.enclosure import Enclosure
 
 # Chosen on the ground-truth shapes and the research meshes, for the mean distance to the true curve, off-centre and
 # missed together; see `tests.benchmarks.curves`.
-ROUNDS = 6
+ROUNDS = 3
 STIFFNESS = 0.35  # the length l, in radii
 STIFFEST = 1e5  # of (l / h)^4
 ZONE = 0.7  # radii of a junction, within which sections do not count
@@ -56,14 +56,15 @@ def centre(
     x = vertices.copy()
     degree = np.bincount(edges.ravel(), minlength=len(x))
     ways = [np.array(way) for way in branches.trace(len(x), edges) if len(way) > 1]
-    first_radii = clearance(shape, x)
+    first_radii, near = shape.approach(x)
+    first_radii[~shape.contains(x)] = 0.0
     radii = first_radii.copy()
     for _ in range(rounds):
         measured = [Way(nodes, arc_length(x[nodes]), nodes[0] == nodes[-1] and degree[nodes[0]] == 2) for nodes in ways]
         tangent = _tangents(x, measured, radii)
         is_near = _near_junction(measured, degree, radii, len(x))
         limb = np.flatnonzero((degree > 0) & (degree <= 2) & ~is_near & ~is_held & (radii > 0))
-        found = sections.cut(shape, x[limb], tangent[limb], radii[limb])
+        found = sections.cut(shape, x[limb], tangent[limb], radii[limb], near[limb])
         is_good = found.is_around & (found.radius < LOPSIDED * radii[limb])
         limb, middle, width = limb[is_good], found.centroid[is_good], found.radius[is_good]
         round_weight = np.minimum(1.0, _usual_width(ways, limb, width, len(x)) / width) ** ROUNDNESS
@@ -80,11 +81,11 @@ def centre(
         step *= np.minimum(1.0, LONGEST_STEP * radii / np.maximum(length, 1e-300))[:, None]
         step[is_held] = 0.0
         left = np.flatnonzero(~is_held)
-        for part in (1.0, 0.5, 0.25):
-            moved = clearance(shape, x[left] + part * step[left])
+        for part in (1.0, 0.5, 0.25):  # all within half of the ball around the node, and so inside
+            moved, triangle = shape.approach(x[left] + part * step[left])
             is_safe = moved > np.minimum(THINNEST * first_radii[left], radii[left])
             x[left[is_safe]] += part * step[left[is_safe]]
-            radii[left[is_safe]] = moved[is_safe]
+            radii[left[is_safe]], near[left[is_safe]] = moved[is_safe], triangle[is_safe]
             left = left[~is_safe]
     return x
 

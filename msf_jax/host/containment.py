@@ -29,22 +29,30 @@ def contain(
     Nodes of ``is_held`` stay where they are. An edge that cannot be led through the solid stays as it is.
     """
     x, edges = vertices.copy(), edges.copy()
-    is_out = (clearance(shape, x) < TOUCHING) & ~is_held
+    radii = clearance(shape, x)
+    is_out = (radii < TOUCHING) & ~is_held
     x[is_out] = _inward(shape, x[is_out])
+    radii[is_out] = clearance(shape, x[is_out])
     for _ in range(HALVINGS):
-        is_bad = ~is_inside(shape, x[edges[:, 0]], x[edges[:, 1]])
+        is_bad = ~is_inside(shape, x[edges[:, 0]], x[edges[:, 1]], radii[edges].sum(axis=1))
         middle, is_near = _middles(shape, x[edges[is_bad, 0]], x[edges[is_bad, 1]])
         is_bad[is_bad] = is_near
         x, edges = _replaced(x, edges, is_bad, [point[None] for point in middle[is_near]])
-    is_bad = ~is_inside(shape, x[edges[:, 0]], x[edges[:, 1]])
+        radii = np.concatenate([radii, clearance(shape, x[len(radii) :])])
+    is_bad = ~is_inside(shape, x[edges[:, 0]], x[edges[:, 1]], radii[edges].sum(axis=1))
     return _replaced(x, edges, is_bad, [_way(shape, x[a], x[b]) for a, b in edges[is_bad]])
 
 
-def is_inside(shape: Enclosure, a: np.ndarray, b: np.ndarray) -> np.ndarray:
-    """(E,) True for a segment from a (E, 3) to b (E, 3) that is inside the solid."""
-    is_in = shape.contains(a) & shape.contains(b)
+def is_inside(shape: Enclosure, a: np.ndarray, b: np.ndarray, covered: np.ndarray | None = None) -> np.ndarray:
+    """(E,) True for a segment from a (E, 3) to b (E, 3) that is inside the solid.
+
+    One shorter than ``covered`` (E,), the radii of balls inside around its ends together, is inside without a look.
+    """
     length = np.linalg.norm(b - a, axis=1)
-    rows = np.flatnonzero(is_in)
+    is_in = np.zeros(len(a), dtype=bool) if covered is None else length < covered
+    unknown = np.flatnonzero(~is_in)
+    is_in[unknown] = shape.contains(a[unknown]) & shape.contains(b[unknown])
+    rows = unknown[is_in[unknown]]
     ray, hit = shape.ray_hits(a[rows], unit(b - a)[rows], length[rows])
     # Where it meets the surface it comes out, or only crosses a fold of the surface inside: the stretches between tell.
     edge = np.concatenate([rows[ray], np.unique(rows[ray])])
@@ -83,7 +91,7 @@ def unfold(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray, is_held: n
 
 def refine(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray, spacing: float) -> tuple[np.ndarray, np.ndarray]:
     """Split edges longer than ``spacing`` times the smaller of the radii at their ends, down to 1/400 diagonal."""
-    radii = clearance(shape, vertices)
+    radii = shape.approach(vertices)[0]
     a, b = vertices[edges[:, 0]], vertices[edges[:, 1]]
     length = np.linalg.norm(b - a, axis=1)
     target = np.maximum(spacing * radii[edges].min(axis=1), 1 / 400)

@@ -10,11 +10,10 @@ import numpy as np
 from scipy import spatial
 
 from msf_jax.host import branches, centring, containment, tips
-from msf_jax.host.centring import clearance
 from msf_jax.host.enclosure import Enclosure
 
 SPACING = 0.5  # radii, between the nodes of a finished curve
-LATER_ROUNDS = 3  # of centring, once it has been centred
+LATER_ROUNDS = 2  # of centring, once it has been centred
 
 
 class Finished(NamedTuple):
@@ -49,7 +48,7 @@ def finish(
     if centre:  # what to prune is decided on a curve that is centred already
         x = centring.centre(shape, containment.unfold(shape, x, e, held), e, held)
         x = containment.unfold(shape, x, e, held)
-    stays, target = branches.prune(x, e, clearance(shape, x), persistence, held)
+    stays, target = branches.prune(x, e, shape.approach(x)[0], persistence, held)
     rank = np.cumsum(stays) - 1
     x, e, held = x[stays], rank[e[stays[e].all(axis=1)]], held[stays]
     if centre:

@@ -12,6 +12,7 @@ import numpy as np
 from msf_jax.host.enclosure import Enclosure
 
 SEARCHES = 3  # for the nearest loop, each three times as far as the last
+DESCENT = 30  # triangles from a given one to the plane, after which all around are searched
 LONGEST_LOOP = 20_000  # triangles, after which a walk is given up
 
 
@@ -30,23 +31,29 @@ class Sections(NamedTuple):
     is_around: np.ndarray
 
 
-def cut(shape: Enclosure, points: np.ndarray, normals: np.ndarray, radii: np.ndarray) -> Sections:
+def cut(
+    shape: Enclosure, points: np.ndarray, normals: np.ndarray, radii: np.ndarray, near: np.ndarray | None = None
+) -> Sections:
     """Cut ``shape`` through ``points`` (P, 3) across the unit vectors ``normals`` (P, 3).
 
     The nearest loop in the plane is the point's: the outer one of its region, but where there is a cavity. ``radii``
-    (P,) are guesses at how far it is; it is looked for within one and a half of that, and then ever farther.
+    (P,) are guesses at how far it is; it is looked for within one and a half of that, and then ever farther. With
+    ``near`` (P,), triangles near the points, a loop that can be reached from there is taken instead, which is fast.
     """
-    start = np.full((len(points), 2), -1)
-    left, reach = np.arange(len(points)), 1.5 * np.maximum(radii, 1e-3 * np.ptp(shape.vertices, axis=0).max())
+    start = np.full(len(points), -1) if near is None else _crossings_below(shape, points, normals, near)
+    left = np.flatnonzero(start < 0)
+    reach = 1.5 * np.maximum(radii[left], 1e-3 * np.ptp(shape.vertices, axis=0).max())
     for _ in range(SEARCHES):
-        start[left] = _nearest_crossings(shape, points[left], normals[left], reach)
-        is_left = start[left, 0] < 0
-        left, reach = left[is_left], 3 * reach[is_left]
         if not len(left):
             break
+        start[left] = _nearest_crossings(shape, points[left], normals[left], reach)
+        is_left = start[left] < 0
+        left, reach = left[is_left], 3 * reach[is_left]
     none = np.zeros(len(points), dtype=bool)
     found = Sections(points.copy(), np.zeros(len(points)), none, none.copy())
-    rows = np.flatnonzero(start[:, 0] >= 0)
+    rows = np.flatnonzero(start >= 0)
+    if not len(rows):
+        return found
     for field, value in zip(found, _walk(shape, points[rows], normals[rows], start[rows]), strict=True):
         field[rows] = value
     return found
@@ -59,8 +66,8 @@ def _heights(shape: Enclosure, vertex: np.ndarray, points: np.ndarray, normals: 
 
 
 def _nearest_crossings(shape: Enclosure, points: np.ndarray, normals: np.ndarray, reach: np.ndarray) -> np.ndarray:
-    """(P, 2) the triangle in which the plane's nearest segment lies, and its edge that leads down; -1 if too far."""
-    start = np.full((len(points), 2), -1)
+    """(P,) the directed edge that leads down in the triangle of the plane's nearest segment; -1 if that is too far."""
+    start = np.full(len(points), -1)
     for point, triangle in shape.triangles_near(points, reach):
         height = _heights(shape, shape.faces[triangle], points[point][:, None], normals[point][:, None])
         is_up = height >= 0
@@ -82,34 +89,52 @@ def _nearest_crossings(shape: Enclosure, points: np.ndarray, normals: np.ndarray
         near = np.flatnonzero(distance <= reach[point])
         order = near[np.lexsort((triangle[near], distance[near], point[near]))]
         first = order[np.r_[True, point[order][1:] != point[order][:-1]]] if len(order) else order
-        start[point[first]] = np.stack([triangle[first], down[first]], axis=1)
+        start[point[first]] = 3 * triangle[first] + down[first]
+    return start
+
+
+def _crossings_below(shape: Enclosure, points: np.ndarray, normals: np.ndarray, triangle: np.ndarray) -> np.ndarray:
+    """(P,) a directed edge that leads down, reached from ``triangle`` (P,) from neighbour to neighbour; -1 if not."""
+    start = np.full(len(points), -1)
+    twin = shape.links().twin_of_next
+    active, triangle = np.arange(len(points)), triangle.copy()
+    for _ in range(DESCENT):
+        height = _heights(shape, shape.faces[triangle], points[active, None], normals[active, None])
+        is_up = height >= 0
+        leads_down = is_up & ~np.roll(is_up, -1, axis=1)
+        is_cut = leads_down.any(axis=1)
+        start[active[is_cut]] = 3 * triangle[is_cut] + leads_down[is_cut].argmax(axis=1)
+        active, triangle, height = active[~is_cut], triangle[~is_cut], height[~is_cut]
+        if not len(active):
+            break
+        # Away from the farthest corner, over the edge opposite to it, which is the next edge.
+        triangle = twin[3 * triangle + np.abs(height).argmax(axis=1)] // 3
     return start
 
 
 def _walk(shape: Enclosure, points: np.ndarray, normals: np.ndarray, start: np.ndarray) -> Sections:
-    """Follow every loop from its ``start``: in through the edge that leads down, out through the one that leads up."""
+    """Follow every loop from the directed edges ``start`` that lead down: from each to the next, until it is back."""
     num = len(points)
-    trail: list[tuple[np.ndarray, np.ndarray]] = []  # points still under way, and where their segments start
-    active, state = np.arange(num), start.copy()
+    apex, twin_of_next, twin_of_last = shape.links()
+    trail: list[tuple[np.ndarray, np.ndarray]] = []  # points still under way, and the edges where they are
+    active, edge, first, p, n = np.arange(num), start, start, points, normals
     is_closed = np.zeros(num, dtype=bool)
     for _ in range(LONGEST_LOOP):
-        triangle, k = state[active, 0], state[active, 1]
-        corner = shape.faces[triangle]
-        rows = np.arange(len(active))
-        tail, head, apex = corner[rows, k], corner[rows, (k + 1) % 3], corner[rows, (k + 2) % 3]
-        p, n = points[active], normals[active]
-        a, b = _heights(shape, tail, p, n), _heights(shape, head, p, n)
-        t = (a / (a - b))[:, None]
-        trail.append((active, (1 - t) * shape.vertices[tail] + t * shape.vertices[head] - p))
-        out = np.where(_heights(shape, apex, p, n) >= 0, k + 1, k + 2) % 3
-        state[active] = shape.neighbours()[triangle, out]
-        is_back = (state[active] == start[active]).all(axis=1)
-        is_closed[active[is_back]] = True
-        active = active[~is_back]
-        if not len(active):
-            break
-    loop = np.concatenate([rows for rows, _ in trail] or [active])
-    place = np.concatenate([where for _, where in trail] or [np.empty((0, 3))])
+        trail.append((active, edge))
+        is_up = _heights(shape, apex[edge], p, n) >= 0
+        edge = np.where(is_up, twin_of_next[edge], twin_of_last[edge])
+        is_back = edge == first
+        if is_back.any():
+            is_closed[active[is_back]] = True
+            active, edge, first, p, n = (values[~is_back] for values in (active, edge, first, p, n))
+            if not len(active):
+                break
+    loop, edge = (np.concatenate(parts) for parts in zip(*trail, strict=True))
+    tail, head = shape.faces.ravel()[edge], shape.faces[edge // 3, (edge + 1) % 3]
+    p, n = points[loop], normals[loop]
+    a, b = _heights(shape, tail, p, n), _heights(shape, head, p, n)
+    t = (a / (a - b))[:, None]
+    place = (1 - t) * shape.vertices[tail] + t * shape.vertices[head] - p
     order = np.argsort(loop, kind="stable")
     loop, place = loop[order], place[order]
     last = np.r_[loop[1:] != loop[:-1], True] if len(loop) else np.empty(0, dtype=bool)

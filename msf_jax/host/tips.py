@@ -46,7 +46,7 @@ def extend(
                 tips.append(Tip(nodes, int(np.argmax(np.append(is_held[nodes[:last]], True)))))
     if not tips:
         return x, edges
-    radii = clearance(shape, x)
+    radii = shape.approach(x)[0]
     courses = _march(shape, vertices, radii, tips)
     added, joined, count = [], [], len(x)
     for (nodes, _), (kept, course) in zip(tips, courses, strict=True):

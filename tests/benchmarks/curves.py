@@ -286,6 +286,8 @@ def report(wanted: argparse.Namespace) -> Iterator[str]:
 
 def publish(pieces: Iterator[str], output: Path | None) -> None:
     """Print a report as it comes, and write it to a file."""
+    if output:  # before the first piece is computed
+        output.parent.mkdir(parents=True, exist_ok=True)
     text = ""
     for piece in pieces:
         print(piece, end="", flush=True)  # at once, since a whole run takes long
@@ -315,7 +317,7 @@ def parser_for(name: str, description: str) -> argparse.ArgumentParser:
     parser.add_argument("--meshes", type=Path, default=os.environ.get("MSF_JAX_MESHES", ROOT.parent / "shared/meshes"))
     parser.add_argument("--only", type=lambda text: text.split(","), help="names of meshes, with commas between")
     parser.add_argument("--methods", type=method_names, default=[*PACKAGES], help=",".join(PACKAGES))
-    parser.add_argument("--limit", type=float, default=300, help="seconds for one call of a peer")
+    parser.add_argument("--limit", type=float, default=300, help="seconds for one call in another process")
     parser.add_argument("--output", type=Path, help="file for the tables")
     return parser
 
@@ -336,8 +338,8 @@ def main() -> None:
     if wanted.peer:
         return run_peer(*wanted.peer)
     configure_jax()
-    for folder in filter(None, (wanted.cache, wanted.output and wanted.output.parent)):
-        folder.mkdir(parents=True, exist_ok=True)
+    if wanted.cache:
+        wanted.cache.mkdir(parents=True, exist_ok=True)
     publish(report(wanted), wanted.output)
 
 
