@@ -113,11 +113,10 @@ def assemble(
             (np.concatenate([*moved_nodes, *new_nodes]), finishing.in_order(np.concatenate(edges)), vertex_to_node),
         ):
             components, cycles = curve.cycle_count(len(vertices), joined)
-            inside = metrics.inside_fraction(solid.shape, solid.enter(vertices), joined)
+            radii = solid.radii(vertices)
+            inside = metrics.inside_fraction(solid.shape, solid.enter(vertices), joined, radii / solid.diagonal)
             figures = {"components": components, "cycles": cycles, "inside": inside}
-            drafts.append(
-                (vertices, joined, solid.radii(vertices), _map_of_input(checked, vertices, of_vertex), figures)
-            )
+            drafts.append((vertices, joined, radii, _map_of_input(checked, vertices, of_vertex), figures))
         scores = {}
         if config.evaluate:
             scores = metrics.figures_of(solid.shape, solid.enter(drafts[1][0]), drafts[1][1])

@@ -88,7 +88,7 @@ def figures_of(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray) -> dic
         "components": components,
         "cycles": cycles,
         "leaves": int((np.bincount(edges.ravel(), minlength=len(vertices)) == 1).sum()),
-        "inside": inside_fraction(shape, vertices, edges),
+        "inside": inside_fraction(shape, vertices, edges, radii),
         "boundedness": float(is_inside.mean()),
         "off_centre": _off_centre(shape, vertices, edges),
         "missed_95": float(missed[order[min(rank, len(order) - 1)]]),
@@ -99,20 +99,23 @@ def figures_of(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray) -> dic
     }
 
 
-def inside_fraction(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray) -> float:
+def inside_fraction(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray, radii: np.ndarray) -> float:
     """Fraction of the length of the curve ``(vertices (N, 3), edges (E, 2))`` that is inside the surface ``shape``.
 
-    A point is inside where the winding number is positive; each edge is sampled at the middles of 16 equal parts. A
-    curve without length counts its nodes.
+    A point is inside where the winding number is positive. An edge is inside where the balls of ``radii`` (N,) around
+    its ends, which are, cover it; any other is sampled at the middles of 16 equal parts. A curve without length counts
+    its nodes.
     """
     a, b = vertices[edges[:, 0]], vertices[edges[:, 1]]
     length = np.linalg.norm(b - a, axis=1)
     if length.sum() == 0:
         return float(shape.contains(vertices).mean())
+    share = np.ones(len(edges))
+    is_open = length >= radii[edges].sum(axis=1)
     t = (np.arange(SAMPLES_PER_EDGE) + 0.5) / SAMPLES_PER_EDGE
-    points = a[:, None] + t[None, :, None] * (b - a)[:, None]
-    is_inside = shape.contains(points.reshape(-1, 3)).reshape(len(edges), -1)
-    return float((is_inside.mean(axis=1) * length).sum() / length.sum())
+    points = a[is_open, None] + t[None, :, None] * (b - a)[is_open, None]
+    share[is_open] = shape.contains(points.reshape(-1, 3)).reshape(-1, SAMPLES_PER_EDGE).mean(axis=1)
+    return float((share * length).sum() / length.sum())
 
 
 def sample_curve(vertices: np.ndarray, edges: np.ndarray, spacing: float) -> tuple[np.ndarray, np.ndarray]:

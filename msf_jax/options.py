@@ -115,7 +115,7 @@ class Config:
     use_poles: bool = True
     pole_confidence: bool = False
     edit_connectivity: bool = True
-    t_min: float = 0.002
+    t_min: float = 0.005
     t_step: float = 0.0005
     t_max: float = 0.016
     split_angle: float = 110.0

@@ -252,8 +252,9 @@ class Skeleton:
         report = replace(self.report, components=components, cycles=cycles, figures={})
         if self.source is not None:
             solid = self.source.solid
-            report = replace(report, inside=metrics.inside_fraction(solid.shape, solid.enter(vertices), edges))
             radii = solid.radii(vertices)
+            inside = metrics.inside_fraction(solid.shape, solid.enter(vertices), edges, radii / solid.diagonal)
+            report = replace(report, inside=inside)
         else:  # the largest ball inside one that is known
             away = np.linalg.norm(vertices[:, None] - self.vertices, axis=2)
             radii = np.maximum((self.radii - away).max(axis=1), 0.0)

@@ -57,7 +57,7 @@ class Enclosure:
         self.centroids = self.triangles.mean(axis=1)
         self.reaches = np.sqrt(((self.triangles - self.centroids[:, None]) ** 2).sum(axis=2).max(axis=1))
         self._grid: _Grid | None = None
-        self._trees: tuple[spatial.KDTree, list[SizeClass]] | None = None
+        self._classes: list[SizeClass] | None = None
         self._samples: Samples | None = None
         self._links: Links | None = None
 
@@ -67,6 +67,9 @@ class Enclosure:
             self._grid = _Grid(self.triangles)
         winding = np.zeros(len(points), dtype=np.int64)
         for point, triangle in self._grid.pairs(points):
+            for axis, bound, passes in self._grid.bounds:  # most pairs fail one of these, which are cheap
+                is_left = passes(points[point, axis], bound[triangle])
+                point, triangle = point[is_left], triangle[is_left]
             winding += np.bincount(
                 point, weights=self._crossings(points[point], self.faces[triangle]), minlength=len(points)
             ).astype(np.int64)
@@ -107,15 +110,13 @@ class Enclosure:
     def nearest(self, points: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Unsigned distance (P,) from each point to the surface, and the nearest triangle (P,).
 
-        The nearest vertex bounds it; a triangle can only be nearer if its centroid is within that bound plus the
-        triangle's own reach. Triangles are searched in classes of like reach, so that a few large ones do not widen
+        `approach` bounds it; a triangle can only be nearer if its centroid is within that bound plus the triangle's own
+        reach. Triangles are searched in classes of like reach, so that a few large ones do not widen
         the search for all.
         """
-        vertex_tree, classes = self._searched()
-        best2 = np.full(len(points), np.inf)
-        chosen = np.zeros(len(points), dtype=np.int64)
-        bound = vertex_tree.query(points)[0] * (1 + 1e-12)
-        for size_class in classes:
+        bound, chosen = self.approach(points)
+        best2 = bound**2
+        for size_class in self._searched():
             for point, triangle in _near([size_class], points, bound):
                 away = points[point] - self.centroids[triangle]
                 may_be = (
@@ -161,7 +162,7 @@ class Enclosure:
 
         A few that do not come so near are among them. All pairs of a point are in one batch.
         """
-        return _near(self._searched()[1], points, reach)
+        return _near(self._searched(), points, reach)
 
     def ray_lengths(self, points: np.ndarray, directions: np.ndarray, reach: np.ndarray) -> np.ndarray:
         """How far (P,) the surface is from each point along its unit vector; ``reach`` (P,) where it is farther."""
@@ -210,10 +211,10 @@ class Enclosure:
             )))
         return self._links
 
-    def _searched(self) -> tuple[spatial.KDTree, list[SizeClass]]:
-        if self._trees is None:
-            self._trees = spatial.KDTree(self.vertices), _size_classes(self.centroids, self.reaches)
-        return self._trees
+    def _searched(self) -> list[SizeClass]:
+        if self._classes is None:
+            self._classes = _size_classes(self.centroids, self.reaches)
+        return self._classes
 
 
 def _sampled(vertices: np.ndarray, faces: np.ndarray, reaches: np.ndarray) -> Samples:
@@ -293,6 +294,13 @@ class _Grid:
 
     def __init__(self, triangles: np.ndarray):
         flat = triangles[:, :, :2]
+        low, high = triangles.min(axis=1).T, triangles.max(axis=1).T
+        # What a ray that meets a triangle passes: below its top, and within its rectangle.
+        self.bounds = [
+            (2, high[2].copy(), np.less),
+            *((axis, low[axis].copy(), np.greater_equal) for axis in (0, 1)),
+            *((axis, high[axis].copy(), np.less_equal) for axis in (0, 1)),
+        ]
         self.low = flat.min(axis=(0, 1))
         extent = np.maximum(flat.max(axis=(0, 1)) - self.low, 1e-300)
         size = np.median((flat.max(axis=1) - flat.min(axis=1)).max(axis=1))
