@@ -46,28 +46,50 @@ def collapse_short_edges(meso: Meso, t_c: float, *, check: bool = False) -> list
     """
     euler = connectivity.euler_characteristic(meso.rings) if check else 0
     rounds = []
-    a, b = connectivity.edges_from_rings(meso.rings)
+    edges = _candidates(meso, *connectivity.edges_from_rings(meso.rings), t_c)
     while True:
-        length = edge_lengths(meso.positions, a, b)
-        is_short = (length < t_c) & ~(meso.is_fixed[a] & meso.is_fixed[b])
-        a, b, length = a[is_short], b[is_short], length[is_short]
-        can_go = connectivity.is_collapsible(meso.rings, meso.degree, a, b)
-        a, b, length = a[can_go], b[can_go], length[can_go]
-        if len(a) == 0:
+        edges = edges.at((meso.degree[edges.left] > 3) & (meso.degree[edges.right] > 3))
+        if len(edges.a) == 0:
             return rounds
-        chosen = _independent(meso.rings, a, b, shortest_first(a, b, length, t_c))
-        done = _apply(meso, a[chosen], b[chosen])
+        order = shortest_first(edges.a, edges.b, edges.length, t_c)
+        chosen = _independent(meso.rings, edges.a, edges.b, order)
+        done = _apply(meso, edges.a[chosen], edges.b[chosen])
         rounds.append(done)
         if check:
             connectivity.check_closed_manifold(meso.rings, euler)
-        # Look again at the edges around the survivors, and at those that had to wait further away.
+        # Look again at the edges around the survivors; those that had to wait further away are what they were.
         is_touched = np.zeros(meso.num_rows + 1, dtype=bool)  # the last entry serves the padding -1
         is_touched[meso.rings[done.survivor]] = True
         is_touched[done.survivor] = True
         is_touched = is_touched[:-1]
-        waits = ~(is_touched[a] | is_touched[b]) & (meso.degree[a] > 0) & (meso.degree[b] > 0)
-        around_a, around_b = connectivity.edges_around(meso.rings, is_touched)
-        a, b = np.concatenate([a[waits], around_a]), np.concatenate([b[waits], around_b])
+        gone = meso.degree == 0
+        waiting = edges.at(~(is_touched | gone)[edges.a] & ~(is_touched | gone)[edges.b])
+        around = _candidates(meso, *connectivity.edges_around(meso.rings, is_touched), t_c)
+        edges = Candidates(*(np.concatenate(pair) for pair in zip(waiting, around, strict=True)))
+
+
+class Candidates(NamedTuple):
+    """Edges ab (c,) that are short and can be collapsed, but for the degrees of their apexes ``left`` and ``right``."""
+
+    a: np.ndarray
+    b: np.ndarray
+    left: np.ndarray
+    right: np.ndarray
+    length: np.ndarray
+
+    def at(self, rows: np.ndarray) -> "Candidates":
+        """Those of ``rows``."""
+        return Candidates(*(values[rows] for values in self))
+
+
+def _candidates(meso: Meso, a: np.ndarray, b: np.ndarray, t_c: float) -> Candidates:
+    """Those of the edges ab that are shorter than ``t_c``, not fixed at both ends, and meet the link condition."""
+    length = edge_lengths(meso.positions, a, b)
+    is_short = (length < t_c) & ~(meso.is_fixed[a] & meso.is_fixed[b])
+    a, b, length = a[is_short], b[is_short], length[is_short]
+    has_two = connectivity.num_common_neighbours(meso.rings, meso.degree, a, b) == 2
+    a, b, length = a[has_two], b[has_two], length[has_two]
+    return Candidates(a, b, *connectivity.apexes(meso.rings, meso.degree, a, b), length)
 
 
 def _independent(rings: np.ndarray, a: np.ndarray, b: np.ndarray, order: np.ndarray) -> np.ndarray:
@@ -79,14 +101,17 @@ def _independent(rings: np.ndarray, a: np.ndarray, b: np.ndarray, order: np.ndar
     is_blocked = np.zeros(num_vertices, dtype=bool)
     # One more entry than vertices: it stands for the padding -1, and no edge ends there.
     best = np.full(num_vertices + 1, num_edges)
+    nearby = best.copy()
     while len(rank):
         best[:] = num_edges
         np.minimum.at(best, a, rank)
         np.minimum.at(best, b, rank)
-        nearby = np.minimum(
-            np.minimum(best[a], best[rings[a]].min(axis=1)), np.minimum(best[b], best[rings[b]].min(axis=1))
-        )
-        wins = nearby == rank
+        ends = np.flatnonzero(best < num_edges)
+        least = best[ends]
+        for neighbour in rings[ends].T:  # by columns: numpy is slow along short rows
+            np.minimum(least, best[neighbour], out=least)
+        nearby[ends] = least
+        wins = np.minimum(nearby[a], nearby[b]) == rank
         chosen.append(order[rank[wins]])
         for end in (a[wins], b[wins]):
             is_blocked[end] = True

@@ -13,6 +13,8 @@ import numpy as np
 from msf_jax.errors import FlowError, MeshError
 
 RING_CAPACITIES = (8, 12, 16, 24, 32)
+USUAL_DEGREE = 8  # up to which common neighbours are counted apart
+MANY = 1000  # rows, from which on they are counted column by column
 
 
 def ring_capacity(degree: int) -> int:
@@ -133,11 +135,31 @@ def is_collapsible(rings: np.ndarray, degree: np.ndarray, a: np.ndarray, b: np.n
     neck of three edges, and merging its ends would pinch the surface there. An apex of degree three stands on a
     tetrahedron when there are just two common neighbours, and would be left with two faces back to back.
     """
-    width = int(np.maximum(degree[a], degree[b]).max(initial=1))
-    rows_a, rows_b = rings[a, :width], rings[b, :width]
-    is_common = ((rows_a[:, :, None] == rows_b[:, None, :]) & (rows_a >= 0)[:, :, None]).any(axis=2)
     left, right = apexes(rings, degree, a, b)
-    return (is_common.sum(axis=1) == 2) & (degree[left] > 3) & (degree[right] > 3)
+    return (num_common_neighbours(rings, degree, a, b) == 2) & (degree[left] > 3) & (degree[right] > 3)
+
+
+def num_common_neighbours(rings: np.ndarray, degree: np.ndarray, a: np.ndarray, b: np.ndarray) -> np.ndarray:
+    """How many vertices (c,) are neighbours of both a and b."""
+    larger = np.maximum(degree[a], degree[b])
+    count = np.empty(len(a), dtype=np.int64)
+    for low, high in ((0, USUAL_DEGREE), (USUAL_DEGREE, int(larger.max(initial=0)))):
+        rows = np.flatnonzero((larger > low) & (larger <= high))
+        count[rows] = _num_equal(rings[a[rows], :high], rings[b[rows], :high])
+    return count
+
+
+def _num_equal(one: np.ndarray, other: np.ndarray) -> np.ndarray:
+    """How many entries (c,) the rows of ``one`` (c, K) share with those of ``other`` (c, L), -1 left out."""
+    other = np.where(other < 0, -2, other)
+    if len(one) < MANY:
+        return (one[:, :, None] == other[:, None, :]).sum(axis=(1, 2))
+    count = np.zeros(len(one), dtype=np.int64)
+    columns = np.ascontiguousarray(other.T)
+    for column in np.ascontiguousarray(one.T):  # whole columns at once: numpy is slow along short rows
+        for against in columns:
+            count += column == against
+    return count
 
 
 def euler_characteristic(rings: np.ndarray) -> int:
