@@ -64,6 +64,10 @@ def init(component: Component, number: int, config: Config, watch: Stopwatch, pi
         with watch.stage("resampling"):
             meso = _resampled(meso, config.resample, check=config.check)
             max_rows = max(max_rows, GROWTH_LIMIT * meso.num_rows)
+    if config.coarsen:
+        with watch.stage("coarsening"):
+            collapse.collapse_short_edges(meso, config.coarsen, check=config.check)
+            meso = meso.compacted()
     if config.use_poles:
         meso.poles, meso.has_pole, trust = _poles(meso, shape, config, watch)
         meso.trust = trust if config.pole_confidence else None
