@@ -62,23 +62,29 @@ class ConjugateGradients(base.IterativeSolver):
     def init_state(self, init_params: jax.Array, b: jax.Array) -> CGState:
         del init_params  # zero: the residual is b
         z = self.precondition(b)
-        return CGState(jnp.asarray(0), _norm(b), b, z, (b * z).sum())
+        return CGState(jnp.asarray(0), jnp.sqrt(_dot(b, b)), b, z, _dot(b, z))
 
     def update(self, params: jax.Array, state: CGState, b: jax.Array) -> base.OptStep:
         del b
         product = self.matvec(state.direction)
-        curvature = (state.direction * product).sum()
+        curvature = _dot(state.direction, product)
         # No step where rounding leaves no curvature, as once the residual is exactly zero.
         step = jnp.where(curvature > 0, state.gamma / jnp.where(curvature > 0, curvature, 1.0), 0.0)
         residual = state.residual - step * product
         z = self.precondition(residual)
-        gamma = (residual * z).sum()
+        gamma = _dot(residual, z)
         beta = gamma / jnp.where(state.gamma > 0, state.gamma, 1.0)
-        following = CGState(state.iter_num + 1, _norm(residual), residual, z + beta * state.direction, gamma)
+        error = jnp.sqrt(_dot(residual, residual))
+        following = CGState(state.iter_num + 1, error, residual, z + beta * state.direction, gamma)
         return base.OptStep(params + step * state.direction, following)
 
     def optimality_fun(self, params: jax.Array, b: jax.Array) -> jax.Array:
         return self.matvec(params) - b
+
+
+def _dot(x: jax.Array, y: jax.Array) -> jax.Array:
+    """Sum of x y over all entries; as a dot product it is several times as fast on the CPU as a sum."""
+    return jnp.vdot(x, y, precision=lax.Precision.HIGHEST)
 
 
 def _norm(x: jax.Array) -> jax.Array:
@@ -103,12 +109,13 @@ def solve(
     inverse = 1.0 / diagonal[:, None]
 
     def run(operator: Callable[[jax.Array], jax.Array], rhs: jax.Array) -> tuple[jax.Array, SolveReport]:
-        scale = _norm(rhs)
+        norm = _norm(rhs)
+        scale = jnp.where((norm > 0) & jnp.isfinite(norm), norm, 1.0)  # inside, no square leaves float32's range
         solver = ConjugateGradients(
-            matvec=operator, precondition=lambda r: inverse * r, maxiter=max_steps, tol=tolerance * scale
+            matvec=operator, precondition=lambda r: inverse * r, maxiter=max_steps, tol=tolerance
         )
-        x, state = solver.run(jnp.zeros_like(rhs), rhs)
-        return x, SolveReport(state.iter_num, state.error / jnp.where(scale > 0, scale, 1.0))
+        x, state = solver.run(jnp.zeros_like(rhs), rhs / scale)
+        return scale * x, SolveReport(state.iter_num, state.error)
 
     return lax.custom_linear_solve(matvec, b, run, symmetric=True, has_aux=True)
 
