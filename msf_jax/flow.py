@@ -16,14 +16,14 @@ from tqdm import tqdm
 
 from msf_jax import assembly
 from msf_jax.device.buffers import Buffers, Rings, real_dtype
-from msf_jax.device.iteration import jitted_move
+from msf_jax.device.iteration import compiled_move
 from msf_jax.errors import ConfigError, MeshError
 from msf_jax.host import collapse, fixing, homology, packing, poles, reconstruction, split, surface
 from msf_jax.host.enclosure import Enclosure
 from msf_jax.host.frame import RESOLUTION, frame_of, sort_mesh
 from msf_jax.host.meso import Meso
 from msf_jax.host.surface import Component
-from msf_jax.layout import next_layout
+from msf_jax.layout import layout_for
 from msf_jax.options import Config, Weights
 from msf_jax.run import Flow, Iteration, State, Stopwatch
 
@@ -87,7 +87,6 @@ def init(component: Component, number: int, config: Config, watch: Stopwatch, pi
         meso=meso,
         t_c=config.t_min,
         w_L_factor=1.0,
-        layout=None,
     )
 
 
@@ -133,12 +132,15 @@ def step(state: State, weights: Weights, config: Config, watch: Stopwatch) -> St
     meso = state.meso
     dtype = np.dtype(real_dtype())
     with watch.stage("solve"):
-        state.layout = next_layout(state.layout, meso.num_rows, packing.rows_beyond(meso))
-        order, packed = packing.pack(meso, state.layout, state.first_ring_area, dtype)
+        layout = layout_for(meso.num_rows, packing.rows_beyond(meso))
+        order, packed = packing.pack(meso, layout, state.first_ring_area, dtype)
         packed["rings"] = Rings(*packed["rings"])
         scaled = replace(weights, w_L=weights.w_L * state.w_L_factor)
         scaled = jax.tree_util.tree_map(lambda weight: np.asarray(weight, dtype), scaled)
-        moved = jax.device_get(jitted_move(Buffers(**packed), scaled, config, state.layout))
+    with watch.stage("compile"):
+        move = compiled_move(Buffers(**packed), scaled, config.on_device, layout)
+    with watch.stage("solve"):
+        moved = jax.device_get(move(Buffers(**packed), scaled))
     positions = packing.unpack(moved.positions, order)
     is_solved = np.isfinite(moved.contraction.residual) and np.isfinite(moved.smoothing.residual)
     if not is_solved or not np.isfinite(positions).all() or np.abs(positions).max() > BLOW_UP:

@@ -223,6 +223,17 @@ class Config:
             raise ConfigError(f"unknown system {system!r}: expected one of {', '.join(SYSTEMS)}")
         return makers[system](**changes)
 
+    @property
+    def on_device(self) -> "Config":
+        """The same as far as a jitted step is concerned: what it does not depend on does not compile it again."""
+        return Config(
+            laplacian=self.laplacian,
+            solve_tolerance=self.solve_tolerance,
+            solve_steps=self.solve_steps,
+            w_H_follows_area=self.w_H_follows_area,
+            edit_connectivity=not self.w_H_follows_area,
+        )
+
     def default_weights(self) -> Weights:
         """The weights that go with this system."""
         return {

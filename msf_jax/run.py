@@ -12,7 +12,6 @@ from msf_jax.host.enclosure import Enclosure
 from msf_jax.host.frame import Frame
 from msf_jax.host.meso import Meso
 from msf_jax.host.surface import Component
-from msf_jax.layout import Layout
 from msf_jax.options import Config, Weights
 from msf_jax.skeleton import Skeleton
 
@@ -59,7 +58,6 @@ class State:
     meso: Meso
     t_c: float
     w_L_factor: float
-    layout: Layout | None
     history: list[Iteration] = field(default_factory=list)
     failure: str = ""
 

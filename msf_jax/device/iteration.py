@@ -1,5 +1,6 @@
 """One jitted iteration of the flow: update L, contract, smooth (the first three lines of Algorithm 2's loop)."""
 
+from collections.abc import Callable, Hashable
 from functools import partial
 from typing import NamedTuple
 
@@ -60,3 +61,14 @@ def _rows(buffers: Buffers, config: Config, layout: Layout) -> laplacian.Rows:
 
 
 jitted_move = partial(jax.jit, static_argnames=("config", "layout"))(move)
+
+_compiled: dict[Hashable, Callable[[Buffers, Weights], Moved]] = {}
+
+
+def compiled_move(buffers: Buffers, weights: Weights, config: Config, layout: Layout) -> Callable[..., Moved]:
+    """`move` for such arguments, as a function of the first two; compiled at the first call, which takes seconds."""
+    leaves = jax.tree_util.tree_leaves((buffers, weights))
+    key = (config, layout, jax.config.jax_default_device, *((leaf.shape, leaf.dtype) for leaf in leaves))
+    if key not in _compiled:
+        _compiled[key] = jitted_move.lower(buffers, weights, config, layout).compile()
+    return _compiled[key]
