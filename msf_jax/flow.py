@@ -137,10 +137,11 @@ def step(state: State, weights: Weights, config: Config, watch: Stopwatch) -> St
         packed["rings"] = Rings(*packed["rings"])
         scaled = replace(weights, w_L=weights.w_L * state.w_L_factor)
         scaled = jax.tree_util.tree_map(lambda weight: np.asarray(weight, dtype), scaled)
+        buffers, scaled = jax.device_put((Buffers(**packed), scaled))
     with watch.stage("compile"):
-        move = compiled_move(Buffers(**packed), scaled, config.on_device, layout)
+        move = compiled_move(buffers, scaled, config.on_device, layout)
     with watch.stage("solve"):
-        moved = jax.device_get(move(Buffers(**packed), scaled))
+        moved = jax.device_get(move(buffers, scaled))
     positions = packing.unpack(moved.positions, order)
     is_solved = np.isfinite(moved.contraction.residual) and np.isfinite(moved.smoothing.residual)
     if not is_solved or not np.isfinite(positions).all() or np.abs(positions).max() > BLOW_UP:

@@ -1,9 +1,10 @@
 """How a surface is laid out in fixed-capacity buffers: the one thing that both wings know.
 
 A capacity is compiled once, so there are few: 1024, 2048 and 4096 vertices, where a step takes a fraction of a
-millisecond anyhow, and then 1.5, 2, 3, 4, 6, ... times 4096, a ladder that a shrinking surface goes down. Rows are sorted by degree, the
-largest first, so that slot k of the one-rings is a prefix of the rows: a staircase of four levels, with the 6 slots
-of a regular vertex for all rows, two more for half of them, four more for an eighth, and a tail for one in 64. That
+millisecond anyhow, and then 1.5, 2, 3, 4, 6, ... times 4096, a ladder that a shrinking surface goes down. Rows are
+sorted by degree, the largest first, so that slot k of the one-rings is a prefix of the rows: a staircase of four
+levels, with the 6 slots of a regular vertex for all rows, two more for half of them, four more for an eighth, and a
+tail for one in 64. That
 is 7.8 numbers a vertex where a rectangle for the largest degree met in a flow (20) would be 24, and nearly all of a
 CG step is gathering them.
 """

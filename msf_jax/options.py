@@ -192,7 +192,14 @@ class Config:
 
         No smoothing belongs to its weights, `default_weights`. Entries of L are limited as in the default system.
         """
-        base = cls(system="tagliasacchi2012", laplacian="cotangent", reconstruct_poles=0, resample=0.01, coarsen=0.0, t_step=0.0)
+        base = cls(
+            system="tagliasacchi2012",
+            laplacian="cotangent",
+            reconstruct_poles=0,
+            resample=0.01,
+            coarsen=0.0,
+            t_step=0.0,
+        )
         return replace(base, **changes)
 
     @classmethod

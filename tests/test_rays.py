@@ -6,7 +6,7 @@ import trimesh
 from conftest import blob, torus
 from scipy.spatial.transform import Rotation
 
-from msf_jax.host.enclosure import Enclosure
+from msf_jax.host.enclosure import Enclosure, point_triangle_distance2
 
 
 def arrays(mesh: trimesh.Trimesh) -> tuple[np.ndarray, np.ndarray]:
@@ -308,35 +308,58 @@ def test_nearest_triangles_in_many_batches(monkeypatch):
         np.testing.assert_array_equal(found, expected)
 
 
-# Neighbours
+# Links
+
+
+def turned(faces: np.ndarray) -> np.ndarray:
+    """The same faces in another order, each from another corner on."""
+    random = np.random.default_rng(8)
+    turn = (np.arange(3) + random.integers(3, size=(len(faces), 1))) % 3
+    return np.take_along_axis(faces, turn, axis=1)[random.permutation(len(faces))]
 
 
 @pytest.mark.parametrize("order", ["as built", "shuffled"])
-def test_neighbours_share_exactly_that_edge(shape, order):
-    faces = shape.faces
-    if order == "shuffled":
-        random = np.random.default_rng(8)
-        turn = (np.arange(3) + random.integers(3, size=(len(faces), 1))) % 3
-        faces = np.take_along_axis(faces, turn, axis=1)[random.permutation(len(faces))]
-    neighbours = Enclosure(shape.vertices, faces).neighbours()
-    assert neighbours.shape == (len(faces), 3, 2)
-    face, edge = neighbours[..., 0], neighbours[..., 1]
-    np.testing.assert_array_equal(faces[face, edge], np.roll(faces, -1, axis=1))  # it runs the other way there
-    np.testing.assert_array_equal(faces[face, (edge + 1) % 3], faces)
+def test_links_lead_over_the_other_two_edges_of_a_face(shape, order):
+    faces = shape.faces if order == "as built" else turned(shape.faces)
+    apex, of_next, of_last = Enclosure(shape.vertices, faces).links()
+    tail, head = faces.ravel(), np.roll(faces, -1, axis=1).ravel()
+    for edge in range(0, len(tail), 7):  # edge tail -> head of a face (tail, head, apex)
+        corners = set(faces[edge // 3].tolist())
+        assert {int(tail[edge]), int(head[edge]), int(apex[edge])} == corners
+        # head -> apex and apex -> tail run the other way in the faces next door.
+        assert (tail[of_next[edge]], head[of_next[edge]]) == (apex[edge], head[edge])
+        assert (tail[of_last[edge]], head[of_last[edge]]) == (tail[edge], apex[edge])
+        assert of_next[edge] // 3 != edge // 3 != of_last[edge] // 3
 
 
-def test_neighbours_are_neighbours_of_each_other(shape):
-    neighbours = shape.neighbours()
-    back = neighbours[neighbours[..., 0], neighbours[..., 1]]
-    np.testing.assert_array_equal(back[..., 0], np.tile(np.arange(len(shape.faces))[:, None], (1, 3)))
-    np.testing.assert_array_equal(back[..., 1], np.tile(np.arange(3), (len(shape.faces), 1)))
-    assert (neighbours[..., 0] != np.arange(len(shape.faces))[:, None]).all()
-
-
-def test_neighbours_of_a_tetrahedron():
+def test_links_of_a_tetrahedron():
     faces = np.array([[0, 1, 2], [0, 3, 1], [0, 2, 3], [1, 3, 2]])
-    expected = [[[1, 2], [3, 2], [2, 0]], [[2, 2], [3, 0], [0, 0]], [[0, 2], [3, 1], [1, 0]], [[1, 1], [2, 1], [0, 1]]]
-    np.testing.assert_array_equal(Enclosure(np.eye(4)[:, :3], faces).neighbours(), expected)
+    apex, of_next, of_last = Enclosure(np.eye(4)[:, :3], faces).links()
+    assert apex.tolist() == [2, 0, 1, 1, 0, 3, 3, 0, 2, 2, 1, 3]
+    assert of_next[:3].tolist() == [11, 6, 5]  # beyond 1 -> 2, 2 -> 0 and 0 -> 1 of the first face
+    assert of_last[:3].tolist() == [6, 5, 11]
+
+
+# Near enough
+
+
+def test_approach_is_never_nearer_than_the_surface_and_a_little_farther_at_most(shape):
+    random = np.random.default_rng(3)
+    low, high = shape.vertices.min(axis=0), shape.vertices.max(axis=0)
+    points = random.uniform(low, high, (300, 3))
+    exact, (found, triangle) = shape.distances(points), shape.approach(points)
+    away = point_triangle_distance2(points, shape.triangles[triangle])
+    np.testing.assert_allclose(found, np.sqrt(away), rtol=1e-12)  # it is the distance to that triangle
+    assert (found >= exact * (1 - 1e-12)).all()
+    assert (found <= exact + 0.5 * np.minimum(shape.reaches.max(), 0.05 * np.ptp(shape.vertices))).all()
+    assert shape.approach(np.empty((0, 3)))[0].shape == (0,)
+
+
+def test_approach_finds_the_wall_of_a_box_of_twelve_triangles():
+    """Vertices are far from the middles of the faces; samples are not."""
+    box = Enclosure(*arrays(trimesh.creation.box((1.0, 1.0, 4.0))))
+    points = np.array([[0.3, 0, 0], [0, -0.45, 1.0], [0.1, 0.0, -1.9]])
+    np.testing.assert_allclose(box.approach(points)[0], [0.2, 0.05, 0.1], rtol=1e-3)
 
 
 # All triangles near a point

@@ -65,10 +65,12 @@ jitted_move = partial(jax.jit, static_argnames=("config", "layout"))(move)
 _compiled: dict[Hashable, Callable[[Buffers, Weights], Moved]] = {}
 
 
-def compiled_move(buffers: Buffers, weights: Weights, config: Config, layout: Layout) -> Callable[..., Moved]:
+def compiled_move(
+    buffers: Buffers, weights: Weights, config: Config, layout: Layout
+) -> Callable[[Buffers, Weights], Moved]:
     """`move` for such arguments, as a function of the first two; compiled at the first call, which takes seconds."""
     leaves = jax.tree_util.tree_leaves((buffers, weights))
-    key = (config, layout, jax.config.jax_default_device, *((leaf.shape, leaf.dtype) for leaf in leaves))
+    key = (config, layout, *((leaf.shape, leaf.dtype, leaf.sharding) for leaf in leaves))
     if key not in _compiled:
         _compiled[key] = jitted_move.lower(buffers, weights, config, layout).compile()
     return _compiled[key]

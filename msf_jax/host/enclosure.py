@@ -5,24 +5,33 @@ for a closed mesh it equals the generalised winding number of Jacobson et al. 20
 where the mesh crosses itself. The distance is that to the nearest point of the nearest triangle (Ericson 2005, 5.1.5).
 """
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from typing import NamedTuple
 
 import numpy as np
 from scipy import spatial
 
 PAIRS_AT_ONCE = 2_000_000  # bounds the memory of one vectorised batch
-SAMPLE_SPACING = 0.01  # of the extent, in `approach`; more where that would make more than so many samples:
+SAMPLE_SPACING = 0.02  # of the extent, in `approach`; more where that would make more than so many samples:
 MOST_SAMPLES = 200_000
 POINTS_AT_ONCE = 2_000  # and that of the lists that a tree answers with
 
 
 class SizeClass(NamedTuple):
-    """Triangles of like size: a tree of their centroids, their numbers, and the largest reach among them."""
+    """Faces or edges of like size: a tree of their centres, their numbers, and the largest reach among them."""
 
     tree: spatial.KDTree
-    triangle: np.ndarray
+    number: np.ndarray
     reach: float
+
+
+class Feet(NamedTuple):
+    """Where a perpendicular on the surface may end: faces and edges, with their centres, reaches, and a triangle."""
+
+    centre: np.ndarray
+    reach: np.ndarray
+    triangle: np.ndarray
+    classes: list[SizeClass]
 
 
 class Samples(NamedTuple):
@@ -58,6 +67,7 @@ class Enclosure:
         self.reaches = np.sqrt(((self.triangles - self.centroids[:, None]) ** 2).sum(axis=2).max(axis=1))
         self._grid: _Grid | None = None
         self._classes: list[SizeClass] | None = None
+        self._feet: Feet | None = None
         self._samples: Samples | None = None
         self._links: Links | None = None
 
@@ -110,19 +120,27 @@ class Enclosure:
     def nearest(self, points: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Unsigned distance (P,) from each point to the surface, and the nearest triangle (P,).
 
-        `approach` bounds it; a triangle can only be nearer if its centroid is within that bound plus the triangle's own
-        reach. Triangles are searched in classes of like reach, so that a few large ones do not widen
-        the search for all.
+        `approach` bounds it. The foot of the perpendicular on the nearest triangle is inside a face or inside an edge,
+        or it is a vertex, which `approach` sees. From the centre of the face, or the middle of the edge, the point then
+        is no farther than sqrt(bound^2 + reach^2), by Pythagoras: few are. They are searched in classes of like reach,
+        so that a few large ones do not widen the search for all.
         """
+        if self._feet is None:
+            tail, head = self.faces.ravel(), np.roll(self.faces, -1, axis=1).ravel()
+            edge = np.flatnonzero(tail < head)
+            tail, head = self.vertices[tail[edge]], self.vertices[head[edge]]
+            centre = np.concatenate([self.centroids, (tail + head) / 2])
+            reach = np.concatenate([self.reaches, np.sqrt(((head - tail) ** 2).sum(axis=1)) / 2])
+            triangle = np.concatenate([np.arange(len(self.faces)), edge // 3])
+            self._feet = Feet(centre, reach, triangle, _size_classes(centre, reach))
+        centre, reach, triangle_of, classes = self._feet
         bound, chosen = self.approach(points)
         best2 = bound**2
-        for size_class in self._searched():
-            for point, triangle in _near([size_class], points, bound):
-                away = points[point] - self.centroids[triangle]
-                may_be = (
-                    np.einsum("ci,ci->c", away, away) <= ((bound[point] + self.reaches[triangle]) * (1 + 1e-12)) ** 2
-                )
-                point, triangle = point[may_be], triangle[may_be]
+        for size_class in classes:
+            for point, foot in _near([size_class], points, lambda most, bound=bound: np.hypot(bound, most)):
+                away = points[point] - centre[foot]
+                may_be = np.einsum("ci,ci->c", away, away) <= (bound[point] ** 2 + reach[foot] ** 2) * (1 + 1e-12)
+                point, triangle = point[may_be], triangle_of[foot[may_be]]
                 if not len(point):
                     continue
                 distance2 = point_triangle_distance2(points[point], self.triangles[triangle])
@@ -133,14 +151,14 @@ class Enclosure:
                 is_least = distance2 == np.repeat(np.where(is_nearer, least, -1.0), np.diff(np.r_[start, len(point)]))
                 chosen[point[is_least][::-1]] = triangle[is_least][::-1]
                 best2[row] = np.minimum(best2[row], least)
-            bound = np.minimum(bound, np.sqrt(best2) * (1 + 1e-12))
+            bound = np.sqrt(best2)
         return np.sqrt(best2), chosen
 
     def approach(self, points: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Nearly what `nearest` says, many times as fast: distance (P,) to a near triangle, and that triangle (P,).
 
         It is the nearest of those at the nearest sample of the surface. Samples are its vertices and, in triangles that
-        reach farther than a hundredth of the whole, a grid of points; so the distance is too large by a small part of
+        reach farther than a fiftieth of the whole, a grid of points; so the distance is too large by a small part of
         how far the samples are apart, and right where the surface is nearly as near as they are to each other.
         """
         if self._samples is None:
@@ -162,7 +180,9 @@ class Enclosure:
 
         A few that do not come so near are among them. All pairs of a point are in one batch.
         """
-        return _near(self._searched(), points, reach)
+        if self._classes is None:
+            self._classes = _size_classes(self.centroids, self.reaches)
+        return _near(self._classes, points, lambda most: reach + most)
 
     def ray_lengths(self, points: np.ndarray, directions: np.ndarray, reach: np.ndarray) -> np.ndarray:
         """How far (P,) the surface is from each point along its unit vector; ``reach`` (P,) where it is farther."""
@@ -206,20 +226,17 @@ class Enclosure:
             twin = np.empty(len(tail), dtype=np.int64)
             twin[there] = back
             twin = twin.reshape(-1, 3)
-            self._links = Links(*(np.roll(table, by, axis=1).ravel() for table, by in (
-                (self.faces, 1), (twin, -1), (twin, 1)
-            )))
+            self._links = Links(
+                *(np.roll(table, by, axis=1).ravel() for table, by in ((self.faces, 1), (twin, -1), (twin, 1)))
+            )
         return self._links
-
-    def _searched(self) -> list[SizeClass]:
-        if self._classes is None:
-            self._classes = _size_classes(self.centroids, self.reaches)
-        return self._classes
 
 
 def _sampled(vertices: np.ndarray, faces: np.ndarray, reaches: np.ndarray) -> Samples:
     """Every vertex with its fan of triangles, and a grid of points in every triangle that is large, with that one."""
-    spacing = max(SAMPLE_SPACING * float(np.ptp(vertices, axis=0).max()), float(np.sqrt((reaches**2).sum() / MOST_SAMPLES)))
+    spacing = max(
+        SAMPLE_SPACING * float(np.ptp(vertices, axis=0).max()), float(np.sqrt((reaches**2).sum() / MOST_SAMPLES))
+    )
     points, owners = [vertices], []
     parts = np.ceil(reaches / spacing).astype(np.int64)
     for number in np.unique(parts[parts > 1]):
@@ -233,16 +250,21 @@ def _sampled(vertices: np.ndarray, faces: np.ndarray, reaches: np.ndarray) -> Sa
     fan = np.concatenate([np.argsort(corner, kind="stable") // 3, *owners])
     count = np.bincount(corner, minlength=len(vertices))
     first = np.concatenate([[0], np.cumsum(count), len(corner) + 1 + np.arange(len(fan) - len(corner))])
-    return Samples(spatial.KDTree(np.concatenate(points)), first, fan)
+    return Samples(spatial.KDTree(np.concatenate(points), leafsize=32), first, fan)
 
 
-def _near(classes: list[SizeClass], points: np.ndarray, reach: np.ndarray) -> Iterator[tuple[np.ndarray, np.ndarray]]:
-    """Batches of (point, triangle) index pairs, all of a point's in one batch and side by side."""
+def _near(
+    classes: list[SizeClass], points: np.ndarray, radius: Callable[[float], np.ndarray]
+) -> Iterator[tuple[np.ndarray, np.ndarray]]:
+    """Batches of index pairs (point, member of a class), all of a point's in one batch and side by side.
+
+    ``radius`` says how far (P,) the centres of a class of a given reach may be from each point.
+    """
     for first in range(0, len(points), POINTS_AT_ONCE):
         chunk = slice(first, first + POINTS_AT_ONCE)
         found = [
             size_class.tree.query_ball_point(
-                points[chunk], (reach[chunk] + size_class.reach) * (1 + 1e-12), return_sorted=False
+                points[chunk], radius(size_class.reach)[chunk] * (1 + 1e-12), return_sorted=False
             )
             for size_class in classes
         ]
@@ -251,11 +273,11 @@ def _near(classes: list[SizeClass], points: np.ndarray, reach: np.ndarray) -> It
         for number in np.unique(batch):
             chosen = np.flatnonzero(batch == number)
             point = [np.repeat(first + chosen, count[chosen]) for count in counts]
-            triangle = [
-                size_class.triangle[np.concatenate([near[row] for row in chosen]).astype(np.int64)]
+            member = [
+                size_class.number[np.concatenate([near[row] for row in chosen]).astype(np.int64)]
                 for size_class, near in zip(classes, found, strict=True)
             ]
-            yield np.concatenate(point), np.concatenate(triangle)
+            yield np.concatenate(point), np.concatenate(member)
 
 
 def _size_classes(centroid: np.ndarray, reach: np.ndarray) -> list[SizeClass]:

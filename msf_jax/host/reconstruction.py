@@ -97,10 +97,10 @@ def filtered(vertices: np.ndarray, faces: np.ndarray, k: int) -> np.ndarray:
 
 def _chebyshev(matrix: sparse.csr_matrix, start: np.ndarray, num: int) -> Iterator[np.ndarray]:
     """T_0(A) x, T_1(A) x, ... , by T_j = 2 A T_{j-1} - T_{j-2}."""
-    before, now = matrix @ start, start  # T_{-1} = T_1
+    before, now = np.asarray(matrix @ start), start  # T_{-1} = T_1
     for _ in range(num):
         yield now
-        before, now = now, 2 * (matrix @ now) - before
+        before, now = now, np.asarray(2 * (matrix @ now) - before)
 
 
 def _edge_of(cosine: sparse.csr_matrix, k: int, guess: float) -> float:
@@ -124,9 +124,7 @@ def _edge_of(cosine: sparse.csr_matrix, k: int, guess: float) -> float:
     order = np.arange(1, 2 * half)
     # Jackson's factors keep the polynomial between 0 and 1.
     step = np.pi / (2 * half + 1)
-    damping = (
-        (2 * half + 1 - order) * np.cos(order * step) + np.sin(order * step) / np.tan(step)
-    ) / (2 * half + 1)
+    damping = ((2 * half + 1 - order) * np.cos(order * step) + np.sin(order * step) / np.tan(step)) / (2 * half + 1)
     edges = np.linspace(0, np.pi, 8 * half + 1)
     waves = np.sin(np.outer(edges, order)) @ (damping * moments[1:] / order)
     count = (edges * moments[0] + 2 * waves) / np.pi / PROBES
