@@ -13,7 +13,7 @@ from msf_jax.device import contraction, laplacian, smoothing
 from msf_jax.device.buffers import Buffers, Rings
 from msf_jax.host import packing
 from msf_jax.host.meso import Meso
-from msf_jax.layout import Layout, Level, next_layout
+from msf_jax.layout import Layout, Level, layout_for
 
 TIGHT = 1e-13  # relative residual of solves that are compared with direct ones
 MANY = 5000  # CG steps that no test needs
@@ -57,7 +57,7 @@ def build(vertices, faces, *, is_fixed=None, poles=None, has_pole=None, layout=N
         meso.poles, meso.has_pole = np.array(poles), np.ones(len(vertices), dtype=bool)
     if has_pole is not None:
         meso.has_pole = np.array(has_pole, dtype=bool)
-    layout = next_layout(None, len(vertices), packing.rows_beyond(meso)) if layout is None else layout
+    layout = layout_for(len(vertices), packing.rows_beyond(meso)) if layout is None else layout
     order, fields = packing.pack(meso, layout, ring_areas(vertices, faces), np.dtype(dtype))
     fields["rings"] = Rings(*fields["rings"])
     buffers = jax.tree_util.tree_map(jnp.asarray, Buffers(**fields))

@@ -1,5 +1,7 @@
 """The whole flow: topology, map, units, symmetries, the same bits twice, and the three systems."""
 
+from dataclasses import replace
+
 import jax
 import numpy as np
 import pytest
@@ -8,7 +10,8 @@ from conftest import blob, torus
 
 import msf_jax
 from msf_jax import Config, Weights, flow, shapes
-from msf_jax.device.iteration import jitted_move
+from msf_jax.host import packing
+from msf_jax.layout import layout_for
 
 CLOSED = ["bunny", "three-holes", "homer", "elephant", "cheburashka", "indorelax", "sindorelax"]
 
@@ -221,16 +224,50 @@ def test_weights_that_blow_up_are_said():
     assert np.abs(state.meso.positions).max() < 1
 
 
-def test_one_compilation_for_each_layout():
-    config = Config(solve_tolerance=0.00123)  # a configuration that no other test compiles for
-    layouts = set()
-    before = jitted_move._cache_size()
-    for seed in (11, 12):
-        state = flow.init(flow.surface.prepare(blob(seed)).components[0], 0, config, flow.Stopwatch())
+@pytest.fixture
+def compilations():
+    """A list that gets an entry for everything that XLA compiles."""
+    seen = []
+
+    def listen(event: str, _: float, **__) -> None:
+        if event == "/jax/core/compile/backend_compile_duration":
+            seen.append(event)
+
+    jax.monitoring.register_event_duration_secs_listener(listen)
+    yield seen
+    jax.monitoring.unregister_event_duration_listener(listen)
+
+
+def test_a_run_compiles_once_for_each_capacity_and_another_compiles_nothing(compilations):
+    """Not for a second mesh, nor for options that a jitted step does not see."""
+    config = Config(solve_tolerance=0.00123)  # one that no other test compiles for
+    states = []
+    for number, mesh in enumerate((blob(11, subdivisions=4), torus())):
+        states.append(flow.init(flow.surface.prepare(mesh).components[0], number, config, flow.Stopwatch()))
+    capacities = set()
+    for state in states:
         while flow.done(state, config) is None:
+            capacities.add(layout_for(state.meso.num_rows, packing.rows_beyond(state.meso)))
             flow.step(state, Weights(), config, flow.Stopwatch())
-            layouts.add(state.layout)
-    assert jitted_move._cache_size() - before == len(layouts)
+    assert len(capacities) > 1
+    assert len(compilations) == len(capacities)
+    changed = replace(config, t_min=0.008, t_step=0.001, prune=0.0, max_iterations=50, coarsen=0.0, check=True)
+    flow.contract(blob(11, subdivisions=4), Weights(w_M=0.3), changed)
+    assert len(compilations) == len(capacities)
+
+
+def test_an_iteration_sends_the_surface_once_and_fetches_its_positions(monkeypatch):
+    """One transfer each way, explicit, and of fewer than 400 bytes for a row of the buffers."""
+    sent, fetched = [], []
+    put, get = jax.device_put, jax.device_get
+    monkeypatch.setattr(jax, "device_put", lambda tree: sent.append(tree) or put(tree))
+    monkeypatch.setattr(jax, "device_get", lambda tree: fetched.append(tree) or get(tree))
+    mesh = blob(5)
+    with jax.transfer_guard("disallow"):
+        run = flow.contract(mesh)
+    assert len(sent) == len(fetched) == len(run.history)
+    size = [sum(leaf.nbytes for leaf in jax.tree_util.tree_leaves(tree)) for tree in (sent[0], fetched[0])]
+    assert size[0] < 400 * 1024 and size[1] < 25 * 1024
 
 
 @pytest.mark.parametrize("name", CLOSED)

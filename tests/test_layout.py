@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 
 from msf_jax.host import collapse, packing
 from msf_jax.host.meso import Meso
-from msf_jax.layout import Layout, capacity_for, fits, next_layout, rectangle, staircase
+from msf_jax.layout import Layout, capacity_for, fits, layout_for, rectangle, staircase
 
 
 def spindle(sides: int) -> Meso:
@@ -50,17 +50,18 @@ def degree_counts(degrees: np.ndarray) -> list[int]:
 
 
 def test_capacities_are_monotone_tight_and_few():
-    """Enough room, never more than half as much again once past the smallest, and under thirty up to a million."""
+    """Enough room, never more than half as much again once past 4096, and under thirty up to a million."""
     counts = np.arange(1, 100_000, 37)
     capacities = np.array([capacity_for(int(count)) for count in counts])
     assert (capacities >= counts).all() and (np.diff(capacities) >= 0).all()
-    is_large = counts > 256
-    assert (capacities[is_large] < 1.5 * counts[is_large] + 1).all() and (capacities[~is_large] == 256).all()
+    is_large = counts > 4096
+    assert (capacities[is_large] < 1.5 * counts[is_large] + 1).all()
+    assert set(capacities[~is_large]) == {1024, 2048, 4096}
     assert len({capacity_for(count) for count in range(1, 1_000_000, 97)}) < 30
 
 
 def test_a_capacity_holds_exactly_itself():
-    for capacity in (256, 384, 512, 768, 1024, 1536):
+    for capacity in (1024, 2048, 4096, 6144, 8192, 12288):
         assert capacity_for(capacity) == capacity
         assert capacity_for(capacity + 1) > capacity
 
@@ -104,35 +105,32 @@ def test_what_fits():
     st.lists(st.integers(10, 80), max_size=40),
     st.integers(0, 2**31),
 )
-def test_the_next_layout_always_fits(common, rare, seed):
-    """For any degrees: it has a slot for every neighbour of every row, largest first, and stays when asked again."""
+def test_a_layout_always_fits(common, rare, seed):
+    """For any degrees: it has a slot for every neighbour of every row, largest first."""
     degrees = np.sort(np.array(common + rare))[::-1]
     beyond = degree_counts(degrees)
-    layout = next_layout(None, len(degrees), beyond)
+    layout = layout_for(len(degrees), beyond)
     room = np.zeros(layout.capacity, dtype=int)
     for level in layout.levels:
         room[: level.rows] += level.slots
     assert (room[: len(degrees)] >= degrees).all()
     assert fits(layout, len(degrees), beyond)
-    assert next_layout(layout, len(degrees), beyond) == layout
 
 
-def test_a_layout_stays_while_it_fits_and_is_more_than_half_full():
-    beyond = [300] * 6
-    large = next_layout(None, 300, beyond)
-    assert large.capacity == 384
-    assert next_layout(large, 193, [193] * 6) == large  # just over half
-    assert next_layout(large, 192, [192] * 6).capacity == 256
-    assert next_layout(large, 385, [385] * 6).capacity > 384
-    assert next_layout(large, 300, [300] * 7) != large  # a level overflows
+def test_a_level_that_overflows_takes_the_next_capacity_and_then_the_rectangle():
+    assert layout_for(1000, [1000] * 6).capacity == 1024
+    assert layout_for(1025, [1025] * 6).capacity == 2048
+    half = staircase(1024, 8).levels[1].rows
+    assert layout_for(1000, [1000] * 6 + [half] * 2) == staircase(1024, 8)
+    assert layout_for(1000, [1000] * 6 + [half + 1] * 2) == staircase(2048, 8)
+    assert layout_for(1024, [1024] * 9) == rectangle(1024, 9)  # too many of them for both
 
 
 def test_a_flow_that_shrinks_meets_few_layouts():
     """From 20,000 vertices to 300, a percent at a time: one layout for each capacity passed, at most."""
-    count, layout, seen = 20_000, None, set()
+    count, seen = 20_000, set()
     while count > 300:
-        layout = next_layout(layout, count, [count] * 6 + [count // 4] * 2 + [count // 20] * 4)
-        seen.add(layout)
+        seen.add(layout_for(count, [count] * 6 + [count // 4] * 2 + [count // 20] * 4))
         count = int(count * 0.99)
     assert len(seen) <= 8
 
@@ -159,7 +157,7 @@ def packed_directed_edges(layout: Layout, rings, order: np.ndarray) -> list[tupl
 def test_every_directed_edge_has_one_slot_with_its_two_apexes(name, kind):
     meso = SURFACES[name]()
     largest = int(meso.degree.max())
-    layout = next_layout(None, meso.num_rows, packing.rows_beyond(meso))
+    layout = layout_for(meso.num_rows, packing.rows_beyond(meso))
     if kind == "rectangle":
         layout = rectangle(capacity_for(meso.num_rows), largest)
     elif kind == "next size":
@@ -191,7 +189,7 @@ def test_pack_and_unpack(name, dtype):
     meso.has_pole = random.random(meso.num_rows) < 0.5
     meso.is_fixed = random.random(meso.num_rows) < 0.3
     area = random.uniform(1, 2, meso.num_rows)
-    layout = next_layout(None, meso.num_rows, packing.rows_beyond(meso))
+    layout = layout_for(meso.num_rows, packing.rows_beyond(meso))
     order, fields = packing.pack(meso, layout, area, np.dtype(dtype))
     expected = {
         "positions": meso.positions,
@@ -213,7 +211,7 @@ def test_pack_and_unpack(name, dtype):
 def test_packing_leaves_the_surface_alone():
     meso = ragged()
     before = {name: getattr(meso, name).copy() for name in ("positions", "rings", "degree", "poles", "has_pole")}
-    layout = next_layout(None, meso.num_rows, packing.rows_beyond(meso))
+    layout = layout_for(meso.num_rows, packing.rows_beyond(meso))
     _, fields = packing.pack(meso, layout, np.empty(0), np.dtype(np.float64))
     fields["positions"][:] = 7
     fields["poles"][:] = 7

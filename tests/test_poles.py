@@ -5,6 +5,7 @@ import pytest
 import trimesh
 from conftest import MESHES, blob, torus
 from scipy import spatial
+from scipy.spatial.transform import Rotation
 
 from msf_jax import preprocessing
 from msf_jax.errors import ConfigError, FlowError
@@ -269,6 +270,58 @@ def test_the_same_basis_twice():
     vertices, faces = arrays(blob(16))
     first, second = (reconstruction.reconstruct(vertices, faces, 50) for _ in range(2))
     np.testing.assert_array_equal(first, second)
+
+
+# The filter that stands for it in the flow
+
+
+@pytest.mark.parametrize("k", [60, 150, 400])
+@pytest.mark.parametrize("name", ["torus", "blob", "tube"])
+def test_the_filter_keeps_about_k_eigenvectors_and_loses_the_others(name, k):
+    """Against dense eigenvectors: 1 well below the k-th wave number, 0 well above, and a trace of about k."""
+    mesh = {
+        "torus": lambda: torus(around=60, across=20),
+        "blob": lambda: blob(3),
+        "tube": lambda: torus(3.0, 0.1, around=200, across=5),  # long triangles, all waves along it
+    }[name]()
+    num = len(mesh.vertices)
+    laplacian = reconstruction.graph_laplacian(mesh.faces, num).toarray()
+    values, vectors = np.linalg.eigh(laplacian)
+    matrix = reconstruction.filtered(np.eye(num), mesh.faces, k)
+    np.testing.assert_allclose(matrix, matrix.T, atol=1e-10)
+    response = np.einsum("ik,ij,jk->k", vectors, matrix, vectors)
+    assert np.abs(matrix @ vectors - vectors * response).max() < 1e-8  # it has the Laplacian's own eigenvectors
+    assert abs(response.sum() - k) < 0.15 * k
+    wave = np.sqrt(np.maximum(values, 0))
+    edge = wave[k - 1]
+    assert response[wave < 0.65 * edge].min() > 0.95
+    assert np.abs(response[wave > 1.45 * edge]).max(initial=0) < 0.05
+    assert response.min() > -1e-3 and response.max() < 1 + 1e-3
+
+
+def test_the_filter_commutes_with_moving_the_mesh():
+    vertices, faces = arrays(blob(4))
+    turn = Rotation.from_rotvec([0.3, -1, 0.5]).as_matrix()
+    moved = reconstruction.filtered(2.5 * vertices @ turn.T + [3, -1, 0.5], faces, 100)
+    expected = 2.5 * reconstruction.filtered(vertices, faces, 100) @ turn.T + [3, -1, 0.5]
+    np.testing.assert_allclose(moved, expected, atol=1e-10)
+
+
+def test_the_filter_keeps_everything_when_asked_for_as_many_eigenvectors_as_vertices():
+    vertices, faces = arrays(blob(4, 1))
+    kept = reconstruction.filtered(vertices, faces, len(vertices))
+    np.testing.assert_array_equal(kept, vertices)
+    assert kept is not vertices
+
+
+def test_poles_of_the_filtered_surface_are_those_of_the_reconstructed_one():
+    """On a torus, whose poles are known: on the circle in its middle."""
+    mesh = torus(around=120, across=40)
+    for rebuild in (reconstruction.filtered, reconstruction.reconstruct):
+        sites = rebuild(mesh.vertices, mesh.faces, 200)
+        found = poles.voronoi_poles(sites, mesh.faces).position
+        off = np.hypot(np.hypot(found[:, 0], found[:, 1]) - 1.0, found[:, 2])
+        assert np.median(off) < 0.01
 
 
 def test_the_public_reconstruction_treats_each_component_alone():

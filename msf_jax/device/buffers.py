@@ -40,7 +40,7 @@ class Buffers(NamedTuple):
 
 def real_dtype() -> jnp.dtype:
     """float64 when JAX has it on, float32 otherwise."""
-    return jnp.zeros(()).dtype
+    return jax.dtypes.canonicalize_dtype(float)
 
 
 def at_rows(layout: Layout, values: jax.Array) -> jax.Array:
