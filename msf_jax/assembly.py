@@ -138,6 +138,7 @@ def assemble(
             for line in history
         ),
         solve_steps=sum(line.steps + line.smoothing_steps for line in history),
+        coarsened=sum(state.num_coarsened for state in states),
         repairs=checked.repairs,
         figures=scores,
         seconds=watch.seconds,

@@ -64,9 +64,11 @@ def init(component: Component, number: int, config: Config, watch: Stopwatch, pi
         with watch.stage("resampling"):
             meso = _resampled(meso, config.resample, check=config.check)
             max_rows = max(max_rows, GROWTH_LIMIT * meso.num_rows)
+    num_coarsened = 0
     if config.coarsen:
         with watch.stage("coarsening"):
             collapse.collapse_short_edges(meso, config.coarsen, check=config.check)
+            num_coarsened = meso.num_rows - meso.num_live
             meso = meso.compacted()
     if config.use_poles:
         meso.poles, meso.has_pole, trust = _poles(meso, shape, config, watch)
@@ -80,6 +82,7 @@ def init(component: Component, number: int, config: Config, watch: Stopwatch, pi
         pins=pins,
         first_volume=meso.volume(),
         max_rows=max_rows,
+        num_coarsened=num_coarsened,
         first_area=meso.area(),
         first_ring_area=_one_ring_areas(meso) if config.w_H_follows_area else np.empty(0),
         poles=meso.poles.copy(),

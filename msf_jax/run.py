@@ -51,6 +51,7 @@ class State:
     first_volume: float
     first_area: float
     max_rows: int
+    num_coarsened: int
     first_ring_area: np.ndarray
     poles: np.ndarray
     has_pole: np.ndarray

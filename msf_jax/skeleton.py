@@ -35,6 +35,7 @@ class Report:
         iterations: of the flow, the sum over components.
         fixed: vertices of the meso-skeleton that were fixed at the end.
         live: vertices of the meso-skeleton at the end.
+        coarsened: vertices of the mesh that went before the flow, in edges shorter than ``Config.coarsen``.
         volume: fraction of the mesh's volume that was left, the largest over components.
         unsolved: linear solves that ran out of steps before they reached their tolerance.
         solve_steps: CG steps in all.
@@ -56,6 +57,7 @@ class Report:
     volume: float
     unsolved: int
     solve_steps: int
+    coarsened: int = 0
     repairs: tuple[str, ...] = ()
     figures: dict[str, float] = field(default_factory=dict)
     seconds: dict[str, float] = field(default_factory=dict, compare=False)
@@ -79,7 +81,8 @@ class Report:
             + ", "
             + _compare(self.cycles, "cycle", self.genus, f"for genus {self.genus}"),
             f"{100 * self.inside:.2f} % of the curve's length is inside the mesh",
-            f"{self.fixed} of {self.live} meso-skeleton vertices fixed, {self.solve_steps} CG steps",
+            f"{self.fixed} of {self.live} meso-skeleton vertices fixed, {self.solve_steps} CG steps"
+            + (f", {self.coarsened} vertices coarsened away before" if self.coarsened else ""),
         ]
         if self.unsolved:
             lines.append(f"{self.unsolved} linear solves stopped before they reached their tolerance")
