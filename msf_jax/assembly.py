@@ -50,6 +50,7 @@ def read_curve(state: State, meso: Meso, config: Config, watch: Stopwatch) -> Pa
             persistence=config.prune,
             centre=config.centre,
             extend=config.extend_tips,
+            rough=state.rough,
         )
     rank = np.cumsum(done.is_kept) - 1
     kept = Curve(

@@ -64,12 +64,14 @@ def init(component: Component, number: int, config: Config, watch: Stopwatch, pi
         with watch.stage("resampling"):
             meso = _resampled(meso, config.resample, check=config.check)
             max_rows = max(max_rows, GROWTH_LIMIT * meso.num_rows)
-    num_coarsened = 0
+    num_coarsened, rough = 0, shape
     if config.coarsen:
         with watch.stage("coarsening"):
             collapse.collapse_short_edges(meso, config.coarsen, check=config.check)
             num_coarsened = meso.num_rows - meso.num_live
             meso = meso.compacted()
+        if num_coarsened > meso.num_rows and not (config.reconstruct_mesh or config.resample):
+            rough = Enclosure(meso.positions, meso.faces())
     if config.use_poles:
         meso.poles, meso.has_pole, trust = _poles(meso, shape, config, watch)
         meso.trust = trust if config.pole_confidence else None
@@ -79,6 +81,7 @@ def init(component: Component, number: int, config: Config, watch: Stopwatch, pi
         frame=frame,
         order=order,
         shape=shape,
+        rough=rough,
         pins=pins,
         first_volume=meso.volume(),
         max_rows=max_rows,

@@ -38,15 +38,18 @@ def finish(
     persistence: float,
     centre: bool,
     extend: bool,
+    rough: Enclosure | None = None,
 ) -> Finished:
     """Finish the curve ``(nodes (n, 3), edges)`` of a solid of diagonal 1; nodes of ``is_held`` (n,) do not move.
 
-    ``persistence`` is that below which branches are pruned; ``centre`` and ``extend`` switch those steps.
+    ``persistence`` is that below which branches are pruned; ``centre`` and ``extend`` switch those steps. ``rough`` is
+    much the same surface of fewer triangles, which is good enough to find the middle of.
     """
+    rough = shape if rough is None else rough
     x, e = containment.contain(shape, nodes, edges, is_held)
     held = np.pad(is_held, (0, len(x) - len(is_held)))
     if centre:  # what to prune is decided on a curve that is centred already
-        x = centring.centre(shape, containment.unfold(shape, x, e, held), e, held)
+        x = centring.centre(rough, containment.unfold(shape, x, e, held), e, held)
         x = containment.unfold(shape, x, e, held)
     stays, target = branches.prune(x, e, shape.approach(x)[0], persistence, held)
     rank = np.cumsum(stays) - 1
@@ -54,13 +57,13 @@ def finish(
     if centre:
         x, e = containment.refine(shape, x, e, SPACING)
         held = np.pad(held, (0, len(x) - len(held)))
-        x = centring.centre(shape, x, e, held, LATER_ROUNDS)
+        x = centring.centre(rough, x, e, held, LATER_ROUNDS)
     if extend:
         x, e = tips.extend(shape, x, e, held)
         held = np.pad(held, (0, len(x) - len(held)))
     if centre and extend:
         is_leaf = np.bincount(e.ravel(), minlength=len(x)) == 1
-        x = centring.centre(shape, x, e, held | is_leaf, LATER_ROUNDS)
+        x = centring.centre(rough, x, e, held | is_leaf, LATER_ROUNDS)
     if centre:
         x = containment.unfold(shape, x, e, held)
     x, e = containment.contain(shape, x, e, held)
