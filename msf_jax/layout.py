@@ -1,17 +1,16 @@
 """How a surface is laid out in fixed-capacity buffers: the one thing that both wings know.
 
-A capacity is compiled once, so there are few: 1024, 2048 and 4096 vertices, where a step takes a fraction of a
+A capacity is compiled once, so there are few: 2048 and 4096 vertices, where a step takes a fraction of a
 millisecond anyhow, and then 1.5, 2, 3, 4, 6, ... times 4096, a ladder that a shrinking surface goes down. Rows are
 sorted by degree, the largest first, so that slot k of the one-rings is a prefix of the rows: a staircase of four
 levels, with the 6 slots of a regular vertex for all rows, two more for half of them, four more for an eighth, and a
-tail for one in 64. That
-is 7.8 numbers a vertex where a rectangle for the largest degree met in a flow (20) would be 24, and nearly all of a
-CG step is gathering them.
+tail for one in 64. That is 7.8 numbers a vertex where a rectangle for the largest degree met in a flow (20) would be
+24, and nearly all of a CG step is gathering them.
 """
 
 from typing import NamedTuple
 
-SMALLEST = 1024
+SMALLEST = 2048
 FINE_FROM = 4096  # from here on there is a capacity half-way to the next power of two
 RAGGED_TAIL = 20  # slots of the last level, unless a vertex needs more
 
@@ -61,7 +60,7 @@ def rectangle(capacity: int, largest_degree: int) -> Layout:
 
 
 def capacity_for(count: int) -> int:
-    """The smallest capacity for ``count`` vertices: 1024, 2048, 4096, 6144, 8192, 12288, ..."""
+    """The smallest capacity for ``count`` vertices: 2048, 4096, 6144, 8192, 12288, ..."""
     size = SMALLEST
     while size < count:
         if size >= FINE_FROM and size * 3 // 2 >= count:

@@ -267,7 +267,7 @@ def test_an_iteration_sends_the_surface_once_and_fetches_its_positions(monkeypat
         run = flow.contract(mesh)
     assert len(sent) == len(fetched) == len(run.history)
     size = [sum(leaf.nbytes for leaf in jax.tree_util.tree_leaves(tree)) for tree in (sent[0], fetched[0])]
-    assert size[0] < 400 * 1024 and size[1] < 25 * 1024
+    assert size[0] < 400 * 2048 and size[1] < 25 * 2048
 
 
 @pytest.mark.parametrize("name", CLOSED)

@@ -56,12 +56,12 @@ def test_capacities_are_monotone_tight_and_few():
     assert (capacities >= counts).all() and (np.diff(capacities) >= 0).all()
     is_large = counts > 4096
     assert (capacities[is_large] < 1.5 * counts[is_large] + 1).all()
-    assert set(capacities[~is_large]) == {1024, 2048, 4096}
+    assert set(capacities[~is_large]) == {2048, 4096}
     assert len({capacity_for(count) for count in range(1, 1_000_000, 97)}) < 30
 
 
 def test_a_capacity_holds_exactly_itself():
-    for capacity in (1024, 2048, 4096, 6144, 8192, 12288):
+    for capacity in (2048, 4096, 6144, 8192, 12288):
         assert capacity_for(capacity) == capacity
         assert capacity_for(capacity + 1) > capacity
 
@@ -118,12 +118,12 @@ def test_a_layout_always_fits(common, rare, seed):
 
 
 def test_a_level_that_overflows_takes_the_next_capacity_and_then_the_rectangle():
-    assert layout_for(1000, [1000] * 6).capacity == 1024
-    assert layout_for(1025, [1025] * 6).capacity == 2048
-    half = staircase(1024, 8).levels[1].rows
-    assert layout_for(1000, [1000] * 6 + [half] * 2) == staircase(1024, 8)
-    assert layout_for(1000, [1000] * 6 + [half + 1] * 2) == staircase(2048, 8)
-    assert layout_for(1024, [1024] * 9) == rectangle(1024, 9)  # too many of them for both
+    assert layout_for(2000, [2000] * 6).capacity == 2048
+    assert layout_for(2049, [2049] * 6).capacity == 4096
+    half = staircase(2048, 8).levels[1].rows
+    assert layout_for(2000, [2000] * 6 + [half] * 2) == staircase(2048, 8)
+    assert layout_for(2000, [2000] * 6 + [half + 1] * 2) == staircase(4096, 8)
+    assert layout_for(2048, [2048] * 9) == rectangle(2048, 9)  # too many of them for both
 
 
 def test_a_flow_that_shrinks_meets_few_layouts():

@@ -4,6 +4,7 @@ Rows and slots are laid out by `layout.Layout`. A padded row has no neighbours a
 its own row. Neither adds to any sum, so values and gradients do not depend on the padding.
 """
 
+from functools import partial
 from typing import NamedTuple
 
 import jax
@@ -38,11 +39,16 @@ class Buffers(NamedTuple):
     area: jax.Array  # (n,) one-ring areas at the start of the flow, for the system whose w_H follows them
 
 
+# For what a step uses many times over: tracing it once for each layout makes a start with a full cache shorter.
+traced_once = partial(jax.jit, static_argnames="layout", inline=True)
+
+
 def real_dtype() -> jnp.dtype:
     """float64 when JAX has it on, float32 otherwise."""
     return jax.dtypes.canonicalize_dtype(float)
 
 
+@traced_once
 def at_rows(layout: Layout, values: jax.Array) -> jax.Array:
     """``values`` (n, ...) of the row that each slot belongs to, (S, ...), without a gather."""
     return jnp.concatenate([values[: level.rows] for level in layout.levels for _ in range(level.slots)])
@@ -53,6 +59,7 @@ def _raised(rows: int, lower: jax.Array) -> jax.Array:
     return jnp.pad(lower, [(0, rows - lower.shape[0])] + [(0, 0)] * (lower.ndim - 1))
 
 
+@traced_once
 def slot_sum(layout: Layout, values: jax.Array) -> jax.Array:
     """Sum (n,) of ``values`` (S,) over the slots of each row."""
     total = jnp.zeros(layout.levels[-1].rows, values.dtype)
@@ -62,6 +69,7 @@ def slot_sum(layout: Layout, values: jax.Array) -> jax.Array:
     return total
 
 
+@traced_once
 def slot_product(layout: Layout, weights: jax.Array, neighbour: jax.Array, x: jax.Array) -> jax.Array:
     """y_i = sum over the slots of row i of weight times x[neighbour], for weights (S,) and x (n, c).
 

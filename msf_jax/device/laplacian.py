@@ -5,6 +5,7 @@ from the same four points, so that the product with the transpose is a gather to
 diagonal.
 """
 
+from functools import partial
 from typing import NamedTuple
 
 import jax
@@ -28,6 +29,7 @@ class Rows(NamedTuple):
     into: jax.Array  # (S,)
 
 
+@partial(jax.jit, static_argnames=("kind", "layout"), inline=True)
 def assemble(kind: str, positions: jax.Array, rings: Rings, degree: jax.Array, layout: Layout) -> Rows:
     """Weights of the Laplacian named ``kind``, dimensionless, for positions (n, 3), rings (S,) each, degree (n,).
 
@@ -69,6 +71,11 @@ def limit(rows: Rows, largest: float = LARGEST) -> Rows:
     return Rows(jnp.minimum(rows.out, largest), jnp.minimum(rows.into, largest))
 
 
+def _cross(a: jax.Array, b: jax.Array) -> jax.Array:
+    """Cross product over the last axis; traced much faster than `jnp.cross`."""
+    return jnp.roll(a, -1, -1) * jnp.roll(b, -2, -1) - jnp.roll(a, -2, -1) * jnp.roll(b, -1, -1)
+
+
 def _norm(vector: jax.Array) -> jax.Array:
     """Norm over the last axis, with a zero gradient where it vanishes."""
     square = (vector * vector).sum(-1)
@@ -86,7 +93,7 @@ def _length(vector: jax.Array) -> jax.Array:
 def _sine_and_cosine(a: jax.Array, b: jax.Array) -> tuple[jax.Array, jax.Array]:
     """|a x b| and a . b of the directions of a and b: of order one, so that no gradient leaves float32's range."""
     a, b = a / _length(a)[..., None], b / _length(b)[..., None]
-    return _norm(jnp.cross(a, b)), (a * b).sum(-1)
+    return _norm(_cross(a, b)), (a * b).sum(-1)
 
 
 def _half_angle_tangent(a: jax.Array, b: jax.Array) -> jax.Array:
@@ -112,6 +119,6 @@ def _cotangent(a: jax.Array, b: jax.Array) -> jax.Array:
 def one_ring_areas(positions: jax.Array, rings: Rings, degree: jax.Array, layout: Layout) -> jax.Array:
     """Area (n,) of the triangles around each vertex, at least SHORTEST squared; 1 for a padded row."""
     at_i = at_rows(layout, positions)
-    area = 0.5 * _norm(jnp.cross(positions[rings.neighbour] - at_i, positions[rings.after] - at_i))
+    area = 0.5 * _norm(_cross(positions[rings.neighbour] - at_i, positions[rings.after] - at_i))
     total = slot_sum(layout, jnp.where(rings.is_used, area, 0.0))
     return jnp.where(degree > 0, jnp.maximum(total, SHORTEST**2), 1.0)
