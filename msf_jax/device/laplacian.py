@@ -77,9 +77,9 @@ def _cross(a: jax.Array, b: jax.Array) -> jax.Array:
 
 
 def _norm(vector: jax.Array) -> jax.Array:
-    """Norm over the last axis, with a zero gradient where it vanishes."""
+    """Norm over the last axis, with a zero gradient where it vanishes, or its square is no normal number."""
     square = (vector * vector).sum(-1)
-    is_zero = square == 0
+    is_zero = square < 1e8 * jnp.finfo(square.dtype).tiny
     return jnp.where(is_zero, 0.0, jnp.sqrt(jnp.where(is_zero, 1.0, square)))
 
 
