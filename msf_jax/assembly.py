@@ -134,10 +134,7 @@ def assemble(
         fixed=sum(int(state.meso.is_fixed.sum()) for state in states),
         live=sum(state.meso.num_live for state in states),
         volume=max(abs(state.history[-1].volume) if state.history else 1.0 for state in states),
-        unsolved=sum(
-            (not line.residual <= config.solve_tolerance) + (not line.smoothing_residual <= config.solve_tolerance)
-            for line in history
-        ),
+        unsolved=sum(not line.is_solved for line in history),
         solve_steps=sum(line.steps + line.smoothing_steps for line in history),
         coarsened=sum(state.num_coarsened for state in states),
         repairs=checked.repairs,
@@ -168,10 +165,8 @@ def _means(points: np.ndarray, group: np.ndarray, num: int) -> np.ndarray:
 
 
 def _by_vertex(parts: list[np.ndarray], states: list[State], checked: Surface) -> np.ndarray:
-    """One array for the whole surface from one for each component; joined as they are where these were resampled."""
+    """One array for the whole surface from one for each component."""
     joined = np.concatenate(parts)
-    if len(joined) != len(checked.vertices):
-        return joined
     whole = np.empty_like(joined)
     orders = [member[state.order] for member, state in zip(checked.members, states, strict=True)]
     whole[np.concatenate(orders)] = joined

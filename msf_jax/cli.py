@@ -113,6 +113,7 @@ def _parser() -> argparse.ArgumentParser:
     for name, meaning in WEIGHTS.items():
         one.add_argument(f"--{name.replace('_', '-')}", dest=name, type=float, metavar="X", help=meaning)
     one.add_argument("--max-iterations", type=int, metavar="N", help="give up after N iterations")
+    one.add_argument("--coarsen", type=float, metavar="X", help="collapse shorter edges first, in diagonals; 0: none")
     one.add_argument("--prune", type=float, metavar="X", help="take away branches of less persistence; 0: none")
     one.add_argument("--pin", type=int, action="append", metavar="N", help="hold vertex N in place (can be repeated)")
     one.add_argument("--evaluate", action="store_true", help="report off-centre, missed surface and the like, too")
@@ -145,7 +146,7 @@ def _skeletonize(arguments: argparse.Namespace) -> int:
         picture = _checked_target(arguments.picture, arguments.mesh, arguments.output)
         if picture.suffix.lower() != ".png":
             raise ConfigError(f"the picture is a PNG file: expected a name that ends in .png, not {picture.name!r}")
-    changes = {name: getattr(arguments, name) for name in ("max_iterations", "prune")}
+    changes = {name: getattr(arguments, name) for name in ("max_iterations", "coarsen", "prune")}
     changes = {name: value for name, value in changes.items() if value is not None}
     config = Config.named(arguments.system, check=arguments.check, evaluate=arguments.evaluate, **changes)
     given = {name: getattr(arguments, name) for name in WEIGHTS if getattr(arguments, name) is not None}

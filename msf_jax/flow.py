@@ -30,6 +30,7 @@ from msf_jax.run import Flow, Iteration, State, Stopwatch
 STALL_ITERATIONS = 30  # without progress, after which the flow gives up: longer than a tooth of the default threshold
 LARGEST_FACTOR = 2.0**20  # where a growing w_L stops: past it the other weights no longer count
 FLATTEST = 1e-9  # volume, in diagonals cubed, that must be left when coordinates are rounded to the frame's resolution
+MOST_COARSENED = 0.05  # of the volume may go with short edges
 GROWTH_LIMIT = 3  # splitting may not take the surface past so many times its first number of vertices
 BLOW_UP = 10.0  # diagonals from the centre: nothing that contracts goes there
 
@@ -67,9 +68,11 @@ def init(component: Component, number: int, config: Config, watch: Stopwatch, pi
     num_coarsened, rough = 0, shape
     if config.coarsen:
         with watch.stage("coarsening"):
-            collapse.collapse_short_edges(meso, config.coarsen, check=config.check)
-            num_coarsened = meso.num_rows - meso.num_live
-            meso = meso.compacted()
+            coarse = _copy(meso)
+            collapse.collapse_short_edges(coarse, config.coarsen, keep_faces=True, check=config.check)
+            if abs(coarse.volume() - meso.volume()) <= MOST_COARSENED * abs(meso.volume()):
+                num_coarsened = coarse.num_rows - coarse.num_live
+                meso = coarse.compacted()
         if num_coarsened > meso.num_rows and not (config.reconstruct_mesh or config.resample):
             rough = Enclosure(meso.positions, meso.faces())
     if config.use_poles:
@@ -88,8 +91,8 @@ def init(component: Component, number: int, config: Config, watch: Stopwatch, pi
         num_coarsened=num_coarsened,
         first_area=meso.area(),
         first_ring_area=_one_ring_areas(meso) if config.w_H_follows_area else np.empty(0),
-        poles=meso.poles.copy(),
-        has_pole=meso.has_pole.copy(),
+        poles=meso.poles[meso.node_of_input],
+        has_pole=meso.has_pole[meso.node_of_input],
         meso=meso,
         t_c=config.t_min,
         w_L_factor=1.0,
@@ -139,7 +142,7 @@ def step(state: State, weights: Weights, config: Config, watch: Stopwatch) -> St
     dtype = np.dtype(real_dtype())
     with watch.stage("solve"):
         layout = layout_for(meso.num_rows, packing.rows_beyond(meso))
-        order, packed = packing.pack(meso, layout, state.first_ring_area, dtype)
+        order, packed = packing.pack(meso, layout, state.first_ring_area, dtype, state.t_c)
         packed["rings"] = Rings(*packed["rings"])
         scaled = replace(weights, w_L=weights.w_L * state.w_L_factor)
         scaled = jax.tree_util.tree_map(lambda weight: np.asarray(weight, dtype), scaled)
@@ -149,8 +152,8 @@ def step(state: State, weights: Weights, config: Config, watch: Stopwatch) -> St
     with watch.stage("solve"):
         moved = jax.device_get(move(buffers, scaled))
     positions = packing.unpack(moved.positions, order)
-    is_solved = np.isfinite(moved.contraction.residual) and np.isfinite(moved.smoothing.residual)
-    if not is_solved or not np.isfinite(positions).all() or np.abs(positions).max() > BLOW_UP:
+    is_finite = np.isfinite(moved.contraction.residual) and np.isfinite(moved.smoothing.residual)
+    if not is_finite or not np.isfinite(positions).all() or np.abs(positions).max() > BLOW_UP:
         state.failure = "a step left finite or sensible coordinates; the one before it was kept"
         return state
     displacement = float(np.sqrt(((positions - meso.positions) ** 2).sum(axis=1).max()))
@@ -181,6 +184,7 @@ def step(state: State, weights: Weights, config: Config, watch: Stopwatch) -> St
             area=meso.area() / state.first_area,
             steps=int(moved.contraction.steps),
             residual=float(moved.contraction.residual),
+            is_solved=bool(moved.contraction.is_solved and moved.smoothing.is_solved),
             smoothing_steps=int(moved.smoothing.steps),
             smoothing_residual=float(moved.smoothing.residual),
             moved=displacement,
@@ -272,11 +276,15 @@ def _checked_options(weights: Any, config: Any) -> tuple[Weights, Config]:
     return (config.default_weights() if weights is None else weights), config
 
 
+def _copy(meso: Meso) -> Meso:
+    return replace(meso, **{name: value.copy() for name, value in vars(meso).items() if value is not None})
+
+
 def _thinned(meso: Meso, config: Config) -> Meso:
     """The surface to read the curve off: one whose edges were never edited first loses its short ones."""
     if config.edit_connectivity:
         return meso
-    meso = replace(meso, **{name: value.copy() for name, value in vars(meso).items() if value is not None})
+    meso = _copy(meso)
     collapse.collapse_short_edges(meso, config.t_min, check=config.check)
     return meso.compacted()
 

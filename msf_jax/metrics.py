@@ -35,7 +35,8 @@ def evaluate(mesh: Any, skeleton: Any, truth: Any = None) -> dict[str, float]:
         - ``components``, ``cycles``, ``leaves``, ``mesh_components``, ``genus``: counts. A curve of the right topology
           has as many components as the mesh, and as many independent cycles as the sum of the genera.
         - ``inside``: fraction of the curve's length where the generalised winding number of the mesh is positive
-          (Jacobson et al. 2013), sampled at the middles of 16 equal parts of each edge. 1 is best.
+          (Jacobson et al. 2013). Edges that the inscribed balls of their ends do not cover are sampled at the middles
+          of 16 equal parts. 1 is best.
         - ``boundedness``: fraction of the nodes that are inside (Wen et al. 2025). 1 is best.
         - ``off_centre``: distance of an edge's middle from the centroid of the cross-section there, over the section's
           mean radius; the mean over edges, by length. A section more than three times as wide as the largest ball

@@ -30,6 +30,7 @@ class Iteration(NamedTuple):
     area: float  # fraction of the first surface area that is left
     steps: int  # CG steps of the contraction
     residual: float  # relative residual at the end of it
+    is_solved: bool  # whether it and the smoothing reached their tolerance
     smoothing_steps: int
     smoothing_residual: float
     moved: float  # largest displacement
@@ -73,7 +74,7 @@ class Flow:
         meso_skeleton: ``(vertices (n, 3), faces (m, 3))`` of the contracted surface, all components together.
         is_fixed: (n,) True where a vertex of the meso-skeleton was fixed.
         poles: (V, 3) the Voronoi pole that each vertex of the repaired input started with, near the vertex itself
-            where it has none; of the resampled surface, component by component, where the system resamples.
+            where it has none; where it was merged by coarsening or resampling, that of the vertex it went into.
         has_pole: (V,) whether that pole pulls.
         history: one `Iteration` for each iteration of each component.
         curve: the curve as the flow left it, without the branches that were pruned.

@@ -36,8 +36,8 @@ class Report:
         fixed: vertices of the meso-skeleton that were fixed at the end.
         live: vertices of the meso-skeleton at the end.
         coarsened: vertices of the mesh that went before the flow, in edges shorter than ``Config.coarsen``.
-        volume: fraction of the mesh's volume that was left, the largest over components.
-        unsolved: linear solves that ran out of steps before they reached their tolerance.
+        volume: fraction of the volume, after coarsening, that was left, the largest over components.
+        unsolved: iterations in which a linear solve ran out of steps before it reached its tolerance.
         solve_steps: CG steps in all.
         repairs: what was changed in the input, a sentence each.
         figures: `metrics.evaluate` of the curve as the run ended, where ``Config(evaluate=True)`` asks for it.
@@ -85,7 +85,7 @@ class Report:
             + (f", {self.coarsened} vertices coarsened away before" if self.coarsened else ""),
         ]
         if self.unsolved:
-            lines.append(f"{self.unsolved} linear solves stopped before they reached their tolerance")
+            lines.append(f"in {self.unsolved} iterations a linear solve stopped before it reached its tolerance")
         if self.figures:
             lines.append(", ".join(f"{name} {value:.4g}" for name, value in self.figures.items()))
         lines += [f"repaired: {repair}" for repair in self.repairs]

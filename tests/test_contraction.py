@@ -136,7 +136,9 @@ def chain():
     )
     positions = jnp.array([[0.0, 0, 0], [1, 0, 0], [2, 0, 0]])
     one = jnp.ones(3)
-    buffers = Buffers(positions, rings, jnp.array([1.0, 2, 1]), jnp.array([0.0, 1, 1]), positions, 0 * one, one)
+    buffers = Buffers(
+        positions, rings, jnp.array([1.0, 2, 1]), jnp.array([0.0, 1, 1]), positions, 0 * one, jnp.zeros(()), one
+    )
     return buffers, Rows(rings.is_used.astype(float), rings.is_used.astype(float))
 
 

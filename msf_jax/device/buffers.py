@@ -36,6 +36,7 @@ class Buffers(NamedTuple):
     free: jax.Array  # (n,) 1.0 where the vertex may move
     poles: jax.Array  # (n, 3)
     pull: jax.Array  # (n,) 1.0 where the pole pulls, less where it is trusted less
+    t_c: jax.Array  # (), the collapse threshold: what moves by a small part of it has arrived
     area: jax.Array  # (n,) one-ring areas at the start of the flow, for the system whose w_H follows them
 
 

@@ -30,10 +30,11 @@ from msf_jax.layout import Layout
 
 
 class SolveReport(NamedTuple):
-    """How a solve ended: CG steps, and the residual's norm over that of the right-hand side."""
+    """How a solve ended: CG steps, the residual's norm over that of the right-hand side, and whether that will do."""
 
     steps: jax.Array
     residual: jax.Array
+    is_solved: jax.Array
 
 
 class CGState(NamedTuple):
@@ -48,10 +49,14 @@ class CGState(NamedTuple):
 
 @dataclass(eq=False)
 class ConjugateGradients(base.IterativeSolver):
-    """Preconditioned CG for A x = b from x = 0; ``error`` is the norm of the residual that the iteration carries."""
+    """Preconditioned CG for A x = b from x = 0.
+
+    ``error`` is the norm of the residual that the iteration carries; 0 once a step changes no entry by ``smallest``.
+    """
 
     matvec: Any
     precondition: Any
+    smallest: Any = 0.0
     maxiter: int = 2000
     tol: Any = 0.0
     implicit_diff: bool = False
@@ -74,7 +79,8 @@ class ConjugateGradients(base.IterativeSolver):
         z = self.precondition(residual)
         gamma = _dot(residual, z)
         beta = gamma / jnp.where(state.gamma > 0, state.gamma, 1.0)
-        error = jnp.sqrt(_dot(residual, residual))
+        is_small = jnp.abs(step * state.direction).max() < self.smallest
+        error = jnp.where(is_small, 0.0, jnp.sqrt(_dot(residual, residual)))
         following = CGState(state.iter_num + 1, error, residual, z + beta * state.direction, gamma)
         return base.OptStep(params + step * state.direction, following)
 
@@ -100,11 +106,14 @@ def solve(
     b: jax.Array,
     tolerance: float,
     max_steps: int,
+    smallest: Any = 0.0,
 ) -> tuple[jax.Array, SolveReport]:
     """Solve A x = b for a symmetric positive definite A by Jacobi-preconditioned CG from x = 0.
 
-    Stops when the norm of the residual is at most ``tolerance`` times that of ``b``.
-    Differentiable in: b and whatever ``matvec`` closes over, implicitly, in forward and reverse mode.
+    Stops when the norm of the residual is at most ``tolerance`` times that of ``b``, or when a step changes no entry of
+    x by ``smallest``.
+    Differentiable in: b and whatever ``matvec`` closes over, implicitly, in forward and reverse mode; with ``smallest``
+    0, as that is in units of x, which the solves for a derivative do not have.
     """
     inverse = 1.0 / diagonal[:, None]
 
@@ -112,10 +121,15 @@ def solve(
         norm = _norm(rhs)
         scale = jnp.where((norm > 0) & jnp.isfinite(norm), norm, 1.0)  # inside, no square leaves float32's range
         solver = ConjugateGradients(
-            matvec=operator, precondition=lambda r: inverse * r, maxiter=max_steps, tol=tolerance
+            matvec=operator,
+            precondition=lambda r: inverse * r,
+            smallest=smallest / scale,
+            maxiter=max_steps,
+            tol=tolerance,
         )
         x, state = solver.run(jnp.zeros_like(rhs), rhs / scale)
-        return scale * x, SolveReport(state.iter_num, state.error)
+        left = jnp.sqrt(_dot(state.residual, state.residual))
+        return scale * x, SolveReport(state.iter_num, left, state.error <= tolerance)
 
     return lax.custom_linear_solve(matvec, b, run, symmetric=True, has_aux=True)
 
@@ -173,6 +187,7 @@ def contract(
     w_M: jax.Array,
     tolerance: float,
     max_steps: int,
+    smallest: Any = 0.0,
 ) -> tuple[jax.Array, SolveReport]:
     """Article Eq. 2 for the surface in ``buffers`` and weights (n,) each, one per row: the new positions (n, 3).
 
@@ -181,5 +196,7 @@ def contract(
     positions, free = buffers.positions, buffers.free[:, None]
     operator = gram(rows, buffers, layout, w_L, 0.0, 1.0, w_H**2 + w_M**2)
     b = free * ((w_M**2)[:, None] * (buffers.poles - positions) - operator.twice(layout, positions))
-    displacement, report = solve(lambda x: operator.normal(layout, x), operator.jacobi(layout), b, tolerance, max_steps)
+    displacement, report = solve(
+        lambda x: operator.normal(layout, x), operator.jacobi(layout), b, tolerance, max_steps, smallest
+    )
     return positions + free * displacement, report

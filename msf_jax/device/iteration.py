@@ -26,7 +26,7 @@ class Moved(NamedTuple):
 def move(buffers: Buffers, weights: Weights, config: Config, layout: Layout) -> Moved:
     """One iteration on ``buffers``; weights are scalars or (n,), one value a row.
 
-    Differentiable in: buffers.positions, buffers.poles, weights.
+    Differentiable in: buffers.positions, buffers.poles, weights; with ``buffers.t_c`` 0, which solves to the tolerance.
     """
     one = jnp.ones_like(buffers.free)
     # Only the ratios of w_L, w_H and w_M matter, and their fourth powers must stay within float32's range.
@@ -47,6 +47,7 @@ def move(buffers: Buffers, weights: Weights, config: Config, layout: Layout) -> 
         weights.w_M / largest * buffers.pull,
         tolerance,
         max_steps,
+        config.step_tolerance * buffers.t_c,
     )
     buffers = buffers._replace(positions=positions)
     positions, smoothed = smoothing.smooth(
@@ -69,6 +70,8 @@ def compiled_move(
     buffers: Buffers, weights: Weights, config: Config, layout: Layout
 ) -> Callable[[Buffers, Weights], Moved]:
     """`move` for such arguments, as a function of the first two; compiled at the first call, which takes seconds."""
+    if jax.config.jax_disable_jit:  # pyright: ignore[reportAttributeAccessIssue]
+        return lambda buffers, weights: move(buffers, weights, config, layout)
     leaves = jax.tree_util.tree_leaves((buffers, weights))
     key = (config, layout, *((leaf.shape, leaf.dtype, leaf.sharding) for leaf in leaves))
     if key not in _compiled:

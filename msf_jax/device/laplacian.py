@@ -77,7 +77,11 @@ def _cross(a: jax.Array, b: jax.Array) -> jax.Array:
 
 
 def _norm(vector: jax.Array) -> jax.Array:
-    """Norm over the last axis, with a zero gradient where it vanishes, or its square is no normal number."""
+    """Norm over the last axis, with a zero gradient where it vanishes or nearly does.
+
+    Below 1e-15 in float32, where squares are about to leave the normal numbers, the quotient x / |x| that is its
+    gradient would be anything.
+    """
     square = (vector * vector).sum(-1)
     is_zero = square < 1e8 * jnp.finfo(square.dtype).tiny
     return jnp.where(is_zero, 0.0, jnp.sqrt(jnp.where(is_zero, 1.0, square)))

@@ -51,7 +51,8 @@ def centre(
 ) -> np.ndarray:
     """The nodes ``vertices`` (N, 3) of the curve, centred; those of ``is_held`` (N,) stay where they are.
 
-    A step that would leave the solid, or half of the clearance that a node came with, is cut short.
+    A step that would leave the solid, or half of the clearance that a node came with, is cut short; a node that is
+    outside stays there.
     """
     x = vertices.copy()
     degree = np.bincount(edges.ravel(), minlength=len(x))
@@ -80,10 +81,11 @@ def centre(
         length = np.linalg.norm(step, axis=1)
         step *= np.minimum(1.0, LONGEST_STEP * radii / np.maximum(length, 1e-300))[:, None]
         step[is_held] = 0.0
-        left = np.flatnonzero(~is_held)
-        for part in (1.0, 0.5, 0.25):  # all within half of the ball around the node, and so inside
-            moved, triangle = shape.approach(x[left] + part * step[left])
-            is_safe = moved > np.minimum(THINNEST * first_radii[left], radii[left])
+        left = np.flatnonzero(~is_held & (radii > 0))
+        for part in (1.0, 0.5, 0.25):
+            goal = x[left] + part * step[left]
+            moved, triangle = shape.approach(goal)
+            is_safe = (moved > np.minimum(THINNEST * first_radii[left], radii[left])) & shape.contains(goal)
             x[left[is_safe]] += part * step[left[is_safe]]
             radii[left[is_safe]], near[left[is_safe]] = moved[is_safe], triangle[is_safe]
             left = left[~is_safe]

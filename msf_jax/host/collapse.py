@@ -39,13 +39,16 @@ def shortest_first(a: np.ndarray, b: np.ndarray, length: np.ndarray, unit: float
     rounded = np.round(length / (1e-6 * unit))
     num_bits = int(max(a.max(initial=0), b.max(initial=0))).bit_length()
     if len(a) and rounded.min() >= 0 and rounded.max() < 2 ** (63 - 2 * num_bits):  # one key is sorted faster
-        return np.argsort(rounded.astype(np.int64) << (2 * num_bits) | a << num_bits | b)
+        return np.argsort(rounded.astype(np.int64) << (2 * num_bits) | a.astype(np.int64) << num_bits | b)
     return np.lexsort((b, a, rounded))
 
 
-def collapse_short_edges(meso: Meso, t_c: float, *, check: bool = False) -> list[CollapseRound]:
+def collapse_short_edges(
+    meso: Meso, t_c: float, *, keep_faces: bool = False, check: bool = False
+) -> list[CollapseRound]:
     """Collapse in place until no edge shorter than ``t_c`` can go; returns the rounds.
 
+    ``keep_faces`` leaves an edge alone where its collapse would turn a face by more than 60 degrees.
     ``check`` verifies after each round that the surface is a closed manifold of the same genus.
     """
     euler = connectivity.euler_characteristic(meso.rings) if check else 0
@@ -57,6 +60,13 @@ def collapse_short_edges(meso: Meso, t_c: float, *, check: bool = False) -> list
             return rounds
         order = shortest_first(edges.a, edges.b, edges.length, t_c)
         chosen = _independent(meso.rings, edges.a, edges.b, order)
+        is_barred = np.zeros(len(edges.a), dtype=bool)
+        if keep_faces:
+            is_barred[chosen] = _turns_a_face(meso, edges.a[chosen], edges.b[chosen])
+            chosen = chosen[~is_barred[chosen]]
+            if len(chosen) == 0:
+                edges = edges.at(~is_barred)
+                continue
         done = _apply(meso, edges.a[chosen], edges.b[chosen])
         rounds.append(done)
         if check:
@@ -67,7 +77,7 @@ def collapse_short_edges(meso: Meso, t_c: float, *, check: bool = False) -> list
         is_touched[done.survivor] = True
         is_touched = is_touched[:-1]
         gone = meso.degree == 0
-        waiting = edges.at(~(is_touched | gone)[edges.a] & ~(is_touched | gone)[edges.b])
+        waiting = edges.at(~(is_touched | gone)[edges.a] & ~(is_touched | gone)[edges.b] & ~is_barred)
         around = _candidates(meso, *connectivity.edges_around(meso.rings, is_touched), t_c)
         edges = Candidates(*(np.concatenate(pair) for pair in zip(waiting, around, strict=True)))
 
@@ -94,6 +104,32 @@ def _candidates(meso: Meso, a: np.ndarray, b: np.ndarray, t_c: float) -> Candida
     has_two = connectivity.num_common_neighbours(meso.rings, meso.degree, a, b) == 2
     a, b, length = a[has_two], b[has_two], length[has_two]
     return Candidates(a, b, *connectivity.apexes(meso.rings, meso.degree, a, b), length)
+
+
+def _place(meso: Meso, a: np.ndarray, b: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Where a collapse of ab, of which b goes, puts a: the fraction (c,) of the way to b, and the position (c, 3)."""
+    fraction = np.where(meso.is_fixed[a], 0.0, 0.5)
+    return fraction, meso.positions[a] + fraction[:, None] * (meso.positions[b] - meso.positions[a])
+
+
+def _turns_a_face(meso: Meso, a: np.ndarray, b: np.ndarray) -> np.ndarray:
+    """(c,) True where the collapse of ab would turn a face that it leaves by more than 60 degrees, or flatten it."""
+    swap = meso.is_fixed[b] & ~meso.is_fixed[a]
+    a, b = np.where(swap, b, a), np.where(swap, a, b)
+    goal = _place(meso, a, b)[1][:, None]
+    turns = np.zeros(len(a), dtype=bool)
+    for end, other in ((a, b), (b, a)):
+        rows = meso.rings[end, : max(1, int(meso.degree[end].max(initial=1)))]
+        following = np.concatenate([rows[:, 1:], np.full((len(rows), 1), -1)], axis=1)
+        following = np.where(following < 0, rows[:, :1], following)
+        stays = (rows >= 0) & (rows != other[:, None]) & (following != other[:, None])
+        one, two, here = meso.positions[rows], meso.positions[following], meso.positions[end][:, None]
+        before, after = np.cross(one - here, two - here), np.cross(one - goal, two - goal)
+        dot = np.einsum("cki,cki->ck", before, after)
+        size2 = np.einsum("cki,cki->ck", before, before) * np.einsum("cki,cki->ck", after, after)
+        has_area = np.einsum("cki,cki->ck", before, before) > 0
+        turns |= (stays & has_area & (dot <= 0.5 * np.sqrt(size2))).any(axis=1)
+    return turns
 
 
 def _independent(rings: np.ndarray, a: np.ndarray, b: np.ndarray, order: np.ndarray) -> np.ndarray:
@@ -165,8 +201,7 @@ def _apply(meso: Meso, a: np.ndarray, b: np.ndarray) -> CollapseRound:
     _close_gaps(meso, np.concatenate([left, right]))
     meso.degree[a], meso.degree[b] = merged_degree, 0
 
-    fraction = np.where(meso.is_fixed[a], 0.0, 0.5)
-    position = meso.positions[a] + fraction[:, None] * (meso.positions[b] - meso.positions[a])
+    fraction, position = _place(meso, a, b)
     reach_a = np.where(meso.has_pole[a], np.linalg.norm(meso.poles[a] - position, axis=1), np.inf)
     reach_b = np.where(meso.has_pole[b], np.linalg.norm(meso.poles[b] - position, axis=1), np.inf)
     takes_pole = reach_b < reach_a

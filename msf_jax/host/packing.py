@@ -28,7 +28,7 @@ def pad(array: np.ndarray, size: int, fill: float, dtype: np.dtype) -> np.ndarra
     return padded
 
 
-def pack(meso: Meso, layout: Layout, area: np.ndarray, dtype: np.dtype) -> Packed:
+def pack(meso: Meso, layout: Layout, area: np.ndarray, dtype: np.dtype, t_c: float = 0.0) -> Packed:
     """The surface in ``layout``: rows by degree, largest first, numbers as ``dtype``."""
     order = np.argsort(-meso.degree, kind="stable")
     rank = np.empty(meso.num_rows + 1, dtype=np.int32)
@@ -63,6 +63,7 @@ def pack(meso: Meso, layout: Layout, area: np.ndarray, dtype: np.dtype) -> Packe
         "free": pad(~meso.is_fixed[order] & (degree > 0), size, 0, dtype),
         "poles": pad(meso.poles[order], size, 0, dtype),
         "pull": pad(pull[order], size, 0, dtype),
+        "t_c": np.asarray(t_c, dtype=dtype),
         "area": pad(area[order] if len(area) else area, size, 1, dtype),
     }
     return Packed(order, fields)
