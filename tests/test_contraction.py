@@ -21,9 +21,10 @@ from device_cases import (
 )
 from jax.test_util import check_grads
 
-from msf_jax.device import contraction
+from msf_jax.device import contraction, iteration
 from msf_jax.device.buffers import Buffers, Rings
 from msf_jax.device.laplacian import Rows
+from msf_jax.options import Config, Weights
 
 W_L, W_H, W_M = 1.3, 0.2, 0.35
 
@@ -330,3 +331,18 @@ def test_vmap_over_weights_is_one_solve_each(case):
     assert report.steps.shape == report.residual.shape == (3,)
     for w, new in zip(weights, many, strict=True):
         np.testing.assert_allclose(case.to_vertices(new), expected(case, *w), atol=1e-8)
+
+
+def test_a_solve_ends_when_a_step_moves_nothing_by_a_part_of_the_threshold():
+    """Earlier than the tolerance would; the report says so, and the solution is off by little of that length."""
+    case = build(*pebble(1))
+    weights = jax.tree_util.tree_map(np.asarray, Weights())
+    config = Config(solve_tolerance=1e-9)
+    exact = iteration.move(case.buffers, weights, config, case.layout)
+    t_c = 0.01
+    found = iteration.move(case.buffers._replace(t_c=jnp.asarray(t_c)), weights, config, case.layout)
+    assert int(found.contraction.steps) < int(exact.contraction.steps)
+    assert float(found.contraction.residual) > config.solve_tolerance
+    assert bool(found.contraction.is_solved)
+    assert np.abs(found.positions - exact.positions).max() < t_c / 2
+    assert np.abs(found.positions - exact.positions).max() > 1e-7

@@ -224,6 +224,67 @@ def test_weights_that_blow_up_are_said():
     assert np.abs(state.meso.positions).max() < 1
 
 
+def length_of(skeleton):
+    return np.linalg.norm(
+        skeleton.vertices[skeleton.edges[:, 0]] - skeleton.vertices[skeleton.edges[:, 1]], axis=1
+    ).sum()
+
+
+@pytest.mark.parametrize("name", ["rod", "bar"])
+def test_a_solid_thinner_than_the_shortest_edge_keeps_its_length(name):
+    """Coarsening would collapse its cross-section, and with it the solid: it is left out."""
+    mesh = trimesh.creation.cylinder(radius=0.002, height=1, sections=32)
+    if name == "bar":
+        mesh = trimesh.creation.box((1, 0.002, 0.002)).subdivide().subdivide()
+    skeleton = msf_jax.skeletonize(mesh)
+    assert skeleton.report.coarsened == 0
+    assert skeleton.report.converged
+    assert length_of(skeleton) > 0.98
+
+
+@pytest.mark.parametrize("extents", [(1, 1, 0.002), (1, 0.5, 0.004), (1, 1, 1e-5)])
+def test_a_plate_whose_edges_are_all_short_or_long_is_no_error(extents):
+    skeleton = msf_jax.skeletonize(trimesh.creation.box(extents))
+    assert skeleton.report.components == 1
+    assert skeleton.report.inside == 1.0
+
+
+def test_coarsening_takes_short_edges_and_leaves_the_shape():
+    """A fine torus: no short edge that could go is left, no volume lost, and poles are still those of the vertices."""
+    mesh = torus(around=200, across=70)
+    config = Config(check=True, max_iterations=1, coarsen=0.02)
+    state = flow.init(flow.surface.prepare(mesh).components[0], 0, config, flow.Stopwatch())
+    coarse = trimesh.Trimesh(state.meso.positions, state.meso.faces(), process=False)
+    assert state.num_coarsened > 0.5 * len(mesh.vertices)
+    assert state.num_coarsened + len(coarse.vertices) == len(mesh.vertices)
+    assert coarse.is_watertight
+    assert coarse.euler_number == 0
+    # A polygon of chords 0.03 long in a circle of radius 0.09 has 1.8 % less area.
+    assert abs(coarse.volume * diagonal(mesh.vertices) ** 3 / mesh.volume - 1) < 0.03
+    assert np.percentile(coarse.edges_unique_length, 2) > 0.015
+    run = flow.contract(mesh, config=config)
+    assert run.poles.shape == mesh.vertices.shape
+    assert run.has_pole.shape == (len(mesh.vertices),)
+    off = np.hypot(np.hypot(run.poles[:, 0], run.poles[:, 1]) - 1.0, run.poles[:, 2])
+    assert np.median(off) < 0.02
+    along = np.einsum("vi,vi->v", run.poles[:, :2], mesh.vertices[:, :2])
+    assert (along > 0).all()  # a vertex's pole is on its own side
+
+
+def test_other_systems_keep_their_threshold_and_their_vertices():
+    for config in (Config.tagliasacchi2012(), Config.au2008()):
+        assert config.t_min == 0.002
+        assert config.coarsen == 0
+
+
+def test_a_flow_without_jit():
+    """Slow, but it runs, for those who look for a NaN."""
+    with jax.disable_jit():
+        run = flow.contract(blob(1, subdivisions=1), config=Config(max_iterations=1, solve_steps=3))
+    assert len(run.history) == 1
+    assert np.isfinite(run.skeleton.vertices).all()
+
+
 @pytest.fixture
 def compilations():
     """A list that gets an entry for everything that XLA compiles."""
