@@ -57,8 +57,7 @@ def centre(
     x = vertices.copy()
     degree = np.bincount(edges.ravel(), minlength=len(x))
     ways = [np.array(way) for way in branches.trace(len(x), edges) if len(way) > 1]
-    first_radii, near = shape.approach(x)
-    first_radii[~shape.contains(x)] = 0.0
+    first_radii, near = about_clearance(shape, x)
     radii = first_radii.copy()
     for _ in range(rounds):
         measured = [Way(nodes, arc_length(x[nodes]), nodes[0] == nodes[-1] and degree[nodes[0]] == 2) for nodes in ways]
@@ -144,6 +143,12 @@ def _fair(
 def clearance(shape: Enclosure, points: np.ndarray) -> np.ndarray:
     """Radius (P,) of the largest ball around each point inside the surface, 0 for a point outside."""
     return np.where(shape.contains(points), shape.distances(points), 0.0)
+
+
+def about_clearance(shape: Enclosure, points: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """About what `clearance` says, many times as fast, and a triangle (P,) near each point."""
+    away, near = shape.approach(points)
+    return np.where(shape.contains(points), away, 0.0), near
 
 
 def arc_length(points: np.ndarray) -> np.ndarray:

@@ -125,15 +125,7 @@ class Enclosure:
         is no farther than sqrt(bound^2 + reach^2), by Pythagoras: few are. They are searched in classes of like reach,
         so that a few large ones do not widen the search for all.
         """
-        if self._feet is None:
-            tail, head = self.faces.ravel(), np.roll(self.faces, -1, axis=1).ravel()
-            edge = np.flatnonzero(tail < head)
-            tail, head = self.vertices[tail[edge]], self.vertices[head[edge]]
-            centre = np.concatenate([self.centroids, (tail + head) / 2])
-            reach = np.concatenate([self.reaches, np.sqrt(((head - tail) ** 2).sum(axis=1)) / 2])
-            triangle = np.concatenate([np.arange(len(self.faces)), edge // 3])
-            self._feet = Feet(centre, reach, triangle, _size_classes(centre, reach))
-        centre, reach, triangle_of, classes = self._feet
+        centre, reach, triangle_of, classes = self._all_feet()
         bound, chosen = self.approach(points)
         best2 = bound**2
         for size_class in classes:
@@ -153,6 +145,17 @@ class Enclosure:
                 best2[row] = np.minimum(best2[row], least)
             bound = np.sqrt(best2)
         return np.sqrt(best2), chosen
+
+    def _all_feet(self) -> Feet:
+        if self._feet is None:
+            tail, head = self.faces.ravel(), np.roll(self.faces, -1, axis=1).ravel()
+            edge = np.flatnonzero(tail < head)
+            tail, head = self.vertices[tail[edge]], self.vertices[head[edge]]
+            centre = np.concatenate([self.centroids, (tail + head) / 2])
+            reach = np.concatenate([self.reaches, np.sqrt(((head - tail) ** 2).sum(axis=1)) / 2])
+            triangle = np.concatenate([np.arange(len(self.faces)), edge // 3])
+            self._feet = Feet(centre, reach, triangle, _size_classes(centre, reach))
+        return self._feet
 
     def approach(self, points: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Nearly what `nearest` says, many times as fast: distance (P,) to a near triangle, and that triangle (P,).

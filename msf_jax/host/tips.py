@@ -11,7 +11,7 @@ from typing import NamedTuple
 import numpy as np
 
 from msf_jax.host import branches, sections
-from msf_jax.host.centring import arc_length, at, unit
+from msf_jax.host.centring import about_clearance, arc_length, at, unit
 from msf_jax.host.enclosure import Enclosure
 
 GAP = 0.3  # limb radii, that are left between the end of the curve and the surface ahead
@@ -67,11 +67,6 @@ def extend(
     return np.concatenate([x, *added]), np.concatenate([edges, np.array(joined, dtype=np.int64).reshape(-1, 2)])
 
 
-def _room(shape: Enclosure, points: np.ndarray) -> np.ndarray:
-    """About the radius (P,) of the largest ball around each point inside the surface, 0 for a point outside."""
-    return np.where(shape.contains(points), shape.approach(points)[0], 0.0)
-
-
 def _march(shape: Enclosure, vertices: np.ndarray, radii: np.ndarray, tips: list[Tip]) -> list[tuple[int, np.ndarray]]:
     """For each leaf, how many nodes of its branch are taken back, and the course (k, 3) from there to the end."""
     start, direction, limb, kept = [], [], [], []
@@ -104,7 +99,9 @@ def _march(shape: Enclosure, vertices: np.ndarray, radii: np.ndarray, tips: list
         # A turn of half a right angle at most in a step; and a cap's sections wander, so they count for less.
         share = np.minimum(1.0, TURN * step / np.maximum(length, 1e-300)) * np.clip(room / size[active], 0, 1)
         goal = goal + np.where(is_limb, share, 0.0)[:, None] * off
-        is_open = (room > 0.02 * size[active]) & (_room(shape, goal) > 0.1 * np.minimum(size[active], ahead))
+        is_open = (room > 0.02 * size[active]) & (
+            about_clearance(shape, goal)[0] > 0.1 * np.minimum(size[active], ahead)
+        )
         for row, point in zip(active[is_open], goal[is_open], strict=True):
             courses[row].append(point)
         heading[active[is_open]] = unit(heading[active] + unit(goal - place[active]))[is_open]
