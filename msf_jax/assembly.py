@@ -11,6 +11,7 @@ from msf_jax.host import curve, finishing
 from msf_jax.host.curve import Curve
 from msf_jax.host.finishing import Finished
 from msf_jax.host.meso import Meso
+from msf_jax.host.recording import ComponentRecord, Recording
 from msf_jax.host.solid import Solid
 from msf_jax.host.surface import Surface
 from msf_jax.options import Config, Weights
@@ -22,10 +23,11 @@ class Part(NamedTuple):
     """The curve of one component, in its frame.
 
     curve: as the flow left it, without the branches that were pruned. finished: the same nodes and more, moved.
-    meso: the surface that it was read off. is_held: (n,) which of the curve's nodes hold a pinned vertex.
+    found: as it was read off the surface ``meso``, with those. is_held: (n,) which of the curve's nodes hold a pin.
     """
 
     curve: Curve
+    found: Curve
     finished: Finished
     meso: Meso
     is_held: np.ndarray
@@ -58,7 +60,7 @@ def read_curve(state: State, meso: Meso, config: Config, watch: Stopwatch) -> Pa
         rank[found.edges[done.is_kept[found.edges].all(axis=1)]],
         rank[done.target[found.node_of_meso]],
     )
-    return Part(kept, done, meso, is_held[done.is_kept])
+    return Part(kept, found, done, meso, is_held[done.is_kept])
 
 
 def assemble(
@@ -75,7 +77,7 @@ def assemble(
 
     Nodes of the flow come first, component by component, then those that finishing added.
     """
-    flow_nodes, flow_edges, moved_nodes, new_nodes, edges = [], [], [], [], []
+    flow_nodes, flow_edges, moved_nodes, new_nodes, edges, records = [], [], [], [], [], []
     meso_vertices, meso_faces = [], []
     num_flow = sum(len(part.curve.nodes) for part in parts)
     num_old = num_new = num_meso = 0
@@ -87,6 +89,22 @@ def assemble(
         leave, where = state.frame.leave, member[state.order]
         node_of_vertex = own.node_of_meso[part.meso.node_of_input]
         exact = _means(checked.vertices[where[state.pins]], node_of_vertex[state.pins], count)
+        records.append(
+            ComponentRecord(
+                vertices=state.shape.vertices,
+                faces=state.shape.faces,
+                vertex_of_input=checked.input_of_vertex[where],
+                frame=state.frame,
+                pins=state.pins,
+                start=state.start,
+                steps=state.steps,
+                num_meso=len(state.meso.positions),
+                thinning=part.meso.edits,
+                node_of_meso=np.where(done.is_kept, np.cumsum(done.is_kept) - 1, -1)[part.found.node_of_meso],
+                node_of_pin=node_of_vertex[state.pins],
+                num_nodes=count,
+            )
+        )
         for nodes, into in ((own.nodes, flow_nodes), (done.vertices[:count], moved_nodes)):
             placed = leave(nodes)
             placed[part.is_held] = exact[part.is_held]  # a pin is where it was, to the last bit
@@ -155,6 +173,7 @@ def assemble(
         history=history,
         curve=as_left,
         skeleton=finished,
+        recording=Recording(tuple(records), *checked.given, checked.input_of_vertex),
     )
 
 

@@ -22,6 +22,8 @@ from msf_jax.host import collapse, fixing, homology, packing, poles, reconstruct
 from msf_jax.host.enclosure import Enclosure
 from msf_jax.host.frame import RESOLUTION, frame_of, sort_mesh
 from msf_jax.host.meso import Meso
+from msf_jax.host.reconstruction import LowPass
+from msf_jax.host.recording import FoundPoles, Start, Step
 from msf_jax.host.surface import Component
 from msf_jax.layout import layout_for
 from msf_jax.options import Config, Weights
@@ -35,10 +37,18 @@ GROWTH_LIMIT = 3  # splitting may not take the surface past so many times its fi
 BLOW_UP = 10.0  # diagonals from the centre: nothing that contracts goes there
 
 
-def init(component: Component, number: int, config: Config, watch: Stopwatch, pins: np.ndarray | None = None) -> State:
+def init(
+    component: Component,
+    number: int,
+    config: Config,
+    watch: Stopwatch,
+    pins: np.ndarray | None = None,
+    weights: np.ndarray | None = None,
+) -> State:
     """The component at the start of its flow: in its own frame, resampled if asked, with its poles.
 
-    ``pins`` are vertices of the component that are fixed from the start.
+    ``pins`` are vertices of the component that are fixed from the start, ``weights`` (V, 4) those of its vertices where
+    they differ.
     """
     frame = frame_of(component.vertices)
     entered = frame.enter(component.vertices)
@@ -46,12 +56,14 @@ def init(component: Component, number: int, config: Config, watch: Stopwatch, pi
     original = vertices = entered[order]
     shape = Enclosure(vertices, faces)
     pins = np.flatnonzero(np.isin(order, [] if pins is None else pins))
+    mesh_filter = None
     if config.reconstruct_mesh:
         with watch.stage("reconstruction"):
-            vertices = _rebuilt(vertices, faces, config.reconstruct_mesh, config)
+            vertices, mesh_filter = _rebuilt(vertices, faces, config.reconstruct_mesh, config)
             vertices[pins] = original[pins]
     meso = Meso.from_mesh(vertices, faces)
     meso.is_fixed[pins] = True
+    meso.weights = None if weights is None else weights[order]
     if abs(meso.volume()) < FLATTEST:
         raise MeshError(
             f"component {number} is too thin: no volume is left of it at the flow's resolution, "
@@ -75,9 +87,13 @@ def init(component: Component, number: int, config: Config, watch: Stopwatch, pi
                 meso = coarse.compacted()
         if num_coarsened > meso.num_rows and not (config.reconstruct_mesh or config.resample):
             rough = Enclosure(meso.positions, meso.faces())
+    found = None
     if config.use_poles:
-        meso.poles, meso.has_pole, trust = _poles(meso, shape, config, watch)
-        meso.trust = trust if config.pole_confidence else None
+        found = _poles(meso, shape, config, watch)
+        meso.poles, meso.has_pole = np.where(found.is_inside[:, None], found.poles, meso.positions), found.is_inside
+        meso.trust = found.trust if config.pole_confidence else None
+    start = Start(mesh_filter, meso.edits, found)
+    meso.edits = []
     return State(
         component=component,
         number=number,
@@ -93,15 +109,16 @@ def init(component: Component, number: int, config: Config, watch: Stopwatch, pi
         first_ring_area=_one_ring_areas(meso) if config.w_H_follows_area else np.empty(0),
         poles=meso.poles[meso.node_of_input],
         has_pole=meso.has_pole[meso.node_of_input],
+        start=start,
         meso=meso,
         t_c=config.t_min,
         w_L_factor=1.0,
     )
 
 
-def _rebuilt(vertices: np.ndarray, faces: np.ndarray, k: int, config: Config) -> np.ndarray:
-    rebuild = reconstruction.reconstruct if config.exact_reconstruction else reconstruction.filtered
-    return rebuild(vertices, faces, k)
+def _rebuilt(vertices: np.ndarray, faces: np.ndarray, k: int, config: Config) -> tuple[np.ndarray, LowPass | None]:
+    kept = reconstruction.low_pass(faces, len(vertices), k, exact=config.exact_reconstruction)
+    return reconstruction.apply(kept, vertices, faces), kept
 
 
 def _resampled(meso: Meso, length: float, *, check: bool) -> Meso:
@@ -113,21 +130,21 @@ def _resampled(meso: Meso, length: float, *, check: bool) -> Meso:
     return meso
 
 
-def _poles(meso: Meso, shape: Enclosure, config: Config, watch: Stopwatch) -> tuple[np.ndarray, ...]:
+def _poles(meso: Meso, shape: Enclosure, config: Config, watch: Stopwatch) -> FoundPoles:
     """Poles of the (reconstructed) surface, which of them pull (none outside the input's surface), and their trust.
 
     A pole is trusted by (1 - cos(spoke angle)) / 2.
     """
-    sites, faces = meso.positions, meso.faces()
+    sites, faces, kept = meso.positions, meso.faces(), None
     if config.reconstruct_poles:
         with watch.stage("reconstruction"):
-            sites = _rebuilt(sites, faces, config.reconstruct_poles, config)
+            sites, kept = _rebuilt(sites, faces, config.reconstruct_poles, config)
     with watch.stage("poles"):
         found = poles.voronoi_poles(sites, faces, box=shape.vertices)
         has_pole = found.is_found.copy()
         has_pole[has_pole] = shape.contains(found.position[has_pole])
         trust = (1 - np.cos(poles.spoke_angles(found, sites))) / 2
-        return np.where(has_pole[:, None], found.position, meso.positions), has_pole, trust
+        return FoundPoles(kept, sites, found.position, found.tetrahedron, has_pole, trust)
 
 
 def _one_ring_areas(meso: Meso) -> np.ndarray:
@@ -144,7 +161,8 @@ def step(state: State, weights: Weights, config: Config, watch: Stopwatch) -> St
         layout = layout_for(meso.num_rows, packing.rows_beyond(meso))
         order, packed = packing.pack(meso, layout, state.first_ring_area, dtype, state.t_c)
         packed["rings"] = Rings(*packed["rings"])
-        scaled = replace(weights, w_L=weights.w_L * state.w_L_factor)
+        scaled = _of_rows(weights, meso.weights, order, layout.capacity)
+        scaled = replace(scaled, w_L=scaled.w_L * state.w_L_factor)
         scaled = jax.tree_util.tree_map(lambda weight: np.asarray(weight, dtype), scaled)
         buffers, scaled = jax.device_put((Buffers(**packed), scaled))
     with watch.stage("compile"):
@@ -171,6 +189,9 @@ def step(state: State, weights: Weights, config: Config, watch: Stopwatch) -> St
         with watch.stage("fix"):
             fixing.fix_degenerate_vertices(meso, t_f)
             state.meso = meso = meso.compacted()
+    left = np.stack([moved.contraction.left, moved.smoothing.left])
+    state.steps.append(Step(layout, order, packed, left, state.w_L_factor, meso.edits))
+    meso.edits = []
     state.history.append(
         Iteration(
             component=state.number,
@@ -193,6 +214,13 @@ def step(state: State, weights: Weights, config: Config, watch: Stopwatch) -> St
     state.t_c = fixing.threshold(len(state.history), config.t_min, config.t_step, config.t_max)
     state.w_L_factor = min(state.w_L_factor * config.growth, LARGEST_FACTOR)
     return state
+
+
+def _of_rows(weights: Weights, of_vertices: np.ndarray | None, order: np.ndarray, capacity: int) -> Weights:
+    """The weights for a packed surface: scalars as they are, or one value a row."""
+    if of_vertices is None:
+        return weights
+    return Weights(*packing.pad(of_vertices[order], capacity, 1.0, np.dtype(np.float64)).T)
 
 
 def has_volume(state: State, config: Config) -> bool:
@@ -236,7 +264,8 @@ def contract(
 
     Args:
         mesh: a path that trimesh reads, a `trimesh.Trimesh`, or ``(vertices, faces)``: closed triangle surfaces.
-        weights: of the flow; those of ``config``'s system if not given.
+        weights: of the flow; those of ``config``'s system if not given. Each is a number, or an array (V,) with one for
+            every vertex of the mesh: merged vertices take the mean of theirs, one that splits an edge interpolates.
         config: the system and its options; ``Config()``, the article's own, if not given.
         pins: numbers of vertices of the mesh that are held in place; the curve goes through them.
         progress: show a progress bar on standard error, if that is a terminal.
@@ -251,11 +280,13 @@ def contract(
     with watch.stage("front door"):
         checked = surface.prepare(mesh)
     held, pinned = _checked_pins(pins, checked)
+    of_vertices = _weights_of_vertices(weights, checked)
     states, reasons, parts = [], [], []
     with tqdm(desc="msf_jax", unit="it", disable=None if progress else True) as bar:
         for number, component in enumerate(checked.components):
             pins_here = np.flatnonzero(np.isin(checked.members[number], pinned))
-            state = init(component, number, config, watch, pins_here)
+            of_members = None if of_vertices is None else of_vertices[checked.members[number]]
+            state = init(component, number, config, watch, pins_here, of_members)
             while (end := done(state, config)) is None:
                 step(state, weights, config, watch)
                 if state.history:
@@ -274,6 +305,19 @@ def _checked_options(weights: Any, config: Any) -> tuple[Weights, Config]:
         raise ConfigError(f"weights is a {type(weights).__name__}: expected a msf_jax.Weights (config comes after it)")
     config = Config() if config is None else config
     return (config.default_weights() if weights is None else weights), config
+
+
+def _weights_of_vertices(weights: Weights, checked: surface.Surface) -> np.ndarray | None:
+    """(V, 4) the weights of the checked surface's vertices, or None if all are scalars."""
+    num = len(checked.vertex_of_input)
+    columns = []
+    for name, value in vars(weights).items():
+        if np.shape(value) not in ((), (num,)):
+            raise ConfigError(
+                f"Weights.{name} has shape {np.shape(value)}: expected a number, or ({num},): one for each vertex"
+            )
+        columns.append(np.broadcast_to(np.asarray(value, dtype=np.float64), num)[checked.input_of_vertex])
+    return None if all(np.ndim(value) == 0 for value in vars(weights).values()) else np.stack(columns, axis=1)
 
 
 def _copy(meso: Meso) -> Meso:

@@ -4,6 +4,7 @@ import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
+from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
@@ -11,9 +12,11 @@ import numpy as np
 from msf_jax.host.enclosure import Enclosure
 from msf_jax.host.frame import Frame
 from msf_jax.host.meso import Meso
+from msf_jax.host.recording import Recording, Start, Step
 from msf_jax.host.surface import Component
 from msf_jax.options import Config, Weights
 from msf_jax.skeleton import Skeleton
+from msf_jax.tape import Tape, record
 
 
 class Iteration(NamedTuple):
@@ -57,11 +60,13 @@ class State:
     first_ring_area: np.ndarray
     poles: np.ndarray
     has_pole: np.ndarray
+    start: Start  # what the tape needs to know of it
 
     meso: Meso
     t_c: float
     w_L_factor: float
     history: list[Iteration] = field(default_factory=list)
+    steps: list[Step] = field(default_factory=list)  # for the tape
     failure: str = ""
 
 
@@ -79,6 +84,7 @@ class Flow:
         history: one `Iteration` for each iteration of each component.
         curve: the curve as the flow left it, without the branches that were pruned.
         skeleton: the finished curve; its first nodes are those of ``curve``, moved, and new ones come last.
+        tape: what the run decided, for `replay`; made when first asked for.
     """
 
     weights: Weights
@@ -90,6 +96,11 @@ class Flow:
     history: tuple[Iteration, ...]
     curve: Skeleton
     skeleton: Skeleton
+    recording: Recording = field(repr=False)
+
+    @cached_property
+    def tape(self) -> Tape:
+        return record(self.recording, self.weights, self.config, self.curve)
 
     def __repr__(self) -> str:
         return f"Flow({len(self.history)} iterations, {self.skeleton!r})"

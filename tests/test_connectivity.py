@@ -465,13 +465,14 @@ def replay_split(before: Meso, rounds: list[split.SplitRound], shortest: float) 
     for done in rounds:
         third = third_vertices(faces)
         claimed: list[int] = []
-        for a, b, new, fraction in zip(*(column.tolist() for column in done), strict=True):
+        for a, b, new, fraction, at in zip(*(column.tolist() for column in done), strict=True):
             left, right = third[a, b], third[b, a]
             claimed += [a, b, left, right]
             angles = angle_at(positions, left, a, b), angle_at(positions, right, a, b)
             along = positions[b] - positions[a]
             assert min(angles) > OBTUSE and np.linalg.norm(along) > shortest
             apex = left if angles[0] >= angles[1] else right
+            assert at == apex or abs(angles[0] - angles[1]) < 1e-9
             assert fraction == pytest.approx((positions[apex] - positions[a]) @ along / (along @ along), abs=1e-9)
             assert 0 < fraction < 1
             assert new == len(positions)

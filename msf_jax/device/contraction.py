@@ -30,11 +30,15 @@ from msf_jax.layout import Layout
 
 
 class SolveReport(NamedTuple):
-    """How a solve ended: CG steps, the residual's norm over that of the right-hand side, and whether that will do."""
+    """How a solve of A x = b ended.
+
+    steps: of CG. residual: |b - A x| / |b|. is_solved: whether that will do. left: (n, c) the residual b - A x itself.
+    """
 
     steps: jax.Array
     residual: jax.Array
     is_solved: jax.Array
+    left: jax.Array
 
 
 class CGState(NamedTuple):
@@ -129,7 +133,7 @@ def solve(
         )
         x, state = solver.run(jnp.zeros_like(rhs), rhs / scale)
         left = jnp.sqrt(_dot(state.residual, state.residual))
-        return scale * x, SolveReport(state.iter_num, left, state.error <= tolerance)
+        return scale * x, SolveReport(state.iter_num, left, state.error <= tolerance, scale * state.residual)
 
     return lax.custom_linear_solve(matvec, b, run, symmetric=True, has_aux=True)
 
@@ -188,15 +192,17 @@ def contract(
     tolerance: float,
     max_steps: int,
     smallest: Any = 0.0,
+    left: Any = 0.0,
 ) -> tuple[jax.Array, SolveReport]:
     """Article Eq. 2 for the surface in ``buffers`` and weights (n,) each, one per row: the new positions (n, 3).
 
+    ``left`` (n, 3) is a residual to leave: the solve is of A x = b - left.
     Differentiable in: buffers.positions, buffers.poles, rows, w_L, w_H, w_M.
     """
     positions, free = buffers.positions, buffers.free[:, None]
     operator = gram(rows, buffers, layout, w_L, 0.0, 1.0, w_H**2 + w_M**2)
     b = free * ((w_M**2)[:, None] * (buffers.poles - positions) - operator.twice(layout, positions))
     displacement, report = solve(
-        lambda x: operator.normal(layout, x), operator.jacobi(layout), b, tolerance, max_steps, smallest
+        lambda x: operator.normal(layout, x), operator.jacobi(layout), b - left, tolerance, max_steps, smallest
     )
     return positions + free * displacement, report

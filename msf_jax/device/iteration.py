@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Hashable
 from functools import partial
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import jax
 import jax.numpy as jnp
@@ -23,9 +23,10 @@ class Moved(NamedTuple):
     smoothing: SolveReport
 
 
-def move(buffers: Buffers, weights: Weights, config: Config, layout: Layout) -> Moved:
+def move(buffers: Buffers, weights: Weights, config: Config, layout: Layout, left: Any = (0.0, 0.0)) -> Moved:
     """One iteration on ``buffers``; weights are scalars or (n,), one value a row.
 
+    ``left`` (2, n, 3) are residuals that the contraction and the smoothing are to leave: those of another run's solves.
     Differentiable in: buffers.positions, buffers.poles, weights; with ``buffers.t_c`` 0, which solves to the tolerance.
     """
     one = jnp.ones_like(buffers.free)
@@ -48,10 +49,11 @@ def move(buffers: Buffers, weights: Weights, config: Config, layout: Layout) -> 
         tolerance,
         max_steps,
         config.step_tolerance * buffers.t_c,
+        left[0],
     )
     buffers = buffers._replace(positions=positions)
     positions, smoothed = smoothing.smooth(
-        buffers, _rows(buffers, config, layout), layout, weights.smoothing * one, tolerance, max_steps
+        buffers, _rows(buffers, config, layout), layout, weights.smoothing * one, tolerance, max_steps, left[1]
     )
     return Moved(positions, contracted, smoothed)
 

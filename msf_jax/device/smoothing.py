@@ -1,5 +1,7 @@
 """Implicit Laplacian smoothing, (I - lambda L) V' = V with fixed vertices held (article 3.2.3; Desbrun et al. 1999)."""
 
+from typing import Any
+
 import jax
 import jax.numpy as jnp
 
@@ -11,12 +13,18 @@ from msf_jax.layout import Layout
 
 
 def smooth(
-    buffers: Buffers, rows: Rows, layout: Layout, strength: jax.Array, tolerance: float, max_steps: int
+    buffers: Buffers,
+    rows: Rows,
+    layout: Layout,
+    strength: jax.Array,
+    tolerance: float,
+    max_steps: int,
+    left: Any = 0.0,
 ) -> tuple[jax.Array, SolveReport]:
     """One implicit step of ``strength`` lambda (dimensionless, like L, per row (n,)): the new positions (n, 3).
 
     The matrix is not symmetric, so its normal equations are solved, for the displacement D: with A = I - lambda L and
-    the fixed rows out, A D = lambda L V becomes A^T A D = A^T lambda L V.
+    the fixed rows out, A D = lambda L V becomes A^T A D = A^T lambda L V. ``left`` (n, 3) is a residual to leave of it.
     Differentiable in: buffers.positions, rows, strength.
     """
     positions, free = buffers.positions, buffers.free[:, None]
@@ -26,6 +34,6 @@ def smooth(
     pull = free * (pull - slot_sum(layout, scaled.out)[:, None] * positions)
     b = slot_product(layout, operator.weights[1], buffers.rings.neighbour, pull) + operator.diagonal[:, None] * pull
     displacement, report = contraction.solve(
-        lambda x: operator.normal(layout, x), operator.jacobi(layout), free * b, tolerance, max_steps
+        lambda x: operator.normal(layout, x), operator.jacobi(layout), free * b - left, tolerance, max_steps
     )
     return positions + free * displacement, report

@@ -210,8 +210,12 @@ def _apply(meso: Meso, a: np.ndarray, b: np.ndarray) -> CollapseRound:
     meso.has_pole[a] |= takes_pole
     if meso.trust is not None:
         meso.trust[a] = np.where(takes_pole, meso.trust[b], meso.trust[a])
+    if meso.weights is not None:
+        meso.weights[a] = (meso.weights[a] + meso.weights[b]) / 2
     meso.merge_map(a, b)
-    return CollapseRound(a, b, fraction, takes_pole)
+    done = CollapseRound(a, b, fraction, takes_pole)
+    meso.edits.append(done)
+    return done
 
 
 def _close_gaps(meso: Meso, vertices: np.ndarray) -> None:

@@ -4,7 +4,7 @@ import numpy as np
 
 from msf_jax.host import connectivity
 from msf_jax.host.collapse import edge_lengths
-from msf_jax.host.meso import Meso
+from msf_jax.host.meso import Fixing, Meso
 
 
 def degenerate_length(t_c: float) -> float:
@@ -24,6 +24,7 @@ def fix_degenerate_vertices(meso: Meso, t_f: float) -> int:
     count = np.bincount(np.concatenate([a[is_stuck], b[is_stuck]]), minlength=meso.num_rows)
     fresh = (count >= 2) & ~meso.is_fixed
     meso.is_fixed |= fresh
+    meso.edits.append(Fixing(np.flatnonzero(fresh)))
     return int(fresh.sum())
 
 

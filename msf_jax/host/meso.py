@@ -4,11 +4,24 @@ The meso-skeleton is the one object that the host edits. Its arrays have a row f
 to the last `compacted`; merged vertices leave dead rows, whose ring is empty.
 """
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from msf_jax.host import connectivity
+
+
+class Fixing(NamedTuple):
+    """An edit: ``vertex`` (c,) were fixed."""
+
+    vertex: np.ndarray
+
+
+class Compaction(NamedTuple):
+    """An edit: rows ``live`` (m,) became rows 0, 1, ..., and the others went."""
+
+    live: np.ndarray
 
 
 @dataclass
@@ -21,6 +34,8 @@ class Meso:
     classes: (n, K), the class of every edge (see `homology`), or None for a surface without handles.
     is_fixed: (n,), True where the vertex has reached the skeleton for good.
     node_of_input: (V,), the row that every vertex of the input has been merged into.
+    weights: (n, 4), w_L, w_H, w_M and smoothing of every vertex, or None where they are the same everywhere.
+    edits: what has been done to the connectivity, in order: `CollapseRound`, `SplitRound`, `Fixing`, `Compaction`.
     """
 
     positions: np.ndarray
@@ -32,6 +47,8 @@ class Meso:
     node_of_input: np.ndarray
     trust: np.ndarray | None = None
     classes: np.ndarray | None = None
+    weights: np.ndarray | None = None
+    edits: list[Any] = field(default_factory=list)
 
     @classmethod
     def from_mesh(cls, vertices: np.ndarray, faces: np.ndarray) -> "Meso":
@@ -91,6 +108,7 @@ class Meso:
             return self
         number = np.full(self.num_rows + 1, -1)  # the last entry serves the padding -1
         number[live] = np.arange(len(live))
+        self.edits.append(Compaction(live))
         return replace(
             self,
             positions=self.positions[live],
@@ -102,6 +120,7 @@ class Meso:
             node_of_input=number[self.node_of_input],
             trust=None if self.trust is None else self.trust[live],
             classes=None if self.classes is None else self.classes[live],
+            weights=None if self.weights is None else self.weights[live],
         )
 
 

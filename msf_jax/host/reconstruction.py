@@ -7,6 +7,7 @@ of the time that the eigenvectors take (Chebyshev filtering; Hammond et al. 2011
 """
 
 from collections.abc import Iterator
+from typing import NamedTuple
 
 import numpy as np
 from scipy import fft, sparse, special
@@ -58,6 +59,51 @@ def spectral_basis(faces: np.ndarray, num_vertices: int, k: int) -> np.ndarray:
     return linalg.eigsh(laplacian, k=k, sigma=SHIFT, OPinv=inverse, v0=start)[1]
 
 
+class LowPass(NamedTuple):
+    """A linear map of coordinates that keeps what varies slowly: Phi Phi^T, or a polynomial of the graph Laplacian L.
+
+    basis: (V, k) Phi, or None for the polynomial, the sum over j of share_j T_j(1 - 2 L / top).
+    """
+
+    basis: np.ndarray | None
+    share: np.ndarray
+    top: float
+
+
+def low_pass(faces: np.ndarray, num_vertices: int, k: int, *, exact: bool) -> LowPass | None:
+    """The map that keeps ``k`` eigenvectors, of that number if ``exact``, else about; None for k of V: it keeps all."""
+    if k >= num_vertices:
+        return None
+    if not exact:
+        laplacian = graph_laplacian(faces, num_vertices)
+        degree = laplacian.diagonal()
+        tail, head = laplacian.nonzero()
+        # No eigenvalue is larger (Anderson, Morley 1985).
+        top = float((degree[tail] + degree[head])[tail != head].max())
+        edge = _edge_of(_cosine(laplacian, top), k, guess=np.sqrt(4 * 21.8 * k / num_vertices / top))
+        width = SOFTNESS * edge
+        num_terms = int(np.ceil(6 / width))  # what is left out is below exp(-9)
+        if num_terms <= MOST_TERMS:
+            theta = (np.arange(4 * num_terms) + 0.5) * np.pi / (4 * num_terms)
+            share = np.asarray(fft.dct(special.erfc((theta - edge) / width), type=2))[:num_terms]
+            share[0] /= 2
+            return LowPass(None, share / share.sum(), top)
+    return LowPass(spectral_basis(faces, num_vertices, k), np.empty(0), 0.0)
+
+
+def apply(kept: LowPass | None, vertices: np.ndarray, faces: np.ndarray) -> np.ndarray:
+    """Vertex positions (V, 3) of the mesh with what ``kept`` lets pass; a copy for None."""
+    if kept is None:
+        return np.array(vertices, dtype=np.float64)
+    if kept.basis is not None:
+        return project(vertices, kept.basis)
+    total = np.zeros(vertices.shape)
+    cosine = _cosine(graph_laplacian(faces, len(vertices)), kept.top)
+    for term, share in zip(_chebyshev(cosine, vertices, len(kept.share)), kept.share, strict=True):
+        total += share * term
+    return total
+
+
 def project(vertices: np.ndarray, basis: np.ndarray) -> np.ndarray:
     """V' = Phi Phi^T V (V, 3)."""
     return basis @ (basis.T @ vertices)
@@ -65,9 +111,7 @@ def project(vertices: np.ndarray, basis: np.ndarray) -> np.ndarray:
 
 def reconstruct(vertices: np.ndarray, faces: np.ndarray, k: int) -> np.ndarray:
     """Vertex positions (V, 3) of the mesh rebuilt from ``k`` eigenvectors; ``k`` of V or more returns a copy."""
-    if k >= len(vertices):
-        return np.array(vertices, dtype=np.float64)
-    return project(vertices, spectral_basis(faces, len(vertices), k))
+    return apply(low_pass(faces, len(vertices), k, exact=True), vertices, faces)
 
 
 def filtered(vertices: np.ndarray, faces: np.ndarray, k: int) -> np.ndarray:
@@ -76,25 +120,11 @@ def filtered(vertices: np.ndarray, faces: np.ndarray, k: int) -> np.ndarray:
     With cos(theta) = 1 - 2 L / top, the filter is erfc((theta - edge) / width) / 2, taken so that it is 1 at 0: a
     constant is an eigenvector, and stays. Linear in ``vertices``, and symmetric as a matrix.
     """
-    if k >= len(vertices):
-        return np.array(vertices, dtype=np.float64)
-    laplacian = graph_laplacian(faces, len(vertices)).tocsr()
-    degree = laplacian.diagonal()
-    tail, head = laplacian.nonzero()
-    top = float((degree[tail] + degree[head])[tail != head].max())  # no eigenvalue is larger (Anderson, Morley 1985)
-    cosine = sparse.csr_matrix(sparse.identity(len(vertices)) - 2 / top * laplacian)
-    edge = _edge_of(cosine, k, guess=np.sqrt(4 * 21.8 * k / len(vertices) / top))
-    width = SOFTNESS * edge
-    num_terms = int(np.ceil(6 / width))  # what is left out is below exp(-9)
-    if num_terms > MOST_TERMS:
-        return reconstruct(vertices, faces, k)
-    theta = (np.arange(4 * num_terms) + 0.5) * np.pi / (4 * num_terms)
-    weight = np.asarray(fft.dct(special.erfc((theta - edge) / width), type=2))[:num_terms]
-    weight[0] /= 2
-    total = np.zeros(vertices.shape)
-    for term, share in zip(_chebyshev(cosine, vertices, num_terms), weight / weight.sum(), strict=True):
-        total += share * term
-    return total
+    return apply(low_pass(faces, len(vertices), k, exact=False), vertices, faces)
+
+
+def _cosine(laplacian: sparse.csc_matrix, top: float) -> sparse.csr_matrix:
+    return sparse.csr_matrix(sparse.identity(laplacian.shape[0]) - 2 / top * laplacian)
 
 
 def _chebyshev(matrix: sparse.csr_matrix, start: np.ndarray, num: int) -> Iterator[np.ndarray]:

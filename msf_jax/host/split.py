@@ -16,12 +16,16 @@ from msf_jax.host.meso import Meso
 
 
 class SplitRound(NamedTuple):
-    """One round of independent splits, (c,) each: the new vertex is (1 - fraction) a + fraction b."""
+    """One round of independent splits, (c,) each: the new vertex is (1 - fraction) a + fraction b.
+
+    That is where ``apex`` projects on ab; None where the fraction was given.
+    """
 
     a: np.ndarray
     b: np.ndarray
     new: np.ndarray
     fraction: np.ndarray
+    apex: np.ndarray | None
 
 
 def split_obtuse_edges(
@@ -52,7 +56,7 @@ def split_obtuse_edges(
         )
         if len(chosen) == 0 or meso.num_live + len(chosen) > max_rows:
             return rounds
-        rounds.append(split_edges(meso, a[chosen], b[chosen], fraction[chosen]))
+        rounds.append(split_edges(meso, a[chosen], b[chosen], fraction[chosen], apex[chosen]))
         if check:
             connectivity.check_closed_manifold(meso.rings, euler)
         # Look again at the edges of the cut faces, and at those that had to wait.
@@ -80,8 +84,10 @@ def split_long_edges(meso: Meso, longest: float, *, check: bool = False) -> None
             connectivity.check_closed_manifold(meso.rings, euler)
 
 
-def split_edges(meso: Meso, a: np.ndarray, b: np.ndarray, fraction: np.ndarray) -> SplitRound:
-    """Cut the edges ab (c,), which share no face, at ``fraction`` of the way from a to b."""
+def split_edges(
+    meso: Meso, a: np.ndarray, b: np.ndarray, fraction: np.ndarray, apex: np.ndarray | None = None
+) -> SplitRound:
+    """Cut the edges ab (c,), which share no face, at ``fraction`` of the way from a to b, where ``apex`` projects."""
     left, right = connectivity.apexes(meso.rings, meso.degree, a, b)
     meso.widen(int(meso.degree.max(initial=0)) + 1)
     rings = meso.rings
@@ -95,29 +101,32 @@ def split_edges(meso: Meso, a: np.ndarray, b: np.ndarray, fraction: np.ndarray) 
     if meso.classes is not None and from_b is not None:  # the new vertex is as good as b: new -> b has class 0
         from_b[:, 2] = meso.classes[b, slot_a]
         meso.classes[b, slot_a] = 0
-    for apex, before, column in ((left, a, 1), (right, b, 3)):
-        slot = find_slot(rings[apex], before)[:, None]
+    for beside, before, column in ((left, a, 1), (right, b, 3)):
+        slot = find_slot(rings[beside], before)[:, None]
         source = np.where(place > slot + 1, place - 1, place)
         if meso.classes is not None and from_b is not None:
-            from_apex = meso.classes[apex, find_slot(rings[apex], b)]
-            shifted = np.take_along_axis(meso.classes[apex], source, axis=1)
-            meso.classes[apex] = np.where(place == slot + 1, from_apex[:, None], shifted)
-            from_b[:, column] = -from_apex
-        rings[apex] = np.where(place == slot + 1, new[:, None], np.take_along_axis(rings[apex], source, axis=1))
-        meso.degree[apex] += 1
+            from_beside = meso.classes[beside, find_slot(rings[beside], b)]
+            shifted = np.take_along_axis(meso.classes[beside], source, axis=1)
+            meso.classes[beside] = np.where(place == slot + 1, from_beside[:, None], shifted)
+            from_b[:, column] = -from_beside
+        rings[beside] = np.where(place == slot + 1, new[:, None], np.take_along_axis(rings[beside], source, axis=1))
+        meso.degree[beside] += 1
     meso.rings = _with_rows(rings, np.stack([b, left, a, right], axis=1), -1)
     if meso.classes is not None and from_b is not None:
         meso.classes = _with_rows(meso.classes, from_b, 0)
     meso.degree = np.concatenate([meso.degree, np.full(len(a), 4)])
     weight = fraction[:, None]
-    for name in ("positions", "poles"):
+    for name in ("positions", "poles", "weights"):
         old = getattr(meso, name)
-        setattr(meso, name, np.concatenate([old, (1 - weight) * old[a] + weight * old[b]]))
+        if old is not None:
+            setattr(meso, name, np.concatenate([old, (1 - weight) * old[a] + weight * old[b]]))
     meso.has_pole = np.concatenate([meso.has_pole, np.zeros(len(a), dtype=bool)])
     if meso.trust is not None:
         meso.trust = np.concatenate([meso.trust, np.zeros(len(a))])
     meso.is_fixed = np.concatenate([meso.is_fixed, np.zeros(len(a), dtype=bool)])
-    return SplitRound(a, b, new, fraction)
+    done = SplitRound(a, b, new, fraction, apex)
+    meso.edits.append(done)
+    return done
 
 
 def _with_rows(table: np.ndarray, rows: np.ndarray, fill: int) -> np.ndarray:

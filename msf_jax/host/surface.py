@@ -43,8 +43,10 @@ class Surface:
     vertices: (V, 3) and faces: (F, 3) of the whole repaired surface, in the caller's units.
     components: its parts, whose vertices are ``vertices[members[c]]``.
     vertex_of_input: (V_in,) where every vertex of the caller's mesh went, -1 if it is in no face.
+    input_of_vertex: (V,) the caller's vertex that each comes from; of welded ones, the first.
     strays: (S, 3) the vertices that are in no face, in the caller's order.
     repairs: what was changed, one sentence each.
+    given: vertices and faces as the caller's mesh has them.
     """
 
     vertices: np.ndarray
@@ -52,8 +54,10 @@ class Surface:
     components: tuple[Component, ...]
     members: tuple[np.ndarray, ...]
     vertex_of_input: np.ndarray
+    input_of_vertex: np.ndarray
     strays: np.ndarray
     repairs: tuple[str, ...]
+    given: tuple[np.ndarray, np.ndarray]
 
 
 def read(mesh: Any) -> tuple[np.ndarray, np.ndarray]:
@@ -156,7 +160,7 @@ def prepare(mesh: Any) -> Surface:
     Raises:
         MeshError: what was found, how often and where first, and what to do about it.
     """
-    vertices, faces = read(mesh)
+    given = vertices, faces = read(mesh)
     repairs: list[str] = []
     vertex_of_input = np.arange(len(vertices))
     faces = _without_repeated_corners(faces)
@@ -181,7 +185,9 @@ def prepare(mesh: Any) -> Surface:
         vertices, faces, vertex_of_input = vertices[used], number[faces], number[vertex_of_input]
         caller_number = caller_number[used]
 
-    vertices, faces, pinches = _split_pinches(vertices, faces)
+    vertices, faces, owner = _split_pinches(vertices, faces)
+    input_of_vertex = np.concatenate([caller_number, caller_number[owner]])
+    pinches = len(np.unique(owner))
     if pinches:
         repairs.append(f"split {pinches} pinched {'vertex' if pinches == 1 else 'vertices'} into one per fan")
 
@@ -205,7 +211,17 @@ def prepare(mesh: Any) -> Surface:
             )
         components.append(component)
         members.append(member)
-    return Surface(vertices, faces, tuple(components), tuple(members), vertex_of_input, strays, tuple(repairs))
+    return Surface(
+        vertices=vertices,
+        faces=faces,
+        components=tuple(components),
+        members=tuple(members),
+        vertex_of_input=vertex_of_input,
+        input_of_vertex=input_of_vertex,
+        strays=strays,
+        repairs=tuple(repairs),
+        given=given,
+    )
 
 
 def _without_repeated_corners(faces: np.ndarray) -> np.ndarray:
@@ -260,8 +276,11 @@ def _check_edges(faces: np.ndarray, caller_number: np.ndarray) -> None:
         )
 
 
-def _split_pinches(vertices: np.ndarray, faces: np.ndarray) -> tuple[np.ndarray, np.ndarray, int]:
-    """One vertex per fan: the first fan keeps its number, the others get new ones at the end."""
+def _split_pinches(vertices: np.ndarray, faces: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """One vertex per fan: the first fan keeps its number, the others get new ones at the end.
+
+    Returns vertices, faces, and the old vertex that each new one was.
+    """
     edges = connectivity.half_edges(faces)
     num = len(edges.origin)
     step = connectivity.next_in_ring(edges)
@@ -273,8 +292,8 @@ def _split_pinches(vertices: np.ndarray, faces: np.ndarray) -> tuple[np.ndarray,
     is_extra[np.unique(owner, return_index=True)[1]] = False
     number = owner.copy()
     number[is_extra] = len(vertices) + np.arange(int(is_extra.sum()))
-    pinches = len(np.unique(owner[is_extra]))
-    return np.concatenate([vertices, vertices[owner[is_extra]]]), number[fan].reshape(-1, 3), pinches
+    extra = owner[is_extra]
+    return np.concatenate([vertices, vertices[extra]]), number[fan].reshape(-1, 3), extra
 
 
 def _component_labels(faces: np.ndarray, num_vertices: int) -> np.ndarray:
