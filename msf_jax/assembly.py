@@ -11,7 +11,7 @@ from msf_jax.host import curve, finishing
 from msf_jax.host.curve import Curve
 from msf_jax.host.finishing import Finished
 from msf_jax.host.meso import Meso
-from msf_jax.host.recording import ComponentRecord, Recording
+from msf_jax.host.records import ComponentRecord, Recording
 from msf_jax.host.solid import Solid
 from msf_jax.host.surface import Surface
 from msf_jax.options import Config, Weights

@@ -23,7 +23,7 @@ from msf_jax.host.enclosure import Enclosure
 from msf_jax.host.frame import RESOLUTION, frame_of, sort_mesh
 from msf_jax.host.meso import Meso
 from msf_jax.host.reconstruction import LowPass
-from msf_jax.host.recording import FoundPoles, Start, Step
+from msf_jax.host.records import FoundPoles, Start, Step
 from msf_jax.host.surface import Component
 from msf_jax.layout import layout_for
 from msf_jax.options import Config, Weights
@@ -159,8 +159,9 @@ def step(state: State, weights: Weights, config: Config, watch: Stopwatch) -> St
     dtype = np.dtype(real_dtype())
     with watch.stage("solve"):
         layout = layout_for(meso.num_rows, packing.rows_beyond(meso))
-        order, packed = packing.pack(meso, layout, state.first_ring_area, dtype, state.t_c)
+        order, rings, packed = packing.pack(meso, layout, state.first_ring_area, dtype, state.t_c)
         packed["rings"] = Rings(*packed["rings"])
+        degree = meso.degree[order]
         scaled = _of_rows(weights, meso.weights, order, layout.capacity)
         scaled = replace(scaled, w_L=scaled.w_L * state.w_L_factor)
         scaled = jax.tree_util.tree_map(lambda weight: np.asarray(weight, dtype), scaled)
@@ -189,8 +190,10 @@ def step(state: State, weights: Weights, config: Config, watch: Stopwatch) -> St
         with watch.stage("fix"):
             fixing.fix_degenerate_vertices(meso, t_f)
             state.meso = meso = meso.compacted()
-    left = np.stack([moved.contraction.left, moved.smoothing.left])
-    state.steps.append(Step(layout, order, packed, left, state.w_L_factor, meso.edits))
+    num = len(order)
+    left = np.stack([moved.contraction.left[:num], moved.smoothing.left[:num]])
+    free, pull = packed["free"][:num].copy(), packed["pull"][:num].copy()
+    state.steps.append(Step(order, rings, degree, free, pull, left, state.w_L_factor, meso.edits))
     meso.edits = []
     state.history.append(
         Iteration(

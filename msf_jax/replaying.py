@@ -11,7 +11,7 @@ from msf_jax.device.replay import replay_part
 from msf_jax.options import Weights
 from msf_jax.tape import Tape
 
-TOLERANCE = {"float64": 1e-12, "float32": 1e-6}
+TOLERANCE = {"float64": 1e-13, "float32": 1e-6}
 MOST_STEPS = 20_000
 
 

@@ -12,7 +12,7 @@ import numpy as np
 from msf_jax.host.enclosure import Enclosure
 from msf_jax.host.frame import Frame
 from msf_jax.host.meso import Meso
-from msf_jax.host.recording import Recording, Start, Step
+from msf_jax.host.records import Recording, Start, Step
 from msf_jax.host.surface import Component
 from msf_jax.options import Config, Weights
 from msf_jax.skeleton import Skeleton

@@ -13,7 +13,7 @@ import numpy as np
 
 from msf_jax.device.replay import Basis, Mixing, Part, Polynomial, Shape, Stretch
 from msf_jax.host import recording
-from msf_jax.host.recording import Recording
+from msf_jax.host.records import Recording
 from msf_jax.options import Config, Weights
 from msf_jax.skeleton import Skeleton
 

@@ -7,18 +7,19 @@ vertices and the natural start of the iteration, the normal equations read
     P (L^T W_L^2 L + W_H^2 + W_M^2) P D = P (W_M^2 (poles - V) - L^T W_L^2 L V),      P = 1 on free vertices, else 0.
 
 This is the one module that imports jaxopt for a solve. jaxopt's `solve_cg` reports neither its steps nor its residual,
-so the loop is a jaxopt `IterativeSolver`, whose state holds both; `lax.custom_linear_solve` differentiates it
-implicitly, forwards and in reverse, at the cost of one more solve.
+so the loop is a jaxopt `IterativeSolver`, whose state holds both. It is differentiated implicitly, forwards and in
+reverse, at the cost of one more solve; a `jax.checkpoint` that keeps what is named "solution" does not run it again.
 """
 
 import warnings
-from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
 from typing import Any, NamedTuple
 
 import jax
 import jax.numpy as jnp
 from jax import lax
+from jax.ad_checkpoint import checkpoint_name
 
 with warnings.catch_warnings():
     warnings.simplefilter("ignore", DeprecationWarning)  # jaxopt announces on import that it is no longer maintained
@@ -27,6 +28,8 @@ with warnings.catch_warnings():
 from msf_jax.device.buffers import Buffers, at_rows, slot_product, slot_sum
 from msf_jax.device.laplacian import Rows
 from msf_jax.layout import Layout
+
+SOLUTION = "solution"  # name of a solve's result, for a `jax.checkpoint` that keeps it
 
 
 class SolveReport(NamedTuple):
@@ -104,40 +107,6 @@ def _norm(x: jax.Array) -> jax.Array:
     return scale * jnp.sqrt(((x / scale) ** 2).sum())
 
 
-def solve(
-    matvec: Callable[[jax.Array], jax.Array],
-    diagonal: jax.Array,
-    b: jax.Array,
-    tolerance: float,
-    max_steps: int,
-    smallest: Any = 0.0,
-) -> tuple[jax.Array, SolveReport]:
-    """Solve A x = b for a symmetric positive definite A by Jacobi-preconditioned CG from x = 0.
-
-    Stops when the norm of the residual is at most ``tolerance`` times that of ``b``, or when a step changes no entry of
-    x by ``smallest``.
-    Differentiable in: b and whatever ``matvec`` closes over, implicitly, in forward and reverse mode; with ``smallest``
-    0, as that is in units of x, which the solves for a derivative do not have.
-    """
-    inverse = 1.0 / diagonal[:, None]
-
-    def run(operator: Callable[[jax.Array], jax.Array], rhs: jax.Array) -> tuple[jax.Array, SolveReport]:
-        norm = _norm(rhs)
-        scale = jnp.where((norm > 0) & jnp.isfinite(norm), norm, 1.0)  # inside, no square leaves float32's range
-        solver = ConjugateGradients(
-            matvec=operator,
-            precondition=lambda r: inverse * r,
-            smallest=smallest / scale,
-            maxiter=max_steps,
-            tol=tolerance,
-        )
-        x, state = solver.run(jnp.zeros_like(rhs), rhs / scale)
-        left = jnp.sqrt(_dot(state.residual, state.residual))
-        return scale * x, SolveReport(state.iter_num, left, state.error <= tolerance, scale * state.residual)
-
-    return lax.custom_linear_solve(matvec, b, run, symmetric=True, has_aux=True)
-
-
 class Gram(NamedTuple):
     """x -> A^T A x + shift x for A = scale (alpha I + beta L) in slots, fixed vertices' rows and columns out.
 
@@ -168,6 +137,56 @@ class Gram(NamedTuple):
         """Diagonal (n,) of the normal operator."""
         square = self.diagonal**2 + slot_sum(layout, self.weights[1] ** 2)
         return self.free * (square + self.shift) + (1.0 - self.free)
+
+
+def solve(
+    operator: Gram, layout: Layout, b: jax.Array, tolerance: float, max_steps: int, smallest: Any = 0.0
+) -> tuple[jax.Array, SolveReport]:
+    """Solve A x = b for the normal operator A by Jacobi-preconditioned CG from x = 0.
+
+    Stops when the norm of the residual is at most ``tolerance`` times that of ``b``, or when a step changes no entry of
+    x by ``smallest``.
+    Differentiable in: operator, b; implicitly, in forward and reverse mode, by a solve to the tolerance.
+    """
+    x, report = _run(*lax.stop_gradient((operator, b)), layout, tolerance, max_steps, lax.stop_gradient(smallest))
+    return _solution(layout, tolerance, max_steps, operator, b, checkpoint_name(x, SOLUTION)), report
+
+
+def _run(
+    operator: Gram, b: jax.Array, layout: Layout, tolerance: float, max_steps: int, smallest: Any = 0.0
+) -> tuple[jax.Array, SolveReport]:
+    inverse = 1.0 / operator.jacobi(layout)[:, None]
+    norm = _norm(b)
+    scale = jnp.where((norm > 0) & jnp.isfinite(norm), norm, 1.0)  # inside, no square leaves float32's range
+    solver = ConjugateGradients(
+        matvec=lambda x: operator.normal(layout, x),
+        precondition=lambda r: inverse * r,
+        smallest=smallest / scale,
+        maxiter=max_steps,
+        tol=tolerance,
+    )
+    x, state = solver.run(jnp.zeros_like(b), b / scale)
+    left = jnp.sqrt(_dot(state.residual, state.residual))
+    return scale * x, SolveReport(state.iter_num, left, state.error <= tolerance, scale * state.residual)
+
+
+@partial(jax.custom_jvp, nondiff_argnums=(0, 1, 2))
+def _solution(layout: Layout, tolerance: float, max_steps: int, operator: Gram, b: jax.Array, x: jax.Array) -> Any:
+    """x, for an x that solves A x = b; its derivative is that of the solution: A dx = db - dA x."""
+    del layout, tolerance, max_steps, operator, b
+    return x
+
+
+@_solution.defjvp
+def _solution_jvp(layout: Layout, tolerance: float, max_steps: int, primals: Any, tangents: Any) -> Any:
+    (operator, b, x), (d_operator, db, _) = primals, tangents
+    _, right = jax.jvp(lambda gram, rhs: rhs - gram.normal(layout, x), (operator, b), (d_operator, db))
+    return x, lax.custom_linear_solve(
+        lambda y: operator.normal(layout, y),
+        right,
+        lambda _, rhs: _run(operator, rhs, layout, tolerance, max_steps)[0],
+        symmetric=True,
+    )
 
 
 def gram(
@@ -202,7 +221,5 @@ def contract(
     positions, free = buffers.positions, buffers.free[:, None]
     operator = gram(rows, buffers, layout, w_L, 0.0, 1.0, w_H**2 + w_M**2)
     b = free * ((w_M**2)[:, None] * (buffers.poles - positions) - operator.twice(layout, positions))
-    displacement, report = solve(
-        lambda x: operator.normal(layout, x), operator.jacobi(layout), b - left, tolerance, max_steps, smallest
-    )
+    displacement, report = solve(operator, layout, b - left, tolerance, max_steps, smallest)
     return positions + free * displacement, report

@@ -26,7 +26,8 @@ class Moved(NamedTuple):
 def move(buffers: Buffers, weights: Weights, config: Config, layout: Layout, left: Any = (0.0, 0.0)) -> Moved:
     """One iteration on ``buffers``; weights are scalars or (n,), one value a row.
 
-    ``left`` (2, n, 3) are residuals that the contraction and the smoothing are to leave: those of another run's solves.
+    ``left`` (2, n, 3) are residuals that the contraction and the smoothing are to leave: those that they report of
+    another run. The contraction's is reported in units of the mean squared weight, so that only ratios matter to it, too.
     Differentiable in: buffers.positions, buffers.poles, weights; with ``buffers.t_c`` 0, which solves to the tolerance.
     """
     one = jnp.ones_like(buffers.free)
@@ -35,7 +36,9 @@ def move(buffers: Buffers, weights: Weights, config: Config, layout: Layout, lef
         jnp.maximum(jnp.maximum(jnp.max(weights.w_L), jnp.max(weights.w_H)), jnp.max(weights.w_M))
     )
     tolerance, max_steps = config.solve_tolerance, config.solve_steps
-    w_H = weights.w_H / largest * one
+    w_L, w_H, w_M = (weight / largest * one for weight in (weights.w_L, weights.w_H, weights.w_M))
+    is_live = buffers.degree > 0
+    mean_square = jnp.where(is_live, w_L**2 + w_H**2 + w_M**2, 0.0).sum() / jnp.maximum(is_live.sum(), 1)
     if config.w_H_follows_area:
         area = laplacian.one_ring_areas(buffers.positions, buffers.rings, buffers.degree, layout)
         w_H = w_H * jnp.sqrt(buffers.area / area)
@@ -43,14 +46,15 @@ def move(buffers: Buffers, weights: Weights, config: Config, layout: Layout, lef
         buffers,
         _rows(buffers, config, layout),
         layout,
-        weights.w_L / largest * one,
+        w_L,
         w_H,
-        weights.w_M / largest * buffers.pull,
+        w_M * buffers.pull,
         tolerance,
         max_steps,
         config.step_tolerance * buffers.t_c,
-        left[0],
+        left[0] * mean_square,
     )
+    contracted = contracted._replace(left=contracted.left / mean_square)
     buffers = buffers._replace(positions=positions)
     positions, smoothed = smoothing.smooth(
         buffers, _rows(buffers, config, layout), layout, weights.smoothing * one, tolerance, max_steps, left[1]

@@ -16,6 +16,7 @@ from jax import lax
 
 from msf_jax.device import laplacian
 from msf_jax.device.buffers import Buffers, Rings, slot_product
+from msf_jax.device.contraction import SOLUTION
 from msf_jax.device.iteration import move
 from msf_jax.layout import Layout
 from msf_jax.options import Config, Weights
@@ -56,7 +57,7 @@ class Basis(NamedTuple):
 class Stretch(NamedTuple):
     """T consecutive iterations in one layout of n rows; R rounds of M cuts each follow every one.
 
-    handover: (n,) the row of the workspace before, that each row starts from. enter: (T, n) the same within the stretch.
+    handover: (n,) the row of the workspace before, that each row starts from. enter: (T, n) the same inside.
     rings: (T, S) each. degree, free, pull: (T, n). site: (T, n) the first row, whose pole this one has.
     left: (T, 2, n, 3) residuals of the solves. factor: (T,) of w_L. group, share, blend: (T, n), the row that each one
     is merged into, and its share of that one's position and weights. cut: (T, R, M, 3) the edge's ends and the apex.
@@ -229,8 +230,9 @@ def _replay_stretch(
         return _cut(jnp.concatenate([rows, fresh]), line.cut, layout.capacity), None
 
     lines = stretch._replace(handover=None)
-    # Reverse mode keeps the workspace of every iteration, and computes the rest of it again.
-    return lax.scan(jax.checkpoint(iteration), jnp.concatenate([rows, fresh]), lines)[0]
+    # Reverse mode keeps the workspace and the two solutions of every iteration, and computes the rest of it again.
+    kept = jax.checkpoint_policies.save_only_these_names(SOLUTION)
+    return lax.scan(jax.checkpoint(iteration, policy=kept), jnp.concatenate([rows, fresh]), lines)[0]
 
 
 def _cut(workspace: jax.Array, cut: jax.Array, first: int) -> jax.Array:

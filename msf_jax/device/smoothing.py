@@ -33,7 +33,5 @@ def smooth(
     pull = slot_product(layout, scaled.out, buffers.rings.neighbour, positions)
     pull = free * (pull - slot_sum(layout, scaled.out)[:, None] * positions)
     b = slot_product(layout, operator.weights[1], buffers.rings.neighbour, pull) + operator.diagonal[:, None] * pull
-    displacement, report = contraction.solve(
-        lambda x: operator.normal(layout, x), operator.jacobi(layout), free * b - left, tolerance, max_steps
-    )
+    displacement, report = contraction.solve(operator, layout, free * b - left, tolerance, max_steps)
     return positions + free * displacement, report
