@@ -174,6 +174,7 @@ def assemble(
         curve=as_left,
         skeleton=finished,
         recording=Recording(tuple(records), *checked.given, checked.input_of_vertex),
+        source=source,
     )
 
 

@@ -15,7 +15,7 @@ from msf_jax.host.meso import Meso
 from msf_jax.host.records import Recording, Start, Step
 from msf_jax.host.surface import Component
 from msf_jax.options import Config, Weights
-from msf_jax.skeleton import Skeleton
+from msf_jax.skeleton import Skeleton, Source
 from msf_jax.tape import Tape, record
 
 
@@ -84,6 +84,7 @@ class Flow:
         history: one `Iteration` for each iteration of each component.
         curve: the curve as the flow left it, without the branches that were pruned.
         skeleton: the finished curve; its first nodes are those of ``curve``, moved, and new ones come last.
+        recording, source: what the tape is made from.
         tape: what the run decided, for `replay`; made when first asked for.
     """
 
@@ -97,10 +98,11 @@ class Flow:
     curve: Skeleton
     skeleton: Skeleton
     recording: Recording = field(repr=False)
+    source: Source = field(repr=False)
 
     @cached_property
     def tape(self) -> Tape:
-        return record(self.recording, self.weights, self.config, self.curve)
+        return record(self.recording, self.weights, self.config, self.curve, self.source)
 
     def __repr__(self) -> str:
         return f"Flow({len(self.history)} iterations, {self.skeleton!r})"

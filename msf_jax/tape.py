@@ -5,52 +5,155 @@ linear solves stopped. It is a pytree of padded arrays, can be saved and loaded,
 """
 
 import hashlib
-from dataclasses import dataclass, field
-from typing import Any
+import io
+import json
+import os
+import zipfile
+from dataclasses import asdict, dataclass, field, fields
+from pathlib import Path
+from typing import Any, NamedTuple
 
 import jax
 import numpy as np
 
 from msf_jax.device.replay import Basis, Mixing, Part, Polynomial, Shape, Stretch
-from msf_jax.host import recording
+from msf_jax.errors import ConfigError, MeshError
+from msf_jax.export import write_whole
+from msf_jax.host import recording, surface
+from msf_jax.host.decisions import decisions, num_unlike
 from msf_jax.host.records import Recording
+from msf_jax.layout import Layout, Level
 from msf_jax.options import Config, Weights
-from msf_jax.skeleton import Skeleton
+from msf_jax.skeleton import Skeleton, Source
 
 VERSION = 1
+HEADER = "header"  # name of the entry with everything that is not an array
+
+
+class Comparison(NamedTuple):
+    """Of ``total`` decisions that a run made, ``different`` are not those of the tape that it is compared with."""
+
+    different: int
+    total: int
 
 
 @jax.tree_util.register_dataclass
 @dataclass(frozen=True, eq=False)
 class Tape:
-    """What a run decided. Made by `contract`, as ``flow.tape``; `replay` is what it is for.
+    """What a run decided. Made by `contract`, as ``flow.tape``; `replay` is what it is for. A pytree of arrays.
 
     Attributes:
         parts: one for each component of the mesh.
         vertices: (V, 3) of the mesh, in the caller's units.
+        areas: (V,) share of the surface that belongs to each.
+        node_of_vertex: (V,) the node of each.
         edges: (E, 2) of the recorded curve.
         triangles: (N, 3) vertices of the triangle of the mesh that is nearest to each node of the recorded curve.
         is_inside: (N,) whether that node is inside.
+        decisions: (D,) a hash of each decision.
         weights: of the run.
+        shapes, sizes: layouts of the parts' buffers; vertices of their meso-skeletons and nodes of their curves.
         config: of the run.
         mesh_id: a hash of the mesh's vertices and faces.
     """
 
     parts: tuple[Part, ...]
     vertices: Any
+    areas: Any
+    node_of_vertex: Any
     edges: Any
     triangles: Any
     is_inside: Any
+    decisions: Any
     weights: Weights
     shapes: tuple[Shape, ...] = field(metadata={"static": True})
     sizes: tuple[tuple[int, int], ...] = field(metadata={"static": True})
     config: Config = field(metadata={"static": True})
     mesh_id: str = field(metadata={"static": True})
 
+    def __repr__(self) -> str:
+        return f"Tape({self.num_nodes} nodes, {len(self.decisions)} decisions, mesh {self.mesh_id[:8]})"
+
     @property
     def num_nodes(self) -> int:
         """Nodes of the recorded curve."""
         return sum(nodes for _, nodes in self.sizes)
+
+    @property
+    def diagonal(self) -> Any:
+        """Length of the bounding box's diagonal."""
+        extent = self.vertices.max(axis=0) - self.vertices.min(axis=0)
+        return (extent * extent).sum() ** 0.5
+
+    def compare(self, other: "Tape") -> Comparison:
+        """How many decisions ``other``, the tape of another run on the same mesh, made differently.
+
+        A gradient through this tape knows nothing of them.
+        """
+        if other.mesh_id != self.mesh_id:
+            raise MeshError("the tapes are of different meshes: expected two runs on one mesh")
+        return Comparison(num_unlike(np.asarray(self.decisions), np.asarray(other.decisions)), len(other.decisions))
+
+    def check(self, mesh: Any) -> None:
+        """Raise a `MeshError` unless this is a tape of ``mesh``: the same vertices and faces in the same order."""
+        vertices, faces = surface.read(mesh)
+        if mesh_id(vertices, faces) != self.mesh_id:
+            raise MeshError(
+                f"the tape is of another mesh: it was recorded for one of {len(self.vertices)} vertices with hash "
+                f"{self.mesh_id[:8]}, this has {len(vertices)} and {mesh_id(vertices, faces)[:8]}; run contract on it"
+            )
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Write the tape to ``path``, an ``.npz`` file, whole or not at all.
+
+        Raises:
+            ConfigError: the suffix is another.
+            OSError: the file cannot be written; what was there before is untouched.
+        """
+        if Path(path).suffix.lower() != ".npz":
+            raise ConfigError(f"a tape is saved as .npz, not as {Path(path).suffix!r}")
+        leaves = jax.tree_util.tree_flatten_with_path(self)[0]
+        arrays = {"/".join(_name(key) for key in keys): np.asarray(leaf) for keys, leaf in leaves}
+        header = {
+            "format": "msf_jax tape",
+            "version": VERSION,
+            "mesh_id": self.mesh_id,
+            "config": asdict(self.config),
+            "shapes": self.shapes,
+            "sizes": self.sizes,
+        }
+        buffer = io.BytesIO()
+        np.savez_compressed(buffer, **{HEADER: np.array(json.dumps(header)), **arrays})
+        write_whole(path, buffer.getvalue())
+
+    @classmethod
+    def load(cls, path: str | os.PathLike[str], mesh: Any = None) -> "Tape":
+        """The tape that `save` wrote to ``path``; with ``mesh``, only if it is that mesh's.
+
+        Raises:
+            ConfigError: the file is no tape, is damaged, or was written by another version.
+            MeshError: the tape is of another mesh.
+        """
+        try:
+            with np.load(path, allow_pickle=False) as file:
+                header = json.loads(str(file[HEADER])) if HEADER in file else {}
+                if header.get("format") != "msf_jax tape":
+                    raise ConfigError(f"{str(path)!r} is no tape: expected a file that Tape.save wrote")
+                if header["version"] != VERSION:
+                    raise ConfigError(
+                        f"{str(path)!r} is a tape of version {header['version']}: this program reads {VERSION}; "
+                        "record it again with contract"
+                    )
+                tape = _from_arrays(header, {name: file[name] for name in file.files if name != HEADER})
+        except (ValueError, KeyError, TypeError, IndexError, EOFError, zipfile.BadZipFile) as error:
+            if isinstance(error, ConfigError):
+                raise
+            raise ConfigError(
+                f"{str(path)!r} is no tape, or a damaged one ({type(error).__name__}: {error})"
+            ) from error
+        if mesh is not None:
+            tape.check(mesh)
+        return tape
 
 
 def mesh_id(vertices: np.ndarray, faces: np.ndarray) -> str:
@@ -60,22 +163,23 @@ def mesh_id(vertices: np.ndarray, faces: np.ndarray) -> str:
     return digest.hexdigest()
 
 
-def record(run: Recording, weights: Weights, config: Config, curve: Skeleton) -> Tape:
-    """The tape of a run that left ``curve``."""
+def record(run: Recording, weights: Weights, config: Config, curve: Skeleton, source: Source) -> Tape:
+    """The tape of a run that left ``curve``, made from ``source``."""
     parts, shapes = [], []
     for component in run.components:
         arrays, layouts, mesh_layout = recording.record_component(component)
         parts.append(_part(arrays))
         shapes.append(Shape(tuple(layouts), mesh_layout))
-    solid = curve.source.solid if curve.source else None
-    assert solid is not None
-    inside = solid.enter(curve.vertices)
+    shape, nodes = source.solid.shape, source.solid.enter(curve.vertices)
     return Tape(
         parts=tuple(parts),
         vertices=run.vertices,
+        areas=source.areas,
+        node_of_vertex=curve.mesh_map,
         edges=curve.edges,
-        triangles=run.input_of_vertex[solid.shape.faces[solid.shape.nearest(inside)[1]]],
-        is_inside=solid.shape.contains(inside),
+        triangles=run.input_of_vertex[shape.faces[shape.nearest(nodes)[1]]],
+        is_inside=shape.contains(nodes),
+        decisions=decisions(run.components),
         weights=weights,
         shapes=tuple(shapes),
         sizes=tuple((component.num_meso, component.num_nodes) for component in run.components),
@@ -85,13 +189,57 @@ def record(run: Recording, weights: Weights, config: Config, curve: Skeleton) ->
 
 
 def _part(arrays: dict[str, Any]) -> Part:
-    """`device.replay.Part` from nested dictionaries of arrays."""
+    """`device.replay.Part` from nested dictionaries of arrays; raises what a missing or unknown name raises."""
     named = dict(arrays)
     for name in ("mesh_filter", "site_filter"):
-        values = named[name]
+        values = named.setdefault(name, None)
         if values is not None:
             named[name] = Basis(**values) if "basis" in values else Polynomial(**values)
     for name in ("gather", "nodes"):
         named[name] = Mixing(**named[name])
-    named["stretches"] = tuple(Stretch(**values) for values in named["stretches"])
+    named["stretches"] = tuple(Stretch(**values) for values in named.get("stretches", ()))
     return Part(**named)
+
+
+def _name(key: Any) -> str:
+    """A step of the way to a leaf of a pytree, as it is called in a file."""
+    return str(key.idx) if isinstance(key, jax.tree_util.SequenceKey) else str(key.name)
+
+
+def _from_arrays(header: dict[str, Any], arrays: dict[str, np.ndarray]) -> Tape:
+    nested: dict[str, Any] = {}
+    for name, values in arrays.items():
+        *way, last = name.split("/")
+        into = nested
+        for step in way:
+            into = into.setdefault(step, {})
+        into[last] = values
+    tree = _with_tuples(nested)
+    shapes = tuple(
+        Shape(tuple(_layout(layout) for layout in layouts), None if mesh is None else _layout(mesh))
+        for layouts, mesh in header["shapes"]
+    )
+    known = {member.name for member in fields(Config)}
+    return Tape(
+        **{name: values for name, values in tree.items() if name not in ("parts", "weights")},
+        parts=tuple(_part(part) for part in tree["parts"]),
+        weights=Weights(**{name: value[()] for name, value in tree["weights"].items()}),
+        shapes=shapes,
+        sizes=tuple((int(meso), int(nodes)) for meso, nodes in header["sizes"]),
+        config=Config(**{name: value for name, value in header["config"].items() if name in known}),
+        mesh_id=str(header["mesh_id"]),
+    )
+
+
+def _with_tuples(tree: Any) -> Any:
+    """Nested dictionaries whose keys are "0", "1", ... as tuples."""
+    if not isinstance(tree, dict):
+        return tree
+    if all(name.isdigit() for name in tree):
+        return tuple(_with_tuples(tree[str(number)]) for number in range(len(tree)))
+    return {name: _with_tuples(values) for name, values in tree.items()}
+
+
+def _layout(values: Any) -> Layout:
+    capacity, levels = values
+    return Layout(int(capacity), tuple(Level(*map(int, level)) for level in levels))

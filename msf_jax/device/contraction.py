@@ -149,6 +149,7 @@ def solve(
     Differentiable in: operator, b; implicitly, in forward and reverse mode, by a solve to the tolerance.
     """
     x, report = _run(*lax.stop_gradient((operator, b)), layout, tolerance, max_steps, lax.stop_gradient(smallest))
+    report = report._replace(is_solved=checkpoint_name(report.is_solved, SOLUTION))
     return _solution(layout, tolerance, max_steps, operator, b, checkpoint_name(x, SOLUTION)), report
 
 

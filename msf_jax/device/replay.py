@@ -224,8 +224,9 @@ def _replay_stretch(
             area=area,
         )
         weights = Weights(rows[:, 3] * line.factor, rows[:, 4], rows[:, 5], rows[:, 6])
-        moved = move(buffers, weights, config, layout, jnp.asarray(line.left, dtype)).positions
-        parts = jnp.concatenate([line.share[:, None] * moved, line.blend[:, None] * rows[:, 3:]], axis=1)
+        moved = move(buffers, weights, config, layout, jnp.asarray(line.left, dtype))
+        positions = jnp.where(moved.contraction.is_solved & moved.smoothing.is_solved, moved.positions, jnp.nan)
+        parts = jnp.concatenate([line.share[:, None] * positions, line.blend[:, None] * rows[:, 3:]], axis=1)
         rows = jax.ops.segment_sum(parts, line.group, layout.capacity)
         return _cut(jnp.concatenate([rows, fresh]), line.cut, layout.capacity), None
 
@@ -253,3 +254,30 @@ def _cut(workspace: jax.Array, cut: jax.Array, first: int) -> jax.Array:
 
     places = first + num_cuts * jnp.arange(num_rounds)
     return lax.scan(one_round, workspace, (cut, places))[0]
+
+
+def clearance(points: jax.Array, triangles: jax.Array, is_inside: jax.Array) -> jax.Array:
+    """Distance (N,) from each of ``points`` (N, 3) to its triangle (N, 3, 3); negative for one outside.
+
+    Over a face the side is live, so that a point can pass through it. Where an edge or a corner is nearest, a point is
+    on the side that ``is_inside`` (N,) says.
+    Differentiable in: points, triangles; zero gradient on an edge, where there is none.
+    """
+    best = jnp.full(len(points), jnp.inf, points.dtype)
+    for k in range(3):
+        a, b = triangles[:, k], triangles[:, (k + 1) % 3]
+        along, offset = b - a, points - a
+        length2 = (along * along).sum(1)
+        t = (offset * along).sum(1) / jnp.where(length2 > 0, length2, 1.0)
+        rest = offset - jnp.clip(t, 0.0, 1.0)[:, None] * along
+        best = jnp.minimum(best, (rest * rest).sum(1))
+    to_edge = jnp.where(best > 0, jnp.sqrt(jnp.where(best > 0, best, 1.0)), 0.0)
+    ab, ac, offset = triangles[:, 1] - triangles[:, 0], triangles[:, 2] - triangles[:, 0], points - triangles[:, 0]
+    normal = jnp.cross(ab, ac)
+    area2 = (normal * normal).sum(1)
+    safe = jnp.where(area2 > 0, area2, 1.0)
+    v = (jnp.cross(offset, ac) * normal).sum(1) / safe
+    w = (jnp.cross(ab, offset) * normal).sum(1) / safe
+    is_over = (v >= 0) & (w >= 0) & (v + w <= 1) & (area2 > 0)
+    over = -(offset * normal).sum(1) / jnp.sqrt(safe)  # normals point out of the solid
+    return jnp.where(is_over, over, jnp.where(is_inside, to_edge, -to_edge))
