@@ -1,0 +1,256 @@
+"""Tune the flow's weights by gradient, for one mesh or for several jointly.
+
+A run is recorded, and the objective of its replay minimised in the logarithms of the weights, within a box around them:
+there the tape may be trusted. Then a fresh run, with decisions of its own, says what the new weights are worth. If they
+are better they are taken, with a larger box around them; if not, the box shrinks, and the old tape is minimised again.
+
+This is the one module besides `device.contraction` that imports jaxopt.
+"""
+
+import os
+import warnings
+from collections.abc import Callable
+from dataclasses import dataclass, fields
+from functools import partial
+from typing import Any, NamedTuple
+
+import jax
+import jax.numpy as jnp
+import numpy as np
+from tqdm import tqdm
+
+with warnings.catch_warnings():
+    warnings.simplefilter("ignore", DeprecationWarning)  # jaxopt announces on import that it is no longer maintained
+    import jaxopt
+
+from msf_jax import flow
+from msf_jax.errors import ConfigError, FlowError
+from msf_jax.objectives import Objective, as_objective, value_at
+from msf_jax.options import Config, Weights
+from msf_jax.replaying import replay
+from msf_jax.run import Flow
+from msf_jax.tape import Comparison, Tape
+
+SEARCH_TOLERANCE = 1e-6  # of the solves in a replay: enough for a direction
+FIRST_BOX, LARGEST_BOX, SMALLEST_BOX = 1.0, 2.5, 0.02  # half its width, in logarithms
+GROWTH, SHRINKAGE = 1.6, 0.35
+ENOUGH = 1e-4  # relative: less improvement than that, by a box's replay, is none
+
+
+class TuningStep(NamedTuple):
+    """One proposal. The first is the start.
+
+    weights: proposed. expected: of the objective, by the tapes. found: by fresh runs; inf if one broke down. is_taken:
+    whether the weights were. box: half the width of the trust region, in logarithms. changed: decisions that the fresh
+    runs made differently from the tapes, of all that they made.
+    """
+
+    weights: Weights
+    expected: float
+    found: float
+    is_taken: bool
+    box: float
+    changed: Comparison
+
+
+@dataclass(frozen=True)
+class Tuned:
+    """The result of `tune`.
+
+    Attributes:
+        weights: the best that were found.
+        value: of the objective there, by fresh runs, the mean over the meshes.
+        flows: those runs, one for each mesh.
+        trajectory: every proposal, in order.
+        reason: why it stopped.
+    """
+
+    weights: Weights
+    value: float
+    flows: tuple[Flow, ...]
+    trajectory: tuple[TuningStep, ...]
+    reason: str
+
+    def __str__(self) -> str:
+        lines = [f"{len(self.trajectory) - 1} steps, {self.reason}", "objective   expected   box    decisions changed"]
+        for step in self.trajectory:
+            weights = ", ".join(f"{name} {_shown(weight)}" for name, weight in vars(step.weights).items())
+            changed = f"{step.changed.different} of {step.changed.total}"
+            mark = "taken" if step.is_taken else "     "
+            lines.append(f"{step.found:<11.6g} {step.expected:<10.6g} {step.box:.3f}  {changed:<16} {mark}  {weights}")
+        return "\n".join(lines)
+
+
+def tune(
+    meshes: Any,
+    objective: Objective | Callable[..., Any],
+    weights: Weights | None = None,
+    *,
+    config: Config | None = None,
+    bounds: dict[str, tuple[float, float]] | tuple[float, float] = (1e-6, 1e4),
+    steps: int = 12,
+    inner_steps: int = 6,
+    progress: bool = False,
+) -> Tuned:
+    """Find weights whose curves are better, by gradient steps on recorded runs that fresh runs confirm.
+
+    Args:
+        meshes: one mesh, as `contract` takes it, or a list of them, which are tuned jointly: the mean counts.
+        objective: one of `msf_jax.objectives`, a sum of them, or a JAX function of ``(nodes (N, 3), radii (N,))`` that
+            returns a number, the less the better.
+        weights: to start from; those of ``config``'s system if not given. One that is 0 stays 0. Arrays, one value for
+            each vertex, are possible for a single mesh.
+        config: of the runs.
+        bounds: lowest and highest value of every weight, or of each by name.
+        steps: fresh runs on each mesh, after the first.
+        inner_steps: of L-BFGS on the tapes, before each.
+        progress: show a progress bar on standard error, if that is a terminal.
+
+    Returns:
+        The best weights, their runs, every proposal, and why it stopped.
+
+    The gradient knows the decisions of the recorded run, and not how they would change: what an iteration merges, and
+    how many iterations there are. So far from good weights many proposals are not taken, and what is found is the best
+    of what was tried, no global minimum. ``trajectory`` says how many decisions each fresh run changed.
+
+    Raises:
+        ConfigError: a weight is out of ``bounds``, an option is of the wrong kind, the objective returns no number, or
+            it is not finite at the start.
+        MeshError, FlowError: see `contract`.
+    """
+    objective = as_objective(objective)
+    config = Config() if config is None else config
+    weights = config.default_weights() if weights is None else weights
+    meshes = _listed(meshes)
+    low, high = _checked_bounds(weights, bounds)
+    for name, number in (("steps", steps), ("inner_steps", inner_steps)):
+        if isinstance(number, bool) or not isinstance(number, int) or number < 1:
+            raise ConfigError(f"{name} is {number!r}: expected a whole number of 1 or more")
+
+    solver = jaxopt.ScipyBoundedMinimize(
+        fun=partial(_mean_value, objective), method="L-BFGS-B", maxiter=inner_steps, value_and_grad=True, jit=False
+    )
+    flows = tuple(flow.contract(mesh, weights, config) for mesh in meshes)
+    best = _found(objective, flows)
+    if not np.isfinite(best):
+        raise ConfigError(f"objective {objective.name} is {best} at the first weights: expected a finite number")
+    none = Comparison(0, sum(len(run.tape.decisions) for run in flows))
+    trajectory = [TuningStep(weights, best, best, True, FIRST_BOX, none)]
+    box, reason = FIRST_BOX, f"all {steps} steps taken"
+    with tqdm(total=steps, desc="tune", unit="run", disable=None if progress else True) as bar:
+        for _ in range(steps):
+            here = _logarithms(weights)
+            around = [
+                {name: np.clip(here[name] + side * box, low[name], high[name]) for name in here} for side in (-1, 1)
+            ]
+            tapes = [run.tape for run in flows]
+            there, state = solver.run(here, tuple(around), weights, tapes)
+            expected = float(state.fun_val)
+            if not expected < best * (1 - np.sign(best) * ENOUGH):
+                reason = "the tapes' gradient leads nowhere"
+                if box >= LARGEST_BOX or not np.isfinite(expected):
+                    break
+            proposed = _with_logarithms(weights, {name: np.asarray(value) for name, value in there.items()})
+            fresh = _attempt(meshes, proposed, config)
+            found = _found(objective, fresh) if fresh else np.inf
+            is_taken = bool(found < best)
+            changed = _compared(flows, fresh) if fresh else Comparison(0, 0)
+            trajectory.append(TuningStep(proposed, expected, found, is_taken, box, changed))
+            if is_taken and fresh:
+                weights, flows, best = proposed, fresh, found
+            box = min(box * GROWTH, LARGEST_BOX) if is_taken else box * SHRINKAGE
+            bar.set_postfix(objective=f"{best:.4g}", box=f"{box:.2f}")
+            bar.update()
+            if box < SMALLEST_BOX:
+                reason = "no better weights nearby"
+                break
+    return Tuned(weights, best, flows, tuple(trajectory), reason)
+
+
+def _mean_value(objective: Objective, logarithms: dict[str, Any], weights: Weights, tapes: list[Tape]) -> Any:
+    """The objective's mean over the tapes, and its gradient in the logarithms."""
+    results = [_value_and_grad(objective, logarithms, weights, tape) for tape in tapes]
+    mean, gradient = jax.tree_util.tree_map(lambda *parts: sum(parts) / len(parts), *results)
+    return mean, gradient
+
+
+def _value_and_grad(objective: Objective, logarithms: dict[str, Any], weights: Weights, tape: Tape) -> Any:
+    """In two halves, as a fresh tape has another number of nodes: the replay, the slow one to compile, is padded."""
+
+    def nodes_at(logarithms: dict[str, Any]) -> jax.Array:
+        return replay(tape, _with_logarithms(weights, logarithms), tolerance=SEARCH_TOLERANCE)
+
+    nodes, pull_back = jax.vjp(nodes_at, logarithms)
+    found, slope = _at_nodes(objective, nodes, tape)
+    return found, pull_back(slope)[0]
+
+
+@partial(jax.jit, static_argnums=0)
+def _at_nodes(objective: Objective, nodes: jax.Array, tape: Tape) -> tuple[jax.Array, jax.Array]:
+    return jax.value_and_grad(lambda nodes: value_at(objective, tape, nodes))(nodes)
+
+
+def _found(objective: Objective, flows: tuple[Flow, ...]) -> float:
+    """The objective's mean over runs, of their curves as the flow left them."""
+    found = [_at_nodes(objective, jnp.asarray(run.curve.vertices), run.tape)[0] for run in flows]
+    return float(np.mean([float(one) for one in found]))
+
+
+def _attempt(meshes: list[Any], weights: Weights, config: Config) -> tuple[Flow, ...] | None:
+    try:
+        return tuple(flow.contract(mesh, weights, config) for mesh in meshes)
+    except FlowError:
+        return None
+
+
+def _compared(before: tuple[Flow, ...], after: tuple[Flow, ...]) -> Comparison:
+    pairs = [one.tape.compare(other.tape) for one, other in zip(before, after, strict=True)]
+    return Comparison(sum(pair.different for pair in pairs), sum(pair.total for pair in pairs))
+
+
+def _logarithms(weights: Weights) -> dict[str, np.ndarray]:
+    """Of the weights that are not 0, by name."""
+    named = {name: np.asarray(weight, dtype=np.float64) for name, weight in vars(weights).items()}
+    return {name: np.log(weight) for name, weight in named.items() if (weight > 0).all()}
+
+
+def _with_logarithms(weights: Weights, logarithms: dict[str, Any]) -> Weights:
+    exp = np.exp if all(isinstance(value, np.ndarray) for value in logarithms.values()) else jnp.exp
+    return Weights(**(vars(weights) | {name: exp(value) for name, value in logarithms.items()}))
+
+
+def _listed(meshes: Any) -> list[Any]:
+    """One mesh or many as a list; a pair of arrays is one mesh."""
+
+    def is_mesh(item: Any) -> bool:
+        is_pair = isinstance(item, tuple) and len(item) == 2
+        return isinstance(item, str | os.PathLike) or hasattr(item, "faces") or is_pair
+
+    if isinstance(meshes, list | tuple) and len(meshes) and all(is_mesh(item) for item in meshes):
+        return list(meshes)
+    return [meshes]
+
+
+def _checked_bounds(weights: Weights, bounds: Any) -> tuple[dict[str, float], dict[str, float]]:
+    """Logarithms of the lowest and the highest value of every weight."""
+    names = [member.name for member in fields(Weights)]
+    pairs = bounds if isinstance(bounds, dict) else dict.fromkeys(names, bounds)
+    low, high = {}, {}
+    for name, pair in (dict.fromkeys(names, (1e-06, 10000.0)) | pairs).items():
+        if name not in names:
+            raise ConfigError(f"bounds name {name!r}: expected one of {', '.join(names)}")
+        try:
+            first, last = (float(end) for end in pair)
+        except (TypeError, ValueError):
+            first = last = 0.0
+        if not 0 < first < last < np.inf:
+            raise ConfigError(f"bounds of {name} are {pair!r}: expected (lowest, highest) with 0 < lowest < highest")
+        weight = np.asarray(getattr(weights, name), dtype=np.float64)
+        if (weight > 0).any() and not ((first <= weight) & (weight <= last)).all():
+            raise ConfigError(f"Weights.{name} is {_shown(weight)}: expected a start within its bounds {pair!r}")
+        low[name], high[name] = np.log(first), np.log(last)
+    return low, high
+
+
+def _shown(weight: Any) -> str:
+    return f"{float(weight):.4g}" if np.ndim(weight) == 0 else f"{np.min(weight):.3g} to {np.max(weight):.3g}"
