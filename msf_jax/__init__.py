@@ -7,14 +7,18 @@ print(skeleton.report)
 skeleton.save("hand.swc")
 """
 
-from msf_jax import metrics
+from msf_jax import metrics, objectives
 from msf_jax.errors import ConfigError, FlowError, MeshError
 from msf_jax.flow import Flow, contract
 from msf_jax.host.branches import Branch
 from msf_jax.options import Config, Weights
 from msf_jax.preprocessing import reconstruct, voronoi_poles
+from msf_jax.replaying import replay, replay_meso, replay_radii
+from msf_jax.sensitivity import sensitivity
 from msf_jax.skeleton import Report, Skeleton
 from msf_jax.skeletonize import skeletonize
+from msf_jax.tape import Tape
+from msf_jax.tuning import Tuned, tune
 
 __all__ = [
     "Branch",
@@ -25,11 +29,19 @@ __all__ = [
     "MeshError",
     "Report",
     "Skeleton",
+    "Tape",
+    "Tuned",
     "Weights",
     "contract",
     "metrics",
+    "objectives",
     "reconstruct",
+    "replay",
+    "replay_meso",
+    "replay_radii",
+    "sensitivity",
     "skeletonize",
+    "tune",
     "voronoi_poles",
 ]
 

@@ -74,8 +74,9 @@ def as_objective(objective: Any) -> Objective:
             f"objective is a {type(objective).__name__}: expected one of msf_jax.objectives, or a function of "
             "(nodes, radii)"
         )
+    function: Callable[..., Any] = objective
     name = getattr(objective, "__name__", type(objective).__name__)
-    return Objective(name, lambda curve: objective(curve.nodes, curve.radii))
+    return Objective(name, lambda curve: function(curve.nodes, curve.radii))
 
 
 def value(
@@ -106,7 +107,7 @@ def value_at(objective: Objective, tape: Tape, nodes: jax.Array, vertices: Any =
         found = jnp.asarray(objective(curve))
     except TypeError as error:
         raise ConfigError(
-            f"objective {objective.name} cannot be called with (nodes (N, 3), radii (N,)), or returns no number: {error}"
+            f"objective {objective.name} cannot be called with (nodes (N, 3), radii (N,)) or returns no number: {error}"
         ) from error
     if found.shape != ():
         raise ConfigError(f"objective {objective.name} returned shape {found.shape}: expected one number, shape ()")
@@ -118,7 +119,7 @@ def value_at(objective: Objective, tape: Tape, nodes: jax.Array, vertices: Any =
 def explained() -> Objective:
     """How far the surface is from the union of the balls around the nodes, the mean over the surface by area.
 
-    0 where every point of the surface is on a ball. It wants nodes in the middle, where balls are large, and everywhere.
+    0 where every point of the surface is on a ball. It wants nodes in the middle, where balls are large.
     (Reconstruction, Cornea et al. 2007.)
     """
 

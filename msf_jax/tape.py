@@ -123,7 +123,8 @@ class Tape:
             "sizes": self.sizes,
         }
         buffer = io.BytesIO()
-        np.savez_compressed(buffer, **{HEADER: np.array(json.dumps(header)), **arrays})
+        named: dict[str, Any] = {HEADER: np.array(json.dumps(header)), **arrays}
+        np.savez_compressed(buffer, **named)
         write_whole(path, buffer.getvalue())
 
     @classmethod

@@ -3,6 +3,7 @@
 A run is recorded, and the objective of its replay minimised in the logarithms of the weights, within a box around them:
 there the tape may be trusted. Then a fresh run, with decisions of its own, says what the new weights are worth. If they
 are better they are taken, with a larger box around them; if not, the box shrinks, and the old tape is minimised again.
+A run that did not converge is no ground for a gradient: then the weights go half-way to the system's own.
 
 This is the one module besides `device.contraction` that imports jaxopt.
 """
@@ -34,15 +35,17 @@ from msf_jax.tape import Comparison, Tape
 SEARCH_TOLERANCE = 1e-6  # of the solves in a replay: enough for a direction
 FIRST_BOX, LARGEST_BOX, SMALLEST_BOX = 1.0, 2.5, 0.02  # half its width, in logarithms
 GROWTH, SHRINKAGE = 1.6, 0.35
-ENOUGH = 1e-4  # relative: less improvement than that, by a box's replay, is none
+SIDES = (-1, 1)
+WIDEST = (1e-6, 1e4)  # bounds of a weight, where none are given
 
 
 class TuningStep(NamedTuple):
     """One proposal. The first is the start.
 
-    weights: proposed. expected: of the objective, by the tapes. found: by fresh runs; inf if one broke down. is_taken:
-    whether the weights were. box: half the width of the trust region, in logarithms. changed: decisions that the fresh
-    runs made differently from the tapes, of all that they made.
+    weights: proposed. expected: of the objective, by the tapes; NaN for a proposal without them. found: by fresh runs;
+    inf if one broke down. is_taken: whether the weights were. box: half the width of the trust region, in logarithms.
+    converges: whether all of the fresh runs did. changed: decisions that they made differently from the runs of the
+    weights before, of all that they made.
     """
 
     weights: Weights
@@ -50,6 +53,7 @@ class TuningStep(NamedTuple):
     found: float
     is_taken: bool
     box: float
+    converges: bool
     changed: Comparison
 
 
@@ -87,9 +91,9 @@ def tune(
     weights: Weights | None = None,
     *,
     config: Config | None = None,
-    bounds: dict[str, tuple[float, float]] | tuple[float, float] = (1e-6, 1e4),
+    bounds: dict[str, tuple[float, float]] | tuple[float, float] = WIDEST,
     steps: int = 12,
-    inner_steps: int = 6,
+    inner_steps: int = 4,
     progress: bool = False,
 ) -> Tuned:
     """Find weights whose curves are better, by gradient steps on recorded runs that fresh runs confirm.
@@ -110,8 +114,10 @@ def tune(
         The best weights, their runs, every proposal, and why it stopped.
 
     The gradient knows the decisions of the recorded run, and not how they would change: what an iteration merges, and
-    how many iterations there are. So far from good weights many proposals are not taken, and what is found is the best
-    of what was tried, no global minimum. ``trajectory`` says how many decisions each fresh run changed.
+    how many iterations there are. So many proposals are not taken, and what is found is the best of what was tried, no
+    global minimum. ``trajectory`` says how many decisions each fresh run changed. Weights whose runs converge are
+    preferred to those whose do not, whatever the objective says; from a start that does not converge the first steps
+    lead half-way, in logarithms, to the weights of ``config``'s system.
 
     Raises:
         ConfigError: a weight is out of ``bounds``, an option is of the wrong kind, the objective returns no number, or
@@ -128,43 +134,80 @@ def tune(
             raise ConfigError(f"{name} is {number!r}: expected a whole number of 1 or more")
 
     solver = jaxopt.ScipyBoundedMinimize(
-        fun=partial(_mean_value, objective), method="L-BFGS-B", maxiter=inner_steps, value_and_grad=True, jit=False
+        fun=partial(_mean_value, objective),
+        method="L-BFGS-B",
+        maxiter=inner_steps,
+        options={"maxfun": 2 * inner_steps},
+        value_and_grad=True,
+        jit=False,
     )
-    flows = tuple(flow.contract(mesh, weights, config) for mesh in meshes)
-    best = _found(objective, flows)
-    if not np.isfinite(best):
-        raise ConfigError(f"objective {objective.name} is {best} at the first weights: expected a finite number")
-    none = Comparison(0, sum(len(run.tape.decisions) for run in flows))
-    trajectory = [TuningStep(weights, best, best, True, FIRST_BOX, none)]
+    search = _Search(meshes, objective, config)
+    search.start(weights)
     box, reason = FIRST_BOX, f"all {steps} steps taken"
     with tqdm(total=steps, desc="tune", unit="run", disable=None if progress else True) as bar:
         for _ in range(steps):
-            here = _logarithms(weights)
-            around = [
-                {name: np.clip(here[name] + side * box, low[name], high[name]) for name in here} for side in (-1, 1)
-            ]
-            tapes = [run.tape for run in flows]
-            there, state = solver.run(here, tuple(around), weights, tapes)
-            expected = float(state.fun_val)
-            if not expected < best * (1 - np.sign(best) * ENOUGH):
+            here = _logarithms(search.weights)
+            if not search.is_converged:  # such a run is stuck in a few vertices, and its gradient is theirs
+                goal = _logarithms(config.default_weights())
+                there = {name: (here[name] + goal.get(name, here[name])) / 2 for name in here}
+                expected = np.nan
+            else:
+                around = [
+                    {name: np.clip(here[name] + side * box, low[name], high[name]) for name in here} for side in SIDES
+                ]
+                tapes = [run.tape for run in search.flows]
+                there, state = solver.run(here, tuple(around), search.weights, tapes)
+                there, expected = {name: np.asarray(there[name]) for name in there}, float(state.fun_val)
+            reach = max(float(np.abs(there[name] - here[name]).max()) for name in here)
+            if not reach > 0 or not np.isfinite(reach):
                 reason = "the tapes' gradient leads nowhere"
-                if box >= LARGEST_BOX or not np.isfinite(expected):
-                    break
-            proposed = _with_logarithms(weights, {name: np.asarray(value) for name, value in there.items()})
-            fresh = _attempt(meshes, proposed, config)
-            found = _found(objective, fresh) if fresh else np.inf
-            is_taken = bool(found < best)
-            changed = _compared(flows, fresh) if fresh else Comparison(0, 0)
-            trajectory.append(TuningStep(proposed, expected, found, is_taken, box, changed))
-            if is_taken and fresh:
-                weights, flows, best = proposed, fresh, found
-            box = min(box * GROWTH, LARGEST_BOX) if is_taken else box * SHRINKAGE
-            bar.set_postfix(objective=f"{best:.4g}", box=f"{box:.2f}")
+                break
+            is_taken = search.propose(_with_logarithms(search.weights, there), expected, box)
+            box = min(box * GROWTH, LARGEST_BOX) if is_taken else min(box, reach) * SHRINKAGE
+            bar.set_postfix(objective=f"{search.value:.4g}", box=f"{box:.2f}")
             bar.update()
             if box < SMALLEST_BOX:
                 reason = "no better weights nearby"
                 break
-    return Tuned(weights, best, flows, tuple(trajectory), reason)
+    return Tuned(search.weights, search.value, search.flows, tuple(search.trajectory), reason)
+
+
+class _Search:
+    """The best weights so far, their runs, and what was tried."""
+
+    def __init__(self, meshes: list[Any], objective: Objective, config: Config):
+        self.meshes, self.objective, self.config = meshes, objective, config
+        self.trajectory: list[TuningStep] = []
+
+    def start(self, weights: Weights) -> None:
+        self.weights = weights
+        self.flows = tuple(flow.contract(mesh, weights, self.config) for mesh in self.meshes)
+        self.value = _found(self.objective, self.flows)
+        if not np.isfinite(self.value):
+            raise ConfigError(f"objective {self.objective.name} is {self.value} at the start: expected a finite number")
+        none = Comparison(0, sum(len(run.tape.decisions) for run in self.flows))
+        self.trajectory = [TuningStep(weights, self.value, self.value, True, FIRST_BOX, self.is_converged, none)]
+
+    @property
+    def is_converged(self) -> bool:
+        """Whether all of the best weights' runs ended as they should."""
+        return all(run.skeleton.report.converged for run in self.flows)
+
+    def propose(self, weights: Weights, expected: float, box: float) -> bool:
+        """Run with ``weights``; take them if they are better, or if their runs converge and those before did not."""
+        try:
+            fresh = tuple(flow.contract(mesh, weights, self.config) for mesh in self.meshes)
+        except FlowError:
+            self.trajectory.append(TuningStep(weights, expected, np.inf, False, box, False, Comparison(0, 0)))
+            return False
+        found = _found(self.objective, fresh)
+        converges = all(run.skeleton.report.converged for run in fresh)
+        is_taken = (converges, -found) > (self.is_converged, -self.value) and bool(np.isfinite(found))
+        changed = _compared(self.flows, fresh)
+        self.trajectory.append(TuningStep(weights, expected, found, is_taken, box, converges, changed))
+        if is_taken:
+            self.weights, self.flows, self.value = weights, fresh, found
+        return is_taken
 
 
 def _mean_value(objective: Objective, logarithms: dict[str, Any], weights: Weights, tapes: list[Tape]) -> Any:
@@ -194,13 +237,6 @@ def _found(objective: Objective, flows: tuple[Flow, ...]) -> float:
     """The objective's mean over runs, of their curves as the flow left them."""
     found = [_at_nodes(objective, jnp.asarray(run.curve.vertices), run.tape)[0] for run in flows]
     return float(np.mean([float(one) for one in found]))
-
-
-def _attempt(meshes: list[Any], weights: Weights, config: Config) -> tuple[Flow, ...] | None:
-    try:
-        return tuple(flow.contract(mesh, weights, config) for mesh in meshes)
-    except FlowError:
-        return None
 
 
 def _compared(before: tuple[Flow, ...], after: tuple[Flow, ...]) -> Comparison:
@@ -234,9 +270,10 @@ def _listed(meshes: Any) -> list[Any]:
 def _checked_bounds(weights: Weights, bounds: Any) -> tuple[dict[str, float], dict[str, float]]:
     """Logarithms of the lowest and the highest value of every weight."""
     names = [member.name for member in fields(Weights)]
-    pairs = bounds if isinstance(bounds, dict) else dict.fromkeys(names, bounds)
+    pairs: dict[str, Any] = bounds if isinstance(bounds, dict) else dict.fromkeys(names, bounds)
     low, high = {}, {}
-    for name, pair in (dict.fromkeys(names, (1e-06, 10000.0)) | pairs).items():
+    for name in [*names, *pairs]:
+        pair = pairs.get(name, WIDEST)
         if name not in names:
             raise ConfigError(f"bounds name {name!r}: expected one of {', '.join(names)}")
         try:

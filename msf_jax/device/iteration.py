@@ -27,7 +27,7 @@ def move(buffers: Buffers, weights: Weights, config: Config, layout: Layout, lef
     """One iteration on ``buffers``; weights are scalars or (n,), one value a row.
 
     ``left`` (2, n, 3) are residuals that the contraction and the smoothing are to leave: those that they report of
-    another run. The contraction's is in units of the mean squared weight, so that only the weights' ratios matter to it.
+    another run. The contraction's is in units of the mean squared weight: only ratios of weights matter.
     Differentiable in: buffers.positions, buffers.poles, weights; with ``buffers.t_c`` 0, which solves to the tolerance.
     """
     one = jnp.ones_like(buffers.free)

@@ -104,7 +104,7 @@ def _half_angle_tangent(a: jax.Array, b: jax.Array) -> jax.Array:
     """tan(alpha / 2) for the angle alpha between a and b, from 0 to STEEPEST, with a zero gradient at the clamp.
 
     sin / (1 + cos), or (1 - cos) / sin for an obtuse angle, where the first would cancel. They agree only where
-    sin^2 + cos^2 = 1, which an edge below SHORTEST makes smaller: there it is always the first, lest 90 degrees be a jump.
+    sin^2 + cos^2 = 1. An edge below SHORTEST makes that smaller, where it is always the first: no jump at 90 degrees.
     """
     sine, cosine = _sine_and_cosine(a, b)
     is_obtuse = (cosine < 0) & (sine * sine + cosine * cosine > 0.99999)

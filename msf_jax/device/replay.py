@@ -169,8 +169,8 @@ def _mixed(mixing: Mixing, values: jax.Array, num: int, share: Any) -> jax.Array
     return jax.ops.segment_sum(share[:, None] * values[mixing.column], mixing.row, num)
 
 
-def _filtered(kept: Polynomial | Basis, x: jax.Array, layout: Layout | None) -> jax.Array:
-    if isinstance(kept, Basis) or layout is None:
+def _filtered(kept: Polynomial | Basis, x: jax.Array, layout: Any) -> jax.Array:
+    if isinstance(kept, Basis):
         num = kept.basis.shape[0]  # padded rows come after the vertices
         return x.at[:num].set(kept.basis @ (kept.basis.T @ x[:num]))
     used = jnp.asarray(kept.is_used).astype(x.dtype)

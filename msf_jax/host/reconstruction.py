@@ -124,7 +124,7 @@ def filtered(vertices: np.ndarray, faces: np.ndarray, k: int) -> np.ndarray:
 
 
 def _cosine(laplacian: sparse.csc_matrix, top: float) -> sparse.csr_matrix:
-    return sparse.csr_matrix(sparse.identity(laplacian.shape[0]) - 2 / top * laplacian)
+    return sparse.csr_matrix(sparse.identity(laplacian.indptr.size - 1) - 2 / top * laplacian)
 
 
 def _chebyshev(matrix: sparse.csr_matrix, start: np.ndarray, num: int) -> Iterator[np.ndarray]:

@@ -26,7 +26,8 @@ def record_component(record: ComponentRecord) -> tuple[dict[str, Any], list[Layo
     start, steps = record.start, record.steps
     num = len(record.vertices)
     place, blend = edit_matrices(start.edits, num)
-    order, capacity = np.arange(place.shape[0]), place.shape[0]
+    capacity = place.shape[0]
+    order = np.arange(capacity)
     plan = stretches_of(steps)
     if steps:
         order, capacity = steps[0].order, plan[0].layout.capacity
@@ -34,13 +35,10 @@ def record_component(record: ComponentRecord) -> tuple[dict[str, Any], list[Layo
     stretches, meso_row = record_steps(steps, plan, record.num_meso)
     thinned = edit_matrices(record.thinning, record.num_meso)[0]
     is_node = record.node_of_meso >= 0
-    share = (
-        is_node
-        / np.maximum(np.bincount(record.node_of_meso[is_node], minlength=record.num_nodes), 1)[record.node_of_meso]
-    )
-    size = record.num_nodes, len(record.node_of_meso)
-    means = sparse.csr_matrix((share, (np.maximum(record.node_of_meso, 0), np.arange(size[1]))), shape=size)
-    is_held = np.zeros(rung(record.num_nodes), dtype=bool)
+    node, vertex = record.node_of_meso[is_node], np.flatnonzero(is_node)
+    share = 1.0 / np.bincount(node, minlength=record.num_nodes)[node]
+    means = sparse.csr_matrix((share, (node, vertex)), shape=(record.num_nodes, len(is_node)))
+    is_held = np.zeros(rung(record.num_nodes, 64), dtype=bool)
     is_held[record.node_of_pin] = True
     pin_count = np.bincount(record.node_of_pin, minlength=len(is_held))
     is_pin = np.zeros(num, dtype=bool)
@@ -54,7 +52,7 @@ def record_component(record: ComponentRecord) -> tuple[dict[str, Any], list[Layo
         "site_filter": record_site_filter(start.found.kept if start.found else None, steps, plan),
         **record_poles(start.found, order, capacity),
         "stretches": stretches,
-        "meso_row": packing.pad(meso_row, rung(len(meso_row)), 0, np.dtype(np.int32)),
+        "meso_row": packing.pad(meso_row, rung(len(meso_row), 256), 0, np.dtype(np.int32)),
         "nodes": entries(means @ thinned),
         "pin_node": record.node_of_pin.astype(np.int32),
         "pin_input": record.vertex_of_input[record.pins].astype(np.int32),
@@ -67,12 +65,13 @@ def record_component(record: ComponentRecord) -> tuple[dict[str, Any], list[Layo
     return arrays, [planned.layout for planned in plan], mesh_layout
 
 
-def edit_matrices(edits: list[Any], num_rows: int) -> tuple[sparse.csr_matrix, sparse.csr_matrix]:
-    """What ``edits`` of known fractions do to positions, and what to weights, as matrices (rows after, rows before).
+def edit_matrices(edits: list[Any], num_rows: int) -> tuple[Any, Any]:
+    """What ``edits`` of known fractions do to positions and to weights: sparse matrices (rows after, rows before).
 
     They differ at a fixed vertex, which keeps its place in a collapse, but takes the mean of the weights.
     """
-    place = blend = sparse.identity(num_rows, format="csr")
+    place: Any = sparse.csr_matrix(sparse.identity(num_rows))
+    blend = place
     collapses: list[CollapseRound] = []
     for edit in [*edits, None]:
         if isinstance(edit, CollapseRound):
@@ -96,15 +95,12 @@ def edit_matrices(edits: list[Any], num_rows: int) -> tuple[sparse.csr_matrix, s
     return place, blend
 
 
-def entries(place: sparse.csr_matrix, blend: sparse.csr_matrix | None = None) -> dict[str, np.ndarray]:
+def entries(place: Any, blend: Any = None) -> dict[str, np.ndarray]:
     """The matrices' entries, by `device.replay.Mixing`'s names, padded with zeros that do nothing."""
-    both = [np.abs(matrix) for matrix in (place, blend) if matrix is not None]
-    row, column = sum(both[1:], both[0]).nonzero()
-    size = rung(len(row))
-    shares = {
-        name: np.asarray(matrix[row, column]).ravel()
-        for name, matrix in (("share", place), ("blend", place if blend is None else blend))
-    }
+    blend = place if blend is None else blend
+    row, column = (abs(place) + abs(blend)).nonzero()
+    size = rung(len(row), 256)
+    shares = {name: np.asarray(matrix[row, column]).ravel() for name, matrix in (("share", place), ("blend", blend))}
     arrays = {"row": row.astype(np.int32), "column": column.astype(np.int32), **shares}
     return {name: packing.pad(values, size, 0, values.dtype) for name, values in arrays.items()}
 

@@ -16,6 +16,7 @@ from msf_jax.host.records import Step
 from msf_jax.host.split import SplitRound
 from msf_jax.layout import Layout, layout_for
 
+FEWEST_LINES = 2  # iterations of a stretch, idle ones included
 WORTH_A_LAYOUT = 0.7  # of the cost of one layout: two that cost less are worth their compilation
 
 
@@ -34,12 +35,10 @@ class Row(NamedTuple):
     site: np.ndarray
 
 
-def rung(count: int) -> int:
-    """``count`` or a little more, of few different values: arrays of recorded runs are as long, and compile once."""
-    size = 1
+def rung(count: int, smallest: int = 1) -> int:
+    """The next of ``smallest``, twice that, four times, ...: what is padded to it has few sizes, and compiles once."""
+    size = smallest
     while size < count:
-        if size * 3 // 2 >= count and size >= 2:
-            return size * 3 // 2
         size *= 2
     return size
 
@@ -62,7 +61,7 @@ def stretches_of(steps: list[Step]) -> list[Planned]:
         return Planned(first, last, layout_for(count, most.max(axis=0).tolist()))
 
     def cost(plan: list[Planned]) -> float:
-        return sum(rung(last - first) * layout.num_slots for first, last, layout in plan)
+        return sum(rung(last - first, FEWEST_LINES) * layout.num_slots for first, last, layout in plan)
 
     whole = [planned(0, len(steps))]
     plans = [[planned(0, k), planned(k, len(steps))] for k in range(1, len(steps))]
@@ -88,17 +87,16 @@ def record_steps(steps: list[Step], plan: list[Planned], num_meso: int) -> tuple
 def _stretch(steps: list[Step], layout: Layout, at: Row) -> tuple[dict[str, Any], Row]:
     capacity = layout.capacity
     cuts = [[edit for edit in step.edits if isinstance(edit, SplitRound)] for step in steps]
-    num_rounds = rung(max(map(len, cuts))) if any(cuts) else 0
-    num_cuts = rung(max((len(done.a) for rounds in cuts for done in rounds), default=1))
+    num_rounds = rung(max(map(len, cuts)), 8)
+    num_cuts = rung(max((len(done.a) for rounds in cuts for done in rounds), default=1), 64)
     own = np.arange(capacity, dtype=np.int32)
-    lines = []
+    lines, handovers = [], []
     for number, (step, rounds) in enumerate(zip(steps, cuts, strict=True)):
         num_rows = len(step.order)
         rank = np.empty(num_rows, dtype=np.int64)
         rank[step.order] = np.arange(num_rows)
-        source, site = at.workspace[step.order], at.site[step.order]
-        if number == 0:
-            handover = packing.pad(source, capacity, 0, np.dtype(np.int32))
+        enter, site = packing.pad(at.workspace[step.order], capacity, 0, np.dtype(np.int32)), at.site[step.order]
+        handovers.append(enter)
         # Edits speak of vertices; here everything is a row: of the buffers, then of the workspace with the new ones.
         group, share, blend = merged([edit for edit in step.edits if isinstance(edit, CollapseRound)], num_rows)
         row_of, site_of = _rows_after(step, rank, at.site)
@@ -116,7 +114,7 @@ def _stretch(steps: list[Step], layout: Layout, at: Row) -> tuple[dict[str, Any]
                 "site": packing.pad(site, capacity, 0, np.dtype(np.int32)),
                 "left": np.pad(step.left.astype(np.float64), ((0, 0), (0, capacity - num_rows), (0, 0))),
                 "factor": np.asarray(step.factor),
-                "enter": packing.pad(source, capacity, 0, np.dtype(np.int32)) if number else own,
+                "enter": enter if number else own,
                 "group": np.concatenate([rank[group[step.order]], own[num_rows:]]).astype(np.int32),
                 "share": packing.pad(share[step.order], capacity, 1, np.dtype(np.float64)),
                 "blend": packing.pad(blend[step.order], capacity, 1, np.dtype(np.float64)),
@@ -126,11 +124,10 @@ def _stretch(steps: list[Step], layout: Layout, at: Row) -> tuple[dict[str, Any]
         live = [edit.live for edit in step.edits if isinstance(edit, Compaction)]
         at = Row(*((row_of, site_of) if not live else (row_of[live[0]], site_of[live[0]])))
     idle = _idle(lines[0], layout)
-    lines = [idle] * (rung(len(lines)) - len(lines)) + lines
-    fields = {name: np.stack([line[name] for line in lines]) for name in lines[0] if name != "rings"}
-    fields["rings"] = tuple(np.stack(values) for values in zip(*(line["rings"] for line in lines), strict=True))
-    fields["handover"] = handover
-    return fields, at
+    lines = [idle] * (rung(len(lines), FEWEST_LINES) - len(lines)) + lines
+    rings = tuple(np.stack(values) for values in zip(*(line["rings"] for line in lines), strict=True))
+    stacked = {name: np.stack([line[name] for line in lines]) for name in lines[0] if name != "rings"}
+    return {**stacked, "rings": rings, "handover": handovers[0]}, at
 
 
 def _rows_after(step: Step, rank: np.ndarray, site: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
