@@ -105,7 +105,7 @@ def value_at(objective: Objective, tape: Tape, nodes: jax.Array, vertices: Any =
     )
     try:
         found = jnp.asarray(objective(curve))
-    except TypeError as error:
+    except (TypeError, ValueError) as error:
         raise ConfigError(
             f"objective {objective.name} cannot be called with (nodes (N, 3), radii (N,)) or returns no number: {error}"
         ) from error

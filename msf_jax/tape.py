@@ -136,7 +136,7 @@ class Tape:
             MeshError: the tape is of another mesh.
         """
         try:
-            with np.load(path, allow_pickle=False) as file:
+            with open(path, "rb") as stream, np.load(stream, allow_pickle=False) as file:
                 header = json.loads(str(file[HEADER])) if HEADER in file else {}
                 if header.get("format") != "msf_jax tape":
                     raise ConfigError(f"{str(path)!r} is no tape: expected a file that Tape.save wrote")

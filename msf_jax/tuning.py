@@ -32,9 +32,10 @@ from msf_jax.replaying import replay
 from msf_jax.run import Flow
 from msf_jax.tape import Comparison, Tape
 
-SEARCH_TOLERANCE = 1e-6  # of the solves in a replay: enough for a direction
+SEARCH_TOLERANCE = 1e-8  # of the solves in a replay: enough for a direction
 FIRST_BOX, LARGEST_BOX, SMALLEST_BOX = 1.0, 2.5, 0.02  # half its width, in logarithms
 GROWTH, SHRINKAGE = 1.6, 0.35
+TIMID = 0.1  # of the box: proposals nearer than that are none
 SIDES = (-1, 1)
 WIDEST = (1e-6, 1e4)  # bounds of a weight, where none are given
 
@@ -93,7 +94,7 @@ def tune(
     config: Config | None = None,
     bounds: dict[str, tuple[float, float]] | tuple[float, float] = WIDEST,
     steps: int = 12,
-    inner_steps: int = 4,
+    inner_steps: int = 3,
     progress: bool = False,
 ) -> Tuned:
     """Find weights whose curves are better, by gradient steps on recorded runs that fresh runs confirm.
@@ -158,7 +159,12 @@ def tune(
                 tapes = [run.tape for run in search.flows]
                 there, state = solver.run(here, tuple(around), search.weights, tapes)
                 there, expected = {name: np.asarray(there[name]) for name in there}, float(state.fun_val)
-            reach = max(float(np.abs(there[name] - here[name]).max()) for name in here)
+                if _distance(here, there) < TIMID * box:  # a line search that failed: down the slope, as far as allowed
+                    slope = _mean_value(objective, here, search.weights, tapes)[1]
+                    steepest = max(float(np.abs(part).max()) for part in slope.values())
+                    there = {name: here[name] - box / max(steepest, 1e-300) * np.asarray(slope[name]) for name in here}
+                    there, expected = {name: np.clip(there[name], low[name], high[name]) for name in here}, np.nan
+            reach = _distance(here, there)
             if not reach > 0 or not np.isfinite(reach):
                 reason = "the tapes' gradient leads nowhere"
                 break
@@ -237,6 +243,10 @@ def _found(objective: Objective, flows: tuple[Flow, ...]) -> float:
     """The objective's mean over runs, of their curves as the flow left them."""
     found = [_at_nodes(objective, jnp.asarray(run.curve.vertices), run.tape)[0] for run in flows]
     return float(np.mean([float(one) for one in found]))
+
+
+def _distance(one: dict[str, np.ndarray], other: dict[str, np.ndarray]) -> float:
+    return max(float(np.abs(one[name] - other[name]).max()) for name in one)
 
 
 def _compared(before: tuple[Flow, ...], after: tuple[Flow, ...]) -> Comparison:

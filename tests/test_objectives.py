@@ -1,0 +1,140 @@
+"""Objectives on curves and surfaces where their values are known."""
+
+import jax
+import jax.numpy as jnp
+import numpy as np
+import pytest
+import trimesh
+
+import msf_jax
+from msf_jax import ConfigError, objectives
+from msf_jax.objectives import Objective, Replayed
+
+
+def replayed(nodes, radii, edges=(), surface=None, node_of_vertex=None) -> Replayed:
+    """A curve in a surface of equal areas, or in two points, with a diagonal of 2."""
+    surface = np.array([[0.0, 0, 0], [1.0, 0, 0]]) if surface is None else surface
+    node_of_vertex = np.zeros(len(surface), dtype=int) if node_of_vertex is None else node_of_vertex
+    return Replayed(
+        nodes=jnp.asarray(nodes, float),
+        radii=jnp.asarray(radii, float),
+        edges=jnp.asarray(edges, int).reshape(-1, 2),
+        surface=jnp.asarray(surface, float),
+        areas=jnp.full(len(surface), 1 / len(surface)),
+        node_of_vertex=jnp.asarray(node_of_vertex),
+        diagonal=jnp.asarray(2.0),
+    )
+
+
+def sphere() -> np.ndarray:
+    return np.array(trimesh.creation.icosphere(3).vertices)
+
+
+def test_explained():
+    """A ball that is the surface explains it; of half its radius, it leaves a quarter of the diagonal."""
+    for radius, expected in ((1.0, 0.0), (0.5, 0.25), (2.0, 0.0)):
+        curve = replayed([[0, 0, 0]], [radius], surface=sphere())
+        assert objectives.explained()(curve) == pytest.approx(expected, abs=1e-12)
+    two = replayed([[0, 0, 0], [9, 0, 0]], [0.5, 8.5], surface=[[1, 0, 0], [0, 1, 0]])
+    assert objectives.explained()(two) == pytest.approx(0.25 / 2)  # the second ball reaches the first point, past it
+
+
+def test_explained_takes_samples_of_a_large_surface():
+    surface = np.tile(sphere(), (10, 1))
+    assert objectives.explained()(replayed([[0, 0, 0]], [0.5], surface=surface)) == pytest.approx(0.25)
+
+
+def test_centred():
+    """0 on a ring's axis, offset over mean distance beside it; a neighbour's surface counts, too."""
+    angle = np.arange(64) * 2 * np.pi / 64
+    ring = np.stack([np.cos(angle), np.sin(angle), np.zeros(64)], axis=1)
+    assert objectives.centred()(replayed([[0, 0, 0]], [1], surface=ring)) == pytest.approx(0.0, abs=1e-9)
+    off = np.array([0.3, 0.0, 0.0])
+    expected = 0.3 / np.linalg.norm(ring - off, axis=1).mean()
+    assert objectives.centred()(replayed([off], [0.7], surface=ring)) == pytest.approx(expected, rel=1e-4)
+    halves = (ring[:, 0] > 0).astype(int)
+    pair = replayed([[0, 0, 0], [0, 0, 0]], [1, 1], [[0, 1]], ring, halves)
+    assert objectives.centred()(pair) == pytest.approx(0.0, abs=1e-9)
+
+
+def test_inside():
+    curve = replayed(np.zeros((4, 3)), [0.5, -0.2, 0.1, -0.4])
+    assert objectives.inside()(curve) == pytest.approx((0.1 + 0.2) / 4)
+    assert objectives.inside(margin=0.1)(curve) == pytest.approx((0 + 0.2 + 0.05 + 0.3) / 4)
+
+
+@pytest.mark.parametrize("degrees", [0, 30, 90, 179])
+def test_smooth(degrees):
+    """One turn among four nodes in a row, the other straight; a junction does not count."""
+    turn = np.radians(degrees)
+    bent = [[0, 0, 0], [1, 0, 0], [2, 0, 0], [2 + np.cos(turn), np.sin(turn), 0]]
+    row = [[0, 1], [1, 2], [2, 3]]
+    expected = (1 - np.cos(turn)) / 2
+    assert objectives.smooth()(replayed(bent, np.ones(4), row)) == pytest.approx(expected, abs=1e-12)
+    forked = replayed([*bent, [2, 5, 0]], np.ones(5), [*row, [2, 4]])
+    assert objectives.smooth()(forked) == pytest.approx(0.0, abs=1e-12)
+
+
+def test_near():
+    target = np.stack([np.linspace(0, 1, 11), np.zeros(11), np.zeros(11)], axis=1)
+    assert objectives.near(target)(replayed(target, np.ones(11))) == pytest.approx(0.0, abs=1e-12)
+    assert objectives.near(target)(replayed(target + [0, 0.5, 0], np.ones(11))) == pytest.approx(0.25)
+    with pytest.raises(ConfigError, match=r"target has shape \(4,\)"):
+        objectives.near(np.ones(4))
+
+
+def test_gradients_are_finite_where_points_coincide():
+    """Nodes on each other, on the surface, and on the target; a node without surface."""
+    curve = replayed(np.zeros((3, 3)), np.zeros(3), [[0, 1], [1, 2]])
+    total = objectives.explained() + objectives.centred() + objectives.inside() + objectives.smooth()
+    total = total + objectives.near(np.zeros((2, 3)))
+    slope = jax.grad(lambda nodes: total(curve._replace(nodes=nodes)))(curve.nodes)
+    assert np.isfinite(slope).all()
+
+
+def test_no_unit():
+    """The same whatever the unit of length."""
+    random = np.random.default_rng(0)
+    curve = replayed(random.normal(size=(5, 3)), random.uniform(size=5), [[0, 1], [1, 2], [2, 3], [3, 4]], sphere())
+    curve = curve._replace(node_of_vertex=jnp.asarray(random.integers(0, 5, 642)))
+    lengths = {name: 1e3 * getattr(curve, name) for name in ("nodes", "radii", "surface", "diagonal")}
+    for objective in (objectives.explained(), objectives.centred(), objectives.inside(0.1), objectives.smooth()):
+        assert objective(curve._replace(**lengths)) == pytest.approx(float(objective(curve)), rel=1e-9)
+
+
+def test_sums_and_multiples():
+    curve = replayed(np.zeros((2, 3)), [-1.0, 1.0])
+    total = 2 * objectives.inside() + objectives.inside(1.0) * 3
+    assert isinstance(total, Objective) and total.name == "2 * (inside) + 3 * (inside(1))"
+    assert total(curve) == pytest.approx(2 * 0.25 + 3 * (1.5 + 0.5) / 2)
+    with pytest.raises(TypeError):
+        _ = objectives.inside() + 1.0  # pyright: ignore[reportOperatorIssue]
+
+
+@pytest.fixture(scope="module")
+def flow():
+    mesh = trimesh.creation.icosphere(2)
+    mesh.apply_scale([1.0, 0.4, 0.4])
+    return msf_jax.contract(mesh)
+
+
+def test_value_of_a_run(flow):
+    """A function of nodes and radii as it is, and an objective, of the recorded curve."""
+    found = objectives.value(lambda nodes, radii: nodes[:, 0].max() + radii.sum(), flow.tape, flow.weights)
+    assert found == pytest.approx(flow.curve.vertices[:, 0].max() + flow.curve.radii.sum(), abs=1e-8)
+    assert 0 < objectives.value(objectives.explained(), flow.tape, flow.weights) < 0.1
+
+
+@pytest.mark.parametrize(
+    ("objective", "says"),
+    [
+        (3.0, "objective is a float: expected one of msf_jax.objectives, or a function"),
+        (lambda nodes, radii: nodes, r"returned shape \(\d+, 3\): expected one number"),
+        (lambda nodes, radii: len(nodes), "returned int.*: expected a floating-point number"),
+        (lambda nodes: nodes.sum(), "cannot be called with"),
+        (lambda nodes, radii: None, "returns no number|returned no number"),
+    ],
+)
+def test_wrong_objectives(flow, objective, says):
+    with pytest.raises(ConfigError, match=says):
+        objectives.value(objective, flow.tape, flow.weights)

@@ -1,0 +1,300 @@
+"""The replay: equal to the run, differentiable, and the same whatever the padding."""
+
+from dataclasses import replace
+
+import jax
+import jax.numpy as jnp
+import numpy as np
+import pytest
+import trimesh
+from jax.test_util import check_grads
+
+import msf_jax
+from msf_jax import Config, ConfigError, MeshError, Weights, replaying
+from msf_jax.host import recording
+from msf_jax.host.stretches import Planned
+from msf_jax.layout import layout_for
+from tests.conftest import blob, torus
+from tests.device_cases import central_difference
+
+TIGHT = 1e-15  # of the solves, where differences of replays are taken
+
+
+def ellipsoid(subdivisions: int = 3) -> trimesh.Trimesh:
+    """Stretched, bumpy, and far from the origin."""
+    mesh = blob(3, subdivisions)
+    mesh.apply_scale([1.0, 0.5, 0.4])
+    mesh.apply_translation([5.0, -3.0, 100.0])
+    return mesh
+
+
+def two_parts() -> trimesh.Trimesh:
+    ring = torus(around=16, across=8)
+    ring.apply_translation([0.0, 4.0, 100.0])
+    return trimesh.util.concatenate([ellipsoid(2), ring])
+
+
+def pinched() -> trimesh.Trimesh:
+    """Two ellipsoids that share a vertex, and a vertex that no face uses."""
+    one, other = ellipsoid(2), ellipsoid(2)
+    tip = int(one.vertices[:, 0].argmax())
+    back = int(other.vertices[:, 0].argmin())
+    other.apply_translation(one.vertices[tip] - other.vertices[back])
+    faces = np.where(other.faces == back, tip, other.faces + len(one.vertices))
+    vertices = np.concatenate([one.vertices, other.vertices])
+    return trimesh.Trimesh(vertices, np.concatenate([one.faces, faces]), process=False)
+
+
+def varied(num: int) -> Weights:
+    """Another weight at every vertex."""
+    random = np.random.default_rng(0)
+    w_H, w_M, smoothing = (base * np.exp(0.4 * random.normal(size=num)) for base in (0.1, 0.4, 0.001))
+    return Weights(1.0, w_H, w_M, smoothing)
+
+
+@pytest.fixture(scope="module")
+def flow() -> msf_jax.Flow:
+    return msf_jax.contract(ellipsoid())
+
+
+CASES = {
+    "two parts, pins": (two_parts, Weights(), Config(), [0, 5, 100]),
+    "pinched, another weight at each vertex": (pinched, None, Config(), None),
+    "pins, another weight at each vertex": (ellipsoid, None, Config(), [3, 200]),
+    "au2008": (ellipsoid, Weights(1.0, 1.0, 0.0, 0.0), Config.au2008(), None),
+    "resampled": (lambda: ellipsoid(2), Weights(), Config.tagliasacchi2012(resample=0.05, t_min=0.01), None),
+    "filtered mesh": (ellipsoid, Weights(), Config(reconstruct_mesh=80), [3]),
+    "eigenvectors": (ellipsoid, Weights(), Config(reconstruct_mesh=80, exact_reconstruction=True), None),
+    "trusted poles, uniform": (ellipsoid, Weights(), Config(pole_confidence=True, laplacian="uniform"), None),
+    "stopped at once": (ellipsoid, Weights(), Config(max_iterations=1), None),
+}
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_it_equals_the_run(name):
+    make, weights, config, pins = CASES[name]
+    mesh = make()
+    weights = varied(len(mesh.vertices)) if weights is None else weights
+    flow = msf_jax.contract(mesh, weights, config, pins=pins)
+    nodes = msf_jax.replay(flow.tape, flow.weights)
+    bound = 1e-9 * mesh.scale
+    assert np.abs(nodes - flow.curve.vertices).max() < bound
+    assert np.abs(msf_jax.replay_meso(flow.tape, flow.weights) - flow.meso_skeleton[0]).max() < bound
+    radii = np.asarray(msf_jax.replay_radii(flow.tape, nodes))
+    is_inside = flow.curve.radii > 0
+    assert np.abs(radii - flow.curve.radii)[is_inside].max() < bound
+    assert (radii[~is_inside] <= bound).all()
+
+
+@pytest.mark.parametrize("name", ["three-holes", "homer", "indorelax"])
+def test_it_equals_the_run_on_research_meshes(research_mesh, name):
+    vertices, faces = research_mesh(name)
+    flow = msf_jax.contract((vertices, faces))
+    error = np.abs(msf_jax.replay(flow.tape, flow.weights) - flow.curve.vertices).max()
+    assert error < 1e-9 * np.linalg.norm(np.ptp(vertices, axis=0))
+
+
+def test_gradients_agree_with_central_differences(flow):
+    """In each weight, for five vertices, and for weights of single vertices: 1e-5 of the largest."""
+    tape, random = flow.tape, np.random.default_rng(0)
+    num = len(tape.vertices)
+    towards = random.normal(size=(tape.num_nodes, 3))
+
+    @jax.jit
+    def value(tape, logarithms, vertices):
+        weights = Weights(*jnp.exp(logarithms))
+        nodes = msf_jax.replay(tape, weights, vertices, tolerance=TIGHT)
+        return (towards * (nodes - flow.curve.vertices)).sum()
+
+    first = np.log(np.tile(np.array(list(vars(flow.weights).values()))[:, None], num))
+    by_log, by_vertex = jax.jit(jax.grad(value, argnums=(1, 2)))(tape, first, tape.vertices)
+    slopes = [
+        (float(by_log[k].sum()), central_difference(lambda x: value(tape, x, tape.vertices), first, step, 2e-6))
+        for k, step in enumerate(np.repeat(np.eye(4)[:, :, None], num, axis=2))
+    ]
+    directions = random.normal(size=(5, 3))
+    for vertex, direction in zip(random.choice(num, 5, replace=False), directions, strict=True):
+        step = np.zeros((num, 3))
+        step[vertex] = direction
+        measured = central_difference(lambda x: value(tape, first, x), tape.vertices, step, 2e-6)
+        slopes.append((float(by_vertex[vertex] @ direction), measured))
+    for vertex in random.choice(num, 2, replace=False):
+        step = np.zeros((4, num))
+        step[1:, vertex] = 1.0
+        measured = central_difference(lambda x: value(tape, x, tape.vertices), first, step, 1e-4)
+        slopes.append((float(by_log[1:, vertex].sum()), measured))
+    found, measured = np.array(slopes).T
+    groups = [slice(0, 4), slice(4, 9), slice(9, 11)]
+    for group in groups:
+        assert np.abs(found - measured)[group].max() < 1e-5 * np.abs(measured[group]).max()
+
+
+def test_forward_and_reverse_mode_on_a_small_mesh():
+    flow = msf_jax.contract(ellipsoid(2))
+
+    def value(logarithms):
+        nodes = msf_jax.replay(flow.tape, Weights(*jnp.exp(logarithms)), tolerance=TIGHT)
+        return (jnp.sin(jnp.arange(nodes.size)).reshape(-1, 3) * (nodes - flow.curve.vertices)).sum()
+
+    first = jnp.log(jnp.array(list(vars(flow.weights).values())))
+    check_grads(value, (first,), order=1, modes=("fwd", "rev"), atol=1e-6, rtol=1e-5, eps=1e-5)
+
+
+def test_forward_and_reverse_mode_are_transposes(flow):
+    """<u, J v> = <J^T u, v> for random u and v."""
+    random = np.random.default_rng(1)
+    v, u = random.normal(size=flow.tape.vertices.shape), random.normal(size=(flow.tape.num_nodes, 3))
+
+    def nodes(vertices):
+        return msf_jax.replay(flow.tape, flow.weights, vertices)
+
+    forward = jax.jvp(nodes, (flow.tape.vertices,), (v,))[1]
+    backward = jax.vjp(nodes, jnp.asarray(flow.tape.vertices))[1](jnp.asarray(u))[0]
+    np.testing.assert_allclose((u * forward).sum(), (backward * v).sum(), rtol=1e-9)
+
+
+def test_moved_and_scaled_alike(flow):
+    """A mesh that is moved moves its nodes, and only ratios of w_L, w_H and w_M matter; so do derivatives."""
+    tape, weights = flow.tape, flow.weights
+    shift = np.array([0.3, -0.2, 0.1])
+    moved = msf_jax.replay(tape, weights, tape.vertices + shift)
+    np.testing.assert_allclose(moved, flow.curve.vertices + shift, atol=1e-8)
+    doubled = replace(weights, w_L=2 * weights.w_L, w_H=2 * weights.w_H, w_M=2 * weights.w_M)
+    np.testing.assert_allclose(msf_jax.replay(tape, doubled), flow.curve.vertices, atol=1e-8)
+    slope = jax.jvp(
+        lambda scale: msf_jax.replay(
+            tape, replace(weights, w_L=weights.w_L * scale, w_H=weights.w_H * scale, w_M=weights.w_M * scale)
+        ),
+        (1.0,),
+        (1.0,),
+    )[1]
+    assert np.abs(slope).max() < 1e-7
+
+
+def test_one_value_for_all_vertices_is_a_scalar(flow):
+    num = len(flow.tape.vertices)
+    alike = Weights(*(np.full(num, value) for value in vars(flow.weights).values()))
+    np.testing.assert_allclose(msf_jax.replay(flow.tape, alike), flow.curve.vertices, atol=1e-9)
+
+
+def test_padding_does_not_matter(flow, monkeypatch):
+    """In a larger layout, and in two stretches instead of one: the same nodes, and the same gradient."""
+
+    def with_gradient(tape):
+        def value(weights, vertices):
+            nodes = msf_jax.replay(tape, weights, vertices)
+            return ((nodes - flow.curve.vertices) ** 2 + nodes).sum(), nodes
+
+        (_, nodes), slopes = jax.value_and_grad(value, argnums=(0, 1), has_aux=True)(
+            flow.weights, jnp.asarray(tape.vertices)
+        )
+        return nodes, slopes
+
+    def other_plan(steps):
+        beyond = [40] * 24
+        return [Planned(0, 1, layout_for(3000, beyond)), Planned(1, len(steps), layout_for(1000, beyond))]
+
+    nodes, slopes = with_gradient(flow.tape)
+    monkeypatch.setattr(recording, "stretches_of", other_plan)
+    again = msf_jax.tape.record(flow.recording, flow.weights, flow.config, flow.curve, flow.source)
+    assert again.shapes != flow.tape.shapes
+    other_nodes, other_slopes = with_gradient(again)
+    np.testing.assert_allclose(other_nodes, nodes, atol=1e-10)
+    for one, other in zip(jax.tree_util.tree_leaves(slopes), jax.tree_util.tree_leaves(other_slopes), strict=True):
+        np.testing.assert_allclose(other, one, rtol=1e-6, atol=1e-7 * np.abs(one).max())
+
+
+def test_many_weights_at_once(flow):
+    w_L = jnp.array([0.8, 1.0, 1.3])
+    batch = jax.vmap(lambda w_L: msf_jax.replay(flow.tape, replace(flow.weights, w_L=w_L)))(w_L)
+    for row, one in zip(batch, w_L, strict=True):
+        expected = msf_jax.replay(flow.tape, replace(flow.weights, w_L=float(one)))
+        np.testing.assert_allclose(row, expected, atol=1e-8)
+    assert np.abs(batch[0] - batch[2]).max() > 1e-4
+
+
+def test_reverse_mode_keeps_states_and_no_solver_steps(flow):
+    """What is kept for the way back is a few surfaces an iteration, however many steps the solves take."""
+
+    def kept(tolerance):
+        run = jax.vjp(lambda weights: msf_jax.replay(flow.tape, weights, tolerance=tolerance), flow.weights)[1]
+        return sum(leaf.nbytes for leaf in jax.tree_util.tree_leaves(run) if hasattr(leaf, "nbytes"))
+
+    part, shape = flow.tape.parts[0], flow.tape.shapes[0]
+    states = sum(
+        len(stretch.factor) * 8 * (7 * (layout.capacity + stretch.cut[0, ..., 0].size) + 6 * layout.capacity)
+        for stretch, layout in zip(part.stretches, shape.layouts, strict=True)
+    )
+    of_tape = sum(np.asarray(leaf).nbytes for leaf in jax.tree_util.tree_leaves(flow.tape))
+    assert kept(1e-12) == kept(1e-3)
+    assert kept(1e-3) < 1.5 * states + 2 * of_tape
+
+
+def test_finite_gradients_with_degenerate_triangles():
+    """A box whose faces have needles without area, at the start already."""
+    box = trimesh.creation.box([1.0, 0.4, 0.4]).subdivide().subdivide().subdivide()
+    vertices, faces = np.array(box.vertices), np.array(box.faces)
+    for face in faces[[10, 200, 333]]:
+        vertices[face[2]] = (vertices[face[0]] + vertices[face[1]]) / 2  # on its edge
+    flow = msf_jax.contract((vertices, faces), config=Config(coarsen=0.0, reconstruct_poles=0))
+    assert np.abs(msf_jax.replay(flow.tape, flow.weights) - flow.curve.vertices).max() < 1e-9
+
+    def value(weights, vertices):
+        nodes = msf_jax.replay(flow.tape, weights, vertices)
+        return (nodes**2).sum() + (msf_jax.replay_radii(flow.tape, nodes, vertices) ** 2).sum()
+
+    slopes = jax.grad(value, argnums=(0, 1))(flow.weights, jnp.asarray(vertices))
+    assert all(np.isfinite(leaf).all() for leaf in jax.tree_util.tree_leaves(slopes))
+    assert np.abs(slopes[1]).max() > 0.01
+
+
+def test_radii_are_distances_to_the_recorded_triangle(flow):
+    """By the solid's own measure for small moves; negative, with an unbroken slope, through the surface."""
+    tape = flow.tape
+    nodes = flow.curve.vertices
+    random = np.random.default_rng(2)
+    moved = nodes + 1e-7 * random.normal(size=nodes.shape)
+    np.testing.assert_allclose(msf_jax.replay_radii(tape, moved), flow.source.solid.radii(moved), atol=1e-8)
+    triangle = tape.vertices[tape.triangles[0]]
+    normal = np.cross(triangle[1] - triangle[0], triangle[2] - triangle[0])
+    normal /= np.linalg.norm(normal)
+    for height in (-0.01, -1e-9, 1e-9, 0.01):
+        placed = jnp.asarray(nodes).at[0].set(triangle.mean(axis=0) + height * normal)
+        radius, slope = jax.value_and_grad(lambda x: msf_jax.replay_radii(tape, x)[0])(placed)
+        np.testing.assert_allclose(radius, -height, atol=1e-12)
+        np.testing.assert_allclose(slope[0], -normal, atol=1e-9)
+
+
+def test_an_unsolved_replay_is_nan(flow, monkeypatch):
+    monkeypatch.setattr(replaying, "MOST_STEPS", 2)
+    assert np.isnan(msf_jax.replay(flow.tape, flow.weights)).all()
+
+
+def test_a_tape_can_be_an_argument_of_a_jitted_function(flow):
+    nodes = jax.jit(msf_jax.replay)(flow.tape, flow.weights)
+    np.testing.assert_allclose(nodes, flow.curve.vertices, atol=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "error", "says"),
+    [
+        (lambda tape: ("tape", Weights()), ConfigError, "tape is a str: expected a Tape"),
+        (lambda tape: (tape, (1.0, 0.1)), ConfigError, "weights is a tuple: expected a msf_jax.Weights"),
+        (lambda tape: (tape, Weights(w_H=np.ones(3))), ConfigError, r"w_H has shape \(3,\): expected a number, or"),
+        (lambda tape: (tape, Weights(), np.zeros((5, 3))), MeshError, r"shape \(5, 3\): expected \(642, 3\)"),
+        (lambda tape: (tape, Weights(), tape.vertices * np.nan), MeshError, "not all finite"),
+    ],
+)
+def test_wrong_arguments(flow, arguments, error, says):
+    with pytest.raises(error, match=says):
+        msf_jax.replay(*arguments(flow.tape))
+
+
+def test_radii_of_other_nodes(flow):
+    with pytest.raises(ConfigError, match=r"nodes has shape \(2, 3\)"):
+        msf_jax.replay_radii(flow.tape, np.zeros((2, 3)))
+
+
+def test_weights_of_the_wrong_length_are_refused_by_the_flow():
+    with pytest.raises(ConfigError, match=r"w_M has shape \(3,\): expected a number, or \(162,\)"):
+        msf_jax.contract(ellipsoid(2), Weights(w_M=np.ones(3)))

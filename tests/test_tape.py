@@ -1,0 +1,132 @@
+"""The tape as a thing of its own: saved, loaded, refused, compared."""
+
+import json
+
+import jax
+import numpy as np
+import pytest
+import trimesh
+
+import msf_jax
+from msf_jax import Config, ConfigError, MeshError, Tape, Weights
+from tests.conftest import blob
+
+
+def mesh() -> trimesh.Trimesh:
+    return blob(5, 2)
+
+
+@pytest.fixture(scope="module")
+def flow() -> msf_jax.Flow:
+    return msf_jax.contract(mesh(), config=Config(reconstruct_mesh=60))
+
+
+@pytest.fixture
+def path(flow, tmp_path):
+    flow.tape.save(tmp_path / "run.npz")
+    return tmp_path / "run.npz"
+
+
+def test_what_is_loaded_is_what_was_saved(flow, path):
+    loaded = Tape.load(path, mesh())
+    (before, same), (after, structure) = jax.tree_util.tree_flatten(flow.tape), jax.tree_util.tree_flatten(loaded)
+    assert same == structure
+    for one, other in zip(before, after, strict=True):
+        np.testing.assert_array_equal(one, other)
+    np.testing.assert_array_equal(msf_jax.replay(loaded, loaded.weights), msf_jax.replay(flow.tape, flow.weights))
+
+
+def test_a_run_is_not_changed_by_recording_it(flow):
+    again = msf_jax.contract(mesh(), config=Config(reconstruct_mesh=60))
+    assert again.recording is not flow.recording
+    np.testing.assert_array_equal(again.curve.vertices, flow.curve.vertices)
+    assert flow.tape is flow.tape
+    assert repr(flow.tape) == f"Tape({len(flow.curve.vertices)} nodes, {len(flow.tape.decisions)} decisions, " + (
+        f"mesh {flow.tape.mesh_id[:8]})"
+    )
+
+
+def test_of_another_mesh(path):
+    other = mesh()
+    other.apply_scale(1.001)
+    with pytest.raises(MeshError, match="tape is of another mesh: it was recorded for one of 162 vertices"):
+        Tape.load(path, other)
+
+
+def test_of_another_version(path):
+    with np.load(path) as file:
+        arrays = dict(file)
+    arrays["header"] = np.array(json.dumps(json.loads(str(arrays["header"])) | {"version": 999}))
+    np.savez(path, **arrays)
+    with pytest.raises(ConfigError, match="a tape of version 999: this program reads 1"):
+        Tape.load(path)
+
+
+def _cut_short(path):
+    path.write_bytes(path.read_bytes()[:1000])
+
+
+def _text(path):
+    path.write_text("no tape at all")
+
+
+def _other_arrays(path):
+    np.savez(path, a=np.ones(3))
+
+
+def _without_an_array(path):
+    with np.load(path) as file:
+        arrays = {name: file[name] for name in file.files if name != "parts/0/offset"}
+    np.savez(path, **arrays)
+
+
+def _objects(path):
+    with np.load(path) as file:
+        arrays = dict(file)
+    arrays["edges"] = np.array([{}], dtype=object)
+    np.savez(path, allow_pickle=True, **arrays)
+
+
+@pytest.mark.parametrize("damage", [_cut_short, _text, _other_arrays, _without_an_array, _objects])
+def test_what_is_no_tape(path, damage):
+    damage(path)
+    with pytest.raises(ConfigError, match=r"run.npz' is no tape"):
+        Tape.load(path)
+
+
+def test_files_that_cannot_be(flow, tmp_path):
+    with pytest.raises(ConfigError, match=r"saved as .npz, not as '.swc'"):
+        flow.tape.save(tmp_path / "run.swc")
+    with pytest.raises(FileNotFoundError):
+        Tape.load(tmp_path / "none.npz")
+    with pytest.raises(FileNotFoundError):
+        flow.tape.save(tmp_path / "none" / "run.npz")
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_decisions_are_counted():
+    """None for the same run; the more, the farther the weights are; the names of vertices do not depend on rows."""
+    first = msf_jax.contract(mesh()).tape
+    same, near, far = (msf_jax.contract(mesh(), Weights(w_L=w_L)).tape for w_L in (1.0, 1.001, 3.0))
+    assert first.compare(same) == (0, len(first.decisions))
+    shares = [first.compare(tape).different / len(tape.decisions) for tape in (near, far)]
+    assert 0 < shares[0] < shares[1] <= 1
+    assert first.compare(far).different - far.compare(first).different == len(far.decisions) - len(first.decisions)
+    other = mesh()
+    other.apply_scale(2.0)
+    with pytest.raises(MeshError, match="tapes are of different meshes"):
+        first.compare(msf_jax.contract(other).tape)
+
+
+def test_every_edit_is_a_decision():
+    flow = msf_jax.contract(mesh(), config=Config(coarsen=0.0))
+    edits = sum(line.collapses + line.splits for line in flow.history)
+    fixed = sum(
+        len(edit.vertex)
+        for step in flow.recording.components[0].steps
+        for edit in step.edits
+        if hasattr(edit, "vertex")
+    )
+    mapped = (flow.recording.components[0].node_of_meso >= 0).sum()
+    assert len(flow.tape.decisions) == edits + fixed + mapped
+    assert len(np.unique(flow.tape.decisions)) == len(flow.tape.decisions)

@@ -1,0 +1,128 @@
+"""Tuning by gradient, and sensitivity."""
+
+from functools import partial
+
+import jax
+import jax.numpy as jnp
+import numpy as np
+import pytest
+import trimesh
+
+import msf_jax
+from msf_jax import Config, ConfigError, Weights, objectives, tuning
+from tests.device_cases import central_difference
+
+
+def bone() -> trimesh.Trimesh:
+    """A capsule that is thinner in the middle."""
+    mesh = trimesh.creation.capsule(height=2.0, radius=0.4, count=[12, 12])
+    mesh.vertices[:, :2] *= 0.7 + 0.3 * np.cos(np.pi * mesh.vertices[:, 2:]) ** 2
+    return mesh
+
+
+OBJECTIVE = objectives.explained() + 0.02 * objectives.centred()
+
+
+def test_poor_weights_get_better():
+    """Every value is a fresh run's, the best is kept, and no weight leaves its bounds."""
+    poor = Weights(10.0, 0.05, 0.1, 0.001)
+    found = msf_jax.tune(bone(), OBJECTIVE, poor, steps=3, bounds={"w_L": (0.01, 12.0)})
+    values = [step.found for step in found.trajectory]
+    taken = [step.found for step in found.trajectory if step.is_taken]
+    assert found.value == min(taken) < 0.95 * values[0]
+    assert taken == sorted(taken, reverse=True)
+    again = msf_jax.contract(bone(), found.weights)
+    assert objectives.value(OBJECTIVE, again.tape, again.weights) == pytest.approx(found.value, rel=1e-6)
+    assert all(0.01 <= float(step.weights.w_L) <= 12.0 for step in found.trajectory)
+    assert len(found.trajectory) <= 4 and found.reason
+    last = found.trajectory[-1]
+    assert 0 < last.changed.different <= last.changed.total
+    assert str(found).count("\n") == len(found.trajectory) + 1
+
+
+def test_from_a_run_that_does_not_converge_it_goes_to_the_defaults():
+    """Half-way in logarithms, for the weights that are not zero, until a run converges."""
+    config = Config(max_iterations=12)
+    stuck = Weights(0.01, 1.0, 4.0, 0.0)
+    assert not msf_jax.contract(bone(), stuck, config).skeleton.report.converged
+    found = msf_jax.tune(bone(), OBJECTIVE, stuck, config=config, steps=1)
+    proposed = found.trajectory[1].weights
+    assert proposed.w_L == pytest.approx(0.1) and proposed.w_H == pytest.approx(0.1**0.5)
+    assert proposed.smoothing == 0.0
+
+
+def test_several_meshes_and_a_function_of_ones_own():
+    wider = bone()
+    wider.apply_scale([1.3, 1.3, 1.0])
+    found = msf_jax.tune([bone(), wider], lambda nodes, radii: -radii.mean(), steps=1)
+    assert len(found.flows) == 2
+    expected = -np.mean([run.curve.radii.mean() for run in found.flows])
+    assert found.value == pytest.approx(expected)
+
+
+@pytest.mark.parametrize(
+    ("options", "says"),
+    [
+        ({"objective": lambda nodes, radii: nodes}, "expected one number"),
+        ({"objective": lambda nodes, radii: jnp.nan * nodes.sum()}, "is nan at the start: expected a finite number"),
+        ({"objective": "explained"}, "objective is a str"),
+        ({"weights": (1.0, 0.1)}, "weights is a tuple"),
+        ({"weights": Weights(w_L=20.0), "bounds": (0.1, 10.0)}, "w_L is 20: expected a start within its bounds"),
+        ({"bounds": {"w_X": (0.1, 1.0)}}, "bounds name 'w_X': expected one of w_L"),
+        ({"bounds": {"w_L": (1.0, 0.1)}}, r"bounds of w_L are \(1.0, 0.1\)"),
+        ({"bounds": 3}, "bounds of w_L are 3"),
+        ({"steps": 0}, "steps is 0: expected a whole number"),
+        ({"config": Weights()}, "config is a Weights"),
+    ],
+)
+def test_wrong_options(options, says):
+    arguments = {"objective": OBJECTIVE, "weights": None} | options
+    with pytest.raises(ConfigError, match=says):
+        msf_jax.tune(bone(), arguments.pop("objective"), arguments.pop("weights"), **arguments)
+
+
+def test_no_mesh():
+    with pytest.raises(ConfigError, match="no mesh"):
+        msf_jax.tune([], OBJECTIVE)
+
+
+def test_one_mesh_or_many():
+    pair = (np.zeros((4, 3)), np.zeros((2, 3)))
+    assert tuning._listed(pair) == [pair]
+    assert tuning._listed([pair, pair]) == [pair, pair]
+    assert tuning._listed("a.off") == ["a.off"]
+    assert tuning._listed(["a.off", bone()])[0] == "a.off"
+    assert len(tuning._listed([bone()])) == 1
+
+
+def test_sensitivity():
+    """To a weight and a vertex by central differences; by columns and by rows it is the same."""
+    mesh = trimesh.creation.icosphere(2)
+    mesh.apply_scale([1.0, 0.4, 0.4])
+    flow = msf_jax.contract(mesh)
+    found = msf_jax.sensitivity(flow.tape)
+    assert found.weights == flow.weights
+    towards = np.random.default_rng(0).normal(size=flow.curve.vertices.shape)
+    replayed = jax.jit(partial(msf_jax.replay, tolerance=1e-15))
+
+    def along(w_M):
+        return (towards * replayed(flow.tape, Weights(w_M=w_M))).sum()
+
+    assert (towards * found.by_weight.w_M).sum() == pytest.approx(central_difference(along, 0.4, 1.0, 1e-6), rel=1e-5)
+    column, row = found.of_vertex(7), found.of_node(2)
+    np.testing.assert_allclose(column[2], row[7], atol=1e-9)
+    assert column.shape == (len(towards), 3, 3) and row.shape == (162, 3, 3)
+    step = np.zeros((162, 3))
+    step[7, 1] = 1.0
+    slope = central_difference(
+        lambda x: (towards * replayed(flow.tape, flow.weights, x)).sum(), flow.tape.vertices, step, 1e-6
+    )
+    assert (towards * column[:, :, 1]).sum() == pytest.approx(slope, rel=1e-5)
+    np.testing.assert_allclose(row.sum(axis=0), np.eye(3), atol=1e-7)  # a mesh that moves as a whole moves its nodes
+    for wrong in (lambda: found.of_vertex(162), lambda: found.of_node(-1), lambda: found.of_vertex(1.5)):
+        with pytest.raises(ConfigError, match="expected a number from 0 to"):
+            wrong()
+    with pytest.raises(ConfigError, match="tape is a Flow: expected a Tape"):
+        msf_jax.sensitivity(flow)
+    with pytest.raises(ConfigError, match=r"w_L has shape \(2,\): expected a number"):
+        msf_jax.sensitivity(flow.tape, Weights(w_L=np.ones(2)))
