@@ -70,8 +70,8 @@ def sensitivity(tape: Tape, weights: Weights | None = None) -> Sensitivity:
     for name, value in vars(weights).items():
         if np.ndim(value):
             raise ConfigError(f"Weights.{name} has shape {np.shape(value)}: expected a number")
-    weights = jax.tree_util.tree_map(lambda value: jnp.asarray(value, float), weights)
-    return Sensitivity(tape, weights, jax.tree_util.tree_map(np.asarray, jax.jacfwd(partial(replay, tape))(weights)))
+    at = Weights(*(jnp.asarray(value, float) for value in vars(weights).values()))
+    return Sensitivity(tape, at, jax.tree_util.tree_map(np.asarray, jax.jacfwd(partial(replay, tape))(at)))
 
 
 @jax.jit
