@@ -278,7 +278,7 @@ def contract(
         ConfigError: a weight or an option is out of range, or a pin is no vertex of the surface.
         FlowError: the mesh has no Voronoi diagram.
     """
-    weights, config = _checked_options(weights, config)
+    weights, config = checked_options(weights, config)
     watch = Stopwatch()
     with watch.stage("front door"):
         checked = surface.prepare(mesh)
@@ -301,7 +301,8 @@ def contract(
     return assembly.assemble(checked, held, states, reasons, parts, weights, config, watch)
 
 
-def _checked_options(weights: Any, config: Any) -> tuple[Weights, Config]:
+def checked_options(weights: Any, config: Any) -> tuple[Weights, Config]:
+    """The weights and the config that are meant, or a `ConfigError`."""
     if not isinstance(config, Config | None):
         raise ConfigError(f"config is a {type(config).__name__}: expected a msf_jax.Config")
     if not isinstance(weights, Weights | None):

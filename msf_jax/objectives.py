@@ -7,6 +7,7 @@ are in units of the mesh's diagonal, or without unit, so that one sum serves mes
 nodes and radii of the curve; which of several points is nearest is a decision, and so are edges.
 """
 
+import inspect
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any, NamedTuple
@@ -14,6 +15,7 @@ from typing import Any, NamedTuple
 import jax
 import jax.numpy as jnp
 import numpy as np
+from jax.core import Tracer
 
 from msf_jax.errors import ConfigError
 from msf_jax.options import Weights
@@ -21,6 +23,7 @@ from msf_jax.replaying import replay, replay_radii
 from msf_jax.tape import Tape
 
 MOST_SAMPLES = 2000  # vertices that stand for a surface
+SHORTEST = 1e-4  # edge, in diagonals, whose direction counts in full
 TINY = 1e-24  # squared length, in diagonals, below which a distance has no gradient
 
 
@@ -51,11 +54,12 @@ class Objective:
         return self.function(curve)
 
     def __add__(self, other: "Objective") -> "Objective":
-        if not isinstance(other, Objective):
-            return NotImplemented
+        other = as_objective(other)
         return Objective(f"{self.name} + {other.name}", lambda curve: self(curve) + other(curve))
 
     def __mul__(self, factor: float) -> "Objective":
+        if not isinstance(factor, int | float):
+            return NotImplemented
         return Objective(f"{factor:g} * ({self.name})", lambda curve: factor * self(curve))
 
     __rmul__ = __mul__
@@ -69,11 +73,13 @@ def as_objective(objective: Any) -> Objective:
     """
     if isinstance(objective, Objective):
         return objective
-    if not callable(objective):
+    try:
+        inspect.signature(objective).bind("nodes", "radii")
+    except (TypeError, ValueError):
         raise ConfigError(
-            f"objective is a {type(objective).__name__}: expected one of msf_jax.objectives, or a function of "
-            "(nodes, radii)"
-        )
+            f"objective is a {type(objective).__name__}, {objective!r:.80}: expected one of msf_jax.objectives, with "
+            "its parentheses, or a function of (nodes, radii)"
+        ) from None
     function: Callable[..., Any] = objective
     name = getattr(objective, "__name__", type(objective).__name__)
     return Objective(name, lambda curve: function(curve.nodes, curve.radii))
@@ -103,16 +109,19 @@ def value_at(objective: Objective, tape: Tape, nodes: jax.Array, vertices: Any =
         node_of_vertex=jnp.asarray(tape.node_of_vertex),
         diagonal=jnp.asarray(tape.diagonal, nodes.dtype),
     )
+    returned = objective(curve)
     try:
-        found = jnp.asarray(objective(curve))
+        found = jnp.asarray(returned)
     except (TypeError, ValueError) as error:
         raise ConfigError(
-            f"objective {objective.name} cannot be called with (nodes (N, 3), radii (N,)) or returns no number: {error}"
+            f"objective {objective.name} returned {type(returned).__name__}: expected a number"
         ) from error
     if found.shape != ():
         raise ConfigError(f"objective {objective.name} returned shape {found.shape}: expected one number, shape ()")
     if not jnp.issubdtype(found.dtype, jnp.floating):
         raise ConfigError(f"objective {objective.name} returned {found.dtype}: expected a floating-point number")
+    if not isinstance(found, Tracer) and bool(jnp.isnan(found)) and not bool(jnp.isnan(nodes).any()):
+        raise ConfigError(f"objective {objective.name} returned NaN for finite nodes: expected a number")
     return found
 
 
@@ -133,9 +142,9 @@ def explained() -> Objective:
 
 
 def centred() -> Objective:
-    """How far a node is from the middle of the surface around it, over that surface's mean distance; mean by area.
+    """How far a node is from the middle of the surface around it, over that surface's mean distance from its nodes.
 
-    The surface around a node is what is mapped to it and to its neighbours, as recorded.
+    The surface around a node is what is mapped to it and to its neighbours, as recorded. The mean is by area.
     """
 
     def function(curve: Replayed) -> jax.Array:
@@ -161,6 +170,9 @@ def centred() -> Objective:
 def inside(margin: float = 0.0) -> Objective:
     """How far nodes are outside of the surface, or nearer to it than ``margin`` diagonals; mean over the nodes."""
 
+    if isinstance(margin, bool) or not isinstance(margin, int | float) or not np.isfinite(margin):
+        raise ConfigError(f"margin is {margin!r}: expected a finite number, in diagonals")
+
     def function(curve: Replayed) -> jax.Array:
         return jnp.maximum(margin - curve.radii / curve.diagonal, 0.0).mean()
 
@@ -174,7 +186,7 @@ def smooth() -> Objective:
         num = len(curve.nodes)
         a, b = curve.edges[:, 0], curve.edges[:, 1]
         along = (curve.nodes[b] - curve.nodes[a]) / curve.diagonal
-        along = along / jnp.maximum(_norm(along), 1e-9)[:, None]
+        along = along / jnp.maximum(_norm(along), SHORTEST)[:, None]
         total = jax.ops.segment_sum(along, a, num) - jax.ops.segment_sum(along, b, num)
         one = jnp.ones(len(curve.edges), along.dtype)
         is_passed = jax.ops.segment_sum(one, a, num) + jax.ops.segment_sum(one, b, num) == 2
@@ -193,9 +205,14 @@ def near(target: Any) -> Objective:
     Raises:
         ConfigError: they are not that.
     """
-    points = np.asarray(getattr(target, "vertices", target), dtype=np.float64)
-    if points.ndim != 2 or points.shape[1] != 3 or not len(points) or not np.isfinite(points).all():
-        raise ConfigError(f"target has shape {points.shape}: expected (P, 3) finite points along a curve")
+    try:
+        points = np.asarray(getattr(target, "vertices", target), dtype=np.float64)
+    except (TypeError, ValueError):
+        raise ConfigError(f"target is a {type(target).__name__}: expected points (P, 3) along a curve") from None
+    if points.ndim != 2 or points.shape[1] != 3 or not len(points):
+        raise ConfigError(f"target has shape {points.shape}: expected (P, 3) points along a curve")
+    if not np.isfinite(points).all():
+        raise ConfigError("target has points that are not finite: expected finite points along a curve")
 
     def function(curve: Replayed) -> jax.Array:
         away = _distances(jnp.asarray(points, curve.nodes.dtype), curve.nodes, curve.diagonal)
@@ -207,8 +224,8 @@ def near(target: Any) -> Objective:
 def _norm(vectors: jax.Array) -> jax.Array:
     """Norm over the last axis, with a zero gradient where there is none."""
     square = (vectors * vectors).sum(-1)
-    is_long = square > TINY
-    return jnp.where(is_long, jnp.sqrt(jnp.where(is_long, square, 1.0)), 0.0)
+    is_short = square <= TINY  # NaN is not
+    return jnp.where(is_short, 0.0, jnp.sqrt(jnp.where(is_short, 1.0, square)))
 
 
 def _distances(points: jax.Array, nodes: jax.Array, diagonal: jax.Array) -> jax.Array:

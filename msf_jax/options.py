@@ -40,12 +40,16 @@ class Weights:
     smoothing: Any = 0.001
 
     def __post_init__(self) -> None:
+        self.check()
+
+    def check(self) -> None:
+        """Raise a `ConfigError` unless all weights are in range; what JAX made of them is not checked otherwise."""
         for field in fields(self):
             value = getattr(self, field.name)
             if isinstance(value, Tracer):
                 continue
             try:
-                array = np.asarray(value, dtype=np.float64)
+                array = np.asarray(np.nan if isinstance(value, str) else value, dtype=np.float64)
             except (TypeError, ValueError):
                 array = np.array(np.nan)
             if isinstance(value, bool) or not (np.isfinite(array) & (array >= 0)).all():

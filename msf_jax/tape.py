@@ -9,7 +9,7 @@ import io
 import json
 import os
 import zipfile
-from dataclasses import asdict, dataclass, field, fields
+from dataclasses import asdict, dataclass, field
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -135,23 +135,26 @@ class Tape:
             ConfigError: the file is no tape, is damaged, or was written by another version.
             MeshError: the tape is of another mesh.
         """
-        try:
-            with open(path, "rb") as stream, np.load(stream, allow_pickle=False) as file:
-                header = json.loads(str(file[HEADER])) if HEADER in file else {}
-                if header.get("format") != "msf_jax tape":
-                    raise ConfigError(f"{str(path)!r} is no tape: expected a file that Tape.save wrote")
-                if header["version"] != VERSION:
-                    raise ConfigError(
-                        f"{str(path)!r} is a tape of version {header['version']}: this program reads {VERSION}; "
-                        "record it again with contract"
-                    )
-                tape = _from_arrays(header, {name: file[name] for name in file.files if name != HEADER})
-        except (ValueError, KeyError, TypeError, IndexError, EOFError, zipfile.BadZipFile) as error:
-            if isinstance(error, ConfigError):
+        name = f"{str(path)!r}"
+        with open(path, "rb") as stream:
+            if not zipfile.is_zipfile(stream):
+                raise ConfigError(f"{name} is no tape, or one cut short: expected a file that Tape.save wrote")
+            stream.seek(0)
+            try:
+                with np.load(stream, allow_pickle=False) as file:
+                    header = json.loads(str(file[HEADER])) if HEADER in file else None
+                    if not isinstance(header, dict) or header.get("format") != "msf_jax tape":
+                        raise ConfigError(f"{name} is no tape: expected a file that Tape.save wrote")
+                    if header["version"] != VERSION:
+                        raise ConfigError(
+                            f"{name} is a tape of version {header['version']!r}: this program reads {VERSION}; "
+                            "record it again with contract"
+                        )
+                    tape = _from_arrays(header, {entry: file[entry] for entry in file.files if entry != HEADER})
+            except ConfigError:
                 raise
-            raise ConfigError(
-                f"{str(path)!r} is no tape, or a damaged one ({type(error).__name__}: {error})"
-            ) from error
+            except Exception as error:  # zip, zlib, json and NumPy raise whatever a damaged file provokes
+                raise ConfigError(f"{name} is no tape, or a damaged one ({type(error).__name__}: {error})") from error
         if mesh is not None:
             tape.check(mesh)
         return tape
@@ -220,16 +223,33 @@ def _from_arrays(header: dict[str, Any], arrays: dict[str, np.ndarray]) -> Tape:
         Shape(tuple(_layout(layout) for layout in layouts), None if mesh is None else _layout(mesh))
         for layouts, mesh in header["shapes"]
     )
-    known = {member.name for member in fields(Config)}
-    return Tape(
+    try:
+        config = Config(**header["config"])
+        weights = Weights(**{name: tree["weights"][name][()] for name in vars(Weights())})
+    except ConfigError as error:
+        raise ValueError(str(error)) from error
+    tape = Tape(
         **{name: values for name, values in tree.items() if name not in ("parts", "weights")},
         parts=tuple(_part(part) for part in tree["parts"]),
-        weights=Weights(**{name: value[()] for name, value in tree["weights"].items()}),
+        weights=weights,
         shapes=shapes,
         sizes=tuple((int(meso), int(nodes)) for meso, nodes in header["sizes"]),
-        config=Config(**{name: value for name, value in header["config"].items() if name in known}),
+        config=config,
         mesh_id=str(header["mesh_id"]),
     )
+    num, nodes = len(tape.vertices), tape.num_nodes
+    expected = {"vertices": (num, 3), "areas": (num,), "node_of_vertex": (num,), "triangles": (nodes, 3)}
+    wrong = [name for name, shape in expected.items() if np.shape(getattr(tape, name)) != shape]
+    is_whole = len(tape.parts) == len(shapes) == len(tape.sizes) and all(
+        len(part.stretches) == len(shape.layouts)
+        and part.vertex_of_input.max() < num
+        and len(part.is_held) >= held
+        and len(part.meso_row) >= meso
+        for part, shape, (meso, held) in zip(tape.parts, shapes, tape.sizes, strict=True)
+    )
+    if wrong or not is_whole or tape.triangles.max() >= num or tape.node_of_vertex.max() >= nodes:
+        raise ValueError(f"its arrays do not fit together: {', '.join(wrong) or 'parts'}")
+    return tape
 
 
 def _with_tuples(tree: Any) -> Any:

@@ -8,6 +8,7 @@ A run that did not converge is no ground for a gradient: then the weights go hal
 This is the one module besides `device.contraction` that imports jaxopt.
 """
 
+import numbers
 import os
 import warnings
 from collections.abc import Callable
@@ -37,6 +38,7 @@ FIRST_BOX, LARGEST_BOX, SMALLEST_BOX = 1.0, 2.5, 0.02  # half its width, in loga
 GROWTH, SHRINKAGE = 1.6, 0.35
 TIMID = 0.1  # of the box: proposals nearer than that are none
 SIDES = (-1, 1)
+HALF_WAY, NEARLY_THERE = 0.5, 0.99  # parts of the way to the system's own weights
 WIDEST = (1e-6, 1e4)  # bounds of a weight, where none are given
 
 
@@ -103,10 +105,10 @@ def tune(
         meshes: one mesh, as `contract` takes it, or a list of them, which are tuned jointly: the mean counts.
         objective: one of `msf_jax.objectives`, a sum of them, or a JAX function of ``(nodes (N, 3), radii (N,))`` that
             returns a number, the less the better.
-        weights: to start from; those of ``config``'s system if not given. One that is 0 stays 0. Arrays, one value for
-            each vertex, are possible for a single mesh.
+        weights: to start from; those of ``config``'s system if not given. One that is 0, or an array with a 0 in it,
+            stays as it is. Arrays, one value for each vertex, are possible for a single mesh.
         config: of the runs.
-        bounds: lowest and highest value of every weight, or of each by name.
+        bounds: lowest and highest value of every weight, or of each by name; where they are the same it stays.
         steps: fresh runs on each mesh, after the first.
         inner_steps: of L-BFGS on the tapes, before each.
         progress: show a progress bar on standard error, if that is a terminal.
@@ -118,63 +120,60 @@ def tune(
     how many iterations there are. So many proposals are not taken, and what is found is the best of what was tried, no
     global minimum. ``trajectory`` says how many decisions each fresh run changed. Weights whose runs converge are
     preferred to those whose do not, whatever the objective says; from a start that does not converge the first steps
-    lead half-way, in logarithms, to the weights of ``config``'s system.
+    lead half-way, in logarithms, to the weights of ``config``'s system. Ctrl-C ends it with what was found so far.
 
     Raises:
         ConfigError: a weight is out of ``bounds``, an option is of the wrong kind, the objective returns no number, or
-            it is not finite at the start.
+            it or its slope is not finite.
         MeshError, FlowError: see `contract`.
     """
     objective = as_objective(objective)
-    config = Config() if config is None else config
-    weights = config.default_weights() if weights is None else weights
+    weights, config = flow.checked_options(weights, config)
     meshes = _listed(meshes)
     low, high = _checked_bounds(weights, bounds)
     for name, number in (("steps", steps), ("inner_steps", inner_steps)):
-        if isinstance(number, bool) or not isinstance(number, int) or number < 1:
+        if isinstance(number, bool) or not isinstance(number, numbers.Integral) or number < 1:
             raise ConfigError(f"{name} is {number!r}: expected a whole number of 1 or more")
 
     solver = jaxopt.ScipyBoundedMinimize(
         fun=partial(_mean_value, objective),
         method="L-BFGS-B",
-        maxiter=inner_steps,
-        options={"maxfun": 2 * inner_steps},
+        maxiter=int(inner_steps),
+        options={"maxfun": 2 * int(inner_steps)},
         value_and_grad=True,
         jit=False,
     )
     search = _Search(meshes, objective, config)
     search.start(weights)
-    box, reason = FIRST_BOX, f"all {steps} steps taken"
+    box, way, reason = FIRST_BOX, HALF_WAY, f"all {steps} steps taken"
     with tqdm(total=steps, desc="tune", unit="run", disable=None if progress else True) as bar:
-        for _ in range(steps):
-            here = _logarithms(search.weights)
-            if not search.is_converged:  # such a run is stuck in a few vertices, and its gradient is theirs
-                goal = _logarithms(config.default_weights())
-                there = {name: (here[name] + goal.get(name, here[name])) / 2 for name in here}
-                expected = np.nan
-            else:
-                around = [
-                    {name: np.clip(here[name] + side * box, low[name], high[name]) for name in here} for side in SIDES
-                ]
-                tapes = [run.tape for run in search.flows]
-                there, state = solver.run(here, tuple(around), search.weights, tapes)
-                there, expected = {name: np.asarray(there[name]) for name in there}, float(state.fun_val)
-                if _distance(here, there) < TIMID * box:  # a line search that failed: down the slope, as far as allowed
-                    slope = _mean_value(objective, here, search.weights, tapes)[1]
-                    steepest = max(float(np.abs(part).max()) for part in slope.values())
-                    there = {name: here[name] - box / max(steepest, 1e-300) * np.asarray(slope[name]) for name in here}
+        try:
+            for _ in range(steps):
+                here = _logarithms(search.weights)
+                if search.is_converged:
+                    there, expected = _proposal(solver, search, here, box, low, high)
+                    nowhere = f"{objective.name} does not depend on the weights, by the tapes"
+                else:  # such a run is stuck in a few vertices, and its gradient is theirs
+                    goal = _logarithms(config.default_weights())
+                    there = {name: here[name] + way * (goal.get(name, here[name]) - here[name]) for name in here}
                     there, expected = {name: np.clip(there[name], low[name], high[name]) for name in here}, np.nan
-            reach = _distance(here, there)
-            if not reach > 0 or not np.isfinite(reach):
-                reason = "the tapes' gradient leads nowhere"
-                break
-            is_taken = search.propose(_with_logarithms(search.weights, there), expected, box)
-            box = min(box * GROWTH, LARGEST_BOX) if is_taken else min(box, reach) * SHRINKAGE
-            bar.set_postfix(objective=f"{search.value:.4g}", box=f"{box:.2f}")
-            bar.update()
-            if box < SMALLEST_BOX:
-                reason = "no better weights nearby"
-                break
+                    nowhere = f"runs do not converge ({search.why}), nor is there a way on to the system's own weights"
+                reach = _distance(here, there)
+                if not reach > 0:
+                    reason = nowhere
+                    break
+                is_taken = search.propose(_with_logarithms(search.weights, there), expected, box)
+                if search.is_converged:
+                    box = min(box * GROWTH, LARGEST_BOX) if is_taken else min(box, reach) * SHRINKAGE
+                else:
+                    way = HALF_WAY if is_taken else (way + 1) / 2
+                bar.set_postfix(objective=f"{search.value:.4g}", box=f"{box:.2f}")
+                bar.update()
+                if box < SMALLEST_BOX or way > NEARLY_THERE:
+                    reason = "no better weights nearby"
+                    break
+        except KeyboardInterrupt:
+            reason = "interrupted"
     return Tuned(search.weights, search.value, search.flows, tuple(search.trajectory), reason)
 
 
@@ -199,6 +198,11 @@ class _Search:
         """Whether all of the best weights' runs ended as they should."""
         return all(run.skeleton.report.converged for run in self.flows)
 
+    @property
+    def why(self) -> str:
+        """Why the first that did not ended."""
+        return next(run.skeleton.report.reason for run in self.flows if not run.skeleton.report.converged)
+
     def propose(self, weights: Weights, expected: float, box: float) -> bool:
         """Run with ``weights``; take them if they are better, or if their runs converge and those before did not."""
         try:
@@ -214,6 +218,32 @@ class _Search:
         if is_taken:
             self.weights, self.flows, self.value = weights, fresh, found
         return is_taken
+
+
+def _proposal(
+    solver: Any, search: _Search, here: dict[str, Any], box: float, low: dict[str, float], high: dict[str, float]
+) -> tuple[dict[str, Any], float]:
+    """The logarithms within ``box`` of ``here`` that are best by the tapes, and the objective there."""
+
+    def clipped(point: dict[str, Any]) -> dict[str, Any]:
+        return {name: np.clip(np.asarray(point[name]), low[name], high[name]) for name in here}
+
+    tapes = [run.tape for run in search.flows]
+    around = tuple(clipped({name: here[name] + side * box for name in here}) for side in SIDES)
+    found, slope = _mean_value(search.objective, here, search.weights, tapes)
+    steepest = max(float(np.abs(part).max()) for part in slope.values())
+    if not np.isfinite(found) or not np.isfinite(steepest):
+        raise ConfigError(
+            f"objective {search.objective.name} has the value {float(found)} and a slope of {steepest} at the recorded "
+            "curve: expected finite numbers"
+        )
+    there, state = solver.run(here, around, search.weights, tapes)
+    there = clipped(there)
+    is_far = np.isfinite(state.fun_val) and _distance(here, there) >= TIMID * box
+    if is_far or steepest == 0:
+        return there, float(state.fun_val)
+    # A line search that failed: down the slope, as far as allowed.
+    return clipped({name: here[name] - box / steepest * np.asarray(slope[name]) for name in here}), np.nan
 
 
 def _mean_value(objective: Objective, logarithms: dict[str, Any], weights: Weights, tapes: list[Tape]) -> Any:
@@ -261,7 +291,7 @@ def _logarithms(weights: Weights) -> dict[str, np.ndarray]:
 
 
 def _with_logarithms(weights: Weights, logarithms: dict[str, Any]) -> Weights:
-    exp = np.exp if all(isinstance(value, np.ndarray) for value in logarithms.values()) else jnp.exp
+    exp = jnp.exp if any(isinstance(value, jax.Array) for value in logarithms.values()) else np.exp
     return Weights(**(vars(weights) | {name: exp(value) for name, value in logarithms.items()}))
 
 
@@ -272,7 +302,9 @@ def _listed(meshes: Any) -> list[Any]:
         is_pair = isinstance(item, tuple) and len(item) == 2
         return isinstance(item, str | os.PathLike) or hasattr(item, "faces") or is_pair
 
-    if isinstance(meshes, list | tuple) and len(meshes) and all(is_mesh(item) for item in meshes):
+    if isinstance(meshes, list | tuple) and not len(meshes):
+        raise ConfigError("meshes is empty: expected one mesh, or a list of them; no mesh, nothing to tune for")
+    if isinstance(meshes, list | tuple) and all(is_mesh(item) for item in meshes):
         return list(meshes)
     return [meshes]
 
@@ -290,10 +322,12 @@ def _checked_bounds(weights: Weights, bounds: Any) -> tuple[dict[str, float], di
             first, last = (float(end) for end in pair)
         except (TypeError, ValueError):
             first = last = 0.0
-        if not 0 < first < last < np.inf:
-            raise ConfigError(f"bounds of {name} are {pair!r}: expected (lowest, highest) with 0 < lowest < highest")
+        if not 0 < first <= last < np.inf:
+            raise ConfigError(
+                f"bounds of {name} are {pair!r}: expected (lowest, highest), finite, with 0 < lowest <= highest"
+            )
         weight = np.asarray(getattr(weights, name), dtype=np.float64)
-        if (weight > 0).any() and not ((first <= weight) & (weight <= last)).all():
+        if (weight > 0).all() and not ((first <= weight) & (weight <= last)).all():
             raise ConfigError(f"Weights.{name} is {_shown(weight)}: expected a start within its bounds {pair!r}")
         low[name], high[name] = np.log(first), np.log(last)
     return low, high

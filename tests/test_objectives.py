@@ -92,6 +92,14 @@ def test_gradients_are_finite_where_points_coincide():
     assert np.isfinite(slope).all()
 
 
+def test_nodes_that_are_no_numbers_are_not_perfect():
+    """A replay that did not converge is NaN, and so is all that is said of it."""
+    curve = replayed(np.full((3, 3), np.nan), np.full(3, np.nan), [[0, 1], [1, 2]])
+    for objective in (objectives.explained(), objectives.centred(), objectives.inside(), objectives.smooth()):
+        assert np.isnan(objective(curve))
+    assert np.isnan(objectives.near(np.zeros((2, 3)))(curve))
+
+
 def test_no_unit():
     """The same whatever the unit of length."""
     random = np.random.default_rng(0)
@@ -107,8 +115,12 @@ def test_sums_and_multiples():
     total = 2 * objectives.inside() + objectives.inside(1.0) * 3
     assert isinstance(total, Objective) and total.name == "2 * (inside) + 3 * (inside(1))"
     assert total(curve) == pytest.approx(2 * 0.25 + 3 * (1.5 + 0.5) / 2)
-    with pytest.raises(TypeError):
+    own = objectives.inside() + (lambda nodes, radii: radii.sum())
+    assert own(curve) == pytest.approx(0.25)
+    with pytest.raises(ConfigError, match="objective is a float"):
         _ = objectives.inside() + 1.0  # pyright: ignore[reportOperatorIssue]
+    with pytest.raises(TypeError):
+        _ = objectives.inside() * objectives.inside()  # pyright: ignore[reportOperatorIssue]
 
 
 @pytest.fixture(scope="module")
@@ -128,11 +140,12 @@ def test_value_of_a_run(flow):
 @pytest.mark.parametrize(
     ("objective", "says"),
     [
-        (3.0, "objective is a float: expected one of msf_jax.objectives, or a function"),
+        (3.0, "objective is a float, 3.0: expected one of msf_jax.objectives"),
         (lambda nodes, radii: nodes, r"returned shape \(\d+, 3\): expected one number"),
         (lambda nodes, radii: len(nodes), "returned int.*: expected a floating-point number"),
-        (lambda nodes: nodes.sum(), "cannot be called with"),
-        (lambda nodes, radii: None, "returns no number|returned no number"),
+        (lambda nodes: nodes.sum(), r"objective is a function.*: expected one of"),
+        (lambda nodes, radii: None, "returned NoneType: expected a number"),
+        (lambda nodes, radii: jnp.nan * nodes.sum(), "returned NaN for finite nodes"),
     ],
 )
 def test_wrong_objectives(flow, objective, says):

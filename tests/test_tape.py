@@ -87,7 +87,22 @@ def _objects(path):
     np.savez(path, allow_pickle=True, **arrays)
 
 
-@pytest.mark.parametrize("damage", [_cut_short, _text, _other_arrays, _without_an_array, _objects])
+def _other_shapes(path):
+    with np.load(path) as file:
+        arrays = dict(file)
+    arrays["vertices"] = arrays["vertices"][:3]
+    np.savez(path, **arrays)
+
+
+def _flipped_bytes(path):
+    data = bytearray(path.read_bytes())
+    data[2000:2100] = bytes(100)
+    path.write_bytes(data)
+
+
+@pytest.mark.parametrize(
+    "damage", [_cut_short, _text, _other_arrays, _without_an_array, _objects, _other_shapes, _flipped_bytes]
+)
 def test_what_is_no_tape(path, damage):
     damage(path)
     with pytest.raises(ConfigError, match=r"run.npz' is no tape"):

@@ -47,6 +47,7 @@ def test_from_a_run_that_does_not_converge_it_goes_to_the_defaults():
     assert not msf_jax.contract(bone(), stuck, config).skeleton.report.converged
     found = msf_jax.tune(bone(), OBJECTIVE, stuck, config=config, steps=1)
     proposed = found.trajectory[1].weights
+    assert not np.isfinite(found.trajectory[1].expected)
     assert proposed.w_L == pytest.approx(0.1) and proposed.w_H == pytest.approx(0.1**0.5)
     assert proposed.smoothing == 0.0
 
@@ -70,6 +71,8 @@ def test_several_meshes_and_a_function_of_ones_own():
         ({"weights": Weights(w_L=20.0), "bounds": (0.1, 10.0)}, "w_L is 20: expected a start within its bounds"),
         ({"bounds": {"w_X": (0.1, 1.0)}}, "bounds name 'w_X': expected one of w_L"),
         ({"bounds": {"w_L": (1.0, 0.1)}}, r"bounds of w_L are \(1.0, 0.1\)"),
+        ({"objective": lambda nodes: nodes.sum()}, r"objective is a function, .*: expected one of"),
+        ({"objective": objectives.explained}, "with its parentheses"),
         ({"bounds": 3}, "bounds of w_L are 3"),
         ({"steps": 0}, "steps is 0: expected a whole number"),
         ({"config": Weights()}, "config is a Weights"),

@@ -35,7 +35,7 @@ SOLUTION = "solution"  # name of a solve's result, for a `jax.checkpoint` that k
 class SolveReport(NamedTuple):
     """How a solve of A x = b ended.
 
-    steps: of CG. residual: |b - A x| / |b|. is_solved: whether that will do. left: (n, c) the residual b - A x itself.
+    steps: of CG. residual: |b - A x| / |b|. is_solved: whether that will do. left: (n, c) all of (b - A x) / |b|.
     """
 
     steps: jax.Array
@@ -100,11 +100,15 @@ def _dot(x: jax.Array, y: jax.Array) -> jax.Array:
     return jnp.vdot(x, y, precision=lax.Precision.HIGHEST)
 
 
-def _norm(x: jax.Array) -> jax.Array:
-    """Euclidean norm of all entries, taken of x over its largest one: squares of squared weights overflow float32."""
-    largest = jnp.abs(x).max()
+def norm(x: jax.Array) -> jax.Array:
+    """Euclidean norm of all entries, taken of x over its largest one: squares of squared weights overflow float32.
+
+    Differentiable in: x, with a zero gradient at 0.
+    """
+    largest = lax.stop_gradient(jnp.abs(x).max())
     scale = jnp.where((largest > 0) & jnp.isfinite(largest), largest, 1.0)
-    return scale * jnp.sqrt(((x / scale) ** 2).sum())
+    square = ((x / scale) ** 2).sum()
+    return jnp.where(square == 0, 0.0, scale * jnp.sqrt(jnp.where(square == 0, 1.0, square)))
 
 
 class Gram(NamedTuple):
@@ -140,14 +144,21 @@ class Gram(NamedTuple):
 
 
 def solve(
-    operator: Gram, layout: Layout, b: jax.Array, tolerance: float, max_steps: int, smallest: Any = 0.0
+    operator: Gram,
+    layout: Layout,
+    b: jax.Array,
+    tolerance: float,
+    max_steps: int,
+    smallest: Any = 0.0,
+    left: jax.Array | None = None,
 ) -> tuple[jax.Array, SolveReport]:
-    """Solve A x = b for the normal operator A by Jacobi-preconditioned CG from x = 0.
+    """Solve A x = b - |b| left for the normal operator A by Jacobi-preconditioned CG from x = 0.
 
     Stops when the norm of the residual is at most ``tolerance`` times that of ``b``, or when a step changes no entry of
     x by ``smallest``.
     Differentiable in: operator, b; implicitly, in forward and reverse mode, by a solve to the tolerance.
     """
+    b = b if left is None else b - norm(b) * left
     x, report = _run(*lax.stop_gradient((operator, b)), layout, tolerance, max_steps, lax.stop_gradient(smallest))
     report = report._replace(is_solved=checkpoint_name(report.is_solved, SOLUTION))
     return _solution(layout, tolerance, max_steps, operator, b, checkpoint_name(x, SOLUTION)), report
@@ -157,8 +168,8 @@ def _run(
     operator: Gram, b: jax.Array, layout: Layout, tolerance: float, max_steps: int, smallest: Any = 0.0
 ) -> tuple[jax.Array, SolveReport]:
     inverse = 1.0 / operator.jacobi(layout)[:, None]
-    norm = _norm(b)
-    scale = jnp.where((norm > 0) & jnp.isfinite(norm), norm, 1.0)  # inside, no square leaves float32's range
+    size = norm(b)
+    scale = jnp.where((size > 0) & jnp.isfinite(size), size, 1.0)  # inside, no square leaves float32's range
     solver = ConjugateGradients(
         matvec=lambda x: operator.normal(layout, x),
         precondition=lambda r: inverse * r,
@@ -168,7 +179,7 @@ def _run(
     )
     x, state = solver.run(jnp.zeros_like(b), b / scale)
     left = jnp.sqrt(_dot(state.residual, state.residual))
-    return scale * x, SolveReport(state.iter_num, left, state.error <= tolerance, scale * state.residual)
+    return scale * x, SolveReport(state.iter_num, left, state.error <= tolerance, state.residual)
 
 
 @partial(jax.custom_jvp, nondiff_argnums=(0, 1, 2))
@@ -181,6 +192,7 @@ def _solution(layout: Layout, tolerance: float, max_steps: int, operator: Gram, 
 @_solution.defjvp
 def _solution_jvp(layout: Layout, tolerance: float, max_steps: int, primals: Any, tangents: Any) -> Any:
     (operator, b, x), (d_operator, db, _) = primals, tangents
+    x = _solution(layout, tolerance, max_steps, operator, b, x)  # for second derivatives: it depends on both
     _, right = jax.jvp(lambda gram, rhs: rhs - gram.normal(layout, x), (operator, b), (d_operator, db))
     return x, lax.custom_linear_solve(
         lambda y: operator.normal(layout, y),
@@ -212,15 +224,15 @@ def contract(
     tolerance: float,
     max_steps: int,
     smallest: Any = 0.0,
-    left: Any = 0.0,
+    left: jax.Array | None = None,
 ) -> tuple[jax.Array, SolveReport]:
     """Article Eq. 2 for the surface in ``buffers`` and weights (n,) each, one per row: the new positions (n, 3).
 
-    ``left`` (n, 3) is a residual to leave: the solve is of A x = b - left.
+    ``left`` (n, 3) is a residual to leave, over the norm of the right-hand side.
     Differentiable in: buffers.positions, buffers.poles, rows, w_L, w_H, w_M.
     """
     positions, free = buffers.positions, buffers.free[:, None]
     operator = gram(rows, buffers, layout, w_L, 0.0, 1.0, w_H**2 + w_M**2)
     b = free * ((w_M**2)[:, None] * (buffers.poles - positions) - operator.twice(layout, positions))
-    displacement, report = solve(operator, layout, b - left, tolerance, max_steps, smallest)
+    displacement, report = solve(operator, layout, b, tolerance, max_steps, smallest, left)
     return positions + free * displacement, report

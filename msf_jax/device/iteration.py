@@ -23,11 +23,11 @@ class Moved(NamedTuple):
     smoothing: SolveReport
 
 
-def move(buffers: Buffers, weights: Weights, config: Config, layout: Layout, left: Any = (0.0, 0.0)) -> Moved:
+def move(buffers: Buffers, weights: Weights, config: Config, layout: Layout, left: Any = (None, None)) -> Moved:
     """One iteration on ``buffers``; weights are scalars or (n,), one value a row.
 
-    ``left`` (2, n, 3) are residuals that the contraction and the smoothing are to leave: those that they report of
-    another run. The contraction's is in units of the mean squared weight: only ratios of weights matter.
+    ``left`` (2, n, 3) are residuals that the contraction and the smoothing are to leave: those that they reported of
+    another run.
     Differentiable in: buffers.positions, buffers.poles, weights; with ``buffers.t_c`` 0, which solves to the tolerance.
     """
     one = jnp.ones_like(buffers.free)
@@ -37,8 +37,6 @@ def move(buffers: Buffers, weights: Weights, config: Config, layout: Layout, lef
     )
     tolerance, max_steps = config.solve_tolerance, config.solve_steps
     w_L, w_H, w_M = (weight / largest * one for weight in (weights.w_L, weights.w_H, weights.w_M))
-    is_live = buffers.degree > 0
-    mean_square = jnp.where(is_live, w_L**2 + w_H**2 + w_M**2, 0.0).sum() / jnp.maximum(is_live.sum(), 1)
     if config.w_H_follows_area:
         area = laplacian.one_ring_areas(buffers.positions, buffers.rings, buffers.degree, layout)
         w_H = w_H * jnp.sqrt(buffers.area / area)
@@ -52,9 +50,8 @@ def move(buffers: Buffers, weights: Weights, config: Config, layout: Layout, lef
         tolerance,
         max_steps,
         config.step_tolerance * buffers.t_c,
-        left[0] * mean_square,
+        left[0],
     )
-    contracted = contracted._replace(left=contracted.left / mean_square)
     buffers = buffers._replace(positions=positions)
     positions, smoothed = smoothing.smooth(
         buffers, _rows(buffers, config, layout), layout, weights.smoothing * one, tolerance, max_steps, left[1]

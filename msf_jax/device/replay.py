@@ -3,8 +3,8 @@
 Every iteration is a trip of a `lax.scan`: contract and smooth, merge what was merged, cut what was cut, and gather the
 rows of the next one. Laplacians, poles, midpoints and the places of cuts are computed anew from the positions;
 neighbours, merges, cuts, which pole a vertex has, and who is fixed come from the tape. The run's linear solves were
-loose: each left a residual r of A x = b, which the tape holds. The replay solves A x = b - r tightly, and so comes to
-the same x, with derivatives that are those of an exact solve.
+loose: each left a residual r |b| of A x = b, and the tape holds r. The replay solves A x = b - r |b| tightly, and so
+comes to the same x, with derivatives that are those of an exact solve.
 """
 
 from functools import partial
@@ -59,8 +59,9 @@ class Stretch(NamedTuple):
 
     handover: (n,) the row of the workspace before, that each row starts from. enter: (T, n) the same inside.
     rings: (T, S) each. degree, free, pull: (T, n). site: (T, n) the first row, whose pole this one has.
-    left: (T, 2, n, 3) residuals of the solves. factor: (T,) of w_L. group, share, blend: (T, n), the row that each one
-    is merged into, and its share of that one's position and weights. cut: (T, R, M, 3) the edge's ends and the apex.
+    left: (T, 2, n, 3) residuals r of the solves. factor: (T,) that w_L had grown by.
+    group: (T, n) the row that each one is merged into. share, blend: (T, n) its share of that one's position and weights.
+    cut: (T, R, M, 3) the edge's ends and the apex.
     """
 
     handover: Any
@@ -131,11 +132,12 @@ def replay_part(
     start = jnp.asarray(part.vertices) + (moved[part.vertex_of_input] / part.diagonal) @ part.axes.T
     place, site_of_pole = _first_rows(part, weights, start, shape)
     poles = _poles(part, site_of_pole)
-    workspace = place
+    workspace, area = place, jnp.ones(len(place), place.dtype)
     for number, (stretch, layout) in enumerate(zip(part.stretches, shape.layouts, strict=True)):
-        if number == 0 and config.w_H_follows_area:
-            rings = jax.tree_util.tree_map(lambda table: table[-1], stretch.rings)
-            area = laplacian.one_ring_areas(place[:, :3], Rings(*rings), stretch.degree[-1], layout)
+        if config.w_H_follows_area:  # no edge is edited then: rows stay what they are, in every layout
+            rings = Rings(*(table[-1] for table in stretch.rings))
+            first = laplacian.one_ring_areas(place[:, :3], rings, stretch.degree[-1], layout) if number == 0 else area
+            area = first[stretch.handover]
         else:
             area = jnp.ones(layout.capacity, place.dtype)
         workspace = _replay_stretch(stretch, poles, area, workspace[stretch.handover], layout, config)
@@ -263,7 +265,7 @@ def clearance(points: jax.Array, triangles: jax.Array, is_inside: jax.Array) -> 
     on the side that ``is_inside`` (N,) says.
     Differentiable in: points, triangles; zero gradient on an edge, where there is none.
     """
-    best = jnp.full(len(points), jnp.inf, points.dtype)
+    best = jnp.full(len(points), jnp.inf, points.dtype)  # squared distance to the nearest edge
     for k in range(3):
         a, b = triangles[:, k], triangles[:, (k + 1) % 3]
         along, offset = b - a, points - a
@@ -271,7 +273,7 @@ def clearance(points: jax.Array, triangles: jax.Array, is_inside: jax.Array) -> 
         t = (offset * along).sum(1) / jnp.where(length2 > 0, length2, 1.0)
         rest = offset - jnp.clip(t, 0.0, 1.0)[:, None] * along
         best = jnp.minimum(best, (rest * rest).sum(1))
-    to_edge = jnp.where(best > 0, jnp.sqrt(jnp.where(best > 0, best, 1.0)), 0.0)
+    to_edge = jnp.where(best == 0, 0.0, jnp.sqrt(jnp.where(best == 0, 1.0, best)))
     ab, ac, offset = triangles[:, 1] - triangles[:, 0], triangles[:, 2] - triangles[:, 0], points - triangles[:, 0]
     normal = jnp.cross(ab, ac)
     area2 = (normal * normal).sum(1)

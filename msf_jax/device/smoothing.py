@@ -1,7 +1,5 @@
 """Implicit Laplacian smoothing, (I - lambda L) V' = V with fixed vertices held (article 3.2.3; Desbrun et al. 1999)."""
 
-from typing import Any
-
 import jax
 import jax.numpy as jnp
 
@@ -19,12 +17,13 @@ def smooth(
     strength: jax.Array,
     tolerance: float,
     max_steps: int,
-    left: Any = 0.0,
+    left: jax.Array | None = None,
 ) -> tuple[jax.Array, SolveReport]:
     """One implicit step of ``strength`` lambda (dimensionless, like L, per row (n,)): the new positions (n, 3).
 
     The matrix is not symmetric, so its normal equations are solved, for the displacement D: with A = I - lambda L and
-    the fixed rows out, A D = lambda L V becomes A^T A D = A^T lambda L V. ``left`` (n, 3) is a residual to leave of it.
+    the fixed rows out, A D = lambda L V becomes A^T A D = A^T lambda L V. ``left`` (n, 3) is a residual to leave, over
+    the norm of the right-hand side.
     Differentiable in: buffers.positions, rows, strength.
     """
     positions, free = buffers.positions, buffers.free[:, None]
@@ -33,5 +32,5 @@ def smooth(
     pull = slot_product(layout, scaled.out, buffers.rings.neighbour, positions)
     pull = free * (pull - slot_sum(layout, scaled.out)[:, None] * positions)
     b = slot_product(layout, operator.weights[1], buffers.rings.neighbour, pull) + operator.diagonal[:, None] * pull
-    displacement, report = contraction.solve(operator, layout, free * b - left, tolerance, max_steps)
+    displacement, report = contraction.solve(operator, layout, free * b, tolerance, max_steps, left=left)
     return positions + free * displacement, report

@@ -35,7 +35,8 @@ class Step(NamedTuple):
     """One iteration on a surface of m vertices, and the edits after it.
 
     order: (m,) the vertex in each packed row; all else is by rows. rings: (m, K), see `packing.Packed`. degree, free,
-    pull: (m,). left: (2, m, 3) residuals of the two solves. factor: that w_L had.
+    pull: (m,). left: (2, m, 3) residuals of the two solves, over their right-hand sides' norms.
+    factor: that w_L had grown by.
     """
 
     order: np.ndarray
