@@ -58,7 +58,7 @@ def build(vertices, faces, *, is_fixed=None, poles=None, has_pole=None, layout=N
     if has_pole is not None:
         meso.has_pole = np.array(has_pole, dtype=bool)
     layout = layout_for(len(vertices), packing.rows_beyond(meso)) if layout is None else layout
-    order, fields = packing.pack(meso, layout, ring_areas(vertices, faces), np.dtype(dtype))
+    order, _, fields = packing.pack(meso, layout, ring_areas(vertices, faces), np.dtype(dtype))
     fields["rings"] = Rings(*fields["rings"])
     buffers = jax.tree_util.tree_map(jnp.asarray, Buffers(**fields))
     return Case(vertices, faces, meso.is_fixed, meso.poles, meso.has_pole, layout, order, buffers)

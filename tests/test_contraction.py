@@ -291,6 +291,22 @@ def test_check_grads_forward_and_reverse(small):
     check_grads(jax.jit(new), arguments, order=1, modes=("fwd", "rev"), atol=1e-6, rtol=1e-6, eps=1e-5)
 
 
+def test_second_derivatives(small):
+    """Of a scalar in the three weights, by central differences of its gradient; symmetric."""
+
+    def value(weights):
+        new, _ = plain_contract(small.buffers, *weights, small.layout)
+        return (jnp.sin(jnp.arange(new.size)).reshape(new.shape) * new).sum()
+
+    at = np.array([W_L, W_H, W_M])
+    slope = jax.jit(jax.grad(value))
+    measured = np.array(
+        [[central_difference(lambda w, k=k: slope(w)[k], at, row) for row in np.eye(3)] for k in range(3)]
+    )
+    for found in (jax.jit(jax.hessian(value))(at), jax.jit(jax.jacrev(jax.grad(value)))(at)):
+        np.testing.assert_allclose(found, measured, rtol=1e-6, atol=1e-7 * np.abs(measured).max())
+
+
 def test_jvp_and_vjp_are_transposes(case):
     random = np.random.default_rng(30)
 

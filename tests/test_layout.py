@@ -163,7 +163,7 @@ def test_every_directed_edge_has_one_slot_with_its_two_apexes(name, kind):
     elif kind == "next size":
         layout = staircase(4 * layout.capacity, largest)
     assert fits(layout, meso.num_rows, packing.rows_beyond(meso))
-    order, fields = packing.pack(meso, layout, np.empty(0), np.dtype(np.float64))
+    order, _, fields = packing.pack(meso, layout, np.empty(0), np.dtype(np.float64))
     third = {}
     for a, b, c in meso.faces().tolist():
         third[a, b], third[b, c], third[c, a] = c, a, b
@@ -190,7 +190,7 @@ def test_pack_and_unpack(name, dtype):
     meso.is_fixed = random.random(meso.num_rows) < 0.3
     area = random.uniform(1, 2, meso.num_rows)
     layout = layout_for(meso.num_rows, packing.rows_beyond(meso))
-    order, fields = packing.pack(meso, layout, area, np.dtype(dtype))
+    order, _, fields = packing.pack(meso, layout, area, np.dtype(dtype))
     expected = {
         "positions": meso.positions,
         "poles": meso.poles,
@@ -212,7 +212,7 @@ def test_packing_leaves_the_surface_alone():
     meso = ragged()
     before = {name: getattr(meso, name).copy() for name in ("positions", "rings", "degree", "poles", "has_pole")}
     layout = layout_for(meso.num_rows, packing.rows_beyond(meso))
-    _, fields = packing.pack(meso, layout, np.empty(0), np.dtype(np.float64))
+    _, _, fields = packing.pack(meso, layout, np.empty(0), np.dtype(np.float64))
     fields["positions"][:] = 7
     fields["poles"][:] = 7
     for name, value in before.items():

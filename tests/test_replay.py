@@ -8,6 +8,8 @@ import jax.numpy as jnp
 import numpy as np
 import pytest
 import trimesh
+from conftest import blob, torus
+from device_cases import central_difference
 from jax.test_util import check_grads
 
 import msf_jax
@@ -15,8 +17,6 @@ from msf_jax import Config, ConfigError, MeshError, Weights, replaying
 from msf_jax.host import recording
 from msf_jax.host.stretches import Planned
 from msf_jax.layout import layout_for
-from tests.conftest import blob, torus
-from tests.device_cases import central_difference
 
 TIGHT = 1e-15  # of the solves, where differences of replays are taken
 

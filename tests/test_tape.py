@@ -6,10 +6,10 @@ import jax
 import numpy as np
 import pytest
 import trimesh
+from conftest import blob
 
 import msf_jax
 from msf_jax import Config, ConfigError, MeshError, Tape, Weights
-from tests.conftest import blob
 
 
 def mesh() -> trimesh.Trimesh:

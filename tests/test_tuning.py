@@ -7,10 +7,10 @@ import jax.numpy as jnp
 import numpy as np
 import pytest
 import trimesh
+from device_cases import central_difference
 
 import msf_jax
 from msf_jax import Config, ConfigError, Weights, objectives, tuning
-from tests.device_cases import central_difference
 
 
 def bone() -> trimesh.Trimesh:

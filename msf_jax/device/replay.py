@@ -60,7 +60,7 @@ class Stretch(NamedTuple):
     handover: (n,) the row of the workspace before, that each row starts from. enter: (T, n) the same inside.
     rings: (T, S) each. degree, free, pull: (T, n). site: (T, n) the first row, whose pole this one has.
     left: (T, 2, n, 3) residuals r of the solves. factor: (T,) that w_L had grown by.
-    group: (T, n) the row that each one is merged into. share, blend: (T, n) its share of that one's position and weights.
+    group: (T, n) the row that each one is merged into. share, blend: (T, n) its part of that one's position, weights.
     cut: (T, R, M, 3) the edge's ends and the apex.
     """
 
