@@ -60,10 +60,14 @@ def flow() -> msf_jax.Flow:
 
 CASES = {
     "two parts, pins": (two_parts, Weights(), Config(), [0, 5, 100]),
-    "pinched, another weight at each vertex": (pinched, None, Config(), None),
-    "pins, another weight at each vertex": (ellipsoid, None, Config(), [3, 200]),
+    "pinched, pins, another weight at each vertex": (pinched, None, Config(), [3, 200]),
     "au2008": (ellipsoid, Weights(1.0, 1.0, 0.0, 0.0), Config.au2008(), None),
-    "au2008, two layouts": (lambda: ellipsoid(2), Weights(1.0, 1.0, 0.0, 0.0), Config.au2008(growth=1.2), None),
+    "au2008, two layouts": (
+        lambda: ellipsoid(2),
+        Weights(1.0, 1.0, 0.0, 0.0),
+        Config.au2008(growth=1.2, max_iterations=9),
+        None,
+    ),
     "resampled": (lambda: ellipsoid(2), Weights(), Config.tagliasacchi2012(resample=0.05, t_min=0.01), None),
     "filtered mesh": (ellipsoid, Weights(), Config(reconstruct_mesh=80), [3]),
     "eigenvectors": (ellipsoid, Weights(), Config(reconstruct_mesh=80, exact_reconstruction=True), None),
@@ -88,7 +92,7 @@ def test_it_equals_the_run(name):
     assert (radii[~is_inside] <= bound).all()
 
 
-@pytest.mark.parametrize("name", ["three-holes", "homer", "indorelax"])
+@pytest.mark.parametrize("name", ["homer", "indorelax"])
 def test_it_equals_the_run_on_research_meshes(research_mesh, name):
     vertices, faces = research_mesh(name)
     flow = msf_jax.contract((vertices, faces))
@@ -122,10 +126,13 @@ def test_gradients_agree_with_central_differences(flow):
     num = len(vertices)
     _, (by_log, by_vertex), _ = probe(tape, first, vertices, towards, TIGHT)
 
+    @jax.jit
+    def value(logarithms, vertices):
+        nodes = msf_jax.replay(tape, Weights(*jnp.exp(logarithms)), vertices, tolerance=TIGHT)
+        return (towards * (nodes - flow.curve.vertices)).sum()
+
     def along(log_step, step, h):
-        return central_difference(
-            lambda t: probe(tape, first + t * log_step, vertices + t * step, towards, TIGHT)[0], np.zeros(()), 1.0, h
-        )
+        return central_difference(lambda t: value(first + t * log_step, vertices + t * step), np.zeros(()), 1.0, h)
 
     none, no_log = np.zeros((num, 3)), np.zeros((4, num))
     groups = [[], [], []]
