@@ -19,7 +19,7 @@ from msf_jax.errors import ConfigError, MeshError
 from msf_jax.options import Weights
 from msf_jax.tape import Tape
 
-TOLERANCE = {"float64": 1e-13, "float32": 1e-6}  # of the linear solves, relative
+TOLERANCE = {"float64": 1e-14, "float32": 1e-6}  # of the linear solves, relative
 MOST_STEPS = 20_000  # of conjugate gradients, in one solve
 
 
@@ -36,8 +36,8 @@ def replay(tape: Tape, weights: Weights, vertices: Any = None, *, tolerance: flo
         weights: each a number, or (V,), one value for each vertex of the mesh: merged vertices take the mean of theirs,
             one that cuts an edge interpolates.
         vertices: (V, 3) of the mesh in the caller's units; where they were recorded, if not given.
-        tolerance: of the linear solves; 1e-13 in float64 and 1e-6 in float32 if not given. 1e-6 takes half the time,
-            and will do for a search.
+        tolerance: of the linear solves; 1e-14 in float64 and 1e-6 in float32 if not given. 1e-8 will do for a
+            search.
 
     Returns:
         (N, 3), in the caller's units. NaN if a linear solve does not converge in 20,000 steps: the weights are far from

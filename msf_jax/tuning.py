@@ -2,7 +2,8 @@
 
 A run is recorded, and the objective of its replay minimised in the logarithms of the weights, within a box around them:
 there the tape may be trusted. Then a fresh run, with decisions of its own, says what the new weights are worth. If they
-are better they are taken, with a larger box around them; if not, the box shrinks, and the old tape is minimised again.
+are better they are taken, with a larger box around them; if not, a full step down the slope is tried, and then the box
+shrinks, and the old tape is minimised again.
 A run that did not converge is no ground for a gradient: then the weights go half-way to the system's own.
 
 This is the one module besides `device.contraction` that imports jaxopt.
@@ -145,13 +146,13 @@ def tune(
     )
     search = _Search(meshes, objective, config)
     search.start(weights)
-    box, way, reason = FIRST_BOX, HALF_WAY, f"all {steps} steps taken"
+    box, way, is_bold, reason = FIRST_BOX, HALF_WAY, False, f"all {steps} steps taken"
     with tqdm(total=steps, desc="tune", unit="run", disable=None if progress else True) as bar:
         try:
             for _ in range(steps):
                 here = _logarithms(search.weights)
                 if search.is_converged:
-                    there, expected = _proposal(solver, search, here, box, low, high)
+                    there, expected = _proposal(None if is_bold else solver, search, here, box, low, high)
                     nowhere = f"{objective.name} does not depend on the weights, by the tapes"
                 else:  # such a run is stuck in a few vertices, and its gradient is theirs
                     goal = _logarithms(config.default_weights())
@@ -164,7 +165,12 @@ def tune(
                     break
                 is_taken = search.propose(_with_logarithms(search.weights, there), expected, box)
                 if search.is_converged:
-                    box = min(box * GROWTH, LARGEST_BOX) if is_taken else min(box, reach) * SHRINKAGE
+                    if is_taken:
+                        box = min(box * GROWTH, LARGEST_BOX)
+                    elif is_bold:
+                        box *= SHRINKAGE
+                    # A tape's minimum may be its own alone: then a full step down the slope, before the box shrinks.
+                    is_bold = not is_taken and not is_bold
                 else:
                     way = HALF_WAY if is_taken else (way + 1) / 2
                 bar.set_postfix(objective=f"{search.value:.4g}", box=f"{box:.2f}")
@@ -223,7 +229,10 @@ class _Search:
 def _proposal(
     solver: Any, search: _Search, here: dict[str, Any], box: float, low: dict[str, float], high: dict[str, float]
 ) -> tuple[dict[str, Any], float]:
-    """The logarithms within ``box`` of ``here`` that are best by the tapes, and the objective there."""
+    """The logarithms within ``box`` of ``here`` that are best by the tapes, and the objective there.
+
+    Without a ``solver``, those a full box down the slope.
+    """
 
     def clipped(point: dict[str, Any]) -> dict[str, Any]:
         return {name: np.clip(np.asarray(point[name]), low[name], high[name]) for name in here}
@@ -237,12 +246,14 @@ def _proposal(
             f"objective {search.objective.name} has the value {float(found)} and a slope of {steepest} at the recorded "
             "curve: expected finite numbers"
         )
-    there, state = solver.run(here, around, search.weights, tapes)
-    there = clipped(there)
-    is_far = np.isfinite(state.fun_val) and _distance(here, there) >= TIMID * box
-    if is_far or steepest == 0:
-        return there, float(state.fun_val)
-    # A line search that failed: down the slope, as far as allowed.
+    if steepest == 0:
+        return here, float(found)
+    if solver:
+        there, state = solver.run(here, around, search.weights, tapes)
+        there = clipped(there)
+        if np.isfinite(state.fun_val) and _distance(here, there) >= TIMID * box:
+            return there, float(state.fun_val)
+        # Else its line search has failed.
     return clipped({name: here[name] - box / steepest * np.asarray(slope[name]) for name in here}), np.nan
 
 
