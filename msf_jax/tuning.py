@@ -136,14 +136,6 @@ def tune(
         if isinstance(number, bool) or not isinstance(number, numbers.Integral) or number < 1:
             raise ConfigError(f"{name} is {number!r}: expected a whole number of 1 or more")
 
-    solver = jaxopt.ScipyBoundedMinimize(
-        fun=partial(_mean_value, objective),
-        method="L-BFGS-B",
-        maxiter=int(inner_steps),
-        options={"maxfun": 2 * int(inner_steps)},
-        value_and_grad=True,
-        jit=False,
-    )
     search = _Search(meshes, objective, config)
     search.start(weights)
     box, way, is_bold, reason = FIRST_BOX, HALF_WAY, False, f"all {steps} steps taken"
@@ -152,7 +144,7 @@ def tune(
             for _ in range(steps):
                 here = _logarithms(search.weights)
                 if search.is_converged:
-                    there, expected = _proposal(None if is_bold else solver, search, here, box, low, high)
+                    there, expected = _proposal(search, here, box, low, high, 0 if is_bold else int(inner_steps))
                     nowhere = f"{objective.name} does not depend on the weights, by the tapes"
                 else:  # such a run is stuck in a few vertices, and its gradient is theirs
                     goal = _logarithms(config.default_weights())
@@ -227,11 +219,16 @@ class _Search:
 
 
 def _proposal(
-    solver: Any, search: _Search, here: dict[str, Any], box: float, low: dict[str, float], high: dict[str, float]
+    search: _Search,
+    here: dict[str, Any],
+    box: float,
+    low: dict[str, float],
+    high: dict[str, float],
+    inner_steps: int,
 ) -> tuple[dict[str, Any], float]:
     """The logarithms within ``box`` of ``here`` that are best by the tapes, and the objective there.
 
-    Without a ``solver``, those a full box down the slope.
+    Without ``inner_steps``, those a full box down the slope.
     """
 
     def clipped(point: dict[str, Any]) -> dict[str, Any]:
@@ -239,7 +236,7 @@ def _proposal(
 
     tapes = [run.tape for run in search.flows]
     around = tuple(clipped({name: here[name] + side * box for name in here}) for side in SIDES)
-    found, slope = _mean_value(search.objective, here, search.weights, tapes)
+    found, slope = first = _mean_value(search.objective, here, search.weights, tapes)
     steepest = max(float(np.abs(part).max()) for part in slope.values())
     if not np.isfinite(found) or not np.isfinite(steepest):
         raise ConfigError(
@@ -248,8 +245,21 @@ def _proposal(
         )
     if steepest == 0:
         return here, float(found)
-    if solver:
-        there, state = solver.run(here, around, search.weights, tapes)
+    if inner_steps:
+
+        def fun(logarithms: dict[str, Any]) -> Any:
+            is_first = all(np.array_equal(logarithms[name], here[name]) for name in here)
+            return first if is_first else _mean_value(search.objective, logarithms, search.weights, tapes)
+
+        solver = jaxopt.ScipyBoundedMinimize(
+            fun=fun,
+            method="L-BFGS-B",
+            maxiter=inner_steps,
+            options={"maxfun": 2 * inner_steps},
+            value_and_grad=True,
+            jit=False,
+        )
+        there, state = solver.run(here, around)
         there = clipped(there)
         if np.isfinite(state.fun_val) and _distance(here, there) >= TIMID * box:
             return there, float(state.fun_val)
