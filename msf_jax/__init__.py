@@ -8,9 +8,10 @@ skeleton.save("hand.swc")
 """
 
 from msf_jax import metrics, objectives
-from msf_jax.errors import ConfigError, FlowError, MeshError
+from msf_jax.errors import ConfigError, FlowError, Interrupted, MeshError
 from msf_jax.flow import Flow, contract
 from msf_jax.host.branches import Branch
+from msf_jax.host.repair import Repair
 from msf_jax.options import Config, Weights
 from msf_jax.preprocessing import reconstruct, voronoi_poles
 from msf_jax.replaying import replay, replay_meso, replay_radii
@@ -26,7 +27,9 @@ __all__ = [
     "ConfigError",
     "Flow",
     "FlowError",
+    "Interrupted",
     "MeshError",
+    "Repair",
     "Report",
     "Skeleton",
     "Tape",

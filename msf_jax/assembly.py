@@ -18,6 +18,8 @@ from msf_jax.options import Config, Weights
 from msf_jax.run import Flow, State, Stopwatch
 from msf_jax.skeleton import Report, Skeleton, Source
 
+MOST_VOLUME = 0.1  # that may be left of a component whose curve is worth finishing
+
 
 class Part(NamedTuple):
     """The curve of one component, in its frame.
@@ -34,7 +36,10 @@ class Part(NamedTuple):
 
 
 def read_curve(state: State, meso: Meso, config: Config, watch: Stopwatch) -> Part:
-    """The curve of a contracted surface ``meso``, as it is and finished."""
+    """The curve of a contracted surface ``meso``, as it is and finished.
+
+    That of a surface with more than ``MOST_VOLUME`` left is a tangle that no pass can mend, and stays as it is.
+    """
     with watch.stage("curve"):
         pinned = meso.node_of_input[state.pins]
         found = curve.extract_curve(meso.positions, meso.rings, meso.classes, pinned)
@@ -44,16 +49,20 @@ def read_curve(state: State, meso: Meso, config: Config, watch: Stopwatch) -> Pa
         is_held[node_of_pin] = True
         nodes[is_held] = _means(state.shape.vertices[state.pins], node_of_pin, len(nodes))[is_held]
     with watch.stage("finishing"):
-        done = finishing.finish(
-            state.shape,
-            nodes,
-            found.edges,
-            is_held,
-            persistence=config.prune,
-            centre=config.centre,
-            extend=config.extend_tips,
-            rough=state.rough,
-        )
+        if is_tangle(state):
+            every = np.arange(len(nodes))
+            done = Finished(nodes, found.edges, np.ones(len(nodes), dtype=bool), every)
+        else:
+            done = finishing.finish(
+                state.shape,
+                nodes,
+                found.edges,
+                is_held,
+                persistence=config.prune,
+                centre=config.centre,
+                extend=config.extend_tips,
+                rough=state.rough,
+            )
     rank = np.cumsum(done.is_kept) - 1
     kept = Curve(
         nodes[done.is_kept],
@@ -61,6 +70,11 @@ def read_curve(state: State, meso: Meso, config: Config, watch: Stopwatch) -> Pa
         rank[done.target[found.node_of_meso]],
     )
     return Part(kept, found, done, meso, is_held[done.is_kept])
+
+
+def is_tangle(state: State) -> bool:
+    """Whether so much of the volume is left that there is no curve to speak of."""
+    return abs(state.history[-1].volume if state.history else 1.0) > MOST_VOLUME
 
 
 def assemble(
@@ -72,8 +86,9 @@ def assemble(
     weights: Weights,
     config: Config,
     watch: Stopwatch,
+    notes: list[str],
 ) -> Flow:
-    """The whole run, with the caller's ``pins``.
+    """The whole run, with the caller's ``pins``, and ``notes`` for the report.
 
     Nodes of the flow come first, component by component, then those that finishing added.
     """
@@ -140,6 +155,14 @@ def assemble(
         if config.evaluate:
             scores = metrics.figures_of(solid.shape, solid.enter(drafts[1][0]), drafts[1][1])
     history = tuple(line for state in states for line in state.history)
+    if tangles := sum(map(is_tangle, states)):
+        notes = [
+            *notes,
+            f"{tangles} of {len(states)} curves not finished: over {MOST_VOLUME:.0%} of the volume is left",
+        ]
+    redone = sum(line.redone > 0 for line in history)
+    if redone:
+        notes = [*notes, f"{redone} {'step was' if redone == 1 else 'steps were'} redone shorter: numbers ran away"]
     report = Report(
         components=0,
         mesh_components=len(checked.components),
@@ -156,6 +179,7 @@ def assemble(
         solve_steps=sum(line.steps + line.smoothing_steps for line in history),
         coarsened=sum(state.num_coarsened for state in states),
         repairs=checked.repairs,
+        notes=tuple(notes),
         figures=scores,
         seconds=watch.seconds,
     )

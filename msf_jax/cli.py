@@ -1,7 +1,7 @@
 """The command line: ``msf-jax skeletonize IN -o OUT`` and ``msf-jax demo``, also as ``python -m msf_jax``.
 
-Exit codes: 0 when a curve was written, 2 for bad input or options, 130 for Ctrl-C. A curve whose report
-is not clean is written all the same, with a warning.
+Exit codes: 0 when a curve was written, 2 for bad input or options, 130 for Ctrl-C, after which the curve as far as it
+went is written. A curve whose report is not clean is written all the same, with a warning.
 """
 
 import argparse
@@ -17,7 +17,7 @@ import numpy as np
 
 import msf_jax
 from msf_jax import export, shapes, view
-from msf_jax.errors import ConfigError, FlowError, MeshError
+from msf_jax.errors import ConfigError, FlowError, Interrupted, MeshError
 from msf_jax.host import surface
 from msf_jax.options import SYSTEMS, Config, Weights
 from msf_jax.skeleton import Skeleton
@@ -116,6 +116,10 @@ def _parser() -> argparse.ArgumentParser:
     one.add_argument("--coarsen", type=float, metavar="X", help="collapse shorter edges first, in diagonals; 0: none")
     one.add_argument("--prune", type=float, metavar="X", help="take away branches of less persistence; 0: none")
     one.add_argument("--pin", type=int, action="append", metavar="N", help="hold vertex N in place (can be repeated)")
+    one.add_argument("--repair", action="store_true", help="mend a mesh that is no closed manifold, and say how")
+    one.add_argument(
+        "--checkpoint", metavar="FILE", help="keep the state there while it runs; a run that was killed goes on from it"
+    )
     one.add_argument("--evaluate", action="store_true", help="report off-centre, missed surface and the like, too")
     one.add_argument("--check", action="store_true", help="verify the surface after every round of edits (slower)")
     _common(one)
@@ -151,12 +155,31 @@ def _skeletonize(arguments: argparse.Namespace) -> int:
     config = Config.named(arguments.system, check=arguments.check, evaluate=arguments.evaluate, **changes)
     given = {name: getattr(arguments, name) for name in WEIGHTS if getattr(arguments, name) is not None}
     weights = Weights(**(vars(config.default_weights()) | given))
-    mesh = surface.read(arguments.mesh)
-    skeleton = msf_jax.skeletonize(mesh, weights, config, pins=arguments.pin, progress=not arguments.quiet)
+    mesh = surface.read(arguments.mesh, finite=not arguments.repair)
+    stopped = ""
+    try:
+        skeleton = msf_jax.skeletonize(
+            mesh,
+            weights,
+            config,
+            pins=arguments.pin,
+            repair=arguments.repair,
+            checkpoint=arguments.checkpoint,
+            progress=not arguments.quiet,
+        )
+    except Interrupted as interruption:
+        skeleton = interruption.flow.skeleton
+        stopped = f"interrupted: {target} holds the curve as far as it went"
+        stopped += f"; the same command goes on from {arguments.checkpoint}" if arguments.checkpoint else ""
     files: dict[Path, str | bytes] = {target: render(skeleton)}
     if picture:
         files[picture] = view.picture(skeleton, mesh)
-    return _finish(skeleton, files, arguments.quiet)
+    code = _finish(skeleton, files, arguments.quiet)
+    if stopped:
+        return _fail(stopped, 130)
+    if arguments.checkpoint:  # the curve is written: nothing is left to go on with
+        Path(arguments.checkpoint).unlink(missing_ok=True)
+    return code
 
 
 def _checked_target(path: str, *others: str) -> Path:

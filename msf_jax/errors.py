@@ -1,4 +1,6 @@
-"""The three ways in which a call can fail, each for one cause."""
+"""The ways in which a call can fail, each for one cause."""
+
+from typing import Any
 
 
 class MeshError(ValueError):
@@ -11,3 +13,15 @@ class ConfigError(ValueError):
 
 class FlowError(RuntimeError):
     """The flow broke down on a sound mesh with valid options."""
+
+
+class Interrupted(KeyboardInterrupt):
+    """Ctrl-C in the middle of a run.
+
+    Attributes:
+        flow: the `Flow` as far as it went, its curve read off the surface as it was; its report says so.
+    """
+
+    def __init__(self, message: str, flow: Any) -> None:
+        super().__init__(message)
+        self.flow = flow

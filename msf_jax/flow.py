@@ -5,6 +5,7 @@ fix and raise the threshold on the host), `done` says whether and why to stop, a
 the curve off what is left.
 """
 
+import os
 import reprlib
 from collections.abc import Iterable
 from dataclasses import replace
@@ -15,16 +16,19 @@ import numpy as np
 from tqdm import tqdm
 
 from msf_jax import assembly
+from msf_jax.checkpoint import EVERY, Checkpoint, run_of
 from msf_jax.device.buffers import Buffers, Rings, real_dtype
 from msf_jax.device.iteration import compiled_move
-from msf_jax.errors import ConfigError, MeshError
+from msf_jax.errors import ConfigError, Interrupted, MeshError
 from msf_jax.host import collapse, fixing, homology, packing, poles, reconstruction, split, surface
 from msf_jax.host.enclosure import Enclosure
 from msf_jax.host.frame import RESOLUTION, frame_of, sort_mesh
 from msf_jax.host.meso import Meso
 from msf_jax.host.reconstruction import LowPass
 from msf_jax.host.records import FoundPoles, Start, Step
+from msf_jax.host.repair import Repair
 from msf_jax.host.surface import Component
+from msf_jax.interruption import held_back
 from msf_jax.layout import layout_for
 from msf_jax.options import Config, Weights
 from msf_jax.run import Flow, Iteration, State, Stopwatch
@@ -34,7 +38,9 @@ LARGEST_FACTOR = 2.0**20  # where a growing w_L stops: past it the other weights
 FLATTEST = 1e-9  # volume, in diagonals cubed, that must be left when coordinates are rounded to the frame's resolution
 MOST_COARSENED = 0.05  # of the volume may go with short edges
 GROWTH_LIMIT = 3  # splitting may not take the surface past so many times its first number of vertices
-BLOW_UP = 10.0  # diagonals from the centre: nothing that contracts goes there
+BLOW_UP = 1.0  # diagonals from the centre, twice as far as any corner of the box: nothing that contracts goes there
+SHORTER, MOST_RETRIES = 0.1, 3  # factor on w_L, when a step has left sensible numbers, and how often it is tried
+INTERRUPTED = "interrupted"
 
 
 def init(
@@ -162,18 +168,26 @@ def step(state: State, weights: Weights, config: Config, watch: Stopwatch) -> St
         order, rings, packed = packing.pack(meso, layout, state.first_ring_area, dtype, state.t_c)
         packed["rings"] = Rings(*packed["rings"])
         degree = meso.degree[order]
-        scaled = _of_rows(weights, meso.weights, order, layout.capacity)
-        scaled = replace(scaled, w_L=scaled.w_L * state.w_L_factor)
+        of_rows = _of_rows(weights, meso.weights, order, layout.capacity)
+        on_host = Buffers(**packed)
+    for retries in range(MOST_RETRIES + 1):
+        factor = state.w_L_factor * SHORTER**retries
+        scaled = replace(of_rows, w_L=of_rows.w_L * factor)
         scaled = jax.tree_util.tree_map(lambda weight: np.asarray(weight, dtype), scaled)
-        buffers, scaled = jax.device_put((Buffers(**packed), scaled))
-    with watch.stage("compile"):
-        move = compiled_move(buffers, scaled, config.on_device, layout)
-    with watch.stage("solve"):
-        moved = jax.device_get(move(buffers, scaled))
-    positions = packing.unpack(moved.positions, order)
-    is_finite = np.isfinite(moved.contraction.residual) and np.isfinite(moved.smoothing.residual)
-    if not is_finite or not np.isfinite(positions).all() or np.abs(positions).max() > BLOW_UP:
-        state.failure = "a step left finite or sensible coordinates; the one before it was kept"
+        buffers, scaled = jax.device_put((on_host, scaled))
+        with watch.stage("compile"):
+            move = compiled_move(buffers, scaled, config.on_device, layout)
+        with watch.stage("solve"):
+            moved = jax.device_get(move(buffers, scaled))
+        positions = packing.unpack(moved.positions, order)
+        is_finite = np.isfinite(moved.contraction.residual) and np.isfinite(moved.smoothing.residual)
+        if is_finite and np.isfinite(positions).all() and np.abs(positions).max() <= BLOW_UP:
+            break
+    else:
+        state.failure = (
+            f"non-finite: {MOST_RETRIES + 1} tries of a step, each with a tenth of the w_L of the one before, left "
+            "finite or sensible coordinates; the surface before it was kept"
+        )
         return state
     displacement = float(np.sqrt(((positions - meso.positions) ** 2).sum(axis=1).max()))
     meso.positions = positions
@@ -185,15 +199,17 @@ def step(state: State, weights: Weights, config: Config, watch: Stopwatch) -> St
             num_collapses = sum(len(done.removed) for done in rounds)
         with watch.stage("split"):
             t_f = fixing.degenerate_length(state.t_c)
-            cuts = split.split_obtuse_edges(meso, config.split_angle, t_f, state.max_rows, check=config.check)
+            cuts, is_full = split.split_obtuse_edges(meso, config.split_angle, t_f, state.max_rows, check=config.check)
             num_splits = sum(len(done.new) for done in cuts)
+        if is_full:
+            state.failure = f"out of vertices: splitting would take the surface past {state.max_rows}"
         with watch.stage("fix"):
             fixing.fix_degenerate_vertices(meso, t_f)
             state.meso = meso = meso.compacted()
     num = len(order)
     left = np.stack([moved.contraction.left[:num], moved.smoothing.left[:num]])
     free, pull = packed["free"][:num].copy(), packed["pull"][:num].copy()
-    state.steps.append(Step(order, rings, degree, free, pull, left, state.w_L_factor, meso.edits))
+    state.steps.append(Step(order, rings, degree, free, pull, left, factor, meso.edits))
     meso.edits = []
     state.history.append(
         Iteration(
@@ -212,6 +228,7 @@ def step(state: State, weights: Weights, config: Config, watch: Stopwatch) -> St
             smoothing_steps=int(moved.smoothing.steps),
             smoothing_residual=float(moved.smoothing.residual),
             moved=displacement,
+            redone=retries,
         )
     )
     state.t_c = fixing.threshold(len(state.history), config.t_min, config.t_step, config.t_max)
@@ -261,7 +278,14 @@ def done(state: State, config: Config) -> tuple[bool, str] | None:
 
 
 def contract(
-    mesh: Any, weights: Weights | None = None, config: Config | None = None, *, pins: Any = None, progress: bool = False
+    mesh: Any,
+    weights: Weights | None = None,
+    config: Config | None = None,
+    *,
+    pins: Any = None,
+    repair: bool | Repair = False,
+    checkpoint: str | os.PathLike[str] | None = None,
+    progress: bool = False,
 ) -> Flow:
     """Run the flow on ``mesh`` and keep everything; `skeletonize` is the short way to the curve alone.
 
@@ -271,34 +295,55 @@ def contract(
             every vertex of the mesh: merged vertices take the mean of theirs, one that splits an edge interpolates.
         config: the system and its options; ``Config()``, the article's own, if not given.
         pins: numbers of vertices of the mesh that are held in place; the curve goes through them.
+        repair: True, or a `Repair` that says how far it may go, for a mesh that is not a closed manifold; every change
+            is counted in ``skeleton.report.repairs``.
+        checkpoint: a file that the state is written to every few iterations, whole or not at all. If it is there, and
+            of this very run, that goes on from it, to the same bits. It stays when the run has ended.
         progress: show a progress bar on standard error, if that is a terminal.
 
     Raises:
         MeshError: the mesh is not a closed manifold that encloses a volume, and cannot be repaired without a doubt.
-        ConfigError: a weight or an option is out of range, or a pin is no vertex of the surface.
+        ConfigError: a weight or an option is out of range, a pin is no vertex of the surface, or the checkpoint is of
+            another run or cannot be written.
         FlowError: the mesh has no Voronoi diagram.
+        Interrupted: Ctrl-C, once the iteration has ended; it is a KeyboardInterrupt, and holds the flow as it was.
     """
     weights, config = checked_options(weights, config)
     watch = Stopwatch()
     with watch.stage("front door"):
-        checked = surface.prepare(mesh)
+        checked = surface.prepare(mesh, repair)
     held, pinned = _checked_pins(pins, checked)
     of_vertices = _weights_of_vertices(weights, checked)
+    keeper = Checkpoint(checkpoint, run_of(checked.given, weights, config, held, repair))
     states, reasons, parts = [], [], []
-    with tqdm(desc="msf_jax", unit="it", disable=None if progress else True) as bar:
+    with tqdm(desc="msf_jax", unit="it", disable=None if progress else True) as bar, held_back() as interruption:
         for number, component in enumerate(checked.components):
             pins_here = np.flatnonzero(np.isin(checked.members[number], pinned))
             of_members = None if of_vertices is None else of_vertices[checked.members[number]]
             state = init(component, number, config, watch, pins_here, of_members)
+            keeper.restore(state)
+            states.append(state)
             while (end := done(state, config)) is None:
+                if interruption:
+                    end = False, INTERRUPTED
+                    break
                 step(state, weights, config, watch)
                 if state.history:
                     bar.set_postfix(vertices=state.history[-1].live, volume=f"{state.history[-1].volume:.1e}")
+                    if len(state.history) % EVERY == 0:
+                        keeper.save(states)
                 bar.update()
-            states.append(state)
+            keeper.save(states)
             reasons.append(end)
             parts.append(assembly.read_curve(state, _thinned(state.meso, config), config, watch))
-    return assembly.assemble(checked, held, states, reasons, parts, weights, config, watch)
+        notes = [keeper.failure] if keeper.failure else []
+        run = assembly.assemble(checked, held, states, reasons, parts, weights, config, watch, notes)
+    if interruption:
+        kept = f"; run it again with checkpoint={str(checkpoint)!r} to go on" if checkpoint and not notes else ""
+        raise Interrupted(
+            f"interrupted after {len(run.history)} iterations: the curve so far is in this exception's flow{kept}", run
+        )
+    return run
 
 
 def checked_options(weights: Any, config: Any) -> tuple[Weights, Config]:

@@ -37,6 +37,7 @@ class Iteration(NamedTuple):
     smoothing_steps: int
     smoothing_residual: float
     moved: float  # largest displacement
+    redone: int = 0  # times that the step was tried again, shorter, as its numbers were not sensible
 
 
 @dataclass
@@ -67,7 +68,7 @@ class State:
     w_L_factor: float
     history: list[Iteration] = field(default_factory=list)
     steps: list[Step] = field(default_factory=list)  # for the tape
-    failure: str = ""
+    failure: str = ""  # why it cannot go on
 
 
 @dataclass(frozen=True, eq=False)

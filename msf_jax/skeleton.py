@@ -40,6 +40,7 @@ class Report:
         unsolved: iterations in which a linear solve ran out of steps before it reached its tolerance.
         solve_steps: CG steps in all.
         repairs: what was changed in the input, a sentence each.
+        notes: what else went otherwise than planned, a sentence each: steps that were redone, a checkpoint not written.
         figures: `metrics.evaluate` of the curve as the run ended, where ``Config(evaluate=True)`` asks for it.
         seconds: by stage.
     """
@@ -59,6 +60,7 @@ class Report:
     solve_steps: int
     coarsened: int = 0
     repairs: tuple[str, ...] = ()
+    notes: tuple[str, ...] = ()
     figures: dict[str, float] = field(default_factory=dict)
     seconds: dict[str, float] = field(default_factory=dict, compare=False)
 
@@ -71,7 +73,7 @@ class Report:
     def to_dict(self) -> dict[str, Any]:
         """Plain values, for JSON or a table."""
         figures = {name: None if np.isnan(value) else value for name, value in self.figures.items()}
-        return asdict(self) | {"repairs": list(self.repairs), "figures": figures}
+        return asdict(self) | {"repairs": list(self.repairs), "notes": list(self.notes), "figures": figures}
 
     def __str__(self) -> str:
         lines = [
@@ -89,6 +91,7 @@ class Report:
         if self.figures:
             lines.append(", ".join(f"{name} {value:.4g}" for name, value in self.figures.items()))
         lines += [f"repaired: {repair}" for repair in self.repairs]
+        lines += self.notes
         lines.append(", ".join(f"{stage} {seconds:.2f} s" for stage, seconds in self.seconds.items()))
         return "\n".join(lines)
 

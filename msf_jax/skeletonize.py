@@ -1,14 +1,23 @@
 """The one call: a mesh in, its curve skeleton out."""
 
+import os
 from typing import Any
 
 from msf_jax import flow
+from msf_jax.host.repair import Repair
 from msf_jax.options import Config, Weights
 from msf_jax.skeleton import Skeleton
 
 
 def skeletonize(
-    mesh: Any, weights: Weights | None = None, config: Config | None = None, *, pins: Any = None, progress: bool = False
+    mesh: Any,
+    weights: Weights | None = None,
+    config: Config | None = None,
+    *,
+    pins: Any = None,
+    repair: bool | Repair = False,
+    checkpoint: str | os.PathLike[str] | None = None,
+    progress: bool = False,
 ) -> Skeleton:
     """The curve skeleton of a closed triangle mesh, by Medial Skeletonization Flow.
 
@@ -18,6 +27,9 @@ def skeletonize(
         weights: of the flow; those of ``config``'s system if not given.
         config: the system and its options; ``Config()``, the article's own, if not given.
         pins: numbers of vertices of the mesh that are held in place; the curve goes through them.
+        repair: True, or a `Repair` that says how far it may go, for a mesh that is not a closed manifold: weld, fill
+            holes, separate what meets in an edge, and the like. Every change is counted in ``report.repairs``.
+        checkpoint: a file to keep the state in, so that a run that was killed goes on; see `contract`.
         progress: show a progress bar on standard error, if that is a terminal.
 
     Returns:
@@ -27,5 +39,7 @@ def skeletonize(
         MeshError: the mesh is not a closed manifold that encloses a volume, and cannot be repaired without a doubt.
         ConfigError: a weight or an option is out of range, or a pin is no vertex of the surface.
         FlowError: the mesh has no Voronoi diagram.
+        Interrupted: Ctrl-C; a KeyboardInterrupt that holds the curve so far, as ``flow.skeleton``.
     """
-    return flow.contract(mesh, weights, config, pins=pins, progress=progress).skeleton
+    run = flow.contract(mesh, weights, config, pins=pins, repair=repair, checkpoint=checkpoint, progress=progress)
+    return run.skeleton

@@ -5,10 +5,7 @@ linear solves stopped. It is a pytree of padded arrays, can be saved and loaded,
 """
 
 import hashlib
-import io
-import json
 import os
-import zipfile
 from dataclasses import asdict, dataclass, field
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -16,9 +13,9 @@ from typing import Any, NamedTuple
 import jax
 import numpy as np
 
+from msf_jax import archive
 from msf_jax.device.replay import Basis, Mixing, Part, Polynomial, Shape, Stretch
 from msf_jax.errors import ConfigError, MeshError
-from msf_jax.export import write_whole
 from msf_jax.host import recording, surface
 from msf_jax.host.decisions import decisions, num_unlike
 from msf_jax.host.records import Recording
@@ -26,8 +23,7 @@ from msf_jax.layout import Layout, Level
 from msf_jax.options import Config, Weights
 from msf_jax.skeleton import Skeleton, Source
 
-VERSION = 1
-HEADER = "header"  # name of the entry with everything that is not an array
+KIND, VERSION = "tape", 1
 
 
 class Comparison(NamedTuple):
@@ -115,17 +111,12 @@ class Tape:
         leaves = jax.tree_util.tree_flatten_with_path(self)[0]
         arrays = {"/".join(_name(key) for key in keys): np.asarray(leaf) for keys, leaf in leaves}
         header = {
-            "format": "msf_jax tape",
-            "version": VERSION,
             "mesh_id": self.mesh_id,
             "config": asdict(self.config),
             "shapes": self.shapes,
             "sizes": self.sizes,
         }
-        buffer = io.BytesIO()
-        named: dict[str, Any] = {HEADER: np.array(json.dumps(header)), **arrays}
-        np.savez_compressed(buffer, **named)
-        write_whole(path, buffer.getvalue())
+        archive.write(path, KIND, VERSION, header, arrays, compress=True)
 
     @classmethod
     def load(cls, path: str | os.PathLike[str], mesh: Any = None) -> "Tape":
@@ -135,26 +126,8 @@ class Tape:
             ConfigError: the file is no tape, is damaged, or was written by another version.
             MeshError: the tape is of another mesh.
         """
-        name = f"{str(path)!r}"
-        with open(path, "rb") as stream:
-            if not zipfile.is_zipfile(stream):
-                raise ConfigError(f"{name} is no tape, or one cut short: expected a file that Tape.save wrote")
-            stream.seek(0)
-            try:
-                with np.load(stream, allow_pickle=False) as file:
-                    header = json.loads(str(file[HEADER])) if HEADER in file else None
-                    if not isinstance(header, dict) or header.get("format") != "msf_jax tape":
-                        raise ConfigError(f"{name} is no tape: expected a file that Tape.save wrote")
-                    if header["version"] != VERSION:
-                        raise ConfigError(
-                            f"{name} is a tape of version {header['version']!r}: this program reads {VERSION}; "
-                            "record it again with contract"
-                        )
-                    tape = _from_arrays(header, {entry: file[entry] for entry in file.files if entry != HEADER})
-            except ConfigError:
-                raise
-            except Exception as error:  # zip, zlib, json and NumPy raise whatever a damaged file provokes
-                raise ConfigError(f"{name} is no tape, or a damaged one ({type(error).__name__}: {error})") from error
+        with archive.reading(path, KIND, VERSION, "record one with contract, and Tape.save") as (header, arrays):
+            tape = _from_arrays(header, arrays)
         if mesh is not None:
             tape.check(mesh)
         return tape

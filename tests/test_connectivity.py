@@ -501,7 +501,8 @@ def test_split(research_mesh, monkeypatch, name):
     meso, before = long_triangles(name, research_mesh), long_triangles(name, research_mesh)
     shortest = 0.02 * typical_length(meso)
     seen = watch_rounds(monkeypatch)
-    rounds = split.split_obtuse_edges(meso, OBTUSE, shortest, 10**6, check=True)
+    rounds, is_full = split.split_obtuse_edges(meso, OBTUSE, shortest, 10**6, check=True)
+    assert not is_full
     num_new = sum(len(done.new) for done in rounds)
     assert num_new >= 10 and meso.num_rows == before.num_rows + num_new
     assert seen == [manifold_euler(before.faces())] * len(rounds)
@@ -538,7 +539,7 @@ def test_one_edge_is_cut_where_its_apex_projects():
     meso = Meso.from_mesh(vertices, faces)
     meso.poles = vertices + np.array([0, 0, 7.0])
     meso.has_pole[:] = True
-    rounds = split.split_obtuse_edges(meso, OBTUSE, 1.0, 100, check=True)
+    rounds, _ = split.split_obtuse_edges(meso, OBTUSE, 1.0, 100, check=True)
     assert len(rounds) == 1
     np.testing.assert_allclose(meso.positions[5], [3, 0, 0], atol=1e-12)
     np.testing.assert_allclose(meso.poles[5], [3, 0, 7], atol=1e-12)
@@ -548,7 +549,7 @@ def test_one_edge_is_cut_where_its_apex_projects():
 
 def test_an_edge_shorter_than_the_shortest_is_not_split(research_mesh):
     meso = long_triangles("twisted torus", research_mesh)
-    assert split.split_obtuse_edges(meso, OBTUSE, 10.0, 10**6) == []
+    assert split.split_obtuse_edges(meso, OBTUSE, 10.0, 10**6) == ([], False)
 
 
 @pytest.mark.parametrize("name", ["blob", "torus"])
@@ -575,7 +576,7 @@ def test_a_few_iterations_of_all_edits(research_mesh, monkeypatch, name):
     for _ in range(6):
         meso.positions = np.where(meso.is_fixed[:, None], meso.positions, meso.positions * [0.95, 0.7, 0.5])
         rounds += len(collapse.collapse_short_edges(meso, t_c, check=True))
-        rounds += len(split.split_obtuse_edges(meso, OBTUSE, t_c / 10, 10**6, check=True))
+        rounds += len(split.split_obtuse_edges(meso, OBTUSE, t_c / 10, 10**6, check=True)[0])
         fixing.fix_degenerate_vertices(meso, t_c / 10)
         meso = meso.compacted()
         t_c *= 1.3

@@ -68,7 +68,7 @@ def test_classes_follow_collapses_and_splits():
     assert len(collapse.collapse_short_edges(meso, t_c, check=True)) > 1
     check_classes(meso)
     meso.positions *= [1.0, 1.0, 0.05]
-    assert len(split.split_obtuse_edges(meso, 110, 1e-4, 10**6, check=True)) > 0
+    assert len(split.split_obtuse_edges(meso, 110, 1e-4, 10**6, check=True)[0]) > 0
     check_classes(meso)
     meso = meso.compacted()
     check_classes(meso)

@@ -195,7 +195,7 @@ def test_a_file_of_points_is_refused(tmp_path: Path):
 def test_vertices_that_are_not_finite_are_counted_and_located(value):
     vertices, faces = pair(torus())
     vertices[[3, 17], [0, 2]] = value
-    assert_says(refusal((vertices, faces)), "2 vertices (3, 17) are not finite", "remove or repair them")
+    assert_says(refusal((vertices, faces)), "2 vertices (3, 17) are not finite", "repair=True")
     vertices, faces = pair(torus())
     vertices[5, 1] = value
     assert_says(refusal((vertices, faces)), "1 vertex (5) is not finite")

@@ -18,6 +18,9 @@ from msf_jax.host.enclosure import Enclosure
 UNFOLDINGS = 20  # rounds
 HALVINGS = 2  # of an edge that is not inside, before a way is looked for
 TOUCHING = 1e-5  # diagonals: a point with less room than that counts as outside
+MOST_WAYS = (
+    100  # that are looked for: a curve that needs more of them is beyond help, and each takes a tenth of a second
+)
 NEIGHBOURS = 16  # of a point, in the search for a way
 
 
@@ -40,6 +43,7 @@ def contain(
         x, edges = _replaced(x, edges, is_bad, [point[None] for point in middle[is_near]])
         radii = np.concatenate([radii, clearance(shape, x[len(radii) :])])
     is_bad = ~is_inside(shape, x[edges[:, 0]], x[edges[:, 1]], radii[edges].sum(axis=1))
+    is_bad[np.flatnonzero(is_bad)[MOST_WAYS:]] = False
     return _replaced(x, edges, is_bad, [_way(shape, x[a], x[b]) for a, b in edges[is_bad]])
 
 

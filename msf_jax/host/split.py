@@ -30,10 +30,10 @@ class SplitRound(NamedTuple):
 
 def split_obtuse_edges(
     meso: Meso, angle: float, shortest: float, max_rows: int, *, check: bool = False
-) -> list[SplitRound]:
+) -> tuple[list[SplitRound], bool]:
     """Split in place until no edge longer than ``shortest`` has two opposite angles over ``angle`` degrees.
 
-    Stops early rather than let the surface outgrow ``max_rows``; returns the rounds.
+    Returns the rounds, and whether it stopped early rather than let the surface outgrow ``max_rows``.
     """
     euler = connectivity.euler_characteristic(meso.rings) if check else 0
     cosine = np.cos(np.radians(angle))
@@ -54,8 +54,9 @@ def split_obtuse_edges(
         chosen = _disjoint(
             np.stack([a, b, left, right], axis=1), shortest_first(a, b, -np.sqrt(length2), shortest), meso.num_rows
         )
-        if len(chosen) == 0 or meso.num_live + len(chosen) > max_rows:
-            return rounds
+        is_full = meso.num_live + len(chosen) > max_rows
+        if len(chosen) == 0 or is_full:
+            return rounds, is_full
         rounds.append(split_edges(meso, a[chosen], b[chosen], fraction[chosen], apex[chosen]))
         if check:
             connectivity.check_closed_manifold(meso.rings, euler)

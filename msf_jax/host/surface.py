@@ -6,7 +6,7 @@ face dropped, a component turned inside out is flipped, a vertex where several f
 """
 
 import os
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -19,9 +19,9 @@ from msf_jax.errors import MeshError
 from msf_jax.host import connectivity
 from msf_jax.host.enclosure import Enclosure
 from msf_jax.host.meso import signed_volume
+from msf_jax.host.repair import FEWEST_VERTICES, FLATTEST, Repair, as_repair, repaired
 
-FEWEST_VERTICES = 5
-FLATTEST = 1e-9  # volume over the cube of the largest extent, below which a component encloses nothing
+OR_REPAIR = ", or ask for repair=True (--repair)"
 
 
 @dataclass(frozen=True)
@@ -60,8 +60,10 @@ class Surface:
     given: tuple[np.ndarray, np.ndarray]
 
 
-def read(mesh: Any) -> tuple[np.ndarray, np.ndarray]:
+def read(mesh: Any, *, finite: bool = True) -> tuple[np.ndarray, np.ndarray]:
     """Vertices (V, 3) float64 and faces (F, 3) int64 of a path, a `trimesh.Trimesh` or a pair; always copies.
+
+    Vertices must be ``finite``, unless that is for `repair` to mend.
 
     Raises:
         MeshError: there is no such file, it holds no triangle mesh, or the arrays have the wrong shape or values.
@@ -77,7 +79,7 @@ def read(mesh: Any) -> tuple[np.ndarray, np.ndarray]:
             f"cannot take a mesh from {type(mesh).__name__}: expected a path, an object with vertices and faces "
             "(a trimesh.Trimesh), or a pair (vertices, faces)"
         )
-    return _as_vertices(vertices), _as_faces(faces, len(vertices))
+    return _as_vertices(vertices, finite), _as_faces(faces, len(vertices))
 
 
 def _load(path: Path) -> Any:
@@ -108,7 +110,7 @@ def _load(path: Path) -> Any:
     return loaded
 
 
-def _as_vertices(vertices: Any) -> np.ndarray:
+def _as_vertices(vertices: Any, finite: bool) -> np.ndarray:
     try:
         array = np.array(vertices, dtype=np.float64)
     except (TypeError, ValueError) as error:
@@ -118,8 +120,8 @@ def _as_vertices(vertices: Any) -> np.ndarray:
     if len(array) == 0:
         raise MeshError("the mesh is empty: it has no vertices")
     bad = np.flatnonzero(~np.isfinite(array).all(axis=1))
-    if len(bad):
-        raise MeshError(f"{_count(bad, 'vertex', 'vertices')} not finite (NaN or infinite): remove or repair them")
+    if len(bad) and finite:
+        raise MeshError(f"{_count(bad, 'vertex', 'vertices')} not finite (NaN or infinite): correct them{OR_REPAIR}")
     return array
 
 
@@ -154,13 +156,33 @@ def _count(found: np.ndarray, one: str, many: str) -> str:
     return f"{len(found)} {one if len(found) == 1 else many} ({first}{more}) {'is' if len(found) == 1 else 'are'}"
 
 
-def prepare(mesh: Any) -> Surface:
-    """Read, check and repair ``mesh``; the caller's object stays as it is.
+def prepare(mesh: Any, repair: bool | Repair = False) -> Surface:
+    """Read, check and repair ``mesh``, with ``repair`` beyond what is without a doubt; the caller's object stays.
 
     Raises:
         MeshError: what was found, how often and where first, and what to do about it.
+        ConfigError: ``repair`` is neither True, False nor a `Repair`.
     """
-    given = vertices, faces = read(mesh)
+    wanted = as_repair(repair)
+    vertices, faces = read(mesh, finite=wanted is None)
+    if wanted is None:
+        return _checked(vertices, faces)
+    done = repaired(vertices, faces, wanted)
+    checked = _checked(done.vertices, done.faces)
+    target = np.where(done.vertex_of_given < 0, -1, checked.vertex_of_input[done.vertex_of_given])
+    return replace(
+        checked,
+        vertex_of_input=target,
+        input_of_vertex=done.source[checked.input_of_vertex],
+        strays=done.given[target < 0],
+        repairs=done.repairs + checked.repairs,
+        given=(done.given, faces),
+    )
+
+
+def _checked(vertices: np.ndarray, faces: np.ndarray) -> Surface:
+    """The surface of sound input, after repairs without a doubt."""
+    given = vertices, faces
     repairs: list[str] = []
     vertex_of_input = np.arange(len(vertices))
     faces = _without_repeated_corners(faces)
@@ -227,7 +249,7 @@ def prepare(mesh: Any) -> Surface:
 def _without_repeated_corners(faces: np.ndarray) -> np.ndarray:
     bad = np.flatnonzero((faces[:, 0] == faces[:, 1]) | (faces[:, 1] == faces[:, 2]) | (faces[:, 2] == faces[:, 0]))
     if len(bad):
-        raise MeshError(f"{_count(bad, 'face', 'faces')} degenerate (a corner occurs twice): remove them")
+        raise MeshError(f"{_count(bad, 'face', 'faces')} degenerate (a corner occurs twice): remove them{OR_REPAIR}")
     return faces
 
 
@@ -261,18 +283,19 @@ def _check_edges(faces: np.ndarray, caller_number: np.ndarray) -> None:
         raise MeshError(
             f"not manifold: {say(crowded)} with more than two faces{also}: separate the sheets that meet there"
             + (" and close the holes" if len(single) else "")
+            + OR_REPAIR
         )
     if len(single):
         raise MeshError(
             f"the mesh is open: {say(single)} with only one face: close its holes first, "
-            "for example with trimesh.repair.fill_holes"
+            f"for example with trimesh.repair.fill_holes{OR_REPAIR}"
         )
     forward = faces.ravel() < faces[:, [1, 2, 0]].ravel()
     odd = np.flatnonzero(np.bincount(inverse.ravel(), weights=forward) != 1)
     if len(odd):
         raise MeshError(
             f"not consistently oriented: {say(odd)} run the same way in both faces: "
-            "orient the faces first, for example with trimesh.repair.fix_winding"
+            f"orient the faces first, for example with trimesh.repair.fix_winding{OR_REPAIR}"
         )
 
 

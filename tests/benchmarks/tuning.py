@@ -66,7 +66,7 @@ def generalisation(train: list[str], test: list[str], steps: int) -> None:
     begin = time.perf_counter()
     tuned = msf_jax.tune([shape(name) for name in train], OBJECTIVE, steps=steps)
     spent = time.perf_counter() - begin
-    print(f"\ntuned on {', '.join(train)} in {spent:.0f} s, {tuned.reason}: {shown(tuned.weights)}\n")
+    print(f"\n{tuned}\ntuned on {', '.join(train)} in {spent:.0f} s, {tuned.reason}: {shown(tuned.weights)}\n")
     print("| shape | | defaults | tuned |\n| --- | --- | --- | --- |")
     for part, names in (("tuned on", train), ("not seen", test)):
         pairs = [(found(shape(name), Weights()), found(shape(name), tuned.weights)) for name in names]
