@@ -2,8 +2,8 @@
 
 A run is recorded, and the objective of its replay minimised in the logarithms of the weights, within a box around them:
 there the tape may be trusted. Then a fresh run, with decisions of its own, says what the new weights are worth. If they
-are better they are taken, with a larger box around them; if not, a full step down the slope is tried, and then the box
-shrinks, and the old tape is minimised again.
+are better they are taken, with a larger box around them; if not, a full step down the slope is tried, then one up it,
+and then the box shrinks, and the old tape is minimised again.
 A run that did not converge is no ground for a gradient: then the weights go half-way to the system's own.
 
 This is the one module besides `device.contraction` that imports jaxopt.
@@ -39,6 +39,9 @@ FIRST_BOX, LARGEST_BOX, SMALLEST_BOX = 1.0, 2.5, 0.02  # half its width, in loga
 GROWTH, SHRINKAGE = 1.6, 0.35
 TIMID = 0.1  # of the box: proposals nearer than that are none
 SIDES = (-1, 1)
+# What is proposed from a tape, in turn, until something is taken. Its minimum may be its own alone, so a step down the
+# slope is next; and where small triangles make the tape's slope steep and short, the flow's own may be the opposite.
+MINIMUM, DOWN, UP = range(3)
 HALF_WAY, NEARLY_THERE = 0.5, 0.99  # parts of the way to the system's own weights
 WIDEST = (1e-6, 1e4)  # bounds of a weight, where none are given
 
@@ -138,13 +141,13 @@ def tune(
 
     search = _Search(meshes, objective, config)
     search.start(weights)
-    box, way, is_bold, reason = FIRST_BOX, HALF_WAY, False, f"all {steps} steps taken"
+    box, way, kind, reason = FIRST_BOX, HALF_WAY, MINIMUM, f"all {steps} steps taken"
     with tqdm(total=steps, desc="tune", unit="run", disable=None if progress else True) as bar:
         try:
             for _ in range(steps):
                 here = _logarithms(search.weights)
                 if search.is_converged:
-                    there, expected = _proposal(search, here, box, low, high, 0 if is_bold else int(inner_steps))
+                    there, expected, kind = _proposal(search, here, box, low, high, kind, int(inner_steps))
                     nowhere = f"{objective.name} does not depend on the weights, by the tapes"
                 else:  # such a run is stuck in a few vertices, and its gradient is theirs
                     goal = _logarithms(config.default_weights())
@@ -158,11 +161,11 @@ def tune(
                 is_taken = search.propose(_with_logarithms(search.weights, there), expected, box)
                 if search.is_converged:
                     if is_taken:
-                        box = min(box * GROWTH, LARGEST_BOX)
-                    elif is_bold:
-                        box *= SHRINKAGE
-                    # A tape's minimum may be its own alone: then a full step down the slope, before the box shrinks.
-                    is_bold = not is_taken and not is_bold
+                        box, kind = min(box * GROWTH, LARGEST_BOX), MINIMUM
+                    elif kind == UP:
+                        box, kind = box * SHRINKAGE, MINIMUM
+                    else:
+                        kind += 1
                 else:
                     way = HALF_WAY if is_taken else (way + 1) / 2
                 bar.set_postfix(objective=f"{search.value:.4g}", box=f"{box:.2f}")
@@ -224,11 +227,12 @@ def _proposal(
     box: float,
     low: dict[str, float],
     high: dict[str, float],
+    kind: int,
     inner_steps: int,
-) -> tuple[dict[str, Any], float]:
-    """The logarithms within ``box`` of ``here`` that are best by the tapes, and the objective there.
+) -> tuple[dict[str, Any], float, int]:
+    """The logarithms within ``box`` of ``here`` that are best by the tapes, the objective there, and which kind it is.
 
-    Without ``inner_steps``, those a full box down the slope.
+    Where no minimum is found, or another ``kind`` is asked for, those at the end of the box down the slope, or up.
     """
 
     def clipped(point: dict[str, Any]) -> dict[str, Any]:
@@ -244,8 +248,8 @@ def _proposal(
             "curve: expected finite numbers"
         )
     if steepest == 0:
-        return here, float(found)
-    if inner_steps:
+        return here, float(found), kind
+    if kind == MINIMUM:
 
         def fun(logarithms: dict[str, Any]) -> Any:
             is_first = all(np.array_equal(logarithms[name], here[name]) for name in here)
@@ -262,9 +266,10 @@ def _proposal(
         there, state = solver.run(here, around)
         there = clipped(there)
         if np.isfinite(state.fun_val) and _distance(here, there) >= TIMID * box:
-            return there, float(state.fun_val)
-        # Else its line search has failed.
-    return clipped({name: here[name] - box / steepest * np.asarray(slope[name]) for name in here}), np.nan
+            return there, float(state.fun_val), MINIMUM
+        kind = DOWN  # its line search has failed
+    length = box / steepest * (-1 if kind == DOWN else 1)
+    return clipped({name: here[name] + length * np.asarray(slope[name]) for name in here}), np.nan, kind
 
 
 def _mean_value(objective: Objective, logarithms: dict[str, Any], weights: Weights, tapes: list[Tape]) -> Any:

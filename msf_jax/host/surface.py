@@ -5,7 +5,10 @@ Repairs made here, each one listed for the report: coincident vertices of an ope
 face dropped, a component turned inside out is flipped, a vertex where several fans meet is split into one per fan.
 """
 
+import logging
 import os
+from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
@@ -21,6 +24,8 @@ from msf_jax.host.enclosure import Enclosure
 from msf_jax.host.meso import signed_volume
 from msf_jax.host.repair import FEWEST_VERTICES, FLATTEST, Repair, as_repair, repaired
 
+SMALLEST = 1e-100  # extent, and the largest coordinate is one over it: products of three must be numbers
+ARCHIVES = {"zip", "bz2", "gz", "tar", "tar.gz", "tar.bz2", "tgz"}  # a small one can unpack to more than memory
 OR_REPAIR = ", or ask for repair=True (--repair)"
 
 
@@ -87,14 +92,15 @@ def _load(path: Path) -> Any:
         raise MeshError(f"no file {str(path)!r}: check the path")
     if path.is_dir():
         raise MeshError(f"{str(path)!r} is a folder: expected one mesh file")
-    known = sorted(trimesh.available_formats())
+    known = sorted(set(trimesh.available_formats()) - ARCHIVES)
     suffix = path.suffix.lower().lstrip(".")
     if suffix not in known:
         raise MeshError(
             f"cannot read {path.name!r}: unknown suffix {path.suffix!r}, expected one of {', '.join(known)}"
         )
     try:
-        loaded = trimesh.load(path, process=False, maintain_order=True)
+        with _quiet_loader():
+            loaded = trimesh.load(path, process=False, maintain_order=True)
     except MemoryError as error:
         raise MeshError(f"{path.name!r} asks for more memory than there is: it is damaged or too large") from error
     except Exception as error:  # trimesh's readers raise whatever a damaged file provokes
@@ -110,11 +116,25 @@ def _load(path: Path) -> Any:
     return loaded
 
 
+@contextmanager
+def _quiet_loader() -> Iterator[None]:
+    """Keep trimesh from printing tracebacks of what it could not read, where the caller has set up no logging."""
+    handler = logging.NullHandler()
+    trimesh.util.log.addHandler(handler)
+    try:
+        yield
+    finally:
+        trimesh.util.log.removeHandler(handler)
+
+
 def _as_vertices(vertices: Any, finite: bool) -> np.ndarray:
     try:
-        array = np.array(vertices, dtype=np.float64)
+        is_complex = np.iscomplexobj(vertices)
+        array = np.empty((0, 3)) if is_complex else np.array(vertices, dtype=np.float64)
     except (TypeError, ValueError) as error:
         raise MeshError(f"the vertices are no table of numbers: {error}") from error
+    if is_complex:
+        raise MeshError("the vertices are complex numbers: expected real coordinates")
     if array.ndim != 2 or array.shape[1] != 3:
         raise MeshError(f"the vertices have shape {array.shape}: expected (V, 3)")
     if len(array) == 0:
@@ -122,6 +142,16 @@ def _as_vertices(vertices: Any, finite: bool) -> np.ndarray:
     bad = np.flatnonzero(~np.isfinite(array).all(axis=1))
     if len(bad) and finite:
         raise MeshError(f"{_count(bad, 'vertex', 'vertices')} not finite (NaN or infinite): correct them{OR_REPAIR}")
+    sound = array[np.isfinite(array).all(axis=1)]
+    extent, largest = (
+        float(values.max(initial=0.0))
+        for values in (sound.max(axis=0, initial=-np.inf) - sound.min(axis=0, initial=np.inf), np.abs(sound))
+    )
+    if 0 < extent < SMALLEST or largest > 1 / SMALLEST:
+        raise MeshError(
+            f"the mesh extends over {extent:.3g}, to {largest:.3g}: expected an extent of {SMALLEST:g} or more, and "
+            f"no coordinate over {1 / SMALLEST:g}; choose another unit"
+        )
     return array
 
 
