@@ -37,7 +37,7 @@ STALL_ITERATIONS = 30  # without progress, after which the flow gives up: longer
 LARGEST_FACTOR = 2.0**20  # where a growing w_L stops: past it the other weights no longer count
 FLATTEST = 1e-9  # volume, in diagonals cubed, that must be left when coordinates are rounded to the frame's resolution
 MOST_COARSENED = 0.05  # of the volume may go with short edges
-GROWTH_LIMIT = 3  # splitting may not take the surface past so many times its first number of vertices
+GROWTH_LIMIT, GROWTH_ROOM = 3, 1000  # splitting may take the surface to so many times its first vertices, and so many
 BLOW_UP = 1.0  # diagonals from the centre, twice as far as any corner of the box: nothing that contracts goes there
 SHORTER, MOST_RETRIES = 0.1, 3  # factor on w_L, when a step has left sensible numbers, and how often it is tried
 INTERRUPTED = "interrupted"
@@ -78,7 +78,7 @@ def init(
     if 0 < component.genus <= homology.LARGEST_GENUS:
         with watch.stage("homology"):
             meso.classes = homology.ring_classes(original, faces, meso.rings)
-    max_rows = GROWTH_LIMIT * meso.num_rows + 1000
+    max_rows = GROWTH_LIMIT * meso.num_rows + GROWTH_ROOM
     if config.resample:
         with watch.stage("resampling"):
             meso = _resampled(meso, config.resample, check=config.check)

@@ -1,6 +1,8 @@
 """Shared by all tests: float64, meshes made in code, and the research meshes where they are at hand."""
 
 import os
+import shutil
+import tempfile
 from pathlib import Path
 
 import jax
@@ -9,6 +11,21 @@ import pytest
 import trimesh
 
 jax.config.update("jax_enable_x64", True)
+
+# What one worker has compiled the others need not: most of the time of the tests is compiling.
+CACHE = "MSF_JAX_TEST_CACHE"
+IS_FIRST = CACHE not in os.environ  # of the processes, which the others inherit from
+if IS_FIRST:
+    os.environ[CACHE] = tempfile.mkdtemp(prefix="msf_jax-tests-")
+jax.config.update("jax_compilation_cache_dir", os.environ[CACHE])
+jax.config.update("jax_persistent_cache_min_compile_time_secs", 0.2)
+
+
+def pytest_sessionfinish() -> None:
+    """Remove what was compiled; the first process ends last."""
+    if IS_FIRST:
+        shutil.rmtree(os.environ[CACHE], ignore_errors=True)
+
 
 # The research meshes are not part of the project; tests that want them skip where the folder is absent.
 MESHES = Path(os.environ.get("MSF_JAX_MESHES", Path(__file__).parents[2] / "shared" / "meshes"))

@@ -137,10 +137,10 @@ def topology_variants() -> dict[str, Any]:
     sphere = trimesh.creation.icosphere(2)
     half = sphere.vertices[sphere.faces].mean(axis=1)[:, 2] > 0
     pinch = pair(sphere)[0] + [0, 0, 1 - 1e-9], sphere.faces
-    disc = trimesh.creation.icosphere(3)
-    wall = np.flatnonzero(np.abs(disc.vertices[:, 2]) < 1e-9)
-    order = wall[np.argsort(np.arctan2(disc.vertices[wall, 1], disc.vertices[wall, 0]))]
-    membrane = np.stack([np.full(len(order), len(disc.vertices)), order, np.roll(order, -1)], axis=1)
+    cube = box()
+    rim = np.flatnonzero(cube[0][:, 2] == 0)
+    rim = rim[np.argsort(np.arctan2(cube[0][rim, 1], cube[0][rim, 0]))]
+    wall = np.stack([np.full(len(rim), len(cube[0])), rim, np.roll(rim, -1)], axis=1)
     return {
         "a hole": (vertices, faces[1:]),
         "many holes": (vertices, faces[random.random(len(faces)) > 0.1]),
@@ -155,7 +155,7 @@ def topology_variants() -> dict[str, Any]:
         "random orientation": (vertices, turned),
         "inside out": (vertices, faces[:, ::-1]),
         "a fin": (np.concatenate([vertices, [[3.0, 3, 3]]]), np.concatenate([faces, [[*faces[9, :2], len(vertices)]]])),
-        "a wall inside": (np.concatenate([disc.vertices, [[0, 0, 0]]]), np.concatenate([disc.faces, membrane])),
+        "a wall inside": (np.concatenate([cube[0], [[0, 0, 0]]]), np.concatenate([cube[1], wall])),
         "random faces": (vertices, random.integers(0, len(vertices), (500, 3))),
         "a sphere and random faces": (
             vertices,

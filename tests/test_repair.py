@@ -1,0 +1,193 @@
+"""Repair on request: what comes out is closed, oriented and manifold, and every change is told."""
+
+import numpy as np
+import pytest
+import trimesh
+from benchmarks import faults
+from conftest import blob, torus
+
+import msf_jax
+from msf_jax import Config, ConfigError, MeshError, Repair
+from msf_jax.host import surface
+
+BALL = trimesh.creation.icosphere(3)
+VERTICES, FACES = np.array(BALL.vertices), np.array(BALL.faces)
+
+
+def volumes(found: surface.Surface) -> list[float]:
+    """Volume of each component, by the divergence theorem as trimesh has it."""
+    return [trimesh.Trimesh(part.vertices, part.faces, process=False).volume for part in found.components]
+
+
+def assert_sound(found: surface.Surface, num_given: int) -> None:
+    """Closed, oriented and manifold by trimesh's account; and each vertex is one of the caller's."""
+    mesh = trimesh.Trimesh(found.vertices, found.faces, process=False)
+    assert mesh.is_watertight and mesh.is_winding_consistent and min(volumes(found)) > 0
+    euler = sum(2 - 2 * part.genus for part in found.components)
+    assert len(found.vertices) - len(found.faces) // 2 == euler
+    assert len(found.vertex_of_input) == num_given
+    assert found.vertex_of_input.max() < len(found.vertices) and found.input_of_vertex.max() < num_given
+    np.testing.assert_array_equal(found.given[0][found.input_of_vertex], found.vertices)
+
+
+def test_a_sound_mesh_stays_as_it_is():
+    found = surface.prepare((VERTICES, FACES), True)
+    assert found.repairs == ()
+    np.testing.assert_array_equal(found.vertices, VERTICES)
+    np.testing.assert_array_equal(found.faces, FACES)
+
+
+@pytest.mark.parametrize("gap", [0.0, 1e-9])
+def test_a_soup_is_welded(gap):
+    soup = VERTICES[FACES].reshape(-1, 3)
+    soup += np.random.default_rng(0).uniform(-gap, gap, soup.shape)
+    found = surface.prepare((soup, np.arange(len(soup)).reshape(-1, 3)), True)
+    assert_sound(found, len(soup))
+    assert len(found.vertices) == len(VERTICES)
+    assert found.repairs == (f"welded {len(soup) - len(VERTICES)} vertices at the rim of a hole to another",)
+
+
+def test_holes_are_filled_without_new_vertices():
+    keep = np.random.default_rng(1).random(len(FACES)) > 0.15
+    found = surface.prepare((VERTICES, FACES[keep]), True)
+    assert_sound(found, len(VERTICES))
+    assert [part.genus for part in found.components] == [0]
+    assert volumes(found)[0] == pytest.approx(BALL.volume, rel=0.02)
+    assert sum("filled" in sentence for sentence in found.repairs) == 1
+
+
+def test_a_flat_hole_is_filled_flat():
+    """A box without its lid: 16 vertices around the hole, so 14 faces, and the volume is as before."""
+    vertices, faces = faults.box()
+    keep = vertices[faces][:, :, 2].min(axis=1) < 0.5
+    found = surface.prepare((vertices, faces[keep]), True)
+    assert found.repairs == ("filled 1 hole with 14 faces",)
+    assert volumes(found) == pytest.approx([1.0])
+
+
+def test_a_hole_larger_than_asked_stays_and_is_refused():
+    half = VERTICES[FACES][:, :, 2].min(axis=1) > 0
+    with pytest.raises(MeshError, match="the mesh is open"):
+        surface.prepare((VERTICES, FACES[half]), Repair(largest_hole=0.2))
+
+
+def test_orientation_is_made_consistent_and_counted():
+    turned = FACES.copy()
+    turned[100:150] = turned[100:150, ::-1]
+    found = surface.prepare((VERTICES, turned), True)
+    assert_sound(found, len(VERTICES))
+    assert found.repairs == ("turned 50 faces round",)
+
+
+def test_doubled_and_degenerate_faces_go():
+    faces = np.concatenate([FACES, FACES[:7], FACES[7:9, ::-1], [[4, 4, 5]]])
+    found = surface.prepare((VERTICES, faces), True)
+    assert_sound(found, len(VERTICES))
+    assert found.repairs == ("left out 1 face with a corner twice", "left out 9 faces that were there already")
+
+
+@pytest.mark.parametrize("shift", [(1, 1, 0), (1, 1, 1)])
+@pytest.mark.parametrize("is_turned", [False, True])
+def test_boxes_that_touch_are_taken_apart(shift, is_turned):
+    other = faults.box(shift)
+    other = other[0], other[1][:, ::-1] if is_turned else other[1]
+    mesh = faults.welded(faults.joined(faults.box(), other))
+    found = surface.prepare(mesh, True)
+    assert_sound(found, len(mesh[0]))
+    assert volumes(found) == pytest.approx([1.0, 1.0])
+
+
+def test_a_wall_inside_goes_and_the_solid_stays():
+    mesh = faults.topology_variants()["a wall inside"]
+    found = surface.prepare(mesh, True)
+    assert volumes(found) == pytest.approx([1.0])
+    assert "left out 1 piece without volume" in found.repairs
+
+
+def test_vertices_that_are_not_finite_go_between_their_neighbours():
+    broken = VERTICES.copy()
+    broken[5], broken[600] = np.nan, np.inf
+    found = surface.prepare((broken, FACES), True)
+    assert_sound(found, len(VERTICES))
+    assert found.repairs == ("placed 2 vertices that were not finite between their neighbours",)
+    around = np.unique(FACES[(FACES == 600).any(axis=1)])
+    expected = VERTICES[around[around != 600]].mean(axis=0)
+    np.testing.assert_allclose(found.vertices[600], expected, atol=1e-12)
+
+
+def test_small_parts_are_kept_unless_asked():
+    crumb = faults.box()
+    mesh = faults.joined((VERTICES, FACES), (crumb[0] * 0.01 + 3, crumb[1]))
+    assert len(surface.prepare(mesh, True).components) == 2
+    found = surface.prepare(mesh, Repair(smallest_part=0.05))
+    assert len(found.components) == 1
+    assert found.repairs == ("left out 1 piece smaller than smallest_part",)
+    assert (found.vertex_of_input[: len(VERTICES)] >= 0).all() and len(found.strays) == len(crumb[0])
+
+
+def test_the_callers_arrays_stay_as_they_are():
+    vertices, faces = faults.topology_variants()["many holes"]
+    copies = vertices.copy(), faces.copy()
+    surface.prepare((vertices, faces), True)
+    np.testing.assert_array_equal(vertices, copies[0])
+    np.testing.assert_array_equal(faces, copies[1])
+
+
+@pytest.mark.parametrize("make", [lambda seed: blob(seed), lambda seed: torus()])
+@pytest.mark.parametrize("seed", range(3))
+def test_a_mesh_that_was_broken_in_every_way_has_its_genus_again(make, seed):
+    """Faces lost, turned, doubled and reordered, corners rotated, vertices doubled and shuffled."""
+    mesh, random = make(seed), np.random.default_rng(seed)
+    vertices, faces = np.array(mesh.vertices), np.array(mesh.faces)
+    keep = np.ones(len(faces), dtype=bool)
+    keep[random.choice(len(faces), 6, replace=False)] = False
+    faces = faces[keep]
+    faces = np.concatenate([faces, faces[:5]])[random.permutation(len(faces) + 5)]
+    faces = faces[np.arange(len(faces))[:, None], (np.arange(3) + random.integers(3, size=len(faces))[:, None]) % 3]
+    is_turned = random.random(len(faces)) < 0.3
+    faces[is_turned] = faces[is_turned, ::-1]
+    corners = vertices[faces].reshape(-1, 3)
+    order = random.permutation(len(corners))
+    place = np.argsort(order)
+    found = surface.prepare((corners[order], place.reshape(-1, 3)), True)
+    assert_sound(found, len(corners))
+    euler = len(mesh.vertices) - len(mesh.faces) // 2
+    assert [part.genus for part in found.components] == [(2 - euler) // 2]
+    assert volumes(found)[0] == pytest.approx(mesh.volume, rel=0.01)
+
+
+@pytest.mark.parametrize("name", ["beetle-open", "lilium-open", "cow-pinched", "camel-pinched"])
+def test_research_meshes_become_curves(research_mesh, name):
+    mesh = research_mesh(name)
+    found = surface.prepare(mesh, True)
+    assert_sound(found, len(mesh[0]))
+    skeleton = msf_jax.skeletonize(mesh, repair=True)
+    assert skeleton.report.repairs == found.repairs
+    assert skeleton.report.cycles == skeleton.report.genus and len(skeleton.mesh_map) == len(mesh[0])
+
+
+def test_the_tape_of_a_repaired_mesh_speaks_of_the_callers_vertices():
+    vertices, faces = faults.topology_variants()["many holes"]
+    run = msf_jax.contract((vertices, faces), config=Config(max_iterations=4), repair=True)
+    assert run.tape.vertices.shape == vertices.shape
+    run.tape.check((vertices, faces))
+    nodes = np.asarray(msf_jax.replay(run.tape, run.weights))
+    assert np.abs(nodes - run.curve.vertices).max() < 1e-9
+
+
+@pytest.mark.parametrize(
+    ("make", "says"),
+    [
+        (lambda: Repair(weld=-1.0), "Repair.weld is -1.0: expected a number from 0 to 1"),
+        (lambda: Repair(largest_hole=True), "Repair.largest_hole is True"),
+        (lambda: msf_jax.skeletonize((VERTICES, FACES), repair="yes"), "repair is 'yes': expected True, False"),
+    ],
+)
+def test_options_are_checked(make, says):
+    with pytest.raises(ConfigError, match=says):
+        make()
+
+
+def test_nothing_left_is_an_error_that_says_what_was_done():
+    with pytest.raises(MeshError, match=r"nothing is left that encloses a volume: .*repaired: filled 1 hole"):
+        surface.prepare((VERTICES[:3], [[0, 1, 2]]), True)
