@@ -1,0 +1,87 @@
+"""The same bits in fresh processes: whatever the hash seed and the threads, and after any number of kills.
+
+``MSF_JAX_PROCESSES`` processes are compared, 3 if it is not set, and ``MSF_JAX_KILLS`` runs killed, 2 if it is not.
+"""
+
+import os
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+PROCESSES, KILLS = int(os.environ.get("MSF_JAX_PROCESSES", "3")), int(os.environ.get("MSF_JAX_KILLS", "2"))
+ROOT = Path(__file__).parents[1]
+PROGRAM = """
+import hashlib, os, sys
+threads = int(sys.argv[1])
+if hasattr(os, "sched_setaffinity"):  # before XLA counts them
+    os.sched_setaffinity(0, sorted(os.sched_getaffinity(0))[:threads])
+import jax
+import numpy as np
+jax.config.update("jax_enable_x64", sys.argv[2] == "float64")
+import msf_jax
+from msf_jax import flow, shapes
+flow.EVERY = 1
+checkpoint = sys.argv[3] if len(sys.argv) > 3 else None
+run = flow.contract(shapes.hand(0.06), config=msf_jax.Config(t_min=0.003), checkpoint=checkpoint)
+digest = hashlib.sha256(repr(run.history).encode())
+for array in (*jax.tree_util.tree_leaves(run.tape), *vars(run.skeleton).values()):
+    if isinstance(array, np.ndarray):
+        digest.update(array.tobytes())
+print(len(run.history), digest.hexdigest())
+"""
+
+
+def start(threads, precision="float64", *checkpoint, seed="0"):
+    """The program in a process of its own, which prints how many iterations it took and a hash of everything."""
+    environment = os.environ | {
+        "PYTHONHASHSEED": seed,
+        "OMP_NUM_THREADS": str(threads),
+        "JAX_COMPILATION_CACHE_DIR": os.environ["MSF_JAX_TEST_CACHE"],
+        "TF_CPP_MIN_LOG_LEVEL": "3",
+    }
+    command = [sys.executable, "-c", PROGRAM, str(threads), precision, *map(str, checkpoint)]
+    return subprocess.Popen(command, env=environment, stdout=subprocess.PIPE, text=True, cwd=ROOT)
+
+
+def result(process):
+    output, _ = process.communicate(timeout=300)
+    assert process.returncode == 0
+    return output
+
+
+@pytest.mark.parametrize("precision", ["float64", "float32"])
+def test_the_same_bits_in_every_process(precision):
+    """With other hash seeds, one thread or two, two processes at a time."""
+    found = set()
+    for number in range(0, PROCESSES, 2):
+        pair = [start(1 + k % 2, precision, seed=str(k)) for k in range(number, min(number + 2, PROCESSES))]
+        found |= {result(process) for process in pair}
+    assert len(found) == 1
+    assert int(found.pop().split()[0]) > 5
+
+
+def test_a_run_that_is_killed_again_and_again_ends_in_the_same_bits(tmp_path):
+    """kill -9 at random moments; each time the next one goes on from what is in the file."""
+    path, random = tmp_path / "run.npz", np.random.default_rng(0)
+    begin = time.monotonic()
+    expected = result(start(2))
+    usual = time.monotonic() - begin
+    num_killed = 0
+    for _ in range(20 * KILLS):
+        process = start(2, "float64", path)
+        try:
+            process.wait(random.uniform(0.3, 1.0) * usual)
+        except subprocess.TimeoutExpired:
+            process.kill()
+            process.communicate()
+            num_killed += 1
+        else:
+            path.unlink()  # it had ended: once more from the start
+        if num_killed == KILLS:
+            break
+    assert num_killed == KILLS
+    assert result(start(2, "float64", path)) == expected
