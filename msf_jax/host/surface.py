@@ -24,7 +24,7 @@ from msf_jax.host.enclosure import Enclosure
 from msf_jax.host.meso import signed_volume
 from msf_jax.host.repair import FEWEST_VERTICES, FLATTEST, Repair, as_repair, repaired
 
-SMALLEST = 1e-100  # extent, and the largest coordinate is one over it: products of three must be numbers
+SMALLEST = 1e-150  # extent, and the largest coordinate is one over it: squares must be numbers
 ARCHIVES = {"zip", "bz2", "gz", "tar", "tar.gz", "tar.bz2", "tgz"}  # a small one can unpack to more than memory
 OR_REPAIR = ", or ask for repair=True (--repair)"
 
