@@ -12,6 +12,7 @@ from msf_jax.errors import ConfigError, FlowError, Interrupted, MeshError
 from msf_jax.flow import Flow, contract
 from msf_jax.host.branches import Branch
 from msf_jax.host.repair import Repair
+from msf_jax.importing import read_curve
 from msf_jax.options import Config, Weights
 from msf_jax.preprocessing import reconstruct, voronoi_poles
 from msf_jax.replaying import replay, replay_meso, replay_radii
@@ -38,6 +39,7 @@ __all__ = [
     "contract",
     "metrics",
     "objectives",
+    "read_curve",
     "reconstruct",
     "replay",
     "replay_meso",

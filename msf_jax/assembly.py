@@ -130,9 +130,11 @@ def assemble(
         flow_edges.append(own.edges + num_old)
         edges.append(number[done.edges])
         vertex_to_flow[where] = node_of_vertex + num_old
-        vertex_to_node[where] = number[
-            finishing.nearest_on_branch(done.vertices, done.edges, state.shape.vertices, node_of_vertex)
-        ]
+        if not is_tangle(state):
+            node_of_vertex = finishing.nearest_on_branch(
+                done.vertices, done.edges, state.shape.vertices, node_of_vertex
+            )
+        vertex_to_node[where] = number[node_of_vertex]
         meso_vertices.append(leave(state.meso.positions))
         meso_faces.append(state.meso.faces() + num_meso)
         num_old += count

@@ -16,6 +16,7 @@ import msf_jax
 from msf_jax import archive
 from msf_jax.device.buffers import real_dtype
 from msf_jax.errors import ConfigError
+from msf_jax.host import connectivity
 from msf_jax.host.collapse import CollapseRound
 from msf_jax.host.meso import Compaction, Fixing, Meso
 from msf_jax.host.records import Step
@@ -27,7 +28,7 @@ KIND, VERSION = "checkpoint", 1
 EVERY = 5  # iterations between two writes
 RECORDS = {kind.__name__: kind for kind in (Meso, Step, Iteration, CollapseRound, SplitRound, Fixing, Compaction)}
 CHANGING = ("meso", "t_c", "w_L_factor", "history", "steps", "failure")  # attributes of a `State`
-ADVICE = "delete it, or choose another path"
+ADVICE = "choose another path"
 
 
 class Checkpoint:
@@ -60,10 +61,17 @@ class Checkpoint:
                         "choose another path, or delete it"
                     )
                 self.saved = _decoded(header["states"], arrays)
+                _check_states(self.saved)
 
     def restore(self, state: State) -> None:
-        """Bring ``state``, a component's first, to where the file has it."""
+        """Bring ``state``, a component's first, to where the file has it.
+
+        Raises:
+            ConfigError: the file's surface is none of this component.
+        """
         if state.number < len(self.saved):
+            if len(self.saved[state.number]["meso"].node_of_input) != len(state.meso.node_of_input):
+                raise ConfigError(f"the checkpoint {str(self.path)!r} is damaged: {ADVICE}")
             for name, value in self.saved[state.number].items():
                 setattr(state, name, value)
 
@@ -98,6 +106,29 @@ def run_of(
         "version of jax": jax.__version__,
         "device": f"{device.platform} {device.device_kind}",
     }
+
+
+def _check_states(states: Any) -> None:
+    """Raise a ValueError unless ``states`` are what `Checkpoint.save` writes of its components."""
+    for state in states:
+        if set(state) != set(CHANGING):
+            raise ValueError("a state lacks a part, or has one too many")
+        meso, history, steps = state["meso"], state["history"], state["steps"]
+        kinds = ((history, Iteration), (steps, Step))
+        if not isinstance(meso, Meso) or any(not isinstance(item, kind) for items, kind in kinds for item in items):
+            raise ValueError("a part of a state is of another kind")
+        num = len(meso.positions)
+        columns = (meso.rings, meso.degree, meso.poles, meso.has_pole, meso.is_fixed)
+        is_whole = all(len(column) == num for column in columns) and meso.positions.shape == meso.poles.shape == (
+            num,
+            3,
+        )
+        is_whole &= bool(np.isfinite(meso.positions).all() and np.isfinite(meso.poles).all())
+        is_whole &= bool((meso.node_of_input >= 0).all() and (meso.node_of_input < num).all())
+        is_whole &= len(history) == len(steps) and bool((meso.rings >= -1).all() and (meso.rings < num).all())
+        if not is_whole or not 0 < state["t_c"] < 1:
+            raise ValueError("the arrays of a state do not fit together")
+        connectivity.check_closed_manifold(meso.rings, connectivity.euler_characteristic(meso.rings))
 
 
 def _hash(*arrays: np.ndarray) -> str:

@@ -150,6 +150,9 @@ def _skeletonize(arguments: argparse.Namespace) -> int:
         picture = _checked_target(arguments.picture, arguments.mesh, arguments.output)
         if picture.suffix.lower() != ".png":
             raise ConfigError(f"the picture is a PNG file: expected a name that ends in .png, not {picture.name!r}")
+    if arguments.checkpoint is not None:
+        others = [arguments.mesh, arguments.output, *([arguments.picture] if arguments.picture else [])]
+        _checked_target(arguments.checkpoint, *others)
     changes = {name: getattr(arguments, name) for name in ("max_iterations", "coarsen", "prune")}
     changes = {name: value for name, value in changes.items() if value is not None}
     config = Config.named(arguments.system, check=arguments.check, evaluate=arguments.evaluate, **changes)
@@ -171,7 +174,7 @@ def _skeletonize(arguments: argparse.Namespace) -> int:
         skeleton = interruption.flow.skeleton
         stopped = f"interrupted: {target} holds the curve as far as it went"
         stopped += f"; the same command goes on from {arguments.checkpoint}" if arguments.checkpoint else ""
-    files: dict[Path, str | bytes] = {target: render(skeleton)}
+    files: dict[Path, str | bytes] = {target: render(skeleton, mesh)}
     if picture:
         files[picture] = view.picture(skeleton, mesh)
     code = _finish(skeleton, files, arguments.quiet)
@@ -204,7 +207,7 @@ def _demo(arguments: argparse.Namespace) -> int:
     skeleton = msf_jax.skeletonize(mesh, progress=not arguments.quiet)
     files: dict[Path, str | bytes] = {
         folder / "hand.off": str(mesh.export(file_type="off")),
-        folder / "hand.swc": export.writer_for("hand.swc")(skeleton),
+        folder / "hand.swc": export.writer_for("hand.swc")(skeleton, mesh),
         folder / "hand.png": view.picture(skeleton, mesh),
     }
     return _finish(skeleton, files, arguments.quiet)

@@ -26,7 +26,7 @@ from msf_jax.host.frame import RESOLUTION, frame_of, sort_mesh
 from msf_jax.host.meso import Meso
 from msf_jax.host.reconstruction import LowPass
 from msf_jax.host.records import FoundPoles, Start, Step
-from msf_jax.host.repair import Repair
+from msf_jax.host.repair import Repair, as_repair
 from msf_jax.host.surface import Component
 from msf_jax.interruption import held_back
 from msf_jax.layout import layout_for
@@ -314,7 +314,7 @@ def contract(
         checked = surface.prepare(mesh, repair)
     held, pinned = _checked_pins(pins, checked)
     of_vertices = _weights_of_vertices(weights, checked)
-    keeper = Checkpoint(checkpoint, run_of(checked.given, weights, config, held, repair))
+    keeper = Checkpoint(checkpoint, run_of(checked.given, weights, config, held, as_repair(repair)))
     states, reasons, parts = [], [], []
     with tqdm(desc="msf_jax", unit="it", disable=None if progress else True) as bar, held_back() as interruption:
         for number, component in enumerate(checked.components):

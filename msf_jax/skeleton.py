@@ -266,17 +266,20 @@ class Skeleton:
             radii = np.maximum((self.radii - away).max(axis=1), 0.0)
         return Skeleton(vertices, edges, radii, mesh_map, report, self.source)
 
-    def save(self, path: str | os.PathLike[str]) -> None:
+    def save(self, path: str | os.PathLike[str], mesh: Any = None) -> None:
         """Write the curve in the format that the suffix names, whole or not at all.
 
         ``.swc`` (a tree: loops are cut, and the cut edges listed in a comment), ``.obj`` (lines), ``.cg`` (vertices and
-        edges), ``.polylines.txt`` (CGAL's), ``.json`` (everything, the report included).
+        edges), ``.polylines.txt`` (CGAL's), ``.ply`` (vertices with radius, edges), ``.vtp`` (VTK PolyData with point
+        data "radius"), ``.graphml`` (NetworkX's), ``.npz`` (arrays), ``.json`` (everything, the report included),
+        ``.glb`` (glTF: ``mesh``, as `skeletonize` took it, skinned to the curve, whose nodes are the joints).
 
         Raises:
-            ConfigError: the suffix is none of these.
+            ConfigError: the suffix is none of these, or a ``.glb`` is asked for without a mesh.
+            MeshError: ``mesh`` is not the one that the curve was made from.
             OSError: the file cannot be written; what was there before is untouched.
         """
-        export.save(self, path)
+        export.save(self, path, mesh)
 
     def to_networkx(self) -> nx.Graph:
         """A graph whose nodes carry ``position`` (3,) and ``radius``, and whose edges carry ``length``."""
@@ -298,3 +301,24 @@ class Skeleton:
             vertices=self.vertices.copy(),
             process=False,
         )
+
+
+def curve_of(vertices: np.ndarray, edges: np.ndarray, radii: np.ndarray) -> Skeleton:
+    """A skeleton of any curve: no map, and a report of its counts."""
+    components, cycles = curve.cycle_count(len(vertices), edges)
+    report = Report(
+        components=components,
+        mesh_components=components,
+        genus=cycles,
+        cycles=cycles,
+        inside=float("nan"),
+        converged=True,
+        reason="read from a file",
+        iterations=0,
+        fixed=0,
+        live=0,
+        volume=0.0,
+        unsolved=0,
+        solve_steps=0,
+    )
+    return Skeleton(vertices, edges, radii, np.empty(0, dtype=np.int64), report)

@@ -1,6 +1,7 @@
 """A run that was cut short, resumed: the same bits. Ctrl-C: a partial curve. Files from strangers: refused."""
 
 import io
+import json
 import signal
 import threading
 import zipfile
@@ -116,6 +117,50 @@ def test_another_mesh_does_not_go_on_from_it(mesh, tmp_path):
     flow.contract(mesh, config=Config(max_iterations=1), checkpoint=path)
     with pytest.raises(ConfigError, match="with another mesh"):
         flow.contract(torus(), config=Config(max_iterations=1), checkpoint=path)
+
+
+def test_the_two_ways_to_ask_for_repair_are_one_run(mesh, tmp_path):
+    once = Config(max_iterations=1)
+    flow.contract(mesh, config=once, checkpoint=tmp_path / "run.npz", repair=True)
+    flow.contract(mesh, config=once, checkpoint=tmp_path / "run.npz", repair=msf_jax.Repair())
+
+
+def replaced(header, *way, value):
+    """``header`` with what ``way`` leads to replaced, or left out."""
+    inside = header
+    for step in way[:-1]:
+        inside = inside[step]
+    if value is None:
+        del inside[way[-1]]
+    else:
+        inside[way[-1]] = value
+
+
+@pytest.mark.parametrize(
+    ("way", "value"),
+    [
+        (("states",), 5),
+        (("states",), [3]),
+        (("states", 0, "members", "meso"), 3),
+        (("states", 0, "members", "meso"), None),
+        (("states", 0, "members", "history"), []),
+        (("states", 0, "members", "other"), 1),
+        (("states", 0, "members", "t_c"), 1e9),
+        (("states", 0, "members", "meso", "members", "rings"), {"array": "0"}),
+        (("states", 0, "members", "steps", 0, "record"), "Meso"),
+    ],
+)
+def test_a_changed_checkpoint_is_a_clear_error(mesh, tmp_path, way, value):
+    path = tmp_path / "run.npz"
+    once = Config(max_iterations=1)
+    flow.contract(mesh, config=once, checkpoint=path)
+    with np.load(path) as file:
+        arrays = {name: file[name] for name in file.files}
+    header = json.loads(str(arrays["header"]))
+    replaced(header, *way, value=value)
+    np.savez(path, **arrays | {"header": np.array(json.dumps(header))})
+    with pytest.raises(ConfigError, match="is no checkpoint, or a damaged one"):
+        flow.contract(mesh, config=once, checkpoint=path)
 
 
 @pytest.mark.parametrize("content", [b"", b"precious notes", b"PK\x03\x04"])

@@ -143,3 +143,14 @@ def test_ctrl_c_writes_nothing_and_exits_130(ball, tmp_path, capsys, monkeypatch
     assert main(["skeletonize", str(ball), "-o", str(out), "--picture", str(picture)]) == 130
     assert "interrupted" in capsys.readouterr().err
     assert sorted(path.name for path in tmp_path.iterdir()) == ["ball.off"]
+
+
+def test_a_checkpoint_is_none_of_the_other_files_and_goes_in_the_end(tmp_path, capsys):
+    mesh, out = tmp_path / "mesh.off", tmp_path / "out.swc"
+    trimesh.creation.icosphere(2).export(mesh)
+    for other in (mesh, out):
+        assert main(["skeletonize", str(mesh), "-o", str(out), "-q", "--checkpoint", str(other)]) == 2
+        assert "is named twice" in capsys.readouterr().err
+    checkpoint = tmp_path / "run.npz"
+    assert main(["skeletonize", str(mesh), "-o", str(out), "-q", "--checkpoint", str(checkpoint)]) == 0
+    assert out.exists() and not checkpoint.exists()

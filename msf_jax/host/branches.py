@@ -55,6 +55,20 @@ def trace(num_nodes: int, edges: np.ndarray) -> list[list[int]]:
     return branches
 
 
+def tree(num_nodes: int, edges: np.ndarray) -> dict[int, int]:
+    """The parent of every node, -1 for a root: parents come first, roots are leaves if there are any, loops are cut."""
+    graph = nx.Graph()
+    graph.add_nodes_from(range(num_nodes))
+    graph.add_edges_from(edges.tolist())
+    parent: dict[int, int] = {}
+    for component in nx.connected_components(graph):
+        leaves = [node for node in component if graph.degree[node] == 1]
+        root = min(leaves or component)
+        parent[root] = -1
+        parent.update({child: above for above, child in nx.bfs_edges(graph, root, sort_neighbors=sorted)})
+    return parent
+
+
 def measure(
     vertices: np.ndarray,
     edges: np.ndarray,

@@ -20,6 +20,8 @@ from msf_jax.errors import ConfigError, MeshError
 from msf_jax.host.meso import signed_volume
 
 FEWEST_VERTICES = 5  # of a piece that has a skeleton
+LARGEST_WELD = 0.01  # of the median edge: more would crush triangles
+MOST_NEIGHBOURS = 50  # of a rim's vertex within the radius of a weld
 FLATTEST = 1e-9  # volume over the cube of the largest extent, below which a piece encloses nothing
 
 
@@ -83,39 +85,42 @@ def repaired(vertices: np.ndarray, faces: np.ndarray, options: Repair) -> Repair
         MeshError: nothing is left, or no vertex is finite.
     """
     repairs: list[str] = []
-    given, placed = _placed(vertices, faces)
+    given, placed = placed_between_neighbours(vertices, faces)
     _note(repairs, "placed {} that {was} not finite between {its} neighbours", placed, "vertex", "vertices")
     faces = _without_doubles(faces, repairs)
     welded = np.arange(len(given))
-    diagonal = float(np.linalg.norm(np.ptp(given[faces.ravel()], axis=0))) if len(faces) else 0.0
-    for radius in (0.0, options.weld * diagonal):
+    corners = given[faces.ravel()].reshape(-1, 3, 3)
+    diagonal = float(np.linalg.norm(np.ptp(corners.reshape(-1, 3), axis=0))) if len(faces) else 0.0
+    edge = float(np.median(np.linalg.norm(corners - np.roll(corners, 1, axis=1), axis=2))) if len(faces) else 0.0
+    for radius in (0.0, min(options.weld * diagonal, LARGEST_WELD * edge)):
         rim = np.unique(_rim(faces))
         if len(rim):
             target = _welded(given, rim, radius)
             moved = int((target != np.arange(len(given)))[rim].sum())
             _note(repairs, "welded {} at the rim of a hole to another", moved, "vertex", "vertices")
             welded, faces = target[welded], _without_doubles(target[faces], repairs)
-    faces, num_turned = _oriented(faces)
+    faces, num_turned = _oriented(faces, _left_alone(faces))
     _note(repairs, "turned {} round", num_turned, "face", "faces")
-    twin, num_crowded = _twins(given, faces)
+    num_faces, num_crowded = len(faces), int((_edge_codes(faces)[2] > 2).sum())
     _note(repairs, "separated the sheets that met in {}", num_crowded, "edge", "edges")
-    num_faces = len(faces)
+    twin = _twins(given, faces)
     while (is_double := _is_double(_cut_apart(faces, twin)[0])).any():  # a sheet that meets itself: cut there, and fill
         faces = faces[~is_double]
-        twin, _ = _twins(given, faces)
+        twin = _twins(given, faces)
     _note(repairs, "left out {} at edges where a sheet met itself", num_faces - len(faces), "face", "faces")
     faces, source = _cut_apart(faces, twin)
     num_cut = len(source) - len(np.unique(source))
     _note(repairs, "doubled {} in which sheets met", num_cut, "vertex", "vertices")
     faces, num_holes, num_new = _filled(given[source], faces, options.largest_hole * diagonal)
     _note(repairs, f"filled {{}} with {num_new} faces", num_holes, "hole", "holes")
-    faces, num_flat, num_small = _with_volume(given[source], faces, options.smallest_part * diagonal)
+    faces, num_few, num_flat, num_small = _with_volume(given[source], faces, options.smallest_part * diagonal)
+    _note(repairs, f"left out {{}} of fewer than {FEWEST_VERTICES} vertices", num_few, "piece", "pieces")
     _note(repairs, "left out {} without volume", num_flat, "piece", "pieces")
     _note(repairs, "left out {} smaller than smallest_part", num_small, "piece", "pieces")
     if len(faces) == 0:
         raise MeshError(
-            "after repair nothing is left that encloses a volume: expected a solid, if with holes"
-            + (f" (repaired: {'; '.join(repairs)})" if repairs else "")
+            f"after repair nothing is left that encloses a volume and has {FEWEST_VERTICES} vertices: expected a "
+            "solid, if with holes" + (f" (repaired: {'; '.join(repairs)})" if repairs else "")
         )
     used, flat = np.unique(faces, return_inverse=True)
     source = source[used]
@@ -130,9 +135,12 @@ def _note(repairs: list[str], sentence: str, count: int, one: str, many: str) ->
         repairs.append(sentence.format(f"{count} {one if count == 1 else many}", **words))
 
 
-def _placed(vertices: np.ndarray, faces: np.ndarray) -> tuple[np.ndarray, int]:
-    """Vertices that are not finite at the mean of those that share a face with them, as far out as it takes."""
-    is_bad = ~np.isfinite(vertices).all(axis=1)
+def placed_between_neighbours(vertices: np.ndarray, faces: np.ndarray) -> tuple[np.ndarray, int]:
+    """Vertices that are not finite at the mean of those that share a face with them, as far out as it takes.
+
+    Returns all vertices, and how many of these are in a face; others go to the middle.
+    """
+    is_bad = np.logical_not(np.isfinite(vertices).all(axis=1))
     if not is_bad.any():
         return vertices, 0
     if is_bad.all():
@@ -153,7 +161,7 @@ def _placed(vertices: np.ndarray, faces: np.ndarray) -> tuple[np.ndarray, int]:
             break
         vertices[now] = (beside @ (vertices * known[:, None]))[now] / count[now, None]
         is_left &= ~now
-    return vertices, int(is_bad.sum())
+    return vertices, int(np.sum(is_bad[np.unique(faces)]))
 
 
 def _without_doubles(faces: np.ndarray, repairs: list[str]) -> np.ndarray:
@@ -185,23 +193,63 @@ def _rim(faces: np.ndarray) -> np.ndarray:
 def _welded(vertices: np.ndarray, rim: np.ndarray, radius: float) -> np.ndarray:
     """(V,) the vertex that each becomes: those of ``rim`` within ``radius`` of each other the first of them."""
     target = np.arange(len(vertices))
-    pairs = spatial.KDTree(vertices[rim]).query_pairs(radius, output_type="ndarray")
-    graph = sparse.coo_matrix((np.ones(len(pairs)), pairs.T), shape=(len(rim), len(rim)))
-    label = csgraph.connected_components(graph, directed=False)[1]
+    points, place = np.unique(vertices[rim], axis=0, return_inverse=True)
+    tree, num = spatial.KDTree(points), len(points)
+    if radius > 0 and tree.count_neighbors(tree, radius) > MOST_NEIGHBOURS * num:
+        raise MeshError(f"Repair.weld would make one of many vertices ({radius:.3g} apart): expected a smaller one")
+    pairs = tree.query_pairs(radius, output_type="ndarray") if radius > 0 else np.empty((0, 2), dtype=np.int64)
+    graph = sparse.coo_matrix((np.ones(len(pairs)), pairs.T), shape=(num, num))
+    label = csgraph.connected_components(graph, directed=False)[1][place.ravel()]
     first = np.unique(label, return_index=True)[1]
     target[rim] = rim[first[label]]
     return target
 
 
-def _oriented(faces: np.ndarray) -> tuple[np.ndarray, int]:
-    """Neighbours across edges with two faces turned the same way round; of each patch, the fewer faces are turned.
+def _left_alone(faces: np.ndarray) -> np.ndarray:
+    """(3F,) which half-edges, at an edge of more than two, take no part in joining the others there.
+
+    Faces of an open patch, such as a fin, where the others are an even number; else, of an odd number, the one of the
+    smallest patch, and rather an open one: more likely a wall than a part of a solid.
+    """
+    edge, _, count = _edge_codes(faces)
+    order = np.argsort(edge, kind="stable")
+    start = np.concatenate([[0], np.cumsum(count)])
+    patch, size, is_open = _patches(edge, count)
+    alone = np.zeros(len(edge), dtype=bool)
+    for number in np.flatnonzero(count > 2):
+        halves = order[start[number] : start[number + 1]]
+        own = patch[halves // 3]
+        num_closed = int((~is_open[own]).sum())
+        if num_closed and num_closed % 2 == 0:
+            alone[halves[is_open[own]]] = True
+        elif len(halves) % 2:
+            alone[halves[np.lexsort((size[own], ~is_open[own]))[0]]] = True
+    return alone
+
+
+def _patches(edge: np.ndarray, count: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """For each face, its patch, joined across edges with two faces; for each patch, its faces, and if it has a rim."""
+    order = np.argsort(edge, kind="stable")
+    pair = order[(count[edge] == 2)[order]].reshape(-1, 2) // 3
+    num = len(edge) // 3
+    graph = sparse.coo_matrix((np.ones(len(pair)), pair.T), shape=(num, num))
+    patch = csgraph.connected_components(graph, directed=False)[1]
+    on_rim = (count[edge] == 1).reshape(-1, 3).any(axis=1)
+    return patch, np.bincount(patch), np.bincount(patch, weights=on_rim) > 0
+
+
+def _oriented(faces: np.ndarray, alone: np.ndarray) -> tuple[np.ndarray, int]:
+    """Neighbours across edges turned the same way round, where two faces are not ``alone`` (3F,).
+
+    Of what hangs together the fewer faces are turned.
 
     Every face stands in a graph twice, as it is and turned; faces that fit together are joined. A patch is then two
     components, of which one is taken, or, if it has one side only, a single one, which is left as it is.
     """
     edge, _, count = _edge_codes(faces)
+    num_joined = np.bincount(edge[~alone], minlength=len(count))
     order = np.argsort(edge, kind="stable")
-    half = order[(count[edge] == 2)[order]].reshape(-1, 2)
+    half = order[((num_joined[edge] == 2) & ~alone)[order]].reshape(-1, 2)
     origin, face = faces.ravel(), half // 3
     is_same = (origin[half[:, 0]] == origin[half[:, 1]]).astype(np.int64)
     num = len(faces)
@@ -216,15 +264,14 @@ def _oriented(faces: np.ndarray) -> tuple[np.ndarray, int]:
     return np.where(is_turned[:, None], faces[:, ::-1], faces), int(is_turned.sum())
 
 
-def _twins(vertices: np.ndarray, faces: np.ndarray) -> tuple[np.ndarray, int]:
-    """(3F,) the half-edge across each, -1 where there is none; and how many edges had more than two faces.
+def _twins(vertices: np.ndarray, faces: np.ndarray) -> np.ndarray:
+    """(3F,) the half-edge across each, -1 where there is none.
 
-    There, faces are joined in pairs that run opposite ways, those first that enclose the smallest angle of inside.
-    Where an odd number meets, that of the smallest patch is left alone: more likely a fin or a wall than a part of a
-    solid.
+    At an edge of more than two faces, those are joined in pairs that run opposite ways, first the pairs that enclose
+    the smallest angle of inside; faces that are left alone are joined to others of their own patch only.
     """
     edge, _, count = _edge_codes(faces)
-    patch_size = _patch_sizes(edge, count)
+    alone, patch = _left_alone(faces), _patches(edge, count)[0]
     order = np.argsort(edge, kind="stable")
     start = np.concatenate([[0], np.cumsum(count)])
     origin, target, apex = (faces[:, corners].ravel() for corners in ([0, 1, 2], [1, 2, 0], [2, 0, 1]))
@@ -232,32 +279,22 @@ def _twins(vertices: np.ndarray, faces: np.ndarray) -> tuple[np.ndarray, int]:
     pair = order[(count[edge] == 2)[order]].reshape(-1, 2)
     pair = pair[origin[pair[:, 0]] != origin[pair[:, 1]]]
     twin[pair[:, 0]], twin[pair[:, 1]] = pair[:, 1], pair[:, 0]
-    crowded = np.flatnonzero(count > 2)
-    for number in crowded:
+    for number in np.flatnonzero(count > 2):
         halves = order[start[number] : start[number + 1]]
-        if len(halves) % 2:
-            halves = np.delete(halves, np.argmin(patch_size[halves // 3]))
         low, high = sorted((origin[halves[0]], target[halves[0]]))
-        is_forward = origin[halves] == low
         angle = _angles(vertices[low], vertices[high], vertices[apex[halves]])
+        is_forward = origin[halves] == low
         ahead, back = np.flatnonzero(is_forward), np.flatnonzero(~is_forward)
         wedge = (angle[ahead][:, None] - angle[back]) % (2 * np.pi)  # a face's inside is where its angle falls
+        one, other = halves[ahead][:, None], halves[back]
+        is_barred = (alone[one] | alone[other]) & (patch[one // 3] != patch[other // 3])
+        wedge[is_barred] = np.inf
         for _ in range(min(wedge.shape)):
             i, j = np.unravel_index(np.argmin(wedge), wedge.shape)
-            one, other = halves[ahead[i]], halves[back[j]]
-            twin[one], twin[other] = other, one
+            if wedge[i, j] < np.inf:
+                twin[one[i, 0]], twin[other[j]] = other[j], one[i, 0]
             wedge[i], wedge[:, j] = np.inf, np.inf
-    return twin, len(crowded)
-
-
-def _patch_sizes(edge: np.ndarray, count: np.ndarray) -> np.ndarray:
-    """(F,) for each face, how many it is joined to across edges with two faces."""
-    order = np.argsort(edge, kind="stable")
-    pair = order[(count[edge] == 2)[order]].reshape(-1, 2) // 3
-    num = len(edge) // 3
-    graph = sparse.coo_matrix((np.ones(len(pair)), pair.T), shape=(num, num))
-    label = csgraph.connected_components(graph, directed=False)[1]
-    return np.bincount(label)[label]
+    return twin
 
 
 def _is_double(faces: np.ndarray) -> np.ndarray:
@@ -355,10 +392,10 @@ def _cap(vertices: np.ndarray, loop: list[int], known: set[tuple[int, int]]) -> 
     return faces
 
 
-def _with_volume(vertices: np.ndarray, faces: np.ndarray, size: float) -> tuple[np.ndarray, int, int]:
-    """Without closed pieces that enclose no volume, and pieces with a smaller diagonal than ``size``; how many each."""
+def _with_volume(vertices: np.ndarray, faces: np.ndarray, size: float) -> tuple[np.ndarray, int, int, int]:
+    """Without pieces of few vertices, closed ones without volume, ones with a smaller diagonal; how many of each."""
     if len(faces) == 0:
-        return faces, 0, 0
+        return faces, 0, 0, 0
     edge, _, count = _edge_codes(faces)
     ends = faces.ravel(), faces[:, [1, 2, 0]].ravel()
     num = len(vertices)
@@ -366,7 +403,7 @@ def _with_volume(vertices: np.ndarray, faces: np.ndarray, size: float) -> tuple[
     label = np.unique(csgraph.connected_components(graph, directed=False)[1][faces[:, 0]], return_inverse=True)[1]
     is_open = np.bincount(label, weights=(count[edge] == 1).reshape(-1, 3).any(axis=1)) > 0
     keep = np.ones(len(is_open), dtype=bool)
-    num_flat = num_small = 0
+    num_few = num_flat = num_small = 0
     order = np.argsort(label, kind="stable")
     bounds = np.searchsorted(label[order], np.arange(len(keep) + 1))
     for piece in range(len(keep)):
@@ -376,8 +413,9 @@ def _with_volume(vertices: np.ndarray, faces: np.ndarray, size: float) -> tuple[
         extent = float((high - low).max())
         centred = (vertices[used] - (low + high) / 2) / (extent or 1.0)
         is_hollow = not is_open[piece] and abs(signed_volume(centred, local.reshape(-1, 3))) <= FLATTEST
-        is_flat = len(used) < FEWEST_VERTICES or extent == 0 or is_hollow
-        is_small = not is_flat and float(np.linalg.norm(high - low)) < size
-        keep[piece] = not (is_flat or is_small)
-        num_flat, num_small = num_flat + is_flat, num_small + is_small
-    return faces[keep[label]], num_flat, num_small
+        is_few = len(used) < FEWEST_VERTICES
+        is_flat = not is_few and (extent == 0 or is_hollow)
+        is_small = not is_few and not is_flat and float(np.linalg.norm(high - low)) < size
+        keep[piece] = not (is_few or is_flat or is_small)
+        num_few, num_flat, num_small = num_few + is_few, num_flat + is_flat, num_small + is_small
+    return faces[keep[label]], num_few, num_flat, num_small

@@ -116,6 +116,15 @@ def _load(path: Path) -> Any:
     return loaded
 
 
+def check_map(mesh_map: np.ndarray, num_vertices: int) -> None:
+    """Raise a `MeshError` unless ``mesh_map`` speaks of a mesh of so many vertices."""
+    if len(mesh_map) != num_vertices:
+        raise MeshError(
+            f"the mesh has {num_vertices} vertices, and the skeleton was made from one of {len(mesh_map)}: expected "
+            "the same mesh, its vertices in the same order"
+        )
+
+
 @contextmanager
 def _quiet_loader() -> Iterator[None]:
     """Keep trimesh from printing tracebacks of what it could not read, where the caller has set up no logging."""
@@ -198,7 +207,10 @@ def prepare(mesh: Any, repair: bool | Repair = False) -> Surface:
     if wanted is None:
         return _checked(vertices, faces)
     done = repaired(vertices, faces, wanted)
-    checked = _checked(done.vertices, done.faces)
+    try:
+        checked = _checked(done.vertices, done.faces)
+    except MeshError as error:
+        raise MeshError(f"after repair, {str(error).replace(OR_REPAIR, ', or let Repair do more')}") from error
     target = np.where(done.vertex_of_given < 0, -1, checked.vertex_of_input[done.vertex_of_given])
     return replace(
         checked,
