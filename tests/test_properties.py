@@ -6,6 +6,7 @@
 import os
 
 import numpy as np
+import pytest
 import trimesh
 from conftest import torus
 from hypothesis import HealthCheck, given, settings
@@ -98,3 +99,13 @@ def test_every_closed_mesh_becomes_a_whole_curve(drawn):
         assert two.vertices.shape == one.vertices.shape
         expected = one.vertices[one.mesh_map][order]  # by vertex of the mesh: parts may come in another order
         assert np.abs(two.vertices[two.mesh_map] / scale - expected).max() < 1e-9 * diagonal
+
+
+@pytest.mark.parametrize("seed", [2, 3, 1978])
+def test_slivers_and_noise_lose_no_handle(seed):
+    """The surface crosses itself here and there, so that linking numbers are wrong until it is smoothed."""
+    random = np.random.default_rng(seed)
+    mesh = net(random)
+    vertices = mesh.vertices + random.normal(0, 0.002, mesh.vertices.shape) * np.ptp(mesh.vertices, axis=0).max()
+    report = msf_jax.skeletonize((vertices, mesh.faces)).report
+    assert report.cycles == report.genus == (2 - mesh.euler_number) // 2 > 1

@@ -6,6 +6,9 @@ and the loops outside are spanned by the surface's own, pushed out a little. So 
 class, such that the sum along a loop is a fixed random combination of the loop's linking numbers with all of them: the
 sum is zero if and (but for a chance of 1 in 10^9) only if the loop vanishes in the solid.
 
+Noise and slivers make a surface cross itself here and there, which spoils linking numbers, but not what they are asked
+for: then they are those of the surface after a little smoothing.
+
 The loops come from a tree-cotree decomposition (Eppstein 2003), linking numbers from signed crossings in a projection.
 """
 
@@ -17,6 +20,7 @@ from msf_jax.host import connectivity
 from msf_jax.host.poles import vertex_normals
 
 PUSH = 1e-3  # how far out, as a fraction of the mean edge length
+SMOOTHINGS = (1, 1, 2, 4, 8)  # rounds, one after the other, of a surface that small triangles make cross itself
 LARGEST_GENUS = 32  # beyond, the cost of all linking numbers is no longer small
 
 
@@ -78,10 +82,19 @@ def half_edge_classes(positions: np.ndarray, faces: np.ndarray) -> np.ndarray | 
 
 def ring_classes(positions: np.ndarray, faces: np.ndarray, rings: np.ndarray) -> np.ndarray | None:
     """The same, beside the ring table ``rings`` (n, K) of ``faces``: entry [i, k] is the class of i -> rings[i, k]."""
+    edges = connectivity.half_edges(faces)
+    count = np.bincount(edges.origin)[:, None]
+    ends = edges.origin, edges.target
+    neighbours = sparse.csr_matrix((np.ones(len(edges.origin)), ends), shape=(len(rings), len(rings)))
     values = half_edge_classes(positions, faces)
+    for rounds in SMOOTHINGS:
+        if values is not None:
+            break
+        for _ in range(rounds):
+            positions = (positions + neighbours @ positions / count) / 2
+        values = half_edge_classes(positions, faces)
     if values is None:
         return None
-    edges = connectivity.half_edges(faces)
     code = connectivity.encode_edges(edges.origin, edges.target, len(rings))
     order = np.argsort(code)
     vertex, slot = np.nonzero(rings >= 0)
