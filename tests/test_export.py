@@ -1,6 +1,8 @@
 """Files read back by hand or by another library, and never left by halves."""
 
 import json
+import struct
+import warnings
 from itertools import pairwise
 
 import networkx as nx
@@ -8,7 +10,8 @@ import numpy as np
 import pytest
 import trimesh
 
-from msf_jax import ConfigError, Report, Skeleton, export
+import msf_jax
+from msf_jax import ConfigError, MeshError, Report, Skeleton, export, shapes
 
 
 def skeleton_of(vertices, edges):
@@ -126,3 +129,150 @@ def test_a_failed_write_leaves_the_old_file(tmp_path, monkeypatch):
         export.write_whole(target, "new")
     assert target.read_text() == "old"
     assert list(tmp_path.iterdir()) == [target]
+
+
+@pytest.fixture(scope="module")
+def hand():
+    """A real curve with a loop and five ends, and its mesh."""
+    mesh = shapes.hand(0.08)
+    return msf_jax.skeletonize(mesh), mesh
+
+
+@pytest.fixture
+def saved(hand, tmp_path):
+    """A function from a suffix to the path of the hand's curve in that format."""
+
+    def save(suffix):
+        skeleton, mesh = hand
+        path = tmp_path / f"hand{suffix}"
+        skeleton.save(path, mesh)
+        return path
+
+    return save
+
+
+def test_navis_reads_swc(hand, saved):
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # navis announces what it has not
+        import navis
+
+        neuron = navis.read_swc(str(saved(".swc")))
+    skeleton, _ = hand
+    table = neuron.nodes
+    assert len(table) == len(skeleton.vertices)
+    assert (table.parent_id >= 0).sum() == len(skeleton.edges) - skeleton.report.cycles
+    np.testing.assert_allclose(np.sort(table.radius), np.sort(skeleton.radii), rtol=1e-6)
+
+
+def test_vtk_reads_polydata(hand, saved):
+    pyvista = pytest.importorskip("pyvista")
+    skeleton, _ = hand
+    data = pyvista.read(saved(".vtp"))
+    np.testing.assert_array_equal(data.points, skeleton.vertices)
+    np.testing.assert_array_equal(data["radius"], skeleton.radii)
+    lines, at, num_edges = np.asarray(data.lines), 0, 0
+    while at < len(lines):
+        num_edges += lines[at] - 1
+        at += lines[at] + 1
+    assert num_edges == len(skeleton.edges)
+
+
+def test_ply_holds_radii_and_edges(hand, saved):
+    plyfile = pytest.importorskip("plyfile")
+    skeleton, _ = hand
+    data = plyfile.PlyData.read(saved(".ply"))
+    np.testing.assert_array_equal(data["vertex"]["radius"], skeleton.radii)
+    np.testing.assert_array_equal(data["vertex"]["x"], skeleton.vertices[:, 0])
+    edges = np.stack([data["edge"]["vertex1"], data["edge"]["vertex2"]], axis=1)
+    np.testing.assert_array_equal(edges, skeleton.edges)
+
+
+def test_networkx_reads_graphml(hand, saved):
+    skeleton, _ = hand
+    graph = nx.read_graphml(saved(".graphml"), node_type=int)
+    assert {tuple(sorted(edge)) for edge in graph.edges} == set(map(tuple, skeleton.edges.tolist()))
+    assert [graph.nodes[node]["radius"] for node in range(len(skeleton.vertices))] == skeleton.radii.tolist()
+    assert graph.nodes[3]["y"] == skeleton.vertices[3, 1]
+
+
+def test_numpy_reads_npz(hand, saved):
+    skeleton, _ = hand
+    with np.load(saved(".npz")) as file:
+        for name in ("vertices", "edges", "radii", "mesh_map"):
+            np.testing.assert_array_equal(file[name], getattr(skeleton, name))
+        assert json.loads(str(file["report"]))["cycles"] == 1
+
+
+def test_glb_is_the_mesh_skinned_to_the_curve(hand, saved):
+    """The rest pose is the mesh: each joint's matrix times its inverse bind matrix is the identity."""
+    skeleton, mesh = hand
+    path = saved(".glb")
+    loaded = trimesh.load(path)
+    (geometry,) = loaded.geometry.values()
+    assert geometry.faces.shape == mesh.faces.shape
+    content = path.read_bytes()
+    length, _ = struct.unpack("<II", content[12:20])
+    document = json.loads(content[20 : 20 + length])
+    binary = content[28 + length :]
+
+    def array(number, dtype, columns):
+        view = document["bufferViews"][document["accessors"][number]["bufferView"]]
+        flat = np.frombuffer(
+            binary, dtype, offset=view["byteOffset"], count=view["byteLength"] // np.dtype(dtype).itemsize
+        )
+        return flat.reshape(-1, columns)
+
+    attributes = document["meshes"][0]["primitives"][0]["attributes"]
+    np.testing.assert_array_equal(array(attributes["JOINTS_0"], "<u2", 4)[:, 0], skeleton.mesh_map)
+    np.testing.assert_array_equal(
+        array(attributes["WEIGHTS_0"], "<f4", 4), np.tile([1, 0, 0, 0], (len(mesh.vertices), 1))
+    )
+    skin = document["skins"][0]
+    assert skin["joints"] == list(range(len(skeleton.vertices)))
+    inverse = array(skin["inverseBindMatrices"], "<f4", 16).reshape(-1, 4, 4).transpose(0, 2, 1)
+    above = {child: number for number, node in enumerate(document["nodes"]) for child in node.get("children", [])}
+    for joint in skin["joints"]:
+        position, node = np.zeros(3), joint
+        while node is not None:
+            position = position + document["nodes"][node].get("translation", [0, 0, 0])
+            node = above.get(node)
+        np.testing.assert_allclose(position, skeleton.vertices[joint], atol=1e-5)
+        np.testing.assert_allclose(inverse[joint, :3, 3], -skeleton.vertices[joint], atol=1e-6)
+
+
+def test_a_glb_needs_its_mesh(hand, tmp_path):
+    skeleton, mesh = hand
+    with pytest.raises(ConfigError, match=r"expected save\(path, mesh\)"):
+        skeleton.save(tmp_path / "hand.glb")
+    with pytest.raises(MeshError, match="expected the same mesh"):
+        skeleton.save(tmp_path / "hand.glb", (mesh.vertices[:-1], mesh.faces[:1]))
+
+
+@pytest.mark.parametrize("suffix", [".swc", ".polylines.txt"])
+def test_what_was_saved_is_read_again(hand, saved, suffix):
+    skeleton, mesh = hand
+    found = msf_jax.read_curve(saved(suffix))
+    assert (len(found.vertices), len(found.edges)) == (len(skeleton.vertices), len(skeleton.edges))
+    assert (found.report.cycles, found.report.components) == (1, 1)
+    assert found.length == pytest.approx(skeleton.length)
+    if suffix == ".swc":
+        np.testing.assert_array_equal(np.sort(found.radii), np.sort(skeleton.radii))
+    ours, theirs = (msf_jax.metrics.evaluate(mesh, curve) for curve in (skeleton, found))
+    assert theirs == pytest.approx(ours, rel=1e-6, nan_ok=True)
+
+
+@pytest.mark.parametrize(
+    ("name", "content", "says"),
+    [
+        ("a.swc", "1 0 0 0 0 1", "line 1 of 'a.swc' is '1 0 0 0 0 1': expected id, type"),
+        ("a.swc", "# only\n", "holds 0 nodes"),
+        ("a.swc", "1 0 0 0 0 1 7", "names a node 7 that it does not hold"),
+        ("a.swc", "1 0 nan 0 0 1 -1", "not all finite"),
+        ("a.polylines.txt", "3 0 0 0 1 1 1", "line 1 of 'a.polylines.txt' is no polyline"),
+        ("a.obj", "v 0 0 0", r"cannot read 'a.obj': expected an .swc or a .polylines.txt file"),
+    ],
+)
+def test_a_curve_that_cannot_be_read_is_named(tmp_path, name, content, says):
+    (tmp_path / name).write_text(content)
+    with pytest.raises(ConfigError, match=says):
+        msf_jax.read_curve(tmp_path / name)
