@@ -7,17 +7,18 @@ import numpy as np
 from scipy import spatial
 
 from msf_jax import metrics
-from msf_jax.host import curve, finishing
+from msf_jax.host import connectivity, curve, finishing
 from msf_jax.host.curve import Curve
 from msf_jax.host.finishing import Finished
 from msf_jax.host.meso import Meso
-from msf_jax.host.records import ComponentRecord, Recording
+from msf_jax.host.records import ComponentRecord, Recording, Stage
 from msf_jax.host.solid import Solid
 from msf_jax.host.surface import Surface
 from msf_jax.options import Config, Weights
 from msf_jax.run import Flow, State, Stopwatch
 from msf_jax.skeleton import Report, Skeleton, Source
 
+MOST_STAGES = 12  # of the contraction that are kept to be looked at
 MOST_VOLUME = 0.1  # that may be left of a component whose curve is worth finishing
 
 
@@ -142,7 +143,7 @@ def assemble(
         num_meso += len(state.meso.positions)
     with watch.stage("report"):
         solid = Solid(checked.vertices, checked.faces)
-        source = Source(solid, _areas_of_input(checked, solid), pins)
+        source = Source(solid, _areas_of_input(checked, solid), pins, _stages(states))
         drafts = []
         for vertices, joined, of_vertex in (
             (np.concatenate(flow_nodes), np.concatenate(flow_edges), vertex_to_flow),
@@ -202,6 +203,29 @@ def assemble(
         recording=Recording(tuple(records), *checked.given, checked.input_of_vertex),
         source=source,
     )
+
+
+def _stages(states: list[State]) -> tuple[Stage, ...]:
+    """At most ``MOST_STAGES`` surfaces, from the first to the last, all components together."""
+    last = max(len(state.steps) for state in states)
+    stages = []
+    for iteration in np.unique(np.linspace(0, last, MOST_STAGES).round().astype(int)).tolist():
+        vertices, faces, is_fixed, num = [], [], [], 0
+        for state in states:
+            if iteration < len(state.steps):
+                step = state.steps[iteration]
+                is_past = np.arange(step.rings.shape[1]) >= step.degree[:, None]
+                faces.append(connectivity.faces_from_rings(np.where(is_past, -1, step.rings)) + num)
+                vertices.append(state.frame.leave(step.positions))
+                is_fixed.append(~step.free.astype(bool))
+            else:
+                faces.append(state.meso.faces() + num)
+                vertices.append(state.frame.leave(state.meso.positions))
+                is_fixed.append(state.meso.is_fixed)
+            num += len(vertices[-1])
+        joined = np.concatenate(vertices).astype(np.float32), np.concatenate(faces).astype(np.int32)
+        stages.append(Stage(iteration, *joined, np.concatenate(is_fixed)))
+    return tuple(stages)
 
 
 def _means(points: np.ndarray, group: np.ndarray, num: int) -> np.ndarray:

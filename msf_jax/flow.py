@@ -189,6 +189,7 @@ def step(state: State, weights: Weights, config: Config, watch: Stopwatch) -> St
             "finite or sensible coordinates; the surface before it was kept"
         )
         return state
+    before = meso.positions[order].astype(np.float32)
     displacement = float(np.sqrt(((positions - meso.positions) ** 2).sum(axis=1).max()))
     meso.positions = positions
 
@@ -209,7 +210,7 @@ def step(state: State, weights: Weights, config: Config, watch: Stopwatch) -> St
     num = len(order)
     left = np.stack([moved.contraction.left[:num], moved.smoothing.left[:num]])
     free, pull = packed["free"][:num].copy(), packed["pull"][:num].copy()
-    state.steps.append(Step(order, rings, degree, free, pull, left, factor, meso.edits))
+    state.steps.append(Step(order, before, rings, degree, free, pull, left, factor, meso.edits))
     meso.edits = []
     state.history.append(
         Iteration(

@@ -9,14 +9,18 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import networkx as nx
 import numpy as np
 
-from msf_jax import export, metrics
+from msf_jax import export, metrics, page, segmentation, view
 from msf_jax.errors import ConfigError
 from msf_jax.host import branches, containment, curve, finishing
 from msf_jax.host.branches import Branch
 from msf_jax.host.centring import arc_length, at
+from msf_jax.host.records import Stage
 from msf_jax.host.solid import Solid
 
 if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+    from plotly.graph_objects import Figure as PlotlyFigure
+    from trimesh import Trimesh
     from trimesh.path import Path3D
 
 
@@ -105,11 +109,13 @@ class Source(NamedTuple):
     """What a curve was made from.
 
     areas: (V,) share of the surface's area that belongs to each input vertex. pins: (k,) input vertices held in place.
+    stages: the surface as it contracted, in a few steps from first to last.
     """
 
     solid: Solid
     areas: np.ndarray
     pins: np.ndarray
+    stages: tuple[Stage, ...] = ()
 
 
 @dataclass(frozen=True, eq=False)
@@ -280,6 +286,37 @@ class Skeleton:
             OSError: the file cannot be written; what was there before is untouched.
         """
         export.save(self, path, mesh)
+
+    def view(self, mesh: Any = None, path: str | os.PathLike[str] | None = None) -> "PlotlyFigure":
+        """A page to look around in: the curve in its surface, with sliders for the flow's iterations and for pruning.
+
+        Args:
+            mesh: what the curve was made from, as `skeletonize` took it; the repaired surface if not given.
+            path: an ``.html`` file to write it to, which needs no network.
+
+        Returns:
+            A plotly figure; a notebook shows it inline.
+
+        Raises:
+            ConfigError: ``path`` has another suffix.
+            MeshError: ``mesh`` is not the one that the curve was made from.
+        """
+        return page.view(self, mesh, path)
+
+    def plot(self, mesh: Any = None, *, elevation: float = 15.0, azimuth: float = -70.0) -> "Figure":
+        """A matplotlib figure, for papers: the mesh translucent, the curve coloured by radius; see `view.figure`."""
+        return view.figure(self, mesh, elevation=elevation, azimuth=azimuth)
+
+    def segments(self, mesh: Any) -> list["Trimesh"]:
+        """The surface split by branch: one `trimesh.Trimesh` for each of ``branches``, in their order.
+
+        A face goes with the branch of its first corner's node; one at a junction to the branch that is named first.
+        Each has a colour of its own, and ``vertex_attributes`` "radius", "node" and "branch".
+
+        Raises:
+            MeshError: ``mesh`` is not the one that the curve was made from.
+        """
+        return segmentation.segments(self, mesh)
 
     def to_networkx(self) -> nx.Graph:
         """A graph whose nodes carry ``position`` (3,) and ``radius``, and whose edges carry ``length``."""

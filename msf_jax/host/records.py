@@ -34,12 +34,14 @@ class Start(NamedTuple):
 class Step(NamedTuple):
     """One iteration on a surface of m vertices, and the edits after it.
 
-    order: (m,) the vertex in each packed row; all else is by rows. rings: (m, K), see `packing.Packed`. degree, free,
-    pull: (m,). left: (2, m, 3) residuals of the two solves, over their right-hand sides' norms.
+    order: (m,) the vertex in each packed row; all else is by rows. positions: (m, 3) float32, before it. rings: (m, K),
+    see `packing.Packed`. degree, free, pull: (m,). left: (2, m, 3) residuals of the two solves, over their right-hand
+    sides' norms.
     factor: that w_L had grown by.
     """
 
     order: np.ndarray
+    positions: np.ndarray
     rings: np.ndarray
     degree: np.ndarray
     free: np.ndarray
@@ -47,6 +49,18 @@ class Step(NamedTuple):
     left: np.ndarray
     factor: float
     edits: list[Any]
+
+
+class Stage(NamedTuple):
+    """The surface at some time of the flow, in the caller's units, to be looked at.
+
+    iteration: after how many. vertices: (n, 3) float32. faces: (m, 3) int32. is_fixed: (n,).
+    """
+
+    iteration: int
+    vertices: np.ndarray
+    faces: np.ndarray
+    is_fixed: np.ndarray
 
 
 class ComponentRecord(NamedTuple):
