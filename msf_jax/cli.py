@@ -1,7 +1,7 @@
-"""The command line: ``msf-jax skeletonize IN -o OUT`` and ``msf-jax demo``, also as ``python -m msf_jax``.
+"""The command line: ``msf-jax skeletonize``, ``demo``, ``view``, ``batch``, also as ``python -m msf_jax``.
 
-Exit codes: 0 when a curve was written, 2 for bad input or options, 130 for Ctrl-C, after which the curve as far as it
-went is written. A curve whose report is not clean is written all the same, with a warning.
+Exit codes: 0 when all is written, 1 when some mesh of a batch failed, 2 for bad input or options, 130 for Ctrl-C, after
+which the curve as far as it went is written. A curve whose report is not clean is written all the same, with a warning.
 """
 
 import argparse
@@ -14,9 +14,10 @@ from pathlib import Path
 
 import jax
 import numpy as np
+import shtab
 
 import msf_jax
-from msf_jax import export, shapes, view
+from msf_jax import batch, export, shapes, view
 from msf_jax.errors import ConfigError, FlowError, Interrupted, MeshError
 from msf_jax.host import surface
 from msf_jax.options import SYSTEMS, Config, Weights
@@ -134,7 +135,84 @@ def _parser() -> argparse.ArgumentParser:
     demo.add_argument("-o", "--output", metavar="FOLDER", default=".", help="where to put the files (default: here)")
     _common(demo)
     demo.set_defaults(run=_demo)
+
+    look = commands.add_parser(
+        "view",
+        allow_abbrev=False,
+        help="a page to look around in: surface, curve, iterations, pruning",
+        description="Skeletonise one mesh and write a page that any browser shows, without a network.",
+        epilog="example: msf-jax view hand.off -o hand.html",
+    )
+    look.add_argument("mesh", metavar="IN", help="a closed triangle mesh in any format that trimesh reads")
+    look.add_argument("-o", "--output", metavar="HTML", help="where to write it (default: IN with .html)")
+    look.add_argument("--repair", action="store_true", help="mend a mesh that is no closed manifold, and say how")
+    _common(look)
+    look.set_defaults(run=_view)
+
+    many = commands.add_parser(
+        "batch",
+        allow_abbrev=False,
+        help="a folder of meshes in, a folder of curves and a table of reports out",
+        description="Skeletonise every mesh in a folder and in those below it. Started again, it does what is missing.",
+        epilog="example: msf-jax batch meshes curves --jobs 4 --format .swc; exit code 1 if a mesh failed",
+    )
+    many.add_argument("folder", metavar="IN_DIR", help="where the meshes are")
+    many.add_argument("output", metavar="OUT_DIR", help="where curves and manifest.csv go")
+    many.add_argument("--jobs", type=int, metavar="N", help="processes (default: one for each core)")
+    many.add_argument("--format", default=".swc", metavar="SUFFIX", help=f"one of {', '.join(export.WRITERS)}")
+    many.add_argument("--scheduler", metavar="ADDRESS", help="of a Dask scheduler, such as tcp://host:8786")
+    many.add_argument("--repair", action="store_true", help="mend meshes that are no closed manifolds")
+    many.add_argument("--retry", action="store_true", help="take those again that failed")
+    many.add_argument("--evaluate", action="store_true", help="figures such as off-centre in the table, too")
+    _common(many)
+    many.set_defaults(run=_batch)
+
+    shell = commands.add_parser(
+        "completion",
+        allow_abbrev=False,
+        help="print a script that lets a shell complete commands and options",
+        description="Print the script: for bash, into ~/.local/share/bash-completion/completions/msf-jax.",
+    )
+    shell.add_argument("shell", choices=shtab.SUPPORTED_SHELLS, help="which")
+    shell.set_defaults(float32=False, run=lambda arguments: print(shtab.complete(parser, arguments.shell)) or 0)
     return parser
+
+
+def _view(arguments: argparse.Namespace) -> int:
+    target = _checked_target(arguments.output or str(Path(arguments.mesh).with_suffix(".html")), arguments.mesh)
+    if target.suffix.lower() != ".html":
+        raise ConfigError(f"the page is an HTML file: expected a name that ends in .html, not {target.name!r}")
+    mesh = surface.read(arguments.mesh, finite=not arguments.repair)
+    skeleton = msf_jax.skeletonize(mesh, repair=arguments.repair, progress=not arguments.quiet)
+    skeleton.view(mesh, target)
+    _tell(skeleton, [target], arguments.quiet)
+    return 0
+
+
+def _batch(arguments: argparse.Namespace) -> int:
+    folder = Path(arguments.folder)
+    if not folder.is_dir():
+        raise ConfigError(f"no folder {str(folder)!r}: expected one with meshes")
+    known = surface.readable_suffixes()
+    out = Path(arguments.output).resolve()
+    paths = [path for path in sorted(folder.rglob("*")) if path.suffix.lower().lstrip(".") in known and path.is_file()]
+    paths = [path for path in paths if out not in path.resolve().parents]
+    if not paths:
+        raise ConfigError(f"no mesh in {str(folder)!r}: expected files that end in one of {', '.join(known)}")
+    done = batch.run(
+        paths,
+        arguments.output,
+        config=Config(evaluate=arguments.evaluate),
+        repair=arguments.repair,
+        suffix=arguments.format,
+        jobs=arguments.jobs,
+        scheduler=arguments.scheduler,
+        retry=arguments.retry,
+        progress=not arguments.quiet,
+    )
+    if not arguments.quiet:
+        print(f"{len(done.rows)} meshes, {done.num_done} of them now, {done.num_failed} failed; see {done.manifest}")
+    return min(done.num_failed, 1)
 
 
 def _common(parser: argparse.ArgumentParser) -> None:

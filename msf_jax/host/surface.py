@@ -87,12 +87,17 @@ def read(mesh: Any, *, finite: bool = True) -> tuple[np.ndarray, np.ndarray]:
     return _as_vertices(vertices, finite), _as_faces(faces, len(vertices))
 
 
+def readable_suffixes() -> list[str]:
+    """Of the mesh files that can be read, without their dot."""
+    return sorted(set(trimesh.available_formats()) - ARCHIVES)
+
+
 def _load(path: Path) -> Any:
     if not path.exists():
         raise MeshError(f"no file {str(path)!r}: check the path")
     if path.is_dir():
         raise MeshError(f"{str(path)!r} is a folder: expected one mesh file")
-    known = sorted(set(trimesh.available_formats()) - ARCHIVES)
+    known = readable_suffixes()
     suffix = path.suffix.lower().lstrip(".")
     if suffix not in known:
         raise MeshError(

@@ -1,0 +1,140 @@
+"""Many meshes: the same table from processes and from a cluster, errors alone, nothing done twice."""
+
+import csv
+import os
+import signal
+import subprocess
+import sys
+import time
+import warnings
+from pathlib import Path
+
+import numpy as np
+import pytest
+import trimesh
+
+from msf_jax import ConfigError, Weights, batch
+from msf_jax.cli import main
+
+NUM, BROKEN = 6, 2
+WORK = batch.work
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory):
+    """Capsules of several sizes in two folders, and two files that are no meshes."""
+    folder = tmp_path_factory.mktemp("meshes")
+    (folder / "more").mkdir()
+    for number in range(NUM):
+        mesh = trimesh.creation.capsule(height=1.0 + number, radius=0.4, count=[10 + number, 12])
+        mesh.export(folder / ("more" if number % 2 else ".") / f"{number}.off")
+    (folder / "broken.off").write_text("OFF\n3 1 0\n")
+    mesh = trimesh.creation.icosphere(2)
+    trimesh.Trimesh(mesh.vertices, mesh.faces[1:], process=False).export(folder / "more" / "open.ply")
+    return folder
+
+
+def paths_in(folder):
+    return [path for path in folder.rglob("*") if path.suffix in (".off", ".ply")]
+
+
+def table(path):
+    """The rows of the table, without what differs from run to run."""
+    with open(path, newline="") as file:
+        rows = list(csv.DictReader(file))
+    for row in rows:
+        row["output"] = Path(row["output"]).name
+        row.pop("seconds")
+    return rows
+
+
+def test_errors_stay_alone_and_a_second_run_does_nothing(folder, tmp_path):
+    done = batch.run(paths_in(folder), tmp_path, jobs=2)
+    assert (len(done.rows), done.num_done, done.num_failed) == (NUM + BROKEN, NUM + BROKEN, BROKEN)
+    rows = {Path(row["path"]).name: row for row in table(done.manifest)}
+    assert "the mesh is open" in rows["open.ply"]["error"] and "cannot read" in rows["broken.off"]["error"]
+    assert rows["3.off"]["cycles"] == "0" and rows["3.off"]["converged"] == "True"
+    assert (tmp_path / "more" / "3.off.swc").read_text().startswith("# curve skeleton")
+    before = (tmp_path / "0.off.swc").stat().st_mtime_ns
+    again = batch.run(paths_in(folder), tmp_path, jobs=2)
+    assert again.num_done == 0 and table(again.manifest) == table(done.manifest)
+    assert (tmp_path / "0.off.swc").stat().st_mtime_ns == before
+    (tmp_path / "0.off.swc").unlink()
+    assert batch.run(paths_in(folder), tmp_path, jobs=1).num_done == 1
+    assert batch.run(paths_in(folder), tmp_path, jobs=1, retry=True).num_done == BROKEN
+    repaired = batch.run([folder / "more" / "open.ply"], tmp_path / "other", jobs=1, repair=True, suffix=".json")
+    assert repaired.num_failed == 0 and "filled 1 hole" in table(repaired.manifest)[0]["repairs"]
+
+
+def test_a_cluster_gives_the_same_table(folder, tmp_path):
+    distributed = pytest.importorskip("distributed")
+    here = batch.run(paths_in(folder), tmp_path / "here", jobs=2)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # its own, on closing
+        with distributed.LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None) as cluster:
+            there = batch.run(paths_in(folder), tmp_path / "there", scheduler=cluster.scheduler_address)
+    assert there.num_done == NUM + BROKEN
+    assert table(there.manifest) == table(here.manifest)
+    for row in here.rows:
+        if row["output"]:
+            other = tmp_path / "there" / Path(row["output"]).relative_to(tmp_path / "here")
+            assert other.read_bytes() == Path(row["output"]).read_bytes()
+
+
+def test_killed_half_way_it_does_the_rest(folder, tmp_path):
+    """kill -9 of all its processes, once some rows are there."""
+    command = [sys.executable, "-m", "msf_jax", "batch", str(folder), str(tmp_path), "--jobs", "1", "-q"]
+    process = subprocess.Popen(
+        command, start_new_session=True, stderr=subprocess.DEVNULL, cwd=Path(__file__).parents[1]
+    )
+    rows = tmp_path / batch.ROWS
+    end = time.monotonic() + 120
+    while len(list(rows.glob("*.json"))) < 3 and time.monotonic() < end:
+        time.sleep(0.01)
+    os.killpg(process.pid, signal.SIGKILL)
+    process.wait()
+    num_done = len(list(rows.glob("*.json")))
+    assert 3 <= num_done < NUM + BROKEN
+    assert not (tmp_path / batch.MANIFEST).exists()
+    done = batch.run(paths_in(folder), tmp_path, jobs=1, config=None)
+    assert done.num_done == NUM + BROKEN - num_done
+    assert len(table(done.manifest)) == NUM + BROKEN and done.num_failed == BROKEN
+
+
+def dying(job):
+    """A worker that is killed on one of the meshes, as by the system when memory runs out."""
+    if job.source.endswith("2.off"):
+        os.kill(os.getpid(), signal.SIGKILL)
+    return WORK(job)
+
+
+def test_a_worker_that_dies_takes_one_mesh_with_it(folder, tmp_path, monkeypatch):
+    monkeypatch.setattr(batch, "work", dying)
+    done = batch.run([folder / "0.off", folder / "2.off", folder / "4.off"], tmp_path, jobs=2)
+    errors = {Path(row["path"]).name: row["error"] for row in done.rows}
+    assert errors == {"0.off": "", "2.off": batch.DIED, "4.off": ""}
+
+
+def test_on_the_command_line(folder, tmp_path, capsys):
+    assert main(["batch", str(folder), str(tmp_path / "out"), "--jobs", "2"]) == 1
+    assert f"{NUM + BROKEN} meshes, {NUM + BROKEN} of them now, {BROKEN} failed" in capsys.readouterr().out
+    assert main(["batch", str(folder / "absent"), str(tmp_path)]) == 2
+    assert "no folder" in capsys.readouterr().err
+    assert main(["batch", str(tmp_path), str(tmp_path / "out")]) == 2
+    assert "no mesh in" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("options", "says"),
+    [
+        ({"paths": []}, "there are no meshes"),
+        ({"paths": ["a.off", "a.off"]}, "is there twice"),
+        ({"suffix": ".xyz"}, "suffix is '.xyz': expected one of .swc"),
+        ({"jobs": 0}, "jobs is 0: expected a whole number"),
+        ({"weights": Weights(w_L=np.ones(3))}, "weights that are numbers"),
+        ({"scheduler": "tcp://127.0.0.1:1"}, "no Dask scheduler at"),
+    ],
+)
+def test_options_are_checked(tmp_path, options, says):
+    with pytest.raises(ConfigError, match=says):
+        batch.run(**{"paths": ["a.off"], "out": tmp_path, **options})

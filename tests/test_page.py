@@ -1,0 +1,105 @@
+"""The page and the segments: what is in them, and that the sliders name the traces that they should."""
+
+import re
+
+import numpy as np
+import pytest
+import trimesh
+from conftest import torus
+
+import msf_jax
+from msf_jax import Config, ConfigError, MeshError, shapes
+from msf_jax.cli import main
+
+
+@pytest.fixture(scope="module")
+def hand():
+    mesh = shapes.hand(0.08)
+    return msf_jax.skeletonize(mesh, config=Config(prune=0.0)), mesh
+
+
+def test_stages_lead_from_the_mesh_to_the_meso_skeleton(hand):
+    skeleton, mesh = hand
+    stages = skeleton.source.stages
+    assert [stage.iteration for stage in stages] == sorted({stage.iteration for stage in stages})
+    assert stages[0].iteration == 0 and stages[-1].iteration == skeleton.report.iterations
+    for stage in stages:
+        surface = trimesh.Trimesh(stage.vertices, stage.faces, process=False)
+        assert surface.is_watertight and surface.euler_number == 0 and len(stage.is_fixed) == len(stage.vertices)
+    volumes = [abs(trimesh.Trimesh(stage.vertices, stage.faces, process=False).volume) for stage in stages]
+    assert volumes[0] == pytest.approx(mesh.volume, rel=0.02) and volumes[-1] < 0.01 * volumes[0]
+    assert not stages[0].is_fixed.any() and stages[-1].is_fixed.sum() == skeleton.report.fixed
+
+
+def test_each_stop_of_a_slider_shows_its_own_traces(hand):
+    skeleton, mesh = hand
+    drawing = skeleton.view(mesh)
+    names = [trace.name for trace in drawing.data]
+    contraction, pruning = drawing.layout.sliders
+    for stage, step in zip(skeleton.source.stages, contraction.steps[1:], strict=True):
+        shown, traces = step.args
+        visible = [names[trace] for trace, is_shown in zip(traces, shown["visible"], strict=True) if is_shown]
+        assert visible == [f"after {stage.iteration} iterations", "fixed vertices"]
+    assert not any(contraction.steps[0].args[0]["visible"])
+    sizes = []
+    for step in pruning.steps:
+        shown, traces = step.args
+        (trace,) = (trace for trace, is_shown in zip(traces, shown["visible"], strict=True) if is_shown)
+        assert names[trace] == "curve"
+        sizes.append(len(drawing.data[trace].x))
+    assert len(sizes) > 1 and sizes == sorted(sizes, reverse=True)
+    assert sizes[0] == 12 * len(skeleton.edges)
+    touched = {trace for slider in drawing.layout.sliders for trace in slider.steps[0].args[1]}
+    assert touched | {0, 1} == set(range(len(names)))
+
+
+def test_the_page_is_one_file_that_needs_no_network(hand, tmp_path):
+    skeleton, mesh = hand
+    skeleton.view(mesh, tmp_path / "hand.html")
+    text = (tmp_path / "hand.html").read_text()
+    assert not re.search(r"<(script|link|img)[^>]+(src|href)=", text)
+    assert "<html>" in text[:100] and "Plotly.newPlot" in text
+    with pytest.raises(ConfigError, match=r"written as .html, not as '.png'"):
+        skeleton.view(mesh, tmp_path / "hand.png")
+    with pytest.raises(MeshError, match="expected the same mesh"):
+        skeleton.view(torus())
+
+
+def test_a_curve_of_a_file_and_one_of_a_single_node_can_be_viewed(tmp_path):
+    (tmp_path / "a.swc").write_text("1 0 0 0 0 1 -1\n2 0 1 0 0 1 1\n")
+    assert len(msf_jax.read_curve(tmp_path / "a.swc").view().data) == 1
+    ball = trimesh.creation.icosphere(2)
+    skeleton = msf_jax.skeletonize(ball)
+    assert len(skeleton.view(ball).data) > 3
+
+
+def test_segments_share_the_surface_between_the_branches(hand):
+    skeleton, mesh = hand
+    parts = skeleton.segments(mesh)
+    assert len(parts) == len(skeleton.branches)
+    assert sum(len(part.faces) for part in parts) == len(mesh.faces)
+    assert sum(part.area for part in parts) == pytest.approx(mesh.area)
+    for number, part in enumerate(parts):
+        if len(part.faces):
+            of_corner = part.vertex_attributes["branch"][part.faces[:, 0]]
+            assert (of_corner == number).all()
+            node = part.vertex_attributes["node"]
+            np.testing.assert_array_equal(part.vertex_attributes["radius"], skeleton.radii[node])
+    colours = {tuple(part.visual.face_colors[0]) for part in parts if len(part.faces)}
+    assert len(colours) == sum(bool(len(part.faces)) for part in parts)
+
+
+def test_plot_is_the_matplotlib_figure(hand):
+    skeleton, mesh = hand
+    assert len(skeleton.plot(mesh).axes) == 2
+
+
+def test_view_and_completion_on_the_command_line(tmp_path, capsys):
+    mesh = tmp_path / "ball.off"
+    trimesh.creation.icosphere(2).export(mesh)
+    assert main(["view", str(mesh), "-q"]) == 0
+    assert (tmp_path / "ball.html").stat().st_size > 1e6
+    assert main(["view", str(mesh), "-o", str(tmp_path / "ball.pdf")]) == 2
+    assert "ends in .html" in capsys.readouterr().err
+    assert main(["completion", "bash"]) == 0
+    assert "msf" in capsys.readouterr().out
