@@ -105,19 +105,11 @@ def test_every_closed_mesh_becomes_a_whole_curve(drawn):
         assert np.abs(two.vertices[two.mesh_map] / scale - expected).max() < 1e-9 * diagonal
 
 
-@pytest.mark.parametrize("seed", [2, 3, 1978])
-def test_slivers_and_noise_lose_no_handle(seed):
+@pytest.mark.parametrize(("seed", "crossing"), [(2, True), (3, True), (1541, False), (1978, True), (136825292, True)])
+def test_slivers_and_noise_lose_no_handle(seed, crossing):
     """The surface crosses itself here and there, so that linking numbers are wrong until it is smoothed."""
     random = np.random.default_rng(seed)
-    mesh = net(random, crossing=True)
+    mesh = net(random, crossing=crossing)
     vertices = mesh.vertices + random.normal(0, 0.002, mesh.vertices.shape) * np.ptp(mesh.vertices, axis=0).max()
     report = msf_jax.skeletonize((vertices, mesh.faces)).report
     assert report.cycles == report.genus == (2 - mesh.euler_number) // 2 > 1
-
-
-def test_a_hole_of_a_few_triangles_may_be_lost_and_the_report_says_so():
-    """Its loops have three edges, and each edge is on one: none can be merged without pinching it."""
-    mesh = net(np.random.default_rng(136825292), crossing=True)
-    report = msf_jax.skeletonize(mesh).report
-    assert report.genus == 3
-    assert report.cycles == 3 or (not report.is_sound and "EXPECTED 3" in str(report))

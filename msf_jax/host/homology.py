@@ -20,15 +20,15 @@ from msf_jax.host import connectivity
 from msf_jax.host.poles import vertex_normals
 
 PUSH = 1e-3  # how far out, as a fraction of the mean edge length
-SMOOTHINGS = (1, 1, 2, 4, 8)  # rounds, one after the other, of a surface that small triangles make cross itself
+SMOOTHINGS = (1, 1, 2, 4, 8, 16)  # rounds, one after the other, of a surface that small triangles make cross itself
 LARGEST_GENUS = 32  # beyond, the cost of all linking numbers is no longer small
 
 
 def half_edge_classes(positions: np.ndarray, faces: np.ndarray) -> np.ndarray | None:
     """The class (3F,) of every half-edge of a connected closed surface; twins have opposite ones.
 
-    None where the linking numbers are not those of a solid (their rank is the genus): the surface crosses itself, or is
-    so coarse that a push along its normals goes inside.
+    None where the linking numbers are not those of a solid (their rank is the genus, and their skew part, how loops
+    cross on the surface, has determinant 1): the surface crosses itself, or is so coarse that a push goes inside.
     """
     edges = connectivity.half_edges(faces)
     num_half, num_faces, num_vertices = len(edges.origin), len(faces), len(positions)
@@ -62,7 +62,8 @@ def half_edge_classes(positions: np.ndarray, faces: np.ndarray) -> np.ndarray | 
     linking = linking_numbers(
         [positions[loop] for loop in loops], [(positions + PUSH * spacing * normal)[loop] for loop in loops]
     )
-    if 2 * np.linalg.matrix_rank(linking) != len(generator):
+    crossings = np.linalg.det(linking - linking.T)  # of the loops with each other, on the surface: they span it all
+    if 2 * np.linalg.matrix_rank(linking) != len(generator) or round(abs(crossings)) != 1:
         return None
     weight = np.random.default_rng(2003).integers(1, 2**30, size=len(generator))
 
