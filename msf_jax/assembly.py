@@ -223,7 +223,7 @@ def _stages(states: list[State]) -> tuple[Stage, ...]:
                 vertices.append(state.frame.leave(state.meso.positions))
                 is_fixed.append(state.meso.is_fixed)
             num += len(vertices[-1])
-        joined = np.concatenate(vertices).astype(np.float32), np.concatenate(faces).astype(np.int32)
+        joined = np.concatenate(vertices), np.concatenate(faces).astype(np.int32)
         stages.append(Stage(iteration, *joined, np.concatenate(is_fixed)))
     return tuple(stages)
 

@@ -20,6 +20,7 @@ if TYPE_CHECKING:
 SIDES = 6  # of the tubes that edges are drawn as
 THICKNESS = 0.004  # their radius, in diagonals
 PRUNED = (0.0, 1.3, 1.6, 2.0, 2.5, 3.0, 4.0, 6.0, 10.0)  # persistence at the stops of the slider
+LARGEST = 1e30  # coordinate that is written in float32
 GREY = "#8c9eb8"
 
 
@@ -91,8 +92,13 @@ def _mesh(vertices: np.ndarray, faces: np.ndarray, name: str, **options: Any) ->
     import plotly.graph_objects as go
 
     corners = dict(zip("ijk", np.asarray(faces, dtype=np.int32).T, strict=True))
-    at = dict(zip("xyz", np.asarray(vertices, dtype=np.float32).T, strict=True))
+    at = dict(zip("xyz", _short(vertices).T, strict=True))
     return go.Mesh3d(**at, **corners, name=name, hoverinfo="skip", flatshading=False, **options)
+
+
+def _short(points: np.ndarray) -> np.ndarray:
+    """Coordinates as float32, which makes the page half as large, unless they are too large for that."""
+    return points.astype(np.float32 if np.abs(points).max(initial=0.0) < LARGEST else np.float64)
 
 
 def _pruned(skeleton: "Skeleton") -> list[tuple[str, "Skeleton"]]:
@@ -129,7 +135,7 @@ def _tubes(curve: "Skeleton", whole: "Skeleton", limits: tuple[float, float], *,
     )
     faces = (2 * SIDES * np.arange(len(start))[:, None, None] + sheet).reshape(-1, 3)
     radius = np.repeat(curve.radii[curve.edges], SIDES, axis=1)
-    flat = points.reshape(-1, 3).astype(np.float32)
+    flat = _short(points.reshape(-1, 3))
     corners = dict(zip("ijk", faces.astype(np.int32).T, strict=True))
     at = dict(zip("xyz", flat.T, strict=True))
     hover = {"customdata": radius.ravel(), "hovertemplate": "radius %{customdata:.4g}<extra></extra>"}

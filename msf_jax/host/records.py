@@ -54,7 +54,7 @@ class Step(NamedTuple):
 class Stage(NamedTuple):
     """The surface at some time of the flow, in the caller's units, to be looked at.
 
-    iteration: after how many. vertices: (n, 3) float32. faces: (m, 3) int32. is_fixed: (n,).
+    iteration: after how many. vertices: (n, 3). faces: (m, 3) int32. is_fixed: (n,).
     """
 
     iteration: int
