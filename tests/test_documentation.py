@@ -19,9 +19,9 @@ BLOCKS = re.findall(r"```python\n(.*?)```", (ROOT / "README.md").read_text(), fl
 def folder(tmp_path_factory):
     """Where a reader would be after the first command of the README, but with a coarser hand."""
     folder = tmp_path_factory.mktemp("reader")
-    shapes.hand(0.16).export(folder / "hand.off")
+    shapes.hand(0.1).export(folder / "hand.off")
     (folder / "meshes").mkdir()
-    shapes.hand(0.16).export(folder / "meshes" / "small.off")
+    shapes.hand(0.1).export(folder / "meshes" / "small.off")
     return folder
 
 
