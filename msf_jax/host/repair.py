@@ -30,7 +30,8 @@ class Repair:
     """What `skeletonize` may do to a mesh that is not sound. Lengths are fractions of the bounding box's diagonal.
 
     Attributes:
-        weld: vertices at the rim of a hole that are so near to each other are one.
+        weld: vertices at the rim of a hole that are so near to each other are one, if that is below a hundredth of the
+            median edge.
         largest_hole: holes whose rim fits into a box of this diagonal are filled; 0 fills none, 1 all.
         smallest_part: pieces whose box has a smaller diagonal are left out; 0 keeps all that enclose a volume.
 
