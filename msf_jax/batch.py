@@ -33,7 +33,7 @@ from msf_jax.host.repair import Repair, as_repair
 from msf_jax.options import Config, Weights
 
 MANIFEST, ROWS = "manifest.csv", ".rows"  # in the folder of the results
-TASKS = 100  # of a worker, after which a fresh one takes its place: what it has grown to goes with it
+TASKS = 100  # of a worker, on average, after which fresh ones take their place: what they have grown to goes with them
 DIED = "its worker died, twice: out of memory?"
 
 
@@ -210,19 +210,20 @@ def _in_processes(num: int) -> Iterator[Results]:
 
     def pool(num: int) -> concurrent.futures.ProcessPoolExecutor:
         context = multiprocessing.get_context("spawn")  # a fork of a process in which JAX runs threads can hang
-        return concurrent.futures.ProcessPoolExecutor(num, context, _ignore_ctrl_c, max_tasks_per_child=TASKS)
+        return concurrent.futures.ProcessPoolExecutor(num, context, _ignore_ctrl_c)
 
     def results(jobs: list[Job]) -> Iterator[dict[str, Any]]:
-        if not jobs:
-            return
         suspects = []
-        with _closing(pool(min(num, len(jobs)))) as workers:
-            futures = {workers.submit(work, job): job for job in jobs}
-            for future in concurrent.futures.as_completed(futures):
-                try:
-                    yield future.result()
-                except BrokenProcessPool:  # one worker died, and took all with it
-                    suspects.append(futures[future])
+        # A pool for each share: the executor's own max_tasks_per_child can hang (CPython issue 115634).
+        for first in range(0, len(jobs), TASKS * num):
+            share = jobs[first : first + TASKS * num]
+            with _closing(pool(min(num, len(share)))) as workers:
+                futures = {workers.submit(work, job): job for job in share}
+                for future in concurrent.futures.as_completed(futures):
+                    try:
+                        yield future.result()
+                    except BrokenProcessPool:  # one worker died, and took all with it
+                        suspects.append(futures[future])
         for job in suspects:
             if (row := _known(job)) is None:
                 with _closing(pool(1)) as alone:

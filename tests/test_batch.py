@@ -101,6 +101,13 @@ def test_killed_half_way_it_does_the_rest(folder, tmp_path):
     assert len(table(done.manifest)) == NUM + BROKEN and done.num_failed == BROKEN
 
 
+def test_workers_are_replaced(folder, tmp_path, monkeypatch):
+    """After every second mesh, and none is lost."""
+    monkeypatch.setattr(batch, "TASKS", 2)
+    done = batch.run(paths_in(folder)[:5], tmp_path, jobs=1)
+    assert len(done.rows) == done.num_done == 5
+
+
 def dying(job):
     """A worker that is killed on one of the meshes, as by the system when memory runs out."""
     if job.source.endswith("2.off"):
