@@ -119,10 +119,8 @@ def _check_states(states: Any) -> None:
             raise ValueError("a part of a state is of another kind")
         num = len(meso.positions)
         columns = (meso.rings, meso.degree, meso.poles, meso.has_pole, meso.is_fixed)
-        is_whole = all(len(column) == num for column in columns) and meso.positions.shape == meso.poles.shape == (
-            num,
-            3,
-        )
+        is_whole = all(len(column) == num for column in columns)
+        is_whole &= meso.positions.shape == meso.poles.shape == (num, 3)
         is_whole &= bool(np.isfinite(meso.positions).all() and np.isfinite(meso.poles).all())
         is_whole &= bool((meso.node_of_input >= 0).all() and (meso.node_of_input < num).all())
         is_whole &= len(history) == len(steps) and bool((meso.rings >= -1).all() and (meso.rings < num).all())

@@ -315,7 +315,8 @@ def contract(
         checked = surface.prepare(mesh, repair)
     held, pinned = _checked_pins(pins, checked)
     of_vertices = _weights_of_vertices(weights, checked)
-    keeper = Checkpoint(checkpoint, run_of(checked.given, weights, config, held, as_repair(repair)))
+    identity = run_of(checked.given, weights, config, held, as_repair(repair)) if checkpoint is not None else {}
+    keeper = Checkpoint(checkpoint, identity)
     states, reasons, parts = [], [], []
     with tqdm(desc="msf_jax", unit="it", disable=None if progress else True) as bar, held_back() as interruption:
         for number, component in enumerate(checked.components):
