@@ -7,7 +7,7 @@ print(skeleton.report)
 skeleton.save("hand.swc")
 """
 
-from msf_jax import metrics, objectives
+from msf_jax import batch, ground_truth, guide, metrics, objectives, shapes, view
 from msf_jax.errors import ConfigError, FlowError, Interrupted, MeshError
 from msf_jax.flow import Flow, contract
 from msf_jax.host.branches import Branch
@@ -36,7 +36,10 @@ __all__ = [
     "Tape",
     "Tuned",
     "Weights",
+    "batch",
     "contract",
+    "ground_truth",
+    "guide",
     "metrics",
     "objectives",
     "read_curve",
@@ -45,8 +48,10 @@ __all__ = [
     "replay_meso",
     "replay_radii",
     "sensitivity",
+    "shapes",
     "skeletonize",
     "tune",
+    "view",
     "voronoi_poles",
 ]
 

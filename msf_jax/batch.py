@@ -13,6 +13,7 @@ import json
 import multiprocessing
 import os
 import signal
+import threading
 import time
 from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures.process import BrokenProcessPool
@@ -100,7 +101,8 @@ def run(
         progress: show a progress bar on standard error, if that is a terminal.
 
     Raises:
-        ConfigError: an option is out of range, a path is there twice, or there is none.
+        ConfigError: an option is out of range, a path is there twice, there is none, or the place of a curve is that of
+            another mesh, by an earlier batch.
         OSError: the folder cannot be written.
     """
     weights, config = checked_options(weights, config)
@@ -117,10 +119,14 @@ def run(
         ) from None
     folder = Path(out)
     settings = f"{msf_jax.__version__} {numbers} {config} {as_repair(repair)} {suffix} {max_vertices}"
-    shared = (numbers, config, as_repair(repair), max_vertices, bool(jax.config.jax_enable_x64))  # type: ignore[attr-defined]
+    is_double = bool(jax.config.jax_enable_x64)  # type: ignore[attr-defined]
+    settings += f" {'float64' if is_double else 'float32'}"
+    shared = (numbers, config, as_repair(repair), max_vertices, is_double)
     cache = str(getattr(jax.config, "jax_compilation_cache_dir", None) or (folder / ROWS / "compiled").absolute())
     planned = [Job(*names, *shared, cache) for names in _names(paths, folder, suffix, settings)]
     (folder / ROWS).mkdir(parents=True, exist_ok=True)
+    for job in planned:
+        _check_owner(job)
     known = {job.row: _known(job) for job in planned}
     missing = [job for job in planned if (row := known[job.row]) is None or (retry and row["error"])]
     started = _on_cluster(scheduler) if scheduler else _in_processes(jobs or os.cpu_count() or 1)
@@ -139,7 +145,9 @@ def _names(
     paths: Iterable[str | os.PathLike[str]], folder: Path, suffix: str, settings: str
 ) -> list[tuple[str, str, str, str]]:
     """For each mesh, smallest file first: its path, those of its curve and its row, and a hash of all it depends on."""
-    sources = [Path(path).absolute() for path in paths]
+    if isinstance(paths, str | os.PathLike):
+        raise ConfigError(f"paths is {os.fspath(paths)!r}: expected a list of paths, one for each mesh")
+    sources = [Path(os.path.normpath(Path(path).absolute())) for path in paths]
     if not sources:
         raise ConfigError("there are no meshes: expected at least one path")
     if len(set(sources)) < len(sources):
@@ -155,6 +163,19 @@ def _names(
         row = folder / ROWS / f"{hashlib.sha256(name.encode()).hexdigest()[:32]}.json"
         found.append((size, name, (str(path), str((folder / (name + suffix)).absolute()), str(row.absolute()), key)))
     return [names for _, _, names in sorted(found)]
+
+
+def _check_owner(job: Job) -> None:
+    """Names are relative to the folder that all meshes of a call have in common: in another call it can be another."""
+    try:
+        owner = json.loads(Path(job.row).read_text())["path"]
+    except (OSError, ValueError, KeyError):
+        return
+    if owner != job.source and os.path.exists(owner):
+        raise ConfigError(
+            f"{job.target!r} is the place of {owner!r} already, by an earlier batch, and cannot be that of "
+            f"{job.source!r}, too: expected another folder for the curves, or both meshes in one batch"
+        )
 
 
 def _known(job: Job) -> dict[str, Any] | None:
@@ -210,7 +231,7 @@ def _in_processes(num: int) -> Iterator[Results]:
 
     def pool(num: int) -> concurrent.futures.ProcessPoolExecutor:
         context = multiprocessing.get_context("spawn")  # a fork of a process in which JAX runs threads can hang
-        return concurrent.futures.ProcessPoolExecutor(num, context, _ignore_ctrl_c)
+        return concurrent.futures.ProcessPoolExecutor(num, context, _start_worker, (os.getpid(),))
 
     def results(jobs: list[Job]) -> Iterator[dict[str, Any]]:
         suspects = []
@@ -247,9 +268,16 @@ def _closing(
         pool.shutdown(cancel_futures=True)
 
 
-def _ignore_ctrl_c() -> None:
-    """The terminal sends it to all processes; the first decides."""
+def _start_worker(parent: int) -> None:
+    """Ctrl-C goes to all processes of a terminal, and the first decides; a worker ends when ``parent`` was killed."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
+
+    def watch() -> None:
+        while os.getppid() == parent:
+            time.sleep(1.0)
+        os._exit(1)
+
+    threading.Thread(target=watch, daemon=True).start()
 
 
 @contextmanager

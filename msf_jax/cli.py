@@ -11,6 +11,7 @@ import sys
 import tempfile
 from collections.abc import Iterator, Sequence
 from pathlib import Path
+from typing import Any
 
 import jax
 import numpy as np
@@ -28,6 +29,62 @@ WEIGHTS = {
     "w_H": "attraction to where a vertex is (w_H)",
     "w_M": "attraction to the Voronoi pole (w_M)",
     "smoothing": "lambda of the implicit smoothing",
+}
+
+
+MESH = "a closed triangle mesh in any format that trimesh reads"
+HELP = {  # what stands above the options, and below them
+    "PARSER": (
+        "Curve skeletons of closed triangle meshes by Medial Skeletonization Flow.",
+        """\
+first steps:
+  msf-jax demo                                      a hand made in code, its curve and a picture
+  msf-jax skeletonize hand.off -o hand.swc          a curve, and a report that says how far to trust it
+  msf-jax view hand.off                             a page to look around in
+  msf-jax COMMAND --help                            options and more examples
+
+exit codes: 0 all is written (warnings say where a curve is doubtful), 1 a mesh of a batch failed,
+2 bad input or options, 130 Ctrl-C (the curve as far as it went is written)""",
+    ),
+    "SKELETONIZE": (
+        """\
+Skeletonise one closed mesh. The report is printed at the end: whether the flow converged, whether
+the curve has as many cycles as the mesh has handles, how much of it is inside.""",
+        """\
+examples:
+  msf-jax skeletonize hand.off -o hand.swc --picture hand.png
+  msf-jax skeletonize scan.stl -o scan.vtp --repair         not closed, or not one way round
+  msf-jax skeletonize hand.off -o hand.swc --prune 3        fewer branches; --prune 0 keeps all
+  msf-jax skeletonize hand.off -o hand.swc --w-M 0.8        nearer to the middle, more side branches
+  msf-jax skeletonize big.ply -o big.npz --checkpoint big.run.npz""",
+    ),
+    "DEMO": (
+        "Skeletonise a hand with five fingers and a handle; leaves hand.off, hand.swc and hand.png.",
+        "then: msf-jax view hand.off",
+    ),
+    "VIEW": (
+        """\
+Skeletonise one mesh and write a page that any browser shows, without a network: the surface, the
+curve, and sliders through the iterations of the flow and through pruning.""",
+        "example: msf-jax view hand.off -o hand.html",
+    ),
+    "BATCH": (
+        """\
+Skeletonise every mesh in a folder and in those below it. A bad mesh fails alone: manifest.csv has a
+row for each, with its report or its error. Started again, it does what is missing.""",
+        """\
+examples:
+  msf-jax batch meshes curves --jobs 4
+  msf-jax batch meshes curves --format .vtp
+  msf-jax batch meshes curves --retry                       take what failed once more
+  msf-jax batch meshes curves --scheduler tcp://host:8786   on a Dask cluster that sees the folders""",
+    ),
+    "COMPLETION": (
+        "Print a script that lets a shell complete commands and options.",
+        """\
+example, for bash:
+  msf-jax completion bash > ~/.local/share/bash-completion/completions/msf-jax""",
+    ),
 }
 
 
@@ -91,73 +148,81 @@ def _without_loader_noise() -> Iterator[None]:
                     print(line.decode(errors="replace"), file=sys.stderr)
 
 
+def _completes(option: Any, kind: dict[str, str]) -> None:
+    """The shell offers files or folders for an option: shtab reads that from an attribute that argparse does not have."""
+    option.complete = kind
+
+
 def _parser() -> argparse.ArgumentParser:
-    parser = argparse.ArgumentParser(
-        prog="msf-jax",
-        allow_abbrev=False,
-        description="Curve skeletons of closed triangle meshes by Medial Skeletonization Flow.",
-    )
+    parser = argparse.ArgumentParser(prog="msf-jax", **_teaching("PARSER"))
     parser.add_argument("--version", action="version", version=f"msf-jax {msf_jax.__version__}")
     commands = parser.add_subparsers(title="commands", required=True, metavar="COMMAND")
 
-    one = commands.add_parser(
-        "skeletonize",
-        allow_abbrev=False,
-        help="a mesh in, its curve skeleton out",
-        description="Skeletonise one closed mesh. The report is printed at the end.",
-        epilog="example: msf-jax skeletonize hand.off -o hand.swc --w-M 0.6 --picture hand.png",
-    )
-    one.add_argument("mesh", metavar="IN", help="a closed triangle mesh in any format that trimesh reads")
-    one.add_argument("-o", "--output", metavar="OUT", required=True, help=f"one of {', '.join(export.WRITERS)}")
-    one.add_argument("--picture", metavar="PNG", help="draw the curve in the mesh, too")
-    one.add_argument("--system", default="msf", metavar="NAME", help=f"one of {', '.join(SYSTEMS)} (default: msf)")
-    for name, meaning in WEIGHTS.items():
-        one.add_argument(f"--{name.replace('_', '-')}", dest=name, type=float, metavar="X", help=meaning)
-    one.add_argument("--max-iterations", type=int, metavar="N", help="give up after N iterations")
-    one.add_argument("--coarsen", type=float, metavar="X", help="collapse shorter edges first, in diagonals; 0: none")
-    one.add_argument("--prune", type=float, metavar="X", help="take away branches of less persistence; 0: none")
-    one.add_argument("--pin", type=int, action="append", metavar="N", help="hold vertex N in place (can be repeated)")
+    one = commands.add_parser("skeletonize", help="a mesh in, its curve skeleton out", **_teaching("SKELETONIZE"))
+    _completes(one.add_argument("mesh", metavar="IN", help=MESH), shtab.FILE)
+    suffixes = f"one of {', '.join(export.WRITERS)}"
+    _completes(one.add_argument("-o", "--output", metavar="OUT", required=True, help=suffixes), shtab.FILE)
+    _completes(one.add_argument("--picture", metavar="PNG", help="draw the curve in the mesh, too"), shtab.FILE)
     one.add_argument("--repair", action="store_true", help="mend a mesh that is no closed manifold, and say how")
-    one.add_argument(
-        "--checkpoint", metavar="FILE", help="keep the state there while it runs; a run that was killed goes on from it"
-    )
     one.add_argument("--evaluate", action="store_true", help="report off-centre, missed surface and the like, too")
-    one.add_argument("--check", action="store_true", help="verify the surface after every round of edits (slower)")
+    _completes(
+        one.add_argument(
+            "--checkpoint",
+            metavar="FILE",
+            help="keep the state there while it runs; a run that was killed goes on from it",
+        ),
+        shtab.FILE,
+    )
+    curve = one.add_argument_group("the curve", "Lengths are fractions of the bounding box's diagonal.")
+    defaults = Config()
+    curve.add_argument(
+        "--prune",
+        type=float,
+        metavar="X",
+        help="take away branches of less persistence: 1 for a twig inside a limb, 2 for a limb that sticks out by its "
+        f"radius; 0: none (default: {defaults.prune})",
+    )
+    curve.add_argument("--pin", type=int, action="append", metavar="N", help="hold vertex N in place (can be repeated)")
+    curve.add_argument(
+        "--coarsen",
+        type=float,
+        metavar="X",
+        help=f"collapse edges shorter than that before the flow; 0: none (default: {defaults.coarsen})",
+    )
+    flow = one.add_argument_group("the flow", "Of the weights, only the ratios of the first three matter.")
+    flow.add_argument("--system", default="msf", metavar="NAME", help=f"one of {', '.join(SYSTEMS)} (default: msf)")
+    for name, meaning in WEIGHTS.items():
+        default = getattr(Weights(), name)
+        option = f"--{name.replace('_', '-')}"
+        flow.add_argument(option, dest=name, type=float, metavar="X", help=f"{meaning} (default of msf: {default})")
+    flow.add_argument(
+        "--max-iterations", type=int, metavar="N", help=f"give up after so many (default: {defaults.max_iterations})"
+    )
+    flow.add_argument("--check", action="store_true", help="verify the surface after every round of edits (slower)")
     _common(one)
     one.set_defaults(run=_skeletonize)
 
-    demo = commands.add_parser(
-        "demo",
-        allow_abbrev=False,
-        help="skeletonise a hand with five fingers and a handle, made in code",
-        description="Skeletonise a hand with five fingers and a handle; leaves mesh, skeleton and picture.",
+    demo = commands.add_parser("demo", help="skeletonise a hand made in code", **_teaching("DEMO"))
+    _completes(
+        demo.add_argument(
+            "-o", "--output", metavar="FOLDER", default=".", help="where to put the files (default: here)"
+        ),
+        shtab.DIRECTORY,
     )
-    demo.add_argument("-o", "--output", metavar="FOLDER", default=".", help="where to put the files (default: here)")
     _common(demo)
     demo.set_defaults(run=_demo)
 
-    look = commands.add_parser(
-        "view",
-        allow_abbrev=False,
-        help="a page to look around in: surface, curve, iterations, pruning",
-        description="Skeletonise one mesh and write a page that any browser shows, without a network.",
-        epilog="example: msf-jax view hand.off -o hand.html",
-    )
-    look.add_argument("mesh", metavar="IN", help="a closed triangle mesh in any format that trimesh reads")
-    look.add_argument("-o", "--output", metavar="HTML", help="where to write it (default: IN with .html)")
+    look = commands.add_parser("view", help="a page to look around in", **_teaching("VIEW"))
+    _completes(look.add_argument("mesh", metavar="IN", help=MESH), shtab.FILE)
+    place = "where to write it (default: IN with .html)"
+    _completes(look.add_argument("-o", "--output", metavar="HTML", help=place), shtab.FILE)
     look.add_argument("--repair", action="store_true", help="mend a mesh that is no closed manifold, and say how")
     _common(look)
     look.set_defaults(run=_view)
 
-    many = commands.add_parser(
-        "batch",
-        allow_abbrev=False,
-        help="a folder of meshes in, a folder of curves and a table of reports out",
-        description="Skeletonise every mesh in a folder and in those below it. Started again, it does what is missing.",
-        epilog="example: msf-jax batch meshes curves --jobs 4 --format .swc; exit code 1 if a mesh failed",
-    )
-    many.add_argument("folder", metavar="IN_DIR", help="where the meshes are")
-    many.add_argument("output", metavar="OUT_DIR", help="where curves and manifest.csv go")
+    many = commands.add_parser("batch", help="a folder of meshes in, a folder of curves out", **_teaching("BATCH"))
+    _completes(many.add_argument("folder", metavar="IN_DIR", help="where the meshes are"), shtab.DIRECTORY)
+    _completes(many.add_argument("output", metavar="OUT_DIR", help="where curves and manifest.csv go"), shtab.DIRECTORY)
     many.add_argument("--jobs", type=int, metavar="N", help="processes (default: one for each core)")
     many.add_argument("--format", default=".swc", metavar="SUFFIX", help=f"one of {', '.join(export.WRITERS)}")
     many.add_argument("--scheduler", metavar="ADDRESS", help="of a Dask scheduler, such as tcp://host:8786")
@@ -167,15 +232,17 @@ def _parser() -> argparse.ArgumentParser:
     _common(many)
     many.set_defaults(run=_batch)
 
-    shell = commands.add_parser(
-        "completion",
-        allow_abbrev=False,
-        help="print a script that lets a shell complete commands and options",
-        description="Print the script: for bash, into ~/.local/share/bash-completion/completions/msf-jax.",
-    )
+    shell = commands.add_parser("completion", help="let a shell complete commands", **_teaching("COMPLETION"))
     shell.add_argument("shell", choices=shtab.SUPPORTED_SHELLS, help="which")
     shell.set_defaults(float32=False, run=lambda arguments: print(shtab.complete(parser, arguments.shell)) or 0)
     return parser
+
+
+def _teaching(name: str) -> dict[str, Any]:
+    """How a parser explains itself: what stands above its options, and the examples below them."""
+    description, epilog = HELP[name]
+    layout = argparse.RawDescriptionHelpFormatter
+    return {"description": description, "epilog": epilog, "formatter_class": layout, "allow_abbrev": False}
 
 
 def _view(arguments: argparse.Namespace) -> int:
@@ -195,6 +262,8 @@ def _batch(arguments: argparse.Namespace) -> int:
         raise ConfigError(f"no folder {str(folder)!r}: expected one with meshes")
     known = surface.readable_suffixes()
     out = Path(arguments.output).resolve()
+    if out == folder.resolve():
+        raise ConfigError(f"OUT_DIR is IN_DIR, {arguments.output!r}: expected another folder for the curves")
     paths = [path for path in sorted(folder.rglob("*")) if path.suffix.lower().lstrip(".") in known and path.is_file()]
     paths = [path for path in paths if out not in path.resolve().parents]
     if not paths:

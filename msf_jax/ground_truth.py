@@ -1,9 +1,11 @@
 """Closed meshes whose curve skeleton is known, because they are built around it: what a skeleton is scored against."""
 
+import os
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 from itertools import combinations, pairwise, product
+from pathlib import Path
 from typing import Literal
 
 import numpy as np
@@ -12,6 +14,8 @@ from numpy.typing import ArrayLike
 from scipy.spatial.transform import Rotation
 
 from msf_jax import shapes
+from msf_jax.errors import ConfigError
+from msf_jax.host import surface
 
 _TURN = Rotation.from_euler("zyx", [0.4, 0.7, 1.1]).as_matrix()  # limbs must not lie along the sampling grid's axes
 Curve = tuple[np.ndarray, np.ndarray, np.ndarray]  # points, edges, radii
@@ -63,8 +67,26 @@ def names() -> list[str]:
 
 
 def make(name: str) -> KnownShape:
-    """The shape of that name, built anew and the same each time."""
+    """The shape of that name, built anew and the same each time.
+
+    Raises:
+        ConfigError: there is none.
+    """
+    if name not in _BUILDERS:
+        raise ConfigError(f"no shape is called {name!r}: expected one of {', '.join(names())}")
     return replace(_BUILDERS[name](), name=name)
+
+
+def mesh_named(name: str) -> trimesh.Trimesh:
+    """The mesh of the shape of that name, or of the OFF file of that name in the folder that MSF_JAX_MESHES names.
+
+    Raises:
+        ConfigError: there is neither.
+    """
+    path = Path(os.environ.get("MSF_JAX_MESHES", "."), f"{name}.off")
+    if name in _BUILDERS or not path.exists():
+        return make(name).mesh
+    return trimesh.Trimesh(*surface.read(path), process=False)
 
 
 def noisy(shape: KnownShape, amount: float, seed: int) -> KnownShape:

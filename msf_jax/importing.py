@@ -1,6 +1,7 @@
 """Curves of other programs, to score, to draw and to write anew: SWC and CGAL's polylines."""
 
 import os
+import re
 from pathlib import Path
 
 import numpy as np
@@ -8,7 +9,7 @@ import numpy as np
 from msf_jax.errors import ConfigError
 from msf_jax.skeleton import Skeleton, curve_of
 
-CUT = "# cut edge "  # an edge that SWC cannot hold, by its two ids, as `Skeleton.save` writes it
+CUT = r"# cut edge (\d+) (\d+)\b"  # an edge that SWC cannot hold, by its two ids, as `Skeleton.save` writes it
 
 
 def read_curve(path: str | os.PathLike[str]) -> Skeleton:
@@ -23,10 +24,13 @@ def read_curve(path: str | os.PathLike[str]) -> Skeleton:
         OSError: the file cannot be read.
     """
     name = Path(path).name
+    content = Path(path).read_bytes()
+    if b"\0" in content:
+        raise ConfigError(f"{name!r} is no text: expected an .swc or a .polylines.txt file")
     try:
-        lines = Path(path).read_text().splitlines()
-    except UnicodeDecodeError as error:
-        raise ConfigError(f"{name!r} is no text: expected an .swc or a .polylines.txt file") from error
+        lines = content.decode("utf-8-sig").splitlines()
+    except UnicodeDecodeError:
+        lines = content.decode("latin-1").splitlines()  # comments; numbers are the same in both
     if name.lower().endswith(".swc"):
         return _from_swc(name, lines)
     if name.lower().endswith(".polylines.txt"):
@@ -37,18 +41,20 @@ def read_curve(path: str | os.PathLike[str]) -> Skeleton:
 def _from_swc(name: str, lines: list[str]) -> Skeleton:
     rows, parents, cuts = {}, {}, []
     for number, line in enumerate(lines, 1):
-        words = line.split()
-        if line.startswith(CUT):
-            cuts.append(words[3:5])
-        if not words or words[0].startswith("#"):
+        words = line.split("#")[0].split()
+        if ours := re.match(CUT, line):
+            cuts.append(ours.groups())
+        if not words:
             continue
         try:
-            key, _, x, y, z, radius, parent = words[:7]
-            rows[int(key)] = [float(value) for value in (x, y, z, radius)]
-            parents[int(key)] = int(float(parent))
-        except ValueError:
+            key, parent = _whole(words[0]), _whole(words[6])
+            if key in rows:
+                raise ValueError
+            rows[key] = [float(value) for value in words[2:6]]
+            parents[key] = parent
+        except (ValueError, IndexError):
             raise ConfigError(
-                f"line {number} of {name!r} is {line[:60]!r}: expected id, type, x, y, z, radius, parent"
+                f"line {number} of {name!r} is {line[:60]!r}: expected id, type, x, y, z, radius, parent, each id once"
             ) from None
     place = {key: row for row, key in enumerate(rows)}
     joined = [(key, parent) for key, parent in parents.items() if parent >= 0]
@@ -60,6 +66,14 @@ def _from_swc(name: str, lines: list[str]) -> Skeleton:
     return _checked(name, table[:, :3], edges, table[:, 3])
 
 
+def _whole(word: str) -> int:
+    """A whole number; some programs write it as 1.0."""
+    value = float(word)
+    if not value.is_integer():
+        raise ValueError
+    return int(value)
+
+
 def _from_polylines(name: str, lines: list[str]) -> Skeleton:
     points, edges = [], []
     for number, line in enumerate(lines, 1):
@@ -67,7 +81,7 @@ def _from_polylines(name: str, lines: list[str]) -> Skeleton:
             continue
         try:
             count, *values = line.split()
-            way = np.array(values, dtype=np.float64).reshape(int(count), 3)
+            way = np.array(values, dtype=np.float64).reshape(max(int(count), 0), 3)
         except ValueError:
             raise ConfigError(
                 f"line {number} of {name!r} is no polyline: expected a count, and as many points of three numbers"

@@ -22,28 +22,32 @@ THICKNESS = 0.004  # their radius, in diagonals
 PRUNED = (0.0, 1.3, 1.6, 2.0, 2.5, 3.0, 4.0, 6.0, 10.0)  # persistence at the stops of the slider
 LARGEST = 1e30  # coordinate that is written in float32
 GREY = "#8c9eb8"
+EYE = np.array([0.67, -0.67, 0.33])  # where the page is seen from first, from the middle
 
 
 def view(skeleton: "Skeleton", mesh: Any = None, path: str | os.PathLike[str] | None = None) -> "Figure":
     """See `Skeleton.view`."""
     import plotly.graph_objects as go
 
+    if isinstance(mesh, str | os.PathLike) and str(mesh).lower().endswith(".html"):
+        raise ConfigError(f"{str(mesh)!r} is given as the mesh, which comes first: expected path={str(mesh)!r}")
     if path is not None and Path(path).suffix.lower() != ".html":
         raise ConfigError(f"a page is written as .html, not as {Path(path).suffix!r}")
-    traces, node = _surfaces(skeleton, mesh)
+    middle = (skeleton.vertices.min(axis=0) + skeleton.vertices.max(axis=0)) / 2  # float32 is fine around it
+    traces, node = _surfaces(skeleton, mesh, middle)
     stages = skeleton.source.stages if skeleton.source else ()
     num_surfaces = len(traces)
     for stage in stages:
         name = f"after {stage.iteration} iterations"
-        traces.append(_mesh(stage.vertices, stage.faces, name, opacity=0.9, color="#5b8c5a", visible=False))
-        fixed = stage.vertices[stage.is_fixed]
+        traces.append(_mesh(stage.vertices - middle, stage.faces, name, opacity=0.9, color="#5b8c5a", visible=False))
+        fixed = stage.vertices[stage.is_fixed] - middle
         dots = dict(zip("xyz", fixed.T, strict=True)) | {"marker": {"size": 2, "color": "black"}}
         traces.append(go.Scatter3d(**dots, mode="markers", name="fixed vertices", visible=False, hoverinfo="name"))
     kept = _pruned(skeleton)
     num_stages = len(traces) - num_surfaces
     low, high = float(skeleton.radii.min()), float(skeleton.radii.max())
     for number, (_, curve) in enumerate(kept):
-        traces.append(_tubes(curve, skeleton, (low, high), visible=number == 0))
+        traces.append(_tubes(curve, skeleton, middle, (low, high), visible=number == 0))
     drawing = go.Figure(traces)
     first = num_surfaces + num_stages
     drawing.update_layout(
@@ -51,10 +55,14 @@ def view(skeleton: "Skeleton", mesh: Any = None, path: str | os.PathLike[str] | 
         margin={"l": 0, "r": 0, "t": 40, "b": 90},
         title={"text": _title(skeleton), "font": {"size": 14}},
         showlegend=False,
-        scene={"aspectmode": "data", **{f"{axis}axis": {"visible": False} for axis in "xyz"}},
+        scene={
+            "aspectmode": "data",
+            "camera": {"eye": _eye(traces)},
+            **{f"{axis}axis": {"visible": False} for axis in "xyz"},
+        },
         sliders=[
-            _slider("contraction: ", ["none", *(f"{stage.iteration}" for stage in stages)], num_surfaces, 2, 0.0, 1),
-            _slider("pruned at persistence ", [text for text, _ in kept], first, 1, 0.52, 0),
+            _slider("contraction: ", ["none", *(f"{stage.iteration}" for stage in stages)], num_surfaces, 2, 0.02, 1),
+            _slider("pruned at persistence ", [text for text, _ in kept], first, 1, 0.53, 0),
         ],
         updatemenus=[_menu(num_surfaces, node)],
     )
@@ -69,7 +77,7 @@ def _title(skeleton: "Skeleton") -> str:
     return f"{counts}, {100 * report.inside:.1f} % inside; {report.reason}"
 
 
-def _surfaces(skeleton: "Skeleton", mesh: Any) -> tuple[list[Any], bool]:
+def _surfaces(skeleton: "Skeleton", mesh: Any, middle: np.ndarray) -> tuple[list[Any], bool]:
     """The mesh, in grey and, where the map speaks of it, coloured by node; and whether it is."""
     if mesh is None:
         if skeleton.source is None:
@@ -78,13 +86,14 @@ def _surfaces(skeleton: "Skeleton", mesh: Any) -> tuple[list[Any], bool]:
         vertices, faces = solid.centre + solid.diagonal * solid.shape.vertices, solid.shape.faces
     else:
         vertices, faces = surface.read(mesh, finite=False)
-        surface.check_map(skeleton.mesh_map, len(vertices))
-    found = [_mesh(vertices, faces, "surface", opacity=0.18, color=GREY, visible=True)]
-    if mesh is None:
+        if len(skeleton.mesh_map):
+            surface.check_map(skeleton.mesh_map, len(vertices))
+    found = [_mesh(vertices - middle, faces, "surface", opacity=0.18, color=GREY, visible=True)]
+    if mesh is None or len(skeleton.mesh_map) == 0:  # a curve of another program has no map
         return found, False
     colour = segmentation.colours(len(skeleton.vertices))[skeleton.mesh_map]
     rgb = [f"rgb({r},{g},{b})" for r, g, b, _ in colour]
-    found.append(_mesh(vertices, faces, "surface by node", opacity=0.5, vertexcolor=rgb, visible=False))
+    found.append(_mesh(vertices - middle, faces, "surface by node", opacity=0.5, vertexcolor=rgb, visible=False))
     return found, True
 
 
@@ -101,6 +110,15 @@ def _short(points: np.ndarray) -> np.ndarray:
     return points.astype(np.float32 if np.abs(points).max(initial=0.0) < LARGEST else np.float64)
 
 
+def _eye(traces: list[Any]) -> dict[str, float]:
+    """Where all is in view: plotly scales a scene so that the product of its extents is 1."""
+    corners = [np.stack([np.asarray(trace[axis], dtype=np.float64) for axis in "xyz"], axis=1) for trace in traces]
+    extent = np.ptp(np.concatenate(corners), axis=0)
+    extent = np.maximum(extent, 1e-3 * max(float(extent.max()), 1e-300))
+    reach = extent.max() / np.cbrt(extent.prod())
+    return dict(zip("xyz", (max(2.0, 1.4 * float(reach)) * EYE).tolist(), strict=True))
+
+
 def _pruned(skeleton: "Skeleton") -> list[tuple[str, "Skeleton"]]:
     """The curve at each stop of the slider, those left out that change nothing."""
     kept = [("none", skeleton)]
@@ -111,7 +129,9 @@ def _pruned(skeleton: "Skeleton") -> list[tuple[str, "Skeleton"]]:
     return kept
 
 
-def _tubes(curve: "Skeleton", whole: "Skeleton", limits: tuple[float, float], *, visible: bool) -> Any:
+def _tubes(
+    curve: "Skeleton", whole: "Skeleton", middle: np.ndarray, limits: tuple[float, float], *, visible: bool
+) -> Any:
     """Every edge a prism, the ends of neighbouring ones in one another, coloured by radius."""
     import plotly.graph_objects as go
 
@@ -119,10 +139,10 @@ def _tubes(curve: "Skeleton", whole: "Skeleton", limits: tuple[float, float], *,
     thickness = THICKNESS * (extent or 1.0)
     scale = {"colorscale": "Plasma", "cmin": limits[0], "cmax": limits[1], "colorbar": {"title": "radius", "len": 0.5}}
     if len(curve.edges) == 0:
-        at = dict(zip("xyz", curve.vertices.T, strict=True))
+        at = dict(zip("xyz", (curve.vertices - middle).T, strict=True))
         marker = {"color": curve.radii, "size": 6, **scale}
         return go.Scatter3d(**at, mode="markers", marker=marker, name="curve", visible=visible)
-    start, end = (curve.vertices[curve.edges[:, k]] for k in (0, 1))
+    start, end = (curve.vertices[curve.edges[:, k]] - middle for k in (0, 1))
     along = unit(end - start)
     side = unit(np.cross(along, np.eye(3)[np.abs(along).argmin(axis=1)]))
     angle = 2 * np.pi * np.arange(SIDES) / SIDES

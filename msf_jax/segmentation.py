@@ -32,7 +32,7 @@ def segments(skeleton: "Skeleton", mesh: Any) -> list[trimesh.Trimesh]:
     surface.check_map(skeleton.mesh_map, len(vertices))
     branch = branch_of_node(skeleton)[skeleton.mesh_map]
     of_face = branch[faces[:, 0]]
-    palette = colours(int(branch.max()) + 1)
+    palette = colours(len(skeleton.branches))
     parts = []
     for number in range(len(palette)):
         used, local = np.unique(faces[of_face == number], return_inverse=True)

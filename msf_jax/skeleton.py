@@ -77,7 +77,9 @@ class Report:
     def to_dict(self) -> dict[str, Any]:
         """Plain values, for JSON or a table."""
         figures = {name: None if np.isnan(value) else value for name, value in self.figures.items()}
-        return asdict(self) | {"repairs": list(self.repairs), "notes": list(self.notes), "figures": figures}
+        inside = None if np.isnan(self.inside) else self.inside  # of a curve without its mesh
+        lists = {"repairs": list(self.repairs), "notes": list(self.notes)}
+        return asdict(self) | lists | {"figures": figures, "inside": inside}
 
     def __str__(self) -> str:
         lines = [

@@ -9,6 +9,7 @@ import time
 import warnings
 from pathlib import Path
 
+import jax
 import numpy as np
 import pytest
 import trimesh
@@ -145,3 +146,28 @@ def test_on_the_command_line(folder, tmp_path, capsys):
 def test_options_are_checked(tmp_path, options, says):
     with pytest.raises(ConfigError, match=says):
         batch.run(**{"paths": ["a.off"], "out": tmp_path, **options})
+
+
+def test_a_place_is_not_taken_by_another_mesh(tmp_path):
+    """Names are relative to what the meshes of a call have in common: the same name can be another mesh's."""
+    for folder in ("one", "two"):
+        (tmp_path / folder).mkdir()
+        (tmp_path / folder / "x.off").write_text("no mesh")
+    out = tmp_path / "out"
+    batch.run([tmp_path / "one" / "x.off"], out, jobs=1)
+    with pytest.raises(ConfigError, match="by an earlier batch"):
+        batch.run([tmp_path / "two" / "x.off"], out, jobs=1)
+    both = [tmp_path / "one" / "x.off", tmp_path / "one" / ".." / "one" / "x.off"]
+    with pytest.raises(ConfigError, match="there twice"):
+        batch.run(both, tmp_path / "twice", jobs=1)
+    with pytest.raises(ConfigError, match="a list of paths"):
+        batch.run(str(both[0]), tmp_path / "string", jobs=1)
+
+
+def test_another_precision_is_another_setting(tmp_path):
+    (tmp_path / "x.off").write_text("no mesh")
+    paths, out = [tmp_path / "x.off"], tmp_path / "out"
+    assert batch.run(paths, out, jobs=1).num_done == 1
+    assert batch.run(paths, out, jobs=1).num_done == 0
+    with jax.enable_x64(False):  # as a user has it who forgot
+        assert batch.run(paths, out, jobs=1).num_done == 1

@@ -1,5 +1,6 @@
 """The command line as a user meets it: files, exit codes, one clear line for what is wrong."""
 
+import re
 import subprocess
 import sys
 
@@ -8,7 +9,7 @@ import pytest
 import trimesh
 from conftest import blob
 
-from msf_jax.cli import main
+from msf_jax.cli import _parser, main
 
 
 @pytest.fixture(autouse=True)
@@ -154,3 +155,16 @@ def test_a_checkpoint_is_none_of_the_other_files_and_goes_in_the_end(tmp_path, c
     checkpoint = tmp_path / "run.npz"
     assert main(["skeletonize", str(mesh), "-o", str(out), "-q", "--checkpoint", str(checkpoint)]) == 0
     assert out.exists() and not checkpoint.exists()
+
+
+@pytest.mark.parametrize("command", ["", "skeletonize", "demo", "view", "batch", "completion"])
+def test_the_examples_of_the_help_are_accepted(command, capsys):
+    """Help teaches by examples; a line of them that the parser refuses would teach nothing."""
+    with pytest.raises(SystemExit, match="0"):
+        main([command, "--help"] if command else ["--help"])
+    below = re.split(r"^(?:first steps|then|examples?)", capsys.readouterr().out, flags=re.MULTILINE)[1]
+    examples = re.findall(r"msf-jax ((?:\S+ ?)+)", below)  # what follows two spaces, or is not typed, explains
+    typed = [example.split(" > ")[0].split() for example in examples if "COMMAND" not in example]
+    assert typed
+    for arguments in typed:
+        _parser().parse_args(arguments)

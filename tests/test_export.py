@@ -276,3 +276,33 @@ def test_a_curve_that_cannot_be_read_is_named(tmp_path, name, content, says):
     (tmp_path / name).write_text(content)
     with pytest.raises(ConfigError, match=says):
         msf_jax.read_curve(tmp_path / name)
+
+
+ODD_SWC = {
+    "byte-order mark": "\ufeff1 1 0 0 0 1 -1\n2 1 1 0 0 1 1\n".encode(),
+    "another encoding": "# 5 µm, Müller\n1 1 0 0 0 1 -1\n2 1 1 0 0 1 1\n".encode("latin-1"),
+    "a comment like ours": b"# cut edge effects were not corrected\n1 1 0 0 0 1 -1\n2 1 1 0 0 1 1\n",
+    "whole numbers as decimals": b"1.0 1 0 0 0 1 -1.0\n2.0 1 1 0 0 1 1.0\n",
+    "a comment without a space": b"1 1 0 0 0 1 -1#root\n2 1 1 0 0 1 1\n",
+}
+WRONG_SWC = {
+    "infinite parent": b"1 1 0 0 0 1 -1\n2 1 1 0 0 1 inf\n",
+    "broken parent": b"1 1 0 0 0 1 -1\n2 1 1 0 0 1 1.7\n",
+    "an id twice": b"1 1 0 0 0 1 -1\n1 1 1 0 0 1 1\n",
+}
+
+
+@pytest.mark.parametrize("name", ODD_SWC)
+def test_other_programs_swc_is_read(tmp_path, name):
+    (tmp_path / "a.swc").write_bytes(ODD_SWC[name])
+    found = msf_jax.read_curve(tmp_path / "a.swc")
+    assert found.edges.tolist() == [[0, 1]] and found.vertices.tolist() == [[0, 0, 0], [1, 0, 0]]
+    found.save(tmp_path / "a.json")
+    json.loads((tmp_path / "a.json").read_text(), parse_constant=pytest.fail)  # no NaN: browsers do not read it
+
+
+@pytest.mark.parametrize("name", WRONG_SWC)
+def test_wrong_swc_is_an_error_that_names_the_line(tmp_path, name):
+    (tmp_path / "a.swc").write_bytes(WRONG_SWC[name])
+    with pytest.raises(ConfigError, match="line 2"):
+        msf_jax.read_curve(tmp_path / "a.swc")

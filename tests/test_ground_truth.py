@@ -6,8 +6,10 @@ from functools import cached_property
 import networkx as nx
 import numpy as np
 import pytest
+import trimesh
 
 from msf_jax import ground_truth
+from msf_jax.errors import ConfigError
 from msf_jax.ground_truth import KnownShape
 from msf_jax.host import surface
 from msf_jax.host.enclosure import Enclosure
@@ -182,3 +184,14 @@ def test_a_closed_tube_closes_without_a_seam(sides):
     seam = np.isin(mesh.faces, np.arange(sides)).any(axis=1)
     edges = np.linalg.norm(mesh.triangles - np.roll(mesh.triangles, 1, axis=1), axis=2)
     assert edges[seam].max() < 1.1 * edges[~seam].max()
+
+
+def test_a_mesh_is_found_by_name(tmp_path, monkeypatch):
+    """Made here, or read from the reader's folder; else the error lists what there is."""
+    monkeypatch.setenv("MSF_JAX_MESHES", str(tmp_path))
+    ball = trimesh.creation.icosphere(2)
+    ball.export(tmp_path / "ball.off")
+    assert np.array_equal(ground_truth.mesh_named("ball").faces, ball.faces)
+    assert np.array_equal(ground_truth.mesh_named("y").vertices, ground_truth.make("y").mesh.vertices)
+    with pytest.raises(ConfigError, match="cube_frame"):
+        ground_truth.mesh_named("bal")

@@ -5,11 +5,12 @@ import re
 import numpy as np
 import pytest
 import trimesh
-from conftest import torus
+from conftest import blob, torus
 
 import msf_jax
 from msf_jax import Config, ConfigError, MeshError, shapes
 from msf_jax.cli import main
+from msf_jax.skeleton import curve_of
 
 
 @pytest.fixture(scope="module")
@@ -103,3 +104,26 @@ def test_view_and_completion_on_the_command_line(tmp_path, capsys):
     assert "ends in .html" in capsys.readouterr().err
     assert main(["completion", "bash"]) == 0
     assert "msf" in capsys.readouterr().out
+
+
+def test_a_page_far_from_the_origin_keeps_its_shape():
+    """Coordinates go into the page as float32: a million away, nothing else would be left of a unit."""
+    ball = blob(3)
+    skeleton = msf_jax.skeletonize(ball)
+    far = curve_of(skeleton.vertices + 1e7, skeleton.edges, skeleton.radii)
+    drawing = far.view((ball.vertices + 1e7, ball.faces))
+    shown = np.stack([np.asarray(drawing.data[0][axis], dtype=np.float64) for axis in "xyz"], axis=1)
+    assert np.allclose(np.ptp(shown, axis=0), np.ptp(ball.vertices, axis=0), atol=1e-6)
+
+
+def test_a_curve_of_another_program_is_shown_in_its_mesh():
+    """It has no map, so that its surface is grey only."""
+    ball = blob(3)
+    curve = curve_of(np.array([[0, 0, 0], [0, 0, 0.1]]), np.array([[0, 1]]), np.ones(2))
+    names = [trace.name for trace in curve.view(ball).data]
+    assert names[0] == "surface" and "surface by node" not in names
+
+
+def test_a_path_given_as_the_mesh_is_told():
+    with pytest.raises(ConfigError, match=r"path='hand\.html'"):
+        curve_of(np.zeros((1, 3)), np.empty((0, 2), int), np.ones(1)).view("hand.html")
