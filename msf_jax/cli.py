@@ -148,8 +148,8 @@ def _without_loader_noise() -> Iterator[None]:
                     print(line.decode(errors="replace"), file=sys.stderr)
 
 
-def _completes(option: Any, kind: dict[str, str]) -> None:
-    """The shell offers files or folders for an option: shtab reads that from an attribute that argparse does not have."""
+def _completes(option: Any, kind: object) -> None:
+    """The shell offers files or folders for an option: shtab reads an attribute of it that argparse does not know."""
     option.complete = kind
 
 
