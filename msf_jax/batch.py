@@ -7,6 +7,7 @@ are taken in the order of their files' sizes: neighbours share the capacities th
 
 import concurrent.futures
 import csv
+import errno
 import hashlib
 import io
 import json
@@ -137,7 +138,7 @@ def run(
                 bar.set_postfix_str(Path(row["path"]).name)
     finally:  # Ctrl-C, too, leaves a table of what there is
         rows = tuple(filter(None, map(_known, planned)))
-        export.write_whole(folder / MANIFEST, _table(rows))
+        export.write_whole(folder / MANIFEST, os.fsencode(_table(rows)))
     return Batch(rows, folder / MANIFEST, len(missing))
 
 
@@ -159,8 +160,8 @@ def _names(
         name = str(path.relative_to(base))
         state = path.stat() if path.exists() else None
         size, stamp = (state.st_size, state.st_mtime_ns) if state else (0, 0)
-        key = hashlib.sha256(f"{name} {size} {stamp} {settings}".encode()).hexdigest()
-        row = folder / ROWS / f"{hashlib.sha256(name.encode()).hexdigest()[:32]}.json"
+        key = hashlib.sha256(os.fsencode(f"{name} {size} {stamp} {settings}")).hexdigest()
+        row = folder / ROWS / f"{hashlib.sha256(os.fsencode(name)).hexdigest()[:32]}.json"
         found.append((size, name, (str(path), str((folder / (name + suffix)).absolute()), str(row.absolute()), key)))
     return [names for _, _, names in sorted(found)]
 
@@ -205,14 +206,15 @@ def work(job: Job) -> dict[str, Any]:
         row |= {"nodes": len(skeleton.vertices), "edges": len(skeleton.edges), "length": skeleton.length}
         row |= skeleton.report.to_dict() | {"is_sound": skeleton.report.is_sound}
         content = export.writer_for(job.target)(skeleton, mesh)
-    except (MeshError, FlowError, ConfigError) as error:
-        row["error"] = str(error)
-    except Exception as error:  # a defect of this program must not end the batch, either
-        row["error"] = f"{type(error).__name__}: {error}"
-    else:
         Path(job.target).parent.mkdir(parents=True, exist_ok=True)
         export.write_whole(job.target, content)
         row["output"] = job.target
+    except (MeshError, FlowError, ConfigError) as error:
+        row["error"] = str(error)
+    except Exception as error:  # a defect of this program must not end the batch, either
+        if isinstance(error, OSError) and error.errno in (errno.ENOSPC, errno.EDQUOT):
+            raise
+        row["error"] = f"{type(error).__name__}: {error}"
     row["seconds"] = round(time.perf_counter() - start, 3)
     return _noted(job, row)
 

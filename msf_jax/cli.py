@@ -24,6 +24,7 @@ from msf_jax.host import surface
 from msf_jax.options import SYSTEMS, Config, Weights
 from msf_jax.skeleton import Skeleton
 
+LISTED = 10  # of the meshes of a batch that failed, so many are named
 WEIGHTS = {
     "w_L": "contraction (w_L)",
     "w_H": "attraction to where a vertex is (w_H)",
@@ -66,7 +67,10 @@ examples:
         """\
 Skeletonise one mesh and write a page that any browser shows, without a network: the surface, the
 curve, and sliders through the iterations of the flow and through pruning.""",
-        "example: msf-jax view hand.off -o hand.html",
+        """\
+examples:
+  msf-jax view hand.off -o hand.html
+  msf-jax view hand.off --w-M 0.8        other weights, as for skeletonize""",
     ),
     "BATCH": (
         """\
@@ -76,6 +80,7 @@ row for each, with its report or its error. Started again, it does what is missi
 examples:
   msf-jax batch meshes curves --jobs 4
   msf-jax batch meshes curves --format .vtp
+  msf-jax batch meshes curves --w-M 0.8 --prune 2           weights and the like, as for skeletonize
   msf-jax batch meshes curves --retry                       take what failed once more
   msf-jax batch meshes curves --scheduler tcp://host:8786   on a Dask cluster that sees the folders""",
     ),
@@ -173,32 +178,9 @@ def _parser() -> argparse.ArgumentParser:
         ),
         shtab.FILE,
     )
-    curve = one.add_argument_group("the curve", "Lengths are fractions of the bounding box's diagonal.")
-    defaults = Config()
-    curve.add_argument(
-        "--prune",
-        type=float,
-        metavar="X",
-        help="take away branches of less persistence: 1 for a twig inside a limb, 2 for a limb that sticks out by its "
-        f"radius; 0: none (default: {defaults.prune})",
-    )
-    curve.add_argument("--pin", type=int, action="append", metavar="N", help="hold vertex N in place (can be repeated)")
-    curve.add_argument(
-        "--coarsen",
-        type=float,
-        metavar="X",
-        help=f"collapse edges shorter than that before the flow; 0: none (default: {defaults.coarsen})",
-    )
-    flow = one.add_argument_group("the flow", "Of the weights, only the ratios of the first three matter.")
-    flow.add_argument("--system", default="msf", metavar="NAME", help=f"one of {', '.join(SYSTEMS)} (default: msf)")
-    for name, meaning in WEIGHTS.items():
-        default = getattr(Weights(), name)
-        option = f"--{name.replace('_', '-')}"
-        flow.add_argument(option, dest=name, type=float, metavar="X", help=f"{meaning} (default of msf: {default})")
-    flow.add_argument(
-        "--max-iterations", type=int, metavar="N", help=f"give up after so many (default: {defaults.max_iterations})"
-    )
-    flow.add_argument("--check", action="store_true", help="verify the surface after every round of edits (slower)")
+    _settings(one)
+    one.add_argument("--pin", type=int, action="append", metavar="N", help="hold vertex N in place (can be repeated)")
+    one.add_argument("--check", action="store_true", help="verify the surface after every round of edits (slower)")
     _common(one)
     one.set_defaults(run=_skeletonize)
 
@@ -217,6 +199,7 @@ def _parser() -> argparse.ArgumentParser:
     place = "where to write it (default: IN with .html)"
     _completes(look.add_argument("-o", "--output", metavar="HTML", help=place), shtab.FILE)
     look.add_argument("--repair", action="store_true", help="mend a mesh that is no closed manifold, and say how")
+    _settings(look)
     _common(look)
     look.set_defaults(run=_view)
 
@@ -229,6 +212,7 @@ def _parser() -> argparse.ArgumentParser:
     many.add_argument("--repair", action="store_true", help="mend meshes that are no closed manifolds")
     many.add_argument("--retry", action="store_true", help="take those again that failed")
     many.add_argument("--evaluate", action="store_true", help="figures such as off-centre in the table, too")
+    _settings(many)
     _common(many)
     many.set_defaults(run=_batch)
 
@@ -249,14 +233,16 @@ def _view(arguments: argparse.Namespace) -> int:
     target = _checked_target(arguments.output or str(Path(arguments.mesh).with_suffix(".html")), arguments.mesh)
     if target.suffix.lower() != ".html":
         raise ConfigError(f"the page is an HTML file: expected a name that ends in .html, not {target.name!r}")
+    weights, config = _configured(arguments)
     mesh = surface.read(arguments.mesh, finite=not arguments.repair)
-    skeleton = msf_jax.skeletonize(mesh, repair=arguments.repair, progress=not arguments.quiet)
+    skeleton = msf_jax.skeletonize(mesh, weights, config, repair=arguments.repair, progress=not arguments.quiet)
     skeleton.view(mesh, target)
     _tell(skeleton, [target], arguments.quiet)
     return 0
 
 
 def _batch(arguments: argparse.Namespace) -> int:
+    weights, config = _configured(arguments, evaluate=arguments.evaluate)
     folder = Path(arguments.folder)
     if not folder.is_dir():
         raise ConfigError(f"no folder {str(folder)!r}: expected one with meshes")
@@ -271,7 +257,8 @@ def _batch(arguments: argparse.Namespace) -> int:
     done = batch.run(
         paths,
         arguments.output,
-        config=Config(evaluate=arguments.evaluate),
+        weights=weights,
+        config=config,
         repair=arguments.repair,
         suffix=arguments.format,
         jobs=arguments.jobs,
@@ -281,7 +268,49 @@ def _batch(arguments: argparse.Namespace) -> int:
     )
     if not arguments.quiet:
         print(f"{len(done.rows)} meshes, {done.num_done} of them now, {done.num_failed} failed; see {done.manifest}")
+    failed = [row for row in done.rows if row["error"]]
+    for row in failed[:LISTED]:
+        _fail(f"{row['path']}: {row['error']}", 1)
+    if len(failed) > LISTED:
+        _fail(f"and {len(failed) - LISTED} more that failed, in {done.manifest}", 1)
     return min(done.num_failed, 1)
+
+
+def _settings(parser: argparse.ArgumentParser) -> None:
+    """Options that become weights and a `Config`; see `_configured`."""
+    defaults = Config()
+    curve = parser.add_argument_group("the curve", "Lengths are fractions of the bounding box's diagonal.")
+    curve.add_argument(
+        "--prune",
+        type=float,
+        metavar="X",
+        help="take away branches of less persistence: 1 for a twig inside a limb, 2 for a limb that sticks out by its "
+        f"radius; 0: none (default: {defaults.prune})",
+    )
+    curve.add_argument(
+        "--coarsen",
+        type=float,
+        metavar="X",
+        help=f"collapse edges shorter than that before the flow; 0: none (default: {defaults.coarsen})",
+    )
+    flow = parser.add_argument_group("the flow", "Of the weights, only the ratios of the first three matter.")
+    flow.add_argument("--system", default="msf", metavar="NAME", help=f"one of {', '.join(SYSTEMS)} (default: msf)")
+    for name, meaning in WEIGHTS.items():
+        default = getattr(Weights(), name)
+        option = f"--{name.replace('_', '-')}"
+        flow.add_argument(option, dest=name, type=float, metavar="X", help=f"{meaning} (default of msf: {default})")
+    flow.add_argument(
+        "--max-iterations", type=int, metavar="N", help=f"give up after so many (default: {defaults.max_iterations})"
+    )
+
+
+def _configured(arguments: argparse.Namespace, **others: Any) -> tuple[Weights, Config]:
+    """What the options of `_settings` say, the rest as the system has it."""
+    changes = {name: getattr(arguments, name) for name in ("max_iterations", "coarsen", "prune")}
+    changes = {name: value for name, value in changes.items() if value is not None}
+    config = Config.named(arguments.system, **others, **changes)
+    given = {name: getattr(arguments, name) for name in WEIGHTS if getattr(arguments, name) is not None}
+    return Weights(**(vars(config.default_weights()) | given)), config
 
 
 def _common(parser: argparse.ArgumentParser) -> None:
@@ -300,11 +329,7 @@ def _skeletonize(arguments: argparse.Namespace) -> int:
     if arguments.checkpoint is not None:
         others = [arguments.mesh, arguments.output, *([arguments.picture] if arguments.picture else [])]
         _checked_target(arguments.checkpoint, *others)
-    changes = {name: getattr(arguments, name) for name in ("max_iterations", "coarsen", "prune")}
-    changes = {name: value for name, value in changes.items() if value is not None}
-    config = Config.named(arguments.system, check=arguments.check, evaluate=arguments.evaluate, **changes)
-    given = {name: getattr(arguments, name) for name in WEIGHTS if getattr(arguments, name) is not None}
-    weights = Weights(**(vars(config.default_weights()) | given))
+    weights, config = _configured(arguments, check=arguments.check, evaluate=arguments.evaluate)
     mesh = surface.read(arguments.mesh, finite=not arguments.repair)
     stopped = ""
     try:

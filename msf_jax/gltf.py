@@ -1,7 +1,8 @@
 """A mesh skinned to its curve, as one binary glTF 2.0 file: every node a joint, every vertex bound to its node's.
 
 Joints form the tree that an SWC file has, too: loops are cut. Turning or moving a joint moves the part of the surface
-that is mapped to it and to what hangs on it.
+that is mapped to it and to what hangs on it. The format's numbers are float32: far from the origin, they count from the
+middle of the curve, where both the mesh and the curve are placed.
 """
 
 import json
@@ -17,6 +18,7 @@ if TYPE_CHECKING:
     from msf_jax.skeleton import Skeleton
 
 MOST_JOINTS = 65535
+FAR = 100  # of the curve's size from the origin
 FLOAT, USHORT, UINT = 5126, 5123, 5125  # component types of the format
 ARRAY_BUFFER, ELEMENT_ARRAY_BUFFER = 34962, 34963
 
@@ -40,7 +42,12 @@ def skinned(skeleton: "Skeleton", mesh: Any) -> bytes:
     for node, above in parent.items():
         if above >= 0:
             children[above].append(node)
-    position = skeleton.vertices.astype(np.float32)
+    low, high = skeleton.vertices.min(axis=0), skeleton.vertices.max(axis=0)
+    size = np.linalg.norm(high - low) + 2 * skeleton.radii.max()
+    is_far = np.linalg.norm(low + high) / 2 > FAR * size
+    middle = (low + high) / 2 if is_far else np.zeros(3)
+    placed = {"translation": middle.tolist()} if is_far else {}
+    position = (skeleton.vertices - middle).astype(np.float32)
     joints = []
     for node in range(num):
         above = parent[node]
@@ -65,7 +72,7 @@ def skinned(skeleton: "Skeleton", mesh: Any) -> bytes:
         accessors.append({"bufferView": len(views) - 1, "componentType": component, "count": len(array), "type": kind})
         return len(accessors) - 1
 
-    points = vertices.astype(np.float32)
+    points = (vertices - middle).astype(np.float32)
     at = add(points, "VEC3", FLOAT, ARRAY_BUFFER)
     accessors[at] |= {"min": points.min(axis=0).tolist(), "max": points.max(axis=0).tolist()}
     attributes = {
@@ -82,8 +89,8 @@ def skinned(skeleton: "Skeleton", mesh: Any) -> bytes:
         "scenes": [{"nodes": [num, num + 1]}],
         "nodes": [
             *joints,
-            {"name": "mesh", "mesh": 0, "skin": 0},
-            {"name": "curve skeleton", "children": roots},
+            {"name": "mesh", "mesh": 0, "skin": 0, **placed},
+            {"name": "curve skeleton", "children": roots, **placed},
         ],
         "meshes": [{"primitives": [{"attributes": attributes, "indices": corners, "mode": 4}]}],
         "skins": [{"inverseBindMatrices": binds, "joints": list(range(num)), "skeleton": num + 1}],

@@ -34,7 +34,10 @@ class Sensitivity(NamedTuple):
         num = len(self.tape.vertices)
         if isinstance(vertex, bool) or not isinstance(vertex, int | np.integer) or not 0 <= vertex < num:
             raise ConfigError(f"vertex is {vertex!r}: expected a number from 0 to {num - 1}")
-        return np.asarray(_by_vertex(self.tape, self.weights, jnp.asarray(vertex)))
+        moved = np.zeros((4, num, 3))
+        moved[[0, 1, 2], vertex, [0, 1, 2]] = 1.0
+        columns = _columns(self.tape, self.weights, np.zeros((4, 4)), moved)
+        return np.moveaxis(np.asarray(columns[:3]), 0, -1)
 
     def of_node(self, node: int) -> np.ndarray:
         """(V, 3, 3): row k is how far ``node`` moves along axis k per unit that each vertex moves along each axis.
@@ -71,17 +74,23 @@ def sensitivity(tape: Tape, weights: Weights | None = None) -> Sensitivity:
         if np.ndim(value):
             raise ConfigError(f"Weights.{name} has shape {np.shape(value)}: expected a number")
     at = Weights(*(jnp.asarray(value, float) for value in vars(weights).values()))
-    return Sensitivity(tape, at, jax.tree_util.tree_map(np.asarray, jax.jacfwd(partial(replay, tape))(at)))
+    columns = _columns(tape, at, np.eye(4), np.zeros((4, *tape.vertices.shape)))
+    structure = jax.tree_util.tree_structure(at)  # slopes are no weights: their signs are free
+    return Sensitivity(tape, at, jax.tree_util.tree_unflatten(structure, np.asarray(columns)))
 
 
 @jax.jit
-def _by_vertex(tape: Tape, weights: Weights, vertex: jax.Array) -> jax.Array:
-    at = jnp.asarray(tape.vertices)
+def _columns(tape: Tape, weights: Weights, by_weight: jax.Array, by_vertex: jax.Array) -> jax.Array:
+    """(4, N, 3): how the nodes move along four directions, each a change of the four weights and of (V, 3) vertices.
 
-    def column(axis: jax.Array) -> jax.Array:
-        return jax.jvp(partial(replay, tape, weights), (at,), (jnp.zeros_like(at).at[vertex, axis].set(1.0),))[1]
+    Four, as there are four weights: those of a vertex, three, share what was compiled for them.
+    """
+    at = weights, jnp.asarray(tape.vertices, by_vertex.dtype)
 
-    return jnp.moveaxis(jax.vmap(column)(jnp.arange(3)), 0, -1)
+    def column(of_weights: jax.Array, of_vertices: jax.Array) -> jax.Array:
+        return jax.jvp(partial(replay, tape), at, (Weights(*of_weights), of_vertices))[1]
+
+    return jax.vmap(column)(by_weight, by_vertex)
 
 
 @jax.jit

@@ -277,10 +277,11 @@ class Skeleton:
     def save(self, path: str | os.PathLike[str], mesh: Any = None) -> None:
         """Write the curve in the format that the suffix names, whole or not at all.
 
-        ``.swc`` (a tree: loops are cut, and the cut edges listed in a comment), ``.obj`` (lines), ``.cg`` (vertices and
-        edges), ``.polylines.txt`` (CGAL's), ``.ply`` (vertices with radius, edges), ``.vtp`` (VTK PolyData with point
-        data "radius"), ``.graphml`` (NetworkX's), ``.npz`` (arrays), ``.json`` (everything, the report included),
-        ``.glb`` (glTF: ``mesh``, as `skeletonize` took it, skinned to the curve, whose nodes are the joints).
+        ``.swc`` (a tree, parents first: ids count its rows from 1, and are not the nodes' numbers; loops are cut, and
+        the cut edges listed in a comment), ``.obj`` (lines), ``.cg`` (vertices and edges), ``.polylines.txt`` (CGAL's),
+        ``.ply`` (vertices with radius, edges), ``.vtp`` (VTK PolyData with point data "radius"), ``.graphml``
+        (NetworkX's), ``.npz`` (arrays), ``.json`` (everything, the report included), ``.glb`` (glTF:
+        ``mesh``, as `skeletonize` took it, skinned to the curve, whose nodes are the joints).
 
         Raises:
             ConfigError: the suffix is none of these, or a ``.glb`` is asked for without a mesh.

@@ -141,7 +141,7 @@ def tune(
 
     search = _Search(meshes, objective, config)
     search.start(weights)
-    box, way, kind, reason = FIRST_BOX, HALF_WAY, MINIMUM, f"all {steps} steps taken"
+    box, way, kind, reason = FIRST_BOX, HALF_WAY, MINIMUM, "as many as were asked for"
     with tqdm(total=steps, desc="tune", unit="run", disable=None if progress else True) as bar:
         try:
             for _ in range(steps):

@@ -77,8 +77,8 @@ def panels(
         axes: Any = drawing.add_subplot(rows, columns, k + 1, projection="3d", computed_zorder=False)
         every.append(axes)
         _draw(axes, panel, surfaces[k], colours)
-        _frame(axes, box.min(axis=0), box.max(axis=0))
         axes.view_init(elev=elevation, azim=azimuth)
+        _frame(axes, box)
     if radii:
         drawing.colorbar(colours, ax=every, shrink=0.5 if rows == 1 else 0.3, label="radius")
     return drawing
@@ -114,12 +114,21 @@ def _draw(axes: Any, panel: Panel, mesh: tuple[np.ndarray, np.ndarray] | None, c
         axes.legend(fontsize=8, loc="lower left")
 
 
-def _frame(axes: Any, low: np.ndarray, high: np.ndarray) -> None:
+def _frame(axes: Any, points: np.ndarray) -> None:
+    """Limits around the points, and as near to them as the view allows."""
+    from mpl_toolkits.mplot3d import proj3d
+
+    low, high = points.min(axis=0), points.max(axis=0)
     middle, half = (low + high) / 2, (high - low) / 2
     half = np.maximum(half, 1e-3 * max(float(half.max()), 1e-9))  # a line, or a point, has no box of its own
     axes.set(**dict(zip(("xlim", "ylim", "zlim"), np.stack([middle - half, middle + half], axis=1), strict=True)))
-    axes.set_box_aspect(half)
     axes.set_axis_off()
+    zoom = 1.0
+    for _ in range(3):  # the perspective changes with the zoom, a little
+        axes.set_box_aspect(half, zoom=zoom)
+        x, y, _ = proj3d.proj_transform(points[:, 0], points[:, 1], points[:, 2], axes.get_proj())
+        zoom *= 0.47 / max(float(np.abs(axes.transLimits.transform(np.stack([x, y], axis=1)) - 0.5).max()), 0.01)
+    axes.set_box_aspect(half, zoom=zoom)
 
 
 def figure(skeleton: "Skeleton", mesh: Any = None, *, elevation: float = 15.0, azimuth: float = -70.0) -> "Figure":

@@ -2,11 +2,13 @@
 
 import csv
 import os
+import re
 import signal
 import subprocess
 import sys
 import time
 import warnings
+from dataclasses import replace
 from pathlib import Path
 
 import jax
@@ -14,7 +16,7 @@ import numpy as np
 import pytest
 import trimesh
 
-from msf_jax import ConfigError, Weights, batch
+from msf_jax import Config, ConfigError, Weights, batch
 from msf_jax.cli import main
 
 NUM, BROKEN = 6, 2
@@ -102,6 +104,7 @@ def test_killed_half_way_it_does_the_rest(folder, tmp_path):
     assert len(table(done.manifest)) == NUM + BROKEN and done.num_failed == BROKEN
 
 
+@pytest.mark.slow
 def test_workers_are_replaced(folder, tmp_path, monkeypatch):
     """After every second mesh, and none is lost."""
     monkeypatch.setattr(batch, "TASKS", 2)
@@ -125,11 +128,23 @@ def test_a_worker_that_dies_takes_one_mesh_with_it(folder, tmp_path, monkeypatch
 
 def test_on_the_command_line(folder, tmp_path, capsys):
     assert main(["batch", str(folder), str(tmp_path / "out"), "--jobs", "2"]) == 1
-    assert f"{NUM + BROKEN} meshes, {NUM + BROKEN} of them now, {BROKEN} failed" in capsys.readouterr().out
+    said = capsys.readouterr()
+    assert f"{NUM + BROKEN} meshes, {NUM + BROKEN} of them now, {BROKEN} failed" in said.out
+    assert re.search(r"broken.off: cannot read.*\n.*open.ply: the mesh is open", said.err)
     assert main(["batch", str(folder / "absent"), str(tmp_path)]) == 2
     assert "no folder" in capsys.readouterr().err
     assert main(["batch", str(tmp_path), str(tmp_path / "out")]) == 2
     assert "no mesh in" in capsys.readouterr().err
+
+
+def test_the_command_takes_what_skeletonize_takes(folder, tmp_path, monkeypatch):
+    seen = {}
+    done = batch.Batch((), tmp_path / "manifest.csv", 0)
+    monkeypatch.setattr(batch, "run", lambda *_, **options: seen.update(options) or done)
+    options = ["--system", "tagliasacchi2012", "--w-M", "0.8", "--prune", "0", "--evaluate"]
+    assert main(["batch", str(folder), str(tmp_path), *options]) == 0
+    assert seen["config"] == Config.tagliasacchi2012(prune=0.0, evaluate=True)
+    assert seen["weights"] == replace(seen["config"].default_weights(), w_M=0.8)
 
 
 @pytest.mark.parametrize(
@@ -171,3 +186,17 @@ def test_another_precision_is_another_setting(tmp_path):
     assert batch.run(paths, out, jobs=1).num_done == 0
     with jax.enable_x64(False):  # as a user has it who forgot
         assert batch.run(paths, out, jobs=1).num_done == 1
+
+
+def test_names_that_the_system_refuses_fail_alone(tmp_path):
+    """A name with no room for a suffix, one that is no UTF-8, and one whose curve's place is a folder."""
+    meshes = tmp_path / "meshes"
+    names = ["n" * 250 + ".off", os.fsdecode(b"\xff.off"), "a.off", "a.off.swc/b.off"]
+    for name in names:
+        (meshes / name).parent.mkdir(parents=True, exist_ok=True)
+        trimesh.creation.icosphere(2).export(meshes / name, file_type="off")
+    done = batch.run([meshes / name for name in names], tmp_path / "out", jobs=1)
+    errors = {row["path"].removeprefix(f"{meshes}/"): row["error"] for row in done.rows}
+    assert "too long" in errors[names[0]] and not errors[names[1]]
+    assert bool(errors["a.off"]) != bool(errors["a.off.swc/b.off"])
+    assert os.fsencode(names[1]) in done.manifest.read_bytes()

@@ -3,6 +3,7 @@
 import json
 import struct
 import warnings
+from dataclasses import replace
 from itertools import pairwise
 
 import networkx as nx
@@ -238,6 +239,22 @@ def test_glb_is_the_mesh_skinned_to_the_curve(hand, saved):
             node = above.get(node)
         np.testing.assert_allclose(position, skeleton.vertices[joint], atol=1e-5)
         np.testing.assert_allclose(inverse[joint, :3, 3], -skeleton.vertices[joint], atol=1e-6)
+
+
+def test_a_glb_far_from_the_origin_is_as_sharp(hand, tmp_path):
+    """In float32 alone, a coordinate of ten million comes in steps of one."""
+    skeleton, mesh = hand
+    shift = np.array([1e7, -2e7, 3e6])
+    moved = replace(skeleton, vertices=skeleton.vertices + shift)
+    moved.save(tmp_path / "far.glb", (mesh.vertices + shift, mesh.faces))
+    scene = trimesh.load(tmp_path / "far.glb")
+    np.testing.assert_allclose(scene.bounds, mesh.bounds + shift, rtol=0, atol=1e-6)
+    content = (tmp_path / "far.glb").read_bytes()
+    nodes = json.loads(content[20 : 20 + struct.unpack("<I", content[12:16])[0]])["nodes"]
+    curve = next(node for node in nodes if node["name"] == "curve skeleton")
+    root = curve["children"][0]
+    at = np.add(curve["translation"], nodes[root]["translation"])
+    np.testing.assert_allclose(at, moved.vertices[root], rtol=0, atol=1e-6)
 
 
 def test_a_glb_needs_its_mesh(hand, tmp_path):

@@ -10,7 +10,6 @@ import pytest
 import trimesh
 from conftest import blob, torus
 from device_cases import central_difference
-from jax.test_util import check_grads
 
 import msf_jax
 from msf_jax import Config, ConfigError, MeshError, Weights, replaying
@@ -29,12 +28,6 @@ def ellipsoid(subdivisions: int = 3) -> trimesh.Trimesh:
     return mesh
 
 
-def two_parts() -> trimesh.Trimesh:
-    ring = torus(around=16, across=8)
-    ring.apply_translation([0.0, 4.0, 100.0])
-    return trimesh.util.concatenate([ellipsoid(2), ring])
-
-
 def pinched() -> trimesh.Trimesh:
     """Two ellipsoids that share a vertex, and a vertex that no face uses."""
     one, other = ellipsoid(2), ellipsoid(2)
@@ -46,6 +39,12 @@ def pinched() -> trimesh.Trimesh:
     return trimesh.Trimesh(vertices, np.concatenate([one.faces, faces]), process=False)
 
 
+def parts() -> trimesh.Trimesh:
+    ring = torus(around=16, across=8)
+    ring.apply_translation([0.0, 4.0, 100.0])
+    return trimesh.util.concatenate([pinched(), ring])
+
+
 def varied(num: int) -> Weights:
     """Another weight at every vertex."""
     random = np.random.default_rng(0)
@@ -55,13 +54,12 @@ def varied(num: int) -> Weights:
 
 @pytest.fixture(scope="module")
 def flow() -> msf_jax.Flow:
-    return msf_jax.contract(ellipsoid())
+    """A small one with many edits: what takes time is compiling, and solves that are as tight as can be."""
+    return msf_jax.contract(ellipsoid(2), config=Config(t_min=0.001))
 
 
 CASES = {
-    "two parts, pins": (two_parts, Weights(), Config(), [0, 5, 100]),
-    "pinched, pins, another weight at each vertex": (pinched, None, Config(), [3, 200]),
-    "au2008": (ellipsoid, Weights(1.0, 1.0, 0.0, 0.0), Config.au2008(), None),
+    "parts, one pinched, pins, another weight at each vertex": (parts, None, Config(), [0, 5, 100]),
     "au2008, two layouts": (
         lambda: ellipsoid(2),
         Weights(1.0, 1.0, 0.0, 0.0),
@@ -69,9 +67,13 @@ CASES = {
         None,
     ),
     "resampled": (lambda: ellipsoid(2), Weights(), Config.tagliasacchi2012(resample=0.05, t_min=0.01), None),
-    "filtered mesh": (ellipsoid, Weights(), Config(reconstruct_mesh=80), [3]),
+    "filtered mesh, trusted poles, uniform": (
+        ellipsoid,
+        Weights(),
+        Config(reconstruct_mesh=80, pole_confidence=True, laplacian="uniform"),
+        [3],
+    ),
     "eigenvectors": (ellipsoid, Weights(), Config(reconstruct_mesh=80, exact_reconstruction=True), None),
-    "trusted poles, uniform": (ellipsoid, Weights(), Config(pole_confidence=True, laplacian="uniform"), None),
     "stopped at once": (ellipsoid, Weights(), Config(max_iterations=1), None),
 }
 
@@ -92,9 +94,9 @@ def test_it_equals_the_run(name):
     assert (radii[~is_inside] <= bound).all()
 
 
-@pytest.mark.parametrize("name", ["homer", "indorelax"])
-def test_it_equals_the_run_on_research_meshes(research_mesh, name):
-    vertices, faces = research_mesh(name)
+@pytest.mark.slow
+def test_it_equals_the_run_on_a_research_mesh(research_mesh):
+    vertices, faces = research_mesh("indorelax")
     flow = msf_jax.contract((vertices, faces))
     error = np.abs(msf_jax.replay(flow.tape, flow.weights) - flow.curve.vertices).max()
     assert error < 1e-9 * np.linalg.norm(np.ptp(vertices, axis=0))
@@ -126,10 +128,8 @@ def test_gradients_agree_with_central_differences(flow):
     num = len(vertices)
     _, (by_log, by_vertex), _ = probe(tape, first, vertices, towards, TIGHT)
 
-    @jax.jit
     def value(logarithms, vertices):
-        nodes = msf_jax.replay(tape, Weights(*jnp.exp(logarithms)), vertices, tolerance=TIGHT)
-        return (towards * (nodes - flow.curve.vertices)).sum()
+        return probe(tape, logarithms, vertices, towards, TIGHT)[0]
 
     def along(log_step, step, h):
         return central_difference(lambda t: value(first + t * log_step, vertices + t * step), np.zeros(()), 1.0, h)
@@ -151,19 +151,6 @@ def test_gradients_agree_with_central_differences(flow):
     for group in groups:
         found, measured = np.array(group, dtype=float).T
         assert np.abs(found - measured).max() < 1e-5 * np.abs(measured).max()
-
-
-def test_forward_and_reverse_mode_on_a_small_mesh():
-    flow = msf_jax.contract(ellipsoid(2))
-    towards = np.random.default_rng(0).normal(size=flow.curve.vertices.shape)
-
-    @jax.jit
-    def value(logarithms):
-        nodes = msf_jax.replay(flow.tape, Weights(*jnp.exp(logarithms)), tolerance=TIGHT)
-        return (towards * (nodes - flow.curve.vertices)).sum()
-
-    first = jnp.log(jnp.array(list(vars(flow.weights).values())))
-    check_grads(value, (first,), order=1, modes=("fwd", "rev"), atol=1e-6, rtol=1e-5, eps=1e-5)
 
 
 def test_forward_and_reverse_mode_are_transposes(flow):
@@ -236,9 +223,9 @@ def test_reverse_mode_keeps_states_and_no_solver_steps(flow):
 
 def test_finite_gradients_with_degenerate_triangles():
     """A box whose faces have needles without area, at the start already."""
-    box = trimesh.creation.box([1.0, 0.4, 0.4]).subdivide().subdivide().subdivide()
+    box = trimesh.creation.box([1.0, 0.4, 0.4]).subdivide().subdivide()
     vertices, faces = np.array(box.vertices), np.array(box.faces)
-    for face in faces[[10, 200, 333]]:
+    for face in faces[[10, 80, 150]]:
         vertices[face[2]] = (vertices[face[0]] + vertices[face[1]]) / 2  # on its edge
     flow = msf_jax.contract((vertices, faces), config=Config(coarsen=0.0, reconstruct_poles=0))
     assert np.abs(msf_jax.replay(flow.tape, flow.weights) - flow.curve.vertices).max() < 1e-9
@@ -247,7 +234,7 @@ def test_finite_gradients_with_degenerate_triangles():
         nodes = msf_jax.replay(flow.tape, weights, vertices)
         return (nodes**2).sum() + (msf_jax.replay_radii(flow.tape, nodes, vertices) ** 2).sum()
 
-    slopes = jax.grad(value, argnums=(0, 1))(flow.weights, jnp.asarray(vertices))
+    slopes = jax.jit(jax.grad(value, argnums=(0, 1)))(flow.weights, jnp.asarray(vertices))
     assert all(np.isfinite(leaf).all() for leaf in jax.tree_util.tree_leaves(slopes))
     assert np.abs(slopes[1]).max() > 0.01
 
@@ -286,11 +273,11 @@ def test_a_tape_can_be_an_argument_of_a_jitted_function(flow):
         (lambda tape: ("tape", Weights()), ConfigError, "tape is a str: expected a Tape"),
         (lambda tape: (tape, (1.0, 0.1)), ConfigError, "weights is a tuple: expected a msf_jax.Weights"),
         (lambda tape: (tape, Weights(w_H=np.ones(3))), ConfigError, r"w_H has shape \(3,\): expected a number, or"),
-        (lambda tape: (tape, Weights(), np.zeros((5, 3))), MeshError, r"shape \(5, 3\): expected \(642, 3\)"),
+        (lambda tape: (tape, Weights(), np.zeros((5, 3))), MeshError, r"shape \(5, 3\): expected \(162, 3\)"),
         (
             lambda tape: (tape, Weights(), tape.vertices * np.nan),
             MeshError,
-            "642 of the vertices, the first 0, are not",
+            "162 of the vertices, the first 0, are not",
         ),
         (lambda tape: (tape, Weights(), "abc"), MeshError, "vertices is a str, no table of numbers"),
         (lambda tape: (tape, jax.tree_util.tree_map(lambda x: -x, Weights())), ConfigError, "w_L is -1.0: expected a"),

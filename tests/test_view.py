@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 import trimesh
 from matplotlib.colors import to_rgba
+from mpl_toolkits.mplot3d import proj3d
 from mpl_toolkits.mplot3d.art3d import Line3DCollection, Poly3DCollection
 
 from msf_jax import view
@@ -80,3 +81,11 @@ def test_nothing_to_show_is_told():
     for shown, columns in (([], 4), ([Panel("empty")], 4), ([Panel(mesh=BALL)], 0)):
         with pytest.raises(ConfigError, match="expected"):
             view.panels(shown, columns=columns)
+
+
+@pytest.mark.parametrize("stretch", [(1, 1, 1), (8, 1, 1), (1, 8, 1), (1, 1, 8), (1, 1, 0)])
+def test_what_is_shown_fills_its_picture_and_is_not_cut_off(stretch):
+    points = BALL.vertices * stretch
+    axes = cast(Any, view.panels([Panel(points=points), Panel()]).axes[0])
+    seen = np.stack(proj3d.proj_transform(*points.T, axes.get_proj())[:2], axis=1)
+    assert 0.45 < np.abs(axes.transLimits.transform(seen) - 0.5).max() < 0.49
