@@ -10,6 +10,7 @@ nodes and radii of the curve; which of several points is nearest is a decision, 
 import inspect
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
 from typing import Any, NamedTuple
 
 import jax
@@ -100,6 +101,14 @@ def value(
 
 def value_at(objective: Objective, tape: Tape, nodes: jax.Array, vertices: Any = None) -> jax.Array:
     """What ``objective`` says of the curve of ``tape`` with its nodes at ``nodes`` (N, 3); raises what `value` does."""
+    found = _value_at(objective, tape, nodes, vertices)
+    if not isinstance(found, Tracer) and bool(jnp.isnan(found)) and not bool(jnp.isnan(nodes).any()):
+        raise ConfigError(f"objective {objective.name} returned NaN for finite nodes: expected a number")
+    return found
+
+
+@partial(jax.jit, static_argnums=0)  # one compilation for a tape's shapes, not one for each operation
+def _value_at(objective: Objective, tape: Tape, nodes: jax.Array, vertices: Any) -> jax.Array:
     curve = Replayed(
         nodes=nodes,
         radii=replay_radii(tape, nodes, vertices),
@@ -120,8 +129,6 @@ def value_at(objective: Objective, tape: Tape, nodes: jax.Array, vertices: Any =
         raise ConfigError(f"objective {objective.name} returned shape {found.shape}: expected one number, shape ()")
     if not jnp.issubdtype(found.dtype, jnp.floating):
         raise ConfigError(f"objective {objective.name} returned {found.dtype}: expected a floating-point number")
-    if not isinstance(found, Tracer) and bool(jnp.isnan(found)) and not bool(jnp.isnan(nodes).any()):
-        raise ConfigError(f"objective {objective.name} returned NaN for finite nodes: expected a number")
     return found
 
 

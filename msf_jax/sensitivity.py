@@ -96,5 +96,5 @@ def _columns(tape: Tape, weights: Weights, by_weight: jax.Array, by_vertex: jax.
 @jax.jit
 def _of_node(tape: Tape, weights: Weights, node: jax.Array) -> jax.Array:
     nodes, pull_back = jax.vjp(partial(replay, tape, weights), jnp.asarray(tape.vertices))
-    rows = jax.vmap(lambda axis: pull_back(jnp.zeros_like(nodes).at[node, axis].set(1.0))[0])(jnp.arange(3))
+    rows = jax.lax.map(lambda axis: pull_back(jnp.zeros_like(nodes).at[node, axis].set(1.0))[0], jnp.arange(3))
     return jnp.moveaxis(rows, 0, 1)
