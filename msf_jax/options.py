@@ -82,7 +82,7 @@ class Config:
         reconstruct_poles: eigenvectors kept in the mesh that the poles are computed on; 0 takes the mesh as it is.
         reconstruct_mesh: eigenvectors kept in the mesh that is contracted; 0 takes the mesh as it is.
         exact_reconstruction: whether eigenvectors are computed for that, as in the article. Else a polynomial of the
-            Laplacian does their work, with an edge that is a little soft, in a fiftieth of the time.
+            Laplacian does their work, with an edge that is a little soft, in a thirtieth of the time or less.
         resample: target edge length that the mesh is resampled to before poles are sought; 0 keeps its sampling.
         coarsen: edges shorter than that are collapsed before poles are sought, unless that would turn a face, so that
             the cost of a run follows the solid's shape and hardly the number of its vertices; 0 keeps them all. Where
@@ -92,8 +92,8 @@ class Config:
             surface. Off by default: over the benchmark's shapes it makes curves neither better nor worse.
         edit_connectivity: whether edges are collapsed and split, and vertices fixed, in the loop.
         t_min, t_step, t_max: saw-tooth of the collapse threshold t_c (article 3.2.6); t_step 0 keeps it constant. It
-            starts at 0.005 and rises by 0.0005, where the article has 0.002 and 0.0001: a quarter of the iterations,
-            and the curves have fewer side branches and are more inside.
+            starts at 0.005 and rises by 0.0005, where the article's program has 0.002 and 0.0001: a quarter of the
+            iterations, and the curves have fewer side branches and are more inside.
         split_angle: theta_s in degrees: an edge with two opposite angles over it is split.
         growth: factor on w_L after each iteration (Au et al. 2008); 1 keeps it.
         w_H_follows_area: whether w_H grows as a vertex's one-ring area shrinks (Au et al. 2008).

@@ -78,7 +78,10 @@ def level_set(field: np.ndarray, low: np.ndarray, spacing: float) -> trimesh.Tri
 
 
 def hand(spacing: float = 0.05) -> trimesh.Trimesh:
-    """A hand with five fingers and a handle at the wrist: five tips, a forearm, and one loop (genus 1)."""
+    """A hand with five fingers and a handle at the wrist: five tips, a forearm, and one loop (genus 1).
+
+    ``spacing`` is that of the grid it is sampled on, up to 0.1: on a coarser one fingers merge, or come off.
+    """
     points, edges, radii = hand_curve()
     return solid_around(points, edges, radii, spacing, blend=0.12)
 
