@@ -55,7 +55,7 @@ def varied(num: int) -> Weights:
 @pytest.fixture(scope="module")
 def flow() -> msf_jax.Flow:
     """A small one with many edits: what takes time is compiling, and solves that are as tight as can be."""
-    return msf_jax.contract(ellipsoid(2), config=Config(t_min=0.001))
+    return msf_jax.contract(ellipsoid(2))
 
 
 CASES = {

@@ -14,8 +14,11 @@ from msf_jax import Config, ConfigError, Weights, objectives, tuning
 
 
 def bone() -> trimesh.Trimesh:
-    """A capsule that is thinner in the middle."""
-    mesh = trimesh.creation.capsule(height=2.0, radius=0.4, count=[12, 12])
+    """A capsule that is thinner in the middle: a profile turned about the axis, as trimesh's own differ by version."""
+    angle = np.radians(np.concatenate([np.arange(-90, 1, 15), np.arange(0, 91, 15)]))
+    end = np.repeat([-1.0, 1.0], 7)
+    mesh = trimesh.creation.revolve(np.stack([0.4 * np.cos(angle), end + 0.4 * np.sin(angle)], axis=1), sections=12)
+    mesh.merge_vertices()
     mesh.vertices[:, :2] *= 0.7 + 0.3 * np.cos(np.pi * mesh.vertices[:, 2:]) ** 2
     return mesh
 
