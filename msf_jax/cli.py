@@ -23,6 +23,7 @@ from msf_jax.errors import ConfigError, FlowError, Interrupted, MeshError
 from msf_jax.host import surface
 from msf_jax.options import SYSTEMS, Config, Weights
 from msf_jax.skeleton import Skeleton
+from msf_jax.teaching import teaching
 
 LISTED = 10  # of the meshes of a batch that failed, so many are named
 WEIGHTS = {
@@ -34,63 +35,6 @@ WEIGHTS = {
 
 
 MESH = "a closed triangle mesh in any format that trimesh reads"
-HELP = {  # what stands above the options, and below them
-    "PARSER": (
-        "Curve skeletons of closed triangle meshes by Medial Skeletonization Flow.",
-        """\
-first steps:
-  msf-jax demo                                      a hand made in code, its curve and a picture
-  msf-jax skeletonize hand.off -o hand.swc          a curve, and a report that says how far to trust it
-  msf-jax view hand.off                             a page to look around in
-  msf-jax COMMAND --help                            options and more examples
-
-exit codes: 0 all is written (warnings say where a curve is doubtful), 1 a mesh of a batch failed,
-2 bad input or options, 130 Ctrl-C (the curve as far as it went is written)""",
-    ),
-    "SKELETONIZE": (
-        """\
-Skeletonise one closed mesh. The report is printed at the end: whether the flow converged, whether
-the curve has as many cycles as the mesh has handles, how much of it is inside.""",
-        """\
-examples:
-  msf-jax skeletonize hand.off -o hand.swc --picture hand.png
-  msf-jax skeletonize scan.stl -o scan.vtp --repair         not closed, or not one way round
-  msf-jax skeletonize hand.off -o hand.swc --prune 3        fewer branches; --prune 0 keeps all
-  msf-jax skeletonize hand.off -o hand.swc --w-M 0.8        nearer to the middle, more side branches
-  msf-jax skeletonize big.ply -o big.npz --checkpoint big.run.npz""",
-    ),
-    "DEMO": (
-        "Skeletonise a hand with five fingers and a handle; leaves hand.off, hand.swc and hand.png.",
-        "then: msf-jax view hand.off",
-    ),
-    "VIEW": (
-        """\
-Skeletonise one mesh and write a page that any browser shows, without a network: the surface, the
-curve, and sliders through the iterations of the flow and through pruning.""",
-        """\
-examples:
-  msf-jax view hand.off -o hand.html
-  msf-jax view hand.off --w-M 0.8        other weights, as for skeletonize""",
-    ),
-    "BATCH": (
-        """\
-Skeletonise every mesh in a folder and in those below it. A bad mesh fails alone: manifest.csv has a
-row for each, with its report or its error. Started again, it does what is missing.""",
-        """\
-examples:
-  msf-jax batch meshes curves --jobs 4
-  msf-jax batch meshes curves --format .vtp
-  msf-jax batch meshes curves --w-M 0.8 --prune 2           weights and the like, as for skeletonize
-  msf-jax batch meshes curves --retry                       take what failed once more
-  msf-jax batch meshes curves --scheduler tcp://host:8786   on a Dask cluster that sees the folders""",
-    ),
-    "COMPLETION": (
-        "Print a script that lets a shell complete commands and options.",
-        """\
-example, for bash:
-  msf-jax completion bash > ~/.local/share/bash-completion/completions/msf-jax""",
-    ),
-}
 
 
 def main(argv: Sequence[str] | None = None) -> int:
@@ -159,11 +103,11 @@ def _completes(option: Any, kind: object) -> None:
 
 
 def _parser() -> argparse.ArgumentParser:
-    parser = argparse.ArgumentParser(prog="msf-jax", **_teaching("PARSER"))
+    parser = argparse.ArgumentParser(prog="msf-jax", **teaching("PARSER"))
     parser.add_argument("--version", action="version", version=f"msf-jax {msf_jax.__version__}")
     commands = parser.add_subparsers(title="commands", required=True, metavar="COMMAND")
 
-    one = commands.add_parser("skeletonize", help="a mesh in, its curve skeleton out", **_teaching("SKELETONIZE"))
+    one = commands.add_parser("skeletonize", help="a mesh in, its curve skeleton out", **teaching("SKELETONIZE"))
     _completes(one.add_argument("mesh", metavar="IN", help=MESH), shtab.FILE)
     suffixes = f"one of {', '.join(export.WRITERS)}"
     _completes(one.add_argument("-o", "--output", metavar="OUT", required=True, help=suffixes), shtab.FILE)
@@ -184,7 +128,7 @@ def _parser() -> argparse.ArgumentParser:
     _common(one)
     one.set_defaults(run=_skeletonize)
 
-    demo = commands.add_parser("demo", help="skeletonise a hand made in code", **_teaching("DEMO"))
+    demo = commands.add_parser("demo", help="skeletonise a hand made in code", **teaching("DEMO"))
     _completes(
         demo.add_argument(
             "-o", "--output", metavar="FOLDER", default=".", help="where to put the files (default: here)"
@@ -194,7 +138,7 @@ def _parser() -> argparse.ArgumentParser:
     _common(demo)
     demo.set_defaults(run=_demo)
 
-    look = commands.add_parser("view", help="a page to look around in", **_teaching("VIEW"))
+    look = commands.add_parser("view", help="a page to look around in", **teaching("VIEW"))
     _completes(look.add_argument("mesh", metavar="IN", help=MESH), shtab.FILE)
     place = "where to write it (default: IN with .html)"
     _completes(look.add_argument("-o", "--output", metavar="HTML", help=place), shtab.FILE)
@@ -203,7 +147,7 @@ def _parser() -> argparse.ArgumentParser:
     _common(look)
     look.set_defaults(run=_view)
 
-    many = commands.add_parser("batch", help="a folder of meshes in, a folder of curves out", **_teaching("BATCH"))
+    many = commands.add_parser("batch", help="a folder of meshes in, a folder of curves out", **teaching("BATCH"))
     _completes(many.add_argument("folder", metavar="IN_DIR", help="where the meshes are"), shtab.DIRECTORY)
     _completes(many.add_argument("output", metavar="OUT_DIR", help="where curves and manifest.csv go"), shtab.DIRECTORY)
     many.add_argument("--jobs", type=int, metavar="N", help="processes (default: one for each core)")
@@ -216,17 +160,10 @@ def _parser() -> argparse.ArgumentParser:
     _common(many)
     many.set_defaults(run=_batch)
 
-    shell = commands.add_parser("completion", help="let a shell complete commands", **_teaching("COMPLETION"))
+    shell = commands.add_parser("completion", help="let a shell complete commands", **teaching("COMPLETION"))
     shell.add_argument("shell", choices=shtab.SUPPORTED_SHELLS, help="which")
     shell.set_defaults(float32=False, run=lambda arguments: print(shtab.complete(parser, arguments.shell)) or 0)
     return parser
-
-
-def _teaching(name: str) -> dict[str, Any]:
-    """How a parser explains itself: what stands above its options, and the examples below them."""
-    description, epilog = HELP[name]
-    layout = argparse.RawDescriptionHelpFormatter
-    return {"description": description, "epilog": epilog, "formatter_class": layout, "allow_abbrev": False}
 
 
 def _view(arguments: argparse.Namespace) -> int:
