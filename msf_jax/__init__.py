@@ -7,20 +7,68 @@ print(skeleton.report)
 skeleton.save("hand.swc")
 """
 
-from msf_jax import batch, ground_truth, guide, metrics, objectives, shapes, view
-from msf_jax.errors import ConfigError, FlowError, Interrupted, MeshError
-from msf_jax.flow import Flow, contract
-from msf_jax.host.branches import Branch
-from msf_jax.host.repair import Repair
-from msf_jax.importing import read_curve
-from msf_jax.options import Config, Weights
-from msf_jax.preprocessing import reconstruct, voronoi_poles
-from msf_jax.replaying import replay, replay_meso, replay_radii
-from msf_jax.sensitivity import sensitivity
-from msf_jax.skeleton import Report, Skeleton
-from msf_jax.skeletonize import skeletonize
-from msf_jax.tape import Tape
-from msf_jax.tuning import Tuned, tune
+import importlib
+from typing import TYPE_CHECKING, Any
+
+from msf_jax.base import version
+
+if TYPE_CHECKING:
+    from msf_jax import ground_truth, guide, metrics, shapes, view
+    from msf_jax.app import batch
+    from msf_jax.base.errors import ConfigError, FlowError, Interrupted, MeshError
+    from msf_jax.base.options import Config, Weights
+    from msf_jax.flow.loop import contract
+    from msf_jax.flow.preprocessing import reconstruct, voronoi_poles
+    from msf_jax.flow.skeletonize import skeletonize
+    from msf_jax.flow.state import Flow
+    from msf_jax.gradients.replay import replay, replay_meso, replay_radii
+    from msf_jax.gradients.sensitivity import sensitivity
+    from msf_jax.gradients.tape import Tape
+    from msf_jax.host.curve.branches import Branch
+    from msf_jax.host.mesh.repair import Repair
+    from msf_jax.skeleton.formats.importing import read_curve
+    from msf_jax.skeleton.report import Report
+    from msf_jax.skeleton.skeleton import Skeleton
+    from msf_jax.tuning import objectives
+    from msf_jax.tuning.tuner import Tuned, tune
+
+# Where each public name lives. It is imported when it is first asked for: what does not compute need not wait for JAX.
+_MODULES = {
+    "batch": "app.batch",
+    "ground_truth": "ground_truth",
+    "guide": "guide",
+    "metrics": "metrics",
+    "objectives": "tuning.objectives",
+    "shapes": "shapes",
+    "view": "view",
+}
+_HOMES = {
+    "Branch": "host.curve.branches",
+    "Config": "base.options",
+    "ConfigError": "base.errors",
+    "Flow": "flow.state",
+    "FlowError": "base.errors",
+    "Interrupted": "base.errors",
+    "MeshError": "base.errors",
+    "Repair": "host.mesh.repair",
+    "Report": "skeleton.report",
+    "Skeleton": "skeleton.skeleton",
+    "Tape": "gradients.tape",
+    "Tuned": "tuning.tuner",
+    "Weights": "base.options",
+    "contract": "flow.loop",
+    "read_curve": "skeleton.formats.importing",
+    "reconstruct": "flow.preprocessing",
+    "replay": "gradients.replay",
+    "replay_meso": "gradients.replay",
+    "replay_radii": "gradients.replay",
+    "sensitivity": "gradients.sensitivity",
+    "skeletonize": "flow.skeletonize",
+    "tune": "tuning.tuner",
+    "voronoi_poles": "flow.preprocessing",
+}
+
+__version__ = version.VERSION
 
 __all__ = [
     "Branch",
@@ -55,4 +103,17 @@ __all__ = [
     "voronoi_poles",
 ]
 
-__version__ = "0.2.0"
+
+def __getattr__(name: str) -> Any:
+    if name in _MODULES:
+        value = importlib.import_module(f"{__name__}.{_MODULES[name]}")
+    elif name in _HOMES:
+        value = getattr(importlib.import_module(f"{__name__}.{_HOMES[name]}"), name)
+    else:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    globals()[name] = value
+    return value
+
+
+def __dir__() -> list[str]:
+    return sorted({*globals(), *__all__})

@@ -2,7 +2,7 @@
 
 import sys
 
-from msf_jax.cli import main
+from msf_jax.app.cli import main
 
 if __name__ == "__main__":
     sys.exit(main())

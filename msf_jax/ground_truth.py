@@ -14,8 +14,8 @@ from numpy.typing import ArrayLike
 from scipy.spatial.transform import Rotation
 
 from msf_jax import shapes
-from msf_jax.errors import ConfigError
-from msf_jax.host import surface
+from msf_jax.base.errors import ConfigError
+from msf_jax.host.mesh import reading
 
 _TURN = Rotation.from_euler("zyx", [0.4, 0.7, 1.1]).as_matrix()  # limbs must not lie along the sampling grid's axes
 Curve = tuple[np.ndarray, np.ndarray, np.ndarray]  # points, edges, radii
@@ -86,7 +86,7 @@ def mesh_named(name: str) -> trimesh.Trimesh:
     path = Path(os.environ.get("MSF_JAX_MESHES", "."), f"{name}.off")
     if name in _BUILDERS or not path.exists():
         return make(name).mesh
-    return trimesh.Trimesh(*surface.read(path), process=False)
+    return trimesh.Trimesh(*reading.read(path), process=False)
 
 
 def noisy(shape: KnownShape, amount: float, seed: int) -> KnownShape:

@@ -7,11 +7,13 @@ from typing import Any
 
 import numpy as np
 
-from msf_jax.errors import MeshError
-from msf_jax.host import branches, curve, sections, surface
-from msf_jax.host.centring import arc_length, at, unit
-from msf_jax.host.enclosure import Enclosure
-from msf_jax.host.solid import Solid
+from msf_jax.base.errors import MeshError
+from msf_jax.host.curve import branches
+from msf_jax.host.mesh import checking
+from msf_jax.host.solid import sections
+from msf_jax.host.solid.enclosure import Enclosure
+from msf_jax.host.solid.geometry import arc_length, at, unit
+from msf_jax.host.solid.solid import Solid
 
 SAMPLES_PER_EDGE = 16
 SURFACE_SAMPLES = 20_000  # at least so many, spread by area
@@ -56,7 +58,7 @@ def evaluate(mesh: Any, skeleton: Any, truth: Any = None) -> dict[str, float]:
     Raises:
         MeshError: the mesh is refused at the front door, or the curve is not one.
     """
-    checked = surface.prepare(mesh)
+    checked = checking.prepare(mesh)
     solid = Solid(checked.vertices, checked.faces)
     vertices, edges = _curve_of(skeleton)
     figures = {
@@ -79,7 +81,7 @@ def figures_of(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray) -> dic
     """`evaluate` of a curve in a surface of diagonal 1, but for what only the mesh or a truth can tell."""
     is_inside = shape.contains(vertices)
     radii = np.where(is_inside, shape.distances(vertices), 0.0)
-    components, cycles = curve.cycle_count(len(vertices), edges)
+    components, cycles = branches.cycle_count(len(vertices), edges)
     missed, area = _missed(shape, vertices, radii)
     order = np.argsort(missed)
     rank = np.searchsorted(np.cumsum(area[order]), 0.95 * area.sum())

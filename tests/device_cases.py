@@ -9,11 +9,11 @@ import numpy as np
 import scipy.sparse as sp
 from scipy.spatial import ConvexHull
 
+from msf_jax.base.layout import Layout, Level, layout_for
 from msf_jax.device import contraction, laplacian, smoothing
 from msf_jax.device.buffers import Buffers, Rings
-from msf_jax.host import packing
-from msf_jax.host.meso import Meso
-from msf_jax.layout import Layout, Level, layout_for
+from msf_jax.host.meso import packing
+from msf_jax.host.meso.meso import Meso
 
 TIGHT = 1e-13  # relative residual of solves that are compared with direct ones
 MANY = 5000  # CG steps that no test needs

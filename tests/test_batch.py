@@ -17,7 +17,7 @@ import pytest
 import trimesh
 
 from msf_jax import Config, ConfigError, Weights, batch
-from msf_jax.cli import main
+from msf_jax.app.cli import main
 
 NUM, BROKEN = 6, 2
 WORK = batch.work

@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from msf_jax.host.branches import measure, prune, trace
+from msf_jax.host.curve.branches import measure, prune, trace
 
 NONE = np.empty((0, 2), dtype=np.int64)
 

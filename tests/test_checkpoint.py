@@ -13,8 +13,10 @@ import trimesh
 from conftest import torus
 
 import msf_jax
-from msf_jax import Config, ConfigError, Interrupted, Tape, Weights, export, flow
+from msf_jax import Config, ConfigError, Interrupted, Tape, Weights
 from msf_jax.device import iteration
+from msf_jax.flow import loop
+from msf_jax.skeleton.formats import export
 
 SLOW = Config(max_iterations=7, step_tolerance=0.1)
 
@@ -30,7 +32,7 @@ def mesh():
 
 @pytest.fixture(scope="module")
 def undisturbed(mesh):
-    return flow.contract(mesh, config=SLOW)
+    return loop.contract(mesh, config=SLOW)
 
 
 class Killed(Exception):
@@ -39,10 +41,10 @@ class Killed(Exception):
 
 @pytest.fixture
 def dying_after(monkeypatch):
-    """A function that lets `flow.step` die, or do something else, in its n-th call from now."""
+    """A function that lets `loop.step` die, or do something else, in its n-th call from now."""
 
     def arrange(count, action=None):
-        calls, step = [], flow.step
+        calls, step = [], loop.step
 
         def counted(*arguments):
             calls.append(1)
@@ -52,7 +54,7 @@ def dying_after(monkeypatch):
                 action()
             return step(*arguments)
 
-        monkeypatch.setattr(flow, "step", counted)
+        monkeypatch.setattr(loop, "step", counted)
         return calls
 
     return arrange
@@ -74,13 +76,13 @@ def test_a_run_that_died_goes_on_to_the_same_bits(mesh, undisturbed, dying_after
     """In the first or the second component, before the first write or after."""
     path = tmp_path / "run.npz"
     with monkeypatch.context() as patch:
-        patch.setattr(flow, "EVERY", 2)
+        patch.setattr(loop, "EVERY", 2)
         calls = dying_after(count)
         with pytest.raises(Killed):
-            flow.contract(mesh, config=SLOW, checkpoint=path)
+            loop.contract(mesh, config=SLOW, checkpoint=path)
         monkeypatch.undo()
     calls = dying_after(100)
-    assert_same_bits(flow.contract(mesh, config=SLOW, checkpoint=path), undisturbed)
+    assert_same_bits(loop.contract(mesh, config=SLOW, checkpoint=path), undisturbed)
     first = sum(line.component == 0 for line in undisturbed.history)
     done = min(count - 1, first)  # iterations of the first component before it died, which is written when it ends
     kept = done if done == first else done // 2 * 2
@@ -89,9 +91,9 @@ def test_a_run_that_died_goes_on_to_the_same_bits(mesh, undisturbed, dying_after
 
 def test_a_finished_checkpoint_gives_the_curve_again(mesh, undisturbed, dying_after, tmp_path):
     path = tmp_path / "run.npz"
-    flow.contract(mesh, config=SLOW, checkpoint=path)
+    loop.contract(mesh, config=SLOW, checkpoint=path)
     dying_after(1)
-    assert_same_bits(flow.contract(mesh, config=SLOW, checkpoint=path), undisturbed)
+    assert_same_bits(loop.contract(mesh, config=SLOW, checkpoint=path), undisturbed)
 
 
 @pytest.mark.parametrize(
@@ -105,24 +107,24 @@ def test_a_finished_checkpoint_gives_the_curve_again(mesh, undisturbed, dying_af
 )
 def test_another_run_does_not_go_on_from_it(mesh, tmp_path, change, what):
     path = tmp_path / "run.npz"
-    flow.contract(mesh, config=Config(max_iterations=1), checkpoint=path)
+    loop.contract(mesh, config=Config(max_iterations=1), checkpoint=path)
     before = path.read_bytes()
     with pytest.raises(ConfigError, match=f"is of another run, with another {what}: choose another path, or delete it"):
-        flow.contract(mesh, **{"config": Config(max_iterations=1), **change}, checkpoint=path)
+        loop.contract(mesh, **{"config": Config(max_iterations=1), **change}, checkpoint=path)
     assert path.read_bytes() == before
 
 
 def test_another_mesh_does_not_go_on_from_it(mesh, tmp_path):
     path = tmp_path / "run.npz"
-    flow.contract(mesh, config=Config(max_iterations=1), checkpoint=path)
+    loop.contract(mesh, config=Config(max_iterations=1), checkpoint=path)
     with pytest.raises(ConfigError, match="with another mesh"):
-        flow.contract(torus(), config=Config(max_iterations=1), checkpoint=path)
+        loop.contract(torus(), config=Config(max_iterations=1), checkpoint=path)
 
 
 def test_the_two_ways_to_ask_for_repair_are_one_run(mesh, tmp_path):
     once = Config(max_iterations=1)
-    flow.contract(mesh, config=once, checkpoint=tmp_path / "run.npz", repair=True)
-    flow.contract(mesh, config=once, checkpoint=tmp_path / "run.npz", repair=msf_jax.Repair())
+    loop.contract(mesh, config=once, checkpoint=tmp_path / "run.npz", repair=True)
+    loop.contract(mesh, config=once, checkpoint=tmp_path / "run.npz", repair=msf_jax.Repair())
 
 
 def replaced(header, *way, value):
@@ -153,14 +155,14 @@ def replaced(header, *way, value):
 def test_a_changed_checkpoint_is_a_clear_error(mesh, tmp_path, way, value):
     path = tmp_path / "run.npz"
     once = Config(max_iterations=1)
-    flow.contract(mesh, config=once, checkpoint=path)
+    loop.contract(mesh, config=once, checkpoint=path)
     with np.load(path) as file:
         arrays = {name: file[name] for name in file.files}
     header = json.loads(str(arrays["header"]))
     replaced(header, *way, value=value)
     np.savez(path, **arrays | {"header": np.array(json.dumps(header))})
     with pytest.raises(ConfigError, match="is no checkpoint, or a damaged one"):
-        flow.contract(mesh, config=once, checkpoint=path)
+        loop.contract(mesh, config=once, checkpoint=path)
 
 
 @pytest.mark.parametrize("content", [b"", b"precious notes", b"PK\x03\x04"])
@@ -168,14 +170,14 @@ def test_a_file_of_another_kind_is_left_alone(mesh, tmp_path, content):
     path = tmp_path / "run.npz"
     path.write_bytes(content)
     with pytest.raises(ConfigError, match=r"run.npz' is no checkpoint"):
-        flow.contract(mesh, checkpoint=path)
+        loop.contract(mesh, checkpoint=path)
     assert path.read_bytes() == content
 
 
 def test_a_folder_or_no_folder_is_refused_before_the_run(mesh, tmp_path):
     for path in (tmp_path, tmp_path / "absent" / "run.npz"):
         with pytest.raises(ConfigError, match="cannot write a checkpoint"):
-            flow.contract(mesh, checkpoint=path)
+            loop.contract(mesh, checkpoint=path)
 
 
 def test_a_full_disk_is_noted_and_nothing_is_lost(mesh, undisturbed, monkeypatch, tmp_path):
@@ -185,7 +187,7 @@ def test_a_full_disk_is_noted_and_nothing_is_lost(mesh, undisturbed, monkeypatch
         raise OSError(28, "No space left on device", str(path))
 
     monkeypatch.setattr("msf_jax.archive.write_whole", full)
-    run = flow.contract(mesh, config=SLOW, checkpoint=path)
+    run = loop.contract(mesh, config=SLOW, checkpoint=path)
     assert_same_bits(run, undisturbed)
     assert run.skeleton.report.notes[0].endswith("run.npz' could not be written: No space left on device")
     assert "No space left on device" in str(run.skeleton.report)
@@ -197,7 +199,7 @@ def test_ctrl_c_gives_a_partial_curve_and_the_checkpoint_goes_on(mesh, undisturb
     with pytest.raises(
         Interrupted, match=r"interrupted after 3 iterations: .*in this exception's flow; run it again"
     ) as at:
-        flow.contract(mesh, config=SLOW, checkpoint=path)
+        loop.contract(mesh, config=SLOW, checkpoint=path)
     assert isinstance(at.value, KeyboardInterrupt)
     partial = at.value.flow
     assert len(partial.history) == 3
@@ -207,7 +209,7 @@ def test_ctrl_c_gives_a_partial_curve_and_the_checkpoint_goes_on(mesh, undisturb
     assert report.cycles == report.genus == 1
     assert signal.getsignal(signal.SIGINT) is signal.default_int_handler
     monkeypatch.undo()
-    assert_same_bits(flow.contract(mesh, config=SLOW, checkpoint=path), undisturbed)
+    assert_same_bits(loop.contract(mesh, config=SLOW, checkpoint=path), undisturbed)
 
 
 def test_a_second_ctrl_c_stops_at_once(mesh, dying_after):
@@ -217,7 +219,7 @@ def test_a_second_ctrl_c_stops_at_once(mesh, dying_after):
 
     dying_after(2, twice)
     with pytest.raises(KeyboardInterrupt) as at:
-        flow.contract(mesh, config=SLOW)
+        loop.contract(mesh, config=SLOW)
     assert not isinstance(at.value, Interrupted)
     assert signal.getsignal(signal.SIGINT) is signal.default_int_handler
 
@@ -227,7 +229,7 @@ def test_threads_do_not_disturb_each_other(mesh, undisturbed, tmp_path):
     found = {}
 
     def run(number):
-        found[number] = flow.contract(mesh, config=SLOW, checkpoint=tmp_path / f"{number}.npz")
+        found[number] = loop.contract(mesh, config=SLOW, checkpoint=tmp_path / f"{number}.npz")
 
     threads = [threading.Thread(target=run, args=(number,)) for number in range(2)]
     for thread in threads:
@@ -259,8 +261,8 @@ def moved_away(times):
 def test_a_step_that_ran_away_is_redone_shorter(mesh, monkeypatch):
     """With a tenth of the contraction, twice; the tape knows, and the report says so."""
     compiled, calls = moved_away(2)
-    monkeypatch.setattr(flow, "compiled_move", compiled)
-    run = flow.contract(torus(), config=SLOW)
+    monkeypatch.setattr(loop, "compiled_move", compiled)
+    run = loop.contract(torus(), config=SLOW)
     np.testing.assert_allclose(calls[:4], [1.0, 0.1, 0.01, 1.0])
     assert [line.redone for line in run.history] == [2] + [0] * (len(run.history) - 1)
     assert run.skeleton.report.notes == ("1 step was redone shorter: numbers ran away",)
@@ -270,18 +272,18 @@ def test_a_step_that_ran_away_is_redone_shorter(mesh, monkeypatch):
 
 def test_a_step_that_always_runs_away_ends_the_flow(monkeypatch):
     compiled, calls = moved_away(10**6)
-    monkeypatch.setattr(flow, "compiled_move", compiled)
-    run = flow.contract(torus(), config=SLOW)
+    monkeypatch.setattr(loop, "compiled_move", compiled)
+    run = loop.contract(torus(), config=SLOW)
     assert len(calls) == 4 and not run.history
     assert run.skeleton.report.reason.startswith("non-finite: 4 tries of a step")
     assert np.isfinite(run.skeleton.vertices).all()
 
 
 def test_a_surface_that_outgrows_its_room_ends_the_flow(monkeypatch):
-    monkeypatch.setattr(flow, "GROWTH_LIMIT", 0)
-    monkeypatch.setattr(flow, "GROWTH_ROOM", 300)
+    monkeypatch.setattr(loop, "GROWTH_LIMIT", 0)
+    monkeypatch.setattr(loop, "GROWTH_ROOM", 300)
     mesh = trimesh.creation.capsule(height=4.0, radius=0.4, count=[40, 40])
-    run = flow.contract(mesh, config=Config(coarsen=0.0))
+    run = loop.contract(mesh, config=Config(coarsen=0.0))
     assert run.skeleton.report.reason == "out of vertices: splitting would take the surface past 300"
     assert run.skeleton.report.cycles == 0
 
@@ -309,7 +311,7 @@ def test_a_strangers_file_takes_no_memory(mesh, tmp_path, entries, says, kind):
         for name, content in entries.items():
             archive.writestr(name, content)
     with pytest.raises(ConfigError, match=says.replace("tape", kind)):
-        _ = Tape.load(path) if kind == "tape" else flow.contract(mesh, checkpoint=path)
+        _ = Tape.load(path) if kind == "tape" else loop.contract(mesh, checkpoint=path)
 
 
 def test_nothing_that_runs_code_is_in_the_package():

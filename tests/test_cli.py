@@ -9,7 +9,7 @@ import pytest
 import trimesh
 from conftest import blob
 
-from msf_jax.cli import _parser, main
+from msf_jax.app.cli import _parser, main
 
 
 @pytest.fixture(autouse=True)

@@ -11,9 +11,9 @@ import pytest
 import trimesh
 from conftest import blob, torus
 
-from msf_jax.errors import FlowError, MeshError
-from msf_jax.host import collapse, connectivity, fixing, split
-from msf_jax.host.meso import Meso
+from msf_jax.base.errors import FlowError, MeshError
+from msf_jax.host.meso import collapse, fixing, manifold, ring_tables, split
+from msf_jax.host.meso.meso import Meso
 
 OBTUSE = 110.0
 
@@ -92,13 +92,13 @@ def manifold_euler(faces) -> int:
 def watch_rounds(monkeypatch) -> list[int]:
     """Check the surface independently after every round of an edit; returns the list of Euler characteristics seen."""
     seen: list[int] = []
-    original = connectivity.check_closed_manifold
+    original = manifold.check_closed_manifold
 
     def check(rings, euler):
         original(rings, euler)
-        seen.append(manifold_euler(connectivity.faces_from_rings(rings)))
+        seen.append(manifold_euler(ring_tables.faces_from_rings(rings)))
 
-    monkeypatch.setattr(connectivity, "check_closed_manifold", check)
+    monkeypatch.setattr(ring_tables, "check_closed_manifold", check)
     return seen
 
 
@@ -112,7 +112,7 @@ SURFACES = ["torus", "twisted torus", "blob", "two parts", "bunny"]
 def test_faces_to_rings_and_back(research_mesh, name):
     meso = case(name, research_mesh)
     faces = meso.faces()
-    again = connectivity.faces_from_rings(connectivity.rings_from_faces(faces, meso.num_rows))
+    again = ring_tables.faces_from_rings(ring_tables.rings_from_faces(faces, meso.num_rows))
     assert len(faces) == len(turned(faces))
     assert turned(again) == turned(faces)
 
@@ -125,8 +125,8 @@ def test_rings_do_not_depend_on_how_the_faces_are_written(seed):
     number = random.permutation(len(mesh.vertices))
     faces = number[np.array(mesh.faces)]
     shuffled = np.array([np.roll(face, random.integers(3)) for face in random.permutation(faces)])
-    rings = connectivity.rings_from_faces(shuffled, len(number))
-    assert turned(connectivity.faces_from_rings(rings)) == turned(faces)
+    rings = ring_tables.rings_from_faces(shuffled, len(number))
+    assert turned(ring_tables.faces_from_rings(rings)) == turned(faces)
     for vertex, around in neighbours_of(faces).items():
         assert set(rings[vertex][rings[vertex] >= 0].tolist()) == around
         assert (rings[vertex] >= 0).sum() == len(around)
@@ -135,7 +135,7 @@ def test_rings_do_not_depend_on_how_the_faces_are_written(seed):
 def test_rings_run_counter_clockwise_seen_from_outside():
     """Around each vertex of a sphere, consecutive neighbours turn left about the outward direction."""
     mesh = trimesh.creation.icosphere(2)
-    rings = connectivity.rings_from_faces(np.array(mesh.faces), len(mesh.vertices))
+    rings = ring_tables.rings_from_faces(np.array(mesh.faces), len(mesh.vertices))
     for vertex, ring in enumerate(rings):
         ring = ring[ring >= 0]
         turn = np.cross(mesh.vertices[ring], mesh.vertices[np.roll(ring, -1)]) @ mesh.vertices[vertex]
@@ -145,7 +145,7 @@ def test_rings_run_counter_clockwise_seen_from_outside():
 @pytest.mark.parametrize(("name", "euler"), [("torus", 0), ("blob", 2), ("two parts", 2), ("three-holes", -4)])
 def test_euler_characteristic(research_mesh, name, euler):
     meso = case(name, research_mesh)
-    assert connectivity.euler_characteristic(meso.rings) == euler == manifold_euler(meso.faces())
+    assert manifold.euler_characteristic(meso.rings) == euler == manifold_euler(meso.faces())
 
 
 def test_edges_and_apexes_of_a_ring_table():
@@ -154,10 +154,10 @@ def test_edges_and_apexes_of_a_ring_table():
     third = {}
     for a, b, c in meso.faces().tolist():
         third[a, b], third[b, c], third[c, a] = c, a, b
-    a, b = connectivity.edges_from_rings(meso.rings)
+    a, b = ring_tables.edges_from_rings(meso.rings)
     assert set(zip(a.tolist(), b.tolist(), strict=True)) == {edge for edge in third if edge[0] < edge[1]}
     assert len(a) == len(third) // 2
-    left, right = connectivity.apexes(meso.rings, meso.degree, a, b)
+    left, right = ring_tables.apexes(meso.rings, meso.degree, a, b)
     for i, j, k, m in zip(a.tolist(), b.tolist(), left.tolist(), right.tolist(), strict=True):
         assert third[i, j] == k and third[j, i] == m
 
@@ -166,7 +166,7 @@ def test_edges_and_apexes_of_a_ring_table():
 def test_edges_around_some_vertices(share):
     meso = meso_of(*(lambda m: (np.array(m.vertices), np.array(m.faces)))(torus()))
     is_center = np.random.default_rng(1).random(meso.num_rows) < share
-    a, b = connectivity.edges_around(meso.rings, is_center)
+    a, b = ring_tables.edges_around(meso.rings, is_center)
     found = list(zip(a.tolist(), b.tolist(), strict=True))
     expected = {
         (i, j) for i, around in neighbours_of(meso.faces()).items() for j in around if i < j and is_center[[i, j]].any()
@@ -177,17 +177,17 @@ def test_edges_around_some_vertices(share):
 def test_a_surface_with_a_hole_or_a_pinch_has_no_rings():
     faces = np.array(trimesh.creation.icosphere(1).faces)
     with pytest.raises(MeshError, match="closed surface"):
-        connectivity.rings_from_faces(faces[1:], 42)
+        ring_tables.rings_from_faces(faces[1:], 42)
     with pytest.raises(MeshError, match="closed surface"):
-        connectivity.rings_from_faces(faces, 43)  # a vertex in no face
+        ring_tables.rings_from_faces(faces, 43)  # a vertex in no face
     pinched = np.concatenate([faces, np.where(faces == 0, 0, faces + 41)])
     with pytest.raises(MeshError, match="several fans"):
-        connectivity.rings_from_faces(pinched, 83)
+        ring_tables.rings_from_faces(pinched, 83)
 
 
 @pytest.mark.parametrize(("degree", "capacity"), [(3, 8), (8, 8), (9, 12), (17, 24), (32, 32), (33, 64), (200, 224)])
 def test_ring_capacities_are_few(degree, capacity):
-    assert connectivity.ring_capacity(degree) == capacity
+    assert ring_tables.ring_capacity(degree) == capacity
 
 
 def test_a_vertex_of_large_degree_has_room():
@@ -197,9 +197,9 @@ def test_a_vertex_of_large_degree_has_room():
     faces = np.concatenate(
         [np.stack([around, after, np.full(50, 50)], 1), np.stack([after, around, np.full(50, 51)], 1)]
     )
-    rings = connectivity.rings_from_faces(faces, 52)
-    assert connectivity.ring_degrees(rings).tolist() == [4] * 50 + [50, 50]
-    assert turned(connectivity.faces_from_rings(rings)) == turned(faces)
+    rings = ring_tables.rings_from_faces(faces, 52)
+    assert ring_tables.ring_degrees(rings).tolist() == [4] * 50 + [50, 50]
+    assert turned(ring_tables.faces_from_rings(rings)) == turned(faces)
 
 
 # The debug check
@@ -207,7 +207,7 @@ def test_a_vertex_of_large_degree_has_room():
 
 def sound_rings() -> np.ndarray:
     """Rings of a sphere with 42 vertices."""
-    return connectivity.rings_from_faces(np.array(trimesh.creation.icosphere(1).faces), 42)
+    return ring_tables.rings_from_faces(np.array(trimesh.creation.icosphere(1).faces), 42)
 
 
 def swap_two(rings):
@@ -255,15 +255,15 @@ def strange_neighbour(rings):
 )
 def test_a_broken_table_is_found(damage, what):
     rings = sound_rings()
-    connectivity.check_closed_manifold(rings, 2)
+    manifold.check_closed_manifold(rings, 2)
     damage(rings)
     with pytest.raises(FlowError, match=what):
-        connectivity.check_closed_manifold(rings, 2)
+        manifold.check_closed_manifold(rings, 2)
 
 
 def test_a_change_of_topology_is_found():
     with pytest.raises(FlowError, match="Euler characteristic 2, was 0"):
-        connectivity.check_closed_manifold(sound_rings(), 0)
+        manifold.check_closed_manifold(sound_rings(), 0)
 
 
 def test_two_faces_back_to_back_are_no_surface():
@@ -271,7 +271,7 @@ def test_two_faces_back_to_back_are_no_surface():
     rings = np.full((3, 8), -1)
     rings[:, :2] = [[1, 2], [2, 0], [0, 1]]
     with pytest.raises(FlowError, match="fewer than three neighbours"):
-        connectivity.check_closed_manifold(rings, 2)
+        manifold.check_closed_manifold(rings, 2)
 
 
 # Collapse
@@ -342,7 +342,7 @@ def test_collapse(research_mesh, monkeypatch, name, fixed):
     assert set(np.flatnonzero(live)) == {v for face in faces for v in face}
     np.testing.assert_allclose(meso.positions[live], positions[live], rtol=0, atol=1e-15)
     np.testing.assert_array_equal(meso.poles[live], poles[live])
-    np.testing.assert_array_equal(meso.degree, connectivity.ring_degrees(meso.rings))
+    np.testing.assert_array_equal(meso.degree, ring_tables.ring_degrees(meso.rings))
     is_fixed = before.is_fixed
     assert live[is_fixed].all()
     np.testing.assert_array_equal(meso.positions[is_fixed], before.positions[is_fixed])
@@ -371,7 +371,7 @@ def test_compaction_renumbers_everything():
         np.testing.assert_array_equal(getattr(small, name), getattr(meso, name)[live])
     np.testing.assert_array_equal(live[small.node_of_input], meso.node_of_input)
     assert small.volume() == pytest.approx(meso.volume(), rel=1e-12)
-    connectivity.check_closed_manifold(small.rings, 2)
+    manifold.check_closed_manifold(small.rings, 2)
 
 
 @pytest.mark.parametrize("seed", range(3))
@@ -381,7 +381,7 @@ def test_a_sphere_collapses_to_a_tetrahedron(seed):
     meso = meso_of(np.array(mesh.vertices), np.array(mesh.faces))
     collapse.collapse_short_edges(meso, 100.0, check=True)
     assert meso.num_live == 4 and len(turned(meso.faces())) == 4
-    assert connectivity.euler_characteristic(meso.rings) == 2
+    assert manifold.euler_characteristic(meso.rings) == 2
 
 
 @pytest.mark.parametrize("twist", [0, 1, 5])
@@ -391,7 +391,7 @@ def test_a_torus_collapses_to_an_irreducible_torus(twist):
     meso = meso_of(np.array(mesh.vertices), np.array(mesh.faces))
     collapse.collapse_short_edges(meso, 100.0, check=True)
     assert 7 <= meso.num_live <= 10
-    assert connectivity.euler_characteristic(meso.rings) == 0
+    assert manifold.euler_characteristic(meso.rings) == 0
 
 
 def test_a_fully_fixed_surface_does_not_collapse():
@@ -432,7 +432,7 @@ def test_independent_edges_are_a_maximal_set():
     mesh = blob(10)
     meso = meso_of(np.array(mesh.vertices), np.array(mesh.faces))
     around = neighbours_of(meso.faces())
-    a, b = connectivity.edges_from_rings(meso.rings)
+    a, b = ring_tables.edges_from_rings(meso.rings)
     order = np.random.default_rng(2).permutation(len(a))
     chosen = set(collapse._independent(meso.rings, a, b, order).tolist())
     blocked: set[int] = set()
@@ -516,7 +516,7 @@ def test_split(research_mesh, monkeypatch, name):
     assert not meso.has_pole[fresh].any() and not meso.is_fixed[fresh].any()
     np.testing.assert_array_equal(meso.has_pole[: before.num_rows], before.has_pole)
     np.testing.assert_array_equal(meso.node_of_input, before.node_of_input)
-    np.testing.assert_array_equal(meso.degree, connectivity.ring_degrees(meso.rings))
+    np.testing.assert_array_equal(meso.degree, ring_tables.ring_degrees(meso.rings))
 
     third = third_vertices(turned(meso.faces()))
     for a, b in third:

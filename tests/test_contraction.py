@@ -20,10 +20,10 @@ from device_cases import (
     reference_laplacian,
 )
 
+from msf_jax.base.options import Config, Weights
 from msf_jax.device import contraction, iteration
 from msf_jax.device.buffers import Buffers, Rings
 from msf_jax.device.laplacian import Rows
-from msf_jax.options import Config, Weights
 
 W_L, W_H, W_M = 1.3, 0.2, 0.35
 

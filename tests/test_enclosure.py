@@ -5,7 +5,7 @@ import pytest
 import trimesh
 from conftest import blob, torus
 
-from msf_jax.host.enclosure import Enclosure, point_triangle_distance2
+from msf_jax.host.solid.enclosure import Enclosure, point_triangle_distance2
 
 
 def arrays(mesh: trimesh.Trimesh) -> tuple[np.ndarray, np.ndarray]:

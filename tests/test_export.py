@@ -12,7 +12,8 @@ import pytest
 import trimesh
 
 import msf_jax
-from msf_jax import ConfigError, MeshError, Report, Skeleton, export, shapes
+from msf_jax import ConfigError, MeshError, Report, Skeleton, shapes
+from msf_jax.skeleton.formats import export
 
 
 def skeleton_of(vertices, edges):

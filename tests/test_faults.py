@@ -4,7 +4,7 @@ import pytest
 from benchmarks import faults, fuzz
 
 import msf_jax
-from msf_jax.cli import main
+from msf_jax.app.cli import main
 
 
 @pytest.mark.parametrize("repair", [False, True])

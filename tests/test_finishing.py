@@ -8,9 +8,9 @@ from scipy import spatial
 
 import msf_jax
 from msf_jax import Config, ground_truth, metrics
-from msf_jax.host import centring, containment, finishing, tips
-from msf_jax.host.curve import cycle_count
-from msf_jax.host.enclosure import Enclosure
+from msf_jax.host.curve import centring, containment, finishing, tips
+from msf_jax.host.curve.branches import cycle_count
+from msf_jax.host.solid.enclosure import Enclosure
 
 
 def path(points):

@@ -9,9 +9,10 @@ import trimesh
 from conftest import blob, torus
 
 import msf_jax
-from msf_jax import Config, Weights, flow, shapes
-from msf_jax.host import packing
-from msf_jax.layout import layout_for
+from msf_jax import Config, Weights, shapes
+from msf_jax.base.layout import layout_for
+from msf_jax.flow import loop
+from msf_jax.host.meso import packing
 
 CLOSED = ["bunny", "three-holes", "homer", "elephant", "cheburashka", "indorelax", "sindorelax"]
 
@@ -37,13 +38,13 @@ def check_map(run):
 
 @pytest.fixture(scope="module")
 def y_flow():
-    return flow.contract(tubes()[1][0], config=Config(check=True))
+    return loop.contract(tubes()[1][0], config=Config(check=True))
 
 
 @pytest.mark.parametrize("which", [0, 1])
 def test_tubes_become_curves_of_their_topology(which):
     mesh, genus = tubes()[which]
-    run = flow.contract(mesh, config=Config(check=True))
+    run = loop.contract(mesh, config=Config(check=True))
     report = run.skeleton.report
     assert report.converged
     assert (report.components, report.cycles, report.genus) == (1, genus, genus)
@@ -99,12 +100,12 @@ def test_the_volume_is_gone_by_an_independent_measure(y_flow):
 
 
 def test_fixed_vertices_do_not_move():
-    config, watch = Config(reconstruct_poles=0, edit_connectivity=False), flow.Stopwatch()
-    state = flow.init(flow.surface.prepare(blob(3)).components[0], 0, config, watch)
+    config, watch = Config(reconstruct_poles=0, edit_connectivity=False), loop.Stopwatch()
+    state = loop.init(loop.surface.prepare(blob(3)).components[0], 0, config, watch)
     held = np.arange(0, state.meso.num_rows, 5)
     state.meso.is_fixed[held] = True
     before = state.meso.positions.copy()
-    flow.step(state, Weights(), config, watch)
+    loop.step(state, Weights(), config, watch)
     moved = np.abs(state.meso.positions - before).max(axis=1)
     assert (moved[held] == 0).all()
     assert np.delete(moved, held).min() > 0
@@ -214,10 +215,10 @@ def test_a_solve_that_runs_out_of_steps_is_said():
 
 
 def test_weights_that_blow_up_are_said():
-    state = flow.init(flow.surface.prepare(blob(1)).components[0], 0, Config(), flow.Stopwatch())
+    state = loop.init(loop.surface.prepare(blob(1)).components[0], 0, Config(), loop.Stopwatch())
     state.meso.poles[:] = 1e9
-    flow.step(state, Weights(w_M=1e3), Config(), flow.Stopwatch())
-    ended = flow.done(state, Config())
+    loop.step(state, Weights(w_M=1e3), Config(), loop.Stopwatch())
+    ended = loop.done(state, Config())
     assert ended is not None
     assert not ended[0]
     assert "coordinates" in ended[1]
@@ -253,7 +254,7 @@ def test_coarsening_takes_short_edges_and_leaves_the_shape():
     """A fine torus: no short edge that could go is left, no volume lost, and poles are still those of the vertices."""
     mesh = torus(around=200, across=70)
     config = Config(check=True, max_iterations=1, coarsen=0.02)
-    state = flow.init(flow.surface.prepare(mesh).components[0], 0, config, flow.Stopwatch())
+    state = loop.init(loop.surface.prepare(mesh).components[0], 0, config, loop.Stopwatch())
     coarse = trimesh.Trimesh(state.meso.positions, state.meso.faces(), process=False)
     assert state.num_coarsened > 0.5 * len(mesh.vertices)
     assert state.num_coarsened + len(coarse.vertices) == len(mesh.vertices)
@@ -262,7 +263,7 @@ def test_coarsening_takes_short_edges_and_leaves_the_shape():
     # A polygon of chords 0.03 long in a circle of radius 0.09 has 1.8 % less area.
     assert abs(coarse.volume * diagonal(mesh.vertices) ** 3 / mesh.volume - 1) < 0.03
     assert np.percentile(coarse.edges_unique_length, 2) > 0.015
-    run = flow.contract(mesh, config=config)
+    run = loop.contract(mesh, config=config)
     assert run.poles.shape == mesh.vertices.shape
     assert run.has_pole.shape == (len(mesh.vertices),)
     off = np.hypot(np.hypot(run.poles[:, 0], run.poles[:, 1]) - 1.0, run.poles[:, 2])
@@ -280,7 +281,7 @@ def test_other_systems_keep_their_threshold_and_their_vertices():
 def test_a_flow_without_jit():
     """Slow, but it runs, for those who look for a NaN."""
     with jax.disable_jit():
-        run = flow.contract(blob(1, subdivisions=1), config=Config(max_iterations=1, solve_steps=3))
+        run = loop.contract(blob(1, subdivisions=1), config=Config(max_iterations=1, solve_steps=3))
     assert len(run.history) == 1
     assert np.isfinite(run.skeleton.vertices).all()
 
@@ -304,16 +305,16 @@ def test_a_run_compiles_once_for_each_capacity_and_another_compiles_nothing(comp
     config = Config(solve_tolerance=0.00123)  # one that no other test compiles for
     states = []
     for number, mesh in enumerate((blob(11, subdivisions=4), torus())):
-        states.append(flow.init(flow.surface.prepare(mesh).components[0], number, config, flow.Stopwatch()))
+        states.append(loop.init(loop.surface.prepare(mesh).components[0], number, config, loop.Stopwatch()))
     capacities = set()
     for state in states:
-        while flow.done(state, config) is None:
+        while loop.done(state, config) is None:
             capacities.add(layout_for(state.meso.num_rows, packing.rows_beyond(state.meso)))
-            flow.step(state, Weights(), config, flow.Stopwatch())
+            loop.step(state, Weights(), config, loop.Stopwatch())
     assert len(capacities) > 1
     assert len(compilations) == len(capacities)
     changed = replace(config, t_min=0.008, t_step=0.001, prune=0.0, max_iterations=50, coarsen=0.0, check=True)
-    flow.contract(blob(11, subdivisions=4), Weights(w_M=0.3), changed)
+    loop.contract(blob(11, subdivisions=4), Weights(w_M=0.3), changed)
     assert len(compilations) == len(capacities)
 
 
@@ -325,7 +326,7 @@ def test_an_iteration_sends_the_surface_once_and_fetches_positions_and_residuals
     monkeypatch.setattr(jax, "device_get", lambda tree: fetched.append(tree) or get(tree))
     mesh = blob(5)
     with jax.transfer_guard("disallow"):
-        run = flow.contract(mesh)
+        run = loop.contract(mesh)
     assert len(sent) == len(fetched) == len(run.history)
     size = [sum(leaf.nbytes for leaf in jax.tree_util.tree_leaves(tree)) for tree in (sent[0], fetched[0])]
     assert size[0] < 400 * 2048 and size[1] < (3 * 24 + 1) * 2048
@@ -335,7 +336,7 @@ def test_an_iteration_sends_the_surface_once_and_fetches_positions_and_residuals
 def test_research_meshes_come_out_sound(name, research_mesh):
     vertices, faces = research_mesh(name)
     check = name in ("three-holes", "bunny")
-    run = flow.contract((vertices, faces), config=Config(check=check))
+    run = loop.contract((vertices, faces), config=Config(check=check))
     report = run.skeleton.report
     assert report.converged
     assert report.components == 1
@@ -370,7 +371,7 @@ def test_poles_are_in_the_order_of_the_vertices():
     both = trimesh.util.concatenate([ball, far])
     order = np.random.default_rng(1).permutation(len(both.vertices))
     mixed = both.vertices[order], np.argsort(order)[both.faces]
-    found = flow.contract(mixed, config=Config(max_iterations=1))
+    found = loop.contract(mixed, config=Config(max_iterations=1))
     assert np.array_equal(found.poles[:, 0] > 4, mixed[0][:, 0] > 4)
 
 

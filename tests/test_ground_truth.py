@@ -9,10 +9,10 @@ import pytest
 import trimesh
 
 from msf_jax import ground_truth
-from msf_jax.errors import ConfigError
+from msf_jax.base.errors import ConfigError
 from msf_jax.ground_truth import KnownShape
-from msf_jax.host import surface
-from msf_jax.host.enclosure import Enclosure
+from msf_jax.host.mesh import checking
+from msf_jax.host.solid.enclosure import Enclosure
 
 NAMES = ground_truth.names()
 SMOOTH = [name for name in NAMES if not name.endswith(("_coarse", "_noisy", "_low")) and name != "sheet_and_limb"]
@@ -65,7 +65,7 @@ def test_the_mesh_is_closed_oriented_and_of_its_genus(case):
 
 
 def test_the_mesh_needs_no_repair(case):
-    checked = surface.prepare(case.shape.mesh)
+    checked = checking.prepare(case.shape.mesh)
     assert checked.repairs == () and [component.genus for component in checked.components] == [case.shape.genus]
 
 

@@ -6,8 +6,9 @@ from conftest import torus
 
 import msf_jax
 from msf_jax import Config, shapes
-from msf_jax.host import collapse, curve, homology, split
-from msf_jax.host.meso import Meso
+from msf_jax.host.curve import branches, extraction
+from msf_jax.host.meso import collapse, homology, split
+from msf_jax.host.meso.meso import Meso
 
 TURN = np.linspace(0, 2 * np.pi, 60, endpoint=False)
 RING = np.stack([np.cos(TURN), np.sin(TURN), 0 * TURN], axis=1)
@@ -79,8 +80,8 @@ def test_the_curve_keeps_its_cycle_in_whatever_order_edges_go(seed):
     """With random lengths the published rule may pinch the handle itself; with classes it never does."""
     meso = with_classes(torus(around=12, across=6))
     noise = np.random.default_rng(seed).normal(size=meso.positions.shape)
-    found = curve.extract_curve(noise, meso.rings, meso.classes)
-    assert curve.cycle_count(len(found.nodes), found.edges) == (1, 1)
+    found = extraction.extract_curve(noise, meso.rings, meso.classes)
+    assert branches.cycle_count(len(found.nodes), found.edges) == (1, 1)
 
 
 def test_without_classes_some_order_loses_or_adds_a_cycle():
@@ -89,8 +90,8 @@ def test_without_classes_some_order_loses_or_adds_a_cycle():
     cycles = []
     for seed in range(6):
         noise = np.random.default_rng(seed).normal(size=meso.positions.shape)
-        found = curve.extract_curve(noise, meso.rings)
-        cycles.append(curve.cycle_count(len(found.nodes), found.edges)[1])
+        found = extraction.extract_curve(noise, meso.rings)
+        cycles.append(branches.cycle_count(len(found.nodes), found.edges)[1])
     assert any(count != 1 for count in cycles)
 
 

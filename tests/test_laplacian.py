@@ -22,10 +22,10 @@ from device_cases import (
 )
 from scipy.spatial import ConvexHull, Delaunay
 
+from msf_jax.base.layout import rectangle
+from msf_jax.base.options import LAPLACIANS
 from msf_jax.device import laplacian
 from msf_jax.device.buffers import slot_product, slot_sum
-from msf_jax.layout import rectangle
-from msf_jax.options import LAPLACIANS
 
 
 def rows_of(case, kind, positions=None):

@@ -6,9 +6,9 @@ from conftest import blob, torus
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from msf_jax.host import collapse, packing
-from msf_jax.host.meso import Meso
-from msf_jax.layout import Layout, capacity_for, fits, layout_for, rectangle, staircase
+from msf_jax.base.layout import Layout, capacity_for, fits, layout_for, rectangle, staircase
+from msf_jax.host.meso import collapse, packing
+from msf_jax.host.meso.meso import Meso
 
 
 def spindle(sides: int) -> Meso:

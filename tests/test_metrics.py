@@ -9,9 +9,9 @@ import trimesh
 from conftest import torus
 
 from msf_jax import Report, Skeleton, metrics
-from msf_jax.errors import MeshError
+from msf_jax.base.errors import MeshError
 from msf_jax.ground_truth import swept_tube
-from msf_jax.host.enclosure import Enclosure
+from msf_jax.host.solid.enclosure import Enclosure
 from msf_jax.metrics import curve_distance, evaluate, figures_of, sample_curve
 
 Curve = tuple[np.ndarray, np.ndarray]

@@ -8,7 +8,7 @@ import trimesh
 
 import msf_jax
 from msf_jax import ConfigError, objectives
-from msf_jax.objectives import Objective, Replayed
+from msf_jax.tuning.objectives import Objective, Replayed
 
 
 def replayed(nodes, radii, edges=(), surface=None, node_of_vertex=None) -> Replayed:

@@ -20,9 +20,9 @@ from device_cases import (
     quick_jit,
 )
 
+from msf_jax.base.layout import Layout, rectangle, staircase
+from msf_jax.base.options import Config, Weights
 from msf_jax.device import iteration
-from msf_jax.layout import Layout, rectangle, staircase
-from msf_jax.options import Config, Weights
 
 CONFIG = Config(solve_tolerance=TIGHT, solve_steps=MANY, w_H_follows_area=True, edit_connectivity=False)
 WEIGHTS = Weights(w_L=0.9, w_H=0.2, w_M=0.3, smoothing=0.05)

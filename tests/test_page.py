@@ -9,8 +9,8 @@ from conftest import blob, torus
 
 import msf_jax
 from msf_jax import Config, ConfigError, MeshError, shapes
-from msf_jax.cli import main
-from msf_jax.skeleton import curve_of
+from msf_jax.app.cli import main
+from msf_jax.skeleton.skeleton import curve_of
 
 
 @pytest.fixture(scope="module")

@@ -7,9 +7,11 @@ from conftest import MESHES, blob, torus
 from scipy import spatial
 from scipy.spatial.transform import Rotation
 
-from msf_jax import preprocessing
-from msf_jax.errors import ConfigError, FlowError
-from msf_jax.host import poles, reconstruction
+from msf_jax.base.errors import ConfigError, FlowError
+from msf_jax.flow import preprocessing
+from msf_jax.host import reconstruction
+from msf_jax.host.poles import voronoi
+from msf_jax.host.solid.geometry import vertex_normals
 
 
 def arrays(mesh: trimesh.Trimesh) -> tuple[np.ndarray, np.ndarray]:
@@ -45,7 +47,7 @@ def jittered(mesh: trimesh.Trimesh, scale) -> trimesh.Trimesh:
 def test_circumcentres_are_equidistant_from_their_corners():
     vertices = np.random.default_rng(0).normal(size=(400, 3))
     diagram = spatial.Delaunay(vertices)
-    centre = poles.circumcentres(diagram)
+    centre = voronoi.circumcentres(diagram)
     distance = np.linalg.norm(vertices[diagram.simplices] - centre[:, None], axis=2)
     is_small = distance.mean(axis=1) < 10
     assert is_small.mean() > 0.9
@@ -55,20 +57,20 @@ def test_circumcentres_are_equidistant_from_their_corners():
 def test_the_circumcentres_of_a_box_are_its_centre():
     """Eight cospherical corners: flat tetrahedra among them have the same centre."""
     box = np.array(trimesh.creation.box((4, 6, 10)).vertices) + [3, 5, 8]
-    centre = poles.circumcentres(spatial.Delaunay(box))
+    centre = voronoi.circumcentres(spatial.Delaunay(box))
     np.testing.assert_allclose(centre, np.broadcast_to([3, 5, 8], centre.shape))
 
 
 def test_vertex_normals_weigh_faces_by_their_angle():
     vertices, faces = arrays(blob(12, 2))
-    np.testing.assert_allclose(poles.vertex_normals(vertices, faces), outward_normals(vertices, faces), atol=1e-12)
+    np.testing.assert_allclose(vertex_normals(vertices, faces), outward_normals(vertices, faces), atol=1e-12)
 
 
 @pytest.mark.parametrize("name", SHAPES)
 def test_poles_keep_their_promises(name):
     """Behind the surface, in the bounding box, the centre of an empty ball through the vertex and its tetrahedron."""
     vertices, faces = arrays(SHAPES[name]())
-    found = poles.voronoi_poles(vertices, faces)
+    found = voronoi.voronoi_poles(vertices, faces)
     has = found.is_found
     diagonal = np.linalg.norm(np.ptp(vertices, axis=0))
     assert has.mean() > 0.9
@@ -96,7 +98,7 @@ def test_poles_equal_those_read_off_scipys_voronoi_diagram(name):
     normals = outward_normals(vertices, faces)
     corners = diagram.vertices
     is_in_box = ((corners >= vertices.min(axis=0)) & (corners <= vertices.max(axis=0))).all(axis=1)
-    found = poles.voronoi_poles(vertices, faces)
+    found = voronoi.voronoi_poles(vertices, faces)
     num_without = 0
     for site, region in enumerate(diagram.point_region):
         cell = [corner for corner in diagram.regions[region] if corner >= 0 and is_in_box[corner]]
@@ -112,7 +114,7 @@ def test_poles_equal_those_read_off_scipys_voronoi_diagram(name):
 def test_a_vertex_without_a_pole_is_its_own():
     """A sphere turned inside out: nothing of any cell lies behind the surface."""
     vertices, faces = arrays(trimesh.creation.icosphere(1))
-    found = poles.voronoi_poles(vertices, faces[:, ::-1])
+    found = voronoi.voronoi_poles(vertices, faces[:, ::-1])
     assert not found.is_found.any()
     np.testing.assert_array_equal(found.position, vertices)
     assert (found.radius == 0).all() and (found.tetrahedron == -1).all()
@@ -121,7 +123,7 @@ def test_a_vertex_without_a_pole_is_its_own():
 def test_the_poles_of_a_sphere_are_its_centre():
     mesh = trimesh.creation.icosphere(3, radius=2.0)
     vertices, faces = arrays(mesh.apply_translation([5, -3, 1]))
-    found = poles.voronoi_poles(vertices, faces)
+    found = voronoi.voronoi_poles(vertices, faces)
     assert found.is_found.all()
     assert np.linalg.norm(found.position - [5, -3, 1], axis=1).max() < 1e-3
     np.testing.assert_allclose(found.radius, 2.0, atol=1e-3)
@@ -132,21 +134,21 @@ def test_poles_follow_when_the_shape_is_moved_turned_and_scaled():
     turn = trimesh.transformations.random_rotation_matrix(np.array([0.2, 0.5, 0.8]))[:3, :3]
     vertices, faces = arrays(mesh)
     # The bounding box does not turn with the shape, so only poles well inside both boxes are compared.
-    here = poles.voronoi_poles(vertices, faces)
-    there = poles.voronoi_poles(vertices @ turn.T * 3 + [1, 2, 3], faces)
+    here = voronoi.voronoi_poles(vertices, faces)
+    there = voronoi.voronoi_poles(vertices @ turn.T * 3 + [1, 2, 3], faces)
     is_same = np.linalg.norm(here.position @ turn.T * 3 + [1, 2, 3] - there.position, axis=1) < 1e-7
     assert is_same.mean() > 0.99
-    scaled = poles.voronoi_poles(vertices * 0.25 + [8, 0, 0], faces)
+    scaled = voronoi.voronoi_poles(vertices * 0.25 + [8, 0, 0], faces)
     np.testing.assert_allclose(scaled.position, here.position * 0.25 + [8, 0, 0], atol=1e-9)
 
 
 def test_vertices_that_span_no_volume_have_no_diagram():
     vertices, faces = arrays(trimesh.creation.icosphere(1))
     with pytest.raises(FlowError, match=r"no Voronoi diagram of 42 vertices.*span a volume"):
-        poles.voronoi_poles(vertices * [1, 1, 0], faces)
+        voronoi.voronoi_poles(vertices * [1, 1, 0], faces)
     vertices[0] = np.nan
     with pytest.raises(FlowError, match="no Voronoi diagram"):
-        poles.voronoi_poles(vertices, faces)
+        voronoi.voronoi_poles(vertices, faces)
 
 
 def test_the_public_call_gives_one_pole_a_vertex_in_the_callers_units():
@@ -163,7 +165,7 @@ def test_the_public_call_gives_one_pole_a_vertex_in_the_callers_units():
 
 def test_the_public_call_says_nan_where_there_is_no_pole():
     vertices, faces = arrays(SHAPES["slab"]())
-    has = poles.voronoi_poles(vertices, faces).is_found
+    has = voronoi.voronoi_poles(vertices, faces).is_found
     found = preprocessing.voronoi_poles((vertices, faces))
     np.testing.assert_array_equal(np.isnan(found).all(axis=1), ~has)
     assert np.isfinite(found[has]).all()
@@ -319,7 +321,7 @@ def test_poles_of_the_filtered_surface_are_those_of_the_reconstructed_one():
     mesh = torus(around=120, across=40)
     for rebuild in (reconstruction.filtered, reconstruction.reconstruct):
         sites = rebuild(mesh.vertices, mesh.faces, 200)
-        found = poles.voronoi_poles(sites, mesh.faces).position
+        found = voronoi.voronoi_poles(sites, mesh.faces).position
         off = np.hypot(np.hypot(found[:, 0], found[:, 1]) - 1.0, found[:, 2])
         assert np.median(off) < 0.01
 
@@ -344,10 +346,10 @@ def test_too_few_eigenvectors_are_refused(k):
 
 
 def test_the_published_poles_of_sindorelax(research_mesh):
-    """All 12,128 poles that Tagliasacchi's own program published, to 1e-5 of the diagonal (DESIGN section 2)."""
+    """All 12,128 poles that Tagliasacchi's own program published, to 1e-5 of the diagonal."""
     vertices, faces = research_mesh("sindorelax")
     published = np.load(MESHES / "sindorelax_poles.npy")
-    found = poles.voronoi_poles(vertices, faces)
+    found = voronoi.voronoi_poles(vertices, faces)
     diagonal = np.linalg.norm(np.ptp(vertices, axis=0))
     assert published.shape[0] == len(vertices) == 12128
     assert found.is_found.all()
@@ -359,7 +361,7 @@ def test_the_published_poles_of_sindorelax(research_mesh):
 def test_the_poles_of_a_torus_are_on_its_core():
     """Towards the circle of radius 1 where the tube is widest open, never past the tube: about 0.35 away."""
     vertices, faces = arrays(torus(around=96, across=32))
-    found = poles.voronoi_poles(vertices, faces)
+    found = voronoi.voronoi_poles(vertices, faces)
     ring = np.hypot(found.position[:, 0], found.position[:, 1])
     from_core = np.hypot(ring - 1, found.position[:, 2])[found.is_found]
     assert found.is_found.mean() > 0.99
@@ -371,6 +373,6 @@ def test_the_ball_of_a_pole_is_empty_on_a_mesh_of_symmetric_quads(size):
     """The corners of each quad of a torus grid are cocircular: flat Delaunay tetrahedra must not make poles."""
     mesh = torus(1.0, 0.35, *size)
     vertices, faces = np.array(mesh.vertices), np.array(mesh.faces)
-    found = poles.voronoi_poles(vertices, faces)
+    found = voronoi.voronoi_poles(vertices, faces)
     nearest = np.linalg.norm(found.position[:, None] - vertices[None], axis=2).min(axis=1)
     np.testing.assert_allclose(nearest, found.radius, rtol=0, atol=1e-6)

@@ -6,7 +6,7 @@ import trimesh
 from conftest import blob, torus
 from scipy.spatial.transform import Rotation
 
-from msf_jax.host.enclosure import Enclosure, point_triangle_distance2
+from msf_jax.host.solid.enclosure import Enclosure, point_triangle_distance2
 
 
 def arrays(mesh: trimesh.Trimesh) -> tuple[np.ndarray, np.ndarray]:

@@ -10,18 +10,18 @@ from conftest import blob, torus
 
 import msf_jax
 from msf_jax import Config, ConfigError, MeshError, Repair
-from msf_jax.host import surface
+from msf_jax.host.mesh import checking
 
 BALL = trimesh.creation.icosphere(3)
 VERTICES, FACES = np.array(BALL.vertices), np.array(BALL.faces)
 
 
-def volumes(found: surface.Surface) -> list[float]:
+def volumes(found: checking.Surface) -> list[float]:
     """Volume of each component, by the divergence theorem as trimesh has it."""
     return [trimesh.Trimesh(part.vertices, part.faces, process=False).volume for part in found.components]
 
 
-def assert_sound(found: surface.Surface, num_given: int) -> None:
+def assert_sound(found: checking.Surface, num_given: int) -> None:
     """Closed, oriented and manifold by trimesh's account; and each vertex is one of the caller's."""
     mesh = trimesh.Trimesh(found.vertices, found.faces, process=False)
     assert mesh.is_watertight and mesh.is_winding_consistent and min(volumes(found)) > 0
@@ -33,7 +33,7 @@ def assert_sound(found: surface.Surface, num_given: int) -> None:
 
 
 def test_a_sound_mesh_stays_as_it_is():
-    found = surface.prepare((VERTICES, FACES), True)
+    found = checking.prepare((VERTICES, FACES), True)
     assert found.repairs == ()
     np.testing.assert_array_equal(found.vertices, VERTICES)
     np.testing.assert_array_equal(found.faces, FACES)
@@ -43,7 +43,7 @@ def test_a_sound_mesh_stays_as_it_is():
 def test_a_soup_is_welded(gap):
     soup = VERTICES[FACES].reshape(-1, 3)
     soup += np.random.default_rng(0).uniform(-gap, gap, soup.shape)
-    found = surface.prepare((soup, np.arange(len(soup)).reshape(-1, 3)), True)
+    found = checking.prepare((soup, np.arange(len(soup)).reshape(-1, 3)), True)
     assert_sound(found, len(soup))
     assert len(found.vertices) == len(VERTICES)
     assert found.repairs == (f"welded {len(soup) - len(VERTICES)} vertices at the rim of a hole to another",)
@@ -51,7 +51,7 @@ def test_a_soup_is_welded(gap):
 
 def test_holes_are_filled_without_new_vertices():
     keep = np.random.default_rng(1).random(len(FACES)) > 0.15
-    found = surface.prepare((VERTICES, FACES[keep]), True)
+    found = checking.prepare((VERTICES, FACES[keep]), True)
     assert_sound(found, len(VERTICES))
     assert [part.genus for part in found.components] == [0]
     assert volumes(found)[0] == pytest.approx(BALL.volume, rel=0.02)
@@ -62,7 +62,7 @@ def test_a_flat_hole_is_filled_flat():
     """A box without its lid: 16 vertices around the hole, so 14 faces, and the volume is as before."""
     vertices, faces = faults.box()
     keep = vertices[faces][:, :, 2].min(axis=1) < 0.5
-    found = surface.prepare((vertices, faces[keep]), True)
+    found = checking.prepare((vertices, faces[keep]), True)
     assert found.repairs == ("filled 1 hole with 14 faces",)
     assert volumes(found) == pytest.approx([1.0])
 
@@ -70,20 +70,20 @@ def test_a_flat_hole_is_filled_flat():
 def test_a_hole_larger_than_asked_stays_and_is_refused():
     half = VERTICES[FACES][:, :, 2].min(axis=1) > 0
     with pytest.raises(MeshError, match=r"after repair, the mesh is open: .*or let Repair do more"):
-        surface.prepare((VERTICES, FACES[half]), Repair(largest_hole=0.2))
+        checking.prepare((VERTICES, FACES[half]), Repair(largest_hole=0.2))
 
 
 def test_orientation_is_made_consistent_and_counted():
     turned = FACES.copy()
     turned[100:150] = turned[100:150, ::-1]
-    found = surface.prepare((VERTICES, turned), True)
+    found = checking.prepare((VERTICES, turned), True)
     assert_sound(found, len(VERTICES))
     assert found.repairs == ("turned 50 faces round",)
 
 
 def test_doubled_and_degenerate_faces_go():
     faces = np.concatenate([FACES, FACES[:7], FACES[7:9, ::-1], [[4, 4, 5]]])
-    found = surface.prepare((VERTICES, faces), True)
+    found = checking.prepare((VERTICES, faces), True)
     assert_sound(found, len(VERTICES))
     assert found.repairs == ("left out 1 face with a corner twice", "left out 9 faces that were there already")
 
@@ -94,14 +94,14 @@ def test_boxes_that_touch_are_taken_apart(shift, is_turned):
     other = faults.box(shift)
     other = other[0], other[1][:, ::-1] if is_turned else other[1]
     mesh = faults.welded(faults.joined(faults.box(), other))
-    found = surface.prepare(mesh, True)
+    found = checking.prepare(mesh, True)
     assert_sound(found, len(mesh[0]))
     assert volumes(found) == pytest.approx([1.0, 1.0])
 
 
 def test_a_wall_inside_goes_and_the_solid_stays():
     mesh = faults.topology_variants()["a wall inside"]
-    found = surface.prepare(mesh, True)
+    found = checking.prepare(mesh, True)
     assert volumes(found) == pytest.approx([1.0])
     assert any(sentence.startswith("left out") for sentence in found.repairs)
 
@@ -111,7 +111,7 @@ def test_ribs_and_a_flange_go_and_the_solid_stays():
     edges = np.unique(np.sort(np.concatenate([FACES[:, [0, 1]], FACES[:, [1, 2]], FACES[:, [2, 0]]]), axis=1), axis=0)
     tips = 1.2 * VERTICES[edges].mean(axis=1)
     fins = np.column_stack([edges, len(VERTICES) + np.arange(len(edges))])
-    found = surface.prepare((np.concatenate([VERTICES, tips]), np.concatenate([FACES, fins])), True)
+    found = checking.prepare((np.concatenate([VERTICES, tips]), np.concatenate([FACES, fins])), True)
     assert volumes(found) == pytest.approx([BALL.volume])
     vertices, faces = faults.box()
     rim = np.flatnonzero(vertices[:, 2] == 0)
@@ -127,7 +127,7 @@ def test_ribs_and_a_flange_go_and_the_solid_stays():
         for face in ([a, b, c], [b, d, c])
     ]
     assert len(flange) > len(faces)
-    found = surface.prepare((vertices, np.concatenate([faces, flange])), True)
+    found = checking.prepare((vertices, np.concatenate([faces, flange])), True)
     assert volumes(found) == pytest.approx([1.0])
 
 
@@ -141,7 +141,7 @@ def test_which_faces_were_turned_does_not_matter(seed):
     faces = mesh[1][keep].copy()
     is_turned = np.random.default_rng(seed).random(len(faces)) < 0.5
     faces[is_turned] = faces[is_turned, ::-1]
-    found = surface.prepare((mesh[0], faces), True)
+    found = checking.prepare((mesh[0], faces), True)
     assert volumes(found) == pytest.approx([2.0])
 
 
@@ -154,7 +154,7 @@ def test_many_vertices_in_one_place_are_welded_in_little_memory():
     down = np.stack([np.full_like(place, 1), np.roll(place, -1) + 2, place + 2], axis=1)
     vertices = np.concatenate([[[0, 0, 1], [0, 0, -1]], rim])
     soup = vertices[np.concatenate([up, down])].reshape(-1, 3)
-    found = surface.prepare((soup, np.arange(len(soup)).reshape(-1, 3)), True)
+    found = checking.prepare((soup, np.arange(len(soup)).reshape(-1, 3)), True)
     assert len(found.vertices) == len(vertices)
 
 
@@ -169,7 +169,7 @@ def test_a_tape_of_a_mesh_with_nan_knows_it_again(tmp_path):
 def test_vertices_that_are_not_finite_go_between_their_neighbours():
     broken = VERTICES.copy()
     broken[5], broken[600] = np.nan, np.inf
-    found = surface.prepare((broken, FACES), True)
+    found = checking.prepare((broken, FACES), True)
     assert_sound(found, len(VERTICES))
     assert found.repairs == ("placed 2 vertices that were not finite between their neighbours",)
     around = np.unique(FACES[(FACES == 600).any(axis=1)])
@@ -180,8 +180,8 @@ def test_vertices_that_are_not_finite_go_between_their_neighbours():
 def test_small_parts_are_kept_unless_asked():
     crumb = faults.box()
     mesh = faults.joined((VERTICES, FACES), (crumb[0] * 0.01 + 3, crumb[1]))
-    assert len(surface.prepare(mesh, True).components) == 2
-    found = surface.prepare(mesh, Repair(smallest_part=0.05))
+    assert len(checking.prepare(mesh, True).components) == 2
+    found = checking.prepare(mesh, Repair(smallest_part=0.05))
     assert len(found.components) == 1
     assert found.repairs == ("left out 1 piece smaller than smallest_part",)
     assert (found.vertex_of_input[: len(VERTICES)] >= 0).all() and len(found.strays) == len(crumb[0])
@@ -190,7 +190,7 @@ def test_small_parts_are_kept_unless_asked():
 def test_the_callers_arrays_stay_as_they_are():
     vertices, faces = faults.topology_variants()["many holes"]
     copies = vertices.copy(), faces.copy()
-    surface.prepare((vertices, faces), True)
+    checking.prepare((vertices, faces), True)
     np.testing.assert_array_equal(vertices, copies[0])
     np.testing.assert_array_equal(faces, copies[1])
 
@@ -211,7 +211,7 @@ def test_a_mesh_that_was_broken_in_every_way_has_its_genus_again(make, seed):
     corners = vertices[faces].reshape(-1, 3)
     order = random.permutation(len(corners))
     place = np.argsort(order)
-    found = surface.prepare((corners[order], place.reshape(-1, 3)), True)
+    found = checking.prepare((corners[order], place.reshape(-1, 3)), True)
     assert_sound(found, len(corners))
     euler = len(mesh.vertices) - len(mesh.faces) // 2
     assert [part.genus for part in found.components] == [(2 - euler) // 2]
@@ -221,7 +221,7 @@ def test_a_mesh_that_was_broken_in_every_way_has_its_genus_again(make, seed):
 @pytest.mark.parametrize("name", ["beetle-open", "lilium-open", "cow-pinched", "camel-pinched"])
 def test_research_meshes_become_curves(research_mesh, name):
     mesh = research_mesh(name)
-    found = surface.prepare(mesh, True)
+    found = checking.prepare(mesh, True)
     assert_sound(found, len(mesh[0]))
     skeleton = msf_jax.skeletonize(mesh, repair=True)
     assert skeleton.report.repairs == found.repairs
@@ -254,4 +254,4 @@ def test_nothing_left_is_an_error_that_says_what_was_done():
     with pytest.raises(
         MeshError, match=r"nothing is left that encloses a volume and has 5 vertices: .*repaired: filled 1 hole"
     ):
-        surface.prepare((VERTICES[:3], [[0, 1, 2]]), True)
+        checking.prepare((VERTICES[:3], [[0, 1, 2]]), True)

@@ -12,10 +12,11 @@ from conftest import blob, torus
 from device_cases import central_difference
 
 import msf_jax
-from msf_jax import Config, ConfigError, MeshError, Weights, replaying
-from msf_jax.host import recording
-from msf_jax.host.stretches import Planned
-from msf_jax.layout import layout_for
+from msf_jax import Config, ConfigError, MeshError, Weights
+from msf_jax.base.layout import layout_for
+from msf_jax.gradients import replay
+from msf_jax.host.recording import padded
+from msf_jax.host.recording.stretches import Planned
 
 TIGHT = 1e-15  # of the solves, where differences of replays are taken
 
@@ -188,7 +189,7 @@ def test_padding_does_not_matter(flow, monkeypatch):
         beyond = [40] * 24
         return [Planned(0, 1, layout_for(3000, beyond)), Planned(1, len(steps), layout_for(1000, beyond))]
 
-    monkeypatch.setattr(recording, "stretches_of", other_plan)
+    monkeypatch.setattr(padded, "stretches_of", other_plan)
     again = msf_jax.tape.record(flow.recording, flow.weights, flow.config, flow.curve, flow.source)
     assert again.shapes != flow.tape.shapes
     _, slopes, nodes = probe(flow.tape, *probed(flow.tape), TIGHT)
@@ -257,7 +258,7 @@ def test_radii_are_distances_to_the_recorded_triangle(flow):
 
 
 def test_an_unsolved_replay_is_nan(flow, monkeypatch):
-    monkeypatch.setattr(replaying, "MOST_STEPS", 2)
+    monkeypatch.setattr(replay, "MOST_STEPS", 2)
     assert np.isnan(msf_jax.replay(flow.tape, flow.weights)).all()
 
 

@@ -5,7 +5,7 @@ import pytest
 import trimesh
 
 from msf_jax import shapes
-from msf_jax.host import surface
+from msf_jax.host.mesh import checking
 
 
 def assert_closed_manifold(mesh: trimesh.Trimesh) -> None:
@@ -49,7 +49,7 @@ def test_the_hand_is_a_closed_solid_with_one_handle(hand):
 
 
 def test_the_hand_needs_no_repair(hand):
-    checked = surface.prepare(hand)
+    checked = checking.prepare(hand)
     assert checked.repairs == () and [component.genus for component in checked.components] == [1]
 
 

@@ -5,7 +5,7 @@ import pytest
 
 import msf_jax
 from msf_jax import ConfigError, Skeleton, ground_truth
-from msf_jax.host.enclosure import Enclosure
+from msf_jax.host.solid.enclosure import Enclosure
 
 
 @pytest.fixture(scope="module")

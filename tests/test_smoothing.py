@@ -22,9 +22,9 @@ from device_cases import (
     ring_areas,
 )
 
+from msf_jax.base.options import Config, Weights
 from msf_jax.device.iteration import move
 from msf_jax.device.laplacian import LARGEST
-from msf_jax.options import Config, Weights
 
 
 @pytest.fixture(scope="module")

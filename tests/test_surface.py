@@ -7,8 +7,8 @@ import pytest
 import trimesh
 from conftest import blob, torus
 
-from msf_jax.errors import MeshError
-from msf_jax.host import surface
+from msf_jax.base.errors import MeshError
+from msf_jax.host.mesh import checking
 
 OCTAHEDRON = np.array([[1, 0, 0], [-1, 0, 0], [0, 1, 0], [0, -1, 0], [0, 0, 1], [0, 0, -1]], dtype=float)
 OCTAHEDRON_FACES = np.array([[0, 2, 4], [2, 1, 4], [1, 3, 4], [3, 0, 4], [2, 0, 5], [1, 2, 5], [3, 1, 5], [0, 3, 5]])
@@ -44,7 +44,7 @@ def assert_closed_and_oriented(faces: np.ndarray, num_vertices: int) -> None:
 def refusal(mesh) -> str:
     """The message with which ``mesh`` is refused."""
     with pytest.raises(MeshError) as caught:
-        surface.prepare(mesh)
+        checking.prepare(mesh)
     return str(caught.value)
 
 
@@ -59,7 +59,7 @@ def assert_says(message: str, *phrases: str) -> None:
 
 def test_a_sound_pair_passes_as_it_is():
     vertices, faces = pair(torus())
-    checked = surface.prepare((vertices, faces))
+    checked = checking.prepare((vertices, faces))
     assert checked.repairs == ()
     np.testing.assert_array_equal(checked.vertices, vertices)
     np.testing.assert_array_equal(checked.faces, faces)
@@ -71,13 +71,13 @@ def test_a_sound_pair_passes_as_it_is():
 
 def test_lists_float32_and_whole_float_faces_are_taken():
     vertices, faces = pair(blob(1, 1))
-    whole = surface.prepare((vertices, faces))
+    whole = checking.prepare((vertices, faces))
     for given in (
         [vertices.tolist(), faces.tolist()],
         (vertices.astype(np.float32), faces.astype(np.uint32)),
         (vertices, faces.astype(float)),
     ):
-        checked = surface.prepare(given)
+        checked = checking.prepare(given)
         assert checked.vertices.dtype == np.float64 and checked.faces.dtype == np.int64
         np.testing.assert_array_equal(checked.faces, whole.faces)
         np.testing.assert_allclose(checked.vertices, vertices, rtol=1e-6, atol=1e-7)
@@ -87,7 +87,7 @@ def test_a_trimesh_is_taken_and_not_changed():
     mesh = blob(2, 2)
     mesh.invert()  # so that there is something to repair
     before = mesh.vertices.copy(), mesh.faces.copy(), mesh.volume
-    checked = surface.prepare(mesh)
+    checked = checking.prepare(mesh)
     assert checked.repairs
     checked.vertices[:] = 7.0
     checked.faces[:] = 0
@@ -110,7 +110,7 @@ def test_the_callers_arrays_are_read_only_safe(damage):
         vertices, faces = touching_octahedra()
     vertices.setflags(write=False)
     faces.setflags(write=False)
-    checked = surface.prepare((vertices, faces))
+    checked = checking.prepare((vertices, faces))
     assert bool(checked.repairs) == (damage != "none")
     assert not np.shares_memory(checked.vertices, vertices)
     assert not np.shares_memory(checked.faces, faces)
@@ -124,7 +124,7 @@ def test_a_path_is_read(tmp_path: Path, suffix, as_text):
     mesh = torus(around=10, across=6)
     path = tmp_path / f"mesh.{suffix}"
     mesh.export(path)
-    checked = surface.prepare(str(path) if as_text else path)
+    checked = checking.prepare(str(path) if as_text else path)
     assert len(checked.vertices) == 60 and len(checked.faces) == 120
     assert [component.genus for component in checked.components] == [1]
     assert volume(checked.vertices, checked.faces) == pytest.approx(mesh.volume, rel=1e-5)
@@ -134,14 +134,14 @@ def test_a_path_is_read(tmp_path: Path, suffix, as_text):
 def test_a_scene_file_is_read_with_all_its_parts(tmp_path: Path):
     parts = [trimesh.creation.box(), trimesh.creation.icosphere(1).apply_translation([5, 0, 0])]
     trimesh.Scene(parts).export(tmp_path / "scene.glb")
-    checked = surface.prepare(tmp_path / "scene.glb")
+    checked = checking.prepare(tmp_path / "scene.glb")
     assert sorted(len(component.vertices) for component in checked.components) == [8, 42]
 
 
 @pytest.mark.parametrize("scale", [1e-30, 1e-9, 1e-3, 1e3, 1e9, 1e30])
 def test_scale_and_place_do_not_matter(scale):
     vertices, faces = pair(torus())
-    checked = surface.prepare(((vertices + np.array([30.0, -20, 10])) * scale, faces))
+    checked = checking.prepare(((vertices + np.array([30.0, -20, 10])) * scale, faces))
     assert checked.repairs == () and checked.components[0].genus == 1
 
 
@@ -289,7 +289,7 @@ def test_a_half_turned_mesh_is_refused_with_as_many_edges_as_lie_between():
 def test_a_tetrahedron_is_refused():
     mesh = trimesh.Trimesh([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]])
     assert_says(refusal(mesh), "the mesh is a tetrahedron", "at least 5", "subdivide")
-    assert surface.prepare(mesh.subdivide()).repairs == ()  # what the message advises
+    assert checking.prepare(mesh.subdivide()).repairs == ()  # what the message advises
 
 
 def test_a_small_component_is_named_among_many():
@@ -316,7 +316,7 @@ def test_a_soup_is_welded():
     soup = np.array(mesh.triangles).reshape(-1, 3)
     zeros = np.flatnonzero(soup == 0)
     soup.ravel()[zeros[::2]] = -0.0
-    checked = surface.prepare((soup, np.arange(len(soup)).reshape(-1, 3)))
+    checked = checking.prepare((soup, np.arange(len(soup)).reshape(-1, 3)))
     assert len(zeros) > 100
     assert len(checked.vertices) == len(mesh.vertices) and len(checked.faces) == len(mesh.faces)
     assert checked.repairs == (f"welded {len(soup) - len(mesh.vertices)} duplicate vertices",)
@@ -330,7 +330,7 @@ def test_welding_drops_the_faces_that_it_crushes():
     vertices = np.concatenate([OCTAHEDRON, OCTAHEDRON[4:5]])
     faces = OCTAHEDRON_FACES.copy()
     faces[0] = [0, 2, 6]  # one corner of one face is a copy of vertex 4
-    checked = surface.prepare((vertices, np.concatenate([faces, [[0, 6, 4]]])))
+    checked = checking.prepare((vertices, np.concatenate([faces, [[0, 6, 4]]])))
     assert checked.repairs == ("welded 1 duplicate vertex",)
     assert len(checked.faces) == 8
     assert_closed_and_oriented(checked.faces, 6)
@@ -348,14 +348,14 @@ def test_nearly_coincident_vertices_are_not_welded():
 def test_closed_parts_that_touch_are_not_welded():
     """A closed mesh has nothing to weld, even if vertices of its parts coincide."""
     vertices = np.concatenate([OCTAHEDRON, OCTAHEDRON + np.array([2.0, 0, 0])])
-    checked = surface.prepare((vertices, np.concatenate([OCTAHEDRON_FACES, OCTAHEDRON_FACES + 6])))
+    checked = checking.prepare((vertices, np.concatenate([OCTAHEDRON_FACES, OCTAHEDRON_FACES + 6])))
     assert checked.repairs == () and len(checked.vertices) == 12 and len(checked.components) == 2
 
 
 def test_an_inside_out_mesh_is_flipped():
     mesh = blob(4, 2)
     mesh.invert()
-    checked = surface.prepare(mesh)
+    checked = checking.prepare(mesh)
     assert checked.repairs == ("flipped the mesh, which was turned inside out",)
     np.testing.assert_array_equal(checked.vertices, mesh.vertices)
     assert volume(checked.vertices, checked.faces) == pytest.approx(-mesh.volume) and mesh.volume < 0
@@ -366,7 +366,7 @@ def test_an_inside_out_mesh_is_flipped():
 def test_only_the_component_that_is_inside_out_is_flipped():
     parts = [torus(), trimesh.creation.icosphere(1).apply_translation([4, 0, 0]), torus().apply_translation([9, 0, 0])]
     parts[1].invert()
-    checked = surface.prepare(trimesh.util.concatenate(parts))
+    checked = checking.prepare(trimesh.util.concatenate(parts))
     assert checked.repairs == ("flipped component 1 (the one with vertex 288), which was turned inside out",)
     for component, part in zip(checked.components, parts, strict=True):
         assert volume(component.vertices, component.faces) == pytest.approx(abs(part.volume))
@@ -382,7 +382,7 @@ def touching_octahedra() -> tuple[np.ndarray, np.ndarray]:
 
 def test_a_vertex_where_two_solids_touch_is_split():
     vertices, faces = touching_octahedra()
-    checked = surface.prepare((vertices, faces))
+    checked = checking.prepare((vertices, faces))
     assert checked.repairs == ("split 1 pinched vertex into one per fan",)
     assert len(checked.vertices) == 12
     np.testing.assert_array_equal(checked.vertices[:11], vertices)
@@ -408,7 +408,7 @@ def test_a_surface_that_touches_itself_is_split_and_keeps_its_genus():
     number[list(partner)] = list(partner.values())
     used = np.unique(number)
     vertices, faces = vertices[used], np.searchsorted(used, number)[faces]
-    checked = surface.prepare((vertices, faces))
+    checked = checking.prepare((vertices, faces))
     assert checked.repairs == ("split 3 pinched vertices into one per fan",)
     assert len(checked.vertices) == len(vertices) + 3
     np.testing.assert_array_equal(checked.vertices[checked.faces], vertices[faces])
@@ -421,7 +421,7 @@ def test_vertices_without_a_face_are_dropped_and_remembered():
     strays = np.array([[7.0, 0, 0], [8, 0, 0], [9, 0, 0]])
     vertices = np.concatenate([strays[:1], mesh.vertices[:20], strays[1:2], mesh.vertices[20:], strays[2:]])
     place = np.concatenate([np.arange(1, 21), np.arange(22, 42)])
-    checked = surface.prepare((vertices, place[mesh.faces]))
+    checked = checking.prepare((vertices, place[mesh.faces]))
     assert len(checked.repairs) == 1
     assert_says(checked.repairs[0], "left out vertices that no face uses: 3")
     np.testing.assert_array_equal(checked.vertices, mesh.vertices)
@@ -437,7 +437,7 @@ def test_all_repairs_at_once():
     vertices, faces = touching_octahedra()
     faces[8:] = faces[8:, ::-1]
     soup = np.concatenate([[[5.0, 5, 5]], vertices[faces].reshape(-1, 3), [[6.0, 6, 6]]])
-    checked = surface.prepare((soup, 1 + np.arange(faces.size).reshape(-1, 3)))
+    checked = checking.prepare((soup, 1 + np.arange(faces.size).reshape(-1, 3)))
     said = "; ".join(checked.repairs)
     assert_says(
         said, "welded 37", "no face uses: 2", "split 1 pinched vertex", "flipped component 1 (the one with vertex 25)"
@@ -457,7 +457,7 @@ def test_components_are_told_apart():
     joined = trimesh.util.concatenate(parts)
     shuffle = np.random.default_rng(0).permutation(len(joined.vertices))
     vertices, faces = joined.vertices[shuffle], np.argsort(shuffle)[joined.faces]
-    checked = surface.prepare((vertices, faces))
+    checked = checking.prepare((vertices, faces))
     assert checked.repairs == ()
     found = {
         (
@@ -482,7 +482,7 @@ def test_components_are_told_apart():
 @pytest.mark.parametrize("name", ["cow-pinched", "camel-pinched"])
 def test_pinched_research_meshes_are_repaired(research_mesh, name):
     vertices, faces = research_mesh(name)
-    checked = surface.prepare((vertices, faces))
+    checked = checking.prepare((vertices, faces))
     assert any("pinched" in repair for repair in checked.repairs)
     assert len(checked.vertices) > len(vertices)
     assert len(checked.vertices) - len(checked.faces) // 2 == sum(2 - 2 * part.genus for part in checked.components)
@@ -497,7 +497,7 @@ def test_open_research_meshes_are_refused(research_mesh, name):
 
 @pytest.mark.parametrize(("name", "genus"), [("three-holes", 3), ("homer", 0), ("indorelax", 2), ("bunny", 0)])
 def test_sound_research_meshes_pass_with_their_genus(research_mesh, name, genus):
-    checked = surface.prepare(research_mesh(name))
+    checked = checking.prepare(research_mesh(name))
     assert checked.repairs == ()
     assert [component.genus for component in checked.components] == [genus]
 
@@ -505,7 +505,7 @@ def test_sound_research_meshes_pass_with_their_genus(research_mesh, name, genus)
 def test_a_cavity_is_named_as_one():
     outer, inner = trimesh.creation.icosphere(2), trimesh.creation.icosphere(2, radius=0.5)
     inner.invert()
-    (repair,) = surface.prepare(trimesh.util.concatenate([outer, inner])).repairs
+    (repair,) = checking.prepare(trimesh.util.concatenate([outer, inner])).repairs
     assert "component 1" in repair and "cavity" in repair
-    (repair,) = surface.prepare(trimesh.util.concatenate([outer, inner.apply_translation([5, 0, 0])])).repairs
+    (repair,) = checking.prepare(trimesh.util.concatenate([outer, inner.apply_translation([5, 0, 0])])).repairs
     assert "inside out" in repair

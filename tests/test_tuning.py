@@ -10,7 +10,8 @@ import trimesh
 from device_cases import central_difference
 
 import msf_jax
-from msf_jax import Config, ConfigError, Weights, objectives, tuning
+from msf_jax import Config, ConfigError, Weights, objectives
+from msf_jax.tuning import tuner
 
 
 def bone() -> trimesh.Trimesh:
@@ -94,11 +95,11 @@ def test_no_mesh():
 
 def test_one_mesh_or_many():
     pair = (np.zeros((4, 3)), np.zeros((2, 3)))
-    assert tuning._listed(pair) == [pair]
-    assert tuning._listed([pair, pair]) == [pair, pair]
-    assert tuning._listed("a.off") == ["a.off"]
-    assert tuning._listed(["a.off", bone()])[0] == "a.off"
-    assert len(tuning._listed([bone()])) == 1
+    assert tuner._listed(pair) == [pair]
+    assert tuner._listed([pair, pair]) == [pair, pair]
+    assert tuner._listed("a.off") == ["a.off"]
+    assert tuner._listed(["a.off", bone()])[0] == "a.off"
+    assert len(tuner._listed([bone()])) == 1
 
 
 def test_sensitivity():

@@ -11,8 +11,8 @@ from mpl_toolkits.mplot3d import proj3d
 from mpl_toolkits.mplot3d.art3d import Line3DCollection, Poly3DCollection
 
 from msf_jax import view
-from msf_jax.errors import ConfigError
-from msf_jax.view import Panel
+from msf_jax.base.errors import ConfigError
+from msf_jax.skeleton.pictures.panels import Panel
 
 BALL = trimesh.creation.icosphere(1)
 LINE = cast(

@@ -10,7 +10,7 @@ from typing import NamedTuple
 import jax
 import jax.numpy as jnp
 
-from msf_jax.layout import Layout, Level
+from msf_jax.base.layout import Layout, Level
 
 UNROLLED_SLOTS = 8  # up to here a level is one gather a slot, added up in a Python loop; beyond, one gather in all
 

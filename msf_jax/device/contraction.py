@@ -25,9 +25,9 @@ with warnings.catch_warnings():
     warnings.simplefilter("ignore", DeprecationWarning)  # jaxopt announces on import that it is no longer maintained
     from jaxopt import base
 
+from msf_jax.base.layout import Layout
 from msf_jax.device.buffers import Buffers, at_rows, slot_product, slot_sum
 from msf_jax.device.laplacian import Rows
-from msf_jax.layout import Layout
 
 SOLUTION = "solution"  # name of a solve's result, for a `jax.checkpoint` that keeps it
 
@@ -115,7 +115,7 @@ class Gram(NamedTuple):
     """x -> A^T A x + shift x for A = scale (alpha I + beta L) in slots, fixed vertices' rows and columns out.
 
     The two products are two trips of one scan over the stacked weights: written as two calls, XLA on the CPU fuses them
-    into one kernel that computes L x anew for every slot (DESIGN section 3).
+    into one kernel that computes L x anew for every slot.
     """
 
     weights: jax.Array  # (2, S): A's off-diagonal entries by row, then by column

@@ -8,11 +8,11 @@ import jax
 import jax.numpy as jnp
 from jax import lax
 
+from msf_jax.base.layout import Layout
+from msf_jax.base.options import Config, Weights
 from msf_jax.device import contraction, laplacian, smoothing
 from msf_jax.device.buffers import Buffers
 from msf_jax.device.contraction import SolveReport
-from msf_jax.layout import Layout
-from msf_jax.options import Config, Weights
 
 
 class Moved(NamedTuple):

@@ -11,8 +11,8 @@ from typing import NamedTuple
 import jax
 import jax.numpy as jnp
 
+from msf_jax.base.layout import Layout
 from msf_jax.device.buffers import Rings, at_rows, slot_sum
-from msf_jax.layout import Layout
 
 # Floors that keep weights and gradients finite on degenerate triangles; both are far below anything the flow keeps.
 SHORTEST = 1e-7  # an edge length, as a fraction of the diagonal

@@ -3,11 +3,11 @@
 import jax
 import jax.numpy as jnp
 
+from msf_jax.base.layout import Layout
 from msf_jax.device import contraction
 from msf_jax.device.buffers import Buffers, at_rows, slot_product, slot_sum
 from msf_jax.device.contraction import SolveReport
 from msf_jax.device.laplacian import Rows
-from msf_jax.layout import Layout
 
 
 def smooth(

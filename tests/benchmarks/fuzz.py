@@ -20,7 +20,7 @@ import numpy as np
 import trimesh
 
 from msf_jax import MeshError
-from msf_jax.host import surface
+from msf_jax.host.mesh import checking
 
 HOSTILE = [
     *("nan", "inf", "-inf", "1e999", "-1", "0", "", "1000000000", "99999999999999999999", "0x10", "1/2/3", "é"),
@@ -100,7 +100,7 @@ def fuzz(num: int, seed: int, seconds: int, *, show: bool = False) -> tuple[list
                 signal.alarm(seconds)
                 sys.stdout = io.StringIO()
                 try:
-                    surface.prepare(path, repair=number % 3 == 0)
+                    checking.prepare(path, repair=number % 3 == 0)
                     outcome = "read"
                 except MeshError:
                     outcome = "refused"

@@ -1,0 +1,327 @@
+"""Many meshes: a curve and a report of each, on all cores or on a cluster; one bad mesh fails alone.
+
+Each mesh leaves its curve and, after it, a row with its report or its error, both written whole or not at all. So a
+batch that was killed goes on with what has no row yet, and the table of all rows is made from them at the end. Meshes
+are taken in the order of their files' sizes: neighbours share the capacities that steps are compiled for.
+"""
+
+import concurrent.futures
+import csv
+import errno
+import hashlib
+import io
+import json
+import multiprocessing
+import os
+import signal
+import threading
+import time
+from collections.abc import Callable, Iterable, Iterator
+from concurrent.futures.process import BrokenProcessPool
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import jax
+from tqdm import tqdm
+
+import msf_jax
+from msf_jax.base.errors import ConfigError, FlowError, MeshError
+from msf_jax.base.options import Config, Weights
+from msf_jax.base.version import VERSION
+from msf_jax.base.writing import write_whole
+from msf_jax.flow.loop import checked_options
+from msf_jax.host.mesh import reading
+from msf_jax.host.mesh.repair import Repair, as_repair
+from msf_jax.skeleton.formats import export
+
+MANIFEST, ROWS = "manifest.csv", ".rows"  # in the folder of the results
+TASKS = 100  # of a worker, on average, after which fresh ones take their place: what they have grown to goes with them
+DIED = "its worker died, twice: out of memory?"
+
+
+@dataclass(frozen=True)
+class Job:
+    """One mesh, and what to do with it. Plain values, to be sent to another process."""
+
+    source: str
+    target: str
+    row: str
+    key: str
+    weights: tuple[float, ...]
+    config: Config
+    repair: Repair | None
+    max_vertices: int
+    is_double: bool
+    cache: str
+
+
+@dataclass(frozen=True)
+class Batch:
+    """What came of a batch.
+
+    rows: one dictionary for each mesh, as in the table. manifest: the table's file. num_done: meshes computed now; the
+    others had a row already.
+    """
+
+    rows: tuple[dict[str, Any], ...]
+    manifest: Path
+    num_done: int
+
+    @property
+    def num_failed(self) -> int:
+        """Meshes without a curve."""
+        return sum(bool(row["error"]) for row in self.rows)
+
+
+def run(
+    paths: Iterable[str | os.PathLike[str]],
+    out: str | os.PathLike[str],
+    *,
+    weights: Weights | None = None,
+    config: Config | None = None,
+    repair: bool | Repair = False,
+    suffix: str = ".swc",
+    jobs: int | None = None,
+    scheduler: str | None = None,
+    retry: bool = False,
+    max_vertices: int = 2_000_000,
+    progress: bool = False,
+) -> Batch:
+    """Skeletonise every mesh of ``paths`` into the folder ``out``.
+
+    Args:
+        paths: mesh files, in any format that trimesh reads.
+        out: a folder, made if need be. ``a/b.off`` goes to ``a/b.off.swc`` in it, and all reports to ``manifest.csv``.
+        weights, config, repair: as `skeletonize` takes them; weights are numbers.
+        suffix: the format of the curves; see `Skeleton.save`.
+        jobs: processes; as many as there are cores if not given.
+        scheduler: address of a Dask scheduler whose workers see the same folders (``pip install "msf_jax[dask]"``); no
+            processes are started then.
+        retry: take those again that failed; else only what is missing, or was made with other settings, is computed.
+        max_vertices: a larger mesh is an error in its row: a run peaks at about 4 kB a vertex.
+        progress: show a progress bar on standard error, if that is a terminal.
+
+    Raises:
+        ConfigError: an option is out of range, a path is there twice, there is none, or the place of a curve is that of
+            another mesh, by an earlier batch.
+        OSError: the folder cannot be written.
+    """
+    weights, config = checked_options(weights, config)
+    if suffix not in export.WRITERS:
+        raise ConfigError(f"suffix is {suffix!r}: expected one of {', '.join(export.WRITERS)}")
+    for name, value in (("jobs", jobs), ("max_vertices", max_vertices)):
+        if value is not None and (isinstance(value, bool) or not isinstance(value, int) or value < 1):
+            raise ConfigError(f"{name} is {value!r}: expected a whole number of 1 or more")
+    try:
+        numbers = tuple(float(weight) for weight in vars(weights).values())
+    except (TypeError, ValueError):
+        raise ConfigError(
+            "a batch takes weights that are numbers: expected no array with one for each vertex"
+        ) from None
+    folder = Path(out)
+    settings = f"{VERSION} {numbers} {config} {as_repair(repair)} {suffix} {max_vertices}"
+    is_double = bool(jax.config.jax_enable_x64)  # type: ignore[attr-defined]
+    settings += f" {'float64' if is_double else 'float32'}"
+    shared = (numbers, config, as_repair(repair), max_vertices, is_double)
+    cache = str(getattr(jax.config, "jax_compilation_cache_dir", None) or (folder / ROWS / "compiled").absolute())
+    planned = [Job(*names, *shared, cache) for names in _names(paths, folder, suffix, settings)]
+    (folder / ROWS).mkdir(parents=True, exist_ok=True)
+    for job in planned:
+        _check_owner(job)
+    known = {job.row: _known(job) for job in planned}
+    missing = [job for job in planned if (row := known[job.row]) is None or (retry and row["error"])]
+    started = _on_cluster(scheduler) if scheduler else _in_processes(jobs or os.cpu_count() or 1)
+    try:
+        with started as results, tqdm(total=len(missing), desc="batch", disable=None if progress else True) as bar:
+            for row in results(missing):
+                bar.update()
+                bar.set_postfix_str(Path(row["path"]).name)
+    finally:  # Ctrl-C, too, leaves a table of what there is
+        rows = tuple(filter(None, map(_known, planned)))
+        write_whole(folder / MANIFEST, os.fsencode(_table(rows)))
+    return Batch(rows, folder / MANIFEST, len(missing))
+
+
+def _names(
+    paths: Iterable[str | os.PathLike[str]], folder: Path, suffix: str, settings: str
+) -> list[tuple[str, str, str, str]]:
+    """For each mesh, smallest file first: its path, those of its curve and its row, and a hash of all it depends on."""
+    if isinstance(paths, str | os.PathLike):
+        raise ConfigError(f"paths is {os.fspath(paths)!r}: expected a list of paths, one for each mesh")
+    sources = [Path(os.path.normpath(Path(path).absolute())) for path in paths]
+    if not sources:
+        raise ConfigError("there are no meshes: expected at least one path")
+    if len(set(sources)) < len(sources):
+        twice = next(path for path in sources if sources.count(path) > 1)
+        raise ConfigError(f"{str(twice)!r} is there twice: expected each mesh once")
+    base = Path(os.path.commonpath([path.parent for path in sources]))
+    found = []
+    for path in sources:
+        name = str(path.relative_to(base))
+        state = path.stat() if path.exists() else None
+        size, stamp = (state.st_size, state.st_mtime_ns) if state else (0, 0)
+        key = hashlib.sha256(os.fsencode(f"{name} {size} {stamp} {settings}")).hexdigest()
+        row = folder / ROWS / f"{hashlib.sha256(os.fsencode(name)).hexdigest()[:32]}.json"
+        found.append((size, name, (str(path), str((folder / (name + suffix)).absolute()), str(row.absolute()), key)))
+    return [names for _, _, names in sorted(found)]
+
+
+def _check_owner(job: Job) -> None:
+    """Names are relative to the folder that all meshes of a call have in common: in another call it can be another."""
+    try:
+        owner = json.loads(Path(job.row).read_text())["path"]
+    except (OSError, ValueError, KeyError):
+        return
+    if owner != job.source and os.path.exists(owner):
+        raise ConfigError(
+            f"{job.target!r} is the place of {owner!r} already, by an earlier batch, and cannot be that of "
+            f"{job.source!r}, too: expected another folder for the curves, or both meshes in one batch"
+        )
+
+
+def _known(job: Job) -> dict[str, Any] | None:
+    """The row of a mesh that was done with these settings, and whose curve is there if it has one."""
+    try:
+        row = json.loads(Path(job.row).read_text())
+    except (OSError, ValueError):
+        return None
+    is_whole = row.get("key") == job.key and (row["error"] or os.path.exists(job.target))
+    return row if is_whole else None
+
+
+def work(job: Job) -> dict[str, Any]:
+    """Skeletonise one mesh, in whatever process; every error but a lack of room for the result ends in the row."""
+    jax.config.update("jax_enable_x64", job.is_double)
+    if getattr(jax.config, "jax_compilation_cache_dir", None) is None:
+        jax.config.update("jax_compilation_cache_dir", job.cache)
+        jax.config.update("jax_persistent_cache_min_compile_time_secs", 0.2)
+    start = time.perf_counter()
+    row: dict[str, Any] = {"path": job.source, "output": "", "error": "", "key": job.key, "vertices": 0}
+    try:
+        mesh = reading.read(job.source, finite=job.repair is None)
+        row["vertices"] = len(mesh[0])
+        if len(mesh[0]) > job.max_vertices:
+            raise MeshError(f"the mesh has {len(mesh[0])} vertices: expected at most max_vertices, {job.max_vertices}")
+        skeleton = msf_jax.skeletonize(mesh, Weights(*job.weights), job.config, repair=job.repair or False)
+        row |= {"nodes": len(skeleton.vertices), "edges": len(skeleton.edges), "length": skeleton.length}
+        row |= skeleton.report.to_dict() | {"is_sound": skeleton.report.is_sound}
+        content = export.writer_for(job.target)(skeleton, mesh)
+        Path(job.target).parent.mkdir(parents=True, exist_ok=True)
+        write_whole(job.target, content)
+        row["output"] = job.target
+    except (MeshError, FlowError, ConfigError) as error:
+        row["error"] = str(error)
+    except Exception as error:  # a defect of this program must not end the batch, either
+        if isinstance(error, OSError) and error.errno in (errno.ENOSPC, errno.EDQUOT):
+            raise
+        row["error"] = f"{type(error).__name__}: {error}"
+    row["seconds"] = round(time.perf_counter() - start, 3)
+    return _noted(job, row)
+
+
+def _noted(job: Job, row: dict[str, Any]) -> dict[str, Any]:
+    write_whole(job.row, json.dumps(row) + "\n")
+    return row
+
+
+Results = Callable[[list[Job]], Iterator[dict[str, Any]]]
+
+
+@contextmanager
+def _in_processes(num: int) -> Iterator[Results]:
+    """Rows, as they come, from ``num`` processes of this machine."""
+
+    def pool(num: int) -> concurrent.futures.ProcessPoolExecutor:
+        context = multiprocessing.get_context("spawn")  # a fork of a process in which JAX runs threads can hang
+        return concurrent.futures.ProcessPoolExecutor(num, context, _start_worker, (os.getpid(),))
+
+    def results(jobs: list[Job]) -> Iterator[dict[str, Any]]:
+        suspects = []
+        # A pool for each share: the executor's own max_tasks_per_child can hang (CPython issue 115634).
+        for first in range(0, len(jobs), TASKS * num):
+            share = jobs[first : first + TASKS * num]
+            with _closing(pool(min(num, len(share)))) as workers:
+                futures = {workers.submit(work, job): job for job in share}
+                for future in concurrent.futures.as_completed(futures):
+                    try:
+                        yield future.result()
+                    except BrokenProcessPool:  # one worker died, and took all with it
+                        suspects.append(futures[future])
+        for job in suspects:
+            if (row := _known(job)) is None:
+                with _closing(pool(1)) as alone:
+                    try:
+                        row = alone.submit(work, job).result()
+                    except BrokenProcessPool:
+                        row = _noted(job, {"path": job.source, "output": "", "error": DIED, "key": job.key})
+            yield row
+
+    yield results
+
+
+@contextmanager
+def _closing(
+    pool: concurrent.futures.ProcessPoolExecutor,
+) -> Iterator[concurrent.futures.ProcessPoolExecutor]:
+    """A pool whose waiting jobs are dropped when something goes wrong; those that run come to their end."""
+    try:
+        yield pool
+    finally:
+        pool.shutdown(cancel_futures=True)
+
+
+def _start_worker(parent: int) -> None:
+    """Ctrl-C goes to all processes of a terminal, and the first decides; a worker ends when ``parent`` was killed."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+
+    def watch() -> None:
+        while os.getppid() == parent:
+            time.sleep(1.0)
+        os._exit(1)
+
+    threading.Thread(target=watch, daemon=True).start()
+
+
+@contextmanager
+def _on_cluster(scheduler: str) -> Iterator[Results]:
+    """Rows, as they come, from the workers of a Dask cluster."""
+    try:
+        import distributed
+    except ImportError as error:
+        raise ConfigError('a scheduler needs Dask: install it with pip install "msf_jax[dask]"') from error
+    try:
+        client = distributed.Client(scheduler, timeout=5)
+    except (OSError, ValueError) as error:
+        raise ConfigError(f"no Dask scheduler at {scheduler!r}: expected an address such as tcp://host:8786") from error
+
+    def results(jobs: list[Job]) -> Iterator[dict[str, Any]]:
+        futures = dict(
+            zip(client.map(work, jobs, key=[f"{job.key}-{time.time_ns()}" for job in jobs]), jobs, strict=True)
+        )
+        for future in distributed.as_completed(futures):
+            if future.status == "error" and isinstance(future.exception(), distributed.KilledWorker):
+                job = futures[future]
+                yield _noted(job, {"path": job.source, "output": "", "error": DIED, "key": job.key})
+            else:
+                yield future.result()
+
+    with client:
+        yield results
+
+
+def _table(rows: tuple[dict[str, Any], ...]) -> str:
+    """Comma-separated, a line for each mesh in the order of their paths; lists joined by semicolons."""
+    ordered = sorted(rows, key=lambda row: row["path"])
+    columns = list(dict.fromkeys(name for row in ordered for name in row if name not in ("key", "figures")))
+    figures = list(dict.fromkeys(name for row in ordered for name in row.get("figures") or {}))
+    buffer = io.StringIO()
+    table = csv.writer(buffer, lineterminator="\n")
+    table.writerow([*columns, *figures])
+    for row in ordered:
+        values = [row.get(name, "") for name in columns] + [
+            (row.get("figures") or {}).get(name, "") for name in figures
+        ]
+        table.writerow(["; ".join(value) if isinstance(value, list) else value for value in values])
+    return buffer.getvalue()

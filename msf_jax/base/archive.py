@@ -1,0 +1,92 @@
+"""One ``.npz`` file of arrays and a header, written whole or not at all, and read without trusting it.
+
+Nothing in it is code: NumPy reads plain numbers only, the header is JSON. Sizes are checked before memory is taken.
+"""
+
+import io
+import json
+import os
+import zipfile
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from typing import Any
+
+import numpy as np
+
+from msf_jax.base.errors import ConfigError
+from msf_jax.base.writing import write_whole
+
+HEADER = "header"  # name of the entry with everything that is not an array
+LONGEST_HEADER = 64_000_000  # bytes
+LARGEST_RATIO, SMALL = 100, 10_000_000  # arrays may take so many times the file's bytes; and so many bytes in any case
+
+
+def write(
+    path: str | os.PathLike[str],
+    kind: str,
+    version: int,
+    header: Mapping[str, Any],
+    arrays: Mapping[str, np.ndarray],
+    *,
+    compress: bool,
+) -> None:
+    """Write ``arrays`` and ``header`` as a ``kind`` of file to ``path``; what was there before is replaced at once.
+
+    Raises:
+        OSError: the file cannot be written; what was there before is untouched.
+    """
+    text = json.dumps({"format": f"msf_jax {kind}", "version": version, **header})
+    named: dict[str, Any] = {HEADER: np.array(text), **arrays}
+    buffer = io.BytesIO()
+    (np.savez_compressed if compress else np.savez)(buffer, **named)
+    write_whole(path, buffer.getvalue())
+
+
+@contextmanager
+def reading(path: str | os.PathLike[str], kind: str, version: int, advice: str) -> Iterator[tuple[Any, Any]]:
+    """The header, and a dictionary of the arrays, of a file that `write` made; what fails inside is its damage, too.
+
+    Raises:
+        ConfigError: the file is no ``kind``, is damaged, or was written by another version: with ``advice``.
+        OSError: it cannot be read.
+    """
+    name = f"{str(path)!r}"
+    with open(path, "rb") as stream:
+        if not zipfile.is_zipfile(stream):
+            raise ConfigError(f"{name} is no {kind}, or one cut short: {advice}")
+        stream.seek(0)
+        try:
+            _check_sizes(stream)
+            with np.load(stream, allow_pickle=False) as file:
+                header = json.loads(str(file[HEADER])) if HEADER in file else None
+                if not isinstance(header, dict) or header.get("format") != f"msf_jax {kind}":
+                    raise ConfigError(f"{name} is no {kind}: {advice}")
+                if header["version"] != version:
+                    raise ConfigError(
+                        f"{name} is a {kind} of version {header['version']!r}: this program reads {version}; {advice}"
+                    )
+                yield header, {entry: file[entry] for entry in file.files if entry != HEADER}
+        except (ConfigError, OSError):
+            raise
+        except Exception as error:  # zip, zlib, json and NumPy raise whatever a damaged file provokes
+            raise ConfigError(f"{name} is no {kind}, or a damaged one ({type(error).__name__}: {error})") from error
+
+
+def _check_sizes(stream: Any) -> None:
+    """Raise a ValueError if what the entries say of their sizes cannot be, or is more than the file may ask for."""
+    size = stream.seek(0, os.SEEK_END)
+    with zipfile.ZipFile(stream) as archive:
+        entries = archive.infolist()
+        total = sum(entry.file_size for entry in entries)
+        if total > max(LARGEST_RATIO * size, SMALL):
+            raise ValueError(f"its {size} bytes unpack to {total}")
+        for entry in entries:
+            with archive.open(entry) as member:
+                major, _ = np.lib.format.read_magic(member)
+                read = np.lib.format.read_array_header_1_0 if major == 1 else np.lib.format.read_array_header_2_0
+                shape, _, dtype = read(member)
+                needed = int(np.prod([int(count) for count in shape], dtype=object)) * dtype.itemsize
+                most = LONGEST_HEADER if entry.filename == f"{HEADER}.npy" else entry.file_size
+                if not 0 <= needed <= min(most, entry.file_size):
+                    raise ValueError(f"entry {entry.filename!r} says it holds {needed} bytes")
+    stream.seek(0)

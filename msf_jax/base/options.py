@@ -1,0 +1,261 @@
+"""The two halves of a run's settings: `Weights`, which gradients flow through, and `Config`, which is compiled in."""
+
+import math
+import numbers
+from collections.abc import Iterable
+from dataclasses import dataclass, fields, replace
+from typing import Any
+
+import jax
+import numpy as np
+from jax.core import Tracer
+
+from msf_jax.base.errors import ConfigError
+
+LAPLACIANS = ("mean_value", "cotangent", "uniform")
+WHOLE = ("reconstruct_poles", "reconstruct_mesh", "max_iterations", "solve_steps")
+SYSTEMS = ("msf", "tagliasacchi2012", "au2008")
+
+
+@jax.tree_util.register_pytree_with_keys_class
+@dataclass(frozen=True)
+class Weights:
+    """Weights of the flow, a pytree. They multiply rows, so energies scale with their squares (article Eq. 2).
+
+    Attributes:
+        w_L: contraction, >= 0.
+        w_H: attraction to where the vertex is, > 0: it keeps the system definite.
+        w_M: attraction to the Voronoi pole, >= 0.
+        smoothing: lambda of the implicit Laplacian step, >= 0; 0 turns it off.
+
+    All are dimensionless. The ratios matter: a larger w_L / w_H contracts more in one iteration.
+
+    Raises:
+        ConfigError: a value is negative or not finite.
+    """
+
+    w_L: Any = 1.0
+    w_H: Any = 0.1
+    w_M: Any = 0.4
+    smoothing: Any = 0.001
+
+    def __post_init__(self) -> None:
+        self.check()
+
+    def check(self) -> None:
+        """Raise a `ConfigError` unless all weights are in range; what JAX made of them is not checked otherwise."""
+        for field in fields(self):
+            value = getattr(self, field.name)
+            if isinstance(value, Tracer):
+                continue
+            try:
+                array = np.asarray(np.nan if isinstance(value, str) else value, dtype=np.float64)
+            except (TypeError, ValueError):
+                array = np.array(np.nan)
+            if isinstance(value, bool) or not (np.isfinite(array) & (array >= 0)).all():
+                raise ConfigError(f"Weights.{field.name} is {value!r}: expected a finite number of 0 or more")
+            if field.name == "w_H" and not (array > 0).all():
+                raise ConfigError(f"Weights.w_H is {value!r}: expected more than 0, or the system is singular")
+
+    def tree_flatten_with_keys(self) -> tuple[tuple[tuple[Any, Any], ...], None]:
+        """The four weights, for JAX."""
+        return tuple((jax.tree_util.GetAttrKey(field.name), getattr(self, field.name)) for field in fields(self)), None
+
+    @classmethod
+    def tree_unflatten(cls, _: None, children: Iterable[Any]) -> "Weights":
+        """A tree of the same shape, unchecked: JAX puts axes, masks and gradients there."""
+        weights = object.__new__(cls)
+        for field, child in zip(fields(cls), children, strict=True):
+            object.__setattr__(weights, field.name, child)
+        return weights
+
+
+@dataclass(frozen=True)
+class Config:
+    """Everything about a run that is not differentiable; frozen and hashable. Lengths are fractions of the diagonal.
+
+    ``Config()`` is the article's own system, `Config.tagliasacchi2012()` and `Config.au2008()` the two it builds on.
+
+    Attributes:
+        system: "msf", "tagliasacchi2012" or "au2008": chooses the default weights. The classmethods set the rest, too.
+        laplacian: "mean_value" (article Eq. 4), "cotangent" or "uniform".
+        reconstruct_poles: eigenvectors kept in the mesh that the poles are computed on; 0 takes the mesh as it is.
+        reconstruct_mesh: eigenvectors kept in the mesh that is contracted; 0 takes the mesh as it is.
+        exact_reconstruction: whether eigenvectors are computed for that, as in the article. Else a polynomial of the
+            Laplacian does their work, with an edge that is a little soft, in a thirtieth of the time or less.
+        resample: target edge length that the mesh is resampled to before poles are sought; 0 keeps its sampling.
+        coarsen: edges shorter than that are collapsed before poles are sought, unless that would turn a face, so that
+            the cost of a run follows the solid's shape and hardly the number of its vertices; 0 keeps them all. Where
+            it would cost a twentieth of the volume, as of a thin plate, the mesh is taken as it is.
+        use_poles: whether Voronoi poles pull at all.
+        pole_confidence: whether w_M is weighted by how far apart the points are in which a pole's ball touches the
+            surface. Off by default: over the benchmark's shapes it makes curves neither better nor worse.
+        edit_connectivity: whether edges are collapsed and split, and vertices fixed, in the loop.
+        t_min, t_step, t_max: saw-tooth of the collapse threshold t_c (article 3.2.6); t_step 0 keeps it constant. It
+            starts at 0.005 and rises by 0.0005, where the article's program has 0.002 and 0.0001: a quarter of the
+            iterations, and the curves have fewer side branches and are more inside.
+        split_angle: theta_s in degrees: an edge with two opposite angles over it is split.
+        growth: factor on w_L after each iteration (Au et al. 2008); 1 keeps it.
+        w_H_follows_area: whether w_H grows as a vertex's one-ring area shrinks (Au et al. 2008).
+        max_iterations: the flow gives up after so many.
+        volume_tolerance: the flow has converged when this fraction of the volume is left, and
+        area_tolerance: this fraction of the area, or area has stopped shrinking (a sheet has no volume, either).
+        free_tolerance: it has converged, too, when this fraction of the vertices is not fixed.
+        solve_tolerance: residual of the linear solves, relative to the right-hand side.
+        step_tolerance: a contraction is solved, too, when a CG step moves no vertex by this part of t_c.
+        solve_steps: CG steps after which a solve gives up (and the report says so).
+        prune: branches of less than this `persistence` are taken away; 0 keeps all. See `msf_jax.Branch`.
+        centre: whether nodes are moved to the middle of their limb's cross-section, and edges refined, at the end.
+        extend_tips: whether leaves are carried on to the ends of their limbs.
+        evaluate: whether the report gets the figures of `metrics.evaluate`.
+        check: verify after every round of edits that the surface is a closed manifold of the same genus.
+
+    Raises:
+        ConfigError: a value is out of its range, or a name is unknown.
+    """
+
+    system: str = "msf"
+    laplacian: str = "mean_value"
+    reconstruct_poles: int = 200
+    reconstruct_mesh: int = 0
+    exact_reconstruction: bool = False
+    resample: float = 0.0
+    coarsen: float = 0.005
+    use_poles: bool = True
+    pole_confidence: bool = False
+    edit_connectivity: bool = True
+    t_min: float = 0.005
+    t_step: float = 0.0005
+    t_max: float = 0.016
+    split_angle: float = 110.0
+    growth: float = 1.0
+    w_H_follows_area: bool = False
+    max_iterations: int = 200
+    volume_tolerance: float = 1e-4
+    area_tolerance: float = 0.01
+    free_tolerance: float = 0.01
+    solve_tolerance: float = 3e-3
+    step_tolerance: float = 0.03
+    solve_steps: int = 2000
+    prune: float = 1.6
+    centre: bool = True
+    extend_tips: bool = True
+    evaluate: bool = False
+    check: bool = False
+
+    def __post_init__(self) -> None:
+        if self.system not in SYSTEMS:
+            raise ConfigError(f"unknown system {self.system!r}: expected one of {', '.join(SYSTEMS)}")
+        if self.laplacian not in LAPLACIANS:
+            raise ConfigError(f"unknown Laplacian {self.laplacian!r}: expected one of {', '.join(LAPLACIANS)}")
+        ranges = {
+            "reconstruct_poles": (0, math.inf),
+            "reconstruct_mesh": (0, math.inf),
+            "resample": (0, 0.5),
+            "coarsen": (0, 0.1),
+            "t_min": (1e-5, 0.5),
+            "t_step": (0, 0.5),
+            "t_max": (0, 0.5),
+            "split_angle": (90, 180),
+            "growth": (1, 100),
+            "max_iterations": (1, math.inf),
+            "volume_tolerance": (0, 1),
+            "area_tolerance": (0, 1),
+            "free_tolerance": (0, 1),
+            "solve_tolerance": (0, 1),
+            "step_tolerance": (0, 1),
+            "solve_steps": (1, math.inf),
+            "prune": (0, math.inf),
+        }
+        for name, (low, high) in ranges.items():
+            value = getattr(self, name)
+            kind, what = (numbers.Integral, "whole number") if name in WHOLE else (numbers.Real, "number")
+            if isinstance(value, bool) or not isinstance(value, kind) or not low <= float(value) <= high:
+                raise ConfigError(f"Config.{name} is {value!r}: expected a {what} from {low} to {high}")
+        for name in (
+            "exact_reconstruction",
+            "use_poles",
+            "pole_confidence",
+            "edit_connectivity",
+            "w_H_follows_area",
+            "centre",
+            "extend_tips",
+            "evaluate",
+            "check",
+        ):
+            if not isinstance(getattr(self, name), bool):
+                raise ConfigError(f"Config.{name} is {getattr(self, name)!r}: expected True or False")
+        if self.t_max < self.t_min:
+            raise ConfigError(f"Config.t_max is {self.t_max}, below t_min {self.t_min}: expected t_min <= t_max")
+        if 0 < self.resample < 1e-3:
+            raise ConfigError(f"Config.resample is {self.resample}: expected 0 (off) or at least 0.001 of the diagonal")
+        if self.w_H_follows_area and self.edit_connectivity:
+            raise ConfigError("w_H_follows_area needs edit_connectivity=False: a merged vertex has no first area")
+        if 0 < self.reconstruct_poles < 4 or 0 < self.reconstruct_mesh < 4:
+            raise ConfigError("fewer than 4 eigenvectors rebuild no volume: expected 0 (off) or at least 4")
+
+    @classmethod
+    def tagliasacchi2012(cls, **changes: Any) -> "Config":
+        """Tagliasacchi et al. 2012: resampled input, cotangent L, poles as they are, constant t_c.
+
+        No smoothing belongs to its weights, `default_weights`. Entries of L are limited as in the default system.
+        """
+        base = cls(
+            system="tagliasacchi2012",
+            laplacian="cotangent",
+            reconstruct_poles=0,
+            resample=0.01,
+            coarsen=0.0,
+            t_min=0.002,
+            t_step=0.0,
+        )
+        return replace(base, **changes)
+
+    @classmethod
+    def au2008(cls, **changes: Any) -> "Config":
+        """Au et al. 2008: cotangent L, no poles, no edits in the loop; w_L grows and w_H follows the one-ring area.
+
+        Lengths are fractions of the diagonal here, so the first w_L is 1 and not 0.001 times the root of a face's area,
+        w_L grows no further than 2^20 times, and entries of L are limited as in the default system. Its own surgery and
+        recentring of the curve are not part of it: the contracted mesh goes the way of the others.
+        """
+        base = cls(
+            system="au2008",
+            laplacian="cotangent",
+            reconstruct_poles=0,
+            coarsen=0.0,
+            t_min=0.002,
+            use_poles=False,
+            edit_connectivity=False,
+            growth=2.0,
+            w_H_follows_area=True,
+        )
+        return replace(base, **changes)
+
+    @classmethod
+    def named(cls, system: str, **changes: Any) -> "Config":
+        """The configuration of the ``system`` of that name: "msf", "tagliasacchi2012" or "au2008"."""
+        makers = {"msf": cls, "tagliasacchi2012": cls.tagliasacchi2012, "au2008": cls.au2008}
+        if system not in makers:
+            raise ConfigError(f"unknown system {system!r}: expected one of {', '.join(SYSTEMS)}")
+        return makers[system](**changes)
+
+    @property
+    def on_device(self) -> "Config":
+        """The same as far as a jitted step is concerned: what it does not depend on does not compile it again."""
+        return Config(
+            laplacian=self.laplacian,
+            solve_tolerance=self.solve_tolerance,
+            step_tolerance=self.step_tolerance,
+            solve_steps=self.solve_steps,
+            w_H_follows_area=self.w_H_follows_area,
+            edit_connectivity=not self.w_H_follows_area,
+        )
+
+    def default_weights(self) -> Weights:
+        """The weights that go with this system."""
+        return {
+            "msf": Weights(),
+            "tagliasacchi2012": Weights(w_L=1.0, w_H=0.1, w_M=0.2, smoothing=0.0),
+            "au2008": Weights(w_L=1.0, w_H=1.0, w_M=0.0, smoothing=0.0),
+        }[self.system]

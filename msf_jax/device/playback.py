@@ -1,0 +1,285 @@
+"""The flow of one component again, from its tape: the same decisions, with live geometry, as one JAX program.
+
+Every iteration is a trip of a `lax.scan`: contract and smooth, merge what was merged, cut what was cut, and gather the
+rows of the next one. Laplacians, poles, midpoints and the places of cuts are computed anew from the positions;
+neighbours, merges, cuts, which pole a vertex has, and who is fixed come from the tape. The run's linear solves were
+loose: each left a residual r |b| of A x = b, and the tape holds r. The replay solves A x = b - r |b| tightly, and so
+comes to the same x, with derivatives that are those of an exact solve.
+"""
+
+from functools import partial
+from typing import Any, NamedTuple
+
+import jax
+import jax.numpy as jnp
+from jax import lax
+
+from msf_jax.base.layout import Layout
+from msf_jax.base.options import Config, Weights
+from msf_jax.device import laplacian
+from msf_jax.device.buffers import Buffers, Rings, slot_product
+from msf_jax.device.contraction import SOLUTION
+from msf_jax.device.iteration import move
+
+CUT_AT_ENDS = 1e-30  # squared length below which an edge has no direction to project on: it is cut in the middle
+
+
+class Mixing(NamedTuple):
+    """A sparse matrix by its entries (e,): ``share`` for positions, ``blend`` for weights."""
+
+    row: Any
+    column: Any
+    share: Any
+    blend: Any
+
+
+class Polynomial(NamedTuple):
+    """The filter sum_j share_j T_j(1 - 2 L / top) of the graph Laplacian L on packed rows; a constant linear map.
+
+    vertex: (n,) that each row holds. row: (V,) of each vertex. neighbour, is_used: (S,). degree: (n,).
+    """
+
+    vertex: Any
+    row: Any
+    neighbour: Any
+    is_used: Any
+    degree: Any
+    share: Any
+    top: Any
+
+
+class Basis(NamedTuple):
+    """The filter Phi Phi^T, ``basis`` (V, k)."""
+
+    basis: Any
+
+
+class Stretch(NamedTuple):
+    """T consecutive iterations in one layout of n rows; R rounds of M cuts each follow every one.
+
+    handover: (n,) the row of the workspace before, that each row starts from. enter: (T, n) the same inside.
+    rings: (T, S) each. degree, free, pull: (T, n). site: (T, n) the first row, whose pole this one has.
+    left: (T, 2, n, 3) residuals r of the solves. factor: (T,) that w_L had grown by.
+    group: (T, n) the row that each one is merged into. share, blend: (T, n) its part of that one's position, weights.
+    cut: (T, R, M, 3) the edge's ends and the apex.
+    """
+
+    handover: Any
+    enter: Any
+    rings: Any
+    degree: Any
+    free: Any
+    pull: Any
+    site: Any
+    left: Any
+    factor: Any
+    group: Any
+    share: Any
+    blend: Any
+    cut: Any
+
+
+class Part(NamedTuple):
+    """The tape of one component. Its first rows are those of the surface that the flow began with.
+
+    vertices: (V, 3) of the component in its frame. vertex_of_input: (V,) the caller's vertex that each is.
+    is_pin: (V,). mesh_filter: of the mesh itself. gather: its vertices to the first rows (n, V).
+    site_filter: of the sites that poles are sought for. tetrahedron: (n, 4), is_firm: (n,), offset: (n, 3): see
+    `host.recording.record_poles`.
+    meso_row: (m,) of the last workspace. nodes: the meso-skeleton to the nodes (N, m). pin_node, pin_input, pin_share:
+    (p,) nodes that are the mean of some of the caller's vertices. is_held: (N,) whether a node is one of those.
+    centre: (3,), diagonal: (), axes: (3, 3): the frame.
+    """
+
+    vertices: Any
+    vertex_of_input: Any
+    is_pin: Any
+    mesh_filter: Any
+    gather: Mixing
+    site_filter: Any
+    tetrahedron: Any
+    is_firm: Any
+    offset: Any
+    stretches: tuple[Stretch, ...]
+    meso_row: Any
+    nodes: Mixing
+    pin_node: Any
+    pin_input: Any
+    pin_share: Any
+    is_held: Any
+    centre: Any
+    diagonal: Any
+    axes: Any
+
+
+class Shape(NamedTuple):
+    """What of a component's tape is not an array: the layouts of its stretches and of its mesh filter's rings."""
+
+    layouts: tuple[Layout, ...]
+    mesh_layout: Layout | None
+
+
+@partial(jax.jit, static_argnames=("shape", "config"))
+def replay_part(
+    part: Part, weights: Weights, vertices: jax.Array, moved: jax.Array, shape: Shape, config: Config
+) -> tuple[jax.Array, jax.Array]:
+    """Meso-skeleton (m, 3) and nodes (N, 3) of a component, in the caller's units.
+
+    ``weights``: scalars or one value for each of the caller's vertices. ``vertices`` (V, 3) of the caller's mesh, and
+    how far each is ``moved`` (V, 3) from where it was recorded.
+    Differentiable in: weights, vertices together with moved.
+    """
+    start = jnp.asarray(part.vertices) + (moved[part.vertex_of_input] / part.diagonal) @ part.axes.T
+    place, site_of_pole = _first_rows(part, weights, start, shape)
+    poles = _poles(part, site_of_pole)
+    workspace, area = place, jnp.ones(len(place), place.dtype)
+    for number, (stretch, layout) in enumerate(zip(part.stretches, shape.layouts, strict=True)):
+        if config.w_H_follows_area:  # no edge is edited then: rows stay what they are, in every layout
+            rings = Rings(*(table[-1] for table in stretch.rings))
+            first = laplacian.one_ring_areas(place[:, :3], rings, stretch.degree[-1], layout) if number == 0 else area
+            area = first[stretch.handover]
+        else:
+            area = jnp.ones(layout.capacity, place.dtype)
+        workspace = _replay_stretch(stretch, poles, area, workspace[stretch.handover], layout, config)
+    meso = workspace[part.meso_row, :3]
+    nodes = _mixed(part.nodes, meso, len(part.is_held), part.nodes.share)
+    meso, nodes = (part.centre + part.diagonal * (points @ part.axes) for points in (meso, nodes))
+    pins = jax.ops.segment_sum(part.pin_share[:, None] * vertices[part.pin_input], part.pin_node, len(part.is_held))
+    return meso, jnp.where(part.is_held[:, None], pins, nodes)
+
+
+def _first_rows(part: Part, weights: Weights, start: jax.Array, shape: Shape) -> tuple[jax.Array, jax.Array]:
+    """Position and weights (n, 3 + 4) of the rows that the flow begins with, and the sites of their poles (n, 3)."""
+    if part.mesh_filter is not None:
+        kept = _filtered(part.mesh_filter, start, shape.mesh_layout)
+        start = jnp.where(part.is_pin[:, None], start, kept)
+    num = len(part.tetrahedron)
+    positions = _mixed(part.gather, start, num, part.gather.share)
+    columns = []
+    for weight in (weights.w_L, weights.w_H, weights.w_M, weights.smoothing):
+        weight = jnp.asarray(weight, positions.dtype)
+        if weight.ndim:
+            weight = _mixed(part.gather, weight[part.vertex_of_input][:, None], num, part.gather.blend)[:, 0]
+        columns.append(jnp.broadcast_to(weight, num))
+    sites = positions
+    if part.site_filter is not None:
+        sites = _filtered(part.site_filter, positions, shape.layouts[0] if shape.layouts else None)
+    return jnp.concatenate([positions, jnp.stack(columns, axis=1)], axis=1), sites
+
+
+def _mixed(mixing: Mixing, values: jax.Array, num: int, share: Any) -> jax.Array:
+    return jax.ops.segment_sum(share[:, None] * values[mixing.column], mixing.row, num)
+
+
+def _filtered(kept: Polynomial | Basis, x: jax.Array, layout: Any) -> jax.Array:
+    if isinstance(kept, Basis):
+        num = kept.basis.shape[0]  # padded rows come after the vertices
+        return x.at[:num].set(kept.basis @ (kept.basis.T @ x[:num]))
+    used = jnp.asarray(kept.is_used).astype(x.dtype)
+    degree = jnp.asarray(kept.degree, x.dtype)[:, None]
+
+    def cosine(y: jax.Array) -> jax.Array:
+        return y - 2 / kept.top * (degree * y - slot_product(layout, used, kept.neighbour, y))
+
+    def term(carry: tuple[jax.Array, ...], share: jax.Array) -> tuple[tuple[jax.Array, ...], None]:
+        before, now, total = carry
+        return (now, 2 * cosine(now) - before, total + share * now), None
+
+    rows = x[kept.vertex]
+    carry = cosine(rows), rows, jnp.zeros_like(rows)
+    return lax.scan(term, carry, jnp.asarray(kept.share, x.dtype))[0][2][kept.row]
+
+
+def _poles(part: Part, sites: jax.Array) -> jax.Array:
+    """The poles (n, 3): circumcentres c of their tetrahedra, c - p = (|a|^2 b x c + ...) / (2 a . b x c).
+
+    Where that is not well determined, the pole goes with the mean of the sites.
+    """
+    corner = sites[part.tetrahedron]
+    a, b, c = (corner[:, k] - corner[:, 0] for k in (1, 2, 3))
+    bc, ca, ab = jnp.cross(b, c), jnp.cross(c, a), jnp.cross(a, b)
+    square_a, square_b, square_c = ((edge * edge).sum(1, keepdims=True) for edge in (a, b, c))
+    is_firm = part.is_firm[:, None]
+    determinant = jnp.where(is_firm, (a * bc).sum(1, keepdims=True), 1.0)
+    centre = corner[:, 0] + (square_a * bc + square_b * ca + square_c * ab) / (2 * determinant)
+    return jnp.where(is_firm, centre, corner.mean(axis=1)) + part.offset
+
+
+def _replay_stretch(
+    stretch: Stretch, poles: jax.Array, area: jax.Array, rows: jax.Array, layout: Layout, config: Config
+) -> jax.Array:
+    """The workspace (n + R M, 7) after the iterations of ``stretch``: position and weights of rows, and of new ones."""
+    num_new = stretch.cut.shape[1] * stretch.cut.shape[2]
+    fresh = jnp.zeros((num_new, rows.shape[1]), rows.dtype)
+
+    def iteration(workspace: jax.Array, line: Any) -> tuple[jax.Array, None]:
+        rows = workspace[line.enter]
+        dtype = rows.dtype
+        buffers = Buffers(
+            positions=rows[:, :3],
+            rings=Rings(*line.rings),
+            degree=jnp.asarray(line.degree, dtype),
+            free=jnp.asarray(line.free, dtype),
+            poles=poles[line.site],
+            pull=jnp.asarray(line.pull, dtype),
+            t_c=jnp.zeros((), dtype),  # solve to the tolerance
+            area=area,
+        )
+        weights = Weights(rows[:, 3] * line.factor, rows[:, 4], rows[:, 5], rows[:, 6])
+        moved = move(buffers, weights, config, layout, jnp.asarray(line.left, dtype))
+        positions = jnp.where(moved.contraction.is_solved & moved.smoothing.is_solved, moved.positions, jnp.nan)
+        parts = jnp.concatenate([line.share[:, None] * positions, line.blend[:, None] * rows[:, 3:]], axis=1)
+        rows = jax.ops.segment_sum(parts, line.group, layout.capacity)
+        return _cut(jnp.concatenate([rows, fresh]), line.cut, layout.capacity), None
+
+    lines = stretch._replace(handover=None)
+    # Reverse mode keeps the workspace and the two solutions of every iteration, and computes the rest of it again.
+    kept = jax.checkpoint_policies.save_only_these_names(SOLUTION)
+    return lax.scan(jax.checkpoint(iteration, policy=kept), jnp.concatenate([rows, fresh]), lines)[0]
+
+
+def _cut(workspace: jax.Array, cut: jax.Array, first: int) -> jax.Array:
+    """Rounds of cuts (R, M, 3), whose new rows come after the ``first``: each where its apex projects on its edge."""
+    num_rounds, num_cuts, _ = cut.shape
+    if num_rounds == 0:
+        return workspace
+
+    def one_round(workspace: jax.Array, line: tuple[jax.Array, jax.Array]) -> tuple[jax.Array, None]:
+        edges, place = line
+        a, b, apex = (workspace[edges[:, k]] for k in range(3))
+        along = b[:, :3] - a[:, :3]
+        length2 = (along * along).sum(1)
+        is_long = length2 > CUT_AT_ENDS
+        fraction = ((apex[:, :3] - a[:, :3]) * along).sum(1) / jnp.where(is_long, length2, 1.0)
+        fraction = jnp.where(is_long, fraction, 0.5)[:, None]
+        return lax.dynamic_update_slice(workspace, (1 - fraction) * a + fraction * b, (place, 0)), None
+
+    places = first + num_cuts * jnp.arange(num_rounds)
+    return lax.scan(one_round, workspace, (cut, places))[0]
+
+
+def clearance(points: jax.Array, triangles: jax.Array, is_inside: jax.Array) -> jax.Array:
+    """Distance (N,) from each of ``points`` (N, 3) to its triangle (N, 3, 3); negative for one outside.
+
+    Over a face the side is live, so that a point can pass through it. Where an edge or a corner is nearest, a point is
+    on the side that ``is_inside`` (N,) says.
+    Differentiable in: points, triangles; zero gradient on an edge, where there is none.
+    """
+    best = jnp.full(len(points), jnp.inf, points.dtype)  # squared distance to the nearest edge
+    for k in range(3):
+        a, b = triangles[:, k], triangles[:, (k + 1) % 3]
+        along, offset = b - a, points - a
+        length2 = (along * along).sum(1)
+        t = (offset * along).sum(1) / jnp.where(length2 > 0, length2, 1.0)
+        rest = offset - jnp.clip(t, 0.0, 1.0)[:, None] * along
+        best = jnp.minimum(best, (rest * rest).sum(1))
+    to_edge = jnp.where(best == 0, 0.0, jnp.sqrt(jnp.where(best == 0, 1.0, best)))
+    ab, ac, offset = triangles[:, 1] - triangles[:, 0], triangles[:, 2] - triangles[:, 0], points - triangles[:, 0]
+    normal = jnp.cross(ab, ac)
+    area2 = (normal * normal).sum(1)
+    safe = jnp.where(area2 > 0, area2, 1.0)
+    v = (jnp.cross(offset, ac) * normal).sum(1) / safe
+    w = (jnp.cross(ab, offset) * normal).sum(1) / safe
+    is_over = (v >= 0) & (w >= 0) & (v + w <= 1) & (area2 > 0)
+    over = -(offset * normal).sum(1) / jnp.sqrt(safe)  # normals point out of the solid
+    return jnp.where(is_over, over, jnp.where(is_inside, to_edge, -to_edge))

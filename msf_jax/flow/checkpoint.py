@@ -1,0 +1,166 @@
+"""A run's state in a file, so that one that was killed goes on to the same bits.
+
+The file holds what iterations change: each component's surface, history and recorded steps. What comes before them is
+computed again, which gives the same numbers. It knows which run it is of, by hashes of the mesh and of every setting.
+"""
+
+import hashlib
+import os
+from pathlib import Path
+from typing import Any
+
+import jax
+import numpy as np
+
+from msf_jax.base import archive, version
+from msf_jax.base.errors import ConfigError
+from msf_jax.base.options import Config, Weights
+from msf_jax.device.buffers import real_dtype
+from msf_jax.flow.state import Iteration, State
+from msf_jax.host.meso import manifold
+from msf_jax.host.meso.collapse import CollapseRound
+from msf_jax.host.meso.meso import Compaction, Fixing, Meso
+from msf_jax.host.meso.split import SplitRound
+from msf_jax.host.recording.records import Step
+
+KIND, VERSION = "checkpoint", 1
+EVERY = 5  # iterations between two writes
+RECORDS = {kind.__name__: kind for kind in (Meso, Step, Iteration, CollapseRound, SplitRound, Fixing, Compaction)}
+CHANGING = ("meso", "t_c", "w_L_factor", "history", "steps", "failure")  # attributes of a `State`
+ADVICE = "choose another path"
+
+
+class Checkpoint:
+    """The file at ``path``, of the run that ``run`` identifies; without a path, nothing is kept.
+
+    Attributes:
+        saved: of each component that was begun, what its iterations had changed.
+        failure: why it could not be written, the last time; empty if it could.
+
+    Raises:
+        ConfigError: the path is not to be written to, or the file there is of another run, or no checkpoint.
+    """
+
+    def __init__(self, path: str | os.PathLike[str] | None, run: dict[str, str]) -> None:
+        self.path, self.run, self.failure = None if path is None else Path(path), run, ""
+        self.saved: list[dict[str, Any]] = []
+        if self.path is None:
+            return
+        folder = self.path.absolute().parent
+        if self.path.is_dir() or not folder.is_dir() or not os.access(folder, os.W_OK):
+            raise ConfigError(
+                f"cannot write a checkpoint to {str(path)!r}: expected a file name in a folder to write to"
+            )
+        if self.path.exists():
+            with archive.reading(self.path, KIND, VERSION, ADVICE) as (header, arrays):
+                of = dict(header["run"])
+                if other := [what for what in {**of, **run} if of.get(what) != run.get(what)]:
+                    raise ConfigError(
+                        f"the checkpoint {str(path)!r} is of another run, with another {', another '.join(other)}: "
+                        "choose another path, or delete it"
+                    )
+                self.saved = _decoded(header["states"], arrays)
+                _check_states(self.saved)
+
+    def restore(self, state: State) -> None:
+        """Bring ``state``, a component's first, to where the file has it.
+
+        Raises:
+            ConfigError: the file's surface is none of this component.
+        """
+        if state.number < len(self.saved):
+            if len(self.saved[state.number]["meso"].node_of_input) != len(state.meso.node_of_input):
+                raise ConfigError(f"the checkpoint {str(self.path)!r} is damaged: {ADVICE}")
+            for name, value in self.saved[state.number].items():
+                setattr(state, name, value)
+
+    def save(self, states: list[State]) -> None:
+        """Write the states of the components so far; a failure is kept in ``failure``, and the run goes on."""
+        if self.path is None:
+            return
+        arrays: dict[str, np.ndarray] = {}
+        changing = [{name: getattr(state, name) for name in CHANGING} for state in states]
+        changing += self.saved[len(states) :]
+        header = {"run": self.run, "states": _encoded(changing, arrays)}
+        try:
+            archive.write(self.path, KIND, VERSION, header, arrays, compress=False)
+            self.failure = ""
+        except OSError as error:
+            self.failure = f"the checkpoint {str(self.path)!r} could not be written: {error.strerror or error}"
+
+
+def run_of(
+    given: tuple[np.ndarray, np.ndarray], weights: Weights, config: Config, pins: np.ndarray, repair: Any
+) -> dict[str, str]:
+    """What makes a run the same: hashes by name."""
+    device = jax.devices()[0]
+    return {
+        "mesh": _hash(*given),
+        "weights": _hash(*(np.asarray(weight, dtype=np.float64) for weight in vars(weights).values())),
+        "config": repr(config),
+        "pins": _hash(pins),
+        "repair": repr(repair),
+        "precision": str(np.dtype(real_dtype())),
+        "version of msf_jax": version.VERSION,
+        "version of jax": jax.__version__,
+        "device": f"{device.platform} {device.device_kind}",
+    }
+
+
+def _check_states(states: Any) -> None:
+    """Raise a ValueError unless ``states`` are what `Checkpoint.save` writes of its components."""
+    for state in states:
+        if set(state) != set(CHANGING):
+            raise ValueError("a state lacks a part, or has one too many")
+        meso, history, steps = state["meso"], state["history"], state["steps"]
+        kinds = ((history, Iteration), (steps, Step))
+        if not isinstance(meso, Meso) or any(not isinstance(item, kind) for items, kind in kinds for item in items):
+            raise ValueError("a part of a state is of another kind")
+        num = len(meso.positions)
+        columns = (meso.rings, meso.degree, meso.poles, meso.has_pole, meso.is_fixed)
+        is_whole = all(len(column) == num for column in columns)
+        is_whole &= meso.positions.shape == meso.poles.shape == (num, 3)
+        is_whole &= bool(np.isfinite(meso.positions).all() and np.isfinite(meso.poles).all())
+        is_whole &= bool((meso.node_of_input >= 0).all() and (meso.node_of_input < num).all())
+        is_whole &= len(history) == len(steps) and bool((meso.rings >= -1).all() and (meso.rings < num).all())
+        if not is_whole or not 0 < state["t_c"] < 1:
+            raise ValueError("the arrays of a state do not fit together")
+        manifold.check_closed_manifold(meso.rings, manifold.euler_characteristic(meso.rings))
+
+
+def _hash(*arrays: np.ndarray) -> str:
+    digest = hashlib.sha256()
+    for array in arrays:
+        digest.update(f"{array.dtype.str}{array.shape}".encode())
+        digest.update(np.ascontiguousarray(array).tobytes())
+    return digest.hexdigest()
+
+
+def _encoded(value: Any, arrays: dict[str, np.ndarray]) -> Any:
+    """``value`` as JSON can hold it, with the arrays in it put into ``arrays``."""
+    if isinstance(value, np.ndarray):
+        arrays[str(len(arrays))] = value
+        return {"array": str(len(arrays) - 1)}
+    if isinstance(value, np.generic):
+        return value.item()
+    name = type(value).__name__
+    if name in RECORDS:
+        members = vars(value) if isinstance(value, Meso) else value._asdict()
+        return {"record": name, "members": {key: _encoded(member, arrays) for key, member in members.items()}}
+    if isinstance(value, dict):
+        return {"members": {key: _encoded(member, arrays) for key, member in value.items()}}
+    if isinstance(value, list):
+        return [_encoded(member, arrays) for member in value]
+    return value
+
+
+def _decoded(value: Any, arrays: dict[str, np.ndarray]) -> Any:
+    """What `_encoded` was given; raises a KeyError or a TypeError for what it never made."""
+    if isinstance(value, list):
+        return [_decoded(member, arrays) for member in value]
+    if not isinstance(value, dict):
+        return value
+    if "array" in value:
+        return arrays[value["array"]]
+    members = {key: _decoded(member, arrays) for key, member in value["members"].items()}
+    return RECORDS[value["record"]](**members) if "record" in value else members

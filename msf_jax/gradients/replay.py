@@ -1,0 +1,131 @@
+"""`replay`: the curve of a recorded run as a function of its weights and of the mesh's vertices, in pure JAX.
+
+What it is not: the gradient of a run. It is the gradient of the run's geometry with all decisions as they were; where
+other weights would merge, cut or fix otherwise, or take more iterations, a gradient cannot see it. `Tape.compare`
+counts what a fresh run decided differently.
+"""
+
+from dataclasses import replace as changed
+from typing import Any
+
+import jax
+import jax.numpy as jnp
+import numpy as np
+from jax.core import Tracer
+
+from msf_jax.base.errors import ConfigError, MeshError
+from msf_jax.base.options import Weights
+from msf_jax.device.buffers import real_dtype
+from msf_jax.device.playback import clearance, replay_part
+from msf_jax.gradients.tape import Tape
+
+TOLERANCE = {"float64": 1e-14, "float32": 1e-6}  # of the linear solves, relative
+MOST_STEPS = 20_000  # of conjugate gradients, in one solve
+
+
+def replay(tape: Tape, weights: Weights, vertices: Any = None, *, tolerance: float | None = None) -> jax.Array:
+    """The nodes that the recorded run would have found at other ``weights``, or for other ``vertices``.
+
+    Positions, Laplacians, poles and the places of cuts are computed; what was merged, cut and fixed is as recorded. At
+    the recorded weights and vertices these are ``flow.curve.vertices``. Works under `jax.jit`, `grad`, `vmap`,
+    `jacfwd` and `jacrev`; reverse mode keeps three states of the surface for each iteration. Under `jax.jit`, pass the
+    tape as an argument rather than closing over it: what is closed over is compiled in.
+
+    Args:
+        tape: of a run, ``flow.tape``.
+        weights: each a number, or (V,), one value for each vertex of the mesh: merged vertices take the mean of theirs,
+            one that cuts an edge interpolates.
+        vertices: (V, 3) of the mesh in the caller's units; where they were recorded, if not given.
+        tolerance: of the linear solves; 1e-14 in float64 and 1e-6 in float32 if not given. 1e-8 will do for a
+            search.
+
+    Returns:
+        (N, 3), in the caller's units. NaN if a linear solve does not converge in 20,000 steps: the weights are far from
+        any that the flow could work with (w_H and w_M next to nothing, say).
+
+    Differentiable in: weights, vertices; also in a pole's four sites, and through the filter that smooths them. Frozen
+    are all decisions, the frame (the flow does not depend on it), how far a pole is trusted, and the direction of the
+    residual that each of the run's loose solves left: its length goes with the right-hand side's. With
+    ``Config(solve_tolerance=1e-9, step_tolerance=0)`` a run leaves next to none. Of coincident vertices that were
+    welded the first stands for all. A system whose w_L grows (``Config.au2008()``) becomes so ill-conditioned that
+    neither equality nor gradients can be had of a long run.
+
+    Raises:
+        ConfigError: ``tape`` or ``weights`` is something else, or a weight is out of range or of the wrong shape.
+        MeshError: ``vertices`` has another shape than those of the tape, or is not finite.
+    """
+    return _replayed(tape, weights, vertices, tolerance)[1]
+
+
+def replay_meso(tape: Tape, weights: Weights, vertices: Any = None, *, tolerance: float | None = None) -> jax.Array:
+    """The contracted surface (n, 3), as `replay` gives the nodes: ``flow.meso_skeleton[0]`` at the recorded weights."""
+    return _replayed(tape, weights, vertices, tolerance)[0]
+
+
+def replay_radii(tape: Tape, nodes: jax.Array, vertices: Any = None) -> jax.Array:
+    """Distance (N,) from each of the ``nodes`` (N, 3) to the surface, negative for a node outside.
+
+    The triangle that is nearest to each is as recorded. At the recorded nodes these are ``flow.curve.radii``, where
+    those are positive. Differentiable in: nodes, vertices.
+
+    Raises:
+        ConfigError: ``nodes`` are not those of the tape.
+        MeshError: see `replay`.
+    """
+    _check_tape(tape)
+    if np.shape(nodes) != (tape.num_nodes, 3):
+        raise ConfigError(f"nodes has shape {np.shape(nodes)}: expected ({tape.num_nodes}, 3), those of the tape")
+    surface = jnp.asarray(tape.vertices, real_dtype()) if vertices is None else _checked_vertices(tape, vertices)
+    unit = jnp.asarray(tape.diagonal, surface.dtype)  # in which no square leaves float32's range
+    triangles = surface[jnp.asarray(tape.triangles)] / unit
+    return unit * clearance(jnp.asarray(nodes) / unit, triangles, jnp.asarray(tape.is_inside))
+
+
+def _replayed(tape: Tape, weights: Weights, vertices: Any, tolerance: float | None) -> tuple[jax.Array, jax.Array]:
+    _check_tape(tape)
+    if not isinstance(weights, Weights):
+        raise ConfigError(f"weights is a {type(weights).__name__}: expected a msf_jax.Weights")
+    weights.check()
+    for name, value in vars(weights).items():
+        if np.shape(value) not in ((), (len(tape.vertices),)):
+            raise ConfigError(
+                f"Weights.{name} has shape {np.shape(value)}: expected a number, or ({len(tape.vertices)},): "
+                "one for each vertex of the mesh that the tape was recorded for"
+            )
+    dtype = real_dtype()
+    given = jnp.asarray(tape.vertices, dtype)
+    moved = jnp.zeros_like(given) if vertices is None else _checked_vertices(tape, vertices) - given
+    tolerance = TOLERANCE[str(dtype)] if tolerance is None else tolerance
+    if isinstance(tolerance, bool) or not isinstance(tolerance, int | float) or not 0 < tolerance < 1:
+        raise ConfigError(f"tolerance is {tolerance!r}: expected a number above 0 and below 1")
+    config = changed(tape.config.on_device, solve_tolerance=tolerance, solve_steps=MOST_STEPS)
+    results = []
+    for part, shape, (num_meso, num_nodes) in zip(tape.parts, tape.shapes, tape.sizes, strict=True):
+        meso, nodes = replay_part(part, weights, given + moved, moved, shape, config)
+        results.append((meso[:num_meso], nodes[:num_nodes]))
+    meso, nodes = (jnp.concatenate(column) for column in zip(*results, strict=True))
+    return meso, nodes
+
+
+def _check_tape(tape: Any) -> None:
+    if not isinstance(tape, Tape):
+        raise ConfigError(f"tape is a {type(tape).__name__}: expected a Tape, such as flow.tape of a contract call")
+
+
+def _checked_vertices(tape: Tape, vertices: Any) -> jax.Array:
+    try:
+        array = jnp.asarray(vertices, real_dtype())
+    except (TypeError, ValueError) as error:
+        raise MeshError(f"vertices is a {type(vertices).__name__}, no table of numbers: expected (V, 3)") from error
+    if array.shape != tape.vertices.shape:
+        raise MeshError(
+            f"vertices has shape {array.shape}: expected {tape.vertices.shape}, those of the mesh that the tape was "
+            "recorded for"
+        )
+    if not isinstance(array, Tracer):
+        bad = np.flatnonzero(~np.isfinite(np.asarray(array)).all(axis=1))
+        if len(bad):
+            raise MeshError(
+                f"{len(bad)} of the vertices, the first {bad[0]}, are not finite: expected finite positions"
+            )
+    return array

@@ -1,0 +1,149 @@
+"""From the meso-skeleton to the curve: collapse what still bears faces, shortest first.
+
+The contracted surface is thin but still a surface. Its edges are taken in the order of their initial length, ties by
+index, and each that bears a face when its turn comes is merged; when none is left, the edges that remain are the curve.
+A node is the centroid of the meso vertices merged into it.
+"""
+
+from collections.abc import Iterable
+from typing import NamedTuple
+
+import numpy as np
+
+from msf_jax.host.meso import ring_tables
+from msf_jax.host.meso.collapse import edge_lengths, shortest_first
+
+
+class Curve(NamedTuple):
+    """nodes: (N, 3). edges: (E, 2). node_of_meso: (n,) the node that each vertex of the meso-skeleton went into."""
+
+    nodes: np.ndarray
+    edges: np.ndarray
+    node_of_meso: np.ndarray
+
+
+def extract_curve(
+    positions: np.ndarray, rings: np.ndarray, classes: np.ndarray | None = None, pinned: np.ndarray | None = None
+) -> Curve:
+    """Collapse the closed surface ``(positions, rings)`` to a graph of the same components.
+
+    With ``classes`` (n, K), no merge pinches a loop that the solid's curve must keep (see `homology`). Vertices of
+    ``pinned`` are not merged with each other while any other edge will do.
+    The order makes this step sequential: a loop over the edges of the meso-skeleton, once, after the flow.
+    """
+    a, b = ring_tables.edges_from_rings(rings)
+    order = shortest_first(a, b, edge_lengths(positions, a, b), 1e-3)
+    complex_ = _Complex(rings, classes, pinned)
+    edges = list(zip(a[order].tolist(), b[order].tolist(), strict=True))
+    while edges:  # an edge that would pinch a cycle waits for others to go first
+        waiting = [edge for edge in edges if not complex_.merge(*edge, force=False)]
+        is_stuck = len(waiting) == len(edges)
+        if is_stuck and (classes is None or not complex_.open_free_face(reversed(edges))):
+            for edge in edges:  # nothing else is left; the report will show what this costs
+                complex_.merge(*edge, force=True)
+            break
+        edges = waiting
+    root = np.array([complex_.find(vertex) for vertex in range(len(rings))])
+    node_of_meso = np.unique(root, return_inverse=True)[1]
+    count = np.bincount(node_of_meso)
+    nodes = np.stack([np.bincount(node_of_meso, weights=positions[:, axis]) / count for axis in range(3)], axis=1)
+    if classes is not None:  # what is left of the edges is known, those that were opened are gone
+        a, b = complex_.edges()
+    ends = np.sort(node_of_meso[np.stack([a, b], axis=1)], axis=1)
+    return Curve(nodes, np.unique(ends[ends[:, 0] < ends[:, 1]], axis=0), node_of_meso)
+
+
+class _Complex:
+    """Triangles and edges while vertices are merged; ``root`` is a union-find forest."""
+
+    def __init__(self, rings: np.ndarray, classes: np.ndarray | None, pinned: np.ndarray | None):
+        num = len(rings)
+        self.pinned = set() if pinned is None else set(pinned.tolist())  # roots
+        self.has_classes = classes is not None
+        self.root = list(range(num))
+        # apexes[u][v]: the third vertices of the faces at uv. classes[u][v]: the class of the way from u to v.
+        self.apexes: list[dict[int, set[int]]] = [{} for _ in range(num)]
+        self.classes: list[dict[int, int]] = [{} for _ in range(num)]
+        for u, v, w in ring_tables.faces_from_rings(rings).tolist():
+            for x, y, z in ((u, v, w), (v, w, u), (w, u, v)):
+                self.apexes[x].setdefault(y, set()).add(z)
+                self.apexes[y].setdefault(x, set()).add(z)
+        if classes is not None:
+            vertex, slot = np.nonzero(rings >= 0)
+            ends = rings[vertex, slot].tolist()
+            for u, v, value in zip(vertex.tolist(), ends, classes[vertex, slot].tolist(), strict=True):
+                self.classes[u][v] = value
+
+    def find(self, u: int) -> int:
+        """The vertex that u has been merged into."""
+        root = self.root
+        while root[u] != u:
+            root[u] = root[root[u]]
+            u = root[u]
+        return u
+
+    def merge(self, u: int, v: int, *, force: bool) -> bool:
+        """Merge the ends of an edge that bears a face; False if it has to wait, lest it pinch a cycle."""
+        u, v = self.find(u), self.find(v)
+        if u == v or not self.apexes[u].get(v):
+            return True
+        is_kept_apart = u in self.pinned and v in self.pinned
+        if not force and (is_kept_apart or (self.has_classes and self._pinches(u, v))):
+            return False
+        self.root[v] = u
+        if v in self.pinned:
+            self.pinned.add(u)
+        self._move_classes(u, v)
+        around_v, self.apexes[v] = self.apexes[v], {}
+        for x, thirds in around_v.items():  # faces (v, x, z) become (u, x, z), those with u vanish
+            around_x = self.apexes[x]
+            around_x.pop(v, None)
+            for z in thirds:
+                if z != u and x != u:
+                    self.apexes[u].setdefault(x, set()).add(z)
+                    around_x.setdefault(u, set()).add(z)
+                around_xz = around_x.get(z)
+                if around_xz is not None:
+                    around_xz.discard(v)
+                    if x != u and z != u:
+                        around_xz.add(u)
+        return True
+
+    def open_free_face(self, edges: Iterable[tuple[int, int]]) -> bool:
+        """Take away the first of ``edges`` that bears just one face, and that face: the shape is open there anyway.
+
+        This is how a face goes whose three edges all close cycles. False if there is no such edge.
+        """
+        for u, v in edges:
+            u, v = self.find(u), self.find(v)
+            thirds = self.apexes[u].get(v, ())
+            if u != v and len(thirds) == 1:
+                (w,) = thirds
+                for x, y, z in ((u, v, w), (v, w, u), (w, u, v)):
+                    self.apexes[x][y].discard(z)
+                    self.apexes[y][x].discard(z)
+                self.classes[u].pop(v)
+                self.classes[v].pop(u)
+                return True
+        return False
+
+    def edges(self) -> tuple[np.ndarray, np.ndarray]:
+        """The ends of every edge that is left, where classes are known."""
+        pairs = [(u, v) for u, ways in enumerate(self.classes) for v in ways if u < v]
+        left = np.array(pairs, dtype=np.int64).reshape(-1, 2)
+        return left[:, 0], left[:, 1]
+
+    def _pinches(self, u: int, v: int) -> bool:
+        """Whether a loop u -> v -> x -> u is not zero in the solid."""
+        of_u, of_v = self.classes[u], self.classes[v]
+        way = of_u[v]
+        return any(x in of_u and of_u[x] != way + value for x, value in of_v.items() if x != u)
+
+    def _move_classes(self, u: int, v: int) -> None:
+        of_v, self.classes[v] = self.classes[v], {}
+        way = self.classes[u].pop(v, 0)
+        for x, value in of_v.items():
+            self.classes[x].pop(v, None)
+            if x != u:
+                self.classes[u].setdefault(x, way + value)
+                self.classes[x].setdefault(u, -self.classes[u][x])

@@ -1,0 +1,173 @@
+"""From the curve as the flow left it to the finished one: inside, pruned, centred, and out to the ends of the limbs.
+
+Each step is a pass: a function from a `Draft` to a `Draft`. The nodes of the flow that stay keep their order, and new
+ones come after them, so that whatever speaks of the flow's nodes (a loss on a replay, say) speaks of the same ones in
+the finished curve.
+"""
+
+from collections.abc import Callable
+from functools import partial
+from typing import NamedTuple
+
+import numpy as np
+from scipy import spatial
+
+from msf_jax.host.curve import branches, centring, containment, tips
+from msf_jax.host.solid.enclosure import Enclosure
+
+SPACING = 0.5  # radii, between the nodes of a finished curve
+LATER_ROUNDS = 2  # of centring, once it has been centred
+
+
+class Draft(NamedTuple):
+    """A curve on its way to being finished.
+
+    vertices: (N, 3). edges: (E, 2). is_held: (N,) nodes that do not move. origin: (N,) the flow's node that each is,
+    in ascending order, and -1 for the new ones, which come last. node_of_flow: (n,) the node that stands for each of
+    the flow's: itself, or the junction that its branch was pruned from.
+    """
+
+    vertices: np.ndarray
+    edges: np.ndarray
+    is_held: np.ndarray
+    origin: np.ndarray
+    node_of_flow: np.ndarray
+
+    def changed(self, vertices: np.ndarray, edges: np.ndarray | None = None) -> "Draft":
+        """The same with its nodes moved, new ones last, and with other edges if they are given."""
+        new = (0, len(vertices) - len(self.vertices))
+        return self._replace(
+            vertices=vertices,
+            edges=self.edges if edges is None else edges,
+            is_held=np.pad(self.is_held, new),
+            origin=np.pad(self.origin, new, constant_values=-1),
+        )
+
+    def is_leaf(self) -> np.ndarray:
+        """(N,) True for a node with one edge."""
+        return np.bincount(self.edges.ravel(), minlength=len(self.vertices)) == 1
+
+
+class Job(NamedTuple):
+    """What a pass may ask.
+
+    shape: the solid, of diagonal 1. rough: much the same of fewer triangles, good enough to find the middle of.
+    persistence: that below which branches are pruned.
+    """
+
+    shape: Enclosure
+    rough: Enclosure
+    persistence: float
+
+
+class Finished(NamedTuple):
+    """vertices (N, 3) and edges (E, 2) of the finished curve.
+
+    is_kept: (n,) which of the flow's nodes are in it, in their order, before all others.
+    target: (n,) the flow's node that stands for each: itself, or the junction that its branch was pruned from.
+    """
+
+    vertices: np.ndarray
+    edges: np.ndarray
+    is_kept: np.ndarray
+    target: np.ndarray
+
+
+def passes(centre: bool, extend: bool) -> list[Callable[[Draft, Job], Draft]]:
+    """The passes in their order; ``centre`` and ``extend`` switch those that belong to them."""
+    return [
+        contained,
+        *([unfolded, centred, unfolded] if centre else []),  # what to prune is decided on a curve that is centred
+        pruned,
+        *([refined, partial(centred, rounds=LATER_ROUNDS)] if centre else []),
+        *([extended] if extend else []),
+        *([partial(centred, rounds=LATER_ROUNDS, hold_leaves=True)] if centre and extend else []),
+        *([unfolded] if centre else []),
+        contained,
+    ]
+
+
+def finish(
+    shape: Enclosure,
+    nodes: np.ndarray,
+    edges: np.ndarray,
+    is_held: np.ndarray,
+    *,
+    persistence: float,
+    centre: bool,
+    extend: bool,
+    rough: Enclosure | None = None,
+) -> Finished:
+    """Finish the curve ``(nodes (n, 3), edges)`` of a solid of diagonal 1; nodes of ``is_held`` (n,) do not move.
+
+    ``persistence`` is that below which branches are pruned; ``centre`` and ``extend`` switch those steps. ``rough`` is
+    much the same surface of fewer triangles, which is good enough to find the middle of.
+    """
+    job = Job(shape, shape if rough is None else rough, persistence)
+    draft = Draft(nodes, edges, is_held, np.arange(len(nodes)), np.arange(len(nodes)))
+    for each in passes(centre, extend):
+        draft = each(draft, job)
+    is_kept = np.isin(np.arange(len(nodes)), draft.origin)
+    return Finished(draft.vertices, in_order(draft.edges), is_kept, draft.origin[draft.node_of_flow])
+
+
+def contained(draft: Draft, job: Job) -> Draft:
+    """Nodes and edges inside."""
+    return draft.changed(*containment.contain(job.shape, draft.vertices, draft.edges, draft.is_held))
+
+
+def unfolded(draft: Draft, job: Job) -> Draft:
+    """No branch turns back at a node."""
+    return draft.changed(containment.unfold(job.shape, draft.vertices, draft.edges, draft.is_held))
+
+
+def centred(draft: Draft, job: Job, rounds: int = centring.ROUNDS, hold_leaves: bool = False) -> Draft:
+    """Nodes in the middle of the solid."""
+    is_held = draft.is_held | draft.is_leaf() if hold_leaves else draft.is_held
+    return draft.changed(centring.centre(job.rough, draft.vertices, draft.edges, is_held, rounds))
+
+
+def pruned(draft: Draft, job: Job) -> Draft:
+    """Without the branches that no limb is around."""
+    x, e, is_held = draft.vertices, draft.edges, draft.is_held
+    stays, target = branches.prune(x, e, job.shape.approach(x)[0], job.persistence, is_held)
+    rank = np.cumsum(stays) - 1
+    left = rank[e[stays[e].all(axis=1)]]
+    return Draft(x[stays], left, is_held[stays], draft.origin[stays], rank[target[draft.node_of_flow]])
+
+
+def refined(draft: Draft, job: Job) -> Draft:
+    """With nodes about every ``SPACING`` radii."""
+    return draft.changed(*containment.refine(job.shape, draft.vertices, draft.edges, SPACING))
+
+
+def extended(draft: Draft, job: Job) -> Draft:
+    """Leaves at the ends of their limbs."""
+    return draft.changed(*tips.extend(job.shape, draft.vertices, draft.edges, draft.is_held))
+
+
+def in_order(edges: np.ndarray) -> np.ndarray:
+    """Edges with their smaller node first, in ascending order."""
+    return np.unique(np.sort(edges, axis=1), axis=0).reshape(-1, 2)
+
+
+def nearest_on_branch(
+    nodes: np.ndarray, edges: np.ndarray, points: np.ndarray, node_of_point: np.ndarray
+) -> np.ndarray:
+    """Let each point (P, 3) go to the nearest node of its own branch; one at a junction, of any that meet there.
+
+    Nodes have moved along their branches, and there are new ones, since a point was given its node. Returns (P,) nodes.
+    """
+    found = node_of_point.copy()
+    least = np.full(len(points), np.inf)
+    order = np.argsort(node_of_point, kind="stable")
+    bounds = np.searchsorted(node_of_point[order], np.arange(len(nodes) + 1))
+    for way in branches.trace(len(nodes), edges):
+        own = np.concatenate([order[bounds[node] : bounds[node + 1]] for node in dict.fromkeys(way)])
+        if len(own):
+            on_way = np.array(way)
+            away, place = spatial.KDTree(nodes[on_way]).query(points[own])
+            is_nearer = away < least[own]
+            found[own[is_nearer]] = on_way[np.asarray(place)[is_nearer]]
+            least[own[is_nearer]] = away[is_nearer]
+    return found

@@ -1,0 +1,118 @@
+"""Carry the ends of a curve on to the ends of their limbs.
+
+A contraction stops short: a tip shrinks away before the limb is thin. From a leaf the curve is marched on in small
+steps along the limb's axis, each followed by a step to the centroid of the cross-section, until the surface ahead is
+nearer than a part of the limb's radius.
+"""
+
+import itertools
+from typing import NamedTuple
+
+import numpy as np
+
+from msf_jax.host.curve import branches
+from msf_jax.host.solid import sections
+from msf_jax.host.solid.enclosure import Enclosure
+from msf_jax.host.solid.geometry import arc_length, at, unit
+
+GAP = 0.3  # limb radii, that are left between the end of the curve and the surface ahead
+BACK = 1.0  # limb radii, by which a leaf is taken back first: the last bit of a contracted curve is bent
+STEP = 0.4  # limb radii, of one step
+TURN = 1.0  # step lengths, that a step goes sideways at most
+MOST_STEPS = 80
+
+
+class Tip(NamedTuple):
+    """nodes: of the leaf's branch, from the leaf on. last: which of them it may be taken back to."""
+
+    nodes: np.ndarray
+    last: int
+
+
+def extend(
+    shape: Enclosure, vertices: np.ndarray, edges: np.ndarray, is_held: np.ndarray
+) -> tuple[np.ndarray, np.ndarray]:
+    """The curve with its leaves at the ends of their limbs: nodes, new ones last, and edges.
+
+    The nodes of a leaf's branch are spread over its new course, from where it differs.
+    """
+    x = vertices.copy()
+    degree = np.bincount(edges.ravel(), minlength=len(x))
+    tips = []
+    for way in branches.trace(len(x), edges):
+        for nodes in (np.array(way), np.array(way[::-1])):
+            if degree[nodes[0]] == 1 and not is_held[nodes[0]]:
+                # A branch with two leaves can be taken back to its middle from both; a held node is not passed.
+                last = (len(nodes) - 1) // 2 if degree[nodes[-1]] == 1 else len(nodes) - 1
+                tips.append(Tip(nodes, int(np.argmax(np.append(is_held[nodes[:last]], True)))))
+    if not tips:
+        return x, edges
+    radii = shape.approach(x)[0]
+    courses = _march(shape, vertices, radii, tips)
+    added, joined, count = [], [], len(x)
+    for (nodes, _), (kept, course) in zip(tips, courses, strict=True):
+        along = arc_length(course)
+        if along[-1] < arc_length(vertices[nodes[: kept + 1]])[-1]:
+            continue  # no farther than before
+        # Nodes that were taken back lie on the course again, evenly; what they leave uncovered gets new nodes.
+        moved = nodes[:kept]
+        radius = max(float(radii[nodes[: kept + 1]].max()), 1e-300)
+        num_new = max(0, int(np.ceil(along[-1] / (STEP * radius))) - len(moved))
+        stops = np.linspace(0, along[-1], len(moved) + num_new + 1)[1:]
+        places = at(course, along, stops)
+        x[moved[::-1]] = places[: len(moved)]
+        chain = [int(nodes[0]), *range(count, count + num_new)]
+        joined += list(itertools.pairwise(chain))
+        added.append(places[len(moved) :])
+        count += num_new
+    return np.concatenate([x, *added]), np.concatenate([edges, np.array(joined, dtype=np.int64).reshape(-1, 2)])
+
+
+def _march(shape: Enclosure, vertices: np.ndarray, radii: np.ndarray, tips: list[Tip]) -> list[tuple[int, np.ndarray]]:
+    """For each leaf, how many nodes of its branch are taken back, and the course (k, 3) from there to the end."""
+    start, direction, limb, kept = [], [], [], []
+    for nodes, last in tips:
+        points, radius = vertices[nodes], radii[nodes]
+        along = arc_length(points)
+        size = radius[0]
+        for _ in range(3):  # the limb's radius is the largest ball within that radius of the leaf
+            size = max(size, float(radius[along <= size].max()))
+        back = min(BACK * size, 0.5 * along[-1])
+        first = min(int(np.searchsorted(along, back)), last)
+        ahead = at(points, along, np.array([along[first], min(along[first] + size, along[-1])]))
+        kept.append(first)
+        start.append(points[first])
+        direction.append(ahead[0] - ahead[1] if np.ptp(ahead, axis=0).any() else points[0] - points[-1])
+        limb.append(size)
+    place, heading, size = np.array(start), unit(np.array(direction)), np.array(limb)
+    stride = np.full(len(place), STEP)
+    courses = [[point.copy()] for point in place]
+    active = np.flatnonzero(size > 0)
+    for _ in range(MOST_STEPS):
+        ahead = shape.ray_lengths(place[active], heading[active], 4 * size[active])
+        room = ahead - GAP * size[active]
+        step = np.minimum(stride[active] * size[active], room)
+        goal = place[active] + step[:, None] * heading[active]
+        found = sections.cut(shape, goal, heading[active], size[active], shape.approach(goal)[1])
+        off = found.centroid - goal
+        length = np.linalg.norm(off, axis=1)
+        is_limb = found.is_around & (found.radius < 2 * size[active])
+        # A turn of half a right angle at most in a step; and a cap's sections wander, so they count for less.
+        share = np.minimum(1.0, TURN * step / np.maximum(length, 1e-300)) * np.clip(room / size[active], 0, 1)
+        goal = goal + np.where(is_limb, share, 0.0)[:, None] * off
+        is_open = (room > 0.02 * size[active]) & (
+            shape.about_clearance(goal)[0] > 0.1 * np.minimum(size[active], ahead)
+        )
+        for row, point in zip(active[is_open], goal[is_open], strict=True):
+            courses[row].append(point)
+        heading[active[is_open]] = unit(heading[active] + unit(goal - place[active]))[is_open]
+        place[active[is_open]] = goal[is_open]
+        # A limb that tapers is followed with its own radius, but not into its cap.
+        is_full = is_open & is_limb & (ahead > 2 * size[active])
+        size[active[is_full]] = np.minimum(size[active], found.radius)[is_full]
+        # Where the way is barred, a shorter step may go round the bend.
+        stride[active] = np.where(is_open, np.minimum(2 * stride[active], STEP), stride[active] / 2)
+        active = active[(room > 0.02 * size[active]) & (stride[active] > STEP / 5)]
+        if not len(active):
+            break
+    return [(number, np.array(course)) for number, course in zip(kept, courses, strict=True)]

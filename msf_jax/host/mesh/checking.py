@@ -1,0 +1,247 @@
+"""The front door: read a mesh, check it, repair what can be repaired without a doubt, refuse the rest by name.
+
+A surface that passes is closed, consistently oriented outwards, manifold at edges and vertices, and encloses a volume.
+Repairs made here, each one listed for the report: coincident vertices of an open mesh are welded, vertices without a
+face dropped, a component turned inside out is flipped, a vertex where several fans meet is split into one per fan.
+"""
+
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+from scipy import sparse
+from scipy.sparse import csgraph
+
+from msf_jax.base.errors import MeshError
+from msf_jax.host.mesh.half_edges import half_edges, next_in_ring
+from msf_jax.host.mesh.reading import OR_REPAIR, count, read
+from msf_jax.host.mesh.repair import FEWEST_VERTICES, FLATTEST, Repair, as_repair, repaired
+from msf_jax.host.solid.enclosure import Enclosure
+from msf_jax.host.solid.geometry import signed_volume
+
+
+@dataclass(frozen=True)
+class Component:
+    """One closed connected surface.
+
+    vertices: (V, 3) float64, the caller's units. faces: (F, 3). genus: handles.
+    """
+
+    vertices: np.ndarray
+    faces: np.ndarray
+    genus: int
+
+
+@dataclass(frozen=True)
+class Surface:
+    """A checked input.
+
+    vertices: (V, 3) and faces: (F, 3) of the whole repaired surface, in the caller's units.
+    components: its parts, whose vertices are ``vertices[members[c]]``.
+    vertex_of_input: (V_in,) where every vertex of the caller's mesh went, -1 if it is in no face.
+    input_of_vertex: (V,) the caller's vertex that each comes from; of welded ones, the first.
+    strays: (S, 3) the vertices that are in no face, in the caller's order.
+    repairs: what was changed, one sentence each.
+    given: vertices and faces as the caller's mesh has them.
+    """
+
+    vertices: np.ndarray
+    faces: np.ndarray
+    components: tuple[Component, ...]
+    members: tuple[np.ndarray, ...]
+    vertex_of_input: np.ndarray
+    input_of_vertex: np.ndarray
+    strays: np.ndarray
+    repairs: tuple[str, ...]
+    given: tuple[np.ndarray, np.ndarray]
+
+
+def prepare(mesh: Any, repair: bool | Repair = False) -> Surface:
+    """Read, check and repair ``mesh``, with ``repair`` beyond what is without a doubt; the caller's object stays.
+
+    Raises:
+        MeshError: what was found, how often and where first, and what to do about it.
+        ConfigError: ``repair`` is neither True, False nor a `Repair`.
+    """
+    wanted = as_repair(repair)
+    vertices, faces = read(mesh, finite=wanted is None)
+    if wanted is None:
+        return _checked(vertices, faces)
+    done = repaired(vertices, faces, wanted)
+    try:
+        checked = _checked(done.vertices, done.faces)
+    except MeshError as error:
+        raise MeshError(f"after repair, {str(error).replace(OR_REPAIR, ', or let Repair do more')}") from error
+    target = np.where(done.vertex_of_given < 0, -1, checked.vertex_of_input[done.vertex_of_given])
+    return replace(
+        checked,
+        vertex_of_input=target,
+        input_of_vertex=done.source[checked.input_of_vertex],
+        strays=done.given[target < 0],
+        repairs=done.repairs + checked.repairs,
+        given=(done.given, faces),
+    )
+
+
+def _checked(vertices: np.ndarray, faces: np.ndarray) -> Surface:
+    """The surface of sound input, after repairs without a doubt."""
+    given = vertices, faces
+    repairs: list[str] = []
+    vertex_of_input = np.arange(len(vertices))
+    faces = _without_repeated_corners(faces)
+    caller_number = np.arange(len(vertices))
+
+    if (half_edges(faces).twin < 0).any():
+        vertices, faces, welded, vertex_of_input = _weld(vertices, faces)
+        if welded:
+            repairs.append(f"welded {welded} duplicate {'vertex' if welded == 1 else 'vertices'}")
+            caller_number = np.unique(vertex_of_input, return_index=True)[1]
+    _check_edges(faces, caller_number)
+
+    strays = np.empty((0, 3))
+    used = np.zeros(len(vertices), dtype=bool)
+    used[faces] = True
+    if not used.all():
+        repairs.append(
+            f"left out vertices that no face uses: {int((~used).sum())} (mapped to the node nearest to them)"
+        )
+        number = np.where(used, np.cumsum(used) - 1, -1)
+        strays = vertices[vertex_of_input[number[vertex_of_input] < 0]]
+        vertices, faces, vertex_of_input = vertices[used], number[faces], number[vertex_of_input]
+        caller_number = caller_number[used]
+
+    vertices, faces, owner = _split_pinches(vertices, faces)
+    input_of_vertex = np.concatenate([caller_number, caller_number[owner]])
+    pinches = len(np.unique(owner))
+    if pinches:
+        repairs.append(f"split {pinches} pinched {'vertex' if pinches == 1 else 'vertices'} into one per fan")
+
+    label = _component_labels(faces, len(vertices))
+    components, members = [], []
+    for number in range(int(label.max()) + 1):
+        member = np.flatnonzero(label == number)
+        local = np.full(len(vertices), -1)
+        local[member] = np.arange(len(member))
+        mine = label[faces[:, 0]] == number
+        first = caller_number[min(member[0], len(caller_number) - 1)]
+        name = "the mesh" if label.max() == 0 else f"component {number} (the one with vertex {first})"
+        component, is_flipped = _component(vertices[member], local[faces[mine]], name)
+        if is_flipped:
+            is_cavity = bool((~mine).any()) and Enclosure(vertices, faces[~mine]).contains(vertices[member[:1]])[0]
+            faces[mine] = faces[mine][:, ::-1]
+            repairs.append(
+                f"flipped {name}, a cavity in another component: it is skeletonised as a solid of its own"
+                if is_cavity
+                else f"flipped {name}, which was turned inside out"
+            )
+        components.append(component)
+        members.append(member)
+    return Surface(
+        vertices=vertices,
+        faces=faces,
+        components=tuple(components),
+        members=tuple(members),
+        vertex_of_input=vertex_of_input,
+        input_of_vertex=input_of_vertex,
+        strays=strays,
+        repairs=tuple(repairs),
+        given=given,
+    )
+
+
+def _without_repeated_corners(faces: np.ndarray) -> np.ndarray:
+    bad = np.flatnonzero((faces[:, 0] == faces[:, 1]) | (faces[:, 1] == faces[:, 2]) | (faces[:, 2] == faces[:, 0]))
+    if len(bad):
+        raise MeshError(f"{count(bad, 'face', 'faces')} degenerate (a corner occurs twice): remove them{OR_REPAIR}")
+    return faces
+
+
+def _weld(vertices: np.ndarray, faces: np.ndarray) -> tuple[np.ndarray, np.ndarray, int, np.ndarray]:
+    """Merge exactly coincident vertices, and drop the faces that this crushes."""
+    _, first, inverse = np.unique(vertices, axis=0, return_index=True, return_inverse=True)
+    inverse = inverse.ravel()
+    order = np.argsort(first, kind="stable")  # keep the caller's order
+    number = np.empty(len(order), dtype=np.int64)
+    number[order] = np.arange(len(order))
+    welded = number[inverse][faces]
+    keep = (welded[:, 0] != welded[:, 1]) & (welded[:, 1] != welded[:, 2]) & (welded[:, 2] != welded[:, 0])
+    return vertices[first[order]], welded[keep], len(vertices) - len(first), number[inverse]
+
+
+def _check_edges(faces: np.ndarray, caller_number: np.ndarray) -> None:
+    """Every edge must have exactly two faces, and run once each way; ``caller_number`` names vertices in messages."""
+    if len(faces) == 0:
+        raise MeshError("no face is left once coincident vertices are welded: the mesh is degenerate")
+    num = np.int64(faces.max()) + 1
+    edge = np.sort(np.stack([faces, faces[:, [1, 2, 0]]], axis=-1).reshape(-1, 2), axis=1)
+    code, inverse, count = np.unique(edge[:, 0] * num + edge[:, 1], return_inverse=True, return_counts=True)
+
+    def say(bad: np.ndarray) -> str:
+        shown = ", ".join(f"{caller_number[c // num]}-{caller_number[c % num]}" for c in code[bad][:5])
+        return f"{len(bad)} {'edge' if len(bad) == 1 else 'edges'} ({shown}{', ...' if len(bad) > 5 else ''})"
+
+    crowded, single = np.flatnonzero(count > 2), np.flatnonzero(count == 1)
+    if len(crowded):
+        also = f", and open: {say(single)} with only one face" if len(single) else ""
+        raise MeshError(
+            f"not manifold: {say(crowded)} with more than two faces{also}: separate the sheets that meet there"
+            + (" and close the holes" if len(single) else "")
+            + OR_REPAIR
+        )
+    if len(single):
+        raise MeshError(
+            f"the mesh is open: {say(single)} with only one face: close its holes first, "
+            f"for example with trimesh.repair.fill_holes{OR_REPAIR}"
+        )
+    forward = faces.ravel() < faces[:, [1, 2, 0]].ravel()
+    odd = np.flatnonzero(np.bincount(inverse.ravel(), weights=forward) != 1)
+    if len(odd):
+        raise MeshError(
+            f"not consistently oriented: {say(odd)} run the same way in both faces: "
+            f"orient the faces first, for example with trimesh.repair.fix_winding{OR_REPAIR}"
+        )
+
+
+def _split_pinches(vertices: np.ndarray, faces: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """One vertex per fan: the first fan keeps its number, the others get new ones at the end.
+
+    Returns vertices, faces, and the old vertex that each new one was.
+    """
+    edges = half_edges(faces)
+    num = len(edges.origin)
+    step = next_in_ring(edges)
+    graph = sparse.coo_matrix((np.ones(num), (np.arange(num), step)), shape=(num, num))
+    fan = csgraph.connected_components(graph, directed=False)[1]
+    _, first = np.unique(fan, return_index=True)  # fans are numbered in the order in which they first occur
+    owner = edges.origin[first]
+    is_extra = np.ones(len(owner), dtype=bool)
+    is_extra[np.unique(owner, return_index=True)[1]] = False
+    number = owner.copy()
+    number[is_extra] = len(vertices) + np.arange(int(is_extra.sum()))
+    extra = owner[is_extra]
+    return np.concatenate([vertices, vertices[extra]]), number[fan].reshape(-1, 3), extra
+
+
+def _component_labels(faces: np.ndarray, num_vertices: int) -> np.ndarray:
+    a, b = faces.ravel(), faces[:, [1, 2, 0]].ravel()
+    graph = sparse.coo_matrix((np.ones(len(a)), (a, b)), shape=(num_vertices, num_vertices))
+    return csgraph.connected_components(graph, directed=False)[1]
+
+
+def _component(vertices: np.ndarray, faces: np.ndarray, name: str) -> tuple[Component, bool]:
+    if len(vertices) < FEWEST_VERTICES:
+        what = "is a tetrahedron" if len(vertices) == 4 else f"has {len(vertices)} vertices"
+        raise MeshError(
+            f"{name} {what}: expected at least {FEWEST_VERTICES} vertices; subdivide it if it should have a skeleton"
+        )
+    low, high = vertices.min(axis=0), vertices.max(axis=0)
+    size = float((high - low).max())
+    volume = signed_volume((vertices - (low + high) / 2) / size, faces) if size > 0 else 0.0
+    if not abs(volume) > FLATTEST:
+        raise MeshError(
+            f"{name} encloses no volume ({volume:.3g} of the cube of its extent, {size:.3g}): expected a solid"
+        )
+    if volume < 0:
+        faces = faces[:, ::-1]
+    euler = len(vertices) - len(faces) // 2
+    return Component(vertices, faces, (2 - euler) // 2), volume < 0

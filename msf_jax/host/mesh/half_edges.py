@@ -1,0 +1,33 @@
+"""Half-edges of a triangle list, each with its twin: what is asked of a mesh before it is known to be sound."""
+
+from typing import NamedTuple
+
+import numpy as np
+
+
+class HalfEdges(NamedTuple):
+    """Half-edges of a triangle list: number 3f + c runs from corner c of face f to the next corner."""
+
+    origin: np.ndarray
+    target: np.ndarray
+    twin: np.ndarray  # -1 where no half-edge runs the other way
+
+
+def half_edges(faces: np.ndarray) -> HalfEdges:
+    """Half-edges of ``faces`` (F, 3) with their twins; they need not be closed, but no half-edge may occur twice."""
+    origin = faces.ravel()
+    target = faces[:, [1, 2, 0]].ravel()
+    num = int(faces.max(initial=-1)) + 1
+    forward = origin.astype(np.int64) * num + target
+    backward = target.astype(np.int64) * num + origin
+    order = np.argsort(forward, kind="stable")
+    place = np.searchsorted(forward, backward, sorter=order).clip(max=len(order) - 1)
+    twin = order[place] if len(order) else order
+    return HalfEdges(origin, target, np.where(forward[twin] == backward, twin, -1))
+
+
+def next_in_ring(edges: HalfEdges) -> np.ndarray:
+    """For the half-edge i -> j of face (i, j, k), the number of the half-edge i -> k: one step around vertex i."""
+    num = np.arange(len(edges.origin))
+    previous = num - num % 3 + (num + 2) % 3
+    return edges.twin[previous]

@@ -1,0 +1,36 @@
+"""Fixing degenerate vertices, and the threshold's saw-tooth (article 3.2.5 and 3.2.6)."""
+
+import numpy as np
+
+from msf_jax.host.meso import ring_tables
+from msf_jax.host.meso.collapse import edge_lengths
+from msf_jax.host.meso.meso import Fixing, Meso
+
+
+def degenerate_length(t_c: float) -> float:
+    """t_f = t_c / 10: below it an edge is as good as a point."""
+    return t_c / 10
+
+
+def fix_degenerate_vertices(meso: Meso, t_f: float) -> int:
+    """Fix, in place, every vertex with two or more incident edges shorter than ``t_f`` that cannot collapse.
+
+    Returns how many became fixed.
+    """
+    a, b = ring_tables.edges_from_rings(meso.rings)
+    is_short = edge_lengths(meso.positions, a, b) < t_f
+    a, b = a[is_short], b[is_short]
+    is_stuck = ~ring_tables.is_collapsible(meso.rings, meso.degree, a, b)
+    count = np.bincount(np.concatenate([a[is_stuck], b[is_stuck]]), minlength=meso.num_rows)
+    fresh = (count >= 2) & ~meso.is_fixed
+    meso.is_fixed |= fresh
+    meso.edits.append(Fixing(np.flatnonzero(fresh)))
+    return int(fresh.sum())
+
+
+def threshold(iteration: int, t_min: float, t_step: float, t_max: float) -> float:
+    """The saw-tooth: t_c in that iteration, from 0; rises by ``t_step``, falls to ``t_min`` above ``t_max``."""
+    if t_step == 0:
+        return t_min
+    teeth = int((t_max - t_min) / t_step * (1 + 1e-9)) + 1
+    return t_min + (iteration % teeth) * t_step

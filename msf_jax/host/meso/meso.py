@@ -1,0 +1,125 @@
+"""The surface while it contracts: positions, rings, and what every vertex carries.
+
+The meso-skeleton is the one object that the host edits. Its arrays have a row for every vertex ever made in the run up
+to the last `compacted`; merged vertices leave dead rows, whose ring is empty.
+"""
+
+from dataclasses import dataclass, field, replace
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from msf_jax.host.meso import ring_tables
+from msf_jax.host.solid.geometry import signed_volume
+
+
+class Fixing(NamedTuple):
+    """An edit: ``vertex`` (c,) were fixed."""
+
+    vertex: np.ndarray
+
+
+class Compaction(NamedTuple):
+    """An edit: rows ``live`` (m,) became rows 0, 1, ..., and the others went."""
+
+    live: np.ndarray
+
+
+@dataclass
+class Meso:
+    """A closed surface under contraction. Lengths are fractions of the input's bounding-box diagonal.
+
+    positions: (n, 3). rings: (n, K), see `connectivity`. degree: (n,), 0 for a dead row.
+    poles: (n, 3), finite everywhere. has_pole: (n,), False where the pole must not pull.
+    trust: (n,) from 0 to 1, how much the pole counts, or None where all count the same.
+    classes: (n, K), the class of every edge (see `homology`), or None for a surface without handles.
+    is_fixed: (n,), True where the vertex has reached the skeleton for good.
+    node_of_input: (V,), the row that every vertex of the input has been merged into.
+    weights: (n, 4), w_L, w_H, w_M and smoothing of every vertex, or None where they are the same everywhere.
+    edits: what has been done to the connectivity, in order: `CollapseRound`, `SplitRound`, `Fixing`, `Compaction`.
+    """
+
+    positions: np.ndarray
+    rings: np.ndarray
+    degree: np.ndarray
+    poles: np.ndarray
+    has_pole: np.ndarray
+    is_fixed: np.ndarray
+    node_of_input: np.ndarray
+    trust: np.ndarray | None = None
+    classes: np.ndarray | None = None
+    weights: np.ndarray | None = None
+    edits: list[Any] = field(default_factory=list)
+
+    @classmethod
+    def from_mesh(cls, vertices: np.ndarray, faces: np.ndarray) -> "Meso":
+        """The uncontracted surface: nothing fixed, every vertex its own, no poles."""
+        rings = ring_tables.rings_from_faces(faces, len(vertices))
+        return cls(
+            positions=np.array(vertices, dtype=np.float64),
+            rings=rings,
+            degree=ring_tables.ring_degrees(rings),
+            poles=np.array(vertices, dtype=np.float64),
+            has_pole=np.zeros(len(vertices), dtype=bool),
+            is_fixed=np.zeros(len(vertices), dtype=bool),
+            node_of_input=np.arange(len(vertices)),
+        )
+
+    @property
+    def num_rows(self) -> int:
+        """Rows, dead ones included."""
+        return len(self.positions)
+
+    @property
+    def num_live(self) -> int:
+        """Vertices of the surface."""
+        return int(np.count_nonzero(self.degree))
+
+    def faces(self) -> np.ndarray:
+        """(F, 3), rows as they are numbered now."""
+        return ring_tables.faces_from_rings(self.rings)
+
+    def volume(self) -> float:
+        """Signed enclosed volume, one sixth of the sum of det(a, b, c) over the faces."""
+        return signed_volume(self.positions, self.faces())
+
+    def area(self) -> float:
+        """Area of the surface."""
+        a, b, c = (self.positions[corner] for corner in self.faces().T)
+        return float(np.linalg.norm(np.cross(b - a, c - a), axis=1).sum() / 2)
+
+    def widen(self, degree: int) -> None:
+        """Make room for ``degree`` neighbours in every row."""
+        missing = ring_tables.ring_capacity(degree) - self.rings.shape[1]
+        if missing > 0:
+            self.rings = np.pad(self.rings, ((0, 0), (0, missing)), constant_values=-1)
+            if self.classes is not None:
+                self.classes = np.pad(self.classes, ((0, 0), (0, missing)))
+
+    def merge_map(self, survivor: np.ndarray, removed: np.ndarray) -> None:
+        """Carry the input's vertices from removed rows to their survivors."""
+        target = np.arange(self.num_rows)
+        target[removed] = survivor
+        self.node_of_input = target[self.node_of_input]
+
+    def compacted(self) -> "Meso":
+        """The same surface without its dead rows."""
+        live = np.flatnonzero(self.degree)
+        if len(live) == self.num_rows:
+            return self
+        number = np.full(self.num_rows + 1, -1)  # the last entry serves the padding -1
+        number[live] = np.arange(len(live))
+        self.edits.append(Compaction(live))
+        return replace(
+            self,
+            positions=self.positions[live],
+            rings=number[self.rings[live]],
+            degree=self.degree[live],
+            poles=self.poles[live],
+            has_pole=self.has_pole[live],
+            is_fixed=self.is_fixed[live],
+            node_of_input=number[self.node_of_input],
+            trust=None if self.trust is None else self.trust[live],
+            classes=None if self.classes is None else self.classes[live],
+            weights=None if self.weights is None else self.weights[live],
+        )

@@ -1,0 +1,133 @@
+"""Ordered one-rings: the connectivity of a closed oriented surface as one table.
+
+Row i of ``rings`` (n, K) lists the neighbours of vertex i counter-clockwise seen from outside, padded with -1, so that
+every face at i is ``(i, rings[i, k], rings[i, k + 1])``, cyclically. The table alone is the surface: faces, edges, the
+two apexes of an edge and the link condition are read off it, an edit touches only the rows around it, and the same
+table, transposed, is what the device gathers through. A vertex has one row and so one fan: pinches cannot be expressed.
+"""
+
+import numpy as np
+
+from msf_jax.base.errors import MeshError
+from msf_jax.host.mesh.half_edges import half_edges, next_in_ring
+
+RING_CAPACITIES = (8, 12, 16, 24, 32)
+USUAL_DEGREE = 8  # up to which common neighbours are counted apart
+MANY = 1000  # rows, from which on they are counted column by column
+
+
+def ring_capacity(degree: int) -> int:
+    """The smallest ring capacity that holds ``degree`` neighbours: 8, 12, 16, 24, 32, then multiples of 32."""
+    for capacity in RING_CAPACITIES:
+        if degree <= capacity:
+            return capacity
+    return -(-degree // 32) * 32
+
+
+def rings_from_faces(faces: np.ndarray, num_vertices: int) -> np.ndarray:
+    """Ring table (n, K) of a closed, oriented, vertex-manifold triangle list.
+
+    Raises:
+        MeshError: a vertex is in no face, or its faces do not form one closed fan.
+    """
+    edges = half_edges(faces)
+    step = next_in_ring(edges)
+    degree = np.bincount(edges.origin, minlength=num_vertices)
+    if len(edges.origin) == 0 or degree.min() == 0 or (edges.twin < 0).any():
+        raise MeshError(
+            "the faces do not cover every vertex with a closed surface: check the mesh with host.surface first"
+        )
+    rings = np.full((num_vertices, ring_capacity(int(degree.max()))), -1, dtype=np.int64)
+    first = np.empty(num_vertices, dtype=np.int64)
+    first[edges.origin[::-1]] = np.arange(len(edges.origin))[::-1]
+    current = first.copy()
+    for k in range(int(degree.max())):  # one step around every vertex at once
+        open_ring = degree > k
+        rings[open_ring, k] = edges.target[current[open_ring]]
+        current = step[current]
+        if (current[open_ring & (degree > k + 1)] == first[open_ring & (degree > k + 1)]).any():
+            raise MeshError("the faces around a vertex form several fans: split the vertex with host.surface first")
+    return rings
+
+
+def ring_degrees(rings: np.ndarray) -> np.ndarray:
+    """Number of neighbours (n,) in each row."""
+    return np.count_nonzero(rings >= 0, axis=1)
+
+
+def find_slot(rows: np.ndarray, neighbour: np.ndarray) -> np.ndarray:
+    """The slot (c,) of ``neighbour`` (c,) in each of ``rows`` (c, K); it must be there."""
+    return (rows == neighbour[:, None]).argmax(axis=1)
+
+
+def apexes(rings: np.ndarray, degree: np.ndarray, a: np.ndarray, b: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """For edges ab (c,), the third vertices of the faces to the left (a, b, left) and to the right (b, a, right)."""
+    slot = find_slot(rings[a], b)
+    return rings[a, (slot + 1) % degree[a]], rings[a, (slot - 1) % degree[a]]
+
+
+def edges_from_rings(rings: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Every edge once, as (a, b) with a < b, in ascending order of a."""
+    a, slot = np.nonzero(rings > np.arange(len(rings))[:, None])
+    return a, rings[a, slot]
+
+
+def edges_around(rings: np.ndarray, is_center: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Every edge with at least one end in ``is_center`` (n,), once, as (a, b) with a < b."""
+    center = np.flatnonzero(is_center)
+    rows = rings[center]
+    # An edge between two centres is met from both ends: it is taken from the smaller one.
+    row, slot = np.nonzero((rows >= 0) & ((rows > center[:, None]) | ~is_center[rows]))
+    one, other = center[row], rows[row, slot]
+    return np.minimum(one, other), np.maximum(one, other)
+
+
+def encode_edges(a: np.ndarray, b: np.ndarray, num_vertices: int) -> np.ndarray:
+    """One sortable integer an edge."""
+    return a * np.int64(num_vertices) + b
+
+
+def faces_from_rings(rings: np.ndarray) -> np.ndarray:
+    """Every face (F, 3) once, its smallest vertex first."""
+    n, capacity = rings.shape
+    degree = ring_degrees(rings)
+    following = np.concatenate([rings[:, 1:], np.full((n, 1), -1)], axis=1)
+    live = np.flatnonzero(degree)
+    following[live, degree[live] - 1] = rings[live, 0]
+    vertex = np.broadcast_to(np.arange(n)[:, None], (n, capacity))
+    smallest = (rings > vertex) & (following > vertex)
+    return np.stack([vertex[smallest], rings[smallest], following[smallest]], axis=1)
+
+
+def is_collapsible(rings: np.ndarray, degree: np.ndarray, a: np.ndarray, b: np.ndarray) -> np.ndarray:
+    """The link condition (c,): the ends of ab have exactly two common neighbours, and no tetrahedron would be crushed.
+
+    In a closed surface the two apexes are always common neighbours; a third one means that the edge runs through a
+    neck of three edges, and merging its ends would pinch the surface there. An apex of degree three stands on a
+    tetrahedron when there are just two common neighbours, and would be left with two faces back to back.
+    """
+    left, right = apexes(rings, degree, a, b)
+    return (num_common_neighbours(rings, degree, a, b) == 2) & (degree[left] > 3) & (degree[right] > 3)
+
+
+def num_common_neighbours(rings: np.ndarray, degree: np.ndarray, a: np.ndarray, b: np.ndarray) -> np.ndarray:
+    """How many vertices (c,) are neighbours of both a and b."""
+    larger = np.maximum(degree[a], degree[b])
+    count = np.empty(len(a), dtype=np.int64)
+    for low, high in ((0, USUAL_DEGREE), (USUAL_DEGREE, int(larger.max(initial=0)))):
+        rows = np.flatnonzero((larger > low) & (larger <= high))
+        count[rows] = _num_equal(rings[a[rows], :high], rings[b[rows], :high])
+    return count
+
+
+def _num_equal(one: np.ndarray, other: np.ndarray) -> np.ndarray:
+    """How many entries (c,) the rows of ``one`` (c, K) share with those of ``other`` (c, L), -1 left out."""
+    other = np.where(other < 0, -2, other)
+    if len(one) < MANY:
+        return (one[:, :, None] == other[:, None, :]).sum(axis=(1, 2))
+    count = np.zeros(len(one), dtype=np.int64)
+    columns = np.ascontiguousarray(other.T)
+    for column in np.ascontiguousarray(one.T):  # whole columns at once: numpy is slow along short rows
+        for against in columns:
+            count += column == against
+    return count

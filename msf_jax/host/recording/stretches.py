@@ -1,0 +1,164 @@
+"""The iterations of a run as padded arrays, for `device.replay`.
+
+A collapse is linear in the positions: where all of a phase's collapses put a vertex is a sum of a few others, with
+shares that are powers of one half. So a phase of collapses, however many rounds it has, is a group and a share for each
+row. A split is not: its place is where an apex projects, which is computed anew; which rows they are is recorded.
+"""
+
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from msf_jax.base.layout import Layout, layout_for
+from msf_jax.host.meso import packing
+from msf_jax.host.meso.collapse import CollapseRound
+from msf_jax.host.meso.meso import Compaction
+from msf_jax.host.meso.split import SplitRound
+from msf_jax.host.recording.records import Step
+
+FEWEST_LINES = 2  # iterations of a stretch, idle ones included
+WORTH_A_LAYOUT = 0.7  # of the cost of one layout: two that cost less are worth their compilation
+
+
+class Planned(NamedTuple):
+    """Iterations ``first`` to ``last``, without that one, share ``layout``."""
+
+    first: int
+    last: int
+    layout: Layout
+
+
+class Row(NamedTuple):
+    """Where every vertex (num_rows,) is: the row that holds it, and the first row whose pole it has."""
+
+    workspace: np.ndarray
+    site: np.ndarray
+
+
+def rung(count: int, smallest: int = 1) -> int:
+    """The next of ``smallest``, twice that, four times, ...: what is padded to it has few sizes, and compiles once."""
+    size = smallest
+    while size < count:
+        size *= 2
+    return size
+
+
+def stretches_of(steps: list[Step]) -> list[Planned]:
+    """Iterations in one layout or two, whichever is less to compute.
+
+    Every layout is compiled on its own, and takes seconds; but a surface shrinks fast, and in one layout for all of its
+    iterations the late ones would mostly be padding.
+    """
+    if not steps:
+        return []
+
+    def planned(first: int, last: int) -> Planned:
+        beyond = [packing.degrees_beyond(step.degree) for step in steps[first:last]]
+        most = np.zeros((len(beyond), max(map(len, beyond))), dtype=np.int64)
+        for row, counts in zip(most, beyond, strict=True):
+            row[: len(counts)] = counts
+        count = max(len(step.order) for step in steps[first:last])
+        return Planned(first, last, layout_for(count, most.max(axis=0).tolist()))
+
+    def cost(plan: list[Planned]) -> float:
+        return sum(rung(last - first, FEWEST_LINES) * layout.num_slots for first, last, layout in plan)
+
+    whole = [planned(0, len(steps))]
+    plans = [[planned(0, k), planned(k, len(steps))] for k in range(1, len(steps))]
+    best = min(plans, key=cost, default=whole)
+    return best if cost(best) < WORTH_A_LAYOUT * cost(whole) else whole
+
+
+def record_steps(steps: list[Step], plan: list[Planned], num_meso: int) -> tuple[list[dict[str, Any]], np.ndarray]:
+    """The arrays of `device.replay.Stretch`, by name, for each of ``plan``, and the row of the last workspace (m,) that
+    each vertex of the meso-skeleton is in."""
+    if not steps:
+        return [], np.arange(num_meso)
+    first = np.empty(len(steps[0].order), dtype=np.int64)
+    first[steps[0].order] = np.arange(len(first))
+    at = Row(first, first)
+    stretches = []
+    for start, end, layout in plan:
+        fields, at = _stretch(steps[start:end], layout, at)
+        stretches.append(fields)
+    return stretches, at.workspace
+
+
+def _stretch(steps: list[Step], layout: Layout, at: Row) -> tuple[dict[str, Any], Row]:
+    capacity = layout.capacity
+    cuts = [[edit for edit in step.edits if isinstance(edit, SplitRound)] for step in steps]
+    num_rounds = rung(max(map(len, cuts)), 8)
+    num_cuts = rung(max((len(done.a) for rounds in cuts for done in rounds), default=1), 64)
+    own = np.arange(capacity, dtype=np.int32)
+    lines, handovers = [], []
+    for number, (step, rounds) in enumerate(zip(steps, cuts, strict=True)):
+        num_rows = len(step.order)
+        rank = np.empty(num_rows, dtype=np.int64)
+        rank[step.order] = np.arange(num_rows)
+        enter, site = packing.pad(at.workspace[step.order], capacity, 0, np.dtype(np.int32)), at.site[step.order]
+        handovers.append(enter)
+        # Edits speak of vertices; here everything is a row: of the buffers, then of the workspace with the new ones.
+        group, share, blend = merged([edit for edit in step.edits if isinstance(edit, CollapseRound)], num_rows)
+        row_of, site_of = _rows_after(step, rank, at.site)
+        cut = np.zeros((num_rounds, num_cuts, 3), dtype=np.int32)
+        for k, done in enumerate(rounds):
+            row_of[done.new] = capacity + k * num_cuts + np.arange(len(done.new))
+            apex = done.a if done.apex is None else done.apex
+            cut[k, : len(done.a)] = np.stack([row_of[done.a], row_of[done.b], row_of[apex]], axis=1)
+        lines.append(
+            {
+                "rings": packing.slots(step.rings, step.degree, layout),
+                "degree": packing.pad(step.degree, capacity, 0, np.dtype(np.float64)),
+                "free": packing.pad(step.free, capacity, 0, np.dtype(np.float64)),
+                "pull": packing.pad(step.pull, capacity, 0, np.dtype(np.float64)),
+                "site": packing.pad(site, capacity, 0, np.dtype(np.int32)),
+                "left": np.pad(step.left.astype(np.float64), ((0, 0), (0, capacity - num_rows), (0, 0))),
+                "factor": np.asarray(step.factor),
+                "enter": enter if number else own,
+                "group": np.concatenate([rank[group[step.order]], own[num_rows:]]).astype(np.int32),
+                "share": packing.pad(share[step.order], capacity, 1, np.dtype(np.float64)),
+                "blend": packing.pad(blend[step.order], capacity, 1, np.dtype(np.float64)),
+                "cut": cut,
+            }
+        )
+        live = [edit.live for edit in step.edits if isinstance(edit, Compaction)]
+        at = Row(*((row_of, site_of) if not live else (row_of[live[0]], site_of[live[0]])))
+    idle = _idle(lines[0], layout)
+    lines = [idle] * (rung(len(lines), FEWEST_LINES) - len(lines)) + lines
+    rings = tuple(np.stack(values) for values in zip(*(line["rings"] for line in lines), strict=True))
+    stacked = {name: np.stack([line[name] for line in lines]) for name in lines[0] if name != "rings"}
+    return {**stacked, "rings": rings, "handover": handovers[0]}, at
+
+
+def _rows_after(step: Step, rank: np.ndarray, site: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """The row of every vertex, with room for new ones, and the site of the pole that it has after the collapses."""
+    num_new = sum(len(edit.new) for edit in step.edits if isinstance(edit, SplitRound))
+    site = np.concatenate([site, np.zeros(num_new, dtype=np.int64)])  # a new vertex has no pole that pulls
+    for edit in step.edits:
+        if isinstance(edit, CollapseRound):
+            site[edit.survivor] = np.where(edit.takes_pole, site[edit.removed], site[edit.survivor])
+    return np.concatenate([rank, np.zeros(num_new, dtype=np.int64)]), site
+
+
+def _idle(line: dict[str, Any], layout: Layout) -> dict[str, Any]:
+    """An iteration that does nothing: no vertex is free, none has neighbours, none is merged or cut."""
+    own = np.arange(layout.capacity, dtype=np.int32)
+    of_slot = np.concatenate([own[: level.rows] for level in layout.levels for _ in range(level.slots)])
+    idle = {name: np.zeros_like(values) for name, values in line.items() if name != "rings"}
+    ones = {name: np.ones_like(line[name]) for name in ("factor", "share", "blend")}
+    rings = (of_slot, of_slot, of_slot, np.zeros(len(of_slot), dtype=bool))
+    return idle | ones | {"rings": rings, "enter": own, "group": own}
+
+
+def merged(rounds: list[CollapseRound], num_rows: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """The row (n,) that each row goes into in ``rounds``, its share of that one's position, and of its weights."""
+    group, share, mean = np.arange(num_rows), np.ones(num_rows), np.ones(num_rows)
+    for done in rounds:
+        target, keeps, halves = np.arange(num_rows), np.ones(num_rows), np.ones(num_rows)
+        target[done.removed] = done.survivor
+        keeps[done.survivor], keeps[done.removed] = 1 - done.fraction, done.fraction
+        halves[done.survivor] = halves[done.removed] = 0.5
+        share *= keeps[group]
+        mean *= halves[group]
+        group = target[group]
+    return group, share, mean

@@ -1,0 +1,42 @@
+"""A solid in the caller's units: what of it is inside, and how large a ball fits around a point."""
+
+import numpy as np
+
+from msf_jax.host.solid.enclosure import Enclosure
+
+
+class Solid:
+    """A closed surface that questions are asked of in the caller's units.
+
+    It is kept centred and with a diagonal of 1, so that no square leaves the range of floating point.
+
+    Args:
+        vertices: (V, 3), in the caller's units.
+        faces: (F, 3), closed and oriented.
+    """
+
+    def __init__(self, vertices: np.ndarray, faces: np.ndarray):
+        low, high = vertices.min(axis=0), vertices.max(axis=0)
+        unit = float((high - low).max())
+        self.centre = low + (high - low) / 2
+        self.diagonal = unit * float(np.linalg.norm((high - low) / unit))
+        self.shape = Enclosure((vertices - self.centre) / self.diagonal, faces)
+
+    def enter(self, points: np.ndarray) -> np.ndarray:
+        """``points`` (P, 3) in units of the diagonal, around the centre."""
+        return (points - self.centre) / self.diagonal
+
+    def leave(self, points: np.ndarray) -> np.ndarray:
+        """The way back from `enter`."""
+        return self.centre + self.diagonal * points
+
+    def radii(self, points: np.ndarray) -> np.ndarray:
+        """Radius (P,) of the largest ball around each point that is inside, 0 for a point outside."""
+        return self.diagonal * self.shape.clearance(self.enter(points))
+
+    def vertex_areas(self) -> np.ndarray:
+        """(V,) a third of the area of the faces around each vertex, as fractions of the whole."""
+        a, b, c = np.moveaxis(self.shape.triangles, 1, 0)
+        area = np.linalg.norm(np.cross(b - a, c - a), axis=1)
+        corners = self.shape.faces.T.ravel()
+        return np.bincount(corners, weights=np.tile(area, 3), minlength=len(self.shape.vertices)) / (3 * area.sum())

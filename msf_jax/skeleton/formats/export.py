@@ -1,0 +1,55 @@
+"""Files that other programs read, one writer a format. Written beside the target and renamed, so never by halves."""
+
+import os
+from collections.abc import Callable
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from msf_jax.base.errors import ConfigError
+from msf_jax.base.writing import write_whole
+from msf_jax.skeleton.formats import gltf, graphs, polylines, swc, whole
+
+if TYPE_CHECKING:
+    from msf_jax.skeleton.skeleton import Skeleton
+
+
+def save(skeleton: "Skeleton", path: str | os.PathLike[str], mesh: Any = None) -> None:
+    """Write ``skeleton`` to ``path`` in the format of its suffix; see `Skeleton.save`."""
+    write_whole(path, writer_for(path)(skeleton, mesh))
+
+
+def writer_for(path: str | os.PathLike[str]) -> "Callable[[Skeleton, Any], str | bytes]":
+    """What makes the content of a file, of a skeleton and its mesh, in the format that the suffix of ``path`` names.
+
+    Raises:
+        ConfigError: there is none.
+    """
+    name = Path(path).name.lower()
+    for suffix, writer in WRITERS.items():
+        if name.endswith(suffix):
+            if suffix not in NEED_MESH:
+                return lambda skeleton, mesh: writer(skeleton)
+            return lambda skeleton, mesh: writer(skeleton, _needed(mesh, suffix))
+    raise ConfigError(f"no format for {Path(path).name!r}: expected one of the suffixes {', '.join(WRITERS)}")
+
+
+def _needed(mesh: Any, suffix: str) -> Any:
+    if mesh is None:
+        raise ConfigError(f"a {suffix} file holds the mesh, too: expected save(path, mesh)")
+    return mesh
+
+
+# A writer takes the skeleton, and the mesh if it is one of those that need it.
+NEED_MESH = (".glb",)
+WRITERS: "dict[str, Callable[..., str | bytes]]" = {
+    ".swc": swc.written,
+    ".obj": graphs.obj,
+    ".cg": graphs.cg,
+    ".polylines.txt": polylines.written,
+    ".ply": graphs.ply,
+    ".vtp": graphs.vtp,
+    ".graphml": graphs.graphml,
+    ".npz": whole.npz,
+    ".json": whole.plain_json,
+    ".glb": gltf.skinned,
+}

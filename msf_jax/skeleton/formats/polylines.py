@@ -1,0 +1,45 @@
+"""CGAL's polylines: a branch a line; written and read."""
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from msf_jax.base.errors import ConfigError
+from msf_jax.host.curve import branches
+from msf_jax.skeleton.formats.text import point
+
+if TYPE_CHECKING:
+    from msf_jax.skeleton.skeleton import Skeleton
+
+
+def written(skeleton: "Skeleton") -> str:
+    """A line for each branch: how many points, and their coordinates."""
+    return "".join(
+        f"{len(branch)} {' '.join(point(skeleton.vertices[node]) for node in branch)}\n"
+        for branch in branches.trace(len(skeleton.vertices), skeleton.edges)
+    )
+
+
+def parsed(name: str, lines: list[str]) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Nodes (N, 3), edges and radii (N,), which are 0; ends in the same place are one node."""
+    points, edges = [], []
+    for number, line in enumerate(lines, 1):
+        if not line.strip():
+            continue
+        try:
+            count, *values = line.split()
+            way = np.array(values, dtype=np.float64).reshape(max(int(count), 0), 3)
+        except ValueError:
+            raise ConfigError(
+                f"line {number} of {name!r} is no polyline: expected a count, and as many points of three numbers"
+            ) from None
+        start = len(points)
+        points += way.tolist()
+        edges += [(k, k + 1) for k in range(start, len(points) - 1)]
+    given = np.array(points).reshape(-1, 3)
+    first, inverse = np.unique(given, axis=0, return_index=True, return_inverse=True)[1:]
+    order = np.argsort(first)  # in the order of the file
+    rank = np.empty(len(order), dtype=np.int64)
+    rank[order] = np.arange(len(order))
+    joined = rank[inverse.ravel()][np.array(edges, dtype=np.int64).reshape(-1, 2)]
+    return given[first[order]], joined, np.zeros(len(order))

@@ -1,0 +1,66 @@
+"""SWC, what neuroscience keeps trees in: id, type, x, y, z, radius, parent; written and read."""
+
+import re
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from msf_jax.base.errors import ConfigError
+from msf_jax.host.curve import branches
+from msf_jax.skeleton.formats.text import number, point
+
+if TYPE_CHECKING:
+    from msf_jax.skeleton.skeleton import Skeleton
+
+CUT = "# cut edge"  # the comment that names an edge which SWC cannot hold, by its two ids
+
+
+def written(skeleton: "Skeleton") -> str:
+    """SWC: id, type, x, y, z, radius, parent. Ids from 1, parents before children, -1 for a root."""
+    parent = branches.tree(len(skeleton.vertices), skeleton.edges)
+    row_of = {node: index + 1 for index, node in enumerate(parent)}
+    cut = [f"{CUT} {row_of[a]} {row_of[b]}" for a, b in skeleton.edges.tolist() if parent[a] != b and parent[b] != a]
+    header = ["# curve skeleton written by msf_jax", f"# loops cut: {len(cut)}; each cut edge is listed by its two ids"]
+    rows = [
+        f"{row_of[node]} 0 {point(skeleton.vertices[node])} {number(skeleton.radii[node])} "
+        f"{row_of[above] if above >= 0 else -1}"
+        for node, above in parent.items()
+    ]
+    return "\n".join([*header, *cut, *rows]) + "\n"
+
+
+def parsed(name: str, lines: list[str]) -> tuple[np.ndarray, list[tuple[int, int]], np.ndarray]:
+    """Nodes (N, 3), edges and radii (N,) of an SWC file's lines; edges that `written` cut are joined again."""
+    rows, parents, cuts = {}, {}, []
+    for row, line in enumerate(lines, 1):
+        words = line.split("#")[0].split()
+        if ours := re.match(CUT + r" (\d+) (\d+)\b", line):
+            cuts.append(ours.groups())
+        if not words:
+            continue
+        try:
+            key, parent = _whole(words[0]), _whole(words[6])
+            if key in rows:
+                raise ValueError
+            rows[key] = [float(value) for value in words[2:6]]
+            parents[key] = parent
+        except (ValueError, IndexError):
+            raise ConfigError(
+                f"line {row} of {name!r} is {line[:60]!r}: expected id, type, x, y, z, radius, parent, each id once"
+            ) from None
+    place = {key: row for row, key in enumerate(rows)}
+    joined = [(key, parent) for key, parent in parents.items() if parent >= 0]
+    try:
+        edges = [(place[a], place[b]) for a, b in joined] + [(place[int(a)], place[int(b)]) for a, b in cuts]
+    except (KeyError, ValueError) as error:
+        raise ConfigError(f"{name!r} names a node {error} that it does not hold: expected one of its ids") from None
+    table = np.array(list(rows.values()), dtype=np.float64).reshape(-1, 4)
+    return table[:, :3], edges, table[:, 3]
+
+
+def _whole(word: str) -> int:
+    """A whole number; some programs write it as 1.0."""
+    value = float(word)
+    if not value.is_integer():
+        raise ValueError
+    return int(value)

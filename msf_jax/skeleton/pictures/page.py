@@ -1,0 +1,182 @@
+"""One self-contained page to look around in: surface, curve, iterations, pruning. Drawn by plotly."""
+
+import os
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from msf_jax.base.errors import ConfigError
+from msf_jax.base.writing import write_whole
+from msf_jax.host.mesh import reading
+from msf_jax.host.solid.geometry import unit
+from msf_jax.skeleton.pictures import segmentation
+
+if TYPE_CHECKING:
+    from plotly.graph_objects import Figure
+
+    from msf_jax.skeleton.skeleton import Skeleton
+
+SIDES = 6  # of the tubes that edges are drawn as
+THICKNESS = 0.004  # their radius, in diagonals
+PRUNED = (0.0, 1.3, 1.6, 2.0, 2.5, 3.0, 4.0, 6.0, 10.0)  # persistence at the stops of the slider
+LARGEST = 1e30  # coordinate that is written in float32
+GREY = "#8c9eb8"
+EYE = np.array([0.67, -0.67, 0.33])  # where the page is seen from first, from the middle
+
+
+def view(skeleton: "Skeleton", mesh: Any = None, path: str | os.PathLike[str] | None = None) -> "Figure":
+    """See `Skeleton.view`."""
+    import plotly.graph_objects as go
+
+    if isinstance(mesh, str | os.PathLike) and str(mesh).lower().endswith(".html"):
+        raise ConfigError(f"{str(mesh)!r} is given as the mesh, which comes first: expected path={str(mesh)!r}")
+    if path is not None and Path(path).suffix.lower() != ".html":
+        raise ConfigError(f"a page is written as .html, not as {Path(path).suffix!r}")
+    middle = (skeleton.vertices.min(axis=0) + skeleton.vertices.max(axis=0)) / 2  # float32 is fine around it
+    traces, node = _surfaces(skeleton, mesh, middle)
+    stages = skeleton.source.stages if skeleton.source else ()
+    num_surfaces = len(traces)
+    for stage in stages:
+        name = f"after {stage.iteration} iterations"
+        traces.append(_mesh(stage.vertices - middle, stage.faces, name, opacity=0.9, color="#5b8c5a", visible=False))
+        fixed = stage.vertices[stage.is_fixed] - middle
+        dots = dict(zip("xyz", fixed.T, strict=True)) | {"marker": {"size": 2, "color": "black"}}
+        traces.append(go.Scatter3d(**dots, mode="markers", name="fixed vertices", visible=False, hoverinfo="name"))
+    kept = _pruned(skeleton)
+    num_stages = len(traces) - num_surfaces
+    low, high = float(skeleton.radii.min()), float(skeleton.radii.max())
+    for number, (_, curve) in enumerate(kept):
+        traces.append(_tubes(curve, skeleton, middle, (low, high), visible=number == 0))
+    drawing = go.Figure(traces)
+    first = num_surfaces + num_stages
+    drawing.update_layout(
+        template="plotly_white",
+        margin={"l": 0, "r": 0, "t": 40, "b": 90},
+        title={"text": _title(skeleton), "font": {"size": 14}},
+        showlegend=False,
+        scene={
+            "aspectmode": "data",
+            "camera": {"eye": _eye(traces)},
+            **{f"{axis}axis": {"visible": False} for axis in "xyz"},
+        },
+        sliders=[
+            _slider("contraction: ", ["none", *(f"{stage.iteration}" for stage in stages)], num_surfaces, 2, 0.02, 1),
+            _slider("pruned at persistence ", [text for text, _ in kept], first, 1, 0.53, 0),
+        ],
+        updatemenus=[_menu(num_surfaces, node)],
+    )
+    if path is not None:
+        write_whole(path, drawing.to_html(include_plotlyjs=True, full_html=True))
+    return drawing
+
+
+def _title(skeleton: "Skeleton") -> str:
+    report = skeleton.report
+    counts = f"{len(skeleton.vertices)} nodes, {report.cycles} cycles for genus {report.genus}"
+    return f"{counts}, {100 * report.inside:.1f} % inside; {report.reason}"
+
+
+def _surfaces(skeleton: "Skeleton", mesh: Any, middle: np.ndarray) -> tuple[list[Any], bool]:
+    """The mesh, in grey and, where the map speaks of it, coloured by node; and whether it is."""
+    if mesh is None:
+        if skeleton.source is None:
+            return [], False
+        solid = skeleton.source.solid
+        vertices, faces = solid.centre + solid.diagonal * solid.shape.vertices, solid.shape.faces
+    else:
+        vertices, faces = reading.read(mesh, finite=False)
+        if len(skeleton.mesh_map):
+            reading.check_map(skeleton.mesh_map, len(vertices))
+    found = [_mesh(vertices - middle, faces, "surface", opacity=0.18, color=GREY, visible=True)]
+    if mesh is None or len(skeleton.mesh_map) == 0:  # a curve of another program has no map
+        return found, False
+    colour = segmentation.colours(len(skeleton.vertices))[skeleton.mesh_map]
+    rgb = [f"rgb({r},{g},{b})" for r, g, b, _ in colour]
+    found.append(_mesh(vertices - middle, faces, "surface by node", opacity=0.5, vertexcolor=rgb, visible=False))
+    return found, True
+
+
+def _mesh(vertices: np.ndarray, faces: np.ndarray, name: str, **options: Any) -> Any:
+    import plotly.graph_objects as go
+
+    corners = dict(zip("ijk", np.asarray(faces, dtype=np.int32).T, strict=True))
+    at = dict(zip("xyz", _short(vertices).T, strict=True))
+    return go.Mesh3d(**at, **corners, name=name, hoverinfo="skip", flatshading=False, **options)
+
+
+def _short(points: np.ndarray) -> np.ndarray:
+    """Coordinates as float32, which makes the page half as large, unless they are too large for that."""
+    return points.astype(np.float32 if np.abs(points).max(initial=0.0) < LARGEST else np.float64)
+
+
+def _eye(traces: list[Any]) -> dict[str, float]:
+    """Where all is in view: plotly scales a scene so that the product of its extents is 1."""
+    corners = [np.stack([np.asarray(trace[axis], dtype=np.float64) for axis in "xyz"], axis=1) for trace in traces]
+    extent = np.ptp(np.concatenate(corners), axis=0)
+    extent = np.maximum(extent, 1e-3 * max(float(extent.max()), 1e-300))
+    reach = extent.max() / np.cbrt(extent.prod())
+    return dict(zip("xyz", (max(2.0, 1.4 * float(reach)) * EYE).tolist(), strict=True))
+
+
+def _pruned(skeleton: "Skeleton") -> list[tuple[str, "Skeleton"]]:
+    """The curve at each stop of the slider, those left out that change nothing."""
+    kept = [("none", skeleton)]
+    for persistence in PRUNED[1:]:
+        curve = skeleton.prune(persistence)
+        if len(curve.edges) < len(kept[-1][1].edges):
+            kept.append((f"{persistence:g}", curve))
+    return kept
+
+
+def _tubes(
+    curve: "Skeleton", whole: "Skeleton", middle: np.ndarray, limits: tuple[float, float], *, visible: bool
+) -> Any:
+    """Every edge a prism, the ends of neighbouring ones in one another, coloured by radius."""
+    import plotly.graph_objects as go
+
+    extent = whole.source.solid.diagonal if whole.source else float(np.linalg.norm(np.ptp(whole.vertices, axis=0)))
+    thickness = THICKNESS * (extent or 1.0)
+    scale = {"colorscale": "Plasma", "cmin": limits[0], "cmax": limits[1], "colorbar": {"title": "radius", "len": 0.5}}
+    if len(curve.edges) == 0:
+        at = dict(zip("xyz", (curve.vertices - middle).T, strict=True))
+        marker = {"color": curve.radii, "size": 6, **scale}
+        return go.Scatter3d(**at, mode="markers", marker=marker, name="curve", visible=visible)
+    start, end = (curve.vertices[curve.edges[:, k]] - middle for k in (0, 1))
+    along = unit(end - start)
+    side = unit(np.cross(along, np.eye(3)[np.abs(along).argmin(axis=1)]))
+    angle = 2 * np.pi * np.arange(SIDES) / SIDES
+    ring = np.cos(angle)[:, None] * side[:, None] + np.sin(angle)[:, None] * np.cross(along, side)[:, None]
+    points = np.stack([start[:, None] + thickness * ring, end[:, None] + thickness * ring], axis=1)  # (E, 2, SIDES, 3)
+    corner = np.arange(SIDES)
+    other = (corner + 1) % SIDES
+    sheet = np.concatenate(
+        [np.stack([corner, other, corner + SIDES], axis=1), np.stack([other, other + SIDES, corner + SIDES], axis=1)]
+    )
+    faces = (2 * SIDES * np.arange(len(start))[:, None, None] + sheet).reshape(-1, 3)
+    radius = np.repeat(curve.radii[curve.edges], SIDES, axis=1)
+    flat = _short(points.reshape(-1, 3))
+    corners = dict(zip("ijk", faces.astype(np.int32).T, strict=True))
+    at = dict(zip("xyz", flat.T, strict=True))
+    hover = {"customdata": radius.ravel(), "hovertemplate": "radius %{customdata:.4g}<extra></extra>"}
+    return go.Mesh3d(**at, **corners, intensity=radius.ravel(), name="curve", visible=visible, **hover, **scale)
+
+
+def _slider(prefix: str, labels: list[str], first: int, width: int, at: float, skip: int) -> dict[str, Any]:
+    """A slider that shows ``width`` traces for each label, from ``first`` on; none for the first ``skip`` labels."""
+    num = (len(labels) - skip) * width
+    traces = list(range(first, first + num))
+    steps = []
+    for number, label in enumerate(labels):
+        shown = [trace // width == number - skip for trace in range(num)]
+        steps.append({"method": "restyle", "label": label, "args": [{"visible": shown}, traces]})
+    return {"active": 0, "currentvalue": {"prefix": prefix}, "x": at, "len": 0.45, "pad": {"t": 10}, "steps": steps}
+
+
+def _menu(num_surfaces: int, by_node: bool) -> dict[str, Any]:
+    names = ["surface", "surface by node", "no surface"] if by_node else ["surface", "no surface"]
+    buttons = []
+    for number, name in enumerate(names):
+        shown = [number == k for k in range(num_surfaces)]
+        buttons.append({"method": "restyle", "label": name, "args": [{"visible": shown}, list(range(num_surfaces))]})
+    return {"buttons": buttons, "x": 0.0, "xanchor": "left", "y": 1.0}

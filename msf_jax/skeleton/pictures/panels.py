@@ -1,0 +1,176 @@
+"""Pictures of surfaces, points and curves: one, or several side by side."""
+
+import io
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from msf_jax.base.errors import ConfigError
+from msf_jax.host.mesh import reading
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+    from msf_jax.skeleton.skeleton import Skeleton
+    from msf_jax.tuning.tuner import Tuned
+
+GREY_BLUE = (0.55, 0.62, 0.72)
+
+
+@dataclass(frozen=True, eq=False)
+class Panel:
+    """What one picture of `panels` shows, each part if it is given.
+
+    Attributes:
+        title: above it.
+        mesh: a surface, as `skeletonize` takes it, sound or not.
+        curves: by name; one is coloured by radius, several have a colour each and a legend.
+        points: (N, 3) dots.
+        is_solid: whether the surface is opaque, with its shading, and hides what is inside; else it is translucent.
+        face_colours: (F, 3) of an opaque surface's faces, 0 to 1.
+    """
+
+    title: str = ""
+    mesh: Any = None
+    curves: "Mapping[str, Skeleton]" = field(default_factory=dict)
+    points: np.ndarray | None = None
+    is_solid: bool = False
+    face_colours: np.ndarray | None = None
+
+
+def panels(
+    shown: Sequence[Panel], *, columns: int = 4, size: float = 3.2, elevation: float = 15.0, azimuth: float = -70.0
+) -> "Figure":
+    """A matplotlib figure of pictures side by side, all in the box of what they show together.
+
+    Args:
+        shown: a picture each.
+        columns: so many in a row.
+        size: of each, in inches.
+        elevation, azimuth: where they are seen from, in degrees.
+
+    Raises:
+        ConfigError: there is nothing to show.
+    """
+    from matplotlib.cm import ScalarMappable
+    from matplotlib.colors import Normalize
+    from matplotlib.figure import Figure
+
+    if not shown or columns < 1:
+        raise ConfigError(f"{len(shown)} panels in {columns} columns: expected at least one of each")
+    columns = min(columns, len(shown))
+    rows = -(-len(shown) // columns)
+    drawing = Figure(figsize=(size * columns, size * rows), layout="constrained")
+    surfaces = [None if panel.mesh is None else reading.read(panel.mesh) for panel in shown]
+    points = [mesh[0] for mesh in surfaces if mesh is not None]
+    points += [panel.points for panel in shown if panel.points is not None]
+    points += [curve.vertices for panel in shown for curve in panel.curves.values()]
+    if not points:
+        raise ConfigError("no panel shows anything: expected a mesh, a curve or points")
+    box = np.concatenate(points)
+    radii = [curve.radii for panel in shown if len(panel.curves) == 1 for curve in panel.curves.values()]
+    colours = ScalarMappable(Normalize(0, max((float(part.max()) for part in radii), default=1.0)), cmap="plasma")
+    every = []
+    for k, panel in enumerate(shown):
+        axes: Any = drawing.add_subplot(rows, columns, k + 1, projection="3d", computed_zorder=False)
+        every.append(axes)
+        _draw(axes, panel, surfaces[k], colours)
+        axes.view_init(elev=elevation, azim=azimuth)
+        _frame(axes, box)
+    if radii:
+        drawing.colorbar(colours, ax=every, shrink=0.5 if rows == 1 else 0.3, label="radius")
+    return drawing
+
+
+def _draw(axes: Any, panel: Panel, mesh: tuple[np.ndarray, np.ndarray] | None, colours: Any) -> None:
+    from mpl_toolkits.mplot3d.art3d import Line3DCollection, Poly3DCollection
+
+    axes.set_title(panel.title, fontsize=10)
+    if mesh is not None:
+        triangles = mesh[0][mesh[1]]
+        if panel.is_solid:
+            colour: Any = GREY_BLUE if panel.face_colours is None else panel.face_colours
+            axes.add_collection3d(Poly3DCollection(triangles, facecolors=colour, shade=True, zorder=1))
+        else:
+            axes.add_collection3d(Poly3DCollection(triangles, facecolor=(*GREY_BLUE, 0.10), zorder=1))
+    if panel.points is not None:
+        axes.scatter(*panel.points.T, s=2, color="tab:red", linewidths=0, zorder=2)
+    for name, curve in panel.curves.items():
+        one = len(panel.curves) == 1
+        if len(curve.edges):
+            lines: Any = Line3DCollection(
+                curve.vertices[curve.edges], linewidths=2.5 if one else 1.8, zorder=3, label=name
+            )
+            if one:
+                lines.set_color(colours.to_rgba(curve.radii[curve.edges].mean(axis=1)))
+            else:
+                lines.set_color(f"C{list(panel.curves).index(name)}")
+            axes.add_collection3d(lines)
+        else:
+            axes.scatter(*curve.vertices.T, color=colours.to_rgba(curve.radii), zorder=3, label=name)
+    if len(panel.curves) > 1:
+        axes.legend(fontsize=8, loc="lower left")
+
+
+def _frame(axes: Any, points: np.ndarray) -> None:
+    """Limits around the points, and as near to them as the view allows."""
+    from mpl_toolkits.mplot3d import proj3d
+
+    low, high = points.min(axis=0), points.max(axis=0)
+    middle, half = (low + high) / 2, (high - low) / 2
+    half = np.maximum(half, 1e-3 * max(float(half.max()), 1e-9))  # a line, or a point, has no box of its own
+    axes.set(**dict(zip(("xlim", "ylim", "zlim"), np.stack([middle - half, middle + half], axis=1), strict=True)))
+    axes.set_axis_off()
+    zoom = 1.0
+    for _ in range(3):  # the perspective changes with the zoom, a little
+        axes.set_box_aspect(half, zoom=zoom)
+        x, y, _ = proj3d.proj_transform(points[:, 0], points[:, 1], points[:, 2], axes.get_proj())
+        zoom *= 0.47 / max(float(np.abs(axes.transLimits.transform(np.stack([x, y], axis=1)) - 0.5).max()), 0.01)
+    axes.set_box_aspect(half, zoom=zoom)
+
+
+def figure(skeleton: "Skeleton", mesh: Any = None, *, elevation: float = 15.0, azimuth: float = -70.0) -> "Figure":
+    """A matplotlib figure: the mesh translucent, the curve coloured by radius.
+
+    Args:
+        skeleton: the curve.
+        mesh: what it was made from, as `skeletonize` takes it; the curve alone if not given.
+        elevation, azimuth: where it is seen from, in degrees.
+    """
+    return panels([Panel(mesh=mesh, curves={"": skeleton})], size=8, elevation=elevation, azimuth=azimuth)
+
+
+def picture(skeleton: "Skeleton", mesh: Any = None, *, elevation: float = 15.0, azimuth: float = -70.0) -> bytes:
+    """`figure` as the bytes of a PNG file."""
+    buffer = io.BytesIO()
+    figure(skeleton, mesh, elevation=elevation, azimuth=azimuth).savefig(buffer, format="png", dpi=150)
+    return buffer.getvalue()
+
+
+def trajectory(tuned: "Tuned") -> "Figure":
+    """A matplotlib figure of what `tune` did: the objective of every proposal, and the weights that were tried."""
+    from matplotlib.figure import Figure
+    from matplotlib.ticker import MaxNLocator
+
+    drawing = Figure(figsize=(10, 3.8), layout="constrained")
+    left, right = drawing.subplots(1, 2)
+    number = np.arange(len(tuned.trajectory))
+    found = np.array([step.found for step in tuned.trajectory])
+    is_taken = np.array([step.is_taken for step in tuned.trajectory])
+    left.plot(number, [step.expected for step in tuned.trajectory], "--", color="0.6", label="expected by the tapes")
+    left.plot(number[is_taken], found[is_taken], "o-", label="found by a fresh run, taken")
+    left.plot(number[~is_taken], found[~is_taken], "x", color="tab:red", label="found, not taken")
+    left.set(xlabel="proposal", ylabel="objective")
+    left.legend()
+    for name in ("w_L", "w_H", "w_M", "smoothing"):
+        values = [
+            float(np.exp(np.log(np.maximum(getattr(step.weights, name), 1e-300)).mean())) for step in tuned.trajectory
+        ]
+        right.semilogy(number, values, ".-", label=name)
+    right.set(xlabel="proposal", ylabel="weight")
+    right.legend()
+    for axes in (left, right):
+        axes.xaxis.set_major_locator(MaxNLocator(integer=True))
+    return drawing

@@ -1,0 +1,89 @@
+"""`Report`: what a run found, and how far to trust it."""
+
+from dataclasses import asdict, dataclass, field
+from typing import Any
+
+import numpy as np
+
+
+@dataclass(frozen=True)
+class Report:
+    """What was found, and how far to trust it.
+
+    Attributes:
+        components: connected components of the curve; as many as ``mesh_components`` when all is well.
+        mesh_components: connected components of the mesh.
+        genus: sum of the genera of the mesh's components.
+        cycles: independent cycles of the curve; equal to ``genus`` when all is well.
+        inside: fraction of the curve's length that is inside the mesh.
+        converged: whether the flow reached its end.
+        reason: why the flow stopped, one clause, for each component that differs.
+        iterations: of the flow, the sum over components.
+        fixed: vertices of the meso-skeleton that were fixed at the end.
+        live: vertices of the meso-skeleton at the end.
+        coarsened: vertices of the mesh that went before the flow, in edges shorter than ``Config.coarsen``.
+        volume: fraction of the volume, after coarsening, that was left, the largest over components.
+        unsolved: iterations in which a linear solve ran out of steps before it reached its tolerance.
+        solve_steps: CG steps in all.
+        repairs: what was changed in the input, a sentence each.
+        notes: what else went otherwise than planned, a sentence each: steps that were redone, a checkpoint not written.
+        figures: `metrics.evaluate` of the curve as the run ended, where ``Config(evaluate=True)`` asks for it.
+        seconds: by stage.
+    """
+
+    components: int
+    mesh_components: int
+    genus: int
+    cycles: int
+    inside: float
+    converged: bool
+    reason: str
+    iterations: int
+    fixed: int
+    live: int
+    volume: float
+    unsolved: int
+    solve_steps: int
+    coarsened: int = 0
+    repairs: tuple[str, ...] = ()
+    notes: tuple[str, ...] = ()
+    figures: dict[str, float] = field(default_factory=dict)
+    seconds: dict[str, float] = field(default_factory=dict, compare=False)
+
+    @property
+    def is_sound(self) -> bool:
+        """Converged, every component and cycle found and none too many, and the curve at least 99 % inside."""
+        is_right = self.components == self.mesh_components and self.cycles == self.genus
+        return self.converged and is_right and self.inside >= 0.99
+
+    def to_dict(self) -> dict[str, Any]:
+        """Plain values, for JSON or a table."""
+        figures = {name: None if np.isnan(value) else value for name, value in self.figures.items()}
+        inside = None if np.isnan(self.inside) else self.inside  # of a curve without its mesh
+        lists = {"repairs": list(self.repairs), "notes": list(self.notes)}
+        return asdict(self) | lists | {"figures": figures, "inside": inside}
+
+    def __str__(self) -> str:
+        lines = [
+            f"{'converged' if self.converged else 'NOT converged'}: {self.reason}, "
+            f"after {self.iterations} iterations ({self.volume:.1e} of the volume left)",
+            _compare(self.components, "component", self.mesh_components, "as in the mesh")
+            + ", "
+            + _compare(self.cycles, "cycle", self.genus, f"for genus {self.genus}"),
+            f"{100 * self.inside:.2f} % of the curve's length is inside the mesh",
+            f"{self.fixed} of {self.live} meso-skeleton vertices fixed, {self.solve_steps} CG steps"
+            + (f", {self.coarsened} vertices coarsened away before" if self.coarsened else ""),
+        ]
+        if self.unsolved:
+            lines.append(f"in {self.unsolved} iterations a linear solve stopped before it reached its tolerance")
+        if self.figures:
+            lines.append(", ".join(f"{name} {value:.4g}" for name, value in self.figures.items()))
+        lines += [f"repaired: {repair}" for repair in self.repairs]
+        lines += self.notes
+        lines.append(", ".join(f"{stage} {seconds:.2f} s" for stage, seconds in self.seconds.items()))
+        return "\n".join(lines)
+
+
+def _compare(found: int, what: str, expected: int, why: str) -> str:
+    count = f"{found} {what}{'' if found == 1 else 's'}"
+    return f"{count} {why}" if found == expected else f"{count}, EXPECTED {expected} {why}"

@@ -1,0 +1,218 @@
+"""What comes out: `Skeleton`, a curve with radii and a map from the input, and `Report`, how far to trust it."""
+
+import numbers
+import os
+from dataclasses import dataclass, field, replace
+from typing import TYPE_CHECKING, Any
+
+import networkx as nx
+import numpy as np
+
+from msf_jax import metrics
+from msf_jax.base.errors import ConfigError
+from msf_jax.host.curve import branches, finishing, resampling
+from msf_jax.host.curve.branches import Branch
+from msf_jax.skeleton.formats import export
+from msf_jax.skeleton.pictures import page, panels, segmentation
+from msf_jax.skeleton.report import Report
+from msf_jax.skeleton.source import Source
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+    from plotly.graph_objects import Figure as PlotlyFigure
+    from trimesh import Trimesh
+    from trimesh.path import Path3D
+
+
+@dataclass(frozen=True, eq=False)
+class Skeleton:
+    """A curve skeleton.
+
+    Attributes:
+        vertices: (N, 3) float64, nodes in the caller's units.
+        edges: (E, 2) int, each with its smaller node first, in ascending order.
+        radii: (N,) radius of the largest ball around the node that lies inside the surface; 0 for a node outside.
+        mesh_map: (V,) int, the node of every input vertex.
+        report: what was found and how far to trust it.
+        source: the surface that the curve was made from; without it, radii of a changed curve are lower bounds.
+    """
+
+    vertices: np.ndarray
+    edges: np.ndarray
+    radii: np.ndarray
+    mesh_map: np.ndarray
+    report: Report
+    source: Source | None = field(default=None, repr=False)
+
+    def __repr__(self) -> str:
+        return f"Skeleton({len(self.vertices)} nodes, {len(self.edges)} edges, {self.report.cycles} cycles)"
+
+    @property
+    def length(self) -> float:
+        """Length of all edges, in the caller's units."""
+        return float(np.linalg.norm(self.vertices[self.edges[:, 0]] - self.vertices[self.edges[:, 1]], axis=1).sum())
+
+    @property
+    def branches(self) -> list[Branch]:
+        """The ways between nodes that have other than two edges, with their length, persistence and surface."""
+        share = None
+        if self.source is not None:
+            share = np.bincount(self.mesh_map, weights=self.source.areas, minlength=len(self.vertices))
+        return branches.measure(self.vertices, self.edges, self.radii, share)
+
+    def prune(self, persistence: float = 1.6) -> "Skeleton":
+        """A new skeleton without the branches of less than ``persistence``, the least first; see `Branch`.
+
+        Components and cycles stay, and so does a branch with a pin. The vertices of the mesh that went to a pruned
+        branch go to its junction. A run has pruned at ``Config.prune`` already: to slide the threshold below that, run
+        once with ``Config(prune=0)``.
+
+        Raises:
+            ConfigError: ``persistence`` is negative or not a number.
+        """
+        if not (isinstance(persistence, numbers.Real) and persistence >= 0):
+            raise ConfigError(f"persistence is {persistence!r}: expected a number of 0 or more")
+        stays, target = branches.prune(self.vertices, self.edges, self.radii, persistence, self._is_held())
+        rank = np.cumsum(stays) - 1
+        edges = rank[self.edges[stays[self.edges].all(axis=1)]]
+        return self._changed(self.vertices[stays], edges, rank[target[self.mesh_map]])
+
+    def resample(self, spacing: float) -> "Skeleton":
+        """A new skeleton whose branches have nodes about every ``spacing``, in the caller's units; ends and pins stay.
+
+        Where an edge would leave the solid, the nodes that it would skip stay.
+
+        Raises:
+            ConfigError: ``spacing`` is not above 0.
+        """
+        if not (isinstance(spacing, numbers.Real) and 0 < spacing < np.inf):
+            raise ConfigError(f"spacing is {spacing!r}: expected a length above 0")
+        vertices, edges, node_of_old = resampling.resample(
+            self.vertices, self.edges, spacing, self._is_held(), None if self.source is None else self.source.solid
+        )
+        return self._changed(vertices, edges, node_of_old[self.mesh_map])
+
+    def smooth(self, rounds: int = 10) -> "Skeleton":
+        """A new skeleton: in each of ``rounds`` nodes go half of the way to the middle of their two neighbours.
+
+        Ends of branches and pins stay, and so does a node that would leave the solid or lose half of its clearance.
+
+        Raises:
+            ConfigError: ``rounds`` is negative.
+        """
+        if isinstance(rounds, bool) or not isinstance(rounds, numbers.Integral) or rounds < 0:
+            raise ConfigError(f"rounds is {rounds!r}: expected a whole number of 0 or more")
+        solid = None if self.source is None else self.source.solid
+        x, edges = resampling.smooth(self.vertices, self.edges, self.radii, int(rounds), self._is_held(), solid)
+        return self._changed(x, edges, self.mesh_map)
+
+    def _is_held(self) -> np.ndarray:
+        """(N,) True for a node that a pinned vertex of the mesh goes to."""
+        is_held = np.zeros(len(self.vertices), dtype=bool)
+        if self.source is not None:
+            is_held[self.mesh_map[self.source.pins]] = True
+        return is_held
+
+    def _changed(self, vertices: np.ndarray, edges: np.ndarray, mesh_map: np.ndarray) -> "Skeleton":
+        """A skeleton of the same mesh with another curve, and the report's counts made again."""
+        edges = finishing.in_order(edges)
+        components, cycles = branches.cycle_count(len(vertices), edges)
+        report = replace(self.report, components=components, cycles=cycles, figures={})
+        if self.source is not None:
+            solid = self.source.solid
+            radii = solid.radii(vertices)
+            inside = metrics.inside_fraction(solid.shape, solid.enter(vertices), edges, radii / solid.diagonal)
+            report = replace(report, inside=inside)
+        else:  # the largest ball inside one that is known
+            away = np.linalg.norm(vertices[:, None] - self.vertices, axis=2)
+            radii = np.maximum((self.radii - away).max(axis=1), 0.0)
+        return Skeleton(vertices, edges, radii, mesh_map, report, self.source)
+
+    def save(self, path: str | os.PathLike[str], mesh: Any = None) -> None:
+        """Write the curve in the format that the suffix names, whole or not at all.
+
+        ``.swc`` (a tree, parents first: ids count its rows from 1, and are not the nodes' numbers; loops are cut, and
+        the cut edges listed in a comment), ``.obj`` (lines), ``.cg`` (vertices and edges), ``.polylines.txt`` (CGAL's),
+        ``.ply`` (vertices with radius, edges), ``.vtp`` (VTK PolyData with point data "radius"), ``.graphml``
+        (NetworkX's), ``.npz`` (arrays), ``.json`` (everything, the report included), ``.glb`` (glTF:
+        ``mesh``, as `skeletonize` took it, skinned to the curve, whose nodes are the joints).
+
+        Raises:
+            ConfigError: the suffix is none of these, or a ``.glb`` is asked for without a mesh.
+            MeshError: ``mesh`` is not the one that the curve was made from.
+            OSError: the file cannot be written; what was there before is untouched.
+        """
+        export.save(self, path, mesh)
+
+    def view(self, mesh: Any = None, path: str | os.PathLike[str] | None = None) -> "PlotlyFigure":
+        """A page to look around in: the curve in its surface, with sliders for the flow's iterations and for pruning.
+
+        Args:
+            mesh: what the curve was made from, as `skeletonize` took it; the repaired surface if not given.
+            path: an ``.html`` file to write it to, which needs no network.
+
+        Returns:
+            A plotly figure; a notebook shows it inline.
+
+        Raises:
+            ConfigError: ``path`` has another suffix.
+            MeshError: ``mesh`` is not the one that the curve was made from.
+        """
+        return page.view(self, mesh, path)
+
+    def plot(self, mesh: Any = None, *, elevation: float = 15.0, azimuth: float = -70.0) -> "Figure":
+        """A matplotlib figure, for papers: the mesh translucent, the curve coloured by radius; see `panels.figure`."""
+        return panels.figure(self, mesh, elevation=elevation, azimuth=azimuth)
+
+    def segments(self, mesh: Any) -> list["Trimesh"]:
+        """The surface split by branch: one `trimesh.Trimesh` for each of ``branches``, in their order.
+
+        A face goes with the branch of its first corner's node; one at a junction to the branch that is named first. A
+        branch may get none. Each has a colour of its own, and ``vertex_attributes`` "radius", "node" and "branch".
+
+        Raises:
+            MeshError: ``mesh`` is not the one that the curve was made from.
+        """
+        return segmentation.segments(self, mesh)
+
+    def to_networkx(self) -> nx.Graph:
+        """A graph whose nodes carry ``position`` (3,) and ``radius``, and whose edges carry ``length``."""
+        graph = nx.Graph()
+        for number, (position, radius) in enumerate(zip(self.vertices, self.radii, strict=True)):
+            graph.add_node(number, position=tuple(position.tolist()), radius=float(radius))
+        length = np.linalg.norm(self.vertices[self.edges[:, 0]] - self.vertices[self.edges[:, 1]], axis=1)
+        for (a, b), size in zip(self.edges.tolist(), length.tolist(), strict=True):
+            graph.add_edge(a, b, length=size)
+        return graph
+
+    def to_path3d(self) -> "Path3D":
+        """The edges as a `trimesh.path.Path3D`, one line entity for each branch."""
+        from trimesh.path import Path3D
+        from trimesh.path.entities import Line
+
+        return Path3D(
+            entities=[Line(branch) for branch in branches.trace(len(self.vertices), self.edges)],
+            vertices=self.vertices.copy(),
+            process=False,
+        )
+
+
+def curve_of(vertices: np.ndarray, edges: np.ndarray, radii: np.ndarray) -> Skeleton:
+    """A skeleton of any curve: no map, and a report of its counts."""
+    components, cycles = branches.cycle_count(len(vertices), edges)
+    report = Report(
+        components=components,
+        mesh_components=components,
+        genus=cycles,
+        cycles=cycles,
+        inside=float("nan"),
+        converged=True,
+        reason="read from a file",
+        iterations=0,
+        fixed=0,
+        live=0,
+        volume=0.0,
+        unsolved=0,
+        solve_steps=0,
+    )
+    return Skeleton(vertices, edges, radii, np.empty(0, dtype=np.int64), report)

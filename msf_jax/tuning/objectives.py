@@ -1,0 +1,240 @@
+"""What a curve can be tuned for: small functions of a replayed curve, 0 at best, that can be added and multiplied.
+
+    objective = explained() + 0.5 * inside() + 0.1 * smooth()
+
+A user's own is any JAX function of ``(nodes, radii)`` that returns a number, as it is; `tune` takes both. All of these
+are in units of the mesh's diagonal, or without unit, so that one sum serves meshes of any size. Differentiable in: the
+nodes and radii of the curve; which of several points is nearest is a decision, and so are edges.
+"""
+
+import inspect
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import partial
+from typing import Any, NamedTuple
+
+import jax
+import jax.numpy as jnp
+import numpy as np
+from jax.core import Tracer
+
+from msf_jax.base.errors import ConfigError
+from msf_jax.base.options import Weights
+from msf_jax.gradients.replay import replay, replay_radii
+from msf_jax.gradients.tape import Tape
+
+MOST_SAMPLES = 2000  # vertices that stand for a surface
+SHORTEST = 1e-4  # edge, in diagonals, whose direction counts in full
+TINY = 1e-24  # squared length, in diagonals, below which a distance has no gradient
+
+
+class Replayed(NamedTuple):
+    """A replayed curve in its surface.
+
+    nodes: (N, 3). radii: (N,) distance to the surface, negative outside. edges: (E, 2). surface: (V, 3) vertices of the
+    mesh. areas: (V,) share of the surface that belongs to each. node_of_vertex: (V,). diagonal: of the bounding box.
+    """
+
+    nodes: jax.Array
+    radii: jax.Array
+    edges: jax.Array
+    surface: jax.Array
+    areas: jax.Array
+    node_of_vertex: jax.Array
+    diagonal: jax.Array
+
+
+@dataclass(frozen=True)
+class Objective:
+    """A function from a `Replayed` curve to a number; less is better. ``a + b`` and ``2 * a`` are objectives, too."""
+
+    name: str
+    function: Callable[[Replayed], jax.Array]
+
+    def __call__(self, curve: Replayed) -> jax.Array:
+        return self.function(curve)
+
+    def __add__(self, other: "Objective") -> "Objective":
+        other = as_objective(other)
+        return Objective(f"{self.name} + {other.name}", lambda curve: self(curve) + other(curve))
+
+    def __mul__(self, factor: float) -> "Objective":
+        if not isinstance(factor, int | float):
+            return NotImplemented
+        return Objective(f"{factor:g} * ({self.name})", lambda curve: factor * self(curve))
+
+    __rmul__ = __mul__
+
+
+def as_objective(objective: Any) -> Objective:
+    """An `Objective` as it is, or one made of a function of ``(nodes, radii)``.
+
+    Raises:
+        ConfigError: it is neither.
+    """
+    if isinstance(objective, Objective):
+        return objective
+    try:
+        inspect.signature(objective).bind("nodes", "radii")
+    except (TypeError, ValueError):
+        raise ConfigError(
+            f"objective is a {type(objective).__name__}, {objective!r:.80}: expected one of msf_jax.objectives, with "
+            "its parentheses, or a function of (nodes, radii)"
+        ) from None
+    function: Callable[..., Any] = objective
+    name = getattr(objective, "__name__", type(objective).__name__)
+    return Objective(name, lambda curve: function(curve.nodes, curve.radii))
+
+
+def value(
+    objective: Any, tape: Tape, weights: Weights, vertices: Any = None, *, tolerance: float | None = None
+) -> jax.Array:
+    """What ``objective`` says of the replay of ``tape``; see `msf_jax.replay` for the other arguments.
+
+    Differentiable in: weights, vertices.
+
+    Raises:
+        ConfigError: the objective's value is not one number, or its function takes other arguments.
+    """
+    return value_at(as_objective(objective), tape, replay(tape, weights, vertices, tolerance=tolerance), vertices)
+
+
+def value_at(objective: Objective, tape: Tape, nodes: jax.Array, vertices: Any = None) -> jax.Array:
+    """What ``objective`` says of the curve of ``tape`` with its nodes at ``nodes`` (N, 3); raises what `value` does."""
+    found = _value_at(objective, tape, nodes, vertices)
+    if not isinstance(found, Tracer) and bool(jnp.isnan(found)) and not bool(jnp.isnan(nodes).any()):
+        raise ConfigError(f"objective {objective.name} returned NaN for finite nodes: expected a number")
+    return found
+
+
+@partial(jax.jit, static_argnums=0)  # one compilation for a tape's shapes, not one for each operation
+def _value_at(objective: Objective, tape: Tape, nodes: jax.Array, vertices: Any) -> jax.Array:
+    curve = Replayed(
+        nodes=nodes,
+        radii=replay_radii(tape, nodes, vertices),
+        edges=jnp.asarray(tape.edges),
+        surface=jnp.asarray(tape.vertices if vertices is None else vertices, nodes.dtype),
+        areas=jnp.asarray(tape.areas, nodes.dtype),
+        node_of_vertex=jnp.asarray(tape.node_of_vertex),
+        diagonal=jnp.asarray(tape.diagonal, nodes.dtype),
+    )
+    returned = objective(curve)
+    try:
+        found = jnp.asarray(returned)
+    except (TypeError, ValueError) as error:
+        raise ConfigError(
+            f"objective {objective.name} returned {type(returned).__name__}: expected a number"
+        ) from error
+    if found.shape != ():
+        raise ConfigError(f"objective {objective.name} returned shape {found.shape}: expected one number, shape ()")
+    if not jnp.issubdtype(found.dtype, jnp.floating):
+        raise ConfigError(f"objective {objective.name} returned {found.dtype}: expected a floating-point number")
+    return found
+
+
+def explained() -> Objective:
+    """How far the surface is from the union of the balls around the nodes, the mean over the surface by area.
+
+    0 where every point of the surface is on a ball. It wants nodes in the middle, where balls are large.
+    (Reconstruction, Cornea et al. 2007.)
+    """
+
+    def function(curve: Replayed) -> jax.Array:
+        stride = -(-len(curve.surface) // MOST_SAMPLES)
+        points, areas = curve.surface[::stride], curve.areas[::stride]
+        away = _distances(points, curve.nodes, curve.diagonal) - curve.radii / curve.diagonal
+        return (areas * jnp.maximum(away.min(axis=1), 0.0)).sum() / areas.sum()
+
+    return Objective("explained", function)
+
+
+def centred() -> Objective:
+    """How far a node is from the middle of the surface around it, over that surface's mean distance from its nodes.
+
+    The surface around a node is what is mapped to it and to its neighbours, as recorded. The mean is by area.
+    """
+
+    def function(curve: Replayed) -> jax.Array:
+        num = len(curve.nodes)
+        a, b = curve.edges[:, 0], curve.edges[:, 1]
+
+        def around(values: jax.Array) -> jax.Array:
+            own = jax.ops.segment_sum(values, curve.node_of_vertex, num)
+            return own + jax.ops.segment_sum(own[b], a, num) + jax.ops.segment_sum(own[a], b, num)
+
+        area = around(curve.areas)
+        has_area = area > 0
+        safe = jnp.where(has_area, area, 1.0)
+        middle = around(curve.areas[:, None] * curve.surface) / safe[:, None]
+        away = _norm((curve.surface - curve.nodes[curve.node_of_vertex]) / curve.diagonal)
+        reach = around(curve.areas * away) / safe
+        off = _norm((curve.nodes - middle) / curve.diagonal) / jnp.where(has_area, reach + 1e-6, 1.0)
+        return jnp.where(has_area, area * off, 0.0).sum() / area.sum()
+
+    return Objective("centred", function)
+
+
+def inside(margin: float = 0.0) -> Objective:
+    """How far nodes are outside of the surface, or nearer to it than ``margin`` diagonals; mean over the nodes."""
+
+    if isinstance(margin, bool) or not isinstance(margin, int | float) or not np.isfinite(margin):
+        raise ConfigError(f"margin is {margin!r}: expected a finite number, in diagonals")
+
+    def function(curve: Replayed) -> jax.Array:
+        return jnp.maximum(margin - curve.radii / curve.diagonal, 0.0).mean()
+
+    return Objective(f"inside({margin:g})" if margin else "inside", function)
+
+
+def smooth() -> Objective:
+    """One minus the cosine of the angle by which the curve turns at a node; mean over the nodes with two neighbours."""
+
+    def function(curve: Replayed) -> jax.Array:
+        num = len(curve.nodes)
+        a, b = curve.edges[:, 0], curve.edges[:, 1]
+        along = (curve.nodes[b] - curve.nodes[a]) / curve.diagonal
+        along = along / jnp.maximum(_norm(along), SHORTEST)[:, None]
+        total = jax.ops.segment_sum(along, a, num) - jax.ops.segment_sum(along, b, num)
+        one = jnp.ones(len(curve.edges), along.dtype)
+        is_passed = jax.ops.segment_sum(one, a, num) + jax.ops.segment_sum(one, b, num) == 2
+        # Unit vectors to both neighbours add up to nothing where the curve is straight: |u + v|^2 = 2 (1 - cos turn).
+        turn = jnp.where(is_passed, (total * total).sum(1) / 2, 0.0)
+        return turn.sum() / jnp.maximum(is_passed.sum(), 1)
+
+    return Objective("smooth", function)
+
+
+def near(target: Any) -> Objective:
+    """Distance between the curve and ``target``, in both directions, the mean of the two.
+
+    ``target``: points (P, 3) along the wanted curve, in the mesh's units.
+
+    Raises:
+        ConfigError: they are not that.
+    """
+    try:
+        points = np.asarray(getattr(target, "vertices", target), dtype=np.float64)
+    except (TypeError, ValueError):
+        raise ConfigError(f"target is a {type(target).__name__}: expected points (P, 3) along a curve") from None
+    if points.ndim != 2 or points.shape[1] != 3 or not len(points):
+        raise ConfigError(f"target has shape {points.shape}: expected (P, 3) points along a curve")
+    if not np.isfinite(points).all():
+        raise ConfigError("target has points that are not finite: expected finite points along a curve")
+
+    def function(curve: Replayed) -> jax.Array:
+        away = _distances(jnp.asarray(points, curve.nodes.dtype), curve.nodes, curve.diagonal)
+        return (away.min(axis=1).mean() + away.min(axis=0).mean()) / 2
+
+    return Objective("near", function)
+
+
+def _norm(vectors: jax.Array) -> jax.Array:
+    """Norm over the last axis, with a zero gradient where there is none."""
+    square = (vectors * vectors).sum(-1)
+    is_short = square <= TINY  # NaN is not
+    return jnp.where(is_short, 0.0, jnp.sqrt(jnp.where(is_short, 1.0, square)))
+
+
+def _distances(points: jax.Array, nodes: jax.Array, diagonal: jax.Array) -> jax.Array:
+    """(P, N) distances, in diagonals."""
+    return _norm((points[:, None] - nodes[None]) / diagonal)
