@@ -18,7 +18,6 @@ if TYPE_CHECKING:
     from msf_jax.base.errors import ConfigError, FlowError, Interrupted, MeshError
     from msf_jax.base.options import Config, Weights
     from msf_jax.flow.loop import contract
-    from msf_jax.flow.preprocessing import reconstruct, voronoi_poles
     from msf_jax.flow.skeletonize import skeletonize
     from msf_jax.flow.state import Flow
     from msf_jax.gradients.replay import replay, replay_meso, replay_radii
@@ -26,6 +25,7 @@ if TYPE_CHECKING:
     from msf_jax.gradients.tape import Tape
     from msf_jax.host.curve.branches import Branch
     from msf_jax.host.mesh.repair import Repair
+    from msf_jax.host.preprocessing import reconstruct, voronoi_poles
     from msf_jax.skeleton.formats.importing import read_curve
     from msf_jax.skeleton.report import Report
     from msf_jax.skeleton.skeleton import Skeleton
@@ -58,14 +58,14 @@ _HOMES = {
     "Weights": "base.options",
     "contract": "flow.loop",
     "read_curve": "skeleton.formats.importing",
-    "reconstruct": "flow.preprocessing",
+    "reconstruct": "host.preprocessing",
     "replay": "gradients.replay",
     "replay_meso": "gradients.replay",
     "replay_radii": "gradients.replay",
     "sensitivity": "gradients.sensitivity",
     "skeletonize": "flow.skeletonize",
     "tune": "tuning.tuner",
-    "voronoi_poles": "flow.preprocessing",
+    "voronoi_poles": "host.preprocessing",
 }
 
 __version__ = version.VERSION

@@ -102,6 +102,10 @@ class Meso:
         target[removed] = survivor
         self.node_of_input = target[self.node_of_input]
 
+    def copied(self) -> "Meso":
+        """The same surface in arrays of its own."""
+        return replace(self, **{name: value.copy() for name, value in vars(self).items() if value is not None})
+
     def compacted(self) -> "Meso":
         """The same surface without its dead rows."""
         live = np.flatnonzero(self.degree)
