@@ -193,7 +193,9 @@ def test_a_full_disk_is_noted_and_nothing_is_lost(mesh, undisturbed, monkeypatch
     assert "No space left on device" in str(run.skeleton.report)
 
 
-def test_ctrl_c_gives_a_partial_curve_and_the_checkpoint_goes_on(mesh, undisturbed, dying_after, tmp_path, monkeypatch):
+def test_ctrl_c_gives_a_partial_curve_and_the_checkpoint_goes_on(
+    mesh, undisturbed, dying_after, tmp_path, monkeypatch, ctrl_c
+):
     path = tmp_path / "run.npz"
     dying_after(3, lambda: signal.raise_signal(signal.SIGINT))
     with pytest.raises(
@@ -212,7 +214,7 @@ def test_ctrl_c_gives_a_partial_curve_and_the_checkpoint_goes_on(mesh, undisturb
     assert_same_bits(loop.contract(mesh, config=SLOW, checkpoint=path), undisturbed)
 
 
-def test_a_second_ctrl_c_stops_at_once(mesh, dying_after):
+def test_a_second_ctrl_c_stops_at_once(mesh, dying_after, ctrl_c):
     def twice():
         signal.raise_signal(signal.SIGINT)
         signal.raise_signal(signal.SIGINT)

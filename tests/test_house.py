@@ -6,7 +6,8 @@ from pathlib import Path
 import msf_jax
 
 ROOT = Path(msf_jax.__file__).parent
-ORDER = ("base host device metrics skeleton gradients flow shapes ground_truth tuning view guide app __main__").split()
+ORDER = ["base", "host", "device", "metrics", "skeleton", "gradients", "flow", "shapes", "ground_truth", "tuning"]
+ORDER += ["view", "guide", "app", "__main__"]
 FOREIGN = {"host": {"jax", "jaxlib", "jaxopt"}, "device": {"numpy", "scipy", "trimesh"}}
 MOST_ENTRIES, MOST_FILES = 14, 12
 
