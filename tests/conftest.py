@@ -1,6 +1,7 @@
 """Shared by all tests: float64, meshes made in code, and the research meshes where they are at hand."""
 
 import os
+import shutil
 import signal
 import tempfile
 from pathlib import Path
@@ -16,16 +17,18 @@ matplotlib.use("Agg")
 
 # What one process has compiled the others need not, nor the next run: most of the time of the tests is compiling.
 CACHE = "MSF_JAX_TEST_CACHE"
-LARGEST_CACHE = 2 * 10**9  # bytes, after which JAX drops what was used the longest ago
+LARGEST_CACHE = 2 * 10**9  # bytes, after which it begins anew
 
 
 def pytest_configure(config: pytest.Config) -> None:
     """Keep what is compiled in pytest's own cache folder, or where another process of this run keeps it."""
     if CACHE not in os.environ:
         keeper = getattr(config, "cache", None)
-        os.environ[CACHE] = str(keeper.mkdir("compiled") if keeper else tempfile.mkdtemp(prefix="msf_jax-tests-"))
+        folder = Path(keeper.mkdir("compiled") if keeper else tempfile.mkdtemp(prefix="msf_jax-tests-"))
+        if sum(path.stat().st_size for path in folder.iterdir()) > LARGEST_CACHE:
+            shutil.rmtree(folder)
+        os.environ[CACHE] = str(folder)
     jax.config.update("jax_compilation_cache_dir", os.environ[CACHE])
-    jax.config.update("jax_compilation_cache_max_size", LARGEST_CACHE)
     jax.config.update("jax_persistent_cache_min_compile_time_secs", 0.2)
 
 
