@@ -55,7 +55,7 @@ _HOMES = {
     "Skeleton": "skeleton.skeleton",
     "Tape": "gradients.tape",
     "Tuned": "tuning.tuner",
-    "Weights": "base.options",
+    "Weights": "device",  # which makes a pytree of it
     "contract": "flow.loop",
     "read_curve": "skeleton.formats.importing",
     "reconstruct": "host.preprocessing",

@@ -36,8 +36,8 @@ def step(state: State, weights: Weights, config: Config, watch: Stopwatch, limit
     num_collapses, num_splits = _edited(state, config, watch) if config.edit_connectivity else (0, 0)
     meso = state.meso
 
-    contraction, smoothing, num = moved.reports.contraction, moved.reports.smoothing, len(order)
-    left = np.stack([contraction.left[:num], smoothing.left[:num]])
+    solves, num = moved.solves, len(order)
+    left = solves.left[:, :num].copy()
     free, pull = (np.array(values[:num]) for values in (packed.buffers.free, packed.buffers.pull))
     state.steps.append(Step(order, before, packed.rings, packed.degree, free, pull, left, moved.factor, meso.edits))
     meso.edits = []
@@ -52,11 +52,11 @@ def step(state: State, weights: Weights, config: Config, watch: Stopwatch, limit
             splits=num_splits,
             volume=meso.volume() / state.first_volume,
             area=meso.area() / state.first_area,
-            steps=int(contraction.steps),
-            residual=float(contraction.residual),
-            is_solved=bool(contraction.is_solved and smoothing.is_solved),
-            smoothing_steps=int(smoothing.steps),
-            smoothing_residual=float(smoothing.residual),
+            steps=int(solves.steps[0]),
+            residual=float(solves.residual[0]),
+            is_solved=bool(solves.is_solved.all()),
+            smoothing_steps=int(solves.steps[1]),
+            smoothing_residual=float(solves.residual[1]),
             moved=displacement,
             redone=moved.retries,
         )
@@ -81,7 +81,7 @@ class _Moved(NamedTuple):
     """Where the vertices went (n, 3), the solves' reports, the factor on w_L, and how often the step was redone."""
 
     positions: np.ndarray
-    reports: Any
+    solves: Any
     factor: float
     retries: int
 
@@ -109,9 +109,9 @@ def _moved(state: State, packed: _Packed, config: Config, watch: Stopwatch, limi
         with watch.stage("solve"):
             moved = jax.device_get(move(buffers, scaled))
         positions = packing.unpack(moved.positions, packed.order)
-        is_finite = np.isfinite(moved.contraction.residual) and np.isfinite(moved.smoothing.residual)
+        is_finite = np.isfinite(moved.solves.residual).all()
         if is_finite and np.isfinite(positions).all() and np.abs(positions).max() <= BLOW_UP:
-            return _Moved(positions, moved, factor, retries)
+            return _Moved(positions, moved.solves, factor, retries)
     return None
 
 

@@ -6,7 +6,7 @@ are better they are taken, with a larger box around them; if not, a full step do
 and then the box shrinks, and the old tape is minimised again.
 A run that did not converge is no ground for a gradient: then the weights go half-way to the system's own.
 
-This is the one module besides `device.contraction` that imports jaxopt.
+This is the one module besides `device.cg` that imports jaxopt.
 """
 
 import numbers
