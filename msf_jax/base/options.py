@@ -16,6 +16,7 @@ from msf_jax.base.errors import ConfigError
 LAPLACIANS = ("mean_value", "cotangent", "uniform")
 WHOLE = ("reconstruct_poles", "reconstruct_mesh", "max_iterations", "solve_steps")
 SYSTEMS = ("msf", "tagliasacchi2012", "au2008")
+POLES = ("auto", "voronoi", "balls")
 
 
 @dataclass(frozen=True)
@@ -103,8 +104,12 @@ class Config:
         resample: target edge length that the mesh is resampled to before poles are sought; 0 keeps its sampling.
         coarsen: edges shorter than that are collapsed before poles are sought, unless that would turn a face, so that
             the cost of a run follows the solid's shape and hardly the number of its vertices; 0 keeps them all. Where
-            it would cost a twentieth of the volume, as of a thin plate, the mesh is taken as it is.
-        use_poles: whether Voronoi poles pull at all.
+            it would cost a twentieth of the volume, as of a thin plate, the mesh is taken as it is. Where a limb has a
+            radius r below 0.005, this length and t_c are shorter by r / 0.005: a wire keeps its length.
+        use_poles: whether poles pull at all.
+        poles: "voronoi" (article 3.1.2), "balls" (shrinking balls, Ma et al. 2012), or "auto": Voronoi poles, and balls
+            where the solid is thin. There `reconstruct_poles` would take the solid itself away, and is left out, and a
+            Voronoi diagram takes minutes.
         pole_confidence: whether w_M is weighted by how far apart the points are in which a pole's ball touches the
             surface. Off by default: over the benchmark's shapes it makes curves neither better nor worse.
         edit_connectivity: whether edges are collapsed and split, and vertices fixed, in the loop.
@@ -139,6 +144,7 @@ class Config:
     resample: float = 0.0
     coarsen: float = 0.005
     use_poles: bool = True
+    poles: str = "auto"
     pole_confidence: bool = False
     edit_connectivity: bool = True
     t_min: float = 0.005
@@ -165,6 +171,8 @@ class Config:
             raise ConfigError(f"unknown system {self.system!r}: expected one of {', '.join(SYSTEMS)}")
         if self.laplacian not in LAPLACIANS:
             raise ConfigError(f"unknown Laplacian {self.laplacian!r}: expected one of {', '.join(LAPLACIANS)}")
+        if self.poles not in POLES:
+            raise ConfigError(f"unknown poles {self.poles!r}: expected one of {', '.join(POLES)}")
         ranges = {
             "reconstruct_poles": (0, math.inf),
             "reconstruct_mesh": (0, math.inf),
@@ -223,6 +231,7 @@ class Config:
             reconstruct_poles=0,
             resample=0.01,
             coarsen=0.0,
+            poles="voronoi",
             t_min=0.002,
             t_step=0.0,
         )

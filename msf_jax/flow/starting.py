@@ -9,14 +9,16 @@ from msf_jax.host import reconstruction
 from msf_jax.host.mesh.checking import Component
 from msf_jax.host.meso import collapse, homology, split
 from msf_jax.host.meso.meso import Meso
-from msf_jax.host.poles import voronoi
+from msf_jax.host.poles import balls, thickness, voronoi
 from msf_jax.host.reconstruction import LowPass
 from msf_jax.host.recording.records import FoundPoles, Start
 from msf_jax.host.solid.enclosure import Enclosure
+from msf_jax.host.solid.geometry import signed_volume
 from msf_jax.host.solid.frame import RESOLUTION, frame_of, sort_mesh
 
 FLATTEST = 1e-9  # volume, in diagonals cubed, that must be left when coordinates are rounded to the frame's resolution
 MOST_COARSENED = 0.05  # of the volume may go with short edges
+MOST_FILTERED = 0.25  # of the volume may go with what the filter of the poles' sites takes away
 
 
 def init(
@@ -40,6 +42,8 @@ def init(
     pins = np.flatnonzero(np.isin(order, [] if pins is None else pins))
     meso, mesh_filter = _surface(shape, pins, config, watch)
     meso.weights = None if weights is None else weights[order]
+    with watch.stage("thickness"):
+        meso.scale = thickness.scales(meso.positions, faces)
     if abs(meso.volume()) < FLATTEST:
         raise MeshError(
             f"component {number} is too thin: no volume is left of it at the flow's resolution, "
@@ -126,14 +130,19 @@ def _resampled(meso: Meso, length: float, *, check: bool) -> Meso:
 def _poles(meso: Meso, shape: Enclosure, config: Config, watch: Stopwatch) -> FoundPoles:
     """Poles of the (reconstructed) surface, which of them pull (none outside the input's surface), and their trust.
 
-    A pole is trusted by (1 - cos(spoke angle)) / 2.
+    A pole is trusted by (1 - cos(spoke angle)) / 2. A thin solid has more waves than the reconstruction keeps, which
+    would leave little more than its axis: there it is left out.
     """
     sites, faces, kept = meso.positions, meso.faces(), None
     if config.reconstruct_poles:
         with watch.stage("reconstruction"):
             sites, kept = _rebuilt(sites, faces, config.reconstruct_poles, config)
+    is_thin = signed_volume(sites, faces) < (1 - MOST_FILTERED) * meso.volume()
+    if is_thin:
+        sites, kept = meso.positions, None
     with watch.stage("poles"):
-        found = voronoi.voronoi_poles(sites, faces, box=shape.vertices)
+        seek = balls.ball_poles if config.poles == "balls" or (config.poles == "auto" and is_thin) else None
+        found = (seek or voronoi.voronoi_poles)(sites, faces, box=shape.vertices)
         has_pole = found.is_found.copy()
         has_pole[has_pole] = shape.contains(found.position[has_pole])
         trust = (1 - np.cos(voronoi.spoke_angles(found, sites))) / 2

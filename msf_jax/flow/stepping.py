@@ -90,10 +90,16 @@ def _pack(state: State, weights: Weights, watch: Stopwatch) -> _Packed:
     meso = state.meso
     with watch.stage("solve"):
         layout = layout_for(meso.num_rows, packing.rows_beyond(meso))
-        order, rings, fields = packing.pack(meso, layout, state.first_ring_area, np.dtype(real_dtype()), state.t_c)
+        order, rings, fields = packing.pack(meso, layout, state.first_ring_area, np.dtype(real_dtype()), _smallest(state))
         buffers = Buffers(**{**fields, "rings": Rings(*fields["rings"])})
         of_rows = _of_rows(weights, meso.weights, order, layout.capacity)
         return _Packed(order, rings, meso.degree[order], layout, buffers, of_rows)
+
+
+def _smallest(state: State) -> float:
+    """The least t_c of any limb: what a solve must be exact for."""
+    scale = state.meso.scale
+    return state.t_c if scale is None else state.t_c * float(scale[state.meso.degree > 0].min())
 
 
 def _moved(state: State, packed: _Packed, config: Config, watch: Stopwatch, limits: Limits) -> _Moved | None:
