@@ -21,8 +21,10 @@ from msf_jax.host.mesh.sheets import cut_apart, is_double, left_alone, oriented,
 from msf_jax.host.solid.geometry import signed_volume
 
 FEWEST_VERTICES = 5  # of a piece that has a skeleton
+FEWEST_TO_JOIN = 4  # of a piece that can be joined to another
 LARGEST_WELD = 0.01  # of the median edge: more would crush triangles
 MOST_NEIGHBOURS = 50  # of a rim's vertex within the radius of a weld
+REACH = 0.005  # of the diagonal, over which "join" bridges gaps
 FLATTEST = 1e-9  # volume over the cube of the largest extent, below which a piece encloses nothing
 
 
@@ -35,6 +37,9 @@ class Repair:
             median edge.
         largest_hole: holes whose rim fits into a box of this diagonal are filled; 0 fills none, 1 all.
         smallest_part: pieces whose box has a smaller diagonal are left out; 0 keeps all that enclose a volume.
+        join: closed parts become one solid where they overlap, or where their gap is at most that, or at most the
+            radius of the smaller solid (of the ball with its ratio of volume to area); 0 joins what overlaps or
+            touches, None keeps parts as they are. ``repair="join"`` stands for 0.005.
 
     Raises:
         ConfigError: a value is not a number from 0 to 1.
@@ -43,24 +48,29 @@ class Repair:
     weld: float = 1e-6
     largest_hole: float = 1.0
     smallest_part: float = 0.0
+    join: float | None = None
 
     def __post_init__(self) -> None:
         for member in fields(self):
             value = getattr(self, member.name)
+            if member.name == "join" and value is None:
+                continue
             if isinstance(value, bool) or not isinstance(value, numbers.Real) or not 0 <= float(value) <= 1:
                 raise ConfigError(f"Repair.{member.name} is {value!r}: expected a number from 0 to 1")
 
 
 def as_repair(repair: Any) -> Repair | None:
-    """What ``repair`` asks for: True the defaults, False nothing.
+    """What ``repair`` asks for: True the defaults, "join" also one solid of parts that belong together, False nothing.
 
     Raises:
-        ConfigError: it is neither of them, nor a `Repair`.
+        ConfigError: it is none of them, nor a `Repair`.
     """
     if isinstance(repair, Repair):
         return repair
+    if isinstance(repair, str) and repair == "join":
+        return Repair(join=REACH)
     if not isinstance(repair, bool):
-        raise ConfigError(f"repair is {repair!r:.80}: expected True, False or a msf_jax.Repair")
+        raise ConfigError(f'repair is {repair!r:.80}: expected True, False, "join" or a msf_jax.Repair')
     return Repair() if repair else None
 
 
@@ -115,13 +125,15 @@ def repaired(vertices: np.ndarray, faces: np.ndarray, options: Repair) -> Repair
     _note(repairs, "doubled {} in which sheets met", num_cut, "vertex", "vertices")
     faces, num_holes, num_new = filled(given[source], faces, options.largest_hole * diagonal)
     _note(repairs, f"filled {{}} with {num_new} faces", num_holes, "hole", "holes")
-    faces, num_few, num_flat, num_small = _with_volume(given[source], faces, options.smallest_part * diagonal)
-    _note(repairs, f"left out {{}} of fewer than {FEWEST_VERTICES} vertices", num_few, "piece", "pieces")
+    fewest = FEWEST_VERTICES if options.join is None else FEWEST_TO_JOIN
+    smallest = options.smallest_part * diagonal
+    faces, num_few, num_flat, num_small = with_volume(given[source], faces, smallest, fewest)
+    _note(repairs, f"left out {{}} of fewer than {fewest} vertices", num_few, "piece", "pieces")
     _note(repairs, "left out {} without volume", num_flat, "piece", "pieces")
     _note(repairs, "left out {} smaller than smallest_part", num_small, "piece", "pieces")
     if len(faces) == 0:
         raise MeshError(
-            f"after repair nothing is left that encloses a volume and has {FEWEST_VERTICES} vertices: expected a "
+            f"after repair nothing is left that encloses a volume and has {fewest} vertices: expected a "
             "solid, if with holes" + (f" (repaired: {'; '.join(repairs)})" if repairs else "")
         )
     used, flat = np.unique(faces, return_inverse=True)
@@ -199,8 +211,13 @@ def _welded(vertices: np.ndarray, rim: np.ndarray, radius: float) -> np.ndarray:
     return target
 
 
-def _with_volume(vertices: np.ndarray, faces: np.ndarray, size: float) -> tuple[np.ndarray, int, int, int]:
-    """Without pieces of few vertices, closed ones without volume, ones with a smaller diagonal; how many of each."""
+def with_volume(
+    vertices: np.ndarray, faces: np.ndarray, size: float, fewest: int = FEWEST_VERTICES
+) -> tuple[np.ndarray, int, int, int]:
+    """Without pieces of fewer vertices than ``fewest``, closed ones without volume, ones with a diagonal below ``size``.
+
+    Returns the faces that are left, and how many pieces of each kind went.
+    """
     if len(faces) == 0:
         return faces, 0, 0, 0
     edge, _, count = edge_codes(faces)
@@ -220,7 +237,7 @@ def _with_volume(vertices: np.ndarray, faces: np.ndarray, size: float) -> tuple[
         extent = float((high - low).max())
         centred = (vertices[used] - (low + high) / 2) / (extent or 1.0)
         is_hollow = not is_open[piece] and abs(signed_volume(centred, local.reshape(-1, 3))) <= FLATTEST
-        is_few = len(used) < FEWEST_VERTICES
+        is_few = len(used) < fewest
         is_flat = not is_few and (extent == 0 or is_hollow)
         is_small = not is_few and not is_flat and float(np.linalg.norm(high - low)) < size
         keep[piece] = not (is_few or is_flat or is_small)
