@@ -9,13 +9,14 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
-from scipy import sparse
+from scipy import sparse, spatial
 from scipy.sparse import csgraph
 
 from msf_jax.base.errors import MeshError
+from msf_jax.host.mesh import joining
 from msf_jax.host.mesh.half_edges import half_edges, next_in_ring
 from msf_jax.host.mesh.reading import OR_REPAIR, count, read
-from msf_jax.host.mesh.repair import FEWEST_VERTICES, FLATTEST, Repair, as_repair, repaired
+from msf_jax.host.mesh.repair import FEWEST_TO_JOIN, FEWEST_VERTICES, FLATTEST, Repair, as_repair, repaired, with_volume
 from msf_jax.host.solid.enclosure import Enclosure
 from msf_jax.host.solid.geometry import signed_volume
 
@@ -38,9 +39,12 @@ class Surface:
 
     vertices: (V, 3) and faces: (F, 3) of the whole repaired surface, in the caller's units.
     components: its parts, whose vertices are ``vertices[members[c]]``.
-    vertex_of_input: (V_in,) where every vertex of the caller's mesh went, -1 if it is in no face.
-    input_of_vertex: (V,) the caller's vertex that each comes from; of welded ones, the first.
-    strays: (S, 3) the vertices that are in no face, in the caller's order.
+    vertex_of_input: (V_in,) where every vertex of the caller's mesh went, -1 if it is in no face, or was swallowed
+        when parts were joined.
+    input_of_vertex: (V,) the caller's vertex that each comes from; of welded ones, the first; for one that was made
+        where parts were joined, the nearest that is left.
+    is_made: (V,) which those are.
+    strays: (S, 3) the vertices that went nowhere, in the caller's order.
     repairs: what was changed, one sentence each.
     given: vertices and faces as the caller's mesh has them.
     """
@@ -51,6 +55,7 @@ class Surface:
     members: tuple[np.ndarray, ...]
     vertex_of_input: np.ndarray
     input_of_vertex: np.ndarray
+    is_made: np.ndarray
     strays: np.ndarray
     repairs: tuple[str, ...]
     given: tuple[np.ndarray, np.ndarray]
@@ -69,7 +74,10 @@ def prepare(mesh: Any, repair: bool | Repair = False) -> Surface:
         return _checked(vertices, faces)
     done = repaired(vertices, faces, wanted)
     try:
-        checked = _checked(done.vertices, done.faces)
+        if wanted.join is None:
+            checked = _checked(done.vertices, done.faces)
+        else:
+            checked = _joined(done.vertices, done.faces, wanted.join)
     except MeshError as error:
         raise MeshError(f"after repair, {str(error).replace(OR_REPAIR, ', or let Repair do more')}") from error
     target = np.where(done.vertex_of_given < 0, -1, checked.vertex_of_input[done.vertex_of_given])
@@ -83,8 +91,38 @@ def prepare(mesh: Any, repair: bool | Repair = False) -> Surface:
     )
 
 
-def _checked(vertices: np.ndarray, faces: np.ndarray) -> Surface:
-    """The surface of sound input, after repairs without a doubt."""
+def _joined(vertices: np.ndarray, faces: np.ndarray, reach: float) -> Surface:
+    """The checked surface of what closed parts become when those that belong together are one; see `joining`."""
+    parts = _checked(vertices, faces, is_joined=False)
+    done = joining.joined([(part.vertices, part.faces) for part in parts.components], reach)
+    faces, num_few, num_flat, _ = with_volume(done.vertices, done.faces, 0.0)
+    if len(faces) == 0:
+        raise MeshError(f"no part has the {FEWEST_VERTICES} vertices and the volume that a solid needs")
+    used, corners = np.unique(faces, return_inverse=True)
+    checked = _checked(done.vertices[used], corners.reshape(-1, 3))
+    member = np.concatenate(parts.members)  # the parts' vertices, as they were counted through
+    source = done.source[used][checked.input_of_vertex]
+    is_made = source < 0
+    source[is_made] = source[~is_made][spatial.KDTree(checked.vertices[~is_made]).query(checked.vertices[is_made])[1]]
+    number = np.append(np.full(len(done.vertices), -1), -1)
+    number[used] = checked.vertex_of_input
+    target = np.full(len(parts.vertices) + 1, -1)
+    target[member] = number[done.vertex_of_part]
+    crumbs = [f"left out {num_few + num_flat} crumbs"] if num_few + num_flat else []
+    return replace(
+        checked,
+        vertex_of_input=target[parts.vertex_of_input],
+        input_of_vertex=parts.input_of_vertex[member[source]],
+        is_made=is_made,
+        repairs=(*parts.repairs, *done.repairs, *crumbs, *checked.repairs),
+    )
+
+
+def _checked(vertices: np.ndarray, faces: np.ndarray, is_joined: bool = True) -> Surface:
+    """The surface of sound input, after repairs without a doubt; unless it ``is_joined``, its parts will be.
+
+    Parts that will be joined may be smaller, and a cavity counts as a solid.
+    """
     given = vertices, faces
     repairs: list[str] = []
     vertex_of_input = np.arange(len(vertices))
@@ -117,7 +155,8 @@ def _checked(vertices: np.ndarray, faces: np.ndarray) -> Surface:
         repairs.append(f"split {pinches} pinched {'vertex' if pinches == 1 else 'vertices'} into one per fan")
 
     label = _component_labels(faces, len(vertices))
-    components, members = [], []
+    components, members, num_flipped = [], [], 0
+    fewest = FEWEST_VERTICES if is_joined else FEWEST_TO_JOIN
     for number in range(int(label.max()) + 1):
         member = np.flatnonzero(label == number)
         local = np.full(len(vertices), -1)
@@ -125,8 +164,9 @@ def _checked(vertices: np.ndarray, faces: np.ndarray) -> Surface:
         mine = label[faces[:, 0]] == number
         first = caller_number[min(member[0], len(caller_number) - 1)]
         name = "the mesh" if label.max() == 0 else f"component {number} (the one with vertex {first})"
-        component, is_flipped = _component(vertices[member], local[faces[mine]], name)
-        if is_flipped:
+        component, is_flipped = _component(vertices[member], local[faces[mine]], name, fewest)
+        num_flipped += is_flipped
+        if is_flipped and is_joined:
             is_cavity = bool((~mine).any()) and Enclosure(vertices, faces[~mine]).contains(vertices[member[:1]])[0]
             faces[mine] = faces[mine][:, ::-1]
             repairs.append(
@@ -136,6 +176,9 @@ def _checked(vertices: np.ndarray, faces: np.ndarray) -> Surface:
             )
         components.append(component)
         members.append(member)
+    if num_flipped and not is_joined:
+        parts = "part that was" if num_flipped == 1 else "parts that were"
+        repairs.append(f"flipped {num_flipped} {parts} turned inside out")
     return Surface(
         vertices=vertices,
         faces=faces,
@@ -143,6 +186,7 @@ def _checked(vertices: np.ndarray, faces: np.ndarray) -> Surface:
         members=tuple(members),
         vertex_of_input=vertex_of_input,
         input_of_vertex=input_of_vertex,
+        is_made=np.zeros(len(vertices), dtype=bool),
         strays=strays,
         repairs=tuple(repairs),
         given=given,
@@ -228,11 +272,11 @@ def _component_labels(faces: np.ndarray, num_vertices: int) -> np.ndarray:
     return csgraph.connected_components(graph, directed=False)[1]
 
 
-def _component(vertices: np.ndarray, faces: np.ndarray, name: str) -> tuple[Component, bool]:
-    if len(vertices) < FEWEST_VERTICES:
+def _component(vertices: np.ndarray, faces: np.ndarray, name: str, fewest: int) -> tuple[Component, bool]:
+    if len(vertices) < fewest:
         what = "is a tetrahedron" if len(vertices) == 4 else f"has {len(vertices)} vertices"
         raise MeshError(
-            f"{name} {what}: expected at least {FEWEST_VERTICES} vertices; subdivide it if it should have a skeleton"
+            f"{name} {what}: expected at least {fewest} vertices; subdivide it if it should have a skeleton"
         )
     low, high = vertices.min(axis=0), vertices.max(axis=0)
     size = float((high - low).max())

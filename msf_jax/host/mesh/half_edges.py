@@ -31,3 +31,11 @@ def next_in_ring(edges: HalfEdges) -> np.ndarray:
     num = np.arange(len(edges.origin))
     previous = num - num % 3 + (num + 2) % 3
     return edges.twin[previous]
+
+
+def edge_codes(faces: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """For each half-edge, the number of its edge; for each edge, its smaller end and how many faces it has."""
+    ends = np.sort(np.stack([faces, faces[:, [1, 2, 0]]], axis=-1).reshape(-1, 2), axis=1).astype(np.int64)
+    num = np.int64(faces.max(initial=-1)) + 1
+    code, edge, count = np.unique(ends[:, 0] * num + ends[:, 1], return_inverse=True, return_counts=True)
+    return edge.ravel(), code // max(num, 1), count

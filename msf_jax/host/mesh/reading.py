@@ -1,7 +1,12 @@
-"""Read a mesh from a path, an object or arrays: triangles, or an error that says what was found."""
+"""Read a mesh from a path, an object or arrays: triangles, or an error that says what was found.
+
+A file goes through trimesh, but for OFF, whose polygons it does not always see. A scene is all its meshes, each where
+the scene has it, in one list of triangles.
+"""
 
 import logging
 import os
+import zipfile
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -11,9 +16,12 @@ import numpy as np
 import trimesh
 
 from msf_jax.base.errors import MeshError
+from msf_jax.host.mesh import off
 
 SMALLEST = 1e-150  # extent, and the largest coordinate is one over it: squares must be numbers
 ARCHIVES = {"zip", "bz2", "gz", "tar", "tar.gz", "tar.bz2", "tgz"}  # a small one can unpack to more than memory
+ZIPPED = {"3mf", "3dxml"}  # mesh formats that are archives
+LARGEST_UNPACKED = 2**31  # bytes that one of these may hold
 OR_REPAIR = ", or ask for repair=True (--repair)"
 
 
@@ -53,9 +61,15 @@ def _load(path: Path) -> Any:
     suffix = path.suffix.lower().lstrip(".")
     if suffix not in known:
         raise MeshError(
-            f"cannot read {path.name!r}: unknown suffix {path.suffix!r}, expected one of {', '.join(known)}"
+            f"cannot read {path.name!r}: unknown suffix {path.suffix!r}, expected one of {', '.join(known)}; "
+            "export it to one of these"
         )
     try:
+        if suffix == "off":
+            vertices, faces = off.parsed(path.read_text(encoding="utf-8", errors="replace"))
+            return trimesh.Trimesh(vertices, faces, process=False)
+        if suffix in ZIPPED:
+            _check_unpacked(path)
         with _quiet_loader():
             loaded = trimesh.load(path, process=False, maintain_order=True)
     except MemoryError as error:
@@ -71,6 +85,14 @@ def _load(path: Path) -> Any:
     if not isinstance(loaded, trimesh.Trimesh):
         raise MeshError(f"{path.name!r} holds a {type(loaded).__name__} without triangles: expected a triangle mesh")
     return loaded
+
+
+def _check_unpacked(path: Path) -> None:
+    """A small archive can unpack to more than memory."""
+    with zipfile.ZipFile(path) as archive:
+        size = sum(member.file_size for member in archive.infolist())
+    if size > LARGEST_UNPACKED:
+        raise ValueError(f"it unpacks to {size} bytes: expected at most {LARGEST_UNPACKED}")
 
 
 def check_map(mesh_map: np.ndarray, num_vertices: int) -> None:

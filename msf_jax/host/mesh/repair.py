@@ -6,8 +6,6 @@ meet in an edge or a vertex are cut apart; holes are filled without new vertices
 No vertex is made up: each one of the result is one of the caller's, so that weights, pins and gradients find theirs.
 """
 
-import heapq
-import math
 import numbers
 from dataclasses import dataclass, fields
 from typing import Any, NamedTuple
@@ -17,11 +15,16 @@ from scipy import sparse, spatial
 from scipy.sparse import csgraph
 
 from msf_jax.base.errors import ConfigError, MeshError
+from msf_jax.host.mesh.filling import filled
+from msf_jax.host.mesh.half_edges import edge_codes
+from msf_jax.host.mesh.sheets import cut_apart, is_double, left_alone, oriented, twins
 from msf_jax.host.solid.geometry import signed_volume
 
 FEWEST_VERTICES = 5  # of a piece that has a skeleton
+FEWEST_TO_JOIN = 4  # of a piece that can be joined to another
 LARGEST_WELD = 0.01  # of the median edge: more would crush triangles
 MOST_NEIGHBOURS = 50  # of a rim's vertex within the radius of a weld
+REACH = 0.005  # of the diagonal, over which "join" bridges gaps
 FLATTEST = 1e-9  # volume over the cube of the largest extent, below which a piece encloses nothing
 
 
@@ -34,6 +37,9 @@ class Repair:
             median edge.
         largest_hole: holes whose rim fits into a box of this diagonal are filled; 0 fills none, 1 all.
         smallest_part: pieces whose box has a smaller diagonal are left out; 0 keeps all that enclose a volume.
+        join: closed parts become one solid where they overlap, or where their gap is at most that, or at most the
+            radius of the smaller solid (of the ball with its ratio of volume to area); 0 joins what overlaps or
+            touches, None keeps parts as they are. ``repair="join"`` stands for 0.005.
 
     Raises:
         ConfigError: a value is not a number from 0 to 1.
@@ -42,24 +48,29 @@ class Repair:
     weld: float = 1e-6
     largest_hole: float = 1.0
     smallest_part: float = 0.0
+    join: float | None = None
 
     def __post_init__(self) -> None:
         for member in fields(self):
             value = getattr(self, member.name)
+            if member.name == "join" and value is None:
+                continue
             if isinstance(value, bool) or not isinstance(value, numbers.Real) or not 0 <= float(value) <= 1:
                 raise ConfigError(f"Repair.{member.name} is {value!r}: expected a number from 0 to 1")
 
 
 def as_repair(repair: Any) -> Repair | None:
-    """What ``repair`` asks for: True the defaults, False nothing.
+    """What ``repair`` asks for: True the defaults, "join" also one solid of parts that belong together, False nothing.
 
     Raises:
-        ConfigError: it is neither of them, nor a `Repair`.
+        ConfigError: it is none of them, nor a `Repair`.
     """
     if isinstance(repair, Repair):
         return repair
+    if isinstance(repair, str) and repair == "join":
+        return Repair(join=REACH)
     if not isinstance(repair, bool):
-        raise ConfigError(f"repair is {repair!r:.80}: expected True, False or a msf_jax.Repair")
+        raise ConfigError(f'repair is {repair!r:.80}: expected True, False, "join" or a msf_jax.Repair')
     return Repair() if repair else None
 
 
@@ -100,27 +111,29 @@ def repaired(vertices: np.ndarray, faces: np.ndarray, options: Repair) -> Repair
             moved = int((target != np.arange(len(given)))[rim].sum())
             _note(repairs, "welded {} at the rim of a hole to another", moved, "vertex", "vertices")
             welded, faces = target[welded], _without_doubles(target[faces], repairs)
-    faces, num_turned = _oriented(faces, _left_alone(faces))
+    faces, num_turned = oriented(faces, left_alone(faces))
     _note(repairs, "turned {} round", num_turned, "face", "faces")
-    num_faces, num_crowded = len(faces), int((_edge_codes(faces)[2] > 2).sum())
+    num_faces, num_crowded = len(faces), int((edge_codes(faces)[2] > 2).sum())
     _note(repairs, "separated the sheets that met in {}", num_crowded, "edge", "edges")
-    twin = _twins(given, faces)
-    while (is_double := _is_double(_cut_apart(faces, twin)[0])).any():  # a sheet that meets itself: cut there, and fill
-        faces = faces[~is_double]
-        twin = _twins(given, faces)
+    twin = twins(given, faces)
+    while (is_crowded := is_double(cut_apart(faces, twin)[0])).any():  # a sheet that meets itself: cut there, and fill
+        faces = faces[~is_crowded]
+        twin = twins(given, faces)
     _note(repairs, "left out {} at edges where a sheet met itself", num_faces - len(faces), "face", "faces")
-    faces, source = _cut_apart(faces, twin)
+    faces, source = cut_apart(faces, twin)
     num_cut = len(source) - len(np.unique(source))
     _note(repairs, "doubled {} in which sheets met", num_cut, "vertex", "vertices")
-    faces, num_holes, num_new = _filled(given[source], faces, options.largest_hole * diagonal)
+    faces, num_holes, num_new = filled(given[source], faces, options.largest_hole * diagonal)
     _note(repairs, f"filled {{}} with {num_new} faces", num_holes, "hole", "holes")
-    faces, num_few, num_flat, num_small = _with_volume(given[source], faces, options.smallest_part * diagonal)
-    _note(repairs, f"left out {{}} of fewer than {FEWEST_VERTICES} vertices", num_few, "piece", "pieces")
+    fewest = FEWEST_VERTICES if options.join is None else FEWEST_TO_JOIN
+    smallest = options.smallest_part * diagonal
+    faces, num_few, num_flat, num_small = with_volume(given[source], faces, smallest, fewest)
+    _note(repairs, f"left out {{}} of fewer than {fewest} vertices", num_few, "piece", "pieces")
     _note(repairs, "left out {} without volume", num_flat, "piece", "pieces")
     _note(repairs, "left out {} smaller than smallest_part", num_small, "piece", "pieces")
     if len(faces) == 0:
         raise MeshError(
-            f"after repair nothing is left that encloses a volume and has {FEWEST_VERTICES} vertices: expected a "
+            f"after repair nothing is left that encloses a volume and has {fewest} vertices: expected a "
             "solid, if with holes" + (f" (repaired: {'; '.join(repairs)})" if repairs else "")
         )
     used, flat = np.unique(faces, return_inverse=True)
@@ -176,17 +189,9 @@ def _without_doubles(faces: np.ndarray, repairs: list[str]) -> np.ndarray:
     return faces[first]
 
 
-def _edge_codes(faces: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """For each half-edge, the number of its edge; for each edge, its smaller end and how many faces it has."""
-    ends = np.sort(np.stack([faces, faces[:, [1, 2, 0]]], axis=-1).reshape(-1, 2), axis=1).astype(np.int64)
-    num = np.int64(faces.max(initial=-1)) + 1
-    code, edge, count = np.unique(ends[:, 0] * num + ends[:, 1], return_inverse=True, return_counts=True)
-    return edge.ravel(), code // max(num, 1), count
-
-
 def _rim(faces: np.ndarray) -> np.ndarray:
     """The ends of the half-edges without another face."""
-    edge, _, count = _edge_codes(faces)
+    edge, _, count = edge_codes(faces)
     half = np.flatnonzero(count[edge] == 1)
     return np.concatenate([faces.ravel()[half], faces[:, [1, 2, 0]].ravel()[half]])
 
@@ -206,198 +211,16 @@ def _welded(vertices: np.ndarray, rim: np.ndarray, radius: float) -> np.ndarray:
     return target
 
 
-def _left_alone(faces: np.ndarray) -> np.ndarray:
-    """(3F,) which half-edges, at an edge of more than two, take no part in joining the others there.
+def with_volume(
+    vertices: np.ndarray, faces: np.ndarray, size: float, fewest: int = FEWEST_VERTICES
+) -> tuple[np.ndarray, int, int, int]:
+    """Without pieces of fewer vertices than ``fewest``, closed ones without volume, ones with a diagonal below ``size``.
 
-    Faces of an open patch, such as a fin, where the others are an even number; else, of an odd number, the one of the
-    smallest patch, and rather an open one: more likely a wall than a part of a solid.
+    Returns the faces that are left, and how many pieces of each kind went.
     """
-    edge, _, count = _edge_codes(faces)
-    order = np.argsort(edge, kind="stable")
-    start = np.concatenate([[0], np.cumsum(count)])
-    patch, size, is_open = _patches(edge, count)
-    alone = np.zeros(len(edge), dtype=bool)
-    for number in np.flatnonzero(count > 2):
-        halves = order[start[number] : start[number + 1]]
-        own = patch[halves // 3]
-        num_closed = int((~is_open[own]).sum())
-        if num_closed and num_closed % 2 == 0:
-            alone[halves[is_open[own]]] = True
-        elif len(halves) % 2:
-            alone[halves[np.lexsort((size[own], ~is_open[own]))[0]]] = True
-    return alone
-
-
-def _patches(edge: np.ndarray, count: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """For each face, its patch, joined across edges with two faces; for each patch, its faces, and if it has a rim."""
-    order = np.argsort(edge, kind="stable")
-    pair = order[(count[edge] == 2)[order]].reshape(-1, 2) // 3
-    num = len(edge) // 3
-    graph = sparse.coo_matrix((np.ones(len(pair)), pair.T), shape=(num, num))
-    patch = csgraph.connected_components(graph, directed=False)[1]
-    on_rim = (count[edge] == 1).reshape(-1, 3).any(axis=1)
-    return patch, np.bincount(patch), np.bincount(patch, weights=on_rim) > 0
-
-
-def _oriented(faces: np.ndarray, alone: np.ndarray) -> tuple[np.ndarray, int]:
-    """Neighbours across edges turned the same way round, where two faces are not ``alone`` (3F,).
-
-    Of what hangs together the fewer faces are turned.
-
-    Every face stands in a graph twice, as it is and turned; faces that fit together are joined. A patch is then two
-    components, of which one is taken, or, if it has one side only, a single one, which is left as it is.
-    """
-    edge, _, count = _edge_codes(faces)
-    num_joined = np.bincount(edge[~alone], minlength=len(count))
-    order = np.argsort(edge, kind="stable")
-    half = order[((num_joined[edge] == 2) & ~alone)[order]].reshape(-1, 2)
-    origin, face = faces.ravel(), half // 3
-    is_same = (origin[half[:, 0]] == origin[half[:, 1]]).astype(np.int64)
-    num = len(faces)
-    a = np.concatenate([face[:, 0], face[:, 0] + num])
-    b = np.concatenate([face[:, 1] + num * is_same, face[:, 1] + num * (1 - is_same)])
-    graph = sparse.coo_matrix((np.ones(len(a)), (a, b)), shape=(2 * num, 2 * num))
-    as_is, turned = csgraph.connected_components(graph, directed=False)[1].reshape(2, -1)
-    is_turned = as_is > turned
-    patch = np.minimum(as_is, turned)
-    share = np.bincount(patch, weights=is_turned) / np.maximum(np.bincount(patch), 1)
-    is_turned ^= (share[patch] > 0.5) & (as_is != turned)
-    return np.where(is_turned[:, None], faces[:, ::-1], faces), int(is_turned.sum())
-
-
-def _twins(vertices: np.ndarray, faces: np.ndarray) -> np.ndarray:
-    """(3F,) the half-edge across each, -1 where there is none.
-
-    At an edge of more than two faces, those are joined in pairs that run opposite ways, first the pairs that enclose
-    the smallest angle of inside; faces that are left alone are joined to others of their own patch only.
-    """
-    edge, _, count = _edge_codes(faces)
-    alone, patch = _left_alone(faces), _patches(edge, count)[0]
-    order = np.argsort(edge, kind="stable")
-    start = np.concatenate([[0], np.cumsum(count)])
-    origin, target, apex = (faces[:, corners].ravel() for corners in ([0, 1, 2], [1, 2, 0], [2, 0, 1]))
-    twin = np.full(len(origin), -1)
-    pair = order[(count[edge] == 2)[order]].reshape(-1, 2)
-    pair = pair[origin[pair[:, 0]] != origin[pair[:, 1]]]
-    twin[pair[:, 0]], twin[pair[:, 1]] = pair[:, 1], pair[:, 0]
-    for number in np.flatnonzero(count > 2):
-        halves = order[start[number] : start[number + 1]]
-        low, high = sorted((origin[halves[0]], target[halves[0]]))
-        angle = _angles(vertices[low], vertices[high], vertices[apex[halves]])
-        is_forward = origin[halves] == low
-        ahead, back = np.flatnonzero(is_forward), np.flatnonzero(~is_forward)
-        wedge = (angle[ahead][:, None] - angle[back]) % (2 * np.pi)  # a face's inside is where its angle falls
-        one, other = halves[ahead][:, None], halves[back]
-        is_barred = (alone[one] | alone[other]) & (patch[one // 3] != patch[other // 3])
-        wedge[is_barred] = np.inf
-        for _ in range(min(wedge.shape)):
-            i, j = np.unravel_index(np.argmin(wedge), wedge.shape)
-            if wedge[i, j] < np.inf:
-                twin[one[i, 0]], twin[other[j]] = other[j], one[i, 0]
-            wedge[i], wedge[:, j] = np.inf, np.inf
-    return twin
-
-
-def _is_double(faces: np.ndarray) -> np.ndarray:
-    """(F,) which faces lie at an edge that still has more than two."""
-    edge, _, count = _edge_codes(faces)
-    return np.any(count[edge].reshape(-1, 3) > 2, axis=1)
-
-
-def _angles(start: np.ndarray, end: np.ndarray, points: np.ndarray) -> np.ndarray:
-    """(n,) angles of ``points`` (n, 3) around the axis from ``start`` to ``end``, counter-clockwise."""
-    axis = end - start
-    length = np.linalg.norm(axis)
-    axis = axis / length if length else np.array([0.0, 0.0, 1.0])
-    u = np.cross(axis, np.eye(3)[np.argmin(np.abs(axis))])
-    return np.arctan2((points - start) @ np.cross(axis, u), (points - start) @ u)
-
-
-def _cut_apart(faces: np.ndarray, twin: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """One vertex for each fan of faces that are joined around it: new faces, and the old vertex of each new one."""
-    num = len(twin)
-    half = np.flatnonzero(twin >= 0)
-    after = twin - twin % 3 + (twin + 1) % 3  # the corner at the end of the half-edge across
-    graph = sparse.coo_matrix((np.ones(len(half)), (half, after[half])), shape=(num, num))
-    fan = csgraph.connected_components(graph, directed=False)[1]
-    owner = faces.ravel()[np.unique(fan, return_index=True)[1]]
-    order = np.argsort(owner, kind="stable")
-    number = np.empty(len(order), dtype=np.int64)
-    number[order] = np.arange(len(order))
-    return number[fan].reshape(-1, 3), owner[order]
-
-
-def _filled(vertices: np.ndarray, faces: np.ndarray, size: float) -> tuple[np.ndarray, int, int]:
-    """Faces and those that fill the holes whose rim fits into a box with diagonal ``size``; how many of each."""
-    edge, _, count = _edge_codes(faces)
-    origin, target = faces.ravel(), faces[:, [1, 2, 0]].ravel()
-    half = np.flatnonzero(count[edge] == 1)
-    after = dict(zip(target[half].tolist(), origin[half].tolist(), strict=True))  # along the hole, not the face
-    known = set(zip(origin.tolist(), target.tolist(), strict=True))
-    new: list[tuple[int, int, int]] = []
-    num_holes = 0
-    while after:
-        start = current = next(iter(after))
-        loop = []
-        while current in after:
-            loop.append(current)
-            current = after.pop(current)
-        points = vertices[loop]
-        if current == start and np.linalg.norm(np.ptp(points, axis=0)) <= size:
-            cap = _cap(vertices, loop, known)
-            num_holes += bool(cap)
-            new += cap
-    filled = np.array(new, dtype=faces.dtype).reshape(-1, 3)
-    return np.concatenate([faces, filled]), num_holes, len(new)
-
-
-def _cap(vertices: np.ndarray, loop: list[int], known: set[tuple[int, int]]) -> list[tuple[int, int, int]]:
-    """Triangles over a rim: ear after ear, the shortest chord first, those that bulge the right way before others.
-
-    ``known`` are the half-edges there are, to which the new ones are added: no chord may be one of them. Returns no
-    triangle where it cannot be closed.
-    """
-    around = vertices[loop] - vertices[loop].mean(axis=0)
-    normal = np.cross(around, np.roll(around, -1, axis=0)).sum(axis=0)
-    num = len(loop)
-    before, after = list(range(-1, num - 1)), [*range(1, num), 0]
-    before[0] = num - 1
-    is_left, faces, chords = [True] * num, [], set()
-
-    def rank(place: int) -> tuple[bool, float, int, int, int]:
-        a, b, c = (vertices[loop[k]] for k in (before[place], place, after[place]))
-        is_wrong = bool(np.cross(b - a, c - a) @ normal < 0)
-        return is_wrong, math.dist(a, c), place, before[place], after[place]
-
-    heap = [rank(place) for place in range(num)]
-    heapq.heapify(heap)
-    while num > 3 and heap:
-        _, _, place, a, c = heapq.heappop(heap)
-        if not is_left[place] or before[place] != a or after[place] != c:
-            continue
-        chord = (loop[a], loop[c])
-        if chord in known or chord[::-1] in known or chord in chords or chord[::-1] in chords:
-            continue
-        chords |= {chord, chord[::-1]}
-        faces.append((loop[a], loop[place], loop[c]))
-        is_left[place] = False
-        after[a], before[c] = c, a
-        num -= 1
-        for neighbour in (a, c):
-            heapq.heappush(heap, rank(neighbour))
-    if num != 3:
-        return []
-    last = is_left.index(True)
-    faces.append((loop[before[last]], loop[last], loop[after[last]]))
-    known |= {(a, b) for face in faces for a, b in zip(face, (*face[1:], face[0]), strict=True)}
-    return faces
-
-
-def _with_volume(vertices: np.ndarray, faces: np.ndarray, size: float) -> tuple[np.ndarray, int, int, int]:
-    """Without pieces of few vertices, closed ones without volume, ones with a smaller diagonal; how many of each."""
     if len(faces) == 0:
         return faces, 0, 0, 0
-    edge, _, count = _edge_codes(faces)
+    edge, _, count = edge_codes(faces)
     ends = faces.ravel(), faces[:, [1, 2, 0]].ravel()
     num = len(vertices)
     graph = sparse.coo_matrix((np.ones(len(ends[0])), ends), shape=(num, num))
@@ -414,7 +237,7 @@ def _with_volume(vertices: np.ndarray, faces: np.ndarray, size: float) -> tuple[
         extent = float((high - low).max())
         centred = (vertices[used] - (low + high) / 2) / (extent or 1.0)
         is_hollow = not is_open[piece] and abs(signed_volume(centred, local.reshape(-1, 3))) <= FLATTEST
-        is_few = len(used) < FEWEST_VERTICES
+        is_few = len(used) < fewest
         is_flat = not is_few and (extent == 0 or is_hollow)
         is_small = not is_few and not is_flat and float(np.linalg.norm(high - low)) < size
         keep[piece] = not (is_few or is_flat or is_small)

@@ -1,0 +1,296 @@
+"""Closed parts that overlap, touch or nearly touch become one solid, on request.
+
+Manifold (Apache-2.0) makes the union, of parts that are swollen by a hundredth of their thickness: faces that lie on
+each other, as of a pin in its hole, would leave a hundred slits otherwise. Afterwards vertices go back to where they
+were. Solids that are still apart are bridged where they are nearest to each other, along a spanning tree and so without
+new loops: a capsule at each gap, half as thick as what it joins, and one more union. Voids between parts, which cannot
+be seen from outside, are filled.
+"""
+
+from collections.abc import Sequence
+from functools import cached_property
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+from scipy import spatial
+from scipy.cluster.hierarchy import DisjointSet
+
+from msf_jax.host.solid.enclosure import Enclosure
+from msf_jax.host.solid.geometry import signed_volume, unit, vertex_normals
+
+if TYPE_CHECKING:
+    from manifold3d import Manifold
+
+SWELL = 0.01  # radii of a part, by which it is larger in the union
+TOUCH = 1e-6  # diagonals, up to which a gap is none
+MOST_SITES = 60_000  # points on faces that gaps are sought between, beside the vertices
+MOST_TRIES = 4  # of bridging what is still apart, each twice as thick as the one before
+MOST_PAIRS = 20_000  # of solids that a gap is sought between, those with the nearest boxes first
+ROUNDS = 4  # of going to and fro between two surfaces, to the ends of a gap
+GLUE, THINNEST = 0.5, 0.1  # radius of a capsule over the solids' where it ends, and at least, over the smaller one's
+SECTIONS = 8  # of a capsule's circles
+SAME = 1e-12  # diagonals, between a vertex of the union and the one that it was
+
+Mesh = tuple[np.ndarray, np.ndarray]
+
+
+class Joined(NamedTuple):
+    """Parts after they were joined.
+
+    vertices: (V, 3). faces: (F, 3). source: (V,) the vertex that each was, counted through all the parts, and -1 for
+    one that the union made. vertex_of_part: (P,) what became of each of those, -1 for one that is inside now, or was
+    cut away. repairs: what was done, a sentence each.
+    """
+
+    vertices: np.ndarray
+    faces: np.ndarray
+    source: np.ndarray
+    vertex_of_part: np.ndarray
+    repairs: tuple[str, ...]
+
+
+class Gap(NamedTuple):
+    """Where two solids, ``one`` and ``other``, are nearest. ends: (2, 3). faces: that the ends are on."""
+
+    one: int
+    other: int
+    ends: np.ndarray
+    faces: tuple[int, int]
+
+    @property
+    def length(self) -> float:
+        return float(np.linalg.norm(self.ends[1] - self.ends[0]))
+
+
+class Body:
+    """One closed connected surface, turned outwards, in units of the whole's diagonal.
+
+    vertices: (V, 3). faces: (F, 3). radius: of the ball with its ratio of volume to area. size: of its box's diagonal.
+    """
+
+    def __init__(self, solid: "Manifold") -> None:
+        self.vertices, self.faces = _arrays(solid)
+        self.radius = 3 * solid.volume() / solid.surface_area()
+        self.size = float(np.linalg.norm(np.ptp(self.vertices, axis=0)))
+
+    @cached_property
+    def shape(self) -> Enclosure:
+        return Enclosure(self.vertices, self.faces)
+
+    def foot(self, point: np.ndarray) -> tuple[np.ndarray, int]:
+        """The point of the surface that is nearest to ``point`` (3,), and its face."""
+        face = int(self.shape.nearest(point[None])[1][0])
+        return _on_triangle(point, self.shape.triangles[face]), face
+
+    def thickness(self, point: np.ndarray, face: int) -> float:
+        """Half the way through the solid from a ``point`` (3,) of its ``face``, two radii at most."""
+        a, b, c = self.shape.triangles[face]
+        inward = -unit(np.cross(b - a, c - a))[None]
+        return float(self.shape.ray_lengths(point[None] + TOUCH * inward, inward, np.array([4 * self.radius]))[0]) / 2
+
+
+def joined(parts: Sequence[Mesh], reach: float) -> Joined:
+    """Join ``parts``, closed surfaces turned outwards: ``(vertices (n, 3), faces (m, 3))`` each.
+
+    Those that overlap become one. Gaps are bridged up to ``reach``, in diagonals of the whole, or up to the radius of
+    the smaller solid if that is more; with a ``reach`` of 0, where solids touch.
+    """
+    from manifold3d import Manifold, OpType  # here, as most runs do without
+
+    every = np.concatenate([vertices for vertices, _ in parts])
+    low, high = every.min(axis=0), every.max(axis=0)
+    centre, diagonal = low + (high - low) / 2, float(np.linalg.norm(high - low))
+    given = (every - centre) / diagonal
+    start = np.cumsum([len(vertices) for vertices, _ in parts])[:-1]
+    swollen = [_swollen(*part) for part in zip(np.split(given, start), [faces for _, faces in parts], strict=True)]
+    solids = [_solid(*part) for part in zip(swollen, [faces for _, faces in parts], strict=True)]
+    whole, num_voids = _filled(Manifold.batch_boolean(solids, OpType.Add))
+    pieces = whole.decompose()
+    repairs = [_overlapped(len(parts), len(pieces))]
+    if num_voids:
+        repairs.append(f"filled {_count(num_voids, 'void')} between parts")
+    bodies, bridged, num_unseen = [Body(piece) for piece in pieces], [], 0
+    for tries in range(MOST_TRIES):
+        if len(bodies) == 1:
+            break
+        gaps, num_unseen = _spanning(bodies, reach)
+        if not gaps:
+            break
+        bridged += [(gap, min(bodies[gap.one].radius, bodies[gap.other].radius)) for gap in gaps]
+        capsules = [_capsule(bodies, gap, 2**tries) for gap in gaps]
+        whole = _filled(Manifold.batch_boolean([whole, *capsules], OpType.Add))[0]
+        bodies = [Body(piece) for piece in whole.decompose()]
+    if bridged:
+        repairs.append(_joined_over(len(pieces), len(bodies), bridged, diagonal))
+    if len(bodies) > 1:
+        repairs.append(_apart(bodies, diagonal))
+    if num_unseen:
+        repairs.append(f"looked for no gap between {_count(num_unseen, 'pair')} of solids: over {MOST_PAIRS} are near")
+    vertices, faces = _arrays(whole)
+    larger = np.concatenate(swollen)
+    source, vertex_of_part = _same_place(larger, vertices), _same_place(vertices, larger)
+    placed = np.where(source[:, None] < 0, centre + diagonal * vertices, every[source])
+    return Joined(placed, faces, source, vertex_of_part, tuple(repairs))
+
+
+def _same_place(known: np.ndarray, points: np.ndarray) -> np.ndarray:
+    """(P,) one of the ``known`` (K, 3) that is in the place of each point (P, 3), -1 where there is none."""
+    away, found = spatial.KDTree(known).query(points, distance_upper_bound=SAME)
+    return np.where(np.isfinite(away), found, -1)
+
+
+def _count(number: int, what: str) -> str:
+    return f"{number} {what}{'' if number == 1 else 's'}"
+
+
+def _overlapped(num_parts: int, num_bodies: int) -> str:
+    if num_bodies < num_parts:
+        return f"joined {num_parts} parts, as far as they overlap, to {_count(num_bodies, 'solid')}"
+    return f"joined none of {_count(num_parts, 'part')} by overlap" if num_parts > 1 else "joined nothing: one part"
+
+
+def _joined_over(before: int, after: int, bridged: list[tuple[Gap, float]], diagonal: float) -> str:
+    gap, radius = max(bridged, key=lambda one: one[0].length)
+    over = "that touch"
+    if gap.length > TOUCH:
+        over = f"over gaps of up to {gap.length * diagonal:.3g} ({gap.length / radius:.2g} radii of the smaller)"
+    return f"joined {before} solids to {after} at {_count(len(bridged), 'place')} {over}"
+
+
+def _apart(bodies: list[Body], diagonal: float) -> str:
+    """What is left apart, and how far the largest of it is from the next."""
+    largest = max(bodies, key=lambda body: body.size)
+    others = np.concatenate([body.vertices for body in bodies if body is not largest])
+    gap = float(largest.shape.distances(others).min())
+    return (
+        f"left {len(bodies)} solids apart: the largest is {gap * diagonal:.3g} from the next ({gap:.2g} diagonals; "
+        "Repair(join=...) says how far to go)"
+    )
+
+
+def _swollen(vertices: np.ndarray, faces: np.ndarray) -> np.ndarray:
+    """The vertices moved outwards by ``SWELL`` times the radius of the ball with the part's ratio of volume to area."""
+    a, b, c = np.moveaxis(vertices[faces], 1, 0)
+    area = np.linalg.norm(np.cross(b - a, c - a), axis=1).sum() / 2
+    return vertices + SWELL * 3 * signed_volume(vertices, faces) / area * unit(vertex_normals(vertices, faces))
+
+
+def _solid(vertices: np.ndarray, faces: np.ndarray) -> "Manifold":
+    from manifold3d import Manifold, Mesh64
+
+    return Manifold(Mesh64(np.ascontiguousarray(vertices), np.ascontiguousarray(faces, dtype=np.uint64)))
+
+
+def _arrays(solid: "Manifold") -> Mesh:
+    mesh = solid.to_mesh64()
+    return np.array(mesh.vert_properties)[:, :3], np.array(mesh.tri_verts).astype(np.int64)
+
+
+def _filled(whole: "Manifold") -> tuple["Manifold", int]:
+    """The solid without the surfaces that are turned inwards, and how many of them there were."""
+    from manifold3d import Manifold, OpType
+
+    pieces = whole.decompose()
+    outer = [piece for piece in pieces if piece.volume() > 0]
+    if len(outer) == len(pieces):
+        return whole, 0
+    return Manifold.batch_boolean(outer, OpType.Add), len(pieces) - len(outer)
+
+
+def _spanning(bodies: list[Body], reach: float) -> tuple[list[Gap], int]:
+    """The gaps of a spanning tree, shortest first, as far as they are to be bridged; and how many pairs were not seen.
+
+    Gaps are sought between points all over the surfaces, and then measured between the surfaces themselves.
+    """
+    radius = np.array([body.radius for body in bodies])
+    spacing, sites = _sites(bodies)
+    pairs, bounds = _near_pairs(bodies, radius, reach)
+    trees: dict[int, spatial.KDTree] = {}
+    found = []
+    for (one, other), bound in zip(pairs[:MOST_PAIRS].tolist(), bounds.tolist(), strict=False):
+        if len(sites[one]) < len(sites[other]):
+            one, other = other, one
+        if one not in trees:
+            trees[one] = spatial.KDTree(sites[one])
+        away, place = trees[one].query(sites[other], distance_upper_bound=bound + spacing)
+        nearest = int(np.argmin(away))
+        if away[nearest] < np.inf:
+            found.append((float(away[nearest]), one, other, int(place[nearest]), nearest, bound))
+    sets, bridged = DisjointSet(range(len(bodies))), []
+    for _, one, other, at_one, at_other, bound in sorted(found):
+        if not sets.connected(one, other):
+            gap = _measured(bodies, one, other, sites[one][at_one], sites[other][at_other])
+            if gap.length <= bound:
+                sets.merge(one, other)
+                bridged.append(gap)
+    return bridged, max(len(pairs) - MOST_PAIRS, 0)
+
+
+def _near_pairs(bodies: list[Body], radius: np.ndarray, reach: float) -> tuple[np.ndarray, np.ndarray]:
+    """Pairs (n, 2) of bodies whose boxes are near enough for a bridge, nearest first, and how long that may be."""
+    low = np.array([body.vertices.min(axis=0) for body in bodies])
+    high = np.array([body.vertices.max(axis=0) for body in bodies])
+    pairs, bounds, gaps = [], [], []
+    for number in range(len(bodies) - 1):
+        after = slice(number + 1, None)
+        away = np.maximum(np.maximum(low[after] - high[number], low[number] - high[after]), 0)
+        gap = np.linalg.norm(away, axis=1)
+        bound = np.maximum(np.minimum(radius[after], radius[number]), reach) if reach > 0 else np.full(len(gap), TOUCH)
+        near = np.flatnonzero(gap <= bound)
+        pairs.append(np.stack([np.full(len(near), number), number + 1 + near], axis=1))
+        bounds.append(bound[near])
+        gaps.append(gap[near])
+    order = np.argsort(np.concatenate(gaps), kind="stable")
+    return np.concatenate(pairs)[order], np.concatenate(bounds)[order]
+
+
+def _sites(bodies: list[Body]) -> tuple[float, list[np.ndarray]]:
+    """Points of each surface, its vertices among them, and about how far apart they are on large faces."""
+    corners = [body.vertices[body.faces] for body in bodies]
+    a, b, c = np.moveaxis(np.concatenate(corners), 1, 0)
+    spacing = float(np.sqrt(np.linalg.norm(np.cross(b - a, c - a), axis=1).sum() / MOST_SITES))
+    sites = []
+    for body, triangles in zip(bodies, corners, strict=True):
+        longest = np.linalg.norm(triangles - np.roll(triangles, 1, axis=1), axis=2).max(axis=1)
+        parts = np.ceil(longest / spacing).astype(int)
+        points = [body.vertices]
+        for num in np.unique(parts[parts > 1]).tolist():
+            i, j = np.divmod(np.arange((num + 1) ** 2), num + 1)
+            share = np.stack([i, j, num - i - j], axis=1)[i + j <= num] / num
+            points.append(np.einsum("sk,tkx->tsx", share, triangles[parts == num]).reshape(-1, 3))
+        sites.append(np.concatenate(points))
+    return spacing, sites
+
+
+def _measured(bodies: list[Body], one: int, other: int, at_one: np.ndarray, at_other: np.ndarray) -> Gap:
+    """The gap between two surfaces near the points ``at_one`` and ``at_other`` (3,), each the other's foot."""
+    start, end = at_one, at_other
+    for _ in range(ROUNDS):
+        start, first = bodies[one].foot(end)
+        end, last = bodies[other].foot(start)
+    return Gap(one, other, np.stack([start, end]), (first, last))
+
+
+def _capsule(bodies: list[Body], gap: Gap, factor: float) -> "Manifold":
+    """What bridges ``gap``: the hull of two balls around its ends, ``factor`` times as thick as it should do."""
+    from manifold3d import Manifold
+
+    pair = bodies[gap.one], bodies[gap.other]
+    smaller = min(body.radius for body in pair)
+    thickness = min(body.thickness(*end) for body, *end in zip(pair, gap.ends, gap.faces, strict=True))
+    radius = factor * float(np.clip(GLUE * thickness, THINNEST * smaller, smaller))
+    ball = _arrays(Manifold.sphere(radius, SECTIONS))[0]
+    return Manifold.hull_points(np.concatenate([ball + end for end in gap.ends]))
+
+
+def _on_triangle(point: np.ndarray, triangle: np.ndarray) -> np.ndarray:
+    """The point of ``triangle`` (3, 3) nearest to ``point`` (3,): inside it, or else on the nearest of its edges."""
+    a, b, c = triangle
+    normal = unit(np.cross(b - a, c - a))
+    foot = point - ((point - a) @ normal) * normal
+    ahead = np.roll(triangle, -1, axis=0) - triangle
+    if (np.cross(ahead, foot - triangle) @ normal >= 0).all() and normal.any():
+        return foot
+    share = ((point - triangle) * ahead).sum(axis=1) / np.maximum((ahead**2).sum(axis=1), 1e-300)
+    feet = triangle + np.clip(share, 0, 1)[:, None] * ahead
+    return feet[np.linalg.norm(feet - point, axis=1).argmin()]

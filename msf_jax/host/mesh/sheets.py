@@ -1,0 +1,128 @@
+"""Sheets that meet in an edge or a vertex: which faces belong together there, turned one way round, cut from others."""
+
+import numpy as np
+from scipy import sparse
+from scipy.sparse import csgraph
+
+from msf_jax.host.mesh.half_edges import edge_codes
+
+
+def left_alone(faces: np.ndarray) -> np.ndarray:
+    """(3F,) which half-edges, at an edge of more than two, take no part in joining the others there.
+
+    Faces of an open patch, such as a fin, where the others are an even number; else, of an odd number, the one of the
+    smallest patch, and rather an open one: more likely a wall than a part of a solid.
+    """
+    edge, _, count = edge_codes(faces)
+    order = np.argsort(edge, kind="stable")
+    start = np.concatenate([[0], np.cumsum(count)])
+    patch, size, is_open = _patches(edge, count)
+    alone = np.zeros(len(edge), dtype=bool)
+    for number in np.flatnonzero(count > 2):
+        halves = order[start[number] : start[number + 1]]
+        own = patch[halves // 3]
+        num_closed = int((~is_open[own]).sum())
+        if num_closed and num_closed % 2 == 0:
+            alone[halves[is_open[own]]] = True
+        elif len(halves) % 2:
+            alone[halves[np.lexsort((size[own], ~is_open[own]))[0]]] = True
+    return alone
+
+
+def _patches(edge: np.ndarray, count: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """For each face, its patch, joined across edges with two faces; for each patch, its faces, and if it has a rim."""
+    order = np.argsort(edge, kind="stable")
+    pair = order[(count[edge] == 2)[order]].reshape(-1, 2) // 3
+    num = len(edge) // 3
+    graph = sparse.coo_matrix((np.ones(len(pair)), pair.T), shape=(num, num))
+    patch = csgraph.connected_components(graph, directed=False)[1]
+    on_rim = (count[edge] == 1).reshape(-1, 3).any(axis=1)
+    return patch, np.bincount(patch), np.bincount(patch, weights=on_rim) > 0
+
+
+def oriented(faces: np.ndarray, alone: np.ndarray) -> tuple[np.ndarray, int]:
+    """Neighbours across edges turned the same way round, where two faces are not ``alone`` (3F,).
+
+    Of what hangs together the fewer faces are turned.
+
+    Every face stands in a graph twice, as it is and turned; faces that fit together are joined. A patch is then two
+    components, of which one is taken, or, if it has one side only, a single one, which is left as it is.
+    """
+    edge, _, count = edge_codes(faces)
+    num_joined = np.bincount(edge[~alone], minlength=len(count))
+    order = np.argsort(edge, kind="stable")
+    half = order[((num_joined[edge] == 2) & ~alone)[order]].reshape(-1, 2)
+    origin, face = faces.ravel(), half // 3
+    is_same = (origin[half[:, 0]] == origin[half[:, 1]]).astype(np.int64)
+    num = len(faces)
+    a = np.concatenate([face[:, 0], face[:, 0] + num])
+    b = np.concatenate([face[:, 1] + num * is_same, face[:, 1] + num * (1 - is_same)])
+    graph = sparse.coo_matrix((np.ones(len(a)), (a, b)), shape=(2 * num, 2 * num))
+    as_is, turned = csgraph.connected_components(graph, directed=False)[1].reshape(2, -1)
+    is_turned = as_is > turned
+    patch = np.minimum(as_is, turned)
+    share = np.bincount(patch, weights=is_turned) / np.maximum(np.bincount(patch), 1)
+    is_turned ^= (share[patch] > 0.5) & (as_is != turned)
+    return np.where(is_turned[:, None], faces[:, ::-1], faces), int(is_turned.sum())
+
+
+def twins(vertices: np.ndarray, faces: np.ndarray) -> np.ndarray:
+    """(3F,) the half-edge across each, -1 where there is none.
+
+    At an edge of more than two faces, those are joined in pairs that run opposite ways, first the pairs that enclose
+    the smallest angle of inside; faces that are left alone are joined to others of their own patch only.
+    """
+    edge, _, count = edge_codes(faces)
+    alone, patch = left_alone(faces), _patches(edge, count)[0]
+    order = np.argsort(edge, kind="stable")
+    start = np.concatenate([[0], np.cumsum(count)])
+    origin, target, apex = (faces[:, corners].ravel() for corners in ([0, 1, 2], [1, 2, 0], [2, 0, 1]))
+    twin = np.full(len(origin), -1)
+    pair = order[(count[edge] == 2)[order]].reshape(-1, 2)
+    pair = pair[origin[pair[:, 0]] != origin[pair[:, 1]]]
+    twin[pair[:, 0]], twin[pair[:, 1]] = pair[:, 1], pair[:, 0]
+    for number in np.flatnonzero(count > 2):
+        halves = order[start[number] : start[number + 1]]
+        low, high = sorted((origin[halves[0]], target[halves[0]]))
+        angle = _angles(vertices[low], vertices[high], vertices[apex[halves]])
+        is_forward = origin[halves] == low
+        ahead, back = np.flatnonzero(is_forward), np.flatnonzero(~is_forward)
+        wedge = (angle[ahead][:, None] - angle[back]) % (2 * np.pi)  # a face's inside is where its angle falls
+        one, other = halves[ahead][:, None], halves[back]
+        is_barred = (alone[one] | alone[other]) & (patch[one // 3] != patch[other // 3])
+        wedge[is_barred] = np.inf
+        for _ in range(min(wedge.shape)):
+            i, j = np.unravel_index(np.argmin(wedge), wedge.shape)
+            if wedge[i, j] < np.inf:
+                twin[one[i, 0]], twin[other[j]] = other[j], one[i, 0]
+            wedge[i], wedge[:, j] = np.inf, np.inf
+    return twin
+
+
+def is_double(faces: np.ndarray) -> np.ndarray:
+    """(F,) which faces lie at an edge that still has more than two."""
+    edge, _, count = edge_codes(faces)
+    return np.any(count[edge].reshape(-1, 3) > 2, axis=1)
+
+
+def _angles(start: np.ndarray, end: np.ndarray, points: np.ndarray) -> np.ndarray:
+    """(n,) angles of ``points`` (n, 3) around the axis from ``start`` to ``end``, counter-clockwise."""
+    axis = end - start
+    length = np.linalg.norm(axis)
+    axis = axis / length if length else np.array([0.0, 0.0, 1.0])
+    u = np.cross(axis, np.eye(3)[np.argmin(np.abs(axis))])
+    return np.arctan2((points - start) @ np.cross(axis, u), (points - start) @ u)
+
+
+def cut_apart(faces: np.ndarray, twin: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """One vertex for each fan of faces that are joined around it: new faces, and the old vertex of each new one."""
+    num = len(twin)
+    half = np.flatnonzero(twin >= 0)
+    after = twin - twin % 3 + (twin + 1) % 3  # the corner at the end of the half-edge across
+    graph = sparse.coo_matrix((np.ones(len(half)), (half, after[half])), shape=(num, num))
+    fan = csgraph.connected_components(graph, directed=False)[1]
+    owner = faces.ravel()[np.unique(fan, return_index=True)[1]]
+    order = np.argsort(owner, kind="stable")
+    number = np.empty(len(order), dtype=np.int64)
+    number[order] = np.arange(len(order))
+    return number[fan].reshape(-1, 3), owner[order]
