@@ -146,7 +146,7 @@ def assemble(
         num_meso += len(state.meso.positions)
     with watch.stage("report"):
         solid = Solid(checked.vertices, checked.faces)
-        source = Source(solid, _areas_of_input(checked, solid), pins, _stages(states))
+        source = Source(solid, _areas_of_input(checked, solid), pins, _stages(states), checked.input_of_vertex)
         drafts = []
         for vertices, joined, of_vertex in (
             (np.concatenate(flow_nodes), np.concatenate(flow_edges), vertex_to_flow),

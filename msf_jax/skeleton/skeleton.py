@@ -3,6 +3,7 @@
 import numbers
 import os
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 import networkx as nx
@@ -10,7 +11,8 @@ import numpy as np
 
 from msf_jax import metrics
 from msf_jax.base.errors import ConfigError
-from msf_jax.host.curve import branches, finishing, resampling
+from msf_jax.base.recipe import Recipe
+from msf_jax.host.curve import branches, finishing, following, resampling
 from msf_jax.host.curve.branches import Branch
 from msf_jax.skeleton.formats import export
 from msf_jax.skeleton.pictures import page, panels, segmentation
@@ -105,6 +107,24 @@ class Skeleton:
         solid = None if self.source is None else self.source.solid
         x, edges = resampling.smooth(self.vertices, self.edges, self.radii, int(rounds), self._is_held(), solid)
         return self._changed(x, edges, self.mesh_map)
+
+    @cached_property
+    def recipe(self) -> Recipe:
+        """How the curve hangs on the vertices of its mesh, for `msf_jax.follow`; made when it is first asked for.
+
+        Raises:
+            ConfigError: the surface that the curve was made from is not known.
+        """
+        if self.source is None or self.source.input_of_vertex is None:
+            raise ConfigError(
+                "the skeleton does not know the mesh that it was made from: expected one from skeletonize, or read "
+                "from an .npz file that msf_jax has written"
+            )
+        solid, _, pins, _, vertex = self.source
+        held = self.mesh_map[pins]
+        pins_of_node = {int(node): np.asarray(pins)[held == node] for node in np.unique(held)}
+        surface = following.Surface(solid, vertex, self.mesh_map[vertex])
+        return following.record(surface, self.vertices, self.edges, pins_of_node)
 
     def _is_held(self) -> np.ndarray:
         """(N,) True for a node that a pinned vertex of the mesh goes to."""
