@@ -37,10 +37,10 @@ MEMBRANE = 0.01  # mu = MEMBRANE (r / h)^2
 REACH = 1.0  # radii along the branch, over which a frame is fitted
 FRAME_CORNERS = 12  # of each section, that a frame is fitted to
 FLATTEST = 1e-6  # of the eigenvalues of S, smallest to largest: a frame of less is fitted to the whole component
-SMALLEST = {"a": 1e-4, "b": 2e-2}  # entries of the smoothings under that part of the largest in their row are left out
+SMALLEST = {"a": 1e-3, "b": 2e-2}  # entries of the smoothings under that part of the largest in their row are left out
 NOTHING = 1e-6  # as a share of a node
-FARTHEST = 1.5  # radii, within which triangles may become the nearest
-CELLS = 3  # along an edge of a cube around a node: the nearest triangle is kept in each of 6 CELLS^2 directions
+FARTHEST = 2.0  # radii, within which triangles may become the nearest
+CELLS = 5  # along an edge of a cube around a node: the nearest triangle is kept in each of 6 CELLS^2 directions
 
 
 class Surface(NamedTuple):
