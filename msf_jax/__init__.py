@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from msf_jax.flow.loop import contract
     from msf_jax.flow.skeletonize import skeletonize
     from msf_jax.flow.state import Flow
+    from msf_jax.gradients.follow import Followed, follow
     from msf_jax.gradients.replay import replay, replay_meso, replay_radii
     from msf_jax.gradients.sensitivity import sensitivity
     from msf_jax.gradients.tape import Tape
@@ -48,6 +49,7 @@ _HOMES = {
     "ConfigError": "base.errors",
     "Flow": "flow.state",
     "FlowError": "base.errors",
+    "Followed": "gradients.follow",
     "Interrupted": "base.errors",
     "MeshError": "base.errors",
     "Repair": "host.mesh.repair",
@@ -57,6 +59,7 @@ _HOMES = {
     "Tuned": "tuning.tuner",
     "Weights": "device",  # which makes a pytree of it
     "contract": "flow.loop",
+    "follow": "gradients.follow",
     "read_curve": "skeleton.formats.importing",
     "reconstruct": "host.preprocessing",
     "replay": "gradients.replay",
@@ -76,6 +79,7 @@ __all__ = [
     "ConfigError",
     "Flow",
     "FlowError",
+    "Followed",
     "Interrupted",
     "MeshError",
     "Repair",
@@ -86,6 +90,7 @@ __all__ = [
     "Weights",
     "batch",
     "contract",
+    "follow",
     "ground_truth",
     "guide",
     "metrics",

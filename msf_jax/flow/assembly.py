@@ -39,7 +39,7 @@ def assemble(
     history = tuple(line for state in states for line in state.history)
     with watch.stage("report"):
         solid = Solid(checked.vertices, checked.faces)
-        source = Source(solid, _areas_of_input(checked, solid), pins, _stages(states))
+        source = Source(solid, _areas_of_input(checked, solid), pins, _stages(states), checked.input_of_vertex)
         figures = {}
         if config.evaluate:
             figures = metrics.figures_of(solid.shape, solid.enter(stitched[1].vertices), stitched[1].edges)
