@@ -31,7 +31,8 @@ if TYPE_CHECKING:
     from msf_jax.skeleton.report import Report
     from msf_jax.skeleton.skeleton import Skeleton
     from msf_jax.tuning import objectives
-    from msf_jax.tuning.tuner import Tuned, tune
+    from msf_jax.tuning.result import Tuned
+    from msf_jax.tuning.tuner import tune
 
 # Where each public name lives. It is imported when it is first asked for: what does not compute need not wait for JAX.
 _MODULES = {
@@ -56,7 +57,7 @@ _HOMES = {
     "Report": "skeleton.report",
     "Skeleton": "skeleton.skeleton",
     "Tape": "gradients.tape",
-    "Tuned": "tuning.tuner",
+    "Tuned": "tuning.result",
     "Weights": "device",  # which makes a pytree of it
     "contract": "flow.loop",
     "follow": "gradients.follow",

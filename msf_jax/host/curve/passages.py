@@ -14,7 +14,6 @@ from scipy.sparse import csgraph
 
 from msf_jax.host.poles.balls import shrinking_balls
 from msf_jax.host.solid.enclosure import Enclosure
-from msf_jax.host.solid.geometry import unit
 
 TOUCHING = 1e-5  # diagonals: a point with less room than that counts as outside
 MOST_SEEDS = 12_000  # points of the surface, behind which balls are sought
