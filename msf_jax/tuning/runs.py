@@ -28,7 +28,7 @@ OF = ("skeleton", "flow")
 
 
 class Found(NamedTuple):
-    """value: the objective's mean over the meshes, inf if a run broke down. converges: whether all runs did, to a number."""
+    """value: the objective's mean over the meshes, inf if a run broke down. converges: whether all did."""
 
     value: float
     converges: bool
