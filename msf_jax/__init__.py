@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from msf_jax.app import batch
     from msf_jax.base.errors import ConfigError, FlowError, Interrupted, MeshError
     from msf_jax.base.options import Config, Weights
+    from msf_jax.device.caching import cache_compilations
     from msf_jax.flow.loop import contract
     from msf_jax.flow.skeletonize import skeletonize
     from msf_jax.flow.state import Flow
@@ -56,6 +57,7 @@ _HOMES = {
     "Tape": "gradients.tape",
     "Tuned": "tuning.tuner",
     "Weights": "device",  # which makes a pytree of it
+    "cache_compilations": "device.caching",
     "contract": "flow.loop",
     "read_curve": "skeleton.formats.importing",
     "reconstruct": "host.preprocessing",
@@ -85,6 +87,7 @@ __all__ = [
     "Tuned",
     "Weights",
     "batch",
+    "cache_compilations",
     "contract",
     "ground_truth",
     "guide",
