@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from msf_jax.app import batch
     from msf_jax.base.errors import ConfigError, FlowError, Interrupted, MeshError
     from msf_jax.base.options import Config, Weights
+    from msf_jax.device.caching import cache_compilations
     from msf_jax.flow.loop import contract
     from msf_jax.flow.skeletonize import skeletonize
     from msf_jax.flow.state import Flow
@@ -59,6 +60,7 @@ _HOMES = {
     "Tape": "gradients.tape",
     "Tuned": "tuning.result",
     "Weights": "device",  # which makes a pytree of it
+    "cache_compilations": "device.caching",
     "contract": "flow.loop",
     "follow": "gradients.follow",
     "read_curve": "skeleton.formats.importing",
@@ -90,6 +92,7 @@ __all__ = [
     "Tuned",
     "Weights",
     "batch",
+    "cache_compilations",
     "contract",
     "follow",
     "ground_truth",

@@ -288,20 +288,6 @@ def test_a_flow_without_jit():
     assert np.isfinite(run.skeleton.vertices).all()
 
 
-@pytest.fixture
-def compilations():
-    """A list that gets an entry for everything that XLA compiles."""
-    seen = []
-
-    def listen(event: str, _: float, **__) -> None:
-        if event == "/jax/core/compile/backend_compile_duration":
-            seen.append(event)
-
-    jax.monitoring.register_event_duration_secs_listener(listen)
-    yield seen
-    jax.monitoring.unregister_event_duration_listener(listen)
-
-
 def test_a_run_compiles_once_for_each_capacity_and_another_compiles_nothing(compilations):
     """Not for a second mesh, nor for options that a jitted step does not see."""
     config = Config(solve_tolerance=0.00123)  # one that no other test compiles for

@@ -2,6 +2,8 @@
 
 Exit codes: 0 when all is written, 1 when some mesh of a batch failed, 2 for bad input or options, 130 for Ctrl-C, after
 which the curve as far as it went is written. A curve whose report is not clean is written all the same, with a warning.
+
+Help and refusals come at once: a command imports what it needs when it needs it, JAX after the mesh has been accepted.
 """
 
 import argparse
@@ -11,24 +13,21 @@ import sys
 import tempfile
 from collections.abc import Iterator, Sequence
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-import jax
-import numpy as np
 import shtab
 
-import msf_jax
-from msf_jax import shapes
-from msf_jax.app import batch
 from msf_jax.app.help import teaching
 from msf_jax.base.errors import ConfigError, FlowError, Interrupted, MeshError
 from msf_jax.base.options import SYSTEMS, Config, Weights
 from msf_jax.base.version import VERSION
 from msf_jax.base.writing import write_whole
-from msf_jax.host.mesh import reading
 from msf_jax.skeleton.formats import export
-from msf_jax.skeleton.pictures import panels
-from msf_jax.skeleton.skeleton import Skeleton
+
+if TYPE_CHECKING:
+    import numpy as np
+
+    from msf_jax.skeleton.skeleton import Skeleton
 
 LISTED = 10  # of the meshes of a batch that failed, so many are named
 WEIGHTS = {
@@ -45,8 +44,6 @@ MESH = "a closed triangle mesh in any format that trimesh reads"
 def main(argv: Sequence[str] | None = None) -> int:
     """Run the command line with ``argv`` (the process's own if not given); returns the exit code."""
     arguments = _parser().parse_args(argv)
-    jax.config.update("jax_enable_x64", not arguments.float32)
-    _cache_compilations()
     try:
         with _without_loader_noise():
             return arguments.run(arguments)
@@ -64,12 +61,14 @@ def _fail(message: str, code: int) -> int:
     return code
 
 
-def _cache_compilations() -> None:
-    """Keep compiled steps in the user's cache folder, so that only the first run on a machine compiles."""
-    if getattr(jax.config, "jax_compilation_cache_dir", None) is None:
-        base = Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache")
-        jax.config.update("jax_compilation_cache_dir", str(base / "msf_jax"))
-        jax.config.update("jax_persistent_cache_min_compile_time_secs", 0.2)
+def _start_jax(arguments: argparse.Namespace) -> None:
+    """Import JAX, which takes as long as all the rest, with the precision that is asked for and a cache."""
+    import jax
+
+    from msf_jax.device.caching import cache_compilations
+
+    jax.config.update("jax_enable_x64", not arguments.float32)
+    cache_compilations()
 
 
 @contextlib.contextmanager
@@ -176,11 +175,22 @@ def _view(arguments: argparse.Namespace) -> int:
     if target.suffix.lower() != ".html":
         raise ConfigError(f"the page is an HTML file: expected a name that ends in .html, not {target.name!r}")
     weights, config = _configured(arguments)
-    mesh = reading.read(arguments.mesh, finite=not arguments.repair)
-    skeleton = msf_jax.skeletonize(mesh, weights, config, repair=arguments.repair, progress=not arguments.quiet)
+    mesh, accepted = _accepted(arguments)
+    _start_jax(arguments)
+    from msf_jax.flow.skeletonize import skeletonize
+
+    skeleton = skeletonize(accepted, weights, config, progress=not arguments.quiet)
     skeleton.view(mesh, target)
     _tell(skeleton, [target], arguments.quiet)
     return 0
+
+
+def _accepted(arguments: argparse.Namespace) -> "tuple[tuple[np.ndarray, np.ndarray], Any]":
+    """The mesh as it was read, and the surface that is made of it; a `MeshError` if that cannot be."""
+    from msf_jax.host.mesh import checking, reading
+
+    mesh = reading.read(arguments.mesh, finite=not arguments.repair)
+    return mesh, checking.prepare(mesh, arguments.repair)
 
 
 def _batch(arguments: argparse.Namespace) -> int:
@@ -188,6 +198,8 @@ def _batch(arguments: argparse.Namespace) -> int:
     folder = Path(arguments.folder)
     if not folder.is_dir():
         raise ConfigError(f"no folder {str(folder)!r}: expected one with meshes")
+    from msf_jax.host.mesh import reading
+
     known = reading.readable_suffixes()
     out = Path(arguments.output).resolve()
     if out == folder.resolve():
@@ -196,6 +208,9 @@ def _batch(arguments: argparse.Namespace) -> int:
     paths = [path for path in paths if out not in path.resolve().parents]
     if not paths:
         raise ConfigError(f"no mesh in {str(folder)!r}: expected files that end in one of {', '.join(known)}")
+    _start_jax(arguments)
+    from msf_jax.app import batch
+
     done = batch.run(
         paths,
         arguments.output,
@@ -272,11 +287,14 @@ def _skeletonize(arguments: argparse.Namespace) -> int:
         others = [arguments.mesh, arguments.output, *([arguments.picture] if arguments.picture else [])]
         _checked_target(arguments.checkpoint, *others)
     weights, config = _configured(arguments, check=arguments.check, evaluate=arguments.evaluate)
-    mesh = reading.read(arguments.mesh, finite=not arguments.repair)
+    mesh, accepted = _accepted(arguments)
+    _start_jax(arguments)
+    from msf_jax.flow.skeletonize import skeletonize
+
     stopped = ""
     try:
-        skeleton = msf_jax.skeletonize(
-            mesh,
+        skeleton = skeletonize(
+            accepted,
             weights,
             config,
             pins=arguments.pin,
@@ -290,6 +308,8 @@ def _skeletonize(arguments: argparse.Namespace) -> int:
         stopped += f"; the same command goes on from {arguments.checkpoint}" if arguments.checkpoint else ""
     files: dict[Path, str | bytes] = {target: render(skeleton, mesh)}
     if picture:
+        from msf_jax.skeleton.pictures import panels
+
         files[picture] = panels.picture(skeleton, mesh)
     code = _finish(skeleton, files, arguments.quiet)
     if stopped:
@@ -317,8 +337,13 @@ def _checked_target(path: str, *others: str) -> Path:
 def _demo(arguments: argparse.Namespace) -> int:
     folder = Path(arguments.output)
     folder.mkdir(parents=True, exist_ok=True)
+    _start_jax(arguments)
+    from msf_jax import shapes
+    from msf_jax.flow.skeletonize import skeletonize
+    from msf_jax.skeleton.pictures import panels
+
     mesh = shapes.hand()
-    skeleton = msf_jax.skeletonize(mesh, progress=not arguments.quiet)
+    skeleton = skeletonize(mesh, progress=not arguments.quiet)
     files: dict[Path, str | bytes] = {
         folder / "hand.off": str(mesh.export(file_type="off")),
         folder / "hand.swc": export.writer_for("hand.swc")(skeleton, mesh),
@@ -327,7 +352,7 @@ def _demo(arguments: argparse.Namespace) -> int:
     return _finish(skeleton, files, arguments.quiet)
 
 
-def _finish(skeleton: Skeleton, files: dict[Path, str | bytes], quiet: bool) -> int:
+def _finish(skeleton: "Skeleton", files: dict[Path, str | bytes], quiet: bool) -> int:
     """Write ``files``, all of them rendered by now, and tell about it."""
     for path, content in files.items():
         write_whole(path, content)
@@ -335,8 +360,10 @@ def _finish(skeleton: Skeleton, files: dict[Path, str | bytes], quiet: bool) -> 
     return 0
 
 
-def _tell(skeleton: Skeleton, written: list[Path], quiet: bool) -> None:
+def _tell(skeleton: "Skeleton", written: list[Path], quiet: bool) -> None:
     if not quiet:
+        import numpy as np
+
         num_tips = int((np.bincount(skeleton.edges.ravel(), minlength=len(skeleton.vertices)) == 1).sum())
         print(f"nodes: {len(skeleton.vertices)}, edges: {len(skeleton.edges)}, tips: {num_tips}")
         print(skeleton.report)

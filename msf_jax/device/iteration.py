@@ -17,7 +17,7 @@ from msf_jax.device.contraction import contracting, relaxed, smoothing
 
 
 class Moved(NamedTuple):
-    """Where the vertices went, and how the two solves ended, contraction first: every field of ``solves`` is (2, ...)."""
+    """Where the vertices went, and how the solves ended: fields of ``solves`` are (2, ...), contraction first."""
 
     positions: jax.Array
     solves: SolveReport
