@@ -68,10 +68,23 @@ class Passages:
             found.append(way)
         return found
 
-    def _with(self, ends: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    def nearest(self, points: np.ndarray, radii: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Centre (P, 3) and radius (P,) of the ball nearest to each point; what is given, if there is none."""
+        if not len(points):
+            return points, radii
+        centre, radius = self._all_balls()
+        if not len(centre):
+            return points, radii
+        found = spatial.KDTree(centre).query(points)[1]
+        return centre[found], radius[found]
+
+    def _all_balls(self) -> tuple[np.ndarray, np.ndarray]:
         if self._balls is None:
             self._balls = inner_balls(self.shape)
-        centre, radius = self._balls
+        return self._balls
+
+    def _with(self, ends: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        centre, radius = self._all_balls()
         return np.concatenate([ends, centre]), np.concatenate([self.shape.clearance(ends), radius])
 
 
