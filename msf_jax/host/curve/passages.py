@@ -24,6 +24,7 @@ LARGER = 3  # of each larger size
 UNSEEN = 3.0  # times as long as it is counts an edge that nobody has looked at
 SEARCHES = 300  # that a curve may cost, and one more for every
 EDGES_A_SEARCH = 10  # of its edges
+AT_ONCE = 256  # edges out of a pocket that are looked at together
 
 Test = Callable[[Enclosure, np.ndarray, np.ndarray], np.ndarray]
 
@@ -67,10 +68,23 @@ class Passages:
             found.append(way)
         return found
 
-    def _with(self, ends: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    def nearest(self, points: np.ndarray, radii: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Centre (P, 3) and radius (P,) of the ball nearest to each point; what is given, if there is none."""
+        if not len(points):
+            return points, radii
+        centre, radius = self._all_balls()
+        if not len(centre):
+            return points, radii
+        found = spatial.KDTree(centre).query(points)[1]
+        return centre[found], radius[found]
+
+    def _all_balls(self) -> tuple[np.ndarray, np.ndarray]:
         if self._balls is None:
             self._balls = inner_balls(self.shape)
-        centre, radius = self._balls
+        return self._balls
+
+    def _with(self, ends: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        centre, radius = self._all_balls()
         return np.concatenate([ends, centre]), np.concatenate([self.shape.clearance(ends), radius])
 
 
@@ -93,6 +107,7 @@ class _Graph:
 
     def way(self, start: int, end: int, most: int) -> tuple[np.ndarray, int]:
         """Points (k, 3) between the two, none if there is no way, after at most so many searches; and their number."""
+        num = len(self.centre)
         for number in range(1, most + 1):
             before = csgraph.dijkstra(self.matrix, directed=False, indices=start, return_predecessors=True)[1]
             stops = [end]
@@ -101,15 +116,33 @@ class _Graph:
             if stops[-1] != start:
                 return np.empty((0, 3)), number
             low, high = np.minimum(stops[1:], stops[:-1]), np.maximum(stops[1:], stops[:-1])
-            edge = np.searchsorted(self.tail * len(self.centre) + self.head, low * len(self.centre) + high)
+            edge = np.searchsorted(self.tail * num + self.head, low * num + high)
             unseen = edge[~self.is_seen[edge]]
             if not len(unseen):
                 return self.centre[stops[-2:0:-1]], number
-            is_open = self.test(self.shape, self.centre[self.tail[unseen]], self.centre[self.head[unseen]])
-            self.is_seen[unseen] = True
-            self.cost[unseen] = np.where(is_open, self.cost[unseen] / UNSEEN, np.inf)
-            self.matrix.data[self.entry_of[unseen]] = self.cost[unseen]
+            if not self._look(unseen).all():
+                self._look(self._frontier(start))
+                self._look(self._frontier(end))
         return np.empty((0, 3)), most
+
+    def _look(self, edge: np.ndarray) -> np.ndarray:
+        """Whether each of these edges is inside, which is known from then on."""
+        is_open = self.test(self.shape, self.centre[self.tail[edge]], self.centre[self.head[edge]])
+        self.is_seen[edge] = True
+        self.cost[edge] = np.where(is_open, self.cost[edge] / UNSEEN, np.inf)
+        self.matrix.data[self.entry_of[edge]] = self.cost[edge]
+        return is_open
+
+    def _frontier(self, ball: int) -> np.ndarray:
+        """The cheapest unseen edges that lead out of what is known to be joined to ``ball``: that may be a pocket."""
+        is_joined = self.is_seen & np.isfinite(self.cost)
+        known = sparse.coo_matrix(
+            (np.ones(is_joined.sum()), (self.tail[is_joined], self.head[is_joined])), shape=self.matrix.shape
+        )
+        part = csgraph.connected_components(known, directed=False)[1]
+        is_own = part == part[ball]
+        leads_out = np.flatnonzero(~self.is_seen & (is_own[self.tail] != is_own[self.head]))
+        return leads_out[np.argsort(self.cost[leads_out], kind="stable")[:AT_ONCE]]
 
 
 def inner_balls(shape: Enclosure) -> tuple[np.ndarray, np.ndarray]:
