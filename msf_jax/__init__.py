@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     from msf_jax.gradients.replay import replay, replay_meso, replay_radii
     from msf_jax.gradients.sensitivity import sensitivity
     from msf_jax.gradients.tape import Tape
+    from msf_jax.gradients.track import Track, track
     from msf_jax.host.curve.branches import Branch
     from msf_jax.host.mesh.repair import Repair
     from msf_jax.skeleton.formats.importing import read_curve
@@ -56,6 +57,7 @@ _HOMES = {
     "Report": "skeleton.report",
     "Skeleton": "skeleton.skeleton",
     "Tape": "gradients.tape",
+    "Track": "gradients.track",
     "Tuned": "tuning.tuner",
     "Weights": "base.options",
     "contract": "flow.loop",
@@ -67,6 +69,7 @@ _HOMES = {
     "replay_radii": "gradients.replay",
     "sensitivity": "gradients.sensitivity",
     "skeletonize": "flow.skeletonize",
+    "track": "gradients.track",
     "tune": "tuning.tuner",
     "voronoi_poles": "flow.preprocessing",
 }
@@ -86,6 +89,7 @@ __all__ = [
     "Report",
     "Skeleton",
     "Tape",
+    "Track",
     "Tuned",
     "Weights",
     "batch",
@@ -103,6 +107,7 @@ __all__ = [
     "sensitivity",
     "shapes",
     "skeletonize",
+    "track",
     "tune",
     "view",
     "voronoi_poles",
