@@ -84,9 +84,7 @@ def follow(recipe: Recipe, vertices: jax.Array) -> Curve:
 
     nodes = product(recipe.a_row, recipe.a_column, recipe.a_value, found.centroid)
     nodes = nodes + product(recipe.b_row, recipe.b_column, recipe.b_value, entered) + jnp.asarray(recipe.rest, dtype)
-    is_gone = jax.ops.segment_max(
-        (jnp.asarray(recipe.is_loop) & (found.area == 0)).astype(jnp.int32), recipe.node, num
-    )
+    is_gone = jax.ops.segment_max((jnp.asarray(recipe.is_loop) & (found.area == 0)).astype(jnp.int32), recipe.node, num)
     nodes = jnp.where((is_gone > 0)[:, None], jnp.nan, nodes)
     radii = _radii(nodes, entered[recipe.nearby], jnp.asarray(recipe.is_inside))
     return Curve(jnp.asarray(recipe.centre, dtype) + diagonal * nodes, diagonal * radii)

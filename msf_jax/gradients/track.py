@@ -125,21 +125,21 @@ def track(skeleton: Skeleton, frames: Iterable[Any], *, progress: bool = False) 
     """
     if not isinstance(frames, Iterable) or isinstance(frames, str):
         raise ConfigError(f"frames is a {type(frames).__name__}: expected a sequence of vertices (V, 3) or of meshes")
-    recipe = recipe_of(skeleton)
-    checks = _Checks(skeleton, recipe)
+    tracker = Tracker(skeleton)
     num = len(frames) if isinstance(frames, Sequence | np.ndarray) else None
     found = []
     with tqdm(total=num, desc="track", unit="frame", disable=None if progress else True) as bar:
         for number, given in enumerate(frames):
-            found.append(checks.frame(number, given))
+            found.append(tracker.frame(number, given))
             bar.update()
     return Track(skeleton, tuple(found))
 
 
-class _Checks:
-    """What does not change from frame to frame."""
+class Tracker:
+    """What does not change from frame to frame; raises as `track` does."""
 
-    def __init__(self, skeleton: Skeleton, recipe: Recipe):
+    def __init__(self, skeleton: Skeleton):
+        recipe = recipe_of(skeleton)
         source, edges = skeleton.source, skeleton.edges
         assert source is not None and source.input_of_vertex is not None  # there is a recipe
         self.num, self.edges = len(skeleton.mesh_map), edges

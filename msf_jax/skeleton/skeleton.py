@@ -159,7 +159,9 @@ class Skeleton:
         try:
             spread = np.asarray(sigma, dtype=np.float64)
         except (TypeError, ValueError) as error:
-            raise ConfigError(f"sigma is a {type(sigma).__name__}: expected a number, or one for each vertex") from error
+            raise ConfigError(
+                f"sigma is a {type(sigma).__name__}: expected a number, or one for each vertex"
+            ) from error
         num = len(self.mesh_map)
         if spread.shape not in ((), (num,)):
             raise ConfigError(f"sigma has shape {spread.shape}: expected a number, or ({num},), one for each vertex")

@@ -71,9 +71,7 @@ class Corners(NamedTuple):
     weight: np.ndarray
 
 
-def record(
-    surface: Surface, vertices: np.ndarray, edges: np.ndarray, pins_of_node: dict[int, np.ndarray]
-) -> Recipe:
+def record(surface: Surface, vertices: np.ndarray, edges: np.ndarray, pins_of_node: dict[int, np.ndarray]) -> Recipe:
     """How the curve ``(vertices (N, 3), edges (E, 2))``, in the caller's units, hangs on ``surface``.
 
     ``pins_of_node``: the caller's vertices whose mean a node is, for those that are pinned.
