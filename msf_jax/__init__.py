@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     from msf_jax.gradients.replay import replay, replay_meso, replay_radii
     from msf_jax.gradients.sensitivity import sensitivity
     from msf_jax.gradients.tape import Tape
+    from msf_jax.gradients.track import Track, track
     from msf_jax.host.curve.branches import Branch
     from msf_jax.host.mesh.repair import Repair
     from msf_jax.host.preprocessing import reconstruct, voronoi_poles
@@ -58,6 +59,7 @@ _HOMES = {
     "Report": "skeleton.report",
     "Skeleton": "skeleton.skeleton",
     "Tape": "gradients.tape",
+    "Track": "gradients.track",
     "Tuned": "tuning.result",
     "Weights": "device",  # which makes a pytree of it
     "cache_compilations": "device.caching",
@@ -70,6 +72,7 @@ _HOMES = {
     "replay_radii": "gradients.replay",
     "sensitivity": "gradients.sensitivity",
     "skeletonize": "flow.skeletonize",
+    "track": "gradients.track",
     "tune": "tuning.tuner",
     "voronoi_poles": "host.preprocessing",
 }
@@ -89,6 +92,7 @@ __all__ = [
     "Report",
     "Skeleton",
     "Tape",
+    "Track",
     "Tuned",
     "Weights",
     "batch",
@@ -107,6 +111,7 @@ __all__ = [
     "sensitivity",
     "shapes",
     "skeletonize",
+    "track",
     "tune",
     "view",
     "voronoi_poles",

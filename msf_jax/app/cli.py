@@ -1,7 +1,8 @@
 """The command line: ``msf-jax skeletonize``, ``demo``, ``view``, ``batch``, also as ``python -m msf_jax``.
 
-Exit codes: 0 when all is written, 1 when some mesh of a batch failed, 2 for bad input or options, 130 for Ctrl-C, after
-which the curve as far as it went is written. A curve whose report is not clean is written all the same, with a warning.
+Exit codes: 0 when all is written, 1 when some mesh of a batch failed or some frame has no curve, 2 for bad input or
+options, 130 for Ctrl-C, after which the curve as far as it went is written. A curve whose report is not clean is
+written all the same, with a warning.
 
 Help and refusals come at once: a command imports what it needs when it needs it, JAX after the mesh has been accepted.
 """
@@ -164,6 +165,17 @@ def _parser() -> argparse.ArgumentParser:
     _common(many)
     many.set_defaults(run=_batch)
 
+    series = commands.add_parser("track", help="one curve through meshes of the same faces", **teaching("TRACK"))
+    _completes(series.add_argument("mesh", metavar="FIRST", help=f"{MESH}, or its curve as .npz"), shtab.FILE)
+    _completes(series.add_argument("folder", metavar="FRAMES", help="where the meshes are"), shtab.DIRECTORY)
+    place = "where curves and frames.csv go"
+    _completes(series.add_argument("-o", "--output", metavar="OUT_DIR", required=True, help=place), shtab.DIRECTORY)
+    series.add_argument("--format", default=".swc", metavar="SUFFIX", help=f"one of {', '.join(export.WRITERS)}")
+    series.add_argument("--repair", action="store_true", help="mend the first mesh if it is no closed manifold")
+    _settings(series)
+    _common(series)
+    series.set_defaults(run=_track)
+
     shell = commands.add_parser("completion", help="let a shell complete commands", **teaching("COMPLETION"))
     shell.add_argument("shell", choices=shtab.SUPPORTED_SHELLS, help="which")
     shell.set_defaults(float32=False, run=lambda arguments: print(shtab.complete(parser, arguments.shell)) or 0)
@@ -191,6 +203,35 @@ def _accepted(arguments: argparse.Namespace) -> "tuple[tuple[np.ndarray, np.ndar
 
     mesh = reading.read(arguments.mesh, finite=not arguments.repair)
     return mesh, checking.prepare(mesh, arguments.repair)
+
+
+def _track(arguments: argparse.Namespace) -> int:
+    from msf_jax.app import track
+    from msf_jax.skeleton.formats import export
+    from msf_jax.skeleton.formats.importing import read_curve
+
+    paths = track.frames_in(arguments.folder, arguments.output)
+    export.writer_for(f"curve{arguments.format}")  # a wrong suffix is found before the run, not after it
+    if arguments.mesh.lower().endswith(".npz"):
+        _start_jax(arguments)
+        skeleton = read_curve(arguments.mesh)
+    else:
+        weights, config = _configured(arguments)
+        _, accepted = _accepted(arguments)
+        _start_jax(arguments)
+        from msf_jax.flow.skeletonize import skeletonize
+
+        skeleton = skeletonize(accepted, weights, config, progress=not arguments.quiet)
+    table, lacking, doubtful = track.run(
+        skeleton, paths, arguments.output, suffix=arguments.format, progress=not arguments.quiet
+    )
+    if not arguments.quiet:
+        print(f"{len(paths)} frames, {len(paths) - len(lacking)} curves; see {table}")
+    for line in (lacking + doubtful)[:LISTED]:
+        _fail(f"warning: {line}", 1)
+    if len(lacking + doubtful) > LISTED:
+        _fail(f"and {len(lacking + doubtful) - LISTED} more, in {table}", 1)
+    return min(len(lacking), 1)
 
 
 def _batch(arguments: argparse.Namespace) -> int:

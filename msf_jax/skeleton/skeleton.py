@@ -197,7 +197,8 @@ class Skeleton:
         ``.swc`` (a tree, parents first: ids count its rows from 1, and are not the nodes' numbers; loops are cut, and
         the cut edges listed in a comment), ``.obj`` (lines), ``.cg`` (vertices and edges), ``.polylines.txt`` (CGAL's),
         ``.ply`` (vertices with radius, edges), ``.vtp`` (VTK PolyData with point data "radius"), ``.graphml``
-        (NetworkX's), ``.npz`` (arrays), ``.json`` (everything, the report included), ``.glb`` (glTF:
+        (NetworkX's), ``.npz`` (everything, and the surface: `msf_jax.read_curve` reads it),
+        ``.json`` (everything, the report included), ``.glb`` (glTF:
         ``mesh``, as `skeletonize` took it, skinned to the curve, whose nodes are the joints).
 
         Raises:
