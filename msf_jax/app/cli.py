@@ -39,12 +39,13 @@ WEIGHTS = {
 }
 
 
+REPAIRS = {"mend": True, "join": "join"}  # what `skeletonize` takes for each
 MESH = "a closed triangle mesh in any format that trimesh reads"
 
 
 def main(argv: Sequence[str] | None = None) -> int:
     """Run the command line with ``argv`` (the process's own if not given); returns the exit code."""
-    arguments = _parser().parse_args(argv)
+    arguments = _parser().parse_args(_with_whole_options(sys.argv[1:] if argv is None else list(argv)))
     jax.config.update("jax_enable_x64", not arguments.float32)
     _cache_compilations()
     try:
@@ -56,6 +57,14 @@ def main(argv: Sequence[str] | None = None) -> int:
         return _fail(f"{error.strerror or error}: {error.filename}" if error.filename else str(error), 2)
     except KeyboardInterrupt:
         return _fail("interrupted", 130)
+
+
+def _with_whole_options(words: list[str]) -> list[str]:
+    """``--repair`` with its value, which argparse would take from whatever follows, a mesh's name for one."""
+    whole = []
+    for word, after in zip(words, [*words[1:], ""], strict=True):
+        whole.append(f"{word}=mend" if word == "--repair" and after not in REPAIRS else word)
+    return whole
 
 
 def _fail(message: str, code: int) -> int:
@@ -117,7 +126,7 @@ def _parser() -> argparse.ArgumentParser:
     suffixes = f"one of {', '.join(export.WRITERS)}"
     _completes(one.add_argument("-o", "--output", metavar="OUT", required=True, help=suffixes), shtab.FILE)
     _completes(one.add_argument("--picture", metavar="PNG", help="draw the curve in the mesh, too"), shtab.FILE)
-    one.add_argument("--repair", action="store_true", help="mend a mesh that is no closed manifold, and say how")
+    _repairing(one)
     one.add_argument("--evaluate", action="store_true", help="report off-centre, missed surface and the like, too")
     _completes(
         one.add_argument(
@@ -147,7 +156,7 @@ def _parser() -> argparse.ArgumentParser:
     _completes(look.add_argument("mesh", metavar="IN", help=MESH), shtab.FILE)
     place = "where to write it (default: IN with .html)"
     _completes(look.add_argument("-o", "--output", metavar="HTML", help=place), shtab.FILE)
-    look.add_argument("--repair", action="store_true", help="mend a mesh that is no closed manifold, and say how")
+    _repairing(look)
     _settings(look)
     _common(look)
     look.set_defaults(run=_view)
@@ -158,7 +167,7 @@ def _parser() -> argparse.ArgumentParser:
     many.add_argument("--jobs", type=int, metavar="N", help="processes (default: one for each core)")
     many.add_argument("--format", default=".swc", metavar="SUFFIX", help=f"one of {', '.join(export.WRITERS)}")
     many.add_argument("--scheduler", metavar="ADDRESS", help="of a Dask scheduler, such as tcp://host:8786")
-    many.add_argument("--repair", action="store_true", help="mend meshes that are no closed manifolds")
+    _repairing(many)
     many.add_argument("--retry", action="store_true", help="take those again that failed")
     many.add_argument("--evaluate", action="store_true", help="figures such as off-centre in the table, too")
     _settings(many)
@@ -177,7 +186,7 @@ def _view(arguments: argparse.Namespace) -> int:
         raise ConfigError(f"the page is an HTML file: expected a name that ends in .html, not {target.name!r}")
     weights, config = _configured(arguments)
     mesh = reading.read(arguments.mesh, finite=not arguments.repair)
-    skeleton = msf_jax.skeletonize(mesh, weights, config, repair=arguments.repair, progress=not arguments.quiet)
+    skeleton = msf_jax.skeletonize(mesh, weights, config, repair=_repair_of(arguments), progress=not arguments.quiet)
     skeleton.view(mesh, target)
     _tell(skeleton, [target], arguments.quiet)
     return 0
@@ -201,7 +210,7 @@ def _batch(arguments: argparse.Namespace) -> int:
         arguments.output,
         weights=weights,
         config=config,
-        repair=arguments.repair,
+        repair=_repair_of(arguments),
         suffix=arguments.format,
         jobs=arguments.jobs,
         scheduler=arguments.scheduler,
@@ -216,6 +225,24 @@ def _batch(arguments: argparse.Namespace) -> int:
     if len(failed) > LISTED:
         _fail(f"and {len(failed) - LISTED} more that failed, in {done.manifest}", 1)
     return min(done.num_failed, 1)
+
+
+def _repairing(parser: argparse.ArgumentParser) -> None:
+    """The option that `_repair_of` reads."""
+    parser.add_argument(
+        "--repair",
+        choices=list(REPAIRS),
+        metavar="join",
+        nargs="?",
+        const="mend",
+        help="mend a mesh that is no closed manifold, and say how; with join, parts that overlap or nearly touch are "
+        "made one solid, too",
+    )
+
+
+def _repair_of(arguments: argparse.Namespace) -> bool | str:
+    """What `skeletonize` is to take as ``repair``."""
+    return REPAIRS.get(arguments.repair, False)
 
 
 def _settings(parser: argparse.ArgumentParser) -> None:
@@ -280,7 +307,7 @@ def _skeletonize(arguments: argparse.Namespace) -> int:
             weights,
             config,
             pins=arguments.pin,
-            repair=arguments.repair,
+            repair=_repair_of(arguments),
             checkpoint=arguments.checkpoint,
             progress=not arguments.quiet,
         )

@@ -26,7 +26,7 @@ from msf_jax.host.recording.records import Recording
 from msf_jax.skeleton.skeleton import Skeleton
 from msf_jax.skeleton.source import Source
 
-KIND, VERSION = "tape", 1
+KIND, VERSION = "tape", 2
 
 
 class Comparison(NamedTuple):
@@ -48,12 +48,14 @@ class Tape:
         node_of_vertex: (V,) the node of each.
         edges: (E, 2) of the recorded curve.
         triangles: (N, 3) vertices of the triangle of the mesh that is nearest to each node of the recorded curve.
+        offsets: (N, 3, 3) from those vertices to the triangle's corners, which are others where parts were joined.
         is_inside: (N,) whether that node is inside.
         decisions: (D,) a hash of each decision.
         weights: of the run.
         shapes, sizes: layouts of the parts' buffers; vertices of their meso-skeletons and nodes of their curves.
         config: of the run.
         mesh_id: a hash of the mesh's vertices and faces.
+        num_made: vertices of the surface that are none of the mesh's, but were made where its parts were joined.
     """
 
     parts: tuple[Part, ...]
@@ -62,6 +64,7 @@ class Tape:
     node_of_vertex: Any
     edges: Any
     triangles: Any
+    offsets: Any
     is_inside: Any
     decisions: Any
     weights: Weights
@@ -69,6 +72,7 @@ class Tape:
     sizes: tuple[tuple[int, int], ...] = field(metadata={"static": True})
     config: Config = field(metadata={"static": True})
     mesh_id: str = field(metadata={"static": True})
+    num_made: int = field(metadata={"static": True})
 
     def __repr__(self) -> str:
         return f"Tape({self.num_nodes} nodes, {len(self.decisions)} decisions, mesh {self.mesh_id[:8]})"
@@ -83,6 +87,14 @@ class Tape:
         """Length of the bounding box's diagonal."""
         extent = self.vertices.max(axis=0) - self.vertices.min(axis=0)
         return (extent * extent).sum() ** 0.5
+
+    def check_movable(self) -> None:
+        """Raise a `MeshError` if the surface would not follow the mesh's vertices."""
+        if self.num_made:
+            raise MeshError(
+                f"{self.num_made} vertices of the surface were made where parts of the mesh were joined, and do not "
+                'follow the mesh\'s vertices: expected a run without repair="join", or no vertices to move'
+            )
 
     def compare(self, other: "Tape") -> Comparison:
         """How many decisions ``other``, the tape of another run on the same mesh, made differently.
@@ -120,6 +132,7 @@ class Tape:
             "config": asdict(self.config),
             "shapes": self.shapes,
             "sizes": self.sizes,
+            "num_made": self.num_made,
         }
         archive.write(path, KIND, VERSION, header, arrays, compress=True)
 
@@ -153,13 +166,17 @@ def record(run: Recording, weights: Weights, config: Config, curve: Skeleton, so
         parts.append(_part(arrays))
         shapes.append(Shape(tuple(layouts), mesh_layout))
     shape, nodes = source.solid.shape, source.solid.enter(curve.vertices)
+    near = shape.faces[shape.nearest(nodes)[1]]
+    triangles = run.input_of_vertex[near]
+    offsets = source.solid.leave(shape.vertices[near]) - run.vertices[triangles]
     return Tape(
         parts=tuple(parts),
         vertices=run.vertices,
         areas=source.areas,
         node_of_vertex=curve.mesh_map,
         edges=curve.edges,
-        triangles=run.input_of_vertex[shape.faces[shape.nearest(nodes)[1]]],
+        triangles=triangles,
+        offsets=np.where(run.is_made[near][:, :, None], offsets, 0.0),
         is_inside=shape.contains(nodes),
         decisions=decisions(run.components),
         weights=weights,
@@ -167,6 +184,7 @@ def record(run: Recording, weights: Weights, config: Config, curve: Skeleton, so
         sizes=tuple((component.num_meso, component.num_nodes) for component in run.components),
         config=config,
         mesh_id=mesh_id(run.vertices, run.faces),
+        num_made=int(run.is_made.sum()),
     )
 
 
@@ -214,9 +232,11 @@ def _from_arrays(header: dict[str, Any], arrays: dict[str, np.ndarray]) -> Tape:
         sizes=tuple((int(meso), int(nodes)) for meso, nodes in header["sizes"]),
         config=config,
         mesh_id=str(header["mesh_id"]),
+        num_made=int(header["num_made"]),
     )
     num, nodes = len(tape.vertices), tape.num_nodes
     expected = {"vertices": (num, 3), "areas": (num,), "node_of_vertex": (num,), "triangles": (nodes, 3)}
+    expected |= {"offsets": (nodes, 3, 3)}
     wrong = [name for name, shape in expected.items() if np.shape(getattr(tape, name)) != shape]
     is_whole = len(tape.parts) == len(shapes) == len(tape.sizes) and all(
         len(part.stretches) == len(shape.layouts)
