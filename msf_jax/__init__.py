@@ -18,14 +18,15 @@ if TYPE_CHECKING:
     from msf_jax.base.errors import ConfigError, FlowError, Interrupted, MeshError
     from msf_jax.base.options import Config, Weights
     from msf_jax.flow.loop import contract
-    from msf_jax.flow.preprocessing import reconstruct, voronoi_poles
     from msf_jax.flow.skeletonize import skeletonize
     from msf_jax.flow.state import Flow
+    from msf_jax.gradients.follow import Followed, follow
     from msf_jax.gradients.replay import replay, replay_meso, replay_radii
     from msf_jax.gradients.sensitivity import sensitivity
     from msf_jax.gradients.tape import Tape
     from msf_jax.host.curve.branches import Branch
     from msf_jax.host.mesh.repair import Repair
+    from msf_jax.host.preprocessing import reconstruct, voronoi_poles
     from msf_jax.skeleton.formats.importing import read_curve
     from msf_jax.skeleton.report import Report
     from msf_jax.skeleton.skeleton import Skeleton
@@ -48,6 +49,7 @@ _HOMES = {
     "ConfigError": "base.errors",
     "Flow": "flow.state",
     "FlowError": "base.errors",
+    "Followed": "gradients.follow",
     "Interrupted": "base.errors",
     "MeshError": "base.errors",
     "Repair": "host.mesh.repair",
@@ -55,17 +57,18 @@ _HOMES = {
     "Skeleton": "skeleton.skeleton",
     "Tape": "gradients.tape",
     "Tuned": "tuning.tuner",
-    "Weights": "base.options",
+    "Weights": "device",  # which makes a pytree of it
     "contract": "flow.loop",
+    "follow": "gradients.follow",
     "read_curve": "skeleton.formats.importing",
-    "reconstruct": "flow.preprocessing",
+    "reconstruct": "host.preprocessing",
     "replay": "gradients.replay",
     "replay_meso": "gradients.replay",
     "replay_radii": "gradients.replay",
     "sensitivity": "gradients.sensitivity",
     "skeletonize": "flow.skeletonize",
     "tune": "tuning.tuner",
-    "voronoi_poles": "flow.preprocessing",
+    "voronoi_poles": "host.preprocessing",
 }
 
 __version__ = version.VERSION
@@ -76,6 +79,7 @@ __all__ = [
     "ConfigError",
     "Flow",
     "FlowError",
+    "Followed",
     "Interrupted",
     "MeshError",
     "Repair",
@@ -86,6 +90,7 @@ __all__ = [
     "Weights",
     "batch",
     "contract",
+    "follow",
     "ground_truth",
     "guide",
     "metrics",

@@ -2,33 +2,46 @@
 
 import os
 import shutil
+import signal
 import tempfile
 from pathlib import Path
 
 import jax
+import matplotlib
 import numpy as np
 import pytest
 import trimesh
 
 jax.config.update("jax_enable_x64", True)
+matplotlib.use("Agg")
 
-# What one worker has compiled the others need not: most of the time of the tests is compiling.
+# What one process has compiled the others need not, nor the next run: most of the time of the tests is compiling.
 CACHE = "MSF_JAX_TEST_CACHE"
-IS_FIRST = CACHE not in os.environ  # of the processes, which the others inherit from
-if IS_FIRST:
-    os.environ[CACHE] = tempfile.mkdtemp(prefix="msf_jax-tests-")
-jax.config.update("jax_compilation_cache_dir", os.environ[CACHE])
-jax.config.update("jax_persistent_cache_min_compile_time_secs", 0.2)
+LARGEST_CACHE = 2 * 10**9  # bytes, after which it begins anew
 
 
-def pytest_sessionfinish() -> None:
-    """Remove what was compiled; the first process ends last."""
-    if IS_FIRST:
-        shutil.rmtree(os.environ[CACHE], ignore_errors=True)
+def pytest_configure(config: pytest.Config) -> None:
+    """Keep what is compiled in pytest's own cache folder, or where another process of this run keeps it."""
+    if CACHE not in os.environ:
+        keeper = getattr(config, "cache", None)
+        folder = Path(keeper.mkdir("compiled") if keeper else tempfile.mkdtemp(prefix="msf_jax-tests-"))
+        if sum(path.stat().st_size for path in folder.iterdir()) > LARGEST_CACHE:
+            shutil.rmtree(folder)
+        os.environ[CACHE] = str(folder)
+    jax.config.update("jax_compilation_cache_dir", os.environ[CACHE])
+    jax.config.update("jax_persistent_cache_min_compile_time_secs", 0.2)
 
 
 # The research meshes are not part of the project; tests that want them skip where the folder is absent.
 MESHES = Path(os.environ.get("MSF_JAX_MESHES", Path(__file__).parents[2] / "shared" / "meshes"))
+
+
+@pytest.fixture
+def ctrl_c():
+    """Ctrl-C as at a terminal: a suite that is started in the background inherits a SIGINT that is ignored."""
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
+    yield
+    signal.signal(signal.SIGINT, before)
 
 
 @pytest.fixture(scope="session")

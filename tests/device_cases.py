@@ -10,8 +10,10 @@ import scipy.sparse as sp
 from scipy.spatial import ConvexHull
 
 from msf_jax.base.layout import Layout, Level, layout_for
-from msf_jax.device import contraction, laplacian, smoothing
+from msf_jax.base.options import Solver
+from msf_jax.device import laplacian
 from msf_jax.device.buffers import Buffers, Rings
+from msf_jax.device.contraction import contracting, relaxed, smoothing
 from msf_jax.host.meso import packing
 from msf_jax.host.meso.meso import Meso
 
@@ -194,21 +196,23 @@ def plain_rows(kind: str, positions, rings, degree, layout) -> laplacian.Rows:
 
 
 def plain_contract(buffers, w_L, w_H, w_M, layout, kind="mean_value", tolerance=TIGHT, max_steps=MANY):
-    """`contraction.contract`, rows assembled from the same positions."""
+    """The contraction's step, rows assembled from the same positions."""
     one = jnp.ones_like(buffers.free)
     rows = laplacian.assemble(kind, buffers.positions, buffers.rings, buffers.degree, layout)
-    return contraction.contract(buffers, rows, layout, w_L * one, w_H * one, w_M * buffers.pull, tolerance, max_steps)
+    energy = contracting(w_L * one, w_H * one, w_M * buffers.pull)
+    return relaxed(buffers, rows, energy, layout, Solver(tolerance, max_steps))
 
 
 def plain_smooth(buffers, strength, layout, kind="mean_value", tolerance=TIGHT, max_steps=MANY):
-    """`smoothing.smooth`, rows assembled from the same positions."""
+    """The smoothing's step, rows assembled from the same positions."""
     rows = laplacian.assemble(kind, buffers.positions, buffers.rings, buffers.degree, layout)
-    return smoothing.smooth(buffers, rows, layout, strength * jnp.ones_like(buffers.free), tolerance, max_steps)
+    energy = smoothing(strength * jnp.ones_like(buffers.free))
+    return relaxed(buffers, rows, energy, layout, Solver(tolerance, max_steps))
 
 
 jitted_rows = quick_jit(plain_rows, static_argnames=("kind", "layout"))
-jitted_contract = quick_jit(plain_contract, static_argnames=("layout", "kind", "max_steps"))
-jitted_smooth = quick_jit(plain_smooth, static_argnames=("layout", "kind", "max_steps"))
+jitted_contract = quick_jit(plain_contract, static_argnames=("layout", "kind", "tolerance", "max_steps"))
+jitted_smooth = quick_jit(plain_smooth, static_argnames=("layout", "kind", "tolerance", "max_steps"))
 
 
 def dense_contract(L, vertices, poles, is_fixed, w_L, w_H, w_M) -> np.ndarray:

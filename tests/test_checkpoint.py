@@ -15,7 +15,8 @@ from conftest import torus
 import msf_jax
 from msf_jax import Config, ConfigError, Interrupted, Tape, Weights
 from msf_jax.device import iteration
-from msf_jax.flow import loop
+from msf_jax.flow import loop, stepping
+from msf_jax.flow.state import Limits
 from msf_jax.skeleton.formats import export
 
 SLOW = Config(max_iterations=7, step_tolerance=0.1)
@@ -75,11 +76,10 @@ def assert_same_bits(one, other):
 def test_a_run_that_died_goes_on_to_the_same_bits(mesh, undisturbed, dying_after, monkeypatch, tmp_path, count):
     """In the first or the second component, before the first write or after."""
     path = tmp_path / "run.npz"
-    with monkeypatch.context() as patch:
-        patch.setattr(loop, "EVERY", 2)
+    with monkeypatch.context():
         calls = dying_after(count)
         with pytest.raises(Killed):
-            loop.contract(mesh, config=SLOW, checkpoint=path)
+            loop.contract(mesh, config=SLOW, checkpoint=path, limits=Limits(checkpoint_every=2))
         monkeypatch.undo()
     calls = dying_after(100)
     assert_same_bits(loop.contract(mesh, config=SLOW, checkpoint=path), undisturbed)
@@ -186,14 +186,16 @@ def test_a_full_disk_is_noted_and_nothing_is_lost(mesh, undisturbed, monkeypatch
     def full(*_):
         raise OSError(28, "No space left on device", str(path))
 
-    monkeypatch.setattr("msf_jax.archive.write_whole", full)
+    monkeypatch.setattr("msf_jax.base.archive.write_whole", full)
     run = loop.contract(mesh, config=SLOW, checkpoint=path)
     assert_same_bits(run, undisturbed)
     assert run.skeleton.report.notes[0].endswith("run.npz' could not be written: No space left on device")
     assert "No space left on device" in str(run.skeleton.report)
 
 
-def test_ctrl_c_gives_a_partial_curve_and_the_checkpoint_goes_on(mesh, undisturbed, dying_after, tmp_path, monkeypatch):
+def test_ctrl_c_gives_a_partial_curve_and_the_checkpoint_goes_on(
+    mesh, undisturbed, dying_after, tmp_path, monkeypatch, ctrl_c
+):
     path = tmp_path / "run.npz"
     dying_after(3, lambda: signal.raise_signal(signal.SIGINT))
     with pytest.raises(
@@ -212,7 +214,7 @@ def test_ctrl_c_gives_a_partial_curve_and_the_checkpoint_goes_on(mesh, undisturb
     assert_same_bits(loop.contract(mesh, config=SLOW, checkpoint=path), undisturbed)
 
 
-def test_a_second_ctrl_c_stops_at_once(mesh, dying_after):
+def test_a_second_ctrl_c_stops_at_once(mesh, dying_after, ctrl_c):
     def twice():
         signal.raise_signal(signal.SIGINT)
         signal.raise_signal(signal.SIGINT)
@@ -261,7 +263,7 @@ def moved_away(times):
 def test_a_step_that_ran_away_is_redone_shorter(mesh, monkeypatch):
     """With a tenth of the contraction, twice; the tape knows, and the report says so."""
     compiled, calls = moved_away(2)
-    monkeypatch.setattr(loop, "compiled_move", compiled)
+    monkeypatch.setattr(stepping, "compiled_move", compiled)
     run = loop.contract(torus(), config=SLOW)
     np.testing.assert_allclose(calls[:4], [1.0, 0.1, 0.01, 1.0])
     assert [line.redone for line in run.history] == [2] + [0] * (len(run.history) - 1)
@@ -272,18 +274,16 @@ def test_a_step_that_ran_away_is_redone_shorter(mesh, monkeypatch):
 
 def test_a_step_that_always_runs_away_ends_the_flow(monkeypatch):
     compiled, calls = moved_away(10**6)
-    monkeypatch.setattr(loop, "compiled_move", compiled)
+    monkeypatch.setattr(stepping, "compiled_move", compiled)
     run = loop.contract(torus(), config=SLOW)
     assert len(calls) == 4 and not run.history
     assert run.skeleton.report.reason.startswith("non-finite: 4 tries of a step")
     assert np.isfinite(run.skeleton.vertices).all()
 
 
-def test_a_surface_that_outgrows_its_room_ends_the_flow(monkeypatch):
-    monkeypatch.setattr(loop, "GROWTH_LIMIT", 0)
-    monkeypatch.setattr(loop, "GROWTH_ROOM", 300)
+def test_a_surface_that_outgrows_its_room_ends_the_flow():
     mesh = trimesh.creation.capsule(height=4.0, radius=0.4, count=[40, 40])
-    run = loop.contract(mesh, config=Config(coarsen=0.0))
+    run = loop.contract(mesh, config=Config(coarsen=0.0), limits=Limits(growth=0, growth_room=300))
     assert run.skeleton.report.reason == "out of vertices: splitting would take the surface past 300"
     assert run.skeleton.report.cycles == 0
 

@@ -139,7 +139,7 @@ def test_ctrl_c_writes_nothing_and_exits_130(ball, tmp_path, capsys, monkeypatch
     def interrupt(*_, **__):
         raise KeyboardInterrupt
 
-    monkeypatch.setattr("msf_jax.view.picture", interrupt)  # after the flow, before the files
+    monkeypatch.setattr("msf_jax.skeleton.pictures.panels.picture", interrupt)  # after the flow, before the files
     out, picture = tmp_path / "a.swc", tmp_path / "a.png"
     assert main(["skeletonize", str(ball), "-o", str(out), "--picture", str(picture)]) == 130
     assert "interrupted" in capsys.readouterr().err

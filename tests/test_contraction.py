@@ -20,9 +20,10 @@ from device_cases import (
     reference_laplacian,
 )
 
-from msf_jax.base.options import Config, Weights
-from msf_jax.device import contraction, iteration
+from msf_jax.base.options import Config, Solver, Weights
+from msf_jax.device import iteration
 from msf_jax.device.buffers import Buffers, Rings
+from msf_jax.device.contraction import contracting, relaxed
 from msf_jax.device.laplacian import Rows
 
 W_L, W_H, W_M = 1.3, 0.2, 0.35
@@ -149,7 +150,7 @@ def test_chain_with_a_fixed_end_by_hand():
     """
     buffers, rows = chain()
     one = jnp.ones(3)
-    new, _ = contraction.contract(buffers, rows, one_level(3, 2), one, one, 0 * one, TIGHT, 100)
+    new, _ = relaxed(buffers, rows, contracting(one, one, 0 * one), one_level(3, 2), Solver(TIGHT, 100))
     np.testing.assert_allclose(new, [[0, 0, 0], [1, 0, 0], [5 / 3, 0, 0]], atol=1e-14)
     assert float(new[0, 0]) == 0.0
 
@@ -344,9 +345,9 @@ def test_a_solve_ends_when_a_step_moves_nothing_by_a_part_of_the_threshold():
     case = build(*pebble(1))
     weights = jax.tree_util.tree_map(np.asarray, Weights())
     config = Config(solve_tolerance=1e-9)
-    exact = iteration.move(case.buffers, weights, config, case.layout)
+    exact = iteration.move(case.buffers, weights, config.on_device, case.layout)
     t_c = 0.01
-    found = iteration.move(case.buffers._replace(t_c=jnp.asarray(t_c)), weights, config, case.layout)
+    found = iteration.move(case.buffers._replace(t_c=jnp.asarray(t_c)), weights, config.on_device, case.layout)
     assert int(found.contraction.steps) < int(exact.contraction.steps)
     assert float(found.contraction.residual) > config.solve_tolerance
     assert bool(found.contraction.is_solved)

@@ -24,10 +24,11 @@ import numpy as np
 jax.config.update("jax_enable_x64", sys.argv[2] == "float64")
 import msf_jax
 from msf_jax.flow import loop
+from msf_jax.flow.state import Limits
 from msf_jax import shapes
-loop.EVERY = 1
 checkpoint = sys.argv[3] if len(sys.argv) > 3 else None
-run = loop.contract(shapes.hand(0.06), config=msf_jax.Config(t_min=0.003), checkpoint=checkpoint)
+often = Limits(checkpoint_every=1)
+run = loop.contract(shapes.hand(0.06), config=msf_jax.Config(t_min=0.003), checkpoint=checkpoint, limits=often)
 digest = hashlib.sha256(repr(run.history).encode())
 for array in (*jax.tree_util.tree_leaves(run.tape), *vars(run.skeleton).values()):
     if isinstance(array, np.ndarray):

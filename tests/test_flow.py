@@ -12,6 +12,8 @@ import msf_jax
 from msf_jax import Config, Weights, shapes
 from msf_jax.base.layout import layout_for
 from msf_jax.flow import loop
+from msf_jax.flow.state import Stopwatch
+from msf_jax.host.mesh import checking
 from msf_jax.host.meso import packing
 
 CLOSED = ["bunny", "three-holes", "homer", "elephant", "cheburashka", "indorelax", "sindorelax"]
@@ -100,8 +102,8 @@ def test_the_volume_is_gone_by_an_independent_measure(y_flow):
 
 
 def test_fixed_vertices_do_not_move():
-    config, watch = Config(reconstruct_poles=0, edit_connectivity=False), loop.Stopwatch()
-    state = loop.init(loop.surface.prepare(blob(3)).components[0], 0, config, watch)
+    config, watch = Config(reconstruct_poles=0, edit_connectivity=False), Stopwatch()
+    state = loop.init(checking.prepare(blob(3)).components[0], 0, config, watch)
     held = np.arange(0, state.meso.num_rows, 5)
     state.meso.is_fixed[held] = True
     before = state.meso.positions.copy()
@@ -215,9 +217,9 @@ def test_a_solve_that_runs_out_of_steps_is_said():
 
 
 def test_weights_that_blow_up_are_said():
-    state = loop.init(loop.surface.prepare(blob(1)).components[0], 0, Config(), loop.Stopwatch())
+    state = loop.init(checking.prepare(blob(1)).components[0], 0, Config(), Stopwatch())
     state.meso.poles[:] = 1e9
-    loop.step(state, Weights(w_M=1e3), Config(), loop.Stopwatch())
+    loop.step(state, Weights(w_M=1e3), Config(), Stopwatch())
     ended = loop.done(state, Config())
     assert ended is not None
     assert not ended[0]
@@ -254,7 +256,7 @@ def test_coarsening_takes_short_edges_and_leaves_the_shape():
     """A fine torus: no short edge that could go is left, no volume lost, and poles are still those of the vertices."""
     mesh = torus(around=200, across=70)
     config = Config(check=True, max_iterations=1, coarsen=0.02)
-    state = loop.init(loop.surface.prepare(mesh).components[0], 0, config, loop.Stopwatch())
+    state = loop.init(checking.prepare(mesh).components[0], 0, config, Stopwatch())
     coarse = trimesh.Trimesh(state.meso.positions, state.meso.faces(), process=False)
     assert state.num_coarsened > 0.5 * len(mesh.vertices)
     assert state.num_coarsened + len(coarse.vertices) == len(mesh.vertices)
@@ -305,12 +307,12 @@ def test_a_run_compiles_once_for_each_capacity_and_another_compiles_nothing(comp
     config = Config(solve_tolerance=0.00123)  # one that no other test compiles for
     states = []
     for number, mesh in enumerate((blob(11, subdivisions=4), torus())):
-        states.append(loop.init(loop.surface.prepare(mesh).components[0], number, config, loop.Stopwatch()))
+        states.append(loop.init(checking.prepare(mesh).components[0], number, config, Stopwatch()))
     capacities = set()
     for state in states:
         while loop.done(state, config) is None:
             capacities.add(layout_for(state.meso.num_rows, packing.rows_beyond(state.meso)))
-            loop.step(state, Weights(), config, loop.Stopwatch())
+            loop.step(state, Weights(), config, Stopwatch())
     assert len(capacities) > 1
     assert len(compilations) == len(capacities)
     changed = replace(config, t_min=0.008, t_step=0.001, prune=0.0, max_iterations=50, coarsen=0.0, check=True)

@@ -3,6 +3,7 @@
 import os
 from pathlib import Path
 
+import matplotlib.pyplot as plt
 import nbformat
 import pytest
 from conftest import CACHE
@@ -13,12 +14,28 @@ NOTEBOOKS = sorted((ROOT / "notebooks").glob("*.ipynb"))
 LARGEST = 300_000  # bytes, pictures included
 
 
-@pytest.mark.filterwarnings("ignore")  # of the notebook's own machinery; those of its code would be in its output
 @pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda path: path.stem)
-def test_it_runs_without_a_warning(path, monkeypatch):
+def test_it_runs_without_a_warning(path, monkeypatch, tmp_path):
+    """Cell by cell, in this process: a warning is an error, and what other tests have compiled is there already."""
+    monkeypatch.setenv("MSF_JAX_SMALL", "1")
+    monkeypatch.chdir(tmp_path)
+    names = {"__name__": "__main__"}
+    try:
+        for number, cell in enumerate(nbformat.read(path, as_version=4).cells):
+            if cell.cell_type == "code":
+                code = "\n".join(line for line in cell.source.splitlines() if not line.startswith("%"))
+                exec(compile(code, f"{path.name}, cell {number}", "exec"), names)
+    finally:
+        plt.close("all")
+
+
+@pytest.mark.slow
+@pytest.mark.filterwarnings("ignore")  # of the notebook's own machinery; those of its code would be in its output
+def test_a_kernel_runs_the_first(monkeypatch):
+    """The way that a reader takes, magics included."""
     monkeypatch.setenv("MSF_JAX_SMALL", "1")
     monkeypatch.setenv("JAX_COMPILATION_CACHE_DIR", os.environ[CACHE])
-    notebook = nbformat.read(path, as_version=4)
+    notebook = nbformat.read(ROOT / "notebooks" / "quickstart.ipynb", as_version=4)
     NotebookClient(notebook, timeout=600, kernel_name="python3").execute()
     assert not _warnings(notebook)
 

@@ -39,7 +39,7 @@ def smooth(buffers, weights: Weights, layout: Layout):
 
 
 def move(buffers, weights: Weights, layout: Layout):
-    return iteration.move(buffers, weights, CONFIG, layout).positions
+    return iteration.move(buffers, weights, CONFIG.on_device, layout).positions
 
 
 STEPS = {"contract": contract, "smooth": smooth, "move": move}
@@ -162,7 +162,7 @@ def test_a_layout_is_compiled_once():
 
     def run(case, config, **weights):
         scalars = jax.tree_util.tree_map(np.asarray, Weights(**weights))
-        return iteration.jitted_move(case.buffers, scalars, config, case.layout)
+        return iteration.jitted_move(case.buffers, scalars, config.on_device, case.layout)
 
     before = cache_size()
     run(first, config)

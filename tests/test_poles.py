@@ -8,8 +8,7 @@ from scipy import spatial
 from scipy.spatial.transform import Rotation
 
 from msf_jax.base.errors import ConfigError, FlowError
-from msf_jax.flow import preprocessing
-from msf_jax.host import reconstruction
+from msf_jax.host import preprocessing, reconstruction
 from msf_jax.host.poles import voronoi
 from msf_jax.host.solid.geometry import vertex_normals
 

@@ -156,8 +156,8 @@ def test_iteration_contracts_and_then_smooths_with_fresh_rows(case, follows_area
     w_L, w_H, w_M, strength = 0.8, 0.15, 0.3, 0.05
     first_area = ring_areas(*pebble(1))
     buffers = case.buffers._replace(area=jnp.asarray(case.to_rows(first_area, fill=1.0)))
-    moved = quick_jit(move, static_argnames=("config", "layout"))(
-        buffers, Weights(w_L, w_H, w_M, strength), config=config, layout=case.layout
+    moved = quick_jit(move, static_argnames=("settings", "layout"))(
+        buffers, Weights(w_L, w_H, w_M, strength), settings=config.on_device, layout=case.layout
     )
 
     L = reference_laplacian("mean_value", case.vertices, case.faces)

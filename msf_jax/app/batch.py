@@ -31,7 +31,7 @@ from msf_jax.base.errors import ConfigError, FlowError, MeshError
 from msf_jax.base.options import Config, Weights
 from msf_jax.base.version import VERSION
 from msf_jax.base.writing import write_whole
-from msf_jax.flow.loop import checked_options
+from msf_jax.flow.request import checked_options
 from msf_jax.host.mesh import reading
 from msf_jax.host.mesh.repair import Repair, as_repair
 from msf_jax.skeleton.formats import export

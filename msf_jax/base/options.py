@@ -1,23 +1,24 @@
-"""The two halves of a run's settings: `Weights`, which gradients flow through, and `Config`, which is compiled in."""
+"""The two halves of a run's settings: `Weights`, which gradients flow through, and `Config`, the rest.
+
+Of a `Config`, a jitted step depends on its `StepSettings` and on nothing else.
+"""
 
 import math
 import numbers
-from collections.abc import Iterable
+import sys
 from dataclasses import dataclass, fields, replace
 from typing import Any
 
-import jax
 import numpy as np
-from jax.core import Tracer
 
 from msf_jax.base.errors import ConfigError
 
 LAPLACIANS = ("mean_value", "cotangent", "uniform")
 WHOLE = ("reconstruct_poles", "reconstruct_mesh", "max_iterations", "solve_steps")
 SYSTEMS = ("msf", "tagliasacchi2012", "au2008")
+POLES = ("auto", "voronoi", "balls")
 
 
-@jax.tree_util.register_pytree_with_keys_class
 @dataclass(frozen=True)
 class Weights:
     """Weights of the flow, a pytree. They multiply rows, so energies scale with their squares (article Eq. 2).
@@ -46,7 +47,7 @@ class Weights:
         """Raise a `ConfigError` unless all weights are in range; what JAX made of them is not checked otherwise."""
         for field in fields(self):
             value = getattr(self, field.name)
-            if isinstance(value, Tracer):
+            if is_traced(value):
                 continue
             try:
                 array = np.asarray(np.nan if isinstance(value, str) else value, dtype=np.float64)
@@ -57,17 +58,34 @@ class Weights:
             if field.name == "w_H" and not (array > 0).all():
                 raise ConfigError(f"Weights.w_H is {value!r}: expected more than 0, or the system is singular")
 
-    def tree_flatten_with_keys(self) -> tuple[tuple[tuple[Any, Any], ...], None]:
-        """The four weights, for JAX."""
-        return tuple((jax.tree_util.GetAttrKey(field.name), getattr(self, field.name)) for field in fields(self)), None
 
-    @classmethod
-    def tree_unflatten(cls, _: None, children: Iterable[Any]) -> "Weights":
-        """A tree of the same shape, unchecked: JAX puts axes, masks and gradients there."""
-        weights = object.__new__(cls)
-        for field, child in zip(fields(cls), children, strict=True):
-            object.__setattr__(weights, field.name, child)
-        return weights
+def is_traced(value: Any) -> bool:
+    """Whether ``value`` stands for numbers that are not known yet, in a function that JAX transforms."""
+    jax = sys.modules.get("jax")  # without it, nothing is
+    return jax is not None and isinstance(value, jax.core.Tracer)
+
+
+@dataclass(frozen=True)
+class Solver:
+    """How a linear system is solved by conjugate gradients.
+
+    tolerance: residual, relative to the right-hand side, that will do. max_steps: after which it gives up.
+    preconditioner: one of `device.cg.PRECONDITIONERS`.
+    """
+
+    tolerance: float
+    max_steps: int
+    preconditioner: str = "jacobi"
+
+
+@dataclass(frozen=True)
+class StepSettings:
+    """All that a jitted step depends on, but for the layout of its buffers; see `Config` for what they mean."""
+
+    laplacian: str
+    solver: Solver
+    step_tolerance: float
+    w_H_follows_area: bool
 
 
 @dataclass(frozen=True)
@@ -86,8 +104,12 @@ class Config:
         resample: target edge length that the mesh is resampled to before poles are sought; 0 keeps its sampling.
         coarsen: edges shorter than that are collapsed before poles are sought, unless that would turn a face, so that
             the cost of a run follows the solid's shape and hardly the number of its vertices; 0 keeps them all. Where
-            it would cost a twentieth of the volume, as of a thin plate, the mesh is taken as it is.
-        use_poles: whether Voronoi poles pull at all.
+            it would cost a twentieth of the volume, as of a thin plate, the mesh is taken as it is. Where a limb has a
+            radius r below 0.005, this length and t_c are shorter by r / 0.005: a wire keeps its length.
+        use_poles: whether poles pull at all.
+        poles: "voronoi" (article 3.1.2), "balls" (shrinking balls, Ma et al. 2012), or "auto": Voronoi poles, and balls
+            where the solid is thin. There `reconstruct_poles` would take the solid itself away, and is left out, and a
+            Voronoi diagram takes minutes.
         pole_confidence: whether w_M is weighted by how far apart the points are in which a pole's ball touches the
             surface. Off by default: over the benchmark's shapes it makes curves neither better nor worse.
         edit_connectivity: whether edges are collapsed and split, and vertices fixed, in the loop.
@@ -122,6 +144,7 @@ class Config:
     resample: float = 0.0
     coarsen: float = 0.005
     use_poles: bool = True
+    poles: str = "auto"
     pole_confidence: bool = False
     edit_connectivity: bool = True
     t_min: float = 0.005
@@ -148,6 +171,8 @@ class Config:
             raise ConfigError(f"unknown system {self.system!r}: expected one of {', '.join(SYSTEMS)}")
         if self.laplacian not in LAPLACIANS:
             raise ConfigError(f"unknown Laplacian {self.laplacian!r}: expected one of {', '.join(LAPLACIANS)}")
+        if self.poles not in POLES:
+            raise ConfigError(f"unknown poles {self.poles!r}: expected one of {', '.join(POLES)}")
         ranges = {
             "reconstruct_poles": (0, math.inf),
             "reconstruct_mesh": (0, math.inf),
@@ -206,6 +231,7 @@ class Config:
             reconstruct_poles=0,
             resample=0.01,
             coarsen=0.0,
+            poles="voronoi",
             t_min=0.002,
             t_step=0.0,
         )
@@ -241,15 +267,13 @@ class Config:
         return makers[system](**changes)
 
     @property
-    def on_device(self) -> "Config":
-        """The same as far as a jitted step is concerned: what it does not depend on does not compile it again."""
-        return Config(
+    def on_device(self) -> StepSettings:
+        """What of it a jitted step depends on: another value of anything else compiles nothing again."""
+        return StepSettings(
             laplacian=self.laplacian,
-            solve_tolerance=self.solve_tolerance,
+            solver=Solver(self.solve_tolerance, self.solve_steps),
             step_tolerance=self.step_tolerance,
-            solve_steps=self.solve_steps,
             w_H_follows_area=self.w_H_follows_area,
-            edit_connectivity=not self.w_H_follows_area,
         )
 
     def default_weights(self) -> Weights:

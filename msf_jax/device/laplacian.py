@@ -33,31 +33,49 @@ class Rows(NamedTuple):
 def assemble(kind: str, positions: jax.Array, rings: Rings, degree: jax.Array, layout: Layout) -> Rows:
     """Weights of the Laplacian named ``kind``, dimensionless, for positions (n, 3), rings (S,) each, degree (n,).
 
-    Mean-value rows are multiplied by the mean length of their one-ring edges, which takes their unit away; cotangent
-    and uniform weights have none. Differentiable in: positions (finite everywhere, degenerate triangles included).
+    Differentiable in: positions (finite everywhere, degenerate triangles included).
     """
-    used = rings.is_used
-    if kind == "uniform":
-        weight = used.astype(positions.dtype)
-        return Rows(weight, weight)
+    rows = WEIGHTS[kind](positions, rings, degree, layout)
+    return Rows(*(jnp.where(rings.is_used, weight, 0.0) for weight in rows))
+
+
+def _mean_value(positions: jax.Array, rings: Rings, degree: jax.Array, layout: Layout) -> Rows:
+    """(tan(alpha / 2) + tan(beta / 2)) / length, for the angles at i beside the edge (article Eq. 4).
+
+    Rows are multiplied by the mean length of their one-ring edges, which takes their unit away.
+    """
     at_i = at_rows(layout, positions)
-    edge = positions[rings.neighbour] - at_i
-    after = positions[rings.after] - at_i
-    before = positions[rings.before] - at_i
-    if kind == "cotangent":
-        weight = 0.5 * (_cotangent(after, after - edge) + _cotangent(before, before - edge))
-        weight = jnp.where(used, jnp.maximum(weight, 0.0), 0.0)
-        return Rows(weight, weight)
+    edge, after, before = (positions[corner] - at_i for corner in (rings.neighbour, rings.after, rings.before))
     length = _length(edge)
-    mean_length = slot_sum(layout, jnp.where(used, length, 0.0)) / jnp.maximum(degree, 1)
+    mean_length = slot_sum(layout, jnp.where(rings.is_used, length, 0.0)) / jnp.maximum(degree, 1)
     at_i_tangents = _half_angle_tangent(edge, after) + _half_angle_tangent(before, edge)
     # From j's own differences, not from after - edge: rounding would make L and its transpose differ on needles.
     at_j = positions[rings.neighbour]
     after_j, before_j = positions[rings.after] - at_j, positions[rings.before] - at_j
     at_j_tangents = _half_angle_tangent(-edge, after_j) + _half_angle_tangent(before_j, -edge)
     out = at_i_tangents / length * at_rows(layout, mean_length)
-    into = at_j_tangents / length * mean_length[rings.neighbour]
-    return Rows(jnp.where(used, out, 0.0), jnp.where(used, into, 0.0))
+    return Rows(out, at_j_tangents / length * mean_length[rings.neighbour])
+
+
+def _cotangents(positions: jax.Array, rings: Rings, degree: jax.Array, layout: Layout) -> Rows:
+    """(cot(alpha) + cot(beta)) / 2 for the angles opposite the edge; 0 where that is negative."""
+    del degree
+    at_i = at_rows(layout, positions)
+    edge, after, before = (positions[corner] - at_i for corner in (rings.neighbour, rings.after, rings.before))
+    weight = 0.5 * (_cotangent(after, after - edge) + _cotangent(before, before - edge))
+    weight = jnp.maximum(weight, 0.0)
+    return Rows(weight, weight)
+
+
+def _uniform(positions: jax.Array, rings: Rings, degree: jax.Array, layout: Layout) -> Rows:
+    """1 for every edge."""
+    del degree, layout
+    weight = jnp.ones(rings.is_used.shape, positions.dtype)
+    return Rows(weight, weight)
+
+
+# By the names of `base.options.LAPLACIANS`; what an unused slot is given does not count.
+WEIGHTS = {"mean_value": _mean_value, "cotangent": _cotangents, "uniform": _uniform}
 
 
 def limit(rows: Rows, largest: float = LARGEST) -> Rows:

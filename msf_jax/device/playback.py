@@ -15,10 +15,10 @@ import jax.numpy as jnp
 from jax import lax
 
 from msf_jax.base.layout import Layout
-from msf_jax.base.options import Config, Weights
+from msf_jax.base.options import StepSettings, Weights
 from msf_jax.device import laplacian
 from msf_jax.device.buffers import Buffers, Rings, slot_product
-from msf_jax.device.contraction import SOLUTION
+from msf_jax.device.cg import SOLUTION
 from msf_jax.device.iteration import move
 
 CUT_AT_ENDS = 1e-30  # squared length below which an edge has no direction to project on: it is cut in the middle
@@ -119,9 +119,9 @@ class Shape(NamedTuple):
     mesh_layout: Layout | None
 
 
-@partial(jax.jit, static_argnames=("shape", "config"))
+@partial(jax.jit, static_argnames=("shape", "settings"))
 def replay_part(
-    part: Part, weights: Weights, vertices: jax.Array, moved: jax.Array, shape: Shape, config: Config
+    part: Part, weights: Weights, vertices: jax.Array, moved: jax.Array, shape: Shape, settings: StepSettings
 ) -> tuple[jax.Array, jax.Array]:
     """Meso-skeleton (m, 3) and nodes (N, 3) of a component, in the caller's units.
 
@@ -134,13 +134,13 @@ def replay_part(
     poles = _poles(part, site_of_pole)
     workspace, area = place, jnp.ones(len(place), place.dtype)
     for number, (stretch, layout) in enumerate(zip(part.stretches, shape.layouts, strict=True)):
-        if config.w_H_follows_area:  # no edge is edited then: rows stay what they are, in every layout
+        if settings.w_H_follows_area:  # no edge is edited then: rows stay what they are, in every layout
             rings = Rings(*(table[-1] for table in stretch.rings))
             first = laplacian.one_ring_areas(place[:, :3], rings, stretch.degree[-1], layout) if number == 0 else area
             area = first[stretch.handover]
         else:
             area = jnp.ones(layout.capacity, place.dtype)
-        workspace = _replay_stretch(stretch, poles, area, workspace[stretch.handover], layout, config)
+        workspace = _replay_stretch(stretch, poles, area, workspace[stretch.handover], layout, settings)
     meso = workspace[part.meso_row, :3]
     nodes = _mixed(part.nodes, meso, len(part.is_held), part.nodes.share)
     meso, nodes = (part.centre + part.diagonal * (points @ part.axes) for points in (meso, nodes))
@@ -206,7 +206,7 @@ def _poles(part: Part, sites: jax.Array) -> jax.Array:
 
 
 def _replay_stretch(
-    stretch: Stretch, poles: jax.Array, area: jax.Array, rows: jax.Array, layout: Layout, config: Config
+    stretch: Stretch, poles: jax.Array, area: jax.Array, rows: jax.Array, layout: Layout, settings: StepSettings
 ) -> jax.Array:
     """The workspace (n + R M, 7) after the iterations of ``stretch``: position and weights of rows, and of new ones."""
     num_new = stretch.cut.shape[1] * stretch.cut.shape[2]
@@ -226,8 +226,8 @@ def _replay_stretch(
             area=area,
         )
         weights = Weights(rows[:, 3] * line.factor, rows[:, 4], rows[:, 5], rows[:, 6])
-        moved = move(buffers, weights, config, layout, jnp.asarray(line.left, dtype))
-        positions = jnp.where(moved.contraction.is_solved & moved.smoothing.is_solved, moved.positions, jnp.nan)
+        moved = move(buffers, weights, settings, layout, jnp.asarray(line.left, dtype))
+        positions = jnp.where(moved.solves.is_solved.all(), moved.positions, jnp.nan)
         parts = jnp.concatenate([line.share[:, None] * positions, line.blend[:, None] * rows[:, 3:]], axis=1)
         rows = jax.ops.segment_sum(parts, line.group, layout.capacity)
         return _cut(jnp.concatenate([rows, fresh]), line.cut, layout.capacity), None

@@ -24,7 +24,6 @@ from msf_jax.host.meso.split import SplitRound
 from msf_jax.host.recording.records import Step
 
 KIND, VERSION = "checkpoint", 1
-EVERY = 5  # iterations between two writes
 RECORDS = {kind.__name__: kind for kind in (Meso, Step, Iteration, CollapseRound, SplitRound, Fixing, Compaction)}
 CHANGING = ("meso", "t_c", "w_L_factor", "history", "steps", "failure")  # attributes of a `State`
 ADVICE = "choose another path"

@@ -41,6 +41,22 @@ class Iteration(NamedTuple):
     redone: int = 0  # times that the step was tried again, shorter, as its numbers were not sensible
 
 
+class Limits(NamedTuple):
+    """Bounds of a run that are no option of the user's.
+
+    checkpoint_every: iterations between two writes. growth, growth_room: splitting may take the surface to so many
+    times its first vertices, and so many. retries: of a step that has left sensible numbers.
+    """
+
+    checkpoint_every: int = 5
+    growth: int = 3
+    growth_room: int = 1000
+    retries: int = 3
+
+
+LIMITS = Limits()
+
+
 @dataclass
 class State:
     """A component under contraction.

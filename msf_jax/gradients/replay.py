@@ -11,10 +11,9 @@ from typing import Any
 import jax
 import jax.numpy as jnp
 import numpy as np
-from jax.core import Tracer
 
 from msf_jax.base.errors import ConfigError, MeshError
-from msf_jax.base.options import Weights
+from msf_jax.base.options import Solver, Weights, is_traced
 from msf_jax.device.buffers import real_dtype
 from msf_jax.device.playback import clearance, replay_part
 from msf_jax.gradients.tape import Tape
@@ -99,10 +98,10 @@ def _replayed(tape: Tape, weights: Weights, vertices: Any, tolerance: float | No
     tolerance = TOLERANCE[str(dtype)] if tolerance is None else tolerance
     if isinstance(tolerance, bool) or not isinstance(tolerance, int | float) or not 0 < tolerance < 1:
         raise ConfigError(f"tolerance is {tolerance!r}: expected a number above 0 and below 1")
-    config = changed(tape.config.on_device, solve_tolerance=tolerance, solve_steps=MOST_STEPS)
+    settings = changed(tape.config.on_device, solver=Solver(tolerance, MOST_STEPS))
     results = []
     for part, shape, (num_meso, num_nodes) in zip(tape.parts, tape.shapes, tape.sizes, strict=True):
-        meso, nodes = replay_part(part, weights, given + moved, moved, shape, config)
+        meso, nodes = replay_part(part, weights, given + moved, moved, shape, settings)
         results.append((meso[:num_meso], nodes[:num_nodes]))
     meso, nodes = (jnp.concatenate(column) for column in zip(*results, strict=True))
     return meso, nodes
@@ -124,7 +123,7 @@ def _checked_vertices(tape: Tape, vertices: Any) -> jax.Array:
             f"vertices has shape {array.shape}: expected {tape.vertices.shape}, those of the mesh that the tape was "
             "recorded for"
         )
-    if not isinstance(array, Tracer):
+    if not is_traced(array):
         bad = np.flatnonzero(~np.isfinite(np.asarray(array)).all(axis=1))
         if len(bad):
             raise MeshError(

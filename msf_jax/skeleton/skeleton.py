@@ -3,15 +3,19 @@
 import numbers
 import os
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 import networkx as nx
 import numpy as np
+from scipy import sparse
 
 from msf_jax import metrics
 from msf_jax.base.errors import ConfigError
-from msf_jax.host.curve import branches, finishing, resampling
+from msf_jax.base.recipe import Recipe
+from msf_jax.host.curve import branches, finishing, following, resampling
 from msf_jax.host.curve.branches import Branch
+from msf_jax.skeleton import slopes
 from msf_jax.skeleton.formats import export
 from msf_jax.skeleton.pictures import page, panels, segmentation
 from msf_jax.skeleton.report import Report
@@ -142,6 +146,63 @@ class Skeleton:
             figures={},
         )
         return replace(self, edges=edges, report=report, roots=roots)
+
+    @cached_property
+    def recipe(self) -> Recipe:
+        """How the curve hangs on the vertices of its mesh, for `msf_jax.follow`; made when it is first asked for.
+
+        Raises:
+            ConfigError: the surface that the curve was made from is not known.
+        """
+        if self.source is None or self.source.input_of_vertex is None:
+            raise ConfigError(
+                "the skeleton does not know the mesh that it was made from: expected one from skeletonize, or read "
+                "from an .npz file that msf_jax has written"
+            )
+        solid, _, pins, _, vertex = self.source
+        held = self.mesh_map[pins]
+        pins_of_node = {int(node): np.asarray(pins)[held == node] for node in np.unique(held)}
+        surface = following.Surface(solid, vertex, self.mesh_map[vertex])
+        return following.record(surface, self.vertices, self.edges, pins_of_node)
+
+    def jacobian(self) -> sparse.csr_matrix:
+        """How far each node moves with each vertex of the mesh: the derivative of `msf_jax.follow` where it was made.
+
+        Returns:
+            (3 N, 3 V), sparse: entry (3 i + a, 3 v + b) is how far node i moves along axis a, per unit that vertex v of
+            the input mesh moves along axis b.
+
+        Raises:
+            ConfigError: the surface that the curve was made from is not known.
+        """
+        recipe = self.recipe
+        vertices = np.zeros((len(self.mesh_map), 3))  # what no face uses moves nothing
+        vertices[self.source.input_of_vertex] = self.source.solid.leave(self.source.solid.shape.vertices)
+        return slopes.jacobian(recipe, vertices)
+
+    def covariance(self, sigma: Any) -> np.ndarray:
+        """How uncertain each node is if the vertices of the mesh are, to first order; see `jacobian`.
+
+        Args:
+            sigma: standard deviation of the noise of every vertex along each axis, independent of all others, in the
+                mesh's units: a number, or (V,) one for each vertex of the input mesh.
+
+        Returns:
+            (N, 3, 3), covariances. A run that would decide otherwise on the noisy mesh is not in them.
+
+        Raises:
+            ConfigError: ``sigma`` is negative, not finite or of another shape, or the surface is not known.
+        """
+        try:
+            spread = np.asarray(sigma, dtype=np.float64)
+        except (TypeError, ValueError) as error:
+            raise ConfigError(f"sigma is a {type(sigma).__name__}: expected a number, or one for each vertex") from error
+        num = len(self.mesh_map)
+        if spread.shape not in ((), (num,)):
+            raise ConfigError(f"sigma has shape {spread.shape}: expected a number, or ({num},), one for each vertex")
+        if not (np.isfinite(spread) & (spread >= 0)).all():
+            raise ConfigError("sigma has values that are negative or not finite: expected lengths of 0 or more")
+        return slopes.covariance(self.jacobian(), np.broadcast_to(spread, num))
 
     def _is_held(self) -> np.ndarray:
         """(N,) True for a node that a pinned vertex of the mesh goes to."""

@@ -23,10 +23,12 @@ class Source(NamedTuple):
     """What a curve was made from.
 
     areas: (V,) share of the surface's area that belongs to each input vertex. pins: (k,) input vertices held in place.
-    stages: the surface as it contracted, in a few steps from first to last.
+    stages: the surface as it contracted, in a few steps from first to last. input_of_vertex: (v,) the input vertex that
+    each of the solid's comes from.
     """
 
     solid: Solid
     areas: np.ndarray
     pins: np.ndarray
     stages: tuple[Stage, ...] = ()
+    input_of_vertex: np.ndarray | None = None

@@ -6,7 +6,7 @@ are better they are taken, with a larger box around them; if not, a full step do
 and then the box shrinks, and the old tape is minimised again.
 A run that did not converge is no ground for a gradient: then the weights go half-way to the system's own.
 
-This is the one module besides `device.contraction` that imports jaxopt.
+This is the one module besides `device.cg` that imports jaxopt.
 """
 
 import numbers
@@ -29,6 +29,7 @@ with warnings.catch_warnings():
 from msf_jax.base.errors import ConfigError, FlowError
 from msf_jax.base.options import Config, Weights
 from msf_jax.flow import loop
+from msf_jax.flow.request import checked_options
 from msf_jax.flow.state import Flow
 from msf_jax.gradients.replay import replay
 from msf_jax.gradients.tape import Comparison, Tape
@@ -132,7 +133,7 @@ def tune(
         MeshError, FlowError: see `contract`.
     """
     objective = as_objective(objective)
-    weights, config = loop.checked_options(weights, config)
+    weights, config = checked_options(weights, config)
     meshes = _listed(meshes)
     low, high = _checked_bounds(weights, bounds)
     for name, number in (("steps", steps), ("inner_steps", inner_steps)):

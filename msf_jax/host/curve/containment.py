@@ -1,35 +1,36 @@
 """Keep the curve inside: nodes off the surface, edges that do not cross it, whatever the flow did.
 
 A node outside goes into the solid behind the nearest triangle, as deep as the limb is there. An edge that leaves the
-solid is led through it: over the middle of its own cross-section, if that will do, or else over middles of chords of
-the solid around it, by the shortest and roomiest way that does not cross the surface.
+solid is led through it: over the middle of its own cross-section, if that will do, or else from ball to ball by the
+shortest and roomiest way (see `passages`).
 """
 
 import itertools
 
 import numpy as np
-from scipy import sparse, spatial
-from scipy.sparse import csgraph
 
+from msf_jax.host.curve.passages import TOUCHING, Passages
+from msf_jax.host.poles.balls import shrinking_balls
 from msf_jax.host.solid import sections
-from msf_jax.host.solid.enclosure import Enclosure
+from msf_jax.host.solid.enclosure import Enclosure, barycentric
 from msf_jax.host.solid.geometry import unit
 
 UNFOLDINGS = 20  # rounds
 HALVINGS = 2  # of an edge that is not inside, before a way is looked for
-TOUCHING = 1e-5  # diagonals: a point with less room than that counts as outside
-MOST_WAYS = (
-    100  # that are looked for: a curve that needs more of them is beyond help, and each takes a tenth of a second
-)
-NEIGHBOURS = 16  # of a point, in the search for a way
+FIRST, LARGEST = 0.01, 0.5  # diagonals, radius of the ball behind the surface that is tried first, and last
+SHALLOWER = 10  # halvings of it
 
 
 def contain(
-    shape: Enclosure, vertices: np.ndarray, edges: np.ndarray, is_held: np.ndarray
+    shape: Enclosure,
+    vertices: np.ndarray,
+    edges: np.ndarray,
+    is_held: np.ndarray,
+    passages: Passages | None = None,
 ) -> tuple[np.ndarray, np.ndarray]:
     """The curve ``(vertices, edges)`` of a solid of diagonal 1, inside: its nodes, new ones last, and its edges.
 
-    Nodes of ``is_held`` stay where they are. An edge that cannot be led through the solid stays as it is.
+    ``passages`` are those of the solid, if it has been asked for ways before. Nodes of ``is_held`` stay where they are. An edge that cannot be led through the solid stays as it is.
     """
     x, edges = vertices.copy(), edges.copy()
     radii = shape.clearance(x)
@@ -43,8 +44,8 @@ def contain(
         x, edges = _replaced(x, edges, is_bad, [point[None] for point in middle[is_near]])
         radii = np.concatenate([radii, shape.clearance(x[len(radii) :])])
     is_bad = ~is_inside(shape, x[edges[:, 0]], x[edges[:, 1]], radii[edges].sum(axis=1))
-    is_bad[np.flatnonzero(is_bad)[MOST_WAYS:]] = False
-    return _replaced(x, edges, is_bad, [_way(shape, x[a], x[b]) for a, b in edges[is_bad]])
+    passages = Passages(shape, is_inside) if passages is None else passages
+    return _replaced(x, edges, is_bad, passages.ways(x, edges[is_bad]))
 
 
 def is_inside(shape: Enclosure, a: np.ndarray, b: np.ndarray, covered: np.ndarray | None = None) -> np.ndarray:
@@ -127,89 +128,26 @@ def _middles(shape: Enclosure, a: np.ndarray, b: np.ndarray) -> tuple[np.ndarray
     inner = middle.copy()
     is_out = shape.clearance(middle) < TOUCHING
     inner[is_out] = _inward(shape, middle[is_out])
-    room = shape.clearance(inner)
-    found = sections.cut(shape, inner, unit(b - a), np.maximum(room, 0.01))
+    room, near = shape.about_clearance(inner)
+    found = sections.cut(shape, inner, unit(b - a), room, near)
     is_better = found.is_around & (shape.clearance(found.centroid) > np.maximum(room, TOUCHING))
     inner = np.where(is_better[:, None], found.centroid, inner)
     return inner, np.linalg.norm(inner - middle, axis=1) < np.linalg.norm(b - a, axis=1)
 
 
 def _inward(shape: Enclosure, points: np.ndarray) -> np.ndarray:
-    """For points outside or on the surface, one on the chord behind the nearest triangle.
+    """For points outside or on the surface, the centre of the ball that touches it at the nearest triangle from inside.
 
-    It is the middle of the chord, or less deep where another wall is nearer than that: behind the flat end of a limb
-    the chord goes all along the limb.
+    Samples of the surface tell how large it is; the ball is smaller where another triangle between them is nearer.
     """
     _, triangle = shape.nearest(points)
-    a, b, c = np.moveaxis(shape.triangles[triangle], 1, 0)
-    normal = np.cross(b - a, c - a)
-    area2 = np.maximum(np.einsum("ij,ij->i", normal, normal), 1e-300)
-    # Barycentric weights of the foot of the perpendicular, kept off the triangle's edges.
-    sides = ((b, c), (c, a), (a, b))
-    weight = np.stack([np.einsum("ij,ij->i", normal, np.cross(u - points, v - points)) / area2 for u, v in sides])
-    weight = np.clip(weight, 0.05, 1.0)
-    entry = np.einsum("kp,kpi->pi", weight / weight.sum(axis=0), np.stack([a, b, c]))
-    entry, behind = entry - TOUCHING / 2 * unit(normal), -unit(normal)
-    depth = np.linalg.norm(chord_middles(shape, entry, behind) - entry, axis=1)
-    shallower = 0.5 ** np.arange(8)
-    choice = entry[:, None] + (depth[:, None] * shallower)[..., None] * behind[:, None]
+    corner = shape.triangles[triangle]
+    normal = unit(np.cross(corner[:, 1] - corner[:, 0], corner[:, 2] - corner[:, 0]))
+    entry = np.einsum("pk,pki->pi", barycentric(points, corner, 0.05), corner) - TOUCHING / 2 * normal
+    depth = shrinking_balls(entry, normal, shape.sample_tree(), FIRST, LARGEST).radius
+    shallower = 0.5 ** np.arange(SHALLOWER)
+    choice = entry[:, None] - (depth[:, None] * shallower)[..., None] * normal[:, None]
     room = shape.clearance(choice.reshape(-1, 3)).reshape(len(points), len(shallower))
     is_bounded = room >= 0.7 * depth[:, None] * shallower
     is_bounded[:, -1] = True
     return choice[np.arange(len(points)), is_bounded.argmax(axis=1)]
-
-
-def chord_middles(shape: Enclosure, points: np.ndarray, ways: np.ndarray) -> np.ndarray:
-    """The middle (P, 3) of the way from each point to the surface, along unit vectors."""
-    length = np.full(len(points), np.inf)
-    reach = 0.05
-    while (is_far := ~(length < np.inf)).any() and reach < 2:
-        found = shape.ray_lengths(points[is_far], ways[is_far], np.full(int(is_far.sum()), reach))
-        length[is_far] = np.where(found < reach, found, np.inf)
-        reach *= 3
-    return points + np.where(length < np.inf, length / 2, 0.0)[:, None] * ways
-
-
-def _way(shape: Enclosure, a: np.ndarray, b: np.ndarray) -> np.ndarray:
-    """Points (k, 3) from a to b, with segments that are inside; none if there is no such way.
-
-    It is looked for close by first, and then ever farther.
-    """
-    is_hopeless = not shape.contains(np.array([a, b])).all()  # a held node may be on the surface, or outside
-    for effort in () if is_hopeless else (1, 2, 4, 8):
-        reach = effort * (float(np.linalg.norm(b - a)) + 0.05)
-        found = _way_within(shape, a, b, reach, effort * NEIGHBOURS)
-        if len(found):
-            return found
-    return np.empty((0, 3))
-
-
-def _way_within(shape: Enclosure, a: np.ndarray, b: np.ndarray, reach: float, neighbours: int) -> np.ndarray:
-    """The same, over the middles of chords behind the faces within ``reach``, each joined to its neighbours."""
-    middle = (a + b) / 2
-    near = np.linalg.norm(shape.centroids - middle, axis=1) < reach
-    corner = shape.triangles[near]
-    behind = -unit(np.cross(corner[:, 1] - corner[:, 0], corner[:, 2] - corner[:, 0]))
-    points = chord_middles(shape, shape.centroids[near] + TOUCHING / 2 * behind, behind)
-    room = shape.clearance(points)
-    points, room = points[room > TOUCHING], room[room > TOUCHING]
-    # One for each cell of about half its ball: faces around a limb all have their chords' middles on its axis.
-    size = 2.0 ** np.floor(np.log2(room) - 1)
-    cells = np.concatenate([size[:, None], np.round(points / size[:, None])], axis=1)
-    chosen = np.unique(cells, axis=0, return_index=True)[1]
-    points, room = points[chosen], room[chosen]
-    points, room = np.concatenate([points, [a, b]]), np.concatenate([room, shape.clearance(np.array([a, b]))])
-    distance, other = spatial.KDTree(points).query(points, k=min(neighbours, len(points)))
-    tail = np.repeat(np.arange(len(points)), other.size // len(points))
-    head, length = other.ravel(), distance.ravel()
-    is_open = tail != head
-    is_open[is_open] = is_inside(shape, points[tail[is_open]], points[head[is_open]])
-    cost = length[is_open] / np.maximum(np.minimum(room[tail], room[head])[is_open], TOUCHING)  # roomy ways first
-    graph = sparse.coo_matrix((cost, (tail[is_open], head[is_open])), shape=(len(points),) * 2)
-    start, end = len(points) - 2, len(points) - 1
-    before = csgraph.dijkstra(graph.tocsr(), directed=False, indices=start, return_predecessors=True)[1]
-    stops = []
-    while before[end] >= 0:
-        end = before[end]
-        stops.append(end)
-    return points[stops[-2::-1]] if len(stops) > 1 else np.empty((0, 3))

@@ -13,6 +13,7 @@ import numpy as np
 from scipy import spatial
 
 from msf_jax.host.curve import branches, centring, containment, tips
+from msf_jax.host.curve.passages import Passages
 from msf_jax.host.solid.enclosure import Enclosure
 
 SPACING = 0.5  # radii, between the nodes of a finished curve
@@ -52,12 +53,13 @@ class Job(NamedTuple):
     """What a pass may ask.
 
     shape: the solid, of diagonal 1. rough: much the same of fewer triangles, good enough to find the middle of.
-    persistence: that below which branches are pruned.
+    persistence: that below which branches are pruned. passages: ways through the solid.
     """
 
     shape: Enclosure
     rough: Enclosure
     persistence: float
+    passages: Passages
 
 
 class Finished(NamedTuple):
@@ -65,12 +67,14 @@ class Finished(NamedTuple):
 
     is_kept: (n,) which of the flow's nodes are in it, in their order, before all others.
     target: (n,) the flow's node that stands for each: itself, or the junction that its branch was pruned from.
+    num_refused: edges outside that were left there, as a bound was hit.
     """
 
     vertices: np.ndarray
     edges: np.ndarray
     is_kept: np.ndarray
     target: np.ndarray
+    num_refused: int = 0
 
 
 def passes(centre: bool, extend: bool) -> list[Callable[[Draft, Job], Draft]]:
@@ -103,17 +107,17 @@ def finish(
     ``persistence`` is that below which branches are pruned; ``centre`` and ``extend`` switch those steps. ``rough`` is
     much the same surface of fewer triangles, which is good enough to find the middle of.
     """
-    job = Job(shape, shape if rough is None else rough, persistence)
+    job = Job(shape, shape if rough is None else rough, persistence, Passages(shape, containment.is_inside))
     draft = Draft(nodes, edges, is_held, np.arange(len(nodes)), np.arange(len(nodes)))
     for each in passes(centre, extend):
         draft = each(draft, job)
     is_kept = np.isin(np.arange(len(nodes)), draft.origin)
-    return Finished(draft.vertices, in_order(draft.edges), is_kept, draft.origin[draft.node_of_flow])
+    return Finished(draft.vertices, in_order(draft.edges), is_kept, draft.origin[draft.node_of_flow], job.passages.num_refused)
 
 
 def contained(draft: Draft, job: Job) -> Draft:
     """Nodes and edges inside."""
-    return draft.changed(*containment.contain(job.shape, draft.vertices, draft.edges, draft.is_held))
+    return draft.changed(*containment.contain(job.shape, draft.vertices, draft.edges, draft.is_held, job.passages))
 
 
 def unfolded(draft: Draft, job: Job) -> Draft:

@@ -99,7 +99,7 @@ class Candidates(NamedTuple):
 def _candidates(meso: Meso, a: np.ndarray, b: np.ndarray, t_c: float) -> Candidates:
     """Those of the edges ab that are shorter than ``t_c``, not fixed at both ends, and meet the link condition."""
     length = edge_lengths(meso.positions, a, b)
-    is_short = (length < t_c) & ~(meso.is_fixed[a] & meso.is_fixed[b])
+    is_short = (length < meso.scaled(t_c, a, b)) & ~(meso.is_fixed[a] & meso.is_fixed[b])
     a, b, length = a[is_short], b[is_short], length[is_short]
     has_two = ring_tables.num_common_neighbours(meso.rings, meso.degree, a, b) == 2
     a, b, length = a[has_two], b[has_two], length[has_two]
@@ -210,6 +210,8 @@ def _apply(meso: Meso, a: np.ndarray, b: np.ndarray) -> CollapseRound:
     meso.has_pole[a] |= takes_pole
     if meso.trust is not None:
         meso.trust[a] = np.where(takes_pole, meso.trust[b], meso.trust[a])
+    if meso.scale is not None:
+        meso.scale[a] = np.minimum(meso.scale[a], meso.scale[b])
     if meso.weights is not None:
         meso.weights[a] = (meso.weights[a] + meso.weights[b]) / 2
     meso.merge_map(a, b)

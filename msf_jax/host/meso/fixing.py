@@ -18,7 +18,7 @@ def fix_degenerate_vertices(meso: Meso, t_f: float) -> int:
     Returns how many became fixed.
     """
     a, b = ring_tables.edges_from_rings(meso.rings)
-    is_short = edge_lengths(meso.positions, a, b) < t_f
+    is_short = edge_lengths(meso.positions, a, b) < meso.scaled(t_f, a, b)
     a, b = a[is_short], b[is_short]
     is_stuck = ~ring_tables.is_collapsible(meso.rings, meso.degree, a, b)
     count = np.bincount(np.concatenate([a[is_stuck], b[is_stuck]]), minlength=meso.num_rows)

@@ -35,6 +35,7 @@ class Meso:
     classes: (n, K), the class of every edge (see `homology`), or None for a surface without handles.
     is_fixed: (n,), True where the vertex has reached the skeleton for good.
     node_of_input: (V,), the row that every vertex of the input has been merged into.
+    scale: (n,) up to 1, the factor on lengths where the solid is thin (see `poles.thickness`), or None where it is not.
     weights: (n, 4), w_L, w_H, w_M and smoothing of every vertex, or None where they are the same everywhere.
     edits: what has been done to the connectivity, in order: `CollapseRound`, `SplitRound`, `Fixing`, `Compaction`.
     """
@@ -48,6 +49,7 @@ class Meso:
     node_of_input: np.ndarray
     trust: np.ndarray | None = None
     classes: np.ndarray | None = None
+    scale: np.ndarray | None = None
     weights: np.ndarray | None = None
     edits: list[Any] = field(default_factory=list)
 
@@ -88,6 +90,10 @@ class Meso:
         a, b, c = (self.positions[corner] for corner in self.faces().T)
         return float(np.linalg.norm(np.cross(b - a, c - a), axis=1).sum() / 2)
 
+    def scaled(self, length: float, a: np.ndarray, b: np.ndarray) -> Any:
+        """``length`` as it is meant for the edges ab (c,): less where the solid is thin."""
+        return length if self.scale is None else length * np.minimum(self.scale[a], self.scale[b])
+
     def widen(self, degree: int) -> None:
         """Make room for ``degree`` neighbours in every row."""
         missing = ring_tables.ring_capacity(degree) - self.rings.shape[1]
@@ -101,6 +107,10 @@ class Meso:
         target = np.arange(self.num_rows)
         target[removed] = survivor
         self.node_of_input = target[self.node_of_input]
+
+    def copied(self) -> "Meso":
+        """The same surface in arrays of its own."""
+        return replace(self, **{name: value.copy() for name, value in vars(self).items() if value is not None})
 
     def compacted(self) -> "Meso":
         """The same surface without its dead rows."""
@@ -121,5 +131,6 @@ class Meso:
             node_of_input=number[self.node_of_input],
             trust=None if self.trust is None else self.trust[live],
             classes=None if self.classes is None else self.classes[live],
+            scale=None if self.scale is None else self.scale[live],
             weights=None if self.weights is None else self.weights[live],
         )

@@ -40,7 +40,7 @@ def split_obtuse_edges(
     rounds = []
     a, b = ring_tables.edges_from_rings(meso.rings)
     while True:
-        keep = edge_lengths(meso.positions, a, b) > shortest
+        keep = edge_lengths(meso.positions, a, b) > meso.scaled(shortest, a, b)
         a, b = a[keep], b[keep]
         left, right = ring_tables.apexes(meso.rings, meso.degree, a, b)
         cos_left = _cos_at(meso.positions, left, a, b)
@@ -117,10 +117,10 @@ def split_edges(
         meso.classes = _with_rows(meso.classes, from_b, 0)
     meso.degree = np.concatenate([meso.degree, np.full(len(a), 4)])
     weight = fraction[:, None]
-    for name in ("positions", "poles", "weights"):
+    for name, share in (("positions", weight), ("poles", weight), ("weights", weight), ("scale", fraction)):
         old = getattr(meso, name)
         if old is not None:
-            setattr(meso, name, np.concatenate([old, (1 - weight) * old[a] + weight * old[b]]))
+            setattr(meso, name, np.concatenate([old, (1 - share) * old[a] + share * old[b]]))
     meso.has_pole = np.concatenate([meso.has_pole, np.zeros(len(a), dtype=bool)])
     if meso.trust is not None:
         meso.trust = np.concatenate([meso.trust, np.zeros(len(a))])

@@ -173,9 +173,7 @@ class Enclosure:
         reach farther than a fiftieth of the whole, a grid of points. The distance is never too small. For samples s
         apart it is too large by about s^2 / 2d at most, at a distance d of more than s, and by s close to the surface.
         """
-        if self._samples is None:
-            self._samples = _sampled(self.vertices, self.faces, self.reaches)
-        tree, first, fan = self._samples
+        tree, first, fan = self._all_samples()
         sample = tree.query(points)[1]
         count = first[sample + 1] - first[sample]
         if count.sum() > PAIRS_AT_ONCE and len(points) > 1:  # a hub of thousands of faces
@@ -189,6 +187,33 @@ class Enclosure:
         found = np.empty(len(points), dtype=np.int64)
         found[np.repeat(np.arange(len(points)), count)[chosen]] = triangle[chosen]
         return np.sqrt(least), found
+
+    def _all_samples(self) -> Samples:
+        if self._samples is None:
+            self._samples = _sampled(self.vertices, self.faces, self.reaches)
+        return self._samples
+
+    def sample_tree(self) -> spatial.KDTree:
+        """A tree of samples of the surface, see `approach`."""
+        return self._all_samples().tree
+
+    def surface_points(self, most: int) -> tuple[np.ndarray, np.ndarray]:
+        """Samples (P, 3) of the surface, ``most`` of them at most, inside triangles, and the unit normals there."""
+        tree, first, fan = self._all_samples()
+        sample = np.arange(0, len(first) - 1, -(-(len(first) - 1) // most))
+        sample = sample[first[sample + 1] > first[sample]]  # a vertex of no face
+        triangle = fan[first[sample]]
+        corners = self.triangles[triangle]
+        normal = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+        size = np.linalg.norm(normal, axis=1)
+        # A corner of a triangle has no normal: a point a little inside it has.
+        points = 0.75 * np.asarray(tree.data)[sample] + 0.25 * self.centroids[triangle]
+        return points[size > 0], normal[size > 0] / size[size > 0, None]
+
+    def feet(self, points: np.ndarray) -> np.ndarray:
+        """A point (P, 3) of the near triangle of `approach`: the foot of the perpendicular, or one on its rim."""
+        triangle = self.triangles[self.approach(points)[1]]
+        return np.einsum("pk,pki->pi", barycentric(points, triangle, 0.0), triangle)
 
     def triangles_near(self, points: np.ndarray, reach: np.ndarray) -> Iterator[tuple[np.ndarray, np.ndarray]]:
         """Batches of (point, triangle) index pairs: all triangles that come within ``reach`` (P,) of each point.
@@ -324,6 +349,18 @@ def point_triangle_distance2(point: np.ndarray, triangle: np.ndarray) -> np.ndar
     w = np.einsum("ij,ij->i", np.cross(ab, offset), normal) / safe
     is_over = (v >= 0) & (w >= 0) & (v + w <= 1) & (area2 > 0)
     return np.where(is_over, np.minimum(best, np.einsum("ij,ij->i", offset, normal) ** 2 / safe), best)
+
+
+def barycentric(points: np.ndarray, triangles: np.ndarray, least: float) -> np.ndarray:
+    """Weights (P, 3) of the corners at the foot of each point's perpendicular, none below ``least`` before they add up
+    to 1: that keeps it on the triangle."""
+    a, b, c = np.moveaxis(triangles, 1, 0)
+    normal = np.cross(b - a, c - a)
+    area2 = np.maximum(np.einsum("ij,ij->i", normal, normal), 1e-300)
+    sides = ((b, c), (c, a), (a, b))
+    weight = np.stack([np.einsum("ij,ij->i", normal, np.cross(u - points, v - points)) / area2 for u, v in sides])
+    weight = np.clip(weight, least, 1.0)
+    return (weight / np.maximum(weight.sum(axis=0), 1e-300)).T
 
 
 class _Grid:

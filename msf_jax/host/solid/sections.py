@@ -16,6 +16,20 @@ DESCENT = 30  # triangles from a given one to the plane, after which all around 
 LONGEST_LOOP = 20_000  # triangles, after which a walk is given up
 
 
+class Corners(NamedTuple):
+    """The corners of loops, one loop after the other, each in its order.
+
+    loop: (C,) the loop of each. tail, head: (C,) ends of the edge that it is on, over and under the plane. part: (C,)
+    how far from the tail to the head it is, as a fraction. is_closed: (P,) which loops came back to where they began.
+    """
+
+    loop: np.ndarray
+    tail: np.ndarray
+    head: np.ndarray
+    part: np.ndarray
+    is_closed: np.ndarray
+
+
 class Sections(NamedTuple):
     """The loop around each of P points.
 
@@ -40,6 +54,13 @@ def cut(
     (P,) are guesses at how far it is; it is looked for within one and a half of that, and then ever farther. With
     ``near`` (P,), triangles near the points, a loop that can be reached from there is taken instead, which is fast.
     """
+    return measured(shape, points, normals, corners(shape, points, normals, radii, near))
+
+
+def corners(
+    shape: Enclosure, points: np.ndarray, normals: np.ndarray, radii: np.ndarray, near: np.ndarray | None = None
+) -> Corners:
+    """The corners of the loops that `cut` measures."""
     start = np.full(len(points), -1) if near is None else _crossings_below(shape, points, normals, near)
     left = np.flatnonzero(start < 0)
     reach = 1.5 * np.maximum(radii[left], 1e-3 * np.ptp(shape.vertices, axis=0).max())
@@ -49,14 +70,14 @@ def cut(
         start[left] = _nearest_crossings(shape, points[left], normals[left], reach)
         is_left = start[left] < 0
         left, reach = left[is_left], 3 * reach[is_left]
-    none = np.zeros(len(points), dtype=bool)
-    found = Sections(points.copy(), np.zeros(len(points)), none, none.copy())
     rows = np.flatnonzero(start >= 0)
+    is_closed = np.zeros(len(points), dtype=bool)
     if not len(rows):
-        return found
-    for field, value in zip(found, _walk(shape, points[rows], normals[rows], start[rows]), strict=True):
-        field[rows] = value
-    return found
+        nothing = np.empty(0, dtype=np.int64)
+        return Corners(nothing, nothing, nothing, np.empty(0), is_closed)
+    found = _walk(shape, points[rows], normals[rows], start[rows])
+    is_closed[rows] = found.is_closed
+    return found._replace(loop=rows[found.loop], is_closed=is_closed)
 
 
 def _heights(shape: Enclosure, vertex: np.ndarray, points: np.ndarray, normals: np.ndarray) -> np.ndarray:
@@ -112,7 +133,7 @@ def _crossings_below(shape: Enclosure, points: np.ndarray, normals: np.ndarray, 
     return start
 
 
-def _walk(shape: Enclosure, points: np.ndarray, normals: np.ndarray, start: np.ndarray) -> Sections:
+def _walk(shape: Enclosure, points: np.ndarray, normals: np.ndarray, start: np.ndarray) -> Corners:
     """Follow every loop from the directed edges ``start`` that lead down: from each to the next, until it is back."""
     num = len(points)
     apex, twin_of_next, twin_of_last = shape.links()
@@ -130,13 +151,21 @@ def _walk(shape: Enclosure, points: np.ndarray, normals: np.ndarray, start: np.n
             if not len(active):
                 break
     loop, edge = (np.concatenate(parts) for parts in zip(*trail, strict=True))
-    tail, head = shape.faces.ravel()[edge], shape.faces[edge // 3, (edge + 1) % 3]
-    p, n = points[loop], normals[loop]
-    a, b = _heights(shape, tail, p, n), _heights(shape, head, p, n)
-    t = (a / (a - b))[:, None]
-    place = (1 - t) * shape.vertices[tail] + t * shape.vertices[head] - p
     order = np.argsort(loop, kind="stable")
-    loop, place = loop[order], place[order]
+    loop, edge = loop[order], edge[order]
+    tail, head = shape.faces.ravel()[edge], shape.faces[edge // 3, (edge + 1) % 3]
+    a = _heights(shape, tail, points[loop], normals[loop])
+    b = _heights(shape, head, points[loop], normals[loop])
+    return Corners(loop, tail, head, a / (a - b), is_closed)
+
+
+def measured(shape: Enclosure, points: np.ndarray, normals: np.ndarray, corners: Corners) -> Sections:
+    """The loops with these ``corners`` through ``points`` (P, 3), across ``normals`` (P, 3)."""
+    num = len(points)
+    loop, tail, head = corners.loop, corners.tail, corners.head
+    t = corners.part[:, None]
+    p = points[loop]
+    place = (1 - t) * shape.vertices[tail] + t * shape.vertices[head] - p
     last = np.r_[loop[1:] != loop[:-1], True] if len(loop) else np.empty(0, dtype=bool)
     first = np.flatnonzero(np.r_[True, last[:-1]]) if len(loop) else np.empty(0, dtype=np.int64)
     onward = np.r_[place[1:], place[:1]] if len(loop) else place
@@ -148,7 +177,7 @@ def _walk(shape: Enclosure, points: np.ndarray, normals: np.ndarray, start: np.n
     twice = np.einsum("ci,ci->c", np.cross(place, onward), normals[loop])
     area2 = total(twice)
     winding = total(np.arctan2(twice, np.einsum("ci,ci->c", place, onward))) / (2 * np.pi)
-    is_found = is_closed & (area2 > 0)
+    is_found = corners.is_closed & (area2 > 0)
     safe = np.where(is_found, area2, np.inf)
     centroid = np.stack([total(twice * (place + onward)[:, i]) for i in range(3)], axis=1) / (3 * safe[:, None])
     length = np.linalg.norm(onward - place, axis=1)

@@ -1,0 +1,102 @@
+"""A finished curve in the mesh as it has moved: the equation of `msf_jax.base.recipe`, live in the vertices.
+
+A section's corners are p_k = (1 - t_k) V_tail + t_k V_head, its area vector is N = sum_k p_k x p_{k+1} / 2, and its
+centroid that of the area in the direction of N, so that what a vertex moves along the limb or along the surface counts
+for nothing, as in a plane section.
+"""
+
+from typing import NamedTuple
+
+import jax
+import jax.numpy as jnp
+
+from msf_jax.base.recipe import Recipe
+from msf_jax.device.playback import clearance
+
+VANISHED = 1e-3  # of its recorded area, and of the square of its corners' spread: a section of less is none
+
+
+class Curve(NamedTuple):
+    """nodes (N, 3) and radii (N,), in the mesh's units."""
+
+    nodes: jax.Array
+    radii: jax.Array
+
+
+class Sections(NamedTuple):
+    """Sections as they have moved.
+
+    centroid: (S, 3). area: (S,). normal: (S, 3) unit. warp: (S,) how far the corners are off a plane, root mean
+    square, over how far they are from the centroid.
+    """
+
+    centroid: jax.Array
+    area: jax.Array
+    normal: jax.Array
+    warp: jax.Array
+
+
+def corners(recipe: Recipe, vertices: jax.Array) -> jax.Array:
+    """(C, 3) of the sections, in diagonals around the centre, for ``vertices`` (V, 3) in those units."""
+    tail, head = vertices[recipe.tail], vertices[recipe.head]
+    return tail + jnp.asarray(recipe.part, vertices.dtype)[:, None] * (head - tail)
+
+
+def centroids(recipe: Recipe, place: jax.Array) -> Sections:
+    """Of the sections whose corners are at ``place`` (C, 3)."""
+    num, dtype = len(recipe.node), place.dtype
+    share = jnp.asarray(recipe.share, dtype)[:, None]
+
+    def total(value: jax.Array) -> jax.Array:
+        return jax.ops.segment_sum(value, recipe.section, num, indices_are_sorted=True)
+
+    mean = total(share * place)
+    p = place - mean[recipe.section]
+    onward = p[recipe.onward]
+    cross = jnp.cross(p, onward)
+    vector = total(cross)
+    twice2 = (vector * vector).sum(1)
+    is_some = twice2 > 0
+    twice = jnp.where(is_some, jnp.sqrt(jnp.where(is_some, twice2, 1.0)), 0.0)
+    normal = vector / jnp.where(is_some, twice, 1.0)[:, None]
+    part = (cross * normal[recipe.section]).sum(1)
+    spread2 = total(share[:, 0] * (p * p).sum(1))
+    least = jnp.maximum(VANISHED * jnp.asarray(recipe.area, dtype), VANISHED * spread2)
+    is_there = jnp.asarray(recipe.is_loop) & (twice / 2 > least)
+    off = total(part[:, None] * (p + onward)) / (3 * jnp.where(is_there, twice, 1.0))[:, None]
+    height2 = total(share[:, 0] * (p * normal[recipe.section]).sum(1) ** 2)
+    warp = jnp.sqrt(height2 / jnp.where(spread2 > 0, spread2, 1.0))
+    area = jnp.where(is_there | ~jnp.asarray(recipe.is_loop), twice / 2, 0.0)
+    return Sections(mean + jnp.where(is_there[:, None], off, 0.0), area, normal, jax.lax.stop_gradient(warp))
+
+
+def follow(recipe: Recipe, vertices: jax.Array) -> Curve:
+    """The curve for ``vertices`` (V, 3), in the caller's units; NaN at a node whose own section has vanished."""
+    dtype = vertices.dtype
+    diagonal = jnp.asarray(recipe.diagonal, dtype)
+    entered = (vertices - jnp.asarray(recipe.centre, dtype)) / diagonal
+    found = centroids(recipe, corners(recipe, entered))
+    num = len(recipe.rest)
+
+    def product(row: jax.Array, column: jax.Array, value: jax.Array, of: jax.Array) -> jax.Array:
+        entries = jnp.asarray(value, dtype)[:, None] * of[column]
+        return jax.ops.segment_sum(entries, row, num, indices_are_sorted=True)
+
+    nodes = product(recipe.a_row, recipe.a_column, recipe.a_value, found.centroid)
+    nodes = nodes + product(recipe.b_row, recipe.b_column, recipe.b_value, entered) + jnp.asarray(recipe.rest, dtype)
+    is_gone = jax.ops.segment_max(
+        (jnp.asarray(recipe.is_loop) & (found.area == 0)).astype(jnp.int32), recipe.node, num
+    )
+    nodes = jnp.where((is_gone > 0)[:, None], jnp.nan, nodes)
+    radii = _radii(nodes, entered[recipe.nearby], jnp.asarray(recipe.is_inside))
+    return Curve(jnp.asarray(recipe.centre, dtype) + diagonal * nodes, diagonal * radii)
+
+
+def _radii(nodes: jax.Array, triangles: jax.Array, is_inside: jax.Array) -> jax.Array:
+    """Signed distance (N,) to the nearest of the ``triangles`` (N, K, 3, 3) of each node."""
+    num, many = triangles.shape[:2]
+    flat = clearance(
+        jnp.repeat(nodes, many, axis=0), triangles.reshape(num * many, 3, 3), jnp.repeat(is_inside, many)
+    ).reshape(num, many)
+    nearest = jnp.abs(flat).argmin(axis=1)
+    return jnp.take_along_axis(flat, nearest[:, None], axis=1)[:, 0]

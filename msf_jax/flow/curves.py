@@ -1,0 +1,133 @@
+"""The curve of each component, read off the contracted surface and finished, and all of them stitched together."""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from msf_jax.base.options import Config
+from msf_jax.flow.state import State, Stopwatch
+from msf_jax.host.curve import extraction, finishing
+from msf_jax.host.curve.extraction import Curve
+from msf_jax.host.curve.finishing import Finished
+from msf_jax.host.mesh.checking import Surface
+from msf_jax.host.meso.meso import Meso
+
+MOST_VOLUME = 0.1  # that may be left of a component whose curve is worth finishing
+
+
+class Part(NamedTuple):
+    """The curve of one component, in its frame.
+
+    curve: as the flow left it, without the branches that were pruned. finished: the same nodes and more, moved.
+    found: as it was read off the surface ``meso``, with those. is_held: (n,) which of the curve's nodes hold a pin.
+    """
+
+    curve: Curve
+    found: Curve
+    finished: Finished
+    meso: Meso
+    is_held: np.ndarray
+
+
+def curve_of(state: State, meso: Meso, config: Config, watch: Stopwatch) -> Part:
+    """The curve of a contracted surface ``meso``, as it is and finished.
+
+    That of a surface with more than ``MOST_VOLUME`` left is a tangle that no pass can mend, and stays as it is.
+    """
+    with watch.stage("curve"):
+        pinned = meso.node_of_input[state.pins]
+        found = extraction.extract_curve(meso.positions, meso.rings, meso.classes, pinned)
+        nodes = found.nodes.copy()
+        node_of_pin = found.node_of_meso[pinned]
+        is_held = np.zeros(len(nodes), dtype=bool)
+        is_held[node_of_pin] = True
+        nodes[is_held] = means(state.shape.vertices[state.pins], node_of_pin, len(nodes))[is_held]
+    with watch.stage("finishing"):
+        if is_tangle(state):
+            every = np.arange(len(nodes))
+            done = Finished(nodes, found.edges, np.ones(len(nodes), dtype=bool), every)
+        else:
+            done = finishing.finish(
+                state.shape,
+                nodes,
+                found.edges,
+                is_held,
+                persistence=config.prune,
+                centre=config.centre,
+                extend=config.extend_tips,
+                rough=state.rough,
+            )
+    rank = np.cumsum(done.is_kept) - 1
+    kept = Curve(
+        nodes[done.is_kept],
+        rank[found.edges[done.is_kept[found.edges].all(axis=1)]],
+        rank[done.target[found.node_of_meso]],
+    )
+    return Part(kept, found, done, meso, is_held[done.is_kept])
+
+
+def is_tangle(state: State) -> bool:
+    """Whether so much of the volume is left that there is no curve to speak of."""
+    return abs(state.history[-1].volume if state.history else 1.0) > MOST_VOLUME
+
+
+class Stitched(NamedTuple):
+    """A curve in the caller's units: vertices (N, 3), edges (E, 2), node_of_vertex (V,) of the checked surface."""
+
+    vertices: np.ndarray
+    edges: np.ndarray
+    node_of_vertex: np.ndarray
+
+
+def as_left(checked: Surface, states: list[State], parts: list[Part]) -> Stitched:
+    """The curves as the flow left them, component by component."""
+    nodes, edges, num = [], [], 0
+    node_of_vertex = np.empty(len(checked.vertices), dtype=np.int64)
+    for state, part, member in zip(states, parts, checked.members, strict=True):
+        nodes.append(_placed(checked, state, part, member, part.curve.nodes))
+        edges.append(part.curve.edges + num)
+        node_of_vertex[member[state.order]] = node_of_input(part) + num
+        num += len(part.curve.nodes)
+    return Stitched(np.concatenate(nodes), np.concatenate(edges), node_of_vertex)
+
+
+def finished(checked: Surface, states: list[State], parts: list[Part]) -> Stitched:
+    """The finished curves: the nodes of `as_left` come first, with the same numbers, then those that are new."""
+    old, new, edges = [], [], []
+    num_flow = sum(len(part.curve.nodes) for part in parts)
+    num_old = num_new = 0
+    node_of_vertex = np.empty(len(checked.vertices), dtype=np.int64)
+    for state, part, member in zip(states, parts, checked.members, strict=True):
+        done, count = part.finished, len(part.curve.nodes)
+        old.append(_placed(checked, state, part, member, done.vertices[:count]))
+        new.append(state.frame.leave(done.vertices[count:]))
+        number = np.arange(len(done.vertices))
+        number = np.where(number < count, num_old + number, num_flow + num_new + number - count)
+        edges.append(number[done.edges])
+        node = node_of_input(part)
+        if not is_tangle(state):
+            node = finishing.nearest_on_branch(done.vertices, done.edges, state.shape.vertices, node)
+        node_of_vertex[member[state.order]] = number[node]
+        num_old += count
+        num_new += len(done.vertices) - count
+    return Stitched(np.concatenate([*old, *new]), finishing.in_order(np.concatenate(edges)), node_of_vertex)
+
+
+def node_of_input(part: Part) -> np.ndarray:
+    """(V,) the node of every sorted vertex of the component, as the flow left it."""
+    return part.curve.node_of_meso[part.meso.node_of_input]
+
+
+def _placed(checked: Surface, state: State, part: Part, member: np.ndarray, nodes: np.ndarray) -> np.ndarray:
+    """Nodes of the flow in the caller's units; a pin is where it was, to the last bit."""
+    node_of_pin = node_of_input(part)[state.pins]
+    exact = means(checked.vertices[member[state.order][state.pins]], node_of_pin, len(nodes))
+    placed = state.frame.leave(nodes)
+    placed[part.is_held] = exact[part.is_held]
+    return placed
+
+
+def means(points: np.ndarray, group: np.ndarray, num: int) -> np.ndarray:
+    """(num, 3) mean of the points of each group, 0 for a group without one."""
+    count = np.maximum(np.bincount(group, minlength=num), 1)
+    return np.stack([np.bincount(group, weights=points[:, axis], minlength=num) / count for axis in range(3)], axis=1)

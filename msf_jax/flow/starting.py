@@ -1,0 +1,155 @@
+"""A component at the start of its flow: placed, filtered, coarsened or resampled, with its handles and its poles."""
+
+import numpy as np
+
+from msf_jax.base.errors import MeshError
+from msf_jax.base.options import Config
+from msf_jax.flow.state import LIMITS, Limits, State, Stopwatch
+from msf_jax.host import reconstruction
+from msf_jax.host.mesh.checking import Component
+from msf_jax.host.meso import collapse, homology, split
+from msf_jax.host.meso.meso import Meso
+from msf_jax.host.poles import balls, thickness, voronoi
+from msf_jax.host.reconstruction import LowPass
+from msf_jax.host.recording.records import FoundPoles, Start
+from msf_jax.host.solid.enclosure import Enclosure
+from msf_jax.host.solid.geometry import signed_volume
+from msf_jax.host.solid.frame import RESOLUTION, frame_of, sort_mesh
+
+FLATTEST = 1e-9  # volume, in diagonals cubed, that must be left when coordinates are rounded to the frame's resolution
+MOST_COARSENED = 0.05  # of the volume may go with short edges
+MOST_FILTERED = 0.25  # of the volume may go with what the filter of the poles' sites takes away
+
+
+def init(
+    component: Component,
+    number: int,
+    config: Config,
+    watch: Stopwatch,
+    pins: np.ndarray | None = None,
+    weights: np.ndarray | None = None,
+    limits: Limits = LIMITS,
+) -> State:
+    """The component at the start of its flow: in its own frame, resampled if asked, with its poles.
+
+    ``pins`` are vertices of the component that are fixed from the start, ``weights`` (V, 4) those of its vertices where
+    they differ.
+    """
+    frame = frame_of(component.vertices)
+    entered = frame.enter(component.vertices)
+    order, faces = sort_mesh(entered, component.faces)
+    shape = Enclosure(entered[order], faces)
+    pins = np.flatnonzero(np.isin(order, [] if pins is None else pins))
+    meso, mesh_filter = _surface(shape, pins, config, watch)
+    meso.weights = None if weights is None else weights[order]
+    with watch.stage("thickness"):
+        meso.scale = thickness.scales(meso.positions, faces)
+    if abs(meso.volume()) < FLATTEST:
+        raise MeshError(
+            f"component {number} is too thin: no volume is left of it at the flow's resolution, "
+            f"{RESOLUTION:.0e} of its diagonal; expected a solid"
+        )
+    if 0 < component.genus <= homology.LARGEST_GENUS:
+        with watch.stage("homology"):
+            meso.classes = homology.ring_classes(shape.vertices, faces, meso.rings)
+    max_rows = limits.growth * meso.num_rows + limits.growth_room
+    if config.resample:
+        with watch.stage("resampling"):
+            meso = _resampled(meso, config.resample, check=config.check)
+            max_rows = max(max_rows, limits.growth * meso.num_rows)
+    meso, num_coarsened = _coarsened(meso, config, watch)
+    is_rough = num_coarsened > meso.num_rows and not (config.reconstruct_mesh or config.resample)
+    rough = Enclosure(meso.positions, meso.faces()) if is_rough else shape
+    found = None
+    if config.use_poles:
+        found = _poles(meso, shape, config, watch)
+        meso.poles, meso.has_pole = np.where(found.is_inside[:, None], found.poles, meso.positions), found.is_inside
+        meso.trust = found.trust if config.pole_confidence else None
+    start = Start(mesh_filter, meso.edits, found)
+    meso.edits = []
+    return State(
+        component=component,
+        number=number,
+        frame=frame,
+        order=order,
+        shape=shape,
+        rough=rough,
+        pins=pins,
+        first_volume=meso.volume(),
+        max_rows=max_rows,
+        num_coarsened=num_coarsened,
+        first_area=meso.area(),
+        first_ring_area=_one_ring_areas(meso) if config.w_H_follows_area else np.empty(0),
+        poles=meso.poles[meso.node_of_input],
+        has_pole=meso.has_pole[meso.node_of_input],
+        start=start,
+        meso=meso,
+        t_c=config.t_min,
+        w_L_factor=1.0,
+    )
+
+
+def _surface(shape: Enclosure, pins: np.ndarray, config: Config, watch: Stopwatch) -> tuple[Meso, LowPass | None]:
+    """The surface that is contracted, with its pins fixed, and the filter that it went through if it did."""
+    vertices, kept = shape.vertices, None
+    if config.reconstruct_mesh:
+        with watch.stage("reconstruction"):
+            vertices, kept = _rebuilt(vertices, shape.faces, config.reconstruct_mesh, config)
+            vertices[pins] = shape.vertices[pins]
+    meso = Meso.from_mesh(vertices, shape.faces)
+    meso.is_fixed[pins] = True
+    return meso, kept
+
+
+def _coarsened(meso: Meso, config: Config, watch: Stopwatch) -> tuple[Meso, int]:
+    """The surface without its short edges, and how many vertices went; as it was where that would cost much volume."""
+    if not config.coarsen:
+        return meso, 0
+    with watch.stage("coarsening"):
+        coarse = meso.copied()
+        collapse.collapse_short_edges(coarse, config.coarsen, keep_faces=True, check=config.check)
+        if abs(coarse.volume() - meso.volume()) > MOST_COARSENED * abs(meso.volume()):
+            return meso, 0
+        return coarse.compacted(), coarse.num_rows - coarse.num_live
+
+
+def _rebuilt(vertices: np.ndarray, faces: np.ndarray, k: int, config: Config) -> tuple[np.ndarray, LowPass | None]:
+    kept = reconstruction.low_pass(faces, len(vertices), k, exact=config.exact_reconstruction)
+    return reconstruction.apply(kept, vertices, faces), kept
+
+
+def _resampled(meso: Meso, length: float, *, check: bool) -> Meso:
+    """Edges between 4/5 and 4/3 of ``length``, as far as the topology lets them."""
+    for _ in range(3):
+        split.split_long_edges(meso, 4 / 3 * length, check=check)
+        collapse.collapse_short_edges(meso, 4 / 5 * length, check=check)
+        meso = meso.compacted()
+    return meso
+
+
+def _poles(meso: Meso, shape: Enclosure, config: Config, watch: Stopwatch) -> FoundPoles:
+    """Poles of the (reconstructed) surface, which of them pull (none outside the input's surface), and their trust.
+
+    A pole is trusted by (1 - cos(spoke angle)) / 2. A thin solid has more waves than the reconstruction keeps, which
+    would leave little more than its axis: there it is left out.
+    """
+    sites, faces, kept = meso.positions, meso.faces(), None
+    if config.reconstruct_poles:
+        with watch.stage("reconstruction"):
+            sites, kept = _rebuilt(sites, faces, config.reconstruct_poles, config)
+    is_thin = signed_volume(sites, faces) < (1 - MOST_FILTERED) * meso.volume()
+    if is_thin:
+        sites, kept = meso.positions, None
+    with watch.stage("poles"):
+        seek = balls.ball_poles if config.poles == "balls" or (config.poles == "auto" and is_thin) else None
+        found = (seek or voronoi.voronoi_poles)(sites, faces, box=shape.vertices)
+        has_pole = found.is_found.copy()
+        has_pole[has_pole] = shape.contains(found.position[has_pole])
+        trust = (1 - np.cos(voronoi.spoke_angles(found, sites))) / 2
+        return FoundPoles(kept, sites, found.position, found.tetrahedron, has_pole, trust)
+
+
+def _one_ring_areas(meso: Meso) -> np.ndarray:
+    a, b, c = (meso.positions[corner] for corner in meso.faces().T)
+    area = np.linalg.norm(np.cross(b - a, c - a), axis=1) / 2
+    return np.bincount(meso.faces().T.ravel(), weights=np.tile(area, 3), minlength=meso.num_rows)

@@ -1,0 +1,144 @@
+"""One iteration of the flow (the loop of Algorithm 2): contract and smooth on the device, then edit on the host."""
+
+from dataclasses import replace
+from typing import Any, NamedTuple
+
+import jax
+import numpy as np
+
+from msf_jax.base.layout import Layout, layout_for
+from msf_jax.base.options import Config, Weights
+from msf_jax.device.buffers import Buffers, Rings, real_dtype
+from msf_jax.device.iteration import compiled_move
+from msf_jax.flow.state import LIMITS, Iteration, Limits, State, Stopwatch
+from msf_jax.host.meso import collapse, fixing, packing, split
+from msf_jax.host.recording.records import Step
+
+LARGEST_FACTOR = 2.0**20  # where a growing w_L stops: past it the other weights no longer count
+BLOW_UP = 1.0  # diagonals from the centre, twice as far as any corner of the box: nothing that contracts goes there
+SHORTER = 0.1  # factor on w_L, when a step has left sensible numbers
+
+
+def step(state: State, weights: Weights, config: Config, watch: Stopwatch, limits: Limits = LIMITS) -> State:
+    """One iteration, in place; on numbers that are not finite or run away, ``state.failure`` says so instead."""
+    packed = _pack(state, weights, watch)
+    moved = _moved(state, packed, config, watch, limits)
+    if moved is None:
+        state.failure = (
+            f"non-finite: {limits.retries + 1} tries of a step, each with a tenth of the w_L of the one before, left "
+            "finite or sensible coordinates; the surface before it was kept"
+        )
+        return state
+    meso, order = state.meso, packed.order
+    before = meso.positions[order].astype(np.float32)
+    displacement = float(np.sqrt(((moved.positions - meso.positions) ** 2).sum(axis=1).max()))
+    meso.positions = moved.positions
+    num_collapses, num_splits = _edited(state, config, watch) if config.edit_connectivity else (0, 0)
+    meso = state.meso
+
+    solves, num = moved.solves, len(order)
+    left = solves.left[:, :num].copy()
+    free, pull = (np.array(values[:num]) for values in (packed.buffers.free, packed.buffers.pull))
+    state.steps.append(Step(order, before, packed.rings, packed.degree, free, pull, left, moved.factor, meso.edits))
+    meso.edits = []
+    state.history.append(
+        Iteration(
+            component=state.number,
+            iteration=len(state.history) + 1,
+            t_c=state.t_c,
+            live=meso.num_live,
+            fixed=int(meso.is_fixed.sum()),
+            collapses=num_collapses,
+            splits=num_splits,
+            volume=meso.volume() / state.first_volume,
+            area=meso.area() / state.first_area,
+            steps=int(solves.steps[0]),
+            residual=float(solves.residual[0]),
+            is_solved=bool(solves.is_solved.all()),
+            smoothing_steps=int(solves.steps[1]),
+            smoothing_residual=float(solves.residual[1]),
+            moved=displacement,
+            redone=moved.retries,
+        )
+    )
+    state.t_c = fixing.threshold(len(state.history), config.t_min, config.t_step, config.t_max)
+    state.w_L_factor = min(state.w_L_factor * config.growth, LARGEST_FACTOR)
+    return state
+
+
+class _Packed(NamedTuple):
+    """The surface as a device step takes it, on the host: see `packing.Packed`; ``weights`` are those of its rows."""
+
+    order: np.ndarray
+    rings: np.ndarray
+    degree: np.ndarray
+    layout: Layout
+    buffers: Buffers
+    weights: Weights
+
+
+class _Moved(NamedTuple):
+    """Where the vertices went (n, 3), the solves' reports, the factor on w_L, and how often the step was redone."""
+
+    positions: np.ndarray
+    solves: Any
+    factor: float
+    retries: int
+
+
+def _pack(state: State, weights: Weights, watch: Stopwatch) -> _Packed:
+    meso = state.meso
+    with watch.stage("solve"):
+        layout = layout_for(meso.num_rows, packing.rows_beyond(meso))
+        order, rings, fields = packing.pack(meso, layout, state.first_ring_area, np.dtype(real_dtype()), _smallest(state))
+        buffers = Buffers(**{**fields, "rings": Rings(*fields["rings"])})
+        of_rows = _of_rows(weights, meso.weights, order, layout.capacity)
+        return _Packed(order, rings, meso.degree[order], layout, buffers, of_rows)
+
+
+def _smallest(state: State) -> float:
+    """The least t_c of any limb: what a solve must be exact for."""
+    scale = state.meso.scale
+    return state.t_c if scale is None else state.t_c * float(scale[state.meso.degree > 0].min())
+
+
+def _moved(state: State, packed: _Packed, config: Config, watch: Stopwatch, limits: Limits) -> _Moved | None:
+    """The device's step, redone with a tenth of w_L while numbers are not sensible; None if they never are."""
+    dtype = np.dtype(real_dtype())
+    for retries in range(limits.retries + 1):
+        factor = state.w_L_factor * SHORTER**retries
+        scaled = replace(packed.weights, w_L=packed.weights.w_L * factor)
+        scaled = jax.tree_util.tree_map(lambda weight: np.asarray(weight, dtype), scaled)
+        buffers, scaled = jax.device_put((packed.buffers, scaled))
+        with watch.stage("compile"):
+            move = compiled_move(buffers, scaled, config.on_device, packed.layout)
+        with watch.stage("solve"):
+            moved = jax.device_get(move(buffers, scaled))
+        positions = packing.unpack(moved.positions, packed.order)
+        is_finite = np.isfinite(moved.solves.residual).all()
+        if is_finite and np.isfinite(positions).all() and np.abs(positions).max() <= BLOW_UP:
+            return _Moved(positions, moved.solves, factor, retries)
+    return None
+
+
+def _edited(state: State, config: Config, watch: Stopwatch) -> tuple[int, int]:
+    """Collapse, split and fix; how many edges were collapsed, and how many split."""
+    meso = state.meso
+    with watch.stage("collapse"):
+        rounds = collapse.collapse_short_edges(meso, state.t_c, check=config.check)
+    with watch.stage("split"):
+        t_f = fixing.degenerate_length(state.t_c)
+        cuts, is_full = split.split_obtuse_edges(meso, config.split_angle, t_f, state.max_rows, check=config.check)
+    if is_full:
+        state.failure = f"out of vertices: splitting would take the surface past {state.max_rows}"
+    with watch.stage("fix"):
+        fixing.fix_degenerate_vertices(meso, t_f)
+        state.meso = meso.compacted()
+    return sum(len(done.removed) for done in rounds), sum(len(done.new) for done in cuts)
+
+
+def _of_rows(weights: Weights, of_vertices: np.ndarray | None, order: np.ndarray, capacity: int) -> Weights:
+    """The weights for a packed surface: scalars as they are, or one value a row."""
+    if of_vertices is None:
+        return weights
+    return Weights(*packing.pad(of_vertices[order], capacity, 1.0, np.dtype(np.float64)).T)

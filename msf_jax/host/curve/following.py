@@ -1,0 +1,325 @@
+"""Record how a finished curve hangs on its mesh, so that it can be followed when the vertices move.
+
+What a node follows is what centring put it in the middle of: the cross-sections of its limb. Their corners are kept as
+fractions of mesh edges, so that a section moves, turns and bulges with the surface. Along a branch centroids c are
+smoothed as the energy of `centring` does, with weights w and stiffness alpha at the curve as it is:
+
+    minimise  sum_i w_i |x_i - c_i|^2  +  sum alpha_i |x_{i-1} - 2 x_i + x_{i+1}|^2  +  sum_ij mu_ij |x_i - x_j|^2,
+
+so x = a c for a constant matrix a, whose rows sum to one, and which also reaches where no section is, at junctions and
+bare ends. What is left, o = x - a c at the recorded mesh, is in every node's own frame: the affine map F that fits
+best how the corners of the sections around it have moved. F o is linear in the vertices, F = C / S with
+
+    C = sum_k beta_k (p_k - p_mean) (q_k - q_mean)^T,   S = the same with p = q,   q the recorded corners,
+
+so that it is a matrix b, too. Both reproduce every affine map of the mesh exactly.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+from scipy import sparse
+from scipy.sparse import csgraph, linalg
+
+from msf_jax.base.recipe import Recipe
+from msf_jax.host.curve import branches
+from msf_jax.host.solid import sections
+from msf_jax.host.solid.enclosure import Enclosure, point_triangle_distance2
+from msf_jax.host.solid.geometry import arc_length, at, unit
+from msf_jax.host.solid.solid import Solid
+
+ZONE = 0.7  # radii of a junction, within which sections do not count
+LOPSIDED = 3.5  # a section so many times as wide as the inscribed ball is not that of a limb
+ROUNDNESS = 4  # a section wider than its branch's usual one counts less, by this power of the ratio
+STRAY = 0.3  # section radii: a node so far from its centroid holds to it by half
+STIFFNESS, STIFFEST = 0.35, 1e5  # alpha = (STIFFNESS r / h)^4 at most STIFFEST, for nodes h apart
+MEMBRANE = 0.01  # mu = MEMBRANE (r / h)^2
+REACH = 1.0  # radii along the branch, over which a frame is fitted
+FRAME_CORNERS = 12  # of each section, that a frame is fitted to
+FLATTEST = 1e-6  # of the eigenvalues of S, smallest to largest: a frame of less is fitted to the whole component
+SMALLEST = {"a": 1e-3, "b": 2e-2}  # entries of the smoothings under that part of the largest in their row are left out
+NOTHING = 1e-6  # as a share of a node
+FARTHEST = 2.0  # radii, within which triangles may become the nearest
+CELLS = 5  # along an edge of a cube around a node: the nearest triangle is kept in each of 6 CELLS^2 directions
+
+
+class Surface(NamedTuple):
+    """The mesh that a curve is followed in.
+
+    solid: as it was checked. vertex: (v,) the caller's vertex that each of the solid's is. node: (v,) that it went to.
+    """
+
+    solid: Solid
+    vertex: np.ndarray
+    node: np.ndarray
+
+
+class Corners(NamedTuple):
+    """Sections, one after the other: their corners (see `sections.Corners`), places (C, 3) and who is whose.
+
+    is_loop: (S,) False for a cloud. centroid: (S, 3). area: (S,). node: (S,). weight: (S,) w.
+    """
+
+    section: np.ndarray
+    tail: np.ndarray
+    head: np.ndarray
+    part: np.ndarray
+    is_loop: np.ndarray
+    centroid: np.ndarray
+    area: np.ndarray
+    node: np.ndarray
+    weight: np.ndarray
+
+
+def record(
+    surface: Surface, vertices: np.ndarray, edges: np.ndarray, pins_of_node: dict[int, np.ndarray]
+) -> Recipe:
+    """How the curve ``(vertices (N, 3), edges (E, 2))``, in the caller's units, hangs on ``surface``.
+
+    ``pins_of_node``: the caller's vertices whose mean a node is, for those that are pinned.
+    """
+    shape, x = surface.solid.shape, surface.solid.enter(vertices)
+    inside = shape.contains(x)
+    distance, nearest = shape.nearest(x)
+    radii = np.where(inside, distance, 0.0)
+    ways = [np.array(way) for way in branches.trace(len(x), edges) if len(way) > 1]
+    corners = _with_clouds(surface, edges, len(x), _sections(shape, x, edges, ways, radii, nearest, pins_of_node))
+    a = _smoothing(x, edges, ways, radii, corners, stiffness=STIFFNESS, membrane=MEMBRANE)
+    beta = _smoothing(x, edges, ways, radii, corners, stiffness=0.0, membrane=REACH**2)
+    is_free = np.ones(len(x))
+    is_free[list(pins_of_node)] = 0.0
+    a = _pruned(sparse.diags(is_free) @ a, SMALLEST["a"])
+    b = _turning(surface, corners, _pruned(beta, SMALLEST["b"]), is_free[:, None] * (x - a @ corners.centroid))
+    pin = sparse.lil_matrix(b.shape)
+    for node, pins in pins_of_node.items():
+        pin[node, pins] = 1 / len(pins)
+    b = (b + pin).tocsr()
+    placed = np.zeros((b.shape[1], 3))
+    placed[surface.vertex] = shape.vertices
+    rest = x - a @ corners.centroid - b @ placed
+    order = np.arange(len(corners.section))
+    is_last = np.r_[corners.section[1:] != corners.section[:-1], True]
+    onward = np.where(is_last, np.searchsorted(corners.section, corners.section), order + 1)
+    count = np.bincount(corners.section, minlength=len(corners.node))
+    a, b = a.tocoo(), b.tocoo()
+    return Recipe(
+        tail=surface.vertex[corners.tail],
+        head=surface.vertex[corners.head],
+        part=corners.part,
+        onward=onward,
+        section=corners.section,
+        share=1 / count[corners.section],
+        is_loop=corners.is_loop,
+        area=corners.area,
+        node=corners.node,
+        a_row=a.row,
+        a_column=a.col,
+        a_value=a.data,
+        b_row=b.row,
+        b_column=b.col,
+        b_value=b.data,
+        rest=rest,
+        nearby=surface.vertex[shape.faces[_nearby(shape, x, distance, nearest)]],
+        is_inside=inside,
+        centre=surface.solid.centre,
+        diagonal=np.float64(surface.solid.diagonal),
+    )
+
+
+def _sections(
+    shape: Enclosure,
+    x: np.ndarray,
+    edges: np.ndarray,
+    ways: list[np.ndarray],
+    radii: np.ndarray,
+    nearest: np.ndarray,
+    pins_of_node: dict[int, np.ndarray],
+) -> Corners:
+    """The sections of the nodes that one goes around, across their branch."""
+    degree = np.bincount(edges.ravel(), minlength=len(x))
+    is_limb = (degree > 0) & (degree <= 2) & (radii > 0)
+    is_limb[list(pins_of_node)] = False
+    tangent, usual = np.zeros_like(x), np.zeros(len(x))
+    for nodes in ways:
+        along = arc_length(x[nodes])
+        tangent[nodes] = _tangents(x[nodes], along, radii[nodes], nodes[0] == nodes[-1] and degree[nodes[0]] == 2)
+        for end, away in ((nodes[0], along), (nodes[-1], along[-1] - along)):
+            if degree[end] > 2:
+                is_limb[nodes[away < ZONE * radii[end]]] = False
+    limb = np.flatnonzero(is_limb & tangent.any(axis=1))
+    points, normals = x[limb], tangent[limb]
+    corners = sections.corners(shape, points, normals, radii[limb], nearest[limb])
+    found = sections.measured(shape, points, normals, corners)
+    is_good = found.is_around & (found.radius < LOPSIDED * radii[limb])
+    width = np.full(len(x), np.nan)
+    width[limb[is_good]] = found.radius[is_good]
+    for nodes in ways:
+        if not np.isnan(width[nodes]).all():
+            usual[nodes] = np.nanmedian(width[nodes])
+    node, centroid = limb[is_good], found.centroid[is_good]
+    stray = np.linalg.norm(x[node] - centroid, axis=1) / (STRAY * width[node])
+    weight = np.minimum(1.0, usual[node] / width[node]) ** ROUNDNESS / (1 + stray**2)
+    kept = is_good[corners.loop]
+    section = (np.cumsum(is_good) - 1)[corners.loop[kept]]
+    tail, head, part = corners.tail[kept], corners.head[kept], corners.part[kept]
+    place = shape.vertices[tail] + part[:, None] * (shape.vertices[head] - shape.vertices[tail])
+    area = _areas(place - centroid[section], section, normals[is_good])
+    return Corners(section, tail, head, part, np.ones(len(node), dtype=bool), centroid, area, node, weight)
+
+
+def _tangents(points: np.ndarray, along: np.ndarray, radii: np.ndarray, is_loop: bool) -> np.ndarray:
+    """Direction (k, 3) of a branch at each of its points, over one radius to either side."""
+    here, reach = along, radii
+    if is_loop:
+        lap = along[-1]
+        points = np.concatenate([points[:-1], points[:-1], points])
+        along = np.concatenate([along[:-1] - lap, along[:-1], along + lap])
+        reach = np.minimum(radii, lap / 4)
+    return unit(at(points, along, here + reach) - at(points, along, here - reach))
+
+
+def _areas(place: np.ndarray, section: np.ndarray, normals: np.ndarray) -> np.ndarray:
+    """(S,) enclosed by the corners at ``place`` (C, 3), around the sections' centroids."""
+    first = np.searchsorted(section, section)
+    is_last = np.r_[section[1:] != section[:-1], True]
+    onward = place[np.where(is_last, first, np.arange(len(section)) + 1)] if len(section) else place
+    twice = np.einsum("ci,ci->c", np.cross(place, onward), normals[section])
+    return np.bincount(section, weights=twice, minlength=len(normals)) / 2
+
+
+def _with_clouds(surface: Surface, edges: np.ndarray, num: int, found: Corners) -> Corners:
+    """And for each component of the curve with fewer than two sections a cloud: all vertices that went to it."""
+    graph = sparse.coo_matrix((np.ones(len(edges)), (edges[:, 0], edges[:, 1])), shape=(num, num))
+    component = csgraph.connected_components(graph, directed=False)[1]
+    count = np.bincount(component[found.node], minlength=component.max() + 1)
+    for number in np.flatnonzero(count < 2):
+        cloud = np.flatnonzero(component[surface.node] == number)
+        if not len(cloud):
+            continue
+        at_cloud = surface.solid.shape.vertices[cloud]
+        found = Corners(
+            np.r_[found.section, np.full(len(cloud), len(found.node))],
+            np.r_[found.tail, cloud],
+            np.r_[found.head, cloud],
+            np.r_[found.part, np.zeros(len(cloud))],
+            np.r_[found.is_loop, False],
+            np.concatenate([found.centroid, at_cloud.mean(axis=0)[None]]),
+            np.r_[found.area, 0.0],
+            np.r_[found.node, np.flatnonzero(component == number)[0]],
+            np.r_[found.weight, 1.0],
+        )
+    return found
+
+
+def _smoothing(
+    x: np.ndarray,
+    edges: np.ndarray,
+    ways: list[np.ndarray],
+    radii: np.ndarray,
+    corners: Corners,
+    *,
+    stiffness: float,
+    membrane: float,
+) -> sparse.csr_matrix:
+    """The matrix (N, S) that takes centroids to the minimum of the energy in the module's docstring."""
+    num = len(x)
+    size = np.maximum(radii, 1e-3)
+    gather = sparse.coo_matrix(
+        (corners.weight, (corners.node, np.arange(len(corners.node)))), shape=(num, len(corners.node))
+    ).tocsc()
+    matrix = sparse.diags(np.asarray(gather.sum(axis=1)).ravel())
+    a, b = edges[:, 0], edges[:, 1]
+    gap = np.maximum(np.linalg.norm(x[a] - x[b], axis=1), 1e-9)
+    mu = membrane * np.minimum(np.minimum(size[a], size[b]) / gap, 1e3) ** 2
+    rows = np.repeat(np.arange(len(edges)), 2)
+    along_edge = sparse.coo_matrix((np.tile([1.0, -1.0], len(edges)), (rows, edges.ravel())), shape=(len(edges), num))
+    matrix = matrix + along_edge.T @ sparse.diags(mu) @ along_edge
+    if stiffness:
+        triples = [np.stack([nodes[:-2], nodes[1:-1], nodes[2:]], axis=1) for nodes in ways if len(nodes) > 2]
+        triple = np.concatenate([np.empty((0, 3), dtype=np.int64), *triples])
+        spacing = np.linalg.norm(x[triple[:, 1:]] - x[triple[:, :-1]], axis=2).mean(axis=1)
+        alpha = np.minimum((stiffness * radii[triple[:, 1]] / np.maximum(spacing, 1e-12)) ** 4, STIFFEST)
+        rows = np.repeat(np.arange(len(triple)), 3)
+        bending = sparse.coo_matrix(
+            (np.tile([1.0, -2.0, 1.0], len(triple)), (rows, triple.ravel())), shape=(len(triple), num)
+        )
+        matrix = matrix + bending.T @ sparse.diags(alpha) @ bending
+    solve = linalg.splu((matrix + 1e-12 * sparse.eye(num)).tocsc())
+    # By blocks of sections: what is far from a section hardly hears of it, and is left out at once.
+    blocks = []
+    for first in range(0, gather.shape[1], 256):
+        block = solve.solve(gather[:, first : first + 256].toarray())
+        block[np.abs(block) < NOTHING] = 0.0
+        blocks.append(sparse.csr_matrix(block))
+    return sparse.csr_matrix(sparse.hstack(blocks)) if blocks else sparse.csr_matrix((num, 0))
+
+
+def _pruned(matrix: sparse.csr_matrix, smallest: float) -> sparse.csr_matrix:
+    """Without the entries that are next to nothing, and with rows that sum to one, but empty ones."""
+    matrix = sparse.csr_matrix(matrix)
+    row = np.repeat(np.arange(matrix.shape[0]), np.diff(matrix.indptr))
+    largest = np.zeros(matrix.shape[0])
+    np.maximum.at(largest, row, np.abs(matrix.data))
+    matrix.data[np.abs(matrix.data) <= smallest * largest[row]] = 0.0
+    matrix.eliminate_zeros()
+    total = np.asarray(matrix.sum(axis=1)).ravel()
+    return sparse.csr_matrix(sparse.diags(1 / np.where(total == 0, 1.0, total)) @ matrix)
+
+
+def _turning(surface: Surface, corners: Corners, beta: sparse.csr_matrix, offset: np.ndarray) -> sparse.csr_matrix:
+    """The matrix b (N, V): b V is F o, for ``offset`` (N, 3) o; ``beta`` (N, S) says what sections fit a node's F."""
+    shape, num = surface.solid.shape, len(corners.section)
+    place = shape.vertices[corners.tail]
+    place = place + corners.part[:, None] * (shape.vertices[corners.head] - place)
+    count = np.bincount(corners.section, minlength=len(corners.node))
+    # So many of each section, evenly, will do for a frame.
+    rank = np.arange(num) - np.searchsorted(corners.section, corners.section)
+    most = np.minimum(count, FRAME_CORNERS)[corners.section]
+    chosen = np.flatnonzero((rank + 1) * most // count[corners.section] > rank * most // count[corners.section])
+    section = corners.section[chosen]
+    share = 1 / np.bincount(section, minlength=len(corners.node))[section]
+    spread = sparse.coo_matrix((share, (section, chosen)), shape=(len(corners.node), num))
+    weight = (beta @ spread).tocoo()  # (N, C) of every corner in a node's frame
+    row, corner = weight.row, weight.col
+    mean = weight @ place
+    away = place[corner] - mean[row]
+    moments = np.zeros((len(offset), 3, 3))
+    for i in range(3):
+        for j in range(3):
+            moments[:, i, j] = np.bincount(row, weight.data * away[:, i] * away[:, j], minlength=len(offset))
+    lever = np.einsum("nij,nj->ni", np.linalg.pinv(moments, rcond=FLATTEST, hermitian=True), offset)
+    omega = sparse.coo_matrix((weight.data * np.einsum("ci,ci->c", away, lever[row]), (row, corner)), weight.shape)
+    ends = sparse.coo_matrix(
+        (
+            np.r_[1 - corners.part, corners.part],
+            (np.tile(np.arange(num), 2), surface.vertex[np.r_[corners.tail, corners.head]]),
+        ),
+        shape=(num, int(surface.vertex.max()) + 1),
+    )
+    return sparse.csr_matrix(omega @ ends)
+
+
+def _nearby(shape: Enclosure, x: np.ndarray, distance: np.ndarray, nearest: np.ndarray) -> np.ndarray:
+    """(N, K) triangles: the nearest, and the nearest in each of many directions within reach, as often as need be."""
+    kept = np.repeat(nearest[:, None], 6 * CELLS**2 + 1, axis=1)
+    least = np.full(kept.shape, np.inf)
+    reach = FARTHEST * distance
+    for point, triangle in shape.triangles_near(x, reach):
+        away = np.sqrt(point_triangle_distance2(x[point], shape.triangles[triangle]))
+        is_near = away <= reach[point]
+        point, triangle, away = point[is_near], triangle[is_near], away[is_near]
+        direction = shape.centroids[triangle] - x[point]
+        axis = np.abs(direction).argmax(axis=1)
+        rows = np.arange(len(point))
+        size = np.maximum(np.abs(direction[rows, axis]), 1e-300)
+        place = [direction[rows, (axis + step) % 3] / size for step in (1, 2)]
+        u, v = (np.minimum((CELLS * (share + 1) / 2).astype(np.int64), CELLS - 1) for share in place)
+        cell = ((2 * axis + (direction[rows, axis] > 0)) * CELLS + u) * CELLS + v
+        order = np.lexsort((triangle, away, cell, point))
+        point, triangle, away, cell = point[order], triangle[order], away[order], cell[order]
+        is_first = np.r_[True, (point[1:] != point[:-1]) | (cell[1:] != cell[:-1])][: len(point)]
+        point, triangle, away, cell = point[is_first], triangle[is_first], away[is_first], cell[is_first]
+        is_less = away < least[point, cell]
+        kept[point[is_less], cell[is_less]] = triangle[is_less]
+        least[point[is_less], cell[is_less]] = away[is_less]
+    return kept

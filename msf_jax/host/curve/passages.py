@@ -1,0 +1,162 @@
+"""Ways through a solid: a graph of balls inside it, made once, whose edges are looked at when a way wants them.
+
+The nodes are centres of balls that touch the surface from inside, one for each place: a ball among others of its size
+that overlap it says nothing new. Where two balls overlap, the segment between their centres is inside without a look.
+Any other edge is taken for open until a shortest way uses it; then rays tell, and the next way does without those that
+are not (lazy shortest paths; Dellin, Srinivasa 2016). The cost follows the ways that are asked for, and has a bound.
+"""
+
+from collections.abc import Callable
+
+import numpy as np
+from scipy import sparse, spatial
+from scipy.sparse import csgraph
+
+from msf_jax.host.poles.balls import shrinking_balls
+from msf_jax.host.solid.enclosure import Enclosure
+from msf_jax.host.solid.geometry import unit
+
+TOUCHING = 1e-5  # diagonals: a point with less room than that counts as outside
+MOST_SEEDS = 12_000  # points of the surface, behind which balls are sought
+FIRST = 0.01  # diagonals, radius of the first ball that is tried
+CORRECTIONS = 4  # of a ball's radius, by the triangles between the samples
+NEIGHBOURS = 12  # of a ball, of any size, and
+LARGER = 3  # of each larger size
+UNSEEN = 3.0  # times as long as it is counts an edge that nobody has looked at
+SEARCHES = 300  # that a curve may cost, and one more for every
+EDGES_A_SEARCH = 10  # of its edges
+
+Test = Callable[[Enclosure, np.ndarray, np.ndarray], np.ndarray]
+
+
+class Passages:
+    """Ways through the solid ``shape``, of diagonal 1.
+
+    Args:
+        shape: the solid.
+        test: which segments from a (E, 3) to b (E, 3) are inside it.
+    """
+
+    def __init__(self, shape: Enclosure, test: Test):
+        self.shape = shape
+        self.test = test
+        self.num_searches = 0
+        self.num_refused = 0  # ways that were not looked for, as the bound was hit
+        self._balls: tuple[np.ndarray, np.ndarray] | None = None
+
+    def ways(self, x: np.ndarray, pairs: np.ndarray) -> list[np.ndarray]:
+        """Points (k, 3) from x[a] to x[b] for each of ``pairs`` (E, 2), with segments inside; none where there is no way.
+
+        The roomiest and shortest one is taken.
+        """
+        if not len(pairs):
+            return []
+        ends, place = np.unique(pairs, return_inverse=True)
+        is_inside = self.shape.contains(x[ends])
+        graph = _Graph(self.shape, self.test, *self._with(x[ends]), len(ends))
+        bound = SEARCHES + len(pairs) // EDGES_A_SEARCH
+        found = []
+        for (a, b), (row, other) in zip(pairs, place.reshape(-1, 2), strict=True):
+            del a, b
+            way = np.empty((0, 3))
+            if is_inside[row] and is_inside[other]:
+                if self.num_searches < bound:
+                    way, num = graph.way(int(row), int(other), bound - self.num_searches)
+                    self.num_searches += num
+                else:
+                    self.num_refused += 1
+            found.append(way)
+        return found
+
+    def _with(self, ends: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        if self._balls is None:
+            self._balls = inner_balls(self.shape)
+        centre, radius = self._balls
+        return np.concatenate([ends, centre]), np.concatenate([self.shape.clearance(ends), radius])
+
+
+class _Graph:
+    """Balls, the first ``num_ends`` of which are ends of ways, and the edges between neighbours."""
+
+    def __init__(self, shape: Enclosure, test: Test, centre: np.ndarray, radius: np.ndarray, num_ends: int):
+        self.shape, self.test, self.centre = shape, test, centre
+        tail, head = _neighbours(centre, radius, num_ends)
+        length = np.linalg.norm(centre[tail] - centre[head], axis=1)
+        self.tail, self.head = tail, head
+        self.is_seen = length < radius[tail] + radius[head]
+        room = np.maximum(np.minimum(radius[tail], radius[head]), TOUCHING)
+        self.cost = np.maximum(length / room, 1e-9) * np.where(self.is_seen, 1.0, UNSEEN)  # roomy ways first
+        self.matrix = sparse.csr_matrix((np.arange(1, len(tail) + 1), (tail, head)), shape=(len(centre),) * 2)
+        self.entry = self.matrix.data - 1  # the edge of each entry
+        self.matrix.data = self.cost[self.entry].astype(np.float64)
+        self.entry_of = np.empty(len(tail), dtype=np.int64)
+        self.entry_of[self.entry] = np.arange(len(tail))
+
+    def way(self, start: int, end: int, most: int) -> tuple[np.ndarray, int]:
+        """Points (k, 3) between the two, none if there is no way, after at most so many searches; and their number."""
+        for number in range(1, most + 1):
+            before = csgraph.dijkstra(self.matrix, directed=False, indices=start, return_predecessors=True)[1]
+            stops = [end]
+            while before[stops[-1]] >= 0:
+                stops.append(int(before[stops[-1]]))
+            if stops[-1] != start:
+                return np.empty((0, 3)), number
+            low, high = np.minimum(stops[1:], stops[:-1]), np.maximum(stops[1:], stops[:-1])
+            edge = np.searchsorted(self.tail * len(self.centre) + self.head, low * len(self.centre) + high)
+            unseen = edge[~self.is_seen[edge]]
+            if not len(unseen):
+                return self.centre[stops[-2:0:-1]], number
+            is_open = self.test(self.shape, self.centre[self.tail[unseen]], self.centre[self.head[unseen]])
+            self.is_seen[unseen] = True
+            self.cost[unseen] = np.where(is_open, self.cost[unseen] / UNSEEN, np.inf)
+            self.matrix.data[self.entry_of[unseen]] = self.cost[unseen]
+        return np.empty((0, 3)), most
+
+
+def inner_balls(shape: Enclosure) -> tuple[np.ndarray, np.ndarray]:
+    """Centres (B, 3) and radii (B,) of balls inside the solid, touching it: one for each place and size."""
+    points, normals = shape.surface_points(MOST_SEEDS)
+    tree = shape.sample_tree()
+    radius = shrinking_balls(points, normals, tree, FIRST, 1.0).radius
+    for _ in range(CORRECTIONS):  # between the samples of large triangles
+        foot = shape.feet(points - radius[:, None] * normals)
+        to_foot = foot - points
+        depth = -np.einsum("ij,ij->i", normals, to_foot)
+        length2 = np.einsum("ij,ij->i", to_foot, to_foot)
+        smaller = length2 / np.where(depth > 1e-9, 2 * depth, 1.0)
+        is_smaller = (depth > 1e-9) & (smaller < radius) & (smaller > TOUCHING)
+        radius[is_smaller] = smaller[is_smaller]
+    centre = points - radius[:, None] * normals
+    chosen = _one_for_each_place(centre, radius)
+    room = shape.clearance(centre[chosen])
+    chosen, room = chosen[room > TOUCHING], room[room > TOUCHING]
+    again = _one_for_each_place(centre[chosen], room)
+    return centre[chosen[again]], room[again]
+
+
+def _one_for_each_place(centre: np.ndarray, radius: np.ndarray) -> np.ndarray:
+    """Rows of the balls that are the first in their cell, of about half their radius."""
+    size = 2.0 ** np.floor(np.log2(np.maximum(radius, TOUCHING)) - 1)
+    cells = np.concatenate([size[:, None], np.round(centre / size[:, None])], axis=1)
+    return np.sort(np.unique(cells, axis=0, return_index=True)[1])
+
+
+def _neighbours(centre: np.ndarray, radius: np.ndarray, num_ends: int) -> tuple[np.ndarray, np.ndarray]:
+    """Pairs of balls, the smaller number first, in ascending order: each with those next to it, and larger ones."""
+    num = len(centre)
+    level = np.floor(np.log2(np.maximum(radius, TOUCHING))).astype(np.int64)
+    level[:num_ends] = level.min()  # an end is joined to balls of all sizes
+    pairs = [_nearest(centre, np.arange(num), np.arange(num), NEIGHBOURS + 1)]
+    for size in np.unique(level)[1:]:
+        pairs.append(_nearest(centre, np.flatnonzero(level < size), np.flatnonzero(level == size), LARGER))
+    both = np.concatenate(pairs)
+    both = np.sort(both[both[:, 0] != both[:, 1]], axis=1)
+    both = np.unique(both[:, 0] * num + both[:, 1])
+    return both // num, both % num
+
+
+def _nearest(centre: np.ndarray, rows: np.ndarray, others: np.ndarray, num: int) -> np.ndarray:
+    """(R k, 2): each of ``rows`` with its nearest ``num`` of ``others``."""
+    num = min(num, len(others))
+    found = spatial.KDTree(centre[others]).query(centre[rows], k=num)[1].reshape(-1)
+    return np.stack([np.repeat(rows, num), others[found]], axis=1)

@@ -1,0 +1,94 @@
+"""Poles by shrinking balls: the largest ball that touches the surface at a point from inside (Ma, Bae, Choi 2012).
+
+The ball of radius r that touches the surface at v, with outward unit normal n, has its centre at c = v - r n. If
+another point q of the surface is inside, the ball through v and q that touches at v is smaller, and has the radius
+
+    r = |q - v|^2 / (2 n . (v - q));
+
+with the nearest point to c for q the ball shrinks until it is empty, after some four to seven queries of a k-d tree. A
+query is fast where the ball is small, so balls begin small, and double as long as they are empty. A point that lies
+next to v, seen from the centre, is noise, and does not count (Peters 2018).
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+from scipy import spatial
+
+from msf_jax.host.poles.voronoi import Poles
+from msf_jax.host.solid.geometry import unit, vertex_normals
+
+FIRST = 0.01  # extents, the radius to begin with
+LARGEST = 1.0  # extents, that a radius may be
+NOISE = np.cos(np.radians(25))  # of the angle between the two points of touch, below which the other one is noise
+ROUNDS = 60  # of queries
+EMPTY = 1 - 1e-9  # of a radius: what is no nearer than that touches the ball
+
+
+class Balls(NamedTuple):
+    """radius: (P,) of the ball at each point. touching: (P,) the other point where it touches; -1 where it has grown to
+    the largest radius that was asked for, and touches nothing."""
+
+    radius: np.ndarray
+    touching: np.ndarray
+
+
+def shrinking_balls(
+    points: np.ndarray,
+    normals: np.ndarray,
+    tree: spatial.KDTree,
+    first: float | np.ndarray,
+    largest: float,
+    own: np.ndarray | None = None,
+) -> Balls:
+    """The largest ball behind each of ``points`` (P, 3) with outward unit ``normals``, empty of the points of ``tree``.
+
+    It begins with radius ``first`` and ends at ``largest``. ``own`` (P,) names the point of the tree that each is.
+    """
+    num = len(points)
+    radius = np.broadcast_to(np.minimum(first, largest), num).astype(np.float64)
+    touching = np.full(num, -1)
+    own = np.full(num, -1) if own is None else own
+    active = np.flatnonzero(np.einsum("ij,ij->i", normals, normals) > 0.5)
+    grows = np.ones(num, dtype=bool)
+    for _ in range(ROUNDS):
+        if not len(active):
+            break
+        v, n, r = points[active], normals[active], radius[active]
+        away, found = tree.query(v - r[:, None] * n, k=2, distance_upper_bound=float(r.max()))
+        is_own = found[:, 0] == own[active]
+        away, found = np.where(is_own, away[:, 1], away[:, 0]), np.where(is_own, found[:, 1], found[:, 0])
+        is_hit = away < EMPTY * r
+        to_q = tree.data[np.where(is_hit, found, 0)] - v
+        length2 = np.einsum("ij,ij->i", to_q, to_q)
+        depth = -np.einsum("ij,ij->i", n, to_q)
+        is_hit &= (depth > 0) & (length2 > 0)
+        smaller = length2 / np.where(is_hit, 2 * depth, 1.0)
+        # n . (q - c) / r is the cosine of the angle that v and q make at the new centre.
+        is_hit &= 1 - depth / np.where(is_hit, smaller, 1.0) < NOISE
+        radius[active[is_hit]], touching[active[is_hit]] = smaller[is_hit], found[is_hit]
+        grows[active[is_hit]] = False
+        is_open = ~is_hit & grows[active] & (r < largest)
+        radius[active[is_open]] = np.minimum(2 * r[is_open], largest)
+        active = active[is_hit | is_open]
+    return Balls(radius, touching)
+
+
+def ball_poles(sites: np.ndarray, faces: np.ndarray, box: np.ndarray | None = None) -> Poles:
+    """The centre of the ball at every vertex of the closed mesh ``(sites, faces)``, as `voronoi.voronoi_poles` gives it.
+
+    In place of a tetrahedron there are the two vertices where the ball touches, each twice.
+    """
+    normals = unit(vertex_normals(sites, faces))
+    extent = float(np.ptp(sites, axis=0).max())
+    every = np.arange(len(sites))
+    found = shrinking_balls(sites, normals, spatial.KDTree(sites), FIRST * extent, LARGEST * extent, every)
+    centre = sites - found.radius[:, None] * normals
+    box = sites if box is None else box
+    is_found = (found.touching >= 0) & ((centre >= box.min(axis=0)) & (centre <= box.max(axis=0))).all(axis=1)
+    pair = np.stack([every, found.touching, every, found.touching], axis=1)
+    return Poles(
+        np.where(is_found[:, None], centre, sites),
+        np.where(is_found[:, None], pair, -1),
+        np.where(is_found, found.radius, 0.0),
+    )
