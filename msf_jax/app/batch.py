@@ -82,7 +82,7 @@ def run(
     *,
     weights: Weights | None = None,
     config: Config | None = None,
-    repair: bool | Repair = False,
+    repair: bool | str | Repair = False,
     suffix: str = ".swc",
     jobs: int | None = None,
     scheduler: str | None = None,

@@ -39,12 +39,13 @@ WEIGHTS = {
 }
 
 
+REPAIRS = {"mend": True, "join": "join"}  # what `skeletonize` takes for each
 MESH = "a closed triangle mesh in any format that trimesh reads"
 
 
 def main(argv: Sequence[str] | None = None) -> int:
     """Run the command line with ``argv`` (the process's own if not given); returns the exit code."""
-    arguments = _parser().parse_args(argv)
+    arguments = _parser().parse_args(_with_whole_options(sys.argv[1:] if argv is None else list(argv)))
     try:
         with _without_loader_noise():
             return arguments.run(arguments)
@@ -54,6 +55,14 @@ def main(argv: Sequence[str] | None = None) -> int:
         return _fail(f"{error.strerror or error}: {error.filename}" if error.filename else str(error), 2)
     except KeyboardInterrupt:
         return _fail("interrupted", 130)
+
+
+def _with_whole_options(words: list[str]) -> list[str]:
+    """``--repair`` with its value, which argparse would take from whatever follows, a mesh's name for one."""
+    whole = []
+    for word, after in zip(words, [*words[1:], ""], strict=True):
+        whole.append(f"{word}=mend" if word == "--repair" and after not in REPAIRS else word)
+    return whole
 
 
 def _fail(message: str, code: int) -> int:
@@ -117,7 +126,7 @@ def _parser() -> argparse.ArgumentParser:
     suffixes = f"one of {', '.join(export.WRITERS)}"
     _completes(one.add_argument("-o", "--output", metavar="OUT", required=True, help=suffixes), shtab.FILE)
     _completes(one.add_argument("--picture", metavar="PNG", help="draw the curve in the mesh, too"), shtab.FILE)
-    one.add_argument("--repair", action="store_true", help="mend a mesh that is no closed manifold, and say how")
+    _repairing(one)
     one.add_argument("--evaluate", action="store_true", help="report off-centre, missed surface and the like, too")
     _completes(
         one.add_argument(
@@ -147,7 +156,7 @@ def _parser() -> argparse.ArgumentParser:
     _completes(look.add_argument("mesh", metavar="IN", help=MESH), shtab.FILE)
     place = "where to write it (default: IN with .html)"
     _completes(look.add_argument("-o", "--output", metavar="HTML", help=place), shtab.FILE)
-    look.add_argument("--repair", action="store_true", help="mend a mesh that is no closed manifold, and say how")
+    _repairing(look)
     _settings(look)
     _common(look)
     look.set_defaults(run=_view)
@@ -158,7 +167,7 @@ def _parser() -> argparse.ArgumentParser:
     many.add_argument("--jobs", type=int, metavar="N", help="processes (default: one for each core)")
     many.add_argument("--format", default=".swc", metavar="SUFFIX", help=f"one of {', '.join(export.WRITERS)}")
     many.add_argument("--scheduler", metavar="ADDRESS", help="of a Dask scheduler, such as tcp://host:8786")
-    many.add_argument("--repair", action="store_true", help="mend meshes that are no closed manifolds")
+    _repairing(many)
     many.add_argument("--retry", action="store_true", help="take those again that failed")
     many.add_argument("--evaluate", action="store_true", help="figures such as off-centre in the table, too")
     _settings(many)
@@ -171,7 +180,7 @@ def _parser() -> argparse.ArgumentParser:
     place = "where curves and frames.csv go"
     _completes(series.add_argument("-o", "--output", metavar="OUT_DIR", required=True, help=place), shtab.DIRECTORY)
     series.add_argument("--format", default=".swc", metavar="SUFFIX", help=f"one of {', '.join(export.WRITERS)}")
-    series.add_argument("--repair", action="store_true", help="mend the first mesh if it is no closed manifold")
+    _repairing(series)
     _settings(series)
     _common(series)
     series.set_defaults(run=_track)
@@ -202,7 +211,7 @@ def _accepted(arguments: argparse.Namespace) -> "tuple[tuple[np.ndarray, np.ndar
     from msf_jax.host.mesh import checking, reading
 
     mesh = reading.read(arguments.mesh, finite=not arguments.repair)
-    return mesh, checking.prepare(mesh, arguments.repair)
+    return mesh, checking.prepare(mesh, _repair_of(arguments))
 
 
 def _track(arguments: argparse.Namespace) -> int:
@@ -257,7 +266,7 @@ def _batch(arguments: argparse.Namespace) -> int:
         arguments.output,
         weights=weights,
         config=config,
-        repair=arguments.repair,
+        repair=_repair_of(arguments),
         suffix=arguments.format,
         jobs=arguments.jobs,
         scheduler=arguments.scheduler,
@@ -272,6 +281,24 @@ def _batch(arguments: argparse.Namespace) -> int:
     if len(failed) > LISTED:
         _fail(f"and {len(failed) - LISTED} more that failed, in {done.manifest}", 1)
     return min(done.num_failed, 1)
+
+
+def _repairing(parser: argparse.ArgumentParser) -> None:
+    """The option that `_repair_of` reads."""
+    parser.add_argument(
+        "--repair",
+        choices=list(REPAIRS),
+        metavar="join",
+        nargs="?",
+        const="mend",
+        help="mend a mesh that is no closed manifold, and say how; with join, parts that overlap or nearly touch are "
+        "made one solid, too",
+    )
+
+
+def _repair_of(arguments: argparse.Namespace) -> bool | str:
+    """What `skeletonize` is to take as ``repair``."""
+    return REPAIRS.get(arguments.repair, False)
 
 
 def _settings(parser: argparse.ArgumentParser) -> None:
@@ -339,7 +366,7 @@ def _skeletonize(arguments: argparse.Namespace) -> int:
             weights,
             config,
             pins=arguments.pin,
-            repair=arguments.repair,
+            repair=_repair_of(arguments),
             checkpoint=arguments.checkpoint,
             progress=not arguments.quiet,
         )

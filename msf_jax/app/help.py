@@ -24,6 +24,7 @@ the curve has as many cycles as the mesh has handles, how much of it is inside."
 examples:
   msf-jax skeletonize hand.off -o hand.swc --picture hand.png
   msf-jax skeletonize scan.stl -o scan.vtp --repair         not closed, or not one way round
+  msf-jax skeletonize teapot.obj -o teapot.npz --repair join   parts that belong together are one
   msf-jax skeletonize hand.off -o hand.swc --prune 3        fewer branches; --prune 0 keeps all
   msf-jax skeletonize hand.off -o hand.swc --w-M 0.8        nearer to the middle, more side branches
   msf-jax skeletonize big.ply -o big.npz --checkpoint big.run.npz""",

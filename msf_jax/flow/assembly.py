@@ -57,7 +57,7 @@ def assemble(
         history=history,
         curve=curve,
         skeleton=skeleton,
-        recording=Recording(_records(checked, states, parts), *checked.given, checked.input_of_vertex),
+        recording=Recording(_records(checked, states, parts), *checked.given, checked.input_of_vertex, checked.is_made),
         source=source,
     )
 
@@ -143,8 +143,12 @@ def _map_of_input(checked: Surface, nodes: np.ndarray, node_of_vertex: np.ndarra
 
 
 def _areas_of_input(checked: Surface, solid: Solid) -> np.ndarray:
-    """(V,) share of the area that belongs to every vertex of the caller's mesh; welded ones share theirs."""
-    vertex = checked.vertex_of_input
+    """(V,) share of the area that belongs to every vertex of the caller's mesh; welded ones share theirs.
+
+    That of a vertex that was made where parts were joined goes to the caller's that stands for it.
+    """
+    vertex, area, made = checked.vertex_of_input, solid.vertex_areas(), np.flatnonzero(checked.is_made)
+    np.add.at(area, vertex[checked.input_of_vertex[made]], area[made])
     is_used = vertex >= 0
-    area = solid.vertex_areas() / np.maximum(np.bincount(vertex[is_used], minlength=len(checked.vertices)), 1)
+    area = area / np.maximum(np.bincount(vertex[is_used], minlength=len(checked.vertices)), 1)
     return np.where(is_used, area[vertex], 0.0)

@@ -36,7 +36,7 @@ def contract(
     config: Config | None = None,
     *,
     pins: Any = None,
-    repair: bool | Repair = False,
+    repair: bool | str | Repair = False,
     checkpoint: str | os.PathLike[str] | None = None,
     progress: bool = False,
     limits: Limits = LIMITS,
@@ -50,8 +50,9 @@ def contract(
             every vertex of the mesh: merged vertices take the mean of theirs, one that splits an edge interpolates.
         config: the system and its options; ``Config()``, the article's own, if not given.
         pins: numbers of vertices of the mesh that are held in place; the curve goes through them.
-        repair: True, or a `Repair` that says how far it may go, for a mesh that is not a closed manifold; every change
-            is counted in ``skeleton.report.repairs``.
+        repair: True, or a `Repair` that says how far it may go, for a mesh that is not a closed manifold; "join" also
+            makes one solid of parts that overlap, touch or nearly touch. Every change is counted in
+            ``skeleton.report.repairs``.
         checkpoint: a file that the state is written to every few iterations, whole or not at all. If it is there, and
             of this very run, that goes on from it, to the same bits. It stays when the run has ended.
         progress: show a progress bar on standard error, if that is a terminal.

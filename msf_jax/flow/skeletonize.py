@@ -15,7 +15,7 @@ def skeletonize(
     config: Config | None = None,
     *,
     pins: Any = None,
-    repair: bool | Repair = False,
+    repair: bool | str | Repair = False,
     checkpoint: str | os.PathLike[str] | None = None,
     progress: bool = False,
 ) -> Skeleton:
@@ -28,7 +28,8 @@ def skeletonize(
         config: the system and its options; ``Config()``, the article's own, if not given.
         pins: numbers of vertices of the mesh that are held in place; the curve goes through them.
         repair: True, or a `Repair` that says how far it may go, for a mesh that is not a closed manifold: weld, fill
-            holes, separate what meets in an edge, and the like. Every change is counted in ``report.repairs``.
+            holes, separate what meets in an edge, and the like. "join" also makes one solid of closed parts that
+            overlap, touch or nearly touch. Every change is counted in ``report.repairs``.
         checkpoint: a file to keep the state in, so that a run that was killed goes on; see `contract`.
         progress: show a progress bar on standard error, if that is a terminal.
 

@@ -55,7 +55,8 @@ def replay(tape: Tape, weights: Weights, vertices: Any = None, *, tolerance: flo
 
     Raises:
         ConfigError: ``tape`` or ``weights`` is something else, or a weight is out of range or of the wrong shape.
-        MeshError: ``vertices`` has another shape than those of the tape, or is not finite.
+        MeshError: ``vertices`` has another shape than those of the tape, or is not finite; or the surface would not
+            follow them, as parts of the mesh were joined.
     """
     return _replayed(tape, weights, vertices, tolerance)[1]
 
@@ -80,7 +81,7 @@ def replay_radii(tape: Tape, nodes: jax.Array, vertices: Any = None) -> jax.Arra
         raise ConfigError(f"nodes has shape {np.shape(nodes)}: expected ({tape.num_nodes}, 3), those of the tape")
     surface = jnp.asarray(tape.vertices, real_dtype()) if vertices is None else _checked_vertices(tape, vertices)
     unit = jnp.asarray(tape.diagonal, surface.dtype)  # in which no square leaves float32's range
-    triangles = surface[jnp.asarray(tape.triangles)] / unit
+    triangles = (surface[jnp.asarray(tape.triangles)] + jnp.asarray(tape.offsets, surface.dtype)) / unit
     return unit * clearance(jnp.asarray(nodes) / unit, triangles, jnp.asarray(tape.is_inside))
 
 
@@ -142,6 +143,7 @@ def _check_tape(tape: Any) -> None:
 
 
 def _checked_vertices(tape: Tape, vertices: Any) -> jax.Array:
+    tape.check_movable()
     try:
         array = jnp.asarray(vertices, real_dtype())
     except (TypeError, ValueError) as error:

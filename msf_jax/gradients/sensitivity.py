@@ -30,7 +30,9 @@ class Sensitivity(NamedTuple):
 
         Raises:
             ConfigError: the mesh has no such vertex.
+            MeshError: the surface does not follow it, as parts of the mesh were joined.
         """
+        self.tape.check_movable()
         num = len(self.tape.vertices)
         if isinstance(vertex, bool) or not isinstance(vertex, int | np.integer) or not 0 <= vertex < num:
             raise ConfigError(f"vertex is {vertex!r}: expected a number from 0 to {num - 1}")
@@ -46,7 +48,9 @@ class Sensitivity(NamedTuple):
 
         Raises:
             ConfigError: the curve has no such node.
+            MeshError: the surface does not follow the mesh's vertices, as parts of it were joined.
         """
+        self.tape.check_movable()
         num = self.tape.num_nodes
         if isinstance(node, bool) or not isinstance(node, int | np.integer) or not 0 <= node < num:
             raise ConfigError(f"node is {node!r}: expected a number from 0 to {num - 1}")
@@ -88,6 +92,8 @@ def _columns(tape: Tape, weights: Weights, by_weight: jax.Array, by_vertex: jax.
     at = weights, jnp.asarray(tape.vertices, by_vertex.dtype)
 
     def column(of_weights: jax.Array, of_vertices: jax.Array) -> jax.Array:
+        if tape.is_joined:
+            return jax.jvp(partial(replay, tape), (weights,), (Weights(*of_weights),))[1]
         return jax.jvp(partial(replay, tape), at, (Weights(*of_weights), of_vertices))[1]
 
     return jax.vmap(column)(by_weight, by_vertex)

@@ -51,6 +51,7 @@ class Tape:
         node_of_vertex: (V,) the node of each.
         edges: (E, 2) of the recorded curve.
         triangles: (N, 3) vertices of the triangle of the mesh that is nearest to each node of the recorded curve.
+        offsets: (N, 3, 3) from those vertices to the triangle's corners, which are others where parts were joined.
         is_inside: (N,) whether that node is inside.
         decisions: (D,) a hash of each decision.
         node_row, meso_row: (N,), (M,) where, among the padded nodes (and meso vertices) of all parts, each one is.
@@ -58,6 +59,7 @@ class Tape:
         weights: of the run.
         shapes: layouts of the parts' buffers.
         config: of the run.
+        is_joined: whether the surface has vertices that are none of the mesh's, made where its parts were joined.
     """
 
     parts: tuple[Part, ...]
@@ -66,6 +68,7 @@ class Tape:
     node_of_vertex: Any
     edges: Any
     triangles: Any
+    offsets: Any
     is_inside: Any
     decisions: Any
     node_row: Any
@@ -75,6 +78,7 @@ class Tape:
     weights: Weights
     shapes: tuple[Shape, ...] = field(metadata={"static": True})
     config: Config = field(metadata={"static": True})
+    is_joined: bool = field(metadata={"static": True})
 
     def __repr__(self) -> str:
         mesh = "traced" if is_traced(self.faces_hash) else self.mesh_id[:8]
@@ -114,6 +118,14 @@ class Tape:
         extent = self.vertices.max(axis=0) - self.vertices.min(axis=0)
         return (extent * extent).sum() ** 0.5
 
+    def check_movable(self) -> None:
+        """Raise a `MeshError` if the surface would not follow the mesh's vertices."""
+        if self.is_joined:
+            raise MeshError(
+                "some vertices of the surface were made where parts of the mesh were joined, and do not follow the "
+                'mesh\'s vertices: expected a run without repair="join", or no vertices to move'
+            )
+
     def compare(self, other: "Tape") -> Comparison:
         """How many decisions ``other`` made differently: the tape of another run on this mesh, moved or not.
 
@@ -151,7 +163,7 @@ class Tape:
             raise ConfigError(f"a tape is saved as .npz, not as {Path(path).suffix!r}")
         leaves = jax.tree_util.tree_flatten_with_path(self)[0]
         arrays = {"/".join(_name(key) for key in keys): np.asarray(leaf) for keys, leaf in leaves}
-        header = {"config": asdict(self.config), "shapes": self.shapes}
+        header = {"config": asdict(self.config), "shapes": self.shapes, "is_joined": self.is_joined}
         archive.write(path, KIND, VERSION, header, arrays, compress=True)
 
     @classmethod
@@ -197,13 +209,17 @@ def record(run: Recording, weights: Weights, config: Config, curve: Skeleton, so
         shapes.append(Shape(tuple(layouts), mesh_layout))
     shape, nodes = source.solid.shape, source.solid.enter(curve.vertices)
     vertices_hash, faces_hash = hashes(run.vertices, run.faces)
+    near = shape.faces[shape.nearest(nodes)[1]]
+    triangles = run.input_of_vertex[near]
+    offsets = source.solid.leave(shape.vertices[near]) - run.vertices[triangles]
     return Tape(
         parts=tuple(parts),
         vertices=run.vertices,
         areas=source.areas,
         node_of_vertex=curve.mesh_map,
         edges=curve.edges,
-        triangles=run.input_of_vertex[shape.faces[shape.nearest(nodes)[1]]],
+        triangles=triangles,
+        offsets=np.where(run.is_made[near][:, :, None], offsets, 0.0),
         is_inside=shape.contains(nodes),
         decisions=decisions(run.components),
         node_row=_live([part.is_held for part in parts], [component.num_nodes for component in run.components]),
@@ -213,6 +229,7 @@ def record(run: Recording, weights: Weights, config: Config, curve: Skeleton, so
         weights=Weights(*(np.asarray(weight, dtype=np.float64) for weight in vars(weights).values())),
         shapes=tuple(shapes),
         config=config,
+        is_joined=bool(run.is_made.any()),
     )
 
 
@@ -264,9 +281,11 @@ def _from_arrays(header: dict[str, Any], arrays: dict[str, np.ndarray]) -> Tape:
         weights=weights,
         shapes=shapes,
         config=config,
+        is_joined=bool(header["is_joined"]),
     )
     num, nodes = len(tape.vertices), tape.num_nodes
     expected = {"vertices": (num, 3), "areas": (num,), "node_of_vertex": (num,), "triangles": (nodes, 3)}
+    expected |= {"offsets": (nodes, 3, 3)}
     wrong = [name for name, shape in expected.items() if np.shape(getattr(tape, name)) != shape]
     is_whole = len(tape.parts) == len(shapes) and all(
         len(part.stretches) == len(shape.layouts) and part.vertex_of_input.max() < num

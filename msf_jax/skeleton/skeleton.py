@@ -39,6 +39,7 @@ class Skeleton:
         mesh_map: (V,) int, the node of every input vertex.
         report: what was found and how far to trust it.
         source: the surface that the curve was made from; without it, radii of a changed curve are lower bounds.
+        roots: of a tree that `to_tree` made, a node of each component, the one that was asked for first.
     """
 
     vertices: np.ndarray
@@ -47,6 +48,7 @@ class Skeleton:
     mesh_map: np.ndarray
     report: Report
     source: Source | None = field(default=None, repr=False)
+    roots: tuple[int, ...] = ()
 
     def __repr__(self) -> str:
         return f"Skeleton({len(self.vertices)} nodes, {len(self.edges)} edges, {self.report.cycles} cycles)"
@@ -79,7 +81,7 @@ class Skeleton:
         stays, target = branches.prune(self.vertices, self.edges, self.radii, persistence, self._is_held())
         rank = np.cumsum(stays) - 1
         edges = rank[self.edges[stays[self.edges].all(axis=1)]]
-        return self._changed(self.vertices[stays], edges, rank[target[self.mesh_map]])
+        return self._changed(self.vertices[stays], edges, rank[target])
 
     def resample(self, spacing: float) -> "Skeleton":
         """A new skeleton whose branches have nodes about every ``spacing``, in the caller's units; ends and pins stay.
@@ -94,7 +96,7 @@ class Skeleton:
         vertices, edges, node_of_old = resampling.resample(
             self.vertices, self.edges, spacing, self._is_held(), None if self.source is None else self.source.solid
         )
-        return self._changed(vertices, edges, node_of_old[self.mesh_map])
+        return self._changed(vertices, edges, node_of_old)
 
     def smooth(self, rounds: int = 10) -> "Skeleton":
         """A new skeleton: in each of ``rounds`` nodes go half of the way to the middle of their two neighbours.
@@ -108,7 +110,42 @@ class Skeleton:
             raise ConfigError(f"rounds is {rounds!r}: expected a whole number of 0 or more")
         solid = None if self.source is None else self.source.solid
         x, edges = resampling.smooth(self.vertices, self.edges, self.radii, int(rounds), self._is_held(), solid)
-        return self._changed(x, edges, self.mesh_map)
+        return self._changed(x, edges, np.arange(len(x)))
+
+    def to_tree(self, root: int | None = None) -> "Skeleton":
+        """A new skeleton without loops: each is cut at its thinnest edge. ``save`` of it as SWC has the root first.
+
+        Args:
+            root: number of the node that is the root of its component; the thickest node if not given, as it is in
+                every other component. See ``roots``.
+
+        Returns:
+            The same nodes and map, fewer edges. ``report.cut`` counts the loops, and ``report.notes`` says where.
+
+        Raises:
+            ConfigError: the curve has no such node.
+        """
+        num = len(self.vertices)
+        is_node = isinstance(root, numbers.Integral) and not isinstance(root, bool) and 0 <= int(root) < num
+        if root is not None and not is_node:
+            raise ConfigError(f"root is {root!r}: expected a node from 0 to {num - 1}, or None for the thickest")
+        stays = branches.cut_loops(num, self.edges, self.radii)
+        edges, gone = self.edges[stays], self.radii[self.edges[~stays]].min(axis=1)
+        roots = branches.roots_of(num, edges, self.radii, None if root is None else int(root))
+        where = f", at radii of {gone.min():.3g} to {gone.max():.3g}" if len(gone) else ""
+        loops = f"{len(gone)} {'loop' if len(gone) == 1 else 'loops'}"
+        note = (
+            f"a tree: {loops} cut where thinnest{where}; root at node {roots[0]}, of radius {self.radii[roots[0]]:.3g}"
+        )
+        report = replace(
+            self.report,
+            cycles=0,
+            cut=self.report.cut + len(gone),
+            inside=self._inside(self.vertices, edges, self.radii),
+            notes=(*self.report.notes, note),
+            figures={},
+        )
+        return replace(self, edges=edges, report=report, roots=roots)
 
     @cached_property
     def recipe(self) -> Recipe:
@@ -176,20 +213,29 @@ class Skeleton:
             is_held[self.mesh_map[self.source.pins]] = True
         return is_held
 
-    def _changed(self, vertices: np.ndarray, edges: np.ndarray, mesh_map: np.ndarray) -> "Skeleton":
-        """A skeleton of the same mesh with another curve, and the report's counts made again."""
+    def _inside(self, vertices: np.ndarray, edges: np.ndarray, radii: np.ndarray) -> float:
+        """The fraction of a curve's length that is inside, as far as that is known."""
+        if self.source is None:
+            return self.report.inside
+        solid = self.source.solid
+        return metrics.inside_fraction(solid.shape, solid.enter(vertices), edges, radii / solid.diagonal)
+
+    def _changed(self, vertices: np.ndarray, edges: np.ndarray, node_of_old: np.ndarray) -> "Skeleton":
+        """A skeleton of the same mesh with another curve, and the report's counts made again.
+
+        ``node_of_old`` (N,) is the node that stands for each of this skeleton's.
+        """
         edges = finishing.in_order(edges)
         components, cycles = branches.cycle_count(len(vertices), edges)
         report = replace(self.report, components=components, cycles=cycles, figures={})
         if self.source is not None:
-            solid = self.source.solid
-            radii = solid.radii(vertices)
-            inside = metrics.inside_fraction(solid.shape, solid.enter(vertices), edges, radii / solid.diagonal)
-            report = replace(report, inside=inside)
+            radii = self.source.solid.radii(vertices)
+            report = replace(report, inside=self._inside(vertices, edges, radii))
         else:  # the largest ball inside one that is known
             away = np.linalg.norm(vertices[:, None] - self.vertices, axis=2)
             radii = np.maximum((self.radii - away).max(axis=1), 0.0)
-        return Skeleton(vertices, edges, radii, mesh_map, report, self.source)
+        roots = tuple(node_of_old[list(self.roots)].tolist())
+        return Skeleton(vertices, edges, radii, node_of_old[self.mesh_map], report, self.source, roots)
 
     def save(self, path: str | os.PathLike[str], mesh: Any = None) -> None:
         """Write the curve in the format that the suffix names, whole or not at all.

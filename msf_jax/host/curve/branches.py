@@ -63,17 +63,52 @@ def cycle_count(num_nodes: int, edges: np.ndarray) -> tuple[int, int]:
     return components, len(edges) - num_nodes + components
 
 
-def tree(num_nodes: int, edges: np.ndarray) -> dict[int, int]:
-    """The parent of every node, -1 for a root: parents come first, roots are leaves if there are any, loops are cut."""
+def cut_loops(num_nodes: int, edges: np.ndarray, radii: np.ndarray) -> np.ndarray:
+    """(E,) which edges stay when every loop is cut at the thinnest of its edges: a spanning tree of the thickest.
+
+    An edge is as thick as the smaller of the balls at its ends; of equal ones the last goes.
+    """
+    order = np.argsort(-radii[edges].min(axis=1), kind="stable")
+    rank = np.empty(len(edges))
+    rank[order] = np.arange(1, len(edges) + 1)  # no two weigh the same, and none nothing
+    graph = sparse.coo_matrix((rank, (edges[:, 0], edges[:, 1])), shape=(num_nodes, num_nodes))
+    left = np.rint(csgraph.minimum_spanning_tree(graph).data).astype(np.int64) - 1
+    return np.isin(np.arange(len(edges)), order[left])
+
+
+def roots_of(num_nodes: int, edges: np.ndarray, radii: np.ndarray, root: int | None) -> tuple[int, ...]:
+    """The node with the largest ball in each component, the thickest first; ``root`` instead in its own, before all."""
+    graph = sparse.coo_matrix((np.ones(len(edges)), (edges[:, 0], edges[:, 1])), shape=(num_nodes, num_nodes))
+    label = csgraph.connected_components(graph, directed=False)[1]
+    size = radii.copy()
+    if root is not None:
+        size[root] = np.inf
+    order = np.argsort(-size, kind="stable")
+    return tuple(order[np.sort(np.unique(label[order], return_index=True)[1])].tolist())
+
+
+def tree(num_nodes: int, edges: np.ndarray, roots: tuple[int, ...] = ()) -> dict[int, int]:
+    """The parent of every node, -1 for a root: parents come first, loops are cut.
+
+    Components of the ``roots`` come first, in that order; the roots of others are leaves if there are any.
+    """
     graph = nx.Graph()
     graph.add_nodes_from(range(num_nodes))
     graph.add_edges_from(edges.tolist())
     parent: dict[int, int] = {}
-    for component in nx.connected_components(graph):
-        leaves = [node for node in component if graph.degree[node] == 1]
-        root = min(leaves or component)
+
+    def grow(root: int) -> None:
         parent[root] = -1
         parent.update({child: above for above, child in nx.bfs_edges(graph, root, sort_neighbors=sorted)})
+
+    for root in roots:
+        if root not in parent:
+            grow(root)
+    for component in nx.connected_components(graph):
+        if not component.isdisjoint(roots):
+            continue
+        leaves = [node for node in component if graph.degree[node] == 1]
+        grow(min(leaves or component))
     return parent
 
 

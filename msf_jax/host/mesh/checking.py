@@ -61,12 +61,12 @@ class Surface:
     given: tuple[np.ndarray, np.ndarray]
 
 
-def prepare(mesh: Any, repair: bool | Repair = False) -> Surface:
+def prepare(mesh: Any, repair: bool | str | Repair = False) -> Surface:
     """Read, check and repair ``mesh``, with ``repair`` beyond what is without a doubt; the caller's object stays.
 
     Raises:
         MeshError: what was found, how often and where first, and what to do about it.
-        ConfigError: ``repair`` is neither True, False nor a `Repair`.
+        ConfigError: ``repair`` is none of True, False, "join" and a `Repair`.
     """
     wanted = as_repair(repair)
     vertices, faces = read(mesh, finite=wanted is None)
@@ -81,10 +81,13 @@ def prepare(mesh: Any, repair: bool | Repair = False) -> Surface:
     except MeshError as error:
         raise MeshError(f"after repair, {str(error).replace(OR_REPAIR, ', or let Repair do more')}") from error
     target = np.where(done.vertex_of_given < 0, -1, checked.vertex_of_input[done.vertex_of_given])
+    source = done.source[checked.input_of_vertex]
+    left = np.flatnonzero(~checked.is_made & (target[source] < 0))  # of one that was doubled, the copy that was kept
+    target[source[left]] = left
     return replace(
         checked,
         vertex_of_input=target,
-        input_of_vertex=done.source[checked.input_of_vertex],
+        input_of_vertex=source,
         strays=done.given[target < 0],
         repairs=done.repairs + checked.repairs,
         given=(done.given, faces),

@@ -215,7 +215,7 @@ def _spanning(bodies: list[Body], reach: float) -> tuple[list[Gap], int]:
         away, place = trees[one].query(sites[other], distance_upper_bound=bound + spacing)
         nearest = int(np.argmin(away))
         if away[nearest] < np.inf:
-            found.append((float(away[nearest]), one, other, int(place[nearest]), nearest, bound))
+            found.append((float(away[nearest]), one, other, int(np.asarray(place)[nearest]), nearest, bound))
     sets, bridged = DisjointSet(range(len(bodies))), []
     for _, one, other, at_one, at_other, bound in sorted(found):
         if not sets.connected(one, other):
@@ -264,7 +264,7 @@ def _sites(bodies: list[Body]) -> tuple[float, list[np.ndarray]]:
 
 def _measured(bodies: list[Body], one: int, other: int, at_one: np.ndarray, at_other: np.ndarray) -> Gap:
     """The gap between two surfaces near the points ``at_one`` and ``at_other`` (3,), each the other's foot."""
-    start, end = at_one, at_other
+    start, end, first, last = at_one, at_other, 0, 0
     for _ in range(ROUNDS):
         start, first = bodies[one].foot(end)
         end, last = bodies[other].foot(start)
@@ -277,7 +277,7 @@ def _capsule(bodies: list[Body], gap: Gap, factor: float) -> "Manifold":
 
     pair = bodies[gap.one], bodies[gap.other]
     smaller = min(body.radius for body in pair)
-    thickness = min(body.thickness(*end) for body, *end in zip(pair, gap.ends, gap.faces, strict=True))
+    thickness = min(body.thickness(end, face) for body, end, face in zip(pair, gap.ends, gap.faces, strict=True))
     radius = factor * float(np.clip(GLUE * thickness, THINNEST * smaller, smaller))
     ball = _arrays(Manifold.sphere(radius, SECTIONS))[0]
     return Manifold.hull_points(np.concatenate([ball + end for end in gap.ends]))

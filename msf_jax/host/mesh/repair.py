@@ -214,7 +214,7 @@ def _welded(vertices: np.ndarray, rim: np.ndarray, radius: float) -> np.ndarray:
 def with_volume(
     vertices: np.ndarray, faces: np.ndarray, size: float, fewest: int = FEWEST_VERTICES
 ) -> tuple[np.ndarray, int, int, int]:
-    """Without pieces of fewer vertices than ``fewest``, closed ones without volume, ones with a diagonal below ``size``.
+    """Without pieces of fewer vertices than ``fewest``, closed ones without volume, and those below ``size``.
 
     Returns the faces that are left, and how many pieces of each kind went.
     """

@@ -74,9 +74,13 @@ class ComponentRecord(NamedTuple):
 
 
 class Recording(NamedTuple):
-    """A run's components, and the caller's mesh; ``input_of_vertex`` is the caller's vertex of each checked one."""
+    """A run's components, and the caller's mesh.
+
+    input_of_vertex: the caller's vertex that each checked one is, or, for those of ``is_made``, the one near it.
+    """
 
     components: tuple[ComponentRecord, ...]
     vertices: np.ndarray
     faces: np.ndarray
     input_of_vertex: np.ndarray
+    is_made: np.ndarray

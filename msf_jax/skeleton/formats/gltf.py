@@ -37,7 +37,7 @@ def skinned(skeleton: "Skeleton", mesh: Any) -> bytes:
     num = len(skeleton.vertices)
     if num > MOST_JOINTS:
         raise ConfigError(f"the curve has {num} nodes: glTF joins a mesh to at most {MOST_JOINTS}; resample it first")
-    parent = branches.tree(num, skeleton.edges)
+    parent = branches.tree(num, skeleton.edges, skeleton.roots)
     order = np.array(list(parent))  # parents first
     children: list[list[int]] = [[] for _ in range(num)]
     for node, above in parent.items():

@@ -16,8 +16,8 @@ CUT = "# cut edge"  # the comment that names an edge which SWC cannot hold, by i
 
 
 def written(skeleton: "Skeleton") -> str:
-    """SWC: id, type, x, y, z, radius, parent. Ids from 1, parents before children, -1 for a root."""
-    parent = branches.tree(len(skeleton.vertices), skeleton.edges)
+    """The text: ids from 1, parents before children, -1 for the parent of a root; a tree's root first."""
+    parent = branches.tree(len(skeleton.vertices), skeleton.edges, skeleton.roots)
     row_of = {node: index + 1 for index, node in enumerate(parent)}
     cut = [f"{CUT} {row_of[a]} {row_of[b]}" for a, b in skeleton.edges.tolist() if parent[a] != b and parent[b] != a]
     header = ["# curve skeleton written by msf_jax", f"# loops cut: {len(cut)}; each cut edge is listed by its two ids"]
