@@ -16,12 +16,8 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-import shtab
-
-from msf_jax.app.help import teaching
+from msf_jax.app.parser import configured, parser_of, repair_of, with_whole_options
 from msf_jax.base.errors import ConfigError, FlowError, Interrupted, MeshError
-from msf_jax.base.options import SYSTEMS, Config, Weights
-from msf_jax.base.version import VERSION
 from msf_jax.base.writing import write_whole
 from msf_jax.skeleton.formats import export
 
@@ -31,21 +27,11 @@ if TYPE_CHECKING:
     from msf_jax.skeleton.skeleton import Skeleton
 
 LISTED = 10  # of the meshes of a batch that failed, so many are named
-WEIGHTS = {
-    "w_L": "contraction (w_L)",
-    "w_H": "attraction to where a vertex is (w_H)",
-    "w_M": "attraction to the Voronoi pole (w_M)",
-    "smoothing": "lambda of the implicit smoothing",
-}
-
-
-REPAIRS = {"mend": True, "join": "join"}  # what `skeletonize` takes for each
-MESH = "a closed triangle mesh in any format that trimesh reads"
 
 
 def main(argv: Sequence[str] | None = None) -> int:
     """Run the command line with ``argv`` (the process's own if not given); returns the exit code."""
-    arguments = _parser().parse_args(_with_whole_options(sys.argv[1:] if argv is None else list(argv)))
+    arguments = _parser().parse_args(with_whole_options(sys.argv[1:] if argv is None else list(argv)))
     try:
         with _without_loader_noise():
             return arguments.run(arguments)
@@ -55,14 +41,6 @@ def main(argv: Sequence[str] | None = None) -> int:
         return _fail(f"{error.strerror or error}: {error.filename}" if error.filename else str(error), 2)
     except KeyboardInterrupt:
         return _fail("interrupted", 130)
-
-
-def _with_whole_options(words: list[str]) -> list[str]:
-    """``--repair`` with its value, which argparse would take from whatever follows, a mesh's name for one."""
-    whole = []
-    for word, after in zip(words, [*words[1:], ""], strict=True):
-        whole.append(f"{word}=mend" if word == "--repair" and after not in REPAIRS else word)
-    return whole
 
 
 def _fail(message: str, code: int) -> int:
@@ -111,91 +89,11 @@ def _without_loader_noise() -> Iterator[None]:
                     print(line.decode(errors="replace"), file=sys.stderr)
 
 
-def _completes(option: Any, kind: object) -> None:
-    """The shell offers files or folders for an option: shtab reads an attribute of it that argparse does not know."""
-    option.complete = kind
-
-
-def _parser() -> argparse.ArgumentParser:
-    parser = argparse.ArgumentParser(prog="msf-jax", **teaching("PARSER"))
-    parser.add_argument("--version", action="version", version=f"msf-jax {VERSION}")
-    commands = parser.add_subparsers(title="commands", required=True, metavar="COMMAND")
-
-    one = commands.add_parser("skeletonize", help="a mesh in, its curve skeleton out", **teaching("SKELETONIZE"))
-    _completes(one.add_argument("mesh", metavar="IN", help=MESH), shtab.FILE)
-    suffixes = f"one of {', '.join(export.WRITERS)}"
-    _completes(one.add_argument("-o", "--output", metavar="OUT", required=True, help=suffixes), shtab.FILE)
-    _completes(one.add_argument("--picture", metavar="PNG", help="draw the curve in the mesh, too"), shtab.FILE)
-    _repairing(one)
-    one.add_argument("--evaluate", action="store_true", help="report off-centre, missed surface and the like, too")
-    _completes(
-        one.add_argument(
-            "--checkpoint",
-            metavar="FILE",
-            help="keep the state there while it runs; a run that was killed goes on from it",
-        ),
-        shtab.FILE,
-    )
-    _settings(one)
-    one.add_argument("--pin", type=int, action="append", metavar="N", help="hold vertex N in place (can be repeated)")
-    one.add_argument("--check", action="store_true", help="verify the surface after every round of edits (slower)")
-    _common(one)
-    one.set_defaults(run=_skeletonize)
-
-    demo = commands.add_parser("demo", help="skeletonise a hand made in code", **teaching("DEMO"))
-    _completes(
-        demo.add_argument(
-            "-o", "--output", metavar="FOLDER", default=".", help="where to put the files (default: here)"
-        ),
-        shtab.DIRECTORY,
-    )
-    _common(demo)
-    demo.set_defaults(run=_demo)
-
-    look = commands.add_parser("view", help="a page to look around in", **teaching("VIEW"))
-    _completes(look.add_argument("mesh", metavar="IN", help=MESH), shtab.FILE)
-    place = "where to write it (default: IN with .html)"
-    _completes(look.add_argument("-o", "--output", metavar="HTML", help=place), shtab.FILE)
-    _repairing(look)
-    _settings(look)
-    _common(look)
-    look.set_defaults(run=_view)
-
-    many = commands.add_parser("batch", help="a folder of meshes in, a folder of curves out", **teaching("BATCH"))
-    _completes(many.add_argument("folder", metavar="IN_DIR", help="where the meshes are"), shtab.DIRECTORY)
-    _completes(many.add_argument("output", metavar="OUT_DIR", help="where curves and manifest.csv go"), shtab.DIRECTORY)
-    many.add_argument("--jobs", type=int, metavar="N", help="processes (default: one for each core)")
-    many.add_argument("--format", default=".swc", metavar="SUFFIX", help=f"one of {', '.join(export.WRITERS)}")
-    many.add_argument("--scheduler", metavar="ADDRESS", help="of a Dask scheduler, such as tcp://host:8786")
-    _repairing(many)
-    many.add_argument("--retry", action="store_true", help="take those again that failed")
-    many.add_argument("--evaluate", action="store_true", help="figures such as off-centre in the table, too")
-    _settings(many)
-    _common(many)
-    many.set_defaults(run=_batch)
-
-    series = commands.add_parser("track", help="one curve through meshes of the same faces", **teaching("TRACK"))
-    _completes(series.add_argument("mesh", metavar="FIRST", help=f"{MESH}, or its curve as .npz"), shtab.FILE)
-    _completes(series.add_argument("folder", metavar="FRAMES", help="where the meshes are"), shtab.DIRECTORY)
-    place = "where curves and frames.csv go"
-    _completes(series.add_argument("-o", "--output", metavar="OUT_DIR", required=True, help=place), shtab.DIRECTORY)
-    series.add_argument("--format", default=".swc", metavar="SUFFIX", help=f"one of {', '.join(export.WRITERS)}")
-    _repairing(series)
-    _settings(series)
-    _common(series)
-    series.set_defaults(run=_track)
-
-    shell = commands.add_parser("completion", help="let a shell complete commands", **teaching("COMPLETION"))
-    shell.add_argument("shell", choices=shtab.SUPPORTED_SHELLS, help="which")
-    shell.set_defaults(float32=False, run=lambda arguments: print(shtab.complete(parser, arguments.shell)) or 0)
-    return parser
-
-
 def _view(arguments: argparse.Namespace) -> int:
     target = _checked_target(arguments.output or str(Path(arguments.mesh).with_suffix(".html")), arguments.mesh)
     if target.suffix.lower() != ".html":
         raise ConfigError(f"the page is an HTML file: expected a name that ends in .html, not {target.name!r}")
-    weights, config = _configured(arguments)
+    weights, config = configured(arguments)
     mesh, accepted = _accepted(arguments)
     _start_jax(arguments)
     from msf_jax.flow.skeletonize import skeletonize
@@ -211,7 +109,7 @@ def _accepted(arguments: argparse.Namespace) -> "tuple[tuple[np.ndarray, np.ndar
     from msf_jax.host.mesh import checking, reading
 
     mesh = reading.read(arguments.mesh, finite=not arguments.repair)
-    return mesh, checking.prepare(mesh, _repair_of(arguments))
+    return mesh, checking.prepare(mesh, repair_of(arguments))
 
 
 def _track(arguments: argparse.Namespace) -> int:
@@ -225,7 +123,7 @@ def _track(arguments: argparse.Namespace) -> int:
         _start_jax(arguments)
         skeleton = read_curve(arguments.mesh)
     else:
-        weights, config = _configured(arguments)
+        weights, config = configured(arguments)
         _, accepted = _accepted(arguments)
         _start_jax(arguments)
         from msf_jax.flow.skeletonize import skeletonize
@@ -244,7 +142,7 @@ def _track(arguments: argparse.Namespace) -> int:
 
 
 def _batch(arguments: argparse.Namespace) -> int:
-    weights, config = _configured(arguments, evaluate=arguments.evaluate)
+    weights, config = configured(arguments, evaluate=arguments.evaluate)
     folder = Path(arguments.folder)
     if not folder.is_dir():
         raise ConfigError(f"no folder {str(folder)!r}: expected one with meshes")
@@ -266,7 +164,7 @@ def _batch(arguments: argparse.Namespace) -> int:
         arguments.output,
         weights=weights,
         config=config,
-        repair=_repair_of(arguments),
+        repair=repair_of(arguments),
         suffix=arguments.format,
         jobs=arguments.jobs,
         scheduler=arguments.scheduler,
@@ -283,66 +181,6 @@ def _batch(arguments: argparse.Namespace) -> int:
     return min(done.num_failed, 1)
 
 
-def _repairing(parser: argparse.ArgumentParser) -> None:
-    """The option that `_repair_of` reads."""
-    parser.add_argument(
-        "--repair",
-        choices=list(REPAIRS),
-        metavar="join",
-        nargs="?",
-        const="mend",
-        help="mend a mesh that is no closed manifold, and say how; with join, parts that overlap or nearly touch are "
-        "made one solid, too",
-    )
-
-
-def _repair_of(arguments: argparse.Namespace) -> bool | str:
-    """What `skeletonize` is to take as ``repair``."""
-    return REPAIRS.get(arguments.repair, False)
-
-
-def _settings(parser: argparse.ArgumentParser) -> None:
-    """Options that become weights and a `Config`; see `_configured`."""
-    defaults = Config()
-    curve = parser.add_argument_group("the curve", "Lengths are fractions of the bounding box's diagonal.")
-    curve.add_argument(
-        "--prune",
-        type=float,
-        metavar="X",
-        help="take away branches of less persistence: 1 for a twig inside a limb, 2 for a limb that sticks out by its "
-        f"radius; 0: none (default: {defaults.prune})",
-    )
-    curve.add_argument(
-        "--coarsen",
-        type=float,
-        metavar="X",
-        help=f"collapse edges shorter than that before the flow; 0: none (default: {defaults.coarsen})",
-    )
-    flow = parser.add_argument_group("the flow", "Of the weights, only the ratios of the first three matter.")
-    flow.add_argument("--system", default="msf", metavar="NAME", help=f"one of {', '.join(SYSTEMS)} (default: msf)")
-    for name, meaning in WEIGHTS.items():
-        default = getattr(Weights(), name)
-        option = f"--{name.replace('_', '-')}"
-        flow.add_argument(option, dest=name, type=float, metavar="X", help=f"{meaning} (default of msf: {default})")
-    flow.add_argument(
-        "--max-iterations", type=int, metavar="N", help=f"give up after so many (default: {defaults.max_iterations})"
-    )
-
-
-def _configured(arguments: argparse.Namespace, **others: Any) -> tuple[Weights, Config]:
-    """What the options of `_settings` say, the rest as the system has it."""
-    changes = {name: getattr(arguments, name) for name in ("max_iterations", "coarsen", "prune")}
-    changes = {name: value for name, value in changes.items() if value is not None}
-    config = Config.named(arguments.system, **others, **changes)
-    given = {name: getattr(arguments, name) for name in WEIGHTS if getattr(arguments, name) is not None}
-    return Weights(**(vars(config.default_weights()) | given)), config
-
-
-def _common(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("--float32", action="store_true", help="compute in float32 instead of float64")
-    parser.add_argument("-q", "--quiet", action="store_true", help="no progress bar and no report")
-
-
 def _skeletonize(arguments: argparse.Namespace) -> int:
     target = _checked_target(arguments.output, arguments.mesh)
     render = export.writer_for(target)  # a wrong suffix is found before the flow, not after it
@@ -354,7 +192,7 @@ def _skeletonize(arguments: argparse.Namespace) -> int:
     if arguments.checkpoint is not None:
         others = [arguments.mesh, arguments.output, *([arguments.picture] if arguments.picture else [])]
         _checked_target(arguments.checkpoint, *others)
-    weights, config = _configured(arguments, check=arguments.check, evaluate=arguments.evaluate)
+    weights, config = configured(arguments, check=arguments.check, evaluate=arguments.evaluate)
     mesh, accepted = _accepted(arguments)
     _start_jax(arguments)
     from msf_jax.flow.skeletonize import skeletonize
@@ -366,7 +204,7 @@ def _skeletonize(arguments: argparse.Namespace) -> int:
             weights,
             config,
             pins=arguments.pin,
-            repair=_repair_of(arguments),
+            repair=repair_of(arguments),
             checkpoint=arguments.checkpoint,
             progress=not arguments.quiet,
         )
@@ -438,3 +276,8 @@ def _tell(skeleton: "Skeleton", written: list[Path], quiet: bool) -> None:
         print("wrote " + ", ".join(map(str, written)))
     if not skeleton.report.is_sound and sys.stderr is not None:
         print("msf-jax: warning: look at this curve before you use it, its report is not clean", file=sys.stderr)
+
+
+def _parser() -> argparse.ArgumentParser:
+    run = {"skeletonize": _skeletonize, "demo": _demo, "batch": _batch, "view": _view, "track": _track}
+    return parser_of(run)
