@@ -105,6 +105,7 @@ class Tape:
         return replace(
             self,
             triangles=_repeated(self.triangles, nodes),
+            offsets=_repeated(self.offsets, nodes),
             is_inside=_repeated(self.is_inside, nodes),
             node_row=_repeated(self.node_row, nodes),
             meso_row=_repeated(self.meso_row, rung(len(self.meso_row), FEWEST_NODES)),
