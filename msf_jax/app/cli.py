@@ -1,7 +1,8 @@
 """The command line: ``msf-jax skeletonize``, ``demo``, ``view``, ``batch``, also as ``python -m msf_jax``.
 
-Exit codes: 0 when all is written, 1 when some mesh of a batch failed or some frame has no curve, 2 for bad input or options, 130 for Ctrl-C, after
-which the curve as far as it went is written. A curve whose report is not clean is written all the same, with a warning.
+Exit codes: 0 when all is written, 1 when some mesh of a batch failed or some frame has no curve, 2 for bad input or
+options, 130 for Ctrl-C, after which the curve as far as it went is written. A curve whose report is not clean is
+written all the same, with a warning.
 """
 
 import argparse

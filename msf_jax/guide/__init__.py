@@ -4,6 +4,7 @@
 .. include:: weights.md
 .. include:: repair.md
 .. include:: scoring.md
+.. include:: following.md
 .. include:: gradients.md
 .. include:: tuning.md
 .. include:: batches.md

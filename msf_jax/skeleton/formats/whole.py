@@ -34,8 +34,8 @@ def npz(skeleton: "Skeleton") -> bytes:
             "pins": np.asarray(source.pins, dtype=np.int64),
         }
     header = json.dumps({"format": f"msf_jax {KIND}", "version": VERSION})
-    report = np.array(json.dumps(skeleton.report.to_dict()))
-    np.savez_compressed(buffer, **arrays, report=report, **{archive.HEADER: np.array(header)})
+    arrays |= {"report": np.array(json.dumps(skeleton.report.to_dict())), archive.HEADER: np.array(header)}
+    np.savez_compressed(buffer, **arrays)
     return buffer.getvalue()
 
 
@@ -49,7 +49,7 @@ def read_npz(path: str | os.PathLike[str]) -> "tuple[dict[str, np.ndarray], Repo
         curve = {name: held[name] for name in ("vertices", "edges", "radii", "mesh_map")}
         num, (_, edges, radii, mesh_map) = len(curve["vertices"]), curve.values()
         is_right = curve["vertices"].shape == (num, 3) and radii.shape == (num,) and edges.shape[1:] == (2,)
-        is_right &= all(((0 <= index) & (index < num)).all() for index in (edges, mesh_map)) and mesh_map.ndim == 1
+        is_right &= all(((index >= 0) & (index < num)).all() for index in (edges, mesh_map)) and mesh_map.ndim == 1
         if not (num and is_right and all(np.isfinite(value).all() for value in curve.values())):
             raise ValueError("arrays do not fit together")
         values = json.loads(str(held["report"]))
@@ -63,7 +63,7 @@ def read_npz(path: str | os.PathLike[str]) -> "tuple[dict[str, np.ndarray], Repo
             origin, areas, pins = held["input_of_vertex"], held["areas"], held["pins"]
             is_right = faces.shape[1:] == (3,) and ((faces >= 0) & (faces < len(vertices))).all()
             is_right &= vertices.shape == (len(origin), 3) and areas.shape == mesh_map.shape
-            is_right &= all(((0 <= index) & (index < len(mesh_map))).all() for index in (origin, pins))
+            is_right &= all(((index >= 0) & (index < len(mesh_map))).all() for index in (origin, pins))
             if not (is_right and np.isfinite(vertices).all()):
                 raise ValueError("the surface does not fit the curve")
             source = Source(Solid(vertices, faces), areas, pins, (), origin)
