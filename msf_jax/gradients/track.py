@@ -140,23 +140,20 @@ class Tracker:
 
     def __init__(self, skeleton: Skeleton):
         recipe = recipe_of(skeleton)
-        source, edges = skeleton.source, skeleton.edges
-        assert source is not None and source.input_of_vertex is not None  # there is a recipe
+        surface, edges = skeleton.surface, skeleton.edges
         self.num, self.edges = len(skeleton.mesh_map), edges
         self.recipe: Recipe = jax.device_put(jax.tree.map(jnp.asarray, recipe))
-        self.solid, self.vertex = source.solid, source.input_of_vertex
+        self.solid, self.vertex = surface.solid, surface.vertex
         # Faces of a mesh that was mended are others than the caller's: those are not compared.
         faces = self.vertex[self.solid.shape.faces]
         self.faces = None if skeleton.report.repairs else _sorted(faces)
-        self.start = np.zeros((self.num, 3))
-        self.start[self.vertex] = self.solid.leave(self.solid.shape.vertices)
         # Each section, and the edges of its node.
         section_of_node = np.full(len(skeleton.vertices), -1)
         section_of_node[recipe.node[recipe.is_loop]] = np.flatnonzero(recipe.is_loop)
         here, there = np.concatenate([edges, edges[:, ::-1]]).T
         self.here, self.there = here[section_of_node[here] >= 0], there[section_of_node[here] >= 0]
         self.section = section_of_node[self.here]
-        normal = np.asarray(_tracked(self.recipe, jnp.asarray(self.start))[3])
+        normal = np.asarray(_tracked(self.recipe, jnp.asarray(surface.given(self.num)))[3])
         self.upright = self._cosines(skeleton.vertices, normal)
 
     def _cosines(self, nodes: np.ndarray, normal: np.ndarray) -> np.ndarray:

@@ -34,8 +34,8 @@ def npz(skeleton: "Skeleton") -> bytes:
             "pins": np.asarray(source.pins, dtype=np.int64),
         }
     header = json.dumps({"format": f"msf_jax {KIND}", "version": VERSION})
-    report = np.array(json.dumps(skeleton.report.to_dict()))
-    np.savez_compressed(buffer, **arrays, report=report, **{archive.HEADER: np.array(header)})
+    arrays |= {"report": np.array(json.dumps(skeleton.report.to_dict())), archive.HEADER: np.array(header)}
+    np.savez_compressed(buffer, **arrays)
     return buffer.getvalue()
 
 
