@@ -48,7 +48,10 @@ def compiled_move(settings: StepSettings, layout: Layout, of_vertices: bool) -> 
     """
     if jax.config.jax_disable_jit:  # pyright: ignore[reportAttributeAccessIssue]
         return lambda buffers, weights: move(buffers, weights, settings, layout)
-    return _announced(settings, layout, of_vertices).result()
+    program = _announced(settings, layout, of_vertices)
+    if program.exception() is not None:  # a damaged file, most likely: it is compiled after all
+        program = _announced(settings, layout, of_vertices)
+    return program.result()
 
 
 def announce(settings: StepSettings, layout: Layout, of_vertices: bool) -> None:
@@ -62,10 +65,11 @@ def _announced(settings: StepSettings, layout: Layout, of_vertices: bool) -> "Fu
     key = settings, layout, of_vertices, str(real_dtype()), _device(), flags
     with _lock:
         found = _programs.get(key)
-        if found is None or (found.done() and found.exception() is not None):
+        has_failed = found is not None and found.done() and found.exception() is not None
+        if found is None or has_failed:
             file = _file(key)
-            if file is not None and file.exists():
-                found = _workers.submit(_read, file, settings, layout, of_vertices)
+            if file is not None and file.exists() and not has_failed:
+                found = _workers.submit(_read, file, layout, of_vertices)
             else:
                 found = _begun(file, settings, layout, of_vertices)
             _programs[key] = found
@@ -85,18 +89,12 @@ def _begun(file: Path | None, settings: StepSettings, layout: Layout, of_vertice
     return _workers.submit(compiled)
 
 
-def _read(file: Path, settings: StepSettings, layout: Layout, of_vertices: bool) -> Program:
-    """The program in ``file``, or a new one if that is damaged or does not run."""
-    try:
-        data = file.read_bytes()
-        if hashlib.sha256(data[32:]).digest() != data[:32]:
-            raise ValueError("cut short, or damaged")
-        return _checked(data[32:], layout, of_vertices)
-    except Exception:  # unpickling and XLA raise whatever a file of another kind provokes
-        arguments = _arguments(layout, of_vertices)
-        program = jitted_move.lower(*arguments, settings, layout).compile()
-        _keep(file, program, layout, of_vertices)
-        return program
+def _read(file: Path, layout: Layout, of_vertices: bool) -> Program:
+    """The program in ``file``; raises whatever a damaged one provokes."""
+    data = file.read_bytes()
+    if hashlib.sha256(data[32:]).digest() != data[:32]:
+        raise ValueError(f"{str(file)!r} is cut short, or damaged")
+    return _checked(data[32:], layout, of_vertices)
 
 
 def _keep(file: Path, program: Any, layout: Layout, of_vertices: bool) -> None:
