@@ -5,6 +5,7 @@ import numpy as np
 from msf_jax.base.errors import MeshError
 from msf_jax.base.options import Config
 from msf_jax.flow.state import LIMITS, Limits, State, Stopwatch
+from msf_jax.flow.stepping import compile_ahead
 from msf_jax.host import reconstruction
 from msf_jax.host.mesh.checking import Component
 from msf_jax.host.meso import collapse, homology, split
@@ -60,6 +61,8 @@ def init(
     meso, num_coarsened = _coarsened(meso, config, watch)
     is_rough = num_coarsened > meso.num_rows and not (config.reconstruct_mesh or config.resample)
     rough = Enclosure(meso.positions, meso.faces()) if is_rough else shape
+    with watch.stage("compile"):
+        compile_ahead(meso, config)
     found = None
     if config.use_poles:
         found = _poles(meso, shape, config, watch)
