@@ -16,11 +16,12 @@ from msf_jax.host.poles.balls import shrinking_balls
 from msf_jax.host.solid.enclosure import Enclosure
 
 TOUCHING = 1e-5  # diagonals: a point with less room than that counts as outside
-MOST_SEEDS = 12_000  # points of the surface, behind which balls are sought
+MOST_SEEDS = 20_000  # points of the surface, behind which balls are sought
 FIRST = 0.01  # diagonals, radius of the first ball that is tried
 CORRECTIONS = 4  # of a ball's radius, by the triangles between the samples
 NEIGHBOURS = 12  # of a ball, of any size, and
 LARGER = 3  # of each larger size
+FAR = 3.0  # times the sum of their radii: balls that are farther apart than that are no neighbours
 UNSEEN = 3.0  # times as long as it is counts an edge that nobody has looked at
 SEARCHES = 300  # that a curve may cost, and one more for every
 EDGES_A_SEARCH = 10  # of its edges
@@ -121,8 +122,7 @@ class _Graph:
             if not len(unseen):
                 return self.centre[stops[-2:0:-1]], number
             if not self._look(unseen).all():
-                self._look(self._frontier(start))
-                self._look(self._frontier(end))
+                self._look(self._frontier(start, end))
         return np.empty((0, 3)), most
 
     def _look(self, edge: np.ndarray) -> np.ndarray:
@@ -133,14 +133,19 @@ class _Graph:
         self.matrix.data[self.entry_of[edge]] = self.cost[edge]
         return is_open
 
-    def _frontier(self, ball: int) -> np.ndarray:
-        """The cheapest unseen edges that lead out of what is known to be joined to ``ball``: that may be a pocket."""
+    def _frontier(self, start: int, end: int) -> np.ndarray:
+        """The cheapest unseen edges that lead out of what is known to be joined to one of two balls.
+
+        The smaller such part is taken: it may be a pocket that no way leads out of.
+        """
         is_joined = self.is_seen & np.isfinite(self.cost)
         known = sparse.coo_matrix(
             (np.ones(is_joined.sum()), (self.tail[is_joined], self.head[is_joined])), shape=self.matrix.shape
         )
         part = csgraph.connected_components(known, directed=False)[1]
-        is_own = part == part[ball]
+        if part[start] == part[end]:
+            return np.empty(0, dtype=np.int64)
+        is_own = min((part == part[ball] for ball in (start, end)), key=np.count_nonzero)
         leads_out = np.flatnonzero(~self.is_seen & (is_own[self.tail] != is_own[self.head]))
         return leads_out[np.argsort(self.cost[leads_out], kind="stable")[:AT_ONCE]]
 
@@ -184,7 +189,11 @@ def _neighbours(centre: np.ndarray, radius: np.ndarray, num_ends: int) -> tuple[
     both = np.concatenate(pairs)
     both = np.sort(both[both[:, 0] != both[:, 1]], axis=1)
     both = np.unique(both[:, 0] * num + both[:, 1])
-    return both // num, both % num
+    tail, head = both // num, both % num
+    apart = spatial.KDTree(centre).query(centre, k=[2])[0][:, 0]
+    reach = FAR * (radius[tail] + radius[head]) + 2 * np.maximum(apart[tail], apart[head])
+    is_near = (np.linalg.norm(centre[tail] - centre[head], axis=1) < reach) | (tail < num_ends)
+    return tail[is_near], head[is_near]
 
 
 def _nearest(centre: np.ndarray, rows: np.ndarray, others: np.ndarray, num: int) -> np.ndarray:
