@@ -129,7 +129,7 @@ def measure(
     for nodes in trace(len(vertices), edges):
         length = float(np.linalg.norm(np.diff(vertices[nodes], axis=0), axis=1).sum())
         junctions = [node for node in (nodes[0], nodes[-1]) if degree[node] > 2]
-        own = np.setdiff1d(nodes, junctions)
+        own = np.array(sorted(set(nodes).difference(junctions)), dtype=np.int64)
         persistence = np.inf
         if len(junctions) == 1 and min(degree[nodes[0]], degree[nodes[-1]]) == 1:
             reach = known.get(tuple(own.tolist()))
