@@ -3,7 +3,7 @@
 A vertex of the surface is explained if the curve is about as near to it as the solid is thick there. What is not hangs
 together in patches. From where a patch borders on the rest, waves run over it along its edges, a step a wave; on a
 thin limb each wave is a ring, and the middles of successive rings are its curve (as in skeletor's wavefront, here for
-what is left only). Patches of solids without thin limbs, or ones no longer than they are thick, are bumps, and bear nothing.
+what is left only). Patches no longer than they are thick are bumps, and solids without thin limbs are left as they are.
 """
 
 from typing import NamedTuple
