@@ -39,7 +39,8 @@ def assemble(
     history = tuple(line for state in states for line in state.history)
     with watch.stage("report"):
         solid = Solid(checked.vertices, checked.faces)
-        source = Source(solid, _areas_of_input(checked, solid), pins, _stages(states), checked.input_of_vertex)
+        followed = None if checked.is_made.any() else checked.input_of_vertex
+        source = Source(solid, _areas_of_input(checked, solid), pins, _stages(states), followed)
         figures = {}
         if config.evaluate:
             figures = metrics.figures_of(solid.shape, solid.enter(stitched[1].vertices), stitched[1].edges)

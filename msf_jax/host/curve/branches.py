@@ -66,9 +66,9 @@ def cycle_count(num_nodes: int, edges: np.ndarray) -> tuple[int, int]:
 def cut_loops(num_nodes: int, edges: np.ndarray, radii: np.ndarray) -> np.ndarray:
     """(E,) which edges stay when every loop is cut at the thinnest of its edges: a spanning tree of the thickest.
 
-    An edge is as thick as the smaller of the balls at its ends; of equal ones the last goes.
+    An edge is as thick as the smaller of the balls at its ends; of equal ones that with the smaller other ball goes.
     """
-    order = np.argsort(-radii[edges].min(axis=1), kind="stable")
+    order = np.lexsort((-radii[edges].max(axis=1), -radii[edges].min(axis=1)))
     rank = np.empty(len(edges))
     rank[order] = np.arange(1, len(edges) + 1)  # no two weigh the same, and none nothing
     graph = sparse.coo_matrix((rank, (edges[:, 0], edges[:, 1])), shape=(num_nodes, num_nodes))
@@ -129,7 +129,7 @@ def measure(
     for nodes in trace(len(vertices), edges):
         length = float(np.linalg.norm(np.diff(vertices[nodes], axis=0), axis=1).sum())
         junctions = [node for node in (nodes[0], nodes[-1]) if degree[node] > 2]
-        own = np.setdiff1d(nodes, junctions)
+        own = np.array(sorted(set(nodes).difference(junctions)), dtype=np.int64)
         persistence = np.inf
         if len(junctions) == 1 and min(degree[nodes[0]], degree[nodes[-1]]) == 1:
             reach = known.get(tuple(own.tolist()))

@@ -12,7 +12,7 @@ from typing import NamedTuple
 import numpy as np
 from scipy import spatial
 
-from msf_jax.host.curve import branches, centring, containment, tips
+from msf_jax.host.curve import branches, centring, containment, tips, twigs
 from msf_jax.host.curve.passages import Passages
 from msf_jax.host.solid.enclosure import Enclosure
 
@@ -86,6 +86,7 @@ def passes(centre: bool, extend: bool) -> list[Callable[[Draft, Job], Draft]]:
         *([refined, partial(centred, rounds=LATER_ROUNDS)] if centre else []),
         *([extended] if extend else []),
         *([partial(centred, rounds=LATER_ROUNDS, hold_leaves=True)] if centre and extend else []),
+        *([completed, pruned] if extend else []),
         *([unfolded] if centre else []),
         contained,
     ]
@@ -150,6 +151,11 @@ def refined(draft: Draft, job: Job) -> Draft:
 def extended(draft: Draft, job: Job) -> Draft:
     """Leaves at the ends of their limbs."""
     return draft.changed(*tips.extend(job.shape, draft.vertices, draft.edges, draft.is_held))
+
+
+def completed(draft: Draft, job: Job) -> Draft:
+    """With the thin limbs that the flow has lost."""
+    return draft.changed(*twigs.grow(job.shape, draft.vertices, draft.edges))
 
 
 def in_order(edges: np.ndarray) -> np.ndarray:

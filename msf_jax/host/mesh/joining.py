@@ -145,7 +145,7 @@ def _count(number: int, what: str) -> str:
 
 def _overlapped(num_parts: int, num_bodies: int) -> str:
     if num_bodies < num_parts:
-        return f"joined {num_parts} parts, as far as they overlap, to {_count(num_bodies, 'solid')}"
+        return f"joined {num_parts} parts, as far as they overlap or touch, to {_count(num_bodies, 'solid')}"
     return f"joined none of {_count(num_parts, 'part')} by overlap" if num_parts > 1 else "joined nothing: one part"
 
 

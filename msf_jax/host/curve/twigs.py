@@ -1,0 +1,139 @@
+"""Branches for thin limbs that a curve has missed, as they contracted away before the limb beside them was thin.
+
+A vertex of the surface is explained if the curve is about as near to it as the solid is thick there. What is not hangs
+together in patches. From where a patch borders on the rest, waves run over it along its edges, a step a wave; on a
+thin limb each wave is a ring, and the middles of successive rings are its curve (as in skeletor's wavefront, here for
+what is left only). Patches no longer than they are thick are bumps, and solids without thin limbs are left as they are.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+from scipy import sparse, spatial
+from scipy.sparse import csgraph
+
+from msf_jax.host.poles import thickness
+from msf_jax.host.poles.balls import shrinking_balls
+from msf_jax.host.solid.enclosure import Enclosure
+from msf_jax.host.solid.geometry import unit, vertex_normals
+
+EXPLAINED = 2.0  # radii, that the curve is away from a vertex at most
+SLENDER = 2.0  # radii, that a limb is longer than
+ROUNDS = 2  # the second one finds what a limb of the first has hidden
+SPACING = 0.5  # radii, between the points that stand for the curve
+MOST_POINTS = 100  # of these on an edge
+
+
+class Rings(NamedTuple):
+    """Rings of the waves. parent: (R,) the ring before each, -1 for one at a border. middle: (R, 3). radius: (R,)."""
+
+    parent: np.ndarray
+    middle: np.ndarray
+    radius: np.ndarray
+
+
+def grow(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """The curve with a branch for each thin limb of a solid of diagonal 1 that it has missed: nodes, new ones last, and
+    edges. A branch begins at the node that is nearest to its first ring, and adds no loop."""
+    if thickness.scales(shape.vertices, shape.faces) is None:
+        return vertices, edges
+    x, normals = shape.vertices, unit(vertex_normals(shape.vertices, shape.faces))
+    most = 2 * thickness.THIN
+    radius = shrinking_balls(x, normals, spatial.KDTree(x), most, most, np.arange(len(x))).radius
+    beside = _neighbours(shape.faces, len(x))
+    for _ in range(ROUNDS):
+        is_left = (radius < thickness.THIN) & ~_is_explained(shape, radius, vertices, edges)
+        rings = _waves(x, x - radius[:, None] * normals, radius, beside, is_left)
+        new = np.flatnonzero(_is_limb(rings))
+        number = np.full(len(rings.parent), -1)
+        number[new] = len(vertices) + np.arange(len(new))
+        above = rings.parent[new]
+        joint = spatial.KDTree(vertices).query(rings.middle[new])[1] if len(new) else new
+        ends = np.stack([np.where(above < 0, joint, number[above]), number[new]], axis=1)
+        vertices, edges = np.concatenate([vertices, rings.middle[new]]), np.concatenate([edges, ends])
+    return vertices, edges
+
+
+def _neighbours(faces: np.ndarray, num: int) -> sparse.csr_matrix:
+    """(V, V) 1 where two vertices share an edge."""
+    tail, head = faces.ravel(), np.roll(faces, -1, axis=1).ravel()  # closed: every edge is there both ways
+    return sparse.csr_matrix((np.ones(len(tail)), (tail, head)), shape=(num, num))
+
+
+def _is_explained(shape: Enclosure, radius: np.ndarray, vertices: np.ndarray, edges: np.ndarray) -> np.ndarray:
+    """(V,) which vertices of the surface are as near to the curve as the solid is thick, there or at the curve."""
+    a, b = vertices[edges[:, 0]], vertices[edges[:, 1]]
+    clear = shape.about_clearance(vertices)[0]
+    room = clear[edges].max(axis=1)
+    pace = SPACING * np.maximum(room, float(np.median(radius)))
+    num = np.clip(np.ceil(np.linalg.norm(b - a, axis=1) / pace), 1, MOST_POINTS).astype(int)
+    row = np.repeat(np.arange(len(edges)), num)
+    place = np.arange(len(row)) - np.repeat(np.cumsum(num) - num, num)
+    share = ((place + 0.5) / num[row])[:, None]
+    points = np.concatenate([vertices, a[row] * (1 - share) + b[row] * share])
+    away, near = spatial.KDTree(points).query(shape.vertices)
+    return away <= EXPLAINED * np.maximum(radius, np.concatenate([clear, room[row]])[near])
+
+
+def _waves(
+    points: np.ndarray, centres: np.ndarray, radius: np.ndarray, beside: sparse.csr_matrix, is_left: np.ndarray
+) -> Rings:
+    """Rings of the waves over what is left of ``points`` (V, 3), from its borders on.
+
+    The middle of a ring is the mean of the balls' ``centres`` (V, 3), but of its points where it is the last.
+    """
+    step = np.where(is_left, -1, 0)
+    front, level = ~is_left, 0
+    while front.any():
+        level += 1
+        front = (beside @ front.astype(float) > 0) & (step < 0)
+        step[front] = level
+    mine = np.flatnonzero(step > 0)
+    pairs = beside[mine][:, mine].tocoo()
+    difference = step[mine][pairs.col] - step[mine][pairs.row]
+    same, down = difference == 0, difference == 1
+    graph = sparse.coo_matrix((np.ones(same.sum()), (pairs.row[same], pairs.col[same])), shape=(len(mine), len(mine)))
+    num, ring = csgraph.connected_components(graph, directed=False)
+    links = np.stack([ring[pairs.col[down]], ring[pairs.row[down]]], axis=1).reshape(-1, 2)
+    links, votes = np.unique(links, axis=0, return_counts=True)
+    parent = np.full(num, -1)
+    order = np.argsort(votes, kind="stable")
+    parent[links[order, 0]] = links[order, 1]  # of several the one with the most edges to it
+    count = np.maximum(np.bincount(ring, minlength=num), 1)
+
+    def mean(of_vertex: np.ndarray) -> np.ndarray:
+        return np.bincount(ring, weights=of_vertex[mine], minlength=num) / count
+
+    is_last = np.bincount(parent[parent >= 0], minlength=num) == 0
+    on_surface, inside = (np.stack([mean(axis) for axis in each.T], axis=1) for each in (points, centres))
+    return Rings(parent, np.where(is_last[:, None], on_surface, inside), mean(radius))
+
+
+def _is_limb(rings: Rings) -> np.ndarray:
+    """(R,) which rings are on limbs: on the longest way from a border, or on one that branches off and is slender."""
+    order = _borders_first(rings.parent)
+    has_parent = rings.parent >= 0
+    length = np.linalg.norm(rings.middle - rings.middle[rings.parent], axis=1)
+    length[~has_parent] = 0.0
+    reach = np.zeros(len(order))  # from the ring before it to the farthest end
+    first = np.full(len(order), -1)  # the ring after it that is on the way there
+    for ring in order[::-1].tolist():
+        reach[ring] += length[ring]
+        above = int(rings.parent[ring])
+        if above >= 0 and (first[above] < 0 or reach[ring] > reach[above]):
+            reach[above], first[above] = reach[ring], ring
+    is_limb = reach > SLENDER * rings.radius
+    for ring in order.tolist():
+        above = int(rings.parent[ring])
+        if above >= 0:
+            is_limb[ring] = is_limb[above] and (is_limb[ring] or first[above] == ring)
+    return is_limb
+
+
+def _borders_first(parent: np.ndarray) -> np.ndarray:
+    """The rings, each after its parent."""
+    depth = np.where(parent < 0, 0, -1)
+    while (depth < 0).any():
+        now = (depth < 0) & (depth[parent] >= 0)
+        depth[now] = depth[parent[now]] + 1
+    return np.argsort(depth, kind="stable")

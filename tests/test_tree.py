@@ -1,0 +1,97 @@
+"""`to_tree`: loops cut where they are thinnest, the root that was asked for, and SWC that begins with it."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+import trimesh
+from conftest import torus
+
+import msf_jax
+from msf_jax import Config, ConfigError
+from msf_jax.host.curve import branches, twigs
+from msf_jax.host.mesh import checking
+from msf_jax.host.solid.solid import Solid
+from msf_jax.skeleton.skeleton import curve_of
+
+
+def ring_with_a_tail() -> msf_jax.Skeleton:
+    """Ten nodes in a ring, thinnest between 3 and 4, a tail from node 0, and an edge of its own."""
+    angle = np.arange(10) * 2 * np.pi / 10
+    ring = np.stack([np.cos(angle), np.sin(angle), 0 * angle], axis=1)
+    vertices = np.concatenate([ring, [[2, 0, 0], [3, 0, 0], [9, 0, 0], [9, 1, 0]]])
+    edges = np.array([[k, (k + 1) % 10] for k in range(10)] + [[0, 10], [10, 11], [12, 13]])
+    radii = np.array([0.5, 0.4, 0.3, 0.1, 0.1, 0.3, 0.3, 0.3, 0.4, 0.4, 0.6, 0.2, 0.1, 0.2])
+    return curve_of(vertices, np.unique(np.sort(edges, axis=1), axis=0), radii)
+
+
+def test_a_loop_is_cut_where_it_is_thinnest():
+    tree = ring_with_a_tail().to_tree()
+    lost = {(0, 1), (3, 4)} - set(map(tuple, tree.edges.tolist()))
+    assert lost == {(3, 4)} and len(tree.edges) == 12
+    assert tree.roots == (10, 13)
+    assert (tree.report.cycles, tree.report.cut, tree.report.components) == (0, 1, 2)
+    assert tree.report.notes[-1] == (
+        "a tree: 1 loop cut where thinnest, at radii of 0.1 to 0.1; root at node 10, of radius 0.6"
+    )
+    assert branches.cycle_count(len(tree.vertices), tree.edges) == (2, 0)
+
+
+@pytest.mark.parametrize("root", [None, 7, 12])
+def test_the_root_is_the_first_row(tmp_path, root):
+    curve = ring_with_a_tail()
+    tree = curve.to_tree(root)
+    tree.save(tmp_path / "tree.swc")
+    rows = [line.split() for line in (tmp_path / "tree.swc").read_text().splitlines() if line[0] != "#"]
+    assert rows[0][6] == "-1"
+    expected = curve.vertices[10 if root is None else root]
+    np.testing.assert_allclose([float(word) for word in rows[0][2:5]], expected, atol=1e-12)
+    assert [row[6] for row in rows].count("-1") == 2
+    assert all(int(row[6]) < int(row[0]) for row in rows)
+
+
+@pytest.mark.parametrize("root", [-1, 14, 1.5, True, "soma"])
+def test_a_root_that_is_no_node_is_refused(root):
+    with pytest.raises(ConfigError, match="expected a node from 0 to 13, or None for the thickest"):
+        ring_with_a_tail().to_tree(root)
+
+
+def test_a_tree_of_a_run_stays_sound_and_keeps_its_root():
+    curve = msf_jax.skeletonize(torus(), config=Config(prune=0.0))
+    tree = curve.to_tree()
+    assert curve.report.cycles == tree.report.cut == 1 and tree.report.is_sound
+    assert "0 cycles for genus 1, 1 more cut" in str(tree.report)
+    np.testing.assert_array_equal(tree.mesh_map, curve.mesh_map)
+    after = tree.resample(0.3)
+    np.testing.assert_allclose(after.vertices[after.roots[0]], tree.vertices[tree.roots[0]], atol=0.3)
+    assert not replace(tree.report, cut=0).is_sound
+
+
+# Thin limbs that were lost, which trees are full of
+
+
+def tube(start: list[float], end: list[float], radius: float, rings: int) -> tuple[np.ndarray, np.ndarray]:
+    """A closed tube of eight sections."""
+    mesh = trimesh.creation.cylinder(radius, segment=[start, end], sections=8)
+    while len(mesh.vertices) < 8 * rings:
+        mesh = mesh.subdivide()
+    return np.array(mesh.vertices), np.array(mesh.faces)
+
+
+@pytest.mark.parametrize(("factor", "is_found"), [(1.0, True), (10.0, False)])
+def test_a_thin_limb_that_the_curve_has_missed_is_found(factor, is_found):
+    """A trunk with its curve, and a twig that it knows nothing of; on a thick solid nothing is added."""
+    radius = 0.003 * factor
+    trunk, twig = tube([-0.5, 0, 0], [0.5, 0, 0], radius, 100), tube([0, 0, 0], [0, 0.2, 0], 0.7 * radius, 30)
+    faces = np.concatenate([trunk[1], twig[1] + len(trunk[0])])
+    found = checking.prepare((np.concatenate([trunk[0], twig[0]]), faces), "join")
+    solid = Solid(found.vertices, found.faces)
+    nodes = np.stack([np.linspace(-0.49, 0.49, 300), np.zeros(300), np.zeros(300)], axis=1)
+    edges = np.stack([np.arange(299), np.arange(1, 300)], axis=1)
+    vertices, joined = twigs.grow(solid.shape, solid.enter(nodes), edges)
+    np.testing.assert_array_equal(vertices[:300], solid.enter(nodes))
+    new = solid.leave(vertices[300:])
+    assert bool(len(new)) == is_found
+    assert branches.cycle_count(len(vertices), joined) == (1, 0)
+    if is_found:
+        assert new[:, 1].max() > 0.2 - 3 * radius and np.abs(new[:, [0, 2]]).max() < 2 * radius
