@@ -30,23 +30,21 @@ from msf_jax.host.solid.geometry import unit
 
 # Chosen on the ground-truth shapes and the research meshes, for the mean distance to the true curve, off-centre and
 # missed together; see `tests.benchmarks.curves`.
-ROUNDS = 40  # at most
+ROUNDS = 12  # at most
 TOLERANCE = 5e-4  # sizes of the limb: a round in which no node moves farther is the last
 AFRESH = 0.01  # sizes moved, or radians turned, after which a section is cut again; until then it is linear in both
 STIFFNESS = 0.35  # the length l, in sizes of the limb
 STIFFEST = 1e5  # of (l / h)^4
 ZONE, MARGIN = 0.7, 0.4  # sizes of a junction, within which sections do not count, and over which they come to do so
-LOPSIDED, STEEP = 2.0, 8  # a section so many times as wide as its limb counts half, by this power of the ratio
+LOPSIDED, STEEP = 1.6, 8  # a section so many times as wide as its limb counts half, by this power of the ratio
 ROUNDNESS = 4  # a section wider than its branch's usual one counts less, by this power of the ratio
 STRAY = 0.3  # section radii: a centroid so far away counts for a quarter
 SLIDING = 0.03  # what is left of w along the branch
-JUNCTION_ANCHOR = 0.1  # a, and
-ROOMY_ANCHOR, ROOMIER = 4.0, 0.5  # so much more where the flow's place is roomier by this part
+JUNCTION_ANCHOR = 0.5  # a, and
+ROOMY_ANCHOR, ROOMIER = 4.0, 1.0  # so much more where the flow's place is roomier by this part
 DAMPING = 0.05  # of a step, and
 DAMPING_ALONG = 0.3  # of what is along the branch
 LONGEST_STEP = 0.5  # sizes, in one round
-TRACE = []
-USE_PLACES = True
 HELD = 1e9  # a, for a node that is not to move
 THINNEST = 0.25  # of its clearance, that a step must leave to a node
 SETTLING = 4  # rounds, after which a node that goes over a brink counts less,
@@ -64,11 +62,12 @@ def centre(
 ) -> np.ndarray:
     """The nodes ``vertices`` (N, 3) of the curve, centred; those of ``is_held`` (N,) stay where they are.
 
-    ``places`` (N, 3) are those that the flow found, ``vertices`` if not given. A step that would leave the solid is cut
-    short; a node that is outside stays there.
+    ``places`` (N, 3) are those that the flow found, ``vertices`` if not given. ``is_rough`` says that the curve is not
+    near the middle yet: then the first round takes it there, however far that is. A step that would leave the solid is
+    cut short; a node that is outside stays there.
     """
     x, num = vertices.copy(), len(vertices)
-    y = vertices if places is None or not USE_PLACES else places
+    y = vertices if places is None else np.where(is_held[:, None], vertices, places)
     degree = np.bincount(edges.ravel(), minlength=num)
     ways = measures.ways_of(x, edges, is_held)
     if not ways:
@@ -78,7 +77,6 @@ def centre(
     room, near = shape.about_clearance(x)
     size, faded, before = room.copy(), np.ones(num), np.zeros(num)
     known = _Known(x)
-    TRACE.clear()
     for number in range(-1, rounds):  # the first only finds out how large limbs are
         room[junction] = shape.distances(x[junction])
         chord = measures.chords(x, ways, size)
@@ -107,7 +105,7 @@ def centre(
         if number < 0:
             continue
         anchor = np.zeros(num)
-        roomier = np.clip((room_at_place / np.maximum(room[junction], 1e-300) - 1) / ROOMIER, 0, 1)
+        roomier = np.clip((room_at_place / measures.second_sizes(ways, *everywhere)[junction] - 1) / ROOMIER, 0, 1)
         anchor[junction] = JUNCTION_ANCHOR + ROOMY_ANCHOR * roomier**2 * (3 - 2 * roomier)
         anchor[is_held] = HELD
         system = _System(x, ways, size, limb, found, tangent, ahead, chord, anchor, y)
@@ -119,16 +117,15 @@ def centre(
         step = measures.spread(x + step, ways) - x
         step[is_held] = 0.0
         part = np.linalg.norm(step, axis=1) / np.maximum(np.maximum(room, 0.3 * size), 1e-300)
-        TRACE.append((float(np.median(part)), float(part.max()), int((part>1e-3).sum()), int(part.argmax())))
         if part.max() < TOLERANCE:
             break
         step *= np.minimum(1.0, LONGEST_STEP / np.maximum(part, 1e-300))[:, None]
         left = np.flatnonzero(~is_held & (room > 0))
-        for share in (1.0, 0.5, 0.25):
-            goal = x[left] + share * step[left]
+        for part in (1.0, 0.5, 0.25):
+            goal = x[left] + part * step[left]
             clearance, triangle = shape.approach(goal)
             is_safe = (clearance > THINNEST * room[left]) & shape.contains(goal)
-            x[left[is_safe]] += share * step[left[is_safe]]
+            x[left[is_safe]] += part * step[left[is_safe]]
             room[left[is_safe]], near[left[is_safe]] = clearance[is_safe], triangle[is_safe]
             left = left[~is_safe]
     return x
@@ -138,10 +135,8 @@ class _Known:
     """Sections that were cut, until their nodes have moved on too far."""
 
     def __init__(self, x: np.ndarray):
-        num = len(x)
         self.place, self.normal = np.full_like(x, np.inf), np.zeros_like(x)
         self.found = sections.nowhere(x)
-        self.rows = np.arange(num)
 
     def at(
         self,

@@ -16,7 +16,7 @@ from msf_jax.host.curve import branches, centring, containment, tips
 from msf_jax.host.solid.enclosure import Enclosure
 
 SPACING = 0.5  # radii, between the nodes of a finished curve
-FIRST_ROUNDS = 4  # of centring, before it is decided what to prune, and before tips are carried on
+FIRST_ROUNDS = 3  # of centring, before it is decided what to prune, and before tips are carried on
 
 
 class Draft(NamedTuple):
@@ -79,7 +79,8 @@ def passes(centre: bool, extend: bool) -> list[Callable[[Draft, Job], Draft]]:
     """The passes in their order; ``centre`` and ``extend`` switch those that belong to them."""
     return [
         contained,
-        *([unfolded, partial(centred, rounds=FIRST_ROUNDS), unfolded] if centre else []),  # what to prune is decided on a curve that is centred
+        # What to prune is decided on a curve that is centred.
+        *([unfolded, partial(centred, rounds=FIRST_ROUNDS, is_rough=True), unfolded] if centre else []),
         pruned,
         *([refined, partial(centred, rounds=FIRST_ROUNDS if extend else centring.ROUNDS)] if centre else []),
         *([extended] if extend else []),
@@ -123,10 +124,13 @@ def unfolded(draft: Draft, job: Job) -> Draft:
     return draft.changed(containment.unfold(job.shape, draft.vertices, draft.edges, draft.is_held))
 
 
-def centred(draft: Draft, job: Job, rounds: int = centring.ROUNDS, hold_leaves: bool = False) -> Draft:
+def centred(
+    draft: Draft, job: Job, rounds: int = centring.ROUNDS, hold_leaves: bool = False, is_rough: bool = False
+) -> Draft:
     """Nodes in the middle of the solid."""
     is_held = draft.is_held | draft.is_leaf() if hold_leaves else draft.is_held
-    return draft.changed(centring.centre(job.rough, draft.vertices, draft.edges, is_held, rounds, draft.place, rounds < centring.ROUNDS))
+    x = centring.centre(job.rough, draft.vertices, draft.edges, is_held, rounds, draft.place, is_rough)
+    return draft.changed(x)
 
 
 def pruned(draft: Draft, job: Job) -> Draft:

@@ -121,3 +121,20 @@ def usual(ways: list[Way], known: np.ndarray) -> np.ndarray:
         if not np.isnan(along).all():
             found[way.nodes] = np.nanmedian(along)
     return found
+
+
+def second_sizes(ways: list[Way], size: np.ndarray, weight: np.ndarray) -> np.ndarray:
+    """(N,) the second largest mean ``size`` (N,), with ``weight`` (N,), of the branches that end at each node.
+
+    It is the largest where only one is known, and infinite where none is.
+    """
+    ends: dict[int, list[float]] = {}
+    for nodes, _, _, _ in ways:
+        own = weight[nodes]
+        if own.sum() > 1e-3:
+            for end in (nodes[0], nodes[-1]):
+                ends.setdefault(int(end), []).append(float(np.average(size[nodes], weights=own)))
+    found = np.full(len(size), np.inf)
+    for node, known in ends.items():
+        found[node] = sorted(known)[-2:][0]
+    return found

@@ -172,7 +172,7 @@ def _walk(shape: Enclosure, points: np.ndarray, normals: np.ndarray, start: np.n
     perimeter = np.maximum(total(length), 1e-300)
     radius = np.where(is_found, total(length * away) / perimeter, 0.0)
     size = np.where(is_found, area2 / perimeter, 0.0)
-    # Where the plane rises by h, the loop goes outward by h s: s is how much the wall leans away from the plane's normal.
+    # Where the plane rises by h, the loop goes outward by h times how much the wall leans away from its normal.
     corner = shape.triangles[edge[order] // 3]
     wall = unit(np.cross(corner[:, 1] - corner[:, 0], corner[:, 2] - corner[:, 0]))
     lean = -np.einsum("ci,ci->c", wall, normals[loop])
