@@ -12,6 +12,7 @@ import numpy as np
 from msf_jax.host.meso import ring_tables
 from msf_jax.host.meso.collapse import edge_lengths, shortest_first
 
+
 class Curve(NamedTuple):
     """nodes: (N, 3). edges: (E, 2). node_of_meso: (n,) the node that each vertex of the meso-skeleton went into."""
 
