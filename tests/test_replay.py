@@ -14,7 +14,7 @@ from device_cases import central_difference
 import msf_jax
 from msf_jax import Config, ConfigError, MeshError, Weights
 from msf_jax.base.layout import layout_for
-from msf_jax.gradients import replay
+from msf_jax.gradients import replay, tape
 from msf_jax.host.recording import padded
 from msf_jax.host.recording.stretches import Planned
 
@@ -191,7 +191,7 @@ def test_padding_does_not_matter(flow, monkeypatch):
         return [Planned(0, 1, layout_for(3000, beyond)), Planned(1, len(steps), layout_for(1000, beyond))]
 
     monkeypatch.setattr(padded, "stretches_of", other_plan)
-    again = msf_jax.tape.record(flow.recording, flow.weights, flow.config, flow.curve, flow.source)
+    again = tape.record(flow.recording, flow.weights, flow.config, flow.curve, flow.source)
     assert again.shapes != flow.tape.shapes
     _, slopes, nodes = probe(flow.tape, *probed(flow.tape), TIGHT)
     _, other_slopes, other_nodes = probe(again, *probed(again), TIGHT)
