@@ -8,6 +8,7 @@ Whatever is wrong with a file, it is compiled again: the same program, and the s
 """
 
 import hashlib
+import importlib.metadata
 import os
 import platform
 import threading
@@ -19,7 +20,6 @@ from pathlib import Path
 from typing import Any
 
 import jax
-import jaxlib
 import numpy as np
 from jax.experimental import serialize_executable
 
@@ -127,13 +127,14 @@ def _arguments(layout: Layout, of_vertices: bool) -> tuple[Buffers, Weights]:
     """Shapes of what a program takes."""
     dtype = real_dtype()
 
-    def table(*shape: int, dtype: Any = dtype) -> jax.ShapeDtypeStruct:
+    def table(*shape: int, dtype: Any = dtype) -> Any:  # stands for an array
         return jax.ShapeDtypeStruct(shape, dtype)
 
     rows, slots = layout.capacity, layout.num_slots
-    rings = Rings(*(table(slots, dtype=np.int32) for _ in range(3)), table(slots, dtype=np.bool_))
+    corner = table(slots, dtype=np.int32)
+    rings = Rings(corner, corner, corner, table(slots, dtype=np.bool_))
     column, points = table(rows), table(rows, 3)
-    buffers: Any = Buffers(points, rings, column, column, points, column, table(), column)
+    buffers = Buffers(points, rings, column, column, points, column, table(), column)
     weight = column if of_vertices else table()
     return buffers, jax.tree_util.tree_map(lambda _: weight, Weights())
 
@@ -164,4 +165,4 @@ def _machine() -> tuple[str, ...]:
         processor = platform.processor() or platform.node()
     kind = device.platform, device.device_kind, str(device.client.platform_version)
     flags = os.environ.get("XLA_FLAGS", ""), os.environ.get("JAX_ENABLE_X64", "")
-    return jax.__version__, jaxlib.__version__, source, platform.machine(), processor, *kind, *flags
+    return jax.__version__, importlib.metadata.version("jaxlib"), source, platform.machine(), processor, *kind, *flags

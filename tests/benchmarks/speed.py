@@ -200,7 +200,8 @@ def measure(name: str, source: Source, methods: list[str], wanted: argparse.Name
 
 def start_to_end(source: Source, wanted: argparse.Namespace) -> dict[str, list[float]]:
     """Seconds of whole processes of this project, by what they do."""
-    seconds: dict[str, list[float]] = {"imports": [], "skeletonize, nothing compiled": [], "skeletonize, again": []}
+    what_is_done = ("--help", "imports", "skeletonize, nothing compiled", "skeletonize, again")
+    seconds: dict[str, list[float]] = {what: [] for what in what_is_done}
     environment = {name: value for name, value in os.environ.items() if name != "JAX_COMPILATION_CACHE_DIR"}
     with tempfile.TemporaryDirectory() as folder:
         mesh = Path(folder, "hand.off") if isinstance(source, int) else source.resolve()
@@ -210,7 +211,8 @@ def start_to_end(source: Source, wanted: argparse.Namespace) -> dict[str, list[f
         command += ["--float32"] * wanted.float32
         for number in range(wanted.repeats):
             environment["XDG_CACHE_HOME"] = str(Path(folder, f"cache_{number}"))  # where compiled steps go
-            for what, arguments in zip(seconds, (["-c", "import msf_jax.cli"], command, command), strict=True):
+            help_, imports = ["-m", "msf_jax", "--help"], ["-c", "import msf_jax.flow.loop"]
+            for what, arguments in zip(seconds, (help_, imports, command, command), strict=True):
                 start = time.perf_counter()
                 subprocess.run([sys.executable, *arguments], cwd=ROOT, env=environment, check=True, capture_output=True)
                 seconds[what].append(time.perf_counter() - start)
