@@ -13,8 +13,8 @@ from msf_jax.host.poles import balls, thickness, voronoi
 from msf_jax.host.reconstruction import LowPass
 from msf_jax.host.recording.records import FoundPoles, Start
 from msf_jax.host.solid.enclosure import Enclosure
-from msf_jax.host.solid.geometry import signed_volume
 from msf_jax.host.solid.frame import RESOLUTION, frame_of, sort_mesh
+from msf_jax.host.solid.geometry import signed_volume
 
 FLATTEST = 1e-9  # volume, in diagonals cubed, that must be left when coordinates are rounded to the frame's resolution
 MOST_COARSENED = 0.05  # of the volume may go with short edges

@@ -90,7 +90,9 @@ def _pack(state: State, weights: Weights, watch: Stopwatch) -> _Packed:
     meso = state.meso
     with watch.stage("solve"):
         layout = layout_for(meso.num_rows, packing.rows_beyond(meso))
-        order, rings, fields = packing.pack(meso, layout, state.first_ring_area, np.dtype(real_dtype()), _smallest(state))
+        order, rings, fields = packing.pack(
+            meso, layout, state.first_ring_area, np.dtype(real_dtype()), _smallest(state)
+        )
         buffers = Buffers(**{**fields, "rings": Rings(*fields["rings"])})
         of_rows = _of_rows(weights, meso.weights, order, layout.capacity)
         return _Packed(order, rings, meso.degree[order], layout, buffers, of_rows)

@@ -12,6 +12,7 @@ import numpy as np
 from msf_jax.host.meso import ring_tables
 from msf_jax.host.meso.collapse import edge_lengths, shortest_first
 
+
 class Curve(NamedTuple):
     """nodes: (N, 3). edges: (E, 2). node_of_meso: (n,) the node that each vertex of the meso-skeleton went into."""
 
@@ -116,7 +117,7 @@ class _Complex:
         """Take away a face, with the first of ``edges`` that bears no other: the shape is open there anyway.
 
         This is how a face goes whose three edges all close cycles. Where every edge bears more, the first one's goes;
-        a cycle that this leaves, and that bounds a disc in the solid, `_cut_discs` takes away. False if there is no face.
+        a cycle that this leaves, and that bounds a disc in the solid, `_cut_discs` takes away. False if none is left.
         """
         closed = None
         for u, v in edges:

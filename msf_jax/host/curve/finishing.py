@@ -112,7 +112,9 @@ def finish(
     for each in passes(centre, extend):
         draft = each(draft, job)
     is_kept = np.isin(np.arange(len(nodes)), draft.origin)
-    return Finished(draft.vertices, in_order(draft.edges), is_kept, draft.origin[draft.node_of_flow], job.passages.num_refused)
+    return Finished(
+        draft.vertices, in_order(draft.edges), is_kept, draft.origin[draft.node_of_flow], job.passages.num_refused
+    )
 
 
 def contained(draft: Draft, job: Job) -> Draft:

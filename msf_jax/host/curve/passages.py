@@ -14,7 +14,6 @@ from scipy.sparse import csgraph
 
 from msf_jax.host.poles.balls import shrinking_balls
 from msf_jax.host.solid.enclosure import Enclosure
-from msf_jax.host.solid.geometry import unit
 
 TOUCHING = 1e-5  # diagonals: a point with less room than that counts as outside
 MOST_SEEDS = 20_000  # points of the surface, behind which balls are sought
@@ -47,7 +46,7 @@ class Passages:
         self._balls: tuple[np.ndarray, np.ndarray] | None = None
 
     def ways(self, x: np.ndarray, pairs: np.ndarray) -> list[np.ndarray]:
-        """Points (k, 3) from x[a] to x[b] for each of ``pairs`` (E, 2), with segments inside; none where there is no way.
+        """Points (k, 3) from x[a] to x[b] for each of ``pairs`` (E, 2), with segments inside; none where there is none.
 
         The roomiest and shortest one is taken.
         """
