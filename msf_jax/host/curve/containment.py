@@ -30,7 +30,8 @@ def contain(
 ) -> tuple[np.ndarray, np.ndarray]:
     """The curve ``(vertices, edges)`` of a solid of diagonal 1, inside: its nodes, new ones last, and its edges.
 
-    ``passages`` are those of the solid, if it has been asked for ways before. Nodes of ``is_held`` stay where they are. An edge that cannot be led through the solid stays as it is.
+    ``passages`` are those of the solid, if it has been asked for ways before. Nodes of ``is_held`` stay where they are.
+    An edge that cannot be led through the solid stays as it is.
     """
     x, edges = vertices.copy(), edges.copy()
     radii = shape.clearance(x)

@@ -117,7 +117,7 @@ class _Complex:
         """Take away a face, with the first of ``edges`` that bears no other: the shape is open there anyway.
 
         This is how a face goes whose three edges all close cycles. Where every edge bears more, the first one's goes;
-        a cycle that this leaves, and that bounds a disc in the solid, `_cut_discs` takes away. False if there is no face.
+        a cycle that this leaves, and that bounds a disc in the solid, `_cut_discs` takes away. False if none is left.
         """
         closed = None
         for u, v in edges:

@@ -46,7 +46,7 @@ class Passages:
         self._balls: tuple[np.ndarray, np.ndarray] | None = None
 
     def ways(self, x: np.ndarray, pairs: np.ndarray) -> list[np.ndarray]:
-        """Points (k, 3) from x[a] to x[b] for each of ``pairs`` (E, 2), with segments inside; none where there is no way.
+        """Points (k, 3) from x[a] to x[b] for each of ``pairs`` (E, 2), with segments inside; none where there is none.
 
         The roomiest and shortest one is taken.
         """

@@ -75,7 +75,7 @@ def shrinking_balls(
 
 
 def ball_poles(sites: np.ndarray, faces: np.ndarray, box: np.ndarray | None = None) -> Poles:
-    """The centre of the ball at every vertex of the closed mesh ``(sites, faces)``, as `voronoi.voronoi_poles` gives it.
+    """The centre of the ball at every vertex of the closed mesh ``(sites, faces)``, in the form of `voronoi_poles`.
 
     In place of a tetrahedron there are the two vertices where the ball touches, each twice.
     """
