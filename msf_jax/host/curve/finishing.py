@@ -84,9 +84,8 @@ def passes(centre: bool, extend: bool) -> list[Callable[[Draft, Job], Draft]]:
         *([unfolded, centred, unfolded] if centre else []),  # what to prune is decided on a curve that is centred
         pruned,
         *([refined, partial(centred, rounds=LATER_ROUNDS)] if centre else []),
-        *([extended] if extend else []),
+        *([extended, completed, pruned] if extend else []),
         *([partial(centred, rounds=LATER_ROUNDS, hold_leaves=True)] if centre and extend else []),
-        *([completed, pruned] if extend else []),
         *([unfolded] if centre else []),
         contained,
     ]
