@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from msf_jax.app import batch
     from msf_jax.base.errors import ConfigError, FlowError, Interrupted, MeshError
     from msf_jax.base.options import Config, Weights
+    from msf_jax.device.caching import cache_compilations
     from msf_jax.flow.loop import contract
     from msf_jax.flow.skeletonize import skeletonize
     from msf_jax.flow.state import Flow
@@ -24,6 +25,7 @@ if TYPE_CHECKING:
     from msf_jax.gradients.replay import replay, replay_meso, replay_radii
     from msf_jax.gradients.sensitivity import sensitivity
     from msf_jax.gradients.tape import Tape
+    from msf_jax.gradients.track import Track, track
     from msf_jax.host.curve.branches import Branch
     from msf_jax.host.mesh.repair import Repair
     from msf_jax.host.preprocessing import reconstruct, voronoi_poles
@@ -31,7 +33,8 @@ if TYPE_CHECKING:
     from msf_jax.skeleton.report import Report
     from msf_jax.skeleton.skeleton import Skeleton
     from msf_jax.tuning import objectives
-    from msf_jax.tuning.tuner import Tuned, tune
+    from msf_jax.tuning.result import Tuned
+    from msf_jax.tuning.tuner import tune
 
 # Where each public name lives. It is imported when it is first asked for: what does not compute need not wait for JAX.
 _MODULES = {
@@ -56,8 +59,10 @@ _HOMES = {
     "Report": "skeleton.report",
     "Skeleton": "skeleton.skeleton",
     "Tape": "gradients.tape",
-    "Tuned": "tuning.tuner",
+    "Track": "gradients.track",
+    "Tuned": "tuning.result",
     "Weights": "device",  # which makes a pytree of it
+    "cache_compilations": "device.caching",
     "contract": "flow.loop",
     "follow": "gradients.follow",
     "read_curve": "skeleton.formats.importing",
@@ -67,6 +72,7 @@ _HOMES = {
     "replay_radii": "gradients.replay",
     "sensitivity": "gradients.sensitivity",
     "skeletonize": "flow.skeletonize",
+    "track": "gradients.track",
     "tune": "tuning.tuner",
     "voronoi_poles": "host.preprocessing",
 }
@@ -86,9 +92,11 @@ __all__ = [
     "Report",
     "Skeleton",
     "Tape",
+    "Track",
     "Tuned",
     "Weights",
     "batch",
+    "cache_compilations",
     "contract",
     "follow",
     "ground_truth",
@@ -103,6 +111,7 @@ __all__ = [
     "sensitivity",
     "shapes",
     "skeletonize",
+    "track",
     "tune",
     "view",
     "voronoi_poles",

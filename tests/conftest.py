@@ -58,6 +58,20 @@ def research_mesh():
     return load
 
 
+@pytest.fixture
+def compilations():
+    """A list that gets an entry for everything that XLA compiles."""
+    seen = []
+
+    def listen(event: str, _: float, **__) -> None:
+        if event == "/jax/core/compile/backend_compile_duration":
+            seen.append(event)
+
+    jax.monitoring.register_event_duration_secs_listener(listen)
+    yield seen
+    jax.monitoring.unregister_event_duration_listener(listen)
+
+
 def torus(major: float = 1.0, minor: float = 0.35, around: int = 24, across: int = 12) -> trimesh.Trimesh:
     """A torus in the xy plane: genus 1, every vertex of degree 6."""
     u, v = np.meshgrid(np.arange(around), np.arange(across), indexing="ij")

@@ -14,7 +14,7 @@ from conftest import torus
 
 import msf_jax
 from msf_jax import Config, ConfigError, Interrupted, Tape, Weights
-from msf_jax.device import iteration
+from msf_jax.device import programs
 from msf_jax.flow import loop, stepping
 from msf_jax.flow.state import Limits
 from msf_jax.skeleton.formats import export
@@ -246,8 +246,8 @@ def moved_away(times):
     """A `compiled_move` whose first ``times`` calls leave numbers that run away."""
     calls = []
 
-    def compiled(buffers, weights, *rest):
-        move = iteration.compiled_move(buffers, weights, *rest)
+    def compiled(*program):
+        move = programs.compiled_move(*program)
 
         def run(buffers, weights):
             calls.append(float(weights.w_L))

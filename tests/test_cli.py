@@ -4,12 +4,47 @@ import re
 import subprocess
 import sys
 
+import jax
+import jax.numpy as jnp
 import numpy as np
 import pytest
 import trimesh
 from conftest import blob
+from jax.experimental.compilation_cache import compilation_cache
 
+import msf_jax
 from msf_jax.app.cli import _parser, main
+
+
+@pytest.fixture
+def cache_as_before():
+    """JAX's cache is where it was, after the test."""
+    names = ("jax_compilation_cache_dir", "jax_persistent_cache_min_compile_time_secs")
+    before = {name: getattr(jax.config, name) for name in names}
+    yield
+    for name, value in before.items():
+        jax.config.update(name, value)
+    compilation_cache.reset_cache()
+
+
+def test_what_is_compiled_is_kept_where_it_is_said(tmp_path, monkeypatch, cache_as_before):
+    """In a folder that is made, once said so; else where JAX keeps it already; else in the user's cache folder."""
+    folder = tmp_path / "a" / "b"
+    assert msf_jax.cache_compilations(folder) == folder
+    monkeypatch.setattr("msf_jax.device.caching.WORTH_KEEPING", 0.0)
+    msf_jax.cache_compilations(folder)
+    jax.jit(lambda x: jnp.sin(x) + 12345.678)(jnp.ones(3))
+    assert any(folder.iterdir())
+    assert msf_jax.cache_compilations() == folder
+    jax.config.update("jax_compilation_cache_dir", None)
+    monkeypatch.setattr("platformdirs.user_cache_path", lambda *_, **__: tmp_path / "user")
+    assert msf_jax.cache_compilations() == tmp_path / "user"
+    (tmp_path / "file").write_text("")
+    with pytest.raises(msf_jax.ConfigError, match="expected a folder for compiled programs"):
+        msf_jax.cache_compilations(tmp_path / "file")
+    jax.config.update("jax_compilation_cache_dir", None)
+    monkeypatch.setattr("platformdirs.user_cache_path", lambda *_, **__: tmp_path / "file")
+    assert msf_jax.cache_compilations() is None
 
 
 @pytest.fixture(autouse=True)
@@ -95,6 +130,28 @@ def test_bad_options_are_one_clear_line_and_exit_2(options, message, ball, tmp_p
 def test_a_bad_target_is_found_before_the_flow(out, message, ball, tmp_path, capsys):
     assert main(["skeletonize", str(ball), "-o", str(tmp_path / out)]) == 2
     assert message in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("arguments", "code"),
+    [(["--help"], 0), (["--version"], 0), (["batch", "--help"], 0), (["skeletonize", "open.off", "-o", "a.swc"], 2)],
+)
+def test_help_and_refusals_do_not_wait_for_jax(arguments, code, tmp_path):
+    """Nor help for anything that is slow to import."""
+    open_box().export(tmp_path / "open.off")
+    lines = [
+        "import sys",
+        "from msf_jax.app.cli import main",
+        "try: code = main(sys.argv[1:])",
+        "except SystemExit as end: code = end.code",
+        "print(code, sorted({'jax', 'jaxopt', 'trimesh', 'scipy', 'networkx', 'matplotlib'} & set(sys.modules)))",
+    ]
+    done = subprocess.run(
+        [sys.executable, "-c", "\n".join(lines), *arguments], capture_output=True, text=True, check=True, cwd=tmp_path
+    )
+    found = done.stdout.splitlines()[-1]
+    assert "jax" not in found
+    assert found == f"{code} []" if code == 0 else found.startswith(str(code))
 
 
 def test_a_typo_in_an_option_is_named():

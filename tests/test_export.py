@@ -287,7 +287,7 @@ def test_what_was_saved_is_read_again(hand, saved, suffix):
         ("a.swc", "1 0 0 0 0 1 7", "names a node 7 that it does not hold"),
         ("a.swc", "1 0 nan 0 0 1 -1", "not all finite"),
         ("a.polylines.txt", "3 0 0 0 1 1 1", "line 1 of 'a.polylines.txt' is no polyline"),
-        ("a.obj", "v 0 0 0", r"cannot read 'a.obj': expected an .swc or a .polylines.txt file"),
+        ("a.obj", "v 0 0 0", r"cannot read 'a.obj': expected an .swc, .polylines.txt or .npz file"),
     ],
 )
 def test_a_curve_that_cannot_be_read_is_named(tmp_path, name, content, says):

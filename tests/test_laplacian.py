@@ -115,6 +115,13 @@ def test_all_rows_agree_with_half_edges_in_numpy(surfaces, name, kind):
     assert not np.asarray(rows.into)[~used].any()
 
 
+def test_every_laplacian_has_its_weights_and_no_other_name_has():
+    assert set(laplacian.WEIGHTS) == set(LAPLACIANS)
+    buffers = build(*pebble(0, 40)).buffers
+    with pytest.raises(KeyError, match="mean"):
+        laplacian.assemble("mean", buffers.positions, buffers.rings, buffers.degree, build(*pebble(0, 40)).layout)
+
+
 @pytest.mark.parametrize("kind", LAPLACIANS)
 def test_into_is_the_out_weight_of_the_twin(surfaces, kind):
     out, into = weight_matrices(surfaces("pebble"), kind)

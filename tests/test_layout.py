@@ -6,7 +6,7 @@ from conftest import blob, torus
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from msf_jax.base.layout import Layout, capacity_for, fits, layout_for, rectangle, staircase
+from msf_jax.base.layout import Layout, capacity_for, fits, layout_after, layout_for, rectangle, staircase
 from msf_jax.host.meso import collapse, packing
 from msf_jax.host.meso.meso import Meso
 
@@ -217,3 +217,20 @@ def test_packing_leaves_the_surface_alone():
     fields["poles"][:] = 7
     for name, value in before.items():
         np.testing.assert_array_equal(getattr(meso, name), value)
+
+
+def test_a_shrinking_surface_goes_down_by_half_at_least():
+    """From any capacity: it fits, it is never larger than before, and half of the rows or less are a reason to move."""
+    capacity, seen = 0, []
+    for count in range(30_000, 500, -97):
+        beyond = [count] * 6
+        layout = layout_after(capacity, count, beyond)
+        assert fits(layout, count, beyond)
+        assert not seen or layout.capacity in (capacity, layout_for(count, beyond).capacity)
+        assert layout.capacity < 2 * capacity_for(count) or layout.capacity == 2048
+        capacity = layout.capacity
+        seen.append(capacity)
+    assert list(dict.fromkeys(seen)) == [32768, 16384, 8192, 4096, 2048]
+    assert layout_after(2048, 5000, [5000] * 6) == layout_for(5000, [5000] * 6)  # and up where it grows
+    crowded = [3900] * 6 + [3500]  # more rows with seven neighbours than the staircase of before has room for
+    assert layout_after(6144, 3900, crowded) == layout_for(3900, crowded) == rectangle(4096, 7)

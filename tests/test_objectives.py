@@ -10,6 +10,8 @@ import msf_jax
 from msf_jax import ConfigError, objectives
 from msf_jax.tuning.objectives import Objective, Replayed
 
+SPOTS = np.array([[0.0, 0.5, 0.0], [1.0, 0.0, 0.3]])
+
 
 def replayed(nodes, radii, edges=(), surface=None, node_of_vertex=None) -> Replayed:
     """A curve in a surface of equal areas, or in two points, with a diagonal of 2."""
@@ -23,7 +25,30 @@ def replayed(nodes, radii, edges=(), surface=None, node_of_vertex=None) -> Repla
         areas=jnp.full(len(surface), 1 / len(surface)),
         node_of_vertex=jnp.asarray(node_of_vertex),
         diagonal=jnp.asarray(2.0),
+        is_node=jnp.ones(len(nodes), bool),
     )
+
+
+@pytest.mark.parametrize(
+    "objective",
+    [objectives.explained(), objectives.centred(), objectives.inside(0.1), objectives.smooth(), objectives.near(SPOTS)],
+    ids=lambda objective: objective.name,
+)
+def test_rows_that_fill_up_do_not_matter(objective):
+    """Far away or in the way, outside, joined to themselves."""
+    random = np.random.default_rng(0)
+    nodes, radii = random.normal(size=(5, 3)), random.uniform(-0.2, 0.3, 5)
+    edges, node = np.array([[0, 1], [1, 2], [2, 3], [3, 4]]), random.integers(0, 5, 40)
+    curve = replayed(nodes, radii, edges, random.normal(size=(40, 3)), node)
+    wider = replayed(
+        np.concatenate([nodes, [[0, 0, 0], [9, 9, 9]]]),
+        np.append(radii, [-5.0, 5.0]),
+        np.concatenate([edges, [[6, 6], [6, 6]]]),
+        curve.surface,
+        node,
+    )._replace(is_node=jnp.arange(7) < 5)
+    assert objective(wider) == pytest.approx(float(objective(curve)), rel=1e-12)
+    assert objective.can_be_padded and not objectives.as_objective(lambda nodes, radii: 0.0).can_be_padded
 
 
 def sphere() -> np.ndarray:

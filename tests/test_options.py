@@ -7,6 +7,7 @@ import pytest
 
 import msf_jax
 from msf_jax import Config, ConfigError, Weights
+from msf_jax.base.options import StepSettings
 
 
 @pytest.mark.parametrize(
@@ -95,3 +96,17 @@ def test_jax_may_put_anything_into_a_tree_of_weights():
     axes = jax.tree_util.tree_map(lambda _: 0, axes)
     total = jax.vmap(lambda w: w.w_L + w.w_H, in_axes=(axes,))(jax.tree_util.tree_map(jnp.atleast_1d, Weights()))
     assert total.shape == (1,)
+
+
+def test_a_step_depends_on_these_options_and_on_no_others():
+    """All fields of its settings come from the options, none from a default that nobody chose."""
+    other = {"laplacian": "uniform", "solve_tolerance": 1e-4, "solve_steps": 7, "step_tolerance": 0.5}
+    for name, value in other.items():
+        assert Config(**{name: value}).on_device != Config().on_device
+    assert Config.au2008(laplacian="mean_value").on_device != Config().on_device
+    assert Config(t_min=0.004, prune=0.0, coarsen=0.0, max_iterations=3).on_device == Config().on_device
+    settings = vars(Config().on_device)
+    assert set(settings) == {"laplacian", "solver", "step_tolerance", "w_H_follows_area"}
+    for name in settings:
+        with pytest.raises(TypeError, match=name):
+            StepSettings(**{key: value for key, value in settings.items() if key != name})

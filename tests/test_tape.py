@@ -57,7 +57,7 @@ def test_of_another_version(path):
         arrays = dict(file)
     arrays["header"] = np.array(json.dumps(json.loads(str(arrays["header"])) | {"version": 999}))
     np.savez(path, **arrays)
-    with pytest.raises(ConfigError, match="a tape of version 999: this program reads 1"):
+    with pytest.raises(ConfigError, match="a tape of version 999: this program reads 2"):
         Tape.load(path)
 
 
@@ -126,10 +126,15 @@ def test_decisions_are_counted():
     shares = [first.compare(tape).different / len(tape.decisions) for tape in (near, far)]
     assert 0 < shares[0] < shares[1] <= 1
     assert first.compare(far).different - far.compare(first).different == len(far.decisions) - len(first.decisions)
-    other = mesh()
-    other.apply_scale(2.0)
-    with pytest.raises(MeshError, match="tapes are of different meshes"):
-        first.compare(msf_jax.contract(other).tape)
+    twice = mesh()
+    twice.apply_scale(2.0)
+    assert first.compare(msf_jax.contract(twice).tape) == (0, len(first.decisions))
+    bumpy = mesh()
+    bumpy.vertices *= 1 + 0.02 * np.sin(40 * bumpy.vertices[:, :1])
+    moved = first.compare(msf_jax.contract(bumpy).tape)
+    assert 0 < moved.different <= moved.total
+    with pytest.raises(MeshError, match="meshes with different faces"):
+        first.compare(msf_jax.contract(blob(5, 1)).tape)
 
 
 def test_every_edit_is_a_decision():
@@ -144,3 +149,26 @@ def test_every_edit_is_a_decision():
     mapped = (flow.recording.components[0].node_of_meso >= 0).sum()
     assert len(flow.tape.decisions) == edits + fixed + mapped
     assert len(np.unique(flow.tape.decisions)) == len(flow.tape.decisions)
+
+
+def test_a_second_tape_compiles_nothing(flow, compilations):
+    """Of the same mesh, moved, or at other weights: another curve, another number of nodes, the same program."""
+
+    @jax.jit
+    def value(tape, weights):
+        nodes = msf_jax.replay(tape, weights)
+        return nodes, msf_jax.replay_radii(tape, nodes)
+
+    bumpy = mesh()
+    bumpy.vertices *= 1 + 0.01 * np.sin(40 * bumpy.vertices[:, :1])
+    flows = [flow, *(msf_jax.contract(it, Weights(w_M=w_M), flow.config) for it, w_M in ((bumpy, 0.4), (mesh(), 0.39)))]
+    assert len({flow.tape.num_nodes for flow in flows}) > 1
+    for number, flow in enumerate(flows):
+        tape = flow.tape.padded()
+        compilations.clear()
+        nodes, radii = value(tape, tape.weights)
+        assert (len(compilations) == 0) == (number > 0)
+        num = flow.tape.num_nodes
+        assert len(nodes) == len(radii) == 64 and num <= 64
+        np.testing.assert_allclose(nodes[:num], flow.curve.vertices, atol=1e-9)
+        np.testing.assert_array_equal(nodes[num:], np.tile(nodes[num - 1], (64 - num, 1)))

@@ -1,5 +1,6 @@
-"""Tuning by gradient, and sensitivity."""
+"""Tuning by fresh runs and by gradient, and sensitivity."""
 
+import json
 from functools import partial
 
 import jax
@@ -12,6 +13,7 @@ from device_cases import central_difference
 import msf_jax
 from msf_jax import Config, ConfigError, Weights, objectives
 from msf_jax.tuning import tuner
+from msf_jax.tuning.search import Search
 
 
 def bone() -> trimesh.Trimesh:
@@ -30,7 +32,7 @@ OBJECTIVE = objectives.explained() + 0.02 * objectives.centred()
 def test_poor_weights_get_better():
     """Every value is a fresh run's, the best is kept, and no weight leaves its bounds."""
     poor = Weights(10.0, 0.05, 0.1, 0.001)
-    found = msf_jax.tune(bone(), OBJECTIVE, poor, steps=3, bounds={"w_L": (0.01, 12.0)})
+    found = msf_jax.tune(bone(), OBJECTIVE, poor, of="flow", steps=3, bounds={"w_L": (0.01, 12.0)})
     values = [step.found for step in found.trajectory]
     taken = [step.found for step in found.trajectory if step.is_taken]
     assert found.value == min(taken) < values[0]
@@ -49,11 +51,71 @@ def test_from_a_run_that_does_not_converge_it_goes_to_the_defaults():
     config = Config(max_iterations=12)
     stuck = Weights(0.01, 1.0, 4.0, 0.0)
     assert not msf_jax.contract(bone(), stuck, config).skeleton.report.converged
-    found = msf_jax.tune(bone(), OBJECTIVE, stuck, config=config, steps=1)
+    found = msf_jax.tune(bone(), OBJECTIVE, stuck, config=config, of="flow", steps=1)
     proposed = found.trajectory[1].weights
     assert not np.isfinite(found.trajectory[1].expected)
     assert proposed.w_L == pytest.approx(0.1) and proposed.w_H == pytest.approx(0.1**0.5)
     assert proposed.smoothing == 0.0
+
+
+def test_the_finished_curve_by_fresh_runs(tmp_path):
+    """Every value is that of a fresh run; a second call knows them, and ends the same; another tuning's file is not."""
+    poor, path = Weights(10.0, 0.05, 0.1, 0.001), tmp_path / "tune.json"
+    arguments = {"steps": 3, "bounds": {"smoothing": (0.001, 0.001)}, "checkpoint": path}
+    found = msf_jax.tune(bone(), OBJECTIVE, poor, **arguments)
+    assert found.value == min(step.found for step in found.trajectory) <= found.trajectory[0].found
+    assert all(step.weights.smoothing == 0.001 and step.weights.w_L == 10.0 for step in found.trajectory)
+    again = msf_jax.skeletonize(bone(), found.weights)
+    np.testing.assert_array_equal(again.vertices, found.flows[0].skeleton.vertices)
+    known = json.loads(path.read_text())
+    assert len(known["values"]) == 4
+    known["values"] = {name: [value - 1.0, good] for name, (value, good) in known["values"].items()}
+    path.write_text(json.dumps(known))
+    resumed = msf_jax.tune(bone(), OBJECTIVE, poor, **arguments)
+    assert resumed.value == pytest.approx(found.value - 1.0) and resumed.weights == found.weights
+    with pytest.raises(ConfigError, match="is of another tuning"):
+        msf_jax.tune(bone(), objectives.smooth(), poor, **arguments)
+    path.write_text("{}")
+    with pytest.raises(ConfigError, match="is no checkpoint of a tuning"):
+        msf_jax.tune(bone(), OBJECTIVE, poor, **arguments)
+
+
+def bowl(point):
+    """Curved, and with jumps of one in a hundred, as a run's decisions make them."""
+    lowest, shape = np.array([0.8, -0.6, 0.4]), np.array([[1.0, 0.5, 0.0], [0.0, 1.5, 0.3], [0.2, 0.0, 0.7]])
+    jump = np.sin(1e4 * np.round(point, 1) @ np.array([1.0, 2.0, 3.0]))
+    return (1.0 + np.log1p(((shape @ (point - lowest)) ** 2).sum())) * (1 + 0.01 * jump)
+
+
+def test_the_search_beats_chance():
+    """At 30 values, from ten starts: better than as many random points in the median, and never far off."""
+    low, high = np.full(3, -14.0), np.full(3, 9.0)
+    ours, chance = [], []
+    for seed in range(10):
+        random = np.random.default_rng(seed)
+        start = 2.3 * np.sign(random.normal(size=3))
+        search = Search([start, np.zeros(3)], low, high, seed)
+        for _ in range(15):
+            points = search.ask(2)
+            assert (points >= low).all() and (points <= high).all() and len(np.unique(points, axis=0)) == 2
+            search.tell(points, np.array([bowl(point) for point in points]))
+        ours.append(search.values.min())
+        around = random.uniform(np.minimum(start, 0) - 1.1, np.maximum(start, 0) + 1.1, size=(30, 3))
+        chance.append(min(bowl(point) for point in around))
+    assert np.median(ours) < 1.1 < np.median(chance) and max(ours) < 1.3
+
+
+def test_the_search_goes_around_runs_that_break_down():
+    """Where half of the space has no value, bounds are narrow, and points repeat; twice, it asks for the same."""
+    asked = []
+    for _ in range(2):
+        search = Search([np.array([1.0, 1.0])], np.array([0.0, 0.0]), np.array([1.5, 1.5]))
+        for _ in range(25):
+            point = search.ask()
+            search.tell(point, np.array([np.inf if point[0, 0] < 0.5 else float((point**2).sum())]))
+        asked.append(search.points)
+    np.testing.assert_array_equal(*asked)
+    assert search.values.min() < 0.45  # of 2 at the start, and 0.25 at best
 
 
 def test_several_meshes_and_a_function_of_ones_own():
@@ -61,7 +123,7 @@ def test_several_meshes_and_a_function_of_ones_own():
     wider.apply_scale([1.3, 1.3, 1.0])
     found = msf_jax.tune([bone(), wider], lambda nodes, radii: -radii.mean(), steps=1)
     assert len(found.flows) == 2
-    expected = -np.mean([run.curve.radii.mean() for run in found.flows])
+    expected = -np.mean([run.skeleton.radii.mean() for run in found.flows])
     assert found.value == pytest.approx(expected)
 
 
@@ -80,6 +142,9 @@ def test_several_meshes_and_a_function_of_ones_own():
         ({"bounds": 3}, "bounds of w_L are 3"),
         ({"steps": 0}, "steps is 0: expected a whole number"),
         ({"config": Weights()}, "config is a Weights"),
+        ({"of": "curve"}, "of is 'curve': expected one of skeleton, flow"),
+        ({"jobs": 0}, "jobs is 0: expected a whole number"),
+        ({"of": "flow", "jobs": 2}, "jobs and checkpoint are for weights that are numbers"),
     ],
 )
 def test_wrong_options(options, says):

@@ -31,6 +31,7 @@ from msf_jax.base.errors import ConfigError, FlowError, MeshError
 from msf_jax.base.options import Config, Weights
 from msf_jax.base.version import VERSION
 from msf_jax.base.writing import write_whole
+from msf_jax.device.caching import cache_compilations
 from msf_jax.flow.request import checked_options
 from msf_jax.host.mesh import reading
 from msf_jax.host.mesh.repair import Repair, as_repair
@@ -195,8 +196,7 @@ def work(job: Job) -> dict[str, Any]:
     """Skeletonise one mesh, in whatever process; every error but a lack of room for the result ends in the row."""
     jax.config.update("jax_enable_x64", job.is_double)
     if getattr(jax.config, "jax_compilation_cache_dir", None) is None:
-        jax.config.update("jax_compilation_cache_dir", job.cache)
-        jax.config.update("jax_persistent_cache_min_compile_time_secs", 0.2)
+        cache_compilations(job.cache)
     start = time.perf_counter()
     row: dict[str, Any] = {"path": job.source, "output": "", "error": "", "key": job.key, "vertices": 0}
     try:

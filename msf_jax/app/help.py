@@ -54,6 +54,17 @@ examples:
   msf-jax batch meshes curves --retry                       take what failed once more
   msf-jax batch meshes curves --scheduler tcp://host:8786   on a Dask cluster that sees the folders""",
     ),
+    "TRACK": (
+        """\
+Skeletonise the first mesh and follow its curve through all meshes of a folder, in the order of their
+names: the same faces, moved vertices. Nodes have the same numbers in all. frames.csv says of each how
+much of its curve is inside, and whether it is bent too far and wants a run of its own.""",
+        """\
+examples:
+  msf-jax track first.obj frames -o curves
+  msf-jax track first.obj frames -o curves --format .vtp
+  msf-jax track first.npz frames -o curves              a curve that was saved before: no run""",
+    ),
     "COMPLETION": (
         "Print a script that lets a shell complete commands and options.",
         """\

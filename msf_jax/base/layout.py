@@ -92,3 +92,16 @@ def layout_for(count: int, rows_beyond: list[int]) -> Layout:
         if fits(layout, count, rows_beyond):
             return layout
     return rectangle(capacity_for(count), largest_degree)
+
+
+def layout_after(capacity: int, count: int, rows_beyond: list[int]) -> Layout:
+    """The layout for a surface that was in one of ``capacity`` rows, 0 for none; else as `layout_for`.
+
+    It goes down once half of the rows will do: what a rung between would save, some 20 ms a run, is less than it costs
+    to compile, or even to load.
+    """
+    layout = layout_for(count, rows_beyond)
+    if layout.capacity < capacity < 2 * layout.capacity:
+        same = staircase(capacity, len(rows_beyond))
+        return same if fits(same, count, rows_beyond) else layout
+    return layout

@@ -18,7 +18,7 @@ class Recipe(NamedTuple):
     corners in that section. is_loop: (S,) False for a cloud of points: its centroid is their mean. area: (S,) of each
     section. node: (S,) whose it is. a_row, a_column, a_value: entries of a, (N, S), in the order of rows; b_row,
     b_column, b_value: those of b, (N, V). rest: (N, 3) r. nearby: (N, K, 3) vertices of triangles near each node, in
-    all directions, the nearest among them. is_inside: (N,). along: (S, 3) the branch's direction at each section.
+    all directions, the nearest among them. is_inside: (N,).
     centre: (3,), diagonal: of the surface in the caller's units.
     """
 

@@ -4,8 +4,10 @@ For the displacement D = V' - V, which is zero at fixed vertices and the natural
 
     |A D + beta L V|^2 + |hold^(1/2) D|^2 + |attract^(1/2) (V + D - poles)|^2,    A = diag(alpha) + diag(beta) L.
 
-    contraction:  alpha = 0, beta = w_L, hold = w_H^2, attract = w_M^2    |W_L L V'|^2 + |W_H (V' - V)|^2 + |W_M (V' - poles)|^2
-    smoothing:    alpha = 1, beta = -lambda, hold = attract = 0           (I - lambda L) V' = V, by its normal equations
+    contraction: alpha = 0, beta = w_L, hold = w_H^2, attract = w_M^2;
+                 |W_L L V'|^2 + |W_H (V' - V)|^2 + |W_M (V' - poles)|^2
+    smoothing:   alpha = 1, beta = -lambda, hold = attract = 0;
+                 |(I - lambda L) V' - V|^2, which is 0 where (I - lambda L) V' = V
 
 Fixed vertices are held exactly: their rows are zero and their columns are on the right-hand side. The normal equations:
 

@@ -84,19 +84,31 @@ def follow(recipe: Recipe, vertices: jax.Array) -> Curve:
 
     nodes = product(recipe.a_row, recipe.a_column, recipe.a_value, found.centroid)
     nodes = nodes + product(recipe.b_row, recipe.b_column, recipe.b_value, entered) + jnp.asarray(recipe.rest, dtype)
-    is_gone = jax.ops.segment_max(
-        (jnp.asarray(recipe.is_loop) & (found.area == 0)).astype(jnp.int32), recipe.node, num
-    )
+    is_gone = jax.ops.segment_max((jnp.asarray(recipe.is_loop) & (found.area == 0)).astype(jnp.int32), recipe.node, num)
     nodes = jnp.where((is_gone > 0)[:, None], jnp.nan, nodes)
     radii = _radii(nodes, entered[recipe.nearby], jnp.asarray(recipe.is_inside))
     return Curve(jnp.asarray(recipe.centre, dtype) + diagonal * nodes, diagonal * radii)
 
 
 def _radii(nodes: jax.Array, triangles: jax.Array, is_inside: jax.Array) -> jax.Array:
-    """Signed distance (N,) to the nearest of the ``triangles`` (N, K, 3, 3) of each node."""
-    num, many = triangles.shape[:2]
-    flat = clearance(
-        jnp.repeat(nodes, many, axis=0), triangles.reshape(num * many, 3, 3), jnp.repeat(is_inside, many)
-    ).reshape(num, many)
-    nearest = jnp.abs(flat).argmin(axis=1)
-    return jnp.take_along_axis(flat, nearest[:, None], axis=1)[:, 0]
+    """Signed distance (N,) to the nearest of the ``triangles`` (N, K, 3, 3) of each node.
+
+    Which is nearest is found first, so that derivatives are taken of one distance a node.
+    """
+    nearest = _distances2(*jax.lax.stop_gradient((nodes, triangles))).argmin(axis=1)
+    return clearance(nodes, triangles[jnp.arange(len(nodes)), nearest], is_inside)
+
+
+def _distances2(nodes: jax.Array, triangles: jax.Array) -> jax.Array:
+    """(N, K) squared distance of each node to each of its triangles: to the plane over it, else to the nearest edge."""
+    along = jnp.roll(triangles, -1, axis=2) - triangles
+    offset = nodes[:, None, None] - triangles
+    length2 = (along * along).sum(-1)
+    t = jnp.clip((offset * along).sum(-1) / jnp.where(length2 > 0, length2, 1.0), 0.0, 1.0)
+    rest = offset - t[..., None] * along
+    to_edge = (rest * rest).sum(-1).min(-1)
+    normal = jnp.cross(along[:, :, 0], along[:, :, 1])
+    area2 = (normal * normal).sum(-1)
+    is_over = ((jnp.cross(along, offset) * normal[:, :, None]).sum(-1) >= 0).all(-1) & (area2 > 0)
+    height = (offset[:, :, 0] * normal).sum(-1)
+    return jnp.where(is_over, height * height / jnp.where(area2 > 0, area2, 1.0), to_edge)

@@ -1,6 +1,5 @@
 """One jitted iteration of the flow: update L, contract, smooth (the first three lines of Algorithm 2's loop)."""
 
-from collections.abc import Callable, Hashable
 from functools import partial
 from typing import Any, NamedTuple
 
@@ -17,7 +16,7 @@ from msf_jax.device.contraction import contracting, relaxed, smoothing
 
 
 class Moved(NamedTuple):
-    """Where the vertices went, and how the two solves ended, contraction first: every field of ``solves`` is (2, ...)."""
+    """Where the vertices went, and how the solves ended: fields of ``solves`` are (2, ...), contraction first."""
 
     positions: jax.Array
     solves: SolveReport
@@ -67,18 +66,3 @@ def move(buffers: Buffers, weights: Weights, settings: StepSettings, layout: Lay
 
 
 jitted_move = partial(jax.jit, static_argnames=("settings", "layout"))(move)
-
-_compiled: dict[Hashable, Callable[[Buffers, Weights], Moved]] = {}
-
-
-def compiled_move(
-    buffers: Buffers, weights: Weights, settings: StepSettings, layout: Layout
-) -> Callable[[Buffers, Weights], Moved]:
-    """`move` for such arguments, as a function of the first two; compiled at the first call, which takes seconds."""
-    if jax.config.jax_disable_jit:  # pyright: ignore[reportAttributeAccessIssue]
-        return lambda buffers, weights: move(buffers, weights, settings, layout)
-    leaves = jax.tree_util.tree_leaves((buffers, weights))
-    key = (settings, layout, *((leaf.shape, leaf.dtype, leaf.sharding) for leaf in leaves))
-    if key not in _compiled:
-        _compiled[key] = jitted_move.lower(buffers, weights, settings, layout).compile()
-    return _compiled[key]

@@ -23,9 +23,9 @@ from msf_jax.host.meso.meso import Compaction, Fixing, Meso
 from msf_jax.host.meso.split import SplitRound
 from msf_jax.host.recording.records import Step
 
-KIND, VERSION = "checkpoint", 1
+KIND, VERSION = "checkpoint", 2
 RECORDS = {kind.__name__: kind for kind in (Meso, Step, Iteration, CollapseRound, SplitRound, Fixing, Compaction)}
-CHANGING = ("meso", "t_c", "w_L_factor", "history", "steps", "failure")  # attributes of a `State`
+CHANGING = ("meso", "t_c", "w_L_factor", "capacity", "history", "steps", "failure")  # attributes of a `State`
 ADVICE = "choose another path"
 
 

@@ -22,6 +22,7 @@ from msf_jax.flow.starting import init
 from msf_jax.flow.state import LIMITS, Flow, Limits, Stopwatch
 from msf_jax.flow.stepping import step
 from msf_jax.host.mesh import checking
+from msf_jax.host.mesh.checking import Surface
 from msf_jax.host.mesh.repair import Repair, as_repair
 from msf_jax.host.meso import collapse
 from msf_jax.host.meso.meso import Meso
@@ -43,7 +44,8 @@ def contract(
     """Run the flow on ``mesh`` and keep everything; `skeletonize` is the short way to the curve alone.
 
     Args:
-        mesh: a path that trimesh reads, a `trimesh.Trimesh`, or ``(vertices, faces)``: closed triangle surfaces.
+        mesh: a path that trimesh reads, a `trimesh.Trimesh`, or ``(vertices, faces)``: closed triangle surfaces. Or the
+            `Surface` that has been made of one.
         weights: of the flow; those of ``config``'s system if not given. Each is a number, or an array (V,) with one for
             every vertex of the mesh: merged vertices take the mean of theirs, one that splits an edge interpolates.
         config: the system and its options; ``Config()``, the article's own, if not given.
@@ -66,7 +68,7 @@ def contract(
     weights, config = checked_options(weights, config)
     watch = Stopwatch()
     with watch.stage("front door"):
-        checked = checking.prepare(mesh, repair)
+        checked = mesh if isinstance(mesh, Surface) else checking.prepare(mesh, repair)
     held, pinned = checked_pins(pins, checked)
     of_vertices = weights_of_vertices(weights, checked)
     identity = run_of(checked.given, weights, config, held, as_repair(repair)) if checkpoint is not None else {}

@@ -5,6 +5,7 @@ import numpy as np
 from msf_jax.base.errors import MeshError
 from msf_jax.base.options import Config
 from msf_jax.flow.state import LIMITS, Limits, State, Stopwatch
+from msf_jax.flow.stepping import compile_ahead
 from msf_jax.host import reconstruction
 from msf_jax.host.mesh.checking import Component
 from msf_jax.host.meso import collapse, homology, split
@@ -13,8 +14,8 @@ from msf_jax.host.poles import balls, thickness, voronoi
 from msf_jax.host.reconstruction import LowPass
 from msf_jax.host.recording.records import FoundPoles, Start
 from msf_jax.host.solid.enclosure import Enclosure
-from msf_jax.host.solid.geometry import signed_volume
 from msf_jax.host.solid.frame import RESOLUTION, frame_of, sort_mesh
+from msf_jax.host.solid.geometry import signed_volume
 
 FLATTEST = 1e-9  # volume, in diagonals cubed, that must be left when coordinates are rounded to the frame's resolution
 MOST_COARSENED = 0.05  # of the volume may go with short edges
@@ -60,6 +61,8 @@ def init(
     meso, num_coarsened = _coarsened(meso, config, watch)
     is_rough = num_coarsened > meso.num_rows and not (config.reconstruct_mesh or config.resample)
     rough = Enclosure(meso.positions, meso.faces()) if is_rough else shape
+    with watch.stage("compile"):
+        compile_ahead(meso, config)
     found = None
     if config.use_poles:
         found = _poles(meso, shape, config, watch)

@@ -83,6 +83,7 @@ class State:
     meso: Meso
     t_c: float
     w_L_factor: float
+    capacity: int = 0  # of the buffers that it was in, see `layout.layout_after`
     history: list[Iteration] = field(default_factory=list)
     steps: list[Step] = field(default_factory=list)  # for the tape
     failure: str = ""  # why it cannot go on

@@ -6,17 +6,28 @@ from typing import Any, NamedTuple
 import jax
 import numpy as np
 
-from msf_jax.base.layout import Layout, layout_for
+from msf_jax.base.layout import Layout, layout_after, layout_for
 from msf_jax.base.options import Config, Weights
 from msf_jax.device.buffers import Buffers, Rings, real_dtype
-from msf_jax.device.iteration import compiled_move
+from msf_jax.device.programs import announce, compiled_move
 from msf_jax.flow.state import LIMITS, Iteration, Limits, State, Stopwatch
 from msf_jax.host.meso import collapse, fixing, packing, split
+from msf_jax.host.meso.meso import Meso
 from msf_jax.host.recording.records import Step
 
 LARGEST_FACTOR = 2.0**20  # where a growing w_L stops: past it the other weights no longer count
 BLOW_UP = 1.0  # diagonals from the centre, twice as far as any corner of the box: nothing that contracts goes there
 SHORTER = 0.1  # factor on w_L, when a step has left sensible numbers
+
+
+def compile_ahead(meso: Meso, config: Config) -> None:
+    """Have the programs compiled that ``meso`` will need: that for its own size, and the last, which all come to."""
+    beyond = packing.rows_beyond(meso)
+    layouts = {layout_for(meso.num_rows, beyond)}
+    if config.edit_connectivity and config.max_iterations > 1:
+        layouts.add(layout_for(1, []))
+    for layout in sorted(layouts, reverse=True):
+        announce(config.on_device, layout, meso.weights is not None)
 
 
 def step(state: State, weights: Weights, config: Config, watch: Stopwatch, limits: Limits = LIMITS) -> State:
@@ -89,8 +100,11 @@ class _Moved(NamedTuple):
 def _pack(state: State, weights: Weights, watch: Stopwatch) -> _Packed:
     meso = state.meso
     with watch.stage("solve"):
-        layout = layout_for(meso.num_rows, packing.rows_beyond(meso))
-        order, rings, fields = packing.pack(meso, layout, state.first_ring_area, np.dtype(real_dtype()), _smallest(state))
+        layout = layout_after(state.capacity, meso.num_rows, packing.rows_beyond(meso))
+        state.capacity = layout.capacity
+        order, rings, fields = packing.pack(
+            meso, layout, state.first_ring_area, np.dtype(real_dtype()), _smallest(state)
+        )
         buffers = Buffers(**{**fields, "rings": Rings(*fields["rings"])})
         of_rows = _of_rows(weights, meso.weights, order, layout.capacity)
         return _Packed(order, rings, meso.degree[order], layout, buffers, of_rows)
@@ -111,7 +125,7 @@ def _moved(state: State, packed: _Packed, config: Config, watch: Stopwatch, limi
         scaled = jax.tree_util.tree_map(lambda weight: np.asarray(weight, dtype), scaled)
         buffers, scaled = jax.device_put((packed.buffers, scaled))
         with watch.stage("compile"):
-            move = compiled_move(buffers, scaled, config.on_device, packed.layout)
+            move = compiled_move(config.on_device, packed.layout, np.ndim(scaled.w_L) > 0)
         with watch.stage("solve"):
             moved = jax.device_get(move(buffers, scaled))
         positions = packing.unpack(moved.positions, packed.order)

@@ -38,8 +38,8 @@ class Sensitivity(NamedTuple):
             raise ConfigError(f"vertex is {vertex!r}: expected a number from 0 to {num - 1}")
         moved = np.zeros((4, num, 3))
         moved[[0, 1, 2], vertex, [0, 1, 2]] = 1.0
-        columns = _columns(self.tape, self.weights, np.zeros((4, 4)), moved)
-        return np.moveaxis(np.asarray(columns[:3]), 0, -1)
+        columns = _columns(self.tape.padded(), self.weights, np.zeros((4, 4)), moved)
+        return np.moveaxis(np.asarray(columns[:3, : self.tape.num_nodes]), 0, -1)
 
     def of_node(self, node: int) -> np.ndarray:
         """(V, 3, 3): row k is how far ``node`` moves along axis k per unit that each vertex moves along each axis.
@@ -54,7 +54,7 @@ class Sensitivity(NamedTuple):
         num = self.tape.num_nodes
         if isinstance(node, bool) or not isinstance(node, int | np.integer) or not 0 <= node < num:
             raise ConfigError(f"node is {node!r}: expected a number from 0 to {num - 1}")
-        return np.asarray(_of_node(self.tape, self.weights, jnp.asarray(node)))
+        return np.asarray(_of_node(self.tape.padded(), self.weights, jnp.asarray(node)))
 
 
 def sensitivity(tape: Tape, weights: Weights | None = None) -> Sensitivity:
@@ -78,7 +78,7 @@ def sensitivity(tape: Tape, weights: Weights | None = None) -> Sensitivity:
         if np.ndim(value):
             raise ConfigError(f"Weights.{name} has shape {np.shape(value)}: expected a number")
     at = Weights(*(jnp.asarray(value, float) for value in vars(weights).values()))
-    columns = _columns(tape, at, np.eye(4), np.zeros((4, *tape.vertices.shape)))
+    columns = _columns(tape.padded(), at, np.eye(4), np.zeros((4, *tape.vertices.shape)))[:, : tape.num_nodes]
     structure = jax.tree_util.tree_structure(at)  # slopes are no weights: their signs are free
     return Sensitivity(tape, at, jax.tree_util.tree_unflatten(structure, np.asarray(columns)))
 
@@ -92,7 +92,7 @@ def _columns(tape: Tape, weights: Weights, by_weight: jax.Array, by_vertex: jax.
     at = weights, jnp.asarray(tape.vertices, by_vertex.dtype)
 
     def column(of_weights: jax.Array, of_vertices: jax.Array) -> jax.Array:
-        if tape.num_made:
+        if tape.is_joined:
             return jax.jvp(partial(replay, tape), (weights,), (Weights(*of_weights),))[1]
         return jax.jvp(partial(replay, tape), at, (Weights(*of_weights), of_vertices))[1]
 

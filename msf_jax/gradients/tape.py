@@ -1,12 +1,13 @@
 """The tape of a run: what was decided in it, so that `replay` can compute the same curve as a differentiable program.
 
 It holds neighbours, merges, cuts, which pole each vertex has, who is fixed, how vertices become nodes, and where the
-linear solves stopped. It is a pytree of padded arrays, can be saved and loaded, and knows the mesh it belongs to.
+linear solves stopped. It is a pytree of padded arrays, can be saved and loaded, and knows the mesh it belongs to. Of
+what is no array only layouts and options are compiled in, so that tapes of the same capacities share a program.
 """
 
 import hashlib
 import os
-from dataclasses import asdict, dataclass, field
+from dataclasses import asdict, dataclass, field, replace
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -16,17 +17,19 @@ import numpy as np
 from msf_jax.base import archive
 from msf_jax.base.errors import ConfigError, MeshError
 from msf_jax.base.layout import Layout, Level
-from msf_jax.base.options import Config, Weights
+from msf_jax.base.options import Config, Weights, is_traced
 from msf_jax.device.playback import Basis, Mixing, Part, Polynomial, Shape, Stretch
 from msf_jax.host.mesh import reading
 from msf_jax.host.mesh.repair import placed_between_neighbours
 from msf_jax.host.recording import padded
 from msf_jax.host.recording.decisions import decisions, num_unlike
 from msf_jax.host.recording.records import Recording
+from msf_jax.host.recording.stretches import rung
 from msf_jax.skeleton.skeleton import Skeleton
 from msf_jax.skeleton.source import Source
 
 KIND, VERSION = "tape", 2
+FEWEST_NODES = 64  # rows of nodes in a padded tape: so many, twice that, ...
 
 
 class Comparison(NamedTuple):
@@ -51,11 +54,12 @@ class Tape:
         offsets: (N, 3, 3) from those vertices to the triangle's corners, which are others where parts were joined.
         is_inside: (N,) whether that node is inside.
         decisions: (D,) a hash of each decision.
+        node_row, meso_row: (N,), (M,) where, among the padded nodes (and meso vertices) of all parts, each one is.
+        vertices_hash, faces_hash: (32,) uint8, of the mesh.
         weights: of the run.
-        shapes, sizes: layouts of the parts' buffers; vertices of their meso-skeletons and nodes of their curves.
+        shapes: layouts of the parts' buffers.
         config: of the run.
-        mesh_id: a hash of the mesh's vertices and faces.
-        num_made: vertices of the surface that are none of the mesh's, but were made where its parts were joined.
+        is_joined: whether the surface has vertices that are none of the mesh's, made where its parts were joined.
     """
 
     parts: tuple[Part, ...]
@@ -67,20 +71,47 @@ class Tape:
     offsets: Any
     is_inside: Any
     decisions: Any
+    node_row: Any
+    meso_row: Any
+    vertices_hash: Any
+    faces_hash: Any
     weights: Weights
     shapes: tuple[Shape, ...] = field(metadata={"static": True})
-    sizes: tuple[tuple[int, int], ...] = field(metadata={"static": True})
     config: Config = field(metadata={"static": True})
-    mesh_id: str = field(metadata={"static": True})
-    num_made: int = field(metadata={"static": True})
+    is_joined: bool = field(metadata={"static": True})
 
     def __repr__(self) -> str:
-        return f"Tape({self.num_nodes} nodes, {len(self.decisions)} decisions, mesh {self.mesh_id[:8]})"
+        mesh = "traced" if is_traced(self.faces_hash) else self.mesh_id[:8]
+        return f"Tape({self.num_nodes} nodes, {len(self.decisions)} decisions, mesh {mesh})"
 
     @property
     def num_nodes(self) -> int:
-        """Nodes of the recorded curve."""
-        return sum(nodes for _, nodes in self.sizes)
+        """Nodes of the recorded curve; of a `padded` tape, rows of nodes."""
+        return len(self.node_row)
+
+    @property
+    def mesh_id(self) -> str:
+        """A hash of the mesh's vertices and faces."""
+        return mesh_id(np.asarray(self.vertices_hash), np.asarray(self.faces_hash))
+
+    def padded(self) -> "Tape":
+        """The same for `replay` in a function that is jitted over tapes, which is then compiled once for a capacity.
+
+        A curve has as many nodes as it happens to have, and a replay as many rows: another number is another program.
+        Here rows are 64, 128, 256, ...; those past the curve's own nodes repeat its last one. Edges and decisions, of
+        which there are as many as there happen to be, are left out: no objective of edges, no comparison.
+        """
+        nodes = rung(self.num_nodes, FEWEST_NODES)
+        return replace(
+            self,
+            triangles=_repeated(self.triangles, nodes),
+            offsets=_repeated(self.offsets, nodes),
+            is_inside=_repeated(self.is_inside, nodes),
+            node_row=_repeated(self.node_row, nodes),
+            meso_row=_repeated(self.meso_row, rung(len(self.meso_row), FEWEST_NODES)),
+            edges=np.zeros((0, 2), dtype=np.int64),
+            decisions=np.zeros(0, dtype=np.uint32),
+        )
 
     @property
     def diagonal(self) -> Any:
@@ -90,19 +121,25 @@ class Tape:
 
     def check_movable(self) -> None:
         """Raise a `MeshError` if the surface would not follow the mesh's vertices."""
-        if self.num_made:
+        if self.is_joined:
             raise MeshError(
-                f"{self.num_made} vertices of the surface were made where parts of the mesh were joined, and do not "
-                'follow the mesh\'s vertices: expected a run without repair="join", or no vertices to move'
+                "some vertices of the surface were made where parts of the mesh were joined, and do not follow the "
+                'mesh\'s vertices: expected a run without repair="join", or no vertices to move'
             )
 
     def compare(self, other: "Tape") -> Comparison:
-        """How many decisions ``other``, the tape of another run on the same mesh, made differently.
+        """How many decisions ``other`` made differently: the tape of another run on this mesh, moved or not.
 
-        A gradient through this tape knows nothing of them.
+        A gradient through this tape knows nothing of them. Decisions are of vertices by number, so the faces must be
+        the same; the vertices may be elsewhere.
+
+        Raises:
+            MeshError: the tapes are of meshes with different faces.
         """
-        if other.mesh_id != self.mesh_id:
-            raise MeshError("the tapes are of different meshes: expected two runs on one mesh")
+        if not np.array_equal(other.faces_hash, self.faces_hash) or len(other.vertices) != len(self.vertices):
+            raise MeshError(
+                "the tapes are of meshes with different faces: expected the same faces, vertices moved or not"
+            )
         return Comparison(num_unlike(np.asarray(self.decisions), np.asarray(other.decisions)), len(other.decisions))
 
     def check(self, mesh: Any) -> None:
@@ -110,10 +147,10 @@ class Tape:
         vertices, faces = reading.read(mesh, finite=False)
         if not np.isfinite(vertices).all():  # a repaired run has put them between their neighbours
             vertices, _ = placed_between_neighbours(vertices, faces)
-        if mesh_id(vertices, faces) != self.mesh_id:
+        if (found := mesh_id(*hashes(vertices, faces))) != self.mesh_id:
             raise MeshError(
                 f"the tape is of another mesh: it was recorded for one of {len(self.vertices)} vertices with hash "
-                f"{self.mesh_id[:8]}, this has {len(vertices)} and {mesh_id(vertices, faces)[:8]}; run contract on it"
+                f"{self.mesh_id[:8]}, this has {len(vertices)} and {found[:8]}; run contract on it"
             )
 
     def save(self, path: str | os.PathLike[str]) -> None:
@@ -127,13 +164,7 @@ class Tape:
             raise ConfigError(f"a tape is saved as .npz, not as {Path(path).suffix!r}")
         leaves = jax.tree_util.tree_flatten_with_path(self)[0]
         arrays = {"/".join(_name(key) for key in keys): np.asarray(leaf) for keys, leaf in leaves}
-        header = {
-            "mesh_id": self.mesh_id,
-            "config": asdict(self.config),
-            "shapes": self.shapes,
-            "sizes": self.sizes,
-            "num_made": self.num_made,
-        }
+        header = {"config": asdict(self.config), "shapes": self.shapes, "is_joined": self.is_joined}
         archive.write(path, KIND, VERSION, header, arrays, compress=True)
 
     @classmethod
@@ -151,11 +182,23 @@ class Tape:
         return tape
 
 
-def mesh_id(vertices: np.ndarray, faces: np.ndarray) -> str:
-    """A hash of a mesh as the caller has it."""
-    digest = hashlib.sha256(np.ascontiguousarray(vertices, dtype="<f8").tobytes())
-    digest.update(np.ascontiguousarray(faces, dtype="<i8").tobytes())
-    return digest.hexdigest()
+def hashes(vertices: np.ndarray, faces: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Two hashes (32,) uint8 of a mesh as the caller has it: of its vertices, and of its faces."""
+    return _hash(np.ascontiguousarray(vertices, dtype="<f8")), _hash(np.ascontiguousarray(faces, dtype="<i8"))
+
+
+def mesh_id(vertices_hash: np.ndarray, faces_hash: np.ndarray) -> str:
+    """The two hashes of a mesh as one."""
+    return hashlib.sha256(vertices_hash.tobytes() + faces_hash.tobytes()).hexdigest()
+
+
+def _hash(array: np.ndarray) -> np.ndarray:
+    return np.frombuffer(hashlib.sha256(array.tobytes()).digest(), dtype=np.uint8)
+
+
+def _repeated(rows: Any, count: int) -> np.ndarray:
+    """``rows`` (n, ...) with the last one repeated up to ``count``."""
+    return np.asarray(rows)[np.minimum(np.arange(count), len(rows) - 1)]
 
 
 def record(run: Recording, weights: Weights, config: Config, curve: Skeleton, source: Source) -> Tape:
@@ -166,6 +209,7 @@ def record(run: Recording, weights: Weights, config: Config, curve: Skeleton, so
         parts.append(_part(arrays))
         shapes.append(Shape(tuple(layouts), mesh_layout))
     shape, nodes = source.solid.shape, source.solid.enter(curve.vertices)
+    vertices_hash, faces_hash = hashes(run.vertices, run.faces)
     near = shape.faces[shape.nearest(nodes)[1]]
     triangles = run.input_of_vertex[near]
     offsets = source.solid.leave(shape.vertices[near]) - run.vertices[triangles]
@@ -179,13 +223,21 @@ def record(run: Recording, weights: Weights, config: Config, curve: Skeleton, so
         offsets=np.where(run.is_made[near][:, :, None], offsets, 0.0),
         is_inside=shape.contains(nodes),
         decisions=decisions(run.components),
-        weights=weights,
+        node_row=_live([part.is_held for part in parts], [component.num_nodes for component in run.components]),
+        meso_row=_live([part.meso_row for part in parts], [component.num_meso for component in run.components]),
+        vertices_hash=vertices_hash,
+        faces_hash=faces_hash,
+        weights=Weights(*(np.asarray(weight, dtype=np.float64) for weight in vars(weights).values())),
         shapes=tuple(shapes),
-        sizes=tuple((component.num_meso, component.num_nodes) for component in run.components),
         config=config,
-        mesh_id=mesh_id(run.vertices, run.faces),
-        num_made=int(run.is_made.sum()),
+        is_joined=bool(run.is_made.any()),
     )
+
+
+def _live(padded: list[np.ndarray], counts: list[int]) -> np.ndarray:
+    """Which rows are live, of padded arrays one after the other: the first so many of each."""
+    first = np.cumsum([0, *map(len, padded)])
+    return np.concatenate([start + np.arange(count) for start, count in zip(first, counts, strict=False)])
 
 
 def _part(arrays: dict[str, Any]) -> Part:
@@ -229,22 +281,19 @@ def _from_arrays(header: dict[str, Any], arrays: dict[str, np.ndarray]) -> Tape:
         parts=tuple(_part(part) for part in tree["parts"]),
         weights=weights,
         shapes=shapes,
-        sizes=tuple((int(meso), int(nodes)) for meso, nodes in header["sizes"]),
         config=config,
-        mesh_id=str(header["mesh_id"]),
-        num_made=int(header["num_made"]),
+        is_joined=bool(header["is_joined"]),
     )
     num, nodes = len(tape.vertices), tape.num_nodes
     expected = {"vertices": (num, 3), "areas": (num,), "node_of_vertex": (num,), "triangles": (nodes, 3)}
     expected |= {"offsets": (nodes, 3, 3)}
     wrong = [name for name, shape in expected.items() if np.shape(getattr(tape, name)) != shape]
-    is_whole = len(tape.parts) == len(shapes) == len(tape.sizes) and all(
-        len(part.stretches) == len(shape.layouts)
-        and part.vertex_of_input.max() < num
-        and len(part.is_held) >= held
-        and len(part.meso_row) >= meso
-        for part, shape, (meso, held) in zip(tape.parts, shapes, tape.sizes, strict=True)
+    is_whole = len(tape.parts) == len(shapes) and all(
+        len(part.stretches) == len(shape.layouts) and part.vertex_of_input.max() < num
+        for part, shape in zip(tape.parts, shapes, strict=True)
     )
+    is_whole &= tape.node_row.max() < sum(len(part.is_held) for part in tape.parts)
+    is_whole &= tape.meso_row.max() < sum(len(part.meso_row) for part in tape.parts)
     if wrong or not is_whole or tape.triangles.max() >= num or tape.node_of_vertex.max() >= nodes:
         raise ValueError(f"its arrays do not fit together: {', '.join(wrong) or 'parts'}")
     return tape

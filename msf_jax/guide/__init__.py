@@ -1,11 +1,17 @@
-"""A page per task.
+"""A page per task, and what is behind.
 
 .. include:: report.md
 .. include:: weights.md
+.. include:: branches.md
 .. include:: repair.md
 .. include:: scoring.md
+.. include:: following.md
 .. include:: gradients.md
 .. include:: tuning.md
 .. include:: batches.md
 .. include:: migrating.md
+.. include:: differences.md
+.. include:: claims.md
+.. include:: speed.md
+.. include:: house.md
 """

@@ -154,16 +154,21 @@ class Skeleton:
         Raises:
             ConfigError: the surface that the curve was made from is not known.
         """
+        surface, pins = self.surface, np.asarray(self.source.pins if self.source else [], dtype=np.int64)
+        held = self.mesh_map[pins]
+        pins_of_node = {int(node): pins[held == node] for node in np.unique(held)}
+        return following.record(surface, self.vertices, self.edges, pins_of_node)
+
+    @property
+    def surface(self) -> following.Surface:
+        """The mesh as it was checked, and which of its vertices are whose; raises as `recipe` does."""
         if self.source is None or self.source.input_of_vertex is None:
             raise ConfigError(
                 "the skeleton does not know the mesh that it was made from: expected one from skeletonize, or read "
                 "from an .npz file that msf_jax has written, of a mesh whose parts were not joined"
             )
-        solid, _, pins, _, vertex = self.source
-        held = self.mesh_map[pins]
-        pins_of_node = {int(node): np.asarray(pins)[held == node] for node in np.unique(held)}
-        surface = following.Surface(solid, vertex, self.mesh_map[vertex])
-        return following.record(surface, self.vertices, self.edges, pins_of_node)
+        vertex = self.source.input_of_vertex
+        return following.Surface(self.source.solid, vertex, self.mesh_map[vertex])
 
     def jacobian(self) -> sparse.csr_matrix:
         """How far each node moves with each vertex of the mesh: the derivative of `msf_jax.follow` where it was made.
@@ -175,10 +180,7 @@ class Skeleton:
         Raises:
             ConfigError: the surface that the curve was made from is not known.
         """
-        recipe = self.recipe
-        vertices = np.zeros((len(self.mesh_map), 3))  # what no face uses moves nothing
-        vertices[self.source.input_of_vertex] = self.source.solid.leave(self.source.solid.shape.vertices)
-        return slopes.jacobian(recipe, vertices)
+        return slopes.jacobian(self.recipe, self.surface.given(len(self.mesh_map)))
 
     def covariance(self, sigma: Any) -> np.ndarray:
         """How uncertain each node is if the vertices of the mesh are, to first order; see `jacobian`.
@@ -196,7 +198,9 @@ class Skeleton:
         try:
             spread = np.asarray(sigma, dtype=np.float64)
         except (TypeError, ValueError) as error:
-            raise ConfigError(f"sigma is a {type(sigma).__name__}: expected a number, or one for each vertex") from error
+            raise ConfigError(
+                f"sigma is a {type(sigma).__name__}: expected a number, or one for each vertex"
+            ) from error
         num = len(self.mesh_map)
         if spread.shape not in ((), (num,)):
             raise ConfigError(f"sigma has shape {spread.shape}: expected a number, or ({num},), one for each vertex")
@@ -241,7 +245,8 @@ class Skeleton:
         ``.swc`` (a tree, parents first: ids count its rows from 1, and are not the nodes' numbers; loops are cut, and
         the cut edges listed in a comment), ``.obj`` (lines), ``.cg`` (vertices and edges), ``.polylines.txt`` (CGAL's),
         ``.ply`` (vertices with radius, edges), ``.vtp`` (VTK PolyData with point data "radius"), ``.graphml``
-        (NetworkX's), ``.npz`` (arrays), ``.json`` (everything, the report included), ``.glb`` (glTF:
+        (NetworkX's), ``.npz`` (everything, and the surface: `msf_jax.read_curve` reads it),
+        ``.json`` (everything, the report included), ``.glb`` (glTF:
         ``mesh``, as `skeletonize` took it, skinned to the curve, whose nodes are the joints).
 
         Raises:

@@ -4,6 +4,8 @@ The derivative of the equation of `msf_jax.base.recipe` at the mesh as it was re
 so that three products with the transpose give the derivatives of all centroids.
 """
 
+from typing import Any
+
 import jax
 import jax.numpy as jnp
 import numpy as np
@@ -20,18 +22,18 @@ def jacobian(recipe: Recipe, vertices: np.ndarray) -> sparse.csr_matrix:
     entered = jnp.asarray((vertices - recipe.centre) / recipe.diagonal, real_dtype())
     slopes = np.asarray(_slopes(recipe, following.corners(recipe, entered)), dtype=np.float64)  # axis, corner, axis
     corner = np.arange(len(recipe.section))
-    ends = sparse.coo_matrix(
+    ends: Any = sparse.coo_matrix(
         (np.r_[1 - recipe.part, recipe.part], (np.tile(corner, 2), np.r_[recipe.tail, recipe.head])),
         shape=(len(corner), many),
     ).tocsr()
-    a = sparse.csr_matrix((recipe.a_value, (recipe.a_row, recipe.a_column)), shape=(num, num_sections))
-    b = sparse.csr_matrix((recipe.b_value, (recipe.b_row, recipe.b_column)), shape=(num, many))
+    a: Any = sparse.csr_matrix((recipe.a_value, (recipe.a_row, recipe.a_column)), shape=(num, num_sections))
+    b: Any = sparse.csr_matrix((recipe.b_value, (recipe.b_row, recipe.b_column)), shape=(num, many))
     rows = []
     for i in range(3):
         by_axis = []
         for j in range(3):
             centroid = sparse.csr_matrix((slopes[i, :, j], (recipe.section, corner)), shape=(num_sections, len(corner)))
-            block = a @ (centroid @ ends)
+            block: Any = a @ (centroid @ ends)
             by_axis.append((block + b if i == j else block).tocoo())
         rows.append(by_axis)
     row = np.concatenate([3 * block.row + i for i in range(3) for block in rows[i]])
@@ -49,9 +51,9 @@ def _slopes(recipe: Recipe, place: jax.Array) -> jax.Array:
     )
 
 
-def covariance(slopes: sparse.csr_matrix, sigma: np.ndarray) -> np.ndarray:
-    """(N, 3, 3) of every node, J diag(sigma^2) J^T by blocks, for vertices with noise ``sigma`` (V,) along each axis."""
-    by_axis = [slopes[axis::3] for axis in range(3)]
+def covariance(slopes: Any, sigma: np.ndarray) -> np.ndarray:
+    """(N, 3, 3) of every node, J diag(sigma^2) J^T by blocks, for noise of ``sigma`` (V,) along each axis."""
+    by_axis: list[Any] = [slopes[axis::3] for axis in range(3)]
     variance = np.repeat(sigma**2, 3)
     found = np.empty((slopes.shape[0] // 3, 3, 3))
     for i in range(3):

@@ -33,6 +33,7 @@ class Replayed(NamedTuple):
 
     nodes: (N, 3). radii: (N,) distance to the surface, negative outside. edges: (E, 2). surface: (V, 3) vertices of the
     mesh. areas: (V,) share of the surface that belongs to each. node_of_vertex: (V,). diagonal: of the bounding box.
+    is_node: (N,) False for rows that only fill an array up; their edges lead from one to itself.
     """
 
     nodes: jax.Array
@@ -42,6 +43,7 @@ class Replayed(NamedTuple):
     areas: jax.Array
     node_of_vertex: jax.Array
     diagonal: jax.Array
+    is_node: jax.Array
 
 
 @dataclass(frozen=True)
@@ -50,18 +52,21 @@ class Objective:
 
     name: str
     function: Callable[[Replayed], jax.Array]
+    can_be_padded: bool = True  # whether it may be given rows that are no nodes
 
     def __call__(self, curve: Replayed) -> jax.Array:
         return self.function(curve)
 
     def __add__(self, other: "Objective") -> "Objective":
         other = as_objective(other)
-        return Objective(f"{self.name} + {other.name}", lambda curve: self(curve) + other(curve))
+        both = self.can_be_padded and other.can_be_padded
+        return Objective(f"{self.name} + {other.name}", lambda curve: self(curve) + other(curve), both)
 
     def __mul__(self, factor: float) -> "Objective":
         if not isinstance(factor, int | float):
             return NotImplemented
-        return Objective(f"{factor:g} * ({self.name})", lambda curve: factor * self(curve))
+        name = f"{factor:g} * ({self.name})"
+        return Objective(name, lambda curve: factor * self(curve), self.can_be_padded)
 
     __rmul__ = __mul__
 
@@ -83,7 +88,7 @@ def as_objective(objective: Any) -> Objective:
         ) from None
     function: Callable[..., Any] = objective
     name = getattr(objective, "__name__", type(objective).__name__)
-    return Objective(name, lambda curve: function(curve.nodes, curve.radii))
+    return Objective(name, lambda curve: function(curve.nodes, curve.radii), can_be_padded=False)
 
 
 def value(
@@ -117,7 +122,18 @@ def _value_at(objective: Objective, tape: Tape, nodes: jax.Array, vertices: Any)
         areas=jnp.asarray(tape.areas, nodes.dtype),
         node_of_vertex=jnp.asarray(tape.node_of_vertex),
         diagonal=jnp.asarray(tape.diagonal, nodes.dtype),
+        is_node=jnp.ones(len(nodes), bool),
     )
+    return _number(objective, curve)
+
+
+@partial(jax.jit, static_argnums=0)
+def value_of(objective: Objective, curve: Replayed) -> jax.Array:
+    """What ``objective`` says of any curve; raises what `value` does, but for a value that is no number."""
+    return _number(objective, curve)
+
+
+def _number(objective: Objective, curve: Replayed) -> jax.Array:
     returned = objective(curve)
     try:
         found = jnp.asarray(returned)
@@ -143,7 +159,8 @@ def explained() -> Objective:
         stride = -(-len(curve.surface) // MOST_SAMPLES)
         points, areas = curve.surface[::stride], curve.areas[::stride]
         away = _distances(points, curve.nodes, curve.diagonal) - curve.radii / curve.diagonal
-        return (areas * jnp.maximum(away.min(axis=1), 0.0)).sum() / areas.sum()
+        nearest = jnp.where(curve.is_node, away, jnp.inf).min(axis=1)
+        return (areas * jnp.maximum(nearest, 0.0)).sum() / areas.sum()
 
     return Objective("explained", function)
 
@@ -181,7 +198,7 @@ def inside(margin: float = 0.0) -> Objective:
         raise ConfigError(f"margin is {margin!r}: expected a finite number, in diagonals")
 
     def function(curve: Replayed) -> jax.Array:
-        return jnp.maximum(margin - curve.radii / curve.diagonal, 0.0).mean()
+        return jnp.maximum(margin - curve.radii / curve.diagonal, 0.0).mean(where=curve.is_node)
 
     return Objective(f"inside({margin:g})" if margin else "inside", function)
 
@@ -196,7 +213,7 @@ def smooth() -> Objective:
         along = along / jnp.maximum(_norm(along), SHORTEST)[:, None]
         total = jax.ops.segment_sum(along, a, num) - jax.ops.segment_sum(along, b, num)
         one = jnp.ones(len(curve.edges), along.dtype)
-        is_passed = jax.ops.segment_sum(one, a, num) + jax.ops.segment_sum(one, b, num) == 2
+        is_passed = curve.is_node & (jax.ops.segment_sum(one, a, num) + jax.ops.segment_sum(one, b, num) == 2)
         # Unit vectors to both neighbours add up to nothing where the curve is straight: |u + v|^2 = 2 (1 - cos turn).
         turn = jnp.where(is_passed, (total * total).sum(1) / 2, 0.0)
         return turn.sum() / jnp.maximum(is_passed.sum(), 1)
@@ -223,7 +240,8 @@ def near(target: Any) -> Objective:
 
     def function(curve: Replayed) -> jax.Array:
         away = _distances(jnp.asarray(points, curve.nodes.dtype), curve.nodes, curve.diagonal)
-        return (away.min(axis=1).mean() + away.min(axis=0).mean()) / 2
+        nearest = jnp.where(curve.is_node, away, jnp.inf).min(axis=1)
+        return (nearest.mean() + away.min(axis=0).mean(where=curve.is_node)) / 2
 
     return Objective("near", function)
 

@@ -4,7 +4,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from msf_jax.tuning.tuner import Tuned
+from msf_jax.tuning.result import Tuned
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -20,7 +20,7 @@ def trajectory(tuned: Tuned) -> "Figure":
     number = np.arange(len(tuned.trajectory))
     found = np.array([step.found for step in tuned.trajectory])
     is_taken = np.array([step.is_taken for step in tuned.trajectory])
-    left.plot(number, [step.expected for step in tuned.trajectory], "--", color="0.6", label="expected by the tapes")
+    left.plot(number, [step.expected for step in tuned.trajectory], "--", color="0.6", label="expected")
     left.plot(number[is_taken], found[is_taken], "o-", label="found by a fresh run, taken")
     left.plot(number[~is_taken], found[~is_taken], "x", color="tab:red", label="found, not taken")
     left.set(xlabel="proposal", ylabel="objective")

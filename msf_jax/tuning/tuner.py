@@ -1,96 +1,28 @@
-"""Tune the flow's weights by gradient, for one mesh or for several jointly.
+"""Tune the flow's weights, for one mesh or for several jointly: what `msf_jax.tune` does.
 
-A run is recorded, and the objective of its replay minimised in the logarithms of the weights, within a box around them:
-there the tape may be trusted. Then a fresh run, with decisions of its own, says what the new weights are worth. If they
-are better they are taken, with a larger box around them; if not, a full step down the slope is tried, then one up it,
-and then the box shrinks, and the old tape is minimised again.
-A run that did not converge is no ground for a gradient: then the weights go half-way to the system's own.
-
-This is the one module besides `device.cg` that imports jaxopt.
+Four numbers are sought by fresh runs and a model of them (`search`), values for every vertex by gradient (`gradient`);
+`runs` says what weights are worth.
 """
 
 import numbers
 import os
-import warnings
 from collections.abc import Callable
-from dataclasses import dataclass, fields
-from functools import partial
-from typing import Any, NamedTuple
+from dataclasses import fields
+from typing import Any
 
-import jax
-import jax.numpy as jnp
 import numpy as np
 from tqdm import tqdm
 
-with warnings.catch_warnings():
-    warnings.simplefilter("ignore", DeprecationWarning)  # jaxopt announces on import that it is no longer maintained
-    import jaxopt
-
-from msf_jax.base.errors import ConfigError, FlowError
+from msf_jax.base.errors import ConfigError
 from msf_jax.base.options import Config, Weights
-from msf_jax.flow import loop
 from msf_jax.flow.request import checked_options
-from msf_jax.flow.state import Flow
-from msf_jax.gradients.replay import replay
-from msf_jax.gradients.tape import Comparison, Tape
-from msf_jax.tuning.objectives import Objective, as_objective, value_at
+from msf_jax.tuning.gradient import descend, logarithms, with_logarithms
+from msf_jax.tuning.objectives import Objective, as_objective
+from msf_jax.tuning.result import Tuned, TuningStep, shown
+from msf_jax.tuning.runs import OF, Runs
+from msf_jax.tuning.search import FIRST_SPREAD, Search
 
-SEARCH_TOLERANCE = 1e-8  # of the solves in a replay: enough for a direction
-FIRST_BOX, LARGEST_BOX, SMALLEST_BOX = 1.0, 2.5, 0.02  # half its width, in logarithms
-GROWTH, SHRINKAGE = 1.6, 0.35
-TIMID = 0.1  # of the box: proposals nearer than that are none
-SIDES = (-1, 1)
-# What is proposed from a tape, in turn, until something is taken. Its minimum may be its own alone, so a step down the
-# slope is next; and where small triangles make the tape's slope steep and short, the flow's own may be the opposite.
-MINIMUM, DOWN, UP = range(3)
-HALF_WAY, NEARLY_THERE = 0.5, 0.99  # parts of the way to the system's own weights
 WIDEST = (1e-6, 1e4)  # bounds of a weight, where none are given
-
-
-class TuningStep(NamedTuple):
-    """One proposal. The first is the start.
-
-    weights: proposed. expected: of the objective, by the tapes; NaN for a proposal without them. found: by fresh runs;
-    inf if one broke down. is_taken: whether the weights were. box: half the width of the trust region, in logarithms.
-    converges: whether all of the fresh runs did. changed: decisions that they made differently from the runs of the
-    weights before, of all that they made.
-    """
-
-    weights: Weights
-    expected: float
-    found: float
-    is_taken: bool
-    box: float
-    converges: bool
-    changed: Comparison
-
-
-@dataclass(frozen=True)
-class Tuned:
-    """The result of `tune`.
-
-    Attributes:
-        weights: the best that were found.
-        value: of the objective there, by fresh runs, the mean over the meshes.
-        flows: those runs, one for each mesh.
-        trajectory: every proposal, in order.
-        reason: why it stopped.
-    """
-
-    weights: Weights
-    value: float
-    flows: tuple[Flow, ...]
-    trajectory: tuple[TuningStep, ...]
-    reason: str
-
-    def __str__(self) -> str:
-        lines = [f"{len(self.trajectory) - 1} steps, {self.reason}", "objective   expected   box    decisions changed"]
-        for step in self.trajectory:
-            weights = ", ".join(f"{name} {_shown(weight)}" for name, weight in vars(step.weights).items())
-            changed = f"{step.changed.different} of {step.changed.total}"
-            mark = "taken" if step.is_taken else "     "
-            lines.append(f"{step.found:<11.6g} {step.expected:<10.6g} {step.box:.3f}  {changed:<16} {mark}  {weights}")
-        return "\n".join(lines)
 
 
 def tune(
@@ -100,11 +32,14 @@ def tune(
     *,
     config: Config | None = None,
     bounds: dict[str, tuple[float, float]] | tuple[float, float] = WIDEST,
-    steps: int = 12,
+    of: str = "skeleton",
+    steps: int = 24,
     inner_steps: int = 3,
+    jobs: int = 1,
+    checkpoint: str | os.PathLike[str] | None = None,
     progress: bool = False,
 ) -> Tuned:
-    """Find weights whose curves are better, by gradient steps on recorded runs that fresh runs confirm.
+    """Find weights whose curves are better, by fresh runs and a model of them, or by gradients.
 
     Args:
         meshes: one mesh, as `contract` takes it, or a list of them, which are tuned jointly: the mean counts.
@@ -114,18 +49,25 @@ def tune(
             stays as it is. Arrays, one value for each vertex, are possible for a single mesh.
         config: of the runs.
         bounds: lowest and highest value of every weight, or of each by name; where they are the same it stays.
+        of: "skeleton": the objective is that of the finished curve, the one that is saved; "flow": of the curve as the
+            flow left it.
         steps: fresh runs on each mesh, after the first.
-        inner_steps: of L-BFGS on the tapes, before each.
+        inner_steps: of L-BFGS on the tapes, before each, where gradients are followed.
+        jobs: processes that make fresh runs side by side; a program that asks for more than one needs the usual
+            ``if __name__ == "__main__":``.
+        checkpoint: a file that remembers what runs have found. A tuning that was cut short goes on from it, with the
+            same proposals. It knows the meshes and the config, but an objective by its name only.
         progress: show a progress bar on standard error, if that is a terminal.
 
     Returns:
         The best weights, their runs, every proposal, and why it stopped.
 
-    The gradient knows the decisions of the recorded run, and not how they would change: what an iteration merges, and
-    how many iterations there are. So many proposals are not taken, and what is found is the best of what was tried, no
-    global minimum. ``trajectory`` says how many decisions each fresh run changed. Weights whose runs converge are
-    preferred to those whose do not, whatever the objective says; from a start that does not converge the first steps
-    lead half-way, in logarithms, to the weights of ``config``'s system. Ctrl-C ends it with what was found so far.
+    Four numbers are found by fresh runs alone, which are cheap: see `tuning.search`; as only the ratios of w_L, w_H and
+    w_M matter, w_L stays where all three may change. For the curve of the flow, and for arrays with a value for every
+    vertex, the tapes' gradients say where to go, and a fresh run whether that was right: see `tuning.gradient`; then
+    ``jobs`` and ``checkpoint`` are of no use and refused. Weights whose runs converge are preferred to those whose do
+    not, whatever the objective says. What is found is the best of what was tried, no global minimum. Ctrl-C ends it
+    with what was found so far.
 
     Raises:
         ConfigError: a weight is out of ``bounds``, an option is of the wrong kind, the objective returns no number, or
@@ -136,190 +78,78 @@ def tune(
     weights, config = checked_options(weights, config)
     meshes = _listed(meshes)
     low, high = _checked_bounds(weights, bounds)
-    for name, number in (("steps", steps), ("inner_steps", inner_steps)):
+    for name, number in (("steps", steps), ("inner_steps", inner_steps), ("jobs", jobs)):
         if isinstance(number, bool) or not isinstance(number, numbers.Integral) or number < 1:
             raise ConfigError(f"{name} is {number!r}: expected a whole number of 1 or more")
-
-    search = _Search(meshes, objective, config)
-    search.start(weights)
-    box, way, kind, reason = FIRST_BOX, HALF_WAY, MINIMUM, "as many as were asked for"
+    if of not in OF:
+        raise ConfigError(f"of is {of!r}: expected one of {', '.join(OF)}")
+    is_plain = all(np.ndim(weight) == 0 for weight in vars(weights).values())
+    by_search = of == "skeleton" and is_plain
+    if not by_search and (jobs > 1 or checkpoint is not None):
+        raise ConfigError("jobs and checkpoint are for weights that are numbers, and of='skeleton': expected neither")
+    runs = Runs(meshes, objective, config, of, jobs, checkpoint)
     with tqdm(total=steps, desc="tune", unit="run", disable=None if progress else True) as bar:
-        try:
-            for _ in range(steps):
-                here = _logarithms(search.weights)
-                if search.is_converged:
-                    there, expected, kind = _proposal(search, here, box, low, high, kind, int(inner_steps))
-                    nowhere = f"{objective.name} does not depend on the weights, by the tapes"
-                else:  # such a run is stuck in a few vertices, and its gradient is theirs
-                    goal = _logarithms(config.default_weights())
-                    there = {name: here[name] + way * (goal.get(name, here[name]) - here[name]) for name in here}
-                    there, expected = {name: np.clip(there[name], low[name], high[name]) for name in here}, np.nan
-                    nowhere = f"runs do not converge ({search.why}), nor is there a way on to the system's own weights"
-                reach = _distance(here, there)
-                if not reach > 0:
-                    reason = nowhere
-                    break
-                is_taken = search.propose(_with_logarithms(search.weights, there), expected, box)
-                if search.is_converged:
-                    if is_taken:
-                        box, kind = min(box * GROWTH, LARGEST_BOX), MINIMUM
-                    elif kind == UP:
-                        box, kind = box * SHRINKAGE, MINIMUM
-                    else:
-                        kind += 1
-                else:
-                    way = HALF_WAY if is_taken else (way + 1) / 2
-                bar.set_postfix(objective=f"{search.value:.4g}", box=f"{box:.2f}")
-                bar.update()
-                if box < SMALLEST_BOX or way > NEARLY_THERE:
-                    reason = "no better weights nearby"
-                    break
-        except KeyboardInterrupt:
-            reason = "interrupted"
-    return Tuned(search.weights, search.value, search.flows, tuple(search.trajectory), reason)
+        if by_search:
+            return _searched(runs, weights, low, high, int(steps), bar)
+        return descend(runs, weights, low, high, int(steps), int(inner_steps), bar)
 
 
-class _Search:
-    """The best weights so far, their runs, and what was tried."""
+def _searched(
+    runs: Runs, weights: Weights, low: dict[str, float], high: dict[str, float], steps: int, bar: Any
+) -> Tuned:
+    """At most ``steps`` runs after the first, proposed by a model of those before; see `tuning.search`."""
+    here = logarithms(weights)
+    free = [name for name in here if low[name] < high[name]]
+    if {"w_L", "w_H", "w_M"} <= set(free):
+        free.remove("w_L")  # only ratios matter
 
-    def __init__(self, meshes: list[Any], objective: Objective, config: Config):
-        self.meshes, self.objective, self.config = meshes, objective, config
-        self.trajectory: list[TuningStep] = []
+    def placed(point: np.ndarray) -> Weights:
+        return with_logarithms(weights, dict(zip(free, point.tolist(), strict=True)))
 
-    def start(self, weights: Weights) -> None:
-        self.weights = weights
-        self.flows = tuple(loop.contract(mesh, weights, self.config) for mesh in self.meshes)
-        self.value = _found(self.objective, self.flows)
-        if not np.isfinite(self.value):
-            raise ConfigError(f"objective {self.objective.name} is {self.value} at the start: expected a finite number")
-        none = Comparison(0, sum(len(run.tape.decisions) for run in self.flows))
-        self.trajectory = [TuningStep(weights, self.value, self.value, True, FIRST_BOX, self.is_converged, none)]
-
-    @property
-    def is_converged(self) -> bool:
-        """Whether all of the best weights' runs ended as they should."""
-        return all(run.skeleton.report.converged for run in self.flows)
-
-    @property
-    def why(self) -> str:
-        """Why the first that did not ended."""
-        return next(run.skeleton.report.reason for run in self.flows if not run.skeleton.report.converged)
-
-    def propose(self, weights: Weights, expected: float, box: float) -> bool:
-        """Run with ``weights``; take them if they are better, or if their runs converge and those before did not."""
-        try:
-            fresh = tuple(loop.contract(mesh, weights, self.config) for mesh in self.meshes)
-        except FlowError:
-            self.trajectory.append(TuningStep(weights, expected, np.inf, False, box, False, Comparison(0, 0)))
-            return False
-        found = _found(self.objective, fresh)
-        converges = all(run.skeleton.report.converged for run in fresh)
-        is_taken = (converges, -found) > (self.is_converged, -self.value) and bool(np.isfinite(found))
-        changed = _compared(self.flows, fresh)
-        self.trajectory.append(TuningStep(weights, expected, found, is_taken, box, converges, changed))
-        if is_taken:
-            self.weights, self.flows, self.value = weights, fresh, found
-        return is_taken
-
-
-def _proposal(
-    search: _Search,
-    here: dict[str, Any],
-    box: float,
-    low: dict[str, float],
-    high: dict[str, float],
-    kind: int,
-    inner_steps: int,
-) -> tuple[dict[str, Any], float, int]:
-    """The logarithms within ``box`` of ``here`` that are best by the tapes, the objective there, and which kind it is.
-
-    Where no minimum is found, or another ``kind`` is asked for, those at the end of the box down the slope, or up.
-    """
-
-    def clipped(point: dict[str, Any]) -> dict[str, Any]:
-        return {name: np.clip(np.asarray(point[name]), low[name], high[name]) for name in here}
-
-    tapes = [run.tape for run in search.flows]
-    around = tuple(clipped({name: here[name] + side * box for name in here}) for side in SIDES)
-    found, slope = first = _mean_value(search.objective, here, search.weights, tapes)
-    steepest = max(float(np.abs(part).max()) for part in slope.values())
-    if not np.isfinite(found) or not np.isfinite(steepest):
-        raise ConfigError(
-            f"objective {search.objective.name} has the value {float(found)} and a slope of {steepest} at the recorded "
-            "curve: expected finite numbers"
-        )
-    if steepest == 0:
-        return here, float(found), kind
-    if kind == MINIMUM:
-
-        def fun(logarithms: dict[str, Any]) -> Any:
-            is_first = all(np.array_equal(logarithms[name], here[name]) for name in here)
-            return first if is_first else _mean_value(search.objective, logarithms, search.weights, tapes)
-
-        solver = jaxopt.ScipyBoundedMinimize(
-            fun=fun,
-            method="L-BFGS-B",
-            maxiter=inner_steps,
-            options={"maxfun": 2 * inner_steps},
-            value_and_grad=True,
-            jit=False,
-        )
-        there, state = solver.run(here, around)
-        there = clipped(there)
-        if np.isfinite(state.fun_val) and _distance(here, there) >= TIMID * box:
-            return there, float(state.fun_val), MINIMUM
-        kind = DOWN  # its line search has failed
-    length = box / steepest * (-1 if kind == DOWN else 1)
-    return clipped({name: here[name] + length * np.asarray(slope[name]) for name in here}), np.nan, kind
+    best = runs.found([weights])[0]
+    if not np.isfinite(best.value):
+        raise ConfigError(f"objective {runs.objective.name} is {best.value} at the start: expected a finite number")
+    trajectory = [TuningStep(weights, best.value, best.value, True, FIRST_SPREAD, best.converges, None)]
+    if not free:
+        return Tuned(weights, best.value, runs.flows(weights), tuple(trajectory), "no weight is free to change")
+    reason, found_at = "as many as were asked for", weights
+    search = Search(_given(here, runs.config, free, low, high), _ends(low, free), _ends(high, free))
+    search.tell(search.ask(), np.array([best.value if best.converges else np.inf]))
+    try:
+        while len(trajectory) <= steps:
+            points = search.ask(min(runs.jobs, steps + 1 - len(trajectory)))
+            expected, spread = search.expected(points), search.spread
+            proposals = [placed(point) for point in points]
+            found = runs.found(proposals)
+            search.tell(points, np.array([one.value if one.converges else np.inf for one in found]))
+            for proposal, one, guess in zip(proposals, found, expected.tolist(), strict=True):
+                is_taken = np.isfinite(one.value) and (one.converges, -one.value) > (best.converges, -best.value)
+                trajectory.append(TuningStep(proposal, guess, one.value, is_taken, spread, one.converges, None))
+                if is_taken:
+                    best, found_at = one, proposal
+            bar.set_postfix(objective=f"{best.value:.4g}")
+            bar.update(len(points))
+    except KeyboardInterrupt:
+        reason = "interrupted"
+    finally:
+        runs.close()
+    return Tuned(found_at, best.value, runs.flows(found_at), tuple(trajectory), reason)
 
 
-def _mean_value(objective: Objective, logarithms: dict[str, Any], weights: Weights, tapes: list[Tape]) -> Any:
-    """The objective's mean over the tapes, and its gradient in the logarithms."""
-    results = [_value_and_grad(objective, logarithms, weights, tape) for tape in tapes]
-    mean, gradient = jax.tree_util.tree_map(lambda *parts: sum(parts) / len(parts), *results)
-    return mean, gradient
+def _given(
+    here: dict[str, np.ndarray], config: Config, free: list[str], low: dict[str, float], high: dict[str, float]
+) -> list[np.ndarray]:
+    """The start, and the system's own weights with the start's w_L, as far as they are within their bounds."""
+    own = logarithms(config.default_weights())
+    lift = 0.0 if "w_L" in free or "w_L" not in here else here["w_L"] - own["w_L"]  # only ratios matter
+    start = np.array([float(here[name]) for name in free])
+    usual = [own[name] + lift * (name != "smoothing") if name in own else here[name] for name in free]
+    usual = np.clip(np.array(usual, dtype=np.float64), _ends(low, free), _ends(high, free))
+    return [start] if np.allclose(start, usual) else [start, usual]
 
 
-def _value_and_grad(objective: Objective, logarithms: dict[str, Any], weights: Weights, tape: Tape) -> Any:
-    """In two halves, as a fresh tape has another number of nodes: the replay, the slow one to compile, is padded."""
-
-    def nodes_at(logarithms: dict[str, Any]) -> jax.Array:
-        return replay(tape, _with_logarithms(weights, logarithms), tolerance=SEARCH_TOLERANCE)
-
-    nodes, pull_back = jax.vjp(nodes_at, logarithms)
-    found, slope = _at_nodes(objective, nodes, tape)
-    return found, pull_back(slope)[0]
-
-
-@partial(jax.jit, static_argnums=0)
-def _at_nodes(objective: Objective, nodes: jax.Array, tape: Tape) -> tuple[jax.Array, jax.Array]:
-    return jax.value_and_grad(lambda nodes: value_at(objective, tape, nodes))(nodes)
-
-
-def _found(objective: Objective, flows: tuple[Flow, ...]) -> float:
-    """The objective's mean over runs, of their curves as the flow left them."""
-    found = [_at_nodes(objective, jnp.asarray(run.curve.vertices), run.tape)[0] for run in flows]
-    return float(np.mean([float(one) for one in found]))
-
-
-def _distance(one: dict[str, np.ndarray], other: dict[str, np.ndarray]) -> float:
-    return max(float(np.abs(one[name] - other[name]).max()) for name in one)
-
-
-def _compared(before: tuple[Flow, ...], after: tuple[Flow, ...]) -> Comparison:
-    pairs = [one.tape.compare(other.tape) for one, other in zip(before, after, strict=True)]
-    return Comparison(sum(pair.different for pair in pairs), sum(pair.total for pair in pairs))
-
-
-def _logarithms(weights: Weights) -> dict[str, np.ndarray]:
-    """Of the weights that are not 0, by name."""
-    named = {name: np.asarray(weight, dtype=np.float64) for name, weight in vars(weights).items()}
-    return {name: np.log(weight) for name, weight in named.items() if (weight > 0).all()}
-
-
-def _with_logarithms(weights: Weights, logarithms: dict[str, Any]) -> Weights:
-    exp = jnp.exp if any(isinstance(value, jax.Array) for value in logarithms.values()) else np.exp
-    return Weights(**(vars(weights) | {name: exp(value) for name, value in logarithms.items()}))
+def _ends(bounds: dict[str, float], free: list[str]) -> np.ndarray:
+    return np.array([bounds[name] for name in free])
 
 
 def _listed(meshes: Any) -> list[Any]:
@@ -355,10 +185,6 @@ def _checked_bounds(weights: Weights, bounds: Any) -> tuple[dict[str, float], di
             )
         weight = np.asarray(getattr(weights, name), dtype=np.float64)
         if (weight > 0).all() and not ((first <= weight) & (weight <= last)).all():
-            raise ConfigError(f"Weights.{name} is {_shown(weight)}: expected a start within its bounds {pair!r}")
+            raise ConfigError(f"Weights.{name} is {shown(weight)}: expected a start within its bounds {pair!r}")
         low[name], high[name] = np.log(first), np.log(last)
     return low, high
-
-
-def _shown(weight: Any) -> str:
-    return f"{float(weight):.4g}" if np.ndim(weight) == 0 else f"{np.min(weight):.3g} to {np.max(weight):.3g}"

@@ -1,169 +1,226 @@
 """Move the nodes of a curve to the middle of the solid, and leave its graph alone.
 
-The middle of a limb is the centroid c of its cross-section. In each round all nodes x of a curve are found at once, as
-the minimum of
+The middle of a limb is the centroid c of its cross-section. The nodes x of a curve are where they make least of
 
-    sum_i w_i |P_i (x_i - c_i)|^2  +  sum_i (l_i / h_i)^4 |x_{i-1} - 2 x_i + x_{i+1}|^2  +  sum_i a_i |x_i - y_i|^2,
+    sum_i w_i |P_i (x_i - c_i)|^2  +  sum_i (l_i / h_i)^4 |x_{i-1} - 2 x_i + x_{i+1}|^2  +  sum_j a_j |x_j - y_j|^2,
 
 where P_i takes away most of what is along the branch: a smoothing spline, whose stiffness reaches over a part l of the
-limb's radius whatever the spacing h of the nodes, and along which they can slide. Near a junction a cross-section cuts
-several limbs and says nothing: w is 0 there, and the branches run straight on, so that the junction comes to where the
-axes of its limbs meet. That is right for tubes. Where the solid is roomier around y, the place that the flow found for
-a node, than around the straight way (the rump of a horse, a shell on a back), a holds the node there.
-"""
+limb's size whatever the spacing h of the nodes. Nodes keep their shares of their branch's length, so that they move
+across it only. Near a junction a cross-section cuts several limbs and says nothing: w falls to 0 there, and the
+branches run straight on, so that the junction comes to where the axes of its limbs meet. That is right for tubes. Where
+the solid is roomier around y, the place that the flow found for a junction, than around the straight way (the rump of a
+horse, a shell on a back), a holds the junction there.
 
-from typing import NamedTuple
+The section turns with the curve, and where it is wide its centroid turns with it much farther than the nodes went: to
+take c as given makes a round that never ends. So each round is a step of Gauss and Newton, with the derivative of c by
+the plane (`sections.Sections`), and weights from the round before (a Geman-McClure loss of the distance to c). Weights
+are smooth in the nodes. But a section has jumps, where it begins to cut another limb, too: a node on such a brink
+counts less each time that it goes over it. The rounds end when no node moves any more.
+"""
 
 import numpy as np
 from scipy import sparse
 from scipy.sparse import linalg
 
-from msf_jax.host.curve import branches
+from msf_jax.host.curve import ways as measures
+from msf_jax.host.curve.ways import Way
 from msf_jax.host.solid import sections
 from msf_jax.host.solid.enclosure import Enclosure
-from msf_jax.host.solid.geometry import arc_length, at, unit
+from msf_jax.host.solid.geometry import unit
 
 # Chosen on the ground-truth shapes and the research meshes, for the mean distance to the true curve, off-centre and
 # missed together; see `tests.benchmarks.curves`.
-ROUNDS = 3
-STIFFNESS = 0.35  # the length l, in radii
+ROUNDS = 12  # at most
+TOLERANCE = 5e-4  # sizes of the limb: a round in which no node moves farther is the last
+AFRESH = 0.01  # sizes moved, or radians turned, after which a section is cut again; until then it is linear in both
+STIFFNESS = 0.35  # the length l, in sizes of the limb
 STIFFEST = 1e5  # of (l / h)^4
-ZONE = 0.7  # radii of a junction, within which sections do not count
-LOPSIDED = 3.5  # a section so many times as wide as the inscribed ball is not that of a limb
+ZONE, MARGIN = 0.7, 0.4  # sizes of a junction, within which sections do not count, and over which they come to do so
+LOPSIDED, STEEP = 1.6, 8  # a section so many times as wide as its limb counts half, by this power of the ratio
 ROUNDNESS = 4  # a section wider than its branch's usual one counts less, by this power of the ratio
-STRAY = 0.3  # section radii: a centroid so far from the smooth curve counts for half
+STRAY = 0.3  # section radii: a centroid so far away counts for a quarter
 SLIDING = 0.03  # what is left of w along the branch
-ANCHOR, JUNCTION_ANCHOR = 0.003, 0.1  # a: in general, at a junction, and
-ROOMY_ANCHOR = 2.0  # near a junction, where the place that the flow found is roomier
-LONGEST_STEP = 0.5  # radii, in one round
+JUNCTION_ANCHOR = 0.5  # a, and
+ROOMY_ANCHOR, ROOMIER = 4.0, 1.0  # so much more where the flow's place is roomier by this part
+DAMPING = 0.05  # of a step, and
+DAMPING_ALONG = 0.3  # of what is along the branch
+LONGEST_STEP = 0.5  # sizes, in one round
 HELD = 1e9  # a, for a node that is not to move
-THINNEST = 0.5  # of the clearance that the flow gave a node must be left of it
-
-
-class Way(NamedTuple):
-    """A branch with its arc length: nodes (k,), along (k,). is_loop: it has no junction, and its ends are one node."""
-
-    nodes: np.ndarray
-    along: np.ndarray
-    is_loop: bool
+THINNEST = 0.25  # of its clearance, that a step must leave to a node
+SETTLING = 4  # rounds, after which a node that goes over a brink counts less,
+BRINK, FADE = 1.25, 0.5  # where its weight over its width changes by that factor, by this one
 
 
 def centre(
-    shape: Enclosure, vertices: np.ndarray, edges: np.ndarray, is_held: np.ndarray, rounds: int = ROUNDS
+    shape: Enclosure,
+    vertices: np.ndarray,
+    edges: np.ndarray,
+    is_held: np.ndarray,
+    rounds: int = ROUNDS,
+    places: np.ndarray | None = None,
+    is_rough: bool = True,
 ) -> np.ndarray:
     """The nodes ``vertices`` (N, 3) of the curve, centred; those of ``is_held`` (N,) stay where they are.
 
-    A step that would leave the solid, or half of the clearance that a node came with, is cut short; a node that is
-    outside stays there.
+    ``places`` (N, 3) are those that the flow found, ``vertices`` if not given. ``is_rough`` says that the curve is not
+    near the middle yet: then the first round takes it there, however far that is. A step that would leave the solid is
+    cut short; a node that is outside stays there.
     """
-    x = vertices.copy()
-    degree = np.bincount(edges.ravel(), minlength=len(x))
-    ways = [np.array(way) for way in branches.trace(len(x), edges) if len(way) > 1]
-    first_radii, near = shape.about_clearance(x)
-    radii = first_radii.copy()
-    for _ in range(rounds):
-        measured = [Way(nodes, arc_length(x[nodes]), nodes[0] == nodes[-1] and degree[nodes[0]] == 2) for nodes in ways]
-        tangent = _tangents(x, measured, radii)
-        is_near = _near_junction(measured, degree, radii, len(x))
-        limb = np.flatnonzero((degree > 0) & (degree <= 2) & ~is_near & ~is_held & (radii > 0))
-        found = sections.cut(shape, x[limb], tangent[limb], radii[limb], near[limb])
-        is_good = found.is_around & (found.radius < LOPSIDED * radii[limb])
-        limb, middle, width = limb[is_good], found.centroid[is_good], found.radius[is_good]
-        round_weight = np.minimum(1.0, _usual_width(ways, limb, width, len(x)) / width) ** ROUNDNESS
-        anchor = np.where(degree > 2, JUNCTION_ANCHOR, ANCHOR)
-        anchor[is_near & (first_radii > radii)] = ROOMY_ANCHOR
+    x, num = vertices.copy(), len(vertices)
+    y = vertices if places is None else np.where(is_held[:, None], vertices, places)
+    degree = np.bincount(edges.ravel(), minlength=num)
+    ways = measures.ways_of(x, edges, is_held)
+    if not ways:
+        return x
+    junction = np.flatnonzero(degree > 2)
+    room_at_place = shape.distances(y[junction])
+    room, near = shape.about_clearance(x)
+    size, faded, before = room.copy(), np.ones(num), np.zeros(num)
+    known = _Known(x)
+    for number in range(-1, rounds):  # the first only finds out how large limbs are
+        room[junction] = shape.distances(x[junction])
+        chord = measures.chords(x, ways, size)
+        ahead = chord @ x
+        tangent = unit(ahead)
+        clear = measures.clear_of_junctions(x, ways, degree, size, ZONE, MARGIN)
+        limb = np.flatnonzero((degree > 0) & (clear > 0) & ~is_held & (room > 0))
+        found = known.at(shape, x, tangent, size, near, limb)
+        limb = limb[found.is_around]
+        found = sections.Sections(*(field[found.is_around] for field in found))
+        weight = clear[limb] / (1 + (found.radius / (LOPSIDED * found.size)) ** STEEP)
+        # A node on the brink between two limbs counts less each time that it crosses it.
+        pull = np.zeros(num)
+        pull[limb] = weight / found.radius
+        if number >= SETTLING:
+            is_over = np.maximum(pull, before) > BRINK * np.minimum(pull, before)
+            faded[is_over & (np.abs(pull - before) * size > 0.1)] *= FADE
+        before = pull
+        weight *= faded[limb]
+        width = np.full(num, np.nan)
+        width[limb[weight > 1e-6]] = found.radius[weight > 1e-6]
+        weight *= np.minimum(1.0, np.nan_to_num(measures.usual(ways, width)[limb] / found.radius)) ** ROUNDNESS
+        everywhere = np.zeros((2, num))
+        everywhere[:, limb] = found.size, weight
+        size = measures.sizes(x, ways, *everywhere, room)
+        if number < 0:
+            continue
+        anchor = np.zeros(num)
+        roomier = np.clip((room_at_place / measures.second_sizes(ways, *everywhere)[junction] - 1) / ROOMIER, 0, 1)
+        anchor[junction] = JUNCTION_ANCHOR + ROOMY_ANCHOR * roomier**2 * (3 - 2 * roomier)
         anchor[is_held] = HELD
-        weight, goal = round_weight, x
-        for _ in range(2):
-            goal = _fair(x, vertices, measured, radii, anchor, limb, middle, tangent[limb], weight)
-            stray = np.linalg.norm(goal[limb] - middle, axis=1) / (STRAY * width)
-            weight = round_weight / (1 + stray**2)
-        step = goal - x
-        length = np.linalg.norm(step, axis=1)
-        step *= np.minimum(1.0, LONGEST_STEP * radii / np.maximum(length, 1e-300))[:, None]
+        system = _System(x, ways, size, limb, found, tangent, ahead, chord, anchor, y)
+        is_blind = is_rough and number == 0
+        away = np.zeros(len(limb)) if is_blind else np.linalg.norm(system.off, axis=1)
+        for _ in range(2 if is_blind else 1):
+            step = system.step(weight / (1 + (away / (STRAY * found.radius)) ** 2) ** 2)
+            away = np.linalg.norm(system.off + system.moved(step), axis=1)
+        step = measures.spread(x + step, ways) - x
         step[is_held] = 0.0
-        left = np.flatnonzero(~is_held & (radii > 0))
+        part = np.linalg.norm(step, axis=1) / np.maximum(np.maximum(room, 0.3 * size), 1e-300)
+        if part.max() < TOLERANCE:
+            break
+        step *= np.minimum(1.0, LONGEST_STEP / np.maximum(part, 1e-300))[:, None]
+        left = np.flatnonzero(~is_held & (room > 0))
         for part in (1.0, 0.5, 0.25):
             goal = x[left] + part * step[left]
-            moved, triangle = shape.approach(goal)
-            is_safe = (moved > np.minimum(THINNEST * first_radii[left], radii[left])) & shape.contains(goal)
+            clearance, triangle = shape.approach(goal)
+            is_safe = (clearance > THINNEST * room[left]) & shape.contains(goal)
             x[left[is_safe]] += part * step[left[is_safe]]
-            radii[left[is_safe]], near[left[is_safe]] = moved[is_safe], triangle[is_safe]
+            room[left[is_safe]], near[left[is_safe]] = clearance[is_safe], triangle[is_safe]
             left = left[~is_safe]
     return x
 
 
-def _usual_width(ways: list[np.ndarray], limb: np.ndarray, width: np.ndarray, num: int) -> np.ndarray:
-    """For each node of ``limb``, the median of the widths along its branch."""
-    known = np.full(num, np.nan)
-    known[limb] = width
-    usual = np.zeros(num)
-    for nodes in ways:
-        along = known[nodes]
-        if not np.isnan(along).all():
-            usual[nodes] = np.nanmedian(along)
-    return usual[limb]
+class _Known:
+    """Sections that were cut, until their nodes have moved on too far."""
+
+    def __init__(self, x: np.ndarray):
+        self.place, self.normal = np.full_like(x, np.inf), np.zeros_like(x)
+        self.found = sections.nowhere(x)
+
+    def at(
+        self,
+        shape: Enclosure,
+        x: np.ndarray,
+        tangent: np.ndarray,
+        size: np.ndarray,
+        near: np.ndarray,
+        limb: np.ndarray,
+    ) -> sections.Sections:
+        """The sections of the nodes ``limb``; one that moved a little has the centroid that is expected there."""
+        moved = np.linalg.norm(x[limb] - self.place[limb], axis=1) / size[limb]
+        turned = np.linalg.norm(tangent[limb] - self.normal[limb], axis=1)
+        old = limb[(moved > AFRESH) | (turned > AFRESH)]
+        if len(old):
+            for field, value in zip(
+                self.found, sections.cut(shape, x[old], tangent[old], size[old], near[old]), strict=True
+            ):
+                field[old] = value
+            self.place[old], self.normal[old] = x[old], tangent[old]
+        found = sections.Sections(*(field[limb] for field in self.found))
+        normal = self.normal[limb]
+        along = np.einsum("ni,ni->n", normal, x[limb] - self.place[limb])[:, None]
+        shift = (found.slide + normal) * along + np.einsum("nij,nj->ni", found.turn, tangent[limb] - normal)
+        return found._replace(centroid=found.centroid + shift)
 
 
-def _fair(
-    x: np.ndarray,
-    first: np.ndarray,
-    ways: list[Way],
-    radii: np.ndarray,
-    anchor: np.ndarray,
-    limb: np.ndarray,
-    middle: np.ndarray,
-    tangent: np.ndarray,
-    weight: np.ndarray,
-) -> np.ndarray:
-    """The minimum of the energy in the module's docstring, by its normal equations."""
-    num = len(x)
-    triples, stiffness = [], []
-    for nodes, along, is_loop in ways:
-        if is_loop:
-            nodes, along = np.r_[nodes, nodes[1]], np.r_[along, along[-1] + along[1]]
-        if len(nodes) > 2:
-            triples.append(np.stack([nodes[:-2], nodes[1:-1], nodes[2:]], axis=1))
-            spacing = (along[2:] - along[:-2]) / 2
-            stiffness.append(np.minimum((STIFFNESS * radii[nodes[1:-1]] / np.maximum(spacing, 1e-12)) ** 4, STIFFEST))
-    across = np.eye(3) - (1 - SLIDING) * tangent[:, :, None] * tangent[:, None, :]
-    blocks = anchor[:, None, None] * np.eye(3)
-    blocks[limb] += weight[:, None, None] * across
-    right = anchor[:, None] * first
-    right[limb] += weight[:, None] * np.einsum("nij,nj->ni", across, middle)
-    matrix = sparse.bsr_matrix((blocks, np.arange(num), np.arange(num + 1)), shape=(3 * num, 3 * num)).tocsc()
-    if triples:
-        triple, alpha = np.concatenate(triples), np.concatenate(stiffness)
-        rows = np.repeat(np.arange(len(triple)), 3)
-        bending = sparse.coo_matrix(
-            (np.tile([1.0, -2.0, 1.0], len(triple)), (rows, triple.ravel())), (len(triple), num)
-        )
-        matrix = matrix + sparse.kron(bending.T @ sparse.diags(alpha) @ bending, sparse.eye(3), format="csc")
-    return linalg.splu(matrix.tocsc()).solve(right.ravel()).reshape(num, 3)
+class _System:
+    """One step of Gauss and Newton: rows of a least-squares problem in the nodes' steps.
 
+    off: (L, 3) P (x - c) of the nodes of ``limb``.
+    """
 
-def _tangents(x: np.ndarray, ways: list[Way], radii: np.ndarray) -> np.ndarray:
-    """Direction (N, 3) of the branch at each node, over one radius to either side."""
-    tangent = np.zeros_like(x)
-    for nodes, along, is_loop in ways:
-        points, reach = x[nodes], radii[nodes]
-        if is_loop:
-            lap = along[-1]
-            points = np.concatenate([points[:-1], points[:-1], points])
-            along = np.concatenate([along[:-1] - lap, along[:-1], along + lap])
-            here = along[len(nodes) - 1 : 2 * len(nodes) - 1]
-            reach = np.minimum(reach, lap / 4)
-        else:
-            here = along
-        tangent[nodes] = unit(at(points, along, here + reach) - at(points, along, here - reach))
-    return tangent
+    def __init__(
+        self,
+        x: np.ndarray,
+        ways: list[Way],
+        size: np.ndarray,
+        limb: np.ndarray,
+        found: sections.Sections,
+        tangent: np.ndarray,
+        ahead: np.ndarray,
+        chord: sparse.csr_matrix,
+        anchor: np.ndarray,
+        places: np.ndarray,
+    ):
+        num, t = len(x), tangent[limb]
+        both = t[:, :, None] * t[:, None, :]
+        flat = np.eye(3) - both
+        across = flat + SLIDING * both
+        self.off = np.einsum("nij,nj->ni", across, x[limb] - found.centroid)
+        slide = np.einsum("nij,nj->ni", flat, found.slide)
+        own = across - slide[:, :, None] * t[:, None, :]
+        length = np.maximum(np.linalg.norm(ahead[limb], axis=1), 1e-300)
+        turn = -flat @ found.turn @ flat / length[:, None, None]
+        reach = chord[limb].tocoo()
+        row = np.concatenate([np.arange(len(limb)), reach.row])
+        column = np.concatenate([limb, reach.col])
+        block = np.concatenate([own, turn[reach.row] * reach.data[:, None, None]])
+        triple, spacing = measures.triples(x, ways)
+        stiff = np.minimum((STIFFNESS * size[triple[:, 1]] / np.maximum(spacing, 1e-12)) ** 4, STIFFEST)
+        self.stiff = np.repeat(stiff, 3)
+        bent = x[triple[:, 0]] - 2 * x[triple[:, 1]] + x[triple[:, 2]]
+        bend = np.tile([1.0, -2.0, 1.0], len(triple))[:, None, None] * np.eye(3)
+        row = np.concatenate([row, len(limb) + np.repeat(np.arange(len(triple)), 3)])
+        column, block = np.concatenate([column, triple.ravel()]), np.concatenate([block, bend])
+        i = 3 * row[:, None, None] + np.arange(3)[:, None] + np.zeros((3, 3), dtype=np.int64)
+        j = 3 * column[:, None, None] + np.arange(3) + np.zeros((3, 3), dtype=np.int64)
+        self.rows = sparse.coo_matrix(
+            (block.ravel(), (i.ravel(), j.ravel())), (3 * (len(limb) + len(triple)), 3 * num)
+        ).tocsr()
+        self.value = np.concatenate([self.off.ravel(), bent.ravel()])
+        held = (DAMPING + anchor)[:, None, None] * np.eye(3)
+        held = held + DAMPING_ALONG * tangent[:, :, None] * tangent[:, None, :]
+        self.held = sparse.bsr_matrix((held, np.arange(num), np.arange(num + 1)), shape=(3 * num, 3 * num)).tocsc()
+        self.pull = (anchor[:, None] * (places - x)).ravel()
 
+    def step(self, weight: np.ndarray) -> np.ndarray:
+        """The step (N, 3) that makes least of it, with ``weight`` (L,) of the sections."""
+        scale = np.concatenate([np.repeat(weight, 3), self.stiff])
+        back = self.rows.T.tocsr().multiply(scale).tocsr()
+        matrix = (back @ self.rows).tocsc() + self.held
+        return linalg.splu(matrix).solve(self.pull - back @ self.value).reshape(-1, 3)
 
-def _near_junction(ways: list[Way], degree: np.ndarray, radii: np.ndarray, num: int) -> np.ndarray:
-    """(N,) True for a node within the zone of a junction at an end of its branch."""
-    is_near = degree > 2
-    for nodes, along, _ in ways:
-        for end, distance in ((nodes[0], along), (nodes[-1], along[-1] - along)):
-            if degree[end] > 2:
-                is_near[nodes[distance < ZONE * radii[end]]] = True
-    return is_near
+    def moved(self, step: np.ndarray) -> np.ndarray:
+        """(L, 3) by how much `off` changes in a step."""
+        return (self.rows @ step.ravel())[: self.off.size].reshape(-1, 3)

@@ -35,8 +35,12 @@ def contain(
     x, edges = vertices.copy(), edges.copy()
     radii = shape.clearance(x)
     is_out = (radii < TOUCHING) & ~is_held
+    passages = Passages(shape, is_inside) if passages is None else passages
     x[is_out] = _inward(shape, x[is_out])
     radii[is_out] = shape.clearance(x[is_out])
+    # Where the surface is inside out there is nothing behind its triangles: then the nearest ball that there is.
+    is_out = (radii < TOUCHING) & ~is_held
+    x[is_out], radii[is_out] = passages.nearest(x[is_out], radii[is_out])
     for _ in range(HALVINGS):
         is_bad = ~is_inside(shape, x[edges[:, 0]], x[edges[:, 1]], radii[edges].sum(axis=1))
         middle, is_near = _middles(shape, x[edges[is_bad, 0]], x[edges[is_bad, 1]])
@@ -44,7 +48,6 @@ def contain(
         x, edges = _replaced(x, edges, is_bad, [point[None] for point in middle[is_near]])
         radii = np.concatenate([radii, shape.clearance(x[len(radii) :])])
     is_bad = ~is_inside(shape, x[edges[:, 0]], x[edges[:, 1]], radii[edges].sum(axis=1))
-    passages = Passages(shape, is_inside) if passages is None else passages
     return _replaced(x, edges, is_bad, passages.ways(x, edges[is_bad]))
 
 
@@ -130,9 +133,10 @@ def _middles(shape: Enclosure, a: np.ndarray, b: np.ndarray) -> tuple[np.ndarray
     inner[is_out] = _inward(shape, middle[is_out])
     room, near = shape.about_clearance(inner)
     found = sections.cut(shape, inner, unit(b - a), room, near)
-    is_better = found.is_around & (shape.clearance(found.centroid) > np.maximum(room, TOUCHING))
-    inner = np.where(is_better[:, None], found.centroid, inner)
-    return inner, np.linalg.norm(inner - middle, axis=1) < np.linalg.norm(b - a, axis=1)
+    room_there = shape.clearance(found.centroid)
+    is_better = found.is_around & (room_there > np.maximum(room, TOUCHING))
+    inner, room = np.where(is_better[:, None], found.centroid, inner), np.where(is_better, room_there, room)
+    return inner, (room > TOUCHING) & (np.linalg.norm(inner - middle, axis=1) < np.linalg.norm(b - a, axis=1))
 
 
 def _inward(shape: Enclosure, points: np.ndarray) -> np.ndarray:

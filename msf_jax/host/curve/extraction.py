@@ -5,7 +5,6 @@ index, and each that bears a face when its turn comes is merged; when none is le
 A node is the centroid of the meso vertices merged into it.
 """
 
-from collections.abc import Iterable
 from typing import NamedTuple
 
 import numpy as np
@@ -38,9 +37,11 @@ def extract_curve(
     while edges:  # an edge that would pinch a cycle waits for others to go first
         waiting = [edge for edge in edges if not complex_.merge(*edge, force=False)]
         is_stuck = len(waiting) == len(edges)
-        if is_stuck and (classes is None or not complex_.open_free_face(reversed(edges))):
+        if is_stuck and classes is None:
             for edge in edges:  # nothing else is left; the report will show what this costs
                 complex_.merge(*edge, force=True)
+            break
+        if is_stuck and not complex_.open_face(list(reversed(edges))):
             break
         edges = waiting
     root = np.array([complex_.find(vertex) for vertex in range(len(rings))])
@@ -48,7 +49,10 @@ def extract_curve(
     count = np.bincount(node_of_meso)
     nodes = np.stack([np.bincount(node_of_meso, weights=positions[:, axis]) / count for axis in range(3)], axis=1)
     if classes is not None:  # what is left of the edges is known, those that were opened are gone
-        a, b = complex_.edges()
+        a, b, value = complex_.edges()
+        length = np.linalg.norm(nodes[node_of_meso[a]] - nodes[node_of_meso[b]], axis=1)
+        is_kept = _cut_discs(a, b, value, shortest_first(a, b, length, 1e-3))
+        a, b = a[is_kept], b[is_kept]
     ends = np.sort(node_of_meso[np.stack([a, b], axis=1)], axis=1)
     return Curve(nodes, np.unique(ends[ends[:, 0] < ends[:, 1]], axis=0), node_of_meso)
 
@@ -109,29 +113,37 @@ class _Complex:
                         around_xz.add(u)
         return True
 
-    def open_free_face(self, edges: Iterable[tuple[int, int]]) -> bool:
-        """Take away the first of ``edges`` that bears just one face, and that face: the shape is open there anyway.
+    def open_face(self, edges: list[tuple[int, int]]) -> bool:
+        """Take away a face, with the first of ``edges`` that bears no other: the shape is open there anyway.
 
-        This is how a face goes whose three edges all close cycles. False if there is no such edge.
+        This is how a face goes whose three edges all close cycles. Where every edge bears more, the first one's goes;
+        a cycle that this leaves, and that bounds a disc in the solid, `_cut_discs` takes away. False if there is no face.
         """
+        closed = None
         for u, v in edges:
             u, v = self.find(u), self.find(v)
             thirds = self.apexes[u].get(v, ())
             if u != v and len(thirds) == 1:
-                (w,) = thirds
-                for x, y, z in ((u, v, w), (v, w, u), (w, u, v)):
-                    self.apexes[x][y].discard(z)
-                    self.apexes[y][x].discard(z)
+                self._take_away(u, v, next(iter(thirds)))
                 self.classes[u].pop(v)
                 self.classes[v].pop(u)
                 return True
-        return False
+            if u != v and thirds and closed is None:
+                closed = u, v, min(thirds)
+        if closed is not None:
+            self._take_away(*closed)
+        return closed is not None
 
-    def edges(self) -> tuple[np.ndarray, np.ndarray]:
-        """The ends of every edge that is left, where classes are known."""
-        pairs = [(u, v) for u, ways in enumerate(self.classes) for v in ways if u < v]
-        left = np.array(pairs, dtype=np.int64).reshape(-1, 2)
-        return left[:, 0], left[:, 1]
+    def _take_away(self, u: int, v: int, w: int) -> None:
+        for x, y, z in ((u, v, w), (v, w, u), (w, u, v)):
+            self.apexes[x][y].discard(z)
+            self.apexes[y][x].discard(z)
+
+    def edges(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """The ends of every edge that is left, and its class, where classes are known."""
+        found = [(u, v, value) for u, ways in enumerate(self.classes) for v, value in ways.items() if u < v]
+        left = np.array(found, dtype=np.int64).reshape(-1, 3)
+        return left[:, 0], left[:, 1], left[:, 2]
 
     def _pinches(self, u: int, v: int) -> bool:
         """Whether a loop u -> v -> x -> u is not zero in the solid."""
@@ -147,3 +159,33 @@ class _Complex:
             if x != u:
                 self.classes[u].setdefault(x, way + value)
                 self.classes[x].setdefault(u, -self.classes[u][x])
+
+
+def _cut_discs(a: np.ndarray, b: np.ndarray, value: np.ndarray, order: np.ndarray) -> np.ndarray:
+    """Which of the graph's edges ab (E,) of class ``value`` stay, so that no cycle bounds a disc in the solid.
+
+    Edges are added in ``order``. One that closes a cycle whose class is zero, or that of up to three others together,
+    goes.
+    """
+    is_kept = np.ones(len(a), dtype=bool)
+    above: dict[int, tuple[int, int]] = {}  # a parent, and the class of the way there
+
+    def way_up(vertex: int) -> tuple[int, int]:
+        total = 0
+        while vertex in above:
+            vertex, step = above[vertex]
+            total += step
+        return vertex, total
+
+    known, sums = {0}, {0}  # classes of cycles, and of two of them together
+    for edge in order.tolist():
+        (root, up), (other, other_up) = way_up(int(a[edge])), way_up(int(b[edge]))
+        around = int(value[edge]) + other_up - up
+        if root != other:
+            above[root] = other, around
+        elif any(around - one in sums for one in known):
+            is_kept[edge] = False
+        else:
+            known |= {around, -around}
+            sums |= {one + sign * around for one in known for sign in (-1, 1)}
+    return is_kept

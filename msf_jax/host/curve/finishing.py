@@ -17,7 +17,7 @@ from msf_jax.host.curve.passages import Passages
 from msf_jax.host.solid.enclosure import Enclosure
 
 SPACING = 0.5  # radii, between the nodes of a finished curve
-LATER_ROUNDS = 2  # of centring, once it has been centred
+FIRST_ROUNDS = 3  # of centring, before it is decided what to prune, and before tips are carried on
 
 
 class Draft(NamedTuple):
@@ -25,7 +25,7 @@ class Draft(NamedTuple):
 
     vertices: (N, 3). edges: (E, 2). is_held: (N,) nodes that do not move. origin: (N,) the flow's node that each is,
     in ascending order, and -1 for the new ones, which come last. node_of_flow: (n,) the node that stands for each of
-    the flow's: itself, or the junction that its branch was pruned from.
+    the flow's: itself, or the junction that its branch was pruned from. place: (N, 3) where each was found at first.
     """
 
     vertices: np.ndarray
@@ -33,6 +33,7 @@ class Draft(NamedTuple):
     is_held: np.ndarray
     origin: np.ndarray
     node_of_flow: np.ndarray
+    place: np.ndarray
 
     def changed(self, vertices: np.ndarray, edges: np.ndarray | None = None) -> "Draft":
         """The same with its nodes moved, new ones last, and with other edges if they are given."""
@@ -42,6 +43,7 @@ class Draft(NamedTuple):
             edges=self.edges if edges is None else edges,
             is_held=np.pad(self.is_held, new),
             origin=np.pad(self.origin, new, constant_values=-1),
+            place=np.concatenate([self.place, vertices[len(self.vertices) :]]),
         )
 
     def is_leaf(self) -> np.ndarray:
@@ -81,11 +83,12 @@ def passes(centre: bool, extend: bool) -> list[Callable[[Draft, Job], Draft]]:
     """The passes in their order; ``centre`` and ``extend`` switch those that belong to them."""
     return [
         contained,
-        *([unfolded, centred, unfolded] if centre else []),  # what to prune is decided on a curve that is centred
+        # What to prune is decided on a curve that is centred.
+        *([unfolded, partial(centred, rounds=FIRST_ROUNDS, is_rough=True), unfolded] if centre else []),
         pruned,
-        *([refined, partial(centred, rounds=LATER_ROUNDS)] if centre else []),
+        *([refined, partial(centred, rounds=FIRST_ROUNDS if extend else centring.ROUNDS)] if centre else []),
         *([extended, completed, pruned] if extend else []),
-        *([partial(centred, rounds=LATER_ROUNDS, hold_leaves=True)] if centre and extend else []),
+        *([partial(centred, hold_leaves=True)] if centre and extend else []),
         *([unfolded] if centre else []),
         contained,
     ]
@@ -108,11 +111,13 @@ def finish(
     much the same surface of fewer triangles, which is good enough to find the middle of.
     """
     job = Job(shape, shape if rough is None else rough, persistence, Passages(shape, containment.is_inside))
-    draft = Draft(nodes, edges, is_held, np.arange(len(nodes)), np.arange(len(nodes)))
+    draft = Draft(nodes, edges, is_held, np.arange(len(nodes)), np.arange(len(nodes)), nodes)
     for each in passes(centre, extend):
         draft = each(draft, job)
     is_kept = np.isin(np.arange(len(nodes)), draft.origin)
-    return Finished(draft.vertices, in_order(draft.edges), is_kept, draft.origin[draft.node_of_flow], job.passages.num_refused)
+    return Finished(
+        draft.vertices, in_order(draft.edges), is_kept, draft.origin[draft.node_of_flow], job.passages.num_refused
+    )
 
 
 def contained(draft: Draft, job: Job) -> Draft:
@@ -125,10 +130,13 @@ def unfolded(draft: Draft, job: Job) -> Draft:
     return draft.changed(containment.unfold(job.shape, draft.vertices, draft.edges, draft.is_held))
 
 
-def centred(draft: Draft, job: Job, rounds: int = centring.ROUNDS, hold_leaves: bool = False) -> Draft:
+def centred(
+    draft: Draft, job: Job, rounds: int = centring.ROUNDS, hold_leaves: bool = False, is_rough: bool = False
+) -> Draft:
     """Nodes in the middle of the solid."""
     is_held = draft.is_held | draft.is_leaf() if hold_leaves else draft.is_held
-    return draft.changed(centring.centre(job.rough, draft.vertices, draft.edges, is_held, rounds))
+    x = centring.centre(job.rough, draft.vertices, draft.edges, is_held, rounds, draft.place, is_rough)
+    return draft.changed(x)
 
 
 def pruned(draft: Draft, job: Job) -> Draft:
@@ -137,7 +145,8 @@ def pruned(draft: Draft, job: Job) -> Draft:
     stays, target = branches.prune(x, e, job.shape.approach(x)[0], job.persistence, is_held)
     rank = np.cumsum(stays) - 1
     left = rank[e[stays[e].all(axis=1)]]
-    return Draft(x[stays], left, is_held[stays], draft.origin[stays], rank[target[draft.node_of_flow]])
+    of_flow = rank[target[draft.node_of_flow]]
+    return Draft(x[stays], left, is_held[stays], draft.origin[stays], of_flow, draft.place[stays])
 
 
 def refined(draft: Draft, job: Job) -> Draft:

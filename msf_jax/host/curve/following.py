@@ -15,7 +15,7 @@ best how the corners of the sections around it have moved. F o is linear in the 
 so that it is a matrix b, too. Both reproduce every affine map of the mesh exactly.
 """
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from scipy import sparse
@@ -53,6 +53,12 @@ class Surface(NamedTuple):
     vertex: np.ndarray
     node: np.ndarray
 
+    def given(self, num: int) -> np.ndarray:
+        """The ``num`` vertices of the caller's mesh; at 0 those that are in no face, and move nothing."""
+        vertices = np.zeros((num, 3))
+        vertices[self.vertex] = self.solid.leave(self.solid.shape.vertices)
+        return vertices
+
 
 class Corners(NamedTuple):
     """Sections, one after the other: their corners (see `sections.Corners`), places (C, 3) and who is whose.
@@ -71,9 +77,7 @@ class Corners(NamedTuple):
     weight: np.ndarray
 
 
-def record(
-    surface: Surface, vertices: np.ndarray, edges: np.ndarray, pins_of_node: dict[int, np.ndarray]
-) -> Recipe:
+def record(surface: Surface, vertices: np.ndarray, edges: np.ndarray, pins_of_node: dict[int, np.ndarray]) -> Recipe:
     """How the curve ``(vertices (N, 3), edges (E, 2))``, in the caller's units, hangs on ``surface``.
 
     ``pins_of_node``: the caller's vertices whose mean a node is, for those that are pinned.
@@ -224,7 +228,7 @@ def _smoothing(
     """The matrix (N, S) that takes centroids to the minimum of the energy in the module's docstring."""
     num = len(x)
     size = np.maximum(radii, 1e-3)
-    gather = sparse.coo_matrix(
+    gather: Any = sparse.coo_matrix(
         (corners.weight, (corners.node, np.arange(len(corners.node)))), shape=(num, len(corners.node))
     ).tocsc()
     matrix = sparse.diags(np.asarray(gather.sum(axis=1)).ravel())
@@ -254,7 +258,7 @@ def _smoothing(
     return sparse.csr_matrix(sparse.hstack(blocks)) if blocks else sparse.csr_matrix((num, 0))
 
 
-def _pruned(matrix: sparse.csr_matrix, smallest: float) -> sparse.csr_matrix:
+def _pruned(matrix: Any, smallest: float) -> sparse.csr_matrix:
     """Without the entries that are next to nothing, and with rows that sum to one, but empty ones."""
     matrix = sparse.csr_matrix(matrix)
     row = np.repeat(np.arange(matrix.shape[0]), np.diff(matrix.indptr))
@@ -266,7 +270,7 @@ def _pruned(matrix: sparse.csr_matrix, smallest: float) -> sparse.csr_matrix:
     return sparse.csr_matrix(sparse.diags(1 / np.where(total == 0, 1.0, total)) @ matrix)
 
 
-def _turning(surface: Surface, corners: Corners, beta: sparse.csr_matrix, offset: np.ndarray) -> sparse.csr_matrix:
+def _turning(surface: Surface, corners: Corners, beta: Any, offset: np.ndarray) -> sparse.csr_matrix:
     """The matrix b (N, V): b V is F o, for ``offset`` (N, 3) o; ``beta`` (N, S) says what sections fit a node's F."""
     shape, num = surface.solid.shape, len(corners.section)
     place = shape.vertices[corners.tail]
@@ -279,7 +283,7 @@ def _turning(surface: Surface, corners: Corners, beta: sparse.csr_matrix, offset
     section = corners.section[chosen]
     share = 1 / np.bincount(section, minlength=len(corners.node))[section]
     spread = sparse.coo_matrix((share, (section, chosen)), shape=(len(corners.node), num))
-    weight = (beta @ spread).tocoo()  # (N, C) of every corner in a node's frame
+    weight: Any = (beta @ spread).tocoo()  # (N, C) of every corner in a node's frame
     row, corner = weight.row, weight.col
     mean = weight @ place
     away = place[corner] - mean[row]

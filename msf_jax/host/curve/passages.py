@@ -14,17 +14,18 @@ from scipy.sparse import csgraph
 
 from msf_jax.host.poles.balls import shrinking_balls
 from msf_jax.host.solid.enclosure import Enclosure
-from msf_jax.host.solid.geometry import unit
 
 TOUCHING = 1e-5  # diagonals: a point with less room than that counts as outside
-MOST_SEEDS = 12_000  # points of the surface, behind which balls are sought
+MOST_SEEDS = 20_000  # points of the surface, behind which balls are sought
 FIRST = 0.01  # diagonals, radius of the first ball that is tried
 CORRECTIONS = 4  # of a ball's radius, by the triangles between the samples
 NEIGHBOURS = 12  # of a ball, of any size, and
 LARGER = 3  # of each larger size
+FAR = 3.0  # times the sum of their radii: balls that are farther apart than that are no neighbours
 UNSEEN = 3.0  # times as long as it is counts an edge that nobody has looked at
 SEARCHES = 300  # that a curve may cost, and one more for every
 EDGES_A_SEARCH = 10  # of its edges
+AT_ONCE = 256  # edges out of a pocket that are looked at together
 
 Test = Callable[[Enclosure, np.ndarray, np.ndarray], np.ndarray]
 
@@ -68,10 +69,23 @@ class Passages:
             found.append(way)
         return found
 
-    def _with(self, ends: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    def nearest(self, points: np.ndarray, radii: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Centre (P, 3) and radius (P,) of the ball nearest to each point; what is given, if there is none."""
+        if not len(points):
+            return points, radii
+        centre, radius = self._all_balls()
+        if not len(centre):
+            return points, radii
+        found = spatial.KDTree(centre).query(points)[1]
+        return centre[found], radius[found]
+
+    def _all_balls(self) -> tuple[np.ndarray, np.ndarray]:
         if self._balls is None:
             self._balls = inner_balls(self.shape)
-        centre, radius = self._balls
+        return self._balls
+
+    def _with(self, ends: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        centre, radius = self._all_balls()
         return np.concatenate([ends, centre]), np.concatenate([self.shape.clearance(ends), radius])
 
 
@@ -94,6 +108,7 @@ class _Graph:
 
     def way(self, start: int, end: int, most: int) -> tuple[np.ndarray, int]:
         """Points (k, 3) between the two, none if there is no way, after at most so many searches; and their number."""
+        num = len(self.centre)
         for number in range(1, most + 1):
             before = csgraph.dijkstra(self.matrix, directed=False, indices=start, return_predecessors=True)[1]
             stops = [end]
@@ -102,15 +117,37 @@ class _Graph:
             if stops[-1] != start:
                 return np.empty((0, 3)), number
             low, high = np.minimum(stops[1:], stops[:-1]), np.maximum(stops[1:], stops[:-1])
-            edge = np.searchsorted(self.tail * len(self.centre) + self.head, low * len(self.centre) + high)
+            edge = np.searchsorted(self.tail * num + self.head, low * num + high)
             unseen = edge[~self.is_seen[edge]]
             if not len(unseen):
                 return self.centre[stops[-2:0:-1]], number
-            is_open = self.test(self.shape, self.centre[self.tail[unseen]], self.centre[self.head[unseen]])
-            self.is_seen[unseen] = True
-            self.cost[unseen] = np.where(is_open, self.cost[unseen] / UNSEEN, np.inf)
-            self.matrix.data[self.entry_of[unseen]] = self.cost[unseen]
+            if not self._look(unseen).all():
+                self._look(self._frontier(start, end))
         return np.empty((0, 3)), most
+
+    def _look(self, edge: np.ndarray) -> np.ndarray:
+        """Whether each of these edges is inside, which is known from then on."""
+        is_open = self.test(self.shape, self.centre[self.tail[edge]], self.centre[self.head[edge]])
+        self.is_seen[edge] = True
+        self.cost[edge] = np.where(is_open, self.cost[edge] / UNSEEN, np.inf)
+        self.matrix.data[self.entry_of[edge]] = self.cost[edge]
+        return is_open
+
+    def _frontier(self, start: int, end: int) -> np.ndarray:
+        """The cheapest unseen edges that lead out of what is known to be joined to one of two balls.
+
+        The smaller such part is taken: it may be a pocket that no way leads out of.
+        """
+        is_joined = self.is_seen & np.isfinite(self.cost)
+        known = sparse.coo_matrix(
+            (np.ones(is_joined.sum()), (self.tail[is_joined], self.head[is_joined])), shape=self.matrix.shape
+        )
+        part = csgraph.connected_components(known, directed=False)[1]
+        if part[start] == part[end]:
+            return np.empty(0, dtype=np.int64)
+        is_own = min((part == part[ball] for ball in (start, end)), key=np.count_nonzero)
+        leads_out = np.flatnonzero(~self.is_seen & (is_own[self.tail] != is_own[self.head]))
+        return leads_out[np.argsort(self.cost[leads_out], kind="stable")[:AT_ONCE]]
 
 
 def inner_balls(shape: Enclosure) -> tuple[np.ndarray, np.ndarray]:
@@ -152,7 +189,11 @@ def _neighbours(centre: np.ndarray, radius: np.ndarray, num_ends: int) -> tuple[
     both = np.concatenate(pairs)
     both = np.sort(both[both[:, 0] != both[:, 1]], axis=1)
     both = np.unique(both[:, 0] * num + both[:, 1])
-    return both // num, both % num
+    tail, head = both // num, both % num
+    apart = spatial.KDTree(centre).query(centre, k=[2])[0][:, 0]
+    reach = FAR * (radius[tail] + radius[head]) + 2 * np.maximum(apart[tail], apart[head])
+    is_near = (np.linalg.norm(centre[tail] - centre[head], axis=1) < reach) | (tail < num_ends)
+    return tail[is_near], head[is_near]
 
 
 def _nearest(centre: np.ndarray, rows: np.ndarray, others: np.ndarray, num: int) -> np.ndarray:

@@ -22,7 +22,7 @@ from msf_jax.host.solid.geometry import vertex_normals
 
 PUSH = 1e-3  # how far out, as a fraction of the mean edge length
 SMOOTHINGS = (1, 1, 2, 4, 8, 16)  # rounds, one after the other, of a surface that small triangles make cross itself
-LARGEST_GENUS = 32  # beyond, the cost of all linking numbers is no longer small
+LARGEST_GENUS = 64  # beyond, the cost of all linking numbers is no longer small
 
 
 def half_edge_classes(positions: np.ndarray, faces: np.ndarray) -> np.ndarray | None:

@@ -143,7 +143,7 @@ def _polynomial(
         "neighbour": neighbour,
         "is_used": is_used,
         "degree": packing.pad(degree, len(vertex), 0, np.dtype(np.float64)),
-        "share": kept.share,
+        "share": packing.pad(kept.share, rung(len(kept.share), 32), 0, np.dtype(np.float64)),
         "top": np.asarray(kept.top),
     }
 

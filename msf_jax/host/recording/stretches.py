@@ -87,7 +87,7 @@ def record_steps(steps: list[Step], plan: list[Planned], num_meso: int) -> tuple
 def _stretch(steps: list[Step], layout: Layout, at: Row) -> tuple[dict[str, Any], Row]:
     capacity = layout.capacity
     cuts = [[edit for edit in step.edits if isinstance(edit, SplitRound)] for step in steps]
-    num_rounds = rung(max(map(len, cuts)), 8)
+    num_rounds = rung(max(map(len, cuts)), 16)
     num_cuts = rung(max((len(done.a) for rounds in cuts for done in rounds), default=1), 64)
     own = np.arange(capacity, dtype=np.int32)
     lines, handovers = [], []

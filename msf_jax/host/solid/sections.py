@@ -10,23 +10,27 @@ from typing import NamedTuple
 import numpy as np
 
 from msf_jax.host.solid.enclosure import Enclosure
+from msf_jax.host.solid.geometry import unit
 
 SEARCHES = 3  # for the nearest loop, each three times as far as the last
 DESCENT = 30  # triangles from a given one to the plane, after which all around are searched
 LONGEST_LOOP = 20_000  # triangles, after which a walk is given up
+FLATTEST = 0.2  # a wall that leans more than that from the plane counts as leaning so much
 
 
 class Corners(NamedTuple):
     """The corners of loops, one loop after the other, each in its order.
 
     loop: (C,) the loop of each. tail, head: (C,) ends of the edge that it is on, over and under the plane. part: (C,)
-    how far from the tail to the head it is, as a fraction. is_closed: (P,) which loops came back to where they began.
+    how far from the tail to the head it is, as a fraction. triangle: (C,) which the loop crosses to the next corner.
+    is_closed: (P,) which loops came back to where they began.
     """
 
     loop: np.ndarray
     tail: np.ndarray
     head: np.ndarray
     part: np.ndarray
+    triangle: np.ndarray
     is_closed: np.ndarray
 
 
@@ -35,14 +39,20 @@ class Sections(NamedTuple):
 
     centroid: (P, 3) of the area that the loop encloses, the point itself where there is no loop.
     radius: (P,) mean distance of the loop from its centroid, 0 where there is none.
+    size: (P,) twice its area over its length: the radius of a disc, the thickness of a sheet; 0 where there is none.
     is_found: (P,) whether there is a loop that bounds the solid from outside.
     is_around: (P,) whether it goes around the point.
+    slide: (P, 3) how the centroid moves, but for going along, when the plane goes a unit of length along its normal n,
+    turn: (P, 3, 3) and, times (dn, the change of n), when the plane turns about the point.
     """
 
     centroid: np.ndarray
     radius: np.ndarray
+    size: np.ndarray
     is_found: np.ndarray
     is_around: np.ndarray
+    slide: np.ndarray
+    turn: np.ndarray
 
 
 def cut(
@@ -74,10 +84,16 @@ def corners(
     is_closed = np.zeros(len(points), dtype=bool)
     if not len(rows):
         nothing = np.empty(0, dtype=np.int64)
-        return Corners(nothing, nothing, nothing, np.empty(0), is_closed)
+        return Corners(nothing, nothing, nothing, np.empty(0), nothing, is_closed)
     found = _walk(shape, points[rows], normals[rows], start[rows])
     is_closed[rows] = found.is_closed
     return found._replace(loop=rows[found.loop], is_closed=is_closed)
+
+
+def nowhere(points: np.ndarray) -> Sections:
+    """What is found where there is no loop."""
+    zero, none = np.zeros((2, len(points))), np.zeros((2, len(points)), dtype=bool)
+    return Sections(points.copy(), *zero, *none, np.zeros_like(points), np.zeros((*points.shape, 3)))
 
 
 def _heights(shape: Enclosure, vertex: np.ndarray, points: np.ndarray, normals: np.ndarray) -> np.ndarray:
@@ -156,7 +172,7 @@ def _walk(shape: Enclosure, points: np.ndarray, normals: np.ndarray, start: np.n
     tail, head = shape.faces.ravel()[edge], shape.faces[edge // 3, (edge + 1) % 3]
     a = _heights(shape, tail, points[loop], normals[loop])
     b = _heights(shape, head, points[loop], normals[loop])
-    return Corners(loop, tail, head, a / (a - b), is_closed)
+    return Corners(loop, tail, head, a / (a - b), edge // 3, is_closed)
 
 
 def measured(shape: Enclosure, points: np.ndarray, normals: np.ndarray, corners: Corners) -> Sections:
@@ -185,5 +201,17 @@ def measured(shape: Enclosure, points: np.ndarray, normals: np.ndarray, corners:
         np.linalg.norm(where - centroid[loop], axis=1) for where in (place, (place + onward) / 2, onward)
     )
     away = (at_start + 4 * at_middle + at_end) / 6  # Simpson's rule
-    radius = total(length * away) / np.maximum(total(length), 1e-300)
-    return Sections(points + centroid, np.where(is_found, radius, 0.0), is_found, is_found & (winding > 0.5))
+    perimeter = np.maximum(total(length), 1e-300)
+    radius = np.where(is_found, total(length * away) / perimeter, 0.0)
+    size = np.where(is_found, area2 / perimeter, 0.0)
+    # Where the plane rises by h, the loop goes outward by h times how much the wall leans away from its normal.
+    corner = shape.triangles[corners.triangle]
+    wall = unit(np.cross(corner[:, 1] - corner[:, 0], corner[:, 2] - corner[:, 0]))
+    lean = -np.einsum("ci,ci->c", wall, normals[loop])
+    lean *= length / np.sqrt(np.maximum(1 - lean**2, 0) + FLATTEST**2)
+    middle = (place + onward) / 2
+    off = (middle - centroid[loop]) * lean[:, None]
+    slide = np.stack([total(off[:, i]) for i in range(3)], axis=1) / (safe / 2)[:, None]
+    turn = np.stack([[total(off[:, i] * middle[:, j]) for j in range(3)] for i in range(3)])
+    turn = -np.moveaxis(turn, 2, 0) / (safe / 2)[:, None, None]
+    return Sections(points + centroid, radius, size, is_found, is_found & (winding > 0.5), slide, turn)

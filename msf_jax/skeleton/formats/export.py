@@ -1,5 +1,9 @@
-"""Files that other programs read, one writer a format. Written beside the target and renamed, so never by halves."""
+"""Files that other programs read, one writer a format. Written beside the target and renamed, so never by halves.
 
+A writer is imported when its format is asked for: the command line's help only needs the suffixes.
+"""
+
+import importlib
 import os
 from collections.abc import Callable
 from pathlib import Path
@@ -7,7 +11,6 @@ from typing import TYPE_CHECKING, Any
 
 from msf_jax.base.errors import ConfigError
 from msf_jax.base.writing import write_whole
-from msf_jax.skeleton.formats import gltf, graphs, polylines, swc, whole
 
 if TYPE_CHECKING:
     from msf_jax.skeleton.skeleton import Skeleton
@@ -25,8 +28,10 @@ def writer_for(path: str | os.PathLike[str]) -> "Callable[[Skeleton, Any], str |
         ConfigError: there is none.
     """
     name = Path(path).name.lower()
-    for suffix, writer in WRITERS.items():
+    for suffix, place in WRITERS.items():
         if name.endswith(suffix):
+            module, _, function = place.partition(".")
+            writer = getattr(importlib.import_module(f"{__package__}.{module}"), function)
             if suffix not in NEED_MESH:
                 return lambda skeleton, mesh: writer(skeleton)
             return lambda skeleton, mesh: writer(skeleton, _needed(mesh, suffix))
@@ -39,17 +44,17 @@ def _needed(mesh: Any, suffix: str) -> Any:
     return mesh
 
 
-# A writer takes the skeleton, and the mesh if it is one of those that need it.
+# Module and function of each writer. It takes the skeleton, and the mesh if it is one of those that need it.
 NEED_MESH = (".glb",)
-WRITERS: "dict[str, Callable[..., str | bytes]]" = {
-    ".swc": swc.written,
-    ".obj": graphs.obj,
-    ".cg": graphs.cg,
-    ".polylines.txt": polylines.written,
-    ".ply": graphs.ply,
-    ".vtp": graphs.vtp,
-    ".graphml": graphs.graphml,
-    ".npz": whole.npz,
-    ".json": whole.plain_json,
-    ".glb": gltf.skinned,
+WRITERS = {
+    ".swc": "swc.written",
+    ".obj": "graphs.obj",
+    ".cg": "graphs.cg",
+    ".polylines.txt": "polylines.written",
+    ".ply": "graphs.ply",
+    ".vtp": "graphs.vtp",
+    ".graphml": "graphs.graphml",
+    ".npz": "whole.npz",
+    ".json": "whole.plain_json",
+    ".glb": "gltf.skinned",
 }

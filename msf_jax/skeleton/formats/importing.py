@@ -1,4 +1,4 @@
-"""Curves of other programs, to score, to draw and to write anew: SWC and CGAL's polylines."""
+"""Curves from files: of other programs, SWC and CGAL's polylines, and this one's own with all that they hold."""
 
 import os
 from pathlib import Path
@@ -6,25 +6,31 @@ from pathlib import Path
 import numpy as np
 
 from msf_jax.base.errors import ConfigError
-from msf_jax.skeleton.formats import polylines, swc
+from msf_jax.skeleton.formats import polylines, swc, whole
 from msf_jax.skeleton.skeleton import Skeleton, curve_of
 
 
 def read_curve(path: str | os.PathLike[str]) -> Skeleton:
-    """The curve in an ``.swc`` or a ``.polylines.txt`` file.
+    """The curve in an ``.swc``, a ``.polylines.txt`` or an ``.npz`` file.
 
     Returns:
-        A skeleton with an empty map, and a report that knows counts only. SWC has radii, and edges that this program
-        cut are joined again; polylines have radii 0, and ends in the same place are one node.
+        A skeleton; an ``.npz`` that `Skeleton.save` wrote has all that it had but the stages of its flow, so that it
+        can be pruned, resampled and followed. The others have an empty map, and a report that knows counts only: SWC
+        has radii, and edges that this program cut are joined again; polylines have radii 0, and ends in the same place
+        are one node.
 
     Raises:
-        ConfigError: the suffix is another, or a line is not of the format: which, and what was expected.
+        ConfigError: the suffix is another, or a line is not of the format: which, and what was expected; or the
+            ``.npz`` is damaged, or none of a skeleton.
         OSError: the file cannot be read.
     """
     name = Path(path).name
+    if name.lower().endswith(".npz"):
+        arrays, report, source = whole.read_npz(path)
+        return Skeleton(**arrays, report=report, source=source)
     content = Path(path).read_bytes()
     if b"\0" in content:
-        raise ConfigError(f"{name!r} is no text: expected an .swc or a .polylines.txt file")
+        raise ConfigError(f"{name!r} is no text: expected an .swc, .polylines.txt or .npz file")
     try:
         lines = content.decode("utf-8-sig").splitlines()
     except UnicodeDecodeError:
@@ -32,7 +38,7 @@ def read_curve(path: str | os.PathLike[str]) -> Skeleton:
     for suffix, parsed in READERS.items():
         if name.lower().endswith(suffix):
             return _checked(name, *parsed(name, lines))
-    raise ConfigError(f"cannot read {name!r}: expected an .swc or a .polylines.txt file")
+    raise ConfigError(f"cannot read {name!r}: expected an .swc, .polylines.txt or .npz file")
 
 
 def _checked(name: str, vertices: np.ndarray, edges: object, radii: np.ndarray) -> Skeleton:

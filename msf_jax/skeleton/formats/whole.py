@@ -2,20 +2,72 @@
 
 import io
 import json
+import os
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+
+from msf_jax.base import archive
+from msf_jax.host.solid.solid import Solid
+from msf_jax.skeleton.report import Report
+from msf_jax.skeleton.source import Source
 
 if TYPE_CHECKING:
     from msf_jax.skeleton.skeleton import Skeleton
 
 
+KIND, VERSION = "skeleton", 1
+
+
 def npz(skeleton: "Skeleton") -> bytes:
-    """The arrays by their names, and the report as JSON."""
+    """The arrays by their names, the report as JSON, and the surface and pins that the curve was made from, if any."""
     buffer = io.BytesIO()
     arrays: dict[str, Any] = {name: getattr(skeleton, name) for name in ("vertices", "edges", "radii", "mesh_map")}
-    np.savez_compressed(buffer, **arrays, report=np.array(json.dumps(skeleton.report.to_dict())))
+    source = skeleton.source
+    if source is not None and source.input_of_vertex is not None:
+        shape = source.solid.shape
+        arrays |= {
+            "surface_vertices": source.solid.leave(shape.vertices),
+            "surface_faces": shape.faces.astype(np.int32),
+            "input_of_vertex": source.input_of_vertex,
+            "areas": source.areas,
+            "pins": np.asarray(source.pins, dtype=np.int64),
+        }
+    header = json.dumps({"format": f"msf_jax {KIND}", "version": VERSION})
+    arrays |= {"report": np.array(json.dumps(skeleton.report.to_dict())), archive.HEADER: np.array(header)}
+    np.savez_compressed(buffer, **arrays)
     return buffer.getvalue()
+
+
+def read_npz(path: str | os.PathLike[str]) -> "tuple[dict[str, np.ndarray], Report, Source | None]":
+    """The arrays of a curve that `npz` wrote, its report, and what it was made from, without the stages of its flow.
+
+    Raises:
+        ConfigError: the file is none, is damaged, or was written by another version.
+    """
+    with archive.reading(path, KIND, VERSION, "save the skeleton anew") as (_, held):
+        curve = {name: held[name] for name in ("vertices", "edges", "radii", "mesh_map")}
+        num, (_, edges, radii, mesh_map) = len(curve["vertices"]), curve.values()
+        is_right = curve["vertices"].shape == (num, 3) and radii.shape == (num,) and edges.shape[1:] == (2,)
+        is_right &= all(((index >= 0) & (index < num)).all() for index in (edges, mesh_map)) and mesh_map.ndim == 1
+        if not (num and is_right and all(np.isfinite(value).all() for value in curve.values())):
+            raise ValueError("arrays do not fit together")
+        values = json.loads(str(held["report"]))
+        none_is_nan = {key: np.nan if value is None else value for key, value in values["figures"].items()}
+        inside = np.nan if values["inside"] is None else values["inside"]
+        lists = {key: tuple(values[key]) for key in ("repairs", "notes")}
+        report = Report(**(values | lists | {"figures": none_is_nan, "inside": inside}))
+        source = None
+        if "surface_vertices" in held:
+            vertices, faces = held["surface_vertices"], held["surface_faces"].astype(np.int64)
+            origin, areas, pins = held["input_of_vertex"], held["areas"], held["pins"]
+            is_right = faces.shape[1:] == (3,) and ((faces >= 0) & (faces < len(vertices))).all()
+            is_right &= vertices.shape == (len(origin), 3) and areas.shape == mesh_map.shape
+            is_right &= all(((index >= 0) & (index < len(mesh_map))).all() for index in (origin, pins))
+            if not (is_right and np.isfinite(vertices).all()):
+                raise ValueError("the surface does not fit the curve")
+            source = Source(Solid(vertices, faces), areas, pins, (), origin)
+    return curve, report, source
 
 
 def plain_json(skeleton: "Skeleton") -> str:

@@ -1,0 +1,170 @@
+"""The options of every command, with their help, and what becomes of them: weights, a `Config`, a way to repair."""
+
+import argparse
+from collections.abc import Callable, Mapping
+from typing import Any
+
+import shtab
+
+from msf_jax.app.help import teaching
+from msf_jax.base.options import SYSTEMS, Config, Weights
+from msf_jax.base.version import VERSION
+from msf_jax.skeleton.formats import export
+
+WEIGHTS = {
+    "w_L": "contraction (w_L)",
+    "w_H": "attraction to where a vertex is (w_H)",
+    "w_M": "attraction to the Voronoi pole (w_M)",
+    "smoothing": "lambda of the implicit smoothing",
+}
+REPAIRS = {"mend": True, "join": "join"}  # what `skeletonize` takes for each
+MESH = "a closed triangle mesh in any format that trimesh reads"
+
+
+def parser_of(run: Mapping[str, Callable[[argparse.Namespace], int]]) -> argparse.ArgumentParser:
+    """All commands with their options; ``run`` holds what runs each of them, by its name."""
+    parser = argparse.ArgumentParser(prog="msf-jax", **teaching("PARSER"))
+    parser.add_argument("--version", action="version", version=f"msf-jax {VERSION}")
+    commands = parser.add_subparsers(title="commands", required=True, metavar="COMMAND")
+
+    one = commands.add_parser("skeletonize", help="a mesh in, its curve skeleton out", **teaching("SKELETONIZE"))
+    _completes(one.add_argument("mesh", metavar="IN", help=MESH), shtab.FILE)
+    suffixes = f"one of {', '.join(export.WRITERS)}"
+    _completes(one.add_argument("-o", "--output", metavar="OUT", required=True, help=suffixes), shtab.FILE)
+    _completes(one.add_argument("--picture", metavar="PNG", help="draw the curve in the mesh, too"), shtab.FILE)
+    _repairing(one)
+    one.add_argument("--evaluate", action="store_true", help="report off-centre, missed surface and the like, too")
+    _completes(
+        one.add_argument(
+            "--checkpoint",
+            metavar="FILE",
+            help="keep the state there while it runs; a run that was killed goes on from it",
+        ),
+        shtab.FILE,
+    )
+    _settings(one)
+    one.add_argument("--pin", type=int, action="append", metavar="N", help="hold vertex N in place (can be repeated)")
+    one.add_argument("--check", action="store_true", help="verify the surface after every round of edits (slower)")
+    _common(one)
+    one.set_defaults(run=run["skeletonize"])
+
+    demo = commands.add_parser("demo", help="skeletonise a hand made in code", **teaching("DEMO"))
+    _completes(
+        demo.add_argument(
+            "-o", "--output", metavar="FOLDER", default=".", help="where to put the files (default: here)"
+        ),
+        shtab.DIRECTORY,
+    )
+    _common(demo)
+    demo.set_defaults(run=run["demo"])
+
+    look = commands.add_parser("view", help="a page to look around in", **teaching("VIEW"))
+    _completes(look.add_argument("mesh", metavar="IN", help=MESH), shtab.FILE)
+    place = "where to write it (default: IN with .html)"
+    _completes(look.add_argument("-o", "--output", metavar="HTML", help=place), shtab.FILE)
+    _repairing(look)
+    _settings(look)
+    _common(look)
+    look.set_defaults(run=run["view"])
+
+    many = commands.add_parser("batch", help="a folder of meshes in, a folder of curves out", **teaching("BATCH"))
+    _completes(many.add_argument("folder", metavar="IN_DIR", help="where the meshes are"), shtab.DIRECTORY)
+    _completes(many.add_argument("output", metavar="OUT_DIR", help="where curves and manifest.csv go"), shtab.DIRECTORY)
+    many.add_argument("--jobs", type=int, metavar="N", help="processes (default: one for each core)")
+    many.add_argument("--format", default=".swc", metavar="SUFFIX", help=f"one of {', '.join(export.WRITERS)}")
+    many.add_argument("--scheduler", metavar="ADDRESS", help="of a Dask scheduler, such as tcp://host:8786")
+    _repairing(many)
+    many.add_argument("--retry", action="store_true", help="take those again that failed")
+    many.add_argument("--evaluate", action="store_true", help="figures such as off-centre in the table, too")
+    _settings(many)
+    _common(many)
+    many.set_defaults(run=run["batch"])
+
+    series = commands.add_parser("track", help="one curve through meshes of the same faces", **teaching("TRACK"))
+    _completes(series.add_argument("mesh", metavar="FIRST", help=f"{MESH}, or its curve as .npz"), shtab.FILE)
+    _completes(series.add_argument("folder", metavar="FRAMES", help="where the meshes are"), shtab.DIRECTORY)
+    place = "where curves and frames.csv go"
+    _completes(series.add_argument("-o", "--output", metavar="OUT_DIR", required=True, help=place), shtab.DIRECTORY)
+    series.add_argument("--format", default=".swc", metavar="SUFFIX", help=f"one of {', '.join(export.WRITERS)}")
+    _repairing(series)
+    _settings(series)
+    _common(series)
+    series.set_defaults(run=run["track"])
+
+    shell = commands.add_parser("completion", help="let a shell complete commands", **teaching("COMPLETION"))
+    shell.add_argument("shell", choices=shtab.SUPPORTED_SHELLS, help="which")
+    shell.set_defaults(float32=False, run=lambda arguments: print(shtab.complete(parser, arguments.shell)) or 0)
+    return parser
+
+
+def with_whole_options(words: list[str]) -> list[str]:
+    """``--repair`` with its value, which argparse would take from whatever follows, a mesh's name for one."""
+    whole = []
+    for word, after in zip(words, [*words[1:], ""], strict=True):
+        whole.append(f"{word}=mend" if word == "--repair" and after not in REPAIRS else word)
+    return whole
+
+
+def _completes(option: Any, kind: object) -> None:
+    """The shell offers files or folders for an option: shtab reads an attribute of it that argparse does not know."""
+    option.complete = kind
+
+
+def _repairing(parser: argparse.ArgumentParser) -> None:
+    """The option that `_repair_of` reads."""
+    parser.add_argument(
+        "--repair",
+        choices=list(REPAIRS),
+        metavar="join",
+        nargs="?",
+        const="mend",
+        help="mend a mesh that is no closed manifold, and say how; with join, parts that overlap or nearly touch are "
+        "made one solid, too",
+    )
+
+
+def repair_of(arguments: argparse.Namespace) -> bool | str:
+    """What `skeletonize` is to take as ``repair``."""
+    return REPAIRS.get(arguments.repair, False)
+
+
+def _settings(parser: argparse.ArgumentParser) -> None:
+    """Options that become weights and a `Config`; see `_configured`."""
+    defaults = Config()
+    curve = parser.add_argument_group("the curve", "Lengths are fractions of the bounding box's diagonal.")
+    curve.add_argument(
+        "--prune",
+        type=float,
+        metavar="X",
+        help="take away branches of less persistence: 1 for a twig inside a limb, 2 for a limb that sticks out by its "
+        f"radius; 0: none (default: {defaults.prune})",
+    )
+    curve.add_argument(
+        "--coarsen",
+        type=float,
+        metavar="X",
+        help=f"collapse edges shorter than that before the flow; 0: none (default: {defaults.coarsen})",
+    )
+    flow = parser.add_argument_group("the flow", "Of the weights, only the ratios of the first three matter.")
+    flow.add_argument("--system", default="msf", metavar="NAME", help=f"one of {', '.join(SYSTEMS)} (default: msf)")
+    for name, meaning in WEIGHTS.items():
+        default = getattr(Weights(), name)
+        option = f"--{name.replace('_', '-')}"
+        flow.add_argument(option, dest=name, type=float, metavar="X", help=f"{meaning} (default of msf: {default})")
+    flow.add_argument(
+        "--max-iterations", type=int, metavar="N", help=f"give up after so many (default: {defaults.max_iterations})"
+    )
+
+
+def configured(arguments: argparse.Namespace, **others: Any) -> tuple[Weights, Config]:
+    """What the options of `_settings` say, the rest as the system has it."""
+    changes = {name: getattr(arguments, name) for name in ("max_iterations", "coarsen", "prune")}
+    changes = {name: value for name, value in changes.items() if value is not None}
+    config = Config.named(arguments.system, **others, **changes)
+    given = {name: getattr(arguments, name) for name in WEIGHTS if getattr(arguments, name) is not None}
+    return Weights(**(vars(config.default_weights()) | given)), config
+
+
+def _common(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("--float32", action="store_true", help="compute in float32 instead of float64")
+    parser.add_argument("-q", "--quiet", action="store_true", help="no progress bar and no report")

@@ -1,0 +1,80 @@
+"""``msf-jax track``: the meshes of a folder in, a curve for each out, and a table that says how far to trust them."""
+
+import csv
+import io
+import re
+from pathlib import Path
+
+from tqdm import tqdm
+
+from msf_jax.base.errors import ConfigError, MeshError
+from msf_jax.base.writing import write_whole
+from msf_jax.gradients.track import Tracker, curve_of
+from msf_jax.host.mesh import reading
+from msf_jax.skeleton.formats import export
+from msf_jax.skeleton.skeleton import Skeleton
+
+TABLE = "frames.csv"
+
+
+def frames_in(folder: str, output: str) -> list[Path]:
+    """The meshes in ``folder``, frame2 before frame10.
+
+    Raises:
+        ConfigError: there is none, or ``output`` is that folder.
+    """
+    if not Path(folder).is_dir():
+        raise ConfigError(f"no folder {folder!r}: expected one with meshes")
+    if Path(output).resolve() == Path(folder).resolve():
+        raise ConfigError(f"OUT_DIR is FRAMES, {output!r}: expected another folder for the curves")
+    known = reading.readable_suffixes()
+    paths = [path for path in Path(folder).iterdir() if path.suffix.lower().lstrip(".") in known and path.is_file()]
+    if not paths:
+        raise ConfigError(f"no mesh in {folder!r}: expected files that end in one of {', '.join(known)}")
+    stems = [path.stem for path in paths]
+    twice = sorted({stem for stem in stems if stems.count(stem) > 1})
+    if twice:
+        raise ConfigError(f"two meshes in {folder!r} are called {twice[0]!r}: expected one for each frame")
+    return sorted(paths, key=lambda path: [int(part) if part.isdigit() else part for part in _parts(path.stem)])
+
+
+def _parts(name: str) -> list[str]:
+    """Text and numbers by turns."""
+    return re.split(r"(\d+)", name)
+
+
+def run(
+    skeleton: Skeleton, paths: list[Path], output: str, *, suffix: str, progress: bool
+) -> tuple[Path, list[str], list[str]]:
+    """Follow ``skeleton`` through the meshes at ``paths``, and write a curve with ``suffix`` for each to ``output``.
+
+    Returns:
+        The table, what is to be said of frames without a curve, and of those that want a fresh run.
+
+    Raises:
+        MeshError: a frame cannot be read, or is no such mesh: which.
+    """
+    folder = Path(output)
+    folder.mkdir(parents=True, exist_ok=True)
+    tracker = Tracker(skeleton)
+    lacking, doubtful, text = [], [], io.StringIO()
+    table = csv.writer(text)
+    table.writerow(["frame", "mesh", "curve", "inside", "vanished", "loose", "wants_run"])
+    for number, path in enumerate(tqdm(paths, desc="track", unit="frame", disable=None if progress else True)):
+        mesh = reading.read(path)
+        try:
+            frame = tracker.frame(number, mesh)
+        except MeshError as error:
+            raise MeshError(f"{path.name!r}, {error}") from error
+        target = folder / f"{path.stem}{suffix}"
+        if len(frame.vanished):
+            lacking.append(f"{path.name}: {frame}")
+        else:
+            write_whole(target, export.writer_for(target)(curve_of(skeleton, frame), mesh))
+            if frame.wants_run:
+                doubtful.append(f"{path.name}: {frame}")
+        curve = "" if len(frame.vanished) else target.name
+        counts = [len(frame.vanished), len(frame.loose), int(frame.wants_run)]
+        table.writerow([number, path.name, curve, f"{frame.inside:.6g}", *counts])
+    write_whole(folder / TABLE, text.getvalue())
+    return folder / TABLE, lacking, doubtful

@@ -1,0 +1,46 @@
+"""Compiled programs that outlive a process: JAX's persistent cache, in the user's cache folder."""
+
+import os
+from pathlib import Path
+
+import jax
+import platformdirs
+from jax.experimental.compilation_cache import compilation_cache
+
+from msf_jax.base.errors import ConfigError
+
+WORTH_KEEPING = 0.2  # seconds of compiling; what takes less is compiled again
+
+
+def cache_compilations(folder: str | os.PathLike[str] | None = None) -> Path | None:
+    """Keep what is compiled in ``folder``, so that only the first run on a machine waits for it. Call it once, early.
+
+    Args:
+        folder: made if need be. If not given, that which JAX has been told to use, by ``JAX_COMPILATION_CACHE_DIR`` or
+            its configuration; else the user's cache folder, such as ``~/.cache/msf_jax``. Nobody else should be able to
+            write to it: what is in there is run.
+
+    Returns:
+        The folder; None if none was given and the user's cache folder is not to be written to.
+
+    Raises:
+        ConfigError: ``folder`` cannot be made or written to.
+    """
+    configured = getattr(jax.config, "jax_compilation_cache_dir", None)
+    if folder is None and configured is not None:
+        return Path(configured)
+    path = Path(folder) if folder is not None else platformdirs.user_cache_path("msf_jax", appauthor=False)
+    try:
+        path.mkdir(parents=True, exist_ok=True)
+        is_writable = os.access(path, os.W_OK)
+    except OSError:
+        is_writable = False
+    if not is_writable:
+        if folder is None:
+            return None
+        raise ConfigError(f"cannot write to {str(path)!r}: expected a folder for compiled programs")
+    if configured != str(path):
+        jax.config.update("jax_compilation_cache_dir", str(path))
+        compilation_cache.reset_cache()  # JAX goes on with its first folder otherwise
+    jax.config.update("jax_persistent_cache_min_compile_time_secs", WORTH_KEEPING)
+    return path

@@ -1,0 +1,205 @@
+"""`track`: one curve through a sequence of meshes of the same faces, with the same nodes in each, and how it holds.
+
+One run, then `follow` for each frame. What a frame is checked for: whether every section is still there, flat, and
+across its branch, and how much of the curve is inside.
+"""
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+import jax
+import jax.numpy as jnp
+import numpy as np
+from tqdm import tqdm
+
+from msf_jax import metrics
+from msf_jax.base.errors import ConfigError, MeshError
+from msf_jax.base.recipe import Recipe
+from msf_jax.device import following
+from msf_jax.gradients.follow import checked_vertices, recipe_of
+from msf_jax.host.mesh import reading
+from msf_jax.host.solid.solid import Solid
+from msf_jax.skeleton.skeleton import Skeleton
+
+WARPED = 0.5  # corners so far off their plane, in parts of how far they are from the centroid, are no section
+TILTED, STRAIGHT = 0.3, 0.7  # cosine of a section's normal and its branch, at which it lies over; at first it was above
+INSIDE = 0.99  # of the curve's length, at least
+
+
+@dataclass(frozen=True, eq=False)
+class Frame:
+    """The curve in one mesh of a sequence.
+
+    Attributes:
+        number: which frame, from 0.
+        nodes: (N, 3), in the mesh's units; NaN for those of ``vanished``.
+        radii: (N,) distance to the surface, negative for a node outside.
+        inside: fraction of the curve's length that is inside, of the edges between nodes that are there.
+        vanished: (k,) nodes whose section is no more.
+        loose: (k,) nodes whose section no longer holds: it is warped, or lies along its branch.
+    """
+
+    number: int
+    nodes: np.ndarray = field(repr=False)
+    radii: np.ndarray = field(repr=False)
+    inside: float
+    vanished: np.ndarray
+    loose: np.ndarray
+
+    @property
+    def wants_run(self) -> bool:
+        """Whether the frozen sections no longer do: run `msf_jax.skeletonize` on this frame."""
+        return len(self.vanished) + len(self.loose) > 0 or not self.inside >= INSIDE
+
+    def __str__(self) -> str:
+        parts = [f"frame {self.number}: {100 * self.inside:.2f} % inside"]
+        for nodes, what in ((self.vanished, "without a section"), (self.loose, "whose section no longer holds")):
+            if len(nodes):
+                parts.append(f"{len(nodes)} {'node' if len(nodes) == 1 else 'nodes'} {what}, the first {nodes[0]}")
+        return "; ".join(parts) + ("; wants a fresh run" if self.wants_run else "")
+
+
+@dataclass(frozen=True, eq=False)
+class Track:
+    """A curve through a sequence of meshes: the nodes of all frames are the same, and so are the edges.
+
+    Attributes:
+        skeleton: of the first mesh, or of whichever the run was on.
+        frames: one for each mesh, in their order.
+    """
+
+    skeleton: Skeleton = field(repr=False)
+    frames: tuple[Frame, ...]
+
+    @property
+    def nodes(self) -> np.ndarray:
+        """(T, N, 3), for all T frames."""
+        return np.stack([frame.nodes for frame in self.frames])
+
+    @property
+    def radii(self) -> np.ndarray:
+        """(T, N), as `Frame.radii`."""
+        return np.stack([frame.radii for frame in self.frames])
+
+    def curve(self, number: int) -> Skeleton:
+        """The curve of frame ``number``, to be saved or drawn: it has no source, its report is that of the run.
+
+        Raises:
+            ConfigError: nodes of that frame have vanished.
+        """
+        return curve_of(self.skeleton, self.frames[number])
+
+    def __str__(self) -> str:
+        wanting = [frame for frame in self.frames if frame.wants_run]
+        lines = [f"{len(self.frames)} frames, {len(wanting)} of them want a fresh run"]
+        return "\n".join(lines + [str(frame) for frame in wanting])
+
+
+def curve_of(skeleton: Skeleton, frame: Frame) -> Skeleton:
+    """The curve of a ``frame`` of a track of ``skeleton``; see `Track.curve`."""
+    if len(frame.vanished):
+        raise ConfigError(f"frame {frame.number} has no curve, {frame}")
+    note = f"followed from another mesh, not run: {frame}"
+    report = replace(skeleton.report, inside=frame.inside, figures={}, notes=(*skeleton.report.notes, note))
+    return replace(skeleton, vertices=frame.nodes, radii=np.maximum(frame.radii, 0), report=report, source=None)
+
+
+def track(skeleton: Skeleton, frames: Iterable[Any], *, progress: bool = False) -> Track:
+    """The ``skeleton`` in every mesh of a sequence: an animation, a 4-D scan, an ensemble. No run is made.
+
+    Args:
+        skeleton: of a mesh with the same faces as all ``frames``, usually the first of them; as `msf_jax.follow`
+            takes it.
+        frames: each (V, 3) vertices, or a mesh as `msf_jax.skeletonize` takes it: a path, an object with vertices and
+            faces, a pair of them.
+        progress: show a progress bar on standard error, if that is a terminal.
+
+    Returns:
+        Nodes and radii for each frame, with the same numbers in all, and how far to trust each. A frame that is bent,
+        flattened or torn too far for the sections of ``skeleton`` says so, ``wants_run``, and with which nodes.
+
+    Raises:
+        ConfigError: ``skeleton`` does not know the mesh that it was made from, or ``frames`` is no sequence.
+        MeshError: a frame cannot be read, has other vertices or faces, or is not finite: which, and what was expected.
+    """
+    if not isinstance(frames, Iterable) or isinstance(frames, str):
+        raise ConfigError(f"frames is a {type(frames).__name__}: expected a sequence of vertices (V, 3) or of meshes")
+    tracker = Tracker(skeleton)
+    num = len(frames) if isinstance(frames, Sequence | np.ndarray) else None
+    found = []
+    with tqdm(total=num, desc="track", unit="frame", disable=None if progress else True) as bar:
+        for number, given in enumerate(frames):
+            found.append(tracker.frame(number, given))
+            bar.update()
+    return Track(skeleton, tuple(found))
+
+
+class Tracker:
+    """What does not change from frame to frame; raises as `track` does."""
+
+    def __init__(self, skeleton: Skeleton):
+        recipe = recipe_of(skeleton)
+        surface, edges = skeleton.surface, skeleton.edges
+        self.num, self.edges = len(skeleton.mesh_map), edges
+        self.recipe: Recipe = jax.device_put(jax.tree.map(jnp.asarray, recipe))
+        self.solid, self.vertex = surface.solid, surface.vertex
+        # Faces of a mesh that was mended are others than the caller's: those are not compared.
+        faces = self.vertex[self.solid.shape.faces]
+        self.faces = None if skeleton.report.repairs else _sorted(faces)
+        # Each section, and the edges of its node.
+        section_of_node = np.full(len(skeleton.vertices), -1)
+        section_of_node[recipe.node[recipe.is_loop]] = np.flatnonzero(recipe.is_loop)
+        here, there = np.concatenate([edges, edges[:, ::-1]]).T
+        self.here, self.there = here[section_of_node[here] >= 0], there[section_of_node[here] >= 0]
+        self.section = section_of_node[self.here]
+        normal = np.asarray(_tracked(self.recipe, jnp.asarray(surface.given(self.num)))[3])
+        self.upright = self._cosines(skeleton.vertices, normal)
+
+    def _cosines(self, nodes: np.ndarray, normal: np.ndarray) -> np.ndarray:
+        along = nodes[self.there] - nodes[self.here]
+        length = np.linalg.norm(along, axis=1)
+        return np.einsum("ei,ei->e", along, normal[self.section]) / np.where(length > 0, length, 1.0)
+
+    def frame(self, number: int, given: Any) -> Frame:
+        """The curve in ``given``, and how it holds."""
+        try:
+            vertices = self._vertices_of(given)
+            array = checked_vertices(self.num, vertices)
+        except MeshError as error:
+            raise MeshError(f"frame {number}: {error}") from error
+        nodes, radii, is_warped, normal = (np.asarray(each, dtype=np.float64) for each in _tracked(self.recipe, array))
+        vanished = np.flatnonzero(np.isnan(nodes).any(axis=1))
+        cosine = np.sign(self.upright) * self._cosines(nodes, normal)
+        is_over = (np.abs(self.upright) > STRAIGHT) & (cosine < TILTED)
+        loose = np.union1d(np.asarray(self.recipe.node)[is_warped > 0], self.here[is_over])
+        solid = Solid(np.asarray(array, dtype=np.float64)[self.vertex], self.solid.shape.faces)
+        is_there = np.ones(len(nodes), dtype=bool)
+        is_there[vanished] = False
+        placed = solid.enter(np.where(is_there[:, None], nodes, 0.0))
+        edges = self.edges[is_there[self.edges].all(axis=1)]
+        reach = np.where(is_there & solid.shape.contains(placed), np.abs(np.nan_to_num(radii)), 0.0) / solid.diagonal
+        inside = metrics.inside_fraction(solid.shape, placed, edges, reach) if is_there.any() else 0.0
+        return Frame(number, nodes, radii, inside, vanished, np.setdiff1d(loose, vanished))
+
+    def _vertices_of(self, given: Any) -> Any:
+        if isinstance(given, np.ndarray | jax.Array):
+            return given
+        vertices, faces = reading.read(given)
+        if self.faces is not None and not np.array_equal(_sorted(faces), self.faces):
+            raise MeshError(f"its {len(faces)} faces are not those of the mesh that the skeleton was made from")
+        return vertices
+
+
+@jax.jit
+def _tracked(recipe: Recipe, vertices: jax.Array) -> tuple[jax.Array, ...]:
+    """Nodes, radii, which sections are warped (S,), and the normals of all (S, 3)."""
+    nodes, radii = following.follow(recipe, vertices)
+    entered = (vertices - recipe.centre) / recipe.diagonal
+    found = following.centroids(recipe, following.corners(recipe, entered))
+    return nodes, radii, recipe.is_loop & (found.warp > WARPED), found.normal
+
+
+def _sorted(faces: np.ndarray) -> np.ndarray:
+    """Faces in an order that does not depend on where each begins, how it turns, or which comes first."""
+    return np.unique(np.sort(faces, axis=1), axis=0)

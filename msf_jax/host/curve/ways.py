@@ -1,0 +1,140 @@
+"""Branches of a curve as ways to be measured along: directions, bending, spacing, and how large the limb around is.
+
+What is linear in the nodes comes as a sparse matrix, so that it can be a row of a least-squares problem.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+from scipy import sparse
+
+from msf_jax.host.curve import branches
+from msf_jax.host.solid.geometry import arc_length, at
+
+
+class Way(NamedTuple):
+    """A branch. nodes: (k,). is_loop: it has no junction, and its ends are one node. share: (k,) of the length before
+    each node, which it is to keep. stops: positions in ``nodes`` of its ends and of the nodes that do not move."""
+
+    nodes: np.ndarray
+    is_loop: bool
+    share: np.ndarray
+    stops: np.ndarray
+
+
+def ways_of(vertices: np.ndarray, edges: np.ndarray, is_held: np.ndarray) -> list[Way]:
+    """The branches of a curve that have a length."""
+    degree = np.bincount(edges.ravel(), minlength=len(vertices))
+    found = []
+    for branch in branches.trace(len(vertices), edges):
+        nodes = np.array(branch)
+        if len(nodes) > 1:
+            along = arc_length(vertices[nodes])
+            stops = np.unique(np.r_[0, np.flatnonzero(is_held[nodes]), len(nodes) - 1])
+            is_loop = bool(nodes[0] == nodes[-1] and degree[nodes[0]] == 2)
+            found.append(Way(nodes, is_loop, along / max(along[-1], 1e-300), stops))
+    return found
+
+
+def spread(x: np.ndarray, ways: list[Way]) -> np.ndarray:
+    """Nodes (N, 3) on the same course, each again at its share of its branch's length."""
+    spaced = x.copy()
+    for nodes, _, share, stops in ways:
+        along = arc_length(x[nodes])
+        goal = np.interp(share, share[stops], along[stops])
+        spaced[nodes[1:-1]] = at(x[nodes], along, goal)[1:-1]
+    return spaced
+
+
+def chords(x: np.ndarray, ways: list[Way], reach: np.ndarray) -> sparse.csr_matrix:
+    """(N, N): times the nodes, the chord of the branch from ``reach`` (N,) before each node to as far behind it."""
+    rows, columns, values = [], [], []
+    for nodes, is_loop, _, _ in ways:
+        along = arc_length(x[nodes])
+        own = slice(0, len(nodes) - 1 if is_loop else len(nodes))
+        for sign in (1, -1):
+            if is_loop:
+                stop = np.mod(along + sign * np.minimum(reach[nodes], along[-1] / 4), along[-1])
+            else:
+                stop = np.clip(along + sign * reach[nodes], 0, along[-1])
+            before = np.clip(np.searchsorted(along, stop, side="right") - 1, 0, len(nodes) - 2)
+            t = (stop - along[before]) / np.maximum(along[before + 1] - along[before], 1e-300)
+            rows += [nodes[own], nodes[own]]
+            columns += [nodes[before][own], nodes[before + 1][own]]
+            values += [sign * (1 - t)[own], sign * t[own]]
+    entries = np.concatenate(values), (np.concatenate(rows), np.concatenate(columns))
+    return sparse.coo_matrix(entries, (len(x), len(x))).tocsr()
+
+
+def triples(x: np.ndarray, ways: list[Way]) -> tuple[np.ndarray, np.ndarray]:
+    """Each inner node (T,) of a branch between its neighbours, (T, 3), and the mean length (T,) of its two edges."""
+    found, spacing = [np.empty((0, 3), dtype=np.int64)], [np.empty(0)]
+    for nodes, is_loop, _, _ in ways:
+        course = np.r_[nodes, nodes[1]] if is_loop else nodes
+        along = arc_length(x[course])
+        found.append(np.stack([course[:-2], course[1:-1], course[2:]], axis=1))
+        spacing.append((along[2:] - along[:-2]) / 2)
+    return np.concatenate(found), np.concatenate(spacing)
+
+
+def sizes(x: np.ndarray, ways: list[Way], size: np.ndarray, weight: np.ndarray, room: np.ndarray) -> np.ndarray:
+    """(N,) how large the limb around each node is: the mean of ``size`` along its branch, with ``weight``, near by.
+
+    The ends of branches, and branches on which nothing has a weight, have their ``room``.
+    """
+    found = room.copy()
+    degree = np.zeros(len(x), dtype=np.int64)
+    for way in ways:
+        np.add.at(degree, way.nodes[[0, -1]], 1)
+    for nodes, is_loop, _, _ in ways:
+        own = weight[nodes]
+        if own.sum() > 1e-3:
+            along = arc_length(x[nodes])
+            usual = np.average(size[nodes], weights=own)
+            near = (np.exp(-0.5 * ((along[:, None] - along) / usual) ** 2) + 1e-9) * own
+            mean = near @ size[nodes] / near.sum(axis=1)
+            is_own = (degree[nodes] <= 1) | is_loop
+            is_own[1:-1] = True
+            found[nodes[is_own]] = mean[is_own]
+    return found
+
+
+def clear_of_junctions(
+    x: np.ndarray, ways: list[Way], degree: np.ndarray, size: np.ndarray, zone: float, margin: float
+) -> np.ndarray:
+    """(N,) from 0, at junctions and within ``zone`` of their ``size``, to 1, where the ``margin`` around that ends."""
+    clear = np.where(degree > 2, 0.0, 1.0)
+    for nodes, _, _, _ in ways:
+        along = arc_length(x[nodes])
+        for end, distance in ((nodes[0], along), (nodes[-1], along[-1] - along)):
+            if degree[end] > 2:
+                t = np.clip((distance / max(size[end], 1e-300) - zone) / margin + 0.5, 0, 1)
+                clear[nodes[1:-1]] *= (t * t * (3 - 2 * t))[1:-1]
+    return clear
+
+
+def usual(ways: list[Way], known: np.ndarray) -> np.ndarray:
+    """(N,) the median along its branch of what is ``known`` (N,), NaN where it is not."""
+    found = np.full(len(known), np.nan)
+    for way in ways:
+        along = known[way.nodes]
+        if not np.isnan(along).all():
+            found[way.nodes] = np.nanmedian(along)
+    return found
+
+
+def second_sizes(ways: list[Way], size: np.ndarray, weight: np.ndarray) -> np.ndarray:
+    """(N,) the second largest mean ``size`` (N,), with ``weight`` (N,), of the branches that end at each node.
+
+    It is the largest where only one is known, and infinite where none is.
+    """
+    ends: dict[int, list[float]] = {}
+    for nodes, _, _, _ in ways:
+        own = weight[nodes]
+        if own.sum() > 1e-3:
+            for end in (nodes[0], nodes[-1]):
+                ends.setdefault(int(end), []).append(float(np.average(size[nodes], weights=own)))
+    found = np.full(len(size), np.inf)
+    for node, known in ends.items():
+        found[node] = sorted(known)[-2:][0]
+    return found

@@ -1,0 +1,62 @@
+"""What `tune` returns."""
+
+from dataclasses import dataclass
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from msf_jax.base.options import Weights
+from msf_jax.flow.state import Flow
+from msf_jax.gradients.tape import Comparison
+
+
+class TuningStep(NamedTuple):
+    """One proposal. The first is the start.
+
+    weights: proposed. expected: of the objective, by the tapes or by the model of past runs; NaN for a proposal without
+    them. found: by fresh runs; inf if one broke down. is_taken: whether the weights were. box: half the width of the
+    trust region, or how far proposals are spread, in logarithms. converges: whether all of the fresh runs did.
+    changed: decisions that they made differently from the runs of the weights before, of all that they made; None where
+    no tapes were compared.
+    """
+
+    weights: Weights
+    expected: float
+    found: float
+    is_taken: bool
+    box: float
+    converges: bool
+    changed: Comparison | None
+
+
+@dataclass(frozen=True)
+class Tuned:
+    """The result of `tune`.
+
+    Attributes:
+        weights: the best that were found.
+        value: of the objective there, by fresh runs, the mean over the meshes.
+        flows: those runs, one for each mesh.
+        trajectory: every proposal, in order.
+        reason: why it stopped.
+    """
+
+    weights: Weights
+    value: float
+    flows: tuple[Flow, ...]
+    trajectory: tuple[TuningStep, ...]
+    reason: str
+
+    def __str__(self) -> str:
+        lines = [f"{len(self.trajectory) - 1} steps, {self.reason}", "objective   expected   box    decisions changed"]
+        for step in self.trajectory:
+            weights = ", ".join(f"{name} {shown(weight)}" for name, weight in vars(step.weights).items())
+            changed = f"{step.changed.different} of {step.changed.total}" if step.changed else "-"
+            mark = "taken" if step.is_taken else "     "
+            lines.append(f"{step.found:<11.6g} {step.expected:<10.6g} {step.box:.3f}  {changed:<16} {mark}  {weights}")
+        return "\n".join(lines)
+
+
+def shown(weight: Any) -> str:
+    """A weight in a few digits, or the range of an array of them."""
+    return f"{float(weight):.4g}" if np.ndim(weight) == 0 else f"{np.min(weight):.3g} to {np.max(weight):.3g}"

@@ -1,0 +1,198 @@
+"""What weights are worth: fresh runs, here or in other processes, and a file that remembers what was found.
+
+A run's objective is that of its finished curve, the one that is saved (``of="skeleton"``), or of the curve as the flow
+left it, which a tape's gradients speak of (``of="flow"``).
+"""
+
+import concurrent.futures
+import hashlib
+import json
+import multiprocessing
+import os
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import jax
+import jax.numpy as jnp
+import numpy as np
+
+from msf_jax.base.errors import ConfigError, FlowError
+from msf_jax.base.options import Config, Weights
+from msf_jax.base.writing import write_whole
+from msf_jax.flow import loop
+from msf_jax.flow.state import Flow
+from msf_jax.host.mesh import reading
+from msf_jax.tuning.objectives import Objective, Replayed, value_at, value_of
+
+OF = ("skeleton", "flow")
+
+
+class Found(NamedTuple):
+    """value: the objective's mean over the meshes, inf if a run broke down. converges: whether all did."""
+
+    value: float
+    converges: bool
+
+
+class Curve(NamedTuple):
+    """What an objective asks of a run, as plain arrays that another process can send; see `Replayed`."""
+
+    nodes: np.ndarray
+    radii: np.ndarray
+    edges: np.ndarray
+    node_of_vertex: np.ndarray
+    areas: np.ndarray
+    converges: bool
+
+
+class Runs:
+    """Fresh runs of some meshes, and what ``objective`` says of their curves.
+
+    Args:
+        meshes: as `contract` takes them.
+        of: "skeleton" or "flow".
+        jobs: processes.
+        checkpoint: a file that remembers the values, or None.
+    """
+
+    def __init__(
+        self,
+        meshes: list[Any],
+        objective: Objective,
+        config: Config,
+        of: str,
+        jobs: int = 1,
+        checkpoint: str | os.PathLike[str] | None = None,
+    ):
+        self.meshes = [reading.read(mesh) for mesh in meshes]
+        self.objective, self.config, self.of, self.jobs = objective, config, of, jobs
+        self.path = None if checkpoint is None else Path(checkpoint)
+        self.key = self._key()
+        self.known: dict[str, Found] = self._remembered()
+        self.pool: concurrent.futures.ProcessPoolExecutor | None = None
+
+    def flows(self, weights: Weights) -> tuple[Flow, ...]:
+        """A fresh run of each mesh."""
+        return tuple(loop.contract(mesh, weights, self.config) for mesh in self.meshes)
+
+    def value(self, flows: tuple[Flow, ...]) -> float:
+        """The objective's mean over runs that were made."""
+        if self.of == "flow":
+            found = [value_at_curve(self.objective, run) for run in flows]
+        else:
+            found = [self._value(number, _curve(run)) for number, run in enumerate(flows)]
+        return float(np.mean(found))
+
+    def found(self, proposals: list[Weights]) -> list[Found]:
+        """What each of ``proposals`` is worth, side by side on ``jobs`` processes."""
+        missing = [weights for weights in proposals if _name(weights) not in self.known]
+        each = [(mesh, weights, self.config, self.of) for weights in missing for mesh in self.meshes]
+        if self.jobs > 1 and len(each) > 1:
+            self.pool = self.pool or _started(self.jobs)
+            curves = list(self.pool.map(_run, each))
+        else:
+            curves = [_run(one) for one in each]
+        num = len(self.meshes)
+        for number, weights in enumerate(missing):
+            self._remember(weights, self._judged(curves[number * num : (number + 1) * num]))
+        return [self.known[_name(weights)] for weights in proposals]
+
+    def close(self) -> None:
+        """End the other processes."""
+        if self.pool is not None:
+            self.pool.shutdown(wait=True, cancel_futures=True)
+
+    def _judged(self, curves: list[Curve | None]) -> Found:
+        values = [np.inf if curve is None else self._value(number, curve) for number, curve in enumerate(curves)]
+        value = float(np.mean(values))
+        return Found(value, bool(np.isfinite(value)) and all(curve is not None and curve.converges for curve in curves))
+
+    def _value(self, mesh: int, curve: Curve) -> float:
+        """What the objective says; in arrays of a few sizes, so that it is compiled for those and not for every run."""
+        surface, num = self.meshes[mesh][0], len(curve.nodes)
+        rows, joined = num, len(curve.edges)
+        if self.objective.can_be_padded:
+            rows, joined = _rung(num + 1), _rung(len(curve.edges))
+        edges = np.full((joined, 2), rows - 1)
+        edges[: len(curve.edges)] = curve.edges
+        padded = Replayed(
+            nodes=jnp.asarray(np.pad(curve.nodes, ((0, rows - num), (0, 0)))),
+            radii=jnp.asarray(np.pad(curve.radii, (0, rows - num))),
+            edges=jnp.asarray(edges),
+            surface=jnp.asarray(surface),
+            areas=jnp.asarray(curve.areas),
+            node_of_vertex=jnp.asarray(curve.node_of_vertex),
+            diagonal=jnp.asarray(np.linalg.norm(np.ptp(surface, axis=0))),
+            is_node=jnp.arange(rows) < num,
+        )
+        return float(value_of(self.objective, padded))
+
+    def _key(self) -> str:
+        """A hash of all that values depend on; of an objective it is the name."""
+        digest = hashlib.sha256(f"{self.objective.name} {self.config} {self.of}".encode())
+        for vertices, faces in self.meshes:
+            digest.update(vertices.tobytes() + faces.tobytes())
+        return digest.hexdigest()
+
+    def _remembered(self) -> dict[str, Found]:
+        if self.path is None or not self.path.exists():
+            return {}
+        try:
+            content = json.loads(self.path.read_text())
+            key, values = content["key"], {name: Found(*found) for name, found in content["values"].items()}
+        except (ValueError, KeyError, TypeError, AttributeError) as error:
+            raise ConfigError(f"{str(self.path)!r} is no checkpoint of a tuning: expected one, or no file") from error
+        if key != self.key:
+            raise ConfigError(
+                f"{str(self.path)!r} is of another tuning: expected the same meshes, objective, config and curve; "
+                "name another file, or remove it"
+            )
+        return values
+
+    def _remember(self, weights: Weights, found: Found) -> None:
+        self.known[_name(weights)] = found
+        if self.path is not None:
+            write_whole(self.path, json.dumps({"key": self.key, "values": self.known}) + "\n")
+
+
+def value_at_curve(objective: Objective, run: Flow) -> float:
+    """What ``objective`` says of the curve as the flow left it."""
+    return float(value_at(objective, run.tape, jnp.asarray(run.curve.vertices)))
+
+
+def _curve(run: Flow, of: str = "skeleton") -> Curve:
+    skeleton = run.skeleton if of == "skeleton" else run.curve
+    converges = skeleton.report.converged
+    return Curve(skeleton.vertices, skeleton.radii, skeleton.edges, skeleton.mesh_map, run.source.areas, converges)
+
+
+def _run(task: tuple[Any, Weights, Config, str]) -> Curve | None:
+    """One fresh run, in whatever process; None if it breaks down."""
+    mesh, weights, config, of = task
+    try:
+        return _curve(loop.contract(mesh, weights, config), of)
+    except FlowError:
+        return None
+
+
+def _rung(num: int) -> int:
+    """The least of 64, 128, 256, ... that is not less than ``num``."""
+    return max(64, 1 << (num - 1).bit_length())
+
+
+def _name(weights: Weights) -> str:
+    return " ".join(float(weight).hex() for weight in vars(weights).values())
+
+
+def _started(num: int) -> concurrent.futures.ProcessPoolExecutor:
+    context = multiprocessing.get_context("spawn")  # a fork of a process in which JAX runs threads can hang
+    settings = {
+        name: getattr(jax.config, name)
+        for name in ("jax_enable_x64", "jax_compilation_cache_dir", "jax_persistent_cache_min_compile_time_secs")
+    }
+    return concurrent.futures.ProcessPoolExecutor(num, context, _set_up, (settings,))
+
+
+def _set_up(settings: dict[str, Any]) -> None:
+    for name, value in settings.items():
+        jax.config.update(name, value)

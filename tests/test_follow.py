@@ -1,0 +1,295 @@
+"""Following: the recorded curve at the recorded mesh, affine maps carried along, closed forms, slopes, bad input."""
+
+import jax
+import jax.numpy as jnp
+import numpy as np
+import pytest
+import trimesh
+from conftest import blob, torus
+from scipy.spatial.transform import Rotation
+
+import msf_jax
+from msf_jax import ConfigError, MeshError, ground_truth
+
+MAKERS = {
+    "y": lambda: ground_truth.make("y_coarse").mesh,
+    "ring": torus,
+    "ball": lambda: blob(4),
+    "two": lambda: trimesh.util.concatenate([blob(4), torus().apply_translation([4, 0, 0])]),
+}
+
+
+@pytest.fixture(scope="module", params=MAKERS)
+def shape(request):
+    """A mesh and its curve."""
+    mesh = MAKERS[request.param]()
+    return np.array(mesh.vertices), np.array(mesh.faces), msf_jax.skeletonize(mesh)
+
+
+@pytest.fixture(scope="module")
+def limbs():
+    """The mesh of three limbs, and its curve."""
+    mesh = MAKERS["y"]()
+    return np.array(mesh.vertices), np.array(mesh.faces), msf_jax.skeletonize(mesh)
+
+
+@pytest.fixture(scope="module")
+def beam():
+    """A square beam of 12 x 2 x 2 along x, and its curve."""
+    mesh = trimesh.creation.box([12, 2, 2])
+    while len(mesh.vertices) < 900:
+        mesh = mesh.subdivide()
+    return np.array(mesh.vertices), np.array(mesh.faces), msf_jax.skeletonize(mesh)
+
+
+def diagonal(vertices):
+    return float(np.linalg.norm(np.ptp(vertices, axis=0)))
+
+
+def turn_by(angle):
+    return Rotation.from_rotvec(angle * np.array([0.5, -0.6, 0.6])).as_matrix()
+
+
+def test_at_the_recorded_mesh_it_is_the_recorded_curve(shape):
+    vertices, _, skeleton = shape
+    nodes, radii = msf_jax.follow(skeleton, vertices)
+    np.testing.assert_allclose(nodes, skeleton.vertices, rtol=0, atol=1e-12 * diagonal(vertices))
+    np.testing.assert_allclose(radii, skeleton.radii, rtol=0, atol=1e-12 * diagonal(vertices))
+
+
+def test_an_affine_map_of_the_mesh_maps_the_curve(shape):
+    """Turned, stretched, sheared and moved far away; and turned, radii are as they were."""
+    vertices, _, skeleton = shape
+    random = np.random.default_rng(2)
+    turn = turn_by(0.9)
+    shear = np.eye(3) + 0.3 * random.normal(size=(3, 3))
+    for matrix, shift in ((turn, 0.0), (3.0 * turn, 70.0), (shear, -5.0)):
+        nodes, radii = msf_jax.follow(skeleton, vertices @ matrix.T + shift)
+        expected = skeleton.vertices @ matrix.T + shift
+        np.testing.assert_allclose(nodes, expected, rtol=0, atol=1e-9 * diagonal(vertices))
+        if matrix is not shear:
+            size = np.linalg.norm(matrix[0])
+            np.testing.assert_allclose(radii, size * skeleton.radii, rtol=0, atol=1e-9 * diagonal(vertices))
+
+
+def middle(skeleton):
+    """Nodes that are far from the beam's ends."""
+    return np.abs(skeleton.vertices[:, 0]) < 3.5
+
+
+def test_a_beam_that_is_bent_has_its_nodes_on_the_arc(beam):
+    """Every plane across the beam turns about an axis: its middle goes to a circle whose length is the beam's."""
+    vertices, faces, skeleton = beam
+    curvature = np.radians(60) / 12
+
+    def bent(points):
+        x, y, z = points.T
+        angle = curvature * x
+        return np.stack([(1 / curvature - y) * np.sin(angle), (y - 1 / curvature) * np.cos(angle), z], axis=1)
+
+    nodes, radii = msf_jax.follow(skeleton, bent(vertices))
+    np.testing.assert_allclose(nodes, bent(skeleton.vertices), rtol=0, atol=0.05)
+    still = np.linalg.norm(bent(skeleton.vertices) - skeleton.vertices - [0, 1 / curvature, 0], axis=1)
+    assert np.abs(still).max() > 0.5  # it was a bend to speak of
+    away = np.abs(trimesh.proximity.signed_distance(trimesh.Trimesh(bent(vertices), faces), np.asarray(nodes)))
+    np.testing.assert_allclose(radii, away, rtol=0.02)
+
+
+def test_a_beam_that_is_stretched_unevenly_takes_its_nodes_along(beam):
+    vertices, _, skeleton = beam
+    moved, expected = vertices.copy(), skeleton.vertices.copy()
+    for points in (moved, expected):
+        points[:, 0] += 0.5 * np.sin(0.5 * points[:, 0])
+    nodes, _ = msf_jax.follow(skeleton, moved)
+    np.testing.assert_allclose(np.asarray(nodes)[middle(skeleton)], expected[middle(skeleton)], rtol=0, atol=0.06)
+
+
+def test_a_node_is_in_the_middle_of_the_area_of_its_section(beam):
+    """One of the four long edges is pulled out: the centroid of the new quadrangle, by its two triangles."""
+    vertices, _, skeleton = beam
+    moved = vertices.copy()
+    is_edge = (vertices[:, 1] == 1) & (vertices[:, 2] == 1)
+    moved[is_edge, 1:] += 1.0
+    corners = np.array([[-1, -1], [1, -1], [2, 2], [-1, 1.0]])
+    # Between the edge and its neighbours the sides of the beam are not flat: vertices in them stay.
+    is_side = ((vertices[:, 1] == 1) | (vertices[:, 2] == 1)) & ~is_edge
+    along = np.where(vertices[:, 1] == 1, vertices[:, 2], vertices[:, 1])
+    for axis, fixed in ((1, vertices[:, 1] == 1), (2, vertices[:, 2] == 1)):
+        side = is_side & fixed
+        share = (along[side] + 1) / 2
+        moved[side, axis] = 1 + share
+        moved[side, 3 - axis] = -1 + 3 * share
+    one, other = corners[[0, 1, 2]], corners[[0, 2, 3]]
+    area = [np.linalg.det(part[1:] - part[0]) / 2 for part in (one, other)]
+    expected = (area[0] * one.mean(axis=0) + area[1] * other.mean(axis=0)) / sum(area)
+    nodes, _ = msf_jax.follow(skeleton, moved)
+    found = np.asarray(nodes)[middle(skeleton), 1:]
+    np.testing.assert_allclose(found, np.broadcast_to(expected, found.shape), rtol=0, atol=0.01)
+    assert np.linalg.norm(corners.mean(axis=0) - expected) > 0.05  # which is not the mean of the corners
+
+
+def test_slopes_are_those_of_central_differences(limbs):
+    vertices, _, skeleton = limbs
+    random = np.random.default_rng(5)
+    target = random.normal(size=skeleton.vertices.shape)
+
+    @jax.jit
+    def values(moved):
+        nodes, radii = msf_jax.follow(skeleton, moved)
+        return jnp.stack([(nodes * target).sum(), (radii**2).sum()])
+
+    slopes = np.asarray(jax.jit(jax.jacrev(values))(vertices))
+    # Which triangle is nearest changes sooner than sections do: the radii's slopes have kinks.
+    for step, tolerance in ((1e-6, [1e-4, 1e-4]), (1e-4, [0.05, 0.5])):
+        for seed in range(3):
+            way = np.random.default_rng(seed).normal(size=vertices.shape)
+            h = step * diagonal(vertices)
+            central = np.asarray(values(vertices + h * way) - values(vertices - h * way)) / (2 * h)
+            size = np.linalg.norm(slopes, axis=(1, 2))
+            np.testing.assert_array_less(np.abs(central - (slopes * way).sum(axis=(1, 2))), tolerance * size)
+
+
+def test_the_jacobian_is_that_of_both_modes(limbs):
+    """And a mesh that is moved as a whole moves every node as far."""
+    vertices, _, skeleton = limbs
+    jacobian = skeleton.jacobian()
+    num = len(skeleton.vertices)
+    assert jacobian.shape == (3 * num, vertices.size)
+    random = np.random.default_rng(1)
+    way, back = random.normal(size=vertices.shape), random.normal(size=(num, 3))
+
+    def nodes(moved):
+        return msf_jax.follow(skeleton, moved).nodes
+
+    forward = jax.jvp(nodes, (vertices,), (way,))[1]
+    np.testing.assert_allclose((jacobian @ way.ravel()).reshape(-1, 3), forward, rtol=1e-9, atol=1e-9)
+    reverse = jax.vjp(nodes, jnp.asarray(vertices))[1](jnp.asarray(back))[0]
+    np.testing.assert_allclose((jacobian.T @ back.ravel()).reshape(-1, 3), reverse, rtol=1e-9, atol=1e-9)
+    shift = np.array([0.3, -2.0, 0.7])
+    moved = jacobian @ np.tile(shift, len(vertices))
+    np.testing.assert_allclose(moved.reshape(-1, 3), np.tile(shift, (num, 1)), atol=1e-9)
+    turning = np.cross(shift, vertices)  # an infinitesimal turn about the origin
+    turned = (jacobian @ turning.ravel()).reshape(-1, 3)
+    np.testing.assert_allclose(turned, np.cross(shift, skeleton.vertices), atol=1e-9)
+
+
+def test_noise_moves_nodes_less_than_vertices_and_as_the_covariance_says(limbs):
+    """A thousand noisy meshes at once, by `jax.vmap`."""
+    vertices, _, skeleton = limbs
+    sigma = 1e-4 * diagonal(vertices)
+    noise = np.random.default_rng(0).normal(0, sigma, (1000, *vertices.shape))
+    nodes = jax.jit(jax.vmap(lambda moved: msf_jax.follow(skeleton, moved).nodes))(vertices + noise)
+    away = np.asarray(nodes) - skeleton.vertices
+    assert np.sqrt((away**2).sum(axis=2).mean()) < 0.5 * np.sqrt(3) * sigma
+    measured = np.einsum("mni,mnj->nij", away, away) / len(noise)
+    expected = skeleton.covariance(sigma)
+    size = np.trace(expected, axis1=1, axis2=2)
+    assert (np.abs(measured - expected) < 0.2 * size[:, None, None]).all()
+    np.testing.assert_array_less(0, size)
+
+
+def test_covariance_of_one_noisy_vertex_is_its_block_of_the_jacobian(limbs):
+    vertices, _, skeleton = limbs
+    sigma = np.zeros(len(vertices))
+    sigma[17] = 0.5
+    block = skeleton.jacobian().toarray()[:, 51:54].reshape(-1, 3, 3)
+    np.testing.assert_allclose(skeleton.covariance(sigma), 0.25 * block @ block.transpose(0, 2, 1), atol=1e-14)
+
+
+@pytest.mark.parametrize("change", ["prune", "resample", "smooth"])
+def test_a_changed_curve_is_followed(limbs, change):
+    vertices, _, skeleton = limbs
+    changed = {
+        "prune": lambda: skeleton.prune(50.0),
+        "resample": lambda: skeleton.resample(0.05),
+        "smooth": lambda: skeleton.smooth(5),
+    }[change]()
+    assert len(changed.vertices) != len(skeleton.vertices) or change == "smooth"
+    turn = turn_by(1.4)
+    np.testing.assert_allclose(msf_jax.follow(changed, vertices).nodes, changed.vertices, atol=1e-10)
+    np.testing.assert_allclose(msf_jax.follow(changed, vertices @ turn.T).nodes, changed.vertices @ turn.T, atol=1e-9)
+
+
+def test_a_curve_from_a_file_is_followed(limbs, tmp_path):
+    vertices, _, skeleton = limbs
+    skeleton.save(tmp_path / "y.npz")
+    read = msf_jax.read_curve(tmp_path / "y.npz")
+    moved = vertices + 0.05 * np.sin(3 * vertices[:, [1, 2, 0]])
+    nodes = msf_jax.follow(read, moved).nodes
+    np.testing.assert_allclose(nodes, msf_jax.follow(skeleton, moved).nodes, rtol=0, atol=1e-6)
+    assert read.report == skeleton.report
+    np.testing.assert_array_equal(read.prune(50.0).edges, skeleton.prune(50.0).edges)
+    assert [branch.persistence for branch in read.branches] == [branch.persistence for branch in skeleton.branches]
+
+
+def test_pins_are_where_their_vertices_are():
+    mesh = MAKERS["y"]()
+    vertices = np.array(mesh.vertices)
+    pin = int(vertices[:, 2].argmax())
+    skeleton = msf_jax.skeletonize(mesh, pins=[pin])
+    moved = vertices + np.random.default_rng(0).normal(0, 0.01, vertices.shape)
+    nodes, _ = msf_jax.follow(skeleton, moved)
+    np.testing.assert_allclose(nodes[skeleton.mesh_map[pin]], moved[pin], atol=1e-12)
+
+
+def test_vertices_are_the_callers(limbs):
+    """A mesh with every face's corners of its own, and a vertex in no face: welded for the run, and followed as is."""
+    vertices, faces, _ = limbs
+    apart = np.concatenate([vertices[faces.ravel()], [[9.0, 9.0, 9.0]]])
+    skeleton = msf_jax.skeletonize((apart, np.arange(faces.size).reshape(-1, 3)))
+    assert skeleton.report.repairs
+    turn = turn_by(2.1)
+    nodes, _ = msf_jax.follow(skeleton, apart @ turn.T)
+    np.testing.assert_allclose(nodes, skeleton.vertices @ turn.T, atol=1e-9)
+    assert np.shape(skeleton.jacobian())[1] == 3 * len(apart)
+
+
+def crushed(vertices, skeleton):
+    """The mesh with the limb of its first leaf crushed to a line, and a node of that limb."""
+    leaf = int(np.flatnonzero(np.bincount(skeleton.edges.ravel()) == 1)[0])
+    node = int(skeleton.edges[(skeleton.edges == leaf).any(axis=1)].sum() - leaf)
+    centre = skeleton.vertices[node]
+    moved = vertices.copy()
+    moved[np.linalg.norm(vertices - centre, axis=1) < 0.3] = centre
+    return moved, node
+
+
+def test_a_section_that_vanished_is_named(limbs):
+    vertices, _, skeleton = limbs
+    moved, node = crushed(vertices, skeleton)
+    with pytest.raises(MeshError, match=r"of the nodes, the first \d+, have no section around them any more"):
+        msf_jax.follow(skeleton, moved)
+    nodes, _ = jax.jit(lambda v: msf_jax.follow(skeleton, v))(moved)
+    is_gone: np.ndarray = np.isnan(np.asarray(nodes)).any(axis=1)
+    assert is_gone[node] and not is_gone.all()
+
+
+@pytest.mark.parametrize(
+    ("given", "says"),
+    [
+        (lambda v: v[:-1], r"shape \(\d+, 3\): expected"),
+        (lambda v: np.where(np.arange(len(v))[:, None] == 5, np.nan, v), "1 of the vertices, the first 5, are not"),
+        (lambda v: "hand.off", "no table of numbers"),
+    ],
+)
+def test_bad_vertices_are_refused(limbs, given, says):
+    vertices, _, skeleton = limbs
+    with pytest.raises(MeshError, match=says):
+        msf_jax.follow(skeleton, given(vertices))
+
+
+def test_a_curve_without_its_mesh_is_refused(limbs, tmp_path):
+    vertices, _, skeleton = limbs
+    skeleton.save(tmp_path / "y.swc")
+    bare = msf_jax.read_curve(tmp_path / "y.swc")
+    for ask in (lambda: msf_jax.follow(bare, vertices), bare.jacobian, lambda: msf_jax.track(bare, [vertices])):
+        with pytest.raises(ConfigError, match="does not know the mesh that it was made from"):
+            ask()
+    with pytest.raises(ConfigError, match="skeleton is a ndarray"):
+        msf_jax.follow(vertices, vertices)  # pyright: ignore[reportArgumentType]
+
+
+@pytest.mark.parametrize(("sigma", "says"), [(-1.0, "negative"), ([1.0, 2.0], "shape"), ("loud", "is a str")])
+def test_noise_that_is_none_is_refused(limbs, sigma, says):
+    with pytest.raises(ConfigError, match=says):
+        limbs[2].covariance(sigma)
