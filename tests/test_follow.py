@@ -241,7 +241,7 @@ def test_vertices_are_the_callers(limbs):
     turn = turn_by(2.1)
     nodes, _ = msf_jax.follow(skeleton, apart @ turn.T)
     np.testing.assert_allclose(nodes, skeleton.vertices @ turn.T, atol=1e-9)
-    assert np.shape(skeleton.jacobian())[1] == 3 * len(apart)
+    assert (skeleton.jacobian() @ np.ones(3 * len(apart))).shape == (skeleton.vertices.size,)
 
 
 def crushed(vertices, skeleton):
@@ -260,7 +260,7 @@ def test_a_section_that_vanished_is_named(limbs):
     with pytest.raises(MeshError, match=r"of the nodes, the first \d+, have no section around them any more"):
         msf_jax.follow(skeleton, moved)
     nodes, _ = jax.jit(lambda v: msf_jax.follow(skeleton, v))(moved)
-    is_gone: np.ndarray = np.isnan(np.asarray(nodes)).any(axis=1)
+    is_gone = np.isnan(np.asarray(nodes)[:, 0])
     assert is_gone[node] and not is_gone.all()
 
 
