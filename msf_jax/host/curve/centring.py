@@ -40,8 +40,8 @@ LOPSIDED, STEEP = 1.6, 8  # a section so many times as wide as its limb counts h
 ROUNDNESS = 4  # a section wider than its branch's usual one counts less, by this power of the ratio
 STRAY = 0.3  # section radii: a centroid so far away counts for a quarter
 SLIDING = 0.03  # what is left of w along the branch
-JUNCTION_ANCHOR = 0.5  # a, and
-ROOMY_ANCHOR, ROOMIER = 4.0, 1.0  # so much more where the flow's place is roomier by this part
+ANCHOR, JUNCTION_ANCHOR = 0.003, 0.2  # a: in general, at a junction, and
+ROOMY_ANCHOR, ROOMIER = 4.0, 1.0  # so much more there where the flow's place is roomier by this part
 DAMPING = 0.05  # of a step, and
 DAMPING_ALONG = 0.3  # of what is along the branch
 LONGEST_STEP = 0.5  # sizes, in one round
@@ -104,7 +104,7 @@ def centre(
         size = measures.sizes(x, ways, *everywhere, room)
         if number < 0:
             continue
-        anchor = np.zeros(num)
+        anchor = np.full(num, ANCHOR)
         roomier = np.clip((room_at_place / measures.second_sizes(ways, *everywhere)[junction] - 1) / ROOMIER, 0, 1)
         anchor[junction] = JUNCTION_ANCHOR + ROOMY_ANCHOR * roomier**2 * (3 - 2 * roomier)
         anchor[is_held] = HELD
