@@ -106,6 +106,19 @@ def test_a_shifted_axis_goes_back_to_the_middle():
     assert np.linalg.norm(x[:, 1:], axis=1)[20:].max() < 0.02 * 0.2 * scale
 
 
+def test_centring_comes_to_an_end():
+    """A further round moves no node, and nodes stay where they were along the curve."""
+    shape, scale = unit_shape(tube(bow(0.3)))
+    curve, edges = path(scale * (bow(0.3)[4:-4] + 0.05 * np.cos(9 * bow(0.3)[4:-4, 1:2])))
+    held = np.isin(np.arange(len(curve)), [0, len(curve) - 1])
+    x = centring.centre(shape, curve, edges, held)
+    again = centring.centre(shape, x, edges, held, rounds=1, places=curve, is_rough=False)
+    assert np.linalg.norm(again - x, axis=1).max() < 1e-3 * 0.15 * scale
+    assert np.linalg.norm(x - curve, axis=1).max() > 0.1 * 0.15 * scale
+    share = [np.cumsum(np.linalg.norm(np.diff(y, axis=0), axis=1)) for y in (curve, x)]
+    np.testing.assert_allclose(share[0] / share[0][-1], share[1] / share[1][-1], atol=2e-3)
+
+
 def test_centring_turns_with_the_solid():
     line = bow(0.3)
     mesh = tube(line)

@@ -375,3 +375,28 @@ def test_the_questions_are_left_as_they_are():
     found.centroid[:] = 7.0
     for asked, copy in zip((points, normals, radii), copies, strict=True):
         np.testing.assert_array_equal(asked, copy)
+
+
+def test_the_centroid_moves_as_it_says_when_the_plane_slides_and_turns():
+    """On a cone, whose sections change with both, against differences."""
+    mesh = trimesh.creation.cone(1.0, 3.0, sections=200)
+    shape = Enclosure(np.asarray(mesh.vertices), np.asarray(mesh.faces))
+    point = np.array([[0.1, 0.05, 1.0]])
+    normal = np.array([[0.2, 0.1, 1.0]])
+    normal /= np.linalg.norm(normal)
+    radius, step = np.array([0.5]), 1e-4
+    here = sections.cut(shape, point, normal, radius)
+
+    def flat(vector):
+        return vector - (vector @ normal[0]) * normal[0]
+
+    ends = [sections.cut(shape, point + side * step * normal, normal, radius).centroid[0] for side in (1, -1)]
+    expected = flat((ends[0] - ends[1]) / (2 * step))
+    assert np.linalg.norm(expected) > 0.02
+    np.testing.assert_allclose(flat(here.slide[0]), expected, atol=0.1 * np.linalg.norm(expected))
+    turn = np.cross(normal[0], [1.0, 0, 0])
+    turned = [normal + side * step * turn for side in (1, -1)]
+    ends = [sections.cut(shape, point, n / np.linalg.norm(n), radius).centroid[0] for n in turned]
+    expected = flat((ends[0] - ends[1]) / (2 * step))
+    assert np.linalg.norm(expected) > 0.02
+    np.testing.assert_allclose(flat(here.turn[0] @ turn), expected, atol=0.1 * np.linalg.norm(expected))

@@ -101,19 +101,22 @@ def centre(
         weight *= np.minimum(1.0, np.nan_to_num(measures.usual(ways, width)[limb] / found.radius)) ** ROUNDNESS
         everywhere = np.zeros((2, num))
         everywhere[:, limb] = found.size, weight
-        size = measures.sizes(x, ways, *everywhere, room)
+        size = measures.sizes(x, ways, everywhere[0], everywhere[1], room)
         if number < 0:
             continue
         anchor = np.full(num, ANCHOR)
-        roomier = np.clip((room_at_place / measures.second_sizes(ways, *everywhere)[junction] - 1) / ROOMIER, 0, 1)
+        roomier = np.clip(
+            (room_at_place / measures.second_sizes(ways, everywhere[0], everywhere[1])[junction] - 1) / ROOMIER, 0, 1
+        )
         anchor[junction] = JUNCTION_ANCHOR + ROOMY_ANCHOR * roomier**2 * (3 - 2 * roomier)
         anchor[is_held] = HELD
         system = _System(x, ways, size, limb, found, tangent, ahead, chord, anchor, y)
         is_blind = is_rough and number == 0
         away = np.zeros(len(limb)) if is_blind else np.linalg.norm(system.off, axis=1)
-        for _ in range(2 if is_blind else 1):
-            step = system.step(weight / (1 + (away / (STRAY * found.radius)) ** 2) ** 2)
+        step = system.step(weight / (1 + (away / (STRAY * found.radius)) ** 2) ** 2)
+        if is_blind:
             away = np.linalg.norm(system.off + system.moved(step), axis=1)
+            step = system.step(weight / (1 + (away / (STRAY * found.radius)) ** 2) ** 2)
         step = measures.spread(x + step, ways) - x
         step[is_held] = 0.0
         part = np.linalg.norm(step, axis=1) / np.maximum(np.maximum(room, 0.3 * size), 1e-300)

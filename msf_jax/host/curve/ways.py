@@ -63,7 +63,7 @@ def chords(x: np.ndarray, ways: list[Way], reach: np.ndarray) -> sparse.csr_matr
             columns += [nodes[before][own], nodes[before + 1][own]]
             values += [sign * (1 - t)[own], sign * t[own]]
     entries = np.concatenate(values), (np.concatenate(rows), np.concatenate(columns))
-    return sparse.coo_matrix(entries, (len(x), len(x))).tocsr()
+    return sparse.csr_matrix(entries, (len(x), len(x)))
 
 
 def triples(x: np.ndarray, ways: list[Way]) -> tuple[np.ndarray, np.ndarray]:

@@ -92,8 +92,9 @@ def corners(
 
 def nowhere(points: np.ndarray) -> Sections:
     """What is found where there is no loop."""
-    zero, none = np.zeros((2, len(points))), np.zeros((2, len(points)), dtype=bool)
-    return Sections(points.copy(), *zero, *none, np.zeros_like(points), np.zeros((*points.shape, 3)))
+    zero, none = np.zeros(len(points)), np.zeros(len(points), dtype=bool)
+    slide, turn = np.zeros_like(points), np.zeros((*points.shape, 3))
+    return Sections(points.copy(), zero, zero.copy(), none, none.copy(), slide, turn)
 
 
 def _heights(shape: Enclosure, vertex: np.ndarray, points: np.ndarray, normals: np.ndarray) -> np.ndarray:
