@@ -87,8 +87,9 @@ def passes(centre: bool, extend: bool) -> list[Callable[[Draft, Job], Draft]]:
         *([unfolded, partial(centred, rounds=FIRST_ROUNDS, is_rough=True), unfolded] if centre else []),
         pruned,
         *([refined, partial(centred, rounds=FIRST_ROUNDS if extend else centring.ROUNDS)] if centre else []),
-        *([extended, completed, pruned] if extend else []),
+        *([extended] if extend else []),
         *([partial(centred, hold_leaves=True)] if centre and extend else []),
+        *([completed, pruned] if extend else []),
         *([unfolded] if centre else []),
         contained,
     ]
