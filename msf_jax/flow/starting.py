@@ -137,10 +137,11 @@ def _poles(meso: Meso, shape: Enclosure, config: Config, watch: Stopwatch) -> Fo
     would leave little more than its axis: there it is left out.
     """
     sites, faces, kept = meso.positions, meso.faces(), None
-    if config.reconstruct_poles:
+    is_thin = meso.scale is not None and bool(np.median(meso.scale) < 1)
+    if config.reconstruct_poles and not is_thin:
         with watch.stage("reconstruction"):
             sites, kept = _rebuilt(sites, faces, config.reconstruct_poles, config)
-    is_thin = signed_volume(sites, faces) < (1 - MOST_FILTERED) * meso.volume()
+        is_thin = signed_volume(sites, faces) < (1 - MOST_FILTERED) * meso.volume()
     if is_thin:
         sites, kept = meso.positions, None
     with watch.stage("poles"):

@@ -12,8 +12,8 @@ import numpy as np
 from msf_jax.host.curve.passages import TOUCHING, Passages
 from msf_jax.host.poles.balls import shrinking_balls
 from msf_jax.host.solid import sections
-from msf_jax.host.solid.enclosure import Enclosure, barycentric
-from msf_jax.host.solid.geometry import unit
+from msf_jax.host.solid.enclosure import Enclosure
+from msf_jax.host.solid.geometry import barycentric, unit
 
 UNFOLDINGS = 20  # rounds
 HALVINGS = 2  # of an edge that is not inside, before a way is looked for

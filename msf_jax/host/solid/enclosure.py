@@ -11,6 +11,8 @@ from typing import NamedTuple
 import numpy as np
 from scipy import spatial
 
+from msf_jax.host.solid.geometry import barycentric
+
 PAIRS_AT_ONCE = 2_000_000  # bounds the memory of one vectorised batch
 SAMPLE_SPACING = 0.02  # of the extent, in `approach`; more where that would make more than so many samples:
 MOST_SAMPLES = 200_000
@@ -349,18 +351,6 @@ def point_triangle_distance2(point: np.ndarray, triangle: np.ndarray) -> np.ndar
     w = np.einsum("ij,ij->i", np.cross(ab, offset), normal) / safe
     is_over = (v >= 0) & (w >= 0) & (v + w <= 1) & (area2 > 0)
     return np.where(is_over, np.minimum(best, np.einsum("ij,ij->i", offset, normal) ** 2 / safe), best)
-
-
-def barycentric(points: np.ndarray, triangles: np.ndarray, least: float) -> np.ndarray:
-    """Weights (P, 3) of the corners at the foot of each point's perpendicular, none below ``least`` before they add up
-    to 1: that keeps it on the triangle."""
-    a, b, c = np.moveaxis(triangles, 1, 0)
-    normal = np.cross(b - a, c - a)
-    area2 = np.maximum(np.einsum("ij,ij->i", normal, normal), 1e-300)
-    sides = ((b, c), (c, a), (a, b))
-    weight = np.stack([np.einsum("ij,ij->i", normal, np.cross(u - points, v - points)) / area2 for u, v in sides])
-    weight = np.clip(weight, least, 1.0)
-    return (weight / np.maximum(weight.sum(axis=0), 1e-300)).T
 
 
 class _Grid:

@@ -41,3 +41,15 @@ def signed_volume(vertices: np.ndarray, faces: np.ndarray) -> float:
     """Signed volume that closed ``faces`` (F, 3) enclose, positive when they face outwards."""
     a, b, c = vertices[faces[:, 0]], vertices[faces[:, 1]], vertices[faces[:, 2]]
     return float(np.einsum("ij,ij->", a, np.cross(b, c)) / 6.0)
+
+
+def barycentric(points: np.ndarray, triangles: np.ndarray, least: float) -> np.ndarray:
+    """Weights (P, 3) of the corners at the foot of each point's perpendicular, none below ``least`` before they add up
+    to 1: that keeps it on the triangle."""
+    a, b, c = np.moveaxis(triangles, 1, 0)
+    normal = np.cross(b - a, c - a)
+    area2 = np.maximum(np.einsum("ij,ij->i", normal, normal), 1e-300)
+    sides = ((b, c), (c, a), (a, b))
+    weight = np.stack([np.einsum("ij,ij->i", normal, np.cross(u - points, v - points)) / area2 for u, v in sides])
+    weight = np.clip(weight, least, 1.0)
+    return (weight / np.maximum(weight.sum(axis=0), 1e-300)).T
