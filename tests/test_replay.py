@@ -190,6 +190,7 @@ def test_padding_does_not_matter(flow, monkeypatch):
         beyond = [40] * 24
         return [Planned(0, 1, layout_for(3000, beyond)), Planned(1, len(steps), layout_for(1000, beyond))]
 
+    assert flow.tape.num_nodes  # recorded by now
     monkeypatch.setattr(padded, "stretches_of", other_plan)
     again = tape.record(flow.recording, flow.weights, flow.config, flow.curve, flow.source)
     assert again.shapes != flow.tape.shapes
