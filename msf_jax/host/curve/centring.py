@@ -45,6 +45,7 @@ ROOMY_ANCHOR, ROOMIER = 4.0, 1.0  # so much more there where the flow's place is
 DAMPING = 0.05  # of a step, and
 DAMPING_ALONG = 0.3  # of what is along the branch
 LONGEST_STEP = 0.5  # sizes, in one round
+FARTHEST = 20.0  # steps of a node, that a centroid may be expected to go with it
 HELD = 1e9  # a, for a node that is not to move
 THINNEST = 0.25  # of its clearance, that a step must leave to a node
 SETTLING = 4  # rounds, after which a node that goes over a brink counts less,
@@ -192,9 +193,11 @@ class _System:
         across = flat + SLIDING * both
         self.off = np.einsum("nij,nj->ni", across, x[limb] - found.centroid)
         slide = np.einsum("nij,nj->ni", flat, found.slide)
+        slide *= _bound(slide)[:, None]
         own = across - slide[:, :, None] * t[:, None, :]
         length = np.maximum(np.linalg.norm(ahead[limb], axis=1), 1e-300)
         turn = -flat @ found.turn @ flat / length[:, None, None]
+        turn *= _bound(turn.reshape(-1, 9))[:, None, None]
         reach = chord[limb].tocoo()
         row = np.concatenate([np.arange(len(limb)), reach.row])
         column = np.concatenate([limb, reach.col])
@@ -227,3 +230,8 @@ class _System:
     def moved(self, step: np.ndarray) -> np.ndarray:
         """(L, 3) by how much `off` changes in a step."""
         return (self.rows @ step.ravel())[: self.off.size].reshape(-1, 3)
+
+
+def _bound(derivative: np.ndarray) -> np.ndarray:
+    """(L,) the part of each row of ``derivative`` (L, k) that is kept: a section through a sliver has any one."""
+    return np.minimum(1.0, FARTHEST / np.maximum(np.linalg.norm(derivative, axis=1), 1e-300))

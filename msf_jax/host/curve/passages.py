@@ -101,7 +101,7 @@ class _Graph:
         room = np.maximum(np.minimum(radius[tail], radius[head]), TOUCHING)
         self.cost = np.maximum(length / room, 1e-9) * np.where(self.is_seen, 1.0, UNSEEN)  # roomy ways first
         self.matrix = sparse.csr_matrix((np.arange(1, len(tail) + 1), (tail, head)), shape=(len(centre),) * 2)
-        self.entry = self.matrix.data - 1  # the edge of each entry
+        self.entry: np.ndarray = np.asarray(self.matrix.data) - 1  # the edge of each entry
         self.matrix.data = self.cost[self.entry].astype(np.float64)
         self.entry_of = np.empty(len(tail), dtype=np.int64)
         self.entry_of[self.entry] = np.arange(len(tail))
@@ -190,7 +190,7 @@ def _neighbours(centre: np.ndarray, radius: np.ndarray, num_ends: int) -> tuple[
     both = np.sort(both[both[:, 0] != both[:, 1]], axis=1)
     both = np.unique(both[:, 0] * num + both[:, 1])
     tail, head = both // num, both % num
-    apart = spatial.KDTree(centre).query(centre, k=[2])[0][:, 0]
+    apart = np.asarray(spatial.KDTree(centre).query(centre, k=2)[0])[:, 1]
     reach = FAR * (radius[tail] + radius[head]) + 2 * np.maximum(apart[tail], apart[head])
     is_near = (np.linalg.norm(centre[tail] - centre[head], axis=1) < reach) | (tail < num_ends)
     return tail[is_near], head[is_near]

@@ -56,6 +56,7 @@ def shrinking_balls(
             break
         v, n, r = points[active], normals[active], radius[active]
         away, found = tree.query(v - r[:, None] * n, k=2, distance_upper_bound=float(r.max()))
+        away, found = np.asarray(away), np.asarray(found)
         is_own = found[:, 0] == own[active]
         away, found = np.where(is_own, away[:, 1], away[:, 0]), np.where(is_own, found[:, 1], found[:, 0])
         is_hit = away < EMPTY * r

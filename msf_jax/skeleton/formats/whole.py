@@ -23,6 +23,7 @@ def npz(skeleton: "Skeleton") -> bytes:
     """The arrays by their names, the report as JSON, and the surface and pins that the curve was made from, if any."""
     buffer = io.BytesIO()
     arrays: dict[str, Any] = {name: getattr(skeleton, name) for name in ("vertices", "edges", "radii", "mesh_map")}
+    arrays["roots"] = np.array(skeleton.roots, dtype=np.int64)
     source = skeleton.source
     if source is not None and source.input_of_vertex is not None:
         shape = source.solid.shape
@@ -39,19 +40,22 @@ def npz(skeleton: "Skeleton") -> bytes:
     return buffer.getvalue()
 
 
-def read_npz(path: str | os.PathLike[str]) -> "tuple[dict[str, np.ndarray], Report, Source | None]":
+def read_npz(path: str | os.PathLike[str]) -> "tuple[dict[str, Any], Report, Source | None]":
     """The arrays of a curve that `npz` wrote, its report, and what it was made from, without the stages of its flow.
 
     Raises:
         ConfigError: the file is none, is damaged, or was written by another version.
     """
     with archive.reading(path, KIND, VERSION, "save the skeleton anew") as (_, held):
-        curve = {name: held[name] for name in ("vertices", "edges", "radii", "mesh_map")}
+        curve: dict[str, Any] = {name: held[name] for name in ("vertices", "edges", "radii", "mesh_map")}
         num, (_, edges, radii, mesh_map) = len(curve["vertices"]), curve.values()
         is_right = curve["vertices"].shape == (num, 3) and radii.shape == (num,) and edges.shape[1:] == (2,)
         is_right &= all(((index >= 0) & (index < num)).all() for index in (edges, mesh_map)) and mesh_map.ndim == 1
         if not (num and is_right and all(np.isfinite(value).all() for value in curve.values())):
             raise ValueError("arrays do not fit together")
+        curve["roots"] = tuple(int(node) for node in held["roots"])
+        if not all(0 <= node < num for node in curve["roots"]):
+            raise ValueError("the roots are no nodes")
         values = json.loads(str(held["report"]))
         none_is_nan = {key: np.nan if value is None else value for key, value in values["figures"].items()}
         inside = np.nan if values["inside"] is None else values["inside"]
