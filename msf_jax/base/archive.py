@@ -7,7 +7,7 @@ import io
 import json
 import os
 import zipfile
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, MutableMapping
 from contextlib import contextmanager
 from typing import Any
 
@@ -90,3 +90,41 @@ def _check_sizes(stream: Any) -> None:
                 if not 0 <= needed <= min(most, entry.file_size):
                     raise ValueError(f"entry {entry.filename!r} says it holds {needed} bytes")
     stream.seek(0)
+
+
+def encoded(value: Any, arrays: MutableMapping[str, Any], records: Mapping[str, type], name: str = "") -> Any:
+    """``value`` as JSON can hold it, with the arrays in it put into ``arrays``, under the way to them.
+
+    ``records`` are the named tuples and dataclasses that may be in it, by their names; else there are plain values,
+    lists, tuples and dictionaries.
+    """
+
+    def each(members: Mapping[str, Any]) -> dict[str, Any]:
+        return {key: encoded(member, arrays, records, f"{name}/{key}") for key, member in members.items()}
+
+    if isinstance(value, np.generic):
+        return value.item()
+    if hasattr(value, "__array__"):
+        arrays[name[1:]] = np.asarray(value)
+        return {"array": name[1:]}
+    kind = type(value).__name__
+    if kind in records:
+        return {"record": kind, "members": each(value._asdict() if hasattr(value, "_asdict") else vars(value))}
+    if isinstance(value, dict):
+        return {"members": each(value)}
+    if isinstance(value, list | tuple):
+        return {kind: list(each({str(number): member for number, member in enumerate(value)}).values())}
+    return value
+
+
+def decoded(value: Any, arrays: Mapping[str, np.ndarray], records: Mapping[str, type]) -> Any:
+    """What `encoded` was given; raises a KeyError or a TypeError for what it never made."""
+    if not isinstance(value, dict):
+        return value
+    if "array" in value:
+        return arrays[value["array"]]
+    for sequence in (list, tuple):
+        if sequence.__name__ in value:
+            return sequence(decoded(member, arrays, records) for member in value[sequence.__name__])
+    members = {key: decoded(member, arrays, records) for key, member in value["members"].items()}
+    return records[value["record"]](**members) if "record" in value else members

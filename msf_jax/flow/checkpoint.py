@@ -58,7 +58,7 @@ class Checkpoint:
                         f"the checkpoint {str(path)!r} is of another run, with another {', another '.join(other)}: "
                         "choose another path, or delete it"
                     )
-                self.saved = _decoded(header["states"], arrays)
+                self.saved = archive.decoded(header["states"], arrays, RECORDS)
                 _check_states(self.saved)
 
     def restore(self, state: State) -> None:
@@ -80,7 +80,7 @@ class Checkpoint:
         arrays: dict[str, np.ndarray] = {}
         changing = [{name: getattr(state, name) for name in CHANGING} for state in states]
         changing += self.saved[len(states) :]
-        header = {"run": self.run, "states": _encoded(changing, arrays)}
+        header = {"run": self.run, "states": archive.encoded(changing, arrays, RECORDS)}
         try:
             archive.write(self.path, KIND, VERSION, header, arrays, compress=False)
             self.failure = ""
@@ -133,33 +133,3 @@ def _hash(*arrays: np.ndarray) -> str:
         digest.update(f"{array.dtype.str}{array.shape}".encode())
         digest.update(np.ascontiguousarray(array).tobytes())
     return digest.hexdigest()
-
-
-def _encoded(value: Any, arrays: dict[str, np.ndarray]) -> Any:
-    """``value`` as JSON can hold it, with the arrays in it put into ``arrays``."""
-    if isinstance(value, np.ndarray):
-        arrays[str(len(arrays))] = value
-        return {"array": str(len(arrays) - 1)}
-    if isinstance(value, np.generic):
-        return value.item()
-    name = type(value).__name__
-    if name in RECORDS:
-        members = vars(value) if isinstance(value, Meso) else value._asdict()
-        return {"record": name, "members": {key: _encoded(member, arrays) for key, member in members.items()}}
-    if isinstance(value, dict):
-        return {"members": {key: _encoded(member, arrays) for key, member in value.items()}}
-    if isinstance(value, list):
-        return [_encoded(member, arrays) for member in value]
-    return value
-
-
-def _decoded(value: Any, arrays: dict[str, np.ndarray]) -> Any:
-    """What `_encoded` was given; raises a KeyError or a TypeError for what it never made."""
-    if isinstance(value, list):
-        return [_decoded(member, arrays) for member in value]
-    if not isinstance(value, dict):
-        return value
-    if "array" in value:
-        return arrays[value["array"]]
-    members = {key: _decoded(member, arrays) for key, member in value["members"].items()}
-    return RECORDS[value["record"]](**members) if "record" in value else members

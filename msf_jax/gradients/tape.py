@@ -7,7 +7,7 @@ what is no array only layouts and options are compiled in, so that tapes of the 
 
 import hashlib
 import os
-from dataclasses import asdict, dataclass, field, replace
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -28,7 +28,10 @@ from msf_jax.host.recording.stretches import rung
 from msf_jax.skeleton.skeleton import Skeleton
 from msf_jax.skeleton.source import Source
 
-KIND, VERSION = "tape", 2
+KIND, VERSION = "tape", 3
+RECORDS = {
+    kind.__name__: kind for kind in (Part, Mixing, Basis, Polynomial, Stretch, Shape, Layout, Level, Weights, Config)
+}
 FEWEST_NODES = 64  # rows of nodes in a padded tape: so many, twice that, ...
 
 
@@ -162,9 +165,8 @@ class Tape:
         """
         if Path(path).suffix.lower() != ".npz":
             raise ConfigError(f"a tape is saved as .npz, not as {Path(path).suffix!r}")
-        leaves = jax.tree_util.tree_flatten_with_path(self)[0]
-        arrays = {"/".join(_name(key) for key in keys): np.asarray(leaf) for keys, leaf in leaves}
-        header = {"config": asdict(self.config), "shapes": self.shapes, "is_joined": self.is_joined}
+        arrays: dict[str, np.ndarray] = {}
+        header = {"tape": archive.encoded(vars(self), arrays, RECORDS)}
         archive.write(path, KIND, VERSION, header, arrays, compress=True)
 
     @classmethod
@@ -176,7 +178,7 @@ class Tape:
             MeshError: the tape is of another mesh.
         """
         with archive.reading(path, KIND, VERSION, "record one with contract, and Tape.save") as (header, arrays):
-            tape = _from_arrays(header, arrays)
+            tape = _checked(header, arrays)
         if mesh is not None:
             tape.check(mesh)
         return tape
@@ -253,61 +255,24 @@ def _part(arrays: dict[str, Any]) -> Part:
     return Part(**named)
 
 
-def _name(key: Any) -> str:
-    """A step of the way to a leaf of a pytree, as it is called in a file."""
-    return str(key.idx) if isinstance(key, jax.tree_util.SequenceKey) else str(key.name)
-
-
-def _from_arrays(header: dict[str, Any], arrays: dict[str, np.ndarray]) -> Tape:
-    nested: dict[str, Any] = {}
-    for name, values in arrays.items():
-        *way, last = name.split("/")
-        into = nested
-        for step in way:
-            into = into.setdefault(step, {})
-        into[last] = values
-    tree = _with_tuples(nested)
-    shapes = tuple(
-        Shape(tuple(_layout(layout) for layout in layouts), None if mesh is None else _layout(mesh))
-        for layouts, mesh in header["shapes"]
-    )
+def _checked(header: dict[str, Any], arrays: dict[str, np.ndarray]) -> Tape:
+    """The tape of a file; raises whatever its damage provokes."""
     try:
-        config = Config(**header["config"])
-        weights = Weights(**{name: tree["weights"][name][()] for name in vars(Weights())})
+        tape = Tape(**archive.decoded(header["tape"], arrays, RECORDS))
     except ConfigError as error:
         raise ValueError(str(error)) from error
-    tape = Tape(
-        **{name: values for name, values in tree.items() if name not in ("parts", "weights")},
-        parts=tuple(_part(part) for part in tree["parts"]),
-        weights=weights,
-        shapes=shapes,
-        config=config,
-        is_joined=bool(header["is_joined"]),
-    )
+    parts, shapes = tape.parts, tape.shapes
     num, nodes = len(tape.vertices), tape.num_nodes
     expected = {"vertices": (num, 3), "areas": (num,), "node_of_vertex": (num,), "triangles": (nodes, 3)}
     expected |= {"offsets": (nodes, 3, 3)}
     wrong = [name for name, shape in expected.items() if np.shape(getattr(tape, name)) != shape]
-    is_whole = len(tape.parts) == len(shapes) and all(
+    is_whole = len(parts) == len(shapes) and all(
         len(part.stretches) == len(shape.layouts) and part.vertex_of_input.max() < num
-        for part, shape in zip(tape.parts, shapes, strict=True)
+        for part, shape in zip(parts, shapes, strict=True)
     )
-    is_whole &= tape.node_row.max() < sum(len(part.is_held) for part in tape.parts)
-    is_whole &= tape.meso_row.max() < sum(len(part.meso_row) for part in tape.parts)
+    is_whole &= isinstance(tape.weights, Weights) and isinstance(tape.config, Config)
+    is_whole &= tape.node_row.max() < sum(len(part.is_held) for part in parts)
+    is_whole &= tape.meso_row.max() < sum(len(part.meso_row) for part in parts)
     if wrong or not is_whole or tape.triangles.max() >= num or tape.node_of_vertex.max() >= nodes:
         raise ValueError(f"its arrays do not fit together: {', '.join(wrong) or 'parts'}")
     return tape
-
-
-def _with_tuples(tree: Any) -> Any:
-    """Nested dictionaries whose keys are "0", "1", ... as tuples."""
-    if not isinstance(tree, dict):
-        return tree
-    if all(name.isdigit() for name in tree):
-        return tuple(_with_tuples(tree[str(number)]) for number in range(len(tree)))
-    return {name: _with_tuples(values) for name, values in tree.items()}
-
-
-def _layout(values: Any) -> Layout:
-    capacity, levels = values
-    return Layout(int(capacity), tuple(Level(*map(int, level)) for level in levels))
