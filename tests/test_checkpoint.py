@@ -14,8 +14,7 @@ from conftest import torus
 
 import msf_jax
 from msf_jax import Config, ConfigError, Interrupted, Tape, Weights
-from msf_jax.device import programs
-from msf_jax.flow import loop, stepping
+from msf_jax.flow import loop, programs, stepping
 from msf_jax.flow.state import Limits
 from msf_jax.skeleton.formats import export
 

@@ -10,8 +10,7 @@ from conftest import blob, torus
 
 import msf_jax
 from msf_jax import Config, Weights, shapes
-from msf_jax.device import programs
-from msf_jax.flow import loop
+from msf_jax.flow import loop, programs
 from msf_jax.flow.state import Stopwatch
 from msf_jax.host.mesh import checking
 

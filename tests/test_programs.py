@@ -8,7 +8,7 @@ from jax.experimental.compilation_cache import compilation_cache
 
 import msf_jax
 from msf_jax import Config, Weights
-from msf_jax.device import programs
+from msf_jax.flow import programs
 
 SETTINGS = Config(laplacian="uniform", solve_steps=49).on_device
 LAYOUT = one_level(128, 16)

@@ -172,7 +172,7 @@ def test_sensitivity():
     mesh = trimesh.creation.icosphere(2)
     mesh.apply_scale([1.0, 0.4, 0.4])
     flow = msf_jax.contract(mesh)
-    found = msf_jax.sensitivity(flow.tape)
+    found = msf_jax.sensitivity(flow.tape, tolerance=1e-14)
     assert found.weights == flow.weights
     towards = np.random.default_rng(0).normal(size=flow.curve.vertices.shape)
     replayed = jax.jit(partial(msf_jax.replay, tolerance=1e-15))

@@ -9,7 +9,7 @@ import numpy as np
 from msf_jax.base.layout import Layout, layout_after, layout_for
 from msf_jax.base.options import Config, Weights
 from msf_jax.device.buffers import Buffers, Rings, real_dtype
-from msf_jax.device.programs import announce, compiled_move
+from msf_jax.flow.programs import announce, compiled_move
 from msf_jax.flow.state import LIMITS, Iteration, Limits, State, Stopwatch
 from msf_jax.host.meso import collapse, fixing, packing, split
 from msf_jax.host.meso.meso import Meso

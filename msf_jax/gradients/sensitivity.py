@@ -17,11 +17,13 @@ class Sensitivity(NamedTuple):
     """Derivatives of the nodes of ``tape`` at ``weights``, decisions frozen.
 
     by_weight: `Weights` whose entries are (N, 3): how far each node moves per unit of that weight, in the mesh's units.
+    tolerance: of the solves.
     """
 
     tape: Tape
     weights: Weights
     by_weight: Weights
+    tolerance: float | None = None
 
     def of_vertex(self, vertex: int) -> np.ndarray:
         """(N, 3, 3): column k is how far each node moves per unit that ``vertex`` moves along axis k.
@@ -38,7 +40,7 @@ class Sensitivity(NamedTuple):
             raise ConfigError(f"vertex is {vertex!r}: expected a number from 0 to {num - 1}")
         moved = np.zeros((4, num, 3))
         moved[[0, 1, 2], vertex, [0, 1, 2]] = 1.0
-        columns = _columns(self.tape.padded(), self.weights, np.zeros((4, 4)), moved)
+        columns = _columns(self.tape.padded(), self.weights, np.zeros((4, 4)), moved, self.tolerance)
         return np.moveaxis(np.asarray(columns[:3, : self.tape.num_nodes]), 0, -1)
 
     def of_node(self, node: int) -> np.ndarray:
@@ -54,15 +56,16 @@ class Sensitivity(NamedTuple):
         num = self.tape.num_nodes
         if isinstance(node, bool) or not isinstance(node, int | np.integer) or not 0 <= node < num:
             raise ConfigError(f"node is {node!r}: expected a number from 0 to {num - 1}")
-        return np.asarray(_of_node(self.tape.padded(), self.weights, jnp.asarray(node)))
+        return np.asarray(_of_node(self.tape.padded(), self.weights, jnp.asarray(node), self.tolerance))
 
 
-def sensitivity(tape: Tape, weights: Weights | None = None) -> Sensitivity:
+def sensitivity(tape: Tape, weights: Weights | None = None, *, tolerance: float | None = None) -> Sensitivity:
     """How far each node moves, per unit of each weight and, on request, of each vertex of the mesh.
 
     Args:
         tape: of a run.
         weights: where to differentiate; those of the run if not given. Numbers, not arrays.
+        tolerance: of the solves, see `msf_jax.replay`.
 
     Decisions are frozen: see `msf_jax.replay`.
 
@@ -78,13 +81,16 @@ def sensitivity(tape: Tape, weights: Weights | None = None) -> Sensitivity:
         if np.ndim(value):
             raise ConfigError(f"Weights.{name} has shape {np.shape(value)}: expected a number")
     at = Weights(*(jnp.asarray(value, float) for value in vars(weights).values()))
-    columns = _columns(tape.padded(), at, np.eye(4), np.zeros((4, *tape.vertices.shape)))[:, : tape.num_nodes]
+    none = np.zeros((4, *tape.vertices.shape))
+    columns = _columns(tape.padded(), at, np.eye(4), none, tolerance)[:, : tape.num_nodes]
     structure = jax.tree_util.tree_structure(at)  # slopes are no weights: their signs are free
-    return Sensitivity(tape, at, jax.tree_util.tree_unflatten(structure, np.asarray(columns)))
+    return Sensitivity(tape, at, jax.tree_util.tree_unflatten(structure, np.asarray(columns)), tolerance)
 
 
-@jax.jit
-def _columns(tape: Tape, weights: Weights, by_weight: jax.Array, by_vertex: jax.Array) -> jax.Array:
+@partial(jax.jit, static_argnames="tolerance")
+def _columns(
+    tape: Tape, weights: Weights, by_weight: jax.Array, by_vertex: jax.Array, tolerance: float | None
+) -> jax.Array:
     """(4, N, 3): how the nodes move along four directions, each a change of the four weights and of (V, 3) vertices.
 
     Four, as there are four weights: those of a vertex, three, share what was compiled for them.
@@ -93,14 +99,14 @@ def _columns(tape: Tape, weights: Weights, by_weight: jax.Array, by_vertex: jax.
 
     def column(of_weights: jax.Array, of_vertices: jax.Array) -> jax.Array:
         if tape.is_joined:
-            return jax.jvp(partial(replay, tape), (weights,), (Weights(*of_weights),))[1]
-        return jax.jvp(partial(replay, tape), at, (Weights(*of_weights), of_vertices))[1]
+            return jax.jvp(partial(replay, tape, tolerance=tolerance), (weights,), (Weights(*of_weights),))[1]
+        return jax.jvp(partial(replay, tape, tolerance=tolerance), at, (Weights(*of_weights), of_vertices))[1]
 
     return jax.vmap(column)(by_weight, by_vertex)
 
 
-@jax.jit
-def _of_node(tape: Tape, weights: Weights, node: jax.Array) -> jax.Array:
-    nodes, pull_back = jax.vjp(partial(replay, tape, weights), jnp.asarray(tape.vertices))
+@partial(jax.jit, static_argnames="tolerance")
+def _of_node(tape: Tape, weights: Weights, node: jax.Array, tolerance: float | None) -> jax.Array:
+    nodes, pull_back = jax.vjp(partial(replay, tape, weights, tolerance=tolerance), jnp.asarray(tape.vertices))
     rows = jax.lax.map(lambda axis: pull_back(jnp.zeros_like(nodes).at[node, axis].set(1.0))[0], jnp.arange(3))
     return jnp.moveaxis(rows, 0, 1)

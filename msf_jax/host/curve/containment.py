@@ -154,5 +154,9 @@ def _inward(shape: Enclosure, points: np.ndarray) -> np.ndarray:
     choice = entry[:, None] - (depth[:, None] * shallower)[..., None] * normal[:, None]
     room = shape.clearance(choice.reshape(-1, 3)).reshape(len(points), len(shallower))
     is_bounded = room >= 0.7 * depth[:, None] * shallower
-    is_bounded[:, -1] = True
-    return choice[np.arange(len(points)), is_bounded.argmax(axis=1)]
+    found = choice[np.arange(len(points)), is_bounded.argmax(axis=1)]
+    # Where the samples miss a wall that is far nearer, as of a plate of two triangles: half of the chord.
+    rows = np.flatnonzero(~is_bounded.any(axis=1))
+    chord = shape.ray_lengths(entry[rows], -normal[rows], depth[rows])
+    found[rows] = entry[rows] - (chord / 2)[:, None] * normal[rows]
+    return found

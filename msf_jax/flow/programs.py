@@ -156,7 +156,8 @@ def _device() -> str:
 def _machine() -> tuple[str, ...]:
     """Versions, this program's own text, and the processor, which is what code is made for."""
     device = jax.devices()[0]
-    texts = [*sorted(Path(__file__).parent.glob("*.py")), Path(__file__).parents[1] / "base" / "layout.py"]
+    package = Path(__file__).parents[1]
+    texts = [*sorted((package / "device").glob("*.py")), package / "base" / "layout.py", Path(__file__)]
     source = hashlib.sha256(b"".join(path.read_bytes() for path in texts)).hexdigest()
     try:
         lines = Path("/proc/cpuinfo").read_text().split("\n\n")[0].splitlines()
