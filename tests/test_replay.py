@@ -177,6 +177,7 @@ def test_one_value_for_all_vertices_is_a_scalar(flow):
     np.testing.assert_allclose(msf_jax.replay(flow.tape, alike), flow.curve.vertices, atol=1e-9)
 
 
+@pytest.mark.slow  # that a step's layout does not show is in test_padding
 def test_padding_does_not_matter(flow, monkeypatch):
     """In a larger layout, and in two stretches instead of one: the same nodes, and the same gradient."""
 
@@ -195,6 +196,7 @@ def test_padding_does_not_matter(flow, monkeypatch):
         np.testing.assert_allclose(other, one, rtol=1e-6, atol=1e-7 * np.abs(one).max())
 
 
+@pytest.mark.slow
 def test_many_weights_at_once(flow):
     w_L = jnp.array([0.8, 1.0, 1.3])
     batch = jax.vmap(lambda w_L: msf_jax.replay(flow.tape, replace(flow.weights, w_L=w_L)))(w_L)
@@ -218,6 +220,7 @@ def test_reverse_mode_keeps_states_and_no_solver_steps(flow):
     assert kept < 1.5 * states + 2 * of_tape
 
 
+@pytest.mark.slow  # the Laplacian's own test of degenerate triangles is quick
 def test_finite_gradients_with_degenerate_triangles():
     """A box whose faces have needles without area, at the start already."""
     box = trimesh.creation.box([1.0, 0.4, 0.4]).subdivide().subdivide()
