@@ -272,7 +272,7 @@ def test_a_section_that_vanished_is_named(limbs, push):
         (lambda v: v[:-1], r"shape \(\d+, 3\): expected"),
         (lambda v: np.where(np.arange(len(v))[:, None] == 5, np.nan, v), "1 of the vertices, the first 5, are not"),
         (lambda v: "hand.off", "no table of numbers"),
-        (lambda v: v + 1j, "no table of numbers"),
+        (lambda v: v + 1j, "holds complex128: expected real"),
     ],
 )
 def test_bad_vertices_are_refused(limbs, given, says):

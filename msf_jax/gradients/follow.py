@@ -79,11 +79,11 @@ def checked_vertices(skeleton: Skeleton, vertices: Any) -> jax.Array:
     num = len(skeleton.mesh_map)
     try:
         array = jnp.asarray(vertices)
-        if not (jnp.isdtype(array.dtype, "real floating") or jnp.isdtype(array.dtype, "integral")):
-            raise TypeError(f"it holds {array.dtype}")
-        array = array.astype(real_dtype())
     except (TypeError, ValueError) as error:
         raise MeshError(f"vertices is a {type(vertices).__name__}, no table of numbers: expected (V, 3)") from error
+    if not jnp.isdtype(array.dtype, ("real floating", "integral")):
+        raise MeshError(f"vertices holds {array.dtype}: expected real numbers, (V, 3)")
+    array = array.astype(real_dtype())
     if array.shape != (num, 3):
         raise MeshError(f"vertices has shape {array.shape}: expected ({num}, 3), those of the mesh of the skeleton")
     if not isinstance(array, Tracer):
