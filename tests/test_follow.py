@@ -16,7 +16,7 @@ from msf_jax.host.solid.solid import Solid
 MAKERS = {
     "y": lambda: ground_truth.make("y_coarse").mesh,
     "tube": lambda: ground_truth.make("straight_coarse").mesh,
-    "two": lambda: trimesh.util.concatenate([blob(4), torus().apply_translation([4, 0, 0])]),
+    "two": lambda: trimesh.util.concatenate([blob(4), torus().apply_translation([1.5, 0, 0])]),
 }
 
 

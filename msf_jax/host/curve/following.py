@@ -127,7 +127,7 @@ def record(surface: Surface, vertices: np.ndarray, edges: np.ndarray, pins_of_no
         b_column=b.col,
         b_value=b.data,
         rest=rest,
-        nearby=surface.vertex[shape.faces[_nearby(shape, x, distance, nearest)]],
+        nearby=surface.vertex[_facing(shape, x, inside, _nearby(shape, x, distance, nearest))],
         is_inside=inside,
         centre=surface.solid.centre,
         diagonal=np.float64(surface.solid.diagonal),
@@ -319,3 +319,19 @@ def _nearby(shape: Enclosure, x: np.ndarray, distance: np.ndarray, nearest: np.n
         kept[point[is_less], cell[is_less]] = triangle[is_less]
         least[point[is_less], cell[is_less]] = away[is_less]
     return kept
+
+
+def _facing(shape: Enclosure, x: np.ndarray, inside: np.ndarray, triangle: np.ndarray) -> np.ndarray:
+    """(N, K, 3) the corners of each ``triangle`` (N, K), in such an order that a node over it is on its right side.
+
+    Where the surface runs through itself, the nearest wall of what is inside may be seen from outside.
+    """
+    faces = shape.faces[triangle]
+    corner = shape.triangles[triangle]
+    along, offset = np.roll(corner, -1, axis=2) - corner, x[:, None, None] - corner
+    normal = np.cross(along[:, :, 0], along[:, :, 1])
+    is_over = (np.einsum("nkci,nki->nkc", np.cross(along, offset), normal) >= 0).all(axis=2)
+    is_behind = np.einsum("nki,nki->nk", offset[:, :, 0], normal) < 0
+    is_wrong = is_over & (is_behind != inside[:, None])
+    faces[is_wrong] = faces[is_wrong][:, [0, 2, 1]]
+    return faces
