@@ -72,6 +72,15 @@ def test_frames_that_no_longer_hold_say_which_nodes(tube):
     np.testing.assert_array_equal(curve.vertices, good.nodes)
     with pytest.raises(ConfigError, match="frame 1 has no curve"):
         done.curve(1)
+    with pytest.raises(ConfigError, match="no frame 4: expected one of the 4"):
+        done.curve(4)
+
+
+def test_a_frame_without_extent_has_no_curve(tube):
+    vertices, _, skeleton = tube
+    done = msf_jax.track(skeleton, [0 * vertices, vertices.tolist()])
+    assert len(done.frames[0].vanished) == len(skeleton.vertices) and done.frames[0].inside == 0.0
+    assert not done.frames[1].wants_run
 
 
 def test_a_node_that_leaves_the_solid_is_seen(tube):
@@ -94,6 +103,8 @@ def test_a_frame_of_another_mesh_is_named(tube):
         msf_jax.track(skeleton, [(vertices, np.roll(faces, 1, axis=0)[:-1])])
     with pytest.raises(ConfigError, match="frames is a str"):
         msf_jax.track(skeleton, "frames")
+    with pytest.raises(ConfigError, match="frames is empty"):
+        msf_jax.track(skeleton, [])
 
 
 @pytest.fixture
@@ -130,6 +141,7 @@ def test_the_command_says_which_frame_is_bad(folder, tube, capsys):
     trimesh.creation.box().export(frames / "frame4.off")
     assert main(["track", first, str(frames), "-o", str(folder / "out"), "-q"]) == 2
     assert "'frame4.off', frame 3: its 12 faces" in capsys.readouterr().err
+    assert len((folder / "out" / "frames.csv").read_text().splitlines()) == 1 + 3  # those before it
     assert main(["track", first, str(frames), "-o", str(frames), "-q"]) == 2
     assert main(["track", first, str(folder), "-o", str(folder / "out"), "-q"]) == 2
     assert "no mesh in" in capsys.readouterr().err

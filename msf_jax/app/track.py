@@ -52,7 +52,7 @@ def run(
         The table, what is to be said of frames without a curve, and of those that want a fresh run.
 
     Raises:
-        MeshError: a frame cannot be read, or is no such mesh: which.
+        MeshError: a frame cannot be read, or is no such mesh: which. The frames before it have their curves and rows.
     """
     folder = Path(output)
     folder.mkdir(parents=True, exist_ok=True)
@@ -60,21 +60,24 @@ def run(
     lacking, doubtful, text = [], [], io.StringIO()
     table = csv.writer(text)
     table.writerow(["frame", "mesh", "curve", "inside", "vanished", "loose", "wants_run"])
-    for number, path in enumerate(tqdm(paths, desc="track", unit="frame", disable=None if progress else True)):
-        mesh = reading.read(path)
-        try:
-            frame = tracker.frame(number, mesh)
-        except MeshError as error:
-            raise MeshError(f"{path.name!r}, {error}") from error
-        target = folder / f"{path.stem}{suffix}"
-        if len(frame.vanished):
-            lacking.append(f"{path.name}: {frame}")
-        else:
-            write_whole(target, export.writer_for(target)(curve_of(skeleton, frame), mesh))
-            if frame.wants_run:
-                doubtful.append(f"{path.name}: {frame}")
-        curve = "" if len(frame.vanished) else target.name
-        counts = [len(frame.vanished), len(frame.loose), int(frame.wants_run)]
-        table.writerow([number, path.name, curve, f"{frame.inside:.6g}", *counts])
-    write_whole(folder / TABLE, text.getvalue())
+    try:
+        for number, path in enumerate(tqdm(paths, desc="track", unit="frame", disable=None if progress else True)):
+            try:
+                mesh = reading.read(path, finite=not skeleton.report.repairs)
+                frame = tracker.frame(number, mesh)
+            except MeshError as error:
+                named = "" if path.name in str(error) else f"{path.name!r}, "
+                raise MeshError(f"{named}{error}") from error
+            target = folder / f"{path.stem}{suffix}"
+            if len(frame.vanished):
+                lacking.append(f"{path.name}: {frame}")
+            else:
+                write_whole(target, export.writer_for(target)(curve_of(skeleton, frame), mesh))
+                if frame.wants_run:
+                    doubtful.append(f"{path.name}: {frame}")
+            curve = "" if len(frame.vanished) else target.name
+            counts = [len(frame.vanished), len(frame.loose), int(frame.wants_run)]
+            table.writerow([number, path.name, curve, f"{frame.inside:.6g}", *counts])
+    finally:  # what was done before a bad frame, or an interruption, is worth its table, too
+        write_whole(folder / TABLE, text.getvalue())
     return folder / TABLE, lacking, doubtful

@@ -1,8 +1,8 @@
 """A finished curve in the mesh as it has moved: the equation of `msf_jax.base.recipe`, live in the vertices.
 
 A section's corners are p_k = (1 - t_k) V_tail + t_k V_head, its area vector is N = sum_k p_k x p_{k+1} / 2, and its
-centroid that of the area in the direction of N, so that what a vertex moves along the limb or along the surface counts
-for nothing, as in a plane section.
+centroid that of the area in the direction of N, so that a corner that moves along the limb moves the centroid along it,
+not across, to first order.
 """
 
 from typing import NamedTuple
@@ -13,7 +13,8 @@ import jax.numpy as jnp
 from msf_jax.base.recipe import Recipe
 from msf_jax.device.playback import clearance
 
-VANISHED = 1e-3  # of its recorded area, and of the square of its corners' spread: a section of less is none
+VANISHED = 1e-3  # of its recorded area, as all sections have grown, and of the square of its corners' spread: a section
+# of less is none
 
 
 class Curve(NamedTuple):
@@ -61,12 +62,13 @@ def centroids(recipe: Recipe, place: jax.Array) -> Sections:
     normal = vector / jnp.where(is_some, twice, 1.0)[:, None]
     part = (cross * normal[recipe.section]).sum(1)
     spread2 = total(share[:, 0] * (p * p).sum(1))
-    least = jnp.maximum(VANISHED * jnp.asarray(recipe.area, dtype), VANISHED * spread2)
-    is_there = jnp.asarray(recipe.is_loop) & (twice / 2 > least)
+    recorded, is_loop = jnp.asarray(recipe.area, dtype), jnp.asarray(recipe.is_loop)
+    grown = jnp.where(is_loop, twice / 2, 0.0).sum() / jnp.maximum(recorded.sum(), jnp.finfo(dtype).tiny)
+    is_there = is_loop & (twice / 2 > VANISHED * jnp.maximum(grown * recorded, spread2))
     off = total(part[:, None] * (p + onward)) / (3 * jnp.where(is_there, twice, 1.0))[:, None]
     height2 = total(share[:, 0] * (p * normal[recipe.section]).sum(1) ** 2)
     warp = jnp.sqrt(height2 / jnp.where(spread2 > 0, spread2, 1.0))
-    area = jnp.where(is_there | ~jnp.asarray(recipe.is_loop), twice / 2, 0.0)
+    area = jnp.where(is_there | ~is_loop, twice / 2, 0.0)
     return Sections(mean + jnp.where(is_there[:, None], off, 0.0), area, normal, jax.lax.stop_gradient(warp))
 
 

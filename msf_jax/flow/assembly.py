@@ -40,6 +40,8 @@ def assemble(
     with watch.stage("report"):
         solid = Solid(checked.vertices, checked.faces)
         followed = None if checked.is_made.any() else checked.input_of_vertex
+        if followed is not None:  # of welded vertices the first stands for all
+            pins = np.unique(followed[checked.vertex_of_input[pins]])
         source = Source(solid, _areas_of_input(checked, solid), pins, _stages(states), followed)
         figures = {}
         if config.evaluate:

@@ -42,7 +42,7 @@ def follow(skeleton: Skeleton, vertices: Any) -> Followed:
 
     Returns:
         The nodes, and the distance of each to the surface: of the triangles that were within twice its radius, in each
-        of 54 directions the nearest. Under `jax.jit`, a node whose own section has vanished is NaN.
+        of 150 directions the nearest. Under `jax.jit`, a node whose own section has vanished is NaN.
 
     Differentiable in: vertices.
 
@@ -51,7 +51,7 @@ def follow(skeleton: Skeleton, vertices: Any) -> Followed:
         MeshError: ``vertices`` has another shape or is not finite, or a section has vanished: whose.
     """
     recipe = recipe_of(skeleton)
-    array = checked_vertices(len(skeleton.mesh_map), vertices)
+    array = checked_vertices(skeleton, vertices)
     found = Followed(*_follow(recipe, array))
     if not isinstance(array, Tracer):
         gone = np.flatnonzero(np.isnan(np.asarray(found.nodes)).any(axis=1))
@@ -73,16 +73,24 @@ def recipe_of(skeleton: Any) -> Recipe:
     return skeleton.recipe
 
 
-def checked_vertices(num: int, vertices: Any, name: str = "vertices") -> jax.Array:
-    """``vertices`` as (num, 3) for the device; what is being traced is checked for its shape only."""
+def checked_vertices(skeleton: Skeleton, vertices: Any) -> jax.Array:
+    """``vertices`` as (V, 3) for the device. What is being traced is checked for its shape only, and vertices that are
+    not of the surface of ``skeleton`` may be anywhere."""
+    num = len(skeleton.mesh_map)
     try:
-        array = jnp.asarray(vertices, real_dtype())
+        array = jnp.asarray(vertices)
     except (TypeError, ValueError) as error:
-        raise MeshError(f"{name} is a {type(vertices).__name__}, no table of numbers: expected (V, 3)") from error
+        raise MeshError(f"vertices is a {type(vertices).__name__}, no table of numbers: expected (V, 3)") from error
+    if not jnp.isdtype(array.dtype, ("real floating", "integral")):
+        raise MeshError(f"vertices holds {array.dtype}: expected real numbers, (V, 3)")
+    array = array.astype(real_dtype())
     if array.shape != (num, 3):
-        raise MeshError(f"{name} has shape {array.shape}: expected ({num}, 3), those of the mesh of the skeleton")
+        raise MeshError(f"vertices has shape {array.shape}: expected ({num}, 3), those of the mesh of the skeleton")
     if not isinstance(array, Tracer):
-        bad = np.flatnonzero(~np.isfinite(np.asarray(array)).all(axis=1))
+        used = skeleton.surface.vertex
+        bad = np.unique(used[~np.isfinite(np.asarray(array)[used]).all(axis=1)])
         if len(bad):
-            raise MeshError(f"{len(bad)} of the {name}, the first {bad[0]}, are not finite: expected finite positions")
+            raise MeshError(
+                f"{len(bad)} of the vertices, the first {bad[0]}, are not finite: expected finite positions"
+            )
     return array

@@ -86,8 +86,10 @@ class Track:
         """The curve of frame ``number``, to be saved or drawn: it has no source, its report is that of the run.
 
         Raises:
-            ConfigError: nodes of that frame have vanished.
+            ConfigError: nodes of that frame have vanished, or there is no such frame.
         """
+        if not -len(self.frames) <= number < len(self.frames):
+            raise ConfigError(f"no frame {number}: expected one of the {len(self.frames)}, counted from 0")
         return curve_of(self.skeleton, self.frames[number])
 
     def __str__(self) -> str:
@@ -111,8 +113,8 @@ def track(skeleton: Skeleton, frames: Iterable[Any], *, progress: bool = False) 
     Args:
         skeleton: of a mesh with the same faces as all ``frames``, usually the first of them; as `msf_jax.follow`
             takes it.
-        frames: each (V, 3) vertices, or a mesh as `msf_jax.skeletonize` takes it: a path, an object with vertices and
-            faces, a pair of them.
+        frames: at least one; each (V, 3) vertices, or a mesh as `msf_jax.skeletonize` takes it: a path, an object with
+            vertices and faces, a pair of them.
         progress: show a progress bar on standard error, if that is a terminal.
 
     Returns:
@@ -132,6 +134,8 @@ def track(skeleton: Skeleton, frames: Iterable[Any], *, progress: bool = False) 
         for number, given in enumerate(frames):
             found.append(tracker.frame(number, given))
             bar.update()
+    if not found:
+        raise ConfigError("frames is empty: expected at least one mesh")
     return Track(skeleton, tuple(found))
 
 
@@ -141,7 +145,7 @@ class Tracker:
     def __init__(self, skeleton: Skeleton):
         recipe = recipe_of(skeleton)
         surface, edges = skeleton.surface, skeleton.edges
-        self.num, self.edges = len(skeleton.mesh_map), edges
+        self.skeleton, self.edges = skeleton, edges
         self.recipe: Recipe = jax.device_put(jax.tree.map(jnp.asarray, recipe))
         self.solid, self.vertex = surface.solid, surface.vertex
         # Faces of a mesh that was mended are others than the caller's: those are not compared.
@@ -153,7 +157,7 @@ class Tracker:
         here, there = np.concatenate([edges, edges[:, ::-1]]).T
         self.here, self.there = here[section_of_node[here] >= 0], there[section_of_node[here] >= 0]
         self.section = section_of_node[self.here]
-        normal = np.asarray(_tracked(self.recipe, jnp.asarray(surface.given(self.num)))[3])
+        normal = np.asarray(_tracked(self.recipe, jnp.asarray(surface.given(len(skeleton.mesh_map))))[3])
         self.upright = self._cosines(skeleton.vertices, normal)
 
     def _cosines(self, nodes: np.ndarray, normal: np.ndarray) -> np.ndarray:
@@ -165,7 +169,7 @@ class Tracker:
         """The curve in ``given``, and how it holds."""
         try:
             vertices = self._vertices_of(given)
-            array = checked_vertices(self.num, vertices)
+            array = checked_vertices(self.skeleton, vertices)
         except MeshError as error:
             raise MeshError(f"frame {number}: {error}") from error
         nodes, radii, is_warped, normal = (np.asarray(each, dtype=np.float64) for each in _tracked(self.recipe, array))
@@ -173,19 +177,24 @@ class Tracker:
         cosine = np.sign(self.upright) * self._cosines(nodes, normal)
         is_over = (np.abs(self.upright) > STRAIGHT) & (cosine < TILTED)
         loose = np.union1d(np.asarray(self.recipe.node)[is_warped > 0], self.here[is_over])
-        solid = Solid(np.asarray(array, dtype=np.float64)[self.vertex], self.solid.shape.faces)
         is_there = np.ones(len(nodes), dtype=bool)
         is_there[vanished] = False
-        placed = solid.enter(np.where(is_there[:, None], nodes, 0.0))
-        edges = self.edges[is_there[self.edges].all(axis=1)]
-        reach = np.where(is_there & solid.shape.contains(placed), np.abs(np.nan_to_num(radii)), 0.0) / solid.diagonal
-        inside = metrics.inside_fraction(solid.shape, placed, edges, reach) if is_there.any() else 0.0
+        inside = self._inside(np.asarray(array, dtype=np.float64)[self.vertex], nodes, np.abs(radii), is_there)
         return Frame(number, nodes, radii, inside, vanished, np.setdiff1d(loose, vanished))
 
+    def _inside(self, vertices: np.ndarray, nodes: np.ndarray, radii: np.ndarray, is_there: np.ndarray) -> float:
+        """The fraction of the curve's length between nodes that are there that is inside the surface."""
+        if not (is_there.any() and np.ptp(vertices, axis=0).any()):
+            return 0.0
+        solid = Solid(vertices, self.solid.shape.faces)
+        placed = solid.enter(np.where(is_there[:, None], nodes, solid.centre))
+        reach = np.where(is_there & solid.shape.contains(placed), radii, 0.0) / solid.diagonal
+        return metrics.inside_fraction(solid.shape, placed, self.edges[is_there[self.edges].all(axis=1)], reach)
+
     def _vertices_of(self, given: Any) -> Any:
-        if isinstance(given, np.ndarray | jax.Array):
+        if isinstance(given, np.ndarray | jax.Array) or (isinstance(given, list | tuple) and len(given) != 2):
             return given
-        vertices, faces = reading.read(given)
+        vertices, faces = reading.read(given, finite=not self.skeleton.report.repairs)
         if self.faces is not None and not np.array_equal(_sorted(faces), self.faces):
             raise MeshError(f"its {len(faces)} faces are not those of the mesh that the skeleton was made from")
         return vertices

@@ -22,9 +22,9 @@ class Stage(NamedTuple):
 class Source(NamedTuple):
     """What a curve was made from.
 
-    areas: (V,) share of the surface's area that belongs to each input vertex. pins: (k,) input vertices held in place.
-    stages: the surface as it contracted, in a few steps from first to last. input_of_vertex: (v,) the input vertex that
-    each of the solid's comes from.
+    areas: (V,) share of the surface's area that belongs to each input vertex. pins: (k,) input vertices held in place,
+    of welded ones the first. stages: the surface as it contracted, in a few steps from first to last. input_of_vertex:
+    (v,) the input vertex that each of the solid's comes from.
     """
 
     solid: Solid

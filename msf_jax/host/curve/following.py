@@ -2,17 +2,20 @@
 
 What a node follows is what centring put it in the middle of: the cross-sections of its limb. Their corners are kept as
 fractions of mesh edges, so that a section moves, turns and bulges with the surface. Along a branch centroids c are
-smoothed as the energy of `centring` does, with weights w and stiffness alpha at the curve as it is:
+smoothed by the energy of `centring`, with its weights w and its stiffness alpha at the curve as it is. Unlike there, w
+holds along the branch, too, so that nodes go with a limb that is stretched, and mu in the place of anchors carries on
+what no section governs:
 
     minimise  sum_i w_i |x_i - c_i|^2  +  sum alpha_i |x_{i-1} - 2 x_i + x_{i+1}|^2  +  sum_ij mu_ij |x_i - x_j|^2,
 
-so x = a c for a constant matrix a, whose rows sum to one, and which also reaches where no section is, at junctions and
-bare ends. What is left, o = x - a c at the recorded mesh, is in every node's own frame: the affine map F that fits
-best how the corners of the sections around it have moved. F o is linear in the vertices, F = C / S with
+so x = a c for a constant matrix a, whose rows sum to one; at junctions and bare ends it has the sections around. What
+is left, o = x - a c at the recorded mesh, is in every node's own frame: the affine map F that fits best how the corners
+of the sections around it have moved. F o is linear in the vertices, F = C / S with
 
     C = sum_k beta_k (p_k - p_mean) (q_k - q_mean)^T,   S = the same with p = q,   q the recorded corners,
 
-so that it is a matrix b, too. Both reproduce every affine map of the mesh exactly.
+so that it is a matrix b, too. Both reproduce every affine map of the mesh exactly. The vertices at a pin are its node's
+row of b, and it has no other.
 """
 
 from typing import Any, NamedTuple
@@ -22,21 +25,19 @@ from scipy import sparse
 from scipy.sparse import csgraph, linalg
 
 from msf_jax.base.recipe import Recipe
-from msf_jax.host.curve import branches
+from msf_jax.host.curve import centring
+from msf_jax.host.curve import ways as measures
+from msf_jax.host.curve.ways import Way
 from msf_jax.host.solid import sections
 from msf_jax.host.solid.enclosure import Enclosure, point_triangle_distance2
-from msf_jax.host.solid.geometry import arc_length, at, unit
+from msf_jax.host.solid.geometry import unit
 from msf_jax.host.solid.solid import Solid
 
-ZONE = 0.7  # radii of a junction, within which sections do not count
-LOPSIDED = 3.5  # a section so many times as wide as the inscribed ball is not that of a limb
-ROUNDNESS = 4  # a section wider than its branch's usual one counts less, by this power of the ratio
-STRAY = 0.3  # section radii: a node so far from its centroid holds to it by half
-STIFFNESS, STIFFEST = 0.35, 1e5  # alpha = (STIFFNESS r / h)^4 at most STIFFEST, for nodes h apart
-MEMBRANE = 0.01  # mu = MEMBRANE (r / h)^2
-REACH = 1.0  # radii along the branch, over which a frame is fitted
+SLIGHT = 0.02  # a section of less weight is left out
+MEMBRANE = 0.01  # mu = MEMBRANE (size / h)^2, for nodes h apart in a limb of that size
+REACH = 1.0  # sizes along the branch, over which a frame is fitted
 FRAME_CORNERS = 12  # of each section, that a frame is fitted to
-FLATTEST = 1e-6  # of the eigenvalues of S, smallest to largest: a frame of less is fitted to the whole component
+FLATTEST = 1e-6  # of the eigenvalues of S, to the largest: along those of less o is kept as it was recorded
 SMALLEST = {"a": 1e-3, "b": 2e-2}  # entries of the smoothings under that part of the largest in their row are left out
 NOTHING = 1e-6  # as a share of a node
 FARTHEST = 2.0  # radii, within which triangles may become the nearest
@@ -86,12 +87,15 @@ def record(surface: Surface, vertices: np.ndarray, edges: np.ndarray, pins_of_no
     inside = shape.contains(x)
     distance, nearest = shape.nearest(x)
     radii = np.where(inside, distance, 0.0)
-    ways = [np.array(way) for way in branches.trace(len(x), edges) if len(way) > 1]
-    corners = _with_clouds(surface, edges, len(x), _sections(shape, x, edges, ways, radii, nearest, pins_of_node))
-    a = _smoothing(x, edges, ways, radii, corners, stiffness=STIFFNESS, membrane=MEMBRANE)
-    beta = _smoothing(x, edges, ways, radii, corners, stiffness=0.0, membrane=REACH**2)
-    is_free = np.ones(len(x))
-    is_free[list(pins_of_node)] = 0.0
+    is_held = np.zeros(len(x), dtype=bool)
+    is_held[list(pins_of_node)] = True
+    is_free = np.where(is_held, 0.0, 1.0)
+    ways = measures.ways_of(x, edges, is_held)
+    size = _sections(shape, x, edges, ways, radii, radii, nearest, is_held)[1]
+    found, size = _sections(shape, x, edges, ways, radii, size, nearest, is_held)
+    corners = _with_clouds(surface, edges, len(x), found)
+    a = _smoothing(x, edges, ways, size, corners, stiffness=centring.STIFFNESS, membrane=MEMBRANE)
+    beta = _smoothing(x, edges, ways, size, corners, stiffness=0.0, membrane=REACH**2)
     a = _pruned(sparse.diags(is_free) @ a, SMALLEST["a"])
     b = _turning(surface, corners, _pruned(beta, SMALLEST["b"]), is_free[:, None] * (x - a @ corners.centroid))
     pin = sparse.lil_matrix(b.shape)
@@ -123,7 +127,7 @@ def record(surface: Surface, vertices: np.ndarray, edges: np.ndarray, pins_of_no
         b_column=b.col,
         b_value=b.data,
         rest=rest,
-        nearby=surface.vertex[shape.faces[_nearby(shape, x, distance, nearest)]],
+        nearby=surface.vertex[_facing(shape, x, inside, _nearby(shape, x, distance, nearest))],
         is_inside=inside,
         centre=surface.solid.centre,
         diagonal=np.float64(surface.solid.diagonal),
@@ -134,52 +138,41 @@ def _sections(
     shape: Enclosure,
     x: np.ndarray,
     edges: np.ndarray,
-    ways: list[np.ndarray],
+    ways: list[Way],
     radii: np.ndarray,
+    size: np.ndarray,
     nearest: np.ndarray,
-    pins_of_node: dict[int, np.ndarray],
-) -> Corners:
-    """The sections of the nodes that one goes around, across their branch."""
+    is_held: np.ndarray,
+) -> tuple[Corners, np.ndarray]:
+    """The sections of the nodes that one goes around, with weights as in `centring`, and the size of their limbs.
+
+    ``size`` (N,) is what that is thought to be.
+    """
     degree = np.bincount(edges.ravel(), minlength=len(x))
-    is_limb = (degree > 0) & (degree <= 2) & (radii > 0)
-    is_limb[list(pins_of_node)] = False
-    tangent, usual = np.zeros_like(x), np.zeros(len(x))
-    for nodes in ways:
-        along = arc_length(x[nodes])
-        tangent[nodes] = _tangents(x[nodes], along, radii[nodes], nodes[0] == nodes[-1] and degree[nodes[0]] == 2)
-        for end, away in ((nodes[0], along), (nodes[-1], along[-1] - along)):
-            if degree[end] > 2:
-                is_limb[nodes[away < ZONE * radii[end]]] = False
-    limb = np.flatnonzero(is_limb & tangent.any(axis=1))
-    points, normals = x[limb], tangent[limb]
-    corners = sections.corners(shape, points, normals, radii[limb], nearest[limb])
-    found = sections.measured(shape, points, normals, corners)
-    is_good = found.is_around & (found.radius < LOPSIDED * radii[limb])
+    tangent = unit(measures.chords(x, ways, size) @ x) if ways else np.zeros_like(x)
+    clear = measures.clear_of_junctions(x, ways, degree, size, centring.ZONE, centring.MARGIN)
+    limb = np.flatnonzero((degree > 0) & (clear > 0) & ~is_held & (radii > 0) & tangent.any(axis=1))
+    corners = sections.corners(shape, x[limb], tangent[limb], size[limb], nearest[limb])
+    found = sections.measured(shape, x[limb], tangent[limb], corners)
+    is_good = found.is_around
+    node, centroid, radius = limb[is_good], found.centroid[is_good], found.radius[is_good]
+    weight = clear[node] / (1 + (radius / (centring.LOPSIDED * found.size[is_good])) ** centring.STEEP)
     width = np.full(len(x), np.nan)
-    width[limb[is_good]] = found.radius[is_good]
-    for nodes in ways:
-        if not np.isnan(width[nodes]).all():
-            usual[nodes] = np.nanmedian(width[nodes])
-    node, centroid = limb[is_good], found.centroid[is_good]
-    stray = np.linalg.norm(x[node] - centroid, axis=1) / (STRAY * width[node])
-    weight = np.minimum(1.0, usual[node] / width[node]) ** ROUNDNESS / (1 + stray**2)
+    width[node[weight > SLIGHT]] = radius[weight > SLIGHT]
+    weight *= np.minimum(1.0, np.nan_to_num(measures.usual(ways, width)[node] / radius)) ** centring.ROUNDNESS
+    everywhere = np.zeros((2, len(x)))
+    everywhere[:, node] = found.size[is_good], weight
+    size = measures.sizes(x, ways, everywhere[0], everywhere[1], radii)
+    weight /= (1 + (np.linalg.norm(x[node] - centroid, axis=1) / (centring.STRAY * radius)) ** 2) ** 2
+    is_one = weight > SLIGHT
+    node, centroid, weight = node[is_one], centroid[is_one], weight[is_one]
+    is_good[is_good] = is_one
     kept = is_good[corners.loop]
     section = (np.cumsum(is_good) - 1)[corners.loop[kept]]
     tail, head, part = corners.tail[kept], corners.head[kept], corners.part[kept]
     place = shape.vertices[tail] + part[:, None] * (shape.vertices[head] - shape.vertices[tail])
-    area = _areas(place - centroid[section], section, normals[is_good])
-    return Corners(section, tail, head, part, np.ones(len(node), dtype=bool), centroid, area, node, weight)
-
-
-def _tangents(points: np.ndarray, along: np.ndarray, radii: np.ndarray, is_loop: bool) -> np.ndarray:
-    """Direction (k, 3) of a branch at each of its points, over one radius to either side."""
-    here, reach = along, radii
-    if is_loop:
-        lap = along[-1]
-        points = np.concatenate([points[:-1], points[:-1], points])
-        along = np.concatenate([along[:-1] - lap, along[:-1], along + lap])
-        reach = np.minimum(radii, lap / 4)
-    return unit(at(points, along, here + reach) - at(points, along, here - reach))
+    area = _areas(place - centroid[section], section, tangent[node])
+    return Corners(section, tail, head, part, np.ones(len(node), dtype=bool), centroid, area, node, weight), size
 
 
 def _areas(place: np.ndarray, section: np.ndarray, normals: np.ndarray) -> np.ndarray:
@@ -218,8 +211,8 @@ def _with_clouds(surface: Surface, edges: np.ndarray, num: int, found: Corners) 
 def _smoothing(
     x: np.ndarray,
     edges: np.ndarray,
-    ways: list[np.ndarray],
-    radii: np.ndarray,
+    ways: list[Way],
+    size: np.ndarray,
     corners: Corners,
     *,
     stiffness: float,
@@ -227,7 +220,7 @@ def _smoothing(
 ) -> sparse.csr_matrix:
     """The matrix (N, S) that takes centroids to the minimum of the energy in the module's docstring."""
     num = len(x)
-    size = np.maximum(radii, 1e-3)
+    size = np.maximum(size, 1e-3)
     gather: Any = sparse.coo_matrix(
         (corners.weight, (corners.node, np.arange(len(corners.node)))), shape=(num, len(corners.node))
     ).tocsc()
@@ -239,10 +232,9 @@ def _smoothing(
     along_edge = sparse.coo_matrix((np.tile([1.0, -1.0], len(edges)), (rows, edges.ravel())), shape=(len(edges), num))
     matrix = matrix + along_edge.T @ sparse.diags(mu) @ along_edge
     if stiffness:
-        triples = [np.stack([nodes[:-2], nodes[1:-1], nodes[2:]], axis=1) for nodes in ways if len(nodes) > 2]
-        triple = np.concatenate([np.empty((0, 3), dtype=np.int64), *triples])
-        spacing = np.linalg.norm(x[triple[:, 1:]] - x[triple[:, :-1]], axis=2).mean(axis=1)
-        alpha = np.minimum((stiffness * radii[triple[:, 1]] / np.maximum(spacing, 1e-12)) ** 4, STIFFEST)
+        triple, spacing = measures.triples(x, ways)
+        reach = stiffness * size[triple[:, 1]]
+        alpha = np.minimum((reach / np.maximum(spacing, 1e-12)) ** 4, centring.STIFFEST)
         rows = np.repeat(np.arange(len(triple)), 3)
         bending = sparse.coo_matrix(
             (np.tile([1.0, -2.0, 1.0], len(triple)), (rows, triple.ravel())), shape=(len(triple), num)
@@ -327,3 +319,19 @@ def _nearby(shape: Enclosure, x: np.ndarray, distance: np.ndarray, nearest: np.n
         kept[point[is_less], cell[is_less]] = triangle[is_less]
         least[point[is_less], cell[is_less]] = away[is_less]
     return kept
+
+
+def _facing(shape: Enclosure, x: np.ndarray, inside: np.ndarray, triangle: np.ndarray) -> np.ndarray:
+    """(N, K, 3) the corners of each ``triangle`` (N, K), in such an order that a node over it is on its right side.
+
+    Where the surface runs through itself, the nearest wall of what is inside may be seen from outside.
+    """
+    faces = shape.faces[triangle]
+    corner = shape.triangles[triangle]
+    along, offset = np.roll(corner, -1, axis=2) - corner, x[:, None, None] - corner
+    normal = np.cross(along[:, :, 0], along[:, :, 1])
+    is_over = (np.einsum("nkci,nki->nkc", np.cross(along, offset), normal) >= 0).all(axis=2)
+    is_behind = np.einsum("nki,nki->nk", offset[:, :, 0], normal) < 0
+    is_wrong = is_over & (is_behind != inside[:, None])
+    faces[is_wrong] = faces[is_wrong][:, [0, 2, 1]]
+    return faces
