@@ -42,7 +42,7 @@ def test_rows_that_fill_up_do_not_matter(objective):
     curve = replayed(nodes, radii, edges, random.normal(size=(40, 3)), node)
     wider = replayed(
         np.concatenate([nodes, [[0, 0, 0], [9, 9, 9]]]),
-        np.append(radii, [-5.0, 5.0]),
+        np.append(radii, [5.0, -5.0]),
         np.concatenate([edges, [[6, 6], [6, 6]]]),
         curve.surface,
         node,
