@@ -141,14 +141,14 @@ def replaced(header, *way, value):
     ("way", "value"),
     [
         (("states",), 5),
-        (("states",), [3]),
-        (("states", 0, "members", "meso"), 3),
-        (("states", 0, "members", "meso"), None),
-        (("states", 0, "members", "history"), []),
-        (("states", 0, "members", "other"), 1),
-        (("states", 0, "members", "t_c"), 1e9),
-        (("states", 0, "members", "meso", "members", "rings"), {"array": "0"}),
-        (("states", 0, "members", "steps", 0, "record"), "Meso"),
+        (("states",), {"list": [3]}),
+        (("states", "list", 0, "members", "meso"), 3),
+        (("states", "list", 0, "members", "meso"), None),
+        (("states", "list", 0, "members", "history"), {"list": []}),
+        (("states", "list", 0, "members", "other"), 1),
+        (("states", "list", 0, "members", "t_c"), 1e9),
+        (("states", "list", 0, "members", "meso", "members", "rings"), {"array": "0/meso/positions"}),
+        (("states", "list", 0, "members", "steps", "list", 0, "record"), "Meso"),
     ],
 )
 def test_a_changed_checkpoint_is_a_clear_error(mesh, tmp_path, way, value):
