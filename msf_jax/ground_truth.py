@@ -55,6 +55,9 @@ class KnownShape:
     is_noisy: bool = False
     is_coarse: bool = False
 
+    def __repr__(self) -> str:
+        return f"KnownShape({self.name!r}, {len(self.mesh.vertices)} vertices, genus {self.genus})"
+
     @property
     def num_leaves(self) -> int:
         """Number of ends of limbs."""

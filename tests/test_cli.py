@@ -74,6 +74,9 @@ def test_the_demo_leaves_a_skeleton_and_a_picture(tmp_path, capsys):
     assert "1 cycle for genus 1" in capsys.readouterr().out
     assert (tmp_path / "hand.png").read_bytes().startswith(b"\x89PNG")
     assert "# loops cut: 1" in (tmp_path / "hand.swc").read_text()
+    (tmp_path / "hand.off").write_text("mine")
+    assert main(["demo", "-o", str(tmp_path)]) == 2
+    assert (tmp_path / "hand.off").read_text() == "mine" and "is another hand" in capsys.readouterr().err
 
 
 def open_box():
@@ -154,16 +157,53 @@ def test_help_and_refusals_do_not_wait_for_jax(arguments, code, tmp_path):
     assert found == f"{code} []" if code == 0 else found.startswith(str(code))
 
 
-def test_a_typo_in_an_option_is_named():
-    done = subprocess.run(
-        [sys.executable, "-m", "msf_jax", "skeletonize", "a.off", "-o", "b.swc", "--wL", "1"],
-        capture_output=True,
-        text=True,
-        check=False,
-    )
-    assert done.returncode == 2
-    assert "--wL" in done.stderr
-    assert "Traceback" not in done.stderr
+def test_a_typo_in_an_option_is_named_with_the_usage_of_its_command(capsys):
+    with pytest.raises(SystemExit, match="2"):
+        main(["skeletonize", "a.off", "-o", "b.swc", "--wL", "1"])
+    err = capsys.readouterr().err
+    assert err.startswith("usage: msf-jax skeletonize") and "--max-iterations" in err
+    assert err.endswith("unrecognized arguments: --wL 1; did you mean --w-L?\n")
+
+
+def test_alone_it_shows_help_and_all_is_well(capsys):
+    assert main([]) == 0
+    assert "first steps" in capsys.readouterr().out
+
+
+def test_a_curve_goes_beside_its_mesh_and_over_nothing_unless_forced(ball, tmp_path, capsys):
+    """Over a file whose name was given, it does; and so it does for a run that goes on from its checkpoint."""
+    curve, checkpoint = tmp_path / "ball.swc", tmp_path / "run.npz"
+    assert main(["skeletonize", str(ball)]) == 0
+    assert f"wrote {curve}" in capsys.readouterr().out
+    for command, there in (("skeletonize", curve), ("view", ball.with_suffix(".html"))):
+        there.write_text("mine")
+        assert main([command, str(ball)]) == 2
+        assert there.read_text() == "mine" and "add --force" in capsys.readouterr().err
+    assert main(["skeletonize", str(ball), "--force", "-q"]) == 0
+    assert curve.read_text() != "mine"
+    checkpoint.write_text("no checkpoint")
+    assert main(["skeletonize", str(ball), "--checkpoint", str(checkpoint)]) == 2
+    assert "is no checkpoint" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("suffix", [".swc", ".json", ".npz"])
+def test_a_report_is_printed_again_from_the_curves_file(suffix, tmp_path, capsys):
+    shape = blob(4)
+    skeleton = msf_jax.skeletonize(shape, msf_jax.Weights(), msf_jax.Config(evaluate=True))
+    skeleton.save(tmp_path / f"a{suffix}")
+    assert main(["report", str(tmp_path / f"a{suffix}")]) == 0
+    lines = skeleton.report.lines() if suffix == ".swc" else str(skeleton.report).splitlines()
+    assert capsys.readouterr().out.splitlines() == lines
+
+
+@pytest.mark.parametrize(
+    ("name", "content"),
+    [("a.swc", "1 0 0 0 0 1 -1"), ("a.json", "{}"), ("a.json", "{"), ("a.obj", "v 0 0 0"), ("a.npz", "")],
+)
+def test_a_file_without_a_report_is_told(name, content, tmp_path, capsys):
+    (tmp_path / name).write_text(content)
+    assert main(["report", str(tmp_path / name)]) == 2
+    assert name in capsys.readouterr().err
 
 
 def test_nothing_on_standard_error_where_there_is_no_terminal(ball, tmp_path):
@@ -214,7 +254,7 @@ def test_a_checkpoint_is_none_of_the_other_files_and_goes_in_the_end(tmp_path, c
     assert out.exists() and not checkpoint.exists()
 
 
-@pytest.mark.parametrize("command", ["", "skeletonize", "demo", "view", "batch", "completion"])
+@pytest.mark.parametrize("command", ["", "skeletonize", "demo", "view", "batch", "track", "report", "completion"])
 def test_the_examples_of_the_help_are_accepted(command, capsys):
     """Help teaches by examples; a line of them that the parser refuses would teach nothing."""
     with pytest.raises(SystemExit, match="0"):

@@ -70,6 +70,9 @@ class Batch:
     manifest: Path
     num_done: int
 
+    def __repr__(self) -> str:
+        return f"Batch({len(self.rows)} meshes, {self.num_failed} failed, {str(self.manifest)!r})"
+
     @property
     def num_failed(self) -> int:
         """Meshes without a curve."""

@@ -1,8 +1,8 @@
-"""The command line: ``msf-jax skeletonize``, ``demo``, ``view``, ``batch``, also as ``python -m msf_jax``.
+"""The command line: ``msf-jax skeletonize``, ``view``, ``batch`` and the others, also as ``python -m msf_jax``.
 
 Exit codes: 0 when all is written, 1 when some mesh of a batch failed or some frame has no curve, 2 for bad input or
 options, 130 for Ctrl-C, after which the curve as far as it went is written. A curve whose report is not clean is
-written all the same, with a warning.
+written all the same, with a warning. A file whose name was not given is never written over without ``--force``.
 
 Help and refusals come at once: a command imports what it needs when it needs it, JAX after the mesh has been accepted.
 """
@@ -16,7 +16,7 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from msf_jax.app.parser import configured, parser_of, repair_of, with_whole_options
+from msf_jax.app.parser import configured, parsed, parser_of, repair_of
 from msf_jax.base.errors import ConfigError, FlowError, Interrupted, MeshError
 from msf_jax.base.writing import write_whole
 from msf_jax.skeleton.formats import export
@@ -31,7 +31,7 @@ LISTED = 10  # of the meshes of a batch that failed, so many are named
 
 def main(argv: Sequence[str] | None = None) -> int:
     """Run the command line with ``argv`` (the process's own if not given); returns the exit code."""
-    arguments = _parser().parse_args(with_whole_options(sys.argv[1:] if argv is None else list(argv)))
+    arguments = parsed(_parser(), sys.argv[1:] if argv is None else list(argv))
     try:
         with _without_loader_noise():
             return arguments.run(arguments)
@@ -90,7 +90,7 @@ def _without_loader_noise() -> Iterator[None]:
 
 
 def _view(arguments: argparse.Namespace) -> int:
-    target = _checked_target(arguments.output or str(Path(arguments.mesh).with_suffix(".html")), arguments.mesh)
+    target = _target(arguments, ".html")
     if target.suffix.lower() != ".html":
         raise ConfigError(f"the page is an HTML file: expected a name that ends in .html, not {target.name!r}")
     weights, config = configured(arguments)
@@ -182,15 +182,15 @@ def _batch(arguments: argparse.Namespace) -> int:
 
 
 def _skeletonize(arguments: argparse.Namespace) -> int:
-    target = _checked_target(arguments.output, arguments.mesh)
+    target = _target(arguments, ".swc")
     render = export.writer_for(target)  # a wrong suffix is found before the flow, not after it
     picture = None
     if arguments.picture is not None:
-        picture = _checked_target(arguments.picture, arguments.mesh, arguments.output)
+        picture = _checked_target(arguments.picture, arguments.mesh, str(target))
         if picture.suffix.lower() != ".png":
             raise ConfigError(f"the picture is a PNG file: expected a name that ends in .png, not {picture.name!r}")
     if arguments.checkpoint is not None:
-        others = [arguments.mesh, arguments.output, *([arguments.picture] if arguments.picture else [])]
+        others = [arguments.mesh, str(target), *([arguments.picture] if arguments.picture else [])]
         _checked_target(arguments.checkpoint, *others)
     weights, config = configured(arguments, check=arguments.check, evaluate=arguments.evaluate)
     mesh, accepted = _accepted(arguments)
@@ -225,6 +225,17 @@ def _skeletonize(arguments: argparse.Namespace) -> int:
     return code
 
 
+def _target(arguments: argparse.Namespace, suffix: str) -> Path:
+    """Where the result goes: to the file that was named, or beside the mesh, where nothing may be lost."""
+    if arguments.output is not None:
+        return _checked_target(arguments.output, arguments.mesh)
+    target = _checked_target(str(Path(arguments.mesh).with_suffix(suffix)), arguments.mesh)
+    goes_on = getattr(arguments, "checkpoint", None) and Path(arguments.checkpoint).exists()  # an interrupted run's
+    if target.exists() and not (arguments.force or goes_on):
+        raise ConfigError(f"{str(target)!r} is there already: name another file with -o, or add --force")
+    return target
+
+
 def _checked_target(path: str, *others: str) -> Path:
     """A file that can be written to, and is none of ``others``."""
     target = Path(path)
@@ -249,13 +260,23 @@ def _demo(arguments: argparse.Namespace) -> int:
     from msf_jax.skeleton.pictures import panels
 
     mesh = shapes.hand()
+    content, own = str(mesh.export(file_type="off")), folder / "hand.off"
+    if own.exists() and own.read_bytes() != content.encode() and not arguments.force:
+        raise ConfigError(f"{str(own)!r} is another hand: name another folder with -o, or add --force")
     skeleton = skeletonize(mesh, progress=not arguments.quiet)
     files: dict[Path, str | bytes] = {
-        folder / "hand.off": str(mesh.export(file_type="off")),
+        own: content,
         folder / "hand.swc": export.writer_for("hand.swc")(skeleton, mesh),
         folder / "hand.png": panels.picture(skeleton, mesh),
     }
     return _finish(skeleton, files, arguments.quiet)
+
+
+def _report(arguments: argparse.Namespace) -> int:
+    from msf_jax.skeleton.formats import reporting
+
+    print("\n".join(reporting.lines_of(arguments.curve)))
+    return 0
 
 
 def _finish(skeleton: "Skeleton", files: dict[Path, str | bytes], quiet: bool) -> int:
@@ -280,4 +301,4 @@ def _tell(skeleton: "Skeleton", written: list[Path], quiet: bool) -> None:
 
 def _parser() -> argparse.ArgumentParser:
     run = {"skeletonize": _skeletonize, "demo": _demo, "batch": _batch, "view": _view, "track": _track}
-    return parser_of(run)
+    return parser_of(run | {"report": _report})

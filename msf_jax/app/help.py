@@ -9,7 +9,7 @@ HELP = {  # what stands above the options, and below them
         """\
 first steps:
   msf-jax demo                                      a hand made in code, its curve and a picture
-  msf-jax skeletonize hand.off -o hand.swc          a curve, and a report that says how far to trust it
+  msf-jax skeletonize hand.off                      hand.swc, and a report that says how far to trust it
   msf-jax view hand.off                             a page to look around in
   msf-jax COMMAND --help                            options and more examples
 
@@ -22,6 +22,7 @@ Skeletonise one closed mesh. The report is printed at the end: whether the flow 
 the curve has as many cycles as the mesh has handles, how much of it is inside.""",
         """\
 examples:
+  msf-jax skeletonize hand.off                              writes hand.swc, unless there is one
   msf-jax skeletonize hand.off -o hand.swc --picture hand.png
   msf-jax skeletonize scan.stl -o scan.vtp --repair         not closed, or not one way round
   msf-jax skeletonize teapot.obj -o teapot.npz --repair join   parts that belong together are one
@@ -64,6 +65,13 @@ examples:
   msf-jax track first.obj frames -o curves
   msf-jax track first.obj frames -o curves --format .vtp
   msf-jax track first.npz frames -o curves              a curve that was saved before: no run""",
+    ),
+    "REPORT": (
+        "Print the report of a curve that was written before: what was found, and how far to trust it.",
+        """\
+examples:
+  msf-jax report hand.swc
+  msf-jax report hand.npz                with the seconds of every stage""",
     ),
     "COMPLETION": (
         "Print a script that lets a shell complete commands and options.",

@@ -1,6 +1,7 @@
 """The options of every command, with their help, and what becomes of them: weights, a `Config`, a way to repair."""
 
 import argparse
+import difflib
 from collections.abc import Callable, Mapping
 from typing import Any
 
@@ -25,12 +26,15 @@ def parser_of(run: Mapping[str, Callable[[argparse.Namespace], int]]) -> argpars
     """All commands with their options; ``run`` holds what runs each of them, by its name."""
     parser = argparse.ArgumentParser(prog="msf-jax", **teaching("PARSER"))
     parser.add_argument("--version", action="version", version=f"msf-jax {VERSION}")
-    commands = parser.add_subparsers(title="commands", required=True, metavar="COMMAND")
+    parser.set_defaults(run=lambda _: parser.print_help() or 0, parser=parser)
+    commands = parser.add_subparsers(title="commands", metavar="COMMAND")
 
     one = commands.add_parser("skeletonize", help="a mesh in, its curve skeleton out", **teaching("SKELETONIZE"))
     _completes(one.add_argument("mesh", metavar="IN", help=MESH), shtab.FILE)
     suffixes = f"one of {', '.join(export.WRITERS)}"
-    _completes(one.add_argument("-o", "--output", metavar="OUT", required=True, help=suffixes), shtab.FILE)
+    place = f"where to write the curve, {suffixes} (default: IN with .swc)"
+    _completes(one.add_argument("-o", "--output", metavar="OUT", help=place), shtab.FILE)
+    _forcing(one)
     _completes(one.add_argument("--picture", metavar="PNG", help="draw the curve in the mesh, too"), shtab.FILE)
     _repairing(one)
     one.add_argument("--evaluate", action="store_true", help="report off-centre, missed surface and the like, too")
@@ -55,6 +59,7 @@ def parser_of(run: Mapping[str, Callable[[argparse.Namespace], int]]) -> argpars
         ),
         shtab.DIRECTORY,
     )
+    _forcing(demo)
     _common(demo)
     demo.set_defaults(run=run["demo"])
 
@@ -62,6 +67,7 @@ def parser_of(run: Mapping[str, Callable[[argparse.Namespace], int]]) -> argpars
     _completes(look.add_argument("mesh", metavar="IN", help=MESH), shtab.FILE)
     place = "where to write it (default: IN with .html)"
     _completes(look.add_argument("-o", "--output", metavar="HTML", help=place), shtab.FILE)
+    _forcing(look)
     _repairing(look)
     _settings(look)
     _common(look)
@@ -91,16 +97,33 @@ def parser_of(run: Mapping[str, Callable[[argparse.Namespace], int]]) -> argpars
     _common(series)
     series.set_defaults(run=run["track"])
 
+    again = commands.add_parser("report", help="print a curve's report again", **teaching("REPORT"))
+    place = f"a curve that was written before: {export.HOLD_REPORT}"
+    _completes(again.add_argument("curve", metavar="CURVE", help=place), shtab.FILE)
+    again.set_defaults(run=run["report"])
+
     shell = commands.add_parser("completion", help="let a shell complete commands", **teaching("COMPLETION"))
     shell.add_argument("shell", choices=shtab.SUPPORTED_SHELLS, help="which")
-    shell.set_defaults(float32=False, run=lambda arguments: print(shtab.complete(parser, arguments.shell)) or 0)
+    shell.set_defaults(run=lambda arguments: print(shtab.complete(parser, arguments.shell)) or 0)
+    for command in commands.choices.values():
+        command.set_defaults(parser=command)
     return parser
+
+
+def parsed(parser: argparse.ArgumentParser, words: list[str]) -> argparse.Namespace:
+    """What ``words`` say; for an option that there is not, the usage of their own command and the nearest option."""
+    arguments, unknown = parser.parse_known_args(with_whole_options(words))
+    if unknown:
+        near = difflib.get_close_matches(unknown[0].partition("=")[0], arguments.parser._option_string_actions, 1)
+        hint = f"; did you mean {near[0]}?" if near else ""
+        arguments.parser.error(f"unrecognized arguments: {' '.join(unknown)}{hint}")
+    return arguments
 
 
 def with_whole_options(words: list[str]) -> list[str]:
     """``--repair`` with its value, which argparse would take from whatever follows, a mesh's name for one."""
     whole = []
-    for word, after in zip(words, [*words[1:], ""], strict=True):
+    for word, after in zip(words, [*words, ""][1:], strict=True):
         whole.append(f"{word}=mend" if word == "--repair" and after not in REPAIRS else word)
     return whole
 
@@ -108,6 +131,11 @@ def with_whole_options(words: list[str]) -> list[str]:
 def _completes(option: Any, kind: object) -> None:
     """The shell offers files or folders for an option: shtab reads an attribute of it that argparse does not know."""
     option.complete = kind
+
+
+def _forcing(parser: argparse.ArgumentParser) -> None:
+    """What writes files whose names were not given asks before it loses one."""
+    parser.add_argument("--force", action="store_true", help="write over a file whose name was not given, too")
 
 
 def _repairing(parser: argparse.ArgumentParser) -> None:

@@ -23,6 +23,10 @@ class Followed(NamedTuple):
     nodes: jax.Array
     radii: jax.Array
 
+    def __repr__(self) -> str:
+        parts = (f"{name} {part.dtype}{list(part.shape)}" for name, part in self._asdict().items())
+        return f"Followed({', '.join(parts)})"
+
 
 def follow(skeleton: Skeleton, vertices: Any) -> Followed:
     """The ``skeleton`` in its mesh as it is with its vertices at ``vertices`` (V, 3): the same faces, no run.

@@ -25,6 +25,9 @@ class Sensitivity(NamedTuple):
     by_weight: Weights
     tolerance: float | None = None
 
+    def __repr__(self) -> str:
+        return f"Sensitivity({self.tape!r})"
+
     def of_vertex(self, vertex: int) -> np.ndarray:
         """(N, 3, 3): column k is how far each node moves per unit that ``vertex`` moves along axis k.
 

@@ -52,6 +52,9 @@ class Frame:
         """Whether the frozen sections no longer do: run `msf_jax.skeletonize` on this frame."""
         return len(self.vanished) + len(self.loose) > 0 or not self.inside >= INSIDE
 
+    def __repr__(self) -> str:
+        return f"Frame({self})"
+
     def __str__(self) -> str:
         parts = [f"frame {self.number}: {100 * self.inside:.2f} % inside"]
         for nodes, what in ((self.vanished, "without a section"), (self.loose, "whose section no longer holds")):
@@ -91,6 +94,9 @@ class Track:
         if not -len(self.frames) <= number < len(self.frames):
             raise ConfigError(f"no frame {number}: expected one of the {len(self.frames)}, counted from 0")
         return curve_of(self.skeleton, self.frames[number])
+
+    def __repr__(self) -> str:
+        return f"Track({str(self).splitlines()[0]}, {self.skeleton!r})"
 
     def __str__(self) -> str:
         wanting = [frame for frame in self.frames if frame.wants_run]

@@ -1,5 +1,6 @@
 """`Report`: what a run found, and how far to trust it."""
 
+from collections.abc import Mapping
 from dataclasses import asdict, dataclass, field
 from typing import Any
 
@@ -65,7 +66,26 @@ class Report:
         lists = {"repairs": list(self.repairs), "notes": list(self.notes)}
         return asdict(self) | lists | {"figures": figures, "inside": inside}
 
+    @classmethod
+    def from_dict(cls, values: Mapping[str, Any]) -> "Report":
+        """The report that `to_dict` was made of; raises a KeyError or a TypeError for anything else."""
+        figures = {name: np.nan if value is None else value for name, value in values["figures"].items()}
+        inside = np.nan if values["inside"] is None else values["inside"]
+        changed: dict[str, Any] = {"figures": figures, "inside": inside}
+        changed |= {key: tuple(values[key]) for key in ("repairs", "notes")}
+        return cls(**(dict(values) | changed))
+
+    def __repr__(self) -> str:
+        how = "converged" if self.converged else f"NOT converged, {self.reason}"
+        cycles = _compare(self.cycles, "cycle", self.genus - self.cut, f"for genus {self.genus}")
+        return f"Report({how}, {cycles}, {100 * self.inside:.2f} % inside)"
+
     def __str__(self) -> str:
+        seconds = ", ".join(f"{stage} {seconds:.2f} s" for stage, seconds in self.seconds.items())
+        return "\n".join([*self.lines(), *([seconds] if seconds else [])])
+
+    def lines(self) -> list[str]:
+        """What is printed of it, but for the seconds, in which no two runs are alike."""
         lines = [
             f"{'converged' if self.converged else 'NOT converged'}: {self.reason}, "
             f"after {self.iterations} iterations ({self.volume:.1e} of the volume left)",
@@ -82,9 +102,7 @@ class Report:
         if self.figures:
             lines.append(", ".join(f"{name} {value:.4g}" for name, value in self.figures.items()))
         lines += [f"repaired: {repair}" for repair in self.repairs]
-        lines += self.notes
-        lines.append(", ".join(f"{stage} {seconds:.2f} s" for stage, seconds in self.seconds.items()))
-        return "\n".join(lines)
+        return lines + list(self.notes)
 
 
 def _compare(found: int, what: str, expected: int, why: str) -> str:

@@ -51,7 +51,9 @@ class Skeleton:
     roots: tuple[int, ...] = ()
 
     def __repr__(self) -> str:
-        return f"Skeleton({len(self.vertices)} nodes, {len(self.edges)} edges, {self.report.cycles} cycles)"
+        cycles = f"{self.report.cycles} {'cycle' if self.report.cycles == 1 else 'cycles'}"
+        inside = "" if np.isnan(self.report.inside) else f", {100 * self.report.inside:.2f} % inside"
+        return f"Skeleton({len(self.vertices)} nodes, {len(self.edges)} edges, {cycles}{inside})"
 
     @property
     def length(self) -> float:
@@ -243,9 +245,9 @@ class Skeleton:
         """Write the curve in the format that the suffix names, whole or not at all.
 
         ``.swc`` (a tree, parents first: ids count its rows from 1, and are not the nodes' numbers; loops are cut, and
-        the cut edges listed in a comment), ``.obj`` (lines), ``.cg`` (vertices and edges), ``.polylines.txt`` (CGAL's),
-        ``.ply`` (vertices with radius, edges), ``.vtp`` (VTK PolyData with point data "radius"), ``.graphml``
-        (NetworkX's), ``.npz`` (everything, and the surface: `msf_jax.read_curve` reads it),
+        the cut edges listed in a comment, as the report is), ``.obj`` (lines), ``.cg`` (vertices and edges),
+        ``.polylines.txt`` (CGAL's), ``.ply`` (vertices with radius, edges), ``.vtp`` (VTK PolyData with point data
+        "radius"), ``.graphml`` (NetworkX's), ``.npz`` (everything, and the surface: `msf_jax.read_curve` reads it),
         ``.json`` (everything, the report included), ``.glb`` (glTF:
         ``mesh``, as `skeletonize` took it, skinned to the curve, whose nodes are the joints).
 

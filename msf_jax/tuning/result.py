@@ -47,6 +47,10 @@ class Tuned:
     trajectory: tuple[TuningStep, ...]
     reason: str
 
+    def __repr__(self) -> str:
+        weights = ", ".join(f"{name} {shown(weight)}" for name, weight in vars(self.weights).items())
+        return f"Tuned({self.value:.6g} at {weights}, after {len(self.trajectory) - 1} steps, {self.reason})"
+
     def __str__(self) -> str:
         lines = [f"{len(self.trajectory) - 1} steps, {self.reason}", "objective   expected   box    decisions changed"]
         for step in self.trajectory:

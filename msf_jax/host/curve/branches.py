@@ -24,6 +24,11 @@ class Branch(NamedTuple):
     persistence: float
     surface: float
 
+    def __repr__(self) -> str:
+        ends = f"{self.nodes[0]} to {self.nodes[-1]}"
+        numbers = f"length {self.length:.4g}, persistence {self.persistence:.3g}"
+        return f"Branch({len(self.nodes)} nodes from {ends}, {numbers})"
+
 
 def trace(num_nodes: int, edges: np.ndarray) -> list[list[int]]:
     """Node lists between nodes that have other than two edges; a loop without one is closed.

@@ -44,6 +44,7 @@ def _needed(mesh: Any, suffix: str) -> Any:
     return mesh
 
 
+HOLD_REPORT = ".npz, .json or .swc"
 # Module and function of each writer. It takes the skeleton, and the mesh if it is one of those that need it.
 NEED_MESH = (".glb",)
 WRITERS = {

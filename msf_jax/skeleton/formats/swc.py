@@ -13,6 +13,7 @@ if TYPE_CHECKING:
     from msf_jax.skeleton.skeleton import Skeleton
 
 CUT = "# cut edge"  # the comment that names an edge which SWC cannot hold, by its two ids
+REPORT = "# report: "  # before each line of the report
 
 
 def written(skeleton: "Skeleton") -> str:
@@ -20,13 +21,21 @@ def written(skeleton: "Skeleton") -> str:
     parent = branches.tree(len(skeleton.vertices), skeleton.edges, skeleton.roots)
     row_of = {node: index + 1 for index, node in enumerate(parent)}
     cut = [f"{CUT} {row_of[a]} {row_of[b]}" for a, b in skeleton.edges.tolist() if parent[a] != b and parent[b] != a]
-    header = ["# curve skeleton written by msf_jax", f"# loops cut: {len(cut)}; each cut edge is listed by its two ids"]
+    is_known = not np.isnan(skeleton.report.inside)  # of a curve that was read from a file it is not
+    report = [REPORT + " ".join(line.split()) for line in skeleton.report.lines()] if is_known else []
+    header = ["# curve skeleton written by msf_jax", *report]
+    header.append(f"# loops cut: {len(cut)}; each cut edge is listed by its two ids")
     rows = [
         f"{row_of[node]} 0 {point(skeleton.vertices[node])} {number(skeleton.radii[node])} "
         f"{row_of[above] if above >= 0 else -1}"
         for node, above in parent.items()
     ]
     return "\n".join([*header, *cut, *rows]) + "\n"
+
+
+def report_lines(text: str) -> list[str]:
+    """The lines of the report that `written` left in the comments; none in a file of another program."""
+    return [line.removeprefix(REPORT) for line in text.splitlines() if line.startswith(REPORT)]
 
 
 def parsed(name: str, lines: list[str]) -> tuple[np.ndarray, list[tuple[int, int]], np.ndarray]:

@@ -56,11 +56,7 @@ def read_npz(path: str | os.PathLike[str]) -> "tuple[dict[str, Any], Report, Sou
         curve["roots"] = tuple(int(node) for node in held["roots"])
         if not all(0 <= node < num for node in curve["roots"]):
             raise ValueError("the roots are no nodes")
-        values = json.loads(str(held["report"]))
-        none_is_nan = {key: np.nan if value is None else value for key, value in values["figures"].items()}
-        inside = np.nan if values["inside"] is None else values["inside"]
-        lists = {key: tuple(values[key]) for key in ("repairs", "notes")}
-        report = Report(**(values | lists | {"figures": none_is_nan, "inside": inside}))
+        report = Report.from_dict(json.loads(str(held["report"])))
         source = None
         if "surface_vertices" in held:
             vertices, faces = held["surface_vertices"], held["surface_faces"].astype(np.int64)
@@ -77,8 +73,8 @@ def read_npz(path: str | os.PathLike[str]) -> "tuple[dict[str, Any], Report, Sou
 def plain_json(skeleton: "Skeleton") -> str:
     """Everything by its name, for whatever reads JSON."""
     content = {
-        "format": "msf_jax skeleton",
-        "version": 1,
+        "format": f"msf_jax {KIND}",
+        "version": VERSION,
         "vertices": skeleton.vertices.tolist(),
         "edges": skeleton.edges.tolist(),
         "radii": skeleton.radii.tolist(),
