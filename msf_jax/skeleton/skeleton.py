@@ -274,7 +274,7 @@ class Skeleton:
         """
         return page.view(self, mesh, path)
 
-    def plot(self, mesh: Any = None, *, elevation: float = 15.0, azimuth: float = -70.0) -> "Figure":
+    def plot(self, mesh: Any = None, *, elevation: float | None = None, azimuth: float | None = None) -> "Figure":
         """A matplotlib figure, for papers: the mesh translucent, the curve coloured by radius; see `panels.figure`."""
         return panels.figure(self, mesh, elevation=elevation, azimuth=azimuth)
 

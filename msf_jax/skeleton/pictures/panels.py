@@ -9,6 +9,7 @@ import numpy as np
 
 from msf_jax.base.errors import ConfigError
 from msf_jax.host.mesh import reading
+from msf_jax.skeleton.pictures import camera
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -40,7 +41,12 @@ class Panel:
 
 
 def panels(
-    shown: Sequence[Panel], *, columns: int = 4, size: float = 3.2, elevation: float = 15.0, azimuth: float = -70.0
+    shown: Sequence[Panel],
+    *,
+    columns: int = 4,
+    size: float = 3.2,
+    elevation: float | None = None,
+    azimuth: float | None = None,
 ) -> "Figure":
     """A matplotlib figure of pictures side by side, all in the box of what they show together.
 
@@ -48,7 +54,8 @@ def panels(
         shown: a picture each.
         columns: so many in a row.
         size: of each, in inches.
-        elevation, azimuth: where they are seen from, in degrees.
+        elevation, azimuth: where they are seen from, in degrees, with z upright; along the shortest principal axis of
+            what is shown, with the longest upright or level, if neither is given.
 
     Raises:
         ConfigError: there is nothing to show.
@@ -69,6 +76,9 @@ def panels(
     if not points:
         raise ConfigError("no panel shows anything: expected a mesh, a curve or points")
     box = np.concatenate(points)
+    roll = 0.0
+    if elevation is None and azimuth is None:
+        elevation, azimuth, roll = camera.looking(*_together(surfaces, box)).angles()
     radii = [curve.radii for panel in shown if len(panel.curves) == 1 for curve in panel.curves.values()]
     colours = ScalarMappable(Normalize(0, max((float(part.max()) for part in radii), default=1.0)), cmap="plasma")
     every = []
@@ -76,11 +86,21 @@ def panels(
         axes: Any = drawing.add_subplot(rows, columns, k + 1, projection="3d", computed_zorder=False)
         every.append(axes)
         _draw(axes, panel, surfaces[k], colours)
-        axes.view_init(elev=elevation, azim=azimuth)
+        axes.view_init(elevation or 0.0, azimuth or 0.0, roll)
         _frame(axes, box)
     if radii:
         drawing.colorbar(colours, ax=every, shrink=0.5 if rows == 1 else 0.3, label="radius")
     return drawing
+
+
+def _together(surfaces: list[tuple[np.ndarray, np.ndarray] | None], box: np.ndarray) -> tuple[np.ndarray, Any]:
+    """All surfaces as one, or all points if there is no surface."""
+    found = [surface for surface in surfaces if surface is not None]
+    if not found:
+        return box, None
+    first = np.cumsum([0] + [len(vertices) for vertices, _ in found])
+    faces = [part + start for (_, part), start in zip(found, first, strict=False)]
+    return np.concatenate([vertices for vertices, _ in found]), np.concatenate(faces)
 
 
 def _draw(axes: Any, panel: Panel, mesh: tuple[np.ndarray, np.ndarray] | None, colours: Any) -> None:
@@ -130,18 +150,22 @@ def _frame(axes: Any, points: np.ndarray) -> None:
     axes.set_box_aspect(half, zoom=zoom)
 
 
-def figure(skeleton: "Skeleton", mesh: Any = None, *, elevation: float = 15.0, azimuth: float = -70.0) -> "Figure":
+def figure(
+    skeleton: "Skeleton", mesh: Any = None, *, elevation: float | None = None, azimuth: float | None = None
+) -> "Figure":
     """A matplotlib figure: the mesh translucent, the curve coloured by radius.
 
     Args:
         skeleton: the curve.
         mesh: what it was made from, as `skeletonize` takes it; the curve alone if not given.
-        elevation, azimuth: where it is seen from, in degrees.
+        elevation, azimuth: where it is seen from; see `panels`.
     """
     return panels([Panel(mesh=mesh, curves={"": skeleton})], size=8, elevation=elevation, azimuth=azimuth)
 
 
-def picture(skeleton: "Skeleton", mesh: Any = None, *, elevation: float = 15.0, azimuth: float = -70.0) -> bytes:
+def picture(
+    skeleton: "Skeleton", mesh: Any = None, *, elevation: float | None = None, azimuth: float | None = None
+) -> bytes:
     """`figure` as the bytes of a PNG file."""
     buffer = io.BytesIO()
     figure(skeleton, mesh, elevation=elevation, azimuth=azimuth).savefig(buffer, format="png", dpi=150)
