@@ -1,4 +1,4 @@
-"""Where a picture is seen from: along the shortest principal axis, the longest upright or level, and head up."""
+"""Where a picture is seen from: about along the shortest principal axis, the longest upright or level, head up."""
 
 from typing import NamedTuple
 
@@ -9,6 +9,7 @@ STEEPEST = 89.9  # degrees: straight from above there is no way up
 ALONG = 0.85  # cosine at which an axis is that of the file, more or less
 LONG = 1.7  # so many times as long as wide has a direction of its own
 STANDS = 1.5  # so many times as high as wide is a thing that stands; people are 2 to 4, animals are longer than high
+ASIDE, ABOVE = np.radians(18.0), np.radians(8.0)  # straight on, half of what is symmetric hides behind the other half
 # From which side, by the axis that is up (x, y, z): CAD looks along y where z is up, games against z where y is.
 FRONT = np.array([[0.0, -1.0, 0.5], [0.5, 0.0, 1.0], [0.5, -1.0, 0.0]])
 
@@ -65,4 +66,8 @@ def looking(vertices: np.ndarray, faces: np.ndarray | None = None) -> Camera:
             up = upright
     nearest = int(np.abs(up).argmax())
     up = up * np.sign(up[nearest])
-    return Camera(towards if towards @ FRONT[nearest] >= 0 else -towards, up)
+    front = Camera(towards if towards @ FRONT[nearest] >= 0 else -towards, up)
+    towards = np.cos(ASIDE) * front.towards + np.sin(ASIDE) * front.right
+    return Camera(
+        np.cos(ABOVE) * towards + np.sin(ABOVE) * front.up, np.cos(ABOVE) * front.up - np.sin(ABOVE) * towards
+    )

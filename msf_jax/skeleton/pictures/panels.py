@@ -54,7 +54,7 @@ def panels(
         shown: a picture each.
         columns: so many in a row.
         size: of each, in inches.
-        elevation, azimuth: where they are seen from, in degrees, with z upright; along the shortest principal axis of
+        elevation, azimuth: where they are seen from, in degrees, with z upright; about along the shortest principal axis of
             what is shown, with the longest upright or level, if neither is given.
 
     Raises:
