@@ -1,5 +1,8 @@
 """The page and the segments: what is in them, and that the sliders name the traces that they should."""
 
+import base64
+import gzip
+import json
 import re
 
 import numpy as np
@@ -58,12 +61,81 @@ def test_the_page_is_one_file_that_needs_no_network(hand, tmp_path):
     skeleton, mesh = hand
     skeleton.view(mesh, tmp_path / "hand.html")
     text = (tmp_path / "hand.html").read_text()
-    assert not re.search(r"<(script|link|img)[^>]+(src|href)=", text)
-    assert "<html>" in text[:100] and "Plotly.newPlot" in text
+    assert not re.search(r"<(script|link|img)[^>]+(src|href)=(?!.data:,)", text)
+    assert text.startswith("<!doctype html>") and "Plotly.newPlot" in text and "@" not in text.split("<body>")[1][:200]
+    assert f"<h1>hand</h1><p>{len(skeleton.vertices)} nodes, 1 cycles" in text
+    assert 'name="viewport"' in text and len(text) < 3e6  # plotly alone is 4.8 MB
     with pytest.raises(ConfigError, match=r"written as .html, not as '.png'"):
         skeleton.view(mesh, tmp_path / "hand.png")
     with pytest.raises(MeshError, match="expected the same mesh"):
         skeleton.view(torus())
+
+
+def unpacked(text, name):
+    """What the script of that id in a page holds, as the browser reads it."""
+    return gzip.decompress(base64.b64decode(re.search(f'<script id="{name}"[^>]*>(.*?)</script>', text)[1]))
+
+
+def test_what_is_packed_is_what_was_drawn(hand, tmp_path):
+    """Arrays begin where their items may, are there once, and come out as they went in."""
+    skeleton, mesh = hand
+    drawing = skeleton.view(mesh, tmp_path / "hand.html")
+    text = (tmp_path / "hand.html").read_text()
+    assert b"Plotly" in unpacked(text, "plotly")[: 10**6]
+    blob = unpacked(text, "data")
+    length = int.from_bytes(blob[:4], "little")
+
+    def array(value):
+        if "array" not in value:
+            return value
+        kind = np.dtype(value["array"])
+        at = 4 + length + value["at"]
+        assert at % kind.itemsize == 0 and kind.name in text  # the page has a typed array for it
+        return np.frombuffer(blob, kind, value["num"], at)
+
+    content = json.loads(blob[4 : 4 + length], object_hook=array)
+    assert content["name"] == "hand" and len(content["data"]) == len(drawing.data)
+    for shown, drawn in zip(content["data"], drawing.data, strict=True):
+        for name in ("x", "y", "z", "i", "j", "k", "intensity", "customdata"):
+            if drawn.type == "mesh3d" and drawn[name] is not None:
+                np.testing.assert_array_equal(shown[name], drawn[name])
+    starts = [trace["x"].ctypes.data for trace in content["data"][:2]]
+    assert starts[0] == starts[1]  # the surface in grey and by node
+    sliders = content["controls"]["sliders"]
+    assert [len(slider["steps"]) for slider in sliders] == [len(slider.steps) for slider in drawing.layout.sliders]
+    assert "sliders" not in content["layout"] and "title" not in content["layout"]
+
+
+def test_all_is_in_view_and_stays_where_it_is(hand):
+    """Through plotly's camera, an eye with 45 degrees from top to bottom; hiding a part does not move the rest."""
+    skeleton, mesh = hand
+    for stretch in ((1, 1, 1), (6, 1, 1), (1, 1, 0.01)):
+        curve = curve_of(skeleton.vertices * stretch, skeleton.edges, skeleton.radii)
+        drawing = curve.view((mesh.vertices * stretch, mesh.faces))
+        scene = drawing.layout.scene
+        limits = np.array([scene[f"{axis}axis"].range for axis in "xyz"], dtype=float).T
+        points = np.stack([np.asarray(drawing.data[0][axis], dtype=float) for axis in "xyz"], axis=1)
+        assert ((points >= limits[0] - 1e-6) & (points <= limits[1] + 1e-6)).all()
+        points = (points - limits.mean(axis=0)) / np.cbrt(np.ptp(limits, axis=0).prod())
+        eye, up = (np.array([scene.camera[part][axis] for axis in "xyz"]) for part in ("eye", "up"))
+        ahead = -eye / np.linalg.norm(eye)
+        depth = (points - eye) @ ahead
+        assert (depth > 0).all()
+        height = (points - eye) @ up / depth / np.tan(np.radians(22.5))
+        width = (points - eye) @ np.cross(ahead, up) / depth / np.tan(np.radians(22.5))
+        assert np.abs(height).max() <= 1 and np.abs(width).max() <= 1.3
+        assert max(np.abs(height).max(), np.abs(width).max() / 1.3) > 0.75
+
+
+def test_the_pointer_tells_the_radius_on_the_surface_too(hand):
+    skeleton, mesh = hand
+    for drawing in (skeleton.view(mesh), skeleton.view()):
+        surface = drawing.data[0]
+        assert "customdata" in surface.hovertemplate and surface.hoverinfo is None
+        assert set(surface.customdata) <= set(skeleton.radii.astype(np.float32))
+    np.testing.assert_array_equal(
+        skeleton.view(mesh).data[1].customdata, skeleton.radii.astype(np.float32)[skeleton.mesh_map]
+    )
 
 
 def test_a_curve_of_a_file_and_one_of_a_single_node_can_be_viewed(tmp_path):

@@ -5,12 +5,14 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from scipy import spatial
 
 from msf_jax.base.errors import ConfigError
 from msf_jax.base.writing import write_whole
 from msf_jax.host.mesh import reading
 from msf_jax.host.solid.geometry import unit
-from msf_jax.skeleton.pictures import segmentation
+from msf_jax.skeleton.pictures import packing, segmentation
+from msf_jax.skeleton.pictures.camera import looking
 
 if TYPE_CHECKING:
     from plotly.graph_objects import Figure
@@ -22,7 +24,10 @@ THICKNESS = 0.004  # their radius, in diagonals
 PRUNED = (0.0, 1.3, 1.6, 2.0, 2.5, 3.0, 4.0, 6.0, 10.0)  # persistence at the stops of the slider
 LARGEST = 1e30  # coordinate that is written in float32
 GREY = "#8c9eb8"
-EYE = np.array([0.67, -0.67, 0.33])  # where the page is seen from first, from the middle
+RADIUS = "radius %{customdata:.4g}<extra></extra>"
+SLOPE = np.tan(np.radians(22.5))  # of the upper edge of plotly's view
+LANDSCAPE = 1.3  # width over height of a notebook's cell; a page finds out its own
+FLATTEST = 0.01  # the scene is at least so deep as it is wide: plotly scales its extents to a product of 1
 
 
 def view(skeleton: "Skeleton", mesh: Any = None, path: str | os.PathLike[str] | None = None) -> "Figure":
@@ -55,19 +60,15 @@ def view(skeleton: "Skeleton", mesh: Any = None, path: str | os.PathLike[str] | 
         margin={"l": 0, "r": 0, "t": 40, "b": 90},
         title={"text": _title(skeleton), "font": {"size": 14}},
         showlegend=False,
-        scene={
-            "aspectmode": "data",
-            "camera": {"eye": _eye(traces)},
-            **{f"{axis}axis": {"visible": False} for axis in "xyz"},
-        },
+        **_scene(traces),
         sliders=[
             _slider("contraction: ", ["none", *(f"{stage.iteration}" for stage in stages)], num_surfaces, 2, 0.02, 1),
-            _slider("pruned at persistence ", [text for text, _ in kept], first, 1, 0.53, 0),
+            _slider("pruned at persistence: ", [text for text, _ in kept], first, 1, 0.53, 0),
         ],
         updatemenus=[_menu(num_surfaces, node)],
     )
     if path is not None:
-        write_whole(path, drawing.to_html(include_plotlyjs=True, full_html=True))
+        write_whole(path, packing.page_of(drawing, Path(path).stem, _title(skeleton)))
     return drawing
 
 
@@ -88,13 +89,24 @@ def _surfaces(skeleton: "Skeleton", mesh: Any, middle: np.ndarray) -> tuple[list
         vertices, faces = reading.read(mesh, finite=False)
         if len(skeleton.mesh_map):
             reading.check_map(skeleton.mesh_map, len(vertices))
-    found = [_mesh(vertices - middle, faces, "surface", opacity=0.18, color=GREY, visible=True)]
+    node = _node_of(skeleton, vertices, len(vertices) if mesh is not None else -1)
+    # The pointer meets the surface before the curve: there, too, it tells the radius.
+    hover = {"hoverinfo": None, "customdata": _short(skeleton.radii)[node], "hovertemplate": RADIUS}
+    found = [_mesh(vertices - middle, faces, "surface", opacity=0.18, color=GREY, visible=True, **hover)]
     if mesh is None or len(skeleton.mesh_map) == 0:  # a curve of another program has no map
         return found, False
     colour = segmentation.colours(len(skeleton.vertices))[skeleton.mesh_map]
     rgb = [f"rgb({r},{g},{b})" for r, g, b, _ in colour]
-    found.append(_mesh(vertices - middle, faces, "surface by node", opacity=0.5, vertexcolor=rgb, visible=False))
+    look = {"opacity": 0.5, "vertexcolor": rgb, "visible": False}
+    found.append(_mesh(vertices - middle, faces, "surface by node", **look, **hover))
     return found, True
+
+
+def _node_of(skeleton: "Skeleton", vertices: np.ndarray, num: int) -> np.ndarray:
+    """(V,) the node of each vertex, by the map if it is that of a mesh of ``num`` vertices, else the nearest."""
+    if len(skeleton.mesh_map) == num:
+        return skeleton.mesh_map
+    return spatial.KDTree(skeleton.vertices).query(vertices)[1]
 
 
 def _mesh(vertices: np.ndarray, faces: np.ndarray, name: str, **options: Any) -> Any:
@@ -102,7 +114,7 @@ def _mesh(vertices: np.ndarray, faces: np.ndarray, name: str, **options: Any) ->
 
     corners = dict(zip("ijk", np.asarray(faces, dtype=np.int32).T, strict=True))
     at = dict(zip("xyz", _short(vertices).T, strict=True))
-    return go.Mesh3d(**at, **corners, name=name, hoverinfo="skip", flatshading=False, **options)
+    return go.Mesh3d(**at, **corners, name=name, flatshading=False, **({"hoverinfo": "skip"} | options))
 
 
 def _short(points: np.ndarray) -> np.ndarray:
@@ -110,13 +122,29 @@ def _short(points: np.ndarray) -> np.ndarray:
     return points.astype(np.float32 if np.abs(points).max(initial=0.0) < LARGEST else np.float64)
 
 
-def _eye(traces: list[Any]) -> dict[str, float]:
-    """Where all is in view: plotly scales a scene so that the product of its extents is 1."""
-    corners = [np.stack([np.asarray(trace[axis], dtype=np.float64) for axis in "xyz"], axis=1) for trace in traces]
-    extent = np.ptp(np.concatenate(corners), axis=0)
-    extent = np.maximum(extent, 1e-3 * max(float(extent.max()), 1e-300))
-    reach = extent.max() / np.cbrt(extent.prod())
-    return dict(zip("xyz", (max(2.0, 1.4 * float(reach)) * EYE).tolist(), strict=True))
+def _scene(traces: list[Any]) -> dict[str, Any]:
+    """Where all is in view, and stays where it is when parts of it are hidden. Lengths in ``meta`` are plotly's, which
+    scales a scene so that the product of its extents is 1: the camera is to be ``deep`` away, and as far again as it is
+    ``high``, or ``wide`` in a picture that is as wide as high, for what is shown to fill it."""
+    parts = [np.stack([np.asarray(trace[axis], dtype=np.float64) for axis in "xyz"], axis=1) for trace in traces]
+    points = np.concatenate(parts)
+    faces = np.stack([traces[0][corner] for corner in "ijk"], axis=1) if traces[0].type == "mesh3d" else None
+    seen = looking(parts[0], faces)
+    middle, half = (points.max(axis=0) + points.min(axis=0)) / 2, np.ptp(points, axis=0) / 2
+    half = np.maximum(half, FLATTEST * max(float(half.max()), 1e-300))
+    reach = np.abs((points - middle) @ np.stack([seen.right, seen.up, seen.towards], axis=1)).max(axis=0)
+    wide, high, deep = (reach / np.cbrt((2 * half).prod()) / (SLOPE, SLOPE, 1.0)).tolist()
+    axes = {
+        f"{axis}axis": {"visible": False, "range": [a, b]}
+        for axis, a, b in zip("xyz", (middle - half).tolist(), (middle + half).tolist(), strict=True)
+    }
+    away = deep + max(high, wide / LANDSCAPE)
+    camera = {"eye": dict(zip("xyz", (away * seen.towards).tolist(), strict=True))}
+    camera["up"] = dict(zip("xyz", seen.up.tolist(), strict=True))
+    return {
+        "scene": {"aspectmode": "data", "camera": camera, **axes},
+        "meta": {"wide": wide, "high": high, "deep": deep},
+    }
 
 
 def _pruned(skeleton: "Skeleton") -> list[tuple[str, "Skeleton"]]:
@@ -137,7 +165,8 @@ def _tubes(
 
     extent = whole.source.solid.diagonal if whole.source else float(np.linalg.norm(np.ptp(whole.vertices, axis=0)))
     thickness = THICKNESS * (extent or 1.0)
-    scale = {"colorscale": "Plasma", "cmin": limits[0], "cmax": limits[1], "colorbar": {"title": "radius", "len": 0.5}}
+    bar = {"title": "radius", "len": 0.5, "thickness": 14, "x": 1, "xanchor": "right"}
+    scale = {"colorscale": "Plasma", "cmin": limits[0], "cmax": limits[1], "colorbar": bar}
     if len(curve.edges) == 0:
         at = dict(zip("xyz", (curve.vertices - middle).T, strict=True))
         marker = {"color": curve.radii, "size": 6, **scale}
@@ -154,12 +183,12 @@ def _tubes(
         [np.stack([corner, other, corner + SIDES], axis=1), np.stack([other, other + SIDES, corner + SIDES], axis=1)]
     )
     faces = (2 * SIDES * np.arange(len(start))[:, None, None] + sheet).reshape(-1, 3)
-    radius = np.repeat(curve.radii[curve.edges], SIDES, axis=1)
+    radius = np.repeat(_short(curve.radii)[curve.edges], SIDES, axis=1).ravel()
     flat = _short(points.reshape(-1, 3))
     corners = dict(zip("ijk", faces.astype(np.int32).T, strict=True))
     at = dict(zip("xyz", flat.T, strict=True))
-    hover = {"customdata": radius.ravel(), "hovertemplate": "radius %{customdata:.4g}<extra></extra>"}
-    return go.Mesh3d(**at, **corners, intensity=radius.ravel(), name="curve", visible=visible, **hover, **scale)
+    hover = {"customdata": radius, "hovertemplate": RADIUS}
+    return go.Mesh3d(**at, **corners, intensity=radius, name="curve", visible=visible, **hover, **scale)
 
 
 def _slider(prefix: str, labels: list[str], first: int, width: int, at: float, skip: int) -> dict[str, Any]:

@@ -54,8 +54,8 @@ def panels(
         shown: a picture each.
         columns: so many in a row.
         size: of each, in inches.
-        elevation, azimuth: where they are seen from, in degrees, with z upright; about along the shortest principal axis of
-            what is shown, with the longest upright or level, if neither is given.
+        elevation, azimuth: where they are seen from, in degrees, with z upright; if neither is given, about along the
+            shortest principal axis of what is shown, with the longest upright or level.
 
     Raises:
         ConfigError: there is nothing to show.
