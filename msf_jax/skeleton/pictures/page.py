@@ -106,7 +106,7 @@ def _node_of(skeleton: "Skeleton", vertices: np.ndarray, num: int) -> np.ndarray
     """(V,) the node of each vertex, by the map if it is that of a mesh of ``num`` vertices, else the nearest."""
     if len(skeleton.mesh_map) == num:
         return skeleton.mesh_map
-    return spatial.KDTree(skeleton.vertices).query(vertices)[1]
+    return np.asarray(spatial.KDTree(skeleton.vertices).query(vertices)[1])
 
 
 def _mesh(vertices: np.ndarray, faces: np.ndarray, name: str, **options: Any) -> Any:
