@@ -1,6 +1,7 @@
 """A page per task, and what is behind.
 
 .. include:: report.md
+.. include:: cookbook.md
 .. include:: weights.md
 .. include:: branches.md
 .. include:: repair.md
