@@ -1,5 +1,6 @@
-"""The documentation: every block of the README and the guide runs, and the pages are built without a warning."""
+"""The documentation: every block of the README and the guide runs, pages are built without a warning, links lead on."""
 
+import html
 import os
 import re
 import subprocess
@@ -13,7 +14,6 @@ from msf_jax import ground_truth, shapes
 
 ROOT = Path(__file__).parents[1]
 PAGES = [ROOT / "README.md", *sorted((Path(msf_jax.__file__).parent / "guide").glob("*.md"))]
-DOCUMENTED = ["msf_jax", "msf_jax.app.batch", "msf_jax.tuning.objectives"]
 BLOCKS = [
     pytest.param(number, block, id=f"{page.stem}-{number}")
     for page in PAGES
@@ -60,28 +60,61 @@ def _environment() -> dict[str, str]:
     return os.environ | {"PYTHONPATH": str(ROOT), "JAX_COMPILATION_CACHE_DIR": os.environ["MSF_JAX_TEST_CACHE"]}
 
 
-def test_the_pages_are_built(tmp_path):
-    """By pdoc, from the docstrings and the README, all public names among them."""
-    environment = _environment() | {"PDOC_ALLOW_EXEC": "1"}  # an older SciPy asks for the processor as it is imported
-    command = [
-        sys.executable,
-        "-W",
-        "error::UserWarning",
-        "-m",
-        "pdoc",
-        "-d",
-        "google",
-        "-o",
-        str(tmp_path),
-        *DOCUMENTED,
-    ]
-    done = subprocess.run(command, capture_output=True, text=True, timeout=300, env=environment, cwd=tmp_path)
+@pytest.fixture(scope="module")
+def site(tmp_path_factory):
+    """The pages, as the guide says that they are built, without a warning."""
+    folder = tmp_path_factory.mktemp("pages") / "site"
+    command = [sys.executable, "-m", "tests.pages", str(folder)]
+    done = subprocess.run(command, capture_output=True, text=True, timeout=300, env=_environment(), cwd=ROOT)
     assert done.returncode == 0, done.stderr
-    assert "Warn" not in done.stderr
-    page = (tmp_path / "msf_jax.html").read_text()
+    assert done.stderr == ""
+    return folder
+
+
+def test_the_pages_hold_the_guide_all_that_is_public_and_what_notebooks_left(site):
+    public = (site / "msf_jax.html").read_text()
     for name in msf_jax.__all__:
-        module = (tmp_path / "msf_jax" / msf_jax._MODULES.get(name, name).replace(".", "/")).with_suffix(".html")
-        assert f'id="{name}"' in page or module.exists(), name
-    guide = (tmp_path / "msf_jax" / "guide.html").read_text()
+        module = (site / "msf_jax" / msf_jax._MODULES.get(name, name).replace(".", "/")).with_suffix(".html")
+        assert f'id="{name}"' in public or module.exists() or name == "guide", name
+    first = (site / "index.html").read_text()
     for page in PAGES[1:]:
-        assert page.read_text().splitlines()[0].removeprefix("# ") in guide
+        title = page.read_text().splitlines()[0].removeprefix("# ")
+        assert f'href="guide/{page.stem}.html"' in first
+        assert html.escape(title, quote=False) in html.unescape((site / "guide" / f"{page.stem}.html").read_text())
+        assert f'"guide.{page.stem}"' in (site / "search.js").read_text()
+    for path in (ROOT / "notebooks").glob("*.ipynb"):
+        text = (site / "notebooks" / f"{path.stem}.html").read_text()
+        pictures = re.findall(r"src=.\.\./pictures/([\w-]+\.png)", text)
+        assert pictures and all((site / "pictures" / name).stat().st_size > 1000 for name in pictures)
+
+
+def test_every_link_of_the_pages_leads_somewhere(site):
+    """To a file that is there, and to a place in it; nothing is loaded from elsewhere."""
+    texts = {path.resolve(): path.read_text() for path in site.rglob("*.html")}
+    anchors = {path: set(re.findall(r"\bid=[\"']([^\"']+)", text)) for path, text in texts.items()}
+    broken = []
+    for path, text in texts.items():
+        fixed = re.sub(r"<script.*?</script>", "", text, flags=re.DOTALL)  # the search makes links of its own
+        for kind, link in re.findall(r"<[^>]*?\b(href|src)=[\"']([^\"']*)", fixed):
+            where, _, anchor = html.unescape(link).partition("#")
+            if where.startswith(("http", "data:")):
+                broken += [(path.name, link)] if kind == "src" and where.startswith("http") else []
+                continue
+            target = (path.parent / where).resolve() if where else path
+            if not target.exists() or (anchor and anchor not in anchors[target]):
+                broken.append((path.name, link))
+    assert not broken
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.stem)
+def test_every_link_of_the_text_leads_to_a_file(page):
+    """As who reads the repository follows them; those to the network are not tried."""
+    links = re.findall(r"\]\(([^)\s]+)\)|src=\"([^\"]+)\"", re.sub(r"```.*?```", "", page.read_text(), flags=re.DOTALL))
+    for link in (a or b for a, b in links):
+        assert link.startswith("https://") or (page.parent / link.split("#")[0]).exists(), link
+
+
+def test_the_readme_is_short_and_its_pictures_small():
+    assert len(PAGES[0].read_text().splitlines()) <= 120
+    for name in re.findall(r"src=\"([^\"]+)\"", PAGES[0].read_text()):
+        assert (ROOT / name).stat().st_size < 60_000, name
