@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 import msf_jax
-from msf_jax import ground_truth, shapes
+from msf_jax import ground_truth
 
 ROOT = Path(__file__).parents[1]
 PAGES = [ROOT / "README.md", *sorted((Path(msf_jax.__file__).parent / "guide").glob("*.md"))]
@@ -32,22 +32,19 @@ def test_every_task_has_its_page():
 
 
 @pytest.mark.parametrize(("number", "block"), BLOCKS)
-def test_every_block_runs(tmp_path, number, block, monkeypatch, request):
-    """Each on its own, where a reader would be after the first command of the README, but with a coarser hand.
+def test_every_block_runs(tmp_path, number, block, monkeypatch):
+    """Each on its own, where a reader would be after the first command of the README, but with three limbs for a hand.
 
-    Those that take derivatives have a short tube instead, which is compiled in a fifth of the time, and recipes three
-    limbs, which are run in half of it. The table of a batch is there for whoever only reads it.
+    Those that take derivatives have a short tube instead, which is compiled in a fifth of the time. The table of a
+    batch is there for whoever only reads it.
     """
     is_long = "_grad(" in block or "jax.grad(" in block or "sensitivity(" in block or "tune(" in block
-    if is_long:
-        mesh = ground_truth.make("straight_coarse").mesh
-    else:
-        mesh = ground_truth.make("y_coarse").mesh if "[cookbook-" in request.node.name else shapes.hand(0.1)
+    mesh = ground_truth.make("straight_coarse" if is_long else "y_coarse").mesh
     mesh.export(tmp_path / "hand.off")
     (tmp_path / "curves").mkdir()
     (tmp_path / "curves" / "manifest.csv").write_text("path,error,is_sound\na.off,,True\nb.off,open,\n")
     (tmp_path / "meshes").mkdir()
-    shapes.hand(0.1).export(tmp_path / "meshes" / "small.off")
+    mesh.export(tmp_path / "meshes" / "small.off")
     monkeypatch.chdir(tmp_path)
     if "__main__" in block:  # a process pool's workers import the program's main file
         Path("block.py").write_text(block)
