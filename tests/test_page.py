@@ -63,7 +63,7 @@ def test_the_page_is_one_file_that_needs_no_network(hand, tmp_path):
     text = (tmp_path / "hand.html").read_text()
     assert not re.search(r"<(script|link|img)[^>]+(src|href)=(?!.data:,)", text)
     assert text.startswith("<!doctype html>") and "Plotly.newPlot" in text and "@" not in text.split("<body>")[1][:200]
-    assert f"<h1>hand</h1><p>{len(skeleton.vertices)} nodes, 1 cycles" in text
+    assert f"<h1>hand</h1><p>{len(skeleton.vertices)} nodes, 1 cycle for genus 1, " in text
     assert 'name="viewport"' in text and len(text) < 3e6  # plotly alone is 4.8 MB
     with pytest.raises(ConfigError, match=r"written as .html, not as '.png'"):
         skeleton.view(mesh, tmp_path / "hand.png")
@@ -144,6 +144,11 @@ def test_a_curve_of_a_file_and_one_of_a_single_node_can_be_viewed(tmp_path):
     ball = trimesh.creation.icosphere(2)
     skeleton = msf_jax.skeletonize(ball)
     assert len(skeleton.view(ball).data) > 3
+    alone = curve_of(np.zeros((1, 3)), np.empty((0, 2), int), np.ones(1)).view(None, tmp_path / "alone.html")
+    assert "nan" not in unpacked((tmp_path / "alone.html").read_text(), "data")[:2000].decode(errors="replace").lower()
+    assert np.isfinite(list(alone.layout.scene.camera.eye.to_plotly_json().values())).all()
+    large = curve_of(np.array([[0, 0, 0], [1e120, 0, 0]]), np.array([[0, 1]]), np.ones(2)).view()
+    assert np.isfinite(list(large.layout.scene.camera.eye.to_plotly_json().values())).all()
 
 
 def test_segments_share_the_surface_between_the_branches(hand):

@@ -42,6 +42,7 @@ def looking(vertices: np.ndarray, faces: np.ndarray | None = None) -> Camera:
     axis is level if that is nearest to x, and upright else.
     """
     vertices = np.asarray(vertices, dtype=np.float64)
+    vertices = vertices / max(float(np.abs(vertices).max(initial=0.0)), 1e-300)  # squares of the large are no numbers
     points, weight = vertices, np.ones(len(vertices))
     if faces is not None and len(faces):
         corner = vertices[faces]
@@ -49,7 +50,7 @@ def looking(vertices: np.ndarray, faces: np.ndarray | None = None) -> Camera:
         if area.sum() > 0:
             points, weight = corner.mean(axis=1), area
     away = points - np.average(points, axis=0, weights=weight)
-    away = away / max(float(np.abs(away).max(initial=0.0)), 1e-300)  # squares of what is large or small are none
+    away = away / max(float(np.abs(away).max(initial=0.0)), 1e-300)  # nor are those of the small
     spread = (weight[:, None] * away).T @ away
     values, axes = np.linalg.eigh(spread / max(float(np.trace(spread)), 1e-300) + EVEN)
     towards, middle, longest = axes.T

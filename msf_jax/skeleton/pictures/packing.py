@@ -61,7 +61,7 @@ def _blob(content: Any) -> bytes:
             return [without_arrays(part) for part in value]
         return value.item() if isinstance(value, np.generic) else value
 
-    header = json.dumps(without_arrays(content)).encode()
+    header = json.dumps(without_arrays(content), allow_nan=False).encode()
     header += b" " * (-(len(header) + 4) % ALIGNED)
     parts = [data + bytes(-len(data) % ALIGNED) for _, data in place]
     return len(header).to_bytes(4, "little") + header + b"".join(parts)

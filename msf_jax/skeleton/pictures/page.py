@@ -74,8 +74,10 @@ def view(skeleton: "Skeleton", mesh: Any = None, path: str | os.PathLike[str] | 
 
 def _title(skeleton: "Skeleton") -> str:
     report = skeleton.report
-    counts = f"{len(skeleton.vertices)} nodes, {report.cycles} cycles for genus {report.genus}"
-    return f"{counts}, {100 * report.inside:.1f} % inside; {report.reason}"
+    cycles = f"{report.cycles} {'cycle' if report.cycles == 1 else 'cycles'} for genus {report.genus}"
+    counts = f"{len(skeleton.vertices)} nodes, {cycles}"
+    inside = "" if np.isnan(report.inside) else f", {100 * report.inside:.1f} % inside"
+    return f"{counts}{inside}; {report.reason}"
 
 
 def _surfaces(skeleton: "Skeleton", mesh: Any, middle: np.ndarray) -> tuple[list[Any], bool]:
@@ -131,9 +133,9 @@ def _scene(traces: list[Any]) -> dict[str, Any]:
     faces = np.stack([traces[0][corner] for corner in "ijk"], axis=1) if traces[0].type == "mesh3d" else None
     seen = looking(parts[0], faces)
     middle, half = (points.max(axis=0) + points.min(axis=0)) / 2, np.ptp(points, axis=0) / 2
-    half = np.maximum(half, FLATTEST * max(float(half.max()), 1e-300))
+    half = np.maximum(half, FLATTEST * (float(half.max()) or 1.0))
     reach = np.abs((points - middle) @ np.stack([seen.right, seen.up, seen.towards], axis=1)).max(axis=0)
-    wide, high, deep = (reach / np.cbrt((2 * half).prod()) / (SLOPE, SLOPE, 1.0)).tolist()
+    wide, high, deep = (reach / np.cbrt(2 * half).prod() / (SLOPE, SLOPE, 1.0)).tolist()
     axes = {
         f"{axis}axis": {"visible": False, "range": [a, b]}
         for axis, a, b in zip("xyz", (middle - half).tolist(), (middle + half).tolist(), strict=True)
