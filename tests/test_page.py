@@ -13,6 +13,7 @@ from conftest import blob, torus
 import msf_jax
 from msf_jax import Config, ConfigError, MeshError, shapes
 from msf_jax.app.cli import main
+from msf_jax.skeleton.pictures import packing
 from msf_jax.skeleton.skeleton import curve_of
 
 
@@ -104,6 +105,17 @@ def test_what_is_packed_is_what_was_drawn(hand, tmp_path):
     sliders = content["controls"]["sliders"]
     assert [len(slider["steps"]) for slider in sliders] == [len(slider.steps) for slider in drawing.layout.sliders]
     assert "sliders" not in content["layout"] and "title" not in content["layout"]
+
+
+@pytest.mark.parametrize("name", ["", "a", "ab", "abc"])
+def test_packed_arrays_begin_where_javascript_can_read_them(name):
+    """A typed array begins at a multiple of its item's size, whatever the header's length and the arrays before it."""
+    blob = packing._blob({"name": name, "faces": np.arange(3), "at": np.ones(2)})
+    length = int.from_bytes(blob[:4], "little")
+    faces, at = (json.loads(blob[4 : 4 + length])[key] for key in ("faces", "at"))
+    assert (faces["array"], at["array"]) == ("uint16", "float64")
+    assert (4 + length + faces["at"]) % 2 == 0 and (4 + length + at["at"]) % 8 == 0
+    assert np.frombuffer(blob, float, 2, 4 + length + at["at"]).tolist() == [1, 1]
 
 
 def test_all_is_in_view_and_stays_where_it_is(hand):
