@@ -89,3 +89,9 @@ def test_what_is_shown_fills_its_picture_and_is_not_cut_off(stretch):
     axes = cast(Any, view.panels([Panel(points=points), Panel()]).axes[0])
     seen = np.stack(proj3d.proj_transform(*points.T, axes.get_proj())[:2], axis=1)
     assert 0.45 < np.abs(axes.transLimits.transform(seen) - 0.5).max() < 0.49
+
+
+def test_angles_that_are_given_are_those_of_the_mesh_with_the_others_as_usual():
+    for given, seen in (({"azimuth": 150}, (15, 150, 0)), ({"elevation": 40}, (40, -70, 0))):
+        axes = cast(Any, view.panels([Panel("surface", BALL)], **given).axes[0])
+        assert (axes.elev, axes.azim, axes.roll) == seen

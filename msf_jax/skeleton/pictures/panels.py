@@ -54,8 +54,9 @@ def panels(
         shown: a picture each.
         columns: so many in a row.
         size: of each, in inches.
-        elevation, azimuth: where they are seen from, in degrees, with z upright; if neither is given, about along the
-            shortest principal axis of what is shown, with the longest upright or level.
+        elevation, azimuth: where they are seen from, in degrees, with z upright; if one alone is given, the other is 15
+            or -70; if neither is, about along the shortest principal axis of what is shown, the longest upright or
+            level.
 
     Raises:
         ConfigError: there is nothing to show.
@@ -86,7 +87,7 @@ def panels(
         axes: Any = drawing.add_subplot(rows, columns, k + 1, projection="3d", computed_zorder=False)
         every.append(axes)
         _draw(axes, panel, surfaces[k], colours)
-        axes.view_init(elevation or 0.0, azimuth or 0.0, roll)
+        axes.view_init(15.0 if elevation is None else elevation, -70.0 if azimuth is None else azimuth, roll)
         _frame(axes, box)
     if radii:
         drawing.colorbar(colours, ax=every, shrink=0.5 if rows == 1 else 0.3, label="radius")
