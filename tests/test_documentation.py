@@ -14,8 +14,15 @@ from msf_jax import ground_truth, shapes
 ROOT = Path(__file__).parents[1]
 PAGES = [ROOT / "README.md", *sorted((Path(msf_jax.__file__).parent / "guide").glob("*.md"))]
 DOCUMENTED = ["msf_jax", "msf_jax.app.batch", "msf_jax.tuning.objectives"]
+
+
+def is_long(block: str) -> bool:
+    """Whether it differentiates or repeats whole runs, or starts processes."""
+    return any(call in block for call in ("msf_jax.replay(", "sensitivity(", "tune(", "__main__"))
+
+
 BLOCKS = [
-    pytest.param(number, block, id=f"{page.stem}-{number}")
+    pytest.param(number, block, id=f"{page.stem}-{number}", marks=[pytest.mark.slow] * is_long(block))
     for page in PAGES
     for number, block in enumerate(re.findall(r"```python\n(.*?)```", page.read_text(), flags=re.DOTALL))
 ]
@@ -37,8 +44,8 @@ def test_every_block_runs(tmp_path, number, block, monkeypatch):
 
     Those that take derivatives have a short tube instead, which is compiled in a fifth of the time.
     """
-    is_long = "jax.grad(" in block or "sensitivity(" in block or "tune(" in block
-    mesh = ground_truth.make("straight_coarse").mesh if is_long else shapes.hand(0.1)
+    has_slopes = "jax.grad(" in block or "sensitivity(" in block or "tune(" in block
+    mesh = ground_truth.make("straight_coarse").mesh if has_slopes else shapes.hand(0.1)
     mesh.export(tmp_path / "hand.off")
     (tmp_path / "meshes").mkdir()
     shapes.hand(0.1).export(tmp_path / "meshes" / "small.off")
