@@ -6,6 +6,10 @@ import signal
 import tempfile
 from pathlib import Path
 
+# Compiling is most of the time of the tests, and runs are short: half of it goes without XLA's optimisations. The slow
+# tests, by themselves, are compiled as a user's programs are.
+os.environ.setdefault("XLA_FLAGS", "--xla_backend_optimization_level=0")
+
 import jax
 import matplotlib
 import numpy as np

@@ -69,6 +69,7 @@ def test_errors_stay_alone_and_a_second_run_does_nothing(folder, tmp_path):
     assert repaired.num_failed == 0 and "filled 1 hole" in table(repaired.manifest)[0]["repairs"]
 
 
+@pytest.mark.slow  # two processes do in the others
 def test_a_cluster_gives_the_same_table(folder, tmp_path):
     distributed = pytest.importorskip("distributed")
     here = batch.run(paths_in(folder), tmp_path / "here", jobs=2)
@@ -84,6 +85,7 @@ def test_a_cluster_gives_the_same_table(folder, tmp_path):
             assert other.read_bytes() == Path(row["output"]).read_bytes()
 
 
+@pytest.mark.slow  # a worker that dies is quick
 def test_killed_half_way_it_does_the_rest(folder, tmp_path):
     """kill -9 of all its processes, once some rows are there."""
     command = [sys.executable, "-m", "msf_jax", "batch", str(folder), str(tmp_path), "--jobs", "1", "-q"]

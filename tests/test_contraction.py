@@ -283,6 +283,7 @@ def small() -> Case:
     return build(vertices, faces, is_fixed=is_fixed, poles=0.1 * vertices, layout=one_level(8, 8))
 
 
+@pytest.mark.slow  # first ones have many tests
 def test_second_derivatives(small):
     """Of a scalar in the three weights, by central differences of its gradient; symmetric."""
 
@@ -318,6 +319,7 @@ def test_jvp_and_vjp_are_transposes(case):
     np.testing.assert_allclose(case.to_vertices(value), contracted(case), atol=1e-12)
 
 
+@pytest.mark.slow  # so do the products with them
 def test_jacobians_by_columns_and_by_rows_agree(small):
     def new(weights):
         return plain_contract(small.buffers, *weights, small.layout)[0]

@@ -66,6 +66,7 @@ def test_the_same_bits_in_every_process(precision):
     assert int(found.pop().split()[0]) > 5
 
 
+@pytest.mark.slow  # in one process: in test_checkpoint
 def test_a_run_that_is_killed_again_and_again_ends_in_the_same_bits(tmp_path):
     """kill -9 at random moments; each time the next one goes on from what is in the file."""
     path, random = tmp_path / "run.npz", np.random.default_rng(0)

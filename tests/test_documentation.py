@@ -14,8 +14,15 @@ from msf_jax import ground_truth
 
 ROOT = Path(__file__).parents[1]
 PAGES = [ROOT / "README.md", *sorted((Path(msf_jax.__file__).parent / "guide").glob("*.md"))]
+
+
+def is_long(block: str) -> bool:
+    """Whether it differentiates or repeats whole runs, or starts processes."""
+    return any(call in block for call in ("msf_jax.replay(", "sensitivity(", "tune(", "__main__"))
+
+
 BLOCKS = [
-    pytest.param(number, block, id=f"{page.stem}-{number}")
+    pytest.param(number, block, id=f"{page.stem}-{number}", marks=[pytest.mark.slow] * is_long(block))
     for page in PAGES
     for number, block in enumerate(re.findall(r"```python\n(.*?)```", page.read_text(), flags=re.DOTALL))
 ]
@@ -38,8 +45,8 @@ def test_every_block_runs(tmp_path, number, block, monkeypatch):
     Those that take derivatives have a short tube instead, which is compiled in a fifth of the time. The table of a
     batch is there for whoever only reads it.
     """
-    is_long = "_grad(" in block or "jax.grad(" in block or "sensitivity(" in block or "tune(" in block
-    mesh = ground_truth.make("straight_coarse" if is_long else "y_coarse").mesh
+    has_slopes = any(call in block for call in ("jax.grad(", "_grad(", "sensitivity(", "tune("))
+    mesh = ground_truth.make("straight_coarse" if has_slopes else "y_coarse").mesh
     mesh.export(tmp_path / "hand.off")
     (tmp_path / "curves").mkdir()
     (tmp_path / "curves" / "manifest.csv").write_text("path,error,is_sound\na.off,,True\nb.off,open,\n")

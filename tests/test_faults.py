@@ -7,7 +7,7 @@ import msf_jax
 from msf_jax.app.cli import main
 
 
-@pytest.mark.parametrize("repair", [False, True])
+@pytest.mark.parametrize("repair", [False, pytest.param(True, marks=pytest.mark.slow)])  # some of it is below
 @pytest.mark.parametrize("kind", faults.KINDS)
 def test_arrays_of_every_kind(kind, repair):
     found = {name: faults.outcome(mesh, repair=repair) for name, mesh in faults.KINDS[kind]().items()}

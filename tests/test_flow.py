@@ -14,7 +14,11 @@ from msf_jax.flow import loop, programs
 from msf_jax.flow.state import Stopwatch
 from msf_jax.host.mesh import checking
 
-CLOSED = ["bunny", "three-holes", "homer", "elephant", "cheburashka", "indorelax", "sindorelax"]
+SLOW = pytest.mark.slow  # more of the same
+CLOSED = [
+    *("bunny", "three-holes", "indorelax"),
+    *(pytest.param(name, marks=SLOW) for name in ("homer", "elephant", "cheburashka", "sindorelax")),
+]
 
 
 def diagonal(vertices):
@@ -125,7 +129,7 @@ def same_curve(one, two, tolerance):
     assert np.abs(one.vertices - two.vertices).max() <= tolerance
 
 
-@pytest.mark.parametrize("name", ["blob", "homer"])
+@pytest.mark.parametrize("name", ["blob", pytest.param("homer", marks=SLOW)])
 def test_the_skeleton_scales_shifts_and_turns_with_the_mesh(name, research_mesh):
     vertices, faces = (blob(5).vertices, blob(5).faces) if name == "blob" else research_mesh(name)
     size = diagonal(vertices)
@@ -141,7 +145,7 @@ def test_the_skeleton_scales_shifts_and_turns_with_the_mesh(name, research_mesh)
     assert np.abs(turned.vertices @ turn - plain.vertices).max() <= 1e-6 * size
 
 
-@pytest.mark.parametrize("name", ["y", "homer"])
+@pytest.mark.parametrize("name", ["y", pytest.param("homer", marks=SLOW)])
 def test_a_permutation_of_vertices_and_faces_leaves_the_curve_as_it_is(name, research_mesh):
     mesh = tubes()[1][0]
     vertices, faces = (mesh.vertices, mesh.faces) if name == "y" else research_mesh(name)
@@ -252,7 +256,7 @@ def test_a_plate_whose_edges_are_all_short_or_long_is_no_error(extents):
 
 def test_coarsening_takes_short_edges_and_leaves_the_shape():
     """A fine torus: no short edge that could go is left, no volume lost, and poles are still those of the vertices."""
-    mesh = torus(around=200, across=70)
+    mesh = torus(around=120, across=42)
     config = Config(check=True, max_iterations=1, coarsen=0.02)
     state = loop.init(checking.prepare(mesh).components[0], 0, config, Stopwatch())
     coarse = trimesh.Trimesh(state.meso.positions, state.meso.faces(), process=False)
@@ -278,6 +282,7 @@ def test_other_systems_keep_their_threshold_and_their_vertices():
         assert config.coarsen == 0
 
 
+@pytest.mark.slow  # for those who look for a NaN
 def test_a_flow_without_jit():
     """Slow, but it runs, for those who look for a NaN."""
     with jax.disable_jit():

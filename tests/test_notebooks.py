@@ -11,10 +11,14 @@ from nbclient import NotebookClient
 
 ROOT = Path(__file__).parents[1]
 NOTEBOOKS = sorted((ROOT / "notebooks").glob("*.ipynb"))
+QUICK = ("quickstart", "smoothing", "tracking")  # the others are slow tests
 LARGEST = 300_000  # bytes, pictures included
 
 
-@pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda path: path.stem)
+@pytest.mark.parametrize(
+    "path",
+    [pytest.param(path, id=path.stem, marks=[pytest.mark.slow] * (path.stem not in QUICK)) for path in NOTEBOOKS],
+)
 def test_it_runs_without_a_warning(path, monkeypatch, tmp_path):
     """Cell by cell, in this process: a warning is an error, and what other tests have compiled is there already."""
     monkeypatch.setenv("MSF_JAX_SMALL", "1")

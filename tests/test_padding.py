@@ -43,6 +43,8 @@ def move(buffers, weights: Weights, layout: Layout):
 
 
 STEPS = {"contract": contract, "smooth": smooth, "move": move}
+SLOW = pytest.mark.slow  # the two solves alone: `move` has both
+NAMES = [pytest.param("contract", marks=SLOW), pytest.param("smooth", marks=SLOW), "move"]
 
 
 @partial(quick_jit, static_argnames=("name", "layout"))
@@ -95,7 +97,7 @@ def own():
     return case, of
 
 
-@pytest.mark.parametrize("name", STEPS)
+@pytest.mark.parametrize("name", NAMES)
 def test_gradients_reach_what_they_should(own, name):
     """What the other tests compare is not zero: each step moves, and has slopes in its own weights and positions."""
     case, of = own
@@ -110,14 +112,14 @@ def test_gradients_reach_what_they_should(own, name):
 
 
 @pytest.mark.parametrize("other", OTHERS)
-@pytest.mark.parametrize("name", STEPS)
+@pytest.mark.parametrize("name", NAMES)
 def test_layout_does_not_show(own, name, other):
     case, of = own
     elsewhere = case_with_everything(layout=OTHERS[other])
     assert_same(elsewhere, outcome(elsewhere, name), case, of(name))
 
 
-@pytest.mark.parametrize("name", STEPS)
+@pytest.mark.parametrize("name", NAMES)
 def test_values_in_padded_rows_do_not_show(own, name):
     case, of = own
     random, count = np.random.default_rng(8), len(case.order)
@@ -137,7 +139,7 @@ def test_values_in_padded_rows_do_not_show(own, name):
     np.testing.assert_array_equal(found[0][count:], buffers.positions[count:])
 
 
-@pytest.mark.parametrize("name", STEPS)
+@pytest.mark.parametrize("name", NAMES)
 def test_order_of_the_vertices_does_not_show(own, name):
     case, of = own
     order = np.random.default_rng(6).permutation(len(case.vertices))

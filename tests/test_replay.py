@@ -59,6 +59,7 @@ def flow() -> msf_jax.Flow:
     return msf_jax.contract(ellipsoid(2))
 
 
+SLOW = pytest.mark.slow  # more cases of what the first two show
 CASES = {
     "parts, one pinched, pins, another weight at each vertex": (parts, None, Config(), [0, 5, 100]),
     "au2008, two layouts": (
@@ -79,7 +80,7 @@ CASES = {
 }
 
 
-@pytest.mark.parametrize("name", CASES)
+@pytest.mark.parametrize("name", [*list(CASES)[:2], *(pytest.param(name, marks=SLOW) for name in list(CASES)[2:])])
 def test_it_equals_the_run(name):
     make, weights, config, pins = CASES[name]
     mesh = make()
@@ -148,6 +149,7 @@ def test_gradients_agree_with_central_differences(flow):
         np.testing.assert_allclose(found, measured, rtol=1e-5)
 
 
+@pytest.mark.slow  # of one iteration: in test_contraction
 def test_forward_and_reverse_mode_are_transposes(flow):
     """<u, J v> = <J^T u, v> for random u and v."""
     first, vertices, towards = probed(flow.tape, 1)
@@ -158,6 +160,7 @@ def test_forward_and_reverse_mode_are_transposes(flow):
     np.testing.assert_allclose((towards * forward).sum(), (backward * v).sum(), rtol=1e-7)
 
 
+@pytest.mark.slow  # of the run: in test_flow
 def test_moved_and_scaled_alike(flow):
     """A mesh that is moved moves its nodes, and only ratios of w_L, w_H and w_M matter; so do derivatives."""
     first, vertices, towards = probed(flow.tape)
@@ -171,6 +174,7 @@ def test_moved_and_scaled_alike(flow):
     assert abs(by_log[:3].sum()) < 1e-7 * np.abs(by_log[:3].sum(axis=1)).max()
 
 
+@pytest.mark.slow  # weights of every vertex are in the first case above
 def test_one_value_for_all_vertices_is_a_scalar(flow):
     num = len(flow.tape.vertices)
     alike = Weights(*(np.full(num, value) for value in vars(flow.weights).values()))
@@ -206,6 +210,7 @@ def test_many_weights_at_once(flow):
     assert np.abs(batch[0] - batch[2]).max() > 1e-4
 
 
+@pytest.mark.slow  # compiles a gradient of its own
 def test_reverse_mode_keeps_states_and_no_solver_steps(flow):
     """What is kept for the way back is a few surfaces an iteration, however many steps the solves take."""
 

@@ -94,6 +94,7 @@ def test_a_wire_keeps_its_length(radius):
     assert away.mean() < 0.2 * radius
 
 
+@pytest.mark.slow  # Voronoi poles do in test_replay
 def test_balls_replay_to_the_run():
     run = msf_jax.contract(blob(3, 2), config=Config(poles="balls", max_iterations=3))
     assert np.abs(np.asarray(msf_jax.replay(run.tape, run.weights)) - run.curve.vertices).max() < 1e-9
@@ -138,6 +139,7 @@ def test_a_way_is_led_round_and_searches_are_bounded(monkeypatch):
     assert refused.num_refused == 1
 
 
+@pytest.mark.slow  # a bound that is hit is quick
 def test_no_way_between_two_solids_takes_few_searches():
     one, other = trimesh.creation.icosphere(3, 0.2), trimesh.creation.icosphere(3, 0.2)
     other.apply_translation([0.45, 0, 0])

@@ -29,6 +29,7 @@ def bone() -> trimesh.Trimesh:
 OBJECTIVE = objectives.explained() + 0.02 * objectives.centred()
 
 
+@pytest.mark.slow  # the way by fresh runs is quick
 @pytest.mark.parametrize("steps", [1, pytest.param(3, marks=pytest.mark.slow)])
 def test_poor_weights_get_better(steps):
     """Every value is a fresh run's, the best is kept, and no weight leaves its bounds."""
@@ -168,6 +169,7 @@ def test_one_mesh_or_many():
     assert len(tuner._listed([bone()])) == 1
 
 
+@pytest.mark.slow  # its derivatives are those that the replay's own tests compare
 def test_sensitivity():
     """To a weight and a vertex by central differences; by columns and by rows it is the same."""
     mesh = trimesh.creation.icosphere(2)
