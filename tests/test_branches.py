@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from msf_jax.host.curve.branches import measure, prune, trace
+from msf_jax.host.curve.branches import blunt, measure, merge_junctions, prune, trace
 
 NONE = np.empty((0, 2), dtype=np.int64)
 
@@ -395,3 +395,76 @@ def test_the_curve_is_left_as_it_is():
     prune(vertices, edges, radii, 5.0)
     for array, copy in zip((vertices, edges, radii), copies, strict=True):
         np.testing.assert_array_equal(array, copy)
+
+
+# Corners, and junctions in one ball
+
+
+def rays(ways: np.ndarray, reach: float, radius) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Legs of nine nodes out of node 0 along ``ways`` (W, 3), with ``radius`` a function of the places (N, 3)."""
+    share = np.linspace(0, 1, 10)[1:]
+    vertices = np.concatenate([np.zeros((1, 3)), *(reach * share[:, None] * way for way in ways)])
+    pairs = [edge for leg in range(len(ways)) for edge in chain(0, *range(1 + 9 * leg, 10 + 9 * leg))]
+    return vertices, as_edges(pairs), radius(vertices)
+
+
+CORNERS = np.array(np.meshgrid([-1.0, 1.0], [-1.0, 1.0], [-1.0, 1.0])).reshape(3, -1).T
+AXES = np.concatenate([np.eye(3), -np.eye(3)])
+
+
+def in_cube(points: np.ndarray) -> np.ndarray:
+    """Radii in a cube from -1 to 1."""
+    return 1 - np.abs(points).max(axis=1)
+
+
+def test_a_cube_keeps_the_legs_to_two_opposite_corners():
+    vertices, edges, radii = rays(CORNERS, 0.9, in_cube)
+    stays, target = blunt(vertices, edges, radii, np.zeros(len(vertices), dtype=bool))
+    leaves = vertices[stays & (degrees(len(vertices), edges) == 1)]
+    np.testing.assert_array_equal(leaves[0], -leaves[1])
+    assert stays.sum() == 19 and (target[~stays] == 0).all() and (target[stays] == np.flatnonzero(stays)).all()
+
+
+def test_a_cube_with_limbs_keeps_those_alone():
+    """Six thin rods out of its faces, as long as they have to be to persist, and eight corners; one of them is held."""
+
+    def radius(points):
+        along = np.abs(points).max(axis=1)
+        is_rod = np.sort(np.abs(points), axis=1)[:, 1] < 1e-9
+        return np.where(is_rod, np.maximum(1 - along, np.minimum(0.3, 2 - along)), 1 - along)
+
+    vertices, edges, radii = rays(np.concatenate([CORNERS, 2 * AXES]), 0.9, radius)
+    is_held = np.zeros(len(vertices), dtype=bool)
+    stays, _ = blunt(vertices, edges, radii, is_held)
+    assert not stays[1:73].any() and stays[73:].all()
+    is_held[5] = True
+    stays, _ = blunt(vertices, edges, radii, is_held)
+    assert stays[1:10].all() and not stays[10:73].any()
+
+
+def test_limbs_that_taper_are_no_corners():
+    """Cones of a half angle of 20 degrees, whose balls shrink by 0.34 of each step."""
+    vertices, edges, radii = rays(AXES, 2.5, lambda points: 1 - 0.34 * np.linalg.norm(points, axis=1))
+    assert blunt(vertices, edges, radii, np.zeros(len(vertices), dtype=bool))[0].all()
+
+
+def test_junctions_in_one_ball_are_one():
+    """Three of them in a row: two within the ball of the first, which takes their legs; the last is farther off."""
+    vertices = np.array([[0, 0, 0], [0.4, 0, 0], [0.6, 0, 0], [2.0, 0, 0]] + [[k, 3.0, 0] for k in range(8)], float)
+    edges = as_edges(chain(0, 1, 2, 3) + [(0, 4), (0, 5), (1, 6), (2, 7), (2, 8), (3, 9), (3, 10)])
+    radii = np.r_[1.0, 0.9, 0.8, 1.0, np.ones(8)]
+    free = np.zeros(len(vertices), dtype=bool)
+    stays, target, left = merge_junctions(vertices, edges, radii, free)
+    assert np.flatnonzero(~stays).tolist() == [1, 2] and target[:4].tolist() == [0, 0, 0, 3]
+    assert sorted(map(tuple, left.tolist())) == [(0, k) for k in range(3, 9)] + [(3, 9), (3, 10)]
+    held = free.copy()
+    held[2] = True
+    assert np.flatnonzero(~merge_junctions(vertices, edges, radii, held)[0]).tolist() == [1]
+
+
+def test_a_loop_in_one_ball_stays():
+    """Two ways between two junctions: one of them would be lost."""
+    vertices = np.array([[0, 0, 0], [0.2, 0, 0], [0.1, 0.1, 0], [0.1, -0.1, 0], [-2, 0, 0], [2, 0, 0]], float)
+    edges = as_edges(chain(0, 2, 1) + chain(0, 3, 1) + [(0, 4), (1, 5)])
+    stays, _, left = merge_junctions(vertices, edges, np.ones(6), np.zeros(6, dtype=bool))
+    assert stays.all() and len(left) == len(edges)

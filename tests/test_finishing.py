@@ -1,5 +1,6 @@
 """The passes after the flow: containment, centring, pruning, tips; and shapes whose curve is known."""
 
+import manifold3d
 import numpy as np
 import pytest
 import trimesh
@@ -304,3 +305,19 @@ def test_a_held_node_behind_a_leaf_is_not_moved():
     held = np.arange(len(line)) == 1
     x, _ = tips.extend(shape, *path(scale * line), held)
     np.testing.assert_array_equal(x[1], scale * line[1])
+
+
+@pytest.mark.parametrize("turn", [0.0, 0.7])
+def test_a_cube_has_one_straight_branch_and_its_bumps_have_one_each(turn):
+    """Not legs into corners, and no bump is left out, however it is turned."""
+
+    def cube(size):
+        return manifold3d.Manifold.cube((size, size, size), True)
+
+    bumps = [manifold3d.Manifold.sphere(0.45, 24).translate(tuple(way)) for way in 1.2 * np.r_[np.eye(3), -np.eye(3)]]
+    for solid, count in ((cube(2.0), 1), (sum(bumps, cube(2.0)), 6)):
+        found = solid.rotate((40 * turn, 70 * turn, 20 * turn)).refine_to_length(0.15).to_mesh()
+        vertices = np.array(found.vert_properties[:, :3], dtype=float)
+        branches = msf_jax.skeletonize((vertices, found.tri_verts)).branches
+        assert len(branches) == count
+        assert max(branch.length for branch in branches) < 1.25 * min(branch.length for branch in branches) < 3.6 * 1.25

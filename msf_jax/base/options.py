@@ -160,7 +160,7 @@ class Config:
     solve_tolerance: float = 3e-3
     step_tolerance: float = 0.03
     solve_steps: int = 2000
-    prune: float = 1.6
+    prune: float = 1.5
     centre: bool = True
     extend_tips: bool = True
     evaluate: bool = False

@@ -68,7 +68,7 @@ class Skeleton:
             share = np.bincount(self.mesh_map, weights=self.source.areas, minlength=len(self.vertices))
         return branches.measure(self.vertices, self.edges, self.radii, share)
 
-    def prune(self, persistence: float = 1.6) -> "Skeleton":
+    def prune(self, persistence: float = 1.5) -> "Skeleton":
         """A new skeleton without the branches of less than ``persistence``, the least first; see `Branch`.
 
         Components and cycles stay, and so does a branch with a pin. The vertices of the mesh that went to a pruned

@@ -7,6 +7,12 @@ import numpy as np
 from scipy import sparse, spatial
 from scipy.sparse import csgraph
 
+EQUAL = 0.8  # of how far another limb reaches out, for one that is as long
+NEAR = 0.75  # radii, between two junctions that are one
+STEEP = 0.5  # by how much of a step along a limb its balls shrink at most; in a corner of a box it is 0.58
+FLAT = 0.2  # of its own radius, that a limb's balls stay larger than such a cone's,
+BULGE = 0.05  # and of the radius at its junction
+
 
 class Branch(NamedTuple):
     """nodes: along the branch; a closed one names its first node again at its end. length: of the way.
@@ -187,3 +193,86 @@ def prune(
             return is_kept, target
         is_kept[going[1:]] = False
         target[np.isin(target, going[1:])] = going[0]
+
+
+def equals(vertices: np.ndarray, edges: np.ndarray, radii: np.ndarray, persistence: float) -> np.ndarray:
+    """(N,) the leaves of branches that are a little below ``persistence``, and at whose junction another is above.
+
+    A junction that is a little off the middle makes limbs of one length persist more and less: they stay together.
+    """
+    found = np.zeros(len(vertices), dtype=bool)
+    degree = np.bincount(edges.ravel(), minlength=len(vertices))
+    reach: dict[int, list[tuple[float, int]]] = {}
+    for branch in measure(vertices, edges, radii):
+        if 1 < branch.persistence < np.inf:
+            junction, leaf = sorted((branch.nodes[0], branch.nodes[-1]), key=lambda node: -degree[node])
+            reach.setdefault(junction, []).append((branch.persistence - 1, leaf))
+    for limbs in reach.values():
+        above = [length for length, _ in limbs if length >= persistence - 1]
+        alike = EQUAL * max(persistence - 1, min(above, default=np.inf))
+        found[[leaf for length, leaf in limbs if length >= alike]] = True
+    return found
+
+
+def merge_junctions(
+    vertices: np.ndarray, edges: np.ndarray, radii: np.ndarray, is_held: np.ndarray
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Make junctions that are well within one ball a single one, where it is the largest: which nodes stay (N,), where
+    each goes (N,), and the edges. A way that closes a loop stays, and so do nodes of ``is_held`` (N,)."""
+    degree = np.bincount(edges.ravel(), minlength=len(vertices))
+    target = np.arange(len(vertices))
+    for way in trace(len(vertices), edges):
+        if min(degree[way[0]], degree[way[-1]]) < 3 or is_held[way[1:-1]].any():
+            continue
+        a, b = sorted((target[way[0]], target[way[-1]]), key=lambda node: -radii[node])
+        length = np.linalg.norm(np.diff(vertices[way], axis=0), axis=1).sum()
+        is_near = max(length, np.linalg.norm(vertices[a] - vertices[b])) < NEAR * radii[a]
+        if a != b and is_near and not is_held[target == b].any():
+            target[[*way[1:-1], *np.flatnonzero(target == b)]] = a
+    left = np.sort(target[edges], axis=1)
+    left = np.unique(left[left[:, 0] != left[:, 1]], axis=0)
+    stays = target == np.arange(len(vertices))
+    if cycle_count(int(stays.sum()), (np.cumsum(stays) - 1)[left]) != cycle_count(len(vertices), edges):
+        return np.ones(len(vertices), dtype=bool), np.arange(len(vertices)), edges
+    return stays, target, left
+
+
+def blunt(
+    vertices: np.ndarray, edges: np.ndarray, radii: np.ndarray, is_held: np.ndarray
+) -> tuple[np.ndarray, np.ndarray]:
+    """Take away the branches that run into blunt corners, all at once: which nodes stay, and where each goes (N,).
+
+    The balls of a branch to a corner of a box shrink by 0.58 of every step; those of a limb keep their size somewhere.
+    Where nothing would be left of a component but what its largest ball covers, as of a cube, the branches to the two
+    leaves that are farthest apart stay. Nodes of ``is_held`` (N,) do, with their branches.
+    """
+    degree = np.bincount(edges.ravel(), minlength=len(vertices))
+    stays, target = np.ones(len(vertices), dtype=bool), np.arange(len(vertices))
+    legs = []
+    for way in trace(len(vertices), edges):
+        nodes = np.array(way if degree[way[0]] > 2 else way[::-1])
+        is_leg = degree[nodes[0]] > 2 and degree[nodes[-1]] == 1 and not is_held[nodes[1:]].any()
+        if is_leg and _is_corner(vertices[nodes], radii[nodes]):
+            legs.append(nodes)
+    for nodes in legs:
+        stays[nodes[1:]], target[nodes[1:]] = False, nodes[0]
+    ends = np.concatenate([edges[:, 0], edges[:, 1]]), np.concatenate([edges[:, 1], edges[:, 0]])
+    graph = sparse.coo_matrix((np.ones(2 * len(edges)), ends), shape=(len(vertices),) * 2)
+    part = csgraph.connected_components(graph, directed=False)[1]
+    for label in np.unique([part[nodes[0]] for nodes in legs]):
+        left = np.flatnonzero((part == label) & stays)
+        if np.linalg.norm(np.ptp(vertices[left], axis=0)) < radii[left].max() and not is_held[left].any():
+            own = [nodes for nodes in legs if part[nodes[0]] == label]
+            apart = spatial.distance.squareform(spatial.distance.pdist(vertices[[nodes[-1] for nodes in own]]))
+            for row in set(np.unravel_index(apart.argmax(), apart.shape)):
+                stays[own[row]], target[own[row]] = True, own[row]
+    return stays, target
+
+
+def _is_corner(points: np.ndarray, radii: np.ndarray) -> bool:
+    """Whether balls along a branch, from its junction on, shrink as in a blunt corner all the way."""
+    along = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(points, axis=0), axis=1))])
+    over_cone = radii + STEEP * along
+    gain = over_cone - np.minimum.accumulate(over_cone)
+    most = int(gain.argmax())
+    return bool(gain[most] < max(FLAT * radii[most], BULGE * radii[0]))

@@ -17,6 +17,7 @@ from msf_jax.host.curve.passages import Passages
 from msf_jax.host.solid.enclosure import Enclosure
 
 SPACING = 0.5  # radii, between the nodes of a finished curve
+EARLY = 0.75  # of what a branch has to reach out, before its tip is carried on to the end of its limb
 FIRST_ROUNDS = 3  # of centring, before it is decided what to prune, and before tips are carried on
 
 
@@ -85,7 +86,9 @@ def passes(centre: bool, extend: bool) -> list[Callable[[Draft, Job], Draft]]:
         contained,
         # What to prune is decided on a curve that is centred.
         *([unfolded, partial(centred, rounds=FIRST_ROUNDS, is_rough=True), unfolded] if centre else []),
-        pruned,
+        merged,
+        cornerless,
+        partial(pruned, allowance=EARLY),
         *([refined, partial(centred, rounds=FIRST_ROUNDS if extend else centring.ROUNDS)] if centre else []),
         *([extended] if extend else []),
         *([partial(centred, hold_leaves=True)] if centre and extend else []),
@@ -140,10 +143,38 @@ def centred(
     return draft.changed(x)
 
 
-def pruned(draft: Draft, job: Job) -> Draft:
-    """Without the branches that no limb is around."""
+def merged(draft: Draft, job: Job) -> Draft:
+    """With one junction where several are well within one ball."""
+    if job.persistence <= 1:
+        return draft
+    x = draft.vertices
+    stays, target, edges = branches.merge_junctions(x, draft.edges, job.shape.approach(x)[0], draft.is_held)
+    return _left(draft._replace(edges=edges), stays, target)
+
+
+def cornerless(draft: Draft, job: Job) -> Draft:
+    """Without the branches into blunt corners."""
+    if job.persistence <= 1:
+        return draft
+    x = draft.vertices
+    return _left(draft, *branches.blunt(x, draft.edges, job.shape.approach(x)[0], draft.is_held))
+
+
+def pruned(draft: Draft, job: Job, allowance: float = 1.0) -> Draft:
+    """Without the branches that no limb is around; limbs of one length are treated alike.
+
+    ``allowance`` is the part of the threshold's excess over 1 that will do for branches that are not carried on to the
+    ends of their limbs yet.
+    """
+    x, least = draft.vertices, min(job.persistence, 1 + allowance * (job.persistence - 1))
+    radii = job.shape.approach(x)[0]
+    is_held = draft.is_held | branches.equals(x, draft.edges, radii, least)
+    return _left(draft, *branches.prune(x, draft.edges, radii, least, is_held))
+
+
+def _left(draft: Draft, stays: np.ndarray, target: np.ndarray) -> Draft:
+    """The nodes that stay (N,); the others go to their ``target`` (N,)."""
     x, e, is_held = draft.vertices, draft.edges, draft.is_held
-    stays, target = branches.prune(x, e, job.shape.approach(x)[0], job.persistence, is_held)
     rank = np.cumsum(stays) - 1
     left = rank[e[stays[e].all(axis=1)]]
     of_flow = rank[target[draft.node_of_flow]]

@@ -16,6 +16,8 @@ from msf_jax.host.solid.geometry import barycentric
 PAIRS_AT_ONCE = 2_000_000  # bounds the memory of one vectorised batch
 SAMPLE_SPACING = 0.02  # of the extent, in `approach`; more where that would make more than so many samples:
 MOST_SAMPLES = 200_000
+LARGEST_PIECE = 0.02  # of the extent, of a face or an edge, in `nearest`; larger where that would make about
+MOST_PIECES = 200_000
 POINTS_AT_ONCE = 2_000  # and that of the lists that a tree answers with
 
 
@@ -66,7 +68,8 @@ class Enclosure:
         self.faces = faces
         self.vertices = vertices
         self.centroids = self.triangles.mean(axis=1)
-        self.reaches = np.sqrt(((self.triangles - self.centroids[:, None]) ** 2).sum(axis=2).max(axis=1))
+        self.reaches = _reaches(self.triangles)
+        self.low, self.high = self.triangles.min(axis=1).T.copy(), self.triangles.max(axis=1).T.copy()
         self._grid: _Grid | None = None
         self._classes: list[SizeClass] | None = None
         self._feet: Feet | None = None
@@ -135,6 +138,8 @@ class Enclosure:
                 away = points[point] - centre[foot]
                 may_be = np.einsum("ci,ci->c", away, away) <= (bound[point] ** 2 + reach[foot] ** 2) * (1 + 1e-12)
                 point, triangle = point[may_be], triangle_of[foot[may_be]]
+                may_be = self._box_distance2(points[point], triangle) <= best2[point] * (1 + 1e-12)
+                point, triangle = point[may_be], triangle[may_be]
                 if not len(point):
                     continue
                 distance2 = point_triangle_distance2(points[point], self.triangles[triangle])
@@ -148,14 +153,27 @@ class Enclosure:
             bound = np.sqrt(best2)
         return np.sqrt(best2), chosen
 
+    def _box_distance2(self, point: np.ndarray, triangle: np.ndarray) -> np.ndarray:
+        """Squared distance (c,) from each point (c, 3) to the box around each triangle (c,): cheap, and never more than
+        that to the triangle."""
+        total = np.zeros(len(point))
+        for axis in range(3):
+            away = np.maximum(self.low[axis][triangle] - point[:, axis], point[:, axis] - self.high[axis][triangle])
+            total += np.maximum(away, 0.0) ** 2
+        return total
+
     def _all_feet(self) -> Feet:
         if self._feet is None:
             tail, head = self.faces.ravel(), np.roll(self.faces, -1, axis=1).ravel()
             edge = np.flatnonzero(tail < head)
             tail, head = self.vertices[tail[edge]], self.vertices[head[edge]]
-            centre = np.concatenate([self.centroids, (tail + head) / 2])
-            reach = np.concatenate([self.reaches, np.sqrt(((head - tail) ** 2).sum(axis=1)) / 2])
-            triangle = np.concatenate([np.arange(len(self.faces)), edge // 3])
+            size = float(np.ptp(self.vertices, axis=0).max())
+            largest = max(LARGEST_PIECE * size, float(np.sqrt((self.reaches**2).sum() / MOST_PIECES)))
+            faces, of_face = _pieces(self.triangles, largest)
+            edges, of_edge = _pieces(np.stack([tail, head], axis=1), largest)
+            centre = np.concatenate([faces.mean(axis=1), edges.mean(axis=1)])
+            reach = np.concatenate([_reaches(faces), _reaches(edges)])
+            triangle = np.concatenate([of_face, edge[of_edge] // 3])
             self._feet = Feet(centre, reach, triangle, _size_classes(centre, reach))
         return self._feet
 
@@ -330,6 +348,30 @@ def _size_classes(centroid: np.ndarray, reach: np.ndarray) -> list[SizeClass]:
         rows = np.flatnonzero(level == value)
         classes.append(SizeClass(spatial.KDTree(centroid[rows]), rows, float(reach[rows].max())))
     return classes
+
+
+def _reaches(corners: np.ndarray) -> np.ndarray:
+    """(F,) the largest distance from the middle of each face or edge (F, k, 3) to one of its corners."""
+    return np.sqrt(((corners - corners.mean(axis=1, keepdims=True)) ** 2).sum(axis=2).max(axis=1))
+
+
+def _pieces(corners: np.ndarray, largest: float) -> tuple[np.ndarray, np.ndarray]:
+    """Faces or edges (F, k, 3) cut in halves, across their longest side, until none reaches farther than ``largest``;
+    and the row that each piece is of."""
+    row = np.arange(len(corners))
+    done, rows = [], []
+    while len(corners):
+        is_large = _reaches(corners) > largest
+        done.append(corners[~is_large])
+        rows.append(row[~is_large])
+        corners, row = corners[is_large], row[is_large]
+        side = np.linalg.norm(np.roll(corners, -1, axis=1) - corners, axis=2).argmax(axis=1)
+        every, after = np.arange(len(corners)), (side + 1) % corners.shape[1]
+        middle = (corners[every, side] + corners[every, after]) / 2
+        one, other = corners.copy(), corners.copy()
+        one[every, after], other[every, side] = middle, middle
+        corners, row = np.concatenate([one, other]), np.concatenate([row, row])
+    return np.concatenate(done), np.concatenate(rows)
 
 
 def point_triangle_distance2(point: np.ndarray, triangle: np.ndarray) -> np.ndarray:
