@@ -5,7 +5,8 @@ import pytest
 import trimesh
 from conftest import blob, torus
 
-from msf_jax.host.solid.enclosure import Enclosure, point_triangle_distance2
+from msf_jax.host.solid.enclosure import Enclosure
+from msf_jax.host.solid.triangles import point_triangle_distance2
 
 
 def arrays(mesh: trimesh.Trimesh) -> tuple[np.ndarray, np.ndarray]:
@@ -142,7 +143,7 @@ def test_more_pairs_than_fit_in_one_batch(monkeypatch):
     points = np.random.default_rng(6).uniform(-1.2, 1.2, (500, 3))
     whole = Enclosure(vertices, faces)
     winding, distance = whole.winding_numbers(points), whole.distances(points)
-    monkeypatch.setattr("msf_jax.host.solid.enclosure.PAIRS_AT_ONCE", 50)
+    monkeypatch.setattr("msf_jax.host.solid.triangles.PAIRS_AT_ONCE", 50)
     cut = Enclosure(vertices, faces)
     np.testing.assert_array_equal(cut.winding_numbers(points), winding)
     np.testing.assert_array_equal(cut.distances(points), distance)

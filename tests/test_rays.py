@@ -6,7 +6,8 @@ import trimesh
 from conftest import blob, torus
 from scipy.spatial.transform import Rotation
 
-from msf_jax.host.solid.enclosure import Enclosure, point_triangle_distance2
+from msf_jax.host.solid.enclosure import Enclosure
+from msf_jax.host.solid.triangles import point_triangle_distance2
 
 
 def arrays(mesh: trimesh.Trimesh) -> tuple[np.ndarray, np.ndarray]:
@@ -196,7 +197,7 @@ def test_rays_in_many_batches(monkeypatch, name):
     random, shape = np.random.default_rng(4), Enclosure(*arrays(blob(65)))
     points, ways, reach = random.uniform(-1, 1, (300, 3)), random_directions(random, 300), random.uniform(0, 2, 300)
     whole = shape.ray_lengths(points, ways, reach)
-    monkeypatch.setattr(f"msf_jax.host.solid.enclosure.{name}", 50)
+    monkeypatch.setattr(f"msf_jax.host.solid.triangles.{name}", 50)
     np.testing.assert_array_equal(shape.ray_lengths(points, ways, reach), whole)
 
 
@@ -303,7 +304,7 @@ def test_a_corner_of_a_regular_solid_is_on_its_surface():
 def test_nearest_triangles_in_many_batches(monkeypatch):
     points, mesh = np.random.default_rng(7).uniform(-1, 1, (300, 3)), large_and_small()
     whole = Enclosure(*arrays(mesh)).nearest(points)
-    monkeypatch.setattr("msf_jax.host.solid.enclosure.PAIRS_AT_ONCE", 50)
+    monkeypatch.setattr("msf_jax.host.solid.triangles.PAIRS_AT_ONCE", 50)
     for found, expected in zip(Enclosure(*arrays(mesh)).nearest(points), whole, strict=True):
         np.testing.assert_array_equal(found, expected)
 
@@ -369,7 +370,7 @@ def test_approach_finds_the_wall_of_a_box_of_twelve_triangles():
 def test_every_triangle_within_reach_is_found(shape, monkeypatch, many):
     """Each once, all of a point's in one batch and side by side, and few that are not within reach."""
     if many:
-        monkeypatch.setattr(f"msf_jax.host.solid.enclosure.{many}", 10)
+        monkeypatch.setattr(f"msf_jax.host.solid.triangles.{many}", 10)
     random, num = np.random.default_rng(9), 80
     points, reach = random_points(shape, random, num), random.uniform(0, 0.8, num)
     batches = list(shape.triangles_near(points, reach))

@@ -29,9 +29,10 @@ from msf_jax.host.curve import centring
 from msf_jax.host.curve import ways as measures
 from msf_jax.host.curve.ways import Way
 from msf_jax.host.solid import sections
-from msf_jax.host.solid.enclosure import Enclosure, point_triangle_distance2
+from msf_jax.host.solid.enclosure import Enclosure
 from msf_jax.host.solid.geometry import unit
 from msf_jax.host.solid.solid import Solid
+from msf_jax.host.solid.triangles import point_triangle_distance2
 
 SLIGHT = 0.02  # a section of less weight is left out
 MEMBRANE = 0.01  # mu = MEMBRANE (size / h)^2, for nodes h apart in a limb of that size

@@ -5,28 +5,20 @@ for a closed mesh it equals the generalised winding number of Jacobson et al. 20
 where the mesh crosses itself. The distance is that to the nearest point of the nearest triangle (Ericson 2005, 5.1.5).
 """
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from typing import NamedTuple
 
 import numpy as np
 from scipy import spatial
 
+from msf_jax.host.solid import triangles as batches
 from msf_jax.host.solid.geometry import barycentric
+from msf_jax.host.solid.triangles import SizeClass, near, pieces, point_triangle_distance2, reaches, size_classes
 
-PAIRS_AT_ONCE = 2_000_000  # bounds the memory of one vectorised batch
 SAMPLE_SPACING = 0.02  # of the extent, in `approach`; more where that would make more than so many samples:
 MOST_SAMPLES = 200_000
 LARGEST_PIECE = 0.02  # of the extent, of a face or an edge, in `nearest`; larger where that would make about
 MOST_PIECES = 200_000
-POINTS_AT_ONCE = 2_000  # and that of the lists that a tree answers with
-
-
-class SizeClass(NamedTuple):
-    """Faces or edges of like size: a tree of their centres, their numbers, and the largest reach among them."""
-
-    tree: spatial.KDTree
-    number: np.ndarray
-    reach: float
 
 
 class Feet(NamedTuple):
@@ -68,7 +60,7 @@ class Enclosure:
         self.faces = faces
         self.vertices = vertices
         self.centroids = self.triangles.mean(axis=1)
-        self.reaches = _reaches(self.triangles)
+        self.reaches = reaches(self.triangles)
         self.low, self.high = self.triangles.min(axis=1).T.copy(), self.triangles.max(axis=1).T.copy()
         self._grid: _Grid | None = None
         self._classes: list[SizeClass] | None = None
@@ -134,7 +126,7 @@ class Enclosure:
         bound, chosen = self.approach(points)
         best2 = bound**2
         for size_class in classes:
-            for point, foot in _near([size_class], points, lambda most, bound=bound: np.hypot(bound, most)):
+            for point, foot in near([size_class], points, lambda most, bound=bound: np.hypot(bound, most)):
                 away = points[point] - centre[foot]
                 may_be = np.einsum("ci,ci->c", away, away) <= (bound[point] ** 2 + reach[foot] ** 2) * (1 + 1e-12)
                 point, triangle = point[may_be], triangle_of[foot[may_be]]
@@ -169,12 +161,12 @@ class Enclosure:
             tail, head = self.vertices[tail[edge]], self.vertices[head[edge]]
             size = float(np.ptp(self.vertices, axis=0).max())
             largest = max(LARGEST_PIECE * size, float(np.sqrt((self.reaches**2).sum() / MOST_PIECES)))
-            faces, of_face = _pieces(self.triangles, largest)
-            edges, of_edge = _pieces(np.stack([tail, head], axis=1), largest)
+            faces, of_face = pieces(self.triangles, largest)
+            edges, of_edge = pieces(np.stack([tail, head], axis=1), largest)
             centre = np.concatenate([faces.mean(axis=1), edges.mean(axis=1)])
-            reach = np.concatenate([_reaches(faces), _reaches(edges)])
+            reach = np.concatenate([reaches(faces), reaches(edges)])
             triangle = np.concatenate([of_face, edge[of_edge] // 3])
-            self._feet = Feet(centre, reach, triangle, _size_classes(centre, reach))
+            self._feet = Feet(centre, reach, triangle, size_classes(centre, reach))
         return self._feet
 
     def clearance(self, points: np.ndarray) -> np.ndarray:
@@ -196,7 +188,7 @@ class Enclosure:
         tree, first, fan = self._all_samples()
         sample = tree.query(points)[1]
         count = first[sample + 1] - first[sample]
-        if count.sum() > PAIRS_AT_ONCE and len(points) > 1:  # a hub of thousands of faces
+        if count.sum() > batches.PAIRS_AT_ONCE and len(points) > 1:  # a hub of thousands of faces
             halves = [self.approach(half) for half in np.array_split(points, 2)]
             return np.concatenate([half[0] for half in halves]), np.concatenate([half[1] for half in halves])
         start = np.cumsum(count) - count
@@ -241,8 +233,8 @@ class Enclosure:
         A few that do not come so near are among them. All pairs of a point are in one batch.
         """
         if self._classes is None:
-            self._classes = _size_classes(self.centroids, self.reaches)
-        return _near(self._classes, points, lambda most: reach + most)
+            self._classes = size_classes(self.centroids, self.reaches)
+        return near(self._classes, points, lambda most: reach + most)
 
     def ray_lengths(self, points: np.ndarray, directions: np.ndarray, reach: np.ndarray) -> np.ndarray:
         """How far (P,) the surface is from each point along its unit vector; ``reach`` (P,) where it is farther."""
@@ -313,88 +305,6 @@ def _sampled(vertices: np.ndarray, faces: np.ndarray, reaches: np.ndarray) -> Sa
     return Samples(spatial.KDTree(np.concatenate(points), leafsize=32), first, fan)
 
 
-def _near(
-    classes: list[SizeClass], points: np.ndarray, radius: Callable[[float], np.ndarray]
-) -> Iterator[tuple[np.ndarray, np.ndarray]]:
-    """Batches of index pairs (point, member of a class), all of a point's in one batch and side by side.
-
-    ``radius`` says how far (P,) the centres of a class of a given reach may be from each point.
-    """
-    for first in range(0, len(points), POINTS_AT_ONCE):
-        chunk = slice(first, first + POINTS_AT_ONCE)
-        found = [
-            size_class.tree.query_ball_point(
-                points[chunk], radius(size_class.reach)[chunk] * (1 + 1e-12), return_sorted=False
-            )
-            for size_class in classes
-        ]
-        counts = [np.fromiter(map(len, near), dtype=np.int64, count=len(near)) for near in found]
-        batch = np.cumsum(np.sum(counts, axis=0)) // PAIRS_AT_ONCE
-        for number in np.unique(batch):
-            chosen = np.flatnonzero(batch == number)
-            point = [np.repeat(first + chosen, count[chosen]) for count in counts]
-            member = [
-                size_class.number[np.concatenate([near[row] for row in chosen]).astype(np.int64)]
-                for size_class, near in zip(classes, found, strict=True)
-            ]
-            yield np.concatenate(point), np.concatenate(member)
-
-
-def _size_classes(centroid: np.ndarray, reach: np.ndarray) -> list[SizeClass]:
-    """One class for each power of four of the reach, the largest distance from a triangle's centroid to a corner."""
-    level = np.floor(np.log2(np.maximum(reach, 1e-6 * reach.max())) / 2)
-    classes = []
-    for value in np.unique(level):
-        rows = np.flatnonzero(level == value)
-        classes.append(SizeClass(spatial.KDTree(centroid[rows]), rows, float(reach[rows].max())))
-    return classes
-
-
-def _reaches(corners: np.ndarray) -> np.ndarray:
-    """(F,) the largest distance from the middle of each face or edge (F, k, 3) to one of its corners."""
-    return np.sqrt(((corners - corners.mean(axis=1, keepdims=True)) ** 2).sum(axis=2).max(axis=1))
-
-
-def _pieces(corners: np.ndarray, largest: float) -> tuple[np.ndarray, np.ndarray]:
-    """Faces or edges (F, k, 3) cut in halves, across their longest side, until none reaches farther than ``largest``;
-    and the row that each piece is of."""
-    row = np.arange(len(corners))
-    done, rows = [], []
-    while len(corners):
-        is_large = _reaches(corners) > largest
-        done.append(corners[~is_large])
-        rows.append(row[~is_large])
-        corners, row = corners[is_large], row[is_large]
-        side = np.linalg.norm(np.roll(corners, -1, axis=1) - corners, axis=2).argmax(axis=1)
-        every, after = np.arange(len(corners)), (side + 1) % corners.shape[1]
-        middle = (corners[every, side] + corners[every, after]) / 2
-        one, other = corners.copy(), corners.copy()
-        one[every, after], other[every, side] = middle, middle
-        corners, row = np.concatenate([one, other]), np.concatenate([row, row])
-    return np.concatenate(done), np.concatenate(rows)
-
-
-def point_triangle_distance2(point: np.ndarray, triangle: np.ndarray) -> np.ndarray:
-    """Squared distance (c,) from each point (c, 3) to each triangle (c, 3, 3), degenerate ones included."""
-    best = np.full(len(point), np.inf)
-    for k in range(3):  # to the three edges
-        a, b = triangle[:, k], triangle[:, (k + 1) % 3]
-        along, offset = b - a, point - a
-        length2 = np.einsum("ij,ij->i", along, along)
-        t = np.einsum("ij,ij->i", offset, along) / np.where(length2 > 0, length2, 1.0)
-        rest = offset - np.clip(t, 0.0, 1.0)[:, None] * along
-        best = np.minimum(best, np.einsum("ij,ij->i", rest, rest))
-    # To the plane, where the foot of the perpendicular lies in the triangle.
-    a, ab, ac = triangle[:, 0], triangle[:, 1] - triangle[:, 0], triangle[:, 2] - triangle[:, 0]
-    normal, offset = np.cross(ab, ac), point - triangle[:, 0]
-    area2 = np.einsum("ij,ij->i", normal, normal)
-    safe = np.where(area2 > 0, area2, 1.0)
-    v = np.einsum("ij,ij->i", np.cross(offset, ac), normal) / safe
-    w = np.einsum("ij,ij->i", np.cross(ab, offset), normal) / safe
-    is_over = (v >= 0) & (w >= 0) & (v + w <= 1) & (area2 > 0)
-    return np.where(is_over, np.minimum(best, np.einsum("ij,ij->i", offset, normal) ** 2 / safe), best)
-
-
 class _Grid:
     """Triangles binned by the cells of a horizontal grid that their bounding rectangles touch."""
 
@@ -433,7 +343,7 @@ class _Grid:
         is_on_grid = ((points[:, :2] >= self.low) & (points[:, :2] <= self.low + self.shape * self.size)).all(axis=1)
         code = cell[:, 0] * self.shape[1] + cell[:, 1]
         count = np.where(is_on_grid, self.start[code + 1] - self.start[code], 0)
-        batch = np.cumsum(count) // PAIRS_AT_ONCE
+        batch = np.cumsum(count) // batches.PAIRS_AT_ONCE
         for number in np.unique(batch):
             chosen = np.flatnonzero((batch == number) & (count > 0))
             num = count[chosen]
