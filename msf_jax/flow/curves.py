@@ -1,5 +1,6 @@
 """The curve of each component, read off the contracted surface and finished, and all of them stitched together."""
 
+from functools import partial
 from typing import NamedTuple
 
 import numpy as np
@@ -8,10 +9,12 @@ from msf_jax.base.options import Config
 from msf_jax.flow.state import State, Stopwatch
 from msf_jax.host.curve import extraction, finishing
 from msf_jax.host.curve.extraction import Curve
-from msf_jax.host.curve.finishing import Finished
+from msf_jax.host.curve.finishing import Draft, Finished, Job
 from msf_jax.host.mesh.checking import Surface
+from msf_jax.host.meso import surgery
 from msf_jax.host.meso.meso import Meso
 
+STRIDE = 4.0  # roots of a face's mean area, between the nodes that are recentred after surgery
 MOST_VOLUME = 0.1  # that may be left of a component whose curve is worth finishing
 
 
@@ -36,7 +39,8 @@ def curve_of(state: State, meso: Meso, config: Config, watch: Stopwatch) -> Part
     """
     with watch.stage("curve"):
         pinned = meso.node_of_input[state.pins]
-        found = extraction.extract_curve(meso.positions, meso.rings, meso.classes, pinned)
+        extract = extraction.operated_curve if config.surgery else extraction.extract_curve
+        found = extract(meso.positions, meso.rings, meso.classes, pinned)
         nodes = found.nodes.copy()
         node_of_pin = found.node_of_meso[pinned]
         is_held = np.zeros(len(nodes), dtype=bool)
@@ -56,6 +60,7 @@ def curve_of(state: State, meso: Meso, config: Config, watch: Stopwatch) -> Part
                 centre=config.centre,
                 extend=config.extend_tips,
                 rough=state.rough,
+                first=partial(_recentred, state, meso, found.node_of_meso) if config.surgery else None,
             )
     rank = np.cumsum(done.is_kept) - 1
     kept = Curve(
@@ -64,6 +69,18 @@ def curve_of(state: State, meso: Meso, config: Config, watch: Stopwatch) -> Part
         rank[done.target[found.node_of_meso]],
     )
     return Part(kept, found, done, meso, is_held[done.is_kept])
+
+
+def _recentred(state: State, meso: Meso, node_of_meso: np.ndarray, draft: Draft, job: Job) -> Draft:
+    """A pass: the curve that surgery has left, with nodes as dense as the surface's, moved back to the middle."""
+    contracted = meso.positions[meso.node_of_input]
+    surface = state.shape.vertices, state.shape.faces
+    longest = STRIDE * np.sqrt(state.first_area / len(state.shape.faces))
+    nodes, edges = surgery.subdivided(draft.vertices, draft.edges, longest)
+    node_of_vertex = finishing.nearest_on_branch(nodes, edges, contracted, node_of_meso[meso.node_of_input])
+    x = surgery.recentred(nodes, edges, node_of_vertex, contracted, *surface)
+    x[: len(draft.vertices)][draft.is_held] = draft.vertices[draft.is_held]
+    return draft._replace(place=x[: len(draft.vertices)]).changed(x, edges)
 
 
 def is_tangle(state: State) -> bool:

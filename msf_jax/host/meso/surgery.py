@@ -1,0 +1,179 @@
+"""The surgery of Au et al. 2008: half-edge collapses down to a curve, and the recentring of its nodes.
+
+A half-edge collapse i -> j moves vertex i, with all its edges, to where j is. It costs
+
+    F(i, j) = F_a + 0.1 F_b,    F_a = sum over the edges gathered in i and in j of |a x (v_j - v)|^2,
+                                F_b = |v_i - v_j| sum over the neighbours k of i of |v_i - v_k|,
+
+a shape cost, of v_j's distance from the lines of edges (through v, of direction a) that have been contracted into the
+two, as a quadric, and a sampling cost, which is against long edges. The cheapest goes first, of the edges that bear a
+face, until there is none. What may not go is up to `complex.Complex`: a merge that would pinch a loop of the solid.
+"""
+
+import heapq
+
+import numpy as np
+from scipy import spatial
+
+from msf_jax.host.meso.complex import Complex
+
+SAMPLING = 0.1  # weight of the sampling cost
+STALE = 1e-9  # an entry of the heap that has become dearer by more than this part goes back
+
+Quadric = tuple[float, ...]  # xx, xy, xz, yy, yz, zz of M, then M v, and v . M v, summed over lines
+
+
+def operate(complex_: Complex, positions: np.ndarray, a: np.ndarray, b: np.ndarray) -> None:
+    """Collapse, in place, what bears a face, for vertices at ``positions`` (n, 3) and all edges ab (E,).
+
+    An edge that would pinch a loop waits until all others have gone; where nothing else is left, one face is opened,
+    or, without classes, one edge goes all the same. O(E log E), but for vertices of many neighbours.
+    """
+    work = _Costs(positions, a, b)
+    heap = [(work.cost(i, j), i, j) for u, v in zip(a.tolist(), b.tolist(), strict=True) for i, j in ((u, v), (v, u))]
+    heapq.heapify(heap)
+    waiting: list[tuple[int, int]] = []
+    has_moved = True
+    while heap or waiting:
+        if not heap:
+            if not has_moved and complex_.has_classes and not complex_.open_face(waiting):
+                return
+            if not has_moved and not complex_.has_classes:
+                i, j = waiting.pop()
+                complex_.merge(j, i, force=True)
+                work.merge(i, j)
+            heap = [(work.cost(i, j), i, j) for i, j in waiting if _is_open(complex_, i, j)]
+            heapq.heapify(heap)
+            waiting, has_moved = [], False
+            continue
+        cost, i, j = heapq.heappop(heap)
+        if not _is_open(complex_, i, j):
+            continue
+        now = work.cost(i, j)  # an entry tells what it cost then: what has been gathered since makes it dearer
+        if now > cost * (1 + STALE):
+            heapq.heappush(heap, (now, i, j))
+        elif complex_.merge(j, i, force=False):
+            has_moved = True
+            for k, m in work.merge(i, j):
+                if _is_open(complex_, k, m):
+                    heapq.heappush(heap, (work.cost(k, m), k, m))
+        else:
+            waiting.append((i, j))
+
+
+def _is_open(complex_: Complex, i: int, j: int) -> bool:
+    """Whether i and j are still there, with an edge between them that bears a face."""
+    return complex_.root[i] == i and complex_.root[j] == j and bool(complex_.apexes[i].get(j))
+
+
+class _Costs:
+    """Positions, neighbours and quadrics of vertices that are merged one into the other."""
+
+    def __init__(self, positions: np.ndarray, a: np.ndarray, b: np.ndarray) -> None:
+        ends, others = np.concatenate([a, b]), np.concatenate([b, a])
+        along = positions[others] - positions[ends]
+        length = np.linalg.norm(along, axis=1)
+        along /= np.where(length > 0, length, 1.0)[:, None]
+        M = np.eye(3) - along[:, :, None] * along[:, None, :]
+        M[length == 0] = 0  # no line, no distance from it
+        Mv = np.einsum("eij,ej->ei", M, positions[ends])
+        columns = [M[:, i, j] for i in range(3) for j in range(i, 3)]
+        columns += [*Mv.T, np.einsum("ei,ei->e", Mv, positions[ends])]
+        num = len(positions)
+        summed = [np.bincount(ends, weights=column, minlength=num) for column in columns]
+        self.quadric: list[Quadric] = list(map(tuple, np.stack(summed, axis=1).tolist()))
+        self.position: list[tuple[float, float, float]] = list(map(tuple, positions.tolist()))
+        self.reach = np.bincount(ends, weights=length, minlength=num).tolist()  # sum of a vertex's edge lengths
+        self.around: list[set[int]] = [set() for _ in range(num)]
+        for i, j in zip(ends.tolist(), others.tolist(), strict=True):
+            self.around[i].add(j)
+
+    def cost(self, i: int, j: int) -> float:
+        """Of the collapse of i into j."""
+        x, y, z = self.position[j]
+        shape = 0.0
+        for xx, xy, xz, yy, yz, zz, bx, by, bz, c in (self.quadric[i], self.quadric[j]):
+            shape += x * (xx * x + 2 * (xy * y + xz * z - bx)) + y * (yy * y + 2 * (yz * z - by))
+            shape += z * (zz * z - 2 * bz) + c
+        return max(shape, 0.0) + SAMPLING * self._length(i, j) * self.reach[i]
+
+    def merge(self, i: int, j: int) -> list[tuple[int, int]]:
+        """Merge i into j; returns the half-edges that are new, or may be cheaper than they were."""
+        around, own = self.around[i], self.around[j]
+        fresh, cheaper, reach = [], [], self.reach[j]
+        for k in around:
+            before = self.reach[k]
+            self.reach[k] -= self._length(i, k)
+            self.around[k].discard(i)
+            if k != j and k not in own:
+                fresh.append((k, j))
+                own.add(k)
+                self.around[k].add(j)
+                length = self._length(j, k)
+                self.reach[k] += length
+                self.reach[j] += length
+            if k != j and self.reach[k] < before:
+                cheaper.append(k)
+        self.around[i] = set()
+        if self.reach[j] < reach:
+            cheaper.append(j)
+        self.quadric[j] = tuple(p + q for p, q in zip(self.quadric[i], self.quadric[j], strict=True))
+        return fresh + [(k, m) for k in cheaper for m in self.around[k]]
+
+    def _length(self, i: int, j: int) -> float:
+        (a, b, c), (x, y, z) = self.position[i], self.position[j]
+        return ((a - x) ** 2 + (b - y) ** 2 + (c - z) ** 2) ** 0.5
+
+
+def recentred(
+    nodes: np.ndarray,
+    edges: np.ndarray,
+    node_of_vertex: np.ndarray,
+    contracted: np.ndarray,
+    vertices: np.ndarray,
+    faces: np.ndarray,
+) -> np.ndarray:
+    """The ``nodes`` (N, 3), moved back by how far the boundaries of their regions have come in the contraction.
+
+    The region of a node is the vertices (V,) of ``node_of_vertex``. Of all vertices on its boundary loops, which are
+    edges with both ends in it and beside a face that is not, the mean of ``contracted - vertices`` (V, 3) each is
+    taken, weighted by the lengths of the loops' edges there: a short loop, around a hole in the region, counts little.
+    A region without such an edge is all boundary; one without a vertex goes with the nearest that has some, and one
+    that is all of its component stays. A leaf goes with the node before it: as often as not its region is a patch on
+    one side of a limb, and its own loop would take it out there.
+    """
+    label = node_of_vertex[faces]
+    mixed = faces[(label != label[:, :1]).any(axis=1)]
+    one, other = mixed.ravel(), np.roll(mixed, -1, axis=1).ravel()
+    length = np.linalg.norm(vertices[one] - vertices[other], axis=1) * (node_of_vertex[one] == node_of_vertex[other])
+    num, num_nodes = len(vertices), len(nodes)
+    weight = np.bincount(one, weights=length, minlength=num) + np.bincount(other, weights=length, minlength=num)
+    is_bare = np.bincount(node_of_vertex, weights=weight, minlength=num_nodes) == 0
+    weight = np.where(is_bare[node_of_vertex], np.bincount(one, minlength=num), weight)
+    total = np.bincount(node_of_vertex, weights=weight, minlength=num_nodes)
+    moved = weight[:, None] * (contracted - vertices)
+    sums = [np.bincount(node_of_vertex, weights=moved[:, axis], minlength=num_nodes) for axis in range(3)]
+    shift = np.stack(sums, axis=1) / np.where(total > 0, total, 1.0)[:, None]
+    known = np.flatnonzero(total > 0)
+    if len(known):
+        shift = shift[known[spatial.KDTree(nodes[known]).query(nodes)[1]]]
+    degree = np.bincount(edges.ravel(), minlength=num_nodes)
+    for leaf, before in (edges.T, edges.T[::-1]):
+        is_leaf = (degree[leaf] == 1) & (degree[before] > 1)
+        shift[leaf[is_leaf]] = shift[before[is_leaf]]
+    return nodes - shift
+
+
+def subdivided(nodes: np.ndarray, edges: np.ndarray, longest: float) -> tuple[np.ndarray, np.ndarray]:
+    """The curve with its edges cut into equal parts of at most ``longest``; new nodes come last."""
+    a, b = nodes[edges[:, 0]], nodes[edges[:, 1]]
+    count = np.maximum(1, np.ceil(np.linalg.norm(b - a, axis=1) / longest)).astype(np.int64)
+    edge = np.repeat(np.arange(len(edges)), count - 1)
+    first = np.cumsum(count - 1) - (count - 1)
+    number = np.arange(len(edge)) - first[edge] + 1
+    new = len(nodes) + np.arange(len(edge))
+    fresh = a[edge] + (number / count[edge])[:, None] * (b - a)[edge]
+    before = np.where(number == 1, edges[edge, 0], new - 1)
+    last = np.where(count == 1, edges[:, 0], len(nodes) + first + count - 2)
+    joined = np.concatenate([np.stack([before, new], axis=1), np.stack([last, edges[:, 1]], axis=1)])
+    return np.concatenate([nodes, fresh]), joined
