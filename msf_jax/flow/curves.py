@@ -14,7 +14,6 @@ from msf_jax.host.mesh.checking import Surface
 from msf_jax.host.meso import surgery
 from msf_jax.host.meso.meso import Meso
 
-STRIDE = 4.0  # roots of a face's mean area, between the nodes that are recentred after surgery
 MOST_VOLUME = 0.1  # that may be left of a component whose curve is worth finishing
 
 
@@ -60,7 +59,7 @@ def curve_of(state: State, meso: Meso, config: Config, watch: Stopwatch) -> Part
                 centre=config.centre,
                 extend=config.extend_tips,
                 rough=state.rough,
-                first=partial(_recentred, state, meso, found.node_of_meso) if config.surgery else None,
+                first=partial(_recentred, meso, found) if config.surgery else None,
             )
     rank = np.cumsum(done.is_kept) - 1
     kept = Curve(
@@ -71,16 +70,18 @@ def curve_of(state: State, meso: Meso, config: Config, watch: Stopwatch) -> Part
     return Part(kept, found, done, meso, is_held[done.is_kept])
 
 
-def _recentred(state: State, meso: Meso, node_of_meso: np.ndarray, draft: Draft, job: Job) -> Draft:
-    """A pass: the curve that surgery has left, with nodes as dense as the surface's, moved back to the middle."""
-    contracted = meso.positions[meso.node_of_input]
-    surface = state.shape.vertices, state.shape.faces
-    longest = STRIDE * np.sqrt(state.first_area / len(state.shape.faces))
-    nodes, edges = surgery.subdivided(draft.vertices, draft.edges, longest)
-    node_of_vertex = finishing.nearest_on_branch(nodes, edges, contracted, node_of_meso[meso.node_of_input])
-    x = surgery.recentred(nodes, edges, node_of_vertex, contracted, *surface)
-    x[: len(draft.vertices)][draft.is_held] = draft.vertices[draft.is_held]
-    return draft._replace(place=x[: len(draft.vertices)]).changed(x, edges)
+def _recentred(meso: Meso, found: Curve, draft: Draft, job: Job) -> Draft:
+    """A pass: the nodes that surgery has left, moved back to the middle of the solid."""
+    x = surgery.recentred(
+        draft.vertices,
+        draft.edges,
+        found.node_of_meso[meso.node_of_input],
+        meso.positions[meso.node_of_input],
+        job.shape.vertices,
+        job.shape.faces,
+    )
+    x[draft.is_held] = draft.vertices[draft.is_held]
+    return draft._replace(place=x).changed(x)
 
 
 def is_tangle(state: State) -> bool:

@@ -135,45 +135,33 @@ def recentred(
 ) -> np.ndarray:
     """The ``nodes`` (N, 3), moved back by how far the boundaries of their regions have come in the contraction.
 
-    The region of a node is the vertices (V,) of ``node_of_vertex``. Of all vertices on its boundary loops, which are
-    edges with both ends in it and beside a face that is not, the mean of ``contracted - vertices`` (V, 3) each is
-    taken, weighted by the lengths of the loops' edges there: a short loop, around a hole in the region, counts little.
-    A region without such an edge is all boundary; one without a vertex goes with the nearest that has some, and one
-    that is all of its component stays. A leaf goes with the node before it: as often as not its region is a patch on
-    one side of a limb, and its own loop would take it out there.
+    The region of a node is the vertices (V,) of ``node_of_vertex``. Its boundary loops run half-way between its
+    vertices and others, through the faces that have both; of all their points, the mean of ``contracted - vertices``
+    (V, 3) each is taken by length, so that a short loop, around a hole in the region, counts little. A node without a
+    boundary goes with the nearest that has one. A leaf goes with the node before it: as often as not its region is a
+    patch on one side of a limb, and its own loop would take it out there.
     """
-    label = node_of_vertex[faces]
-    mixed = faces[(label != label[:, :1]).any(axis=1)]
-    one, other = mixed.ravel(), np.roll(mixed, -1, axis=1).ravel()
-    length = np.linalg.norm(vertices[one] - vertices[other], axis=1) * (node_of_vertex[one] == node_of_vertex[other])
-    num, num_nodes = len(vertices), len(nodes)
-    weight = np.bincount(one, weights=length, minlength=num) + np.bincount(other, weights=length, minlength=num)
-    is_bare = np.bincount(node_of_vertex, weights=weight, minlength=num_nodes) == 0
-    weight = np.where(is_bare[node_of_vertex], np.bincount(one, minlength=num), weight)
-    total = np.bincount(node_of_vertex, weights=weight, minlength=num_nodes)
-    moved = weight[:, None] * (contracted - vertices)
-    sums = [np.bincount(node_of_vertex, weights=moved[:, axis], minlength=num_nodes) for axis in range(3)]
+    label, away = node_of_vertex[faces], contracted - vertices
+    num, ends, weights, moves = len(nodes), [], [], []
+    for k in range(3):  # faces that have corner k on one side of a boundary, and the two others on the other
+        (c, a, b), (own, other, same) = (np.roll(rows, -k, axis=1).T for rows in (faces, label))
+        is_cut = (other == same) & (own != other)
+        c, a, b = c[is_cut], a[is_cut], b[is_cut]
+        length = np.linalg.norm(vertices[a] - vertices[b], axis=1) / 2
+        moved = length[:, None] * (2 * away[c] + away[a] + away[b]) / 4
+        for side in (own[is_cut], other[is_cut]):
+            ends.append(side)
+            weights.append(length)
+            moves.append(moved)
+    end, moved = np.concatenate(ends), np.concatenate(moves)
+    total = np.bincount(end, weights=np.concatenate(weights), minlength=num)
+    sums = [np.bincount(end, weights=moved[:, axis], minlength=num) for axis in range(3)]
     shift = np.stack(sums, axis=1) / np.where(total > 0, total, 1.0)[:, None]
     known = np.flatnonzero(total > 0)
     if len(known):
         shift = shift[known[spatial.KDTree(nodes[known]).query(nodes)[1]]]
-    degree = np.bincount(edges.ravel(), minlength=num_nodes)
+    degree = np.bincount(edges.ravel(), minlength=num)
     for leaf, before in (edges.T, edges.T[::-1]):
         is_leaf = (degree[leaf] == 1) & (degree[before] > 1)
         shift[leaf[is_leaf]] = shift[before[is_leaf]]
     return nodes - shift
-
-
-def subdivided(nodes: np.ndarray, edges: np.ndarray, longest: float) -> tuple[np.ndarray, np.ndarray]:
-    """The curve with its edges cut into equal parts of at most ``longest``; new nodes come last."""
-    a, b = nodes[edges[:, 0]], nodes[edges[:, 1]]
-    count = np.maximum(1, np.ceil(np.linalg.norm(b - a, axis=1) / longest)).astype(np.int64)
-    edge = np.repeat(np.arange(len(edges)), count - 1)
-    first = np.cumsum(count - 1) - (count - 1)
-    number = np.arange(len(edge)) - first[edge] + 1
-    new = len(nodes) + np.arange(len(edge))
-    fresh = a[edge] + (number / count[edge])[:, None] * (b - a)[edge]
-    before = np.where(number == 1, edges[edge, 0], new - 1)
-    last = np.where(count == 1, edges[:, 0], len(nodes) + first + count - 2)
-    joined = np.concatenate([np.stack([before, new], axis=1), np.stack([last, edges[:, 1]], axis=1)])
-    return np.concatenate([nodes, fresh]), joined
