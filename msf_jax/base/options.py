@@ -257,7 +257,22 @@ class Config:
     def au2008(cls, **changes: Any) -> "Config":
         """Au et al. 2008: contraction to a millionth of the volume, surgery, and recentring; no poles, no edits before.
 
-        DEPARTURES
+        ``Config.au2008(surgery=False)`` reads the curve off that contraction as that of the other systems is;
+        ``centre=True, extend_tips=True`` finishes either as theirs are. Against the paper:
+
+        - w_L begins at 0.001 times the root of a face's mean area there, in units that it does not give. Here it is 400
+          times that root, in diagonals, or the first twenty steps would do nothing.
+        - Cotangents of a triangle whose height is less than 0.3 of its longest edge are made smaller, all three by the
+          same factor. The negative ones count, as in the paper: without them limbs shrink in length, and the surface
+          crumples. But as they are, vertices at a limb's tip run away along it.
+        - The normal equations are solved by preconditioned conjugate gradients and not by a factor of their own.
+        - Coordinates are rounded to a millionth of the diagonal at the start, and one-ring areas count as 1e-14 at
+          least.
+        - Surgery asks whether a merge would pinch a loop of the solid (see `host.meso.homology`), and not whether the
+          edges i -> k and k -> j bound a face: a ring of three around a limb would stay for ever.
+        - Recentring weighs boundary loops by their length, and a leaf goes with the node before it. Junctions that are
+          near to each other are not merged after it.
+        - Twigs within a limb are pruned, and what is outside the solid is led inside: ``prune=0`` keeps them.
         """
         base = cls(
             system="au2008",

@@ -18,8 +18,9 @@ from msf_jax.device.buffers import Rings, at_rows, slot_sum
 SHORTEST = 1e-7  # an edge length, as a fraction of the diagonal
 STEEPEST = 1e4  # tan(alpha / 2) and cot(alpha): angles within a hundredth of a degree of pi and 0
 
-# |a x b| over the longest edge squared, of the flattest triangle that `_signed_cotangents` tells from a flatter one.
-FLATTEST = 1e-3
+# Height over longest edge, below which `_signed_cotangents` makes a triangle's three smaller. At 0.001 vertices at the
+# tips of limbs run away along them, and at 0.1 now and then.
+FLATTEST = 0.3
 
 # Largest entry that the flow takes, see `limit`; a regular mesh has 1.2.
 LARGEST = 20.0

