@@ -173,7 +173,7 @@ def reference_weights(kind: str, vertices: np.ndarray, faces: np.ndarray, larges
 
 
 def roundness(vertices: np.ndarray, faces: np.ndarray) -> np.ndarray:
-    """(F,) the factor on the signed cotangents of each triangle: its height over its longest edge, over 0.3, up to 1."""
+    """(F,) the factor on signed cotangents: a triangle's height over its longest edge, over 0.3, up to 1."""
     p, q, r = (vertices[corner] for corner in faces.T)
     longest2 = np.max([((end - start) ** 2).sum(axis=1) for start, end in ((p, q), (q, r), (r, p))], axis=0)
     return np.minimum(1.0, np.linalg.norm(np.cross(q - p, r - p), axis=1) / longest2 / 0.3)

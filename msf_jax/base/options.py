@@ -185,9 +185,7 @@ class Config:
         if self.poles not in POLES:
             raise ConfigError(f"unknown poles {self.poles!r}: expected one of {', '.join(POLES)}")
         if self.preconditioner not in SOLVED_BY:
-            raise ConfigError(
-                f"unknown preconditioner {self.preconditioner!r}: expected one of {', '.join(SOLVED_BY)}"
-            )
+            raise ConfigError(f"unknown preconditioner {self.preconditioner!r}: expected one of {', '.join(SOLVED_BY)}")
         ranges = {
             "reconstruct_poles": (0, math.inf),
             "reconstruct_mesh": (0, math.inf),

@@ -107,9 +107,7 @@ def move_factored(
 
 
 @partial(jax.jit, static_argnames=("settings", "layout"))
-def _equations(
-    buffers: Buffers, energy: Energy, settings: StepSettings, layout: Layout
-) -> tuple[Gram, jax.Array]:
+def _equations(buffers: Buffers, energy: Energy, settings: StepSettings, layout: Layout) -> tuple[Gram, jax.Array]:
     return normal_equations(buffers, _rows(buffers, settings, layout), energy, layout)
 
 

@@ -81,9 +81,7 @@ def _signed_cotangents(positions: jax.Array, rings: Rings, degree: jax.Array, la
     at_i, at_j = at_rows(layout, positions), positions[rings.neighbour]
     square = _square(at_j - at_i)
     after, before = positions[rings.after], positions[rings.before]
-    weight = 0.5 * (
-        _flattened(after - at_i, after - at_j, square) + _flattened(before - at_i, before - at_j, square)
-    )
+    weight = 0.5 * (_flattened(after - at_i, after - at_j, square) + _flattened(before - at_i, before - at_j, square))
     return Rows(weight, weight)
 
 

@@ -39,9 +39,7 @@ def factored(
     ends = rank[row[is_entry]], rank[neighbour[is_entry]]
     diagonal = sparse.diags(np.sqrt(shift[live]) - own[live])
     K = diagonal - sparse.coo_matrix((out[is_entry], ends), shape=(len(live), len(live)))
-    factor = linalg.splu(
-        K.tocsc(), permc_spec="MMD_AT_PLUS_A", diag_pivot_thresh=0.0, options={"SymmetricMode": True}
-    )
+    factor = linalg.splu(K.tocsc(), permc_spec="MMD_AT_PLUS_A", diag_pivot_thresh=0.0, options={"SymmetricMode": True})
 
     def apply(r: np.ndarray) -> np.ndarray:
         found = np.array(r)

@@ -64,9 +64,7 @@ def operated_curve(
     return _curve_of(complex_, positions, a, b, is_left)._replace(is_counted=is_left)
 
 
-def _curve_of(
-    complex_: Complex, positions: np.ndarray, a: np.ndarray, b: np.ndarray, is_counted: np.ndarray
-) -> Curve:
+def _curve_of(complex_: Complex, positions: np.ndarray, a: np.ndarray, b: np.ndarray, is_counted: np.ndarray) -> Curve:
     """The graph that is left of the edges ab (E,); its nodes are centroids of the vertices of ``is_counted`` (n,)."""
     root = np.array([complex_.find(vertex) for vertex in range(len(positions))])
     node_of_meso = np.unique(root, return_inverse=True)[1]

@@ -19,6 +19,7 @@ from msf_jax.host.meso.complex import Complex
 
 SAMPLING = 0.1  # weight of the sampling cost
 STALE = 1e-9  # an entry of the heap that has become dearer by more than this part goes back
+CHEAPER = 0.9  # factor on a vertex's edge lengths, from which on its entries are made anew: most change by far less
 
 Quadric = tuple[float, ...]  # xx, xy, xz, yy, yz, zz of M, then M v, and v . M v, summed over lines
 
@@ -98,7 +99,7 @@ class _Costs:
         return max(shape, 0.0) + SAMPLING * self._length(i, j) * self.reach[i]
 
     def merge(self, i: int, j: int) -> list[tuple[int, int]]:
-        """Merge i into j; returns the half-edges that are new, or may be cheaper than they were."""
+        """Merge i into j; returns the half-edges that are new, or may be much cheaper than they were."""
         around, own = self.around[i], self.around[j]
         fresh, cheaper, reach = [], [], self.reach[j]
         for k in around:
@@ -112,10 +113,10 @@ class _Costs:
                 length = self._length(j, k)
                 self.reach[k] += length
                 self.reach[j] += length
-            if k != j and self.reach[k] < before:
+            if k != j and self.reach[k] < CHEAPER * before:
                 cheaper.append(k)
         self.around[i] = set()
-        if self.reach[j] < reach:
+        if self.reach[j] < CHEAPER * reach:
             cheaper.append(j)
         self.quadric[j] = tuple(p + q for p, q in zip(self.quadric[i], self.quadric[j], strict=True))
         return fresh + [(k, m) for k in cheaper for m in self.around[k]]
