@@ -133,8 +133,8 @@ class Config:
             makes anew in every iteration, for systems too ill-conditioned for the former (see `host.factors`). Those
             are solved in float64 whatever JAX is set to.
         solve_steps: CG steps after which a solve gives up (and the report says so).
-        surgery: whether the curve is read off by half-edge collapses in the order of their shape and sampling costs, and
-            its nodes recentred by the boundaries of their regions (Au et al. 2008). Else the shortest edges go first.
+        surgery: whether the curve is read off by half-edge collapses in the order of shape and sampling costs, and its
+            nodes recentred by the boundaries of their regions (Au et al. 2008). Else the shortest edges go first.
         prune: branches of less than this `persistence` are taken away; 0 keeps all. See `msf_jax.Branch`.
         centre: whether nodes are moved to the middle of their limb's cross-section, and edges refined, at the end.
         extend_tips: whether leaves are carried on to the ends of their limbs.
@@ -263,11 +263,14 @@ class Config:
         - Cotangents of a triangle whose height is less than 0.3 of its longest edge are made smaller, all three by the
           same factor. The negative ones count, as in the paper: without them limbs shrink in length, and the surface
           crumples. But as they are, vertices at a limb's tip run away along it.
-        - The normal equations are solved by preconditioned conjugate gradients and not by a factor of their own.
+        - The normal equations are solved by conjugate gradients, to 1e-5 of the diagonal, and not by a factor of their
+          own; one of their square root preconditions them (see `host.factors`).
         - Coordinates are rounded to a millionth of the diagonal at the start, and one-ring areas count as 1e-14 at
           least.
         - Surgery asks whether a merge would pinch a loop of the solid (see `host.meso.homology`), and not whether the
           edges i -> k and k -> j bound a face: a ring of three around a limb would stay for ever.
+        - The cost of a half-edge collapse is brought up to date when it has become dearer, or its sampling cost less by
+          a tenth.
         - Recentring weighs boundary loops by their length, and a leaf goes with the node before it. Junctions that are
           near to each other are not merged after it.
         - Twigs within a limb are pruned, and what is outside the solid is led inside: ``prune=0`` keeps them.
