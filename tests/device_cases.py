@@ -152,8 +152,11 @@ def reference_weights(kind: str, vertices: np.ndarray, faces: np.ndarray, larges
         a, b, c = (faces[:, (k + m) % 3] for m in range(3))
         if kind == "mean_value":  # the angle at a counts for both edges that leave a
             i, j, part = [*i, a, a], [*j, b, c], [*part, np.tan(angles[:, k] / 2), np.tan(angles[:, k] / 2)]
-        elif kind == "cotangent":  # the angle at a counts for the edge opposite, both ways
-            i, j, part = [*i, b, c], [*j, c, b], [*part, 0.5 / np.tan(angles[:, k]), 0.5 / np.tan(angles[:, k])]
+        elif "cotangent" in kind:  # the angle at a counts for the edge opposite, both ways
+            half = 0.5 / np.tan(angles[:, k])
+            if kind == "signed_cotangent":
+                half = half * roundness(vertices, faces)
+            i, j, part = [*i, b, c], [*j, c, b], [*part, half, half]
         else:  # every edge i -> j is that of one face
             i, j, part = [*i, a], [*j, b], [*part, np.ones(len(a))]
     entries = (np.concatenate(part), (np.concatenate(i), np.concatenate(j)))
@@ -167,6 +170,13 @@ def reference_weights(kind: str, vertices: np.ndarray, faces: np.ndarray, larges
     if kind == "cotangent":
         value = np.maximum(value, 0.0)
     return sp.coo_array((np.minimum(value, largest), (row, column)), shape=(count, count)).tocsr()
+
+
+def roundness(vertices: np.ndarray, faces: np.ndarray) -> np.ndarray:
+    """(F,) the factor on signed cotangents: a triangle's height over its longest edge, over 0.3, up to 1."""
+    p, q, r = (vertices[corner] for corner in faces.T)
+    longest2 = np.max([((end - start) ** 2).sum(axis=1) for start, end in ((p, q), (q, r), (r, p))], axis=0)
+    return np.minimum(1.0, np.linalg.norm(np.cross(q - p, r - p), axis=1) / longest2 / 0.3)
 
 
 def reference_laplacian(kind: str, vertices: np.ndarray, faces: np.ndarray, largest: float = np.inf) -> np.ndarray:

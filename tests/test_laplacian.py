@@ -126,7 +126,7 @@ def test_every_laplacian_has_its_weights_and_no_other_name_has():
 def test_into_is_the_out_weight_of_the_twin(surfaces, kind):
     out, into = weight_matrices(surfaces("pebble"), kind)
     np.testing.assert_allclose(into, out, rtol=1e-12)
-    assert np.array_equal(out, out.T) == (kind == "uniform") or kind == "cotangent"
+    assert np.array_equal(out, out.T) == (kind == "uniform") or "cotangent" in kind
 
 
 def stiffness(vertices, faces):
@@ -318,12 +318,12 @@ def test_degenerate_triangles_have_finite_weights_and_gradients(value_and_slope,
     assert np.isfinite(rows.out).all()
     assert np.isfinite(rows.into).all()
     assert np.isfinite(slope).all()
-    assert (np.asarray(rows.out) >= 0).all()
-    assert (np.asarray(rows.into) >= 0).all()
+    assert kind == "signed_cotangent" or (np.asarray(rows.out) >= 0).all()
+    assert kind == "signed_cotangent" or (np.asarray(rows.into) >= 0).all()
 
 
 @pytest.mark.parametrize("dtype", [np.float64, np.float32])
-@pytest.mark.parametrize("kind", ["mean_value", "cotangent"])
+@pytest.mark.parametrize("kind", ["mean_value", "cotangent", "signed_cotangent"])
 def test_nearly_degenerate_triangles_have_finite_weights_and_gradients(value_and_slope, kind, dtype):
     """On the way into each degenerate surface, at distances down to far below a rounding error."""
     start = pebble(0)[0]
@@ -338,7 +338,7 @@ def test_nearly_degenerate_triangles_have_finite_weights_and_gradients(value_and
             assert np.isfinite(slope).all(), (name, distance)
 
 
-@pytest.mark.parametrize("kind", ["mean_value", "cotangent"])
+@pytest.mark.parametrize("kind", ["mean_value", "cotangent", "signed_cotangent"])
 def test_gradient_agrees_with_central_differences(value_and_slope, kind):
     mesh = blob(2, 2)
     case = build(mesh.vertices / np.linalg.norm(mesh.extents), mesh.faces)
@@ -378,3 +378,16 @@ def test_rows_do_not_depend_on_the_layout():
     assert wide.layout != case.layout
     for kind in LAPLACIANS:
         np.testing.assert_allclose(weight_matrices(wide, kind), weight_matrices(case, kind), rtol=1e-13)
+
+
+@pytest.mark.parametrize("name", DEGENERATE)
+def test_the_energy_of_signed_cotangents_is_never_negative(name):
+    """Not of a surface with flat triangles, nor of one that is on its way there."""
+    start, (end, faces) = pebble(0)[0], degenerate_positions(name)
+    for distance in (0.0, 1e-6, 1e-2):
+        rows = rows_of(case := build(end + distance * (start - end), faces), "signed_cotangent")
+        used, i, j = edges_of(case)
+        L = np.zeros((len(end), len(end)))
+        L[i, j] = np.asarray(rows.out)[used]
+        value = np.linalg.eigvalsh(np.diag(L.sum(axis=1)) - L)
+        assert value.min() >= -1e-12 * value.max()

@@ -30,6 +30,8 @@ def test_a_weight_out_of_range_is_named(bad):
 @pytest.mark.parametrize(
     ("bad", "message"),
     [
+        ({"preconditioner": "ilu"}, "unknown preconditioner 'ilu': expected one of jacobi, factored"),
+        ({"surgery": 1}, "Config.surgery is 1: expected True or False"),
         ({"system": "mcf"}, "unknown system 'mcf': expected one of msf, tagliasacchi2012, au2008"),
         ({"laplacian": "cot"}, "unknown Laplacian 'cot'"),
         ({"t_min": -0.1}, "Config.t_min is -0.1"),
@@ -63,13 +65,15 @@ def test_an_unknown_system_is_named():
 
 def test_the_three_systems_differ_as_their_papers_do():
     ours, tagliasacchi, au = Config(), Config.tagliasacchi2012(), Config.au2008()
-    assert (ours.laplacian, tagliasacchi.laplacian, au.laplacian) == ("mean_value", "cotangent", "cotangent")
+    assert (ours.laplacian, tagliasacchi.laplacian, au.laplacian) == ("mean_value", "cotangent", "signed_cotangent")
     assert ours.t_step > 0
     assert tagliasacchi.t_step == 0
     assert tagliasacchi.resample > 0
     assert not au.use_poles
     assert au.growth > 1
     assert au.w_H_follows_area
+    assert au.surgery
+    assert (ours.preconditioner, tagliasacchi.preconditioner, au.preconditioner) == ("jacobi", "jacobi", "factored")
     assert au.default_weights().w_M == 0
     assert tagliasacchi.default_weights().smoothing == 0
 
@@ -101,6 +105,7 @@ def test_jax_may_put_anything_into_a_tree_of_weights():
 def test_a_step_depends_on_these_options_and_on_no_others():
     """All fields of its settings come from the options, none from a default that nobody chose."""
     other = {"laplacian": "uniform", "solve_tolerance": 1e-4, "solve_steps": 7, "step_tolerance": 0.5}
+    other["preconditioner"] = "factored"
     for name, value in other.items():
         assert Config(**{name: value}).on_device != Config().on_device
     assert Config.au2008(laplacian="mean_value").on_device != Config().on_device

@@ -13,10 +13,12 @@ import numpy as np
 
 from msf_jax.base.errors import ConfigError
 
-LAPLACIANS = ("mean_value", "cotangent", "uniform")
+LAPLACIANS = ("mean_value", "cotangent", "signed_cotangent", "uniform")
 WHOLE = ("reconstruct_poles", "reconstruct_mesh", "max_iterations", "solve_steps")
 SYSTEMS = ("msf", "tagliasacchi2012", "au2008")
 POLES = ("auto", "voronoi", "balls")
+FACTORED = "factored"  # the preconditioner that the host has a part in
+SOLVED_BY = ("jacobi", FACTORED)
 
 
 @dataclass(frozen=True)
@@ -96,7 +98,8 @@ class Config:
 
     Attributes:
         system: "msf", "tagliasacchi2012" or "au2008": chooses the default weights. The classmethods set the rest, too.
-        laplacian: "mean_value" (article Eq. 4), "cotangent" or "uniform".
+        laplacian: "mean_value" (article Eq. 4), "cotangent", where a negative sum is 0, "signed_cotangent", where it
+            is not, or "uniform".
         reconstruct_poles: eigenvectors kept in the mesh that the poles are computed on; 0 takes the mesh as it is.
         reconstruct_mesh: eigenvectors kept in the mesh that is contracted; 0 takes the mesh as it is.
         exact_reconstruction: whether eigenvectors are computed for that, as in the article. Else a polynomial of the
@@ -118,14 +121,20 @@ class Config:
             iterations, and the curves have fewer side branches and are more inside.
         split_angle: theta_s in degrees: an edge with two opposite angles over it is split.
         growth: factor on w_L after each iteration (Au et al. 2008); 1 keeps it.
-        w_H_follows_area: whether w_H grows as a vertex's one-ring area shrinks (Au et al. 2008).
+        w_H_follows_area: whether w_H grows as a vertex's one-ring area shrinks, and w_L begins at 100 times the root of
+            the mean area of a face (Au et al. 2008).
         max_iterations: the flow gives up after so many.
         volume_tolerance: the flow has converged when this fraction of the volume is left, and
         area_tolerance: this fraction of the area, or area has stopped shrinking (a sheet has no volume, either).
         free_tolerance: it has converged, too, when this fraction of the vertices is not fixed.
         solve_tolerance: residual of the linear solves, relative to the right-hand side.
         step_tolerance: a contraction is solved, too, when a CG step moves no vertex by this part of t_c.
+        preconditioner: of the contraction's conjugate gradients: "jacobi", or "factored", a sparse factor that the host
+            makes anew in every iteration, for systems too ill-conditioned for the former (see `host.factors`). Those
+            are solved in float64 whatever JAX is set to.
         solve_steps: CG steps after which a solve gives up (and the report says so).
+        surgery: whether the curve is read off by half-edge collapses in the order of shape and sampling costs, and its
+            nodes recentred by the boundaries of their regions (Au et al. 2008). Else the shortest edges go first.
         prune: branches of less than this `persistence` are taken away; 0 keeps all. See `msf_jax.Branch`.
         centre: whether nodes are moved to the middle of their limb's cross-section, and edges refined, at the end.
         extend_tips: whether leaves are carried on to the ends of their limbs.
@@ -160,6 +169,8 @@ class Config:
     solve_tolerance: float = 3e-3
     step_tolerance: float = 0.03
     solve_steps: int = 2000
+    preconditioner: str = "jacobi"
+    surgery: bool = False
     prune: float = 1.5
     centre: bool = True
     extend_tips: bool = True
@@ -173,6 +184,8 @@ class Config:
             raise ConfigError(f"unknown Laplacian {self.laplacian!r}: expected one of {', '.join(LAPLACIANS)}")
         if self.poles not in POLES:
             raise ConfigError(f"unknown poles {self.poles!r}: expected one of {', '.join(POLES)}")
+        if self.preconditioner not in SOLVED_BY:
+            raise ConfigError(f"unknown preconditioner {self.preconditioner!r}: expected one of {', '.join(SOLVED_BY)}")
         ranges = {
             "reconstruct_poles": (0, math.inf),
             "reconstruct_mesh": (0, math.inf),
@@ -203,6 +216,7 @@ class Config:
             "pole_confidence",
             "edit_connectivity",
             "w_H_follows_area",
+            "surgery",
             "centre",
             "extend_tips",
             "evaluate",
@@ -239,22 +253,47 @@ class Config:
 
     @classmethod
     def au2008(cls, **changes: Any) -> "Config":
-        """Au et al. 2008: cotangent L, no poles, no edits in the loop; w_L grows and w_H follows the one-ring area.
+        """Au et al. 2008: contraction to a millionth of the volume, surgery, and recentring; no poles, no edits before.
 
-        Lengths are fractions of the diagonal here, so the first w_L is 1 and not 0.001 times the root of a face's area,
-        w_L grows no further than 2^20 times, and entries of L are limited as in the default system. Its own surgery and
-        recentring of the curve are not part of it: the contracted mesh goes the way of the others.
+        ``Config.au2008(surgery=False)`` reads the curve off that contraction as that of the other systems is;
+        ``centre=True, extend_tips=True`` finishes either as theirs are. Against the paper:
+
+        - w_L begins at 0.001 times the root of a face's mean area there, in units that it does not give. Here it is 400
+          times that root, in diagonals, or the first twenty steps would do nothing.
+        - Cotangents of a triangle whose height is less than 0.3 of its longest edge are made smaller, all three by the
+          same factor. The negative ones count, as in the paper: without them limbs shrink in length, and the surface
+          crumples. But as they are, vertices at a limb's tip run away along it.
+        - The normal equations are solved by conjugate gradients, to 1e-5 of the diagonal, and not by a factor of their
+          own; one of their square root preconditions them (see `host.factors`).
+        - Coordinates are rounded to a millionth of the diagonal at the start, and one-ring areas count as 1e-14 at
+          least.
+        - Surgery asks whether a merge would pinch a loop of the solid (see `host.meso.homology`), and not whether the
+          edges i -> k and k -> j bound a face: a ring of three around a limb would stay for ever.
+        - The cost of a half-edge collapse is brought up to date when it has become dearer, or its sampling cost less by
+          a tenth.
+        - Recentring weighs boundary loops by their length, and a leaf goes with the node before it. Junctions that are
+          near to each other are not merged after it.
+        - Twigs within a limb are pruned, and what is outside the solid is led inside: ``prune=0`` keeps them.
         """
         base = cls(
             system="au2008",
-            laplacian="cotangent",
+            laplacian="signed_cotangent",
             reconstruct_poles=0,
             coarsen=0.0,
             t_min=0.002,
+            t_step=0.0,
             use_poles=False,
             edit_connectivity=False,
             growth=2.0,
             w_H_follows_area=True,
+            volume_tolerance=1e-6,
+            area_tolerance=1.0,
+            solve_tolerance=1e-12,
+            step_tolerance=0.005,
+            preconditioner=FACTORED,
+            surgery=True,
+            centre=False,
+            extend_tips=False,
         )
         return replace(base, **changes)
 
@@ -271,7 +310,7 @@ class Config:
         """What of it a jitted step depends on: another value of anything else compiles nothing again."""
         return StepSettings(
             laplacian=self.laplacian,
-            solver=Solver(self.solve_tolerance, self.solve_steps),
+            solver=Solver(self.solve_tolerance, self.solve_steps, self.preconditioner),
             step_tolerance=self.step_tolerance,
             w_H_follows_area=self.w_H_follows_area,
         )

@@ -9,7 +9,7 @@ name in a `base.options.Solver`.
 
 import warnings
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 from typing import Any, NamedTuple, Protocol
 
@@ -142,16 +142,33 @@ def solve(
     return _solution(solver, operator, b, checkpoint_name(x, SOLUTION)), report
 
 
+def solve_outside(
+    operator: Any, b: jax.Array, solver: Solver, precondition: Callable[[jax.Array], jax.Array], smallest: Any = 0.0
+) -> tuple[jax.Array, SolveReport]:
+    """The same as `solve`, one step after the other as Python comes to them, not to be jitted or differentiated.
+
+    So ``precondition``, r -> M r, may be a function of the host, which none of `PRECONDITIONERS` can be.
+    """
+    iteration = ConjugateGradients(partial(_product, operator), precondition, jit=False, unroll=True)
+    return _iterated(iteration, b, solver, smallest)
+
+
+@jax.jit
+def _product(operator: Any, x: jax.Array) -> jax.Array:
+    return operator(x)
+
+
 def _run(operator: Any, b: jax.Array, solver: Solver, smallest: Any = 0.0) -> tuple[jax.Array, SolveReport]:
+    iteration = ConjugateGradients(operator, PRECONDITIONERS[solver.preconditioner](operator))
+    return _iterated(iteration, b, solver, smallest)
+
+
+def _iterated(
+    iteration: ConjugateGradients, b: jax.Array, solver: Solver, smallest: Any
+) -> tuple[jax.Array, SolveReport]:
     size = norm(b)
     scale = jnp.where((size > 0) & jnp.isfinite(size), size, 1.0)  # inside, no square leaves float32's range
-    iteration = ConjugateGradients(
-        matvec=operator,
-        precondition=PRECONDITIONERS[solver.preconditioner](operator),
-        smallest=smallest / scale,
-        maxiter=solver.max_steps,
-        tol=solver.tolerance,
-    )
+    iteration = replace(iteration, smallest=smallest / scale, maxiter=solver.max_steps, tol=solver.tolerance)
     x, state = iteration.run(jnp.zeros_like(b), b / scale)
     left = jnp.sqrt(_dot(state.residual, state.residual))
     return scale * x, SolveReport(state.iter_num, left, state.error <= solver.tolerance, state.residual)

@@ -102,6 +102,16 @@ def relaxed(
     ``left`` (n, 3) is a residual to leave, over the norm of the right-hand side; for ``smallest`` see `cg.solve`.
     Differentiable in: buffers.positions, buffers.poles, rows, energy.
     """
+    operator, b = normal_equations(buffers, rows, energy, layout)
+    displacement, report = cg.solve(operator, b, solver, smallest, left)
+    return buffers.positions + buffers.free[:, None] * displacement, report
+
+
+def normal_equations(buffers: Buffers, rows: Rows, energy: Energy, layout: Layout) -> tuple[Gram, jax.Array]:
+    """The operator, and the right-hand side (n, 3), of the displacement that minimises ``energy``; see the module.
+
+    Differentiable in: buffers.positions, buffers.poles, rows, energy.
+    """
     positions, free, neighbour = buffers.positions, buffers.free[:, None], buffers.rings.neighbour
     beta = buffers.free * energy.beta
     out, into = at_rows(layout, beta) * rows.out, beta[neighbour] * rows.into
@@ -110,6 +120,4 @@ def relaxed(
     shift = buffers.free * (energy.hold + energy.attract)
     operator = Gram(jnp.stack([out, into]), own, shift, buffers.free, neighbour, layout)
     bent = slot_product(layout, out, neighbour, positions) - towards[:, None] * positions  # beta L V
-    b = free * (energy.attract[:, None] * (buffers.poles - positions) - operator.transposed(bent))
-    displacement, report = cg.solve(operator, b, solver, smallest, left)
-    return positions + free * displacement, report
+    return operator, free * (energy.attract[:, None] * (buffers.poles - positions) - operator.transposed(bent))

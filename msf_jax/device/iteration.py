@@ -1,5 +1,6 @@
 """One jitted iteration of the flow: update L, contract, smooth (the first three lines of Algorithm 2's loop)."""
 
+from collections.abc import Callable
 from functools import partial
 from typing import Any, NamedTuple
 
@@ -9,10 +10,11 @@ from jax import lax
 
 from msf_jax.base.layout import Layout
 from msf_jax.base.options import StepSettings, Weights
-from msf_jax.device import laplacian
+from msf_jax.device import cg, laplacian
 from msf_jax.device.buffers import Buffers
 from msf_jax.device.cg import SolveReport
-from msf_jax.device.contraction import contracting, relaxed, smoothing
+from msf_jax.device.contraction import Energy, Gram, contracting, normal_equations, relaxed, smoothing
+from msf_jax.device.laplacian import Rows
 
 
 class Moved(NamedTuple):
@@ -39,23 +41,13 @@ def move(buffers: Buffers, weights: Weights, settings: StepSettings, layout: Lay
     another run. The two are trips of one scan: one body to compile, and to read.
     Differentiable in: buffers.positions, buffers.poles, weights; with ``buffers.t_c`` 0, which solves to the tolerance.
     """
-    one = jnp.ones_like(buffers.free)
-    # Only the ratios of w_L, w_H and w_M matter, and their fourth powers must stay within float32's range.
-    largest = lax.stop_gradient(
-        jnp.maximum(jnp.maximum(jnp.max(weights.w_L), jnp.max(weights.w_H)), jnp.max(weights.w_M))
-    )
-    w_L, w_H, w_M = (weight / largest * one for weight in (weights.w_L, weights.w_H, weights.w_M))
-    if settings.w_H_follows_area:
-        area = laplacian.one_ring_areas(buffers.positions, buffers.rings, buffers.degree, layout)
-        w_H = w_H * jnp.sqrt(buffers.area / area)
-    energies = contracting(w_L, w_H, w_M * buffers.pull), smoothing(weights.smoothing * one)
+    energies = _energies(buffers, weights, settings, layout)
     smallest = settings.step_tolerance * buffers.t_c
 
     def relax(positions: jax.Array, line: Any) -> tuple[jax.Array, SolveReport]:
         energy, smallest, left = line
         moved = buffers._replace(positions=positions)
-        rows = laplacian.assemble(settings.laplacian, positions, buffers.rings, buffers.degree, layout)
-        return relaxed(moved, laplacian.limit(rows), energy, layout, settings.solver, smallest, left)
+        return relaxed(moved, _rows(moved, settings, layout), energy, layout, settings.solver, smallest, left)
 
     lines = (
         jax.tree_util.tree_map(lambda *both: jnp.stack(both), *energies),
@@ -65,4 +57,59 @@ def move(buffers: Buffers, weights: Weights, settings: StepSettings, layout: Lay
     return Moved(*lax.scan(relax, buffers.positions, lines))
 
 
+def _energies(buffers: Buffers, weights: Weights, settings: StepSettings, layout: Layout) -> tuple[Energy, Energy]:
+    """Those of the contraction and of the smoothing."""
+    one = jnp.ones_like(buffers.free)
+    # Only the ratios of w_L, w_H and w_M matter, and their fourth powers must stay within float32's range.
+    largest = lax.stop_gradient(
+        jnp.maximum(jnp.maximum(jnp.max(weights.w_L), jnp.max(weights.w_H)), jnp.max(weights.w_M))
+    )
+    w_L, w_H, w_M = (weight / largest * one for weight in (weights.w_L, weights.w_H, weights.w_M))
+    if settings.w_H_follows_area:
+        area = laplacian.one_ring_areas(buffers.positions, buffers.rings, buffers.degree, layout)
+        w_H = w_H * jnp.sqrt(buffers.area / area)
+    return contracting(w_L, w_H, w_M * buffers.pull), smoothing(weights.smoothing * one)
+
+
+def _rows(buffers: Buffers, settings: StepSettings, layout: Layout) -> Rows:
+    """The Laplacian of the surface in ``buffers``, with no entry that says more than the flow takes."""
+    rows = laplacian.assemble(settings.laplacian, buffers.positions, buffers.rings, buffers.degree, layout)
+    return rows if settings.laplacian in laplacian.BOUNDED else laplacian.limit(rows)
+
+
+# What the host makes of neighbour (S,), out (S,), own (n,), shift (n,), free (n,), see `contraction.Gram`, and the
+# layout: the function r (n, c) -> M r.
+Factoring = Callable[..., Callable[[Any], Any]]
+
+
+def move_factored(
+    buffers: Buffers, weights: Weights, settings: StepSettings, layout: Layout, factoring: Factoring
+) -> Moved:
+    """`move` where the host has a part in the solves, as their preconditioner: not to be jitted or differentiated.
+
+    Steps of CG are then few, and Python comes to each; what is between is jitted.
+    """
+    positions, reports = buffers.positions, []
+    smallest = settings.step_tolerance * buffers.t_c
+    for energy, least in zip(_jitted_energies(buffers, weights, settings, layout), (smallest, 0.0), strict=True):
+        moved = buffers._replace(positions=positions)
+        operator, b = _equations(moved, energy, settings, layout)
+        if bool((b == 0).all()):  # nothing to do, as for a smoothing of strength 0: nothing to factor, either
+            zero = jnp.zeros((), b.dtype)
+            reports.append(SolveReport(jnp.asarray(0), zero, jnp.asarray(True), jnp.zeros_like(b)))
+            continue
+        arrays = operator.neighbour, operator.weights[0], operator.own, operator.shift, operator.free
+        precondition = factoring(*jax.device_get(arrays), layout)
+        displacement, report = cg.solve_outside(operator, b, settings.solver, precondition, least)
+        positions = positions + buffers.free[:, None] * displacement
+        reports.append(report)
+    return Moved(positions, jax.tree_util.tree_map(lambda *both: jnp.stack(both), *reports))
+
+
+@partial(jax.jit, static_argnames=("settings", "layout"))
+def _equations(buffers: Buffers, energy: Energy, settings: StepSettings, layout: Layout) -> tuple[Gram, jax.Array]:
+    return normal_equations(buffers, _rows(buffers, settings, layout), energy, layout)
+
+
+_jitted_energies = partial(jax.jit, static_argnames=("settings", "layout"))(_energies)
 jitted_move = partial(jax.jit, static_argnames=("settings", "layout"))(move)

@@ -1,4 +1,4 @@
-"""Laplacians on padded one-ring slots: mean value (article Eq. 4), cotangent and uniform.
+"""Laplacians on padded one-ring slots: mean value (article Eq. 4), cotangent in two forms, and uniform.
 
 Every entry needs only the positions of its edge i -> j and of the two apexes. The weight that j gives to i is computed
 from the same four points, so that the product with the transpose is a gather too. Lengths are fractions of the
@@ -17,6 +17,10 @@ from msf_jax.device.buffers import Rings, at_rows, slot_sum
 # Floors that keep weights and gradients finite on degenerate triangles; both are far below anything the flow keeps.
 SHORTEST = 1e-7  # an edge length, as a fraction of the diagonal
 STEEPEST = 1e4  # tan(alpha / 2) and cot(alpha): angles within a hundredth of a degree of pi and 0
+
+# Height over longest edge, below which `_signed_cotangents` makes a triangle's three smaller. At 0.001 vertices at the
+# tips of limbs run away along them, and at 0.1 now and then.
+FLATTEST = 0.3
 
 # Largest entry that the flow takes, see `limit`; a regular mesh has 1.2.
 LARGEST = 20.0
@@ -67,6 +71,20 @@ def _cotangents(positions: jax.Array, rings: Rings, degree: jax.Array, layout: L
     return Rows(weight, weight)
 
 
+def _signed_cotangents(positions: jax.Array, rings: Rings, degree: jax.Array, layout: Layout) -> Rows:
+    """(cot(alpha) + cot(beta)) / 2, negative where obtuse angles make it so: L x is the gradient of the area.
+
+    A flat triangle with its corners in a row then says that the middle one is between the others, and not that the
+    outer two come nearer, which would shorten a limb that has become thin (see `_flattened`).
+    """
+    del degree
+    at_i, at_j = at_rows(layout, positions), positions[rings.neighbour]
+    square = _square(at_j - at_i)
+    after, before = positions[rings.after], positions[rings.before]
+    weight = 0.5 * (_flattened(after - at_i, after - at_j, square) + _flattened(before - at_i, before - at_j, square))
+    return Rows(weight, weight)
+
+
 def _uniform(positions: jax.Array, rings: Rings, degree: jax.Array, layout: Layout) -> Rows:
     """1 for every edge."""
     del degree, layout
@@ -75,7 +93,13 @@ def _uniform(positions: jax.Array, rings: Rings, degree: jax.Array, layout: Layo
 
 
 # By the names of `base.options.LAPLACIANS`; what an unused slot is given does not count.
-WEIGHTS = {"mean_value": _mean_value, "cotangent": _cotangents, "uniform": _uniform}
+WEIGHTS = {
+    "mean_value": _mean_value,
+    "cotangent": _cotangents,
+    "signed_cotangent": _signed_cotangents,
+    "uniform": _uniform,
+}
+BOUNDED = ("signed_cotangent",)  # those with a bound of their own, which `limit` would put out of balance
 
 
 def limit(rows: Rows, largest: float = LARGEST) -> Rows:
@@ -137,6 +161,23 @@ def _cotangent(a: jax.Array, b: jax.Array) -> jax.Array:
     sine, cosine = _sine_and_cosine(a, b)
     is_tame = jnp.abs(cosine) < STEEPEST * sine
     return jnp.where(is_tame, cosine / jnp.where(is_tame, sine, 1.0), STEEPEST * jnp.sign(cosine))
+
+
+def _flattened(a: jax.Array, b: jax.Array, square: jax.Array) -> jax.Array:
+    """a . b / |a x b| for two edges of a triangle whose third has the length squared ``square``.
+
+    The divisor is at least FLATTEST times the longest edge squared. That makes all three cotangents of a triangle
+    smaller by the same factor: its energy stays one of area, which is never negative, whatever the triangle.
+    """
+    longest2 = jnp.maximum(jnp.maximum(_square(a), _square(b)), square)
+    is_point = longest2 < SHORTEST**4
+    unit = jnp.sqrt(jnp.where(is_point, 1.0, longest2))[..., None]
+    a, b = a / unit, b / unit
+    return jnp.where(is_point, 0.0, (a * b).sum(-1) / jnp.maximum(_norm(_cross(a, b)), FLATTEST))
+
+
+def _square(vector: jax.Array) -> jax.Array:
+    return (vector * vector).sum(-1)
 
 
 def one_ring_areas(positions: jax.Array, rings: Rings, degree: jax.Array, layout: Layout) -> jax.Array:

@@ -87,14 +87,18 @@ def _records(checked: Surface, states: list[State], parts: list[Part]) -> tuple[
             steps=state.steps,
             num_meso=len(state.meso.positions),
             thinning=part.meso.edits,
-            node_of_meso=np.where(part.finished.is_kept, np.cumsum(part.finished.is_kept) - 1, -1)[
-                part.found.node_of_meso
-            ],
+            node_of_meso=_counted(part),
             node_of_pin=curves.node_of_input(part)[state.pins],
             num_nodes=len(part.curve.nodes),
         )
         for state, part, member in zip(states, parts, checked.members, strict=True)
     )
+
+
+def _counted(part: Part) -> np.ndarray:
+    """(n,) the kept node that each vertex of the surface counts for, or -1."""
+    number = np.where(part.finished.is_kept, np.cumsum(part.finished.is_kept) - 1, -1)[part.found.node_of_meso]
+    return number if part.found.is_counted is None else np.where(part.found.is_counted, number, -1)
 
 
 def _meso_skeleton(states: list[State]) -> tuple[np.ndarray, np.ndarray]:

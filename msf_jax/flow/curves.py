@@ -1,5 +1,6 @@
 """The curve of each component, read off the contracted surface and finished, and all of them stitched together."""
 
+from functools import partial
 from typing import NamedTuple
 
 import numpy as np
@@ -8,8 +9,9 @@ from msf_jax.base.options import Config
 from msf_jax.flow.state import State, Stopwatch
 from msf_jax.host.curve import extraction, finishing
 from msf_jax.host.curve.extraction import Curve
-from msf_jax.host.curve.finishing import Finished
+from msf_jax.host.curve.finishing import Draft, Finished, Job
 from msf_jax.host.mesh.checking import Surface
+from msf_jax.host.meso import surgery
 from msf_jax.host.meso.meso import Meso
 
 MOST_VOLUME = 0.1  # that may be left of a component whose curve is worth finishing
@@ -36,7 +38,8 @@ def curve_of(state: State, meso: Meso, config: Config, watch: Stopwatch) -> Part
     """
     with watch.stage("curve"):
         pinned = meso.node_of_input[state.pins]
-        found = extraction.extract_curve(meso.positions, meso.rings, meso.classes, pinned)
+        extract = extraction.operated_curve if config.surgery else extraction.extract_curve
+        found = extract(meso.positions, meso.rings, meso.classes, pinned)
         nodes = found.nodes.copy()
         node_of_pin = found.node_of_meso[pinned]
         is_held = np.zeros(len(nodes), dtype=bool)
@@ -56,6 +59,7 @@ def curve_of(state: State, meso: Meso, config: Config, watch: Stopwatch) -> Part
                 centre=config.centre,
                 extend=config.extend_tips,
                 rough=state.rough,
+                first=partial(_recentred, meso, found) if config.surgery else None,
             )
     rank = np.cumsum(done.is_kept) - 1
     kept = Curve(
@@ -64,6 +68,20 @@ def curve_of(state: State, meso: Meso, config: Config, watch: Stopwatch) -> Part
         rank[done.target[found.node_of_meso]],
     )
     return Part(kept, found, done, meso, is_held[done.is_kept])
+
+
+def _recentred(meso: Meso, found: Curve, draft: Draft, job: Job) -> Draft:
+    """A pass: the nodes that surgery has left, moved back to the middle of the solid."""
+    x = surgery.recentred(
+        draft.vertices,
+        draft.edges,
+        found.node_of_meso[meso.node_of_input],
+        meso.positions[meso.node_of_input],
+        job.shape.vertices,
+        job.shape.faces,
+    )
+    x[draft.is_held] = draft.vertices[draft.is_held]
+    return draft._replace(place=x).changed(x)
 
 
 def is_tangle(state: State) -> bool:

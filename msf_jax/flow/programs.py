@@ -24,11 +24,12 @@ import numpy as np
 from jax.experimental import serialize_executable
 
 from msf_jax.base.layout import Layout
-from msf_jax.base.options import StepSettings, Weights
+from msf_jax.base.options import FACTORED, StepSettings, Weights
 from msf_jax.base.writing import write_whole
 from msf_jax.device.buffers import Buffers, Rings, real_dtype
 from msf_jax.device.cg import SolveReport
-from msf_jax.device.iteration import Moved, jitted_move, move
+from msf_jax.device.iteration import Moved, jitted_move, move, move_factored
+from msf_jax.host.factors import factored
 
 Program = Callable[[Buffers, Weights], Moved]
 
@@ -46,6 +47,8 @@ def compiled_move(settings: StepSettings, layout: Layout, of_vertices: bool) -> 
     Weights are scalars or, ``of_vertices``, one value a row. Waits until it is compiled, which takes seconds the first
     time.
     """
+    if settings.solver.preconditioner == FACTORED:
+        return lambda buffers, weights: move_factored(buffers, weights, settings, layout, factored)
     if jax.config.jax_disable_jit:  # pyright: ignore[reportAttributeAccessIssue]
         return lambda buffers, weights: move(buffers, weights, settings, layout)
     program = _announced(settings, layout, of_vertices)
@@ -56,7 +59,8 @@ def compiled_move(settings: StepSettings, layout: Layout, of_vertices: bool) -> 
 
 def announce(settings: StepSettings, layout: Layout, of_vertices: bool) -> None:
     """Begin to compile what `compiled_move` will be asked for, and do not wait."""
-    if not jax.config.jax_disable_jit:  # pyright: ignore[reportAttributeAccessIssue]
+    is_jitted = not jax.config.jax_disable_jit  # pyright: ignore[reportAttributeAccessIssue]
+    if is_jitted and settings.solver.preconditioner != FACTORED:
         _announced(settings, layout, of_vertices)
 
 

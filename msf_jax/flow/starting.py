@@ -17,6 +17,7 @@ from msf_jax.host.solid.enclosure import Enclosure
 from msf_jax.host.solid.frame import RESOLUTION, frame_of, sort_mesh
 from msf_jax.host.solid.geometry import signed_volume
 
+FIRST = 400.0  # w_L over the root of a face's mean area, see `Config.au2008`
 FLATTEST = 1e-9  # volume, in diagonals cubed, that must be left when coordinates are rounded to the frame's resolution
 MOST_COARSENED = 0.05  # of the volume may go with short edges
 MOST_FILTERED = 0.25  # of the volume may go with what the filter of the poles' sites takes away
@@ -88,7 +89,7 @@ def init(
         start=start,
         meso=meso,
         t_c=config.t_min,
-        w_L_factor=1.0,
+        w_L_factor=FIRST * np.sqrt(meso.area() / len(meso.faces())) if config.w_H_follows_area else 1.0,
     )
 
 

@@ -1,5 +1,6 @@
 """One iteration of the flow (the loop of Algorithm 2): contract and smooth on the device, then edit on the host."""
 
+from contextlib import nullcontext
 from dataclasses import replace
 from typing import Any, NamedTuple
 
@@ -7,7 +8,7 @@ import jax
 import numpy as np
 
 from msf_jax.base.layout import Layout, layout_after, layout_for
-from msf_jax.base.options import Config, Weights
+from msf_jax.base.options import FACTORED, Config, Weights
 from msf_jax.device.buffers import Buffers, Rings, real_dtype
 from msf_jax.flow.programs import announce, compiled_move
 from msf_jax.flow.state import LIMITS, Iteration, Limits, State, Stopwatch
@@ -15,7 +16,7 @@ from msf_jax.host.meso import collapse, fixing, packing, split
 from msf_jax.host.meso.meso import Meso
 from msf_jax.host.recording.records import Step
 
-LARGEST_FACTOR = 2.0**20  # where a growing w_L stops: past it the other weights no longer count
+LARGEST_FACTOR = 2.0**100  # where a growing w_L stops: its square is a number, too
 BLOW_UP = 1.0  # diagonals from the centre, twice as far as any corner of the box: nothing that contracts goes there
 SHORTER = 0.1  # factor on w_L, when a step has left sensible numbers
 
@@ -32,8 +33,10 @@ def compile_ahead(meso: Meso, config: Config) -> None:
 
 def step(state: State, weights: Weights, config: Config, watch: Stopwatch, limits: Limits = LIMITS) -> State:
     """One iteration, in place; on numbers that are not finite or run away, ``state.failure`` says so instead."""
-    packed = _pack(state, weights, watch)
-    moved = _moved(state, packed, config, watch, limits)
+    is_double = config.preconditioner == FACTORED
+    with jax.enable_x64(True) if is_double else nullcontext():
+        packed = _pack(state, weights, watch)
+        moved = _moved(state, packed, config, watch, limits)
     if moved is None:
         state.failure = (
             f"non-finite: {limits.retries + 1} tries of a step, each with a tenth of the w_L of the one before, left "

@@ -50,8 +50,8 @@ def replay(tape: Tape, weights: Weights, vertices: Any = None, *, tolerance: flo
     are all decisions, the frame (the flow does not depend on it), how far a pole is trusted, and the direction of the
     residual that each of the run's loose solves left: its length goes with the right-hand side's. With
     ``Config(solve_tolerance=1e-9, step_tolerance=0)`` a run leaves next to none. Of coincident vertices that were
-    welded the first stands for all. A system whose w_L grows (``Config.au2008()``) becomes so ill-conditioned that
-    neither equality nor gradients can be had of a long run.
+    welded the first stands for all. A system whose w_L grows (``Config.au2008()``) is ill-conditioned: its run
+    is preconditioned by a factor, its replay is not, and takes minutes, or is NaN, on more than some thousand vertices.
 
     Raises:
         ConfigError: ``tape`` or ``weights`` is something else, or a weight is out of range or of the wrong shape.

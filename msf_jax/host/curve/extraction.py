@@ -1,24 +1,30 @@
-"""From the meso-skeleton to the curve: collapse what still bears faces, shortest first.
+"""From the meso-skeleton to the curve: collapse what still bears faces, shortest first, or as surgery has it.
 
 The contracted surface is thin but still a surface. Its edges are taken in the order of their initial length, ties by
 index, and each that bears a face when its turn comes is merged; when none is left, the edges that remain are the curve.
-A node is the centroid of the meso vertices merged into it.
+A node is the centroid of the meso vertices merged into it. The surgery of Au et al. 2008 takes edges in another order,
+and a node is the meso vertex that is left (see `host.meso.surgery`).
 """
 
 from typing import NamedTuple
 
 import numpy as np
 
-from msf_jax.host.meso import ring_tables
+from msf_jax.host.meso import ring_tables, surgery
 from msf_jax.host.meso.collapse import edge_lengths, shortest_first
+from msf_jax.host.meso.complex import Complex, cut_discs
 
 
 class Curve(NamedTuple):
-    """nodes: (N, 3). edges: (E, 2). node_of_meso: (n,) the node that each vertex of the meso-skeleton went into."""
+    """nodes: (N, 3). edges: (E, 2). node_of_meso: (n,) the node that each vertex of the meso-skeleton went into.
+
+    is_counted: (n,) which of those a node is the centroid of; None for all.
+    """
 
     nodes: np.ndarray
     edges: np.ndarray
     node_of_meso: np.ndarray
+    is_counted: np.ndarray | None = None
 
 
 def extract_curve(
@@ -32,7 +38,7 @@ def extract_curve(
     """
     a, b = ring_tables.edges_from_rings(rings)
     order = shortest_first(a, b, edge_lengths(positions, a, b), 1e-3)
-    complex_ = _Complex(rings, classes, pinned)
+    complex_ = Complex(rings, classes, pinned)
     edges = list(zip(a[order].tolist(), b[order].tolist(), strict=True))
     while edges:  # an edge that would pinch a cycle waits for others to go first
         waiting = [edge for edge in edges if not complex_.merge(*edge, force=False)]
@@ -44,148 +50,32 @@ def extract_curve(
         if is_stuck and not complex_.open_face(list(reversed(edges))):
             break
         edges = waiting
-    root = np.array([complex_.find(vertex) for vertex in range(len(rings))])
+    return _curve_of(complex_, positions, a, b, np.ones(len(rings), dtype=bool))
+
+
+def operated_curve(
+    positions: np.ndarray, rings: np.ndarray, classes: np.ndarray | None = None, pinned: np.ndarray | None = None
+) -> Curve:
+    """The same by half-edge collapses in the order of Au et al. 2008: a node is where the vertex is that is left."""
+    a, b = ring_tables.edges_from_rings(rings)
+    complex_ = Complex(rings, classes, pinned)
+    surgery.operate(complex_, positions, a, b)
+    is_left = np.array([complex_.find(vertex) == vertex for vertex in range(len(rings))])
+    return _curve_of(complex_, positions, a, b, is_left)._replace(is_counted=is_left)
+
+
+def _curve_of(complex_: Complex, positions: np.ndarray, a: np.ndarray, b: np.ndarray, is_counted: np.ndarray) -> Curve:
+    """The graph that is left of the edges ab (E,); its nodes are centroids of the vertices of ``is_counted`` (n,)."""
+    root = np.array([complex_.find(vertex) for vertex in range(len(positions))])
     node_of_meso = np.unique(root, return_inverse=True)[1]
-    count = np.bincount(node_of_meso)
-    nodes = np.stack([np.bincount(node_of_meso, weights=positions[:, axis]) / count for axis in range(3)], axis=1)
-    if classes is not None:  # what is left of the edges is known, those that were opened are gone
+    own, num = node_of_meso[is_counted], node_of_meso.max() + 1
+    count = np.bincount(own)
+    sums = [np.bincount(own, weights=positions[is_counted, axis], minlength=num) for axis in range(3)]
+    nodes = np.stack([total / count for total in sums], axis=1)
+    if complex_.has_classes:  # what is left of the edges is known, those that were opened are gone
         a, b, value = complex_.edges()
         length = np.linalg.norm(nodes[node_of_meso[a]] - nodes[node_of_meso[b]], axis=1)
-        is_kept = _cut_discs(a, b, value, shortest_first(a, b, length, 1e-3))
+        is_kept = cut_discs(a, b, value, shortest_first(a, b, length, 1e-3))
         a, b = a[is_kept], b[is_kept]
     ends = np.sort(node_of_meso[np.stack([a, b], axis=1)], axis=1)
     return Curve(nodes, np.unique(ends[ends[:, 0] < ends[:, 1]], axis=0), node_of_meso)
-
-
-class _Complex:
-    """Triangles and edges while vertices are merged; ``root`` is a union-find forest."""
-
-    def __init__(self, rings: np.ndarray, classes: np.ndarray | None, pinned: np.ndarray | None):
-        num = len(rings)
-        self.pinned = set() if pinned is None else set(pinned.tolist())  # roots
-        self.has_classes = classes is not None
-        self.root = list(range(num))
-        # apexes[u][v]: the third vertices of the faces at uv. classes[u][v]: the class of the way from u to v.
-        self.apexes: list[dict[int, set[int]]] = [{} for _ in range(num)]
-        self.classes: list[dict[int, int]] = [{} for _ in range(num)]
-        for u, v, w in ring_tables.faces_from_rings(rings).tolist():
-            for x, y, z in ((u, v, w), (v, w, u), (w, u, v)):
-                self.apexes[x].setdefault(y, set()).add(z)
-                self.apexes[y].setdefault(x, set()).add(z)
-        if classes is not None:
-            vertex, slot = np.nonzero(rings >= 0)
-            ends = rings[vertex, slot].tolist()
-            for u, v, value in zip(vertex.tolist(), ends, classes[vertex, slot].tolist(), strict=True):
-                self.classes[u][v] = value
-
-    def find(self, u: int) -> int:
-        """The vertex that u has been merged into."""
-        root = self.root
-        while root[u] != u:
-            root[u] = root[root[u]]
-            u = root[u]
-        return u
-
-    def merge(self, u: int, v: int, *, force: bool) -> bool:
-        """Merge the ends of an edge that bears a face; False if it has to wait, lest it pinch a cycle."""
-        u, v = self.find(u), self.find(v)
-        if u == v or not self.apexes[u].get(v):
-            return True
-        is_kept_apart = u in self.pinned and v in self.pinned
-        if not force and (is_kept_apart or (self.has_classes and self._pinches(u, v))):
-            return False
-        self.root[v] = u
-        if v in self.pinned:
-            self.pinned.add(u)
-        self._move_classes(u, v)
-        around_v, self.apexes[v] = self.apexes[v], {}
-        for x, thirds in around_v.items():  # faces (v, x, z) become (u, x, z), those with u vanish
-            around_x = self.apexes[x]
-            around_x.pop(v, None)
-            for z in thirds:
-                if z != u and x != u:
-                    self.apexes[u].setdefault(x, set()).add(z)
-                    around_x.setdefault(u, set()).add(z)
-                around_xz = around_x.get(z)
-                if around_xz is not None:
-                    around_xz.discard(v)
-                    if x != u and z != u:
-                        around_xz.add(u)
-        return True
-
-    def open_face(self, edges: list[tuple[int, int]]) -> bool:
-        """Take away a face, with the first of ``edges`` that bears no other: the shape is open there anyway.
-
-        This is how a face goes whose three edges all close cycles. Where every edge bears more, the first one's goes;
-        a cycle that this leaves, and that bounds a disc in the solid, `_cut_discs` takes away. False if none is left.
-        """
-        closed = None
-        for u, v in edges:
-            u, v = self.find(u), self.find(v)
-            thirds = self.apexes[u].get(v, ())
-            if u != v and len(thirds) == 1:
-                self._take_away(u, v, next(iter(thirds)))
-                self.classes[u].pop(v)
-                self.classes[v].pop(u)
-                return True
-            if u != v and thirds and closed is None:
-                closed = u, v, min(thirds)
-        if closed is not None:
-            self._take_away(*closed)
-        return closed is not None
-
-    def _take_away(self, u: int, v: int, w: int) -> None:
-        for x, y, z in ((u, v, w), (v, w, u), (w, u, v)):
-            self.apexes[x][y].discard(z)
-            self.apexes[y][x].discard(z)
-
-    def edges(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """The ends of every edge that is left, and its class, where classes are known."""
-        found = [(u, v, value) for u, ways in enumerate(self.classes) for v, value in ways.items() if u < v]
-        left = np.array(found, dtype=np.int64).reshape(-1, 3)
-        return left[:, 0], left[:, 1], left[:, 2]
-
-    def _pinches(self, u: int, v: int) -> bool:
-        """Whether a loop u -> v -> x -> u is not zero in the solid."""
-        of_u, of_v = self.classes[u], self.classes[v]
-        way = of_u[v]
-        return any(x in of_u and of_u[x] != way + value for x, value in of_v.items() if x != u)
-
-    def _move_classes(self, u: int, v: int) -> None:
-        of_v, self.classes[v] = self.classes[v], {}
-        way = self.classes[u].pop(v, 0)
-        for x, value in of_v.items():
-            self.classes[x].pop(v, None)
-            if x != u:
-                self.classes[u].setdefault(x, way + value)
-                self.classes[x].setdefault(u, -self.classes[u][x])
-
-
-def _cut_discs(a: np.ndarray, b: np.ndarray, value: np.ndarray, order: np.ndarray) -> np.ndarray:
-    """Which of the graph's edges ab (E,) of class ``value`` stay, so that no cycle bounds a disc in the solid.
-
-    Edges are added in ``order``. One that closes a cycle whose class is zero, or that of up to three others together,
-    goes.
-    """
-    is_kept = np.ones(len(a), dtype=bool)
-    above: dict[int, tuple[int, int]] = {}  # a parent, and the class of the way there
-
-    def way_up(vertex: int) -> tuple[int, int]:
-        total = 0
-        while vertex in above:
-            vertex, step = above[vertex]
-            total += step
-        return vertex, total
-
-    known, sums = {0}, {0}  # classes of cycles, and of two of them together
-    for edge in order.tolist():
-        (root, up), (other, other_up) = way_up(int(a[edge])), way_up(int(b[edge]))
-        around = int(value[edge]) + other_up - up
-        if root != other:
-            above[root] = other, around
-        elif any(around - one in sums for one in known):
-            is_kept[edge] = False
-        else:
-            known |= {around, -around}
-            sums |= {one + sign * around for one in known for sign in (-1, 1)}
-    return is_kept

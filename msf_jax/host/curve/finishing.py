@@ -108,15 +108,17 @@ def finish(
     centre: bool,
     extend: bool,
     rough: Enclosure | None = None,
+    first: Callable[[Draft, Job], Draft] | None = None,
 ) -> Finished:
     """Finish the curve ``(nodes (n, 3), edges)`` of a solid of diagonal 1; nodes of ``is_held`` (n,) do not move.
 
     ``persistence`` is that below which branches are pruned; ``centre`` and ``extend`` switch those steps. ``rough`` is
-    much the same surface of fewer triangles, which is good enough to find the middle of.
+    much the same surface of fewer triangles, which is good enough to find the middle of. ``first`` is a pass that comes
+    before all others, and may say where the flow's nodes are to be.
     """
     job = Job(shape, shape if rough is None else rough, persistence, Passages(shape, containment.is_inside))
     draft = Draft(nodes, edges, is_held, np.arange(len(nodes)), np.arange(len(nodes)), nodes)
-    for each in passes(centre, extend):
+    for each in [*([] if first is None else [first]), *passes(centre, extend)]:
         draft = each(draft, job)
     is_kept = np.isin(np.arange(len(nodes)), draft.origin)
     return Finished(

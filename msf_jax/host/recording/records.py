@@ -56,7 +56,7 @@ class ComponentRecord(NamedTuple):
 
     vertices: (V, 3) in the frame. vertex_of_input: (V,) the caller's vertex that each is. pins: vertices held in place.
     num_meso: vertices of the contracted surface. thinning: edits of it before the curve was read off.
-    node_of_meso: the node (-1 for one that was pruned) of each vertex that was left. node_of_pin: that of each pin.
+    node_of_meso: the node (-1 for none, or a pruned one) that each vertex counts for. node_of_pin: that of each pin.
     """
 
     vertices: np.ndarray

@@ -1,0 +1,49 @@
+"""A preconditioner for the most ill-conditioned of the systems: a sparse factor of the normal equations' square root.
+
+The normal operator A^T A + D with A = beta L (see `device.contraction`) and D = shift is nearly the square of
+
+    K = D^(1/2) - A,    K^T K = A^T A + D - (D^(1/2) A + A^T D^(1/2)).
+
+|K x|^2 is at most twice x^T (A^T A + D) x, for any A. Where D is constant, and A symmetric and negative, as a cotangent
+Laplacian is, it is not less than that either: the eigenvalues of (K^T K)^-1 (A^T A + D) are between 1/2 and 1 however
+large w_L is; where D varies they are not much farther apart. On homer, where w_L grows two-million-fold,
+conjugate gradients take 5 to 16 steps so, to 1e-5 of the diagonal. By the operator's diagonal they take 87 in the first
+iteration and 1,353 in the eighth, and from the eleventh on the volume falls no more, at 4e-4 of the first. K has as few
+entries as L, and its factor as few as one of a plane mesh: 0.02 s for 6,000 vertices, 0.15 s for 25,000.
+"""
+
+from collections.abc import Callable
+
+import numpy as np
+from scipy import sparse
+from scipy.sparse import linalg
+
+from msf_jax.base.layout import Layout
+
+
+def factored(
+    neighbour: np.ndarray, out: np.ndarray, own: np.ndarray, shift: np.ndarray, free: np.ndarray, layout: Layout
+) -> Callable[[np.ndarray], np.ndarray]:
+    """The function r (n, c) -> (K^T K)^-1 r on the rows of ``free`` (n,), and r -> r on the others.
+
+    neighbour, out: (S,) A's off-diagonal entries in the slots of ``layout``. own: (n,) A's diagonal. shift: (n,). Of
+    numbers that are not finite, nothing is factored, and r is left as it is: the solve will tell.
+    """
+    if not all(np.isfinite(values).all() for values in (out, own, shift)):
+        return lambda r: r
+    is_free = free > 0
+    row = np.concatenate([np.arange(level.rows) for level in layout.levels for _ in range(level.slots)])
+    is_entry = (out != 0) & is_free[row] & is_free[neighbour]
+    live = np.flatnonzero(is_free)
+    rank = np.cumsum(is_free) - 1
+    ends = rank[row[is_entry]], rank[neighbour[is_entry]]
+    diagonal = sparse.diags(np.sqrt(shift[live]) - own[live])
+    K = diagonal - sparse.coo_matrix((out[is_entry], ends), shape=(len(live), len(live)))
+    factor = linalg.splu(K.tocsc(), permc_spec="MMD_AT_PLUS_A", diag_pivot_thresh=0.0, options={"SymmetricMode": True})
+
+    def apply(r: np.ndarray) -> np.ndarray:
+        found = np.array(r)
+        found[live] = factor.solve(factor.solve(np.ascontiguousarray(found[live]), "T"))
+        return found
+
+    return apply
