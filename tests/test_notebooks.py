@@ -11,7 +11,7 @@ from nbclient import NotebookClient
 
 ROOT = Path(__file__).parents[1]
 NOTEBOOKS = sorted((ROOT / "notebooks").glob("*.ipynb"))
-QUICK = ("quickstart", "smoothing", "tracking")  # the others are slow tests
+QUICK = ("quickstart", "tracking")  # the others are slow tests
 LARGEST = 300_000  # bytes, pictures included
 
 
