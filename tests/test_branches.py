@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from msf_jax.host.curve.branches import blunt, measure, merge_junctions, prune, trace
+from msf_jax.host.curve.branches import cut_corners, measure, merge_junctions, prune, trace
 
 NONE = np.empty((0, 2), dtype=np.int64)
 
@@ -419,7 +419,7 @@ def in_cube(points: np.ndarray) -> np.ndarray:
 
 def test_a_cube_keeps_the_legs_to_two_opposite_corners():
     vertices, edges, radii = rays(CORNERS, 0.9, in_cube)
-    stays, target = blunt(vertices, edges, radii, np.zeros(len(vertices), dtype=bool))
+    stays, target = cut_corners(vertices, edges, radii, np.zeros(len(vertices), dtype=bool))
     leaves = vertices[stays & (degrees(len(vertices), edges) == 1)]
     np.testing.assert_array_equal(leaves[0], -leaves[1])
     assert stays.sum() == 19 and (target[~stays] == 0).all() and (target[stays] == np.flatnonzero(stays)).all()
@@ -435,17 +435,17 @@ def test_a_cube_with_limbs_keeps_those_alone():
 
     vertices, edges, radii = rays(np.concatenate([CORNERS, 2 * AXES]), 0.9, radius)
     is_held = np.zeros(len(vertices), dtype=bool)
-    stays, _ = blunt(vertices, edges, radii, is_held)
+    stays, _ = cut_corners(vertices, edges, radii, is_held)
     assert not stays[1:73].any() and stays[73:].all()
     is_held[5] = True
-    stays, _ = blunt(vertices, edges, radii, is_held)
+    stays, _ = cut_corners(vertices, edges, radii, is_held)
     assert stays[1:10].all() and not stays[10:73].any()
 
 
 def test_limbs_that_taper_are_no_corners():
     """Cones of a half angle of 20 degrees, whose balls shrink by 0.34 of each step."""
     vertices, edges, radii = rays(AXES, 2.5, lambda points: 1 - 0.34 * np.linalg.norm(points, axis=1))
-    assert blunt(vertices, edges, radii, np.zeros(len(vertices), dtype=bool))[0].all()
+    assert cut_corners(vertices, edges, radii, np.zeros(len(vertices), dtype=bool))[0].all()
 
 
 def test_junctions_in_one_ball_are_one():

@@ -20,8 +20,8 @@ from device_cases import (
     reference_laplacian,
 )
 
-from msf_jax.base.options import Config, Solver, Weights
-from msf_jax.device import iteration
+from msf_jax.base.options import FACTORED, SOLVED_BY, Config, Solver, Weights
+from msf_jax.device import cg, iteration
 from msf_jax.device.buffers import Buffers, Rings
 from msf_jax.device.contraction import contracting, relaxed
 from msf_jax.device.laplacian import Rows
@@ -355,3 +355,8 @@ def test_a_solve_ends_when_a_step_moves_nothing_by_a_part_of_the_threshold():
     assert bool(found.contraction.is_solved)
     assert np.abs(found.positions - exact.positions).max() < t_c / 2
     assert np.abs(found.positions - exact.positions).max() > 1e-7
+
+
+def test_there_is_a_preconditioner_for_every_name():
+    """A table that a name is missing from would be found out by a user."""
+    assert {*cg.PRECONDITIONERS, FACTORED} == set(SOLVED_BY)

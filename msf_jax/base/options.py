@@ -72,7 +72,7 @@ class Solver:
     """How a linear system is solved by conjugate gradients.
 
     tolerance: residual, relative to the right-hand side, that will do. max_steps: after which it gives up.
-    preconditioner: one of `device.cg.PRECONDITIONERS`.
+    preconditioner: one of `SOLVED_BY`.
     """
 
     tolerance: float

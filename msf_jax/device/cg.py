@@ -4,7 +4,7 @@ This is the one module that imports jaxopt for a solve. jaxopt's `solve_cg` repo
 so the loop is a jaxopt `IterativeSolver`, whose state holds both. Derivatives are those of the solution,
 A dx = db - dA x, forwards and in reverse, at the cost of one more solve; a `jax.checkpoint` that keeps what is named
 "solution" does not run the first one again. A new preconditioner is one more function in `PRECONDITIONERS`, and its
-name in a `base.options.Solver`.
+name in `base.options.SOLVED_BY`; one that the host has a part in is in `host/factors.py`.
 """
 
 import warnings

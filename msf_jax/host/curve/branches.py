@@ -237,7 +237,7 @@ def merge_junctions(
     return stays, target, left
 
 
-def blunt(
+def cut_corners(
     vertices: np.ndarray, edges: np.ndarray, radii: np.ndarray, is_held: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
     """Take away the branches that run into blunt corners, all at once: which nodes stay, and where each goes (N,).

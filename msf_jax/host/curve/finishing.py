@@ -159,7 +159,7 @@ def cornerless(draft: Draft, job: Job) -> Draft:
     if job.persistence <= 1:
         return draft
     x = draft.vertices
-    return _left(draft, *branches.blunt(x, draft.edges, job.shape.approach(x)[0], draft.is_held))
+    return _left(draft, *branches.cut_corners(x, draft.edges, job.shape.approach(x)[0], draft.is_held))
 
 
 def pruned(draft: Draft, job: Job, allowance: float = 1.0) -> Draft:
