@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from msf_jax.host.curve.branches import cut_corners, measure, merge_junctions, prune, trace
+from msf_jax.host.curve.branches import cut_corners, equals, measure, merge_junctions, prune, trace
 
 NONE = np.empty((0, 2), dtype=np.int64)
 
@@ -400,12 +400,12 @@ def test_the_curve_is_left_as_it_is():
 # Corners, and junctions in one ball
 
 
-def rays(ways: np.ndarray, reach: float, radius) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Legs of nine nodes out of node 0 along ``ways`` (W, 3), with ``radius`` a function of the places (N, 3)."""
+def rays(ways: np.ndarray, reach: float) -> tuple[np.ndarray, np.ndarray]:
+    """Legs of nine nodes out of node 0 along ``ways`` (W, 3)."""
     share = np.linspace(0, 1, 10)[1:]
     vertices = np.concatenate([np.zeros((1, 3)), *(reach * share[:, None] * way for way in ways)])
     pairs = [edge for leg in range(len(ways)) for edge in chain(0, *range(1 + 9 * leg, 10 + 9 * leg))]
-    return vertices, as_edges(pairs), radius(vertices)
+    return vertices, as_edges(pairs)
 
 
 CORNERS = np.array(np.meshgrid([-1.0, 1.0], [-1.0, 1.0], [-1.0, 1.0])).reshape(3, -1).T
@@ -418,8 +418,8 @@ def in_cube(points: np.ndarray) -> np.ndarray:
 
 
 def test_a_cube_keeps_the_legs_to_two_opposite_corners():
-    vertices, edges, radii = rays(CORNERS, 0.9, in_cube)
-    stays, target = cut_corners(vertices, edges, radii, np.zeros(len(vertices), dtype=bool))
+    vertices, edges = rays(CORNERS, 0.9)
+    stays, target = cut_corners(vertices, edges, np.zeros(len(vertices), dtype=bool), in_cube)
     leaves = vertices[stays & (degrees(len(vertices), edges) == 1)]
     np.testing.assert_array_equal(leaves[0], -leaves[1])
     assert stays.sum() == 19 and (target[~stays] == 0).all() and (target[stays] == np.flatnonzero(stays)).all()
@@ -433,19 +433,30 @@ def test_a_cube_with_limbs_keeps_those_alone():
         is_rod = np.sort(np.abs(points), axis=1)[:, 1] < 1e-9
         return np.where(is_rod, np.maximum(1 - along, np.minimum(0.3, 2 - along)), 1 - along)
 
-    vertices, edges, radii = rays(np.concatenate([CORNERS, 2 * AXES]), 0.9, radius)
+    vertices, edges = rays(np.concatenate([CORNERS, 2 * AXES]), 0.9)
     is_held = np.zeros(len(vertices), dtype=bool)
-    stays, _ = cut_corners(vertices, edges, radii, is_held)
+    stays, _ = cut_corners(vertices, edges, is_held, radius)
     assert not stays[1:73].any() and stays[73:].all()
     is_held[5] = True
-    stays, _ = cut_corners(vertices, edges, radii, is_held)
+    stays, _ = cut_corners(vertices, edges, is_held, radius)
     assert stays[1:10].all() and not stays[10:73].any()
 
 
 def test_limbs_that_taper_are_no_corners():
     """Cones of a half angle of 20 degrees, whose balls shrink by 0.34 of each step."""
-    vertices, edges, radii = rays(AXES, 2.5, lambda points: 1 - 0.34 * np.linalg.norm(points, axis=1))
-    assert cut_corners(vertices, edges, radii, np.zeros(len(vertices), dtype=bool))[0].all()
+    vertices, edges = rays(AXES, 2.5)
+    none = np.zeros(len(vertices), dtype=bool)
+    assert cut_corners(vertices, edges, none, lambda points: 1 - 0.34 * np.linalg.norm(points, axis=1))[0].all()
+
+
+def test_a_limb_of_one_edge_is_no_corner():
+    """Its balls are looked at between its nodes: two long cubes and a thin rod, which shrinks at once and then not."""
+    vertices = np.array([[0.0, 0, 0], [3, 0, 0], [-3, 0, 0], [0, 1.8, 0]])
+
+    def radius(points):
+        return np.maximum(1 - np.abs(points[:, 1]), np.where(points[:, 1] < 1.8, 0.25, 0.2))
+
+    assert cut_corners(vertices, as_edges([(0, 1), (0, 2), (0, 3)]), np.zeros(4, dtype=bool), radius)[0].all()
 
 
 def test_junctions_in_one_ball_are_one():
@@ -468,3 +479,25 @@ def test_a_loop_in_one_ball_stays():
     edges = as_edges(chain(0, 2, 1) + chain(0, 3, 1) + [(0, 4), (1, 5)])
     stays, _, left = merge_junctions(vertices, edges, np.ones(6), np.zeros(6, dtype=bool))
     assert stays.all() and len(left) == len(edges)
+
+
+def test_of_two_near_pairs_only_the_one_without_a_loop_is_merged():
+    """A triangle of junctions in one ball keeps its loop; an H far away becomes an X all the same."""
+    vertices = np.array([[0, 0, 0], [0.2, 0, 0], [0, 2, 0], [0, -2, 0], [0.2, 2, 0], [0.2, -2, 0]], float)
+    triangle = np.array([[9, 0, 0], [9.2, 0, 0], [9.1, 0.2, 0], [8, 0, 0], [11, 0, 0], [9.1, 3, 0]], float)
+    edges = as_edges([(0, 1), (0, 2), (0, 3), (1, 4), (1, 5), (6, 7), (7, 8), (6, 8), (6, 9), (7, 10), (8, 11)])
+    free = np.zeros(12, dtype=bool)
+    stays, _, left = merge_junctions(np.concatenate([vertices, triangle]), edges, np.ones(12), free)
+    assert np.flatnonzero(~stays).tolist() == [1]
+    assert len(left) == len(edges) - 1
+
+
+def test_equal_limbs_stay_together_and_no_other_is_held():
+    """Of legs of persistence 2.6, 2.45 and 1.9, at a threshold of 2.5, the second stays by the first's side."""
+    vertices, edges, radii = star_of([1.6 * 2, 1.45 * 2, 0.9 * 2, 8.0, 8.0], 2.0, 0.05)
+    leaves = [
+        branch.nodes[-1] if branch.nodes[0] == 0 else branch.nodes[0] for branch in measure(vertices, edges, radii)
+    ]
+    found = equals(vertices, edges, radii, 2.5)
+    assert np.flatnonzero(found).tolist() == [sorted(leaves)[1]]
+    assert not equals(vertices, edges, radii, 1.5).any()

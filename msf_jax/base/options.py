@@ -121,7 +121,7 @@ class Config:
             iterations, and the curves have fewer side branches and are more inside.
         split_angle: theta_s in degrees: an edge with two opposite angles over it is split.
         growth: factor on w_L after each iteration (Au et al. 2008); 1 keeps it.
-        w_H_follows_area: whether w_H grows as a vertex's one-ring area shrinks, and w_L begins at 100 times the root of
+        w_H_follows_area: whether w_H grows as a vertex's one-ring area shrinks, and w_L begins at 400 times the root of
             the mean area of a face (Au et al. 2008).
         max_iterations: the flow gives up after so many.
         volume_tolerance: the flow has converged when this fraction of the volume is left, and
@@ -135,7 +135,8 @@ class Config:
         solve_steps: CG steps after which a solve gives up (and the report says so).
         surgery: whether the curve is read off by half-edge collapses in the order of shape and sampling costs, and its
             nodes recentred by the boundaries of their regions (Au et al. 2008). Else the shortest edges go first.
-        prune: branches of less than this `persistence` are taken away; 0 keeps all. See `msf_jax.Branch`.
+        prune: branches of less than this `persistence` are taken away; see `msf_jax.Branch`. Above 1, so are those into
+            blunt corners, where balls shrink by half of each step or more, and near junctions become one; 0 keeps all.
         centre: whether nodes are moved to the middle of their limb's cross-section, and edges refined, at the end.
         extend_tips: whether leaves are carried on to the ends of their limbs.
         evaluate: whether the report gets the figures of `metrics.evaluate`.
@@ -272,8 +273,9 @@ class Config:
         - The cost of a half-edge collapse is brought up to date when it has become dearer, or its sampling cost less by
           a tenth.
         - Recentring weighs boundary loops by their length, and a leaf goes with the node before it. Junctions that are
-          near to each other are not merged after it.
-        - Twigs within a limb are pruned, and what is outside the solid is led inside: ``prune=0`` keeps them.
+          within three quarters of a ball are merged, as for the other systems.
+        - Twigs within a limb and branches into blunt corners are pruned, and what is outside the solid is led inside:
+          ``prune=0`` keeps them, and all junctions.
         """
         base = cls(
             system="au2008",

@@ -16,7 +16,7 @@ from msf_jax.host.meso import collapse, fixing, packing, split
 from msf_jax.host.meso.meso import Meso
 from msf_jax.host.recording.records import Step
 
-LARGEST_FACTOR = 2.0**100  # where a growing w_L stops: its square is a number, too
+LARGEST_FACTOR = 2.0**100  # where a growing w_L stops: its square is a number, too, in float64
 BLOW_UP = 1.0  # diagonals from the centre, twice as far as any corner of the box: nothing that contracts goes there
 SHORTER = 0.1  # factor on w_L, when a step has left sensible numbers
 

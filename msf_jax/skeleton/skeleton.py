@@ -74,6 +74,7 @@ class Skeleton:
         Components and cycles stay, and so does a branch with a pin. The vertices of the mesh that went to a pruned
         branch go to its junction. A run has pruned at ``Config.prune`` already: to slide the threshold below that, run
         once with ``Config(prune=0)``.
+        What a run does besides, to corners, near junctions and equal limbs, this does not.
 
         Raises:
             ConfigError: ``persistence`` is negative or not a number.

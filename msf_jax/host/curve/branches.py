@@ -1,5 +1,6 @@
 """A curve as branches: the ways between nodes that have other than two edges, and how much each of them matters."""
 
+from collections.abc import Callable
 from typing import NamedTuple
 
 import networkx as nx
@@ -7,6 +8,9 @@ import numpy as np
 from scipy import sparse, spatial
 from scipy.sparse import csgraph
 
+from msf_jax.host.solid.geometry import arc_length, at
+
+BALLS = 33  # along a branch, to see whether it runs into a corner
 EQUAL = 0.8  # of how far another limb reaches out, for one that is as long
 NEAR = 0.75  # radii, between two junctions that are one
 STEEP = 0.5  # by how much of a step along a limb its balls shrink at most; in a corner of a box it is 0.58
@@ -210,7 +214,7 @@ def equals(vertices: np.ndarray, edges: np.ndarray, radii: np.ndarray, persisten
     for limbs in reach.values():
         above = [length for length, _ in limbs if length >= persistence - 1]
         alike = EQUAL * max(persistence - 1, min(above, default=np.inf))
-        found[[leaf for length, leaf in limbs if length >= alike]] = True
+        found[[leaf for length, leaf in limbs if alike <= length < persistence - 1]] = True
     return found
 
 
@@ -218,9 +222,10 @@ def merge_junctions(
     vertices: np.ndarray, edges: np.ndarray, radii: np.ndarray, is_held: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Make junctions that are well within one ball a single one, where it is the largest: which nodes stay (N,), where
-    each goes (N,), and the edges. A way that closes a loop stays, and so do nodes of ``is_held`` (N,)."""
+    each goes (N,), and the edges. What would take a loop away stays, and so do nodes of ``is_held`` (N,)."""
     degree = np.bincount(edges.ravel(), minlength=len(vertices))
-    target = np.arange(len(vertices))
+    target = every = np.arange(len(vertices))
+    cycles = cycle_count(len(vertices), edges)[1]
     for way in trace(len(vertices), edges):
         if min(degree[way[0]], degree[way[-1]]) < 3 or is_held[way[1:-1]].any():
             continue
@@ -228,20 +233,25 @@ def merge_junctions(
         length = np.linalg.norm(np.diff(vertices[way], axis=0), axis=1).sum()
         is_near = max(length, np.linalg.norm(vertices[a] - vertices[b])) < NEAR * radii[a]
         if a != b and is_near and not is_held[target == b].any():
-            target[[*way[1:-1], *np.flatnonzero(target == b)]] = a
+            tried = target.copy()
+            tried[[*way[1:-1], *np.flatnonzero(target == b)]] = a
+            if cycle_count(len(vertices), _relabelled(edges, tried))[1] == cycles:
+                target = tried
+    return target == every, target, _relabelled(edges, target)
+
+
+def _relabelled(edges: np.ndarray, target: np.ndarray) -> np.ndarray:
+    """Edges (E, 2) between what their ends have gone to."""
     left = np.sort(target[edges], axis=1)
-    left = np.unique(left[left[:, 0] != left[:, 1]], axis=0)
-    stays = target == np.arange(len(vertices))
-    if cycle_count(int(stays.sum()), (np.cumsum(stays) - 1)[left]) != cycle_count(len(vertices), edges):
-        return np.ones(len(vertices), dtype=bool), np.arange(len(vertices)), edges
-    return stays, target, left
+    return np.unique(left[left[:, 0] != left[:, 1]], axis=0)
 
 
 def cut_corners(
-    vertices: np.ndarray, edges: np.ndarray, radii: np.ndarray, is_held: np.ndarray
+    vertices: np.ndarray, edges: np.ndarray, is_held: np.ndarray, room: Callable[[np.ndarray], np.ndarray]
 ) -> tuple[np.ndarray, np.ndarray]:
     """Take away the branches that run into blunt corners, all at once: which nodes stay, and where each goes (N,).
 
+    ``room`` is the radius of the largest ball around points inside the solid: balls are looked at all along a branch.
     The balls of a branch to a corner of a box shrink by 0.58 of every step; those of a limb keep their size somewhere.
     Where nothing would be left of a component but what its largest ball covers, as of a cube, the branches to the two
     leaves that are farthest apart stay. Nodes of ``is_held`` (N,) do, with their branches.
@@ -251,9 +261,14 @@ def cut_corners(
     legs = []
     for way in trace(len(vertices), edges):
         nodes = np.array(way if degree[way[0]] > 2 else way[::-1])
-        is_leg = degree[nodes[0]] > 2 and degree[nodes[-1]] == 1 and not is_held[nodes[1:]].any()
-        if is_leg and _is_corner(vertices[nodes], radii[nodes]):
+        if degree[nodes[0]] > 2 and degree[nodes[-1]] == 1 and not is_held[nodes[1:]].any():
             legs.append(nodes)
+    if legs:
+        along = [arc_length(vertices[nodes]) for nodes in legs]
+        stops = [np.linspace(0, length[-1], BALLS) for length in along]
+        points = [at(vertices[nodes], *rest) for nodes, *rest in zip(legs, along, stops, strict=True)]
+        radii = room(np.concatenate(points)).reshape(-1, BALLS)
+        legs = [nodes for nodes, stop, balls in zip(legs, stops, radii, strict=True) if _is_corner(stop, balls)]
     for nodes in legs:
         stays[nodes[1:]], target[nodes[1:]] = False, nodes[0]
     ends = np.concatenate([edges[:, 0], edges[:, 1]]), np.concatenate([edges[:, 1], edges[:, 0]])
@@ -261,7 +276,7 @@ def cut_corners(
     part = csgraph.connected_components(graph, directed=False)[1]
     for label in np.unique([part[nodes[0]] for nodes in legs]):
         left = np.flatnonzero((part == label) & stays)
-        if np.linalg.norm(np.ptp(vertices[left], axis=0)) < radii[left].max() and not is_held[left].any():
+        if np.linalg.norm(np.ptp(vertices[left], axis=0)) < room(vertices[left]).max() and not is_held[left].any():
             own = [nodes for nodes in legs if part[nodes[0]] == label]
             apart = spatial.distance.squareform(spatial.distance.pdist(vertices[[nodes[-1] for nodes in own]]))
             for row in set(np.unravel_index(apart.argmax(), apart.shape)):
@@ -269,9 +284,8 @@ def cut_corners(
     return stays, target
 
 
-def _is_corner(points: np.ndarray, radii: np.ndarray) -> bool:
-    """Whether balls along a branch, from its junction on, shrink as in a blunt corner all the way."""
-    along = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(points, axis=0), axis=1))])
+def _is_corner(along: np.ndarray, radii: np.ndarray) -> bool:
+    """Whether balls at ``along`` (k,) of a branch, from its junction on, shrink as in a blunt corner all the way."""
     over_cone = radii + STEEP * along
     gain = over_cone - np.minimum.accumulate(over_cone)
     most = int(gain.argmax())

@@ -88,7 +88,7 @@ def passes(centre: bool, extend: bool) -> list[Callable[[Draft, Job], Draft]]:
         *([unfolded, partial(centred, rounds=FIRST_ROUNDS, is_rough=True), unfolded] if centre else []),
         merged,
         cornerless,
-        partial(pruned, allowance=EARLY),
+        partial(pruned, allowance=EARLY if extend else 1.0),
         *([refined, partial(centred, rounds=FIRST_ROUNDS if extend else centring.ROUNDS)] if centre else []),
         *([extended] if extend else []),
         *([partial(centred, hold_leaves=True)] if centre and extend else []),
@@ -159,7 +159,11 @@ def cornerless(draft: Draft, job: Job) -> Draft:
     if job.persistence <= 1:
         return draft
     x = draft.vertices
-    return _left(draft, *branches.cut_corners(x, draft.edges, job.shape.approach(x)[0], draft.is_held))
+
+    def room(points: np.ndarray) -> np.ndarray:
+        return job.shape.about_clearance(points)[0]
+
+    return _left(draft, *branches.cut_corners(x, draft.edges, draft.is_held, room))
 
 
 def pruned(draft: Draft, job: Job, allowance: float = 1.0) -> Draft:

@@ -42,7 +42,7 @@ def operate(complex_: Complex, positions: np.ndarray, a: np.ndarray, b: np.ndarr
             if not has_moved and not complex_.has_classes:
                 i, j = waiting.pop()
                 complex_.merge(j, i, force=True)
-                work.merge(i, j)
+                waiting += work.merge(i, j)
             heap = [(work.cost(i, j), i, j) for i, j in waiting if _is_open(complex_, i, j)]
             heapq.heapify(heap)
             waiting, has_moved = [], False
@@ -107,7 +107,7 @@ class _Costs:
             self.reach[k] -= self._length(i, k)
             self.around[k].discard(i)
             if k != j and k not in own:
-                fresh.append((k, j))
+                fresh += [(k, j), (j, k)]
                 own.add(k)
                 self.around[k].add(j)
                 length = self._length(j, k)
