@@ -69,6 +69,9 @@ def test_the_finished_curve_by_fresh_runs(tmp_path):
     assert all(step.weights.smoothing == 0.001 and step.weights.w_L == 10.0 for step in found.trajectory)
     again = msf_jax.skeletonize(bone(), found.weights)
     np.testing.assert_array_equal(again.vertices, found.flows[0].skeleton.vertices)
+    assert objectives.of_skeleton(OBJECTIVE, again, bone()) == found.value
+    with pytest.raises(ConfigError, match="expected the same mesh"):
+        objectives.of_skeleton(OBJECTIVE, again, trimesh.creation.box())
     known = json.loads(path.read_text())
     assert len(known["values"]) == 4
     known["values"] = {name: [value - 1.0, good] for name, (value, good) in known["values"].items()}

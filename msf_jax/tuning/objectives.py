@@ -22,6 +22,8 @@ from msf_jax.base.errors import ConfigError
 from msf_jax.base.options import Weights
 from msf_jax.gradients.replay import replay, replay_radii
 from msf_jax.gradients.tape import Tape
+from msf_jax.host.mesh import reading
+from msf_jax.skeleton.skeleton import Skeleton
 
 MOST_SAMPLES = 2000  # vertices that stand for a surface
 SHORTEST = 1e-4  # edge, in diagonals, whose direction counts in full
@@ -127,9 +129,59 @@ def _value_at(objective: Objective, tape: Tape, nodes: jax.Array, vertices: Any)
     return _number(objective, curve)
 
 
+def of_skeleton(objective: Any, skeleton: Skeleton, mesh: Any) -> float:
+    """What ``objective`` says of a finished ``skeleton`` of ``mesh``, as `skeletonize` takes it: what `tune` seeks.
+
+    Raises:
+        ConfigError: the skeleton does not know its mesh (only `.npz` files do), or the mesh is another.
+    """
+    surface = reading.read(mesh)[0]
+    if skeleton.source is None:
+        raise ConfigError("the skeleton does not know what it was made from: expected a fresh one, or one from .npz")
+    if len(skeleton.mesh_map) != len(surface):
+        raise ConfigError(
+            f"the mesh has {len(surface)} vertices, the skeleton's had {len(skeleton.mesh_map)}: expected the same mesh"
+        )
+    areas = skeleton.source.areas
+    return of_arrays(objective, skeleton.vertices, skeleton.radii, skeleton.edges, skeleton.mesh_map, surface, areas)
+
+
+def of_arrays(
+    objective: Any,
+    nodes: np.ndarray,
+    radii: np.ndarray,
+    edges: np.ndarray,
+    node_of_vertex: np.ndarray,
+    surface: np.ndarray,
+    areas: np.ndarray,
+) -> float:
+    """What ``objective`` says of a curve; see `Replayed` for the arrays. Compiled for a few sizes, not for each."""
+    objective = as_objective(objective)
+    num, rows, joined = len(nodes), len(nodes), len(edges)
+    if objective.can_be_padded:
+        rows, joined = _rung(num + 1), _rung(len(edges))
+    filled = np.full((joined, 2), rows - 1)
+    filled[: len(edges)] = edges
+    curve = Replayed(
+        nodes=jnp.asarray(np.pad(nodes, ((0, rows - num), (0, 0)))),
+        radii=jnp.asarray(np.pad(radii, (0, rows - num))),
+        edges=jnp.asarray(filled),
+        surface=jnp.asarray(surface),
+        areas=jnp.asarray(areas),
+        node_of_vertex=jnp.asarray(node_of_vertex),
+        diagonal=jnp.asarray(np.linalg.norm(np.ptp(surface, axis=0))),
+        is_node=jnp.arange(rows) < num,
+    )
+    return float(_value_of(objective, curve))
+
+
+def _rung(num: int) -> int:
+    """The least of 64, 128, 256, ... that is not less than ``num``."""
+    return max(64, 1 << (num - 1).bit_length())
+
+
 @partial(jax.jit, static_argnums=0)
-def value_of(objective: Objective, curve: Replayed) -> jax.Array:
-    """What ``objective`` says of any curve; raises what `value` does, but for a value that is no number."""
+def _value_of(objective: Objective, curve: Replayed) -> jax.Array:
     return _number(objective, curve)
 
 

@@ -22,7 +22,7 @@ from msf_jax.base.writing import write_whole
 from msf_jax.flow import loop
 from msf_jax.flow.state import Flow
 from msf_jax.host.mesh import reading
-from msf_jax.tuning.objectives import Objective, Replayed, value_at, value_of
+from msf_jax.tuning.objectives import Objective, of_arrays, value_at
 
 OF = ("skeleton", "flow")
 
@@ -108,24 +108,9 @@ class Runs:
         return Found(value, bool(np.isfinite(value)) and all(curve is not None and curve.converges for curve in curves))
 
     def _value(self, mesh: int, curve: Curve) -> float:
-        """What the objective says; in arrays of a few sizes, so that it is compiled for those and not for every run."""
-        surface, num = self.meshes[mesh][0], len(curve.nodes)
-        rows, joined = num, len(curve.edges)
-        if self.objective.can_be_padded:
-            rows, joined = _rung(num + 1), _rung(len(curve.edges))
-        edges = np.full((joined, 2), rows - 1)
-        edges[: len(curve.edges)] = curve.edges
-        padded = Replayed(
-            nodes=jnp.asarray(np.pad(curve.nodes, ((0, rows - num), (0, 0)))),
-            radii=jnp.asarray(np.pad(curve.radii, (0, rows - num))),
-            edges=jnp.asarray(edges),
-            surface=jnp.asarray(surface),
-            areas=jnp.asarray(curve.areas),
-            node_of_vertex=jnp.asarray(curve.node_of_vertex),
-            diagonal=jnp.asarray(np.linalg.norm(np.ptp(surface, axis=0))),
-            is_node=jnp.arange(rows) < num,
-        )
-        return float(value_of(self.objective, padded))
+        """What the objective says of a run's curve."""
+        nodes, radii, edges, node_of_vertex, areas, _ = curve
+        return of_arrays(self.objective, nodes, radii, edges, node_of_vertex, self.meshes[mesh][0], areas)
 
     def _key(self) -> str:
         """A hash of all that values depend on; of an objective it is the name."""
@@ -173,11 +158,6 @@ def _run(task: tuple[Any, Weights, Config, str]) -> Curve | None:
         return _curve(loop.contract(mesh, weights, config), of)
     except FlowError:
         return None
-
-
-def _rung(num: int) -> int:
-    """The least of 64, 128, 256, ... that is not less than ``num``."""
-    return max(64, 1 << (num - 1).bit_length())
 
 
 def _name(weights: Weights) -> str:

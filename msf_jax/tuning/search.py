@@ -7,7 +7,7 @@ one, the one with the least score
 
 with w cycling from exploring to exploiting, and candidates that draw in while nothing better is found (stochastic RBF,
 Regis and Shoemaker 2007; coordinates perturbed by chance, DYCORS, 2013). It begins with a Latin hypercube around the
-points that it is given. The same arguments give the same points.
+better of the points that it is given. The same arguments give the same points.
 """
 
 from collections.abc import Sequence
@@ -20,7 +20,7 @@ CANDIDATES = 200  # for each number that is sought
 WAYS = (0.3, 0.6, 0.9, 1.0)  # the weights w, in turn
 FIRST_SPREAD, SMALLEST_SPREAD, LARGEST_SPREAD = 0.5, 0.03, 1.2  # of the candidates around the best point, in logarithms
 SUCCESSES, FAILURES = 2, 4  # in a row, after which they spread, or draw in, twice as far
-MARGIN = 1.1  # logarithms by which the first points reach past those that were given
+REACH = 2.3  # logarithms, a factor of ten, by which the first points reach to either side of the best that was given
 
 
 class Search:
@@ -36,11 +36,8 @@ class Search:
         self.random = np.random.default_rng(seed)
         self.low, self.high = low, high
         self.points, self.values = np.empty((0, len(low))), np.empty(0)
-        known = np.array(given)
-        floor = np.maximum(low, known.min(axis=0) - MARGIN)
-        ceiling = np.minimum(high, known.max(axis=0) + MARGIN)
-        cube = qmc.LatinHypercube(len(low), rng=self.random).random(2 * (len(low) + 1))
-        self.waiting = [*known, *(floor + cube * (ceiling - floor))]
+        self.waiting = [*np.array(given)]
+        self.has_begun = False  # whether the hypercube has been drawn
         self.spread, self.successes, self.failures, self.turn = FIRST_SPREAD, 0, 0, 0
 
     @property
@@ -49,16 +46,20 @@ class Search:
         return self.points[np.argmin(self.values)]
 
     def ask(self, num: int = 1) -> np.ndarray:
-        """(num, d) the points to try next."""
+        """(n, d) the points to try next, ``num`` or fewer: what comes after those given depends on their values."""
         chosen: list[np.ndarray] = []
         while len(chosen) < num:
+            if not self.waiting and not self.has_begun:
+                if chosen:
+                    break
+                self.waiting, self.has_begun = self._around_the_best(), True
             chosen.append(self.waiting.pop(0) if self.waiting else self._by_model(chosen))
         return np.array(chosen)
 
     def tell(self, points: np.ndarray, values: np.ndarray) -> None:
         """What was found at ``points`` (n, d): values (n,), infinite where there is none."""
         is_better = len(self.values) > 0 and np.min(values) < np.min(self.values)
-        is_modelled = not self.waiting
+        is_modelled = self.has_begun and not self.waiting
         self.points = np.concatenate([self.points, points])
         self.values = np.concatenate([self.values, values])
         if is_modelled:
@@ -77,6 +78,11 @@ class Search:
         # A few bad values would bend the model everywhere; that they are no better than most is all that counts.
         values = np.minimum(values, np.median(values[np.isfinite(values)]))
         return interpolate.RBFInterpolator(distinct, values, kernel="cubic", degree=1)(points)
+
+    def _around_the_best(self) -> list[np.ndarray]:
+        floor, ceiling = np.maximum(self.low, self.best - REACH), np.minimum(self.high, self.best + REACH)
+        cube = qmc.LatinHypercube(len(self.low), rng=self.random).random(len(self.low) + 2)
+        return [*(floor + cube * (ceiling - floor))]
 
     def _by_model(self, chosen: list[np.ndarray]) -> np.ndarray:
         num, size = CANDIDATES * len(self.low), len(self.low)
