@@ -39,10 +39,11 @@ class Samples(NamedTuple):
 
 
 class Links(NamedTuple):
-    """For the directed edge 3 f + k, from corner k of face f to the next, (3 F,) each: the corner opposite, and the
-    edges on the other side of the next one in f and of the last one."""
+    """For the directed edge 3 f + k, from corner k of face f to the next, (3 F,) each: the corner opposite, the edge on
+    its other side, and those on the other side of the next one in f and of the last one."""
 
     apex: np.ndarray
+    twin: np.ndarray
     twin_of_next: np.ndarray
     twin_of_last: np.ndarray
 
@@ -277,10 +278,9 @@ class Enclosure:
             there, back = np.argsort(tail * num + head), np.argsort(head * num + tail)
             twin = np.empty(len(tail), dtype=np.int64)
             twin[there] = back
-            twin = twin.reshape(-1, 3)
-            self._links = Links(
-                *(np.roll(table, by, axis=1).ravel() for table, by in ((self.faces, 1), (twin, -1), (twin, 1)))
-            )
+            twins = twin.reshape(-1, 3)
+            tables = ((self.faces, 1), (twins, 0), (twins, -1), (twins, 1))
+            self._links = Links(*(np.roll(table, by, axis=1).ravel() for table, by in tables))
         return self._links
 
 

@@ -134,7 +134,7 @@ def _nearest_crossings(shape: Enclosure, points: np.ndarray, normals: np.ndarray
 def _crossings_below(shape: Enclosure, points: np.ndarray, normals: np.ndarray, triangle: np.ndarray) -> np.ndarray:
     """(P,) a directed edge that leads down, reached from ``triangle`` (P,) from neighbour to neighbour; -1 if not."""
     start = np.full(len(points), -1)
-    twin = shape.links().twin_of_next
+    twin_of_next = shape.links().twin_of_next
     active, triangle = np.arange(len(points)), triangle.copy()
     for _ in range(DESCENT):
         height = _heights(shape, shape.faces[triangle], points[active, None], normals[active, None])
@@ -146,28 +146,42 @@ def _crossings_below(shape: Enclosure, points: np.ndarray, normals: np.ndarray, 
         if not len(active):
             break
         # Away from the farthest corner, over the edge opposite to it, which is the next edge.
-        triangle = twin[3 * triangle + np.abs(height).argmax(axis=1)] // 3
+        triangle = twin_of_next[3 * triangle + np.abs(height).argmax(axis=1)] // 3
     return start
 
 
 def _walk(shape: Enclosure, points: np.ndarray, normals: np.ndarray, start: np.ndarray) -> Corners:
-    """Follow every loop from the directed edges ``start`` that lead down: from each to the next, until it is back."""
+    """Follow every loop from the directed edges ``start`` that lead down, both ways, until the two ends meet."""
     num = len(points)
-    apex, twin_of_next, twin_of_last = shape.links()
-    trail: list[tuple[np.ndarray, np.ndarray]] = []  # points still under way, and the edges where they are
-    active, edge, first, p, n = np.arange(num), start, start, points, normals
+    apex, twin, twin_of_next, twin_of_last = shape.links()
+    next_edge = np.arange(len(apex)).reshape(-1, 3)[:, [1, 2, 0]].ravel()
+    ahead: list[tuple[np.ndarray, np.ndarray]] = []  # points still under way, and the edges where they are
+    behind: list[tuple[np.ndarray, np.ndarray]] = []
     is_closed = np.zeros(num, dtype=bool)
-    for _ in range(LONGEST_LOOP):
-        trail.append((active, edge))
-        is_up = _heights(shape, apex[edge], p, n) >= 0
-        edge = np.where(is_up, twin_of_next[edge], twin_of_last[edge])
-        is_back = edge == first
-        if is_back.any():
-            is_closed[active[is_back]] = True
-            active, edge, first, p, n = (values[~is_back] for values in (active, edge, first, p, n))
+    active, front, back, p, n = np.arange(num), start, start, points, normals
+    for _ in range(LONGEST_LOOP // 2):
+        ahead.append((active, front))
+        is_up = _heights(shape, apex[front], p, n) >= 0
+        front = np.where(is_up, twin_of_next[front], twin_of_last[front])
+        is_met = front == back
+        if is_met.any():
+            is_closed[active[is_met]] = True
+            active, front, back, p, n = (values[~is_met] for values in (active, front, back, p, n))
             if not len(active):
                 break
-    loop, edge = (np.concatenate(parts) for parts in zip(*trail, strict=True))
+        over = twin[back]
+        is_up = _heights(shape, apex[over], p, n) >= 0
+        onward = next_edge[over]
+        back = np.where(is_up, next_edge[onward], onward)
+        is_met = front == back
+        if is_met.any():
+            ahead.append((active[is_met], front[is_met]))
+            is_closed[active[is_met]] = True
+            active, front, back, p, n = (values[~is_met] for values in (active, front, back, p, n))
+            if not len(active):
+                break
+        behind.append((active, back))
+    loop, edge = (np.concatenate(parts) for parts in zip(*ahead, *reversed(behind), strict=True))
     order = np.argsort(loop, kind="stable")
     loop, edge = loop[order], edge[order]
     tail, head = shape.faces.ravel()[edge], shape.faces[edge // 3, (edge + 1) % 3]
