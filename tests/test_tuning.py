@@ -85,6 +85,14 @@ def test_the_finished_curve_by_fresh_runs(tmp_path):
         msf_jax.tune(bone(), OBJECTIVE, poor, **arguments)
 
 
+def test_the_defaults_are_tried_to_the_last_bit():
+    """A logarithm and back would change last bits, and those can make another curve."""
+    found = msf_jax.tune(bone(), OBJECTIVE, Weights(w_H=0.3), steps=1)
+    assert found.trajectory[1].weights == Weights()
+    held = msf_jax.tune(bone(), OBJECTIVE, Weights(w_H=0.3, smoothing=0.0), steps=1)
+    assert held.trajectory[1].weights.smoothing == 0.0 and held.trajectory[1].weights.w_H == pytest.approx(0.1)
+
+
 def bowl(point):
     """Curved, and with jumps of one in a hundred, as a run's decisions make them."""
     lowest, shape = np.array([0.8, -0.6, 0.4]), np.array([[1.0, 0.5, 0.0], [0.0, 1.5, 0.3], [0.2, 0.0, 0.7]])

@@ -103,8 +103,10 @@ def _searched(
     if {"w_L", "w_H", "w_M"} <= set(free):
         free.remove("w_L")  # only ratios matter
 
+    given = _given(weights, runs.config, free, low, high)
+
     def placed(point: np.ndarray) -> Weights:
-        return with_logarithms(weights, dict(zip(free, point.tolist(), strict=True)))
+        return given.get(point.tobytes()) or with_logarithms(weights, dict(zip(free, point.tolist(), strict=True)))
 
     best = runs.found([weights])[0]
     if not np.isfinite(best.value):
@@ -113,7 +115,7 @@ def _searched(
     if not free:
         return Tuned(weights, best.value, runs.flows(weights), tuple(trajectory), "no weight is free to change")
     reason, found_at = "as many as were asked for", weights
-    search = Search(_given(here, runs.config, free, low, high), _ends(low, free), _ends(high, free))
+    search = Search([np.frombuffer(point) for point in given], _ends(low, free), _ends(high, free))
     search.tell(search.ask(), np.array([best.value if best.converges else np.inf]))
     try:
         while len(trajectory) <= steps:
@@ -137,15 +139,23 @@ def _searched(
 
 
 def _given(
-    here: dict[str, np.ndarray], config: Config, free: list[str], low: dict[str, float], high: dict[str, float]
-) -> list[np.ndarray]:
-    """The start, and the system's own weights with the start's w_L, as far as they are within their bounds."""
-    own = logarithms(config.default_weights())
+    weights: Weights, config: Config, free: list[str], low: dict[str, float], high: dict[str, float]
+) -> dict[bytes, Weights]:
+    """By the bytes of their points: the start, and the system's own weights, as far as they are within their bounds.
+
+    The weights themselves, not what becomes of them by a logarithm and back: last bits can make another curve.
+    """
+    here, usual = logarithms(weights), config.default_weights()
+    own = logarithms(usual)
     lift = 0.0 if "w_L" in free or "w_L" not in here else here["w_L"] - own["w_L"]  # only ratios matter
     start = np.array([float(here[name]) for name in free])
-    usual = [own[name] + lift * (name != "smoothing") if name in own else here[name] for name in free]
-    usual = np.clip(np.array(usual, dtype=np.float64), _ends(low, free), _ends(high, free))
-    return [start] if np.allclose(start, usual) else [start, usual]
+    wanted = [own[name] + lift * (name != "smoothing") if name in own else here[name] for name in free]
+    clipped = np.clip(np.array(wanted, dtype=np.float64), _ends(low, free), _ends(high, free))
+    given = {start.tobytes(): weights}
+    if not np.allclose(start, clipped):
+        is_own = lift == 0 and np.array_equal(wanted, clipped) and set(own) == set(here) <= {*free, "w_L"}
+        given[clipped.tobytes()] = usual if is_own else with_logarithms(weights, dict(zip(free, clipped, strict=True)))
+    return given
 
 
 def _ends(bounds: dict[str, float], free: list[str]) -> np.ndarray:
