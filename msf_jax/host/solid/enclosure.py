@@ -13,7 +13,16 @@ from scipy import spatial
 
 from msf_jax.host.solid import triangles as batches
 from msf_jax.host.solid.geometry import barycentric
-from msf_jax.host.solid.triangles import SizeClass, near, pieces, point_triangle_distance2, reaches, size_classes
+from msf_jax.host.solid.triangles import (
+    SizeClass,
+    boxes,
+    middles,
+    near,
+    pieces,
+    point_triangle_distance2,
+    reaches,
+    size_classes,
+)
 
 SAMPLE_SPACING = 0.02  # of the extent, in `approach`; more where that would make more than so many samples:
 MOST_SAMPLES = 200_000
@@ -60,9 +69,10 @@ class Enclosure:
         self.triangles = vertices[faces]
         self.faces = faces
         self.vertices = vertices
-        self.centroids = self.triangles.mean(axis=1)
+        self.centroids = middles(self.triangles)
         self.reaches = reaches(self.triangles)
-        self.low, self.high = self.triangles.min(axis=1).T.copy(), self.triangles.max(axis=1).T.copy()
+        low, high = boxes(self.triangles)
+        self.low, self.high = low.T.copy(), high.T.copy()
         self._grid: _Grid | None = None
         self._classes: list[SizeClass] | None = None
         self._feet: Feet | None = None
@@ -164,7 +174,7 @@ class Enclosure:
             largest = max(LARGEST_PIECE * size, float(np.sqrt((self.reaches**2).sum() / MOST_PIECES)))
             faces, of_face = pieces(self.triangles, largest)
             edges, of_edge = pieces(np.stack([tail, head], axis=1), largest)
-            centre = np.concatenate([faces.mean(axis=1), edges.mean(axis=1)])
+            centre = np.concatenate([middles(faces), middles(edges)])
             reach = np.concatenate([reaches(faces), reaches(edges)])
             triangle = np.concatenate([of_face, edge[of_edge] // 3])
             self._feet = Feet(centre, reach, triangle, size_classes(centre, reach))
@@ -309,22 +319,22 @@ class _Grid:
     """Triangles binned by the cells of a horizontal grid that their bounding rectangles touch."""
 
     def __init__(self, triangles: np.ndarray):
-        flat = triangles[:, :, :2]
-        low, high = triangles.min(axis=1).T, triangles.max(axis=1).T
+        lows, highs = boxes(triangles)
+        low, high = lows.T, highs.T
         # What a ray that meets a triangle passes: below its top, and within its rectangle.
         self.bounds = [
             (2, high[2].copy(), np.less),
             *((axis, low[axis].copy(), np.greater_equal) for axis in (0, 1)),
             *((axis, high[axis].copy(), np.less_equal) for axis in (0, 1)),
         ]
-        self.low = flat.min(axis=(0, 1))
-        extent = np.maximum(flat.max(axis=(0, 1)) - self.low, 1e-300)
-        size = np.median((flat.max(axis=1) - flat.min(axis=1)).max(axis=1))
+        self.low = lows[:, :2].min(axis=0)
+        extent = np.maximum(highs[:, :2].max(axis=0) - self.low, 1e-300)
+        size = np.median((highs - lows)[:, :2].max(axis=1))
         size = max(float(size), float(extent.max()) / 2048, 1e-300)
         self.shape = np.maximum(1, np.ceil(extent / size)).astype(np.int64)
         self.size = size
-        first = self._cell(flat.min(axis=1))
-        span = self._cell(flat.max(axis=1)) - first + 1
+        first = self._cell(lows[:, :2])
+        span = self._cell(highs[:, :2]) - first + 1
         count = span[:, 0] * span[:, 1]
         triangle = np.repeat(np.arange(len(triangles)), count)
         step = np.arange(len(triangle)) - np.repeat(np.cumsum(count) - count, count)

@@ -1,6 +1,7 @@
 """Triangles and edges near points: in classes of like size, in pieces, and how far away they are."""
 
 from collections.abc import Callable, Iterator
+from functools import reduce
 from typing import NamedTuple
 
 import numpy as np
@@ -55,9 +56,26 @@ def size_classes(centroid: np.ndarray, reach: np.ndarray) -> list[SizeClass]:
     return classes
 
 
+# Corner by corner, as NumPy is slow in reductions over axes of two or three.
+
+
+def middles(corners: np.ndarray) -> np.ndarray:
+    """(F, 3) the middle of each face or edge (F, k, 3)."""
+    num = corners.shape[1]
+    return sum((corners[:, k] for k in range(1, num)), corners[:, 0]) / num
+
+
+def boxes(corners: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """(F, 3) the lowest and (F, 3) the highest coordinates of each face or edge (F, k, 3)."""
+    each = [corners[:, k] for k in range(corners.shape[1])]
+    return reduce(np.minimum, each), reduce(np.maximum, each)
+
+
 def reaches(corners: np.ndarray) -> np.ndarray:
     """(F,) the largest distance from the middle of each face or edge (F, k, 3) to one of its corners."""
-    return np.sqrt(((corners - corners.mean(axis=1, keepdims=True)) ** 2).sum(axis=2).max(axis=1))
+    middle = middles(corners)
+    away = [corners[:, k] - middle for k in range(corners.shape[1])]
+    return np.sqrt(reduce(np.maximum, [x[:, 0] ** 2 + x[:, 1] ** 2 + x[:, 2] ** 2 for x in away]))
 
 
 def pieces(corners: np.ndarray, largest: float) -> tuple[np.ndarray, np.ndarray]:
