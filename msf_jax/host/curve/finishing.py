@@ -18,7 +18,7 @@ from msf_jax.host.solid.enclosure import Enclosure
 
 SPACING = 0.5  # radii, between the nodes of a finished curve
 EARLY = 0.75  # of what a branch has to reach out, before its tip is carried on to the end of its limb
-FIRST_ROUNDS = 3  # of centring, before it is decided what to prune, and before tips are carried on
+FIRST_ROUNDS = 2  # of centring, before it is decided what to prune; tips, too, set out from there
 
 
 class Draft(NamedTuple):
@@ -89,9 +89,9 @@ def passes(centre: bool, extend: bool) -> list[Callable[[Draft, Job], Draft]]:
         merged,
         cornerless,
         partial(pruned, allowance=EARLY if extend else 1.0),
-        *([refined, partial(centred, rounds=FIRST_ROUNDS if extend else centring.ROUNDS)] if centre else []),
+        *([refined] if centre else []),
         *([extended] if extend else []),
-        *([partial(centred, hold_leaves=True)] if centre and extend else []),
+        *([partial(centred, hold_leaves=extend)] if centre else []),
         *([completed, pruned] if extend else []),
         *([unfolded] if centre else []),
         contained,
