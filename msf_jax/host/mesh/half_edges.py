@@ -20,16 +20,14 @@ def half_edges(faces: np.ndarray) -> HalfEdges:
     target = faces[:, [1, 2, 0]].ravel()
     num = int(faces.max(initial=-1)) + 1
     number = np.arange(1, len(origin) + 1)  # of half-edges, from 1: a stored 0 would look like none
-    there, back = (
-        sparse.csr_matrix((number, pair), shape=(num, num)) for pair in ((origin, target), (target, origin))
-    )
+    there, back = (sparse.csr_matrix((number, pair), shape=(num, num)) for pair in ((origin, target), (target, origin)))
     there.sort_indices()
     back.sort_indices()
-    if np.array_equal(there.indptr, back.indptr) and np.array_equal(there.indices, back.indices):
-        if there.nnz == len(number):  # closed, as most are: entry by entry what runs there and what runs back
-            twin = np.empty(len(number), dtype=np.int64)
-            twin[there.data - 1] = back.data - 1
-            return HalfEdges(origin, target, twin)
+    is_closed = there.nnz == len(number) and np.array_equal(there.indptr, back.indptr)
+    if is_closed and np.array_equal(there.indices, back.indices):  # entry by entry what runs there and what runs back
+        twin = np.empty(len(number), dtype=np.int64)
+        twin[there.data - 1] = back.data - 1
+        return HalfEdges(origin, target, twin)
     forward = origin.astype(np.int64) * num + target
     backward = target.astype(np.int64) * num + origin
     order = np.argsort(forward, kind="stable")
