@@ -151,7 +151,7 @@ def _map_of_input(checked: Surface, nodes: np.ndarray, node_of_vertex: np.ndarra
 def _areas_of_input(checked: Surface, solid: Solid) -> np.ndarray:
     """(V,) share of the area that belongs to every vertex of the caller's mesh; welded ones share theirs.
 
-    That of a vertex that was made where parts were joined goes to the caller's that stands for it.
+    That of a vertex that repair has made goes to the caller's that stands for it.
     """
     vertex, area, made = checked.vertex_of_input, solid.vertex_areas(), np.flatnonzero(checked.is_made)
     np.add.at(area, vertex[checked.input_of_vertex[made]], area[made])
