@@ -8,7 +8,7 @@ from scipy import spatial
 from msf_jax import metrics
 from msf_jax.base.options import Config, Weights
 from msf_jax.flow import curves
-from msf_jax.flow.curves import MOST_VOLUME, Part, Stitched, is_tangle
+from msf_jax.flow.curves import MOST_VOLUME, Part, Stitched, is_tangle, lacks_classes
 from msf_jax.flow.state import Flow, Iteration, State, Stopwatch
 from msf_jax.host.curve import branches
 from msf_jax.host.mesh.checking import Surface
@@ -196,6 +196,9 @@ def _notes(states: list[State], history: tuple[Iteration, ...]) -> list[str]:
     notes = []
     if tangles := sum(map(is_tangle, states)):
         notes.append(f"{tangles} of {len(states)} curves not finished: over {MOST_VOLUME:.0%} of the volume is left")
+    if guessed := sum(lacks_classes(state, state.meso) for state in states):
+        which = "a surface that crosses" if guessed == 1 else f"{guessed} surfaces that cross"
+        notes.append(f"the loops of {which} itself, or with very many handles, were told apart by their lengths alone")
     if redone := sum(line.redone > 0 for line in history):
         notes.append(f"{redone} {'step was' if redone == 1 else 'steps were'} redone shorter: numbers ran away")
     return notes
