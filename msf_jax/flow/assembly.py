@@ -47,6 +47,11 @@ def assemble(
             figures = metrics.figures_of(solid.shape, solid.enter(stitched[1].vertices), stitched[1].edges)
         if refused := sum(part.finished.num_refused for part in parts):
             notes = [*notes, f"{refused} edges of the curve may be outside: the search for ways inside hit its bound"]
+        if closed := sum(part.finished.num_closed for part in parts):
+            notes = [
+                *notes,
+                f"no way inside was found for {closed} edges of the curve: the solid may be in pieces there",
+            ]
         report = report_of(checked, states, reasons, history, notes, figures, watch)
         curve, skeleton = (_skeleton(each, checked, report, source) for each in stitched)
     return Flow(

@@ -70,7 +70,7 @@ class Finished(NamedTuple):
 
     is_kept: (n,) which of the flow's nodes are in it, in their order, before all others.
     target: (n,) the flow's node that stands for each: itself, or the junction that its branch was pruned from.
-    num_refused: edges outside that were left there, as a bound was hit.
+    num_refused: edges outside that were left there, as a bound was hit. num_closed: those with no way inside.
     """
 
     vertices: np.ndarray
@@ -78,6 +78,7 @@ class Finished(NamedTuple):
     is_kept: np.ndarray
     target: np.ndarray
     num_refused: int = 0
+    num_closed: int = 0
 
 
 def passes(centre: bool, extend: bool) -> list[Callable[[Draft, Job], Draft]]:
@@ -122,7 +123,12 @@ def finish(
         draft = each(draft, job)
     is_kept = np.isin(np.arange(len(nodes)), draft.origin)
     return Finished(
-        draft.vertices, in_order(draft.edges), is_kept, draft.origin[draft.node_of_flow], job.passages.num_refused
+        draft.vertices,
+        in_order(draft.edges),
+        is_kept,
+        draft.origin[draft.node_of_flow],
+        job.passages.num_refused,
+        job.passages.num_closed,
     )
 
 
