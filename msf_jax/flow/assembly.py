@@ -52,6 +52,8 @@ def assemble(
                 *notes,
                 f"no way inside was found for {closed} edges of the curve: the solid may be in pieces there",
             ]
+        if short := sum(part.finished.is_cut_short for part in parts):
+            notes = [*notes, f"centring of {short} of {len(parts)} curves was left early: their sections are many"]
         report = report_of(checked, states, reasons, history, notes, figures, watch)
         curve, skeleton = (_skeleton(each, checked, report, source) for each in stitched)
     return Flow(
