@@ -132,6 +132,16 @@ def test_centring_turns_with_the_solid():
     assert np.abs(y - x @ turn.T).max() < 1e-7
 
 
+def test_a_budget_that_is_spent_leaves_one_round():
+    budget = centring.Budget()
+    budget.left = 0
+    shape, scale = unit_shape(tube(bow(0.3)))
+    rough = scale * (bow(0.3)[5:-5] + 0.05 * np.sin(9 * bow(0.3)[5:-5, :1]))
+    x = centring.centre(shape, *path(rough), none_held(rough), budget=budget)
+    np.testing.assert_array_equal(x, centring.centre(shape, *path(rough), none_held(rough), rounds=1))
+    assert budget.was_hit
+
+
 @pytest.mark.parametrize("turn", [0.02, 0.3])
 def test_a_short_curve_is_carried_to_both_ends(turn):
     line = bow(turn) * (5 if turn < 0.1 else 1)

@@ -7,7 +7,7 @@ from conftest import torus
 import msf_jax
 from msf_jax import Config, shapes
 from msf_jax.host.curve import branches, extraction
-from msf_jax.host.meso import collapse, homology, split
+from msf_jax.host.meso import collapse, homology, short_loops, split
 from msf_jax.host.meso.meso import Meso
 
 TURN = np.linspace(0, 2 * np.pi, 60, endpoint=False)
@@ -82,6 +82,40 @@ def test_the_curve_keeps_its_cycle_in_whatever_order_edges_go(seed):
     noise = np.random.default_rng(seed).normal(size=meso.positions.shape)
     found = extraction.extract_curve(noise, meso.rings, meso.classes)
     assert branches.cycle_count(len(found.nodes), found.edges) == (1, 1)
+
+
+@pytest.mark.parametrize("turn", [1, 5, 17])
+def test_on_a_thin_surface_short_loops_are_those_that_vanish(turn):
+    """Of a ring and of three rings in a row, thin as after a flow, in whatever order the vertices are."""
+    mesh = torus(around=24, across=12)
+    order = np.random.default_rng(turn).permutation(len(mesh.vertices))
+    vertices = np.empty_like(mesh.vertices)
+    vertices[order] = mesh.vertices
+    meso = Meso.from_mesh(vertices / 10, order[mesh.faces])
+    meso.classes = short_loops.short_classes(meso.positions, meso.rings)
+    check_classes(meso)
+    around, across = order[np.arange(24) * 12], order[np.arange(12)]
+    assert loop_class(meso, across) == 0
+    assert loop_class(meso, around) != 0
+
+
+def test_a_chain_of_rings_keeps_its_cycles_by_lengths_alone():
+    grid = np.stack(np.meshgrid(*(np.arange(-0.2, stop, 0.05) for stop in (3.2, 1.2, 0.3)), indexing="ij"), axis=-1)
+    away = np.min([np.abs(np.hypot(grid[..., 0] - x, grid[..., 1] - 0.5) - 0.4) for x in (0.5, 1.5, 2.5)], axis=0)
+    away = np.minimum(away, np.where((grid[..., 0] > 0.8) & (grid[..., 0] < 2.2), np.abs(grid[..., 1] - 0.1), 9))
+    mesh = shapes.level_set(np.hypot(away, grid[..., 2]) - 0.09, np.array([-0.2, -0.2, -0.2]), 0.05)
+    meso = Meso.from_mesh(np.array(mesh.vertices), np.array(mesh.faces))
+    genus = 1 - (len(mesh.vertices) - len(mesh.faces) // 2) // 2
+    classes = short_loops.short_classes(meso.positions, meso.rings)
+    found = extraction.extract_curve(meso.positions, meso.rings, classes)
+    assert branches.cycle_count(len(found.nodes), found.edges) == (1, genus) and genus >= 3
+
+
+def test_a_run_without_linking_numbers_has_its_cycle_and_says_how(monkeypatch):
+    monkeypatch.setattr(homology, "half_edge_classes", lambda *_: None)
+    report = msf_jax.skeletonize(torus(around=24, across=12)).report
+    assert (report.genus, report.cycles) == (1, 1)
+    assert any("told apart by their lengths alone" in note for note in report.notes)
 
 
 def test_without_classes_some_order_loses_or_adds_a_cycle():

@@ -146,8 +146,11 @@ def test_no_way_between_two_solids_takes_few_searches():
     both = trimesh.util.concatenate([one, other])
     shape = Enclosure(np.array(both.vertices), np.array(both.faces))
     passages = Passages(shape, containment.is_inside)
-    (way,) = passages.ways(np.array([[0.0, 0, 0], [0.45, 0, 0]]), np.array([[0, 1]]))
+    ends = np.array([[0.0, 0, 0], [0.45, 0, 0]])
+    (way,) = passages.ways(ends, np.array([[0, 1]]))
     assert not len(way) and passages.num_searches < 20 and passages.num_refused == 0
+    assert passages.num_closed == 1
+    assert not passages.ways(ends, np.empty((0, 2), dtype=int)) and passages.num_closed == 0
 
 
 def test_nodes_of_an_inside_out_pocket_come_in():

@@ -8,7 +8,7 @@ from scipy import spatial
 from msf_jax import metrics
 from msf_jax.base.options import Config, Weights
 from msf_jax.flow import curves
-from msf_jax.flow.curves import MOST_VOLUME, Part, Stitched, is_tangle
+from msf_jax.flow.curves import MOST_VOLUME, Part, Stitched, is_tangle, lacks_classes
 from msf_jax.flow.state import Flow, Iteration, State, Stopwatch
 from msf_jax.host.curve import branches
 from msf_jax.host.mesh.checking import Surface
@@ -47,6 +47,13 @@ def assemble(
             figures = metrics.figures_of(solid.shape, solid.enter(stitched[1].vertices), stitched[1].edges)
         if refused := sum(part.finished.num_refused for part in parts):
             notes = [*notes, f"{refused} edges of the curve may be outside: the search for ways inside hit its bound"]
+        if closed := sum(part.finished.num_closed for part in parts):
+            notes = [
+                *notes,
+                f"no way inside was found for {closed} edges of the curve: the solid may be in pieces there",
+            ]
+        if short := sum(part.finished.is_cut_short for part in parts):
+            notes = [*notes, f"centring of {short} of {len(parts)} curves was left early: their sections are many"]
         report = report_of(checked, states, reasons, history, notes, figures, watch)
         curve, skeleton = (_skeleton(each, checked, report, source) for each in stitched)
     return Flow(
@@ -151,7 +158,7 @@ def _map_of_input(checked: Surface, nodes: np.ndarray, node_of_vertex: np.ndarra
 def _areas_of_input(checked: Surface, solid: Solid) -> np.ndarray:
     """(V,) share of the area that belongs to every vertex of the caller's mesh; welded ones share theirs.
 
-    That of a vertex that was made where parts were joined goes to the caller's that stands for it.
+    That of a vertex that repair has made goes to the caller's that stands for it.
     """
     vertex, area, made = checked.vertex_of_input, solid.vertex_areas(), np.flatnonzero(checked.is_made)
     np.add.at(area, vertex[checked.input_of_vertex[made]], area[made])
@@ -196,6 +203,9 @@ def _notes(states: list[State], history: tuple[Iteration, ...]) -> list[str]:
     notes = []
     if tangles := sum(map(is_tangle, states)):
         notes.append(f"{tangles} of {len(states)} curves not finished: over {MOST_VOLUME:.0%} of the volume is left")
+    if guessed := sum(lacks_classes(state, state.meso) for state in states):
+        which = "a surface that crosses" if guessed == 1 else f"{guessed} surfaces that cross"
+        notes.append(f"the loops of {which} itself, or with very many handles, were told apart by their lengths alone")
     if redone := sum(line.redone > 0 for line in history):
         notes.append(f"{redone} {'step was' if redone == 1 else 'steps were'} redone shorter: numbers ran away")
     return notes

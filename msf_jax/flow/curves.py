@@ -11,7 +11,7 @@ from msf_jax.host.curve import extraction, finishing
 from msf_jax.host.curve.extraction import Curve
 from msf_jax.host.curve.finishing import Draft, Finished, Job
 from msf_jax.host.mesh.checking import Surface
-from msf_jax.host.meso import surgery
+from msf_jax.host.meso import short_loops, surgery
 from msf_jax.host.meso.meso import Meso
 
 MOST_VOLUME = 0.1  # that may be left of a component whose curve is worth finishing
@@ -39,7 +39,10 @@ def curve_of(state: State, meso: Meso, config: Config, watch: Stopwatch) -> Part
     with watch.stage("curve"):
         pinned = meso.node_of_input[state.pins]
         extract = extraction.operated_curve if config.surgery else extraction.extract_curve
-        found = extract(meso.positions, meso.rings, meso.classes, pinned)
+        classes = meso.classes
+        if lacks_classes(state, meso):
+            classes = short_loops.short_classes(meso.positions, meso.rings)
+        found = extract(meso.positions, meso.rings, classes, pinned)
         nodes = found.nodes.copy()
         node_of_pin = found.node_of_meso[pinned]
         is_held = np.zeros(len(nodes), dtype=bool)
@@ -68,6 +71,11 @@ def curve_of(state: State, meso: Meso, config: Config, watch: Stopwatch) -> Part
         rank[done.target[found.node_of_meso]],
     )
     return Part(kept, found, done, meso, is_held[done.is_kept])
+
+
+def lacks_classes(state: State, meso: Meso) -> bool:
+    """Whether the surface has handles, and it is not known which of its loops vanish in the solid."""
+    return state.component.genus > 0 and meso.classes is None
 
 
 def _recentred(meso: Meso, found: Curve, draft: Draft, job: Job) -> Draft:

@@ -56,7 +56,7 @@ def replay(tape: Tape, weights: Weights, vertices: Any = None, *, tolerance: flo
     Raises:
         ConfigError: ``tape`` or ``weights`` is something else, or a weight is out of range or of the wrong shape.
         MeshError: ``vertices`` has another shape than those of the tape, or is not finite; or the surface would not
-            follow them, as parts of the mesh were joined.
+            follow them, as some of it was made by repair.
     """
     return _replayed(tape, weights, vertices, tolerance)[1]
 

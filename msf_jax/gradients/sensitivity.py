@@ -35,7 +35,7 @@ class Sensitivity(NamedTuple):
 
         Raises:
             ConfigError: the mesh has no such vertex.
-            MeshError: the surface does not follow it, as parts of the mesh were joined.
+            MeshError: the surface does not follow it, as some of it was made by repair.
         """
         self.tape.check_movable()
         num = len(self.tape.vertices)
@@ -53,7 +53,7 @@ class Sensitivity(NamedTuple):
 
         Raises:
             ConfigError: the curve has no such node.
-            MeshError: the surface does not follow the mesh's vertices, as parts of it were joined.
+            MeshError: the surface does not follow the mesh's vertices, as some of it was made by repair.
         """
         self.tape.check_movable()
         num = self.tape.num_nodes

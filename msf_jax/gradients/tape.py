@@ -54,7 +54,7 @@ class Tape:
         node_of_vertex: (V,) the node of each.
         edges: (E, 2) of the recorded curve.
         triangles: (N, 3) vertices of the triangle of the mesh that is nearest to each node of the recorded curve.
-        offsets: (N, 3, 3) from those vertices to the triangle's corners, which are others where parts were joined.
+        offsets: (N, 3, 3) from those vertices to the triangle's corners, which are others where some were made.
         is_inside: (N,) whether that node is inside.
         decisions: (D,) a hash of each decision.
         node_row, meso_row: (N,), (M,) where, among the padded nodes (and meso vertices) of all parts, each one is.
@@ -62,7 +62,7 @@ class Tape:
         weights: of the run.
         shapes: layouts of the parts' buffers.
         config: of the run.
-        is_joined: whether the surface has vertices that are none of the mesh's, made where its parts were joined.
+        is_joined: whether the surface has vertices that are none of the mesh's, which repair has made.
     """
 
     parts: tuple[Part, ...]
@@ -126,8 +126,8 @@ class Tape:
         """Raise a `MeshError` if the surface would not follow the mesh's vertices."""
         if self.is_joined:
             raise MeshError(
-                "some vertices of the surface were made where parts of the mesh were joined, and do not follow the "
-                'mesh\'s vertices: expected a run without repair="join", or no vertices to move'
+                "some vertices of the surface were made where parts of the mesh were joined, or for a skirt, and do "
+                'not follow the mesh\'s vertices: expected a run without repair="join" or skirts, or none to move'
             )
 
     def compare(self, other: "Tape") -> Comparison:

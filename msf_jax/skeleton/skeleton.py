@@ -168,7 +168,7 @@ class Skeleton:
         if self.source is None or self.source.input_of_vertex is None:
             raise ConfigError(
                 "the skeleton does not know the mesh that it was made from: expected one from skeletonize, or read "
-                "from an .npz file that msf_jax has written, of a mesh whose parts were not joined"
+                "from an .npz file that msf_jax has written, of a mesh to which repair has added no vertices"
             )
         vertex = self.source.input_of_vertex
         return following.Surface(self.source.solid, vertex, self.mesh_map[vertex])

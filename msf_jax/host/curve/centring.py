@@ -47,9 +47,18 @@ DAMPING_ALONG = 0.3  # of what is along the branch
 LONGEST_STEP = 0.5  # sizes, in one round
 FARTHEST = 20.0  # steps of a node, that a centroid may be expected to go with it
 HELD = 1e9  # a, for a node that is not to move
+MOST_CORNERS = 15_000_000  # of all sections that are cut for a curve; then each centring is left after a round
 THINNEST = 0.25  # of its clearance, that a step must leave to a node
 SETTLING = 4  # rounds, after which a node that goes over a brink counts less,
 BRINK, FADE = 1.25, 0.5  # where its weight over its width changes by that factor, by this one
+
+
+class Budget:
+    """What centring may cost: corners of sections, ``left`` of them, and if it was left early for that."""
+
+    def __init__(self) -> None:
+        self.left = MOST_CORNERS
+        self.was_hit = False
 
 
 def centre(
@@ -60,13 +69,15 @@ def centre(
     rounds: int = ROUNDS,
     places: np.ndarray | None = None,
     is_rough: bool = True,
+    budget: Budget | None = None,
 ) -> np.ndarray:
     """The nodes ``vertices`` (N, 3) of the curve, centred; those of ``is_held`` (N,) stay where they are.
 
     ``places`` (N, 3) are those that the flow found, ``vertices`` if not given. ``is_rough`` says that the curve is not
     near the middle yet: then the first round takes it there, however far that is. A step that would leave the solid is
-    cut short; a node that is outside stays there.
+    cut short; a node that is outside stays there. When ``budget`` is spent, which others may share, one round must do.
     """
+    budget = Budget() if budget is None else budget
     x, num = vertices.copy(), len(vertices)
     y = vertices if places is None else np.where(is_held[:, None], vertices, places)
     degree = np.bincount(edges.ravel(), minlength=num)
@@ -77,8 +88,11 @@ def centre(
     room_at_place = shape.distances(y[junction])
     room, near = shape.about_clearance(x)
     size, faded, before = room.copy(), np.ones(num), np.zeros(num)
-    known = _Known(x)
+    known = _Known(x, budget)
     for number in range(-1, rounds):  # the first only finds out how large limbs are
+        if number > 0 and budget.left < 0:
+            budget.was_hit = True
+            break
         room[junction] = shape.distances(x[junction])
         chord = measures.chords(x, ways, size)
         ahead = chord @ x
@@ -138,7 +152,8 @@ def centre(
 class _Known:
     """Sections that were cut, until their nodes have moved on too far."""
 
-    def __init__(self, x: np.ndarray):
+    def __init__(self, x: np.ndarray, budget: Budget):
+        self.budget = budget
         self.place, self.normal = np.full_like(x, np.inf), np.zeros_like(x)
         self.found = sections.nowhere(x)
 
@@ -156,9 +171,9 @@ class _Known:
         turned = np.linalg.norm(tangent[limb] - self.normal[limb], axis=1)
         old = limb[(moved > AFRESH) | (turned > AFRESH)]
         if len(old):
-            for field, value in zip(
-                self.found, sections.cut(shape, x[old], tangent[old], size[old], near[old]), strict=True
-            ):
+            corners = sections.corners(shape, x[old], tangent[old], size[old], near[old])
+            self.budget.left -= len(corners.loop)
+            for field, value in zip(self.found, sections.measured(shape, x[old], tangent[old], corners), strict=True):
                 field[old] = value
             self.place[old], self.normal[old] = x[old], tangent[old]
         found = sections.Sections(*(field[limb] for field in self.found))

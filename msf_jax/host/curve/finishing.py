@@ -56,13 +56,14 @@ class Job(NamedTuple):
     """What a pass may ask.
 
     shape: the solid, of diagonal 1. rough: much the same of fewer triangles, good enough to find the middle of.
-    persistence: that below which branches are pruned. passages: ways through the solid.
+    persistence: that below which branches are pruned. passages: ways through the solid. budget: of all centring.
     """
 
     shape: Enclosure
     rough: Enclosure
     persistence: float
     passages: Passages
+    budget: centring.Budget
 
 
 class Finished(NamedTuple):
@@ -70,7 +71,8 @@ class Finished(NamedTuple):
 
     is_kept: (n,) which of the flow's nodes are in it, in their order, before all others.
     target: (n,) the flow's node that stands for each: itself, or the junction that its branch was pruned from.
-    num_refused: edges outside that were left there, as a bound was hit.
+    num_refused: edges outside that were left there, as a bound was hit. num_closed: those with no way inside.
+    is_cut_short: whether centring was left early, as its bound was hit.
     """
 
     vertices: np.ndarray
@@ -78,6 +80,8 @@ class Finished(NamedTuple):
     is_kept: np.ndarray
     target: np.ndarray
     num_refused: int = 0
+    num_closed: int = 0
+    is_cut_short: bool = False
 
 
 def passes(centre: bool, extend: bool) -> list[Callable[[Draft, Job], Draft]]:
@@ -116,13 +120,21 @@ def finish(
     much the same surface of fewer triangles, which is good enough to find the middle of. ``first`` is a pass that comes
     before all others, and may say where the flow's nodes are to be.
     """
-    job = Job(shape, shape if rough is None else rough, persistence, Passages(shape, containment.is_inside))
+    job = Job(
+        shape, shape if rough is None else rough, persistence, Passages(shape, containment.is_inside), centring.Budget()
+    )
     draft = Draft(nodes, edges, is_held, np.arange(len(nodes)), np.arange(len(nodes)), nodes)
     for each in [*([] if first is None else [first]), *passes(centre, extend)]:
         draft = each(draft, job)
     is_kept = np.isin(np.arange(len(nodes)), draft.origin)
     return Finished(
-        draft.vertices, in_order(draft.edges), is_kept, draft.origin[draft.node_of_flow], job.passages.num_refused
+        draft.vertices,
+        in_order(draft.edges),
+        is_kept,
+        draft.origin[draft.node_of_flow],
+        job.passages.num_refused,
+        job.passages.num_closed,
+        job.budget.was_hit,
     )
 
 
@@ -141,7 +153,7 @@ def centred(
 ) -> Draft:
     """Nodes in the middle of the solid."""
     is_held = draft.is_held | draft.is_leaf() if hold_leaves else draft.is_held
-    x = centring.centre(job.rough, draft.vertices, draft.edges, is_held, rounds, draft.place, is_rough)
+    x = centring.centre(job.rough, draft.vertices, draft.edges, is_held, rounds, draft.place, is_rough, job.budget)
     return draft.changed(x)
 
 

@@ -43,6 +43,7 @@ class Passages:
         self.test = test
         self.num_searches = 0
         self.num_refused = 0  # ways that were not looked for, as the bound was hit
+        self.num_closed = 0  # ways that were looked for at last where there is none
         self._balls: tuple[np.ndarray, np.ndarray] | None = None
 
     def ways(self, x: np.ndarray, pairs: np.ndarray) -> list[np.ndarray]:
@@ -50,6 +51,7 @@ class Passages:
 
         The roomiest and shortest one is taken.
         """
+        self.num_closed = 0
         if not len(pairs):
             return []
         ends, place = np.unique(pairs, return_inverse=True)
@@ -59,13 +61,14 @@ class Passages:
         found = []
         for (a, b), (row, other) in zip(pairs, place.reshape(-1, 2), strict=True):
             del a, b
-            way = np.empty((0, 3))
+            way, is_refused = np.empty((0, 3)), False
             if is_inside[row] and is_inside[other]:
                 if self.num_searches < bound:
                     way, num = graph.way(int(row), int(other), bound - self.num_searches)
                     self.num_searches += num
-                else:
-                    self.num_refused += 1
+                is_refused = not len(way) and self.num_searches >= bound
+            self.num_refused += is_refused
+            self.num_closed += not is_refused and not len(way)
             found.append(way)
         return found
 

@@ -42,7 +42,7 @@ class Surface:
     vertex_of_input: (V_in,) where every vertex of the caller's mesh went, -1 if it is in no face, or was swallowed
         when parts were joined.
     input_of_vertex: (V,) the caller's vertex that each comes from; of welded ones, the first; for one that was made
-        where parts were joined, the nearest that is left.
+        where parts were joined, the nearest that is left, and for one of a skirt, the one that it was carried from.
     is_made: (V,) which those are.
     strays: (S, 3) the vertices that went nowhere, in the caller's order.
     repairs: what was changed, one sentence each.
@@ -82,12 +82,14 @@ def prepare(mesh: Any, repair: bool | str | Repair = False) -> Surface:
         raise MeshError(f"after repair, {str(error).replace(OR_REPAIR, ', or let Repair do more')}") from error
     target = np.where(done.vertex_of_given < 0, -1, checked.vertex_of_input[done.vertex_of_given])
     source = done.source[checked.input_of_vertex]
-    left = np.flatnonzero(~checked.is_made & (target[source] < 0))  # of one that was doubled, the copy that was kept
+    is_made = checked.is_made | done.is_made[checked.input_of_vertex]
+    left = np.flatnonzero(~is_made & (target[source] < 0))  # of one that was doubled, the copy that was kept
     target[source[left]] = left
     return replace(
         checked,
         vertex_of_input=target,
         input_of_vertex=source,
+        is_made=is_made,
         strays=done.given[target < 0],
         repairs=done.repairs + checked.repairs,
         given=(done.given, faces),

@@ -2,21 +2,30 @@
 
 import heapq
 import math
+from typing import NamedTuple
 
 import numpy as np
 
 from msf_jax.host.mesh.half_edges import edge_codes
 
+Face = tuple[int, int, int]
 
-def filled(vertices: np.ndarray, faces: np.ndarray, size: float) -> tuple[np.ndarray, int, int]:
-    """Faces and those that fill the holes whose rim fits into a box with diagonal ``size``; how many of each."""
+
+class Hole(NamedTuple):
+    """A hole that was filled. loop: the vertices of its rim, the way round that the lid has them. lid: (L, 3)."""
+
+    loop: list[int]
+    lid: np.ndarray
+
+
+def filled(vertices: np.ndarray, faces: np.ndarray, size: float) -> list[Hole]:
+    """The holes whose rim fits into a box with diagonal ``size``, each with the faces that fill it."""
     edge, _, count = edge_codes(faces)
     origin, target = faces.ravel(), faces[:, [1, 2, 0]].ravel()
     half = np.flatnonzero(count[edge] == 1)
     after = dict(zip(target[half].tolist(), origin[half].tolist(), strict=True))  # along the hole, not the face
     known = set(zip(origin.tolist(), target.tolist(), strict=True))
-    new: list[tuple[int, int, int]] = []
-    num_holes = 0
+    holes = []
     while after:
         start = current = next(iter(after))
         loop = []
@@ -26,13 +35,12 @@ def filled(vertices: np.ndarray, faces: np.ndarray, size: float) -> tuple[np.nda
         points = vertices[loop]
         if current == start and np.linalg.norm(np.ptp(points, axis=0)) <= size:
             lid = cap(vertices, loop, known)
-            num_holes += bool(lid)
-            new += lid
-    lids = np.array(new, dtype=faces.dtype).reshape(-1, 3)
-    return np.concatenate([faces, lids]), num_holes, len(new)
+            if lid:
+                holes.append(Hole(loop, np.array(lid, dtype=faces.dtype)))
+    return holes
 
 
-def cap(vertices: np.ndarray, loop: list[int], known: set[tuple[int, int]]) -> list[tuple[int, int, int]]:
+def cap(vertices: np.ndarray, loop: list[int], known: set[tuple[int, int]]) -> list[Face]:
     """Triangles over a rim: ear after ear, the shortest chord first, those that bulge the right way before others.
 
     ``known`` are the half-edges there are, to which the new ones are added: no chord may be one of them. Returns no

@@ -3,7 +3,8 @@
 In this order: vertices that are not finite are put between their neighbours; vertices that lie together are welded, as
 far as the mesh is open; faces that are degenerate or there twice go; faces are turned the same way round; sheets that
 meet in an edge or a vertex are cut apart; holes are filled without new vertices; pieces without volume go.
-No vertex is made up: each one of the result is one of the caller's, so that weights, pins and gradients find theirs.
+Each vertex of the result is one of the caller's, so that weights, pins and gradients find theirs; but for those of a
+skirt, where a lid would cut through the surface (see `skirts`).
 """
 
 import numbers
@@ -18,6 +19,7 @@ from msf_jax.base.errors import ConfigError, MeshError
 from msf_jax.host.mesh.filling import filled
 from msf_jax.host.mesh.half_edges import edge_codes
 from msf_jax.host.mesh.sheets import cut_apart, is_double, left_alone, oriented, twins
+from msf_jax.host.mesh.skirts import skirted
 from msf_jax.host.solid.geometry import signed_volume
 
 FEWEST_VERTICES = 5  # of a piece that has a skeleton
@@ -77,14 +79,15 @@ def as_repair(repair: Any) -> Repair | None:
 class Repaired(NamedTuple):
     """A mesh after repair.
 
-    vertices: (V, 3). faces: (F, 3). source: (V,) the given vertex that each comes from. vertex_of_given: (V_in,) where
-    each went, -1 if nowhere. given: (V_in, 3) the given vertices, all finite. repairs: what was changed, a sentence
-    each.
+    vertices: (V, 3). faces: (F, 3). source: (V,) the given vertex that each comes from. is_made: (V,) which are others,
+    of a skirt; those come from the one that they were carried from. vertex_of_given: (V_in,) where each went, -1 if
+    nowhere. given: (V_in, 3) the given vertices, all finite. repairs: what was changed, a sentence each.
     """
 
     vertices: np.ndarray
     faces: np.ndarray
     source: np.ndarray
+    is_made: np.ndarray
     vertex_of_given: np.ndarray
     given: np.ndarray
     repairs: tuple[str, ...]
@@ -123,11 +126,15 @@ def repaired(vertices: np.ndarray, faces: np.ndarray, options: Repair) -> Repair
     faces, source = cut_apart(faces, twin)
     num_cut = len(source) - len(np.unique(source))
     _note(repairs, "doubled {} in which sheets met", num_cut, "vertex", "vertices")
-    faces, num_holes, num_new = filled(given[source], faces, options.largest_hole * diagonal)
-    _note(repairs, f"filled {{}} with {num_new} faces", num_holes, "hole", "holes")
+    holes = filled(given[source], faces, options.largest_hole * diagonal)
+    _note(repairs, f"filled {{}} with {sum(len(hole.lid) for hole in holes)} faces", len(holes), "hole", "holes")
+    closed = skirted(given[source], faces, holes)
+    repairs += closed.repairs
+    vertices, faces, is_made = closed.vertices, closed.faces, np.arange(len(closed.vertices)) >= len(source)
+    source = np.concatenate([source, source[closed.source]])
     fewest = FEWEST_VERTICES if options.join is None else FEWEST_TO_JOIN
     smallest = options.smallest_part * diagonal
-    faces, num_few, num_flat, num_small = with_volume(given[source], faces, smallest, fewest)
+    faces, num_few, num_flat, num_small = with_volume(vertices, faces, smallest, fewest)
     _note(repairs, f"left out {{}} of fewer than {fewest} vertices", num_few, "piece", "pieces")
     _note(repairs, "left out {} without volume", num_flat, "piece", "pieces")
     _note(repairs, "left out {} smaller than smallest_part", num_small, "piece", "pieces")
@@ -140,7 +147,7 @@ def repaired(vertices: np.ndarray, faces: np.ndarray, options: Repair) -> Repair
     source = source[used]
     first = np.full(len(given), -1)
     first[source[::-1]] = np.arange(len(source))[::-1]
-    return Repaired(given[source], flat.reshape(-1, 3), source, first[welded], given, tuple(repairs))
+    return Repaired(vertices[used], flat.reshape(-1, 3), source, is_made[used], first[welded], given, tuple(repairs))
 
 
 def _note(repairs: list[str], sentence: str, count: int, one: str, many: str) -> None:

@@ -22,6 +22,8 @@ from msf_jax.host.solid.geometry import vertex_normals
 
 PUSH = 1e-3  # how far out, as a fraction of the mean edge length
 SMOOTHINGS = (1, 1, 2, 4, 8, 16)  # rounds, one after the other, of a surface that small triangles make cross itself
+MANY_HANDLES = 16  # of which smoothing all but never leaves a surface that does not cross itself: it is tried once
+MOST_PAIRS = 200_000_000  # of a loop's edges with another's; beyond, linking numbers are not asked for
 LARGEST_GENUS = 64  # beyond, the cost of all linking numbers is no longer small
 
 
@@ -29,7 +31,8 @@ def half_edge_classes(positions: np.ndarray, faces: np.ndarray) -> np.ndarray | 
     """The class (3F,) of every half-edge of a connected closed surface; twins have opposite ones.
 
     None where the linking numbers are not those of a solid (their rank is the genus, and their skew part, how loops
-    cross on the surface, has determinant 1): the surface crosses itself, or is so coarse that a push goes inside.
+    cross on the surface, has determinant 1): the surface crosses itself, or is so coarse that a push goes inside. None
+    also where there are more than ``MOST_PAIRS`` to be looked at.
     """
     edges = half_edges(faces)
     num_half, num_faces, num_vertices = len(edges.origin), len(faces), len(positions)
@@ -56,7 +59,9 @@ def half_edge_classes(positions: np.ndarray, faces: np.ndarray) -> np.ndarray | 
     in_cotree |= in_cotree[edges.twin]
     generator = np.flatnonzero(is_first & ~in_tree & ~in_cotree)
 
-    loops = [_loop(int(edges.origin[h]), int(edges.target[h]), parent) for h in generator]
+    loops = [loop_along(int(edges.origin[h]), int(edges.target[h]), parent) for h in generator]
+    if sum(map(len, loops)) ** 2 > MOST_PAIRS:
+        return None
     normal = vertex_normals(positions, faces)
     normal /= np.maximum(np.linalg.norm(normal, axis=1, keepdims=True), 1e-300)
     spacing = np.linalg.norm(positions[edges.origin] - positions[edges.target], axis=1).mean()
@@ -89,7 +94,8 @@ def ring_classes(positions: np.ndarray, faces: np.ndarray, rings: np.ndarray) ->
     ends = edges.origin, edges.target
     neighbours = sparse.csr_matrix((np.ones(len(edges.origin)), ends), shape=(len(rings), len(rings)))
     values = half_edge_classes(positions, faces)
-    for rounds in SMOOTHINGS:
+    handles = 1 - (np.count_nonzero(count) - len(faces) // 2) // 2
+    for rounds in SMOOTHINGS[: 1 if handles > MANY_HANDLES else None]:
         if values is not None:
             break
         for _ in range(rounds):
@@ -106,7 +112,7 @@ def ring_classes(positions: np.ndarray, faces: np.ndarray, rings: np.ndarray) ->
     return classes
 
 
-def _loop(start: int, end: int, parent: np.ndarray) -> list[int]:
+def loop_along(start: int, end: int, parent: np.ndarray) -> list[int]:
     """The loop start -> end -> ... -> start along the tree, without the stretch to the root that both ways share."""
 
     def way_up(vertex: int) -> list[int]:

@@ -1,0 +1,115 @@
+"""Which loops the curve must keep, where the surface crosses itself and linking numbers say nothing.
+
+A contracted surface tells it by its lengths: loops around limbs have shrunk to nothing, those that the curve keeps are
+as long as ever. Of 2g independent loops, the shortest that start from one vertex (Erickson, Whittlesey 2005), g are
+taken, short ones first, that do not cross each other, sums of them where it takes that. Loops that cross none of these
+are what vanishes: the class of an edge is how often it crosses a fixed random combination of them.
+"""
+
+import numpy as np
+from scipy import sparse
+from scipy.sparse import csgraph
+
+from msf_jax.host.mesh.half_edges import HalfEdges, half_edges
+from msf_jax.host.meso import ring_tables
+from msf_jax.host.meso.homology import loop_along
+
+MOST_HANDLES = 400  # beyond, the table of crossings is no longer small
+
+
+def short_classes(positions: np.ndarray, rings: np.ndarray) -> np.ndarray | None:
+    """Classes (n, K) beside the ring table ``rings`` of a connected surface, as `homology.ring_classes` gives them.
+
+    It takes short loops for those that vanish in the solid. None for a surface of more than ``MOST_HANDLES``.
+    """
+    degree = ring_tables.ring_degrees(rings)
+    edges = half_edges(ring_tables.faces_from_rings(rings))
+    tail, head, twin = edges.origin, edges.target, edges.twin
+    num, num_half = len(rings), len(edges.origin)
+    euler = int((degree > 0).sum()) - num_half // 6
+    if 2 - euler > 2 * MOST_HANDLES:
+        return None
+    length = np.maximum(np.linalg.norm(positions[tail] - positions[head], axis=1), 1e-12)
+    away, parent = csgraph.dijkstra(
+        sparse.csr_matrix((length, (tail, head)), (num, num)), indices=int(tail[0]), return_predecessors=True
+    )
+    generator = _generators(edges, away[tail] + away[head] + length, (parent[tail] == head) | (parent[head] == tail))
+    loops = [loop_along(int(tail[half]), int(head[half]), parent) for half in generator]
+    slot_of = np.zeros(num_half, dtype=np.int64)
+    for k in range(rings.shape[1]):
+        slot_of[rings[tail, k] == head] = k
+    half_at = np.zeros(rings.shape, dtype=np.int64)
+    half_at[tail, slot_of] = np.arange(num_half)
+    code = ring_tables.encode_edges(tail, head, num)
+    order = np.argsort(code)
+
+    def along(loop: list[int]) -> np.ndarray:
+        closed = np.array([*loop, loop[0]])
+        return order[np.searchsorted(code, ring_tables.encode_edges(closed[:-1], closed[1:], num), sorter=order)]
+
+    ways = [along(loop) for loop in loops]
+    number = np.repeat(np.arange(len(ways)), [len(way) for way in ways])
+    ahead = np.concatenate([*ways, np.empty(0, dtype=np.int64)])
+    back = twin[np.concatenate([*(np.roll(way, 1) for way in ways), np.empty(0, dtype=np.int64)])]
+    # On its left a loop is crossed by what lies, counter-clockwise, between the way ahead and the way back.
+    count = (slot_of[back] - slot_of[ahead] - 1) % degree[tail[ahead]]
+    row = np.repeat(np.arange(len(ahead)), count)
+    step = np.arange(len(row)) - np.repeat(np.cumsum(count) - count, count) + 1
+    at = tail[ahead[row]]
+    leaving = half_at[at, (slot_of[ahead[row]] + step) % degree[at]]
+    shape = len(loops), num_half
+    left = sparse.csr_matrix((np.ones(len(row), dtype=np.int64), (number[row], leaving)), shape)
+    crossed = left - left[:, twin]
+    walked = sparse.csr_matrix((np.ones(len(ahead), dtype=np.int64), (number, ahead)), shape)
+    crossings = (walked @ crossed.T).toarray()
+    chosen = _apart(crossings, np.array([length[way].sum() for way in ways]))
+    weight = np.random.default_rng(2005).integers(1, 2**30, size=len(chosen)) @ chosen
+    classes = np.zeros(rings.shape, dtype=np.int64)
+    classes[tail, slot_of] = crossed.T @ weight
+    return classes
+
+
+def _generators(edges: HalfEdges, around: np.ndarray, in_tree: np.ndarray) -> np.ndarray:
+    """The half-edges that close the 2g shortest loops, with the tree's ways; ``around`` (H,) is how long each is.
+
+    Edges of neither the tree nor a spanning tree of the faces, which crosses the edges with the longest loops.
+    """
+    num_half, twin = len(edges.origin), edges.twin
+    face = np.arange(num_half) // 3
+    free = np.flatnonzero((np.arange(num_half) < twin) & ~in_tree)
+    one, other = np.sort(np.stack([face[free], face[twin[free]]]), axis=0)
+    longest_first = np.lexsort((free, -around[free], other, one))
+    first = np.unique(np.stack([one, other])[:, longest_first], axis=1, return_index=True)[1]
+    single = longest_first[first]  # of several edges between two faces, the one with the longest loop
+    cost = 1.0 + around[free].max(initial=0.0) - around[free]
+    num_faces = num_half // 3
+    dual = sparse.csr_matrix((cost[single], (one[single], other[single])), (num_faces, num_faces))
+    tree = csgraph.minimum_spanning_tree(dual).tocoo()
+    pair = np.sort(np.stack([tree.row, tree.col]), axis=0).astype(np.int64)
+    in_cotree = np.zeros(len(free), dtype=bool)
+    in_cotree[single] = np.isin(one[single] * np.int64(num_faces) + other[single], pair[0] * num_faces + pair[1])
+    return free[~in_cotree]
+
+
+def _apart(crossings: np.ndarray, length: np.ndarray) -> np.ndarray:
+    """(g, 2g): short sums of the 2g loops that do not cross each other; ``crossings`` (2g, 2g) is how those do.
+
+    After one is chosen, another that crosses it goes, and is added to all others as often as makes them not cross it.
+    """
+    left, length = np.eye(len(length), dtype=np.int64), length.copy()
+    chosen = []
+    while len(left):
+        number = int(np.argmin(length))
+        one = left[number]
+        left, length = np.delete(left, number, axis=0), np.delete(length, number)
+        chosen.append(one)
+        times = left @ crossings @ one
+        partners = np.flatnonzero(times)
+        if not len(partners):
+            continue
+        other = partners[np.lexsort((length[partners], np.abs(times[partners])))[0]]
+        left = times[other] * left - times[:, None] * left[other]
+        length = np.abs(times[other]) * length + np.abs(times) * length[other]
+        is_left = np.arange(len(left)) != other
+        left, length = left[is_left], length[is_left]
+    return np.array(chosen, dtype=np.int64).reshape(-1, len(crossings))
