@@ -51,6 +51,7 @@ FARTHEST = 20.0  # steps of a node, that a centroid may be expected to go with i
 HELD = 1e9  # a, for a node that is not to move
 THINNEST = 0.25  # of its clearance, that a step must leave to a node
 HALVINGS, TRIALS = 2, 12  # of a step that goes too far; and in all, before none is taken
+SLIGHT = 0.05  # of its room: a shorter step of a node leads nowhere else
 CLOSE = 0.005  # diagonals, to the surface, where it is measured exactly; elsewhere, of what is about the clearance,
 SURE = 0.5  # that part is
 SETTLING = 4  # rounds, after which a node that goes over a brink counts less,
@@ -150,9 +151,14 @@ def _taken(
     do both ends of an edge that was inside and would not be. A loop around a hole does not slip off it that way.
     """
     part = is_free.astype(float)
-    was_inside = _is_open(shape, x, x, room, room, edges)
     goal, clearance, triangle = x.copy(), room.copy(), near.copy()
-    changed = np.flatnonzero(is_free)
+    length = np.linalg.norm(step, axis=1)
+    is_slight = is_free & (length < SLIGHT * room) & (room - length > least)  # no need to look
+    goal[is_slight] += step[is_slight]
+    clearance[is_slight] -= length[is_slight]
+    changed = np.flatnonzero(is_free & ~is_slight)
+    edges = edges[np.isin(edges, changed).any(axis=1)]
+    edges = edges[_is_open(shape, x, x, room, room, edges)]
     for trial in range(TRIALS):
         goal[changed] = x[changed] + part[changed, None] * step[changed]
         clearance[changed], triangle[changed] = shape.approach(goal[changed])
@@ -164,7 +170,7 @@ def _taken(
         moved = moved[~is_bad[moved]]
         ways = np.stack([moved, moved], axis=1)
         is_bad[moved] = ~_is_open(shape, x, goal, room, clearance, ways)
-        at_stake = edges[was_inside & ~is_bad[edges].any(axis=1) & np.isin(edges, changed).any(axis=1)]
+        at_stake = edges[~is_bad[edges].any(axis=1) & np.isin(edges, changed).any(axis=1)]
         is_bad[at_stake[~_is_open(shape, goal, goal, clearance, clearance, at_stake)]] = True
         changed = np.flatnonzero(is_bad & (part > 0))
         if not len(changed):
