@@ -1,4 +1,4 @@
-"""Figures of a curve in its mesh: `evaluate`, for this project's curves and anybody's.
+"""Figures of a curve in its mesh: `evaluate`, for this project's curves and anybody's, and `compare`, of two curves.
 
 Lengths are fractions of the mesh's bounding-box diagonal, so that figures of different meshes can be put side by side.
 """
@@ -19,6 +19,8 @@ SAMPLES_PER_EDGE = 16
 SURFACE_SAMPLES = 20_000  # at least so many, spread by area
 LOPSIDED = 3.0  # a section so many times as wide as the inscribed ball is not that of a limb
 STRIDE = 0.01  # diagonals, between the points of a branch at which its turning is measured
+ALONG = 0.5  # of its distance to another curve, as near as its own curve is to that place, a point runs along it
+SAME = 1e-9  # diagonals, between two places that are one
 PAIRS_AT_ONCE = 4_000_000
 
 
@@ -77,14 +79,62 @@ def evaluate(mesh: Any, skeleton: Any, truth: Any = None) -> dict[str, float]:
     return figures
 
 
+def compare(mesh: Any, skeleton: Any, other: Any) -> dict[str, float]:
+    """Score two curves of a mesh on the part where both run, so that none wins by what it does not draw.
+
+    A point of a curve runs along the other if the nearest place on the other is within the larger of the two inscribed
+    balls, and is about as far from the point's whole curve as from the point: a twig that leaves what both have in
+    common does not run along it. A point of the surface belongs to the part where both run if, in both curves, the node
+    whose inscribed ball is nearest to it does.
+
+    Args:
+        mesh: as `skeletonize` takes it.
+        skeleton, other: two curves, in any form that `evaluate` takes.
+
+    Returns:
+        A dictionary, with the figures of ``other`` under the same names with ``other_`` before them.
+
+        - ``common``: fraction of the curve's length that runs along the other.
+        - ``off_centre``: as in `evaluate`, by length over that part, with a section every hundredth of the diagonal.
+        - ``missed_95``: as in `evaluate`, over the part of the surface that belongs to it. A fraction of the diagonal.
+
+        Where nothing is common, or nothing of it can be measured, figures are NaN.
+
+    Raises:
+        MeshError: the mesh is refused at the front door, or one of the curves is not one.
+    """
+    checked = checking.prepare(mesh)
+    solid = Solid(checked.vertices, checked.faces)
+    pair = [(solid.enter(vertices), edges) for vertices, edges in (_curve_of(skeleton), _curve_of(other))]
+    return common_figures_of(solid.shape, *pair)
+
+
+def common_figures_of(
+    shape: Enclosure, curve: tuple[np.ndarray, np.ndarray], other: tuple[np.ndarray, np.ndarray]
+) -> dict[str, float]:
+    """`compare` of two curves ``(vertices, edges)`` in a surface of diagonal 1."""
+    figures, missed, is_common = {}, {}, np.array(True)
+    for name, own, its in (("", curve, other), ("other_", other, curve)):
+        points, length, along = _pieces(*own, STRIDE)
+        runs = _runs_along(shape, points, own, its)
+        figures[f"{name}common"] = float(length[runs].sum() / length.sum())
+        is_measured = runs & along.any(axis=1)
+        figures[f"{name}off_centre"] = _off_centre(shape, points[is_measured], along[is_measured], length[is_measured])
+        radii = np.where(shape.contains(own[0]), shape.distances(own[0]), 0.0)
+        missed[name], node, area = _missed(shape, own[0], radii)
+        is_common = is_common & _runs_along(shape, own[0], own, its)[node]
+        figures[f"{name}missed_95"] = np.nan
+    for name in missed if is_common.any() else ():
+        figures[f"{name}missed_95"] = _percentile(missed[name][is_common], area[is_common])
+    return figures
+
+
 def figures_of(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray) -> dict[str, float]:
     """`evaluate` of a curve in a surface of diagonal 1, but for what only the mesh or a truth can tell."""
     is_inside = shape.contains(vertices)
     radii = np.where(is_inside, shape.distances(vertices), 0.0)
     components, cycles = branches.cycle_count(len(vertices), edges)
-    missed, area = _missed(shape, vertices, radii)
-    order = np.argsort(missed)
-    rank = np.searchsorted(np.cumsum(area[order]), 0.95 * area.sum())
+    missed, _, area = _missed(shape, vertices, radii)
     ways = branches.trace(len(vertices), edges)
     length = np.linalg.norm(vertices[edges[:, 0]] - vertices[edges[:, 1]], axis=1)
     return {
@@ -93,8 +143,8 @@ def figures_of(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray) -> dic
         "leaves": int((np.bincount(edges.ravel(), minlength=len(vertices)) == 1).sum()),
         "inside": inside_fraction(shape, vertices, edges, radii),
         "boundedness": float(is_inside.mean()),
-        "off_centre": _off_centre(shape, vertices, edges),
-        "missed_95": float(missed[order[min(rank, len(order) - 1)]]),
+        "off_centre": _off_centre(shape, *_middles(vertices, edges)),
+        "missed_95": _percentile(missed, area),
         "missed_max": float(missed.max()),
         "smoothness": _smoothness(vertices, ways),
         "tip_gap": _tip_gap(shape, vertices, edges, ways),
@@ -123,30 +173,55 @@ def inside_fraction(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray, r
 
 def sample_curve(vertices: np.ndarray, edges: np.ndarray, spacing: float) -> tuple[np.ndarray, np.ndarray]:
     """Points (P, 3) on the edges, in the middles of parts of at most ``spacing``, and the length of each part (P,)."""
+    return _pieces(vertices, edges, spacing)[:2]
+
+
+def _pieces(vertices: np.ndarray, edges: np.ndarray, spacing: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """`sample_curve`, and the direction (P, 3) of the edge that each point is on; 0 on a curve without length."""
     a, b = vertices[edges[:, 0]], vertices[edges[:, 1]]
     length = np.linalg.norm(b - a, axis=1)
     if not length.sum() > 0:  # a curve without length is its nodes
-        return vertices, np.ones(len(vertices))
+        return vertices, np.ones(len(vertices)), np.zeros_like(vertices)
     count = np.maximum(1, np.ceil(length / spacing)).astype(np.int64)
     edge = np.repeat(np.arange(len(edges)), count)
     t = (np.arange(len(edge)) - np.repeat(np.cumsum(count) - count, count) + 0.5) / count[edge]
-    return a[edge] + t[:, None] * (b - a)[edge], length[edge] / count[edge]
+    return a[edge] + t[:, None] * (b - a)[edge], length[edge] / count[edge], unit(b - a)[edge]
 
 
 def curve_distance(points: np.ndarray, vertices: np.ndarray, edges: np.ndarray) -> np.ndarray:
     """Distance (P,) from each point to the nearest edge of a curve; to the nearest node of one without edges."""
+    return np.linalg.norm(points - _feet(points, vertices, edges), axis=1)
+
+
+def _feet(points: np.ndarray, vertices: np.ndarray, edges: np.ndarray) -> np.ndarray:
+    """The place (P, 3) on a curve that is nearest to each point."""
     if not len(edges):
         edges = np.repeat(np.arange(len(vertices))[:, None], 2, axis=1)
     a, b = vertices[edges[:, 0]], vertices[edges[:, 1]]
     along = b - a
     length2 = np.maximum((along**2).sum(axis=1), 1e-300)
-    best = np.empty(len(points))
+    found = np.empty_like(points)
     stride = max(1, PAIRS_AT_ONCE // len(edges))
     for start in range(0, len(points), stride):
         offset = points[start : start + stride, None] - a
         t = np.clip(np.einsum("pei,ei->pe", offset, along) / length2, 0, 1)
-        best[start : start + stride] = np.linalg.norm(offset - t[..., None] * along, axis=2).min(axis=1)
-    return best
+        nearest = np.linalg.norm(offset - t[..., None] * along, axis=2).argmin(axis=1)
+        share = t[np.arange(len(nearest)), nearest]
+        found[start : start + stride] = a[nearest] + share[:, None] * along[nearest]
+    return found
+
+
+def _runs_along(
+    shape: Enclosure,
+    points: np.ndarray,
+    own: tuple[np.ndarray, np.ndarray],
+    other: tuple[np.ndarray, np.ndarray],
+) -> np.ndarray:
+    """(P,) which points of a curve run along the other one."""
+    foot = _feet(points, *other)
+    away = np.linalg.norm(points - foot, axis=1)
+    room = np.maximum(*(np.where(shape.contains(place), shape.distances(place), 0.0) for place in (points, foot)))
+    return (away <= room + SAME) & (curve_distance(foot, *own) >= ALONG * away - SAME)
 
 
 def _curve_of(skeleton: Any) -> tuple[np.ndarray, np.ndarray]:
@@ -167,23 +242,34 @@ def _curve_of(skeleton: Any) -> tuple[np.ndarray, np.ndarray]:
     return vertices, np.unique(edges[edges[:, 0] < edges[:, 1]], axis=0).reshape(-1, 2)
 
 
-def _off_centre(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray) -> float:
+def _middles(vertices: np.ndarray, edges: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Middle (E, 3), direction (E, 3) and length (E,) of the edges that have a length."""
     a, b = vertices[edges[:, 0]], vertices[edges[:, 1]]
     length = np.linalg.norm(b - a, axis=1)
-    a, b, length = a[length > 0], b[length > 0], length[length > 0]
-    if not len(length):
+    is_long = length > 0
+    return ((a + b) / 2)[is_long], unit(b - a)[is_long], length[is_long]
+
+
+def _off_centre(shape: Enclosure, points: np.ndarray, along: np.ndarray, length: np.ndarray) -> float:
+    """How far off the middle ``points`` (P, 3) are, each of a ``length`` (P,) of a curve that goes ``along`` (P, 3)."""
+    if not len(points):
         return float("nan")
-    middle = (a + b) / 2
-    found = sections.cut(shape, middle, unit(b - a), shape.distances(middle))
+    found = sections.cut(shape, points, along, shape.distances(points))
     is_found = found.is_found & (found.radius > 0) & (found.radius < LOPSIDED * shape.distances(found.centroid))
     if not is_found.any():
         return float("nan")
-    off = np.linalg.norm(found.centroid - middle, axis=1)[is_found] / found.radius[is_found]
+    off = np.linalg.norm(found.centroid - points, axis=1)[is_found] / found.radius[is_found]
     return float((off * length[is_found]).sum() / max(length[is_found].sum(), 1e-300))
 
 
-def _missed(shape: Enclosure, vertices: np.ndarray, radii: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Distance from points of the surface to the nearest ball, and the area that each point stands for."""
+def _percentile(missed: np.ndarray, area: np.ndarray) -> float:
+    order = np.argsort(missed)
+    rank = np.searchsorted(np.cumsum(area[order]), 0.95 * area.sum())
+    return float(missed[order[min(rank, len(order) - 1)]])
+
+
+def _missed(shape: Enclosure, vertices: np.ndarray, radii: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Distance (S,) from points of the surface to the nearest ball, whose it is, and the area that each stands for."""
     a, b, c = np.moveaxis(shape.triangles, 1, 0)
     area = np.linalg.norm(np.cross(b - a, c - a), axis=1) / 2
     count = np.maximum(1, np.round(SURFACE_SAMPLES * area / area.sum())).astype(np.int64)
@@ -193,12 +279,13 @@ def _missed(shape: Enclosure, vertices: np.ndarray, radii: np.ndarray) -> tuple[
     s, t = (1 / 3 + 0.7548776662466927 * number) % 1, (1 / 3 + 0.5698402909980532 * number) % 1
     s, t = np.where(s + t > 1, 1 - s, s)[:, None], np.where(s + t > 1, 1 - t, t)[:, None]
     points = (1 - s - t) * a[face] + s * b[face] + t * c[face]
-    missed = np.empty(len(points))
+    missed, node = np.empty(len(points)), np.empty(len(points), dtype=np.int64)
     stride = max(1, PAIRS_AT_ONCE // len(vertices))
     for start in range(0, len(points), stride):
         away = np.linalg.norm(points[start : start + stride, None] - vertices, axis=2) - radii
+        node[start : start + stride] = away.argmin(axis=1)
         missed[start : start + stride] = np.maximum(away.min(axis=1), 0)
-    return missed, area[face] / count[face]
+    return missed, node, area[face] / count[face]
 
 
 def _smoothness(vertices: np.ndarray, ways: list[list[int]]) -> float:

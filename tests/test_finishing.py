@@ -95,6 +95,60 @@ def test_a_segment_through_a_fold_inside_the_solid_is_inside():
     assert containment.is_inside(shape, a, b).tolist() == [True, True, False]
 
 
+def turns_of(x, edges):
+    """Degrees by which the curve turns at each node with two edges."""
+    ends = np.concatenate([edges, edges[:, ::-1]])
+    ends = ends[np.argsort(ends[:, 0], kind="stable")]
+    inner = np.flatnonzero(np.bincount(edges.ravel(), minlength=len(x)) == 2)
+    start = np.searchsorted(ends[:, 0], inner)
+    a, b = x[inner] - x[ends[start, 1]], x[ends[start + 1, 1]] - x[inner]
+    cosine = np.einsum("ni,ni->n", a, b) / np.linalg.norm(a, axis=1) / np.linalg.norm(b, axis=1)
+    return np.degrees(np.arccos(np.clip(cosine, -1, 1)))
+
+
+def test_a_loop_around_a_hole_is_not_folded_flat():
+    """Of a triangle around it, with two more nodes on one side: each turns, and all shortcuts are inside."""
+    shape, scale = unit_shape(torus(1.0, 0.6, 48, 24))
+    angle = np.radians([0, 120, 240])
+    x = 1.2 * scale * np.stack([np.cos(angle), np.sin(angle), 0 * angle], axis=1)
+    edges = np.array([[0, 1], [1, 2], [0, 2]])
+    assert is_inside(shape, x, edges)
+    np.testing.assert_array_equal(containment.unfold(shape, x, edges, none_held(x)), x)
+    spike = np.concatenate([x, [x[0] * 1.2]])  # there and back, beside the way from 0 to 1
+    chain = np.array([[0, 3], [1, 3], [1, 2], [0, 2]])
+    straight = containment.unfold(shape, spike, chain, np.arange(4) < 3)
+    np.testing.assert_allclose(straight[3], (x[0] + x[1]) / 2, atol=1e-12)
+
+
+def test_where_the_corner_cannot_be_cut_a_half_of_it_is():
+    shape, scale = unit_shape(tube(bow(0.6)))
+    x, edges = path(scale * np.array([1, 1.1, 1])[:, None] * bow(0.6)[[2, 14, 26]])
+    assert is_inside(shape, x, edges) and not is_inside(shape, x[[0, 2]], np.array([[0, 1]]))
+    found = containment.unfold(shape, x, edges, np.arange(3) != 1, most=40.0)
+    assert is_inside(shape, found, edges) and 0 < turns_of(found, edges)[0] < turns_of(x, edges)[0] - 5
+
+
+def test_centring_takes_no_edge_out_of_a_plate_with_holes(monkeypatch):
+    """So that the finished curve, which must be inside, is not led back there over kinks."""
+    plate = manifold3d.Manifold.cube([3, 2, 0.05], True)
+    for x in (-1, 0, 1):
+        plate -= manifold3d.Manifold.cylinder(1, 0.45, circular_segments=16, center=True).translate([x, 0, 0])
+    found = plate.to_mesh()
+    mesh = trimesh.Trimesh(found.vert_properties[:, :3].astype(float), found.tri_verts)
+    seen = []
+
+    def watched(shape, x, edges, *others):
+        y = centre(shape, x, edges, *others)
+        seen.append([containment.is_inside(shape, z[edges[:, 0]], z[edges[:, 1]]).all() for z in (x, y)])
+        return y
+
+    centre = centring.centre
+    monkeypatch.setattr(centring, "centre", watched)
+    curve = msf_jax.skeletonize(mesh)
+    assert np.array(seen).shape == (3, 2) and np.array(seen).all()
+    assert curve.report.cycles == 3 and (turns_of(curve.vertices, curve.edges) > 45).sum() <= 2
+
+
 def test_a_shifted_axis_goes_back_to_the_middle():
     line = np.stack([np.linspace(-1, 1, 41), np.zeros(41), np.zeros(41)], axis=1)
     shape, scale = unit_shape(tube(line, 0.2))

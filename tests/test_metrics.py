@@ -12,7 +12,7 @@ from msf_jax import Report, Skeleton, metrics
 from msf_jax.base.errors import MeshError
 from msf_jax.ground_truth import swept_tube
 from msf_jax.host.solid.enclosure import Enclosure
-from msf_jax.metrics import curve_distance, evaluate, figures_of, sample_curve
+from msf_jax.metrics import compare, curve_distance, evaluate, figures_of, sample_curve
 
 Curve = tuple[np.ndarray, np.ndarray]
 
@@ -383,6 +383,67 @@ def test_the_distance_to_a_curve_without_edges_is_that_to_its_nodes():
 
 
 # What it takes, and what does not matter
+
+
+# Two curves, where both run
+
+
+def with_twig(aside: float) -> Curve:
+    """A line parallel to the axis, and a twig across the tube from its middle."""
+    vertices, edges = upright(1, 5, aside=aside)
+    twig = vertices[30] + np.array([0, 0.1, 0]) * np.arange(1, 9)[:, None]
+    chain = np.stack([[30, *range(61, 68)], range(61, 69)], axis=1)
+    return np.concatenate([vertices, twig]), np.concatenate([edges, chain])
+
+
+def test_a_twig_is_not_where_both_curves_run(tube):
+    line, more = upright(1, 5, aside=0.3), with_twig(0.3)
+    figures = compare(tube, line, more)
+    assert figures["common"] == 1 and figures["other_common"] == pytest.approx(4 / 4.8, rel=1e-9)
+    assert figures["off_centre"] == figures["other_off_centre"] == pytest.approx(0.3, rel=0.01)
+    assert figures["missed_95"] == figures["other_missed_95"] > 0
+    assert evaluate(tube, more)["off_centre"] < 0.295 and evaluate(tube, more)["missed_95"] < figures["missed_95"]
+
+
+def test_parallel_curves_have_their_own_figures(tube):
+    figures = compare(tube, upright(1, 5, aside=0.1), upright(1, 5, aside=0.4))
+    assert figures["common"] == figures["other_common"] == 1
+    assert figures["off_centre"] == pytest.approx(0.1, rel=0.01)
+    assert figures["other_off_centre"] == pytest.approx(0.4, rel=0.01)
+    assert figures["missed_95"] < figures["other_missed_95"]
+
+
+def test_beyond_its_end_a_curve_is_alone(tube):
+    short, long = upright(1, 3), upright(1, 5, aside=0.05)
+    figures = compare(tube, short, long)
+    assert figures["common"] == 1 and figures["other_common"] == pytest.approx(0.5, abs=0.05)
+
+
+def test_of_curves_apart_nothing_is_compared(tube):
+    figures = compare(tube, upright(1, 5, aside=0.6), upright(1, 5, aside=-0.6))
+    assert figures.pop("common") == figures.pop("other_common") == 0
+    assert len(figures) == 4 and np.isnan(list(figures.values())).all()
+
+
+def test_a_curve_beside_itself_and_in_the_other_order():
+    mesh, (vertices, edges) = bent()
+    points = np.concatenate([vertices[edges].mean(axis=1), vertices])  # every edge as two, below the spacing
+    middle = np.arange(len(edges))
+    fine = points, np.stack([np.r_[middle, middle], len(edges) + np.r_[edges[:, 0], edges[:, 1]]], axis=1)
+    same, whole = compare(mesh, fine, fine), evaluate(mesh, fine)
+    assert same["common"] == same["other_common"] == 1
+    assert same["off_centre"] == same["other_off_centre"] == pytest.approx(whole["off_centre"], rel=0.02)
+    assert same["missed_95"] == same["other_missed_95"] == whole["missed_95"]
+    line = way(3 * np.stack([np.cos(s := np.linspace(0.3, 2.3, 30)), np.sin(s), 0 * s], axis=1))
+    one, two = compare(mesh, fine, line), compare(mesh, line, fine)
+    assert {name.removeprefix("other_") if "other_" in name else f"other_{name}": two[name] for name in two} == one
+    assert one["other_off_centre"] < one["off_centre"] and one["common"] < 0.95 < one["other_common"]
+
+
+def test_a_curve_without_length_is_compared_by_its_nodes(tube):
+    dot = np.array([[0, 0, 3.0]]), np.empty((0, 2), dtype=int)
+    figures = compare(tube, dot, upright(1, 5))
+    assert figures["common"] == 1 and np.isnan(figures["off_centre"])
 
 
 def as_skeleton(vertices: np.ndarray, edges: np.ndarray) -> Skeleton:

@@ -14,7 +14,8 @@ Figures are those of `msf_jax.metrics.evaluate`, lengths in diagonals of the mes
 - to_true/R, from_true/R: mean distance from the curve to the true one, and back, over the mean true radius along it.
 - tip_gap/R: the worst, over the true tips, of the distance to the curve's nearest leaf over the tip's radius.
 
-Bold marks the best on a mesh, as printed; ties are all bold. Each suite ends in a summary.
+Bold marks the best on a mesh, as printed; ties are all bold. Each suite ends in a summary. There, and under each mesh,
+each peer is put beside this project on the part where both curves run (`msf_jax.metrics.compare`): ours / theirs.
 """
 
 import argparse
@@ -172,6 +173,7 @@ def score(case: Case, result: Figures) -> Figures:
         return figures | {"failure": "a curve without edges"}
     truth = (case.shape.points, case.shape.edges) if case.shape else None
     figures |= metrics.evaluate((case.vertices, case.faces), (vertices, edges), truth=truth)
+    figures["curve"] = vertices, edges
     if shape := case.shape:
         figures |= {"genus": shape.genus, "true_leaves": shape.num_leaves}
         leaves = vertices[np.bincount(edges.ravel(), minlength=len(vertices)) == 1]
@@ -182,6 +184,48 @@ def score(case: Case, result: Figures) -> Figures:
         unit = np.linalg.norm(np.ptp(case.vertices, axis=0)) / radius
         figures |= {f"{way}_true/R": unit * figures.get(f"{way}_truth_mean", np.nan) for way in ("to", "from")}
     return figures
+
+
+COMMON = {"common": 3, "off_centre": 4, "missed_95": 4}  # figures of `compare`, and their digits
+
+
+def beside(case: Case, rows: Rows) -> Rows:
+    """By peer, the figures of `compare` for our curve and that peer's; nothing where one of the two is missing."""
+    from msf_jax import metrics
+
+    curves = {method: figures.pop("curve") for method, figures in rows.items() if "curve" in figures}
+    found: Rows = {}
+    for method in curves if OURS in curves else ():
+        if method != OURS:
+            figures = metrics.compare((case.vertices, case.faces), curves[OURS], curves[method])
+            found[method] = {key: round(value, COMMON[key.removeprefix("other_")]) for key, value in figures.items()}
+    return found
+
+
+def common_table(found: Rows) -> str:
+    """`beside` as a table; nothing where there is nothing."""
+    if not found:
+        return ""
+    text = "\n" + line([f"common part, {OURS} / peer", *COMMON]) + line(["---", *["---:"] * len(COMMON)])
+    for method, figures in found.items():
+        pairs = [[f"{figures[name + key]:.{digits}f}" for name in ("", "other_")] for key, digits in COMMON.items()]
+        text += line([method, *(" / ".join(pair) for pair in pairs)])
+    return text
+
+
+def common_summary(pairs: list[Rows]) -> str:
+    """On how many meshes our figures on the common part are at or below a peer's, and their means."""
+    text = ""
+    for method in dict.fromkeys(method for found in pairs for method in found):
+        own = [found[method] for found in pairs if method in found]
+        parts = []
+        for key in ("off_centre", "missed_95"):
+            both = np.array([[figures[key], figures[f"other_{key}"]] for figures in own]).reshape(-1, 2)
+            both = both[~np.isnan(both).any(axis=1)]
+            means = " / ".join(f"{value:.4f}" for value in both.mean(axis=0)) if len(both) else "-"
+            parts.append(f"{(both[:, 0] <= both[:, 1]).sum()} of {len(both)} in {key} ({means})")
+        text += f"\nOn the part where both run, {OURS} is at or below {method} on {' and '.join(parts)}.\n"
+    return text
 
 
 def row_of(method: str, case: Case, limit: float, cache: Path | None) -> Figures:
@@ -274,14 +318,16 @@ def report(wanted: argparse.Namespace) -> Iterator[str]:
     for suite in ["meshes", "truth"] if wanted.suite == "all" else [wanted.suite]:
         columns = COLUMNS + (TRUTH_COLUMNS if suite == "truth" else [])
         results: dict[str, Rows] = {}
+        pairs: list[Rows] = []
         for case in cases_of(suite, wanted.meshes, wanted.only):
             rows = results[case.name] = {}
             for name in methods:
                 rows[name] = row_of(name, case, wanted.limit, wanted.cache)
                 print(f"{case.name}, {name}: {rows[name]['seconds']:.2f} s", file=sys.stderr)
-            yield table(case, rows, columns)
+            pairs.append(beside(case, rows))
+            yield table(case, rows, columns) + common_table(pairs[-1])
         if results:
-            yield summary(suite, methods, results, columns)
+            yield summary(suite, methods, results, columns) + common_summary(pairs)
 
 
 def publish(pieces: Iterator[str], output: Path | None) -> None:

@@ -23,6 +23,8 @@ from scipy import sparse
 from scipy.sparse import linalg
 
 from msf_jax.host.curve import ways as measures
+from msf_jax.host.curve.containment import is_inside
+from msf_jax.host.curve.passages import TOUCHING
 from msf_jax.host.curve.ways import Way
 from msf_jax.host.solid import sections
 from msf_jax.host.solid.enclosure import Enclosure
@@ -49,6 +51,10 @@ FARTHEST = 20.0  # steps of a node, that a centroid may be expected to go with i
 HELD = 1e9  # a, for a node that is not to move
 MOST_CORNERS = 15_000_000  # of all sections that are cut for a curve; then each centring is left after a round
 THINNEST = 0.25  # of its clearance, that a step must leave to a node
+HALVINGS, TRIALS = 2, 12  # of a step that goes too far; and in all, before none is taken
+SLIGHT = 0.05  # of its room: a shorter step of a node leads nowhere else
+CLOSE = 0.005  # diagonals, to the surface, where it is measured exactly; elsewhere, of what is about the clearance,
+SURE = 0.5  # that part is
 SETTLING = 4  # rounds, after which a node that goes over a brink counts less,
 BRINK, FADE = 1.25, 0.5  # where its weight over its width changes by that factor, by this one
 
@@ -87,6 +93,7 @@ def centre(
     junction = np.flatnonzero(degree > 2)
     room_at_place = shape.distances(y[junction])
     room, near = shape.about_clearance(x)
+    least = np.maximum(THINNEST * room, 2 * TOUCHING)
     size, faded, before = room.copy(), np.ones(num), np.zeros(num)
     known = _Known(x, budget)
     for number in range(-1, rounds):  # the first only finds out how large limbs are
@@ -138,15 +145,60 @@ def centre(
         if part.max() < TOLERANCE:
             break
         step *= np.minimum(1.0, LONGEST_STEP / np.maximum(part, 1e-300))[:, None]
-        left = np.flatnonzero(~is_held & (room > 0))
-        for part in (1.0, 0.5, 0.25):
-            goal = x[left] + part * step[left]
-            clearance, triangle = shape.approach(goal)
-            is_safe = (clearance > THINNEST * room[left]) & shape.contains(goal)
-            x[left[is_safe]] += part * step[left[is_safe]]
-            room[left[is_safe]], near[left[is_safe]] = clearance[is_safe], triangle[is_safe]
-            left = left[~is_safe]
+        x, room, near = _taken(shape, x, step, room, near, edges, ~is_held & (room > 0), least)
     return x
+
+
+def _taken(
+    shape: Enclosure,
+    x: np.ndarray,
+    step: np.ndarray,
+    room: np.ndarray,
+    near: np.ndarray,
+    edges: np.ndarray,
+    is_free: np.ndarray,
+    least: np.ndarray,
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """The nodes (N, 3) after as much of their ``step`` as leaves no wall behind, with their room and what is near.
+
+    A node that would come too near to the surface, or go through it, goes a half or a quarter of its way, or stays; so
+    do both ends of an edge that was inside and would not be. A loop around a hole does not slip off it that way.
+    """
+    part = is_free.astype(float)
+    goal, clearance, triangle = x.copy(), room.copy(), near.copy()
+    length = np.linalg.norm(step, axis=1)
+    is_slight = is_free & (length < SLIGHT * room) & (room - length > least)  # no need to look
+    goal[is_slight] += step[is_slight]
+    clearance[is_slight] -= length[is_slight]
+    changed = np.flatnonzero(is_free & ~is_slight)
+    edges = edges[np.isin(edges, changed).any(axis=1)]
+    edges = edges[_is_open(shape, x, x, room, room, edges)]
+    for trial in range(TRIALS):
+        goal[changed] = x[changed] + part[changed, None] * step[changed]
+        clearance[changed], triangle[changed] = shape.approach(goal[changed])
+        close = changed[clearance[changed] < CLOSE]
+        clearance[close] = shape.distances(goal[close])
+        moved = changed[part[changed] > 0]
+        is_bad = np.zeros(len(x), dtype=bool)
+        is_bad[moved] = ~shape.contains(goal[moved]) | (clearance[moved] < np.minimum(least, room)[moved])
+        moved = moved[~is_bad[moved]]
+        ways = np.stack([moved, moved], axis=1)
+        is_bad[moved] = ~_is_open(shape, x, goal, room, clearance, ways)
+        at_stake = edges[~is_bad[edges].any(axis=1) & np.isin(edges, changed).any(axis=1)]
+        is_bad[at_stake[~_is_open(shape, goal, goal, clearance, clearance, at_stake)]] = True
+        changed = np.flatnonzero(is_bad & (part > 0))
+        if not len(changed):
+            return goal, clearance, triangle
+        part[changed] *= 0.5 if trial < HALVINGS else 0.0
+    return x, room, near
+
+
+def _is_open(
+    shape: Enclosure, x: np.ndarray, y: np.ndarray, room: np.ndarray, its_room: np.ndarray, ways: np.ndarray
+) -> np.ndarray:
+    """(W,) whether the segments from x[a] to y[b] for (a, b) of ``ways`` (W, 2) are inside; rooms are not exact."""
+    a, b = ways.T
+    return is_inside(shape, x[a], y[b], SURE * (room[a] + its_room[b]))
 
 
 class _Known:

@@ -17,6 +17,7 @@ from msf_jax.host.solid.geometry import barycentric, unit
 
 UNFOLDINGS = 20  # rounds
 HALVINGS = 2  # of an edge that is not inside, before a way is looked for
+FAN = 6  # rays from a node to either side of what it would cut off, and one
 FIRST, LARGEST = 0.01, 0.5  # diagonals, radius of the ball behind the surface that is tried first, and last
 SHALLOWER = 10  # halvings of it
 
@@ -77,10 +78,14 @@ def is_inside(shape: Enclosure, a: np.ndarray, b: np.ndarray, covered: np.ndarra
     return is_in
 
 
-def unfold(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray, is_held: np.ndarray) -> np.ndarray:
-    """The nodes (N, 3) without sharp turns: where a branch turns back at a node, it cuts the corner if that is inside.
+def unfold(
+    shape: Enclosure, vertices: np.ndarray, edges: np.ndarray, is_held: np.ndarray, most: float = 90.0
+) -> np.ndarray:
+    """The nodes (N, 3) without sharp turns: where a branch turns by more than ``most`` degrees at a node, it cuts the
+    corner, or a half of it, if that is inside.
 
-    A node that came in from outside, or is caught in a fold of the surface, would make a spike of the branch.
+    What is cut off must be, too: else a loop around a hole would be folded flat beside it. A node that came in from
+    outside, or is caught in a fold of the surface, would make a spike of the branch.
     """
     x = vertices.copy()
     ends = np.concatenate([edges, edges[:, ::-1]])
@@ -90,11 +95,20 @@ def unfold(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray, is_held: n
     start = np.searchsorted(ends[:, 0], inner)
     before, after = ends[start, 1], ends[start + 1, 1]
     for _ in range(UNFOLDINGS):
-        turns_back = np.einsum("ni,ni->n", x[inner] - x[before], x[after] - x[inner]) < 0
-        turns_back[turns_back] = is_inside(shape, x[before[turns_back]], x[after[turns_back]])
-        if not turns_back.any():
+        cosine = np.einsum("ni,ni->n", unit(x[inner] - x[before]), unit(x[after] - x[inner]))
+        left = np.flatnonzero(cosine < np.cos(np.radians(most)))
+        num = len(left)
+        for share in (1.0, 0.5):
+            node, a, b = inner[left], x[before[left]], x[after[left]]
+            goal = (1 - share) * x[node] + share * (a + b) / 2
+            is_free = is_inside(shape, a, goal) & is_inside(shape, goal, b)
+            for t in np.linspace(0, 1, FAN)[1:-1, None]:
+                is_free[is_free] = is_inside(shape, x[node[is_free]], ((1 - t) * a + t * goal)[is_free])
+                is_free[is_free] = is_inside(shape, x[node[is_free]], ((1 - t) * b + t * goal)[is_free])
+            x[node[is_free]] = goal[is_free]
+            left = left[~is_free]
+        if len(left) == num:  # none is sharp, or none can be helped
             break
-        x[inner[turns_back]] = (x[before[turns_back]] + x[after[turns_back]]) / 2
     return x
 
 

@@ -18,6 +18,7 @@ from msf_jax.host.solid.enclosure import Enclosure
 
 SPACING = 0.5  # radii, between the nodes of a finished curve
 EARLY = 0.75  # of what a branch has to reach out, before its tip is carried on to the end of its limb
+SHARPEST = 40.0  # degrees, that a finished branch turns at a node
 FIRST_ROUNDS = 2  # of centring, before it is decided what to prune; tips, too, set out from there
 
 
@@ -97,8 +98,8 @@ def passes(centre: bool, extend: bool) -> list[Callable[[Draft, Job], Draft]]:
         *([extended] if extend else []),
         *([partial(centred, hold_leaves=extend)] if centre else []),
         *([completed, pruned] if extend else []),
-        *([unfolded] if centre else []),
         contained,
+        *([partial(unfolded, most=SHARPEST), contained] if centre else []),
     ]
 
 
@@ -143,9 +144,9 @@ def contained(draft: Draft, job: Job) -> Draft:
     return draft.changed(*containment.contain(job.shape, draft.vertices, draft.edges, draft.is_held, job.passages))
 
 
-def unfolded(draft: Draft, job: Job) -> Draft:
-    """No branch turns back at a node."""
-    return draft.changed(containment.unfold(job.shape, draft.vertices, draft.edges, draft.is_held))
+def unfolded(draft: Draft, job: Job, most: float = 90.0) -> Draft:
+    """No branch turns by more than ``most`` degrees at a node, if it need not."""
+    return draft.changed(containment.unfold(job.shape, draft.vertices, draft.edges, draft.is_held, most))
 
 
 def centred(

@@ -11,6 +11,8 @@ from scipy import sparse
 from msf_jax.host.curve import branches
 from msf_jax.host.solid.geometry import arc_length, at
 
+SPREADINGS = 4  # each time the branch is a little shorter
+
 
 class Way(NamedTuple):
     """A branch. nodes: (k,). is_loop: it has no junction, and its ends are one node. share: (k,) of the length before
@@ -40,9 +42,10 @@ def spread(x: np.ndarray, ways: list[Way]) -> np.ndarray:
     """Nodes (N, 3) on the same course, each again at its share of its branch's length."""
     spaced = x.copy()
     for nodes, _, share, stops in ways:
-        along = arc_length(x[nodes])
-        goal = np.interp(share, share[stops], along[stops])
-        spaced[nodes[1:-1]] = at(x[nodes], along, goal)[1:-1]
+        for _ in range(SPREADINGS):
+            along = arc_length(spaced[nodes])
+            goal = np.interp(share, share[stops], along[stops])
+            spaced[nodes[1:-1]] = at(spaced[nodes], along, goal)[1:-1]
     return spaced
 
 
