@@ -8,7 +8,16 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from msf_jax.host.curve.branches import cut_corners, equals, measure, merge_junctions, prune, trace
+from msf_jax.host.curve.branches import (
+    cut_corners,
+    cycle_count,
+    equals,
+    lay_together,
+    measure,
+    merge_junctions,
+    prune,
+    trace,
+)
 
 NONE = np.empty((0, 2), dtype=np.int64)
 
@@ -501,3 +510,19 @@ def test_equal_limbs_stay_together_and_no_other_is_held():
     found = equals(vertices, edges, radii, 2.5)
     assert np.flatnonzero(found).tolist() == [sorted(leaves)[1]]
     assert not equals(vertices, edges, radii, 1.5).any()
+
+
+def test_a_loop_that_is_folded_flat_is_no_loop():
+    """A node on an edge, two nodes in one place, an edge without length; a true triangle stays, and so does a pin."""
+    x = np.array([[0, 0, 0], [1, 0, 0], [2, 0, 0], [3, 0, 0], [1.5, 0, 0], [2.2, 1e-9, 0], [3, 0, 0], [0, 1, 0.0]])
+    edges = np.array([[0, 1], [1, 2], [2, 3], [1, 4], [2, 4], [3, 6], [2, 5], [5, 6], [0, 7], [1, 7]])
+    assert cycle_count(8, edges)[1] == 3
+    is_pin = np.arange(8) == 6
+    stays, target, left = lay_together(x, edges, is_pin)
+    assert np.flatnonzero(~stays).tolist() == [3] and target[3] == 6
+    assert left.tolist() == [[0, 1], [0, 7], [1, 4], [1, 7], [2, 4], [2, 5], [5, 6]]
+    once = np.array([0, 1, 2, 4, 5, 6, 7])
+    apart = lay_together(x[once], np.searchsorted(once, left), is_pin[once])
+    assert apart[0].all() and np.array_equal(apart[2], np.searchsorted(once, left))
+    nothing = lay_together(x[:1], np.empty((0, 2), dtype=int), is_pin[:1])
+    assert nothing[0].all() and nothing[2].shape == (0, 2)

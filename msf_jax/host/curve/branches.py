@@ -16,6 +16,7 @@ NEAR = 0.75  # radii, between two junctions that are one
 STEEP = 0.5  # by how much of a step along a limb its balls shrink at most; in a corner of a box it is 0.58
 FLAT = 0.2  # of its own radius, that a limb's balls stay larger than such a cone's,
 BULGE = 0.05  # and of the radius at its junction
+TOGETHER = 1e-6  # diagonals: nodes, or a node and an edge, that are no farther apart are in one place
 
 
 class Branch(NamedTuple):
@@ -238,6 +239,40 @@ def merge_junctions(
             if cycle_count(len(vertices), _relabelled(edges, tried))[1] == cycles:
                 target = tried
     return target == every, target, _relabelled(edges, target)
+
+
+def lay_together(
+    vertices: np.ndarray, edges: np.ndarray, is_held: np.ndarray
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Make what coincides in space one: which nodes stay (N,), where each goes (N,), and the edges.
+
+    An edge goes through the nodes that lie on it, nodes in one place are one, and so are edges between the same two: a
+    loop that is folded flat is no loop. Of several nodes the first stays, or one of ``is_held`` (N,).
+    """
+    num, tree = len(vertices), spatial.KDTree(vertices)
+    a, b = vertices[edges[:, 0]], vertices[edges[:, 1]]
+    near = tree.query_ball_point((a + b) / 2, np.linalg.norm(b - a, axis=1) / 2 + TOGETHER)
+    edge = np.repeat(np.arange(len(edges)), np.fromiter(map(len, near), np.int64, len(near)))
+    node = np.concatenate([*near, np.empty(0)]).astype(np.int64)
+    along, offset = (b - a)[edge], vertices[node] - a[edge]
+    length2 = np.maximum(np.einsum("ij,ij->i", along, along), 1e-300)
+    part = np.einsum("ij,ij->i", along, offset) / length2
+    is_on = np.linalg.norm(offset - part[:, None] * along, axis=1) < TOGETHER
+    is_on &= np.minimum(part, 1 - part) * np.sqrt(length2) > TOGETHER
+    edge, node, part = edge[is_on], node[is_on], part[is_on]
+    # Each edge as the way from its tail over the nodes on it to its head.
+    every = np.arange(len(edges))
+    owner = np.concatenate([every, edge, every])
+    stop = np.concatenate([edges[:, 0], node, edges[:, 1]])
+    order = np.lexsort((np.concatenate([np.zeros(len(edges)), part, np.ones(len(edges))]), owner))
+    owner, stop = owner[order], stop[order]
+    pieces = np.stack([stop[:-1], stop[1:]], axis=1)[owner[:-1] == owner[1:]]
+    pairs = tree.query_pairs(TOGETHER, output_type="ndarray")
+    graph = sparse.coo_matrix((np.ones(len(pairs)), (pairs[:, 0], pairs[:, 1])), (num, num))
+    place = csgraph.connected_components(graph, directed=False)[1]
+    held_first = np.lexsort((np.arange(num), ~is_held))
+    target = held_first[np.unique(place[held_first], return_index=True)[1]][place]
+    return target == np.arange(num), target, _relabelled(pieces, target)
 
 
 def _relabelled(edges: np.ndarray, target: np.ndarray) -> np.ndarray:

@@ -100,6 +100,7 @@ def passes(centre: bool, extend: bool) -> list[Callable[[Draft, Job], Draft]]:
         *([completed, pruned] if extend else []),
         contained,
         *([partial(unfolded, most=SHARPEST), contained] if centre else []),
+        laid_together,
     ]
 
 
@@ -213,6 +214,12 @@ def extended(draft: Draft, job: Job) -> Draft:
 def completed(draft: Draft, job: Job) -> Draft:
     """With the thin limbs that the flow has lost."""
     return draft.changed(*twigs.grow(job.shape, draft.vertices, draft.edges))
+
+
+def laid_together(draft: Draft, job: Job) -> Draft:
+    """No edge twice, and none without length: cycles are cycles in space."""
+    stays, target, edges = branches.lay_together(draft.vertices, draft.edges, draft.is_held)
+    return _left(draft._replace(edges=edges), stays, target)
 
 
 def in_order(edges: np.ndarray) -> np.ndarray:

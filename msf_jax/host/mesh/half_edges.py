@@ -26,7 +26,7 @@ def half_edges(faces: np.ndarray) -> HalfEdges:
     is_closed = there.nnz == len(number) and np.array_equal(there.indptr, back.indptr)
     if is_closed and np.array_equal(there.indices, back.indices):  # entry by entry what runs there and what runs back
         twin = np.empty(len(number), dtype=np.int64)
-        twin[there.data - 1] = back.data - 1
+        twin[np.asarray(there.data, dtype=np.int64) - 1] = np.asarray(back.data, dtype=np.int64) - 1
         return HalfEdges(origin, target, twin)
     forward = origin.astype(np.int64) * num + target
     backward = target.astype(np.int64) * num + origin
