@@ -293,11 +293,24 @@ def test_the_tape_of_a_repaired_mesh_speaks_of_the_callers_vertices():
     assert np.abs(nodes - run.curve.vertices).max() < 1e-9
 
 
+def test_of_very_many_parts_the_largest_are_kept():
+    """Their vertices are all accounted for, and the report says how many are left out; joined, none is."""
+    boxes = [trimesh.creation.box([1 + k % 3] * 3).apply_translation([10.0 * k, 0, 0]) for k in range(9)]
+    mesh = trimesh.util.concatenate(boxes)
+    found = checking.prepare(mesh, Repair(most_parts=4))
+    assert len(found.components) == 4
+    assert sorted(np.ptp(part.vertices, axis=0).max() for part in found.components) == [2.0, 3.0, 3.0, 3.0]
+    assert any("left out 5 pieces, the smallest, beyond most_parts = 4" in line for line in found.repairs)
+    assert len(found.vertex_of_input) == len(mesh.vertices) and (found.vertex_of_input < 0).sum() == 5 * 8
+    assert len(checking.prepare(mesh, Repair(most_parts=4, join=0.0)).components) == 9
+
+
 @pytest.mark.parametrize(
     ("make", "says"),
     [
         (lambda: Repair(weld=-1.0), "Repair.weld is -1.0: expected a number from 0 to 1"),
         (lambda: Repair(largest_hole=True), "Repair.largest_hole is True"),
+        (lambda: Repair(most_parts=0), "Repair.most_parts is 0: expected a whole number of 1 or more"),
         (lambda: msf_jax.skeletonize((VERTICES, FACES), repair="yes"), "repair is 'yes': expected True, False"),
     ],
 )

@@ -100,7 +100,7 @@ def _joined(vertices: np.ndarray, faces: np.ndarray, reach: float) -> Surface:
     """The checked surface of what closed parts become when those that belong together are one; see `joining`."""
     parts = _checked(vertices, faces, is_joined=False)
     done = joining.joined([(part.vertices, part.faces) for part in parts.components], reach)
-    faces, num_few, num_flat, _ = with_volume(done.vertices, done.faces, 0.0)
+    faces, num_few, num_flat, _, _ = with_volume(done.vertices, done.faces, 0.0)
     if len(faces) == 0:
         raise MeshError(f"no part has the {FEWEST_VERTICES} vertices and the volume that a solid needs")
     used, corners = np.unique(faces, return_inverse=True)
@@ -162,17 +162,17 @@ def _checked(vertices: np.ndarray, faces: np.ndarray, is_joined: bool = True) ->
     label = _component_labels(faces, len(vertices))
     components, members, num_flipped = [], [], 0
     fewest = FEWEST_VERTICES if is_joined else FEWEST_TO_JOIN
-    for number in range(int(label.max()) + 1):
-        member = np.flatnonzero(label == number)
-        local = np.full(len(vertices), -1)
+    members_of, faces_of = _by_label(label), _by_label(label[faces[:, 0]])
+    local = np.empty(len(vertices), dtype=np.int64)
+    for number, (member, mine) in enumerate(zip(members_of, faces_of, strict=True)):
         local[member] = np.arange(len(member))
-        mine = label[faces[:, 0]] == number
         first = caller_number[min(member[0], len(caller_number) - 1)]
         name = "the mesh" if label.max() == 0 else f"component {number} (the one with vertex {first})"
         component, is_flipped = _component(vertices[member], local[faces[mine]], name, fewest)
         num_flipped += is_flipped
         if is_flipped and is_joined:
-            is_cavity = bool((~mine).any()) and Enclosure(vertices, faces[~mine]).contains(vertices[member[:1]])[0]
+            others = np.delete(faces, mine, axis=0)
+            is_cavity = len(others) > 0 and Enclosure(vertices, others).contains(vertices[member[:1]])[0]
             faces[mine] = faces[mine][:, ::-1]
             repairs.append(
                 f"flipped {name}, a cavity in another component: it is skeletonised as a solid of its own"
@@ -196,6 +196,11 @@ def _checked(vertices: np.ndarray, faces: np.ndarray, is_joined: bool = True) ->
         repairs=tuple(repairs),
         given=given,
     )
+
+
+def _by_label(label: np.ndarray) -> list[np.ndarray]:
+    """The places of 0, 1, ... in ``label``, ascending."""
+    return np.split(np.argsort(label, kind="stable"), np.cumsum(np.bincount(label))[:-1])
 
 
 def _without_repeated_corners(faces: np.ndarray) -> np.ndarray:

@@ -48,15 +48,19 @@ def cap(vertices: np.ndarray, loop: list[int], known: set[tuple[int, int]]) -> l
     """
     around = vertices[loop] - vertices[loop].mean(axis=0)
     normal = np.cross(around, np.roll(around, -1, axis=0)).sum(axis=0)
+    # In plain numbers: a file can have thousands of small holes, and NumPy is slow in threes.
+    points, (nx, ny, nz) = vertices[loop].tolist(), normal.tolist()
     num = len(loop)
     before, after = list(range(-1, num - 1)), [*range(1, num), 0]
     before[0] = num - 1
     is_left, faces, chords = [True] * num, [], set()
 
     def rank(place: int) -> tuple[bool, float, int, int, int]:
-        a, b, c = (vertices[loop[k]] for k in (before[place], place, after[place]))
-        is_wrong = bool(np.cross(b - a, c - a) @ normal < 0)
-        return is_wrong, math.dist(a, c), place, before[place], after[place]
+        a, b, c = points[before[place]], points[place], points[after[place]]
+        ux, uy, uz = b[0] - a[0], b[1] - a[1], b[2] - a[2]
+        vx, vy, vz = c[0] - a[0], c[1] - a[1], c[2] - a[2]
+        along = (uy * vz - uz * vy) * nx + (uz * vx - ux * vz) * ny + (ux * vy - uy * vx) * nz
+        return along < 0, math.dist(a, c), place, before[place], after[place]
 
     heap = [rank(place) for place in range(num)]
     heapq.heapify(heap)

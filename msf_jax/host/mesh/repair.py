@@ -42,20 +42,27 @@ class Repair:
         join: closed parts become one solid where they overlap, or where their gap is at most that, or at most the
             radius of the smaller solid (of the ball with its ratio of volume to area); 0 joins what overlaps or
             touches, None keeps parts as they are. ``repair="join"`` stands for 0.005.
+        most_parts: pieces that are kept, unless they are joined: the largest, as each has a run of its own. The
+            vertices of the others go to the nearest node.
 
     Raises:
-        ConfigError: a value is not a number from 0 to 1.
+        ConfigError: ``most_parts`` is no whole number above 0, or another value no number from 0 to 1.
     """
 
     weld: float = 1e-6
     largest_hole: float = 1.0
     smallest_part: float = 0.0
     join: float | None = None
+    most_parts: int = 300
 
     def __post_init__(self) -> None:
         for member in fields(self):
             value = getattr(self, member.name)
             if member.name == "join" and value is None:
+                continue
+            if member.name == "most_parts":
+                if isinstance(value, bool) or not isinstance(value, numbers.Integral) or value < 1:
+                    raise ConfigError(f"Repair.most_parts is {value!r}: expected a whole number of 1 or more")
                 continue
             if isinstance(value, bool) or not isinstance(value, numbers.Real) or not 0 <= float(value) <= 1:
                 raise ConfigError(f"Repair.{member.name} is {value!r}: expected a number from 0 to 1")
@@ -134,10 +141,12 @@ def repaired(vertices: np.ndarray, faces: np.ndarray, options: Repair) -> Repair
     source = np.concatenate([source, source[closed.source]])
     fewest = FEWEST_VERTICES if options.join is None else FEWEST_TO_JOIN
     smallest = options.smallest_part * diagonal
-    faces, num_few, num_flat, num_small = with_volume(vertices, faces, smallest, fewest)
+    most = options.most_parts if options.join is None else len(faces)
+    faces, num_few, num_flat, num_small, num_beyond = with_volume(vertices, faces, smallest, fewest, most)
     _note(repairs, f"left out {{}} of fewer than {fewest} vertices", num_few, "piece", "pieces")
     _note(repairs, "left out {} without volume", num_flat, "piece", "pieces")
     _note(repairs, "left out {} smaller than smallest_part", num_small, "piece", "pieces")
+    _note(repairs, f"left out {{}}, the smallest, beyond most_parts = {most}", num_beyond, "piece", "pieces")
     if len(faces) == 0:
         raise MeshError(
             f"after repair nothing is left that encloses a volume and has {fewest} vertices: expected a "
@@ -219,21 +228,22 @@ def _welded(vertices: np.ndarray, rim: np.ndarray, radius: float) -> np.ndarray:
 
 
 def with_volume(
-    vertices: np.ndarray, faces: np.ndarray, size: float, fewest: int = FEWEST_VERTICES
-) -> tuple[np.ndarray, int, int, int]:
-    """Without pieces of fewer vertices than ``fewest``, closed ones without volume, and those below ``size``.
+    vertices: np.ndarray, faces: np.ndarray, size: float, fewest: int = FEWEST_VERTICES, most: int | None = None
+) -> tuple[np.ndarray, int, int, int, int]:
+    """Without pieces of fewer vertices than ``fewest``, closed ones without volume, those below ``size``, and the
+    smallest beyond the ``most`` that may be left.
 
     Returns the faces that are left, and how many pieces of each kind went.
     """
     if len(faces) == 0:
-        return faces, 0, 0, 0
+        return faces, 0, 0, 0, 0
     edge, _, count = edge_codes(faces)
     ends = faces.ravel(), faces[:, [1, 2, 0]].ravel()
     num = len(vertices)
     graph = sparse.coo_matrix((np.ones(len(ends[0])), ends), shape=(num, num))
     label = np.unique(csgraph.connected_components(graph, directed=False)[1][faces[:, 0]], return_inverse=True)[1]
     is_open = np.bincount(label, weights=(count[edge] == 1).reshape(-1, 3).any(axis=1)) > 0
-    keep = np.ones(len(is_open), dtype=bool)
+    keep, diagonal = np.ones(len(is_open), dtype=bool), np.zeros(len(is_open))
     num_few = num_flat = num_small = 0
     order = np.argsort(label, kind="stable")
     bounds = np.searchsorted(label[order], np.arange(len(keep) + 1))
@@ -246,7 +256,11 @@ def with_volume(
         is_hollow = not is_open[piece] and abs(signed_volume(centred, local.reshape(-1, 3))) <= FLATTEST
         is_few = len(used) < fewest
         is_flat = not is_few and (extent == 0 or is_hollow)
-        is_small = not is_few and not is_flat and float(np.linalg.norm(high - low)) < size
+        diagonal[piece] = np.linalg.norm(high - low)
+        is_small = not is_few and not is_flat and diagonal[piece] < size
         keep[piece] = not (is_few or is_flat or is_small)
         num_few, num_flat, num_small = num_few + is_few, num_flat + is_flat, num_small + is_small
-    return faces[keep[label]], num_few, num_flat, num_small
+    left = np.flatnonzero(keep)
+    beyond = left[np.argsort(-diagonal[left], kind="stable")][most:] if most is not None else left[:0]
+    keep[beyond] = False
+    return faces[keep[label]], num_few, num_flat, num_small, len(beyond)

@@ -81,11 +81,12 @@ def twins(vertices: np.ndarray, faces: np.ndarray) -> np.ndarray:
     pair = order[(count[edge] == 2)[order]].reshape(-1, 2)
     pair = pair[origin[pair[:, 0]] != origin[pair[:, 1]]]
     twin[pair[:, 0]], twin[pair[:, 1]] = pair[:, 1], pair[:, 0]
+    low, high = np.minimum(origin, target), np.maximum(origin, target)
+    crowded, angles = np.flatnonzero(count[edge] > 2), np.zeros(len(origin))
+    angles[crowded] = _angles(vertices[low[crowded]], vertices[high[crowded]], vertices[apex[crowded]])
     for number in np.flatnonzero(count > 2):
         halves = order[start[number] : start[number + 1]]
-        low, high = sorted((origin[halves[0]], target[halves[0]]))
-        angle = _angles(vertices[low], vertices[high], vertices[apex[halves]])
-        is_forward = origin[halves] == low
+        angle, is_forward = angles[halves], origin[halves] == low[halves]
         ahead, back = np.flatnonzero(is_forward), np.flatnonzero(~is_forward)
         wedge = (angle[ahead][:, None] - angle[back]) % (2 * np.pi)  # a face's inside is where its angle falls
         one, other = halves[ahead][:, None], halves[back]
@@ -106,12 +107,13 @@ def is_double(faces: np.ndarray) -> np.ndarray:
 
 
 def _angles(start: np.ndarray, end: np.ndarray, points: np.ndarray) -> np.ndarray:
-    """(n,) angles of ``points`` (n, 3) around the axis from ``start`` to ``end``, counter-clockwise."""
+    """(n,) angles of ``points`` (n, 3) around the axes from ``start`` to ``end`` (n, 3), counter-clockwise."""
     axis = end - start
-    length = np.linalg.norm(axis)
-    axis = axis / length if length else np.array([0.0, 0.0, 1.0])
-    u = np.cross(axis, np.eye(3)[np.argmin(np.abs(axis))])
-    return np.arctan2((points - start) @ np.cross(axis, u), (points - start) @ u)
+    length = np.linalg.norm(axis, axis=1, keepdims=True)
+    axis = np.where(length > 0, axis / np.maximum(length, 1e-300), [0.0, 0.0, 1.0])
+    u = np.cross(axis, np.eye(3)[np.abs(axis).argmin(axis=1)])
+    away, v = points - start, np.cross(axis, u)
+    return np.arctan2(np.einsum("ij,ij->i", away, v), np.einsum("ij,ij->i", away, u))
 
 
 def cut_apart(faces: np.ndarray, twin: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
