@@ -524,5 +524,9 @@ def test_a_loop_that_is_folded_flat_is_no_loop():
     once = np.array([0, 1, 2, 4, 5, 6, 7])
     apart = lay_together(x[once], np.searchsorted(once, left), is_pin[once])
     assert apart[0].all() and np.array_equal(apart[2], np.searchsorted(once, left))
+    crossing = np.array([[-1, 0, 0], [0, 0, 0], [1, 0, 0], [0, -1, 0], [0, 1, 0], [0, 0, 1.0]])  # they touch, no more
+    ways = np.array([[0, 1], [1, 2], [3, 4], [0, 5], [3, 5]])
+    touching = lay_together(crossing, ways, np.zeros(6, dtype=bool))
+    assert touching[0].all() and np.array_equal(touching[2], np.unique(ways, axis=0))
     nothing = lay_together(x[:1], np.empty((0, 2), dtype=int), is_pin[:1])
     assert nothing[0].all() and nothing[2].shape == (0, 2)

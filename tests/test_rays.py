@@ -322,12 +322,13 @@ def turned(faces: np.ndarray) -> np.ndarray:
 @pytest.mark.parametrize("order", ["as built", "shuffled"])
 def test_links_lead_over_the_other_two_edges_of_a_face(shape, order):
     faces = shape.faces if order == "as built" else turned(shape.faces)
-    apex, of_next, of_last = Enclosure(shape.vertices, faces).links()
+    apex, twin, of_next, of_last = Enclosure(shape.vertices, faces).links()
     tail, head = faces.ravel(), np.roll(faces, -1, axis=1).ravel()
     for edge in range(0, len(tail), 7):  # edge tail -> head of a face (tail, head, apex)
         corners = set(faces[edge // 3].tolist())
         assert {int(tail[edge]), int(head[edge]), int(apex[edge])} == corners
         # head -> apex and apex -> tail run the other way in the faces next door.
+        assert (tail[twin[edge]], head[twin[edge]]) == (head[edge], tail[edge])
         assert (tail[of_next[edge]], head[of_next[edge]]) == (apex[edge], head[edge])
         assert (tail[of_last[edge]], head[of_last[edge]]) == (tail[edge], apex[edge])
         assert of_next[edge] // 3 != edge // 3 != of_last[edge] // 3
@@ -335,8 +336,9 @@ def test_links_lead_over_the_other_two_edges_of_a_face(shape, order):
 
 def test_links_of_a_tetrahedron():
     faces = np.array([[0, 1, 2], [0, 3, 1], [0, 2, 3], [1, 3, 2]])
-    apex, of_next, of_last = Enclosure(np.eye(4)[:, :3], faces).links()
+    apex, twin, of_next, of_last = Enclosure(np.eye(4)[:, :3], faces).links()
     assert apex.tolist() == [2, 0, 1, 1, 0, 3, 3, 0, 2, 2, 1, 3]
+    assert twin[:3].tolist() == [5, 11, 6]
     assert of_next[:3].tolist() == [11, 6, 5]  # beyond 1 -> 2, 2 -> 0 and 0 -> 1 of the first face
     assert of_last[:3].tolist() == [6, 5, 11]
 

@@ -244,12 +244,44 @@ def merge_junctions(
 def lay_together(
     vertices: np.ndarray, edges: np.ndarray, is_held: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Make what coincides in space one: which nodes stay (N,), where each goes (N,), and the edges.
+    """Make edges that coincide in space one: which nodes stay (N,), where each goes (N,), and the edges.
 
-    An edge goes through the nodes that lie on it, nodes in one place are one, and so are edges between the same two: a
-    loop that is folded flat is no loop. Of several nodes the first stays, or one of ``is_held`` (N,).
+    A loop that is folded flat is no loop. An edge then goes through nodes that lie on it, and nodes in one place are
+    one, the first of them, or one of ``is_held`` (N,). Branches that only touch stay apart: no loop comes to be.
     """
-    num, tree = len(vertices), spatial.KDTree(vertices)
+    num, every, tree = len(vertices), np.arange(len(vertices)), spatial.KDTree(vertices)
+    pairs = tree.query_pairs(TOGETHER, output_type="ndarray")
+    graph = sparse.coo_matrix((np.ones(len(pairs)), (pairs[:, 0], pairs[:, 1])), (num, num))
+    place = csgraph.connected_components(graph, directed=False)[1]
+    held_first = np.lexsort((every, ~is_held))
+    target = held_first[np.unique(place[held_first], return_index=True)[1]][place]
+    edge, node, part = _nodes_on(vertices, edges, tree)
+
+    def laid(is_glued: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Where nodes go, and the pieces of edges between them, if so much is done at the places of ``is_glued``."""
+        goal, stops = np.where(is_glued[target], target, every), is_glued[target[node]]
+        return goal, np.sort(goal[_pieces(edges, edge[stops], node[stops], part[stops])], axis=1)
+
+    pieces = laid(np.ones(num, dtype=bool))[1]
+    pieces, count = np.unique(pieces, axis=0, return_counts=True)
+    doubled = pieces[(count > 1) | (pieces[:, 0] == pieces[:, 1])]
+    graph = sparse.coo_matrix((np.ones(len(doubled)), (doubled[:, 0], doubled[:, 1])), (num, num))
+    group = csgraph.connected_components(graph, directed=False)[1]
+    is_glued, cycles = np.zeros(num, dtype=bool), cycle_count(num, edges)[1]
+    for number in np.unique(group[doubled[:, 0]]):
+        tried = is_glued | (group == number)
+        goal, pieces = laid(tried)
+        found = cycle_count(num, _relabelled(pieces, every))[1]
+        if found <= cycles:
+            is_glued, cycles = tried, found
+    goal, pieces = laid(is_glued)
+    return goal == every, goal, _relabelled(pieces, every)
+
+
+def _nodes_on(
+    vertices: np.ndarray, edges: np.ndarray, tree: spatial.KDTree
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Edges (k,), the nodes (k,) that lie on them between their ends, and which part (k,) of the way that is."""
     a, b = vertices[edges[:, 0]], vertices[edges[:, 1]]
     near = tree.query_ball_point((a + b) / 2, np.linalg.norm(b - a, axis=1) / 2 + TOGETHER)
     edge = np.repeat(np.arange(len(edges)), np.fromiter(map(len, near), np.int64, len(near)))
@@ -259,20 +291,16 @@ def lay_together(
     part = np.einsum("ij,ij->i", along, offset) / length2
     is_on = np.linalg.norm(offset - part[:, None] * along, axis=1) < TOGETHER
     is_on &= np.minimum(part, 1 - part) * np.sqrt(length2) > TOGETHER
-    edge, node, part = edge[is_on], node[is_on], part[is_on]
-    # Each edge as the way from its tail over the nodes on it to its head.
-    every = np.arange(len(edges))
-    owner = np.concatenate([every, edge, every])
-    stop = np.concatenate([edges[:, 0], node, edges[:, 1]])
-    order = np.lexsort((np.concatenate([np.zeros(len(edges)), part, np.ones(len(edges))]), owner))
+    return edge[is_on], node[is_on], part[is_on]
+
+
+def _pieces(edges: np.ndarray, edge: np.ndarray, node: np.ndarray, part: np.ndarray) -> np.ndarray:
+    """Edges (P, 2), each as the way from its tail over the nodes on it to its head; see `_nodes_on`."""
+    every, ends = np.arange(len(edges)), np.zeros(len(edges))
+    owner, stop = np.concatenate([every, edge, every]), np.concatenate([edges[:, 0], node, edges[:, 1]])
+    order = np.lexsort((np.concatenate([ends, part, ends + 1]), owner))
     owner, stop = owner[order], stop[order]
-    pieces = np.stack([stop[:-1], stop[1:]], axis=1)[owner[:-1] == owner[1:]]
-    pairs = tree.query_pairs(TOGETHER, output_type="ndarray")
-    graph = sparse.coo_matrix((np.ones(len(pairs)), (pairs[:, 0], pairs[:, 1])), (num, num))
-    place = csgraph.connected_components(graph, directed=False)[1]
-    held_first = np.lexsort((np.arange(num), ~is_held))
-    target = held_first[np.unique(place[held_first], return_index=True)[1]][place]
-    return target == np.arange(num), target, _relabelled(pieces, target)
+    return np.stack([stop[:-1], stop[1:]], axis=1)[owner[:-1] == owner[1:]]
 
 
 def _relabelled(edges: np.ndarray, target: np.ndarray) -> np.ndarray:

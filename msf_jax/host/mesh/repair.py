@@ -53,7 +53,7 @@ class Repair:
     largest_hole: float = 1.0
     smallest_part: float = 0.0
     join: float | None = None
-    most_parts: int = 300
+    most_parts: int = 128
 
     def __post_init__(self) -> None:
         for member in fields(self):
