@@ -131,6 +131,15 @@ def test_the_search_goes_around_runs_that_break_down():
     assert search.values.min() < 0.45  # of 2 at the start, and 0.25 at best
 
 
+def test_the_search_goes_on_while_all_runs_break_down():
+    search = Search([np.array([1.0, 1.0]), np.zeros(2)], np.full(2, -9.0), np.full(2, 9.0))
+    for _ in range(15):
+        points = search.ask()
+        assert np.isnan(search.expected(points)).all()
+        search.tell(points, np.array([np.inf]))
+    assert len(np.unique(search.points, axis=0)) == 15 and (np.abs(search.points) <= 9.0).all()
+
+
 def test_several_meshes_and_a_function_of_ones_own():
     wider = bone()
     wider.apply_scale([1.3, 1.3, 1.0])

@@ -73,13 +73,17 @@ class Search:
 
     def expected(self, points: np.ndarray) -> np.ndarray:
         """(n,) what the model says of ``points`` (n, d); NaN while it knows too little."""
+        model = self._model()
+        return np.full(len(points), np.nan) if model is None else model(points)
+
+    def _model(self) -> interpolate.RBFInterpolator | None:
         distinct, first = np.unique(self.points, axis=0, return_index=True)
-        if len(distinct) < len(self.low) + 2:
-            return np.full(len(points), np.nan)
         values = self.values[first]
+        if len(distinct) < len(self.low) + 2 or not np.isfinite(values).any():
+            return None
         # A few bad values would bend the model everywhere; that they are no better than most is all that counts.
         values = np.minimum(values, np.median(values[np.isfinite(values)]))
-        return _fitted(distinct, values, _smoothing(distinct, values))(points)
+        return _fitted(distinct, values, _smoothing(distinct, values))
 
     def _by_model(self, chosen: list[np.ndarray]) -> np.ndarray:
         num, size = CANDIDATES * len(self.low), len(self.low)
@@ -87,18 +91,17 @@ class Search:
         stays = self.random.random((num, size)) > max(0.5, 1 / size)
         stays[np.arange(num), self.random.integers(size, size=num)] = False
         # In turn around the best value, and around the point that the model holds for the best.
-        model = self.expected(self.points)
-        likely = self.points[np.argmin(np.where(np.isfinite(self.values), model, np.inf))]
-        around = likely if self.turn % 2 and not np.isnan(model).any() else self.best
+        model, around = self._model(), self.best
+        if model is not None and self.turn % 2:
+            around = self.points[np.argmin(np.where(np.isfinite(self.values), model(self.points), np.inf))]
         candidates = np.clip(around + np.where(stays, 0.0, steps), self.low, self.high)
         candidates[: num // 2] = self.random.uniform(self.floor, self.ceiling, (num // 2, size))
         weight = WAYS[self.turn % len(WAYS)]
         self.turn += 1
         known = np.concatenate([self.points, np.reshape(chosen, (-1, size))])
         away = np.asarray(spatial.KDTree(known).query(candidates)[0])
-        model = self.expected(candidates)
-        model = np.zeros(num) if np.isnan(model).any() else model
-        score = weight * _scaled(model) + (1 - weight) * (1 - _scaled(np.minimum(away, FAR)))
+        hoped = np.zeros(num) if model is None else model(candidates)
+        score = weight * _scaled(hoped) + (1 - weight) * (1 - _scaled(np.minimum(away, FAR)))
         score[away < SMALLEST_SPREAD / 10] = np.inf  # known already
         return candidates[np.argmin(score)]
 

@@ -14,7 +14,7 @@ from scipy.sparse import csgraph
 
 from msf_jax.base.errors import MeshError
 from msf_jax.host.mesh import joining
-from msf_jax.host.mesh.half_edges import half_edges, next_in_ring
+from msf_jax.host.mesh.half_edges import by_label, half_edges, next_in_ring
 from msf_jax.host.mesh.reading import OR_REPAIR, count, read
 from msf_jax.host.mesh.repair import FEWEST_TO_JOIN, FEWEST_VERTICES, FLATTEST, Repair, as_repair, repaired, with_volume
 from msf_jax.host.solid.enclosure import Enclosure
@@ -162,7 +162,7 @@ def _checked(vertices: np.ndarray, faces: np.ndarray, is_joined: bool = True) ->
     label = _component_labels(faces, len(vertices))
     components, members, num_flipped = [], [], 0
     fewest = FEWEST_VERTICES if is_joined else FEWEST_TO_JOIN
-    members_of, faces_of = _by_label(label), _by_label(label[faces[:, 0]])
+    members_of, faces_of = by_label(label), by_label(label[faces[:, 0]])
     local = np.empty(len(vertices), dtype=np.int64)
     for number, (member, mine) in enumerate(zip(members_of, faces_of, strict=True)):
         local[member] = np.arange(len(member))
@@ -196,11 +196,6 @@ def _checked(vertices: np.ndarray, faces: np.ndarray, is_joined: bool = True) ->
         repairs=tuple(repairs),
         given=given,
     )
-
-
-def _by_label(label: np.ndarray) -> list[np.ndarray]:
-    """The places of 0, 1, ... in ``label``, ascending."""
-    return np.split(np.argsort(label, kind="stable"), np.cumsum(np.bincount(label))[:-1])
 
 
 def _without_repeated_corners(faces: np.ndarray) -> np.ndarray:

@@ -49,3 +49,8 @@ def edge_codes(faces: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     num = np.int64(faces.max(initial=-1)) + 1
     code, edge, count = np.unique(ends[:, 0] * num + ends[:, 1], return_inverse=True, return_counts=True)
     return edge.ravel(), code // max(num, 1), count
+
+
+def by_label(label: np.ndarray) -> list[np.ndarray]:
+    """The places (n,) of 0, 1, ... in ``label``, ascending, for each up to the largest."""
+    return np.split(np.argsort(label, kind="stable"), np.cumsum(np.bincount(label))[:-1])

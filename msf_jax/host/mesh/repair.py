@@ -17,7 +17,7 @@ from scipy.sparse import csgraph
 
 from msf_jax.base.errors import ConfigError, MeshError
 from msf_jax.host.mesh.filling import filled
-from msf_jax.host.mesh.half_edges import edge_codes
+from msf_jax.host.mesh.half_edges import by_label, edge_codes
 from msf_jax.host.mesh.sheets import cut_apart, is_double, left_alone, oriented, twins
 from msf_jax.host.mesh.skirts import skirted
 from msf_jax.host.solid.geometry import signed_volume
@@ -245,10 +245,8 @@ def with_volume(
     is_open = np.bincount(label, weights=(count[edge] == 1).reshape(-1, 3).any(axis=1)) > 0
     keep, diagonal = np.ones(len(is_open), dtype=bool), np.zeros(len(is_open))
     num_few = num_flat = num_small = 0
-    order = np.argsort(label, kind="stable")
-    bounds = np.searchsorted(label[order], np.arange(len(keep) + 1))
-    for piece in range(len(keep)):
-        mine = faces[order[bounds[piece] : bounds[piece + 1]]]
+    for piece, rows in enumerate(by_label(label)):
+        mine = faces[rows]
         used, local = np.unique(mine, return_inverse=True)
         low, high = vertices[used].min(axis=0), vertices[used].max(axis=0)
         extent = float((high - low).max())

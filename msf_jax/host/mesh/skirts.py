@@ -14,6 +14,7 @@ from scipy import sparse
 from scipy.sparse import csgraph
 
 from msf_jax.host.mesh.filling import Hole, cap
+from msf_jax.host.mesh.half_edges import by_label
 from msf_jax.host.solid.enclosure import Enclosure
 from msf_jax.host.solid.geometry import signed_volume, unit
 
@@ -110,18 +111,15 @@ def _uneven(vertices: np.ndarray, faces: np.ndarray, holes: list[Hole]) -> list[
     holes_of: dict[int, list[int]] = {}
     for number, hole in enumerate(holes):
         holes_of.setdefault(int(label[hole.loop[0]]), []).append(number)
-    piece = label[faces[:, 0]]
-    order = np.argsort(piece, kind="stable")
-    start = np.searchsorted(piece[order], np.arange(label.max() + 2))
-    found = []
+    faces_of, found = by_label(label[faces[:, 0]]), []
     for own, numbers in holes_of.items():
-        if start[own + 1] - start[own] < FEWEST_FACES:
+        if len(faces_of[own]) < FEWEST_FACES:
             continue
         longest = max(numbers, key=lambda number: len(holes[number].loop))
         rim = vertices[holes[longest].loop]
         if np.ptp((rim - rim[0]) @ unit(_area_vector(rim))) > FLAT * np.ptp(rim, axis=0).max():
             others = [number for number in numbers if number != longest]
-            found.append((longest, order[start[own] : start[own + 1]], others))
+            found.append((longest, faces_of[own], others))
     return sorted(found, key=lambda each: -len(each[1]))
 
 
