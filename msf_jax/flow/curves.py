@@ -61,6 +61,7 @@ def curve_of(state: State, meso: Meso, config: Config, watch: Stopwatch) -> Part
                 persistence=config.prune,
                 centre=config.centre,
                 extend=config.extend_tips,
+                is_thin=meso.scale is not None,
                 rough=state.rough,
                 first=partial(_recentred, meso, found) if config.surgery else None,
             )

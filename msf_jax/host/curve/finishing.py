@@ -57,12 +57,14 @@ class Job(NamedTuple):
     """What a pass may ask.
 
     shape: the solid, of diagonal 1. rough: much the same of fewer triangles, good enough to find the middle of.
-    persistence: that below which branches are pruned. passages: ways through the solid. budget: of all centring.
+    persistence: that below which branches are pruned. is_thin: whether limbs of the solid are (see `poles.thickness`).
+    passages: ways through the solid. budget: of all centring.
     """
 
     shape: Enclosure
     rough: Enclosure
     persistence: float
+    is_thin: bool
     passages: Passages
     budget: centring.Budget
 
@@ -113,17 +115,24 @@ def finish(
     persistence: float,
     centre: bool,
     extend: bool,
+    is_thin: bool = False,
     rough: Enclosure | None = None,
     first: Callable[[Draft, Job], Draft] | None = None,
 ) -> Finished:
     """Finish the curve ``(nodes (n, 3), edges)`` of a solid of diagonal 1; nodes of ``is_held`` (n,) do not move.
 
-    ``persistence`` is that below which branches are pruned; ``centre`` and ``extend`` switch those steps. ``rough`` is
-    much the same surface of fewer triangles, which is good enough to find the middle of. ``first`` is a pass that comes
-    before all others, and may say where the flow's nodes are to be.
+    ``persistence`` is that below which branches are pruned; ``centre`` and ``extend`` switch those steps. ``is_thin``
+    says that it has thin limbs, which the curve may have missed. ``rough`` is much the same surface of fewer triangles,
+    which is good enough to find the middle of. ``first`` is a pass that comes before all others, and may say where the
+    flow's nodes are to be.
     """
     job = Job(
-        shape, shape if rough is None else rough, persistence, Passages(shape, containment.is_inside), centring.Budget()
+        shape,
+        shape if rough is None else rough,
+        persistence,
+        is_thin,
+        Passages(shape, containment.is_inside),
+        centring.Budget(),
     )
     draft = Draft(nodes, edges, is_held, np.arange(len(nodes)), np.arange(len(nodes)), nodes)
     for each in [*([] if first is None else [first]), *passes(centre, extend)]:
@@ -213,6 +222,8 @@ def extended(draft: Draft, job: Job) -> Draft:
 
 def completed(draft: Draft, job: Job) -> Draft:
     """With the thin limbs that the flow has lost."""
+    if not job.is_thin:
+        return draft
     return draft.changed(*twigs.grow(job.shape, draft.vertices, draft.edges))
 
 

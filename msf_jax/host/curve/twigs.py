@@ -3,7 +3,7 @@
 A vertex of the surface is explained if the curve is about as near to it as the solid is thick there. What is not hangs
 together in patches. From where a patch borders on the rest, waves run over it along its edges, a step a wave; on a
 thin limb each wave is a ring, and the middles of successive rings are its curve (as in skeletor's wavefront, here for
-what is left only). Patches no longer than they are thick are bumps, and solids without thin limbs are left as they are.
+what is left only). Patches no longer than they are thick are bumps.
 """
 
 from typing import NamedTuple
@@ -35,8 +35,6 @@ class Rings(NamedTuple):
 def grow(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """The curve with a branch for each thin limb of a solid of diagonal 1 that it has missed: nodes, new ones last, and
     edges. A branch begins at the node that is nearest to its first ring, and adds no loop."""
-    if thickness.scales(shape.vertices, shape.faces) is None:
-        return vertices, edges
     x, normals = shape.vertices, unit(vertex_normals(shape.vertices, shape.faces))
     most = 2 * thickness.THIN
     radius = shrinking_balls(x, normals, spatial.KDTree(x), most, most, np.arange(len(x))).radius

@@ -116,18 +116,18 @@ def num_common_neighbours(rings: np.ndarray, degree: np.ndarray, a: np.ndarray, 
     count = np.empty(len(a), dtype=np.int64)
     for low, high in ((0, USUAL_DEGREE), (USUAL_DEGREE, int(larger.max(initial=0)))):
         rows = np.flatnonzero((larger > low) & (larger <= high))
-        count[rows] = _num_equal(rings[a[rows], :high], rings[b[rows], :high])
+        count[rows] = _num_equal(rings[a[rows]][:, :high], rings[b[rows]][:, :high])
     return count
 
 
 def _num_equal(one: np.ndarray, other: np.ndarray) -> np.ndarray:
     """How many entries (c,) the rows of ``one`` (c, K) share with those of ``other`` (c, L), -1 left out."""
-    other = np.where(other < 0, -2, other)
     if len(one) < MANY:
-        return (one[:, :, None] == other[:, None, :]).sum(axis=(1, 2))
-    count = np.zeros(len(one), dtype=np.int64)
-    columns = np.ascontiguousarray(other.T)
-    for column in np.ascontiguousarray(one.T):  # whole columns at once: numpy is slow along short rows
+        return (one[:, :, None] == np.where(other < 0, -2, other)[:, None, :]).sum(axis=(1, 2))
+    # Whole columns at once, as numpy is slow along short rows, and of small numbers, as it waits for memory here.
+    columns, count = np.ascontiguousarray(other.T, dtype=np.int32), np.zeros(len(one), dtype=np.uint16)
+    columns[columns < 0] = -2
+    for column in np.ascontiguousarray(one.T, dtype=np.int32):
         for against in columns:
             count += column == against
     return count

@@ -15,6 +15,7 @@ from msf_jax.host.solid.geometry import unit, vertex_normals
 THIN = 0.005  # diagonals: a limb of a larger radius is not thin
 SLOPE = 0.25  # right angles, whose balls shrink to nothing, do not make a solid thin
 THINNEST = 0.02  # of `THIN`: the frame's resolution is a hundredth of that
+SAMPLED, MANY = 8, 30_000  # of so many vertices one is asked first, where there are more than that
 FEW = 0.01  # of the vertices: a solid of which no more is thin is taken as it always was
 
 
@@ -25,20 +26,29 @@ def scales(vertices: np.ndarray, faces: np.ndarray) -> np.ndarray | None:
         vertices: (V, 3), of diagonal 1.
         faces: (F, 3), closed and oriented.
     """
-    most = 2 * THIN
-    normals = unit(vertex_normals(vertices, faces))
-    balls = shrinking_balls(vertices, normals, spatial.KDTree(vertices), most, most, np.arange(len(vertices)))
-    if (balls.radius < THIN).mean() <= FEW:
-        return None
-    # The largest of r_u - SLOPE |u - v| over all u is most less a shortest way, from one more node joined to all.
+    normals, tree = unit(vertex_normals(vertices, faces)), spatial.KDTree(vertices)
+    radius = np.empty(0)
+    # Of many vertices the balls at some show already that the solid is thick, if it is: radii are no less than those.
+    for step in (SAMPLED, 1) if len(vertices) > MANY else (1,):
+        some = np.arange(0, len(vertices), step)
+        radius = shrinking_balls(vertices[some], normals[some], tree, 2 * THIN, 2 * THIN, some).radius
+        if step > 1 or (radius < THIN).mean() > FEW:
+            radius = _radii(vertices, faces, some, radius)
+        if (radius < THIN).mean() <= FEW:
+            return None
+    return np.clip(radius / THIN, THINNEST, 1.0)
+
+
+def _radii(vertices: np.ndarray, faces: np.ndarray, some: np.ndarray, radius: np.ndarray) -> np.ndarray:
+    """(V,) how thick the solid is at all vertices, at least, as balls of ``radius`` touch at ``some``.
+
+    The largest of r_u - SLOPE |u - v| over all u is the most less a shortest way, from one more node joined to all u.
+    """
     tail, head = faces.ravel(), np.roll(faces, -1, axis=1).ravel()
-    num = len(vertices)
-    source = np.full(num, num)
+    num, most = len(vertices), 2 * THIN
     length = SLOPE * np.linalg.norm(vertices[tail] - vertices[head], axis=1)
-    start = most - balls.radius
     ways = sparse.coo_matrix(
-        (np.maximum(np.r_[length, start], 1e-12), (np.r_[tail, source], np.r_[head, np.arange(num)])),
+        (np.maximum(np.r_[length, most - radius], 1e-12), (np.r_[tail, np.full(len(some), num)], np.r_[head, some])),
         shape=(num + 1, num + 1),
     )
-    radius = most - csgraph.dijkstra(ways.tocsr(), indices=num)[:num]
-    return None if (radius < THIN).mean() <= FEW else np.clip(radius / THIN, THINNEST, 1.0)
+    return most - csgraph.dijkstra(ways.tocsr(), indices=num)[:num]

@@ -31,11 +31,13 @@ MOST_PIECES = 200_000
 
 
 class Feet(NamedTuple):
-    """Where a perpendicular on the surface may end: faces and edges, with their centres, reaches, and a triangle."""
+    """Points f of the surface, ``centre[f]``, such that a perpendicular on it ends within ``reach[f]`` of one of them,
+    in a triangle of ``fan[first[f] : first[f + 1]]``: vertices, and pieces of large faces and their edges."""
 
     centre: np.ndarray
     reach: np.ndarray
-    triangle: np.ndarray
+    first: np.ndarray
+    fan: np.ndarray
     classes: list[SizeClass]
 
 
@@ -129,32 +131,45 @@ class Enclosure:
         """Unsigned distance (P,) from each point to the surface, and the nearest triangle (P,).
 
         `approach` bounds it. The foot of the perpendicular on the nearest triangle is inside a face or inside an edge,
-        or it is a vertex, which `approach` sees. From the centre of the face, or the middle of the edge, the point then
-        is no farther than sqrt(bound^2 + reach^2), by Pythagoras: few are. They are searched in classes of like reach,
-        so that a few large ones do not widen the search for all.
+        or it is a vertex, which `approach` sees. From a point of that face or edge, a reach from the foot, the point
+        then is no farther than sqrt(bound^2 + reach^2), by Pythagoras: few are. They are searched in classes of like
+        reach, so that a few large ones do not widen the search for all.
         """
-        centre, reach, triangle_of, classes = self._all_feet()
+        centre, reach, first, fan, classes = self._all_feet()
         bound, chosen = self.approach(points)
         best2 = bound**2
         for size_class in classes:
             for point, foot in near([size_class], points, lambda most, bound=bound: np.hypot(bound, most)):
                 away = points[point] - centre[foot]
                 may_be = np.einsum("ci,ci->c", away, away) <= (bound[point] ** 2 + reach[foot] ** 2) * (1 + 1e-12)
-                point, triangle = point[may_be], triangle_of[foot[may_be]]
-                may_be = self._box_distance2(points[point], triangle) <= best2[point] * (1 + 1e-12)
-                point, triangle = point[may_be], triangle[may_be]
-                if not len(point):
-                    continue
-                distance2 = point_triangle_distance2(points[point], self.triangles[triangle])
-                start = np.flatnonzero(np.r_[True, point[1:] != point[:-1]])  # pairs come point by point
-                least = np.minimum.reduceat(distance2, start)
-                row = point[start]
-                is_nearer = least < best2[row]
-                is_least = distance2 == np.repeat(np.where(is_nearer, least, -1.0), np.diff(np.r_[start, len(point)]))
-                chosen[point[is_least][::-1]] = triangle[is_least][::-1]
-                best2[row] = np.minimum(best2[row], least)
+                point, foot = point[may_be], foot[may_be]
+                count = first[foot + 1] - first[foot]
+                batch = np.cumsum(count) // batches.PAIRS_AT_ONCE
+                for number in np.unique(batch):
+                    rows = batch == number
+                    self._look(points, *_fans(point[rows], first[foot[rows]], count[rows], fan), best2, chosen)
             bound = np.sqrt(best2)
         return np.sqrt(best2), chosen
+
+    def _look(
+        self, points: np.ndarray, point: np.ndarray, triangle: np.ndarray, best2: np.ndarray, chosen: np.ndarray
+    ) -> None:
+        """Look if each triangle is nearer than the ``chosen`` (P,), at a squared distance of ``best2`` (P,).
+
+        The pairs come point by point.
+        """
+        may_be = self._box_distance2(points[point], triangle) <= best2[point] * (1 + 1e-12)
+        point, triangle = point[may_be], triangle[may_be]
+        if not len(point):
+            return
+        distance2 = point_triangle_distance2(points[point], self.triangles[triangle])
+        start = np.flatnonzero(np.r_[True, point[1:] != point[:-1]])
+        least = np.minimum.reduceat(distance2, start)
+        row = point[start]
+        is_nearer = least < best2[row]
+        is_least = distance2 == np.repeat(np.where(is_nearer, least, -1.0), np.diff(np.r_[start, len(point)]))
+        chosen[point[is_least][::-1]] = triangle[is_least][::-1]
+        best2[row] = np.minimum(best2[row], least)
 
     def _box_distance2(self, point: np.ndarray, triangle: np.ndarray) -> np.ndarray:
         """Squared distance (c,) from each point (c, 3) to the box around each triangle (c,): cheap, and never more than
@@ -167,17 +182,27 @@ class Enclosure:
 
     def _all_feet(self) -> Feet:
         if self._feet is None:
-            tail, head = self.faces.ravel(), np.roll(self.faces, -1, axis=1).ravel()
-            edge = np.flatnonzero(tail < head)
-            tail, head = self.vertices[tail[edge]], self.vertices[head[edge]]
             size = float(np.ptp(self.vertices, axis=0).max())
             largest = max(LARGEST_PIECE * size, float(np.sqrt((self.reaches**2).sum() / MOST_PIECES)))
-            faces, of_face = pieces(self.triangles, largest)
-            edges, of_edge = pieces(np.stack([tail, head], axis=1), largest)
-            centre = np.concatenate([middles(faces), middles(edges)])
-            reach = np.concatenate([reaches(faces), reaches(edges)])
-            triangle = np.concatenate([of_face, edge[of_edge] // 3])
-            self._feet = Feet(centre, reach, triangle, size_classes(centre, reach))
+            # No point of a face or an edge is farther than the face's reach from all of its corners.
+            is_large = self.reaches > largest
+            of_vertex = np.zeros(len(self.vertices))
+            np.maximum.at(of_vertex, self.faces[~is_large].ravel(), np.repeat(self.reaches[~is_large], 3))
+            vertex = np.flatnonzero(of_vertex)
+            _, first, fan = self._all_samples()
+            count = first[vertex + 1] - first[vertex]
+            fans = _fans(vertex, first[vertex], count, fan)[1]
+            # A large one is cut up.
+            rows = np.flatnonzero(is_large)
+            corners = self.triangles[rows]
+            faces, of_face = pieces(corners, largest)
+            sides = np.stack([corners, np.roll(corners, -1, axis=1)], axis=2).reshape(-1, 2, 3)
+            edges, of_edge = pieces(sides, largest)
+            centre = np.concatenate([self.vertices[vertex], middles(faces), middles(edges)])
+            reach = np.concatenate([of_vertex[vertex], reaches(faces), reaches(edges)])
+            fan = np.concatenate([fans, rows[of_face], rows[of_edge // 3]])
+            first = np.concatenate([[0], np.cumsum(count), len(fans) + 1 + np.arange(len(fan) - len(fans))])
+            self._feet = Feet(centre, reach, first, fan, size_classes(centre, reach))
         return self._feet
 
     def clearance(self, points: np.ndarray) -> np.ndarray:
@@ -202,13 +227,12 @@ class Enclosure:
         if count.sum() > batches.PAIRS_AT_ONCE and len(points) > 1:  # a hub of thousands of faces
             halves = [self.approach(half) for half in np.array_split(points, 2)]
             return np.concatenate([half[0] for half in halves]), np.concatenate([half[1] for half in halves])
-        start = np.cumsum(count) - count
-        triangle = fan[np.arange(count.sum()) + np.repeat(first[sample] - start, count)]
-        distance2 = point_triangle_distance2(np.repeat(points, count, axis=0), self.triangles[triangle])
-        least = np.minimum.reduceat(distance2, start) if len(points) else np.empty(0)
+        point, triangle = _fans(np.arange(len(points)), first[sample], count, fan)
+        distance2 = point_triangle_distance2(points[point], self.triangles[triangle])
+        least = np.minimum.reduceat(distance2, np.cumsum(count) - count) if len(points) else np.empty(0)
         chosen = np.flatnonzero(distance2 == np.repeat(least, count))[::-1]
         found = np.empty(len(points), dtype=np.int64)
-        found[np.repeat(np.arange(len(points)), count)[chosen]] = triangle[chosen]
+        found[point[chosen]] = triangle[chosen]
         return np.sqrt(least), found
 
     def _all_samples(self) -> Samples:
@@ -292,6 +316,12 @@ class Enclosure:
             tables = ((self.faces, 1), (twins, 0), (twins, -1), (twins, 1))
             self._links = Links(*(np.roll(table, by, axis=1).ravel() for table, by in tables))
         return self._links
+
+
+def _fans(point: np.ndarray, first: np.ndarray, count: np.ndarray, fan: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Each of ``point`` (c,) beside every member of its stretch ``fan[first : first + count]``."""
+    start = np.cumsum(count) - count
+    return np.repeat(point, count), fan[np.arange(count.sum()) + np.repeat(first - start, count)]
 
 
 def _sampled(vertices: np.ndarray, faces: np.ndarray, reaches: np.ndarray) -> Samples:

@@ -82,7 +82,7 @@ def pieces(corners: np.ndarray, largest: float) -> tuple[np.ndarray, np.ndarray]
     """Faces or edges (F, k, 3) cut in halves, across their longest side, until none reaches farther than ``largest``;
     and the row that each piece is of."""
     row = np.arange(len(corners))
-    done, rows = [], []
+    done, rows = [corners[:0]], [row[:0]]
     while len(corners):
         is_large = reaches(corners) > largest
         done.append(corners[~is_large])
