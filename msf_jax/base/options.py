@@ -270,6 +270,8 @@ class Config:
           least.
         - Surgery asks whether a merge would pinch a loop of the solid (see `host.meso.homology`), and not whether the
           edges i -> k and k -> j bound a face: a ring of three around a limb would stay for ever.
+        - Before surgery, edges shorter than ``t_min`` go to their midpoints, all that are independent at once: of
+          thousands of vertices to each node of the curve, what is left decides it.
         - The cost of a half-edge collapse is brought up to date when it has become dearer, or its sampling cost less by
           a tenth.
         - Recentring weighs boundary loops by their length, and a leaf goes with the node before it. Junctions that are

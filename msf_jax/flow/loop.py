@@ -105,8 +105,8 @@ def contract(
 
 
 def _thinned(meso: Meso, config: Config) -> Meso:
-    """The surface to read the curve off: one that was never edited first loses its short edges, but for surgery."""
-    if config.edit_connectivity or config.surgery:
+    """The surface to read the curve off: one that was never edited first loses its short edges."""
+    if config.edit_connectivity:
         return meso
     meso = meso.copied()
     collapse.collapse_short_edges(meso, config.t_min, check=config.check)
