@@ -52,6 +52,12 @@ def assemble(
                 *notes,
                 f"no way inside was found for {closed} edges of the curve: the solid may be in pieces there",
             ]
+        if laid := sum(part.finished.is_laid for part in parts):
+            notes = [
+                *notes,
+                f"edges are longer than limbs are thick: waves over the surface made {laid} of {len(parts)} curves; "
+                "loops no larger than a limb is thick are not in them",
+            ]
         if short := sum(part.finished.is_cut_short for part in parts):
             notes = [*notes, f"centring of {short} of {len(parts)} curves was left early: their sections are many"]
         report = report_of(checked, states, reasons, history, notes, figures, watch)

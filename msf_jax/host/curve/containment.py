@@ -94,10 +94,12 @@ def unfold(
     inner = np.flatnonzero((degree == 2) & ~is_held)
     start = np.searchsorted(ends[:, 0], inner)
     before, after = ends[start, 1], ends[start + 1, 1]
+    has_moved = np.ones(len(x), dtype=bool)
     for _ in range(UNFOLDINGS):
         cosine = np.einsum("ni,ni->n", unit(x[inner] - x[before]), unit(x[after] - x[inner]))
-        left = np.flatnonzero(cosine < np.cos(np.radians(most)))
-        num = len(left)
+        is_new = has_moved[inner] | has_moved[before] | has_moved[after]
+        left = np.flatnonzero((cosine < np.cos(np.radians(most))) & is_new)
+        has_moved[:] = False
         for share in (1.0, 0.5):
             node, a, b = inner[left], x[before[left]], x[after[left]]
             goal = (1 - share) * x[node] + share * (a + b) / 2
@@ -106,8 +108,9 @@ def unfold(
                 is_free[is_free] = is_inside(shape, x[node[is_free]], ((1 - t) * a + t * goal)[is_free])
                 is_free[is_free] = is_inside(shape, x[node[is_free]], ((1 - t) * b + t * goal)[is_free])
             x[node[is_free]] = goal[is_free]
+            has_moved[node[is_free]] = True
             left = left[~is_free]
-        if len(left) == num:  # none is sharp, or none can be helped
+        if not has_moved.any():  # none is sharp, or none can be helped
             break
     return x
 

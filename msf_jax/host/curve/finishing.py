@@ -15,6 +15,7 @@ from scipy import spatial
 from msf_jax.host.curve import branches, centring, containment, tips, twigs
 from msf_jax.host.curve.passages import Passages
 from msf_jax.host.solid.enclosure import Enclosure
+from msf_jax.host.thin import course
 
 SPACING = 0.5  # radii, between the nodes of a finished curve
 EARLY = 0.75  # of what a branch has to reach out, before its tip is carried on to the end of its limb
@@ -75,7 +76,7 @@ class Finished(NamedTuple):
     is_kept: (n,) which of the flow's nodes are in it, in their order, before all others.
     target: (n,) the flow's node that stands for each: itself, or the junction that its branch was pruned from.
     num_refused: edges outside that were left there, as a bound was hit. num_closed: those with no way inside.
-    is_cut_short: whether centring was left early, as its bound was hit.
+    is_cut_short: whether centring was left early, as its bound was hit. is_laid: whether waves have made the curve.
     """
 
     vertices: np.ndarray
@@ -85,6 +86,7 @@ class Finished(NamedTuple):
     num_refused: int = 0
     num_closed: int = 0
     is_cut_short: bool = False
+    is_laid: bool = False
 
 
 def passes(centre: bool, extend: bool) -> list[Callable[[Draft, Job], Draft]]:
@@ -106,6 +108,11 @@ def passes(centre: bool, extend: bool) -> list[Callable[[Draft, Job], Draft]]:
     ]
 
 
+def passes_of_course() -> list[Callable[[Draft, Job], Draft]]:
+    """Those for a curve that waves have made (see `thin.course`): it is in the middle, and out to the ends."""
+    return [contained, pruned, unfolded, contained, laid_together]
+
+
 def finish(
     shape: Enclosure,
     nodes: np.ndarray,
@@ -121,6 +128,9 @@ def finish(
 ) -> Finished:
     """Finish the curve ``(nodes (n, 3), edges)`` of a solid of diagonal 1; nodes of ``is_held`` (n,) do not move.
 
+    Of a solid too coarse for the flow waves make another curve (see `thin.course`), if both steps are wanted and no
+    node is held.
+
     ``persistence`` is that below which branches are pruned; ``centre`` and ``extend`` switch those steps. ``is_thin``
     says that it has thin limbs, which the curve may have missed. ``rough`` is much the same surface of fewer triangles,
     which is good enough to find the middle of. ``first`` is a pass that comes before all others, and may say where the
@@ -135,7 +145,12 @@ def finish(
         centring.Budget(),
     )
     draft = Draft(nodes, edges, is_held, np.arange(len(nodes)), np.arange(len(nodes)), nodes)
-    for each in [*([] if first is None else [first]), *passes(centre, extend)]:
+    laid = course.course(shape, containment.is_inside) if is_thin and centre and extend and not is_held.any() else None
+    if laid is None:
+        steps = [*([] if first is None else [first]), *passes(centre, extend)]
+    else:
+        draft, steps = _replaced(draft, laid), passes_of_course()
+    for each in steps:
         draft = each(draft, job)
     is_kept = np.isin(np.arange(len(nodes)), draft.origin)
     return Finished(
@@ -146,6 +161,24 @@ def finish(
         job.passages.num_refused,
         job.passages.num_closed,
         job.budget.was_hit,
+        laid is not None,
+    )
+
+
+def _replaced(draft: Draft, laid: course.Course) -> Draft:
+    """The curve ``laid``: a node of ``draft`` becomes the one that is nearest to it, and the first of several stays."""
+    near = np.asarray(spatial.KDTree(laid.vertices).query(draft.vertices)[1])
+    taken, first = np.unique(near, return_index=True)
+    order = np.argsort(first)
+    kept, taken = first[order], taken[order]
+    every = np.arange(len(laid.vertices))
+    source = np.concatenate([taken, np.setdiff1d(every, taken)])
+    rank = np.empty_like(every)
+    rank[source] = every
+    vertices, num_new = laid.vertices[source], len(every) - len(taken)
+    origin = np.pad(draft.origin[kept], (0, num_new), constant_values=-1)
+    return Draft(
+        vertices, rank[laid.edges], np.zeros(len(every), dtype=bool), origin, rank[near][draft.node_of_flow], vertices
     )
 
 

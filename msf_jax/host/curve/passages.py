@@ -22,9 +22,10 @@ CORRECTIONS = 4  # of a ball's radius, by the triangles between the samples
 NEIGHBOURS = 12  # of a ball, of any size, and
 LARGER = 3  # of each larger size
 FAR = 3.0  # times the sum of their radii: balls that are farther apart than that are no neighbours
+NEAR_BY = 10.0  # times what the straight way would cost in the median ball: so far a way is sought at first
 UNSEEN = 3.0  # times as long as it is counts an edge that nobody has looked at
 SEARCHES = 300  # that a curve may cost, and one more for every
-EDGES_A_SEARCH = 10  # of its edges
+EDGES_A_SEARCH = 10  # of its edges outside
 AT_ONCE = 256  # edges out of a pocket that are looked at together
 
 Test = Callable[[Enclosure, np.ndarray, np.ndarray], np.ndarray]
@@ -97,28 +98,35 @@ class _Graph:
 
     def __init__(self, shape: Enclosure, test: Test, centre: np.ndarray, radius: np.ndarray, num_ends: int):
         self.shape, self.test, self.centre = shape, test, centre
+        self.usual = max(float(np.median(radius[num_ends:])) if len(radius) > num_ends else 0.0, TOUCHING)
         tail, head = _neighbours(centre, radius, num_ends)
         length = np.linalg.norm(centre[tail] - centre[head], axis=1)
         self.tail, self.head = tail, head
         self.is_seen = length < radius[tail] + radius[head]
         room = np.maximum(np.minimum(radius[tail], radius[head]), TOUCHING)
         self.cost = np.maximum(length / room, 1e-9) * np.where(self.is_seen, 1.0, UNSEEN)  # roomy ways first
-        self.matrix = sparse.csr_matrix((np.arange(1, len(tail) + 1), (tail, head)), shape=(len(centre),) * 2)
-        self.entry: np.ndarray = np.asarray(self.matrix.data) - 1  # the edge of each entry
-        self.matrix.data = self.cost[self.entry].astype(np.float64)
-        self.entry_of = np.empty(len(tail), dtype=np.int64)
-        self.entry_of[self.entry] = np.arange(len(tail))
+        every, shape_of = np.arange(1, len(tail) + 1), (len(centre),) * 2
+        both = np.concatenate([tail, head]), np.concatenate([head, tail])
+        self.matrix = sparse.csr_matrix((np.tile(every, 2), both), shape=shape_of)
+        edge = np.asarray(self.matrix.data) - 1  # of each entry
+        self.matrix.data = self.cost[edge].astype(np.float64)
+        self.entries = np.argsort(edge, kind="stable").reshape(-1, 2)  # the two of each edge
 
     def way(self, start: int, end: int, most: int) -> tuple[np.ndarray, int]:
         """Points (k, 3) between the two, none if there is no way, after at most so many searches; and their number."""
         num = len(self.centre)
+        # Near by at first: a search costs as much as it reaches.
+        limit = self._limit(start, end)
         for number in range(1, most + 1):
-            before = csgraph.dijkstra(self.matrix, directed=False, indices=start, return_predecessors=True)[1]
+            before = csgraph.dijkstra(self.matrix, indices=start, return_predecessors=True, limit=limit)[1]
             stops = [end]
             while before[stops[-1]] >= 0:
                 stops.append(int(before[stops[-1]]))
             if stops[-1] != start:
-                return np.empty((0, 3)), number
+                if limit == np.inf:
+                    return np.empty((0, 3)), number
+                limit = np.inf
+                continue
             low, high = np.minimum(stops[1:], stops[:-1]), np.maximum(stops[1:], stops[:-1])
             edge = np.searchsorted(self.tail * num + self.head, low * num + high)
             unseen = edge[~self.is_seen[edge]]
@@ -128,12 +136,19 @@ class _Graph:
                 self._look(self._frontier(start, end))
         return np.empty((0, 3)), most
 
+    def _limit(self, start: int, end: int) -> float:
+        """What a way near by costs at most."""
+        length = float(np.linalg.norm(self.centre[start] - self.centre[end]))
+        bounds = self.matrix.indptr
+        own = [self.matrix.data[bounds[ball] : bounds[ball + 1]].min(initial=np.inf) for ball in (start, end)]
+        return NEAR_BY * (length / self.usual + sum(own))
+
     def _look(self, edge: np.ndarray) -> np.ndarray:
         """Whether each of these edges is inside, which is known from then on."""
         is_open = self.test(self.shape, self.centre[self.tail[edge]], self.centre[self.head[edge]])
         self.is_seen[edge] = True
         self.cost[edge] = np.where(is_open, self.cost[edge] / UNSEEN, np.inf)
-        self.matrix.data[self.entry_of[edge]] = self.cost[edge]
+        self.matrix.data[self.entries[edge]] = self.cost[edge][:, None]
         return is_open
 
     def _frontier(self, start: int, end: int) -> np.ndarray:

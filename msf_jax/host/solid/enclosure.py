@@ -28,6 +28,7 @@ SAMPLE_SPACING = 0.02  # of the extent, in `approach`; more where that would mak
 MOST_SAMPLES = 200_000
 LARGEST_PIECE = 0.02  # of the extent, of a face or an edge, in `nearest`; larger where that would make about
 MOST_PIECES = 200_000
+ROUNDING = 1e-9  # of the extent, by which the box around a ray is larger than it
 
 
 class Feet(NamedTuple):
@@ -75,6 +76,7 @@ class Enclosure:
         self.reaches = reaches(self.triangles)
         low, high = boxes(self.triangles)
         self.low, self.high = low.T.copy(), high.T.copy()
+        self._rounding = ROUNDING * float((high.max(axis=0) - low.min(axis=0)).max())
         self._grid: _Grid | None = None
         self._classes: list[SizeClass] | None = None
         self._feet: Feet | None = None
@@ -289,7 +291,13 @@ class Enclosure:
         across /= np.maximum(np.linalg.norm(across, axis=1, keepdims=True), 1e-300)
         axes = np.stack([across, np.cross(directions, across), directions], axis=1)
         rays, distances = [np.empty(0, dtype=np.int64)], [np.empty(0)]
+        ends = points, points + reach[:, None] * directions
+        low, high = np.minimum(*ends).T - self._rounding, np.maximum(*ends).T + self._rounding
         for point, triangle in self.triangles_near(points + reach[:, None] / 2 * directions, reach / 2):
+            for axis in range(3):  # most pairs have boxes that are apart
+                may_be = self.low[axis][triangle] <= high[axis][point]
+                may_be &= self.high[axis][triangle] >= low[axis][point]
+                point, triangle = point[may_be], triangle[may_be]
             corners = np.einsum("cki,cai->cka", self.triangles[triangle] - points[point][:, None], axes[point])
             x, y, depth = np.moveaxis(corners, 2, 0)
             side = x * np.roll(y, -1, axis=1) - np.roll(x, -1, axis=1) * y  # of edge k to k + 1; k + 2 is opposite

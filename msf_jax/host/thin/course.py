@@ -1,0 +1,96 @@
+"""The curve of a solid whose limbs have hardly more than three or four sides, by waves over its surface.
+
+Decimated neurons, vessels and wires are like that: edges are longer than limbs are thick, and a contraction that merges
+and splits them has nothing left to go by. There waves start from where the solid is thickest, and run along the edges;
+the middles of the rings that they make, about as far apart as a limb is thick, are the curve. Where two waves meet it
+closes a loop.
+"""
+
+from collections.abc import Callable
+from typing import NamedTuple
+
+import numpy as np
+from scipy import sparse, spatial
+from scipy.sparse import csgraph
+
+from msf_jax.host.poles import thickness
+from msf_jax.host.poles.balls import shrinking_balls
+from msf_jax.host.solid.enclosure import Enclosure
+from msf_jax.host.solid.geometry import unit, vertex_normals
+from msf_jax.host.thin.levels import Levels, levels, repeated
+
+Test = Callable[[Enclosure, np.ndarray, np.ndarray], np.ndarray]
+
+COARSE = 2.0**0.5  # radii: the side of a square, and so the median edge of a limb of four sides
+ROUND = 3.0  # of a circle's perimeter, that the median ring has at most; around a plate it has far more
+FIRST, LARGEST = 0.01, 0.5  # diagonals, radius of the ball at a vertex that is tried first, and last
+CANDIDATES = 100  # for where the solid is thickest: a ball may be too large, between the vertices
+MOST_AROUND = 32  # rings of one piece that are joined as is shortest; of more, all to the first
+OUTSIDE = 3.0  # times as long as it is counts an edge that is not inside
+AT_TIP = 0.5  # radii: vertices that are less far by no more than that are at a limb's tip, too
+TO_TIP = 0.8  # of the way from the last ring of a limb to its tip, that the curve goes
+
+
+class Course(NamedTuple):
+    """A curve: vertices (N, 3) and edges (E, 2)."""
+
+    vertices: np.ndarray
+    edges: np.ndarray
+
+
+def course(shape: Enclosure, is_inside: Test) -> Course | None:
+    """The curve of a connected solid of diagonal 1; None where it is not thin, not coarse, or no limb but a plate."""
+    x, faces = shape.vertices, shape.faces
+    normals = unit(vertex_normals(x, faces))
+    radius = shrinking_balls(x, normals, spatial.KDTree(x), FIRST, LARGEST, np.arange(len(x))).radius
+    step = float(np.median(radius))
+    tail, head = faces.ravel(), np.roll(faces, -1, axis=1).ravel()
+    length = np.linalg.norm(x[tail] - x[head], axis=1)
+    if step >= thickness.THIN or np.median(length / np.minimum(radius[tail], radius[head])) <= COARSE:
+        return None
+    graph = sparse.csr_matrix((np.maximum(length, 1e-12), (tail, head)), shape=(len(x),) * 2)
+    thickest = np.argsort(-radius, kind="stable")[:CANDIDATES]
+    room = shape.about_clearance(x[thickest] - radius[thickest, None] * normals[thickest])[0]
+    seed = int(thickest[room.argmax()])
+    away = csgraph.dijkstra(graph, indices=seed)
+    found = levels(x, faces, away, step)
+    if not len(found.centre) or np.median(found.perimeter) > ROUND * 2 * np.pi * step:
+        return None
+    # A piece with one ring is the end of a limb. The curve goes towards what is farthest there, or towards the seed.
+    num_rings = np.bincount(np.concatenate([found.below, found.above]), minlength=found.num_pieces)
+    sign = np.where(found.piece == found.piece[seed], -1.0, 1.0)
+    top = np.full(found.num_pieces, -np.inf)
+    np.maximum.at(top, found.piece, sign * away)
+    is_top = (num_rings[found.piece] == 1) & (sign * away >= top[found.piece] - AT_TIP * step)
+    end, own = np.unique(found.piece[is_top], return_inverse=True)
+    tip = np.stack([np.bincount(own, weights=axis) for axis in x[is_top].T], axis=1) / np.bincount(own)[:, None]
+    ring_of = np.zeros(found.num_pieces, dtype=np.int64)
+    ring_of[found.below] = ring_of[found.above] = np.arange(len(found.centre))
+    last = found.centre[ring_of[end]]
+    return _joined(shape, found, last + TO_TIP * (tip - last), end, is_inside)
+
+
+def _joined(shape: Enclosure, found: Levels, ends: np.ndarray, piece_of_end: np.ndarray, is_inside: Test) -> Course:
+    """The rings, and the ``ends`` of limbs (T, 3), joined within each piece by a shortest tree, inside if that can be.
+
+    It has as many cycles as the rings and pieces have.
+    """
+    num = len(found.centre)
+    vertices = np.concatenate([found.centre, ends])
+    piece = np.concatenate([found.below, found.above, piece_of_end])
+    node = np.concatenate([np.arange(num), np.arange(num), num + np.arange(len(ends))])
+    order = np.lexsort((node, piece))
+    piece, node = piece[order], node[order]
+    count = np.bincount(piece, minlength=found.num_pieces)[piece]
+    first = np.searchsorted(piece, piece)
+    row, place = repeated(np.where(count > MOST_AROUND, 1, count))
+    other = first[row] + place
+    row, other = row[other < row], other[other < row]
+    a, b = vertices[node[row]], vertices[node[other]]
+    cost = np.linalg.norm(a - b, axis=1) + 1e-12
+    is_choice = count[row] > 2
+    cost[is_choice] *= np.where(is_inside(shape, a[is_choice], b[is_choice]), 1.0, OUTSIDE)
+    graph = sparse.coo_matrix((cost, (row, other)), shape=(len(node),) * 2)
+    tree = csgraph.minimum_spanning_tree(graph.tocsr()).tocoo()
+    edges = np.stack([node[tree.row], node[tree.col]], axis=1)
+    return Course(vertices, edges[edges[:, 0] != edges[:, 1]])

@@ -1,0 +1,103 @@
+"""How the level sets of a function on a closed surface hang together: its Reeb graph, as far as a step resolves it.
+
+Levels, a step apart, cut the surface into pieces; where two pieces meet is a ring. On a limb, and for a function that
+grows along it, a ring is a cross-section, and the middles of successive rings are the limb's curve (Lazarus, Verroust
+1999, level set diagrams). The graph has a cycle for each handle that is larger than the step, and no others.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+from scipy import sparse
+from scipy.sparse import csgraph
+
+MOST_POINTS = 2_000_000  # in which levels cut edges; the step is made larger until there are no more
+
+
+class Levels(NamedTuple):
+    """Rings between pieces of the surface.
+
+    centre: (R, 3) centroid of what a ring goes around. perimeter: (R,). below, above: (R,) the pieces on its two sides.
+    piece: (V,) the piece of each vertex. num_pieces: those with no vertex among them.
+    """
+
+    centre: np.ndarray
+    perimeter: np.ndarray
+    below: np.ndarray
+    above: np.ndarray
+    piece: np.ndarray
+    num_pieces: int
+
+
+def levels(vertices: np.ndarray, faces: np.ndarray, height: np.ndarray, step: float) -> Levels:
+    """The level sets of ``height`` (V,), at multiples of ``step``, linear on each of ``faces`` (F, 3).
+
+    An edge is cut into stretches, one for each piece that it runs through. Stretches of a face that lie between the
+    same two levels are of one piece, and points of a face on the same level of one ring.
+    """
+    side = np.sort(np.stack([faces, np.roll(faces, -1, axis=1)], axis=2).reshape(-1, 2), axis=1)
+    ends, edge_of = np.unique(side, axis=0, return_inverse=True)
+    edge_of = edge_of.reshape(faces.shape)
+    ends = np.take_along_axis(ends, np.argsort(height[ends], axis=1, kind="stable"), axis=1)
+    while (np.ptp(height[ends], axis=1) / step).sum() > MOST_POINTS:
+        step *= 2
+    low, high = np.floor(height[ends] / step).astype(np.int64).T
+    count = high - low
+    first = np.cumsum(count) - count  # of an edge's points
+    edge, place = repeated(count)
+    level = low[edge] + 1 + place
+    start, stop = height[ends[edge]].T
+    share = ((level * step - start) / (stop - start))[:, None]
+    points = (1 - share) * vertices[ends[edge, 0]] + share * vertices[ends[edge, 1]]
+    # Nodes are the vertices, and then the stretches of every edge, from its lower end up.
+    stretch = len(vertices) + np.cumsum(count + 1) - (count + 1)
+    joined, beside = [np.stack([ends[:, 0], stretch]), np.stack([ends[:, 1], stretch + count])], []
+    for k in range(3):
+        one, other = edge_of[:, k], edge_of[:, (k + 1) % 3]
+        bottom, top = np.maximum(low[one], low[other]), np.minimum(high[one], high[other])
+        face, up = repeated(np.maximum(top - bottom + 1, 0))
+        joined.append(np.stack([stretch[e[face]] + bottom[face] + up - low[e[face]] for e in (one, other)]))
+        face, up = repeated(np.maximum(top - bottom, 0))
+        beside.append(np.stack([first[e[face]] + bottom[face] + up - low[e[face]] for e in (one, other)]))
+    num_pieces, piece = _parts(len(vertices) + int((count + 1).sum()), np.concatenate(joined, axis=1))
+    pairs = np.concatenate(beside, axis=1)
+    num, ring = _parts(len(points), pairs)
+    below, above = np.zeros((2, num), dtype=np.int64)
+    below[ring], above[ring] = piece[stretch[edge] + place], piece[stretch[edge] + place + 1]
+    centre, perimeter = _centroids(points[pairs[0]], points[pairs[1]], ring[pairs[0]], num)
+    return Levels(centre, perimeter, below, above, piece[: len(vertices)], num_pieces)
+
+
+def _centroids(a: np.ndarray, b: np.ndarray, ring: np.ndarray, num: int) -> tuple[np.ndarray, np.ndarray]:
+    """Centroid (num, 3) of each ring's area, seen from that of its perimeter, and its perimeter (num,).
+
+    ``a`` and ``b`` (S, 3) are the ends of the segments of each ``ring`` (S,).
+    """
+
+    def mean(points: np.ndarray, weight: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        total = np.bincount(ring, weights=weight, minlength=num)
+        sums = [np.bincount(ring, weights=weight * axis, minlength=num) for axis in points.T]
+        return np.stack(sums, axis=1) / np.maximum(total, 1e-300)[:, None], total
+
+    middle, perimeter = mean((a + b) / 2, np.linalg.norm(b - a, axis=1))
+    from_there = middle[ring]
+    area = np.linalg.norm(np.cross(a - from_there, b - from_there), axis=1)
+    centre, total = mean((a + b + from_there) / 3, area)
+    is_flat = total <= 1e-9 * perimeter**2
+    # A ring without a length is a point; it has no segment but from there to there.
+    point = np.zeros((num, 3))
+    point[ring] = a
+    centre = np.where(is_flat[:, None], middle, centre)
+    return np.where(perimeter[:, None] > 0, centre, point), perimeter
+
+
+def _parts(num: int, pairs: np.ndarray) -> tuple[int, np.ndarray]:
+    """How many parts ``pairs`` (2, P) make of so many nodes, and the part (num,) of each."""
+    graph = sparse.coo_matrix((np.ones(pairs.shape[1]), tuple(pairs)), shape=(num, num))
+    return csgraph.connected_components(graph, directed=False)
+
+
+def repeated(count: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Each row as often as ``count`` (n,) says, and the how-manieth time it is."""
+    row = np.repeat(np.arange(len(count)), count)
+    return row, np.arange(len(row)) - np.repeat(np.cumsum(count) - count, count)

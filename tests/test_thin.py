@@ -1,0 +1,120 @@
+"""Limbs of three or four sides, whose edges are longer than they are thick: level sets, and curves made by waves."""
+
+import numpy as np
+import pytest
+import trimesh
+
+import msf_jax
+from msf_jax.host.curve import branches, containment
+from msf_jax.host.mesh import checking
+from msf_jax.host.solid.solid import Solid
+from msf_jax.host.thin.course import course
+from msf_jax.host.thin.levels import levels
+
+SIDES = 4
+
+
+def wire(centres: np.ndarray, radius: float, sides: int = SIDES, is_closed: bool = False, stretch: float = 1.0):
+    """A tube around a polyline in the plane z = 0, with a ring of ``sides`` corners at each of its points."""
+    ahead, behind = np.roll(centres, -1, axis=0), np.roll(centres, 1, axis=0)
+    if not is_closed:
+        ahead[-1], behind[0] = centres[-1], centres[0]
+    along = (ahead - behind) / np.linalg.norm(ahead - behind, axis=1, keepdims=True)
+    across = np.cross(along, [0, 0, 1])
+    angle = 2 * np.pi * np.arange(sides) / sides
+    ring = radius * (stretch * np.cos(angle)[:, None, None] * across + np.sin(angle)[:, None, None] * [0, 0, 1])
+    vertices = (centres + ring).transpose(1, 0, 2).reshape(-1, 3)
+    num = len(centres)
+    i, k = (part.ravel() for part in np.meshgrid(np.arange(num if is_closed else num - 1), np.arange(sides)))
+    a, b = i * sides + k, i * sides + (k + 1) % sides
+    c, d = ((i + 1) % num) * sides + k, ((i + 1) % num) * sides + (k + 1) % sides
+    faces = np.concatenate([np.stack([a, b, d], axis=1), np.stack([a, d, c], axis=1)])
+    if not is_closed:
+        fan = np.arange(1, sides - 1)
+        caps = np.stack([0 * fan, fan + 1, fan], axis=1), (num - 1) * sides + np.stack([0 * fan, fan, fan + 1], axis=1)
+        faces = np.concatenate([faces, *caps])
+    mesh = trimesh.Trimesh(vertices, faces, process=False)
+    return vertices, faces if mesh.volume > 0 else faces[:, ::-1]
+
+
+def circle(num: int) -> np.ndarray:
+    angle = 2 * np.pi * np.arange(num) / num
+    return np.stack([np.cos(angle), np.sin(angle), 0 * angle], axis=1)
+
+
+def snake(num: int) -> np.ndarray:
+    x = np.linspace(0, 3, num)
+    return np.stack([x, 0.2 * np.sin(4 * x), 0 * x], axis=1)
+
+
+def laid(vertices: np.ndarray, faces: np.ndarray):
+    solid = Solid(vertices, faces)
+    found = course(solid.shape, containment.is_inside)
+    return None if found is None else (solid.leave(found.vertices), found.edges)
+
+
+@pytest.mark.parametrize(("mesh", "genus"), [(trimesh.creation.torus(1, 0.3), 1), (trimesh.creation.icosphere(2), 0)])
+def test_rings_and_pieces_have_a_cycle_for_each_handle(mesh, genus):
+    height = mesh.vertices @ [1.0, 0.3, 0.1]
+    found = levels(mesh.vertices, mesh.faces, height, 0.07)
+    assert len(found.centre) > 10
+    assert len(found.centre) - found.num_pieces + 1 == genus  # edges and nodes of a connected graph
+    level = found.centre @ [1, 0.3, 0.1] / 0.07
+    np.testing.assert_allclose(level, level.round(), atol=1e-6)
+
+
+def test_the_rings_of_a_cylinder_are_its_sections():
+    mesh = trimesh.creation.cylinder(0.1, 2.0, sections=24)
+    found = levels(mesh.vertices, mesh.faces, mesh.vertices[:, 2], 0.11)
+    np.testing.assert_allclose(found.centre[:, :2], 0, atol=1e-12)
+    np.testing.assert_allclose(found.perimeter, 24 * 2 * 0.1 * np.sin(np.pi / 24), rtol=1e-9)
+
+
+def test_the_step_grows_until_the_points_are_few_enough():
+    mesh = trimesh.creation.cylinder(0.1, 2.0, sections=8)
+    found = levels(mesh.vertices, mesh.faces, mesh.vertices[:, 2], 1e-9)
+    assert 10_000 < len(found.centre) < 200_000
+
+
+def test_a_coarse_wire_is_followed_to_its_ends():
+    centres, radius = snake(61), 0.01
+    curve = msf_jax.skeletonize(wire(centres, radius))
+    vertices, edges = curve.vertices, curve.edges
+    assert curve.report.is_sound and any("waves" in note for note in curve.report.notes)
+    assert (np.bincount(edges.ravel()) == 1).sum() == 2
+    length = np.linalg.norm(vertices[edges[:, 0]] - vertices[edges[:, 1]], axis=1).sum()
+    assert length == pytest.approx(np.linalg.norm(np.diff(centres, axis=0), axis=1).sum(), rel=0.02)
+    spine = np.stack([np.interp(np.linspace(0, 60, 6001), np.arange(61), axis) for axis in centres.T], axis=1)
+    away = np.linalg.norm(vertices[:, None] - spine, axis=2).min(axis=1)
+    assert np.quantile(away, 0.97) < 0.1 * radius and away.max() < radius  # at the ends, in the corners of the caps
+
+
+def test_a_finer_wire_a_plate_and_a_thick_one_are_left_to_the_flow():
+    assert laid(*wire(snake(301), 0.01, sides=12)) is None
+    assert laid(*wire(snake(61), 0.01, stretch=30.0)) is None
+    assert laid(*wire(snake(5), 0.1)) is None
+
+
+def test_a_loop_of_coarse_wire_keeps_its_cycle_and_the_report_says_how_it_was_made():
+    vertices, faces = wire(circle(60), 0.01, is_closed=True)
+    curve = msf_jax.skeletonize((vertices, faces))
+    assert curve.report.is_sound and curve.report.cycles == 1
+    assert any("waves" in note for note in curve.report.notes)
+    on_curve = curve.vertices[curve.mesh_map]
+    assert np.linalg.norm(on_curve - vertices, axis=1).max() < 0.05
+    assert not any("waves" in note for note in msf_jax.skeletonize((vertices, faces), pins=[0]).report.notes)
+
+
+def test_joined_wires_are_one_tree():
+    """A cross of two coarse wires, each with a limb that the other does not know."""
+    straight = np.stack([np.linspace(-1.0, 1.0, 41), np.zeros(41), np.zeros(41)], axis=1)
+    one, other = wire(straight, 0.006), wire(straight[:, [1, 0, 2]] + [0.3, 0.1, 0.001], 0.006)
+    mesh = np.concatenate([one[0], other[0]]), np.concatenate([one[1], other[1] + len(one[0])])
+    joined = checking.prepare(mesh, "join")
+    found = laid(joined.vertices, joined.faces)
+    assert found is not None
+    vertices, edges = found
+    assert branches.cycle_count(len(vertices), edges) == (1, 0)
+    leaves = vertices[np.bincount(edges.ravel()) == 1]
+    for end in ([-1, 0, 0], [1, 0, 0], [0.3, -0.9, 0], [0.3, 1.1, 0]):
+        assert np.linalg.norm(leaves - end, axis=1).min() < 0.02
