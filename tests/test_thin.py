@@ -101,7 +101,7 @@ def test_a_loop_of_coarse_wire_keeps_its_cycle_and_the_report_says_how_it_was_ma
     assert curve.report.is_sound and curve.report.cycles == 1
     assert any("waves" in note for note in curve.report.notes)
     on_curve = curve.vertices[curve.mesh_map]
-    assert np.linalg.norm(on_curve - vertices, axis=1).max() < 0.05
+    assert np.linalg.norm(on_curve - vertices, axis=1).max() < 0.02
     assert not any("waves" in note for note in msf_jax.skeletonize((vertices, faces), pins=[0]).report.notes)
 
 

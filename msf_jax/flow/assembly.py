@@ -52,7 +52,7 @@ def assemble(
                 *notes,
                 f"no way inside was found for {closed} edges of the curve: the solid may be in pieces there",
             ]
-        if laid := sum(part.finished.is_laid for part in parts):
+        if laid := sum(part.finished.node_of_vertex is not None for part in parts):
             notes = [
                 *notes,
                 f"edges are longer than limbs are thick: waves over the surface made {laid} of {len(parts)} curves; "

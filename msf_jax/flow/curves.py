@@ -131,7 +131,7 @@ def finished(checked: Surface, states: list[State], parts: list[Part]) -> Stitch
         number = np.arange(len(done.vertices))
         number = np.where(number < count, num_old + number, num_flow + num_new + number - count)
         edges.append(number[done.edges])
-        node = node_of_input(part)
+        node = node_of_input(part) if done.node_of_vertex is None else done.node_of_vertex
         if not is_tangle(state):
             node = finishing.nearest_on_branch(done.vertices, done.edges, state.shape.vertices, node)
         node_of_vertex[member[state.order]] = number[node]

@@ -76,7 +76,8 @@ class Finished(NamedTuple):
     is_kept: (n,) which of the flow's nodes are in it, in their order, before all others.
     target: (n,) the flow's node that stands for each: itself, or the junction that its branch was pruned from.
     num_refused: edges outside that were left there, as a bound was hit. num_closed: those with no way inside.
-    is_cut_short: whether centring was left early, as its bound was hit. is_laid: whether waves have made the curve.
+    is_cut_short: whether centring was left early, as its bound was hit. node_of_vertex: (V,) where waves have made the
+    curve, the node that each vertex of the solid goes to; else None.
     """
 
     vertices: np.ndarray
@@ -86,7 +87,7 @@ class Finished(NamedTuple):
     num_refused: int = 0
     num_closed: int = 0
     is_cut_short: bool = False
-    is_laid: bool = False
+    node_of_vertex: np.ndarray | None = None
 
 
 def passes(centre: bool, extend: bool) -> list[Callable[[Draft, Job], Draft]]:
@@ -106,11 +107,6 @@ def passes(centre: bool, extend: bool) -> list[Callable[[Draft, Job], Draft]]:
         *([partial(unfolded, most=SHARPEST), contained] if centre else []),
         laid_together,
     ]
-
-
-def passes_of_course() -> list[Callable[[Draft, Job], Draft]]:
-    """Those for a curve that waves have made (see `thin.course`): it is in the middle, and out to the ends."""
-    return [contained, pruned, unfolded, contained, laid_together]
 
 
 def finish(
@@ -144,13 +140,12 @@ def finish(
         Passages(shape, containment.is_inside),
         centring.Budget(),
     )
+    if is_thin and centre and extend and not is_held.any():
+        laid = course.course(shape, containment.is_inside)
+        if laid is not None:
+            return _of_waves(laid, nodes, job)
     draft = Draft(nodes, edges, is_held, np.arange(len(nodes)), np.arange(len(nodes)), nodes)
-    laid = course.course(shape, containment.is_inside) if is_thin and centre and extend and not is_held.any() else None
-    if laid is None:
-        steps = [*([] if first is None else [first]), *passes(centre, extend)]
-    else:
-        draft, steps = _replaced(draft, laid), passes_of_course()
-    for each in steps:
+    for each in [*([] if first is None else [first]), *passes(centre, extend)]:
         draft = each(draft, job)
     is_kept = np.isin(np.arange(len(nodes)), draft.origin)
     return Finished(
@@ -161,24 +156,32 @@ def finish(
         job.passages.num_refused,
         job.passages.num_closed,
         job.budget.was_hit,
-        laid is not None,
     )
 
 
-def _replaced(draft: Draft, laid: course.Course) -> Draft:
-    """The curve ``laid``: a node of ``draft`` becomes the one that is nearest to it, and the first of several stays."""
-    near = np.asarray(spatial.KDTree(laid.vertices).query(draft.vertices)[1])
-    taken, first = np.unique(near, return_index=True)
-    order = np.argsort(first)
-    kept, taken = first[order], taken[order]
-    every = np.arange(len(laid.vertices))
-    source = np.concatenate([taken, np.setdiff1d(every, taken)])
+def _of_waves(laid: course.Course, nodes: np.ndarray, job: Job) -> Finished:
+    """The curve that waves have ``laid``. Each of the flow's ``nodes`` (n, 3) is the one that is nearest to it; where
+    several are, the first stays. It is in the middle and out to the ends: centring and tips are left out. In its draft
+    the solid's vertices follow the nodes, in place of the flow's."""
+    x, num = laid.vertices, len(laid.vertices)
+    draft = Draft(x, laid.edges, np.zeros(num, dtype=bool), np.arange(num), laid.node_of_vertex, x)
+    for each in (contained, pruned, unfolded, contained, laid_together):
+        draft = each(draft, job)
+    near = np.asarray(spatial.KDTree(draft.vertices).query(nodes)[1])
+    taken, first, place = np.unique(near, return_index=True, return_inverse=True)
+    is_kept = np.isin(np.arange(len(nodes)), first)
+    every = np.arange(len(draft.vertices))
+    source = np.concatenate([near[is_kept], np.setdiff1d(every, taken)])
     rank = np.empty_like(every)
     rank[source] = every
-    vertices, num_new = laid.vertices[source], len(every) - len(taken)
-    origin = np.pad(draft.origin[kept], (0, num_new), constant_values=-1)
-    return Draft(
-        vertices, rank[laid.edges], np.zeros(len(every), dtype=bool), origin, rank[near][draft.node_of_flow], vertices
+    return Finished(
+        draft.vertices[source],
+        in_order(rank[draft.edges]),
+        is_kept,
+        first[place],
+        job.passages.num_refused,
+        job.passages.num_closed,
+        node_of_vertex=rank[draft.node_of_flow],
     )
 
 

@@ -32,10 +32,11 @@ TO_TIP = 0.8  # of the way from the last ring of a limb to its tip, that the cur
 
 
 class Course(NamedTuple):
-    """A curve: vertices (N, 3) and edges (E, 2)."""
+    """A curve: vertices (N, 3), edges (E, 2), and node_of_vertex (V,), one near each of the surface's."""
 
     vertices: np.ndarray
     edges: np.ndarray
+    node_of_vertex: np.ndarray
 
 
 def course(shape: Enclosure, is_inside: Test) -> Course | None:
@@ -67,10 +68,13 @@ def course(shape: Enclosure, is_inside: Test) -> Course | None:
     ring_of = np.zeros(found.num_pieces, dtype=np.int64)
     ring_of[found.below] = ring_of[found.above] = np.arange(len(found.centre))
     last = found.centre[ring_of[end]]
-    return _joined(shape, found, last + TO_TIP * (tip - last), end, is_inside)
+    vertices, edges = _joined(shape, found, last + TO_TIP * (tip - last), end, is_inside)
+    return Course(vertices, edges, ring_of[found.piece])
 
 
-def _joined(shape: Enclosure, found: Levels, ends: np.ndarray, piece_of_end: np.ndarray, is_inside: Test) -> Course:
+def _joined(
+    shape: Enclosure, found: Levels, ends: np.ndarray, piece_of_end: np.ndarray, is_inside: Test
+) -> tuple[np.ndarray, np.ndarray]:
     """The rings, and the ``ends`` of limbs (T, 3), joined within each piece by a shortest tree, inside if that can be.
 
     It has as many cycles as the rings and pieces have.
@@ -93,4 +97,4 @@ def _joined(shape: Enclosure, found: Levels, ends: np.ndarray, piece_of_end: np.
     graph = sparse.coo_matrix((cost, (row, other)), shape=(len(node),) * 2)
     tree = csgraph.minimum_spanning_tree(graph.tocsr()).tocoo()
     edges = np.stack([node[tree.row], node[tree.col]], axis=1)
-    return Course(vertices, edges[edges[:, 0] != edges[:, 1]])
+    return vertices, edges[edges[:, 0] != edges[:, 1]]
