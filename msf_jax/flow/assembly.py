@@ -55,7 +55,7 @@ def assemble(
         if laid := sum(part.finished.node_of_vertex is not None for part in parts):
             notes = [
                 *notes,
-                f"edges are longer than limbs are thick: waves over the surface made {laid} of {len(parts)} curves; "
+                f"edges are longer than the limbs' radius: waves over the surface made {laid} of {len(parts)} curves; "
                 "loops no larger than a limb is thick are not in them",
             ]
         if short := sum(part.finished.is_cut_short for part in parts):

@@ -1,4 +1,4 @@
-"""The curve of a solid whose limbs have hardly more than three or four sides, by waves over its surface.
+"""The curve of a solid whose limbs have three to five sides, by waves over its surface.
 
 Decimated neurons, vessels and wires are like that: edges are longer than limbs are thick, and a contraction that merges
 and splits them has nothing left to go by. There waves start from where the solid is thickest, and run along the edges;
@@ -21,7 +21,7 @@ from msf_jax.host.thin.levels import Levels, levels, repeated
 
 Test = Callable[[Enclosure, np.ndarray, np.ndarray], np.ndarray]
 
-COARSE = 2.0**0.5  # radii: the side of a square, and so the median edge of a limb of four sides
+COARSE = 1.0  # radii: the median edge of a limb of six sides; where it is longer there are fewer
 ROUND = 3.0  # of a circle's perimeter, that the median ring has at most; around a plate it has far more
 FIRST, LARGEST = 0.01, 0.5  # diagonals, radius of the ball at a vertex that is tried first, and last
 CANDIDATES = 100  # for where the solid is thickest: a ball may be too large, between the vertices
