@@ -10,7 +10,7 @@ from conftest import blob, torus
 
 import msf_jax
 from msf_jax import Config, ConfigError, MeshError, Repair
-from msf_jax.host.mesh import checking, skirts
+from msf_jax.host.mesh import chambers, checking, skirts
 
 BALL = trimesh.creation.icosphere(3)
 VERTICES, FACES = np.array(BALL.vertices), np.array(BALL.faces)
@@ -160,6 +160,31 @@ def test_a_wall_inside_goes_and_the_solid_stays():
     found = checking.prepare(mesh, True)
     assert volumes(found) == pytest.approx([1.0])
     assert any(sentence.startswith("left out") for sentence in found.repairs)
+
+
+@pytest.mark.parametrize(
+    ("cells", "genus"), [(np.ones((3, 3, 2)), 0), (np.array([[1, 1, 1], [1, 0, 1], [1, 1, 1]]), 1)]
+)
+def test_walls_between_many_cells_go(cells, genus):
+    """As many as four walls meet at an edge, turned this way or that; the solid is that of all cells together."""
+    shifts = np.argwhere(np.atleast_3d(cells))
+    vertices, faces = faults.welded(faults.joined(*(faults.box(shift) for shift in shifts)))
+    is_turned = np.random.default_rng(5).random(len(faces)) < 0.5
+    faces[is_turned] = faces[is_turned, ::-1]
+    found = checking.prepare((vertices, faces), True)
+    assert_sound(found, len(vertices))
+    assert volumes(found) == pytest.approx([len(shifts)])
+    assert [part.genus for part in found.components] == [genus]
+
+
+def test_walls_that_a_hole_leads_to_stay():
+    """What is seen from outside is no wall inside: a chamber with a hole in its own outer face is open."""
+    vertices, faces = faults.welded(faults.joined(faults.box(), faults.box((1, 0, 0))))
+    faces = faces[np.sort(np.unique(np.sort(faces, axis=1), axis=0, return_index=True)[1])]
+    hidden = chambers.is_wall(vertices, faces)
+    assert (vertices[faces[hidden]][:, :, 0] == 0.5).all() and hidden.any()
+    is_far = (vertices[faces][:, :, 0] == 1.5).all(axis=1)
+    assert not chambers.is_wall(vertices, faces[np.arange(len(faces)) != np.flatnonzero(is_far)[0]]).any()
 
 
 def test_ribs_and_a_flange_go_and_the_solid_stays():

@@ -1,8 +1,9 @@
 """Repair on request: from any list of triangles to closed, oriented, manifold surfaces, every change counted.
 
 In this order: vertices that are not finite are put between their neighbours; vertices that lie together are welded, as
-far as the mesh is open; faces that are degenerate or there twice go; faces are turned the same way round; sheets that
-meet in an edge or a vertex are cut apart; holes are filled without new vertices; pieces without volume go.
+far as the mesh is open; faces that are degenerate or there twice go, and so do walls inside; faces are turned the same
+way round; sheets that meet in an edge or a vertex are cut apart; holes are filled without new vertices; pieces without
+volume go.
 Each vertex of the result is one of the caller's, so that weights, pins and gradients find theirs; but for those of a
 skirt, where a lid would cut through the surface (see `skirts`).
 """
@@ -16,6 +17,7 @@ from scipy import sparse, spatial
 from scipy.sparse import csgraph
 
 from msf_jax.base.errors import ConfigError, MeshError
+from msf_jax.host.mesh.chambers import is_wall
 from msf_jax.host.mesh.filling import filled
 from msf_jax.host.mesh.half_edges import by_label, edge_codes
 from msf_jax.host.mesh.sheets import cut_apart, is_double, left_alone, oriented, twins
@@ -121,6 +123,9 @@ def repaired(vertices: np.ndarray, faces: np.ndarray, options: Repair) -> Repair
             moved = int((target != np.arange(len(given)))[rim].sum())
             _note(repairs, "welded {} at the rim of a hole to another", moved, "vertex", "vertices")
             welded, faces = target[welded], _without_doubles(target[faces], repairs)
+    hidden = is_wall(given, faces)
+    _note(repairs, "left out {} inside, walls between chambers", int(hidden.sum()), "face", "faces")
+    faces = faces[~hidden]
     faces, num_turned = oriented(faces, left_alone(faces))
     _note(repairs, "turned {} round", num_turned, "face", "faces")
     num_faces, num_crowded = len(faces), int((edge_codes(faces)[2] > 2).sum())

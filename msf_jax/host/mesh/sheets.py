@@ -83,7 +83,7 @@ def twins(vertices: np.ndarray, faces: np.ndarray) -> np.ndarray:
     twin[pair[:, 0]], twin[pair[:, 1]] = pair[:, 1], pair[:, 0]
     low, high = np.minimum(origin, target), np.maximum(origin, target)
     crowded, angles = np.flatnonzero(count[edge] > 2), np.zeros(len(origin))
-    angles[crowded] = _angles(vertices[low[crowded]], vertices[high[crowded]], vertices[apex[crowded]])
+    angles[crowded] = angles_around(vertices[low[crowded]], vertices[high[crowded]], vertices[apex[crowded]])
     for number in np.flatnonzero(count > 2):
         halves = order[start[number] : start[number + 1]]
         angle, is_forward = angles[halves], origin[halves] == low[halves]
@@ -106,7 +106,7 @@ def is_double(faces: np.ndarray) -> np.ndarray:
     return np.any(count[edge].reshape(-1, 3) > 2, axis=1)
 
 
-def _angles(start: np.ndarray, end: np.ndarray, points: np.ndarray) -> np.ndarray:
+def angles_around(start: np.ndarray, end: np.ndarray, points: np.ndarray) -> np.ndarray:
     """(n,) angles of ``points`` (n, 3) around the axes from ``start`` to ``end`` (n, 3), counter-clockwise."""
     axis = end - start
     length = np.linalg.norm(axis, axis=1, keepdims=True)
