@@ -175,4 +175,6 @@ def test_a_flow_that_only_turns_on_the_spot_has_settled():
     assert ending.is_settled(history(0.01, lambda k: 0.05 + 0.002 * (k % 2)), Config())
     assert not ending.is_settled(history(0.01, lambda k: 0.5 * 0.95**k), Config())
     assert not ending.is_settled(history(0.05, lambda k: 0.05), Config())
+    assert ending.is_settled(history(0.08, lambda k: 0.4), Config())  # a fifth as thick as at first: membranes
+    assert not ending.is_settled(history(0.15, lambda k: 0.9), Config())
     assert not ending.is_settled(history(0.01, lambda k: 0.05)[:10], Config())

@@ -4,7 +4,8 @@ from msf_jax.base.options import Config
 from msf_jax.flow.state import Iteration, State
 from msf_jax.host.meso import fixing
 
-SETTLED = 0.02  # of the volume may be left in membranes
+SETTLED = 0.02  # of the volume may be left, however it is; or, in membranes,
+MEMBRANES, THINNED = 0.1, 0.25  # that much, if what is left is that part as thick as the solid was
 PROGRESS = 0.1  # of the area, that a tooth must take away, or the flow has settled;
 FEWEST = 20  # iterations, that a tooth counts for at least
 STALL_ITERATIONS = 30  # without progress, after which the flow gives up: longer than a tooth of the default threshold
@@ -29,7 +30,9 @@ def is_settled(history: list[Iteration], config: Config) -> bool:
     read off them as it is of anything thin.
     """
     tooth = max(fixing.num_teeth(config.t_min, config.t_step, config.t_max), FEWEST)
-    if len(history) <= tooth or abs(history[-1].volume) > SETTLED:
+    volume = abs(history[-1].volume)
+    is_thin = volume <= MEMBRANES and volume <= THINNED * history[-1].area
+    if len(history) <= tooth or not (is_thin or volume <= SETTLED):
         return False
     return history[-1].area > (1 - PROGRESS) * history[-1 - tooth].area
 
