@@ -54,6 +54,7 @@ def run_one(path: str, mode: str, again: float) -> dict[str, Any]:
     import msf_jax
 
     repair: Any = {"as found": False, "True": True}.get(mode, mode)
+    figures: dict[str, Any] = {}
     for number in range(2):
         start, cpu = time.perf_counter(), time.process_time()
         try:

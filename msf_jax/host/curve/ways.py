@@ -12,6 +12,8 @@ from msf_jax.host.curve import branches
 from msf_jax.host.solid.geometry import arc_length, at
 
 SPREADINGS = 4  # each time the branch is a little shorter
+BEYOND = 7.0  # sizes of a limb: nodes that are farther along it say nothing of it, but for
+FLOOR = 1e-9  # of the weight of one at hand, which every node of the branch has
 
 
 class Way(NamedTuple):
@@ -94,8 +96,14 @@ def sizes(x: np.ndarray, ways: list[Way], size: np.ndarray, weight: np.ndarray, 
         if own.sum() > 1e-3:
             along = arc_length(x[nodes])
             usual = np.average(size[nodes], weights=own)
-            near = (np.exp(-0.5 * ((along[:, None] - along) / usual) ** 2) + 1e-9) * own
-            mean = near @ size[nodes] / near.sum(axis=1)
+            first = np.searchsorted(along, along - BEYOND * usual)
+            count = np.searchsorted(along, along + BEYOND * usual, side="right") - first
+            start = np.cumsum(count) - count
+            here = np.repeat(np.arange(len(along)), count)
+            there = np.arange(len(here)) + np.repeat(first - start, count)
+            near = np.exp(-0.5 * ((along[here] - along[there]) / usual) ** 2) * own[there]
+            part = np.add.reduceat(near * size[nodes[there]], start) + FLOOR * (own @ size[nodes])
+            mean = part / (np.add.reduceat(near, start) + FLOOR * own.sum())
             is_own = (degree[nodes] <= 1) | is_loop
             is_own[1:-1] = True
             found[nodes[is_own]] = mean[is_own]

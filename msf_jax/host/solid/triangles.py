@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Iterator
 from functools import reduce
+from itertools import chain
 from typing import NamedTuple
 
 import numpy as np
@@ -40,8 +41,8 @@ def near(
             chosen = np.flatnonzero(batch == number)
             point = [np.repeat(first + chosen, count[chosen]) for count in counts]
             member = [
-                size_class.number[np.concatenate([near[row] for row in chosen]).astype(np.int64)]
-                for size_class, near in zip(classes, found, strict=True)
+                size_class.number[np.fromiter(chain.from_iterable(near[chosen]), dtype=np.int64, count=len(own))]
+                for size_class, near, own in zip(classes, found, point, strict=True)
             ]
             yield np.concatenate(point), np.concatenate(member)
 
