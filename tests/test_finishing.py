@@ -196,6 +196,19 @@ def test_a_budget_that_is_spent_leaves_one_round():
     assert budget.was_hit
 
 
+def test_a_long_curve_has_no_more_nodes_than_it_may(monkeypatch):
+    line = bow(0.3)
+    shape, scale = unit_shape(tube(line))
+    coarse = path(scale * line[5:-5:5])
+    fine, _, is_sparse = containment.refine(shape, *coarse, 0.1, 1000)
+    assert len(fine) > 2 * len(coarse[0]) and not is_sparse
+    few, edges, is_sparse = containment.refine(shape, *coarse, 0.1, len(fine) // 2)
+    assert len(coarse[0]) < len(few) < 0.8 * len(fine) and is_sparse and cycle_count(len(few), edges) == (1, 0)
+    monkeypatch.setattr(finishing, "MOST_NODES", 3)
+    report = msf_jax.skeletonize(tube(line)).report
+    assert report.is_sound and any("far apart" in note for note in report.notes)
+
+
 @pytest.mark.parametrize("turn", [0.02, 0.3])
 def test_a_short_curve_is_carried_to_both_ends(turn):
     line = bow(turn) * (5 if turn < 0.1 else 1)

@@ -60,6 +60,11 @@ def assemble(
             ]
         if short := sum(part.finished.is_cut_short for part in parts):
             notes = [*notes, f"centring of {short} of {len(parts)} curves was left early: their sections are many"]
+        if sparse := sum(part.finished.is_sparse for part in parts):
+            notes = [
+                *notes,
+                f"nodes of {sparse} of {len(parts)} curves are far apart: they are long for their thickness",
+            ]
         report = report_of(checked, states, reasons, history, notes, figures, watch)
         curve, skeleton = (_skeleton(each, checked, report, source) for each in stitched)
     return Flow(

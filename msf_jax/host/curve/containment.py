@@ -115,19 +115,25 @@ def unfold(
     return x
 
 
-def refine(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray, spacing: float) -> tuple[np.ndarray, np.ndarray]:
-    """Split edges longer than ``spacing`` times the smaller of the radii at their ends, down to 1/400 diagonal."""
+def refine(
+    shape: Enclosure, vertices: np.ndarray, edges: np.ndarray, spacing: float, most: int
+) -> tuple[np.ndarray, np.ndarray, bool]:
+    """Split edges longer than ``spacing`` times the smaller of the radii at their ends, down to 1/400 diagonal.
+
+    All of them less, where that would take more than ``most`` nodes, and whether that was so.
+    """
     radii = shape.approach(vertices)[0]
     a, b = vertices[edges[:, 0]], vertices[edges[:, 1]]
     length = np.linalg.norm(b - a, axis=1)
     target = np.maximum(spacing * radii[edges].min(axis=1), 1 / 400)
-    count = np.ceil(length / target).astype(np.int64)
+    wanted = float((length / target).sum())
+    count = np.ceil(length / (target * max(wanted / most, 1.0))).astype(np.int64)
     is_long = count > 1
     chains = [
         start + np.linspace(0, 1, num + 1)[1:-1, None] * (end - start)
         for start, end, num in zip(a[is_long], b[is_long], count[is_long], strict=True)
     ]
-    return _replaced(vertices, edges, is_long, chains)
+    return *_replaced(vertices, edges, is_long, chains), wanted > most
 
 
 def _replaced(

@@ -18,6 +18,7 @@ from msf_jax.host.solid.enclosure import Enclosure
 from msf_jax.host.thin import course
 
 SPACING = 0.5  # radii, between the nodes of a finished curve
+MOST_NODES = 5_000  # that this may take, or they are farther apart
 EARLY = 0.75  # of what a branch has to reach out, before its tip is carried on to the end of its limb
 SHARPEST = 40.0  # degrees, that a finished branch turns at a node
 FIRST_ROUNDS = 2  # of centring, before it is decided what to prune; tips, too, set out from there
@@ -76,8 +77,9 @@ class Finished(NamedTuple):
     is_kept: (n,) which of the flow's nodes are in it, in their order, before all others.
     target: (n,) the flow's node that stands for each: itself, or the junction that its branch was pruned from.
     num_refused: edges outside that were left there, as a bound was hit. num_closed: those with no way inside.
-    is_cut_short: whether centring was left early, as its bound was hit. node_of_vertex: (V,) where waves have made the
-    curve, the node that each vertex of the solid goes to; else None.
+    is_cut_short: whether centring was left early, as its bound was hit. is_sparse: whether nodes are farther apart than
+    they should be, for the same reason. node_of_vertex: (V,) where waves have made the curve, the node that each vertex
+    of the solid goes to; else None.
     """
 
     vertices: np.ndarray
@@ -87,6 +89,7 @@ class Finished(NamedTuple):
     num_refused: int = 0
     num_closed: int = 0
     is_cut_short: bool = False
+    is_sparse: bool = False
     node_of_vertex: np.ndarray | None = None
 
 
@@ -156,6 +159,7 @@ def finish(
         job.passages.num_refused,
         job.passages.num_closed,
         job.budget.was_hit,
+        job.budget.is_sparse,
     )
 
 
@@ -248,7 +252,8 @@ def _left(draft: Draft, stays: np.ndarray, target: np.ndarray) -> Draft:
 
 def refined(draft: Draft, job: Job) -> Draft:
     """With nodes about every ``SPACING`` radii."""
-    return draft.changed(*containment.refine(job.shape, draft.vertices, draft.edges, SPACING))
+    x, edges, job.budget.is_sparse = containment.refine(job.shape, draft.vertices, draft.edges, SPACING, MOST_NODES)
+    return draft.changed(x, edges)
 
 
 def extended(draft: Draft, job: Job) -> Draft:
