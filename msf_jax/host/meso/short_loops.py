@@ -103,7 +103,7 @@ def _apart(crossings: np.ndarray, length: np.ndarray) -> np.ndarray:
         one = left[number]
         left, length = np.delete(left, number, axis=0), np.delete(length, number)
         chosen.append(one)
-        times = left @ crossings @ one
+        times = left @ (crossings @ one)
         partners = np.flatnonzero(times)
         if not len(partners):
             continue
