@@ -9,7 +9,7 @@ from scipy import spatial
 
 import msf_jax
 from msf_jax import Config, ground_truth, metrics
-from msf_jax.host.curve import centring, containment, finishing, tips
+from msf_jax.host.curve import centring, containment, finishing, tips, ways
 from msf_jax.host.curve.branches import cycle_count
 from msf_jax.host.solid.enclosure import Enclosure
 
@@ -194,6 +194,21 @@ def test_a_budget_that_is_spent_leaves_one_round():
     x = centring.centre(shape, *path(rough), none_held(rough), budget=budget)
     np.testing.assert_array_equal(x, centring.centre(shape, *path(rough), none_held(rough), rounds=1))
     assert budget.was_hit
+
+
+def test_how_large_a_limb_is_near_by_is_a_mean_over_the_branch():
+    """With weights of a bell over the way along it, and next to none, but not none, far away."""
+    random = np.random.default_rng(3)
+    curve, edges = path(np.cumsum(random.uniform(0.1, 1.0, (400, 3)), axis=0))
+    size, weight, room = random.uniform(0.5, 2.0, (3, len(curve)))
+    weight[100:150] = 0.0
+    weight[300:] = 0.0  # nothing is known within many sizes of the end
+    along = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(curve, axis=0), axis=1))])
+    usual = np.average(size, weights=weight)
+    bell = (np.exp(-0.5 * ((along[:, None] - along) / usual) ** 2) + 1e-9) * weight
+    expected = bell @ size / bell.sum(axis=1)
+    found = ways.sizes(curve, ways.ways_of(curve, edges, none_held(curve)), size, weight, room)
+    np.testing.assert_allclose(found, expected, rtol=1e-5)
 
 
 def test_a_long_curve_has_no_more_nodes_than_it_may(monkeypatch):
