@@ -98,7 +98,9 @@ def test_a_finer_wire_a_plate_and_a_thick_one_are_left_to_the_flow():
 
 def test_a_loop_of_coarse_wire_keeps_its_cycle_and_the_report_says_how_it_was_made():
     vertices, faces = wire(circle(60), 0.01, is_closed=True)
-    curve = msf_jax.skeletonize((vertices, faces))
+    run = msf_jax.contract((vertices, faces))
+    assert run.curve.report.is_sound and run.curve.report.cycles == 1  # of the flow's nodes, too, those that stay
+    curve = run.skeleton
     assert curve.report.is_sound and curve.report.cycles == 1
     assert any("waves" in note for note in curve.report.notes)
     on_curve = curve.vertices[curve.mesh_map]

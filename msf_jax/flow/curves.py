@@ -65,11 +65,13 @@ def curve_of(state: State, meso: Meso, config: Config, watch: Stopwatch) -> Part
                 rough=state.rough,
                 first=partial(_recentred, meso, found) if config.surgery else None,
             )
-    rank = np.cumsum(done.is_kept) - 1
+    # A node that has gone passes its edges on to the one that stands for it: what was one curve does not fall apart.
+    stands_for = (np.cumsum(done.is_kept) - 1)[done.target]
+    edges = stands_for[found.edges]
     kept = Curve(
         nodes[done.is_kept],
-        rank[found.edges[done.is_kept[found.edges].all(axis=1)]],
-        rank[done.target[found.node_of_meso]],
+        finishing.in_order(edges[edges[:, 0] != edges[:, 1]]),
+        stands_for[found.node_of_meso],
     )
     return Part(kept, found, done, meso, is_held[done.is_kept])
 

@@ -101,7 +101,8 @@ class Flow:
             where it has none; where it was merged by coarsening or resampling, that of the vertex it went into.
         has_pole: (V,) whether that pole pulls.
         history: one `Iteration` for each iteration of each component.
-        curve: the curve as the flow left it, without the branches that were pruned.
+        curve: the curve as the flow left it, without the branches that were pruned, and with one node where finishing
+            has made one of several.
         skeleton: the finished curve; its first nodes are those of ``curve``, moved, and new ones come last.
         recording, source: what the tape is made from.
         tape: what the run decided, for `replay`; made when first asked for.
