@@ -111,6 +111,25 @@ def test_a_chain_of_rings_keeps_its_cycles_by_lengths_alone():
     assert branches.cycle_count(len(found.nodes), found.edges) == (1, genus) and genus >= 3
 
 
+def crossings_of(handles: int, num_sums: int, seed: int) -> np.ndarray:
+    """How ``handles`` pairs of loops cross each other, after one was added to another so many times."""
+    rng = np.random.default_rng(seed)
+    sums = np.eye(2 * handles, dtype=np.int64)
+    for _ in range(num_sums):
+        one, other = rng.choice(2 * handles, 2, replace=False)
+        sums[one] += rng.choice([-1, 1]) * sums[other]
+    return sums @ np.kron(np.eye(handles, dtype=np.int64), [[0, 1], [-1, 0]]) @ sums.T
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_sums_of_loops_that_cross_often_stay_small_or_are_given_up(seed):
+    length = np.random.default_rng(seed).uniform(1, 2, 16)
+    crossings = crossings_of(8, 60, seed)
+    apart = short_loops._apart(crossings, length)
+    assert apart is not None and np.linalg.matrix_rank(apart) == 8 and not (apart @ crossings @ apart.T).any()
+    assert short_loops._apart(crossings_of(20, 300, seed), np.tile(length, 3)[:40]) is None
+
+
 def test_a_run_without_linking_numbers_has_its_cycle_and_says_how(monkeypatch):
     monkeypatch.setattr(homology, "half_edge_classes", lambda *_: None)
     report = msf_jax.skeletonize(torus(around=24, across=12)).report

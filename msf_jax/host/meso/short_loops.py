@@ -15,12 +15,14 @@ from msf_jax.host.meso import ring_tables
 from msf_jax.host.meso.homology import loop_along
 
 MOST_HANDLES = 400  # beyond, the table of crossings is no longer small
+MOST_TIMES = 2**14  # that a sum of loops may go along one of them, lest classes of edges leave the range of 64 bits
 
 
 def short_classes(positions: np.ndarray, rings: np.ndarray) -> np.ndarray | None:
     """Classes (n, K) beside the ring table ``rings`` of a connected surface, as `homology.ring_classes` gives them.
 
-    It takes short loops for those that vanish in the solid. None for a surface of more than ``MOST_HANDLES``.
+    It takes short loops for those that vanish in the solid. None for a surface of more than ``MOST_HANDLES``,
+    or where sums of loops grow beyond ``MOST_TIMES``.
     """
     degree = ring_tables.ring_degrees(rings)
     edges = half_edges(ring_tables.faces_from_rings(rings))
@@ -63,6 +65,8 @@ def short_classes(positions: np.ndarray, rings: np.ndarray) -> np.ndarray | None
     walked = sparse.csr_matrix((np.ones(len(ahead), dtype=np.int64), (number, ahead)), shape)
     crossings = (walked @ crossed.T).toarray()
     chosen = _apart(crossings, np.array([length[way].sum() for way in ways]))
+    if chosen is None:
+        return None
     weight = np.random.default_rng(2005).integers(1, 2**30, size=len(chosen)) @ chosen
     classes = np.zeros(rings.shape, dtype=np.int64)
     classes[tail, slot_of] = crossed.T @ weight
@@ -91,10 +95,12 @@ def _generators(edges: HalfEdges, around: np.ndarray, in_tree: np.ndarray) -> np
     return free[~in_cotree]
 
 
-def _apart(crossings: np.ndarray, length: np.ndarray) -> np.ndarray:
+def _apart(crossings: np.ndarray, length: np.ndarray) -> np.ndarray | None:
     """(g, 2g): short sums of the 2g loops that do not cross each other; ``crossings`` (2g, 2g) is how those do.
 
     After one is chosen, another that crosses it goes, and is added to all others as often as makes them not cross it.
+    Of a sum that goes around several times one time is left, lest numbers double with every round. None where they grow
+    beyond ``MOST_TIMES`` still.
     """
     left, length = np.eye(len(length), dtype=np.int64), length.copy()
     chosen = []
@@ -108,8 +114,13 @@ def _apart(crossings: np.ndarray, length: np.ndarray) -> np.ndarray:
         if not len(partners):
             continue
         other = partners[np.lexsort((length[partners], np.abs(times[partners])))[0]]
-        left = times[other] * left - times[:, None] * left[other]
-        length = np.abs(times[other]) * length + np.abs(times) * length[other]
+        both = np.gcd(times, times[other])
+        own, its = times[other] // both, times // both
+        length = np.abs(own) * length + np.abs(its) * length[other]
+        left = own[:, None] * left - its[:, None] * left[other]
         is_left = np.arange(len(left)) != other
-        left, length = left[is_left], length[is_left]
+        around = np.maximum(np.gcd.reduce(left[is_left], axis=1), 1)
+        left, length = left[is_left] // around[:, None], length[is_left] / around
+        if np.abs(left).max(initial=0) > MOST_TIMES:
+            return None
     return np.array(chosen, dtype=np.int64).reshape(-1, len(crossings))
