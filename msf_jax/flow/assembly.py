@@ -46,11 +46,11 @@ def assemble(
         if config.evaluate:
             figures = metrics.figures_of(solid.shape, solid.enter(stitched[1].vertices), stitched[1].edges)
         if refused := sum(part.finished.num_refused for part in parts):
-            notes = [*notes, f"{refused} edges of the curve may be outside: the search for ways inside hit its bound"]
+            notes = [*notes, f"{_edges(refused)} of the curve may be outside: the search for ways inside hit its bound"]
         if closed := sum(part.finished.num_closed for part in parts):
             notes = [
                 *notes,
-                f"no way inside was found for {closed} edges of the curve: the solid may be in pieces there",
+                f"no way inside was found for {_edges(closed)} of the curve: the solid may be in pieces there",
             ]
         if laid := sum(part.finished.node_of_vertex is not None for part in parts):
             notes = [
@@ -80,6 +80,10 @@ def assemble(
         recording=Recording(_records(checked, states, parts), *checked.given, checked.input_of_vertex, checked.is_made),
         source=source,
     )
+
+
+def _edges(count: int) -> str:
+    return f"{count} edge{'' if count == 1 else 's'}"
 
 
 def _skeleton(stitched: Stitched, checked: Surface, report: Report, source: Source) -> Skeleton:

@@ -44,7 +44,7 @@ class Passages:
         self.test = test
         self.num_searches = 0
         self.num_refused = 0  # ways that were not looked for, as the bound was hit
-        self.num_closed = 0  # ways that were looked for at last where there is none
+        self.num_closed = 0  # ways that were looked for at last, between points inside, where there is none
         self._balls: tuple[np.ndarray, np.ndarray] | None = None
 
     def ways(self, x: np.ndarray, pairs: np.ndarray) -> list[np.ndarray]:
@@ -68,8 +68,8 @@ class Passages:
                     way, num = graph.way(int(row), int(other), bound - self.num_searches)
                     self.num_searches += num
                 is_refused = not len(way) and self.num_searches >= bound
+                self.num_closed += not is_refused and not len(way)
             self.num_refused += is_refused
-            self.num_closed += not is_refused and not len(way)
             found.append(way)
         return found
 
