@@ -5,6 +5,7 @@ import pytest
 import trimesh
 
 import msf_jax
+from msf_jax.flow import curves
 from msf_jax.host.curve import branches, containment
 from msf_jax.host.mesh import checking
 from msf_jax.host.solid.solid import Solid
@@ -106,6 +107,14 @@ def test_a_loop_of_coarse_wire_keeps_its_cycle_and_the_report_says_how_it_was_ma
     on_curve = curve.vertices[curve.mesh_map]
     assert np.linalg.norm(on_curve - vertices, axis=1).max() < 0.02
     assert not msf_jax.skeletonize((vertices, faces), pins=[0, 120]).report.notes  # no waves; pins are not inside
+
+
+def test_waves_make_the_curve_where_the_flow_has_left_a_tangle(monkeypatch):
+    monkeypatch.setattr(curves, "MOST_VOLUME", -1.0)  # whatever is left of the volume is too much
+    report = msf_jax.skeletonize(wire(snake(61), 0.01)).report
+    assert report.is_sound and len(report.notes) == 1 and "waves" in report.notes[0]
+    notes = msf_jax.skeletonize(wire(snake(61), 0.01), pins=[0]).report.notes
+    assert any("1 of 1 curves not finished" in note for note in notes)
 
 
 def test_joined_wires_are_one_tree():

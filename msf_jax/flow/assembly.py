@@ -8,7 +8,7 @@ from scipy import spatial
 from msf_jax import metrics
 from msf_jax.base.options import Config, Weights
 from msf_jax.flow import curves
-from msf_jax.flow.curves import MOST_VOLUME, Part, Stitched, is_tangle, lacks_classes
+from msf_jax.flow.curves import MOST_VOLUME, Part, Stitched, is_left, lacks_classes
 from msf_jax.flow.state import Flow, Iteration, State, Stopwatch
 from msf_jax.host.curve import branches
 from msf_jax.host.mesh.checking import Surface
@@ -64,6 +64,11 @@ def assemble(
             notes = [
                 *notes,
                 f"nodes of {sparse} of {len(parts)} curves are far apart: they are long for their thickness",
+            ]
+        if tangles := sum(map(is_left, states, parts)):
+            notes = [
+                *notes,
+                f"{tangles} of {len(parts)} curves not finished: over {MOST_VOLUME:.0%} of the volume is left",
             ]
         report = report_of(checked, states, reasons, history, notes, figures, watch)
         curve, skeleton = (_skeleton(each, checked, report, source) for each in stitched)
@@ -216,8 +221,6 @@ def report_of(
 
 def _notes(states: list[State], history: tuple[Iteration, ...]) -> list[str]:
     notes = []
-    if tangles := sum(map(is_tangle, states)):
-        notes.append(f"{tangles} of {len(states)} curves not finished: over {MOST_VOLUME:.0%} of the volume is left")
     if guessed := sum(lacks_classes(state, state.meso) for state in states):
         which = "a surface that crosses" if guessed == 1 else f"{guessed} surfaces that cross"
         notes.append(f"the loops of {which} itself, or with very many handles, were told apart by their lengths alone")

@@ -34,7 +34,8 @@ class Part(NamedTuple):
 def curve_of(state: State, meso: Meso, config: Config, watch: Stopwatch) -> Part:
     """The curve of a contracted surface ``meso``, as it is and finished.
 
-    That of a surface with more than ``MOST_VOLUME`` left is a tangle that no pass can mend, and stays as it is.
+    That of a surface with more than ``MOST_VOLUME`` left is a tangle that no pass can mend, and stays as it is,
+    unless waves over the surface make the curve.
     """
     with watch.stage("curve"):
         pinned = meso.node_of_input[state.pins]
@@ -49,22 +50,19 @@ def curve_of(state: State, meso: Meso, config: Config, watch: Stopwatch) -> Part
         is_held[node_of_pin] = True
         nodes[is_held] = means(state.shape.vertices[state.pins], node_of_pin, len(nodes))[is_held]
     with watch.stage("finishing"):
-        if is_tangle(state):
-            every = np.arange(len(nodes))
-            done = Finished(nodes, found.edges, np.ones(len(nodes), dtype=bool), every)
-        else:
-            done = finishing.finish(
-                state.shape,
-                nodes,
-                found.edges,
-                is_held,
-                persistence=config.prune,
-                centre=config.centre,
-                extend=config.extend_tips,
-                is_thin=meso.scale is not None,
-                rough=state.rough,
-                first=partial(_recentred, meso, found) if config.surgery else None,
-            )
+        done = finishing.finish(
+            state.shape,
+            nodes,
+            found.edges,
+            is_held,
+            persistence=config.prune,
+            centre=config.centre,
+            extend=config.extend_tips,
+            is_thin=meso.scale is not None,
+            is_tangle=is_tangle(state),
+            rough=state.rough,
+            first=partial(_recentred, meso, found) if config.surgery else None,
+        )
     # A node that has gone passes its edges on to the one that stands for it: what was one curve does not fall apart.
     stands_for = (np.cumsum(done.is_kept) - 1)[done.target]
     edges = stands_for[found.edges]
@@ -98,6 +96,11 @@ def _recentred(meso: Meso, found: Curve, draft: Draft, job: Job) -> Draft:
 def is_tangle(state: State) -> bool:
     """Whether so much of the volume is left that there is no curve to speak of."""
     return abs(state.history[-1].volume if state.history else 1.0) > MOST_VOLUME
+
+
+def is_left(state: State, part: Part) -> bool:
+    """Whether the curve is a tangle that stays as it is."""
+    return is_tangle(state) and part.finished.node_of_vertex is None
 
 
 class Stitched(NamedTuple):
@@ -134,7 +137,7 @@ def finished(checked: Surface, states: list[State], parts: list[Part]) -> Stitch
         number = np.where(number < count, num_old + number, num_flow + num_new + number - count)
         edges.append(number[done.edges])
         node = node_of_input(part) if done.node_of_vertex is None else done.node_of_vertex
-        if not is_tangle(state):
+        if not is_left(state, part):
             node = finishing.nearest_on_branch(done.vertices, done.edges, state.shape.vertices, node)
         node_of_vertex[member[state.order]] = number[node]
         num_old += count

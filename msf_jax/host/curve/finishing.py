@@ -122,6 +122,7 @@ def finish(
     centre: bool,
     extend: bool,
     is_thin: bool = False,
+    is_tangle: bool = False,
     rough: Enclosure | None = None,
     first: Callable[[Draft, Job], Draft] | None = None,
 ) -> Finished:
@@ -131,9 +132,10 @@ def finish(
     node is held.
 
     ``persistence`` is that below which branches are pruned; ``centre`` and ``extend`` switch those steps. ``is_thin``
-    says that it has thin limbs, which the curve may have missed. ``rough`` is much the same surface of fewer triangles,
-    which is good enough to find the middle of. ``first`` is a pass that comes before all others, and may say where the
-    flow's nodes are to be.
+    says that it has thin limbs, which the curve may have missed. ``is_tangle`` says that the flow has left a tangle,
+    which no pass can mend: it stays as it is, unless waves make a curve. ``rough`` is much the same surface of fewer
+    triangles, which is good enough to find the middle of. ``first`` is a pass that comes before all others, and may say
+    where the flow's nodes are to be.
     """
     job = Job(
         shape,
@@ -147,6 +149,8 @@ def finish(
         laid = course.course(shape, containment.is_inside)
         if laid is not None:
             return _of_waves(laid, nodes, job)
+    if is_tangle:
+        return Finished(nodes, edges, np.ones(len(nodes), dtype=bool), np.arange(len(nodes)))
     draft = Draft(nodes, edges, is_held, np.arange(len(nodes)), np.arange(len(nodes)), nodes)
     for each in [*([] if first is None else [first]), *passes(centre, extend)]:
         draft = each(draft, job)
