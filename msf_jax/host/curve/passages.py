@@ -2,11 +2,15 @@
 
 The nodes are centres of balls that touch the surface from inside, one for each place: a ball among others of its size
 that overlap it says nothing new. Where two balls overlap, the segment between their centres is inside without a look.
-Any other edge is taken for open until a shortest way uses it; then rays tell, and the next way does without those that
-are not (lazy shortest paths; Dellin, Srinivasa 2016). The cost follows the ways that are asked for, and has a bound.
+Rays tell of the others. First parts of the graph are joined, each by the nearest of its edges that is inside, as in a
+spanning tree (Boruvka 1926): from then on it is known between which points there is a way. Any other edge is taken for
+open until a shortest way uses it, and is looked at then (lazy shortest paths; Dellin, Srinivasa 2016). A way is sought
+near the edge that it is for, and farther off only if there is none: it goes on the same side of a hole, and costs what
+is near. All of it has a bound.
 """
 
 from collections.abc import Callable
+from typing import NamedTuple
 
 import numpy as np
 from scipy import sparse, spatial
@@ -22,11 +26,12 @@ CORRECTIONS = 4  # of a ball's radius, by the triangles between the samples
 NEIGHBOURS = 12  # of a ball, of any size, and
 LARGER = 3  # of each larger size
 FAR = 3.0  # times the sum of their radii: balls that are farther apart than that are no neighbours
-NEAR_BY = 10.0  # times what the straight way would cost in the median ball: so far a way is sought at first
+JOINING = 2  # edges out of a part that are looked at in the first round of joining, twice as many in every next
+MOST_LOOKS = 30_000  # that joining may take
+REACHES = (2.0, 6.0, np.inf)  # times the length of an edge: so long a way over a ball may be
+TRIES = 20  # ways over edges that nobody has looked at, before such edges are left out
 UNSEEN = 3.0  # times as long as it is counts an edge that nobody has looked at
-SEARCHES = 300  # that a curve may cost, and one more for every
-EDGES_A_SEARCH = 10  # of its edges outside
-AT_ONCE = 256  # edges out of a pocket that are looked at together
+VISITS = 5_000_000  # of balls, by all searches for ways of a curve
 
 Test = Callable[[Enclosure, np.ndarray, np.ndarray], np.ndarray]
 
@@ -42,35 +47,39 @@ class Passages:
     def __init__(self, shape: Enclosure, test: Test):
         self.shape = shape
         self.test = test
-        self.num_searches = 0
-        self.num_refused = 0  # ways that were not looked for, as the bound was hit
-        self.num_closed = 0  # ways that were looked for at last, between points inside, where there is none
+        self.num_visits = 0
+        # Of the curve that was asked for last:
+        self.num_refused = 0  # ways that were not looked for, as a bound was hit
+        self.num_closed = 0  # edges between points inside, for which there is no way
         self._balls: tuple[np.ndarray, np.ndarray] | None = None
+        self._links: _Links | None = None
 
     def ways(self, x: np.ndarray, pairs: np.ndarray) -> list[np.ndarray]:
         """Points (k, 3) from x[a] to x[b] for each of ``pairs`` (E, 2), with segments inside; none where there is none.
 
-        The roomiest and shortest one is taken.
+        A roomy and short one near the edge is taken.
         """
-        self.num_closed = 0
+        self.num_closed = self.num_refused = 0
         if not len(pairs):
             return []
         ends, place = np.unique(pairs, return_inverse=True)
         is_inside = self.shape.contains(x[ends])
-        graph = _Graph(self.shape, self.test, *self._with(x[ends]), len(ends))
-        bound = SEARCHES + len(pairs) // EDGES_A_SEARCH
+        row = np.cumsum(is_inside) - 1
+        graph = self._graph(x[ends[is_inside]])
         found = []
-        for (a, b), (row, other) in zip(pairs, place.reshape(-1, 2), strict=True):
-            del a, b
-            way, is_refused = np.empty((0, 3)), False
-            if is_inside[row] and is_inside[other]:
-                if self.num_searches < bound:
-                    way, num = graph.way(int(row), int(other), bound - self.num_searches)
-                    self.num_searches += num
-                is_refused = not len(way) and self.num_searches >= bound
-                self.num_closed += not is_refused and not len(way)
-            self.num_refused += is_refused
+        for a, b in place.reshape(-1, 2):
+            way = np.empty((0, 3))
+            if is_inside[a] and is_inside[b]:
+                start, end = graph.first_end + row[[a, b]]
+                if self.num_visits > VISITS or (graph.part[start] != graph.part[end] and not graph.is_joined):
+                    self.num_refused += 1
+                elif graph.part[start] != graph.part[end]:
+                    self.num_closed += 1
+                else:
+                    way = graph.way(int(start), int(end))
+                    self.num_visits += graph.num_visits
             found.append(way)
+        self._links = graph.links_of_balls()
         return found
 
     def nearest(self, points: np.ndarray, radii: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -88,84 +97,100 @@ class Passages:
             self._balls = inner_balls(self.shape)
         return self._balls
 
-    def _with(self, ends: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    def _graph(self, ends: np.ndarray) -> "_Graph":
+        """The balls, and after them ``ends`` of ways."""
         centre, radius = self._all_balls()
-        return np.concatenate([ends, centre]), np.concatenate([self.shape.clearance(ends), radius])
+        if self._links is None:
+            self._links = _links(centre, radius, *_neighbours(centre, radius))
+        of_ends = _links_of_ends(centre, radius, ends, self.shape.clearance(ends))
+        links = _Links(*(np.concatenate(both) for both in zip(self._links, of_ends, strict=True)))
+        return _Graph(self.shape, self.test, np.concatenate([centre, ends]), len(centre), links)
+
+
+class _Links(NamedTuple):
+    """Edges (E,) from ball ``tail`` to ball ``head``: the ``length`` of each, over that of both radii (``gap``), and over
+    the smaller radius (``cost``); whether it ``is_seen``, and ``is_open``, as far as that is known."""
+
+    tail: np.ndarray
+    head: np.ndarray
+    gap: np.ndarray
+    cost: np.ndarray
+    is_seen: np.ndarray
+    is_open: np.ndarray
 
 
 class _Graph:
-    """Balls, the first ``num_ends`` of which are ends of ways, and the edges between neighbours."""
+    """Balls with their centres, ends of ways from number ``first_end`` on, and the edges between neighbours."""
 
-    def __init__(self, shape: Enclosure, test: Test, centre: np.ndarray, radius: np.ndarray, num_ends: int):
-        self.shape, self.test, self.centre = shape, test, centre
-        self.usual = max(float(np.median(radius[num_ends:])) if len(radius) > num_ends else 0.0, TOUCHING)
-        tail, head = _neighbours(centre, radius, num_ends)
-        length = np.linalg.norm(centre[tail] - centre[head], axis=1)
-        self.tail, self.head = tail, head
-        self.is_seen = length < radius[tail] + radius[head]
-        room = np.maximum(np.minimum(radius[tail], radius[head]), TOUCHING)
-        self.cost = np.maximum(length / room, 1e-9) * np.where(self.is_seen, 1.0, UNSEEN)  # roomy ways first
-        every, shape_of = np.arange(1, len(tail) + 1), (len(centre),) * 2
-        both = np.concatenate([tail, head]), np.concatenate([head, tail])
-        self.matrix = sparse.csr_matrix((np.tile(every, 2), both), shape=shape_of)
-        edge = np.asarray(self.matrix.data) - 1  # of each entry
-        self.matrix.data = self.cost[edge].astype(np.float64)
-        self.entries = np.argsort(edge, kind="stable").reshape(-1, 2)  # the two of each edge
+    def __init__(self, shape: Enclosure, test: Test, centre: np.ndarray, first_end: int, links: _Links):
+        self.shape, self.test, self.centre, self.first_end, self.links = shape, test, centre, first_end, links
+        self.num_visits = 0
+        self.part, self.is_joined = self._join()
 
-    def way(self, start: int, end: int, most: int) -> tuple[np.ndarray, int]:
-        """Points (k, 3) between the two, none if there is no way, after at most so many searches; and their number."""
-        num = len(self.centre)
-        # Near by at first: a search costs as much as it reaches.
-        limit = self._limit(start, end)
-        for number in range(1, most + 1):
-            before = csgraph.dijkstra(self.matrix, indices=start, return_predecessors=True, limit=limit)[1]
-            stops = [end]
-            while before[stops[-1]] >= 0:
-                stops.append(int(before[stops[-1]]))
-            if stops[-1] != start:
-                if limit == np.inf:
-                    return np.empty((0, 3)), number
-                limit = np.inf
-                continue
-            low, high = np.minimum(stops[1:], stops[:-1]), np.maximum(stops[1:], stops[:-1])
-            edge = np.searchsorted(self.tail * num + self.head, low * num + high)
-            unseen = edge[~self.is_seen[edge]]
-            if not len(unseen):
-                return self.centre[stops[-2:0:-1]], number
-            if not self._look(unseen).all():
-                self._look(self._frontier(start, end))
-        return np.empty((0, 3)), most
+    def links_of_balls(self) -> _Links:
+        """What is known of the edges between balls."""
+        return _Links(*(each[self.links.head < self.first_end] for each in self.links))
 
-    def _limit(self, start: int, end: int) -> float:
-        """What a way near by costs at most."""
-        length = float(np.linalg.norm(self.centre[start] - self.centre[end]))
-        bounds = self.matrix.indptr
-        own = [self.matrix.data[bounds[ball] : bounds[ball + 1]].min(initial=np.inf) for ball in (start, end)]
-        return NEAR_BY * (length / self.usual + sum(own))
+    def _join(self) -> tuple[np.ndarray, bool]:
+        """The part of the graph that each ball is in; and whether parts are apart that no edge joins."""
+        tail, head, gap, _, is_seen, is_open = self.links
+        num_looks, most = 0, JOINING
+        while True:
+            known = sparse.coo_matrix((is_open[is_open], (tail[is_open], head[is_open])), (len(self.centre),) * 2)
+            part = csgraph.connected_components(known, directed=False)[1]
+            across = np.flatnonzero(~is_seen & (part[tail] != part[head]))
+            if not len(across) or num_looks > MOST_LOOKS:
+                return part, not len(across)
+            owner, edge = np.concatenate([part[tail[across]], part[head[across]]]), np.tile(across, 2)
+            order = np.lexsort((gap[edge], owner))
+            owner, edge = owner[order], edge[order]
+            rank = np.arange(len(owner)) - np.searchsorted(owner, owner)
+            chosen = np.unique(edge[rank < most])
+            self._look(chosen)
+            num_looks += len(chosen)
+            most *= 2
 
-    def _look(self, edge: np.ndarray) -> np.ndarray:
-        """Whether each of these edges is inside, which is known from then on."""
-        is_open = self.test(self.shape, self.centre[self.tail[edge]], self.centre[self.head[edge]])
-        self.is_seen[edge] = True
-        self.cost[edge] = np.where(is_open, self.cost[edge] / UNSEEN, np.inf)
-        self.matrix.data[self.entries[edge]] = self.cost[edge][:, None]
-        return is_open
+    def _look(self, edge: np.ndarray) -> bool:
+        """Look if these edges are inside, and whether all are."""
+        tail, head = self.links.tail[edge], self.links.head[edge]
+        self.links.is_open[edge] = self.test(self.shape, self.centre[tail], self.centre[head])
+        self.links.is_seen[edge] = True
+        return bool(self.links.is_open[edge].all())
 
-    def _frontier(self, start: int, end: int) -> np.ndarray:
-        """The cheapest unseen edges that lead out of what is known to be joined to one of two balls.
+    def way(self, start: int, end: int) -> np.ndarray:
+        """Points (k, 3) between the two, which are in one part."""
+        self.num_visits = 0
+        ends = self.centre[[start, end]]
+        detour = np.linalg.norm(self.centre[:, None] - ends, axis=2).sum(axis=1)
+        for reach in REACHES:
+            is_near = detour <= reach * detour[start]
+            for number in range(TRIES + 1):
+                stops, unseen = self._shortest(start, end, is_near, number < TRIES)
+                if not len(stops):
+                    break
+                if not len(unseen) or self._look(unseen):
+                    return self.centre[stops[1:-1]]
+        return np.empty((0, 3))
 
-        The smaller such part is taken: it may be a pocket that no way leads out of.
-        """
-        is_joined = self.is_seen & np.isfinite(self.cost)
-        known = sparse.coo_matrix(
-            (np.ones(is_joined.sum()), (self.tail[is_joined], self.head[is_joined])), shape=self.matrix.shape
-        )
-        part = csgraph.connected_components(known, directed=False)[1]
-        if part[start] == part[end]:
-            return np.empty(0, dtype=np.int64)
-        is_own = min((part == part[ball] for ball in (start, end)), key=np.count_nonzero)
-        leads_out = np.flatnonzero(~self.is_seen & (is_own[self.tail] != is_own[self.head]))
-        return leads_out[np.argsort(self.cost[leads_out], kind="stable")[:AT_ONCE]]
+    def _shortest(self, start: int, end: int, is_near: np.ndarray, may_be_unseen: bool) -> tuple[np.ndarray, np.ndarray]:
+        """The balls (k,) on the way, none if there is no way; and the edges of it that nobody has looked at."""
+        tail, head, _, cost, is_seen, is_open = self.links
+        edge = np.flatnonzero(is_near[tail] & is_near[head] & (is_open | (~is_seen & may_be_unseen)))
+        ball = np.flatnonzero(is_near)
+        self.num_visits += len(ball)
+        rank = np.cumsum(is_near) - 1
+        both = rank[np.concatenate([tail[edge], head[edge]])], rank[np.concatenate([head[edge], tail[edge]])]
+        weight = np.where(is_seen[edge], cost[edge], UNSEEN * cost[edge])
+        matrix = sparse.csr_matrix((np.tile(weight, 2), both), (len(ball),) * 2)
+        before = csgraph.dijkstra(matrix, indices=rank[start], return_predecessors=True)[1]
+        stops = [int(rank[end])]
+        while before[stops[-1]] >= 0:
+            stops.append(int(before[stops[-1]]))
+        if stops[-1] != rank[start]:
+            return np.empty(0, dtype=np.int64), np.empty(0, dtype=np.int64)
+        number = sparse.csr_matrix((np.tile(np.arange(1, len(edge) + 1), 2), both), matrix.shape)
+        used = edge[np.asarray(number[stops[:-1], stops[1:]]).ravel() - 1]
+        return ball[stops[::-1]], used[~is_seen[used]]
 
 
 def inner_balls(shape: Enclosure) -> tuple[np.ndarray, np.ndarray]:
@@ -196,26 +221,47 @@ def _one_for_each_place(centre: np.ndarray, radius: np.ndarray) -> np.ndarray:
     return np.sort(np.unique(cells, axis=0, return_index=True)[1])
 
 
-def _neighbours(centre: np.ndarray, radius: np.ndarray, num_ends: int) -> tuple[np.ndarray, np.ndarray]:
+def _links(centre: np.ndarray, radius: np.ndarray, tail: np.ndarray, head: np.ndarray) -> _Links:
+    length = np.linalg.norm(centre[tail] - centre[head], axis=1)
+    gap = length / np.maximum(radius[tail] + radius[head], TOUCHING)
+    room = np.maximum(np.minimum(radius[tail], radius[head]), TOUCHING)
+    return _Links(tail, head, gap, np.maximum(length / room, 1e-9), gap < 1, gap < 1)
+
+
+def _levels(radius: np.ndarray) -> np.ndarray:
+    return np.floor(np.log2(np.maximum(radius, TOUCHING))).astype(np.int64)
+
+
+def _neighbours(centre: np.ndarray, radius: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Pairs of balls, the smaller number first, in ascending order: each with those next to it, and larger ones."""
-    num = len(centre)
-    level = np.floor(np.log2(np.maximum(radius, TOUCHING))).astype(np.int64)
-    level[:num_ends] = level.min()  # an end is joined to balls of all sizes
-    pairs = [_nearest(centre, np.arange(num), np.arange(num), NEIGHBOURS + 1)]
+    num, level = len(centre), _levels(radius)
+    pairs = [_nearest(centre, np.arange(num), centre, np.arange(num), NEIGHBOURS + 1)]
     for size in np.unique(level)[1:]:
-        pairs.append(_nearest(centre, np.flatnonzero(level < size), np.flatnonzero(level == size), LARGER))
+        smaller = np.flatnonzero(level < size)
+        pairs.append(_nearest(centre[smaller], smaller, centre, np.flatnonzero(level == size), LARGER))
     both = np.concatenate(pairs)
     both = np.sort(both[both[:, 0] != both[:, 1]], axis=1)
     both = np.unique(both[:, 0] * num + both[:, 1])
     tail, head = both // num, both % num
     apart = np.asarray(spatial.KDTree(centre).query(centre, k=2)[0])[:, 1]
     reach = FAR * (radius[tail] + radius[head]) + 2 * np.maximum(apart[tail], apart[head])
-    is_near = (np.linalg.norm(centre[tail] - centre[head], axis=1) < reach) | (tail < num_ends)
+    is_near = np.linalg.norm(centre[tail] - centre[head], axis=1) < reach
     return tail[is_near], head[is_near]
 
 
-def _nearest(centre: np.ndarray, rows: np.ndarray, others: np.ndarray, num: int) -> np.ndarray:
-    """(R k, 2): each of ``rows`` with its nearest ``num`` of ``others``."""
+def _links_of_ends(centre: np.ndarray, radius: np.ndarray, ends: np.ndarray, room: np.ndarray) -> _Links:
+    """Edges from balls to ``ends`` (P, 3), numbered after them: to those next to each, and to some of every size."""
+    number, level = len(centre) + np.arange(len(ends)), _levels(radius)
+    pairs = [_nearest(ends, number, centre, np.arange(len(centre)), NEIGHBOURS)]
+    pairs += [_nearest(ends, number, centre, np.flatnonzero(level == size), LARGER) for size in np.unique(level)]
+    both = np.unique(np.concatenate(pairs), axis=0)
+    return _links(np.concatenate([centre, ends]), np.concatenate([radius, room]), both[:, 1], both[:, 0])
+
+
+def _nearest(points: np.ndarray, number: np.ndarray, centre: np.ndarray, others: np.ndarray, num: int) -> np.ndarray:
+    """(P k, 2): the ``number`` of each point with its nearest ``num`` of ``others``, by their ``centre``."""
     num = min(num, len(others))
-    found = spatial.KDTree(centre[others]).query(centre[rows], k=num)[1].reshape(-1)
-    return np.stack([np.repeat(rows, num), others[found]], axis=1)
+    if not num:
+        return np.empty((0, 2), dtype=np.int64)
+    found = np.asarray(spatial.KDTree(centre[others]).query(points, k=num)[1]).reshape(-1)
+    return np.stack([np.repeat(number, num), others[found]], axis=1)
