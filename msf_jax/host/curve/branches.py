@@ -249,33 +249,60 @@ def lay_together(
     A loop that is folded flat is no loop. An edge then goes through nodes that lie on it, and nodes in one place are
     one, the first of them, or one of ``is_held`` (N,). Branches that only touch stay apart: no loop comes to be.
     """
-    num, every, tree = len(vertices), np.arange(len(vertices)), spatial.KDTree(vertices)
-    pairs = tree.query_pairs(TOGETHER, output_type="ndarray")
-    graph = sparse.coo_matrix((np.ones(len(pairs)), (pairs[:, 0], pairs[:, 1])), (num, num))
-    place = csgraph.connected_components(graph, directed=False)[1]
-    held_first = np.lexsort((every, ~is_held))
-    target = held_first[np.unique(place[held_first], return_index=True)[1]][place]
-    edge, node, part = _nodes_on(vertices, edges, tree)
-
-    def laid(is_glued: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Where nodes go, and the pieces of edges between them, if so much is done at the places of ``is_glued``."""
-        goal, stops = np.where(is_glued[target], target, every), is_glued[target[node]]
-        return goal, np.sort(goal[_pieces(edges, edge[stops], node[stops], part[stops])], axis=1)
-
-    pieces = laid(np.ones(num, dtype=bool))[1]
-    pieces, count = np.unique(pieces, axis=0, return_counts=True)
-    doubled = pieces[(count > 1) | (pieces[:, 0] == pieces[:, 1])]
+    num, every = len(vertices), np.arange(len(vertices))
+    places = _places(vertices, edges, is_held)
+    doubled = _doubled(_laid(edges, places, np.ones(num, dtype=bool))[1])
     graph = sparse.coo_matrix((np.ones(len(doubled)), (doubled[:, 0], doubled[:, 1])), (num, num))
     group = csgraph.connected_components(graph, directed=False)[1]
     is_glued, cycles = np.zeros(num, dtype=bool), cycle_count(num, edges)[1]
     for number in np.unique(group[doubled[:, 0]]):
         tried = is_glued | (group == number)
-        goal, pieces = laid(tried)
+        goal, pieces = _laid(edges, places, tried)
         found = cycle_count(num, _relabelled(pieces, every))[1]
         if found <= cycles:
             is_glued, cycles = tried, found
-    goal, pieces = laid(is_glued)
+    goal, pieces = _laid(edges, places, is_glued)
     return goal == every, goal, _relabelled(pieces, every)
+
+
+def is_folded(vertices: np.ndarray, edges: np.ndarray) -> np.ndarray:
+    """(N,) True for the nodes where edges coincide in space: a loop there is folded flat."""
+    every = np.ones(len(vertices), dtype=bool)
+    goal, pieces = _laid(edges, _places(vertices, edges, ~every), every)
+    return np.isin(goal, _doubled(pieces))
+
+
+class _Places(NamedTuple):
+    """target: (N,) the first node in the place of each. edge, node, part: (k,) see `_nodes_on`."""
+
+    target: np.ndarray
+    edge: np.ndarray
+    node: np.ndarray
+    part: np.ndarray
+
+
+def _places(vertices: np.ndarray, edges: np.ndarray, is_held: np.ndarray) -> _Places:
+    """Which nodes are in one place, those of ``is_held`` (N,) before others, and which are on edges."""
+    num, tree = len(vertices), spatial.KDTree(vertices)
+    pairs = tree.query_pairs(TOGETHER, output_type="ndarray")
+    graph = sparse.coo_matrix((np.ones(len(pairs)), (pairs[:, 0], pairs[:, 1])), (num, num))
+    place = csgraph.connected_components(graph, directed=False)[1]
+    held_first = np.lexsort((np.arange(num), ~is_held))
+    target = held_first[np.unique(place[held_first], return_index=True)[1]][place]
+    return _Places(target, *_nodes_on(vertices, edges, tree))
+
+
+def _laid(edges: np.ndarray, places: _Places, is_glued: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Where nodes go (N,), and the pieces (P, 2) of edges between them, if they are one at the places of ``is_glued``."""
+    target, edge, node, part = places
+    goal, stops = np.where(is_glued[target], target, np.arange(len(target))), is_glued[target[node]]
+    return goal, np.sort(goal[_pieces(edges, edge[stops], node[stops], part[stops])], axis=1)
+
+
+def _doubled(pieces: np.ndarray) -> np.ndarray:
+    """The pieces that are there twice, or have no length."""
+    single, count = np.unique(pieces, axis=0, return_counts=True)
+    return single[(count > 1) | (single[:, 0] == single[:, 1])]
 
 
 def _nodes_on(

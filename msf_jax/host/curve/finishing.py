@@ -200,7 +200,8 @@ def contained(draft: Draft, job: Job) -> Draft:
 
 def unfolded(draft: Draft, job: Job, most: float = 90.0) -> Draft:
     """No branch turns by more than ``most`` degrees at a node, if it need not."""
-    return draft.changed(containment.unfold(job.shape, draft.vertices, draft.edges, draft.is_held, most))
+    x = containment.unfold(job.shape, draft.vertices, draft.edges, draft.is_held, most)
+    return draft.changed(_apart(draft, x))
 
 
 def centred(
@@ -209,7 +210,22 @@ def centred(
     """Nodes in the middle of the solid."""
     is_held = draft.is_held | draft.is_leaf() if hold_leaves else draft.is_held
     x = centring.centre(job.rough, draft.vertices, draft.edges, is_held, rounds, draft.place, is_rough, job.budget)
-    return draft.changed(x)
+    return draft.changed(_apart(draft, x))
+
+
+def _apart(draft: Draft, x: np.ndarray) -> np.ndarray:
+    """Nodes ``x`` (N, 3) that a pass has moved, but for branches that lie on one another then: those stay where they
+    were, so that no loop is folded flat."""
+    x, left = x.copy(), branches.trace(len(x), draft.edges)
+    while left:
+        is_stuck = branches.is_folded(x, draft.edges) & (x != draft.vertices).any(axis=1)
+        stuck = [way for way in left if is_stuck[way[1:-1]].any()]
+        if not stuck:
+            break
+        for way in stuck:
+            x[way[1:-1]] = draft.vertices[way[1:-1]]
+        left = [way for way in left if way not in stuck]
+    return x
 
 
 def merged(draft: Draft, job: Job) -> Draft:
