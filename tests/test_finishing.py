@@ -120,6 +120,21 @@ def test_a_loop_around_a_hole_is_not_folded_flat():
     np.testing.assert_allclose(straight[3], (x[0] + x[1]) / 2, atol=1e-12)
 
 
+@pytest.mark.parametrize("step", [finishing.unfolded, finishing.centred])
+def test_no_pass_folds_a_loop_flat(step):
+    """One that is inside a single ball, too: a handle that is smaller than that has no other."""
+    line = np.linspace([0, 0, 0], [2, 0, 0], 60)
+    shape, scale = unit_shape(tube(line))
+    axis = scale * line[[5, 30, 32]]
+    away = np.array([0, 0, 0.01])
+    x = np.concatenate([axis[:2], [axis[2] + away, axis[2] - away]])
+    edges = np.array([[0, 1], [1, 2], [2, 3], [1, 3]])
+    draft = finishing.Draft(x, edges, none_held(x), np.arange(4), np.arange(4), x)
+    job = finishing.Job(shape, shape, 1.5, False, None, centring.Budget())
+    done = finishing.laid_together(step(draft, job), job)
+    assert cycle_count(len(done.vertices), done.edges) == (1, 1)
+
+
 def test_where_the_corner_cannot_be_cut_a_half_of_it_is():
     shape, scale = unit_shape(tube(bow(0.6)))
     x, edges = path(scale * np.array([1, 1.1, 1])[:, None] * bow(0.6)[[2, 14, 26]])

@@ -133,14 +133,29 @@ def test_a_way_is_led_round_and_searches_are_bounded(monkeypatch):
     points = np.concatenate([ends[:1], way, ends[1:]])
     assert containment.is_inside(shape, points[:-1], points[1:]).all()
     assert passages.num_refused == 0
-    monkeypatch.setattr("msf_jax.host.curve.passages.SEARCHES", 0)
+    monkeypatch.setattr("msf_jax.host.curve.passages.VISITS", -1)
     refused = Passages(shape, containment.is_inside)
     assert not len(refused.ways(ends, np.array([[0, 1]]))[0])
     assert refused.num_refused == 1
 
 
-@pytest.mark.slow  # a bound that is hit is quick
-def test_no_way_between_two_solids_takes_few_searches():
+def test_ways_keep_to_their_own_sides_of_a_hole():
+    shape = Enclosure(*(np.array(part) for part in (RING.vertices, RING.faces)))
+    angle = np.radians([0, 120, 240])
+    x = 0.4 * np.stack([np.cos(angle), np.sin(angle), 0 * angle], axis=1)
+    pairs = np.array([[0, 1], [1, 2], [2, 0]])
+    passages = Passages(shape, containment.is_inside)
+    for (a, b), way in zip(pairs, passages.ways(x, pairs), strict=True):
+        points = np.concatenate([x[[a]], way, x[[b]]])
+        assert containment.is_inside(shape, points[:-1], points[1:]).all()
+        turned = np.unwrap(np.arctan2(points[:, 1], points[:, 0]))
+        assert np.isclose(turned[-1] - turned[0], np.radians(120)) and np.ptp(turned) < np.radians(140)
+
+
+RING = trimesh.creation.torus(0.4, 0.05, major_sections=48, minor_sections=8)
+
+
+def test_no_way_between_two_solids_takes_no_search():
     one, other = trimesh.creation.icosphere(3, 0.2), trimesh.creation.icosphere(3, 0.2)
     other.apply_translation([0.45, 0, 0])
     both = trimesh.util.concatenate([one, other])
@@ -148,9 +163,21 @@ def test_no_way_between_two_solids_takes_few_searches():
     passages = Passages(shape, containment.is_inside)
     ends = np.array([[0.0, 0, 0], [0.45, 0, 0]])
     (way,) = passages.ways(ends, np.array([[0, 1]]))
-    assert not len(way) and passages.num_searches < 20 and passages.num_refused == 0
+    assert not len(way) and passages.num_visits == 0 and passages.num_refused == 0
     assert passages.num_closed == 1
     assert not passages.ways(ends, np.empty((0, 2), dtype=int)) and passages.num_closed == 0
+
+
+def test_joining_has_a_bound(monkeypatch):
+    """What is not known to be apart then counts as refused, and not as closed."""
+    one, other = trimesh.creation.icosphere(3, 0.2), trimesh.creation.icosphere(3, 0.2)
+    other.apply_translation([0.405, 0, 0])
+    both = trimesh.util.concatenate([one, other])
+    monkeypatch.setattr("msf_jax.host.curve.passages.FAR", 100.0)  # there are edges from one to the other
+    monkeypatch.setattr("msf_jax.host.curve.passages.MOST_LOOKS", -1)
+    passages = Passages(Enclosure(np.array(both.vertices), np.array(both.faces)), containment.is_inside)
+    assert not len(passages.ways(np.array([[0.0, 0, 0], [0.405, 0, 0]]), np.array([[0, 1]]))[0])
+    assert passages.num_refused == 1 and passages.num_closed == 0
 
 
 def test_nodes_of_an_inside_out_pocket_come_in():

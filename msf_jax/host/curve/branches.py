@@ -293,7 +293,7 @@ def _places(vertices: np.ndarray, edges: np.ndarray, is_held: np.ndarray) -> _Pl
 
 
 def _laid(edges: np.ndarray, places: _Places, is_glued: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Where nodes go (N,), and the pieces (P, 2) of edges between them, if they are one at the places of ``is_glued``."""
+    """Where nodes go (N,), and the pieces (P, 2) of edges, if edges and nodes are one at the places of ``is_glued``."""
     target, edge, node, part = places
     goal, stops = np.where(is_glued[target], target, np.arange(len(target))), is_glued[target[node]]
     return goal, np.sort(goal[_pieces(edges, edge[stops], node[stops], part[stops])], axis=1)

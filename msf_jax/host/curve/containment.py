@@ -61,7 +61,7 @@ def is_inside(shape: Enclosure, a: np.ndarray, b: np.ndarray, covered: np.ndarra
     length = np.linalg.norm(b - a, axis=1)
     is_in = np.zeros(len(a), dtype=bool) if covered is None else length < covered
     unknown = np.flatnonzero(~is_in)
-    is_in[unknown] = shape.contains(a[unknown]) & shape.contains(b[unknown])
+    is_in[unknown] = shape.contains(a[unknown])
     rows = unknown[is_in[unknown]]
     ray, hit = shape.ray_hits(a[rows], unit(b - a)[rows], length[rows])
     # Where it meets the surface it comes out, or only crosses a fold of the surface inside: the stretches between tell.
@@ -103,10 +103,12 @@ def unfold(
         for share in (1.0, 0.5):
             node, a, b = inner[left], x[before[left]], x[after[left]]
             goal = (1 - share) * x[node] + share * (a + b) / 2
-            is_free = is_inside(shape, a, goal) & is_inside(shape, goal, b)
-            for t in np.linspace(0, 1, FAN)[1:-1, None]:
-                is_free[is_free] = is_inside(shape, x[node[is_free]], ((1 - t) * a + t * goal)[is_free])
-                is_free[is_free] = is_inside(shape, x[node[is_free]], ((1 - t) * b + t * goal)[is_free])
+            is_open = is_inside(shape, np.concatenate([a, goal]), np.concatenate([goal, b]))
+            is_free = is_open.reshape(2, len(node)).all(axis=0)
+            hub, rim, target = x[node[is_free]], (a[is_free], b[is_free]), goal[is_free]
+            fan = [(1 - t) * side + t * target for side in rim for t in np.linspace(0, 1, FAN)[1:-1]]
+            is_open = is_inside(shape, np.tile(hub, (len(fan), 1)), np.concatenate(fan))
+            is_free[is_free] = is_open.reshape(len(fan), len(hub)).all(axis=0)
             x[node[is_free]] = goal[is_free]
             has_moved[node[is_free]] = True
             left = left[~is_free]

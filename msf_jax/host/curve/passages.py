@@ -28,8 +28,8 @@ LARGER = 3  # of each larger size
 FAR = 3.0  # times the sum of their radii: balls that are farther apart than that are no neighbours
 JOINING = 2  # edges out of a part that are looked at in the first round of joining, twice as many in every next
 MOST_LOOKS = 30_000  # that joining may take
-REACHES = (2.0, 6.0, np.inf)  # times the length of an edge: so long a way over a ball may be
-TRIES = 20  # ways over edges that nobody has looked at, before such edges are left out
+REACHES = (2.0, 6.0)  # times the length of an edge: so long a way over a ball may be, at first and then
+TRIES = 8  # ways over edges that nobody has looked at, before such edges are left out
 UNSEEN = 3.0  # times as long as it is counts an edge that nobody has looked at
 VISITS = 5_000_000  # of balls, by all searches for ways of a curve
 
@@ -108,8 +108,8 @@ class Passages:
 
 
 class _Links(NamedTuple):
-    """Edges (E,) from ball ``tail`` to ball ``head``: the ``length`` of each, over that of both radii (``gap``), and over
-    the smaller radius (``cost``); whether it ``is_seen``, and ``is_open``, as far as that is known."""
+    """Edges (E,) from ball ``tail`` to ball ``head``: their length over that of both radii (``gap``), and over that of
+    the smaller one (``cost``); whether each ``is_seen``, and ``is_open``, as far as that is known."""
 
     tail: np.ndarray
     head: np.ndarray
@@ -125,6 +125,9 @@ class _Graph:
     def __init__(self, shape: Enclosure, test: Test, centre: np.ndarray, first_end: int, links: _Links):
         self.shape, self.test, self.centre, self.first_end, self.links = shape, test, centre, first_end, links
         self.num_visits = 0
+        self.tree = spatial.KDTree(centre)
+        every, both = np.arange(1, len(links.tail) + 1), (np.r_[links.tail, links.head], np.r_[links.head, links.tail])
+        self.number = sparse.csr_matrix((np.tile(every, 2), both), (len(centre),) * 2)  # of each edge, from 1 on
         self.part, self.is_joined = self._join()
 
     def links_of_balls(self) -> _Links:
@@ -161,36 +164,39 @@ class _Graph:
         """Points (k, 3) between the two, which are in one part."""
         self.num_visits = 0
         ends = self.centre[[start, end]]
-        detour = np.linalg.norm(self.centre[:, None] - ends, axis=2).sum(axis=1)
+        length = float(np.linalg.norm(ends[1] - ends[0]))
         for reach in REACHES:
-            is_near = detour <= reach * detour[start]
+            near = np.sort(self.tree.query_ball_point(ends.mean(axis=0), 1.001 * reach * length / 2))
+            detour = np.linalg.norm(self.centre[near, None] - ends, axis=2).sum(axis=1)
+            near = near[detour <= reach * length]
             for number in range(TRIES + 1):
-                stops, unseen = self._shortest(start, end, is_near, number < TRIES)
+                stops, unseen = self._shortest(start, end, near, number < TRIES)
                 if not len(stops):
                     break
                 if not len(unseen) or self._look(unseen):
                     return self.centre[stops[1:-1]]
-        return np.empty((0, 3))
+        stops, _ = self._shortest(start, end, np.arange(len(self.centre)), may_be_unseen=False)
+        return self.centre[stops[1:-1]]
 
-    def _shortest(self, start: int, end: int, is_near: np.ndarray, may_be_unseen: bool) -> tuple[np.ndarray, np.ndarray]:
-        """The balls (k,) on the way, none if there is no way; and the edges of it that nobody has looked at."""
-        tail, head, _, cost, is_seen, is_open = self.links
-        edge = np.flatnonzero(is_near[tail] & is_near[head] & (is_open | (~is_seen & may_be_unseen)))
-        ball = np.flatnonzero(is_near)
-        self.num_visits += len(ball)
-        rank = np.cumsum(is_near) - 1
-        both = rank[np.concatenate([tail[edge], head[edge]])], rank[np.concatenate([head[edge], tail[edge]])]
-        weight = np.where(is_seen[edge], cost[edge], UNSEEN * cost[edge])
-        matrix = sparse.csr_matrix((np.tile(weight, 2), both), (len(ball),) * 2)
-        before = csgraph.dijkstra(matrix, indices=rank[start], return_predecessors=True)[1]
-        stops = [int(rank[end])]
+    def _shortest(self, start: int, end: int, near: np.ndarray, may_be_unseen: bool) -> tuple[np.ndarray, np.ndarray]:
+        """The balls (k,) on the way over those of ``near``, in ascending order; none if there is no way. And the edges
+        of it that nobody has looked at."""
+        _, _, _, cost, is_seen, is_open = self.links
+        self.num_visits += len(near)
+        number = self.number if len(near) == len(self.centre) else self.number[near][:, near]
+        edge = number.data - 1
+        price = np.where(is_seen[edge], 1.0, UNSEEN) * cost[edge]
+        price[~is_open[edge] & (is_seen[edge] | (not may_be_unseen))] = np.inf
+        matrix = sparse.csr_matrix((price, number.indices, number.indptr), number.shape)
+        first, last = np.searchsorted(near, [start, end])
+        before = csgraph.dijkstra(matrix, indices=first, return_predecessors=True)[1]
+        stops = [int(last)]
         while before[stops[-1]] >= 0:
             stops.append(int(before[stops[-1]]))
-        if stops[-1] != rank[start]:
+        if stops[-1] != first:
             return np.empty(0, dtype=np.int64), np.empty(0, dtype=np.int64)
-        number = sparse.csr_matrix((np.tile(np.arange(1, len(edge) + 1), 2), both), matrix.shape)
-        used = edge[np.asarray(number[stops[:-1], stops[1:]]).ravel() - 1]
-        return ball[stops[::-1]], used[~is_seen[used]]
+        used = np.asarray(number[stops[:-1], stops[1:]]).ravel() - 1
+        return near[stops[::-1]], used[~is_seen[used]]
 
 
 def inner_balls(shape: Enclosure) -> tuple[np.ndarray, np.ndarray]:
