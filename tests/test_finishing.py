@@ -11,6 +11,7 @@ import msf_jax
 from msf_jax import Config, ground_truth, metrics
 from msf_jax.host.curve import centring, containment, finishing, tips, ways
 from msf_jax.host.curve.branches import cycle_count
+from msf_jax.host.curve.passages import Passages
 from msf_jax.host.solid.enclosure import Enclosure
 
 
@@ -130,7 +131,7 @@ def test_no_pass_folds_a_loop_flat(step):
     x = np.concatenate([axis[:2], [axis[2] + away, axis[2] - away]])
     edges = np.array([[0, 1], [1, 2], [2, 3], [1, 3]])
     draft = finishing.Draft(x, edges, none_held(x), np.arange(4), np.arange(4), x)
-    job = finishing.Job(shape, shape, 1.5, False, None, centring.Budget())
+    job = finishing.Job(shape, shape, 1.5, False, Passages(shape, containment.is_inside), centring.Budget())
     done = finishing.laid_together(step(draft, job), job)
     assert cycle_count(len(done.vertices), done.edges) == (1, 1)
 

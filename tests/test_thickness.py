@@ -170,13 +170,13 @@ def test_no_way_between_two_solids_takes_no_search():
 
 def test_joining_has_a_bound(monkeypatch):
     """What is not known to be apart then counts as refused, and not as closed."""
-    one, other = trimesh.creation.icosphere(3, 0.2), trimesh.creation.icosphere(3, 0.2)
-    other.apply_translation([0.405, 0, 0])
+    one, other = trimesh.creation.icosphere(3, 0.2), trimesh.creation.icosphere(3, 0.05)
+    other.apply_translation([0.26, 0, 0])
     both = trimesh.util.concatenate([one, other])
     monkeypatch.setattr("msf_jax.host.curve.passages.FAR", 100.0)  # there are edges from one to the other
     monkeypatch.setattr("msf_jax.host.curve.passages.MOST_LOOKS", -1)
     passages = Passages(Enclosure(np.array(both.vertices), np.array(both.faces)), containment.is_inside)
-    assert not len(passages.ways(np.array([[0.0, 0, 0], [0.405, 0, 0]]), np.array([[0, 1]]))[0])
+    assert not len(passages.ways(np.array([[0.0, 0, 0], [0.26, 0, 0]]), np.array([[0, 1]]))[0])
     assert passages.num_refused == 1 and passages.num_closed == 0
 
 
