@@ -13,7 +13,7 @@ from msf_jax.host.curve.passages import TOUCHING, Passages
 from msf_jax.host.poles.balls import shrinking_balls
 from msf_jax.host.solid import sections
 from msf_jax.host.solid.enclosure import Enclosure
-from msf_jax.host.solid.geometry import barycentric, unit
+from msf_jax.host.solid.geometry import barycentric, cross, unit
 
 UNFOLDINGS = 20  # rounds
 HALVINGS = 2  # of an edge that is not inside, before a way is looked for
@@ -38,18 +38,25 @@ def contain(
     radii = shape.clearance(x)
     is_out = (radii < TOUCHING) & ~is_held
     passages = Passages(shape, is_inside) if passages is None else passages
-    x[is_out] = _inward(shape, x[is_out])
-    radii[is_out] = shape.clearance(x[is_out])
-    # Where the surface is inside out there is nothing behind its triangles: then the nearest ball that there is.
-    is_out = (radii < TOUCHING) & ~is_held
-    x[is_out], radii[is_out] = passages.nearest(x[is_out], radii[is_out])
+    if is_out.any():
+        x[is_out] = _inward(shape, x[is_out])
+        radii[is_out] = shape.clearance(x[is_out])
+        # Where the surface is inside out there is nothing behind its triangles: then the nearest ball that there is.
+        is_out = (radii < TOUCHING) & ~is_held
+        x[is_out], radii[is_out] = passages.nearest(x[is_out], radii[is_out])
+
+    def outside() -> np.ndarray:
+        return ~is_inside(shape, x[edges[:, 0]], x[edges[:, 1]], radii[edges].sum(axis=1))
+
+    is_bad = outside()
     for _ in range(HALVINGS):
-        is_bad = ~is_inside(shape, x[edges[:, 0]], x[edges[:, 1]], radii[edges].sum(axis=1))
+        if not is_bad.any():
+            break
         middle, is_near = _middles(shape, x[edges[is_bad, 0]], x[edges[is_bad, 1]])
         is_bad[is_bad] = is_near
         x, edges = _replaced(x, edges, is_bad, [point[None] for point in middle[is_near]])
         radii = np.concatenate([radii, shape.clearance(x[len(radii) :])])
-    is_bad = ~is_inside(shape, x[edges[:, 0]], x[edges[:, 1]], radii[edges].sum(axis=1))
+        is_bad = outside()
     return _replaced(x, edges, is_bad, passages.ways(x, edges[is_bad]))
 
 
@@ -101,6 +108,8 @@ def unfold(
         left = np.flatnonzero((cosine < np.cos(np.radians(most))) & is_new)
         has_moved[:] = False
         for share in (1.0, 0.5):
+            if not len(left):
+                break
             node, a, b = inner[left], x[before[left]], x[after[left]]
             goal = (1 - share) * x[node] + share * (a + b) / 2
             is_open = is_inside(shape, np.concatenate([a, goal]), np.concatenate([goal, b]))
@@ -172,7 +181,7 @@ def _inward(shape: Enclosure, points: np.ndarray) -> np.ndarray:
     """
     _, triangle = shape.nearest(points)
     corner = shape.triangles[triangle]
-    normal = unit(np.cross(corner[:, 1] - corner[:, 0], corner[:, 2] - corner[:, 0]))
+    normal = unit(cross(corner[:, 1] - corner[:, 0], corner[:, 2] - corner[:, 0]))
     entry = np.einsum("pk,pki->pi", barycentric(points, corner, 0.05), corner) - TOUCHING / 2 * normal
     depth = shrinking_balls(entry, normal, shape.sample_tree(), FIRST, LARGEST).radius
     shallower = 0.5 ** np.arange(SHALLOWER)

@@ -216,15 +216,16 @@ def centred(
 def _apart(draft: Draft, x: np.ndarray) -> np.ndarray:
     """Nodes ``x`` (N, 3) that a pass has moved, but for branches that lie on one another then: those stay where they
     were, so that no loop is folded flat."""
-    x, left = x.copy(), branches.trace(len(x), draft.edges)
-    while left:
-        is_stuck = branches.is_folded(x, draft.edges) & (x != draft.vertices).any(axis=1)
-        stuck = [way for way in left if is_stuck[way[1:-1]].any()]
-        if not stuck:
+    x = x.copy()
+    ways = None
+    while (is_stuck := branches.is_folded(x, draft.edges) & (x != draft.vertices).any(axis=1)).any():
+        ways = branches.trace(len(x), draft.edges) if ways is None else ways
+        stuck = [way for way in ways if is_stuck[way[1:-1]].any()]
+        if not stuck:  # junctions only
             break
         for way in stuck:
             x[way[1:-1]] = draft.vertices[way[1:-1]]
-        left = [way for way in left if way not in stuck]
+        ways = [way for way in ways if way not in stuck]
     return x
 
 

@@ -30,7 +30,7 @@ from msf_jax.host.curve import ways as measures
 from msf_jax.host.curve.ways import Way
 from msf_jax.host.solid import sections
 from msf_jax.host.solid.enclosure import Enclosure
-from msf_jax.host.solid.geometry import unit
+from msf_jax.host.solid.geometry import cross, unit
 from msf_jax.host.solid.solid import Solid
 from msf_jax.host.solid.triangles import point_triangle_distance2
 
@@ -181,7 +181,7 @@ def _areas(place: np.ndarray, section: np.ndarray, normals: np.ndarray) -> np.nd
     first = np.searchsorted(section, section)
     is_last = np.r_[section[1:] != section[:-1], True]
     onward = place[np.where(is_last, first, np.arange(len(section)) + 1)] if len(section) else place
-    twice = np.einsum("ci,ci->c", np.cross(place, onward), normals[section])
+    twice = np.einsum("ci,ci->c", cross(place, onward), normals[section])
     return np.bincount(section, weights=twice, minlength=len(normals)) / 2
 
 
@@ -330,8 +330,8 @@ def _facing(shape: Enclosure, x: np.ndarray, inside: np.ndarray, triangle: np.nd
     faces = shape.faces[triangle]
     corner = shape.triangles[triangle]
     along, offset = np.roll(corner, -1, axis=2) - corner, x[:, None, None] - corner
-    normal = np.cross(along[:, :, 0], along[:, :, 1])
-    is_over = (np.einsum("nkci,nki->nkc", np.cross(along, offset), normal) >= 0).all(axis=2)
+    normal = cross(along[:, :, 0], along[:, :, 1])
+    is_over = (np.einsum("nkci,nki->nkc", cross(along, offset), normal) >= 0).all(axis=2)
     is_behind = np.einsum("nki,nki->nk", offset[:, :, 0], normal) < 0
     is_wrong = is_over & (is_behind != inside[:, None])
     faces[is_wrong] = faces[is_wrong][:, [0, 2, 1]]

@@ -19,6 +19,8 @@ def parsed(text: str) -> tuple[np.ndarray, np.ndarray]:
     Raises:
         ValueError: what the text has instead.
     """
+    if (found := _plain(text)) is not None:
+        return found
     lines = [words for words in (line.split("#")[0].split() for line in text.splitlines()) if words]
     found = HEADER.match(" ".join(lines[0])) if lines else None
     if found is None:
@@ -40,6 +42,23 @@ def parsed(text: str) -> tuple[np.ndarray, np.ndarray]:
         rows, sides = _by_word([word for line in lines[1:] for word in line], num, num_faces)
     vertices = np.array([row[:3] for row in rows], dtype=np.float64).reshape(-1, 3)
     return vertices, triangulated(vertices, [[int(word) for word in side[1 : int(side[0]) + 1]] for side in sides])
+
+
+def _plain(text: str) -> tuple[np.ndarray, np.ndarray] | None:
+    """Vertices and triangles of a file of nothing else, which most are: words in a row. None for any other."""
+    words = text.split()
+    try:
+        num, num_faces = int(words[1]), int(words[2])
+        if words[0].upper() != "OFF" or min(num, num_faces) < 0 or len(words) != 4 + 3 * num + 4 * num_faces:
+            return None
+        values = np.array(list(map(float, words[4:])))
+    except (IndexError, ValueError):
+        return None
+    sides = values[3 * num :].reshape(-1, 4)
+    corners = sides[:, 1:].astype(np.int64) if np.isfinite(sides).all() else np.full((1, 3), -1)
+    is_plain = (sides[:, 0] == 3).all() and (corners == sides[:, 1:]).all()
+    is_plain &= bool(((corners >= 0) & (corners < num)).all())
+    return (values[: 3 * num].reshape(-1, 3), corners) if is_plain else None
 
 
 def _is_by_line(rows: list[list[str]], sides: list[list[str]], num: int, num_faces: int) -> bool:

@@ -13,6 +13,7 @@ import numpy as np
 from msf_jax.host.meso import manifold, ring_tables
 from msf_jax.host.meso.meso import Meso
 from msf_jax.host.meso.ring_tables import find_slot
+from msf_jax.host.solid.geometry import cross
 
 
 class CollapseRound(NamedTuple):
@@ -124,7 +125,7 @@ def _turns_a_face(meso: Meso, a: np.ndarray, b: np.ndarray) -> np.ndarray:
         following = np.where(following < 0, rows[:, :1], following)
         stays = (rows >= 0) & (rows != other[:, None]) & (following != other[:, None])
         one, two, here = meso.positions[rows], meso.positions[following], meso.positions[end][:, None]
-        before, after = np.cross(one - here, two - here), np.cross(one - goal, two - goal)
+        before, after = cross(one - here, two - here), cross(one - goal, two - goal)
         dot = np.einsum("cki,cki->ck", before, after)
         size2 = np.einsum("cki,cki->ck", before, before) * np.einsum("cki,cki->ck", after, after)
         has_area = np.einsum("cki,cki->ck", before, before) > 0

@@ -12,7 +12,7 @@ import numpy as np
 from scipy import spatial
 
 from msf_jax.host.solid import triangles as batches
-from msf_jax.host.solid.geometry import barycentric
+from msf_jax.host.solid.geometry import barycentric, cross
 from msf_jax.host.solid.triangles import (
     SizeClass,
     boxes,
@@ -253,7 +253,7 @@ class Enclosure:
         sample = sample[first[sample + 1] > first[sample]]  # a vertex of no face
         triangle = fan[first[sample]]
         corners = self.triangles[triangle]
-        normal = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+        normal = cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
         size = np.linalg.norm(normal, axis=1)
         # A corner of a triangle has no normal: a point a little inside it has.
         points = 0.75 * np.asarray(tree.data)[sample] + 0.25 * self.centroids[triangle]
@@ -287,9 +287,9 @@ class Enclosure:
         hit it at 0 or not at all.
         """
         # Two axes across each ray: seen along it, the ray is a point.
-        across = np.cross(directions, np.eye(3)[np.abs(directions).argmin(axis=1)])
+        across = cross(directions, np.eye(3)[np.abs(directions).argmin(axis=1)])
         across /= np.maximum(np.linalg.norm(across, axis=1, keepdims=True), 1e-300)
-        axes = np.stack([across, np.cross(directions, across), directions], axis=1)
+        axes = np.stack([across, cross(directions, across), directions], axis=1)
         rays, distances = [np.empty(0, dtype=np.int64)], [np.empty(0)]
         ends = points, points + reach[:, None] * directions
         low, high = np.minimum(*ends).T - self._rounding, np.maximum(*ends).T + self._rounding

@@ -10,7 +10,7 @@ from typing import NamedTuple
 import numpy as np
 
 from msf_jax.host.solid.enclosure import Enclosure
-from msf_jax.host.solid.geometry import unit
+from msf_jax.host.solid.geometry import cross, unit
 
 SEARCHES = 3  # for the nearest loop, each three times as far as the last
 DESCENT = 30  # triangles from a given one to the plane, after which all around are searched
@@ -205,7 +205,7 @@ def measured(shape: Enclosure, points: np.ndarray, normals: np.ndarray, corners:
     def total(value: np.ndarray) -> np.ndarray:
         return np.bincount(loop, weights=value, minlength=num)
 
-    twice = np.einsum("ci,ci->c", np.cross(place, onward), normals[loop])
+    twice = np.einsum("ci,ci->c", cross(place, onward), normals[loop])
     area2 = total(twice)
     winding = total(np.arctan2(twice, np.einsum("ci,ci->c", place, onward))) / (2 * np.pi)
     is_found = corners.is_closed & (area2 > 0)
@@ -221,7 +221,7 @@ def measured(shape: Enclosure, points: np.ndarray, normals: np.ndarray, corners:
     size = np.where(is_found, area2 / perimeter, 0.0)
     # Where the plane rises by h, the loop goes outward by h times how much the wall leans away from its normal.
     corner = shape.triangles[corners.triangle]
-    wall = unit(np.cross(corner[:, 1] - corner[:, 0], corner[:, 2] - corner[:, 0]))
+    wall = unit(cross(corner[:, 1] - corner[:, 0], corner[:, 2] - corner[:, 0]))
     lean = -np.einsum("ci,ci->c", wall, normals[loop])
     lean *= length / np.sqrt(np.maximum(1 - lean**2, 0) + FLATTEST**2)
     middle = (place + onward) / 2

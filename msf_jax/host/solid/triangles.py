@@ -8,6 +8,8 @@ from typing import NamedTuple
 import numpy as np
 from scipy import spatial
 
+from msf_jax.host.solid.geometry import cross
+
 PAIRS_AT_ONCE = 2_000_000  # bounds the memory of one vectorised batch
 POINTS_AT_ONCE = 2_000  # and that of the lists that a tree answers with
 
@@ -110,10 +112,10 @@ def point_triangle_distance2(point: np.ndarray, triangle: np.ndarray) -> np.ndar
         best = np.minimum(best, np.einsum("ij,ij->i", rest, rest))
     # To the plane, where the foot of the perpendicular lies in the triangle.
     a, ab, ac = triangle[:, 0], triangle[:, 1] - triangle[:, 0], triangle[:, 2] - triangle[:, 0]
-    normal, offset = np.cross(ab, ac), point - triangle[:, 0]
+    normal, offset = cross(ab, ac), point - triangle[:, 0]
     area2 = np.einsum("ij,ij->i", normal, normal)
     safe = np.where(area2 > 0, area2, 1.0)
-    v = np.einsum("ij,ij->i", np.cross(offset, ac), normal) / safe
-    w = np.einsum("ij,ij->i", np.cross(ab, offset), normal) / safe
+    v = np.einsum("ij,ij->i", cross(offset, ac), normal) / safe
+    w = np.einsum("ij,ij->i", cross(ab, offset), normal) / safe
     is_over = (v >= 0) & (w >= 0) & (v + w <= 1) & (area2 > 0)
     return np.where(is_over, np.minimum(best, np.einsum("ij,ij->i", offset, normal) ** 2 / safe), best)
