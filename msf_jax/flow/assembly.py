@@ -45,31 +45,7 @@ def assemble(
         figures = {}
         if config.evaluate:
             figures = metrics.figures_of(solid.shape, solid.enter(stitched[1].vertices), stitched[1].edges)
-        if refused := sum(part.finished.num_refused for part in parts):
-            notes = [*notes, f"{_edges(refused)} of the curve may be outside: the search for ways inside hit its bound"]
-        if closed := sum(part.finished.num_closed for part in parts):
-            notes = [
-                *notes,
-                f"no way inside was found for {_edges(closed)} of the curve: the solid may be in pieces there",
-            ]
-        if laid := sum(part.finished.node_of_vertex is not None for part in parts):
-            notes = [
-                *notes,
-                f"edges are longer than the limbs' radius: waves over the surface made {laid} of {len(parts)} curves; "
-                "loops no larger than a limb is thick are not in them",
-            ]
-        if short := sum(part.finished.is_cut_short for part in parts):
-            notes = [*notes, f"centring of {short} of {len(parts)} curves was left early: their sections are many"]
-        if sparse := sum(part.finished.is_sparse for part in parts):
-            notes = [
-                *notes,
-                f"nodes of {sparse} of {len(parts)} curves are far apart: they are long for their thickness",
-            ]
-        if tangles := sum(map(is_left, states, parts)):
-            notes = [
-                *notes,
-                f"{tangles} of {len(parts)} curves not finished: over {MOST_VOLUME:.0%} of the volume is left",
-            ]
+        notes = [*notes, *_notes(states, parts)]
         report = report_of(checked, states, reasons, history, notes, figures, watch)
         curve, skeleton = (_skeleton(each, checked, report, source) for each in stitched)
     return Flow(
@@ -85,6 +61,28 @@ def assemble(
         recording=Recording(_records(checked, states, parts), *checked.given, checked.input_of_vertex, checked.is_made),
         source=source,
     )
+
+
+def _notes(states: list[State], parts: list[Part]) -> list[str]:
+    """What the report says of how curves were finished."""
+    done, of = [part.finished for part in parts], f"of {len(parts)} curves"
+    refused, closed = sum(one.num_refused for one in done), sum(one.num_closed for one in done)
+    laid = sum(one.node_of_vertex is not None for one in done)
+    short, sparse = sum(one.is_cut_short for one in done), sum(one.is_sparse for one in done)
+    tangles = sum(map(is_left, states, parts))
+    found = (
+        (refused, f"{_edges(refused)} of the curve may be outside: the search for ways inside hit its bound"),
+        (closed, f"no way inside was found for {_edges(closed)} of the curve: the solid may be in pieces there"),
+        (
+            laid,
+            f"edges are longer than the limbs' radius: waves over the surface made {laid} {of}; "
+            "loops no larger than a limb is thick are not in them",
+        ),
+        (short, f"centring of {short} {of} was left early: their sections are many"),
+        (sparse, f"nodes of {sparse} {of} are far apart: they are long for their thickness"),
+        (tangles, f"{tangles} {of} not finished: over {MOST_VOLUME:.0%} of the volume is left"),
+    )
+    return [note for count, note in found if count]
 
 
 def _edges(count: int) -> str:

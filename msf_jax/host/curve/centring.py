@@ -60,13 +60,11 @@ BRINK, FADE = 1.25, 0.5  # where its weight over its width changes by that facto
 
 
 class Budget:
-    """What centring may cost: corners of sections, ``left`` of them, and if it was left early for that; and whether
-    the curve has fewer nodes to centre than it should have, lest it cost more."""
+    """What centring may cost: corners of sections, ``left`` of them, and if it was left early for that."""
 
     def __init__(self) -> None:
         self.left = MOST_CORNERS
         self.was_hit = False
-        self.is_sparse = False
 
 
 def centre(

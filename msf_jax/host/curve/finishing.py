@@ -30,6 +30,7 @@ class Draft(NamedTuple):
     vertices: (N, 3). edges: (E, 2). is_held: (N,) nodes that do not move. origin: (N,) the flow's node that each is,
     in ascending order, and -1 for the new ones, which come last. node_of_flow: (n,) the node that stands for each of
     the flow's: itself, or the junction that its branch was pruned from. place: (N, 3) where each was found at first.
+    is_sparse: whether nodes are farther apart than they should be, as there would be too many.
     """
 
     vertices: np.ndarray
@@ -38,6 +39,7 @@ class Draft(NamedTuple):
     origin: np.ndarray
     node_of_flow: np.ndarray
     place: np.ndarray
+    is_sparse: bool = False
 
     def changed(self, vertices: np.ndarray, edges: np.ndarray | None = None) -> "Draft":
         """The same with its nodes moved, new ones last, and with other edges if they are given."""
@@ -77,9 +79,8 @@ class Finished(NamedTuple):
     is_kept: (n,) which of the flow's nodes are in it, in their order, before all others.
     target: (n,) the flow's node that stands for each: itself, or the junction that its branch was pruned from.
     num_refused: edges outside that were left there, as a bound was hit. num_closed: those with no way inside.
-    is_cut_short: whether centring was left early, as its bound was hit. is_sparse: whether nodes are farther apart than
-    they should be, for the same reason. node_of_vertex: (V,) where waves have made the curve, the node that each vertex
-    of the solid goes to; else None.
+    is_cut_short: whether centring was left early, as its bound was hit. is_sparse: see `Draft`. node_of_vertex: (V,)
+    where waves have made the curve, the node that each vertex of the solid goes to; else None.
     """
 
     vertices: np.ndarray
@@ -163,7 +164,7 @@ def finish(
         job.passages.num_refused,
         job.passages.num_closed,
         job.budget.was_hit,
-        job.budget.is_sparse,
+        draft.is_sparse,
     )
 
 
@@ -268,13 +269,20 @@ def _left(draft: Draft, stays: np.ndarray, target: np.ndarray) -> Draft:
     rank = np.cumsum(stays) - 1
     left = rank[e[stays[e].all(axis=1)]]
     of_flow = rank[target[draft.node_of_flow]]
-    return Draft(x[stays], left, is_held[stays], draft.origin[stays], of_flow, draft.place[stays])
+    return draft._replace(
+        vertices=x[stays],
+        edges=left,
+        is_held=is_held[stays],
+        origin=draft.origin[stays],
+        node_of_flow=of_flow,
+        place=draft.place[stays],
+    )
 
 
 def refined(draft: Draft, job: Job) -> Draft:
     """With nodes about every ``SPACING`` radii."""
-    x, edges, job.budget.is_sparse = containment.refine(job.shape, draft.vertices, draft.edges, SPACING, MOST_NODES)
-    return draft.changed(x, edges)
+    x, edges, is_sparse = containment.refine(job.shape, draft.vertices, draft.edges, SPACING, MOST_NODES)
+    return draft.changed(x, edges)._replace(is_sparse=is_sparse)
 
 
 def extended(draft: Draft, job: Job) -> Draft:

@@ -10,7 +10,7 @@ is near. All of it has a bound.
 """
 
 from collections.abc import Callable
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from scipy import sparse, spatial
@@ -127,7 +127,7 @@ class _Graph:
         self.num_visits = 0
         self.tree = spatial.KDTree(centre)
         every, both = np.arange(1, len(links.tail) + 1), (np.r_[links.tail, links.head], np.r_[links.head, links.tail])
-        self.number = sparse.csr_matrix((np.tile(every, 2), both), (len(centre),) * 2)  # of each edge, from 1 on
+        self.number: Any = sparse.csr_matrix((np.tile(every, 2), both), (len(centre),) * 2)  # of each edge, from 1 on
         self.part, self.is_joined = self._join()
 
     def links_of_balls(self) -> _Links:
@@ -166,7 +166,7 @@ class _Graph:
         ends = self.centre[[start, end]]
         length = float(np.linalg.norm(ends[1] - ends[0]))
         for reach in REACHES:
-            near = np.sort(self.tree.query_ball_point(ends.mean(axis=0), 1.001 * reach * length / 2))
+            near: np.ndarray = np.sort(self.tree.query_ball_point(ends.mean(axis=0), 1.001 * reach * length / 2))
             detour = np.linalg.norm(self.centre[near, None] - ends, axis=2).sum(axis=1)
             near = near[detour <= reach * length]
             for number in range(TRIES + 1):
@@ -188,11 +188,11 @@ class _Graph:
         price = np.where(is_seen[edge], 1.0, UNSEEN) * cost[edge]
         price[~is_open[edge] & (is_seen[edge] | (not may_be_unseen))] = np.inf
         matrix = sparse.csr_matrix((price, number.indices, number.indptr), number.shape)
-        first, last = np.searchsorted(near, [start, end])
-        before = csgraph.dijkstra(matrix, indices=first, return_predecessors=True)[1]
-        stops = [int(last)]
+        first, last = np.searchsorted(near, [start, end]).tolist()
+        before = np.asarray(csgraph.dijkstra(matrix, indices=first, return_predecessors=True)[1]).tolist()
+        stops: list[int] = [last]
         while before[stops[-1]] >= 0:
-            stops.append(int(before[stops[-1]]))
+            stops.append(before[stops[-1]])
         if stops[-1] != first:
             return np.empty(0, dtype=np.int64), np.empty(0, dtype=np.int64)
         used = np.asarray(number[stops[:-1], stops[1:]]).ravel() - 1

@@ -9,7 +9,7 @@ import numpy as np
 from scipy import sparse
 
 from msf_jax.host.curve import branches
-from msf_jax.host.solid.geometry import arc_length, at
+from msf_jax.host.solid.geometry import arc_length, at, repeated
 
 SPREADINGS = 4  # each time the branch is a little shorter
 BEYOND = 7.0  # sizes of a limb: nodes that are farther along it say nothing of it, but for
@@ -99,8 +99,8 @@ def sizes(x: np.ndarray, ways: list[Way], size: np.ndarray, weight: np.ndarray, 
             first = np.searchsorted(along, along - BEYOND * usual)
             count = np.searchsorted(along, along + BEYOND * usual, side="right") - first
             start = np.cumsum(count) - count
-            here = np.repeat(np.arange(len(along)), count)
-            there = np.arange(len(here)) + np.repeat(first - start, count)
+            here, place = repeated(count)
+            there = first[here] + place
             near = np.exp(-0.5 * ((along[here] - along[there]) / usual) ** 2) * own[there]
             part = np.add.reduceat(near * size[nodes[there]], start) + FLOOR * (own @ size[nodes])
             mean = part / (np.add.reduceat(near, start) + FLOOR * own.sum())

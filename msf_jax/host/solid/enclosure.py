@@ -12,7 +12,7 @@ import numpy as np
 from scipy import spatial
 
 from msf_jax.host.solid import triangles as batches
-from msf_jax.host.solid.geometry import barycentric, cross
+from msf_jax.host.solid.geometry import barycentric, cross, repeated
 from msf_jax.host.solid.triangles import (
     SizeClass,
     boxes,
@@ -328,8 +328,8 @@ class Enclosure:
 
 def _fans(point: np.ndarray, first: np.ndarray, count: np.ndarray, fan: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Each of ``point`` (c,) beside every member of its stretch ``fan[first : first + count]``."""
-    start = np.cumsum(count) - count
-    return np.repeat(point, count), fan[np.arange(count.sum()) + np.repeat(first - start, count)]
+    row, place = repeated(count)
+    return point[row], fan[first[row] + place]
 
 
 def _sampled(vertices: np.ndarray, faces: np.ndarray, reaches: np.ndarray) -> Samples:

@@ -16,6 +16,12 @@ def cross(a: np.ndarray, b: np.ndarray) -> np.ndarray:
     return found
 
 
+def repeated(count: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Each row as often as ``count`` (n,) says, and the how-manieth time it is."""
+    row = np.repeat(np.arange(len(count)), count)
+    return row, np.arange(len(row)) - np.repeat(np.cumsum(count) - count, count)
+
+
 def arc_length(points: np.ndarray) -> np.ndarray:
     """(k,) the length of the way to each of the points (k, 3) of a polyline."""
     return np.r_[0.0, np.cumsum(np.linalg.norm(np.diff(points, axis=0), axis=1))]

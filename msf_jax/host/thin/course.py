@@ -16,8 +16,8 @@ from scipy.sparse import csgraph
 from msf_jax.host.poles import thickness
 from msf_jax.host.poles.balls import shrinking_balls
 from msf_jax.host.solid.enclosure import Enclosure
-from msf_jax.host.solid.geometry import unit, vertex_normals
-from msf_jax.host.thin.levels import Levels, levels, repeated
+from msf_jax.host.solid.geometry import repeated, unit, vertex_normals
+from msf_jax.host.thin.levels import Levels, levels
 
 Test = Callable[[Enclosure, np.ndarray, np.ndarray], np.ndarray]
 

@@ -11,6 +11,8 @@ import numpy as np
 from scipy import sparse
 from scipy.sparse import csgraph
 
+from msf_jax.host.solid.geometry import repeated
+
 MOST_POINTS = 2_000_000  # in which levels cut edges; the step is made larger until there are no more
 
 
@@ -95,9 +97,3 @@ def _parts(num: int, pairs: np.ndarray) -> tuple[int, np.ndarray]:
     """How many parts ``pairs`` (2, P) make of so many nodes, and the part (num,) of each."""
     graph = sparse.coo_matrix((np.ones(pairs.shape[1]), tuple(pairs)), shape=(num, num))
     return csgraph.connected_components(graph, directed=False)
-
-
-def repeated(count: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Each row as often as ``count`` (n,) says, and the how-manieth time it is."""
-    row = np.repeat(np.arange(len(count)), count)
-    return row, np.arange(len(row)) - np.repeat(np.cumsum(count) - count, count)
