@@ -45,7 +45,7 @@ def assemble(
         figures = {}
         if config.evaluate:
             figures = metrics.figures_of(solid.shape, solid.enter(stitched[1].vertices), stitched[1].edges)
-        notes = [*notes, *_notes(states, parts)]
+        notes = [*notes, *_notes_of_finishing(states, parts)]
         report = report_of(checked, states, reasons, history, notes, figures, watch)
         curve, skeleton = (_skeleton(each, checked, report, source) for each in stitched)
     return Flow(
@@ -63,7 +63,7 @@ def assemble(
     )
 
 
-def _notes(states: list[State], parts: list[Part]) -> list[str]:
+def _notes_of_finishing(states: list[State], parts: list[Part]) -> list[str]:
     """What the report says of how curves were finished."""
     done, of = [part.finished for part in parts], f"of {len(parts)} curves"
     refused, closed = sum(one.num_refused for one in done), sum(one.num_closed for one in done)
