@@ -5,11 +5,13 @@
 Each solid is a few primitives, added to and taken from one another. It is mutated one to three times: squashed, bent,
 made noisy, cut by a plane, punched, coarse, refined on one side, or beside a copy of itself that overlaps it. Prints a
 table by size, then every solid that took more than ten times the median of its size, was refused, or whose curve has
-other cycles than the solid has handles, or is not inside.
+other cycles than the solid has handles, or is not inside. Each is a line of JSON on standard error when it is done.
 """
 
 import argparse
 import itertools
+import json
+import sys
 import time
 from collections.abc import Callable
 from typing import Any
@@ -132,7 +134,10 @@ def main() -> None:
     parser.add_argument("--solids", type=int, default=500)
     parser.add_argument("--first", type=int, default=0)
     arguments = parser.parse_args()
-    rows = [measured(seed) for seed in range(arguments.first, arguments.first + arguments.solids)]
+    rows = []
+    for seed in range(arguments.first, arguments.first + arguments.solids):
+        rows.append(measured(seed))
+        print(json.dumps(rows[-1]), file=sys.stderr, flush=True)
     print(
         "| vertices | solids | median CPU s | worst | over the median | wrong |\n| --- | --- | --- | --- | --- | --- |"
     )
