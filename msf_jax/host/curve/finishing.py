@@ -62,7 +62,7 @@ class Job(NamedTuple):
 
     shape: the solid, of diagonal 1. rough: much the same of fewer triangles, good enough to find the middle of.
     persistence: that below which branches are pruned. is_thin: whether limbs of the solid are (see `poles.thickness`).
-    passages: ways through the solid. budget: of all centring.
+    passages: ways through the solid. budget: of all centring. genus: handles of the solid.
     """
 
     shape: Enclosure
@@ -71,6 +71,7 @@ class Job(NamedTuple):
     is_thin: bool
     passages: Passages
     budget: centring.Budget
+    genus: int
 
 
 class Finished(NamedTuple):
@@ -124,6 +125,7 @@ def finish(
     extend: bool,
     is_thin: bool = False,
     is_tangle: bool = False,
+    genus: int = 0,
     rough: Enclosure | None = None,
     first: Callable[[Draft, Job], Draft] | None = None,
 ) -> Finished:
@@ -134,7 +136,8 @@ def finish(
 
     ``persistence`` is that below which branches are pruned; ``centre`` and ``extend`` switch those steps. ``is_thin``
     says that it has thin limbs, which the curve may have missed. ``is_tangle`` says that the flow has left a tangle,
-    which no pass can mend: it stays as it is, unless waves make a curve. ``rough`` is much the same surface of fewer
+    which no pass can mend: it stays as it is, unless waves make a curve. ``genus`` is that of the solid: so many loops
+    of the curve are not folded flat. ``rough`` is much the same surface of fewer
     triangles, which is good enough to find the middle of. ``first`` is a pass that comes before all others, and may say
     where the flow's nodes are to be.
     """
@@ -145,6 +148,7 @@ def finish(
         is_thin,
         Passages(shape, containment.is_inside),
         centring.Budget(),
+        genus,
     )
     if is_thin and centre and extend and not is_held.any():
         laid = course.course(shape, containment.is_inside)
@@ -202,7 +206,7 @@ def contained(draft: Draft, job: Job) -> Draft:
 def unfolded(draft: Draft, job: Job, most: float = 90.0) -> Draft:
     """No branch turns by more than ``most`` degrees at a node, if it need not."""
     x = containment.unfold(job.shape, draft.vertices, draft.edges, draft.is_held, most)
-    return draft.changed(_apart(draft, x))
+    return draft.changed(_apart(draft, job, x))
 
 
 def centred(
@@ -211,15 +215,18 @@ def centred(
     """Nodes in the middle of the solid."""
     is_held = draft.is_held | draft.is_leaf() if hold_leaves else draft.is_held
     x = centring.centre(job.rough, draft.vertices, draft.edges, is_held, rounds, draft.place, is_rough, job.budget)
-    return draft.changed(_apart(draft, x))
+    return draft.changed(_apart(draft, job, x))
 
 
-def _apart(draft: Draft, x: np.ndarray) -> np.ndarray:
+def _apart(draft: Draft, job: Job, x: np.ndarray) -> np.ndarray:
     """Nodes ``x`` (N, 3) that a pass has moved, but for branches that lie on one another then: those stay where they
-    were, so that no loop is folded flat."""
-    x = x.copy()
+    were, so that no loop is folded flat. One that the solid has no handle for may be."""
+    x, least = x.copy(), min(job.genus, branches.cycle_count(len(x), draft.edges)[1])
     ways = None
     while (is_stuck := branches.is_folded(x, draft.edges) & (x != draft.vertices).any(axis=1)).any():
+        laid = branches.lay_together(x, draft.edges, draft.is_held)[2]
+        if branches.cycle_count(len(x), laid)[1] >= least:
+            break
         ways = branches.trace(len(x), draft.edges) if ways is None else ways
         stuck = [way for way in ways if is_stuck[way[1:-1]].any()]
         if not stuck:  # junctions only
