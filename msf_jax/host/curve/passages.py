@@ -2,8 +2,8 @@
 
 The nodes are centres of balls that touch the surface from inside, one for each place: a ball among others of its size
 that overlap it says nothing new. Where two balls overlap, the segment between their centres is inside without a look.
-Rays tell of the others. First parts of the graph are joined, each by the nearest of its edges that is inside, as in a
-spanning tree (Boruvka 1926): from then on it is known between which points there is a way. Any other edge is taken for
+Rays tell of the others. First the parts that a way is wanted between are joined, each by the nearest of its edges that is
+inside, as in a spanning tree (Boruvka 1926): then it is known where there is a way. Any other edge is taken for
 open until a shortest way uses it, and is looked at then (lazy shortest paths; Dellin, Srinivasa 2016). A way is sought
 near the edge that it is for, and farther off only if there is none: it goes on the same side of a hole, and costs what
 is near. All of it has a bound.
@@ -27,7 +27,7 @@ NEIGHBOURS = 12  # of a ball, of any size, and
 LARGER = 3  # of each larger size
 FAR = 3.0  # times the sum of their radii: balls that are farther apart than that are no neighbours
 JOINING = 2  # edges out of a part that are looked at in the first round of joining, twice as many in every next
-MOST_LOOKS = 30_000  # that joining may take
+MOST_LOOKS = 15_000  # that joining may take, for a curve
 REACHES = (2.0, 6.0)  # times the length of an edge: so long a way over a ball may be, at first and then
 TRIES = 8  # ways over edges that nobody has looked at, before such edges are left out
 UNSEEN = 3.0  # times as long as it is counts an edge that nobody has looked at
@@ -47,7 +47,7 @@ class Passages:
     def __init__(self, shape: Enclosure, test: Test):
         self.shape = shape
         self.test = test
-        self.num_visits = 0
+        self.num_visits = self.num_looks = 0
         # Of the curve that was asked for last:
         self.num_refused = 0  # ways that were not looked for, as a bound was hit
         self.num_closed = 0  # edges between points inside, for which there is no way
@@ -64,20 +64,22 @@ class Passages:
             return []
         ends, place = np.unique(pairs, return_inverse=True)
         is_inside = self.shape.contains(x[ends])
-        row = np.cumsum(is_inside) - 1
         graph = self._graph(x[ends[is_inside]])
+        number = graph.first_end + np.cumsum(is_inside) - 1
+        place = place.reshape(-1, 2)
+        is_asked = is_inside[place].all(axis=1)
+        is_joined = graph.join(number[place[is_asked]], MOST_LOOKS - self.num_looks)
+        self.num_looks += graph.num_looks
         found = []
-        for a, b in place.reshape(-1, 2):
+        for (start, end), has_ends in zip(number[place].tolist(), is_asked.tolist(), strict=True):
             way = np.empty((0, 3))
-            if is_inside[a] and is_inside[b]:
-                start, end = graph.first_end + row[[a, b]]
-                if self.num_visits > VISITS or (graph.part[start] != graph.part[end] and not graph.is_joined):
-                    self.num_refused += 1
-                elif graph.part[start] != graph.part[end]:
-                    self.num_closed += 1
-                else:
-                    way = graph.way(int(start), int(end))
-                    self.num_visits += graph.num_visits
+            if has_ends and graph.part[start] == graph.part[end] and self.num_visits <= VISITS:
+                way = graph.way(start, end)
+                self.num_visits += graph.num_visits
+            elif has_ends and graph.part[start] != graph.part[end] and is_joined:
+                self.num_closed += 1
+            else:
+                self.num_refused += has_ends
             found.append(way)
         self._links = graph.links_of_balls()
         return found
@@ -124,33 +126,40 @@ class _Graph:
 
     def __init__(self, shape: Enclosure, test: Test, centre: np.ndarray, first_end: int, links: _Links):
         self.shape, self.test, self.centre, self.first_end, self.links = shape, test, centre, first_end, links
-        self.num_visits = 0
+        self.num_visits = self.num_looks = 0
         self.tree = spatial.KDTree(centre)
         every, both = np.arange(1, len(links.tail) + 1), (np.r_[links.tail, links.head], np.r_[links.head, links.tail])
         self.number: Any = sparse.csr_matrix((np.tile(every, 2), both), (len(centre),) * 2)  # of each edge, from 1 on
-        self.part, self.is_joined = self._join()
+        self.part = np.empty(0, dtype=np.int64)  # that each ball is in, as far as is known
 
     def links_of_balls(self) -> _Links:
         """What is known of the edges between balls."""
         return _Links(*(each[self.links.head < self.first_end] for each in self.links))
 
-    def _join(self) -> tuple[np.ndarray, bool]:
-        """The part of the graph that each ball is in; and whether parts are apart that no edge joins."""
+    def join(self, pairs: np.ndarray, most_looks: int) -> bool:
+        """Join the parts that the two of each of ``pairs`` (W, 2) are in, if edges do, and tell whether all was tried.
+
+        The smaller of two parts is the one whose edges are looked at: it may be a pocket that no way leads out of.
+        """
         tail, head, gap, _, is_seen, is_open = self.links
-        num_looks, most = 0, JOINING
+        most = JOINING
         while True:
             known = sparse.coo_matrix((is_open[is_open], (tail[is_open], head[is_open])), (len(self.centre),) * 2)
-            part = csgraph.connected_components(known, directed=False)[1]
-            across = np.flatnonzero(~is_seen & (part[tail] != part[head]))
-            if not len(across) or num_looks > MOST_LOOKS:
-                return part, not len(across)
-            owner, edge = np.concatenate([part[tail[across]], part[head[across]]]), np.tile(across, 2)
+            self.part = np.asarray(csgraph.connected_components(known, directed=False)[1])
+            both = self.part[pairs[self.part[pairs[:, 0]] != self.part[pairs[:, 1]]]]
+            count = np.bincount(self.part)
+            is_asked = np.isin(np.arange(len(count)), np.where(count[both[:, 0]] < count[both[:, 1]], *both.T))
+            across = np.flatnonzero(~is_seen & (self.part[tail] != self.part[head]))
+            owner, edge = self.part[np.concatenate([tail[across], head[across]])], np.tile(across, 2)
+            owner, edge = owner[is_asked[owner]], edge[is_asked[owner]]
+            if not len(edge) or self.num_looks >= most_looks:
+                return not len(edge)
             order = np.lexsort((gap[edge], owner))
             owner, edge = owner[order], edge[order]
             rank = np.arange(len(owner)) - np.searchsorted(owner, owner)
             chosen = np.unique(edge[rank < most])
             self._look(chosen)
-            num_looks += len(chosen)
+            self.num_looks += len(chosen)
             most *= 2
 
     def _look(self, edge: np.ndarray) -> bool:
