@@ -14,6 +14,7 @@ from scipy import spatial
 
 from msf_jax.host.curve import branches, centring, containment, tips, twigs
 from msf_jax.host.curve.passages import Passages
+from msf_jax.host.solid import sheets
 from msf_jax.host.solid.enclosure import Enclosure
 from msf_jax.host.thin import course
 
@@ -234,15 +235,20 @@ def cornerless(draft: Draft, job: Job) -> Draft:
 
 
 def pruned(draft: Draft, job: Job, allowance: float = 1.0) -> Draft:
-    """Without the branches that no limb is around; limbs of one length are treated alike.
+    """Without the branches that no limb is around, or that run in one sheet with another; limbs of one length are
+    treated alike.
 
     ``allowance`` is the part of the threshold's excess over 1 that will do for branches that are not carried on to the
     ends of their limbs yet.
     """
-    x, least = draft.vertices, min(job.persistence, 1 + allowance * (job.persistence - 1))
+    if job.persistence <= 1:
+        return draft
+    x, e, least = draft.vertices, draft.edges, min(job.persistence, 1 + allowance * (job.persistence - 1))
     radii = job.shape.approach(x)[0]
-    is_held = draft.is_held | branches.equals(x, draft.edges, radii, least)
-    return _left(draft, *branches.prune(x, draft.edges, radii, least, is_held))
+    degree = np.bincount(e.ravel(), minlength=len(x))
+    flats = sheets.flats_of(x, radii, degree, lambda nodes: sheets.discs(job.rough, x[nodes], radii[nodes]))
+    is_held = draft.is_held | branches.equals(x, e, radii, least, flats)
+    return _left(draft, *branches.prune(x, e, radii, least, is_held, flats))
 
 
 def _left(draft: Draft, stays: np.ndarray, target: np.ndarray) -> Draft:
