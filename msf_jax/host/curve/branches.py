@@ -13,7 +13,7 @@ from msf_jax.host.solid.sheets import Discs, Flats, away_from
 
 BALLS = 33  # along a branch, to see whether it runs into a corner
 EQUAL = 0.8  # of how far another limb reaches out, for one that is as long
-NEAR = 0.75  # radii, between two junctions that are one
+NEAR = 0.85  # radii, between two junctions that are one
 STEEP = 0.5  # by how much of a step along a limb its balls shrink at most; in a corner of a box it is 0.58
 FLAT = 0.2  # of its own radius, that a limb's balls stay larger than such a cone's,
 BULGE = 0.05  # and of the radius at its junction
