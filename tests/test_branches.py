@@ -470,7 +470,7 @@ def test_a_limb_of_one_edge_is_no_corner():
 
 def test_junctions_in_one_ball_are_one():
     """Three of them in a row: two within the ball of the first, which takes their legs; the last is farther off."""
-    vertices = np.array([[0, 0, 0], [0.4, 0, 0], [0.6, 0, 0], [2.0, 0, 0]] + [[k, 3.0, 0] for k in range(8)], float)
+    vertices = np.array([[0, 0, 0], [0.4, 0, 0], [0.8, 0, 0], [2.0, 0, 0]] + [[k, 3.0, 0] for k in range(8)], float)
     edges = as_edges(chain(0, 1, 2, 3) + [(0, 4), (0, 5), (1, 6), (2, 7), (2, 8), (3, 9), (3, 10)])
     radii = np.r_[1.0, 0.9, 0.8, 1.0, np.ones(8)]
     free = np.zeros(len(vertices), dtype=bool)

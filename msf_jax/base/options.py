@@ -136,7 +136,8 @@ class Config:
         surgery: whether the curve is read off by half-edge collapses in the order of shape and sampling costs, and its
             nodes recentred by the boundaries of their regions (Au et al. 2008). Else the shortest edges go first.
         prune: branches of less than this `persistence` are taken away; see `msf_jax.Branch`. Above 1, so are those into
-            blunt corners, where balls shrink by half of each step or more, and near junctions become one; 0 keeps all.
+            blunt corners, where balls shrink by half of each step or more, and those that run in one sheet with another
+            (its discs then count as balls do), and near junctions become one; 0 keeps all.
         centre: whether nodes are moved to the middle of their limb's cross-section, and edges refined, at the end.
         extend_tips: whether leaves are carried on to the ends of their limbs.
         evaluate: whether the report gets the figures of `metrics.evaluate`.

@@ -9,10 +9,11 @@ from scipy import sparse, spatial
 from scipy.sparse import csgraph
 
 from msf_jax.host.solid.geometry import arc_length, at
+from msf_jax.host.solid.sheets import Discs, Flats, away_from
 
 BALLS = 33  # along a branch, to see whether it runs into a corner
 EQUAL = 0.8  # of how far another limb reaches out, for one that is as long
-NEAR = 0.75  # radii, between two junctions that are one
+NEAR = 0.85  # radii, between two junctions that are one
 STEEP = 0.5  # by how much of a step along a limb its balls shrink at most; in a corner of a box it is 0.58
 FLAT = 0.2  # of its own radius, that a limb's balls stay larger than such a cone's,
 BULGE = 0.05  # and of the radius at its junction
@@ -134,10 +135,12 @@ def measure(
     radii: np.ndarray,
     share: np.ndarray | None = None,
     known: "dict[tuple[int, ...], Reach] | None" = None,
+    flats: Flats | None = None,
 ) -> list[Branch]:
     """The branches of a curve ``(vertices (N, 3), edges (E, 2), radii (N,))``; ``share`` (N,) of the area by node.
 
-    ``known`` remembers what was measured, for a curve that loses branches.
+    ``known`` remembers what was measured, for a curve that loses branches. With ``flats`` it is out of the discs of the
+    rest that a branch must reach, and by radii of the disc at its junction.
     """
     degree = np.bincount(edges.ravel(), minlength=len(vertices))
     known = {} if known is None else known
@@ -150,31 +153,38 @@ def measure(
         if len(junctions) == 1 and min(degree[nodes[0]], degree[nodes[-1]]) == 1:
             reach = known.get(tuple(own.tolist()))
             if reach is None or not degree[reach.cover].all():
-                reach = known[tuple(own.tolist())] = _reach(vertices, radii, own, degree)
-            persistence = 1 + reach.distance / max(float(radii[junctions[0]]), 1e-300)
+                reach = known[tuple(own.tolist())] = _reach(vertices, radii, own, degree, flats)
+            size = radii if flats is None else flats.size
+            persistence = 1 + reach.distance / max(float(size[junctions[0]]), 1e-300)
         found.append(Branch(nodes, length, persistence, np.nan if share is None else float(share[own].sum())))
     return found
 
 
 class Reach(NamedTuple):
-    """How far the balls of a branch reach out of those of the rest, and the nodes whose balls cover it most."""
+    """distance: how far a branch's balls reach out of those of the rest. cover: the nodes whose balls cover it most."""
 
     distance: float
     cover: np.ndarray
 
 
-def _reach(vertices: np.ndarray, radii: np.ndarray, own: np.ndarray, degree: np.ndarray) -> Reach:
+def _reach(vertices: np.ndarray, radii: np.ndarray, own: np.ndarray, degree: np.ndarray, flats: Flats | None) -> Reach:
     is_rest = degree > 0
     is_rest[own] = False
     rest = np.flatnonzero(is_rest)
-    away = spatial.distance.cdist(vertices[own], vertices[rest]) - radii[rest]
+    discs = None if flats is None else Discs(*(field[rest] for field in flats.discs))
+    away = away_from(vertices[rest], radii[rest], discs, vertices[own])
     nearest = away.argmin(axis=1)
     out = away[np.arange(len(own)), nearest] + radii[own]
     return Reach(max(float(out.max()), 0.0), rest[nearest])
 
 
 def prune(
-    vertices: np.ndarray, edges: np.ndarray, radii: np.ndarray, persistence: float, is_held: np.ndarray | None = None
+    vertices: np.ndarray,
+    edges: np.ndarray,
+    radii: np.ndarray,
+    persistence: float,
+    is_held: np.ndarray | None = None,
+    flats: Flats | None = None,
 ) -> tuple[np.ndarray, np.ndarray]:
     """Take away branches of less than ``persistence``, the least first, until none is left.
 
@@ -189,7 +199,7 @@ def prune(
         left = edges[is_kept[edges].all(axis=1)]
         degree = np.bincount(left.ravel(), minlength=len(vertices))
         least, going = persistence, []
-        for branch in measure(vertices, left, radii, known=known):
+        for branch in measure(vertices, left, radii, known=known, flats=flats):
             if branch.persistence < least:
                 nodes = branch.nodes if degree[branch.nodes[0]] > 2 else branch.nodes[::-1]
                 if is_held is None or not is_held[nodes[1:]].any():
@@ -200,7 +210,9 @@ def prune(
         target[np.isin(target, going[1:])] = going[0]
 
 
-def equals(vertices: np.ndarray, edges: np.ndarray, radii: np.ndarray, persistence: float) -> np.ndarray:
+def equals(
+    vertices: np.ndarray, edges: np.ndarray, radii: np.ndarray, persistence: float, flats: Flats | None = None
+) -> np.ndarray:
     """(N,) the leaves of branches that are a little below ``persistence``, and at whose junction another is above.
 
     A junction that is a little off the middle makes limbs of one length persist more and less: they stay together.
@@ -208,7 +220,7 @@ def equals(vertices: np.ndarray, edges: np.ndarray, radii: np.ndarray, persisten
     found = np.zeros(len(vertices), dtype=bool)
     degree = np.bincount(edges.ravel(), minlength=len(vertices))
     reach: dict[int, list[tuple[float, int]]] = {}
-    for branch in measure(vertices, edges, radii):
+    for branch in measure(vertices, edges, radii, flats=flats):
         if 1 < branch.persistence < np.inf:
             junction, leaf = sorted((branch.nodes[0], branch.nodes[-1]), key=lambda node: -degree[node])
             reach.setdefault(junction, []).append((branch.persistence - 1, leaf))

@@ -14,6 +14,7 @@ from scipy import spatial
 
 from msf_jax.host.curve import branches, centring, containment, tips, twigs
 from msf_jax.host.curve.passages import Passages
+from msf_jax.host.solid import sheets
 from msf_jax.host.solid.enclosure import Enclosure
 from msf_jax.host.thin import course
 
@@ -178,7 +179,7 @@ def _of_waves(laid: course.Course, nodes: np.ndarray, job: Job) -> Finished:
     the solid's vertices follow the nodes, in place of the flow's."""
     x, num = laid.vertices, len(laid.vertices)
     draft = Draft(x, laid.edges, np.zeros(num, dtype=bool), np.arange(num), laid.node_of_vertex, x)
-    for each in (contained, pruned, unfolded, contained, laid_together):
+    for each in (contained, partial(pruned, has_sheets=False), unfolded, contained, laid_together):
         draft = each(draft, job)
     near = np.asarray(spatial.KDTree(draft.vertices).query(nodes)[1])
     taken, first, place = np.unique(near, return_index=True, return_inverse=True)
@@ -258,16 +259,23 @@ def cornerless(draft: Draft, job: Job) -> Draft:
     return _left(draft, *branches.cut_corners(x, draft.edges, draft.is_held, room))
 
 
-def pruned(draft: Draft, job: Job, allowance: float = 1.0) -> Draft:
-    """Without the branches that no limb is around; limbs of one length are treated alike.
+def pruned(draft: Draft, job: Job, allowance: float = 1.0, has_sheets: bool = True) -> Draft:
+    """Without the branches that no limb is around, or that run in one sheet with another; limbs of one length are
+    treated alike.
 
     ``allowance`` is the part of the threshold's excess over 1 that will do for branches that are not carried on to the
-    ends of their limbs yet.
+    ends of their limbs yet. ``has_sheets`` says that the solid may have some, which takes looking.
     """
-    x, least = draft.vertices, min(job.persistence, 1 + allowance * (job.persistence - 1))
+    if job.persistence <= 1:
+        return draft
+    x, e, least = draft.vertices, draft.edges, min(job.persistence, 1 + allowance * (job.persistence - 1))
     radii = job.shape.approach(x)[0]
-    is_held = draft.is_held | branches.equals(x, draft.edges, radii, least)
-    return _left(draft, *branches.prune(x, draft.edges, radii, least, is_held))
+    degree = np.bincount(e.ravel(), minlength=len(x))
+    flats = None
+    if has_sheets:
+        flats = sheets.flats_of(x, radii, degree, lambda nodes: sheets.discs(job.rough, x[nodes], radii[nodes]))
+    is_held = draft.is_held | branches.equals(x, e, radii, least, flats)
+    return _left(draft, *branches.prune(x, e, radii, least, is_held, flats))
 
 
 def _left(draft: Draft, stays: np.ndarray, target: np.ndarray) -> Draft:
