@@ -2,11 +2,11 @@
 
 The nodes are centres of balls that touch the surface from inside, one for each place: a ball among others of its size
 that overlap it says nothing new. Where two balls overlap, the segment between their centres is inside without a look.
-Rays tell of the others. First the parts that a way is wanted between are joined, each by the nearest of its edges that is
-inside, as in a spanning tree (Boruvka 1926): then it is known where there is a way. Any other edge is taken for
-open until a shortest way uses it, and is looked at then (lazy shortest paths; Dellin, Srinivasa 2016). A way is sought
-near the edge that it is for, and farther off only if there is none: it goes on the same side of a hole, and costs what
-is near. All of it has a bound.
+Rays tell of the others. First the parts that a way is wanted between are joined, each by the nearest of its edges that
+is inside, as in a spanning tree (Boruvka 1926): then it is known where there is a way. Any other edge is taken for open
+until a shortest way uses it, and is looked at then (lazy shortest paths; Dellin, Srinivasa 2016). A way is sought near
+the edge that it is for, and farther off only if there is none: it goes on the same side of a hole, and costs what is
+near. All of it has a bound.
 """
 
 from collections.abc import Callable
