@@ -67,7 +67,7 @@ class Passages:
         graph = self._graph(x[ends[is_inside]])
         number = graph.first_end + np.cumsum(is_inside) - 1
         place = place.reshape(-1, 2)
-        is_asked = is_inside[place].all(axis=1)
+        is_asked = np.logical_and(*is_inside[place].T)
         is_joined = graph.join(number[place[is_asked]], MOST_LOOKS - self.num_looks)
         self.num_looks += graph.num_looks
         found = []
