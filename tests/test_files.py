@@ -50,6 +50,21 @@ def test_colours_are_passed_over(tmp_path: Path):
     np.testing.assert_array_equal(plain[1], coloured[1])
 
 
+TETRAHEDRON = ["0 0 0", "1 0 0", "0 1 0", "0 0 1"], ["3 0 2 1", "3 0 1 3", "3 1 2 3", "3 0 3 2"]
+
+
+@pytest.mark.parametrize("counts", ["4 4 6", "4 4"])
+@pytest.mark.parametrize("row", [None, 0, 4])
+def test_files_of_triangles_are_read_alike_however_much_else_is_in_them(counts, row):
+    """A word more in a row, and no count of edges: as many words as in a file without either."""
+    rows = [*TETRAHEDRON[0], *TETRAHEDRON[1]]
+    if row is not None:
+        rows[row] += " 7"
+    vertices, faces = off.parsed("\n".join(["OFF", counts, *rows]) + "\n")
+    np.testing.assert_array_equal(vertices, np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]))
+    np.testing.assert_array_equal(faces, [[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]])
+
+
 def test_a_quad_that_is_not_convex_is_not_folded():
     corners = np.array([[0, 0, 0], [4, -1, 0], [1, 0, 0], [4, 1, 0]], dtype=float)  # an arrow: its third corner is in
     for turn in range(4):

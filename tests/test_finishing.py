@@ -138,6 +138,46 @@ def test_no_pass_folds_a_loop_flat(step):
         assert cycle_count(len(done.vertices), done.edges) == (1, genus)
 
 
+@pytest.mark.parametrize(
+    ("x", "edges", "moved"),
+    [
+        # A loop whose junctions alone were moved, with a leg at each; and a ring that begins with the node that was.
+        ([[0, 0, 0], [2, 0, 0], [1, 1, 0], [-1, 0, 0], [3, 0, 0]], [[0, 1], [0, 2], [1, 2], [0, 3], [1, 4]], [0, 1]),
+        ([[0, 0, 0], [1, 1, 0], [2, 0, 0]], [[0, 1], [1, 2], [0, 2]], [0]),
+    ],
+)
+def test_loops_that_their_junctions_fold_are_put_back(x, edges, moved):
+    x, edges = np.array(x, dtype=float), np.array(edges)
+    flat = x.copy()
+    flat[moved] = [[0, 1, 0], [2, 1, 0]] if len(moved) == 2 else [[3, -1, 0]]
+    shape, _ = unit_shape(trimesh.creation.box())
+    job = finishing.Job(shape, shape, 1.5, False, Passages(shape, containment.is_inside), centring.Budget(), 1)
+    draft = finishing.Draft(x, edges, none_held(x), np.arange(len(x)), np.arange(len(x)), x)
+
+    def num_loops(place):
+        done = finishing.laid_together(draft.changed(place), job)
+        return cycle_count(len(done.vertices), done.edges)[1]
+
+    assert num_loops(flat) == 0
+    assert num_loops(finishing._apart(draft, job, flat)) == 1
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_a_segment_that_leaves_along_a_face_is_not_inside(seed):
+    """A ray in the plane of a face does not hit it, and may miss its neighbours by rounding."""
+    random = np.random.default_rng(seed)
+    step = manifold3d.Manifold.cube([2, 2, 1]).translate([-1, -1, -1])
+    step += manifold3d.Manifold.cube([1, 2, 2]).translate([-1, -1, -1])
+    found = step.to_mesh()
+    turn = trimesh.transformations.random_rotation_matrix(random.uniform(size=3))[:3, :3]
+    shape = Enclosure(found.vert_properties[:, :3].astype(float) @ turn.T, np.array(found.tri_verts))
+    y = random.uniform(-0.8, 0.8, (2, 50))
+    a = np.stack([random.uniform(-0.8, -0.2, 50), y[0], np.zeros(50)], axis=1) @ turn.T
+    b = np.stack([random.uniform(1.1, 2, 50), y[1], np.zeros(50)], axis=1) @ turn.T
+    assert shape.contains(a).all() and not shape.contains(b).any()
+    assert not containment.is_inside(shape, a, b).any()
+
+
 def test_where_the_corner_cannot_be_cut_a_half_of_it_is():
     shape, scale = unit_shape(tube(bow(0.6)))
     x, edges = path(scale * np.array([1, 1.1, 1])[:, None] * bow(0.6)[[2, 14, 26]])

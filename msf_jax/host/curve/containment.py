@@ -82,6 +82,8 @@ def is_inside(shape: Enclosure, a: np.ndarray, b: np.ndarray, covered: np.ndarra
     middle = a[edge] + ((stop + onward) / 2)[:, None] * unit(b - a)[edge]
     is_stretch = onward - stop > 1e-9
     is_in[edge[is_stretch][~shape.contains(middle[is_stretch])]] = False
+    left = rows[is_in[rows]]
+    is_in[left] = shape.contains(b[left])  # a ray along a face, or from the surface, may miss where it comes out
     return is_in
 
 
@@ -113,7 +115,7 @@ def unfold(
             node, a, b = inner[left], x[before[left]], x[after[left]]
             goal = (1 - share) * x[node] + share * (a + b) / 2
             is_open = is_inside(shape, np.concatenate([a, goal]), np.concatenate([goal, b]))
-            is_free = is_open.reshape(2, len(node)).all(axis=0)
+            is_free = np.logical_and(*is_open.reshape(2, len(node)))
             hub, rim, target = x[node[is_free]], (a[is_free], b[is_free]), goal[is_free]
             fan = [(1 - t) * side + t * target for side in rim for t in np.linspace(0, 1, FAN)[1:-1]]
             is_open = is_inside(shape, np.tile(hub, (len(fan), 1)), np.concatenate(fan))

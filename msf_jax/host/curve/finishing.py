@@ -229,10 +229,10 @@ def _apart(draft: Draft, job: Job, x: np.ndarray) -> np.ndarray:
             break
         ways = branches.trace(len(x), draft.edges) if ways is None else ways
         stuck = [way for way in ways if is_stuck[way[1:-1]].any()]
-        if not stuck:  # junctions only
-            break
         for way in stuck:
             x[way[1:-1]] = draft.vertices[way[1:-1]]
+        if not stuck:  # junctions only, or where a ring begins
+            x[is_stuck] = draft.vertices[is_stuck]
         ways = [way for way in ways if way not in stuck]
     return x
 

@@ -10,6 +10,7 @@ import numpy as np
 
 from msf_jax.host.mesh.filling import cap
 
+PLAIN = re.compile(r"\s*OFF\s+(\d+)[ \t]+(\d+)[ \t]+\d+[ \t]*[\r\n]", re.IGNORECASE)  # all three counts on a line
 HEADER = re.compile(r"\s*(ST)?(C)?(N)?(4)?(n)?OFF\b", re.IGNORECASE)
 
 
@@ -46,19 +47,22 @@ def parsed(text: str) -> tuple[np.ndarray, np.ndarray]:
 
 def _plain(text: str) -> tuple[np.ndarray, np.ndarray] | None:
     """Vertices and triangles of a file of nothing else, which most are: words in a row. None for any other."""
-    words = text.split()
+    head = PLAIN.match(text)
+    if head is None:
+        return None
+    num, num_faces, words = int(head[1]), int(head[2]), text[head.end() :].split()
+    if len(words) != 3 * num + 4 * num_faces:
+        return None
     try:
-        num, num_faces = int(words[1]), int(words[2])
-        if words[0].upper() != "OFF" or min(num, num_faces) < 0 or len(words) != 4 + 3 * num + 4 * num_faces:
-            return None
-        values = np.array(list(map(float, words[4:])))
-    except (IndexError, ValueError):
+        values = np.array(list(map(float, words)))
+    except ValueError:
         return None
     sides = values[3 * num :].reshape(-1, 4)
-    corners = sides[:, 1:].astype(np.int64) if np.isfinite(sides).all() else np.full((1, 3), -1)
-    is_plain = (sides[:, 0] == 3).all() and (corners == sides[:, 1:]).all()
-    is_plain &= bool(((corners >= 0) & (corners < num)).all())
-    return (values[: 3 * num].reshape(-1, 3), corners) if is_plain else None
+    corners = sides[:, 1:]
+    is_corner = (corners >= 0) & (corners < num) & (corners == np.floor(corners))
+    if not ((sides[:, 0] == 3).all() and is_corner.all()):
+        return None
+    return values[: 3 * num].reshape(-1, 3), corners.astype(np.int64)
 
 
 def _is_by_line(rows: list[list[str]], sides: list[list[str]], num: int, num_faces: int) -> bool:

@@ -22,6 +22,7 @@ ROUND, LEVEL = 0.02, 0.05  # of all normals around: so far ahead of the next is 
 WIDE = 3.0  # a disc so many times as wide as its ball is one of a sheet, out of which limbs grow
 BESIDE = 3.0  # radii of the disc at a junction, within which nodes are near it
 MOST_POINTS = 5_000  # of the surface
+AT_ONCE = 500  # points of a curve, which bounds memory
 
 
 class Discs(NamedTuple):
@@ -41,6 +42,9 @@ class Flats(NamedTuple):
 
 def discs(shape: Enclosure, points: np.ndarray, radii: np.ndarray) -> Discs:
     """The largest discs inside ``shape`` around ``points`` (P, 3), whose largest balls have ``radii`` (P,)."""
+    if len(points) > AT_ONCE:
+        halves = [discs(shape, points[rows], radii[rows]) for rows in np.array_split(np.arange(len(points)), 2)]
+        return Discs(*(np.concatenate(fields) for fields in zip(*halves, strict=True)))
     samples, normals = shape.surface_points(MOST_POINTS)
     near = spatial.KDTree(samples).query_ball_point(points, AROUND * radii)
     count = np.fromiter(map(len, near), np.int64, len(near))
@@ -53,7 +57,7 @@ def discs(shape: Enclosure, points: np.ndarray, radii: np.ndarray) -> Discs:
     first = unit(np.cross(normal, np.eye(3)[np.abs(normal).argmin(axis=1)]))
     angle = np.linspace(0, 2 * np.pi, RAYS, endpoint=False)[:, None, None]
     ways = np.cos(angle) * first + np.sin(angle) * np.cross(normal, first)
-    radius, is_open = radii.astype(float), (lead > ROUND) & (radii > 0)
+    radius, is_open = radii.astype(float), (lead > ROUND) & (radii > 0) & shape.contains(points)
     for reach in REACHES:
         rows = np.flatnonzero(is_open)
         far = np.tile(reach * radii[rows], RAYS)
