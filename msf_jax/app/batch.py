@@ -38,7 +38,7 @@ from msf_jax.host.mesh.repair import Repair, as_repair
 from msf_jax.skeleton.formats import export
 
 MANIFEST, ROWS = "manifest.csv", ".rows"  # in the folder of the results
-TASKS = 100  # of a worker, on average, after which fresh ones take their place: what they have grown to goes with them
+TASKS = 1000  # of a worker, on average, after which fresh ones take their place: what they have grown to goes with them
 DIED = "its worker died, twice: out of memory?"
 
 
