@@ -20,7 +20,7 @@ from jax.ad_checkpoint import checkpoint_name
 
 with warnings.catch_warnings():
     warnings.simplefilter("ignore", DeprecationWarning)  # jaxopt announces on import that it is no longer maintained
-    from jaxopt import base
+    from jaxopt import base, loop
 
 from msf_jax.base.options import Solver
 
@@ -106,6 +106,19 @@ class ConjugateGradients(base.IterativeSolver):
         error = jnp.where(is_small, 0.0, jnp.sqrt(_dot(residual, residual)))
         following = CGState(state.iter_num + 1, error, residual, z + beta * state.direction, gamma)
         return base.OptStep(params + step * state.direction, following)
+
+    def run(self, init_params: jax.Array, *args: Any, **kwargs: Any) -> base.OptStep:
+        """As that of the base class, but for the first update, which is not apart from the others: a loop whose body is
+        there once is compiled in two thirds of the time."""
+
+        def is_on(step: base.OptStep) -> jax.Array:
+            return step.state.error > self.tol
+
+        def follow(step: base.OptStep) -> base.OptStep:
+            return self.update(step.params, step.state, *args, **kwargs)
+
+        start = base.OptStep(init_params, self.init_state(init_params, *args, **kwargs))
+        return loop.while_loop(is_on, follow, start, self.maxiter, unroll=self.unroll, jit=self.jit)
 
     def optimality_fun(self, params: jax.Array, b: jax.Array) -> jax.Array:
         return self.matvec(params) - b

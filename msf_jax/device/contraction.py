@@ -70,22 +70,21 @@ class Gram:
 
     def __call__(self, x: jax.Array) -> jax.Array:
         free = self.free[:, None]
-        return free * (self._twice(free * x) + self.shift[:, None] * x) + (1.0 - free) * x
+        return free * (self.transposed_after(self.own, free * x) + self.shift[:, None] * x) + (1.0 - free) * x
 
     def diagonal(self) -> jax.Array:
         """(n,)."""
         square = self.own**2 + slot_sum(self.layout, self.weights[1] ** 2)
         return self.free * (square + self.shift) + (1.0 - self.free)
 
-    def transposed(self, x: jax.Array) -> jax.Array:
-        """A^T x."""
-        return self._product(x, self.weights[1])
+    def transposed_after(self, diagonal: jax.Array, x: jax.Array) -> jax.Array:
+        """A^T (A + diag(diagonal - own)) x: ``diagonal`` (n,) stands for that of the first A."""
 
-    def _twice(self, x: jax.Array) -> jax.Array:
-        return lax.scan(lambda y, weights: (self._product(y, weights), None), x, self.weights)[0]
+        def product(y: jax.Array, line: Any) -> tuple[jax.Array, None]:
+            own, weights = line
+            return own[:, None] * y + slot_product(self.layout, weights, self.neighbour, y), None
 
-    def _product(self, x: jax.Array, weights: jax.Array) -> jax.Array:
-        return self.own[:, None] * x + slot_product(self.layout, weights, self.neighbour, x)
+        return lax.scan(product, x, (jnp.stack([diagonal, self.own]), self.weights))[0]
 
 
 def relaxed(
@@ -119,5 +118,5 @@ def normal_equations(buffers: Buffers, rows: Rows, energy: Energy, layout: Layou
     own = buffers.free * energy.alpha - towards
     shift = buffers.free * (energy.hold + energy.attract)
     operator = Gram(jnp.stack([out, into]), own, shift, buffers.free, neighbour, layout)
-    bent = slot_product(layout, out, neighbour, positions) - towards[:, None] * positions  # beta L V
-    return operator, free * (energy.attract[:, None] * (buffers.poles - positions) - operator.transposed(bent))
+    bent = operator.transposed_after(-towards, positions)  # A^T beta L V
+    return operator, free * (energy.attract[:, None] * (buffers.poles - positions) - bent)

@@ -48,17 +48,15 @@ def _mean_value(positions: jax.Array, rings: Rings, degree: jax.Array, layout: L
 
     Rows are multiplied by the mean length of their one-ring edges, which takes their unit away.
     """
-    at_i = at_rows(layout, positions)
-    edge, after, before = (positions[corner] - at_i for corner in (rings.neighbour, rings.after, rings.before))
-    length = _length(edge)
+    # At i and, from its own differences, at j: rounding would make L and its transpose differ on needles otherwise.
+    ends = jnp.stack([at_rows(layout, positions), positions[rings.neighbour]])
+    edge = ends[::-1] - ends
+    length = _length(edge[0])
     mean_length = slot_sum(layout, jnp.where(rings.is_used, length, 0.0)) / jnp.maximum(degree, 1)
-    at_i_tangents = _half_angle_tangent(edge, after) + _half_angle_tangent(before, edge)
-    # From j's own differences, not from after - edge: rounding would make L and its transpose differ on needles.
-    at_j = positions[rings.neighbour]
-    after_j, before_j = positions[rings.after] - at_j, positions[rings.before] - at_j
-    at_j_tangents = _half_angle_tangent(-edge, after_j) + _half_angle_tangent(before_j, -edge)
-    out = at_i_tangents / length * at_rows(layout, mean_length)
-    return Rows(out, at_j_tangents / length * mean_length[rings.neighbour])
+    sides = jnp.stack([positions[rings.after], positions[rings.before]]) - ends[:, None]
+    tangents = _half_angle_tangent(edge[:, None], sides).sum(1)
+    means = jnp.stack([at_rows(layout, mean_length), mean_length[rings.neighbour]])
+    return Rows(*(tangents / length * means))
 
 
 def _cotangents(positions: jax.Array, rings: Rings, degree: jax.Array, layout: Layout) -> Rows:
