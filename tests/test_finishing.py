@@ -9,7 +9,7 @@ from scipy import spatial
 
 import msf_jax
 from msf_jax import Config, ground_truth, metrics
-from msf_jax.host.curve import centring, containment, finishing, tips, ways
+from msf_jax.host.curve import centring, containment, finishing, resampling, tips, ways
 from msf_jax.host.curve.branches import cycle_count
 from msf_jax.host.curve.passages import Passages
 from msf_jax.host.solid.enclosure import Enclosure
@@ -471,3 +471,35 @@ def test_a_cube_has_one_straight_branch_and_its_bumps_have_one_each(turn):
         branches = msf_jax.skeletonize((vertices, found.tri_verts)).branches
         assert len(branches) == count
         assert max(branch.length for branch in branches) < 1.25 * min(branch.length for branch in branches) < 3.6 * 1.25
+
+
+def test_a_corner_that_cannot_be_cut_is_rounded_in_its_ball():
+    """In an angle of two bars, where all shortcuts leave it: small turns, inside, and no node but the corner moves."""
+    angle = manifold3d.Manifold.cube([2, 2, 0.1])
+    angle -= manifold3d.Manifold.cube([1.9, 1.9, 0.2]).translate([0.1, 0.1, -0.05])
+    found = angle.to_mesh()
+    shape, scale = unit_shape(trimesh.Trimesh(found.vert_properties[:, :3].astype(float), found.tri_verts))
+    x, edges = path(scale * np.array([[1.5, 0.06, 0.05], [0.8, 0.06, 0.05], [0.09, 0.09, 0.05], [0.06, 1.5, 0.05]]))
+    np.testing.assert_array_equal(containment.unfold(shape, x, edges, none_held(x), 40.0), x)
+    y, led = resampling.rounded(shape, x, edges, none_held(x), 40.0)
+    assert is_inside(shape, y, led) and cycle_count(len(y), led) == (1, 0)
+    assert resampling.turns(x, edges).max() > 80 and resampling.turns(y, led).max() < 40
+    np.testing.assert_array_equal(y[[0, 1, 3]], x[[0, 1, 3]])
+    assert np.linalg.norm(y[2] - x[2]) < shape.clearance(x[[2]])[0]
+    held = np.arange(4) == 2
+    np.testing.assert_array_equal(resampling.rounded(shape, x, edges, held, 40.0)[0], x)
+
+
+@pytest.mark.parametrize("num_cycles", [0, 1])
+def test_corners_side_by_side_are_rounded(num_cycles):
+    """Of a ring, all; of a zigzag, those between its ends."""
+    shape, _ = unit_shape(trimesh.creation.icosphere(3))
+    x, edges = path(0.2 * np.array([[1.0, 0, 0], [0, 1, 0], [-1, 0, 0], [0, -1, 0]]))
+    if num_cycles:
+        edges = np.concatenate([edges, [[0, 3]]])
+    else:
+        x, edges = path(0.02 * np.array([[k, k % 2, 0] for k in range(-5, 6)]))
+    y, led = resampling.rounded(shape, x, edges, none_held(x), 40.0)
+    assert np.count_nonzero(resampling.turns(x, edges) > 80) == (4 if num_cycles else 9)
+    assert resampling.turns(y, led).max() < 40
+    assert cycle_count(len(y), led) == (1, num_cycles)

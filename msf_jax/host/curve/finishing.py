@@ -12,7 +12,7 @@ from typing import NamedTuple
 import numpy as np
 from scipy import spatial
 
-from msf_jax.host.curve import branches, centring, containment, tips, twigs
+from msf_jax.host.curve import branches, centring, containment, resampling, tips, twigs
 from msf_jax.host.curve.passages import Passages
 from msf_jax.host.solid import sheets
 from msf_jax.host.solid.enclosure import Enclosure
@@ -112,6 +112,7 @@ def passes(centre: bool, extend: bool) -> list[Callable[[Draft, Job], Draft]]:
         contained,
         *([partial(unfolded, most=SHARPEST), contained] if centre else []),
         laid_together,
+        *([rounded] if centre else []),
     ]
 
 
@@ -178,7 +179,7 @@ def _of_waves(laid: course.Course, nodes: np.ndarray, job: Job) -> Finished:
     the solid's vertices follow the nodes, in place of the flow's."""
     x, num = laid.vertices, len(laid.vertices)
     draft = Draft(x, laid.edges, np.zeros(num, dtype=bool), np.arange(num), laid.node_of_vertex, x)
-    for each in (contained, partial(pruned, has_sheets=False), unfolded, contained, laid_together):
+    for each in (contained, partial(pruned, has_sheets=False), unfolded, contained, laid_together, rounded):
         draft = each(draft, job)
     near = np.asarray(spatial.KDTree(draft.vertices).query(nodes)[1])
     taken, first, place = np.unique(near, return_index=True, return_inverse=True)
@@ -315,6 +316,11 @@ def laid_together(draft: Draft, job: Job) -> Draft:
     """No edge twice, and none without length: cycles are cycles in space."""
     stays, target, edges = branches.lay_together(draft.vertices, draft.edges, draft.is_held)
     return _left(draft._replace(edges=edges), stays, target)
+
+
+def rounded(draft: Draft, job: Job) -> Draft:
+    """With corners that cannot be cut rounded within their balls."""
+    return draft.changed(*resampling.rounded(job.shape, draft.vertices, draft.edges, draft.is_held, SHARPEST))
 
 
 def in_order(edges: np.ndarray) -> np.ndarray:
