@@ -30,8 +30,9 @@ class Draft(NamedTuple):
 
     vertices: (N, 3). edges: (E, 2). is_held: (N,) nodes that do not move. origin: (N,) the flow's node that each is,
     in ascending order, and -1 for the new ones, which come last. node_of_flow: (n,) the node that stands for each of
-    the flow's: itself, or the junction that its branch was pruned from. place: (N, 3) where each was found at first.
-    is_sparse: whether nodes are farther apart than they should be, as there would be too many.
+    the flow's: itself, or the junction that its branch was pruned from. place: (N, 3) where each was found at first,
+    or, of a junction, where it is to be. is_sparse: whether nodes are farther apart than they should be, as there would
+    be too many.
     """
 
     vertices: np.ndarray
@@ -101,7 +102,7 @@ def passes(centre: bool, extend: bool) -> list[Callable[[Draft, Job], Draft]]:
     return [
         contained,
         # What to prune is decided on a curve that is centred.
-        *([unfolded, partial(centred, rounds=FIRST_ROUNDS, is_rough=True), unfolded] if centre else []),
+        *([unfolded, placed, partial(centred, rounds=FIRST_ROUNDS, is_rough=True), unfolded] if centre else []),
         merged,
         cornerless,
         partial(pruned, allowance=EARLY if extend else 1.0),
@@ -208,6 +209,16 @@ def unfolded(draft: Draft, job: Job, most: float = 90.0) -> Draft:
     """No branch turns by more than ``most`` degrees at a node, if it need not."""
     x = containment.unfold(job.shape, draft.vertices, draft.edges, draft.is_held, most)
     return draft.changed(_apart(draft, job, x))
+
+
+def placed(draft: Draft, job: Job) -> Draft:
+    """With the places of junctions where the solid is roomiest, if that is near."""
+    is_junction = np.bincount(draft.edges.ravel(), minlength=len(draft.vertices)) > 2
+    rows = np.flatnonzero(is_junction & ~draft.is_held)
+    rows = rows[job.rough.contains(draft.place[rows])]
+    place = draft.place.copy()
+    place[rows] = centring.roomiest(job.rough, place[rows])
+    return draft._replace(place=place)
 
 
 def centred(
