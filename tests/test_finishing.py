@@ -9,7 +9,7 @@ from scipy import spatial
 
 import msf_jax
 from msf_jax import Config, ground_truth, metrics
-from msf_jax.host.curve import centring, containment, finishing, tips, ways
+from msf_jax.host.curve import centring, containment, finishing, resampling, tips, ways
 from msf_jax.host.curve.branches import cycle_count
 from msf_jax.host.curve.passages import Passages
 from msf_jax.host.solid.enclosure import Enclosure
@@ -244,6 +244,30 @@ def test_centring_turns_with_the_solid():
     assert np.abs(y - x @ turn.T).max() < 1e-7
 
 
+def test_junctions_go_to_the_middle_of_a_blob_but_not_along_a_trunk():
+    """Wherever the flow has found them; places too far from the roomiest one, and pins, stay."""
+    ball = manifold3d.Manifold.sphere(1.0, 32)
+    for way in np.r_[np.eye(3), -np.eye(3)[:2]]:
+        ball += manifold3d.Manifold.sphere(0.4, 32).translate(tuple(way))
+    found = ball.to_mesh()
+    shape, scale = unit_shape(trimesh.Trimesh(found.vert_properties[:, :3].astype(float), found.tri_verts))
+    places = scale * np.array([[0.2, -0.1, 0.1], [-0.15, 0.2, 0.05], [0.1, 0.1, -0.2]])
+    middle = centring.roomiest(shape, places)
+    assert np.linalg.norm(middle, axis=1).max() < 0.05 * scale
+    x = np.concatenate([places, 1.2 * scale * np.eye(3)])
+    edges = np.array([[0, 3], [0, 4], [0, 5]])
+    job = finishing.Job(shape, shape, 1.5, False, Passages(shape, containment.is_inside), centring.Budget(), 0)
+    for is_held in (none_held(x), np.arange(6) == 0):
+        draft = finishing.Draft(x, edges, is_held, np.arange(6), np.arange(6), x)
+        place = finishing.placed(draft, job).place
+        np.testing.assert_array_equal(place[1:], x[1:])
+        assert (place[0] == x[0]).all() == is_held[0]
+    cone = ground_truth.swept_tube(np.linspace([0, 0, 0], [8, 0, 0], 80), np.linspace(0.3, 0.6, 80), 24)
+    shape, scale = unit_shape(cone)
+    trunk = scale * np.array([[3.0, 0.05, 0]])
+    np.testing.assert_array_equal(centring.roomiest(shape, trunk), trunk)
+
+
 def test_a_budget_that_is_spent_leaves_one_round():
     budget = centring.Budget()
     budget.left = 0
@@ -470,4 +494,36 @@ def test_a_cube_has_one_straight_branch_and_its_bumps_have_one_each(turn):
         vertices = np.array(found.vert_properties[:, :3], dtype=float)
         branches = msf_jax.skeletonize((vertices, found.tri_verts)).branches
         assert len(branches) == count
-        assert max(branch.length for branch in branches) < 1.25 * min(branch.length for branch in branches) < 3.6 * 1.25
+        assert max(branch.length for branch in branches) < 1.06 * min(branch.length for branch in branches) < 3.6 * 1.06
+
+
+def test_a_corner_that_cannot_be_cut_is_rounded_in_its_ball():
+    """In an angle of two bars, where all shortcuts leave it: small turns, inside, and no node but the corner moves."""
+    angle = manifold3d.Manifold.cube([2, 2, 0.1])
+    angle -= manifold3d.Manifold.cube([1.9, 1.9, 0.2]).translate([0.1, 0.1, -0.05])
+    found = angle.to_mesh()
+    shape, scale = unit_shape(trimesh.Trimesh(found.vert_properties[:, :3].astype(float), found.tri_verts))
+    x, edges = path(scale * np.array([[1.5, 0.06, 0.05], [0.8, 0.06, 0.05], [0.09, 0.09, 0.05], [0.06, 1.5, 0.05]]))
+    np.testing.assert_array_equal(containment.unfold(shape, x, edges, none_held(x), 40.0), x)
+    y, led = resampling.rounded(shape, x, edges, none_held(x), 40.0)
+    assert is_inside(shape, y, led) and cycle_count(len(y), led) == (1, 0)
+    assert resampling.turns(x, edges).max() > 80 and resampling.turns(y, led).max() < 40
+    np.testing.assert_array_equal(y[[0, 1, 3]], x[[0, 1, 3]])
+    assert np.linalg.norm(y[2] - x[2]) < shape.clearance(x[[2]])[0]
+    held = np.arange(4) == 2
+    np.testing.assert_array_equal(resampling.rounded(shape, x, edges, held, 40.0)[0], x)
+
+
+@pytest.mark.parametrize("num_cycles", [0, 1])
+def test_corners_side_by_side_are_rounded(num_cycles):
+    """Of a ring, all; of a zigzag, those between its ends."""
+    shape, _ = unit_shape(trimesh.creation.icosphere(3))
+    x, edges = path(0.2 * np.array([[1.0, 0, 0], [0, 1, 0], [-1, 0, 0], [0, -1, 0]]))
+    if num_cycles:
+        edges = np.concatenate([edges, [[0, 3]]])
+    else:
+        x, edges = path(0.02 * np.array([[k, k % 2, 0] for k in range(-5, 6)]))
+    y, led = resampling.rounded(shape, x, edges, none_held(x), 40.0)
+    assert np.count_nonzero(resampling.turns(x, edges) > 80) == (4 if num_cycles else 9)
+    assert resampling.turns(y, led).max() < 40
+    assert cycle_count(len(y), led) == (1, num_cycles)

@@ -18,6 +18,8 @@ are smooth in the nodes. But a section has jumps, where it begins to cut another
 counts less each time that it goes over it. The rounds end when no node moves any more.
 """
 
+import itertools
+
 import numpy as np
 from scipy import sparse
 from scipy.sparse import linalg
@@ -55,6 +57,9 @@ HALVINGS, TRIALS = 2, 12  # of a step that goes too far; and in all, before none
 SLIGHT = 0.05  # of its room: a shorter step of a node leads nowhere else
 CLOSE = 0.005  # diagonals, to the surface, where it is measured exactly; elsewhere, of what is about the clearance,
 SURE = 0.5  # that part is
+NEARBY, DETOUR = 0.5, 1.5  # balls, between a junction and the place where the solid is roomiest; times that, under way
+CLIMBS, FINEST = 30, 0.004  # steps on the way there, and balls, the last of them
+DIRECTIONS = unit(np.array([way for way in itertools.product((-1.0, 0.0, 1.0), repeat=3) if any(way)]))
 SETTLING = 4  # rounds, after which a node that goes over a brink counts less,
 BRINK, FADE = 1.25, 0.5  # where its weight over its width changes by that factor, by this one
 
@@ -147,6 +152,31 @@ def centre(
         step *= np.minimum(1.0, LONGEST_STEP / np.maximum(part, 1e-300))[:, None]
         x, room, near = _taken(shape, x, step, room, near, edges, ~is_held & (room > 0), least)
     return x
+
+
+def roomiest(shape: Enclosure, points: np.ndarray) -> np.ndarray:
+    """For each of ``points`` (P, 3) inside, where the solid is roomiest, if that is within ``NEARBY`` of its ball.
+
+    There is such a place in a blob where limbs meet, and it does not depend on how it was found: the point to where
+    they are alike. Along a trunk the way to it is long, and the point stays. By steps in 26 directions, halved.
+    """
+    room = shape.approach(points)[0]
+    x, best, step = points.copy(), room.copy(), NEARBY / 2 * room
+    away, is_near = np.zeros(len(x)), np.ones(len(x), dtype=bool)
+    for _ in range(CLIMBS):
+        live = np.flatnonzero(is_near & (step > FINEST * room))
+        if not len(live):
+            break
+        tried = x[live, None] + step[live, None, None] * DIRECTIONS
+        found = shape.approach(tried.reshape(-1, 3))[0].reshape(len(live), -1)
+        most = found.argmax(axis=1)
+        found, tried = found[np.arange(len(live)), most], tried[np.arange(len(live)), most]
+        is_better = found > best[live]
+        x[live[is_better]], best[live[is_better]] = tried[is_better], found[is_better]
+        step[live[~is_better]] /= 2
+        away = np.linalg.norm(x - points, axis=1)
+        is_near = away < DETOUR * NEARBY * room
+    return np.where(((away < NEARBY * room) & (step <= FINEST * room))[:, None], x, points)
 
 
 def _taken(

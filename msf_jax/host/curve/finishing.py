@@ -12,7 +12,7 @@ from typing import NamedTuple
 import numpy as np
 from scipy import spatial
 
-from msf_jax.host.curve import branches, centring, containment, tips, twigs
+from msf_jax.host.curve import branches, centring, containment, resampling, tips, twigs
 from msf_jax.host.curve.passages import Passages
 from msf_jax.host.solid import sheets
 from msf_jax.host.solid.enclosure import Enclosure
@@ -30,8 +30,9 @@ class Draft(NamedTuple):
 
     vertices: (N, 3). edges: (E, 2). is_held: (N,) nodes that do not move. origin: (N,) the flow's node that each is,
     in ascending order, and -1 for the new ones, which come last. node_of_flow: (n,) the node that stands for each of
-    the flow's: itself, or the junction that its branch was pruned from. place: (N, 3) where each was found at first.
-    is_sparse: whether nodes are farther apart than they should be, as there would be too many.
+    the flow's: itself, or the junction that its branch was pruned from. place: (N, 3) where each was found at first,
+    or, of a junction, where it is to be. is_sparse: whether nodes are farther apart than they should be, as there would
+    be too many.
     """
 
     vertices: np.ndarray
@@ -101,7 +102,7 @@ def passes(centre: bool, extend: bool) -> list[Callable[[Draft, Job], Draft]]:
     return [
         contained,
         # What to prune is decided on a curve that is centred.
-        *([unfolded, partial(centred, rounds=FIRST_ROUNDS, is_rough=True), unfolded] if centre else []),
+        *([unfolded, placed, partial(centred, rounds=FIRST_ROUNDS, is_rough=True), unfolded] if centre else []),
         merged,
         cornerless,
         partial(pruned, allowance=EARLY if extend else 1.0),
@@ -112,6 +113,7 @@ def passes(centre: bool, extend: bool) -> list[Callable[[Draft, Job], Draft]]:
         contained,
         *([partial(unfolded, most=SHARPEST), contained] if centre else []),
         laid_together,
+        *([rounded] if centre else []),
     ]
 
 
@@ -178,7 +180,7 @@ def _of_waves(laid: course.Course, nodes: np.ndarray, job: Job) -> Finished:
     the solid's vertices follow the nodes, in place of the flow's."""
     x, num = laid.vertices, len(laid.vertices)
     draft = Draft(x, laid.edges, np.zeros(num, dtype=bool), np.arange(num), laid.node_of_vertex, x)
-    for each in (contained, partial(pruned, has_sheets=False), unfolded, contained, laid_together):
+    for each in (contained, partial(pruned, has_sheets=False), unfolded, contained, laid_together, rounded):
         draft = each(draft, job)
     near = np.asarray(spatial.KDTree(draft.vertices).query(nodes)[1])
     taken, first, place = np.unique(near, return_index=True, return_inverse=True)
@@ -207,6 +209,16 @@ def unfolded(draft: Draft, job: Job, most: float = 90.0) -> Draft:
     """No branch turns by more than ``most`` degrees at a node, if it need not."""
     x = containment.unfold(job.shape, draft.vertices, draft.edges, draft.is_held, most)
     return draft.changed(_apart(draft, job, x))
+
+
+def placed(draft: Draft, job: Job) -> Draft:
+    """With the places of junctions where the solid is roomiest, if that is near."""
+    is_junction = np.bincount(draft.edges.ravel(), minlength=len(draft.vertices)) > 2
+    rows = np.flatnonzero(is_junction & ~draft.is_held)
+    rows = rows[job.rough.contains(draft.place[rows])]
+    place = draft.place.copy()
+    place[rows] = centring.roomiest(job.rough, place[rows])
+    return draft._replace(place=place)
 
 
 def centred(
@@ -315,6 +327,11 @@ def laid_together(draft: Draft, job: Job) -> Draft:
     """No edge twice, and none without length: cycles are cycles in space."""
     stays, target, edges = branches.lay_together(draft.vertices, draft.edges, draft.is_held)
     return _left(draft._replace(edges=edges), stays, target)
+
+
+def rounded(draft: Draft, job: Job) -> Draft:
+    """With corners that cannot be cut rounded within their balls."""
+    return draft.changed(*resampling.rounded(job.shape, draft.vertices, draft.edges, draft.is_held, SHARPEST))
 
 
 def in_order(edges: np.ndarray) -> np.ndarray:

@@ -1,12 +1,24 @@
-"""Other nodes on the same curve: spread evenly along its branches, or smoothed; both keep it inside its solid."""
+"""Other nodes on the same curve: spread evenly along its branches, smoothed, or with its corners rounded; all of them
+keep it inside its solid."""
 
 import itertools
+from math import comb
 
 import numpy as np
 
 from msf_jax.host.curve import branches, containment
-from msf_jax.host.solid.geometry import arc_length, at
+from msf_jax.host.solid.enclosure import Enclosure
+from msf_jax.host.solid.geometry import arc_length, at, unit
 from msf_jax.host.solid.solid import Solid
+
+ROUNDINGS = 4  # rounds, each of all corners that are left
+REACH = 0.9  # of its ball, within which the course about a corner is made anew
+LEGS = 3  # points of the course on either side of the corner, and at it, that lead the curve
+FINE = 65  # points of the curve, of which its nodes are chosen:
+EVEN = 0.3  # by the length between them so much, the rest by the turn
+SPARE = 0.75  # of the sharpest turn, that a node is meant to have
+ENDS = 0.2  # of the way to the corner, within which a node that is there will do for the beginning or the end
+CLOSEST = 0.01  # balls, between two nodes: a corner that has room for less stays
 
 
 def resample(
@@ -84,3 +96,107 @@ def smooth(
         return x, edges
     entered, edges = containment.contain(solid.shape, solid.enter(x), edges, np.ones(len(x), dtype=bool))
     return np.concatenate([x, solid.leave(entered[len(x) :])]), edges
+
+
+def rounded(
+    shape: Enclosure, vertices: np.ndarray, edges: np.ndarray, is_held: np.ndarray, most: float
+) -> tuple[np.ndarray, np.ndarray]:
+    """The curve with corners that turn by more than ``most`` degrees rounded: its nodes, new ones last, and its edges.
+
+    Within the ball around a corner the curve may run as it likes, for the ball is convex and inside. There the course
+    becomes the control polygon of a Bezier curve, which turns no more than that does in all, and nowhere at once. Its
+    nodes are those that were there, and as many more as it takes. Ends of branches and nodes of ``is_held`` (N,) stay.
+    """
+    x = vertices
+    for _ in range(ROUNDINGS):
+        is_fixed = np.pad(is_held, (0, len(x) - len(is_held)))
+        turn = np.where(is_fixed, 0.0, turns(x, edges))
+        sharp = np.flatnonzero(turn > most)
+        if not len(sharp):
+            break
+        room = np.zeros(len(x))
+        room[sharp] = shape.clearance(x[sharp])
+        count, courses = len(x), []
+        for way in branches.trace(len(x), edges):
+            nodes = np.array(way)
+            if (room[nodes] > 0).any():
+                if nodes[0] == nodes[-1] and turn[nodes[0]] > 0:  # a ring, which is to begin where it is straight
+                    first = int(turn[nodes].argmin())
+                    nodes = np.r_[nodes[first:-1], nodes[: first + 1]]
+                for corner in nodes[np.argsort(-turn[nodes], kind="stable")][: np.count_nonzero(room[nodes])]:
+                    x, nodes = _rounded(x, nodes, int(corner), float(room[corner]), is_fixed, most)
+            courses.append(nodes)
+        if len(x) == count:
+            break
+        edges = np.concatenate([np.stack([nodes[:-1], nodes[1:]], axis=1) for nodes in courses])
+    return x, edges
+
+
+def turns(vertices: np.ndarray, edges: np.ndarray) -> np.ndarray:
+    """(N,) degrees by which the curve turns at its nodes; 0 where there are other than two edges."""
+    ends = np.concatenate([edges, edges[:, ::-1]])
+    ends = ends[np.argsort(ends[:, 0], kind="stable")]
+    inner = np.flatnonzero(np.bincount(edges.ravel(), minlength=len(vertices)) == 2)
+    start = np.searchsorted(ends[:, 0], inner)
+    found = np.zeros(len(vertices))
+    found[inner] = _angles(vertices[inner] - vertices[ends[start, 1]], vertices[ends[start + 1, 1]] - vertices[inner])
+    return found
+
+
+def _angles(one: np.ndarray, other: np.ndarray) -> np.ndarray:
+    """Degrees (n,) between vectors (n, 3)."""
+    return np.degrees(np.arccos(np.clip(np.einsum("ni,ni->n", unit(one), unit(other)), -1.0, 1.0)))
+
+
+def _rounded(
+    x: np.ndarray, nodes: np.ndarray, corner: int, room: float, is_fixed: np.ndarray, most: float
+) -> tuple[np.ndarray, np.ndarray]:
+    """The nodes (N, 3) of a curve, new ones last, and those of a branch (k,), with one ``corner`` rounded in its ball.
+
+    Nodes of ``is_fixed`` stay, and those that are too new to be among them; what is rounded comes to be fixed.
+    """
+    here = int(np.flatnonzero(nodes == corner)[0])
+    is_end = np.append(is_fixed, True)[np.minimum(nodes, len(is_fixed))]
+    is_end[[0, -1]] = True
+    if is_end[here]:  # another has been rounded near by, or a ring begins here: the next round looks at it
+        return x, nodes
+    along = arc_length(x[nodes])
+    ends = along[is_end]
+    first = max(ends[ends <= along[here]].max(), along[here] - REACH * room)
+    last = min(ends[ends >= along[here]].min(), along[here] + REACH * room)
+    begin, end = np.searchsorted(along, first), np.searchsorted(along, last, side="right")  # the nodes between
+    has_first = along[begin] <= first + ENDS * (along[here] - first)
+    has_last = along[end - 1] >= last - ENDS * (last - along[here])
+    first, last = along[begin] if has_first else first, along[end - 1] if has_last else last
+    old = nodes[begin + has_first : end - has_last]
+    stops = np.r_[np.linspace(first, along[here], LEGS), np.linspace(along[here], last, LEGS)[1:]]
+    curve = _bezier(at(x[nodes], along, stops))
+    step = np.diff(curve, axis=0)
+    length, turn = np.linalg.norm(step, axis=1), np.r_[0.0, _angles(step[:-1], step[1:]), 0.0]
+    num = max(len(old), int(np.ceil(turn.sum() / (SPARE * most))))
+    share = EVEN * length / length.sum() + (1 - EVEN) * (turn[:-1] + turn[1:]) / 2 / turn.sum()
+    part = np.r_[0.0, np.cumsum(share)]
+    chosen = at(curve, part, np.linspace(0.0, part[-1], num + 2))
+    chain = np.full(num + 2, -1)
+    chain[0], chain[-1] = nodes[begin] if has_first else -1, nodes[end - 1] if has_last else -1
+    chain[1 + ((np.arange(len(old)) + 0.5) * num / max(len(old), 1)).astype(np.int64)] = old
+    is_new = chain < 0
+    chain[is_new] = len(x) + np.arange(np.count_nonzero(is_new))
+    y = np.concatenate([x, chosen[is_new]])
+    y[old] = chosen[np.isin(chain, old)]
+    way = np.r_[nodes[:begin], chain, nodes[end:]]
+    around = np.diff(y[way[max(begin - 1, 0) : begin + len(chain) + 1]], axis=0)
+    before, after = np.diff(x[nodes[here - 1 : here + 2]], axis=0)
+    is_less = _angles(around[:-1], around[1:]).max() < _angles(before[None], after[None])[0]
+    is_apart = np.linalg.norm(np.diff(y[chain], axis=0), axis=1).min() > CLOSEST * room
+    if not (is_less and is_apart):
+        return x, nodes
+    is_fixed[old] = True
+    return y, way
+
+
+def _bezier(points: np.ndarray) -> np.ndarray:
+    """(FINE, 3) points of the Bezier curve whose control polygon is ``points`` (k, 3)."""
+    t, degree = np.linspace(0, 1, FINE)[:, None], len(points) - 1
+    number = np.arange(degree + 1)
+    return np.array([comb(degree, k) for k in number]) * t**number * (1 - t) ** (degree - number) @ points
