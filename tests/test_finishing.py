@@ -130,7 +130,7 @@ def test_no_pass_folds_a_loop_flat(step):
     away = np.array([0, 0, 0.01])
     x = np.concatenate([axis[:2], [axis[2] + away, axis[2] - away]])
     edges = np.array([[0, 1], [1, 2], [2, 3], [1, 3]])
-    draft = finishing.Draft(x, edges, none_held(x), np.arange(4), np.arange(4), x)
+    draft = finishing.Draft(x, edges, none_held(x), np.arange(4), np.arange(4), x, none_held(x))
     for genus in (1, 0):  # a loop that no handle is behind may go
         passages = Passages(shape, containment.is_inside)
         job = finishing.Job(shape, shape, 1.5, False, passages, centring.Budget(), genus)
@@ -152,7 +152,7 @@ def test_loops_that_their_junctions_fold_are_put_back(x, edges, moved):
     flat[moved] = [[0, 1, 0], [2, 1, 0]] if len(moved) == 2 else [[3, -1, 0]]
     shape, _ = unit_shape(trimesh.creation.box())
     job = finishing.Job(shape, shape, 1.5, False, Passages(shape, containment.is_inside), centring.Budget(), 1)
-    draft = finishing.Draft(x, edges, none_held(x), np.arange(len(x)), np.arange(len(x)), x)
+    draft = finishing.Draft(x, edges, none_held(x), np.arange(len(x)), np.arange(len(x)), x, none_held(x))
 
     def num_loops(place):
         done = finishing.laid_together(draft.changed(place), job)
@@ -258,14 +258,36 @@ def test_junctions_go_to_the_middle_of_a_blob_but_not_along_a_trunk():
     edges = np.array([[0, 3], [0, 4], [0, 5]])
     job = finishing.Job(shape, shape, 1.5, False, Passages(shape, containment.is_inside), centring.Budget(), 0)
     for is_held in (none_held(x), np.arange(6) == 0):
-        draft = finishing.Draft(x, edges, is_held, np.arange(6), np.arange(6), x)
-        place = finishing.placed(draft, job).place
+        draft = finishing.Draft(x, edges, is_held, np.arange(6), np.arange(6), x, none_held(x))
+        place, is_hub = finishing.placed(draft, job)[5:7]
+        assert is_hub.tolist() == [not is_held[0]] + 5 * [False]
         np.testing.assert_array_equal(place[1:], x[1:])
         assert (place[0] == x[0]).all() == is_held[0]
     cone = ground_truth.swept_tube(np.linspace([0, 0, 0], [8, 0, 0], 80), np.linspace(0.3, 0.6, 80), 24)
     shape, scale = unit_shape(cone)
     trunk = scale * np.array([[3.0, 0.05, 0]])
     np.testing.assert_array_equal(centring.roomiest(shape, trunk), trunk)
+
+
+def test_a_curve_goes_to_the_middle_of_a_blob_that_it_had_a_junction_in():
+    """Between two limbs that leave it side by side it runs straight on, when nothing holds it."""
+    ball = manifold3d.Manifold.sphere(1.0, 48)
+    for side in (-0.5, 0.5):
+        limb = np.linspace([0.6, side, 0], [2.5, 1.4 * side, 0], 9)
+        ball += manifold3d.Manifold.batch_hull([manifold3d.Manifold.sphere(0.2, 16).translate(tuple(p)) for p in limb])
+    found = ball.refine_to_length(0.15).to_mesh()
+    shape, scale = unit_shape(trimesh.Trimesh(found.vert_properties[:, :3].astype(float), found.tri_verts))
+    legs = [np.linspace([2.5, 1.4 * side, 0], [0.8, 1.1 * side, 0], 18) for side in (-0.5, 0.5)]
+    into = [np.linspace(leg[-1], [0, 0, 0], 5)[1:-1] for leg in legs]
+    x = scale * np.concatenate([legs[0], into[0], np.zeros((1, 3)), into[1][::-1], legs[1][::-1]])
+    curve, edges = path(x)
+    middle = len(legs[0]) + len(into[0])
+    held, hubs = np.isin(np.arange(len(x)), [0, len(x) - 1]), np.arange(len(x)) == middle
+    away = [
+        np.linalg.norm(centring.centre(shape, curve, edges, held, hubs=each, is_rough=False), axis=1).min() / scale
+        for each in (none_held(x), hubs)
+    ]
+    assert away[1] < 0.3 < 0.45 < away[0]
 
 
 def test_a_budget_that_is_spent_leaves_one_round():

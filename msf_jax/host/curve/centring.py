@@ -45,7 +45,8 @@ ROUNDNESS = 4  # a section wider than its branch's usual one counts less, by thi
 STRAY = 0.3  # section radii: a centroid so far away counts for a quarter
 SLIDING = 0.03  # what is left of w along the branch
 ANCHOR, JUNCTION_ANCHOR = 0.003, 0.2  # a: in general, at a junction, and
-ROOMY_ANCHOR, ROOMIER = 4.0, 1.0  # so much more there where the flow's place is roomier by this part
+ROOMY_ANCHOR, ROOMIER = 4.0, 1.0  # so much more there where the flow's place is roomier by this part; and by this
+HUB_ROOMIER = 0.25  # where a junction has been: what was pruned was all that held the curve in its blob
 DAMPING = 0.05  # of a step, and
 DAMPING_ALONG = 0.3  # of what is along the branch
 LONGEST_STEP = 0.5  # sizes, in one round
@@ -79,12 +80,14 @@ def centre(
     is_held: np.ndarray,
     rounds: int = ROUNDS,
     places: np.ndarray | None = None,
+    hubs: np.ndarray | None = None,
     is_rough: bool = True,
     budget: Budget | None = None,
 ) -> np.ndarray:
     """The nodes ``vertices`` (N, 3) of the curve, centred; those of ``is_held`` (N,) stay where they are.
 
-    ``places`` (N, 3) are those that the flow found, ``vertices`` if not given. ``is_rough`` says that the curve is not
+    ``places`` (N, 3) are those that the flow found, ``vertices`` if not given; ``hubs`` (N,) are nodes that were
+    junctions, and are held where it is roomier, too, none if not given. ``is_rough`` says that the curve is not
     near the middle yet: then the first round takes it there, however far that is. A step that would leave the solid is
     cut short; a node that is outside stays there. When ``budget`` is spent, which others may share, one round must do.
     """
@@ -95,7 +98,8 @@ def centre(
     ways = measures.ways_of(x, edges, is_held)
     if not ways:
         return x
-    junction = np.flatnonzero(degree > 2)
+    is_hub = (degree == 2) & (False if hubs is None else hubs)
+    junction = np.flatnonzero((degree > 2) | is_hub)
     room_at_place = shape.distances(y[junction])
     room, near = shape.about_clearance(x)
     least = np.maximum(THINNEST * room, 2 * TOUCHING)
@@ -132,10 +136,10 @@ def centre(
         if number < 0:
             continue
         anchor = np.full(num, ANCHOR)
-        roomier = np.clip(
-            (room_at_place / measures.second_sizes(ways, everywhere[0], everywhere[1])[junction] - 1) / ROOMIER, 0, 1
-        )
-        anchor[junction] = JUNCTION_ANCHOR + ROOMY_ANCHOR * roomier**2 * (3 - 2 * roomier)
+        usual = np.where(is_hub, size, measures.second_sizes(ways, everywhere[0], everywhere[1]))[junction]
+        roomier = np.clip((room_at_place / usual - 1) / np.where(is_hub, HUB_ROOMIER, ROOMIER)[junction], 0, 1)
+        anchor[junction] = np.where(is_hub[junction], ANCHOR, JUNCTION_ANCHOR)
+        anchor[junction] += ROOMY_ANCHOR * roomier**2 * (3 - 2 * roomier)
         anchor[is_held] = HELD
         system = _System(x, ways, size, limb, found, tangent, ahead, chord, anchor, y)
         is_blind = is_rough and number == 0

@@ -31,8 +31,8 @@ class Draft(NamedTuple):
     vertices: (N, 3). edges: (E, 2). is_held: (N,) nodes that do not move. origin: (N,) the flow's node that each is,
     in ascending order, and -1 for the new ones, which come last. node_of_flow: (n,) the node that stands for each of
     the flow's: itself, or the junction that its branch was pruned from. place: (N, 3) where each was found at first,
-    or, of a junction, where it is to be. is_sparse: whether nodes are farther apart than they should be, as there would
-    be too many.
+    or, of a junction, where it is to be. is_hub: (N,) those junctions, and what is left of them when their branches are
+    pruned. is_sparse: whether nodes are farther apart than they should be, as there would be too many.
     """
 
     vertices: np.ndarray
@@ -41,6 +41,7 @@ class Draft(NamedTuple):
     origin: np.ndarray
     node_of_flow: np.ndarray
     place: np.ndarray
+    is_hub: np.ndarray
     is_sparse: bool = False
 
     def changed(self, vertices: np.ndarray, edges: np.ndarray | None = None) -> "Draft":
@@ -50,6 +51,7 @@ class Draft(NamedTuple):
             vertices=vertices,
             edges=self.edges if edges is None else edges,
             is_held=np.pad(self.is_held, new),
+            is_hub=np.pad(self.is_hub, new),
             origin=np.pad(self.origin, new, constant_values=-1),
             place=np.concatenate([self.place, vertices[len(self.vertices) :]]),
         )
@@ -158,7 +160,7 @@ def finish(
             return _of_waves(laid, nodes, job)
     if is_tangle:
         return Finished(nodes, edges, np.ones(len(nodes), dtype=bool), np.arange(len(nodes)))
-    draft = Draft(nodes, edges, is_held, np.arange(len(nodes)), np.arange(len(nodes)), nodes)
+    draft = Draft(nodes, edges, is_held, np.arange(len(nodes)), np.arange(len(nodes)), nodes, np.zeros_like(is_held))
     for each in [*([] if first is None else [first]), *passes(centre, extend)]:
         draft = each(draft, job)
     is_kept = np.isin(np.arange(len(nodes)), draft.origin)
@@ -179,7 +181,8 @@ def _of_waves(laid: course.Course, nodes: np.ndarray, job: Job) -> Finished:
     several are, the first stays. It is in the middle and out to the ends: centring and tips are left out. In its draft
     the solid's vertices follow the nodes, in place of the flow's."""
     x, num = laid.vertices, len(laid.vertices)
-    draft = Draft(x, laid.edges, np.zeros(num, dtype=bool), np.arange(num), laid.node_of_vertex, x)
+    none = np.zeros(num, dtype=bool)
+    draft = Draft(x, laid.edges, none, np.arange(num), laid.node_of_vertex, x, none)
     for each in (contained, partial(pruned, has_sheets=False), unfolded, contained, laid_together, rounded):
         draft = each(draft, job)
     near = np.asarray(spatial.KDTree(draft.vertices).query(nodes)[1])
@@ -213,12 +216,11 @@ def unfolded(draft: Draft, job: Job, most: float = 90.0) -> Draft:
 
 def placed(draft: Draft, job: Job) -> Draft:
     """With the places of junctions where the solid is roomiest, if that is near."""
-    is_junction = np.bincount(draft.edges.ravel(), minlength=len(draft.vertices)) > 2
-    rows = np.flatnonzero(is_junction & ~draft.is_held)
-    rows = rows[job.rough.contains(draft.place[rows])]
+    is_hub = (np.bincount(draft.edges.ravel(), minlength=len(draft.vertices)) > 2) & ~draft.is_held
+    is_hub[is_hub] = job.rough.contains(draft.place[is_hub])
     place = draft.place.copy()
-    place[rows] = centring.roomiest(job.rough, place[rows])
-    return draft._replace(place=place)
+    place[is_hub] = centring.roomiest(job.rough, place[is_hub])
+    return draft._replace(place=place, is_hub=is_hub)
 
 
 def centred(
@@ -226,7 +228,9 @@ def centred(
 ) -> Draft:
     """Nodes in the middle of the solid."""
     is_held = draft.is_held | draft.is_leaf() if hold_leaves else draft.is_held
-    x = centring.centre(job.rough, draft.vertices, draft.edges, is_held, rounds, draft.place, is_rough, job.budget)
+    x = centring.centre(
+        job.rough, draft.vertices, draft.edges, is_held, rounds, draft.place, draft.is_hub, is_rough, job.budget
+    )
     return draft.changed(_apart(draft, job, x))
 
 
@@ -302,6 +306,7 @@ def _left(draft: Draft, stays: np.ndarray, target: np.ndarray) -> Draft:
         origin=draft.origin[stays],
         node_of_flow=of_flow,
         place=draft.place[stays],
+        is_hub=draft.is_hub[stays],
     )
 
 
