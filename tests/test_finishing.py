@@ -495,6 +495,19 @@ def test_both_ends_of_a_short_branch_are_carried_on():
         assert length_of(x, edges) < 1.9 * scale
 
 
+def test_a_march_goes_on_as_long_as_there_is_a_limb(monkeypatch):
+    """A mesh with edges of a hundred radii leaves that much of a limb; what is no limb has a bound."""
+    along = np.stack([np.linspace(-1, 1, 40), np.zeros(40), np.zeros(40)], axis=1)
+    shape, scale = unit_shape(tube(along, 0.01))
+    line = along[15:25] * scale
+    x, edges = tips.extend(shape, *path(line), none_held(line))
+    assert np.abs(x[np.bincount(edges.ravel()) == 1][:, 0] / scale).min() > 0.98
+    monkeypatch.setattr(tips, "MOST_STEPS_IN_A_LIMB", tips.MOST_STEPS)
+    x, edges = tips.extend(shape, *path(line), none_held(line))
+    reach = np.abs(x[np.bincount(edges.ravel()) == 1][:, 0] / scale).max()
+    assert 0.23 < reach < np.abs(line[:, 0]).max() / scale + tips.MOST_STEPS * tips.STEP * 0.0101
+
+
 def test_a_held_node_behind_a_leaf_is_not_moved():
     line = bow(0.3)[20:-20]
     shape, scale = unit_shape(tube(bow(0.3)))
