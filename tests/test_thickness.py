@@ -156,7 +156,7 @@ RING = trimesh.creation.torus(0.4, 0.05, major_sections=48, minor_sections=8)
 
 
 def test_no_way_between_two_solids_takes_no_search():
-    one, other = trimesh.creation.icosphere(3, 0.2), trimesh.creation.icosphere(3, 0.2)
+    one, other = trimesh.creation.box([0.4] * 3), trimesh.creation.box([0.4] * 3)
     other.apply_translation([0.45, 0, 0])
     both = trimesh.util.concatenate([one, other])
     shape = Enclosure(np.array(both.vertices), np.array(both.faces))
@@ -170,7 +170,7 @@ def test_no_way_between_two_solids_takes_no_search():
 
 def test_joining_has_a_bound(monkeypatch):
     """What is not known to be apart then counts as refused, and not as closed."""
-    one, other = trimesh.creation.icosphere(3, 0.2), trimesh.creation.icosphere(3, 0.05)
+    one, other = trimesh.creation.box([0.4] * 3), trimesh.creation.box([0.1] * 3)
     other.apply_translation([0.26, 0, 0])
     both = trimesh.util.concatenate([one, other])
     monkeypatch.setattr("msf_jax.host.curve.passages.FAR", 100.0)  # there are edges from one to the other
@@ -181,10 +181,10 @@ def test_joining_has_a_bound(monkeypatch):
 
 
 def test_nodes_of_an_inside_out_pocket_come_in():
-    ball, pocket = trimesh.creation.icosphere(3, 0.2), trimesh.creation.icosphere(3, 0.1)
+    block, pocket = trimesh.creation.box([0.4] * 3), trimesh.creation.box([0.2] * 3)
     pocket.invert()
     pocket.apply_translation([0.35, 0, 0])
-    both = trimesh.util.concatenate([ball, pocket])
+    both = trimesh.util.concatenate([block, pocket])
     shape = Enclosure(np.array(both.vertices), np.array(both.faces))
     line = np.linspace([-0.1, 0, 0], [0.35, 0, 0], 10)
     edges = np.stack([np.arange(9), np.arange(1, 10)], axis=1)
