@@ -195,6 +195,18 @@ def test_solve_that_gives_up_says_so(case):
     np.testing.assert_allclose(float(report.residual), relative_residual(case, new), rtol=1e-9)
 
 
+def test_what_is_no_number_stays_none(case):
+    """Whether NaN comes in from before or, as a slope, from behind: zeros would look like a result."""
+    bad = case.buffers._replace(poles=case.buffers.poles.at[3, 1].set(jnp.nan))
+    new, report = jitted_contract(bad, W_L, W_H, W_M, case.layout)
+    assert np.isnan(new).any() and not bool(report.is_solved)
+
+    def slope(factor):
+        return jax.grad(lambda w_L: (factor * plain_contract(case.buffers, w_L, W_H, W_M, case.layout)[0]).sum())(W_L)
+
+    assert np.isnan(quick_jit(slope)(jnp.nan))
+
+
 # Gradients
 
 
