@@ -116,17 +116,17 @@ def rounded(
             break
         room = np.zeros(len(x))
         room[sharp] = shape.clearance(x[sharp])
-        count, courses = len(x), []
+        before, courses = x, []
         for way in branches.trace(len(x), edges):
             nodes = np.array(way)
-            if (room[nodes] > 0).any():
-                if nodes[0] == nodes[-1] and turn[nodes[0]] > 0:  # a ring, which is to begin where it is straight
-                    first = int(turn[nodes].argmin())
-                    nodes = np.r_[nodes[first:-1], nodes[: first + 1]]
-                for corner in nodes[np.argsort(-turn[nodes], kind="stable")][: np.count_nonzero(room[nodes])]:
-                    x, nodes = _rounded(x, nodes, int(corner), float(room[corner]), is_fixed, most)
+            corners = nodes[room[nodes] > 0]
+            if len(corners) and nodes[0] == nodes[-1] and turn[nodes[0]] > 0:  # a ring: to begin where it is straight
+                first = int(turn[nodes].argmin())
+                nodes = np.r_[nodes[first:-1], nodes[: first + 1]]
+            for corner in corners[np.argsort(-turn[corners], kind="stable")]:
+                x, nodes = _rounded(x, nodes, int(corner), float(room[corner]), is_fixed, most)
             courses.append(nodes)
-        if len(x) == count:
+        if x is before:
             break
         edges = np.concatenate([np.stack([nodes[:-1], nodes[1:]], axis=1) for nodes in courses])
     return x, edges
@@ -144,8 +144,9 @@ def turns(vertices: np.ndarray, edges: np.ndarray) -> np.ndarray:
 
 
 def _angles(one: np.ndarray, other: np.ndarray) -> np.ndarray:
-    """Degrees (n,) between vectors (n, 3)."""
-    return np.degrees(np.arccos(np.clip(np.einsum("ni,ni->n", unit(one), unit(other)), -1.0, 1.0)))
+    """Degrees (n,) between vectors (n, 3), 0 where one of them has no length."""
+    found = np.degrees(np.arccos(np.clip(np.einsum("ni,ni->n", unit(one), unit(other)), -1.0, 1.0)))
+    return np.where(one.any(axis=1) & other.any(axis=1), found, 0.0)
 
 
 def _rounded(
@@ -160,11 +161,11 @@ def _rounded(
     is_end[[0, -1]] = True
     if is_end[here]:  # another has been rounded near by, or a ring begins here: the next round looks at it
         return x, nodes
-    along = arc_length(x[nodes])
-    ends = along[is_end]
-    first = max(ends[ends <= along[here]].max(), along[here] - REACH * room)
-    last = min(ends[ends >= along[here]].min(), along[here] + REACH * room)
-    begin, end = np.searchsorted(along, first), np.searchsorted(along, last, side="right")  # the nodes between
+    along, ends = arc_length(x[nodes]), np.flatnonzero(is_end)
+    low, high = ends[ends < here].max(), ends[ends > here].min()
+    first, last = max(along[low], along[here] - REACH * room), min(along[high], along[here] + REACH * room)
+    begin = max(low, np.searchsorted(along, first))  # the nodes between; others may be in one place with an end
+    end = min(high + 1, np.searchsorted(along, last, side="right"))
     has_first = along[begin] <= first + ENDS * (along[here] - first)
     has_last = along[end - 1] >= last - ENDS * (last - along[here])
     first, last = along[begin] if has_first else first, along[end - 1] if has_last else last
