@@ -508,6 +508,21 @@ def test_a_march_goes_on_as_long_as_there_is_a_limb(monkeypatch):
     assert 0.23 < reach < np.abs(line[:, 0]).max() / scale + tips.MOST_STEPS * tips.STEP * 0.0101
 
 
+def test_a_long_march_ends_where_there_is_a_curve():
+    """A ring that is cut open is not gone round many times, and a twig in a long limb does not double all of it."""
+    num = 240
+    shape, scale = unit_shape(torus(1, 0.1, num, 12))
+    x, edges = path(scale * bow(1.0, num + 1)[5:-5])
+    x, edges = tips.extend(shape, x, edges, none_held(x))
+    assert length_of(x, edges) < scale * (2 * np.pi + 2 * tips.MOST_STEPS * tips.STEP * 0.1)
+    line = np.stack([np.linspace(-1, 1, 120), np.zeros(120), np.zeros(120)], axis=1)
+    shape, scale = unit_shape(tube(line, 0.01))
+    x, edges = path(np.concatenate([line[2:-2], [[-0.45, 0.003, 0], [-0.44, 0.004, 0]]]) * scale)
+    edges[len(edges) - 2, 0] = 31
+    x, edges = tips.extend(shape, x, edges, none_held(x))
+    assert 2.0 < length_of(x, edges) / scale < 2.0 + 1.2 * tips.MOST_STEPS * tips.STEP * 0.01
+
+
 def test_a_held_node_behind_a_leaf_is_not_moved():
     line = bow(0.3)[20:-20]
     shape, scale = unit_shape(tube(bow(0.3)))

@@ -9,6 +9,7 @@ import itertools
 from typing import NamedTuple
 
 import numpy as np
+from scipy import spatial
 
 from msf_jax.host.curve import branches
 from msf_jax.host.solid import sections
@@ -20,7 +21,7 @@ BACK = 1.0  # limb radii, by which a leaf is taken back first: the last bit of a
 STEP = 0.4  # limb radii, of one step
 TURN = 1.0  # step lengths, that a step goes sideways at most
 MOST_STEPS = 80
-MOST_STEPS_IN_A_LIMB = 1000  # of a march whose last section is a limb's: a coarse mesh leaves hundreds of radii
+MOST_STEPS_IN_A_LIMB = 1000  # where no curve is, in sections of a limb: a coarse mesh leaves hundreds of radii
 
 
 class Tip(NamedTuple):
@@ -88,7 +89,7 @@ def _march(shape: Enclosure, vertices: np.ndarray, radii: np.ndarray, tips: list
     place, heading, size = np.array(start), unit(np.array(direction)), np.array(limb)
     stride = np.full(len(place), STEP)
     courses = [[point.copy()] for point in place]
-    active = np.flatnonzero(size > 0)
+    active, tree = np.flatnonzero(size > 0), spatial.KDTree(vertices)
     for count in range(MOST_STEPS_IN_A_LIMB):
         ahead = shape.ray_lengths(place[active], heading[active], 4 * size[active])
         room = ahead - GAP * size[active]
@@ -114,7 +115,9 @@ def _march(shape: Enclosure, vertices: np.ndarray, radii: np.ndarray, tips: list
         # Where the way is barred, a shorter step may go round the bend.
         stride[active] = np.where(is_open, np.minimum(2 * stride[active], STEP), stride[active] / 2)
         has_way = (room > 0.02 * size[active]) & (stride[active] > STEP / 5)
-        active = active[has_way & (is_limb | (count < MOST_STEPS))]
+        if count >= MOST_STEPS:
+            has_way &= is_limb & (tree.query(place[active])[0] > size[active])
+        active = active[has_way]
         if not len(active):
             break
     return [(number, np.array(course)) for number, course in zip(kept, courses, strict=True)]
