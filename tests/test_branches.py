@@ -512,6 +512,18 @@ def test_equal_limbs_stay_together_and_no_other_is_held():
     assert not equals(vertices, edges, radii, 1.5).any()
 
 
+def test_limbs_that_are_all_a_little_too_short_stay_together():
+    """Of a star two stay in any case, and so do those that are as long; where a trunk stays, none need do."""
+    vertices, edges, radii = star_of([0.99, 0.98, 0.97, 0.5], 2.0, 0.05)
+    leaves = np.flatnonzero(np.bincount(edges.ravel()) == 1)
+    found = equals(vertices, edges, radii, 1.5)
+    assert np.flatnonzero(found).tolist() == leaves[:3].tolist()
+    num = len(vertices)
+    forked = np.concatenate([vertices, vertices[leaves[3]] + 9 * np.eye(3)[:2]])
+    joined = np.concatenate([edges, [[leaves[3], num], [leaves[3], num + 1]]])
+    assert not equals(forked, joined, np.r_[radii, 2.0, 2.0], 1.5)[leaves].any()
+
+
 def test_a_loop_that_is_folded_flat_is_no_loop():
     """A node on an edge, two nodes in one place, an edge without length; a true triangle stays, and so does a pin."""
     x = np.array([[0, 0, 0], [1, 0, 0], [2, 0, 0], [3, 0, 0], [1.5, 0, 0], [2.2, 1e-9, 0], [3, 0, 0], [0, 1, 0.0]])

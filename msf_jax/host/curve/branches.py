@@ -215,17 +215,20 @@ def equals(
 ) -> np.ndarray:
     """(N,) the leaves of branches that are a little below ``persistence``, and at whose junction another is above.
 
-    A junction that is a little off the middle makes limbs of one length persist more and less: they stay together.
+    A junction that is a little off the middle makes limbs of one length persist more and less: they stay together. Of a
+    curve of one junction two limbs stay whatever they are, and count as above.
     """
     found = np.zeros(len(vertices), dtype=bool)
     degree = np.bincount(edges.ravel(), minlength=len(vertices))
     reach: dict[int, list[tuple[float, int]]] = {}
     for branch in measure(vertices, edges, radii, flats=flats):
-        if 1 < branch.persistence < np.inf:
+        if 1 <= branch.persistence < np.inf:
             junction, leaf = sorted((branch.nodes[0], branch.nodes[-1]), key=lambda node: -degree[node])
             reach.setdefault(junction, []).append((branch.persistence - 1, leaf))
-    for limbs in reach.values():
+    for junction, limbs in reach.items():
         above = [length for length, _ in limbs if length >= persistence - 1]
+        if len(limbs) == degree[junction]:
+            above += sorted(length for length, _ in limbs)[-2:]
         alike = EQUAL * max(persistence - 1, min(above, default=np.inf))
         found[[leaf for length, leaf in limbs if alike <= length < persistence - 1]] = True
     return found
