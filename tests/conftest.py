@@ -10,7 +10,7 @@ from pathlib import Path
 # tests, by themselves, are compiled as a user's programs are.
 os.environ.setdefault("XLA_FLAGS", "--xla_backend_optimization_level=0")
 
-# There is a process for each core: threads of dense algebra beside that wait for each other, and a test of 4 s takes 40.
+# There is a process for each core: threads of dense algebra beside it wait for each other: 40 s for 4.
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 import jax

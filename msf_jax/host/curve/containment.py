@@ -9,11 +9,12 @@ import itertools
 
 import numpy as np
 
+from msf_jax.host.curve import branches
 from msf_jax.host.curve.passages import TOUCHING, Passages
 from msf_jax.host.poles.balls import shrinking_balls
 from msf_jax.host.solid import sections
 from msf_jax.host.solid.enclosure import Enclosure
-from msf_jax.host.solid.geometry import barycentric, cross, unit
+from msf_jax.host.solid.geometry import arc_length, barycentric, cross, unit
 
 UNFOLDINGS = 20  # rounds
 HALVINGS = 2  # of an edge that is not inside, before a way is looked for
@@ -58,6 +59,33 @@ def contain(
         radii = np.concatenate([radii, shape.clearance(x[len(radii) :])])
         is_bad = outside()
     return _replaced(x, edges, is_bad, passages.ways(x, edges[is_bad]))
+
+
+def cut_off(
+    shape: Enclosure, vertices: np.ndarray, edges: np.ndarray, is_held: np.ndarray
+) -> tuple[np.ndarray, np.ndarray]:
+    """Take away the ends of branches that are behind an edge outside: which nodes stay, and where each goes (N,).
+
+    On a rough surface that crosses itself a leaf can be caught in a bubble, which no way leads into. An end that is
+    longer than the largest ball of its branch is no bubble: the solid may be in pieces there. Nodes of ``is_held`` (N,)
+    stay, with what is before them, and two nodes of each branch.
+    """
+    stays, target = np.ones(len(vertices), dtype=bool), np.arange(len(vertices))
+    degree = np.bincount(edges.ravel(), minlength=len(vertices))
+    radii = shape.clearance(vertices)
+    for way in branches.trace(len(vertices), edges):
+        for nodes in (np.array(way), np.array(way[::-1])):
+            if degree[nodes[0]] != 1 or not stays[nodes].all():
+                continue
+            is_out = ~is_inside(shape, vertices[nodes[:-1]], vertices[nodes[1:]])
+            is_end = arc_length(vertices[nodes])[1:] < radii[nodes].max()
+            is_end &= ~np.logical_or.accumulate(is_held[nodes[:-1]])
+            is_end[len(nodes) - 2 :] &= degree[nodes[-1]] > 2  # else one node would be left
+            last = np.flatnonzero(is_out & is_end)
+            if len(last):
+                gone = nodes[: last[-1] + 1]
+                stays[gone], target[gone] = False, nodes[last[-1] + 1]
+    return stays, target
 
 
 def is_inside(shape: Enclosure, a: np.ndarray, b: np.ndarray, covered: np.ndarray | None = None) -> np.ndarray:

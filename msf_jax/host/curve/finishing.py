@@ -204,8 +204,16 @@ def _of_waves(laid: course.Course, nodes: np.ndarray, job: Job) -> Finished:
 
 
 def contained(draft: Draft, job: Job) -> Draft:
-    """Nodes and edges inside."""
-    return draft.changed(*containment.contain(job.shape, draft.vertices, draft.edges, draft.is_held, job.passages))
+    """Nodes and edges inside, without the ends that no way leads to."""
+
+    def inside(draft: Draft) -> Draft:
+        return draft.changed(*containment.contain(job.shape, draft.vertices, draft.edges, draft.is_held, job.passages))
+
+    draft = inside(draft)
+    if job.passages.num_closed:
+        stays, target = containment.cut_off(job.shape, draft.vertices, draft.edges, draft.is_held)
+        draft = draft if stays.all() else inside(_left(draft, stays, target))
+    return draft
 
 
 def unfolded(draft: Draft, job: Job, most: float = 90.0) -> Draft:
