@@ -103,7 +103,7 @@ class Config:
         reconstruct_poles: eigenvectors kept in the mesh that the poles are computed on; 0 takes the mesh as it is.
         reconstruct_mesh: eigenvectors kept in the mesh that is contracted; 0 takes the mesh as it is.
         exact_reconstruction: whether eigenvectors are computed for that, as in the article. Else a polynomial of the
-            Laplacian does their work, with an edge that is a little soft, in a thirtieth of the time or less.
+            Laplacian does their work, with an edge that is a little soft, in a twentieth of the time or less.
         resample: target edge length that the mesh is resampled to before poles are sought; 0 keeps its sampling.
         coarsen: edges shorter than that are collapsed before poles are sought, unless that would turn a face, so that
             the cost of a run follows the solid's shape and hardly the number of its vertices; 0 keeps them all. Where

@@ -2,7 +2,7 @@
 
 Phi holds the eigenvectors of the k smallest eigenvalues of the uniform graph Laplacian D - A = L, which is symmetric.
 `reconstruct` computes them. `filtered` does without: Phi Phi^T is the function of L that is 1 up to the k-th eigenvalue
-and 0 above, and a polynomial p(L) with a soft edge there takes some hundred products with a sparse matrix, a thirtieth
+and 0 above, and a polynomial p(L) with a soft edge there takes some hundred products with a sparse matrix, a twentieth
 of the time that the eigenvectors take or less (Chebyshev filtering; Hammond et al. 2011, Di Napoli et al. 2016).
 """
 
