@@ -6,8 +6,8 @@ import signal
 import tempfile
 from pathlib import Path
 
-# Compiling is most of the time of the tests, and runs are short: half of it goes without XLA's optimisations. The slow
-# tests, by themselves, are compiled as a user's programs are.
+# Compiling is most of the time of the tests, and runs are short: half of it goes without XLA's optimisations. Those
+# that compare bits, in test_determinism, are compiled as a user's programs are.
 os.environ.setdefault("XLA_FLAGS", "--xla_backend_optimization_level=0")
 
 # There is a process for each core: threads of dense algebra beside it wait for each other: 40 s for 4.
@@ -36,7 +36,7 @@ def pytest_configure(config: pytest.Config) -> None:
             shutil.rmtree(folder)
         os.environ[CACHE] = str(folder)
     jax.config.update("jax_compilation_cache_dir", os.environ[CACHE])
-    jax.config.update("jax_persistent_cache_min_compile_time_secs", 0.2)
+    jax.config.update("jax_persistent_cache_min_compile_time_secs", 0.0)
 
 
 # The research meshes are not part of the project; tests that want them skip where the folder is absent.

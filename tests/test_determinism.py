@@ -44,6 +44,7 @@ def start(threads, precision="float64", *checkpoint, seed="0"):
         "OMP_NUM_THREADS": str(threads),
         "JAX_COMPILATION_CACHE_DIR": os.environ["MSF_JAX_TEST_CACHE"],
         "TF_CPP_MIN_LOG_LEVEL": "3",
+        "XLA_FLAGS": "",  # with all optimisations
     }
     command = [sys.executable, "-c", PROGRAM, str(threads), precision, *map(str, checkpoint)]
     return subprocess.Popen(command, env=environment, stdout=subprocess.PIPE, text=True, cwd=ROOT)

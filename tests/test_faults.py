@@ -6,9 +6,11 @@ from benchmarks import faults, fuzz
 import msf_jax
 from msf_jax.app.cli import main
 
+SLOW = pytest.mark.slow  # some of it is below
 
-@pytest.mark.parametrize("repair", [False, pytest.param(True, marks=pytest.mark.slow)])  # some of it is below
-@pytest.mark.parametrize("kind", faults.KINDS)
+
+@pytest.mark.parametrize("repair", [False, True])
+@pytest.mark.parametrize("kind", [pytest.param(kind, marks=() if kind == "arrays" else SLOW) for kind in faults.KINDS])
 def test_arrays_of_every_kind(kind, repair):
     found = {name: faults.outcome(mesh, repair=repair) for name, mesh in faults.KINDS[kind]().items()}
     assert not [f"{name}: {text}" for name, text in found.items() if text.startswith("FAILED")]

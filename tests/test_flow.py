@@ -256,17 +256,17 @@ def test_a_plate_whose_edges_are_all_short_or_long_is_no_error(extents):
 
 def test_coarsening_takes_short_edges_and_leaves_the_shape():
     """A fine torus: no short edge that could go is left, no volume lost, and poles are still those of the vertices."""
-    mesh = torus(around=120, across=42)
-    config = Config(check=True, max_iterations=1, coarsen=0.02)
+    mesh = torus(around=80, across=28)
+    config = Config(check=True, max_iterations=1, coarsen=0.03)
     state = loop.init(checking.prepare(mesh).components[0], 0, config, Stopwatch())
     coarse = trimesh.Trimesh(state.meso.positions, state.meso.faces(), process=False)
     assert state.num_coarsened > 0.5 * len(mesh.vertices)
     assert state.num_coarsened + len(coarse.vertices) == len(mesh.vertices)
     assert coarse.is_watertight
     assert coarse.euler_number == 0
-    # A polygon of chords 0.03 long in a circle of radius 0.09 has 1.8 % less area.
-    assert abs(coarse.volume * diagonal(mesh.vertices) ** 3 / mesh.volume - 1) < 0.03
-    assert np.percentile(coarse.edges_unique_length, 2) > 0.015
+    # A polygon of chords 0.045 long in a circle of radius 0.09 has 4.1 % less area.
+    assert abs(coarse.volume * diagonal(mesh.vertices) ** 3 / mesh.volume - 1) < 0.06
+    assert np.percentile(coarse.edges_unique_length, 2) > 0.0225
     run = loop.contract(mesh, config=config)
     assert run.poles.shape == mesh.vertices.shape
     assert run.has_pole.shape == (len(mesh.vertices),)
