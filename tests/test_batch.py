@@ -121,6 +121,7 @@ def dying(job):
     return WORK(job)
 
 
+@pytest.mark.slow
 def test_a_worker_that_dies_takes_one_mesh_with_it(folder, tmp_path, monkeypatch):
     monkeypatch.setattr(batch, "work", dying)
     done = batch.run([folder / "0.off", folder / "2.off", folder / "4.off"], tmp_path, jobs=2)

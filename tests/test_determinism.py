@@ -56,7 +56,8 @@ def result(process):
     return output
 
 
-@pytest.mark.parametrize("precision", ["float64", pytest.param("float32", marks=pytest.mark.slow)])
+@pytest.mark.slow  # in one process: in test_checkpoint
+@pytest.mark.parametrize("precision", ["float64", "float32"])
 def test_the_same_bits_in_every_process(precision):
     """With other hash seeds, one thread or two, two processes at a time."""
     found = set()

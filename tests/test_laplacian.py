@@ -322,7 +322,7 @@ def test_degenerate_triangles_have_finite_weights_and_gradients(value_and_slope,
     assert kind == "signed_cotangent" or (np.asarray(rows.into) >= 0).all()
 
 
-@pytest.mark.parametrize("dtype", [np.float64, np.float32])
+@pytest.mark.parametrize("dtype", [np.float64, pytest.param(np.float32, marks=pytest.mark.slow)])
 @pytest.mark.parametrize("kind", ["mean_value", "cotangent", "signed_cotangent"])
 def test_nearly_degenerate_triangles_have_finite_weights_and_gradients(value_and_slope, kind, dtype):
     """On the way into each degenerate surface, at distances down to far below a rounding error."""

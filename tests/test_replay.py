@@ -59,7 +59,7 @@ def flow() -> msf_jax.Flow:
     return msf_jax.contract(ellipsoid(2))
 
 
-SLOW = pytest.mark.slow  # more cases of what the first two show
+SLOW = pytest.mark.slow  # more cases of what the first one shows
 CASES = {
     "parts, one pinched, pins, another weight at each vertex": (parts, None, Config(), [0, 5, 100]),
     "au2008, two layouts": (
@@ -80,7 +80,7 @@ CASES = {
 }
 
 
-@pytest.mark.parametrize("name", [*list(CASES)[:2], *(pytest.param(name, marks=SLOW) for name in list(CASES)[2:])])
+@pytest.mark.parametrize("name", [*list(CASES)[:1], *(pytest.param(name, marks=SLOW) for name in list(CASES)[1:])])
 def test_it_equals_the_run(name):
     make, weights, config, pins = CASES[name]
     mesh = make()
