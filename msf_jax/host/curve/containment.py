@@ -125,12 +125,8 @@ def unfold(
     outside, or is caught in a fold of the surface, would make a spike of the branch.
     """
     x = vertices.copy()
-    ends = np.concatenate([edges, edges[:, ::-1]])
-    ends = ends[np.argsort(ends[:, 0], kind="stable")]
-    degree = np.bincount(edges.ravel(), minlength=len(x))
-    inner = np.flatnonzero((degree == 2) & ~is_held)
-    start = np.searchsorted(ends[:, 0], inner)
-    before, after = ends[start, 1], ends[start + 1, 1]
+    found = between(len(x), edges)
+    inner, before, after = found[:, ~is_held[found[0]]]
     has_moved = np.ones(len(x), dtype=bool)
     for _ in range(UNFOLDINGS):
         cosine = np.einsum("ni,ni->n", unit(x[inner] - x[before]), unit(x[after] - x[inner]))
@@ -154,6 +150,15 @@ def unfold(
         if not has_moved.any():  # none is sharp, or none can be helped
             break
     return x
+
+
+def between(num_nodes: int, edges: np.ndarray) -> np.ndarray:
+    """(3, k) the nodes with two edges, and those before and after them."""
+    ends = np.concatenate([edges, edges[:, ::-1]])
+    ends = ends[np.argsort(ends[:, 0], kind="stable")]
+    inner = np.flatnonzero(np.bincount(edges.ravel(), minlength=num_nodes) == 2)
+    start = np.searchsorted(ends[:, 0], inner)
+    return np.stack([inner, ends[start, 1], ends[start + 1, 1]])
 
 
 def refine(

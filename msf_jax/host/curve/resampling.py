@@ -134,12 +134,9 @@ def rounded(
 
 def turns(vertices: np.ndarray, edges: np.ndarray) -> np.ndarray:
     """(N,) degrees by which the curve turns at its nodes; 0 where there are other than two edges."""
-    ends = np.concatenate([edges, edges[:, ::-1]])
-    ends = ends[np.argsort(ends[:, 0], kind="stable")]
-    inner = np.flatnonzero(np.bincount(edges.ravel(), minlength=len(vertices)) == 2)
-    start = np.searchsorted(ends[:, 0], inner)
+    inner, before, after = containment.between(len(vertices), edges)
     found = np.zeros(len(vertices))
-    found[inner] = _angles(vertices[inner] - vertices[ends[start, 1]], vertices[ends[start + 1, 1]] - vertices[inner])
+    found[inner] = _angles(vertices[inner] - vertices[before], vertices[after] - vertices[inner])
     return found
 
 
