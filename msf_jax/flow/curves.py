@@ -60,7 +60,6 @@ def curve_of(state: State, meso: Meso, config: Config, watch: Stopwatch) -> Part
             extend=config.extend_tips,
             is_thin=meso.scale is not None,
             is_tangle=is_tangle(state),
-            genus=state.component.genus,
             rough=state.rough,
             first=partial(_recentred, meso, found) if config.surgery else None,
         )

@@ -9,6 +9,7 @@ from scipy import sparse, spatial
 from scipy.sparse import csgraph
 
 from msf_jax.host.solid.geometry import arc_length, at
+from msf_jax.host.solid.handles import Handles
 from msf_jax.host.solid.sheets import Discs, Flats, away_from
 
 BALLS = 33  # along a branch, to see whether it runs into a corner
@@ -235,24 +236,34 @@ def equals(
 
 
 def merge_junctions(
-    vertices: np.ndarray, edges: np.ndarray, radii: np.ndarray, is_held: np.ndarray
+    vertices: np.ndarray, edges: np.ndarray, radii: np.ndarray, is_held: np.ndarray, handles: Handles
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Make junctions that are well within one ball a single one, where it is the largest: which nodes stay (N,), where
-    each goes (N,), and the edges. What would take a loop away stays, and so do nodes of ``is_held`` (N,)."""
+    each goes (N,), and the edges. What would take a loop away, or lay it around another of the ``handles``, stays, and
+    so do nodes of ``is_held`` (N,)."""
     degree = np.bincount(edges.ravel(), minlength=len(vertices))
     target = every = np.arange(len(vertices))
+    moved = np.zeros(len(vertices), dtype=np.int64)  # class of the way from each node to where it goes
     cycles = cycle_count(len(vertices), edges)[1]
+    own = handles.classes(vertices[edges[:, 0]], vertices[edges[:, 1]])
     for way in trace(len(vertices), edges):
         if min(degree[way[0]], degree[way[-1]]) < 3 or is_held[way[1:-1]].any():
             continue
-        a, b = sorted((target[way[0]], target[way[-1]]), key=lambda node: -radii[node])
+        way = way if radii[target[way[0]]] >= radii[target[way[-1]]] else way[::-1]
+        a, b = target[way[0]], target[way[-1]]
         length = np.linalg.norm(np.diff(vertices[way], axis=0), axis=1).sum()
         is_near = max(length, np.linalg.norm(vertices[a] - vertices[b])) < NEAR * radii[a]
         if a != b and is_near and not is_held[target == b].any():
-            tried = target.copy()
-            tried[[*way[1:-1], *np.flatnonzero(target == b)]] = a
-            if cycle_count(len(vertices), _relabelled(edges, tried))[1] == cycles:
-                target = tried
+            tried, added = target.copy(), moved.copy()
+            steps = handles.classes(vertices[way[:-1]], vertices[way[1:]])
+            inner, gone = np.array(way[1:-1], dtype=np.int64), np.flatnonzero(target == b)
+            tried[inner] = tried[gone] = a
+            added[inner] = moved[way[0]] - np.cumsum(steps)[:-1]
+            added[gone] += moved[way[0]] - steps.sum() - moved[way[-1]]
+            after = handles.classes(vertices[tried[edges[:, 0]]], vertices[tried[edges[:, 1]]])
+            is_kept = after == own - added[edges[:, 0]] + added[edges[:, 1]]
+            if is_kept.all() and cycle_count(len(vertices), _relabelled(edges, tried))[1] == cycles:
+                target, moved = tried, added
     return target == every, target, _relabelled(edges, target)
 
 
@@ -278,13 +289,6 @@ def lay_together(
             is_glued, cycles = tried, found
     goal, pieces = _laid(edges, places, is_glued)
     return goal == every, goal, _relabelled(pieces, every)
-
-
-def is_folded(vertices: np.ndarray, edges: np.ndarray) -> np.ndarray:
-    """(N,) True for the nodes where edges coincide in space: a loop there is folded flat."""
-    every = np.ones(len(vertices), dtype=bool)
-    goal, pieces = _laid(edges, _places(vertices, edges, ~every), every)
-    return np.isin(goal, _doubled(pieces))
 
 
 class _Places(NamedTuple):

@@ -12,7 +12,7 @@ from typing import NamedTuple
 import numpy as np
 from scipy import spatial
 
-from msf_jax.host.curve import branches, centring, containment, resampling, tips, twigs
+from msf_jax.host.curve import branches, centring, containment, loops, resampling, tips, twigs
 from msf_jax.host.curve.passages import Passages
 from msf_jax.host.solid import sheets
 from msf_jax.host.solid.enclosure import Enclosure
@@ -66,7 +66,7 @@ class Job(NamedTuple):
 
     shape: the solid, of diagonal 1. rough: much the same of fewer triangles, good enough to find the middle of.
     persistence: that below which branches are pruned. is_thin: whether limbs of the solid are (see `poles.thickness`).
-    passages: ways through the solid. budget: of all centring. genus: handles of the solid.
+    passages: ways through the solid. budget: of all centring.
     """
 
     shape: Enclosure
@@ -75,7 +75,6 @@ class Job(NamedTuple):
     is_thin: bool
     passages: Passages
     budget: centring.Budget
-    genus: int
 
 
 class Finished(NamedTuple):
@@ -103,6 +102,7 @@ def passes(centre: bool, extend: bool) -> list[Callable[[Draft, Job], Draft]]:
     """The passes in their order; ``centre`` and ``extend`` switch those that belong to them."""
     return [
         contained,
+        looped,
         # What to prune is decided on a curve that is centred.
         *([unfolded, placed, partial(centred, rounds=FIRST_ROUNDS, is_rough=True), unfolded] if centre else []),
         merged,
@@ -115,6 +115,7 @@ def passes(centre: bool, extend: bool) -> list[Callable[[Draft, Job], Draft]]:
         contained,
         *([partial(unfolded, most=SHARPEST), contained] if centre else []),
         laid_together,
+        looped,
         *([rounded] if centre else []),
     ]
 
@@ -130,7 +131,6 @@ def finish(
     extend: bool,
     is_thin: bool = False,
     is_tangle: bool = False,
-    genus: int = 0,
     rough: Enclosure | None = None,
     first: Callable[[Draft, Job], Draft] | None = None,
 ) -> Finished:
@@ -141,9 +141,8 @@ def finish(
 
     ``persistence`` is that below which branches are pruned; ``centre`` and ``extend`` switch those steps. ``is_thin``
     says that it has thin limbs, which the curve may have missed. ``is_tangle`` says that the flow has left a tangle,
-    which no pass can mend: it stays as it is, unless waves make a curve. ``genus`` is that of the solid: so many loops
-    of the curve are not folded flat. ``rough`` is much the same surface of fewer triangles, which is good enough to
-    find the middle of. ``first`` is a pass that comes before all others, and may say where the flow's nodes are to be.
+    which no pass can mend: it stays as it is, unless waves make a curve. ``rough`` is much the same surface of fewer
+    triangles, which is good enough to find the middle of. ``first`` is a pass that comes before all others, and may say where the flow's nodes are to be.
     """
     job = Job(
         shape,
@@ -152,7 +151,6 @@ def finish(
         is_thin,
         Passages(shape, containment.is_inside),
         centring.Budget(),
-        genus,
     )
     if is_thin and centre and extend and not is_held.any():
         laid = course.course(shape, containment.is_inside)
@@ -183,7 +181,16 @@ def _of_waves(laid: course.Course, nodes: np.ndarray, job: Job) -> Finished:
     x, num = laid.vertices, len(laid.vertices)
     none = np.zeros(num, dtype=bool)
     draft = Draft(x, laid.edges, none, np.arange(num), laid.node_of_vertex, x, none)
-    for each in (contained, partial(pruned, has_sheets=False), unfolded, contained, laid_together, rounded):
+    for each in (
+        contained,
+        looped,
+        partial(pruned, has_sheets=False),
+        unfolded,
+        contained,
+        laid_together,
+        looped,
+        rounded,
+    ):
         draft = each(draft, job)
     near = np.asarray(spatial.KDTree(draft.vertices).query(nodes)[1])
     taken, first, place = np.unique(near, return_index=True, return_inverse=True)
@@ -216,10 +223,23 @@ def contained(draft: Draft, job: Job) -> Draft:
     return draft
 
 
+def looped(draft: Draft, job: Job) -> Draft:
+    """With a loop around every handle of the solid, and no other."""
+    x, edges = draft.vertices, draft.edges
+    if not job.shape.handles().genus:
+        return draft
+    edges = edges[loops.independent(job.shape, x, edges)]
+    missing = job.shape.handles().genus - branches.cycle_count(len(x), edges)[1]
+    if missing:
+        x, edges, _ = containment.refine(job.shape, x, edges, SPACING, MOST_NODES)
+        x, edges = loops.completed(job.passages, x, edges, missing)
+    return draft.changed(x, edges)
+
+
 def unfolded(draft: Draft, job: Job, most: float = 90.0) -> Draft:
     """No branch turns by more than ``most`` degrees at a node, if it need not."""
     x = containment.unfold(job.shape, draft.vertices, draft.edges, draft.is_held, most)
-    return draft.changed(_apart(draft, job, x))
+    return draft.changed(_around(draft, job, x))
 
 
 def placed(draft: Draft, job: Job) -> Draft:
@@ -239,26 +259,28 @@ def centred(
     x = centring.centre(
         job.rough, draft.vertices, draft.edges, is_held, rounds, draft.place, draft.is_hub, is_rough, job.budget
     )
-    return draft.changed(_apart(draft, job, x))
+    return draft.changed(_around(draft, job, x))
 
 
-def _apart(draft: Draft, job: Job, x: np.ndarray) -> np.ndarray:
-    """Nodes ``x`` (N, 3) that a pass has moved, but for branches that lie on one another then: those stay where they
-    were, so that no loop is folded flat. One that the solid has no handle for may be."""
-    x, least = x.copy(), min(job.genus, branches.cycle_count(len(x), draft.edges)[1])
-    ways = None
-    while (is_stuck := branches.is_folded(x, draft.edges) & (x != draft.vertices).any(axis=1)).any():
-        laid = branches.lay_together(x, draft.edges, draft.is_held)[2]
-        if branches.cycle_count(len(x), laid)[1] >= least:
-            break
-        ways = branches.trace(len(x), draft.edges) if ways is None else ways
-        stuck = [way for way in ways if is_stuck[way[1:-1]].any()]
-        for way in stuck:
-            x[way[1:-1]] = draft.vertices[way[1:-1]]
-        if not stuck:  # junctions only, or where a ring begins
-            x[is_stuck] = draft.vertices[is_stuck]
-        ways = [way for way in ways if way not in stuck]
-    return x
+def _around(draft: Draft, job: Job, x: np.ndarray) -> np.ndarray:
+    """Nodes ``x`` (N, 3) that a pass has moved, but for branches that would go around other handles then: those stay.
+
+    An edge goes around the same ones exactly if its class is the same, but for what the ways of its ends add.
+    """
+    handles, before, x = job.shape.handles(), draft.vertices, x.copy()
+    if not handles.genus:
+        return x
+    a, b = draft.edges.T
+    own, ways = handles.classes(before[a], before[b]), branches.trace(len(x), draft.edges)
+    while True:
+        moved = handles.classes(before, x)
+        is_bad = np.zeros(len(x), dtype=bool)
+        is_bad[draft.edges[handles.classes(x[a], x[b]) != own + moved[b] - moved[a]]] = True
+        if not is_bad.any():
+            return x
+        stuck = [way for way in ways if is_bad[way].any()]
+        for nodes in stuck:
+            x[nodes] = before[nodes]
 
 
 def merged(draft: Draft, job: Job) -> Draft:
@@ -266,7 +288,9 @@ def merged(draft: Draft, job: Job) -> Draft:
     if job.persistence <= 1:
         return draft
     x = draft.vertices
-    stays, target, edges = branches.merge_junctions(x, draft.edges, job.shape.approach(x)[0], draft.is_held)
+    stays, target, edges = branches.merge_junctions(
+        x, draft.edges, job.shape.approach(x)[0], draft.is_held, job.shape.handles()
+    )
     return _left(draft._replace(edges=edges), stays, target)
 
 

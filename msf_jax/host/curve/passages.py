@@ -9,7 +9,7 @@ the edge that it is for, and farther off only if there is none: it goes on the s
 near. All of it has a bound.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -18,6 +18,7 @@ from scipy.sparse import csgraph
 
 from msf_jax.host.poles.balls import shrinking_balls
 from msf_jax.host.solid.enclosure import Enclosure
+from msf_jax.host.solid.handles import along_forest, shortest_forest
 
 TOUCHING = 1e-5  # diagonals: a point with less room than that counts as outside
 MOST_SEEDS = 20_000  # points of the surface, behind which balls are sought
@@ -83,6 +84,47 @@ class Passages:
             found.append(way)
         self._links = graph.links_of_balls()
         return found
+
+    def loops_from(self, x: np.ndarray, edges: np.ndarray, is_complete: bool) -> Iterator[tuple[int, int, np.ndarray]]:
+        """Paths inside from nodes of the curve ``(x (N, 3), edges (E, 2))`` to nodes of it, the shortest first.
+
+        Each edge of the roadmap makes one, with shortest paths from the curve to its two ends; of those that go around
+        the same handles the shortest only, and none that goes around no handle. Edges between balls that overlap do, or
+        all that are inside, if ``is_complete``.
+
+        Yields:
+            start, end: nodes. way: (k, 3) points between them.
+        """
+        is_used = self.shape.clearance(x) > TOUCHING
+        node_of_end = np.flatnonzero(is_used)
+        graph = self._graph(x[node_of_end])
+        if is_complete:
+            graph.look_at_all(MOST_LOOKS - self.num_looks)
+            self.num_looks += graph.num_looks
+            self._links = graph.links_of_balls()
+        is_open, first, handles = graph.links.is_open, graph.first_end, self.shape.handles()
+        tail, head, cost = (field[is_open] for field in (graph.links.tail, graph.links.head, graph.links.cost))
+        value = handles.classes(graph.centre[tail], graph.centre[head])
+        tail, head = np.r_[tail, head], np.r_[head, tail]
+        cost, value = np.tile(cost, 2), np.r_[value, -value]
+        matrix = sparse.csr_matrix((cost, (tail, head)), (len(graph.centre),) * 2)
+        ends = np.arange(first, len(graph.centre))
+        away, before, source = csgraph.dijkstra(matrix, indices=ends, return_predecessors=True, min_only=True)
+        of_curve = np.zeros(len(x), dtype=np.int64)
+        in_forest = shortest_forest(len(x), edges, np.linalg.norm(x[edges[:, 0]] - x[edges[:, 1]], axis=1))
+        of_curve = along_forest(len(x), edges[in_forest], handles.classes(*(x[edges[in_forest, k]] for k in (0, 1))))
+        is_reached = (source[tail] >= 0) & (source[head] >= 0)
+        tail, head, cost, value = (field[is_reached] for field in (tail, head, cost, value))
+        to_ball = of_curve[node_of_end[np.maximum(source, first) - first]] + _along(before, tail, head, value)
+        around = to_ball[tail] + value - to_ball[head]
+        length = away[tail] + cost + away[head]
+        rows = np.flatnonzero(around > 0)  # the other way round it is the same loop
+        rows = rows[np.lexsort((length[rows], around[rows]))]
+        rows = rows[np.r_[True, around[rows][1:] != around[rows][:-1]]] if len(rows) else rows
+        for row in rows[np.argsort(length[rows], kind="stable")].tolist():
+            there, back = (_ascent(before, int(ball[row])) for ball in (tail, head))
+            start, end = (int(node_of_end[way[-1] - first]) for way in (there, back))
+            yield start, end, graph.centre[[*there[-2::-1], *back[:-1]]]
 
     def nearest(self, points: np.ndarray, radii: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Centre (P, 3) and radius (P,) of the ball nearest to each point; what is given, if there is none."""
@@ -162,6 +204,12 @@ class _Graph:
             self.num_looks += len(chosen)
             most *= 2
 
+    def look_at_all(self, most: int) -> None:
+        """Look at all edges, those between balls that are near each other first, ``most`` of them."""
+        unseen = np.flatnonzero(~self.links.is_seen)
+        self.num_looks = min(len(unseen), max(most, 0))
+        self._look(unseen[np.argsort(self.links.gap[unseen], kind="stable")[: self.num_looks]])
+
     def _look(self, edge: np.ndarray) -> bool:
         """Look if these edges are inside, and whether all are."""
         tail, head = self.links.tail[edge], self.links.head[edge]
@@ -202,14 +250,30 @@ class _Graph:
         first, last = np.searchsorted(near, [start, end]).tolist()
         # Over a closed edge, of infinite price, SciPy below 1.16 would go but for the limit.
         most = float(np.finfo(float).max)
-        before = np.asarray(csgraph.dijkstra(matrix, indices=first, return_predecessors=True, limit=most)[1]).tolist()
-        stops: list[int] = [last]
-        while before[stops[-1]] >= 0:
-            stops.append(before[stops[-1]])
+        before = np.asarray(csgraph.dijkstra(matrix, indices=first, return_predecessors=True, limit=most)[1])
+        stops = _ascent(before, last)
         if stops[-1] != first:
             return np.empty(0, dtype=np.int64), np.empty(0, dtype=np.int64)
         used = np.asarray(number[stops[:-1], stops[1:]]).ravel() - 1
         return near[stops[::-1]], used[~is_seen[used]]
+
+
+def _ascent(before: np.ndarray, last: int) -> list[int]:
+    """From ``last`` to the root of a tree, in which each ball comes after ``before`` (B,)."""
+    stops = [last]
+    while before[stops[-1]] >= 0:
+        stops.append(int(before[stops[-1]]))
+    return stops
+
+
+def _along(before: np.ndarray, tail: np.ndarray, head: np.ndarray, value: np.ndarray) -> np.ndarray:
+    """(B,) the sum of ``value`` (L,) over the edges from ``tail`` to ``head`` (L,) on the way from a root to each ball."""
+    above, total = np.where(before < 0, np.arange(len(before)), before), np.zeros(len(before), dtype=np.int64)
+    in_tree = before[head] == tail
+    total[head[in_tree]] = value[in_tree]
+    while (above != above[above]).any():  # of ways that are twice as long each time
+        total, above = total + total[above], above[above]
+    return total
 
 
 def inner_balls(shape: Enclosure) -> tuple[np.ndarray, np.ndarray]:

@@ -9,16 +9,17 @@ sum is zero if and (but for a chance of 1 in 10^9) only if the loop vanishes in 
 Noise and slivers make a surface cross itself here and there, which spoils linking numbers, but not what they are asked
 for: then they are those of the surface after a little smoothing.
 
-The loops come from a tree-cotree decomposition (Eppstein 2003), linking numbers from signed crossings in a projection.
+The loops are those of `host.solid.handles`, whose classes of ways through the solid are these on its surface. Linking
+numbers come from signed crossings in a projection.
 """
 
 import numpy as np
 from scipy import sparse
-from scipy.sparse import csgraph
 
 from msf_jax.host.mesh.half_edges import half_edges
 from msf_jax.host.meso import ring_tables
 from msf_jax.host.solid.geometry import vertex_normals
+from msf_jax.host.solid.handles import SEED, surface_loops
 
 PUSH = 1e-3  # how far out, as a fraction of the mean edge length
 SMOOTHINGS = (1, 1, 2, 4, 8, 16)  # rounds, one after the other, of a surface that small triangles make cross itself
@@ -34,32 +35,7 @@ def half_edge_classes(positions: np.ndarray, faces: np.ndarray) -> np.ndarray | 
     cross on the surface, has determinant 1): the surface crosses itself, or is so coarse that a push goes inside. None
     also where there are more than ``MOST_PAIRS`` to be looked at.
     """
-    edges = half_edges(faces)
-    num_half, num_faces, num_vertices = len(edges.origin), len(faces), len(positions)
-    is_first = np.arange(num_half) < edges.twin
-
-    def graph(a: np.ndarray, b: np.ndarray, size: int) -> sparse.csr_matrix:
-        both = np.concatenate([a, b]), np.concatenate([b, a])
-        return sparse.csr_matrix(sparse.coo_matrix((np.ones(2 * len(a)), both), shape=(size, size)))
-
-    primal = graph(edges.origin[is_first], edges.target[is_first], num_vertices)
-    parent = csgraph.breadth_first_order(primal, 0)[1]
-    in_tree = (parent[edges.origin] == edges.target) | (parent[edges.target] == edges.origin)
-    face = np.arange(num_half) // 3
-    crossed = is_first & ~in_tree
-    dual = graph(face[crossed], face[edges.twin[crossed]], num_faces)
-    face_parent = csgraph.breadth_first_order(dual, 0)[1]
-    neighbour = face[edges.twin]
-    # Two faces can share several edges that are not in the tree; the cotree crosses the first of them.
-    to_parent = np.full(num_faces, -1)
-    leads_up = np.flatnonzero(~in_tree & (face_parent[face] == neighbour))
-    to_parent[face[leads_up[::-1]]] = leads_up[::-1]
-    in_cotree = np.zeros(num_half, dtype=bool)
-    in_cotree[to_parent[to_parent >= 0]] = True
-    in_cotree |= in_cotree[edges.twin]
-    generator = np.flatnonzero(is_first & ~in_tree & ~in_cotree)
-
-    loops = [loop_along(int(edges.origin[h]), int(edges.target[h]), parent) for h in generator]
+    edges, generator, loops, to_parent, depth = surface_loops(faces)
     if sum(map(len, loops)) ** 2 > MOST_PAIRS:
         return None
     normal = vertex_normals(positions, faces)
@@ -71,13 +47,12 @@ def half_edge_classes(positions: np.ndarray, faces: np.ndarray) -> np.ndarray | 
     crossings = np.linalg.det(linking - linking.T)  # of the loops with each other, on the surface: they span it all
     if 2 * np.linalg.matrix_rank(linking) != len(generator) or round(abs(crossings)) != 1:
         return None
-    weight = np.random.default_rng(2003).integers(1, 2**30, size=len(generator))
+    weight = np.random.default_rng(SEED).integers(1, 2**30, size=len(generator))
 
     # Zero on the tree, known on the generators; across the cotree, from the leaves up, a face's three add up to zero.
-    value = np.zeros(num_half, dtype=np.int64)
+    value = np.zeros(len(edges.origin), dtype=np.int64)
     value[generator] = linking @ weight
     value[edges.twin[generator]] = -value[generator]
-    depth = csgraph.dijkstra(dual, unweighted=True, indices=0)
     by_depth = np.argsort(-depth, kind="stable")
     for level in np.split(by_depth, np.flatnonzero(np.diff(depth[by_depth])) + 1):
         up = to_parent[level]
@@ -110,22 +85,6 @@ def ring_classes(positions: np.ndarray, faces: np.ndarray, rings: np.ndarray) ->
     classes = np.zeros(rings.shape, dtype=np.int64)
     classes[vertex, slot] = values[order[np.searchsorted(code, wanted, sorter=order)]]
     return classes
-
-
-def loop_along(start: int, end: int, parent: np.ndarray) -> list[int]:
-    """The loop start -> end -> ... -> start along the tree, without the stretch to the root that both ways share."""
-
-    def way_up(vertex: int) -> list[int]:
-        path = [vertex]
-        while parent[path[-1]] >= 0:
-            path.append(int(parent[path[-1]]))
-        return path
-
-    one, other = way_up(start), way_up(end)
-    while len(one) > 1 and len(other) > 1 and one[-2] == other[-2]:
-        one.pop()
-        other.pop()
-    return [start, *other, *one[-2:0:-1]]
 
 
 def linking_numbers(loops: list[np.ndarray], others: list[np.ndarray]) -> np.ndarray:

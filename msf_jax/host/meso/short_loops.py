@@ -12,7 +12,7 @@ from scipy.sparse import csgraph
 
 from msf_jax.host.mesh.half_edges import HalfEdges, half_edges
 from msf_jax.host.meso import ring_tables
-from msf_jax.host.meso.homology import loop_along
+from msf_jax.host.solid.handles import loop_along
 
 MOST_HANDLES = 400  # beyond, the table of crossings is no longer small
 MOST_TIMES = 2**14  # that a sum of loops may go along one of them, lest classes of edges leave the range of 64 bits

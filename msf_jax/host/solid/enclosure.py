@@ -13,6 +13,7 @@ from scipy import spatial
 
 from msf_jax.host.solid import triangles as batches
 from msf_jax.host.solid.geometry import barycentric, cross, repeated
+from msf_jax.host.solid.handles import Handles
 from msf_jax.host.solid.triangles import (
     SizeClass,
     boxes,
@@ -82,6 +83,7 @@ class Enclosure:
         self._feet: Feet | None = None
         self._samples: Samples | None = None
         self._links: Links | None = None
+        self._handles: Handles | None = None
 
     def winding_numbers(self, points: np.ndarray) -> np.ndarray:
         """Winding number (P,) of the surface around each point: 1 inside, 0 outside an embedded surface."""
@@ -311,6 +313,12 @@ class Enclosure:
             rays.append(point[is_hit])
             distances.append(t[is_hit])
         return np.concatenate(rays), np.concatenate(distances)
+
+    def handles(self) -> Handles:
+        """What tells which handles a curve inside goes around."""
+        if self._handles is None:
+            self._handles = Handles(self.vertices, self.faces)
+        return self._handles
 
     def links(self) -> "Links":
         """How the directed edges of the faces hang together."""

@@ -1,0 +1,231 @@
+"""Which handles of a solid a curve inside it goes around: crossings with curtains that hang from loops of its surface.
+
+The loops of a closed surface span the homology of the outside, which Alexander duality pairs with that of the inside. A
+curve inside never meets the surface, so its linking numbers with the surface's loops are well defined, and the rank of
+their matrix is the number of independent handles that its cycles go around.
+
+From every loop a curtain hangs along one fixed direction, without an end. The linking number of a closed curve with the
+loop is the sum of its signed crossings with the loop's curtain (Gauss's count of the crossings in a projection, of those
+where the curve is on the curtain's side). A sum over segments needs no closed curve: so every segment has a class, the
+classes along a way add up, and two ways inside between the same ends go around the same handles exactly if their classes
+are equal. That is how a pass over a curve keeps its loops where they are.
+
+The loops come from a tree and a cotree of the surface (Eppstein 2003).
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+from scipy import sparse
+from scipy.sparse import csgraph
+
+from msf_jax.host.mesh.half_edges import HalfEdges, half_edges
+from msf_jax.host.solid.geometry import repeated
+
+SEED = 2003  # of the random combination that makes one number of all linking numbers
+CELLS = 96  # of the grid that pairs of segments are found by, along each of its two axes
+TURN = np.linalg.qr(np.random.default_rng(1987).normal(size=(3, 3)))[0]
+TURN *= np.linalg.det(TURN)  # a rotation in general position, whose rows are two axes across the curtains and one along
+
+
+class SurfaceLoops(NamedTuple):
+    """2g loops of a closed surface that span all of its loops, one to each ``generator``.
+
+    edges: the half-edges. generator: (2g,) half-edges, each of which closes one loop. loops: (2g,) lists of vertices.
+    to_parent: (F,) the half-edge over which the cotree leads from each face towards the first one, -1 at its end.
+    depth: (F,) how many such steps that takes.
+    """
+
+    edges: HalfEdges
+    generator: np.ndarray
+    loops: list[list[int]]
+    to_parent: np.ndarray
+    depth: np.ndarray
+
+
+def surface_loops(faces: np.ndarray) -> SurfaceLoops:
+    """Loops of the closed surface ``faces`` (F, 3), which may have several components."""
+    edges = half_edges(faces)
+    num_half, num_faces = len(edges.origin), len(faces)
+    is_first = np.arange(num_half) < edges.twin
+    face = np.arange(num_half) // 3
+    parent, _ = _forest(edges.origin[is_first], edges.target[is_first], int(faces.max()) + 1)
+    in_tree = (parent[edges.origin] == edges.target) | (parent[edges.target] == edges.origin)
+    crossed = is_first & ~in_tree
+    face_parent, depth = _forest(face[crossed], face[edges.twin[crossed]], num_faces)
+    # Two faces can share several edges that are not in the tree; the cotree crosses the first of them.
+    to_parent = np.full(num_faces, -1)
+    leads_up = np.flatnonzero(~in_tree & (face_parent[face] == face[edges.twin]))
+    to_parent[face[leads_up[::-1]]] = leads_up[::-1]
+    in_cotree = np.zeros(num_half, dtype=bool)
+    in_cotree[to_parent[to_parent >= 0]] = True
+    in_cotree |= in_cotree[edges.twin]
+    generator = np.flatnonzero(is_first & ~in_tree & ~in_cotree)
+    loops = [loop_along(int(edges.origin[half]), int(edges.target[half]), parent) for half in generator]
+    return SurfaceLoops(edges, generator, loops, to_parent, depth)
+
+
+def _forest(a: np.ndarray, b: np.ndarray, num: int) -> tuple[np.ndarray, np.ndarray]:
+    """The parent (num,) of each node in a breadth-first tree of each component, -1 at its root, and its depth (num,)."""
+    graph = sparse.coo_matrix((np.ones(len(a)), (a, b)), shape=(num, num))
+    roots = np.unique(csgraph.connected_components(graph, directed=False)[1], return_index=True)[1]
+    tail, head = np.concatenate([a, np.full(len(roots), num)]), np.concatenate([b, roots])  # one root above them all
+    both = np.concatenate([tail, head]), np.concatenate([head, tail])
+    joined = sparse.csr_matrix((np.ones(2 * len(tail)), both), shape=(num + 1, num + 1))
+    depth, parent = csgraph.dijkstra(joined, unweighted=True, indices=num, return_predecessors=True)
+    parent = parent[:num].astype(np.int64)
+    return np.where(parent == num, -1, parent), depth[:num].astype(np.int64) - 1
+
+
+def loop_along(start: int, end: int, parent: np.ndarray) -> list[int]:
+    """The loop start -> end -> ... -> start along the tree, without the stretch to the root that both ways share."""
+
+    def way_up(vertex: int) -> list[int]:
+        path = [vertex]
+        while parent[path[-1]] >= 0:
+            path.append(int(parent[path[-1]]))
+        return path
+
+    one, other = way_up(start), way_up(end)
+    while len(one) > 1 and len(other) > 1 and one[-2] == other[-2]:
+        one.pop()
+        other.pop()
+    return [start, *other, *one[-2:0:-1]]
+
+
+class Handles:
+    """The handles of a solid, as a curve inside meets them.
+
+    Args:
+        vertices: (V, 3), any unit.
+        faces: (F, 3), closed and oriented, of one component or several.
+    """
+
+    def __init__(self, vertices: np.ndarray, faces: np.ndarray):
+        loops = surface_loops(faces).loops
+        self.genus = len(loops) // 2
+        number, _ = repeated(np.array([len(loop) for loop in loops], dtype=np.int64))
+        tail = np.array([vertex for loop in loops for vertex in loop], dtype=np.int64)
+        head = np.array([vertex for loop in loops for vertex in [*loop[1:], loop[0]]], dtype=np.int64)
+        # Loops share most of their edges: each is looked at once.
+        ends, edge = np.unique(np.sort(np.stack([tail, head], axis=1), axis=1), axis=0, return_inverse=True)
+        sign = np.where(tail == ends[edge.ravel(), 0], 1, -1) if len(tail) else tail
+        times = sparse.coo_matrix((sign, (edge.ravel(), number)), shape=(len(ends), len(loops)))
+        self._times = times.tocsr()  # (K, 2g) how often each loop runs along each edge
+        weight = np.random.default_rng(SEED).integers(1, 2**30, size=len(loops))
+        self._value = self._times @ weight if len(loops) else np.empty(0, dtype=np.int64)
+        self._tail, self._head = (vertices[ends[:, side]] @ TURN.T for side in (0, 1))
+
+    def classes(self, a: np.ndarray, b: np.ndarray) -> np.ndarray:
+        """The class (E,) of each segment from a (E, 3) to b (E, 3): a fixed random combination of its crossings.
+
+        Along a closed curve inside they add up to zero exactly if it goes around no handle, but for a chance of 1 in
+        10^9.
+        """
+        segment, edge, sign = self._crossings(a, b)
+        found = np.zeros(len(a), dtype=np.int64)
+        np.add.at(found, segment, sign * self._value[edge])
+        return found
+
+    def rank(self, vertices: np.ndarray, edges: np.ndarray) -> int:
+        """How many independent handles the cycles of the curve ``(vertices (N, 3), edges (E, 2))`` go around."""
+        return int(np.linalg.matrix_rank(self.windings(vertices, edges)[1])) if self.genus else 0
+
+    def windings(
+        self, vertices: np.ndarray, edges: np.ndarray, length: np.ndarray | None = None
+    ) -> tuple[np.ndarray, np.ndarray]:
+        """A basis of the curve's cycles: the edge (C,) that closes each, with a spanning forest of the shortest others,
+        and its linking numbers (C, 2g) with the surface's loops. ``length`` (E,) says which are short, if given."""
+        num, (a, b) = len(vertices), edges.T
+        length = np.linalg.norm(vertices[a] - vertices[b], axis=1) if length is None else length
+        in_forest = shortest_forest(num, edges, length)
+        linking = self.linking(vertices[a], vertices[b])
+        potential = along_forest(num, edges[in_forest], linking[in_forest])
+        closing = np.flatnonzero(~in_forest)
+        return closing, linking[closing] + potential[a[closing]] - potential[b[closing]]
+
+    def linking(self, a: np.ndarray, b: np.ndarray) -> np.ndarray:
+        """What each segment from a (E, 3) to b (E, 3) adds to the linking numbers (E, 2g) with the surface's loops."""
+        segment, edge, sign = self._crossings(a, b)
+        crossed = sparse.csr_matrix((sign, (segment, edge)), shape=(len(a), self._times.shape[0]))
+        return (crossed @ self._times).toarray()
+
+    def _crossings(self, a: np.ndarray, b: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """Where segments from a (E, 3) to b (E, 3) go through curtains: segment, edge that the curtain hangs from, and
+        sign, (k,) each.
+
+        Seen along the curtains, a segment crosses an edge if the ends of each are on either side of the other. Segments
+        that share an end get the same bits for its side, so that a way through it crosses once or not at all.
+        """
+        nothing = np.empty(0, dtype=np.int64)
+        if not len(self._tail) or not len(a):
+            return nothing, nothing, nothing
+        p, p_end, q, q_end = a @ TURN.T, b @ TURN.T, self._tail, self._head
+        one, other = _pairs_in_cells((p[:, :2], p_end[:, :2]), (q[:, :2], q_end[:, :2]))
+
+        def side(point: np.ndarray, start: np.ndarray, end: np.ndarray) -> np.ndarray:
+            along, away = end - start, point - start
+            return along[:, 0] * away[:, 1] - along[:, 1] * away[:, 0]
+
+        s, s_end = (side(x[one], q[other], q_end[other]) for x in (p, p_end))
+        is_across = (s >= 0) != (s_end >= 0)
+        one, other, s, s_end = one[is_across], other[is_across], s[is_across], s_end[is_across]
+        t, t_end = (side(x[other], p[one], p_end[one]) for x in (q, q_end))
+        is_across = (t >= 0) != (t_end >= 0)
+        one, other, s, s_end, t, t_end = (each[is_across] for each in (one, other, s, s_end, t, t_end))
+        at_p, at_q = (s / (s - s_end)), (t / (t - t_end))
+        height = p[one, 2] + at_p * (p_end - p)[one, 2] - q[other, 2] - at_q * (q_end - q)[other, 2]
+        is_over = height > 0
+        return one[is_over], other[is_over], np.where(s_end > s, -1, 1)[is_over]
+
+
+def shortest_forest(num_nodes: int, edges: np.ndarray, length: np.ndarray) -> np.ndarray:
+    """(E,) which edges are in a spanning forest of the graph, those of less ``length`` (E,) first, ties by number."""
+    rank = np.empty(len(edges))
+    rank[np.argsort(length, kind="stable")] = np.arange(1, len(edges) + 1)  # no two are alike, and none is 0
+    graph = sparse.coo_matrix((rank, (edges[:, 0], edges[:, 1])), shape=(num_nodes, num_nodes))
+    return np.isin(rank, np.rint(csgraph.minimum_spanning_tree(graph).data))
+
+
+def along_forest(num_nodes: int, edges: np.ndarray, values: np.ndarray) -> np.ndarray:
+    """(N, ...) the sum of the ``values`` (E, ...) of the edges (E, 2) of a forest, on the way from its root to each node.
+
+    An edge that is walked from its second node to its first counts with the opposite sign.
+    """
+    a, b = edges.T
+    parent, depth = _forest(a, b, num_nodes)
+    edge, sign = np.zeros(num_nodes, dtype=np.int64), np.zeros(num_nodes, dtype=np.int64)
+    for tail, head, way in ((a, b, 1), (b, a, -1)):
+        leads = parent[head] == tail
+        edge[head[leads]], sign[head[leads]] = np.flatnonzero(leads), way
+    total = np.zeros((num_nodes, *values.shape[1:]), dtype=values.dtype)
+    for level in range(1, int(depth.max(initial=0)) + 1):
+        nodes = np.flatnonzero(depth == level)
+        step = values[edge[nodes]] * sign[nodes].reshape(-1, *np.ones(values.ndim - 1, dtype=int))
+        total[nodes] = total[parent[nodes]] + step
+    return total
+
+
+def _pairs_in_cells(
+    ones: tuple[np.ndarray, np.ndarray], others: tuple[np.ndarray, np.ndarray]
+) -> tuple[np.ndarray, np.ndarray]:
+    """Pairs of segments of the plane, ``ones`` and ``others`` as their two ends (n, 2), whose boxes meet: two (k,)."""
+    boxes = [(np.minimum(*ends), np.maximum(*ends)) for ends in (ones, others)]
+    low = np.minimum(boxes[0][0].min(axis=0), boxes[1][0].min(axis=0))
+    size = np.maximum(np.maximum(boxes[0][1].max(axis=0), boxes[1][1].max(axis=0)) - low, 1e-300) / CELLS
+    listed = []
+    for least, most in boxes:
+        first, last = (np.minimum(((corner - low) / size).astype(np.int64), CELLS - 1) for corner in (least, most))
+        span = last - first + 1
+        row, place = repeated(span[:, 0] * span[:, 1])
+        cell = first[row] + np.stack([place // span[row, 1], place % span[row, 1]], axis=1)
+        listed.append((row, cell[:, 0] * CELLS + cell[:, 1], first))
+    (one, cell_of_one, first_of_one), (other, cell_of_other, first_of_other) = listed
+    order = np.argsort(cell_of_other, kind="stable")
+    start = np.searchsorted(cell_of_other[order], np.arange(CELLS**2 + 1))
+    row, place = repeated((start[1:] - start[:-1])[cell_of_one])
+    a, b = one[row], other[order[start[cell_of_one[row]] + place]]
+    # Two boxes that share several cells are a pair in the first of them only.
+    shared = np.maximum(first_of_one[a], first_of_other[b])
+    is_first = shared[:, 0] * CELLS + shared[:, 1] == cell_of_one[row]
+    return a[is_first], b[is_first]
