@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from msf_jax.base.errors import MeshError
-from msf_jax.host.curve import branches
+from msf_jax.host.curve import branches, loops
 from msf_jax.host.mesh import checking
 from msf_jax.host.solid import sections
 from msf_jax.host.solid.enclosure import Enclosure
@@ -140,6 +140,7 @@ def figures_of(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray) -> dic
     return {
         "components": components,
         "cycles": cycles,
+        "loops": loops.proof(shape, vertices, edges).rank,
         "leaves": int((np.bincount(edges.ravel(), minlength=len(vertices)) == 1).sum()),
         "inside": inside_fraction(shape, vertices, edges, radii),
         "boundedness": float(is_inside.mean()),

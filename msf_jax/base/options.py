@@ -109,6 +109,8 @@ class Config:
             the cost of a run follows the solid's shape and hardly the number of its vertices; 0 keeps them all. Where
             it would cost a twentieth of the volume, as of a thin plate, the mesh is taken as it is. Where a limb has a
             radius r below 0.005, this length and t_c are shorter by r / 0.005: a wire keeps its length.
+        refine: edges longer than that are split before the flow where they are longer than two radii of the limb, so
+            that it sees the limbs and holes of a coarse mesh; 0 keeps them all.
         use_poles: whether poles pull at all.
         poles: "voronoi" (article 3.1.2), "balls" (shrinking balls, Ma et al. 2012), or "auto": Voronoi poles, and balls
             where the solid is thin. There `reconstruct_poles` would take the solid itself away, and is left out, and a
@@ -154,6 +156,7 @@ class Config:
     exact_reconstruction: bool = False
     resample: float = 0.0
     coarsen: float = 0.005
+    refine: float = 0.02
     use_poles: bool = True
     poles: str = "auto"
     pole_confidence: bool = False
@@ -193,6 +196,7 @@ class Config:
             "reconstruct_mesh": (0, math.inf),
             "resample": (0, 0.5),
             "coarsen": (0, 0.1),
+            "refine": (0, 1),
             "t_min": (1e-5, 0.5),
             "t_step": (0, 0.5),
             "t_max": (0, 0.5),
@@ -247,6 +251,7 @@ class Config:
             reconstruct_poles=0,
             resample=0.01,
             coarsen=0.0,
+            refine=0.0,
             poles="voronoi",
             t_min=0.002,
             t_step=0.0,
@@ -285,6 +290,7 @@ class Config:
             laplacian="signed_cotangent",
             reconstruct_poles=0,
             coarsen=0.0,
+            refine=0.0,
             t_min=0.002,
             t_step=0.0,
             use_poles=False,

@@ -15,7 +15,7 @@ from msf_jax.host.mesh.checking import Surface
 from msf_jax.host.meso import ring_tables
 from msf_jax.host.recording.records import ComponentRecord, Recording
 from msf_jax.host.solid.solid import Solid
-from msf_jax.skeleton.report import Report
+from msf_jax.skeleton.report import Report, loops_of
 from msf_jax.skeleton.skeleton import Skeleton
 from msf_jax.skeleton.source import Source, Stage
 
@@ -95,7 +95,8 @@ def _skeleton(stitched: Stitched, checked: Surface, report: Report, source: Sour
     components, cycles = branches.cycle_count(len(vertices), edges)
     radii = solid.radii(vertices)
     inside = metrics.inside_fraction(solid.shape, solid.enter(vertices), edges, radii / solid.diagonal)
-    report = replace(report, components=components, cycles=cycles, inside=inside)
+    around = loops_of(solid.shape, solid.enter(vertices), edges)
+    report = replace(report, components=components, cycles=cycles, inside=inside, **around)
     return Skeleton(vertices, edges, radii, _map_of_input(checked, vertices, node_of_vertex), report, source)
 
 

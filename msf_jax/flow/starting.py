@@ -8,7 +8,7 @@ from msf_jax.flow.state import LIMITS, Limits, State, Stopwatch
 from msf_jax.flow.stepping import compile_ahead
 from msf_jax.host import reconstruction
 from msf_jax.host.mesh.checking import Component
-from msf_jax.host.meso import collapse, homology, split
+from msf_jax.host.meso import collapse, homology, ring_tables, split
 from msf_jax.host.meso.meso import Meso
 from msf_jax.host.poles import balls, thickness, voronoi
 from msf_jax.host.reconstruction import LowPass
@@ -19,6 +19,7 @@ from msf_jax.host.solid.geometry import signed_volume
 
 FIRST = 400.0  # w_L over the root of a face's mean area, see `Config.au2008`
 FLATTEST = 1e-9  # volume, in diagonals cubed, that must be left when coordinates are rounded to the frame's resolution
+MOST_REFINED = 8_000  # vertices, about, that edges are split into at most
 MOST_COARSENED = 0.05  # of the volume may go with short edges
 MOST_FILTERED = 0.25  # of the volume may go with what the filter of the poles' sites takes away
 
@@ -59,6 +60,9 @@ def init(
         with watch.stage("resampling"):
             meso = _resampled(meso, config.resample, check=config.check)
             max_rows = max(max_rows, limits.growth * meso.num_rows)
+    else:
+        meso = _refined(meso, shape, config, watch)
+        max_rows = max(max_rows, limits.growth * meso.num_rows)
     meso, num_coarsened = _coarsened(meso, config, watch)
     is_rough = num_coarsened > meso.num_rows and not (config.reconstruct_mesh or config.resample)
     rough = Enclosure(meso.positions, meso.faces()) if is_rough else shape
@@ -115,6 +119,21 @@ def _coarsened(meso: Meso, config: Config, watch: Stopwatch) -> tuple[Meso, int]
         if abs(coarse.volume() - meso.volume()) > MOST_COARSENED * abs(meso.volume()):
             return meso, 0
         return coarse.compacted(), coarse.num_rows - coarse.num_live
+
+
+def _refined(meso: Meso, shape: Enclosure, config: Config, watch: Stopwatch) -> Meso:
+    """The surface with its long edges split where limbs are thin beside them: else patches slide across holes."""
+    a, b = ring_tables.edges_from_rings(meso.rings)
+    length = collapse.edge_lengths(meso.positions, a, b)
+    if not config.refine or length.max() <= config.refine:
+        return meso
+    with watch.stage("refining"):
+        limit = np.maximum(thickness.edge_lengths(shape, meso.positions), config.refine)
+        # About as many new vertices as triangles of that size fit on the surface: not more than there may be.
+        area = meso.area()
+        least = np.sqrt(area / (MOST_REFINED * 0.4))
+        split.split_long_edges(meso, np.maximum(limit, least), check=config.check)
+    return meso
 
 
 def _rebuilt(vertices: np.ndarray, faces: np.ndarray, k: int, config: Config) -> tuple[np.ndarray, LowPass | None]:

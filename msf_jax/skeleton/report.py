@@ -6,6 +6,13 @@ from typing import Any
 
 import numpy as np
 
+from msf_jax.host.curve import loops
+from msf_jax.host.solid.enclosure import Enclosure
+
+
+MOST_NAMED = 5  # loops that go around nothing, in a report
+SENTENCES = ("doubts", "repairs", "notes")
+
 
 @dataclass(frozen=True)
 class Report:
@@ -16,6 +23,8 @@ class Report:
         mesh_components: connected components of the mesh.
         genus: sum of the genera of the mesh's components.
         cycles: independent cycles of the curve; equal to ``genus`` when all is well.
+        loops: handles of the solid that these cycles go around, proved by linking numbers with loops of its surface;
+            equal to ``genus`` and ``cycles`` when all is well. None for a curve without its mesh.
         cut: cycles that `Skeleton.to_tree` cut.
         inside: fraction of the curve's length that is inside the mesh.
         converged: whether the flow reached its end.
@@ -27,6 +36,8 @@ class Report:
         volume: fraction of the volume, after coarsening, that was left, the largest over components.
         unsolved: iterations in which a linear solve ran out of steps before it reached its tolerance.
         solve_steps: CG steps in all.
+        doubts: why the curve is not to be trusted though it was finished, a sentence each: a loop that goes around
+            nothing, for example.
         repairs: what was changed in the input, a sentence each.
         notes: what else went otherwise than planned, a sentence each: steps that were redone, a checkpoint not written.
         figures: `metrics.evaluate` of the curve as the run ended, where ``Config(evaluate=True)`` asks for it.
@@ -48,6 +59,8 @@ class Report:
     solve_steps: int
     coarsened: int = 0
     cut: int = 0
+    loops: int | None = None
+    doubts: tuple[str, ...] = ()
     repairs: tuple[str, ...] = ()
     notes: tuple[str, ...] = ()
     figures: dict[str, float] = field(default_factory=dict)
@@ -55,15 +68,16 @@ class Report:
 
     @property
     def is_sound(self) -> bool:
-        """Converged, every component and cycle found and none too many, and the curve at least 99 % inside."""
+        """Converged, every component and cycle found and none too many, each cycle around a handle of its own, the
+        curve at least 99 % inside, and no ``doubts``."""
         is_right = self.components == self.mesh_components and self.cycles + self.cut == self.genus
-        return self.converged and is_right and self.inside >= 0.99
+        return self.converged and is_right and self.loops == self.cycles and self.inside >= 0.99 and not self.doubts
 
     def to_dict(self) -> dict[str, Any]:
         """Plain values, for JSON or a table."""
         figures = {name: None if np.isnan(value) else value for name, value in self.figures.items()}
         inside = None if np.isnan(self.inside) else self.inside  # of a curve without its mesh
-        lists = {"repairs": list(self.repairs), "notes": list(self.notes)}
+        lists = {key: list(getattr(self, key)) for key in SENTENCES}
         return asdict(self) | lists | {"figures": figures, "inside": inside}
 
     @classmethod
@@ -72,12 +86,14 @@ class Report:
         figures = {name: np.nan if value is None else value for name, value in values["figures"].items()}
         inside = np.nan if values["inside"] is None else values["inside"]
         changed: dict[str, Any] = {"figures": figures, "inside": inside}
-        changed |= {key: tuple(values[key]) for key in ("repairs", "notes")}
+        changed |= {key: tuple(values.get(key, ())) for key in SENTENCES}
         return cls(**(dict(values) | changed))
 
     def __repr__(self) -> str:
         how = "converged" if self.converged else f"NOT converged, {self.reason}"
         cycles = _compare(self.cycles, "cycle", self.genus - self.cut, f"for genus {self.genus}")
+        if self.loops is not None and self.loops != self.cycles:
+            cycles += f", {_around(self.loops, self.cycles)}"
         return f"Report({how}, {cycles}, {100 * self.inside:.2f} % inside)"
 
     def __str__(self) -> str:
@@ -92,7 +108,8 @@ class Report:
             _compare(self.components, "component", self.mesh_components, "as in the mesh")
             + ", "
             + _compare(self.cycles, "cycle", self.genus - self.cut, f"for genus {self.genus}")
-            + (f", {self.cut} more cut" if self.cut else ""),
+            + (f", {self.cut} more cut" if self.cut else "")
+            + ("" if self.loops is None or not self.cycles else f", {_around(self.loops, self.cycles)}"),
             f"{100 * self.inside:.2f} % of the curve's length is inside the mesh",
             f"{self.fixed} of {self.live} meso-skeleton vertices fixed, {self.solve_steps} CG steps"
             + (f", {self.coarsened} vertices coarsened away before" if self.coarsened else ""),
@@ -101,6 +118,7 @@ class Report:
             lines.append(f"in {self.unsolved} iterations a linear solve stopped before it reached its tolerance")
         if self.figures:
             lines.append(", ".join(f"{name} {value:.4g}" for name, value in self.figures.items()))
+        lines += [f"in doubt: {doubt}" for doubt in self.doubts]
         lines += [f"repaired: {repair}" for repair in self.repairs]
         return lines + list(self.notes)
 
@@ -108,3 +126,19 @@ class Report:
 def _compare(found: int, what: str, expected: int, why: str) -> str:
     count = f"{found} {what}{'' if found == 1 else 's'}"
     return f"{count} {why}" if found == expected else f"{count}, EXPECTED {expected} {why}"
+
+
+def _around(loops: int, cycles: int) -> str:
+    return "around as many handles" if loops == cycles else f"around ONLY {loops} handle{'' if loops == 1 else 's'}"
+
+
+def loops_of(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray) -> dict[str, Any]:
+    """``loops`` and ``doubts`` of a curve ``(vertices (N, 3), edges (E, 2))`` in its solid, in the solid's units."""
+    found = loops.proof(shape, vertices, edges)
+    doubts = []
+    for closing, what in ((found.none, "goes around no handle"), (found.again, "goes only around handles of others")):
+        for a, b in edges[closing[:MOST_NAMED]].tolist():
+            doubts.append(f"the loop through nodes {a} and {b} {what}")
+        if len(closing) > MOST_NAMED:
+            doubts.append(f"so do {len(closing) - MOST_NAMED} more")
+    return {"loops": found.rank, "doubts": tuple(doubts)}

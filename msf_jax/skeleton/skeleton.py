@@ -18,7 +18,7 @@ from msf_jax.host.curve.branches import Branch
 from msf_jax.skeleton import slopes
 from msf_jax.skeleton.formats import export
 from msf_jax.skeleton.pictures import page, panels, segmentation
-from msf_jax.skeleton.report import Report
+from msf_jax.skeleton.report import Report, loops_of
 from msf_jax.skeleton.source import Source
 
 if TYPE_CHECKING:
@@ -143,6 +143,7 @@ class Skeleton:
         report = replace(
             self.report,
             cycles=0,
+            loops=0 if self.report.loops is not None else None,
             cut=self.report.cut + len(gone),
             inside=self._inside(self.vertices, edges, self.radii),
             notes=(*self.report.notes, note),
@@ -232,9 +233,11 @@ class Skeleton:
         """
         edges = finishing.in_order(edges)
         components, cycles = branches.cycle_count(len(vertices), edges)
-        report = replace(self.report, components=components, cycles=cycles, figures={})
+        report = replace(self.report, components=components, cycles=cycles, loops=None, figures={})
         if self.source is not None:
-            radii = self.source.solid.radii(vertices)
+            solid = self.source.solid
+            radii = solid.radii(vertices)
+            report = replace(report, **loops_of(solid.shape, solid.enter(vertices), edges))
             report = replace(report, inside=self._inside(vertices, edges, radii))
         else:  # the largest ball inside one that is known
             away = np.linalg.norm(vertices[:, None] - self.vertices, axis=2)

@@ -4,10 +4,12 @@ The flow carries on its edges which loops of the surface vanish in the solid, so
 But where its nodes come to be is another matter: on a coarse or thin solid they slide across holes, and a cycle may go
 around nothing in space. A cycle that goes around no handle, or around none but those that others go around already, is
 cut at its longest edge. For a handle that is left, the shortest path inside that leads from the curve around it and
-back to the curve is added. It is found as the shortest loops of a surface are (Erickson, Whittlesey 2005): every edge of
-a roadmap of the solid (see `passages`) closes one loop with a forest of shortest paths from the curve; the shortest is
-taken whose linking numbers do not depend on those of the loops that are there.
+back to the curve is added. It is found as the shortest loops of a surface are (Erickson, Whittlesey 2005): every edge
+of a roadmap of the solid (see `passages`) closes one loop with a forest of shortest paths from the curve; the shortest
+is taken whose linking numbers do not depend on those of the loops that are there.
 """
+
+from typing import NamedTuple
 
 import numpy as np
 
@@ -41,6 +43,24 @@ class Span:
         self._rows = np.concatenate([self._rows, left[None] * pow(int(left[pivot]), -1, PRIME) % PRIME])
         self._pivots.append(pivot)
         return True
+
+
+class Proof(NamedTuple):
+    """rank: independent handles of the solid that a curve's cycles go around. none, again: (k,) edges of the curve,
+    each in a cycle that goes around no handle, or only around handles that the cycles before it go around."""
+
+    rank: int
+    none: np.ndarray
+    again: np.ndarray
+
+
+def proof(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray) -> Proof:
+    """Which cycles of the curve ``(vertices (N, 3), edges (E, 2))`` go around handles of the solid ``shape``."""
+    closing, windings = shape.handles().windings(vertices, edges)
+    span = Span(windings.shape[1])
+    adds = np.array([span.adds(winding) for winding in windings], dtype=bool)
+    is_zero = ~windings.any(axis=1)
+    return Proof(int(adds.sum()), closing[is_zero], closing[~adds & ~is_zero])
 
 
 def independent(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray) -> np.ndarray:

@@ -29,6 +29,7 @@ LARGER = 3  # of each larger size
 FAR = 3.0  # times the sum of their radii: balls that are farther apart than that are no neighbours
 JOINING = 2  # edges out of a part that are looked at in the first round of joining, twice as many in every next
 MOST_LOOKS = 15_000  # that joining may take, for a curve
+MOST_LOOKS_FOR_LOOPS = 60_000  # that the search for missing loops may take, once
 REACHES = (2.0, 6.0)  # times the length of an edge: so long a way over a ball may be, at first and then
 TRIES = 8  # ways over edges that nobody has looked at, before such edges are left out
 UNSEEN = 3.0  # times as long as it is counts an edge that nobody has looked at
@@ -99,8 +100,7 @@ class Passages:
         node_of_end = np.flatnonzero(is_used)
         graph = self._graph(x[node_of_end])
         if is_complete:
-            graph.look_at_all(MOST_LOOKS - self.num_looks)
-            self.num_looks += graph.num_looks
+            graph.look_at_all(MOST_LOOKS_FOR_LOOPS)
             self._links = graph.links_of_balls()
         is_open, first, handles = graph.links.is_open, graph.first_end, self.shape.handles()
         tail, head, cost = (field[is_open] for field in (graph.links.tail, graph.links.head, graph.links.cost))
@@ -207,8 +207,7 @@ class _Graph:
     def look_at_all(self, most: int) -> None:
         """Look at all edges, those between balls that are near each other first, ``most`` of them."""
         unseen = np.flatnonzero(~self.links.is_seen)
-        self.num_looks = min(len(unseen), max(most, 0))
-        self._look(unseen[np.argsort(self.links.gap[unseen], kind="stable")[: self.num_looks]])
+        self._look(unseen[np.argsort(self.links.gap[unseen], kind="stable")[:most]])
 
     def _look(self, edge: np.ndarray) -> bool:
         """Look if these edges are inside, and whether all are."""

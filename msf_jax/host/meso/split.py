@@ -68,18 +68,23 @@ def split_obtuse_edges(
         a, b = np.concatenate([a[waits], around_a]), np.concatenate([b[waits], around_b])
 
 
-def split_long_edges(meso: Meso, longest: float, *, check: bool = False) -> None:
-    """Halve every edge longer than ``longest``, longest first, until none is left."""
+def split_long_edges(meso: Meso, longest: float | np.ndarray, *, check: bool = False) -> None:
+    """Halve every edge longer than ``longest``, longest first, until none is left.
+
+    A limit for each vertex (n,) holds for an edge by the mean of its ends', and a new vertex has that mean.
+    """
     euler = manifold.euler_characteristic(meso.rings) if check else 0
+    limit = np.broadcast_to(np.asarray(longest, dtype=np.float64), meso.num_rows)
     while True:
         a, b = ring_tables.edges_from_rings(meso.rings)
-        length = edge_lengths(meso.positions, a, b)
-        is_long = length > longest
-        a, b, length = a[is_long], b[is_long], length[is_long]
+        excess = edge_lengths(meso.positions, a, b) * 2 / (limit[a] + limit[b])
+        is_long = excess > 1
+        a, b, excess = a[is_long], b[is_long], excess[is_long]
         left, right = ring_tables.apexes(meso.rings, meso.degree, a, b)
-        chosen = _disjoint(np.stack([a, b, left, right], axis=1), shortest_first(a, b, -length, longest), meso.num_rows)
+        chosen = _disjoint(np.stack([a, b, left, right], axis=1), shortest_first(a, b, -excess, 1.0), meso.num_rows)
         if len(chosen) == 0:
             return
+        limit = np.concatenate([limit, (limit[a] + limit[b])[chosen] / 2])
         split_edges(meso, a[chosen], b[chosen], np.full(len(chosen), 0.5))
         if check:
             manifold.check_closed_manifold(meso.rings, euler)

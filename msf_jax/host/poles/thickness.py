@@ -10,12 +10,16 @@ from scipy import sparse, spatial
 from scipy.sparse import csgraph
 
 from msf_jax.host.poles.balls import shrinking_balls
+from msf_jax.host.solid.enclosure import Enclosure
 from msf_jax.host.solid.geometry import unit, vertex_normals
 
 THIN = 0.005  # diagonals: a limb of a larger radius is not thin
 SLOPE = 0.25  # right angles, whose balls shrink to nothing, do not make a solid thin
 THINNEST = 0.02  # of `THIN`: the frame's resolution is a hundredth of that
 SAMPLED, MANY = 8, 30_000  # of so many vertices one is asked first, where there are more than that
+LENGTH = 2.0  # radii of a limb: edges of a coarse surface that are longer hide where the limb is
+AROUND = 16  # samples of the surface near a point, of whose balls the largest tells how thick the solid is there
+MOST_SAMPLES = 20_000
 FEW = 0.01  # of the vertices: a solid of which no more is thin is taken as it always was
 
 
@@ -37,6 +41,18 @@ def scales(vertices: np.ndarray, faces: np.ndarray) -> np.ndarray | None:
         if (radius < THIN).mean() <= FEW:
             return None
     return np.clip(radius / THIN, THINNEST, 1.0)
+
+
+def edge_lengths(shape: Enclosure, points: np.ndarray) -> np.ndarray:
+    """(P,) how long an edge at each of ``points`` (P, 3) of a surface of diagonal 1 may be for the flow to see its limb.
+
+    Balls that touch samples of the surface, between its vertices, too, tell how thick the solid is near by.
+    """
+    samples, normals = shape.surface_points(MOST_SAMPLES)
+    tree = spatial.KDTree(samples)
+    radius = shrinking_balls(samples, normals, tree, 2 * THIN, 1.0, np.arange(len(samples))).radius
+    away, near = tree.query(points, k=min(AROUND, len(samples)))
+    return LENGTH * (radius[near] - SLOPE * away).max(axis=1, initial=0.0)
 
 
 def _radii(vertices: np.ndarray, faces: np.ndarray, some: np.ndarray, radius: np.ndarray) -> np.ndarray:

@@ -127,10 +127,6 @@ class Handles:
         np.add.at(found, segment, sign * self._value[edge])
         return found
 
-    def rank(self, vertices: np.ndarray, edges: np.ndarray) -> int:
-        """How many independent handles the cycles of the curve ``(vertices (N, 3), edges (E, 2))`` go around."""
-        return int(np.linalg.matrix_rank(self.windings(vertices, edges)[1])) if self.genus else 0
-
     def windings(
         self, vertices: np.ndarray, edges: np.ndarray, length: np.ndarray | None = None
     ) -> tuple[np.ndarray, np.ndarray]:
