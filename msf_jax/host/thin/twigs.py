@@ -77,9 +77,7 @@ def _is_explained(shape: Enclosure, radius: np.ndarray, vertices: np.ndarray, ed
     return away <= EXPLAINED * np.maximum(radius, np.concatenate([clear, room[row]])[near])
 
 
-def _waves(
-    points: np.ndarray, centres: np.ndarray, beside: sparse.csr_matrix, is_left: np.ndarray
-) -> Rings:
+def _waves(points: np.ndarray, centres: np.ndarray, beside: sparse.csr_matrix, is_left: np.ndarray) -> Rings:
     """Rings of the waves over what is left of ``points`` (V, 3), from its borders on.
 
     The middle of a ring is the mean of the balls' ``centres`` (V, 3), but of its points where it is the last.
