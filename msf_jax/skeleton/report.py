@@ -9,7 +9,6 @@ import numpy as np
 from msf_jax.host.curve import loops
 from msf_jax.host.solid.enclosure import Enclosure
 
-
 MOST_NAMED = 5  # loops that go around nothing, in a report
 SENTENCES = ("doubts", "repairs", "notes")
 

@@ -63,7 +63,8 @@ class Job(NamedTuple):
     """What a pass may ask.
 
     shape: the solid, of diagonal 1. rough: much the same of fewer triangles, good enough to find the middle of.
-    prune: slenderness below which branches are pruned, 0 for none (see `limbs`). is_thin: whether limbs of the solid are (see `poles.thickness`).
+    prune: slenderness below which branches are pruned, 0 for none (see `limbs`). is_thin: whether limbs of the solid
+    are (see `poles.thickness`).
     passages: ways through the solid. budget: of all centring.
     """
 
@@ -136,8 +137,8 @@ def finish(
     Of a solid too coarse for the flow waves make another curve (see `thin.course`), if both steps are wanted and no
     node is held.
 
-    ``prune`` is the slenderness below which branches are pruned; ``centre`` and ``extend`` switch those steps. ``is_thin``
-    says that it has thin limbs, which the curve may have missed. ``is_tangle`` says that the flow has left a tangle,
+    ``prune`` is the slenderness below which branches are pruned; ``centre`` and ``extend`` switch those steps.
+    ``is_thin`` says that it has thin limbs, which the curve may have missed. ``is_tangle`` says that the flow has left a tangle,
     which no pass can mend: it stays as it is, unless waves make a curve. ``rough`` is much the same surface of fewer
     triangles, which is good enough to find the middle of. ``first`` is a pass that comes before all others, and may say
     where the flow's nodes are to be.

@@ -1,27 +1,31 @@
 """Which branches of a curve are limbs of the solid: how far each reaches out, over its own half width across.
 
 A plane across a branch cuts the solid in a section, and half of the section's largest extent is how wide the limb is
-there: the radius of a tube, half the width of an ear or a blade, however thin those are. Where the section holds another
-part of the curve, the two are in one limb or in one sheet, and that place says nothing for a limb of its own. So the
-*slenderness* of a branch that ends in a leaf is
+there: the radius of a tube, half the width of an ear or a blade, however thin those are. Where the section holds
+another part of the curve, the two are in one limb or in one sheet, and that place says nothing for a limb of its own.
+So the *slenderness* of a branch that ends in a leaf is
 
-    max over s of  (own length from the end of the limb to s) / (largest half width from the end to s),
+    max over s of  (integral of w from the end of the limb to s) / (largest w from the end to s)^2,
 
-where own length counts only places whose section holds nothing else of the curve. A finger has 4 to 8, a cylinder that
-sticks out by h from a larger body h / radius, a cone with half an angle a at its tip 1 / tan a, a corner of a cube 0.8,
-of a flat plate 1. All branches are kept or pruned by that one number; of equal ones the order of nodes decides.
+where w is the half width, and counts in the integral only where the section holds nothing else of the curve. It is the
+length of a limb of constant width that covers as much, over its half width: of a cylinder that sticks out by h from a
+larger body h / radius, of a cone or a wedge with the angle 2 a at its tip 1 / (2 tan a). A finger has 4 to 8, half a
+disc on a rim, or half a ball on a wall, pi / 4, the corner of a square plate 0.5, that of a cube 0.4. All branches are
+kept or pruned by that one number; of equal ones the order of nodes decides.
 
 It is related to the erosion thickness of a medial axis (Yan, Sykes, Chambers, Letscher, Ju 2016), which tells how far a
 part of the solid reaches against its thickness; here it is against its width, so that a sheet is one limb.
 """
 
 import heapq
+import itertools
 from typing import NamedTuple
 
 import numpy as np
 from scipy import spatial
 
 from msf_jax.host.curve import ways
+from msf_jax.host.curve.branches import Branch, trace
 from msf_jax.host.solid import sections
 from msf_jax.host.solid.enclosure import Enclosure
 from msf_jax.host.solid.geometry import repeated, unit
@@ -140,7 +144,7 @@ class Pruning:
         for node, edge in zip(limbs.node.tolist(), limbs.edge.tolist(), strict=True):
             self._through.setdefault(node, set()).add(edge)
             self._sections.setdefault(edge, []).append(node)
-        self._width = np.nan_to_num(limbs.width).tolist()
+        self._width = np.where(np.isnan(limbs.width), limbs.radius, limbs.width).tolist()
         self._radius = limbs.radius.tolist()
         self._ahead = limbs.ahead.tolist()
 
@@ -162,22 +166,27 @@ class Pruning:
         """Of the branch from a leaf on; infinite if it does not end in a junction."""
         if len(self._beside[nodes[-1]]) < 3:
             return np.inf
-        own = {self._beside[a][b] for a, b in zip(nodes[:-1], nodes[1:], strict=True)}
-        half = [self._length[self._beside[a][b]] / 2 for a, b in zip(nodes[:-1], nodes[1:], strict=True)]
-        length, width, most = self._ahead[nodes[0]], 0.0, 0.0
+        own = {self._beside[a][b] for a, b in itertools.pairwise(nodes)}
+        half = [self._length[self._beside[a][b]] / 2 for a, b in itertools.pairwise(nodes)]
+        # A section that is wide, or narrow, at one node only is cut askew: the median of three does not see it.
+        near = [self._width[node] for node in (nodes[0], *nodes[:-1], nodes[-2])]
+        widths = [sorted(near[place : place + 3])[1] for place in range(len(nodes) - 1)]
+        width = widths[0]
+        length, area, most = self._ahead[nodes[0]], self._ahead[nodes[0]] * width / 2, 0.0
         least = LEAST_SHARE * self._radius[nodes[-1]]
         for place, node in enumerate(nodes[:-1]):
-            width = max(width, self._width[node] or self._radius[node])
+            width = max(width, widths[place], 1e-12)
             if self._through.get(node, own) <= own:
-                length += half[place] + (half[place - 1] if place else 0.0)
+                step = half[place] + (half[place - 1] if place else 0.0)
+                length, area = length + step, area + step * widths[place]
             if length >= least:
-                most = max(most, length / max(width, 1e-300))
+                most = max(most, area / width**2)
         return most
 
     def take_away(self, nodes: list[int]) -> set[int]:
         """Take a branch away, but for its junction; the leaves whose slenderness may be another now."""
         touched = {nodes[-1]}
-        for a, b in zip(nodes[:-1], nodes[1:], strict=True):
+        for a, b in itertools.pairwise(nodes):
             edge = self._beside[a].pop(b)
             self._beside[b].pop(a)
             for node in self._sections.get(edge, ()):
@@ -199,10 +208,17 @@ class Pruning:
         return [*found, *([node] if len(self._beside[node]) == 1 else [])]
 
 
-def slendernesses(vertices: np.ndarray, edges: np.ndarray, limbs: Limbs) -> dict[int, float]:
-    """The slenderness of the branch of each leaf."""
+def measure(vertices: np.ndarray, edges: np.ndarray, limbs: Limbs, share: np.ndarray | None = None) -> list[Branch]:
+    """The branches of a curve ``(vertices (N, 3), edges (E, 2))``; ``share`` (N,) of the mesh's area by node."""
     pruning = Pruning(vertices, edges, limbs)
-    return {leaf: pruning.slenderness(pruning.branch(leaf)) for leaf in pruning.leaves()}
+    degree, found = np.bincount(edges.ravel(), minlength=len(vertices)), []
+    for nodes in trace(len(vertices), edges):
+        length = float(np.linalg.norm(np.diff(vertices[nodes], axis=0), axis=1).sum())
+        own = np.array(sorted({node for node in nodes if degree[node] < 3}), dtype=np.int64)
+        leaf = next((node for node in (nodes[0], nodes[-1]) if degree[node] == 1), None)
+        slenderness = np.inf if leaf is None else pruning.slenderness(pruning.branch(leaf))
+        found.append(Branch(nodes, length, slenderness, np.nan if share is None else float(share[own].sum())))
+    return found
 
 
 def prune(

@@ -266,7 +266,7 @@ def _ascent(before: np.ndarray, last: int) -> list[int]:
 
 
 def _along(before: np.ndarray, tail: np.ndarray, head: np.ndarray, value: np.ndarray) -> np.ndarray:
-    """(B,) the sum of ``value`` (L,) over the edges from ``tail`` to ``head`` (L,) on the way from a root to each ball."""
+    """(B,) the sum of ``value`` (L,) over the edges from ``tail`` to ``head`` (L,), from a root to each ball."""
     above, total = np.where(before < 0, np.arange(len(before)), before), np.zeros(len(before), dtype=np.int64)
     in_tree = before[head] == tail
     total[head[in_tree]] = value[in_tree]
