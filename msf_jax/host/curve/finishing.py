@@ -331,9 +331,7 @@ def extended(draft: Draft, job: Job) -> Draft:
 
 def completed(draft: Draft, job: Job) -> Draft:
     """With the thin limbs that the flow has lost."""
-    if not job.is_thin:
-        return draft
-    return draft.changed(*twigs.grow(job.shape, draft.vertices, draft.edges))
+    return draft.changed(*twigs.grow(job.rough, draft.vertices, draft.edges))
 
 
 def laid_together(draft: Draft, job: Job) -> Draft:
