@@ -55,7 +55,7 @@ def curve_of(state: State, meso: Meso, config: Config, watch: Stopwatch) -> Part
             nodes,
             found.edges,
             is_held,
-            persistence=config.prune,
+            prune=config.prune,
             centre=config.centre,
             extend=config.extend_tips,
             is_thin=meso.scale is not None,

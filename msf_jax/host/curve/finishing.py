@@ -13,15 +13,13 @@ from typing import NamedTuple
 import numpy as np
 from scipy import spatial
 
-from msf_jax.host.curve import branches, centring, containment, loops, resampling, tips, twigs
+from msf_jax.host.curve import branches, centring, containment, limbs, loops, resampling, tips
 from msf_jax.host.curve.passages import Passages
-from msf_jax.host.solid import sheets
 from msf_jax.host.solid.enclosure import Enclosure
-from msf_jax.host.thin import course
+from msf_jax.host.thin import course, twigs
 
 SPACING = 0.5  # radii, between the nodes of a finished curve
 MOST_NODES = 5_000  # that this may take, or they are farther apart
-EARLY = 0.75  # of what a branch has to reach out, before its tip is carried on to the end of its limb
 SHARPEST = 40.0  # degrees, that a finished branch turns at a node
 FIRST_ROUNDS = 2  # of centring, before it is decided what to prune; tips, too, set out from there
 
@@ -66,13 +64,13 @@ class Job(NamedTuple):
     """What a pass may ask.
 
     shape: the solid, of diagonal 1. rough: much the same of fewer triangles, good enough to find the middle of.
-    persistence: that below which branches are pruned. is_thin: whether limbs of the solid are (see `poles.thickness`).
+    prune: slenderness below which branches are pruned, 0 for none (see `limbs`). is_thin: whether limbs of the solid are (see `poles.thickness`).
     passages: ways through the solid. budget: of all centring.
     """
 
     shape: Enclosure
     rough: Enclosure
-    persistence: float
+    prune: float
     is_thin: bool
     passages: Passages
     budget: centring.Budget
@@ -107,9 +105,8 @@ def passes(centre: bool, extend: bool) -> list[Callable[[Draft, Job], Draft]]:
         # What to prune is decided on a curve that is centred.
         *([unfolded, placed, partial(centred, rounds=FIRST_ROUNDS, is_rough=True), unfolded] if centre else []),
         merged,
-        cornerless,
-        partial(pruned, allowance=EARLY if extend else 1.0),
         *([refined] if centre else []),
+        pruned,
         *([extended] if extend else []),
         *([partial(centred, hold_leaves=extend)] if centre else []),
         *([completed, pruned] if extend else []),
@@ -127,7 +124,7 @@ def finish(
     edges: np.ndarray,
     is_held: np.ndarray,
     *,
-    persistence: float,
+    prune: float,
     centre: bool,
     extend: bool,
     is_thin: bool = False,
@@ -140,7 +137,7 @@ def finish(
     Of a solid too coarse for the flow waves make another curve (see `thin.course`), if both steps are wanted and no
     node is held.
 
-    ``persistence`` is that below which branches are pruned; ``centre`` and ``extend`` switch those steps. ``is_thin``
+    ``prune`` is the slenderness below which branches are pruned; ``centre`` and ``extend`` switch those steps. ``is_thin``
     says that it has thin limbs, which the curve may have missed. ``is_tangle`` says that the flow has left a tangle,
     which no pass can mend: it stays as it is, unless waves make a curve. ``rough`` is much the same surface of fewer
     triangles, which is good enough to find the middle of. ``first`` is a pass that comes before all others, and may say
@@ -149,7 +146,7 @@ def finish(
     job = Job(
         shape,
         shape if rough is None else rough,
-        persistence,
+        prune,
         is_thin,
         Passages(shape, containment.is_inside),
         centring.Budget(),
@@ -186,7 +183,7 @@ def _of_waves(laid: course.Course, nodes: np.ndarray, job: Job) -> Finished:
     for each in (
         contained,
         looped,
-        partial(pruned, has_sheets=False),
+        pruned,
         unfolded,
         contained,
         laid_together,
@@ -287,7 +284,7 @@ def _around(draft: Draft, job: Job, x: np.ndarray) -> np.ndarray:
 
 def merged(draft: Draft, job: Job) -> Draft:
     """With one junction where several are well within one ball."""
-    if job.persistence <= 1:
+    if not job.prune:
         return draft
     x = draft.vertices
     stays, target, edges = branches.merge_junctions(
@@ -296,35 +293,12 @@ def merged(draft: Draft, job: Job) -> Draft:
     return _left(draft._replace(edges=edges), stays, target)
 
 
-def cornerless(draft: Draft, job: Job) -> Draft:
-    """Without the branches into blunt corners."""
-    if job.persistence <= 1:
+def pruned(draft: Draft, job: Job) -> Draft:
+    """Without the branches that are no limbs."""
+    if not job.prune:
         return draft
-    x = draft.vertices
-
-    def room(points: np.ndarray) -> np.ndarray:
-        return job.shape.about_clearance(points)[0]
-
-    return _left(draft, *branches.cut_corners(x, draft.edges, draft.is_held, room))
-
-
-def pruned(draft: Draft, job: Job, allowance: float = 1.0, has_sheets: bool = True) -> Draft:
-    """Without the branches that no limb is around, or that run in one sheet with another; limbs of one length are
-    treated alike.
-
-    ``allowance`` is the part of the threshold's excess over 1 that will do for branches that are not carried on to the
-    ends of their limbs yet. ``has_sheets`` says that the solid may have some, which takes looking.
-    """
-    if job.persistence <= 1:
-        return draft
-    x, e, least = draft.vertices, draft.edges, min(job.persistence, 1 + allowance * (job.persistence - 1))
-    radii = job.shape.approach(x)[0]
-    degree = np.bincount(e.ravel(), minlength=len(x))
-    flats = None
-    if has_sheets:
-        flats = sheets.flats_of(x, radii, degree, lambda nodes: sheets.discs(job.rough, x[nodes], radii[nodes]))
-    is_held = draft.is_held | branches.equals(x, e, radii, least, flats)
-    return _left(draft, *branches.prune(x, e, radii, least, is_held, flats))
+    x, e = draft.vertices, draft.edges
+    return _left(draft, *limbs.prune(x, e, limbs.limbs_of(job.rough, x, e), job.prune, draft.is_held))
 
 
 def _left(draft: Draft, stays: np.ndarray, target: np.ndarray) -> Draft:

@@ -18,18 +18,22 @@ from msf_jax.host.solid.enclosure import Enclosure
 from msf_jax.host.solid.geometry import unit, vertex_normals
 
 EXPLAINED = 2.0  # radii, that the curve is away from a vertex at most
-SLENDER = 2.0  # radii, that a limb is longer than
+SLENDER = 2.0  # half widths across, that a limb is longer than
 ROUNDS = 2  # the second one finds what a limb of the first has hidden
 SPACING = 0.5  # radii, between the points that stand for the curve
 MOST_POINTS = 100  # of these on an edge
 
 
 class Rings(NamedTuple):
-    """Rings of the waves. parent: (R,) the ring before each, -1 for one at a border. middle: (R, 3). radius: (R,)."""
+    """Rings of the waves. parent: (R,) the ring before each, -1 for one at a border. middle: (R, 3).
+
+    width: (R,) root mean square distance of a ring's vertices from their centroid: its radius around a limb, and about
+    a third of its length in a sheet, however thin that is.
+    """
 
     parent: np.ndarray
     middle: np.ndarray
-    radius: np.ndarray
+    width: np.ndarray
 
 
 def grow(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -41,7 +45,7 @@ def grow(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray) -> tuple[np.
     beside = _neighbours(shape.faces, len(x))
     for _ in range(ROUNDS):
         is_left = (radius < thickness.THIN) & ~_is_explained(shape, radius, vertices, edges)
-        rings = _waves(x, x - radius[:, None] * normals, radius, beside, is_left)
+        rings = _waves(x, x - radius[:, None] * normals, beside, is_left)
         new = np.flatnonzero(_is_limb(rings))
         number = np.full(len(rings.parent), -1)
         number[new] = len(vertices) + np.arange(len(new))
@@ -73,9 +77,7 @@ def _is_explained(shape: Enclosure, radius: np.ndarray, vertices: np.ndarray, ed
     return away <= EXPLAINED * np.maximum(radius, np.concatenate([clear, room[row]])[near])
 
 
-def _waves(
-    points: np.ndarray, centres: np.ndarray, radius: np.ndarray, beside: sparse.csr_matrix, is_left: np.ndarray
-) -> Rings:
+def _waves(points: np.ndarray, centres: np.ndarray, beside: sparse.csr_matrix, is_left: np.ndarray) -> Rings:
     """Rings of the waves over what is left of ``points`` (V, 3), from its borders on.
 
     The middle of a ring is the mean of the balls' ``centres`` (V, 3), but of its points where it is the last.
@@ -104,7 +106,9 @@ def _waves(
 
     is_last = np.bincount(parent[parent >= 0], minlength=num) == 0
     on_surface, inside = (np.stack([mean(axis) for axis in each.T], axis=1) for each in (points, centres))
-    return Rings(parent, np.where(is_last[:, None], on_surface, inside), mean(radius))
+    away = np.zeros(len(points))
+    away[mine] = ((points[mine] - on_surface[ring]) ** 2).sum(axis=1)
+    return Rings(parent, np.where(is_last[:, None], on_surface, inside), np.sqrt(mean(away)))
 
 
 def _is_limb(rings: Rings) -> np.ndarray:
@@ -120,7 +124,7 @@ def _is_limb(rings: Rings) -> np.ndarray:
         above = int(rings.parent[ring])
         if above >= 0 and (first[above] < 0 or reach[ring] > reach[above]):
             reach[above], first[above] = reach[ring], ring
-    is_limb = reach > SLENDER * rings.radius
+    is_limb = reach > SLENDER * rings.width
     for ring in order.tolist():
         above = int(rings.parent[ring])
         if above >= 0:
