@@ -11,7 +11,7 @@ import msf_jax
 from msf_jax import Config, ground_truth, metrics
 from msf_jax.host.curve import centring, containment, finishing, loops, resampling, tips, ways
 from msf_jax.host.curve.branches import cycle_count
-from msf_jax.host.curve.passages import Passages
+from msf_jax.host.poles.passages import Passages
 from msf_jax.host.solid.enclosure import Enclosure
 
 

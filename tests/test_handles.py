@@ -15,8 +15,8 @@ from msf_jax import Config, ground_truth, metrics, shapes
 from msf_jax.host.curve import loops
 from msf_jax.host.curve.branches import cycle_count
 from msf_jax.host.curve.containment import is_inside
-from msf_jax.host.curve.passages import Passages
 from msf_jax.host.meso import homology
+from msf_jax.host.poles.passages import Passages
 from msf_jax.host.solid import handles as handles_module
 from msf_jax.host.solid.enclosure import Enclosure
 from msf_jax.host.solid.handles import Handles, along_forest, shortest_forest, surface_loops

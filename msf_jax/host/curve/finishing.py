@@ -14,7 +14,7 @@ import numpy as np
 from scipy import spatial
 
 from msf_jax.host.curve import branches, centring, containment, limbs, loops, resampling, tips
-from msf_jax.host.curve.passages import Passages
+from msf_jax.host.poles.passages import Passages
 from msf_jax.host.solid.enclosure import Enclosure
 from msf_jax.host.thin import course, twigs
 
