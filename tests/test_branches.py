@@ -2,6 +2,7 @@
 
 from itertools import pairwise
 
+import manifold3d
 import networkx as nx
 import numpy as np
 import pytest
@@ -18,8 +19,11 @@ from msf_jax.host.curve.branches import (
     prune,
     trace,
 )
+from msf_jax.host.solid.handles import Handles
 
 NONE = np.empty((0, 2), dtype=np.int64)
+FOUR = np.array([[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]])
+NO_HANDLES = Handles(50.0 * np.array([[0.0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]) - 10, FOUR)  # a tetrahedron
 
 
 def chain(*nodes: int) -> list[tuple[int, int]]:
@@ -474,19 +478,19 @@ def test_junctions_in_one_ball_are_one():
     edges = as_edges(chain(0, 1, 2, 3) + [(0, 4), (0, 5), (1, 6), (2, 7), (2, 8), (3, 9), (3, 10)])
     radii = np.r_[1.0, 0.9, 0.8, 1.0, np.ones(8)]
     free = np.zeros(len(vertices), dtype=bool)
-    stays, target, left = merge_junctions(vertices, edges, radii, free)
+    stays, target, left = merge_junctions(vertices, edges, radii, free, NO_HANDLES)
     assert np.flatnonzero(~stays).tolist() == [1, 2] and target[:4].tolist() == [0, 0, 0, 3]
     assert sorted(map(tuple, left.tolist())) == [(0, k) for k in range(3, 9)] + [(3, 9), (3, 10)]
     held = free.copy()
     held[2] = True
-    assert np.flatnonzero(~merge_junctions(vertices, edges, radii, held)[0]).tolist() == [1]
+    assert np.flatnonzero(~merge_junctions(vertices, edges, radii, held, NO_HANDLES)[0]).tolist() == [1]
 
 
 def test_a_loop_in_one_ball_stays():
     """Two ways between two junctions: one of them would be lost."""
     vertices = np.array([[0, 0, 0], [0.2, 0, 0], [0.1, 0.1, 0], [0.1, -0.1, 0], [-2, 0, 0], [2, 0, 0]], float)
     edges = as_edges(chain(0, 2, 1) + chain(0, 3, 1) + [(0, 4), (1, 5)])
-    stays, _, left = merge_junctions(vertices, edges, np.ones(6), np.zeros(6, dtype=bool))
+    stays, _, left = merge_junctions(vertices, edges, np.ones(6), np.zeros(6, dtype=bool), NO_HANDLES)
     assert stays.all() and len(left) == len(edges)
 
 
@@ -496,9 +500,25 @@ def test_of_two_near_pairs_only_the_one_without_a_loop_is_merged():
     triangle = np.array([[9, 0, 0], [9.2, 0, 0], [9.1, 0.2, 0], [8, 0, 0], [11, 0, 0], [9.1, 3, 0]], float)
     edges = as_edges([(0, 1), (0, 2), (0, 3), (1, 4), (1, 5), (6, 7), (7, 8), (6, 8), (6, 9), (7, 10), (8, 11)])
     free = np.zeros(12, dtype=bool)
-    stays, _, left = merge_junctions(np.concatenate([vertices, triangle]), edges, np.ones(12), free)
+    stays, _, left = merge_junctions(np.concatenate([vertices, triangle]), edges, np.ones(12), free, NO_HANDLES)
     assert np.flatnonzero(~stays).tolist() == [1]
     assert len(left) == len(edges) - 1
+
+
+@pytest.mark.parametrize(("holes", "num_left"), [([1.3], 6), ([0.7, 1.3], 7)])
+def test_junctions_are_not_merged_across_a_hole(holes, num_left):
+    """Of a triangle around a hole, with a tail that forks: its corner may go to the fork, but not over another hole."""
+    plate = manifold3d.Manifold.cube([8, 8, 1], True)
+    for x in holes:
+        plate -= manifold3d.Manifold.cylinder(2.0, 0.05, 0.05, 12, True).translate((x, 0.5, 0.0))
+    found = plate.to_mesh()
+    handles = Handles(found.vert_properties[:, :3].astype(float), found.tri_verts.astype(np.int64))
+    vertices = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [2, 0.5, 0], [-1, 1, 0], [-1, -1, 0], [3, 0.5, 0]], float)
+    edges = as_edges([(0, 1), (1, 2), (2, 3), (1, 3), (0, 4), (0, 5), (3, 6)])
+    radii = np.r_[1.5, 1.0, np.full(5, 0.1)]
+    stays, _, left = merge_junctions(vertices, edges, radii, np.zeros(7, dtype=bool), handles)
+    assert (stays.sum(), len(left)) == (num_left, num_left)
+    assert cycle_count(7, left)[1] == 1
 
 
 def test_equal_limbs_stay_together_and_no_other_is_held():

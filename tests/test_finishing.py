@@ -9,9 +9,9 @@ from scipy import spatial
 
 import msf_jax
 from msf_jax import Config, ground_truth, metrics
-from msf_jax.host.curve import centring, containment, finishing, resampling, tips, ways
+from msf_jax.host.curve import centring, containment, finishing, loops, resampling, tips, ways
 from msf_jax.host.curve.branches import cycle_count
-from msf_jax.host.curve.passages import Passages
+from msf_jax.host.poles.passages import Passages
 from msf_jax.host.solid.enclosure import Enclosure
 
 
@@ -121,21 +121,44 @@ def test_a_loop_around_a_hole_is_not_folded_flat():
     np.testing.assert_allclose(straight[3], (x[0] + x[1]) / 2, atol=1e-12)
 
 
+def job_of(shape):
+    """What a pass may ask of the solid ``shape``."""
+    return finishing.Job(shape, shape, 1.5, False, Passages(shape, containment.is_inside), centring.Budget())
+
+
+def draft_of(x, edges):
+    """A curve as the flow leaves it, of which nothing is held."""
+    every = np.arange(len(x))
+    return finishing.Draft(x, edges, none_held(x), every, every, x, none_held(x))
+
+
+def loops_and_rank(shape, draft, job):
+    """How many cycles there are in space, and how many handles they go around."""
+    done = finishing.laid_together(draft, job)
+    return cycle_count(len(done.vertices), done.edges)[1], loops.proof(shape, done.vertices, done.edges).rank
+
+
+def bored(solid, at, radius):
+    """The mesh of a manifold3d solid with a hole along z drilled at (x, y)."""
+    drill = manifold3d.Manifold.cylinder(10.0, radius, radius, 12, True).translate((*at, 0.0))
+    found = (solid - drill).to_mesh()
+    return trimesh.Trimesh(found.vert_properties[:, :3].astype(float), found.tri_verts)
+
+
 @pytest.mark.parametrize("step", [finishing.unfolded, finishing.centred])
-def test_no_pass_folds_a_loop_flat(step):
-    """One that is inside a single ball, too: a handle that is smaller than that has no other."""
+@pytest.mark.parametrize("genus", [1, 0])
+def test_no_pass_folds_a_loop_flat(step, genus):
+    """One that is nearly inside a single ball, too, around a bore that is far finer than the limb; what goes around
+    nothing may be folded."""
     line = np.linspace([0, 0, 0], [2, 0, 0], 60)
-    shape, scale = unit_shape(tube(line))
+    rod = manifold3d.Manifold.cylinder(2.0, 0.15, 0.15, 16).rotate((0.0, 90.0, 0.0))
+    shape, scale = unit_shape(bored(rod, line[31, :2], 0.004) if genus else tube(line))
     axis = scale * line[[5, 30, 32]]
-    away = np.array([0, 0, 0.01])
+    away = np.array([0, 0.01, 0])
     x = np.concatenate([axis[:2], [axis[2] + away, axis[2] - away]])
-    edges = np.array([[0, 1], [1, 2], [2, 3], [1, 3]])
-    draft = finishing.Draft(x, edges, none_held(x), np.arange(4), np.arange(4), x, none_held(x))
-    for genus in (1, 0):  # a loop that no handle is behind may go
-        passages = Passages(shape, containment.is_inside)
-        job = finishing.Job(shape, shape, 1.5, False, passages, centring.Budget(), genus)
-        done = finishing.laid_together(step(draft, job), job)
-        assert cycle_count(len(done.vertices), done.edges) == (1, genus)
+    draft, job = draft_of(x, np.array([[0, 1], [1, 2], [2, 3], [1, 3]])), job_of(shape)
+    assert loops_and_rank(shape, draft, job) == (1, genus)
+    assert loops_and_rank(shape, step(draft, job), job) == (genus, genus)
 
 
 @pytest.mark.parametrize(
@@ -147,19 +170,27 @@ def test_no_pass_folds_a_loop_flat(step):
     ],
 )
 def test_loops_that_their_junctions_fold_are_put_back(x, edges, moved):
-    x, edges = np.array(x, dtype=float), np.array(edges)
-    flat = x.copy()
-    flat[moved] = [[0, 1, 0], [2, 1, 0]] if len(moved) == 2 else [[3, -1, 0]]
-    shape, _ = unit_shape(trimesh.creation.box())
-    job = finishing.Job(shape, shape, 1.5, False, Passages(shape, containment.is_inside), centring.Budget(), 1)
-    draft = finishing.Draft(x, edges, none_held(x), np.arange(len(x)), np.arange(len(x)), x, none_held(x))
+    """They go around a hole at (1, 0.4)."""
+    plate = manifold3d.Manifold.cube([8, 6, 1], True).translate((1.0, 0.0, 0.0))
+    shape, scale = unit_shape(bored(plate, (1.0, 0.4), 0.1))
+    x, flat = scale * np.array(x, dtype=float), scale * np.array(x, dtype=float)
+    flat[moved] = scale * np.array([[0, 1, 0], [2, 1, 0]] if len(moved) == 2 else [[3, -1, 0]])
+    draft, job = draft_of(x, np.array(edges)), job_of(shape)
+    assert loops_and_rank(shape, draft.changed(flat), job) == (0, 0)
+    assert loops_and_rank(shape, draft.changed(finishing._around(draft, job, flat)), job) == (1, 1)
 
-    def num_loops(place):
-        done = finishing.laid_together(draft.changed(place), job)
-        return cycle_count(len(done.vertices), done.edges)[1]
 
-    assert num_loops(flat) == 0
-    assert num_loops(finishing._apart(draft, job, flat)) == 1
+def test_a_loop_is_not_moved_over_a_hole():
+    """To the other side, where it would be as long as before, and a node beside it goes where it is to."""
+    plate = manifold3d.Manifold.cube([8, 6, 1], True).translate((1.0, 0.0, 0.0))
+    shape, scale = unit_shape(bored(plate, (1.0, 0.4), 0.1))
+    x = scale * np.array([[0, 0, 0], [2, 0, 0], [1, 1, 0], [-1, 0, 0]], dtype=float)
+    draft, job = draft_of(x, np.array([[0, 1], [1, 2], [0, 2], [0, 3]])), job_of(shape)
+    over = x + scale * np.array([[0, 0, 0], [0, 0, 0], [0, -1.5, 0], [0, 0.2, 0]])
+    assert loops_and_rank(shape, draft.changed(over), job) == (1, 0)
+    kept = finishing._around(draft, job, over)
+    assert loops_and_rank(shape, draft.changed(kept), job) == (1, 1)
+    np.testing.assert_array_equal(kept[3], over[3])
 
 
 @pytest.mark.parametrize("seed", range(5))
@@ -256,7 +287,7 @@ def test_junctions_go_to_the_middle_of_a_blob_but_not_along_a_trunk():
     assert np.linalg.norm(middle, axis=1).max() < 0.05 * scale
     x = np.concatenate([places, 1.2 * scale * np.eye(3)])
     edges = np.array([[0, 3], [0, 4], [0, 5]])
-    job = finishing.Job(shape, shape, 1.5, False, Passages(shape, containment.is_inside), centring.Budget(), 0)
+    job = job_of(shape)
     for is_held in (none_held(x), np.arange(6) == 0):
         draft = finishing.Draft(x, edges, is_held, np.arange(6), np.arange(6), x, none_held(x))
         place, is_hub = finishing.placed(draft, job)[5:7]

@@ -13,10 +13,10 @@ from msf_jax.flow import ending
 from msf_jax.flow.state import Iteration
 from msf_jax.host.curve import containment
 from msf_jax.host.curve.branches import cycle_count
-from msf_jax.host.curve.passages import Passages, inner_balls
 from msf_jax.host.meso import collapse, split
 from msf_jax.host.meso.meso import Meso
 from msf_jax.host.poles import balls, thickness
+from msf_jax.host.poles.passages import Passages, inner_balls
 from msf_jax.host.solid.enclosure import Enclosure
 from msf_jax.host.solid.geometry import unit, vertex_normals
 
@@ -133,7 +133,7 @@ def test_a_way_is_led_round_and_searches_are_bounded(monkeypatch):
     points = np.concatenate([ends[:1], way, ends[1:]])
     assert containment.is_inside(shape, points[:-1], points[1:]).all()
     assert passages.num_refused == 0
-    monkeypatch.setattr("msf_jax.host.curve.passages.VISITS", -1)
+    monkeypatch.setattr("msf_jax.host.poles.passages.VISITS", -1)
     refused = Passages(shape, containment.is_inside)
     assert not len(refused.ways(ends, np.array([[0, 1]]))[0])
     assert refused.num_refused == 1
@@ -173,8 +173,8 @@ def test_joining_has_a_bound(monkeypatch):
     one, other = trimesh.creation.box([0.4] * 3), trimesh.creation.box([0.1] * 3)
     other.apply_translation([0.26, 0, 0])
     both = trimesh.util.concatenate([one, other])
-    monkeypatch.setattr("msf_jax.host.curve.passages.FAR", 100.0)  # there are edges from one to the other
-    monkeypatch.setattr("msf_jax.host.curve.passages.MOST_LOOKS", -1)
+    monkeypatch.setattr("msf_jax.host.poles.passages.FAR", 100.0)  # there are edges from one to the other
+    monkeypatch.setattr("msf_jax.host.poles.passages.MOST_LOOKS", -1)
     passages = Passages(Enclosure(np.array(both.vertices), np.array(both.faces)), containment.is_inside)
     assert not len(passages.ways(np.array([[0.0, 0, 0], [0.26, 0, 0]]), np.array([[0, 1]]))[0])
     assert passages.num_refused == 1 and passages.num_closed == 0

@@ -95,7 +95,7 @@ def _skeleton(stitched: Stitched, checked: Surface, report: Report, source: Sour
     components, cycles = branches.cycle_count(len(vertices), edges)
     radii = solid.radii(vertices)
     inside = metrics.inside_fraction(solid.shape, solid.enter(vertices), edges, radii / solid.diagonal)
-    around = loops_of(solid.shape, solid.enter(vertices), edges)
+    around = loops_of(solid.shape, solid.enter(vertices), edges, node_of_vertex)
     report = replace(report, components=components, cycles=cycles, inside=inside, **around)
     return Skeleton(vertices, edges, radii, _map_of_input(checked, vertices, node_of_vertex), report, source)
 

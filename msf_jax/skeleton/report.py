@@ -70,7 +70,8 @@ class Report:
         """Converged, every component and cycle found and none too many, each cycle around a handle of its own, the
         curve at least 99 % inside, and no ``doubts``."""
         is_right = self.components == self.mesh_components and self.cycles + self.cut == self.genus
-        return self.converged and is_right and self.loops == self.cycles and self.inside >= 0.99 and not self.doubts
+        is_right &= self.loops == self.cycles or not self.cycles  # of no cycle there is nothing to prove
+        return self.converged and is_right and self.inside >= 0.99 and not self.doubts
 
     def to_dict(self) -> dict[str, Any]:
         """Plain values, for JSON or a table."""
@@ -131,11 +132,21 @@ def _around(loops: int, cycles: int) -> str:
     return "around as many handles" if loops == cycles else f"around ONLY {loops} handle{'' if loops == 1 else 's'}"
 
 
-def loops_of(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray) -> dict[str, Any]:
-    """``loops`` and ``doubts`` of a curve ``(vertices (N, 3), edges (E, 2))`` in its solid, in the solid's units."""
-    found = loops.proof(shape, vertices, edges)
+def loops_of(
+    shape: Enclosure, vertices: np.ndarray, edges: np.ndarray, node_of_vertex: np.ndarray | None = None
+) -> dict[str, Any]:
+    """``loops`` and ``doubts`` of a curve ``(vertices (N, 3), edges (E, 2))`` in its solid, in the solid's units.
+
+    ``node_of_vertex`` (V,) is the node that each vertex of the solid goes to, if that is known.
+    """
+    found = loops.proof(shape, vertices, edges, node_of_vertex)
     doubts = []
-    for closing, what in ((found.none, "goes around no handle"), (found.again, "goes only around handles of others")):
+    for closing, what in (
+        (found.none, "goes around no handle"),
+        (found.again, "goes only around handles of others"),
+        (found.several, "goes around a handle more than once"),
+        (found.outside, "leaves the solid"),
+    ):
         for a, b in edges[closing[:MOST_NAMED]].tolist():
             doubts.append(f"the loop through nodes {a} and {b} {what}")
         if len(closing) > MOST_NAMED:

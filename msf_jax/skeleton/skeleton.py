@@ -248,7 +248,9 @@ class Skeleton:
         if self.source is not None:
             solid = self.source.solid
             radii = solid.radii(vertices)
-            report = replace(report, **loops_of(solid.shape, solid.enter(vertices), edges))
+            of_input, vertex = node_of_old[self.mesh_map], self.source.input_of_vertex
+            followed = None if vertex is None else of_input[vertex]
+            report = replace(report, **loops_of(solid.shape, solid.enter(vertices), edges, followed))
             report = replace(report, inside=self._inside(vertices, edges, radii))
         else:  # the largest ball inside one that is known
             away = np.linalg.norm(vertices[:, None] - self.vertices, axis=2)

@@ -26,8 +26,8 @@ from scipy.sparse import linalg
 
 from msf_jax.host.curve import ways as measures
 from msf_jax.host.curve.containment import is_inside
-from msf_jax.host.curve.passages import TOUCHING
 from msf_jax.host.curve.ways import Way
+from msf_jax.host.poles.passages import TOUCHING
 from msf_jax.host.solid import sections
 from msf_jax.host.solid.enclosure import Enclosure
 from msf_jax.host.solid.geometry import unit

@@ -10,8 +10,8 @@ import itertools
 import numpy as np
 
 from msf_jax.host.curve import branches
-from msf_jax.host.curve.passages import TOUCHING, Passages
 from msf_jax.host.poles.balls import shrinking_balls
+from msf_jax.host.poles.passages import TOUCHING, Passages
 from msf_jax.host.solid import sections
 from msf_jax.host.solid.enclosure import Enclosure
 from msf_jax.host.solid.geometry import arc_length, barycentric, cross, unit

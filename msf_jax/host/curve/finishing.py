@@ -7,13 +7,14 @@ the finished curve.
 
 from collections.abc import Callable
 from functools import partial
+from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
 from scipy import spatial
 
 from msf_jax.host.curve import branches, centring, containment, limbs, loops, resampling, tips
-from msf_jax.host.curve.passages import Passages
+from msf_jax.host.poles.passages import Passages
 from msf_jax.host.solid.enclosure import Enclosure
 from msf_jax.host.thin import course, twigs
 
@@ -273,13 +274,13 @@ def _around(draft: Draft, job: Job, x: np.ndarray) -> np.ndarray:
     own, ways = handles.classes(before[a], before[b]), branches.trace(len(x), draft.edges)
     while True:
         moved = handles.classes(before, x)
-        is_bad = np.zeros(len(x), dtype=bool)
-        is_bad[draft.edges[handles.classes(x[a], x[b]) != own + moved[b] - moved[a]]] = True
+        is_bad = handles.classes(x[a], x[b]) != own + moved[b] - moved[a]
         if not is_bad.any():
             return x
-        stuck = [way for way in ways if is_bad[way].any()]
-        for nodes in stuck:
-            x[nodes] = before[nodes]
+        bad = {frozenset(edge) for edge in draft.edges[is_bad].tolist()}
+        for nodes in ways:
+            if not bad.isdisjoint(map(frozenset, pairwise(nodes))):
+                x[nodes] = before[nodes]
 
 
 def merged(draft: Draft, job: Job) -> Draft:

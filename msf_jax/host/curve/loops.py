@@ -12,55 +12,137 @@ is taken whose linking numbers do not depend on those of the loops that are ther
 from typing import NamedTuple
 
 import numpy as np
+from scipy import sparse
+from scipy.sparse import csgraph
 
 from msf_jax.host.curve.containment import is_inside
-from msf_jax.host.curve.passages import Passages
+from msf_jax.host.poles.passages import Passages
 from msf_jax.host.solid.enclosure import Enclosure
-from msf_jax.host.solid.handles import along_forest
+from msf_jax.host.solid.geometry import signed_volume
+from msf_jax.host.solid.handles import along_forest, shortest_forest
 
-PRIME = (
-    2**31 - 1
-)  # linking numbers are compared modulo that: the rank can come out too small, with a chance of 1 in 10^9
+PRIME = 2**31 - 1  # numbers are compared modulo that: a rank is too small if it divides a minor, which is unlikely
+FACTORS = (2, 3)  # modulo these, too, the rank of loops that each go around something once is the same
 AT_ONCE = 8  # loops that are laid in one round, at least; of many more a quarter
 
 
 class Span:
-    """The vectors that are combinations of some given ones, as far as integers modulo a prime tell."""
+    """The vectors that are combinations of some given ones, as far as integers modulo a ``prime`` tell."""
 
-    def __init__(self, size: int):
-        self._rows = np.empty((0, size), dtype=np.int64)  # in echelon form, each with a 1 at its pivot
+    def __init__(self, size: int, prime: int = PRIME):
+        self._prime = prime
+        self._rows = np.empty((0, size), dtype=np.int64)  # each has a 1 at its pivot, where all others have a 0
         self._pivots: list[int] = []
 
     def adds(self, vector: np.ndarray) -> bool:
         """Whether ``vector`` (size,) depends on none of those that were given before; then it is one of them."""
-        left = vector.astype(np.int64) % PRIME
-        for row, pivot in zip(self._rows, self._pivots, strict=True):
-            left = (left - left[pivot] * row) % PRIME
+        left = vector.astype(np.int64) % self._prime
+        left = (left - (left[self._pivots, None] * self._rows % self._prime).sum(axis=0)) % self._prime
         where = np.flatnonzero(left)
         if not len(where):
             return False
         pivot = int(where[0])
-        self._rows = np.concatenate([self._rows, left[None] * pow(int(left[pivot]), -1, PRIME) % PRIME])
+        left = left * pow(int(left[pivot]), -1, self._prime) % self._prime
+        self._rows = np.concatenate([(self._rows - self._rows[:, [pivot]] * left) % self._prime, left[None]])
         self._pivots.append(pivot)
         return True
 
 
 class Proof(NamedTuple):
-    """rank: independent handles of the solid that a curve's cycles go around. none, again: (k,) edges of the curve,
-    each in a cycle that goes around no handle, or only around handles that the cycles before it go around."""
+    """rank: independent handles of the solid that a curve's cycles go around.
+
+    none, again, several, outside: (k,) edges of the curve, each in a cycle that goes around no handle, or only around
+    handles that the cycles before it go around, or around one several times (twice, or once more than twice what those
+    before it do, say: then they are no basis of the solid's loops), or that leaves the solid, which proves nothing.
+    """
 
     rank: int
     none: np.ndarray
     again: np.ndarray
+    several: np.ndarray
+    outside: np.ndarray
 
 
-def proof(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray) -> Proof:
-    """Which cycles of the curve ``(vertices (N, 3), edges (E, 2))`` go around handles of the solid ``shape``."""
-    closing, windings = shape.handles().windings(vertices, edges)
-    span = Span(windings.shape[1])
-    adds = np.array([span.adds(winding) for winding in windings], dtype=bool)
-    is_zero = ~windings.any(axis=1)
-    return Proof(int(adds.sum()), closing[is_zero], closing[~adds & ~is_zero])
+def proof(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray, node_of_vertex: np.ndarray | None = None) -> Proof:
+    """Which cycles of the curve ``(vertices (N, 3), edges (E, 2))`` go around handles of the solid ``shape``.
+
+    Where that has several components, which may overlap, each part of the curve is asked about its own: the one whose
+    vertices go to its nodes by ``node_of_vertex`` (V,), or else the smallest that it is in.
+    """
+    closing = np.flatnonzero(~shortest_forest(len(vertices), edges, np.zeros(len(edges))))
+    part = _parts(len(vertices), edges)
+    has_cycle = np.zeros(len(vertices), dtype=bool)
+    has_cycle[part[edges[closing, 0]]] = True
+    rank, found = 0, Proof(0, *([np.empty(0, dtype=np.int64)] for _ in range(4)))
+    for solid, of_part in _solids(shape, vertices, part, has_cycle, node_of_vertex):
+        own = np.flatnonzero((has_cycle & of_part)[part[edges[:, 0]]])
+        length, is_out = _lengths(solid, vertices, edges[own])
+        closing, windings = solid.handles().windings(vertices, edges[own], length)
+        span, factors = Span(windings.shape[1]), [Span(windings.shape[1], factor) for factor in FACTORS]
+        for cycle in np.argsort(length[closing], kind="stable").tolist():
+            edge, winding = closing[cycle], windings[cycle]
+            if is_out[edge]:
+                found.outside.append(own[[edge]])
+            elif not winding.any():
+                found.none.append(own[[edge]])
+            elif not span.adds(winding):
+                found.again.append(own[[edge]])
+            else:
+                rank += 1
+                once = [factor.adds(winding) for factor in factors]
+                if not all(once):
+                    found.several.append(own[[edge]])
+    return Proof(rank, *map(np.concatenate, found[1:]))
+
+
+def _solids(
+    shape: Enclosure, x: np.ndarray, part: np.ndarray, is_asked: np.ndarray, node_of_vertex: np.ndarray | None
+) -> list[tuple[Enclosure, np.ndarray]]:
+    """Components of the solid, each with which parts of the curve are its own, of those that are asked about.
+
+    ``part`` (N,) is that of each node, ``is_asked`` (N,) and the answers are for each part.
+    """
+    if not is_asked.any():
+        return []
+    label = _parts(len(shape.vertices), shape.faces[:, :2], shape.faces[:, 1:])
+    used = np.unique(label[shape.faces[:, 0]])
+    if len(used) == 1:
+        return [(shape, is_asked)]
+    solids: list[Enclosure] = []
+    for number in used:
+        member = np.flatnonzero(label == number)
+        faces = shape.faces[label[shape.faces[:, 0]] == number]
+        solids.append(Enclosure(shape.vertices[member], np.searchsorted(member, faces)))
+    asked = np.flatnonzero(is_asked)
+    count = np.zeros((len(asked), len(solids)))
+    rows = np.flatnonzero(is_asked[part])
+    row_of_part = np.cumsum(is_asked) - 1
+    if node_of_vertex is None:
+        for column, solid in enumerate(solids):
+            is_in = solid.contains(x[rows])
+            count[:, column] = np.bincount(row_of_part[part[rows]], weights=is_in, minlength=len(asked))
+    else:
+        column = np.searchsorted(used, label)
+        is_used = np.isin(label, used) & is_asked[part[node_of_vertex]]
+        np.add.at(count, (row_of_part[part[node_of_vertex[is_used]]], column[is_used]), 1)
+    size = np.array([abs(signed_volume(solid.vertices, solid.faces)) for solid in solids])
+    order = np.argsort(size, kind="stable")
+    owner = order[count[:, order].argmax(axis=1)]
+    return [(solids[own], np.isin(np.arange(len(part)), asked[owner == own])) for own in np.unique(owner)]
+
+
+def _parts(num: int, *pairs: np.ndarray) -> np.ndarray:
+    """(num,) the connected component of each node of a graph with edges ``pairs`` (E, 2)."""
+    a, b = np.concatenate(pairs).T
+    graph = sparse.coo_matrix((np.ones(len(a)), (a, b)), shape=(num, num))
+    return csgraph.connected_components(graph, directed=False)[1]
+
+
+def _lengths(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """(E,) the length of each edge, more than all together for one outside, and which those are."""
+    a, b = vertices[edges[:, 0]], vertices[edges[:, 1]]
+    length, is_out = np.linalg.norm(a - b, axis=1), ~is_inside(shape, a, b)
+    return length + np.where(is_out, length.sum(), 0.0), is_out
 
 
 def independent(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray) -> np.ndarray:
@@ -68,9 +150,7 @@ def independent(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray) -> np
 
     An edge outside counts as longer than all others.
     """
-    a, b = vertices[edges[:, 0]], vertices[edges[:, 1]]
-    length = np.linalg.norm(a - b, axis=1)
-    length += np.where(is_inside(shape, a, b), 0.0, length.sum())
+    length, _ = _lengths(shape, vertices, edges)
     closing, windings = shape.handles().windings(vertices, edges, length)
     stays, span = np.ones(len(edges), dtype=bool), Span(windings.shape[1])
     for cycle in np.argsort(length[closing], kind="stable").tolist():
@@ -85,6 +165,7 @@ def completed(
     edges. There are fewer of them where the roadmap has no such loop."""
     handles, is_complete = passages.shape.handles(), False
     while missing:
+        part = _parts(len(vertices), edges)
         closing, windings = handles.windings(vertices, edges)
         span = Span(windings.shape[1])
         for winding in windings:
@@ -97,6 +178,8 @@ def completed(
         )
         laid, most = 0, max(AT_ONCE, missing // 4)
         for start, end, way in passages.loops_from(vertices, edges, is_complete):
+            if part[start] != part[end]:  # no loop
+                continue
             course = np.concatenate([vertices[start][None], way, vertices[end][None]])
             winding = potential[start] - potential[end] + handles.linking(course[:-1], course[1:]).sum(axis=0)
             if span.adds(winding):

@@ -44,7 +44,7 @@ def scales(vertices: np.ndarray, faces: np.ndarray) -> np.ndarray | None:
 
 
 def edge_lengths(shape: Enclosure, points: np.ndarray) -> np.ndarray:
-    """(P,) how long an edge at each of ``points`` (P, 3) of a surface of diagonal 1 may be, for the flow to see limbs.
+    """(P,) how long an edge at each of ``points`` (P, 3) of a solid of diagonal 1 may be for the flow to see the limb.
 
     Balls that touch samples of the surface, between its vertices, too, tell how thick the solid is near by.
     """

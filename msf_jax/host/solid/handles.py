@@ -4,15 +4,16 @@ The loops of a closed surface span the homology of the outside, which Alexander 
 curve inside never meets the surface, so its linking numbers with the surface's loops are well defined, and the rank of
 their matrix is the number of independent handles that its cycles go around.
 
-From every loop a curtain hangs along one fixed direction, without an end. The linking number of a closed curve with the
-loop is the sum of its signed crossings with the loop's curtain (Gauss's count of the crossings in a projection, of those
-where the curve is on the curtain's side). A sum over segments needs no closed curve: so every segment has a class, the
-classes along a way add up, and two ways inside between the same ends go around the same handles exactly if their classes
-are equal. That is how a pass over a curve keeps its loops where they are.
+From every loop a curtain hangs along one fixed direction, without an end. The linking number of a closed curve with
+the loop is the sum of its signed crossings with the loop's curtain (Gauss's count of the crossings in a projection, of
+those where the curve is on the curtain's side). A sum over segments needs no closed curve: so every segment has a
+class, the classes along a way add up, and two ways inside between the same ends go around the same handles exactly if
+their classes are equal. That is how a pass over a curve keeps its loops where they are.
 
 The loops come from a tree and a cotree of the surface (Eppstein 2003).
 """
 
+from collections.abc import Iterator
 from typing import NamedTuple
 
 import numpy as np
@@ -20,10 +21,12 @@ from scipy import sparse
 from scipy.sparse import csgraph
 
 from msf_jax.host.mesh.half_edges import HalfEdges, half_edges
-from msf_jax.host.solid.geometry import repeated
+from msf_jax.host.solid.geometry import repeated, unit, vertex_normals
+from msf_jax.host.solid.triangles import PAIRS_AT_ONCE
 
 SEED = 2003  # of the random combination that makes one number of all linking numbers
 CELLS = 96  # of the grid that pairs of segments are found by, along each of its two axes
+PUSH = 1e-9  # of the extent, that loops are outside the surface: a pinned node is on it
 TURN = np.linalg.qr(np.random.default_rng(1987).normal(size=(3, 3)))[0]
 TURN *= np.linalg.det(TURN)  # a rotation in general position, whose rows are two axes across the curtains and one along
 
@@ -66,7 +69,7 @@ def surface_loops(faces: np.ndarray) -> SurfaceLoops:
 
 
 def _forest(a: np.ndarray, b: np.ndarray, num: int) -> tuple[np.ndarray, np.ndarray]:
-    """The parent (num,) of each node in a breadth-first tree of each component, -1 at its root, and its depth (num,)."""
+    """The parent (num,) of each node in a breadth-first tree of its component, -1 at the root, and its depth (num,)."""
     graph = sparse.coo_matrix((np.ones(len(a)), (a, b)), shape=(num, num))
     roots = np.unique(csgraph.connected_components(graph, directed=False)[1], return_index=True)[1]
     tail, head = np.concatenate([a, np.full(len(roots), num)]), np.concatenate([b, roots])  # one root above them all
@@ -114,7 +117,12 @@ class Handles:
         self._times = times.tocsr()  # (K, 2g) how often each loop runs along each edge
         weight = np.random.default_rng(SEED).integers(1, 2**30, size=len(loops))
         self._value = self._times @ weight if len(loops) else np.empty(0, dtype=np.int64)
-        self._tail, self._head = (vertices[ends[:, side]] @ TURN.T for side in (0, 1))
+        # So that no square leaves the range of floating point, lengths are fractions of the extent.
+        self._low = vertices.min(axis=0)
+        self._extent = max(float((vertices.max(axis=0) - self._low).max()), 1e-300)
+        placed = (vertices - self._low) / self._extent
+        placed += PUSH * unit(vertex_normals(placed, faces))
+        self._tail, self._head = (_turned(placed[ends[:, side]]) for side in (0, 1))
 
     def classes(self, a: np.ndarray, b: np.ndarray) -> np.ndarray:
         """The class (E,) of each segment from a (E, 3) to b (E, 3): a fixed random combination of its crossings.
@@ -153,59 +161,80 @@ class Handles:
         Seen along the curtains, a segment crosses an edge if the ends of each are on either side of the other. Segments
         that share an end get the same bits for its side, so that a way through it crosses once or not at all.
         """
-        nothing = np.empty(0, dtype=np.int64)
-        if not len(self._tail) or not len(a):
-            return nothing, nothing, nothing
-        p, p_end, q, q_end = a @ TURN.T, b @ TURN.T, self._tail, self._head
-        one, other = _pairs_in_cells((p[:, :2], p_end[:, :2]), (q[:, :2], q_end[:, :2]))
+        p, p_end = (_turned((points - self._low) / self._extent) for points in (a, b))
+        q, q_end = self._tail, self._head
+        found = [(np.empty(0, dtype=np.int64),) * 3]
 
         def side(point: np.ndarray, start: np.ndarray, end: np.ndarray) -> np.ndarray:
             along, away = end - start, point - start
             return along[:, 0] * away[:, 1] - along[:, 1] * away[:, 0]
 
-        s, s_end = (side(x[one], q[other], q_end[other]) for x in (p, p_end))
-        is_across = (s >= 0) != (s_end >= 0)
-        one, other, s, s_end = one[is_across], other[is_across], s[is_across], s_end[is_across]
-        t, t_end = (side(x[other], p[one], p_end[one]) for x in (q, q_end))
-        is_across = (t >= 0) != (t_end >= 0)
-        one, other, s, s_end, t, t_end = (each[is_across] for each in (one, other, s, s_end, t, t_end))
-        at_p, at_q = (s / (s - s_end)), (t / (t - t_end))
-        height = p[one, 2] + at_p * (p_end - p)[one, 2] - q[other, 2] - at_q * (q_end - q)[other, 2]
-        is_over = height > 0
-        return one[is_over], other[is_over], np.where(s_end > s, -1, 1)[is_over]
+        for one, other in _pairs_in_cells((p[:, :2], p_end[:, :2]), (q[:, :2], q_end[:, :2])):
+            s, s_end = (side(x[one], q[other], q_end[other]) for x in (p, p_end))
+            is_across = (s >= 0) != (s_end >= 0)
+            one, other, s, s_end = one[is_across], other[is_across], s[is_across], s_end[is_across]
+            t, t_end = (side(x[other], p[one], p_end[one]) for x in (q, q_end))
+            is_across = (t >= 0) != (t_end >= 0)
+            one, other, s, s_end, t, t_end = (each[is_across] for each in (one, other, s, s_end, t, t_end))
+            at_p, at_q = (s / (s - s_end)), (t / (t - t_end))
+            height = p[one, 2] + at_p * (p_end - p)[one, 2] - q[other, 2] - at_q * (q_end - q)[other, 2]
+            is_over = height > 0
+            found.append((one[is_over], other[is_over], np.where(s_end > s, -1, 1)[is_over]))
+        segment, edge, sign = (np.concatenate(each) for each in zip(*found, strict=True))
+        return segment, edge, sign
+
+
+def _turned(points: np.ndarray) -> np.ndarray:
+    """``points`` (P, 3) along the axes of `TURN`. A product of matrices would not give one point the same bits at
+    every place."""
+    x, y, z = points.T
+    return np.stack([x * axis[0] + y * axis[1] + z * axis[2] for axis in TURN], axis=1)
 
 
 def shortest_forest(num_nodes: int, edges: np.ndarray, length: np.ndarray) -> np.ndarray:
     """(E,) which edges are in a spanning forest of the graph, those of less ``length`` (E,) first, ties by number."""
-    rank = np.empty(len(edges))
-    rank[np.argsort(length, kind="stable")] = np.arange(1, len(edges) + 1)  # no two are alike, and none is 0
-    graph = sparse.coo_matrix((rank, (edges[:, 0], edges[:, 1])), shape=(num_nodes, num_nodes))
-    return np.isin(rank, np.rint(csgraph.minimum_spanning_tree(graph).data))
+    order = np.argsort(length, kind="stable")
+    # Of edges between the same nodes the shortest only: in a sparse matrix they would be added up.
+    order = order[np.sort(np.unique(np.sort(edges[order], axis=1), axis=0, return_index=True)[1])]
+    rank = np.arange(1, len(order) + 1)  # no two are alike, and none is 0
+    ends = np.sort(edges[order], axis=1).T
+    graph = sparse.coo_matrix((rank, (ends[0], ends[1])), shape=(num_nodes, num_nodes))
+    is_in = np.zeros(len(edges), dtype=bool)
+    is_in[order[np.rint(csgraph.minimum_spanning_tree(graph).data).astype(np.int64) - 1]] = True
+    return is_in & (edges[:, 0] != edges[:, 1])
 
 
 def along_forest(num_nodes: int, edges: np.ndarray, values: np.ndarray) -> np.ndarray:
-    """(N, ...) the sum of the ``values`` (E, ...) of the edges (E, 2) of a forest, on the way from its root to each node.
+    """(N, ...) the sum of the ``values`` (E, ...) of the edges (E, 2) of a forest, on the way from a root to each node.
 
     An edge that is walked from its second node to its first counts with the opposite sign.
     """
     a, b = edges.T
-    parent, depth = _forest(a, b, num_nodes)
-    edge, sign = np.zeros(num_nodes, dtype=np.int64), np.zeros(num_nodes, dtype=np.int64)
+    parent, _ = _forest(a, b, num_nodes)
+    last = np.zeros((num_nodes, *values.shape[1:]), dtype=values.dtype)
     for tail, head, way in ((a, b, 1), (b, a, -1)):
         leads = parent[head] == tail
-        edge[head[leads]], sign[head[leads]] = np.flatnonzero(leads), way
-    total = np.zeros((num_nodes, *values.shape[1:]), dtype=values.dtype)
-    for level in range(1, int(depth.max(initial=0)) + 1):
-        nodes = np.flatnonzero(depth == level)
-        step = values[edge[nodes]] * sign[nodes].reshape(-1, *np.ones(values.ndim - 1, dtype=int))
-        total[nodes] = total[parent[nodes]] + step
+        last[head[leads]] = way * values[leads]
+    return down_forest(parent, last)
+
+
+def down_forest(parent: np.ndarray, last: np.ndarray) -> np.ndarray:
+    """(N, ...) the sum over the way from a root to each node, of which ``last`` (N, ...) is the last step, 0 at a root.
+
+    ``parent`` (N,) is less than 0 at a root.
+    """
+    above, total = np.where(parent < 0, np.arange(len(parent)), parent), last
+    while (above != above[above]).any():  # of ways that are twice as long each time
+        total, above = total + total[above], above[above]
     return total
 
 
 def _pairs_in_cells(
     ones: tuple[np.ndarray, np.ndarray], others: tuple[np.ndarray, np.ndarray]
-) -> tuple[np.ndarray, np.ndarray]:
-    """Pairs of segments of the plane, ``ones`` and ``others`` as their two ends (n, 2), whose boxes meet: two (k,)."""
+) -> Iterator[tuple[np.ndarray, np.ndarray]]:
+    """Pairs of segments of the plane, ``ones`` and ``others`` as their ends (n, 2), that may cross: batches (k,)."""
+    if not len(ones[0]) or not len(others[0]):
+        return
     boxes = [(np.minimum(*ends), np.maximum(*ends)) for ends in (ones, others)]
     low = np.minimum(boxes[0][0].min(axis=0), boxes[1][0].min(axis=0))
     size = np.maximum(np.maximum(boxes[0][1].max(axis=0), boxes[1][1].max(axis=0)) - low, 1e-300) / CELLS
@@ -219,9 +248,14 @@ def _pairs_in_cells(
     (one, cell_of_one, first_of_one), (other, cell_of_other, first_of_other) = listed
     order = np.argsort(cell_of_other, kind="stable")
     start = np.searchsorted(cell_of_other[order], np.arange(CELLS**2 + 1))
-    row, place = repeated((start[1:] - start[:-1])[cell_of_one])
-    a, b = one[row], other[order[start[cell_of_one[row]] + place]]
-    # Two boxes that share several cells are a pair in the first of them only.
-    shared = np.maximum(first_of_one[a], first_of_other[b])
-    is_first = shared[:, 0] * CELLS + shared[:, 1] == cell_of_one[row]
-    return a[is_first], b[is_first]
+    count = (start[1:] - start[:-1])[cell_of_one]
+    batch = np.cumsum(count) // PAIRS_AT_ONCE
+    for number in np.unique(batch[count > 0]):
+        rows = np.flatnonzero(batch == number)
+        row, place = repeated(count[rows])
+        row = rows[row]
+        a, b = one[row], other[order[start[cell_of_one[row]] + place]]
+        # Two boxes that share several cells are a pair in the first of them only.
+        shared = np.maximum(first_of_one[a], first_of_other[b])
+        is_first = shared[:, 0] * CELLS + shared[:, 1] == cell_of_one[row]
+        yield a[is_first], b[is_first]

@@ -18,7 +18,7 @@ from scipy.sparse import csgraph
 
 from msf_jax.host.poles.balls import shrinking_balls
 from msf_jax.host.solid.enclosure import Enclosure
-from msf_jax.host.solid.handles import along_forest, shortest_forest
+from msf_jax.host.solid.handles import along_forest, down_forest, shortest_forest
 
 TOUCHING = 1e-5  # diagonals: a point with less room than that counts as outside
 MOST_SEEDS = 20_000  # points of the surface, behind which balls are sought
@@ -98,6 +98,8 @@ class Passages:
         """
         is_used = self.shape.clearance(x) > TOUCHING
         node_of_end = np.flatnonzero(is_used)
+        if not len(node_of_end):
+            return
         graph = self._graph(x[node_of_end])
         if is_complete:
             graph.look_at_all(MOST_LOOKS_FOR_LOOPS)
@@ -110,12 +112,13 @@ class Passages:
         matrix = sparse.csr_matrix((cost, (tail, head)), (len(graph.centre),) * 2)
         ends = np.arange(first, len(graph.centre))
         away, before, source = csgraph.dijkstra(matrix, indices=ends, return_predecessors=True, min_only=True)
-        of_curve = np.zeros(len(x), dtype=np.int64)
         in_forest = shortest_forest(len(x), edges, np.linalg.norm(x[edges[:, 0]] - x[edges[:, 1]], axis=1))
         of_curve = along_forest(len(x), edges[in_forest], handles.classes(*(x[edges[in_forest, k]] for k in (0, 1))))
         is_reached = (source[tail] >= 0) & (source[head] >= 0)
         tail, head, cost, value = (field[is_reached] for field in (tail, head, cost, value))
-        to_ball = of_curve[node_of_end[np.maximum(source, first) - first]] + _along(before, tail, head, value)
+        last, is_step = np.zeros(len(before), dtype=np.int64), before[head] == tail
+        last[head[is_step]] = value[is_step]
+        to_ball = of_curve[node_of_end[np.maximum(source, first) - first]] + down_forest(before, last)
         around = to_ball[tail] + value - to_ball[head]
         length = away[tail] + cost + away[head]
         rows = np.flatnonzero(around > 0)  # the other way round it is the same loop
@@ -263,16 +266,6 @@ def _ascent(before: np.ndarray, last: int) -> list[int]:
     while before[stops[-1]] >= 0:
         stops.append(int(before[stops[-1]]))
     return stops
-
-
-def _along(before: np.ndarray, tail: np.ndarray, head: np.ndarray, value: np.ndarray) -> np.ndarray:
-    """(B,) the sum of ``value`` (L,) over the edges from ``tail`` to ``head`` (L,), from a root to each ball."""
-    above, total = np.where(before < 0, np.arange(len(before)), before), np.zeros(len(before), dtype=np.int64)
-    in_tree = before[head] == tail
-    total[head[in_tree]] = value[in_tree]
-    while (above != above[above]).any():  # of ways that are twice as long each time
-        total, above = total + total[above], above[above]
-    return total
 
 
 def inner_balls(shape: Enclosure) -> tuple[np.ndarray, np.ndarray]:
