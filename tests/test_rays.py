@@ -313,7 +313,7 @@ def turned(faces: np.ndarray) -> np.ndarray:
 @pytest.mark.parametrize("order", ["as built", "shuffled"])
 def test_the_twin_of_an_edge_is_in_the_face_next_door(shape, order):
     faces = shape.faces if order == "as built" else turned(shape.faces)
-    twins = Enclosure(shape.vertices, faces).twins
+    twins = Enclosure(shape.vertices, faces).mesh.twins
     tail, head = faces.ravel(), np.roll(faces, -1, axis=1).ravel()
     np.testing.assert_array_equal(np.sort(twins), np.arange(len(tail)))
     np.testing.assert_array_equal(tail[twins], head)  # it runs the other way in the face next door
@@ -323,7 +323,7 @@ def test_the_twin_of_an_edge_is_in_the_face_next_door(shape, order):
 
 def test_twins_of_a_tetrahedron():
     faces = np.array([[0, 1, 2], [0, 3, 1], [0, 2, 3], [1, 3, 2]])
-    assert Enclosure(np.eye(4)[:, :3], faces).twins[:3].tolist() == [5, 11, 6]
+    assert Enclosure(np.eye(4)[:, :3], faces).mesh.twins[:3].tolist() == [5, 11, 6]
 
 
 # Near enough

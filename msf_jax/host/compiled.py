@@ -2,44 +2,58 @@
 
 A kernel is a Python function over arrays that the caller has made. It allocates nothing, knows nothing of NumPy but how
 to index, and is compiled for the one signature that its annotations give, when it is first called; `announce` has that
-done beforehand, on another thread. What is compiled is kept beside the module or, where that is read-only, in Numba's
-folder in the user's cache, for all processes. Numba is not imported before.
+done beforehand, beside other work. What is compiled is kept beside the module or, where that is read-only, in Numba's
+folder in the user's cache, for all processes, under a name that tells what it was made of. Numba is not imported
+before.
 
-The optimiser may not reorder sums, so that the same source gives the same bits everywhere. An edited module is compiled
-anew; as only its own text is looked at, a kernel calls no others than those of its module.
+The optimiser may not reorder sums: the same source gives the same bits in every process. What takes long to compile is
+the text, about a millisecond for every operation in it, not what the processor makes of it: so kernels are few, and
+have loops over axes and corners.
 """
 
+import hashlib
 import threading
+import types
 from collections.abc import Callable
-from typing import Annotated, Any
+from functools import cached_property
+from typing import Annotated, Any, get_type_hints
 
 import numpy as np
 
-Reals = Annotated[np.ndarray, "float64", 1]  # an array of so many axes, C-contiguous
+Reals = Annotated[np.ndarray, "float64", 1]  # an array of so many axes
 Points = Annotated[np.ndarray, "float64", 2]
 Triangles = Annotated[np.ndarray, "float64", 3]
 Ints = Annotated[np.ndarray, "int64", 1]
 Rows = Annotated[np.ndarray, "int64", 2]
 Flags = Annotated[np.ndarray, "bool", 1]
 
-_SCALARS = {float: "float64", int: "int64", bool: "boolean", None: "void"}
+_SCALARS = {float: "float64", int: "int64", bool: "boolean", type(None): "void"}
+_OPTIONS: dict[str, Any] = {
+    "nogil": True,
+    "error_model": "numpy",  # a division by zero is no exception
+    "_nrt": False,  # nothing is allocated; that and the next one save a tenth of the time to compile
+    "no_cfunc_wrapper": True,
+}
+_OF_PARTS: dict[str, Any] = {"no_cpython_wrapper": True}
+
+_kernels: list["Kernel"] = []  # that were not announced yet
+_lock = threading.Lock()
 
 
 class Kernel:
-    """``function``, compiled when it is first called. One whose arguments are scalars is a part of others: see `part`.
+    """``function``, compiled when it is first called; ``is_part`` for one that only kernels call.
 
-    Arrays are taken as they are where they are of the annotated type and to be written to, else as a copy: results must
-    be.
+    Arrays are handed over as they are where they are C-contiguous, of the annotated type, and to be written to; else as
+    a copy. So must be those that results are written to.
     """
 
     def __init__(self, function: Callable, is_part: bool):
         self.function = function
         self.__name__, self.__doc__, self.__module__ = function.__name__, function.__doc__, function.__module__
-        self._is_part = is_part
+        self.is_part = is_part
         self._lock = threading.Lock()
-        self._compiled: Callable | None = None
-        kinds = [getattr(kind, "__metadata__", None) for kind in function.__annotations__.values()]
-        self._arrays = [(place, np.dtype(kind[0])) for place, kind in enumerate(kinds) if kind is not None]
+        self._made: Callable | None = None
+        _kernels.append(self)
 
     def __call__(self, *arguments: Any) -> Any:
         given = list(arguments)
@@ -49,46 +63,68 @@ class Kernel:
                 given[place] = np.array(array, dtype=dtype, order="C")
         return self.compiled()(*given)
 
+    @cached_property
+    def _hints(self) -> dict[str, Any]:
+        return get_type_hints(self.function, include_extras=True)
+
+    @cached_property
+    def _arrays(self) -> list[tuple[int, np.dtype]]:
+        """Which arguments are arrays, and of what."""
+        kinds = [getattr(kind, "__metadata__", None) for kind in self._hints.values()]
+        return [(place, np.dtype(kind[0])) for place, kind in enumerate(kinds) if kind is not None]
+
+    @cached_property
+    def _globals(self) -> dict[str, Any]:
+        """The parts and constants that the function names."""
+        names = {name: self.function.__globals__.get(name) for name in self.function.__code__.co_names}
+        return {name: value for name, value in names.items() if isinstance(value, Kernel | float | int)}
+
+    @cached_property
+    def _text(self) -> str:
+        """All that the compiled code is made of."""
+        code = self.function.__code__
+        used = [(name, value._text if isinstance(value, Kernel) else value) for name, value in self._globals.items()]
+        return repr((code.co_code, code.co_consts, code.co_names, code.co_varnames, str(self._hints), used))
+
     def compiled(self) -> Callable:
-        """What Numba makes of it, at once or as soon as another thread has."""
-        if self._compiled is None:
-            with self._lock:
-                if self._compiled is None:
-                    self._compiled = self._compile()
-        return self._compiled
+        """What Numba makes of it; waits if another thread is at it."""
+        with self._lock:
+            if self._made is None:
+                self._made = self._compiled()
+            return self._made
 
-    def _compile(self) -> Callable:
-        import numba
+    def _compiled(self) -> Callable:
+        from numba import njit
 
-        options: dict[str, Any] = {"nogil": True, "error_model": "numpy", "_nrt": False, "no_cfunc_wrapper": True}
-        function, globals_ = self.function, self.function.__globals__
-        parts = {name: globals_.get(name) for name in function.__code__.co_names}
-        parts = {name: part.compiled() for name, part in parts.items() if isinstance(part, Kernel)}
-        bound = type(function)(function.__code__, {**globals_, **parts}, function.__name__)
-        bound.__module__ = function.__module__
-        if self._is_part:
-            return numba.njit(bound, no_cpython_wrapper=True, **options)
+        parts = {name: value.compiled() for name, value in self._globals.items() if isinstance(value, Kernel)}
+        function = types.FunctionType(self.function.__code__, {**self.function.__globals__, **parts})
+        function.__module__ = self.__module__
+        if self.is_part:
+            return njit(**_OPTIONS, **_OF_PARTS)(function)
+        function.__qualname__ = f"{self.__name__}_{hashlib.sha256(self._text.encode()).hexdigest()[:16]}"
+        kinds = [_type(kind) for kind in self._hints.values()]
+        signature = kinds[-1](*kinds[:-1])
         try:
-            compiled = numba.njit(bound, cache=True, **options)
-        except RuntimeError:  # there is no folder to be written to: it is compiled in every process
-            compiled = numba.njit(bound, **options)
-        compiled.compile(self._signature(numba))
-        return compiled
+            return njit(signature, cache=True, **_OPTIONS)(function)
+        except Exception:  # no folder can be written to, or what is there is damaged: every process compiles it
+            return njit(signature, **_OPTIONS)(function)
 
-    def _signature(self, numba: Any) -> Any:
-        types = {name: self._type(numba, kind) for name, kind in self.function.__annotations__.items()}
-        return types.pop("return")(*types.values())
 
-    @staticmethod
-    def _type(numba: Any, kind: Any) -> Any:
-        if kind in _SCALARS:
-            return getattr(numba.types, _SCALARS[kind])
-        dtype, axes = kind.__metadata__
-        return numba.types.Array(numba.from_dtype(np.dtype(dtype)), axes, "C")
+def _type(kind: Any) -> Any:
+    """What Numba calls the type that ``kind`` annotates."""
+    from numba import types as numba_types
+
+    if kind in _SCALARS:
+        return getattr(numba_types, _SCALARS[kind])
+    if hasattr(kind, "_fields"):
+        fields = get_type_hints(kind, include_extras=True).values()
+        return numba_types.NamedTuple(list(map(_type, fields)), kind)
+    dtype, axes = kind.__metadata__
+    return numba_types.Array(getattr(numba_types, dtype), axes, "C")
 
 
 def kernel(function: Callable) -> Kernel:
-    """``function`` over arrays, as annotated, compiled."""
+    """``function`` over arrays, numbers and named tuples of arrays, as annotated, compiled."""
     return Kernel(function, is_part=False)
 
 
@@ -97,15 +133,19 @@ def part(function: Callable) -> Any:
     return Kernel(function, is_part=True)
 
 
-def announce(kernels: list[Kernel]) -> threading.Thread:
-    """Compile ``kernels``, or load them, on another thread, and do not wait; it ends early where the process does."""
+def announce() -> None:
+    """Compile all kernels of the modules that are imported, or load them, on another thread, and do not wait.
 
-    def work() -> None:
-        for each in kernels:
-            if not threading.main_thread().is_alive():
-                return
-            each.compiled()
+    Where the process ends before, it waits for one of them.
+    """
 
-    thread = threading.Thread(target=work, name="msf_jax-kernels")
-    thread.start()
-    return thread
+    def work(waiting: list[Kernel]) -> None:
+        for each in waiting:
+            if threading.main_thread().is_alive():
+                each.compiled()
+
+    with _lock:
+        waiting = [each for each in _kernels if not each.is_part]
+        _kernels.clear()
+    if waiting:
+        threading.Thread(target=work, args=(waiting,), name="msf_jax-kernels").start()

@@ -13,7 +13,8 @@ from scipy import spatial
 
 from msf_jax.host.solid import kernels
 from msf_jax.host.solid.geometry import barycentric, cross, unit
-from msf_jax.host.solid.triangles import Samples, Tree, boxes, middles, reaches, sampled, tree_of
+from msf_jax.host.solid.kernels import Mesh
+from msf_jax.host.solid.triangles import Samples, boxes, middles, reaches, sampled, tree_of
 
 PAIRS_AT_ONCE = 2_000_000  # of points and triangles, which bounds memory
 HITS_AT_FIRST = 8  # of a ray, that there is room for; there are more once in a while
@@ -46,9 +47,13 @@ class Enclosure:
         return unit(cross(b - a, c - a))
 
     @cached_property
-    def tree(self) -> Tree:
-        """Of boxes around the triangles."""
-        return tree_of(*boxes(self.triangles))
+    def mesh(self) -> Mesh:
+        """All that kernels ask of the surface."""
+        tail, head = self.faces.ravel(), np.roll(self.faces, -1, axis=1).ravel()
+        num = len(self.vertices)
+        twins = np.empty(len(tail), dtype=np.int64)
+        twins[np.argsort(tail * num + head)] = np.argsort(head * num + tail)
+        return Mesh(self.vertices, tail, self.triangles, twins, *tree_of(*boxes(self.triangles)))
 
     @cached_property
     def _samples(self) -> Samples:
@@ -57,7 +62,7 @@ class Enclosure:
     def winding_numbers(self, points: np.ndarray) -> np.ndarray:
         """Winding number (P,) of the surface around each point: 1 inside, 0 outside an embedded surface."""
         winding = np.empty(len(points), dtype=np.int64)
-        kernels.windings(points, self.triangles, self.faces.ravel(), *self.tree, winding)
+        kernels.windings(points, self.mesh, winding)
         return winding
 
     def contains(self, points: np.ndarray) -> np.ndarray:
@@ -69,7 +74,10 @@ class Enclosure:
         return self.nearest(points)[0]
 
     def nearest(self, points: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Unsigned distance (P,) from each point to the surface, and the nearest triangle (P,), the first of several."""
+        """Unsigned distance (P,) from each point to the surface, and the nearest triangle (P,).
+
+        That is the first, where several are as near.
+        """
         return self._nearest(points, is_exact=True)
 
     def approach(self, points: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -85,7 +93,7 @@ class Enclosure:
         tree, first, fan = self._samples
         distance2, found = np.empty(len(points)), np.empty(len(points), dtype=np.int64)
         sample = tree.query(points)[1]
-        kernels.nearest(points, self.triangles, sample, first, fan, *self.tree, is_exact, distance2, found)
+        kernels.nearest(points, self.mesh, sample, first, fan, is_exact, distance2, found)
         return np.sqrt(distance2), found
 
     def clearance(self, points: np.ndarray) -> np.ndarray:
@@ -127,7 +135,7 @@ class Enclosure:
         start, room, ends = 0, PAIRS_AT_ONCE, np.empty(len(points), dtype=np.int64)
         while start < len(points):
             point, triangle = np.empty((2, room), dtype=np.int64)
-            stop = kernels.around(points, reach, start, *self.tree, ends, point, triangle)
+            stop = kernels.around(points, reach, start, self.mesh, ends, point, triangle)
             if stop > start:
                 count = ends[stop - 1]
                 yield point[:count], triangle[:count]
@@ -152,22 +160,11 @@ class Enclosure:
         across = cross(directions, np.eye(3)[np.abs(directions).argmin(axis=1)])
         across /= np.maximum(np.linalg.norm(across, axis=1, keepdims=True), 1e-300)
         axes = np.stack([across, cross(directions, across), directions], axis=1)
-        slack = ROUNDING * float(np.ptp(self.tree.boxes[1].reshape(2, 3), axis=0).max())
+        slack = ROUNDING * float(np.ptp(self.mesh.boxes[1].reshape(2, 3), axis=0).max())
         room = HITS_AT_FIRST * len(points)
         while True:
             ray, distance = np.empty(room, dtype=np.int64), np.empty(room)
-            count = kernels.hits(
-                points, axes, reach, slack, self.triangles, *self.tree, np.empty((3, 3)), ray, distance
-            )
+            count = kernels.hits(points, axes, reach, slack, self.mesh, np.empty((3, 3)), ray, distance)
             if count <= room:
                 return ray[:count], distance[:count]
             room = count
-
-    @cached_property
-    def twins(self) -> np.ndarray:
-        """(3F,) the edge on the other side of directed edge 3 f + k, from corner k of face f to the next."""
-        tail, head = self.faces.ravel(), np.roll(self.faces, -1, axis=1).ravel()
-        num = len(self.vertices)
-        twin = np.empty(len(tail), dtype=np.int64)
-        twin[np.argsort(tail * num + head)] = np.argsort(head * num + tail)
-        return twin

@@ -1,7 +1,7 @@
 """Plane sections of a surface around points of a curve: where the middle of a limb is.
 
 The section of a closed surface by a plane is a set of closed loops. The one that goes around a point is what a curve
-should be in the middle of. It is walked along from triangle to triangle (see `kernels.loops`), so that the cost is that
+should be in the middle of. It is walked along from triangle to triangle (see `loops`), so that the cost is that
 of the loops, not of the surface.
 """
 
@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from msf_jax.host.solid import kernels
+from msf_jax.host.solid import loops
 from msf_jax.host.solid.enclosure import Enclosure
 
 SEARCHES = 3  # for the nearest loop, each three times as far as the last
@@ -71,15 +71,14 @@ def corners(
     shape: Enclosure, points: np.ndarray, normals: np.ndarray, radii: np.ndarray, near: np.ndarray | None = None
 ) -> Corners:
     """The corners of the loops that `cut` measures."""
-    num, corner, twins = len(points), shape.faces.ravel(), shape.twins
+    num, corner = len(points), shape.faces.ravel()
     near = np.full(num, -1) if near is None else near
     reach = 1.5 * np.maximum(radii, 1e-3 * np.ptp(shape.vertices, axis=0).max())
-    mesh = shape.vertices, corner, twins, *shape.tree
     room, ends = ROOM * num, np.empty(num, dtype=np.int64)
     while True:
         edge, part = np.empty(room, dtype=np.int64), np.empty(room)
-        segment = np.empty((2, 3))
-        if kernels.loops(points, normals, reach, near, *mesh, SEARCHES, LONGEST_LOOP, segment, ends, edge, part):
+        limits, segment = (SEARCHES, LONGEST_LOOP), np.empty((2, 3))
+        if loops.loops(points, normals, reach, near, shape.mesh, *limits, segment, ends, edge, part):
             break
         room *= 2
     count = np.diff(ends, prepend=0)
@@ -104,7 +103,7 @@ def measured(shape: Enclosure, points: np.ndarray, normals: np.ndarray, corners:
     leans = -np.einsum("ci,ci->c", shape.normals[corners.triangle], normals[loop])
     sums = np.zeros((len(points), 19))
     ends = np.flatnonzero(np.diff(loop, append=-1)) + 1
-    kernels.measures(places, leans, normals, ends, loop[ends - 1], FLATTEST, sums)
+    loops.measures(places, leans, normals, ends, loop[ends - 1], FLATTEST, sums)
     area2, angle, perimeter = sums[:, 3], sums[:, 4], np.maximum(sums[:, 5], 1e-300)
     is_found = area2 > 0
     size, radius = (np.where(is_found, column, 0.0) / perimeter for column in (area2, sums[:, 6]))

@@ -12,15 +12,11 @@ SAMPLE_SPACING = 0.02  # of the extent, between samples of a triangle; more wher
 MOST_SAMPLES = 200_000
 
 
-class Tree(NamedTuple):
-    """boxes: (2n, 6) lowest and highest corners, a heap; order: (n,) the box of its leaves (see `kernels`)."""
+def tree_of(low: np.ndarray, high: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """``boxes`` (2n, 6) and ``order`` (n,) of the tree (see `kernels`) of boxes with these corners (n, 3).
 
-    boxes: np.ndarray
-    order: np.ndarray
-
-
-def tree_of(low: np.ndarray, high: np.ndarray) -> Tree:
-    """Of boxes with these corners (n, 3). Neighbours in a k-d tree of their middles are neighbours here."""
+    Neighbours in a k-d tree of their middles are neighbours in it.
+    """
     num = len(low)
     order = spatial.KDTree((low + high) / 2, leafsize=4).indices.astype(np.int64)
     boxes = np.zeros((2 * num, 6))
@@ -32,7 +28,7 @@ def tree_of(low: np.ndarray, high: np.ndarray) -> Tree:
         boxes[start:stop, :3] = np.minimum(left[:, :3], right[:, :3])
         boxes[start:stop, 3:] = np.maximum(left[:, 3:], right[:, 3:])
         stop = start
-    return Tree(boxes, order)
+    return boxes, order
 
 
 class Samples(NamedTuple):
