@@ -14,7 +14,7 @@ have loops over axes and corners.
 import hashlib
 import threading
 import types
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from functools import cached_property
 from typing import Annotated, Any, get_type_hints
 
@@ -36,9 +36,6 @@ _OPTIONS: dict[str, Any] = {
 }
 _OF_PARTS: dict[str, Any] = {"no_cpython_wrapper": True}
 
-_kernels: list["Kernel"] = []  # that were not announced yet
-_lock = threading.Lock()
-
 
 class Kernel:
     """``function``, compiled when it is first called; ``is_part`` for one that only kernels call.
@@ -53,7 +50,6 @@ class Kernel:
         self.is_part = is_part
         self._lock = threading.Lock()
         self._made: Callable | None = None
-        _kernels.append(self)
 
     def __call__(self, *arguments: Any) -> Any:
         given = list(arguments)
@@ -85,6 +81,11 @@ class Kernel:
         code = self.function.__code__
         used = [(name, value._text if isinstance(value, Kernel) else value) for name, value in self._globals.items()]
         return repr((code.co_code, code.co_consts, code.co_names, code.co_varnames, str(self._hints), used))
+
+    @property
+    def is_ready(self) -> bool:
+        """Whether it can be called without waiting."""
+        return self._made is not None
 
     def compiled(self) -> Callable:
         """What Numba makes of it; waits if another thread is at it."""
@@ -133,19 +134,15 @@ def part(function: Callable) -> Any:
     return Kernel(function, is_part=True)
 
 
-def announce() -> None:
-    """Compile all kernels of the modules that are imported, or load them, on another thread, and do not wait.
+def announce(kernels: Iterable[Kernel]) -> None:
+    """Compile ``kernels``, or load them, on another thread, and do not wait; it ends after one of them if the process
+    does."""
 
-    Where the process ends before, it waits for one of them.
-    """
-
-    def work(waiting: list[Kernel]) -> None:
+    def work() -> None:
         for each in waiting:
             if threading.main_thread().is_alive():
                 each.compiled()
 
-    with _lock:
-        waiting = [each for each in _kernels if not each.is_part]
-        _kernels.clear()
+    waiting = [each for each in kernels if not each.is_ready]
     if waiting:
-        threading.Thread(target=work, args=(waiting,), name="msf_jax-kernels").start()
+        threading.Thread(target=work, name="msf_jax-kernels").start()
