@@ -226,10 +226,10 @@ def contained(draft: Draft, job: Job) -> Draft:
 def looped(draft: Draft, job: Job) -> Draft:
     """With a loop around every handle of the solid, and no other."""
     x, edges = draft.vertices, draft.edges
-    if not job.shape.handles().genus:
+    if not job.shape.handles.genus:
         return draft
     edges = edges[loops.independent(job.shape, x, edges)]
-    missing = job.shape.handles().genus - branches.cycle_count(len(x), edges)[1]
+    missing = job.shape.handles.genus - branches.cycle_count(len(x), edges)[1]
     if missing:
         x, edges, _ = containment.refine(job.shape, x, edges, SPACING, MOST_NODES)
         x, edges = loops.completed(job.passages, x, edges, missing)
@@ -267,7 +267,7 @@ def _around(draft: Draft, job: Job, x: np.ndarray) -> np.ndarray:
 
     An edge goes around the same ones exactly if its class is the same, but for what the ways of its ends add.
     """
-    handles, before, x = job.shape.handles(), draft.vertices, x.copy()
+    handles, before, x = job.shape.handles, draft.vertices, x.copy()
     if not handles.genus:
         return x
     a, b = draft.edges.T
@@ -289,7 +289,7 @@ def merged(draft: Draft, job: Job) -> Draft:
         return draft
     x = draft.vertices
     stays, target, edges = branches.merge_junctions(
-        x, draft.edges, job.shape.approach(x)[0], draft.is_held, job.shape.handles()
+        x, draft.edges, job.shape.approach(x)[0], draft.is_held, job.shape.handles
     )
     return _left(draft._replace(edges=edges), stays, target)
 
