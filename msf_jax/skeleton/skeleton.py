@@ -19,6 +19,8 @@ from msf_jax.skeleton import slopes
 from msf_jax.skeleton.formats import export
 from msf_jax.skeleton.pictures import page, panels, segmentation
 from msf_jax.skeleton.report import Report
+from msf_jax.skeleton.rigging import rig
+from msf_jax.skeleton.rigging.rig import Rig
 from msf_jax.skeleton.source import Source
 
 if TYPE_CHECKING:
@@ -249,8 +251,8 @@ class Skeleton:
         the cut edges listed in a comment, as the report is), ``.obj`` (lines), ``.cg`` (vertices and edges),
         ``.polylines.txt`` (CGAL's), ``.ply`` (vertices with radius, edges), ``.vtp`` (VTK PolyData with point data
         "radius"), ``.graphml`` (NetworkX's), ``.npz`` (everything, and the surface: `msf_jax.read_curve` reads it),
-        ``.json`` (everything, the report included), ``.glb`` (glTF:
-        ``mesh``, as `skeletonize` took it, skinned to the curve, whose nodes are the joints).
+        ``.json`` (everything, the report included), ``.glb`` (glTF: ``mesh``, as `skeletonize` took it, with its
+        materials, on the bones of ``rig()``; of another rig, ``rig(...).save(path, mesh)``).
 
         Raises:
             ConfigError: the suffix is none of these, or a ``.glb`` is asked for without a mesh.
@@ -258,6 +260,24 @@ class Skeleton:
             OSError: the file cannot be written; what was there before is untouched.
         """
         export.save(self, path, mesh)
+
+    def rig(self, bones: int = 50, influences: int = 4, mesh: Any = None) -> Rig:
+        """Bones for the mesh, and smooth weights by which it hangs on them; ``save("x.glb", mesh)`` writes one.
+
+        Joints are where limbs leave the balls of junctions, where the curve bends most, and on the way along a limb
+        that is long; the root is at the thickest junction. Loops are cut where they are thinnest. Weights spread as heat
+        does, over the surface.
+
+        Args:
+            bones: so many at most; a simple shape gets fewer.
+            influences: bones at most that a vertex hangs on.
+            mesh: what the curve was made from, as `skeletonize` took it; only needed where repair has made vertices.
+
+        Raises:
+            ConfigError: a number is out of range, or the surface that the curve was made from is not known.
+            MeshError: ``mesh`` is not the one that the curve was made from.
+        """
+        return rig.rigged(self, bones, influences, mesh)
 
     def view(self, mesh: Any = None, path: str | os.PathLike[str] | None = None) -> "PlotlyFigure":
         """A page to look around in: the curve in its surface, with sliders for the flow's iterations and for pruning.

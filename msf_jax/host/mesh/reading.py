@@ -52,7 +52,32 @@ def readable_suffixes() -> list[str]:
     return sorted(set(trimesh.available_formats()) - ARCHIVES)
 
 
-def _load(path: Path) -> Any:
+def parts(mesh: Any) -> list[trimesh.Trimesh]:
+    """The meshes that ``mesh`` consists of, each where it is in the whole, with all that its file says of it: their
+    vertices and faces, one after the other, are those of `read`. The caller's own object stays as it is."""
+    if isinstance(mesh, str | os.PathLike):
+        loaded = _loaded(Path(mesh))
+        return _placed(loaded) if isinstance(loaded, trimesh.Scene) else [loaded]
+    if isinstance(mesh, trimesh.Trimesh):
+        return [mesh.copy()]
+    return [trimesh.Trimesh(*read(mesh, finite=False), process=False)]
+
+
+def _placed(scene: trimesh.Scene) -> list[trimesh.Trimesh]:
+    return [part for part in scene.dump() if isinstance(part, trimesh.Trimesh)]
+
+
+def _load(path: Path) -> trimesh.Trimesh:
+    loaded = _loaded(path)
+    if isinstance(loaded, trimesh.Scene):
+        meshes = _placed(loaded)
+        loaded = trimesh.util.concatenate(meshes) if meshes else loaded
+    if not isinstance(loaded, trimesh.Trimesh):
+        raise MeshError(f"{path.name!r} holds a {type(loaded).__name__} without triangles: expected a triangle mesh")
+    return loaded
+
+
+def _loaded(path: Path) -> Any:
     if not path.exists():
         raise MeshError(f"no file {str(path)!r}: check the path")
     if path.is_dir():
@@ -79,11 +104,6 @@ def _load(path: Path) -> Any:
         raise MeshError(
             f"cannot read {path.name!r} as {suffix}: it is damaged, or its suffix is wrong ({reason[:200]})"
         ) from error
-    if isinstance(loaded, trimesh.Scene):
-        parts = [part for part in loaded.dump() if isinstance(part, trimesh.Trimesh)]
-        loaded = trimesh.util.concatenate(parts) if parts else loaded
-    if not isinstance(loaded, trimesh.Trimesh):
-        raise MeshError(f"{path.name!r} holds a {type(loaded).__name__} without triangles: expected a triangle mesh")
     return loaded
 
 
