@@ -265,8 +265,8 @@ class Skeleton:
         """Bones for the mesh, and smooth weights by which it hangs on them; ``save("x.glb", mesh)`` writes one.
 
         Joints are where limbs leave the balls of junctions, where the curve bends most, and on the way along a limb
-        that is long; the root is at the thickest junction. Loops are cut where they are thinnest. Weights spread as heat
-        does, over the surface.
+        that is long; the root is at the thickest junction. Loops are cut where they are thinnest. Weights spread as
+        heat does, over the surface.
 
         Args:
             bones: so many at most; a simple shape gets fewer.

@@ -59,12 +59,20 @@ def parts(mesh: Any) -> list[trimesh.Trimesh]:
         loaded = _loaded(Path(mesh))
         return _placed(loaded) if isinstance(loaded, trimesh.Scene) else [loaded]
     if isinstance(mesh, trimesh.Trimesh):
-        return [mesh.copy()]
+        return [mesh.copy(include_cache=True)]
     return [trimesh.Trimesh(*read(mesh, finite=False), process=False)]
 
 
 def _placed(scene: trimesh.Scene) -> list[trimesh.Trimesh]:
-    return [part for part in scene.dump() if isinstance(part, trimesh.Trimesh)]
+    """The meshes of a scene; unlike those of `trimesh.Scene.dump`, with the normals that they have."""
+    found = []
+    for node in scene.graph.nodes_geometry:
+        transform, name = scene.graph[node]
+        if isinstance(part := scene.geometry[name], trimesh.Trimesh):
+            part = part.copy(include_cache=True)
+            part.apply_transform(transform)
+            found.append(part)
+    return found
 
 
 def _load(path: Path) -> trimesh.Trimesh:

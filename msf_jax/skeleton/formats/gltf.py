@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import trimesh
+from trimesh.exchange.gltf import export_glb
 
 from msf_jax.base.errors import ConfigError
 from msf_jax.base.version import VERSION
@@ -47,7 +48,7 @@ def of_rig(rig: "Rig", mesh: Any) -> bytes:
     if len(rig.joints) > MOST_JOINTS:
         raise ConfigError(f"the rig has {len(rig.joints)} bones: glTF numbers at most {MOST_JOINTS}")
     parts = [part for part in reading.parts(mesh) if len(part.vertices)]
-    reading.check_map(np.empty(rig.weights.shape[0]), sum(len(part.vertices) for part in parts))
+    reading.check_map(np.empty(rig.num_vertices), sum(len(part.vertices) for part in parts))
     points = np.concatenate([part.vertices for part in parts])
     points = points[np.isfinite(points).all(axis=1)]
     low, high = points.min(axis=0), points.max(axis=0)
@@ -63,11 +64,14 @@ def _plain(parts: list[trimesh.Trimesh], middle: np.ndarray) -> tuple[dict[str, 
     """The document and the binary of a file with the parts alone, in the order of ``parts``."""
     scene = trimesh.Scene()
     for number, part in enumerate(parts):
-        vertices = np.where(np.isfinite(part.vertices), part.vertices, middle) - middle
-        part.vertices = vertices  # a copy of the caller's
+        is_finite = np.isfinite(part.vertices)
+        if not is_finite.all():
+            part.vertices = np.where(is_finite, part.vertices, middle)
+        if middle.any():
+            part.apply_translation(-middle)  # which keeps normals
         part.metadata.clear()
         scene.add_geometry(part, node_name=f"mesh {number}", geom_name=f"mesh {number}")
-    data = trimesh.exchange.gltf.export_glb(scene)
+    data = export_glb(scene)
     size = struct.unpack("<I", data[12:16])[0]
     document = json.loads(data[20 : 20 + size])
     return document, bytearray(data[28 + size :])

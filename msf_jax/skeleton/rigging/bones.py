@@ -7,6 +7,7 @@ where it bends most, or where it is long.
 """
 
 import heapq
+import itertools
 from typing import NamedTuple
 
 import networkx as nx
@@ -55,7 +56,8 @@ class _Way(NamedTuple):
 
 
 def bones_of(vertices: np.ndarray, edges: np.ndarray, radii: np.ndarray, most: int) -> Bones:
-    """At most ``most`` bones for a curve ``(vertices (N, 3), edges (E, 2), radii (N,))``, of its thickest components."""
+    """At most ``most`` bones for a curve ``(vertices (N, 3), edges (E, 2))`` in limbs of ``radii`` (N,): its longest
+    components have some."""
     edges = edges[branches.cut_loops(len(vertices), edges, radii)]
     stays, target = _limbs(vertices, edges, radii, max(1, int(FOR_LIMBS * most)))
     roots, ways = _ways(vertices, edges[stays[edges].all(axis=1)], radii, stays, most)
@@ -76,7 +78,7 @@ def bones_of(vertices: np.ndarray, edges: np.ndarray, radii: np.ndarray, most: i
     for number, (way, stops) in enumerate(zip(ways, cuts, strict=True)):
         above = last[int(way.nodes[0])]
         first = len(joints)
-        for k, (begin, end) in enumerate(zip(stops[:-1], stops[1:], strict=True)):
+        for k, (begin, end) in enumerate(itertools.pairwise(stops)):
             joints.append(_at(vertices, way, begin))
             tails.append(_at(vertices, way, end))
             parents.append(above if k == 0 else len(joints) - 2)
@@ -92,8 +94,12 @@ def bones_of(vertices: np.ndarray, edges: np.ndarray, radii: np.ndarray, most: i
     if len(lost):
         away = np.linalg.norm(vertices[lost][:, None] - vertices[known], axis=2)
         of_node[lost] = of_node[known[away.argmin(axis=1)]]
-    columns = (np.array(values) for values in (joints, tails, parents, branch, place, is_limb))
-    return Bones(*columns, of_node[target])
+    columns = np.array(joints), np.array(tails), np.array(parents), np.array(branch), np.array(place), np.array(is_limb)
+    found = Bones(*columns, of_node[target])
+    while len(found.joints) > most:  # a junction of more limbs than that
+        length = np.linalg.norm(found.tails - found.joints, axis=1)
+        found = without(found, np.arange(len(length)) == np.where(found.parents < 0, np.inf, length).argmin())
+    return found
 
 
 def _at(vertices: np.ndarray, way: _Way, stop: float) -> np.ndarray:
@@ -113,9 +119,15 @@ def without(bones: Bones, is_left_out: np.ndarray) -> Bones:
     place = bones.place.copy()
     for bone in np.flatnonzero(is_left_out):
         place[(bones.branch == bones.branch[bone]) & (bones.place > bones.place[bone])] -= 1
-    columns = (values[stays] for values in (bones.joints, bones.tails))
-    rest = (values[stays] for values in (bones.branch, place, bones.is_limb))
-    return Bones(*columns, parents, *rest, rank[heir[bones.of_node]])
+    return Bones(
+        bones.joints[stays],
+        bones.tails[stays],
+        parents,
+        bones.branch[stays],
+        place[stays],
+        bones.is_limb[stays],
+        rank[heir[bones.of_node]],
+    )
 
 
 def _limbs(vertices: np.ndarray, edges: np.ndarray, radii: np.ndarray, most: int) -> tuple[np.ndarray, np.ndarray]:

@@ -1,9 +1,9 @@
 """Names of bones: what they belong to, where on it they are, and which side of a symmetric shape that is.
 
-``root``; ``trunk2_1`` for the first bone of a branch between two junctions, ``limb5_3.L`` for the third of one that ends
-in a tip. Two branches that are each other's image in a mirror have one number, with ``.L`` and ``.R``, by which Blender
-knows the other side. Left is where the coordinate across the mirror is larger: that is the left of a figure that looks
-along z with y up, as in glTF, or along -y with z up, as in Blender.
+``root``; ``trunk2_1`` for the first bone of a branch between two junctions, ``limb5_3.L`` for the third of one that
+ends in a tip. Two branches that are each other's image in a mirror have one number, with ``.L`` and ``.R``, by which
+Blender knows the other side. Left is where the coordinate across the mirror is larger: that is the left of a figure
+that looks along z with y up, as in glTF, or along -y with z up, as in Blender.
 """
 
 import numpy as np
@@ -50,8 +50,9 @@ def _mirrored(bones: Bones, known: np.ndarray) -> dict[int, tuple[int, str]]:
     points = np.concatenate([bones.joints, bones.tails])
     size = float(np.linalg.norm(np.ptp(points, axis=0)))
     axes = np.linalg.svd(points - points.mean(axis=0), full_matrices=False)[2]
-    best, found = ENOUGH, {}
-    for normal in [*np.eye(3), *axes]:
+    best = ENOUGH
+    found: dict[int, tuple[int, str]] = {}
+    for normal in np.concatenate([np.eye(3), axes]):
         normal = normal * np.sign(normal[np.abs(normal).argmax()])
         height = points @ normal
         for middle in ((height.max() + height.min()) / 2, float(bones.joints[0] @ normal)):
@@ -62,6 +63,6 @@ def _mirrored(bones: Bones, known: np.ndarray) -> dict[int, tuple[int, str]]:
             share = length[is_pair].sum() / max(length.sum(), 1e-300)
             if is_other.any() and share > best:
                 best = share
-                side = np.where((begin + end) @ normal / 2 > middle, ".L", ".R")
-                found = {int(known[k]): (int(known[image[k]]), str(side[k])) for k in np.flatnonzero(is_other)}
+                side = [".L" if at else ".R" for at in (begin + end) @ normal / 2 > middle]
+                found = {int(known[k]): (int(known[image[k]]), side[k]) for k in np.flatnonzero(is_other)}
     return found

@@ -20,6 +20,8 @@ if TYPE_CHECKING:
     from msf_jax.skeleton.skeleton import Skeleton
 
 MOST_BONES = 65535  # that glTF can number
+NEIGHBOURS = 3  # on the curve, whose vertices tell how large a limb is at a node
+THINNEST = 0.003  # of the mesh's diagonal, for the heat: details below that hang together
 FEWEST = 4  # vertices of a bone; what has less goes to its parent
 
 
@@ -43,7 +45,12 @@ class Rig:
 
     def __repr__(self) -> str:
         most = int(np.diff(self.weights.indptr).max(initial=0))
-        return f"Rig({len(self.joints)} bones, {self.weights.shape[0]} vertices with up to {most} weights)"
+        return f"Rig({len(self.joints)} bones, {self.num_vertices} vertices with up to {most} weights)"
+
+    @property
+    def num_vertices(self) -> int:
+        """Of the mesh that hangs on it."""
+        return len(self.weights.indptr) - 1
 
     def save(self, path: str | os.PathLike[str], mesh: Any) -> None:
         """Write ``mesh``, as `skeletonize` took it, on these bones as a ``.glb`` file, whole or not at all.
@@ -69,8 +76,8 @@ class Rig:
             ConfigError: there is no bone of that name, or a rotation or the vertices have another shape.
         """
         points = np.asarray(vertices, dtype=np.float64)
-        if points.shape != (self.weights.shape[0], 3):
-            raise ConfigError(f"vertices have shape {points.shape}: expected ({self.weights.shape[0]}, 3)")
+        if points.shape != (self.num_vertices, 3):
+            raise ConfigError(f"vertices have shape {points.shape}: expected ({self.num_vertices}, 3)")
         for name, turn in turns.items():
             if name not in self.names or np.shape(turn) != (3, 3):
                 raise ConfigError(f"{name!r} turns by {np.shape(turn)}: expected a bone's name, and a matrix (3, 3)")
@@ -96,14 +103,14 @@ def rigged(skeleton: "Skeleton", bones: int, influences: int, mesh: Any) -> Rig:
     vertices, faces = _surface(skeleton) if mesh is None else reading.read(mesh, finite=False)
     reading.check_map(skeleton.mesh_map, len(vertices))
     node = skeleton.mesh_map
-    is_lost = ~np.isfinite(vertices).all(axis=1)
+    is_lost = np.logical_not(np.isfinite(vertices).all(axis=1))
     vertices = np.where(is_lost[:, None], skeleton.vertices[node], vertices)
     node = binding.walked(vertices, skeleton.vertices, skeleton.edges, node)
-    found = bones_of(skeleton.vertices, skeleton.edges, skeleton.radii, int(bones))
-    found = _without_empty(found, node)
-    away = np.maximum(np.linalg.norm(vertices - skeleton.vertices[node], axis=1), skeleton.radii[node])
-    size = float(np.linalg.norm(np.ptp(vertices, axis=0)))
-    heat = binding.Heat(vertices, faces, np.maximum(away, 1e-4 * size))
+    away = np.linalg.norm(vertices - skeleton.vertices[node], axis=1)
+    size = _sizes(skeleton, node, away)
+    found = _without_empty(bones_of(skeleton.vertices, skeleton.edges, size, int(bones)), node)
+    thinnest = THINNEST * float(np.linalg.norm(np.ptp(vertices, axis=0)))
+    heat = binding.Heat(vertices, faces, np.maximum(np.maximum(away, size[node]), thinnest))
     weights = binding.bound(heat, found.of_node[node], found.joints, found.parents, int(influences))
     return Rig(found.joints, found.tails, found.parents, naming.names_of(found), sparse.csr_matrix(weights))
 
@@ -114,6 +121,21 @@ def _surface(skeleton: "Skeleton") -> tuple[np.ndarray, np.ndarray]:
     if len(np.unique(surface.vertex)) < num:
         raise ConfigError("the mesh was welded or repaired, and not all its vertices are known: expected rig(mesh=...)")
     return surface.given(num), surface.vertex[surface.solid.shape.faces]
+
+
+def _sizes(skeleton: "Skeleton", node: np.ndarray, away: np.ndarray) -> np.ndarray:
+    """(N,) how large the limb is around each node: its ball, or as far as its vertices are, if that is more.
+
+    In a sheet the ball tells how thick it is, and bones are to be as long as it is wide. Of neighbours on the curve the
+    mean is taken.
+    """
+    num = len(skeleton.vertices)
+    ends = np.concatenate([skeleton.edges, skeleton.edges[:, ::-1]])
+    beside = sparse.coo_matrix((np.ones(len(ends)), ends.T), shape=(num, num)).tocsr() + sparse.eye(num)
+    total = np.stack([np.bincount(node, away, num), np.bincount(node, minlength=num)], axis=1)
+    for _ in range(NEIGHBOURS):
+        total = beside @ total
+    return np.maximum(skeleton.radii, total[:, 0] / np.maximum(total[:, 1], 1e-300))
 
 
 def _without_empty(bones: Bones, node: np.ndarray) -> Bones:
