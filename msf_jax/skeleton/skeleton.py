@@ -16,6 +16,7 @@ from msf_jax.base.recipe import Recipe
 from msf_jax.host.curve import branches, finishing, following, resampling
 from msf_jax.host.curve.branches import Branch
 from msf_jax.skeleton import slopes
+from msf_jax.skeleton.centrelines import table
 from msf_jax.skeleton.formats import export
 from msf_jax.skeleton.pictures import page, panels, segmentation
 from msf_jax.skeleton.report import Report
@@ -42,6 +43,8 @@ class Skeleton:
         report: what was found and how far to trust it.
         source: the surface that the curve was made from; without it, radii of a changed curve are lower bounds.
         roots: of a tree that `to_tree` made, a node of each component, the one that was asked for first.
+        openings: nodes in the middle of openings that repair has closed: ends of vessels that were cut.
+        radius_of: what ``radii`` are of: "ball", or "section", as `with_radii` makes them.
     """
 
     vertices: np.ndarray
@@ -51,6 +54,8 @@ class Skeleton:
     report: Report
     source: Source | None = field(default=None, repr=False)
     roots: tuple[int, ...] = ()
+    openings: tuple[int, ...] = ()
+    radius_of: str = "ball"
 
     def __repr__(self) -> str:
         cycles = f"{self.report.cycles} {'cycle' if self.report.cycles == 1 else 'cycles'}"
@@ -241,18 +246,63 @@ class Skeleton:
         else:  # the largest ball inside one that is known
             away = np.linalg.norm(vertices[:, None] - self.vertices, axis=2)
             radii = np.maximum((self.radii - away).max(axis=1), 0.0)
-        roots = tuple(node_of_old[list(self.roots)].tolist())
-        return Skeleton(vertices, edges, radii, node_of_old[self.mesh_map], report, self.source, roots)
+        roots, openings = (tuple(node_of_old[list(nodes)].tolist()) for nodes in (self.roots, self.openings))
+        mesh_map = node_of_old[self.mesh_map]
+        changed = Skeleton(vertices, edges, radii, mesh_map, report, self.source, roots, openings)
+        return changed if self.radius_of == "ball" or self.source is None else changed.with_radii(self.radius_of)
+
+    def with_radii(self, of: str) -> "Skeleton":
+        """The same curve with radii ``of`` another kind; files that are saved of it have these.
+
+        Args:
+            of: "ball", the radius of the largest ball around each node that fits in; or "section", that of a disc with
+                the area of the cross-section there. In a flat limb the second is larger. Where there is no section, as
+                beyond a limb's end, a node has the ball's.
+
+        Raises:
+            ConfigError: ``of`` is neither, or the surface that the curve was made from is not known.
+        """
+        if of not in ("ball", "section"):
+            raise ConfigError(f'of is {of!r}: expected "ball" or "section"')
+        if self.source is None:
+            raise ConfigError("the skeleton does not know the mesh that it was made from: expected one that does")
+        balls = replace(self, radii=self.source.solid.radii(self.vertices), radius_of="ball")
+        if of == "ball":
+            return balls
+        area = table.node_columns(balls)["area"]
+        radii = np.where(np.isfinite(area), np.sqrt(np.maximum(area, 0.0) / np.pi), balls.radii)
+        return replace(balls, radii=radii, radius_of=of)
+
+    def table(self, of: str = "branches") -> Any:
+        """Measurements, a row for each of ``branches``, in their order, or for each node: a pandas.DataFrame, or where
+        pandas is not installed a dictionary of arrays. ``save("x.csv")`` and ``save("x.nodes.csv")`` write the same.
+
+        Lengths are in the caller's units, angles in degrees; what is not known is NaN. Branches lead away from the root
+        that `to_tree` was given, or from the tip of the thickest limb:
+
+        - "branches": start and end nodes; parent, the branch that it grows out of, or -1; is_tip; length, chord,
+          tortuosity (length over chord); mean_radius, least_radius and largest_radius without the ends, where balls
+          touch the end of the limb or belong to a junction; volume of its part; angle to its parent, 0 straight on;
+          persistence and surface, as `Branch` has them.
+        - "nodes": x, y, z, radius, branch, along (the length from the branch's start), tangent, curvature, torsion;
+          area, perimeter, largest_diameter and least_diameter of the cross-section.
+
+        Raises:
+            ConfigError: ``of`` is another.
+        """
+        return table.table_of(self, of)
 
     def save(self, path: str | os.PathLike[str], mesh: Any = None) -> None:
         """Write the curve in the format that the suffix names, whole or not at all.
 
         ``.swc`` (a tree, parents first: ids count its rows from 1, and are not the nodes' numbers; loops are cut, and
         the cut edges listed in a comment, as the report is), ``.obj`` (lines), ``.cg`` (vertices and edges),
-        ``.polylines.txt`` (CGAL's), ``.ply`` (vertices with radius, edges), ``.vtp`` (VTK PolyData with point data
-        "radius"), ``.graphml`` (NetworkX's), ``.npz`` (everything, and the surface: `msf_jax.read_curve` reads it),
-        ``.json`` (everything, the report included), ``.glb`` (glTF: ``mesh``, as `skeletonize` took it, with its
-        materials, on the bones of ``rig()``; of another rig, ``rig(...).save(path, mesh)``).
+        ``.polylines.txt`` (CGAL's), ``.ply`` (vertices with radius, edges), ``.vtp`` (VTK PolyData: nodes and branches
+        with all that `table` tells of them), ``.csv`` and ``.nodes.csv`` (those tables), ``.graphml`` (NetworkX's),
+        ``.npz`` (everything, and the surface), ``.json`` (everything, the report included), ``.glb`` (glTF: ``mesh``,
+        as `skeletonize` took it, with its materials, on the bones of ``rig()``; of another rig,
+        ``rig(...).save(path, mesh)``). `msf_jax.read_curve` reads ``.npz``, ``.json``, ``.swc``, ``.obj``, ``.cg``,
+        ``.ply``, ``.graphml`` and ``.polylines.txt`` again.
 
         Raises:
             ConfigError: the suffix is none of these, or a ``.glb`` is asked for without a mesh.
