@@ -27,10 +27,12 @@ if TYPE_CHECKING:
     from msf_jax.gradients.tape import Tape
     from msf_jax.gradients.track import Track, track
     from msf_jax.host.curve.branches import Branch
+    from msf_jax.host.mesh.reading import read_mesh
     from msf_jax.host.mesh.repair import Repair
     from msf_jax.host.preprocessing import reconstruct, voronoi_poles
     from msf_jax.skeleton.formats.importing import read_curve
     from msf_jax.skeleton.report import Report
+    from msf_jax.skeleton.rigging.rig import Rig
     from msf_jax.skeleton.skeleton import Skeleton
     from msf_jax.tuning import objectives
     from msf_jax.tuning.result import Tuned
@@ -57,6 +59,7 @@ _HOMES = {
     "MeshError": "base.errors",
     "Repair": "host.mesh.repair",
     "Report": "skeleton.report",
+    "Rig": "skeleton.rigging.rig",
     "Skeleton": "skeleton.skeleton",
     "Tape": "gradients.tape",
     "Track": "gradients.track",
@@ -66,6 +69,7 @@ _HOMES = {
     "contract": "flow.loop",
     "follow": "gradients.follow",
     "read_curve": "skeleton.formats.importing",
+    "read_mesh": "host.mesh.reading",
     "reconstruct": "host.preprocessing",
     "replay": "gradients.replay",
     "replay_meso": "gradients.replay",
@@ -90,6 +94,7 @@ __all__ = [
     "MeshError",
     "Repair",
     "Report",
+    "Rig",
     "Skeleton",
     "Tape",
     "Track",
@@ -104,6 +109,7 @@ __all__ = [
     "metrics",
     "objectives",
     "read_curve",
+    "read_mesh",
     "reconstruct",
     "replay",
     "replay_meso",
