@@ -15,7 +15,7 @@ from msf_jax.base.errors import ConfigError
 from msf_jax.base.recipe import Recipe
 from msf_jax.host.curve import branches, finishing, following, resampling
 from msf_jax.host.curve.branches import Branch
-from msf_jax.skeleton import slopes
+from msf_jax.skeleton import slopes, trees
 from msf_jax.skeleton.centrelines import table
 from msf_jax.skeleton.formats import export
 from msf_jax.skeleton.pictures import page, panels, segmentation
@@ -45,6 +45,7 @@ class Skeleton:
         roots: of a tree that `to_tree` made, a node of each component, the one that was asked for first.
         openings: nodes in the middle of openings that repair has closed: ends of vessels that were cut.
         radius_of: what ``radii`` are of: "ball", or "section", as `with_radii` makes them.
+        units: the name of the unit of length, as files have it; "" if it is not known.
     """
 
     vertices: np.ndarray
@@ -56,6 +57,7 @@ class Skeleton:
     roots: tuple[int, ...] = ()
     openings: tuple[int, ...] = ()
     radius_of: str = "ball"
+    units: str = ""
 
     def __repr__(self) -> str:
         cycles = f"{self.report.cycles} {'cycle' if self.report.cycles == 1 else 'cycles'}"
@@ -122,40 +124,36 @@ class Skeleton:
         x, edges = resampling.smooth(self.vertices, self.edges, self.radii, int(rounds), self._is_held(), solid)
         return self._changed(x, edges, np.arange(len(x)))
 
-    def to_tree(self, root: int | None = None) -> "Skeleton":
+    def to_tree(self, root: int | str | None = None) -> "Skeleton":
         """A new skeleton without loops: each is cut at its thinnest edge. ``save`` of it as SWC has the root first.
 
         Args:
-            root: number of the node that is the root of its component; the thickest node if not given, as it is in
-                every other component. See ``roots``.
+            root: number of the node that is the root of its component, or "soma" (see `soma`); the thickest node if not
+                given, as it is in every other component. See ``roots``.
 
         Returns:
-            The same nodes and map, fewer edges. ``report.cut`` counts the loops, and ``report.notes`` says where.
+            The same nodes and map, fewer edges. ``report.cut`` counts the loops, and ``report.notes`` says where, and
+            whether the soma is sure.
 
         Raises:
             ConfigError: the curve has no such node.
         """
-        num = len(self.vertices)
-        is_node = isinstance(root, numbers.Integral) and not isinstance(root, bool) and 0 <= int(root) < num
-        if root is not None and not is_node:
-            raise ConfigError(f"root is {root!r}: expected a node from 0 to {num - 1}, or None for the thickest")
-        stays = branches.cut_loops(num, self.edges, self.radii)
-        edges, gone = self.edges[stays], self.radii[self.edges[~stays]].min(axis=1)
-        roots = branches.roots_of(num, edges, self.radii, None if root is None else int(root))
-        where = f", at radii of {gone.min():.3g} to {gone.max():.3g}" if len(gone) else ""
-        loops = f"{len(gone)} {'loop' if len(gone) == 1 else 'loops'}"
-        note = (
-            f"a tree: {loops} cut where thinnest{where}; root at node {roots[0]}, of radius {self.radii[roots[0]]:.3g}"
-        )
-        report = replace(
-            self.report,
-            cycles=0,
-            cut=self.report.cut + len(gone),
-            inside=self._inside(self.vertices, edges, self.radii),
-            notes=(*self.report.notes, note),
-            figures={},
-        )
-        return replace(self, edges=edges, report=report, roots=roots)
+        return trees.tree_of(self, root)
+
+    def soma(self) -> trees.Soma:
+        """Where the soma of a neuron may be, the thickest place, and whether it is sure: it stands out among others."""
+        known = self.radius_of == "ball" or self.source is None
+        return trees.soma_of(self.vertices, self.radii if known else self.with_radii("ball").radii)
+
+    def heal(self, reach: float = np.inf) -> "Skeleton":
+        """A new skeleton of fewer pieces: edges join them between their nearest nodes, over gaps of up to ``reach``.
+
+        No loop is made. ``report.notes`` says over which gaps.
+
+        Raises:
+            ConfigError: ``reach`` is not above 0.
+        """
+        return trees.healed(self, reach)
 
     @cached_property
     def recipe(self) -> Recipe:
@@ -205,18 +203,7 @@ class Skeleton:
         Raises:
             ConfigError: ``sigma`` is negative, not finite or of another shape, or the surface is not known.
         """
-        try:
-            spread = np.asarray(sigma, dtype=np.float64)
-        except (TypeError, ValueError) as error:
-            raise ConfigError(
-                f"sigma is a {type(sigma).__name__}: expected a number, or one for each vertex"
-            ) from error
-        num = len(self.mesh_map)
-        if spread.shape not in ((), (num,)):
-            raise ConfigError(f"sigma has shape {spread.shape}: expected a number, or ({num},), one for each vertex")
-        if not (np.isfinite(spread) & (spread >= 0)).all():
-            raise ConfigError("sigma has values that are negative or not finite: expected lengths of 0 or more")
-        return slopes.covariance(self.jacobian(), np.broadcast_to(spread, num))
+        return slopes.covariance(self.jacobian(), slopes.spread_of(sigma, len(self.mesh_map)))
 
     def _is_held(self) -> np.ndarray:
         """(N,) True for a node that a pinned vertex of the mesh goes to."""
@@ -225,8 +212,8 @@ class Skeleton:
             is_held[self.mesh_map[self.source.pins]] = True
         return is_held
 
-    def _inside(self, vertices: np.ndarray, edges: np.ndarray, radii: np.ndarray) -> float:
-        """The fraction of a curve's length that is inside, as far as that is known."""
+    def inside_of(self, vertices: np.ndarray, edges: np.ndarray, radii: np.ndarray) -> float:
+        """The fraction of a curve's length that is inside the mesh of this one, as far as that is known."""
         if self.source is None:
             return self.report.inside
         solid = self.source.solid
@@ -242,13 +229,13 @@ class Skeleton:
         report = replace(self.report, components=components, cycles=cycles, figures={})
         if self.source is not None:
             radii = self.source.solid.radii(vertices)
-            report = replace(report, inside=self._inside(vertices, edges, radii))
+            report = replace(report, inside=self.inside_of(vertices, edges, radii))
         else:  # the largest ball inside one that is known
             away = np.linalg.norm(vertices[:, None] - self.vertices, axis=2)
             radii = np.maximum((self.radii - away).max(axis=1), 0.0)
         roots, openings = (tuple(node_of_old[list(nodes)].tolist()) for nodes in (self.roots, self.openings))
         mesh_map = node_of_old[self.mesh_map]
-        changed = Skeleton(vertices, edges, radii, mesh_map, report, self.source, roots, openings)
+        changed = Skeleton(vertices, edges, radii, mesh_map, report, self.source, roots, openings, units=self.units)
         return changed if self.radius_of == "ball" or self.source is None else changed.with_radii(self.radius_of)
 
     def with_radii(self, of: str) -> "Skeleton":

@@ -6,6 +6,7 @@ one place, to float32's last bits, are one vertex.
 """
 
 import importlib.util
+import inspect
 import logging
 import os
 import zipfile
@@ -59,7 +60,7 @@ def read(mesh: Any, *, finite: bool = True) -> tuple[np.ndarray, np.ndarray]:
     """
     if isinstance(mesh, str | os.PathLike):
         mesh = _load(Path(mesh))
-    if hasattr(mesh, "extract_geometry"):
+    if hasattr(mesh, "extract_surface"):
         mesh = _of_pyvista(mesh, type(mesh).__name__)
     if hasattr(mesh, "vertices") and hasattr(mesh, "faces"):
         vertices, faces = mesh.vertices, mesh.faces
@@ -81,7 +82,10 @@ def readable_suffixes() -> list[str]:
 
 def _of_pyvista(mesh: Any, name: str) -> trimesh.Trimesh:
     """The surface of a mesh of pyvista's: that of a grid is its boundary."""
-    surface = mesh if hasattr(mesh, "is_all_triangles") or not mesh.n_cells else mesh.extract_geometry()
+    surface = mesh
+    if not hasattr(mesh, "is_all_triangles") and mesh.n_cells:  # newer versions warn unless they are told how
+        has_choice = "algorithm" in inspect.signature(mesh.extract_surface).parameters
+        surface = mesh.extract_surface(**({"algorithm": None} if has_choice else {}))
     surface = surface.triangulate() if surface.n_cells else surface
     if not (surface.n_points and surface.n_cells):
         raise MeshError(f"{name} has no surface: expected one of triangles or polygons, or a grid with a boundary")

@@ -177,7 +177,7 @@ def _angles(skeleton: "Skeleton", ways: list[np.ndarray], parent: np.ndarray) ->
             continue
         junction = ways[number][0]
         mother = ways[above] if ways[above][-1] != junction else ways[above][::-1]
-        radius = skeleton.radii[junction]
+        radius = float(skeleton.radii[junction])
         ahead = _leaves(skeleton.vertices[ways[number]], radius)
         back = _leaves(skeleton.vertices[mother], radius)
         found[number] = np.degrees(np.arccos(np.clip(-(ahead @ back), -1.0, 1.0)))
@@ -200,7 +200,7 @@ def _volumes(skeleton: "Skeleton", num: int) -> np.ndarray:
     if skeleton.source.input_of_vertex is not None:
         node = skeleton.mesh_map[skeleton.source.input_of_vertex]
     else:
-        node = spatial.KDTree(skeleton.vertices).query(solid.leave(solid.shape.vertices))[1]
+        node = np.asarray(spatial.KDTree(skeleton.vertices).query(solid.leave(solid.shape.vertices))[1])
     branch = np.full(len(skeleton.vertices), -1)
     for number, nodes in reversed(list(enumerate(branches.trace(len(branch), skeleton.edges)))):
         branch[nodes] = number

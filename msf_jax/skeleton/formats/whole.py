@@ -24,7 +24,7 @@ def npz(skeleton: "Skeleton") -> bytes:
     buffer = io.BytesIO()
     arrays: dict[str, Any] = {name: getattr(skeleton, name) for name in ("vertices", "edges", "radii", "mesh_map")}
     arrays |= {name: np.array(getattr(skeleton, name), dtype=np.int64) for name in ("roots", "openings")}
-    arrays["radius_of"] = np.array(skeleton.radius_of)
+    arrays |= {name: np.array(getattr(skeleton, name)) for name in ("radius_of", "units")}
     source = skeleton.source
     if source is not None:
         shape = source.solid.shape
@@ -60,7 +60,9 @@ def read_npz(path: str | os.PathLike[str]) -> "tuple[dict[str, Any], Report, Sou
             curve[name] = tuple(int(node) for node in held[name]) if name in held else ()
             if not all(0 <= node < num for node in curve[name]):
                 raise ValueError(f"the {name} are no nodes")
-        curve["radius_of"] = str(held["radius_of"]) if "radius_of" in held else "ball"
+        curve["radius_of"], curve["units"] = (str(held.get(*pair)) for pair in (("radius_of", "ball"), ("units", "")))
+        if curve["radius_of"] not in ("ball", "section"):
+            raise ValueError("the radii are of nothing that is known")
         report = Report.from_dict(json.loads(str(held["report"])))
         source = None
         if "surface_vertices" in held:
@@ -89,6 +91,10 @@ def plain_json(skeleton: "Skeleton") -> str:
         "edges": skeleton.edges.tolist(),
         "radii": skeleton.radii.tolist(),
         "mesh_map": skeleton.mesh_map.tolist(),
+        "roots": list(skeleton.roots),
+        "openings": list(skeleton.openings),
+        "radius_of": skeleton.radius_of,
+        "units": skeleton.units,
         "report": skeleton.report.to_dict(),
     }
     return json.dumps(content) + "\n"

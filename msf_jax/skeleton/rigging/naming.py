@@ -57,7 +57,7 @@ def _mirrored(bones: Bones, known: np.ndarray) -> dict[int, tuple[int, str]]:
         height = points @ normal
         for middle in ((height.max() + height.min()) / 2, float(bones.joints[0] @ normal)):
             flipped = [at - 2 * ((at @ normal) - middle)[:, None] * normal for at in (begin, end)]
-            away, image = spatial.KDTree(np.hstack([begin, end])).query(np.hstack(flipped))
+            away, image = map(np.asarray, spatial.KDTree(np.hstack([begin, end])).query(np.hstack(flipped)))
             is_pair = (away < ALIKE * size) & (image[image] == np.arange(len(known)))
             is_other = is_pair & (image != np.arange(len(known)))
             share = length[is_pair].sum() / max(length.sum(), 1e-300)
