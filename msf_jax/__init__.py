@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from msf_jax.app import batch
     from msf_jax.base.errors import ConfigError, FlowError, Interrupted, MeshError
     from msf_jax.base.options import Config, Weights
+    from msf_jax.base.weights import read_weights, save_weights
     from msf_jax.device.caching import cache_compilations
     from msf_jax.flow.loop import contract
     from msf_jax.flow.skeletonize import skeletonize
@@ -70,10 +71,12 @@ _HOMES = {
     "follow": "gradients.follow",
     "read_curve": "skeleton.formats.importing",
     "read_mesh": "host.mesh.reading",
+    "read_weights": "base.weights",
     "reconstruct": "host.preprocessing",
     "replay": "gradients.replay",
     "replay_meso": "gradients.replay",
     "replay_radii": "gradients.replay",
+    "save_weights": "base.weights",
     "sensitivity": "gradients.sensitivity",
     "skeletonize": "flow.skeletonize",
     "track": "gradients.track",
@@ -110,10 +113,12 @@ __all__ = [
     "objectives",
     "read_curve",
     "read_mesh",
+    "read_weights",
     "reconstruct",
     "replay",
     "replay_meso",
     "replay_radii",
+    "save_weights",
     "sensitivity",
     "shapes",
     "skeletonize",

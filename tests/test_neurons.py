@@ -1,4 +1,6 @@
-"""What neurons are saved with: a root that is a soma or is not sure to be, labels, pieces that are joined, radii named."""
+"""What neurons are saved with: a root that is a soma or is not sure to be, labels, pieces joined, what radii are."""
+
+from dataclasses import replace
 
 import navis
 import numpy as np
@@ -31,7 +33,8 @@ def rows_of(path) -> np.ndarray:
 def test_a_soma_is_sure_where_it_stands_out(size, is_sure):
     found = neuron(size).soma()
     assert found.is_sure == is_sure
-    assert (found.node == 3) == (size > 0.3) and found.contrast == pytest.approx(max(size, 0.3) / 0.3)
+    if size > 0.3:
+        assert found.node == 3 and found.contrast == pytest.approx(size / 0.3)
     tree = neuron(size).to_tree("soma")
     assert tree.roots == (found.node,) and ("NOT SURE" in tree.report.notes[-1]) != is_sure
 
@@ -48,16 +51,14 @@ def test_labels_of_an_swc_are_soma_forks_and_ends(tmp_path):
     assert rows[0, :3].tolist() == [1, 1, 3] and rows[0, 6] == -1
     count = {label: int((rows[:, 1] == label).sum()) for label in (0, 1, 5, 6)}
     assert count == {0: 43, 1: 1, 5: 2, 6: 4}  # two ends of the fibre, two twigs
-    read = navis.read_swc(str(tmp_path / "a.swc"))
-    assert read.n_branches == 3 - (read.soma is None) or read.n_trees == 1
+    read = navis.read_swc(str(tmp_path / "a.swc")).nodes
+    assert (read["type"].to_numpy()[read["label"].to_numpy() == 5] == "branch").all()
     assert set(rows[rows[:, 1] == 6, 2]) == {0.0, 39.0, 22.5, 32.5}
     neuron(0.3).to_tree("soma").save(tmp_path / "b.swc")
     assert not (rows_of(tmp_path / "b.swc")[:, 1] == 1).any()
 
 
 def test_files_say_what_radii_and_units_they_have(tmp_path):
-    from dataclasses import replace
-
     curve = replace(neuron(2.0), units="µm\nand more")
     curve.save(tmp_path / "a.swc")
     text = (tmp_path / "a.swc").read_text()
