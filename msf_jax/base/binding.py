@@ -16,11 +16,11 @@ from typing import Any, NamedTuple
 import numpy as np
 
 FACES_TOGETHER = 32  # faces come in runs of so many that are near each other, and so do runs of twice that, four times ...
-# Level 0. Each further level has twice the vertices and faces, and 1.4 times the rest: a finer mesh has sections of more
-# corners, and hardly more nodes. In units of what is counted; twelve shapes of 128 to 18,000 vertices fit closely.
-SMALLEST = {"vertices": 256, "faces": 640, "nodes": 128, "edges": 128, "sections": 128, "corners": 2048}
-SMALLEST |= {"smoothing": 4096, "turning": 24576}
-DOUBLING = ("vertices", "faces")
+# The smallest capacity, in numbers of what is counted. One ladder is for the mesh and one for the curve, by twos: a finer
+# mesh has no more nodes. Corners and entries of b go with the nodes, and with the square root of the vertices.
+SMALLEST = {"vertices": 256, "faces": 640, "nodes": 128, "edges": 128, "sections": 128, "smoothing": 4096}
+SMALLEST |= {"corners": 2048, "turning": 20480}
+MESH, BOTH = ("vertices", "faces"), ("corners", "turning")
 STEP = 64  # capacities are multiples of it
 
 
@@ -121,21 +121,21 @@ def _mask(count: Any, num: int) -> Any:
     return count[..., None] > np.arange(num)
 
 
-def capacity_for(sizes: Sizes) -> Sizes:
-    """The smallest capacity with room for ``sizes``, and for the node and the section that padding belongs to."""
-    needed = sizes._replace(nodes=sizes.nodes + 1, sections=sizes.sections + 1)
-    level = 0
-    while any(room < need for room, need in zip(_level(level), needed, strict=True)):
-        level += 1
-    return _level(level)
+def capacity_for(*sizes: Sizes) -> Sizes:
+    """The smallest capacity with room for each of ``sizes``, and for the node and the section that padding belongs to."""
+    needed = {name: max(getattr(each, name) + (name in ("nodes", "sections")) for each in sizes) for name in SMALLEST}
+    mesh = curve = 0
+    while any(_room(name, mesh, 0) < needed[name] for name in MESH):
+        mesh += 1
+    while any(_room(name, mesh, curve) < need for name, need in needed.items()):
+        curve += 1
+    return Sizes(**{name: _room(name, mesh, curve) for name in SMALLEST})
 
 
-def _level(level: int) -> Sizes:
-    def room(name: str, least: int) -> int:
-        grown = least * 2 ** (level if name in DOUBLING else level / 2)
-        return -(-int(grown) // STEP) * STEP
-
-    return Sizes(**{name: room(name, least) for name, least in SMALLEST.items()})
+def _room(name: str, mesh: int, curve: int) -> int:
+    """Of that name, on those rungs of the two ladders."""
+    rung = mesh if name in MESH else curve + mesh / 2 if name in BOTH else curve
+    return -(-int(SMALLEST[name] * 2**rung) // STEP) * STEP
 
 
 def padded(binding: Binding, capacity: Sizes) -> Binding:

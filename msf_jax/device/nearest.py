@@ -87,7 +87,8 @@ def nearest_faces(binding: Binding, points: jax.Array, vertices: jax.Array) -> j
         return done + together, least, jnp.where(least < best, first, face)
 
     start = (jnp.zeros((), jnp.int32), jnp.full(num, jnp.inf, dtype), jnp.zeros(num, jnp.int32))
-    return lax.while_loop(lambda state: state[0] < pair[-1], look, start)[2]
+    found = lax.while_loop(lambda state: state[0] < pair[-1], look, start)[2]
+    return jnp.minimum(found, binding.live.faces - 1)  # which those that pad repeat
 
 
 def squared_distances(points: jax.Array, triangles: jax.Array) -> jax.Array:

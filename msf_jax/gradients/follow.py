@@ -79,7 +79,8 @@ def follow(skeleton: Skeleton | Binding, vertices: Any) -> Followed:
         )
     if isinstance(skeleton, Binding):
         return Followed(*found)
-    return Followed(jnp.asarray(nodes[: len(skeleton.vertices)]), jnp.asarray(radii[: len(skeleton.vertices)]))
+    num = len(skeleton.vertices)
+    return Followed(jax.device_put(nodes[:num].copy()), jax.device_put(radii[:num].copy()))
 
 
 _follow = jax.jit(following.follow)
@@ -94,17 +95,19 @@ def binding_of(skeleton: Any) -> Binding:
     return skeleton.binding
 
 
-def checked_vertices(skeleton: Skeleton | Binding, vertices: Any) -> jax.Array:
-    """``vertices`` as (V, 3) for the device. What is being traced is checked for its shape only, and vertices that are
-    not of the surface of ``skeleton`` may be anywhere."""
+def checked_vertices(skeleton: Skeleton | Binding, vertices: Any) -> Any:
+    """``vertices`` as (V, 3) for the device, of JAX or of NumPy. What is being traced is checked for its shape only, and
+    vertices that are not of the surface of ``skeleton`` may be anywhere."""
+    is_plain = isinstance(vertices, np.ndarray) and vertices.dtype.kind in "fiu"
     try:
-        array = vertices if isinstance(vertices, jax.Array) else jnp.asarray(vertices)
+        array = vertices if is_plain else jnp.asarray(vertices)  # which compiles a copy of NumPy's for every size
     except (TypeError, ValueError) as error:
         raise MeshError(f"vertices is a {type(vertices).__name__}, no table of numbers: expected (V, 3)") from error
     if not jnp.isdtype(array.dtype, ("real floating", "integral")):
         raise MeshError(f"vertices holds {array.dtype}: expected real numbers, (V, 3)")
     is_real = jnp.isdtype(array.dtype, "real floating")
-    array = array.astype(jnp.promote_types(array.dtype, jnp.float32) if is_real else real_dtype())
+    dtype = jnp.promote_types(array.dtype, jnp.float32) if is_real else real_dtype()
+    array = array.astype(jax.dtypes.canonicalize_dtype(dtype))
     binding = binding_of(skeleton)
     if isinstance(skeleton, Binding):
         if array.ndim != 2 or array.shape[1] != 3 or len(array) > binding.num_vertices:
