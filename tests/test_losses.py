@@ -22,7 +22,7 @@ def bound(diagonal=DIAGONAL, edges=EDGES) -> Binding:
     sizes = Sizes(vertices=1, faces=1, nodes=num, edges=len(edges), sections=0, corners=0, smoothing=0, turning=0)
     fields = dict.fromkeys(Binding._fields, nothing) | {"live": sizes, "faces": np.zeros((1, 3), int), "edges": edges}
     fields |= {"twin": np.zeros((1, 3), int), "rest": np.zeros((num, 3)), "side": np.ones(num), "centre": np.zeros(3)}
-    fields |= {"branch": np.array([0, 0, 1, 2])[: len(edges)], "diagonal": np.float64(diagonal)}
+    fields |= {"branch": np.array([0, 0, 1, 2])[: len(edges)], "diagonal": np.float64(diagonal), "unit": np.float64(1)}
     return padded(Binding(**fields), ROOM)
 
 

@@ -1,4 +1,5 @@
-"""Curves in batches: what pads changes no bit and has no gradient; one program for a capacity; dtypes; ways through JAX."""
+"""Curves in batches: what pads changes no bit and has no gradient; one program for a capacity; dtypes; ways through
+JAX."""
 
 import os
 import pickle
@@ -98,22 +99,18 @@ for k, (vertices, skeleton) in enumerate(curves):
     num, nodes = len(vertices), len(skeleton.vertices)
     for binding in (skeleton.binding, padded(own, twice)):
         rows = np.zeros((binding.num_vertices, 3))
-        rows[:num] = cases.moved(vertices)
+        rows[:num] = everywhere[k, :num]
         alone, by_own = jax.jit(msf_jax.follow)(binding, rows), cases.slope(binding, rows)[1]
         for one, other in ((found.nodes, alone.nodes), (found.radii, alone.radii)):
             np.testing.assert_array_equal(np.asarray(one)[k, :nodes], np.asarray(other)[:nodes])
         np.testing.assert_array_equal(np.asarray(by_vertex)[k, :num], np.asarray(by_own)[:num])
-    bare = jax.tree.map(jax.numpy.asarray, own)
-    tight = jax.jit(msf_jax.device.following.follow)(bare, cases.moved(vertices))
-    np.testing.assert_array_equal(tight.nodes, np.asarray(alone.nodes)[:nodes])
-    np.testing.assert_array_equal(tight.radii, np.asarray(alone.radii)[:nodes])
 print("same bits")
 """
 
 
 @pytest.mark.slow
 def test_padding_and_company_change_no_bit(curves, tmp_path):
-    """In a process whose programs are optimised as a user's are: alone, padded to twice as much, in a batch, bare."""
+    """In a process whose programs are optimised as a user's are: alone, padded to twice as much, in a batch."""
     with open(tmp_path / "curves.pkl", "wb") as file:
         pickle.dump(curves, file)
     (tmp_path / "bits.py").write_text(BITS)
@@ -309,6 +306,28 @@ def test_through_jax_and_files(curves, batch, tmp_path):
         np.testing.assert_allclose(vertices, given, rtol=0, atol=1e-14)
         for one, other in zip(jax.tree.leaves(binding), jax.tree.leaves(skeleton.binding), strict=True):
             np.testing.assert_array_equal(one, other)
+
+
+def test_a_skeleton_through_jax_and_back(curves, compilations, tmp_path):
+    """As an argument of a jitted function, and as what it returns; its binding goes with it."""
+    vertices, skeleton = curves[0]
+    nodes = jax.jit(lambda skeleton, vertices: msf_jax.follow(skeleton, vertices).nodes)
+    found = nodes(skeleton, vertices)
+    np.testing.assert_allclose(found, skeleton.vertices, rtol=0, atol=1e-12)
+    compilations.clear()
+    back = jax.tree.map(np.asarray, jax.jit(lambda skeleton: skeleton)(skeleton))
+    back = jax.tree.map(np.copy, pickle.loads(pickle.dumps(back)))
+    np.testing.assert_array_equal(back.edges, skeleton.edges)
+    np.testing.assert_array_equal(msf_jax.follow(back, vertices).nodes, msf_jax.follow(skeleton, vertices).nodes)
+    assert back.report == skeleton.report and back.prune(90.0).length <= skeleton.length
+    larger = jax.tree.map(lambda values: 2 * values if values.dtype.kind == "f" else values, skeleton)
+    np.testing.assert_array_equal(larger.vertices, 2 * skeleton.vertices)
+    compilations.clear()
+    nodes(jax.tree.map(lambda values: values, skeleton), vertices)
+    assert not compilations
+    skeleton.save(tmp_path / "tube.swc")
+    bare = jax.tree.map(np.copy, msf_jax.read_curve(tmp_path / "tube.swc"))
+    assert bare.source is None and len(bare.vertices) == len(skeleton.vertices)
 
 
 def _by_leaves(tree, path):

@@ -6,18 +6,18 @@ With c_j(V) the centroids of the cross-sections that were recorded,
 
 where a smooths along the branches, and b turns, stretches and shears with the limb what node i was off sum_j a_ij c_j.
 
-A binding is a pytree of arrays, and no number of its mesh is static: arrays are padded to one of few capacities, so that
-bindings of one capacity share a compiled program. What pads belongs to the last node and the last section, which no curve
-ever uses, and names vertices that the curve uses: it adds nothing to a value, and no gradient comes from it.
+A binding is a pytree of arrays, and no number of its mesh is static: arrays are padded to one of few capacities, so
+that bindings of one capacity share a compiled program. What pads belongs to the last node and the last section, which
+no curve ever uses, and names vertices that the curve uses: it adds nothing to a value, and no gradient comes from it.
 """
 
 from typing import Any, NamedTuple
 
 import numpy as np
 
-FACES_TOGETHER = 32  # faces come in runs of so many that are near each other, and so do runs of twice that, four times ...
-# The smallest capacity, in numbers of what is counted. One ladder is for the mesh and one for the curve, by twos: a finer
-# mesh has no more nodes. Corners and entries of b go with the nodes, and with the square root of the vertices.
+FACES_TOGETHER = 32  # faces come in runs of so many that are near each other; so do runs of 64, 128, ...
+# The smallest capacity, in numbers of what is counted. One ladder is for the mesh and one for the curve, by twos: a
+# finer mesh has no more nodes. Corners and entries of b go with the nodes, and with the square root of the vertices.
 SMALLEST = {"vertices": 256, "faces": 640, "nodes": 128, "edges": 128, "sections": 128, "smoothing": 4096}
 SMALLEST |= {"corners": 2048, "turning": 20480}
 MESH, BOTH = ("vertices", "faces"), ("corners", "turning")
@@ -40,20 +40,19 @@ class Sizes(NamedTuple):
 
 class Binding(NamedTuple):
     """Arrays, for N nodes, E edges, S sections, C corners of sections, F faces and V vertices of the caller's mesh;
-    lengths in diagonals. Of a batch, every array has one more axis, the first.
+    lengths in ``unit``. Of a batch, every array has one more axis, the first.
 
-    live: how many of each are not padding.
-    tail, head: (C,) the vertices that each corner is between. part: (C,) how far from tail to head, as a fraction.
-    onward: (C,) the corner that comes next in its section. section: (C,) ascending. share: (C,) one over the number of
-    corners in that section. is_loop: (S,) False for a cloud of points: its centroid is their mean. area: (S,) of each
-    section. node: (S,) whose it is. a_row, a_column, a_value: entries of a, (N, S), in the order of rows; b_row,
-    b_column, b_value: those of b, (N, V). rest: (N, 3) r.
-    faces: (F, 3) vertices of the surface's triangles, those that are near each other together. twin: (F, 3) for the edge
-    from corner k of face f to the next, number 3 f + k, the number of the same edge in the face on its other side.
-    side: (N,) -1 for a node whose nearest wall faces it the wrong way, since the surface runs through itself; else 1.
-    edges: (E, 2) of the curve. branch: (E,) the branch that each edge belongs to: which of
-    those of `Skeleton.branches` that have an edge.
-    centre: (3,), diagonal: () of the surface in the caller's units.
+    live: how many of each are not padding. tail, head: (C,) the vertices that each corner is between. part: (C,) how
+    far from tail to head, as a fraction. onward: (C,) the corner that comes next in its section. section: (C,)
+    ascending. share: (C,) one over the number of corners in that section. is_loop: (S,) False for a cloud of points:
+    its centroid is their mean. area: (S,) of each section. node: (S,) whose it is. a_row, a_column, a_value: entries of
+    a, (N, S), in the order of rows; b_row, b_column, b_value: those of b, (N, V). rest: (N, 3) r. faces: (F, 3)
+    vertices of the surface's triangles, those that are near each other together. twin: (F, 3) for the edge from corner
+    k of face f to the next, number 3 f + k, the number of the same edge in the face on its other side. side: (N,) -1
+    for a node whose nearest wall faces it the wrong way, since the surface runs through itself; else 1. edges: (E, 2)
+    of the curve. branch: (E,) the branch that each edge belongs to: which of those of `Skeleton.branches` that have an
+    edge. centre: (3,), diagonal: () of the surface in the caller's units. unit: () a power of two that is near the
+    diagonal: to multiply by it is exact, so that compilers cannot round that in different ways.
     """
 
     live: Sizes
@@ -80,6 +79,7 @@ class Binding(NamedTuple):
     branch: Any
     centre: Any
     diagonal: Any
+    unit: Any
 
     def __repr__(self) -> str:
         shape = np.shape(self.diagonal)
@@ -122,7 +122,8 @@ def _mask(count: Any, num: int) -> Any:
 
 
 def capacity_for(*sizes: Sizes) -> Sizes:
-    """The smallest capacity with room for each of ``sizes``, and for the node and the section that padding belongs to."""
+    """The smallest capacity with room for each of ``sizes``, and for the node and the section that padding belongs
+    to."""
     needed = {name: max(getattr(each, name) + (name in ("nodes", "sections")) for each in sizes) for name in SMALLEST}
     mesh = curve = 0
     while any(_room(name, mesh, 0) < needed[name] for name in MESH):
@@ -177,6 +178,7 @@ def padded(binding: Binding, capacity: Sizes) -> Binding:
         branch=filled(binding.branch, capacity.edges, capacity.edges - 1),
         centre=np.asarray(binding.centre),
         diagonal=np.asarray(binding.diagonal),
+        unit=np.asarray(binding.unit),
     )
 
 
@@ -190,6 +192,5 @@ def unpadded(binding: Binding) -> Binding:
     count |= {"rest": live.nodes, "side": live.nodes, "faces": live.faces, "twin": live.faces}
     count |= {"edges": live.edges, "branch": live.edges}
     cut = {name: np.asarray(value)[: count.get(name)] for name, value in binding._asdict().items() if name in count}
-    return binding._replace(
-        live=live, centre=np.asarray(binding.centre), diagonal=np.asarray(binding.diagonal), **cut
-    )
+    whole = {name: np.asarray(getattr(binding, name)) for name in ("centre", "diagonal", "unit")}
+    return binding._replace(live=live, **whole, **cut)

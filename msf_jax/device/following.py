@@ -38,7 +38,7 @@ class Sections(NamedTuple):
 
 
 def corners(binding: Binding, vertices: jax.Array) -> jax.Array:
-    """(C, 3) of the sections, in diagonals around the centre, for ``vertices`` (V, 3) in those units."""
+    """(C, 3) of the sections, in units of the binding around the centre, for ``vertices`` (V, 3) in those units."""
     tail, head = vertices[binding.tail], vertices[binding.head]
     return tail + jnp.asarray(binding.part, vertices.dtype)[:, None] * (head - tail)
 
@@ -79,8 +79,8 @@ def follow(binding: Binding, vertices: jax.Array) -> Curve:
     """The curve for ``vertices`` (V, 3), in the caller's units; NaN at a node whose own section has vanished, 0 in rows
     that are no nodes."""
     dtype = vertices.dtype
-    diagonal = jnp.asarray(binding.diagonal, dtype)
-    entered = (vertices - jnp.asarray(binding.centre, dtype)) / diagonal
+    unit = jnp.asarray(binding.unit, dtype)
+    entered = (vertices - jnp.asarray(binding.centre, dtype)) / unit
     found = centroids(binding, corners(binding, entered))
     num = len(binding.rest)
 
@@ -96,5 +96,5 @@ def follow(binding: Binding, vertices: jax.Array) -> Curve:
     nodes = jnp.where(is_gone[:, None], jnp.nan, nodes)
     radii = signed_distances(binding, nodes, entered)
     is_node = binding.node_mask
-    placed = jnp.where(is_node[:, None], jnp.asarray(binding.centre, dtype) + diagonal * nodes, 0.0)
-    return Curve(placed, jnp.where(is_node, diagonal * radii, 0.0))
+    placed = jnp.where(is_node[:, None], jnp.asarray(binding.centre, dtype) + unit * nodes, 0.0)
+    return Curve(placed, jnp.where(is_node, unit * radii, 0.0))

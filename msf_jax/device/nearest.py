@@ -1,8 +1,9 @@
 """The nearest of all triangles of a surface that moves, for many points, and on which side of it they are.
 
 Triangles come in runs of near ones. Each run has a ball around it, wherever its corners are now; a run whose ball is
-farther from a point than some triangle is not looked at. So the nearest is exact for every surface, however it has moved,
-and what is looked at is a small part of it. Which triangle is nearest is a decision: no derivative is taken of the search.
+farther from a point than some triangle is not looked at. So the nearest is exact for every surface, however it has
+moved, and what is looked at is a small part of it. Which triangle is nearest is a decision: no derivative is taken of
+the search.
 
 The side is that of the pseudonormal of the nearest face, edge or corner (Baerentzen and Aanaes 2005): the sum of the
 normals around it, at a corner each times its angle there. It is exact for a closed surface that does not cross itself.

@@ -36,7 +36,8 @@ class Batch:
     node_mask: Any
 
     def __repr__(self) -> str:
-        return f"Batch({len(self)} curves, {self.node_mask.shape[1]} rows of nodes, {self.vertices.shape[1]} of vertices)"
+        nodes, vertices = self.node_mask.shape[1], self.vertices.shape[1]
+        return f"Batch({len(self)} curves, {nodes} rows of nodes, {vertices} of vertices)"
 
     def __len__(self) -> int:
         return self.vertices.shape[0]
@@ -54,7 +55,7 @@ class Batch:
         """
         if followed is not None:
             counts = np.asarray(self.bindings.live.nodes)
-            nodes, radii = (np.asarray(part) for part in followed)
+            nodes, radii = (jax.device_get(part) for part in followed)
             return [Followed(nodes[k, :count], radii[k, :count]) for k, count in enumerate(counts)]
         found, vertices = [], np.asarray(self.vertices)
         for k in range(len(self)):
@@ -80,8 +81,9 @@ def stack(skeletons: Iterable[Skeleton], *, like: Batch | None = None, dtype: An
         ConfigError: there are none, or one does not know the mesh that it was made from.
     """
     every = list(skeletons)
-    if not every or not all(isinstance(each, Skeleton) for each in every):
-        found = type(next((each for each in every if not isinstance(each, Skeleton)), None)).__name__ if every else "none"
+    others = [type(each).__name__ for each in every if not isinstance(each, Skeleton)]
+    if others or not every:
+        found = others[0] if others else "none"
         raise ConfigError(f"skeletons holds {found}: expected at least one msf_jax.Skeleton, and nothing else")
     bare = [unpadded(skeleton.binding) for skeleton in every]
     sizes: list[Sizes] = [binding.live for binding in bare]

@@ -43,16 +43,16 @@ def follow(skeleton: Skeleton | Binding, vertices: Any) -> Followed:
 
     Args:
         skeleton: of a run, also after `Skeleton.prune`, `resample` and `smooth`, or read from an ``.npz`` file. Or its
-            ``binding``, with padding: then nodes and radii are padded, too, by rows of zeros; ``binding.node_mask`` says
-            which.
+            ``binding``, with padding: then nodes and radii are padded, too, by rows of zeros; ``binding.node_mask``
+            says which.
         vertices: (V, 3), in the order of the mesh that the run was given, and in its units. For a binding V may be
             anything up to the number of rows that it has room for, ``binding.num_vertices``.
 
     Returns:
-        The nodes, and the distance of each to the surface: to the nearest of all triangles as they are now, negative for
-        a node on their outer side. It is exact, however the mesh has moved; its sign is that of the moved solid unless
-        that runs through itself. Both are in the floating-point type of ``vertices``, float32 for less, and in JAX's
-        usual one for whole numbers. Under `jax.jit`, a node whose own section has vanished is NaN.
+        The nodes, and the distance of each to the surface: to the nearest of all triangles as they are now, negative
+        for a node on their outer side. It is exact, however the mesh has moved; its sign is that of the moved solid
+        unless that runs through itself. Both are in the floating-point type of ``vertices``, float32 for less, and in
+        JAX's usual one for whole numbers. Under `jax.jit`, a node whose own section has vanished is NaN.
 
     Differentiable in: vertices. Which triangle is nearest is a decision.
 
@@ -63,13 +63,11 @@ def follow(skeleton: Skeleton | Binding, vertices: Any) -> Followed:
     binding = binding_of(skeleton)
     array = checked_vertices(skeleton, vertices)
     room, num = binding.num_vertices, len(array)
-    if isinstance(array, Tracer):
+    if isinstance(array, Tracer) or isinstance(binding.faces, Tracer):
         found = Followed(*_follow(binding, jnp.pad(array, ((0, room - num), (0, 0)))))
         return found if isinstance(skeleton, Binding) else Followed(*(part[: len(skeleton.vertices)] for part in found))
     # Padded and cut by NumPy: JAX would compile that for every size.
     found = _follow(_in_dtype(binding, array.dtype), np.pad(np.asarray(array), ((0, room - num), (0, 0))))
-    if any(isinstance(part, Tracer) for part in found):  # a binding that is traced
-        return Followed(*found)
     nodes, radii = (np.asarray(part) for part in found)
     gone = np.flatnonzero(np.isnan(nodes).any(axis=1))
     if len(gone):
@@ -96,8 +94,8 @@ def binding_of(skeleton: Any) -> Binding:
 
 
 def checked_vertices(skeleton: Skeleton | Binding, vertices: Any) -> Any:
-    """``vertices`` as (V, 3) for the device, of JAX or of NumPy. What is being traced is checked for its shape only, and
-    vertices that are not of the surface of ``skeleton`` may be anywhere."""
+    """``vertices`` as (V, 3) for the device, of JAX or of NumPy. What is being traced is checked for its shape only,
+    and vertices that are not of the surface of ``skeleton`` may be anywhere."""
     is_plain = isinstance(vertices, np.ndarray) and vertices.dtype.kind in "fiu"
     try:
         array = vertices if is_plain else jnp.asarray(vertices)  # which compiles a copy of NumPy's for every size
@@ -112,8 +110,8 @@ def checked_vertices(skeleton: Skeleton | Binding, vertices: Any) -> Any:
     if isinstance(skeleton, Binding):
         if array.ndim != 2 or array.shape[1] != 3 or len(array) > binding.num_vertices:
             raise MeshError(
-                f"vertices has shape {array.shape}: expected (V, 3), V at most {binding.num_vertices}, which is what the "
-                "binding has room for"
+                f"vertices has shape {array.shape}: expected (V, 3), V at most {binding.num_vertices}, for which the "
+                "binding has room"
             )
     elif array.shape != (num := len(skeleton.mesh_map), 3):
         raise MeshError(f"vertices has shape {array.shape}: expected ({num}, 3), those of the mesh of the skeleton")

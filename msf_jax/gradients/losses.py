@@ -3,9 +3,9 @@
     found = msf_jax.follow(binding, vertices)
     loss = losses.near(found, binding, target) + 0.1 * losses.clearance(found, binding, 0.01)
 
-For a batch, `jax.vmap` them over everything. ``binding`` says which rows are nodes and edges, and how large the mesh is:
-lengths are divided by its diagonal, so that losses have no unit and one sum serves meshes of any size. All are means, so
-that a curve of many nodes weighs as much as one of few. A node that has vanished is NaN, and so is the loss:
+For a batch, `jax.vmap` them over everything. ``binding`` says which rows are nodes and edges, and how large the mesh
+is: lengths are divided by its diagonal, so that losses have no unit and one sum serves meshes of any size. All are
+means, so that a curve of many nodes weighs as much as one of few. A node that has vanished is NaN, and so is the loss:
 ``jnp.where(jnp.isnan(loss), 0, loss)`` leaves such a mesh out, its gradient too.
 """
 

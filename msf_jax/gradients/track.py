@@ -14,8 +14,8 @@ import numpy as np
 from tqdm import tqdm
 
 from msf_jax import metrics
-from msf_jax.base.errors import ConfigError, MeshError
 from msf_jax.base.binding import Binding, unpadded
+from msf_jax.base.errors import ConfigError, MeshError
 from msf_jax.device import following
 from msf_jax.gradients.follow import binding_of, checked_vertices
 from msf_jax.host.mesh import reading

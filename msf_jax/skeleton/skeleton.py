@@ -11,12 +11,12 @@ import numpy as np
 from scipy import sparse
 
 from msf_jax import metrics
-from msf_jax.base.errors import ConfigError
 from msf_jax.base import binding as bindings
 from msf_jax.base.binding import Binding
+from msf_jax.base.errors import ConfigError
 from msf_jax.host.curve import branches, finishing, following, resampling
 from msf_jax.host.curve.branches import Branch
-from msf_jax.skeleton import slopes
+from msf_jax.skeleton import pytree, slopes
 from msf_jax.skeleton.formats import export
 from msf_jax.skeleton.pictures import page, panels, segmentation
 from msf_jax.skeleton.report import Report
@@ -315,6 +315,9 @@ class Skeleton:
             vertices=self.vertices.copy(),
             process=False,
         )
+
+
+pytree.register(Skeleton)
 
 
 def curve_of(vertices: np.ndarray, edges: np.ndarray, radii: np.ndarray) -> Skeleton:

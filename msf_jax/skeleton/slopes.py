@@ -20,7 +20,7 @@ def jacobian(padded: Binding, vertices: np.ndarray) -> sparse.csr_matrix:
     """(3 N, 3 V) d nodes / d ``vertices`` (V, 3)."""
     binding = unpadded(padded)
     num, num_sections, many = len(binding.rest), len(binding.node), len(vertices)
-    entered = np.pad((vertices - binding.centre) / binding.diagonal, ((0, padded.num_vertices - many), (0, 0)))
+    entered = np.pad((vertices - binding.centre) / binding.unit, ((0, padded.num_vertices - many), (0, 0)))
     slopes = np.asarray(_slopes(padded, entered.astype(real_dtype())), dtype=np.float64)  # axis, corner, axis
     corner = np.arange(len(binding.section))
     slopes = slopes[:, : len(corner)]

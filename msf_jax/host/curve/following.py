@@ -110,6 +110,8 @@ def record(
     onward = np.where(is_last, np.searchsorted(corners.section, corners.section), order + 1)
     count = np.bincount(corners.section, minlength=len(corners.node))
     a, b = a.tocoo(), b.tocoo()
+    unit_of_length = 2.0 ** np.round(np.log2(surface.solid.diagonal))
+    scale = surface.solid.diagonal / unit_of_length
     order_of_faces = _together(shape.centroids)
     rank = np.empty(len(order_of_faces), dtype=np.int64)
     rank[order_of_faces] = np.arange(len(rank))
@@ -132,7 +134,7 @@ def record(
         section=corners.section,
         share=1 / count[corners.section],
         is_loop=corners.is_loop,
-        area=corners.area,
+        area=scale**2 * corners.area,
         node=corners.node,
         a_row=a.row,
         a_column=a.col,
@@ -140,7 +142,7 @@ def record(
         b_row=b.row,
         b_column=b.col,
         b_value=b.data,
-        rest=rest,
+        rest=scale * rest,
         faces=surface.vertex[shape.faces[order_of_faces]],
         twin=3 * rank[twin // 3] + twin % 3,
         side=np.where(_is_behind(shape, x, nearest) == inside, 1.0, -1.0),
@@ -148,6 +150,7 @@ def record(
         branch=_branches(len(x), edges),
         centre=surface.solid.centre,
         diagonal=np.float64(surface.solid.diagonal),
+        unit=unit_of_length,
     )
 
 
@@ -332,8 +335,8 @@ def _together(points: np.ndarray) -> np.ndarray:
 
 
 def _is_behind(shape: Enclosure, x: np.ndarray, nearest: np.ndarray) -> np.ndarray:
-    """(N,) whether each node is on the inner side of the face, edge or corner of its ``nearest`` triangle (N,) that it is
-    nearest to, by the pseudonormal there; see `device.nearest`."""
+    """(N,) whether each node is on the inner side of the face, edge or corner of its ``nearest`` triangle (N,) that it
+    is nearest to, by the pseudonormal there; see `device.nearest`."""
     triangle = shape.triangles[nearest]
     along, offset = np.roll(triangle, -1, axis=1) - triangle, x[:, None] - triangle
     length2 = np.einsum("nki,nki->nk", along, along)
