@@ -15,6 +15,7 @@ from msf_jax.base import version
 if TYPE_CHECKING:
     from msf_jax import ground_truth, guide, metrics, shapes, view
     from msf_jax.app import batch
+    from msf_jax.base.binding import Binding
     from msf_jax.base.errors import ConfigError, FlowError, Interrupted, MeshError
     from msf_jax.base.options import Config, Weights
     from msf_jax.base.weights import read_weights, save_weights
@@ -22,6 +23,8 @@ if TYPE_CHECKING:
     from msf_jax.flow.loop import contract
     from msf_jax.flow.skeletonize import skeletonize
     from msf_jax.flow.state import Flow
+    from msf_jax.gradients import losses
+    from msf_jax.gradients.batch import Batch, stack
     from msf_jax.gradients.follow import Followed, follow
     from msf_jax.gradients.replay import replay, replay_meso, replay_radii
     from msf_jax.gradients.sensitivity import sensitivity
@@ -44,12 +47,15 @@ _MODULES = {
     "batch": "app.batch",
     "ground_truth": "ground_truth",
     "guide": "guide",
+    "losses": "gradients.losses",
     "metrics": "metrics",
     "objectives": "tuning.objectives",
     "shapes": "shapes",
     "view": "view",
 }
 _HOMES = {
+    "Batch": "gradients.batch",
+    "Binding": "base.binding",
     "Branch": "host.curve.branches",
     "Config": "base.options",
     "ConfigError": "base.errors",
@@ -79,6 +85,7 @@ _HOMES = {
     "save_weights": "base.weights",
     "sensitivity": "gradients.sensitivity",
     "skeletonize": "flow.skeletonize",
+    "stack": "gradients.batch",
     "track": "gradients.track",
     "tune": "tuning.tuner",
     "voronoi_poles": "host.preprocessing",
@@ -87,6 +94,8 @@ _HOMES = {
 __version__ = version.VERSION
 
 __all__ = [
+    "Batch",
+    "Binding",
     "Branch",
     "Config",
     "ConfigError",
@@ -109,6 +118,7 @@ __all__ = [
     "follow",
     "ground_truth",
     "guide",
+    "losses",
     "metrics",
     "objectives",
     "read_curve",
@@ -122,6 +132,7 @@ __all__ = [
     "sensitivity",
     "shapes",
     "skeletonize",
+    "stack",
     "track",
     "tune",
     "view",

@@ -124,6 +124,16 @@ class Flow:
     def tape(self) -> Tape:
         return record(self.recording, self.weights, self.config, self.curve, self.source)
 
+    def tape_like(self, tape: Tape) -> Tape:
+        """The tape of this run, padded, in buffers as large as those of ``tape``, wherever this run has room in them.
+
+        For the tape of a run on the same mesh, moved a little, or at other weights: a function that was jitted over
+        ``tape.padded()`` then serves both, although this run took more iterations, or cut more. What has no room gets
+        larger buffers, and another program.
+        """
+        found = record(self.recording, self.weights, self.config, self.curve, self.source, tape)
+        return found.padded(tape)
+
     def __repr__(self) -> str:
         return f"Flow({len(self.history)} iterations, {self.skeleton!r})"
 

@@ -24,7 +24,7 @@ from msf_jax.host.mesh.repair import placed_between_neighbours
 from msf_jax.host.recording import padded
 from msf_jax.host.recording.decisions import decisions, num_unlike
 from msf_jax.host.recording.records import Recording
-from msf_jax.host.recording.stretches import rung
+from msf_jax.host.recording.stretches import Room, size_for
 from msf_jax.skeleton.skeleton import Skeleton
 from msf_jax.skeleton.source import Source
 
@@ -33,6 +33,7 @@ RECORDS = {
     kind.__name__: kind for kind in (Part, Mixing, Basis, Polynomial, Stretch, Shape, Layout, Level, Weights, Config)
 }
 FEWEST_NODES = 64  # rows of nodes in a padded tape: so many, twice that, ...
+FEWEST_MESO = 512  # rows of the contracted surface
 
 
 class Comparison(NamedTuple):
@@ -97,21 +98,24 @@ class Tape:
         """A hash of the mesh's vertices and faces."""
         return mesh_id(np.asarray(self.vertices_hash), np.asarray(self.faces_hash))
 
-    def padded(self) -> "Tape":
+    def padded(self, like: "Tape | None" = None) -> "Tape":
         """The same for `replay` in a function that is jitted over tapes, which is then compiled once for a capacity.
 
         A curve has as many nodes as it happens to have, and a replay as many rows: another number is another program.
-        Here rows are 64, 128, 256, ...; those past the curve's own nodes repeat its last one. Edges and decisions, of
-        which there are as many as there happen to be, are left out: no objective of edges, no comparison.
+        Here rows are 64, 128, 256, ..., with a quarter to spare, or as many as ``like`` has, if that will do; those
+        past the curve's own nodes repeat its last one. Edges and decisions, of which there are as many as there happen
+        to be, are left out: no objective of edges, no comparison. The iterations are in the buffers that they were
+        recorded in: see `Flow.tape_like`.
         """
-        nodes = rung(self.num_nodes, FEWEST_NODES)
+        nodes = size_for(self.num_nodes, FEWEST_NODES, like.num_nodes if like else 0)
+        meso = size_for(len(self.meso_row), FEWEST_MESO, len(like.meso_row) if like else 0)
         return replace(
             self,
             triangles=_repeated(self.triangles, nodes),
             offsets=_repeated(self.offsets, nodes),
             is_inside=_repeated(self.is_inside, nodes),
             node_row=_repeated(self.node_row, nodes),
-            meso_row=_repeated(self.meso_row, rung(len(self.meso_row), FEWEST_NODES)),
+            meso_row=_repeated(self.meso_row, meso),
             edges=np.zeros((0, 2), dtype=np.int64),
             decisions=np.zeros(0, dtype=np.uint32),
         )
@@ -203,11 +207,17 @@ def _repeated(rows: Any, count: int) -> np.ndarray:
     return np.asarray(rows)[np.minimum(np.arange(count), len(rows) - 1)]
 
 
-def record(run: Recording, weights: Weights, config: Config, curve: Skeleton, source: Source) -> Tape:
-    """The tape of a run that left ``curve``, made from ``source``."""
+def record(
+    run: Recording, weights: Weights, config: Config, curve: Skeleton, source: Source, like: Tape | None = None
+) -> Tape:
+    """The tape of a run that left ``curve``, made from ``source``; in buffers as those of ``like``, where they will
+    do."""
     parts, shapes = [], []
-    for component in run.components:
-        arrays, layouts, mesh_layout = padded.record_component(component)
+    rooms = [padded.Rooms()] * len(run.components)
+    if like is not None and len(like.parts) == len(rooms):
+        rooms = [_rooms(part, shape) for part, shape in zip(like.parts, like.shapes, strict=True)]
+    for component, room in zip(run.components, rooms, strict=True):
+        arrays, layouts, mesh_layout = padded.record_component(component, room)
         parts.append(_part(arrays))
         shapes.append(Shape(tuple(layouts), mesh_layout))
     shape, nodes = source.solid.shape, source.solid.enter(curve.vertices)
@@ -234,6 +244,14 @@ def record(run: Recording, weights: Weights, config: Config, curve: Skeleton, so
         config=config,
         is_joined=bool(run.is_made.any()),
     )
+
+
+def _rooms(part: Part, shape: Shape) -> padded.Rooms:
+    """What a component's tape has room for."""
+    stretches = tuple(
+        Room(layout, *stretch.cut.shape[:3]) for stretch, layout in zip(part.stretches, shape.layouts, strict=True)
+    )
+    return padded.Rooms(stretches, len(part.gather.row), len(part.nodes.row), len(part.meso_row), len(part.is_held))
 
 
 def _live(padded: list[np.ndarray], counts: list[int]) -> np.ndarray:

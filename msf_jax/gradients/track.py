@@ -14,10 +14,10 @@ import numpy as np
 from tqdm import tqdm
 
 from msf_jax import metrics
+from msf_jax.base.binding import Binding, unpadded
 from msf_jax.base.errors import ConfigError, MeshError
-from msf_jax.base.recipe import Recipe
 from msf_jax.device import following
-from msf_jax.gradients.follow import checked_vertices, recipe_of
+from msf_jax.gradients.follow import binding_of, checked_vertices
 from msf_jax.host.mesh import reading
 from msf_jax.host.solid.solid import Solid
 from msf_jax.skeleton.skeleton import Skeleton
@@ -149,21 +149,21 @@ class Tracker:
     """What does not change from frame to frame; raises as `track` does."""
 
     def __init__(self, skeleton: Skeleton):
-        recipe = recipe_of(skeleton)
+        binding = unpadded(binding_of(skeleton))
         surface, edges = skeleton.surface, skeleton.edges
         self.skeleton, self.edges = skeleton, edges
-        self.recipe: Recipe = jax.device_put(jax.tree.map(jnp.asarray, recipe))
+        self.binding: Binding = jax.device_put(jax.tree.map(jnp.asarray, binding))
         self.solid, self.vertex = surface.solid, surface.vertex
         # Faces of a mesh that was mended are others than the caller's: those are not compared.
         faces = self.vertex[self.solid.shape.faces]
         self.faces = None if skeleton.report.repairs else _sorted(faces)
         # Each section, and the edges of its node.
         section_of_node = np.full(len(skeleton.vertices), -1)
-        section_of_node[recipe.node[recipe.is_loop]] = np.flatnonzero(recipe.is_loop)
+        section_of_node[binding.node[binding.is_loop]] = np.flatnonzero(binding.is_loop)
         here, there = np.concatenate([edges, edges[:, ::-1]]).T
         self.here, self.there = here[section_of_node[here] >= 0], there[section_of_node[here] >= 0]
         self.section = section_of_node[self.here]
-        normal = np.asarray(_tracked(self.recipe, jnp.asarray(surface.given(len(skeleton.mesh_map))))[3])
+        normal = np.asarray(_tracked(self.binding, jnp.asarray(surface.given(len(skeleton.mesh_map))))[3])
         self.upright = self._cosines(skeleton.vertices, normal)
 
     def _cosines(self, nodes: np.ndarray, normal: np.ndarray) -> np.ndarray:
@@ -178,11 +178,11 @@ class Tracker:
             array = checked_vertices(self.skeleton, vertices)
         except MeshError as error:
             raise MeshError(f"frame {number}: {error}") from error
-        nodes, radii, is_warped, normal = (np.asarray(each, dtype=np.float64) for each in _tracked(self.recipe, array))
+        nodes, radii, is_warped, normal = (np.asarray(each, dtype=np.float64) for each in _tracked(self.binding, array))
         vanished = np.flatnonzero(np.isnan(nodes).any(axis=1))
         cosine = np.sign(self.upright) * self._cosines(nodes, normal)
         is_over = (np.abs(self.upright) > STRAIGHT) & (cosine < TILTED)
-        loose = np.union1d(np.asarray(self.recipe.node)[is_warped > 0], self.here[is_over])
+        loose = np.union1d(np.asarray(self.binding.node)[is_warped > 0], self.here[is_over])
         is_there = np.ones(len(nodes), dtype=bool)
         is_there[vanished] = False
         inside = self._inside(np.asarray(array, dtype=np.float64)[self.vertex], nodes, np.abs(radii), is_there)
@@ -207,12 +207,12 @@ class Tracker:
 
 
 @jax.jit
-def _tracked(recipe: Recipe, vertices: jax.Array) -> tuple[jax.Array, ...]:
+def _tracked(binding: Binding, vertices: jax.Array) -> tuple[jax.Array, ...]:
     """Nodes, radii, which sections are warped (S,), and the normals of all (S, 3)."""
-    nodes, radii = following.follow(recipe, vertices)
-    entered = (vertices - recipe.centre) / recipe.diagonal
-    found = following.centroids(recipe, following.corners(recipe, entered))
-    return nodes, radii, recipe.is_loop & (found.warp > WARPED), found.normal
+    nodes, radii = following.follow(binding, vertices)
+    entered = (vertices - binding.centre) / binding.diagonal
+    found = following.centroids(binding, following.corners(binding, entered))
+    return nodes, radii, binding.is_loop & (found.warp > WARPED), found.normal
 
 
 def _sorted(faces: np.ndarray) -> np.ndarray:

@@ -11,11 +11,12 @@ import numpy as np
 from scipy import sparse
 
 from msf_jax import metrics
+from msf_jax.base import binding as bindings
+from msf_jax.base.binding import Binding
 from msf_jax.base.errors import ConfigError
-from msf_jax.base.recipe import Recipe
 from msf_jax.host.curve import branches, finishing, following, limbs, resampling
 from msf_jax.host.curve.branches import Branch
-from msf_jax.skeleton import slopes, trees
+from msf_jax.skeleton import pytree, slopes, trees
 from msf_jax.skeleton.centrelines import table
 from msf_jax.skeleton.formats import export
 from msf_jax.skeleton.pictures import page, panels, segmentation
@@ -167,8 +168,11 @@ class Skeleton:
         return trees.healed(self, reach)
 
     @cached_property
-    def recipe(self) -> Recipe:
+    def binding(self) -> Binding:
         """How the curve hangs on the vertices of its mesh, for `msf_jax.follow`; made when it is first asked for.
+
+        A pytree of NumPy arrays, padded to one of few capacities: pass it to a jitted function as an argument, and what
+        was compiled for one skeleton serves all of its capacity.
 
         Raises:
             ConfigError: the surface that the curve was made from is not known.
@@ -176,11 +180,12 @@ class Skeleton:
         surface, pins = self.surface, np.asarray(self.source.pins if self.source else [], dtype=np.int64)
         held = self.mesh_map[pins]
         pins_of_node = {int(node): pins[held == node] for node in np.unique(held)}
-        return following.record(surface, self.vertices, self.edges, pins_of_node)
+        found = following.record(surface, len(self.mesh_map), self.vertices, self.edges, pins_of_node)
+        return bindings.padded(found, bindings.capacity_for(found.live))
 
     @property
     def surface(self) -> following.Surface:
-        """The mesh as it was checked, and which of its vertices are whose; raises as `recipe` does."""
+        """The mesh as it was checked, and which of its vertices are whose; raises as `binding` does."""
         if self.source is None or self.source.input_of_vertex is None:
             raise ConfigError(
                 "the skeleton does not know the mesh that it was made from: expected one from skeletonize, or read "
@@ -199,7 +204,7 @@ class Skeleton:
         Raises:
             ConfigError: the surface that the curve was made from is not known.
         """
-        return slopes.jacobian(self.recipe, self.surface.given(len(self.mesh_map)))
+        return slopes.jacobian(self.binding, self.surface.given(len(self.mesh_map)))
 
     def covariance(self, sigma: Any) -> np.ndarray:
         """How uncertain each node is if the vertices of the mesh are, to first order; see `jacobian`.
@@ -382,6 +387,9 @@ class Skeleton:
             vertices=self.vertices.copy(),
             process=False,
         )
+
+
+pytree.register(Skeleton)
 
 
 def curve_of(vertices: np.ndarray, edges: np.ndarray, radii: np.ndarray) -> Skeleton:

@@ -1,6 +1,6 @@
 """How far the nodes of a curve move with the vertices of its mesh, as a sparse matrix, and what noise makes of them.
 
-The derivative of the equation of `msf_jax.base.recipe` at the mesh as it was recorded. No two sections share a corner,
+The derivative of the equation of `msf_jax.base.binding` at the mesh as it was recorded. No two sections share a corner,
 so that three products with the transpose give the derivatives of all centroids.
 """
 
@@ -11,29 +11,32 @@ import jax.numpy as jnp
 import numpy as np
 from scipy import sparse
 
+from msf_jax.base.binding import Binding, unpadded
 from msf_jax.base.errors import ConfigError
-from msf_jax.base.recipe import Recipe
 from msf_jax.device import following
 from msf_jax.device.buffers import real_dtype
 
 
-def jacobian(recipe: Recipe, vertices: np.ndarray) -> sparse.csr_matrix:
+def jacobian(padded: Binding, vertices: np.ndarray) -> sparse.csr_matrix:
     """(3 N, 3 V) d nodes / d ``vertices`` (V, 3)."""
-    num, num_sections, many = len(recipe.rest), len(recipe.node), len(vertices)
-    entered = jnp.asarray((vertices - recipe.centre) / recipe.diagonal, real_dtype())
-    slopes = np.asarray(_slopes(recipe, following.corners(recipe, entered)), dtype=np.float64)  # axis, corner, axis
-    corner = np.arange(len(recipe.section))
+    binding = unpadded(padded)
+    num, num_sections, many = len(binding.rest), len(binding.node), len(vertices)
+    entered = np.pad((vertices - binding.centre) / binding.unit, ((0, padded.num_vertices - many), (0, 0)))
+    slopes = np.asarray(_slopes(padded, entered.astype(real_dtype())), dtype=np.float64)  # axis, corner, axis
+    corner = np.arange(len(binding.section))
+    slopes = slopes[:, : len(corner)]
     ends: Any = sparse.coo_matrix(
-        (np.r_[1 - recipe.part, recipe.part], (np.tile(corner, 2), np.r_[recipe.tail, recipe.head])),
+        (np.r_[1 - binding.part, binding.part], (np.tile(corner, 2), np.r_[binding.tail, binding.head])),
         shape=(len(corner), many),
     ).tocsr()
-    a: Any = sparse.csr_matrix((recipe.a_value, (recipe.a_row, recipe.a_column)), shape=(num, num_sections))
-    b: Any = sparse.csr_matrix((recipe.b_value, (recipe.b_row, recipe.b_column)), shape=(num, many))
+    a: Any = sparse.csr_matrix((binding.a_value, (binding.a_row, binding.a_column)), shape=(num, num_sections))
+    b: Any = sparse.csr_matrix((binding.b_value, (binding.b_row, binding.b_column)), shape=(num, many))
     rows = []
     for i in range(3):
         by_axis = []
         for j in range(3):
-            centroid = sparse.csr_matrix((slopes[i, :, j], (recipe.section, corner)), shape=(num_sections, len(corner)))
+            at = binding.section, corner
+            centroid = sparse.csr_matrix((slopes[i, :, j], at), shape=(num_sections, len(corner)))
             block: Any = a @ (centroid @ ends)
             by_axis.append((block + b if i == j else block).tocoo())
         rows.append(by_axis)
@@ -44,10 +47,11 @@ def jacobian(recipe: Recipe, vertices: np.ndarray) -> sparse.csr_matrix:
 
 
 @jax.jit
-def _slopes(recipe: Recipe, place: jax.Array) -> jax.Array:
+def _slopes(binding: Binding, entered: jax.Array) -> jax.Array:
     """(3, C, 3): how far along axis i the centroid of its section moves with each corner along axis j."""
-    pull_back = jax.vjp(lambda corners: following.centroids(recipe, corners).centroid, place)[1]
-    return jax.vmap(lambda axis: pull_back(jnp.zeros((len(recipe.node), 3), place.dtype).at[:, axis].set(1.0))[0])(
+    place = following.corners(binding, entered)
+    pull_back = jax.vjp(lambda corners: following.centroids(binding, corners).centroid, place)[1]
+    return jax.vmap(lambda axis: pull_back(jnp.zeros((len(binding.node), 3), place.dtype).at[:, axis].set(1.0))[0])(
         jnp.arange(3)
     )
 

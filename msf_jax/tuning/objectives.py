@@ -20,14 +20,14 @@ from jax.core import Tracer
 
 from msf_jax.base.errors import ConfigError
 from msf_jax.base.options import Weights
+from msf_jax.gradients import losses
+from msf_jax.gradients.losses import norm
 from msf_jax.gradients.replay import replay, replay_radii
 from msf_jax.gradients.tape import Tape
 from msf_jax.host.mesh import reading
 from msf_jax.skeleton.skeleton import Skeleton
 
 MOST_SAMPLES = 2000  # vertices that stand for a surface
-SHORTEST = 1e-4  # edge, in diagonals, whose direction counts in full
-TINY = 1e-24  # squared length, in diagonals, below which a distance has no gradient
 
 
 class Replayed(NamedTuple):
@@ -235,9 +235,9 @@ def centred() -> Objective:
         has_area = area > 0
         safe = jnp.where(has_area, area, 1.0)
         middle = around(curve.areas[:, None] * curve.surface) / safe[:, None]
-        away = _norm((curve.surface - curve.nodes[curve.node_of_vertex]) / curve.diagonal)
+        away = norm((curve.surface - curve.nodes[curve.node_of_vertex]) / curve.diagonal)
         reach = around(curve.areas * away) / safe
-        off = _norm((curve.nodes - middle) / curve.diagonal) / jnp.where(has_area, reach + 1e-6, 1.0)
+        off = norm((curve.nodes - middle) / curve.diagonal) / jnp.where(has_area, reach + 1e-6, 1.0)
         return jnp.where(has_area, area * off, 0.0).sum() / area.sum()
 
     return Objective("centred", function)
@@ -259,16 +259,8 @@ def smooth() -> Objective:
     """One minus the cosine of the angle by which the curve turns at a node; mean over the nodes with two neighbours."""
 
     def function(curve: Replayed) -> jax.Array:
-        num = len(curve.nodes)
-        a, b = curve.edges[:, 0], curve.edges[:, 1]
-        along = (curve.nodes[b] - curve.nodes[a]) / curve.diagonal
-        along = along / jnp.maximum(_norm(along), SHORTEST)[:, None]
-        total = jax.ops.segment_sum(along, a, num) - jax.ops.segment_sum(along, b, num)
-        one = jnp.ones(len(curve.edges), along.dtype)
-        is_passed = curve.is_node & (jax.ops.segment_sum(one, a, num) + jax.ops.segment_sum(one, b, num) == 2)
-        # Unit vectors to both neighbours add up to nothing where the curve is straight: |u + v|^2 = 2 (1 - cos turn).
-        turn = jnp.where(is_passed, (total * total).sum(1) / 2, 0.0)
-        return turn.sum() / jnp.maximum(is_passed.sum(), 1)
+        nodes, is_edge = curve.nodes / curve.diagonal, jnp.ones(len(curve.edges), bool)
+        return losses.turning(nodes, curve.edges, is_edge, curve.is_node)
 
     return Objective("smooth", function)
 
@@ -298,13 +290,6 @@ def near(target: Any) -> Objective:
     return Objective("near", function)
 
 
-def _norm(vectors: jax.Array) -> jax.Array:
-    """Norm over the last axis, with a zero gradient where there is none."""
-    square = (vectors * vectors).sum(-1)
-    is_short = square <= TINY  # NaN is not
-    return jnp.where(is_short, 0.0, jnp.sqrt(jnp.where(is_short, 1.0, square)))
-
-
 def _distances(points: jax.Array, nodes: jax.Array, diagonal: jax.Array) -> jax.Array:
     """(P, N) distances, in diagonals."""
-    return _norm((points[:, None] - nodes[None]) / diagonal)
+    return norm((points[:, None] - nodes[None]) / diagonal)

@@ -24,15 +24,14 @@ import numpy as np
 from scipy import sparse
 from scipy.sparse import csgraph, linalg
 
-from msf_jax.base.recipe import Recipe
-from msf_jax.host.curve import centring
+from msf_jax.base.binding import FACES_TOGETHER, Binding, Sizes
+from msf_jax.host.curve import branches, centring
 from msf_jax.host.curve import ways as measures
 from msf_jax.host.curve.ways import Way
 from msf_jax.host.solid import sections
 from msf_jax.host.solid.enclosure import Enclosure
-from msf_jax.host.solid.geometry import cross, unit
+from msf_jax.host.solid.geometry import cross, unit, vertex_normals
 from msf_jax.host.solid.solid import Solid
-from msf_jax.host.solid.triangles import point_triangle_distance2
 
 SLIGHT = 0.02  # a section of less weight is left out
 MEMBRANE = 0.01  # mu = MEMBRANE (size / h)^2, for nodes h apart in a limb of that size
@@ -41,8 +40,6 @@ FRAME_CORNERS = 12  # of each section, that a frame is fitted to
 FLATTEST = 1e-6  # of the eigenvalues of S, to the largest: along those of less o is kept as it was recorded
 SMALLEST = {"a": 1e-3, "b": 2e-2}  # entries of the smoothings under that part of the largest in their row are left out
 NOTHING = 1e-6  # as a share of a node
-FARTHEST = 2.0  # radii, within which triangles may become the nearest
-CELLS = 5  # along an edge of a cube around a node: the nearest triangle is kept in each of 6 CELLS^2 directions
 
 
 class Surface(NamedTuple):
@@ -79,10 +76,12 @@ class Corners(NamedTuple):
     weight: np.ndarray
 
 
-def record(surface: Surface, vertices: np.ndarray, edges: np.ndarray, pins_of_node: dict[int, np.ndarray]) -> Recipe:
-    """How the curve ``(vertices (N, 3), edges (E, 2))``, in the caller's units, hangs on ``surface``.
+def record(
+    surface: Surface, num: int, vertices: np.ndarray, edges: np.ndarray, pins_of_node: dict[int, np.ndarray]
+) -> Binding:
+    """How the curve ``(vertices (N, 3), edges (E, 2))``, in the caller's units, hangs on ``surface``; without padding.
 
-    ``pins_of_node``: the caller's vertices whose mean a node is, for those that are pinned.
+    ``num``: of the caller's vertices. ``pins_of_node``: those whose mean a node is, for the nodes that are pinned.
     """
     shape, x = surface.solid.shape, surface.solid.enter(vertices)
     inside = shape.contains(x)
@@ -111,7 +110,23 @@ def record(surface: Surface, vertices: np.ndarray, edges: np.ndarray, pins_of_no
     onward = np.where(is_last, np.searchsorted(corners.section, corners.section), order + 1)
     count = np.bincount(corners.section, minlength=len(corners.node))
     a, b = a.tocoo(), b.tocoo()
-    return Recipe(
+    unit_of_length = 2.0 ** np.round(np.log2(surface.solid.diagonal))
+    scale = surface.solid.diagonal / unit_of_length
+    order_of_faces = _together(shape.centroids)
+    rank = np.empty(len(order_of_faces), dtype=np.int64)
+    rank[order_of_faces] = np.arange(len(rank))
+    twin = shape.links().twin.reshape(-1, 3)[order_of_faces]
+    return Binding(
+        live=Sizes(
+            vertices=num,
+            faces=len(shape.faces),
+            nodes=len(x),
+            edges=len(edges),
+            sections=len(corners.node),
+            corners=len(corners.section),
+            smoothing=a.nnz,
+            turning=b.nnz,
+        ),
         tail=surface.vertex[corners.tail],
         head=surface.vertex[corners.head],
         part=corners.part,
@@ -119,7 +134,7 @@ def record(surface: Surface, vertices: np.ndarray, edges: np.ndarray, pins_of_no
         section=corners.section,
         share=1 / count[corners.section],
         is_loop=corners.is_loop,
-        area=corners.area,
+        area=scale**2 * corners.area,
         node=corners.node,
         a_row=a.row,
         a_column=a.col,
@@ -127,11 +142,15 @@ def record(surface: Surface, vertices: np.ndarray, edges: np.ndarray, pins_of_no
         b_row=b.row,
         b_column=b.col,
         b_value=b.data,
-        rest=rest,
-        nearby=surface.vertex[_facing(shape, x, inside, _nearby(shape, x, distance, nearest))],
-        is_inside=inside,
+        rest=scale * rest,
+        faces=surface.vertex[shape.faces[order_of_faces]],
+        twin=3 * rank[twin // 3] + twin % 3,
+        side=np.where(_is_behind(shape, x, nearest) == inside, 1.0, -1.0),
+        edges=edges,
+        branch=_branches(len(x), edges),
         centre=surface.solid.centre,
         diagonal=np.float64(surface.solid.diagonal),
+        unit=unit_of_length,
     )
 
 
@@ -296,43 +315,53 @@ def _turning(surface: Surface, corners: Corners, beta: Any, offset: np.ndarray) 
     return sparse.csr_matrix(omega @ ends)
 
 
-def _nearby(shape: Enclosure, x: np.ndarray, distance: np.ndarray, nearest: np.ndarray) -> np.ndarray:
-    """(N, K) triangles: the nearest, and the nearest in each of many directions within reach, as often as need be."""
-    kept = np.repeat(nearest[:, None], 6 * CELLS**2 + 1, axis=1)
-    least = np.full(kept.shape, np.inf)
-    reach = FARTHEST * distance
-    for point, triangle in shape.triangles_near(x, reach):
-        away = np.sqrt(point_triangle_distance2(x[point], shape.triangles[triangle]))
-        is_near = away <= reach[point]
-        point, triangle, away = point[is_near], triangle[is_near], away[is_near]
-        direction = shape.centroids[triangle] - x[point]
-        axis = np.abs(direction).argmax(axis=1)
-        rows = np.arange(len(point))
-        size = np.maximum(np.abs(direction[rows, axis]), 1e-300)
-        place = [direction[rows, (axis + step) % 3] / size for step in (1, 2)]
-        u, v = (np.minimum((CELLS * (share + 1) / 2).astype(np.int64), CELLS - 1) for share in place)
-        cell = ((2 * axis + (direction[rows, axis] > 0)) * CELLS + u) * CELLS + v
-        order = np.lexsort((triangle, away, cell, point))
-        point, triangle, away, cell = point[order], triangle[order], away[order], cell[order]
-        is_first = np.r_[True, (point[1:] != point[:-1]) | (cell[1:] != cell[:-1])][: len(point)]
-        point, triangle, away, cell = point[is_first], triangle[is_first], away[is_first], cell[is_first]
-        is_less = away < least[point, cell]
-        kept[point[is_less], cell[is_less]] = triangle[is_less]
-        least[point[is_less], cell[is_less]] = away[is_less]
-    return kept
+def _together(points: np.ndarray) -> np.ndarray:
+    """The order (P,) in which runs of `FACES_TOGETHER`, of twice that, four times ... are near each other.
 
-
-def _facing(shape: Enclosure, x: np.ndarray, inside: np.ndarray, triangle: np.ndarray) -> np.ndarray:
-    """(N, K, 3) the corners of each ``triangle`` (N, K), in such an order that a node over it is on its right side.
-
-    Where the surface runs through itself, the nearest wall of what is inside may be seen from outside.
+    All are in one run at first. Each is then sorted along its longest side, and halved, until runs are short.
     """
-    faces = shape.faces[triangle]
-    corner = shape.triangles[triangle]
-    along, offset = np.roll(corner, -1, axis=2) - corner, x[:, None, None] - corner
-    normal = cross(along[:, :, 0], along[:, :, 1])
-    is_over = (np.einsum("nkci,nki->nkc", cross(along, offset), normal) >= 0).all(axis=2)
-    is_behind = np.einsum("nki,nki->nk", offset[:, :, 0], normal) < 0
-    is_wrong = is_over & (is_behind != inside[:, None])
-    faces[is_wrong] = faces[is_wrong][:, [0, 2, 1]]
-    return faces
+    order, length = np.arange(len(points)), FACES_TOGETHER
+    while length < len(points):
+        length *= 2
+    while length > FACES_TOGETHER:
+        place = points[order]
+        run = np.arange(len(points)) // length
+        first = np.arange(0, len(points), length)
+        low, high = np.minimum.reduceat(place, first), np.maximum.reduceat(place, first)
+        longest = (high - low).argmax(axis=1)
+        order = order[np.lexsort((place[np.arange(len(points)), longest[run]], run))]
+        length //= 2
+    return order
+
+
+def _is_behind(shape: Enclosure, x: np.ndarray, nearest: np.ndarray) -> np.ndarray:
+    """(N,) whether each node is on the inner side of the face, edge or corner of its ``nearest`` triangle (N,) that it
+    is nearest to, by the pseudonormal there; see `device.nearest`."""
+    triangle = shape.triangles[nearest]
+    along, offset = np.roll(triangle, -1, axis=1) - triangle, x[:, None] - triangle
+    length2 = np.einsum("nki,nki->nk", along, along)
+    t = np.clip(np.einsum("nki,nki->nk", offset, along) / np.where(length2 > 0, length2, 1.0), 0.0, 1.0)
+    foot = triangle + t[..., None] * along
+    edge = np.linalg.norm(x[:, None] - foot, axis=2).argmin(axis=1)
+    rows = np.arange(len(x))
+    t, foot = t[rows, edge], foot[rows, edge]
+    normals = unit(cross(shape.triangles[:, 1] - shape.triangles[:, 0], shape.triangles[:, 2] - shape.triangles[:, 0]))
+    on_face = normals[nearest]
+    is_over = (np.einsum("nki,ni->nk", cross(along, offset), on_face) > 0).all(axis=1)
+    on_edge = on_face + normals[shape.links().twin[3 * nearest + edge] // 3]
+    corner = shape.faces[nearest, np.where(t == 1, (edge + 1) % 3, edge)]
+    at_corner = vertex_normals(shape.vertices, shape.faces)[corner]
+    normal = np.where(((t == 0) | (t == 1))[:, None], at_corner, on_edge)
+    normal, away = np.where(is_over[:, None], on_face, normal), np.where(is_over[:, None], offset[:, 0], x - foot)
+    return np.einsum("ni,ni->n", away, normal) <= 0
+
+
+def _branches(num: int, edges: np.ndarray) -> np.ndarray:
+    """(E,) the branch that each of ``edges`` belongs to, of those of `branches.trace` that have edges."""
+    if not len(edges):
+        return np.zeros(0, dtype=np.int64)
+    pairs = [np.stack([way[:-1], way[1:]], axis=1) for way in map(np.array, branches.trace(num, edges)) if len(way) > 1]
+    branch = np.repeat(np.arange(len(pairs)), [len(pair) for pair in pairs])
+    code = np.sort(np.concatenate(pairs), axis=1) @ [num, 1]
+    order = np.argsort(code)
+    return branch[order[np.searchsorted(code, np.sort(edges, axis=1) @ [num, 1], sorter=order)]]

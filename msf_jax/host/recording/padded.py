@@ -4,7 +4,7 @@ All that comes before the flow, or after it, is linear in the positions, and one
 vertices has known shares of each. The iterations between are in `stretches`.
 """
 
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from scipy import sparse
@@ -16,29 +16,45 @@ from msf_jax.host.meso.meso import Compaction, Meso
 from msf_jax.host.meso.split import SplitRound
 from msf_jax.host.reconstruction import LowPass
 from msf_jax.host.recording.records import ComponentRecord, FoundPoles, Step
-from msf_jax.host.recording.stretches import Planned, merged, record_steps, rung, stretches_of
+from msf_jax.host.recording.stretches import Planned, Room, merged, record_steps, rung, size_for, stretches_of
 
 FLATTEST = 1e-5  # a tetrahedron of less volume, over the product of three edges, says nothing sure of its circumcentre
 
 
-def record_component(record: ComponentRecord) -> tuple[dict[str, Any], list[Layout], Layout | None]:
-    """The arrays of `device.replay.Part`, by name, and the layouts of its stretches and of its mesh filter."""
-    start, steps = record.start, record.steps
+class Rooms(NamedTuple):
+    """What the tape of a component has room for: its stretches, entries of its two sparse matrices, vertices of the
+    meso-skeleton, nodes. Nothing, if it is yet to be found out."""
+
+    stretches: tuple[Room, ...] = ()
+    gather: int = 0
+    thinned: int = 0
+    meso: int = 0
+    nodes: int = 0
+
+
+def record_component(
+    record: ComponentRecord, before: Rooms | None = None
+) -> tuple[dict[str, Any], list[Layout], Layout | None]:
+    """The arrays of `device.replay.Part`, by name, and the layouts of its stretches and of its mesh filter.
+
+    ``before``: what the tape has room for that this one is to share programs with, where that will do.
+    """
+    before, start, steps = before or Rooms(), record.start, record.steps
     num = len(record.vertices)
     place, blend = edit_matrices(start.edits, num)
     capacity = place.shape[0]
     order = np.arange(capacity)
-    plan = stretches_of(steps)
+    plan = stretches_of(steps, before.stretches)
     if steps:
         order, capacity = steps[0].order, plan[0].layout.capacity
     mesh_filter, mesh_layout = record_mesh_filter(start.mesh_filter, record.vertices, record.faces)
-    stretches, meso_row = record_steps(steps, plan, record.num_meso)
+    stretches, meso_row = record_steps(steps, plan, record.num_meso, before.stretches)
     thinned = edit_matrices(record.thinning, record.num_meso)[0]
     is_node = record.node_of_meso >= 0
     node, vertex = record.node_of_meso[is_node], np.flatnonzero(is_node)
     share = 1.0 / np.bincount(node, minlength=record.num_nodes)[node]
     means = sparse.csr_matrix((share, (node, vertex)), shape=(record.num_nodes, len(is_node)))
-    is_held = np.zeros(rung(record.num_nodes, 64), dtype=bool)
+    is_held = np.zeros(size_for(record.num_nodes, 64, before.nodes), dtype=bool)
     is_held[record.node_of_pin] = True
     pin_count = np.bincount(record.node_of_pin, minlength=len(is_held))
     is_pin = np.zeros(num, dtype=bool)
@@ -48,12 +64,12 @@ def record_component(record: ComponentRecord) -> tuple[dict[str, Any], list[Layo
         "vertex_of_input": record.vertex_of_input.astype(np.int32),
         "is_pin": is_pin,
         "mesh_filter": mesh_filter,
-        "gather": entries(place[order], blend[order]),
+        "gather": entries(place[order], blend[order], before.gather),
         "site_filter": record_site_filter(start.found.kept if start.found else None, steps, plan),
         **record_poles(start.found, order, capacity),
         "stretches": stretches,
-        "meso_row": packing.pad(meso_row, rung(len(meso_row), 256), 0, np.dtype(np.int32)),
-        "nodes": entries(means @ thinned),
+        "meso_row": packing.pad(meso_row, size_for(len(meso_row), 512, before.meso), 0, np.dtype(np.int32)),
+        "nodes": entries(means @ thinned, before=before.thinned),
         "pin_node": record.node_of_pin.astype(np.int32),
         "pin_input": record.vertex_of_input[record.pins].astype(np.int32),
         "pin_share": 1.0 / np.maximum(pin_count[record.node_of_pin], 1),
@@ -95,11 +111,11 @@ def edit_matrices(edits: list[Any], num_rows: int) -> tuple[Any, Any]:
     return place, blend
 
 
-def entries(place: Any, blend: Any = None) -> dict[str, np.ndarray]:
+def entries(place: Any, blend: Any = None, before: int = 0) -> dict[str, np.ndarray]:
     """The matrices' entries, by `device.replay.Mixing`'s names, padded with zeros that do nothing."""
     blend = place if blend is None else blend
     row, column = (abs(place) + abs(blend)).nonzero()
-    size = rung(len(row), 256)
+    size = size_for(len(row), 256, before)
     shares = {name: np.asarray(matrix[row, column]).ravel() for name, matrix in (("share", place), ("blend", blend))}
     arrays = {"row": row.astype(np.int32), "column": column.astype(np.int32), **shares}
     return {name: packing.pad(values, size, 0, values.dtype) for name, values in arrays.items()}
@@ -110,7 +126,7 @@ def record_site_filter(kept: LowPass | None, steps: list[Step], plan: list[Plann
     if kept is None or not steps:
         return None
     if kept.basis is not None:
-        return {"basis": kept.basis[steps[0].order]}
+        return {"basis": packing.pad(kept.basis[steps[0].order], plan[0].layout.capacity, 0, kept.basis.dtype)}
     layout, first = plan[0].layout, steps[0]
     own = np.arange(layout.capacity)
     return _polynomial(kept, packing.slots(first.rings, first.degree, layout), first.degree, own, own)

@@ -9,14 +9,15 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from msf_jax.base.layout import Layout, layout_for
+from msf_jax.base.layout import Layout, fits, layout_for
 from msf_jax.host.meso import packing
 from msf_jax.host.meso.collapse import CollapseRound
 from msf_jax.host.meso.meso import Compaction
 from msf_jax.host.meso.split import SplitRound
 from msf_jax.host.recording.records import Step
 
-FEWEST_LINES = 2  # iterations of a stretch, idle ones included
+FEWEST_LINES = 8  # iterations of a stretch, idle ones included; an idle one costs next to nothing
+FEWEST_ROUNDS, FEWEST_CUTS = 16, 64  # of cuts after an iteration, and in a round
 WORTH_A_LAYOUT = 0.7  # of the cost of one layout: two that cost less are worth their compilation
 
 
@@ -26,6 +27,15 @@ class Planned(NamedTuple):
     first: int
     last: int
     layout: Layout
+
+
+class Room(NamedTuple):
+    """What a stretch of a tape has room for: ``lines`` iterations in ``layout``, with ``rounds`` of ``cuts`` each."""
+
+    layout: Layout
+    lines: int
+    rounds: int
+    cuts: int
 
 
 class Row(NamedTuple):
@@ -43,8 +53,14 @@ def rung(count: int, smallest: int = 1) -> int:
     return size
 
 
-def stretches_of(steps: list[Step]) -> list[Planned]:
-    """Iterations in one layout or two, whichever is less to compute.
+def size_for(count: int, smallest: int, before: int = 0) -> int:
+    """Room for ``count``: the room that there was ``before``, if that will do, else a rung with a quarter to spare, so
+    that a run which is a little longer has room there, too."""
+    return before if count <= before else rung(count + count // 4, smallest)
+
+
+def stretches_of(steps: list[Step], before: tuple[Room, ...] = ()) -> list[Planned]:
+    """Iterations in one layout or two, whichever is less to compute; in the room of a tape made ``before``, if it fits.
 
     Every layout is compiled on its own, and takes seconds; but a surface shrinks fast, and in one layout for all of its
     iterations the late ones would mostly be padding.
@@ -52,16 +68,27 @@ def stretches_of(steps: list[Step]) -> list[Planned]:
     if not steps:
         return []
 
-    def planned(first: int, last: int) -> Planned:
+    def needed(first: int, last: int) -> tuple[int, list[int]]:
         beyond = [packing.degrees_beyond(step.degree) for step in steps[first:last]]
         most = np.zeros((len(beyond), max(map(len, beyond))), dtype=np.int64)
         for row, counts in zip(most, beyond, strict=True):
             row[: len(counts)] = counts
-        count = max(len(step.order) for step in steps[first:last])
-        return Planned(first, last, layout_for(count, most.max(axis=0).tolist()))
+        return max(len(step.order) for step in steps[first:last]), most.max(axis=0).tolist()
+
+    def planned(first: int, last: int) -> Planned:
+        return Planned(first, last, layout_for(*needed(first, last)))
+
+    def has_room(room: Room, first: int, last: int) -> bool:
+        return 0 < last - first <= room.lines and fits(room.layout, *needed(first, last))
+
+    for cuts in ([], *([k] for k in range(1, len(steps)))) if before else ():
+        ends = [0, *cuts, len(steps)]
+        if len(ends) == len(before) + 1 and all(map(has_room, before, ends[:-1], ends[1:])):
+            parts = zip(ends[:-1], ends[1:], before, strict=True)
+            return [Planned(first, last, room.layout) for first, last, room in parts]
 
     def cost(plan: list[Planned]) -> float:
-        return sum(rung(last - first, FEWEST_LINES) * layout.num_slots for first, last, layout in plan)
+        return sum(size_for(last - first, FEWEST_LINES) * layout.num_slots for first, last, layout in plan)
 
     whole = [planned(0, len(steps))]
     plans = [[planned(0, k), planned(k, len(steps))] for k in range(1, len(steps))]
@@ -69,7 +96,9 @@ def stretches_of(steps: list[Step]) -> list[Planned]:
     return best if cost(best) < WORTH_A_LAYOUT * cost(whole) else whole
 
 
-def record_steps(steps: list[Step], plan: list[Planned], num_meso: int) -> tuple[list[dict[str, Any]], np.ndarray]:
+def record_steps(
+    steps: list[Step], plan: list[Planned], num_meso: int, before: tuple[Room, ...] = ()
+) -> tuple[list[dict[str, Any]], np.ndarray]:
     """The arrays of `device.replay.Stretch`, by name, for each of ``plan``, and the row of the last workspace (m,) that
     each vertex of the meso-skeleton is in."""
     if not steps:
@@ -78,17 +107,18 @@ def record_steps(steps: list[Step], plan: list[Planned], num_meso: int) -> tuple
     first[steps[0].order] = np.arange(len(first))
     at = Row(first, first)
     stretches = []
-    for start, end, layout in plan:
-        fields, at = _stretch(steps[start:end], layout, at)
+    for number, (start, end, layout) in enumerate(plan):
+        room = before[number] if len(before) == len(plan) else Room(layout, 0, 0, 0)
+        fields, at = _stretch(steps[start:end], layout, at, room)
         stretches.append(fields)
     return stretches, at.workspace
 
 
-def _stretch(steps: list[Step], layout: Layout, at: Row) -> tuple[dict[str, Any], Row]:
+def _stretch(steps: list[Step], layout: Layout, at: Row, before: Room) -> tuple[dict[str, Any], Row]:
     capacity = layout.capacity
     cuts = [[edit for edit in step.edits if isinstance(edit, SplitRound)] for step in steps]
-    num_rounds = rung(max(map(len, cuts)), 16)
-    num_cuts = rung(max((len(done.a) for rounds in cuts for done in rounds), default=1), 64)
+    num_rounds = size_for(max(map(len, cuts)), FEWEST_ROUNDS, before.rounds)
+    num_cuts = size_for(max((len(done.a) for rounds in cuts for done in rounds), default=1), FEWEST_CUTS, before.cuts)
     own = np.arange(capacity, dtype=np.int32)
     lines, handovers = [], []
     for number, (step, rounds) in enumerate(zip(steps, cuts, strict=True)):
@@ -124,7 +154,7 @@ def _stretch(steps: list[Step], layout: Layout, at: Row) -> tuple[dict[str, Any]
         live = [edit.live for edit in step.edits if isinstance(edit, Compaction)]
         at = Row(*((row_of, site_of) if not live else (row_of[live[0]], site_of[live[0]])))
     idle = _idle(lines[0], layout)
-    lines = [idle] * (rung(len(lines), FEWEST_LINES) - len(lines)) + lines
+    lines = [idle] * (size_for(len(lines), FEWEST_LINES, before.lines) - len(lines)) + lines
     rings = tuple(np.stack(values) for values in zip(*(line["rings"] for line in lines), strict=True))
     stacked = {name: np.stack([line[name] for line in lines]) for name in lines[0] if name != "rings"}
     return {**stacked, "rings": rings, "handover": handovers[0]}, at

@@ -1,0 +1,159 @@
+"""The nearest of all triangles of a surface that moves, for many points, and on which side of it they are.
+
+Triangles come in runs of near ones. Each run has a ball around it, wherever its corners are now; a run whose ball is
+farther from a point than some triangle is not looked at. So the nearest is exact for every surface, however it has
+moved, and what is looked at is a small part of it. Which triangle is nearest is a decision: no derivative is taken of
+the search.
+
+The side is that of the pseudonormal of the nearest face, edge or corner (Baerentzen and Aanaes 2005): the sum of the
+normals around it, at a corner each times its angle there. It is exact for a closed surface that does not cross itself.
+"""
+
+from typing import NamedTuple
+
+import jax
+import jax.numpy as jnp
+from jax import lax
+
+from msf_jax.base.binding import FACES_TOGETHER, Binding
+from msf_jax.device.playback import clearance
+
+MOST_RUNS = 1024  # of triangles, up to which a run is as short as can be; beyond, runs grow as their number does
+AT_ONCE = 1 << 14  # triangles that are looked at together
+ROUNDING = 16  # rounding errors by which a bound of a distance may be off
+
+
+class Foot(NamedTuple):
+    """Where the surface is nearest to points (P,).
+
+    place: (P, 3). half_edge: (P,) 3 f + k, of the face f whose edge k, or whose corner k, it is on. is_corner: (P,).
+    """
+
+    place: jax.Array
+    half_edge: jax.Array
+    is_corner: jax.Array
+
+
+def signed_distances(binding: Binding, points: jax.Array, vertices: jax.Array) -> jax.Array:
+    """Distance (N,) of the nodes at ``points`` (N, 3) to the surface at ``vertices`` (V, 3), negative outside.
+
+    Differentiable in: points, vertices; zero gradient on an edge, where there is none.
+    """
+    frozen = lax.stop_gradient((points, vertices))
+    face = nearest_faces(binding, *frozen)
+    is_inside = _is_inside(binding, *frozen, face)
+    distance = clearance(points, vertices[binding.faces[face]], is_inside)
+    return jnp.asarray(binding.side, distance.dtype) * distance
+
+
+def nearest_faces(binding: Binding, points: jax.Array, vertices: jax.Array) -> jax.Array:
+    """(N,) the face that is nearest to each of ``points`` (N, 3), of equals the first; 0 for a point that is NaN, or of
+    padding."""
+    num, dtype = len(points), points.dtype
+    count = binding.faces.shape[0]
+    size = FACES_TOGETHER
+    while count // size > MOST_RUNS * size // FACES_TOGETHER:
+        size *= 2
+    count = -(-count // size) * size
+    corners = vertices[binding.faces]
+    corners = jnp.concatenate([corners, jnp.broadcast_to(corners[-1:], (count - len(corners), 3, 3))])
+    runs = corners.reshape(-1, 3 * size, 3)
+    low, high = runs.min(1), runs.max(1)
+    centre = (low + high) / 2
+    radius = jnp.sqrt(((runs - centre[:, None]) ** 2).sum(-1).max(1))
+    away = jnp.sqrt(((points[:, None] - centre) ** 2).sum(-1))
+    bound = away - radius - ROUNDING * jnp.finfo(dtype).eps * (away + radius)
+    is_run = jnp.arange(len(runs)) * size < binding.live.faces
+    bound = jnp.where(is_run & binding.node_mask[:, None], jnp.maximum(bound, 0.0), jnp.inf)
+    runs = corners.reshape(-1, size, 3, 3)
+
+    def smallest(point: jax.Array, run: jax.Array) -> tuple[jax.Array, jax.Array]:
+        away = squared_distances(point, runs[run])
+        return away.min(axis=1), run * size + away.argmin(axis=1)
+
+    # Pairs of a point and a run that may hold its nearest, one after the other, so many at a time.
+    some, _ = smallest(points, bound.argmin(axis=1))
+    pair = jnp.cumsum((bound * bound <= some[:, None]).ravel().astype(jnp.int32))
+    together = AT_ONCE // size
+
+    def look(state: tuple[jax.Array, ...]) -> tuple[jax.Array, ...]:
+        done, best, face = state
+        number = jnp.searchsorted(pair, done + 1 + jnp.arange(together, dtype=jnp.int32))
+        number = jnp.minimum(number, len(pair) - 1)  # what is looked at in vain changes nothing
+        point, run = number // len(runs), number % len(runs)
+        away, which = smallest(points[point], run)
+        least = jnp.minimum(best, jax.ops.segment_min(away, point, num, indices_are_sorted=True))
+        which = jnp.where(away == least[point], which, count)
+        first = jax.ops.segment_min(which.astype(jnp.int32), point, num, indices_are_sorted=True)
+        return done + together, least, jnp.where(least < best, first, face)
+
+    start = (jnp.zeros((), jnp.int32), jnp.full(num, jnp.inf, dtype), jnp.zeros(num, jnp.int32))
+    found = lax.while_loop(lambda state: state[0] < pair[-1], look, start)[2]
+    return jnp.minimum(found, binding.live.faces - 1)  # which those that pad repeat
+
+
+def squared_distances(points: jax.Array, triangles: jax.Array) -> jax.Array:
+    """(P, K) of each of ``points`` (P, 3) to its ``triangles`` (P, K, 3, 3): to the plane over it, else to the nearest
+    edge."""
+    along = jnp.roll(triangles, -1, axis=2) - triangles
+    offset = points[:, None, None] - triangles
+    length2 = (along * along).sum(-1)
+    t = jnp.clip((offset * along).sum(-1) / jnp.where(length2 > 0, length2, 1.0), 0.0, 1.0)
+    rest = offset - t[..., None] * along
+    to_edge = (rest * rest).sum(-1).min(-1)
+    normal = jnp.cross(along[:, :, 0], along[:, :, 1])
+    area2 = (normal * normal).sum(-1)
+    is_over = ((jnp.cross(along, offset) * normal[:, :, None]).sum(-1) >= 0).all(-1) & (area2 > 0)
+    height = (offset[:, :, 0] * normal).sum(-1)
+    return jnp.where(is_over, height * height / jnp.where(area2 > 0, area2, 1.0), to_edge)
+
+
+def _is_inside(binding: Binding, points: jax.Array, vertices: jax.Array, face: jax.Array) -> jax.Array:
+    """(N,) whether each point is behind the edge or the corner of its nearest ``face`` (N,) that is nearest to it."""
+    foot = _foot(points, vertices[binding.faces[face]], face)
+    twin = binding.twin.ravel()
+    across = _normals(binding, vertices, foot.half_edge // 3) + _normals(binding, vertices, twin[foot.half_edge] // 3)
+
+    def step(state: tuple[jax.Array, ...]) -> tuple[jax.Array, ...]:
+        here, total, is_done, steps = state
+        of, corner = here // 3, here % 3
+        at = vertices[binding.faces[of]]
+        rows = jnp.arange(len(of))
+        middle, onward, back = (at[rows, (corner + shift) % 3] for shift in (0, 1, 2))
+        angle = _angles(onward - middle, back - middle)
+        total = jnp.where(is_done[:, None], total, total + angle[:, None] * _normals(binding, vertices, of))
+        following = twin[3 * of + (corner + 2) % 3]
+        return following.astype(jnp.int32), total, is_done | (following == foot.half_edge), steps + 1
+
+    start = (foot.half_edge, jnp.zeros_like(points), ~foot.is_corner, jnp.zeros((), jnp.int32))
+    around = lax.while_loop(lambda state: ~state[2].all() & (state[3] < len(twin)), step, start)[1]
+    normal = jnp.where(foot.is_corner[:, None], around, across)
+    return ((points - foot.place) * normal).sum(-1) <= 0
+
+
+def _foot(points: jax.Array, triangles: jax.Array, face: jax.Array) -> Foot:
+    """The nearest of the edges of ``triangles`` (P, 3, 3), the faces of those numbers."""
+    along = jnp.roll(triangles, -1, axis=1) - triangles
+    offset = points[:, None] - triangles
+    length2 = (along * along).sum(-1)
+    t = jnp.clip((offset * along).sum(-1) / jnp.where(length2 > 0, length2, 1.0), 0.0, 1.0)
+    place = triangles + t[..., None] * along
+    edge = ((points[:, None] - place) ** 2).sum(-1).argmin(axis=1)
+    rows = jnp.arange(len(points))
+    t, place = t[rows, edge], place[rows, edge]
+    corner = jnp.where(t == 1, (edge + 1) % 3, edge)
+    return Foot(place, (3 * face + corner).astype(jnp.int32), (t == 0) | (t == 1))
+
+
+def _normals(binding: Binding, vertices: jax.Array, face: jax.Array) -> jax.Array:
+    """(P, 3) unit normals of the faces of those numbers, zero for one without an area."""
+    a, b, c = jnp.moveaxis(vertices[binding.faces[face]], 1, 0)
+    normal = jnp.cross(b - a, c - a)
+    length2 = (normal * normal).sum(-1, keepdims=True)
+    return jnp.where(length2 > 0, normal / jnp.sqrt(jnp.where(length2 > 0, length2, 1.0)), 0.0)
+
+
+def _angles(one: jax.Array, other: jax.Array) -> jax.Array:
+    """(P,) between two vectors each."""
+    normal = jnp.cross(one, other)
+    return jnp.arctan2(jnp.sqrt((normal * normal).sum(-1)), (one * other).sum(-1))

@@ -1,0 +1,104 @@
+"""`stack`: curves of many meshes, of any sizes, as one padded batch for `jax.vmap`, and one compiled program for all.
+
+In the way of graph libraries: every array has room for the largest, and masks say which rows are something.
+"""
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from typing import Any
+
+import jax
+import jax.numpy as jnp
+import numpy as np
+
+from msf_jax.base.binding import Binding, Sizes, capacity_for, padded, unpadded
+from msf_jax.base.errors import ConfigError
+from msf_jax.device.buffers import real_dtype
+from msf_jax.gradients.follow import Followed
+from msf_jax.skeleton.skeleton import Skeleton
+
+
+@jax.tree_util.register_dataclass
+@dataclass(frozen=True, eq=False)
+class Batch:
+    """B curves and their meshes, padded to one capacity: N nodes and V vertices. A pytree of arrays.
+
+    Attributes:
+        bindings: what `msf_jax.follow` needs, every array with a first axis of B.
+        vertices: (B, V, 3) of the meshes as they were recorded, in the units of each; 0 in rows that are none.
+        vertex_mask: (B, V) bool, which rows are vertices.
+        node_mask: (B, N) bool, which rows are nodes.
+    """
+
+    bindings: Binding
+    vertices: Any
+    vertex_mask: Any
+    node_mask: Any
+
+    def __repr__(self) -> str:
+        nodes, vertices = self.node_mask.shape[1], self.vertices.shape[1]
+        return f"Batch({len(self)} curves, {nodes} rows of nodes, {vertices} of vertices)"
+
+    def __len__(self) -> int:
+        return self.vertices.shape[0]
+
+    def unstack(self, followed: Any = None) -> list[Any]:
+        """The curves one by one, without padding.
+
+        Args:
+            followed: what ``jax.vmap(msf_jax.follow)`` gave for this batch, nodes (B, N, 3) and radii (B, N). If not
+                given, the parts of the batch itself are returned.
+
+        Returns:
+            A `Followed` for each mesh, in NumPy arrays. Without ``followed``, a pair for each: its binding, padded to
+            the smallest capacity that has room for it, as `Skeleton.binding` is, and its vertices (V, 3).
+        """
+        if followed is not None:
+            counts = np.asarray(self.bindings.live.nodes)
+            nodes, radii = (jax.device_get(part) for part in followed)
+            return [Followed(nodes[k, :count], radii[k, :count]) for k, count in enumerate(counts)]
+        found, vertices = [], np.asarray(self.vertices)
+        for k in range(len(self)):
+            binding = unpadded(jax.tree.map(lambda values, k=k: np.asarray(values)[k], self.bindings))
+            found.append((padded(binding, capacity_for(binding.live)), vertices[k, : binding.live.vertices]))
+        return found
+
+
+def stack(skeletons: Iterable[Skeleton], *, like: Batch | None = None, dtype: Any = None) -> Batch:
+    """Curves of many meshes as one batch: ``jax.vmap(msf_jax.follow)(batch.bindings, batch.vertices)``.
+
+    Capacities are those of the largest mesh and the largest curve, so put what is about as large together: see
+    ``skeleton.binding.capacity``. In padding, nodes, radii and gradients are zero, and what is not padding does not
+    depend on it.
+
+    Args:
+        skeletons: of runs, at least one; as `msf_jax.follow` takes them.
+        like: a batch that was stacked before. If all has room in its capacity, that is taken, and a program that was
+            compiled for it serves; the number of curves is part of a program, too.
+        dtype: of all real numbers; float64 if JAX has it on, else float32.
+
+    Raises:
+        ConfigError: there are none, or one does not know the mesh that it was made from.
+    """
+    every = list(skeletons)
+    others = [type(each).__name__ for each in every if not isinstance(each, Skeleton)]
+    if others or not every:
+        found = others[0] if others else "none"
+        raise ConfigError(f"skeletons holds {found}: expected at least one msf_jax.Skeleton, and nothing else")
+    bare = [unpadded(skeleton.binding) for skeleton in every]
+    sizes: list[Sizes] = [binding.live for binding in bare]
+    capacity = capacity_for(*sizes)
+    if like is not None and all(room <= wide for room, wide in zip(capacity, like.bindings.capacity, strict=True)):
+        capacity = like.bindings.capacity
+    dtype = jnp.dtype(real_dtype() if dtype is None else dtype)
+
+    def together(*values: Any) -> jax.Array:
+        stacked = np.stack(values)
+        return jnp.asarray(stacked.astype(dtype) if stacked.dtype.kind == "f" else stacked)
+
+    bindings: Binding = jax.tree.map(together, *(padded(binding, capacity) for binding in bare))
+    vertices = np.zeros((len(every), capacity.vertices, 3), dtype=dtype)
+    for row, skeleton in zip(vertices, every, strict=True):
+        given = skeleton.surface.given(len(skeleton.mesh_map))
+        row[: len(given)] = given
+    return Batch(bindings, jnp.asarray(vertices), bindings.vertex_mask, bindings.node_mask)

@@ -1,0 +1,147 @@
+"""Losses of followed curves: known values, blind to padding, slopes of central differences, no unit."""
+
+import jax
+import jax.numpy as jnp
+import numpy as np
+import pytest
+
+import msf_jax
+from msf_jax import Followed, losses
+from msf_jax.base.binding import Binding, Sizes, padded
+
+LINE = np.array([[0.0, 0, 0], [1.0, 0, 0], [2.0, 0, 0], [2.0, 1, 0], [2.0, -2, 0]])  # with two limbs at its end
+EDGES = np.array([[0, 1], [1, 2], [2, 3], [2, 4]])
+RADII = np.array([0.1, 0.3, 0.4, 0.2, -0.1])
+DIAGONAL = 2.0
+ROOM = Sizes(vertices=4, faces=2, nodes=8, edges=7, sections=2, corners=2, smoothing=2, turning=2)
+
+
+def bound(diagonal=DIAGONAL, edges=EDGES) -> Binding:
+    """What losses need of a binding of the line, with rows of padding."""
+    nothing, num = np.zeros(0), int(edges.max()) + 1
+    sizes = Sizes(vertices=1, faces=1, nodes=num, edges=len(edges), sections=0, corners=0, smoothing=0, turning=0)
+    fields = dict.fromkeys(Binding._fields, nothing) | {"live": sizes, "faces": np.zeros((1, 3), int), "edges": edges}
+    fields |= {"twin": np.zeros((1, 3), int), "rest": np.zeros((num, 3)), "side": np.ones(num), "centre": np.zeros(3)}
+    fields |= {"branch": np.array([0, 0, 1, 2])[: len(edges)], "diagonal": np.float64(diagonal), "unit": np.float64(1)}
+    return padded(Binding(**fields), ROOM)
+
+
+def filled(nodes=LINE, radii=RADII, junk=0.0) -> Followed:
+    """In rows of a binding; ``junk`` is what rows of padding hold."""
+    rest = ROOM.nodes - len(nodes)
+    return Followed(
+        jnp.concatenate([jnp.asarray(nodes), jnp.full((rest, 3), junk)]),
+        jnp.concatenate([jnp.asarray(radii), jnp.full(rest, junk)]),
+    )
+
+
+TARGET = LINE[[0, 2, 3]] + [0.1, 0.2, -0.3]
+WANTED = np.array([2.5, 1.0, 1.0, 0, 0, 0, 0])
+ALL = {
+    "near": lambda found, binding: losses.near(found, binding, TARGET),
+    "radii": lambda found, binding: losses.radii(found, binding, 0.25),
+    "lengths": lambda found, binding: losses.lengths(found, binding, WANTED),
+    "smoothness": losses.smoothness,
+    "clearance": lambda found, binding: losses.clearance(found, binding, 0.25),
+    "markers": lambda found, binding: losses.markers(found, binding, np.array([0, 3]), TARGET[1:]),
+}
+UNEVEN = np.random.default_rng(1).normal(0, 0.1, LINE.shape)
+
+
+def test_near_is_the_mean_of_squares_both_ways():
+    """One edge along x from 0 to 1, a sample in its middle: 0.5 beside a point, 1.5 beside another."""
+    edge = bound(edges=np.array([[0, 1]]))
+    found = filled([[0, 0, 0], [1.0, 0, 0]], [0, 0])
+    target = np.array([[0.5, 0.5, 0], [0.5, 0, 1.5], [9, 9, 9]])
+    there, back = 0.5**2, (0.5**2 + 1.5**2) / 2
+    value = losses.near(found, edge, target, np.array([True, True, False]), samples=1)
+    assert value == pytest.approx((there + back) / 2 / DIAGONAL**2)
+    assert losses.near(filled(), bound(), LINE) < losses.near(filled(), bound(), LINE + 0.5)
+    along = LINE[EDGES[:, 0], None] + np.linspace(0, 1, 100)[:, None] * (LINE[EDGES[:, 1]] - LINE[EDGES[:, 0]])[:, None]
+    assert losses.near(filled(), bound(), along.reshape(-1, 3), samples=50) < 1e-4
+
+
+def test_near_weighs_samples_by_the_length_that_they_stand_for():
+    """A short edge that is far off counts little."""
+    pair = bound(edges=np.array([[0, 1], [1, 2]]))
+    found = filled([[0, 0, 0], [3.0, 0, 0], [3.0, 1.0, 0]], [0, 0, 0])
+    target = np.array([[1.5, 0, 0.0]])
+    there = (3 * 0 + 1 * (1.5**2 + 0.5**2)) / 4
+    assert losses.near(found, pair, target, samples=1) == pytest.approx(there / 2 / DIAGONAL**2)
+
+
+def test_values_that_are_known():
+    found, binding = filled(), bound()
+    np.testing.assert_allclose(losses.branch_lengths(found, binding), [2, 1, 2, 0, 0, 0, 0])
+    assert losses.lengths(found, binding, WANTED) == pytest.approx((0.5**2 + 0 + 1) / 3 / DIAGONAL**2)
+    assert losses.radii(found, binding, RADII.mean()) == pytest.approx(RADII.var() / DIAGONAL**2)
+    assert losses.clearance(found, binding, 0.25) == pytest.approx((0.15**2 + 0.05**2 + 0.35**2) / 5 / DIAGONAL**2)
+    assert losses.clearance(found, binding, -1.0) == 0
+    assert losses.smoothness(found, binding) == pytest.approx(0, abs=1e-12)
+    bent = LINE.copy()
+    bent[0] = [1.0, 1.0, 0]  # the one node with two neighbours turns by a right angle
+    assert losses.smoothness(filled(bent), binding) == pytest.approx(1)
+    ends, where = np.array([0, 3, 4]), LINE[[0, 3, 4]] + [[0, 0, 1.0], [0, 2.0, 0], [9, 9, 9]]
+    value = losses.markers(found, binding, ends, where, np.array([True, True, False]))
+    assert value == pytest.approx((1 + 4) / 2 / DIAGONAL**2)
+    assert losses.markers(found, binding, ends, where, np.zeros(3, bool)) == 0
+
+
+@pytest.mark.parametrize("name", ALL)
+def test_padding_does_not_show(name):
+    """Whatever is in it; nor is there a slope."""
+    values, slopes = zip(
+        *(
+            jax.value_and_grad(lambda found: ALL[name](found, bound()))(filled(LINE + UNEVEN, junk=junk))
+            for junk in (0.0, 3.0, -1e3)
+        ),
+        strict=True,
+    )
+    assert values[0] == values[1] == values[2] > 0
+    for slope in slopes:
+        assert all(np.isfinite(part).all() and not np.asarray(part)[len(LINE) :].any() for part in slope)
+
+
+@pytest.mark.parametrize("name", ALL)
+def test_slopes_are_those_of_central_differences(name):
+    value = jax.jit(lambda nodes, radii: ALL[name](filled(nodes, radii), bound()))
+    at = LINE + UNEVEN, RADII
+    slope = jax.grad(value, argnums=(0, 1))(*at)
+    step, random = 1e-6, np.random.default_rng(2)
+    for _ in range(3):
+        way = [random.normal(size=part.shape) for part in at]
+        ahead, behind = (value(*(p + sign * step * w for p, w in zip(at, way, strict=True))) for sign in (1, -1))
+        expected = sum(float((s * w).sum()) for s, w in zip(slope, way, strict=True))
+        assert (ahead - behind) / (2 * step) == pytest.approx(expected, rel=1e-6, abs=1e-9)
+    assert max(np.abs(part).max() for part in slope) > 1e-3
+
+
+@pytest.mark.parametrize("name", ALL)
+def test_no_unit(name, monkeypatch):
+    """A mesh that is ten times as large, and so all that is asked of it."""
+    one = ALL[name](filled(LINE + UNEVEN), bound())
+    monkeypatch.setitem(globals(), "TARGET", 10 * TARGET)
+    larger = filled(10 * (LINE + UNEVEN), 10 * RADII), bound(10 * DIAGONAL)
+    if name in ("radii", "clearance", "lengths"):
+        ask = 10 * WANTED if name == "lengths" else 2.5
+        assert getattr(losses, name)(*larger, ask) == pytest.approx(float(one))
+    else:
+        assert ALL[name](*larger) == pytest.approx(float(one))
+
+
+def test_where_points_coincide_slopes_are_finite():
+    found = filled(np.zeros_like(LINE), np.zeros_like(RADII))
+    for name, loss in ALL.items():
+        slope = jax.grad(lambda found, loss=loss: loss(found, bound()))(found)
+        assert all(np.isfinite(part).all() for part in slope), name
+
+
+def test_a_batch_of_them():
+    """Each curve with its own target, as each alone."""
+    targets = np.stack([TARGET, TARGET[::-1] - 0.4])
+    every = jax.tree.map(lambda *parts: jnp.stack(parts), filled(), filled(LINE + UNEVEN))
+    both = jax.tree.map(lambda *parts: jnp.stack(parts), bound(), bound(3.0))
+    found = jax.vmap(losses.near)(every, both, targets)
+    alone = [losses.near(filled(), bound(), targets[0]), losses.near(filled(LINE + UNEVEN), bound(3.0), targets[1])]
+    np.testing.assert_allclose(found, alone, rtol=1e-12)
+    assert msf_jax.losses is losses
