@@ -434,7 +434,7 @@ def test_independent_edges_are_a_maximal_set():
     around = neighbours_of(meso.faces())
     a, b = ring_tables.edges_from_rings(meso.rings)
     order = np.random.default_rng(2).permutation(len(a))
-    chosen = set(collapse._independent(meso.rings, a, b, order).tolist())
+    chosen = set(collapse.first_apart(np.stack([a, b], axis=1), order, meso.rings).tolist())
     blocked: set[int] = set()
     greedy = set()
     for edge in order.tolist():

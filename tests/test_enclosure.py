@@ -137,18 +137,6 @@ def test_winding_numbers_far_from_the_origin(offset):
     np.testing.assert_array_equal(found, np.round(here).astype(int))
 
 
-def test_more_pairs_than_fit_in_one_batch(monkeypatch):
-    """Cut into many batches, the answers are the same."""
-    vertices, faces = arrays(blob(24))
-    points = np.random.default_rng(6).uniform(-1.2, 1.2, (500, 3))
-    whole = Enclosure(vertices, faces)
-    winding, distance = whole.winding_numbers(points), whole.distances(points)
-    monkeypatch.setattr("msf_jax.host.solid.triangles.PAIRS_AT_ONCE", 50)
-    cut = Enclosure(vertices, faces)
-    np.testing.assert_array_equal(cut.winding_numbers(points), winding)
-    np.testing.assert_array_equal(cut.distances(points), distance)
-
-
 # How far
 
 

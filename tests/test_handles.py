@@ -69,9 +69,9 @@ RING = shape_of(torus(minor=0.3))
 @pytest.mark.parametrize("across", [-3, -1, 1, 2, 5])
 @pytest.mark.parametrize("along", [1, 2, 3])
 def test_a_torus_knot_goes_around_as_often_as_it_goes_along(along, across):
-    once = RING.handles().windings(circle(1.0), cycle(120))[1][0]
+    once = RING.handles.windings(circle(1.0), cycle(120))[1][0]
     knot = torus_knot(along, across)
-    found = RING.handles().windings(knot, cycle(len(knot)))[1][0]
+    found = RING.handles.windings(knot, cycle(len(knot)))[1][0]
     np.testing.assert_array_equal(found, along * once)
     assert np.gcd.reduce(once) == 1
 
@@ -105,7 +105,7 @@ def test_two_loops_are_no_basis_where_one_is_the_other_and_twice_a_third():
 @pytest.mark.parametrize("num_holes", [0, 1, 4, 9])
 def test_a_plate_has_a_loop_around_each_hole_and_one_around_several_adds_none(num_holes):
     shape = shape_of(shapes.plate(num_holes))
-    assert shape.handles().genus == num_holes
+    assert shape.handles.genus == num_holes
     columns = {0: 1, 1: 1, 4: 3, 9: 4}[num_holes]
     rows = -(-num_holes // columns)
     cell = np.array([10 / columns, 6 / max(rows, 1)])
@@ -127,7 +127,7 @@ def test_the_linking_number_tells_linked_rings_from_rings_apart():
         one, _ = mesh.split()
         own = proof(shape_of(one), points[:48]).rank + proof(shape_of(one), points[48:]).rank
         assert own == 1
-        of_other = [shape_of(one).handles().windings(line, cycle(48))[1].any() for line in (points[:48], points[48:])]
+        of_other = [shape_of(one).handles.windings(line, cycle(48))[1].any() for line in (points[:48], points[48:])]
         assert sorted(of_other) == [are_linked, True]
 
 
@@ -181,14 +181,14 @@ def test_float32_and_faces_in_the_plane_of_the_curve_do_not_matter():
     shape = Enclosure(found.vert_properties[:, :3].astype(np.float32).astype(float), found.tri_verts.astype(np.int64))
     middle = np.column_stack([0.125 * step + 0.0625, np.full(8, 0.0625)])
     assert counts(proof(shape, middle)) == (1, 0, 0, 0, 0)
-    along = shape.handles().linking(middle, middle + np.array([0, 0, 0.0625]))  # up to the surface, and back
-    np.testing.assert_array_equal(along, -shape.handles().linking(middle + np.array([0, 0, 0.0625]), middle))
+    along = shape.handles.linking(middle, middle + np.array([0, 0, 0.0625]))  # up to the surface, and back
+    np.testing.assert_array_equal(along, -shape.handles.linking(middle + np.array([0, 0, 0.0625]), middle))
 
 
 @pytest.mark.parametrize("seed", range(6))
 def test_classes_add_up_along_any_way(seed):
     """Of segments that are cut into pieces, through the solid or not; and there and back they cancel."""
-    random, handles = np.random.default_rng(seed), RING.handles()
+    random, handles = np.random.default_rng(seed), RING.handles
     a, b = random.uniform(-1.5, 1.5, (2, 200, 3))
     stops = np.sort(np.concatenate([[0.0], random.uniform(size=5), [1.0]]))
     places = [(1 - stop) * a + stop * b for stop in stops]
@@ -248,7 +248,7 @@ def test_classes_of_ways_inside_are_those_of_the_surface_beside_them(theta):
 def test_a_way_that_touches_the_surface_at_a_vertex_of_a_loop_is_none():
     """A pinned node is there: a triangle from it into the solid goes around nothing."""
     mesh = torus(minor=0.3)
-    handles, random = RING.handles(), np.random.default_rng(1)
+    handles, random = RING.handles, np.random.default_rng(1)
     on_loops = np.unique(np.concatenate(surface_loops(np.array(mesh.faces)).loops))
     at = mesh.vertices[on_loops]
     inward = at - 0.15 * mesh.vertex_normals[on_loops]
@@ -278,7 +278,7 @@ def test_edges_side_by_side_are_cycles_around_nothing():
     for nodes in (line[:1], line[:0]):
         assert counts(loops.proof(RING, nodes, NO_EDGES)) == (0, 0, 0, 0, 0)
     ball = shape_of(trimesh.creation.icosphere(2, 2.0))
-    assert counts(proof(ball, line)) == (0, 1, 0, 0, 0) and ball.handles().genus == 0
+    assert counts(proof(ball, line)) == (0, 1, 0, 0, 0) and ball.handles.genus == 0
 
 
 def test_sums_along_a_forest_are_those_of_its_ways():

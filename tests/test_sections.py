@@ -352,12 +352,12 @@ def test_a_plane_has_two_sides_and_one_section():
 
 
 def test_points_do_not_depend_on_each_other(monkeypatch):
-    """All at once, one at a time, and in many batches."""
+    """All at once, one at a time, and where there is no room for them at first."""
     shape, (points, normals, radii) = enclosure(dented(54)), questions(8, 30)
     together = cut(shape, points, normals, radii)
     alone = [cut(shape, points[k : k + 1], normals[k : k + 1], radii[k : k + 1]) for k in range(30)]
     assert_same(Sections(*(np.concatenate(fields) for fields in zip(*alone, strict=True))), together)
-    monkeypatch.setattr("msf_jax.host.solid.triangles.PAIRS_AT_ONCE", 50)
+    monkeypatch.setattr(sections, "ROOM", 1)
     assert_same(cut(shape, points, normals, radii), together)
 
 

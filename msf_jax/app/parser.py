@@ -164,8 +164,8 @@ def _settings(parser: argparse.ArgumentParser) -> None:
         "--prune",
         type=float,
         metavar="X",
-        help="take away branches of less persistence: 1 for a twig inside a limb, 2 for a limb that sticks out by its "
-        f"radius; 0: none (default: {defaults.prune})",
+        help="take away branches of less slenderness: 1 for a limb that sticks out by its radius, 4 to 8 for a finger; "
+        f"0: none (default: {defaults.prune})",
     )
     curve.add_argument(
         "--coarsen",

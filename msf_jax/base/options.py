@@ -137,9 +137,9 @@ class Config:
         solve_steps: CG steps after which a solve gives up (and the report says so).
         surgery: whether the curve is read off by half-edge collapses in the order of shape and sampling costs, and its
             nodes recentred by the boundaries of their regions (Au et al. 2008). Else the shortest edges go first.
-        prune: branches of less than this `persistence` are taken away; see `msf_jax.Branch`. Above 1, so are those into
-            blunt corners, where balls shrink by half of each step or more, and those that run in one sheet with another
-            (its discs then count as balls do), and near junctions become one; 0 keeps all.
+        prune: branches of less than this `slenderness` are taken away (see `msf_jax.Branch`), and junctions well within
+            one ball become one; 0 keeps all. The default is a little less than what half a ball on a wall has, pi / 4,
+            and more than the corner of a plate or a box, 0.5.
         centre: whether nodes are moved to the middle of their limb's cross-section, and edges refined, at the end.
         extend_tips: whether leaves are carried on to the ends of their limbs.
         evaluate: whether the report gets the figures of `metrics.evaluate`.
@@ -176,7 +176,7 @@ class Config:
     solve_steps: int = 2000
     preconditioner: str = "jacobi"
     surgery: bool = False
-    prune: float = 1.5
+    prune: float = 0.75
     centre: bool = True
     extend_tips: bool = True
     evaluate: bool = False

@@ -21,13 +21,22 @@ from msf_jax.flow.request import checked_options, checked_pins, weights_of_verti
 from msf_jax.flow.starting import init
 from msf_jax.flow.state import LIMITS, Flow, Limits, Stopwatch
 from msf_jax.flow.stepping import step
+from msf_jax.host.compiled import announce
 from msf_jax.host.mesh import checking
 from msf_jax.host.mesh.checking import Surface
 from msf_jax.host.mesh.repair import Repair, as_repair
 from msf_jax.host.meso import collapse
+from msf_jax.host.meso import kernels as edits
 from msf_jax.host.meso.meso import Meso
+from msf_jax.host.solid import kernels as walks
+from msf_jax.host.solid import loops
 
 INTERRUPTED = "interrupted"
+KERNELS = (  # of every run, in the order in which it needs them
+    *(edits.short_edges, edits.apart, edits.merge),
+    *(walks.windings, edits.wide_edges, edits.cut),
+    *(walks.nearest, walks.hits, loops.loops, loops.measures),
+)
 
 
 def contract(
@@ -66,6 +75,7 @@ def contract(
         Interrupted: Ctrl-C, once the iteration has ended; it is a KeyboardInterrupt, and holds the flow as it was.
     """
     weights, config = checked_options(weights, config)
+    announce(KERNELS)
     watch = Stopwatch()
     with watch.stage("front door"):
         checked = mesh if isinstance(mesh, Surface) else checking.prepare(mesh, repair)

@@ -13,7 +13,7 @@ from scipy import sparse
 from msf_jax import metrics
 from msf_jax.base.errors import ConfigError
 from msf_jax.base.recipe import Recipe
-from msf_jax.host.curve import branches, finishing, following, resampling
+from msf_jax.host.curve import branches, finishing, following, limbs, resampling
 from msf_jax.host.curve.branches import Branch
 from msf_jax.skeleton import slopes
 from msf_jax.skeleton.formats import export
@@ -62,26 +62,37 @@ class Skeleton:
 
     @property
     def branches(self) -> list[Branch]:
-        """The ways between nodes that have other than two edges, with their length, persistence and surface."""
+        """The ways between nodes that have other than two edges, with their length, slenderness and surface."""
         share = None
         if self.source is not None:
             share = np.bincount(self.mesh_map, weights=self.source.areas, minlength=len(self.vertices))
-        return branches.measure(self.vertices, self.edges, self.radii, share)
+        return limbs.measure(*self._in_solid(), self._limbs, share)
 
-    def prune(self, persistence: float = 1.5) -> "Skeleton":
-        """A new skeleton without the branches of less than ``persistence``, the least first; see `Branch`.
+    @cached_property
+    def _limbs(self) -> limbs.Limbs:
+        """What the solid says of the nodes; of a curve whose solid is not known, what its radii say."""
+        vertices, edges = self._in_solid()
+        if self.source is None:
+            return limbs.limbs_without(vertices, edges, self.radii)
+        return limbs.limbs_of(self.source.solid.shape, vertices, edges)
+
+    def _in_solid(self) -> tuple[np.ndarray, np.ndarray]:
+        """The curve in units of its solid's diagonal, as far as that is known."""
+        return (self.vertices if self.source is None else self.source.solid.enter(self.vertices)), self.edges
+
+    def prune(self, slenderness: float = 0.75) -> "Skeleton":
+        """A new skeleton without the branches of less than ``slenderness``, the least first; see `Branch`.
 
         Components and cycles stay, and so does a branch with a pin. The vertices of the mesh that went to a pruned
-        branch go to its junction. A run has pruned at ``Config.prune`` already: to slide the threshold below that, run
-        once with ``Config(prune=0)``.
-        What a run does besides, to corners, near junctions and equal limbs, this does not.
+        branch go to its junction. A run has pruned at ``Config.prune`` already: for a threshold below that, run with
+        ``Config(prune=0)``, and prune here.
 
         Raises:
-            ConfigError: ``persistence`` is negative or not a number.
+            ConfigError: ``slenderness`` is negative or not a number.
         """
-        if not (isinstance(persistence, numbers.Real) and persistence >= 0):
-            raise ConfigError(f"persistence is {persistence!r}: expected a number of 0 or more")
-        stays, target = branches.prune(self.vertices, self.edges, self.radii, persistence, self._is_held())
+        if not (isinstance(slenderness, numbers.Real) and slenderness >= 0):
+            raise ConfigError(f"slenderness is {slenderness!r}: expected a number of 0 or more")
+        stays, target = limbs.prune(*self._in_solid(), self._limbs, float(slenderness), self._is_held())
         rank = np.cumsum(stays) - 1
         edges = rank[self.edges[stays[self.edges].all(axis=1)]]
         return self._changed(self.vertices[stays], edges, rank[target])

@@ -1,6 +1,5 @@
-"""A curve as branches: the ways between nodes that have other than two edges, and how much each of them matters."""
+"""A curve as branches: the paths between nodes that have other than two edges, and what is done to the graph."""
 
-from collections.abc import Callable
 from typing import NamedTuple
 
 import networkx as nx
@@ -8,38 +7,31 @@ import numpy as np
 from scipy import sparse, spatial
 from scipy.sparse import csgraph
 
-from msf_jax.host.solid.geometry import arc_length, at
 from msf_jax.host.solid.handles import Handles
-from msf_jax.host.solid.sheets import Discs, Flats, away_from
 
-BALLS = 33  # along a branch, to see whether it runs into a corner
-EQUAL = 0.8  # of how far another limb reaches out, for one that is as long
 NEAR = 0.85  # radii, between two junctions that are one
-STEEP = 0.5  # by how much of a step along a limb its balls shrink at most; in a corner of a box it is 0.58
-FLAT = 0.2  # of its own radius, that a limb's balls stay larger than such a cone's,
-BULGE = 0.05  # and of the radius at its junction
 TOGETHER = 1e-6  # diagonals: nodes, or a node and an edge, that are no farther apart are in one place
 
 
 class Branch(NamedTuple):
-    """nodes: along the branch; a closed one names its first node again at its end. length: of the way.
+    """nodes: along the branch; a closed one names its first node again at its end. length: of the branch.
 
-    persistence: for a branch that ends in a leaf, 1 + (how far its balls reach out of those of the rest of the curve) /
-    (radius at its junction). A twig inside a tube has 1, a limb that sticks out of it by h has 1 + h / radius. Infinite
-    for a branch without a junction, and for one that joins two of them, or a junction to itself: taking it away would
-    change the curve's components or cycles.
+    slenderness: how far a branch that ends in a leaf reaches out of the rest, over its own half width across (see
+    `host.curve.limbs`): a cylinder that sticks out by h has h / radius. Infinite for a branch without a junction, and
+    for one that joins two of them, or a junction to itself: taking it away would change the curve's components or
+    cycles.
 
     surface: share of the mesh's area that goes to the branch's own nodes, its junctions not among them; NaN if unknown.
     """
 
     nodes: list[int]
     length: float
-    persistence: float
+    slenderness: float
     surface: float
 
     def __repr__(self) -> str:
         ends = f"{self.nodes[0]} to {self.nodes[-1]}"
-        numbers = f"length {self.length:.4g}, persistence {self.persistence:.3g}"
+        numbers = f"length {self.length:.4g}, slenderness {self.slenderness:.3g}"
         return f"Branch({len(self.nodes)} nodes from {ends}, {numbers})"
 
 
@@ -128,111 +120,6 @@ def tree(num_nodes: int, edges: np.ndarray, roots: tuple[int, ...] = ()) -> dict
         leaves = [node for node in component if graph.degree[node] == 1]
         grow(min(leaves or component))
     return parent
-
-
-def measure(
-    vertices: np.ndarray,
-    edges: np.ndarray,
-    radii: np.ndarray,
-    share: np.ndarray | None = None,
-    known: "dict[tuple[int, ...], Reach] | None" = None,
-    flats: Flats | None = None,
-) -> list[Branch]:
-    """The branches of a curve ``(vertices (N, 3), edges (E, 2), radii (N,))``; ``share`` (N,) of the area by node.
-
-    ``known`` remembers what was measured, for a curve that loses branches. With ``flats`` it is out of the discs of the
-    rest that a branch must reach, and by radii of the disc at its junction.
-    """
-    degree = np.bincount(edges.ravel(), minlength=len(vertices))
-    known = {} if known is None else known
-    found = []
-    for nodes in trace(len(vertices), edges):
-        length = float(np.linalg.norm(np.diff(vertices[nodes], axis=0), axis=1).sum())
-        junctions = [node for node in (nodes[0], nodes[-1]) if degree[node] > 2]
-        own = np.array(sorted(set(nodes).difference(junctions)), dtype=np.int64)
-        persistence = np.inf
-        if len(junctions) == 1 and min(degree[nodes[0]], degree[nodes[-1]]) == 1:
-            reach = known.get(tuple(own.tolist()))
-            if reach is None or not degree[reach.cover].all():
-                reach = known[tuple(own.tolist())] = _reach(vertices, radii, own, degree, flats)
-            size = radii if flats is None else flats.size
-            persistence = 1 + reach.distance / max(float(size[junctions[0]]), 1e-300)
-        found.append(Branch(nodes, length, persistence, np.nan if share is None else float(share[own].sum())))
-    return found
-
-
-class Reach(NamedTuple):
-    """distance: how far a branch's balls reach out of those of the rest. cover: the nodes whose balls cover it most."""
-
-    distance: float
-    cover: np.ndarray
-
-
-def _reach(vertices: np.ndarray, radii: np.ndarray, own: np.ndarray, degree: np.ndarray, flats: Flats | None) -> Reach:
-    is_rest = degree > 0
-    is_rest[own] = False
-    rest = np.flatnonzero(is_rest)
-    discs = None if flats is None else Discs(*(field[rest] for field in flats.discs))
-    away = away_from(vertices[rest], radii[rest], discs, vertices[own])
-    nearest = away.argmin(axis=1)
-    out = away[np.arange(len(own)), nearest] + radii[own]
-    return Reach(max(float(out.max()), 0.0), rest[nearest])
-
-
-def prune(
-    vertices: np.ndarray,
-    edges: np.ndarray,
-    radii: np.ndarray,
-    persistence: float,
-    is_held: np.ndarray | None = None,
-    flats: Flats | None = None,
-) -> tuple[np.ndarray, np.ndarray]:
-    """Take away branches of less than ``persistence``, the least first, until none is left.
-
-    Each time the rest is measured again: where two branches remain at a junction they become one. A branch with a node
-    of ``is_held`` (N,) beyond its junction stays. Returns which nodes stay (N,), and the node that each goes to (N,):
-    itself, or the junction that its branch grew out of.
-    """
-    is_kept = np.ones(len(vertices), dtype=bool)
-    target = np.arange(len(vertices))
-    known: dict[tuple[int, ...], Reach] = {}
-    while True:
-        left = edges[is_kept[edges].all(axis=1)]
-        degree = np.bincount(left.ravel(), minlength=len(vertices))
-        least, going = persistence, []
-        for branch in measure(vertices, left, radii, known=known, flats=flats):
-            if branch.persistence < least:
-                nodes = branch.nodes if degree[branch.nodes[0]] > 2 else branch.nodes[::-1]
-                if is_held is None or not is_held[nodes[1:]].any():
-                    least, going = branch.persistence, nodes
-        if not going:
-            return is_kept, target
-        is_kept[going[1:]] = False
-        target[np.isin(target, going[1:])] = going[0]
-
-
-def equals(
-    vertices: np.ndarray, edges: np.ndarray, radii: np.ndarray, persistence: float, flats: Flats | None = None
-) -> np.ndarray:
-    """(N,) the leaves of branches that are a little below ``persistence``, and at whose junction another is above.
-
-    A junction that is a little off the middle makes limbs of one length persist more and less: they stay together. Of a
-    curve of one junction two limbs stay whatever they are, and count as above.
-    """
-    found = np.zeros(len(vertices), dtype=bool)
-    degree = np.bincount(edges.ravel(), minlength=len(vertices))
-    reach: dict[int, list[tuple[float, int]]] = {}
-    for branch in measure(vertices, edges, radii, flats=flats):
-        if 1 <= branch.persistence < np.inf:
-            junction, leaf = sorted((branch.nodes[0], branch.nodes[-1]), key=lambda node: -degree[node])
-            reach.setdefault(junction, []).append((branch.persistence - 1, leaf))
-    for junction, limbs in reach.items():
-        above = [length for length, _ in limbs if length >= persistence - 1]
-        if len(limbs) == degree[junction]:
-            above += sorted(length for length, _ in limbs)[-2:]
-        alike = EQUAL * max(persistence - 1, min(above, default=np.inf))
-        found[[leaf for length, leaf in limbs if alike <= length < persistence - 1]] = True
-    return found
 
 
 def merge_junctions(
@@ -353,49 +240,3 @@ def _relabelled(edges: np.ndarray, target: np.ndarray) -> np.ndarray:
     """Edges (E, 2) between what their ends have gone to."""
     left = np.sort(target[edges], axis=1)
     return np.unique(left[left[:, 0] != left[:, 1]], axis=0)
-
-
-def cut_corners(
-    vertices: np.ndarray, edges: np.ndarray, is_held: np.ndarray, room: Callable[[np.ndarray], np.ndarray]
-) -> tuple[np.ndarray, np.ndarray]:
-    """Take away the branches that run into blunt corners, all at once: which nodes stay, and where each goes (N,).
-
-    ``room`` is the radius of the largest ball around points inside the solid: balls are looked at all along a branch.
-    The balls of a branch to a corner of a box shrink by 0.58 of every step; those of a limb keep their size somewhere.
-    Where nothing would be left of a component but what its largest ball covers, as of a cube, the branches to the two
-    leaves that are farthest apart stay. Nodes of ``is_held`` (N,) do, with their branches.
-    """
-    degree = np.bincount(edges.ravel(), minlength=len(vertices))
-    stays, target = np.ones(len(vertices), dtype=bool), np.arange(len(vertices))
-    legs = []
-    for way in trace(len(vertices), edges):
-        nodes = np.array(way if degree[way[0]] > 2 else way[::-1])
-        if degree[nodes[0]] > 2 and degree[nodes[-1]] == 1 and not is_held[nodes[1:]].any():
-            legs.append(nodes)
-    if legs:
-        along = [arc_length(vertices[nodes]) for nodes in legs]
-        stops = [np.linspace(0, length[-1], BALLS) for length in along]
-        points = [at(vertices[nodes], *rest) for nodes, *rest in zip(legs, along, stops, strict=True)]
-        radii = room(np.concatenate(points)).reshape(-1, BALLS)
-        legs = [nodes for nodes, stop, balls in zip(legs, stops, radii, strict=True) if _is_corner(stop, balls)]
-    for nodes in legs:
-        stays[nodes[1:]], target[nodes[1:]] = False, nodes[0]
-    ends = np.concatenate([edges[:, 0], edges[:, 1]]), np.concatenate([edges[:, 1], edges[:, 0]])
-    graph = sparse.coo_matrix((np.ones(2 * len(edges)), ends), shape=(len(vertices),) * 2)
-    part = csgraph.connected_components(graph, directed=False)[1]
-    for label in np.unique([part[nodes[0]] for nodes in legs]):
-        left = np.flatnonzero((part == label) & stays)
-        if np.linalg.norm(np.ptp(vertices[left], axis=0)) < room(vertices[left]).max() and not is_held[left].any():
-            own = [nodes for nodes in legs if part[nodes[0]] == label]
-            apart = spatial.distance.squareform(spatial.distance.pdist(vertices[[nodes[-1] for nodes in own]]))
-            for row in set(np.unravel_index(apart.argmax(), apart.shape)):
-                stays[own[row]], target[own[row]] = True, own[row]
-    return stays, target
-
-
-def _is_corner(along: np.ndarray, radii: np.ndarray) -> bool:
-    """Whether balls at ``along`` (k,) of a branch, from its junction on, shrink as in a blunt corner all the way."""
-    over_cone = radii + STEEP * along
-    gain = over_cone - np.minimum.accumulate(over_cone)
-    most = int(gain.argmax())
-    return bool(gain[most] < max(FLAT * radii[most], BULGE * radii[0]))

@@ -64,7 +64,8 @@ class Job(NamedTuple):
     """What a pass may ask.
 
     shape: the solid, of diagonal 1. rough: much the same of fewer triangles, good enough to find the middle of.
-    prune: slenderness below which branches are pruned, 0 for none (see `limbs`). is_thin: whether limbs of the solid are (see `poles.thickness`).
+    prune: slenderness below which branches are pruned, 0 for none (see `limbs`). is_thin: whether limbs of the solid
+    are (see `poles.thickness`).
     passages: ways through the solid. budget: of all centring.
     """
 
@@ -137,8 +138,8 @@ def finish(
     Of a solid too coarse for the flow waves make another curve (see `thin.course`), if both steps are wanted and no
     node is held.
 
-    ``prune`` is the slenderness below which branches are pruned; ``centre`` and ``extend`` switch those steps. ``is_thin``
-    says that it has thin limbs, which the curve may have missed. ``is_tangle`` says that the flow has left a tangle,
+    ``prune`` is the slenderness below which branches are pruned; ``centre`` and ``extend`` switch those steps.
+    ``is_thin`` says that it has thin limbs, which the curve may have missed. ``is_tangle`` says that the flow has left a tangle,
     which no pass can mend: it stays as it is, unless waves make a curve. ``rough`` is much the same surface of fewer
     triangles, which is good enough to find the middle of. ``first`` is a pass that comes before all others, and may say
     where the flow's nodes are to be.
@@ -225,10 +226,10 @@ def contained(draft: Draft, job: Job) -> Draft:
 def looped(draft: Draft, job: Job) -> Draft:
     """With a loop around every handle of the solid, and no other."""
     x, edges = draft.vertices, draft.edges
-    if not job.shape.handles().genus:
+    if not job.shape.handles.genus:
         return draft
     edges = edges[loops.independent(job.shape, x, edges)]
-    missing = job.shape.handles().genus - branches.cycle_count(len(x), edges)[1]
+    missing = job.shape.handles.genus - branches.cycle_count(len(x), edges)[1]
     if missing:
         x, edges, _ = containment.refine(job.shape, x, edges, SPACING, MOST_NODES)
         x, edges = loops.completed(job.passages, x, edges, missing)
@@ -266,7 +267,7 @@ def _around(draft: Draft, job: Job, x: np.ndarray) -> np.ndarray:
 
     An edge goes around the same ones exactly if its class is the same, but for what the ways of its ends add.
     """
-    handles, before, x = job.shape.handles(), draft.vertices, x.copy()
+    handles, before, x = job.shape.handles, draft.vertices, x.copy()
     if not handles.genus:
         return x
     a, b = draft.edges.T
@@ -288,7 +289,7 @@ def merged(draft: Draft, job: Job) -> Draft:
         return draft
     x = draft.vertices
     stays, target, edges = branches.merge_junctions(
-        x, draft.edges, job.shape.approach(x)[0], draft.is_held, job.shape.handles()
+        x, draft.edges, job.shape.approach(x)[0], draft.is_held, job.shape.handles
     )
     return _left(draft._replace(edges=edges), stays, target)
 
@@ -331,9 +332,7 @@ def extended(draft: Draft, job: Job) -> Draft:
 
 def completed(draft: Draft, job: Job) -> Draft:
     """With the thin limbs that the flow has lost."""
-    if not job.is_thin:
-        return draft
-    return draft.changed(*twigs.grow(job.shape, draft.vertices, draft.edges))
+    return draft.changed(*twigs.grow(job.rough, draft.vertices, draft.edges))
 
 
 def laid_together(draft: Draft, job: Job) -> Draft:

@@ -1,34 +1,41 @@
 """Which branches of a curve are limbs of the solid: how far each reaches out, over its own half width across.
 
 A plane across a branch cuts the solid in a section, and half of the section's largest extent is how wide the limb is
-there: the radius of a tube, half the width of an ear or a blade, however thin those are. Where the section holds another
-part of the curve, the two are in one limb or in one sheet, and that place says nothing for a limb of its own. So the
-*slenderness* of a branch that ends in a leaf is
+there: the radius of a tube, half the width of an ear or a blade, however thin those are. Where the section holds
+another part of the curve, the two are in one limb or in one sheet, and that place says nothing for a limb of its own.
+So the *slenderness* of a branch that ends in a leaf is
 
-    max over s of  (own length from the end of the limb to s) / (largest half width from the end to s),
+    max over s of  (integral of w from the end of the limb to s) / (largest w from the end to s)^2,
 
-where own length counts only places whose section holds nothing else of the curve. A finger has 4 to 8, a cylinder that
-sticks out by h from a larger body h / radius, a cone with half an angle a at its tip 1 / tan a, a corner of a cube 0.8,
-of a flat plate 1. All branches are kept or pruned by that one number; of equal ones the order of nodes decides.
+where w is the half width, and counts in the integral only where the section holds nothing else of the curve. It is the
+length of a limb of constant width that covers as much, over its half width: of a cylinder that sticks out by h from a
+larger body h / radius, of a cone or a wedge with the angle 2 a at its tip 1 / (2 tan a). A finger has 4 to 8, half a
+disc on a rim, or half a ball on a wall, pi / 4, the corner of a square plate 0.6, that of a cube 0.7 as far as its
+middle. All branches are kept or pruned by that one number; of equal ones the order of nodes decides. A node whose
+section cannot be cut is as wide as its ball; a branch of which no width is known is infinitely slender, and stays.
 
 It is related to the erosion thickness of a medial axis (Yan, Sykes, Chambers, Letscher, Ju 2016), which tells how far a
 part of the solid reaches against its thickness; here it is against its width, so that a sheet is one limb.
 """
 
 import heapq
+import itertools
+from collections.abc import Iterator
 from typing import NamedTuple
 
 import numpy as np
 from scipy import spatial
 
 from msf_jax.host.curve import ways
+from msf_jax.host.curve.branches import Branch, trace
 from msf_jax.host.solid import sections
+from msf_jax.host.solid import triangles as batches
 from msf_jax.host.solid.enclosure import Enclosure
-from msf_jax.host.solid.geometry import repeated, unit
+from msf_jax.host.solid.geometry import cross, repeated, unit
 
 LEAST_SHARE = 0.25  # of the ball at its junction, that a limb reaches out at least: less is roughness of the surface
 CHORD = 1.0  # radii, before and behind a node, between which its branch gives the direction across which it is cut
-MOST_NODES = 4_000  # of a curve, whose sections are cut; of a longer one every second, third, ... node's
+AT_ONCE = 2_000  # nodes, whose sections are in memory
 
 
 class Limbs(NamedTuple):
@@ -50,44 +57,44 @@ def limbs_of(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray) -> Limbs
     """Measure the solid ``shape`` around the nodes of the curve ``(vertices (N, 3), edges (E, 2))``."""
     num = len(vertices)
     radius, near = shape.about_clearance(vertices)
-    degree = np.bincount(edges.ravel(), minlength=num)
+    degree = np.bincount(np.unique(np.sort(edges, axis=1), axis=0).ravel(), minlength=num)
     paths = ways.ways_of(vertices, edges, np.zeros(num, dtype=bool))
     width, ahead = np.full(num, np.nan), np.zeros(num)
     nothing = np.empty(0, dtype=np.int64)
     if not paths:
         return Limbs(radius, width, ahead, nothing, nothing)
     along = unit(ways.chords(vertices, paths, CHORD * radius) @ vertices)
-    leaf = np.flatnonzero((degree == 1) & (radius > 0))
-    if len(leaf):
-        beside = np.zeros(num, dtype=np.int64)
-        beside[edges[:, 0]], beside[edges[:, 1]] = edges[:, 1], edges[:, 0]
-        outward = unit(
-            along[leaf] * np.sign(np.einsum("ni,ni->n", along[leaf], vertices[leaf] - vertices[beside[leaf]]))[:, None]
-        )
-        ahead[leaf] = shape.ray_lengths(vertices[leaf], outward, 4 * radius[leaf])
+    onward = np.zeros((num, 1))  # the chord of a branch points along it: into the solid at its beginning
+    for path in paths:
+        onward[path.nodes[0]], onward[path.nodes[-1]] = -1.0, 1.0
+    leaf = np.flatnonzero((degree == 1) & (radius > 0) & along.any(axis=1))
+    ahead[leaf] = shape.ray_lengths(vertices[leaf], onward[leaf] * along[leaf], 4 * radius[leaf])
     asked = np.flatnonzero((degree > 0) & (degree < 3) & (radius > 0) & along.any(axis=1))
-    asked = asked[:: max(1, -(-len(asked) // MOST_NODES))]
-    x, normal = vertices[asked], along[asked]
-    corners = sections.corners(shape, x, normal, radius[asked], near[asked])
-    found = sections.measured(shape, x, normal, corners)
-    place = _places(shape, corners) - found.centroid[corners.loop]
-    extent = np.zeros(len(asked))
-    np.maximum.at(extent, corners.loop, np.linalg.norm(place, axis=1))
-    width[asked[found.is_around]] = extent[found.is_around]
-    # What of the curve is in a section: where an edge goes through its plane, within its loop.
-    rows = np.flatnonzero(found.is_around)
-    middle = (vertices[edges[:, 0]] + vertices[edges[:, 1]]) / 2
-    reach = extent[rows] + np.linalg.norm(vertices[edges[:, 0]] - vertices[edges[:, 1]], axis=1).max(initial=0.0) / 2
-    close = spatial.KDTree(middle).query_ball_point(found.centroid[rows], reach)
-    count = np.fromiter(map(len, close), np.int64, len(close))
-    row, edge = np.repeat(rows, count), np.concatenate([*close, np.empty(0)]).astype(np.int64)
-    a, b = (vertices[edges[edge, side]] - x[row] for side in (0, 1))
-    height, height_of_b = (np.einsum("ki,ki->k", end, normal[row]) for end in (a, b))
-    is_cut = (height >= 0) != (height_of_b >= 0)
-    row, edge, a, b, height, height_of_b = (each[is_cut] for each in (row, edge, a, b, height, height_of_b))
-    point = a + (height / (height - height_of_b))[:, None] * (b - a)
-    is_in = _within(point, row, normal, corners, _places(shape, corners) - x[corners.loop])
-    return Limbs(radius, width, ahead, asked[row[is_in]], edge[is_in])
+    ends = vertices[edges]
+    tree, longest = spatial.KDTree(ends.mean(axis=1)), np.linalg.norm(ends[:, 0] - ends[:, 1], axis=1).max()
+    pairs = [(nothing, nothing)]
+    for part in np.array_split(asked, max(1, -(-len(asked) // AT_ONCE))):
+        x, normal = vertices[part], along[part]
+        corners = sections.corners(shape, x, normal, radius[part], near[part])
+        found = sections.measured(shape, x, normal, corners)
+        share = corners.part[:, None]
+        place = (1 - share) * shape.vertices[corners.tail] + share * shape.vertices[corners.head]
+        extent = np.zeros(len(part))
+        np.maximum.at(extent, corners.loop, np.linalg.norm(place - found.centroid[corners.loop], axis=1))
+        width[part[found.is_around]] = extent[found.is_around]
+        # What of the curve is in a section: where an edge goes through its plane, within its loop.
+        rows = np.flatnonzero(found.is_around)
+        close = tree.query_ball_point(found.centroid[rows], extent[rows] + longest / 2)
+        row, edge = np.repeat(rows, [len(each) for each in close]), np.concatenate([*close, nothing]).astype(np.int64)
+        a, b = (ends[edge, side] - x[row] for side in (0, 1))
+        height, height_of_b = (np.einsum("ki,ki->k", end, normal[row]) for end in (a, b))
+        is_cut = (height >= 0) != (height_of_b >= 0)
+        row, edge, a, b, height, height_of_b = (each[is_cut] for each in (row, edge, a, b, height, height_of_b))
+        point = a + (height / (height - height_of_b))[:, None] * (b - a)
+        is_in = _within(point, row, normal, corners.loop, place - x[corners.loop])
+        pairs.append((part[row[is_in]], edge[is_in]))
+    node, edge = (np.concatenate(each) for each in zip(*pairs, strict=True))
+    return Limbs(radius, width, ahead, node, edge)
 
 
 def limbs_without(vertices: np.ndarray, edges: np.ndarray, radii: np.ndarray) -> Limbs:
@@ -97,52 +104,58 @@ def limbs_without(vertices: np.ndarray, edges: np.ndarray, radii: np.ndarray) ->
     return Limbs(radii, np.where(degree < 3, radii, np.nan), np.where(degree == 1, radii, 0.0), nothing, nothing)
 
 
-def _places(shape: Enclosure, corners: sections.Corners) -> np.ndarray:
-    """Where the corners are (C, 3)."""
-    part = corners.part[:, None]
-    return (1 - part) * shape.vertices[corners.tail] + part * shape.vertices[corners.head]
-
-
-def _within(
-    point: np.ndarray, row: np.ndarray, normal: np.ndarray, corners: sections.Corners, place: np.ndarray
-) -> np.ndarray:
+def _within(point: np.ndarray, row: np.ndarray, normal: np.ndarray, loop: np.ndarray, place: np.ndarray) -> np.ndarray:
     """(k,) whether each ``point`` (k, 3) of the plane of section ``row`` (k,) is within its loop: by the sum of angles.
 
-    Points and the corners' ``place`` (C, 3) are from the section's node on.
+    ``loop`` (C,) is the section of each corner, and ``place`` (C, 3) where it is; that, and points, from the section's
+    node on.
     """
-    size = np.bincount(corners.loop, minlength=len(normal))
+    size = np.bincount(loop, minlength=len(normal))
     first = np.cumsum(size) - size
-    pair, step = repeated(size[row])
-    here = place[first[row[pair]] + step] - point[pair]
-    onward = place[first[row[pair]] + (step + 1) % size[row[pair]]] - point[pair]
-    turn = np.arctan2(
-        np.einsum("ki,ki->k", np.cross(here, onward), normal[row[pair]]), np.einsum("ki,ki->k", here, onward)
-    )
-    return np.bincount(pair, weights=turn, minlength=len(row)) > np.pi
+    turn = np.zeros(len(row))
+    batch = np.cumsum(size[row]) // batches.PAIRS_AT_ONCE
+    for number in np.unique(batch):
+        some = np.flatnonzero(batch == number)
+        pair, step = repeated(size[row[some]])
+        at = row[some[pair]]
+        here = place[first[at] + step] - point[some[pair]]
+        onward = place[first[at] + (step + 1) % size[at]] - point[some[pair]]
+        angle = np.arctan2(np.einsum("ki,ki->k", cross(here, onward), normal[at]), np.einsum("ki,ki->k", here, onward))
+        turn[some] = np.bincount(pair, weights=angle, minlength=len(some))
+    return turn > np.pi
 
 
 class Pruning:
     """The branches of a curve while the least slender are taken away.
 
+    Edges of one branch are a set of a union-find structure, so that two branches become one in no time however long
+    they are, and a branch is walked along no farther than it takes to decide.
+
     Args:
-        vertices, edges: of the curve, (N, 3) and (E, 2).
+        vertices, edges: of the curve, (N, 3) and (E, 2); an edge that is there twice counts once.
         limbs: what the solid says of its nodes.
     """
 
     def __init__(self, vertices: np.ndarray, edges: np.ndarray, limbs: Limbs):
-        self._limbs = limbs
         self._length = np.linalg.norm(vertices[edges[:, 0]] - vertices[edges[:, 1]], axis=1).tolist()
-        self._beside: list[dict[int, int]] = [{} for _ in range(len(vertices))]  # neighbour: edge
-        for edge, (a, b) in enumerate(edges.tolist()):
-            self._beside[a][b] = self._beside[b][a] = edge
-        self._through: dict[int, set[int]] = {}  # node: edges that go through its section
-        self._sections: dict[int, list[int]] = {}  # edge: nodes whose sections it goes through
-        for node, edge in zip(limbs.node.tolist(), limbs.edge.tolist(), strict=True):
-            self._through.setdefault(node, set()).add(edge)
-            self._sections.setdefault(edge, []).append(node)
-        self._width = np.nan_to_num(limbs.width).tolist()
+        self._width = np.where(np.isnan(limbs.width), limbs.radius, limbs.width).tolist()
         self._radius = limbs.radius.tolist()
         self._ahead = limbs.ahead.tolist()
+        self._beside: list[dict[int, int]] = [{} for _ in range(len(vertices))]  # neighbour: edge
+        pairs = edges.tolist()
+        for edge, (a, b) in enumerate(pairs):
+            self._beside[a][b] = self._beside[b][a] = self._beside[a].get(b, edge)
+        self._through: dict[int, set[int]] = {}  # node: edges that go through its section
+        self._sections: dict[int, list[int]] = {}  # edge: nodes whose sections it goes through
+        for node, twin in zip(limbs.node.tolist(), limbs.edge.tolist(), strict=True):
+            edge = self._beside[pairs[twin][0]][pairs[twin][1]]
+            self._through.setdefault(node, set()).add(edge)
+            self._sections.setdefault(edge, []).append(node)
+        self._above = list(range(len(pairs)))  # of an edge, another of its branch; the last one stands for the branch
+        self._ends = pairs  # of the branch that an edge stands for: two nodes, none of a loop without a junction
+        for node, beside in enumerate(self._beside):
+            if len(beside) == 2:
+                self._join(node)
 
     def leaves(self) -> list[int]:
         """Nodes with one edge."""
@@ -150,59 +163,87 @@ class Pruning:
 
     def branch(self, leaf: int) -> list[int]:
         """The nodes from ``leaf`` to where its branch ends: a junction, or another leaf."""
-        nodes, before = [leaf], -1
-        while True:
-            onward = [node for node in self._beside[nodes[-1]] if node != before]
-            before = nodes[-1]
-            nodes.append(onward[0])
-            if len(self._beside[nodes[-1]]) != 2:
-                return nodes
+        return [leaf, *(node for node, _ in self._walk(leaf))]
 
-    def slenderness(self, nodes: list[int]) -> float:
-        """Of the branch from a leaf on; infinite if it does not end in a junction."""
-        if len(self._beside[nodes[-1]]) < 3:
+    def slenderness(self, leaf: int, enough: float = np.inf) -> float:
+        """Of the branch that ends in ``leaf``, or at least ``enough`` where it is; infinite without a junction."""
+        own = self._branch_of(leaf)
+        junction = next((end for end in self._ends[own] if len(self._beside[end]) > 2), None)
+        if junction is None:
             return np.inf
-        own = {self._beside[a][b] for a, b in zip(nodes[:-1], nodes[1:], strict=True)}
-        half = [self._length[self._beside[a][b]] / 2 for a, b in zip(nodes[:-1], nodes[1:], strict=True)]
-        length, width, most = self._ahead[nodes[0]], 0.0, 0.0
-        least = LEAST_SHARE * self._radius[nodes[-1]]
-        for place, node in enumerate(nodes[:-1]):
-            width = max(width, self._width[node] or self._radius[node])
-            if self._through.get(node, own) <= own:
-                length += half[place] + (half[place - 1] if place else 0.0)
-            if length >= least:
-                most = max(most, length / max(width, 1e-300))
-        return most
+        least = LEAST_SHARE * self._radius[junction]
+        # A section that is wide, or narrow, at one node only is cut askew: the median of three does not see it.
+        before = here = width = self._width[leaf]
+        length, area, most = self._ahead[leaf], self._ahead[leaf] * width / 2, -np.inf
+        node, last_half = leaf, 0.0
+        for onward, edge in self._walk(leaf):
+            after = here if onward == junction else self._width[onward]
+            median = sorted((before, here, after))[1]
+            width, half = max(width, median), self._length[edge] / 2
+            if all(self._branch_at(other) == own for other in self._through.get(node, ())):
+                length, area = length + last_half + half, area + (last_half + half) * median
+            if length >= least and width > 0:
+                most = max(most, area / width**2)
+                if most >= enough:
+                    break
+            before, here, node, last_half = here, after, onward, half
+        return most if most >= 0 else 0.0 if width > 0 else np.inf
 
-    def take_away(self, nodes: list[int]) -> set[int]:
-        """Take a branch away, but for its junction; the leaves whose slenderness may be another now."""
-        touched = {nodes[-1]}
-        for a, b in zip(nodes[:-1], nodes[1:], strict=True):
+    def take_away(self, leaf: int) -> set[int]:
+        """Take the branch of a leaf away, but for its junction; the leaves whose slenderness may be another now."""
+        touched, nodes = set(), self.branch(leaf)
+        for a, b in itertools.pairwise(nodes):
             edge = self._beside[a].pop(b)
             self._beside[b].pop(a)
             for node in self._sections.get(edge, ()):
                 self._through[node].discard(edge)
                 touched.add(node)
-        return {leaf for node in touched for leaf in self._ends(node)}
+        if len(self._beside[nodes[-1]]) == 2:
+            self._join(nodes[-1])
+            touched.add(nodes[-1])
+        found = {self._branch_of(node) for node in touched if 0 < len(self._beside[node]) < 3}
+        return {end for branch in found for end in self._ends[branch] if len(self._beside[end]) == 1}
 
-    def _ends(self, node: int) -> list[int]:
-        """The leaves of the branch that a node is in, none if it has none."""
-        if not 0 < len(self._beside[node]) < 3:
-            return []
-        found = []
-        for start in self._beside[node]:
-            here, before = start, node
-            while len(self._beside[here]) == 2 and here != node:
-                here, before = next(other for other in self._beside[here] if other != before), here
-            if len(self._beside[here]) == 1:
-                found.append(here)
-        return [*found, *([node] if len(self._beside[node]) == 1 else [])]
+    def _walk(self, leaf: int) -> Iterator[tuple[int, int]]:
+        """The nodes after ``leaf`` on its branch, each with the edge that leads there."""
+        node, last = leaf, -1
+        while True:
+            onward, edge = next(each for each in self._beside[node].items() if each[1] != last)
+            yield onward, edge
+            if len(self._beside[onward]) != 2:
+                return
+            node, last = onward, edge
+
+    def _branch_of(self, node: int) -> int:
+        """The edge that stands for the branch of a node with one edge or two."""
+        return self._branch_at(next(iter(self._beside[node].values())))
+
+    def _branch_at(self, edge: int) -> int:
+        """The edge that stands for the branch of ``edge``."""
+        above = self._above
+        while above[edge] != edge:
+            above[edge] = above[above[edge]]
+            edge = above[edge]
+        return edge
+
+    def _join(self, node: int) -> None:
+        """Make the branches one that meet at a ``node`` with two edges."""
+        one, other = (self._branch_at(edge) for edge in self._beside[node].values())
+        ends = [end for branch in {one, other} for end in self._ends[branch] if end != node]
+        self._above[one], self._ends[other] = other, ends
 
 
-def slendernesses(vertices: np.ndarray, edges: np.ndarray, limbs: Limbs) -> dict[int, float]:
-    """The slenderness of the branch of each leaf."""
+def measure(vertices: np.ndarray, edges: np.ndarray, limbs: Limbs, share: np.ndarray | None = None) -> list[Branch]:
+    """The branches of a curve ``(vertices (N, 3), edges (E, 2))``; ``share`` (N,) of the mesh's area by node."""
     pruning = Pruning(vertices, edges, limbs)
-    return {leaf: pruning.slenderness(pruning.branch(leaf)) for leaf in pruning.leaves()}
+    degree, found = np.bincount(np.unique(np.sort(edges, axis=1), axis=0).ravel(), minlength=len(vertices)), []
+    for nodes in trace(len(vertices), edges):
+        length = float(np.linalg.norm(np.diff(vertices[nodes], axis=0), axis=1).sum())
+        own = np.array(sorted({node for node in nodes if degree[node] < 3}), dtype=np.int64)
+        leaf = next((node for node in (nodes[0], nodes[-1]) if degree[node] == 1), None)
+        slenderness = np.inf if leaf is None else pruning.slenderness(leaf)
+        found.append(Branch(nodes, length, slenderness, np.nan if share is None else float(share[own].sum())))
+    return found
 
 
 def prune(
@@ -221,10 +262,12 @@ def prune(
     queue: list[tuple[float, int]] = []
 
     def look(leaf: int) -> None:
-        nodes = pruning.branch(leaf)
-        known[leaf] = np.inf if held.intersection(nodes[:-1]) else pruning.slenderness(nodes)
+        known[leaf] = pruning.slenderness(leaf, least)
         if known[leaf] < least:
-            heapq.heappush(queue, (known[leaf], leaf))
+            if held.isdisjoint(pruning.branch(leaf)[:-1]):
+                heapq.heappush(queue, (known[leaf], leaf))
+            else:
+                known[leaf] = np.inf
 
     for leaf in pruning.leaves():
         look(leaf)
@@ -236,7 +279,7 @@ def prune(
         del known[leaf]
         stays[nodes[:-1]] = False
         target[nodes[:-1]] = nodes[-1]
-        for other in pruning.take_away(nodes):
+        for other in pruning.take_away(leaf):
             look(other)
     while (target != target[target]).any():
         target = target[target]

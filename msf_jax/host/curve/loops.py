@@ -77,7 +77,7 @@ def proof(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray, node_of_ver
     for solid, of_part in _solids(shape, vertices, part, has_cycle, node_of_vertex):
         own = np.flatnonzero((has_cycle & of_part)[part[edges[:, 0]]])
         length, is_out = _lengths(solid, vertices, edges[own])
-        closing, windings = solid.handles().windings(vertices, edges[own], length)
+        closing, windings = solid.handles.windings(vertices, edges[own], length)
         span, factors = Span(windings.shape[1]), [Span(windings.shape[1], factor) for factor in FACTORS]
         for cycle in np.argsort(length[closing], kind="stable").tolist():
             edge, winding = closing[cycle], windings[cycle]
@@ -151,7 +151,7 @@ def independent(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray) -> np
     An edge outside counts as longer than all others.
     """
     length, _ = _lengths(shape, vertices, edges)
-    closing, windings = shape.handles().windings(vertices, edges, length)
+    closing, windings = shape.handles.windings(vertices, edges, length)
     stays, span = np.ones(len(edges), dtype=bool), Span(windings.shape[1])
     for cycle in np.argsort(length[closing], kind="stable").tolist():
         stays[closing[cycle]] = span.adds(windings[cycle])
@@ -163,7 +163,7 @@ def completed(
 ) -> tuple[np.ndarray, np.ndarray]:
     """The curve with ``missing`` more loops, each around a handle that none goes around yet: nodes, new ones last, and
     edges. There are fewer of them where the roadmap has no such loop."""
-    handles, is_complete = passages.shape.handles(), False
+    handles, is_complete = passages.shape.handles, False
     while missing:
         part = _parts(len(vertices), edges)
         closing, windings = handles.windings(vertices, edges)

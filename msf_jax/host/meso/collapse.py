@@ -10,9 +10,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from msf_jax.host.meso import manifold, ring_tables
+from msf_jax.host.meso import kernels, manifold
 from msf_jax.host.meso.meso import Meso
-from msf_jax.host.meso.ring_tables import find_slot
 from msf_jax.host.solid.geometry import cross
 
 
@@ -54,13 +53,13 @@ def collapse_short_edges(
     """
     euler = manifold.euler_characteristic(meso.rings) if check else 0
     rounds = []
-    edges = _candidates(meso, *ring_tables.edges_from_rings(meso.rings), t_c)
+    edges = _candidates(meso, np.ones(meso.num_rows, dtype=bool), t_c)
     while True:
         edges = edges.at((meso.degree[edges.left] > 3) & (meso.degree[edges.right] > 3))
         if len(edges.a) == 0:
             return rounds
         order = shortest_first(edges.a, edges.b, edges.length, t_c)
-        chosen = _independent(meso.rings, edges.a, edges.b, order)
+        chosen = first_apart(np.stack([edges.a, edges.b], axis=1), order, meso.rings)
         is_barred = np.zeros(len(edges.a), dtype=bool)
         if keep_faces:
             is_barred[chosen] = _turns_a_face(meso, edges.a[chosen], edges.b[chosen])
@@ -79,7 +78,7 @@ def collapse_short_edges(
         is_touched = is_touched[:-1]
         gone = meso.degree == 0
         waiting = edges.at(~(is_touched | gone)[edges.a] & ~(is_touched | gone)[edges.b] & ~is_barred)
-        around = _candidates(meso, *ring_tables.edges_around(meso.rings, is_touched), t_c)
+        around = _candidates(meso, is_touched, t_c)
         edges = Candidates(*(np.concatenate(pair) for pair in zip(waiting, around, strict=True)))
 
 
@@ -97,14 +96,21 @@ class Candidates(NamedTuple):
         return Candidates(*(values[rows] for values in self))
 
 
-def _candidates(meso: Meso, a: np.ndarray, b: np.ndarray, t_c: float) -> Candidates:
-    """Those of the edges ab that are shorter than ``t_c``, not fixed at both ends, and meet the link condition."""
-    length = edge_lengths(meso.positions, a, b)
-    is_short = (length < meso.scaled(t_c, a, b)) & ~(meso.is_fixed[a] & meso.is_fixed[b])
-    a, b, length = a[is_short], b[is_short], length[is_short]
-    has_two = ring_tables.num_common_neighbours(meso.rings, meso.degree, a, b) == 2
-    a, b, length = a[has_two], b[has_two], length[has_two]
-    return Candidates(a, b, *ring_tables.apexes(meso.rings, meso.degree, a, b), length)
+def _candidates(meso: Meso, is_touched: np.ndarray, t_c: float) -> Candidates:
+    """The edges at vertices of ``is_touched`` (n,) that are shorter than ``t_c``, not fixed at both ends, and have no
+    common neighbours but the two apexes."""
+    a, b, left, right, common = short_edges(meso, is_touched, t_c)
+    rows = np.flatnonzero(~(meso.is_fixed[a] & meso.is_fixed[b]) & (common == 2))
+    a, b = a[rows], b[rows]
+    return Candidates(a, b, left[rows], right[rows], edge_lengths(meso.positions, a, b))
+
+
+def short_edges(meso: Meso, is_touched: np.ndarray, limit: float) -> np.ndarray:
+    """(5, c) the edges ab at vertices of ``is_touched`` (n,) that are shorter than ``limit``: a, b, the apexes to the
+    left and to the right, and how many neighbours a and b have in common."""
+    found = np.empty((int(meso.degree[is_touched].sum()), 5), dtype=np.int64)
+    surface = meso.positions, meso.rings, meso.degree, meso.scales()
+    return found[: kernels.short_edges(*surface, limit, is_touched, found)].T.copy()
 
 
 def _place(meso: Meso, a: np.ndarray, b: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -133,75 +139,21 @@ def _turns_a_face(meso: Meso, a: np.ndarray, b: np.ndarray) -> np.ndarray:
     return turns
 
 
-def _independent(rings: np.ndarray, a: np.ndarray, b: np.ndarray, order: np.ndarray) -> np.ndarray:
-    """Indices of a maximal set of edges ab, first in ``order`` first, no two with equal or neighbouring ends."""
-    num_vertices, num_edges = len(rings), len(a)
-    chosen = []
-    a, b = a[order], b[order]
-    rank = np.arange(num_edges)
-    is_blocked = np.zeros(num_vertices, dtype=bool)
-    # One more entry than vertices: it stands for the padding -1, and no edge ends there.
-    best = np.full(num_vertices + 1, num_edges)
-    nearby = best.copy()
-    while len(rank):
-        best[:] = num_edges
-        np.minimum.at(best, a, rank)
-        np.minimum.at(best, b, rank)
-        ends = np.flatnonzero(best < num_edges)
-        least = best[ends]
-        for neighbour in rings[ends].T:  # by columns: numpy is slow along short rows
-            np.minimum(least, best[neighbour], out=least)
-        nearby[ends] = least
-        wins = np.minimum(nearby[a], nearby[b]) == rank
-        chosen.append(order[rank[wins]])
-        for end in (a[wins], b[wins]):
-            is_blocked[end] = True
-            reach = rings[end]
-            is_blocked[reach[reach >= 0]] = True
-        open_edges = ~(is_blocked[a] | is_blocked[b])
-        a, b, rank = a[open_edges], b[open_edges], rank[open_edges]
-    return np.sort(np.concatenate(chosen))
+def first_apart(claims: np.ndarray, order: np.ndarray, rings: np.ndarray) -> np.ndarray:
+    """A maximal set of rows of ``claims`` (c, k), vertices, first in ``order`` first, no two of which share a vertex,
+    nor have neighbours in ``rings`` (n, K)."""
+    found = np.empty(len(claims), dtype=bool)
+    kernels.apart(claims, order, rings, np.zeros(len(rings), dtype=bool), found)
+    return np.flatnonzero(found)
 
 
 def _apply(meso: Meso, a: np.ndarray, b: np.ndarray) -> CollapseRound:
-    """Merge the independent edges ab: splice the two rings into one, rename b around it, drop the two faces."""
+    """Merge the ends of the independent edges ab, and what they carry."""
     swap = meso.is_fixed[b] & ~meso.is_fixed[a]  # the fixed end survives
     a, b = np.where(swap, b, a), np.where(swap, a, b)
-    merged_degree = meso.degree[a] + meso.degree[b] - 4
-    meso.widen(int(merged_degree.max()))
-    rings = meso.rings
-    slot_b, slot_a = find_slot(rings[a], b)[:, None], find_slot(rings[b], a)[:, None]
-    degree_a, degree_b = meso.degree[a][:, None], meso.degree[b][:, None]
-    left = rings[a, ((slot_b + 1) % degree_a)[:, 0]]
-    right = rings[a, ((slot_b - 1) % degree_a)[:, 0]]
-
-    # a's ring from `left` round to `right`, then b's ring from behind `right` to before `left`.
-    place = np.arange(rings.shape[1])[None, :]
-    in_a, in_b = (slot_b + 1 + place) % degree_a, (slot_a + 2 + place - (degree_a - 1)) % degree_b
-    is_from_a = place < degree_a - 1
-    merged = np.where(is_from_a, rings[a[:, None], in_a], rings[b[:, None], in_b])
-    merged = np.where(place < merged_degree[:, None], merged, -1)
-
-    # b's other neighbours now see a instead of b; the two apexes, which see a already, lose b.
-    is_other = (rings[b] >= 0) & (rings[b] != a[:, None])
-    is_other &= (rings[b] != left[:, None]) & (rings[b] != right[:, None])
-    owner, slot = np.nonzero(is_other)
-    other = rings[b[owner], slot]
-    other_slot = find_slot(rings[other], b[owner])
-    left_slot, right_slot = find_slot(rings[left], b), find_slot(rings[right], b)
-    if meso.classes is not None:  # b's edges start at a now: the way a -> b comes before them
-        a_to_b = meso.classes[a, slot_b[:, 0]][:, None]
-        merged_classes = np.where(is_from_a, meso.classes[a[:, None], in_a], a_to_b + meso.classes[b[:, None], in_b])
-        meso.classes[other, other_slot] -= a_to_b[owner, 0]
-        meso.classes[a] = merged_classes
-    rings[other, other_slot] = a[owner]
-    rings[left, left_slot] = -1
-    rings[right, right_slot] = -1
-    rings[a] = merged
-    rings[b] = -1
-    _close_gaps(meso, np.concatenate([left, right]))
-    meso.degree[a], meso.degree[b] = merged_degree, 0
-
+    meso.widen(int((meso.degree[a] + meso.degree[b] - 4).max()))
+    classes = np.empty((0, 0), dtype=np.int64) if meso.classes is None else meso.classes
+    kernels.merge(a, b, meso.rings, meso.degree, classes, np.empty((2, meso.rings.shape[1]), dtype=np.int64))
     fraction, position = _place(meso, a, b)
     reach_a = np.where(meso.has_pole[a], np.linalg.norm(meso.poles[a] - position, axis=1), np.inf)
     reach_b = np.where(meso.has_pole[b], np.linalg.norm(meso.poles[b] - position, axis=1), np.inf)
@@ -219,14 +171,3 @@ def _apply(meso: Meso, a: np.ndarray, b: np.ndarray) -> CollapseRound:
     done = CollapseRound(a, b, fraction, takes_pole)
     meso.edits.append(done)
     return done
-
-
-def _close_gaps(meso: Meso, vertices: np.ndarray) -> None:
-    """Move the neighbours of ``vertices`` to the front of their rows, in order, and count them again."""
-    vertices = np.unique(vertices)
-    rows = meso.rings[vertices]
-    order = np.argsort(rows < 0, axis=1, kind="stable")
-    meso.rings[vertices] = np.take_along_axis(rows, order, axis=1)
-    if meso.classes is not None:
-        meso.classes[vertices] = np.take_along_axis(meso.classes[vertices], order, axis=1)
-    meso.degree[vertices] = ring_tables.ring_degrees(rows)

@@ -2,8 +2,7 @@
 
 import numpy as np
 
-from msf_jax.host.meso import ring_tables
-from msf_jax.host.meso.collapse import edge_lengths
+from msf_jax.host.meso.collapse import short_edges
 from msf_jax.host.meso.meso import Fixing, Meso
 
 
@@ -17,10 +16,8 @@ def fix_degenerate_vertices(meso: Meso, t_f: float) -> int:
 
     Returns how many became fixed.
     """
-    a, b = ring_tables.edges_from_rings(meso.rings)
-    is_short = edge_lengths(meso.positions, a, b) < meso.scaled(t_f, a, b)
-    a, b = a[is_short], b[is_short]
-    is_stuck = ~ring_tables.is_collapsible(meso.rings, meso.degree, a, b)
+    a, b, left, right, common = short_edges(meso, np.ones(meso.num_rows, dtype=bool), t_f)
+    is_stuck = (common != 2) | (meso.degree[left] <= 3) | (meso.degree[right] <= 3)
     count = np.bincount(np.concatenate([a[is_stuck], b[is_stuck]]), minlength=meso.num_rows)
     fresh = (count >= 2) & ~meso.is_fixed
     meso.is_fixed |= fresh

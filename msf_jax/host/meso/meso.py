@@ -90,9 +90,9 @@ class Meso:
         a, b, c = (self.positions[corner] for corner in self.faces().T)
         return float(np.linalg.norm(np.cross(b - a, c - a), axis=1).sum() / 2)
 
-    def scaled(self, length: float, a: np.ndarray, b: np.ndarray) -> Any:
-        """``length`` as it is meant for the edges ab (c,): less where the solid is thin."""
-        return length if self.scale is None else length * np.minimum(self.scale[a], self.scale[b])
+    def scales(self) -> np.ndarray:
+        """(n,) the factor on lengths."""
+        return np.ones(self.num_rows) if self.scale is None else self.scale
 
     def widen(self, degree: int) -> None:
         """Make room for ``degree`` neighbours in every row."""

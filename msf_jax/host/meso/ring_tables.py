@@ -12,8 +12,6 @@ from msf_jax.base.errors import MeshError
 from msf_jax.host.mesh.half_edges import half_edges, next_in_ring
 
 RING_CAPACITIES = (8, 12, 16, 24, 32)
-USUAL_DEGREE = 8  # up to which common neighbours are counted apart
-MANY = 1000  # rows, from which on they are counted column by column
 
 
 def ring_capacity(degree: int) -> int:
@@ -97,37 +95,3 @@ def faces_from_rings(rings: np.ndarray) -> np.ndarray:
     vertex = np.broadcast_to(np.arange(n)[:, None], (n, capacity))
     smallest = (rings > vertex) & (following > vertex)
     return np.stack([vertex[smallest], rings[smallest], following[smallest]], axis=1)
-
-
-def is_collapsible(rings: np.ndarray, degree: np.ndarray, a: np.ndarray, b: np.ndarray) -> np.ndarray:
-    """The link condition (c,): the ends of ab have exactly two common neighbours, and no tetrahedron would be crushed.
-
-    In a closed surface the two apexes are always common neighbours; a third one means that the edge runs through a
-    neck of three edges, and merging its ends would pinch the surface there. An apex of degree three stands on a
-    tetrahedron when there are just two common neighbours, and would be left with two faces back to back.
-    """
-    left, right = apexes(rings, degree, a, b)
-    return (num_common_neighbours(rings, degree, a, b) == 2) & (degree[left] > 3) & (degree[right] > 3)
-
-
-def num_common_neighbours(rings: np.ndarray, degree: np.ndarray, a: np.ndarray, b: np.ndarray) -> np.ndarray:
-    """How many vertices (c,) are neighbours of both a and b."""
-    larger = np.maximum(degree[a], degree[b])
-    count = np.empty(len(a), dtype=np.int64)
-    for low, high in ((0, USUAL_DEGREE), (USUAL_DEGREE, int(larger.max(initial=0)))):
-        rows = np.flatnonzero((larger > low) & (larger <= high))
-        count[rows] = _num_equal(rings[a[rows]][:, :high], rings[b[rows]][:, :high])
-    return count
-
-
-def _num_equal(one: np.ndarray, other: np.ndarray) -> np.ndarray:
-    """How many entries (c,) the rows of ``one`` (c, K) share with those of ``other`` (c, L), -1 left out."""
-    if len(one) < MANY:
-        return (one[:, :, None] == np.where(other < 0, -2, other)[:, None, :]).sum(axis=(1, 2))
-    # Whole columns at once, as numpy is slow along short rows, and of small numbers, as it waits for memory here.
-    columns, count = np.ascontiguousarray(other.T, dtype=np.int32), np.zeros(len(one), dtype=np.uint16)
-    columns[columns < 0] = -2
-    for column in np.ascontiguousarray(one.T, dtype=np.int32):
-        for against in columns:
-            count += column == against
-    return count

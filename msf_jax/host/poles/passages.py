@@ -104,7 +104,7 @@ class Passages:
         if is_complete:
             graph.look_at_all(MOST_LOOKS_FOR_LOOPS)
             self._links = graph.links_of_balls()
-        is_open, first, handles = graph.links.is_open, graph.first_end, self.shape.handles()
+        is_open, first, handles = graph.links.is_open, graph.first_end, self.shape.handles
         tail, head, cost = (field[is_open] for field in (graph.links.tail, graph.links.head, graph.links.cost))
         value = handles.classes(graph.centre[tail], graph.centre[head])
         tail, head = np.r_[tail, head], np.r_[head, tail]

@@ -12,13 +12,14 @@ import numpy as np
 from scipy import sparse, spatial
 from scipy.sparse import csgraph
 
-from msf_jax.host.poles import thickness
 from msf_jax.host.poles.balls import shrinking_balls
 from msf_jax.host.solid.enclosure import Enclosure
 from msf_jax.host.solid.geometry import unit, vertex_normals
 
 EXPLAINED = 2.0  # radii, that the curve is away from a vertex at most
 SLENDER = 2.0  # half widths across, that a limb is longer than
+THICKEST = 0.02  # diagonals, the radius of limbs that a curve may have missed
+ROUND = 3.0  # radii of the balls in a ring, that it is wide at most: a wider one is in a sheet
 ROUNDS = 2  # the second one finds what a limb of the first has hidden
 SPACING = 0.5  # radii, between the points that stand for the curve
 MOST_POINTS = 100  # of these on an edge
@@ -28,24 +29,25 @@ class Rings(NamedTuple):
     """Rings of the waves. parent: (R,) the ring before each, -1 for one at a border. middle: (R, 3).
 
     width: (R,) root mean square distance of a ring's vertices from their centroid: its radius around a limb, and about
-    a third of its length in a sheet, however thin that is.
+    a third of its length in a sheet, however thin that is. is_round: (R,) whether it is no wider than a limb is thick.
     """
 
     parent: np.ndarray
     middle: np.ndarray
     width: np.ndarray
+    is_round: np.ndarray
 
 
 def grow(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """The curve with a branch for each thin limb of a solid of diagonal 1 that it has missed: nodes, new ones last, and
     edges. A branch begins at the node that is nearest to its first ring, and adds no loop."""
     x, normals = shape.vertices, unit(vertex_normals(shape.vertices, shape.faces))
-    most = 2 * thickness.THIN
+    most = 2 * THICKEST
     radius = shrinking_balls(x, normals, spatial.KDTree(x), most, most, np.arange(len(x))).radius
     beside = _neighbours(shape.faces, len(x))
     for _ in range(ROUNDS):
-        is_left = (radius < thickness.THIN) & ~_is_explained(shape, radius, vertices, edges)
-        rings = _waves(x, x - radius[:, None] * normals, beside, is_left)
+        is_left = (radius < THICKEST) & ~_is_explained(shape, radius, vertices, edges)
+        rings = _waves(x, x - radius[:, None] * normals, radius, beside, is_left)
         new = np.flatnonzero(_is_limb(rings))
         number = np.full(len(rings.parent), -1)
         number[new] = len(vertices) + np.arange(len(new))
@@ -77,7 +79,9 @@ def _is_explained(shape: Enclosure, radius: np.ndarray, vertices: np.ndarray, ed
     return away <= EXPLAINED * np.maximum(radius, np.concatenate([clear, room[row]])[near])
 
 
-def _waves(points: np.ndarray, centres: np.ndarray, beside: sparse.csr_matrix, is_left: np.ndarray) -> Rings:
+def _waves(
+    points: np.ndarray, centres: np.ndarray, radius: np.ndarray, beside: sparse.csr_matrix, is_left: np.ndarray
+) -> Rings:
     """Rings of the waves over what is left of ``points`` (V, 3), from its borders on.
 
     The middle of a ring is the mean of the balls' ``centres`` (V, 3), but of its points where it is the last.
@@ -108,7 +112,8 @@ def _waves(points: np.ndarray, centres: np.ndarray, beside: sparse.csr_matrix, i
     on_surface, inside = (np.stack([mean(axis) for axis in each.T], axis=1) for each in (points, centres))
     away = np.zeros(len(points))
     away[mine] = ((points[mine] - on_surface[ring]) ** 2).sum(axis=1)
-    return Rings(parent, np.where(is_last[:, None], on_surface, inside), np.sqrt(mean(away)))
+    width = np.sqrt(mean(away))
+    return Rings(parent, np.where(is_last[:, None], on_surface, inside), width, width < ROUND * mean(radius))
 
 
 def _is_limb(rings: Rings) -> np.ndarray:
@@ -124,7 +129,7 @@ def _is_limb(rings: Rings) -> np.ndarray:
         above = int(rings.parent[ring])
         if above >= 0 and (first[above] < 0 or reach[ring] > reach[above]):
             reach[above], first[above] = reach[ring], ring
-    is_limb = reach > SLENDER * rings.width
+    is_limb = (reach > SLENDER * rings.width) & rings.is_round
     for ring in order.tolist():
         above = int(rings.parent[ring])
         if above >= 0:

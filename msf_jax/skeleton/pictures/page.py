@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 SIDES = 6  # of the tubes that edges are drawn as
 THICKNESS = 0.004  # their radius, in diagonals
-PRUNED = (0.0, 1.3, 1.5, 2.0, 2.5, 3.0, 4.0, 6.0, 10.0)  # persistence at the stops of the slider
+PRUNED = (0.0, 0.5, 0.75, 1.0, 1.5, 2.0, 3.0, 4.0, 6.0, 10.0)  # slenderness at the stops of the slider
 LARGEST = 1e30  # coordinate that is written in float32
 GREY = "#8c9eb8"
 RADIUS = "radius %{customdata:.4g}<extra></extra>"
@@ -63,7 +63,7 @@ def view(skeleton: "Skeleton", mesh: Any = None, path: str | os.PathLike[str] | 
         **_scene(traces),
         sliders=[
             _slider("contraction: ", ["none", *(f"{stage.iteration}" for stage in stages)], num_surfaces, 2, 0.02, 1),
-            _slider("pruned at persistence: ", [text for text, _ in kept], first, 1, 0.53, 0),
+            _slider("pruned at slenderness: ", [text for text, _ in kept], first, 1, 0.53, 0),
         ],
         updatemenus=[_menu(num_surfaces, node)],
     )
@@ -152,10 +152,10 @@ def _scene(traces: list[Any]) -> dict[str, Any]:
 def _pruned(skeleton: "Skeleton") -> list[tuple[str, "Skeleton"]]:
     """The curve at each stop of the slider, those left out that change nothing."""
     kept = [("none", skeleton)]
-    for persistence in PRUNED[1:]:
-        curve = skeleton.prune(persistence)
+    for slenderness in PRUNED[1:]:
+        curve = skeleton.prune(slenderness)
         if len(curve.edges) < len(kept[-1][1].edges):
-            kept.append((f"{persistence:g}", curve))
+            kept.append((f"{slenderness:g}", curve))
     return kept
 
 
