@@ -139,10 +139,10 @@ def finish(
     node is held.
 
     ``prune`` is the slenderness below which branches are pruned; ``centre`` and ``extend`` switch those steps.
-    ``is_thin`` says that it has thin limbs, which the curve may have missed. ``is_tangle`` says that the flow has left a tangle,
-    which no pass can mend: it stays as it is, unless waves make a curve. ``rough`` is much the same surface of fewer
-    triangles, which is good enough to find the middle of. ``first`` is a pass that comes before all others, and may say
-    where the flow's nodes are to be.
+    ``is_thin`` says that it has thin limbs, of which waves may make the curve. ``is_tangle`` says that the flow has
+    left a tangle, which no pass can mend: it stays as it is, unless waves make a curve. ``rough`` is much the same
+    surface of fewer triangles, which is good enough to find the middle of. ``first`` is a pass that comes before all
+    others, and may say where the flow's nodes are to be.
     """
     job = Job(
         shape,

@@ -29,9 +29,8 @@ from scipy import spatial
 from msf_jax.host.curve import ways
 from msf_jax.host.curve.branches import Branch, trace
 from msf_jax.host.solid import sections
-from msf_jax.host.solid import triangles as batches
 from msf_jax.host.solid.enclosure import Enclosure
-from msf_jax.host.solid.geometry import cross, repeated, unit
+from msf_jax.host.solid.geometry import PAIRS_AT_ONCE, cross, repeated, unit
 
 LEAST_SHARE = 0.25  # of the ball at its junction, that a limb reaches out at least: less is roughness of the surface
 CHORD = 1.0  # radii, before and behind a node, between which its branch gives the direction across which it is cut
@@ -79,12 +78,18 @@ def limbs_of(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray) -> Limbs
         found = sections.measured(shape, x, normal, corners)
         share = corners.part[:, None]
         place = (1 - share) * shape.vertices[corners.tail] + share * shape.vertices[corners.head]
+        # In the wall of a pipe the loop may be that of the bore: the wall around it is the section.
+        is_bore = corners.is_closed & ~found.is_found
+        count = np.maximum(np.bincount(corners.loop, minlength=len(part)), 1)[:, None]
+        middle = np.stack([np.bincount(corners.loop, each, len(part)) for each in place.T], axis=1) / count
+        centre = np.where(is_bore[:, None], middle, found.centroid)
         extent = np.zeros(len(part))
-        np.maximum.at(extent, corners.loop, np.linalg.norm(place - found.centroid[corners.loop], axis=1))
-        width[part[found.is_around]] = extent[found.is_around]
+        np.maximum.at(extent, corners.loop, np.linalg.norm(place - centre[corners.loop], axis=1))
+        extent[is_bore] += 2 * radius[part[is_bore]]
         # What of the curve is in a section: where an edge goes through its plane, within its loop.
-        rows = np.flatnonzero(found.is_around)
-        close = tree.query_ball_point(found.centroid[rows], extent[rows] + longest / 2)
+        rows = np.flatnonzero(found.is_around | is_bore)
+        width[part[rows]] = extent[rows]
+        close = tree.query_ball_point(centre[rows], extent[rows] + longest / 2)
         row, edge = np.repeat(rows, [len(each) for each in close]), np.concatenate([*close, nothing]).astype(np.int64)
         a, b = (ends[edge, side] - x[row] for side in (0, 1))
         height, height_of_b = (np.einsum("ki,ki->k", end, normal[row]) for end in (a, b))
@@ -92,6 +97,7 @@ def limbs_of(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray) -> Limbs
         row, edge, a, b, height, height_of_b = (each[is_cut] for each in (row, edge, a, b, height, height_of_b))
         point = a + (height / (height - height_of_b))[:, None] * (b - a)
         is_in = _within(point, row, normal, corners.loop, place - x[corners.loop])
+        is_in |= is_bore[row] & (np.linalg.norm(x[row] + point - centre[row], axis=1) < extent[row])
         pairs.append((part[row[is_in]], edge[is_in]))
     node, edge = (np.concatenate(each) for each in zip(*pairs, strict=True))
     return Limbs(radius, width, ahead, node, edge)
@@ -113,7 +119,7 @@ def _within(point: np.ndarray, row: np.ndarray, normal: np.ndarray, loop: np.nda
     size = np.bincount(loop, minlength=len(normal))
     first = np.cumsum(size) - size
     turn = np.zeros(len(row))
-    batch = np.cumsum(size[row]) // batches.PAIRS_AT_ONCE
+    batch = np.cumsum(size[row]) // PAIRS_AT_ONCE
     for number in np.unique(batch):
         some = np.flatnonzero(batch == number)
         pair, step = repeated(size[row[some]])

@@ -12,12 +12,11 @@ import numpy as np
 from scipy import spatial
 
 from msf_jax.host.solid import kernels
-from msf_jax.host.solid.geometry import barycentric, cross, unit
+from msf_jax.host.solid.geometry import PAIRS_AT_ONCE, barycentric, cross, unit
 from msf_jax.host.solid.handles import Handles
 from msf_jax.host.solid.kernels import Mesh
 from msf_jax.host.solid.triangles import Samples, boxes, middles, reaches, sampled, tree_of
 
-PAIRS_AT_ONCE = 2_000_000  # of points and triangles, which bounds memory
 HITS_AT_FIRST = 8  # of a ray, that there is room for; there are more once in a while
 ROUNDING = 1e-9  # of the extent, by which the box around a ray is larger than it
 

@@ -2,6 +2,8 @@
 
 import numpy as np
 
+PAIRS_AT_ONCE = 2_000_000  # of points, segments or triangles that are looked at together, which bounds memory
+
 
 def unit(vectors: np.ndarray) -> np.ndarray:
     """``vectors`` (..., 3) at length 1; a vector of no length stays as it is."""

@@ -21,9 +21,8 @@ from scipy import sparse
 from scipy.sparse import csgraph
 
 from msf_jax.host.mesh.half_edges import HalfEdges, half_edges
-from msf_jax.host.solid.geometry import repeated, unit, vertex_normals
+from msf_jax.host.solid.geometry import PAIRS_AT_ONCE, repeated, unit, vertex_normals
 
-PAIRS_AT_ONCE = 2_000_000  # of a segment and an edge, which bounds memory
 SEED = 2003  # of the random combination that makes one number of all linking numbers
 CELLS = 96  # of the grid that pairs of segments are found by, along each of its two axes
 PUSH = 1e-9  # of the extent, that loops are outside the surface: a pinned node is on it
