@@ -109,9 +109,9 @@ def record_site_filter(kept: LowPass | None, steps: list[Step], plan: list[Plann
     """The filter of the sites of poles, for the rows that the flow begins with, by `device.replay`'s names."""
     if kept is None or not steps:
         return None
-    layout, first = plan[0].layout, steps[0]
     if kept.basis is not None:
-        return {"basis": packing.pad(kept.basis[first.order], layout.capacity, 0, np.dtype(np.float64))}
+        return {"basis": kept.basis[steps[0].order]}
+    layout, first = plan[0].layout, steps[0]
     own = np.arange(layout.capacity)
     return _polynomial(kept, packing.slots(first.rings, first.degree, layout), first.degree, own, own)
 
