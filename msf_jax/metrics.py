@@ -36,8 +36,9 @@ def evaluate(mesh: Any, skeleton: Any, truth: Any = None) -> dict[str, float]:
     Returns:
         A dictionary. Lengths are fractions of the mesh's bounding-box diagonal.
 
-        - ``components``, ``cycles``, ``leaves``, ``mesh_components``, ``genus``: counts. A curve of the right topology
-          has as many components as the mesh, and as many independent cycles as the sum of the genera.
+        - ``components``, ``cycles``, ``loops``, ``leaves``, ``mesh_components``, ``genus``: counts. A curve of the
+          right topology has as many components as the mesh, and as many independent cycles as the sum of the genera;
+          ``loops`` are the handles that these go around, and as many.
         - ``inside``: fraction of the curve's length where the generalised winding number of the mesh is positive
           (Jacobson et al. 2013). Edges that the inscribed balls of their ends do not cover are sampled at the middles
           of 16 equal parts. 1 is best.

@@ -8,6 +8,9 @@ import manifold3d
 import numpy as np
 import trimesh
 
+from msf_jax.host.meso import split
+from msf_jax.host.meso.meso import Meso
+
 SIDES = 32  # of a round hole
 
 
@@ -123,9 +126,9 @@ def hand_curve() -> tuple[np.ndarray, np.ndarray, np.ndarray]:
 def plate(num_holes: int, longest: float | None = None) -> trimesh.Trimesh:
     """A plate of 10 x 6 x 1 with round holes in rows, of genus ``num_holes``: 2 x (4 + 32 ``num_holes``) vertices.
 
-    Edges are no longer than ``longest``, if it is given.
+    Edges are halved until none is longer than ``longest``, if it is given.
     """
-    columns = int(np.ceil(np.sqrt(num_holes * 10 / 6)))
+    columns = min(int(np.ceil(np.sqrt(num_holes * 10 / 6))), num_holes)
     rows = -(-num_holes // max(columns, 1))
     cell = np.array([10 / max(columns, 1), 6 / max(rows, 1)])
     place = np.array([[k % columns + 0.5, k // columns + 0.5] for k in range(num_holes)]).reshape(-1, 2) * cell
@@ -140,8 +143,8 @@ def pipe(wall: float, length: float = 4.0, sides: int = 48, longest: float | Non
 
 
 def bracket(num_holes: int = 4, longest: float | None = None) -> trimesh.Trimesh:
-    """An angle of two plates of 6 x 4 x 0.5 with ``num_holes`` screw holes in all, by turns in one and the other, which
-    are its genus."""
+    """An angle of two plates of 6 x 4 x 0.5 with ``num_holes`` screw holes in all, up to 8, by turns in one and the
+    other, which are its genus."""
     leg = np.array([[0.0, 0], [6, 0], [6, 4], [0, 4]])
     holes: list[list[np.ndarray]] = [[], []]
     for k in range(num_holes):
@@ -195,5 +198,10 @@ def _extruded(outlines: list[np.ndarray], height: float) -> manifold3d.Manifold:
 
 
 def _as_mesh(solid: manifold3d.Manifold, longest: float | None) -> trimesh.Trimesh:
-    found = (solid if longest is None else solid.refine_to_length(longest)).to_mesh64()
-    return trimesh.Trimesh(found.vert_properties[:, :3], found.tri_verts.astype(np.int64), process=False)
+    found = solid.to_mesh64()
+    vertices, faces = found.vert_properties[:, :3], found.tri_verts.astype(np.int64)
+    if longest is not None:
+        meso = Meso.from_mesh(vertices, faces)
+        split.split_long_edges(meso, longest)
+        vertices, faces = meso.positions, meso.faces()
+    return trimesh.Trimesh(vertices, faces, process=False)

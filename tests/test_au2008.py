@@ -155,20 +155,20 @@ def test_the_system_contracts_to_a_millionth_and_draws_the_curve(name):
     assert report.volume < 1e-6
     assert report.iterations <= 20
     assert report.unsolved == 0
-    assert (report.components, report.cycles, report.inside) == (1, shape.genus, 1.0)
+    assert (report.components, report.cycles, report.loops, report.inside) == (1, shape.genus, shape.genus, 1.0)
     assert len(np.unique(plain.mesh_map)) > 4
     done = msf_jax.skeletonize(shape.mesh, config=Config.au2008(centre=True, extend_tips=True, evaluate=True))
     assert done.report.figures["leaves"] == shape.num_leaves
     assert done.report.figures["off_centre"] < 0.12
     assert done.report.inside == 1.0
     other = msf_jax.skeletonize(shape.mesh, config=Config.au2008(surgery=False))
-    assert (other.report.cycles, other.report.inside) == (shape.genus, 1.0)
+    assert (other.report.cycles, other.report.loops, other.report.inside) == (shape.genus, shape.genus, 1.0)
 
 
 def test_a_ring_keeps_its_loop():
     report = msf_jax.skeletonize(torus(minor=0.2, around=40, across=12), config=Config.au2008()).report
     assert report.converged
-    assert (report.genus, report.cycles, report.inside) == (1, 1, 1.0)
+    assert (report.genus, report.cycles, report.loops, report.inside) == (1, 1, 1, 1.0)
 
 
 def test_plain_conjugate_gradients_do_not_follow():

@@ -207,7 +207,7 @@ def test_ctrl_c_gives_a_partial_curve_and_the_checkpoint_goes_on(
     report = partial.skeleton.report
     assert not report.converged and not report.is_sound and report.reason == "interrupted"
     assert len(partial.skeleton.mesh_map) == len(mesh.vertices) and report.components == report.mesh_components == 2
-    assert report.cycles == report.genus == 1
+    assert report.loops == report.cycles == report.genus == 1
     assert signal.getsignal(signal.SIGINT) is signal.default_int_handler
     monkeypatch.undo()
     assert_same_bits(loop.contract(mesh, config=SLOW, checkpoint=path), undisturbed)

@@ -235,7 +235,7 @@ def test_centring_takes_no_edge_out_of_a_plate_with_holes(monkeypatch):
     monkeypatch.setattr(centring, "centre", watched)
     curve = msf_jax.skeletonize(mesh)
     assert np.array(seen).shape == (2, 2) and np.array(seen).all()
-    assert curve.report.cycles == 3 and (turns_of(curve.vertices, curve.edges) > 45).sum() <= 2
+    assert curve.report.loops == curve.report.cycles == 3 and (turns_of(curve.vertices, curve.edges) > 45).sum() <= 2
 
 
 def test_a_shifted_axis_goes_back_to_the_middle():
@@ -419,10 +419,11 @@ def test_a_tube_gives_its_curve_back(name):
 @pytest.mark.parametrize("name", ["octopus_low", "pawn_low", "helix_coarse"])
 def test_a_coarse_mesh_keeps_its_curve_inside(name):
     shape = ground_truth.make(name)
-    flow = msf_jax.contract(shape.mesh)
+    # Nor are its long edges split first: then a flow would keep inside by itself.
+    flow = msf_jax.contract(shape.mesh, config=Config(refine=0.0))
     report = flow.skeleton.report
     assert report.inside == 1.0
-    assert (report.components, report.cycles) == (1, shape.genus)
+    assert (report.components, report.cycles, report.loops) == (1, shape.genus, shape.genus)
     if name == "octopus_low":
         assert flow.curve.report.inside < 0.95  # the flow alone leaves it
 
@@ -487,7 +488,7 @@ def test_pins_hold_vertices_in_place_and_the_curve_goes_through_them():
             at_pin = np.flatnonzero((skeleton.vertices == mesh.vertices[pin]).all(axis=1))
             assert len(at_pin) == 1
             assert skeleton.mesh_map[pin] == at_pin[0]
-    assert flow.skeleton.report.cycles == 1
+    assert flow.skeleton.report.loops == flow.skeleton.report.cycles == 1
     assert flow.skeleton.report.components == 1
     assert flow.is_fixed.sum() >= 3
 

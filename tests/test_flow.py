@@ -51,7 +51,7 @@ def test_tubes_become_curves_of_their_topology(which):
     run = loop.contract(mesh, config=Config(check=True))
     report = run.skeleton.report
     assert report.converged
-    assert (report.components, report.cycles, report.genus) == (1, genus, genus)
+    assert (report.components, report.cycles, report.loops, report.genus) == (1, genus, genus, genus)
     assert report.inside == 1.0
     assert run.skeleton.mesh_map.shape == (len(mesh.vertices),)
     check_map(run)
@@ -166,7 +166,7 @@ def test_float32_gives_a_sound_curve_too():
     finally:
         jax.config.update("jax_enable_x64", True)
     assert report.converged
-    assert report.cycles == genus
+    assert report.loops == report.cycles == genus
     assert report.inside == 1.0
 
 
@@ -188,7 +188,7 @@ def test_components_are_skeletonised_each_as_if_alone():
     far.apply_translation([50, 0, 0])
     both = msf_jax.skeletonize(trimesh.util.concatenate([mesh, far]))
     alone = msf_jax.skeletonize(mesh)
-    assert (both.report.components, both.report.cycles, both.report.genus) == (2, 2, 2)
+    assert (both.report.components, both.report.cycles, both.report.loops, both.report.genus) == (2, 2, 2, 2)
     is_near = both.vertices[:, 0] < 25
     assert np.array_equal(both.vertices[is_near], alone.vertices)
     assert is_near[both.mesh_map[: len(mesh.vertices)]].all()
@@ -332,7 +332,7 @@ def test_research_meshes_come_out_sound(name, research_mesh):
     report = run.skeleton.report
     assert report.converged
     assert report.components == 1
-    assert report.cycles == report.genus
+    assert report.loops == report.cycles == report.genus and report.is_sound
     assert report.inside == 1.0
     check_map(run)
 
@@ -342,7 +342,7 @@ def test_pinched_meshes_come_out_with_the_repair_reported(name, research_mesh):
     skeleton = msf_jax.skeletonize(research_mesh(name))
     assert any("pinched" in repair for repair in skeleton.report.repairs)
     assert skeleton.report.inside == 1.0
-    assert skeleton.report.cycles == skeleton.report.genus
+    assert skeleton.report.loops == skeleton.report.cycles == skeleton.report.genus
     assert skeleton.mesh_map.min() >= 0
 
 
@@ -352,7 +352,7 @@ def test_a_torus_goes_on_from_a_flat_ring_to_a_curve(sections):
     mesh = trimesh.creation.torus(2, 0.6, major_sections=sections[0], minor_sections=sections[1])
     skeleton = msf_jax.skeletonize(mesh)
     assert skeleton.report.converged
-    assert (skeleton.report.cycles, skeleton.report.inside) == (1, 1.0)
+    assert (skeleton.report.cycles, skeleton.report.loops, skeleton.report.inside) == (1, 1, 1.0)
     away = np.linalg.norm(mesh.vertices - skeleton.vertices[skeleton.mesh_map], axis=1)
     assert away.max() < 1.5 * 0.6 + 0.3
 

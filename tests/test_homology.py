@@ -133,7 +133,7 @@ def test_sums_of_loops_that_cross_often_stay_small_or_are_given_up(seed):
 def test_a_run_without_linking_numbers_has_its_cycle_and_says_how(monkeypatch):
     monkeypatch.setattr(homology, "half_edge_classes", lambda *_: None)
     report = msf_jax.skeletonize(torus(around=24, across=12)).report
-    assert (report.genus, report.cycles) == (1, 1)
+    assert (report.genus, report.cycles, report.loops) == (1, 1, 1)
     assert any("told apart by their lengths alone" in note for note in report.notes)
 
 
@@ -156,4 +156,4 @@ def test_a_plate_with_a_small_hole_keeps_it():
     hole = 0.15 - np.hypot(grid[..., 0] - 0.3, grid[..., 1] - 0.2)
     mesh = shapes.level_set(np.maximum(slab, hole), np.array([x[0], x[0], -0.4]), step)
     report = msf_jax.skeletonize(mesh, config=Config(check=True)).report
-    assert (report.components, report.genus, report.cycles) == (1, 1, 1)
+    assert (report.components, report.genus, report.cycles, report.loops) == (1, 1, 1, 1)

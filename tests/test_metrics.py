@@ -84,10 +84,17 @@ def assert_same(found: dict[str, float], expected: dict[str, float], rel: float 
 def test_the_axis_of_a_tube_is_as_good_as_can_be(tube):
     figures = evaluate(tube, upright(1, LENGTH - 1))
     assert list(figures) == [
-        *("mesh_components", "genus", "components", "cycles", "leaves", "inside", "boundedness", "off_centre"),
-        *("missed_95", "missed_max", "smoothness", "tip_gap", "length"),
+        *("mesh_components", "genus", "components", "cycles", "loops", "leaves", "inside", "boundedness"),
+        *("off_centre", "missed_95", "missed_max", "smoothness", "tip_gap", "length"),
     ]
-    assert [figures[name] for name in ("mesh_components", "components", "genus", "cycles", "leaves")] == [1, 1, 0, 0, 2]
+    assert [figures[name] for name in ("mesh_components", "components", "genus", "cycles", "loops", "leaves")] == [
+        1,
+        1,
+        0,
+        0,
+        0,
+        2,
+    ]
     assert figures["inside"] == figures["boundedness"] == 1
     assert figures["off_centre"] < 1e-9 and figures["smoothness"] == pytest.approx(1, abs=1e-9)
     assert figures["length"] == pytest.approx((LENGTH - 2) / diagonal(tube))
@@ -250,7 +257,7 @@ def test_a_branch_ends_at_a_junction_and_does_not_turn_there(tube):
 def test_a_ring_and_its_circle():
     mesh = torus(1.0, 0.35, 60, 24)
     figures = evaluate(mesh, circle())
-    assert [figures[name] for name in ("genus", "cycles", "leaves", "components")] == [1, 1, 0, 1]
+    assert [figures[name] for name in ("genus", "cycles", "loops", "leaves", "components")] == [1, 1, 1, 0, 1]
     assert figures["inside"] == figures["boundedness"] == 1 and np.isnan(figures["tip_gap"])
     assert figures["length"] == pytest.approx(2 * np.pi / diagonal(mesh), rel=1e-3)
     assert figures["smoothness"] == pytest.approx(np.cos(metrics.STRIDE * diagonal(mesh)), rel=1e-3)
@@ -265,10 +272,10 @@ def test_counts_of_a_mesh_of_two_parts():
     other, others = circle()
     both = np.concatenate([vertices, other + [0, 0, 3]]), np.concatenate([edges, others + len(vertices)])
     figures = evaluate(mesh, both)
-    assert [figures[name] for name in ("mesh_components", "genus", "components", "cycles")] == [2, 2, 2, 2]
+    assert [figures[name] for name in ("mesh_components", "genus", "components", "cycles", "loops")] == [2, 2, 2, 2, 2]
     assert figures["inside"] == 1
     alone = evaluate(mesh, (vertices, edges))
-    assert [alone[name] for name in ("mesh_components", "genus", "components", "cycles")] == [2, 2, 1, 1]
+    assert [alone[name] for name in ("mesh_components", "genus", "components", "cycles", "loops")] == [2, 2, 1, 1, 1]
     assert alone["missed_max"] * diagonal(mesh) == pytest.approx(np.hypot(3.35, 0.2) - 0.2, rel=0.02)
 
 
@@ -276,7 +283,7 @@ def test_cycles_and_leaves_of_a_graph(tube):
     """A square with a diagonal and a tail, and a node by itself."""
     places = np.array([[0.5, 0, 2], [0, 0.5, 2], [-0.5, 0, 2], [0, -0.5, 2], [0, 0, 4], [0, 0, 5]])
     figures = evaluate(tube, (places, [[0, 1], [1, 2], [2, 3], [3, 0], [0, 2], [1, 4]]))
-    assert [figures[name] for name in ("components", "cycles", "leaves")] == [2, 2, 1]
+    assert [figures[name] for name in ("components", "cycles", "loops", "leaves")] == [2, 2, 0, 1]
 
 
 # Distance from and to a truth

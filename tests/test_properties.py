@@ -88,7 +88,7 @@ def test_every_closed_mesh_becomes_a_whole_curve(drawn):
     euler = trimesh.Trimesh(vertices, faces, process=False).euler_number
     parts = trimesh.graph.connected_components(trimesh.Trimesh(vertices, faces, process=False).face_adjacency)
     assert report.genus == (2 * len(parts) - euler) // 2
-    assert (report.cycles, report.components) == (report.genus, len(parts))
+    assert (report.cycles, report.loops, report.components) == (report.genus, report.genus, len(parts))
     for curve in (run.curve, skeleton):
         assert np.isfinite(curve.vertices).all() and np.isfinite(curve.radii).all() and (curve.radii >= 0).all()
         assert curve.mesh_map.shape == (len(vertices),)
@@ -112,4 +112,4 @@ def test_slivers_and_noise_lose_no_handle(seed, crossing):
     mesh = net(random, crossing=crossing)
     vertices = mesh.vertices + random.normal(0, 0.002, mesh.vertices.shape) * np.ptp(mesh.vertices, axis=0).max()
     report = msf_jax.skeletonize((vertices, mesh.faces)).report
-    assert report.cycles == report.genus == (2 - mesh.euler_number) // 2 > 1
+    assert report.loops == report.cycles == report.genus == (2 - mesh.euler_number) // 2 > 1

@@ -306,7 +306,9 @@ def test_research_meshes_become_curves(research_mesh, name):
     assert_sound(found, len(mesh[0]))
     skeleton = msf_jax.skeletonize(mesh, repair=True)
     assert skeleton.report.repairs == found.repairs
-    assert skeleton.report.cycles == skeleton.report.genus and len(skeleton.mesh_map) == len(mesh[0])
+    assert skeleton.report.loops == skeleton.report.cycles == skeleton.report.genus and len(skeleton.mesh_map) == len(
+        mesh[0]
+    )
 
 
 def test_the_tape_of_a_repaired_mesh_speaks_of_the_callers_vertices():

@@ -59,7 +59,7 @@ def test_a_run_that_failed_says_so(results):
     report = results[1][0]
     values = report.to_dict() | {"converged": False, "reason": "stalled", "cycles": 2}
     assert repr(msf_jax.Report.from_dict(values)) == (
-        "Report(NOT converged, stalled, 2 cycles, EXPECTED 0 for genus 0, 100.00 % inside)"
+        "Report(NOT converged, stalled, 2 cycles, EXPECTED 0 for genus 0, around ONLY 0 handles, 100.00 % inside)"
     )
 
 

@@ -174,3 +174,59 @@ def test_a_solid_around_a_polygon_has_its_loop(sides, genus):
     mesh = shapes.solid_around(points, edges, np.full(sides, 0.2), 0.08)
     assert_closed_manifold(mesh)
     assert euler(mesh) == 2 - 2 * genus and mesh.volume > 0
+
+
+# Machined parts, and rings
+
+
+def polygon_area(radius: float, sides: int) -> float:
+    return sides / 2 * np.sin(2 * np.pi / sides) * radius**2
+
+
+def genus_of(mesh: trimesh.Trimesh) -> list[int]:
+    """Of each component, which needs no repair."""
+    assert_closed_manifold(mesh)
+    checked = checking.prepare(mesh)
+    assert checked.repairs == ()
+    return [component.genus for component in checked.components]
+
+
+@pytest.mark.parametrize("num_holes", [0, 1, 2, 4, 9, 16])
+def test_a_plate_has_its_holes(num_holes):
+    mesh = shapes.plate(num_holes)
+    assert genus_of(mesh) == [num_holes] and len(mesh.vertices) == 2 * (4 + 32 * num_holes)
+    cells = {0: 6.0, 1: 6.0, 2: 5.0, 4: 3.0, 9: 2.0, 16: 2.0 / 1.2}[num_holes]
+    holes = num_holes * polygon_area(0.2 * cells, 32)
+    assert mesh.volume == pytest.approx(60 - holes, rel=1e-6)
+    np.testing.assert_allclose(mesh.bounds, [[0, 0, 0], [10, 6, 1]])
+
+
+@pytest.mark.parametrize("wall", [0.5, 0.1, 0.02])
+def test_a_pipe_has_its_wall(wall):
+    mesh = shapes.pipe(wall)
+    assert genus_of(mesh) == [1] and len(mesh.vertices) == 4 * 48
+    assert mesh.volume == pytest.approx(4 * (polygon_area(1, 48) - polygon_area(1 - wall, 48)), rel=1e-5)
+
+
+@pytest.mark.parametrize("num_holes", [0, 1, 4, 5, 8])
+def test_a_bracket_has_its_holes(num_holes):
+    mesh = shapes.bracket(num_holes)
+    assert genus_of(mesh) == [num_holes]
+    plates = 2 * 6 * 4 * 0.5 - 0.5 * 0.5 * 4
+    assert mesh.volume == pytest.approx(plates - num_holes * 0.5 * polygon_area(0.4, 32), rel=1e-6)
+
+
+def test_long_edges_of_a_part_are_cut_and_the_solid_stays():
+    coarse, fine = shapes.plate(2), shapes.plate(2, 0.6)
+    assert genus_of(fine) == [2] and fine.edges_unique_length.max() <= 0.6 < coarse.edges_unique_length.max()
+    assert fine.volume == pytest.approx(coarse.volume)
+
+
+@pytest.mark.parametrize("are_linked", [True, False])
+def test_two_rings_are_apart_and_their_curves_in_their_middle(are_linked):
+    mesh, (points, edges) = shapes.rings(are_linked, minor=0.3), shapes.ring_curves(are_linked)
+    assert genus_of(mesh) == [1, 1]
+    away = np.linalg.norm(points[:48, None] - points[48:], axis=2).min()
+    assert away > 0.99  # more than two radii of a tube: the rings do not touch
+    np.testing.assert_allclose(np.linalg.norm(mesh.vertices[:, None] - points, axis=2).min(axis=1), 0.3, atol=0.01)
+    assert len(edges) == len(points) == 96

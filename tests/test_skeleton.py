@@ -29,6 +29,7 @@ def check(mesh, skeleton, like):
     """A sound skeleton of the same mesh and the same topology."""
     assert skeleton.report.components == like.report.components
     assert skeleton.report.cycles == like.report.cycles == len(skeleton.edges) - len(skeleton.vertices) + 1
+    assert skeleton.report.loops == skeleton.report.cycles
     assert skeleton.report.inside == 1.0
     assert len(skeleton.mesh_map) == len(mesh.vertices)
     assert skeleton.mesh_map.min() >= 0

@@ -73,7 +73,7 @@ def proof(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray, node_of_ver
     part = _parts(len(vertices), edges)
     has_cycle = np.zeros(len(vertices), dtype=bool)
     has_cycle[part[edges[closing, 0]]] = True
-    rank, found = 0, Proof(0, *([np.empty(0, dtype=np.int64)] for _ in range(4)))
+    rank, found = 0, {name: [np.empty(0, dtype=np.int64)] for name in Proof._fields[1:]}
     for solid, of_part in _solids(shape, vertices, part, has_cycle, node_of_vertex):
         own = np.flatnonzero((has_cycle & of_part)[part[edges[:, 0]]])
         length, is_out = _lengths(solid, vertices, edges[own])
@@ -82,17 +82,17 @@ def proof(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray, node_of_ver
         for cycle in np.argsort(length[closing], kind="stable").tolist():
             edge, winding = closing[cycle], windings[cycle]
             if is_out[edge]:
-                found.outside.append(own[[edge]])
+                found["outside"].append(own[[edge]])
             elif not winding.any():
-                found.none.append(own[[edge]])
+                found["none"].append(own[[edge]])
             elif not span.adds(winding):
-                found.again.append(own[[edge]])
+                found["again"].append(own[[edge]])
             else:
                 rank += 1
                 once = [factor.adds(winding) for factor in factors]
                 if not all(once):
-                    found.several.append(own[[edge]])
-    return Proof(rank, *map(np.concatenate, found[1:]))
+                    found["several"].append(own[[edge]])
+    return Proof(rank, **{name: np.concatenate(edge) for name, edge in found.items()})
 
 
 def _solids(

@@ -14,7 +14,7 @@ The loops come from a tree and a cotree of the surface (Eppstein 2003).
 """
 
 from collections.abc import Iterator
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from scipy import sparse
@@ -140,8 +140,8 @@ class Handles:
         """A basis of the curve's cycles: the edge (C,) that closes each, with a spanning forest of the shortest others,
         and its linking numbers (C, 2g) with the surface's loops. ``length`` (E,) says which are short, if given."""
         num, (a, b) = len(vertices), edges.T
-        length = np.linalg.norm(vertices[a] - vertices[b], axis=1) if length is None else length
-        in_forest = shortest_forest(num, edges, length)
+        size = np.linalg.norm(vertices[a] - vertices[b], axis=1) if length is None else length
+        in_forest = shortest_forest(num, edges, size)
         linking = self.linking(vertices[a], vertices[b])
         potential = along_forest(num, edges[in_forest], linking[in_forest])
         closing = np.flatnonzero(~in_forest)
@@ -150,7 +150,7 @@ class Handles:
     def linking(self, a: np.ndarray, b: np.ndarray) -> np.ndarray:
         """What each segment from a (E, 3) to b (E, 3) adds to the linking numbers (E, 2g) with the surface's loops."""
         segment, edge, sign = self._crossings(a, b)
-        crossed = sparse.csr_matrix((sign, (segment, edge)), shape=(len(a), self._times.shape[0]))
+        crossed: Any = sparse.csr_matrix((sign, (segment, edge)), shape=(len(a), len(self._tail)))
         return (crossed @ self._times).toarray()
 
     def _crossings(self, a: np.ndarray, b: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
