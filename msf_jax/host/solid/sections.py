@@ -12,7 +12,8 @@ import numpy as np
 from msf_jax.host.solid.enclosure import Enclosure
 from msf_jax.host.solid.geometry import cross, unit
 
-SEARCHES = 3  # for the nearest loop, each three times as far as the last
+SEARCHES = 3  # for the nearest loop, each three times as far as the last, the first this many radii:
+NEAREST, FARTHEST = 1.5, 1.5 * 3 ** (SEARCHES - 1)
 DESCENT = 30  # triangles from a given one to the plane, after which all around are searched
 LONGEST_LOOP = 20_000  # triangles, after which a walk is given up
 FLATTEST = 0.2  # a wall that leans more than that from the plane counts as leaning so much
@@ -73,7 +74,7 @@ def corners(
     """The corners of the loops that `cut` measures."""
     start = np.full(len(points), -1) if near is None else _crossings_below(shape, points, normals, near)
     left = np.flatnonzero(start < 0)
-    reach = 1.5 * np.maximum(radii[left], 1e-3 * np.ptp(shape.vertices, axis=0).max())
+    reach = NEAREST * np.maximum(radii[left], 1e-3 * np.ptp(shape.vertices, axis=0).max())
     for _ in range(SEARCHES):
         if not len(left):
             break
