@@ -11,8 +11,9 @@ where w is the half width, and counts in the integral only where the section hol
 length of a limb of constant width that covers as much, over its half width: of a cylinder that sticks out by h from a
 larger body h / radius, of a cone or a wedge with the angle 2 a at its tip 1 / (2 tan a). A finger has 4 to 8, half a
 disc on a rim, or half a ball on a wall, pi / 4, the corner of a square plate 0.6, that of a cube 0.7 as far as its
-middle. All branches are kept or pruned by that one number; of equal ones the order of nodes decides. A node whose
-section cannot be cut is as wide as its ball; a branch of which no width is known is infinitely slender, and stays.
+middle. All branches are kept or pruned by that one number; of equal ones the order of nodes decides. Where the
+section cannot be cut, the ball is as wide as the limb; a branch of which no width is known is infinitely slender, and
+stays.
 
 It is related to the erosion thickness of a medial axis (Yan, Sykes, Chambers, Letscher, Ju 2016), which tells how far a
 part of the solid reaches against its thickness; here it is against its width, so that a sheet is one limb.
@@ -33,6 +34,7 @@ from msf_jax.host.solid.geometry import PAIRS_AT_ONCE, cross, repeated, unit
 
 LEAST_SHARE = 0.25  # of the ball at its junction, that a limb reaches out at least: less is roughness of the surface
 CHORD = 1.0  # radii, before and behind a node, between which its branch gives the direction across which it is cut
+AHEAD = 4.0  # radii, that are looked for a wall
 AT_ONCE = 500  # nodes, whose sections are in memory
 
 
@@ -66,37 +68,30 @@ def limbs_of(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray) -> Limbs
     for path in paths:
         onward[path.nodes[0]], onward[path.nodes[-1]] = -1.0, 1.0
     leaf = np.flatnonzero((degree == 1) & (radius > 0) & along.any(axis=1))
-    ahead[leaf] = shape.ray_lengths(vertices[leaf], onward[leaf] * along[leaf], 4 * radius[leaf])
+    ahead[leaf] = shape.ray_lengths(vertices[leaf], onward[leaf] * along[leaf], AHEAD * radius[leaf])
     asked = np.flatnonzero((degree > 0) & (degree < 3) & (radius > 0) & along.any(axis=1))
     ends = vertices[edges]
     pairs = [(nothing, nothing)]
     for part in np.array_split(asked, max(1, -(-len(asked) // AT_ONCE))):
         x, normal = vertices[part], along[part]
-        corners = sections.corners(shape, x, normal, radius[part], near[part])
-        found = sections.measured(shape, x, normal, corners)
-        share = corners.part[:, None]
-        place = (1 - share) * shape.vertices[corners.tail] + share * shape.vertices[corners.head]
-        # In the wall of a pipe the loop may be that of the bore: the wall around it is the section.
-        is_bore = corners.is_closed & ~found.is_found
-        count = np.maximum(np.bincount(corners.loop, minlength=len(part)), 1)[:, None]
-        middle = np.stack([np.bincount(corners.loop, each, len(part)) for each in place.T], axis=1) / count
-        centre = np.where(is_bore[:, None], middle, found.centroid)
+        corners = _outer(shape, x, normal, radius[part], near[part])
+        found, place = sections.measured(shape, x, normal, corners), _places(shape, corners)
         extent = np.zeros(len(part))
-        np.maximum.at(extent, corners.loop, np.linalg.norm(place - centre[corners.loop], axis=1))
-        extent[is_bore] += 2 * radius[part[is_bore]]
+        np.maximum.at(extent, corners.loop, np.linalg.norm(place - found.centroid[corners.loop], axis=1))
+        width[part[found.is_around]] = extent[found.is_around]
+        is_wide = np.bincount(corners.loop, minlength=len(part)) == 0  # no wall in its plane, as far as is looked
+        width[part[is_wide]] = sections.FARTHEST * radius[part[is_wide]]
         # What of the curve is in a section: where an edge goes through its plane, within its loop.
-        rows = np.flatnonzero(found.is_around | is_bore)
-        width[part[rows]] = extent[rows]
+        rows = np.flatnonzero(found.is_around)
         height = (normal @ vertices.T - np.einsum("ni,ni->n", normal, x)[:, None])[rows]
         is_up = height >= 0
         row, edge = np.nonzero(is_up[:, edges[:, 0]] != is_up[:, edges[:, 1]])
         share = height[row, edges[edge, 0]] / (height[row, edges[edge, 0]] - height[row, edges[edge, 1]])
         row = rows[row]
         point = ends[edge, 0] + share[:, None] * (ends[edge, 1] - ends[edge, 0])
-        is_near = np.linalg.norm(point - centre[row], axis=1) < extent[row]
+        is_near = np.linalg.norm(point - found.centroid[row], axis=1) < extent[row]
         row, edge, point = row[is_near], edge[is_near], (point - x[row])[is_near]
         is_in = _within(point, row, normal, corners.loop, place - x[corners.loop])
-        is_in |= is_bore[row] & (np.linalg.norm(x[row] + point - centre[row], axis=1) < extent[row])
         pairs.append((part[row[is_in]], edge[is_in]))
     node, edge = (np.concatenate(each) for each in zip(*pairs, strict=True))
     return Limbs(radius, width, ahead, node, edge)
@@ -107,6 +102,35 @@ def limbs_without(vertices: np.ndarray, edges: np.ndarray, radii: np.ndarray) ->
     nothing = np.empty(0, dtype=np.int64)
     degree = np.bincount(edges.ravel(), minlength=len(vertices))
     return Limbs(radii, np.where(degree < 3, radii, np.nan), np.where(degree == 1, radii, 0.0), nothing, nothing)
+
+
+def _places(shape: Enclosure, corners: sections.Corners) -> np.ndarray:
+    """Where the corners are (C, 3)."""
+    share = corners.part[:, None]
+    return (1 - share) * shape.vertices[corners.tail] + share * shape.vertices[corners.head]
+
+
+def _outer(
+    shape: Enclosure, x: np.ndarray, normal: np.ndarray, radius: np.ndarray, near: np.ndarray
+) -> sections.Corners:
+    """The loops of sections around nodes ``x`` (P, 3), as `sections.corners` finds them. Of one that goes around a bore
+    instead of its node, that which a ray from the bore through the node comes to."""
+    found = sections.corners(shape, x, normal, radius, near)
+    hole = np.flatnonzero(found.is_closed & ~sections.measured(shape, x, normal, found).is_found)
+    if not len(hole):
+        return found
+    away = _places(shape, found) - x[found.loop]
+    order = np.lexsort((np.einsum("ci,ci->c", away, away), found.loop))
+    nearest = order[np.searchsorted(found.loop, hole)]
+    onward = unit(-away[nearest])
+    there = x[hole] + shape.ray_lengths(x[hole], onward, AHEAD * radius[hole])[:, None] * onward
+    again = sections.corners(shape, x[hole], normal[hole], radius[hole], shape.approach(there)[1])
+    stays = ~np.isin(found.loop, hole)
+    loop = np.concatenate([found.loop[stays], hole[again.loop]])
+    order = np.argsort(loop, kind="stable")
+    rest = (np.concatenate([one[stays], other])[order] for one, other in zip(found[1:5], again[1:5], strict=True))
+    found.is_closed[hole] = again.is_closed
+    return sections.Corners(loop[order], *rest, found.is_closed)
 
 
 def _within(point: np.ndarray, row: np.ndarray, normal: np.ndarray, loop: np.ndarray, place: np.ndarray) -> np.ndarray:
@@ -177,21 +201,20 @@ class Pruning:
         if junction is None:
             return np.inf
         least = LEAST_SHARE * self._radius[junction]
-        # A section that is wide, or narrow, at one node only is cut askew: the median of three does not see it.
-        before = here = width = self._width[leaf]
-        length, area, most = self._ahead[leaf], self._ahead[leaf] * width / 2, -np.inf
-        node, last_half = leaf, 0.0
-        for onward, edge in self._walk(leaf):
-            after = here if onward == junction else self._width[onward]
-            median = sorted((before, here, after))[1]
-            width, half = max(width, median), self._length[edge] / 2
+        most, length, width = -np.inf, self._ahead[leaf], self._width[leaf]
+        area, rise, last_step, last = length * width / 2, width / max(length, 1e-300), 0.0, width
+        cells = itertools.chain(self._cells(leaf, junction), [(junction, 0.0, np.inf)])
+        for (node, step, here), (_, _, after) in itertools.pairwise(cells):
             if all(self._branch_at(other) == own for other in self._through.get(node, ())):
-                length, area = length + last_half + half, area + (last_half + half) * median
+                length, area = length + (last_step + step) / 2, area + (last_step + step) / 2 * here
+            # A cell ends half an edge on. There a smooth limb is wider, as it was before, but no more than it will be.
+            rise = (here - last) / last_step if last_step else rise
+            width = max(width, here, min(here + rise * step / 2, (here + after) / 2))
             if length >= least and width > 0:
                 most = max(most, area / width**2)
                 if most >= enough:
                     break
-            before, here, node, last_half = here, after, onward, half
+            last_step, last = step, here
         return most if most >= 0 else 0.0 if width > 0 else np.inf
 
     def take_away(self, leaf: int) -> set[int]:
@@ -208,6 +231,18 @@ class Pruning:
             touched.add(nodes[-1])
         found = {self._branch_of(node) for node in touched if 0 < len(self._beside[node]) < 3}
         return {end for branch in found for end in self._ends[branch] if len(self._beside[end]) == 1}
+
+    def _cells(self, leaf: int, junction: int) -> Iterator[tuple[int, float, float]]:
+        """Of each node from ``leaf`` on, but for the junction: it, the length of the edge onward, and how wide it is.
+
+        A section that is wide, or narrow, at one node only is cut askew: the median of three does not see it.
+        """
+        node, before = leaf, self._width[leaf]
+        for onward, edge in self._walk(leaf):
+            here = self._width[node]
+            after = here if onward == junction else self._width[onward]
+            yield node, self._length[edge], sorted((before, here, after))[1]
+            node, before = onward, here
 
     def _walk(self, leaf: int) -> Iterator[tuple[int, int]]:
         """The nodes after ``leaf`` on its branch, each with the edge that leads there."""

@@ -12,7 +12,8 @@ import numpy as np
 from msf_jax.host.solid import loops
 from msf_jax.host.solid.enclosure import Enclosure
 
-SEARCHES = 3  # for the nearest loop, each three times as far as the last
+SEARCHES = 3  # for the nearest loop, each three times as far as the last, the first this many radii:
+NEAREST, FARTHEST = 1.5, 1.5 * 3 ** (SEARCHES - 1)
 LONGEST_LOOP = 20_000  # triangles, after which a walk is given up
 ROOM = 1_000  # corners of a loop, that there is room for at first
 FLATTEST = 0.2  # a wall that leans more than that from the plane counts as leaning so much
@@ -73,7 +74,7 @@ def corners(
     """The corners of the loops that `cut` measures."""
     num, corner = len(points), shape.faces.ravel()
     near = np.full(num, -1) if near is None else near
-    reach = 1.5 * np.maximum(radii, 1e-3 * np.ptp(shape.vertices, axis=0).max())
+    reach = NEAREST * np.maximum(radii, 1e-3 * np.ptp(shape.vertices, axis=0).max())
     room, ends = ROOM * num, np.empty(num, dtype=np.int64)
     while True:
         edge, part = np.empty(room, dtype=np.int64), np.empty(room)
