@@ -1,8 +1,8 @@
 """Many meshes: a curve and a report of each, on all cores or on a cluster; one bad mesh fails alone.
 
 Each mesh leaves its curve and, after it, a row with its report or its error, both written whole or not at all. So a
-batch that was killed goes on with what has no row yet, and the table of all rows is made from them, now and then and at the end. Meshes
-are taken in the order of their files' sizes: neighbours share the capacities that steps are compiled for.
+batch that was killed goes on with what has no row yet. The table of all rows is made from them, now and then, and at
+the end. Meshes are taken in the order of their files' sizes: neighbours share the capacities that steps are compiled for.
 """
 
 import concurrent.futures
