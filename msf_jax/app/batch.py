@@ -2,7 +2,7 @@
 
 Each mesh leaves its curve and, after it, a row with its report or its error, both written whole or not at all. So a
 batch that was killed goes on with what has no row yet. The table of all rows is made from them, now and then, and at
-the end. Meshes are taken in the order of their files' sizes: neighbours share the capacities that steps are compiled for.
+the end. Meshes are taken in the order of the sizes of their files: neighbours share the capacities of compiled steps.
 """
 
 import concurrent.futures

@@ -15,11 +15,12 @@ from msf_jax.host.reconstruction import LowPass
 from msf_jax.host.recording.records import FoundPoles, Start
 from msf_jax.host.solid.enclosure import Enclosure
 from msf_jax.host.solid.frame import RESOLUTION, frame_of, sort_mesh
-from msf_jax.host.solid.geometry import signed_volume
+from msf_jax.host.solid.geometry import signed_volume, triangle_areas
 
 FIRST = 400.0  # w_L over the root of a face's mean area, see `Config.au2008`
 FLATTEST = 1e-9  # volume, in diagonals cubed, that must be left when coordinates are rounded to the frame's resolution
 MOST_REFINED = 8_000  # vertices, about, that edges are split into at most
+LEAST_REFINED = 0.05  # of the area must have long edges: else the flow sees limbs and holes as it is
 MOST_COARSENED = 0.05  # of the volume may go with short edges
 MOST_FILTERED = 0.25  # of the volume may go with what the filter of the poles' sites takes away
 
@@ -122,18 +123,26 @@ def _coarsened(meso: Meso, config: Config, watch: Stopwatch) -> tuple[Meso, int]
 
 
 def _refined(meso: Meso, shape: Enclosure, config: Config, watch: Stopwatch) -> Meso:
-    """The surface with its long edges split where limbs are thin beside them: else patches slide across holes."""
-    a, b = ring_tables.edges_from_rings(meso.rings)
-    length = collapse.edge_lengths(meso.positions, a, b)
-    if not config.refine or length.max() <= config.refine:
+    """The surface with its long edges split where limbs are thin beside them: else patches slide across holes.
+
+    A surface of which long edges bound next to nothing is left as it is.
+    """
+    if not config.refine:
         return meso
     with watch.stage("refining"):
-        limit = np.maximum(thickness.edge_lengths(shape, meso.positions), config.refine)
-        # About as many new vertices as triangles of that size fit on the surface: not more than there may be.
-        area = meso.area()
-        least = np.sqrt(area / (MOST_REFINED * 0.4))
+        a, b = ring_tables.edges_from_rings(meso.rings)
+        is_long = collapse.edge_lengths(meso.positions, a, b) > config.refine
+        ends = np.zeros(meso.num_rows, dtype=bool)
+        ends[np.concatenate([a[is_long], b[is_long]])] = True
+        corners = meso.positions[(faces := meso.faces())[ends[faces].sum(axis=1) > 1]]
+        if triangle_areas(corners).sum() < LEAST_REFINED * meso.area():
+            return meso
+        limit = np.full(meso.num_rows, 1.0)
+        limit[ends] = thickness.edge_lengths(shape, meso.positions[ends])
+        # About as many vertices as triangles of that size fit on the surface: not more than there may be.
+        least = max(config.refine, float(np.sqrt(meso.area() / (MOST_REFINED * 0.4))))
         split.split_long_edges(meso, np.maximum(limit, least), check=config.check)
-    return meso
+        return meso
 
 
 def _rebuilt(vertices: np.ndarray, faces: np.ndarray, k: int, config: Config) -> tuple[np.ndarray, LowPass | None]:
@@ -174,6 +183,5 @@ def _poles(meso: Meso, shape: Enclosure, config: Config, watch: Stopwatch) -> Fo
 
 
 def _one_ring_areas(meso: Meso) -> np.ndarray:
-    a, b, c = (meso.positions[corner] for corner in meso.faces().T)
-    area = np.linalg.norm(np.cross(b - a, c - a), axis=1) / 2
+    area = triangle_areas(meso.positions[meso.faces()])
     return np.bincount(meso.faces().T.ravel(), weights=np.tile(area, 3), minlength=meso.num_rows)

@@ -59,6 +59,12 @@ def signed_volume(vertices: np.ndarray, faces: np.ndarray) -> float:
     return float(np.einsum("ij,ij->", a, cross(b, c)) / 6.0)
 
 
+def triangle_areas(corners: np.ndarray) -> np.ndarray:
+    """(F,) areas of triangles, whose corners are (F, 3, 3)."""
+    a, b, c = np.moveaxis(corners, 1, 0)
+    return np.linalg.norm(cross(b - a, c - a), axis=1) / 2
+
+
 def barycentric(points: np.ndarray, triangles: np.ndarray, least: float) -> np.ndarray:
     """Weights (P, 3) of the corners at the foot of each point's perpendicular, none below ``least`` before they add up
     to 1: that keeps it on the triangle."""
