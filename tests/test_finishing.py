@@ -643,3 +643,39 @@ def test_corners_are_rounded_whatever_is_beside_them():
     y, led = resampling.rounded(shape, x, edges, np.arange(5) == 2, 40.0)
     np.testing.assert_array_equal(y[2], x[2])
     assert resampling.turns(y, led)[3:].max() < 40
+
+
+@pytest.mark.parametrize("is_far", [False, True])
+def test_a_place_outside_does_not_hold_a_junction(is_far):
+    """The curve of a Y is then as if no place had been found."""
+    shape, scale = unit_shape(ground_truth.make("y").mesh)
+    truth = ground_truth.make("y")
+    x, edges = scale * truth.points, truth.edges
+    (junction,) = np.flatnonzero(np.bincount(edges.ravel()) > 2)
+    places = x.copy()
+    places[junction] += np.array([0, 0, 8.0 if is_far else 2.5]) * scale * truth.radii.mean()
+    assert not shape.contains(places[[junction]]).any()
+    found = centring.centre(shape, x, edges, none_held(x), places=places)
+    plain = centring.centre(shape, x, edges, none_held(x))
+    radius = shape.distances(plain[[junction]])[0]
+    assert np.linalg.norm(found[junction] - plain[junction]) < 0.05 * radius
+    assert shape.distances(found[[junction]])[0] > 0.9 * radius
+
+
+def test_a_junction_goes_to_the_node_whose_ball_holds_its_own():
+    """Of two legs that meet low in a trunk, to the trunk; a twig's on a limb that hardly widens stays."""
+    trunk = manifold3d.Manifold.sphere(1.0, 48) + manifold3d.Manifold.cylinder(3, 0.6, 0.6, 32)
+    for side in (-1, 1):
+        trunk += manifold3d.Manifold.cylinder(3, 0.25, 0.25, 32).translate((0, 0, -3.5)).rotate((0, 20 * side, 0))
+    found = trunk.refine_to_length(0.3).to_mesh()
+    shape, scale = unit_shape(trimesh.Trimesh(found.vert_properties[:, :3].astype(float), found.tri_verts))
+    legs = [[0.9, 0, -2.5], [-0.9, 0, -2.5]]
+    x = scale * np.array([[0, 0, -0.75], [0, 0, -0.3], [0, 0, 0.05], [0, 0, 1.6], [0, 0.3, 1.6], [0, 0, 2.5], *legs])
+    edges = np.array([[0, 1], [1, 2], [2, 3], [3, 4], [3, 5], [0, 6], [0, 7]])
+    passages = Passages(shape, containment.is_inside)
+    job = finishing.Job(shape, shape, 0.75, False, passages, centring.Budget())
+    every = np.arange(len(x))
+    draft = finishing.Draft(x, edges, none_held(x), every, every, x, none_held(x))
+    place = finishing.placed(draft, job).place / scale
+    assert np.linalg.norm(place[0]) < 0.1
+    assert np.linalg.norm(place[3] - [0, 0, 1.6]) < 0.35

@@ -76,7 +76,9 @@ class Skeleton:
         share = None
         if self.source is not None:
             share = np.bincount(self.mesh_map, weights=self.source.areas, minlength=len(self.vertices))
-        return limbs.measure(*self._in_solid(), self._limbs, share)
+        unit = 1.0 if self.source is None else self.source.solid.diagonal
+        found = limbs.measure(*self._in_solid(), self._limbs, share)
+        return [branch._replace(length=unit * branch.length) for branch in found]
 
     @cached_property
     def _limbs(self) -> limbs.Limbs:
@@ -110,7 +112,7 @@ class Skeleton:
     def resample(self, spacing: float) -> "Skeleton":
         """A new skeleton whose branches have nodes about every ``spacing``, in the caller's units; ends and pins stay.
 
-        Where an edge would leave the solid, the nodes that it would skip stay.
+        An edge that would leave the solid is bisected. A larger spacing never gives more nodes.
 
         Raises:
             ConfigError: ``spacing`` is not above 0.

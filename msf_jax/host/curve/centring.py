@@ -93,14 +93,16 @@ def centre(
     """
     budget = Budget() if budget is None else budget
     x, num = vertices.copy(), len(vertices)
-    y = vertices if places is None else np.where(is_held[:, None], vertices, places)
+    y = vertices.copy() if places is None else np.where(is_held[:, None], vertices, places)
     degree = np.bincount(edges.ravel(), minlength=num)
     ways = measures.ways_of(x, edges, is_held)
     if not ways:
         return x
     is_hub = (degree == 2) & (False if hubs is None else hubs)
     junction = np.flatnonzero((degree > 2) | is_hub)
-    room_at_place = shape.distances(y[junction])
+    is_lost = ~shape.contains(y[junction])  # a place outside holds nothing
+    y[junction[is_lost]] = x[junction[is_lost]]
+    room_at_place = np.where(is_lost, 0.0, shape.distances(y[junction]))
     room, near = shape.about_clearance(x)
     least = np.maximum(THINNEST * room, 2 * TOUCHING)
     size, faded, before = room.copy(), np.ones(num), np.zeros(num)
@@ -138,7 +140,7 @@ def centre(
         anchor = np.full(num, ANCHOR)
         usual = np.where(is_hub, size, measures.second_sizes(ways, everywhere[0], everywhere[1]))[junction]
         roomier = np.clip((room_at_place / usual - 1) / np.where(is_hub, HUB_ROOMIER, ROOMIER)[junction], 0, 1)
-        anchor[junction] = np.where(is_hub[junction], ANCHOR, JUNCTION_ANCHOR)
+        anchor[junction] = np.where(is_hub[junction] | is_lost, ANCHOR, JUNCTION_ANCHOR)
         anchor[junction] += ROOMY_ANCHOR * roomier**2 * (3 - 2 * roomier)
         anchor[is_held] = HELD
         system = _System(x, ways, size, limb, found, tangent, ahead, chord, anchor, y)

@@ -21,6 +21,7 @@ from msf_jax.host.thin import course, twigs
 SPACING = 0.5  # radii, between the nodes of a finished curve
 MOST_NODES = 5_000  # that this may take, or they are farther apart
 SHARPEST = 40.0  # degrees, that a finished branch turns at a node
+HOLDS = 1.1  # of a node's ball: a junction whose ball is within that is none of its own place
 FIRST_ROUNDS = 2  # of centring, before it is decided what to prune; tips, too, set out from there
 
 
@@ -243,10 +244,15 @@ def unfolded(draft: Draft, job: Job, most: float = 90.0) -> Draft:
 
 
 def placed(draft: Draft, job: Job) -> Draft:
-    """With the places of junctions where the solid is roomiest, if that is near."""
+    """With the places of junctions where the solid is roomiest, if that is near, or a ball there holds theirs."""
     is_hub = (np.bincount(draft.edges.ravel(), minlength=len(draft.vertices)) > 2) & ~draft.is_held
     is_hub[is_hub] = job.rough.contains(draft.place[is_hub])
     place = draft.place.copy()
+    if is_hub.any():
+        own, room = (job.rough.about_clearance(x)[0] for x in (place[is_hub], draft.vertices))
+        is_held_in = spatial.distance.cdist(place[is_hub], draft.vertices) + own[:, None] <= HOLDS * room
+        largest = np.where(is_held_in, room, -1.0).argmax(axis=1)
+        place[is_hub] = np.where(is_held_in.any(axis=1)[:, None], draft.vertices[largest], place[is_hub])
     place[is_hub] = centring.roomiest(job.rough, place[is_hub])
     return draft._replace(place=place, is_hub=is_hub)
 

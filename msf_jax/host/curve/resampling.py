@@ -26,7 +26,7 @@ def resample(
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Nodes about every ``spacing`` along the branches of a curve ``(vertices (N, 3), edges (E, 2))``.
 
-    Ends of branches and nodes of ``is_held`` (N,) stay, and so do nodes that an edge would leave ``solid`` to skip.
+    Ends of branches and nodes of ``is_held`` (N,) stay. An edge that would leave ``solid`` is bisected.
 
     Returns:
         The nodes, the edges, and the new node (N,) of each old one.
@@ -49,7 +49,7 @@ def resample(
                 num = 2  # and of two branches with the same ends one needs a node of its own
             joined_ends.add(ends)
             courses.append((nodes, along))
-            stops.append(_stops_inside(vertices[nodes], along, np.linspace(0, along[-1], num + 1), solid))
+            stops.append(_stops_inside(vertices[nodes], along, num, solid))
     rank = np.cumsum(is_end) - 1
     node_of_old = np.where(is_end, rank, -1)
     new_vertices, new_edges, count = [vertices[is_end]], [np.empty((0, 2), dtype=np.int64)], int(is_end.sum())
@@ -62,14 +62,32 @@ def resample(
     return np.concatenate(new_vertices), np.concatenate(new_edges), node_of_old
 
 
-def _stops_inside(points: np.ndarray, along: np.ndarray, stops: np.ndarray, solid: Solid | None) -> np.ndarray:
-    """Arc lengths ``stops`` and those of the old ``points`` between two of them that the solid parts."""
-    if solid is None:
-        return stops
-    entered = solid.enter(at(points, along, stops))
-    is_bad = ~containment.is_inside(solid.shape, entered[:-1], entered[1:])
-    span = np.clip(np.searchsorted(stops, along, side="right") - 1, 0, len(is_bad) - 1)
-    return np.sort(np.concatenate([stops, np.setdiff1d(along[is_bad[span]], stops)]))
+def _stops_inside(points: np.ndarray, along: np.ndarray, num: int, solid: Solid | None) -> np.ndarray:
+    """Arc lengths of the ends of ``num`` edges or more along ``points`` (k, 3), as few as it takes to stay inside.
+
+    Where many have to be bisected, fewer shorter ones may do: so a larger spacing never takes more nodes.
+    """
+    fewest = _bisected(points, along, num, solid)
+    while num + 1 < len(fewest) - 1:
+        num += 1
+        fewest = min(fewest, _bisected(points, along, num, solid), key=len)
+    return fewest
+
+
+def _bisected(points: np.ndarray, along: np.ndarray, num: int, solid: Solid | None) -> np.ndarray:
+    """Arc lengths of the ends of ``num`` edges of one length, those outside bisected: at the middle one of the old
+    nodes, as long as there is one."""
+    stops = np.linspace(0, along[-1], num + 1)
+    while solid is not None:
+        entered = solid.enter(at(points, along, stops))
+        first = np.searchsorted(along, stops[:-1], side="right")
+        last = np.searchsorted(along, stops[1:], side="left")
+        rows = np.flatnonzero(first < last)
+        rows = rows[~containment.is_inside(solid.shape, entered[rows], entered[rows + 1])]
+        if not len(rows):
+            break
+        stops = np.sort(np.concatenate([stops, along[(first[rows] + last[rows]) // 2]]))
+    return stops
 
 
 def smooth(
