@@ -1,0 +1,143 @@
+"""The nearest of all triangles of a moved surface, and the side of it: beside distances and windings by NumPy."""
+
+import functools
+
+import jax
+import jax.numpy as jnp
+import numpy as np
+import pytest
+import trimesh
+from conftest import blob, torus
+
+import msf_jax
+from msf_jax import ground_truth
+from msf_jax.device import nearest
+from msf_jax.host.solid.solid import Solid
+
+
+def needle():
+    """A tetrahedron with sharp corners, where the normal of a single face may point the wrong way."""
+    corners = np.array([[0, 0, 0], [1, 0.02, 0], [1.1, 0.1, 0.03], [0.9, 0.05, 0.12]])
+    faces = np.array([[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
+    return trimesh.Trimesh(corners, faces, process=False).subdivide().subdivide()
+
+
+MAKERS = {
+    "limbs": lambda: ground_truth.make("y_coarse").mesh,
+    "parts": lambda: trimesh.util.concatenate([blob(4, 2), torus().apply_translation([4, 0, 0])]),
+    "box": lambda: trimesh.creation.box([12, 2, 0.5]),
+    "needle": needle,
+}
+SQUASH, SHEAR = np.diag([1, 0.2, 1]), np.array([[1, 0.8, 0], [0, 0.5, -0.6], [0.3, 0, 1.4]])
+MOVES = {"rest": np.eye(3), "squash": SQUASH, "shear": SHEAR}
+
+
+@functools.cache
+def bound(name):
+    """Vertices and faces of a shape, and a binding to it that every row is a node of."""
+    mesh = MAKERS[name]()
+    binding = msf_jax.skeletonize(mesh).binding
+    rows = binding.rest.shape[0]
+    live = binding.live._replace(nodes=np.asarray(rows, dtype=np.int32))
+    return np.array(mesh.vertices), np.array(mesh.faces), binding._replace(live=live, side=np.ones(rows))
+
+
+def about(vertices, num):
+    """Points in and around a shape, most of them near its edges and corners."""
+    random = np.random.default_rng(0)
+    size = np.ptp(vertices, axis=0)
+    near = vertices[random.integers(0, len(vertices), num)] + random.normal(0, 0.05, (num, 3)) * size
+    low = vertices.min(axis=0) - 0.2 * size
+    return np.where(random.random((num, 1)) < 0.7, near, low + 1.4 * size * random.random((num, 3)))
+
+
+signed = jax.jit(nearest.signed_distances)
+
+
+@pytest.mark.parametrize("move", MOVES)
+@pytest.mark.parametrize("name", MAKERS)
+def test_distances_and_sides_are_those_of_the_moved_solid(name, move):
+    vertices, faces, binding = bound(name)
+    moved = vertices @ MOVES[move].T
+    if np.linalg.det(MOVES[move]) < 0:
+        moved = -moved
+    points = about(moved, len(binding.rest))
+    solid = Solid(moved, faces)
+    expected = solid.diagonal * solid.shape.distances(solid.enter(points))
+    is_inside = solid.shape.contains(solid.enter(points))
+    assert 5 < is_inside.sum() < len(points) - 5
+    rows = np.zeros((binding.num_vertices, 3))
+    rows[: len(moved)] = moved
+    found = np.asarray(signed(binding, points, rows))
+    np.testing.assert_allclose(np.abs(found), expected, rtol=0, atol=1e-12 * solid.diagonal)
+    is_clear = expected > 1e-9 * solid.diagonal
+    np.testing.assert_array_equal((found > 0)[is_clear], is_inside[is_clear])
+
+
+def test_it_does_not_matter_how_many_are_looked_at_together(monkeypatch):
+    """Runs of 256 triangles for 32, so many at once that there are many rounds; and brute force."""
+    vertices, _, binding = bound("limbs")
+    moved = np.zeros((binding.num_vertices, 3))
+    moved[: len(vertices)] = vertices @ SHEAR.T
+    points = jnp.asarray(about(moved[: len(vertices)], len(binding.rest)))
+    faces = np.asarray(jax.jit(nearest.nearest_faces)(binding, points, moved))
+    assert faces.max() < int(binding.live.faces)
+    triangles = jnp.asarray(moved[binding.faces[: int(binding.live.faces)]])
+    away = nearest.squared_distances(points, jnp.broadcast_to(triangles, (len(points), *triangles.shape)))
+    np.testing.assert_array_equal(away[np.arange(len(points)), faces], away.min(axis=1))
+    monkeypatch.setattr(nearest, "MOST_RUNS", 2)
+    monkeypatch.setattr(nearest, "AT_ONCE", 4096)
+    again = jax.jit(lambda *arguments: nearest.nearest_faces(*arguments))(binding, points, moved)
+    np.testing.assert_array_equal(away[np.arange(len(points)), np.asarray(again)], away.min(axis=1))
+
+
+def test_runs_are_of_near_triangles():
+    """A ball around 32 of them holds few others: in the mean it is as wide as so many triangles are."""
+    vertices, _, binding = bound("limbs")
+    faces = binding.faces[: int(binding.live.faces)]
+    np.testing.assert_array_equal(
+        np.unique(np.sort(faces, axis=1), axis=0), np.unique(np.sort(bound("limbs")[1]), axis=0)
+    )
+    centre = vertices[faces[: len(faces) // 32 * 32]].mean(axis=1).reshape(-1, 32, 3)
+    spread = np.sqrt(((centre - centre.mean(axis=1, keepdims=True)) ** 2).sum(axis=2).mean(axis=1))
+    area = trimesh.Trimesh(vertices, faces, process=False).area / len(faces) * 32
+    assert np.median(spread) < np.sqrt(area)
+
+
+def test_twins_are_the_same_edge_the_other_way():
+    _, _, binding = bound("parts")
+    num = int(binding.live.faces)
+    twin, faces = binding.twin[:num].ravel(), binding.faces[:num]
+    tail, head = faces.ravel(), faces[:, [1, 2, 0]].ravel()
+    np.testing.assert_array_equal(tail[twin], head)
+    np.testing.assert_array_equal(head[twin], tail)
+
+
+def test_slopes_are_those_of_the_nearest_triangle():
+    """One unit along the normal, and against central differences."""
+    vertices, _, binding = bound("limbs")
+    moved = np.zeros((binding.num_vertices, 3))
+    moved[: len(vertices)] = vertices
+    points = about(vertices, len(binding.rest))
+    total = jax.jit(jax.grad(lambda *given: nearest.signed_distances(*given).sum(), argnums=(1, 2)))
+    slope = total(binding, points, moved)
+    np.testing.assert_allclose(np.linalg.norm(slope[0], axis=1), 1, atol=1e-9)
+    way = np.random.default_rng(1).normal(size=points.shape)
+    step = 1e-7
+    ahead, behind = (np.asarray(signed(binding, points + sign * step * way, moved)) for sign in (1, -1))
+    np.testing.assert_allclose((ahead - behind) / (2 * step), (slope[0] * way).sum(axis=1), atol=1e-5)
+    np.testing.assert_allclose(
+        slope[1].sum(axis=0), -slope[0].sum(axis=0), atol=1e-9
+    )  # moved together, nothing changes
+
+
+def test_where_a_surface_runs_through_itself_sides_are_as_recorded():
+    """Two bars that cross: in one the nearest wall may be the other's, seen from outside."""
+    bars = [trimesh.creation.box([6, 1, 1]), trimesh.creation.box([1, 6, 0.9])]
+    for bar in bars:
+        while len(bar.vertices) < 150:
+            bar.vertices, bar.faces = trimesh.remesh.subdivide(bar.vertices, bar.faces)
+    mesh = trimesh.util.concatenate(bars)
+    skeleton = msf_jax.skeletonize(mesh)
+    assert (skeleton.binding.side == -1).any() and (skeleton.radii > 0).all()
+    np.testing.assert_allclose(msf_jax.follow(skeleton, mesh.vertices).radii, skeleton.radii, atol=1e-12)
