@@ -1,8 +1,9 @@
 """Many meshes: a curve and a report of each, on all cores or on a cluster; one bad mesh fails alone.
 
 Each mesh leaves its curve and, after it, a row with its report or its error, both written whole or not at all. So a
-batch that was killed goes on with what has no row yet, and the table of all rows is made from them, now and then and at the end. Meshes
-are taken in the order of their files' sizes: neighbours share the capacities that steps are compiled for.
+batch that was killed goes on with what has no row yet, and the table of all rows is made from them, now and then and
+at the end. Meshes are taken in the order of their files' sizes: neighbours share the capacities that steps are
+compiled for.
 """
 
 import concurrent.futures
@@ -208,8 +209,8 @@ def _known(job: Job) -> dict[str, Any] | None:
 def work(job: Job) -> dict[str, Any]:
     """Skeletonise one mesh, in whatever process; every error but a lack of room for the result ends in the row."""
     jax.config.update("jax_enable_x64", job.is_double)
-    if getattr(jax.config, "jax_compilation_cache_dir", None) is None:
-        cache_compilations(job.cache)
+    is_set = getattr(jax.config, "jax_compilation_cache_dir", None) is not None
+    cache_compilations(None if is_set else job.cache)
     start = time.perf_counter()
     row: dict[str, Any] = {"path": job.source, "output": "", "error": "", "key": job.key, "vertices": 0}
     try:
