@@ -8,11 +8,9 @@ Help and refusals come at once: a command imports what it needs when it needs it
 """
 
 import argparse
-import contextlib
 import os
 import sys
-import tempfile
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -35,8 +33,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     """Run the command line with ``argv`` (the process's own if not given); returns the exit code."""
     arguments = parsed(_parser(), sys.argv[1:] if argv is None else list(argv))
     try:
-        with _without_loader_noise():
-            return arguments.run(arguments)
+        return arguments.run(arguments)
     except (MeshError, ConfigError, FlowError) as error:
         return _fail(str(error), 2)
     except OSError as error:
@@ -59,36 +56,6 @@ def _start_jax(arguments: argparse.Namespace) -> None:
 
     jax.config.update("jax_enable_x64", not arguments.float32)
     cache_compilations()
-
-
-@contextlib.contextmanager
-def _without_loader_noise() -> Iterator[None]:
-    """Hold back what native code writes to standard error, and pass it on at the end but for one known false alarm.
-
-    For every step that it takes from the cache on a CPU, XLA prints five kilobytes about tuning flags that are "not
-    supported on the host machine" (jax issue 38445, xla issue 44565). It listens to no option that can still be set.
-    """
-    python_stderr = sys.stderr
-    if python_stderr is None:  # closed by whoever started us: there is nothing to hold back
-        yield
-        return
-    with tempfile.TemporaryFile() as held:
-        python_stderr.flush()
-        original = os.dup(2)
-        os.dup2(held.fileno(), 2)
-        if python_stderr is sys.__stderr__:  # Python's own messages and the progress bar still go out at once
-            sys.stderr = os.fdopen(original, "w", buffering=1, closefd=False)
-        try:
-            yield
-        finally:
-            sys.stderr.flush()
-            sys.stderr = python_stderr
-            os.dup2(original, 2)
-            os.close(original)
-            held.seek(0)
-            for line in held.read().splitlines():
-                if b"cpu_aot_loader" not in line:
-                    print(line.decode(errors="replace"), file=sys.stderr)
 
 
 def _view(arguments: argparse.Namespace) -> int:

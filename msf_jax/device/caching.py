@@ -8,12 +8,15 @@ import platformdirs
 from jax.experimental.compilation_cache import compilation_cache
 
 from msf_jax.base.errors import ConfigError
+from msf_jax.device.quiet import quieten_cache
 
 WORTH_KEEPING = 0.2  # seconds of compiling; what takes less is compiled again
 
 
 def cache_compilations(folder: str | os.PathLike[str] | None = None) -> Path | None:
     """Keep what is compiled in ``folder``, so that only the first run on a machine waits for it. Call it once, early.
+
+    A false alarm that XLA prints for every program that it takes from there is kept off standard error.
 
     Args:
         folder: made if need be. If not given, that which JAX has been told to use, by ``JAX_COMPILATION_CACHE_DIR`` or
@@ -26,6 +29,7 @@ def cache_compilations(folder: str | os.PathLike[str] | None = None) -> Path | N
     Raises:
         ConfigError: ``folder`` cannot be made or written to.
     """
+    quieten_cache()
     configured = getattr(jax.config, "jax_compilation_cache_dir", None)
     if folder is None and configured is not None:
         return Path(configured)
