@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from msf_jax.app import batch
     from msf_jax.base.errors import ConfigError, FlowError, Interrupted, MeshError
     from msf_jax.base.options import Config, Weights
+    from msf_jax.base.weights import read_weights, save_weights
     from msf_jax.device.caching import cache_compilations
     from msf_jax.flow.loop import contract
     from msf_jax.flow.skeletonize import skeletonize
@@ -27,10 +28,12 @@ if TYPE_CHECKING:
     from msf_jax.gradients.tape import Tape
     from msf_jax.gradients.track import Track, track
     from msf_jax.host.curve.branches import Branch
+    from msf_jax.host.mesh.reading import read_mesh
     from msf_jax.host.mesh.repair import Repair
     from msf_jax.host.preprocessing import reconstruct, voronoi_poles
     from msf_jax.skeleton.formats.importing import read_curve
     from msf_jax.skeleton.report import Report
+    from msf_jax.skeleton.rigging.rig import Rig
     from msf_jax.skeleton.skeleton import Skeleton
     from msf_jax.tuning import objectives
     from msf_jax.tuning.result import Tuned
@@ -57,6 +60,7 @@ _HOMES = {
     "MeshError": "base.errors",
     "Repair": "host.mesh.repair",
     "Report": "skeleton.report",
+    "Rig": "skeleton.rigging.rig",
     "Skeleton": "skeleton.skeleton",
     "Tape": "gradients.tape",
     "Track": "gradients.track",
@@ -66,10 +70,13 @@ _HOMES = {
     "contract": "flow.loop",
     "follow": "gradients.follow",
     "read_curve": "skeleton.formats.importing",
+    "read_mesh": "host.mesh.reading",
+    "read_weights": "base.weights",
     "reconstruct": "host.preprocessing",
     "replay": "gradients.replay",
     "replay_meso": "gradients.replay",
     "replay_radii": "gradients.replay",
+    "save_weights": "base.weights",
     "sensitivity": "gradients.sensitivity",
     "skeletonize": "flow.skeletonize",
     "track": "gradients.track",
@@ -90,6 +97,7 @@ __all__ = [
     "MeshError",
     "Repair",
     "Report",
+    "Rig",
     "Skeleton",
     "Tape",
     "Track",
@@ -104,10 +112,13 @@ __all__ = [
     "metrics",
     "objectives",
     "read_curve",
+    "read_mesh",
+    "read_weights",
     "reconstruct",
     "replay",
     "replay_meso",
     "replay_radii",
+    "save_weights",
     "sensitivity",
     "shapes",
     "skeletonize",

@@ -12,7 +12,7 @@ import trimesh
 from conftest import blob, torus
 
 from msf_jax.base.errors import FlowError, MeshError
-from msf_jax.host.meso import collapse, fixing, manifold, ring_tables, split
+from msf_jax.host.meso import collapse, fixing, ring_tables, split
 from msf_jax.host.meso.meso import Meso
 
 OBTUSE = 110.0
@@ -92,13 +92,13 @@ def manifold_euler(faces) -> int:
 def watch_rounds(monkeypatch) -> list[int]:
     """Check the surface independently after every round of an edit; returns the list of Euler characteristics seen."""
     seen: list[int] = []
-    original = manifold.check_closed_manifold
+    original = ring_tables.check_closed_manifold
 
     def check(rings, euler):
         original(rings, euler)
         seen.append(manifold_euler(ring_tables.faces_from_rings(rings)))
 
-    monkeypatch.setattr(manifold, "check_closed_manifold", check)
+    monkeypatch.setattr(ring_tables, "check_closed_manifold", check)
     return seen
 
 
@@ -145,7 +145,7 @@ def test_rings_run_counter_clockwise_seen_from_outside():
 @pytest.mark.parametrize(("name", "euler"), [("torus", 0), ("blob", 2), ("two parts", 2), ("three-holes", -4)])
 def test_euler_characteristic(research_mesh, name, euler):
     meso = case(name, research_mesh)
-    assert manifold.euler_characteristic(meso.rings) == euler == manifold_euler(meso.faces())
+    assert ring_tables.euler_characteristic(meso.rings) == euler == manifold_euler(meso.faces())
 
 
 def test_edges_and_apexes_of_a_ring_table():
@@ -160,18 +160,6 @@ def test_edges_and_apexes_of_a_ring_table():
     left, right = ring_tables.apexes(meso.rings, meso.degree, a, b)
     for i, j, k, m in zip(a.tolist(), b.tolist(), left.tolist(), right.tolist(), strict=True):
         assert third[i, j] == k and third[j, i] == m
-
-
-@pytest.mark.parametrize("share", [0.0, 0.1, 0.6, 1.0])
-def test_edges_around_some_vertices(share):
-    meso = meso_of(*(lambda m: (np.array(m.vertices), np.array(m.faces)))(torus()))
-    is_center = np.random.default_rng(1).random(meso.num_rows) < share
-    a, b = ring_tables.edges_around(meso.rings, is_center)
-    found = list(zip(a.tolist(), b.tolist(), strict=True))
-    expected = {
-        (i, j) for i, around in neighbours_of(meso.faces()).items() for j in around if i < j and is_center[[i, j]].any()
-    }
-    assert len(found) == len(set(found)) and set(found) == expected
 
 
 def test_a_surface_with_a_hole_or_a_pinch_has_no_rings():
@@ -255,15 +243,15 @@ def strange_neighbour(rings):
 )
 def test_a_broken_table_is_found(damage, what):
     rings = sound_rings()
-    manifold.check_closed_manifold(rings, 2)
+    ring_tables.check_closed_manifold(rings, 2)
     damage(rings)
     with pytest.raises(FlowError, match=what):
-        manifold.check_closed_manifold(rings, 2)
+        ring_tables.check_closed_manifold(rings, 2)
 
 
 def test_a_change_of_topology_is_found():
     with pytest.raises(FlowError, match="Euler characteristic 2, was 0"):
-        manifold.check_closed_manifold(sound_rings(), 0)
+        ring_tables.check_closed_manifold(sound_rings(), 0)
 
 
 def test_two_faces_back_to_back_are_no_surface():
@@ -271,7 +259,7 @@ def test_two_faces_back_to_back_are_no_surface():
     rings = np.full((3, 8), -1)
     rings[:, :2] = [[1, 2], [2, 0], [0, 1]]
     with pytest.raises(FlowError, match="fewer than three neighbours"):
-        manifold.check_closed_manifold(rings, 2)
+        ring_tables.check_closed_manifold(rings, 2)
 
 
 # Collapse
@@ -371,7 +359,7 @@ def test_compaction_renumbers_everything():
         np.testing.assert_array_equal(getattr(small, name), getattr(meso, name)[live])
     np.testing.assert_array_equal(live[small.node_of_input], meso.node_of_input)
     assert small.volume() == pytest.approx(meso.volume(), rel=1e-12)
-    manifold.check_closed_manifold(small.rings, 2)
+    ring_tables.check_closed_manifold(small.rings, 2)
 
 
 @pytest.mark.parametrize("seed", range(3))
@@ -381,7 +369,7 @@ def test_a_sphere_collapses_to_a_tetrahedron(seed):
     meso = meso_of(np.array(mesh.vertices), np.array(mesh.faces))
     collapse.collapse_short_edges(meso, 100.0, check=True)
     assert meso.num_live == 4 and len(turned(meso.faces())) == 4
-    assert manifold.euler_characteristic(meso.rings) == 2
+    assert ring_tables.euler_characteristic(meso.rings) == 2
 
 
 @pytest.mark.parametrize("twist", [0, 1, 5])
@@ -391,7 +379,7 @@ def test_a_torus_collapses_to_an_irreducible_torus(twist):
     meso = meso_of(np.array(mesh.vertices), np.array(mesh.faces))
     collapse.collapse_short_edges(meso, 100.0, check=True)
     assert 7 <= meso.num_live <= 10
-    assert manifold.euler_characteristic(meso.rings) == 0
+    assert ring_tables.euler_characteristic(meso.rings) == 0
 
 
 def test_a_fully_fixed_surface_does_not_collapse():

@@ -4,8 +4,10 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+import pyvista
 import trimesh
 
+import msf_jax
 from msf_jax.base.errors import MeshError
 from msf_jax.host.mesh import checking, off, reading
 
@@ -121,3 +123,63 @@ def test_a_format_that_is_not_read_says_what_to_do(tmp_path: Path):
     (tmp_path / "part.step").write_text("ISO-10303-21;")
     with pytest.raises(MeshError, match=r"unknown suffix '.step', expected one of .*3mf.*; export it to one of these"):
         reading.read(tmp_path / "part.step")
+
+
+@pytest.mark.parametrize("kind", ["stl", "stl_ascii"])
+def test_an_stl_has_each_vertex_once_and_asks_for_no_repair(tmp_path: Path, kind):
+    """It has no indices; and some programs write the corners of one vertex with other last bits."""
+    torus = trimesh.creation.torus(1.0, 0.3, 24, 12)
+    shaken = torus.triangles.reshape(-1, 3) * (1 + 2.0**-24 * np.random.default_rng(1).integers(-1, 2, (3 * 576, 3)))
+    loose = trimesh.Trimesh(shaken, np.arange(3 * 576).reshape(-1, 3), process=False)
+    loose.export(tmp_path / "torus.stl", file_type=kind)
+    vertices, faces = reading.read(tmp_path / "torus.stl")
+    assert vertices.shape == torus.vertices.shape and faces.shape == torus.faces.shape
+    np.testing.assert_allclose(vertices[faces], torus.triangles, atol=1e-6)
+    assert checking.prepare(tmp_path / "torus.stl").repairs == ()
+
+
+@pytest.mark.parametrize("suffix", ["vtp", "vtk"])
+def test_vtk_files_and_pyvista_objects_are_meshes(tmp_path: Path, suffix):
+    """Quads become triangles; the points keep their numbers."""
+    box = pyvista.Box((0, 1, 0, 2, 0, 3))  # six quads, each with corners of its own
+    box.save(tmp_path / f"box.{suffix}")
+    for mesh in (box, tmp_path / f"box.{suffix}"):
+        vertices, faces = reading.read(mesh)
+        np.testing.assert_allclose(vertices, box.points)
+        assert faces.shape == (12, 3) and volume(vertices, faces) == pytest.approx(6.0)
+
+
+def test_a_grid_is_its_boundary(tmp_path: Path):
+    grid = pyvista.ImageData(dimensions=(4, 4, 4)).cast_to_unstructured_grid()
+    grid.save(tmp_path / "grid.vtu")
+    for mesh in (grid, tmp_path / "grid.vtu"):
+        assert volume(*reading.read(mesh)) == pytest.approx(27.0)
+    with pytest.raises(MeshError, match="has no surface"):
+        reading.read(pyvista.PolyData())
+
+
+def test_without_pyvista_a_vtk_file_says_what_it_needs(tmp_path: Path, monkeypatch):
+    (tmp_path / "a.vtp").write_text("<VTKFile/>")
+    monkeypatch.setattr(reading.importlib.util, "find_spec", lambda name: None)
+    with pytest.raises(MeshError, match="VTK's formats need pyvista: pip install"):
+        reading.read(tmp_path / "a.vtp")
+    assert not set(reading.readable_suffixes()) & reading.VTK
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "says"),
+    [
+        ("a.ply", "", "'a.ply' is empty: expected a mesh file"),
+        ("a.stl", "this is a letter, and no mesh\n", "'a.stl' holds no triangles: expected a triangle mesh"),
+    ],
+)
+def test_what_is_no_mesh_is_told_in_plain_words(tmp_path: Path, name, text, says):
+    (tmp_path / name).write_text(text)
+    with pytest.raises(MeshError, match=says):
+        reading.read(tmp_path / name)
+
+
+def test_read_mesh_is_public_and_reads_as_skeletonize_does(tmp_path: Path):
+    path = written(tmp_path / "prism.off", " ")
+    for mine, ours in zip(msf_jax.read_mesh(path), reading.read(path), strict=True):
+        np.testing.assert_array_equal(mine, ours)

@@ -50,9 +50,9 @@ def test_the_root_is_the_first_row(tmp_path, root):
     assert all(int(row[6]) < int(row[0]) for row in rows)
 
 
-@pytest.mark.parametrize("root", [-1, 14, 1.5, True, "soma"])
+@pytest.mark.parametrize("root", [-1, 14, 1.5, True, "axon"])
 def test_a_root_that_is_no_node_is_refused(root):
-    with pytest.raises(ConfigError, match="expected a node from 0 to 13, or None for the thickest"):
+    with pytest.raises(ConfigError, match='expected a node from 0 to 13, "soma", or None for the thickest'):
         ring_with_a_tail().to_tree(root)
 
 

@@ -1,7 +1,7 @@
 """Many meshes: a curve and a report of each, on all cores or on a cluster; one bad mesh fails alone.
 
 Each mesh leaves its curve and, after it, a row with its report or its error, both written whole or not at all. So a
-batch that was killed goes on with what has no row yet, and the table of all rows is made from them at the end. Meshes
+batch that was killed goes on with what has no row yet, and the table of all rows is made from them, now and then and at the end. Meshes
 are taken in the order of their files' sizes: neighbours share the capacities that steps are compiled for.
 """
 
@@ -24,11 +24,12 @@ from pathlib import Path
 from typing import Any
 
 import jax
-from tqdm import tqdm
 
 import msf_jax
+from msf_jax.app.shaping import Shaping, scaled, shaped
 from msf_jax.base.errors import ConfigError, FlowError, MeshError
 from msf_jax.base.options import Config, Weights
+from msf_jax.base.progress import showing
 from msf_jax.base.version import VERSION
 from msf_jax.base.writing import write_whole
 from msf_jax.device.caching import cache_compilations
@@ -38,8 +39,10 @@ from msf_jax.host.mesh.repair import Repair, as_repair
 from msf_jax.skeleton.formats import export
 
 MANIFEST, ROWS = "manifest.csv", ".rows"  # in the folder of the results
+TABLE_EVERY = 10.0  # seconds, after which the table of what is done so far is written again
 TASKS = 1000  # of a worker, on average, after which fresh ones take their place: what they have grown to goes with them
 DIED = "its worker died, twice: out of memory?"
+UNCHANGED = Shaping()
 
 
 @dataclass(frozen=True)
@@ -55,6 +58,7 @@ class Job:
     repair: Repair | None
     max_vertices: int
     is_double: bool
+    shaping: Shaping
     cache: str
 
 
@@ -91,6 +95,7 @@ def run(
     scheduler: str | None = None,
     retry: bool = False,
     max_vertices: int = 2_000_000,
+    shaping: Shaping = UNCHANGED,
     progress: bool = False,
 ) -> Batch:
     """Skeletonise every mesh of ``paths`` into the folder ``out``.
@@ -105,7 +110,8 @@ def run(
             processes are started then.
         retry: take those again that failed; else only what is missing, or was made with other settings, is computed.
         max_vertices: a larger mesh is an error in its row: a run peaks at about 4 kB a vertex.
-        progress: show a progress bar on standard error, if that is a terminal.
+        shaping: what becomes of each curve before it is written: another scale, a tree, other nodes, ...
+        progress: show a progress bar on standard error, or plain lines if that is no terminal.
 
     Raises:
         ConfigError: an option is out of range, a path is there twice, there is none, or the place of a curve is that of
@@ -127,21 +133,25 @@ def run(
     folder = Path(out)
     settings = f"{VERSION} {numbers} {config} {as_repair(repair)} {suffix} {max_vertices}"
     is_double = bool(jax.config.jax_enable_x64)  # type: ignore[attr-defined]
-    settings += f" {'float64' if is_double else 'float32'}"
-    shared = (numbers, config, as_repair(repair), max_vertices, is_double)
+    settings += f" {'float64' if is_double else 'float32'}" + (f" {shaping}" if shaping != UNCHANGED else "")
+    shared = (numbers, config, as_repair(repair), max_vertices, is_double, shaping)
     cache = str(getattr(jax.config, "jax_compilation_cache_dir", None) or (folder / ROWS / "compiled").absolute())
     planned = [Job(*names, *shared, cache) for names in _names(paths, folder, suffix, settings)]
     (folder / ROWS).mkdir(parents=True, exist_ok=True)
     for job in planned:
         _check_owner(job)
-    known = {job.row: _known(job) for job in planned}
-    missing = [job for job in planned if (row := known[job.row]) is None or (retry and row["error"])]
+    known = {job.source: _known(job) for job in planned}
+    missing = [job for job in planned if (row := known[job.source]) is None or (retry and row["error"])]
     started = _on_cluster(scheduler) if scheduler else _in_processes(jobs or os.cpu_count() or 1)
+    done, written = {name: row for name, row in known.items() if row is not None}, time.monotonic()
     try:
-        with started as results, tqdm(total=len(missing), desc="batch", disable=None if progress else True) as bar:
+        with started as results, showing(len(missing), "batch", "meshes", progress) as bar:
             for row in results(missing):
-                bar.update()
-                bar.set_postfix_str(Path(row["path"]).name)
+                bar.update(1, Path(row["path"]).name)
+                done[row["path"]] = row
+                if time.monotonic() - written > TABLE_EVERY:  # to be looked at while it grows
+                    write_whole(folder / MANIFEST, os.fsencode(_table(tuple(done.values()))))
+                    written = time.monotonic()
     finally:  # Ctrl-C, too, leaves a table of what there is
         rows = tuple(filter(None, map(_known, planned)))
         write_whole(folder / MANIFEST, os.fsencode(_table(rows)))
@@ -203,11 +213,12 @@ def work(job: Job) -> dict[str, Any]:
     start = time.perf_counter()
     row: dict[str, Any] = {"path": job.source, "output": "", "error": "", "key": job.key, "vertices": 0}
     try:
-        mesh = reading.read(job.source, finite=job.repair is None)
+        mesh = scaled(reading.read(job.source, finite=job.repair is None), job.shaping)
         row["vertices"] = len(mesh[0])
         if len(mesh[0]) > job.max_vertices:
             raise MeshError(f"the mesh has {len(mesh[0])} vertices: expected at most max_vertices, {job.max_vertices}")
         skeleton = msf_jax.skeletonize(mesh, Weights(*job.weights), job.config, repair=job.repair or False)
+        skeleton = shaped(skeleton, job.shaping)
         row |= {"nodes": len(skeleton.vertices), "edges": len(skeleton.edges), "length": skeleton.length}
         row |= skeleton.report.to_dict() | {"is_sound": skeleton.report.is_sound}
         content = export.writer_for(job.target)(skeleton, mesh)

@@ -16,6 +16,7 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from msf_jax.app import shaping
 from msf_jax.app.parser import configured, parsed, parser_of, repair_of
 from msf_jax.base.errors import ConfigError, FlowError, Interrupted, MeshError
 from msf_jax.base.writing import write_whole
@@ -26,6 +27,7 @@ if TYPE_CHECKING:
 
     from msf_jax.skeleton.skeleton import Skeleton
 
+UNCHANGED = shaping.Shaping()
 LISTED = 10  # of the meshes of a batch that failed, so many are named
 
 
@@ -90,6 +92,7 @@ def _without_loader_noise() -> Iterator[None]:
 
 
 def _view(arguments: argparse.Namespace) -> int:
+    _check_is_there(arguments.mesh)
     target = _target(arguments, ".html")
     if target.suffix.lower() != ".html":
         raise ConfigError(f"the page is an HTML file: expected a name that ends in .html, not {target.name!r}")
@@ -104,11 +107,13 @@ def _view(arguments: argparse.Namespace) -> int:
     return 0
 
 
-def _accepted(arguments: argparse.Namespace) -> "tuple[tuple[np.ndarray, np.ndarray], Any]":
-    """The mesh as it was read, and the surface that is made of it; a `MeshError` if that cannot be."""
+def _accepted(
+    arguments: argparse.Namespace, asked: shaping.Shaping = UNCHANGED
+) -> "tuple[tuple[np.ndarray, np.ndarray], Any]":
+    """The mesh as it was read, in the units asked for, and its surface; a `MeshError` if that cannot be."""
     from msf_jax.host.mesh import checking, reading
 
-    mesh = reading.read(arguments.mesh, finite=not arguments.repair)
+    mesh = shaping.scaled(reading.read(arguments.mesh, finite=not arguments.repair), asked)
     return mesh, checking.prepare(mesh, repair_of(arguments))
 
 
@@ -167,6 +172,7 @@ def _batch(arguments: argparse.Namespace) -> int:
         repair=repair_of(arguments),
         suffix=arguments.format,
         jobs=arguments.jobs,
+        shaping=shaping.asked_for(arguments),
         scheduler=arguments.scheduler,
         retry=arguments.retry,
         progress=not arguments.quiet,
@@ -182,8 +188,10 @@ def _batch(arguments: argparse.Namespace) -> int:
 
 
 def _skeletonize(arguments: argparse.Namespace) -> int:
+    _check_is_there(arguments.mesh)
     target = _target(arguments, ".swc")
     render = export.writer_for(target)  # a wrong suffix is found before the flow, not after it
+    asked = shaping.asked_for(arguments)
     picture = None
     if arguments.picture is not None:
         picture = _checked_target(arguments.picture, arguments.mesh, str(target))
@@ -193,7 +201,7 @@ def _skeletonize(arguments: argparse.Namespace) -> int:
         others = [arguments.mesh, str(target), *([arguments.picture] if arguments.picture else [])]
         _checked_target(arguments.checkpoint, *others)
     weights, config = configured(arguments, check=arguments.check, evaluate=arguments.evaluate)
-    mesh, accepted = _accepted(arguments)
+    mesh, accepted = _accepted(arguments, asked)
     _start_jax(arguments)
     from msf_jax.flow.skeletonize import skeletonize
 
@@ -212,7 +220,9 @@ def _skeletonize(arguments: argparse.Namespace) -> int:
         skeleton = interruption.flow.skeleton
         stopped = f"interrupted: {target} holds the curve as far as it went"
         stopped += f"; the same command goes on from {arguments.checkpoint}" if arguments.checkpoint else ""
-    files: dict[Path, str | bytes] = {target: render(skeleton, mesh)}
+    skeleton = shaping.shaped(skeleton, asked)
+    is_whole = asked.scale == 1  # then a format that holds the mesh has what its file says of it, materials and all
+    files: dict[Path, str | bytes] = {target: render(skeleton, arguments.mesh if is_whole else mesh)}
     if picture:
         from msf_jax.skeleton.pictures import panels
 
@@ -223,6 +233,12 @@ def _skeletonize(arguments: argparse.Namespace) -> int:
     if arguments.checkpoint:  # the curve is written: nothing is left to go on with
         Path(arguments.checkpoint).unlink(missing_ok=True)
     return code
+
+
+def _check_is_there(path: str) -> None:
+    """A mesh that is missing is told before a place for what is made of it."""
+    if not os.path.exists(path):
+        raise MeshError(f"no file {path!r}: check the path")
 
 
 def _target(arguments: argparse.Namespace, suffix: str) -> Path:

@@ -7,9 +7,11 @@ from typing import Any
 
 import shtab
 
+from msf_jax.app import shaping
 from msf_jax.app.help import teaching
 from msf_jax.base.options import SYSTEMS, Config, Weights
 from msf_jax.base.version import VERSION
+from msf_jax.base.weights import read_weights
 from msf_jax.skeleton.formats import export
 
 WEIGHTS = {
@@ -19,7 +21,7 @@ WEIGHTS = {
     "smoothing": "lambda of the implicit smoothing",
 }
 REPAIRS = {"mend": True, "join": "join"}  # what `skeletonize` takes for each
-MESH = "a closed triangle mesh in any format that trimesh reads"
+MESH = "a closed triangle mesh: .off, .obj, .ply, .stl, .glb, .3mf and others, or .vtp, .vtu where pyvista is installed"
 
 
 def parser_of(run: Mapping[str, Callable[[argparse.Namespace], int]]) -> argparse.ArgumentParser:
@@ -47,6 +49,7 @@ def parser_of(run: Mapping[str, Callable[[argparse.Namespace], int]]) -> argpars
         shtab.FILE,
     )
     _settings(one)
+    shaping.add_options(one)
     one.add_argument("--pin", type=int, action="append", metavar="N", help="hold vertex N in place (can be repeated)")
     one.add_argument("--check", action="store_true", help="verify the surface after every round of edits (slower)")
     _common(one)
@@ -82,6 +85,7 @@ def parser_of(run: Mapping[str, Callable[[argparse.Namespace], int]]) -> argpars
     _repairing(many)
     many.add_argument("--retry", action="store_true", help="take those again that failed")
     many.add_argument("--evaluate", action="store_true", help="figures such as off-centre in the table, too")
+    shaping.add_options(many)
     _settings(many)
     _common(many)
     many.set_defaults(run=run["batch"])
@@ -179,6 +183,8 @@ def _settings(parser: argparse.ArgumentParser) -> None:
         default = getattr(Weights(), name)
         option = f"--{name.replace('_', '-')}"
         flow.add_argument(option, dest=name, type=float, metavar="X", help=f"{meaning} (default of msf: {default})")
+    file = "weights that Tuned.save or save_weights wrote; the options above change single ones"
+    _completes(flow.add_argument("--weights", metavar="FILE", help=file), shtab.FILE)
     flow.add_argument(
         "--max-iterations", type=int, metavar="N", help=f"give up after so many (default: {defaults.max_iterations})"
     )
@@ -190,7 +196,8 @@ def configured(arguments: argparse.Namespace, **others: Any) -> tuple[Weights, C
     changes = {name: value for name, value in changes.items() if value is not None}
     config = Config.named(arguments.system, **others, **changes)
     given = {name: getattr(arguments, name) for name in WEIGHTS if getattr(arguments, name) is not None}
-    return Weights(**(vars(config.default_weights()) | given)), config
+    weights = config.default_weights() if arguments.weights is None else read_weights(arguments.weights)
+    return Weights(**(vars(weights) | given)), config
 
 
 def _common(parser: argparse.ArgumentParser) -> None:

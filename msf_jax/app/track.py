@@ -5,9 +5,8 @@ import io
 import re
 from pathlib import Path
 
-from tqdm import tqdm
-
 from msf_jax.base.errors import ConfigError, MeshError
+from msf_jax.base.progress import shown
 from msf_jax.base.writing import write_whole
 from msf_jax.gradients.track import Tracker, curve_of
 from msf_jax.host.mesh import reading
@@ -61,7 +60,7 @@ def run(
     table = csv.writer(text)
     table.writerow(["frame", "mesh", "curve", "inside", "vanished", "loose", "wants_run"])
     try:
-        for number, path in enumerate(tqdm(paths, desc="track", unit="frame", disable=None if progress else True)):
+        for number, path in enumerate(shown(paths, "track", "frames", progress)):
             try:
                 mesh = reading.read(path, finite=not skeleton.report.repairs)
                 frame = tracker.frame(number, mesh)

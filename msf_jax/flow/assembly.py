@@ -10,10 +10,11 @@ from msf_jax.base.options import Config, Weights
 from msf_jax.flow import curves
 from msf_jax.flow.curves import MOST_VOLUME, Part, Stitched, is_left, lacks_classes
 from msf_jax.flow.state import Flow, Iteration, State, Stopwatch
-from msf_jax.host.curve import branches
+from msf_jax.host.curve import branches, finishing
 from msf_jax.host.mesh.checking import Surface
 from msf_jax.host.meso import ring_tables
 from msf_jax.host.recording.records import ComponentRecord, Recording
+from msf_jax.host.solid import openings
 from msf_jax.host.solid.solid import Solid
 from msf_jax.skeleton.report import Report, loops_of
 from msf_jax.skeleton.skeleton import Skeleton
@@ -47,7 +48,8 @@ def assemble(
             figures = metrics.figures_of(solid.shape, solid.enter(stitched[1].vertices), stitched[1].edges)
         notes = [*notes, *_notes_of_finishing(states, parts)]
         report = report_of(checked, states, reasons, history, notes, figures, watch)
-        curve, skeleton = (_skeleton(each, checked, report, source) for each in stitched)
+        curve = _skeleton(stitched[0], checked, report, source)
+        skeleton = _to_openings(stitched[1], checked, report, source)
     return Flow(
         weights=weights,
         config=config,
@@ -98,6 +100,21 @@ def _skeleton(stitched: Stitched, checked: Surface, report: Report, source: Sour
     around = loops_of(solid.shape, solid.enter(vertices), edges, node_of_vertex)
     report = replace(report, components=components, cycles=cycles, inside=inside, **around)
     return Skeleton(vertices, edges, radii, _map_of_input(checked, vertices, node_of_vertex), report, source)
+
+
+def _to_openings(stitched: Stitched, checked: Surface, report: Report, source: Source) -> Skeleton:
+    """The finished curve, led on to the middles of the openings that repair has closed."""
+    if not checked.rims:
+        return _skeleton(stitched, checked, report, source)
+    vertex = [checked.vertex_of_input[rim] for rim in checked.rims]
+    found = openings.opened(source.solid, stitched.vertices, stitched.edges, [rim[rim >= 0] for rim in vertex])
+    if not len(found.ends):
+        return _skeleton(stitched, checked, report, source)
+    source = source._replace(solid=Solid(checked.vertices, checked.faces, found.lids))
+    led = stitched._replace(vertices=found.nodes, edges=finishing.in_order(found.edges))
+    num = f"{len(found.ends)} opening{'' if len(found.ends) == 1 else 's'}"
+    report = replace(report, notes=(*report.notes, f"the curve goes on to the middle of {num} that repair has closed"))
+    return replace(_skeleton(led, checked, report, source), openings=tuple(found.ends.tolist()))
 
 
 def _records(checked: Surface, states: list[State], parts: list[Part]) -> tuple[ComponentRecord, ...]:

@@ -17,7 +17,7 @@ from msf_jax.base.errors import ConfigError
 from msf_jax.base.options import Config, Weights
 from msf_jax.device.buffers import real_dtype
 from msf_jax.flow.state import Iteration, State
-from msf_jax.host.meso import manifold
+from msf_jax.host.meso import ring_tables
 from msf_jax.host.meso.collapse import CollapseRound
 from msf_jax.host.meso.meso import Compaction, Fixing, Meso
 from msf_jax.host.meso.split import SplitRound
@@ -124,7 +124,7 @@ def _check_states(states: Any) -> None:
         is_whole &= len(history) == len(steps) and bool((meso.rings >= -1).all() and (meso.rings < num).all())
         if not is_whole or not 0 < state["t_c"] < 1:
             raise ValueError("the arrays of a state do not fit together")
-        manifold.check_closed_manifold(meso.rings, manifold.euler_characteristic(meso.rings))
+        ring_tables.check_closed_manifold(meso.rings, ring_tables.euler_characteristic(meso.rings))
 
 
 def _hash(*arrays: np.ndarray) -> str:

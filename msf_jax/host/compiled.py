@@ -28,12 +28,8 @@ Rows = Annotated[np.ndarray, "int64", 2]
 Flags = Annotated[np.ndarray, "bool", 1]
 
 _SCALARS = {float: "float64", int: "int64", bool: "boolean", type(None): "void"}
-_OPTIONS: dict[str, Any] = {
-    "nogil": True,
-    "error_model": "numpy",  # a division by zero is no exception
-    "_nrt": False,  # nothing is allocated; that and the next one save a tenth of the time to compile
-    "no_cfunc_wrapper": True,
-}
+# A division by zero is no exception, nothing is allocated, and nothing but Python calls: less to compile.
+_OPTIONS: dict[str, Any] = {"nogil": True, "error_model": "numpy", "_nrt": False, "no_cfunc_wrapper": True}
 _OF_PARTS: dict[str, Any] = {"no_cpython_wrapper": True}
 
 
@@ -49,7 +45,7 @@ class Kernel:
         self.__name__, self.__doc__, self.__module__ = function.__name__, function.__doc__, function.__module__
         self.is_part = is_part
         self._lock = threading.Lock()
-        self._made: Callable | None = None
+        self.made: Callable | None = None
 
     def __call__(self, *arguments: Any) -> Any:
         given = list(arguments)
@@ -82,17 +78,12 @@ class Kernel:
         used = [(name, value._text if isinstance(value, Kernel) else value) for name, value in self._globals.items()]
         return repr((code.co_code, code.co_consts, code.co_names, code.co_varnames, str(self._hints), used))
 
-    @property
-    def is_ready(self) -> bool:
-        """Whether it can be called without waiting."""
-        return self._made is not None
-
     def compiled(self) -> Callable:
         """What Numba makes of it; waits if another thread is at it."""
         with self._lock:
-            if self._made is None:
-                self._made = self._compiled()
-            return self._made
+            if self.made is None:
+                self.made = self._compiled()
+            return self.made
 
     def _compiled(self) -> Callable:
         from numba import njit
@@ -143,6 +134,6 @@ def announce(kernels: Iterable[Kernel]) -> None:
             if threading.main_thread().is_alive():
                 each.compiled()
 
-    waiting = [each for each in kernels if not each.is_ready]
+    waiting = [each for each in kernels if each.made is None]
     if waiting:
         threading.Thread(target=work, name="msf_jax-kernels").start()

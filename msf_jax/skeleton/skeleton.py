@@ -15,10 +15,13 @@ from msf_jax.base.errors import ConfigError
 from msf_jax.base.recipe import Recipe
 from msf_jax.host.curve import branches, finishing, following, limbs, resampling
 from msf_jax.host.curve.branches import Branch
-from msf_jax.skeleton import slopes
+from msf_jax.skeleton import slopes, trees
+from msf_jax.skeleton.centrelines import table
 from msf_jax.skeleton.formats import export
 from msf_jax.skeleton.pictures import page, panels, segmentation
 from msf_jax.skeleton.report import Report, loops_of
+from msf_jax.skeleton.rigging import rig
+from msf_jax.skeleton.rigging.rig import Rig
 from msf_jax.skeleton.source import Source
 
 if TYPE_CHECKING:
@@ -40,6 +43,9 @@ class Skeleton:
         report: what was found and how far to trust it.
         source: the surface that the curve was made from; without it, radii of a changed curve are lower bounds.
         roots: of a tree that `to_tree` made, a node of each component, the one that was asked for first.
+        openings: nodes in the middle of openings that repair has closed: ends of vessels that were cut.
+        radius_of: what ``radii`` are of: "ball", or "section", as `with_radii` makes them.
+        units: the name of the unit of length, as files have it; "" if it is not known.
     """
 
     vertices: np.ndarray
@@ -49,6 +55,9 @@ class Skeleton:
     report: Report
     source: Source | None = field(default=None, repr=False)
     roots: tuple[int, ...] = ()
+    openings: tuple[int, ...] = ()
+    radius_of: str = "ball"
+    units: str = ""
 
     def __repr__(self) -> str:
         cycles = f"{self.report.cycles} {'cycle' if self.report.cycles == 1 else 'cycles'}"
@@ -126,41 +135,36 @@ class Skeleton:
         x, edges = resampling.smooth(self.vertices, self.edges, self.radii, int(rounds), self._is_held(), solid)
         return self._changed(x, edges, np.arange(len(x)))
 
-    def to_tree(self, root: int | None = None) -> "Skeleton":
+    def to_tree(self, root: int | str | None = None) -> "Skeleton":
         """A new skeleton without loops: each is cut at its thinnest edge. ``save`` of it as SWC has the root first.
 
         Args:
-            root: number of the node that is the root of its component; the thickest node if not given, as it is in
-                every other component. See ``roots``.
+            root: number of the node that is the root of its component, or "soma" (see `soma`); the thickest node if not
+                given, as it is in every other component. See ``roots``.
 
         Returns:
-            The same nodes and map, fewer edges. ``report.cut`` counts the loops, and ``report.notes`` says where.
+            The same nodes and map, fewer edges. ``report.cut`` counts the loops, and ``report.notes`` says where, and
+            whether the soma is sure.
 
         Raises:
             ConfigError: the curve has no such node.
         """
-        num = len(self.vertices)
-        is_node = isinstance(root, numbers.Integral) and not isinstance(root, bool) and 0 <= int(root) < num
-        if root is not None and not is_node:
-            raise ConfigError(f"root is {root!r}: expected a node from 0 to {num - 1}, or None for the thickest")
-        stays = branches.cut_loops(num, self.edges, self.radii)
-        edges, gone = self.edges[stays], self.radii[self.edges[~stays]].min(axis=1)
-        roots = branches.roots_of(num, edges, self.radii, None if root is None else int(root))
-        where = f", at radii of {gone.min():.3g} to {gone.max():.3g}" if len(gone) else ""
-        loops = f"{len(gone)} {'loop' if len(gone) == 1 else 'loops'}"
-        note = (
-            f"a tree: {loops} cut where thinnest{where}; root at node {roots[0]}, of radius {self.radii[roots[0]]:.3g}"
-        )
-        report = replace(
-            self.report,
-            cycles=0,
-            loops=0 if self.report.loops is not None else None,
-            cut=self.report.cut + len(gone),
-            inside=self._inside(self.vertices, edges, self.radii),
-            notes=(*self.report.notes, note),
-            figures={},
-        )
-        return replace(self, edges=edges, report=report, roots=roots)
+        return trees.tree_of(self, root)
+
+    def soma(self) -> trees.Soma:
+        """Where the soma of a neuron may be, the thickest place, and whether it is sure: it stands out among others."""
+        known = self.radius_of == "ball" or self.source is None
+        return trees.soma_of(self.vertices, self.radii if known else self.with_radii("ball").radii)
+
+    def heal(self, reach: float = np.inf) -> "Skeleton":
+        """A new skeleton of fewer pieces: edges join them between their nearest nodes, over gaps of up to ``reach``.
+
+        No loop is made. ``report.notes`` says over which gaps.
+
+        Raises:
+            ConfigError: ``reach`` is not above 0.
+        """
+        return trees.healed(self, reach)
 
     @cached_property
     def recipe(self) -> Recipe:
@@ -210,18 +214,7 @@ class Skeleton:
         Raises:
             ConfigError: ``sigma`` is negative, not finite or of another shape, or the surface is not known.
         """
-        try:
-            spread = np.asarray(sigma, dtype=np.float64)
-        except (TypeError, ValueError) as error:
-            raise ConfigError(
-                f"sigma is a {type(sigma).__name__}: expected a number, or one for each vertex"
-            ) from error
-        num = len(self.mesh_map)
-        if spread.shape not in ((), (num,)):
-            raise ConfigError(f"sigma has shape {spread.shape}: expected a number, or ({num},), one for each vertex")
-        if not (np.isfinite(spread) & (spread >= 0)).all():
-            raise ConfigError("sigma has values that are negative or not finite: expected lengths of 0 or more")
-        return slopes.covariance(self.jacobian(), np.broadcast_to(spread, num))
+        return slopes.covariance(self.jacobian(), slopes.spread_of(sigma, len(self.mesh_map)))
 
     def _is_held(self) -> np.ndarray:
         """(N,) True for a node that a pinned vertex of the mesh goes to."""
@@ -230,8 +223,8 @@ class Skeleton:
             is_held[self.mesh_map[self.source.pins]] = True
         return is_held
 
-    def _inside(self, vertices: np.ndarray, edges: np.ndarray, radii: np.ndarray) -> float:
-        """The fraction of a curve's length that is inside, as far as that is known."""
+    def inside_of(self, vertices: np.ndarray, edges: np.ndarray, radii: np.ndarray) -> float:
+        """The fraction of a curve's length that is inside the mesh of this one, as far as that is known."""
         if self.source is None:
             return self.report.inside
         solid = self.source.solid
@@ -251,22 +244,67 @@ class Skeleton:
             of_input, vertex = node_of_old[self.mesh_map], self.source.input_of_vertex
             followed = None if vertex is None else of_input[vertex]
             report = replace(report, **loops_of(solid.shape, solid.enter(vertices), edges, followed))
-            report = replace(report, inside=self._inside(vertices, edges, radii))
+            report = replace(report, inside=self.inside_of(vertices, edges, radii))
         else:  # the largest ball inside one that is known
             away = np.linalg.norm(vertices[:, None] - self.vertices, axis=2)
             radii = np.maximum((self.radii - away).max(axis=1), 0.0)
-        roots = tuple(node_of_old[list(self.roots)].tolist())
-        return Skeleton(vertices, edges, radii, node_of_old[self.mesh_map], report, self.source, roots)
+        roots, openings = (tuple(node_of_old[list(nodes)].tolist()) for nodes in (self.roots, self.openings))
+        mesh_map = node_of_old[self.mesh_map]
+        changed = Skeleton(vertices, edges, radii, mesh_map, report, self.source, roots, openings, units=self.units)
+        return changed if self.radius_of == "ball" or self.source is None else changed.with_radii(self.radius_of)
+
+    def with_radii(self, of: str) -> "Skeleton":
+        """The same curve with radii ``of`` another kind; files that are saved of it have these.
+
+        Args:
+            of: "ball", the radius of the largest ball around each node that fits in; or "section", that of a disc with
+                the area of the cross-section there. In a flat limb the second is larger. Where there is no section, as
+                beyond a limb's end, a node has the ball's.
+
+        Raises:
+            ConfigError: ``of`` is neither, or the surface that the curve was made from is not known.
+        """
+        if of not in ("ball", "section"):
+            raise ConfigError(f'of is {of!r}: expected "ball" or "section"')
+        if self.source is None:
+            raise ConfigError("the skeleton does not know the mesh that it was made from: expected one that does")
+        balls = replace(self, radii=self.source.solid.radii(self.vertices), radius_of="ball")
+        if of == "ball":
+            return balls
+        area = table.node_columns(balls)["area"]
+        radii = np.where(np.isfinite(area), np.sqrt(np.maximum(area, 0.0) / np.pi), balls.radii)
+        return replace(balls, radii=radii, radius_of=of)
+
+    def table(self, of: str = "branches") -> Any:
+        """Measurements, a row for each of ``branches``, in their order, or for each node: a pandas.DataFrame, or where
+        pandas is not installed a dictionary of arrays. ``save("x.csv")`` and ``save("x.nodes.csv")`` write the same.
+
+        Lengths are in the caller's units, angles in degrees; what is not known is NaN. Branches lead away from the root
+        that `to_tree` was given, or from the tip of the thickest limb:
+
+        - "branches": start and end nodes; parent, the branch that it grows out of, or -1; is_tip; length, chord,
+          tortuosity (length over chord); mean_radius, least_radius and largest_radius without the ends, where balls
+          touch the end of the limb or belong to a junction; volume of its part; angle to its parent, 0 straight on;
+          persistence and surface, as `Branch` has them.
+        - "nodes": x, y, z, radius, branch, along (the length from the branch's start), tangent, curvature, torsion;
+          area, perimeter, largest_diameter and least_diameter of the cross-section.
+
+        Raises:
+            ConfigError: ``of`` is another.
+        """
+        return table.table_of(self, of)
 
     def save(self, path: str | os.PathLike[str], mesh: Any = None) -> None:
         """Write the curve in the format that the suffix names, whole or not at all.
 
         ``.swc`` (a tree, parents first: ids count its rows from 1, and are not the nodes' numbers; loops are cut, and
         the cut edges listed in a comment, as the report is), ``.obj`` (lines), ``.cg`` (vertices and edges),
-        ``.polylines.txt`` (CGAL's), ``.ply`` (vertices with radius, edges), ``.vtp`` (VTK PolyData with point data
-        "radius"), ``.graphml`` (NetworkX's), ``.npz`` (everything, and the surface: `msf_jax.read_curve` reads it),
-        ``.json`` (everything, the report included), ``.glb`` (glTF:
-        ``mesh``, as `skeletonize` took it, skinned to the curve, whose nodes are the joints).
+        ``.polylines.txt`` (CGAL's), ``.ply`` (vertices with radius, edges), ``.vtp`` (VTK PolyData: nodes and branches
+        with all that `table` tells of them), ``.csv`` and ``.nodes.csv`` (those tables), ``.graphml`` (NetworkX's),
+        ``.npz`` (everything, and the surface), ``.json`` (everything, the report included), ``.glb`` (glTF: ``mesh``,
+        as `skeletonize` took it, with its materials, on the bones of ``rig()``; of another rig,
+        ``rig(...).save(path, mesh)``). `msf_jax.read_curve` reads ``.npz``, ``.json``, ``.swc``, ``.obj``, ``.cg``,
+        ``.ply``, ``.graphml`` and ``.polylines.txt`` again.
 
         Raises:
             ConfigError: the suffix is none of these, or a ``.glb`` is asked for without a mesh.
@@ -274,6 +312,24 @@ class Skeleton:
             OSError: the file cannot be written; what was there before is untouched.
         """
         export.save(self, path, mesh)
+
+    def rig(self, bones: int = 50, influences: int = 4, mesh: Any = None) -> Rig:
+        """Bones for the mesh, and smooth weights by which it hangs on them; ``save("x.glb", mesh)`` writes one.
+
+        Joints are where limbs leave the balls of junctions, where the curve bends most, and on the way along a limb
+        that is long; the root is at the thickest junction. Loops are cut where they are thinnest. Weights spread as
+        heat does, over the surface.
+
+        Args:
+            bones: so many at most; a simple shape gets fewer.
+            influences: bones at most that a vertex hangs on.
+            mesh: what the curve was made from, as `skeletonize` took it; only needed where repair has made vertices.
+
+        Raises:
+            ConfigError: a number is out of range, or the surface that the curve was made from is not known.
+            MeshError: ``mesh`` is not the one that the curve was made from.
+        """
+        return rig.rigged(self, bones, influences, mesh)
 
     def view(self, mesh: Any = None, path: str | os.PathLike[str] | None = None) -> "PlotlyFigure":
         """A page to look around in: the curve in its surface, with sliders for the flow's iterations and for pruning.

@@ -11,6 +11,7 @@ import jax.numpy as jnp
 import numpy as np
 from scipy import sparse
 
+from msf_jax.base.errors import ConfigError
 from msf_jax.base.recipe import Recipe
 from msf_jax.device import following
 from msf_jax.device.buffers import real_dtype
@@ -49,6 +50,19 @@ def _slopes(recipe: Recipe, place: jax.Array) -> jax.Array:
     return jax.vmap(lambda axis: pull_back(jnp.zeros((len(recipe.node), 3), place.dtype).at[:, axis].set(1.0))[0])(
         jnp.arange(3)
     )
+
+
+def spread_of(sigma: Any, num: int) -> np.ndarray:
+    """(num,) standard deviations from a number, or from one for each vertex; a ConfigError for anything else."""
+    try:
+        spread = np.asarray(sigma, dtype=np.float64)
+    except (TypeError, ValueError) as error:
+        raise ConfigError(f"sigma is a {type(sigma).__name__}: expected a number, or one for each vertex") from error
+    if spread.shape not in ((), (num,)):
+        raise ConfigError(f"sigma has shape {spread.shape}: expected a number, or ({num},), one for each vertex")
+    if not (np.isfinite(spread) & (spread >= 0)).all():
+        raise ConfigError("sigma has values that are negative or not finite: expected lengths of 0 or more")
+    return np.broadcast_to(spread, num)
 
 
 def covariance(slopes: Any, sigma: np.ndarray) -> np.ndarray:

@@ -81,8 +81,7 @@ def descend(
                     kind += 1
             else:
                 way = HALF_WAY if is_taken else (way + 1) / 2
-            bar.set_postfix(objective=f"{search.value:.4g}", box=f"{box:.2f}")
-            bar.update()
+            bar.update(1, f"objective {search.value:.4g}, box {box:.2f}")
             if box < SMALLEST_BOX or way > NEARLY_THERE:
                 reason = "no better weights nearby"
                 break

@@ -1,11 +1,13 @@
 """What `tune` returns."""
 
+import os
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from msf_jax.base.options import Weights
+from msf_jax.base.weights import save_weights
 from msf_jax.flow.state import Flow
 from msf_jax.gradients.tape import Comparison
 
@@ -47,6 +49,10 @@ class Tuned:
     trajectory: tuple[TuningStep, ...]
     reason: str
 
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Write the best weights to a JSON file, for ``msf-jax skeletonize --weights`` and `msf_jax.read_weights`."""
+        save_weights(self.weights, path)
+
     def __repr__(self) -> str:
         weights = ", ".join(f"{name} {shown(weight)}" for name, weight in vars(self.weights).items())
         return f"Tuned({self.value:.6g} at {weights}, after {len(self.trajectory) - 1} steps, {self.reason})"
@@ -57,7 +63,8 @@ class Tuned:
             weights = ", ".join(f"{name} {shown(weight)}" for name, weight in vars(step.weights).items())
             changed = f"{step.changed.different} of {step.changed.total}" if step.changed else "-"
             mark = "taken" if step.is_taken else "     "
-            lines.append(f"{step.found:<11.6g} {step.expected:<10.6g} {step.box:.3f}  {changed:<16} {mark}  {weights}")
+            expected = "-" if np.isnan(step.expected) else f"{step.expected:.6g}"  # nothing to expect it by
+            lines.append(f"{step.found:<11.6g} {expected:<10} {step.box:.3f}  {changed:<16} {mark}  {weights}")
         return "\n".join(lines)
 
 

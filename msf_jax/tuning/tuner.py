@@ -11,10 +11,10 @@ from dataclasses import fields
 from typing import Any
 
 import numpy as np
-from tqdm import tqdm
 
 from msf_jax.base.errors import ConfigError
 from msf_jax.base.options import Config, Weights
+from msf_jax.base.progress import showing
 from msf_jax.flow.request import checked_options
 from msf_jax.tuning.gradient import descend, logarithms, with_logarithms
 from msf_jax.tuning.objectives import Objective, as_objective
@@ -57,7 +57,7 @@ def tune(
             ``if __name__ == "__main__":``.
         checkpoint: a file that remembers what runs have found. A tuning that was cut short goes on from it, with the
             same proposals. It knows the meshes and the config, but an objective by its name only.
-        progress: show a progress bar on standard error, if that is a terminal.
+        progress: show a progress bar on standard error, or plain lines if that is no terminal.
 
     Returns:
         The best weights, their runs, every proposal, and why it stopped.
@@ -88,7 +88,7 @@ def tune(
     if not by_search and (jobs > 1 or checkpoint is not None):
         raise ConfigError("jobs and checkpoint are for weights that are numbers, and of='skeleton': expected neither")
     runs = Runs(meshes, objective, config, of, jobs, checkpoint)
-    with tqdm(total=steps, desc="tune", unit="run", disable=None if progress else True) as bar:
+    with showing(int(steps), "tune", "runs", progress) as bar:
         if by_search:
             return _searched(runs, weights, low, high, int(steps), bar)
         return descend(runs, weights, low, high, int(steps), int(inner_steps), bar)
@@ -129,8 +129,7 @@ def _searched(
                 trajectory.append(TuningStep(proposal, guess, one.value, is_taken, spread, one.converges, None))
                 if is_taken:
                     best, found_at = one, proposal
-            bar.set_postfix(objective=f"{best.value:.4g}")
-            bar.update(len(points))
+            bar.update(len(points), f"objective {best.value:.4g}")
     except KeyboardInterrupt:
         reason = "interrupted"
     finally:

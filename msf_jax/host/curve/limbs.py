@@ -24,7 +24,6 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 import numpy as np
-from scipy import spatial
 
 from msf_jax.host.curve import ways
 from msf_jax.host.curve.branches import Branch, trace
@@ -34,7 +33,7 @@ from msf_jax.host.solid.geometry import PAIRS_AT_ONCE, cross, repeated, unit
 
 LEAST_SHARE = 0.25  # of the ball at its junction, that a limb reaches out at least: less is roughness of the surface
 CHORD = 1.0  # radii, before and behind a node, between which its branch gives the direction across which it is cut
-AT_ONCE = 2_000  # nodes, whose sections are in memory
+AT_ONCE = 500  # nodes, whose sections are in memory
 
 
 class Limbs(NamedTuple):
@@ -70,7 +69,6 @@ def limbs_of(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray) -> Limbs
     ahead[leaf] = shape.ray_lengths(vertices[leaf], onward[leaf] * along[leaf], 4 * radius[leaf])
     asked = np.flatnonzero((degree > 0) & (degree < 3) & (radius > 0) & along.any(axis=1))
     ends = vertices[edges]
-    tree, longest = spatial.KDTree(ends.mean(axis=1)), np.linalg.norm(ends[:, 0] - ends[:, 1], axis=1).max()
     pairs = [(nothing, nothing)]
     for part in np.array_split(asked, max(1, -(-len(asked) // AT_ONCE))):
         x, normal = vertices[part], along[part]
@@ -89,13 +87,14 @@ def limbs_of(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray) -> Limbs
         # What of the curve is in a section: where an edge goes through its plane, within its loop.
         rows = np.flatnonzero(found.is_around | is_bore)
         width[part[rows]] = extent[rows]
-        close = tree.query_ball_point(centre[rows], extent[rows] + longest / 2)
-        row, edge = np.repeat(rows, [len(each) for each in close]), np.concatenate([*close, nothing]).astype(np.int64)
-        a, b = (ends[edge, side] - x[row] for side in (0, 1))
-        height, height_of_b = (np.einsum("ki,ki->k", end, normal[row]) for end in (a, b))
-        is_cut = (height >= 0) != (height_of_b >= 0)
-        row, edge, a, b, height, height_of_b = (each[is_cut] for each in (row, edge, a, b, height, height_of_b))
-        point = a + (height / (height - height_of_b))[:, None] * (b - a)
+        height = (normal @ vertices.T - np.einsum("ni,ni->n", normal, x)[:, None])[rows]
+        is_up = height >= 0
+        row, edge = np.nonzero(is_up[:, edges[:, 0]] != is_up[:, edges[:, 1]])
+        share = height[row, edges[edge, 0]] / (height[row, edges[edge, 0]] - height[row, edges[edge, 1]])
+        row = rows[row]
+        point = ends[edge, 0] + share[:, None] * (ends[edge, 1] - ends[edge, 0])
+        is_near = np.linalg.norm(point - centre[row], axis=1) < extent[row]
+        row, edge, point = row[is_near], edge[is_near], (point - x[row])[is_near]
         is_in = _within(point, row, normal, corners.loop, place - x[corners.loop])
         is_in |= is_bore[row] & (np.linalg.norm(x[row] + point - centre[row], axis=1) < extent[row])
         pairs.append((part[row[is_in]], edge[is_in]))

@@ -47,6 +47,7 @@ class Surface:
     strays: (S, 3) the vertices that went nowhere, in the caller's order.
     repairs: what was changed, one sentence each.
     given: vertices and faces as the caller's mesh has them.
+    rims: of each hole that was filled, the caller's vertices around it.
     """
 
     vertices: np.ndarray
@@ -59,6 +60,7 @@ class Surface:
     strays: np.ndarray
     repairs: tuple[str, ...]
     given: tuple[np.ndarray, np.ndarray]
+    rims: tuple[np.ndarray, ...] = ()
 
 
 def prepare(mesh: Any, repair: bool | str | Repair = False) -> Surface:
@@ -93,6 +95,7 @@ def prepare(mesh: Any, repair: bool | str | Repair = False) -> Surface:
         strays=done.given[target < 0],
         repairs=done.repairs + checked.repairs,
         given=(done.given, faces),
+        rims=done.rims,
     )
 
 

@@ -1,9 +1,12 @@
 """Read a mesh from a path, an object or arrays: triangles, or an error that says what was found.
 
-A file goes through trimesh, but for OFF, whose polygons it does not always see. A scene is all its meshes, each where
-the scene has it, in one list of triangles.
+A file goes through trimesh, but for OFF, whose polygons it does not always see, and for VTK's formats, which pyvista
+reads. A scene is all its meshes, each where the scene has it, in one list of triangles. STL has no indices: corners in
+one place, to float32's last bits, are one vertex.
 """
 
+import importlib.util
+import inspect
 import logging
 import os
 import zipfile
@@ -14,15 +17,37 @@ from typing import Any
 
 import numpy as np
 import trimesh
+from scipy import sparse, spatial
+from scipy.sparse import csgraph
 
 from msf_jax.base.errors import MeshError
 from msf_jax.host.mesh import off
 
 SMALLEST = 1e-150  # extent, and the largest coordinate is one over it: squares must be numbers
 ARCHIVES = {"zip", "bz2", "gz", "tar", "tar.gz", "tar.bz2", "tgz"}  # a small one can unpack to more than memory
+VTK = {"vtp", "vtk", "vtu", "vti", "vtr", "vts"}  # read by pyvista, where it is installed
+WITHOUT_INDICES = {"stl", "stl_ascii"}
+SAME_CORNER = 2.0**-22  # of the largest coordinate: a few of float32's last bits
 ZIPPED = {"3mf", "3dxml"}  # mesh formats that are archives
 LARGEST_UNPACKED = 2**31  # bytes that one of these may hold
 OR_REPAIR = ", or ask for repair=True (--repair)"
+
+
+def read_mesh(mesh: Any) -> tuple[np.ndarray, np.ndarray]:
+    """Vertices (V, 3) float64 and faces (F, 3) int64 of a mesh, as `skeletonize` reads it.
+
+    Args:
+        mesh: a path, to any of the formats that trimesh reads, or VTK's where pyvista is installed; a
+            `trimesh.Trimesh`, a pyvista mesh, or a pair (vertices, faces). Polygons are cut into triangles, and the
+            meshes of a scene come in one list, each where the scene has it.
+
+    Returns:
+        Copies. Numbers of vertices, as in ``mesh_map`` and ``pins``, count along these.
+
+    Raises:
+        MeshError: there is no such file, or it holds no triangle mesh.
+    """
+    return read(mesh, finite=False)
 
 
 def read(mesh: Any, *, finite: bool = True) -> tuple[np.ndarray, np.ndarray]:
@@ -35,6 +60,8 @@ def read(mesh: Any, *, finite: bool = True) -> tuple[np.ndarray, np.ndarray]:
     """
     if isinstance(mesh, str | os.PathLike):
         mesh = _load(Path(mesh))
+    if hasattr(mesh, "extract_surface"):
+        mesh = _of_pyvista(mesh, type(mesh).__name__)
     if hasattr(mesh, "vertices") and hasattr(mesh, "faces"):
         vertices, faces = mesh.vertices, mesh.faces
     elif isinstance(mesh, tuple | list) and len(mesh) == 2:
@@ -42,23 +69,93 @@ def read(mesh: Any, *, finite: bool = True) -> tuple[np.ndarray, np.ndarray]:
     else:
         raise MeshError(
             f"cannot take a mesh from {type(mesh).__name__}: expected a path, an object with vertices and faces "
-            "(a trimesh.Trimesh), or a pair (vertices, faces)"
+            "(a trimesh.Trimesh), a pyvista mesh, or a pair (vertices, faces)"
         )
     return _as_vertices(vertices, finite), _as_faces(faces, len(vertices))
 
 
 def readable_suffixes() -> list[str]:
     """Of the mesh files that can be read, without their dot."""
-    return sorted(set(trimesh.available_formats()) - ARCHIVES)
+    known = set(trimesh.available_formats()) - ARCHIVES
+    return sorted(known | VTK if importlib.util.find_spec("pyvista") else known)
 
 
-def _load(path: Path) -> Any:
+def _of_pyvista(mesh: Any, name: str) -> trimesh.Trimesh:
+    """The surface of a mesh of pyvista's: that of a grid is its boundary."""
+    surface = mesh
+    if not hasattr(mesh, "is_all_triangles") and mesh.n_cells:  # newer versions warn unless they are told how
+        has_choice = "algorithm" in inspect.signature(mesh.extract_surface).parameters
+        surface = mesh.extract_surface(**({"algorithm": None} if has_choice else {}))
+    surface = surface.triangulate() if surface.n_cells else surface
+    if not (surface.n_points and surface.n_cells):
+        raise MeshError(f"{name} has no surface: expected one of triangles or polygons, or a grid with a boundary")
+    faces = np.asarray(surface.faces).reshape(-1, 4)[:, 1:]
+    return trimesh.Trimesh(np.asarray(surface.points, dtype=np.float64), faces, process=False)
+
+
+def _without_doubles(loaded: trimesh.Trimesh) -> trimesh.Trimesh:
+    """A mesh of a format without indices, its corners in one place made one vertex; in the order of the file."""
+    corners = np.asarray(loaded.vertices, dtype=np.float64)
+    if not np.isfinite(corners).all() or len(corners) == 0:
+        return loaded
+    places, first, inverse = np.unique(corners, axis=0, return_index=True, return_inverse=True)
+    pairs = spatial.KDTree(places).query_pairs(SAME_CORNER * float(np.abs(places).max()), output_type="ndarray")
+    graph = sparse.coo_matrix((np.ones(len(pairs)), pairs.T), shape=(len(places), len(places)))
+    label = csgraph.connected_components(graph, directed=False)[1]
+    earliest = np.full(label.max() + 1, len(corners))
+    np.minimum.at(earliest, label, first)
+    order = np.argsort(earliest)
+    rank = np.empty(len(order), dtype=np.int64)
+    rank[order] = np.arange(len(order))
+    faces = rank[label[inverse.ravel()]][loaded.faces]
+    return trimesh.Trimesh(corners[earliest[order]], faces, process=False)
+
+
+def parts(mesh: Any) -> list[trimesh.Trimesh]:
+    """The meshes that ``mesh`` consists of, each where it is in the whole, with all that its file says of it: their
+    vertices and faces, one after the other, are those of `read`. The caller's own object stays as it is."""
+    if isinstance(mesh, str | os.PathLike):
+        loaded = _loaded(Path(mesh))
+        return _placed(loaded) if isinstance(loaded, trimesh.Scene) else [loaded]
+    if isinstance(mesh, trimesh.Trimesh):
+        return [mesh.copy(include_cache=True)]
+    return [trimesh.Trimesh(*read(mesh, finite=False), process=False)]
+
+
+def _placed(scene: trimesh.Scene) -> list[trimesh.Trimesh]:
+    """The meshes of a scene; unlike those of `trimesh.Scene.dump`, with the normals that they have."""
+    found = []
+    for node in scene.graph.nodes_geometry:
+        transform, name = scene.graph[node]
+        if isinstance(part := scene.geometry[name], trimesh.Trimesh):
+            part = part.copy(include_cache=True)
+            part.apply_transform(transform)
+            found.append(part)
+    return found
+
+
+def _load(path: Path) -> trimesh.Trimesh:
+    loaded = _loaded(path)
+    if isinstance(loaded, trimesh.Scene):
+        meshes = _placed(loaded)
+        loaded = trimesh.util.concatenate(meshes) if meshes else loaded
+    if not isinstance(loaded, trimesh.Trimesh):
+        what = "no triangles" if isinstance(loaded, trimesh.Scene) else f"a {type(loaded).__name__} without triangles"
+        raise MeshError(f"{path.name!r} holds {what}: expected a triangle mesh")
+    return loaded
+
+
+def _loaded(path: Path) -> Any:
     if not path.exists():
         raise MeshError(f"no file {str(path)!r}: check the path")
     if path.is_dir():
         raise MeshError(f"{str(path)!r} is a folder: expected one mesh file")
+    if path.stat().st_size == 0:
+        raise MeshError(f"{path.name!r} is empty: expected a mesh file")
     known = readable_suffixes()
     suffix = path.suffix.lower().lstrip(".")
+    if suffix in VTK and suffix not in known:
+        raise MeshError(f"cannot read {path.name!r}: VTK's formats need pyvista: pip install pyvista")
     if suffix not in known:
         raise MeshError(
             f"cannot read {path.name!r}: unknown suffix {path.suffix!r}, expected one of {', '.join(known)}; "
@@ -70,8 +167,14 @@ def _load(path: Path) -> Any:
             return trimesh.Trimesh(vertices, faces, process=False)
         if suffix in ZIPPED:
             _check_unpacked(path)
+        if suffix in VTK:
+            return _of_pyvista(importlib.import_module("pyvista").read(path), repr(path.name))
         with _quiet_loader():
             loaded = trimesh.load(path, process=False, maintain_order=True)
+        if suffix in WITHOUT_INDICES and isinstance(loaded, trimesh.Trimesh):
+            loaded = _without_doubles(loaded)
+    except MeshError:
+        raise
     except MemoryError as error:
         raise MeshError(f"{path.name!r} asks for more memory than there is: it is damaged or too large") from error
     except Exception as error:  # trimesh's readers raise whatever a damaged file provokes
@@ -79,11 +182,6 @@ def _load(path: Path) -> Any:
         raise MeshError(
             f"cannot read {path.name!r} as {suffix}: it is damaged, or its suffix is wrong ({reason[:200]})"
         ) from error
-    if isinstance(loaded, trimesh.Scene):
-        parts = [part for part in loaded.dump() if isinstance(part, trimesh.Trimesh)]
-        loaded = trimesh.util.concatenate(parts) if parts else loaded
-    if not isinstance(loaded, trimesh.Trimesh):
-        raise MeshError(f"{path.name!r} holds a {type(loaded).__name__} without triangles: expected a triangle mesh")
     return loaded
 
 

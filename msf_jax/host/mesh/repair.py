@@ -90,7 +90,8 @@ class Repaired(NamedTuple):
 
     vertices: (V, 3). faces: (F, 3). source: (V,) the given vertex that each comes from. is_made: (V,) which are others,
     of a skirt; those come from the one that they were carried from. vertex_of_given: (V_in,) where each went, -1 if
-    nowhere. given: (V_in, 3) the given vertices, all finite. repairs: what was changed, a sentence each.
+    nowhere. given: (V_in, 3) the given vertices, all finite. repairs: what was changed, a sentence each. rims: of each
+    hole that was filled, the given vertices around it.
     """
 
     vertices: np.ndarray
@@ -100,6 +101,7 @@ class Repaired(NamedTuple):
     vertex_of_given: np.ndarray
     given: np.ndarray
     repairs: tuple[str, ...]
+    rims: tuple[np.ndarray, ...] = ()
 
 
 def repaired(vertices: np.ndarray, faces: np.ndarray, options: Repair) -> Repaired:
@@ -142,6 +144,7 @@ def repaired(vertices: np.ndarray, faces: np.ndarray, options: Repair) -> Repair
     _note(repairs, f"filled {{}} with {sum(len(hole.lid) for hole in holes)} faces", len(holes), "hole", "holes")
     closed = skirted(given[source], faces, holes)
     repairs += closed.repairs
+    rims = tuple(source[hole.loop] for hole in holes)
     vertices, faces, is_made = closed.vertices, closed.faces, np.arange(len(closed.vertices)) >= len(source)
     source = np.concatenate([source, source[closed.source]])
     fewest = FEWEST_VERTICES if options.join is None else FEWEST_TO_JOIN
@@ -161,7 +164,8 @@ def repaired(vertices: np.ndarray, faces: np.ndarray, options: Repair) -> Repair
     source = source[used]
     first = np.full(len(given), -1)
     first[source[::-1]] = np.arange(len(source))[::-1]
-    return Repaired(vertices[used], flat.reshape(-1, 3), source, is_made[used], first[welded], given, tuple(repairs))
+    target = first[welded]
+    return Repaired(vertices[used], flat.reshape(-1, 3), source, is_made[used], target, given, tuple(repairs), rims)
 
 
 def _note(repairs: list[str], sentence: str, count: int, one: str, many: str) -> None:

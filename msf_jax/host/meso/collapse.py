@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from msf_jax.host.meso import kernels, manifold
+from msf_jax.host.meso import kernels, ring_tables
 from msf_jax.host.meso.meso import Meso
 from msf_jax.host.solid.geometry import cross
 
@@ -51,7 +51,7 @@ def collapse_short_edges(
     ``keep_faces`` leaves an edge alone where its collapse would turn a face by more than 60 degrees.
     ``check`` verifies after each round that the surface is a closed manifold of the same genus.
     """
-    euler = manifold.euler_characteristic(meso.rings) if check else 0
+    euler = ring_tables.euler_characteristic(meso.rings) if check else 0
     rounds = []
     edges = _candidates(meso, np.ones(meso.num_rows, dtype=bool), t_c)
     while True:
@@ -70,7 +70,7 @@ def collapse_short_edges(
         done = _apply(meso, edges.a[chosen], edges.b[chosen])
         rounds.append(done)
         if check:
-            manifold.check_closed_manifold(meso.rings, euler)
+            ring_tables.check_closed_manifold(meso.rings, euler)
         # Look again at the edges around the survivors; those that had to wait further away are what they were.
         is_touched = np.zeros(meso.num_rows + 1, dtype=bool)  # the last entry serves the padding -1
         is_touched[meso.rings[done.survivor]] = True
@@ -152,7 +152,7 @@ def _apply(meso: Meso, a: np.ndarray, b: np.ndarray) -> CollapseRound:
     swap = meso.is_fixed[b] & ~meso.is_fixed[a]  # the fixed end survives
     a, b = np.where(swap, b, a), np.where(swap, a, b)
     meso.widen(int((meso.degree[a] + meso.degree[b] - 4).max()))
-    classes = np.empty((0, 0), dtype=np.int64) if meso.classes is None else meso.classes
+    classes = np.zeros_like(meso.rings) if meso.classes is None else meso.classes
     kernels.merge(a, b, meso.rings, meso.degree, classes, np.empty((2, meso.rings.shape[1]), dtype=np.int64))
     fraction, position = _place(meso, a, b)
     reach_a = np.where(meso.has_pole[a], np.linalg.norm(meso.poles[a] - position, axis=1), np.inf)

@@ -112,13 +112,13 @@ def apart(claims: Rows, order: Ints, rings: Rows, is_taken: Flags, found: Flags)
 def merge(a: Ints, b: Ints, rings: Rows, degree: Ints, classes: Rows, merged: Rows) -> None:
     """Merge b (c,) into a (c,): splice the two rings into one, rename b around it, drop the two faces.
 
-    ``classes`` has a row for every ring, or none. ``merged`` (2, K) is room.
+    ``classes`` (n, K) go with ``rings``. ``merged`` (2, K) is room.
     """
     for row in range(len(a)):
         one, two = a[row], b[row]
         slot, twin = slot_of(rings, one, two), slot_of(rings, two, one)
         left, right = rings[one, (slot + 1) % degree[one]], rings[one, (slot - 1) % degree[one]]
-        way = classes[one, slot] if len(classes) else 0  # b's edges start at a now: the way a -> b comes before them
+        way = classes[one, slot]  # b's edges start at a now: the way a -> b comes before them
         # a's ring from `left` round to `right`, then b's ring from behind `right` to before `left`.
         count = degree[one] + degree[two] - 4
         for place in range(rings.shape[1]):
@@ -129,8 +129,7 @@ def merge(a: Ints, b: Ints, rings: Rows, degree: Ints, classes: Rows, merged: Ro
                 source, at = two, (twin + 3 + place - degree[one]) % degree[two]
             if place < count:
                 merged[0, place] = rings[source, at]
-                if len(classes):
-                    merged[1, place] = classes[source, at] + (way if source == two else 0)
+                merged[1, place] = classes[source, at] + (way if source == two else 0)
         # b's other neighbours now see a instead of b; the two apexes, which see a already, lose b.
         for place in range(degree[two]):
             other = rings[two, place]
@@ -139,19 +138,15 @@ def merge(a: Ints, b: Ints, rings: Rows, degree: Ints, classes: Rows, merged: Ro
             at = slot_of(rings, other, two)
             if other != left and other != right:
                 rings[other, at] = one
-                if len(classes):
-                    classes[other, at] -= way
+                classes[other, at] -= way
                 continue
             degree[other] -= 1
             for after in range(at, degree[other]):
-                rings[other, after] = rings[other, after + 1]
-                if len(classes):
-                    classes[other, after] = classes[other, after + 1]
+                rings[other, after], classes[other, after] = rings[other, after + 1], classes[other, after + 1]
             rings[other, degree[other]] = -1
         for place in range(rings.shape[1]):
             rings[one, place], rings[two, place] = merged[0, place], -1
-            if len(classes):
-                classes[one, place] = merged[1, place]
+            classes[one, place] = merged[1, place]
         degree[one], degree[two] = count, 0
 
 
@@ -159,26 +154,21 @@ def merge(a: Ints, b: Ints, rings: Rows, degree: Ints, classes: Rows, merged: Ro
 def cut(a: Ints, b: Ints, left: Ints, right: Ints, rings: Rows, degree: Ints, classes: Rows) -> None:
     """Put the last rows of ``rings`` in the middle of the edges ab (c,), each between its two apexes.
 
-    ``classes`` has a row for every ring, or none. The new vertex is as good as b: the way from there to b has class 0.
+    ``classes`` go with ``rings``. The new vertex is as good as b: the way from there to b has class 0.
     """
     for row in range(len(a)):
         new = len(rings) - len(a) + row
         to_new, back = slot_of(rings, a[row], b[row]), slot_of(rings, b[row], a[row])
         rings[new, 0], rings[new, 1], rings[new, 2], rings[new, 3] = b[row], left[row], a[row], right[row]
-        if len(classes):
-            classes[new, 2], classes[b[row], back] = classes[b[row], back], 0
+        classes[new, 2], classes[b[row], back] = classes[b[row], back], 0
         rings[a[row], to_new], rings[b[row], back] = new, new
         # Around the left apex a comes before b, around the right one b before a: the new vertex goes between them.
         for side in range(2):
             beside, before = (left[row], a[row]) if side == 0 else (right[row], b[row])
             at = slot_of(rings, beside, before) + 1
-            way = classes[beside, slot_of(rings, beside, b[row])] if len(classes) else 0
+            way = classes[beside, slot_of(rings, beside, b[row])]
             for place in range(degree[beside], at, -1):
-                rings[beside, place] = rings[beside, place - 1]
-                if len(classes):
-                    classes[beside, place] = classes[beside, place - 1]
-            rings[beside, at] = new
-            if len(classes):
-                classes[beside, at], classes[new, 1 + 2 * side] = way, -way
+                rings[beside, place], classes[beside, place] = rings[beside, place - 1], classes[beside, place - 1]
+            rings[beside, at], classes[beside, at], classes[new, 1 + 2 * side] = new, way, -way
             degree[beside] += 1
         degree[new] = 4

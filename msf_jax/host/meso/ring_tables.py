@@ -8,7 +8,7 @@ table, transposed, is what the device gathers through. A vertex has one row and 
 
 import numpy as np
 
-from msf_jax.base.errors import MeshError
+from msf_jax.base.errors import FlowError, MeshError
 from msf_jax.host.mesh.half_edges import half_edges, next_in_ring
 
 RING_CAPACITIES = (8, 12, 16, 24, 32)
@@ -70,16 +70,6 @@ def edges_from_rings(rings: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     return a, rings[a, slot]
 
 
-def edges_around(rings: np.ndarray, is_center: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Every edge with at least one end in ``is_center`` (n,), once, as (a, b) with a < b."""
-    center = np.flatnonzero(is_center)
-    rows = rings[center]
-    # An edge between two centres is met from both ends: it is taken from the smaller one.
-    row, slot = np.nonzero((rows >= 0) & ((rows > center[:, None]) | ~is_center[rows]))
-    one, other = center[row], rows[row, slot]
-    return np.minimum(one, other), np.maximum(one, other)
-
-
 def encode_edges(a: np.ndarray, b: np.ndarray, num_vertices: int) -> np.ndarray:
     """One sortable integer an edge."""
     return a * np.int64(num_vertices) + b
@@ -95,3 +85,43 @@ def faces_from_rings(rings: np.ndarray) -> np.ndarray:
     vertex = np.broadcast_to(np.arange(n)[:, None], (n, capacity))
     smallest = (rings > vertex) & (following > vertex)
     return np.stack([vertex[smallest], rings[smallest], following[smallest]], axis=1)
+
+
+def euler_characteristic(rings: np.ndarray) -> int:
+    """V - E + F of the live part of the table: 2 - 2 genus for each component."""
+    half = int((rings >= 0).sum())
+    return int((rings[:, 0] >= 0).sum()) - half // 2 + half // 3
+
+
+def check_closed_manifold(rings: np.ndarray, euler: int) -> None:
+    """The debug check after an edit: closed, oriented, simplicial, and of the Euler characteristic it had.
+
+    Raises:
+        FlowError: naming the first vertex that breaks a rule.
+    """
+    vertex, slot = np.nonzero(rings >= 0)
+    neighbour = rings[vertex, slot]
+    degree = ring_degrees(rings)
+    code = encode_edges(vertex, neighbour, len(rings))
+    faults = {
+        "is its own neighbour": vertex[vertex == neighbour],
+        "has a neighbour twice": np.sort(code)[1:][np.diff(np.sort(code)) == 0] // len(rings),
+        "has a neighbour that does not know it": vertex[~np.isin(code, encode_edges(neighbour, vertex, len(rings)))],
+        "has fewer than three neighbours": np.flatnonzero((degree > 0) & (degree < 3)),
+        "has a gap in its ring": np.flatnonzero((rings >= 0) != (np.arange(rings.shape[1]) < degree[:, None]))
+        // rings.shape[1],
+    }
+    # Face (i, j, k) read at i must be read at j as (j, k, i): after k comes i.
+    following = np.where(slot + 1 < degree[vertex], slot + 1, 0)
+    third = rings[vertex, following]
+    if not any(len(found) for found in faults.values()):
+        slot_of_third = find_slot(rings[neighbour], third)
+        after = rings[neighbour, np.where(slot_of_third + 1 < degree[neighbour], slot_of_third + 1, 0)]
+        faults["bears a face that its neighbours do not"] = vertex[after != vertex]
+    for what, found in faults.items():
+        if len(found):
+            raise FlowError(
+                f"the surface is no closed manifold any more: vertex {found[0]} {what}, as do {len(found) - 1} others"
+            )
+    if (now := euler_characteristic(rings)) != euler:
+        raise FlowError(f"an edit changed the topology: Euler characteristic {now}, was {euler}")

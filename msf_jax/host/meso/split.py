@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from msf_jax.host.meso import kernels, manifold, ring_tables
+from msf_jax.host.meso import kernels, ring_tables
 from msf_jax.host.meso.collapse import edge_lengths, first_apart, shortest_first
 from msf_jax.host.meso.meso import Meso
 
@@ -34,7 +34,7 @@ def split_obtuse_edges(
 
     Returns the rounds, and whether it stopped early rather than let the surface outgrow ``max_rows``.
     """
-    euler = manifold.euler_characteristic(meso.rings) if check else 0
+    euler = ring_tables.euler_characteristic(meso.rings) if check else 0
     cosine = np.cos(np.radians(angle))
     rounds = []
     edges, is_touched = np.empty((5, 0), dtype=np.int64), np.ones(meso.num_rows, dtype=bool)
@@ -54,7 +54,7 @@ def split_obtuse_edges(
             return rounds, is_full
         rounds.append(split_edges(meso, a[chosen], b[chosen], fraction[chosen], apex[chosen]))
         if check:
-            manifold.check_closed_manifold(meso.rings, euler)
+            ring_tables.check_closed_manifold(meso.rings, euler)
         # Look again at the edges of the cut faces; those that had to wait further away are what they were.
         is_touched = np.zeros(meso.num_rows, dtype=bool)
         is_touched[np.r_[rounds[-1].new, edges[:4, chosen].ravel()]] = True
@@ -66,7 +66,7 @@ def split_long_edges(meso: Meso, longest: float | np.ndarray, *, check: bool = F
 
     A limit for each vertex (n,) holds for an edge by the mean of its ends', and a new vertex has that mean.
     """
-    euler = manifold.euler_characteristic(meso.rings) if check else 0
+    euler = ring_tables.euler_characteristic(meso.rings) if check else 0
     limit = np.broadcast_to(np.asarray(longest, dtype=np.float64), meso.num_rows)
     while True:
         a, b = ring_tables.edges_from_rings(meso.rings)
@@ -81,7 +81,7 @@ def split_long_edges(meso: Meso, longest: float | np.ndarray, *, check: bool = F
         limit = np.concatenate([limit, (limit[a] + limit[b])[chosen] / 2])
         split_edges(meso, a[chosen], b[chosen], np.full(len(chosen), 0.5))
         if check:
-            manifold.check_closed_manifold(meso.rings, euler)
+            ring_tables.check_closed_manifold(meso.rings, euler)
 
 
 def split_edges(
@@ -94,7 +94,7 @@ def split_edges(
     more = ((0, len(a)), (0, 0))
     meso.rings, meso.degree = np.pad(meso.rings, more, constant_values=-1), np.pad(meso.degree, more[0])
     meso.classes = None if meso.classes is None else np.pad(meso.classes, more)
-    classes = np.empty((0, 0), dtype=np.int64) if meso.classes is None else meso.classes
+    classes = np.zeros_like(meso.rings) if meso.classes is None else meso.classes
     kernels.cut(a, b, left, right, meso.rings, meso.degree, classes)
     weight = fraction[:, None]
     for name, share in (("positions", weight), ("poles", weight), ("weights", weight), ("scale", fraction)):

@@ -4,6 +4,8 @@ import numpy as np
 
 from msf_jax.host.solid.enclosure import Enclosure
 
+ON_LID = 1e-9  # diagonals from a lid, within which a point is on it, and not outside
+
 
 class Solid:
     """A closed surface that questions are asked of in the caller's units.
@@ -13,14 +15,20 @@ class Solid:
     Args:
         vertices: (V, 3), in the caller's units.
         faces: (F, 3), closed and oriented.
+        lids: (L,) those of the faces that close openings, if any: balls reach through them.
     """
 
-    def __init__(self, vertices: np.ndarray, faces: np.ndarray):
+    def __init__(self, vertices: np.ndarray, faces: np.ndarray, lids: np.ndarray | None = None):
         low, high = vertices.min(axis=0), vertices.max(axis=0)
         unit = float((high - low).max())
         self.centre = low + (high - low) / 2
         self.diagonal = unit * float(np.linalg.norm((high - low) / unit))
         self.shape = Enclosure((vertices - self.centre) / self.diagonal, faces)
+        self.lids = np.empty(0, dtype=np.int64) if lids is None else lids
+        self._wall = None
+        if len(self.lids):  # without the vertices that only lids use
+            used, corners = np.unique(np.delete(faces, self.lids, axis=0), return_inverse=True)
+            self._wall = Enclosure(self.shape.vertices[used], corners.reshape(-1, 3))
 
     def enter(self, points: np.ndarray) -> np.ndarray:
         """``points`` (P, 3) in units of the diagonal, around the centre."""
@@ -31,8 +39,17 @@ class Solid:
         return self.centre + self.diagonal * points
 
     def radii(self, points: np.ndarray) -> np.ndarray:
-        """Radius (P,) of the largest ball around each point that is inside, 0 for a point outside."""
-        return self.diagonal * self.shape.clearance(self.enter(points))
+        """Radius (P,) of the largest ball around each point that is inside, 0 for a point outside.
+
+        Only the wall bounds a ball, where there are lids.
+        """
+        entered = self.enter(points)
+        clearance = self.shape.clearance(entered)
+        if self._wall is not None:
+            distance, face = self.shape.nearest(entered)
+            is_in = (clearance > 0) | ((distance < ON_LID) & np.isin(face, self.lids))
+            clearance[is_in] = self._wall.distances(entered[is_in])
+        return self.diagonal * clearance
 
     def vertex_areas(self) -> np.ndarray:
         """(V,) a third of the area of the faces around each vertex, as fractions of the whole."""

@@ -43,11 +43,15 @@ def course(shape: Enclosure, is_inside: Test) -> Course | None:
     """The curve of a connected solid of diagonal 1; None where it is not thin, not coarse, or no limb but a plate."""
     x, faces = shape.vertices, shape.faces
     normals = unit(vertex_normals(x, faces))
-    radius = shrinking_balls(x, normals, spatial.KDTree(x), FIRST, LARGEST, np.arange(len(x))).radius
+    balls = x, normals, spatial.KDTree(x), FIRST
+    # Small balls decide, and are found fast.
+    if np.median(shrinking_balls(*balls, 2 * thickness.THIN, np.arange(len(x))).radius) >= thickness.THIN:
+        return None
+    radius = shrinking_balls(*balls, LARGEST, np.arange(len(x))).radius
     step = float(np.median(radius))
     tail, head = faces.ravel(), np.roll(faces, -1, axis=1).ravel()
     length = np.linalg.norm(x[tail] - x[head], axis=1)
-    if step >= thickness.THIN or np.median(length / np.minimum(radius[tail], radius[head])) <= COARSE:
+    if np.median(length / np.minimum(radius[tail], radius[head])) <= COARSE:
         return None
     graph = sparse.csr_matrix((np.maximum(length, 1e-12), (tail, head)), shape=(len(x),) * 2)
     thickest = np.argsort(-radius, kind="stable")[:CANDIDATES]

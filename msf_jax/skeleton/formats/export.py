@@ -55,6 +55,8 @@ WRITERS = {
     ".ply": "graphs.ply",
     ".vtp": "graphs.vtp",
     ".graphml": "graphs.graphml",
+    ".nodes.csv": "tables.node_rows",
+    ".csv": "tables.branch_rows",
     ".npz": "whole.npz",
     ".json": "whole.plain_json",
     ".glb": "gltf.skinned",

@@ -1,8 +1,8 @@
-"""A mesh skinned to its curve, as one binary glTF 2.0 file: every node a joint, every vertex bound to its node's.
+"""A mesh on the bones of a rig, as one binary glTF 2.0 file, with the materials, UVs, normals and colours that it has.
 
-Joints form the tree that an SWC file has, too: loops are cut. Turning or moving a joint moves the part of the surface
-that is mapped to it and to what hangs on it. The format's numbers are float32: far from the origin, they count from the
-middle of the curve, where both the mesh and the curve are placed.
+trimesh writes the mesh itself; the skin, of joints and weights, is added to its file. A joint's name is the bone's, and
+its "extras" hold where the bone ends and its radius there. The format's numbers are float32: far from the origin, they
+count from the middle of the mesh.
 """
 
 import json
@@ -10,97 +10,166 @@ import struct
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+import trimesh
+from trimesh.exchange.gltf import export_glb
 
 from msf_jax.base.errors import ConfigError
-from msf_jax.host.curve import branches
+from msf_jax.base.version import VERSION
 from msf_jax.host.mesh import reading
 
 if TYPE_CHECKING:
+    from msf_jax.skeleton.rigging.rig import Rig
     from msf_jax.skeleton.skeleton import Skeleton
 
 MOST_JOINTS = 65535
-FAR = 100  # of the curve's size from the origin
-FLOAT, USHORT, UINT = 5126, 5123, 5125  # component types of the format
-ARRAY_BUFFER, ELEMENT_ARRAY_BUFFER = 34962, 34963
+FAR = 100  # of the mesh's size from the origin
+AT_ONCE = 4  # influences in one set of attributes of the format
+FLOAT, USHORT = 5126, 5123  # component types of the format
+ARRAY_BUFFER = 34962
+JSON, BINARY = 0x4E4F534A, 0x004E4942  # kinds of chunks
 
 
 def skinned(skeleton: "Skeleton", mesh: Any) -> bytes:
-    """The bytes of a ``.glb`` file with ``mesh``, as `skeletonize` took it, bound to ``skeleton``.
+    """The bytes of a ``.glb`` file with ``mesh``, as `skeletonize` took it, on the bones of ``skeleton``.
 
     Raises:
-        ConfigError: the curve has more nodes than the format numbers.
         MeshError: the mesh cannot be read, or has not the vertices that the curve's map speaks of.
     """
-    vertices, faces = reading.read(mesh, finite=False)
-    reading.check_map(skeleton.mesh_map, len(vertices))
-    vertices = np.where(np.isfinite(vertices), vertices, 0.0)
-    num = len(skeleton.vertices)
-    if num > MOST_JOINTS:
-        raise ConfigError(f"the curve has {num} nodes: glTF joins a mesh to at most {MOST_JOINTS}; resample it first")
-    parent = branches.tree(num, skeleton.edges, skeleton.roots)
-    order = np.array(list(parent))  # parents first
-    children: list[list[int]] = [[] for _ in range(num)]
-    for node, above in parent.items():
-        if above >= 0:
-            children[above].append(node)
-    low, high = skeleton.vertices.min(axis=0), skeleton.vertices.max(axis=0)
-    size = np.linalg.norm(high - low) + 2 * skeleton.radii.max()
-    is_far = np.linalg.norm(low + high) / 2 > FAR * size
+    return of_rig(skeleton.rig(mesh=mesh), mesh)
+
+
+def of_rig(rig: "Rig", mesh: Any) -> bytes:
+    """The bytes of a ``.glb`` file with ``mesh``, as `skeletonize` took it, on the bones of ``rig``.
+
+    Raises:
+        ConfigError: there are more bones than the format numbers.
+        MeshError: the mesh cannot be read, or has another number of vertices than the rig.
+    """
+    if len(rig.joints) > MOST_JOINTS:
+        raise ConfigError(f"the rig has {len(rig.joints)} bones: glTF numbers at most {MOST_JOINTS}")
+    parts = [part for part in reading.parts(mesh) if len(part.vertices)]
+    reading.check_map(np.empty(rig.num_vertices), sum(len(part.vertices) for part in parts))
+    points = np.concatenate([part.vertices for part in parts])
+    points = points[np.isfinite(points).all(axis=1)]
+    low, high = points.min(axis=0), points.max(axis=0)
+    is_far = np.linalg.norm(low + high) / 2 > FAR * np.linalg.norm(high - low)
     middle = (low + high) / 2 if is_far else np.zeros(3)
-    placed = {"translation": middle.tolist()} if is_far else {}
-    position = (skeleton.vertices - middle).astype(np.float32)
-    joints = []
-    for node in range(num):
-        above = parent[node]
-        offset = position[node] - (position[above] if above >= 0 else 0)
-        joint: dict[str, Any] = {"name": f"node {node}", "translation": offset.tolist()}
-        joint["extras"] = {"radius": float(skeleton.radii[node])}
-        joints.append(joint | ({"children": children[node]} if children[node] else {}))
+    document, content = _plain(parts, middle)
+    start = _add_joints(document, rig, middle)
+    _add_skin(document, content, rig, parts, start, middle)
+    return _packed(document, bytes(content))
+
+
+def _plain(parts: list[trimesh.Trimesh], middle: np.ndarray) -> tuple[dict[str, Any], bytearray]:
+    """The document and the binary of a file with the parts alone, in the order of ``parts``."""
+    scene = trimesh.Scene()
+    for number, part in enumerate(parts):
+        is_finite = np.isfinite(part.vertices)
+        if not is_finite.all():
+            part.vertices = np.where(is_finite, part.vertices, middle)
+        if middle.any():
+            part.apply_translation(-middle)  # which keeps normals
+        part.metadata.clear()
+        scene.add_geometry(part, node_name=f"mesh {number}", geom_name=f"mesh {number}")
+    data = export_glb(scene)
+    size = struct.unpack("<I", data[12:16])[0]
+    document = json.loads(data[20 : 20 + size])
+    return document, bytearray(data[28 + size :])
+
+
+def _add_joints(document: dict[str, Any], rig: "Rig", middle: np.ndarray) -> int:
+    """Add the joints as nodes, after those that there are; returns the number of the first."""
+    start = len(document["nodes"])
+    position = (rig.joints - middle).astype(np.float32)
+    for bone, (name, above) in enumerate(zip(rig.names, rig.parents.tolist(), strict=True)):
+        offset = position[bone] - (position[above] if above >= 0 else 0)
+        joint: dict[str, Any] = {"name": name, "translation": offset.tolist()}
+        joint["extras"] = {"tail": (rig.tails[bone] - rig.joints[bone]).tolist()}
+        children = (start + np.flatnonzero(rig.parents == bone)).tolist()
+        document["nodes"].append(joint | ({"children": children} if children else {}))
+    return start
+
+
+def _add_skin(
+    document: dict[str, Any], content: bytearray, rig: "Rig", parts: list[trimesh.Trimesh], start: int, middle: Any
+) -> None:
+    """Bind the nodes of ``parts`` to the joints, whose nodes begin with ``start``; all of them in one frame."""
+    num = len(rig.joints)
+    placed = {"translation": middle.tolist()} if middle.any() else {}
+    meshes = {mesh["name"]: number for number, mesh in enumerate(document["meshes"])}
+    shown, first = [], 0
+    for number, part in enumerate(parts):
+        rows = rig.weights[first : first + len(part.vertices)]
+        first += len(part.vertices)
+        mesh = meshes.get(f"mesh {number}")
+        if mesh is None:  # without faces
+            continue
+        attributes = document["meshes"][mesh]["primitives"][0]["attributes"]
+        for which, (bound, weights) in enumerate(_sets(rows)):
+            attributes[f"JOINTS_{which}"] = _add(document, content, bound, "VEC4", USHORT, ARRAY_BUFFER)
+            attributes[f"WEIGHTS_{which}"] = _add(document, content, weights, "VEC4", FLOAT, ARRAY_BUFFER)
+        shown.append(start + num + len(shown))
+        document["nodes"].append({"name": f"mesh {number}" if len(parts) > 1 else "mesh", "mesh": mesh, "skin": 0})
+        document["nodes"][-1] |= placed
     inverse = np.tile(np.eye(4, dtype=np.float32), (num, 1, 1))
-    inverse[:, 3, :3] = -position  # columns come first in the format
-    bound = np.zeros((len(vertices), 4), dtype=np.uint16)
-    bound[:, 0] = skeleton.mesh_map
-    weights = np.tile(np.array([1, 0, 0, 0], dtype=np.float32), (len(vertices), 1))
-    views: list[dict[str, Any]] = []
-    accessors: list[dict[str, Any]] = []
-    content = bytearray()
+    inverse[:, 3, :3] = -(rig.joints - middle).astype(np.float32)  # columns come first in the format
+    binds = _add(document, content, inverse, "MAT4", FLOAT)
+    roots = (start + np.flatnonzero(rig.parents < 0)).tolist()
+    document["nodes"].append({"name": "rig", "children": roots, **placed})
+    top = len(document["nodes"]) - 1
+    document["skins"] = [{"inverseBindMatrices": binds, "joints": list(range(start, start + num)), "skeleton": top}]
+    document["scenes"], document["scene"] = [{"nodes": [*shown, top]}], 0
+    document["asset"] = {"version": "2.0", "generator": f"msf_jax {VERSION}"}
+    _drop_nodes(document, start)
+    document["buffers"] = [{"byteLength": len(content)}]
 
-    def add(array: np.ndarray, kind: str, component: int, target: int | None = None) -> int:
-        data = np.ascontiguousarray(array).tobytes()
-        view: dict[str, Any] = {"buffer": 0, "byteOffset": len(content), "byteLength": len(data)}
-        views.append(view | ({"target": target} if target else {}))
-        content.extend(data + b"\0" * (-len(data) % 4))
-        accessors.append({"bufferView": len(views) - 1, "componentType": component, "count": len(array), "type": kind})
-        return len(accessors) - 1
 
-    points = (vertices - middle).astype(np.float32)
-    at = add(points, "VEC3", FLOAT, ARRAY_BUFFER)
-    accessors[at] |= {"min": points.min(axis=0).tolist(), "max": points.max(axis=0).tolist()}
-    attributes = {
-        "POSITION": at,
-        "JOINTS_0": add(bound, "VEC4", USHORT, ARRAY_BUFFER),
-        "WEIGHTS_0": add(weights, "VEC4", FLOAT, ARRAY_BUFFER),
-    }
-    corners = add(faces.astype(np.uint32).ravel(), "SCALAR", UINT, ELEMENT_ARRAY_BUFFER)
-    binds = add(inverse, "MAT4", FLOAT)
-    roots = [int(node) for node in order if parent[int(node)] < 0]
-    document = {
-        "asset": {"version": "2.0", "generator": "msf_jax"},
-        "scene": 0,
-        "scenes": [{"nodes": [num, num + 1]}],
-        "nodes": [
-            *joints,
-            {"name": "mesh", "mesh": 0, "skin": 0, **placed},
-            {"name": "curve skeleton", "children": roots, **placed},
-        ],
-        "meshes": [{"primitives": [{"attributes": attributes, "indices": corners, "mode": 4}]}],
-        "skins": [{"inverseBindMatrices": binds, "joints": list(range(num)), "skeleton": num + 1}],
-        "buffers": [{"byteLength": len(content)}],
-        "bufferViews": views,
-        "accessors": accessors,
-    }
+def _sets(rows: Any) -> list[tuple[np.ndarray, np.ndarray]]:
+    """Joints and weights of vertices by four, the largest first: (v, 4) uint16 and (v, 4) float32 each."""
+    num, most = rows.shape[0], int(np.diff(rows.indptr).max(initial=1))
+    width = -(-most // AT_ONCE) * AT_ONCE
+    bound, weights = np.zeros((num, width), dtype=np.uint16), np.zeros((num, width), dtype=np.float32)
+    row = np.repeat(np.arange(num), np.diff(rows.indptr))
+    order = np.lexsort((-rows.data, row))
+    rank = np.arange(len(row)) - np.repeat(rows.indptr[:-1], np.diff(rows.indptr))
+    bound[row, rank], weights[row, rank] = rows.indices[order], rows.data[order]
+    weights /= weights.sum(axis=1, keepdims=True)
+    return [(bound[:, k : k + AT_ONCE], weights[:, k : k + AT_ONCE]) for k in range(0, width, AT_ONCE)]
+
+
+def _add(
+    document: dict[str, Any],
+    content: bytearray,
+    array: np.ndarray,
+    kind: str,
+    component: int,
+    target: int | None = None,
+) -> int:
+    """Put ``array`` behind what the binary holds; returns the number of its accessor."""
+    content.extend(b"\0" * (-len(content) % 4))
+    data = np.ascontiguousarray(array).tobytes()
+    view: dict[str, Any] = {"buffer": 0, "byteOffset": len(content), "byteLength": len(data)}
+    document["bufferViews"].append(view | ({"target": target} if target else {}))
+    content.extend(data)
+    number = len(document["bufferViews"]) - 1
+    document["accessors"].append({"bufferView": number, "componentType": component, "count": len(array), "type": kind})
+    return len(document["accessors"]) - 1
+
+
+def _drop_nodes(document: dict[str, Any], start: int) -> None:
+    """Leave out the nodes before ``start``: those of the plain file, whose meshes have others now."""
+    document["nodes"] = document["nodes"][start:]
+    for node in document["nodes"]:
+        if "children" in node:
+            node["children"] = [child - start for child in node["children"]]
+    for skin in document["skins"]:
+        skin["joints"], skin["skeleton"] = [joint - start for joint in skin["joints"]], skin["skeleton"] - start
+    document["scenes"] = [{"nodes": [node - start for node in document["scenes"][0]["nodes"]]}]
+
+
+def _packed(document: dict[str, Any], content: bytes) -> bytes:
     text = json.dumps(document, separators=(",", ":")).encode()
     text += b" " * (-len(text) % 4)
-    chunks = struct.pack("<II", len(text), 0x4E4F534A) + text
-    chunks += struct.pack("<II", len(content), 0x004E4942) + bytes(content)
+    content += b"\0" * (-len(content) % 4)
+    chunks = struct.pack("<II", len(text), JSON) + text + struct.pack("<II", len(content), BINARY) + content
     return struct.pack("<III", 0x46546C67, 2, 12 + len(chunks)) + chunks

@@ -1,11 +1,13 @@
 """Text formats that hold a graph: OBJ, CG, PLY, VTK PolyData, GraphML; one writer each."""
 
+import base64
 from typing import TYPE_CHECKING
 
 import networkx as nx
 import numpy as np
 
 from msf_jax.host.curve import branches
+from msf_jax.skeleton.centrelines.table import branch_columns, node_columns
 from msf_jax.skeleton.formats.text import number, point
 
 if TYPE_CHECKING:
@@ -38,24 +40,43 @@ def ply(skeleton: "Skeleton") -> str:
 
 
 def vtp(skeleton: "Skeleton") -> str:
-    """VTK's XML PolyData: a line for each branch, or a vertex for a lone node; point data "radius"."""
+    """VTK's XML PolyData: a line for each branch, or a vertex for a lone node, with the columns of both tables.
+
+    Point data are those of nodes, cell data those of branches; a column of which nothing is known is left out.
+    """
     ways = branches.trace(len(skeleton.vertices), skeleton.edges)
+    order = sorted(range(len(ways)), key=lambda number: len(ways[number]) > 1)  # VTK has vertices before lines
     lines, lone = [way for way in ways if len(way) > 1], [way for way in ways if len(way) == 1]
 
-    def array(kind: str, name: str, values: str, components: int = 1) -> str:
-        form = f'type="{kind}" Name="{name}" NumberOfComponents="{components}" format="ascii"'
-        return f"<DataArray {form}>{values}</DataArray>"
+    def array(kind: str, name: str, values: str, components: int = 1, form: str = "ascii") -> str:
+        head = f'type="{kind}" Name="{name}" NumberOfComponents="{components}" format="{form}"'
+        return f"<DataArray {head}>{values}</DataArray>"
+
+    def column(name: str, values: np.ndarray) -> str:
+        """In base64, which knows NaN, after the number of bytes."""
+        is_whole = values.dtype.kind in "bi"
+        data = values.astype("<i8" if is_whole else "<f8").tobytes()
+        text = base64.b64encode(len(data).to_bytes(8, "little") + data).decode()
+        return array("Int64" if is_whole else "Float64", name, text, values[:1].size or 1, "binary")
 
     def cells(name: str, ways: list[list[int]]) -> str:
         numbers = array("Int64", "connectivity", " ".join(str(node) for way in ways for node in way))
         ends = array("Int64", "offsets", " ".join(map(str, np.cumsum([len(way) for way in ways], dtype=int))))
         return f"<{name}>{numbers}{ends}</{name}>"
 
+    of_node = node_columns(skeleton)
+    of_node = {"tangent": np.stack([of_node.pop(f"tangent_{axis}") for axis in "xyz"], axis=1)} | of_node
+    of_node = {name: values for name, values in of_node.items() if name not in ("node", "x", "y", "z", "radius")}
+    of_branch = {name: values[order] for name, values in branch_columns(skeleton).items()}
+    point_data, cell_data = (
+        "".join(column(name, values) for name, values in columns.items() if not np.isnan(values.astype(float)).all())
+        for columns in (of_node, of_branch)
+    )
     points = array("Float64", "points", " ".join(map(point, skeleton.vertices)), 3)
     radii = array("Float64", "radius", " ".join(map(number, skeleton.radii)))
     counts = f'NumberOfPoints="{len(skeleton.vertices)}" NumberOfLines="{len(lines)}" NumberOfVerts="{len(lone)}"'
-    piece = f'<PointData Scalars="radius">{radii}</PointData><Points>{points}</Points>'
-    piece += cells("Verts", lone) + cells("Lines", lines)
+    piece = f'<PointData Scalars="radius">{radii}{point_data}</PointData><CellData>{cell_data}</CellData>'
+    piece += f"<Points>{points}</Points>" + cells("Verts", lone) + cells("Lines", lines)
     return (
         '<?xml version="1.0"?>\n<VTKFile type="PolyData" version="1.0" byte_order="LittleEndian" '
         f'header_type="UInt64"><PolyData><Piece {counts}>{piece}</Piece></PolyData></VTKFile>\n'

@@ -13,24 +13,45 @@ if TYPE_CHECKING:
     from msf_jax.skeleton.skeleton import Skeleton
 
 CUT = "# cut edge"  # the comment that names an edge which SWC cannot hold, by its two ids
+SOMA, FORK, END, OTHER = 1, 5, 6, 0  # labels of the format
+RADII = {"ball": "of the largest ball inside", "section": "of a disc with the area of the cross-section"}
 REPORT = "# report: "  # before each line of the report
 
 
 def written(skeleton: "Skeleton") -> str:
-    """The text: ids from 1, parents before children, -1 for the parent of a root; a tree's root first."""
+    """The text: ids from 1, parents before children, -1 for the parent of a root; a tree's root first.
+
+    Labels are those of CNIC: 1 soma, 5 fork, 6 end, 0 other. A soma is labelled where the tree's root is one for sure.
+    """
     parent = branches.tree(len(skeleton.vertices), skeleton.edges, skeleton.roots)
     row_of = {node: index + 1 for index, node in enumerate(parent)}
     cut = [f"{CUT} {row_of[a]} {row_of[b]}" for a, b in skeleton.edges.tolist() if parent[a] != b and parent[b] != a]
     is_known = not np.isnan(skeleton.report.inside)  # of a curve that was read from a file it is not
     report = [REPORT + " ".join(line.split()) for line in skeleton.report.lines()] if is_known else []
     header = ["# curve skeleton written by msf_jax", *report]
+    header.append("# labels: 1 soma, 5 fork, 6 end, 0 other")
+    header.append(f"# radius: {RADII[skeleton.radius_of]}")
+    header += [f"# units: {' '.join(skeleton.units.split())}"] if skeleton.units else []
     header.append(f"# loops cut: {len(cut)}; each cut edge is listed by its two ids")
+    label = _labels(skeleton, parent)
     rows = [
-        f"{row_of[node]} 0 {point(skeleton.vertices[node])} {number(skeleton.radii[node])} "
+        f"{row_of[node]} {label[node]} {point(skeleton.vertices[node])} {number(skeleton.radii[node])} "
         f"{row_of[above] if above >= 0 else -1}"
         for node, above in parent.items()
     ]
     return "\n".join([*header, *cut, *rows]) + "\n"
+
+
+def _labels(skeleton: "Skeleton", parent: dict[int, int]) -> np.ndarray:
+    """(N,) what each node is in the tree of ``parent``."""
+    above = np.array([value for value in parent.values() if value >= 0], dtype=np.int64)
+    children = np.bincount(above, minlength=len(skeleton.vertices))
+    label = np.select([children > 1, children == 0], [FORK, END], OTHER)
+    if skeleton.roots:
+        soma = skeleton.soma()
+        if soma.is_sure and soma.node == skeleton.roots[0]:
+            label[soma.node] = SOMA
+    return label
 
 
 def report_lines(text: str) -> list[str]:

@@ -23,17 +23,20 @@ def npz(skeleton: "Skeleton") -> bytes:
     """The arrays by their names, the report as JSON, and the surface and pins that the curve was made from, if any."""
     buffer = io.BytesIO()
     arrays: dict[str, Any] = {name: getattr(skeleton, name) for name in ("vertices", "edges", "radii", "mesh_map")}
-    arrays["roots"] = np.array(skeleton.roots, dtype=np.int64)
+    arrays |= {name: np.array(getattr(skeleton, name), dtype=np.int64) for name in ("roots", "openings")}
+    arrays |= {name: np.array(getattr(skeleton, name)) for name in ("radius_of", "units")}
     source = skeleton.source
-    if source is not None and source.input_of_vertex is not None:
+    if source is not None:
         shape = source.solid.shape
         arrays |= {
             "surface_vertices": source.solid.leave(shape.vertices),
             "surface_faces": shape.faces.astype(np.int32),
-            "input_of_vertex": source.input_of_vertex,
             "areas": source.areas,
             "pins": np.asarray(source.pins, dtype=np.int64),
+            "lids": source.solid.lids,
         }
+        if source.input_of_vertex is not None:
+            arrays["input_of_vertex"] = source.input_of_vertex
     header = json.dumps({"format": f"msf_jax {KIND}", "version": VERSION})
     arrays |= {"report": np.array(json.dumps(skeleton.report.to_dict())), archive.HEADER: np.array(header)}
     np.savez_compressed(buffer, **arrays)
@@ -53,20 +56,29 @@ def read_npz(path: str | os.PathLike[str]) -> "tuple[dict[str, Any], Report, Sou
         is_right &= all(((index >= 0) & (index < num)).all() for index in (edges, mesh_map)) and mesh_map.ndim == 1
         if not (num and is_right and all(np.isfinite(value).all() for value in curve.values())):
             raise ValueError("arrays do not fit together")
-        curve["roots"] = tuple(int(node) for node in held["roots"])
-        if not all(0 <= node < num for node in curve["roots"]):
-            raise ValueError("the roots are no nodes")
+        for name in ("roots", "openings"):  # files of version 0.3.0 have no openings
+            curve[name] = tuple(int(node) for node in held[name]) if name in held else ()
+            if not all(0 <= node < num for node in curve[name]):
+                raise ValueError(f"the {name} are no nodes")
+        curve["radius_of"], curve["units"] = (str(held.get(*pair)) for pair in (("radius_of", "ball"), ("units", "")))
+        if curve["radius_of"] not in ("ball", "section"):
+            raise ValueError("the radii are of nothing that is known")
         report = Report.from_dict(json.loads(str(held["report"])))
         source = None
         if "surface_vertices" in held:
             vertices, faces = held["surface_vertices"], held["surface_faces"].astype(np.int64)
-            origin, areas, pins = held["input_of_vertex"], held["areas"], held["pins"]
+            origin, areas, pins = held.get("input_of_vertex"), held["areas"], held["pins"]
             is_right = faces.shape[1:] == (3,) and ((faces >= 0) & (faces < len(vertices))).all()
-            is_right &= vertices.shape == (len(origin), 3) and areas.shape == mesh_map.shape
-            is_right &= all(((index >= 0) & (index < len(mesh_map))).all() for index in (origin, pins))
+            is_right &= vertices.shape[1:] == (3,) and areas.shape == mesh_map.shape
+            is_right &= origin is None or origin.shape == vertices.shape[:1]
+            known = [index for index in (origin, pins) if index is not None]
+            is_right &= all(((index >= 0) & (index < len(mesh_map))).all() for index in known)
             if not (is_right and np.isfinite(vertices).all()):
                 raise ValueError("the surface does not fit the curve")
-            source = Source(Solid(vertices, faces), areas, pins, (), origin)
+            lids = held["lids"].astype(np.int64) if "lids" in held else np.empty(0, dtype=np.int64)
+            if not ((lids >= 0) & (lids < len(faces))).all():
+                raise ValueError("the lids are no faces")
+            source = Source(Solid(vertices, faces, lids), areas, pins, (), origin)
     return curve, report, source
 
 
@@ -79,6 +91,10 @@ def plain_json(skeleton: "Skeleton") -> str:
         "edges": skeleton.edges.tolist(),
         "radii": skeleton.radii.tolist(),
         "mesh_map": skeleton.mesh_map.tolist(),
+        "roots": list(skeleton.roots),
+        "openings": list(skeleton.openings),
+        "radius_of": skeleton.radius_of,
+        "units": skeleton.units,
         "report": skeleton.report.to_dict(),
     }
     return json.dumps(content) + "\n"

@@ -1,0 +1,92 @@
+"""Options for what becomes of a curve before it is written: units, pieces, loops, a root, nodes, radii."""
+
+import argparse
+import math
+from typing import TYPE_CHECKING, NamedTuple
+
+from msf_jax.base.errors import ConfigError
+
+if TYPE_CHECKING:
+    import numpy as np
+
+    from msf_jax.skeleton.skeleton import Skeleton
+
+
+class Shaping(NamedTuple):
+    """What is asked for; plain values, to be sent to another process. root: a place, "soma" or "thickest"; None for no
+    tree."""
+
+    scale: float = 1.0
+    units: str = ""
+    resample: float | None = None
+    heal: float | None = None
+    root: tuple[float, ...] | str | None = None
+    radius: str | None = None
+
+
+def add_options(parser: argparse.ArgumentParser) -> None:
+    """The options that `asked_for` reads."""
+    after = parser.add_argument_group("what is written", "Lengths are those of the file that is written.")
+    after.add_argument("--scale", type=float, metavar="X", help="multiply the mesh's coordinates, to change the unit")
+    after.add_argument("--units", metavar="NAME", help="of what is written, to be noted in .swc, .npz and .json")
+    after.add_argument("--resample", type=float, metavar="X", help="nodes about every so much along the branches")
+    after.add_argument("--heal", type=float, metavar="X", help="join pieces of the curve over gaps of up to so much")
+    after.add_argument("--tree", action="store_true", help="cut loops where they are thinnest")
+    after.add_argument(
+        "--root",
+        metavar="R",
+        help="of the tree: x,y,z for the node nearest to there (--root=-1,2,3), soma, or thickest; implies --tree",
+    )
+    after.add_argument(
+        "--radius",
+        choices=["ball", "section"],
+        help="what radii are of: the largest ball inside (default), or a disc with the area of the cross-section",
+    )
+
+
+def asked_for(arguments: argparse.Namespace) -> Shaping:
+    """What the options of `add_options` say; a `ConfigError` for a length or a root that is none."""
+    for name in ("scale", "resample", "heal"):
+        value = getattr(arguments, name)
+        if value is not None and not 0 < value < math.inf:
+            raise ConfigError(f"--{name} is {value}: expected a number above 0")
+    root: tuple[float, ...] | str | None = "thickest" if arguments.tree else None
+    if arguments.root is not None:
+        root = arguments.root if arguments.root in ("soma", "thickest") else _place(arguments.root)
+    scale = 1.0 if arguments.scale is None else arguments.scale
+    return Shaping(scale, arguments.units or "", arguments.resample, arguments.heal, root, arguments.radius)
+
+
+def _place(text: str) -> tuple[float, ...]:
+    try:
+        place = tuple(float(value) for value in text.split(","))
+    except ValueError:
+        place = ()
+    if len(place) != 3 or not all(map(math.isfinite, place)):
+        raise ConfigError(f"--root is {text!r}: expected x,y,z, soma or thickest")
+    return place
+
+
+def scaled(mesh: "tuple[np.ndarray, np.ndarray]", asked: Shaping) -> "tuple[np.ndarray, np.ndarray]":
+    """Vertices and faces of a mesh in the units that are asked for."""
+    return (mesh[0] * asked.scale, mesh[1]) if asked.scale != 1 else mesh
+
+
+def shaped(skeleton: "Skeleton", asked: Shaping) -> "Skeleton":
+    """The curve as it is to be written."""
+    from dataclasses import replace
+
+    import numpy as np
+
+    if asked.heal is not None:
+        skeleton = skeleton.heal(asked.heal)
+    if asked.root is not None:
+        root: int | str | None = None if asked.root == "thickest" else "soma"
+        if isinstance(asked.root, tuple):
+            root = int(np.linalg.norm(skeleton.vertices - np.array(asked.root), axis=1).argmin())
+        skeleton = skeleton.to_tree(root)
+    if asked.resample is not None:
+        skeleton = skeleton.resample(asked.resample)
+    if asked.radius is not None:
+        skeleton = skeleton.with_radii(asked.radius)
+    return replace(skeleton, units=asked.units)

@@ -1,0 +1,60 @@
+"""How far a long job is: a bar on a terminal, and in a log a plain line now and then."""
+
+import sys
+import time
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from typing import Any, TypeVar
+
+from tqdm import tqdm
+
+Part = TypeVar("Part")
+EVERY = 10.0  # seconds at least between two lines of a log
+
+
+class Progress:
+    """Of a job of ``total`` parts. A bar where standard error is a terminal, else lines, if it is to be ``shown``."""
+
+    def __init__(self, total: int, what: str, unit: str, shown: bool):
+        is_terminal = sys.stderr is not None and sys.stderr.isatty()
+        self._bar: Any = tqdm(total=total, desc=what, unit=unit, disable=not (shown and is_terminal))
+        self._is_plain = shown and not is_terminal and sys.stderr is not None
+        self._total, self._what, self._unit = total, what, unit
+        self._done, self._last = 0, -EVERY
+        self._began = time.monotonic()
+
+    def update(self, num: int = 1, note: str = "") -> None:
+        """``num`` more parts are done; ``note`` says which, or what has come of it."""
+        self._done += num
+        self._bar.update(num)
+        self._bar.set_postfix_str(note)
+        now = time.monotonic() - self._began
+        if self._is_plain and (now - self._last >= EVERY or self._done == self._total):
+            self._last = now
+            tail = f", {note}" if note else ""
+            print(
+                f"{self._what}: {self._done} of {self._total} {self._unit}, {now:.0f} s{tail}",
+                file=sys.stderr,
+                flush=True,
+            )
+
+    def close(self) -> None:
+        self._bar.close()
+
+
+@contextmanager
+def showing(total: int, what: str, unit: str, shown: bool) -> Iterator[Progress]:
+    """A `Progress` that is closed at the end."""
+    made = Progress(total, what, unit, shown)
+    try:
+        yield made
+    finally:
+        made.close()
+
+
+def shown(parts: Sequence[Part], what: str, unit: str, is_shown: bool) -> Iterator[Part]:
+    """Each of ``parts``, which counts as done when the next is asked for."""
+    with showing(len(parts), what, unit, is_shown) as bar:
+        for part in parts:
+            yield part
+            bar.update()

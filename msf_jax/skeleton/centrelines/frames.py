@@ -1,0 +1,57 @@
+"""How a branch turns at each of its nodes: tangent, curvature and torsion, of a cubic that is fitted around it.
+
+With s the arc length and x(s) the cubic of least squares over the nodes within a few radii,
+
+    tangent x' / |x'|,   curvature |x' x x''| / |x'|^3,   torsion (x' x x'') . x''' / |x' x x''|^2.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from msf_jax.host.solid.geometry import arc_length, cross, repeated, unit
+
+REACH = 3.0  # radii on either side, that a cubic is fitted to
+FEWEST = 3  # nodes on either side, if the branch has them
+STRAIGHT = 0.02  # curvature times reach, below which torsion is 0: a straight line has none
+NEGLIGIBLE = 1e-9  # of the largest eigenvalue of a fit: what few nodes leave open is 0
+
+
+class Frames(NamedTuple):
+    """Of nodes (n,) along a branch. tangent: (n, 3), unit. curvature: (n,) one over length. torsion: (n,) the same."""
+
+    tangent: np.ndarray
+    curvature: np.ndarray
+    torsion: np.ndarray
+
+
+def frames_of(points: np.ndarray, radii: np.ndarray) -> Frames:
+    """The frames of a branch through ``points`` (n, 3), n >= 2, in a limb of ``radii`` (n,)."""
+    num, along = len(points), arc_length(points)
+    index = np.arange(num)
+    first, last = np.maximum(index - FEWEST, 0), np.minimum(index + FEWEST, num - 1)
+    reach = np.maximum(REACH * radii, np.maximum(along - along[first], along[last] - along))
+    reach = np.maximum(1.001 * reach, 1e-12 * max(along[-1], 1e-300))
+    begin = np.searchsorted(along, along - reach)
+    end = np.searchsorted(along, along + reach, side="right")
+    row, k = repeated(end - begin)
+    other = begin[row] + k
+    away = (along[other] - along[row]) / reach[row]
+    weight = np.maximum(1 - away**2, 0.0) ** 2
+    power = np.stack([np.ones_like(away), away, away**2, away**3], axis=1)
+    starts = np.cumsum(end - begin) - (end - begin)
+    left = np.add.reduceat(weight[:, None, None] * power[:, :, None] * power[:, None, :], starts)
+    offset = points[other] - points[row]
+    right = np.add.reduceat(weight[:, None, None] * power[:, :, None] * offset[:, None, :], starts)
+    fit = np.linalg.pinv(left, rcond=NEGLIGIBLE, hermitian=True) @ right
+    one, two, three = (
+        fit[:, 1] / reach[:, None],
+        2 * fit[:, 2] / reach[:, None] ** 2,
+        6 * fit[:, 3] / reach[:, None] ** 3,
+    )
+    binormal = cross(one, two)
+    size, speed = np.linalg.norm(binormal, axis=1), np.maximum(np.linalg.norm(one, axis=1), 1e-300)
+    curvature = size / speed**3
+    is_straight = curvature * reach < STRAIGHT
+    torsion = np.einsum("ij,ij->i", binormal, three) / np.where(is_straight, 1.0, size) ** 2
+    return Frames(unit(one), curvature, np.where(is_straight, 0.0, torsion))

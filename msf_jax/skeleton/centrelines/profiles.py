@@ -1,0 +1,74 @@
+"""The cross-section of the solid at each node: area, perimeter, and its widths; and the volume around each branch."""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from msf_jax.host.solid import sections
+from msf_jax.host.solid.geometry import cross, unit
+from msf_jax.host.solid.solid import Solid
+
+DIRECTIONS = 48  # in half a turn, in which a section is measured: a width is right to 0.1 %
+
+
+class Profiles(NamedTuple):
+    """Of nodes (N,), in the caller's units, NaN where no section was found. largest, least: diameters, as a calliper
+    has them."""
+
+    area: np.ndarray
+    perimeter: np.ndarray
+    largest: np.ndarray
+    least: np.ndarray
+
+
+def profiles_of(solid: Solid, nodes: np.ndarray, tangents: np.ndarray, radii: np.ndarray) -> Profiles:
+    """The sections of ``solid`` through ``nodes`` (N, 3) across ``tangents`` (N, 3), of about ``radii`` (N,)."""
+    num, points = len(nodes), solid.enter(nodes)
+    found = sections.corners(solid.shape, points, tangents, radii / solid.diagonal)
+    unknown = np.full(num, np.nan)
+    if not len(found.loop):
+        return Profiles(unknown, unknown, unknown, unknown)
+    t = found.part[:, None]
+    place = (1 - t) * solid.shape.vertices[found.tail] + t * solid.shape.vertices[found.head] - points[found.loop]
+    first = np.flatnonzero(np.r_[True, found.loop[1:] != found.loop[:-1]])
+    row = found.loop[first]
+    onward = np.r_[place[1:], place[:1]]
+    onward[np.r_[first[1:] - 1, len(place) - 1]] = place[first]
+    area = np.add.reduceat(np.einsum("ci,ci->c", cross(place, onward), tangents[found.loop]), first) / 2
+    perimeter = np.add.reduceat(np.linalg.norm(onward - place, axis=1), first)
+    across = unit(cross(tangents, np.eye(3)[np.abs(tangents).argmin(axis=1)]))
+    beside = cross(tangents, across)
+    u = np.einsum("ci,ci->c", place, across[found.loop])
+    v = np.einsum("ci,ci->c", place, beside[found.loop])
+    angle = np.pi * np.arange(DIRECTIONS) / DIRECTIONS
+    shade = u[:, None] * np.cos(angle) + v[:, None] * np.sin(angle)
+    width = np.maximum.reduceat(shade, first) - np.minimum.reduceat(shade, first)
+    is_whole = found.is_closed[row] & (area > 0)
+
+    def full(values: np.ndarray, power: int) -> np.ndarray:
+        result = unknown.copy()
+        result[row] = np.where(is_whole, values * solid.diagonal**power, np.nan)
+        return result
+
+    return Profiles(full(area, 2), full(perimeter, 1), full(width.max(axis=1), 1), full(width.min(axis=1), 1))
+
+
+def swept_volumes(corners: np.ndarray, feet: np.ndarray, group: np.ndarray, num: int) -> np.ndarray:
+    """(num,) the volume between the faces of each ``group`` (F,) and the curve.
+
+    ``corners`` (F, 3, 3) of each face go straight to their ``feet`` (F, 3, 3) on the curve; the sides of what a face
+    sweeps are shared with its neighbours, so that the volumes of all of a closed surface add up to that which it
+    encloses: a curve encloses none.
+    """
+
+    def under(a: np.ndarray, b: np.ndarray, c: np.ndarray) -> np.ndarray:
+        return np.einsum("fi,fi->f", a, cross(b, c)) / 6
+
+    a, b = np.moveaxis(corners, 1, 0), np.moveaxis(feet, 1, 0)
+    volume = under(*a) - under(*b)
+    for k in range(3):  # a side is ruled: the mean of its two foldings
+        p, q = k, (k + 1) % 3
+        one = under(a[q], a[p], b[p]) + under(a[q], b[p], b[q])
+        other = under(a[q], a[p], b[q]) + under(a[p], b[p], b[q])
+        volume = volume + (one + other) / 2
+    return np.bincount(group, weights=volume, minlength=num)

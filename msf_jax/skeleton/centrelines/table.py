@@ -1,0 +1,209 @@
+"""Tables of a curve as measurements ask for them: a row for each branch, or for each node."""
+
+from collections import deque
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+from scipy import spatial
+
+from msf_jax.base.errors import ConfigError
+from msf_jax.host.curve import branches
+from msf_jax.host.solid.geometry import arc_length, at, unit
+from msf_jax.skeleton.centrelines.frames import frames_of
+from msf_jax.skeleton.centrelines.profiles import Profiles, profiles_of, swept_volumes
+
+if TYPE_CHECKING:
+    from msf_jax.skeleton.skeleton import Skeleton
+
+BEYOND = 2.0  # radii of a junction, over which a branch shows where it goes, from where it leaves the junction's ball
+Columns = dict[str, np.ndarray]
+
+
+class Oriented(NamedTuple):
+    """Branches as they lead away from the root. nodes: of each, the end nearer to the root first. parent: (B,) the
+    branch that each grows out of, -1 for those at a root."""
+
+    nodes: list[np.ndarray]
+    parent: np.ndarray
+
+
+def table_of(skeleton: "Skeleton", of: str) -> Any:
+    """See `Skeleton.table`."""
+    kinds = {"branches": branch_columns, "nodes": node_columns}
+    if of not in kinds:
+        raise ConfigError(f"there is no table of {of!r}: expected one of {', '.join(map(repr, kinds))}")
+    columns = kinds[of](skeleton)
+    try:
+        import pandas
+    except ImportError:
+        return columns
+    return pandas.DataFrame(columns)
+
+
+def oriented(skeleton: "Skeleton") -> Oriented:
+    """The branches of ``skeleton``, in the order of its ``branches``, from its roots, or from the tips of its
+    thickest limbs."""
+    num = len(skeleton.vertices)
+    ways = [np.array(nodes) for nodes in branches.trace(num, skeleton.edges)]
+    roots = skeleton.roots or _inlets(skeleton, ways)
+    at_node: dict[int, list[int]] = {}
+    for number, nodes in enumerate(ways):
+        for end in {int(nodes[0]), int(nodes[-1])}:
+            at_node.setdefault(end, []).append(number)
+    parent = np.full(len(ways), -2)
+    inside = {int(node): number for number, nodes in enumerate(ways) for node in nodes[1:-1]}
+    for root in roots:
+        queue: deque[tuple[int, int]] = deque()  # a junction that was reached, and the branch that led there
+        if root in inside:
+            first = inside[root]
+            parent[first] = -1
+            queue += [(int(ways[first][0]), first), (int(ways[first][-1]), first)]
+        else:
+            queue.append((int(root), -1))
+        while queue:
+            node, above = queue.popleft()
+            for number in at_node.get(node, []):
+                if parent[number] == -2:
+                    parent[number] = above
+                    if ways[number][0] != node:
+                        ways[number] = ways[number][::-1]
+                    queue.append((int(ways[number][-1]), number))
+    return Oriented(ways, np.where(parent == -2, -1, parent))
+
+
+def _inlets(skeleton: "Skeleton", ways: list[np.ndarray]) -> tuple[int, ...]:
+    """A node of each component, the tip of its thickest limb before others."""
+    degree = np.bincount(skeleton.edges.ravel(), minlength=len(skeleton.vertices))
+    size = skeleton.radii / (1 + skeleton.radii.max())  # below 1: of a component without a tip, the thickest node
+    for nodes in ways:
+        for tip in nodes[[0, -1]][degree[nodes[[0, -1]]] == 1]:
+            size[tip] = 1 + np.median(skeleton.radii[nodes])
+    return branches.roots_of(len(size), skeleton.edges, size, None)
+
+
+def branch_columns(skeleton: "Skeleton") -> Columns:
+    """A value for each of the branches in each column."""
+    ways, parent = oriented(skeleton)
+    num, degree = len(ways), np.bincount(skeleton.edges.ravel(), minlength=len(skeleton.vertices))
+    points = [skeleton.vertices[nodes] for nodes in ways]
+    length = np.array([arc_length(way)[-1] for way in points])
+    chord = np.array([np.linalg.norm(way[-1] - way[0]) for way in points])
+    size = np.array([_radii_without_ends(skeleton, nodes, degree) for nodes in ways]).reshape(num, 3)
+    measured = skeleton.branches
+    with np.errstate(divide="ignore", invalid="ignore"):
+        tortuosity = np.where(chord > 0, length / chord, np.where(length > 0, np.inf, np.nan))
+    return {
+        "branch": np.arange(num),
+        "start": np.array([nodes[0] for nodes in ways], dtype=np.int64),
+        "end": np.array([nodes[-1] for nodes in ways], dtype=np.int64),
+        "parent": parent,
+        "is_tip": np.array([degree[nodes[-1]] == 1 for nodes in ways], dtype=bool),
+        "length": length,
+        "chord": chord,
+        "tortuosity": tortuosity,
+        "mean_radius": size[:, 0],
+        "least_radius": size[:, 1],
+        "largest_radius": size[:, 2],
+        "volume": _volumes(skeleton, num),
+        "angle": _angles(skeleton, ways, parent),
+        "persistence": np.array([branch.persistence for branch in measured], dtype=float),
+        "surface": np.array([branch.surface for branch in measured], dtype=float),
+    }
+
+
+def node_columns(skeleton: "Skeleton") -> Columns:
+    """A value for each of the nodes in each column; a node at a junction is with the first of its branches."""
+    ways, _ = oriented(skeleton)
+    num = len(skeleton.vertices)
+    branch, along, curvature, torsion = (
+        np.full(num, -1),
+        np.full(num, np.nan),
+        np.full(num, np.nan),
+        np.full(num, np.nan),
+    )
+    tangent = np.full((num, 3), np.nan)
+    for number, nodes in reversed(list(enumerate(ways))):
+        branch[nodes] = number
+        points = skeleton.vertices[nodes]
+        along[nodes] = arc_length(points)
+        if len(nodes) > 1 and arc_length(points)[-1] > 0:
+            found = frames_of(points, skeleton.radii[nodes])
+            tangent[nodes], curvature[nodes], torsion[nodes] = found
+    sections = Profiles(*np.full((4, num), np.nan))
+    known = np.isfinite(tangent).all(axis=1)
+    if skeleton.source is not None and known.any():
+        found = profiles_of(skeleton.source.solid, skeleton.vertices[known], tangent[known], skeleton.radii[known])
+        for whole, part in zip(sections, found, strict=True):
+            whole[known] = part
+    return {
+        "node": np.arange(num),
+        **dict(zip("xyz", skeleton.vertices.T, strict=True)),
+        "radius": skeleton.radii,
+        "branch": branch,
+        "along": along,
+        **dict(zip(("tangent_x", "tangent_y", "tangent_z"), tangent.T, strict=True)),
+        "curvature": curvature,
+        "torsion": torsion,
+        "area": sections.area,
+        "perimeter": sections.perimeter,
+        "largest_diameter": sections.largest,
+        "least_diameter": sections.least,
+    }
+
+
+def _radii_without_ends(skeleton: "Skeleton", nodes: np.ndarray, degree: np.ndarray) -> tuple[float, float, float]:
+    """Mean, least and largest radius of a branch, but for where its ends make balls smaller or larger: within a radius
+    of a tip, which balls do not reach out of, and within the ball of a junction, which is not the branch's."""
+    radii, along = skeleton.radii[nodes], arc_length(skeleton.vertices[nodes])
+    usual = float(np.median(radii))
+    first, last = (
+        radii[k] if degree[nodes[k]] > 2 else usual if degree[nodes[k]] == 1 and not is_open else 0.0
+        for k, is_open in ((0, nodes[0] in skeleton.openings), (-1, nodes[-1] in skeleton.openings))
+    )
+    is_own = (along >= first) & (along <= along[-1] - last)
+    if not is_own.any():
+        is_own[np.abs(along - along[-1] / 2).argmin()] = True
+    own, stops = radii[is_own], along[is_own]
+    mean = np.trapezoid(own, stops) / (stops[-1] - stops[0]) if stops[-1] > stops[0] else own.mean()
+    return float(mean), float(own.min()), float(own.max())
+
+
+def _angles(skeleton: "Skeleton", ways: list[np.ndarray], parent: np.ndarray) -> np.ndarray:
+    """(B,) degrees by which each branch turns off its parent's direction at their junction, 0 straight on; NaN at a
+    root."""
+    found = np.full(len(ways), np.nan)
+    for number, above in enumerate(parent.tolist()):
+        if above < 0 or len(ways[number]) < 2:
+            continue
+        junction = ways[number][0]
+        mother = ways[above] if ways[above][-1] != junction else ways[above][::-1]
+        radius = float(skeleton.radii[junction])
+        ahead = _leaves(skeleton.vertices[ways[number]], radius)
+        back = _leaves(skeleton.vertices[mother], radius)
+        found[number] = np.degrees(np.arccos(np.clip(-(ahead @ back), -1.0, 1.0)))
+    return found
+
+
+def _leaves(points: np.ndarray, radius: float) -> np.ndarray:
+    """(3,) the direction in which a branch goes from where it leaves the ball at its first point."""
+    along = arc_length(points)
+    begin = min(radius, along[-1] / 2)
+    near, far = at(points, along, np.array([begin, min(begin + BEYOND * radius, along[-1])]))
+    return unit(far - near)
+
+
+def _volumes(skeleton: "Skeleton", num: int) -> np.ndarray:
+    """(B,) the volume between each branch and the faces that go to it; NaN where the surface is not known."""
+    if skeleton.source is None:
+        return np.full(num, np.nan)
+    solid = skeleton.source.solid
+    if skeleton.source.input_of_vertex is not None:
+        node = skeleton.mesh_map[skeleton.source.input_of_vertex]
+    else:
+        node = np.asarray(spatial.KDTree(skeleton.vertices).query(solid.leave(solid.shape.vertices))[1])
+    branch = np.full(len(skeleton.vertices), -1)
+    for number, nodes in reversed(list(enumerate(branches.trace(len(branch), skeleton.edges)))):
+        branch[nodes] = number
+    faces = solid.shape.faces
+    feet = solid.enter(skeleton.vertices)[node[faces]]
+    return swept_volumes(solid.shape.triangles, feet, branch[node[faces[:, 0]]], num) * solid.diagonal**3

@@ -1,0 +1,213 @@
+"""How a mesh hangs on its bones: smooth weights, by heat that spreads over the surface from what belongs to each bone.
+
+As in Pinocchio (Baran and Popovic 2007) and in Blender's automatic weights, with L the cotangent Laplacian, M the areas
+of vertices and d the distance of a vertex from the curve, the weights w_b of bone b are the heat in balance
+
+    (L + H) w_b = H p_b,    H = M / d^2.
+
+There p_b is 1 where b is the nearest bone that is seen; here where the flow has carried a vertex to b's part of the
+curve, so that an arm that touches a leg is not taken for it. One factorisation serves all bones of a round. Weights add
+up to 1 as p does, and none is below 0. Where an edge would still stretch too far when a bone turns, d is made larger
+about it, and the heat found again.
+"""
+
+from typing import Any, NamedTuple
+
+import numpy as np
+from scipy import sparse
+from scipy.sparse import csgraph, linalg
+
+from msf_jax.host.solid.geometry import cross, repeated
+
+ANGLE = np.radians(40.0)  # by which a bone is turned to see what stretches
+STRETCH = 1.9  # of an edge's length, at most, where rounds can achieve it
+ROUNDS = 3
+REACH = 1.3  # distances from the curve, over which heat spreads
+LOOSER = 1.5  # by which that grows in a round, where it must
+LARGEST_T = 0.45  # of half of a row's sum
+LEAST = 1e-6  # weight; less is none
+LARGEST = 1e4  # cotangent of an angle
+
+
+class Tree(NamedTuple):
+    """Bones that hang on each other. order: (B,) all of them, parents first. parents: (B,) -1 for a root."""
+
+    order: np.ndarray
+    parents: np.ndarray
+
+
+class Heat:
+    """The surface that heat spreads over. Vertices in the same place are one.
+
+    Args:
+        vertices: (V, 3), finite. faces: (F, 3). away: (V,) distance from the curve, above 0.
+    """
+
+    def __init__(self, vertices: np.ndarray, faces: np.ndarray, away: np.ndarray):
+        self.points, self.of_given = np.unique(vertices, axis=0, return_inverse=True)
+        self.of_given = self.of_given.ravel()
+        num = len(self.points)
+        corners = self.of_given[faces]
+        corner = self.points[corners]
+        weight, ends = [], []
+        for k in range(3):
+            u, v = corner[:, (k + 1) % 3] - corner[:, k], corner[:, (k + 2) % 3] - corner[:, k]
+            sine = np.linalg.norm(cross(u, v), axis=1)
+            cotangent = np.einsum("ij,ij->i", u, v) / np.maximum(sine, 1e-300)
+            weight.append(np.clip(cotangent, -LARGEST, LARGEST) / 2)
+            ends.append(corners[:, [(k + 1) % 3, (k + 2) % 3]])
+        pair, value = np.concatenate(ends), np.concatenate(weight)
+        is_edge = pair[:, 0] != pair[:, 1]
+        pair, value = pair[is_edge], value[is_edge]
+        half = sparse.coo_matrix((value, pair.T), shape=(num, num))
+        joined: sparse.csr_matrix = (half + half.T).tocsr()
+        self.laplacian = sparse.diags(np.asarray(joined.sum(axis=1)).ravel()) - joined
+        self.edges = np.unique(np.sort(pair, axis=1), axis=0)
+        area = np.bincount(
+            corners.ravel(),
+            np.repeat(np.linalg.norm(cross(corner[:, 1] - corner[:, 0], corner[:, 2] - corner[:, 0]), axis=1) / 6, 3),
+            num,
+        )
+        self.area = np.maximum(area, 1e-6 * area.mean())
+        count = np.bincount(self.of_given, minlength=num)
+        self.away = REACH * np.bincount(self.of_given, away, num) / count
+        self._factor: Any = None
+
+    def spread(self, bone: np.ndarray, num_bones: int) -> np.ndarray:
+        """(n, B) weights at the places, of what belongs to bone ``bone`` (V,)."""
+        num = len(self.points)
+        share = sparse.coo_matrix((np.ones(len(bone)), (self.of_given, bone)), shape=(num, num_bones)).toarray()
+        share /= share.sum(axis=1, keepdims=True)
+        found = np.maximum(self._balance(share), 0.0)
+        return found / found.sum(axis=1, keepdims=True)
+
+    def loosen(self, is_tight: np.ndarray) -> None:
+        """Let heat spread farther about the places (n,) where the surface stretches too much."""
+        near = np.maximum(self._balance(is_tight.astype(float)[:, None])[:, 0], 0.0)
+        self.away = self.away * (1 + (LOOSER - 1) * near / near.max())
+        self._factor = None
+
+    def _balance(self, source: np.ndarray) -> np.ndarray:
+        """The w (n, k) with (L + H) w = H ``source`` (n, k)."""
+        pull = self.area / self.away**2
+        if self._factor is None:
+            self._factor = linalg.splu(
+                (self.laplacian + sparse.diags(pull)).tocsc(),
+                permc_spec="MMD_AT_PLUS_A",
+                diag_pivot_thresh=0.0,
+                options={"SymmetricMode": True},
+            )
+        return self._factor.solve(np.asfortranarray(pull[:, None] * source))
+
+
+def bound(heat: Heat, bone: np.ndarray, joints: np.ndarray, parents: np.ndarray, influences: int) -> np.ndarray:
+    """(V, B) weights of the vertices that ``heat`` was given, at most ``influences`` of a row above 0, with sum 1."""
+    best, least, own = np.empty(0), np.inf, Tree(np.arange(len(parents)), parents)
+    for _ in range(ROUNDS):
+        spread = heat.spread(bone, len(joints))
+        is_tight = np.zeros(len(heat.points), dtype=bool)
+        for tree in (own, by_touch(spread)):
+            weights = fewest(spread, tree, influences)
+            stretched = stretch(heat.points, heat.edges, joints, own, weights)
+            worst = float(stretched.max(initial=1.0))
+            if worst < least:
+                best, least = weights, worst
+                is_tight[:] = False
+                is_tight[heat.edges[stretched > STRETCH]] = True
+            if least <= STRETCH:
+                return best[heat.of_given]
+        if not is_tight.any():  # this round was no better than those before
+            break
+        heat.loosen(is_tight)
+    return best[heat.of_given]
+
+
+def fewest(weights: np.ndarray, tree: Tree, most: int) -> np.ndarray:
+    """At most ``most`` weights of each row (n, B), with sum 1, as smooth over the surface as they were.
+
+    Each bone but a root stands for the edge to its parent in ``tree``, and that parts the weights: c beyond it, 1 - c
+    on this side. With t the ``most``-th largest of all min(c, 1 - c), an edge's c becomes (c - t) / (1 - 2 t), between
+    0 and 1. The edges with c between t and 1 - t, fewer than ``most``, hang together, so that no more bones are left;
+    and no weight comes or goes at a jump, as it would if the smallest were left out.
+    """
+    num = weights.shape[1]
+    if most == 1:
+        return (np.arange(num) == weights.argmax(axis=1)[:, None]).astype(float)
+    if num <= most:
+        return weights
+    beyond = carried(weights, tree)
+    smaller = np.minimum(beyond, 1 - beyond)
+    t = np.minimum(-np.partition(-smaller, most - 1, axis=1)[:, most - 1 : most], LARGEST_T)
+    beyond = np.clip((beyond - t) / (1 - 2 * t), 0.0, 1.0)
+    found = beyond.copy()
+    for bone, parent in enumerate(tree.parents):
+        if parent >= 0:
+            found[:, parent] -= beyond[:, bone]
+    found = np.where(found > LEAST, found, 0.0)
+    found = np.where(found >= -np.partition(-found, most - 1, axis=1)[:, most - 1 : most], found, 0.0)  # rounding
+    return found / found.sum(axis=1, keepdims=True)
+
+
+def by_touch(weights: np.ndarray) -> Tree:
+    """A tree of bones whose neighbours share most: where a loop was cut, bones touch that are far apart in the rig's.
+
+    ``weights`` is (n, B).
+    """
+    common = weights.T @ weights
+    apart = sparse.csr_matrix(np.where(common > 0, 1 / np.maximum(common, 1e-300), 0.0))
+    spanning = csgraph.minimum_spanning_tree(apart)
+    order, parents = np.empty(0, dtype=np.int64), np.full(len(common), -1)
+    for root in range(len(common)):
+        if root not in order:
+            found, above = csgraph.breadth_first_order(spanning, root, directed=False)
+            order = np.r_[order, found]
+            parents[found] = np.maximum(above[found], -1)
+    return Tree(order, parents)
+
+
+def carried(weights: np.ndarray, tree: Tree) -> np.ndarray:
+    """(n, B) the sum of the weights (n, B) of each bone and of all that hang on it in ``tree``."""
+    found = weights.copy()
+    for bone in tree.order[::-1]:
+        if tree.parents[bone] >= 0:
+            found[:, tree.parents[bone]] += found[:, bone]
+    return found
+
+
+def stretch(points: np.ndarray, edges: np.ndarray, joints: np.ndarray, tree: Tree, weights: np.ndarray) -> np.ndarray:
+    """(E,) how much longer each edge becomes, at most, when one of the bones turns by `ANGLE` about any axis.
+
+    A bone that turns takes along all that hang on it. With s the sum of their weights at a vertex, which moves by at
+    most 2 sin(angle / 2) s times its distance from the joint, an edge gains at most the difference of that at its ends.
+    """
+    beyond = np.ascontiguousarray(carried(weights, tree).T)
+    a, b = edges.T
+    length = np.maximum(np.linalg.norm(points[a] - points[b], axis=1), 1e-12 * np.ptp(points))
+    largest = np.ones(len(edges))
+    for bone, joint in enumerate(joints):
+        change = np.abs(beyond[bone][a] - beyond[bone][b])
+        rows = np.flatnonzero(change > LEAST)
+        away = np.linalg.norm(points - joint, axis=1)
+        gain = change[rows] * np.maximum(away[a[rows]], away[b[rows]]) / length[rows]
+        largest[rows] = np.maximum(largest[rows], 1 + 2 * np.sin(ANGLE / 2) * gain)
+    return largest
+
+
+def walked(points: np.ndarray, nodes: np.ndarray, edges: np.ndarray, start: np.ndarray) -> np.ndarray:
+    """(P,) the node that each of ``points`` (P, 3) comes to from ``start`` (P,) on a curve, always to a nearer one."""
+    ends = np.concatenate([edges, edges[:, ::-1]])
+    ends = ends[np.argsort(ends[:, 0], kind="stable")]
+    count = np.bincount(ends[:, 0], minlength=len(nodes))
+    beside = np.repeat(np.arange(len(nodes))[:, None], max(int(count.max(initial=0)), 1), axis=1)
+    beside[ends[:, 0], repeated(count)[1]] = ends[:, 1]
+    place, active = start.copy(), np.arange(len(points))
+    away = np.linalg.norm(points - nodes[start], axis=1)
+    while len(active):
+        offered = beside[place[active]]
+        distance = np.linalg.norm(points[active, None] - nodes[offered], axis=2)
+        k = distance.argmin(axis=1)
+        nearest = distance[np.arange(len(k)), k]
+        is_nearer = nearest < away[active]
+        active, chosen = active[is_nearer], offered[np.arange(len(k)), k][is_nearer]
+        place[active], away[active] = chosen, nearest[is_nearer]
+    return place

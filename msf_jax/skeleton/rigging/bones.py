@@ -1,0 +1,262 @@
+"""Bones from a curve: where the joints are, which bone hangs on which, and which part of the curve goes with each.
+
+A bone begins at its joint, about which it turns. The root's joint is at the thickest junction, and its part of the
+curve is what lies in the ball there. Every branch that leaves a junction begins with a joint of its own, where it comes
+out of the junction's ball, as an arm leaves a shoulder: so each limb turns by itself. A branch is cut into more bones
+where it bends most, or where it is long.
+"""
+
+import heapq
+import itertools
+from typing import NamedTuple
+
+import networkx as nx
+import numpy as np
+from scipy import sparse
+from scipy.sparse import csgraph
+
+from msf_jax.host.curve import branches
+from msf_jax.host.solid.geometry import arc_length, at
+
+LEAST_LIMB = 0.6  # radii of its junction's ball, that a limb with a bone sticks out of that
+FOR_LIMBS = 0.6  # of the bones at most, so that some are left for bends
+BENT = 0.35  # radii that a bone's part of the curve may be off a straight line
+LONG = 6.0  # radii that a straight bone may be long
+SHORTEST = 1.0  # radii, of a bone that a bend makes, and of one between two junctions
+USUAL = 75  # percentile of the radii along a bone, that is called its radius
+LEAVES = 0.6  # of a branch at most, that the ball at its beginning takes
+
+
+class Bones(NamedTuple):
+    """B bones, parents before children.
+
+    joints: (B, 3) where each begins, and about which it turns. tails: (B, 3) where it ends. parents: (B,) -1 for a
+    root. branch, place: (B,) the branch of the curve and the how-manieth on it, both from 0; -1 and 0 for a root.
+    is_limb: (B,) whether the branch ends in a tip. of_node: (N,) the bone of every node of the curve.
+    """
+
+    joints: np.ndarray
+    tails: np.ndarray
+    parents: np.ndarray
+    branch: np.ndarray
+    place: np.ndarray
+    is_limb: np.ndarray
+    of_node: np.ndarray
+
+
+class _Way(NamedTuple):
+    """A branch away from the root. along: (n,) arc length of its nodes. start: that of its first joint. above: the
+    branch that it leaves, -1 for the root's junction."""
+
+    nodes: np.ndarray
+    along: np.ndarray
+    start: float
+    above: int
+    is_limb: bool
+
+
+def bones_of(vertices: np.ndarray, edges: np.ndarray, radii: np.ndarray, most: int) -> Bones:
+    """At most ``most`` bones for a curve ``(vertices (N, 3), edges (E, 2))`` in limbs of ``radii`` (N,): its longest
+    components have some."""
+    edges = edges[branches.cut_loops(len(vertices), edges, radii)]
+    stays, target = _limbs(vertices, edges, radii, max(1, int(FOR_LIMBS * most)))
+    roots, ways = _ways(vertices, edges[stays[edges].all(axis=1)], radii, stays, most)
+    cuts = _cuts(vertices, radii, ways, most - len(roots))
+    joints, tails, parents, branch, place, is_limb = [], [], [], [], [], []
+    of_node, last = np.full(len(vertices), -1), {}
+    for number, root in enumerate(roots):
+        joints.append(vertices[root])
+        first = [way for way in ways if way.nodes[0] == root]
+        longest = max(first, key=lambda way: way.along[-1]) if first else None
+        tails.append(vertices[root] if longest is None else _at(vertices, longest, longest.start))
+        parents.append(-1)
+        branch.append(-1)
+        place.append(0)
+        is_limb.append(False)
+        of_node[root] = number
+        last[int(root)] = number  # by the node at which a branch ends, the bone that it ends with
+    for number, (way, stops) in enumerate(zip(ways, cuts, strict=True)):
+        above = last[int(way.nodes[0])]
+        first = len(joints)
+        for k, (begin, end) in enumerate(itertools.pairwise(stops)):
+            joints.append(_at(vertices, way, begin))
+            tails.append(_at(vertices, way, end))
+            parents.append(above if k == 0 else len(joints) - 2)
+            branch.append(number)
+            place.append(k)
+            is_limb.append(way.is_limb)
+        piece = np.minimum(np.searchsorted(stops, way.along, side="right") - 1, len(stops) - 2)
+        own = np.where(piece < 0, above, first + piece)
+        of_node[way.nodes[1:]] = own[1:]
+        last[int(way.nodes[-1])] = own[-1]
+    known = np.flatnonzero(of_node >= 0)
+    lost = np.flatnonzero((of_node < 0) & stays)  # of components without a bone
+    if len(lost):
+        away = np.linalg.norm(vertices[lost][:, None] - vertices[known], axis=2)
+        of_node[lost] = of_node[known[away.argmin(axis=1)]]
+    columns = np.array(joints), np.array(tails), np.array(parents), np.array(branch), np.array(place), np.array(is_limb)
+    found = Bones(*columns, of_node[target])
+    while len(found.joints) > most:  # a junction of more limbs than that
+        length = np.linalg.norm(found.tails - found.joints, axis=1)
+        found = without(found, np.arange(len(length)) == np.where(found.parents < 0, np.inf, length).argmin())
+    return found
+
+
+def _at(vertices: np.ndarray, way: _Way, stop: float) -> np.ndarray:
+    """The point (3,) of a branch at the arc length ``stop``."""
+    return at(vertices[way.nodes], way.along, np.array([stop]))[0]
+
+
+def without(bones: Bones, is_left_out: np.ndarray) -> Bones:
+    """The bones without those of ``is_left_out`` (B,), no roots: what was theirs is their parents'."""
+    heir = np.arange(len(bones.parents))
+    for bone in np.flatnonzero(is_left_out):
+        heir[bone] = heir[bones.parents[bone]]
+    stays = ~is_left_out
+    rank = np.cumsum(stays) - 1
+    parents = bones.parents[stays]
+    parents = np.where(parents < 0, -1, rank[heir[parents]])
+    place = bones.place.copy()
+    for bone in np.flatnonzero(is_left_out):
+        place[(bones.branch == bones.branch[bone]) & (bones.place > bones.place[bone])] -= 1
+    return Bones(
+        bones.joints[stays],
+        bones.tails[stays],
+        parents,
+        bones.branch[stays],
+        place[stays],
+        bones.is_limb[stays],
+        rank[heir[bones.of_node]],
+    )
+
+
+def _limbs(vertices: np.ndarray, edges: np.ndarray, radii: np.ndarray, most: int) -> tuple[np.ndarray, np.ndarray]:
+    """Which nodes stay (N,) when limbs that are too short for a bone are left out, and the shortest of others until
+    there are ``most`` branches; and where each node goes (N,). A limb counts from the ball at its junction."""
+    target = np.arange(len(vertices))
+    ways = dict(enumerate(branches.trace(len(vertices), edges)))
+    at_end: dict[int, set[int]] = {}
+    for number, nodes in ways.items():
+        for end in {nodes[0], nodes[-1]}:
+            at_end.setdefault(end, set()).add(number)
+    length = {number: arc_length(vertices[nodes])[-1] for number, nodes in ways.items()}
+
+    def reach(number: int) -> tuple[float, int, int]:
+        """How far a limb sticks out, where, and where it ends; infinitely far unless it is one."""
+        first, last = ways[number][0], ways[number][-1]
+        degrees = len(at_end[first]), len(at_end[last])
+        if sorted(degrees)[0] != 1 or sorted(degrees)[1] < 3:
+            return np.inf, first, last
+        junction, tip = (first, last) if degrees[1] == 1 else (last, first)
+        return length[number] - radii[junction], junction, tip
+
+    while True:
+        limbs = [(*reach(number), number) for number in ways]
+        far, junction, tip, number = min(limbs, default=(np.inf, 0, 0, 0))
+        short = [(*limb[:3], limb[3]) for limb in limbs if limb[0] < LEAST_LIMB * radii[limb[1]]]
+        if short:
+            far, junction, tip, number = min(short)
+        elif len(ways) <= most or far == np.inf:
+            break
+        gone = [node for node in ways.pop(number) if node != junction]
+        target[gone] = junction
+        at_end[junction].discard(number)
+        del at_end[tip]
+        if len(at_end[junction]) == 2:  # no junction any more: its two branches are one
+            a, b = sorted(at_end.pop(junction))
+            one = ways[a] if ways[a][-1] == junction else ways[a][::-1]
+            other = ways[b] if ways[b][0] == junction else ways[b][::-1]
+            ways[a] = one + other[1:]
+            length[a] += length[b]
+            del ways[b]
+            for end in {ways[a][0], ways[a][-1]}:
+                at_end[end] = (at_end[end] - {b}) | {a}
+    while (target[target] != target).any():
+        target = target[target]
+    return target == np.arange(len(vertices)), target
+
+
+def _ways(
+    vertices: np.ndarray, edges: np.ndarray, radii: np.ndarray, stays: np.ndarray, most: int
+) -> tuple[list[int], list[_Way]]:
+    """The root of each component, and the branches away from it, those nearer to it first."""
+    num = len(vertices)
+    degree = np.bincount(edges.ravel(), minlength=num)
+    graph = sparse.coo_matrix((np.ones(len(edges)), edges.T), shape=(num, num))
+    label = csgraph.connected_components(graph, directed=False)[1]
+    size = np.where(stays, radii, -1.0)
+    order = np.lexsort((-size, -(degree > 2).astype(int)))  # junctions before others, the thickest first
+    order = order[stays[order]]
+    roots = order[np.sort(np.unique(label[order], return_index=True)[1])]
+    length = np.bincount(label[edges[:, 0]], np.linalg.norm(np.diff(vertices[edges], axis=1)[:, 0], axis=1), num)
+    roots = roots[np.argsort(-length[label[roots]], kind="stable")]
+    beside = nx.Graph()
+    beside.add_nodes_from(np.flatnonzero(stays).tolist())
+    beside.add_edges_from(edges.tolist())
+    is_end = (degree != 2) & stays
+    is_end[roots] = True
+    chosen: list[int] = []
+    ways: list[_Way] = []
+    for root in roots.tolist():
+        if len(chosen) + len(ways) + 1 + beside.degree[root] > most and chosen:
+            break
+        chosen.append(root)
+        queue = [(root, -1, -1)]
+        for node, before, above in queue:
+            for onward in sorted(beside[node]):
+                if onward == before:
+                    continue
+                nodes = [node, onward]
+                while not is_end[nodes[-1]]:
+                    nodes.append(next(other for other in sorted(beside[nodes[-1]]) if other != nodes[-2]))
+                along = arc_length(vertices[nodes])
+                is_limb = degree[nodes[-1]] == 1
+                start = min(radii[node], LEAVES * along[-1])
+                if not is_limb and along[-1] - start < SHORTEST * np.percentile(radii[nodes], USUAL):
+                    start = along[-1]  # two junctions that are as good as one
+                ways.append(_Way(np.array(nodes), along, float(start), above, is_limb))
+                queue.append((nodes[-1], nodes[-2], len(ways) - 1))
+    return chosen, ways
+
+
+def _cuts(vertices: np.ndarray, radii: np.ndarray, ways: list[_Way], most: int) -> list[np.ndarray]:
+    """For each branch where its bones begin, and where the last ends: the longest bad bone is cut until none is."""
+    cuts = [[way.start, way.along[-1]] if way.start < way.along[-1] else [way.along[-1]] for way in ways]
+    left = most - sum(len(stops) - 1 for stops in cuts)
+    heap: list[tuple[float, int, float, float, float]] = []
+
+    def look(number: int, begin: float, end: float) -> None:
+        badness, where = _bend(vertices, radii, ways[number], begin, end)
+        if badness > 1:
+            heapq.heappush(heap, (begin - end, number, begin, end, where))
+
+    for number, stops in enumerate(cuts):
+        if len(stops) > 1:
+            look(number, *stops)
+    while heap and left > 0:
+        _, number, begin, end, where = heapq.heappop(heap)
+        cuts[number] = sorted([*cuts[number], where])
+        left -= 1
+        look(number, begin, where)
+        look(number, where, end)
+    return [np.array(stops) for stops in cuts]
+
+
+def _bend(vertices: np.ndarray, radii: np.ndarray, way: _Way, begin: float, end: float) -> tuple[float, float]:
+    """How badly one bone does for a piece of a branch, 1 being the limit, and the arc length at which to cut it."""
+    inner = (way.along > begin) & (way.along < end)
+    stops = np.r_[begin, way.along[inner], end]
+    points = at(vertices[way.nodes], way.along, stops)
+    size = np.interp(stops, way.along, radii[way.nodes])
+    radius = max(float(np.percentile(size, USUAL)), 1e-12)
+    is_free = (stops - begin >= SHORTEST * radius) & (end - stops >= SHORTEST * radius)
+    if not is_free.any():
+        return 0.0, 0.0
+    chord = points[-1] - points[0]
+    t = np.clip((points - points[0]) @ chord / max(float(chord @ chord), 1e-300), 0, 1)
+    off = np.where(is_free, np.linalg.norm(points - points[0] - t[:, None] * chord, axis=1), -1.0)
+    worst = int(off.argmax())
+    bend, length = off[worst] / (BENT * radius), (end - begin) / (LONG * radius)
+    if bend >= min(length, 1.0):
+        return float(max(bend, length)), float(stops[worst])
+    return float(length), (begin + end) / 2

@@ -1,0 +1,148 @@
+"""`Rig`: bones for a mesh and the weights by which it hangs on them, to be posed here or in another program."""
+
+import numbers
+import os
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from scipy import sparse
+
+from msf_jax.base.errors import ConfigError
+from msf_jax.base.writing import write_whole
+from msf_jax.host.mesh import reading
+from msf_jax.skeleton.formats import gltf
+from msf_jax.skeleton.rigging import binding, naming
+from msf_jax.skeleton.rigging.bones import Bones, bones_of, without
+
+if TYPE_CHECKING:
+    from msf_jax.skeleton.skeleton import Skeleton
+
+MOST_BONES = 65535  # that glTF can number
+NEIGHBOURS = 3  # on the curve, whose vertices tell how large a limb is at a node
+THINNEST = 0.003  # of the mesh's diagonal, for the heat: details below that hang together
+FEWEST = 4  # vertices of a bone; what has less goes to its parent
+
+
+@dataclass(frozen=True, eq=False)
+class Rig:
+    """Bones, and how much of each vertex hangs on each of them.
+
+    Attributes:
+        joints: (B, 3) where each bone begins, and about which it turns; in the caller's units, parents first.
+        tails: (B, 3) where it ends.
+        parents: (B,) int, the bone that each hangs on; -1 for a root.
+        names: of the bones: root, trunk1_1, limb2_3.L (branch 2, the third bone from the root, on the left side).
+        weights: sparse (V, B), rows with sum 1.
+    """
+
+    joints: np.ndarray
+    tails: np.ndarray
+    parents: np.ndarray
+    names: tuple[str, ...]
+    weights: sparse.csr_matrix = field(repr=False)
+
+    def __repr__(self) -> str:
+        most = int(np.diff(self.weights.indptr).max(initial=0))
+        return f"Rig({len(self.joints)} bones, {self.num_vertices} vertices with up to {most} weights)"
+
+    @property
+    def num_vertices(self) -> int:
+        """Of the mesh that hangs on it."""
+        return len(self.weights.indptr) - 1
+
+    def save(self, path: str | os.PathLike[str], mesh: Any) -> None:
+        """Write ``mesh``, as `skeletonize` took it, on these bones as a ``.glb`` file, whole or not at all.
+
+        Raises:
+            ConfigError: the suffix is another, or there are more bones than the format numbers.
+            MeshError: the mesh has other vertices than the rig speaks of.
+            OSError: the file cannot be written.
+        """
+        if not os.fspath(path).lower().endswith(".glb"):
+            raise ConfigError(f"no format for a rig in {os.fspath(path)!r}: expected the suffix .glb")
+        write_whole(path, gltf.of_rig(self, mesh))
+
+    def posed(self, vertices: Any, turns: Mapping[str, Any]) -> np.ndarray:
+        """Where ``vertices`` (V, 3) go when bones turn, by linear blend skinning, as other programs do it.
+
+        Args:
+            vertices: of the mesh, as it was bound.
+            turns: for some bones, by name, a rotation matrix (3, 3) about the bone's joint. It takes along all that
+                hangs on the bone.
+
+        Raises:
+            ConfigError: there is no bone of that name, or a rotation or the vertices have another shape.
+        """
+        points = np.asarray(vertices, dtype=np.float64)
+        if points.shape != (self.num_vertices, 3):
+            raise ConfigError(f"vertices have shape {points.shape}: expected ({self.num_vertices}, 3)")
+        for name, turn in turns.items():
+            if name not in self.names or np.shape(turn) != (3, 3):
+                raise ConfigError(f"{name!r} turns by {np.shape(turn)}: expected a bone's name, and a matrix (3, 3)")
+        found = np.zeros_like(points)
+        columns = self.weights.tocsc()
+        linear, shift = np.empty((len(self.joints), 3, 3)), np.empty((len(self.joints), 3))
+        for bone, (name, above) in enumerate(zip(self.names, self.parents, strict=True)):
+            turn = np.asarray(turns.get(name, np.eye(3)), dtype=np.float64)
+            offset = self.joints[bone] - turn @ self.joints[bone]
+            linear[bone] = turn if above < 0 else linear[above] @ turn
+            shift[bone] = offset if above < 0 else linear[above] @ offset + shift[above]
+            rows = columns.indices[columns.indptr[bone] : columns.indptr[bone + 1]]
+            share = columns.data[columns.indptr[bone] : columns.indptr[bone + 1]]
+            found[rows] += share[:, None] * (points[rows] @ linear[bone].T + shift[bone])
+        return found
+
+
+def rigged(skeleton: "Skeleton", bones: int, influences: int, mesh: Any) -> Rig:
+    """See `Skeleton.rig`."""
+    for name, value, most in (("bones", bones, MOST_BONES), ("influences", influences, MOST_BONES)):
+        if isinstance(value, bool) or not isinstance(value, numbers.Integral) or not 1 <= value <= most:
+            raise ConfigError(f"{name} is {value!r}: expected a whole number from 1 to {most}")
+    vertices, faces = _surface(skeleton) if mesh is None else reading.read(mesh, finite=False)
+    reading.check_map(skeleton.mesh_map, len(vertices))
+    node = skeleton.mesh_map
+    is_lost = np.logical_not(np.isfinite(vertices).all(axis=1))
+    vertices = np.where(is_lost[:, None], skeleton.vertices[node], vertices)
+    node = binding.walked(vertices, skeleton.vertices, skeleton.edges, node)
+    away = np.linalg.norm(vertices - skeleton.vertices[node], axis=1)
+    size = _sizes(skeleton, node, away)
+    found = _without_empty(bones_of(skeleton.vertices, skeleton.edges, size, int(bones)), node)
+    thinnest = THINNEST * float(np.linalg.norm(np.ptp(vertices, axis=0)))
+    heat = binding.Heat(vertices, faces, np.maximum(np.maximum(away, size[node]), thinnest))
+    weights = binding.bound(heat, found.of_node[node], found.joints, found.parents, int(influences))
+    return Rig(found.joints, found.tails, found.parents, naming.names_of(found), sparse.csr_matrix(weights))
+
+
+def _surface(skeleton: "Skeleton") -> tuple[np.ndarray, np.ndarray]:
+    """Vertices and faces of the mesh that the curve was made from, as far as that is known without it."""
+    surface, num = skeleton.surface, len(skeleton.mesh_map)
+    if len(np.unique(surface.vertex)) < num:
+        raise ConfigError("the mesh was welded or repaired, and not all its vertices are known: expected rig(mesh=...)")
+    return surface.given(num), surface.vertex[surface.solid.shape.faces]
+
+
+def _sizes(skeleton: "Skeleton", node: np.ndarray, away: np.ndarray) -> np.ndarray:
+    """(N,) how large the limb is around each node: its ball, or as far as its vertices are, if that is more.
+
+    In a sheet the ball tells how thick it is, and bones are to be as long as it is wide. Of neighbours on the curve the
+    mean is taken.
+    """
+    num = len(skeleton.vertices)
+    ends = np.concatenate([skeleton.edges, skeleton.edges[:, ::-1]])
+    beside = sparse.coo_matrix((np.ones(len(ends)), ends.T), shape=(num, num)).tocsr() + sparse.eye(num)
+    total = np.stack([np.bincount(node, away, num), np.bincount(node, minlength=num)], axis=1)
+    for _ in range(NEIGHBOURS):
+        total = beside @ total
+    return np.maximum(skeleton.radii, total[:, 0] / np.maximum(total[:, 1], 1e-300))
+
+
+def _without_empty(bones: Bones, node: np.ndarray) -> Bones:
+    """Bones that few of the vertices, which are at ``node`` (V,), go with are their parents'."""
+    while True:
+        count = np.bincount(bones.of_node[node], minlength=len(bones.parents))
+        is_few = (count < FEWEST) & (bones.parents >= 0)
+        if not is_few.any():
+            return bones
+        bones = without(bones, is_few)

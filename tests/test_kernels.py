@@ -1,0 +1,257 @@
+"""Compiled loops against the same said in NumPy, or in the kernel's own text interpreted, on cases without mercy."""
+
+import os
+import subprocess
+import sys
+import threading
+import types
+
+import numpy as np
+import pytest
+import trimesh
+from conftest import blob, torus
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from msf_jax.host import compiled
+from msf_jax.host.meso import collapse, kernels, ring_tables, split
+from msf_jax.host.meso.meso import Meso
+from msf_jax.host.solid.enclosure import Enclosure
+from msf_jax.host.solid.triangles import boxes, point_triangle_distance2, tree_of
+
+lattice = st.integers(-2, 2).map(float)  # few values, so that points coincide, and lie on lines, edges and faces
+point = st.tuples(lattice, lattice, lattice)
+
+
+def distance2_in_numpy(point: np.ndarray, triangle: np.ndarray) -> np.ndarray:
+    """Squared distance (c,) from each point to each triangle, by masks, to the same bits."""
+    best = np.full(len(point), np.inf)
+    for k in range(3):  # to the three edges
+        a, b = triangle[:, k], triangle[:, (k + 1) % 3]
+        along, offset = b - a, point - a
+        length2 = np.einsum("ij,ij->i", along, along)
+        t = np.einsum("ij,ij->i", offset, along) / np.where(length2 > 0, length2, 1.0)
+        rest = offset - np.clip(t, 0.0, 1.0)[:, None] * along
+        best = np.minimum(best, np.einsum("ij,ij->i", rest, rest))
+    # To the plane, where the foot of the perpendicular lies in the triangle.
+    a, ab, ac = triangle[:, 0], triangle[:, 1] - triangle[:, 0], triangle[:, 2] - triangle[:, 0]
+    normal, offset = np.cross(ab, ac), point - a
+    area2 = np.einsum("ij,ij->i", normal, normal)
+    safe = np.where(area2 > 0, area2, 1.0)
+    v = np.einsum("ij,ij->i", np.cross(offset, ac), normal) / safe
+    w = np.einsum("ij,ij->i", np.cross(ab, offset), normal) / safe
+    is_over = (v >= 0) & (w >= 0) & (v + w <= 1) & (area2 > 0)
+    return np.where(is_over, np.minimum(best, np.einsum("ij,ij->i", offset, normal) ** 2 / safe), best)
+
+
+@given(st.lists(st.tuples(point, point, point, point), min_size=1, max_size=20))
+@settings(deadline=None, max_examples=60)
+def test_distances_are_those_of_numpy_bit_for_bit(rows):
+    """Triangles that are segments and points among them, and points on edges and corners."""
+    cases = np.array(rows)
+    found = point_triangle_distance2(cases[:, 0].copy(), cases[:, 1:].copy())
+    np.testing.assert_array_equal(found, distance2_in_numpy(cases[:, 0], cases[:, 1:]))
+
+
+def test_distances_of_triangles_in_general_position_are_those_of_numpy_bit_for_bit():
+    random = np.random.default_rng(1)
+    points, triangles = random.normal(size=(3000, 3)), random.normal(size=(3000, 3, 3))
+    np.testing.assert_array_equal(point_triangle_distance2(points, triangles), distance2_in_numpy(points, triangles))
+
+
+@given(st.lists(point, min_size=3, max_size=8), st.data())
+@settings(deadline=None, max_examples=60)
+def test_the_nearest_triangle_is_the_first_of_the_nearest(corners, data):
+    """Any soup of triangles, degenerate, coincident and symmetric ones, and points as far from one as from another."""
+    vertices = np.array(corners)
+    corner = st.integers(0, len(vertices) - 1)
+    faces = np.array(data.draw(st.lists(st.tuples(corner, corner, corner), min_size=1, max_size=9)))
+    points = np.array(data.draw(st.lists(point, min_size=1, max_size=9)))
+    triangles = vertices[faces]
+    away = np.stack([distance2_in_numpy(np.tile(row, (len(faces), 1)), triangles) for row in points])
+    if np.ptp(vertices, axis=0).max() > 0:  # samples of the surface need an extent
+        distance, triangle = Enclosure(vertices, faces).nearest(points)
+        np.testing.assert_array_equal(distance, np.sqrt(away.min(axis=1)))
+        np.testing.assert_array_equal(triangle, away.argmin(axis=1))
+
+
+@pytest.mark.parametrize("num", [1, 2, 3, 5, 8, 13, 100])
+def test_every_box_of_the_tree_holds_those_below_it(num):
+    low = np.random.default_rng(num).normal(size=(num, 3))
+    found, order = tree_of(low, low + 0.1)
+    assert sorted(order.tolist()) == list(range(num))
+    np.testing.assert_array_equal(found[num:], np.concatenate([low, low + 0.1], axis=1)[order])
+    for node in range(1, num):
+        below = found[[2 * node, 2 * node + 1]]
+        np.testing.assert_array_equal(found[node], np.r_[below[:, :3].min(axis=0), below[:, 3:].max(axis=0)])
+
+
+def test_points_on_the_rim_of_a_face_and_rays_along_one():
+    """Heights of a box that are those of its walls and edges: rays along faces, through edges, and from the surface."""
+    shape = Enclosure(*(np.array(part) for part in (trimesh.creation.box().vertices, trimesh.creation.box().faces)))
+    place = np.array([-0.5, -0.25, 0.0, 0.25, 0.5])
+    points = np.stack(np.meshgrid(place, place, place, indexing="ij"), axis=-1).reshape(-1, 3)
+    for way in np.concatenate([np.eye(3), -np.eye(3)]):
+        found = shape.ray_lengths(points, np.tile(way, (len(points), 1)), np.full(len(points), 3.0))
+        is_inner = (np.abs(points[:, way == 0]) < 0.5).all(axis=1) & (points @ way < 0.5) & (points @ way > -0.5)
+        np.testing.assert_allclose(found[is_inner], 0.5 - points[is_inner] @ way, rtol=1e-12)
+    distance, triangle = shape.nearest(points)
+    is_on = np.abs(points).max(axis=1) == 0.5
+    np.testing.assert_array_equal(distance == 0, is_on)
+    low, high = boxes(shape.triangles[triangle[is_on]])
+    assert ((points[is_on] >= low) & (points[is_on] <= high)).all()
+
+
+# Edits
+
+
+def meso_of(mesh: trimesh.Trimesh) -> Meso:
+    return Meso.from_mesh(np.array(mesh.vertices), np.array(mesh.faces))
+
+
+def edges_in_numpy(meso: Meso, is_touched: np.ndarray) -> tuple[np.ndarray, ...]:
+    """Every edge with an end that is touched, from the smaller one that is, and what `short_edges` says of it."""
+    vertex, slot = np.nonzero((meso.rings >= 0) & is_touched[:, None])
+    other = meso.rings[vertex, slot]
+    rows = (other > vertex) | ~is_touched[other]
+    a, b = np.minimum(vertex, other)[rows], np.maximum(vertex, other)[rows]
+    return a, b, *ring_tables.apexes(meso.rings, meso.degree, a, b), collapse.edge_lengths(meso.positions, a, b)
+
+
+@pytest.mark.parametrize("share", [0.0, 0.1, 1.0])
+@pytest.mark.parametrize("mesh", [blob(71, 2), torus()], ids=["blob", "torus"])
+def test_short_edges_are_those_of_numpy(mesh, share):
+    """In the same order; on the torus, lengths are tied."""
+    meso, random = meso_of(mesh), np.random.default_rng(2)
+    is_touched = random.uniform(size=meso.num_rows) < share
+    a, b, left, right, length = edges_in_numpy(meso, is_touched)
+    around = [set(ring[ring >= 0].tolist()) for ring in meso.rings]
+    for limit in (0.0, np.median(length) if len(length) else 1.0, 9.0):
+        rows = np.flatnonzero(length < limit)
+        common = [len(around[i] & around[j]) for i, j in zip(a[rows], b[rows], strict=True)]
+        expected = np.stack([a[rows], b[rows], left[rows], right[rows], np.array(common, dtype=np.int64)])
+        np.testing.assert_array_equal(collapse.short_edges(meso, is_touched, float(limit)), expected)
+
+
+def test_scales_of_thin_vertices_make_their_edges_long():
+    meso = meso_of(blob(72, 1))
+    meso.scale = np.random.default_rng(3).uniform(0.1, 1.0, meso.num_rows)
+    every = np.ones(meso.num_rows, dtype=bool)
+    a, b, _, _, length = edges_in_numpy(meso, every)
+    limit = 2 * float(np.median(length))
+    is_short = length < limit * np.minimum(meso.scale[a], meso.scale[b])
+    found = collapse.short_edges(meso, every, limit)
+    np.testing.assert_array_equal(found[:2], [a[is_short], b[is_short]])
+    assert 0 < is_short.sum() < len(a)
+
+
+@given(st.data())
+@settings(deadline=None, max_examples=60)
+def test_what_is_chosen_apart_is_what_a_greedy_loop_chooses(data):
+    vertex = st.integers(0, 9)
+    claims = data.draw(st.lists(st.lists(vertex, min_size=3, max_size=3, unique=True), max_size=12))
+    order = data.draw(st.permutations(range(len(claims))))
+    taken: set[int] = set()
+    expected = []
+    for row in order:
+        if not taken & set(claims[row]):
+            taken |= set(claims[row])
+            expected.append(row)
+    rings = np.empty((10, 0), dtype=np.int64)
+    rows = np.array(claims, dtype=np.int64).reshape(-1, 3)
+    found = collapse.first_apart(rows, np.array(order, dtype=np.int64), rings)
+    assert found.tolist() == sorted(expected)
+
+
+def interpreted(kernel: compiled.Kernel) -> types.FunctionType:
+    """The kernel as Python runs it, with its parts."""
+    names = kernel.function.__globals__
+    used = {name: names[name] for name in kernel.function.__code__.co_names if name in names}
+    parts = {name: interpreted(value) for name, value in used.items() if isinstance(value, compiled.Kernel)}
+    return types.FunctionType(kernel.function.__code__, {**names, **parts})
+
+
+@pytest.mark.parametrize("kernel", [kernels.merge, kernels.cut], ids=["merge", "cut"])
+def test_surgery_does_what_its_text_says(kernel, monkeypatch):
+    """A surface of random classes, edited by the compiled loop and by the same text, interpreted."""
+    found = []
+    for name in ("compiled", "interpreted"):
+        meso = meso_of(torus(around=12, across=8))
+        meso.classes = np.where(meso.rings >= 0, np.random.default_rng(4).integers(-99, 99, meso.rings.shape), 0)
+        if name == "interpreted":
+            monkeypatch.setattr(kernels, kernel.__name__, interpreted(kernel))
+        if kernel.__name__ == "merge":
+            collapse.collapse_short_edges(meso, 0.35, check=True)
+        else:
+            split.split_long_edges(meso, 0.35, check=True)
+        found.append((meso.rings, meso.classes * (meso.rings >= 0), meso.degree, meso.positions))
+        assert len(meso.edits) > 1
+    for one, other in zip(*found, strict=True):
+        np.testing.assert_array_equal(one, other)
+
+
+# What every kernel shares
+
+
+def test_arrays_of_another_kind_are_taken_as_copies():
+    """Other types, strides and byte orders, and arrays that may not be written to."""
+    shape = Enclosure(np.array(blob(73, 1).vertices), np.array(blob(73, 1).faces))
+    points = np.random.default_rng(5).integers(-1, 2, (20, 3)) / 2
+    frozen = points.copy()
+    frozen.flags.writeable = False
+    plain = shape.nearest(points), shape.winding_numbers(points)
+    others = points.astype(np.float32), np.asfortranarray(points), frozen, points.astype(">f8"), points[::-1][::-1]
+    for other in others:
+        np.testing.assert_array_equal(shape.nearest(other), plain[0])
+        np.testing.assert_array_equal(shape.winding_numbers(other), plain[1])
+
+
+@compiled.kernel
+def doubled(values: compiled.Reals, found: compiled.Reals) -> int:
+    """Twice the ``values``."""
+    for row in range(len(values)):
+        found[row] = 2 * values[row]
+    return len(values)
+
+
+def test_a_kernel_is_compiled_once_whoever_asks():
+    assert doubled.made is None
+    compiled.announce([doubled])
+    found = [np.empty(3) for _ in range(4)]
+    threads = [threading.Thread(target=doubled, args=(np.arange(3.0), each)) for each in found]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert len(doubled.compiled().signatures) == 1
+    np.testing.assert_array_equal(found, [[0.0, 2, 4]] * 4)
+
+
+PROGRAM = """
+import sys
+import msf_jax
+assert "numba" not in sys.modules
+from msf_jax.host.solid import triangles
+assert "numba" not in sys.modules
+import numpy as np
+print(triangles.point_triangle_distance2(np.ones((1, 3)), np.eye(3)[None])[0])
+"""
+
+
+@pytest.mark.parametrize("place", ["writable", "read-only", "damaged"])
+def test_what_is_compiled_is_kept_where_that_can_be(tmp_path, place):
+    """Two processes at once and a third: with a folder, without, and with one whose files are cut short."""
+    folder = tmp_path / "kept"
+    folder.mkdir()
+    target = folder if place != "read-only" else tmp_path / "a file" / "no folder"
+    (tmp_path / "a file").write_text("")
+    environment = os.environ | {"NUMBA_CACHE_DIR": str(target)}
+    command = [sys.executable, "-c", PROGRAM]
+    pair = [subprocess.Popen(command, env=environment, stdout=subprocess.PIPE, text=True) for _ in range(2)]
+    outputs = {process.communicate(timeout=300)[0] for process in pair}
+    if place == "damaged":
+        for path in folder.rglob("*.nb?"):
+            path.write_bytes(path.read_bytes()[:40])
+    outputs.add(subprocess.run(command, env=environment, capture_output=True, text=True, timeout=300).stdout)
+    assert len(outputs) == 1 and float(outputs.pop()) == pytest.approx(4 / 3)
+    assert bool(list(folder.rglob("*.nbc"))) == (place != "read-only")

@@ -1,0 +1,88 @@
+"""What neurons are saved with: a root that is a soma or is not sure to be, labels, pieces joined, what radii are."""
+
+from dataclasses import replace
+
+import navis
+import numpy as np
+import pytest
+from scipy.sparse.csgraph import minimum_spanning_tree
+from scipy.spatial import distance_matrix
+
+import msf_jax
+from msf_jax import ConfigError
+from msf_jax.skeleton.skeleton import curve_of
+
+
+def neuron(soma: float):
+    """A fibre of 40 nodes with a fork at 20 and another at 30; the ball at its node 3 is of radius ``soma``."""
+    main = np.stack([np.arange(40.0), np.zeros(40), np.zeros(40)], axis=1)
+    twigs = [[start + 0.5 * k, 1.0 * k, 0.0] for start in (20, 30) for k in range(1, 6)]
+    edges = [(k, k + 1) for k in range(39)] + [(20, 40), (30, 45)]
+    edges += [(k, k + 1) for k in (40, 41, 42, 43, 45, 46, 47, 48)]
+    radii = np.full(50, 0.1)
+    radii[[25, 26]] = 0.3  # a thick neurite
+    radii[3] = soma
+    return curve_of(np.concatenate([main, twigs]), np.array(edges), radii)
+
+
+def rows_of(path) -> np.ndarray:
+    return np.array([line.split() for line in path.read_text().splitlines() if line[0] != "#"], dtype=float)
+
+
+@pytest.mark.parametrize(("size", "is_sure"), [(2.0, True), (0.45, True), (0.35, False), (0.1, False)])
+def test_a_soma_is_sure_where_it_stands_out(size, is_sure):
+    found = neuron(size).soma()
+    assert found.is_sure == is_sure
+    if size > 0.3:
+        assert found.node == 3 and found.contrast == pytest.approx(size / 0.3)
+    tree = neuron(size).to_tree("soma")
+    assert tree.roots == (found.node,) and ("NOT SURE" in tree.report.notes[-1]) != is_sure
+
+
+def test_a_curve_of_one_thickness_or_one_ball_has_no_soma():
+    assert not neuron(0.1).soma().is_sure
+    ball = curve_of(np.zeros((1, 3)), np.empty((0, 2), dtype=int), np.ones(1))
+    assert not ball.soma().is_sure
+
+
+def test_labels_of_an_swc_are_soma_forks_and_ends(tmp_path):
+    neuron(2.0).to_tree("soma").save(tmp_path / "a.swc")
+    rows = rows_of(tmp_path / "a.swc")
+    assert rows[0, :3].tolist() == [1, 1, 3] and rows[0, 6] == -1
+    count = {label: int((rows[:, 1] == label).sum()) for label in (0, 1, 5, 6)}
+    assert count == {0: 43, 1: 1, 5: 2, 6: 4}  # two ends of the fibre, two twigs
+    read = navis.read_swc(str(tmp_path / "a.swc")).nodes
+    assert (read["type"].to_numpy()[read["label"].to_numpy() == 5] == "branch").all()
+    assert set(rows[rows[:, 1] == 6, 2]) == {0.0, 39.0, 22.5, 32.5}
+    neuron(0.3).to_tree("soma").save(tmp_path / "b.swc")
+    assert not (rows_of(tmp_path / "b.swc")[:, 1] == 1).any()
+
+
+def test_files_say_what_radii_and_units_they_have(tmp_path):
+    curve = replace(neuron(2.0), units="µm\nand more")
+    curve.save(tmp_path / "a.swc")
+    text = (tmp_path / "a.swc").read_text()
+    assert "# radius: of the largest ball inside\n" in text and "# units: µm and more\n" in text
+    curve.save(tmp_path / "a.npz")
+    again = msf_jax.read_curve(tmp_path / "a.npz")
+    assert (again.units, again.radius_of) == (curve.units, "ball")
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_pieces_are_joined_by_the_least_length(seed):
+    """Lone nodes are pieces: the links are a minimum spanning tree, by SciPy on all distances."""
+    points = np.random.default_rng(seed).random((12, 3))
+    healed = curve_of(points, np.empty((0, 2), dtype=int), np.full(12, 0.01)).heal()
+    assert healed.report.components == 1 and len(healed.edges) == 11
+    assert healed.length == pytest.approx(minimum_spanning_tree(distance_matrix(points, points)).sum())
+
+
+def test_pieces_farther_apart_than_the_reach_stay_apart():
+    points = np.array([[0.0, 0, 0], [1, 0, 0], [3, 0, 0], [4, 0, 0], [9, 0, 0], [10, 0, 0], [10.5, 0, 0]])
+    curve = curve_of(points, np.array([[0, 1], [2, 3], [4, 5]]), np.full(7, 0.1))
+    healed = curve.heal(2.5)
+    assert healed.report.components == 2 and len(healed.edges) == 5
+    assert "2 pieces were joined" in healed.report.notes[-1]
+    assert curve.heal(0.1) is curve
+    with pytest.raises(ConfigError, match="reach is -1: expected a length above 0"):
+        curve.heal(-1)

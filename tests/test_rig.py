@@ -1,0 +1,269 @@
+"""Rigs: few bones, none empty, smooth weights of few influences; what a .glb file holds, read without this library."""
+
+import json
+import struct
+from itertools import pairwise
+
+import numpy as np
+import pytest
+import trimesh
+from PIL import Image
+from scipy import spatial
+
+from msf_jax import ConfigError, MeshError, ground_truth
+from msf_jax.host.mesh import reading
+from msf_jax.skeleton.formats import gltf
+from msf_jax.skeleton.rigging import binding, bones, naming, rig
+from msf_jax.skeleton.skeleton import Skeleton, curve_of
+
+SHAPES = ["y", "comb", "octopus_low", "sheet_and_limb", "s_curve", "pawn_low"]
+
+
+def known(name: str) -> tuple[Skeleton, trimesh.Trimesh]:
+    """The true curve of a shape, refined to half a radius, each vertex of its mesh with the nearest node; no run."""
+    shape = ground_truth.make(name)
+    nodes, edges, radii = [*shape.points], [], [*shape.radii]
+    for a, b in shape.edges:
+        num = max(1, int(np.linalg.norm(shape.points[b] - shape.points[a]) / 0.06))
+        way = [a, *range(len(nodes), len(nodes) + num - 1), b]
+        for t in np.arange(1, num) / num:
+            nodes.append((1 - t) * shape.points[a] + t * shape.points[b])
+            radii.append((1 - t) * shape.radii[a] + t * shape.radii[b])
+        edges += list(pairwise(way))
+    curve = curve_of(np.array(nodes), np.sort(np.array(edges), axis=1), np.array(radii))
+    nearest = spatial.KDTree(curve.vertices).query(shape.mesh.vertices)[1]
+    return Skeleton(curve.vertices, curve.edges, curve.radii, nearest, curve.report), shape.mesh
+
+
+def turned(angle: float, axis: int) -> np.ndarray:
+    return spatial.transform.Rotation.from_rotvec(angle * np.eye(3)[axis]).as_matrix()
+
+
+@pytest.mark.parametrize("name", SHAPES)
+def test_every_bone_has_vertices_and_no_edge_stretches_to_twice_its_length_at_40_degrees(name):
+    skeleton, mesh = known(name)
+    made = skeleton.rig(mesh=mesh)
+    weights = made.weights.toarray()
+    assert 1 < len(made.joints) <= 50
+    assert (made.parents < np.arange(len(made.parents))).all() and (made.parents[1:] >= 0).all()
+    assert weights.min() >= 0 and (weights > 0).sum(axis=1).max() <= 4
+    np.testing.assert_allclose(weights.sum(axis=1), 1, rtol=1e-12)
+    assert (weights.max(axis=0) > 0.25).all()
+    a, b = mesh.edges_unique.T
+    length = np.linalg.norm(mesh.vertices[a] - mesh.vertices[b], axis=1)
+    for bone in made.names:
+        for axis in range(3):
+            bent = made.posed(mesh.vertices, {bone: turned(np.radians(40), axis)})
+            assert (np.linalg.norm(bent[a] - bent[b], axis=1) / length).max() < 2
+
+
+def test_where_a_loop_was_cut_the_surface_is_not_torn():
+    """A bone of a loop that turns pulls at what it hangs on, however far: but less than if it were bound by halves."""
+    skeleton, mesh = known("ring")
+    made = skeleton.rig(mesh=mesh)
+    a, b = mesh.edges_unique.T
+    length = np.linalg.norm(mesh.vertices[a] - mesh.vertices[b], axis=1)
+    for bone in made.names:
+        for axis in range(3):
+            bent = made.posed(mesh.vertices, {bone: turned(np.radians(40), axis)})
+            assert (np.linalg.norm(bent[a] - bent[b], axis=1) / length).max() < 8
+
+
+def test_the_root_is_at_the_thickest_junction_and_limbs_begin_where_they_leave_its_ball():
+    skeleton, mesh = known("y")
+    made = skeleton.rig(mesh=mesh)
+    np.testing.assert_allclose(made.joints[0], 0, atol=1e-12)
+    first = np.flatnonzero(made.parents == 0)
+    assert len(first) == 3
+    assert (np.linalg.norm(made.joints[first], axis=1) > 0.13).all()
+    tips = set(range(len(made.joints))) - set(made.parents.tolist())
+    ends = ground_truth.make("y").tips
+    assert spatial.KDTree(made.tails[sorted(tips)]).query(ends)[0].max() < 1e-9
+
+
+def test_a_limb_gets_joints_where_it_bends():
+    """A straight arm of four radii to the elbow, and four from there."""
+    stops = np.linspace(0, 1, 21)[:, None]
+    nodes = np.concatenate([stops * [1, 0, 0], [1, 0, 0] + stops[1:] * [0, 1, 0]])
+    edges = np.stack([np.arange(40), np.arange(1, 41)], axis=1)
+    found = bones.bones_of(nodes, edges, np.r_[np.full(2, 0.3), np.full(39, 0.25)], 50)
+    assert np.linalg.norm(found.joints - [1, 0, 0], axis=1).min() < 1e-9
+
+
+@pytest.mark.parametrize("most", [1, 2, 5, 12])
+def test_there_are_never_more_bones_than_asked_for_and_every_node_has_one(most):
+    skeleton, _ = known("octopus_low")
+    found = bones.bones_of(skeleton.vertices, skeleton.edges, skeleton.radii, most)
+    assert len(found.joints) <= most and set(found.of_node.tolist()) <= set(range(len(found.joints)))
+
+
+def test_few_influences_leave_no_jump():
+    """Along a way through the weights of nine bones, those of four change by little in each of its many steps."""
+    random = np.random.default_rng(4)
+    parents = np.array([-1, 0, 0, 0, 1, 1, 2, 3, 7])
+    stops = random.dirichlet(np.full(9, 0.5), 12)
+    fine = np.concatenate([np.linspace(a, b, 2000) for a, b in pairwise(stops)])
+    tree = binding.Tree(np.arange(9), parents)
+    found = binding.fewest(fine, tree, 4)
+    np.testing.assert_allclose(found.sum(axis=1), 1, rtol=1e-12)
+    assert (found > 0).sum(axis=1).max() == 4 and found.min() >= 0
+    step = np.abs(np.diff(fine, axis=0)).max()
+    assert np.abs(np.diff(found, axis=0)).max() < 60 * step
+    np.testing.assert_allclose(binding.fewest(fine, tree, 9), fine, atol=1e-6)
+    assert set(np.unique(binding.fewest(fine, tree, 1)).tolist()) == {0.0, 1.0}
+
+
+def test_names_tell_the_side_where_a_shape_is_symmetric():
+    """A T with arms along x: one branch down, two that are each other's image."""
+    nodes = np.array([[0, 0, 0], [1.0, 0, 0], [2, 0, 0], [-1, 0, 0], [-2, 0, 0], [0, -1, 0], [0, -2.5, 0]])
+    edges = np.array([[0, 1], [1, 2], [0, 3], [3, 4], [0, 5], [5, 6]])
+    found = bones.bones_of(nodes, edges, np.full(7, 0.3), 20)
+    names = naming.names_of(found)
+    side = {name: joint[0] for name, joint in zip(names, found.joints, strict=True)}
+    assert names[0] == "root" and len(set(names)) == len(names)
+    left = [name for name in names if name.endswith(".L")]
+    assert left and all(side[name] > 0 > side[name[:-1] + "R"] for name in left)
+    lopsided = bones.bones_of(
+        nodes * [1, 1, 0] + [0, 0, 1] * nodes[:, :1] ** 2 * (nodes[:, :1] > 0), edges, np.full(7, 0.3), 20
+    )
+    assert not any(name.endswith((".L", ".R")) for name in naming.names_of(lopsided))
+
+
+def document_of(path) -> tuple[dict, list[np.ndarray]]:
+    """The JSON of a .glb file, and the arrays of its accessors, by the format's own rules."""
+    content = path.read_bytes()
+    assert content[:4] == b"glTF" and struct.unpack("<I", content[8:12])[0] == len(content)
+    size = struct.unpack("<I", content[12:16])[0]
+    document, binary = json.loads(content[20 : 20 + size]), content[28 + size :]
+    kinds = {5121: "<u1", 5123: "<u2", 5125: "<u4", 5126: "<f4"}
+    columns = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4, "MAT4": 16}
+    arrays = []
+    for accessor in document["accessors"]:
+        view, width = document["bufferViews"][accessor["bufferView"]], columns[accessor["type"]]
+        at = view.get("byteOffset", 0) + accessor.get("byteOffset", 0)
+        flat = np.frombuffer(binary, kinds[accessor["componentType"]], accessor["count"] * width, at)
+        arrays.append(flat.reshape(-1, width))
+    return document, arrays
+
+
+def skinned(path, turns: dict[str, np.ndarray]) -> np.ndarray:
+    """Where the format says that the vertices of a file go when joints turn: sum of w J inverse(bind) x."""
+    document, arrays = document_of(path)
+    nodes, skin = document["nodes"], document["skins"][0]
+    above = {child: number for number, node in enumerate(nodes) for child in node.get("children", [])}
+
+    def matrix(number: int) -> np.ndarray:
+        own = np.eye(4)
+        own[:3, 3] = nodes[number].get("translation", [0, 0, 0])
+        own[:3, :3] = turns.get(nodes[number]["name"], np.eye(3))
+        return matrix(above[number]) @ own if number in above else own
+
+    inverse = arrays[skin["inverseBindMatrices"]].reshape(-1, 4, 4).transpose(0, 2, 1).astype(float)
+    joints = np.array([matrix(joint) for joint in skin["joints"]]) @ inverse
+    found = []
+    for node in nodes:
+        if "mesh" not in node:
+            continue
+        attributes = document["meshes"][node["mesh"]]["primitives"][0]["attributes"]
+        at, bound, weight = (arrays[attributes[name]] for name in ("POSITION", "JOINTS_0", "WEIGHTS_0"))
+        whole = np.c_[at, np.ones(len(at))]
+        found.append(np.einsum("vk,vkab,vb->va", weight, joints[bound], whole)[:, :3])
+    return np.concatenate(found)
+
+
+def test_a_glb_bends_as_the_rig_does(tmp_path):
+    skeleton, mesh = known("y")
+    made = skeleton.rig(mesh=mesh)
+    skeleton.save(tmp_path / "y.glb", mesh)
+    np.testing.assert_allclose(skinned(tmp_path / "y.glb", {}), mesh.vertices, atol=1e-6)
+    turns = {made.names[1]: turned(0.7, 0), made.names[2]: turned(-0.4, 1), made.names[0]: turned(0.3, 2)}
+    bent = made.posed(mesh.vertices, turns)
+    assert np.linalg.norm(bent - mesh.vertices, axis=1).max() > 0.2
+    np.testing.assert_allclose(skinned(tmp_path / "y.glb", turns), bent, atol=1e-5)
+    document, arrays = document_of(tmp_path / "y.glb")
+    assert [document["nodes"][joint]["name"] for joint in document["skins"][0]["joints"]] == list(made.names)
+    attributes = document["meshes"][0]["primitives"][0]["attributes"]
+    assert (arrays[attributes["WEIGHTS_0"]] > 0).sum(axis=1).max() <= 4
+
+
+def test_a_glb_far_from_the_origin_is_as_sharp(tmp_path):
+    """In float32 alone, a coordinate of ten million comes in steps of one."""
+    skeleton, mesh = known("y")
+    shift = np.array([1e7, -2e7, 3e6])
+    moved = Skeleton(skeleton.vertices + shift, skeleton.edges, skeleton.radii, skeleton.mesh_map, skeleton.report)
+    moved.save(tmp_path / "far.glb", (mesh.vertices + shift, mesh.faces))
+    scene = trimesh.load(tmp_path / "far.glb")
+    np.testing.assert_allclose(scene.bounds, mesh.bounds + shift, rtol=0, atol=1e-6)
+    document, _ = document_of(tmp_path / "far.glb")
+    top = next(node for node in document["nodes"] if node["name"] == "rig")
+    root = next(node for node in document["nodes"] if node["name"] == "root")
+    at = np.add(top["translation"], root["translation"])
+    np.testing.assert_allclose(at, moved.rig(mesh=(mesh.vertices + shift, mesh.faces)).joints[0], rtol=0, atol=1e-6)
+
+
+def test_materials_uvs_and_normals_of_all_parts_are_kept(tmp_path):
+    """Two limbs in one scene, each with an image of its own; the rig speaks of both."""
+    _, mesh = known("s_curve")
+    scene = trimesh.Scene()
+    for number, colour in enumerate([(250, 10, 10), (10, 10, 250)]):
+        material = trimesh.visual.material.PBRMaterial(baseColorTexture=Image.new("RGB", (4, 4), colour))
+        visual = trimesh.visual.TextureVisuals(uv=mesh.vertices[:, :2] % 1.0, material=material)
+        part = trimesh.Trimesh(mesh.vertices, mesh.faces, process=False, visual=visual)
+        part.vertex_normals  # noqa: B018  trimesh writes those that it has
+        scene.add_geometry(
+            part, geom_name=f"limb {number}", transform=np.eye(4) + np.eye(4, k=3) * [0, 0, 0, 3 * number]
+        )
+    scene.export(tmp_path / "in.glb")
+    skeleton, _ = known("s_curve")
+    num = len(skeleton.vertices)
+    two = curve_of(
+        np.concatenate([skeleton.vertices, skeleton.vertices + [3, 0, 0]]),
+        np.concatenate([skeleton.edges, skeleton.edges + num]),
+        np.tile(skeleton.radii, 2),
+    )
+    vertices, _ = reading.read(tmp_path / "in.glb")  # one limb after the other, as the scene has them
+    nearest = spatial.KDTree(two.vertices).query(vertices)[1]
+    Skeleton(two.vertices, two.edges, two.radii, nearest, two.report).save(tmp_path / "out.glb", tmp_path / "in.glb")
+    found = sorted(trimesh.load(tmp_path / "out.glb").geometry.values(), key=lambda part: part.bounds[0, 0])
+    assert len(found) == 2
+    for part, colour in zip(found, [(250, 10, 10), (10, 10, 250)], strict=True):
+        assert part.visual.material.baseColorTexture.getpixel((1, 1))[:3] == colour
+        np.testing.assert_allclose(part.visual.uv, mesh.vertices[:, :2] % 1.0, atol=1e-6)
+    document, _ = document_of(tmp_path / "out.glb")
+    assert all("NORMAL" in mesh["primitives"][0]["attributes"] for mesh in document["meshes"])
+    np.testing.assert_allclose(skinned(tmp_path / "out.glb", {}), vertices, atol=1e-6)
+
+
+def test_vertices_in_one_place_stay_together():
+    """A seam: the mesh cut along an edge loop into two lists of vertices, as a file with UVs has it."""
+    skeleton, mesh = known("y")
+    is_other = mesh.triangles_center[:, 2] > 0.3
+    faces = mesh.faces.copy()
+    faces[is_other] += len(mesh.vertices)
+    doubled = Skeleton(
+        skeleton.vertices, skeleton.edges, skeleton.radii, np.tile(skeleton.mesh_map, 2), skeleton.report
+    )
+    weights = doubled.rig(mesh=(np.tile(mesh.vertices, (2, 1)), faces)).weights.toarray()
+    np.testing.assert_allclose(*np.split(weights, 2), atol=1e-9)
+    np.testing.assert_allclose(weights[: len(mesh.vertices)], skeleton.rig(mesh=mesh).weights.toarray(), atol=1e-6)
+
+
+def test_what_cannot_be_rigged_is_named(tmp_path):
+    skeleton, mesh = known("y")
+    for wrong in (0, 1.5, True, 10**6):
+        with pytest.raises(ConfigError, match=r"bones is .*: expected a whole number from 1"):
+            skeleton.rig(bones=wrong, mesh=mesh)
+    with pytest.raises(ConfigError, match="influences is 0: expected"):
+        skeleton.rig(influences=0, mesh=mesh)
+    with pytest.raises(ConfigError, match="does not know the mesh"):
+        skeleton.rig()
+    with pytest.raises(MeshError, match="expected the same mesh"):
+        skeleton.rig(mesh=ground_truth.make("straight").mesh)
+    made = skeleton.rig(mesh=mesh)
+    with pytest.raises(ConfigError, match=r"for a rig in .*: expected the suffix .glb"):
+        made.save(tmp_path / "y.fbx", mesh)
+    with pytest.raises(ConfigError, match=r"'elbow' turns by .*: expected a bone's name"):
+        made.posed(mesh.vertices, {"elbow": np.eye(3)})
+    with pytest.raises(ConfigError, match="vertices have shape"):
+        made.posed(mesh.vertices[1:], {})
+    assert gltf.MOST_JOINTS == rig.MOST_BONES and list(tmp_path.iterdir()) == []
