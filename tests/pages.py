@@ -28,7 +28,13 @@ import pdoc.render
 
 ROOT = Path(__file__).parents[1]
 GUIDE = Path(msf_jax.__file__).parent / "guide"
-MODULES = ["msf_jax", "msf_jax.app.batch", "msf_jax.tuning.objectives", "!msf_jax.guide"]  # its pages stand for it
+MODULES = [
+    "msf_jax",
+    "msf_jax.app.batch",
+    "msf_jax.gradients.losses",
+    "msf_jax.tuning.objectives",
+    "!msf_jax.guide",
+]  # its pages stand for it
 LINK = re.compile(r"""(?P<before>\]\(|src=")(?P<path>[^)"\s:#]+\.(?:md|ipynb|png))(?P<after>[)"#])""")
 FRAME = """\
 {% extends "default/module.html.jinja2" %}

@@ -101,7 +101,11 @@ def test_a_node_that_leaves_the_mesh_has_a_negative_radius(limbs):
     side = np.cross(along, [0.3, 0.5, 0.8])
     side /= np.linalg.norm(side)
     away = vertices - middle
-    bump = np.exp(-(((away @ along) / (along @ along) / 0.12) ** 2)) * (away @ side > 0) * (np.linalg.norm(away, axis=1) < 1.5)
+    bump = (
+        np.exp(-(((away @ along) / (along @ along) / 0.12) ** 2))
+        * (away @ side > 0)
+        * (np.linalg.norm(away, axis=1) < 1.5)
+    )
     moved = vertices - (bump * 1.9 * np.maximum(away @ side, 0))[:, None] * side
     nodes, radii = map(np.asarray, msf_jax.follow(skeleton, moved))
     solid = Solid(moved, faces)

@@ -211,7 +211,7 @@ def test_sections_are_cut_in_portions(monkeypatch):
     shape, (x, edges) = three(), THREE_LEGS
     whole = limbs_of(shape, x, edges)
     monkeypatch.setattr(limbs, "AT_ONCE", 7)
-    monkeypatch.setattr("msf_jax.host.solid.triangles.PAIRS_AT_ONCE", 50)
+    monkeypatch.setattr("msf_jax.host.curve.limbs.PAIRS_AT_ONCE", 50)
     parts = limbs_of(shape, x, edges)
     for one, other in zip(whole[:3], parts[:3], strict=True):
         np.testing.assert_array_equal(one, other)

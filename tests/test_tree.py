@@ -9,9 +9,10 @@ from conftest import torus
 
 import msf_jax
 from msf_jax import Config, ConfigError
-from msf_jax.host.curve import branches, twigs
+from msf_jax.host.curve import branches
 from msf_jax.host.mesh import checking
 from msf_jax.host.solid.solid import Solid
+from msf_jax.host.thin import twigs
 from msf_jax.skeleton.skeleton import curve_of
 
 
@@ -78,7 +79,7 @@ def tube(start: list[float], end: list[float], radius: float, rings: int) -> tup
     return np.array(mesh.vertices), np.array(mesh.faces)
 
 
-@pytest.mark.parametrize(("factor", "is_found"), [(1.0, True), (10.0, False)])
+@pytest.mark.parametrize(("factor", "is_found"), [(1.0, True), (20.0, False)])
 def test_a_thin_limb_that_the_curve_has_missed_is_found(factor, is_found):
     """A trunk with its curve, and a twig that it knows nothing of; on a thick solid nothing is added."""
     radius = 0.003 * factor

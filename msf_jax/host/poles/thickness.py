@@ -37,7 +37,8 @@ def scales(vertices: np.ndarray, faces: np.ndarray) -> np.ndarray | None:
         some = np.arange(0, len(vertices), step)
         radius = shrinking_balls(vertices[some], normals[some], tree, 2 * THIN, 2 * THIN, some).radius
         if step > 1 or (radius < THIN).mean() > FEW:
-            radius = _radii(vertices, faces, some, radius)
+            pairs = np.stack([faces, np.roll(faces, -1, axis=1)], axis=2).reshape(-1, 2)
+            radius = limb_radii(vertices, pairs, some, radius, 2 * THIN)
         if (radius < THIN).mean() <= FEW:
             return None
     return np.clip(radius / THIN, THINNEST, 1.0)
@@ -55,16 +56,17 @@ def edge_lengths(shape: Enclosure, points: np.ndarray) -> np.ndarray:
     return LENGTH * (radius[near] - SLOPE * away).max(axis=1, initial=0.0)
 
 
-def _radii(vertices: np.ndarray, faces: np.ndarray, some: np.ndarray, radius: np.ndarray) -> np.ndarray:
-    """(V,) how thick the solid is at all vertices, at least, as balls of ``radius`` touch at ``some``.
+def limb_radii(points: np.ndarray, pairs: np.ndarray, some: np.ndarray, radius: np.ndarray, most: float) -> np.ndarray:
+    """(P,) how thick the solid is at all points, at least, as balls of ``radius``, up to ``most``, are at ``some``.
+
+    ``pairs`` (E, 2) are the edges between points (P, 3) of its surface or its curve.
 
     The largest of r_u - SLOPE |u - v| over all u is the most less a shortest way, from one more node joined to all u.
     """
-    tail, head = faces.ravel(), np.roll(faces, -1, axis=1).ravel()
-    num, most = len(vertices), 2 * THIN
-    length = SLOPE * np.linalg.norm(vertices[tail] - vertices[head], axis=1)
+    (tail, head), num = pairs.T, len(points)
+    length = SLOPE * np.linalg.norm(points[tail] - points[head], axis=1)
     ways = sparse.coo_matrix(
         (np.maximum(np.r_[length, most - radius], 1e-12), (np.r_[tail, np.full(len(some), num)], np.r_[head, some])),
         shape=(num + 1, num + 1),
     )
-    return most - csgraph.dijkstra(ways.tocsr(), indices=num)[:num]
+    return most - csgraph.dijkstra(ways.tocsr(), directed=False, indices=num)[:num]

@@ -12,6 +12,7 @@ import numpy as np
 from scipy import sparse, spatial
 from scipy.sparse import csgraph
 
+from msf_jax.host.poles import thickness
 from msf_jax.host.poles.balls import shrinking_balls
 from msf_jax.host.solid.enclosure import Enclosure
 from msf_jax.host.solid.geometry import unit, vertex_normals
@@ -44,9 +45,11 @@ def grow(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray) -> tuple[np.
     x, normals = shape.vertices, unit(vertex_normals(shape.vertices, shape.faces))
     most = 2 * THICKEST
     radius = shrinking_balls(x, normals, spatial.KDTree(x), most, most, np.arange(len(x))).radius
+    least = radius.copy()  # the ball behind the middle of a flat end is as long as the limb
+    np.minimum.at(least, shape.faces.ravel(), radius[np.roll(shape.faces, -1, axis=1).ravel()])
     beside = _neighbours(shape.faces, len(x))
     for _ in range(ROUNDS):
-        is_left = (radius < THICKEST) & ~_is_explained(shape, radius, vertices, edges)
+        is_left = (least < THICKEST) & ~_is_explained(shape, radius, vertices, edges)
         rings = _waves(x, x - radius[:, None] * normals, radius, beside, is_left)
         new = np.flatnonzero(_is_limb(rings))
         number = np.full(len(rings.parent), -1)
@@ -68,6 +71,8 @@ def _is_explained(shape: Enclosure, radius: np.ndarray, vertices: np.ndarray, ed
     """(V,) which vertices of the surface are as near to the curve as the solid is thick, there or at the curve."""
     a, b = vertices[edges[:, 0]], vertices[edges[:, 1]]
     clear = shape.about_clearance(vertices)[0]
+    # At the end of a limb the ball is small: the limb is as thick as a little before.
+    clear = thickness.limb_radii(vertices, edges, np.arange(len(vertices)), clear, float(clear.max()))
     room = clear[edges].max(axis=1)
     pace = SPACING * np.maximum(room, float(np.median(radius)))
     num = np.clip(np.ceil(np.linalg.norm(b - a, axis=1) / pace), 1, MOST_POINTS).astype(int)
