@@ -6,7 +6,6 @@ the scene has it, in one list of triangles.
 
 import logging
 import os
-import zipfile
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -16,12 +15,11 @@ import numpy as np
 import trimesh
 
 from msf_jax.base.errors import MeshError
-from msf_jax.host.mesh import off
+from msf_jax.host.mesh import off, unpacking
 
 SMALLEST = 1e-150  # extent, and the largest coordinate is one over it: squares must be numbers
 ARCHIVES = {"zip", "bz2", "gz", "tar", "tar.gz", "tar.bz2", "tgz"}  # a small one can unpack to more than memory
-ZIPPED = {"3mf", "3dxml"}  # mesh formats that are archives
-LARGEST_UNPACKED = 2**31  # bytes that one of these may hold
+MOST_SHOWN, MOST_FACES = 50_000, 20_000_000  # meshes that a scene shows, and faces of all of them
 OR_REPAIR = ", or ask for repair=True (--repair)"
 
 
@@ -57,6 +55,8 @@ def _load(path: Path) -> Any:
         raise MeshError(f"no file {str(path)!r}: check the path")
     if path.is_dir():
         raise MeshError(f"{str(path)!r} is a folder: expected one mesh file")
+    if not path.is_file():  # a pipe would be waited for, a device may have no end
+        raise MeshError(f"{str(path)!r} is a pipe or a device: expected a mesh file")
     known = readable_suffixes()
     suffix = path.suffix.lower().lstrip(".")
     if suffix not in known:
@@ -68,10 +68,12 @@ def _load(path: Path) -> Any:
         if suffix == "off":
             vertices, faces = off.parsed(path.read_text(encoding="utf-8", errors="replace"))
             return trimesh.Trimesh(vertices, faces, process=False)
-        if suffix in ZIPPED:
-            _check_unpacked(path)
+        if suffix in unpacking.IN_XML:
+            unpacking.check(path)
         with _quiet_loader():
             loaded = trimesh.load(path, process=False, maintain_order=True)
+            if isinstance(loaded, trimesh.Scene):
+                loaded = _shown(loaded)
     except MemoryError as error:
         raise MeshError(f"{path.name!r} asks for more memory than there is: it is damaged or too large") from error
     except Exception as error:  # trimesh's readers raise whatever a damaged file provokes
@@ -79,20 +81,19 @@ def _load(path: Path) -> Any:
         raise MeshError(
             f"cannot read {path.name!r} as {suffix}: it is damaged, or its suffix is wrong ({reason[:200]})"
         ) from error
-    if isinstance(loaded, trimesh.Scene):
-        parts = [part for part in loaded.dump() if isinstance(part, trimesh.Trimesh)]
-        loaded = trimesh.util.concatenate(parts) if parts else loaded
     if not isinstance(loaded, trimesh.Trimesh):
         raise MeshError(f"{path.name!r} holds a {type(loaded).__name__} without triangles: expected a triangle mesh")
     return loaded
 
 
-def _check_unpacked(path: Path) -> None:
-    """A small archive can unpack to more than memory."""
-    with zipfile.ZipFile(path) as archive:
-        size = sum(member.file_size for member in archive.infolist())
-    if size > LARGEST_UNPACKED:
-        raise ValueError(f"it unpacks to {size} bytes: expected at most {LARGEST_UNPACKED}")
+def _shown(scene: trimesh.Scene) -> Any:
+    """All meshes of a scene, each where the scene has it; the scene itself if there is none."""
+    size = {name: len(mesh.faces) for name, mesh in scene.geometry.items() if isinstance(mesh, trimesh.Trimesh)}
+    shown = scene.graph.nodes_geometry
+    if len(shown) > MOST_SHOWN or sum(size.get(scene.graph[node][1], 0) for node in shown) > MOST_FACES:
+        raise ValueError(f"its scene shows {len(shown)} meshes, with too many triangles in all")
+    parts = [part for part in scene.dump() if isinstance(part, trimesh.Trimesh)]
+    return trimesh.util.concatenate(parts) if parts else scene
 
 
 def check_map(mesh_map: np.ndarray, num_vertices: int) -> None:

@@ -1,9 +1,8 @@
 """Everything that a skeleton holds, the report included: NumPy arrays, JSON."""
 
-import io
 import json
 import os
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, get_args, get_origin, get_type_hints
 
 import numpy as np
 
@@ -16,12 +15,11 @@ if TYPE_CHECKING:
     from msf_jax.skeleton.skeleton import Skeleton
 
 
-KIND, VERSION = "skeleton", 1
+KIND, VERSION, WITHOUT_DIGEST = "skeleton", 2, 1
 
 
 def npz(skeleton: "Skeleton") -> bytes:
     """The arrays by their names, the report as JSON, and the surface and pins that the curve was made from, if any."""
-    buffer = io.BytesIO()
     arrays: dict[str, Any] = {name: getattr(skeleton, name) for name in ("vertices", "edges", "radii", "mesh_map")}
     arrays["roots"] = np.array(skeleton.roots, dtype=np.int64)
     source = skeleton.source
@@ -34,10 +32,8 @@ def npz(skeleton: "Skeleton") -> bytes:
             "areas": source.areas,
             "pins": np.asarray(source.pins, dtype=np.int64),
         }
-    header = json.dumps({"format": f"msf_jax {KIND}", "version": VERSION})
-    arrays |= {"report": np.array(json.dumps(skeleton.report.to_dict())), archive.HEADER: np.array(header)}
-    np.savez_compressed(buffer, **arrays)
-    return buffer.getvalue()
+    arrays["report"] = np.array(json.dumps(skeleton.report.to_dict()))
+    return archive.packed(KIND, VERSION, {}, arrays, compress=True)
 
 
 def read_npz(path: str | os.PathLike[str]) -> "tuple[dict[str, Any], Report, Source | None]":
@@ -46,17 +42,22 @@ def read_npz(path: str | os.PathLike[str]) -> "tuple[dict[str, Any], Report, Sou
     Raises:
         ConfigError: the file is none, is damaged, or was written by another version.
     """
-    with archive.reading(path, KIND, VERSION, "save the skeleton anew") as (_, held):
+    advice = "save the skeleton anew"
+    with archive.reading(path, KIND, VERSION, advice, without_digest=WITHOUT_DIGEST) as (_, held):
         curve: dict[str, Any] = {name: held[name] for name in ("vertices", "edges", "radii", "mesh_map")}
         num, (_, edges, radii, mesh_map) = len(curve["vertices"]), curve.values()
         is_right = curve["vertices"].shape == (num, 3) and radii.shape == (num,) and edges.shape[1:] == (2,)
         is_right &= all(((index >= 0) & (index < num)).all() for index in (edges, mesh_map)) and mesh_map.ndim == 1
+        is_right &= all(index.dtype.kind in "iu" for index in (edges, mesh_map, held["roots"]))
+        is_right &= all(value.dtype.kind == "f" for value in (curve["vertices"], radii)) and bool((radii >= 0).all())
         if not (num and is_right and all(np.isfinite(value).all() for value in curve.values())):
             raise ValueError("arrays do not fit together")
+        curve |= {name: np.array(curve[name], dtype=np.float64) for name in ("vertices", "radii")}
+        curve |= {name: np.array(curve[name], dtype=np.int64) for name in ("edges", "mesh_map")}
         curve["roots"] = tuple(int(node) for node in held["roots"])
         if not all(0 <= node < num for node in curve["roots"]):
             raise ValueError("the roots are no nodes")
-        report = Report.from_dict(json.loads(str(held["report"])))
+        report = checked_report(json.loads(str(held["report"])))
         source = None
         if "surface_vertices" in held:
             vertices, faces = held["surface_vertices"], held["surface_faces"].astype(np.int64)
@@ -64,10 +65,38 @@ def read_npz(path: str | os.PathLike[str]) -> "tuple[dict[str, Any], Report, Sou
             is_right = faces.shape[1:] == (3,) and ((faces >= 0) & (faces < len(vertices))).all()
             is_right &= vertices.shape == (len(origin), 3) and areas.shape == mesh_map.shape
             is_right &= all(((index >= 0) & (index < len(mesh_map))).all() for index in (origin, pins))
-            if not (is_right and np.isfinite(vertices).all()):
+            is_right &= all(index.dtype.kind in "iu" for index in (held["surface_faces"], origin, pins))
+            is_right &= all(value.dtype.kind == "f" and np.isfinite(value).all() for value in (vertices, areas))
+            if not (is_right and len(faces) and (areas >= 0).all()):
                 raise ValueError("the surface does not fit the curve")
             source = Source(Solid(vertices, faces), areas, pins, (), origin)
     return curve, report, source
+
+
+def checked_report(values: Any) -> Report:
+    """The report of those ``values``; raises a KeyError, a TypeError or a ValueError for what `Report.to_dict` never
+    made."""
+    if not isinstance(values, dict) or not isinstance(values["figures"], dict):
+        raise TypeError("no report")
+    report = Report.from_dict(values)
+    for name, hint in get_type_hints(Report).items():
+        if not _is_a(getattr(report, name), hint):
+            raise TypeError(f"{name} of the report is {getattr(report, name)!r:.60}")
+    return report
+
+
+def _is_a(value: Any, hint: Any) -> bool:
+    """Whether ``value`` is of the plain type, or a tuple or a dictionary of one, that ``hint`` says."""
+    kind, parts = get_origin(hint) or hint, get_args(hint)
+    if kind is tuple:
+        return isinstance(value, tuple) and all(_is_a(one, parts[0]) for one in value)
+    if kind is dict:
+        return isinstance(value, dict) and all(_is_a(one, parts[1]) for one in value.values())
+    if kind is float:
+        return isinstance(value, int | float) and not isinstance(value, bool)
+    if kind is int:
+        return isinstance(value, int) and not isinstance(value, bool)
+    return isinstance(value, kind) if kind in (bool, str) else True
 
 
 def plain_json(skeleton: "Skeleton") -> str:
