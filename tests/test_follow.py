@@ -255,7 +255,7 @@ def test_a_changed_curve_is_followed_and_one_from_a_file(limbs, tmp_path):
     np.testing.assert_allclose(nodes, msf_jax.follow(changed, moved).nodes, rtol=0, atol=1e-6)
     assert read.report == changed.report
     np.testing.assert_array_equal(read.prune(90.0).edges, changed.prune(90.0).edges)
-    assert [branch.persistence for branch in read.branches] == [branch.persistence for branch in changed.branches]
+    assert [branch.slenderness for branch in read.branches] == [branch.slenderness for branch in changed.branches]
 
 
 def test_vertices_are_the_callers_and_pins_are_where_theirs_are(tube):

@@ -292,7 +292,7 @@ class Skeleton:
         - "branches": start and end nodes; parent, the branch that it grows out of, or -1; is_tip; length, chord,
           tortuosity (length over chord); mean_radius, least_radius and largest_radius without the ends, where balls
           touch the end of the limb or belong to a junction; volume of its part; angle to its parent, 0 straight on;
-          persistence and surface, as `Branch` has them.
+          slenderness and surface, as `Branch` has them.
         - "nodes": x, y, z, radius, branch, along (the length from the branch's start), tangent, curvature, torsion;
           area, perimeter, largest_diameter and least_diameter of the cross-section.
 

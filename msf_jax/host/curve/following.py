@@ -115,7 +115,7 @@ def record(
     order_of_faces = _together(shape.centroids)
     rank = np.empty(len(order_of_faces), dtype=np.int64)
     rank[order_of_faces] = np.arange(len(rank))
-    twin = shape.links().twin.reshape(-1, 3)[order_of_faces]
+    twin = shape.mesh.twins.reshape(-1, 3)[order_of_faces]
     return Binding(
         live=Sizes(
             vertices=num,
@@ -348,7 +348,7 @@ def _is_behind(shape: Enclosure, x: np.ndarray, nearest: np.ndarray) -> np.ndarr
     normals = unit(cross(shape.triangles[:, 1] - shape.triangles[:, 0], shape.triangles[:, 2] - shape.triangles[:, 0]))
     on_face = normals[nearest]
     is_over = (np.einsum("nki,ni->nk", cross(along, offset), on_face) > 0).all(axis=1)
-    on_edge = on_face + normals[shape.links().twin[3 * nearest + edge] // 3]
+    on_edge = on_face + normals[shape.mesh.twins[3 * nearest + edge] // 3]
     corner = shape.faces[nearest, np.where(t == 1, (edge + 1) % 3, edge)]
     at_corner = vertex_normals(shape.vertices, shape.faces)[corner]
     normal = np.where(((t == 0) | (t == 1))[:, None], at_corner, on_edge)

@@ -106,7 +106,7 @@ def branch_columns(skeleton: "Skeleton") -> Columns:
         "largest_radius": size[:, 2],
         "volume": _volumes(skeleton, num),
         "angle": _angles(skeleton, ways, parent),
-        "persistence": np.array([branch.persistence for branch in measured], dtype=float),
+        "slenderness": np.array([branch.slenderness for branch in measured], dtype=float),
         "surface": np.array([branch.surface for branch in measured], dtype=float),
     }
 
