@@ -9,7 +9,7 @@ import trimesh
 
 import msf_jax
 from msf_jax.base.errors import MeshError
-from msf_jax.host.mesh import checking, off, reading
+from msf_jax.host.mesh import checking, off, reading, unpacking
 
 L_SHAPE = np.array([[0, 0], [2, 0], [2, 1], [1, 1], [1, 2], [0, 2]], dtype=float)
 
@@ -114,7 +114,7 @@ def test_a_scene_is_read_with_its_transforms(tmp_path: Path, suffix):
 def test_an_archive_that_unpacks_to_too_much_is_refused(tmp_path: Path, monkeypatch):
     (tmp_path / "box.3mf").write_bytes(trimesh.creation.box().export(file_type="3mf"))
     assert len(reading.read(tmp_path / "box.3mf")[0]) == 8
-    monkeypatch.setattr(reading, "LARGEST_UNPACKED", 100)
+    monkeypatch.setattr(unpacking, "LARGEST", 100)
     with pytest.raises(MeshError, match=r"unpacks to \d+ bytes: expected at most 100"):
         reading.read(tmp_path / "box.3mf")
 

@@ -19,6 +19,7 @@ from msf_jax.app.parser import configured, parsed, parser_of, repair_of
 from msf_jax.base.errors import ConfigError, FlowError, Interrupted, MeshError
 from msf_jax.base.writing import write_whole
 from msf_jax.skeleton.formats import export
+from msf_jax.skeleton.formats.text import plain
 
 if TYPE_CHECKING:
     import numpy as np
@@ -44,7 +45,7 @@ def main(argv: Sequence[str] | None = None) -> int:
 
 def _fail(message: str, code: int) -> int:
     if sys.stderr is not None:
-        print(f"msf-jax: {' '.join(message.splitlines())}", file=sys.stderr)
+        print(f"msf-jax: {plain(' '.join(message.splitlines()))}", file=sys.stderr)
     return code
 
 

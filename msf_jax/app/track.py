@@ -8,7 +8,7 @@ from pathlib import Path
 from msf_jax.base.errors import ConfigError, MeshError
 from msf_jax.base.progress import shown
 from msf_jax.base.writing import write_whole
-from msf_jax.gradients.track import Tracker, curve_of
+from msf_jax.gradients.track import FAULTS, Tracker, curve_of
 from msf_jax.host.mesh import reading
 from msf_jax.skeleton.formats import export
 from msf_jax.skeleton.skeleton import Skeleton
@@ -58,7 +58,7 @@ def run(
     tracker = Tracker(skeleton)
     lacking, doubtful, text = [], [], io.StringIO()
     table = csv.writer(text)
-    table.writerow(["frame", "mesh", "curve", "inside", "vanished", "loose", "wants_run"])
+    table.writerow(["frame", "mesh", "curve", "inside", *FAULTS, "wants_run"])
     try:
         for number, path in enumerate(shown(paths, "track", "frames", progress)):
             try:
@@ -75,8 +75,8 @@ def run(
                 if frame.wants_run:
                     doubtful.append(f"{path.name}: {frame}")
             curve = "" if len(frame.vanished) else target.name
-            counts = [len(frame.vanished), len(frame.loose), int(frame.wants_run)]
-            table.writerow([number, path.name, curve, f"{frame.inside:.6g}", *counts])
+            faults = [f"{frame.faults.get(name, 0):.6g}" for name in FAULTS]
+            table.writerow([number, path.name, curve, f"{frame.inside:.6g}", *faults, int(frame.wants_run)])
     finally:  # what was done before a bad frame, or an interruption, is worth its table, too
         write_whole(folder / TABLE, text.getvalue())
     return folder / TABLE, lacking, doubtful

@@ -1,8 +1,12 @@
 """One ``.npz`` file of arrays and a header, written whole or not at all, and read without trusting it.
 
-Nothing in it is code: NumPy reads plain numbers only, the header is JSON. Sizes are checked before memory is taken.
+Nothing in it is code: NumPy reads plain numbers only, the header is JSON. Sizes are checked before memory is taken, and
+a digest of all that is in it tells whether the file is as it was written. That is no signature: whoever can write files
+can write digests, so what reads an archive checks what its numbers mean, too.
 """
 
+import errno
+import hashlib
 import io
 import json
 import os
@@ -17,6 +21,7 @@ from msf_jax.base.errors import ConfigError
 from msf_jax.base.writing import write_whole
 
 HEADER = "header"  # name of the entry with everything that is not an array
+DIGEST = "digest"  # and of that with the digest of all others
 LONGEST_HEADER = 64_000_000  # bytes
 LARGEST_RATIO, SMALL = 100, 10_000_000  # arrays may take so many times the file's bytes; and so many bytes in any case
 
@@ -35,22 +40,46 @@ def write(
     Raises:
         OSError: the file cannot be written; what was there before is untouched.
     """
+    write_whole(path, packed(kind, version, header, arrays, compress=compress))
+
+
+def packed(
+    kind: str, version: int, header: Mapping[str, Any], arrays: Mapping[str, np.ndarray], *, compress: bool
+) -> bytes:
+    """What `write` writes."""
     text = json.dumps({"format": f"msf_jax {kind}", "version": version, **header})
     named: dict[str, Any] = {HEADER: np.array(text), **arrays}
     buffer = io.BytesIO()
+    named[DIGEST] = _digest(named)
     (np.savez_compressed if compress else np.savez)(buffer, **named)
-    write_whole(path, buffer.getvalue())
+    return buffer.getvalue()
+
+
+def _digest(arrays: Mapping[str, np.ndarray]) -> np.ndarray:
+    """(32,) uint8 of names, types, shapes and values."""
+    total = hashlib.sha256()
+    for name in sorted(arrays):
+        array = np.asarray(arrays[name])
+        total.update(repr((name, array.dtype.str, array.shape)).encode())
+        total.update(np.ascontiguousarray(array).tobytes())
+    return np.frombuffer(total.digest(), dtype=np.uint8)
 
 
 @contextmanager
-def reading(path: str | os.PathLike[str], kind: str, version: int, advice: str) -> Iterator[tuple[Any, Any]]:
+def reading(
+    path: str | os.PathLike[str], kind: str, version: int, advice: str, *, without_digest: int | None = None
+) -> Iterator[tuple[Any, Any]]:
     """The header, and a dictionary of the arrays, of a file that `write` made; what fails inside is its damage, too.
+
+    Files of version ``without_digest`` are read as well: they have none.
 
     Raises:
         ConfigError: the file is no ``kind``, is damaged, or was written by another version: with ``advice``.
         OSError: it cannot be read.
     """
     name = f"{str(path)!r}"
+    if os.path.exists(path) and not os.path.isfile(path):  # a pipe would be waited for
+        raise ConfigError(f"{name} is no file, and no {kind}: {advice}")
     with open(path, "rb") as stream:
         if not zipfile.is_zipfile(stream):
             raise ConfigError(f"{name} is no {kind}, or one cut short: {advice}")
@@ -61,14 +90,20 @@ def reading(path: str | os.PathLike[str], kind: str, version: int, advice: str) 
                 header = json.loads(str(file[HEADER])) if HEADER in file else None
                 if not isinstance(header, dict) or header.get("format") != f"msf_jax {kind}":
                     raise ConfigError(f"{name} is no {kind}: {advice}")
-                if header["version"] != version:
+                if header["version"] not in (version, without_digest):
                     raise ConfigError(
                         f"{name} is a {kind} of version {header['version']!r}: this program reads {version}; {advice}"
                     )
-                yield header, {entry: file[entry] for entry in file.files if entry != HEADER}
-        except (ConfigError, OSError):
+                arrays = {entry: file[entry] for entry in file.files}
+            digest = arrays.pop(DIGEST, None)
+            if header["version"] == version and not np.array_equal(digest, _digest(arrays)):
+                raise ValueError("it is not as it was written: its digest is another")
+            yield header, {entry: array for entry, array in arrays.items() if entry != HEADER}
+        except ConfigError:
             raise
         except Exception as error:  # zip, zlib, json and NumPy raise whatever a damaged file provokes
+            if isinstance(error, OSError) and error.errno != errno.EINVAL:  # that is a place before the file begins
+                raise
             raise ConfigError(f"{name} is no {kind}, or a damaged one ({type(error).__name__}: {error})") from error
 
 

@@ -16,14 +16,14 @@ from msf_jax.base import archive, version
 from msf_jax.base.errors import ConfigError
 from msf_jax.base.options import Config, Weights
 from msf_jax.device.buffers import real_dtype
+from msf_jax.flow import resuming
 from msf_jax.flow.state import Iteration, State
-from msf_jax.host.meso import ring_tables
 from msf_jax.host.meso.collapse import CollapseRound
 from msf_jax.host.meso.meso import Compaction, Fixing, Meso
 from msf_jax.host.meso.split import SplitRound
 from msf_jax.host.recording.records import Step
 
-KIND, VERSION = "checkpoint", 2
+KIND, VERSION = "checkpoint", 3
 RECORDS = {kind.__name__: kind for kind in (Meso, Step, Iteration, CollapseRound, SplitRound, Fixing, Compaction)}
 CHANGING = ("meso", "t_c", "w_L_factor", "capacity", "history", "steps", "failure")  # attributes of a `State`
 ADVICE = "choose another path"
@@ -59,18 +59,21 @@ class Checkpoint:
                         "choose another path, or delete it"
                     )
                 self.saved = archive.decoded(header["states"], arrays, RECORDS)
-                _check_states(self.saved)
+                resuming.check_states(self.saved, CHANGING)
 
-    def restore(self, state: State) -> None:
+    def restore(self, state: State, config: Config) -> None:
         """Bring ``state``, a component's first, to where the file has it.
 
         Raises:
-            ConfigError: the file's surface is none of this component.
+            ConfigError: what the file has cannot come of it.
         """
         if state.number < len(self.saved):
-            if len(self.saved[state.number]["meso"].node_of_input) != len(state.meso.node_of_input):
-                raise ConfigError(f"the checkpoint {str(self.path)!r} is damaged: {ADVICE}")
-            for name, value in self.saved[state.number].items():
+            saved = self.saved[state.number]
+            try:
+                resuming.check_goes_on(state, saved, config)
+            except ValueError as error:
+                raise ConfigError(f"the checkpoint {str(self.path)!r} is damaged, {error}: {ADVICE}") from error
+            for name, value in saved.items():
                 setattr(state, name, value)
 
     def save(self, states: list[State]) -> None:
@@ -104,27 +107,6 @@ def run_of(
         "version of jax": jax.__version__,
         "device": f"{device.platform} {device.device_kind}",
     }
-
-
-def _check_states(states: Any) -> None:
-    """Raise a ValueError unless ``states`` are what `Checkpoint.save` writes of its components."""
-    for state in states:
-        if set(state) != set(CHANGING):
-            raise ValueError("a state lacks a part, or has one too many")
-        meso, history, steps = state["meso"], state["history"], state["steps"]
-        kinds = ((history, Iteration), (steps, Step))
-        if not isinstance(meso, Meso) or any(not isinstance(item, kind) for items, kind in kinds for item in items):
-            raise ValueError("a part of a state is of another kind")
-        num = len(meso.positions)
-        columns = (meso.rings, meso.degree, meso.poles, meso.has_pole, meso.is_fixed)
-        is_whole = all(len(column) == num for column in columns)
-        is_whole &= meso.positions.shape == meso.poles.shape == (num, 3)
-        is_whole &= bool(np.isfinite(meso.positions).all() and np.isfinite(meso.poles).all())
-        is_whole &= bool((meso.node_of_input >= 0).all() and (meso.node_of_input < num).all())
-        is_whole &= len(history) == len(steps) and bool((meso.rings >= -1).all() and (meso.rings < num).all())
-        if not is_whole or not 0 < state["t_c"] < 1:
-            raise ValueError("the arrays of a state do not fit together")
-        ring_tables.check_closed_manifold(meso.rings, ring_tables.euler_characteristic(meso.rings))
 
 
 def _hash(*arrays: np.ndarray) -> str:

@@ -89,7 +89,7 @@ def contract(
             pins_here = np.flatnonzero(np.isin(checked.members[number], pinned))
             of_members = None if of_vertices is None else of_vertices[checked.members[number]]
             state = init(component, number, config, watch, pins_here, of_members, limits)
-            keeper.restore(state)
+            keeper.restore(state, config)
             states.append(state)
             while (end := done(state, config)) is None:
                 if interruption:

@@ -19,6 +19,7 @@ from msf_jax.base.errors import ConfigError, MeshError
 from msf_jax.base.layout import Layout, Level
 from msf_jax.base.options import Config, Weights, is_traced
 from msf_jax.device.playback import Basis, Mixing, Part, Polynomial, Shape, Stretch
+from msf_jax.gradients.tape_checks import check_part, flags, indices, numbers
 from msf_jax.host.mesh import reading
 from msf_jax.host.mesh.repair import placed_between_neighbours
 from msf_jax.host.recording import padded
@@ -28,7 +29,7 @@ from msf_jax.host.recording.stretches import Room, size_for
 from msf_jax.skeleton.skeleton import Skeleton
 from msf_jax.skeleton.source import Source
 
-KIND, VERSION = "tape", 3
+KIND, VERSION = "tape", 4
 RECORDS = {
     kind.__name__: kind for kind in (Part, Mixing, Basis, Polynomial, Stretch, Shape, Layout, Level, Weights, Config)
 }
@@ -279,18 +280,24 @@ def _checked(header: dict[str, Any], arrays: dict[str, np.ndarray]) -> Tape:
         tape = Tape(**archive.decoded(header["tape"], arrays, RECORDS))
     except ConfigError as error:
         raise ValueError(str(error)) from error
-    parts, shapes = tape.parts, tape.shapes
     num, nodes = len(tape.vertices), tape.num_nodes
-    expected = {"vertices": (num, 3), "areas": (num,), "node_of_vertex": (num,), "triangles": (nodes, 3)}
-    expected |= {"offsets": (nodes, 3, 3)}
-    wrong = [name for name, shape in expected.items() if np.shape(getattr(tape, name)) != shape]
-    is_whole = len(parts) == len(shapes) and all(
-        len(part.stretches) == len(shape.layouts) and part.vertex_of_input.max() < num
-        for part, shape in zip(parts, shapes, strict=True)
-    )
-    is_whole &= isinstance(tape.weights, Weights) and isinstance(tape.config, Config)
-    is_whole &= tape.node_row.max() < sum(len(part.is_held) for part in parts)
-    is_whole &= tape.meso_row.max() < sum(len(part.meso_row) for part in parts)
-    if wrong or not is_whole or tape.triangles.max() >= num or tape.node_of_vertex.max() >= nodes:
-        raise ValueError(f"its arrays do not fit together: {', '.join(wrong) or 'parts'}")
+    if not (isinstance(tape.weights, Weights) and isinstance(tape.config, Config) and isinstance(tape.is_joined, bool)):
+        raise ValueError("it lacks weights or options")
+    for name, value in vars(tape.weights).items():
+        numbers(value, () if np.ndim(value) == 0 else (num,), name)
+    numbers(tape.vertices, (num, 3), "vertices")
+    numbers(tape.areas, (num,), "areas")
+    numbers(tape.offsets, (nodes, 3, 3), "offsets")
+    indices(tape.node_of_vertex, (num,), nodes, "node_of_vertex")
+    indices(tape.edges, (len(tape.edges), 2), nodes, "edges")
+    indices(tape.triangles, (nodes, 3), num, "triangles")
+    indices(tape.decisions, (len(tape.decisions),), 2**32, "decisions")
+    flags(tape.is_inside, (nodes,), "is_inside")
+    for name in ("vertices_hash", "faces_hash"):
+        indices(getattr(tape, name), (32,), 256, name)
+    if len(tape.parts) != len(tape.shapes) or not all(isinstance(part, Part) for part in tape.parts):
+        raise ValueError("it has other parts than shapes")
+    rows = [check_part(part, shape, num) for part, shape in zip(tape.parts, tape.shapes, strict=True)]
+    indices(tape.node_row, (nodes,), sum(rows), "node_row")
+    indices(tape.meso_row, (len(tape.meso_row),), sum(len(part.meso_row) for part in tape.parts), "meso_row")
     return tape

@@ -1,7 +1,7 @@
 """`track`: one curve through a sequence of meshes of the same faces, with the same nodes in each, and how it holds.
 
 One run, then `follow` for each frame. What a frame is checked for: whether every section is still there, flat, and
-across its branch, and how much of the curve is inside.
+across its branch; and what `holding` asks of the whole moved surface, which sections cannot fool.
 """
 
 from collections.abc import Iterable, Sequence
@@ -13,18 +13,26 @@ import jax.numpy as jnp
 import numpy as np
 from tqdm import tqdm
 
-from msf_jax import metrics
 from msf_jax.base.binding import Binding, unpadded
 from msf_jax.base.errors import ConfigError, MeshError
 from msf_jax.device import following
 from msf_jax.gradients.follow import binding_of, checked_vertices
+from msf_jax.gradients.holding import Holding
 from msf_jax.host.mesh import reading
-from msf_jax.host.solid.solid import Solid
 from msf_jax.skeleton.skeleton import Skeleton
 
 WARPED = 0.5  # corners so far off their plane, in parts of how far they are from the centroid, are no section
 TILTED, STRAIGHT = 0.3, 0.7  # cosine of a section's normal and its branch, at which it lies over; at first it was above
 INSIDE = 0.99  # of the curve's length, at least
+NODES = {  # attributes of a `Frame` that name nodes, and what is said of them
+    "vanished": "without a section",
+    "loose": "whose section no longer holds",
+    "overlaps": "around which the surface winds once more",
+    "misjudged": "whose followed radius was wrong",
+    "pinched": "whose ball has shrunk by half",
+    "strained": "whose section has left the next one, or met it",
+}
+FAULTS = (*NODES, "overlapped", "crossings", "unexplained")
 
 
 @dataclass(frozen=True, eq=False)
@@ -34,10 +42,23 @@ class Frame:
     Attributes:
         number: which frame, from 0.
         nodes: (N, 3), in the mesh's units; NaN for those of ``vanished``.
-        radii: (N,) distance to the surface, negative for a node outside.
+        radii: (N,) exact distance to the whole surface of the frame, negative for a node outside; NaN as ``nodes``.
         inside: fraction of the curve's length that is inside, of the edges between nodes that are there.
         vanished: (k,) nodes whose section is no more.
         loose: (k,) nodes whose section no longer holds: it is warped, or lies along its branch.
+        overlapped: fraction of the curve's length around which the surface winds more often than in the mesh of the
+            run: another part of the solid has come there.
+        overlaps: (k,) nodes around which it does.
+        crossings: pairs of faces that cross, although they are apart along the surface; more than in the mesh of the
+            run.
+        unexplained: fraction of the surface that is outside of the balls along the curve, by a radius more than it
+            was: a limb has grown there.
+        misjudged: (k,) nodes whose radius `msf_jax.follow` has wrong, by more than a third of it.
+        pinched: (k,) nodes whose ball is less than half as large as it was.
+        strained: (k,) nodes whose section has left the next one, or met it: the edge between them is 2.5 times as long
+            as it was, or 0.4 times.
+
+    Lengths are compared as the mesh has grown, or been stretched as a whole.
     """
 
     number: int
@@ -46,20 +67,40 @@ class Frame:
     inside: float
     vanished: np.ndarray
     loose: np.ndarray
+    overlapped: float
+    overlaps: np.ndarray
+    crossings: int
+    unexplained: float
+    misjudged: np.ndarray
+    pinched: np.ndarray
+    strained: np.ndarray
 
     @property
     def wants_run(self) -> bool:
-        """Whether the frozen sections no longer do: run `msf_jax.skeletonize` on this frame."""
-        return len(self.vanished) + len(self.loose) > 0 or not self.inside >= INSIDE
+        """Whether the curve no longer holds: run `msf_jax.skeletonize` on this frame, if it is a solid at all."""
+        return bool(self.faults) or not self.inside >= INSIDE
+
+    @property
+    def faults(self) -> dict[str, float]:
+        """What is wrong, by the names of the attributes: how many nodes or pairs of faces, or what fraction."""
+        counts = {name: len(getattr(self, name)) if name in NODES else getattr(self, name) for name in FAULTS}
+        return {name: count for name, count in counts.items() if count}
 
     def __repr__(self) -> str:
         return f"Frame({self})"
 
     def __str__(self) -> str:
         parts = [f"frame {self.number}: {100 * self.inside:.2f} % inside"]
-        for nodes, what in ((self.vanished, "without a section"), (self.loose, "whose section no longer holds")):
+        for name, what in NODES.items():
+            nodes = getattr(self, name)
             if len(nodes):
                 parts.append(f"{len(nodes)} {'node' if len(nodes) == 1 else 'nodes'} {what}, the first {nodes[0]}")
+        if self.overlapped > 0:
+            parts.append(f"{100 * self.overlapped:.2g} % of the curve in another part of the solid")
+        if self.crossings:
+            parts.append(f"the surface crosses itself, in {self.crossings} pairs of faces")
+        if self.unexplained > 0:
+            parts.append(f"{100 * self.unexplained:.2g} % of the surface is far from the curve")
         return "; ".join(parts) + ("; wants a fresh run" if self.wants_run else "")
 
 
@@ -125,7 +166,8 @@ def track(skeleton: Skeleton, frames: Iterable[Any], *, progress: bool = False) 
 
     Returns:
         Nodes and radii for each frame, with the same numbers in all, and how far to trust each. A frame that is bent,
-        flattened or torn too far for the sections of ``skeleton`` says so, ``wants_run``, and with which nodes.
+        flattened or torn too far, where limbs have come into each other, or where one has grown, says so,
+        ``wants_run``, and with which nodes; see `msf_jax.Frame`.
 
     Raises:
         ConfigError: ``skeleton`` does not know the mesh that it was made from, or ``frames`` is no sequence.
@@ -165,6 +207,7 @@ class Tracker:
         self.section = section_of_node[self.here]
         normal = np.asarray(_tracked(self.binding, jnp.asarray(surface.given(len(skeleton.mesh_map))))[3])
         self.upright = self._cosines(skeleton.vertices, normal)
+        self.holding = Holding(surface, skeleton.vertices, edges)
 
     def _cosines(self, nodes: np.ndarray, normal: np.ndarray) -> np.ndarray:
         along = nodes[self.there] - nodes[self.here]
@@ -183,19 +226,9 @@ class Tracker:
         cosine = np.sign(self.upright) * self._cosines(nodes, normal)
         is_over = (np.abs(self.upright) > STRAIGHT) & (cosine < TILTED)
         loose = np.union1d(np.asarray(self.binding.node)[is_warped > 0], self.here[is_over])
-        is_there = np.ones(len(nodes), dtype=bool)
-        is_there[vanished] = False
-        inside = self._inside(np.asarray(array, dtype=np.float64)[self.vertex], nodes, np.abs(radii), is_there)
-        return Frame(number, nodes, radii, inside, vanished, np.setdiff1d(loose, vanished))
-
-    def _inside(self, vertices: np.ndarray, nodes: np.ndarray, radii: np.ndarray, is_there: np.ndarray) -> float:
-        """The fraction of the curve's length between nodes that are there that is inside the surface."""
-        if not (is_there.any() and np.ptp(vertices, axis=0).any()):
-            return 0.0
-        solid = Solid(vertices, self.solid.shape.faces)
-        placed = solid.enter(np.where(is_there[:, None], nodes, solid.centre))
-        reach = np.where(is_there & solid.shape.contains(placed), radii, 0.0) / solid.diagonal
-        return metrics.inside_fraction(solid.shape, placed, self.edges[is_there[self.edges].all(axis=1)], reach)
+        moved = np.asarray(array, dtype=np.float64)[self.vertex]
+        held = self.holding.held(moved, nodes, radii)
+        return Frame(number, nodes, vanished=vanished, loose=np.setdiff1d(loose, vanished), **held._asdict())
 
     def _vertices_of(self, given: Any) -> Any:
         if isinstance(given, np.ndarray | jax.Array) or (isinstance(given, list | tuple) and len(given) != 2):

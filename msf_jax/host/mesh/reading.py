@@ -9,7 +9,6 @@ import importlib.util
 import inspect
 import logging
 import os
-import zipfile
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -21,15 +20,14 @@ from scipy import sparse, spatial
 from scipy.sparse import csgraph
 
 from msf_jax.base.errors import MeshError
-from msf_jax.host.mesh import off
+from msf_jax.host.mesh import off, unpacking
 
 SMALLEST = 1e-150  # extent, and the largest coordinate is one over it: squares must be numbers
 ARCHIVES = {"zip", "bz2", "gz", "tar", "tar.gz", "tar.bz2", "tgz"}  # a small one can unpack to more than memory
 VTK = {"vtp", "vtk", "vtu", "vti", "vtr", "vts"}  # read by pyvista, where it is installed
 WITHOUT_INDICES = {"stl", "stl_ascii"}
 SAME_CORNER = 2.0**-22  # of the largest coordinate: a few of float32's last bits
-ZIPPED = {"3mf", "3dxml"}  # mesh formats that are archives
-LARGEST_UNPACKED = 2**31  # bytes that one of these may hold
+MOST_SHOWN, MOST_FACES = 50_000, 20_000_000  # meshes that a scene shows, and faces of all of them
 OR_REPAIR = ", or ask for repair=True (--repair)"
 
 
@@ -59,7 +57,8 @@ def read(mesh: Any, *, finite: bool = True) -> tuple[np.ndarray, np.ndarray]:
         MeshError: there is no such file, it holds no triangle mesh, or the arrays have the wrong shape or values.
     """
     if isinstance(mesh, str | os.PathLike):
-        mesh = _load(Path(mesh))
+        found = _load(Path(mesh))
+        mesh = found[0] if len(found) == 1 else trimesh.util.concatenate(found)
     if hasattr(mesh, "extract_surface"):
         mesh = _of_pyvista(mesh, type(mesh).__name__)
     if hasattr(mesh, "vertices") and hasattr(mesh, "faces"):
@@ -115,8 +114,7 @@ def parts(mesh: Any) -> list[trimesh.Trimesh]:
     """The meshes that ``mesh`` consists of, each where it is in the whole, with all that its file says of it: their
     vertices and faces, one after the other, are those of `read`. The caller's own object stays as it is."""
     if isinstance(mesh, str | os.PathLike):
-        loaded = _loaded(Path(mesh))
-        return _placed(loaded) if isinstance(loaded, trimesh.Scene) else [loaded]
+        return _load(Path(mesh))
     if isinstance(mesh, trimesh.Trimesh):
         return [mesh.copy(include_cache=True)]
     return [trimesh.Trimesh(*read(mesh, finite=False), process=False)]
@@ -124,32 +122,27 @@ def parts(mesh: Any) -> list[trimesh.Trimesh]:
 
 def _placed(scene: trimesh.Scene) -> list[trimesh.Trimesh]:
     """The meshes of a scene; unlike those of `trimesh.Scene.dump`, with the normals that they have."""
+    size = {name: len(mesh.faces) for name, mesh in scene.geometry.items() if isinstance(mesh, trimesh.Trimesh)}
+    shown = [(name, transform) for transform, name in (scene.graph[node] for node in scene.graph.nodes_geometry)]
+    if len(shown) > MOST_SHOWN or sum(size.get(name, 0) for name, _ in shown) > MOST_FACES:
+        raise ValueError(f"its scene shows {len(shown)} meshes, with too many triangles in all")
     found = []
-    for node in scene.graph.nodes_geometry:
-        transform, name = scene.graph[node]
-        if isinstance(part := scene.geometry[name], trimesh.Trimesh):
-            part = part.copy(include_cache=True)
+    for name, transform in shown:
+        if name in size:
+            part = scene.geometry[name].copy(include_cache=True)
             part.apply_transform(transform)
             found.append(part)
     return found
 
 
-def _load(path: Path) -> trimesh.Trimesh:
-    loaded = _loaded(path)
-    if isinstance(loaded, trimesh.Scene):
-        meshes = _placed(loaded)
-        loaded = trimesh.util.concatenate(meshes) if meshes else loaded
-    if not isinstance(loaded, trimesh.Trimesh):
-        what = "no triangles" if isinstance(loaded, trimesh.Scene) else f"a {type(loaded).__name__} without triangles"
-        raise MeshError(f"{path.name!r} holds {what}: expected a triangle mesh")
-    return loaded
-
-
-def _loaded(path: Path) -> Any:
+def _load(path: Path) -> list[trimesh.Trimesh]:
+    """The meshes in a file, as `parts` has them; at least one."""
     if not path.exists():
         raise MeshError(f"no file {str(path)!r}: check the path")
     if path.is_dir():
         raise MeshError(f"{str(path)!r} is a folder: expected one mesh file")
+    if not path.is_file():  # a pipe would be waited for, a device may have no end
+        raise MeshError(f"{str(path)!r} is a pipe or a device: expected a mesh file")
     if path.stat().st_size == 0:
         raise MeshError(f"{path.name!r} is empty: expected a mesh file")
     known = readable_suffixes()
@@ -164,15 +157,16 @@ def _loaded(path: Path) -> Any:
     try:
         if suffix == "off":
             vertices, faces = off.parsed(path.read_text(encoding="utf-8", errors="replace"))
-            return trimesh.Trimesh(vertices, faces, process=False)
-        if suffix in ZIPPED:
-            _check_unpacked(path)
+            return [trimesh.Trimesh(vertices, faces, process=False)]
         if suffix in VTK:
-            return _of_pyvista(importlib.import_module("pyvista").read(path), repr(path.name))
+            return [_of_pyvista(importlib.import_module("pyvista").read(path), repr(path.name))]
+        if suffix in unpacking.IN_XML:
+            unpacking.check(path)
         with _quiet_loader():
             loaded = trimesh.load(path, process=False, maintain_order=True)
+            found = _placed(loaded) if isinstance(loaded, trimesh.Scene) else [loaded]
         if suffix in WITHOUT_INDICES and isinstance(loaded, trimesh.Trimesh):
-            loaded = _without_doubles(loaded)
+            found = [_without_doubles(loaded)]
     except MeshError:
         raise
     except MemoryError as error:
@@ -182,15 +176,11 @@ def _loaded(path: Path) -> Any:
         raise MeshError(
             f"cannot read {path.name!r} as {suffix}: it is damaged, or its suffix is wrong ({reason[:200]})"
         ) from error
-    return loaded
-
-
-def _check_unpacked(path: Path) -> None:
-    """A small archive can unpack to more than memory."""
-    with zipfile.ZipFile(path) as archive:
-        size = sum(member.file_size for member in archive.infolist())
-    if size > LARGEST_UNPACKED:
-        raise ValueError(f"it unpacks to {size} bytes: expected at most {LARGEST_UNPACKED}")
+    if not all(isinstance(part, trimesh.Trimesh) for part in found):
+        raise MeshError(f"{path.name!r} holds a {type(loaded).__name__} without triangles: expected a triangle mesh")
+    if not found:
+        raise MeshError(f"{path.name!r} holds no triangles: expected a triangle mesh")
+    return found
 
 
 def check_map(mesh_map: np.ndarray, num_vertices: int) -> None:

@@ -28,6 +28,8 @@ def read_curve(path: str | os.PathLike[str]) -> Skeleton:
     if name.lower().endswith(".npz"):
         arrays, report, source = whole.read_npz(path)
         return Skeleton(**arrays, report=report, source=source)
+    if Path(path).exists() and not Path(path).is_file():  # a pipe would be waited for
+        raise ConfigError(f"{name!r} is no file: expected an .swc, .polylines.txt or .npz file")
     content = Path(path).read_bytes()
     if b"\0" in content:
         raise ConfigError(f"{name!r} is no text: expected an .swc, .polylines.txt or .npz file")

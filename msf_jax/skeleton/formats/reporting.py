@@ -5,8 +5,7 @@ import os
 from pathlib import Path
 
 from msf_jax.base.errors import ConfigError
-from msf_jax.skeleton.formats import export, swc, whole
-from msf_jax.skeleton.report import Report
+from msf_jax.skeleton.formats import export, swc, text, whole
 
 
 def lines_of(path: str | os.PathLike[str]) -> list[str]:
@@ -18,15 +17,27 @@ def lines_of(path: str | os.PathLike[str]) -> list[str]:
     """
     name = Path(path).name
     suffix = Path(path).suffix.lower()
-    if suffix == ".npz":
-        return str(whole.read_npz(path)[1]).splitlines()
-    if suffix not in (".json", ".swc"):
+    if suffix not in (".npz", ".json", ".swc"):
         raise ConfigError(f"{name!r} holds no report: expected an {export.HOLD_REPORT} file that msf_jax has written")
-    text = Path(path).read_text(errors="replace")
+    if Path(path).exists() and not Path(path).is_file():  # a pipe would be waited for
+        raise ConfigError(f"{name!r} is no file: expected one that msf_jax has written")
     try:
-        found = swc.report_lines(text) if suffix == ".swc" else str(Report.from_dict(json.loads(text)["report"]))
-    except (ValueError, KeyError, TypeError) as error:
+        if suffix == ".npz":
+            found = str(whole.read_npz(path)[1]).splitlines()
+        else:
+            content = Path(path).read_text(errors="replace")
+            found = swc.report_lines(content) if suffix == ".swc" else _of_json(content)
+    except (ValueError, KeyError, TypeError, RecursionError, MemoryError) as error:
+        if isinstance(error, ConfigError):
+            raise
         raise ConfigError(f"{name!r} holds no report ({type(error).__name__}): expected one from msf_jax") from error
     if not found:
         raise ConfigError(f"{name!r} holds no report: expected one that msf_jax wrote, and after a run")
-    return found if isinstance(found, list) else found.splitlines()
+    return [text.plain(line) for line in found]
+
+
+def _of_json(content: str) -> list[str]:
+    values = json.loads(content)
+    if not isinstance(values, dict):
+        raise TypeError("no skeleton")
+    return str(whole.checked_report(values["report"])).splitlines()

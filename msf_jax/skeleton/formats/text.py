@@ -11,3 +11,8 @@ def number(value: float) -> str:
 def point(position: np.ndarray) -> str:
     """The coordinates, with a space between."""
     return " ".join(map(number, position))
+
+
+def plain(line: str) -> str:
+    """``line`` as a terminal may see it: what is not to be printed, escapes above all, is spelled out."""
+    return "".join(one if one.isprintable() else one.encode("unicode_escape").decode() for one in line)

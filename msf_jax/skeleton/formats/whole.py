@@ -1,9 +1,9 @@
 """Everything that a skeleton holds, the report included: NumPy arrays, JSON."""
 
-import io
 import json
 import os
-from typing import TYPE_CHECKING, Any
+from types import NoneType, UnionType
+from typing import TYPE_CHECKING, Any, get_args, get_origin, get_type_hints
 
 import numpy as np
 
@@ -16,12 +16,11 @@ if TYPE_CHECKING:
     from msf_jax.skeleton.skeleton import Skeleton
 
 
-KIND, VERSION = "skeleton", 1
+KIND, VERSION, WITHOUT_DIGEST = "skeleton", 2, 1
 
 
 def npz(skeleton: "Skeleton") -> bytes:
     """The arrays by their names, the report as JSON, and the surface and pins that the curve was made from, if any."""
-    buffer = io.BytesIO()
     arrays: dict[str, Any] = {name: getattr(skeleton, name) for name in ("vertices", "edges", "radii", "mesh_map")}
     arrays |= {name: np.array(getattr(skeleton, name), dtype=np.int64) for name in ("roots", "openings")}
     arrays |= {name: np.array(getattr(skeleton, name)) for name in ("radius_of", "units")}
@@ -37,10 +36,8 @@ def npz(skeleton: "Skeleton") -> bytes:
         }
         if source.input_of_vertex is not None:
             arrays["input_of_vertex"] = source.input_of_vertex
-    header = json.dumps({"format": f"msf_jax {KIND}", "version": VERSION})
-    arrays |= {"report": np.array(json.dumps(skeleton.report.to_dict())), archive.HEADER: np.array(header)}
-    np.savez_compressed(buffer, **arrays)
-    return buffer.getvalue()
+    arrays["report"] = np.array(json.dumps(skeleton.report.to_dict()))
+    return archive.packed(KIND, VERSION, {}, arrays, compress=True)
 
 
 def read_npz(path: str | os.PathLike[str]) -> "tuple[dict[str, Any], Report, Source | None]":
@@ -49,21 +46,27 @@ def read_npz(path: str | os.PathLike[str]) -> "tuple[dict[str, Any], Report, Sou
     Raises:
         ConfigError: the file is none, is damaged, or was written by another version.
     """
-    with archive.reading(path, KIND, VERSION, "save the skeleton anew") as (_, held):
+    advice = "save the skeleton anew"
+    with archive.reading(path, KIND, VERSION, advice, without_digest=WITHOUT_DIGEST) as (_, held):
         curve: dict[str, Any] = {name: held[name] for name in ("vertices", "edges", "radii", "mesh_map")}
         num, (_, edges, radii, mesh_map) = len(curve["vertices"]), curve.values()
         is_right = curve["vertices"].shape == (num, 3) and radii.shape == (num,) and edges.shape[1:] == (2,)
         is_right &= all(((index >= 0) & (index < num)).all() for index in (edges, mesh_map)) and mesh_map.ndim == 1
+        is_right &= all(index.dtype.kind in "iu" for index in (edges, mesh_map))
+        is_right &= all(value.dtype.kind == "f" for value in (curve["vertices"], radii)) and bool((radii >= 0).all())
         if not (num and is_right and all(np.isfinite(value).all() for value in curve.values())):
             raise ValueError("arrays do not fit together")
+        curve |= {name: np.array(curve[name], dtype=np.float64) for name in ("vertices", "radii")}
+        curve |= {name: np.array(curve[name], dtype=np.int64) for name in ("edges", "mesh_map")}
         for name in ("roots", "openings"):  # files of version 0.3.0 have no openings
-            curve[name] = tuple(int(node) for node in held[name]) if name in held else ()
-            if not all(0 <= node < num for node in curve[name]):
+            numbers = held.get(name, np.empty(0, dtype=np.int64))
+            if numbers.ndim != 1 or numbers.dtype.kind not in "iu" or not ((numbers >= 0) & (numbers < num)).all():
                 raise ValueError(f"the {name} are no nodes")
+            curve[name] = tuple(numbers.tolist())
         curve["radius_of"], curve["units"] = (str(held.get(*pair)) for pair in (("radius_of", "ball"), ("units", "")))
         if curve["radius_of"] not in ("ball", "section"):
             raise ValueError("the radii are of nothing that is known")
-        report = Report.from_dict(json.loads(str(held["report"])))
+        report = checked_report(json.loads(str(held["report"])))
         source = None
         if "surface_vertices" in held:
             vertices, faces = held["surface_vertices"], held["surface_faces"].astype(np.int64)
@@ -73,13 +76,43 @@ def read_npz(path: str | os.PathLike[str]) -> "tuple[dict[str, Any], Report, Sou
             is_right &= origin is None or origin.shape == vertices.shape[:1]
             known = [index for index in (origin, pins) if index is not None]
             is_right &= all(((index >= 0) & (index < len(mesh_map))).all() for index in known)
-            if not (is_right and np.isfinite(vertices).all()):
+            is_right &= all(index.dtype.kind in "iu" for index in (held["surface_faces"], *known))
+            is_right &= all(value.dtype.kind == "f" and np.isfinite(value).all() for value in (vertices, areas))
+            if not (is_right and len(faces) and (areas >= 0).all()):
                 raise ValueError("the surface does not fit the curve")
-            lids = held["lids"].astype(np.int64) if "lids" in held else np.empty(0, dtype=np.int64)
-            if not ((lids >= 0) & (lids < len(faces))).all():
+            lids = held.get("lids", np.empty(0, dtype=np.int64))
+            if lids.ndim != 1 or lids.dtype.kind not in "iu" or not ((lids >= 0) & (lids < len(faces))).all():
                 raise ValueError("the lids are no faces")
-            source = Source(Solid(vertices, faces, lids), areas, pins, (), origin)
+            source = Source(Solid(vertices, faces, lids.astype(np.int64)), areas, pins, (), origin)
     return curve, report, source
+
+
+def checked_report(values: Any) -> Report:
+    """The report of those ``values``; raises a KeyError, a TypeError or a ValueError for what `Report.to_dict` never
+    made."""
+    if not isinstance(values, dict) or not isinstance(values["figures"], dict):
+        raise TypeError("no report")
+    report = Report.from_dict(values)
+    for name, hint in get_type_hints(Report).items():
+        if not _is_a(getattr(report, name), hint):
+            raise TypeError(f"{name} of the report is {getattr(report, name)!r:.60}")
+    return report
+
+
+def _is_a(value: Any, hint: Any) -> bool:
+    """Whether ``value`` is of the plain type, or a tuple, a dictionary or a union of some, that ``hint`` says."""
+    kind, parts = get_origin(hint) or hint, get_args(hint)
+    if kind is UnionType:
+        return any(_is_a(value, part) for part in parts)
+    if kind is tuple:
+        return isinstance(value, tuple) and all(_is_a(one, parts[0]) for one in value)
+    if kind is dict:
+        return isinstance(value, dict) and all(_is_a(one, parts[1]) for one in value.values())
+    if kind is float:
+        return isinstance(value, int | float) and not isinstance(value, bool)
+    if kind is int:
+        return isinstance(value, int) and not isinstance(value, bool)
+    return isinstance(value, kind) if kind in (bool, str, NoneType) else True
 
 
 def plain_json(skeleton: "Skeleton") -> str:

@@ -1,0 +1,197 @@
+"""Whether a curve that was followed still holds in the mesh as it has moved: asked of the whole moved surface.
+
+What `follow` knows of a frame are the sections that were recorded, and these can look well while the solid is no longer
+what it was: a limb in another one, or a new one. So nothing here is taken from them. Distances are exact, to all of the
+moved surface; winding numbers are compared with those at the recorded mesh; faces that are apart must not cross; and
+the balls of the curve must still explain the surface, as well as they did. Lengths are compared as the mesh has grown;
+where that is not enough, once more with what the affine map that fits best has made of the recorded mesh, so that a
+mesh that is stretched as a whole is no fault.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+from scipy import spatial
+
+from msf_jax.host.curve.following import Surface
+from msf_jax.host.solid.crossings import Crossings
+from msf_jax.host.solid.enclosure import Enclosure
+from msf_jax.host.solid.geometry import repeated
+from msf_jax.host.solid.solid import Solid
+
+# Chosen on three shapes (a capsule, a hand, three limbs) and judged on others, see tests/benchmarks/adversary.py.
+# Beside each is what was measured of right frames: bends to 60 degrees, noise of 0.001 diagonals.
+MISJUDGED = 0.35  # of the exact distance, that a followed radius may be off (0.05)
+PINCHED = 0.5  # of the ball that was there, less of which is left (0.8)
+UNEXPLAINED = 1.0  # radii that a vertex may be farther outside of all balls than it was (0.5; of new limbs, 2)
+STRETCHED, SHORTENED = 2.5, 0.4  # times its length, of the way from a section to the next (1.03, 0.9)
+SLIGHT = 0.005  # diagonals: to less, noise matters
+HELD = 1e-6  # diagonals: nodes so near to the surface were pinned to it, and are on no side
+NEAREST = 4  # centres, whose balls are looked at, of those of about one size
+SAMPLES = 16  # of an edge that the balls of its ends do not cover
+
+
+class Held(NamedTuple):
+    """How a curve holds in a frame.
+
+    The fields are described in `msf_jax.Frame`.
+    """
+
+    radii: np.ndarray
+    inside: float
+    overlapped: float
+    overlaps: np.ndarray
+    crossings: int
+    unexplained: float
+    misjudged: np.ndarray
+    pinched: np.ndarray
+    strained: np.ndarray
+
+
+class Measured(NamedTuple):
+    """Lengths of a curve in a surface: radii (N,) exact, gap (V,) of each vertex to the balls, length (E,) of edges."""
+
+    radii: np.ndarray
+    gap: np.ndarray
+    length: np.ndarray
+
+    def scaled(self, factor: float) -> "Measured":
+        """As all lengths are ``factor`` times as large."""
+        return Measured(*(factor * values for values in self))
+
+
+class Holding:
+    """A curve as it was recorded: ``nodes`` (N, 3) and ``edges`` (E, 2), in the units of ``surface``."""
+
+    def __init__(self, surface: Surface, nodes: np.ndarray, edges: np.ndarray):
+        self.solid, self.node, self.edges, self.nodes = surface.solid, surface.node, edges, nodes
+        shape, x = self.solid.shape, self.solid.enter(nodes)
+        self.winding = shape.winding_numbers(x)
+        self.along = shape.winding_numbers(_samples(x, edges, np.arange(len(edges)))).reshape(-1, SAMPLES)
+        self.recorded = _measured(shape, x, edges, np.ones(len(x), dtype=bool), self.winding)
+        thick, length = np.maximum(self.recorded.radii, SLIGHT), self.recorded.length
+        self.crossings = Crossings(shape.vertices, shape.faces, self.node, thick, edges, length)
+        self.num_crossed = len(self.crossings.found(shape.vertices))
+        self.sides = _sides(shape)
+
+    def held(self, vertices: np.ndarray, nodes: np.ndarray, followed: np.ndarray) -> Held:
+        """How the curve with its ``nodes`` (N, 3), NaN where they have vanished, holds with the surface at ``vertices``
+        (v, 3), and whether the ``followed`` (N,) radii are right. All in the caller's units."""
+        is_there = np.asarray(np.isfinite(nodes).all(axis=1))
+        everyone = np.arange(len(nodes))
+        if not (is_there.any() and np.ptp(vertices, axis=0).any()):
+            return Held(np.full(len(nodes), np.nan), 0.0, 1.0, everyone, 0, 1.0, *[everyone[:0]] * 3)
+        solid = Solid(vertices, self.solid.shape.faces)
+        x = solid.enter(np.where(is_there[:, None], nodes, solid.centre))
+        winding = solid.shape.winding_numbers(x)
+        now = _measured(solid.shape, x, self.edges, is_there, winding)
+        inside, overlapped = self._wound(solid.shape, x, now, winding, is_there)
+        was = self.recorded
+        is_free = is_there & (was.radii > HELD)
+        sides = _sides(solid.shape)
+        scale = float(np.median(sides / np.maximum(self.sides, 1e-300)))
+        faults = self._faults(now, was.scaled(scale), is_free)
+        if any(fault.any() for fault in faults):
+            stretched = self._stretched(solid)
+            if stretched is not None:
+                again = self._faults(now, stretched, is_free)
+                faults = [fault & other for fault, other in zip(faults, again, strict=True)]
+        gap, pinched, strained = faults
+        off = np.abs(np.abs(followed) / solid.diagonal - now.radii)
+        misjudged = is_free & (off > MISJUDGED * np.maximum(now.radii, 0.2 * scale * was.radii) + SLIGHT * MISJUDGED)
+        return Held(
+            radii=np.where(is_there, np.where(winding > 0, 1.0, -1.0) * solid.diagonal * now.radii, np.nan),
+            inside=inside,
+            overlapped=overlapped,
+            overlaps=np.flatnonzero(is_free & (winding > self.winding)),
+            crossings=max(len(self.crossings.found(solid.shape.vertices)) - self.num_crossed, 0),
+            unexplained=float(solid.vertex_areas()[gap].sum()),
+            misjudged=np.flatnonzero(misjudged),
+            pinched=np.flatnonzero(pinched),
+            strained=np.flatnonzero(strained),
+        )
+
+    def _wound(
+        self, shape: Enclosure, x: np.ndarray, now: Measured, winding: np.ndarray, is_there: np.ndarray
+    ) -> tuple[float, float]:
+        """Fractions of the curve's length: where the surface winds around it, and where more often than it did."""
+        there = np.flatnonzero(is_there[self.edges].all(axis=1))
+        length, ends = now.length[there], self.edges[there]
+        changed = winding > self.winding
+        if not length.sum() > 0:  # a curve without length is its nodes
+            return float((winding > 0)[is_there].mean()), float(changed[is_there].mean())
+        # Where the balls of the ends cover the edge, no surface is between them.
+        inside, other = (winding > 0)[ends[:, 0]].astype(float), changed[ends[:, 0]].astype(float)
+        balls = np.where(winding > 0, now.radii, 0.0)
+        is_open = (length >= balls[ends].sum(axis=1)) | (winding[ends] <= 0).any(axis=1)
+        rows = there[is_open]
+        found = shape.winding_numbers(_samples(x, self.edges, rows)).reshape(-1, SAMPLES)
+        inside[is_open], other[is_open] = (found > 0).mean(axis=1), (found > self.along[rows]).mean(axis=1)
+        return tuple(float((share * length).sum() / length.sum()) for share in (inside, other))  # type: ignore
+
+    def _faults(self, now: Measured, was: Measured, is_free: np.ndarray) -> list[np.ndarray]:
+        """(v,) vertices outside of all balls, (N,) nodes whose ball has shrunk, and (N,) whose section has strayed."""
+        thick = np.maximum(np.maximum(was.radii, np.nan_to_num(now.radii))[self.node], SLIGHT)
+        gap = now.gap - was.gap > UNEXPLAINED * thick
+        pinched = is_free & (now.radii < PINCHED * was.radii - SLIGHT * PINCHED)
+        # Ways that are short in radii are as long as they happen to be.
+        least = 0.3 * np.maximum(was.radii[self.edges].max(axis=1), SLIGHT)
+        stretch = np.maximum(now.length, least) / np.maximum(was.length, least)
+        both = is_free[self.edges].all(axis=1)
+        is_strained = both & ((stretch > STRETCHED) | (stretch < SHORTENED))
+        strained = np.zeros(len(is_free), dtype=bool)
+        strained[self.edges[is_strained].ravel()] = True
+        return [gap, pinched, strained]
+
+    def _stretched(self, solid: Solid) -> Measured | None:
+        """The recorded curve in the recorded mesh, both after the affine map that fits the moved one best."""
+        before, after = self.solid.shape.vertices, solid.shape.vertices
+        mean, away = before.mean(axis=0), after.mean(axis=0)
+        matrix = np.linalg.lstsq(before - mean, after - away, rcond=None)[0]
+        if np.linalg.det(matrix) <= 0:
+            return None
+        shape = Enclosure((before - mean) @ matrix + away, solid.shape.faces)
+        x = (self.solid.enter(self.nodes) - mean) @ matrix + away
+        return _measured(shape, x, self.edges, np.ones(len(x), dtype=bool), self.winding)
+
+
+def _samples(x: np.ndarray, edges: np.ndarray, rows: np.ndarray) -> np.ndarray:
+    """Places on those edges, ``SAMPLES`` of each."""
+    t = ((np.arange(SAMPLES) + 0.5) / SAMPLES)[:, None]
+    a, b = x[edges[rows, 0]], x[edges[rows, 1]]
+    return (a[:, None] + t * (b - a)[:, None]).reshape(-1, 3)
+
+
+def _sides(shape: Enclosure) -> np.ndarray:
+    """(F, 3) lengths of the sides of all faces."""
+    return np.linalg.norm(np.roll(shape.triangles, -1, axis=1) - shape.triangles, axis=2)
+
+
+def _measured(
+    shape: Enclosure, x: np.ndarray, edges: np.ndarray, is_there: np.ndarray, winding: np.ndarray
+) -> Measured:
+    """What is measured of a curve with nodes ``x`` (N, 3), of which some are there.
+
+    Balls are those of the nodes, and, as the curve between them is in the middle, too, balls between them on edges,
+    half a radius apart.
+    """
+    radii = np.full(len(x), np.nan)
+    radii[is_there] = shape.distances(x[is_there])
+    ball = np.where(is_there & (winding > 0), radii, 0.0)
+    length = np.linalg.norm(x[edges[:, 0]] - x[edges[:, 1]], axis=1)
+    count = np.ceil(2 * length / np.maximum(ball[edges].mean(axis=1), 1e-3))
+    count = np.where(is_there[edges].all(axis=1), np.clip(count, 1, 64), 0).astype(np.int64)
+    edge, step = repeated(count)
+    t = (step + 0.5) / count[edge]
+    ends = edges[edge]
+    centre = np.concatenate([x[is_there], (1 - t)[:, None] * x[ends[:, 0]] + t[:, None] * x[ends[:, 1]]])
+    ball = np.concatenate([ball[is_there], (1 - t) * ball[ends[:, 0]] + t * ball[ends[:, 1]]])
+    # Of balls of about one size the nearest is nearly always among those whose centres are.
+    gap = np.full(len(shape.vertices), np.inf)
+    size = np.floor(2 * np.log2(np.maximum(ball, 1e-6)))
+    for value in np.unique(size):
+        rows = np.flatnonzero(size == value)
+        away, nearest = spatial.KDTree(centre[rows]).query(shape.vertices, k=min(NEAREST, len(rows)))
+        gap = np.minimum(gap, (away - ball[rows[nearest]]).reshape(len(gap), -1).min(axis=1))
+    gap = np.maximum(gap, 0.0)
+    return Measured(radii, gap, np.where(is_there[edges].all(axis=1), length, np.nan))

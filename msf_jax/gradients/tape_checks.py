@@ -1,0 +1,137 @@
+"""Whether the arrays of a tape that comes from a file can be replayed: types, shapes, ranges, and who points where.
+
+A file whose digest is right may still have been made by somebody else; what is out of range here would be a traceback,
+or a NaN, in the middle of a replay.
+"""
+
+from typing import Any
+
+import numpy as np
+
+from msf_jax.base.layout import Layout
+from msf_jax.device.playback import Basis, Mixing, Part, Polynomial, Shape, Stretch
+
+
+def check_part(part: Part, shape: Shape, num: int) -> int:
+    """Raise a ValueError unless ``part`` is one of a mesh of ``num`` vertices; returns its rows of nodes."""
+    own, rows, nodes = len(part.vertices), len(part.tetrahedron), len(part.is_held)
+    numbers(part.vertices, (own, 3), "vertices")
+    indices(part.vertex_of_input, (own,), num, "vertex_of_input")
+    flags(part.is_pin, (own,), "is_pin")
+    indices(part.tetrahedron, (rows, 4), rows, "tetrahedron")
+    flags(part.is_firm, (rows,), "is_firm")
+    numbers(part.offset, (rows, 3), "offset")
+    _check_mixing(part.gather, rows, own, "gather")
+    _check_filter(part.mesh_filter, own, own, shape.mesh_layout)
+    _check_filter(part.site_filter, rows, rows, shape.layouts[0] if shape.layouts else None)
+    if len(part.stretches) != len(shape.layouts):
+        raise ValueError("it has other stretches than layouts")
+    before = rows
+    for stretch, layout in zip(part.stretches, shape.layouts, strict=True):
+        before = _check_stretch(stretch, layout, before, rows)
+    indices(part.meso_row, (len(part.meso_row),), before, "meso_row")
+    _check_mixing(part.nodes, nodes, len(part.meso_row), "nodes")
+    pins = len(part.pin_node)
+    indices(part.pin_node, (pins,), nodes, "pin_node")
+    indices(part.pin_input, (pins,), num, "pin_input")
+    numbers(part.pin_share, (pins,), "pin_share")
+    flags(part.is_held, (nodes,), "is_held")
+    numbers(part.centre, (3,), "centre")
+    numbers(part.axes, (3, 3), "axes")
+    if not numbers(part.diagonal, (), "diagonal") > 0:
+        raise ValueError("diagonal is not positive")
+    return nodes
+
+
+def _check_stretch(stretch: Stretch, layout: Layout, before: int, sites: int) -> int:
+    """Rows of the workspace after it, for so many before."""
+    _check_layout(layout)
+    lines, size = len(stretch.factor), layout.capacity
+    rounds, cuts = np.shape(stretch.cut)[1:3]
+    room = size + rounds * cuts
+    indices(stretch.handover, (size,), before, "handover")
+    indices(stretch.enter, (lines, size), room, "enter")
+    indices(stretch.site, (lines, size), sites, "site")
+    indices(stretch.group, (lines, size), size, "group")
+    indices(stretch.cut, (lines, rounds, cuts, 3), room, "cut")
+    if len(stretch.rings) != 4:
+        raise ValueError("rings are not four tables")
+    for table in stretch.rings[:3]:
+        indices(table, (lines, layout.num_slots), max(size, layout.num_slots), "rings")
+    flags(stretch.rings[3], (lines, layout.num_slots), "rings")
+    for name in ("degree", "free", "pull", "share", "blend"):
+        numbers(getattr(stretch, name), (lines, size), name)
+    numbers(stretch.left, (lines, 2, size, 3), "left")
+    if not (numbers(stretch.factor, (lines,), "factor") > 0).all():
+        raise ValueError("factor is not positive")
+    return room
+
+
+def _check_layout(layout: Any) -> None:
+    if not isinstance(layout, Layout) or not layout.levels:
+        raise ValueError("a layout is none")
+    offset, most = 0, layout.capacity
+    for level in layout.levels:
+        whole = all(isinstance(value, int) and not isinstance(value, bool) for value in level)
+        if not (whole and level.offset == offset and level.slots > 0 and 0 <= level.rows <= most):
+            raise ValueError("the levels of a layout do not follow each other")
+        offset, most = level.end, level.rows
+
+
+def _check_mixing(mixing: Any, rows: int, columns: int, name: str) -> None:
+    if not isinstance(mixing, Mixing):
+        raise ValueError(f"{name} is no matrix")
+    size = (len(mixing.row),)
+    indices(mixing.row, size, rows, name)
+    indices(mixing.column, size, columns, name)
+    numbers(mixing.share, size, name)
+    numbers(mixing.blend, size, name)
+
+
+def _check_filter(kept: Any, most: int, rows: int, layout: Layout | None) -> None:
+    """``most`` values are filtered, of which ``rows`` are read."""
+    if kept is None:
+        return
+    if isinstance(kept, Basis):
+        if np.ndim(kept.basis) != 2 or len(kept.basis) > most:
+            raise ValueError("a basis has another shape")
+        numbers(kept.basis, np.shape(kept.basis), "basis")
+        return
+    if not isinstance(kept, Polynomial) or layout is None:
+        raise ValueError("a filter is none")
+    _check_layout(layout)
+    size = layout.capacity
+    indices(kept.vertex, (size,), most, "vertex")
+    indices(kept.row, (rows,), size, "row")
+    indices(kept.neighbour, (layout.num_slots,), size, "neighbour")
+    flags(kept.is_used, (layout.num_slots,), "is_used")
+    numbers(kept.degree, (size,), "degree")
+    numbers(kept.share, (len(kept.share),), "share")
+    if not numbers(kept.top, (), "top") > 0:
+        raise ValueError("top is not positive")
+
+
+def indices(array: Any, shape: tuple[int, ...], num: int, name: str) -> np.ndarray:
+    """Raise a ValueError unless ``array`` holds whole numbers from 0 and below ``num``, in that shape."""
+    array = np.asarray(array)
+    if array.dtype.kind not in "iu" or array.shape != shape:
+        raise ValueError(f"{name} is {array.dtype} of shape {array.shape}: expected whole numbers, {shape}")
+    if array.size and not (array.min() >= 0 and array.max() < num):
+        raise ValueError(f"{name} points to {array.min()} to {array.max()}: expected 0 to {num - 1}")
+    return array
+
+
+def numbers(array: Any, shape: tuple[int, ...], name: str) -> np.ndarray:
+    """Raise a ValueError unless ``array`` holds finite real numbers, in that shape."""
+    array = np.asarray(array)
+    if array.dtype.kind not in "fiu" or array.shape != shape or not np.isfinite(array).all():
+        raise ValueError(f"{name} is {array.dtype} of shape {array.shape}: expected finite numbers, {shape}")
+    return array
+
+
+def flags(array: Any, shape: tuple[int, ...], name: str) -> np.ndarray:
+    """Raise a ValueError unless ``array`` holds True and False, in that shape."""
+    array = np.asarray(array)
+    if array.dtype.kind != "b" or array.shape != shape:
+        raise ValueError(f"{name} is {array.dtype} of shape {array.shape}: expected True and False, {shape}")
+    return array

@@ -1,0 +1,156 @@
+"""Frames that are beyond a curve say so, by what the whole moved surface is asked; frames that are not do not."""
+
+import functools
+
+import numpy as np
+import pytest
+import trimesh
+from scipy.spatial.transform import Rotation
+
+import msf_jax
+from msf_jax import ground_truth
+from msf_jax.gradients.track import Tracker
+from msf_jax.host.solid.crossings import Crossings
+
+
+def capsule(height):
+    way = np.linspace([0, 0, 0], [0, 0, height], 30)
+    return ground_truth.swept_tube(way, np.full(30, 0.3), 10, "round")
+
+
+def capsules():
+    """Two of them, their axes 1.5 apart."""
+    return trimesh.util.concatenate([capsule(2.0), capsule(2.0).apply_translation([1.5, 0, 0])])
+
+
+def u_tube():
+    """Legs along z at x of -0.8 and 0.8, of radius 0.25, and a half circle between them."""
+    turn, leg = np.linspace(0, np.pi, 40)[1:], np.linspace(-2, 0, 30)
+    way = [[-0.8, 0, z] for z in leg] + [[-0.8 * np.cos(t), 0, 0.8 * np.sin(t)] for t in turn]
+    way += [[0.8, 0, z] for z in leg[::-1][1:]]
+    return ground_truth.swept_tube(np.array(way, dtype=float), np.full(len(way), 0.25), 10, "round")
+
+
+MAKERS = {"capsules": capsules, "u_tube": u_tube, "y": lambda: ground_truth.make("y_coarse").mesh}
+
+
+@functools.cache
+def tracked(name):
+    """Vertices, faces, the curve, and what tracks it."""
+    mesh = MAKERS[name]()
+    skeleton = msf_jax.skeletonize(mesh)
+    return np.array(mesh.vertices), np.array(mesh.faces), skeleton, Tracker(skeleton)
+
+
+@pytest.mark.parametrize("gap", [0.1, 0.3, 0.5])
+def test_a_part_in_another_is_seen(gap):
+    vertices, _, _, tracker = tracked("capsules")
+    is_other = np.arange(len(vertices)) >= len(vertices) // 2
+    frame = tracker.frame(0, vertices - np.outer(is_other, [1.5 - gap, 0, 0]))
+    assert frame.wants_run and frame.crossings > 0 and "the surface crosses itself" in str(frame)
+    if gap <= 0.1:  # each axis is well inside of the other one
+        assert len(frame.overlaps) > len(frame.nodes) / 2 and frame.overlapped > 0.5
+    near = tracker.frame(0, vertices - np.outer(is_other, [1.5 - 0.7, 0, 0]))
+    assert not near.wants_run and near.faults == {}
+
+
+def test_legs_that_come_into_each_other_are_seen():
+    vertices, _, _, tracker = tracked("u_tube")
+    share = np.clip((-vertices[:, 2] - 0.1) / 0.8, 0, 1) * np.sign(vertices[:, 0])
+    for push, is_wrong in ((0.3, False), (0.6, True), (0.75, True)):
+        frame = tracker.frame(0, vertices - np.outer(share, [push, 0, 0]))
+        assert frame.wants_run == is_wrong and (frame.crossings > 0) == is_wrong
+    assert len(frame.overlaps) > 10
+
+
+def test_a_limb_that_has_grown_is_seen():
+    """Out of the side of a limb, by two of its radii or ten; a swelling of a quarter of one is none."""
+    vertices, faces, skeleton, tracker = tracked("y")
+    normal = trimesh.Trimesh(vertices, faces, process=False).vertex_normals
+    middle = skeleton.vertices[np.argmax(skeleton.radii)]
+    top = np.argmin(np.linalg.norm(vertices - middle, axis=1))
+    radius = skeleton.radii[skeleton.mesh_map[top]]
+    bump = np.exp(-(((vertices - vertices[top]) / (0.5 * radius)) ** 2).sum(axis=1)) * (normal @ normal[top] > 0)
+    for radii, is_wrong in ((0.25, False), (2, True), (10, True)):
+        frame = tracker.frame(0, vertices + radii * radius * bump[:, None] * normal[top])
+        assert frame.wants_run == is_wrong and (frame.unexplained > 0) == is_wrong
+    assert "of the surface is far from the curve" in str(frame)
+
+
+def bent(vertices, skeleton, angle):
+    """The whole mesh bent about y over two radii along z, where half of it is."""
+    height, width = np.median(vertices[:, 2]), 2 * np.median(skeleton.radii)
+    share = np.clip((vertices[:, 2] - height) / width, 0, 1)
+    turn = np.radians(angle) * share
+    straight = vertices[:, 2] - height - share * width
+    reach = width / np.radians(angle)
+    away = np.where(vertices[:, 2] > height, straight, 0.0)
+    x = vertices[:, 0] * np.cos(turn) + reach * (1 - np.cos(turn)) + away * np.sin(turn)
+    z = -vertices[:, 0] * np.sin(turn) + reach * np.sin(turn) + away * np.cos(turn)
+    is_over = vertices[:, 2] > height
+    return np.where(is_over[:, None], np.stack([x, vertices[:, 1], height + z], axis=1), vertices)
+
+
+def test_a_bend_is_right_until_the_limb_is_folded():
+    way = np.linspace([0, 0, -2], [0, 0, 2], 60)
+    mesh = ground_truth.swept_tube(way, np.full(60, 0.3), 12, "round")
+    skeleton = msf_jax.skeletonize(mesh)
+    tracker = Tracker(skeleton)
+    vertices, diagonal = np.array(mesh.vertices), np.linalg.norm(np.ptp(mesh.vertices, axis=0))
+    random = np.random.default_rng(0)
+    for angle in (15, 30, 45, 60):
+        for noise in (0.0, 1e-3):
+            moved = bent(vertices, skeleton, angle) + random.normal(0, noise * diagonal, vertices.shape)
+            assert not tracker.frame(0, moved).wants_run
+    for angle in (165, 180):
+        assert tracker.frame(0, bent(vertices, skeleton, angle)).wants_run
+
+
+def test_a_mesh_that_is_stretched_as_a_whole_is_right():
+    vertices, _, skeleton, tracker = tracked("y")
+    random = np.random.default_rng(1)
+    for factors in ([1, 0.5, 1], [1, 1, 2.5], [0.7, 1.3, 2]):
+        matrix = Rotation.random(random_state=random).as_matrix() * factors
+        frame = tracker.frame(0, vertices @ matrix.T)
+        assert frame.faults == {}
+        np.testing.assert_allclose(frame.nodes, skeleton.vertices @ matrix.T, atol=1e-9)
+
+
+def test_radii_are_exact_to_the_whole_surface():
+    """Also where what is nearest now was far away: brute force over points of all faces."""
+    vertices, faces, _, tracker = tracked("u_tube")
+    share = np.clip((-vertices[:, 2] - 0.1) / 0.8, 0, 1) * np.sign(vertices[:, 0])
+    moved = vertices - np.outer(share, [0.65, 0, 0])
+    frame = tracker.frame(0, moved)
+    a, b, c = np.moveaxis(moved[faces], 1, 0)
+    s, t = np.meshgrid(np.linspace(0, 1, 25), np.linspace(0, 1, 25))
+    s, t = s[s + t <= 1][:, None, None], t[s + t <= 1][:, None, None]
+    points = (a + s * (b - a) + t * (c - a)).reshape(-1, 3)
+    away = np.array([np.linalg.norm(points - node, axis=1).min() for node in frame.nodes])
+    spacing = np.linalg.norm(moved[faces] - np.roll(moved[faces], 1, axis=1), axis=2).max() / 24
+    assert (np.abs(frame.radii) <= away + 1e-12).all()
+    assert (away**2 - frame.radii**2 <= spacing**2 + 2 * spacing * np.abs(frame.radii)).all()
+    assert len(frame.misjudged) > 5  # `follow` does not know of the other leg
+
+
+def crossings_of(parts, gap):
+    """Of two tetrahedra, the second shifted to ``gap`` above the first: each with a node of its own."""
+    corners = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1.0]])
+    faces = np.array([[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]])
+    vertices = np.concatenate([corners, corners + [0.1, 0.1, 2]])
+    asked = Crossings(
+        vertices,
+        np.concatenate([faces, faces + 4]),
+        np.repeat(parts, 4),
+        np.array([0.2, 0.2]),
+        np.array([[0, 1]]),
+        np.array([2.0]),
+    )
+    vertices[4:, 2] += gap - 2
+    return asked.found(vertices)
+
+
+def test_faces_cross_where_a_side_passes_through():
+    """The corner of a tetrahedron within another cuts the slanted face with its own three; once it is out, nothing."""
+    assert {tuple(pair) for pair in crossings_of([0, 1], 0.5).tolist()} == {(2, 4), (2, 5), (2, 7)}
+    assert len(crossings_of([0, 1], 1.01)) == 0

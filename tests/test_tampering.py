@@ -1,0 +1,250 @@
+"""Files that are not as they were written, or ask for too much: refused with a reason, and nothing else."""
+
+import json
+import os
+import re
+import subprocess
+import sys
+import tomllib
+from pathlib import Path
+
+import numpy as np
+import pytest
+import trimesh
+from conftest import blob
+
+import msf_jax
+from msf_jax import Config, ConfigError, MeshError, Tape
+from msf_jax.app.cli import main
+from msf_jax.base import archive
+from msf_jax.host.mesh import reading, unpacking
+from tests.benchmarks import tampering
+
+ONCE = Config(max_iterations=3)
+
+
+@pytest.fixture(scope="module")
+def written(tmp_path_factory):
+    """A tape, a checkpoint and a curve of one mesh, as arrays by name."""
+    folder = tmp_path_factory.mktemp("written")
+    flow = msf_jax.contract(blob(5, 2), config=ONCE, checkpoint=folder / "checkpoint.npz")
+    flow.tape.save(folder / "tape.npz")
+    flow.skeleton.save(folder / "skeleton.npz")
+    found = {}
+    for kind in ("checkpoint", "tape", "skeleton"):
+        with np.load(folder / f"{kind}.npz") as file:
+            found[kind] = dict(file)
+    return found
+
+
+def load(kind, path):
+    if kind == "tape":
+        return Tape.load(path)
+    if kind == "checkpoint":
+        return msf_jax.contract(blob(5, 2), config=ONCE, checkpoint=path)
+    return msf_jax.read_curve(path)
+
+
+def forged(arrays, path):
+    """Write ``arrays`` with a digest made anew."""
+    arrays = {name: array for name, array in arrays.items() if name != archive.DIGEST}
+    header = json.loads(str(arrays.pop("header")))
+    kind, version = header.pop("format").removeprefix("msf_jax "), header.pop("version")
+    path.write_bytes(archive.packed(kind, version, header, arrays, compress=False))
+
+
+SMALL_CHANGES = {
+    "checkpoint": ("0/meso/has_pole", "0/meso/positions", "0/steps/0/left"),
+    "tape": ("vertices", "parts/0/stretches/0/share", "decisions"),
+    "skeleton": ("vertices", "mesh_map", "areas"),
+}
+
+
+@pytest.mark.parametrize(("kind", "name"), [(kind, name) for kind, names in SMALL_CHANGES.items() for name in names])
+def test_one_value_that_was_changed_is_seen(written, tmp_path, kind, name):
+    """The last bit of a number, or one flag: nothing that a range could tell."""
+    arrays = {key: array.copy() for key, array in written[kind].items()}
+    value = arrays[name].reshape(-1)[:1]
+    value[:] = ~value if value.dtype.kind == "b" else value + (1 if value.dtype.kind in "iu" else 1e-9)
+    np.savez(tmp_path / "file.npz", **arrays)
+    with pytest.raises(ConfigError, match="it is not as it was written: its digest is another"):
+        load(kind, tmp_path / "file.npz")
+
+
+@pytest.mark.parametrize("kind", ["checkpoint", "tape", "skeleton"])
+def test_a_header_that_was_changed_is_seen_and_a_whole_file_is_read(written, tmp_path, kind):
+    arrays = dict(written[kind])
+    np.savez(tmp_path / "whole.npz", **arrays)
+    load(kind, tmp_path / "whole.npz")
+    arrays["header"] = np.array(json.dumps(json.loads(str(arrays["header"])) | {"more": 1}))
+    np.savez(tmp_path / "file.npz", **arrays)
+    with pytest.raises(ConfigError, match="its digest is another"):
+        load(kind, tmp_path / "file.npz")
+    del arrays[archive.DIGEST]
+    np.savez(tmp_path / "file.npz", **arrays)
+    with pytest.raises(ConfigError, match="its digest is another"):
+        load(kind, tmp_path / "file.npz")
+
+
+def test_curves_of_0_3_have_no_digest_and_are_read(written, tmp_path):
+    arrays = {name: array for name, array in written["skeleton"].items() if name != archive.DIGEST}
+    arrays["header"] = np.array(json.dumps({"format": "msf_jax skeleton", "version": 1}))
+    np.savez(tmp_path / "old.npz", **arrays)
+    np.testing.assert_array_equal(msf_jax.read_curve(tmp_path / "old.npz").vertices, arrays["vertices"])
+
+
+FORGED = [
+    ("tape", "parts/0/stretches/0/enter", lambda a: a + 10**6),
+    ("tape", "parts/0/stretches/0/cut", lambda a: a.astype(float)),
+    ("tape", "parts/0/stretches/0/left", lambda a: np.full_like(a, np.nan)),
+    ("tape", "parts/0/tetrahedron", lambda a: -1 - a),
+    ("tape", "parts/0/gather/column", lambda a: a[:-1]),
+    ("tape", "parts/0/diagonal", lambda a: -a),
+    ("tape", "node_row", lambda a: a + 10**6),
+    ("tape", "edges", lambda a: a.astype(float)),
+    ("tape", "is_inside", lambda a: a.astype(int)),
+    ("tape", "triangles", lambda a: a - 10**6),
+    ("checkpoint", "0/meso/degree", lambda a: a[::-1] + 1),
+    ("checkpoint", "0/meso/has_pole", lambda a: a.astype(float)),
+    ("checkpoint", "0/meso/positions", lambda a: 1e3 * a),
+    ("checkpoint", "0/meso/poles", lambda a: np.full_like(a, np.nan)),
+    ("checkpoint", "0/meso/node_of_input", lambda a: a.astype(float)),
+    ("checkpoint", "0/steps/0/order", lambda a: np.zeros_like(a)),
+    ("checkpoint", "0/steps/0/degree", lambda a: a + 100),
+    ("skeleton", "edges", lambda a: a.astype(float)),
+    ("skeleton", "mesh_map", lambda a: a.astype(float)),
+    ("skeleton", "radii", lambda a: -1 - a),
+    ("skeleton", "vertices", lambda a: a.astype(np.int64)),
+    ("skeleton", "areas", lambda a: a * np.nan),
+    ("skeleton", "surface_faces", lambda a: a[:0]),
+    ("skeleton", "input_of_vertex", lambda a: a.astype(float)),
+]
+
+
+@pytest.mark.parametrize(("kind", "name", "change"), FORGED)
+def test_what_a_digest_was_made_for_is_checked_all_the_same(written, tmp_path, kind, name, change):
+    """Types, shapes, ranges and indices."""
+    assert name in written[kind], sorted(written[kind])
+    forged(written[kind] | {name: change(written[kind][name])}, tmp_path / "file.npz")
+    with pytest.raises(ConfigError, match=f"(is no {kind}, or a damaged one|is damaged)"):
+        load(kind, tmp_path / "file.npz")
+
+
+@pytest.mark.parametrize(("name", "value"), [("t_c", 0.999), ("w_L_factor", 3.0), ("capacity", 10**9), ("t_c", "x")])
+def test_what_follows_from_the_iterations_is_not_taken_from_a_checkpoint(written, tmp_path, name, value):
+    header = json.loads(str(written["checkpoint"]["header"]))
+    header["states"]["list"][0]["members"][name] = value
+    forged(written["checkpoint"] | {"header": np.array(json.dumps(header))}, tmp_path / "file.npz")
+    with pytest.raises(ConfigError, match="damaged"):
+        load("checkpoint", tmp_path / "file.npz")
+
+
+@pytest.mark.slow
+def test_a_sample_of_altered_files(capsys):
+    """More of them: python -m tests.benchmarks.adversary files."""
+    assert tampering.try_files(3, 27) == []
+    assert "| tape | bytes |" in capsys.readouterr().out
+
+
+def written_3mf(path, **parts):
+    path.write_bytes(tampering._model(**parts))
+    return path
+
+
+def test_3mf_is_counted_before_it_is_read(tmp_path, monkeypatch):
+    """A sound file is read; one with too much of anything is refused before its reader sees it."""
+    sound = written_3mf(tmp_path / "sound.3mf", inside=tampering._mesh(1))
+    assert reading.read(sound)[1].shape == (4, 3)
+    monkeypatch.setattr(trimesh, "load", None)
+    monkeypatch.setattr(unpacking, "MOST_ELEMENTS", 50)
+    monkeypatch.setattr(unpacking, "MOST_TRIANGLES", 40)
+    cases = {
+        "over 50 elements that are no part of a mesh": {"inside": tampering._mesh(1, b"<a/>" * 60)},
+        "a vertex has 1 numbers: expected 3": {"inside": tampering._mesh(1, b'<vertex x="0"/>')},
+        "entities of its own": {"inside": tampering._mesh(1), "before": tampering.DECLARED},
+        "put together of themselves": {
+            "inside": b'<object id="1"><components><component objectid="1"/></components></object>'
+        },
+        "12 instances and 44 triangles": {"inside": tampering._mesh(1), "build": b'<item objectid="1"/>' * 11},
+    }
+    for says, parts in cases.items():
+        with pytest.raises(MeshError, match=says):
+            reading.read(written_3mf(tmp_path / "bomb.3mf", **parts))
+    with pytest.raises(MeshError, match=r"unpacks to \d+ bytes: expected at most 10000000"):
+        reading.read(written_3mf(tmp_path / "bomb.3mf", inside=b" " * 20_000_000))
+
+
+def test_a_scene_that_shows_too_much_is_refused(tmp_path, monkeypatch):
+    (tmp_path / "scene.gltf").write_bytes(tampering._gltf({}, nodes=30))
+    assert len(reading.read(tmp_path / "scene.gltf")[1]) == 30
+    monkeypatch.setattr(reading, "MOST_SHOWN", 20)
+    with pytest.raises(MeshError, match="its scene shows 30 meshes"):
+        reading.read(tmp_path / "scene.gltf")
+
+
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="there are no named pipes here")
+@pytest.mark.parametrize("name", ["x.off", "x.npz", "x.swc", "x.json"])
+def test_a_pipe_is_no_file(tmp_path, name):
+    """Nobody writes to it, so that reading it would never end."""
+    os.mkfifo(tmp_path / name)
+    script = "import sys; from msf_jax.app.cli import main; sys.exit(main(sys.argv[1:]))"
+    command = ["skeletonize", str(tmp_path / name)] if name == "x.off" else ["report", str(tmp_path / name)]
+    done = subprocess.run([sys.executable, "-c", script, *command], capture_output=True, text=True, timeout=120)
+    assert done.returncode == 2 and re.search("is a pipe or a device|is no file", done.stderr)
+
+
+def test_what_an_obj_names_outside_of_its_folder_is_not_opened(tmp_path, monkeypatch):
+    secret = tmp_path / "secret.mtl"
+    secret.write_text("newmtl a\nKd 1 0 0\n")
+    (tmp_path / "inside").mkdir()
+    mesh = tmp_path / "inside" / "mesh.obj"
+    mesh.write_text(f"mtllib ../secret.mtl\nmtllib {secret}\nusemtl a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
+    opened = []
+    sys.addaudithook(lambda event, given: opened.append(str(given[0])) if event == "open" else None)
+    assert len(reading.read(mesh)[1]) == 1
+    assert str(mesh) in opened and not any(name.endswith("secret.mtl") for name in opened)
+
+
+def test_the_readers_are_new_enough():
+    """Trimesh 4.5 opens what an OBJ names, wherever it is."""
+    project = tomllib.loads((Path(__file__).parents[1] / "pyproject.toml").read_text())["project"]
+    (floor,) = (line.split(">=")[1] for line in project["dependencies"] if line.startswith("trimesh>="))
+    assert tuple(map(int, floor.split("."))) >= (5, 0)
+
+
+@pytest.mark.parametrize(
+    ("name", "content"),
+    [
+        ("deep.json", "[" * 100_000),
+        ("deeper.json", '{"report": ' + '{"a": ' * 100_000),
+        ("list.json", "[]"),
+        ("text.json", json.dumps({"report": tampering._report() | {"volume": "much"}})),
+        ("flags.json", json.dumps({"report": tampering._report() | {"iterations": True}})),
+        ("notes.json", json.dumps({"report": tampering._report() | {"notes": [[1]]}})),
+        ("figures.json", json.dumps({"report": tampering._report() | {"figures": 3}})),
+    ],
+)
+def test_a_report_that_is_none_is_said_to_be_none(tmp_path, capsys, name, content):
+    (tmp_path / name).write_text(content)
+    assert main(["report", str(tmp_path / name)]) == 2
+    said = capsys.readouterr()
+    assert f"{name}' holds no report" in said.err and not said.out
+
+
+def test_a_place_before_the_file_is_damage(written, tmp_path):
+    """What the list at the end of a file says of places in it may be anything."""
+    path = tmp_path / "file.npz"
+    np.savez(path, **written["skeleton"])
+    content = path.read_bytes()
+    path.write_bytes(content[:100] + content[2000:])
+    with pytest.raises(ConfigError, match="is no skeleton, or a damaged one"):
+        msf_jax.read_curve(path)
+
+
+def test_escapes_are_not_sent_to_the_terminal(tmp_path, capsys):
+    path = tmp_path / "curve.swc"
+    path.write_text("# report: \x1b]0;owned\x07\x1b[2Jconverged\n1 0 0 0 0 1 -1\n")
+    assert main(["report", str(path)]) == 0
+    assert capsys.readouterr().out == "\\x1b]0;owned\\x07\\x1b[2Jconverged\n"
+    assert main(["report", str(tmp_path / "\x1b[2Jnone.swc")]) == 2
+    assert "\x1b" not in capsys.readouterr().err
