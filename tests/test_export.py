@@ -211,6 +211,22 @@ def test_a_glb_needs_its_mesh(hand, tmp_path):
         skeleton.save(tmp_path / "hand.glb", (mesh.vertices[:-1], mesh.faces[:1]))
 
 
+@pytest.mark.parametrize("suffix", [".obj", ".cg", ".ply", ".graphml", ".json"])
+def test_graphs_are_read_as_they_were_saved(lollipop, tmp_path, suffix):
+    """With their nodes' numbers, a lone node and a loop; radii where the format has them."""
+    lollipop.save(tmp_path / f"a{suffix}")
+    found = msf_jax.read_curve(tmp_path / f"a{suffix}")
+    np.testing.assert_array_equal(found.vertices, lollipop.vertices)
+    if suffix != ".json":  # others come in ascending order
+        np.testing.assert_array_equal(found.edges, np.unique(lollipop.edges, axis=0))
+    has_radii = suffix not in (".obj", ".cg")
+    np.testing.assert_array_equal(found.radii, lollipop.radii if has_radii else np.zeros(6))
+    if suffix == ".json":
+        np.testing.assert_array_equal(found.edges, lollipop.edges)
+        np.testing.assert_array_equal(found.mesh_map, lollipop.mesh_map)
+        assert found.report == lollipop.report
+
+
 @pytest.mark.parametrize("suffix", [".swc", ".polylines.txt"])
 def test_what_was_saved_is_read_again(hand, saved, suffix):
     skeleton, mesh = hand
@@ -232,7 +248,16 @@ def test_what_was_saved_is_read_again(hand, saved, suffix):
         ("a.swc", "1 0 0 0 0 1 7", "names a node 7 that it does not hold"),
         ("a.swc", "1 0 nan 0 0 1 -1", "not all finite"),
         ("a.polylines.txt", "3 0 0 0 1 1 1", "line 1 of 'a.polylines.txt' is no polyline"),
-        ("a.obj", "v 0 0 0", r"cannot read 'a.obj': expected an .swc, .polylines.txt or .npz file"),
+        ("a.vtp", "<VTKFile/>", r"cannot read 'a.vtp': expected one of .npz, .json, .swc"),
+        ("a.obj", "v 0 0 0\nl 1 2", "has edges to nodes that it does not hold: expected numbers below 1"),
+        ("a.obj", "v 0 0\n", "line 1 of 'a.obj' is 'v 0 0': expected v and three numbers, or l"),
+        ("a.cg", "v 0 0 0\ne 1 x", "line 2 of 'a.cg' is 'e 1 x'"),
+        ("a.ply", "ply\nformat binary_little_endian 1.0\n", "it is binary_little_endian: expected ascii"),
+        ("a.ply", "ply\nformat ascii 1.0\nelement vertex 1\nend_header\n", "is no PLY of a curve"),
+        ("a.graphml", "<graphml/>", "is no GraphML of a curve"),
+        ("a.graphml", "<!DOCTYPE a>", "declares entities"),
+        ("a.json", '{"format": "other", "version": 1}', "holds no curve .*it is a 'other'"),
+        ("a.json", "{", "holds no curve"),
     ],
 )
 def test_a_curve_that_cannot_be_read_is_named(tmp_path, name, content, says):

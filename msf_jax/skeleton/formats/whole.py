@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any, get_args, get_origin, get_type_hints
 import numpy as np
 
 from msf_jax.base import archive
+from msf_jax.base.errors import ConfigError
 from msf_jax.host.solid.solid import Solid
 from msf_jax.skeleton.report import Report
 from msf_jax.skeleton.source import Source
@@ -131,3 +132,30 @@ def plain_json(skeleton: "Skeleton") -> str:
         "report": skeleton.report.to_dict(),
     }
     return json.dumps(content) + "\n"
+
+
+def read_json(name: str, text: str) -> tuple[dict[str, Any], Report]:
+    """The curve that `plain_json` wrote, and its report; a ConfigError for anything else."""
+    try:
+        content = json.loads(text)
+        if content["format"] != f"msf_jax {KIND}" or content["version"] != VERSION:
+            raise ValueError(f"it is a {content['format']!r} of version {content['version']!r}")
+        whole = {key: np.array(content[key], dtype=np.int64) for key in ("edges", "mesh_map")}
+        curve: dict[str, Any] = {key: np.array(content[key], dtype=np.float64) for key in ("vertices", "radii")} | whole
+        curve["edges"] = curve["edges"].reshape(-1, 2)
+        num = len(curve["vertices"])
+        is_right = curve["vertices"].shape == (num, 3) and curve["radii"].shape == (num,) and num > 0
+        for key in ("roots", "openings"):
+            curve[key] = tuple(int(node) for node in content.get(key, ()))
+        nodes = (curve["edges"].ravel(), curve["mesh_map"].ravel(), np.array(curve["roots"] + curve["openings"]))
+        is_right &= all(((index >= 0) & (index < num)).all() for index in nodes)
+        if not (is_right and np.isfinite(curve["vertices"]).all() and np.isfinite(curve["radii"]).all()):
+            raise ValueError("arrays do not fit together")
+        curve["radius_of"], curve["units"] = str(content.get("radius_of", "ball")), str(content.get("units", ""))
+        if curve["radius_of"] not in ("ball", "section"):
+            raise ValueError("the radii are of nothing that is known")
+        return curve, Report.from_dict(content["report"])
+    except (ValueError, KeyError, TypeError, AttributeError) as error:
+        raise ConfigError(
+            f"{name!r} holds no curve ({type(error).__name__}: {error}): expected one of msf_jax"
+        ) from error
