@@ -81,7 +81,7 @@ def limbs_of(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray) -> Limbs
         extent = np.zeros(len(part))
         np.maximum.at(extent, corners.loop, np.linalg.norm(place - found.centroid[corners.loop], axis=1))
         width[part[found.is_around]] = extent[found.is_around]
-        is_wide = np.bincount(corners.loop, minlength=len(part)) == 0  # no wall in its plane as far as one is looked for
+        is_wide = np.bincount(corners.loop, minlength=len(part)) == 0  # in its plane no wall is near
         width[part[is_wide]] = sections.FARTHEST * radius[part[is_wide]]
         # What of the curve is in a section: where an edge goes through its plane, within its loop.
         rows = np.flatnonzero(found.is_around)
