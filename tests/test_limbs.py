@@ -286,10 +286,13 @@ def test_without_a_solid_sections_are_discs(scale):
 
 
 @pytest.mark.parametrize("radius", [0.0, np.nan])
-def test_what_has_no_width_stays(radius):
-    vertices, edges, _ = star_of([1.0, 2.5, 0.75], 0.1)
+def test_where_no_width_is_known_all_stays_and_what_is_outside_goes(radius):
+    vertices, edges, radii = star_of([1.0, 2.5, 0.75], 0.1)
     limb = in_discs(vertices, edges, np.full(len(vertices), radius))
     assert set(by_leaf(*limb).values()) == {np.inf} and prune(*limb, 100.0)[0].all()
+    radii[-3:] = 0.0
+    limb = in_discs(vertices, edges, radii)
+    assert by_leaf(*limb)[len(vertices) - 1] == 0 and not prune(*limb, 0.1)[0][-3:].any()
 
 
 def test_a_node_without_a_section_is_as_wide_as_its_ball_and_one_outside_adds_nothing():
@@ -487,7 +490,7 @@ def plain_slenderness(curve: tuple[np.ndarray, np.ndarray, Limbs], graph: nx.Gra
         end = np.array(width) + np.minimum(before, np.r_[slope, np.inf]) * length / 2
         widest = np.maximum.accumulate([wide[leaf], *np.maximum(width, end)])[1:]
         counts = (area / np.maximum(widest, 1e-100) ** 2)[(reach >= 0.25 * limb.radius[onward]) & (widest > 0)]
-        found[leaf] = own, counts.max(initial=0.0) if widest[-1] > 0 else np.inf
+        found[leaf] = own, counts.max(initial=0.0)
     return found
 
 

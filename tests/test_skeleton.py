@@ -52,8 +52,13 @@ def test_a_slid_threshold_takes_twigs_first_and_limbs_later(whole):
 
 
 def test_pruning_while_running_and_afterwards_take_the_same_branches(whole):
+    """And the report counts them."""
     mesh, skeleton = whole
-    assert num_leaves(msf_jax.skeletonize(mesh)) == num_leaves(skeleton.prune(msf_jax.Config().prune))
+    run, later = msf_jax.skeletonize(mesh), skeleton.prune(msf_jax.Config().prune)
+    assert num_leaves(run) == num_leaves(later) and skeleton.report.pruned == 0 == run.report.grown
+    assert later.report.pruned == num_leaves(skeleton) - num_leaves(later) > 0
+    assert run.report.pruned > 0 and f"{run.report.pruned} pruned" in str(run.report)
+    assert later.prune(100.0).report.pruned == later.report.pruned + 1
 
 
 def test_cycles_are_never_pruned(ring):

@@ -47,7 +47,11 @@ def assemble(
         if config.evaluate:
             figures = metrics.figures_of(solid.shape, solid.enter(stitched[1].vertices), stitched[1].edges)
         notes = [*notes, *_notes_of_finishing(states, parts)]
-        report = report_of(checked, states, reasons, history, notes, figures, watch)
+        report = replace(
+            report_of(checked, states, reasons, history, notes, figures, watch),
+            pruned=sum(part.finished.num_pruned for part in parts),
+            grown=sum(part.finished.num_grown for part in parts),
+        )
         curve = _skeleton(stitched[0], checked, report, source)
         skeleton = _to_openings(stitched[1], checked, report, source)
     return Flow(

@@ -32,6 +32,8 @@ class Report:
         fixed: vertices of the meso-skeleton that were fixed at the end.
         live: vertices of the meso-skeleton at the end.
         coarsened: vertices of the mesh that went before the flow, in edges shorter than ``Config.coarsen``.
+        pruned: branches that were taken away as they are no limbs (see `Branch`), by `Skeleton.prune`, too.
+        grown: branches that were laid into thin limbs that the flow had lost, before the last pruning.
         volume: fraction of the volume, after coarsening, that was left, the largest over components.
         unsolved: iterations in which a linear solve ran out of steps before it reached its tolerance.
         solve_steps: CG steps in all.
@@ -57,6 +59,8 @@ class Report:
     unsolved: int
     solve_steps: int
     coarsened: int = 0
+    pruned: int = 0
+    grown: int = 0
     cut: int = 0
     loops: int | None = None
     doubts: tuple[str, ...] = ()
@@ -114,6 +118,8 @@ class Report:
             f"{self.fixed} of {self.live} meso-skeleton vertices fixed, {self.solve_steps} CG steps"
             + (f", {self.coarsened} vertices coarsened away before" if self.coarsened else ""),
         ]
+        if self.pruned or self.grown:
+            lines.append(f"branches: {self.pruned} pruned as no limbs, {self.grown} grown where the flow had lost them")
         if self.unsolved:
             lines.append(f"in {self.unsolved} iterations a linear solve stopped before it reached its tolerance")
         if self.figures:

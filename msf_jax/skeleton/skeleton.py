@@ -107,7 +107,12 @@ class Skeleton:
         stays, target = limbs.prune(*self._in_solid(), self._limbs, float(slenderness), self._is_held())
         rank = np.cumsum(stays) - 1
         edges = rank[self.edges[stays[self.edges].all(axis=1)]]
-        return self._changed(self.vertices[stays], edges, rank[target])
+        found = self._changed(self.vertices[stays], edges, rank[target])
+        gone = self._num_leaves() - found._num_leaves()
+        return replace(found, report=replace(found.report, pruned=self.report.pruned + gone))
+
+    def _num_leaves(self) -> int:
+        return int((np.bincount(self.edges.ravel()) == 1).sum())
 
     def resample(self, spacing: float) -> "Skeleton":
         """A new skeleton whose branches have nodes about every ``spacing``, in the caller's units; ends and pins stay.

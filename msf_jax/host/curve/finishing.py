@@ -32,7 +32,8 @@ class Draft(NamedTuple):
     in ascending order, and -1 for the new ones, which come last. node_of_flow: (n,) the node that stands for each of
     the flow's: itself, or the junction that its branch was pruned from. place: (N, 3) where each was found at first,
     or, of a junction, where it is to be. is_hub: (N,) those junctions, and what is left of them when their branches are
-    pruned. is_sparse: whether nodes are farther apart than they should be, as there would be too many.
+    pruned. is_sparse: whether nodes are farther apart than they should be, as there would be too many. num_pruned,
+    num_grown: branches that were taken away as they are no limbs, and that the flow had lost, counted by their ends.
     """
 
     vertices: np.ndarray
@@ -43,6 +44,8 @@ class Draft(NamedTuple):
     place: np.ndarray
     is_hub: np.ndarray
     is_sparse: bool = False
+    num_pruned: int = 0
+    num_grown: int = 0
 
     def changed(self, vertices: np.ndarray, edges: np.ndarray | None = None) -> "Draft":
         """The same with its nodes moved, new ones last, and with other edges if they are given."""
@@ -84,8 +87,8 @@ class Finished(NamedTuple):
     is_kept: (n,) which of the flow's nodes are in it, in their order, before all others.
     target: (n,) the flow's node that stands for each: itself, or the junction that its branch was pruned from.
     num_refused: edges outside that were left there, as a bound was hit. num_closed: those with no way inside.
-    is_cut_short: whether centring was left early, as its bound was hit. is_sparse: see `Draft`. node_of_vertex: (V,)
-    where waves have made the curve, the node that each vertex of the solid goes to; else None.
+    is_cut_short: whether centring was left early, as its bound was hit. is_sparse, num_pruned, num_grown: see `Draft`.
+    node_of_vertex: (V,) where waves have made the curve, the node that each vertex of the solid goes to; else None.
     """
 
     vertices: np.ndarray
@@ -96,6 +99,8 @@ class Finished(NamedTuple):
     num_closed: int = 0
     is_cut_short: bool = False
     is_sparse: bool = False
+    num_pruned: int = 0
+    num_grown: int = 0
     node_of_vertex: np.ndarray | None = None
 
 
@@ -172,6 +177,8 @@ def finish(
         job.passages.num_closed,
         job.budget.was_hit,
         draft.is_sparse,
+        draft.num_pruned,
+        draft.num_grown,
     )
 
 
@@ -207,6 +214,7 @@ def _of_waves(laid: course.Course, nodes: np.ndarray, job: Job) -> Finished:
         first[place],
         job.passages.num_refused,
         job.passages.num_closed,
+        num_pruned=draft.num_pruned,
         node_of_vertex=rank[draft.node_of_flow],
     )
 
@@ -305,7 +313,8 @@ def pruned(draft: Draft, job: Job) -> Draft:
     if not job.prune:
         return draft
     x, e = draft.vertices, draft.edges
-    return _left(draft, *limbs.prune(x, e, limbs.limbs_of(job.rough, x, e), job.prune, draft.is_held))
+    left = _left(draft, *limbs.prune(x, e, limbs.limbs_of(job.rough, x, e), job.prune, draft.is_held))
+    return left._replace(num_pruned=draft.num_pruned + int(draft.is_leaf().sum() - left.is_leaf().sum()))
 
 
 def _left(draft: Draft, stays: np.ndarray, target: np.ndarray) -> Draft:
@@ -338,7 +347,8 @@ def extended(draft: Draft, job: Job) -> Draft:
 
 def completed(draft: Draft, job: Job) -> Draft:
     """With the thin limbs that the flow has lost."""
-    return draft.changed(*twigs.grow(job.rough, draft.vertices, draft.edges))
+    more = draft.changed(*twigs.grow(job.rough, draft.vertices, draft.edges))
+    return more._replace(num_grown=int(more.is_leaf().sum() - draft.is_leaf().sum()))
 
 
 def laid_together(draft: Draft, job: Job) -> Draft:

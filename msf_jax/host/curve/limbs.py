@@ -12,8 +12,8 @@ length of a limb of constant width that covers as much, over its half width: of 
 larger body h / radius, of a cone or a wedge with the angle 2 a at its tip 1 / (2 tan a). A finger has 4 to 8, half a
 disc on a rim, or half a ball on a wall, pi / 4, the corner of a square plate 0.6, that of a cube 0.7 as far as its
 middle. All branches are kept or pruned by that one number; of equal ones the order of nodes decides. Where the
-section cannot be cut, the ball is as wide as the limb; a branch of which no width is known is infinitely slender, and
-stays.
+section cannot be cut, the ball is as wide as the limb; what is outside adds nothing. A curve of which no ball is known
+keeps all its branches.
 
 It is related to the erosion thickness of a medial axis (Yan, Sykes, Chambers, Letscher, Ju 2016), which tells how far a
 part of the solid reaches against its thickness; here it is against its width, so that a sheet is one limb.
@@ -79,7 +79,7 @@ def limbs_of(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray) -> Limbs
         extent = np.zeros(len(part))
         np.maximum.at(extent, corners.loop, np.linalg.norm(place - found.centroid[corners.loop], axis=1))
         width[part[found.is_around]] = extent[found.is_around]
-        is_wide = np.bincount(corners.loop, minlength=len(part)) == 0  # no wall in its plane, as far as is looked
+        is_wide = np.bincount(corners.loop, minlength=len(part)) == 0  # in its plane no wall is near
         width[part[is_wide]] = sections.FARTHEST * radius[part[is_wide]]
         # What of the curve is in a section: where an edge goes through its plane, within its loop.
         rows = np.flatnonzero(found.is_around)
@@ -98,7 +98,8 @@ def limbs_of(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray) -> Limbs
 
 
 def limbs_without(vertices: np.ndarray, edges: np.ndarray, radii: np.ndarray) -> Limbs:
-    """The same for a curve whose solid is not known: every section is a disc of its node's radius."""
+    """The same for a curve whose solid is not known: every section is a disc of its node's radius, if that is known."""
+    radii = radii if (radii > 0).any() else np.full(len(radii), np.nan)
     nothing = np.empty(0, dtype=np.int64)
     degree = np.bincount(edges.ravel(), minlength=len(vertices))
     return Limbs(radii, np.where(degree < 3, radii, np.nan), np.where(degree == 1, radii, 0.0), nothing, nothing)
@@ -215,7 +216,7 @@ class Pruning:
                 if most >= enough:
                     break
             last_step, last = step, here
-        return most if most >= 0 else 0.0 if width > 0 else np.inf
+        return most if most >= 0 else np.inf if np.isnan(width) else 0.0
 
     def take_away(self, leaf: int) -> set[int]:
         """Take the branch of a leaf away, but for its junction; the leaves whose slenderness may be another now."""
