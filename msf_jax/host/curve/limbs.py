@@ -129,9 +129,11 @@ def _outer(
     stays = ~np.isin(found.loop, hole)
     loop = np.concatenate([found.loop[stays], hole[again.loop]])
     order = np.argsort(loop, kind="stable")
-    rest = (np.concatenate([one[stays], other])[order] for one, other in zip(found[1:5], again[1:5], strict=True))
     found.is_closed[hole] = again.is_closed
-    return sections.Corners(loop[order], *rest, found.is_closed)
+    tail, head, part, triangle = (
+        np.concatenate([one[stays], other])[order] for one, other in zip(found[1:5], again[1:5], strict=True)
+    )
+    return sections.Corners(loop[order], tail, head, part, triangle, found.is_closed)
 
 
 def _within(point: np.ndarray, row: np.ndarray, normal: np.ndarray, loop: np.ndarray, place: np.ndarray) -> np.ndarray:

@@ -176,11 +176,12 @@ def _load(path: Path) -> list[trimesh.Trimesh]:
         raise MeshError(
             f"cannot read {path.name!r} as {suffix}: it is damaged, or its suffix is wrong ({reason[:200]})"
         ) from error
-    if not all(isinstance(part, trimesh.Trimesh) for part in found):
+    meshes = [part for part in found if isinstance(part, trimesh.Trimesh)]
+    if len(meshes) < len(found):
         raise MeshError(f"{path.name!r} holds a {type(loaded).__name__} without triangles: expected a triangle mesh")
-    if not found:
+    if not meshes:
         raise MeshError(f"{path.name!r} holds no triangles: expected a triangle mesh")
-    return found
+    return meshes
 
 
 def check_map(mesh_map: np.ndarray, num_vertices: int) -> None:
