@@ -86,3 +86,26 @@ def test_pieces_farther_apart_than_the_reach_stay_apart():
     assert curve.heal(0.1) is curve
     with pytest.raises(ConfigError, match="reach is -1: expected a length above 0"):
         curve.heal(-1)
+
+
+@pytest.mark.parametrize("tolerance", [0.02, 0.1, 0.5])
+def test_fewer_nodes_keep_the_curve_within_the_tolerance(tolerance):
+    """A wave, a straight fork and a ring: ends and the fork stay, the straight part has no node between."""
+    x = np.linspace(0, 6, 200)
+    wave = np.stack([x, np.sin(2 * x), 0 * x], axis=1)
+    straight = [[6.0 + 0.1 * k, np.sin(12.0), 0] for k in range(1, 30)]
+    angle = 2 * np.pi * np.arange(60) / 60
+    ring = np.stack([np.cos(angle), np.sin(angle), np.full(60, 9.0)], axis=1)
+    edges = [(k, k + 1) for k in range(228)] + [(100, 229)] + [(230 + k, 230 + (k + 1) % 60) for k in range(60)]
+    points = np.concatenate([wave, straight, [[wave[100, 0], 3.0, 0]], ring])
+    curve = curve_of(points, np.sort(np.array(edges), axis=1), np.full(len(points), 0.1))
+    found = curve.simplify(tolerance)
+    assert found.report.cycles == 1 and found.report.components == 2
+    assert len(found.vertices) < 0.5 * len(points)
+    away = msf_jax.metrics.curve_distance(points, found.vertices, found.edges)
+    assert away.max() <= tolerance + 1e-12
+    for kept in (points[0], points[100], points[228], points[229]):
+        assert (found.vertices == kept).all(axis=1).any()
+    assert not ((found.vertices[:, 0] > 6.05) & (found.vertices[:, 0] < 8.85)).any()
+    with pytest.raises(ConfigError, match="tolerance is 0: expected a length above 0"):
+        curve.simplify(0)

@@ -19,6 +19,7 @@ class Shaping(NamedTuple):
     scale: float = 1.0
     units: str = ""
     resample: float | None = None
+    simplify: float | None = None
     heal: float | None = None
     root: tuple[float, ...] | str | None = None
     radius: str | None = None
@@ -30,6 +31,9 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     after.add_argument("--scale", type=float, metavar="X", help="multiply the mesh's coordinates, to change the unit")
     after.add_argument("--units", metavar="NAME", help="of what is written, to be noted in .swc, .npz and .json")
     after.add_argument("--resample", type=float, metavar="X", help="nodes about every so much along the branches")
+    after.add_argument(
+        "--simplify", type=float, metavar="X", help="fewer nodes, so that no way moves by more than so much"
+    )
     after.add_argument("--heal", type=float, metavar="X", help="join pieces of the curve over gaps of up to so much")
     after.add_argument("--tree", action="store_true", help="cut loops where they are thinnest")
     after.add_argument(
@@ -46,7 +50,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
 
 def asked_for(arguments: argparse.Namespace) -> Shaping:
     """What the options of `add_options` say; a `ConfigError` for a length or a root that is none."""
-    for name in ("scale", "resample", "heal"):
+    for name in ("scale", "resample", "simplify", "heal"):
         value = getattr(arguments, name)
         if value is not None and not 0 < value < math.inf:
             raise ConfigError(f"--{name} is {value}: expected a number above 0")
@@ -54,7 +58,8 @@ def asked_for(arguments: argparse.Namespace) -> Shaping:
     if arguments.root is not None:
         root = arguments.root if arguments.root in ("soma", "thickest") else _place(arguments.root)
     scale = 1.0 if arguments.scale is None else arguments.scale
-    return Shaping(scale, arguments.units or "", arguments.resample, arguments.heal, root, arguments.radius)
+    lengths = arguments.resample, arguments.simplify, arguments.heal
+    return Shaping(scale, arguments.units or "", *lengths, root, arguments.radius)
 
 
 def _place(text: str) -> tuple[float, ...]:
@@ -87,6 +92,8 @@ def shaped(skeleton: "Skeleton", asked: Shaping) -> "Skeleton":
         skeleton = skeleton.to_tree(root)
     if asked.resample is not None:
         skeleton = skeleton.resample(asked.resample)
+    if asked.simplify is not None:
+        skeleton = skeleton.simplify(asked.simplify)
     if asked.radius is not None:
         skeleton = skeleton.with_radii(asked.radius)
     return replace(skeleton, units=asked.units)

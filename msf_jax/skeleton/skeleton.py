@@ -107,7 +107,7 @@ class Skeleton:
         stays, target = limbs.prune(*self._in_solid(), self._limbs, float(slenderness), self._is_held())
         rank = np.cumsum(stays) - 1
         edges = rank[self.edges[stays[self.edges].all(axis=1)]]
-        found = self._changed(self.vertices[stays], edges, rank[target])
+        found = self.changed(self.vertices[stays], edges, rank[target])
         gone = self._num_leaves() - found._num_leaves()
         return replace(found, report=replace(found.report, pruned=self.report.pruned + gone))
 
@@ -127,7 +127,7 @@ class Skeleton:
         vertices, edges, node_of_old = resampling.resample(
             self.vertices, self.edges, spacing, self._is_held(), None if self.source is None else self.source.solid
         )
-        return self._changed(vertices, edges, node_of_old)
+        return self.changed(vertices, edges, node_of_old)
 
     def smooth(self, rounds: int = 10) -> "Skeleton":
         """A new skeleton: in each of ``rounds`` nodes go half of the way to the middle of their two neighbours.
@@ -141,7 +141,17 @@ class Skeleton:
             raise ConfigError(f"rounds is {rounds!r}: expected a whole number of 0 or more")
         solid = None if self.source is None else self.source.solid
         x, edges = resampling.smooth(self.vertices, self.edges, self.radii, int(rounds), self._is_held(), solid)
-        return self._changed(x, edges, np.arange(len(x)))
+        return self.changed(x, edges, np.arange(len(x)))
+
+    def simplify(self, tolerance: float) -> "Skeleton":
+        """A new skeleton with as few nodes as keep it within ``tolerance``, in the caller's units; ends and pins stay.
+
+        Unlike `resample`, it puts nodes where a branch bends, and may cut a corner of the solid by as much.
+
+        Raises:
+            ConfigError: ``tolerance`` is not above 0.
+        """
+        return trees.simplified(self, tolerance, self._is_held())
 
     def to_tree(self, root: int | str | None = None) -> "Skeleton":
         """A new skeleton without loops: each is cut at its thinnest edge. ``save`` of it as SWC has the root first.
@@ -242,7 +252,7 @@ class Skeleton:
         solid = self.source.solid
         return metrics.inside_fraction(solid.shape, solid.enter(vertices), edges, radii / solid.diagonal)
 
-    def _changed(self, vertices: np.ndarray, edges: np.ndarray, node_of_old: np.ndarray) -> "Skeleton":
+    def changed(self, vertices: np.ndarray, edges: np.ndarray, node_of_old: np.ndarray) -> "Skeleton":
         """A skeleton of the same mesh with another curve, and the report's counts made again.
 
         ``node_of_old`` (N,) is the node that stands for each of this skeleton's.
