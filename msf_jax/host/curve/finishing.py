@@ -260,7 +260,7 @@ def placed(draft: Draft, job: Job) -> Draft:
         own, room = (job.rough.about_clearance(x)[0] for x in (place[is_hub], draft.vertices))
         is_held_in = np.asarray(spatial.distance.cdist(place[is_hub], draft.vertices) + own[:, None] <= HOLDS * room)
         largest = np.where(is_held_in, room, -1.0).argmax(axis=1)
-        place[is_hub] = np.where(is_held_in.any(axis=1)[:, None], draft.vertices[largest], place[is_hub])
+        place[is_hub] = np.where(np.any(is_held_in, axis=1, keepdims=True), draft.vertices[largest], place[is_hub])
     place[is_hub] = centring.roomiest(job.rough, place[is_hub])
     return draft._replace(place=place, is_hub=is_hub)
 
