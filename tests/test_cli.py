@@ -89,7 +89,7 @@ BAD = {
     "missing.off": (None, "no file"),
     "other.txt": (b"hello", "unknown suffix"),
     "garbage.off": (b"\x00\x01 not a mesh", "cannot read"),
-    "empty.off": (b"", "cannot read"),
+    "empty.off": (b"", "is empty"),
     "empty-mesh.off": (b"OFF\n0 0 0\n", ""),
     "nan.off": (b"OFF\n4 4 0\n0 0 nan\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n", "not finite"),
     "range.off": (b"OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 9\n", "range"),
@@ -265,3 +265,82 @@ def test_the_examples_of_the_help_are_accepted(command, capsys):
     assert typed
     for arguments in typed:
         _parser().parse_args(arguments)
+
+
+@pytest.fixture
+def limb(tmp_path):
+    """A Y of three limbs, which others compile, too."""
+    path = tmp_path / "y.off"
+    msf_jax.ground_truth.make("y_coarse").mesh.export(path)
+    return path
+
+
+def test_a_curve_is_shaped_before_it_is_written(limb, tmp_path, capsys):
+    """Coordinates times 1000, a tree from the node nearest to a tip, nodes every 100, radii of sections, and a unit."""
+    msf_jax.save_weights(msf_jax.Weights(w_M=0.3), tmp_path / "weights.json")
+    words = f"skeletonize {limb} -o {tmp_path / 'y.swc'} --scale 1000 --units um --root=0,0,-1140 --resample 100"
+    assert main([*words.split(), "--radius", "section", "--weights", str(tmp_path / "weights.json")]) == 0
+    text = (tmp_path / "y.swc").read_text()
+    rows = np.array([line.split() for line in text.splitlines() if line[0] != "#"], dtype=float)
+    assert "# units: um\n" in text and "# radius: of a disc" in text
+    assert rows[0, 6] == -1 and np.linalg.norm(rows[0, 2:5] - [0, 0, -1140]) < 100
+    assert 20 <= len(rows) <= 45 and 100 < np.median(rows[:, 5]) < 160
+    assert "a tree: 0 loops cut" in capsys.readouterr().out
+
+
+def test_tables_and_rigs_come_from_the_command_line(limb, tmp_path):
+    for name in ("y.csv", "y.nodes.csv", "y.glb"):
+        assert main(["skeletonize", str(limb), "-o", str(tmp_path / name), "-q"]) == 0
+    assert (tmp_path / "y.csv").read_text().startswith("branch,start,end,parent,is_tip,length")
+    assert (tmp_path / "y.nodes.csv").read_text().startswith("node,x,y,z,radius")
+    assert b"JOINTS_0" in (tmp_path / "y.glb").read_bytes()
+
+
+@pytest.mark.parametrize(
+    ("words", "says"),
+    [
+        (["--scale", "0"], "--scale is 0.0: expected a number above 0"),
+        (["--resample", "nan"], "--resample is nan: expected"),
+        (["--root", "1,2"], "--root is '1,2': expected x,y,z, soma or thickest"),
+        (["--weights", "no.json"], "No such file"),
+    ],
+)
+def test_shaping_that_makes_no_sense_is_told_before_the_run(limb, tmp_path, capsys, words, says):
+    assert main(["skeletonize", str(limb), "-o", str(tmp_path / "y.swc"), *words]) == 2
+    assert says in capsys.readouterr().err and not (tmp_path / "y.swc").exists()
+
+
+def test_a_missing_mesh_is_told_before_a_missing_folder(tmp_path, capsys):
+    assert main(["skeletonize", str(tmp_path / "no.off"), "-o", str(tmp_path / "no" / "a.swc")]) == 2
+    assert "no file" in capsys.readouterr().err
+
+
+def test_weights_go_to_a_file_and_back(tmp_path):
+    weights = msf_jax.Weights(w_L=2.0, w_H=np.array([0.1, 0.2]), w_M=1 / 3)
+    msf_jax.save_weights(weights, tmp_path / "a.json")
+    again = msf_jax.read_weights(tmp_path / "a.json")
+    assert (again.w_L, again.w_M, again.smoothing) == (2.0, 1 / 3, weights.smoothing)
+    np.testing.assert_array_equal(again.w_H, weights.w_H)
+    for text in (
+        "{",
+        "[]",
+        '{"format": "msf_jax weights", "version": 1, "weights": {"w_X": 1}}',
+        '{"format": "other"}',
+    ):
+        (tmp_path / "bad.json").write_text(text)
+        with pytest.raises(msf_jax.ConfigError, match="'bad.json' holds no weights"):
+            msf_jax.read_weights(tmp_path / "bad.json")
+
+
+def test_a_log_gets_plain_lines(capsys):
+    """Where there is no terminal: the first part, the last, and not all between."""
+    from msf_jax.base.progress import shown, showing
+
+    assert list(shown(range(1000), "try", "parts", True)) == list(range(1000))
+    lines = capsys.readouterr().err.splitlines()
+    assert lines[0].startswith("try: 1 of 1000 parts") and lines[-1].startswith("try: 1000 of 1000 parts")
+    assert len(lines) < 20
+    with showing(2, "tune", "runs", True) as bar:
+        bar.update(1, "objective 0.5")
+    assert capsys.readouterr().err.endswith(", objective 0.5\n")
+    assert list(shown(range(3), "try", "parts", False)) == [0, 1, 2] and capsys.readouterr().err == ""
