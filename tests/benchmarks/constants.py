@@ -5,7 +5,8 @@
 
 Run from the project's root. A constant is a number at the top of a module of `host/curve`, `solid`, `thin` or `poles`.
 Shapes are names of `msf_jax.ground_truth` and of files in ``--meshes``. Each is run once as it is, and then with every
-constant halved and doubled, whole numbers to whole ones of at least 1. Printed are the greatest changes over shapes: of tips and cycles, off-centre and missed (`msf_jax.metrics.evaluate`), and length over the length; or what was raised.
+constant halved and doubled, whole numbers to whole ones of at least 1. Printed are the greatest changes over shapes: of
+tips and cycles, off-centre and missed (`msf_jax.metrics.evaluate`), and length over the length; or what was raised.
 At the end are the constants that nobody misses: neither half nor double changes tips or cycles, or off-centre by more
 than 0.005, missed by 0.002, length by 1 %. They may still bound time or memory, or matter on other shapes.
 """
