@@ -396,7 +396,7 @@ def ring_curve():
 
 
 def changed(skeleton, vertices, edges):
-    return skeleton._changed(np.array(vertices), np.array(edges), np.arange(len(skeleton.vertices))).report
+    return skeleton.changed(np.array(vertices), np.array(edges), np.arange(len(skeleton.vertices))).report
 
 
 def test_a_mutated_curve_is_not_sound(ring_curve):
@@ -427,7 +427,7 @@ def test_a_mutated_curve_is_not_sound(ring_curve):
 
 def test_a_tree_of_a_curve_in_doubt_stays_in_doubt(ring_curve):
     x, edges = ring_curve.vertices, ring_curve.edges
-    false = ring_curve._changed(x[0] + 0.02 * (x - x.mean(axis=0)), edges, np.arange(len(x)))
+    false = ring_curve.changed(x[0] + 0.02 * (x - x.mean(axis=0)), edges, np.arange(len(x)))
     assert not false.to_tree().report.is_sound and ring_curve.to_tree().report.is_sound
 
 

@@ -9,7 +9,7 @@ from scipy import spatial
 import msf_jax
 from msf_jax import Config, ground_truth
 from msf_jax.base.errors import ConfigError
-from msf_jax.flow import ending
+from msf_jax.flow import loop
 from msf_jax.flow.state import Iteration
 from msf_jax.host.curve import containment
 from msf_jax.host.curve.branches import cycle_count
@@ -199,9 +199,9 @@ def test_a_flow_that_only_turns_on_the_spot_has_settled():
             Iteration(0, k + 1, 0.005, 100, 50, 9, 9, volume, area(k), 1, 0.0, True, 1, 0.0, 0.01) for k in range(40)
         ]
 
-    assert ending.is_settled(history(0.01, lambda k: 0.05 + 0.002 * (k % 2)), Config())
-    assert not ending.is_settled(history(0.01, lambda k: 0.5 * 0.95**k), Config())
-    assert not ending.is_settled(history(0.05, lambda k: 0.05), Config())
-    assert ending.is_settled(history(0.08, lambda k: 0.4), Config())  # a fifth as thick as at first: membranes
-    assert not ending.is_settled(history(0.15, lambda k: 0.9), Config())
-    assert not ending.is_settled(history(0.01, lambda k: 0.05)[:10], Config())
+    assert loop.is_settled(history(0.01, lambda k: 0.05 + 0.002 * (k % 2)), Config())
+    assert not loop.is_settled(history(0.01, lambda k: 0.5 * 0.95**k), Config())
+    assert not loop.is_settled(history(0.05, lambda k: 0.05), Config())
+    assert loop.is_settled(history(0.08, lambda k: 0.4), Config())  # a fifth as thick as at first: membranes
+    assert not loop.is_settled(history(0.15, lambda k: 0.9), Config())
+    assert not loop.is_settled(history(0.01, lambda k: 0.05)[:10], Config())
