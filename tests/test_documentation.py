@@ -6,6 +6,7 @@ import re
 import subprocess
 import sys
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -138,7 +139,8 @@ def test_what_the_migration_page_says_to_call_is_there_and_runs(tmp_path, monkey
     monkeypatch.chdir(tmp_path)
     tube = ground_truth.make("straight_coarse").mesh
     pyvista.wrap(tube).save("vessel.vtp")
-    names = {name: getattr(msf_jax, name) for name in msf_jax.__all__} | {"msf_jax": msf_jax, "numpy": np, "mesh": tube}
+    names: dict[str, Any] = {name: getattr(msf_jax, name) for name in msf_jax.__all__}
+    names |= {"msf_jax": msf_jax, "numpy": np, "mesh": tube}
     names["skeleton"] = msf_jax.skeletonize(tube)
     names |= dict.fromkeys(("root", "node", "v"), 0) | dict.fromkeys(("spacing", "sampling_dist", "tolerance"), 0.05)
     names |= {"reach": 0.1, "radius": 0.1, "slenderness": 1.0, "rounds": 2, "n": 9, "report": names["skeleton"].report}
