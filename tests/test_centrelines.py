@@ -203,7 +203,7 @@ def test_a_vessel_that_was_cut_open_keeps_its_length_and_its_radius_to_the_openi
 
 
 def test_a_hole_in_the_side_of_a_limb_is_no_opening(monkeypatch):
-    """Its lid is not where a tip goes, and it is narrower than the limb. Walls are measured only where a tip is near."""
+    """Its lid is not where a tip goes, and it is narrower than the limb. Walls are measured only near tips."""
     walls = []
     monkeypatch.setattr(openings, "Solid", lambda *parts: walls.append(parts) or Solid(*parts))
     shape = ground_truth.make("straight")
