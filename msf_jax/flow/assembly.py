@@ -219,7 +219,7 @@ def report_of(
     """The report without what is the curve's own: components, cycles and inside are filled in for each."""
     return Report(
         components=0,
-        mesh_components=len(checked.components),
+        mesh_components=len(reasons),  # some were not begun, perhaps
         genus=sum(component.genus for component in checked.components),
         cycles=0,
         inside=np.nan,
