@@ -212,7 +212,10 @@ def test_ctrl_c_gives_a_partial_curve_and_the_checkpoint_goes_on(
     report = partial.skeleton.report
     assert not report.converged and not report.is_sound and report.reason == "interrupted; not begun"
     assert begun == [0]  # the second component costs nothing
-    assert len(partial.skeleton.mesh_map) == len(mesh.vertices) and (report.components, report.mesh_components) == (1, 2)
+    assert len(partial.skeleton.mesh_map) == len(mesh.vertices) and (report.components, report.mesh_components) == (
+        1,
+        2,
+    )
     ball = mesh.vertices[:, 0] > 2
     away = np.linalg.norm(partial.skeleton.vertices - mesh.vertices[ball][:1], axis=1)
     assert partial.skeleton.mesh_map[ball][0] == away.argmin()  # what was not begun goes to the nearest node

@@ -20,7 +20,7 @@ from msf_jax.skeleton import pytree, slopes, trees
 from msf_jax.skeleton.centrelines import table
 from msf_jax.skeleton.formats import export
 from msf_jax.skeleton.pictures import page, panels, segmentation
-from msf_jax.skeleton.report import Report, loops_of
+from msf_jax.skeleton.report import Report, weighed
 from msf_jax.skeleton.rigging import rig
 from msf_jax.skeleton.rigging.rig import Rig
 from msf_jax.skeleton.source import Source
@@ -267,10 +267,12 @@ class Skeleton:
             radii = solid.radii(vertices)
             of_input, vertex = node_of_old[self.mesh_map], self.source.input_of_vertex
             followed = None if vertex is None else of_input[vertex]
-            report = replace(report, **loops_of(solid.shape, solid.enter(vertices), edges, followed))
+            report = replace(report, **weighed(solid.shape, solid.enter(vertices), edges, followed))
             report = replace(report, inside=self.inside_of(vertices, edges, radii))
         else:  # the largest ball inside one that is known
-            away, near = spatial.KDTree(self.vertices).query(vertices, k=np.arange(1, min(NEAREST, len(self.radii)) + 1))
+            away, near = spatial.KDTree(self.vertices).query(
+                vertices, k=np.arange(1, min(NEAREST, len(self.radii)) + 1)
+            )
             radii = np.maximum((self.radii[near] - away).max(axis=1), 0.0)
         roots, openings = (tuple(node_of_old[list(nodes)].tolist()) for nodes in (self.roots, self.openings))
         mesh_map = node_of_old[self.mesh_map]
