@@ -56,7 +56,7 @@ def follow(skeleton: Skeleton | Binding, vertices: Any) -> Followed:
         JAX's usual one for whole numbers. Under `jax.jit`, a node whose own section has vanished is NaN.
 
     Differentiable in: vertices. Which triangle is nearest is a decision. In a triangle soup, where every face has
-    vertices of its own, the first of those that are equal moves the surface, and has the whole slope; the others have 0.
+    vertices of its own, the first of equal ones moves the surface, and has the whole slope; the others have 0.
 
     Raises:
         ConfigError: ``skeleton`` does not know the mesh that it was made from.
