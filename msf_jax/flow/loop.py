@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 from tqdm import tqdm
 
+from msf_jax.base import forking
 from msf_jax.base.errors import Interrupted
 from msf_jax.base.interruption import held_back
 from msf_jax.base.options import Config, Weights
@@ -66,10 +67,11 @@ def contract(
         MeshError: the mesh is not a closed manifold that encloses a volume, and cannot be repaired without a doubt.
         ConfigError: a weight or an option is out of range, a pin is no vertex of the surface, or the checkpoint is of
             another run or cannot be written.
-        FlowError: the mesh has no Voronoi diagram.
+        FlowError: the mesh has no Voronoi diagram, or this process was forked from one in which a run was made.
         Interrupted: Ctrl-C, once the iteration has ended; it is a KeyboardInterrupt, and holds the flow as it was.
     """
     weights, config = checked_options(weights, config)
+    forking.check()
     watch = Stopwatch()
     with watch.stage("front door"):
         checked = mesh if isinstance(mesh, Surface) else checking.prepare(mesh, repair)
@@ -80,6 +82,8 @@ def contract(
     states, reasons, parts = [], [], []
     with tqdm(desc="msf_jax", unit="it", disable=None if progress else True) as bar, held_back() as interruption:
         for number, component in enumerate(checked.components):
+            if interruption and parts:
+                break
             pins_here = np.flatnonzero(np.isin(checked.members[number], pinned))
             of_members = None if of_vertices is None else of_vertices[checked.members[number]]
             state = init(component, number, config, watch, pins_here, of_members, limits)
@@ -99,6 +103,10 @@ def contract(
             reasons.append(end)
             parts.append(curve_of(state, _thinned(state.meso, config), config, watch))
         notes = [keeper.failure] if keeper.failure else []
+        if len(parts) < len(checked.components):
+            reasons += [(False, "not begun")] * (len(checked.components) - len(parts))
+            checked = checked.first(len(parts))
+            held = held[checked.vertex_of_input[held] >= 0]
         run = assembly.assemble(checked, held, states, reasons, parts, weights, config, watch, notes)
     if interruption:
         kept = f"; run it again with checkpoint={str(checkpoint)!r} to go on" if checkpoint and not notes else ""
