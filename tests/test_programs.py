@@ -1,5 +1,7 @@
 """Compiled steps in a folder: found without compiling, whatever happens to the files."""
 
+import importlib.metadata
+
 import jax
 import numpy as np
 import pytest
@@ -97,3 +99,10 @@ def test_a_step_holds_two_products_and_no_gather_twice():
     step = num_gathers(lambda *arguments: move(*arguments, settings, layout), buffers, weights)
     corners, of_neighbours = 3, 2  # positions of an edge's end and of its apexes; its end's beta and mean length
     assert step == 2 * product + corners + of_neighbours
+
+
+@pytest.mark.parametrize("package", ["jax", "jaxlib", "jaxopt"])
+def test_another_version_of_what_is_compiled_has_files_of_its_own(package, monkeypatch):
+    before, version = programs._machine(), importlib.metadata.version
+    monkeypatch.setattr(importlib.metadata, "version", lambda name: "0.0" if name == package else version(name))
+    assert programs._machine.__wrapped__() != before
