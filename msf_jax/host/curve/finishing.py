@@ -189,16 +189,7 @@ def _of_waves(laid: course.Course, nodes: np.ndarray, job: Job) -> Finished:
     x, num = laid.vertices, len(laid.vertices)
     none = np.zeros(num, dtype=bool)
     draft = Draft(x, laid.edges, none, np.arange(num), laid.node_of_vertex, x, none)
-    for each in (
-        contained,
-        opened,
-        pruned,
-        unfolded,
-        contained,
-        laid_together,
-        looped,
-        rounded,
-    ):
+    for each in (contained, opened, pruned, unfolded, contained, laid_together, looped, rounded):
         draft = each(draft, job)
     near = np.asarray(spatial.KDTree(draft.vertices).query(nodes)[1])
     taken, first, place = np.unique(near, return_index=True, return_inverse=True)
