@@ -238,6 +238,7 @@ print(triangles.point_triangle_distance2(np.ones((1, 3)), np.eye(3)[None])[0])
 """
 
 
+@pytest.mark.system
 @pytest.mark.parametrize("place", ["writable", "read-only", "damaged"])
 def test_what_is_compiled_is_kept_where_that_can_be(tmp_path, place):
     """Two processes at once and a third: with a folder, without, and with one whose files are cut short."""
