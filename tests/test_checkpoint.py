@@ -15,7 +15,7 @@ from conftest import torus
 import msf_jax
 from msf_jax import Config, ConfigError, Interrupted, Tape, Weights
 from msf_jax.base import archive
-from msf_jax.flow import loop, programs, stepping
+from msf_jax.flow import loop, programs, starting, stepping
 from msf_jax.flow.state import Limits
 from msf_jax.skeleton.formats import export
 
@@ -199,6 +199,8 @@ def test_ctrl_c_gives_a_partial_curve_and_the_checkpoint_goes_on(
     mesh, undisturbed, dying_after, tmp_path, monkeypatch, ctrl_c
 ):
     path = tmp_path / "run.npz"
+    begun = []
+    monkeypatch.setattr(loop, "init", lambda *given: begun.append(given[1]) or starting.init(*given))
     dying_after(3, lambda: signal.raise_signal(signal.SIGINT))
     with pytest.raises(
         Interrupted, match=r"interrupted after 3 iterations: .*in this exception's flow; run it again"
@@ -208,8 +210,15 @@ def test_ctrl_c_gives_a_partial_curve_and_the_checkpoint_goes_on(
     partial = at.value.flow
     assert len(partial.history) == 3
     report = partial.skeleton.report
-    assert not report.converged and not report.is_sound and report.reason == "interrupted"
-    assert len(partial.skeleton.mesh_map) == len(mesh.vertices) and report.components == report.mesh_components == 2
+    assert not report.converged and not report.is_sound and report.reason == "interrupted; not begun"
+    assert begun == [0]  # the second component costs nothing
+    assert len(partial.skeleton.mesh_map) == len(mesh.vertices) and (report.components, report.mesh_components) == (
+        1,
+        2,
+    )
+    ball = mesh.vertices[:, 0] > 2
+    away = np.linalg.norm(partial.skeleton.vertices - mesh.vertices[ball][:1], axis=1)
+    assert partial.skeleton.mesh_map[ball][0] == away.argmin()  # what was not begun goes to the nearest node
     assert report.loops == report.cycles == report.genus == 1
     assert signal.getsignal(signal.SIGINT) is signal.default_int_handler
     monkeypatch.undo()

@@ -1,5 +1,7 @@
 """The contraction against dense least squares: values, what the solve reports, fixed vertices and gradients."""
 
+from typing import NamedTuple
+
 import jax
 import jax.numpy as jnp
 import numpy as np
@@ -205,6 +207,32 @@ def test_what_is_no_number_stays_none(case):
         return jax.grad(lambda w_L: (factor * plain_contract(case.buffers, w_L, W_H, W_M, case.layout)[0]).sum())(W_L)
 
     assert np.isnan(quick_jit(slope)(jnp.nan))
+
+
+class Diagonal(NamedTuple):
+    """A diagonal matrix (n, n)."""
+
+    entries: jax.Array
+
+    def __call__(self, x):
+        return self.entries[:, None] * x
+
+    def diagonal(self):
+        return jnp.ones_like(self.entries)
+
+
+@pytest.mark.parametrize("smallest", [0.0, 1e-3])
+@pytest.mark.parametrize("entries", [[1.0, -1.0, 1.0], [2.0, 3.0, -1e-3], [0.0, 0.0, 0.0]])
+def test_no_solve_of_what_is_not_positive_definite_is_solved(entries, smallest):
+    """Along a direction without curvature no step is taken: that none moves anything says nothing then."""
+    operator = Diagonal(jnp.asarray(entries))
+    b = jnp.asarray([[0.0], [0.0], [1.0]]) if entries[2] < 0 else jnp.asarray([[0.0], [1.0], [0.0]])
+    solver = Solver(1e-9, 50)
+    outside = cg.solve_outside(operator, b, solver, lambda r: r, smallest)
+    for x, report in (cg.solve(operator, b, solver, smallest), outside):
+        assert not bool(report.is_solved) and float(report.residual) > 0.9 and int(report.steps) < 50
+        np.testing.assert_array_equal(x, 0.0)
+    assert bool(cg.solve(operator, 0.0 * b, solver, smallest)[1].is_solved)  # nothing solves that
 
 
 # Gradients

@@ -282,3 +282,15 @@ def test_rays_through_the_vertices_and_edges_of_a_box():
     is_on = (np.abs(points) <= 0.5).all(axis=1) & ~is_inside
     found = Enclosure(vertices, faces).winding_numbers(points[~is_on])
     np.testing.assert_array_equal(found, is_inside[~is_on])
+
+
+def test_vertices_of_no_face_are_no_surface():
+    """Points near one are as far from the surface, and near the same triangles, as if it were not there."""
+    vertices, faces = arrays(trimesh.creation.icosphere(2))
+    points = np.array([[0.2, 0.1, 0.3], [0.9, 0.0, 0.1], [1.5, 1.5, 1.5]])
+    with_strays = Enclosure(np.concatenate([points, vertices]), faces + len(points))
+    for name in ("approach", "nearest", "about_clearance"):
+        for found, expected in zip(
+            getattr(with_strays, name)(points), getattr(Enclosure(vertices, faces), name)(points), strict=True
+        ):
+            np.testing.assert_array_equal(found, expected)

@@ -1,5 +1,7 @@
 """The whole flow: topology, map, units, symmetries, the same bits twice, and the three systems."""
 
+import multiprocessing
+import warnings
 from dataclasses import replace
 
 import jax
@@ -9,7 +11,7 @@ import trimesh
 from conftest import blob, torus
 
 import msf_jax
-from msf_jax import Config, Weights, shapes
+from msf_jax import Config, FlowError, Weights, shapes
 from msf_jax.flow import loop, programs
 from msf_jax.flow.state import Stopwatch
 from msf_jax.host.mesh import checking
@@ -381,3 +383,28 @@ def test_the_skeleton_of_a_tiny_or_huge_mesh_is_the_same():
         scaled = msf_jax.skeletonize((mesh.vertices * scale, mesh.faces))
         assert np.allclose(scaled.vertices / scale, plain.vertices, atol=1e-9)
         assert np.allclose(scaled.radii / scale, plain.radii, atol=1e-9)
+
+
+def test_a_process_that_was_forked_after_a_run_does_not_hang(monkeypatch):
+    mesh = trimesh.creation.capsule(height=2.0, radius=0.4)
+    skeleton = msf_jax.skeletonize(mesh)
+    context = multiprocessing.get_context("fork")
+
+    def use(answers):
+        for call in (msf_jax.skeletonize, lambda mesh: msf_jax.follow(skeleton, mesh.vertices)):
+            try:
+                call(mesh)
+            except FlowError as error:
+                answers.send(str(error))
+        answers.close()
+
+    ours, theirs = context.Pipe()
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # JAX warns of the fork
+        child = context.Process(target=use, args=(theirs,))
+        child.start()
+    try:
+        for _ in range(2):
+            assert ours.poll(60) and 'get_context("spawn")' in ours.recv()
+    finally:
+        child.kill()

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import msf_jax
-from msf_jax import Followed, losses
+from msf_jax import ConfigError, Followed, losses
 from msf_jax.base.binding import Binding, Sizes, padded
 
 LINE = np.array([[0.0, 0, 0], [1.0, 0, 0], [2.0, 0, 0], [2.0, 1, 0], [2.0, -2, 0]])  # with two limbs at its end
@@ -134,6 +134,21 @@ def test_where_points_coincide_slopes_are_finite():
     for name, loss in ALL.items():
         slope = jax.jit(jax.grad(lambda found, loss=loss: loss(found, bound())))(found)
         assert all(np.isfinite(part).all() for part in slope), name
+
+
+def test_a_curve_without_a_target_adds_nothing():
+    """In a batch some may have none."""
+    value, slope = jax.value_and_grad(lambda found: losses.near(found, bound(), TARGET, np.zeros(3, bool)))(filled())
+    assert value == 0 and not any(np.asarray(part).any() for part in slope)
+
+
+@pytest.mark.parametrize("name", ALL)
+def test_rows_that_are_not_the_bindings_are_refused(name):
+    """Of a curve that was followed without padding, and of a batch where `jax.vmap` was forgotten."""
+    both = jax.tree.map(lambda part: jnp.stack([part, part]), (filled(), bound()))
+    for found, binding in ((Followed(LINE, RADII), bound()), both):
+        with pytest.raises(ConfigError, match=r"expected \(8, 3\), .* jax.vmap"):
+            ALL[name](found, binding)
 
 
 def test_a_batch_of_them():

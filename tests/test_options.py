@@ -32,7 +32,7 @@ def test_a_weight_out_of_range_is_named(bad):
     [
         ({"preconditioner": "ilu"}, "unknown preconditioner 'ilu': expected one of jacobi, factored"),
         ({"surgery": 1}, "Config.surgery is 1: expected True or False"),
-        ({"system": "mcf"}, "unknown system 'mcf': expected one of msf, tagliasacchi2012, au2008"),
+        ({"weights_of": "mcf"}, "unknown system 'mcf': expected one of msf, tagliasacchi2012, au2008"),
         ({"laplacian": "cot"}, "unknown Laplacian 'cot'"),
         ({"t_min": -0.1}, "Config.t_min is -0.1"),
         ({"t_min": 0.02}, "below t_min"),
@@ -115,3 +115,18 @@ def test_a_step_depends_on_these_options_and_on_no_others():
     for name in settings:
         with pytest.raises(TypeError, match=name):
             StepSettings(**{key: value for key, value in settings.items() if key != name})
+
+
+def test_weights_are_equal_by_their_numbers():
+    assert Weights(w_L=np.ones(3)) == Weights(w_L=jnp.ones(3)) != Weights(w_L=np.array([1.0, 1.0, 2.0]))
+    assert Weights() == Weights() != Weights(w_L=np.ones(3)) and hash(Weights()) == hash(Weights())
+    assert Weights() != (1.0, 0.1, 0.4, 0.001)
+    assert not jax.jit(lambda weights: weights == Weights())(Weights())  # no number is known yet
+
+
+def test_a_system_is_no_word_beside_the_options_of_another():
+    """`Config(system="au2008")` was a run of the default system with other weights."""
+    with pytest.raises(TypeError, match="system"):
+        Config(system="au2008")  # type: ignore[call-arg]  # pyright: ignore[reportCallIssue]
+    for name in ("msf", "tagliasacchi2012", "au2008"):
+        assert Config.named(name).weights_of == name

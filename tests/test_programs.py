@@ -1,5 +1,7 @@
 """Compiled steps in a folder: found without compiling, whatever happens to the files."""
 
+import importlib.metadata
+
 import jax
 import numpy as np
 import pytest
@@ -75,3 +77,10 @@ def test_another_machine_or_version_has_files_of_its_own(folder, monkeypatch):
     assert len(names) == 1 + len(programs._machine())
     jax.config.update("jax_compilation_cache_dir", None)
     assert programs._file("step") is None
+
+
+@pytest.mark.parametrize("package", ["jax", "jaxlib", "jaxopt"])
+def test_another_version_of_what_is_compiled_has_files_of_its_own(package, monkeypatch):
+    before, version = programs._machine(), importlib.metadata.version
+    monkeypatch.setattr(importlib.metadata, "version", lambda name: "0.0" if name == package else version(name))
+    assert programs._machine.__wrapped__() != before

@@ -1,7 +1,11 @@
 """What can be done with a skeleton once it is there: branches, prune, resample, smooth."""
 
+import tracemalloc
+from dataclasses import replace
+
 import numpy as np
 import pytest
+import trimesh
 
 import msf_jax
 from msf_jax import ConfigError, Skeleton, ground_truth
@@ -162,3 +166,20 @@ def test_branches_with_the_same_ends_stay_apart_when_resampled(ring):
     resampled = skeleton.resample(100.0)
     check(mesh, resampled, skeleton)
     assert skeleton.report.cycles == 2
+
+
+def test_a_changed_curve_without_its_mesh_asks_for_no_distances_of_all_pairs():
+    """Of 20,000 nodes those are 10 GB. Radii are lower bounds, and exact at the nodes that stay."""
+    num = 20_000
+    x = np.stack([np.linspace(0, 1, num), np.zeros(num), np.zeros(num)], axis=1)
+    edges = np.stack([np.arange(num - 1), np.arange(1, num)], axis=1)
+    radii = 0.02 + 0.01 * np.sin(40 * x[:, 0])  # of slope 0.4
+    report = replace(msf_jax.skeletonize(trimesh.creation.capsule(3.0, 0.4)).report, inside=np.nan)
+    plain = Skeleton(x, edges, radii, np.zeros(0, dtype=int), report)
+    tracemalloc.start()
+    halved = plain.resample(2 / num)
+    peak = tracemalloc.get_traced_memory()[1]
+    tracemalloc.stop()
+    assert peak < 200e6 and len(halved.vertices) < 0.6 * num
+    true = 0.02 + 0.01 * np.sin(40 * halved.vertices[:, 0])
+    assert (halved.radii <= true + 1e-9).all() and (halved.radii > true - 1 / num).all()

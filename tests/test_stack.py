@@ -367,6 +367,15 @@ def test_what_is_no_batch_is_refused(curves, tmp_path):
     for given, says in (([], "holds none"), ([skeleton, vertices], "holds ndarray")):
         with pytest.raises(ConfigError, match=says):
             msf_jax.stack(given)
+    for given, options, says in (
+        (skeleton, {}, "skeletons is a Skeleton"),
+        (3, {}, "skeletons is a int"),
+        ([skeleton], {"like": skeleton}, "like is a Skeleton"),
+        ([skeleton], {"dtype": int}, "dtype is .*int"),
+        ([skeleton], {"dtype": "half"}, "dtype is 'half'"),
+    ):
+        with pytest.raises(ConfigError, match=says):
+            msf_jax.stack(given, **options)
     for short in (vertices[:-1], np.zeros((10_000, 3))):
         with pytest.raises(MeshError, match=r"vertices has shape \(\d+, 3\): expected"):
             msf_jax.follow(skeleton.binding, short)

@@ -31,7 +31,8 @@ class Weights:
         w_M: attraction to the Voronoi pole, >= 0.
         smoothing: lambda of the implicit Laplacian step, >= 0; 0 turns it off.
 
-    All are dimensionless. The ratios matter: a larger w_L / w_H contracts more in one iteration.
+    All are dimensionless. The ratios matter: a larger w_L / w_H contracts more in one iteration. Weights are equal if
+    all their numbers are; those that hold arrays have no hash.
 
     Raises:
         ConfigError: a value is negative or not finite.
@@ -44,6 +45,12 @@ class Weights:
 
     def __post_init__(self) -> None:
         self.check()
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Weights):
+            return NotImplemented
+        pairs = list(zip(vars(self).values(), vars(other).values(), strict=True))
+        return all(a is b or (not is_traced(a) and not is_traced(b) and np.array_equal(a, b)) for a, b in pairs)
 
     def check(self) -> None:
         """Raise a `ConfigError` unless all weights are in range; what JAX made of them is not checked otherwise."""
@@ -97,7 +104,8 @@ class Config:
     ``Config()`` is the article's own system, `Config.tagliasacchi2012()` and `Config.au2008()` the two it builds on.
 
     Attributes:
-        system: "msf", "tagliasacchi2012" or "au2008": chooses the default weights. The classmethods set the rest, too.
+        weights_of: "msf", "tagliasacchi2012" or "au2008": whose weights `default_weights` are, and nothing else. For a
+            whole system take `Config.tagliasacchi2012()`, `Config.au2008()` or `Config.named`.
         laplacian: "mean_value" (article Eq. 4), "cotangent", where a negative sum is 0, "signed_cotangent", where it
             is not, or "uniform".
         reconstruct_poles: eigenvectors kept in the mesh that the poles are computed on; 0 takes the mesh as it is.
@@ -149,7 +157,7 @@ class Config:
         ConfigError: a value is out of its range, or a name is unknown.
     """
 
-    system: str = "msf"
+    weights_of: str = "msf"
     laplacian: str = "mean_value"
     reconstruct_poles: int = 200
     reconstruct_mesh: int = 0
@@ -183,8 +191,8 @@ class Config:
     check: bool = False
 
     def __post_init__(self) -> None:
-        if self.system not in SYSTEMS:
-            raise ConfigError(f"unknown system {self.system!r}: expected one of {', '.join(SYSTEMS)}")
+        if self.weights_of not in SYSTEMS:
+            raise ConfigError(f"unknown system {self.weights_of!r}: expected one of {', '.join(SYSTEMS)}")
         if self.laplacian not in LAPLACIANS:
             raise ConfigError(f"unknown Laplacian {self.laplacian!r}: expected one of {', '.join(LAPLACIANS)}")
         if self.poles not in POLES:
@@ -246,7 +254,7 @@ class Config:
         No smoothing belongs to its weights, `default_weights`. Entries of L are limited as in the default system.
         """
         base = cls(
-            system="tagliasacchi2012",
+            weights_of="tagliasacchi2012",
             laplacian="cotangent",
             reconstruct_poles=0,
             resample=0.01,
@@ -286,7 +294,7 @@ class Config:
           ``prune=0`` keeps them, and all junctions.
         """
         base = cls(
-            system="au2008",
+            weights_of="au2008",
             laplacian="signed_cotangent",
             reconstruct_poles=0,
             coarsen=0.0,
@@ -332,4 +340,4 @@ class Config:
             "msf": Weights(),
             "tagliasacchi2012": Weights(w_L=1.0, w_H=0.1, w_M=0.2, smoothing=0.0),
             "au2008": Weights(w_L=1.0, w_H=1.0, w_M=0.0, smoothing=0.0),
-        }[self.system]
+        }[self.weights_of]

@@ -74,7 +74,8 @@ class CGState(NamedTuple):
 class ConjugateGradients(base.IterativeSolver):
     """Preconditioned CG for A x = b from x = 0.
 
-    ``error`` is the norm of the residual that the iteration carries; 0 once a step changes no entry by ``smallest``.
+    ``error`` is the norm of the residual that the iteration carries; 0 once a step changes no entry by ``smallest``;
+    NaN, which ends it unsolved, where A or M shows that it is not positive definite.
     """
 
     matvec: Any
@@ -97,13 +98,15 @@ class ConjugateGradients(base.IterativeSolver):
         product = self.matvec(state.direction)
         curvature = _dot(state.direction, product)
         # No step where rounding leaves no curvature, as once the residual is exactly zero.
-        step = jnp.where(curvature > 0, state.gamma / jnp.where(curvature > 0, curvature, 1.0), 0.0)
+        is_curved = (curvature > 0) & (state.gamma > 0)
+        step = jnp.where(is_curved, state.gamma / jnp.where(is_curved, curvature, 1.0), 0.0)
         residual = state.residual - step * product
         z = self.precondition(residual)
         gamma = _dot(residual, z)
         beta = gamma / jnp.where(state.gamma > 0, state.gamma, 1.0)
         is_small = jnp.abs(step * state.direction).max() < self.smallest
-        error = jnp.where(is_small, 0.0, jnp.sqrt(_dot(residual, residual)))
+        error = jnp.sqrt(_dot(residual, residual))
+        error = jnp.where(is_curved | (error <= self.tol), jnp.where(is_small, 0.0, error), jnp.nan)
         following = CGState(state.iter_num + 1, error, residual, z + beta * state.direction, gamma)
         return base.OptStep(params + step * state.direction, following)
 

@@ -1,6 +1,8 @@
 """Put the components of a run together again, in the caller's units: curves, report, and what a tape is made from."""
 
+from collections.abc import Callable
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 from scipy import spatial
@@ -16,7 +18,7 @@ from msf_jax.host.meso import ring_tables
 from msf_jax.host.recording.records import ComponentRecord, Recording
 from msf_jax.host.solid import openings
 from msf_jax.host.solid.solid import Solid
-from msf_jax.skeleton.report import Report, loops_of
+from msf_jax.skeleton.report import Report, loops_of, weighed
 from msf_jax.skeleton.skeleton import Skeleton
 from msf_jax.skeleton.source import Source, Stage
 
@@ -52,7 +54,7 @@ def assemble(
             pruned=sum(part.finished.num_pruned for part in parts),
             grown=sum(part.finished.num_grown for part in parts),
         )
-        curve = _skeleton(stitched[0], checked, report, source)
+        curve = _skeleton(stitched[0], checked, report, source, loops_of)
         skeleton = _to_openings(stitched[1], checked, report, source)
     return Flow(
         weights=weights,
@@ -95,14 +97,16 @@ def _edges(count: int) -> str:
     return f"{count} edge{'' if count == 1 else 's'}"
 
 
-def _skeleton(stitched: Stitched, checked: Surface, report: Report, source: Source) -> Skeleton:
+def _skeleton(
+    stitched: Stitched, checked: Surface, report: Report, source: Source, about: Callable[..., dict[str, Any]] = weighed
+) -> Skeleton:
     vertices, edges, node_of_vertex = stitched
     solid = source.solid
     components, cycles = branches.cycle_count(len(vertices), edges)
     radii = solid.radii(vertices)
     inside = metrics.inside_fraction(solid.shape, solid.enter(vertices), edges, radii / solid.diagonal)
-    around = loops_of(solid.shape, solid.enter(vertices), edges, node_of_vertex)
-    report = replace(report, components=components, cycles=cycles, inside=inside, **around)
+    found = about(solid.shape, solid.enter(vertices), edges, node_of_vertex)
+    report = replace(report, components=components, cycles=cycles, inside=inside, **found)
     return Skeleton(vertices, edges, radii, _map_of_input(checked, vertices, node_of_vertex), report, source)
 
 
@@ -219,7 +223,7 @@ def report_of(
     """The report without what is the curve's own: components, cycles and inside are filled in for each."""
     return Report(
         components=0,
-        mesh_components=len(checked.components),
+        mesh_components=len(reasons),  # some were not begun, perhaps
         genus=sum(component.genus for component in checked.components),
         cycles=0,
         inside=np.nan,

@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 from tqdm import tqdm
 
+from msf_jax.base import forking
 from msf_jax.base.errors import Interrupted
 from msf_jax.base.interruption import held_back
 from msf_jax.base.options import Config, Weights
@@ -20,15 +21,11 @@ from msf_jax.flow.request import checked_options, checked_pins, weights_of_verti
 from msf_jax.flow.starting import init
 from msf_jax.flow.state import LIMITS, Flow, Iteration, Limits, State, Stopwatch
 from msf_jax.flow.stepping import step
-from msf_jax.host.compiled import announce
 from msf_jax.host.mesh import checking
 from msf_jax.host.mesh.checking import Surface
 from msf_jax.host.mesh.repair import Repair, as_repair
 from msf_jax.host.meso import collapse, fixing
-from msf_jax.host.meso import kernels as edits
 from msf_jax.host.meso.meso import Meso
-from msf_jax.host.solid import kernels as walks
-from msf_jax.host.solid import loops
 
 INTERRUPTED = "interrupted"
 SETTLED = 0.02  # of the volume may be left, however it is; or, in membranes,
@@ -36,11 +33,6 @@ MEMBRANES, THINNED = 0.1, 0.25  # that much, if what is left is that part as thi
 PROGRESS = 0.1  # of the area, that a tooth must take away, or the flow has settled;
 FEWEST = 20  # iterations, that a tooth counts for at least
 STALL_ITERATIONS = 30  # without progress, after which the flow gives up: longer than a tooth of the default threshold
-KERNELS = (  # of every run, in the order in which it needs them
-    *(edits.short_edges, edits.apart, edits.merge),
-    *(walks.windings, edits.wide_edges, edits.cut),
-    *(walks.nearest, walks.hits, loops.loops, loops.measures),
-)
 
 
 def contract(
@@ -75,11 +67,11 @@ def contract(
         MeshError: the mesh is not a closed manifold that encloses a volume, and cannot be repaired without a doubt.
         ConfigError: a weight or an option is out of range, a pin is no vertex of the surface, or the checkpoint is of
             another run or cannot be written.
-        FlowError: the mesh has no Voronoi diagram.
+        FlowError: the mesh has no Voronoi diagram, or this process was forked from one in which a run was made.
         Interrupted: Ctrl-C, once the iteration has ended; it is a KeyboardInterrupt, and holds the flow as it was.
     """
     weights, config = checked_options(weights, config)
-    announce(KERNELS)
+    forking.check()
     watch = Stopwatch()
     with watch.stage("front door"):
         checked = mesh if isinstance(mesh, Surface) else checking.prepare(mesh, repair)
@@ -90,6 +82,8 @@ def contract(
     states, reasons, parts = [], [], []
     with tqdm(desc="msf_jax", unit="it", disable=None if progress else True) as bar, held_back() as interruption:
         for number, component in enumerate(checked.components):
+            if interruption and parts:
+                break
             pins_here = np.flatnonzero(np.isin(checked.members[number], pinned))
             of_members = None if of_vertices is None else of_vertices[checked.members[number]]
             state = init(component, number, config, watch, pins_here, of_members, limits)
@@ -109,6 +103,10 @@ def contract(
             reasons.append(end)
             parts.append(curve_of(state, _thinned(state.meso, config), config, watch))
         notes = [keeper.failure] if keeper.failure else []
+        if len(parts) < len(checked.components):
+            reasons += [(False, "not begun")] * (len(checked.components) - len(parts))
+            checked = checked.first(len(parts))
+            held = held[checked.vertex_of_input[held] >= 0]
         run = assembly.assemble(checked, held, states, reasons, parts, weights, config, watch, notes)
     if interruption:
         kept = f"; run it again with checkpoint={str(checkpoint)!r} to go on" if checkpoint and not notes else ""

@@ -172,4 +172,5 @@ def _machine() -> tuple[str, ...]:
         processor = platform.processor() or platform.node()
     kind = device.platform, device.device_kind, str(device.client.platform_version)
     flags = os.environ.get("XLA_FLAGS", ""), os.environ.get("JAX_ENABLE_X64", "")
-    return jax.__version__, importlib.metadata.version("jaxlib"), source, platform.machine(), processor, *kind, *flags
+    versions = tuple(importlib.metadata.version(name) for name in ("jax", "jaxlib", "jaxopt"))
+    return *versions, source, platform.machine(), processor, *kind, *flags

@@ -39,7 +39,7 @@ def skeletonize(
     Raises:
         MeshError: the mesh is not a closed manifold that encloses a volume, and cannot be repaired without a doubt.
         ConfigError: a weight or an option is out of range, or a pin is no vertex of the surface.
-        FlowError: the mesh has no Voronoi diagram.
+        FlowError: the mesh has no Voronoi diagram, or this process was forked from one in which a run was made.
         Interrupted: Ctrl-C; a KeyboardInterrupt that holds the curve so far, as ``flow.skeleton``.
     """
     run = loop.contract(mesh, weights, config, pins=pins, repair=repair, checkpoint=checkpoint, progress=progress)

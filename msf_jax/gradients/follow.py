@@ -10,6 +10,7 @@ import jax.numpy as jnp
 import numpy as np
 from jax.core import Tracer
 
+from msf_jax.base import forking
 from msf_jax.base.binding import Binding
 from msf_jax.base.errors import ConfigError, MeshError
 from msf_jax.device import following
@@ -54,11 +55,13 @@ def follow(skeleton: Skeleton | Binding, vertices: Any) -> Followed:
         unless that runs through itself. Both are in the floating-point type of ``vertices``, float32 for less, and in
         JAX's usual one for whole numbers. Under `jax.jit`, a node whose own section has vanished is NaN.
 
-    Differentiable in: vertices. Which triangle is nearest is a decision.
+    Differentiable in: vertices. Which triangle is nearest is a decision. In a triangle soup, where every face has
+    vertices of its own, the first of equal ones moves the surface, and has the whole slope; the others have 0.
 
     Raises:
         ConfigError: ``skeleton`` does not know the mesh that it was made from.
         MeshError: ``vertices`` has another shape or is not finite, or a section has vanished: whose.
+        FlowError: this process was forked from one in which a run was made.
     """
     binding = binding_of(skeleton)
     array = checked_vertices(skeleton, vertices)
@@ -66,6 +69,7 @@ def follow(skeleton: Skeleton | Binding, vertices: Any) -> Followed:
     if isinstance(array, Tracer) or isinstance(binding.faces, Tracer):
         found = Followed(*_follow(binding, jnp.pad(array, ((0, room - num), (0, 0)))))
         return found if isinstance(skeleton, Binding) else Followed(*(part[: len(skeleton.vertices)] for part in found))
+    forking.check()
     # Padded and cut by NumPy: JAX would compile that for every size.
     found = _follow(_in_dtype(binding, array.dtype), np.pad(np.asarray(array), ((0, room - num), (0, 0))))
     nodes, radii = (np.asarray(part) for part in found)

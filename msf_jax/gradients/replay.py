@@ -40,7 +40,8 @@ def replay(tape: Tape, weights: Weights, vertices: Any = None, *, tolerance: flo
             one that cuts an edge interpolates.
         vertices: (V, 3) of the mesh in the caller's units; where they were recorded, if not given.
         tolerance: of the linear solves. If not given, 1e-14 where only the value is asked for, and 1e-8, three to five
-            times as fast, where a derivative is (value included); 1e-6 in float32.
+            times as fast, where a derivative is (value included); 1e-6 in float32. At 1e-8 gradients are off by some
+            thousandths of their size; ``tolerance=1e-14`` makes them exact, to rounding, for the recorded decisions.
 
     Returns:
         (N, 3), in the caller's units. NaN if a linear solve does not converge in 20,000 steps: the weights are far from
@@ -50,8 +51,9 @@ def replay(tape: Tape, weights: Weights, vertices: Any = None, *, tolerance: flo
     are all decisions, the frame (the flow does not depend on it), how far a pole is trusted, and the direction of the
     residual that each of the run's loose solves left: its length goes with the right-hand side's. With
     ``Config(solve_tolerance=1e-9, step_tolerance=0)`` a run leaves next to none. Of coincident vertices that were
-    welded the first stands for all. A system whose w_L grows (``Config.au2008()``) is ill-conditioned: its run
-    is preconditioned by a factor, its replay is not, and takes minutes, or is NaN, on more than some thousand vertices.
+    welded, as in a triangle soup, the first stands for all: the others have a slope of 0. A system whose w_L grows
+    (``Config.au2008()``) is ill-conditioned: its run is preconditioned by a factor, its replay is not, and takes
+    minutes, or is NaN, on more than some thousand vertices.
 
     Raises:
         ConfigError: ``tape`` or ``weights`` is something else, or a weight is out of range or of the wrong shape.

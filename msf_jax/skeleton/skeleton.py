@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import networkx as nx
 import numpy as np
-from scipy import sparse
+from scipy import sparse, spatial
 
 from msf_jax import metrics
 from msf_jax.base import binding as bindings
@@ -20,7 +20,7 @@ from msf_jax.skeleton import pytree, slopes, trees
 from msf_jax.skeleton.centrelines import table
 from msf_jax.skeleton.formats import export
 from msf_jax.skeleton.pictures import page, panels, segmentation
-from msf_jax.skeleton.report import Report, loops_of
+from msf_jax.skeleton.report import Report, weighed
 from msf_jax.skeleton.rigging import rig
 from msf_jax.skeleton.rigging.rig import Rig
 from msf_jax.skeleton.source import Source
@@ -30,6 +30,8 @@ if TYPE_CHECKING:
     from plotly.graph_objects import Figure as PlotlyFigure
     from trimesh import Trimesh
     from trimesh.path import Path3D
+
+NEAREST = 16  # nodes, whose balls are asked how much room there is beside them
 
 
 @dataclass(frozen=True, eq=False)
@@ -216,7 +218,7 @@ class Skeleton:
 
         Returns:
             (3 N, 3 V), sparse: entry (3 i + a, 3 v + b) is how far node i moves along axis a, per unit that vertex v of
-            the input mesh moves along axis b.
+            the input mesh moves along axis b. Of equal vertices, as in a triangle soup, only the first has entries.
 
         Raises:
             ConfigError: the surface that the curve was made from is not known.
@@ -265,11 +267,12 @@ class Skeleton:
             radii = solid.radii(vertices)
             of_input, vertex = node_of_old[self.mesh_map], self.source.input_of_vertex
             followed = None if vertex is None else of_input[vertex]
-            report = replace(report, **loops_of(solid.shape, solid.enter(vertices), edges, followed))
+            report = replace(report, **weighed(solid.shape, solid.enter(vertices), edges, followed))
             report = replace(report, inside=self.inside_of(vertices, edges, radii))
         else:  # the largest ball inside one that is known
-            away = np.linalg.norm(vertices[:, None] - self.vertices, axis=2)
-            radii = np.maximum((self.radii - away).max(axis=1), 0.0)
+            found = spatial.KDTree(self.vertices).query(vertices, k=min(NEAREST, len(self.radii)))
+            away, near = (np.reshape(each, (len(vertices), -1)) for each in found)
+            radii = np.maximum((self.radii[near] - away).max(axis=1), 0.0)
         roots, openings = (tuple(node_of_old[list(nodes)].tolist()) for nodes in (self.roots, self.openings))
         mesh_map = node_of_old[self.mesh_map]
         changed = Skeleton(vertices, edges, radii, mesh_map, report, self.source, roots, openings, units=self.units)

@@ -62,6 +62,25 @@ class Surface:
     given: tuple[np.ndarray, np.ndarray]
     rims: tuple[np.ndarray, ...] = ()
 
+    def first(self, num: int) -> "Surface":
+        """Its first ``num`` components alone: vertices of the others went nowhere."""
+        rows = np.sort(np.concatenate(self.members[:num]))
+        number = np.full(len(self.vertices) + 1, -1)
+        number[rows] = np.arange(len(rows))
+        vertex_of_input = number[self.vertex_of_input]
+        return replace(
+            self,
+            vertices=self.vertices[rows],
+            faces=number[self.faces[number[self.faces[:, 0]] >= 0]],
+            components=self.components[:num],
+            members=tuple(number[member] for member in self.members[:num]),
+            vertex_of_input=vertex_of_input,
+            input_of_vertex=self.input_of_vertex[rows],
+            is_made=self.is_made[rows],
+            strays=self.given[0][vertex_of_input < 0],
+            rims=tuple(rim for rim in self.rims if (vertex_of_input[rim] >= 0).all()),
+        )
+
 
 def prepare(mesh: Any, repair: bool | str | Repair = False) -> Surface:
     """Read, check and repair ``mesh``, with ``repair`` beyond what is without a doubt; the caller's object stays.

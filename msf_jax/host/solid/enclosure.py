@@ -118,7 +118,6 @@ class Enclosure:
         """Samples (P, 3) of the surface, ``most`` of them at most, inside triangles, and the unit normals there."""
         tree, first, fan = self._samples
         sample = np.arange(0, len(first) - 1, -(-(len(first) - 1) // most))
-        sample = sample[first[sample + 1] > first[sample]]  # a vertex of no face
         triangle = fan[first[sample]]
         corners = self.triangles[triangle]
         normal = cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])

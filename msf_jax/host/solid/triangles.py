@@ -40,11 +40,13 @@ class Samples(NamedTuple):
 
 
 def sampled(vertices: np.ndarray, faces: np.ndarray, reaches: np.ndarray) -> Samples:
-    """Every vertex with its fan of triangles, and a grid of points in every triangle that is large, with that one."""
+    """Every vertex of a triangle with its fan, and a grid of points in every triangle that is large, with that one."""
     spacing = max(
         SAMPLE_SPACING * float(np.ptp(vertices, axis=0).max()), float(np.sqrt((reaches**2).sum() / MOST_SAMPLES))
     )
-    points, owners = [vertices], []
+    corner = faces.ravel()
+    count = np.bincount(corner, minlength=len(vertices))
+    points, owners = [vertices[count > 0]], []
     parts = np.ceil(reaches / spacing).astype(np.int64)
     for number in np.unique(parts[parts > 1]):
         i, j = (part.ravel() for part in np.indices((number + 1, number + 1)))
@@ -53,10 +55,8 @@ def sampled(vertices: np.ndarray, faces: np.ndarray, reaches: np.ndarray) -> Sam
         large = np.flatnonzero(parts == number)
         points.append(np.einsum("sk,fki->fsi", weights, vertices[faces[large]]).reshape(-1, 3))
         owners.append(np.repeat(large, len(weights)))
-    corner = faces.ravel()
     fan = np.concatenate([np.argsort(corner, kind="stable") // 3, *owners])
-    count = np.bincount(corner, minlength=len(vertices))
-    first = np.concatenate([[0], np.cumsum(count), len(corner) + 1 + np.arange(len(fan) - len(corner))])
+    first = np.concatenate([[0], np.cumsum(count[count > 0]), len(corner) + 1 + np.arange(len(fan) - len(corner))])
     return Samples(spatial.KDTree(np.concatenate(points), leafsize=32), first, fan)
 
 

@@ -1,0 +1,55 @@
+"""What a report knows of a curve beyond its counts: limbs that are none, ways that are anywhere."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+import trimesh
+
+import msf_jax
+from msf_jax.host.solid.enclosure import Enclosure
+from msf_jax.skeleton.report import weighed
+
+
+def box(*sides: float) -> Enclosure:
+    """A box around the origin, in small triangles."""
+    mesh = trimesh.creation.box(sides).subdivide_to_size(0.15)
+    return Enclosure(np.array(mesh.vertices), np.array(mesh.faces))
+
+
+def comb(teeth: int, length: float) -> tuple[np.ndarray, np.ndarray]:
+    """A line along x from -0.8 to 0.8 with so many twigs along y."""
+    line = np.stack([np.linspace(-0.8, 0.8, teeth + 2), np.zeros(teeth + 2), np.zeros(teeth + 2)], axis=1)
+    twigs = np.concatenate([line[1:-1] + [0, part * length, 0] for part in (0.5, 1.0)])
+    own, first, last = np.arange(1, teeth + 1), np.arange(teeth) + teeth + 2, np.arange(teeth) + 2 * teeth + 2
+    edges = [(np.arange(teeth + 1), np.arange(1, teeth + 2)), (own, first), (first, last)]
+    return np.concatenate([line, twigs]), np.concatenate([np.stack(pair, axis=1) for pair in edges])
+
+
+@pytest.mark.parametrize(("teeth", "is_doubted"), [(7, False), (14, True)])
+def test_many_limbs_that_are_hardly_longer_than_wide_are_in_doubt(teeth, is_doubted):
+    """Twigs in a block: none of them is a limb of it."""
+    doubts = weighed(box(2.0, 1.0, 1.0), *comb(teeth, 0.3))["doubts"]
+    expected = (f"{teeth + 2} of {teeth + 2} limbs are hardly longer than wide: the surface may be rough",)
+    assert doubts == (expected if is_doubted else ())
+
+
+@pytest.mark.parametrize(("side", "share"), [(0.3, 0.0), (1.6, 1.0)])
+def test_the_share_of_a_curve_in_sheets(side, share):
+    """A bar is none, a plate 16 times as wide as thick is one; half of a line in each is half."""
+    x = np.zeros((41, 3))
+    x[:, 0] = np.linspace(-0.8, 0.8, 41)
+    edges = np.stack([np.arange(40), np.arange(1, 41)], axis=1)
+    thin = 0.3 if share == 0 else 0.1
+    assert weighed(box(2.0, side, thin), x, edges)["in_sheets"] == pytest.approx(share, abs=0.06)
+
+
+def test_a_report_says_what_it_weighs():
+    skeleton = msf_jax.skeletonize(trimesh.creation.capsule(height=3.0, radius=0.4))
+    report = skeleton.report
+    assert report.is_sound and report.in_sheets == 0.0 and report.doubts == ()
+    assert "52% of the curve's length is in sheets" in str(replace(report, in_sheets=0.52))
+    assert "sheets" not in str(report)
+    doubted = replace(report, doubts=("the surface may be rough",))
+    assert not doubted.is_sound and "in doubt: the surface may be rough" in str(doubted)
+    assert skeleton.resample(0.1).report.is_sound
