@@ -24,8 +24,13 @@ def is_long(block: str) -> bool:
     return any(call in block for call in ("msf_jax.replay(", "sensitivity(", "tune(", "__main__"))
 
 
-BLOCKS = [
-    pytest.param(number, block, id=f"{page.stem}-{number}", marks=[pytest.mark.slow] * is_long(block))
+BLOCKS = [  # of the quick tests: those of the README
+    pytest.param(
+        number,
+        block,
+        id=f"{page.stem}-{number}",
+        marks=[pytest.mark.system] * (page.stem != "README" or is_long(block)),
+    )
     for page in PAGES
     for number, block in enumerate(re.findall(r"```python\n(.*?)```", page.read_text(), flags=re.DOTALL))
 ]
@@ -78,6 +83,7 @@ def site(tmp_path_factory):
     return folder
 
 
+@pytest.mark.system
 def test_the_pages_hold_the_guide_all_that_is_public_and_what_notebooks_left(site):
     public = (site / "msf_jax.html").read_text()
     for name in msf_jax.__all__:
@@ -95,6 +101,7 @@ def test_the_pages_hold_the_guide_all_that_is_public_and_what_notebooks_left(sit
         assert pictures and all((site / "pictures" / name).stat().st_size > 1000 for name in pictures)
 
 
+@pytest.mark.system
 def test_every_link_of_the_pages_leads_somewhere(site):
     """To a file that is there, and to a place in it; nothing is loaded from elsewhere."""
     texts = {path.resolve(): path.read_text() for path in site.rglob("*.html")}

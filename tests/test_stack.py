@@ -108,7 +108,7 @@ print("same bits")
 """
 
 
-@pytest.mark.slow
+@pytest.mark.system
 def test_padding_and_company_change_no_bit(curves, tmp_path):
     """In a process whose programs are optimised as a user's are: alone, padded to twice as much, in a batch."""
     with open(tmp_path / "curves.pkl", "wb") as file:
@@ -211,7 +211,7 @@ print("spread over", jax.device_count())
 """
 
 
-@pytest.mark.slow
+@pytest.mark.system
 def test_a_batch_is_spread_over_devices(curves, tmp_path):
     with open(tmp_path / "curves.pkl", "wb") as file:
         pickle.dump(curves, file)
