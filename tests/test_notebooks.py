@@ -50,6 +50,7 @@ def test_it_is_committed_as_it_ran(path):
     assert not _warnings(notebook)
     assert any("image/png" in output.get("data", {}) for cell in cells for output in cell.outputs)
     assert notebook.cells[0].source.startswith("# ") and notebook.cells[-1].cell_type == "markdown"
+    assert len(notebook.cells[-1].source.split()) > 20
     assert path.stat().st_size < LARGEST
 
 
