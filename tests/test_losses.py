@@ -72,6 +72,17 @@ def test_near_weighs_samples_by_the_length_that_they_stand_for():
     assert near(found, pair, target, samples=1) == pytest.approx(there / 2 / DIAGONAL**2)
 
 
+def test_near_knows_nodes_without_an_edge():
+    """Of a lone node, the distance to the point at hand; beside an edge, points of the target find it, too."""
+    target = np.array([[0.0, 3.0, 4.0]])
+    lone = bound()._replace(live=bound().live._replace(nodes=1, edges=0))
+    assert losses.near(filled(), lone, target) == pytest.approx(25 / DIAGONAL**2)
+    pair = bound(edges=np.array([[0, 1]]))
+    pair = pair._replace(live=pair.live._replace(nodes=3))
+    found = filled([[0, 0, 0], [1.0, 0, 0], [0, 3.0, 4.0]], [0, 0, 0])
+    assert losses.near(found, pair, target, samples=1) == pytest.approx((25 + 0.25) / 2 / DIAGONAL**2)
+
+
 def test_values_that_are_known():
     found, binding = filled(), bound()
     np.testing.assert_allclose(losses.branch_lengths(found, binding), [2, 1, 2, 0, 0, 0, 0])

@@ -16,7 +16,7 @@ from conftest import CACHE
 
 import msf_jax
 from msf_jax import ConfigError, MeshError, ground_truth
-from msf_jax.base.binding import capacity_for, padded, unpadded
+from msf_jax.base.binding import SMALLEST, capacity_for, padded, unpadded
 
 NAMES = ("straight_coarse", "y_coarse")
 
@@ -51,13 +51,13 @@ slope = jax.jit(jax.value_and_grad(weighed, argnums=1))
 
 
 def test_a_batch_has_room_for_all_and_masks_for_each(curves, batch):
-    assert len(batch) == 2 and batch.vertices.shape == (2, 1024, 3) and batch.node_mask.shape == (2, 128)
+    assert len(batch) == 2 and batch.vertices.shape == (2, 1024, 3) and batch.node_mask.shape == (2, 320)
     for k, (vertices, skeleton) in enumerate(curves):
         assert batch.vertex_mask[k].sum() == len(vertices) and batch.node_mask[k].sum() == len(skeleton.vertices)
         np.testing.assert_allclose(batch.vertices[k][np.asarray(batch.vertex_mask[k])], vertices, rtol=0, atol=1e-14)
         assert not np.asarray(batch.vertices)[k][~np.asarray(batch.vertex_mask)[k]].any()
-    assert repr(batch) == "Batch(2 curves, 128 rows of nodes, 1024 of vertices)"
-    assert repr(batch.bindings).startswith("Binding(2 curves, room for 128 nodes and 1024")
+    assert repr(batch) == "Batch(2 curves, 320 rows of nodes, 1024 of vertices)"
+    assert repr(batch.bindings).startswith("Binding(2 curves, room for 320 nodes and 1024")
 
 
 def test_every_curve_of_a_batch_is_what_it_is_alone(curves, batch):
@@ -139,7 +139,7 @@ def test_padding_changes_no_value(curves):
     found = msf_jax.follow(padded(bare, twice), moved(vertices))
     for part, other in zip(found, msf_jax.follow(skeleton, moved(vertices)), strict=True):
         np.testing.assert_allclose(part[: len(other)], other, rtol=0, atol=1e-13)
-        assert len(part) == 256 and not np.asarray(part)[len(other) :].any()
+        assert len(part) == 640 and not np.asarray(part)[len(other) :].any()
 
 
 def test_gradients_in_a_batch_are_those_of_central_differences(batch):
@@ -239,8 +239,10 @@ def test_curves_of_a_capacity_share_a_program(curves, compilations):
     assert not compilations
 
 
-def test_a_second_batch_takes_the_room_of_the_first(curves, batch, compilations):
+def test_a_second_batch_takes_the_room_of_the_first(curves, batch, compilations, monkeypatch):
     """And compiles nothing, though its largest mesh is smaller."""
+    for name, room in (("vertices", 256), ("faces", 640)):  # so that the tube has another capacity than the limbs
+        monkeypatch.setitem(SMALLEST, name, room)
     tube = curves[0][1]
     every_follow(batch.bindings, batch.vertices)
     second = msf_jax.stack([tube, tube], like=batch)
@@ -259,10 +261,32 @@ def test_ladders_have_few_rungs(curves):
     room = capacity_for(sizes)
     assert all(one >= other for one, other in zip(room, sizes, strict=True)) and room.nodes > sizes.nodes
     full = sizes._replace(nodes=room.nodes, vertices=room.vertices)
-    assert capacity_for(full).nodes == 2 * room.nodes and capacity_for(full).vertices == room.vertices
+    assert capacity_for(full).nodes == 4 * room.nodes and capacity_for(full).vertices == room.vertices
     assert capacity_for(sizes, full._replace(vertices=2 * room.vertices)).vertices == 2 * room.vertices
     many = {capacity_for(sizes._replace(vertices=num, faces=2 * num)).vertices for num in range(500, 12_001, 7)}
-    assert many == {512, 1024, 2048, 4096, 8192, 16384}
+    assert many == {1024, 2048, 4096, 8192, 16384}
+
+
+def test_curves_of_64_meshes_need_at_most_six_programs(curves):
+    """Of 500 to 12,000 vertices. Sizes as measured on stars of limbs: the coarsest have the most nodes."""
+    sizes = unpadded(curves[1][1].binding).live
+    measured = {  # vertices: the most nodes, corners, entries of a and of b that were seen about there
+        500: (363, 4854, 19090, 30866),
+        1000: (280, 4700, 7700, 40000),
+        2000: (180, 5300, 6000, 95000),
+        4000: (150, 8409, 5000, 84234),
+        8000: (160, 13140, 5000, 116951),
+        12000: (160, 14000, 5000, 120000),
+    }
+    rooms = set()
+    for vertices in np.geomspace(500, 12_000, 64).astype(int):
+        for few in (1, 2):
+            near = min(measured, key=lambda num, vertices=vertices: abs(np.log(num / vertices)))
+            nodes, corners, smoothing, turning = (count // few for count in measured[near])
+            mesh = {"vertices": vertices, "faces": 2 * vertices}
+            curve = {"nodes": nodes, "edges": nodes - 1, "sections": nodes, "corners": corners}
+            rooms.add(capacity_for(sizes._replace(**mesh, **curve, smoothing=smoothing, turning=turning)))
+    assert len(rooms) <= 6
 
 
 @pytest.mark.parametrize("dtype", [np.float32, np.float64, np.float16, np.int32])

@@ -16,10 +16,11 @@ from typing import Any, NamedTuple
 import numpy as np
 
 FACES_TOGETHER = 32  # faces come in runs of so many that are near each other; so do runs of 64, 128, ...
-# The smallest capacity, in numbers of what is counted. One ladder is for the mesh and one for the curve, by twos: a
-# finer mesh has no more nodes. Corners and entries of b go with the nodes, and with the square root of the vertices.
-SMALLEST = {"vertices": 256, "faces": 640, "nodes": 128, "edges": 128, "sections": 128, "smoothing": 4096}
-SMALLEST |= {"corners": 2048, "turning": 20480}
+# The smallest capacity, in numbers of what is counted. One ladder is for the mesh, by twos, and one for the curve, by
+# fours: a finer mesh has no more nodes, and each pair of rungs is a program. Corners and entries of b go with the
+# nodes, and with the square root of the vertices.
+SMALLEST = {"vertices": 1024, "faces": 2560, "nodes": 320, "edges": 320, "sections": 320, "smoothing": 8192}
+SMALLEST |= {"corners": 6144, "turning": 71680}
 MESH, BOTH = ("vertices", "faces"), ("corners", "turning")
 STEP = 64  # capacities are multiples of it
 
@@ -135,7 +136,7 @@ def capacity_for(*sizes: Sizes) -> Sizes:
 
 def _room(name: str, mesh: int, curve: int) -> int:
     """Of that name, on those rungs of the two ladders."""
-    rung = mesh if name in MESH else curve + mesh / 2 if name in BOTH else curve
+    rung = mesh if name in MESH else 2 * curve + mesh / 2 if name in BOTH else 2 * curve
     return -(-int(SMALLEST[name] * 2**rung) // STEP) * STEP
 
 

@@ -26,7 +26,7 @@ def near(found: Any, binding: Binding, target: Any, mask: Any = None, *, samples
     """Squared distance between the curve and a ``target``, in both directions, the mean of the two.
 
     From points spread evenly over the curve's length, each to the nearest of the target; and from each point of the
-    target, to the nearest of those. No correspondence is needed, nor as many nodes.
+    target, to the nearest of those, or of the nodes without an edge. No correspondence is needed, nor as many nodes.
 
     Args:
         found: of `msf_jax.follow`, nodes (N, 3).
@@ -42,12 +42,16 @@ def near(found: Any, binding: Binding, target: Any, mask: Any = None, *, samples
     a, b = nodes[binding.edges[:, 0]], nodes[binding.edges[:, 1]]
     share = (jnp.arange(samples, dtype=nodes.dtype) + 0.5) / samples
     points = (a[:, None] + share[:, None] * (b - a)[:, None]).reshape(-1, 3)
-    is_edge = binding.edge_mask
-    weight = jnp.repeat(jnp.where(is_edge, norm(b - a), 0.0), samples)
+    is_sample, weight = (jnp.repeat(x, samples) for x in (binding.edge_mask, norm(b - a)))
+    # A node without an edge has no length, but is on the curve; a curve of nothing else is a mean over those.
+    at_edge = jnp.zeros(len(nodes), bool).at[binding.edges].max(binding.edge_mask[:, None])
+    is_lone = binding.node_mask & ~at_edge
+    points, is_sample = jnp.concatenate([points, nodes]), jnp.concatenate([is_sample, is_lone])
+    weight = jnp.concatenate([weight, (is_lone & ~binding.edge_mask.any()).astype(weight.dtype)])
     away = ((points[:, None] - target) ** 2).sum(-1)
     there = jnp.where(is_point | ~is_point.any(), away, jnp.inf).min(axis=1) * is_point.any()
-    back = jnp.where(jnp.repeat(is_edge, samples)[:, None], away, jnp.inf).min(axis=0)
-    return (_mean(there, weight) + _mean(back, is_point)) / 2
+    back = jnp.where(is_sample[:, None], away, jnp.inf).min(axis=0)
+    return (_mean(there, jnp.where(is_sample, weight, 0.0)) + _mean(back, is_point)) / 2
 
 
 def radii(found: Any, binding: Binding, target: Any) -> jax.Array:
