@@ -3,6 +3,7 @@
 import os
 import shutil
 import signal
+import sys
 import tempfile
 from pathlib import Path
 
@@ -12,6 +13,9 @@ os.environ.setdefault("XLA_FLAGS", "--xla_backend_optimization_level=0")
 
 # There is a process for each core: threads of dense algebra beside it wait for each other: 40 s for 4.
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+
+# For `tests.benchmarks` and `tests.translate`. Last, so that the package is the one that is installed.
+sys.path.append(str(Path(__file__).parents[1]))
 
 import jax
 import matplotlib

@@ -1,6 +1,5 @@
 """Compiled loops against the same said in NumPy, or in the kernel's own text interpreted, on cases without mercy."""
 
-import os
 import subprocess
 import sys
 import threading
@@ -206,52 +205,68 @@ def test_arrays_of_another_kind_are_taken_as_copies():
         np.testing.assert_array_equal(shape.winding_numbers(other), plain[1])
 
 
-@compiled.kernel
-def doubled(values: compiled.Reals, found: compiled.Reals) -> int:
-    """Twice the ``values``."""
-    for row in range(len(values)):
-        found[row] = 2 * values[row]
-    return len(values)
+def test_the_text_is_of_the_kernels_as_they_are(monkeypatch):
+    """And one that is not is refused."""
+    assert compiled.TEXT.read_text().startswith(f"; {compiled.digest()}\n")
+    monkeypatch.setattr(compiled, "MODULES", compiled.MODULES[:-1])
+    with pytest.raises(RuntimeError, match=r"python -m tests\.translate"):
+        compiled._compiled()
 
 
-def test_a_kernel_is_compiled_once_whoever_asks():
-    assert doubled.made is None
-    compiled.announce([doubled])
-    found = [np.empty(3) for _ in range(4)]
-    threads = [threading.Thread(target=doubled, args=(np.arange(3.0), each)) for each in found]
-    for thread in threads:
-        thread.start()
-    for thread in threads:
-        thread.join()
-    assert len(doubled.compiled().signatures) == 1
-    np.testing.assert_array_equal(found, [[0.0, 2, 4]] * 4)
+def test_words_of_a_docstring_are_no_part_of_the_digest(tmp_path, monkeypatch):
+    def of(text):
+        (tmp_path / "some.py").write_text(text)
+        return compiled.digest()
+
+    monkeypatch.setattr(compiled, "__file__", str(tmp_path / "a" / "b" / "compiled.py"))
+    monkeypatch.setattr(compiled, "MODULES", ("some",))
+    plain = of("def f(x):\n    return 2 * x\n")
+    assert of('"""Says."""\ndef f(x):\n    """More."""\n    return 2 * x  # what\n') == plain
+    assert of("def f(x):\n    return 3 * x\n") != plain
+
+
+@pytest.mark.slow
+def test_the_text_is_what_numba_makes_of_the_kernels():
+    """Translated again: the same numbers, whatever Numba and LLVM call them."""
+    from tests import translate
+
+    text = translate.translated()
+    engine, names = (
+        compiled._compiled(text),
+        [compiled.entry_of(one) for one in compiled.kernels_of(translate.modules())],
+    )
+    assert len(names) == 12 and all(engine.get_function_address(name) for name in names)
 
 
 PROGRAM = """
 import sys
 import msf_jax
-assert "numba" not in sys.modules
 from msf_jax.host.solid import triangles
-assert "numba" not in sys.modules
+assert "llvmlite" not in sys.modules
 import numpy as np
 print(triangles.point_triangle_distance2(np.ones((1, 3)), np.eye(3)[None])[0])
+assert "numba" not in sys.modules
 """
 
 
-@pytest.mark.parametrize("place", ["writable", "read-only", "damaged"])
-def test_what_is_compiled_is_kept_where_that_can_be(tmp_path, place):
-    """Two processes at once and a third: with a folder, without, and with one whose files are cut short."""
-    folder = tmp_path / "kept"
-    folder.mkdir()
-    target = folder if place != "read-only" else tmp_path / "a file" / "no folder"
-    (tmp_path / "a file").write_text("")
-    environment = os.environ | {"NUMBA_CACHE_DIR": str(target)}
-    command = [sys.executable, "-c", PROGRAM]
-    pair = [subprocess.Popen(command, env=environment, stdout=subprocess.PIPE, text=True) for _ in range(2)]
-    outputs = {process.communicate(timeout=300)[0] for process in pair}
-    if place == "damaged":
-        for path in folder.rglob("*.nb?"):
-            path.write_bytes(path.read_bytes()[:40])
-    outputs.add(subprocess.run(command, env=environment, capture_output=True, text=True, timeout=300).stdout)
-    assert len(outputs) == 1 and float(outputs.pop()) == pytest.approx(4 / 3)
-    assert bool(list(folder.rglob("*.nbc"))) == (place != "read-only")
+def test_neither_numba_nor_a_folder_is_needed():
+    found = subprocess.run([sys.executable, "-c", PROGRAM], capture_output=True, text=True, timeout=300)
+    assert float(found.stdout) == pytest.approx(4 / 3), found.stderr
+
+
+def test_threads_may_call_kernels_at_once():
+    points, triangles = (
+        np.random.default_rng(6).normal(size=(2000, 3)),
+        np.random.default_rng(7).normal(size=(2000, 3, 3)),
+    )
+    expected, found = point_triangle_distance2(points, triangles), {}
+    threads = [
+        threading.Thread(target=lambda k=k: found.update({k: point_triangle_distance2(points, triangles)}))
+        for k in range(4)
+    ]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    for each in found.values():
+        np.testing.assert_array_equal(each, expected)

@@ -295,6 +295,15 @@ def test_where_no_width_is_known_all_stays_and_what_is_outside_goes(radius):
     assert by_leaf(*limb)[len(vertices) - 1] == 0 and not prune(*limb, 0.1)[0][-3:].any()
 
 
+def test_a_leaf_on_the_surface_has_no_limb_ahead():
+    """Half an edge of 3 belongs to the leaf, and the limb is 1 wide: nothing is made of the way to a wall that is 0."""
+    x = np.array([[0.0, 0, 0], [-1, 0, 0], [1, 0, 0], [0, 0, 3]])
+    edges, ones = as_edges([(0, 1), (0, 2), (0, 3)]), np.ones(4)
+    nothing = np.empty(0, dtype=np.int64)
+    found = Limbs(ones, np.where(degrees(4, edges) < 3, ones, np.nan), np.zeros(4), nothing, nothing)
+    assert by_leaf(x, edges, found)[3] == pytest.approx(1.5)
+
+
 def test_a_node_without_a_section_is_as_wide_as_its_ball_and_one_outside_adds_nothing():
     """As far as the two can be told apart: one that is askew does not count, either, for a median of three is taken."""
     shape, curve = solid(block() + round_limb(2.0, 0.4, 0.4)), up(1.95)

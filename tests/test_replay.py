@@ -185,7 +185,7 @@ def test_one_value_for_all_vertices_is_a_scalar(flow):
 def test_padding_does_not_matter(flow, monkeypatch):
     """In a larger layout, and in two stretches instead of one: the same nodes, and the same gradient."""
 
-    def other_plan(steps):
+    def other_plan(steps, before):
         beyond = [40] * 24
         return [Planned(0, 1, layout_for(3000, beyond)), Planned(1, len(steps), layout_for(1000, beyond))]
 

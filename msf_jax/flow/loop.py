@@ -21,15 +21,11 @@ from msf_jax.flow.request import checked_options, checked_pins, weights_of_verti
 from msf_jax.flow.starting import init
 from msf_jax.flow.state import LIMITS, Flow, Iteration, Limits, State, Stopwatch
 from msf_jax.flow.stepping import step
-from msf_jax.host.compiled import announce
 from msf_jax.host.mesh import checking
 from msf_jax.host.mesh.checking import Surface
 from msf_jax.host.mesh.repair import Repair, as_repair
 from msf_jax.host.meso import collapse, fixing
-from msf_jax.host.meso import kernels as edits
 from msf_jax.host.meso.meso import Meso
-from msf_jax.host.solid import kernels as walks
-from msf_jax.host.solid import loops
 
 INTERRUPTED = "interrupted"
 SETTLED = 0.02  # of the volume may be left, however it is; or, in membranes,
@@ -37,11 +33,6 @@ MEMBRANES, THINNED = 0.1, 0.25  # that much, if what is left is that part as thi
 PROGRESS = 0.1  # of the area, that a tooth must take away, or the flow has settled;
 FEWEST = 20  # iterations, that a tooth counts for at least
 STALL_ITERATIONS = 30  # without progress, after which the flow gives up: longer than a tooth of the default threshold
-KERNELS = (  # of every run, in the order in which it needs them
-    *(edits.short_edges, edits.apart, edits.merge),
-    *(walks.windings, edits.wide_edges, edits.cut),
-    *(walks.nearest, walks.hits, loops.loops, loops.measures),
-)
 
 
 def contract(
@@ -81,7 +72,6 @@ def contract(
     """
     weights, config = checked_options(weights, config)
     forking.check()
-    announce(KERNELS)
     watch = Stopwatch()
     with watch.stage("front door"):
         checked = mesh if isinstance(mesh, Surface) else checking.prepare(mesh, repair)

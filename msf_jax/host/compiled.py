@@ -1,36 +1,37 @@
-"""Loops that are compiled, by Numba: short walks over neighbours, loops and trees, of which NumPy makes pages of masks.
+"""Loops that are compiled: short walks over neighbours, loops and trees, of which NumPy makes pages of masks.
 
-A kernel is a Python function over arrays that the caller has made. It allocates nothing, knows nothing of NumPy but how
-to index, and is compiled for the one signature that its annotations give, when it is first called; `announce` has that
-done beforehand, beside other work. What is compiled is kept beside the module or, where that is read-only, in Numba's
-folder in the user's cache, for all processes, under a name that tells what it was made of. Numba is not imported
-before.
+A kernel is a Python function over arrays that the caller has made. It allocates nothing, and knows nothing of NumPy but
+how to index. Numba has translated all kernels to LLVM's intermediate representation, `kernels.ll`, which is for any
+processor (`python -m tests.translate`); LLVM compiles that for this one, in a tenth of a second, when the first kernel
+is called. So neither Numba nor a compiler is needed to run the package, and nothing is kept on disk.
 
-The optimiser may not reorder sums: the same source gives the same bits in every process. What takes long to compile is
-the text, about a millisecond for every operation in it, not what the processor makes of it: so kernels are few, and
-have loops over axes and corners.
+Nothing reorders sums: the same source gives the same bits in every process.
 """
 
+import ast
+import ctypes
 import hashlib
+import struct
+import sys
 import threading
-import types
 from collections.abc import Callable, Iterable
-from functools import cached_property
+from functools import cache, cached_property
+from pathlib import Path
+from types import ModuleType
 from typing import Annotated, Any, get_type_hints
 
 import numpy as np
 
-Reals = Annotated[np.ndarray, "float64", 1]  # an array of so many axes
-Points = Annotated[np.ndarray, "float64", 2]
-Triangles = Annotated[np.ndarray, "float64", 3]
-Ints = Annotated[np.ndarray, "int64", 1]
-Rows = Annotated[np.ndarray, "int64", 2]
-Flags = Annotated[np.ndarray, "bool", 1]
+_REAL, _INT, _FLAG = np.dtype(np.float64), np.dtype(np.int64), np.dtype(bool)
+Reals = Annotated[np.ndarray, _REAL, 1]  # an array of so many axes
+Points = Annotated[np.ndarray, _REAL, 2]
+Triangles = Annotated[np.ndarray, _REAL, 3]
+Ints = Annotated[np.ndarray, _INT, 1]
+Rows = Annotated[np.ndarray, _INT, 2]
+Flags = Annotated[np.ndarray, _FLAG, 1]
 
-_SCALARS = {float: "float64", int: "int64", bool: "boolean", type(None): "void"}
-# A division by zero is no exception, nothing is allocated, and nothing but Python calls: less to compile.
-_OPTIONS: dict[str, Any] = {"nogil": True, "error_model": "numpy", "_nrt": False, "no_cfunc_wrapper": True}
-_OF_PARTS: dict[str, Any] = {"no_cpython_wrapper": True}
+MODULES = ("msf_jax.host.solid.kernels", "msf_jax.host.solid.loops", "msf_jax.host.meso.kernels")  # with kernels
+TEXT = Path(__file__).with_name("kernels.ll")
 
 
 class Kernel:
@@ -44,79 +45,53 @@ class Kernel:
         self.function = function
         self.__name__, self.__doc__, self.__module__ = function.__name__, function.__doc__, function.__module__
         self.is_part = is_part
-        self._lock = threading.Lock()
-        self.made: Callable | None = None
 
-    def __call__(self, *arguments: Any) -> Any:
-        given = list(arguments)
-        for place, dtype in self._arrays:
-            array = given[place]
-            if array.dtype != dtype or not array.flags.carray:
-                given[place] = np.array(array, dtype=dtype, order="C")
-        return self.compiled()(*given)
+    def __call__(self, *arguments: Any) -> int:
+        row: list[int] = []
+        alive = [_words(kind, value, row) for kind, value in zip(self._kinds, arguments, strict=True)]
+        found = self._entry((ctypes.c_int64 * len(row))(*row))
+        del alive  # the copies, which had to last until now
+        return found
 
     @cached_property
-    def _hints(self) -> dict[str, Any]:
-        return get_type_hints(self.function, include_extras=True)
+    def _kinds(self) -> list[Any]:
+        return _hints(self.function)[:-1]
 
     @cached_property
-    def _arrays(self) -> list[tuple[int, np.dtype]]:
-        """Which arguments are arrays, and of what."""
-        kinds = [getattr(kind, "__metadata__", None) for kind in self._hints.values()]
-        return [(place, np.dtype(kind[0])) for place, kind in enumerate(kinds) if kind is not None]
-
-    @cached_property
-    def _globals(self) -> dict[str, Any]:
-        """The parts and constants that the function names."""
-        names = {name: self.function.__globals__.get(name) for name in self.function.__code__.co_names}
-        return {name: value for name, value in names.items() if isinstance(value, Kernel | float | int)}
-
-    @cached_property
-    def _text(self) -> str:
-        """All that the compiled code is made of."""
-        code = self.function.__code__
-        used = [(name, value._text if isinstance(value, Kernel) else value) for name, value in self._globals.items()]
-        return repr((code.co_code, code.co_consts, code.co_names, code.co_varnames, str(self._hints), used))
-
-    def compiled(self) -> Callable:
-        """What Numba makes of it; waits if another thread is at it."""
-        with self._lock:
-            if self.made is None:
-                self.made = self._compiled()
-            return self.made
-
-    def _compiled(self) -> Callable:
-        from numba import njit
-
-        parts = {name: value.compiled() for name, value in self._globals.items() if isinstance(value, Kernel)}
-        function = types.FunctionType(self.function.__code__, {**self.function.__globals__, **parts})
-        function.__module__ = self.__module__
-        if self.is_part:
-            return njit(**_OPTIONS, **_OF_PARTS)(function)
-        function.__qualname__ = f"{self.__name__}_{hashlib.sha256(self._text.encode()).hexdigest()[:16]}"
-        kinds = [_type(kind) for kind in self._hints.values()]
-        signature = kinds[-1](*kinds[:-1])
-        try:
-            return njit(signature, cache=True, **_OPTIONS)(function)
-        except Exception:  # no folder can be written to, or what is there is damaged: every process compiles it
-            return njit(signature, **_OPTIONS)(function)
+    def _entry(self) -> Callable[[Any], int]:
+        address = _engine().get_function_address(entry_of(self))
+        return ctypes.CFUNCTYPE(ctypes.c_int64, ctypes.c_void_p)(address)  # releases Python's lock
 
 
-def _type(kind: Any) -> Any:
-    """What Numba calls the type that ``kind`` annotates."""
-    from numba import types as numba_types
+@cache
+def _hints(of: Any) -> list[Any]:
+    """What the arguments of a function, or the fields of a named tuple, are annotated with."""
+    return list(get_type_hints(of, include_extras=True).values())
 
-    if kind in _SCALARS:
-        return getattr(numba_types, _SCALARS[kind])
+
+def _words(kind: Any, value: Any, row: list[int]) -> Any:
+    """Add ``value`` of the annotated ``kind`` to the ``row`` of 8-byte words: of an array its address and its lengths.
+
+    Returns what must not go away before the call is over.
+    """
+    if hasattr(kind, "__metadata__"):
+        dtype = kind.__metadata__[0]
+        if value.dtype != dtype or not value.flags.carray:
+            value = np.array(value, dtype=dtype, order="C")
+        row += (value.__array_interface__["data"][0], *value.shape)
+        return value
     if hasattr(kind, "_fields"):
-        fields = get_type_hints(kind, include_extras=True).values()
-        return numba_types.NamedTuple(list(map(_type, fields)), kind)
-    dtype, axes = kind.__metadata__
-    return numba_types.Array(getattr(numba_types, dtype), axes, "C")
+        return [_words(each, field, row) for each, field in zip(_hints(kind), value, strict=True)]
+    row.append(struct.unpack("q", struct.pack("d", value))[0] if kind is float else int(value))
+    return None
 
 
 def kernel(function: Callable) -> Kernel:
-    """``function`` over arrays, numbers and named tuples of arrays, as annotated, compiled."""
+    """``function`` over arrays, numbers and named tuples of arrays, as annotated, compiled; it returns None or an int.
+
+    Raises:
+        RuntimeError: when it is called, and `kernels.ll` was not made of the kernels as they are now.
+    """
     return Kernel(function, is_part=False)
 
 
@@ -125,15 +100,58 @@ def part(function: Callable) -> Any:
     return Kernel(function, is_part=True)
 
 
-def announce(kernels: Iterable[Kernel]) -> None:
-    """Compile ``kernels``, or load them, on another thread, and do not wait; it ends after one of them if the process
-    does."""
+def entry_of(kernel: Kernel) -> str:
+    """The name of its compiled code."""
+    return f"{kernel.__module__}.{kernel.__name__}"
 
-    def work() -> None:
-        for each in waiting:
-            if threading.main_thread().is_alive():
-                each.compiled()
 
-    waiting = [each for each in kernels if each.made is None]
-    if waiting:
-        threading.Thread(target=work, name="msf_jax-kernels").start()
+def kernels_of(modules: Iterable[ModuleType]) -> list[Kernel]:
+    """The kernels that the modules define."""
+    found = [(module.__name__, each) for module in modules for each in vars(module).values()]
+    return [each for name, each in found if isinstance(each, Kernel) and not each.is_part and each.__module__ == name]
+
+
+def digest() -> str:
+    """Of the statements of all modules with kernels, without comments and docstrings."""
+    found = hashlib.sha256()
+    for name in MODULES:
+        tree = ast.parse((Path(__file__).parents[2] / name.replace(".", "/")).with_suffix(".py").read_bytes())
+        for node in ast.walk(tree):
+            if isinstance(node, ast.Module | ast.FunctionDef | ast.ClassDef):
+                node.body = [each for each in node.body if not _is_text(each)] or [ast.Pass()]
+        found.update(ast.unparse(tree).encode())
+    return found.hexdigest()
+
+
+def _is_text(node: ast.stmt) -> bool:
+    return isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant)
+
+
+_LOADED: list[Any] = []  # the engine that holds the compiled code
+_LOADING = threading.Lock()
+
+
+def _engine() -> Any:
+    """What holds the compiled code; made once."""
+    with _LOADING:
+        if not _LOADED:
+            _LOADED.append(_compiled())
+        return _LOADED[0]
+
+
+def _compiled(text: str | None = None) -> Any:
+    from llvmlite import binding as llvm
+
+    text = TEXT.read_text() if text is None else text
+    if not text.startswith(f"; {digest()}\n"):
+        raise RuntimeError(f"{TEXT.name} was made of other kernels: run `python -m tests.translate`")
+    llvm.initialize_native_target()
+    llvm.initialize_native_asmprinter()
+    machine = llvm.Target.from_default_triple().create_target_machine(opt=2, jit=True)
+    module = llvm.parse_assembly(text)
+    module.triple, module.data_layout = machine.triple, str(machine.target_data)
+    if sys.platform == "win32":  # elsewhere the process has the mathematics of C
+        llvm.add_symbol("atan2", ctypes.cast(ctypes.cdll.msvcrt.atan2, ctypes.c_void_p).value)
+    engine = llvm.create_mcjit_compiler(module, machine)
+    engine.finalize_object()
+    return engine

@@ -205,7 +205,7 @@ class Pruning:
             return np.inf
         least = LEAST_SHARE * self._radius[junction]
         most, length, width = -np.inf, self._ahead[leaf], self._width[leaf]
-        area, rise, last_step, last = length * width / 2, width / max(length, 1e-300), 0.0, width
+        area, rise, last_step, last = length * width / 2, width / length if length else 0.0, 0.0, width
         cells = itertools.chain(self._cells(leaf, junction), [(junction, 0.0, np.inf)])
         for (node, step, here), (_, _, after) in itertools.pairwise(cells):
             if all(self._branch_at(other) == own for other in self._through.get(node, ())):

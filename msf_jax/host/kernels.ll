@@ -1,0 +1,4938 @@
+; e3383ee7199e955b4b6d4108d09420b066e72550947511977185512937c4d3fe
+; Made of the kernels by `python -m tests.translate`: edit those.
+
+define internal fastcc void @_ZN7msf_jax4host5solid7kernels18triangle_distance2B2v2B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAEddd5ArrayIdLi3E1C7mutable7alignedEx(ptr noalias nonnull writeonly %retptr, double %arg.x, double %arg.y, double %arg.z, ptr readonly %arg.triangles.4, i64 %arg.triangles.5.0, i64 %arg.triangles.5.1, i64 %arg.triangles.5.2, i64 %arg.row) unnamed_addr {
+B60.endif.endif:
+  %.234 = icmp slt i64 %arg.row, 0
+  %.235 = select i1 %.234, i64 %arg.triangles.5.0, i64 0
+  %.236 = add i64 %.235, %arg.row
+  %.264 = mul i64 %arg.triangles.5.2, %arg.triangles.5.1
+  %.266 = mul i64 %.264, %.236
+  %.272 = getelementptr double, ptr %arg.triangles.4, i64 %.266
+  %.273 = load double, ptr %.272, align 8
+  %.348 = getelementptr i8, ptr %.272, i64 8
+  %.349 = load double, ptr %.348, align 8
+  %.424 = getelementptr i8, ptr %.272, i64 16
+  %.425 = load double, ptr %.424, align 8
+  %0 = getelementptr double, ptr %arg.triangles.4, i64 %arg.triangles.5.2
+  %.500 = getelementptr double, ptr %0, i64 %.266
+  %.501 = load double, ptr %.500, align 8
+  %.502 = fsub double %.501, %.273
+  %.577 = getelementptr i8, ptr %.500, i64 8
+  %.578 = load double, ptr %.577, align 8
+  %.579 = fsub double %.578, %.349
+  %.654 = getelementptr i8, ptr %.500, i64 16
+  %.655 = load double, ptr %.654, align 8
+  %.656 = fsub double %.655, %.425
+  %.667 = fsub double %arg.x, %.273
+  %.669 = fsub double %arg.y, %.349
+  %.671 = fsub double %arg.z, %.425
+  %.10.i = fmul double %.502, %.502
+  %.11.i = fmul double %.656, %.656
+  %.12.i = fadd double %.10.i, %.11.i
+  %.13.i = fmul double %.579, %.579
+  %.14.i = fadd double %.13.i, %.12.i
+  %.717 = fcmp ogt double %.14.i, 0.000000e+00
+  br i1 %.717, label %B310.endif.endif.endif, label %B60.endif.endif.1
+
+common.ret:                                       ; preds = %B1158.endif, %B916.endif.endif.endif.endif, %B534.endif
+  %best.4.0 = phi double [ %.11.i68, %B534.endif ], [ %.11.i68, %B916.endif.endif.endif.endif ], [ %.11.i80, %B1158.endif ]
+  store double %best.4.0, ptr %retptr, align 8
+  ret void
+
+B310.endif.endif.endif:                           ; preds = %B60.endif.endif
+  %.10.i1 = fmul double %.667, %.502
+  %.11.i2 = fmul double %.671, %.656
+  %.12.i3 = fadd double %.10.i1, %.11.i2
+  %.13.i4 = fmul double %.669, %.579
+  %.14.i5 = fadd double %.13.i4, %.12.i3
+  %.754 = fdiv double %.14.i5, %.14.i
+  %.10.i21 = fcmp olt double %.754, 0.000000e+00
+  %.11.i22 = select i1 %.10.i21, double 0.000000e+00, double %.754
+  %.10.i23 = fcmp ogt double %.11.i22, 1.000000e+00
+  %.11.i24 = select i1 %.10.i23, double 1.000000e+00, double %.11.i22
+  br label %B60.endif.endif.1
+
+B60.endif.endif.1:                                ; preds = %B310.endif.endif.endif, %B60.endif.endif
+  %"$phi414.1.2.1" = phi double [ 0.000000e+00, %B60.endif.endif ], [ %.11.i24, %B310.endif.endif.endif ]
+  %.826 = fmul double %.502, %"$phi414.1.2.1"
+  %.830 = fsub double %.667, %.826
+  %.834 = fmul double %.579, %"$phi414.1.2.1"
+  %.838 = fsub double %.669, %.834
+  %.842 = fmul double %.656, %"$phi414.1.2.1"
+  %.846 = fsub double %.671, %.842
+  %.10.i6 = fmul double %.830, %.830
+  %.11.i7 = fmul double %.846, %.846
+  %.12.i8 = fadd double %.10.i6, %.11.i7
+  %.13.i9 = fmul double %.838, %.838
+  %.14.i10 = fadd double %.13.i9, %.12.i8
+  %.10.i25 = fcmp olt double %.14.i10, 0x7FF0000000000000
+  %.11.i26 = select i1 %.10.i25, double %.14.i10, double 0x7FF0000000000000
+  %.idx = shl i64 %arg.triangles.5.2, 4
+  %1 = getelementptr i8, ptr %arg.triangles.4, i64 %.idx
+  %.500.1 = getelementptr double, ptr %1, i64 %.266
+  %.501.1 = load double, ptr %.500.1, align 8
+  %.502.1 = fsub double %.501.1, %.501
+  %.577.1 = getelementptr i8, ptr %.500.1, i64 8
+  %.578.1 = load double, ptr %.577.1, align 8
+  %.579.1 = fsub double %.578.1, %.578
+  %.654.1 = getelementptr i8, ptr %.500.1, i64 16
+  %.655.1 = load double, ptr %.654.1, align 8
+  %.656.1 = fsub double %.655.1, %.655
+  %.667.1 = fsub double %arg.x, %.501
+  %.669.1 = fsub double %arg.y, %.578
+  %.671.1 = fsub double %arg.z, %.655
+  %.10.i27 = fmul double %.502.1, %.502.1
+  %.11.i28 = fmul double %.656.1, %.656.1
+  %.12.i29 = fadd double %.10.i27, %.11.i28
+  %.13.i30 = fmul double %.579.1, %.579.1
+  %.14.i31 = fadd double %.13.i30, %.12.i29
+  %.717.1 = fcmp ogt double %.14.i31, 0.000000e+00
+  br i1 %.717.1, label %B310.endif.endif.endif.1, label %B60.endif.endif.2
+
+B310.endif.endif.endif.1:                         ; preds = %B60.endif.endif.1
+  %.10.i32 = fmul double %.667.1, %.502.1
+  %.11.i33 = fmul double %.671.1, %.656.1
+  %.12.i34 = fadd double %.10.i32, %.11.i33
+  %.13.i35 = fmul double %.669.1, %.579.1
+  %.14.i36 = fadd double %.13.i35, %.12.i34
+  %.754.1 = fdiv double %.14.i36, %.14.i31
+  %.10.i37 = fcmp olt double %.754.1, 0.000000e+00
+  %.11.i38 = select i1 %.10.i37, double 0.000000e+00, double %.754.1
+  %.10.i39 = fcmp ogt double %.11.i38, 1.000000e+00
+  %.11.i40 = select i1 %.10.i39, double 1.000000e+00, double %.11.i38
+  br label %B60.endif.endif.2
+
+B60.endif.endif.2:                                ; preds = %B310.endif.endif.endif.1, %B60.endif.endif.1
+  %"$phi414.1.2.1.1" = phi double [ 0.000000e+00, %B60.endif.endif.1 ], [ %.11.i40, %B310.endif.endif.endif.1 ]
+  %.826.1 = fmul double %.502.1, %"$phi414.1.2.1.1"
+  %.830.1 = fsub double %.667.1, %.826.1
+  %.834.1 = fmul double %.579.1, %"$phi414.1.2.1.1"
+  %.838.1 = fsub double %.669.1, %.834.1
+  %.842.1 = fmul double %.656.1, %"$phi414.1.2.1.1"
+  %.846.1 = fsub double %.671.1, %.842.1
+  %.10.i41 = fmul double %.830.1, %.830.1
+  %.11.i42 = fmul double %.846.1, %.846.1
+  %.12.i43 = fadd double %.10.i41, %.11.i42
+  %.13.i44 = fmul double %.838.1, %.838.1
+  %.14.i45 = fadd double %.13.i44, %.12.i43
+  %.10.i46 = fcmp olt double %.14.i45, %.11.i26
+  %.11.i47 = select i1 %.10.i46, double %.14.i45, double %.11.i26
+  %.502.2 = fsub double %.273, %.501.1
+  %.579.2 = fsub double %.349, %.578.1
+  %.656.2 = fsub double %.425, %.655.1
+  %.667.2 = fsub double %arg.x, %.501.1
+  %.669.2 = fsub double %arg.y, %.578.1
+  %.671.2 = fsub double %arg.z, %.655.1
+  %.10.i48 = fmul double %.502.2, %.502.2
+  %.11.i49 = fmul double %.656.2, %.656.2
+  %.12.i50 = fadd double %.10.i48, %.11.i49
+  %.13.i51 = fmul double %.579.2, %.579.2
+  %.14.i52 = fadd double %.13.i51, %.12.i50
+  %.717.2 = fcmp ogt double %.14.i52, 0.000000e+00
+  br i1 %.717.2, label %B310.endif.endif.endif.2, label %B534.endif
+
+B310.endif.endif.endif.2:                         ; preds = %B60.endif.endif.2
+  %.10.i53 = fmul double %.667.2, %.502.2
+  %.11.i54 = fmul double %.671.2, %.656.2
+  %.12.i55 = fadd double %.10.i53, %.11.i54
+  %.13.i56 = fmul double %.669.2, %.579.2
+  %.14.i57 = fadd double %.13.i56, %.12.i55
+  %.754.2 = fdiv double %.14.i57, %.14.i52
+  %.10.i58 = fcmp olt double %.754.2, 0.000000e+00
+  %.11.i59 = select i1 %.10.i58, double 0.000000e+00, double %.754.2
+  %.10.i60 = fcmp ogt double %.11.i59, 1.000000e+00
+  %.11.i61 = select i1 %.10.i60, double 1.000000e+00, double %.11.i59
+  br label %B534.endif
+
+B534.endif:                                       ; preds = %B310.endif.endif.endif.2, %B60.endif.endif.2
+  %"$phi414.1.2.1.2" = phi double [ 0.000000e+00, %B60.endif.endif.2 ], [ %.11.i61, %B310.endif.endif.endif.2 ]
+  %.826.2 = fmul double %.502.2, %"$phi414.1.2.1.2"
+  %.830.2 = fsub double %.667.2, %.826.2
+  %.834.2 = fmul double %.579.2, %"$phi414.1.2.1.2"
+  %.838.2 = fsub double %.669.2, %.834.2
+  %.842.2 = fmul double %.656.2, %"$phi414.1.2.1.2"
+  %.846.2 = fsub double %.671.2, %.842.2
+  %.10.i62 = fmul double %.830.2, %.830.2
+  %.11.i63 = fmul double %.846.2, %.846.2
+  %.12.i64 = fadd double %.10.i62, %.11.i63
+  %.13.i65 = fmul double %.838.2, %.838.2
+  %.14.i66 = fadd double %.13.i65, %.12.i64
+  %.10.i67 = fcmp olt double %.14.i66, %.11.i47
+  %.11.i68 = select i1 %.10.i67, double %.14.i66, double %.11.i47
+  %.1458 = fsub double %.501.1, %.273
+  %.1535 = fsub double %.578.1, %.349
+  %.1616 = fsub double %.655.1, %.425
+  %.1649 = fmul double %.579, %.1616
+  %.1652 = fmul double %.656, %.1535
+  %.1653 = fsub double %.1649, %.1652
+  %.1656 = fmul double %.656, %.1458
+  %.1659 = fmul double %.502, %.1616
+  %.1660 = fsub double %.1656, %.1659
+  %.1663 = fmul double %.502, %.1535
+  %.1666 = fmul double %.579, %.1458
+  %.1667 = fsub double %.1663, %.1666
+  %.10.i69 = fmul double %.1653, %.1653
+  %.11.i70 = fmul double %.1667, %.1667
+  %.12.i71 = fadd double %.11.i70, %.10.i69
+  %.13.i72 = fmul double %.1660, %.1660
+  %.14.i73 = fadd double %.13.i72, %.12.i71
+  %.1713 = fcmp ogt double %.14.i73, 0.000000e+00
+  br i1 %.1713, label %B916.endif.endif.endif.endif, label %common.ret
+
+B916.endif.endif.endif.endif:                     ; preds = %B534.endif
+  %.1721 = fmul double %.669, %.1616
+  %.1724 = fmul double %.671, %.1535
+  %.1725 = fsub double %.1721, %.1724
+  %.1728 = fmul double %.671, %.1458
+  %.1731 = fmul double %.667, %.1616
+  %.1734 = fsub double %.1728, %.1731
+  %.1737 = fmul double %.667, %.1535
+  %.1742 = fmul double %.669, %.1458
+  %.1745 = fsub double %.1737, %.1742
+  %.10.i11 = fmul double %.1725, %.1653
+  %.11.i12 = fmul double %.1745, %.1667
+  %.12.i13 = fadd double %.11.i12, %.10.i11
+  %.13.i14 = fmul double %.1734, %.1660
+  %.14.i15 = fadd double %.13.i14, %.12.i13
+  %.1784 = fmul double %.671, %.579
+  %.1787 = fmul double %.669, %.656
+  %.1788 = fsub double %.1784, %.1787
+  %.1791 = fmul double %.667, %.656
+  %.1796 = fmul double %.671, %.502
+  %.1797 = fsub double %.1791, %.1796
+  %.1800 = fmul double %.669, %.502
+  %.1805 = fmul double %.667, %.579
+  %.1808 = fsub double %.1800, %.1805
+  %.10.i74 = fmul double %.1788, %.1653
+  %.11.i75 = fmul double %.1808, %.1667
+  %.12.i76 = fadd double %.11.i75, %.10.i74
+  %.13.i77 = fmul double %.1797, %.1660
+  %.14.i78 = fadd double %.13.i77, %.12.i76
+  %.1777 = fdiv double %.14.i15, %.14.i73
+  %.1840 = fdiv double %.14.i78, %.14.i73
+  %.1846 = fcmp oge double %.1777, 0.000000e+00
+  %.1853 = fcmp oge double %.1840, 0.000000e+00
+  %.1860 = fadd double %.1777, %.1840
+  %.1866 = fcmp ole double %.1860, 1.000000e+00
+  %2 = and i1 %.1853, %.1866
+  %or.cond451 = select i1 %.1846, i1 %2, i1 false
+  br i1 %or.cond451, label %B1158.endif, label %common.ret
+
+B1158.endif:                                      ; preds = %B916.endif.endif.endif.endif
+  %.10.i16 = fmul double %.667, %.1653
+  %.11.i17 = fmul double %.671, %.1667
+  %.12.i18 = fadd double %.11.i17, %.10.i16
+  %.13.i19 = fmul double %.669, %.1660
+  %.14.i20 = fadd double %.13.i19, %.12.i18
+  %.1911 = fmul double %.14.i20, %.14.i20
+  %.1916 = fdiv double %.1911, %.14.i73
+  %.10.i79 = fcmp olt double %.1916, %.11.i68
+  %.11.i80 = select i1 %.10.i79, double %.1916, double %.11.i68
+  br label %common.ret
+}
+
+define noundef i64 @msf_jax.host.solid.kernels.distances2(ptr readonly %words) local_unnamed_addr {
+  %.345.i = alloca double, align 8
+  %w0 = load ptr, ptr %words, align 8
+  %p1 = getelementptr i8, ptr %words, i64 8
+  %w1 = load i64, ptr %p1, align 8
+  %p2 = getelementptr i8, ptr %words, i64 16
+  %w2 = load i64, ptr %p2, align 8
+  %s3 = shl i64 %w2, 3
+  %p3 = getelementptr i8, ptr %words, i64 24
+  %w3 = load ptr, ptr %p3, align 8
+  %p4 = getelementptr i8, ptr %words, i64 32
+  %w4 = load i64, ptr %p4, align 8
+  %p5 = getelementptr i8, ptr %words, i64 40
+  %w5 = load i64, ptr %p5, align 8
+  %p6 = getelementptr i8, ptr %words, i64 48
+  %w6 = load i64, ptr %p6, align 8
+  %p7 = getelementptr i8, ptr %words, i64 56
+  %w7 = load ptr, ptr %p7, align 8
+  call void @llvm.lifetime.start.p0(ptr nonnull %.345.i)
+  %.143161.not.i = icmp slt i64 %w1, 1
+  br i1 %.143161.not.i, label %_ZN7msf_jax4host5solid7kernels10distances2B2v1B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi3E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, label %B62.preheader.i
+
+B62.preheader.i:                                  ; preds = %0
+  %scevgep.i = getelementptr i8, ptr %w0, i64 16
+  br label %B62.i
+
+B62.i:                                            ; preds = %B62.i, %B62.preheader.i
+  %lsr.iv.i = phi ptr [ %scevgep.i, %B62.preheader.i ], [ %scevgep5.i, %B62.i ]
+  %.149160162.i = phi i64 [ 0, %B62.preheader.i ], [ %.156.i, %B62.i ]
+  %scevgep7.i = getelementptr i8, ptr %lsr.iv.i, i64 -16
+  %.235.i = load double, ptr %scevgep7.i, align 8
+  %scevgep6.i = getelementptr i8, ptr %lsr.iv.i, i64 -8
+  %.289.i = load double, ptr %scevgep6.i, align 8
+  %.343.i = load double, ptr %lsr.iv.i, align 8
+  call fastcc void @_ZN7msf_jax4host5solid7kernels18triangle_distance2B2v2B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAEddd5ArrayIdLi3E1C7mutable7alignedEx(ptr nonnull %.345.i, double %.235.i, double %.289.i, double %.343.i, ptr readonly %w3, i64 %w4, i64 %w5, i64 %w6, i64 %.149160162.i)
+  %.156.i = add nuw nsw i64 %.149160162.i, 1
+  %.365.i = load double, ptr %.345.i, align 8
+  %1 = shl i64 %.149160162.i, 3
+  %scevgep8.i = getelementptr i8, ptr %w7, i64 %1
+  store double %.365.i, ptr %scevgep8.i, align 8
+  %scevgep5.i = getelementptr i8, ptr %lsr.iv.i, i64 %s3
+  %exitcond.not.i = icmp eq i64 %w1, %.156.i
+  br i1 %exitcond.not.i, label %_ZN7msf_jax4host5solid7kernels10distances2B2v1B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi3E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, label %B62.i
+
+_ZN7msf_jax4host5solid7kernels10distances2B2v1B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi3E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit: ; preds = %B62.i, %0
+  call void @llvm.lifetime.end.p0(ptr nonnull %.345.i)
+  ret i64 0
+}
+
+define noundef i64 @msf_jax.host.solid.kernels.nearest(ptr readonly %words) local_unnamed_addr {
+  %.978.i = alloca double, align 8
+  %w0 = load ptr, ptr %words, align 8
+  %p1 = getelementptr i8, ptr %words, i64 8
+  %w1 = load i64, ptr %p1, align 8
+  %p2 = getelementptr i8, ptr %words, i64 16
+  %w2 = load i64, ptr %p2, align 8
+  %p8 = getelementptr i8, ptr %words, i64 64
+  %w8 = load ptr, ptr %p8, align 8
+  %p9 = getelementptr i8, ptr %words, i64 72
+  %w9 = load i64, ptr %p9, align 8
+  %p10 = getelementptr i8, ptr %words, i64 80
+  %w10 = load i64, ptr %p10, align 8
+  %p11 = getelementptr i8, ptr %words, i64 88
+  %w11 = load i64, ptr %p11, align 8
+  %p14 = getelementptr i8, ptr %words, i64 112
+  %w14 = load ptr, ptr %p14, align 8
+  %p15 = getelementptr i8, ptr %words, i64 120
+  %w15 = load i64, ptr %p15, align 8
+  %p16 = getelementptr i8, ptr %words, i64 128
+  %w16 = load i64, ptr %p16, align 8
+  %p17 = getelementptr i8, ptr %words, i64 136
+  %w17 = load ptr, ptr %p17, align 8
+  %p18 = getelementptr i8, ptr %words, i64 144
+  %w18 = load i64, ptr %p18, align 8
+  %p19 = getelementptr i8, ptr %words, i64 152
+  %w19 = load ptr, ptr %p19, align 8
+  %p21 = getelementptr i8, ptr %words, i64 168
+  %w21 = load ptr, ptr %p21, align 8
+  %p22 = getelementptr i8, ptr %words, i64 176
+  %w22 = load i64, ptr %p22, align 8
+  %p23 = getelementptr i8, ptr %words, i64 184
+  %w23 = load ptr, ptr %p23, align 8
+  %p24 = getelementptr i8, ptr %words, i64 192
+  %w24 = load i64, ptr %p24, align 8
+  %p25 = getelementptr i8, ptr %words, i64 200
+  %w25 = load i8, ptr %p25, align 8
+  %p26 = getelementptr i8, ptr %words, i64 208
+  %w26 = load ptr, ptr %p26, align 8
+  %p28 = getelementptr i8, ptr %words, i64 224
+  %w28 = load ptr, ptr %p28, align 8
+  call void @llvm.lifetime.start.p0(ptr nonnull %.978.i)
+  %.272638.not.i = icmp slt i64 %w1, 1
+  br i1 %.272638.not.i, label %_ZN7msf_jax4host5solid7kernels7nearestB2v6B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE232Mesh_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEb5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE.exit, label %B118.preheader.i
+
+B118.preheader.i:                                 ; preds = %0
+  %1 = icmp eq i8 %w25, 0
+  br label %B118.i
+
+B118.i:                                           ; preds = %B640.i, %B118.preheader.i
+  %.278635639.i = phi i64 [ %.285.i, %B640.i ], [ 0, %B118.preheader.i ]
+  %.285.i = add nuw nsw i64 %.278635639.i, 1
+  %.362.i = mul i64 %.278635639.i, %w2
+  %.366.i = getelementptr double, ptr %w0, i64 %.362.i
+  %.367.i = load double, ptr %.366.i, align 8
+  %.421.i = getelementptr i8, ptr %.366.i, i64 8
+  %.422.i = load double, ptr %.421.i, align 8
+  %.476.i = getelementptr i8, ptr %.366.i, i64 16
+  %.477.i = load double, ptr %.476.i, align 8
+  %2 = getelementptr i64, ptr %w19, i64 %.278635639.i
+  %.524.i = load i64, ptr %2, align 8
+  %.538.i = icmp slt i64 %.524.i, 0
+  %.539.i = select i1 %.538.i, i64 %w22, i64 0
+  %3 = getelementptr i64, ptr %w21, i64 %.524.i
+  %.553.i = getelementptr i64, ptr %3, i64 %.539.i
+  %.554.i = load i64, ptr %.553.i, align 8
+  br i1 %1, label %B252.i, label %B294.preheader.i
+
+B252.i:                                           ; preds = %B118.i
+  %.669.i = icmp slt i64 %.524.i, -1
+  %.670.i = select i1 %.669.i, i64 %w22, i64 0
+  %4 = getelementptr i8, ptr %3, i64 8
+  %.684.i = getelementptr i64, ptr %4, i64 %.670.i
+  %.685.i = load i64, ptr %.684.i, align 8
+  %.687.i = icmp slt i64 %.554.i, %.685.i
+  br i1 %.687.i, label %B294.preheader.i, label %B640.i
+
+B294.preheader.i:                                 ; preds = %B118.i, %B252.i
+  %node.2.1.ph.i = phi i64 [ 0, %B252.i ], [ 1, %B118.i ]
+  %.748.i = icmp slt i64 %.524.i, -1
+  %.749.i = select i1 %.748.i, i64 %w22, i64 0
+  %5 = getelementptr i8, ptr %3, i64 8
+  %.763.i = getelementptr i64, ptr %5, i64 %.749.i
+  %.764.i = load i64, ptr %.763.i, align 8
+  br label %B294.i
+
+B294.i:                                           ; preds = %B594.i, %B294.preheader.i
+  %which.2.1.i = phi i64 [ %w18, %B294.preheader.i ], [ %which.3.3.i, %B594.i ]
+  %best.2.1.i = phi double [ 0x7FF0000000000000, %B294.preheader.i ], [ %best.3.3.i, %B594.i ]
+  %node.2.1.i = phi i64 [ %node.2.1.ph.i, %B294.preheader.i ], [ %node.3.315.i, %B594.i ]
+  %place.2.1.i = phi i64 [ %.554.i, %B294.preheader.i ], [ %place.3.316.i, %B594.i ]
+  %.766.i = icmp slt i64 %place.2.1.i, %.764.i
+  br i1 %.766.i, label %B336.i, label %B364.i
+
+B336.i:                                           ; preds = %B294.i
+  %.788.i = icmp slt i64 %place.2.1.i, 0
+  %.789.i = select i1 %.788.i, i64 %w24, i64 0
+  %6 = getelementptr i64, ptr %w23, i64 %place.2.1.i
+  %.803.i = getelementptr i64, ptr %6, i64 %.789.i
+  %.804.i = load i64, ptr %.803.i, align 8
+  %.809.i = add nsw i64 %place.2.1.i, 1
+  br label %B500.i
+
+B364.i:                                           ; preds = %B294.i
+  %.47.i.i = icmp slt i64 %node.2.1.i, 0
+  %.48.i.i = select i1 %.47.i.i, i64 %w15, i64 0
+  %.49.i.i = add i64 %.48.i.i, %node.2.1.i
+  %.69.i.i = mul i64 %.49.i.i, %w16
+  %.73.i.i = getelementptr double, ptr %w14, i64 %.69.i.i
+  %.74.i.i = load double, ptr %.73.i.i, align 8
+  %.75.i.i = fsub double %.74.i.i, %.367.i
+  %.127.i.i = getelementptr i8, ptr %.73.i.i, i64 24
+  %.128.i.i = load double, ptr %.127.i.i, align 8
+  %.129.i.i = fsub double %.367.i, %.128.i.i
+  %.13.i.i.i = fcmp ogt double %.129.i.i, %.75.i.i
+  %.14.i.i.i = select i1 %.13.i.i.i, double %.129.i.i, double %.75.i.i
+  %.15.i.i.i = fcmp olt double %.14.i.i.i, 0.000000e+00
+  %.16.i.i.i = select i1 %.15.i.i.i, double 0.000000e+00, double %.14.i.i.i
+  %.213.i.i = getelementptr i8, ptr %.73.i.i, i64 8
+  %.214.i.i = load double, ptr %.213.i.i, align 8
+  %.215.i.i = fsub double %.214.i.i, %.422.i
+  %.267.i.i = getelementptr i8, ptr %.73.i.i, i64 32
+  %.268.i.i = load double, ptr %.267.i.i, align 8
+  %.269.i.i = fsub double %.422.i, %.268.i.i
+  %.13.i1.i.i = fcmp ogt double %.269.i.i, %.215.i.i
+  %.14.i2.i.i = select i1 %.13.i1.i.i, double %.269.i.i, double %.215.i.i
+  %.15.i3.i.i = fcmp olt double %.14.i2.i.i, 0.000000e+00
+  %.16.i4.i.i = select i1 %.15.i3.i.i, double 0.000000e+00, double %.14.i2.i.i
+  %.351.i.i = getelementptr i8, ptr %.73.i.i, i64 16
+  %.352.i.i = load double, ptr %.351.i.i, align 8
+  %.353.i.i = fsub double %.352.i.i, %.477.i
+  %.405.i.i = getelementptr i8, ptr %.73.i.i, i64 40
+  %.406.i.i = load double, ptr %.405.i.i, align 8
+  %.407.i.i = fsub double %.477.i, %.406.i.i
+  %.13.i5.i.i = fcmp ogt double %.407.i.i, %.353.i.i
+  %.14.i6.i.i = select i1 %.13.i5.i.i, double %.407.i.i, double %.353.i.i
+  %.15.i7.i.i = fcmp olt double %.14.i6.i.i, 0.000000e+00
+  %.16.i8.i.i = select i1 %.15.i7.i.i, double 0.000000e+00, double %.14.i6.i.i
+  %.438.i.i = fmul double %.16.i.i.i, %.16.i.i.i
+  %.439.i.i = fmul double %.16.i4.i.i, %.16.i4.i.i
+  %.440.i.i = fadd double %.438.i.i, %.439.i.i
+  %.441.i.i = fmul double %.16.i8.i.i, %.16.i8.i.i
+  %.442.i.i = fadd double %.440.i.i, %.441.i.i
+  %.443.i.i = fmul double %best.2.1.i, 0x3FF0000000001198
+  %.444.i.i = fcmp ugt double %.442.i.i, %.443.i.i
+  br i1 %.444.i.i, label %B30.i.i, label %B418.i
+
+B418.i:                                           ; preds = %B364.i
+  %.868.not.i = icmp slt i64 %node.2.1.i, %w18
+  br i1 %.868.not.i, label %B500.thread.i, label %B464.i
+
+B464.i:                                           ; preds = %B418.i
+  %.874.i = sub nsw i64 %node.2.1.i, %w18
+  %.902.i = getelementptr i64, ptr %w17, i64 %.874.i
+  %.903.i = load i64, ptr %.902.i, align 8
+  br label %B30.i.i
+
+B500.thread.i:                                    ; preds = %B418.i
+  %.28.i.i = shl nsw i64 %node.2.1.i, 1
+  br label %B594.i
+
+B30.i.i:                                          ; preds = %B464.i, %B364.i
+  %"$phi464.1.2.48.i" = phi i64 [ %.903.i, %B464.i ], [ -1, %B364.i ]
+  %.36.i.i = add nsw i64 %node.2.1.i, 1
+  %7 = and i64 %node.2.1.i, 1
+  %.46.not.not.i.i = icmp eq i64 %7, 0
+  br i1 %.46.not.not.i.i, label %B70.i.i, label %B50.i.i
+
+B50.i.i:                                          ; preds = %B30.i.i, %B50.i.i
+  %node.3.1.i.i = phi i64 [ %.49.i3.i, %B50.i.i ], [ %.36.i.i, %B30.i.i ]
+  %.49.i3.i = ashr i64 %node.3.1.i.i, 1
+  %8 = and i64 %node.3.1.i.i, 2
+  %.55.not.i.i = icmp eq i64 %8, 0
+  br i1 %.55.not.i.i, label %B50.i.i, label %B70.i.i
+
+B70.i.i:                                          ; preds = %B50.i.i, %B30.i.i
+  %node.4.0.i.i = phi i64 [ %.36.i.i, %B30.i.i ], [ %.49.i3.i, %B50.i.i ]
+  %.60.i.i = icmp sgt i64 %node.4.0.i.i, 1
+  %spec.select.i.i = select i1 %.60.i.i, i64 %node.4.0.i.i, i64 0
+  br label %B500.i
+
+B500.i:                                           ; preds = %B70.i.i, %B336.i
+  %node.3.3.i = phi i64 [ %node.2.1.i, %B336.i ], [ %spec.select.i.i, %B70.i.i ]
+  %triangle.2.3.i = phi i64 [ %.804.i, %B336.i ], [ %"$phi464.1.2.48.i", %B70.i.i ]
+  %place.3.3.i = phi i64 [ %.809.i, %B336.i ], [ %place.2.1.i, %B70.i.i ]
+  %.966.i = icmp sgt i64 %triangle.2.3.i, -1
+  br i1 %.966.i, label %B512.i, label %B594.i
+
+B512.i:                                           ; preds = %B500.i
+  call fastcc void @_ZN7msf_jax4host5solid7kernels18triangle_distance2B2v2B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAEddd5ArrayIdLi3E1C7mutable7alignedEx(ptr nonnull %.978.i, double %.367.i, double %.422.i, double %.477.i, ptr readonly %w8, i64 %w9, i64 %w10, i64 %w11, i64 %triangle.2.3.i)
+  %.998.i = load double, ptr %.978.i, align 8
+  %.1013.i = fcmp olt double %.998.i, %best.2.1.i
+  br i1 %.1013.i, label %B586.i, label %B562.i
+
+B562.i:                                           ; preds = %B512.i
+  %.1023.i = fcmp oeq double %.998.i, %best.2.1.i
+  %.1035.i = icmp slt i64 %triangle.2.3.i, %which.2.1.i
+  %or.cond.i = select i1 %.1023.i, i1 %.1035.i, i1 false
+  br i1 %or.cond.i, label %B586.i, label %B594.i
+
+B586.i:                                           ; preds = %B562.i, %B512.i
+  br label %B594.i
+
+B594.i:                                           ; preds = %B586.i, %B562.i, %B500.i, %B500.thread.i
+  %place.3.316.i = phi i64 [ %place.3.3.i, %B586.i ], [ %place.3.3.i, %B500.i ], [ %place.3.3.i, %B562.i ], [ %place.2.1.i, %B500.thread.i ]
+  %node.3.315.i = phi i64 [ %node.3.3.i, %B586.i ], [ %node.3.3.i, %B500.i ], [ %node.3.3.i, %B562.i ], [ %.28.i.i, %B500.thread.i ]
+  %which.3.3.i = phi i64 [ %triangle.2.3.i, %B586.i ], [ %which.2.1.i, %B500.i ], [ %which.2.1.i, %B562.i ], [ %which.2.1.i, %B500.thread.i ]
+  %best.3.3.i = phi double [ %.998.i, %B586.i ], [ %best.2.1.i, %B500.i ], [ %best.2.1.i, %B562.i ], [ %best.2.1.i, %B500.thread.i ]
+  %.1063.not.i = icmp ne i64 %node.3.315.i, 0
+  %.1134.i = icmp slt i64 %place.3.316.i, %.764.i
+  %or.cond17.i = select i1 %.1063.not.i, i1 true, i1 %.1134.i
+  br i1 %or.cond17.i, label %B294.i, label %B640.i
+
+B640.i:                                           ; preds = %B594.i, %B252.i
+  %which.4.2.i = phi i64 [ %w18, %B252.i ], [ %which.3.3.i, %B594.i ]
+  %best.4.2.i = phi double [ 0x7FF0000000000000, %B252.i ], [ %best.3.3.i, %B594.i ]
+  %9 = getelementptr double, ptr %w26, i64 %.278635639.i
+  store double %best.4.2.i, ptr %9, align 8
+  %10 = getelementptr i64, ptr %w28, i64 %.278635639.i
+  store i64 %which.4.2.i, ptr %10, align 8
+  %exitcond.not.i = icmp eq i64 %w1, %.285.i
+  br i1 %exitcond.not.i, label %_ZN7msf_jax4host5solid7kernels7nearestB2v6B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE232Mesh_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEb5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE.exit, label %B118.i
+
+_ZN7msf_jax4host5solid7kernels7nearestB2v6B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE232Mesh_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEb5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE.exit: ; preds = %B640.i, %0
+  call void @llvm.lifetime.end.p0(ptr nonnull %.978.i)
+  ret i64 0
+}
+
+define i64 @msf_jax.host.solid.kernels.around(ptr readonly %words) local_unnamed_addr {
+  %w0 = load ptr, ptr %words, align 8
+  %p1 = getelementptr i8, ptr %words, i64 8
+  %w1 = load i64, ptr %p1, align 8
+  %p2 = getelementptr i8, ptr %words, i64 16
+  %w2 = load i64, ptr %p2, align 8
+  %s3 = shl i64 %w2, 3
+  %p3 = getelementptr i8, ptr %words, i64 24
+  %w3 = load ptr, ptr %p3, align 8
+  %p5 = getelementptr i8, ptr %words, i64 40
+  %w5 = load i64, ptr %p5, align 8
+  %p17 = getelementptr i8, ptr %words, i64 136
+  %w17 = load ptr, ptr %p17, align 8
+  %p18 = getelementptr i8, ptr %words, i64 144
+  %w18 = load i64, ptr %p18, align 8
+  %p19 = getelementptr i8, ptr %words, i64 152
+  %w19 = load i64, ptr %p19, align 8
+  %p20 = getelementptr i8, ptr %words, i64 160
+  %w20 = load ptr, ptr %p20, align 8
+  %p21 = getelementptr i8, ptr %words, i64 168
+  %w21 = load i64, ptr %p21, align 8
+  %p22 = getelementptr i8, ptr %words, i64 176
+  %w22 = load ptr, ptr %p22, align 8
+  %p23 = getelementptr i8, ptr %words, i64 184
+  %w23 = load i64, ptr %p23, align 8
+  %p24 = getelementptr i8, ptr %words, i64 192
+  %w24 = load ptr, ptr %p24, align 8
+  %p25 = getelementptr i8, ptr %words, i64 200
+  %w25 = load i64, ptr %p25, align 8
+  %p26 = getelementptr i8, ptr %words, i64 208
+  %w26 = load ptr, ptr %p26, align 8
+  %p27 = getelementptr i8, ptr %words, i64 216
+  %w27 = load i64, ptr %p27, align 8
+  %.202.i = sub i64 %w1, %w5
+  %.247610.not.i = icmp slt i64 %.202.i, 1
+  br i1 %.247610.not.i, label %_ZN7msf_jax4host5solid7kernels6aroundB3v10B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx232Mesh_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE.exit, label %B108.preheader.i
+
+B108.preheader.i:                                 ; preds = %0
+  %p4 = getelementptr i8, ptr %words, i64 32
+  %w4 = load i64, ptr %p4, align 8
+  %1 = shl i64 %w4, 3
+  br label %B108.i
+
+B108.i:                                           ; preds = %B394.i, %B108.preheader.i
+  %count.4.0613.i = phi i64 [ %count.3.223.i, %B394.i ], [ 0, %B108.preheader.i ]
+  %.246602612.i = phi i64 [ %.256.i, %B394.i ], [ %.202.i, %B108.preheader.i ]
+  %.253606611.i = phi i64 [ %.260.i, %B394.i ], [ %w5, %B108.preheader.i ]
+  %.256.i = add nsw i64 %.246602612.i, -1
+  %.260.i = add i64 %.253606611.i, 1
+  %.334.i = icmp slt i64 %.253606611.i, 0
+  %.335.i = select i1 %.334.i, i64 %w1, i64 0
+  %.336.i = add i64 %.335.i, %.253606611.i
+  %2 = getelementptr double, ptr %w3, i64 %.253606611.i
+  %sunkaddr.i = mul i64 %s3, %.336.i
+  %sunkaddr46.i = getelementptr i8, ptr %w0, i64 %sunkaddr.i
+  %sunkaddr49.i = getelementptr i8, ptr %sunkaddr46.i, i64 8
+  %sunkaddr52.i = getelementptr i8, ptr %sunkaddr46.i, i64 16
+  %sunkaddr53.i = select i1 %.334.i, i64 %1, i64 0
+  %sunkaddr54.i = getelementptr inbounds i8, ptr %2, i64 %sunkaddr53.i
+  br label %B118.outer.i
+
+B118.outer.i:                                     ; preds = %B70.i.i, %B108.i
+  %count.2.1.ph.i = phi i64 [ %count.3.223.i, %B70.i.i ], [ %count.4.0613.i, %B108.i ]
+  %node.2.1.ph.i = phi i64 [ %node.4.0.i.i, %B70.i.i ], [ 1, %B108.i ]
+  %.361.i = load double, ptr %sunkaddr46.i, align 8
+  %.416.i = load double, ptr %sunkaddr49.i, align 8
+  %.471.i = load double, ptr %sunkaddr52.i, align 8
+  %.504.i = load double, ptr %sunkaddr54.i, align 8
+  %.147.i.i = fmul double %.504.i, %.504.i
+  %.443.i.i = fmul double %.147.i.i, 0x3FF0000000001198
+  br label %B118.i
+
+B118.i:                                           ; preds = %B20.i.i, %B118.outer.i
+  %node.2.1.i = phi i64 [ %.28.i.i, %B20.i.i ], [ %node.2.1.ph.i, %B118.outer.i ]
+  %.47.i.i = icmp slt i64 %node.2.1.i, 0
+  %.48.i.i = select i1 %.47.i.i, i64 %w18, i64 0
+  %.49.i17.i = add i64 %.48.i.i, %node.2.1.i
+  %.69.i.i = mul i64 %.49.i17.i, %w19
+  %.73.i.i = getelementptr double, ptr %w17, i64 %.69.i.i
+  %.74.i.i = load double, ptr %.73.i.i, align 8
+  %.75.i.i = fsub double %.74.i.i, %.361.i
+  %.127.i18.i = getelementptr i8, ptr %.73.i.i, i64 24
+  %.128.i.i = load double, ptr %.127.i18.i, align 8
+  %.129.i.i = fsub double %.361.i, %.128.i.i
+  %.13.i.i.i = fcmp ogt double %.129.i.i, %.75.i.i
+  %.14.i.i.i = select i1 %.13.i.i.i, double %.129.i.i, double %.75.i.i
+  %.15.i.i.i = fcmp olt double %.14.i.i.i, 0.000000e+00
+  %.16.i.i.i = select i1 %.15.i.i.i, double 0.000000e+00, double %.14.i.i.i
+  %.213.i.i = getelementptr i8, ptr %.73.i.i, i64 8
+  %.214.i.i = load double, ptr %.213.i.i, align 8
+  %.215.i.i = fsub double %.214.i.i, %.416.i
+  %.267.i.i = getelementptr i8, ptr %.73.i.i, i64 32
+  %.268.i.i = load double, ptr %.267.i.i, align 8
+  %.269.i.i = fsub double %.416.i, %.268.i.i
+  %.13.i1.i.i = fcmp ogt double %.269.i.i, %.215.i.i
+  %.14.i2.i.i = select i1 %.13.i1.i.i, double %.269.i.i, double %.215.i.i
+  %.15.i3.i.i = fcmp olt double %.14.i2.i.i, 0.000000e+00
+  %.16.i4.i.i = select i1 %.15.i3.i.i, double 0.000000e+00, double %.14.i2.i.i
+  %.351.i.i = getelementptr i8, ptr %.73.i.i, i64 16
+  %.352.i.i = load double, ptr %.351.i.i, align 8
+  %.353.i.i = fsub double %.352.i.i, %.471.i
+  %.405.i.i = getelementptr i8, ptr %.73.i.i, i64 40
+  %.406.i.i = load double, ptr %.405.i.i, align 8
+  %.407.i.i = fsub double %.471.i, %.406.i.i
+  %.13.i5.i.i = fcmp ogt double %.407.i.i, %.353.i.i
+  %.14.i6.i.i = select i1 %.13.i5.i.i, double %.407.i.i, double %.353.i.i
+  %.15.i7.i.i = fcmp olt double %.14.i6.i.i, 0.000000e+00
+  %.16.i8.i.i = select i1 %.15.i7.i.i, double 0.000000e+00, double %.14.i6.i.i
+  %.438.i.i = fmul double %.16.i.i.i, %.16.i.i.i
+  %.439.i.i = fmul double %.16.i4.i.i, %.16.i4.i.i
+  %.440.i.i = fadd double %.438.i.i, %.439.i.i
+  %.441.i.i = fmul double %.16.i8.i.i, %.16.i8.i.i
+  %.442.i.i = fadd double %.440.i.i, %.441.i.i
+  %.444.i.i = fcmp ugt double %.442.i.i, %.443.i.i
+  br i1 %.444.i.i, label %B30.i.i, label %B238.i
+
+B238.i:                                           ; preds = %B118.i
+  %.577.not.i = icmp slt i64 %node.2.1.i, %w21
+  br i1 %.577.not.i, label %B20.i.i, label %B250.i
+
+B250.i:                                           ; preds = %B238.i
+  %.592.i = icmp eq i64 %count.2.1.ph.i, %w25
+  br i1 %.592.i, label %_ZN7msf_jax4host5solid7kernels6aroundB3v10B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx232Mesh_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE.exit, label %B356.i
+
+B356.i:                                           ; preds = %B250.i
+  %.625.i = sub nsw i64 %node.2.1.i, %w21
+  %.653.i = getelementptr i64, ptr %w20, i64 %.625.i
+  %.654.i = load i64, ptr %.653.i, align 8
+  %.670.i = icmp slt i64 %count.2.1.ph.i, 0
+  %.671.i = select i1 %.670.i, i64 %w25, i64 0
+  %3 = getelementptr i64, ptr %w24, i64 %count.2.1.ph.i
+  %.685.i = getelementptr i64, ptr %3, i64 %.671.i
+  store i64 %.253606611.i, ptr %.685.i, align 8
+  %.702.i = select i1 %.670.i, i64 %w27, i64 0
+  %4 = getelementptr i64, ptr %w26, i64 %count.2.1.ph.i
+  %.716.i = getelementptr i64, ptr %4, i64 %.702.i
+  store i64 %.654.i, ptr %.716.i, align 8
+  %.719.i = add nsw i64 %count.2.1.ph.i, 1
+  br label %B30.i.i
+
+B20.i.i:                                          ; preds = %B238.i
+  %.28.i.i = shl nsw i64 %node.2.1.i, 1
+  br label %B118.i
+
+B30.i.i:                                          ; preds = %B118.i, %B356.i
+  %count.3.223.i = phi i64 [ %.719.i, %B356.i ], [ %count.2.1.ph.i, %B118.i ]
+  %.36.i.i = add nsw i64 %node.2.1.i, 1
+  %5 = and i64 %node.2.1.i, 1
+  %.46.not.not.i.i = icmp eq i64 %5, 0
+  br i1 %.46.not.not.i.i, label %B70.i.i, label %B50.i.i
+
+B50.i.i:                                          ; preds = %B30.i.i, %B50.i.i
+  %node.3.1.i.i = phi i64 [ %.49.i.i, %B50.i.i ], [ %.36.i.i, %B30.i.i ]
+  %.49.i.i = ashr i64 %node.3.1.i.i, 1
+  %6 = and i64 %node.3.1.i.i, 2
+  %.55.not.i.i = icmp eq i64 %6, 0
+  br i1 %.55.not.i.i, label %B50.i.i, label %B70.i.i
+
+B70.i.i:                                          ; preds = %B50.i.i, %B30.i.i
+  %node.4.0.i.i = phi i64 [ %.36.i.i, %B30.i.i ], [ %.49.i.i, %B50.i.i ]
+  %.60.i.i = icmp sgt i64 %node.4.0.i.i, 1
+  br i1 %.60.i.i, label %B118.outer.i, label %B394.i
+
+B394.i:                                           ; preds = %B70.i.i
+  %.792.i = select i1 %.334.i, i64 %w23, i64 0
+  %7 = getelementptr i64, ptr %w22, i64 %.253606611.i
+  %.806.i = getelementptr i64, ptr %7, i64 %.792.i
+  store i64 %count.3.223.i, ptr %.806.i, align 8
+  %.247.i = icmp sgt i64 %.246602612.i, 1
+  br i1 %.247.i, label %B108.i, label %_ZN7msf_jax4host5solid7kernels6aroundB3v10B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx232Mesh_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE.exit
+
+_ZN7msf_jax4host5solid7kernels6aroundB3v10B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx232Mesh_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE.exit: ; preds = %B394.i, %B250.i, %0
+  %storemerge.i = phi i64 [ %w1, %0 ], [ %.253606611.i, %B250.i ], [ %w1, %B394.i ]
+  ret i64 %storemerge.i
+}
+
+define noundef i64 @msf_jax.host.solid.kernels.windings(ptr readonly %words) local_unnamed_addr {
+  %w0 = load ptr, ptr %words, align 8
+  %p1 = getelementptr i8, ptr %words, i64 8
+  %w1 = load i64, ptr %p1, align 8
+  %p2 = getelementptr i8, ptr %words, i64 16
+  %w2 = load i64, ptr %p2, align 8
+  %p6 = getelementptr i8, ptr %words, i64 48
+  %w6 = load ptr, ptr %p6, align 8
+  %p7 = getelementptr i8, ptr %words, i64 56
+  %w7 = load i64, ptr %p7, align 8
+  %p8 = getelementptr i8, ptr %words, i64 64
+  %w8 = load ptr, ptr %p8, align 8
+  %p9 = getelementptr i8, ptr %words, i64 72
+  %w9 = load i64, ptr %p9, align 8
+  %p11 = getelementptr i8, ptr %words, i64 88
+  %w11 = load i64, ptr %p11, align 8
+  %p14 = getelementptr i8, ptr %words, i64 112
+  %w14 = load ptr, ptr %p14, align 8
+  %p15 = getelementptr i8, ptr %words, i64 120
+  %w15 = load i64, ptr %p15, align 8
+  %p16 = getelementptr i8, ptr %words, i64 128
+  %w16 = load i64, ptr %p16, align 8
+  %p17 = getelementptr i8, ptr %words, i64 136
+  %w17 = load ptr, ptr %p17, align 8
+  %p18 = getelementptr i8, ptr %words, i64 144
+  %w18 = load i64, ptr %p18, align 8
+  %p19 = getelementptr i8, ptr %words, i64 152
+  %w19 = load ptr, ptr %p19, align 8
+  %.234836.not.i = icmp slt i64 %w1, 1
+  br i1 %.234836.not.i, label %_ZN7msf_jax4host5solid7kernels8windingsB3v14B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE232Mesh_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedE.exit, label %B152.lr.ph.i
+
+B152.lr.ph.i:                                     ; preds = %0
+  %p10 = getelementptr i8, ptr %words, i64 80
+  %w10 = load i64, ptr %p10, align 8
+  %.962.i = mul i64 %w10, %w11
+  %.idx.i = shl i64 %w11, 4
+  br label %B152.i
+
+B152.i:                                           ; preds = %B1008.i, %B152.lr.ph.i
+  %.240822839.i = phi i64 [ 0, %B152.lr.ph.i ], [ %.247.i, %B1008.i ]
+  %.324.i = mul i64 %.240822839.i, %w2
+  %.328.i = getelementptr double, ptr %w0, i64 %.324.i
+  %.329.i = load double, ptr %.328.i, align 8
+  %.383.i = getelementptr i8, ptr %.328.i, i64 8
+  %.384.i = load double, ptr %.383.i, align 8
+  %.438.i = getelementptr i8, ptr %.328.i, i64 16
+  %.439.i = load double, ptr %.438.i, align 8
+  br label %B230.outer.i
+
+B230.outer.i:                                     ; preds = %B70.i.i, %B152.i
+  %winding.2.1.ph.i = phi i64 [ %winding.3.324.i, %B70.i.i ], [ 0, %B152.i ]
+  %node.2.1.ph.i = phi i64 [ %node.4.0.i.i, %B70.i.i ], [ 1, %B152.i ]
+  %.87.i3.i = mul i64 %node.2.1.ph.i, %w16
+  %.91.i4.i = getelementptr double, ptr %w14, i64 %.87.i3.i
+  %.92.i5.i = load double, ptr %.91.i4.i, align 8
+  %.93.i6.i = fcmp ogt double %.92.i5.i, %.329.i
+  br i1 %.93.i6.i, label %B30.i.i, label %B32.i.i
+
+B32.i.i:                                          ; preds = %B230.outer.i, %B20.i.i
+  %.87.i8.i = phi i64 [ %.87.i.i, %B20.i.i ], [ %.87.i3.i, %B230.outer.i ]
+  %node.2.17.i = phi i64 [ %.28.i.i, %B20.i.i ], [ %node.2.1.ph.i, %B230.outer.i ]
+  %sunkaddr.i.i = shl i64 %.87.i8.i, 3
+  %sunkaddr1.i.i = getelementptr i8, ptr %w14, i64 %sunkaddr.i.i
+  %sunkaddr2.i.i = getelementptr i8, ptr %sunkaddr1.i.i, i64 8
+  %.152.i.i = load double, ptr %sunkaddr2.i.i, align 8
+  %.154.i.i = fcmp ogt double %.152.i.i, %.384.i
+  br i1 %.154.i.i, label %B30.i.i, label %B86.i.i
+
+B86.i.i:                                          ; preds = %B32.i.i
+  %sunkaddr37.i = getelementptr i8, ptr %sunkaddr1.i.i, i64 24
+  %.287.i.i = load double, ptr %sunkaddr37.i, align 8
+  %.289.i.i = fcmp olt double %.287.i.i, %.329.i
+  br i1 %.289.i.i, label %B30.i.i, label %B120.i.i
+
+B120.i.i:                                         ; preds = %B86.i.i
+  %sunkaddr40.i = getelementptr i8, ptr %sunkaddr1.i.i, i64 32
+  %.349.i.i = load double, ptr %sunkaddr40.i, align 8
+  %.351.i.i = fcmp olt double %.349.i.i, %.384.i
+  br i1 %.351.i.i, label %B30.i.i, label %_ZN7msf_jax4host5solid7kernels8overlapsB3v16B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedExdddddd.exit.i
+
+_ZN7msf_jax4host5solid7kernels8overlapsB3v16B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedExdddddd.exit.i: ; preds = %B120.i.i
+  %sunkaddr43.i = getelementptr i8, ptr %sunkaddr1.i.i, i64 40
+  %.413.i.i = load double, ptr %sunkaddr43.i, align 8
+  %.417.i.i = fcmp uge double %.413.i.i, %.439.i
+  br i1 %.417.i.i, label %B300.i, label %B30.i.i
+
+B300.i:                                           ; preds = %_ZN7msf_jax4host5solid7kernels8overlapsB3v16B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedExdddddd.exit.i
+  %.528.not.i = icmp slt i64 %node.2.17.i, %w18
+  br i1 %.528.not.i, label %B20.i.i, label %B314.endif.endif.i
+
+B684.i:                                           ; preds = %B314.endif.endif.i
+  %.1381.i = fcmp oeq double %.1368.i, 0.000000e+00
+  br i1 %.1381.i, label %B696.i, label %B730.i
+
+B696.i:                                           ; preds = %B684.i
+  %.1387.i = fcmp olt double %.1204.i, 0.000000e+00
+  br i1 %.1387.i, label %B730.i, label %B708.i
+
+B708.i:                                           ; preds = %B696.i
+  %.1393.i = fcmp oeq double %.1204.i, 0.000000e+00
+  br i1 %.1393.i, label %B720.i, label %B730.i
+
+B720.i:                                           ; preds = %B708.i
+  %.1401.i = fcmp ogt double %.1048.i, 0.000000e+00
+  br label %B730.i
+
+B730.i:                                           ; preds = %B314.endif.endif.i, %B720.i, %B708.i, %B696.i, %B684.i
+  %"$phi730.2.5.5.i" = phi i1 [ true, %B314.endif.endif.i ], [ true, %B696.i ], [ %.1401.i, %B720.i ], [ false, %B708.i ], [ false, %B684.i ]
+  %1 = xor i1 %.862.i, %"$phi730.2.5.5.i"
+  %.1415.i = xor i1 %1, true
+  %.1418.i = zext i1 %.1415.i to i64
+  %.1437.i = fneg double %.1368.i
+  %"$phi762.2.2.5.i" = select i1 %.862.i, double %.1368.i, double %.1437.i
+  %.1452.i = fadd double %"$phi762.2.2.5.i", 0.000000e+00
+  %sunkaddr44.i = shl i64 %.964.i, 3
+  %sunkaddr45.i = getelementptr i8, ptr %w8, i64 %sunkaddr44.i
+  %sunkaddr46.i = getelementptr i8, ptr %sunkaddr45.i, i64 16
+  %.1533.i = load double, ptr %sunkaddr46.i, align 8
+  %.1534.i = fmul double %"$phi762.2.2.5.i", %.1533.i
+  %.1536.i = fadd double %.1534.i, 0.000000e+00
+  %.860.1.i = getelementptr i64, ptr %13, i64 %.812.i
+  %.861.1.i = load i64, ptr %.860.1.i, align 8
+  %.862.1.i = icmp slt i64 %.861.i, %.861.1.i
+  %"$phi502.2.2.sroa.8.5.1.i" = select i1 %.862.1.i, i64 0, i64 2
+  %"$phi502.2.2.sroa.0.5.1.i" = select i1 %.862.1.i, i64 2, i64 0
+  %.966.1.i = mul i64 %"$phi502.2.2.sroa.8.5.1.i", %w11
+  %2 = getelementptr double, ptr %w8, i64 %.966.1.i
+  %.970.1.i = getelementptr double, ptr %2, i64 %.964.i
+  %.971.1.i = load double, ptr %.970.1.i, align 8
+  %.1042.1.i = mul i64 %"$phi502.2.2.sroa.0.5.1.i", %w11
+  %3 = getelementptr double, ptr %w8, i64 %.1042.1.i
+  %.1046.1.i = getelementptr double, ptr %3, i64 %.964.i
+  %.1047.1.i = load double, ptr %.1046.1.i, align 8
+  %.1048.1.i = fsub double %.971.1.i, %.1047.1.i
+  %.1126.1.i = getelementptr i8, ptr %.970.1.i, i64 8
+  %.1127.1.i = load double, ptr %.1126.1.i, align 8
+  %.1202.1.i = getelementptr i8, ptr %.1046.1.i, i64 8
+  %.1203.1.i = load double, ptr %.1202.1.i, align 8
+  %.1204.1.i = fsub double %.1127.1.i, %.1203.1.i
+  %.1285.1.i = fsub double %.384.i, %.1203.1.i
+  %.1287.1.i = fmul double %.1048.1.i, %.1285.1.i
+  %.1365.1.i = fsub double %.329.i, %.1047.1.i
+  %.1367.1.i = fmul double %.1365.1.i, %.1204.1.i
+  %.1368.1.i = fsub double %.1287.1.i, %.1367.1.i
+  %.1374.1.i = fcmp ogt double %.1368.1.i, 0.000000e+00
+  br i1 %.1374.1.i, label %B730.1.i, label %B684.1.i
+
+B684.1.i:                                         ; preds = %B730.i
+  %.1381.1.i = fcmp oeq double %.1368.1.i, 0.000000e+00
+  br i1 %.1381.1.i, label %B696.1.i, label %B730.1.i
+
+B696.1.i:                                         ; preds = %B684.1.i
+  %.1387.1.i = fcmp olt double %.1204.1.i, 0.000000e+00
+  br i1 %.1387.1.i, label %B730.1.i, label %B708.1.i
+
+B708.1.i:                                         ; preds = %B696.1.i
+  %.1393.1.i = fcmp oeq double %.1204.1.i, 0.000000e+00
+  br i1 %.1393.1.i, label %B720.1.i, label %B730.1.i
+
+B720.1.i:                                         ; preds = %B708.1.i
+  %.1401.1.i = fcmp ogt double %.1048.1.i, 0.000000e+00
+  br label %B730.1.i
+
+B730.1.i:                                         ; preds = %B720.1.i, %B708.1.i, %B696.1.i, %B684.1.i, %B730.i
+  %"$phi730.2.5.5.1.i" = phi i1 [ true, %B730.i ], [ true, %B696.1.i ], [ %.1401.1.i, %B720.1.i ], [ false, %B708.1.i ], [ false, %B684.1.i ]
+  %4 = xor i1 %.862.1.i, %"$phi730.2.5.5.1.i"
+  %.1415.1.i = xor i1 %4, true
+  %.1418.1.i = zext i1 %.1415.1.i to i64
+  %.1419.1.i = add nuw nsw i64 %.1418.1.i, %.1418.i
+  %.1437.1.i = fneg double %.1368.1.i
+  %"$phi762.2.2.5.1.i" = select i1 %.862.1.i, double %.1368.1.i, double %.1437.1.i
+  %.1452.1.i = fadd double %.1452.i, %"$phi762.2.2.5.1.i"
+  %5 = getelementptr double, ptr %12, i64 %w11
+  %.1532.1.i = getelementptr i8, ptr %5, i64 16
+  %.1533.1.i = load double, ptr %.1532.1.i, align 8
+  %.1534.1.i = fmul double %"$phi762.2.2.5.1.i", %.1533.1.i
+  %.1536.1.i = fadd double %.1536.i, %.1534.1.i
+  %.862.2.i = icmp slt i64 %.861.1.i, %.827.i
+  %.966.2.i = select i1 %.862.2.i, i64 %w11, i64 0
+  %6 = getelementptr double, ptr %w8, i64 %.966.2.i
+  %.970.2.i = getelementptr double, ptr %6, i64 %.964.i
+  %.971.2.i = load double, ptr %.970.2.i, align 8
+  %.1042.2.i = select i1 %.862.2.i, i64 0, i64 %w11
+  %7 = getelementptr double, ptr %w8, i64 %.1042.2.i
+  %.1046.2.i = getelementptr double, ptr %7, i64 %.964.i
+  %.1047.2.i = load double, ptr %.1046.2.i, align 8
+  %.1048.2.i = fsub double %.971.2.i, %.1047.2.i
+  %.1126.2.i = getelementptr i8, ptr %.970.2.i, i64 8
+  %.1127.2.i = load double, ptr %.1126.2.i, align 8
+  %.1202.2.i = getelementptr i8, ptr %.1046.2.i, i64 8
+  %.1203.2.i = load double, ptr %.1202.2.i, align 8
+  %.1204.2.i = fsub double %.1127.2.i, %.1203.2.i
+  %.1285.2.i = fsub double %.384.i, %.1203.2.i
+  %.1287.2.i = fmul double %.1048.2.i, %.1285.2.i
+  %.1365.2.i = fsub double %.329.i, %.1047.2.i
+  %.1367.2.i = fmul double %.1365.2.i, %.1204.2.i
+  %.1368.2.i = fsub double %.1287.2.i, %.1367.2.i
+  %.1374.2.i = fcmp ogt double %.1368.2.i, 0.000000e+00
+  br i1 %.1374.2.i, label %B834.endif.endif.i, label %B684.2.i
+
+B684.2.i:                                         ; preds = %B730.1.i
+  %.1381.2.i = fcmp oeq double %.1368.2.i, 0.000000e+00
+  br i1 %.1381.2.i, label %B696.2.i, label %B834.endif.endif.i
+
+B696.2.i:                                         ; preds = %B684.2.i
+  %.1387.2.i = fcmp olt double %.1204.2.i, 0.000000e+00
+  br i1 %.1387.2.i, label %B834.endif.endif.i, label %B708.2.i
+
+B708.2.i:                                         ; preds = %B696.2.i
+  %.1393.2.i = fcmp oeq double %.1204.2.i, 0.000000e+00
+  br i1 %.1393.2.i, label %B720.2.i, label %B834.endif.endif.i
+
+B720.2.i:                                         ; preds = %B708.2.i
+  %.1401.2.i = fcmp ogt double %.1048.2.i, 0.000000e+00
+  br label %B834.endif.endif.i
+
+B936.i:                                           ; preds = %B834.endif.endif.i
+  %8 = xor i1 %.862.2.i, %"$phi730.2.5.5.2.i"
+  %.1415.2.i = xor i1 %8, true
+  %.1418.2.i = zext i1 %.1415.2.i to i64
+  %.1419.2.i = add nuw nsw i64 %.1419.1.i, %.1418.2.i
+  %.1748.i = icmp eq i64 %.1419.2.i, 3
+  %.1750.i = icmp eq i64 %.1419.2.i, 0
+  %.1754.i = zext i1 %.1748.i to i64
+  %.1756.neg.i = sext i1 %.1750.i to i64
+  %.1757.i = add i64 %winding.2.1.ph.i, %.1754.i
+  %.1759.i = add i64 %.1757.i, %.1756.neg.i
+  br label %B30.i.i
+
+B20.i.i:                                          ; preds = %B300.i
+  %.28.i.i = shl nsw i64 %node.2.17.i, 1
+  %.65.i.i = icmp slt i64 %node.2.17.i, 0
+  %.66.i.i = select i1 %.65.i.i, i64 %w15, i64 0
+  %.67.i.i = add i64 %.66.i.i, %.28.i.i
+  %.87.i.i = mul i64 %.67.i.i, %w16
+  %.91.i.i = getelementptr double, ptr %w14, i64 %.87.i.i
+  %.92.i.i = load double, ptr %.91.i.i, align 8
+  %.93.i.i = fcmp ogt double %.92.i.i, %.329.i
+  br i1 %.93.i.i, label %B30.i.i, label %B32.i.i
+
+B30.i.i:                                          ; preds = %B20.i.i, %_ZN7msf_jax4host5solid7kernels8overlapsB3v16B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedExdddddd.exit.i, %B120.i.i, %B86.i.i, %B32.i.i, %B834.endif.endif.i, %B936.i, %B230.outer.i
+  %node.2.12.i = phi i64 [ %node.2.17.i, %B936.i ], [ %node.2.17.i, %B834.endif.endif.i ], [ %node.2.1.ph.i, %B230.outer.i ], [ %node.2.17.i, %_ZN7msf_jax4host5solid7kernels8overlapsB3v16B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedExdddddd.exit.i ], [ %node.2.17.i, %B120.i.i ], [ %node.2.17.i, %B86.i.i ], [ %node.2.17.i, %B32.i.i ], [ %.28.i.i, %B20.i.i ]
+  %winding.3.324.i = phi i64 [ %.1759.i, %B936.i ], [ %winding.2.1.ph.i, %B834.endif.endif.i ], [ %winding.2.1.ph.i, %B230.outer.i ], [ %winding.2.1.ph.i, %B32.i.i ], [ %winding.2.1.ph.i, %B86.i.i ], [ %winding.2.1.ph.i, %B120.i.i ], [ %winding.2.1.ph.i, %_ZN7msf_jax4host5solid7kernels8overlapsB3v16B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedExdddddd.exit.i ], [ %winding.2.1.ph.i, %B20.i.i ]
+  %.36.i.i = add nsw i64 %node.2.12.i, 1
+  %9 = and i64 %node.2.12.i, 1
+  %.46.not.not.i.i = icmp eq i64 %9, 0
+  br i1 %.46.not.not.i.i, label %B70.i.i, label %B50.i.i
+
+B50.i.i:                                          ; preds = %B30.i.i, %B50.i.i
+  %node.3.1.i.i = phi i64 [ %.49.i.i, %B50.i.i ], [ %.36.i.i, %B30.i.i ]
+  %.49.i.i = ashr i64 %node.3.1.i.i, 1
+  %10 = and i64 %node.3.1.i.i, 2
+  %.55.not.i.i = icmp eq i64 %10, 0
+  br i1 %.55.not.i.i, label %B50.i.i, label %B70.i.i
+
+B70.i.i:                                          ; preds = %B50.i.i, %B30.i.i
+  %node.4.0.i.i = phi i64 [ %.36.i.i, %B30.i.i ], [ %.49.i.i, %B50.i.i ]
+  %.60.i.i = icmp sgt i64 %node.4.0.i.i, 1
+  br i1 %.60.i.i, label %B230.outer.i, label %B1008.i
+
+B1008.i:                                          ; preds = %B70.i.i
+  %.247.i = add nuw nsw i64 %.240822839.i, 1
+  %11 = getelementptr i64, ptr %w19, i64 %.240822839.i
+  store i64 %winding.3.324.i, ptr %11, align 8
+  %exitcond.not.i = icmp eq i64 %.247.i, %w1
+  br i1 %exitcond.not.i, label %_ZN7msf_jax4host5solid7kernels8windingsB3v14B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE232Mesh_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedE.exit, label %B152.i
+
+B314.endif.endif.i:                               ; preds = %B300.i
+  %.536.i = sub nsw i64 %node.2.17.i, %w18
+  %.564.i = getelementptr i64, ptr %w17, i64 %.536.i
+  %.565.i = load i64, ptr %.564.i, align 8
+  %.932.i = icmp slt i64 %.565.i, 0
+  %.933.i = select i1 %.932.i, i64 %w9, i64 0
+  %.934.i = add i64 %.933.i, %.565.i
+  %.964.i = mul i64 %.962.i, %.934.i
+  %12 = getelementptr double, ptr %w8, i64 %.964.i
+  %.812.i = select i1 %.932.i, i64 %w7, i64 0
+  %.idx12.i = mul i64 %.565.i, 24
+  %13 = getelementptr i8, ptr %w6, i64 %.idx12.i
+  %14 = getelementptr i8, ptr %13, i64 8
+  %.826.i = getelementptr i64, ptr %14, i64 %.812.i
+  %.827.i = load i64, ptr %.826.i, align 8
+  %15 = getelementptr i8, ptr %13, i64 16
+  %.860.i = getelementptr i64, ptr %15, i64 %.812.i
+  %.861.i = load i64, ptr %.860.i, align 8
+  %.862.i = icmp slt i64 %.827.i, %.861.i
+  %16 = zext i1 %.862.i to i64
+  %.966.i = shl i64 %w11, %16
+  %17 = getelementptr double, ptr %w8, i64 %.966.i
+  %.970.i = getelementptr double, ptr %17, i64 %.964.i
+  %.971.i = load double, ptr %.970.i, align 8
+  %not..862.i = xor i1 %.862.i, true
+  %18 = zext i1 %not..862.i to i64
+  %.1042.i = shl i64 %w11, %18
+  %19 = getelementptr double, ptr %w8, i64 %.1042.i
+  %.1046.i = getelementptr double, ptr %19, i64 %.964.i
+  %.1047.i = load double, ptr %.1046.i, align 8
+  %.1048.i = fsub double %.971.i, %.1047.i
+  %.1126.i = getelementptr i8, ptr %.970.i, i64 8
+  %.1127.i = load double, ptr %.1126.i, align 8
+  %.1202.i = getelementptr i8, ptr %.1046.i, i64 8
+  %.1203.i = load double, ptr %.1202.i, align 8
+  %.1204.i = fsub double %.1127.i, %.1203.i
+  %.1285.i = fsub double %.384.i, %.1203.i
+  %.1287.i = fmul double %.1048.i, %.1285.i
+  %.1365.i = fsub double %.329.i, %.1047.i
+  %.1367.i = fmul double %.1365.i, %.1204.i
+  %.1368.i = fsub double %.1287.i, %.1367.i
+  %.1374.i = fcmp ogt double %.1368.i, 0.000000e+00
+  br i1 %.1374.i, label %B730.i, label %B684.i
+
+B834.endif.endif.i:                               ; preds = %B720.2.i, %B708.2.i, %B696.2.i, %B684.2.i, %B730.1.i
+  %"$phi730.2.5.5.2.i" = phi i1 [ true, %B730.1.i ], [ true, %B696.2.i ], [ %.1401.2.i, %B720.2.i ], [ false, %B708.2.i ], [ false, %B684.2.i ]
+  %.1437.2.i = fneg double %.1368.2.i
+  %"$phi762.2.2.5.2.i" = select i1 %.862.2.i, double %.1368.2.i, double %.1437.2.i
+  %.1452.2.i = fadd double %.1452.1.i, %"$phi762.2.2.5.2.i"
+  %"$phi834.1.2.4.frozen.i" = freeze double %.1452.2.i
+  %20 = getelementptr i8, ptr %12, i64 %.idx.i
+  %.1532.2.i = getelementptr i8, ptr %20, i64 16
+  %.1533.2.i = load double, ptr %.1532.2.i, align 8
+  %.1534.2.i = fmul double %"$phi762.2.2.5.2.i", %.1533.2.i
+  %.1536.2.i = fadd double %.1536.1.i, %.1534.2.i
+  %.1548.i = fcmp une double %"$phi834.1.2.4.frozen.i", 0.000000e+00
+  %.1555.i = fdiv double %.1536.2.i, %"$phi834.1.2.4.frozen.i"
+  %"$phi834.1.2.4.i" = select i1 %.1548.i, double %.1555.i, double %.1536.2.i
+  %sunkaddr49.i = getelementptr i8, ptr %sunkaddr1.i.i, i64 16
+  %.1632.i = load double, ptr %sunkaddr49.i, align 8
+  %.10.i.i = fcmp ogt double %.1632.i, %"$phi834.1.2.4.i"
+  %.11.i.i = select i1 %.10.i.i, double %.1632.i, double %"$phi834.1.2.4.i"
+  %.10.i13.i = fcmp olt double %.413.i.i, %.11.i.i
+  %.11.i14.i = select i1 %.10.i13.i, double %.413.i.i, double %.11.i.i
+  %.1745.i = fcmp ogt double %.11.i14.i, %.439.i
+  br i1 %.1745.i, label %B936.i, label %B30.i.i
+
+_ZN7msf_jax4host5solid7kernels8windingsB3v14B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE232Mesh_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedE.exit: ; preds = %B1008.i, %0
+  ret i64 0
+}
+
+declare double @llvm.fabs.f64(double)
+
+define i64 @msf_jax.host.solid.kernels.hits(ptr readonly %words) local_unnamed_addr {
+  %w0 = load ptr, ptr %words, align 8
+  %p1 = getelementptr i8, ptr %words, i64 8
+  %w1 = load i64, ptr %p1, align 8
+  %p2 = getelementptr i8, ptr %words, i64 16
+  %w2 = load i64, ptr %p2, align 8
+  %p3 = getelementptr i8, ptr %words, i64 24
+  %w3 = load ptr, ptr %p3, align 8
+  %p7 = getelementptr i8, ptr %words, i64 56
+  %w7 = load ptr, ptr %p7, align 8
+  %p9 = getelementptr i8, ptr %words, i64 72
+  %w9 = load double, ptr %p9, align 8
+  %p15 = getelementptr i8, ptr %words, i64 120
+  %w15 = load ptr, ptr %p15, align 8
+  %p16 = getelementptr i8, ptr %words, i64 128
+  %w16 = load i64, ptr %p16, align 8
+  %p17 = getelementptr i8, ptr %words, i64 136
+  %w17 = load i64, ptr %p17, align 8
+  %p18 = getelementptr i8, ptr %words, i64 144
+  %w18 = load i64, ptr %p18, align 8
+  %p21 = getelementptr i8, ptr %words, i64 168
+  %w21 = load ptr, ptr %p21, align 8
+  %p22 = getelementptr i8, ptr %words, i64 176
+  %w22 = load i64, ptr %p22, align 8
+  %p23 = getelementptr i8, ptr %words, i64 184
+  %w23 = load i64, ptr %p23, align 8
+  %p24 = getelementptr i8, ptr %words, i64 192
+  %w24 = load ptr, ptr %p24, align 8
+  %p25 = getelementptr i8, ptr %words, i64 200
+  %w25 = load i64, ptr %p25, align 8
+  %p26 = getelementptr i8, ptr %words, i64 208
+  %w26 = load ptr, ptr %p26, align 8
+  %p29 = getelementptr i8, ptr %words, i64 232
+  %w29 = load ptr, ptr %p29, align 8
+  %p30 = getelementptr i8, ptr %words, i64 240
+  %w30 = load i64, ptr %p30, align 8
+  %p31 = getelementptr i8, ptr %words, i64 248
+  %w31 = load ptr, ptr %p31, align 8
+  %p32 = getelementptr i8, ptr %words, i64 256
+  %w32 = load i64, ptr %p32, align 8
+  %.2781694.not.i = icmp slt i64 %w1, 1
+  br i1 %.2781694.not.i, label %_ZN7msf_jax4host5solid7kernels4hitsB3v17B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi3E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd232Mesh_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_295ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, label %B122.lr.ph.i
+
+B122.lr.ph.i:                                     ; preds = %0
+  %p28 = getelementptr i8, ptr %words, i64 224
+  %w28 = load i64, ptr %p28, align 8
+  %s45 = shl i64 %w28, 3
+  %p6 = getelementptr i8, ptr %words, i64 48
+  %w6 = load i64, ptr %p6, align 8
+  %p5 = getelementptr i8, ptr %words, i64 40
+  %w5 = load i64, ptr %p5, align 8
+  %.596.i = mul i64 %w5, %w6
+  %.idx.i = shl i64 %w28, 4
+  %.604.idx.i = shl i64 %w6, 4
+  %invariant.gep.i = getelementptr i8, ptr %w3, i64 %.604.idx.i
+  %1 = getelementptr double, ptr %w3, i64 %w6
+  %sunkaddr344.i = getelementptr i8, ptr %w26, i64 8
+  %sunkaddr353.i = getelementptr i8, ptr %w26, i64 16
+  %sunkaddr355.i = getelementptr i8, ptr %w26, i64 %s45
+  %sunkaddr358.i = getelementptr i8, ptr %sunkaddr355.i, i64 8
+  %sunkaddr361.i = getelementptr i8, ptr %sunkaddr355.i, i64 16
+  %sunkaddr362.i = getelementptr i8, ptr %w26, i64 %.idx.i
+  %sunkaddr364.i = getelementptr i8, ptr %sunkaddr362.i, i64 8
+  %sunkaddr366.i = getelementptr i8, ptr %sunkaddr362.i, i64 16
+  br label %B122.endif.endif.endif.endif.endif.endif.i
+
+B120.loopexit.i:                                  ; preds = %B70.i.i
+  %.291.i = add nuw nsw i64 %.28415931699.i, 1
+  %exitcond.not.i = icmp eq i64 %.291.i, %w1
+  br i1 %exitcond.not.i, label %_ZN7msf_jax4host5solid7kernels4hitsB3v17B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi3E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd232Mesh_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_295ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, label %B122.endif.endif.endif.endif.endif.endif.i
+
+B32.i.i:                                          ; preds = %B560.outer.i, %B20.i.i
+  %.87.i8.i = phi i64 [ %.87.i.i, %B20.i.i ], [ %.87.i3.i, %B560.outer.i ]
+  %node.2.17.i = phi i64 [ %.28.i.i, %B20.i.i ], [ %node.2.1.ph.i, %B560.outer.i ]
+  %sunkaddr.i.i = shl i64 %.87.i8.i, 3
+  %sunkaddr1.i.i = getelementptr i8, ptr %w21, i64 %sunkaddr.i.i
+  %sunkaddr2.i.i = getelementptr i8, ptr %sunkaddr1.i.i, i64 8
+  %.152.i.i = load double, ptr %sunkaddr2.i.i, align 8
+  %.154.i.i = fcmp ogt double %.152.i.i, %.992.i
+  br i1 %.154.i.i, label %B30.i.i, label %B86.i.i
+
+B86.i.i:                                          ; preds = %B32.i.i
+  %sunkaddr316.i = getelementptr i8, ptr %sunkaddr1.i.i, i64 16
+  %.214.i.i = load double, ptr %sunkaddr316.i, align 8
+  %.216.i.i = fcmp ogt double %.214.i.i, %.1023.i
+  br i1 %.216.i.i, label %B30.i.i, label %B92.i.i
+
+B92.i.i:                                          ; preds = %B86.i.i
+  %sunkaddr319.i = getelementptr i8, ptr %sunkaddr1.i.i, i64 24
+  %.287.i.i = load double, ptr %sunkaddr319.i, align 8
+  %.289.i.i = fcmp olt double %.287.i.i, %.859.i
+  br i1 %.289.i.i, label %B30.i.i, label %B120.i.i
+
+B120.i.i:                                         ; preds = %B92.i.i
+  %sunkaddr322.i = getelementptr i8, ptr %sunkaddr1.i.i, i64 32
+  %.349.i.i = load double, ptr %sunkaddr322.i, align 8
+  %.351.i.i = fcmp olt double %.349.i.i, %.890.i
+  br i1 %.351.i.i, label %B30.i.i, label %_ZN7msf_jax4host5solid7kernels8overlapsB3v16B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedExdddddd.exit.i
+
+_ZN7msf_jax4host5solid7kernels8overlapsB3v16B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedExdddddd.exit.i: ; preds = %B120.i.i
+  %sunkaddr325.i = getelementptr i8, ptr %sunkaddr1.i.i, i64 40
+  %.413.i.i = load double, ptr %sunkaddr325.i, align 8
+  %.417.i.i = fcmp uge double %.413.i.i, %.921.i
+  br i1 %.417.i.i, label %B620.i, label %B30.i.i
+
+B620.i:                                           ; preds = %_ZN7msf_jax4host5solid7kernels8overlapsB3v16B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedExdddddd.exit.i
+  %.1102.not.i = icmp slt i64 %node.2.17.i, %w25
+  br i1 %.1102.not.i, label %B20.i.i, label %B820.endif.us.2.i
+
+B1322.i:                                          ; preds = %B1280.endif.i, %B820.endif.us.2.i
+  %.2899.i = tail call double @llvm.fabs.f64(double %.2816.i)
+  %.2901.i = fmul double %.11.i279.i, 0x3D06849B86A12B9B
+  %.2904.i = fcmp ogt double %.2899.i, %.2901.i
+  br i1 %.2904.i, label %B1376.endif.endif.endif.endif.endif.endif.i, label %B30.i.i
+
+B1670.i:                                          ; preds = %B1376.endif.endif.endif.endif.endif.endif.i
+  %.3595.i = load double, ptr %sunkaddr327.i, align 8
+  %.3597.i = fcmp ugt double %.11.i295.i, %.3595.i
+  br i1 %.3597.i, label %B30.i.i, label %B1698.i
+
+B1698.i:                                          ; preds = %B1670.i
+  %.3625.i = icmp slt i64 %count.2.1.ph.i, %w30
+  br i1 %.3625.i, label %B1736.i, label %B1758.i
+
+B1736.i:                                          ; preds = %B1698.i
+  %.3642.i = icmp slt i64 %count.2.1.ph.i, 0
+  %.3643.i = select i1 %.3642.i, i64 %w30, i64 0
+  %2 = getelementptr i64, ptr %w29, i64 %count.2.1.ph.i
+  %.3657.i = getelementptr i64, ptr %2, i64 %.3643.i
+  store i64 %.28415931699.i, ptr %.3657.i, align 8
+  %.3675.i = select i1 %.3642.i, i64 %w32, i64 0
+  %3 = getelementptr double, ptr %w31, i64 %count.2.1.ph.i
+  %.3689.i = getelementptr double, ptr %3, i64 %.3675.i
+  store double %.11.i295.i, ptr %.3689.i, align 8
+  br label %B1758.i
+
+B1758.i:                                          ; preds = %B1736.i, %B1698.i
+  %.3697.i = add nsw i64 %count.2.1.ph.i, 1
+  br label %B30.i.i
+
+B20.i.i:                                          ; preds = %B620.i
+  %.28.i.i = shl nsw i64 %node.2.17.i, 1
+  %.65.i.i = icmp slt i64 %node.2.17.i, 0
+  %.66.i.i = select i1 %.65.i.i, i64 %w22, i64 0
+  %.67.i.i = add i64 %.66.i.i, %.28.i.i
+  %.87.i.i = mul i64 %.67.i.i, %w23
+  %.91.i.i = getelementptr double, ptr %w21, i64 %.87.i.i
+  %.92.i.i = load double, ptr %.91.i.i, align 8
+  %.93.i.i = fcmp ogt double %.92.i.i, %.961.i
+  br i1 %.93.i.i, label %B30.i.i, label %B32.i.i
+
+B30.i.i:                                          ; preds = %B20.i.i, %_ZN7msf_jax4host5solid7kernels8overlapsB3v16B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedExdddddd.exit.i, %B120.i.i, %B92.i.i, %B86.i.i, %B32.i.i, %B1376.endif.endif.endif.endif.endif.endif.i, %B1280.endif.i, %B560.outer.i, %B1758.i, %B1670.i, %B1322.i
+  %node.2.12.i = phi i64 [ %node.2.17.i, %B1758.i ], [ %node.2.17.i, %B1280.endif.i ], [ %node.2.17.i, %B1322.i ], [ %node.2.17.i, %B1376.endif.endif.endif.endif.endif.endif.i ], [ %node.2.17.i, %B1670.i ], [ %node.2.1.ph.i, %B560.outer.i ], [ %node.2.17.i, %_ZN7msf_jax4host5solid7kernels8overlapsB3v16B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedExdddddd.exit.i ], [ %node.2.17.i, %B120.i.i ], [ %node.2.17.i, %B92.i.i ], [ %node.2.17.i, %B86.i.i ], [ %node.2.17.i, %B32.i.i ], [ %.28.i.i, %B20.i.i ]
+  %count.3.2305.i = phi i64 [ %.3697.i, %B1758.i ], [ %count.2.1.ph.i, %B1280.endif.i ], [ %count.2.1.ph.i, %B1322.i ], [ %count.2.1.ph.i, %B1376.endif.endif.endif.endif.endif.endif.i ], [ %count.2.1.ph.i, %B1670.i ], [ %count.2.1.ph.i, %B560.outer.i ], [ %count.2.1.ph.i, %B32.i.i ], [ %count.2.1.ph.i, %B86.i.i ], [ %count.2.1.ph.i, %B92.i.i ], [ %count.2.1.ph.i, %B120.i.i ], [ %count.2.1.ph.i, %_ZN7msf_jax4host5solid7kernels8overlapsB3v16B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedExdddddd.exit.i ], [ %count.2.1.ph.i, %B20.i.i ]
+  %.36.i.i = add nsw i64 %node.2.12.i, 1
+  %4 = and i64 %node.2.12.i, 1
+  %.46.not.not.i.i = icmp eq i64 %4, 0
+  br i1 %.46.not.not.i.i, label %B70.i.i, label %B50.i.i
+
+B50.i.i:                                          ; preds = %B30.i.i, %B50.i.i
+  %node.3.1.i.i = phi i64 [ %.49.i.i, %B50.i.i ], [ %.36.i.i, %B30.i.i ]
+  %.49.i.i = ashr i64 %node.3.1.i.i, 1
+  %5 = and i64 %node.3.1.i.i, 2
+  %.55.not.i.i = icmp eq i64 %5, 0
+  br i1 %.55.not.i.i, label %B50.i.i, label %B70.i.i
+
+B70.i.i:                                          ; preds = %B50.i.i, %B30.i.i
+  %node.4.0.i.i = phi i64 [ %.36.i.i, %B30.i.i ], [ %.49.i.i, %B50.i.i ]
+  %.60.i.i = icmp sgt i64 %node.4.0.i.i, 1
+  br i1 %.60.i.i, label %B560.outer.i, label %B120.loopexit.i
+
+B122.endif.endif.endif.endif.endif.endif.i:       ; preds = %B120.loopexit.i, %B122.lr.ph.i
+  %count.4.01701.i = phi i64 [ 0, %B122.lr.ph.i ], [ %count.3.2305.i, %B120.loopexit.i ]
+  %.28415931699.i = phi i64 [ 0, %B122.lr.ph.i ], [ %.291.i, %B120.loopexit.i ]
+  %.374.i = mul i64 %.28415931699.i, %w2
+  %.378.i = getelementptr double, ptr %w0, i64 %.374.i
+  %.379.i = load double, ptr %.378.i, align 8
+  %.433.i = getelementptr i8, ptr %.378.i, i64 8
+  %.434.i = load double, ptr %.433.i, align 8
+  %.488.i = getelementptr i8, ptr %.378.i, i64 16
+  %.489.i = load double, ptr %.488.i, align 8
+  %6 = getelementptr double, ptr %w7, i64 %.28415931699.i
+  %.529.i = load double, ptr %6, align 8
+  %.598.i = mul i64 %.596.i, %.28415931699.i
+  %gep.i = getelementptr double, ptr %invariant.gep.i, i64 %.598.i
+  %.605.i = load double, ptr %gep.i, align 8
+  %.606.i = fmul double %.529.i, %.605.i
+  %.608.i = fadd double %.379.i, %.606.i
+  %.714.i = getelementptr i8, ptr %gep.i, i64 8
+  %.715.i = load double, ptr %.714.i, align 8
+  %.716.i = fmul double %.529.i, %.715.i
+  %.718.i = fadd double %.434.i, %.716.i
+  %.824.i = getelementptr i8, ptr %gep.i, i64 16
+  %.825.i = load double, ptr %.824.i, align 8
+  %.826.i = fmul double %.529.i, %.825.i
+  %.828.i = fadd double %.489.i, %.826.i
+  %.10.i.i = fcmp olt double %.608.i, %.379.i
+  %.11.i.i = select i1 %.10.i.i, double %.608.i, double %.379.i
+  %.859.i = fsub double %.11.i.i, %w9
+  %.10.i153.i = fcmp olt double %.718.i, %.434.i
+  %.11.i154.i = select i1 %.10.i153.i, double %.718.i, double %.434.i
+  %.890.i = fsub double %.11.i154.i, %w9
+  %.10.i155.i = fcmp olt double %.828.i, %.489.i
+  %.11.i156.i = select i1 %.10.i155.i, double %.828.i, double %.489.i
+  %.921.i = fsub double %.11.i156.i, %w9
+  %.10.i157.i = fcmp ogt double %.608.i, %.379.i
+  %.11.i158.i = select i1 %.10.i157.i, double %.608.i, double %.379.i
+  %.961.i = fadd double %w9, %.11.i158.i
+  %.10.i159.i = fcmp ogt double %.718.i, %.434.i
+  %.11.i160.i = select i1 %.10.i159.i, double %.718.i, double %.434.i
+  %.992.i = fadd double %w9, %.11.i160.i
+  %.10.i161.i = fcmp ogt double %.828.i, %.489.i
+  %.11.i162.i = select i1 %.10.i161.i, double %.828.i, double %.489.i
+  %.1023.i = fadd double %w9, %.11.i162.i
+  %sunkaddr328.i = shl i64 %.598.i, 3
+  %sunkaddr329.i = getelementptr i8, ptr %w3, i64 %sunkaddr328.i
+  %sunkaddr332.i = getelementptr i8, ptr %sunkaddr329.i, i64 8
+  %sunkaddr335.i = getelementptr i8, ptr %sunkaddr329.i, i64 16
+  %sunkaddr337.i = getelementptr inbounds i8, ptr %1, i64 %sunkaddr328.i
+  %sunkaddr340.i = getelementptr i8, ptr %sunkaddr337.i, i64 8
+  %sunkaddr343.i = getelementptr i8, ptr %sunkaddr337.i, i64 16
+  %sunkaddr346.i = getelementptr inbounds i8, ptr %invariant.gep.i, i64 %sunkaddr328.i
+  %sunkaddr349.i = getelementptr i8, ptr %sunkaddr346.i, i64 8
+  %sunkaddr352.i = getelementptr i8, ptr %sunkaddr346.i, i64 16
+  %sunkaddr326.i = shl i64 %.28415931699.i, 3
+  %sunkaddr327.i = getelementptr i8, ptr %w7, i64 %sunkaddr326.i
+  br label %B560.outer.i
+
+B560.outer.i:                                     ; preds = %B122.endif.endif.endif.endif.endif.endif.i, %B70.i.i
+  %count.2.1.ph.i = phi i64 [ %count.3.2305.i, %B70.i.i ], [ %count.4.01701.i, %B122.endif.endif.endif.endif.endif.endif.i ]
+  %node.2.1.ph.i = phi i64 [ %node.4.0.i.i, %B70.i.i ], [ 1, %B122.endif.endif.endif.endif.endif.endif.i ]
+  %.87.i3.i = mul i64 %node.2.1.ph.i, %w23
+  %.91.i4.i = getelementptr double, ptr %w21, i64 %.87.i3.i
+  %.92.i5.i = load double, ptr %.91.i4.i, align 8
+  %.93.i6.i = fcmp ogt double %.92.i5.i, %.961.i
+  br i1 %.93.i6.i, label %B30.i.i, label %B32.i.i
+
+B820.endif.us.2.i:                                ; preds = %B620.i
+  %.1110.i = sub nsw i64 %node.2.17.i, %w25
+  %.1138.i = getelementptr i64, ptr %w24, i64 %.1110.i
+  %.1139.i = load i64, ptr %.1138.i, align 8
+  %.1303.i = icmp slt i64 %.1139.i, 0
+  %.1304.i = select i1 %.1303.i, i64 %w16, i64 0
+  %.1305.i = add i64 %.1304.i, %.1139.i
+  %.1335.i = mul i64 %.1305.i, %w17
+  %reass.mul.us.i = mul i64 %.1335.i, %w18
+  %.1341.us.i = getelementptr double, ptr %w15, i64 %reass.mul.us.i
+  %.1342.us.i = load double, ptr %.1341.us.i, align 8
+  %.1344.us.i = fsub double %.1342.us.i, %.379.i
+  %.1420.us.i = getelementptr i8, ptr %.1341.us.i, i64 8
+  %.1421.us.i = load double, ptr %.1420.us.i, align 8
+  %.1423.us.i = fsub double %.1421.us.i, %.434.i
+  %.1499.us.i = getelementptr i8, ptr %.1341.us.i, i64 16
+  %.1500.us.i = load double, ptr %.1499.us.i, align 8
+  %.1502.us.i = fsub double %.1500.us.i, %.489.i
+  %.1705.us.i = load double, ptr %sunkaddr329.i, align 8
+  %.1781.us.i = load double, ptr %sunkaddr332.i, align 8
+  %.1857.us.i = load double, ptr %sunkaddr335.i, align 8
+  %.10.i163.i = fmul double %.1344.us.i, %.1705.us.i
+  %.11.i164.i = fmul double %.1502.us.i, %.1857.us.i
+  %.12.i165.i = fadd double %.10.i163.i, %.11.i164.i
+  %.13.i166.i = fmul double %.1423.us.i, %.1781.us.i
+  %.14.i167.i = fadd double %.13.i166.i, %.12.i165.i
+  store double %.14.i167.i, ptr %w26, align 8
+  %.1705.us.1.i = load double, ptr %sunkaddr337.i, align 8
+  %.1781.us.1.i = load double, ptr %sunkaddr340.i, align 8
+  %.1857.us.1.i = load double, ptr %sunkaddr343.i, align 8
+  %.10.i171.i = fmul double %.1344.us.i, %.1705.us.1.i
+  %.11.i172.i = fmul double %.1502.us.i, %.1857.us.1.i
+  %.12.i173.i = fadd double %.10.i171.i, %.11.i172.i
+  %.13.i174.i = fmul double %.1423.us.i, %.1781.us.1.i
+  %.14.i175.i = fadd double %.13.i174.i, %.12.i173.i
+  store double %.14.i175.i, ptr %sunkaddr344.i, align 8
+  %.1705.us.2.i = load double, ptr %sunkaddr346.i, align 8
+  %.1781.us.2.i = load double, ptr %sunkaddr349.i, align 8
+  %.1857.us.2.i = load double, ptr %sunkaddr352.i, align 8
+  %.10.i176.i = fmul double %.1344.us.i, %.1705.us.2.i
+  %.11.i177.i = fmul double %.1502.us.i, %.1857.us.2.i
+  %.12.i178.i = fadd double %.10.i176.i, %.11.i177.i
+  %.13.i179.i = fmul double %.1423.us.i, %.1781.us.2.i
+  %.14.i180.i = fadd double %.13.i179.i, %.12.i178.i
+  store double %.14.i180.i, ptr %sunkaddr353.i, align 8
+  %.1308.us.1.i = add i64 %.1335.i, 1
+  %reass.mul.us.1.i = mul i64 %.1308.us.1.i, %w18
+  %.1341.us.1.i = getelementptr double, ptr %w15, i64 %reass.mul.us.1.i
+  %.1342.us.1.i = load double, ptr %.1341.us.1.i, align 8
+  %.1344.us.1.i = fsub double %.1342.us.1.i, %.379.i
+  %.1420.us.1.i = getelementptr i8, ptr %.1341.us.1.i, i64 8
+  %.1421.us.1.i = load double, ptr %.1420.us.1.i, align 8
+  %.1423.us.1.i = fsub double %.1421.us.1.i, %.434.i
+  %.1499.us.1.i = getelementptr i8, ptr %.1341.us.1.i, i64 16
+  %.1500.us.1.i = load double, ptr %.1499.us.1.i, align 8
+  %.1502.us.1.i = fsub double %.1500.us.1.i, %.489.i
+  %.1705.us.12031.i = load double, ptr %sunkaddr329.i, align 8
+  %.1781.us.12033.i = load double, ptr %sunkaddr332.i, align 8
+  %.1857.us.12035.i = load double, ptr %sunkaddr335.i, align 8
+  %.10.i194.i = fmul double %.1344.us.1.i, %.1705.us.12031.i
+  %.11.i195.i = fmul double %.1502.us.1.i, %.1857.us.12035.i
+  %.12.i196.i = fadd double %.10.i194.i, %.11.i195.i
+  %.13.i197.i = fmul double %.1423.us.1.i, %.1781.us.12033.i
+  %.14.i198.i = fadd double %.13.i197.i, %.12.i196.i
+  store double %.14.i198.i, ptr %sunkaddr355.i, align 8
+  %.1705.us.1.1.i = load double, ptr %sunkaddr337.i, align 8
+  %.1781.us.1.1.i = load double, ptr %sunkaddr340.i, align 8
+  %.1857.us.1.1.i = load double, ptr %sunkaddr343.i, align 8
+  %.10.i199.i = fmul double %.1344.us.1.i, %.1705.us.1.1.i
+  %.11.i200.i = fmul double %.1502.us.1.i, %.1857.us.1.1.i
+  %.12.i201.i = fadd double %.10.i199.i, %.11.i200.i
+  %.13.i202.i = fmul double %.1423.us.1.i, %.1781.us.1.1.i
+  %.14.i203.i = fadd double %.13.i202.i, %.12.i201.i
+  store double %.14.i203.i, ptr %sunkaddr358.i, align 8
+  %.1705.us.2.1.i = load double, ptr %sunkaddr346.i, align 8
+  %.1781.us.2.1.i = load double, ptr %sunkaddr349.i, align 8
+  %.1857.us.2.1.i = load double, ptr %sunkaddr352.i, align 8
+  %.10.i204.i = fmul double %.1344.us.1.i, %.1705.us.2.1.i
+  %.11.i205.i = fmul double %.1502.us.1.i, %.1857.us.2.1.i
+  %.12.i206.i = fadd double %.10.i204.i, %.11.i205.i
+  %.13.i207.i = fmul double %.1423.us.1.i, %.1781.us.2.1.i
+  %.14.i208.i = fadd double %.13.i207.i, %.12.i206.i
+  store double %.14.i208.i, ptr %sunkaddr361.i, align 8
+  %.1308.us.2.i = add i64 %.1335.i, 2
+  %reass.mul.us.2.i = mul i64 %.1308.us.2.i, %w18
+  %.1341.us.2.i = getelementptr double, ptr %w15, i64 %reass.mul.us.2.i
+  %.1342.us.2.i = load double, ptr %.1341.us.2.i, align 8
+  %.1344.us.2.i = fsub double %.1342.us.2.i, %.379.i
+  %.1420.us.2.i = getelementptr i8, ptr %.1341.us.2.i, i64 8
+  %.1421.us.2.i = load double, ptr %.1420.us.2.i, align 8
+  %.1423.us.2.i = fsub double %.1421.us.2.i, %.434.i
+  %.1499.us.2.i = getelementptr i8, ptr %.1341.us.2.i, i64 16
+  %.1500.us.2.i = load double, ptr %.1499.us.2.i, align 8
+  %.1502.us.2.i = fsub double %.1500.us.2.i, %.489.i
+  %.1705.us.22040.i = load double, ptr %sunkaddr329.i, align 8
+  %.1781.us.22042.i = load double, ptr %sunkaddr332.i, align 8
+  %.1857.us.22044.i = load double, ptr %sunkaddr335.i, align 8
+  %.10.i237.i = fmul double %.1344.us.2.i, %.1705.us.22040.i
+  %.11.i238.i = fmul double %.1502.us.2.i, %.1857.us.22044.i
+  %.12.i239.i = fadd double %.10.i237.i, %.11.i238.i
+  %.13.i240.i = fmul double %.1423.us.2.i, %.1781.us.22042.i
+  %.14.i241.i = fadd double %.13.i240.i, %.12.i239.i
+  store double %.14.i241.i, ptr %sunkaddr362.i, align 8
+  %.1705.us.1.2.i = load double, ptr %sunkaddr337.i, align 8
+  %.1781.us.1.2.i = load double, ptr %sunkaddr340.i, align 8
+  %.1857.us.1.2.i = load double, ptr %sunkaddr343.i, align 8
+  %.10.i242.i = fmul double %.1344.us.2.i, %.1705.us.1.2.i
+  %.11.i243.i = fmul double %.1502.us.2.i, %.1857.us.1.2.i
+  %.12.i244.i = fadd double %.10.i242.i, %.11.i243.i
+  %.13.i245.i = fmul double %.1423.us.2.i, %.1781.us.1.2.i
+  %.14.i246.i = fadd double %.13.i245.i, %.12.i244.i
+  store double %.14.i246.i, ptr %sunkaddr364.i, align 8
+  %.1705.us.2.2.i = load double, ptr %sunkaddr346.i, align 8
+  %.1781.us.2.2.i = load double, ptr %sunkaddr349.i, align 8
+  %.1857.us.2.2.i = load double, ptr %sunkaddr352.i, align 8
+  %.10.i247.i = fmul double %.1344.us.2.i, %.1705.us.2.2.i
+  %.11.i248.i = fmul double %.1502.us.2.i, %.1857.us.2.2.i
+  %.12.i249.i = fadd double %.10.i247.i, %.11.i248.i
+  %.13.i250.i = fmul double %.1423.us.2.i, %.1781.us.2.2.i
+  %.14.i251.i = fadd double %.13.i250.i, %.12.i249.i
+  store double %.14.i251.i, ptr %sunkaddr366.i, align 8
+  %.147.i275.i = fmul double %.14.i246.i, %.14.i246.i
+  %.147.i262.i = fmul double %.14.i241.i, %.14.i241.i
+  %.147.i232.i = fmul double %.14.i203.i, %.14.i203.i
+  %.147.i219.i = fmul double %.14.i198.i, %.14.i198.i
+  %.147.i.i = fmul double %.14.i175.i, %.14.i175.i
+  %.147.i191.i = fmul double %.14.i167.i, %.14.i167.i
+  %.2107.us.i = fadd double %.147.i191.i, %.147.i.i
+  %.10.i169.i = fcmp ogt double %.2107.us.i, 0.000000e+00
+  %.11.i170.i = select i1 %.10.i169.i, double %.2107.us.i, double 0.000000e+00
+  %.2107.us.1.i = fadd double %.147.i219.i, %.147.i232.i
+  %.10.i235.i = fcmp ogt double %.2107.us.1.i, %.11.i170.i
+  %.11.i236.i = select i1 %.10.i235.i, double %.2107.us.1.i, double %.11.i170.i
+  %.2107.us.2.i = fadd double %.147.i262.i, %.147.i275.i
+  %.10.i278.i = fcmp ogt double %.2107.us.2.i, %.11.i236.i
+  %.11.i279.i = select i1 %.10.i278.i, double %.2107.us.2.i, double %.11.i236.i
+  %.2199.i = load double, ptr %w26, align 8
+  %.2253.i = load double, ptr %sunkaddr358.i, align 8
+  %.2254.i = fmul double %.2199.i, %.2253.i
+  %.2308.i = load double, ptr %sunkaddr355.i, align 8
+  %.2362.i = load double, ptr %sunkaddr344.i, align 8
+  %.2363.i = fmul double %.2308.i, %.2362.i
+  %.2364.i = fsub double %.2254.i, %.2363.i
+  %.2476.i = fmul double %.14.i246.i, %.2308.i
+  %.2585.i = fmul double %.14.i241.i, %.2253.i
+  %.2586.i = fsub double %.2476.i, %.2585.i
+  %.2698.i = fmul double %.14.i241.i, %.2362.i
+  %.2807.i = fmul double %.14.i246.i, %.2199.i
+  %.2808.i = fsub double %.2698.i, %.2807.i
+  %.2814.i = fadd double %.2586.i, %.2364.i
+  %.2816.i = fadd double %.2808.i, %.2814.i
+  %.13.i280.i = fcmp olt double %.2586.i, %.2364.i
+  %.14.i281.i = select i1 %.13.i280.i, double %.2586.i, double %.2364.i
+  %.15.i282.i = fcmp olt double %.2808.i, %.14.i281.i
+  %.16.i283.i = select i1 %.15.i282.i, double %.2808.i, double %.14.i281.i
+  %.2854.i = fcmp ult double %.16.i283.i, 0.000000e+00
+  br i1 %.2854.i, label %B1280.endif.i, label %B1322.i
+
+B1280.endif.i:                                    ; preds = %B820.endif.us.2.i
+  %.13.i.i = fcmp ogt double %.2586.i, %.2364.i
+  %.14.i.i = select i1 %.13.i.i, double %.2586.i, double %.2364.i
+  %.15.i.i = fcmp ogt double %.2808.i, %.14.i.i
+  %.16.i.i = select i1 %.15.i.i, double %.2808.i, double %.14.i.i
+  %.2893.i = fcmp ugt double %.16.i.i, 0.000000e+00
+  br i1 %.2893.i, label %B30.i.i, label %B1322.i
+
+B1376.endif.endif.endif.endif.endif.endif.i:      ; preds = %B1322.i
+  %.3016.i = load double, ptr %sunkaddr353.i, align 8
+  %.3070.i = load double, ptr %sunkaddr361.i, align 8
+  %.10.i149.i = fmul double %.14.i251.i, %.2364.i
+  %.11.i150.i = fmul double %.2808.i, %.3070.i
+  %.12.i.i = fadd double %.10.i149.i, %.11.i150.i
+  %.13.i151.i = fmul double %.2586.i, %.3016.i
+  %.14.i152.i = fadd double %.13.i151.i, %.12.i.i
+  %.13.i284.i = fcmp olt double %.3070.i, %.3016.i
+  %.14.i285.i = select i1 %.13.i284.i, double %.3070.i, double %.3016.i
+  %.15.i286.i = fcmp olt double %.14.i251.i, %.14.i285.i
+  %.16.i287.i = select i1 %.15.i286.i, double %.14.i251.i, double %.14.i285.i
+  %.3108.i = fdiv double %.14.i152.i, %.2816.i
+  %.10.i288.i = fcmp ogt double %.16.i287.i, %.3108.i
+  %.11.i289.i = select i1 %.10.i288.i, double %.16.i287.i, double %.3108.i
+  %.13.i290.i = fcmp ogt double %.3070.i, %.3016.i
+  %.14.i291.i = select i1 %.13.i290.i, double %.3070.i, double %.3016.i
+  %.15.i292.i = fcmp ogt double %.14.i251.i, %.14.i291.i
+  %.16.i293.i = select i1 %.15.i292.i, double %.14.i251.i, double %.14.i291.i
+  %.10.i294.i = fcmp olt double %.16.i293.i, %.11.i289.i
+  %.11.i295.i = select i1 %.10.i294.i, double %.16.i293.i, double %.11.i289.i
+  %.3556.i = fcmp ult double %.11.i295.i, 0.000000e+00
+  br i1 %.3556.i, label %B30.i.i, label %B1670.i
+
+_ZN7msf_jax4host5solid7kernels4hitsB3v17B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi3E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd232Mesh_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_295ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit: ; preds = %B120.loopexit.i, %0
+  %count.4.0.lcssa.i = phi i64 [ 0, %0 ], [ %count.3.2305.i, %B120.loopexit.i ]
+  ret i64 %count.4.0.lcssa.i
+}
+
+declare { i64, i1 } @llvm.usub.with.overflow.i64(i64, i64)
+
+declare double @llvm.sqrt.f64(double)
+
+define i64 @msf_jax.host.solid.loops.loops(ptr readonly %words) local_unnamed_addr {
+  %w0 = load ptr, ptr %words, align 8
+  %p1 = getelementptr i8, ptr %words, i64 8
+  %w1 = load i64, ptr %p1, align 8
+  %p2 = getelementptr i8, ptr %words, i64 16
+  %w2 = load i64, ptr %p2, align 8
+  %p3 = getelementptr i8, ptr %words, i64 24
+  %w3 = load ptr, ptr %p3, align 8
+  %p5 = getelementptr i8, ptr %words, i64 40
+  %w5 = load i64, ptr %p5, align 8
+  %p6 = getelementptr i8, ptr %words, i64 48
+  %w6 = load ptr, ptr %p6, align 8
+  %p8 = getelementptr i8, ptr %words, i64 64
+  %w8 = load ptr, ptr %p8, align 8
+  %p10 = getelementptr i8, ptr %words, i64 80
+  %w10 = load ptr, ptr %p10, align 8
+  %p11 = getelementptr i8, ptr %words, i64 88
+  %w11 = load i64, ptr %p11, align 8
+  %p12 = getelementptr i8, ptr %words, i64 96
+  %w12 = load i64, ptr %p12, align 8
+  %p13 = getelementptr i8, ptr %words, i64 104
+  %w13 = load ptr, ptr %p13, align 8
+  %p14 = getelementptr i8, ptr %words, i64 112
+  %w14 = load i64, ptr %p14, align 8
+  %p19 = getelementptr i8, ptr %words, i64 152
+  %w19 = load ptr, ptr %p19, align 8
+  %p20 = getelementptr i8, ptr %words, i64 160
+  %w20 = load i64, ptr %p20, align 8
+  %p21 = getelementptr i8, ptr %words, i64 168
+  %w21 = load ptr, ptr %p21, align 8
+  %p22 = getelementptr i8, ptr %words, i64 176
+  %w22 = load i64, ptr %p22, align 8
+  %p23 = getelementptr i8, ptr %words, i64 184
+  %w23 = load i64, ptr %p23, align 8
+  %p24 = getelementptr i8, ptr %words, i64 192
+  %w24 = load ptr, ptr %p24, align 8
+  %p25 = getelementptr i8, ptr %words, i64 200
+  %w25 = load i64, ptr %p25, align 8
+  %p26 = getelementptr i8, ptr %words, i64 208
+  %w26 = load i64, ptr %p26, align 8
+  %p27 = getelementptr i8, ptr %words, i64 216
+  %w27 = load i64, ptr %p27, align 8
+  %p28 = getelementptr i8, ptr %words, i64 224
+  %w28 = load ptr, ptr %p28, align 8
+  %p30 = getelementptr i8, ptr %words, i64 240
+  %w30 = load i64, ptr %p30, align 8
+  %p31 = getelementptr i8, ptr %words, i64 248
+  %w31 = load ptr, ptr %p31, align 8
+  %p33 = getelementptr i8, ptr %words, i64 264
+  %w33 = load ptr, ptr %p33, align 8
+  %p34 = getelementptr i8, ptr %words, i64 272
+  %w34 = load i64, ptr %p34, align 8
+  %p35 = getelementptr i8, ptr %words, i64 280
+  %w35 = load ptr, ptr %p35, align 8
+  %.2941365.not.i = icmp slt i64 %w1, 1
+  br i1 %.2941365.not.i, label %_ZN7msf_jax4host5solid5loops5loopsB3v19B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE232Mesh_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xx5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, label %B108.preheader.i
+
+B108.preheader.i:                                 ; preds = %0
+  %p36 = getelementptr i8, ptr %words, i64 288
+  %w36 = load i64, ptr %p36, align 8
+  %1 = icmp slt i64 %w26, 1
+  %.1086.i.i = getelementptr i8, ptr %w28, i64 8
+  %.1200.i.i = getelementptr i8, ptr %w28, i64 16
+  %.1264.i.i = getelementptr double, ptr %w28, i64 %w30
+  %.1373.i.i = getelementptr i8, ptr %.1264.i.i, i64 8
+  %.1482.i.i = getelementptr i8, ptr %.1264.i.i, i64 16
+  %2 = shl i64 %w34, 3
+  %3 = shl i64 %w36, 3
+  %.720.i = shl i64 %w2, 3
+  %.257.i23.i.i = shl i64 %w5, 3
+  br label %B108.i
+
+B108.i:                                           ; preds = %B1094.i, %B108.preheader.i
+  %count.3.01371.i = phi i64 [ %count.4.2.i, %B1094.i ], [ 0, %B108.preheader.i ]
+  %.30013411368.i = phi i64 [ %.307.i, %B1094.i ], [ 0, %B108.preheader.i ]
+  %.307.i = add nuw nsw i64 %.30013411368.i, 1
+  %4 = getelementptr double, ptr %w6, i64 %.30013411368.i
+  %.365.i = load double, ptr %4, align 8
+  %5 = getelementptr i64, ptr %w8, i64 %.30013411368.i
+  %.402.i = load i64, ptr %5, align 8
+  %.403.i = icmp sgt i64 %.402.i, -1
+  br i1 %.403.i, label %B154.i, label %B204.endif.i
+
+B154.i:                                           ; preds = %B108.i
+  %.203.i17.i.i.i = mul i64 %.30013411368.i, %w2
+  %.207.i18.i.i.i = getelementptr double, ptr %w0, i64 %.203.i17.i.i.i
+  %.208.i19.i.i.i = load double, ptr %.207.i18.i.i.i, align 8
+  %.257.i23.i.i.i = mul i64 %.30013411368.i, %w5
+  %.261.i24.i.i.i = getelementptr double, ptr %w3, i64 %.257.i23.i.i.i
+  %.262.i25.i.i.i = load double, ptr %.261.i24.i.i.i, align 8
+  %.369.i29.i.i.i = getelementptr i8, ptr %.207.i18.i.i.i, i64 8
+  %.370.i30.i.i.i = load double, ptr %.369.i29.i.i.i, align 8
+  %.423.i32.i.i.i = getelementptr i8, ptr %.261.i24.i.i.i, i64 8
+  %.424.i33.i.i.i = load double, ptr %.423.i32.i.i.i, align 8
+  %.532.i38.i.i.i = getelementptr i8, ptr %.207.i18.i.i.i, i64 16
+  %.533.i39.i.i.i = load double, ptr %.532.i38.i.i.i, align 8
+  %.586.i41.i.i.i = getelementptr i8, ptr %.261.i24.i.i.i, i64 16
+  %.587.i42.i.i.i = load double, ptr %.586.i41.i.i.i, align 8
+  br label %B46.i.i
+
+B46.i.i:                                          ; preds = %B148.endif.2.i.i, %B154.i
+  %lsr.iv1.i.i = phi i64 [ %lsr.iv.next2.i.i, %B148.endif.2.i.i ], [ 32, %B154.i ]
+  %face.2.0486.i.i = phi i64 [ %.674.1.i.i, %B148.endif.2.i.i ], [ %.402.i, %B154.i ]
+  %.237.i.i.i = mul nsw i64 %face.2.0486.i.i, 3
+  %.252.peel.i.i.i = icmp slt i64 %face.2.0486.i.i, 0
+  %.253.peel.i.i.i = select i1 %.252.peel.i.i.i, i64 %w14, i64 0
+  %6 = getelementptr i64, ptr %w13, i64 %.237.i.i.i
+  %.267.peel.i.i.i = getelementptr i64, ptr %6, i64 %.253.peel.i.i.i
+  %.268.peel.i.i.i = load i64, ptr %.267.peel.i.i.i, align 8
+  %.128.i8.peel.i.i.i = icmp slt i64 %.268.peel.i.i.i, 0
+  %.129.i9.peel.i.i.i = select i1 %.128.i8.peel.i.i.i, i64 %w11, i64 0
+  %.130.i10.peel.i.i.i = add i64 %.129.i9.peel.i.i.i, %.268.peel.i.i.i
+  %.150.i11.peel.i.i.i = mul i64 %.130.i10.peel.i.i.i, %w12
+  %.154.i12.peel.i.i.i = getelementptr double, ptr %w10, i64 %.150.i11.peel.i.i.i
+  %.155.i13.peel.i.i.i = load double, ptr %.154.i12.peel.i.i.i, align 8
+  %.209.i20.peel.i.i.i = fsub double %.155.i13.peel.i.i.i, %.208.i19.i.i.i
+  %.263.i26.peel.i.i.i = fmul double %.262.i25.i.i.i, %.209.i20.peel.i.i.i
+  %.316.i27.peel.i.i.i = getelementptr i8, ptr %.154.i12.peel.i.i.i, i64 8
+  %.317.i28.peel.i.i.i = load double, ptr %.316.i27.peel.i.i.i, align 8
+  %.371.i31.peel.i.i.i = fsub double %.317.i28.peel.i.i.i, %.370.i30.i.i.i
+  %.425.i34.peel.i.i.i = fmul double %.424.i33.i.i.i, %.371.i31.peel.i.i.i
+  %.426.i35.peel.i.i.i = fadd double %.263.i26.peel.i.i.i, %.425.i34.peel.i.i.i
+  %.479.i36.peel.i.i.i = getelementptr i8, ptr %.154.i12.peel.i.i.i, i64 16
+  %.480.i37.peel.i.i.i = load double, ptr %.479.i36.peel.i.i.i, align 8
+  %.534.i40.peel.i.i.i = fsub double %.480.i37.peel.i.i.i, %.533.i39.i.i.i
+  %.588.i43.peel.i.i.i = fmul double %.587.i42.i.i.i, %.534.i40.peel.i.i.i
+  %.589.i44.peel.i.i.i = fadd double %.426.i35.peel.i.i.i, %.588.i43.peel.i.i.i
+  %.406.peel.i.i.i = fcmp ult double %.589.i44.peel.i.i.i, 0.000000e+00
+  %.pre.i.i.i = add nsw i64 %.237.i.i.i, 1
+  %.phi.trans.insert.i.i.i = getelementptr i64, ptr %w13, i64 %.pre.i.i.i
+  %.267.peel54.phi.trans.insert.i.i.i = getelementptr i64, ptr %.phi.trans.insert.i.i.i, i64 %.253.peel.i.i.i
+  %.268.peel55.pre.i.i.i = load i64, ptr %.267.peel54.phi.trans.insert.i.i.i, align 8
+  br i1 %.406.peel.i.i.i, label %B36.endif.endif.backedge.peel.i.i.i, label %B176.endif.peel.i.i.i
+
+B176.endif.peel.i.i.i:                            ; preds = %B46.i.i
+  %.128.i.peel.i.i.i = icmp slt i64 %.268.peel55.pre.i.i.i, 0
+  %.129.i.peel.i.i.i = select i1 %.128.i.peel.i.i.i, i64 %w11, i64 0
+  %.130.i.peel.i.i.i = add i64 %.129.i.peel.i.i.i, %.268.peel55.pre.i.i.i
+  %.150.i.peel.i.i.i = mul i64 %.130.i.peel.i.i.i, %w12
+  %.154.i.peel.i.i.i = getelementptr double, ptr %w10, i64 %.150.i.peel.i.i.i
+  %.155.i.peel.i.i.i = load double, ptr %.154.i.peel.i.i.i, align 8
+  %.209.i.peel.i.i.i = fsub double %.155.i.peel.i.i.i, %.208.i19.i.i.i
+  %.263.i.peel.i.i.i = fmul double %.262.i25.i.i.i, %.209.i.peel.i.i.i
+  %.316.i.peel.i.i.i = getelementptr i8, ptr %.154.i.peel.i.i.i, i64 8
+  %.317.i.peel.i.i.i = load double, ptr %.316.i.peel.i.i.i, align 8
+  %.371.i.peel.i.i.i = fsub double %.317.i.peel.i.i.i, %.370.i30.i.i.i
+  %.425.i.peel.i.i.i = fmul double %.424.i33.i.i.i, %.371.i.peel.i.i.i
+  %.426.i.peel.i.i.i = fadd double %.263.i.peel.i.i.i, %.425.i.peel.i.i.i
+  %.479.i.peel.i.i.i = getelementptr i8, ptr %.154.i.peel.i.i.i, i64 16
+  %.480.i.peel.i.i.i = load double, ptr %.479.i.peel.i.i.i, align 8
+  %.534.i.peel.i.i.i = fsub double %.480.i.peel.i.i.i, %.533.i39.i.i.i
+  %.588.i.peel.i.i.i = fmul double %.587.i42.i.i.i, %.534.i.peel.i.i.i
+  %.589.i.peel.i.i.i = fadd double %.426.i.peel.i.i.i, %.588.i.peel.i.i.i
+  %.473.peel.i.i.i = fcmp olt double %.589.i.peel.i.i.i, 0.000000e+00
+  br i1 %.473.peel.i.i.i, label %B46.endif.i.i, label %B36.endif.endif.backedge.peel.i.i.i
+
+B36.endif.endif.backedge.peel.i.i.i:              ; preds = %B46.i.i, %B176.endif.peel.i.i.i
+  %.128.i8.peel56.i.i.i = icmp slt i64 %.268.peel55.pre.i.i.i, 0
+  %.129.i9.peel57.i.i.i = select i1 %.128.i8.peel56.i.i.i, i64 %w11, i64 0
+  %.130.i10.peel58.i.i.i = add i64 %.129.i9.peel57.i.i.i, %.268.peel55.pre.i.i.i
+  %.150.i11.peel59.i.i.i = mul i64 %.130.i10.peel58.i.i.i, %w12
+  %.154.i12.peel60.i.i.i = getelementptr double, ptr %w10, i64 %.150.i11.peel59.i.i.i
+  %.155.i13.peel61.i.i.i = load double, ptr %.154.i12.peel60.i.i.i, align 8
+  %.209.i20.peel62.i.i.i = fsub double %.155.i13.peel61.i.i.i, %.208.i19.i.i.i
+  %.263.i26.peel63.i.i.i = fmul double %.262.i25.i.i.i, %.209.i20.peel62.i.i.i
+  %.316.i27.peel64.i.i.i = getelementptr i8, ptr %.154.i12.peel60.i.i.i, i64 8
+  %.317.i28.peel65.i.i.i = load double, ptr %.316.i27.peel64.i.i.i, align 8
+  %.371.i31.peel66.i.i.i = fsub double %.317.i28.peel65.i.i.i, %.370.i30.i.i.i
+  %.425.i34.peel67.i.i.i = fmul double %.424.i33.i.i.i, %.371.i31.peel66.i.i.i
+  %.426.i35.peel68.i.i.i = fadd double %.263.i26.peel63.i.i.i, %.425.i34.peel67.i.i.i
+  %.479.i36.peel69.i.i.i = getelementptr i8, ptr %.154.i12.peel60.i.i.i, i64 16
+  %.480.i37.peel70.i.i.i = load double, ptr %.479.i36.peel69.i.i.i, align 8
+  %.534.i40.peel71.i.i.i = fsub double %.480.i37.peel70.i.i.i, %.533.i39.i.i.i
+  %.588.i43.peel72.i.i.i = fmul double %.587.i42.i.i.i, %.534.i40.peel71.i.i.i
+  %.589.i44.peel73.i.i.i = fadd double %.426.i35.peel68.i.i.i, %.588.i43.peel72.i.i.i
+  %.406.peel74.i.i.i = fcmp ult double %.589.i44.peel73.i.i.i, 0.000000e+00
+  %.pre161.i.i.i = add nsw i64 %.237.i.i.i, 2
+  %.phi.trans.insert2.i.i.i = getelementptr i64, ptr %w13, i64 %.pre161.i.i.i
+  %.267.peel110.phi.trans.insert.i.i.i = getelementptr i64, ptr %.phi.trans.insert2.i.i.i, i64 %.253.peel.i.i.i
+  %.268.peel111.pre.i.i.i = load i64, ptr %.267.peel110.phi.trans.insert.i.i.i, align 8
+  br i1 %.406.peel74.i.i.i, label %B36.endif.endif.backedge.peel103.i.i.i, label %B176.endif.peel75.i.i.i
+
+B176.endif.peel75.i.i.i:                          ; preds = %B36.endif.endif.backedge.peel.i.i.i
+  %.128.i.peel82.i.i.i = icmp slt i64 %.268.peel111.pre.i.i.i, 0
+  %.129.i.peel83.i.i.i = select i1 %.128.i.peel82.i.i.i, i64 %w11, i64 0
+  %.130.i.peel84.i.i.i = add i64 %.129.i.peel83.i.i.i, %.268.peel111.pre.i.i.i
+  %.150.i.peel85.i.i.i = mul i64 %.130.i.peel84.i.i.i, %w12
+  %.154.i.peel86.i.i.i = getelementptr double, ptr %w10, i64 %.150.i.peel85.i.i.i
+  %.155.i.peel87.i.i.i = load double, ptr %.154.i.peel86.i.i.i, align 8
+  %.209.i.peel88.i.i.i = fsub double %.155.i.peel87.i.i.i, %.208.i19.i.i.i
+  %.263.i.peel89.i.i.i = fmul double %.262.i25.i.i.i, %.209.i.peel88.i.i.i
+  %.316.i.peel90.i.i.i = getelementptr i8, ptr %.154.i.peel86.i.i.i, i64 8
+  %.317.i.peel91.i.i.i = load double, ptr %.316.i.peel90.i.i.i, align 8
+  %.371.i.peel92.i.i.i = fsub double %.317.i.peel91.i.i.i, %.370.i30.i.i.i
+  %.425.i.peel93.i.i.i = fmul double %.424.i33.i.i.i, %.371.i.peel92.i.i.i
+  %.426.i.peel94.i.i.i = fadd double %.263.i.peel89.i.i.i, %.425.i.peel93.i.i.i
+  %.479.i.peel95.i.i.i = getelementptr i8, ptr %.154.i.peel86.i.i.i, i64 16
+  %.480.i.peel96.i.i.i = load double, ptr %.479.i.peel95.i.i.i, align 8
+  %.534.i.peel97.i.i.i = fsub double %.480.i.peel96.i.i.i, %.533.i39.i.i.i
+  %.588.i.peel98.i.i.i = fmul double %.587.i42.i.i.i, %.534.i.peel97.i.i.i
+  %.589.i.peel99.i.i.i = fadd double %.426.i.peel94.i.i.i, %.588.i.peel98.i.i.i
+  %.473.peel100.i.i.i = fcmp olt double %.589.i.peel99.i.i.i, 0.000000e+00
+  br i1 %.473.peel100.i.i.i, label %B46.endif.i.i, label %B36.endif.endif.backedge.peel103.i.i.i
+
+B36.endif.endif.backedge.peel103.i.i.i:           ; preds = %B36.endif.endif.backedge.peel.i.i.i, %B176.endif.peel75.i.i.i
+  %.128.i8.peel112.i.i.i = icmp slt i64 %.268.peel111.pre.i.i.i, 0
+  %.129.i9.peel113.i.i.i = select i1 %.128.i8.peel112.i.i.i, i64 %w11, i64 0
+  %.130.i10.peel114.i.i.i = add i64 %.129.i9.peel113.i.i.i, %.268.peel111.pre.i.i.i
+  %.150.i11.peel115.i.i.i = mul i64 %.130.i10.peel114.i.i.i, %w12
+  %.154.i12.peel116.i.i.i = getelementptr double, ptr %w10, i64 %.150.i11.peel115.i.i.i
+  %.155.i13.peel117.i.i.i = load double, ptr %.154.i12.peel116.i.i.i, align 8
+  %.209.i20.peel118.i.i.i = fsub double %.155.i13.peel117.i.i.i, %.208.i19.i.i.i
+  %.263.i26.peel119.i.i.i = fmul double %.262.i25.i.i.i, %.209.i20.peel118.i.i.i
+  %.316.i27.peel120.i.i.i = getelementptr i8, ptr %.154.i12.peel116.i.i.i, i64 8
+  %.317.i28.peel121.i.i.i = load double, ptr %.316.i27.peel120.i.i.i, align 8
+  %.371.i31.peel122.i.i.i = fsub double %.317.i28.peel121.i.i.i, %.370.i30.i.i.i
+  %.425.i34.peel123.i.i.i = fmul double %.424.i33.i.i.i, %.371.i31.peel122.i.i.i
+  %.426.i35.peel124.i.i.i = fadd double %.263.i26.peel119.i.i.i, %.425.i34.peel123.i.i.i
+  %.479.i36.peel125.i.i.i = getelementptr i8, ptr %.154.i12.peel116.i.i.i, i64 16
+  %.480.i37.peel126.i.i.i = load double, ptr %.479.i36.peel125.i.i.i, align 8
+  %.534.i40.peel127.i.i.i = fsub double %.480.i37.peel126.i.i.i, %.533.i39.i.i.i
+  %.588.i43.peel128.i.i.i = fmul double %.587.i42.i.i.i, %.534.i40.peel127.i.i.i
+  %.589.i44.peel129.i.i.i = fadd double %.426.i35.peel124.i.i.i, %.588.i43.peel128.i.i.i
+  %.406.peel130.i.i.i = fcmp oge double %.589.i44.peel129.i.i.i, 0.000000e+00
+  %.473.peel156.i.i.i = fcmp olt double %.589.i44.peel.i.i.i, 0.000000e+00
+  %or.cond.i.i = and i1 %.473.peel156.i.i.i, %.406.peel130.i.i.i
+  br i1 %or.cond.i.i, label %B46.endif.i.i, label %B148.endif.2.i.i
+
+B46.endif.i.i:                                    ; preds = %B36.endif.endif.backedge.peel103.i.i.i, %B176.endif.peel75.i.i.i, %B176.endif.peel.i.i.i
+  %storemerge.i.i.i = phi i64 [ %.pre.i.i.i, %B176.endif.peel75.i.i.i ], [ %.237.i.i.i, %B176.endif.peel.i.i.i ], [ %.pre161.i.i.i, %B36.endif.endif.backedge.peel103.i.i.i ]
+  %.294.i.i = icmp sgt i64 %storemerge.i.i.i, -1
+  br i1 %.294.i.i, label %B204.endif.i, label %B46.endif.B148.endif.2_crit_edge.i.i
+
+B46.endif.B148.endif.2_crit_edge.i.i:             ; preds = %B46.endif.i.i
+  %.phi.trans.insert.i2.i = getelementptr i8, ptr %6, i64 16
+  %.489.2.phi.trans.insert.i.i = getelementptr i64, ptr %.phi.trans.insert.i2.i, i64 %.253.peel.i.i.i
+  %.490.2.pre.i.i = load i64, ptr %.489.2.phi.trans.insert.i.i, align 8
+  br label %B148.endif.2.i.i
+
+B148.endif.2.i.i:                                 ; preds = %B46.endif.B148.endif.2_crit_edge.i.i, %B36.endif.endif.backedge.peel103.i.i.i
+  %.490.2.i.i = phi i64 [ %.490.2.pre.i.i, %B46.endif.B148.endif.2_crit_edge.i.i ], [ %.268.peel111.pre.i.i.i, %B36.endif.endif.backedge.peel103.i.i.i ]
+  %.128.i7.i.i = icmp slt i64 %.268.peel55.pre.i.i.i, 0
+  %.129.i8.i.i = select i1 %.128.i7.i.i, i64 %w11, i64 0
+  %.130.i9.i.i = add i64 %.129.i8.i.i, %.268.peel55.pre.i.i.i
+  %.150.i10.i.i = mul i64 %.130.i9.i.i, %w12
+  %.154.i11.i.i = getelementptr double, ptr %w10, i64 %.150.i10.i.i
+  %.155.i12.i.i = load double, ptr %.154.i11.i.i, align 8
+  %.209.i19.i.i = fsub double %.155.i12.i.i, %.208.i19.i.i.i
+  %.263.i25.i.i = fmul double %.262.i25.i.i.i, %.209.i19.i.i
+  %.316.i26.i.i = getelementptr i8, ptr %.154.i11.i.i, i64 8
+  %.317.i27.i.i = load double, ptr %.316.i26.i.i, align 8
+  %.371.i30.i.i = fsub double %.317.i27.i.i, %.370.i30.i.i.i
+  %.425.i33.i.i = fmul double %.424.i33.i.i.i, %.371.i30.i.i
+  %.426.i34.i.i = fadd double %.263.i25.i.i, %.425.i33.i.i
+  %.479.i35.i.i = getelementptr i8, ptr %.154.i11.i.i, i64 16
+  %.480.i36.i.i = load double, ptr %.479.i35.i.i, align 8
+  %.534.i39.i.i = fsub double %.480.i36.i.i, %.533.i39.i.i.i
+  %.588.i42.i.i = fmul double %.587.i42.i.i.i, %.534.i39.i.i
+  %.589.i43.i.i = fadd double %.426.i34.i.i, %.588.i42.i.i
+  %.128.i44.i.i = icmp slt i64 %.490.2.i.i, 0
+  %.129.i45.i.i = select i1 %.128.i44.i.i, i64 %w11, i64 0
+  %.130.i46.i.i = add i64 %.129.i45.i.i, %.490.2.i.i
+  %.150.i47.i.i = mul i64 %.130.i46.i.i, %w12
+  %.154.i48.i.i = getelementptr double, ptr %w10, i64 %.150.i47.i.i
+  %.155.i49.i.i = load double, ptr %.154.i48.i.i, align 8
+  %.209.i56.i.i = fsub double %.155.i49.i.i, %.208.i19.i.i.i
+  %.263.i62.i.i = fmul double %.262.i25.i.i.i, %.209.i56.i.i
+  %.316.i63.i.i = getelementptr i8, ptr %.154.i48.i.i, i64 8
+  %.317.i64.i.i = load double, ptr %.316.i63.i.i, align 8
+  %.371.i67.i.i = fsub double %.317.i64.i.i, %.370.i30.i.i.i
+  %.425.i70.i.i = fmul double %.424.i33.i.i.i, %.371.i67.i.i
+  %.426.i71.i.i = fadd double %.263.i62.i.i, %.425.i70.i.i
+  %.479.i72.i.i = getelementptr i8, ptr %.154.i48.i.i, i64 16
+  %.480.i73.i.i = load double, ptr %.479.i72.i.i, align 8
+  %.534.i76.i.i = fsub double %.480.i73.i.i, %.533.i39.i.i.i
+  %.588.i79.i.i = fmul double %.587.i42.i.i.i, %.534.i76.i.i
+  %.589.i80.i.i = fadd double %.426.i71.i.i, %.588.i79.i.i
+  %.547.1.i.i = tail call double @llvm.fabs.f64(double %.589.i43.i.i)
+  %.547.i.i = tail call double @llvm.fabs.f64(double %.589.i44.peel.i.i.i)
+  %.553.i.i = fcmp ogt double %.547.i.i, -1.000000e+00
+  %most.3.2.i.i = select i1 %.553.i.i, double %.547.i.i, double -1.000000e+00
+  %.553.1.i.i = fcmp ogt double %.547.1.i.i, %most.3.2.i.i
+  %most.3.2.1.i.i = select i1 %.553.1.i.i, double %.547.1.i.i, double %most.3.2.i.i
+  %.547.2.i.i = tail call double @llvm.fabs.f64(double %.589.i80.i.i)
+  %.553.2.i.i = fcmp ogt double %.547.2.i.i, %most.3.2.1.i.i
+  %7 = select i1 %.553.1.i.i, i64 2, i64 1
+  %.616.i.i = select i1 %.553.2.i.i, i64 0, i64 %7
+  %.637.i.i = add nsw i64 %.616.i.i, %.237.i.i.i
+  %.650.i.i = icmp slt i64 %.637.i.i, 0
+  %.651.i.i = select i1 %.650.i.i, i64 %w20, i64 0
+  %8 = getelementptr i64, ptr %w19, i64 %.637.i.i
+  %.665.i.i = getelementptr i64, ptr %8, i64 %.651.i.i
+  %.666.i.i = load i64, ptr %.665.i.i, align 8
+  %.685.i.i = sdiv i64 %.666.i.i, 3
+  %.686.i.i = srem i64 %.666.i.i, 3
+  %.686.lobit.i.i = ashr i64 %.686.i.i, 63
+  %.674.1.i.i = add nsw i64 %.686.lobit.i.i, %.685.i.i
+  %lsr.iv.next2.i.i = add nsw i64 %lsr.iv1.i.i, -1
+  %.194.i.i = icmp samesign ugt i64 %lsr.iv1.i.i, 3
+  br i1 %.194.i.i, label %B46.i.i, label %B204.endif.i
+
+B236.i:                                           ; preds = %B236.lr.ph.i, %B594.i
+  %first.3.11326.i = phi i64 [ %first.7.1.i, %B236.lr.ph.i ], [ %first.5.3100.i, %B594.i ]
+  %best.5.11325.i = phi double [ %.365.i, %B236.lr.ph.i ], [ %.1211.i, %B594.i ]
+  %.59413171323.i = phi i64 [ 0, %B236.lr.ph.i ], [ %.601.i, %B594.i ]
+  %.601.i = add nuw nsw i64 %.59413171323.i, 1
+  %.627.i = icmp sgt i64 %first.3.11326.i, -1
+  br i1 %.627.i, label %B626.preheader.i, label %B266.outer.preheader.i
+
+B266.outer.preheader.i:                           ; preds = %B236.i
+  %.725.pre.i = load double, ptr %sunkaddr144.i, align 8
+  %.780.pre.i = load double, ptr %sunkaddr147.i, align 8
+  %.835.pre.i = load double, ptr %sunkaddr150.i, align 8
+  br label %B266.outer.i
+
+B266.outer.i:                                     ; preds = %B70.i.i, %B266.outer.preheader.i
+  %.533.i.i.i = phi double [ %.533.i.i33.i, %B70.i.i ], [ %.835.pre.i, %B266.outer.preheader.i ]
+  %.370.i.i.i = phi double [ %.370.i.i28.i, %B70.i.i ], [ %.780.pre.i, %B266.outer.preheader.i ]
+  %.208.i.i.i = phi double [ %.208.i.i23.i, %B70.i.i ], [ %.725.pre.i, %B266.outer.preheader.i ]
+  %.835.i = phi double [ %.83521.i, %B70.i.i ], [ %.835.pre.i, %B266.outer.preheader.i ]
+  %.780.i = phi double [ %.78019.i, %B70.i.i ], [ %.780.pre.i, %B266.outer.preheader.i ]
+  %.725.i = phi double [ %.72517.i, %B70.i.i ], [ %.725.pre.i, %B266.outer.preheader.i ]
+  %best.3.2.ph.i = phi double [ %best.4.398.i, %B70.i.i ], [ %best.5.11325.i, %B266.outer.preheader.i ]
+  %first.6.2.ph.i = phi i64 [ %first.5.3100.i, %B70.i.i ], [ -1, %B266.outer.preheader.i ]
+  %which.2.2.ph.i = phi i64 [ %which.3.3102.i, %B70.i.i ], [ %w25, %B266.outer.preheader.i ]
+  %node.2.2.ph.i = phi i64 [ %node.4.0.i.i, %B70.i.i ], [ 1, %B266.outer.preheader.i ]
+  %.840.i = fmul double %best.3.2.ph.i, %best.3.2.ph.i
+  %.443.i.i = fmul double %.840.i, 0x3FF0000000001198
+  br label %B266.i
+
+B266.i:                                           ; preds = %B20.i.i, %B266.outer.i
+  %node.2.2.i = phi i64 [ %.28.i.i, %B20.i.i ], [ %node.2.2.ph.i, %B266.outer.i ]
+  %.47.i.i = icmp slt i64 %node.2.2.i, 0
+  %.48.i.i = select i1 %.47.i.i, i64 %w22, i64 0
+  %.49.i.i = add i64 %.48.i.i, %node.2.2.i
+  %.69.i.i = mul i64 %.49.i.i, %w23
+  %.73.i.i = getelementptr double, ptr %w21, i64 %.69.i.i
+  %.74.i.i = load double, ptr %.73.i.i, align 8
+  %.75.i.i = fsub double %.74.i.i, %.725.i
+  %.127.i.i = getelementptr i8, ptr %.73.i.i, i64 24
+  %.128.i.i = load double, ptr %.127.i.i, align 8
+  %.129.i.i = fsub double %.725.i, %.128.i.i
+  %.13.i.i.i = fcmp ogt double %.129.i.i, %.75.i.i
+  %.14.i.i.i = select i1 %.13.i.i.i, double %.129.i.i, double %.75.i.i
+  %.15.i.i.i = fcmp olt double %.14.i.i.i, 0.000000e+00
+  %.16.i.i.i = select i1 %.15.i.i.i, double 0.000000e+00, double %.14.i.i.i
+  %.213.i.i = getelementptr i8, ptr %.73.i.i, i64 8
+  %.214.i.i = load double, ptr %.213.i.i, align 8
+  %.215.i.i = fsub double %.214.i.i, %.780.i
+  %.267.i.i = getelementptr i8, ptr %.73.i.i, i64 32
+  %.268.i.i = load double, ptr %.267.i.i, align 8
+  %.269.i.i = fsub double %.780.i, %.268.i.i
+  %.13.i1.i.i = fcmp ogt double %.269.i.i, %.215.i.i
+  %.14.i2.i.i = select i1 %.13.i1.i.i, double %.269.i.i, double %.215.i.i
+  %.15.i3.i.i = fcmp olt double %.14.i2.i.i, 0.000000e+00
+  %.16.i4.i.i = select i1 %.15.i3.i.i, double 0.000000e+00, double %.14.i2.i.i
+  %.351.i.i = getelementptr i8, ptr %.73.i.i, i64 16
+  %.352.i.i = load double, ptr %.351.i.i, align 8
+  %.353.i.i = fsub double %.352.i.i, %.835.i
+  %.405.i.i = getelementptr i8, ptr %.73.i.i, i64 40
+  %.406.i.i = load double, ptr %.405.i.i, align 8
+  %.407.i.i = fsub double %.835.i, %.406.i.i
+  %.13.i5.i.i = fcmp ogt double %.407.i.i, %.353.i.i
+  %.14.i6.i.i = select i1 %.13.i5.i.i, double %.407.i.i, double %.353.i.i
+  %.15.i7.i.i = fcmp olt double %.14.i6.i.i, 0.000000e+00
+  %.16.i8.i.i = select i1 %.15.i7.i.i, double 0.000000e+00, double %.14.i6.i.i
+  %.438.i.i = fmul double %.16.i.i.i, %.16.i.i.i
+  %.439.i.i = fmul double %.16.i4.i.i, %.16.i4.i.i
+  %.440.i.i = fadd double %.438.i.i, %.439.i.i
+  %.441.i.i = fmul double %.16.i8.i.i, %.16.i8.i.i
+  %.442.i.i = fadd double %.440.i.i, %.441.i.i
+  %.444.i.i = fcmp ugt double %.442.i.i, %.443.i.i
+  br i1 %.444.i.i, label %B30.i.i, label %B374.i
+
+B374.i:                                           ; preds = %B266.i
+  %.895.not.i = icmp slt i64 %node.2.2.i, %w25
+  br i1 %.895.not.i, label %B20.i.i, label %B386.i
+
+B386.i:                                           ; preds = %B374.i
+  %.910.i = sub nsw i64 %node.2.2.i, %w25
+  %.938.i = getelementptr i64, ptr %w24, i64 %.910.i
+  %.939.i = load i64, ptr %.938.i, align 8
+  %.237.i.i = mul nsw i64 %.939.i, 3
+  %.262.i25.i.i = load double, ptr %sunkaddr152.i, align 8
+  %.424.i33.i.i = load double, ptr %sunkaddr155.i, align 8
+  %.587.i42.i.i = load double, ptr %sunkaddr158.i, align 8
+  %.252.peel.i.i = icmp slt i64 %.939.i, 0
+  %.253.peel.i.i = select i1 %.252.peel.i.i, i64 %w14, i64 0
+  %9 = getelementptr i64, ptr %w13, i64 %.237.i.i
+  %.267.peel.i.i = getelementptr i64, ptr %9, i64 %.253.peel.i.i
+  %.268.peel.i.i = load i64, ptr %.267.peel.i.i, align 8
+  %.128.i8.peel.i.i = icmp slt i64 %.268.peel.i.i, 0
+  %.129.i9.peel.i.i = select i1 %.128.i8.peel.i.i, i64 %w11, i64 0
+  %.130.i10.peel.i.i = add i64 %.129.i9.peel.i.i, %.268.peel.i.i
+  %.150.i11.peel.i.i = mul i64 %.130.i10.peel.i.i, %w12
+  %.154.i12.peel.i.i = getelementptr double, ptr %w10, i64 %.150.i11.peel.i.i
+  %.155.i13.peel.i.i = load double, ptr %.154.i12.peel.i.i, align 8
+  %.209.i20.peel.i.i = fsub double %.155.i13.peel.i.i, %.725.i
+  %.263.i26.peel.i.i = fmul double %.262.i25.i.i, %.209.i20.peel.i.i
+  %.316.i27.peel.i.i = getelementptr i8, ptr %.154.i12.peel.i.i, i64 8
+  %.317.i28.peel.i.i = load double, ptr %.316.i27.peel.i.i, align 8
+  %.371.i31.peel.i.i = fsub double %.317.i28.peel.i.i, %.780.i
+  %.425.i34.peel.i.i = fmul double %.424.i33.i.i, %.371.i31.peel.i.i
+  %.426.i35.peel.i.i = fadd double %.263.i26.peel.i.i, %.425.i34.peel.i.i
+  %.479.i36.peel.i.i = getelementptr i8, ptr %.154.i12.peel.i.i, i64 16
+  %.480.i37.peel.i.i = load double, ptr %.479.i36.peel.i.i, align 8
+  %.534.i40.peel.i.i = fsub double %.480.i37.peel.i.i, %.835.i
+  %.588.i43.peel.i.i = fmul double %.587.i42.i.i, %.534.i40.peel.i.i
+  %.589.i44.peel.i.i = fadd double %.426.i35.peel.i.i, %.588.i43.peel.i.i
+  %.406.peel.i.i = fcmp ult double %.589.i44.peel.i.i, 0.000000e+00
+  %.pre.i.i = add nsw i64 %.237.i.i, 1
+  %.phi.trans.insert.i.i = getelementptr i64, ptr %w13, i64 %.pre.i.i
+  %.267.peel54.phi.trans.insert.i.i = getelementptr i64, ptr %.phi.trans.insert.i.i, i64 %.253.peel.i.i
+  %.268.peel55.pre.i.i = load i64, ptr %.267.peel54.phi.trans.insert.i.i, align 8
+  br i1 %.406.peel.i.i, label %B36.endif.endif.backedge.peel.i.i, label %B176.endif.peel.i.i
+
+B176.endif.peel.i.i:                              ; preds = %B386.i
+  %.128.i.peel.i.i = icmp slt i64 %.268.peel55.pre.i.i, 0
+  %.129.i.peel.i.i = select i1 %.128.i.peel.i.i, i64 %w11, i64 0
+  %.130.i.peel.i.i = add i64 %.129.i.peel.i.i, %.268.peel55.pre.i.i
+  %.150.i.peel.i.i = mul i64 %.130.i.peel.i.i, %w12
+  %.154.i.peel.i.i = getelementptr double, ptr %w10, i64 %.150.i.peel.i.i
+  %.155.i.peel.i.i = load double, ptr %.154.i.peel.i.i, align 8
+  %.209.i.peel.i.i = fsub double %.155.i.peel.i.i, %.725.i
+  %.263.i.peel.i.i = fmul double %.262.i25.i.i, %.209.i.peel.i.i
+  %.316.i.peel.i.i = getelementptr i8, ptr %.154.i.peel.i.i, i64 8
+  %.317.i.peel.i.i = load double, ptr %.316.i.peel.i.i, align 8
+  %.371.i.peel.i.i = fsub double %.317.i.peel.i.i, %.780.i
+  %.425.i.peel.i.i = fmul double %.424.i33.i.i, %.371.i.peel.i.i
+  %.426.i.peel.i.i = fadd double %.263.i.peel.i.i, %.425.i.peel.i.i
+  %.479.i.peel.i.i = getelementptr i8, ptr %.154.i.peel.i.i, i64 16
+  %.480.i.peel.i.i = load double, ptr %.479.i.peel.i.i, align 8
+  %.534.i.peel.i.i = fsub double %.480.i.peel.i.i, %.835.i
+  %.588.i.peel.i.i = fmul double %.587.i42.i.i, %.534.i.peel.i.i
+  %.589.i.peel.i.i = fadd double %.426.i.peel.i.i, %.588.i.peel.i.i
+  %.473.peel.i.i = fcmp olt double %.589.i.peel.i.i, 0.000000e+00
+  br i1 %.473.peel.i.i, label %B386.endif.i, label %B36.endif.endif.backedge.peel.i.i
+
+B36.endif.endif.backedge.peel.i.i:                ; preds = %B386.i, %B176.endif.peel.i.i
+  %.128.i8.peel56.i.i = icmp slt i64 %.268.peel55.pre.i.i, 0
+  %.129.i9.peel57.i.i = select i1 %.128.i8.peel56.i.i, i64 %w11, i64 0
+  %.130.i10.peel58.i.i = add i64 %.129.i9.peel57.i.i, %.268.peel55.pre.i.i
+  %.150.i11.peel59.i.i = mul i64 %.130.i10.peel58.i.i, %w12
+  %.154.i12.peel60.i.i = getelementptr double, ptr %w10, i64 %.150.i11.peel59.i.i
+  %.155.i13.peel61.i.i = load double, ptr %.154.i12.peel60.i.i, align 8
+  %.209.i20.peel62.i.i = fsub double %.155.i13.peel61.i.i, %.725.i
+  %.263.i26.peel63.i.i = fmul double %.262.i25.i.i, %.209.i20.peel62.i.i
+  %.316.i27.peel64.i.i = getelementptr i8, ptr %.154.i12.peel60.i.i, i64 8
+  %.317.i28.peel65.i.i = load double, ptr %.316.i27.peel64.i.i, align 8
+  %.371.i31.peel66.i.i = fsub double %.317.i28.peel65.i.i, %.780.i
+  %.425.i34.peel67.i.i = fmul double %.424.i33.i.i, %.371.i31.peel66.i.i
+  %.426.i35.peel68.i.i = fadd double %.263.i26.peel63.i.i, %.425.i34.peel67.i.i
+  %.479.i36.peel69.i.i = getelementptr i8, ptr %.154.i12.peel60.i.i, i64 16
+  %.480.i37.peel70.i.i = load double, ptr %.479.i36.peel69.i.i, align 8
+  %.534.i40.peel71.i.i = fsub double %.480.i37.peel70.i.i, %.835.i
+  %.588.i43.peel72.i.i = fmul double %.587.i42.i.i, %.534.i40.peel71.i.i
+  %.589.i44.peel73.i.i = fadd double %.426.i35.peel68.i.i, %.588.i43.peel72.i.i
+  %.406.peel74.i.i = fcmp ult double %.589.i44.peel73.i.i, 0.000000e+00
+  %.pre161.i.i = add nsw i64 %.237.i.i, 2
+  %.phi.trans.insert2.i.i = getelementptr i64, ptr %w13, i64 %.pre161.i.i
+  %.267.peel110.phi.trans.insert.i.i = getelementptr i64, ptr %.phi.trans.insert2.i.i, i64 %.253.peel.i.i
+  %.268.peel111.pre.i.i = load i64, ptr %.267.peel110.phi.trans.insert.i.i, align 8
+  br i1 %.406.peel74.i.i, label %B36.endif.endif.backedge.peel103.i.i, label %B176.endif.peel75.i.i
+
+B176.endif.peel75.i.i:                            ; preds = %B36.endif.endif.backedge.peel.i.i
+  %.128.i.peel82.i.i = icmp slt i64 %.268.peel111.pre.i.i, 0
+  %.129.i.peel83.i.i = select i1 %.128.i.peel82.i.i, i64 %w11, i64 0
+  %.130.i.peel84.i.i = add i64 %.129.i.peel83.i.i, %.268.peel111.pre.i.i
+  %.150.i.peel85.i.i = mul i64 %.130.i.peel84.i.i, %w12
+  %.154.i.peel86.i.i = getelementptr double, ptr %w10, i64 %.150.i.peel85.i.i
+  %.155.i.peel87.i.i = load double, ptr %.154.i.peel86.i.i, align 8
+  %.209.i.peel88.i.i = fsub double %.155.i.peel87.i.i, %.725.i
+  %.263.i.peel89.i.i = fmul double %.262.i25.i.i, %.209.i.peel88.i.i
+  %.316.i.peel90.i.i = getelementptr i8, ptr %.154.i.peel86.i.i, i64 8
+  %.317.i.peel91.i.i = load double, ptr %.316.i.peel90.i.i, align 8
+  %.371.i.peel92.i.i = fsub double %.317.i.peel91.i.i, %.780.i
+  %.425.i.peel93.i.i = fmul double %.424.i33.i.i, %.371.i.peel92.i.i
+  %.426.i.peel94.i.i = fadd double %.263.i.peel89.i.i, %.425.i.peel93.i.i
+  %.479.i.peel95.i.i = getelementptr i8, ptr %.154.i.peel86.i.i, i64 16
+  %.480.i.peel96.i.i = load double, ptr %.479.i.peel95.i.i, align 8
+  %.534.i.peel97.i.i = fsub double %.480.i.peel96.i.i, %.835.i
+  %.588.i.peel98.i.i = fmul double %.587.i42.i.i, %.534.i.peel97.i.i
+  %.589.i.peel99.i.i = fadd double %.426.i.peel94.i.i, %.588.i.peel98.i.i
+  %.473.peel100.i.i = fcmp olt double %.589.i.peel99.i.i, 0.000000e+00
+  br i1 %.473.peel100.i.i, label %B386.endif.i, label %B36.endif.endif.backedge.peel103.i.i
+
+B36.endif.endif.backedge.peel103.i.i:             ; preds = %B36.endif.endif.backedge.peel.i.i, %B176.endif.peel75.i.i
+  %.128.i8.peel112.i.i = icmp slt i64 %.268.peel111.pre.i.i, 0
+  %.129.i9.peel113.i.i = select i1 %.128.i8.peel112.i.i, i64 %w11, i64 0
+  %.130.i10.peel114.i.i = add i64 %.129.i9.peel113.i.i, %.268.peel111.pre.i.i
+  %.150.i11.peel115.i.i = mul i64 %.130.i10.peel114.i.i, %w12
+  %.154.i12.peel116.i.i = getelementptr double, ptr %w10, i64 %.150.i11.peel115.i.i
+  %.155.i13.peel117.i.i = load double, ptr %.154.i12.peel116.i.i, align 8
+  %.209.i20.peel118.i.i = fsub double %.155.i13.peel117.i.i, %.725.i
+  %.263.i26.peel119.i.i = fmul double %.262.i25.i.i, %.209.i20.peel118.i.i
+  %.316.i27.peel120.i.i = getelementptr i8, ptr %.154.i12.peel116.i.i, i64 8
+  %.317.i28.peel121.i.i = load double, ptr %.316.i27.peel120.i.i, align 8
+  %.371.i31.peel122.i.i = fsub double %.317.i28.peel121.i.i, %.780.i
+  %.425.i34.peel123.i.i = fmul double %.424.i33.i.i, %.371.i31.peel122.i.i
+  %.426.i35.peel124.i.i = fadd double %.263.i26.peel119.i.i, %.425.i34.peel123.i.i
+  %.479.i36.peel125.i.i = getelementptr i8, ptr %.154.i12.peel116.i.i, i64 16
+  %.480.i37.peel126.i.i = load double, ptr %.479.i36.peel125.i.i, align 8
+  %.534.i40.peel127.i.i = fsub double %.480.i37.peel126.i.i, %.835.i
+  %.588.i43.peel128.i.i = fmul double %.587.i42.i.i, %.534.i40.peel127.i.i
+  %.589.i44.peel129.i.i = fadd double %.426.i35.peel124.i.i, %.588.i43.peel128.i.i
+  %.406.peel130.i.i = fcmp oge double %.589.i44.peel129.i.i, 0.000000e+00
+  %.473.peel156.i.i = fcmp olt double %.589.i44.peel.i.i, 0.000000e+00
+  %or.cond114.i = and i1 %.473.peel156.i.i, %.406.peel130.i.i
+  br i1 %or.cond114.i, label %B386.endif.i, label %B30.i.i
+
+B468.i:                                           ; preds = %B386.endif.i
+  %.idx.i.i = mul i64 %.939.i, 24
+  %10 = getelementptr i8, ptr %w13, i64 %.idx.i.i
+  %.278.i.i = getelementptr i64, ptr %10, i64 %.253.peel.i.i
+  %.279.i.i = load i64, ptr %.278.i.i, align 8
+  %11 = getelementptr i8, ptr %10, i64 8
+  %.353.i5.i = getelementptr i64, ptr %11, i64 %.253.peel.i.i
+  %.354.i.i = load i64, ptr %.353.i5.i, align 8
+  %.128.i.i.i = icmp slt i64 %.279.i.i, 0
+  %.129.i.i.i = select i1 %.128.i.i.i, i64 %w11, i64 0
+  %.130.i.i.i = add i64 %.129.i.i.i, %.279.i.i
+  %.150.i.i.i = mul i64 %.130.i.i.i, %w12
+  %.154.i.i.i = getelementptr double, ptr %w10, i64 %.150.i.i.i
+  %.155.i.i.i = load double, ptr %.154.i.i.i, align 8
+  %.209.i.i.i = fsub double %.155.i.i.i, %.208.i.i.i
+  %.263.i.i.i = fmul double %.262.i25.i.i, %.209.i.i.i
+  %.316.i.i.i = getelementptr i8, ptr %.154.i.i.i, i64 8
+  %.317.i.i.i = load double, ptr %.316.i.i.i, align 8
+  %.371.i.i.i = fsub double %.317.i.i.i, %.370.i.i.i
+  %.425.i.i.i = fmul double %.424.i33.i.i, %.371.i.i.i
+  %.426.i.i.i = fadd double %.263.i.i.i, %.425.i.i.i
+  %.479.i.i.i = getelementptr i8, ptr %.154.i.i.i, i64 16
+  %.480.i.i.i = load double, ptr %.479.i.i.i, align 8
+  %.534.i.i.i = fsub double %.480.i.i.i, %.533.i.i.i
+  %.588.i.i.i = fmul double %.587.i42.i.i, %.534.i.i.i
+  %.589.i.i.i = fadd double %.426.i.i.i, %.588.i.i.i
+  %.128.i11.i.i = icmp slt i64 %.354.i.i, 0
+  %.129.i12.i.i = select i1 %.128.i11.i.i, i64 %w11, i64 0
+  %.130.i13.i.i = add i64 %.129.i12.i.i, %.354.i.i
+  %.150.i14.i.i = mul i64 %.130.i13.i.i, %w12
+  %.154.i15.i.i = getelementptr double, ptr %w10, i64 %.150.i14.i.i
+  %.155.i16.i.i = load double, ptr %.154.i15.i.i, align 8
+  %.209.i23.i.i = fsub double %.155.i16.i.i, %.208.i.i.i
+  %.263.i29.i.i = fmul double %.262.i25.i.i, %.209.i23.i.i
+  %.316.i30.i.i = getelementptr i8, ptr %.154.i15.i.i, i64 8
+  %.317.i31.i.i = load double, ptr %.316.i30.i.i, align 8
+  %.371.i34.i.i = fsub double %.317.i31.i.i, %.370.i.i.i
+  %.425.i37.i.i = fmul double %.424.i33.i.i, %.371.i34.i.i
+  %.426.i38.i.i = fadd double %.263.i29.i.i, %.425.i37.i.i
+  %.479.i39.i.i = getelementptr i8, ptr %.154.i15.i.i, i64 16
+  %.480.i40.i.i = load double, ptr %.479.i39.i.i, align 8
+  %.534.i43.i.i = fsub double %.480.i40.i.i, %.533.i.i.i
+  %.588.i46.i.i = fmul double %.587.i42.i.i, %.534.i43.i.i
+  %.589.i47.i.i = fadd double %.426.i38.i.i, %.588.i46.i.i
+  %.485.i.i = fcmp oge double %.589.i.i.i, 0.000000e+00
+  %.488.i.i = fcmp oge double %.589.i47.i.i, 0.000000e+00
+  %.489.i.i = xor i1 %.485.i.i, %.488.i.i
+  br i1 %.489.i.i, label %B230.i.i, label %B408.i.i
+
+B230.i.i:                                         ; preds = %B468.i
+  %.679.i.i = fsub double %.589.i.i.i, %.589.i47.i.i
+  %.684.i.i = fdiv double %.589.i.i.i, %.679.i.i
+  %.837.i.i = select i1 %.485.i.i, i64 0, i64 %w30
+  %12 = getelementptr double, ptr %w28, i64 %.837.i.i
+  %.789.i.i = fsub double %.155.i16.i.i, %.155.i.i.i
+  %.790.i.i = fmul double %.789.i.i, %.684.i.i
+  %.791.i.i = fadd double %.155.i.i.i, %.790.i.i
+  store double %.791.i.i, ptr %12, align 8
+  %sunkaddr.i.i = shl i64 %.150.i.i.i, 3
+  %sunkaddr77.i.i = getelementptr i8, ptr %w10, i64 %sunkaddr.i.i
+  %sunkaddr78.i.i = getelementptr i8, ptr %sunkaddr77.i.i, i64 8
+  %.676.1.i.i = load double, ptr %sunkaddr78.i.i, align 8
+  %sunkaddr79.i.i = shl i64 %.150.i14.i.i, 3
+  %sunkaddr80.i.i = getelementptr i8, ptr %w10, i64 %sunkaddr79.i.i
+  %sunkaddr81.i.i = getelementptr i8, ptr %sunkaddr80.i.i, i64 8
+  %.736.1.i.i = load double, ptr %sunkaddr81.i.i, align 8
+  %.789.1.i.i = fsub double %.736.1.i.i, %.676.1.i.i
+  %.790.1.i.i = fmul double %.684.i.i, %.789.1.i.i
+  %.791.1.i.i = fadd double %.676.1.i.i, %.790.1.i.i
+  %13 = getelementptr i8, ptr %12, i64 8
+  store double %.791.1.i.i, ptr %13, align 8
+  %sunkaddr84.i.i = getelementptr i8, ptr %sunkaddr77.i.i, i64 16
+  %.676.2.i.i = load double, ptr %sunkaddr84.i.i, align 8
+  %sunkaddr87.i.i = getelementptr i8, ptr %sunkaddr80.i.i, i64 16
+  %.736.2.i.i = load double, ptr %sunkaddr87.i.i, align 8
+  %.789.2.i.i = fsub double %.736.2.i.i, %.676.2.i.i
+  %.790.2.i.i = fmul double %.684.i.i, %.789.2.i.i
+  %.791.2.i.i = fadd double %.676.2.i.i, %.790.2.i.i
+  %14 = getelementptr i8, ptr %12, i64 16
+  store double %.791.2.i.i, ptr %14, align 8
+  %sunkaddr88.i.i = shl i64 %.253.peel.i.i, 3
+  %sunkaddr89.i.i = getelementptr inbounds i8, ptr %11, i64 %sunkaddr88.i.i
+  %.279.1.pre.i.i = load i64, ptr %sunkaddr89.i.i, align 8
+  %.208.i.1.pre.i.i = load double, ptr %sunkaddr144.i, align 8
+  %.262.i.1.pre.i.i = load double, ptr %sunkaddr152.i, align 8
+  %.370.i.1.pre.i.i = load double, ptr %sunkaddr147.i, align 8
+  %.424.i.1.pre.i.i = load double, ptr %sunkaddr155.i, align 8
+  %.533.i.1.pre.i.i = load double, ptr %sunkaddr150.i, align 8
+  %.587.i.1.pre.i.i = load double, ptr %sunkaddr158.i, align 8
+  br label %B408.i.i
+
+B408.i.i:                                         ; preds = %B230.i.i, %B468.i
+  %.533.i.i36.i = phi double [ %.533.i.1.pre.i.i, %B230.i.i ], [ %.533.i.i.i, %B468.i ]
+  %.370.i.i31.i = phi double [ %.370.i.1.pre.i.i, %B230.i.i ], [ %.370.i.i.i, %B468.i ]
+  %.208.i.i26.i = phi double [ %.208.i.1.pre.i.i, %B230.i.i ], [ %.208.i.i.i, %B468.i ]
+  %.587.i.1.i.i = phi double [ %.587.i.1.pre.i.i, %B230.i.i ], [ %.587.i42.i.i, %B468.i ]
+  %.424.i.1.i.i = phi double [ %.424.i.1.pre.i.i, %B230.i.i ], [ %.424.i33.i.i, %B468.i ]
+  %.262.i.1.i.i = phi double [ %.262.i.1.pre.i.i, %B230.i.i ], [ %.262.i25.i.i, %B468.i ]
+  %.279.1.i.i = phi i64 [ %.279.1.pre.i.i, %B230.i.i ], [ %.354.i.i, %B468.i ]
+  %15 = getelementptr i8, ptr %10, i64 16
+  %.353.1.i.i = getelementptr i64, ptr %15, i64 %.253.peel.i.i
+  %.354.1.i.i = load i64, ptr %.353.1.i.i, align 8
+  %.128.i.1.i.i = icmp slt i64 %.279.1.i.i, 0
+  %.129.i.1.i.i = select i1 %.128.i.1.i.i, i64 %w11, i64 0
+  %.130.i.1.i.i = add i64 %.129.i.1.i.i, %.279.1.i.i
+  %.150.i.1.i.i = mul i64 %.130.i.1.i.i, %w12
+  %.154.i.1.i.i = getelementptr double, ptr %w10, i64 %.150.i.1.i.i
+  %.155.i.1.i.i = load double, ptr %.154.i.1.i.i, align 8
+  %.209.i.1.i.i = fsub double %.155.i.1.i.i, %.208.i.i26.i
+  %.263.i.1.i.i = fmul double %.262.i.1.i.i, %.209.i.1.i.i
+  %.316.i.1.i.i = getelementptr i8, ptr %.154.i.1.i.i, i64 8
+  %.317.i.1.i.i = load double, ptr %.316.i.1.i.i, align 8
+  %.371.i.1.i.i = fsub double %.317.i.1.i.i, %.370.i.i31.i
+  %.425.i.1.i.i = fmul double %.424.i.1.i.i, %.371.i.1.i.i
+  %.426.i.1.i.i = fadd double %.263.i.1.i.i, %.425.i.1.i.i
+  %.479.i.1.i.i = getelementptr i8, ptr %.154.i.1.i.i, i64 16
+  %.480.i.1.i.i = load double, ptr %.479.i.1.i.i, align 8
+  %.534.i.1.i.i = fsub double %.480.i.1.i.i, %.533.i.i36.i
+  %.588.i.1.i.i = fmul double %.587.i.1.i.i, %.534.i.1.i.i
+  %.589.i.1.i.i = fadd double %.426.i.1.i.i, %.588.i.1.i.i
+  %.128.i11.1.i.i = icmp slt i64 %.354.1.i.i, 0
+  %.129.i12.1.i.i = select i1 %.128.i11.1.i.i, i64 %w11, i64 0
+  %.130.i13.1.i.i = add i64 %.129.i12.1.i.i, %.354.1.i.i
+  %.150.i14.1.i.i = mul i64 %.130.i13.1.i.i, %w12
+  %.154.i15.1.i.i = getelementptr double, ptr %w10, i64 %.150.i14.1.i.i
+  %.155.i16.1.i.i = load double, ptr %.154.i15.1.i.i, align 8
+  %.209.i23.1.i.i = fsub double %.155.i16.1.i.i, %.208.i.i26.i
+  %.263.i29.1.i.i = fmul double %.262.i.1.i.i, %.209.i23.1.i.i
+  %.316.i30.1.i.i = getelementptr i8, ptr %.154.i15.1.i.i, i64 8
+  %.317.i31.1.i.i = load double, ptr %.316.i30.1.i.i, align 8
+  %.371.i34.1.i.i = fsub double %.317.i31.1.i.i, %.370.i.i31.i
+  %.425.i37.1.i.i = fmul double %.424.i.1.i.i, %.371.i34.1.i.i
+  %.426.i38.1.i.i = fadd double %.263.i29.1.i.i, %.425.i37.1.i.i
+  %.479.i39.1.i.i = getelementptr i8, ptr %.154.i15.1.i.i, i64 16
+  %.480.i40.1.i.i = load double, ptr %.479.i39.1.i.i, align 8
+  %.534.i43.1.i.i = fsub double %.480.i40.1.i.i, %.533.i.i36.i
+  %.588.i46.1.i.i = fmul double %.587.i.1.i.i, %.534.i43.1.i.i
+  %.589.i47.1.i.i = fadd double %.426.i38.1.i.i, %.588.i46.1.i.i
+  %.485.1.i.i = fcmp oge double %.589.i.1.i.i, 0.000000e+00
+  %.488.1.i.i = fcmp oge double %.589.i47.1.i.i, 0.000000e+00
+  %.489.1.i.i = xor i1 %.485.1.i.i, %.488.1.i.i
+  br i1 %.489.1.i.i, label %B230.1.i.i, label %B408.B408.1_crit_edge.i.i
+
+B408.B408.1_crit_edge.i.i:                        ; preds = %B408.i.i
+  %.pre.i6.i = shl i64 %.253.peel.i.i, 3
+  br label %B408.1.i.i
+
+B230.1.i.i:                                       ; preds = %B408.i.i
+  %.679.1.i.i = fsub double %.589.i.1.i.i, %.589.i47.1.i.i
+  %.684.1.i.i = fdiv double %.589.i.1.i.i, %.679.1.i.i
+  %.837.1.i.i = select i1 %.485.1.i.i, i64 0, i64 %w30
+  %16 = getelementptr double, ptr %w28, i64 %.837.1.i.i
+  %.789.154.i.i = fsub double %.155.i16.1.i.i, %.155.i.1.i.i
+  %.790.155.i.i = fmul double %.789.154.i.i, %.684.1.i.i
+  %.791.156.i.i = fadd double %.155.i.1.i.i, %.790.155.i.i
+  store double %.791.156.i.i, ptr %16, align 8
+  %sunkaddr106.i.i = shl i64 %.150.i.1.i.i, 3
+  %sunkaddr107.i.i = getelementptr i8, ptr %w10, i64 %sunkaddr106.i.i
+  %sunkaddr108.i.i = getelementptr i8, ptr %sunkaddr107.i.i, i64 8
+  %.676.1.1.i.i = load double, ptr %sunkaddr108.i.i, align 8
+  %sunkaddr109.i.i = shl i64 %.150.i14.1.i.i, 3
+  %sunkaddr110.i.i = getelementptr i8, ptr %w10, i64 %sunkaddr109.i.i
+  %sunkaddr111.i.i = getelementptr i8, ptr %sunkaddr110.i.i, i64 8
+  %.736.1.1.i.i = load double, ptr %sunkaddr111.i.i, align 8
+  %.789.1.1.i.i = fsub double %.736.1.1.i.i, %.676.1.1.i.i
+  %.790.1.1.i.i = fmul double %.684.1.i.i, %.789.1.1.i.i
+  %.791.1.1.i.i = fadd double %.676.1.1.i.i, %.790.1.1.i.i
+  %17 = getelementptr i8, ptr %16, i64 8
+  store double %.791.1.1.i.i, ptr %17, align 8
+  %sunkaddr114.i.i = getelementptr i8, ptr %sunkaddr107.i.i, i64 16
+  %.676.2.1.i.i = load double, ptr %sunkaddr114.i.i, align 8
+  %sunkaddr117.i.i = getelementptr i8, ptr %sunkaddr110.i.i, i64 16
+  %.736.2.1.i.i = load double, ptr %sunkaddr117.i.i, align 8
+  %.789.2.1.i.i = fsub double %.736.2.1.i.i, %.676.2.1.i.i
+  %.790.2.1.i.i = fmul double %.684.1.i.i, %.789.2.1.i.i
+  %.791.2.1.i.i = fadd double %.676.2.1.i.i, %.790.2.1.i.i
+  %18 = getelementptr i8, ptr %16, i64 16
+  store double %.791.2.1.i.i, ptr %18, align 8
+  %sunkaddr118.i.i = shl i64 %.253.peel.i.i, 3
+  %sunkaddr119.i.i = getelementptr inbounds i8, ptr %15, i64 %sunkaddr118.i.i
+  %.279.2.pre.i.i = load i64, ptr %sunkaddr119.i.i, align 8
+  %.208.i.2.pre.i.i = load double, ptr %sunkaddr144.i, align 8
+  %.262.i.2.pre.i.i = load double, ptr %sunkaddr152.i, align 8
+  %.370.i.2.pre.i.i = load double, ptr %sunkaddr147.i, align 8
+  %.424.i.2.pre.i.i = load double, ptr %sunkaddr155.i, align 8
+  %.533.i.2.pre.i.i = load double, ptr %sunkaddr150.i, align 8
+  %.587.i.2.pre.i.i = load double, ptr %sunkaddr158.i, align 8
+  br label %B408.1.i.i
+
+B408.1.i.i:                                       ; preds = %B230.1.i.i, %B408.B408.1_crit_edge.i.i
+  %.533.i.i35.i = phi double [ %.533.i.i36.i, %B408.B408.1_crit_edge.i.i ], [ %.533.i.2.pre.i.i, %B230.1.i.i ]
+  %.370.i.i30.i = phi double [ %.370.i.i31.i, %B408.B408.1_crit_edge.i.i ], [ %.370.i.2.pre.i.i, %B230.1.i.i ]
+  %.208.i.i25.i = phi double [ %.208.i.i26.i, %B408.B408.1_crit_edge.i.i ], [ %.208.i.2.pre.i.i, %B230.1.i.i ]
+  %sunkaddr136.pre-phi.i.i = phi i64 [ %.pre.i6.i, %B408.B408.1_crit_edge.i.i ], [ %sunkaddr118.i.i, %B230.1.i.i ]
+  %.587.i.2.i.i = phi double [ %.587.i.1.i.i, %B408.B408.1_crit_edge.i.i ], [ %.587.i.2.pre.i.i, %B230.1.i.i ]
+  %.424.i.2.i.i = phi double [ %.424.i.1.i.i, %B408.B408.1_crit_edge.i.i ], [ %.424.i.2.pre.i.i, %B230.1.i.i ]
+  %.262.i.2.i.i = phi double [ %.262.i.1.i.i, %B408.B408.1_crit_edge.i.i ], [ %.262.i.2.pre.i.i, %B230.1.i.i ]
+  %.279.2.i.i = phi i64 [ %.354.1.i.i, %B408.B408.1_crit_edge.i.i ], [ %.279.2.pre.i.i, %B230.1.i.i ]
+  %sunkaddr137.i.i = getelementptr inbounds i8, ptr %10, i64 %sunkaddr136.pre-phi.i.i
+  %.354.2.i.i = load i64, ptr %sunkaddr137.i.i, align 8
+  %.128.i.2.i.i = icmp slt i64 %.279.2.i.i, 0
+  %.129.i.2.i.i = select i1 %.128.i.2.i.i, i64 %w11, i64 0
+  %.130.i.2.i.i = add i64 %.129.i.2.i.i, %.279.2.i.i
+  %.150.i.2.i.i = mul i64 %.130.i.2.i.i, %w12
+  %.154.i.2.i.i = getelementptr double, ptr %w10, i64 %.150.i.2.i.i
+  %.155.i.2.i.i = load double, ptr %.154.i.2.i.i, align 8
+  %.209.i.2.i.i = fsub double %.155.i.2.i.i, %.208.i.i25.i
+  %.263.i.2.i.i = fmul double %.262.i.2.i.i, %.209.i.2.i.i
+  %.316.i.2.i.i = getelementptr i8, ptr %.154.i.2.i.i, i64 8
+  %.317.i.2.i.i = load double, ptr %.316.i.2.i.i, align 8
+  %.371.i.2.i.i = fsub double %.317.i.2.i.i, %.370.i.i30.i
+  %.425.i.2.i.i = fmul double %.424.i.2.i.i, %.371.i.2.i.i
+  %.426.i.2.i.i = fadd double %.263.i.2.i.i, %.425.i.2.i.i
+  %.479.i.2.i.i = getelementptr i8, ptr %.154.i.2.i.i, i64 16
+  %.480.i.2.i.i = load double, ptr %.479.i.2.i.i, align 8
+  %.534.i.2.i.i = fsub double %.480.i.2.i.i, %.533.i.i35.i
+  %.588.i.2.i.i = fmul double %.587.i.2.i.i, %.534.i.2.i.i
+  %.589.i.2.i.i = fadd double %.426.i.2.i.i, %.588.i.2.i.i
+  %.128.i11.2.i.i = icmp slt i64 %.354.2.i.i, 0
+  %.129.i12.2.i.i = select i1 %.128.i11.2.i.i, i64 %w11, i64 0
+  %.130.i13.2.i.i = add i64 %.129.i12.2.i.i, %.354.2.i.i
+  %.150.i14.2.i.i = mul i64 %.130.i13.2.i.i, %w12
+  %.154.i15.2.i.i = getelementptr double, ptr %w10, i64 %.150.i14.2.i.i
+  %.155.i16.2.i.i = load double, ptr %.154.i15.2.i.i, align 8
+  %.209.i23.2.i.i = fsub double %.155.i16.2.i.i, %.208.i.i25.i
+  %.263.i29.2.i.i = fmul double %.262.i.2.i.i, %.209.i23.2.i.i
+  %.316.i30.2.i.i = getelementptr i8, ptr %.154.i15.2.i.i, i64 8
+  %.317.i31.2.i.i = load double, ptr %.316.i30.2.i.i, align 8
+  %.371.i34.2.i.i = fsub double %.317.i31.2.i.i, %.370.i.i30.i
+  %.425.i37.2.i.i = fmul double %.424.i.2.i.i, %.371.i34.2.i.i
+  %.426.i38.2.i.i = fadd double %.263.i29.2.i.i, %.425.i37.2.i.i
+  %.479.i39.2.i.i = getelementptr i8, ptr %.154.i15.2.i.i, i64 16
+  %.480.i40.2.i.i = load double, ptr %.479.i39.2.i.i, align 8
+  %.534.i43.2.i.i = fsub double %.480.i40.2.i.i, %.533.i.i35.i
+  %.588.i46.2.i.i = fmul double %.587.i.2.i.i, %.534.i43.2.i.i
+  %.589.i47.2.i.i = fadd double %.426.i38.2.i.i, %.588.i46.2.i.i
+  %.485.2.i.i = fcmp oge double %.589.i.2.i.i, 0.000000e+00
+  %.488.2.i.i = fcmp oge double %.589.i47.2.i.i, 0.000000e+00
+  %.489.2.i.i = xor i1 %.485.2.i.i, %.488.2.i.i
+  br i1 %.489.2.i.i, label %B230.2.i.i, label %B408.2.i.i
+
+B230.2.i.i:                                       ; preds = %B408.1.i.i
+  %.679.2.i.i = fsub double %.589.i.2.i.i, %.589.i47.2.i.i
+  %.684.2.i.i = fdiv double %.589.i.2.i.i, %.679.2.i.i
+  %.837.2.i.i = select i1 %.485.2.i.i, i64 0, i64 %w30
+  %19 = getelementptr double, ptr %w28, i64 %.837.2.i.i
+  %.789.257.i.i = fsub double %.155.i16.2.i.i, %.155.i.2.i.i
+  %.790.258.i.i = fmul double %.789.257.i.i, %.684.2.i.i
+  %.791.259.i.i = fadd double %.155.i.2.i.i, %.790.258.i.i
+  store double %.791.259.i.i, ptr %19, align 8
+  %sunkaddr138.i.i = shl i64 %.150.i.2.i.i, 3
+  %sunkaddr139.i.i = getelementptr i8, ptr %w10, i64 %sunkaddr138.i.i
+  %sunkaddr140.i.i = getelementptr i8, ptr %sunkaddr139.i.i, i64 8
+  %.676.1.2.i.i = load double, ptr %sunkaddr140.i.i, align 8
+  %sunkaddr141.i.i = shl i64 %.150.i14.2.i.i, 3
+  %sunkaddr142.i.i = getelementptr i8, ptr %w10, i64 %sunkaddr141.i.i
+  %sunkaddr143.i.i = getelementptr i8, ptr %sunkaddr142.i.i, i64 8
+  %.736.1.2.i.i = load double, ptr %sunkaddr143.i.i, align 8
+  %.789.1.2.i.i = fsub double %.736.1.2.i.i, %.676.1.2.i.i
+  %.790.1.2.i.i = fmul double %.684.2.i.i, %.789.1.2.i.i
+  %.791.1.2.i.i = fadd double %.676.1.2.i.i, %.790.1.2.i.i
+  %20 = getelementptr i8, ptr %19, i64 8
+  store double %.791.1.2.i.i, ptr %20, align 8
+  %sunkaddr146.i.i = getelementptr i8, ptr %sunkaddr139.i.i, i64 16
+  %.676.2.2.i.i = load double, ptr %sunkaddr146.i.i, align 8
+  %sunkaddr149.i.i = getelementptr i8, ptr %sunkaddr142.i.i, i64 16
+  %.736.2.2.i.i = load double, ptr %sunkaddr149.i.i, align 8
+  %.789.2.2.i.i = fsub double %.736.2.2.i.i, %.676.2.2.i.i
+  %.790.2.2.i.i = fmul double %.684.2.i.i, %.789.2.2.i.i
+  %.791.2.2.i.i = fadd double %.676.2.2.i.i, %.790.2.2.i.i
+  %21 = getelementptr i8, ptr %19, i64 16
+  store double %.791.2.2.i.i, ptr %21, align 8
+  %.923.pre.i.i = load double, ptr %sunkaddr144.i, align 8
+  %.1033.pre.i.i = load double, ptr %sunkaddr147.i, align 8
+  %.1145.pre.i.i = load double, ptr %sunkaddr150.i, align 8
+  br label %B408.2.i.i
+
+B408.2.i.i:                                       ; preds = %B230.2.i.i, %B408.1.i.i
+  %.533.i.i34.i = phi double [ %.1145.pre.i.i, %B230.2.i.i ], [ %.533.i.i35.i, %B408.1.i.i ]
+  %.370.i.i29.i = phi double [ %.1033.pre.i.i, %B230.2.i.i ], [ %.370.i.i30.i, %B408.1.i.i ]
+  %.208.i.i24.i = phi double [ %.923.pre.i.i, %B230.2.i.i ], [ %.208.i.i25.i, %B408.1.i.i ]
+  %.977.i.i = load double, ptr %w28, align 8
+  %.978.i.i = fsub double %.208.i.i24.i, %.977.i.i
+  %.1087.i.i = load double, ptr %.1086.i.i, align 8
+  %.1088.i.i = fsub double %.370.i.i29.i, %.1087.i.i
+  %.1201.i.i = load double, ptr %.1200.i.i, align 8
+  %.1202.i.i = fsub double %.533.i.i34.i, %.1201.i.i
+  %.1265.i.i = load double, ptr %.1264.i.i, align 8
+  %.1320.i.i = fsub double %.1265.i.i, %.977.i.i
+  %.1374.i.i = load double, ptr %.1373.i.i, align 8
+  %.1429.i.i = fsub double %.1374.i.i, %.1087.i.i
+  %.1483.i.i = load double, ptr %.1482.i.i, align 8
+  %.1540.i.i = fsub double %.1483.i.i, %.1201.i.i
+  %.10.i.i.i = fmul double %.1320.i.i, %.1320.i.i
+  %.11.i.i.i = fmul double %.1540.i.i, %.1540.i.i
+  %.12.i.i.i = fadd double %.10.i.i.i, %.11.i.i.i
+  %.13.i.i7.i = fmul double %.1429.i.i, %.1429.i.i
+  %.14.i.i8.i = fadd double %.13.i.i7.i, %.12.i.i.i
+  %.1586.i.i = fcmp ogt double %.14.i.i8.i, 0.000000e+00
+  br i1 %.1586.i.i, label %B678.endif.endif.endif.i.i, label %_ZN7msf_jax4host5solid5loops16segment_distanceB3v23B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE232Mesh_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_295ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedExx5ArrayIdLi2E1C7mutable7alignedE.exit.i
+
+B678.endif.endif.endif.i.i:                       ; preds = %B408.2.i.i
+  %.10.i4.i.i = fmul double %.978.i.i, %.1320.i.i
+  %.11.i5.i.i = fmul double %.1202.i.i, %.1540.i.i
+  %.12.i6.i.i = fadd double %.10.i4.i.i, %.11.i5.i.i
+  %.13.i7.i.i = fmul double %.1088.i.i, %.1429.i.i
+  %.14.i8.i.i = fadd double %.13.i7.i.i, %.12.i6.i.i
+  %.1623.i.i = fdiv double %.14.i8.i.i, %.14.i.i8.i
+  %.10.i48.i.i = fcmp olt double %.1623.i.i, 0.000000e+00
+  %.11.i49.i.i = select i1 %.10.i48.i.i, double 0.000000e+00, double %.1623.i.i
+  %.10.i50.i.i = fcmp ogt double %.11.i49.i.i, 1.000000e+00
+  %.11.i51.i.i = select i1 %.10.i50.i.i, double 1.000000e+00, double %.11.i49.i.i
+  br label %_ZN7msf_jax4host5solid5loops16segment_distanceB3v23B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE232Mesh_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_295ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedExx5ArrayIdLi2E1C7mutable7alignedE.exit.i
+
+_ZN7msf_jax4host5solid5loops16segment_distanceB3v23B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE232Mesh_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_295ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedExx5ArrayIdLi2E1C7mutable7alignedE.exit.i: ; preds = %B678.endif.endif.endif.i.i, %B408.2.i.i
+  %"$phi782.0.2.0.i.i" = phi double [ 0.000000e+00, %B408.2.i.i ], [ %.11.i51.i.i, %B678.endif.endif.endif.i.i ]
+  %.1695.i.i = fmul double %.1320.i.i, %"$phi782.0.2.0.i.i"
+  %.1699.i.i = fsub double %.978.i.i, %.1695.i.i
+  %.1703.i.i = fmul double %.1429.i.i, %"$phi782.0.2.0.i.i"
+  %.1707.i.i = fsub double %.1088.i.i, %.1703.i.i
+  %.1711.i.i = fmul double %.1540.i.i, %"$phi782.0.2.0.i.i"
+  %.1715.i.i = fsub double %.1202.i.i, %.1711.i.i
+  %.7.i.i.i = fmul double %.1699.i.i, %.1699.i.i
+  %.8.i.i.i = fmul double %.1707.i.i, %.1707.i.i
+  %.9.i.i.i = fadd double %.7.i.i.i, %.8.i.i.i
+  %.10.i9.i.i = fmul double %.1715.i.i, %.1715.i.i
+  %.11.i10.i.i = fadd double %.10.i9.i.i, %.9.i.i.i
+  %sqrt.i.i.i = tail call double @llvm.sqrt.f64(double %.11.i10.i.i)
+  %.1081.i = fcmp olt double %sqrt.i.i.i, %best.3.2.ph.i
+  br i1 %.1081.i, label %B544.i, label %B520.i
+
+B520.i:                                           ; preds = %_ZN7msf_jax4host5solid5loops16segment_distanceB3v23B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE232Mesh_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_295ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedExx5ArrayIdLi2E1C7mutable7alignedE.exit.i
+  %.1094.i = fcmp oeq double %sqrt.i.i.i, %best.3.2.ph.i
+  %.1111.i = icmp slt i64 %.939.i, %which.2.2.ph.i
+  %or.cond.i = select i1 %.1094.i, i1 %.1111.i, i1 false
+  br i1 %or.cond.i, label %B544.i, label %B30.i.i
+
+B544.i:                                           ; preds = %B520.i, %_ZN7msf_jax4host5solid5loops16segment_distanceB3v23B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE232Mesh_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_295ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedExx5ArrayIdLi2E1C7mutable7alignedE.exit.i
+  br label %B30.i.i
+
+B20.i.i:                                          ; preds = %B374.i
+  %.28.i.i = shl nsw i64 %node.2.2.i, 1
+  br label %B266.i
+
+B30.i.i:                                          ; preds = %B266.i, %B386.endif.i, %B544.i, %B520.i, %B36.endif.endif.backedge.peel103.i.i
+  %.533.i.i33.i = phi double [ %.533.i.i34.i, %B544.i ], [ %.533.i.i.i, %B36.endif.endif.backedge.peel103.i.i ], [ %.533.i.i.i, %B386.endif.i ], [ %.533.i.i34.i, %B520.i ], [ %.533.i.i.i, %B266.i ]
+  %.370.i.i28.i = phi double [ %.370.i.i29.i, %B544.i ], [ %.370.i.i.i, %B36.endif.endif.backedge.peel103.i.i ], [ %.370.i.i.i, %B386.endif.i ], [ %.370.i.i29.i, %B520.i ], [ %.370.i.i.i, %B266.i ]
+  %.208.i.i23.i = phi double [ %.208.i.i24.i, %B544.i ], [ %.208.i.i.i, %B36.endif.endif.backedge.peel103.i.i ], [ %.208.i.i.i, %B386.endif.i ], [ %.208.i.i24.i, %B520.i ], [ %.208.i.i.i, %B266.i ]
+  %.83521.i = phi double [ %.533.i.i34.i, %B544.i ], [ %.835.i, %B36.endif.endif.backedge.peel103.i.i ], [ %.835.i, %B386.endif.i ], [ %.533.i.i34.i, %B520.i ], [ %.835.i, %B266.i ]
+  %.78019.i = phi double [ %.370.i.i29.i, %B544.i ], [ %.780.i, %B36.endif.endif.backedge.peel103.i.i ], [ %.780.i, %B386.endif.i ], [ %.370.i.i29.i, %B520.i ], [ %.780.i, %B266.i ]
+  %.72517.i = phi double [ %.208.i.i24.i, %B544.i ], [ %.725.i, %B36.endif.endif.backedge.peel103.i.i ], [ %.725.i, %B386.endif.i ], [ %.208.i.i24.i, %B520.i ], [ %.725.i, %B266.i ]
+  %which.3.3102.i = phi i64 [ %.939.i, %B544.i ], [ %which.2.2.ph.i, %B36.endif.endif.backedge.peel103.i.i ], [ %which.2.2.ph.i, %B386.endif.i ], [ %which.2.2.ph.i, %B520.i ], [ %which.2.2.ph.i, %B266.i ]
+  %first.5.3100.i = phi i64 [ %storemerge.i.i, %B544.i ], [ %first.6.2.ph.i, %B36.endif.endif.backedge.peel103.i.i ], [ %first.6.2.ph.i, %B386.endif.i ], [ %first.6.2.ph.i, %B520.i ], [ %first.6.2.ph.i, %B266.i ]
+  %best.4.398.i = phi double [ %sqrt.i.i.i, %B544.i ], [ %best.3.2.ph.i, %B36.endif.endif.backedge.peel103.i.i ], [ %best.3.2.ph.i, %B386.endif.i ], [ %best.3.2.ph.i, %B520.i ], [ %best.3.2.ph.i, %B266.i ]
+  %.36.i.i = add nsw i64 %node.2.2.i, 1
+  %22 = and i64 %node.2.2.i, 1
+  %.46.not.not.i.i = icmp eq i64 %22, 0
+  br i1 %.46.not.not.i.i, label %B70.i.i, label %B50.i.i
+
+B50.i.i:                                          ; preds = %B30.i.i, %B50.i.i
+  %node.3.1.i.i = phi i64 [ %.49.i21.i, %B50.i.i ], [ %.36.i.i, %B30.i.i ]
+  %.49.i21.i = ashr i64 %node.3.1.i.i, 1
+  %23 = and i64 %node.3.1.i.i, 2
+  %.55.not.i.i = icmp eq i64 %23, 0
+  br i1 %.55.not.i.i, label %B50.i.i, label %B70.i.i
+
+B70.i.i:                                          ; preds = %B50.i.i, %B30.i.i
+  %node.4.0.i.i = phi i64 [ %.36.i.i, %B30.i.i ], [ %.49.i21.i, %B50.i.i ]
+  %.60.i.i = icmp sgt i64 %node.4.0.i.i, 1
+  br i1 %.60.i.i, label %B266.outer.i, label %B594.i
+
+B594.i:                                           ; preds = %B70.i.i
+  %.1211.i = fmul double %best.4.398.i, 3.000000e+00
+  %exitcond.not.i = icmp eq i64 %w26, %.601.i
+  br i1 %exitcond.not.i, label %B606.i, label %B236.i
+
+B606.i:                                           ; preds = %B594.i, %B204.endif.i
+  %first.3.1.lcssa.i = phi i64 [ %first.7.1.i, %B204.endif.i ], [ %first.5.3100.i, %B594.i ]
+  %.1239.i = icmp sgt i64 %first.3.1.lcssa.i, -1
+  br i1 %.1239.i, label %B606.B626.preheader_crit_edge.i, label %B1094.i
+
+B606.B626.preheader_crit_edge.i:                  ; preds = %B606.i
+  %.pre38.i = mul i64 %.720.i, %.30013411368.i
+  %.pre39.i = mul i64 %.257.i23.i.i, %.30013411368.i
+  br label %B626.preheader.i
+
+B626.preheader.i:                                 ; preds = %B236.i, %B606.B626.preheader_crit_edge.i
+  %sunkaddr161.pre-phi.i = phi i64 [ %.pre39.i, %B606.B626.preheader_crit_edge.i ], [ %sunkaddr151.i, %B236.i ]
+  %sunkaddr159.pre-phi.i = phi i64 [ %.pre38.i, %B606.B626.preheader_crit_edge.i ], [ %sunkaddr.i, %B236.i ]
+  %first.3.1.lcssa1428.i = phi i64 [ %first.3.1.lcssa.i, %B606.B626.preheader_crit_edge.i ], [ %first.3.11326.i, %B236.i ]
+  %sunkaddr160.i = getelementptr i8, ptr %w0, i64 %sunkaddr159.pre-phi.i
+  %sunkaddr162.i = getelementptr i8, ptr %w3, i64 %sunkaddr161.pre-phi.i
+  %sunkaddr165.i = getelementptr i8, ptr %sunkaddr160.i, i64 8
+  %sunkaddr168.i = getelementptr i8, ptr %sunkaddr162.i, i64 8
+  %sunkaddr171.i = getelementptr i8, ptr %sunkaddr160.i, i64 16
+  %sunkaddr174.i = getelementptr i8, ptr %sunkaddr162.i, i64 16
+  %24 = add i64 %count.3.01371.i, %w27
+  br label %B626.i
+
+B626.i:                                           ; preds = %B694.endif.endif.endif.endif.endif.endif.endif.endif.i, %B626.preheader.i
+  %count.5.1.i = phi i64 [ %count.3.01371.i, %B626.preheader.i ], [ %.1697.i, %B694.endif.endif.endif.endif.endif.endif.endif.endif.i ]
+  %edge.3.1.i = phi i64 [ %first.3.1.lcssa1428.i, %B626.preheader.i ], [ %.1946.i, %B694.endif.endif.endif.endif.endif.endif.endif.endif.i ]
+  %edge.3.1.fr.i = freeze i64 %edge.3.1.i
+  %exitcond.i = icmp eq i64 %count.5.1.i, %24
+  br i1 %exitcond.i, label %B1094.i, label %B650.i
+
+B650.i:                                           ; preds = %B626.i
+  %.1275.i = icmp eq i64 %w34, %count.5.1.i
+  br i1 %.1275.i, label %_ZN7msf_jax4host5solid5loops5loopsB3v19B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE232Mesh_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xx5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, label %B694.endif.endif.endif.endif.endif.endif.endif.endif.i
+
+B1094.i:                                          ; preds = %B694.endif.endif.endif.endif.endif.endif.endif.endif.i, %B626.i, %B606.i
+  %count.4.2.i = phi i64 [ %count.3.01371.i, %B606.i ], [ %count.3.01371.i, %B626.i ], [ %.1697.i, %B694.endif.endif.endif.endif.endif.endif.endif.endif.i ]
+  %25 = getelementptr i64, ptr %w31, i64 %.30013411368.i
+  store i64 %count.4.2.i, ptr %25, align 8
+  %exitcond1425.not.i = icmp eq i64 %.307.i, %w1
+  br i1 %exitcond1425.not.i, label %_ZN7msf_jax4host5solid5loops5loopsB3v19B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE232Mesh_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xx5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, label %B108.i
+
+B204.endif.i:                                     ; preds = %B148.endif.2.i.i, %B46.endif.i.i, %B108.i
+  %first.7.1.i = phi i64 [ -1, %B108.i ], [ %storemerge.i.i.i, %B46.endif.i.i ], [ -1, %B148.endif.2.i.i ]
+  br i1 %1, label %B606.i, label %B236.lr.ph.i
+
+B236.lr.ph.i:                                     ; preds = %B204.endif.i
+  %sunkaddr.i = mul i64 %.720.i, %.30013411368.i
+  %sunkaddr144.i = getelementptr i8, ptr %w0, i64 %sunkaddr.i
+  %sunkaddr147.i = getelementptr i8, ptr %sunkaddr144.i, i64 8
+  %sunkaddr150.i = getelementptr i8, ptr %sunkaddr144.i, i64 16
+  %sunkaddr151.i = mul i64 %.257.i23.i.i, %.30013411368.i
+  %sunkaddr152.i = getelementptr i8, ptr %w3, i64 %sunkaddr151.i
+  %sunkaddr155.i = getelementptr i8, ptr %sunkaddr152.i, i64 8
+  %sunkaddr158.i = getelementptr i8, ptr %sunkaddr152.i, i64 16
+  br label %B236.i
+
+B386.endif.i:                                     ; preds = %B36.endif.endif.backedge.peel103.i.i, %B176.endif.peel75.i.i, %B176.endif.peel.i.i
+  %storemerge.i.i = phi i64 [ %.pre.i.i, %B176.endif.peel75.i.i ], [ %.237.i.i, %B176.endif.peel.i.i ], [ %.pre161.i.i, %B36.endif.endif.backedge.peel103.i.i ]
+  %.1005.i = icmp sgt i64 %storemerge.i.i, -1
+  br i1 %.1005.i, label %B468.i, label %B30.i.i
+
+B694.endif.endif.endif.endif.endif.endif.endif.endif.i: ; preds = %B650.i
+  %.13771282.i = urem i64 %edge.3.1.fr.i, 3
+  %.1435.i = getelementptr i64, ptr %w13, i64 %edge.3.1.fr.i
+  %.1436.i = load i64, ptr %.1435.i, align 8
+  %.128.i23.i = icmp slt i64 %.1436.i, 0
+  %.129.i24.i = select i1 %.128.i23.i, i64 %w11, i64 0
+  %.130.i.i = add i64 %.129.i24.i, %.1436.i
+  %.150.i.i = mul i64 %.130.i.i, %w12
+  %.154.i.i = getelementptr double, ptr %w10, i64 %.150.i.i
+  %.155.i.i = load double, ptr %.154.i.i, align 8
+  %.208.i.i = load double, ptr %sunkaddr160.i, align 8
+  %.209.i.i = fsub double %.155.i.i, %.208.i.i
+  %.262.i.i = load double, ptr %sunkaddr162.i, align 8
+  %.263.i.i = fmul double %.209.i.i, %.262.i.i
+  %.316.i.i = getelementptr i8, ptr %.154.i.i, i64 8
+  %.317.i.i = load double, ptr %.316.i.i, align 8
+  %.370.i.i = load double, ptr %sunkaddr165.i, align 8
+  %.371.i.i = fsub double %.317.i.i, %.370.i.i
+  %.424.i.i = load double, ptr %sunkaddr168.i, align 8
+  %.425.i.i = fmul double %.371.i.i, %.424.i.i
+  %.426.i.i = fadd double %.263.i.i, %.425.i.i
+  %.479.i.i = getelementptr i8, ptr %.154.i.i, i64 16
+  %.480.i.i = load double, ptr %.479.i.i, align 8
+  %.533.i.i = load double, ptr %sunkaddr171.i, align 8
+  %.534.i.i = fsub double %.480.i.i, %.533.i.i
+  %.587.i.i = load double, ptr %sunkaddr174.i, align 8
+  %.588.i.i = fmul double %.534.i.i, %.587.i.i
+  %.589.i.i = fadd double %.426.i.i, %.588.i.i
+  %.15191284.cmp.inv.i = icmp samesign ugt i64 %.13771282.i, 1
+  %.15191284.v.i = select i1 %.15191284.cmp.inv.i, i64 -2, i64 1
+  %.1540.i = add i64 %.15191284.v.i, %edge.3.1.fr.i
+  %.1553.i = icmp slt i64 %.1540.i, 0
+  %.1554.i = select i1 %.1553.i, i64 %w14, i64 0
+  %26 = getelementptr i64, ptr %w13, i64 %.1540.i
+  %.1568.i = getelementptr i64, ptr %26, i64 %.1554.i
+  %.1569.i = load i64, ptr %.1568.i, align 8
+  %.128.i26.i = icmp slt i64 %.1569.i, 0
+  %.129.i27.i = select i1 %.128.i26.i, i64 %w11, i64 0
+  %.130.i28.i = add i64 %.129.i27.i, %.1569.i
+  %.150.i29.i = mul i64 %.130.i28.i, %w12
+  %.154.i30.i = getelementptr double, ptr %w10, i64 %.150.i29.i
+  %.155.i31.i = load double, ptr %.154.i30.i, align 8
+  %.209.i35.i = fsub double %.155.i31.i, %.208.i.i
+  %.263.i40.i = fmul double %.262.i.i, %.209.i35.i
+  %.316.i41.i = getelementptr i8, ptr %.154.i30.i, i64 8
+  %.317.i42.i = load double, ptr %.316.i41.i, align 8
+  %.371.i45.i = fsub double %.317.i42.i, %.370.i.i
+  %.425.i48.i = fmul double %.424.i.i, %.371.i45.i
+  %.426.i49.i = fadd double %.263.i40.i, %.425.i48.i
+  %.479.i50.i = getelementptr i8, ptr %.154.i30.i, i64 16
+  %.480.i51.i = load double, ptr %.479.i50.i, align 8
+  %.534.i54.i = fsub double %.480.i51.i, %.533.i.i
+  %.588.i57.i = fmul double %.587.i.i, %.534.i54.i
+  %.589.i58.i = fadd double %.426.i49.i, %.588.i57.i
+  %.1497.i = sub nuw i64 %edge.3.1.fr.i, %.13771282.i
+  %.1626.i = fsub double %.589.i.i, %.589.i58.i
+  %.1630.i = fdiv double %.589.i.i, %.1626.i
+  %.1646.i = icmp slt i64 %count.5.1.i, 0
+  %27 = select i1 %.1646.i, i64 %2, i64 0
+  %scevgep.i = getelementptr i8, ptr %w33, i64 %27
+  %28 = shl i64 %count.5.1.i, 3
+  %scevgep141.i = getelementptr i8, ptr %scevgep.i, i64 %28
+  store i64 %edge.3.1.fr.i, ptr %scevgep141.i, align 8
+  %29 = select i1 %.1646.i, i64 %3, i64 0
+  %scevgep142.i = getelementptr i8, ptr %w35, i64 %29
+  %scevgep143.i = getelementptr i8, ptr %scevgep142.i, i64 %28
+  store double %.1630.i, ptr %scevgep143.i, align 8
+  %30 = tail call { i64, i1 } @llvm.usub.with.overflow.i64(i64 %.13771282.i, i64 1)
+  %math175.i = extractvalue { i64, i1 } %30, 0
+  %ov176.i = extractvalue { i64, i1 } %30, 1
+  %.17241286.i = select i1 %ov176.i, i64 2, i64 %math175.i
+  %.1754.i = add nsw i64 %.17241286.i, %.1497.i
+  %.1767.i = icmp slt i64 %.1754.i, 0
+  %.1768.i = select i1 %.1767.i, i64 %w14, i64 0
+  %31 = getelementptr i64, ptr %w13, i64 %.1754.i
+  %.1782.i = getelementptr i64, ptr %31, i64 %.1768.i
+  %.1783.i = load i64, ptr %.1782.i, align 8
+  %.128.i59.i = icmp slt i64 %.1783.i, 0
+  %.129.i60.i = select i1 %.128.i59.i, i64 %w11, i64 0
+  %.130.i61.i = add i64 %.129.i60.i, %.1783.i
+  %.150.i62.i = mul i64 %.130.i61.i, %w12
+  %.154.i63.i = getelementptr double, ptr %w10, i64 %.150.i62.i
+  %.155.i64.i = load double, ptr %.154.i63.i, align 8
+  %.208.i67.i = load double, ptr %sunkaddr160.i, align 8
+  %.209.i68.i = fsub double %.155.i64.i, %.208.i67.i
+  %.262.i72.i = load double, ptr %sunkaddr162.i, align 8
+  %.263.i73.i = fmul double %.209.i68.i, %.262.i72.i
+  %.316.i74.i = getelementptr i8, ptr %.154.i63.i, i64 8
+  %.317.i75.i = load double, ptr %.316.i74.i, align 8
+  %.370.i77.i = load double, ptr %sunkaddr165.i, align 8
+  %.371.i78.i = fsub double %.317.i75.i, %.370.i77.i
+  %.424.i80.i = load double, ptr %sunkaddr168.i, align 8
+  %.425.i81.i = fmul double %.371.i78.i, %.424.i80.i
+  %.426.i82.i = fadd double %.263.i73.i, %.425.i81.i
+  %.479.i83.i = getelementptr i8, ptr %.154.i63.i, i64 16
+  %.480.i84.i = load double, ptr %.479.i83.i, align 8
+  %.533.i86.i = load double, ptr %sunkaddr171.i, align 8
+  %.534.i87.i = fsub double %.480.i84.i, %.533.i86.i
+  %.587.i89.i = load double, ptr %sunkaddr174.i, align 8
+  %.588.i90.i = fmul double %.534.i87.i, %.587.i89.i
+  %.589.i91.i = fadd double %.426.i82.i, %.588.i90.i
+  %.1697.i = add i64 %count.5.1.i, 1
+  %.1841.i = fcmp ult double %.589.i91.i, 0.000000e+00
+  %"$phi1056.2.2.3.i" = select i1 %.1841.i, i64 %.1754.i, i64 %.1540.i
+  %.1930.i = icmp slt i64 %"$phi1056.2.2.3.i", 0
+  %.1931.i = select i1 %.1930.i, i64 %w20, i64 0
+  %32 = getelementptr i64, ptr %w19, i64 %"$phi1056.2.2.3.i"
+  %.1945.i = getelementptr i64, ptr %32, i64 %.1931.i
+  %.1946.i = load i64, ptr %.1945.i, align 8
+  %.1956.i = icmp ne i64 %.1946.i, %first.3.1.lcssa1428.i
+  %.1982.i = icmp sgt i64 %.1946.i, -1
+  %or.cond1290.i = and i1 %.1956.i, %.1982.i
+  br i1 %or.cond1290.i, label %B626.i, label %B1094.i
+
+_ZN7msf_jax4host5solid5loops5loopsB3v19B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE232Mesh_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xx5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit: ; preds = %B1094.i, %B650.i, %0
+  %storemerge.i = phi i64 [ 1, %0 ], [ 0, %B650.i ], [ 1, %B1094.i ]
+  ret i64 %storemerge.i
+}
+
+declare i64 @llvm.smax.i64(i64, i64)
+
+declare double @atan2(double, double) local_unnamed_addr
+
+define noundef i64 @msf_jax.host.solid.loops.measures(ptr readonly %words) local_unnamed_addr {
+  %w0 = load ptr, ptr %words, align 8
+  %p1 = getelementptr i8, ptr %words, i64 8
+  %w1 = load i64, ptr %p1, align 8
+  %p2 = getelementptr i8, ptr %words, i64 16
+  %w2 = load i64, ptr %p2, align 8
+  %p3 = getelementptr i8, ptr %words, i64 24
+  %w3 = load ptr, ptr %p3, align 8
+  %p5 = getelementptr i8, ptr %words, i64 40
+  %w5 = load ptr, ptr %p5, align 8
+  %p6 = getelementptr i8, ptr %words, i64 48
+  %w6 = load i64, ptr %p6, align 8
+  %p7 = getelementptr i8, ptr %words, i64 56
+  %w7 = load i64, ptr %p7, align 8
+  %p8 = getelementptr i8, ptr %words, i64 64
+  %w8 = load ptr, ptr %p8, align 8
+  %p9 = getelementptr i8, ptr %words, i64 72
+  %w9 = load i64, ptr %p9, align 8
+  %p10 = getelementptr i8, ptr %words, i64 80
+  %w10 = load ptr, ptr %p10, align 8
+  %p13 = getelementptr i8, ptr %words, i64 104
+  %w13 = load ptr, ptr %p13, align 8
+  %p14 = getelementptr i8, ptr %words, i64 112
+  %w14 = load i64, ptr %p14, align 8
+  %.1801245.not.i = icmp slt i64 %w9, 1
+  br i1 %.1801245.not.i, label %_ZN7msf_jax4host5solid5loops8measuresB3v25B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi2E1C7mutable7alignedE.exit, label %B68.endif.lr.ph.i
+
+B68.endif.lr.ph.i:                                ; preds = %0
+  %p15 = getelementptr i8, ptr %words, i64 120
+  %w15 = load i64, ptr %p15, align 8
+  %p12 = getelementptr i8, ptr %words, i64 96
+  %w12 = load double, ptr %p12, align 8
+  %p4 = getelementptr i8, ptr %words, i64 32
+  %w4 = load i64, ptr %p4, align 8
+  %.2663.i = fmul double %w12, %w12
+  %1 = shl i64 %w4, 3
+  %.315.i = shl i64 %w15, 3
+  br label %B68.endif.i
+
+B838.i:                                           ; preds = %B278.endif.endif.endif.i, %B68.endif.B838_crit_edge.i
+  %.1586.i = phi double [ %.1586.pre.i, %B68.endif.B838_crit_edge.i ], [ %.1339.i, %B278.endif.endif.endif.i ]
+  %.1588.i = fcmp ogt double %.1586.i, 0.000000e+00
+  br i1 %.1588.i, label %B950.endif.i, label %B1896.i
+
+B1696.2.i:                                        ; preds = %B986.lr.ph.i, %B1696.2.i
+  %lsr.iv86.i = phi i64 [ %lsr.iv.next87.i, %B1696.2.i ], [ %7, %B986.lr.ph.i ]
+  %.3062.284.i = phi double [ %.3062.2.i, %B1696.2.i ], [ %.promoted83.i, %B986.lr.ph.i ]
+  %.2994.282.i = phi double [ %.2994.2.i, %B1696.2.i ], [ %.promoted81.i, %B986.lr.ph.i ]
+  %.2928.280.i = phi double [ %.2928.2.i, %B1696.2.i ], [ %.promoted79.i, %B986.lr.ph.i ]
+  %.2861.278.i = phi double [ %.2862.2.i, %B1696.2.i ], [ %.promoted77.i, %B986.lr.ph.i ]
+  %.3062.176.i = phi double [ %.3062.1.i, %B1696.2.i ], [ %.promoted75.i, %B986.lr.ph.i ]
+  %.2994.174.i = phi double [ %.2994.1.i, %B1696.2.i ], [ %.promoted73.i, %B986.lr.ph.i ]
+  %.2928.172.i = phi double [ %.2928.1.i, %B1696.2.i ], [ %.promoted71.i, %B986.lr.ph.i ]
+  %.2861.170.i = phi double [ %.2862.1.i, %B1696.2.i ], [ %.promoted69.i, %B986.lr.ph.i ]
+  %.306268.i = phi double [ %.3062.i, %B1696.2.i ], [ %.promoted67.i, %B986.lr.ph.i ]
+  %.299466.i = phi double [ %.2994.i, %B1696.2.i ], [ %.promoted65.i, %B986.lr.ph.i ]
+  %.292864.i = phi double [ %.2928.i, %B1696.2.i ], [ %.promoted63.i, %B986.lr.ph.i ]
+  %.286262.i = phi double [ %.2862.i, %B1696.2.i ], [ %.promoted.i, %B986.lr.ph.i ]
+  %.256061.i = phi double [ %.2599.i, %B1696.2.i ], [ %.2559.promoted.i, %B986.lr.ph.i ]
+  %.189611241146.i = phi i64 [ %.1903.i, %B1696.2.i ], [ %first.2.01254.i, %B986.lr.ph.i ]
+  %.1903.i = add i64 %.189611241146.i, 1
+  %.1934.i = icmp slt i64 %.1903.i, %.247.i
+  %spec.select1078.i = select i1 %.1934.i, i64 %.1903.i, i64 %first.2.01254.i
+  %.1976.i = icmp slt i64 %.189611241146.i, 0
+  %.1977.i = select i1 %.1976.i, i64 %w1, i64 0
+  %.1978.i = add i64 %.1977.i, %.189611241146.i
+  %.1998.i = mul i64 %.1978.i, %w2
+  %.2002.i = getelementptr double, ptr %w0, i64 %.1998.i
+  %.2003.i = load double, ptr %.2002.i, align 8
+  %.2057.i = getelementptr i8, ptr %.2002.i, i64 8
+  %.2058.i = load double, ptr %.2057.i, align 8
+  %.2112.i = getelementptr i8, ptr %.2002.i, i64 16
+  %.2113.i = load double, ptr %.2112.i, align 8
+  %.2140.i = icmp slt i64 %spec.select1078.i, 0
+  %.2141.i = select i1 %.2140.i, i64 %w1, i64 0
+  %.2142.i = add i64 %.2141.i, %spec.select1078.i
+  %.2162.i = mul i64 %.2142.i, %w2
+  %.2166.i = getelementptr double, ptr %w0, i64 %.2162.i
+  %.2167.i = load double, ptr %.2166.i, align 8
+  %.2220.i = getelementptr i8, ptr %.2166.i, i64 8
+  %.2221.i = load double, ptr %.2220.i, align 8
+  %.2274.i = getelementptr i8, ptr %.2166.i, i64 16
+  %.2275.i = load double, ptr %.2274.i, align 8
+  %.2276.i = fadd double %.2003.i, %.2167.i
+  %.2281.i = fmul double %.2276.i, 5.000000e-01
+  %.2282.i = fadd double %.2058.i, %.2221.i
+  %.2287.i = fmul double %.2282.i, 5.000000e-01
+  %.2288.i = fadd double %.2113.i, %.2275.i
+  %.2293.i = fmul double %.2288.i, 5.000000e-01
+  %.2403.i = fsub double %.2167.i, %.2003.i
+  %.2404.i = fsub double %.2221.i, %.2058.i
+  %.2405.i = fsub double %.2275.i, %.2113.i
+  %.7.i.i = fmul double %.2403.i, %.2403.i
+  %.8.i.i = fmul double %.2404.i, %.2404.i
+  %.9.i.i = fadd double %.7.i.i, %.8.i.i
+  %.10.i22.i = fmul double %.2405.i, %.2405.i
+  %.11.i23.i = fadd double %.9.i.i, %.10.i22.i
+  %sqrt.i.i = tail call double @llvm.sqrt.f64(double %.11.i23.i)
+  %2 = select i1 %.1976.i, i64 %1, i64 0
+  %scevgep.i = getelementptr i8, ptr %w3, i64 %2
+  %3 = shl i64 %.189611241146.i, 3
+  %scevgep88.i = getelementptr i8, ptr %scevgep.i, i64 %3
+  %.2460.i = load double, ptr %scevgep88.i, align 8
+  %.2465.i = fsub double %.2003.i, %.1772.i
+  %.2467.i = fsub double %.2058.i, %.1772.1.i
+  %.2469.i = fsub double %.2113.i, %.1772.2.i
+  %.7.i35.i = fmul double %.2465.i, %.2465.i
+  %.8.i36.i = fmul double %.2467.i, %.2467.i
+  %.9.i37.i = fadd double %.7.i35.i, %.8.i36.i
+  %.10.i38.i = fmul double %.2469.i, %.2469.i
+  %.11.i39.i = fadd double %.9.i37.i, %.10.i38.i
+  %sqrt.i40.i = tail call double @llvm.sqrt.f64(double %.11.i39.i)
+  %.2497.i = fsub double %.2281.i, %.1772.i
+  %.2500.i = fsub double %.2287.i, %.1772.1.i
+  %.2503.i = fsub double %.2293.i, %.1772.2.i
+  %.7.i41.i = fmul double %.2497.i, %.2497.i
+  %.8.i42.i = fmul double %.2500.i, %.2500.i
+  %.9.i43.i = fadd double %.7.i41.i, %.8.i42.i
+  %.10.i44.i = fmul double %.2503.i, %.2503.i
+  %.11.i45.i = fadd double %.9.i43.i, %.10.i44.i
+  %sqrt.i46.i = tail call double @llvm.sqrt.f64(double %.11.i45.i)
+  %.2563.i = fsub double %.2167.i, %.1772.i
+  %.2565.i = fsub double %.2221.i, %.1772.1.i
+  %.2567.i = fsub double %.2275.i, %.1772.2.i
+  %.7.i47.i = fmul double %.2563.i, %.2563.i
+  %.8.i48.i = fmul double %.2565.i, %.2565.i
+  %.9.i49.i = fadd double %.7.i47.i, %.8.i48.i
+  %.10.i50.i = fmul double %.2567.i, %.2567.i
+  %.11.i51.i = fadd double %.9.i49.i, %.10.i50.i
+  %sqrt.i52.i = tail call double @llvm.sqrt.f64(double %.11.i51.i)
+  %.2529.i = fmul double %sqrt.i46.i, 4.000000e+00
+  %.2530.i = fadd double %sqrt.i40.i, %.2529.i
+  %.2592.i = fadd double %sqrt.i52.i, %.2530.i
+  %.2597.i = fdiv double %.2592.i, 6.000000e+00
+  %.2598.i = fmul double %sqrt.i.i, %.2597.i
+  %.2599.i = fadd double %.256061.i, %.2598.i
+  store double %.2599.i, ptr %sunkaddr174.i, align 8
+  %.2630.i = fmul double %.2460.i, %.2460.i
+  %.2632.i = fsub double 1.000000e+00, %.2630.i
+  %.10.i53.i = fcmp olt double %.2632.i, 0.000000e+00
+  %.11.i54.i = select i1 %.10.i53.i, double 0.000000e+00, double %.2632.i
+  %.2664.i = fadd double %.2663.i, %.11.i54.i
+  %sqrt.i = tail call double @llvm.sqrt.f64(double %.2664.i)
+  %.2669.i = fdiv double %sqrt.i.i, %sqrt.i
+  %.2670.i = fmul double %.2460.i, %.2669.i
+  %.2825.i = fmul double %.2497.i, %.2670.i
+  %.2862.i = fadd double %.286262.i, %.2825.i
+  store double %.2862.i, ptr %sunkaddr177.i, align 8
+  %.2927.i = fmul double %.2281.i, %.2825.i
+  %.2928.i = fadd double %.292864.i, %.2927.i
+  store double %.2928.i, ptr %sunkaddr180.i, align 8
+  %.2993.i = fmul double %.2287.i, %.2825.i
+  %.2994.i = fadd double %.299466.i, %.2993.i
+  store double %.2994.i, ptr %sunkaddr183.i, align 8
+  %.3061.i = fmul double %.2293.i, %.2825.i
+  %.3062.i = fadd double %.306268.i, %.3061.i
+  store double %.3062.i, ptr %sunkaddr186.i, align 8
+  %.2825.1.i = fmul double %.2500.i, %.2670.i
+  %.2862.1.i = fadd double %.2861.170.i, %.2825.1.i
+  store double %.2862.1.i, ptr %sunkaddr189.i, align 8
+  %.2927.1.i = fmul double %.2281.i, %.2825.1.i
+  %.2928.1.i = fadd double %.2928.172.i, %.2927.1.i
+  store double %.2928.1.i, ptr %sunkaddr192.i, align 8
+  %.2993.1.i = fmul double %.2287.i, %.2825.1.i
+  %.2994.1.i = fadd double %.2994.174.i, %.2993.1.i
+  store double %.2994.1.i, ptr %sunkaddr195.i, align 8
+  %.3061.1.i = fmul double %.2293.i, %.2825.1.i
+  %.3062.1.i = fadd double %.3062.176.i, %.3061.1.i
+  store double %.3062.1.i, ptr %sunkaddr198.i, align 8
+  %.2825.2.i = fmul double %.2503.i, %.2670.i
+  %.2862.2.i = fadd double %.2861.278.i, %.2825.2.i
+  store double %.2862.2.i, ptr %sunkaddr201.i, align 8
+  %.2927.2.i = fmul double %.2281.i, %.2825.2.i
+  %.2928.2.i = fadd double %.2928.280.i, %.2927.2.i
+  store double %.2928.2.i, ptr %sunkaddr204.i, align 8
+  %.2993.2.i = fmul double %.2287.i, %.2825.2.i
+  %.2994.2.i = fadd double %.2994.282.i, %.2993.2.i
+  store double %.2994.2.i, ptr %sunkaddr207.i, align 8
+  %.3061.2.i = fmul double %.2293.i, %.2825.2.i
+  %.3062.2.i = fadd double %.3062.284.i, %.3061.2.i
+  store double %.3062.2.i, ptr %sunkaddr210.i, align 8
+  %lsr.iv.next87.i = add i64 %lsr.iv86.i, -1
+  %.1890.i = icmp samesign ugt i64 %lsr.iv.next87.i, 1
+  br i1 %.1890.i, label %B1696.2.i, label %B1896.i
+
+B1896.i:                                          ; preds = %B1696.2.i, %B950.endif.i, %B838.i
+  %exitcond.not.i = icmp eq i64 %.193.i, %w9
+  br i1 %exitcond.not.i, label %_ZN7msf_jax4host5solid5loops8measuresB3v25B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi2E1C7mutable7alignedE.exit, label %B68.endif.i
+
+B68.endif.i:                                      ; preds = %B1896.i, %B68.endif.lr.ph.i
+  %first.2.01254.i = phi i64 [ 0, %B68.endif.lr.ph.i ], [ %.247.i, %B1896.i ]
+  %.18611601252.i = phi i64 [ 0, %B68.endif.lr.ph.i ], [ %.193.i, %B1896.i ]
+  %.193.i = add nuw nsw i64 %.18611601252.i, 1
+  %4 = getelementptr i64, ptr %w8, i64 %.18611601252.i
+  %.247.i = load i64, ptr %4, align 8
+  %5 = getelementptr i64, ptr %w10, i64 %.18611601252.i
+  %.277.i = load i64, ptr %5, align 8
+  %.296.i = icmp slt i64 %.277.i, 0
+  %.297.i = select i1 %.296.i, i64 %w14, i64 0
+  %.298.i = add i64 %.297.i, %.277.i
+  %.409.i = select i1 %.296.i, i64 %w6, i64 0
+  %.410.i = add i64 %.409.i, %.277.i
+  %.430.i = mul i64 %.410.i, %w7
+  %.434.i = getelementptr double, ptr %w5, i64 %.430.i
+  %.435.i = load double, ptr %.434.i, align 8
+  %.518.i = getelementptr i8, ptr %.434.i, i64 8
+  %.519.i = load double, ptr %.518.i, align 8
+  %.602.i = getelementptr i8, ptr %.434.i, i64 16
+  %.603.i = load double, ptr %.602.i, align 8
+  %.651.i = sub i64 %.247.i, %first.2.01254.i
+  %.652.i = icmp sgt i64 %.651.i, 0
+  %..651.i = tail call i64 @llvm.smax.i64(i64 %.651.i, i64 0)
+  %sunkaddr130.i = mul i64 %.315.i, %.298.i
+  %sunkaddr131.i = getelementptr i8, ptr %w13, i64 %sunkaddr130.i
+  br i1 %.652.i, label %B246.lr.ph.i, label %B68.endif.B838_crit_edge.i
+
+B68.endif.B838_crit_edge.i:                       ; preds = %B68.endif.i
+  %sunkaddr129.i = getelementptr i8, ptr %sunkaddr131.i, i64 24
+  %.1586.pre.i = load double, ptr %sunkaddr129.i, align 8
+  br label %B838.i
+
+B246.lr.ph.i:                                     ; preds = %B68.endif.i
+  %.317.promoted.i = load double, ptr %sunkaddr131.i, align 8
+  %sunkaddr134.i = getelementptr i8, ptr %sunkaddr131.i, i64 8
+  %.1211.promoted.i = load double, ptr %sunkaddr134.i, align 8
+  %sunkaddr137.i = getelementptr i8, ptr %sunkaddr131.i, i64 16
+  %.1274.promoted.i = load double, ptr %sunkaddr137.i, align 8
+  %sunkaddr140.i = getelementptr i8, ptr %sunkaddr131.i, i64 24
+  %.1337.promoted.i = load double, ptr %sunkaddr140.i, align 8
+  %sunkaddr143.i = getelementptr i8, ptr %sunkaddr131.i, i64 32
+  %.1398.promoted.i = load double, ptr %sunkaddr143.i, align 8
+  %sunkaddr146.i = getelementptr i8, ptr %sunkaddr131.i, i64 40
+  %.1485.promoted.i = load double, ptr %sunkaddr146.i, align 8
+  %6 = add nuw i64 %..651.i, 1
+  br label %B278.endif.endif.endif.i
+
+B278.endif.endif.endif.i:                         ; preds = %B278.endif.endif.endif.i, %B246.lr.ph.i
+  %lsr.iv.i = phi i64 [ %lsr.iv.next.i, %B278.endif.endif.endif.i ], [ %6, %B246.lr.ph.i ]
+  %.148660.i = phi double [ %.1515.i, %B278.endif.endif.endif.i ], [ %.1485.promoted.i, %B246.lr.ph.i ]
+  %.139959.i = phi double [ %.1426.i, %B278.endif.endif.endif.i ], [ %.1398.promoted.i, %B246.lr.ph.i ]
+  %.133858.i = phi double [ %.1339.i, %B278.endif.endif.endif.i ], [ %.1337.promoted.i, %B246.lr.ph.i ]
+  %.127557.i = phi double [ %.1278.i, %B278.endif.endif.endif.i ], [ %.1274.promoted.i, %B246.lr.ph.i ]
+  %.121256.i = phi double [ %.1215.i, %B278.endif.endif.endif.i ], [ %.1211.promoted.i, %B246.lr.ph.i ]
+  %.115255.i = phi double [ %.1152.i, %B278.endif.endif.endif.i ], [ %.317.promoted.i, %B246.lr.ph.i ]
+  %.70110981102.i = phi i64 [ %.708.i, %B278.endif.endif.endif.i ], [ %first.2.01254.i, %B246.lr.ph.i ]
+  %.708.i = add i64 %.70110981102.i, 1
+  %.739.i = icmp slt i64 %.708.i, %.247.i
+  %spec.select.i = select i1 %.739.i, i64 %.708.i, i64 %first.2.01254.i
+  %.781.i = icmp slt i64 %.70110981102.i, 0
+  %.782.i = select i1 %.781.i, i64 %w1, i64 0
+  %.783.i = add i64 %.782.i, %.70110981102.i
+  %.803.i = mul i64 %.783.i, %w2
+  %.807.i = getelementptr double, ptr %w0, i64 %.803.i
+  %.808.i = load double, ptr %.807.i, align 8
+  %.862.i = getelementptr i8, ptr %.807.i, i64 8
+  %.863.i = load double, ptr %.862.i, align 8
+  %.919.i = getelementptr i8, ptr %.807.i, i64 16
+  %.920.i = load double, ptr %.919.i, align 8
+  %.947.i = icmp slt i64 %spec.select.i, 0
+  %.948.i = select i1 %.947.i, i64 %w1, i64 0
+  %.949.i = add i64 %.948.i, %spec.select.i
+  %.969.i = mul i64 %.949.i, %w2
+  %.973.i = getelementptr double, ptr %w0, i64 %.969.i
+  %.974.i = load double, ptr %.973.i, align 8
+  %.1027.i = getelementptr i8, ptr %.973.i, i64 8
+  %.1028.i = load double, ptr %.1027.i, align 8
+  %.1081.i = getelementptr i8, ptr %.973.i, i64 16
+  %.1082.i = load double, ptr %.1081.i, align 8
+  %.1084.i = fmul double %.863.i, %.1082.i
+  %.1085.i = fmul double %.920.i, %.1028.i
+  %.1086.i = fsub double %.1084.i, %.1085.i
+  %.1087.i = fmul double %.920.i, %.974.i
+  %.1088.i = fmul double %.808.i, %.1082.i
+  %.1089.i = fsub double %.1087.i, %.1088.i
+  %.1090.i = fmul double %.808.i, %.1028.i
+  %.1091.i = fmul double %.863.i, %.974.i
+  %.1092.i = fsub double %.1090.i, %.1091.i
+  %.10.i.i = fmul double %.435.i, %.1086.i
+  %.11.i.i = fmul double %.603.i, %.1092.i
+  %.12.i.i = fadd double %.11.i.i, %.10.i.i
+  %.13.i.i = fmul double %.519.i, %.1089.i
+  %.14.i.i = fadd double %.13.i.i, %.12.i.i
+  %.1150.i = fadd double %.808.i, %.974.i
+  %.1151.i = fmul double %.1150.i, %.14.i.i
+  %.1152.i = fadd double %.115255.i, %.1151.i
+  store double %.1152.i, ptr %sunkaddr131.i, align 8
+  %.1213.i = fadd double %.863.i, %.1028.i
+  %.1214.i = fmul double %.1213.i, %.14.i.i
+  %.1215.i = fadd double %.121256.i, %.1214.i
+  store double %.1215.i, ptr %sunkaddr134.i, align 8
+  %.1276.i = fadd double %.920.i, %.1082.i
+  %.1277.i = fmul double %.1276.i, %.14.i.i
+  %.1278.i = fadd double %.127557.i, %.1277.i
+  store double %.1278.i, ptr %sunkaddr137.i, align 8
+  %.1339.i = fadd double %.133858.i, %.14.i.i
+  store double %.1339.i, ptr %sunkaddr140.i, align 8
+  %.10.i24.i = fmul double %.808.i, %.974.i
+  %.11.i25.i = fmul double %.920.i, %.1082.i
+  %.12.i26.i = fadd double %.10.i24.i, %.11.i25.i
+  %.13.i27.i = fmul double %.863.i, %.1028.i
+  %.14.i28.i = fadd double %.13.i27.i, %.12.i26.i
+  %.1425.i = tail call double @atan2(double %.14.i.i, double %.14.i28.i)
+  %.1426.i = fadd double %.139959.i, %.1425.i
+  store double %.1426.i, ptr %sunkaddr143.i, align 8
+  %.1488.i = fsub double %.974.i, %.808.i
+  %.1489.i = fsub double %.1028.i, %.863.i
+  %.1490.i = fsub double %.1082.i, %.920.i
+  %.7.i29.i = fmul double %.1488.i, %.1488.i
+  %.8.i30.i = fmul double %.1489.i, %.1489.i
+  %.9.i31.i = fadd double %.7.i29.i, %.8.i30.i
+  %.10.i32.i = fmul double %.1490.i, %.1490.i
+  %.11.i33.i = fadd double %.9.i31.i, %.10.i32.i
+  %sqrt.i34.i = tail call double @llvm.sqrt.f64(double %.11.i33.i)
+  %.1515.i = fadd double %.148660.i, %sqrt.i34.i
+  store double %.1515.i, ptr %sunkaddr146.i, align 8
+  %lsr.iv.next.i = add i64 %lsr.iv.i, -1
+  %.695.i = icmp samesign ugt i64 %lsr.iv.next.i, 1
+  br i1 %.695.i, label %B278.endif.endif.endif.i, label %B838.i
+
+B950.endif.i:                                     ; preds = %B838.i
+  %.1736.i = load double, ptr %sunkaddr131.i, align 8
+  %.1768.i = fmul double %.1586.i, 3.000000e+00
+  %.1772.i = fdiv double %.1736.i, %.1768.i
+  store double %.1772.i, ptr %sunkaddr131.i, align 8
+  %sunkaddr168.i = getelementptr i8, ptr %sunkaddr131.i, i64 8
+  %.1736.1.i = load double, ptr %sunkaddr168.i, align 8
+  %.1772.1.i = fdiv double %.1736.1.i, %.1768.i
+  store double %.1772.1.i, ptr %sunkaddr168.i, align 8
+  %sunkaddr171.i = getelementptr i8, ptr %sunkaddr131.i, i64 16
+  %.1736.2.i = load double, ptr %sunkaddr171.i, align 8
+  %.1772.2.i = fdiv double %.1736.2.i, %.1768.i
+  store double %.1772.2.i, ptr %sunkaddr171.i, align 8
+  %.18901143.not.i = icmp slt i64 %.651.i, 1
+  br i1 %.18901143.not.i, label %B1896.i, label %B986.lr.ph.i
+
+B986.lr.ph.i:                                     ; preds = %B950.endif.i
+  %sunkaddr174.i = getelementptr i8, ptr %sunkaddr131.i, i64 48
+  %.2559.promoted.i = load double, ptr %sunkaddr174.i, align 8
+  %sunkaddr177.i = getelementptr i8, ptr %sunkaddr131.i, i64 56
+  %.promoted.i = load double, ptr %sunkaddr177.i, align 8
+  %sunkaddr180.i = getelementptr i8, ptr %sunkaddr131.i, i64 80
+  %.promoted63.i = load double, ptr %sunkaddr180.i, align 8
+  %sunkaddr183.i = getelementptr i8, ptr %sunkaddr131.i, i64 88
+  %.promoted65.i = load double, ptr %sunkaddr183.i, align 8
+  %sunkaddr186.i = getelementptr i8, ptr %sunkaddr131.i, i64 96
+  %.promoted67.i = load double, ptr %sunkaddr186.i, align 8
+  %sunkaddr189.i = getelementptr i8, ptr %sunkaddr131.i, i64 64
+  %.promoted69.i = load double, ptr %sunkaddr189.i, align 8
+  %sunkaddr192.i = getelementptr i8, ptr %sunkaddr131.i, i64 104
+  %.promoted71.i = load double, ptr %sunkaddr192.i, align 8
+  %sunkaddr195.i = getelementptr i8, ptr %sunkaddr131.i, i64 112
+  %.promoted73.i = load double, ptr %sunkaddr195.i, align 8
+  %sunkaddr198.i = getelementptr i8, ptr %sunkaddr131.i, i64 120
+  %.promoted75.i = load double, ptr %sunkaddr198.i, align 8
+  %sunkaddr201.i = getelementptr i8, ptr %sunkaddr131.i, i64 72
+  %.promoted77.i = load double, ptr %sunkaddr201.i, align 8
+  %sunkaddr204.i = getelementptr i8, ptr %sunkaddr131.i, i64 128
+  %.promoted79.i = load double, ptr %sunkaddr204.i, align 8
+  %sunkaddr207.i = getelementptr i8, ptr %sunkaddr131.i, i64 136
+  %.promoted81.i = load double, ptr %sunkaddr207.i, align 8
+  %sunkaddr210.i = getelementptr i8, ptr %sunkaddr131.i, i64 144
+  %.promoted83.i = load double, ptr %sunkaddr210.i, align 8
+  %7 = add nuw i64 %..651.i, 1
+  br label %B1696.2.i
+
+_ZN7msf_jax4host5solid5loops8measuresB3v25B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi2E1C7mutable7alignedE.exit: ; preds = %B1896.i, %0
+  ret i64 0
+}
+
+declare i64 @llvm.smin.i64(i64, i64)
+
+define i64 @msf_jax.host.meso.kernels.short_edges(ptr readonly %words) local_unnamed_addr {
+  %w0 = load ptr, ptr %words, align 8
+  %p2 = getelementptr i8, ptr %words, i64 16
+  %w2 = load i64, ptr %p2, align 8
+  %p3 = getelementptr i8, ptr %words, i64 24
+  %w3 = load ptr, ptr %p3, align 8
+  %p4 = getelementptr i8, ptr %words, i64 32
+  %w4 = load i64, ptr %p4, align 8
+  %p5 = getelementptr i8, ptr %words, i64 40
+  %w5 = load i64, ptr %p5, align 8
+  %s8 = shl i64 %w5, 3
+  %p6 = getelementptr i8, ptr %words, i64 48
+  %w6 = load ptr, ptr %p6, align 8
+  %p8 = getelementptr i8, ptr %words, i64 64
+  %w8 = load ptr, ptr %p8, align 8
+  %p10 = getelementptr i8, ptr %words, i64 80
+  %w10 = load double, ptr %p10, align 8
+  %p11 = getelementptr i8, ptr %words, i64 88
+  %w11 = load ptr, ptr %p11, align 8
+  %p13 = getelementptr i8, ptr %words, i64 104
+  %w13 = load ptr, ptr %p13, align 8
+  %p14 = getelementptr i8, ptr %words, i64 112
+  %w14 = load i64, ptr %p14, align 8
+  %p15 = getelementptr i8, ptr %words, i64 120
+  %w15 = load i64, ptr %p15, align 8
+  %.183801.not.i = icmp slt i64 %w4, 1
+  br i1 %.183801.not.i, label %_ZN7msf_jax4host4meso7kernels11short_edgesB3v26B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIbLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE.exit, label %B68.preheader.i
+
+B68.preheader.i:                                  ; preds = %0
+  %scevgep.i = getelementptr i8, ptr %w3, i64 24
+  %scevgep46.i = getelementptr i8, ptr %w3, i64 8
+  br label %B68.i
+
+B66.loopexit.i:                                   ; preds = %B757.i, %B116.endif.i, %B68.i
+  %count.2.1.lcssa.i = phi i64 [ %count.3.0808.i, %B116.endif.i ], [ %count.3.0808.i, %B68.i ], [ %count.4.2.i, %B757.i ]
+  %exitcond909.not.i = icmp eq i64 %w4, %.196.i
+  br i1 %exitcond909.not.i, label %_ZN7msf_jax4host4meso7kernels11short_edgesB3v26B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIbLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE.exit, label %B68.i
+
+B68.i:                                            ; preds = %B66.loopexit.i, %B68.preheader.i
+  %count.3.0808.i = phi i64 [ %count.2.1.lcssa.i, %B66.loopexit.i ], [ 0, %B68.preheader.i ]
+  %.189756806.i = phi i64 [ %.196.i, %B66.loopexit.i ], [ 0, %B68.preheader.i ]
+  %.196.i = add nuw nsw i64 %.189756806.i, 1
+  %1 = getelementptr i8, ptr %w11, i64 %.189756806.i
+  %.254.i = load i8, ptr %1, align 1
+  %.257.i = icmp eq i8 %.254.i, 0
+  br i1 %.257.i, label %B66.loopexit.i, label %B116.endif.i
+
+B552.i:                                           ; preds = %B494.B448.loopexit_crit_edge.us.i, %B450.endif.lr.ph.i, %B402.endif.B552_crit_edge.i
+  %.80.i.pre-phi.i = phi i64 [ %.pre.i, %B402.endif.B552_crit_edge.i ], [ %.1139.i, %B450.endif.lr.ph.i ], [ %.1139.i, %B494.B448.loopexit_crit_edge.us.i ]
+  %common.3.3.lcssa.i = phi i64 [ 0, %B402.endif.B552_crit_edge.i ], [ 0, %B450.endif.lr.ph.i ], [ %.1200.us.lcssa.i, %B494.B448.loopexit_crit_edge.us.i ]
+  %.84.i.i = getelementptr i64, ptr %w3, i64 %.80.i.pre-phi.i
+  %.85.i.i = load i64, ptr %.84.i.i, align 8
+  %.87.not.i.i = icmp eq i64 %.85.i.i, %.11.i23.i
+  br i1 %.87.not.i.i, label %B552.endif.i, label %B36.preheader.i.i
+
+B36.preheader.i.i:                                ; preds = %B552.i
+  %2 = mul i64 %.11.i.i, %s8
+  %scevgep47.i = getelementptr i8, ptr %scevgep46.i, i64 %2
+  br label %B36.i.i
+
+B36.i.i:                                          ; preds = %B36.i.i, %B36.preheader.i.i
+  %slot.2.0.i.i = phi i64 [ %.90.i.i, %B36.i.i ], [ 0, %B36.preheader.i.i ]
+  %.90.i.i = add nuw i64 %slot.2.0.i.i, 1
+  %3 = shl i64 %slot.2.0.i.i, 3
+  %scevgep48.i = getelementptr i8, ptr %scevgep47.i, i64 %3
+  %.145.i.i = load i64, ptr %scevgep48.i, align 8
+  %.147.not.i.i = icmp eq i64 %.145.i.i, %.11.i23.i
+  br i1 %.147.not.i.i, label %B552.endif.i, label %B36.i.i
+
+B757.i:                                           ; preds = %B552.endif.endif.endif.thread.i, %B270.endif.endif.i, %_ZN7msf_jax4host4meso7kernels12is_met_laterB3v29B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedExx.exit.i, %B136.endif.endif.i
+  %count.4.2.i = phi i64 [ %.1783.i, %B552.endif.endif.endif.thread.i ], [ %count.2.1743.i, %B270.endif.endif.i ], [ %count.2.1743.i, %_ZN7msf_jax4host4meso7kernels12is_met_laterB3v29B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedExx.exit.i ], [ %count.2.1743.i, %B136.endif.endif.i ]
+  %exitcond908.not.i = icmp eq i64 %.298.i, %.410.i
+  br i1 %exitcond908.not.i, label %B66.loopexit.i, label %B136.endif.endif.i
+
+B116.endif.i:                                     ; preds = %B68.i
+  %4 = getelementptr i64, ptr %w6, i64 %.189756806.i
+  %.298.i = load i64, ptr %4, align 8
+  %.397736.not.i = icmp slt i64 %.298.i, 1
+  br i1 %.397736.not.i, label %B66.loopexit.i, label %B136.lr.ph.i
+
+B136.lr.ph.i:                                     ; preds = %B116.endif.i
+  %.480.i = mul i64 %.189756806.i, %w5
+  %5 = getelementptr i64, ptr %w3, i64 %.480.i
+  br label %B136.endif.endif.i
+
+B136.endif.endif.i:                               ; preds = %B136.lr.ph.i, %B757.i
+  %count.2.1743.i = phi i64 [ %count.3.0808.i, %B136.lr.ph.i ], [ %count.4.2.i, %B757.i ]
+  %.403700741.i = phi i64 [ 0, %B136.lr.ph.i ], [ %.410.i, %B757.i ]
+  %.410.i = add nuw nsw i64 %.403700741.i, 1
+  %6 = getelementptr i64, ptr %5, i64 %.403700741.i
+  %.485.i = load i64, ptr %6, align 8
+  %.11.i.i = tail call i64 @llvm.smin.i64(i64 %.485.i, i64 %.189756806.i)
+  %.11.i23.i = tail call i64 @llvm.smax.i64(i64 %.485.i, i64 %.189756806.i)
+  %.86.i.i = icmp slt i64 %.485.i, 0
+  br i1 %.86.i.i, label %B757.i, label %B48.i.i
+
+B48.i.i:                                          ; preds = %B136.endif.endif.i
+  %.96.i.i = icmp slt i64 %.485.i, %.189756806.i
+  br i1 %.96.i.i, label %_ZN7msf_jax4host4meso7kernels12is_met_laterB3v29B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedExx.exit.i, label %B270.endif.endif.i
+
+_ZN7msf_jax4host4meso7kernels12is_met_laterB3v29B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedExx.exit.i: ; preds = %B48.i.i
+  %.131.i.i = getelementptr i8, ptr %w11, i64 %.485.i
+  %.132.i.i = load i8, ptr %.131.i.i, align 1
+  %.135.i.not.i = icmp eq i8 %.132.i.i, 0
+  br i1 %.135.i.not.i, label %B270.endif.endif.i, label %B757.i
+
+B270.endif.endif.i:                               ; preds = %_ZN7msf_jax4host4meso7kernels12is_met_laterB3v29B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedExx.exit.i, %B48.i.i
+  %.68.i.i = mul i64 %.11.i.i, %w2
+  %7 = getelementptr double, ptr %w0, i64 %.68.i.i
+  %.72.i.i = getelementptr i8, ptr %7, i64 16
+  %.73.i.i = load double, ptr %.72.i.i, align 8
+  %.121.i.i = mul i64 %.11.i23.i, %w2
+  %8 = getelementptr double, ptr %w0, i64 %.121.i.i
+  %.125.i.i = getelementptr i8, ptr %8, i64 16
+  %.126.i.i = load double, ptr %.125.i.i, align 8
+  %.127.i.i = fsub double %.73.i.i, %.126.i.i
+  %.235.i.i = fmul double %.127.i.i, %.127.i.i
+  %.288.i.i = load double, ptr %7, align 8
+  %.341.i.i = load double, ptr %8, align 8
+  %.342.i.i = fsub double %.288.i.i, %.341.i.i
+  %.450.i.i = fmul double %.342.i.i, %.342.i.i
+  %.451.i.i = fadd double %.235.i.i, %.450.i.i
+  %.503.i.i = getelementptr i8, ptr %7, i64 8
+  %.504.i.i = load double, ptr %.503.i.i, align 8
+  %.556.i.i = getelementptr i8, ptr %8, i64 8
+  %.557.i.i = load double, ptr %.556.i.i, align 8
+  %.558.i.i = fsub double %.504.i.i, %.557.i.i
+  %.666.i.i = fmul double %.558.i.i, %.558.i.i
+  %.667.i.i = fadd double %.451.i.i, %.666.i.i
+  %9 = getelementptr double, ptr %w8, i64 %.11.i.i
+  %.710.i = load double, ptr %9, align 8
+  %10 = getelementptr double, ptr %w8, i64 %.11.i23.i
+  %.741.i = load double, ptr %10, align 8
+  %.10.i.i = fcmp olt double %.741.i, %.710.i
+  %.11.i26.i = select i1 %.10.i.i, double %.741.i, double %.710.i
+  %sqrt.i = tail call double @llvm.sqrt.f64(double %.667.i.i)
+  %.771.i = fmul double %w10, %.11.i26.i
+  %.772.i = fcmp ult double %sqrt.i, %.771.i
+  br i1 %.772.i, label %B402.endif.i, label %B757.i
+
+B402.endif.i:                                     ; preds = %B270.endif.endif.i
+  %11 = getelementptr i64, ptr %w6, i64 %.11.i.i
+  %.818.i = load i64, ptr %11, align 8
+  %.898678.not.i = icmp slt i64 %.818.i, 1
+  br i1 %.898678.not.i, label %B402.endif.B552_crit_edge.i, label %B450.endif.lr.ph.i
+
+B402.endif.B552_crit_edge.i:                      ; preds = %B402.endif.i
+  %.pre.i = mul i64 %.11.i.i, %w5
+  br label %B552.i
+
+B450.endif.lr.ph.i:                               ; preds = %B402.endif.i
+  %12 = getelementptr i64, ptr %w6, i64 %.11.i23.i
+  %.975.i = load i64, ptr %12, align 8
+  %.1055666.not.i = icmp slt i64 %.975.i, 1
+  %.1139.i = mul i64 %.11.i.i, %w5
+  %invariant.gep687.i = getelementptr i64, ptr %w3, i64 %.1139.i
+  br i1 %.1055666.not.i, label %B552.i, label %B450.endif.us.preheader.i
+
+B450.endif.us.preheader.i:                        ; preds = %B450.endif.lr.ph.i
+  %xtraiter.i = and i64 %.975.i, 3
+  %unroll_iter.i = and i64 %.975.i, 9223372036854775804
+  %13 = mul i64 %.11.i23.i, %s8
+  %scevgep34.i = getelementptr i8, ptr %scevgep.i, i64 %13
+  %scevgep43.i = getelementptr i8, ptr %w3, i64 %13
+  %14 = icmp samesign ult i64 %.975.i, 4
+  %15 = icmp eq i64 %xtraiter.i, 0
+  br label %B450.endif.us.i
+
+B450.endif.us.i:                                  ; preds = %B494.B448.loopexit_crit_edge.us.i, %B450.endif.us.preheader.i
+  %common.3.3681.us.i = phi i64 [ %.1200.us.lcssa.i, %B494.B448.loopexit_crit_edge.us.i ], [ 0, %B450.endif.us.preheader.i ]
+  %.904673679.us.i = phi i64 [ %.911.us.i, %B494.B448.loopexit_crit_edge.us.i ], [ 0, %B450.endif.us.preheader.i ]
+  %gep688.us.i = getelementptr i64, ptr %invariant.gep687.i, i64 %.904673679.us.i
+  %.1144.us.i = load i64, ptr %gep688.us.i, align 8
+  br i1 %14, label %B496.us.epil.preheader.i, label %B496.us.i
+
+B496.us.i:                                        ; preds = %B450.endif.us.i, %B496.us.i
+  %common.2.4669.us.i = phi i64 [ %.1200.us.3.i, %B496.us.i ], [ %common.3.3681.us.i, %B450.endif.us.i ]
+  %.1061665667.us.i = phi i64 [ %.1068.us.3.i, %B496.us.i ], [ 0, %B450.endif.us.i ]
+  %16 = shl i64 %.1061665667.us.i, 3
+  %scevgep40.i = getelementptr i8, ptr %scevgep34.i, i64 %16
+  %scevgep41.i = getelementptr i8, ptr %scevgep40.i, i64 -24
+  %.1195.us.i = load i64, ptr %scevgep41.i, align 8
+  %.1196.us.i = icmp eq i64 %.1144.us.i, %.1195.us.i
+  %.1199.us.i = zext i1 %.1196.us.i to i64
+  %.1200.us.i = add nsw i64 %common.2.4669.us.i, %.1199.us.i
+  %scevgep39.i = getelementptr i8, ptr %scevgep40.i, i64 -16
+  %.1195.us.1.i = load i64, ptr %scevgep39.i, align 8
+  %.1196.us.1.i = icmp eq i64 %.1144.us.i, %.1195.us.1.i
+  %.1199.us.1.i = zext i1 %.1196.us.1.i to i64
+  %.1200.us.1.i = add nsw i64 %.1200.us.i, %.1199.us.1.i
+  %scevgep37.i = getelementptr i8, ptr %scevgep40.i, i64 -8
+  %.1195.us.2.i = load i64, ptr %scevgep37.i, align 8
+  %.1196.us.2.i = icmp eq i64 %.1144.us.i, %.1195.us.2.i
+  %.1199.us.2.i = zext i1 %.1196.us.2.i to i64
+  %.1200.us.2.i = add nsw i64 %.1200.us.1.i, %.1199.us.2.i
+  %.1068.us.3.i = add nuw nsw i64 %.1061665667.us.i, 4
+  %.1195.us.3.i = load i64, ptr %scevgep40.i, align 8
+  %.1196.us.3.i = icmp eq i64 %.1144.us.i, %.1195.us.3.i
+  %.1199.us.3.i = zext i1 %.1196.us.3.i to i64
+  %.1200.us.3.i = add nsw i64 %.1200.us.2.i, %.1199.us.3.i
+  %niter.ncmp.3.i = icmp eq i64 %unroll_iter.i, %.1068.us.3.i
+  br i1 %niter.ncmp.3.i, label %B494.B448.loopexit_crit_edge.us.unr-lcssa.i, label %B496.us.i
+
+B494.B448.loopexit_crit_edge.us.unr-lcssa.i:      ; preds = %B496.us.i
+  br i1 %15, label %B494.B448.loopexit_crit_edge.us.i, label %B496.us.epil.preheader.i
+
+B496.us.epil.preheader.i:                         ; preds = %B494.B448.loopexit_crit_edge.us.unr-lcssa.i, %B450.endif.us.i
+  %common.2.4669.us.epil.init.i = phi i64 [ %common.3.3681.us.i, %B450.endif.us.i ], [ %.1200.us.3.i, %B494.B448.loopexit_crit_edge.us.unr-lcssa.i ]
+  %.1061665667.us.epil.init.i = phi i64 [ 0, %B450.endif.us.i ], [ %unroll_iter.i, %B494.B448.loopexit_crit_edge.us.unr-lcssa.i ]
+  %17 = shl i64 %.1061665667.us.epil.init.i, 3
+  %scevgep44.i = getelementptr i8, ptr %scevgep43.i, i64 %17
+  br label %B496.us.epil.i
+
+B496.us.epil.i:                                   ; preds = %B496.us.epil.i, %B496.us.epil.preheader.i
+  %common.2.4669.us.epil.i = phi i64 [ %common.2.4669.us.epil.init.i, %B496.us.epil.preheader.i ], [ %.1200.us.epil.i, %B496.us.epil.i ]
+  %epil.iter.i = phi i64 [ 0, %B496.us.epil.preheader.i ], [ %epil.iter.next.i, %B496.us.epil.i ]
+  %18 = shl nuw nsw i64 %epil.iter.i, 3
+  %scevgep45.i = getelementptr i8, ptr %scevgep44.i, i64 %18
+  %.1195.us.epil.i = load i64, ptr %scevgep45.i, align 8
+  %.1196.us.epil.i = icmp eq i64 %.1144.us.i, %.1195.us.epil.i
+  %.1199.us.epil.i = zext i1 %.1196.us.epil.i to i64
+  %.1200.us.epil.i = add nsw i64 %common.2.4669.us.epil.i, %.1199.us.epil.i
+  %epil.iter.next.i = add i64 %epil.iter.i, 1
+  %epil.iter.cmp.not.i = icmp eq i64 %xtraiter.i, %epil.iter.next.i
+  br i1 %epil.iter.cmp.not.i, label %B494.B448.loopexit_crit_edge.us.i, label %B496.us.epil.i
+
+B494.B448.loopexit_crit_edge.us.i:                ; preds = %B496.us.epil.i, %B494.B448.loopexit_crit_edge.us.unr-lcssa.i
+  %.1200.us.lcssa.i = phi i64 [ %.1200.us.3.i, %B494.B448.loopexit_crit_edge.us.unr-lcssa.i ], [ %.1200.us.epil.i, %B496.us.epil.i ]
+  %.911.us.i = add nuw nsw i64 %.904673679.us.i, 1
+  %exitcond907.not.i = icmp eq i64 %.818.i, %.911.us.i
+  br i1 %exitcond907.not.i, label %B552.i, label %B450.endif.us.i
+
+B552.endif.i:                                     ; preds = %B36.i.i, %B552.i
+  %slot.3.1.i.i = phi i64 [ 0, %B552.i ], [ %.90.i.i, %B36.i.i ]
+  %.1280.i = icmp slt i64 %count.2.1743.i, 0
+  %.1281.i = select i1 %.1280.i, i64 %w14, i64 0
+  %.1282.i = add i64 %.1281.i, %count.2.1743.i
+  %.1302.i = mul i64 %.1282.i, %w15
+  %.1306.i = getelementptr i64, ptr %w13, i64 %.1302.i
+  store i64 %.11.i.i, ptr %.1306.i, align 8
+  %.1362.i = getelementptr i8, ptr %.1306.i, i64 8
+  store i64 %.11.i23.i, ptr %.1362.i, align 8
+  %.1420.i = getelementptr i8, ptr %.1306.i, i64 32
+  store i64 %common.3.3.lcssa.i, ptr %.1420.i, align 8
+  %sunkaddr.i = shl i64 %.11.i.i, 3
+  %sunkaddr49.i = getelementptr i8, ptr %w6, i64 %sunkaddr.i
+  %.1455.i = load i64, ptr %sunkaddr49.i, align 8
+  %.1458.i = icmp eq i64 %.1455.i, 0
+  br i1 %.1458.i, label %B552.endif.endif.thread.i, label %B552.endif.endif.i
+
+B552.endif.endif.i:                               ; preds = %B552.endif.i
+  %.1424.i = add nsw i64 %slot.3.1.i.i, 1
+  %19 = or i64 %.1455.i, %.1424.i
+  %20 = icmp ult i64 %19, 4294967296
+  br i1 %20, label %21, label %26
+
+21:                                               ; preds = %B552.endif.endif.i
+  %22 = trunc nuw i64 %.1455.i to i32
+  %23 = trunc nuw i64 %.1424.i to i32
+  %24 = urem i32 %23, %22
+  %25 = zext i32 %24 to i64
+  br label %28
+
+26:                                               ; preds = %B552.endif.endif.i
+  %27 = srem i64 %.1424.i, %.1455.i
+  br label %28
+
+28:                                               ; preds = %26, %21
+  %29 = phi i64 [ %25, %21 ], [ %27, %26 ]
+  %.1476.i = xor i64 %29, %.1455.i
+  %.1477.i = icmp slt i64 %.1476.i, 0
+  %.1478.i = icmp ne i64 %29, 0
+  %.1479.i = and i1 %.1478.i, %.1477.i
+  %.1486.i = select i1 %.1479.i, i64 %.1455.i, i64 0
+  %spec.select.i = add i64 %.1486.i, %29
+  %spec.select.fr.i = freeze i64 %spec.select.i
+  %.1522.i = icmp slt i64 %spec.select.fr.i, 0
+  %spec.select941.i = select i1 %.1522.i, i64 %w5, i64 0
+  br label %B552.endif.endif.thread.i
+
+B552.endif.endif.thread.i:                        ; preds = %28, %B552.endif.i
+  %rem.0917.i = phi i64 [ %spec.select.fr.i, %28 ], [ 0, %B552.endif.i ]
+  %30 = phi i64 [ %spec.select941.i, %28 ], [ 0, %B552.endif.i ]
+  %31 = getelementptr i64, ptr %.84.i.i, i64 %rem.0917.i
+  %.1545.i = getelementptr i64, ptr %31, i64 %30
+  %.1546.i = load i64, ptr %.1545.i, align 8
+  %sunkaddr50.i = shl i64 %.1302.i, 3
+  %sunkaddr51.i = getelementptr i8, ptr %w13, i64 %sunkaddr50.i
+  %sunkaddr52.i = getelementptr i8, ptr %sunkaddr51.i, i64 16
+  store i64 %.1546.i, ptr %sunkaddr52.i, align 8
+  %.1602.i = add nsw i64 %slot.3.1.i.i, -1
+  %.1633.i = load i64, ptr %sunkaddr49.i, align 8
+  %.1636.i = icmp eq i64 %.1633.i, 0
+  br i1 %.1636.i, label %B552.endif.endif.endif.thread.i, label %B552.endif.endif.else.i
+
+B552.endif.endif.else.i:                          ; preds = %B552.endif.endif.thread.i
+  %.1647.i = icmp ne i64 %.1602.i, -9223372036854775808
+  %.1648.i = icmp ne i64 %.1633.i, -1
+  %.1649.not.i = or i1 %.1647.i, %.1648.i
+  br i1 %.1649.not.i, label %B552.endif.endif.else.if.i, label %B552.endif.endif.endif.thread.i
+
+B552.endif.endif.endif.thread.i:                  ; preds = %42, %B552.endif.endif.else.i, %B552.endif.endif.thread.i
+  %32 = phi i64 [ 0, %B552.endif.endif.thread.i ], [ %spec.select629.i, %42 ], [ 0, %B552.endif.endif.else.i ]
+  %.1725.i = getelementptr i64, ptr %.84.i.i, i64 %32
+  %.1726.i = load i64, ptr %.1725.i, align 8
+  %sunkaddr57.i = getelementptr i8, ptr %sunkaddr51.i, i64 24
+  store i64 %.1726.i, ptr %sunkaddr57.i, align 8
+  %.1783.i = add nsw i64 %count.2.1743.i, 1
+  br label %B757.i
+
+B552.endif.endif.else.if.i:                       ; preds = %B552.endif.endif.else.i
+  %33 = or i64 %.1633.i, %.1602.i
+  %34 = icmp ult i64 %33, 4294967296
+  br i1 %34, label %35, label %40
+
+35:                                               ; preds = %B552.endif.endif.else.if.i
+  %36 = trunc nuw i64 %.1633.i to i32
+  %37 = trunc nuw i64 %.1602.i to i32
+  %38 = urem i32 %37, %36
+  %39 = zext i32 %38 to i64
+  br label %42
+
+40:                                               ; preds = %B552.endif.endif.else.if.i
+  %41 = srem i64 %.1602.i, %.1633.i
+  br label %42
+
+42:                                               ; preds = %40, %35
+  %43 = phi i64 [ %39, %35 ], [ %41, %40 ]
+  %.1654.i = xor i64 %43, %.1633.i
+  %.1655.i = icmp slt i64 %.1654.i, 0
+  %.1656.i = icmp ne i64 %43, 0
+  %.1657.i = and i1 %.1656.i, %.1655.i
+  %.1664.i = select i1 %.1657.i, i64 %.1633.i, i64 0
+  %spec.select630.i = add i64 %.1664.i, %43
+  %spec.select630.fr.i = freeze i64 %spec.select630.i
+  %.1702.i = icmp slt i64 %spec.select630.fr.i, 0
+  %.1703.i = select i1 %.1702.i, i64 %w5, i64 0
+  %spec.select629.i = add i64 %.1703.i, %spec.select630.fr.i
+  br label %B552.endif.endif.endif.thread.i
+
+_ZN7msf_jax4host4meso7kernels11short_edgesB3v26B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIbLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE.exit: ; preds = %B66.loopexit.i, %0
+  %count.3.0.lcssa.i = phi i64 [ 0, %0 ], [ %count.2.1.lcssa.i, %B66.loopexit.i ]
+  ret i64 %count.3.0.lcssa.i
+}
+
+define i64 @msf_jax.host.meso.kernels.wide_edges(ptr readonly %words) local_unnamed_addr {
+  %w0 = load ptr, ptr %words, align 8
+  %p1 = getelementptr i8, ptr %words, i64 8
+  %w1 = load i64, ptr %p1, align 8
+  %p2 = getelementptr i8, ptr %words, i64 16
+  %w2 = load i64, ptr %p2, align 8
+  %p3 = getelementptr i8, ptr %words, i64 24
+  %w3 = load ptr, ptr %p3, align 8
+  %p4 = getelementptr i8, ptr %words, i64 32
+  %w4 = load i64, ptr %p4, align 8
+  %p5 = getelementptr i8, ptr %words, i64 40
+  %w5 = load i64, ptr %p5, align 8
+  %s8 = shl i64 %w5, 3
+  %p6 = getelementptr i8, ptr %words, i64 48
+  %w6 = load ptr, ptr %p6, align 8
+  %p8 = getelementptr i8, ptr %words, i64 64
+  %w8 = load ptr, ptr %p8, align 8
+  %p10 = getelementptr i8, ptr %words, i64 80
+  %w10 = load double, ptr %p10, align 8
+  %p11 = getelementptr i8, ptr %words, i64 88
+  %w11 = load double, ptr %p11, align 8
+  %p12 = getelementptr i8, ptr %words, i64 96
+  %w12 = load ptr, ptr %p12, align 8
+  %p14 = getelementptr i8, ptr %words, i64 112
+  %w14 = load ptr, ptr %p14, align 8
+  %p15 = getelementptr i8, ptr %words, i64 120
+  %w15 = load i64, ptr %p15, align 8
+  %p16 = getelementptr i8, ptr %words, i64 128
+  %w16 = load i64, ptr %p16, align 8
+  %.186619.not.i = icmp slt i64 %w4, 1
+  br i1 %.186619.not.i, label %_ZN7msf_jax4host4meso7kernels10wide_edgesB3v32B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEdd5ArrayIbLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE.exit, label %B68.preheader.i
+
+B68.preheader.i:                                  ; preds = %0
+  %scevgep.i = getelementptr i8, ptr %w3, i64 8
+  br label %B68.i
+
+B66.loopexit.i:                                   ; preds = %B731.i, %B116.endif.i, %B68.i
+  %count.2.1.lcssa.i = phi i64 [ %count.5.0622.i, %B116.endif.i ], [ %count.5.0622.i, %B68.i ], [ %count.3.2.i, %B731.i ]
+  %exitcond681.not.i = icmp eq i64 %w4, %.199.i
+  br i1 %exitcond681.not.i, label %_ZN7msf_jax4host4meso7kernels10wide_edgesB3v32B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEdd5ArrayIbLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE.exit, label %B68.i
+
+B68.i:                                            ; preds = %B66.loopexit.i, %B68.preheader.i
+  %count.5.0622.i = phi i64 [ %count.2.1.lcssa.i, %B66.loopexit.i ], [ 0, %B68.preheader.i ]
+  %.192600620.i = phi i64 [ %.199.i, %B66.loopexit.i ], [ 0, %B68.preheader.i ]
+  %.199.i = add nuw nsw i64 %.192600620.i, 1
+  %1 = getelementptr i8, ptr %w12, i64 %.192600620.i
+  %.257.i = load i8, ptr %1, align 1
+  %.260.i = icmp eq i8 %.257.i, 0
+  br i1 %.260.i, label %B66.loopexit.i, label %B116.endif.i
+
+B402.i:                                           ; preds = %B270.endif.endif.i
+  %.80.i.i = mul i64 %.11.i.i, %w5
+  %.84.i.i = getelementptr i64, ptr %w3, i64 %.80.i.i
+  %.85.i.i = load i64, ptr %.84.i.i, align 8
+  %.87.not.i.i = icmp eq i64 %.85.i.i, %.11.i38.i
+  br i1 %.87.not.i.i, label %B402.endif.i, label %B36.preheader.i.i
+
+B36.preheader.i.i:                                ; preds = %B402.i
+  %2 = mul i64 %s8, %.11.i.i
+  %scevgep104.i = getelementptr i8, ptr %scevgep.i, i64 %2
+  br label %B36.i.i
+
+B36.i.i:                                          ; preds = %B36.i.i, %B36.preheader.i.i
+  %slot.2.0.i.i = phi i64 [ %.90.i.i, %B36.i.i ], [ 0, %B36.preheader.i.i ]
+  %.90.i.i = add nuw i64 %slot.2.0.i.i, 1
+  %3 = shl i64 %slot.2.0.i.i, 3
+  %scevgep105.i = getelementptr i8, ptr %scevgep104.i, i64 %3
+  %.145.i.i = load i64, ptr %scevgep105.i, align 8
+  %.147.not.i.i = icmp eq i64 %.145.i.i, %.11.i38.i
+  br i1 %.147.not.i.i, label %B402.endif.i, label %B36.i.i
+
+B620.i:                                           ; preds = %B402.endif.endif.endif.endif.endif.i
+  %.1204.i = icmp slt i64 %count.2.1589.i, 0
+  %.1205.i = select i1 %.1204.i, i64 %w15, i64 0
+  %.1206.i = add i64 %.1205.i, %count.2.1589.i
+  %.1226.i = mul i64 %.1206.i, %w16
+  %.1230.i = getelementptr i64, ptr %w14, i64 %.1226.i
+  store i64 %.11.i.i, ptr %.1230.i, align 8
+  %.1285.i = getelementptr i8, ptr %.1230.i, i64 8
+  store i64 %.11.i38.i, ptr %.1285.i, align 8
+  %.1340.i = getelementptr i8, ptr %.1230.i, i64 16
+  store i64 %.946698.i, ptr %.1340.i, align 8
+  %.1395.i = getelementptr i8, ptr %.1230.i, i64 24
+  store i64 %.1069.i, ptr %.1395.i, align 8
+  %.1399.i = fcmp ole double %"$phi166.0.2.0.i.i", %"$phi166.0.2.0.i88.i"
+  %"$phi700.2.2.4.i" = select i1 %.1399.i, i64 %.946698.i, i64 %.1069.i
+  %.1476.i = getelementptr i8, ptr %.1230.i, i64 32
+  store i64 %"$phi700.2.2.4.i", ptr %.1476.i, align 8
+  %.1481.i = add nsw i64 %count.2.1589.i, 1
+  br label %B731.i
+
+B731.i:                                           ; preds = %B402.endif.endif.endif.endif.endif.i, %B270.endif.endif.i, %_ZN7msf_jax4host4meso7kernels12is_met_laterB3v29B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedExx.exit.i, %B136.endif.endif.i, %B620.i
+  %count.3.2.i = phi i64 [ %count.2.1589.i, %B402.endif.endif.endif.endif.endif.i ], [ %count.2.1589.i, %B270.endif.endif.i ], [ %.1481.i, %B620.i ], [ %count.2.1589.i, %_ZN7msf_jax4host4meso7kernels12is_met_laterB3v29B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedExx.exit.i ], [ %count.2.1589.i, %B136.endif.endif.i ]
+  %exitcond.not.i = icmp eq i64 %.301.i, %.413.i
+  br i1 %exitcond.not.i, label %B66.loopexit.i, label %B136.endif.endif.i
+
+B116.endif.i:                                     ; preds = %B68.i
+  %4 = getelementptr i64, ptr %w6, i64 %.192600620.i
+  %.301.i = load i64, ptr %4, align 8
+  %.400586.not.i = icmp slt i64 %.301.i, 1
+  br i1 %.400586.not.i, label %B66.loopexit.i, label %B136.lr.ph.i
+
+B136.lr.ph.i:                                     ; preds = %B116.endif.i
+  %.483.i = mul i64 %.192600620.i, %w5
+  %5 = getelementptr i64, ptr %w3, i64 %.483.i
+  br label %B136.endif.endif.i
+
+B136.endif.endif.i:                               ; preds = %B136.lr.ph.i, %B731.i
+  %count.2.1589.i = phi i64 [ %count.5.0622.i, %B136.lr.ph.i ], [ %count.3.2.i, %B731.i ]
+  %.406578587.i = phi i64 [ 0, %B136.lr.ph.i ], [ %.413.i, %B731.i ]
+  %.413.i = add nuw nsw i64 %.406578587.i, 1
+  %6 = getelementptr i64, ptr %5, i64 %.406578587.i
+  %.488.i = load i64, ptr %6, align 8
+  %.11.i.i = tail call i64 @llvm.smin.i64(i64 %.488.i, i64 %.192600620.i)
+  %.11.i38.i = tail call i64 @llvm.smax.i64(i64 %.488.i, i64 %.192600620.i)
+  %.86.i.i = icmp slt i64 %.488.i, 0
+  br i1 %.86.i.i, label %B731.i, label %B48.i.i
+
+B48.i.i:                                          ; preds = %B136.endif.endif.i
+  %.96.i.i = icmp slt i64 %.488.i, %.192600620.i
+  br i1 %.96.i.i, label %_ZN7msf_jax4host4meso7kernels12is_met_laterB3v29B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedExx.exit.i, label %B270.endif.endif.i
+
+_ZN7msf_jax4host4meso7kernels12is_met_laterB3v29B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedExx.exit.i: ; preds = %B48.i.i
+  %.131.i.i = getelementptr i8, ptr %w12, i64 %.488.i
+  %.132.i.i = load i8, ptr %.131.i.i, align 1
+  %.135.i.not.i = icmp eq i8 %.132.i.i, 0
+  br i1 %.135.i.not.i, label %B270.endif.endif.i, label %B731.i
+
+B270.endif.endif.i:                               ; preds = %_ZN7msf_jax4host4meso7kernels12is_met_laterB3v29B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedExx.exit.i, %B48.i.i
+  %.68.i.i = mul i64 %.11.i.i, %w2
+  %7 = getelementptr double, ptr %w0, i64 %.68.i.i
+  %.72.i.i = getelementptr i8, ptr %7, i64 16
+  %.73.i.i = load double, ptr %.72.i.i, align 8
+  %.121.i.i = mul i64 %.11.i38.i, %w2
+  %8 = getelementptr double, ptr %w0, i64 %.121.i.i
+  %.125.i.i = getelementptr i8, ptr %8, i64 16
+  %.126.i.i = load double, ptr %.125.i.i, align 8
+  %.127.i.i = fsub double %.73.i.i, %.126.i.i
+  %.235.i.i = fmul double %.127.i.i, %.127.i.i
+  %.288.i.i = load double, ptr %7, align 8
+  %.341.i.i = load double, ptr %8, align 8
+  %.342.i.i = fsub double %.288.i.i, %.341.i.i
+  %.450.i.i = fmul double %.342.i.i, %.342.i.i
+  %.451.i.i = fadd double %.235.i.i, %.450.i.i
+  %.503.i.i = getelementptr i8, ptr %7, i64 8
+  %.504.i.i = load double, ptr %.503.i.i, align 8
+  %.556.i.i = getelementptr i8, ptr %8, i64 8
+  %.557.i.i = load double, ptr %.556.i.i, align 8
+  %.558.i.i = fsub double %.504.i.i, %.557.i.i
+  %.666.i.i = fmul double %.558.i.i, %.558.i.i
+  %.667.i.i = fadd double %.451.i.i, %.666.i.i
+  %9 = getelementptr double, ptr %w8, i64 %.11.i.i
+  %.713.i = load double, ptr %9, align 8
+  %10 = getelementptr double, ptr %w8, i64 %.11.i38.i
+  %.744.i = load double, ptr %10, align 8
+  %.10.i.i = fcmp olt double %.744.i, %.713.i
+  %.11.i41.i = select i1 %.10.i.i, double %.744.i, double %.713.i
+  %sqrt.i = tail call double @llvm.sqrt.f64(double %.667.i.i)
+  %.774.i = fmul double %w10, %.11.i41.i
+  %.775.i = fcmp ugt double %sqrt.i, %.774.i
+  br i1 %.775.i, label %B402.i, label %B731.i
+
+B402.endif.i:                                     ; preds = %B36.i.i, %B402.i
+  %slot.3.1.i.i = phi i64 [ 0, %B402.i ], [ %.90.i.i, %B36.i.i ]
+  %11 = getelementptr i64, ptr %w6, i64 %.11.i.i
+  %.855.i = load i64, ptr %11, align 8
+  %.858.i = icmp eq i64 %.855.i, 0
+  br i1 %.858.i, label %B402.endif.endif.endif.thread.i, label %B402.endif.endif.i
+
+B402.endif.endif.i:                               ; preds = %B402.endif.i
+  %.824.i = add nsw i64 %slot.3.1.i.i, 1
+  %12 = or i64 %.824.i, %.855.i
+  %13 = icmp ult i64 %12, 4294967296
+  br i1 %13, label %14, label %19
+
+14:                                               ; preds = %B402.endif.endif.i
+  %15 = trunc nuw i64 %.855.i to i32
+  %16 = trunc nuw i64 %.824.i to i32
+  %17 = urem i32 %16, %15
+  %18 = zext i32 %17 to i64
+  br label %21
+
+19:                                               ; preds = %B402.endif.endif.i
+  %20 = srem i64 %.824.i, %.855.i
+  br label %21
+
+21:                                               ; preds = %19, %14
+  %22 = phi i64 [ %18, %14 ], [ %20, %19 ]
+  %.876.i = xor i64 %22, %.855.i
+  %.877.i = icmp slt i64 %.876.i, 0
+  %.878.i = icmp ne i64 %22, 0
+  %.879.i = and i1 %.878.i, %.877.i
+  %.886.i = select i1 %.879.i, i64 %.855.i, i64 0
+  %spec.select.i = add i64 %.886.i, %22
+  %spec.select.fr.i = freeze i64 %spec.select.i
+  %.922.i = icmp slt i64 %spec.select.fr.i, 0
+  %spec.select737.i = select i1 %.922.i, i64 %w5, i64 0
+  %23 = getelementptr i64, ptr %.84.i.i, i64 %spec.select.fr.i
+  %.945694.i = getelementptr i64, ptr %23, i64 %spec.select737.i
+  %.946695.i = load i64, ptr %.945694.i, align 8
+  %.947696.i = add nsw i64 %slot.3.1.i.i, -1
+  %.992.i = icmp ne i64 %.947696.i, -9223372036854775808
+  %.993.i = icmp ne i64 %.855.i, -1
+  %.994.not.i = or i1 %.992.i, %.993.i
+  br i1 %.994.not.i, label %B402.endif.endif.else.if.i, label %B402.endif.endif.endif.thread.i
+
+B402.endif.endif.endif.thread.i:                  ; preds = %34, %21, %B402.endif.i
+  %.1069.i = phi i64 [ %.85.i.i, %21 ], [ %.1069.pre.i, %34 ], [ %.85.i.i, %B402.endif.i ]
+  %.946698.i = phi i64 [ %.946695.i, %21 ], [ %.946695.i, %34 ], [ %.85.i.i, %B402.endif.i ]
+  %.99.i.i.i = icmp slt i64 %.946698.i, 0
+  %.100.i.i.i = select i1 %.99.i.i.i, i64 %w1, i64 0
+  %.101.i.i.i = add i64 %.100.i.i.i, %.946698.i
+  %.121.i.i.i = mul i64 %.101.i.i.i, %w2
+  %24 = getelementptr double, ptr %w0, i64 %.121.i.i.i
+  %.125.i.i.i = getelementptr i8, ptr %24, i64 16
+  %.126.i.i.i = load double, ptr %.125.i.i.i, align 8
+  %.127.i.i.i = fsub double %.73.i.i, %.126.i.i.i
+  %.235.i.i.i = fmul double %.127.i.i.i, %.127.i.i.i
+  %.341.i.i.i = load double, ptr %24, align 8
+  %.342.i.i.i = fsub double %.288.i.i, %.341.i.i.i
+  %.450.i.i.i = fmul double %.342.i.i.i, %.342.i.i.i
+  %.451.i.i.i = fadd double %.235.i.i.i, %.450.i.i.i
+  %.556.i.i.i = getelementptr i8, ptr %24, i64 8
+  %.557.i.i.i = load double, ptr %.556.i.i.i, align 8
+  %.558.i.i.i = fsub double %.504.i.i, %.557.i.i.i
+  %.666.i.i.i = fmul double %.558.i.i.i, %.558.i.i.i
+  %.667.i.i.i = fadd double %.451.i.i.i, %.666.i.i.i
+  %.127.i60.i.i = fsub double %.126.i.i, %.126.i.i.i
+  %.235.i74.i.i = fmul double %.127.i60.i.i, %.127.i60.i.i
+  %.342.i77.i.i = fsub double %.341.i.i, %.341.i.i.i
+  %.450.i81.i.i = fmul double %.342.i77.i.i, %.342.i77.i.i
+  %.451.i82.i.i = fadd double %.235.i74.i.i, %.450.i81.i.i
+  %.558.i87.i.i = fsub double %.557.i.i, %.557.i.i.i
+  %.666.i93.i.i = fmul double %.558.i87.i.i, %.558.i87.i.i
+  %.667.i94.i.i = fadd double %.451.i82.i.i, %.666.i93.i.i
+  %.98.i.i = fmul double %.667.i.i.i, %.667.i94.i.i
+  %.105.i.i = fcmp ogt double %.98.i.i, 0.000000e+00
+  br i1 %.105.i.i, label %B120.endif.endif.i.i, label %B402.endif.endif.endif.endif.i
+
+B120.endif.endif.i.i:                             ; preds = %B402.endif.endif.endif.thread.i
+  %sqrt.i.i = tail call double @llvm.sqrt.f64(double %.98.i.i)
+  %.235.i27.i.i = fmul double %.127.i.i.i, %.127.i60.i.i
+  %.450.i34.i.i = fmul double %.342.i.i.i, %.342.i77.i.i
+  %.451.i35.i.i = fadd double %.235.i27.i.i, %.450.i34.i.i
+  %.666.i46.i.i = fmul double %.558.i.i.i, %.558.i87.i.i
+  %.667.i47.i.i = fadd double %.451.i35.i.i, %.666.i46.i.i
+  %.153.i42.i = fdiv double %.667.i47.i.i, %sqrt.i.i
+  br label %B402.endif.endif.endif.endif.i
+
+B402.endif.endif.else.if.i:                       ; preds = %21
+  %25 = or i64 %.947696.i, %.855.i
+  %26 = icmp ult i64 %25, 4294967296
+  br i1 %26, label %27, label %32
+
+27:                                               ; preds = %B402.endif.endif.else.if.i
+  %28 = trunc nuw i64 %.855.i to i32
+  %29 = trunc nuw i64 %.947696.i to i32
+  %30 = urem i32 %29, %28
+  %31 = zext i32 %30 to i64
+  br label %34
+
+32:                                               ; preds = %B402.endif.endif.else.if.i
+  %33 = srem i64 %.947696.i, %.855.i
+  br label %34
+
+34:                                               ; preds = %32, %27
+  %35 = phi i64 [ %31, %27 ], [ %33, %32 ]
+  %.999.i = xor i64 %35, %.855.i
+  %.1000.i = icmp slt i64 %.999.i, 0
+  %.1001.i = icmp ne i64 %35, 0
+  %.1002.i = and i1 %.1001.i, %.1000.i
+  %.1009.i = select i1 %.1002.i, i64 %.855.i, i64 0
+  %spec.select518.i = add i64 %.1009.i, %35
+  %spec.select518.fr.i = freeze i64 %spec.select518.i
+  %.1045.i = icmp slt i64 %spec.select518.fr.i, 0
+  %.1046.i = select i1 %.1045.i, i64 %w5, i64 0
+  %36 = getelementptr i64, ptr %.84.i.i, i64 %.1046.i
+  %.1068.phi.trans.insert.i = getelementptr i64, ptr %36, i64 %spec.select518.fr.i
+  %.1069.pre.i = load i64, ptr %.1068.phi.trans.insert.i, align 8
+  br label %B402.endif.endif.endif.thread.i
+
+B402.endif.endif.endif.endif.i:                   ; preds = %B120.endif.endif.i.i, %B402.endif.endif.endif.thread.i
+  %"$phi166.0.2.0.i.i" = phi double [ %.153.i42.i, %B120.endif.endif.i.i ], [ 1.000000e+00, %B402.endif.endif.endif.thread.i ]
+  %.99.i.i49.i = icmp slt i64 %.1069.i, 0
+  %.100.i.i50.i = select i1 %.99.i.i49.i, i64 %w1, i64 0
+  %.101.i.i51.i = add i64 %.100.i.i50.i, %.1069.i
+  %.121.i.i52.i = mul i64 %.101.i.i51.i, %w2
+  %37 = getelementptr double, ptr %w0, i64 %.121.i.i52.i
+  %.125.i.i53.i = getelementptr i8, ptr %37, i64 16
+  %.126.i.i54.i = load double, ptr %.125.i.i53.i, align 8
+  %.127.i.i55.i = fsub double %.73.i.i, %.126.i.i54.i
+  %.235.i.i56.i = fmul double %.127.i.i55.i, %.127.i.i55.i
+  %.341.i.i58.i = load double, ptr %37, align 8
+  %.342.i.i59.i = fsub double %.288.i.i, %.341.i.i58.i
+  %.450.i.i60.i = fmul double %.342.i.i59.i, %.342.i.i59.i
+  %.451.i.i61.i = fadd double %.235.i.i56.i, %.450.i.i60.i
+  %.556.i.i64.i = getelementptr i8, ptr %37, i64 8
+  %.557.i.i65.i = load double, ptr %.556.i.i64.i, align 8
+  %.558.i.i66.i = fsub double %.504.i.i, %.557.i.i65.i
+  %.666.i.i67.i = fmul double %.558.i.i66.i, %.558.i.i66.i
+  %.667.i.i68.i = fadd double %.451.i.i61.i, %.666.i.i67.i
+  %.127.i60.i75.i = fsub double %.126.i.i, %.126.i.i54.i
+  %.235.i74.i76.i = fmul double %.127.i60.i75.i, %.127.i60.i75.i
+  %.342.i77.i78.i = fsub double %.341.i.i, %.341.i.i58.i
+  %.450.i81.i79.i = fmul double %.342.i77.i78.i, %.342.i77.i78.i
+  %.451.i82.i80.i = fadd double %.235.i74.i76.i, %.450.i81.i79.i
+  %.558.i87.i83.i = fsub double %.557.i.i, %.557.i.i65.i
+  %.666.i93.i84.i = fmul double %.558.i87.i83.i, %.558.i87.i83.i
+  %.667.i94.i85.i = fadd double %.451.i82.i80.i, %.666.i93.i84.i
+  %.98.i86.i = fmul double %.667.i.i68.i, %.667.i94.i85.i
+  %.105.i87.i = fcmp ogt double %.98.i86.i, 0.000000e+00
+  br i1 %.105.i87.i, label %B120.endif.endif.i89.i, label %B402.endif.endif.endif.endif.endif.i
+
+B120.endif.endif.i89.i:                           ; preds = %B402.endif.endif.endif.endif.i
+  %sqrt.i90.i = tail call double @llvm.sqrt.f64(double %.98.i86.i)
+  %.235.i27.i91.i = fmul double %.127.i.i55.i, %.127.i60.i75.i
+  %.450.i34.i92.i = fmul double %.342.i.i59.i, %.342.i77.i78.i
+  %.451.i35.i93.i = fadd double %.235.i27.i91.i, %.450.i34.i92.i
+  %.666.i46.i94.i = fmul double %.558.i.i66.i, %.558.i87.i83.i
+  %.667.i47.i95.i = fadd double %.451.i35.i93.i, %.666.i46.i94.i
+  %.153.i96.i = fdiv double %.667.i47.i95.i, %sqrt.i90.i
+  br label %B402.endif.endif.endif.endif.endif.i
+
+B402.endif.endif.endif.endif.endif.i:             ; preds = %B120.endif.endif.i89.i, %B402.endif.endif.endif.endif.i
+  %"$phi166.0.2.0.i88.i" = phi double [ %.153.i96.i, %B120.endif.endif.i89.i ], [ 1.000000e+00, %B402.endif.endif.endif.endif.i ]
+  %.1150.i = fcmp olt double %"$phi166.0.2.0.i.i", %w11
+  %.1157.i = fcmp olt double %"$phi166.0.2.0.i88.i", %w11
+  %or.cond.i = and i1 %.1150.i, %.1157.i
+  br i1 %or.cond.i, label %B620.i, label %B731.i
+
+_ZN7msf_jax4host4meso7kernels10wide_edgesB3v32B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEdd5ArrayIbLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE.exit: ; preds = %B66.loopexit.i, %0
+  %count.5.0.lcssa.i = phi i64 [ 0, %0 ], [ %count.2.1.lcssa.i, %B66.loopexit.i ]
+  ret i64 %count.5.0.lcssa.i
+}
+
+define noundef i64 @msf_jax.host.meso.kernels.apart(ptr readonly %words) local_unnamed_addr {
+  %w0 = load ptr, ptr %words, align 8
+  %p1 = getelementptr i8, ptr %words, i64 8
+  %w1 = load i64, ptr %p1, align 8
+  %p2 = getelementptr i8, ptr %words, i64 16
+  %w2 = load i64, ptr %p2, align 8
+  %s3 = shl i64 %w2, 3
+  %p3 = getelementptr i8, ptr %words, i64 24
+  %w3 = load ptr, ptr %p3, align 8
+  %p4 = getelementptr i8, ptr %words, i64 32
+  %w4 = load i64, ptr %p4, align 8
+  %p5 = getelementptr i8, ptr %words, i64 40
+  %w5 = load ptr, ptr %p5, align 8
+  %p6 = getelementptr i8, ptr %words, i64 48
+  %w6 = load i64, ptr %p6, align 8
+  %p7 = getelementptr i8, ptr %words, i64 56
+  %w7 = load i64, ptr %p7, align 8
+  %p8 = getelementptr i8, ptr %words, i64 64
+  %w8 = load ptr, ptr %p8, align 8
+  %p9 = getelementptr i8, ptr %words, i64 72
+  %w9 = load i64, ptr %p9, align 8
+  %p10 = getelementptr i8, ptr %words, i64 80
+  %w10 = load ptr, ptr %p10, align 8
+  %p11 = getelementptr i8, ptr %words, i64 88
+  %w11 = load i64, ptr %p11, align 8
+  %arg.rings.5.1.fr.i = freeze i64 %w7
+  %.102478.i = icmp sgt i64 %w4, 0
+  br i1 %.102478.i, label %B10.endif.lr.ph.i, label %_ZN7msf_jax4host4meso7kernels5apartB3v34B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE.exit
+
+B10.endif.lr.ph.i:                                ; preds = %0
+  %.731446.i = icmp sgt i64 %arg.rings.5.1.fr.i, 0
+  %1 = icmp slt i64 %w2, 1
+  br i1 %.731446.i, label %B10.endif.us.preheader.i, label %B10.endif.lr.ph.split.i
+
+B10.endif.us.preheader.i:                         ; preds = %B10.endif.lr.ph.i
+  br i1 %1, label %B10.endif.us.us.preheader.i, label %B10.endif.us.preheader29.i
+
+B10.endif.us.preheader29.i:                       ; preds = %B10.endif.us.preheader.i
+  %2 = shl i64 %arg.rings.5.1.fr.i, 3
+  %scevgep61.i = getelementptr i8, ptr %w5, i64 8
+  %3 = lshr i64 %arg.rings.5.1.fr.i, 1
+  %4 = mul nsw i64 %3, -2
+  %5 = icmp eq i64 %arg.rings.5.1.fr.i, 1
+  %6 = and i64 %arg.rings.5.1.fr.i, 1
+  %7 = icmp eq i64 %6, 0
+  %8 = and i64 %arg.rings.5.1.fr.i, 9223372036854775806
+  %invariant.gep.i = getelementptr i64, ptr %w5, i64 %8
+  br label %B10.endif.us.i
+
+B10.endif.us.us.preheader.i:                      ; preds = %B10.endif.us.preheader.i
+  %9 = icmp eq i64 %w4, 1
+  br i1 %9, label %B360.sink.split.i, label %B10.endif.us.us.preheader.new.i
+
+B10.endif.us.us.preheader.new.i:                  ; preds = %B10.endif.us.us.preheader.i
+  %unroll_iter51.i = and i64 %w4, 9223372036854775806
+  br label %B10.endif.us.us.i
+
+B10.endif.us.us.i:                                ; preds = %B10.endif.us.us.i, %B10.endif.us.us.preheader.new.i
+  %lsr.iv.i = phi ptr [ %scevgep.i, %B10.endif.us.us.i ], [ %w3, %B10.endif.us.us.preheader.new.i ]
+  %.101467481.us.us.i = phi i64 [ %.123.us.us.1.i, %B10.endif.us.us.i ], [ 0, %B10.endif.us.us.preheader.new.i ]
+  %.120.us.us.i = load i64, ptr %lsr.iv.i, align 8
+  %.1043.us.us.i = icmp slt i64 %.120.us.us.i, 0
+  %.1044.us.us.i = select i1 %.1043.us.us.i, i64 %w11, i64 0
+  %10 = getelementptr i8, ptr %w10, i64 %.120.us.us.i
+  %.1058.us.us.i = getelementptr i8, ptr %10, i64 %.1044.us.us.i
+  store i8 1, ptr %.1058.us.us.i, align 1
+  %scevgep57.i = getelementptr i8, ptr %lsr.iv.i, i64 8
+  %.120.us.us.1.i = load i64, ptr %scevgep57.i, align 8
+  %.123.us.us.1.i = add nuw i64 %.101467481.us.us.i, 2
+  %.1043.us.us.1.i = icmp slt i64 %.120.us.us.1.i, 0
+  %.1044.us.us.1.i = select i1 %.1043.us.us.1.i, i64 %w11, i64 0
+  %11 = getelementptr i8, ptr %w10, i64 %.120.us.us.1.i
+  %.1058.us.us.1.i = getelementptr i8, ptr %11, i64 %.1044.us.us.1.i
+  store i8 1, ptr %.1058.us.us.1.i, align 1
+  %scevgep.i = getelementptr i8, ptr %lsr.iv.i, i64 16
+  %niter52.ncmp.1.i = icmp eq i64 %unroll_iter51.i, %.123.us.us.1.i
+  br i1 %niter52.ncmp.1.i, label %B360.loopexit.unr-lcssa.i, label %B10.endif.us.us.i
+
+B10.endif.us.i:                                   ; preds = %B348.us.i, %B10.endif.us.preheader29.i
+  %.101467481.us.i = phi i64 [ %.123.us18.i, %B348.us.i ], [ 0, %B10.endif.us.preheader29.i ]
+  %.114.us.i = shl i64 %.101467481.us.i, 3
+  %.118.us.i = getelementptr i8, ptr %w3, i64 %.114.us.i
+  %.120.us.i = load i64, ptr %.118.us.i, align 8
+  %.323.us.i = icmp slt i64 %.120.us.i, 0
+  %.324.us.i = select i1 %.323.us.i, i64 %w1, i64 0
+  %.325.us.i = add i64 %.324.us.i, %.120.us.i
+  %.345.us.i = mul i64 %.325.us.i, %w2
+  %12 = getelementptr i64, ptr %w0, i64 %.345.us.i
+  br label %B70.us.i
+
+B112.us.i:                                        ; preds = %B108.us.i
+  br i1 %.383.not.us.i, label %B174.endif.us.us.i, label %B348.us.i
+
+B348.us.i:                                        ; preds = %B108.us.thread.i, %B254.B172.loopexit_crit_edge.us.us.i, %B112.us.i
+  %"$phi108.2.2.2.us1417.i" = phi i8 [ 1, %B254.B172.loopexit_crit_edge.us.us.i ], [ 0, %B112.us.i ], [ 0, %B108.us.thread.i ]
+  %.123.us18.i = add nuw nsw i64 %.101467481.us.i, 1
+  %.1044.us.i = select i1 %.323.us.i, i64 %w11, i64 0
+  %13 = getelementptr i8, ptr %w10, i64 %.120.us.i
+  %.1058.us.i = getelementptr i8, ptr %13, i64 %.1044.us.i
+  store i8 %"$phi108.2.2.2.us1417.i", ptr %.1058.us.i, align 1
+  %exitcond628.not.i = icmp eq i64 %.123.us18.i, %w4
+  br i1 %exitcond628.not.i, label %_ZN7msf_jax4host4meso7kernels5apartB3v34B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE.exit, label %B10.endif.us.i
+
+B70.us.i:                                         ; preds = %B70.us.backedge.i, %B10.endif.us.i
+  %lsr.iv58.i = phi i64 [ %lsr.iv.next.i, %B70.us.backedge.i ], [ 1, %B10.endif.us.i ]
+  %is_free.2.1441.us.i = phi i1 [ %is_free.2.1441.us.be.i, %B70.us.backedge.i ], [ true, %B10.endif.us.i ]
+  br i1 %is_free.2.1441.us.i, label %B108.us.i, label %B108.us.thread.i
+
+B108.us.i:                                        ; preds = %B70.us.i
+  %14 = shl i64 %lsr.iv58.i, 3
+  %scevgep59.i = getelementptr i8, ptr %12, i64 %14
+  %scevgep60.i = getelementptr i8, ptr %scevgep59.i, i64 -8
+  %.350.us.i = load i64, ptr %scevgep60.i, align 8
+  %.364.us.i = icmp slt i64 %.350.us.i, 0
+  %.365.us.i = select i1 %.364.us.i, i64 %w9, i64 0
+  %15 = getelementptr i8, ptr %w8, i64 %.350.us.i
+  %.379.us.i = getelementptr i8, ptr %15, i64 %.365.us.i
+  %.380.us.i = load i8, ptr %.379.us.i, align 1
+  %.383.not.us.i = icmp eq i8 %.380.us.i, 0
+  %exitcond625.not.i = icmp eq i64 %w2, %lsr.iv58.i
+  br i1 %exitcond625.not.i, label %B112.us.i, label %B70.us.backedge.i
+
+B70.us.backedge.i:                                ; preds = %B108.us.thread.i, %B108.us.i
+  %is_free.2.1441.us.be.i = phi i1 [ %.383.not.us.i, %B108.us.i ], [ false, %B108.us.thread.i ]
+  %lsr.iv.next.i = add nuw i64 %lsr.iv58.i, 1
+  br label %B70.us.i
+
+B108.us.thread.i:                                 ; preds = %B70.us.i
+  %exitcond625.not13.i = icmp eq i64 %w2, %lsr.iv58.i
+  br i1 %exitcond625.not13.i, label %B348.us.i, label %B70.us.backedge.i
+
+B174.endif.us.us.i:                               ; preds = %B112.us.i, %B254.B172.loopexit_crit_edge.us.us.i
+  %.521452458.us.us.i = phi i64 [ %.528.us.us.i, %B254.B172.loopexit_crit_edge.us.us.i ], [ 0, %B112.us.i ]
+  %16 = getelementptr i64, ptr %12, i64 %.521452458.us.us.i
+  %.607.us.us.i = load i64, ptr %16, align 8
+  %.621.us.us.i = icmp slt i64 %.607.us.us.i, 0
+  %.622.us.us.i = select i1 %.621.us.us.i, i64 %w9, i64 0
+  %17 = getelementptr i8, ptr %w8, i64 %.607.us.us.i
+  %.636.us.us.i = getelementptr i8, ptr %17, i64 %.622.us.us.i
+  store i8 1, ptr %.636.us.us.i, align 1
+  %.pre.i = shl i64 %.521452458.us.us.i, 3
+  br i1 %5, label %B256.us.us.epil.preheader.i, label %B256.us.us.preheader.i
+
+B256.us.us.preheader.i:                           ; preds = %B174.endif.us.us.i
+  %sunkaddr86.i = getelementptr i8, ptr %12, i64 %.pre.i
+  br label %B256.us.us.i
+
+B256.us.us.i:                                     ; preds = %B344.us.us.1.i, %B256.us.us.preheader.i
+  %lsr.iv65.i = phi i64 [ %lsr.iv.next66.i, %B344.us.us.1.i ], [ 0, %B256.us.us.preheader.i ]
+  %lsr.iv62.i = phi ptr [ %scevgep63.i, %B344.us.us.1.i ], [ %scevgep61.i, %B256.us.us.preheader.i ]
+  %.823.us.us.i = load i64, ptr %sunkaddr86.i, align 8
+  %.847.us.us.i = icmp slt i64 %.823.us.us.i, 0
+  %.848.us.us.i = select i1 %.847.us.us.i, i64 %w6, i64 0
+  %.849.us.us.i = add i64 %.848.us.us.i, %.823.us.us.i
+  %18 = mul i64 %.849.us.us.i, %2
+  %scevgep67.i = getelementptr i8, ptr %lsr.iv62.i, i64 %18
+  %scevgep68.i = getelementptr i8, ptr %scevgep67.i, i64 -8
+  %.874.us.us.i = load i64, ptr %scevgep68.i, align 8
+  %.875.us.us.i = icmp sgt i64 %.874.us.us.i, -1
+  br i1 %.875.us.us.i, label %B302.us.us.i, label %B344.us.us.i
+
+B302.us.us.i:                                     ; preds = %B256.us.us.i
+  %.1010.us.us.i = getelementptr i8, ptr %w8, i64 %.874.us.us.i
+  store i8 1, ptr %.1010.us.us.i, align 1
+  %.823.us.us.1.pre.i = load i64, ptr %sunkaddr86.i, align 8
+  br label %B344.us.us.i
+
+B344.us.us.i:                                     ; preds = %B302.us.us.i, %B256.us.us.i
+  %.823.us.us.1.i = phi i64 [ %.823.us.us.1.pre.i, %B302.us.us.i ], [ %.823.us.us.i, %B256.us.us.i ]
+  %.847.us.us.1.i = icmp slt i64 %.823.us.us.1.i, 0
+  %.848.us.us.1.i = select i1 %.847.us.us.1.i, i64 %w6, i64 0
+  %.849.us.us.1.i = add i64 %.848.us.us.1.i, %.823.us.us.1.i
+  %19 = mul i64 %.849.us.us.1.i, %2
+  %scevgep64.i = getelementptr i8, ptr %lsr.iv62.i, i64 %19
+  %.874.us.us.1.i = load i64, ptr %scevgep64.i, align 8
+  %.875.us.us.1.i = icmp sgt i64 %.874.us.us.1.i, -1
+  br i1 %.875.us.us.1.i, label %B302.us.us.1.i, label %B344.us.us.1.i
+
+B302.us.us.1.i:                                   ; preds = %B344.us.us.i
+  %.1010.us.us.1.i = getelementptr i8, ptr %w8, i64 %.874.us.us.1.i
+  store i8 1, ptr %.1010.us.us.1.i, align 1
+  br label %B344.us.us.1.i
+
+B344.us.us.1.i:                                   ; preds = %B302.us.us.1.i, %B344.us.us.i
+  %scevgep63.i = getelementptr i8, ptr %lsr.iv62.i, i64 16
+  %lsr.iv.next66.i = add i64 %lsr.iv65.i, -2
+  %niter46.ncmp.1.i = icmp eq i64 %4, %lsr.iv.next66.i
+  br i1 %niter46.ncmp.1.i, label %B254.B172.loopexit_crit_edge.us.us.unr-lcssa.i, label %B256.us.us.i
+
+B254.B172.loopexit_crit_edge.us.us.unr-lcssa.i:   ; preds = %B344.us.us.1.i
+  br i1 %7, label %B254.B172.loopexit_crit_edge.us.us.i, label %B256.us.us.epil.preheader.i
+
+B256.us.us.epil.preheader.i:                      ; preds = %B254.B172.loopexit_crit_edge.us.us.unr-lcssa.i, %B174.endif.us.us.i
+  %sunkaddr90.i = getelementptr i8, ptr %12, i64 %.pre.i
+  %.823.us.us.epil.i = load i64, ptr %sunkaddr90.i, align 8
+  %.847.us.us.epil.i = icmp slt i64 %.823.us.us.epil.i, 0
+  %.848.us.us.epil.i = select i1 %.847.us.us.epil.i, i64 %w6, i64 0
+  %.849.us.us.epil.i = add i64 %.848.us.us.epil.i, %.823.us.us.epil.i
+  %.869.us.us.epil.i = mul i64 %.849.us.us.epil.i, %arg.rings.5.1.fr.i
+  %gep.i = getelementptr i64, ptr %invariant.gep.i, i64 %.869.us.us.epil.i
+  %.874.us.us.epil.i = load i64, ptr %gep.i, align 8
+  %.875.us.us.epil.i = icmp sgt i64 %.874.us.us.epil.i, -1
+  br i1 %.875.us.us.epil.i, label %B302.us.us.epil.i, label %B254.B172.loopexit_crit_edge.us.us.i
+
+B302.us.us.epil.i:                                ; preds = %B256.us.us.epil.preheader.i
+  %.1010.us.us.epil.i = getelementptr i8, ptr %w8, i64 %.874.us.us.epil.i
+  store i8 1, ptr %.1010.us.us.epil.i, align 1
+  br label %B254.B172.loopexit_crit_edge.us.us.i
+
+B254.B172.loopexit_crit_edge.us.us.i:             ; preds = %B302.us.us.epil.i, %B256.us.us.epil.preheader.i, %B254.B172.loopexit_crit_edge.us.us.unr-lcssa.i
+  %.528.us.us.i = add nuw nsw i64 %.521452458.us.us.i, 1
+  %exitcond627.not.i = icmp eq i64 %w2, %.528.us.us.i
+  br i1 %exitcond627.not.i, label %B348.us.i, label %B174.endif.us.us.i
+
+B10.endif.lr.ph.split.i:                          ; preds = %B10.endif.lr.ph.i
+  br i1 %1, label %B10.endif.preheader.i, label %B10.endif.us496.preheader.i
+
+B10.endif.us496.preheader.i:                      ; preds = %B10.endif.lr.ph.split.i
+  %xtraiter.i = and i64 %w2, 3
+  %unroll_iter.i = and i64 %w2, 9223372036854775804
+  %20 = add nsw i64 %w2, -1
+  %scevgep73.i = getelementptr i8, ptr %w0, i64 24
+  %21 = icmp samesign ult i64 %w2, 4
+  %22 = icmp eq i64 %xtraiter.i, 0
+  br label %B10.endif.us496.i
+
+B10.endif.preheader.i:                            ; preds = %B10.endif.lr.ph.split.i
+  %23 = icmp eq i64 %w4, 1
+  br i1 %23, label %B360.sink.split.i, label %B10.endif.preheader.new.i
+
+B10.endif.preheader.new.i:                        ; preds = %B10.endif.preheader.i
+  %unroll_iter39.i = and i64 %w4, 9223372036854775806
+  br label %B10.endif.i
+
+B10.endif.us496.i:                                ; preds = %B348.us512.i, %B10.endif.us496.preheader.i
+  %.101467481.us497.i = phi i64 [ %.123.us503640.i, %B348.us512.i ], [ 0, %B10.endif.us496.preheader.i ]
+  %.114.us500.i = shl i64 %.101467481.us497.i, 3
+  %.118.us501.i = getelementptr i8, ptr %w3, i64 %.114.us500.i
+  %.120.us502.i = load i64, ptr %.118.us501.i, align 8
+  %.323.us542.i = icmp slt i64 %.120.us502.i, 0
+  %.324.us543.i = select i1 %.323.us542.i, i64 %w1, i64 0
+  %.325.us544.i = add i64 %.324.us543.i, %.120.us502.i
+  %.345.us545.i = mul i64 %.325.us544.i, %w2
+  %24 = getelementptr i64, ptr %w0, i64 %.345.us545.i
+  br label %B70.us522.i
+
+B348.us512.loopexit.unr-lcssa.i:                  ; preds = %B174.endif.us.i
+  br i1 %22, label %B348.us512.i, label %B174.endif.us.epil.preheader.i
+
+B174.endif.us.epil.preheader.i:                   ; preds = %B174.endif.us.preheader.i, %B348.us512.loopexit.unr-lcssa.i
+  %.521452458.us.epil.init.i = phi i64 [ %unroll_iter.i, %B348.us512.loopexit.unr-lcssa.i ], [ 0, %B174.endif.us.preheader.i ]
+  %25 = shl i64 %.521452458.us.epil.init.i, 3
+  %26 = getelementptr i8, ptr %w0, i64 %.pre8.i
+  %scevgep82.i = getelementptr i8, ptr %26, i64 %25
+  br label %B174.endif.us.epil.i
+
+B174.endif.us.epil.i:                             ; preds = %B174.endif.us.epil.i, %B174.endif.us.epil.preheader.i
+  %epil.iter.i = phi i64 [ %epil.iter.next.i, %B174.endif.us.epil.i ], [ 0, %B174.endif.us.epil.preheader.i ]
+  %27 = shl nuw nsw i64 %epil.iter.i, 3
+  %scevgep83.i = getelementptr i8, ptr %scevgep82.i, i64 %27
+  %.607.us.epil.i = load i64, ptr %scevgep83.i, align 8
+  %.621.us.epil.i = icmp slt i64 %.607.us.epil.i, 0
+  %.622.us.epil.i = select i1 %.621.us.epil.i, i64 %w9, i64 0
+  %28 = getelementptr i8, ptr %w8, i64 %.607.us.epil.i
+  %.636.us.epil.i = getelementptr i8, ptr %28, i64 %.622.us.epil.i
+  store i8 1, ptr %.636.us.epil.i, align 1
+  %epil.iter.next.i = add i64 %epil.iter.i, 1
+  %epil.iter.cmp.not.i = icmp eq i64 %xtraiter.i, %epil.iter.next.i
+  br i1 %epil.iter.cmp.not.i, label %B348.us512.i, label %B174.endif.us.epil.i
+
+B348.us512.i:                                     ; preds = %B108.us538.thread.i, %B174.endif.us.epil.i, %B68.B112_crit_edge.us546.i, %B348.us512.loopexit.unr-lcssa.i
+  %"$phi108.2.2.2.us539636639.i" = phi i8 [ 1, %B348.us512.loopexit.unr-lcssa.i ], [ 0, %B68.B112_crit_edge.us546.i ], [ 1, %B174.endif.us.epil.i ], [ 0, %B108.us538.thread.i ]
+  %.123.us503640.i = add nuw nsw i64 %.101467481.us497.i, 1
+  %.1044.us518.i = select i1 %.323.us542.i, i64 %w11, i64 0
+  %29 = getelementptr i8, ptr %w10, i64 %.120.us502.i
+  %.1058.us519.i = getelementptr i8, ptr %29, i64 %.1044.us518.i
+  store i8 %"$phi108.2.2.2.us539636639.i", ptr %.1058.us519.i, align 1
+  %exitcond623.not.i = icmp eq i64 %.123.us503640.i, %w4
+  br i1 %exitcond623.not.i, label %_ZN7msf_jax4host4meso7kernels5apartB3v34B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE.exit, label %B10.endif.us496.i
+
+B174.endif.us.i:                                  ; preds = %B174.endif.us.preheader54.i, %B174.endif.us.i
+  %.521452458.us.i = phi i64 [ %.528.us.3.i, %B174.endif.us.i ], [ 0, %B174.endif.us.preheader54.i ]
+  %30 = shl i64 %.521452458.us.i, 3
+  %scevgep80.i = getelementptr i8, ptr %scevgep74.i, i64 %30
+  %scevgep81.i = getelementptr i8, ptr %scevgep80.i, i64 -24
+  %.607.us.i = load i64, ptr %scevgep81.i, align 8
+  %.621.us.i = icmp slt i64 %.607.us.i, 0
+  %.622.us.i = select i1 %.621.us.i, i64 %w9, i64 0
+  %31 = getelementptr i8, ptr %w8, i64 %.607.us.i
+  %.636.us.i = getelementptr i8, ptr %31, i64 %.622.us.i
+  store i8 1, ptr %.636.us.i, align 1
+  %scevgep79.i = getelementptr i8, ptr %scevgep80.i, i64 -16
+  %.607.us.1.i = load i64, ptr %scevgep79.i, align 8
+  %.621.us.1.i = icmp slt i64 %.607.us.1.i, 0
+  %.622.us.1.i = select i1 %.621.us.1.i, i64 %w9, i64 0
+  %32 = getelementptr i8, ptr %w8, i64 %.607.us.1.i
+  %.636.us.1.i = getelementptr i8, ptr %32, i64 %.622.us.1.i
+  store i8 1, ptr %.636.us.1.i, align 1
+  %scevgep77.i = getelementptr i8, ptr %scevgep80.i, i64 -8
+  %.607.us.2.i = load i64, ptr %scevgep77.i, align 8
+  %.621.us.2.i = icmp slt i64 %.607.us.2.i, 0
+  %.622.us.2.i = select i1 %.621.us.2.i, i64 %w9, i64 0
+  %33 = getelementptr i8, ptr %w8, i64 %.607.us.2.i
+  %.636.us.2.i = getelementptr i8, ptr %33, i64 %.622.us.2.i
+  store i8 1, ptr %.636.us.2.i, align 1
+  %.528.us.3.i = add nuw nsw i64 %.521452458.us.i, 4
+  %.607.us.3.i = load i64, ptr %scevgep80.i, align 8
+  %.621.us.3.i = icmp slt i64 %.607.us.3.i, 0
+  %.622.us.3.i = select i1 %.621.us.3.i, i64 %w9, i64 0
+  %34 = getelementptr i8, ptr %w8, i64 %.607.us.3.i
+  %.636.us.3.i = getelementptr i8, ptr %34, i64 %.622.us.3.i
+  store i8 1, ptr %.636.us.3.i, align 1
+  %niter.ncmp.3.i = icmp eq i64 %unroll_iter.i, %.528.us.3.i
+  br i1 %niter.ncmp.3.i, label %B348.us512.loopexit.unr-lcssa.i, label %B174.endif.us.i
+
+B70.us522.i:                                      ; preds = %B70.us522.backedge.i, %B10.endif.us496.i
+  %is_free.2.1441.us523.i = phi i1 [ true, %B10.endif.us496.i ], [ %is_free.2.1441.us523.be.i, %B70.us522.backedge.i ]
+  %.254437439.us525.i = phi i64 [ 0, %B10.endif.us496.i ], [ %.261.us527.i, %B70.us522.backedge.i ]
+  br i1 %is_free.2.1441.us523.i, label %B108.us538.i, label %B108.us538.thread.i
+
+B108.us538.i:                                     ; preds = %B70.us522.i
+  %35 = shl i64 %.254437439.us525.i, 3
+  %scevgep72.i = getelementptr i8, ptr %24, i64 %35
+  %.350.us532.i = load i64, ptr %scevgep72.i, align 8
+  %.364.us533.i = icmp slt i64 %.350.us532.i, 0
+  %.365.us534.i = select i1 %.364.us533.i, i64 %w9, i64 0
+  %36 = getelementptr i8, ptr %w8, i64 %.350.us532.i
+  %.379.us535.i = getelementptr i8, ptr %36, i64 %.365.us534.i
+  %.380.us536.i = load i8, ptr %.379.us535.i, align 1
+  %.383.not.us537.i = icmp eq i8 %.380.us536.i, 0
+  %exitcond.not.i = icmp eq i64 %20, %.254437439.us525.i
+  br i1 %exitcond.not.i, label %B68.B112_crit_edge.us546.i, label %B70.us522.backedge.i
+
+B70.us522.backedge.i:                             ; preds = %B108.us538.thread.i, %B108.us538.i
+  %is_free.2.1441.us523.be.i = phi i1 [ %.383.not.us537.i, %B108.us538.i ], [ false, %B108.us538.thread.i ]
+  %.261.us527.i = add nuw nsw i64 %.254437439.us525.i, 1
+  br label %B70.us522.i
+
+B108.us538.thread.i:                              ; preds = %B70.us522.i
+  %exitcond.not635.i = icmp eq i64 %20, %.254437439.us525.i
+  br i1 %exitcond.not635.i, label %B348.us512.i, label %B70.us522.backedge.i
+
+B68.B112_crit_edge.us546.i:                       ; preds = %B108.us538.i
+  br i1 %.383.not.us537.i, label %B174.endif.us.preheader.i, label %B348.us512.i
+
+B174.endif.us.preheader.i:                        ; preds = %B68.B112_crit_edge.us546.i
+  %.pre8.i = mul i64 %.325.us544.i, %s3
+  br i1 %21, label %B174.endif.us.epil.preheader.i, label %B174.endif.us.preheader54.i
+
+B174.endif.us.preheader54.i:                      ; preds = %B174.endif.us.preheader.i
+  %scevgep74.i = getelementptr i8, ptr %scevgep73.i, i64 %.pre8.i
+  br label %B174.endif.us.i
+
+B360.loopexit.unr-lcssa.i:                        ; preds = %B10.endif.us.us.i
+  %37 = and i64 %w4, 1
+  %lcmp.mod49.not.i = icmp eq i64 %37, 0
+  br i1 %lcmp.mod49.not.i, label %_ZN7msf_jax4host4meso7kernels5apartB3v34B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE.exit, label %B360.sink.split.i
+
+B360.loopexit31.unr-lcssa.i:                      ; preds = %B10.endif.i
+  %38 = and i64 %w4, 1
+  %lcmp.mod37.not.i = icmp eq i64 %38, 0
+  br i1 %lcmp.mod37.not.i, label %_ZN7msf_jax4host4meso7kernels5apartB3v34B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE.exit, label %B360.sink.split.i
+
+B360.sink.split.i:                                ; preds = %B360.loopexit31.unr-lcssa.i, %B360.loopexit.unr-lcssa.i, %B10.endif.preheader.i, %B10.endif.us.us.preheader.i
+  %.101467481.epil.init.sink.i = phi i64 [ %unroll_iter51.i, %B360.loopexit.unr-lcssa.i ], [ 0, %B10.endif.us.us.preheader.i ], [ 0, %B10.endif.preheader.i ], [ %unroll_iter39.i, %B360.loopexit31.unr-lcssa.i ]
+  %.114.epil.i = shl i64 %.101467481.epil.init.sink.i, 3
+  %.118.epil.i = getelementptr i8, ptr %w3, i64 %.114.epil.i
+  %.120.epil.i = load i64, ptr %.118.epil.i, align 8
+  %.1043.epil.i = icmp slt i64 %.120.epil.i, 0
+  %.1044.epil.i = select i1 %.1043.epil.i, i64 %w11, i64 0
+  %39 = getelementptr i8, ptr %w10, i64 %.120.epil.i
+  %.1058.epil.i = getelementptr i8, ptr %39, i64 %.1044.epil.i
+  store i8 1, ptr %.1058.epil.i, align 1
+  br label %_ZN7msf_jax4host4meso7kernels5apartB3v34B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE.exit
+
+B10.endif.i:                                      ; preds = %B10.endif.i, %B10.endif.preheader.new.i
+  %lsr.iv69.i = phi ptr [ %scevgep70.i, %B10.endif.i ], [ %w3, %B10.endif.preheader.new.i ]
+  %.101467481.i = phi i64 [ %.123.1.i, %B10.endif.i ], [ 0, %B10.endif.preheader.new.i ]
+  %.120.i = load i64, ptr %lsr.iv69.i, align 8
+  %.1043.i = icmp slt i64 %.120.i, 0
+  %.1044.i = select i1 %.1043.i, i64 %w11, i64 0
+  %40 = getelementptr i8, ptr %w10, i64 %.120.i
+  %.1058.i = getelementptr i8, ptr %40, i64 %.1044.i
+  store i8 1, ptr %.1058.i, align 1
+  %scevgep71.i = getelementptr i8, ptr %lsr.iv69.i, i64 8
+  %.120.1.i = load i64, ptr %scevgep71.i, align 8
+  %.123.1.i = add nuw i64 %.101467481.i, 2
+  %.1043.1.i = icmp slt i64 %.120.1.i, 0
+  %.1044.1.i = select i1 %.1043.1.i, i64 %w11, i64 0
+  %41 = getelementptr i8, ptr %w10, i64 %.120.1.i
+  %.1058.1.i = getelementptr i8, ptr %41, i64 %.1044.1.i
+  store i8 1, ptr %.1058.1.i, align 1
+  %scevgep70.i = getelementptr i8, ptr %lsr.iv69.i, i64 16
+  %niter40.ncmp.1.i = icmp eq i64 %unroll_iter39.i, %.123.1.i
+  br i1 %niter40.ncmp.1.i, label %B360.loopexit31.unr-lcssa.i, label %B10.endif.i
+
+_ZN7msf_jax4host4meso7kernels5apartB3v34B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE.exit: ; preds = %B348.us512.i, %B348.us.i, %0, %B360.loopexit.unr-lcssa.i, %B360.loopexit31.unr-lcssa.i, %B360.sink.split.i
+  ret i64 0
+}
+
+define noundef i64 @msf_jax.host.meso.kernels.merge(ptr readonly %words) local_unnamed_addr {
+  %w0 = load ptr, ptr %words, align 8
+  %p1 = getelementptr i8, ptr %words, i64 8
+  %w1 = load i64, ptr %p1, align 8
+  %p2 = getelementptr i8, ptr %words, i64 16
+  %w2 = load ptr, ptr %p2, align 8
+  %p4 = getelementptr i8, ptr %words, i64 32
+  %w4 = load ptr, ptr %p4, align 8
+  %p5 = getelementptr i8, ptr %words, i64 40
+  %w5 = load i64, ptr %p5, align 8
+  %p6 = getelementptr i8, ptr %words, i64 48
+  %w6 = load i64, ptr %p6, align 8
+  %s9 = shl i64 %w6, 3
+  %p7 = getelementptr i8, ptr %words, i64 56
+  %w7 = load ptr, ptr %p7, align 8
+  %p8 = getelementptr i8, ptr %words, i64 64
+  %w8 = load i64, ptr %p8, align 8
+  %p9 = getelementptr i8, ptr %words, i64 72
+  %w9 = load ptr, ptr %p9, align 8
+  %p10 = getelementptr i8, ptr %words, i64 80
+  %w10 = load i64, ptr %p10, align 8
+  %p11 = getelementptr i8, ptr %words, i64 88
+  %w11 = load i64, ptr %p11, align 8
+  %s17 = shl i64 %w11, 3
+  %p12 = getelementptr i8, ptr %words, i64 96
+  %w12 = load ptr, ptr %p12, align 8
+  %.1741151.not.i = icmp slt i64 %w1, 1
+  br i1 %.1741151.not.i, label %_ZN7msf_jax4host4meso7kernels5mergeB3v35B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE.exit, label %B64.lr.ph.i
+
+B64.lr.ph.i:                                      ; preds = %0
+  %p14 = getelementptr i8, ptr %words, i64 112
+  %w14 = load i64, ptr %p14, align 8
+  %s22 = shl i64 %w14, 3
+  %1 = getelementptr i64, ptr %w12, i64 %w14
+  %unroll_iter.i = and i64 %w6, 9223372036854775806
+  %scevgep75.i = getelementptr i8, ptr %w4, i64 8
+  %2 = getelementptr i8, ptr %w12, i64 %s22
+  %scevgep85.i = getelementptr i8, ptr %2, i64 8
+  %scevgep89.i = getelementptr i8, ptr %w9, i64 8
+  %3 = icmp sgt i64 %w6, 0
+  %4 = icmp slt i64 %w6, 1
+  %5 = icmp eq i64 %w6, 1
+  %6 = and i64 %w6, 1
+  %7 = icmp eq i64 %6, 0
+  %.2578.epil.i = getelementptr i64, ptr %w12, i64 %unroll_iter.i
+  %.2734.epil.i = getelementptr i64, ptr %1, i64 %unroll_iter.i
+  br label %B64.i
+
+B64.i:                                            ; preds = %B1130.i, %B64.lr.ph.i
+  %.18011141160.i = phi i64 [ 0, %B64.lr.ph.i ], [ %.187.i, %B1130.i ]
+  %.187.i = add nuw nsw i64 %.18011141160.i, 1
+  %8 = getelementptr i64, ptr %w0, i64 %.18011141160.i
+  %.241.i = load i64, ptr %8, align 8
+  %9 = getelementptr i64, ptr %w2, i64 %.18011141160.i
+  %.271.i = load i64, ptr %9, align 8
+  %.58.i.i = icmp slt i64 %.241.i, 0
+  %.59.i.i = select i1 %.58.i.i, i64 %w5, i64 0
+  %.60.i.i = add i64 %.59.i.i, %.241.i
+  %.80.i.i = mul i64 %.60.i.i, %w6
+  %.84.i.i = getelementptr i64, ptr %w4, i64 %.80.i.i
+  %.85.i.i = load i64, ptr %.84.i.i, align 8
+  %.87.not.i.i = icmp eq i64 %.85.i.i, %.271.i
+  br i1 %.87.not.i.i, label %B64.endif.i, label %B36.preheader.i.i
+
+B36.preheader.i.i:                                ; preds = %B64.i
+  %10 = shl i64 %.80.i.i, 3
+  %11 = getelementptr i8, ptr %w4, i64 %10
+  %scevgep.i.i = getelementptr i8, ptr %11, i64 8
+  br label %B36.i.i
+
+B36.i.i:                                          ; preds = %B36.i.i, %B36.preheader.i.i
+  %slot.2.0.i.i = phi i64 [ %.90.i.i, %B36.i.i ], [ 0, %B36.preheader.i.i ]
+  %.90.i.i = add nuw i64 %slot.2.0.i.i, 1
+  %12 = shl i64 %slot.2.0.i.i, 3
+  %scevgep1.i.i = getelementptr i8, ptr %scevgep.i.i, i64 %12
+  %.145.i.i = load i64, ptr %scevgep1.i.i, align 8
+  %.147.not.i.i = icmp eq i64 %.145.i.i, %.271.i
+  br i1 %.147.not.i.i, label %B64.endif.i, label %B36.i.i
+
+B368.i:                                           ; preds = %B368.preheader.i, %B620.i
+  %.82210731075.i = phi i64 [ %.829.i, %B620.i ], [ 0, %B368.preheader.i ]
+  %.829.i = add nuw nsw i64 %.82210731075.i, 1
+  %13 = shl i64 %.82210731075.i, 3
+  %scevgep47.i = getelementptr i8, ptr %w12, i64 %13
+  store i64 -1, ptr %scevgep47.i, align 8
+  %scevgep48.i = getelementptr i8, ptr %1, i64 %13
+  store i64 0, ptr %scevgep48.i, align 8
+  %.1001.i = load i64, ptr %sunkaddr95.i, align 8
+  %.1002.i = add nsw i64 %.1001.i, -1
+  %.1004.i = icmp slt i64 %.82210731075.i, %.1002.i
+  br i1 %.1004.i, label %B430.i, label %B470.i
+
+B430.i:                                           ; preds = %B368.i
+  %14 = add i64 %.82210731075.i, %.349.i
+  %.1043.i = icmp eq i64 %.1001.i, 0
+  br i1 %.1043.i, label %B526.i, label %B430.else.i
+
+B470.i:                                           ; preds = %B368.i
+  %15 = add i64 %.82210731075.i, %slot.3.1.i38.i
+  %16 = sub i64 %15, %.1001.i
+  %.1155.i = load i64, ptr %sunkaddr97.i, align 8
+  %.1158.i = icmp eq i64 %.1155.i, 0
+  br i1 %.1158.i, label %B526.i, label %B470.else.i
+
+B526.i:                                           ; preds = %97, %B470.else.i, %85, %B430.else.i, %B470.i, %B430.i
+  %at.3.2.i = phi i64 [ %spec.select1061.i, %85 ], [ 0, %B430.i ], [ 0, %B430.else.i ], [ %spec.select1062.i, %97 ], [ 0, %B470.i ], [ 0, %B470.else.i ]
+  %source.2.2.i = phi i64 [ %.241.i, %85 ], [ %.241.i, %B430.i ], [ %.241.i, %B430.else.i ], [ %.271.i, %97 ], [ %.271.i, %B470.i ], [ %.271.i, %B470.else.i ]
+  %.1204.i = icmp slt i64 %.82210731075.i, %.720.i
+  br i1 %.1204.i, label %B538.i, label %B620.i
+
+B538.i:                                           ; preds = %B526.i
+  %.1230.i = icmp slt i64 %source.2.2.i, 0
+  %.1231.i = select i1 %.1230.i, i64 %w5, i64 0
+  %.1232.i = add i64 %.1231.i, %source.2.2.i
+  %.1233.i = icmp slt i64 %at.3.2.i, 0
+  %.1234.i = select i1 %.1233.i, i64 %w6, i64 0
+  %.1252.i = mul i64 %.1232.i, %w6
+  %17 = getelementptr i64, ptr %w4, i64 %.1252.i
+  %18 = getelementptr i64, ptr %17, i64 %at.3.2.i
+  %.1256.i = getelementptr i64, ptr %18, i64 %.1234.i
+  %.1257.i = load i64, ptr %.1256.i, align 8
+  store i64 %.1257.i, ptr %scevgep47.i, align 8
+  %.1340.i = select i1 %.1230.i, i64 %w10, i64 0
+  %.1341.i = add i64 %.1340.i, %source.2.2.i
+  %.1343.i = select i1 %.1233.i, i64 %w11, i64 0
+  %.1361.i = mul i64 %.1341.i, %w11
+  %19 = getelementptr i64, ptr %w9, i64 %.1361.i
+  %20 = getelementptr i64, ptr %19, i64 %at.3.2.i
+  %.1365.i = getelementptr i64, ptr %20, i64 %.1343.i
+  %.1366.i = load i64, ptr %.1365.i, align 8
+  %.1369.i = icmp eq i64 %source.2.2.i, %.271.i
+  %spec.select.i = select i1 %.1369.i, i64 %.653.i, i64 0
+  %.1386.i = add nsw i64 %.1366.i, %spec.select.i
+  store i64 %.1386.i, ptr %scevgep48.i, align 8
+  br label %B620.i
+
+B620.i:                                           ; preds = %B538.i, %B526.i
+  %exitcond.not.i = icmp eq i64 %w6, %.829.i
+  br i1 %exitcond.not.i, label %B622.endif.loopexit.i, label %B368.i
+
+B666.i:                                           ; preds = %B622.endif.i, %B1157.i
+  %.158010861098.i = phi i64 [ %.1587.i, %B1157.i ], [ 0, %B622.endif.i ]
+  %.1587.i = add nuw nsw i64 %.158010861098.i, 1
+  %21 = getelementptr i64, ptr %.84.i27.i, i64 %.158010861098.i
+  %.1662.i = load i64, ptr %21, align 8
+  %.1668.i = icmp eq i64 %.1662.i, %.241.i
+  br i1 %.1668.i, label %B1157.i, label %B702.i
+
+B702.i:                                           ; preds = %B666.i
+  %.58.i6.i = icmp slt i64 %.1662.i, 0
+  %.59.i7.i = select i1 %.58.i6.i, i64 %w5, i64 0
+  %.60.i8.i = add i64 %.59.i7.i, %.1662.i
+  %.80.i9.i = mul i64 %.60.i8.i, %w6
+  %.84.i10.i = getelementptr i64, ptr %w4, i64 %.80.i9.i
+  %.85.i11.i = load i64, ptr %.84.i10.i, align 8
+  %.87.not.i12.i = icmp eq i64 %.85.i11.i, %.271.i
+  br i1 %.87.not.i12.i, label %B702.endif.i, label %B36.preheader.i13.i
+
+B36.preheader.i13.i:                              ; preds = %B702.i
+  %22 = shl i64 %.80.i9.i, 3
+  %23 = getelementptr i8, ptr %w4, i64 %22
+  %scevgep.i14.i = getelementptr i8, ptr %23, i64 8
+  br label %B36.i15.i
+
+B36.i15.i:                                        ; preds = %B36.i15.i, %B36.preheader.i13.i
+  %slot.2.0.i16.i = phi i64 [ %.90.i17.i, %B36.i15.i ], [ 0, %B36.preheader.i13.i ]
+  %.90.i17.i = add nuw i64 %slot.2.0.i16.i, 1
+  %24 = shl i64 %slot.2.0.i16.i, 3
+  %scevgep1.i18.i = getelementptr i8, ptr %scevgep.i14.i, i64 %24
+  %.145.i19.i = load i64, ptr %scevgep1.i18.i, align 8
+  %.147.not.i20.i = icmp eq i64 %.145.i19.i, %.271.i
+  br i1 %.147.not.i20.i, label %B702.endif.i, label %B36.i15.i
+
+B760.i:                                           ; preds = %B702.endif.i
+  %25 = getelementptr i64, ptr %.84.i10.i, i64 %slot.3.1.i21.i
+  store i64 %.241.i, ptr %25, align 8
+  %.1798.i = select i1 %.58.i6.i, i64 %w10, i64 0
+  %.1799.i = add i64 %.1798.i, %.1662.i
+  %.1819.i = mul i64 %.1799.i, %w11
+  %26 = getelementptr i64, ptr %w9, i64 %.1819.i
+  %27 = getelementptr i64, ptr %26, i64 %slot.3.1.i21.i
+  %.1824.i = load i64, ptr %27, align 8
+  %.1826.i = sub nsw i64 %.1824.i, %.653.i
+  store i64 %.1826.i, ptr %27, align 8
+  br label %B1157.i
+
+B890.i:                                           ; preds = %B890.prol.loopexit.i, %B890.i
+  %.205810791081.i = phi i64 [ %38, %B890.i ], [ %.205810791081.unr.i, %B890.prol.loopexit.i ]
+  %.2117.i = icmp slt i64 %.205810791081.i, -1
+  %28 = select i1 %.2117.i, i64 %s9, i64 0
+  %scevgep65.i = getelementptr i8, ptr %.84.i10.i, i64 %28
+  %29 = shl i64 %.205810791081.i, 3
+  %scevgep66.i = getelementptr i8, ptr %scevgep65.i, i64 %29
+  %scevgep67.i = getelementptr i8, ptr %scevgep66.i, i64 8
+  %.2141.i = load i64, ptr %scevgep67.i, align 8
+  %30 = select i1 %.2117.i, i64 %s17, i64 0
+  %scevgep68.i = getelementptr i8, ptr %100, i64 %30
+  %scevgep69.i = getelementptr i8, ptr %scevgep68.i, i64 %29
+  %scevgep70.i = getelementptr i8, ptr %scevgep69.i, i64 8
+  %.2193.i = load i64, ptr %scevgep70.i, align 8
+  %.2220.i = icmp slt i64 %.205810791081.i, 0
+  %31 = select i1 %.2220.i, i64 %s9, i64 0
+  %scevgep57.i = getelementptr i8, ptr %.84.i10.i, i64 %31
+  %scevgep58.i = getelementptr i8, ptr %scevgep57.i, i64 %29
+  store i64 %.2141.i, ptr %scevgep58.i, align 8
+  %32 = select i1 %.2220.i, i64 %s17, i64 0
+  %scevgep55.i = getelementptr i8, ptr %100, i64 %32
+  %scevgep56.i = getelementptr i8, ptr %scevgep55.i, i64 %29
+  store i64 %.2193.i, ptr %scevgep56.i, align 8
+  %33 = add i64 %.205810791081.i, 1
+  %.2117.1.i = icmp slt i64 %33, -1
+  %34 = select i1 %.2117.1.i, i64 %s9, i64 0
+  %scevgep52.i = getelementptr i8, ptr %.84.i10.i, i64 %34
+  %scevgep53.i = getelementptr i8, ptr %scevgep52.i, i64 %29
+  %scevgep54.i = getelementptr i8, ptr %scevgep53.i, i64 16
+  %.2141.1.i = load i64, ptr %scevgep54.i, align 8
+  %35 = select i1 %.2117.1.i, i64 %s17, i64 0
+  %scevgep49.i = getelementptr i8, ptr %100, i64 %35
+  %scevgep50.i = getelementptr i8, ptr %scevgep49.i, i64 %29
+  %scevgep51.i = getelementptr i8, ptr %scevgep50.i, i64 16
+  %.2193.1.i = load i64, ptr %scevgep51.i, align 8
+  %.2220.1.i = icmp slt i64 %33, 0
+  %36 = select i1 %.2220.1.i, i64 %s9, i64 0
+  %scevgep62.i = getelementptr i8, ptr %.84.i10.i, i64 %36
+  %scevgep63.i = getelementptr i8, ptr %scevgep62.i, i64 %29
+  %scevgep64.i = getelementptr i8, ptr %scevgep63.i, i64 8
+  store i64 %.2141.1.i, ptr %scevgep64.i, align 8
+  %37 = select i1 %.2220.1.i, i64 %s17, i64 0
+  %scevgep59.i = getelementptr i8, ptr %100, i64 %37
+  %scevgep60.i = getelementptr i8, ptr %scevgep59.i, i64 %29
+  %scevgep61.i = getelementptr i8, ptr %scevgep60.i, i64 8
+  store i64 %.2193.1.i, ptr %scevgep61.i, align 8
+  %38 = add i64 %.205810791081.i, 2
+  %exitcond.not41.1.i = icmp eq i64 %38, %.1907.i
+  br i1 %exitcond.not41.1.i, label %B968.loopexit.i, label %B890.i
+
+B968.loopexit.i:                                  ; preds = %B890.i, %B890.prol.loopexit.i
+  %sunkaddr102.i = shl i64 %.1891.i, 3
+  %sunkaddr103.i = getelementptr inbounds i8, ptr %99, i64 %sunkaddr102.i
+  %.2331.pre.i = load i64, ptr %sunkaddr103.i, align 8
+  br label %B968.i
+
+B968.i:                                           ; preds = %B812.endif.i, %B968.loopexit.i
+  %.2331.i = phi i64 [ %.2331.pre.i, %B968.loopexit.i ], [ %.1907.i, %B812.endif.i ]
+  %.2360.i = icmp slt i64 %.2331.i, 0
+  %.2361.i = select i1 %.2360.i, i64 %w6, i64 0
+  %39 = getelementptr i64, ptr %.84.i10.i, i64 %.2331.i
+  %.2383.i = getelementptr i64, ptr %39, i64 %.2361.i
+  store i64 -1, ptr %.2383.i, align 8
+  br label %B1157.i
+
+B1050.i:                                          ; preds = %B1050.preheader45.i, %B1050.i
+  %.249411051107.i = phi i64 [ %.2501.1.i, %B1050.i ], [ 0, %B1050.preheader45.i ]
+  %40 = shl i64 %.249411051107.i, 3
+  %sunkaddr105.i = getelementptr i8, ptr %w12, i64 %40
+  %.2579.i = load i64, ptr %sunkaddr105.i, align 8
+  %scevgep78.i = getelementptr i8, ptr %scevgep76.i, i64 %40
+  %scevgep79.i = getelementptr i8, ptr %scevgep78.i, i64 -8
+  store i64 %.2579.i, ptr %scevgep79.i, align 8
+  %scevgep83.i = getelementptr i8, ptr %scevgep81.i, i64 %40
+  %scevgep84.i = getelementptr i8, ptr %scevgep83.i, i64 -8
+  store i64 -1, ptr %scevgep84.i, align 8
+  %scevgep87.i = getelementptr i8, ptr %scevgep85.i, i64 %40
+  %scevgep88.i = getelementptr i8, ptr %scevgep87.i, i64 -8
+  %.2735.i = load i64, ptr %scevgep88.i, align 8
+  %scevgep92.i = getelementptr i8, ptr %scevgep90.i, i64 %40
+  %scevgep93.i = getelementptr i8, ptr %scevgep92.i, i64 -8
+  store i64 %.2735.i, ptr %scevgep93.i, align 8
+  %.2501.1.i = add nuw i64 %.249411051107.i, 2
+  %sunkaddr108.i = getelementptr i8, ptr %sunkaddr105.i, i64 8
+  %.2579.1.i = load i64, ptr %sunkaddr108.i, align 8
+  store i64 %.2579.1.i, ptr %scevgep78.i, align 8
+  store i64 -1, ptr %scevgep83.i, align 8
+  %.2735.1.i = load i64, ptr %scevgep87.i, align 8
+  store i64 %.2735.1.i, ptr %scevgep92.i, align 8
+  %niter.ncmp.1.i = icmp eq i64 %unroll_iter.i, %.2501.1.i
+  br i1 %niter.ncmp.1.i, label %B1130.loopexit.unr-lcssa.i, label %B1050.i
+
+B1130.loopexit.unr-lcssa.i:                       ; preds = %B1050.i
+  br i1 %7, label %B1130.i, label %B1050.epil.preheader.i
+
+B1050.epil.preheader.i:                           ; preds = %B1050.preheader.i, %B1130.loopexit.unr-lcssa.i
+  %.2579.epil.i = load i64, ptr %.2578.epil.i, align 8
+  %.2629.epil.i = getelementptr i64, ptr %.84.i.i, i64 %unroll_iter.i
+  store i64 %.2579.epil.i, ptr %.2629.epil.i, align 8
+  %.2680.epil.i = getelementptr i64, ptr %.84.i27.i, i64 %unroll_iter.i
+  store i64 -1, ptr %.2680.epil.i, align 8
+  %.2735.epil.i = load i64, ptr %.2734.epil.i, align 8
+  %41 = getelementptr i64, ptr %70, i64 %unroll_iter.i
+  store i64 %.2735.epil.i, ptr %41, align 8
+  br label %B1130.i
+
+B1130.i:                                          ; preds = %B996.endif.i, %B1050.epil.preheader.i, %B1130.loopexit.unr-lcssa.i
+  %sunkaddr109.i = shl i64 %.365.i, 3
+  %sunkaddr110.i = getelementptr i8, ptr %45, i64 %sunkaddr109.i
+  store i64 %.720.i, ptr %sunkaddr110.i, align 8
+  %sunkaddr111.i = shl i64 %.703.i, 3
+  %sunkaddr112.i = getelementptr i8, ptr %72, i64 %sunkaddr111.i
+  store i64 0, ptr %sunkaddr112.i, align 8
+  %exitcond1210.not.i = icmp eq i64 %.187.i, %w1
+  br i1 %exitcond1210.not.i, label %_ZN7msf_jax4host4meso7kernels5mergeB3v35B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE.exit, label %B64.i
+
+B1157.i:                                          ; preds = %B968.i, %B760.i, %B666.i
+  %exitcond1208.not.i = icmp eq i64 %.1494.i, %.1587.i
+  br i1 %exitcond1208.not.i, label %B996.endif.i, label %B666.i
+
+B64.endif.i:                                      ; preds = %B36.i.i, %B64.i
+  %slot.3.1.i.i = phi i64 [ 0, %B64.i ], [ %.90.i.i, %B36.i.i ]
+  %.58.i23.i = icmp slt i64 %.271.i, 0
+  %.59.i24.i = select i1 %.58.i23.i, i64 %w5, i64 0
+  %.60.i25.i = add i64 %.59.i24.i, %.271.i
+  %.80.i26.i = mul i64 %.60.i25.i, %w6
+  %.84.i27.i = getelementptr i64, ptr %w4, i64 %.80.i26.i
+  %.85.i28.i = load i64, ptr %.84.i27.i, align 8
+  %.87.not.i29.i = icmp eq i64 %.85.i28.i, %.241.i
+  br i1 %.87.not.i29.i, label %B64.endif.endif.i, label %B36.preheader.i30.i
+
+B36.preheader.i30.i:                              ; preds = %B64.endif.i
+  %42 = shl i64 %.80.i26.i, 3
+  %43 = getelementptr i8, ptr %w4, i64 %42
+  br label %B36.i32.i
+
+B36.i32.i:                                        ; preds = %B36.i32.i, %B36.preheader.i30.i
+  %lsr.iv.i = phi i64 [ %lsr.iv.next.i, %B36.i32.i ], [ 3, %B36.preheader.i30.i ]
+  %44 = shl i64 %lsr.iv.i, 3
+  %scevgep.i = getelementptr i8, ptr %43, i64 %44
+  %scevgep46.i = getelementptr i8, ptr %scevgep.i, i64 -16
+  %.145.i36.i = load i64, ptr %scevgep46.i, align 8
+  %.147.not.i37.i = icmp eq i64 %.145.i36.i, %.241.i
+  %lsr.iv.next.i = add nuw i64 %lsr.iv.i, 1
+  br i1 %.147.not.i37.i, label %B64.endif.endif.i, label %B36.i32.i
+
+B64.endif.endif.i:                                ; preds = %B36.i32.i, %B64.endif.i
+  %slot.3.1.i38.i = phi i64 [ 3, %B64.endif.i ], [ %lsr.iv.next.i, %B36.i32.i ]
+  %.349.i = add i64 %slot.3.1.i.i, 1
+  %.365.i = select i1 %.58.i.i, i64 %w8, i64 0
+  %45 = getelementptr i64, ptr %w7, i64 %.241.i
+  %.379.i = getelementptr i64, ptr %45, i64 %.365.i
+  %.380.i = load i64, ptr %.379.i, align 8
+  %.383.i = icmp eq i64 %.380.i, 0
+  br i1 %.383.i, label %B64.endif.endif.endif.endif.endif.thread.i, label %B64.endif.endif.endif.i
+
+B64.endif.endif.endif.i:                          ; preds = %B64.endif.endif.i
+  %46 = or i64 %.380.i, %.349.i
+  %47 = icmp ult i64 %46, 4294967296
+  br i1 %47, label %48, label %53
+
+48:                                               ; preds = %B64.endif.endif.endif.i
+  %49 = trunc nuw i64 %.380.i to i32
+  %50 = trunc nuw i64 %.349.i to i32
+  %51 = urem i32 %50, %49
+  %52 = zext i32 %51 to i64
+  br label %55
+
+53:                                               ; preds = %B64.endif.endif.endif.i
+  %54 = srem i64 %.349.i, %.380.i
+  br label %55
+
+55:                                               ; preds = %53, %48
+  %56 = phi i64 [ %52, %48 ], [ %54, %53 ]
+  %.401.i = xor i64 %56, %.380.i
+  %.402.i = icmp slt i64 %.401.i, 0
+  %.403.i = icmp ne i64 %56, 0
+  %.404.i = and i1 %.403.i, %.402.i
+  %.411.i = select i1 %.404.i, i64 %.380.i, i64 0
+  %spec.select1059.i = add i64 %.411.i, %56
+  %spec.select1059.fr.i = freeze i64 %spec.select1059.i
+  %.447.i = icmp slt i64 %spec.select1059.fr.i, 0
+  %spec.select1236.i = select i1 %.447.i, i64 %w6, i64 0
+  %57 = getelementptr i64, ptr %.84.i.i, i64 %spec.select1059.fr.i
+  %.4701225.i = getelementptr i64, ptr %57, i64 %spec.select1236.i
+  %.4711226.i = load i64, ptr %.4701225.i, align 8
+  %.4731227.i = add nsw i64 %slot.3.1.i.i, -1
+  %.518.i = icmp ne i64 %.4731227.i, -9223372036854775808
+  %.519.i = icmp ne i64 %.380.i, -1
+  %.520.not.i = or i1 %.518.i, %.519.i
+  br i1 %.520.not.i, label %B64.endif.endif.endif.else.if.i, label %B64.endif.endif.endif.endif.endif.thread.i
+
+B64.endif.endif.endif.else.if.i:                  ; preds = %55
+  %58 = or i64 %.380.i, %.4731227.i
+  %59 = icmp ult i64 %58, 4294967296
+  br i1 %59, label %60, label %65
+
+60:                                               ; preds = %B64.endif.endif.endif.else.if.i
+  %61 = trunc nuw i64 %.380.i to i32
+  %62 = trunc nuw i64 %.4731227.i to i32
+  %63 = urem i32 %62, %61
+  %64 = zext i32 %63 to i64
+  br label %67
+
+65:                                               ; preds = %B64.endif.endif.endif.else.if.i
+  %66 = srem i64 %.4731227.i, %.380.i
+  br label %67
+
+67:                                               ; preds = %65, %60
+  %68 = phi i64 [ %64, %60 ], [ %66, %65 ]
+  %.525.i = xor i64 %68, %.380.i
+  %.526.i = icmp slt i64 %.525.i, 0
+  %.527.i = icmp ne i64 %68, 0
+  %.528.i = and i1 %.527.i, %.526.i
+  %.535.i = select i1 %.528.i, i64 %.380.i, i64 0
+  %spec.select1060.i = add i64 %.535.i, %68
+  %spec.select1060.fr.i = freeze i64 %spec.select1060.i
+  %.571.i = icmp slt i64 %spec.select1060.fr.i, 0
+  %.572.i = select i1 %.571.i, i64 %w6, i64 0
+  %69 = getelementptr i64, ptr %.84.i.i, i64 %.572.i
+  %.594.phi.trans.insert.i = getelementptr i64, ptr %69, i64 %spec.select1060.fr.i
+  %.595.pre.i = load i64, ptr %.594.phi.trans.insert.i, align 8
+  br label %B64.endif.endif.endif.endif.endif.thread.i
+
+B64.endif.endif.endif.endif.endif.thread.i:       ; preds = %67, %55, %B64.endif.endif.i
+  %.595.i = phi i64 [ %.85.i.i, %55 ], [ %.595.pre.i, %67 ], [ %.85.i.i, %B64.endif.endif.i ]
+  %.4711229.i = phi i64 [ %.4711226.i, %55 ], [ %.4711226.i, %67 ], [ %.85.i.i, %B64.endif.endif.i ]
+  %.627.i = select i1 %.58.i.i, i64 %w10, i64 0
+  %.628.i = add i64 %.627.i, %.241.i
+  %.648.i = mul i64 %.628.i, %w11
+  %70 = getelementptr i64, ptr %w9, i64 %.648.i
+  %71 = getelementptr i64, ptr %70, i64 %slot.3.1.i.i
+  %.653.i = load i64, ptr %71, align 8
+  %.703.i = select i1 %.58.i23.i, i64 %w8, i64 0
+  %72 = getelementptr i64, ptr %w7, i64 %.271.i
+  %.717.i = getelementptr i64, ptr %72, i64 %.703.i
+  %.718.i = load i64, ptr %.717.i, align 8
+  %.719.i = add i64 %.380.i, -4
+  %.720.i = add i64 %.719.i, %.718.i
+  br i1 %3, label %B368.preheader.i, label %B622.endif.i
+
+B368.preheader.i:                                 ; preds = %B64.endif.endif.endif.endif.endif.thread.i
+  %73 = xor i64 %slot.3.1.i38.i, -9223372036854775808
+  %74 = add i64 %slot.3.1.i.i, 9223372036854775807
+  %sunkaddr.i = shl i64 %.365.i, 3
+  %sunkaddr95.i = getelementptr inbounds i8, ptr %45, i64 %sunkaddr.i
+  %sunkaddr96.i = shl i64 %.703.i, 3
+  %sunkaddr97.i = getelementptr i8, ptr %72, i64 %sunkaddr96.i
+  br label %B368.i
+
+B430.else.i:                                      ; preds = %B430.i
+  %75 = add i64 %74, %.82210731075.i
+  %.1054.i = icmp ne i64 %75, -2
+  %.1055.i = icmp ne i64 %.1001.i, -1
+  %.1056.not.i = or i1 %.1054.i, %.1055.i
+  br i1 %.1056.not.i, label %B430.else.if.i, label %B526.i
+
+B430.else.if.i:                                   ; preds = %B430.else.i
+  %76 = or i64 %.1001.i, %14
+  %77 = icmp ult i64 %76, 4294967296
+  br i1 %77, label %78, label %83
+
+78:                                               ; preds = %B430.else.if.i
+  %79 = trunc nuw i64 %.1001.i to i32
+  %80 = trunc nuw i64 %14 to i32
+  %81 = urem i32 %80, %79
+  %82 = zext i32 %81 to i64
+  br label %85
+
+83:                                               ; preds = %B430.else.if.i
+  %84 = srem i64 %14, %.1001.i
+  br label %85
+
+85:                                               ; preds = %83, %78
+  %86 = phi i64 [ %82, %78 ], [ %84, %83 ]
+  %.1061.i = xor i64 %86, %.1001.i
+  %.1062.i = icmp slt i64 %.1061.i, 0
+  %.1063.i = icmp ne i64 %86, 0
+  %.1064.i = and i1 %.1063.i, %.1062.i
+  %.1071.i = select i1 %.1064.i, i64 %.1001.i, i64 0
+  %spec.select1061.i = add i64 %.1071.i, %86
+  br label %B526.i
+
+B470.else.i:                                      ; preds = %B470.i
+  %87 = add i64 %.82210731075.i, %73
+  %.1169.i = icmp ne i64 %87, %.1001.i
+  %.1170.i = icmp ne i64 %.1155.i, -1
+  %.1171.not.i = or i1 %.1169.i, %.1170.i
+  br i1 %.1171.not.i, label %B470.else.if.i, label %B526.i
+
+B470.else.if.i:                                   ; preds = %B470.else.i
+  %88 = or i64 %.1155.i, %16
+  %89 = icmp ult i64 %88, 4294967296
+  br i1 %89, label %90, label %95
+
+90:                                               ; preds = %B470.else.if.i
+  %91 = trunc nuw i64 %.1155.i to i32
+  %92 = trunc nuw i64 %16 to i32
+  %93 = urem i32 %92, %91
+  %94 = zext i32 %93 to i64
+  br label %97
+
+95:                                               ; preds = %B470.else.if.i
+  %96 = srem i64 %16, %.1155.i
+  br label %97
+
+97:                                               ; preds = %95, %90
+  %98 = phi i64 [ %94, %90 ], [ %96, %95 ]
+  %.1176.i = xor i64 %98, %.1155.i
+  %.1177.i = icmp slt i64 %.1176.i, 0
+  %.1178.i = icmp ne i64 %98, 0
+  %.1179.i = and i1 %.1178.i, %.1177.i
+  %.1186.i = select i1 %.1179.i, i64 %.1155.i, i64 0
+  %spec.select1062.i = add i64 %.1186.i, %98
+  br label %B526.i
+
+B622.endif.loopexit.i:                            ; preds = %B620.i
+  %.1494.pre.i = load i64, ptr %sunkaddr97.i, align 8
+  br label %B622.endif.i
+
+B622.endif.i:                                     ; preds = %B622.endif.loopexit.i, %B64.endif.endif.endif.endif.endif.thread.i
+  %.1494.i = phi i64 [ %.718.i, %B64.endif.endif.endif.endif.endif.thread.i ], [ %.1494.pre.i, %B622.endif.loopexit.i ]
+  %.15741095.not.i = icmp slt i64 %.1494.i, 1
+  br i1 %.15741095.not.i, label %B996.endif.i, label %B666.i
+
+B702.endif.i:                                     ; preds = %B36.i15.i, %B702.i
+  %slot.3.1.i21.i = phi i64 [ 0, %B702.i ], [ %.90.i17.i, %B36.i15.i ]
+  %.1710.i = icmp ne i64 %.1662.i, %.4711229.i
+  %.1714.i = icmp ne i64 %.1662.i, %.595.i
+  %or.cond.i = select i1 %.1710.i, i1 %.1714.i, i1 false
+  br i1 %or.cond.i, label %B760.i, label %B812.endif.i
+
+B812.endif.i:                                     ; preds = %B702.endif.i
+  %.1891.i = select i1 %.58.i6.i, i64 %w8, i64 0
+  %99 = getelementptr i64, ptr %w7, i64 %.1662.i
+  %.1905.i = getelementptr i64, ptr %99, i64 %.1891.i
+  %.1906.i = load i64, ptr %.1905.i, align 8
+  %.1907.i = add nsw i64 %.1906.i, -1
+  store i64 %.1907.i, ptr %.1905.i, align 8
+  %.2009.i = sub i64 %.1907.i, %slot.3.1.i21.i
+  %.20521080.not.i = icmp slt i64 %.2009.i, 1
+  br i1 %.20521080.not.i, label %B968.i, label %B890.lr.ph.i
+
+B890.lr.ph.i:                                     ; preds = %B812.endif.i
+  %.2167.i = select i1 %.58.i6.i, i64 %w10, i64 0
+  %.2168.i = add i64 %.2167.i, %.1662.i
+  %.2188.i = mul i64 %.2168.i, %w11
+  %100 = getelementptr i64, ptr %w9, i64 %.2188.i
+  %101 = add i64 %.1906.i, -2
+  %xtraiter.i = and i64 %.2009.i, 1
+  %lcmp.mod.not.i = icmp eq i64 %xtraiter.i, 0
+  br i1 %lcmp.mod.not.i, label %B890.prol.loopexit.i, label %B890.prol.i
+
+B890.prol.i:                                      ; preds = %B890.lr.ph.i
+  %.2065.prol.i = add i64 %slot.3.1.i21.i, 1
+  %.2117.prol.i = icmp slt i64 %slot.3.1.i21.i, -1
+  %.2118.prol.i = select i1 %.2117.prol.i, i64 %w6, i64 0
+  %102 = getelementptr i64, ptr %.84.i10.i, i64 %.2065.prol.i
+  %.2140.prol.i = getelementptr i64, ptr %102, i64 %.2118.prol.i
+  %.2141.prol.i = load i64, ptr %.2140.prol.i, align 8
+  %.2170.prol.i = select i1 %.2117.prol.i, i64 %w11, i64 0
+  %103 = getelementptr i64, ptr %100, i64 %.2065.prol.i
+  %.2192.prol.i = getelementptr i64, ptr %103, i64 %.2170.prol.i
+  %.2193.prol.i = load i64, ptr %.2192.prol.i, align 8
+  %104 = getelementptr i64, ptr %.84.i10.i, i64 %slot.3.1.i21.i
+  store i64 %.2141.prol.i, ptr %104, align 8
+  %105 = getelementptr i64, ptr %100, i64 %slot.3.1.i21.i
+  store i64 %.2193.prol.i, ptr %105, align 8
+  br label %B890.prol.loopexit.i
+
+B890.prol.loopexit.i:                             ; preds = %B890.prol.i, %B890.lr.ph.i
+  %.205810791081.unr.i = phi i64 [ %slot.3.1.i21.i, %B890.lr.ph.i ], [ %.2065.prol.i, %B890.prol.i ]
+  %106 = icmp eq i64 %101, %slot.3.1.i21.i
+  br i1 %106, label %B968.loopexit.i, label %B890.i
+
+B996.endif.i:                                     ; preds = %B1157.i, %B622.endif.i
+  br i1 %4, label %B1130.i, label %B1050.preheader.i
+
+B1050.preheader.i:                                ; preds = %B996.endif.i
+  br i1 %5, label %B1050.epil.preheader.i, label %B1050.preheader45.i
+
+B1050.preheader45.i:                              ; preds = %B1050.preheader.i
+  %107 = mul i64 %.60.i.i, %s9
+  %scevgep76.i = getelementptr i8, ptr %scevgep75.i, i64 %107
+  %108 = mul i64 %.60.i25.i, %s9
+  %scevgep81.i = getelementptr i8, ptr %scevgep75.i, i64 %108
+  %109 = mul i64 %.628.i, %s17
+  %scevgep90.i = getelementptr i8, ptr %scevgep89.i, i64 %109
+  br label %B1050.i
+
+_ZN7msf_jax4host4meso7kernels5mergeB3v35B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE.exit: ; preds = %B1130.i, %0
+  ret i64 0
+}
+
+define noundef i64 @msf_jax.host.meso.kernels.cut(ptr readonly %words) local_unnamed_addr {
+  %w0 = load ptr, ptr %words, align 8
+  %p1 = getelementptr i8, ptr %words, i64 8
+  %w1 = load i64, ptr %p1, align 8
+  %p2 = getelementptr i8, ptr %words, i64 16
+  %w2 = load ptr, ptr %p2, align 8
+  %p4 = getelementptr i8, ptr %words, i64 32
+  %w4 = load ptr, ptr %p4, align 8
+  %p6 = getelementptr i8, ptr %words, i64 48
+  %w6 = load ptr, ptr %p6, align 8
+  %p8 = getelementptr i8, ptr %words, i64 64
+  %w8 = load ptr, ptr %p8, align 8
+  %p9 = getelementptr i8, ptr %words, i64 72
+  %w9 = load i64, ptr %p9, align 8
+  %p10 = getelementptr i8, ptr %words, i64 80
+  %w10 = load i64, ptr %p10, align 8
+  %s15 = shl i64 %w10, 3
+  %p11 = getelementptr i8, ptr %words, i64 88
+  %w11 = load ptr, ptr %p11, align 8
+  %p12 = getelementptr i8, ptr %words, i64 96
+  %w12 = load i64, ptr %p12, align 8
+  %p13 = getelementptr i8, ptr %words, i64 104
+  %w13 = load ptr, ptr %p13, align 8
+  %p14 = getelementptr i8, ptr %words, i64 112
+  %w14 = load i64, ptr %p14, align 8
+  %p15 = getelementptr i8, ptr %words, i64 120
+  %w15 = load i64, ptr %p15, align 8
+  %s23 = shl i64 %w15, 3
+  %.181957.not.i = icmp slt i64 %w1, 1
+  br i1 %.181957.not.i, label %_ZN7msf_jax4host4meso7kernels3cutB3v36B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE.exit, label %B64.lr.ph.i
+
+B64.lr.ph.i:                                      ; preds = %0
+  %.245.i = sub nsw i64 %w9, %w1
+  br label %B64.i
+
+B64.i:                                            ; preds = %B920.i, %B64.lr.ph.i
+  %.187935962.i = phi i64 [ 0, %B64.lr.ph.i ], [ %.194.i, %B920.i ]
+  %.194.i = add nuw nsw i64 %.187935962.i, 1
+  %.247.i = add nsw i64 %.187935962.i, %.245.i
+  %1 = getelementptr i64, ptr %w0, i64 %.187935962.i
+  %.282.i = load i64, ptr %1, align 8
+  %2 = getelementptr i64, ptr %w2, i64 %.187935962.i
+  %.313.i = load i64, ptr %2, align 8
+  %.58.i.i = icmp slt i64 %.282.i, 0
+  %.59.i.i = select i1 %.58.i.i, i64 %w9, i64 0
+  %.60.i.i = add i64 %.59.i.i, %.282.i
+  %.80.i.i = mul i64 %.60.i.i, %w10
+  %.84.i.i = getelementptr i64, ptr %w8, i64 %.80.i.i
+  %.85.i.i = load i64, ptr %.84.i.i, align 8
+  %.87.not.i.i = icmp eq i64 %.85.i.i, %.313.i
+  br i1 %.87.not.i.i, label %B64.endif.i, label %B36.preheader.i.i
+
+B36.preheader.i.i:                                ; preds = %B64.i
+  %3 = shl i64 %.80.i.i, 3
+  %4 = getelementptr i8, ptr %w8, i64 %3
+  %scevgep.i.i = getelementptr i8, ptr %4, i64 8
+  br label %B36.i.i
+
+B36.i.i:                                          ; preds = %B36.i.i, %B36.preheader.i.i
+  %slot.2.0.i.i = phi i64 [ %.90.i.i, %B36.i.i ], [ 0, %B36.preheader.i.i ]
+  %.90.i.i = add nuw i64 %slot.2.0.i.i, 1
+  %5 = shl i64 %slot.2.0.i.i, 3
+  %scevgep1.i.i = getelementptr i8, ptr %scevgep.i.i, i64 %5
+  %.145.i.i = load i64, ptr %scevgep1.i.i, align 8
+  %.147.not.i.i = icmp eq i64 %.145.i.i, %.313.i
+  br i1 %.147.not.i.i, label %B64.endif.i, label %B36.i.i
+
+B750.i:                                           ; preds = %B592.endif.endif.endif.i, %B750.i
+  %.1702905907.i = phi i64 [ %.1709.i, %B750.i ], [ %.1615.i, %B592.endif.endif.endif.i ]
+  %.1709.i = add i64 %.1702905907.i, -1
+  %.1761.i = icmp slt i64 %.1702905907.i, 1
+  %6 = select i1 %.1761.i, i64 %s15, i64 0
+  %scevgep102.i = getelementptr i8, ptr %.84.i63.i, i64 %6
+  %7 = shl i64 %.1702905907.i, 3
+  %scevgep103.i = getelementptr i8, ptr %scevgep102.i, i64 %7
+  %scevgep104.i = getelementptr i8, ptr %scevgep103.i, i64 -8
+  %.1785.i = load i64, ptr %scevgep104.i, align 8
+  %8 = select i1 %.1761.i, i64 %s23, i64 0
+  %scevgep105.i = getelementptr i8, ptr %47, i64 %8
+  %scevgep106.i = getelementptr i8, ptr %scevgep105.i, i64 %7
+  %scevgep107.i = getelementptr i8, ptr %scevgep106.i, i64 -8
+  %.1837.i = load i64, ptr %scevgep107.i, align 8
+  %.1864.i = icmp slt i64 %.1702905907.i, 0
+  %9 = select i1 %.1864.i, i64 %s15, i64 0
+  %scevgep100.i = getelementptr i8, ptr %.84.i63.i, i64 %9
+  %scevgep101.i = getelementptr i8, ptr %scevgep100.i, i64 %7
+  store i64 %.1785.i, ptr %scevgep101.i, align 8
+  %10 = select i1 %.1864.i, i64 %s23, i64 0
+  %scevgep.i = getelementptr i8, ptr %47, i64 %10
+  %scevgep99.i = getelementptr i8, ptr %scevgep.i, i64 %7
+  store i64 %.1837.i, ptr %scevgep99.i, align 8
+  %11 = sub i64 %.1709.i, %slot.3.1.i74.i
+  %.1696.i = icmp samesign ugt i64 %11, 1
+  br i1 %.1696.i, label %B750.i, label %B828.i
+
+B828.i:                                           ; preds = %B750.i, %B592.endif.endif.endif.i
+  %.1946.i = sub i64 0, %.1581.i
+  %.1975.i = icmp slt i64 %slot.3.1.i74.i, -1
+  %.1976.i = select i1 %.1975.i, i64 %w10, i64 0
+  %12 = getelementptr i64, ptr %.84.i63.i, i64 %.1465.i
+  %.1998.i = getelementptr i64, ptr %12, i64 %.1976.i
+  store i64 %.247.i, ptr %.1998.i, align 8
+  %.2031.i = select i1 %.1975.i, i64 %w15, i64 0
+  %13 = getelementptr i64, ptr %47, i64 %.1465.i
+  %.2053.i = getelementptr i64, ptr %13, i64 %.2031.i
+  store i64 %.1581.i, ptr %.2053.i, align 8
+  %sunkaddr.i = shl i64 %.917.i, 3
+  %sunkaddr119.i = getelementptr i8, ptr %w13, i64 %sunkaddr.i
+  %sunkaddr120.i = getelementptr i8, ptr %sunkaddr119.i, i64 8
+  store i64 %.1946.i, ptr %sunkaddr120.i, align 8
+  %sunkaddr121.i = shl i64 %.1600.i, 3
+  %sunkaddr122.i = getelementptr inbounds i8, ptr %49, i64 %sunkaddr121.i
+  %.2143.i = load i64, ptr %sunkaddr122.i, align 8
+  %.2144.i = add nsw i64 %.2143.i, 1
+  store i64 %.2144.i, ptr %sunkaddr122.i, align 8
+  %sunkaddr124.i = getelementptr i8, ptr %w6, i64 %sunkaddr135.i
+  %"$phi592.2.2.sroa.0.2.1.i" = load i64, ptr %sunkaddr124.i, align 8
+  %"$phi592.2.2.sroa.8.2.1.i" = load i64, ptr %sunkaddr136.i, align 8
+  %.58.i8.i = icmp slt i64 %"$phi592.2.2.sroa.0.2.1.i", 0
+  %.59.i9.i = select i1 %.58.i8.i, i64 %w9, i64 0
+  %.60.i10.i = add i64 %.59.i9.i, %"$phi592.2.2.sroa.0.2.1.i"
+  %.80.i11.i = mul i64 %.60.i10.i, %w10
+  %.84.i12.i = getelementptr i64, ptr %w8, i64 %.80.i11.i
+  %.85.i13.i = load i64, ptr %.84.i12.i, align 8
+  %.87.not.i14.i = icmp eq i64 %.85.i13.i, %"$phi592.2.2.sroa.8.2.1.i"
+  br i1 %.87.not.i14.i, label %B592.endif.endif.endif.1.i, label %B36.preheader.i15.i
+
+B36.preheader.i15.i:                              ; preds = %B828.i
+  %14 = shl i64 %.80.i11.i, 3
+  %15 = getelementptr i8, ptr %w8, i64 %14
+  br label %B36.i17.i
+
+B36.i17.i:                                        ; preds = %B36.i17.i, %B36.preheader.i15.i
+  %lsr.iv.i = phi i64 [ %lsr.iv.next.i, %B36.i17.i ], [ 1, %B36.preheader.i15.i ]
+  %16 = shl i64 %lsr.iv.i, 3
+  %scevgep108.i = getelementptr i8, ptr %15, i64 %16
+  %.145.i21.i = load i64, ptr %scevgep108.i, align 8
+  %.147.not.i22.i = icmp eq i64 %.145.i21.i, %"$phi592.2.2.sroa.8.2.1.i"
+  %lsr.iv.next.i = add nuw i64 %lsr.iv.i, 1
+  br i1 %.147.not.i22.i, label %B36.i34.i, label %B36.i17.i
+
+B36.i34.i:                                        ; preds = %B36.i17.i, %B36.i34.i
+  %slot.2.0.i35.i = phi i64 [ %.90.i36.i, %B36.i34.i ], [ 0, %B36.i17.i ]
+  %.90.i36.i = add nuw i64 %slot.2.0.i35.i, 1
+  %sunkaddr127.i = shl i64 %slot.2.0.i35.i, 3
+  %sunkaddr128.i = getelementptr i8, ptr %15, i64 %sunkaddr127.i
+  %sunkaddr129.i = getelementptr i8, ptr %sunkaddr128.i, i64 8
+  %.145.i38.i = load i64, ptr %sunkaddr129.i, align 8
+  %.147.not.i39.i = icmp eq i64 %.145.i38.i, %"$phi592.2.2.sroa.8.2.1.i"
+  br i1 %.147.not.i39.i, label %B592.endif.endif.endif.1.i, label %B36.i34.i
+
+B592.endif.endif.endif.1.i:                       ; preds = %B36.i34.i, %B828.i
+  %.1465.198.i = phi i64 [ 1, %B828.i ], [ %lsr.iv.next.i, %B36.i34.i ]
+  %slot.3.1.i40.i = phi i64 [ 0, %B828.i ], [ %.90.i36.i, %B36.i34.i ]
+  %.1555.1.i = select i1 %.58.i8.i, i64 %w14, i64 0
+  %.1556.1.i = add i64 %.1555.1.i, %"$phi592.2.2.sroa.0.2.1.i"
+  %.1576.1.i = mul i64 %.1556.1.i, %w15
+  %17 = getelementptr i64, ptr %w13, i64 %.1576.1.i
+  %18 = getelementptr i64, ptr %17, i64 %slot.3.1.i40.i
+  %.1581.1.i = load i64, ptr %18, align 8
+  %.1600.1.i = select i1 %.58.i8.i, i64 %w12, i64 0
+  %19 = getelementptr i64, ptr %w11, i64 %"$phi592.2.2.sroa.0.2.1.i"
+  %.1614.1.i = getelementptr i64, ptr %19, i64 %.1600.1.i
+  %.1615.1.i = load i64, ptr %.1614.1.i, align 8
+  %.1653.1.i = sub i64 %.1465.198.i, %.1615.1.i
+  %.1696906.11005.i = icmp ugt i64 %.1653.1.i, -9223372036854775808
+  br i1 %.1696906.11005.i, label %B750.1.i, label %B920.i
+
+B750.1.i:                                         ; preds = %B592.endif.endif.endif.1.i, %B750.1.i
+  %.1702905907.1.i = phi i64 [ %.1709.1.i, %B750.1.i ], [ %.1615.1.i, %B592.endif.endif.endif.1.i ]
+  %.1709.1.i = add i64 %.1702905907.1.i, -1
+  %.1761.1.i = icmp slt i64 %.1702905907.1.i, 1
+  %20 = select i1 %.1761.1.i, i64 %s15, i64 0
+  %scevgep113.i = getelementptr i8, ptr %.84.i12.i, i64 %20
+  %21 = shl i64 %.1702905907.1.i, 3
+  %scevgep114.i = getelementptr i8, ptr %scevgep113.i, i64 %21
+  %scevgep115.i = getelementptr i8, ptr %scevgep114.i, i64 -8
+  %.1785.1.i = load i64, ptr %scevgep115.i, align 8
+  %22 = select i1 %.1761.1.i, i64 %s23, i64 0
+  %scevgep116.i = getelementptr i8, ptr %17, i64 %22
+  %scevgep117.i = getelementptr i8, ptr %scevgep116.i, i64 %21
+  %scevgep118.i = getelementptr i8, ptr %scevgep117.i, i64 -8
+  %.1837.1.i = load i64, ptr %scevgep118.i, align 8
+  %.1864.1.i = icmp slt i64 %.1702905907.1.i, 0
+  %23 = select i1 %.1864.1.i, i64 %s15, i64 0
+  %scevgep111.i = getelementptr i8, ptr %.84.i12.i, i64 %23
+  %scevgep112.i = getelementptr i8, ptr %scevgep111.i, i64 %21
+  store i64 %.1785.1.i, ptr %scevgep112.i, align 8
+  %24 = select i1 %.1864.1.i, i64 %s23, i64 0
+  %scevgep109.i = getelementptr i8, ptr %17, i64 %24
+  %scevgep110.i = getelementptr i8, ptr %scevgep109.i, i64 %21
+  store i64 %.1837.1.i, ptr %scevgep110.i, align 8
+  %25 = sub i64 %.1702905907.1.i, %.1465.198.i
+  %.1696.1.i = icmp samesign ugt i64 %25, 1
+  br i1 %.1696.1.i, label %B750.1.i, label %B920.i
+
+B920.i:                                           ; preds = %B750.1.i, %B592.endif.endif.endif.1.i
+  %.1946.1.i = sub i64 0, %.1581.1.i
+  %26 = getelementptr i64, ptr %.84.i12.i, i64 %.1465.198.i
+  store i64 %.247.i, ptr %26, align 8
+  %27 = getelementptr i64, ptr %17, i64 %.1465.198.i
+  store i64 %.1581.1.i, ptr %27, align 8
+  %sunkaddr132.i = getelementptr i8, ptr %sunkaddr119.i, i64 24
+  store i64 %.1946.1.i, ptr %sunkaddr132.i, align 8
+  %sunkaddr133.i = shl i64 %.1600.1.i, 3
+  %sunkaddr134.i = getelementptr inbounds i8, ptr %19, i64 %sunkaddr133.i
+  %.2143.1.i = load i64, ptr %sunkaddr134.i, align 8
+  %.2144.1.i = add nsw i64 %.2143.1.i, 1
+  store i64 %.2144.1.i, ptr %sunkaddr134.i, align 8
+  %.2200.i = select i1 %.594.i, i64 %w12, i64 0
+  %28 = getelementptr i64, ptr %w11, i64 %.247.i
+  %.2214.i = getelementptr i64, ptr %28, i64 %.2200.i
+  store i64 4, ptr %.2214.i, align 8
+  %exitcond.not.i = icmp eq i64 %.194.i, %w1
+  br i1 %exitcond.not.i, label %_ZN7msf_jax4host4meso7kernels3cutB3v36B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE.exit, label %B64.i
+
+B64.endif.i:                                      ; preds = %B36.i.i, %B64.i
+  %slot.3.1.i.i = phi i64 [ 0, %B64.i ], [ %.90.i.i, %B36.i.i ]
+  %.58.i42.i = icmp slt i64 %.313.i, 0
+  %.59.i43.i = select i1 %.58.i42.i, i64 %w9, i64 0
+  %.60.i44.i = add i64 %.59.i43.i, %.313.i
+  %.80.i45.i = mul i64 %.60.i44.i, %w10
+  %.84.i46.i = getelementptr i64, ptr %w8, i64 %.80.i45.i
+  %.85.i47.i = load i64, ptr %.84.i46.i, align 8
+  %.87.not.i48.i = icmp eq i64 %.85.i47.i, %.282.i
+  br i1 %.87.not.i48.i, label %B516.lr.ph.i, label %B36.preheader.i49.i
+
+B36.preheader.i49.i:                              ; preds = %B64.endif.i
+  %29 = shl i64 %.80.i45.i, 3
+  %30 = getelementptr i8, ptr %w8, i64 %29
+  %scevgep.i50.i = getelementptr i8, ptr %30, i64 8
+  br label %B36.i51.i
+
+B36.i51.i:                                        ; preds = %B36.i51.i, %B36.preheader.i49.i
+  %slot.2.0.i52.i = phi i64 [ %.90.i53.i, %B36.i51.i ], [ 0, %B36.preheader.i49.i ]
+  %.90.i53.i = add nuw i64 %slot.2.0.i52.i, 1
+  %31 = shl i64 %slot.2.0.i52.i, 3
+  %scevgep1.i54.i = getelementptr i8, ptr %scevgep.i50.i, i64 %31
+  %.145.i55.i = load i64, ptr %scevgep1.i54.i, align 8
+  %.147.not.i56.i = icmp eq i64 %.145.i55.i, %.282.i
+  br i1 %.147.not.i56.i, label %B516.lr.ph.i, label %B36.i51.i
+
+B516.lr.ph.i:                                     ; preds = %B36.i51.i, %B64.endif.i
+  %slot.3.1.i57.i = phi i64 [ 0, %B64.endif.i ], [ %.90.i53.i, %B36.i51.i ]
+  %32 = getelementptr i64, ptr %w4, i64 %.187935962.i
+  %.496.i = load i64, ptr %32, align 8
+  %33 = getelementptr i64, ptr %w6, i64 %.187935962.i
+  %.558.i = load i64, ptr %33, align 8
+  %.594.i = icmp slt i64 %.247.i, 0
+  %.595.i = select i1 %.594.i, i64 %w9, i64 0
+  %.596.i = add i64 %.595.i, %.247.i
+  %.616.i = mul i64 %.596.i, %w10
+  %.620.i = getelementptr i64, ptr %w8, i64 %.616.i
+  store i64 %.313.i, ptr %.620.i, align 8
+  %.675.i = getelementptr i8, ptr %.620.i, i64 8
+  store i64 %.496.i, ptr %.675.i, align 8
+  %.730.i = getelementptr i8, ptr %.620.i, i64 16
+  store i64 %.282.i, ptr %.730.i, align 8
+  %.785.i = getelementptr i8, ptr %.620.i, i64 24
+  store i64 %.558.i, ptr %.785.i, align 8
+  %sunkaddr135.i = shl i64 %.187935962.i, 3
+  %sunkaddr136.i = getelementptr i8, ptr %w2, i64 %sunkaddr135.i
+  %.817.i = load i64, ptr %sunkaddr136.i, align 8
+  %.840.i = icmp slt i64 %.817.i, 0
+  %.841.i = select i1 %.840.i, i64 %w14, i64 0
+  %.842.i = add i64 %.841.i, %.817.i
+  %.862.i = mul i64 %.842.i, %w15
+  %34 = getelementptr i64, ptr %w13, i64 %.862.i
+  %.866.i = getelementptr i64, ptr %34, i64 %slot.3.1.i57.i
+  %.867.i = load i64, ptr %.866.i, align 8
+  %.896.i = select i1 %.594.i, i64 %w14, i64 0
+  %.897.i = add i64 %.896.i, %.247.i
+  %.917.i = mul i64 %.897.i, %w15
+  %35 = getelementptr i64, ptr %w13, i64 %.917.i
+  %.921.i = getelementptr i8, ptr %35, i64 16
+  store i64 %.867.i, ptr %.921.i, align 8
+  %.953.i = load i64, ptr %sunkaddr136.i, align 8
+  %.976.i = icmp slt i64 %.953.i, 0
+  %.977.i = select i1 %.976.i, i64 %w14, i64 0
+  %.978.i = add i64 %.977.i, %.953.i
+  %.998.i = mul i64 %.978.i, %w15
+  %36 = getelementptr i64, ptr %w13, i64 %.998.i
+  %.1002.i = getelementptr i64, ptr %36, i64 %slot.3.1.i57.i
+  store i64 0, ptr %.1002.i, align 8
+  %sunkaddr138.i = getelementptr i8, ptr %w0, i64 %sunkaddr135.i
+  %.1034.i = load i64, ptr %sunkaddr138.i, align 8
+  %.1058.i = icmp slt i64 %.1034.i, 0
+  %.1059.i = select i1 %.1058.i, i64 %w9, i64 0
+  %.1060.i = add i64 %.1059.i, %.1034.i
+  %.1080.i = mul i64 %.1060.i, %w10
+  %37 = getelementptr i64, ptr %w8, i64 %.1080.i
+  %38 = getelementptr i64, ptr %37, i64 %slot.3.1.i.i
+  store i64 %.247.i, ptr %38, align 8
+  %.1116.i = load i64, ptr %sunkaddr136.i, align 8
+  %.1140.i = icmp slt i64 %.1116.i, 0
+  %.1141.i = select i1 %.1140.i, i64 %w9, i64 0
+  %.1142.i = add i64 %.1141.i, %.1116.i
+  %.1162.i = mul i64 %.1142.i, %w10
+  %39 = getelementptr i64, ptr %w8, i64 %.1162.i
+  %40 = getelementptr i64, ptr %39, i64 %slot.3.1.i57.i
+  store i64 %.247.i, ptr %40, align 8
+  %"$phi592.2.2.sroa.0.2.i" = load i64, ptr %32, align 8
+  %"$phi592.2.2.sroa.8.2.i" = load i64, ptr %sunkaddr138.i, align 8
+  %.58.i59.i = icmp slt i64 %"$phi592.2.2.sroa.0.2.i", 0
+  %.59.i60.i = select i1 %.58.i59.i, i64 %w9, i64 0
+  %.60.i61.i = add i64 %.59.i60.i, %"$phi592.2.2.sroa.0.2.i"
+  %.80.i62.i = mul i64 %.60.i61.i, %w10
+  %.84.i63.i = getelementptr i64, ptr %w8, i64 %.80.i62.i
+  %.85.i64.i = load i64, ptr %.84.i63.i, align 8
+  %.87.not.i65.i = icmp eq i64 %.85.i64.i, %"$phi592.2.2.sroa.8.2.i"
+  br i1 %.87.not.i65.i, label %B592.endif.i, label %B36.preheader.i66.i
+
+B36.preheader.i66.i:                              ; preds = %B516.lr.ph.i
+  %41 = shl i64 %.80.i62.i, 3
+  %42 = getelementptr i8, ptr %w8, i64 %41
+  %scevgep.i67.i = getelementptr i8, ptr %42, i64 8
+  br label %B36.i68.i
+
+B36.i68.i:                                        ; preds = %B36.i68.i, %B36.preheader.i66.i
+  %slot.2.0.i69.i = phi i64 [ %.90.i70.i, %B36.i68.i ], [ 0, %B36.preheader.i66.i ]
+  %.90.i70.i = add nuw i64 %slot.2.0.i69.i, 1
+  %43 = shl i64 %slot.2.0.i69.i, 3
+  %scevgep1.i71.i = getelementptr i8, ptr %scevgep.i67.i, i64 %43
+  %.145.i72.i = load i64, ptr %scevgep1.i71.i, align 8
+  %.147.not.i73.i = icmp eq i64 %.145.i72.i, %"$phi592.2.2.sroa.8.2.i"
+  br i1 %.147.not.i73.i, label %B592.endif.i, label %B36.i68.i
+
+B592.endif.i:                                     ; preds = %B36.i68.i, %B516.lr.ph.i
+  %slot.3.1.i74.i = phi i64 [ 0, %B516.lr.ph.i ], [ %.90.i70.i, %B36.i68.i ]
+  %.1465.i = add nsw i64 %slot.3.1.i74.i, 1
+  %.1500.i = load i64, ptr %sunkaddr136.i, align 8
+  %.87.not.i82.i = icmp eq i64 %.85.i64.i, %.1500.i
+  br i1 %.87.not.i82.i, label %B592.endif.endif.endif.i, label %B36.preheader.i83.i
+
+B36.preheader.i83.i:                              ; preds = %B592.endif.i
+  %44 = shl i64 %.80.i62.i, 3
+  %45 = getelementptr i8, ptr %w8, i64 %44
+  %scevgep.i84.i = getelementptr i8, ptr %45, i64 8
+  br label %B36.i85.i
+
+B36.i85.i:                                        ; preds = %B36.i85.i, %B36.preheader.i83.i
+  %slot.2.0.i86.i = phi i64 [ %.90.i87.i, %B36.i85.i ], [ 0, %B36.preheader.i83.i ]
+  %.90.i87.i = add nuw i64 %slot.2.0.i86.i, 1
+  %46 = shl i64 %slot.2.0.i86.i, 3
+  %scevgep1.i88.i = getelementptr i8, ptr %scevgep.i84.i, i64 %46
+  %.145.i89.i = load i64, ptr %scevgep1.i88.i, align 8
+  %.147.not.i90.i = icmp eq i64 %.145.i89.i, %.1500.i
+  br i1 %.147.not.i90.i, label %B592.endif.endif.endif.i, label %B36.i85.i
+
+B592.endif.endif.endif.i:                         ; preds = %B36.i85.i, %B592.endif.i
+  %slot.3.1.i91.i = phi i64 [ 0, %B592.endif.i ], [ %.90.i87.i, %B36.i85.i ]
+  %.1555.i = select i1 %.58.i59.i, i64 %w14, i64 0
+  %.1556.i = add i64 %.1555.i, %"$phi592.2.2.sroa.0.2.i"
+  %.1576.i = mul i64 %.1556.i, %w15
+  %47 = getelementptr i64, ptr %w13, i64 %.1576.i
+  %48 = getelementptr i64, ptr %47, i64 %slot.3.1.i91.i
+  %.1581.i = load i64, ptr %48, align 8
+  %.1600.i = select i1 %.58.i59.i, i64 %w12, i64 0
+  %49 = getelementptr i64, ptr %w11, i64 %"$phi592.2.2.sroa.0.2.i"
+  %.1614.i = getelementptr i64, ptr %49, i64 %.1600.i
+  %.1615.i = load i64, ptr %.1614.i, align 8
+  %.1653.i = sub i64 %.1465.i, %.1615.i
+  %.16969061004.i = icmp ugt i64 %.1653.i, -9223372036854775808
+  br i1 %.16969061004.i, label %B750.i, label %B828.i
+
+_ZN7msf_jax4host4meso7kernels3cutB3v36B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE.exit: ; preds = %B920.i, %0
+  ret i64 0
+}
+
+declare void @llvm.lifetime.start.p0(ptr)
+
+declare void @llvm.lifetime.end.p0(ptr)
+
+
