@@ -110,10 +110,12 @@ class Skeleton:
         rank = np.cumsum(stays) - 1
         edges = rank[self.edges[stays[self.edges].all(axis=1)]]
         found = self.changed(self.vertices[stays], edges, rank[target])
-        gone = self._num_leaves() - found._num_leaves()
+        gone = self.num_leaves - found.num_leaves
         return replace(found, report=replace(found.report, pruned=self.report.pruned + gone))
 
-    def _num_leaves(self) -> int:
+    @property
+    def num_leaves(self) -> int:
+        """How many nodes have one edge."""
         return int((np.bincount(self.edges.ravel()) == 1).sum())
 
     def resample(self, spacing: float) -> "Skeleton":
@@ -270,10 +272,8 @@ class Skeleton:
             report = replace(report, **weighed(solid.shape, solid.enter(vertices), edges, followed))
             report = replace(report, inside=self.inside_of(vertices, edges, radii))
         else:  # the largest ball inside one that is known
-            away, near = spatial.KDTree(self.vertices).query(
-                vertices, k=np.arange(1, min(NEAREST, len(self.radii)) + 1)
-            )
-            radii = np.maximum((self.radii[near] - away).max(axis=1), 0.0)
+            away, near = spatial.KDTree(self.vertices).query(vertices, k=min(NEAREST, len(self.vertices)))
+            radii = np.maximum((self.radii[near] - away).reshape(len(vertices), -1).max(axis=1), 0.0)
         roots, openings = (tuple(node_of_old[list(nodes)].tolist()) for nodes in (self.roots, self.openings))
         mesh_map = node_of_old[self.mesh_map]
         changed = Skeleton(vertices, edges, radii, mesh_map, report, self.source, roots, openings, units=self.units)
