@@ -140,7 +140,7 @@ def simplified(skeleton: "Skeleton", tolerance: float, is_held: np.ndarray) -> "
         kept = np.flatnonzero(is_kept)
         chains.append(nodes[kept])
         stays[nodes[kept]] = True
-        nearer = np.abs(np.arange(len(nodes))[:, None] - kept).argmin(axis=1)
+        nearer = np.searchsorted((kept[1:] + kept[:-1]) / 2, np.arange(len(nodes)))
         node_of_old[nodes[1:-1]] = nodes[kept[nearer[1:-1]]]
     rank = np.cumsum(stays) - 1
     ends = [np.stack([chain[:-1], chain[1:]], axis=1) for chain in chains if len(chain) > 1]

@@ -58,7 +58,7 @@ def resample(
         new_vertices.append(at(vertices[nodes], along, stop[1:-1]))
         new_edges.append(np.stack([chain[:-1], chain[1:]], axis=1))
         count += len(stop) - 2
-        node_of_old[nodes[1:-1]] = chain[np.abs(along[1:-1, None] - stop).argmin(axis=1)]
+        node_of_old[nodes[1:-1]] = chain[np.searchsorted((stop[1:] + stop[:-1]) / 2, along[1:-1])]  # the nearest stop
     return np.concatenate(new_vertices), np.concatenate(new_edges), node_of_old
 
 
