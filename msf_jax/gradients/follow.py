@@ -96,7 +96,7 @@ def _in_room(binding: Binding, dtype: Any) -> None:
     """Forget all programs where there would be more than ``MOST_PROGRAMS``."""
     key = *binding.capacity, np.shape(binding.diagonal), str(dtype)
     if key not in _kept and len(_kept) >= MOST_PROGRAMS:
-        _follow.clear_cache()
+        _follow.clear_cache()  # pyright: ignore[reportAttributeAccessIssue]
         _kept.clear()
     _kept.add(key)
 
