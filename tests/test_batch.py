@@ -8,6 +8,7 @@ import subprocess
 import sys
 import time
 import warnings
+from contextlib import nullcontext
 from dataclasses import replace
 from pathlib import Path
 
@@ -51,6 +52,29 @@ def table(path):
     return rows
 
 
+@pytest.fixture
+def here(monkeypatch):
+    """No process is started: this one does the work of all."""
+    monkeypatch.setattr(batch, "_in_processes", lambda _: nullcontext(lambda jobs: map(batch.work, jobs)))
+    yield
+    jax.config.update("jax_enable_x64", True)  # a worker sets what its job says
+
+
+def test_what_failed_is_done_again_when_asked_for(folder, here, tmp_path):
+    paths = [folder / "0.off", folder / "broken.off"]
+    done = batch.run(paths, tmp_path)
+    assert [Path(row["path"]).name for row in done.rows if row["error"]] == ["broken.off"]
+    assert (tmp_path / "0.off.swc").read_text().startswith("# curve skeleton")
+    again = batch.run(paths, tmp_path)
+    assert again.num_done == 0 and table(again.manifest) == table(done.manifest)
+    assert batch.run(paths, tmp_path, retry=True).num_done == 1
+    (tmp_path / "0.off.swc").unlink()
+    assert batch.run(paths, tmp_path).num_done == 1
+    changed = batch.run(paths, tmp_path, weights=Weights(w_M=0.3))
+    assert changed.num_done == 2
+
+
+@pytest.mark.system
 def test_errors_stay_alone_and_a_second_run_does_nothing(folder, tmp_path):
     done = batch.run(paths_in(folder), tmp_path, jobs=2)
     assert (len(done.rows), done.num_done, done.num_failed) == (NUM + BROKEN, NUM + BROKEN, BROKEN)
@@ -69,7 +93,7 @@ def test_errors_stay_alone_and_a_second_run_does_nothing(folder, tmp_path):
     assert repaired.num_failed == 0 and "filled 1 hole" in table(repaired.manifest)[0]["repairs"]
 
 
-@pytest.mark.slow  # two processes do in the others
+@pytest.mark.system
 def test_a_cluster_gives_the_same_table(folder, tmp_path):
     distributed = pytest.importorskip("distributed")
     here = batch.run(paths_in(folder), tmp_path / "here", jobs=2)
@@ -85,7 +109,7 @@ def test_a_cluster_gives_the_same_table(folder, tmp_path):
             assert other.read_bytes() == Path(row["output"]).read_bytes()
 
 
-@pytest.mark.slow  # a worker that dies is quick
+@pytest.mark.system
 def test_killed_half_way_it_does_the_rest(folder, tmp_path):
     """kill -9 of all its processes, once some rows are there."""
     command = [sys.executable, "-m", "msf_jax", "batch", str(folder), str(tmp_path), "--jobs", "1", "-q"]
@@ -107,7 +131,7 @@ def test_killed_half_way_it_does_the_rest(folder, tmp_path):
     assert len(table(done.manifest)) == NUM + BROKEN and done.num_failed == BROKEN
 
 
-@pytest.mark.slow
+@pytest.mark.system
 def test_workers_are_replaced(folder, tmp_path, monkeypatch):
     """After every second mesh, and none is lost."""
     monkeypatch.setattr(batch, "TASKS", 2)
@@ -122,7 +146,7 @@ def dying(job):
     return WORK(job)
 
 
-@pytest.mark.slow
+@pytest.mark.system
 def test_a_worker_that_dies_takes_one_mesh_with_it(folder, tmp_path, monkeypatch):
     monkeypatch.setattr(batch, "work", dying)
     done = batch.run([folder / "0.off", folder / "2.off", folder / "4.off"], tmp_path, jobs=2)
@@ -130,6 +154,7 @@ def test_a_worker_that_dies_takes_one_mesh_with_it(folder, tmp_path, monkeypatch
     assert errors == {"0.off": "", "2.off": batch.DIED, "4.off": ""}
 
 
+@pytest.mark.system
 def test_on_the_command_line(folder, tmp_path, capsys):
     assert main(["batch", str(folder), str(tmp_path / "out"), "--jobs", "2"]) == 1
     said = capsys.readouterr()
@@ -159,7 +184,7 @@ def test_the_command_takes_what_skeletonize_takes(folder, tmp_path, monkeypatch)
         ({"suffix": ".xyz"}, "suffix is '.xyz': expected one of .swc"),
         ({"jobs": 0}, "jobs is 0: expected a whole number"),
         ({"weights": Weights(w_L=np.ones(3))}, "weights that are numbers"),
-        ({"scheduler": "tcp://127.0.0.1:1"}, "no Dask scheduler at"),
+        pytest.param({"scheduler": "tcp://127.0.0.1:1"}, "no Dask scheduler at", marks=pytest.mark.system),
     ],
 )
 def test_options_are_checked(tmp_path, options, says):
@@ -167,7 +192,7 @@ def test_options_are_checked(tmp_path, options, says):
         batch.run(**{"paths": ["a.off"], "out": tmp_path, **options})
 
 
-def test_a_place_is_not_taken_by_another_mesh(tmp_path):
+def test_a_place_is_not_taken_by_another_mesh(here, tmp_path):
     """Names are relative to what the meshes of a call have in common: the same name can be another mesh's."""
     for folder in ("one", "two"):
         (tmp_path / folder).mkdir()
@@ -183,7 +208,7 @@ def test_a_place_is_not_taken_by_another_mesh(tmp_path):
         batch.run(str(both[0]), tmp_path / "string", jobs=1)
 
 
-def test_another_precision_is_another_setting(tmp_path):
+def test_another_precision_is_another_setting(here, tmp_path):
     (tmp_path / "x.off").write_text("no mesh")
     paths, out = [tmp_path / "x.off"], tmp_path / "out"
     assert batch.run(paths, out, jobs=1).num_done == 1
@@ -192,6 +217,7 @@ def test_another_precision_is_another_setting(tmp_path):
         assert batch.run(paths, out, jobs=1).num_done == 1
 
 
+@pytest.mark.system
 def test_names_that_the_system_refuses_fail_alone(tmp_path):
     """A name with no room for a suffix, one that is no UTF-8, and one whose curve's place is a folder."""
     meshes = tmp_path / "meshes"

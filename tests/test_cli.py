@@ -135,6 +135,7 @@ def test_a_bad_target_is_found_before_the_flow(out, message, ball, tmp_path, cap
     assert message in capsys.readouterr().err
 
 
+@pytest.mark.system
 @pytest.mark.parametrize(
     ("arguments", "code"),
     [(["--help"], 0), (["--version"], 0), (["batch", "--help"], 0), (["skeletonize", "open.off", "-o", "a.swc"], 2)],
@@ -206,6 +207,7 @@ def test_a_file_without_a_report_is_told(name, content, tmp_path, capsys):
     assert name in capsys.readouterr().err
 
 
+@pytest.mark.system
 def test_nothing_on_standard_error_where_there_is_no_terminal(ball, tmp_path):
     """No progress bar; and, the second time, nothing about the compiled steps that come from the cache."""
     for _ in range(2):

@@ -56,7 +56,7 @@ def result(process):
     return output
 
 
-@pytest.mark.slow  # in one process: in test_checkpoint
+@pytest.mark.system  # in one process: in test_checkpoint
 @pytest.mark.parametrize("precision", ["float64", "float32"])
 def test_the_same_bits_in_every_process(precision):
     """With other hash seeds, one thread or two, two processes at a time."""
@@ -68,7 +68,7 @@ def test_the_same_bits_in_every_process(precision):
     assert int(found.pop().split()[0]) > 5
 
 
-@pytest.mark.slow  # in one process: in test_checkpoint
+@pytest.mark.system  # in one process: in test_checkpoint
 def test_a_run_that_is_killed_again_and_again_ends_in_the_same_bits(tmp_path):
     """kill -9 at random moments; each time the next one goes on from what is in the file."""
     path, random = tmp_path / "run.npz", np.random.default_rng(0)

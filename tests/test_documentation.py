@@ -6,8 +6,11 @@ import re
 import subprocess
 import sys
 from pathlib import Path
+from typing import Any
 
+import numpy as np
 import pytest
+import pyvista
 
 import msf_jax
 from msf_jax import ground_truth
@@ -21,8 +24,13 @@ def is_long(block: str) -> bool:
     return any(call in block for call in ("msf_jax.replay(", "sensitivity(", "tune(", "__main__"))
 
 
-BLOCKS = [
-    pytest.param(number, block, id=f"{page.stem}-{number}", marks=[pytest.mark.slow] * is_long(block))
+BLOCKS = [  # of the quick tests: those of the README
+    pytest.param(
+        number,
+        block,
+        id=f"{page.stem}-{number}",
+        marks=[pytest.mark.system] * (page.stem != "README" or is_long(block)),
+    )
     for page in PAGES
     for number, block in enumerate(re.findall(r"```python\n(.*?)```", page.read_text(), flags=re.DOTALL))
 ]
@@ -75,6 +83,7 @@ def site(tmp_path_factory):
     return folder
 
 
+@pytest.mark.system
 def test_the_pages_hold_the_guide_all_that_is_public_and_what_notebooks_left(site):
     public = (site / "msf_jax.html").read_text()
     for name in msf_jax.__all__:
@@ -92,6 +101,7 @@ def test_the_pages_hold_the_guide_all_that_is_public_and_what_notebooks_left(sit
         assert pictures and all((site / "pictures" / name).stat().st_size > 1000 for name in pictures)
 
 
+@pytest.mark.system
 def test_every_link_of_the_pages_leads_somewhere(site):
     """To a file that is there, and to a place in it; nothing is loaded from elsewhere."""
     texts = {path.resolve(): path.read_text() for path in site.rglob("*.html")}
@@ -128,6 +138,32 @@ def test_the_migration_page_names_all_of_skeletors_methods():
     named = page.replace("`by_wavefront_exact`", "`skeletonize.by_wavefront_exact`")
     assert len(ways) >= 6 and not [name for name in [*ways, *before] if name not in named]
     assert not [name for name in after if f"post.{name}(" not in page]
+
+
+@pytest.mark.slow
+def test_what_the_migration_page_says_to_call_is_there_and_runs(tmp_path, monkeypatch):
+    """Every call in a last column, on a tube; an ellipsis for a setting stands for what it is anyway."""
+    monkeypatch.chdir(tmp_path)
+    tube = ground_truth.make("straight_coarse").mesh
+    pyvista.wrap(tube).save("vessel.vtp")
+    names: dict[str, Any] = {name: getattr(msf_jax, name) for name in msf_jax.__all__}
+    names |= {"msf_jax": msf_jax, "numpy": np, "mesh": tube}
+    names["skeleton"] = msf_jax.skeletonize(tube)
+    names |= dict.fromkeys(("root", "node", "v"), 0) | dict.fromkeys(("spacing", "sampling_dist", "tolerance"), 0.05)
+    names |= {"reach": 0.1, "radius": 0.1, "slenderness": 1.0, "rounds": 2, "n": 9, "report": names["skeleton"].report}
+    num = 0
+    for line in (Path(msf_jax.__file__).parent / "guide" / "migrating.md").read_text().splitlines():
+        owner = ""
+        for span in re.findall(r"`([^`]+)`", line.split(" | ")[-1] if line.startswith("| `") else ""):
+            if re.match(r"(\.[a-z_]+|(skeleton|report|numpy|msf_jax)\.|[A-Za-z]+\()", span):
+                owner = owner if span[0] == "." else span.partition(").")[0] + ")" * (")." in span)
+                owner = "skeleton" if owner.startswith("skeleton.") else owner
+                call = (owner if span[0] == "." else "") + span
+                while setting := re.search(r"(Config|Weights|Repair)\((?:[^()]*, )?(\w+)=\.\.\.", call):
+                    call = call.replace(f"{setting[2]}=...", f"{setting[2]}={setting[1]}().{setting[2]}")
+                eval(call, dict(names))
+                num += 1
+    assert num > 50
 
 
 def test_the_readme_is_short_and_its_pictures_small():

@@ -1,10 +1,10 @@
 """Whatever comes in, a curve that is whole or a clear error comes out: a short run of the benchmarks."""
 
 import pytest
-from benchmarks import faults, fuzz
 
 import msf_jax
 from msf_jax.app.cli import main
+from tests.benchmarks import faults, fuzz
 
 SLOW = pytest.mark.slow  # some of it is below
 

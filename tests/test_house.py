@@ -1,7 +1,10 @@
-"""The house keeps its order: chapters import downwards, the two wings do not mix, jaxopt stays in two rooms."""
+"""Imports keep their order: chapters downwards, modules in no circle, no JAX in `host`, jaxopt in two modules."""
 
 import ast
+from functools import cache
 from pathlib import Path
+
+import networkx as nx
 
 import msf_jax
 
@@ -9,33 +12,57 @@ ROOT = Path(msf_jax.__file__).parent
 ORDER = ["base", "host", "device", "metrics", "skeleton", "gradients", "flow", "shapes", "ground_truth", "tuning"]
 ORDER += ["view", "guide", "app", "__main__"]
 FOREIGN = {"host": {"jax", "jaxlib", "jaxopt"}, "device": {"numpy", "scipy", "trimesh"}}
+HANDED_ON = {"msf_jax.skeleton.skeleton.Skeleton", "msf_jax.skeleton.rigging.rig.Rig"}
 MOST_ENTRIES, MOST_FILES = 14, 12
 
 
+@cache
 def imports():
-    """(file, chapter, imported module) for every import, those for type checkers and inside functions included."""
+    """(file, imported module, whether for type checkers only) for every import, those inside functions included."""
+    found = []
     for path in sorted(ROOT.rglob("*.py")):
         parts = path.relative_to(ROOT).with_suffix("").parts
-        for node in ast.walk(ast.parse(path.read_text("utf-8"))) if parts != ("__init__",) else ():
+        tree = ast.parse(path.read_text("utf-8"))
+        guards = [
+            node for node in ast.walk(tree) if isinstance(node, ast.If) and ast.unparse(node.test) == "TYPE_CHECKING"
+        ]
+        for_types = {inner for guard in guards for inner in ast.walk(guard)}
+        for node in ast.walk(tree) if parts != ("__init__",) else ():
             if isinstance(node, ast.Import):
-                yield from (("/".join(parts), parts[0], alias.name) for alias in node.names)
+                names = [alias.name for alias in node.names]
             elif isinstance(node, ast.ImportFrom):
                 assert not node.level, f"{path.name}: imports are absolute"
                 names = [f"{node.module}.{alias.name}" for alias in node.names]
-                yield from (("/".join(parts), parts[0], name) for name in names)
+            else:
+                continue
+            found += [("/".join(parts), name, node in for_types) for name in names]
+    return found
 
 
 def test_chapters_import_downwards():
-    for file, chapter, name in imports():
+    for file, name, _ in imports():
         top, _, rest = name.partition(".")
         if top == "msf_jax" and rest.split(".")[0] in ORDER:
-            assert ORDER.index(rest.split(".")[0]) <= ORDER.index(chapter), f"{file} reaches up to {name}"
+            assert ORDER.index(rest.split(".")[0]) <= ORDER.index(file.split("/")[0]), f"{file} reaches up to {name}"
+
+
+def test_modules_import_in_no_circle():
+    """Not even for types, but for results whose methods hand them to functions that name them as a type."""
+    modules = {str(path.relative_to(ROOT).with_suffix("")) for path in ROOT.rglob("*.py")}
+    graph = nx.DiGraph()
+    for file, name, is_for_types in imports():
+        found = name.removeprefix("msf_jax.").replace(".", "/")
+        found = found if found in modules else found.rpartition("/")[0]  # else it is a name in a module
+        if name.startswith("msf_jax.") and found in modules and not (is_for_types and name in HANDED_ON):
+            graph.add_edge(file, found)
+    assert len(graph) > 100
+    assert not [part for part in nx.strongly_connected_components(graph) if len(part) > 1]
 
 
 def test_the_wings_do_not_mix():
-    for file, chapter, name in imports():
-        assert name.split(".")[0] not in FOREIGN.get(chapter, ()), f"{file} imports {name}"
-    with_jaxopt = {file for file, _, name in imports() if name.split(".")[0] == "jaxopt"}
+    for file, name, _ in imports():
+        assert name.split(".")[0] not in FOREIGN.get(file.split("/")[0], ()), f"{file} imports {name}"
+    with_jaxopt = {file for file, name, _ in imports() if name.split(".")[0] == "jaxopt"}
     assert {file.split("/")[0] for file in with_jaxopt} == {"device", "tuning"} and len(with_jaxopt) == 2
 
 

@@ -3,12 +3,12 @@
 import numpy as np
 import pytest
 import trimesh
-from benchmarks import faults
 
 import msf_jax
 from msf_jax import Config, ConfigError, MeshError, Repair, Weights
 from msf_jax.app.cli import main
 from msf_jax.host.mesh import checking
+from tests.benchmarks import faults
 
 BALL = trimesh.creation.icosphere(2)
 QUICK = Config(max_iterations=1)

@@ -249,6 +249,7 @@ assert "numba" not in sys.modules
 """
 
 
+@pytest.mark.system
 def test_neither_numba_nor_a_folder_is_needed():
     found = subprocess.run([sys.executable, "-c", PROGRAM], capture_output=True, text=True, timeout=300)
     assert float(found.stdout) == pytest.approx(4 / 3), found.stderr

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import msf_jax
-from msf_jax import Followed, losses
+from msf_jax import ConfigError, Followed, losses
 from msf_jax.base.binding import Binding, Sizes, padded
 
 LINE = np.array([[0.0, 0, 0], [1.0, 0, 0], [2.0, 0, 0], [2.0, 1, 0], [2.0, -2, 0]])  # with two limbs at its end
@@ -37,13 +37,15 @@ def filled(nodes=LINE, radii=RADII, junk=0.0) -> Followed:
 
 TARGET = LINE[[0, 2, 3]] + [0.1, 0.2, -0.3]
 WANTED = np.array([2.5, 1.0, 1.0, 0, 0, 0, 0])
+JITTED = {name: jax.jit(getattr(losses, name)) for name in ("radii", "lengths", "smoothness", "clearance", "markers")}
+near = jax.jit(losses.near, static_argnames="samples")
 ALL = {
-    "near": lambda found, binding: losses.near(found, binding, TARGET),
-    "radii": lambda found, binding: losses.radii(found, binding, 0.25),
-    "lengths": lambda found, binding: losses.lengths(found, binding, WANTED),
-    "smoothness": losses.smoothness,
-    "clearance": lambda found, binding: losses.clearance(found, binding, 0.25),
-    "markers": lambda found, binding: losses.markers(found, binding, np.array([0, 3]), TARGET[1:]),
+    "near": lambda found, binding: near(found, binding, TARGET),
+    "radii": lambda found, binding: JITTED["radii"](found, binding, 0.25),
+    "lengths": lambda found, binding: JITTED["lengths"](found, binding, WANTED),
+    "smoothness": JITTED["smoothness"],
+    "clearance": lambda found, binding: JITTED["clearance"](found, binding, 0.25),
+    "markers": lambda found, binding: JITTED["markers"](found, binding, np.array([0, 3]), TARGET[1:]),
 }
 UNEVEN = np.random.default_rng(1).normal(0, 0.1, LINE.shape)
 
@@ -54,11 +56,11 @@ def test_near_is_the_mean_of_squares_both_ways():
     found = filled([[0, 0, 0], [1.0, 0, 0]], [0, 0])
     target = np.array([[0.5, 0.5, 0], [0.5, 0, 1.5], [9, 9, 9]])
     there, back = 0.5**2, (0.5**2 + 1.5**2) / 2
-    value = losses.near(found, edge, target, np.array([True, True, False]), samples=1)
+    value = near(found, edge, target, np.array([True, True, False]), samples=1)
     assert value == pytest.approx((there + back) / 2 / DIAGONAL**2)
-    assert losses.near(filled(), bound(), LINE) < losses.near(filled(), bound(), LINE + 0.5)
+    assert near(filled(), bound(), LINE) < near(filled(), bound(), LINE + 0.5)
     along = LINE[EDGES[:, 0], None] + np.linspace(0, 1, 100)[:, None] * (LINE[EDGES[:, 1]] - LINE[EDGES[:, 0]])[:, None]
-    assert losses.near(filled(), bound(), along.reshape(-1, 3), samples=50) < 1e-4
+    assert near(filled(), bound(), along.reshape(-1, 3), samples=50) < 1e-4
 
 
 def test_near_weighs_samples_by_the_length_that_they_stand_for():
@@ -67,34 +69,32 @@ def test_near_weighs_samples_by_the_length_that_they_stand_for():
     found = filled([[0, 0, 0], [3.0, 0, 0], [3.0, 1.0, 0]], [0, 0, 0])
     target = np.array([[1.5, 0, 0.0]])
     there = (3 * 0 + 1 * (1.5**2 + 0.5**2)) / 4
-    assert losses.near(found, pair, target, samples=1) == pytest.approx(there / 2 / DIAGONAL**2)
+    assert near(found, pair, target, samples=1) == pytest.approx(there / 2 / DIAGONAL**2)
 
 
 def test_values_that_are_known():
     found, binding = filled(), bound()
     np.testing.assert_allclose(losses.branch_lengths(found, binding), [2, 1, 2, 0, 0, 0, 0])
-    assert losses.lengths(found, binding, WANTED) == pytest.approx((0.5**2 + 0 + 1) / 3 / DIAGONAL**2)
-    assert losses.radii(found, binding, RADII.mean()) == pytest.approx(RADII.var() / DIAGONAL**2)
-    assert losses.clearance(found, binding, 0.25) == pytest.approx((0.15**2 + 0.05**2 + 0.35**2) / 5 / DIAGONAL**2)
-    assert losses.clearance(found, binding, -1.0) == 0
-    assert losses.smoothness(found, binding) == pytest.approx(0, abs=1e-12)
+    assert JITTED["lengths"](found, binding, WANTED) == pytest.approx((0.5**2 + 0 + 1) / 3 / DIAGONAL**2)
+    assert JITTED["radii"](found, binding, RADII.mean()) == pytest.approx(RADII.var() / DIAGONAL**2)
+    assert JITTED["clearance"](found, binding, 0.25) == pytest.approx((0.15**2 + 0.05**2 + 0.35**2) / 5 / DIAGONAL**2)
+    assert JITTED["clearance"](found, binding, -1.0) == 0
+    assert JITTED["smoothness"](found, binding) == pytest.approx(0, abs=1e-12)
     bent = LINE.copy()
     bent[0] = [1.0, 1.0, 0]  # the one node with two neighbours turns by a right angle
-    assert losses.smoothness(filled(bent), binding) == pytest.approx(1)
+    assert JITTED["smoothness"](filled(bent), binding) == pytest.approx(1)
     ends, where = np.array([0, 3, 4]), LINE[[0, 3, 4]] + [[0, 0, 1.0], [0, 2.0, 0], [9, 9, 9]]
-    value = losses.markers(found, binding, ends, where, np.array([True, True, False]))
+    value = JITTED["markers"](found, binding, ends, where, np.array([True, True, False]))
     assert value == pytest.approx((1 + 4) / 2 / DIAGONAL**2)
-    assert losses.markers(found, binding, ends, where, np.zeros(3, bool)) == 0
+    assert JITTED["markers"](found, binding, ends, where, np.zeros(3, bool)) == 0
 
 
 @pytest.mark.parametrize("name", ALL)
 def test_padding_does_not_show(name):
     """Whatever is in it; nor is there a slope."""
+    value_and_slope = jax.jit(jax.value_and_grad(lambda found: ALL[name](found, bound())))
     values, slopes = zip(
-        *(
-            jax.value_and_grad(lambda found: ALL[name](found, bound()))(filled(LINE + UNEVEN, junk=junk))
-            for junk in (0.0, 3.0, -1e3)
-        ),
+        *(value_and_slope(filled(LINE + UNEVEN, junk=junk)) for junk in (0.0, 3.0, -1e3)),
         strict=True,
     )
     assert values[0] == values[1] == values[2] > 0
@@ -106,7 +106,7 @@ def test_padding_does_not_show(name):
 def test_slopes_are_those_of_central_differences(name):
     value = jax.jit(lambda nodes, radii: ALL[name](filled(nodes, radii), bound()))
     at = LINE + UNEVEN, RADII
-    slope = jax.grad(value, argnums=(0, 1))(*at)
+    slope = jax.jit(jax.grad(value, argnums=(0, 1)))(*at)
     step, random = 1e-6, np.random.default_rng(2)
     for _ in range(3):
         way = [random.normal(size=part.shape) for part in at]
@@ -124,7 +124,7 @@ def test_no_unit(name, monkeypatch):
     larger = filled(10 * (LINE + UNEVEN), 10 * RADII), bound(10 * DIAGONAL)
     if name in ("radii", "clearance", "lengths"):
         ask = 10 * WANTED if name == "lengths" else 2.5
-        assert getattr(losses, name)(*larger, ask) == pytest.approx(float(one))
+        assert JITTED[name](*larger, ask) == pytest.approx(float(one))
     else:
         assert ALL[name](*larger) == pytest.approx(float(one))
 
@@ -132,8 +132,23 @@ def test_no_unit(name, monkeypatch):
 def test_where_points_coincide_slopes_are_finite():
     found = filled(np.zeros_like(LINE), np.zeros_like(RADII))
     for name, loss in ALL.items():
-        slope = jax.grad(lambda found, loss=loss: loss(found, bound()))(found)
+        slope = jax.jit(jax.grad(lambda found, loss=loss: loss(found, bound())))(found)
         assert all(np.isfinite(part).all() for part in slope), name
+
+
+def test_a_curve_without_a_target_adds_nothing():
+    """In a batch some may have none."""
+    value, slope = jax.value_and_grad(lambda found: losses.near(found, bound(), TARGET, np.zeros(3, bool)))(filled())
+    assert value == 0 and not any(np.asarray(part).any() for part in slope)
+
+
+@pytest.mark.parametrize("name", ALL)
+def test_rows_that_are_not_the_bindings_are_refused(name):
+    """Of a curve that was followed without padding, and of a batch where `jax.vmap` was forgotten."""
+    both = jax.tree.map(lambda part: jnp.stack([part, part]), (filled(), bound()))
+    for found, binding in ((Followed(LINE, RADII), bound()), both):
+        with pytest.raises(ConfigError, match=r"expected \(8, 3\), .* jax.vmap"):
+            ALL[name](found, binding)
 
 
 def test_a_batch_of_them():
@@ -141,7 +156,7 @@ def test_a_batch_of_them():
     targets = np.stack([TARGET, TARGET[::-1] - 0.4])
     every = jax.tree.map(lambda *parts: jnp.stack(parts), filled(), filled(LINE + UNEVEN))
     both = jax.tree.map(lambda *parts: jnp.stack(parts), bound(), bound(3.0))
-    found = jax.vmap(losses.near)(every, both, targets)
-    alone = [losses.near(filled(), bound(), targets[0]), losses.near(filled(LINE + UNEVEN), bound(3.0), targets[1])]
+    found = jax.jit(jax.vmap(near))(every, both, targets)
+    alone = [near(filled(), bound(), targets[0]), near(filled(LINE + UNEVEN), bound(3.0), targets[1])]
     np.testing.assert_allclose(found, alone, rtol=1e-12)
     assert msf_jax.losses is losses

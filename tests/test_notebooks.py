@@ -11,14 +11,11 @@ from nbclient import NotebookClient
 
 ROOT = Path(__file__).parents[1]
 NOTEBOOKS = sorted((ROOT / "notebooks").glob("*.ipynb"))
-QUICK = ("quickstart", "tracking")  # the others are slow tests
 LARGEST = 300_000  # bytes, pictures included
 
 
-@pytest.mark.parametrize(
-    "path",
-    [pytest.param(path, id=path.stem, marks=[pytest.mark.slow] * (path.stem not in QUICK)) for path in NOTEBOOKS],
-)
+@pytest.mark.system
+@pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda path: path.stem)
 def test_it_runs_without_a_warning(path, monkeypatch, tmp_path):
     """Cell by cell, in this process: a warning is an error, and what other tests have compiled is there already."""
     monkeypatch.setenv("MSF_JAX_SMALL", "1")
@@ -33,7 +30,7 @@ def test_it_runs_without_a_warning(path, monkeypatch, tmp_path):
         plt.close("all")
 
 
-@pytest.mark.slow
+@pytest.mark.system
 @pytest.mark.filterwarnings("ignore")  # of the notebook's own machinery; those of its code would be in its output
 def test_a_kernel_runs_the_first(monkeypatch):
     """The way that a reader takes, magics included."""
@@ -53,6 +50,7 @@ def test_it_is_committed_as_it_ran(path):
     assert not _warnings(notebook)
     assert any("image/png" in output.get("data", {}) for cell in cells for output in cell.outputs)
     assert notebook.cells[0].source.startswith("# ") and notebook.cells[-1].cell_type == "markdown"
+    assert len(notebook.cells[-1].source.split()) > 20
     assert path.stat().st_size < LARGEST
 
 

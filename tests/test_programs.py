@@ -10,9 +10,6 @@ from jax.experimental.compilation_cache import compilation_cache
 
 import msf_jax
 from msf_jax import Config, Weights
-from msf_jax.base.layout import staircase
-from msf_jax.device.buffers import slot_product
-from msf_jax.device.iteration import move
 from msf_jax.flow import programs
 
 SETTINGS = Config(laplacian="uniform", solve_steps=49).on_device
@@ -80,25 +77,6 @@ def test_another_machine_or_version_has_files_of_its_own(folder, monkeypatch):
     assert len(names) == 1 + len(programs._machine())
     jax.config.update("jax_compilation_cache_dir", None)
     assert programs._file("step") is None
-
-
-def test_a_step_holds_two_products_and_no_gather_twice():
-    """One for right-hand sides and one for steps of CG, each with A and with its transpose; what takes XLA seconds is
-    how much there is, not how often it runs."""
-    layout = staircase(2048, 18)
-
-    def num_gathers(function, *arguments):
-        return jax.jit(function).lower(*arguments).as_text().count('"stablehlo.gather"')
-
-    buffers, weights = programs._arguments(layout, False)
-    slots = jax.ShapeDtypeStruct((layout.num_slots,), buffers.positions.dtype)
-    product = num_gathers(
-        lambda *arguments: slot_product(layout, *arguments), slots, buffers.rings.neighbour, buffers.positions
-    )
-    settings = Config().on_device
-    step = num_gathers(lambda *arguments: move(*arguments, settings, layout), buffers, weights)
-    corners, of_neighbours = 3, 2  # positions of an edge's end and of its apexes; its end's beta and mean length
-    assert step == 2 * product + corners + of_neighbours
 
 
 @pytest.mark.parametrize("package", ["jax", "jaxlib", "jaxopt"])

@@ -6,6 +6,8 @@ import sys
 import threading
 from pathlib import Path
 
+import pytest
+
 from msf_jax.device.quiet import quieten_cache, without_alarm
 
 ALARM = b"E1123 1 cpu_aot_loader.cc:195] Loading XLA:CPU AOT result. Target machine feature is not supported.\n"
@@ -54,6 +56,7 @@ def test_jax_has_the_place_where_it_loads_programs():
     assert quieten_cache() and quieten_cache()
 
 
+@pytest.mark.system
 def test_a_library_call_prints_nothing_with_an_empty_and_with_a_full_cache(tmp_path):
     program = f"""
 import jax, msf_jax

@@ -5,12 +5,12 @@ from itertools import pairwise
 import numpy as np
 import pytest
 import trimesh
-from benchmarks import faults
 from conftest import blob, torus
 
 import msf_jax
 from msf_jax import Config, ConfigError, MeshError, Repair
 from msf_jax.host.mesh import chambers, checking, skirts
+from tests.benchmarks import faults
 
 BALL = trimesh.creation.icosphere(3)
 VERTICES, FACES = np.array(BALL.vertices), np.array(BALL.faces)

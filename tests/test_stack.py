@@ -108,7 +108,7 @@ print("same bits")
 """
 
 
-@pytest.mark.slow
+@pytest.mark.system
 def test_padding_and_company_change_no_bit(curves, tmp_path):
     """In a process whose programs are optimised as a user's are: alone, padded to twice as much, in a batch."""
     with open(tmp_path / "curves.pkl", "wb") as file:
@@ -211,7 +211,7 @@ print("spread over", jax.device_count())
 """
 
 
-@pytest.mark.slow
+@pytest.mark.system
 def test_a_batch_is_spread_over_devices(curves, tmp_path):
     with open(tmp_path / "curves.pkl", "wb") as file:
         pickle.dump(curves, file)
@@ -367,6 +367,15 @@ def test_what_is_no_batch_is_refused(curves, tmp_path):
     for given, says in (([], "holds none"), ([skeleton, vertices], "holds ndarray")):
         with pytest.raises(ConfigError, match=says):
             msf_jax.stack(given)
+    for given, options, says in (
+        (skeleton, {}, "skeletons is a Skeleton"),
+        (3, {}, "skeletons is a int"),
+        ([skeleton], {"like": skeleton}, "like is a Skeleton"),
+        ([skeleton], {"dtype": int}, "dtype is .*int"),
+        ([skeleton], {"dtype": "half"}, "dtype is 'half'"),
+    ):
+        with pytest.raises(ConfigError, match=says):
+            msf_jax.stack(given, **options)
     for short in (vertices[:-1], np.zeros((10_000, 3))):
         with pytest.raises(MeshError, match=r"vertices has shape \(\d+, 3\): expected"):
             msf_jax.follow(skeleton.binding, short)

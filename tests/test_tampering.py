@@ -182,6 +182,7 @@ def test_a_scene_that_shows_too_much_is_refused(tmp_path, monkeypatch):
         reading.read(tmp_path / "scene.gltf")
 
 
+@pytest.mark.system
 @pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="there are no named pipes here")
 @pytest.mark.parametrize("name", ["x.off", "x.npz", "x.swc", "x.json"])
 def test_a_pipe_is_no_file(tmp_path, name):

@@ -29,7 +29,7 @@ examples:
   msf-jax skeletonize hand.off -o hand.swc --prune 3        fewer branches; --prune 0 keeps all
   msf-jax skeletonize hand.off -o hand.swc --w-M 0.8        nearer to the middle, more side branches
   msf-jax skeletonize neuron.ply -o neuron.swc --repair join --root soma --radius section --units nm
-  msf-jax skeletonize vessel.vtp -o vessel.csv --repair     lengths, radii, angles; vessel.nodes.csv: of each node
+  msf-jax skeletonize vessel.vtp -o vessel.csv --repair     a table of branches; of nodes: -o vessel.nodes.csv
   msf-jax skeletonize person.obj -o person.glb              a rig, for Blender
   msf-jax skeletonize big.ply -o big.npz --checkpoint big.run.npz""",
     ),

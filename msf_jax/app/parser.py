@@ -21,7 +21,7 @@ WEIGHTS = {
     "smoothing": "lambda of the implicit smoothing",
 }
 REPAIRS = {"mend": True, "join": "join"}  # what `skeletonize` takes for each
-MESH = "a closed triangle mesh: .off, .obj, .ply, .stl, .glb, .3mf and others, or .vtp, .vtu where pyvista is installed"
+MESH = "a closed triangle mesh: .off, .obj, .ply, .stl, .glb, .3mf and others, or VTK's where pyvista is installed"
 
 
 def parser_of(run: Mapping[str, Callable[[argparse.Namespace], int]]) -> argparse.ArgumentParser:

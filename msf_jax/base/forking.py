@@ -1,4 +1,4 @@
-"""A process that was forked after a run: it has none of the threads of JAX, and what waits for them never ends.
+"""A process that was forked after a run: it has no threads of JAX, and what waits for them never ends.
 
 So it is refused. On Linux, `multiprocessing` and `concurrent.futures` fork before Python 3.14, unless told otherwise.
 """

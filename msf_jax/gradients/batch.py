@@ -17,6 +17,8 @@ from msf_jax.device.buffers import real_dtype
 from msf_jax.gradients.follow import Followed
 from msf_jax.skeleton.skeleton import Skeleton
 
+REALS = (np.float32, np.float64, np.dtype("float32"), np.dtype("float64"), "float32", "float64")  # that follow keeps
+
 
 @jax.tree_util.register_dataclass
 @dataclass(frozen=True, eq=False)
@@ -75,11 +77,18 @@ def stack(skeletons: Iterable[Skeleton], *, like: Batch | None = None, dtype: An
         skeletons: of runs, at least one; as `msf_jax.follow` takes them.
         like: a batch that was stacked before. If all has room in its capacity, that is taken, and a program that was
             compiled for it serves; the number of curves is part of a program, too.
-        dtype: of all real numbers; float64 if JAX has it on, else float32.
+        dtype: of all real numbers, float32 or float64; if not given, float64 if JAX has it on, else float32.
 
     Raises:
-        ConfigError: there are none, or one does not know the mesh that it was made from.
+        ConfigError: there are none, one does not know the mesh that it was made from, or ``like`` or ``dtype`` is
+            something else.
     """
+    if isinstance(skeletons, Skeleton) or not isinstance(skeletons, Iterable):
+        raise ConfigError(f"skeletons is a {type(skeletons).__name__}: expected several, such as [skeleton]")
+    if like is not None and not isinstance(like, Batch):
+        raise ConfigError(f"like is a {type(like).__name__}: expected a batch that msf_jax.stack made")
+    if dtype is not None and dtype not in REALS:
+        raise ConfigError(f"dtype is {dtype!r}: expected float32 or float64")
     every = list(skeletons)
     others = [type(each).__name__ for each in every if not isinstance(each, Skeleton)]
     if others or not every:

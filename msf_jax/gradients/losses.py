@@ -15,6 +15,7 @@ import jax
 import jax.numpy as jnp
 
 from msf_jax.base.binding import Binding
+from msf_jax.base.errors import ConfigError
 
 SAMPLES = 4  # along each edge of a curve
 SHORTEST = 1e-4  # edge, in diagonals, whose direction counts in full
@@ -31,12 +32,12 @@ def near(found: Any, binding: Binding, target: Any, mask: Any = None, *, samples
         found: of `msf_jax.follow`, nodes (N, 3).
         binding: what it was followed by.
         target: (P, 3) points along the wanted curve, in the mesh's units.
-        mask: (P,) bool, which of them count; all if not given.
+        mask: (P,) bool, which of them count; all if not given. Where none does, the loss is 0.
         samples: points on each edge of the curve.
 
     Differentiable in: nodes, target. Which point is nearest is a decision.
     """
-    nodes, target = _scaled(binding, found.nodes), _scaled(binding, target)
+    nodes, target = _scaled(binding, _checked(found, binding).nodes), _scaled(binding, target)
     is_point = jnp.ones(len(target), bool) if mask is None else jnp.asarray(mask)
     a, b = nodes[binding.edges[:, 0]], nodes[binding.edges[:, 1]]
     share = (jnp.arange(samples, dtype=nodes.dtype) + 0.5) / samples
@@ -44,7 +45,7 @@ def near(found: Any, binding: Binding, target: Any, mask: Any = None, *, samples
     is_edge = binding.edge_mask
     weight = jnp.repeat(jnp.where(is_edge, norm(b - a), 0.0), samples)
     away = ((points[:, None] - target) ** 2).sum(-1)
-    there = jnp.where(is_point, away, jnp.inf).min(axis=1)
+    there = jnp.where(is_point | ~is_point.any(), away, jnp.inf).min(axis=1) * is_point.any()
     back = jnp.where(jnp.repeat(is_edge, samples)[:, None], away, jnp.inf).min(axis=0)
     return (_mean(there, weight) + _mean(back, is_point)) / 2
 
@@ -54,7 +55,7 @@ def radii(found: Any, binding: Binding, target: Any) -> jax.Array:
 
     Differentiable in: radii, target.
     """
-    return _mean(_scaled(binding, found.radii - jnp.asarray(target)) ** 2, binding.node_mask)
+    return _mean(_scaled(binding, _checked(found, binding).radii - jnp.asarray(target)) ** 2, binding.node_mask)
 
 
 def lengths(found: Any, binding: Binding, target: Any) -> jax.Array:
@@ -73,7 +74,8 @@ def branch_lengths(found: Any, binding: Binding) -> jax.Array:
 
     Differentiable in: nodes; zero gradient at an edge without a length.
     """
-    along = norm(_scaled(binding, found.nodes[binding.edges[:, 1]] - found.nodes[binding.edges[:, 0]]))
+    nodes = _checked(found, binding).nodes
+    along = norm(_scaled(binding, nodes[binding.edges[:, 1]] - nodes[binding.edges[:, 0]]))
     along = jnp.where(binding.edge_mask, along, 0.0)
     return jnp.asarray(binding.diagonal, along.dtype) * jax.ops.segment_sum(along, binding.branch, len(along))
 
@@ -83,7 +85,9 @@ def smoothness(found: Any, binding: Binding) -> jax.Array:
 
     Differentiable in: nodes.
     """
-    return turning(_scaled(binding, found.nodes), binding.edges, binding.edge_mask, binding.node_mask)
+    return turning(
+        _scaled(binding, _checked(found, binding).nodes), binding.edges, binding.edge_mask, binding.node_mask
+    )
 
 
 def clearance(found: Any, binding: Binding, least: Any) -> jax.Array:
@@ -93,7 +97,7 @@ def clearance(found: Any, binding: Binding, least: Any) -> jax.Array:
     outside falls short by its distance to the surface, too.
     Differentiable in: radii, least.
     """
-    short = jnp.maximum(_scaled(binding, jnp.asarray(least) - found.radii), 0.0)
+    short = jnp.maximum(_scaled(binding, jnp.asarray(least) - _checked(found, binding).radii), 0.0)
     return _mean(short**2, binding.node_mask)
 
 
@@ -109,7 +113,7 @@ def markers(found: Any, binding: Binding, node: Any, target: Any, mask: Any = No
 
     Differentiable in: nodes, target.
     """
-    away = _scaled(binding, found.nodes[jnp.asarray(node)] - jnp.asarray(target))
+    away = _scaled(binding, _checked(found, binding).nodes[jnp.asarray(node)] - jnp.asarray(target))
     return _mean((away * away).sum(-1), jnp.ones(len(away), bool) if mask is None else jnp.asarray(mask))
 
 
@@ -124,6 +128,17 @@ def turning(nodes: jax.Array, edges: Any, is_edge: Any, is_node: Any) -> jax.Arr
     is_passed = is_node & (jax.ops.segment_sum(one, a, num) + jax.ops.segment_sum(one, b, num) == 2)
     # Unit vectors to both neighbours add up to nothing where the curve is straight: |u + v|^2 = 2 (1 - cos turn).
     return _mean((total * total).sum(1) / 2, is_passed)
+
+
+def _checked(found: Any, binding: Binding) -> Any:
+    """``found``, which is that of one curve, in as many rows as ``binding`` has."""
+    rows, shape = jnp.shape(binding.rest)[-2], jnp.shape(found.nodes)
+    if shape != (rows, 3) or jnp.ndim(binding.diagonal):
+        raise ConfigError(
+            f"found has nodes of shape {shape}: expected ({rows}, 3), as msf_jax.follow(binding, vertices) gives them; "
+            "of a batch, jax.vmap the loss over both"
+        )
+    return found
 
 
 def _scaled(binding: Binding, lengths: Any) -> jax.Array:

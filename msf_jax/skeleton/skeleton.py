@@ -272,8 +272,9 @@ class Skeleton:
             report = replace(report, **weighed(solid.shape, solid.enter(vertices), edges, followed))
             report = replace(report, inside=self.inside_of(vertices, edges, radii))
         else:  # the largest ball inside one that is known
-            away, near = spatial.KDTree(self.vertices).query(vertices, k=min(NEAREST, len(self.vertices)))
-            radii = np.maximum((self.radii[near] - away).reshape(len(vertices), -1).max(axis=1), 0.0)
+            found = spatial.KDTree(self.vertices).query(vertices, k=min(NEAREST, len(self.radii)))
+            away, near = (np.reshape(each, (len(vertices), -1)) for each in found)
+            radii = np.maximum((self.radii[near] - away).max(axis=1), 0.0)
         roots, openings = (tuple(node_of_old[list(nodes)].tolist()) for nodes in (self.roots, self.openings))
         mesh_map = node_of_old[self.mesh_map]
         changed = Skeleton(vertices, edges, radii, mesh_map, report, self.source, roots, openings, units=self.units)

@@ -9,7 +9,7 @@ from scipy import sparse, spatial
 from scipy.sparse import csgraph
 
 from msf_jax.base.errors import ConfigError
-from msf_jax.host.curve import branches, finishing
+from msf_jax.host.curve import branches, finishing, resampling
 
 if TYPE_CHECKING:
     from msf_jax.skeleton.skeleton import Skeleton
@@ -140,8 +140,7 @@ def simplified(skeleton: "Skeleton", tolerance: float, is_held: np.ndarray) -> "
         kept = np.flatnonzero(is_kept)
         chains.append(nodes[kept])
         stays[nodes[kept]] = True
-        nearer = np.searchsorted((kept[1:] + kept[:-1]) / 2, np.arange(len(nodes)))
-        node_of_old[nodes[1:-1]] = nodes[kept[nearer[1:-1]]]
+        node_of_old[nodes[1:-1]] = nodes[kept[resampling.nearest_of(kept, np.arange(1, len(nodes) - 1))]]
     rank = np.cumsum(stays) - 1
     ends = [np.stack([chain[:-1], chain[1:]], axis=1) for chain in chains if len(chain) > 1]
     edges = rank[np.concatenate([np.empty((0, 2), dtype=np.int64), *ends])]

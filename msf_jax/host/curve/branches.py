@@ -40,29 +40,30 @@ def trace(num_nodes: int, edges: np.ndarray) -> list[list[int]]:
 
     A lone node is a branch of its own, of one node.
     """
-    graph = nx.Graph()
-    graph.add_nodes_from(range(num_nodes))
-    graph.add_edges_from(edges.tolist())
-    ends = [node for node, degree in graph.degree if degree != 2]
-    branches = [[node] for node in ends if graph.degree[node] == 0]
+    near: list[list[int]] = [[] for _ in range(num_nodes)]  # of each node, in ascending order
+    for a, b in np.unique(np.sort(edges, axis=1), axis=0).tolist():
+        near[a].append(b)
+        near[b].append(a)
+    ends = [node for node in range(num_nodes) if len(near[node]) != 2]
+    branches = [[node] for node in ends if not near[node]]
     seen: set[tuple[int, int]] = set()
 
     def follow(start: int, onward: int) -> list[int]:
         branch = [start, onward]
-        while graph.degree[branch[-1]] == 2 and branch[-1] != start:
-            a, b = graph[branch[-1]]
+        while len(near[branch[-1]]) == 2 and branch[-1] != start:
+            a, b = near[branch[-1]]
             branch.append(b if a == branch[-2] else a)
         seen.add((branch[0], branch[1]))
         seen.add((branch[-1], branch[-2]))
         return branch
 
     for node in ends:
-        branches += [follow(node, onward) for onward in sorted(graph[node]) if (node, onward) not in seen]
+        branches += [follow(node, onward) for onward in near[node] if (node, onward) not in seen]
     covered = {node for branch in branches for node in branch}
-    for loop in nx.connected_components(graph):
-        if not loop & covered:
-            start = min(loop)
-            branches.append(follow(start, min(graph[start])))
+    for node in range(num_nodes):
+        if node not in covered:
+            branches.append(follow(node, near[node][0]))
+            covered.update(branches[-1])
     return branches
 
 

@@ -54,7 +54,7 @@ FARTHEST = 20.0  # steps of a node, that a centroid may be expected to go with i
 HELD = 1e9  # a, for a node that is not to move
 MOST_CORNERS = 5_000_000  # of all sections that are cut for a curve; then each centring is left after a round
 THINNEST = 0.25  # of its clearance, that a step must leave to a node
-HALVINGS, TRIALS = 2, 12  # of a step that goes too far; and in all, before none is taken
+HALVINGS = 2  # of a step that goes too far, before none is taken
 SLIGHT = 0.05  # of its room: a shorter step of a node leads nowhere else
 CLOSE = 0.005  # diagonals, to the surface, where it is measured exactly; elsewhere, of what is about the clearance,
 SURE = 0.5  # that part is
@@ -209,7 +209,8 @@ def _taken(
     changed = np.flatnonzero(is_free & ~is_slight)
     edges = edges[np.isin(edges, changed).any(axis=1)]
     edges = edges[_is_open(shape, x, x, room, room, edges)]
-    for trial in range(TRIALS):
+    trial = 0
+    while True:
         goal[changed] = x[changed] + part[changed, None] * step[changed]
         clearance[changed], triangle[changed] = shape.approach(goal[changed])
         close = changed[clearance[changed] < CLOSE]
@@ -226,7 +227,7 @@ def _taken(
         if not len(changed):
             return goal, clearance, triangle
         part[changed] *= 0.5 if trial < HALVINGS else 0.0
-    return x, room, near
+        trial += 1
 
 
 def _is_open(

@@ -10,7 +10,7 @@ import itertools
 import numpy as np
 
 from msf_jax.host.curve import branches
-from msf_jax.host.poles.balls import shrinking_balls
+from msf_jax.host.poles import balls
 from msf_jax.host.poles.passages import TOUCHING, Passages
 from msf_jax.host.solid import sections
 from msf_jax.host.solid.enclosure import Enclosure
@@ -19,8 +19,7 @@ from msf_jax.host.solid.geometry import arc_length, barycentric, cross, unit
 UNFOLDINGS = 20  # rounds
 HALVINGS = 2  # of an edge that is not inside, before a way is looked for
 FAN = 6  # rays from a node to either side of what it would cut off, and one
-FIRST, LARGEST = 0.01, 0.5  # diagonals, radius of the ball behind the surface that is tried first, and last
-SHALLOWER = 10  # halvings of it
+SHALLOWER = 10  # halvings of the ball behind the surface, each with a middle nearer to it
 
 
 def contain(
@@ -218,7 +217,7 @@ def _inward(shape: Enclosure, points: np.ndarray) -> np.ndarray:
     corner = shape.triangles[triangle]
     normal = unit(cross(corner[:, 1] - corner[:, 0], corner[:, 2] - corner[:, 0]))
     entry = np.einsum("pk,pki->pi", barycentric(points, corner, 0.05), corner) - TOUCHING / 2 * normal
-    depth = shrinking_balls(entry, normal, shape.sample_tree(), FIRST, LARGEST).radius
+    depth = balls.shrinking_balls(entry, normal, shape.sample_tree(), balls.FIRST, balls.LARGEST).radius
     shallower = 0.5 ** np.arange(SHALLOWER)
     choice = entry[:, None] - (depth[:, None] * shallower)[..., None] * normal[:, None]
     room = shape.clearance(choice.reshape(-1, 3)).reshape(len(points), len(shallower))

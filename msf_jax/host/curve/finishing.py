@@ -189,16 +189,7 @@ def _of_waves(laid: course.Course, nodes: np.ndarray, job: Job) -> Finished:
     x, num = laid.vertices, len(laid.vertices)
     none = np.zeros(num, dtype=bool)
     draft = Draft(x, laid.edges, none, np.arange(num), laid.node_of_vertex, x, none)
-    for each in (
-        contained,
-        looped,
-        pruned,
-        unfolded,
-        contained,
-        laid_together,
-        looped,
-        rounded,
-    ):
+    for each in (contained, opened, pruned, unfolded, contained, laid_together, looped, rounded):
         draft = each(draft, job)
     near = np.asarray(spatial.KDTree(draft.vertices).query(nodes)[1])
     taken, first, place = np.unique(near, return_index=True, return_inverse=True)
@@ -232,12 +223,17 @@ def contained(draft: Draft, job: Job) -> Draft:
     return draft
 
 
-def looped(draft: Draft, job: Job) -> Draft:
-    """With a loop around every handle of the solid, and no other."""
-    x, edges = draft.vertices, draft.edges
+def opened(draft: Draft, job: Job) -> Draft:
+    """With no loop but those around handles of the solid, one around each at most."""
     if not job.shape.handles.genus:
         return draft
-    edges = edges[loops.independent(job.shape, x, edges)]
+    return draft._replace(edges=draft.edges[loops.independent(job.shape, draft.vertices, draft.edges)])
+
+
+def looped(draft: Draft, job: Job) -> Draft:
+    """With a loop around every handle of the solid, and no other."""
+    draft = opened(draft, job)
+    x, edges = draft.vertices, draft.edges
     missing = job.shape.handles.genus - branches.cycle_count(len(x), edges)[1]
     if missing:
         x, edges, _ = containment.refine(job.shape, x, edges, SPACING, MOST_NODES)

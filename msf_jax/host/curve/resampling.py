@@ -58,8 +58,14 @@ def resample(
         new_vertices.append(at(vertices[nodes], along, stop[1:-1]))
         new_edges.append(np.stack([chain[:-1], chain[1:]], axis=1))
         count += len(stop) - 2
-        node_of_old[nodes[1:-1]] = chain[np.searchsorted((stop[1:] + stop[:-1]) / 2, along[1:-1])]  # the nearest stop
+        node_of_old[nodes[1:-1]] = chain[nearest_of(stop, along[1:-1])]
     return np.concatenate(new_vertices), np.concatenate(new_edges), node_of_old
+
+
+def nearest_of(stops: np.ndarray, along: np.ndarray) -> np.ndarray:
+    """(P,) which of ``stops`` (S,), at least two in ascending order, is nearest to each of ``along`` (P,)."""
+    after = np.clip(np.searchsorted(stops, along), 1, len(stops) - 1)
+    return np.where(along - stops[after - 1] <= stops[after] - along, after - 1, after)
 
 
 def _stops_inside(points: np.ndarray, along: np.ndarray, num: int, solid: Solid | None) -> np.ndarray:

@@ -18,7 +18,7 @@ from scipy import spatial
 from msf_jax.host.poles.voronoi import Poles
 from msf_jax.host.solid.geometry import unit, vertex_normals
 
-FIRST = 0.01  # extents, the radius to begin with
+FIRST = 0.01  # extents (diagonals, of a solid), the radius to begin with
 LARGEST = 1.0  # extents, that a radius may be
 NOISE = np.cos(np.radians(25))  # of the angle between the two points of touch, below which the other one is noise
 ROUNDS = 60  # of queries

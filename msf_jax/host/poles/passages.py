@@ -16,13 +16,12 @@ import numpy as np
 from scipy import sparse, spatial
 from scipy.sparse import csgraph
 
-from msf_jax.host.poles.balls import shrinking_balls
+from msf_jax.host.poles import balls
 from msf_jax.host.solid.enclosure import Enclosure
 from msf_jax.host.solid.handles import along_forest, down_forest, shortest_forest
 
 TOUCHING = 1e-5  # diagonals: a point with less room than that counts as outside
 MOST_SEEDS = 20_000  # points of the surface, behind which balls are sought
-FIRST = 0.01  # diagonals, radius of the first ball that is tried
 CORRECTIONS = 4  # of a ball's radius, by the triangles between the samples
 NEIGHBOURS = 12  # of a ball, of any size, and
 LARGER = 3  # of each larger size
@@ -272,7 +271,7 @@ def inner_balls(shape: Enclosure) -> tuple[np.ndarray, np.ndarray]:
     """Centres (B, 3) and radii (B,) of balls inside the solid, touching it: one for each place and size."""
     points, normals = shape.surface_points(MOST_SEEDS)
     tree = shape.sample_tree()
-    radius = shrinking_balls(points, normals, tree, FIRST, 1.0).radius
+    radius = balls.shrinking_balls(points, normals, tree, balls.FIRST, balls.LARGEST).radius
     for _ in range(CORRECTIONS):  # between the samples of large triangles
         foot = shape.feet(points - radius[:, None] * normals)
         to_foot = foot - points

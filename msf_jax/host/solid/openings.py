@@ -50,9 +50,10 @@ def opened(solid: Solid, nodes: np.ndarray, edges: np.ndarray, rims: list[np.nda
         tip = free[distance.argmin()]
         inner = edges[(edges == tip).any(axis=1)][0].sum() - tip
         onward = unit(middle - nodes[inner])
+        if distance.min() > FARTHEST * radius or onward @ normal < STEEPEST:
+            continue
         limb = float(Solid(vertices, solid.shape.faces, lid).radii(nodes[[tip]])[0])
-        is_end = distance.min() <= FARTHEST * radius and onward @ normal >= STEEPEST and radius >= NARROWEST * limb
-        if is_end:
+        if radius >= NARROWEST * limb:
             taken.add(int(tip))
             ends.append(len(nodes) + len(new))
             new.append(middle)

@@ -13,8 +13,7 @@ import numpy as np
 from scipy import sparse, spatial
 from scipy.sparse import csgraph
 
-from msf_jax.host.poles import thickness
-from msf_jax.host.poles.balls import shrinking_balls
+from msf_jax.host.poles import balls, thickness
 from msf_jax.host.solid.enclosure import Enclosure
 from msf_jax.host.solid.geometry import repeated, unit, vertex_normals
 from msf_jax.host.thin.levels import Levels, levels
@@ -23,7 +22,6 @@ Test = Callable[[Enclosure, np.ndarray, np.ndarray], np.ndarray]
 
 COARSE = 1.0  # radii: the median edge of a limb of six sides; where it is longer there are fewer
 ROUND = 3.0  # of a circle's perimeter, that the median ring has at most; around a plate it has far more
-FIRST, LARGEST = 0.01, 0.5  # diagonals, radius of the ball at a vertex that is tried first, and last
 CANDIDATES = 100  # for where the solid is thickest: a ball may be too large, between the vertices
 MOST_AROUND = 32  # rings of one piece that are joined as is shortest; of more, all to the first
 OUTSIDE = 3.0  # times as long as it is counts an edge that is not inside
@@ -43,11 +41,11 @@ def course(shape: Enclosure, is_inside: Test) -> Course | None:
     """The curve of a connected solid of diagonal 1; None where it is not thin, not coarse, or no limb but a plate."""
     x, faces = shape.vertices, shape.faces
     normals = unit(vertex_normals(x, faces))
-    balls = x, normals, spatial.KDTree(x), FIRST
+    asked = x, normals, spatial.KDTree(x), balls.FIRST
     # Small balls decide, and are found fast.
-    if np.median(shrinking_balls(*balls, 2 * thickness.THIN, np.arange(len(x))).radius) >= thickness.THIN:
+    if np.median(balls.shrinking_balls(*asked, 2 * thickness.THIN, np.arange(len(x))).radius) >= thickness.THIN:
         return None
-    radius = shrinking_balls(*balls, LARGEST, np.arange(len(x))).radius
+    radius = balls.shrinking_balls(*asked, balls.LARGEST, np.arange(len(x))).radius
     step = float(np.median(radius))
     tail, head = faces.ravel(), np.roll(faces, -1, axis=1).ravel()
     length = np.linalg.norm(x[tail] - x[head], axis=1)
