@@ -11,7 +11,7 @@ import trimesh
 from conftest import blob, torus
 
 import msf_jax
-from msf_jax import Config, FlowError, Weights, shapes
+from msf_jax import Config, ConfigError, FlowError, Weights, shapes
 from msf_jax.flow import loop, programs
 from msf_jax.flow.state import Stopwatch
 from msf_jax.host.mesh import checking
@@ -408,3 +408,18 @@ def test_a_process_that_was_forked_after_a_run_does_not_hang(monkeypatch):
             assert ours.poll(60) and 'get_context("spawn")' in ours.recv()
     finally:
         child.kill()
+
+
+def test_spread_says_how_far_jittered_runs_are():
+    mesh = trimesh.creation.capsule(height=2.0, radius=0.4)
+    plain, found = msf_jax.skeletonize(mesh), msf_jax.skeletonize(mesh, spread=2)
+    np.testing.assert_array_equal(found.vertices, plain.vertices)
+    assert 0 < found.report.figures["spread"] < 0.05 and found.report.figures["spread_leaves"] == 0
+    assert "spread" in str(found.report) and not plain.report.figures
+    for options, message in (
+        ({"spread": -1}, "spread is -1"),
+        ({"spread": 1, "pins": [0]}, "expected neither"),
+        ({"spread": 1, "weights": Weights(w_L=np.ones(len(mesh.vertices)))}, "expected neither"),
+    ):
+        with pytest.raises(ConfigError, match=message):
+            msf_jax.skeletonize(mesh, **options)

@@ -1,6 +1,7 @@
 """Following: the recorded curve at the recorded mesh, affine maps carried along, closed forms, slopes, bad input."""
 
 import functools
+import importlib
 
 import jax
 import numpy as np
@@ -11,6 +12,7 @@ from scipy.spatial.transform import Rotation
 
 import msf_jax
 from msf_jax import ConfigError, MeshError, ground_truth
+from msf_jax.base import binding as bindings
 from msf_jax.host.solid.solid import Solid
 
 MAKERS = {
@@ -328,3 +330,18 @@ def test_a_curve_without_its_mesh_is_refused(limbs, tmp_path):
 def test_noise_that_is_none_is_refused(limbs, sigma, says):
     with pytest.raises(ConfigError, match=says):
         limbs[2].covariance(sigma)
+
+
+def test_programs_that_are_kept_have_a_bound(limbs, monkeypatch):
+    """One for each capacity; beyond the bound they are made again, and say the same."""
+    module = importlib.import_module("msf_jax.gradients.follow")
+    monkeypatch.setattr(module, "MOST_PROGRAMS", 2)
+    module._follow.clear_cache()
+    module._kept.clear()
+    vertices, _, skeleton = limbs
+    binding, room = bindings.unpadded(skeleton.binding), skeleton.binding.capacity
+    sizes = [room._replace(nodes=room.nodes + 64 * more) for more in range(3)]
+    for capacity in (*sizes, sizes[0]):
+        nodes = np.asarray(msf_jax.follow(bindings.padded(binding, capacity), vertices).nodes)
+        np.testing.assert_allclose(nodes[: len(skeleton.vertices)], skeleton.vertices, atol=1e-5)
+        assert module._follow._cache_size() <= 2

@@ -17,6 +17,8 @@ from msf_jax.device import following
 from msf_jax.device.buffers import real_dtype
 from msf_jax.skeleton.skeleton import Skeleton
 
+MOST_PROGRAMS = 16  # that are kept, some 8 MB each: one for each capacity and floating-point type
+
 
 class Followed(NamedTuple):
     """nodes: (N, 3), in the mesh's units. radii: (N,) signed distance to the surface, negative for a node outside."""
@@ -70,6 +72,7 @@ def follow(skeleton: Skeleton | Binding, vertices: Any) -> Followed:
         found = Followed(*_follow(binding, jnp.pad(array, ((0, room - num), (0, 0)))))
         return found if isinstance(skeleton, Binding) else Followed(*(part[: len(skeleton.vertices)] for part in found))
     forking.check()
+    _in_room(binding, array.dtype)
     # Padded and cut by NumPy: JAX would compile that for every size.
     found = _follow(_in_dtype(binding, array.dtype), np.pad(np.asarray(array), ((0, room - num), (0, 0))))
     nodes, radii = (np.asarray(part) for part in found)
@@ -86,6 +89,16 @@ def follow(skeleton: Skeleton | Binding, vertices: Any) -> Followed:
 
 
 _follow = jax.jit(following.follow)
+_kept: set[tuple[Any, ...]] = set()  # capacities and types, whose programs are
+
+
+def _in_room(binding: Binding, dtype: Any) -> None:
+    """Forget all programs where there would be more than ``MOST_PROGRAMS``."""
+    key = *binding.capacity, np.shape(binding.diagonal), str(dtype)
+    if key not in _kept and len(_kept) >= MOST_PROGRAMS:
+        _follow.clear_cache()  # pyright: ignore[reportAttributeAccessIssue]
+        _kept.clear()
+    _kept.add(key)
 
 
 def binding_of(skeleton: Any) -> Binding:

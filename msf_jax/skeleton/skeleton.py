@@ -110,10 +110,12 @@ class Skeleton:
         rank = np.cumsum(stays) - 1
         edges = rank[self.edges[stays[self.edges].all(axis=1)]]
         found = self.changed(self.vertices[stays], edges, rank[target])
-        gone = self._num_leaves() - found._num_leaves()
+        gone = self.num_leaves - found.num_leaves
         return replace(found, report=replace(found.report, pruned=self.report.pruned + gone))
 
-    def _num_leaves(self) -> int:
+    @property
+    def num_leaves(self) -> int:
+        """How many nodes have one edge."""
         return int((np.bincount(self.edges.ravel()) == 1).sum())
 
     def resample(self, spacing: float) -> "Skeleton":

@@ -98,6 +98,8 @@ def _changed(array: np.ndarray, random: np.random.Generator) -> Any:
     match int(random.integers(8)):
         case 0:
             return None
+        case _ if array.dtype.kind not in "biuf":  # text is turned into no other numbers
+            return np.array(1j)
         case 1:
             return array[: len(array) // 2] if array.ndim else array.astype(complex)
         case 2:
