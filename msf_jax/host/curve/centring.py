@@ -60,7 +60,7 @@ CLOSE = 0.005  # diagonals, to the surface, where it is measured exactly; elsewh
 SURE = 0.5  # that part is
 NEARBY, DETOUR = 0.5, 1.5  # balls, between a junction and the place where the solid is roomiest; times that, under way
 CLIMBS, FINEST = 30, 0.004  # steps on the way there, and balls, the last of them
-DIRECTIONS = unit(np.array([way for way in itertools.product((-1.0, 0.0, 1.0), repeat=3) if any(way)]))
+DIRECTIONS = unit(np.array([each for each in itertools.product((-1.0, 0.0, 1.0), repeat=3) if any(each)]))
 SETTLING = 4  # rounds, after which a node that goes over a brink counts less,
 BRINK, FADE = 1.25, 0.5  # where its weight over its width changes by that factor, by this one
 
