@@ -59,7 +59,7 @@ def evaluate(mesh: Any, skeleton: Any, truth: Any = None) -> dict[str, float]:
           the curve to the truth and back, by length.
 
     Raises:
-        MeshError: the mesh is refused at the front door, or the curve is not one.
+        MeshError: the mesh is refused at validation, or the curve is not one.
     """
     checked = checking.prepare(mesh)
     solid = Solid(checked.vertices, checked.faces)
@@ -102,7 +102,7 @@ def compare(mesh: Any, skeleton: Any, other: Any) -> dict[str, float]:
         Where nothing is common, or nothing of it can be measured, figures are NaN.
 
     Raises:
-        MeshError: the mesh is refused at the front door, or one of the curves is not one.
+        MeshError: the mesh is refused at validation, or one of the curves is not one.
     """
     checked = checking.prepare(mesh)
     solid = Solid(checked.vertices, checked.faces)
@@ -136,7 +136,7 @@ def figures_of(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray) -> dic
     radii = np.where(is_inside, shape.distances(vertices), 0.0)
     components, cycles = branches.cycle_count(len(vertices), edges)
     missed, _, area = _missed(shape, vertices, radii)
-    ways = branches.trace(len(vertices), edges)
+    paths = branches.trace(len(vertices), edges)
     length = np.linalg.norm(vertices[edges[:, 0]] - vertices[edges[:, 1]], axis=1)
     return {
         "components": components,
@@ -148,8 +148,8 @@ def figures_of(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray) -> dic
         "off_centre": _off_centre(shape, *_middles(vertices, edges)),
         "missed_95": _percentile(missed, area),
         "missed_max": float(missed.max()),
-        "smoothness": _smoothness(vertices, ways),
-        "tip_gap": _tip_gap(shape, vertices, edges, ways),
+        "smoothness": _smoothness(vertices, paths),
+        "tip_gap": _tip_gap(shape, vertices, edges, paths),
         "length": float(length.sum()),
     }
 
@@ -222,8 +222,8 @@ def _runs_along(
     """(P,) which points of a curve run along the other one."""
     foot = _feet(points, *other)
     away = np.linalg.norm(points - foot, axis=1)
-    room = np.maximum(*(np.where(shape.contains(place), shape.distances(place), 0.0) for place in (points, foot)))
-    return (away <= room + SAME) & (curve_distance(foot, *own) >= ALONG * away - SAME)
+    clearance = np.maximum(*(np.where(shape.contains(place), shape.distances(place), 0.0) for place in (points, foot)))
+    return (away <= clearance + SAME) & (curve_distance(foot, *own) >= ALONG * away - SAME)
 
 
 def _curve_of(skeleton: Any) -> tuple[np.ndarray, np.ndarray]:
@@ -290,22 +290,22 @@ def _missed(shape: Enclosure, vertices: np.ndarray, radii: np.ndarray) -> tuple[
     return missed, node, area[face] / count[face]
 
 
-def _smoothness(vertices: np.ndarray, ways: list[list[int]]) -> float:
+def _smoothness(vertices: np.ndarray, paths: list[list[int]]) -> float:
     cosines = []
-    for way in ways:
-        along = arc_length(vertices[way])
-        points = at(vertices[way], along, np.linspace(0, along[-1], max(2, round(along[-1] / STRIDE) + 1)))
+    for path in paths:
+        along = arc_length(vertices[path])
+        points = at(vertices[path], along, np.linspace(0, along[-1], max(2, round(along[-1] / STRIDE) + 1)))
         steps = unit(np.diff(points, axis=0))
         cosines.append(np.einsum("ij,ij->i", steps[1:], steps[:-1]))
     turns = np.concatenate(cosines)
     return float(turns.mean()) if len(turns) else 1.0
 
 
-def _tip_gap(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray, ways: list[list[int]]) -> float:
+def _tip_gap(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray, paths: list[list[int]]) -> float:
     degree = np.bincount(edges.ravel(), minlength=len(vertices))
     tips, backs, limbs = [], [], []
-    for way in ways:
-        for nodes in (way, way[::-1]):
+    for path in paths:
+        for nodes in (path, path[::-1]):
             if degree[nodes[0]] == 1:
                 points = vertices[nodes]
                 along = arc_length(points)

@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from msf_jax.host.curve.branches import cycle_count, lay_together, merge_junctions, trace
+from msf_jax.host.curve.branches import cycle_count, merge_coincident, merge_junctions, trace
 from msf_jax.host.solid.handles import Handles
 
 NONE = np.empty((0, 2), dtype=np.int64)
@@ -155,15 +155,15 @@ def test_a_loop_that_is_folded_flat_is_no_loop():
     edges = np.array([[0, 1], [1, 2], [2, 3], [1, 4], [2, 4], [3, 6], [2, 5], [5, 6], [0, 7], [1, 7]])
     assert cycle_count(8, edges)[1] == 3
     is_pin = np.arange(8) == 6
-    stays, target, left = lay_together(x, edges, is_pin)
+    stays, target, left = merge_coincident(x, edges, is_pin)
     assert np.flatnonzero(~stays).tolist() == [3] and target[3] == 6
     assert left.tolist() == [[0, 1], [0, 7], [1, 4], [1, 7], [2, 4], [2, 5], [5, 6]]
     once = np.array([0, 1, 2, 4, 5, 6, 7])
-    apart = lay_together(x[once], np.searchsorted(once, left), is_pin[once])
+    apart = merge_coincident(x[once], np.searchsorted(once, left), is_pin[once])
     assert apart[0].all() and np.array_equal(apart[2], np.searchsorted(once, left))
     crossing = np.array([[-1, 0, 0], [0, 0, 0], [1, 0, 0], [0, -1, 0], [0, 1, 0], [0, 0, 1.0]])  # they touch, no more
     ways = np.array([[0, 1], [1, 2], [3, 4], [0, 5], [3, 5]])
-    touching = lay_together(crossing, ways, np.zeros(6, dtype=bool))
+    touching = merge_coincident(crossing, ways, np.zeros(6, dtype=bool))
     assert touching[0].all() and np.array_equal(touching[2], np.unique(ways, axis=0))
-    nothing = lay_together(x[:1], np.empty((0, 2), dtype=int), is_pin[:1])
+    nothing = merge_coincident(x[:1], np.empty((0, 2), dtype=int), is_pin[:1])
     assert nothing[0].all() and nothing[2].shape == (0, 2)

@@ -9,9 +9,9 @@ from scipy import spatial
 
 import msf_jax
 from msf_jax import Config, ground_truth, metrics
-from msf_jax.host.curve import centring, containment, finishing, loops, resampling, tips, ways
+from msf_jax.host.curve import branch_paths, centring, containment, finishing, leaf_extension, loops, resampling
 from msf_jax.host.curve.branches import cycle_count
-from msf_jax.host.poles.passages import Passages
+from msf_jax.host.poles.roadmap import Roadmap
 from msf_jax.host.solid.enclosure import Enclosure
 
 
@@ -114,16 +114,16 @@ def test_a_loop_around_a_hole_is_not_folded_flat():
     x = 1.2 * scale * np.stack([np.cos(angle), np.sin(angle), 0 * angle], axis=1)
     edges = np.array([[0, 1], [1, 2], [0, 2]])
     assert is_inside(shape, x, edges)
-    np.testing.assert_array_equal(containment.unfold(shape, x, edges, none_held(x)), x)
+    np.testing.assert_array_equal(containment.straighten(shape, x, edges, none_held(x)), x)
     spike = np.concatenate([x, [x[0] * 1.2]])  # there and back, beside the way from 0 to 1
     chain = np.array([[0, 3], [1, 3], [1, 2], [0, 2]])
-    straight = containment.unfold(shape, spike, chain, np.arange(4) < 3)
+    straight = containment.straighten(shape, spike, chain, np.arange(4) < 3)
     np.testing.assert_allclose(straight[3], (x[0] + x[1]) / 2, atol=1e-12)
 
 
 def job_of(shape):
     """What a pass may ask of the solid ``shape``."""
-    return finishing.Job(shape, shape, 1.5, False, Passages(shape, containment.is_inside), centring.Budget())
+    return finishing.Job(shape, shape, 1.5, False, Roadmap(shape, containment.is_inside), centring.Budget())
 
 
 def draft_of(x, edges):
@@ -134,7 +134,7 @@ def draft_of(x, edges):
 
 def loops_and_rank(shape, draft, job):
     """How many cycles there are in space, and how many handles they go around."""
-    done = finishing.laid_together(draft, job)
+    done = finishing.coincident_merged(draft, job)
     return cycle_count(len(done.vertices), done.edges)[1], loops.proof(shape, done.vertices, done.edges).rank
 
 
@@ -145,7 +145,7 @@ def bored(solid, at, radius):
     return trimesh.Trimesh(found.vert_properties[:, :3].astype(float), found.tri_verts)
 
 
-@pytest.mark.parametrize("step", [finishing.unfolded, finishing.centred])
+@pytest.mark.parametrize("step", [finishing.straightened, finishing.centred])
 @pytest.mark.parametrize("genus", [1, 0])
 def test_no_pass_folds_a_loop_flat(step, genus):
     """One that is nearly inside a single ball, too, around a bore that is far finer than the limb; what goes around
@@ -213,7 +213,7 @@ def test_where_the_corner_cannot_be_cut_a_half_of_it_is():
     shape, scale = unit_shape(tube(bow(0.6)))
     x, edges = path(scale * np.array([1, 1.1, 1])[:, None] * bow(0.6)[[2, 14, 26]])
     assert is_inside(shape, x, edges) and not is_inside(shape, x[[0, 2]], np.array([[0, 1]]))
-    found = containment.unfold(shape, x, edges, np.arange(3) != 1, most=40.0)
+    found = containment.straighten(shape, x, edges, np.arange(3) != 1, most=40.0)
     assert is_inside(shape, found, edges) and 0 < turns_of(found, edges)[0] < turns_of(x, edges)[0] - 5
 
 
@@ -256,7 +256,7 @@ def test_centring_comes_to_an_end():
     curve, edges = path(scale * (bow(0.3)[4:-4] + 0.05 * np.cos(9 * bow(0.3)[4:-4, 1:2])))
     held = np.isin(np.arange(len(curve)), [0, len(curve) - 1])
     x = centring.centre(shape, curve, edges, held)
-    again = centring.centre(shape, x, edges, held, rounds=1, places=curve, is_rough=False)
+    again = centring.centre(shape, x, edges, held, rounds=1, places=curve, is_far=False)
     assert np.linalg.norm(again - x, axis=1).max() < 1e-3 * 0.15 * scale
     assert np.linalg.norm(x - curve, axis=1).max() > 0.1 * 0.15 * scale
     share = [np.cumsum(np.linalg.norm(np.diff(y, axis=0), axis=1)) for y in (curve, x)]
@@ -269,9 +269,9 @@ def test_centring_turns_with_the_solid():
     turn = trimesh.transformations.random_rotation_matrix(np.array([0.1, 0.7, 0.4]))[:3, :3]
     shape, scale = unit_shape(mesh)
     turned = Enclosure(shape.vertices @ turn.T, shape.faces)
-    rough = scale * (line[5:-5] + 0.05 * np.sin(9 * line[5:-5, :1]))
-    x = centring.centre(shape, *path(rough), none_held(rough))
-    y = centring.centre(turned, *path(rough @ turn.T), none_held(rough))
+    wavy = scale * (line[5:-5] + 0.05 * np.sin(9 * line[5:-5, :1]))
+    x = centring.centre(shape, *path(wavy), none_held(wavy))
+    y = centring.centre(turned, *path(wavy @ turn.T), none_held(wavy))
     assert np.abs(y - x @ turn.T).max() < 1e-7
 
 
@@ -283,21 +283,21 @@ def test_junctions_go_to_the_middle_of_a_blob_but_not_along_a_trunk():
     found = ball.to_mesh()
     shape, scale = unit_shape(trimesh.Trimesh(found.vert_properties[:, :3].astype(float), found.tri_verts))
     places = scale * np.array([[0.2, -0.1, 0.1], [-0.15, 0.2, 0.05], [0.1, 0.1, -0.2]])
-    middle = centring.roomiest(shape, places)
+    middle = centring.deepest_points(shape, places)
     assert np.linalg.norm(middle, axis=1).max() < 0.05 * scale
     x = np.concatenate([places, 1.2 * scale * np.eye(3)])
     edges = np.array([[0, 3], [0, 4], [0, 5]])
     job = job_of(shape)
     for is_held in (none_held(x), np.arange(6) == 0):
         draft = finishing.Draft(x, edges, is_held, np.arange(6), np.arange(6), x, none_held(x))
-        place, is_hub = finishing.placed(draft, job)[5:7]
-        assert is_hub.tolist() == [not is_held[0]] + 5 * [False]
+        place, is_former_junction = finishing.placed(draft, job)[5:7]
+        assert is_former_junction.tolist() == [not is_held[0]] + 5 * [False]
         np.testing.assert_array_equal(place[1:], x[1:])
         assert (place[0] == x[0]).all() == is_held[0]
     cone = ground_truth.swept_tube(np.linspace([0, 0, 0], [8, 0, 0], 80), np.linspace(0.3, 0.6, 80), 24)
     shape, scale = unit_shape(cone)
     trunk = scale * np.array([[3.0, 0.05, 0]])
-    np.testing.assert_array_equal(centring.roomiest(shape, trunk), trunk)
+    np.testing.assert_array_equal(centring.deepest_points(shape, trunk), trunk)
 
 
 def test_a_curve_goes_to_the_middle_of_a_blob_that_it_had_a_junction_in():
@@ -313,10 +313,11 @@ def test_a_curve_goes_to_the_middle_of_a_blob_that_it_had_a_junction_in():
     x = scale * np.concatenate([legs[0], into[0], np.zeros((1, 3)), into[1][::-1], legs[1][::-1]])
     curve, edges = path(x)
     middle = len(legs[0]) + len(into[0])
-    held, hubs = np.isin(np.arange(len(x)), [0, len(x) - 1]), np.arange(len(x)) == middle
+    held, former_junctions = np.isin(np.arange(len(x)), [0, len(x) - 1]), np.arange(len(x)) == middle
     away = [
-        np.linalg.norm(centring.centre(shape, curve, edges, held, hubs=each, is_rough=False), axis=1).min() / scale
-        for each in (none_held(x), hubs)
+        np.linalg.norm(centring.centre(shape, curve, edges, held, former_junctions=each, is_far=False), axis=1).min()
+        / scale
+        for each in (none_held(x), former_junctions)
     ]
     assert away[1] < 0.3 < 0.45 < away[0]
 
@@ -325,9 +326,9 @@ def test_a_budget_that_is_spent_leaves_one_round():
     budget = centring.Budget()
     budget.left = 0
     shape, scale = unit_shape(tube(bow(0.3)))
-    rough = scale * (bow(0.3)[5:-5] + 0.05 * np.sin(9 * bow(0.3)[5:-5, :1]))
-    x = centring.centre(shape, *path(rough), none_held(rough), budget=budget)
-    np.testing.assert_array_equal(x, centring.centre(shape, *path(rough), none_held(rough), rounds=1))
+    wavy = scale * (bow(0.3)[5:-5] + 0.05 * np.sin(9 * bow(0.3)[5:-5, :1]))
+    x = centring.centre(shape, *path(wavy), none_held(wavy), budget=budget)
+    np.testing.assert_array_equal(x, centring.centre(shape, *path(wavy), none_held(wavy), rounds=1))
     assert budget.was_hit
 
 
@@ -342,7 +343,7 @@ def test_how_large_a_limb_is_near_by_is_a_mean_over_the_branch():
     usual = np.average(size, weights=weight)
     bell = (np.exp(-0.5 * ((along[:, None] - along) / usual) ** 2) + 1e-9) * weight
     expected = bell @ size / bell.sum(axis=1)
-    found = ways.sizes(curve, ways.ways_of(curve, edges, none_held(curve)), size, weight, room)
+    found = branch_paths.sizes(curve, branch_paths.paths_of(curve, edges, none_held(curve)), size, weight, room)
     np.testing.assert_allclose(found, expected, rtol=1e-5)
 
 
@@ -363,7 +364,7 @@ def test_a_long_curve_has_no_more_nodes_than_it_may(monkeypatch):
 def test_a_short_curve_is_carried_to_both_ends(turn):
     line = bow(turn) * (5 if turn < 0.1 else 1)
     shape, scale = unit_shape(tube(line))
-    x, edges = tips.extend(shape, *path(scale * line[20:-20]), none_held(line[20:-20]))
+    x, edges = leaf_extension.extend(shape, *path(scale * line[20:-20]), none_held(line[20:-20]))
     leaves = x[np.bincount(edges.ravel()) == 1]
     gap = spatial.KDTree(leaves).query(scale * line[[0, -1]])[0] / (0.15 * scale)
     assert (gap < 0.5).all()
@@ -376,7 +377,7 @@ def test_a_held_leaf_is_not_carried_on():
     line = bow(0.3)
     shape, scale = unit_shape(tube(line))
     short = scale * line[20:-20]
-    x, edges = tips.extend(shape, *path(short), np.arange(len(short)) == 0)
+    x, edges = leaf_extension.extend(shape, *path(short), np.arange(len(short)) == 0)
     leaves = np.flatnonzero(np.bincount(edges.ravel()) == 1)
     assert 0 in leaves
     np.testing.assert_array_equal(x[0], short[0])
@@ -520,7 +521,7 @@ def test_both_ends_of_a_short_branch_are_carried_on():
     shape, scale = unit_shape(tube(np.stack([np.linspace(-1, 1, 40), np.zeros(40), np.zeros(40)], axis=1), 0.3))
     for num in (2, 3, 4):
         line = np.stack([np.linspace(-0.1, 0.1, num), np.zeros(num), np.zeros(num)], axis=1) * scale
-        x, edges = tips.extend(shape, *path(line), none_held(line))
+        x, edges = leaf_extension.extend(shape, *path(line), none_held(line))
         leaves = x[np.bincount(edges.ravel()) == 1]
         assert len(leaves) == 2
         assert np.abs(np.sort(leaves[:, 0] / scale) - [-0.9, 0.9]).max() < 0.05
@@ -543,8 +544,8 @@ def test_an_end_in_a_bubble_goes_and_one_in_another_piece_stays():
 
 
 def test_the_curve_of_a_rough_surface_that_crosses_itself_is_inside():
-    rough = ground_truth.noisy(ground_truth.make("y"), 0.005, 1)
-    report = msf_jax.skeletonize(rough.mesh).report
+    wavy = ground_truth.noisy(ground_truth.make("y"), 0.005, 1)
+    report = msf_jax.skeletonize(wavy.mesh).report
     assert report.inside == 1 and not report.notes and report.is_sound
 
 
@@ -553,12 +554,12 @@ def test_a_march_goes_on_as_long_as_there_is_a_limb(monkeypatch):
     along = np.stack([np.linspace(-1, 1, 40), np.zeros(40), np.zeros(40)], axis=1)
     shape, scale = unit_shape(tube(along, 0.01))
     line = along[15:25] * scale
-    x, edges = tips.extend(shape, *path(line), none_held(line))
+    x, edges = leaf_extension.extend(shape, *path(line), none_held(line))
     assert np.abs(x[np.bincount(edges.ravel()) == 1][:, 0] / scale).min() > 0.98
-    monkeypatch.setattr(tips, "MOST_STEPS_IN_A_LIMB", tips.MOST_STEPS)
-    x, edges = tips.extend(shape, *path(line), none_held(line))
+    monkeypatch.setattr(leaf_extension, "MOST_STEPS_IN_A_LIMB", leaf_extension.MOST_STEPS)
+    x, edges = leaf_extension.extend(shape, *path(line), none_held(line))
     reach = np.abs(x[np.bincount(edges.ravel()) == 1][:, 0] / scale).max()
-    assert 0.23 < reach < np.abs(line[:, 0]).max() / scale + tips.MOST_STEPS * tips.STEP * 0.0101
+    assert 0.23 < reach < np.abs(line[:, 0]).max() / scale + leaf_extension.MOST_STEPS * leaf_extension.STEP * 0.0101
 
 
 def test_a_long_march_ends_where_there_is_a_curve():
@@ -566,21 +567,21 @@ def test_a_long_march_ends_where_there_is_a_curve():
     num = 240
     shape, scale = unit_shape(torus(1, 0.1, num, 12))
     x, edges = path(scale * bow(1.0, num + 1)[5:-5])
-    x, edges = tips.extend(shape, x, edges, none_held(x))
-    assert length_of(x, edges) < scale * (2 * np.pi + 2 * tips.MOST_STEPS * tips.STEP * 0.1)
+    x, edges = leaf_extension.extend(shape, x, edges, none_held(x))
+    assert length_of(x, edges) < scale * (2 * np.pi + 2 * leaf_extension.MOST_STEPS * leaf_extension.STEP * 0.1)
     line = np.stack([np.linspace(-1, 1, 120), np.zeros(120), np.zeros(120)], axis=1)
     shape, scale = unit_shape(tube(line, 0.01))
     x, edges = path(np.concatenate([line[2:-2], [[-0.45, 0.003, 0], [-0.44, 0.004, 0]]]) * scale)
     edges[len(edges) - 2, 0] = 31
-    x, edges = tips.extend(shape, x, edges, none_held(x))
-    assert 2.0 < length_of(x, edges) / scale < 2.0 + 1.2 * tips.MOST_STEPS * tips.STEP * 0.01
+    x, edges = leaf_extension.extend(shape, x, edges, none_held(x))
+    assert 2.0 < length_of(x, edges) / scale < 2.0 + 1.2 * leaf_extension.MOST_STEPS * leaf_extension.STEP * 0.01
 
 
 def test_a_held_node_behind_a_leaf_is_not_moved():
     line = bow(0.3)[20:-20]
     shape, scale = unit_shape(tube(bow(0.3)))
     held = np.arange(len(line)) == 1
-    x, _ = tips.extend(shape, *path(scale * line), held)
+    x, _ = leaf_extension.extend(shape, *path(scale * line), held)
     np.testing.assert_array_equal(x[1], scale * line[1])
 
 
@@ -607,14 +608,14 @@ def test_a_corner_that_cannot_be_cut_is_rounded_in_its_ball():
     found = angle.to_mesh()
     shape, scale = unit_shape(trimesh.Trimesh(found.vert_properties[:, :3].astype(float), found.tri_verts))
     x, edges = path(scale * np.array([[1.5, 0.06, 0.05], [0.8, 0.06, 0.05], [0.09, 0.09, 0.05], [0.06, 1.5, 0.05]]))
-    np.testing.assert_array_equal(containment.unfold(shape, x, edges, none_held(x), 40.0), x)
-    y, led = resampling.rounded(shape, x, edges, none_held(x), 40.0)
+    np.testing.assert_array_equal(containment.straighten(shape, x, edges, none_held(x), 40.0), x)
+    y, led = resampling.round_corners(shape, x, edges, none_held(x), 40.0)
     assert is_inside(shape, y, led) and cycle_count(len(y), led) == (1, 0)
     assert resampling.turns(x, edges).max() > 80 and resampling.turns(y, led).max() < 40
     np.testing.assert_array_equal(y[[0, 1, 3]], x[[0, 1, 3]])
     assert np.linalg.norm(y[2] - x[2]) < shape.clearance(x[[2]])[0]
     held = np.arange(4) == 2
-    np.testing.assert_array_equal(resampling.rounded(shape, x, edges, held, 40.0)[0], x)
+    np.testing.assert_array_equal(resampling.round_corners(shape, x, edges, held, 40.0)[0], x)
 
 
 @pytest.mark.parametrize("num_cycles", [0, 1])
@@ -626,7 +627,7 @@ def test_corners_side_by_side_are_rounded(num_cycles):
         edges = np.concatenate([edges, [[0, 3]]])
     else:
         x, edges = path(0.02 * np.array([[k, k % 2, 0] for k in range(-5, 6)]))
-    y, led = resampling.rounded(shape, x, edges, none_held(x), 40.0)
+    y, led = resampling.round_corners(shape, x, edges, none_held(x), 40.0)
     assert np.count_nonzero(resampling.turns(x, edges) > 80) == (4 if num_cycles else 9)
     assert resampling.turns(y, led).max() < 40
     assert cycle_count(len(y), led) == (1, num_cycles)
@@ -636,11 +637,11 @@ def test_corners_are_rounded_whatever_is_beside_them():
     """A sharper one that is outside, and a held node that another is in one place with."""
     shape, _ = unit_shape(trimesh.creation.icosphere(3))
     x, edges = path(0.2 * np.array([[-1, 5, 0], [0, 5, 0], [-3, 0, 0], [-1, 0, 0], [0, 0, 0], [0, 1, 0], [0, 1.5, 0]]))
-    y, led = resampling.rounded(shape, x, edges, np.arange(7) == 2, 40.0)
+    y, led = resampling.round_corners(shape, x, edges, np.arange(7) == 2, 40.0)
     turn = resampling.turns(y, led)
     assert turn[1] > 120 and np.delete(turn, [1, 2]).max() < 40
     x, edges = path(0.2 * np.array([[-1, 0, 0], [-0.2, 0, 0], [-0.2, 0, 0], [0, 0, 0], [0, 1, 0]]))
-    y, led = resampling.rounded(shape, x, edges, np.arange(5) == 2, 40.0)
+    y, led = resampling.round_corners(shape, x, edges, np.arange(5) == 2, 40.0)
     np.testing.assert_array_equal(y[2], x[2])
     assert resampling.turns(y, led)[3:].max() < 40
 
@@ -672,8 +673,8 @@ def test_a_junction_goes_to_the_node_whose_ball_holds_its_own():
     legs = [[0.9, 0, -2.5], [-0.9, 0, -2.5]]
     x = scale * np.array([[0, 0, -0.75], [0, 0, -0.3], [0, 0, 0.05], [0, 0, 1.6], [0, 0.3, 1.6], [0, 0, 2.5], *legs])
     edges = np.array([[0, 1], [1, 2], [2, 3], [3, 4], [3, 5], [0, 6], [0, 7]])
-    passages = Passages(shape, containment.is_inside)
-    job = finishing.Job(shape, shape, 0.75, False, passages, centring.Budget())
+    roadmap = Roadmap(shape, containment.is_inside)
+    job = finishing.Job(shape, shape, 0.75, False, roadmap, centring.Budget())
     every = np.arange(len(x))
     draft = finishing.Draft(x, edges, none_held(x), every, every, x, none_held(x))
     place = finishing.placed(draft, job).place / scale

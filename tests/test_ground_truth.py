@@ -156,12 +156,12 @@ def test_a_shape_is_the_same_each_time(name):
 
 def test_noise_has_the_size_it_is_asked_for():
     shape = ground_truth.make("straight")
-    rough = ground_truth.noisy(shape, 0.004, 7)
-    shift = rough.mesh.vertices - shape.mesh.vertices
+    noisy_shape = ground_truth.noisy(shape, 0.004, 7)
+    shift = noisy_shape.mesh.vertices - shape.mesh.vertices
     along = (shift * shape.mesh.vertex_normals).sum(axis=1)
     np.testing.assert_allclose(np.abs(along), np.linalg.norm(shift, axis=1), atol=1e-12)
     assert along.std() == pytest.approx(0.004 * np.linalg.norm(shape.mesh.extents), rel=0.05)
-    assert rough.is_noisy and not shape.is_noisy and rough.points is shape.points
+    assert noisy_shape.is_noisy and not shape.is_noisy and noisy_shape.points is shape.points
 
 
 @pytest.mark.parametrize("sides", [3, 6, 11])

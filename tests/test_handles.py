@@ -16,7 +16,7 @@ from msf_jax.host.curve import loops
 from msf_jax.host.curve.branches import cycle_count
 from msf_jax.host.curve.containment import is_inside
 from msf_jax.host.meso import homology
-from msf_jax.host.poles.passages import Passages
+from msf_jax.host.poles.roadmap import Roadmap
 from msf_jax.host.solid import handles as handles_module
 from msf_jax.host.solid.enclosure import Enclosure
 from msf_jax.host.solid.handles import Handles, along_forest, shortest_forest, surface_loops
@@ -357,11 +357,11 @@ def test_a_loop_that_is_missing_is_laid_around_the_hole():
     half = circle(1 / 3)[:60]
     edges = cycle(60)[:-1]
     for nodes, links in ((half, edges), (half[:1], NO_EDGES)):
-        x, e = loops.completed(Passages(shape, is_inside), nodes, links, 1)
+        x, e = loops.completed(Roadmap(shape, is_inside), nodes, links, 1)
         assert cycle_count(len(x), e) == (1, 1) and counts(loops.proof(shape, x, e)) == (1, 0, 0, 0, 0)
         np.testing.assert_array_equal(x[: len(nodes)], nodes)
     apart = np.concatenate([half[5:25], half[35:55]])
-    x, e = loops.completed(Passages(shape, is_inside), apart, np.concatenate([edges[:19], edges[:19] + 20]), 1)
+    x, e = loops.completed(Roadmap(shape, is_inside), apart, np.concatenate([edges[:19], edges[:19] + 20]), 1)
     assert (len(x), len(e)) == (40, 38)
 
 
@@ -369,10 +369,10 @@ def test_a_loop_that_is_missing_is_laid_around_the_hole():
 def test_no_loop_is_laid_where_there_is_none_or_no_node_to_begin_at(is_complete):
     shape = Enclosure(RING.vertices / 3, RING.faces)
     whole, edges = circle(1 / 3), cycle(120)
-    x, e = loops.completed(Passages(shape, is_inside), whole, edges, 1)
+    x, e = loops.completed(Roadmap(shape, is_inside), whole, edges, 1)
     assert len(x) == 120 and len(e) == 120
     outside = circle(0.6)[:50]
-    assert list(Passages(shape, is_inside).loops_from(outside, edges[:49], is_complete)) == []
+    assert list(Roadmap(shape, is_inside).loops_from(outside, edges[:49], is_complete)) == []
 
 
 def test_false_cycles_are_cut_at_their_longest_edge_and_true_ones_stay():

@@ -24,12 +24,12 @@ def solid(found: manifold3d.Manifold, edge: float = 0.25) -> Enclosure:
     return Enclosure(np.array(mesh.vert_properties[:, :3], dtype=float), np.array(mesh.tri_verts, dtype=np.int64))
 
 
-def legs(*courses: list, step: float = 0.05) -> Curve:
+def legs(*polylines: list, step: float = 0.05) -> Curve:
     """Branches out of one node, where all courses begin, each a polyline with a node every ``step``, the leaf last."""
-    vertices, pairs = [np.array(courses[0][0], dtype=float)], []
-    for course in courses:
+    vertices, pairs = [np.array(polylines[0][0], dtype=float)], []
+    for polyline in polylines:
         last = 0
-        for a, b in pairwise(np.array(course, dtype=float)):
+        for a, b in pairwise(np.array(polyline, dtype=float)):
             num = max(1, round(np.linalg.norm(b - a) / step))
             new = range(len(vertices), len(vertices) + num)
             vertices += list(a + np.arange(1, num + 1)[:, None] / num * (b - a))
@@ -575,9 +575,9 @@ def comb(teeth: np.ndarray, spacing: int = 8) -> tuple[np.ndarray, np.ndarray]:
     num = spacing * (len(teeth) + 1) + 1
     vertices = [0.25 * np.arange(num)[:, None] * [1.0, 0, 0]]
     pairs = chain(*range(num))
-    for k, tooth in enumerate(teeth):
+    for k, period in enumerate(teeth):
         foot, first = spacing * (k + 1), num + 4 * k
-        vertices.append(vertices[0][foot] + tooth * np.arange(1, 5)[:, None] / 4 * [0, 1.0, 0])
+        vertices.append(vertices[0][foot] + period * np.arange(1, 5)[:, None] / 4 * [0, 1.0, 0])
         pairs += chain(foot, *range(first, first + 4))
     return np.concatenate(vertices), as_edges(pairs)
 

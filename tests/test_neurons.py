@@ -16,13 +16,13 @@ from msf_jax.skeleton.skeleton import curve_of
 def neuron(soma: float):
     """A fibre of 40 nodes with a fork at 20 and another at 30; the ball at its node 3 is of radius ``soma``."""
     main = np.stack([np.arange(40.0), np.zeros(40), np.zeros(40)], axis=1)
-    twigs = [[start + 0.5 * k, 1.0 * k, 0.0] for start in (20, 30) for k in range(1, 6)]
+    missed_limbs = [[start + 0.5 * k, 1.0 * k, 0.0] for start in (20, 30) for k in range(1, 6)]
     edges = [(k, k + 1) for k in range(39)] + [(20, 40), (30, 45)]
     edges += [(k, k + 1) for k in (40, 41, 42, 43, 45, 46, 47, 48)]
     radii = np.full(50, 0.1)
     radii[[25, 26]] = 0.3  # a thick neurite
     radii[3] = soma
-    return curve_of(np.concatenate([main, twigs]), np.array(edges), radii)
+    return curve_of(np.concatenate([main, missed_limbs]), np.array(edges), radii)
 
 
 def rows_of(path) -> np.ndarray:

@@ -333,19 +333,19 @@ def test_approach_is_never_nearer_than_the_surface_and_a_little_farther_at_most(
     random = np.random.default_rng(3)
     low, high = shape.vertices.min(axis=0), shape.vertices.max(axis=0)
     points = random.uniform(low, high, (300, 3))
-    exact, (found, triangle) = shape.distances(points), shape.approach(points)
+    exact, (found, triangle) = shape.distances(points), shape.approximate_closest(points)
     away = point_triangle_distance2(points, shape.triangles[triangle])
     np.testing.assert_allclose(found, np.sqrt(away), rtol=1e-12)  # it is the distance to that triangle
     assert (found >= exact * (1 - 1e-12)).all()
     assert (found <= exact + 0.5 * np.minimum(shape.reaches.max(), 0.05 * np.ptp(shape.vertices))).all()
-    assert shape.approach(np.empty((0, 3)))[0].shape == (0,)
+    assert shape.approximate_closest(np.empty((0, 3)))[0].shape == (0,)
 
 
 def test_approach_finds_the_wall_of_a_box_of_twelve_triangles():
     """Vertices are far from the middles of the faces; samples are not."""
     box = Enclosure(*arrays(trimesh.creation.box((1.0, 1.0, 4.0))))
     points = np.array([[0.3, 0, 0], [0, -0.45, 1.0], [0.1, 0.0, -1.9]])
-    np.testing.assert_allclose(box.approach(points)[0], [0.2, 0.05, 0.1], rtol=1e-3)
+    np.testing.assert_allclose(box.approximate_closest(points)[0], [0.2, 0.05, 0.1], rtol=1e-3)
 
 
 # All triangles near a point

@@ -9,7 +9,7 @@ from conftest import blob, torus
 
 import msf_jax
 from msf_jax import Config, ConfigError, MeshError, Repair
-from msf_jax.host.mesh import chambers, checking, skirts
+from msf_jax.host.mesh import checking, internal_walls, rim_extrusion
 from tests.benchmarks import faults
 
 BALL = trimesh.creation.icosphere(3)
@@ -98,7 +98,7 @@ def test_a_lid_that_would_cut_through_the_surface_goes_to_the_end_of_a_skirt(is_
     area = np.abs(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]) @ across) / 2
     prisms = np.abs((corners.mean(axis=1) - base[0]) @ across) * area
     assert mesh.volume == pytest.approx(prisms.sum())
-    assert skirts.share_cut_off(found.vertices, found.faces, len(faces)) == 0
+    assert rim_extrusion.share_cut_off(found.vertices, found.faces, len(faces)) == 0
 
 
 def test_a_curve_of_a_relief_speaks_of_the_callers_vertices():
@@ -181,10 +181,10 @@ def test_walls_that_a_hole_leads_to_stay():
     """What is seen from outside is no wall inside: a chamber with a hole in its own outer face is open."""
     vertices, faces = faults.welded(faults.joined(faults.box(), faults.box((1, 0, 0))))
     faces = faces[np.sort(np.unique(np.sort(faces, axis=1), axis=0, return_index=True)[1])]
-    hidden = chambers.is_wall(vertices, faces)
+    hidden = internal_walls.is_wall(vertices, faces)
     assert (vertices[faces[hidden]][:, :, 0] == 0.5).all() and hidden.any()
     is_far = (vertices[faces][:, :, 0] == 1.5).all(axis=1)
-    assert not chambers.is_wall(vertices, faces[np.arange(len(faces)) != np.flatnonzero(is_far)[0]]).any()
+    assert not internal_walls.is_wall(vertices, faces[np.arange(len(faces)) != np.flatnonzero(is_far)[0]]).any()
 
 
 def test_ribs_and_a_flange_go_and_the_solid_stays():

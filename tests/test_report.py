@@ -20,10 +20,10 @@ def box(*sides: float) -> Enclosure:
 def comb(teeth: int, length: float) -> tuple[np.ndarray, np.ndarray]:
     """A line along x from -0.8 to 0.8 with so many twigs along y."""
     line = np.stack([np.linspace(-0.8, 0.8, teeth + 2), np.zeros(teeth + 2), np.zeros(teeth + 2)], axis=1)
-    twigs = np.concatenate([line[1:-1] + [0, part * length, 0] for part in (0.5, 1.0)])
+    missed_limbs = np.concatenate([line[1:-1] + [0, part * length, 0] for part in (0.5, 1.0)])
     own, first, last = np.arange(1, teeth + 1), np.arange(teeth) + teeth + 2, np.arange(teeth) + 2 * teeth + 2
     edges = [(np.arange(teeth + 1), np.arange(1, teeth + 2)), (own, first), (first, last)]
-    return np.concatenate([line, twigs]), np.concatenate([np.stack(pair, axis=1) for pair in edges])
+    return np.concatenate([line, missed_limbs]), np.concatenate([np.stack(pair, axis=1) for pair in edges])
 
 
 @pytest.mark.parametrize(("teeth", "is_doubted"), [(7, False), (14, True)])

@@ -1,4 +1,4 @@
-"""The front door: what it takes, what it repairs and says so, what it refuses and how it words that."""
+"""Validation: what it takes, what it repairs and says so, what it refuses and how it words that."""
 
 from pathlib import Path
 

@@ -16,7 +16,7 @@ from msf_jax.host.curve.branches import cycle_count
 from msf_jax.host.meso import collapse, split
 from msf_jax.host.meso.meso import Meso
 from msf_jax.host.poles import balls, thickness
-from msf_jax.host.poles.passages import Passages, inner_balls
+from msf_jax.host.poles.roadmap import Roadmap, inner_balls
 from msf_jax.host.solid.enclosure import Enclosure
 from msf_jax.host.solid.geometry import unit, vertex_normals
 
@@ -125,17 +125,17 @@ BOX = trimesh.creation.box((0.9, 0.4, 0.01))  # thinner than its surface is samp
 
 def test_a_way_is_led_round_and_searches_are_bounded(monkeypatch):
     shape = bent_tube()
-    passages = Passages(shape, containment.is_inside)
+    roadmap = Roadmap(shape, containment.is_inside)
     centre, _ = inner_balls(shape)
     ends = centre[[0, len(centre) - 1]]
     ends = centre[[centre[:, 0].argmin(), centre[:, 1].argmin()]]
-    (way,) = passages.ways(ends, np.array([[0, 1]]))
+    (way,) = roadmap.paths(ends, np.array([[0, 1]]))
     points = np.concatenate([ends[:1], way, ends[1:]])
     assert containment.is_inside(shape, points[:-1], points[1:]).all()
-    assert passages.num_refused == 0
-    monkeypatch.setattr("msf_jax.host.poles.passages.VISITS", -1)
-    refused = Passages(shape, containment.is_inside)
-    assert not len(refused.ways(ends, np.array([[0, 1]]))[0])
+    assert roadmap.num_refused == 0
+    monkeypatch.setattr("msf_jax.host.poles.roadmap.VISITS", -1)
+    refused = Roadmap(shape, containment.is_inside)
+    assert not len(refused.paths(ends, np.array([[0, 1]]))[0])
     assert refused.num_refused == 1
 
 
@@ -144,8 +144,8 @@ def test_ways_keep_to_their_own_sides_of_a_hole():
     angle = np.radians([0, 120, 240])
     x = 0.4 * np.stack([np.cos(angle), np.sin(angle), 0 * angle], axis=1)
     pairs = np.array([[0, 1], [1, 2], [2, 0]])
-    passages = Passages(shape, containment.is_inside)
-    for (a, b), way in zip(pairs, passages.ways(x, pairs), strict=True):
+    roadmap = Roadmap(shape, containment.is_inside)
+    for (a, b), way in zip(pairs, roadmap.paths(x, pairs), strict=True):
         points = np.concatenate([x[[a]], way, x[[b]]])
         assert containment.is_inside(shape, points[:-1], points[1:]).all()
         turned = np.unwrap(np.arctan2(points[:, 1], points[:, 0]))
@@ -160,12 +160,12 @@ def test_no_way_between_two_solids_takes_no_search():
     other.apply_translation([0.45, 0, 0])
     both = trimesh.util.concatenate([one, other])
     shape = Enclosure(np.array(both.vertices), np.array(both.faces))
-    passages = Passages(shape, containment.is_inside)
+    roadmap = Roadmap(shape, containment.is_inside)
     ends = np.array([[0.0, 0, 0], [0.45, 0, 0]])
-    (way,) = passages.ways(ends, np.array([[0, 1]]))
-    assert not len(way) and passages.num_visits == 0 and passages.num_refused == 0
-    assert passages.num_closed == 1
-    assert not passages.ways(ends, np.empty((0, 2), dtype=int)) and passages.num_closed == 0
+    (way,) = roadmap.paths(ends, np.array([[0, 1]]))
+    assert not len(way) and roadmap.num_visits == 0 and roadmap.num_refused == 0
+    assert roadmap.num_closed == 1
+    assert not roadmap.paths(ends, np.empty((0, 2), dtype=int)) and roadmap.num_closed == 0
 
 
 def test_joining_has_a_bound(monkeypatch):
@@ -173,11 +173,11 @@ def test_joining_has_a_bound(monkeypatch):
     one, other = trimesh.creation.box([0.4] * 3), trimesh.creation.box([0.1] * 3)
     other.apply_translation([0.26, 0, 0])
     both = trimesh.util.concatenate([one, other])
-    monkeypatch.setattr("msf_jax.host.poles.passages.FAR", 100.0)  # there are edges from one to the other
-    monkeypatch.setattr("msf_jax.host.poles.passages.MOST_LOOKS", -1)
-    passages = Passages(Enclosure(np.array(both.vertices), np.array(both.faces)), containment.is_inside)
-    assert not len(passages.ways(np.array([[0.0, 0, 0], [0.26, 0, 0]]), np.array([[0, 1]]))[0])
-    assert passages.num_refused == 1 and passages.num_closed == 0
+    monkeypatch.setattr("msf_jax.host.poles.roadmap.FAR", 100.0)  # there are edges from one to the other
+    monkeypatch.setattr("msf_jax.host.poles.roadmap.MOST_LOOKS", -1)
+    roadmap = Roadmap(Enclosure(np.array(both.vertices), np.array(both.faces)), containment.is_inside)
+    assert not len(roadmap.paths(np.array([[0.0, 0, 0], [0.26, 0, 0]]), np.array([[0, 1]]))[0])
+    assert roadmap.num_refused == 1 and roadmap.num_closed == 0
 
 
 def test_nodes_of_an_inside_out_pocket_come_in():

@@ -12,9 +12,9 @@ from msf_jax.host.curve import branches, containment, limbs
 from msf_jax.host.mesh import checking
 from msf_jax.host.solid.enclosure import Enclosure
 from msf_jax.host.solid.solid import Solid
-from msf_jax.host.thin import twigs
-from msf_jax.host.thin.course import course
+from msf_jax.host.thin import missed_limbs
 from msf_jax.host.thin.levels import levels
+from msf_jax.host.thin.reeb_curve import reeb_curve
 
 SIDES = 4
 
@@ -54,7 +54,7 @@ def snake(num: int) -> np.ndarray:
 
 def laid(vertices: np.ndarray, faces: np.ndarray):
     solid = Solid(vertices, faces)
-    found = course(solid.shape, containment.is_inside)
+    found = reeb_curve(solid.shape, containment.is_inside)
     return None if found is None else (solid.leave(found.vertices), found.edges)
 
 
@@ -150,7 +150,7 @@ def test_of_lost_limbs_a_wire_is_grown_once_and_sheets_are_not(outline, length):
     scale = 1 / np.linalg.norm(np.ptp(body.vertices, axis=0))
     shape = Enclosure(scale * body.vertices, body.faces)
     trunk = legs([(0, 0, -1.02), (1.4, 0, -1)], [(0, 0, -1.02), (-1.4, 0, -1)])
-    x, edges = twigs.grow(shape, scale * trunk[0], trunk[1])
+    x, edges = missed_limbs.grow(shape, scale * trunk[0], trunk[1])
     is_trunk = np.arange(len(x)) < len(trunk[0])
     stays, _ = limbs.prune(x, edges, limbs.limbs_of(shape, x, edges), 0.75, is_trunk)
     left = edges[stays[edges].all(axis=1)]

@@ -12,7 +12,7 @@ from msf_jax import Config, ConfigError
 from msf_jax.host.curve import branches
 from msf_jax.host.mesh import checking
 from msf_jax.host.solid.solid import Solid
-from msf_jax.host.thin import twigs
+from msf_jax.host.thin import missed_limbs
 from msf_jax.skeleton.skeleton import curve_of
 
 
@@ -89,7 +89,7 @@ def test_a_thin_limb_that_the_curve_has_missed_is_found(factor, is_found):
     solid = Solid(found.vertices, found.faces)
     nodes = np.stack([np.linspace(-0.49, 0.49, 300), np.zeros(300), np.zeros(300)], axis=1)
     edges = np.stack([np.arange(299), np.arange(1, 300)], axis=1)
-    vertices, joined = twigs.grow(solid.shape, solid.enter(nodes), edges)
+    vertices, joined = missed_limbs.grow(solid.shape, solid.enter(nodes), edges)
     np.testing.assert_array_equal(vertices[:300], solid.enter(nodes))
     new = solid.leave(vertices[300:])
     assert bool(len(new)) == is_found

@@ -60,7 +60,7 @@ def curve_of(state: State, meso: Meso, config: Config, watch: Stopwatch) -> Part
             extend=config.extend_tips,
             is_thin=meso.scale is not None,
             is_tangle=is_tangle(state),
-            rough=state.rough,
+            coarse=state.coarse,
             first=partial(_recentred, meso, found) if config.surgery else None,
         )
     # A node that has gone passes its edges on to the one that stands for it: what was one curve does not fall apart.

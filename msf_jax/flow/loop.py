@@ -73,7 +73,7 @@ def contract(
     weights, config = checked_options(weights, config)
     forking.check()
     watch = Stopwatch()
-    with watch.stage("front door"):
+    with watch.stage("validation"):
         checked = mesh if isinstance(mesh, Surface) else checking.prepare(mesh, repair)
     held, pinned = checked_pins(pins, checked)
     of_vertices = weights_of_vertices(weights, checked)
@@ -143,12 +143,12 @@ def is_settled(history: list[Iteration], config: Config) -> bool:
     Membranes between fixed vertices have nowhere to go: their edges are split as fast as they collapse. The curve is
     read off them as it is of anything thin.
     """
-    tooth = max(fixing.num_teeth(config.t_min, config.t_step, config.t_max), FEWEST)
+    period = max(fixing.num_periods(config.t_min, config.t_step, config.t_max), FEWEST)
     volume = abs(history[-1].volume)
     is_thin = volume <= MEMBRANES and volume <= THINNED * history[-1].area
-    if len(history) <= tooth or not (is_thin or volume <= SETTLED):
+    if len(history) <= period or not (is_thin or volume <= SETTLED):
         return False
-    return history[-1].area > (1 - PROGRESS) * history[-1 - tooth].area
+    return history[-1].area > (1 - PROGRESS) * history[-1 - period].area
 
 
 def done(state: State, config: Config) -> tuple[bool, str] | None:

@@ -65,8 +65,8 @@ def init(
         meso = _refined(meso, shape, config, watch)
         max_rows = max(max_rows, limits.growth * meso.num_rows)
     meso, num_coarsened = _coarsened(meso, config, watch)
-    is_rough = num_coarsened > meso.num_rows and not (config.reconstruct_mesh or config.resample)
-    rough = Enclosure(meso.positions, meso.faces()) if is_rough else shape
+    is_coarsened = num_coarsened > meso.num_rows and not (config.reconstruct_mesh or config.resample)
+    coarse = Enclosure(meso.positions, meso.faces()) if is_coarsened else shape
     with watch.stage("compile"):
         compile_ahead(meso, config)
     found = None
@@ -82,7 +82,7 @@ def init(
         frame=frame,
         order=order,
         shape=shape,
-        rough=rough,
+        coarse=coarse,
         pins=pins,
         first_volume=meso.volume(),
         max_rows=max_rows,
@@ -115,11 +115,11 @@ def _coarsened(meso: Meso, config: Config, watch: Stopwatch) -> tuple[Meso, int]
     if not config.coarsen:
         return meso, 0
     with watch.stage("coarsening"):
-        coarse = meso.copied()
-        collapse.collapse_short_edges(coarse, config.coarsen, keep_faces=True, check=config.check)
-        if abs(coarse.volume() - meso.volume()) > MOST_COARSENED * abs(meso.volume()):
+        coarsened = meso.copied()
+        collapse.collapse_short_edges(coarsened, config.coarsen, keep_faces=True, check=config.check)
+        if abs(coarsened.volume() - meso.volume()) > MOST_COARSENED * abs(meso.volume()):
             return meso, 0
-        return coarse.compacted(), coarse.num_rows - coarse.num_live
+        return coarsened.compacted(), coarsened.num_rows - coarsened.num_live
 
 
 def _refined(meso: Meso, shape: Enclosure, config: Config, watch: Stopwatch) -> Meso:

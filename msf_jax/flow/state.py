@@ -69,7 +69,7 @@ class State:
     frame: Frame
     order: np.ndarray  # (V,) the component's vertex that each of the sorted ones is
     shape: Enclosure  # the input's surface, in the frame
-    rough: Enclosure  # the same after coarsening, where that took most of it
+    coarse: Enclosure  # the same after coarsening, where that took most of it
     pins: np.ndarray  # sorted vertices that are held in place
     first_volume: float
     first_area: float

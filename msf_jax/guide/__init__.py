@@ -14,5 +14,5 @@
 .. include:: differences.md
 .. include:: claims.md
 .. include:: speed.md
-.. include:: house.md
+.. include:: architecture.md
 """

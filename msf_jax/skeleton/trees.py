@@ -129,8 +129,8 @@ def simplified(skeleton: "Skeleton", tolerance: float, is_held: np.ndarray) -> "
     stays = is_held | (np.bincount(skeleton.edges.ravel(), minlength=num) != 2)
     stays[list(skeleton.roots) + list(skeleton.openings)] = True
     chains, node_of_old = [], np.arange(num)
-    for way in branches.trace(num, skeleton.edges):
-        nodes = np.array(way)
+    for path in branches.trace(num, skeleton.edges):
+        nodes = np.array(path)
         is_kept = stays[nodes]
         is_kept[[0, -1]] = True
         if nodes[0] == nodes[-1] and is_kept[1:-1].sum() < 2:  # a loop needs three nodes

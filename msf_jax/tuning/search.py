@@ -19,7 +19,7 @@ from scipy.stats import qmc
 
 REACH = 2.3  # logarithms, a factor of ten: the box, to either side of the last point that was given
 CANDIDATES = 200  # for each number that is sought
-WAYS = (0.3, 0.6, 0.9, 1.0)  # the weights w, in turn
+METHODS = (0.3, 0.6, 0.9, 1.0)  # the weights w, in turn
 FAR = 1.5  # logarithms, to the nearest known point: farther counts no more
 FIRST_SPREAD, SMALLEST_SPREAD, LARGEST_SPREAD = 0.5, 0.03, 1.2  # of the candidates around the best point, in logarithms
 SUCCESSES, FAILURES = 2, 4  # in a row, after which they spread, or draw in, twice as far
@@ -96,7 +96,7 @@ class Search:
             around = self.points[np.argmin(np.where(np.isfinite(self.values), model(self.points), np.inf))]
         candidates = np.clip(around + np.where(stays, 0.0, steps), self.low, self.high)
         candidates[: num // 2] = self.random.uniform(self.floor, self.ceiling, (num // 2, size))
-        weight = WAYS[self.turn % len(WAYS)]
+        weight = METHODS[self.turn % len(METHODS)]
         self.turn += 1
         known = np.concatenate([self.points, np.reshape(chosen, (-1, size))])
         away = np.asarray(spatial.KDTree(known).query(candidates)[0])

@@ -1,4 +1,4 @@
-"""Mutated mesh files at the front door: each is a mesh or a `MeshError`, in little time and memory, and nothing else.
+"""Mutated mesh files at validation: each is a mesh or a `MeshError`, in little time and memory, and nothing else.
 
     python -m tests.benchmarks.fuzz [--files N] [--seed N] [--seconds S] [--memory GB]
 

@@ -58,9 +58,9 @@ def wheel() -> trimesh.Trimesh:
     """A hand wheel: a rim, five spokes, a hub with its shaft; one hole between any two spokes."""
     angle = 2 * np.pi * np.arange(40) / 40
     rim = [(float(np.cos(a)), float(np.sin(a)), 0.0, 0.1) for a in angle]
-    hub = (0.0, 0.0, 0.0, 0.2)
-    spokes = [[hub, (*(np.array(rim[8 * k][:3]) * 0.5), 0.075), rim[8 * k]] for k in range(5)]
-    return union([[*rim, rim[0]], *spokes, [hub, (0.0, 0.0, 0.5, 0.12)]], 0.045)
+    centre = (0.0, 0.0, 0.0, 0.2)
+    spokes = [[centre, (*(np.array(rim[8 * k][:3]) * 0.5), 0.075), rim[8 * k]] for k in range(5)]
+    return union([[*rim, rim[0]], *spokes, [centre, (0.0, 0.0, 0.5, 0.12)]], 0.045)
 
 
 def plant() -> trimesh.Trimesh:

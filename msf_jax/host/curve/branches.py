@@ -134,20 +134,20 @@ def merge_junctions(
     moved = np.zeros(len(vertices), dtype=np.int64)  # class of the way from each node to where it goes
     cycles = cycle_count(len(vertices), edges)[1]
     own = handles.classes(vertices[edges[:, 0]], vertices[edges[:, 1]])
-    for way in trace(len(vertices), edges):
-        if min(degree[way[0]], degree[way[-1]]) < 3 or is_held[way[1:-1]].any():
+    for path in trace(len(vertices), edges):
+        if min(degree[path[0]], degree[path[-1]]) < 3 or is_held[path[1:-1]].any():
             continue
-        way = way if radii[target[way[0]]] >= radii[target[way[-1]]] else way[::-1]
-        a, b = target[way[0]], target[way[-1]]
-        length = np.linalg.norm(np.diff(vertices[way], axis=0), axis=1).sum()
+        path = path if radii[target[path[0]]] >= radii[target[path[-1]]] else path[::-1]
+        a, b = target[path[0]], target[path[-1]]
+        length = np.linalg.norm(np.diff(vertices[path], axis=0), axis=1).sum()
         is_near = max(length, np.linalg.norm(vertices[a] - vertices[b])) < NEAR * radii[a]
         if a != b and is_near and not is_held[target == b].any():
             tried, added = target.copy(), moved.copy()
-            steps = handles.classes(vertices[way[:-1]], vertices[way[1:]])
-            inner, gone = np.array(way[1:-1], dtype=np.int64), np.flatnonzero(target == b)
+            steps = handles.classes(vertices[path[:-1]], vertices[path[1:]])
+            inner, gone = np.array(path[1:-1], dtype=np.int64), np.flatnonzero(target == b)
             tried[inner] = tried[gone] = a
-            added[inner] = moved[way[0]] - np.cumsum(steps)[:-1]
-            added[gone] += moved[way[0]] - steps.sum() - moved[way[-1]]
+            added[inner] = moved[path[0]] - np.cumsum(steps)[:-1]
+            added[gone] += moved[path[0]] - steps.sum() - moved[path[-1]]
             after = handles.classes(vertices[tried[edges[:, 0]]], vertices[tried[edges[:, 1]]])
             is_kept = after == own - added[edges[:, 0]] + added[edges[:, 1]]
             if is_kept.all() and cycle_count(len(vertices), _relabelled(edges, tried))[1] == cycles:
@@ -155,7 +155,7 @@ def merge_junctions(
     return target == every, target, _relabelled(edges, target)
 
 
-def lay_together(
+def merge_coincident(
     vertices: np.ndarray, edges: np.ndarray, is_held: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Make edges that coincide in space one: which nodes stay (N,), where each goes (N,), and the edges.

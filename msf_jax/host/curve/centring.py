@@ -24,10 +24,10 @@ import numpy as np
 from scipy import sparse
 from scipy.sparse import linalg
 
-from msf_jax.host.curve import ways as measures
+from msf_jax.host.curve import branch_paths as measures
+from msf_jax.host.curve.branch_paths import BranchPath
 from msf_jax.host.curve.containment import is_inside
-from msf_jax.host.curve.ways import Way
-from msf_jax.host.poles.passages import TOUCHING
+from msf_jax.host.poles.roadmap import TOUCHING
 from msf_jax.host.solid import sections
 from msf_jax.host.solid.enclosure import Enclosure
 from msf_jax.host.solid.geometry import unit
@@ -45,8 +45,8 @@ ROUNDNESS = 4  # a section wider than its branch's usual one counts less, by thi
 STRAY = 0.3  # section radii: a centroid so far away counts for a quarter
 SLIDING = 0.03  # what is left of w along the branch
 ANCHOR, JUNCTION_ANCHOR = 0.003, 0.2  # a: in general, at a junction, and
-ROOMY_ANCHOR, ROOMIER = 4.0, 1.0  # so much more there where the flow's place is roomier by this part; and by this
-HUB_ROOMIER = 0.25  # where a junction has been: what was pruned was all that held the curve in its blob
+DEEP_ANCHOR, DEEPER = 4.0, 1.0  # so much more there where the flow's place is roomier by this part; and by this
+FORMER_JUNCTION_DEEPER = 0.25  # where a junction has been: what was pruned was all that held the curve in its blob
 DAMPING = 0.05  # of a step, and
 DAMPING_ALONG = 0.3  # of what is along the branch
 LONGEST_STEP = 0.5  # sizes, in one round
@@ -80,43 +80,44 @@ def centre(
     is_held: np.ndarray,
     rounds: int = ROUNDS,
     places: np.ndarray | None = None,
-    hubs: np.ndarray | None = None,
-    is_rough: bool = True,
+    former_junctions: np.ndarray | None = None,
+    is_far: bool = True,
     budget: Budget | None = None,
 ) -> np.ndarray:
     """The nodes ``vertices`` (N, 3) of the curve, centred; those of ``is_held`` (N,) stay where they are.
 
-    ``places`` (N, 3) are those that the flow found, ``vertices`` if not given; ``hubs`` (N,) are nodes that were
-    junctions, and are held where it is roomier, too, none if not given. ``is_rough`` says that the curve is not
-    near the middle yet: then the first round takes it there, however far that is. A step that would leave the solid is
-    cut short; a node that is outside stays there. When ``budget`` is spent, which others may share, one round must do.
+    ``places`` (N, 3) are those that the flow found, ``vertices`` if not given. ``former_junctions`` (N,) are nodes that
+    were junctions, and are held where the clearance is larger, too; none if not given. ``is_far`` says that the curve
+    is not near the middle yet: then the first round takes it there, however far that is. A step that would leave the
+    solid is cut short; a node that is outside stays there. When ``budget`` is spent, which others may share, one round
+    must do.
     """
     budget = Budget() if budget is None else budget
     x, num = vertices.copy(), len(vertices)
     y = vertices.copy() if places is None else np.where(is_held[:, None], vertices, places)
     degree = np.bincount(edges.ravel(), minlength=num)
-    ways = measures.ways_of(x, edges, is_held)
-    if not ways:
+    paths = measures.paths_of(x, edges, is_held)
+    if not paths:
         return x
-    is_hub = (degree == 2) & (False if hubs is None else hubs)
-    junction = np.flatnonzero((degree > 2) | is_hub)
+    is_former_junction = (degree == 2) & (False if former_junctions is None else former_junctions)
+    junction = np.flatnonzero((degree > 2) | is_former_junction)
     is_lost = ~shape.contains(y[junction])  # a place outside holds nothing
     y[junction[is_lost]] = x[junction[is_lost]]
-    room_at_place = np.where(is_lost, 0.0, shape.distances(y[junction]))
-    room, near = shape.about_clearance(x)
-    least = np.maximum(THINNEST * room, 2 * TOUCHING)
-    size, faded, before = room.copy(), np.ones(num), np.zeros(num)
+    clearance_at_place = np.where(is_lost, 0.0, shape.distances(y[junction]))
+    clearance, near = shape.approximate_clearance(x)
+    least = np.maximum(THINNEST * clearance, 2 * TOUCHING)
+    size, faded, before = clearance.copy(), np.ones(num), np.zeros(num)
     known = _Known(x, budget)
     for number in range(-1, rounds):  # the first only finds out how large limbs are
         if number > 0 and budget.left < 0:
             budget.was_hit = True
             break
-        room[junction] = shape.distances(x[junction])
-        chord = measures.chords(x, ways, size)
+        clearance[junction] = shape.distances(x[junction])
+        chord = measures.chords(x, paths, size)
         ahead = chord @ x
         tangent = unit(ahead)
-        clear = measures.clear_of_junctions(x, ways, degree, size, ZONE, MARGIN)
-        limb = np.flatnonzero((degree > 0) & (clear > 0) & ~is_held & (room > 0))
+        clear = measures.clear_of_junctions(x, paths, degree, size, ZONE, MARGIN)
+        limb = np.flatnonzero((degree > 0) & (clear > 0) & ~is_held & (clearance > 0))
         found = known.at(shape, x, tangent, size, near, limb)
         limb = limb[found.is_around]
         found = sections.Sections(*(field[found.is_around] for field in found))
@@ -131,65 +132,69 @@ def centre(
         weight *= faded[limb]
         width = np.full(num, np.nan)
         width[limb[weight > 1e-6]] = found.radius[weight > 1e-6]
-        weight *= np.minimum(1.0, np.nan_to_num(measures.usual(ways, width)[limb] / found.radius)) ** ROUNDNESS
+        weight *= np.minimum(1.0, np.nan_to_num(measures.usual(paths, width)[limb] / found.radius)) ** ROUNDNESS
         everywhere = np.zeros((2, num))
         everywhere[:, limb] = found.size, weight
-        size = measures.sizes(x, ways, everywhere[0], everywhere[1], room)
+        size = measures.sizes(x, paths, everywhere[0], everywhere[1], clearance)
         if number < 0:
             continue
         anchor = np.full(num, ANCHOR)
-        usual = np.where(is_hub, size, measures.second_sizes(ways, everywhere[0], everywhere[1]))[junction]
-        roomier = np.clip((room_at_place / usual - 1) / np.where(is_hub, HUB_ROOMIER, ROOMIER)[junction], 0, 1)
-        anchor[junction] = np.where(is_hub[junction] | is_lost, ANCHOR, JUNCTION_ANCHOR)
-        anchor[junction] += ROOMY_ANCHOR * roomier**2 * (3 - 2 * roomier)
+        usual = np.where(is_former_junction, size, measures.second_sizes(paths, everywhere[0], everywhere[1]))[junction]
+        deeper = np.clip(
+            (clearance_at_place / usual - 1) / np.where(is_former_junction, FORMER_JUNCTION_DEEPER, DEEPER)[junction],
+            0,
+            1,
+        )
+        anchor[junction] = np.where(is_former_junction[junction] | is_lost, ANCHOR, JUNCTION_ANCHOR)
+        anchor[junction] += DEEP_ANCHOR * deeper**2 * (3 - 2 * deeper)
         anchor[is_held] = HELD
-        system = _System(x, ways, size, limb, found, tangent, ahead, chord, anchor, y)
-        is_blind = is_rough and number == 0
+        system = _System(x, paths, size, limb, found, tangent, ahead, chord, anchor, y)
+        is_blind = is_far and number == 0
         away = np.zeros(len(limb)) if is_blind else np.linalg.norm(system.off, axis=1)
         step = system.step(weight / (1 + (away / (STRAY * found.radius)) ** 2) ** 2)
         if is_blind:
             away = np.linalg.norm(system.off + system.moved(step), axis=1)
             step = system.step(weight / (1 + (away / (STRAY * found.radius)) ** 2) ** 2)
-        step = measures.spread(x + step, ways) - x
+        step = measures.spread(x + step, paths) - x
         step[is_held] = 0.0
-        part = np.linalg.norm(step, axis=1) / np.maximum(np.maximum(room, 0.3 * size), 1e-300)
+        part = np.linalg.norm(step, axis=1) / np.maximum(np.maximum(clearance, 0.3 * size), 1e-300)
         if part.max() < TOLERANCE:
             break
         step *= np.minimum(1.0, LONGEST_STEP / np.maximum(part, 1e-300))[:, None]
-        x, room, near = _taken(shape, x, step, room, near, edges, ~is_held & (room > 0), least)
+        x, clearance, near = _taken(shape, x, step, clearance, near, edges, ~is_held & (clearance > 0), least)
     return x
 
 
-def roomiest(shape: Enclosure, points: np.ndarray) -> np.ndarray:
+def deepest_points(shape: Enclosure, points: np.ndarray) -> np.ndarray:
     """For each of ``points`` (P, 3) inside, where the solid is roomiest, if that is within ``NEARBY`` of its ball.
 
     There is such a place in a blob where limbs meet, and it does not depend on how it was found: the point to where
     they are alike. Along a trunk the way to it is long, and the point stays. By steps in 26 directions, halved.
     """
-    room = shape.approach(points)[0]
-    x, best, step = points.copy(), room.copy(), NEARBY / 2 * room
+    clearance = shape.approximate_closest(points)[0]
+    x, best, step = points.copy(), clearance.copy(), NEARBY / 2 * clearance
     away, is_near = np.zeros(len(x)), np.ones(len(x), dtype=bool)
     for _ in range(CLIMBS):
-        live = np.flatnonzero(is_near & (step > FINEST * room))
+        live = np.flatnonzero(is_near & (step > FINEST * clearance))
         if not len(live):
             break
         tried = x[live, None] + step[live, None, None] * DIRECTIONS
-        found = shape.approach(tried.reshape(-1, 3))[0].reshape(len(live), -1)
+        found = shape.approximate_closest(tried.reshape(-1, 3))[0].reshape(len(live), -1)
         most = found.argmax(axis=1)
         found, tried = found[np.arange(len(live)), most], tried[np.arange(len(live)), most]
         is_better = found > best[live]
         x[live[is_better]], best[live[is_better]] = tried[is_better], found[is_better]
         step[live[~is_better]] /= 2
         away = np.linalg.norm(x - points, axis=1)
-        is_near = away < DETOUR * NEARBY * room
-    return np.where(((away < NEARBY * room) & (step <= FINEST * room))[:, None], x, points)
+        is_near = away < DETOUR * NEARBY * clearance
+    return np.where(((away < NEARBY * clearance) & (step <= FINEST * clearance))[:, None], x, points)
 
 
 def _taken(
     shape: Enclosure,
     x: np.ndarray,
     step: np.ndarray,
-    room: np.ndarray,
+    clearance: np.ndarray,
     near: np.ndarray,
     edges: np.ndarray,
     is_free: np.ndarray,
@@ -201,41 +206,41 @@ def _taken(
     do both ends of an edge that was inside and would not be. A loop around a hole does not slip off it that way.
     """
     part = is_free.astype(float)
-    goal, clearance, triangle = x.copy(), room.copy(), near.copy()
+    goal, new_clearance, triangle = x.copy(), clearance.copy(), near.copy()
     length = np.linalg.norm(step, axis=1)
-    is_slight = is_free & (length < SLIGHT * room) & (room - length > least)  # no need to look
+    is_slight = is_free & (length < SLIGHT * clearance) & (clearance - length > least)  # no need to look
     goal[is_slight] += step[is_slight]
-    clearance[is_slight] -= length[is_slight]
+    new_clearance[is_slight] -= length[is_slight]
     changed = np.flatnonzero(is_free & ~is_slight)
     edges = edges[np.isin(edges, changed).any(axis=1)]
-    edges = edges[_is_open(shape, x, x, room, room, edges)]
+    edges = edges[_is_open(shape, x, x, clearance, clearance, edges)]
     trial = 0
     while True:
         goal[changed] = x[changed] + part[changed, None] * step[changed]
-        clearance[changed], triangle[changed] = shape.approach(goal[changed])
-        close = changed[clearance[changed] < CLOSE]
-        clearance[close] = shape.distances(goal[close])
+        new_clearance[changed], triangle[changed] = shape.approximate_closest(goal[changed])
+        close = changed[new_clearance[changed] < CLOSE]
+        new_clearance[close] = shape.distances(goal[close])
         moved = changed[part[changed] > 0]
         is_bad = np.zeros(len(x), dtype=bool)
-        is_bad[moved] = ~shape.contains(goal[moved]) | (clearance[moved] < np.minimum(least, room)[moved])
+        is_bad[moved] = ~shape.contains(goal[moved]) | (new_clearance[moved] < np.minimum(least, clearance)[moved])
         moved = moved[~is_bad[moved]]
-        ways = np.stack([moved, moved], axis=1)
-        is_bad[moved] = ~_is_open(shape, x, goal, room, clearance, ways)
+        paths = np.stack([moved, moved], axis=1)
+        is_bad[moved] = ~_is_open(shape, x, goal, clearance, new_clearance, paths)
         at_stake = edges[~is_bad[edges].any(axis=1) & np.isin(edges, changed).any(axis=1)]
-        is_bad[at_stake[~_is_open(shape, goal, goal, clearance, clearance, at_stake)]] = True
+        is_bad[at_stake[~_is_open(shape, goal, goal, new_clearance, new_clearance, at_stake)]] = True
         changed = np.flatnonzero(is_bad & (part > 0))
         if not len(changed):
-            return goal, clearance, triangle
+            return goal, new_clearance, triangle
         part[changed] *= 0.5 if trial < HALVINGS else 0.0
         trial += 1
 
 
 def _is_open(
-    shape: Enclosure, x: np.ndarray, y: np.ndarray, room: np.ndarray, its_room: np.ndarray, ways: np.ndarray
+    shape: Enclosure, x: np.ndarray, y: np.ndarray, clearance: np.ndarray, its_clearance: np.ndarray, paths: np.ndarray
 ) -> np.ndarray:
-    """(W,) whether the segments from x[a] to y[b] for (a, b) of ``ways`` (W, 2) are inside; rooms are not exact."""
-    a, b = ways.T
-    return is_inside(shape, x[a], y[b], SURE * (room[a] + its_room[b]))
+    """(W,) whether the segments from x[a] to y[b] for (a, b) of ``paths`` (W, 2) are inside; rooms are not exact."""
+    a, b = paths.T
+    return is_inside(shape, x[a], y[b], SURE * (clearance[a] + its_clearance[b]))
 
 
 class _Known:
@@ -281,7 +286,7 @@ class _System:
     def __init__(
         self,
         x: np.ndarray,
-        ways: list[Way],
+        paths: list[BranchPath],
         size: np.ndarray,
         limb: np.ndarray,
         found: sections.Sections,
@@ -306,7 +311,7 @@ class _System:
         row = np.concatenate([np.arange(len(limb)), reach.row])
         column = np.concatenate([limb, reach.col])
         block = np.concatenate([own, turn[reach.row] * reach.data[:, None, None]])
-        triple, spacing = measures.triples(x, ways)
+        triple, spacing = measures.triples(x, paths)
         stiff = np.minimum((STIFFNESS * size[triple[:, 1]] / np.maximum(spacing, 1e-12)) ** 4, STIFFEST)
         self.stiff = np.repeat(stiff, 3)
         bent = x[triple[:, 0]] - 2 * x[triple[:, 1]] + x[triple[:, 2]]

@@ -2,7 +2,7 @@
 
 A node outside goes into the solid behind the nearest triangle, as deep as the limb is there. An edge that leaves the
 solid is led through it: over the middle of its own cross-section, if that will do, or else from ball to ball by the
-shortest and roomiest way (see `passages`).
+shortest and roomiest way (see `roadmap`).
 """
 
 import itertools
@@ -11,12 +11,12 @@ import numpy as np
 
 from msf_jax.host.curve import branches
 from msf_jax.host.poles import balls
-from msf_jax.host.poles.passages import TOUCHING, Passages
+from msf_jax.host.poles.roadmap import TOUCHING, Roadmap
 from msf_jax.host.solid import sections
 from msf_jax.host.solid.enclosure import Enclosure
 from msf_jax.host.solid.geometry import arc_length, barycentric, cross, unit
 
-UNFOLDINGS = 20  # rounds
+STRAIGHTENINGS = 20  # rounds
 HALVINGS = 2  # of an edge that is not inside, before a way is looked for
 FAN = 6  # rays from a node to either side of what it would cut off, and one
 SHALLOWER = 10  # halvings of the ball behind the surface, each with a middle nearer to it
@@ -27,23 +27,23 @@ def contain(
     vertices: np.ndarray,
     edges: np.ndarray,
     is_held: np.ndarray,
-    passages: Passages | None = None,
+    roadmap: Roadmap | None = None,
 ) -> tuple[np.ndarray, np.ndarray]:
     """The curve ``(vertices, edges)`` of a solid of diagonal 1, inside: its nodes, new ones last, and its edges.
 
-    ``passages`` are those of the solid, if it has been asked for ways before. Nodes of ``is_held`` stay where they are.
+    ``roadmap`` are those of the solid, if it has been asked for ways before. Nodes of ``is_held`` stay where they are.
     An edge that cannot be led through the solid stays as it is.
     """
     x, edges = vertices.copy(), edges.copy()
     radii = shape.clearance(x)
     is_out = (radii < TOUCHING) & ~is_held
-    passages = Passages(shape, is_inside) if passages is None else passages
+    roadmap = Roadmap(shape, is_inside) if roadmap is None else roadmap
     if is_out.any():
         x[is_out] = _inward(shape, x[is_out])
         radii[is_out] = shape.clearance(x[is_out])
         # Where the surface is inside out there is nothing behind its triangles: then the nearest ball that there is.
         is_out = (radii < TOUCHING) & ~is_held
-        x[is_out], radii[is_out] = passages.nearest(x[is_out], radii[is_out])
+        x[is_out], radii[is_out] = roadmap.nearest(x[is_out], radii[is_out])
 
     def outside() -> np.ndarray:
         return ~is_inside(shape, x[edges[:, 0]], x[edges[:, 1]], radii[edges].sum(axis=1))
@@ -57,7 +57,7 @@ def contain(
         x, edges = _replaced(x, edges, is_bad, [point[None] for point in middle[is_near]])
         radii = np.concatenate([radii, shape.clearance(x[len(radii) :])])
         is_bad = outside()
-    return _replaced(x, edges, is_bad, passages.ways(x, edges[is_bad]))
+    return _replaced(x, edges, is_bad, roadmap.paths(x, edges[is_bad]))
 
 
 def cut_off(
@@ -72,8 +72,8 @@ def cut_off(
     stays, target = np.ones(len(vertices), dtype=bool), np.arange(len(vertices))
     degree = np.bincount(edges.ravel(), minlength=len(vertices))
     radii = shape.clearance(vertices)
-    for way in branches.trace(len(vertices), edges):
-        for nodes in (np.array(way), np.array(way[::-1])):
+    for path in branches.trace(len(vertices), edges):
+        for nodes in (np.array(path), np.array(path[::-1])):
             if degree[nodes[0]] != 1 or not stays[nodes].all():
                 continue
             is_out = ~is_inside(shape, vertices[nodes[:-1]], vertices[nodes[1:]])
@@ -114,7 +114,7 @@ def is_inside(shape: Enclosure, a: np.ndarray, b: np.ndarray, covered: np.ndarra
     return is_in
 
 
-def unfold(
+def straighten(
     shape: Enclosure, vertices: np.ndarray, edges: np.ndarray, is_held: np.ndarray, most: float = 90.0
 ) -> np.ndarray:
     """The nodes (N, 3) without sharp turns: where a branch turns by more than ``most`` degrees at a node, it cuts the
@@ -127,7 +127,7 @@ def unfold(
     found = between(len(x), edges)
     inner, before, after = found[:, ~is_held[found[0]]]
     has_moved = np.ones(len(x), dtype=bool)
-    for _ in range(UNFOLDINGS):
+    for _ in range(STRAIGHTENINGS):
         cosine = np.einsum("ni,ni->n", unit(x[inner] - x[before]), unit(x[after] - x[inner]))
         is_new = has_moved[inner] | has_moved[before] | has_moved[after]
         left = np.flatnonzero((cosine < np.cos(np.radians(most))) & is_new)
@@ -139,10 +139,10 @@ def unfold(
             goal = (1 - share) * x[node] + share * (a + b) / 2
             is_open = is_inside(shape, np.concatenate([a, goal]), np.concatenate([goal, b]))
             is_free = np.logical_and(*is_open.reshape(2, len(node)))
-            hub, rim, target = x[node[is_free]], (a[is_free], b[is_free]), goal[is_free]
+            centre, rim, target = x[node[is_free]], (a[is_free], b[is_free]), goal[is_free]
             fan = [(1 - t) * side + t * target for side in rim for t in np.linspace(0, 1, FAN)[1:-1]]
-            is_open = is_inside(shape, np.tile(hub, (len(fan), 1)), np.concatenate(fan))
-            is_free[is_free] = is_open.reshape(len(fan), len(hub)).all(axis=0)
+            is_open = is_inside(shape, np.tile(centre, (len(fan), 1)), np.concatenate(fan))
+            is_free[is_free] = is_open.reshape(len(fan), len(centre)).all(axis=0)
             x[node[is_free]] = goal[is_free]
             has_moved[node[is_free]] = True
             left = left[~is_free]
@@ -167,7 +167,7 @@ def refine(
 
     All of them less, where that would take more than ``most`` nodes, and whether that was so.
     """
-    radii = shape.approach(vertices)[0]
+    radii = shape.approximate_closest(vertices)[0]
     a, b = vertices[edges[:, 0]], vertices[edges[:, 1]]
     length = np.linalg.norm(b - a, axis=1)
     target = np.maximum(spacing * radii[edges].min(axis=1), 1 / 400)
@@ -200,12 +200,15 @@ def _middles(shape: Enclosure, a: np.ndarray, b: np.ndarray) -> tuple[np.ndarray
     inner = middle.copy()
     is_out = shape.clearance(middle) < TOUCHING
     inner[is_out] = _inward(shape, middle[is_out])
-    room, near = shape.about_clearance(inner)
-    found = sections.cut(shape, inner, unit(b - a), room, near)
-    room_there = shape.clearance(found.centroid)
-    is_better = found.is_around & (room_there > np.maximum(room, TOUCHING))
-    inner, room = np.where(is_better[:, None], found.centroid, inner), np.where(is_better, room_there, room)
-    return inner, (room > TOUCHING) & (np.linalg.norm(inner - middle, axis=1) < np.linalg.norm(b - a, axis=1))
+    clearance, near = shape.approximate_clearance(inner)
+    found = sections.cut(shape, inner, unit(b - a), clearance, near)
+    clearance_there = shape.clearance(found.centroid)
+    is_better = found.is_around & (clearance_there > np.maximum(clearance, TOUCHING))
+    inner, clearance = (
+        np.where(is_better[:, None], found.centroid, inner),
+        np.where(is_better, clearance_there, clearance),
+    )
+    return inner, (clearance > TOUCHING) & (np.linalg.norm(inner - middle, axis=1) < np.linalg.norm(b - a, axis=1))
 
 
 def _inward(shape: Enclosure, points: np.ndarray) -> np.ndarray:
@@ -220,8 +223,8 @@ def _inward(shape: Enclosure, points: np.ndarray) -> np.ndarray:
     depth = balls.shrinking_balls(entry, normal, shape.sample_tree(), balls.FIRST, balls.LARGEST).radius
     shallower = 0.5 ** np.arange(SHALLOWER)
     choice = entry[:, None] - (depth[:, None] * shallower)[..., None] * normal[:, None]
-    room = shape.clearance(choice.reshape(-1, 3)).reshape(len(points), len(shallower))
-    is_bounded = room >= 0.7 * depth[:, None] * shallower
+    clearance = shape.clearance(choice.reshape(-1, 3)).reshape(len(points), len(shallower))
+    is_bounded = clearance >= 0.7 * depth[:, None] * shallower
     found = choice[np.arange(len(points)), is_bounded.argmax(axis=1)]
     # Where the samples miss a wall that is far nearer, as of a plate of two triangles: half of the chord.
     rows = np.flatnonzero(~is_bounded.any(axis=1))

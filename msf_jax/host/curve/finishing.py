@@ -13,10 +13,10 @@ from typing import NamedTuple
 import numpy as np
 from scipy import spatial
 
-from msf_jax.host.curve import branches, centring, containment, limbs, loops, resampling, tips
-from msf_jax.host.poles.passages import Passages
+from msf_jax.host.curve import branches, centring, containment, leaf_extension, limbs, loops, resampling
+from msf_jax.host.poles.roadmap import Roadmap
 from msf_jax.host.solid.enclosure import Enclosure
-from msf_jax.host.thin import course, twigs
+from msf_jax.host.thin import missed_limbs, reeb_curve
 
 SPACING = 0.5  # radii, between the nodes of a finished curve
 MOST_NODES = 5_000  # that this may take, or they are farther apart
@@ -31,9 +31,10 @@ class Draft(NamedTuple):
     vertices: (N, 3). edges: (E, 2). is_held: (N,) nodes that do not move. origin: (N,) the flow's node that each is,
     in ascending order, and -1 for the new ones, which come last. node_of_flow: (n,) the node that stands for each of
     the flow's: itself, or the junction that its branch was pruned from. place: (N, 3) where each was found at first,
-    or, of a junction, where it is to be. is_hub: (N,) those junctions, and what is left of them when their branches are
-    pruned. is_sparse: whether nodes are farther apart than they should be, as there would be too many. num_pruned,
-    num_grown: branches that were taken away as they are no limbs, and that the flow had lost, counted by their ends.
+    or, of a junction, where it is to be. is_former_junction: (N,) those junctions, and what is left of them when their
+    branches are pruned. is_sparse: whether nodes are farther apart than they should be, as there would be too many.
+    num_pruned, num_grown: branches that were taken away as they are no limbs, and that the flow had lost, counted by
+    their ends.
     """
 
     vertices: np.ndarray
@@ -42,7 +43,7 @@ class Draft(NamedTuple):
     origin: np.ndarray
     node_of_flow: np.ndarray
     place: np.ndarray
-    is_hub: np.ndarray
+    is_former_junction: np.ndarray
     is_sparse: bool = False
     num_pruned: int = 0
     num_grown: int = 0
@@ -54,7 +55,7 @@ class Draft(NamedTuple):
             vertices=vertices,
             edges=self.edges if edges is None else edges,
             is_held=np.pad(self.is_held, new),
-            is_hub=np.pad(self.is_hub, new),
+            is_former_junction=np.pad(self.is_former_junction, new),
             origin=np.pad(self.origin, new, constant_values=-1),
             place=np.concatenate([self.place, vertices[len(self.vertices) :]]),
         )
@@ -67,17 +68,17 @@ class Draft(NamedTuple):
 class Job(NamedTuple):
     """What a pass may ask.
 
-    shape: the solid, of diagonal 1. rough: much the same of fewer triangles, good enough to find the middle of.
+    shape: the solid, of diagonal 1. coarse: much the same of fewer triangles, good enough to find the middle of.
     prune: slenderness below which branches are pruned, 0 for none (see `limbs`). is_thin: whether limbs of the solid
     are (see `poles.thickness`).
-    passages: ways through the solid. budget: of all centring.
+    roadmap: ways through the solid. budget: of all centring.
     """
 
     shape: Enclosure
-    rough: Enclosure
+    coarse: Enclosure
     prune: float
     is_thin: bool
-    passages: Passages
+    roadmap: Roadmap
     budget: centring.Budget
 
 
@@ -110,7 +111,7 @@ def passes(centre: bool, extend: bool) -> list[Callable[[Draft, Job], Draft]]:
         contained,
         looped,
         # What to prune is decided on a curve that is centred.
-        *([unfolded, placed, partial(centred, rounds=FIRST_ROUNDS, is_rough=True), unfolded] if centre else []),
+        *([straightened, placed, partial(centred, rounds=FIRST_ROUNDS, is_far=True), straightened] if centre else []),
         merged,
         *([refined] if centre else []),
         pruned,
@@ -118,10 +119,10 @@ def passes(centre: bool, extend: bool) -> list[Callable[[Draft, Job], Draft]]:
         *([partial(centred, hold_leaves=extend)] if centre else []),
         *([completed, pruned] if extend else []),
         contained,
-        *([partial(unfolded, most=SHARPEST), contained] if centre else []),
-        laid_together,
+        *([partial(straightened, most=SHARPEST), contained] if centre else []),
+        coincident_merged,
         looped,
-        *([rounded] if centre else []),
+        *([corners_rounded] if centre else []),
     ]
 
 
@@ -136,32 +137,32 @@ def finish(
     extend: bool,
     is_thin: bool = False,
     is_tangle: bool = False,
-    rough: Enclosure | None = None,
+    coarse: Enclosure | None = None,
     first: Callable[[Draft, Job], Draft] | None = None,
 ) -> Finished:
     """Finish the curve ``(nodes (n, 3), edges)`` of a solid of diagonal 1; nodes of ``is_held`` (n,) do not move.
 
-    Of a solid too coarse for the flow waves make another curve (see `thin.course`), if both steps are wanted and no
+    Of a solid too coarse for the flow waves make another curve (see `thin.reeb_curve`), if both steps are wanted and no
     node is held.
 
     ``prune`` is the slenderness below which branches are pruned; ``centre`` and ``extend`` switch those steps.
     ``is_thin`` says that it has thin limbs, of which waves may make the curve. ``is_tangle`` says that the flow has
-    left a tangle, which no pass can mend: it stays as it is, unless waves make a curve. ``rough`` is much the same
+    left a tangle, which no pass can mend: it stays as it is, unless waves make a curve. ``coarse`` is much the same
     surface of fewer triangles, which is good enough to find the middle of. ``first`` is a pass that comes before all
     others, and may say where the flow's nodes are to be.
     """
     job = Job(
         shape,
-        shape if rough is None else rough,
+        shape if coarse is None else coarse,
         prune,
         is_thin,
-        Passages(shape, containment.is_inside),
+        Roadmap(shape, containment.is_inside),
         centring.Budget(),
     )
     if is_thin and centre and extend and not is_held.any():
-        laid = course.course(shape, containment.is_inside)
+        laid = reeb_curve.reeb_curve(shape, containment.is_inside)
         if laid is not None:
-            return _of_waves(laid, nodes, job)
+            return _of_reeb_curve(laid, nodes, job)
     if is_tangle:
         return Finished(nodes, edges, np.ones(len(nodes), dtype=bool), np.arange(len(nodes)))
     draft = Draft(nodes, edges, is_held, np.arange(len(nodes)), np.arange(len(nodes)), nodes, np.zeros_like(is_held))
@@ -173,8 +174,8 @@ def finish(
         in_order(draft.edges),
         is_kept,
         draft.origin[draft.node_of_flow],
-        job.passages.num_refused,
-        job.passages.num_closed,
+        job.roadmap.num_refused,
+        job.roadmap.num_closed,
         job.budget.was_hit,
         draft.is_sparse,
         draft.num_pruned,
@@ -182,14 +183,14 @@ def finish(
     )
 
 
-def _of_waves(laid: course.Course, nodes: np.ndarray, job: Job) -> Finished:
+def _of_reeb_curve(laid: reeb_curve.ReebCurve, nodes: np.ndarray, job: Job) -> Finished:
     """The curve that waves have ``laid``. Each of the flow's ``nodes`` (n, 3) is the one that is nearest to it; where
     several are, the first stays. It is in the middle and out to the ends: centring and tips are left out. In its draft
     the solid's vertices follow the nodes, in place of the flow's."""
     x, num = laid.vertices, len(laid.vertices)
     none = np.zeros(num, dtype=bool)
     draft = Draft(x, laid.edges, none, np.arange(num), laid.node_of_vertex, x, none)
-    for each in (contained, opened, pruned, unfolded, contained, laid_together, looped, rounded):
+    for each in (contained, opened, pruned, straightened, contained, coincident_merged, looped, corners_rounded):
         draft = each(draft, job)
     near = np.asarray(spatial.KDTree(draft.vertices).query(nodes)[1])
     taken, first, place = np.unique(near, return_index=True, return_inverse=True)
@@ -203,8 +204,8 @@ def _of_waves(laid: course.Course, nodes: np.ndarray, job: Job) -> Finished:
         in_order(rank[draft.edges]),
         is_kept,
         first[place],
-        job.passages.num_refused,
-        job.passages.num_closed,
+        job.roadmap.num_refused,
+        job.roadmap.num_closed,
         num_pruned=draft.num_pruned,
         node_of_vertex=rank[draft.node_of_flow],
     )
@@ -214,10 +215,10 @@ def contained(draft: Draft, job: Job) -> Draft:
     """Nodes and edges inside, without the ends that no way leads to."""
 
     def inside(draft: Draft) -> Draft:
-        return draft.changed(*containment.contain(job.shape, draft.vertices, draft.edges, draft.is_held, job.passages))
+        return draft.changed(*containment.contain(job.shape, draft.vertices, draft.edges, draft.is_held, job.roadmap))
 
     draft = inside(draft)
-    if job.passages.num_closed:
+    if job.roadmap.num_closed:
         stays, target = containment.cut_off(job.shape, draft.vertices, draft.edges, draft.is_held)
         draft = draft if stays.all() else inside(_left(draft, stays, target))
     return draft
@@ -237,37 +238,49 @@ def looped(draft: Draft, job: Job) -> Draft:
     missing = job.shape.handles.genus - branches.cycle_count(len(x), edges)[1]
     if missing:
         x, edges, _ = containment.refine(job.shape, x, edges, SPACING, MOST_NODES)
-        x, edges = loops.completed(job.passages, x, edges, missing)
+        x, edges = loops.completed(job.roadmap, x, edges, missing)
     return draft.changed(x, edges)
 
 
-def unfolded(draft: Draft, job: Job, most: float = 90.0) -> Draft:
+def straightened(draft: Draft, job: Job, most: float = 90.0) -> Draft:
     """No branch turns by more than ``most`` degrees at a node, if it need not."""
-    x = containment.unfold(job.shape, draft.vertices, draft.edges, draft.is_held, most)
+    x = containment.straighten(job.shape, draft.vertices, draft.edges, draft.is_held, most)
     return draft.changed(_around(draft, job, x))
 
 
 def placed(draft: Draft, job: Job) -> Draft:
     """With the places of junctions where the solid is roomiest, if that is near, or a ball there holds theirs."""
-    is_hub = (np.bincount(draft.edges.ravel(), minlength=len(draft.vertices)) > 2) & ~draft.is_held
-    is_hub[is_hub] = job.rough.contains(draft.place[is_hub])
+    is_former_junction = (np.bincount(draft.edges.ravel(), minlength=len(draft.vertices)) > 2) & ~draft.is_held
+    is_former_junction[is_former_junction] = job.coarse.contains(draft.place[is_former_junction])
     place = draft.place.copy()
-    if is_hub.any():
-        own, room = (job.rough.about_clearance(x)[0] for x in (place[is_hub], draft.vertices))
-        is_held_in = np.asarray(spatial.distance.cdist(place[is_hub], draft.vertices) + own[:, None] <= HOLDS * room)
-        largest = np.where(is_held_in, room, -1.0).argmax(axis=1)
-        place[is_hub] = np.where(np.any(is_held_in, axis=1, keepdims=True), draft.vertices[largest], place[is_hub])
-    place[is_hub] = centring.roomiest(job.rough, place[is_hub])
-    return draft._replace(place=place, is_hub=is_hub)
+    if is_former_junction.any():
+        own, clearance = (job.coarse.approximate_clearance(x)[0] for x in (place[is_former_junction], draft.vertices))
+        is_held_in = np.asarray(
+            spatial.distance.cdist(place[is_former_junction], draft.vertices) + own[:, None] <= HOLDS * clearance
+        )
+        largest = np.where(is_held_in, clearance, -1.0).argmax(axis=1)
+        place[is_former_junction] = np.where(
+            np.any(is_held_in, axis=1, keepdims=True), draft.vertices[largest], place[is_former_junction]
+        )
+    place[is_former_junction] = centring.deepest_points(job.coarse, place[is_former_junction])
+    return draft._replace(place=place, is_former_junction=is_former_junction)
 
 
 def centred(
-    draft: Draft, job: Job, rounds: int = centring.ROUNDS, hold_leaves: bool = False, is_rough: bool = False
+    draft: Draft, job: Job, rounds: int = centring.ROUNDS, hold_leaves: bool = False, is_far: bool = False
 ) -> Draft:
     """Nodes in the middle of the solid."""
     is_held = draft.is_held | draft.is_leaf() if hold_leaves else draft.is_held
     x = centring.centre(
-        job.rough, draft.vertices, draft.edges, is_held, rounds, draft.place, draft.is_hub, is_rough, job.budget
+        job.coarse,
+        draft.vertices,
+        draft.edges,
+        is_held,
+        rounds,
+        draft.place,
+        draft.is_former_junction,
+        is_far,
+        job.budget,
     )
     return draft.changed(_around(draft, job, x))
 
@@ -281,14 +294,14 @@ def _around(draft: Draft, job: Job, x: np.ndarray) -> np.ndarray:
     if not handles.genus:
         return x
     a, b = draft.edges.T
-    own, ways = handles.classes(before[a], before[b]), branches.trace(len(x), draft.edges)
+    own, paths = handles.classes(before[a], before[b]), branches.trace(len(x), draft.edges)
     while True:
         moved = handles.classes(before, x)
         is_bad = handles.classes(x[a], x[b]) != own + moved[b] - moved[a]
         if not is_bad.any():
             return x
         bad = {frozenset(edge) for edge in draft.edges[is_bad].tolist()}
-        for nodes in ways:
+        for nodes in paths:
             if not bad.isdisjoint(map(frozenset, pairwise(nodes))):
                 x[nodes] = before[nodes]
 
@@ -299,7 +312,7 @@ def merged(draft: Draft, job: Job) -> Draft:
         return draft
     x = draft.vertices
     stays, target, edges = branches.merge_junctions(
-        x, draft.edges, job.shape.approach(x)[0], draft.is_held, job.shape.handles
+        x, draft.edges, job.shape.approximate_closest(x)[0], draft.is_held, job.shape.handles
     )
     return _left(draft._replace(edges=edges), stays, target)
 
@@ -309,7 +322,7 @@ def pruned(draft: Draft, job: Job) -> Draft:
     if not job.prune:
         return draft
     x, e = draft.vertices, draft.edges
-    left = _left(draft, *limbs.prune(x, e, limbs.limbs_of(job.rough, x, e), job.prune, draft.is_held))
+    left = _left(draft, *limbs.prune(x, e, limbs.limbs_of(job.coarse, x, e), job.prune, draft.is_held))
     return left._replace(num_pruned=draft.num_pruned + int(draft.is_leaf().sum() - left.is_leaf().sum()))
 
 
@@ -326,7 +339,7 @@ def _left(draft: Draft, stays: np.ndarray, target: np.ndarray) -> Draft:
         origin=draft.origin[stays],
         node_of_flow=of_flow,
         place=draft.place[stays],
-        is_hub=draft.is_hub[stays],
+        is_former_junction=draft.is_former_junction[stays],
     )
 
 
@@ -338,24 +351,24 @@ def refined(draft: Draft, job: Job) -> Draft:
 
 def extended(draft: Draft, job: Job) -> Draft:
     """Leaves at the ends of their limbs."""
-    return draft.changed(*tips.extend(job.shape, draft.vertices, draft.edges, draft.is_held))
+    return draft.changed(*leaf_extension.extend(job.shape, draft.vertices, draft.edges, draft.is_held))
 
 
 def completed(draft: Draft, job: Job) -> Draft:
     """With the thin limbs that the flow has lost."""
-    more = draft.changed(*twigs.grow(job.rough, draft.vertices, draft.edges))
+    more = draft.changed(*missed_limbs.grow(job.coarse, draft.vertices, draft.edges))
     return more._replace(num_grown=int(more.is_leaf().sum() - draft.is_leaf().sum()))
 
 
-def laid_together(draft: Draft, job: Job) -> Draft:
+def coincident_merged(draft: Draft, job: Job) -> Draft:
     """No edge twice, and none without length: cycles are cycles in space."""
-    stays, target, edges = branches.lay_together(draft.vertices, draft.edges, draft.is_held)
+    stays, target, edges = branches.merge_coincident(draft.vertices, draft.edges, draft.is_held)
     return _left(draft._replace(edges=edges), stays, target)
 
 
-def rounded(draft: Draft, job: Job) -> Draft:
+def corners_rounded(draft: Draft, job: Job) -> Draft:
     """With corners that cannot be cut rounded within their balls."""
-    return draft.changed(*resampling.rounded(job.shape, draft.vertices, draft.edges, draft.is_held, SHARPEST))
+    return draft.changed(*resampling.round_corners(job.shape, draft.vertices, draft.edges, draft.is_held, SHARPEST))
 
 
 def in_order(edges: np.ndarray) -> np.ndarray:
@@ -374,10 +387,10 @@ def nearest_on_branch(
     least = np.full(len(points), np.inf)
     order = np.argsort(node_of_point, kind="stable")
     bounds = np.searchsorted(node_of_point[order], np.arange(len(nodes) + 1))
-    for way in branches.trace(len(nodes), edges):
-        own = np.concatenate([order[bounds[node] : bounds[node + 1]] for node in dict.fromkeys(way)])
+    for path in branches.trace(len(nodes), edges):
+        own = np.concatenate([order[bounds[node] : bounds[node + 1]] for node in dict.fromkeys(path)])
         if len(own):
-            on_way = np.array(way)
+            on_way = np.array(path)
             away, place = spatial.KDTree(nodes[on_way]).query(points[own])
             is_nearer = away < least[own]
             found[own[is_nearer]] = on_way[np.asarray(place)[is_nearer]]

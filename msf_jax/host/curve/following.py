@@ -25,9 +25,9 @@ from scipy import sparse
 from scipy.sparse import csgraph, linalg
 
 from msf_jax.base.binding import FACES_TOGETHER, Binding, Sizes
+from msf_jax.host.curve import branch_paths as measures
 from msf_jax.host.curve import branches, centring
-from msf_jax.host.curve import ways as measures
-from msf_jax.host.curve.ways import Way
+from msf_jax.host.curve.branch_paths import BranchPath
 from msf_jax.host.solid import sections
 from msf_jax.host.solid.enclosure import Enclosure
 from msf_jax.host.solid.geometry import cross, unit, vertex_normals
@@ -90,12 +90,12 @@ def record(
     is_held = np.zeros(len(x), dtype=bool)
     is_held[list(pins_of_node)] = True
     is_free = np.where(is_held, 0.0, 1.0)
-    ways = measures.ways_of(x, edges, is_held)
-    size = _sections(shape, x, edges, ways, radii, radii, nearest, is_held)[1]
-    found, size = _sections(shape, x, edges, ways, radii, size, nearest, is_held)
+    paths = measures.paths_of(x, edges, is_held)
+    size = _sections(shape, x, edges, paths, radii, radii, nearest, is_held)[1]
+    found, size = _sections(shape, x, edges, paths, radii, size, nearest, is_held)
     corners = _with_clouds(surface, edges, len(x), found)
-    a = _smoothing(x, edges, ways, size, corners, stiffness=centring.STIFFNESS, membrane=MEMBRANE)
-    beta = _smoothing(x, edges, ways, size, corners, stiffness=0.0, membrane=REACH**2)
+    a = _smoothing(x, edges, paths, size, corners, stiffness=centring.STIFFNESS, membrane=MEMBRANE)
+    beta = _smoothing(x, edges, paths, size, corners, stiffness=0.0, membrane=REACH**2)
     a = _pruned(sparse.diags(is_free) @ a, SMALLEST["a"])
     b = _turning(surface, corners, _pruned(beta, SMALLEST["b"]), is_free[:, None] * (x - a @ corners.centroid))
     pin = sparse.lil_matrix(b.shape)
@@ -158,7 +158,7 @@ def _sections(
     shape: Enclosure,
     x: np.ndarray,
     edges: np.ndarray,
-    ways: list[Way],
+    paths: list[BranchPath],
     radii: np.ndarray,
     size: np.ndarray,
     nearest: np.ndarray,
@@ -169,8 +169,8 @@ def _sections(
     ``size`` (N,) is what that is thought to be.
     """
     degree = np.bincount(edges.ravel(), minlength=len(x))
-    tangent = unit(measures.chords(x, ways, size) @ x) if ways else np.zeros_like(x)
-    clear = measures.clear_of_junctions(x, ways, degree, size, centring.ZONE, centring.MARGIN)
+    tangent = unit(measures.chords(x, paths, size) @ x) if paths else np.zeros_like(x)
+    clear = measures.clear_of_junctions(x, paths, degree, size, centring.ZONE, centring.MARGIN)
     limb = np.flatnonzero((degree > 0) & (clear > 0) & ~is_held & (radii > 0) & tangent.any(axis=1))
     corners = sections.corners(shape, x[limb], tangent[limb], size[limb], nearest[limb])
     found = sections.measured(shape, x[limb], tangent[limb], corners)
@@ -179,10 +179,10 @@ def _sections(
     weight = clear[node] / (1 + (radius / (centring.LOPSIDED * found.size[is_good])) ** centring.STEEP)
     width = np.full(len(x), np.nan)
     width[node[weight > SLIGHT]] = radius[weight > SLIGHT]
-    weight *= np.minimum(1.0, np.nan_to_num(measures.usual(ways, width)[node] / radius)) ** centring.ROUNDNESS
+    weight *= np.minimum(1.0, np.nan_to_num(measures.usual(paths, width)[node] / radius)) ** centring.ROUNDNESS
     everywhere = np.zeros((2, len(x)))
     everywhere[:, node] = found.size[is_good], weight
-    size = measures.sizes(x, ways, everywhere[0], everywhere[1], radii)
+    size = measures.sizes(x, paths, everywhere[0], everywhere[1], radii)
     weight /= (1 + (np.linalg.norm(x[node] - centroid, axis=1) / (centring.STRAY * radius)) ** 2) ** 2
     is_one = weight > SLIGHT
     node, centroid, weight = node[is_one], centroid[is_one], weight[is_one]
@@ -231,7 +231,7 @@ def _with_clouds(surface: Surface, edges: np.ndarray, num: int, found: Corners) 
 def _smoothing(
     x: np.ndarray,
     edges: np.ndarray,
-    ways: list[Way],
+    paths: list[BranchPath],
     size: np.ndarray,
     corners: Corners,
     *,
@@ -252,7 +252,7 @@ def _smoothing(
     along_edge = sparse.coo_matrix((np.tile([1.0, -1.0], len(edges)), (rows, edges.ravel())), shape=(len(edges), num))
     matrix = matrix + along_edge.T @ sparse.diags(mu) @ along_edge
     if stiffness:
-        triple, spacing = measures.triples(x, ways)
+        triple, spacing = measures.triples(x, paths)
         reach = stiffness * size[triple[:, 1]]
         alpha = np.minimum((reach / np.maximum(spacing, 1e-12)) ** 4, centring.STIFFEST)
         rows = np.repeat(np.arange(len(triple)), 3)
@@ -360,7 +360,9 @@ def _branches(num: int, edges: np.ndarray) -> np.ndarray:
     """(E,) the branch that each of ``edges`` belongs to, of those of `branches.trace` that have edges."""
     if not len(edges):
         return np.zeros(0, dtype=np.int64)
-    pairs = [np.stack([way[:-1], way[1:]], axis=1) for way in map(np.array, branches.trace(num, edges)) if len(way) > 1]
+    pairs = [
+        np.stack([path[:-1], path[1:]], axis=1) for path in map(np.array, branches.trace(num, edges)) if len(path) > 1
+    ]
     branch = np.repeat(np.arange(len(pairs)), [len(pair) for pair in pairs])
     code = np.sort(np.concatenate(pairs), axis=1) @ [num, 1]
     order = np.argsort(code)

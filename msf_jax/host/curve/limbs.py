@@ -26,7 +26,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from msf_jax.host.curve import ways
+from msf_jax.host.curve import branch_paths
 from msf_jax.host.curve.branches import Branch, trace
 from msf_jax.host.solid import sections
 from msf_jax.host.solid.enclosure import Enclosure
@@ -56,14 +56,14 @@ class Limbs(NamedTuple):
 def limbs_of(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray) -> Limbs:
     """Measure the solid ``shape`` around the nodes of the curve ``(vertices (N, 3), edges (E, 2))``."""
     num = len(vertices)
-    radius, near = shape.about_clearance(vertices)
+    radius, near = shape.approximate_clearance(vertices)
     degree = np.bincount(np.unique(np.sort(edges, axis=1), axis=0).ravel(), minlength=num)
-    paths = ways.ways_of(vertices, edges, np.zeros(num, dtype=bool))
+    paths = branch_paths.paths_of(vertices, edges, np.zeros(num, dtype=bool))
     width, ahead = np.full(num, np.nan), np.zeros(num)
     nothing = np.empty(0, dtype=np.int64)
     if not paths:
         return Limbs(radius, width, ahead, nothing, nothing)
-    along = unit(ways.chords(vertices, paths, CHORD * radius) @ vertices)
+    along = unit(branch_paths.chords(vertices, paths, CHORD * radius) @ vertices)
     onward = np.zeros((num, 1))  # the chord of a branch points along it: into the solid at its beginning
     for path in paths:
         onward[path.nodes[0]], onward[path.nodes[-1]] = -1.0, 1.0
@@ -125,7 +125,7 @@ def _outer(
     nearest = order[np.searchsorted(found.loop, hole)]
     onward = unit(-away[nearest])
     there = x[hole] + shape.ray_lengths(x[hole], onward, AHEAD * radius[hole])[:, None] * onward
-    again = sections.corners(shape, x[hole], normal[hole], radius[hole], shape.approach(there)[1])
+    again = sections.corners(shape, x[hole], normal[hole], radius[hole], shape.approximate_closest(there)[1])
     stays = ~np.isin(found.loop, hole)
     loop = np.concatenate([found.loop[stays], hole[again.loop]])
     order = np.argsort(loop, kind="stable")

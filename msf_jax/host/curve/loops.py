@@ -5,7 +5,7 @@ But where its nodes come to be is another matter: on a coarse or thin solid they
 around nothing in space. A cycle that goes around no handle, or around none but those that others go around already, is
 cut at its longest edge. For a handle that is left, the shortest path inside that leads from the curve around it and
 back to the curve is added. It is found as the shortest loops of a surface are (Erickson, Whittlesey 2005): every edge
-of a roadmap of the solid (see `passages`) closes one loop with a forest of shortest paths from the curve; the shortest
+of a roadmap of the solid (see `roadmap`) closes one loop with a forest of shortest paths from the curve; the shortest
 is taken whose linking numbers do not depend on those of the loops that are there.
 """
 
@@ -16,7 +16,7 @@ from scipy import sparse
 from scipy.sparse import csgraph
 
 from msf_jax.host.curve.containment import is_inside
-from msf_jax.host.poles.passages import Passages
+from msf_jax.host.poles.roadmap import Roadmap
 from msf_jax.host.solid.enclosure import Enclosure
 from msf_jax.host.solid.geometry import signed_volume
 from msf_jax.host.solid.handles import along_forest, shortest_forest
@@ -158,12 +158,10 @@ def independent(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray) -> np
     return stays
 
 
-def completed(
-    passages: Passages, vertices: np.ndarray, edges: np.ndarray, missing: int
-) -> tuple[np.ndarray, np.ndarray]:
+def completed(roadmap: Roadmap, vertices: np.ndarray, edges: np.ndarray, missing: int) -> tuple[np.ndarray, np.ndarray]:
     """The curve with ``missing`` more loops, each around a handle that none goes around yet: nodes, new ones last, and
     edges. There are fewer of them where the roadmap has no such loop."""
-    handles, is_complete = passages.shape.handles, False
+    handles, is_complete = roadmap.shape.handles, False
     while missing:
         part = _parts(len(vertices), edges)
         closing, windings = handles.windings(vertices, edges)
@@ -177,14 +175,14 @@ def completed(
             len(vertices), forest, handles.linking(*(vertices[forest[:, side]] for side in (0, 1)))
         )
         laid, most = 0, max(AT_ONCE, missing // 4)
-        for start, end, way in passages.loops_from(vertices, edges, is_complete):
+        for start, end, path in roadmap.loops_from(vertices, edges, is_complete):
             if part[start] != part[end]:  # no loop
                 continue
-            course = np.concatenate([vertices[start][None], way, vertices[end][None]])
-            winding = potential[start] - potential[end] + handles.linking(course[:-1], course[1:]).sum(axis=0)
+            polyline = np.concatenate([vertices[start][None], path, vertices[end][None]])
+            winding = potential[start] - potential[end] + handles.linking(polyline[:-1], polyline[1:]).sum(axis=0)
             if span.adds(winding):
-                number = [start, *range(len(vertices), len(vertices) + len(way)), end]
-                vertices = np.concatenate([vertices, way])
+                number = [start, *range(len(vertices), len(vertices) + len(path)), end]
+                vertices = np.concatenate([vertices, path])
                 edges = np.concatenate([edges, np.stack([number[:-1], number[1:]], axis=1)])
                 laid += 1
                 if laid in (most, missing):

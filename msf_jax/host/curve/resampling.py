@@ -33,12 +33,12 @@ def resample(
     """
     degree = np.bincount(edges.ravel(), minlength=len(vertices))
     is_end = (degree != 2) | is_held
-    courses, stops = [], []
+    polylines, stops = [], []
     joined_ends: set[tuple[int, int]] = set()
-    for way in branches.trace(len(vertices), edges):
-        cuts = [0, *(np.flatnonzero(is_end[way[1:-1]]) + 1).tolist(), len(way) - 1]
-        for first, last in itertools.pairwise(cuts) if len(way) > 1 else ():
-            nodes = np.array(way[first : last + 1])
+    for path in branches.trace(len(vertices), edges):
+        cuts = [0, *(np.flatnonzero(is_end[path[1:-1]]) + 1).tolist(), len(path) - 1]
+        for first, last in itertools.pairwise(cuts) if len(path) > 1 else ():
+            nodes = np.array(path[first : last + 1])
             is_end[nodes[[0, -1]]] = True
             ends = (int(nodes[[0, -1]].min()), int(nodes[[0, -1]].max()))
             along = arc_length(vertices[nodes])
@@ -48,12 +48,12 @@ def resample(
             elif num == 1 and ends in joined_ends:
                 num = 2  # and of two branches with the same ends one needs a node of its own
             joined_ends.add(ends)
-            courses.append((nodes, along))
+            polylines.append((nodes, along))
             stops.append(_stops_inside(vertices[nodes], along, num, solid))
     rank = np.cumsum(is_end) - 1
     node_of_old = np.where(is_end, rank, -1)
     new_vertices, new_edges, count = [vertices[is_end]], [np.empty((0, 2), dtype=np.int64)], int(is_end.sum())
-    for (nodes, along), stop in zip(courses, stops, strict=True):
+    for (nodes, along), stop in zip(polylines, stops, strict=True):
         chain = np.r_[rank[nodes[0]], np.arange(count, count + len(stop) - 2), rank[nodes[-1]]]
         new_vertices.append(at(vertices[nodes], along, stop[1:-1]))
         new_edges.append(np.stack([chain[:-1], chain[1:]], axis=1))
@@ -106,11 +106,11 @@ def smooth(
     """
     x = vertices.copy()
     degree = np.bincount(edges.ravel(), minlength=len(x))
-    ways = branches.trace(len(x), edges)
+    paths = branches.trace(len(x), edges)
     for _ in range(rounds):
         goal = x.copy()
-        for way in ways:
-            nodes = way[:-1] + way[:2] if degree[way[0]] == 2 else way  # a loop has no ends that stay
+        for path in paths:
+            nodes = path[:-1] + path[:2] if degree[path[0]] == 2 else path  # a loop has no ends that stay
             goal[nodes[1:-1]] = x[nodes[1:-1]] / 2 + (x[nodes[:-2]] + x[nodes[2:]]) / 4
         is_safe = ~is_held
         if solid is not None:
@@ -122,7 +122,7 @@ def smooth(
     return np.concatenate([x, solid.leave(entered[len(x) :])]), edges
 
 
-def rounded(
+def round_corners(
     shape: Enclosure, vertices: np.ndarray, edges: np.ndarray, is_held: np.ndarray, most: float
 ) -> tuple[np.ndarray, np.ndarray]:
     """The curve with corners that turn by more than ``most`` degrees rounded: its nodes, new ones last, and its edges.
@@ -138,21 +138,21 @@ def rounded(
         sharp = np.flatnonzero(turn > most)
         if not len(sharp):
             break
-        room = np.zeros(len(x))
-        room[sharp] = shape.clearance(x[sharp])
-        before, courses = x, []
-        for way in branches.trace(len(x), edges):
-            nodes = np.array(way)
-            corners = nodes[room[nodes] > 0]
+        clearance = np.zeros(len(x))
+        clearance[sharp] = shape.clearance(x[sharp])
+        before, polylines = x, []
+        for path in branches.trace(len(x), edges):
+            nodes = np.array(path)
+            corners = nodes[clearance[nodes] > 0]
             if len(corners) and nodes[0] == nodes[-1] and turn[nodes[0]] > 0:  # a ring: to begin where it is straight
                 first = int(turn[nodes].argmin())
                 nodes = np.r_[nodes[first:-1], nodes[: first + 1]]
             for corner in corners[np.argsort(-turn[corners], kind="stable")]:
-                x, nodes = _rounded(x, nodes, int(corner), float(room[corner]), is_fixed, most)
-            courses.append(nodes)
+                x, nodes = _round_corner(x, nodes, int(corner), float(clearance[corner]), is_fixed, most)
+            polylines.append(nodes)
         if x is before:
             break
-        edges = np.concatenate([np.stack([nodes[:-1], nodes[1:]], axis=1) for nodes in courses])
+        edges = np.concatenate([np.stack([nodes[:-1], nodes[1:]], axis=1) for nodes in polylines])
     return x, edges
 
 
@@ -170,8 +170,8 @@ def _angles(one: np.ndarray, other: np.ndarray) -> np.ndarray:
     return np.where(one.any(axis=1) & other.any(axis=1), found, 0.0)
 
 
-def _rounded(
-    x: np.ndarray, nodes: np.ndarray, corner: int, room: float, is_fixed: np.ndarray, most: float
+def _round_corner(
+    x: np.ndarray, nodes: np.ndarray, corner: int, clearance: float, is_fixed: np.ndarray, most: float
 ) -> tuple[np.ndarray, np.ndarray]:
     """The nodes (N, 3) of a curve, new ones last, and those of a branch (k,), with one ``corner`` rounded in its ball.
 
@@ -184,7 +184,7 @@ def _rounded(
         return x, nodes
     along, ends = arc_length(x[nodes]), np.flatnonzero(is_end)
     low, high = ends[ends < here].max(), ends[ends > here].min()
-    first, last = max(along[low], along[here] - REACH * room), min(along[high], along[here] + REACH * room)
+    first, last = max(along[low], along[here] - REACH * clearance), min(along[high], along[here] + REACH * clearance)
     begin = max(low, np.searchsorted(along, first))  # the nodes between; others may be in one place with an end
     end = min(high + 1, np.searchsorted(along, last, side="right"))
     has_first = along[begin] <= first + ENDS * (along[here] - first)
@@ -206,15 +206,15 @@ def _rounded(
     chain[is_new] = len(x) + np.arange(np.count_nonzero(is_new))
     y = np.concatenate([x, chosen[is_new]])
     y[old] = chosen[np.isin(chain, old)]
-    way = np.r_[nodes[:begin], chain, nodes[end:]]
-    around = np.diff(y[way[max(begin - 1, 0) : begin + len(chain) + 1]], axis=0)
+    path = np.r_[nodes[:begin], chain, nodes[end:]]
+    around = np.diff(y[path[max(begin - 1, 0) : begin + len(chain) + 1]], axis=0)
     before, after = np.diff(x[nodes[here - 1 : here + 2]], axis=0)
     is_less = _angles(around[:-1], around[1:]).max() < _angles(before[None], after[None])[0]
-    is_apart = np.linalg.norm(np.diff(y[chain], axis=0), axis=1).min() > CLOSEST * room
+    is_apart = np.linalg.norm(np.diff(y[chain], axis=0), axis=1).min() > CLOSEST * clearance
     if not (is_less and is_apart):
         return x, nodes
     is_fixed[old] = True
-    return y, way
+    return y, path
 
 
 def _bezier(points: np.ndarray) -> np.ndarray:

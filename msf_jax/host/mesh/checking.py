@@ -1,4 +1,4 @@
-"""The front door: read a mesh, check it, repair what can be repaired without a doubt, refuse the rest by name.
+"""Validation: read a mesh, check it, repair what can be repaired without a doubt, refuse the rest by name.
 
 A surface that passes is closed, consistently oriented outwards, manifold at edges and vertices, and encloses a volume.
 Repairs made here, each one listed for the report: coincident vertices of an open mesh are welded, vertices without a

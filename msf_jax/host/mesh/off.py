@@ -110,13 +110,13 @@ def triangulated(vertices: np.ndarray, polygons: list[list[int]]) -> np.ndarray:
 
 def _halves(vertices: np.ndarray, quads: np.ndarray) -> np.ndarray:
     """(2n, 3) the triangles of ``quads`` (n, 4): cut from the first corner to the third, or from the second on."""
-    ways = quads[:, [[0, 1, 2, 0, 2, 3], [1, 2, 3, 1, 3, 0]]].reshape(-1, 2, 2, 3)
-    a, b, c = np.moveaxis(vertices[ways], 3, 0)
+    paths = quads[:, [[0, 1, 2, 0, 2, 3], [1, 2, 3, 1, 3, 0]]].reshape(-1, 2, 2, 3)
+    a, b, c = np.moveaxis(vertices[paths], 3, 0)
     normal = np.cross(b - a, c - a)
     is_folded = (normal[:, :, 0] * normal[:, :, 1]).sum(axis=-1) < 0
     length = np.linalg.norm(vertices[quads[:, [0, 1]]] - vertices[quads[:, [2, 3]]], axis=-1)
     best = np.lexsort((length, is_folded), axis=-1)[:, 0]
-    return ways[np.arange(len(ways)), best].reshape(-1, 3)
+    return paths[np.arange(len(paths)), best].reshape(-1, 3)
 
 
 def _ears(vertices: np.ndarray, polygon: list[int]) -> list[tuple[int, int, int]]:

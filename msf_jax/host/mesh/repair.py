@@ -5,7 +5,7 @@ far as the mesh is open; faces that are degenerate or there twice go, and so do 
 way round; sheets that meet in an edge or a vertex are cut apart; holes are filled without new vertices; pieces without
 volume go.
 Each vertex of the result is one of the caller's, so that weights, pins and gradients find theirs; but for those of a
-skirt, where a lid would cut through the surface (see `skirts`).
+skirt, where a lid would cut through the surface (see `rim_extrusion`).
 """
 
 import numbers
@@ -17,11 +17,11 @@ from scipy import sparse, spatial
 from scipy.sparse import csgraph
 
 from msf_jax.base.errors import ConfigError, MeshError
-from msf_jax.host.mesh.chambers import is_wall
 from msf_jax.host.mesh.filling import filled
 from msf_jax.host.mesh.half_edges import by_label, edge_codes
+from msf_jax.host.mesh.internal_walls import is_wall
+from msf_jax.host.mesh.rim_extrusion import extruded
 from msf_jax.host.mesh.sheets import cut_apart, is_double, left_alone, oriented, twins
-from msf_jax.host.mesh.skirts import skirted
 from msf_jax.host.solid.geometry import signed_volume
 
 FEWEST_VERTICES = 5  # of a piece that has a skeleton
@@ -142,7 +142,7 @@ def repaired(vertices: np.ndarray, faces: np.ndarray, options: Repair) -> Repair
     _note(repairs, "doubled {} in which sheets met", num_cut, "vertex", "vertices")
     holes = filled(given[source], faces, options.largest_hole * diagonal)
     _note(repairs, f"filled {{}} with {sum(len(hole.lid) for hole in holes)} faces", len(holes), "hole", "holes")
-    closed = skirted(given[source], faces, holes)
+    closed = extruded(given[source], faces, holes)
     repairs += closed.repairs
     rims = tuple(source[hole.loop] for hole in holes)
     vertices, faces, is_made = closed.vertices, closed.faces, np.arange(len(closed.vertices)) >= len(source)

@@ -96,7 +96,7 @@ class Complex:
 
     def edges(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """The ends of every edge that is left, and its class, where classes are known."""
-        found = [(u, v, value) for u, ways in enumerate(self.classes) for v, value in ways.items() if u < v]
+        found = [(u, v, value) for u, classes in enumerate(self.classes) for v, value in classes.items() if u < v]
         left = np.array(found, dtype=np.int64).reshape(-1, 3)
         return left[:, 0], left[:, 1], left[:, 2]
 

@@ -27,9 +27,9 @@ def fix_degenerate_vertices(meso: Meso, t_f: float) -> int:
 
 def threshold(iteration: int, t_min: float, t_step: float, t_max: float) -> float:
     """The saw-tooth: t_c in that iteration, from 0; rises by ``t_step``, falls to ``t_min`` above ``t_max``."""
-    return t_min + (iteration % num_teeth(t_min, t_step, t_max)) * t_step
+    return t_min + (iteration % num_periods(t_min, t_step, t_max)) * t_step
 
 
-def num_teeth(t_min: float, t_step: float, t_max: float) -> int:
+def num_periods(t_min: float, t_step: float, t_max: float) -> int:
     """Iterations from one fall of the threshold to the next."""
     return 1 if t_step == 0 else int((t_max - t_min) / t_step * (1 + 1e-9)) + 1

@@ -49,11 +49,11 @@ def short_classes(positions: np.ndarray, rings: np.ndarray) -> np.ndarray | None
         closed = np.array([*loop, loop[0]])
         return order[np.searchsorted(code, ring_tables.encode_edges(closed[:-1], closed[1:], num), sorter=order)]
 
-    ways = [along(loop) for loop in loops]
-    number = np.repeat(np.arange(len(ways)), [len(way) for way in ways])
-    ahead = np.concatenate([*ways, np.empty(0, dtype=np.int64)])
-    back = twin[np.concatenate([*(np.roll(way, 1) for way in ways), np.empty(0, dtype=np.int64)])]
-    # On its left a loop is crossed by what lies, counter-clockwise, between the way ahead and the way back.
+    paths = [along(loop) for loop in loops]
+    number = np.repeat(np.arange(len(paths)), [len(path) for path in paths])
+    ahead = np.concatenate([*paths, np.empty(0, dtype=np.int64)])
+    back = twin[np.concatenate([*(np.roll(path, 1) for path in paths), np.empty(0, dtype=np.int64)])]
+    # On its left a loop is crossed by what lies, counter-clockwise, between the path ahead and the path back.
     count = (slot_of[back] - slot_of[ahead] - 1) % degree[tail[ahead]]
     row = np.repeat(np.arange(len(ahead)), count)
     step = np.arange(len(row)) - np.repeat(np.cumsum(count) - count, count) + 1
@@ -64,7 +64,7 @@ def short_classes(positions: np.ndarray, rings: np.ndarray) -> np.ndarray | None
     crossed = left - left[:, twin]
     walked = sparse.csr_matrix((np.ones(len(ahead), dtype=np.int64), (number, ahead)), shape)
     crossings = (walked @ crossed.T).toarray()
-    chosen = _apart(crossings, np.array([length[way].sum() for way in ways]))
+    chosen = _apart(crossings, np.array([length[path].sum() for path in paths]))
     if chosen is None:
         return None
     weight = np.random.default_rng(2005).integers(1, 2**30, size=len(chosen)) @ chosen

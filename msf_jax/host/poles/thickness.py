@@ -65,8 +65,8 @@ def limb_radii(points: np.ndarray, pairs: np.ndarray, some: np.ndarray, radius: 
     """
     (tail, head), num = pairs.T, len(points)
     length = SLOPE * np.linalg.norm(points[tail] - points[head], axis=1)
-    ways = sparse.coo_matrix(
+    paths = sparse.coo_matrix(
         (np.maximum(np.r_[length, most - radius], 1e-12), (np.r_[tail, np.full(len(some), num)], np.r_[head, some])),
         shape=(num + 1, num + 1),
     )
-    return most - csgraph.dijkstra(ways.tocsr(), directed=False, indices=num)[:num]
+    return most - csgraph.dijkstra(paths.tocsr(), directed=False, indices=num)[:num]

@@ -85,7 +85,7 @@ class Enclosure:
         """
         return self._nearest(points, is_exact=True)
 
-    def approach(self, points: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    def approximate_closest(self, points: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Nearly what `nearest` says, in half the time: distance (P,) to a near triangle, and that triangle (P,).
 
         It is the nearest of those at the nearest sample of the surface. Samples are its vertices and, in triangles that
@@ -105,13 +105,13 @@ class Enclosure:
         """Radius (P,) of the largest ball around each point inside the surface, 0 for a point outside."""
         return np.where(self.contains(points), self.distances(points), 0.0)
 
-    def about_clearance(self, points: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    def approximate_clearance(self, points: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """About what `clearance` says, in half the time, and a triangle (P,) near each point."""
-        away, near = self.approach(points)
+        away, near = self.approximate_closest(points)
         return np.where(self.contains(points), away, 0.0), near
 
     def sample_tree(self) -> spatial.KDTree:
-        """A tree of samples of the surface, see `approach`."""
+        """A tree of samples of the surface, see `approximate_closest`."""
         return self._samples.tree
 
     def surface_points(self, most: int) -> tuple[np.ndarray, np.ndarray]:
@@ -127,8 +127,8 @@ class Enclosure:
         return points[size > 0], normal[size > 0] / size[size > 0, None]
 
     def feet(self, points: np.ndarray) -> np.ndarray:
-        """A point (P, 3) of the near triangle of `approach`: the foot of the perpendicular, or one on its rim."""
-        triangle = self.triangles[self.approach(points)[1]]
+        """A point (P, 3) of the triangle of `approximate_closest`: the foot of the perpendicular, or one on its rim."""
+        triangle = self.triangles[self.approximate_closest(points)[1]]
         return np.einsum("pk,pki->pi", barycentric(points, triangle, 0.0), triangle)
 
     def triangles_near(self, points: np.ndarray, reach: np.ndarray) -> Iterator[tuple[np.ndarray, np.ndarray]]:

@@ -44,20 +44,20 @@ def oriented(skeleton: "Skeleton") -> Oriented:
     """The branches of ``skeleton``, in the order of its ``branches``, from its roots, or from the tips of its
     thickest limbs."""
     num = len(skeleton.vertices)
-    ways = [np.array(nodes) for nodes in branches.trace(num, skeleton.edges)]
-    roots = skeleton.roots or _inlets(skeleton, ways)
+    paths = [np.array(nodes) for nodes in branches.trace(num, skeleton.edges)]
+    roots = skeleton.roots or _inlets(skeleton, paths)
     at_node: dict[int, list[int]] = {}
-    for number, nodes in enumerate(ways):
+    for number, nodes in enumerate(paths):
         for end in {int(nodes[0]), int(nodes[-1])}:
             at_node.setdefault(end, []).append(number)
-    parent = np.full(len(ways), -2)
-    inside = {int(node): number for number, nodes in enumerate(ways) for node in nodes[1:-1]}
+    parent = np.full(len(paths), -2)
+    inside = {int(node): number for number, nodes in enumerate(paths) for node in nodes[1:-1]}
     for root in roots:
         queue: deque[tuple[int, int]] = deque()  # a junction that was reached, and the branch that led there
         if root in inside:
             first = inside[root]
             parent[first] = -1
-            queue += [(int(ways[first][0]), first), (int(ways[first][-1]), first)]
+            queue += [(int(paths[first][0]), first), (int(paths[first][-1]), first)]
         else:
             queue.append((int(root), -1))
         while queue:
@@ -65,17 +65,17 @@ def oriented(skeleton: "Skeleton") -> Oriented:
             for number in at_node.get(node, []):
                 if parent[number] == -2:
                     parent[number] = above
-                    if ways[number][0] != node:
-                        ways[number] = ways[number][::-1]
-                    queue.append((int(ways[number][-1]), number))
-    return Oriented(ways, np.where(parent == -2, -1, parent))
+                    if paths[number][0] != node:
+                        paths[number] = paths[number][::-1]
+                    queue.append((int(paths[number][-1]), number))
+    return Oriented(paths, np.where(parent == -2, -1, parent))
 
 
-def _inlets(skeleton: "Skeleton", ways: list[np.ndarray]) -> tuple[int, ...]:
+def _inlets(skeleton: "Skeleton", paths: list[np.ndarray]) -> tuple[int, ...]:
     """A node of each component, the tip of its thickest limb before others."""
     degree = np.bincount(skeleton.edges.ravel(), minlength=len(skeleton.vertices))
     size = skeleton.radii / (1 + skeleton.radii.max())  # below 1: of a component without a tip, the thickest node
-    for nodes in ways:
+    for nodes in paths:
         for tip in nodes[[0, -1]][degree[nodes[[0, -1]]] == 1]:
             size[tip] = 1 + np.median(skeleton.radii[nodes])
     return branches.roots_of(len(size), skeleton.edges, size, None)
@@ -83,21 +83,21 @@ def _inlets(skeleton: "Skeleton", ways: list[np.ndarray]) -> tuple[int, ...]:
 
 def branch_columns(skeleton: "Skeleton") -> Columns:
     """A value for each of the branches in each column."""
-    ways, parent = oriented(skeleton)
-    num, degree = len(ways), np.bincount(skeleton.edges.ravel(), minlength=len(skeleton.vertices))
-    points = [skeleton.vertices[nodes] for nodes in ways]
-    length = np.array([arc_length(way)[-1] for way in points])
-    chord = np.array([np.linalg.norm(way[-1] - way[0]) for way in points])
-    size = np.array([_radii_without_ends(skeleton, nodes, degree) for nodes in ways]).reshape(num, 3)
+    paths, parent = oriented(skeleton)
+    num, degree = len(paths), np.bincount(skeleton.edges.ravel(), minlength=len(skeleton.vertices))
+    points = [skeleton.vertices[nodes] for nodes in paths]
+    length = np.array([arc_length(path)[-1] for path in points])
+    chord = np.array([np.linalg.norm(path[-1] - path[0]) for path in points])
+    size = np.array([_radii_without_ends(skeleton, nodes, degree) for nodes in paths]).reshape(num, 3)
     measured = skeleton.branches
     with np.errstate(divide="ignore", invalid="ignore"):
         tortuosity = np.where(chord > 0, length / chord, np.where(length > 0, np.inf, np.nan))
     return {
         "branch": np.arange(num),
-        "start": np.array([nodes[0] for nodes in ways], dtype=np.int64),
-        "end": np.array([nodes[-1] for nodes in ways], dtype=np.int64),
+        "start": np.array([nodes[0] for nodes in paths], dtype=np.int64),
+        "end": np.array([nodes[-1] for nodes in paths], dtype=np.int64),
         "parent": parent,
-        "is_tip": np.array([degree[nodes[-1]] == 1 for nodes in ways], dtype=bool),
+        "is_tip": np.array([degree[nodes[-1]] == 1 for nodes in paths], dtype=bool),
         "length": length,
         "chord": chord,
         "tortuosity": tortuosity,
@@ -105,7 +105,7 @@ def branch_columns(skeleton: "Skeleton") -> Columns:
         "least_radius": size[:, 1],
         "largest_radius": size[:, 2],
         "volume": _volumes(skeleton, num),
-        "angle": _angles(skeleton, ways, parent),
+        "angle": _angles(skeleton, paths, parent),
         "slenderness": np.array([branch.slenderness for branch in measured], dtype=float),
         "surface": np.array([branch.surface for branch in measured], dtype=float),
     }
@@ -113,7 +113,7 @@ def branch_columns(skeleton: "Skeleton") -> Columns:
 
 def node_columns(skeleton: "Skeleton") -> Columns:
     """A value for each of the nodes in each column; a node at a junction is with the first of its branches."""
-    ways, _ = oriented(skeleton)
+    paths, _ = oriented(skeleton)
     num = len(skeleton.vertices)
     branch, along, curvature, torsion = (
         np.full(num, -1),
@@ -122,7 +122,7 @@ def node_columns(skeleton: "Skeleton") -> Columns:
         np.full(num, np.nan),
     )
     tangent = np.full((num, 3), np.nan)
-    for number, nodes in reversed(list(enumerate(ways))):
+    for number, nodes in reversed(list(enumerate(paths))):
         branch[nodes] = number
         points = skeleton.vertices[nodes]
         along[nodes] = arc_length(points)
@@ -168,17 +168,17 @@ def _radii_without_ends(skeleton: "Skeleton", nodes: np.ndarray, degree: np.ndar
     return float(mean), float(own.min()), float(own.max())
 
 
-def _angles(skeleton: "Skeleton", ways: list[np.ndarray], parent: np.ndarray) -> np.ndarray:
+def _angles(skeleton: "Skeleton", paths: list[np.ndarray], parent: np.ndarray) -> np.ndarray:
     """(B,) degrees by which each branch turns off its parent's direction at their junction, 0 straight on; NaN at a
     root."""
-    found = np.full(len(ways), np.nan)
+    found = np.full(len(paths), np.nan)
     for number, above in enumerate(parent.tolist()):
-        if above < 0 or len(ways[number]) < 2:
+        if above < 0 or len(paths[number]) < 2:
             continue
-        junction = ways[number][0]
-        mother = ways[above] if ways[above][-1] != junction else ways[above][::-1]
+        junction = paths[number][0]
+        mother = paths[above] if paths[above][-1] != junction else paths[above][::-1]
         radius = float(skeleton.radii[junction])
-        ahead = _leaves(skeleton.vertices[ways[number]], radius)
+        ahead = _leaves(skeleton.vertices[paths[number]], radius)
         back = _leaves(skeleton.vertices[mother], radius)
         found[number] = np.degrees(np.arccos(np.clip(-(ahead @ back), -1.0, 1.0)))
     return found

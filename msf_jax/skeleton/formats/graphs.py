@@ -44,9 +44,9 @@ def vtp(skeleton: "Skeleton") -> str:
 
     Point data are those of nodes, cell data those of branches; a column of which nothing is known is left out.
     """
-    ways = branches.trace(len(skeleton.vertices), skeleton.edges)
-    order = sorted(range(len(ways)), key=lambda number: len(ways[number]) > 1)  # VTK has vertices before lines
-    lines, lone = [way for way in ways if len(way) > 1], [way for way in ways if len(way) == 1]
+    paths = branches.trace(len(skeleton.vertices), skeleton.edges)
+    order = sorted(range(len(paths)), key=lambda number: len(paths[number]) > 1)  # VTK has vertices before lines
+    lines, lone = [path for path in paths if len(path) > 1], [path for path in paths if len(path) == 1]
 
     def array(kind: str, name: str, values: str, components: int = 1, form: str = "ascii") -> str:
         head = f'type="{kind}" Name="{name}" NumberOfComponents="{components}" format="{form}"'
@@ -59,9 +59,9 @@ def vtp(skeleton: "Skeleton") -> str:
         text = base64.b64encode(len(data).to_bytes(8, "little") + data).decode()
         return array("Int64" if is_whole else "Float64", name, text, values[:1].size or 1, "binary")
 
-    def cells(name: str, ways: list[list[int]]) -> str:
-        numbers = array("Int64", "connectivity", " ".join(str(node) for way in ways for node in way))
-        ends = array("Int64", "offsets", " ".join(map(str, np.cumsum([len(way) for way in ways], dtype=int))))
+    def cells(name: str, paths: list[list[int]]) -> str:
+        numbers = array("Int64", "connectivity", " ".join(str(node) for path in paths for node in path))
+        ends = array("Int64", "offsets", " ".join(map(str, np.cumsum([len(path) for path in paths], dtype=int))))
         return f"<{name}>{numbers}{ends}</{name}>"
 
     of_node = node_columns(skeleton)

@@ -28,13 +28,13 @@ def parsed(name: str, lines: list[str]) -> tuple[np.ndarray, np.ndarray, np.ndar
             continue
         try:
             count, *values = line.split()
-            way = np.array(values, dtype=np.float64).reshape(max(int(count), 0), 3)
+            path = np.array(values, dtype=np.float64).reshape(max(int(count), 0), 3)
         except ValueError:
             raise ConfigError(
                 f"line {number} of {name!r} is no polyline: expected a count, and as many points of three numbers"
             ) from None
         start = len(points)
-        points += way.tolist()
+        points += path.tolist()
         edges += [(k, k + 1) for k in range(start, len(points) - 1)]
     given = np.array(points).reshape(-1, 3)
     first, inverse = np.unique(given, axis=0, return_index=True, return_inverse=True)[1:]

@@ -44,7 +44,7 @@ class Bones(NamedTuple):
     of_node: np.ndarray
 
 
-class _Way(NamedTuple):
+class _BonePath(NamedTuple):
     """A branch away from the root. along: (n,) arc length of its nodes. start: that of its first joint. above: the
     branch that it leaves, -1 for the root's junction."""
 
@@ -60,14 +60,14 @@ def bones_of(vertices: np.ndarray, edges: np.ndarray, radii: np.ndarray, most: i
     components have some."""
     edges = edges[branches.cut_loops(len(vertices), edges, radii)]
     stays, target = _limbs(vertices, edges, radii, max(1, int(FOR_LIMBS * most)))
-    roots, ways = _ways(vertices, edges[stays[edges].all(axis=1)], radii, stays, most)
-    cuts = _cuts(vertices, radii, ways, most - len(roots))
+    roots, paths = _paths(vertices, edges[stays[edges].all(axis=1)], radii, stays, most)
+    cuts = _cuts(vertices, radii, paths, most - len(roots))
     joints, tails, parents, branch, place, is_limb = [], [], [], [], [], []
     of_node, last = np.full(len(vertices), -1), {}
     for number, root in enumerate(roots):
         joints.append(vertices[root])
-        first = [way for way in ways if way.nodes[0] == root]
-        longest = max(first, key=lambda way: way.along[-1]) if first else None
+        first = [path for path in paths if path.nodes[0] == root]
+        longest = max(first, key=lambda path: path.along[-1]) if first else None
         tails.append(vertices[root] if longest is None else _at(vertices, longest, longest.start))
         parents.append(-1)
         branch.append(-1)
@@ -75,20 +75,20 @@ def bones_of(vertices: np.ndarray, edges: np.ndarray, radii: np.ndarray, most: i
         is_limb.append(False)
         of_node[root] = number
         last[int(root)] = number  # by the node at which a branch ends, the bone that it ends with
-    for number, (way, stops) in enumerate(zip(ways, cuts, strict=True)):
-        above = last[int(way.nodes[0])]
+    for number, (path, stops) in enumerate(zip(paths, cuts, strict=True)):
+        above = last[int(path.nodes[0])]
         first = len(joints)
         for k, (begin, end) in enumerate(itertools.pairwise(stops)):
-            joints.append(_at(vertices, way, begin))
-            tails.append(_at(vertices, way, end))
+            joints.append(_at(vertices, path, begin))
+            tails.append(_at(vertices, path, end))
             parents.append(above if k == 0 else len(joints) - 2)
             branch.append(number)
             place.append(k)
-            is_limb.append(way.is_limb)
-        piece = np.minimum(np.searchsorted(stops, way.along, side="right") - 1, len(stops) - 2)
+            is_limb.append(path.is_limb)
+        piece = np.minimum(np.searchsorted(stops, path.along, side="right") - 1, len(stops) - 2)
         own = np.where(piece < 0, above, first + piece)
-        of_node[way.nodes[1:]] = own[1:]
-        last[int(way.nodes[-1])] = own[-1]
+        of_node[path.nodes[1:]] = own[1:]
+        last[int(path.nodes[-1])] = own[-1]
     known = np.flatnonzero(of_node >= 0)
     lost = np.flatnonzero((of_node < 0) & stays)  # of components without a bone
     if len(lost):
@@ -102,9 +102,9 @@ def bones_of(vertices: np.ndarray, edges: np.ndarray, radii: np.ndarray, most: i
     return found
 
 
-def _at(vertices: np.ndarray, way: _Way, stop: float) -> np.ndarray:
+def _at(vertices: np.ndarray, path: _BonePath, stop: float) -> np.ndarray:
     """The point (3,) of a branch at the arc length ``stop``."""
-    return at(vertices[way.nodes], way.along, np.array([stop]))[0]
+    return at(vertices[path.nodes], path.along, np.array([stop]))[0]
 
 
 def without(bones: Bones, is_left_out: np.ndarray) -> Bones:
@@ -134,16 +134,16 @@ def _limbs(vertices: np.ndarray, edges: np.ndarray, radii: np.ndarray, most: int
     """Which nodes stay (N,) when limbs that are too short for a bone are left out, and the shortest of others until
     there are ``most`` branches; and where each node goes (N,). A limb counts from the ball at its junction."""
     target = np.arange(len(vertices))
-    ways = dict(enumerate(branches.trace(len(vertices), edges)))
+    paths = dict(enumerate(branches.trace(len(vertices), edges)))
     at_end: dict[int, set[int]] = {}
-    for number, nodes in ways.items():
+    for number, nodes in paths.items():
         for end in {nodes[0], nodes[-1]}:
             at_end.setdefault(end, set()).add(number)
-    length = {number: arc_length(vertices[nodes])[-1] for number, nodes in ways.items()}
+    length = {number: arc_length(vertices[nodes])[-1] for number, nodes in paths.items()}
 
     def reach(number: int) -> tuple[float, int, int]:
         """How far a limb sticks out, where, and where it ends; infinitely far unless it is one."""
-        first, last = ways[number][0], ways[number][-1]
+        first, last = paths[number][0], paths[number][-1]
         degrees = len(at_end[first]), len(at_end[last])
         if sorted(degrees)[0] != 1 or sorted(degrees)[1] < 3:
             return np.inf, first, last
@@ -151,34 +151,34 @@ def _limbs(vertices: np.ndarray, edges: np.ndarray, radii: np.ndarray, most: int
         return length[number] - radii[junction], junction, tip
 
     while True:
-        limbs = [(*reach(number), number) for number in ways]
+        limbs = [(*reach(number), number) for number in paths]
         far, junction, tip, number = min(limbs, default=(np.inf, 0, 0, 0))
         short = [(*limb[:3], limb[3]) for limb in limbs if limb[0] < LEAST_LIMB * radii[limb[1]]]
         if short:
             far, junction, tip, number = min(short)
-        elif len(ways) <= most or far == np.inf:
+        elif len(paths) <= most or far == np.inf:
             break
-        gone = [node for node in ways.pop(number) if node != junction]
+        gone = [node for node in paths.pop(number) if node != junction]
         target[gone] = junction
         at_end[junction].discard(number)
         del at_end[tip]
         if len(at_end[junction]) == 2:  # no junction any more: its two branches are one
             a, b = sorted(at_end.pop(junction))
-            one = ways[a] if ways[a][-1] == junction else ways[a][::-1]
-            other = ways[b] if ways[b][0] == junction else ways[b][::-1]
-            ways[a] = one + other[1:]
+            one = paths[a] if paths[a][-1] == junction else paths[a][::-1]
+            other = paths[b] if paths[b][0] == junction else paths[b][::-1]
+            paths[a] = one + other[1:]
             length[a] += length[b]
-            del ways[b]
-            for end in {ways[a][0], ways[a][-1]}:
+            del paths[b]
+            for end in {paths[a][0], paths[a][-1]}:
                 at_end[end] = (at_end[end] - {b}) | {a}
     while (target[target] != target).any():
         target = target[target]
     return target == np.arange(len(vertices)), target
 
 
-def _ways(
+def _paths(
     vertices: np.ndarray, edges: np.ndarray, radii: np.ndarray, stays: np.ndarray, most: int
-) -> tuple[list[int], list[_Way]]:
+) -> tuple[list[int], list[_BonePath]]:
     """The root of each component, and the branches away from it, those nearer to it first."""
     num = len(vertices)
     degree = np.bincount(edges.ravel(), minlength=num)
@@ -196,9 +196,9 @@ def _ways(
     is_end = (degree != 2) & stays
     is_end[roots] = True
     chosen: list[int] = []
-    ways: list[_Way] = []
+    paths: list[_BonePath] = []
     for root in roots.tolist():
-        if len(chosen) + len(ways) + 1 + beside.degree[root] > most and chosen:
+        if len(chosen) + len(paths) + 1 + beside.degree[root] > most and chosen:
             break
         chosen.append(root)
         queue = [(root, -1, -1)]
@@ -214,19 +214,19 @@ def _ways(
                 start = min(radii[node], LEAVES * along[-1])
                 if not is_limb and along[-1] - start < SHORTEST * np.percentile(radii[nodes], USUAL):
                     start = along[-1]  # two junctions that are as good as one
-                ways.append(_Way(np.array(nodes), along, float(start), above, is_limb))
-                queue.append((nodes[-1], nodes[-2], len(ways) - 1))
-    return chosen, ways
+                paths.append(_BonePath(np.array(nodes), along, float(start), above, is_limb))
+                queue.append((nodes[-1], nodes[-2], len(paths) - 1))
+    return chosen, paths
 
 
-def _cuts(vertices: np.ndarray, radii: np.ndarray, ways: list[_Way], most: int) -> list[np.ndarray]:
+def _cuts(vertices: np.ndarray, radii: np.ndarray, paths: list[_BonePath], most: int) -> list[np.ndarray]:
     """For each branch where its bones begin, and where the last ends: the longest bad bone is cut until none is."""
-    cuts = [[way.start, way.along[-1]] if way.start < way.along[-1] else [way.along[-1]] for way in ways]
+    cuts = [[path.start, path.along[-1]] if path.start < path.along[-1] else [path.along[-1]] for path in paths]
     left = most - sum(len(stops) - 1 for stops in cuts)
     heap: list[tuple[float, int, float, float, float]] = []
 
     def look(number: int, begin: float, end: float) -> None:
-        badness, where = _bend(vertices, radii, ways[number], begin, end)
+        badness, where = _bend(vertices, radii, paths[number], begin, end)
         if badness > 1:
             heapq.heappush(heap, (begin - end, number, begin, end, where))
 
@@ -242,12 +242,12 @@ def _cuts(vertices: np.ndarray, radii: np.ndarray, ways: list[_Way], most: int) 
     return [np.array(stops) for stops in cuts]
 
 
-def _bend(vertices: np.ndarray, radii: np.ndarray, way: _Way, begin: float, end: float) -> tuple[float, float]:
+def _bend(vertices: np.ndarray, radii: np.ndarray, path: _BonePath, begin: float, end: float) -> tuple[float, float]:
     """How badly one bone does for a piece of a branch, 1 being the limit, and the arc length at which to cut it."""
-    inner = (way.along > begin) & (way.along < end)
-    stops = np.r_[begin, way.along[inner], end]
-    points = at(vertices[way.nodes], way.along, stops)
-    size = np.interp(stops, way.along, radii[way.nodes])
+    inner = (path.along > begin) & (path.along < end)
+    stops = np.r_[begin, path.along[inner], end]
+    points = at(vertices[path.nodes], path.along, stops)
+    size = np.interp(stops, path.along, radii[path.nodes])
     radius = max(float(np.percentile(size, USUAL)), 1e-12)
     is_free = (stops - begin >= SHORTEST * radius) & (end - stops >= SHORTEST * radius)
     if not is_free.any():

@@ -41,19 +41,19 @@ def extend(
     x = vertices.copy()
     degree = np.bincount(edges.ravel(), minlength=len(x))
     tips = []
-    for way in branches.trace(len(x), edges):
-        for nodes in (np.array(way), np.array(way[::-1])):
+    for path in branches.trace(len(x), edges):
+        for nodes in (np.array(path), np.array(path[::-1])):
             if degree[nodes[0]] == 1 and not is_held[nodes[0]]:
                 # A branch with two leaves can be taken back to its middle from both; a held node is not passed.
                 last = (len(nodes) - 1) // 2 if degree[nodes[-1]] == 1 else len(nodes) - 1
                 tips.append(Tip(nodes, int(np.argmax(np.append(is_held[nodes[:last]], True)))))
     if not tips:
         return x, edges
-    radii = shape.approach(x)[0]
-    courses = _march(shape, vertices, radii, tips)
+    radii = shape.approximate_closest(x)[0]
+    polylines = _march(shape, vertices, radii, tips)
     added, joined, count = [], [], len(x)
-    for (nodes, _), (kept, course) in zip(tips, courses, strict=True):
-        along = arc_length(course)
+    for (nodes, _), (kept, polyline) in zip(tips, polylines, strict=True):
+        along = arc_length(polyline)
         if along[-1] < arc_length(vertices[nodes[: kept + 1]])[-1]:
             continue  # no farther than before
         # Nodes that were taken back lie on the course again, evenly; what they leave uncovered gets new nodes.
@@ -61,7 +61,7 @@ def extend(
         radius = max(float(radii[nodes[: kept + 1]].max()), 1e-300)
         num_new = max(0, int(np.ceil(along[-1] / (STEP * radius))) - len(moved))
         stops = np.linspace(0, along[-1], len(moved) + num_new + 1)[1:]
-        places = at(course, along, stops)
+        places = at(polyline, along, stops)
         x[moved[::-1]] = places[: len(moved)]
         chain = [int(nodes[0]), *range(count, count + num_new)]
         joined += list(itertools.pairwise(chain))
@@ -88,25 +88,25 @@ def _march(shape: Enclosure, vertices: np.ndarray, radii: np.ndarray, tips: list
         limb.append(size)
     place, heading, size = np.array(start), unit(np.array(direction)), np.array(limb)
     stride = np.full(len(place), STEP)
-    courses = [[point.copy()] for point in place]
+    polylines = [[point.copy()] for point in place]
     active, tree = np.flatnonzero(size > 0), spatial.KDTree(vertices)
     for count in range(MOST_STEPS_IN_A_LIMB):
         ahead = shape.ray_lengths(place[active], heading[active], 4 * size[active])
-        room = ahead - GAP * size[active]
-        step = np.minimum(stride[active] * size[active], room)
+        clearance = ahead - GAP * size[active]
+        step = np.minimum(stride[active] * size[active], clearance)
         goal = place[active] + step[:, None] * heading[active]
-        found = sections.cut(shape, goal, heading[active], size[active], shape.approach(goal)[1])
+        found = sections.cut(shape, goal, heading[active], size[active], shape.approximate_closest(goal)[1])
         off = found.centroid - goal
         length = np.linalg.norm(off, axis=1)
         is_limb = found.is_around & (found.radius < 2 * size[active])
         # A turn of half a right angle at most in a step; and a cap's sections wander, so they count for less.
-        share = np.minimum(1.0, TURN * step / np.maximum(length, 1e-300)) * np.clip(room / size[active], 0, 1)
+        share = np.minimum(1.0, TURN * step / np.maximum(length, 1e-300)) * np.clip(clearance / size[active], 0, 1)
         goal = goal + np.where(is_limb, share, 0.0)[:, None] * off
-        is_open = (room > 0.02 * size[active]) & (
-            shape.about_clearance(goal)[0] > 0.1 * np.minimum(size[active], ahead)
+        is_open = (clearance > 0.02 * size[active]) & (
+            shape.approximate_clearance(goal)[0] > 0.1 * np.minimum(size[active], ahead)
         )
         for row, point in zip(active[is_open], goal[is_open], strict=True):
-            courses[row].append(point)
+            polylines[row].append(point)
         heading[active[is_open]] = unit(heading[active] + unit(goal - place[active]))[is_open]
         place[active[is_open]] = goal[is_open]
         # A limb that tapers is followed with its own radius, but not into its cap.
@@ -114,10 +114,10 @@ def _march(shape: Enclosure, vertices: np.ndarray, radii: np.ndarray, tips: list
         size[active[is_full]] = np.minimum(size[active], found.radius)[is_full]
         # Where the way is barred, a shorter step may go round the bend.
         stride[active] = np.where(is_open, np.minimum(2 * stride[active], STEP), stride[active] / 2)
-        has_way = (room > 0.02 * size[active]) & (stride[active] > STEP / 5)
+        has_way = (clearance > 0.02 * size[active]) & (stride[active] > STEP / 5)
         if count >= MOST_STEPS:
             has_way &= is_limb & (tree.query(place[active])[0] > size[active])
         active = active[has_way]
         if not len(active):
             break
-    return [(number, np.array(course)) for number, course in zip(kept, courses, strict=True)]
+    return [(number, np.array(polyline)) for number, polyline in zip(kept, polylines, strict=True)]

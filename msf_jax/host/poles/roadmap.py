@@ -37,7 +37,7 @@ VISITS = 5_000_000  # of balls, by all searches for ways of a curve
 Test = Callable[[Enclosure, np.ndarray, np.ndarray], np.ndarray]
 
 
-class Passages:
+class Roadmap:
     """Ways through the solid ``shape``, of diagonal 1.
 
     Args:
@@ -55,7 +55,7 @@ class Passages:
         self._balls: tuple[np.ndarray, np.ndarray] | None = None
         self._links: _Links | None = None
 
-    def ways(self, x: np.ndarray, pairs: np.ndarray) -> list[np.ndarray]:
+    def paths(self, x: np.ndarray, pairs: np.ndarray) -> list[np.ndarray]:
         """Points (k, 3) from x[a] to x[b] for each of ``pairs`` (E, 2), with segments inside; none where there is none.
 
         A roomy and short one near the edge is taken.
@@ -73,15 +73,15 @@ class Passages:
         self.num_looks += graph.num_looks
         found = []
         for (start, end), has_ends in zip(number[place].tolist(), is_asked.tolist(), strict=True):
-            way = np.empty((0, 3))
+            path = np.empty((0, 3))
             if has_ends and graph.part[start] == graph.part[end] and self.num_visits <= VISITS:
-                way = graph.way(start, end)
+                path = graph.path(start, end)
                 self.num_visits += graph.num_visits
             elif has_ends and graph.part[start] != graph.part[end] and is_joined:
                 self.num_closed += 1
             else:
                 self.num_refused += has_ends
-            found.append(way)
+            found.append(path)
         self._links = graph.links_of_balls()
         return found
 
@@ -93,7 +93,7 @@ class Passages:
         all that are inside, if ``is_complete``.
 
         Yields:
-            start, end: nodes. way: (k, 3) points between them.
+            start, end: nodes. path: (k, 3) points between them.
         """
         is_used = self.shape.clearance(x) > TOUCHING
         node_of_end = np.flatnonzero(is_used)
@@ -125,7 +125,7 @@ class Passages:
         rows = rows[np.r_[True, around[rows][1:] != around[rows][:-1]]] if len(rows) else rows
         for row in rows[np.argsort(length[rows], kind="stable")].tolist():
             there, back = (_ascent(before, int(ball[row])) for ball in (tail, head))
-            start, end = (int(node_of_end[way[-1] - first]) for way in (there, back))
+            start, end = (int(node_of_end[path[-1] - first]) for path in (there, back))
             yield start, end, graph.centre[[*there[-2::-1], *back[:-1]]]
 
     def nearest(self, points: np.ndarray, radii: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -218,7 +218,7 @@ class _Graph:
         self.links.is_seen[edge] = True
         return bool(self.links.is_open[edge].all())
 
-    def way(self, start: int, end: int) -> np.ndarray:
+    def path(self, start: int, end: int) -> np.ndarray:
         """Points (k, 3) between the two, which are in one part."""
         self.num_visits = 0
         if start == end:
@@ -282,10 +282,10 @@ def inner_balls(shape: Enclosure) -> tuple[np.ndarray, np.ndarray]:
         radius[is_smaller] = smaller[is_smaller]
     centre = points - radius[:, None] * normals
     chosen = _one_for_each_place(centre, radius)
-    room = shape.clearance(centre[chosen])
-    chosen, room = chosen[room > TOUCHING], room[room > TOUCHING]
-    again = _one_for_each_place(centre[chosen], room)
-    return centre[chosen[again]], room[again]
+    clearance = shape.clearance(centre[chosen])
+    chosen, clearance = chosen[clearance > TOUCHING], clearance[clearance > TOUCHING]
+    again = _one_for_each_place(centre[chosen], clearance)
+    return centre[chosen[again]], clearance[again]
 
 
 def _one_for_each_place(centre: np.ndarray, radius: np.ndarray) -> np.ndarray:
@@ -298,8 +298,8 @@ def _one_for_each_place(centre: np.ndarray, radius: np.ndarray) -> np.ndarray:
 def _links(centre: np.ndarray, radius: np.ndarray, tail: np.ndarray, head: np.ndarray) -> _Links:
     length = np.linalg.norm(centre[tail] - centre[head], axis=1)
     gap = length / np.maximum(radius[tail] + radius[head], TOUCHING)
-    room = np.maximum(np.minimum(radius[tail], radius[head]), TOUCHING)
-    return _Links(tail, head, gap, np.maximum(length / room, 1e-9), gap < 1, gap < 1)
+    clearance = np.maximum(np.minimum(radius[tail], radius[head]), TOUCHING)
+    return _Links(tail, head, gap, np.maximum(length / clearance, 1e-9), gap < 1, gap < 1)
 
 
 def _levels(radius: np.ndarray) -> np.ndarray:
@@ -323,13 +323,13 @@ def _neighbours(centre: np.ndarray, radius: np.ndarray) -> tuple[np.ndarray, np.
     return tail[is_near], head[is_near]
 
 
-def _links_of_ends(centre: np.ndarray, radius: np.ndarray, ends: np.ndarray, room: np.ndarray) -> _Links:
+def _links_of_ends(centre: np.ndarray, radius: np.ndarray, ends: np.ndarray, clearance: np.ndarray) -> _Links:
     """Edges from balls to ``ends`` (P, 3), numbered after them: to those next to each, and to some of every size."""
     number, level = len(centre) + np.arange(len(ends)), _levels(radius)
     pairs = [_nearest(ends, number, centre, np.arange(len(centre)), NEIGHBOURS)]
     pairs += [_nearest(ends, number, centre, np.flatnonzero(level == size), LARGER) for size in np.unique(level)]
     both = np.unique(np.concatenate(pairs), axis=0)
-    return _links(np.concatenate([centre, ends]), np.concatenate([radius, room]), both[:, 1], both[:, 0])
+    return _links(np.concatenate([centre, ends]), np.concatenate([radius, clearance]), both[:, 1], both[:, 0])
 
 
 def _nearest(points: np.ndarray, number: np.ndarray, centre: np.ndarray, others: np.ndarray, num: int) -> np.ndarray:

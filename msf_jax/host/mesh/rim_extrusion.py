@@ -26,7 +26,7 @@ MOST_TESTED = 200  # pieces with an uneven lid, those with the most faces first
 BESIDE = 1e-5  # of a piece's extent, behind the middle of a face, where it is asked whether that is inside
 
 
-class Skirted(NamedTuple):
+class Extruded(NamedTuple):
     """A surface without holes.
 
     vertices: (V, 3), those that were given and the skirts', which come last. faces: (F, 3). source: (M,) the vertex of
@@ -39,14 +39,14 @@ class Skirted(NamedTuple):
     repairs: list[str]
 
 
-class Skirt(NamedTuple):
+class RimExtrusion(NamedTuple):
     """ring: (n, 3) the vertices at its end, in the order of the rim. faces: its own and the lid's, (S, 3)."""
 
     ring: np.ndarray
     faces: np.ndarray
 
 
-def skirted(vertices: np.ndarray, faces: np.ndarray, holes: list[Hole]) -> Skirted:
+def extruded(vertices: np.ndarray, faces: np.ndarray, holes: list[Hole]) -> Extruded:
     """The surface of ``faces`` (F, 3) with the lids of ``holes``, or a skirt where a lid cuts through its piece.
 
     Of the holes of a piece the one with the longest rim can have one.
@@ -59,12 +59,12 @@ def skirted(vertices: np.ndarray, faces: np.ndarray, holes: list[Hole]) -> Skirt
             continue
         loop = np.array(holes[number].loop)
         for side in (1, -1):
-            skirt = _skirt(vertices, known, loop, side)
-            every = np.concatenate([vertices, skirt.ring])
-            if share_cut_off(every, np.concatenate([known, skirt.faces]), len(mine)) <= LARGEST_CUT:
+            extrusion = _extrusion(vertices, known, loop, side)
+            every = np.concatenate([vertices, extrusion.ring])
+            if share_cut_off(every, np.concatenate([known, extrusion.faces]), len(mine)) <= LARGEST_CUT:
                 first = sum(map(len, rings))
-                instead[number] = np.where(skirt.faces < len(vertices), 0, first - len(vertices)) + skirt.faces
-                rings.append(skirt.ring)
+                instead[number] = np.where(extrusion.faces < len(vertices), 0, first - len(vertices)) + extrusion.faces
+                rings.append(extrusion.ring)
                 sources.append(loop)
                 break
         else:
@@ -72,15 +72,17 @@ def skirted(vertices: np.ndarray, faces: np.ndarray, holes: list[Hole]) -> Skirt
     repairs = []
     if instead:
         made = sum(map(len, rings)) - len(vertices)
-        lids, skirts = ("1 lid", "a skirt") if len(instead) == 1 else (f"{len(instead)} lids", "skirts")
-        repairs.append(f"put {lids} that would cut through the surface at the end of {skirts}: {made} new vertices")
+        lids, rim_extrusion = ("1 lid", "a skirt") if len(instead) == 1 else (f"{len(instead)} lids", "skirts")
+        repairs.append(
+            f"put {lids} that would cut through the surface at the end of {rim_extrusion}: {made} new vertices"
+        )
     if num_kept:
         lids = "the lid of 1 hole cuts" if num_kept == 1 else f"the lids of {num_kept} holes cut"
         repairs.append(f"{lids} through the surface, and so would a skirt: the curve may be outside there")
     if len(uneven) > MOST_TESTED:
         repairs.append(f"looked if lids cut through the surface in the largest {MOST_TESTED} of {len(uneven)} pieces")
     lids = [instead.get(number, hole.lid) for number, hole in enumerate(holes)]
-    return Skirted(np.concatenate(rings), np.concatenate([faces, *lids]), np.concatenate(sources), repairs)
+    return Extruded(np.concatenate(rings), np.concatenate([faces, *lids]), np.concatenate(sources), repairs)
 
 
 def share_cut_off(vertices: np.ndarray, faces: np.ndarray, num_given: int) -> float:
@@ -129,7 +131,7 @@ def _area_vector(rim: np.ndarray) -> np.ndarray:
     return np.cross(around, np.roll(around, -1, axis=0)).sum(axis=0)
 
 
-def _skirt(vertices: np.ndarray, faces: np.ndarray, loop: np.ndarray, side: int) -> Skirt:
+def _extrusion(vertices: np.ndarray, faces: np.ndarray, loop: np.ndarray, side: int) -> RimExtrusion:
     """The skirt from a ``loop`` (n,) round a hole past the piece of ``faces``, numbered from ``len(vertices)``.
 
     It goes to where the lid looks, which is behind the surface, or with ``side`` -1 the other way.
@@ -142,4 +144,4 @@ def _skirt(vertices: np.ndarray, faces: np.ndarray, loop: np.ndarray, side: int)
     after, below_after = np.roll(loop, -1), np.roll(below, -1)
     band = [np.stack([loop, after, below_after], axis=1), np.stack([loop, below_after, below], axis=1)]
     lid = np.array(cap(ring, list(range(len(loop))), set()), dtype=np.int64).reshape(-1, 3) + len(vertices)
-    return Skirt(ring, np.concatenate([*band, lid]))
+    return RimExtrusion(ring, np.concatenate([*band, lid]))

@@ -50,7 +50,7 @@ def grow(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray) -> tuple[np.
     beside = _neighbours(shape.faces, len(x))
     for _ in range(ROUNDS):
         is_left = (least < THICKEST) & ~_is_explained(shape, radius, vertices, edges)
-        rings = _waves(x, x - radius[:, None] * normals, radius, beside, is_left)
+        rings = _wavefronts(x, x - radius[:, None] * normals, radius, beside, is_left)
         new = np.flatnonzero(_is_limb(rings))
         number = np.full(len(rings.parent), -1)
         number[new] = len(vertices) + np.arange(len(new))
@@ -70,21 +70,21 @@ def _neighbours(faces: np.ndarray, num: int) -> sparse.csr_matrix:
 def _is_explained(shape: Enclosure, radius: np.ndarray, vertices: np.ndarray, edges: np.ndarray) -> np.ndarray:
     """(V,) which vertices of the surface are as near to the curve as the solid is thick, there or at the curve."""
     a, b = vertices[edges[:, 0]], vertices[edges[:, 1]]
-    clear = shape.about_clearance(vertices)[0]
+    clear = shape.approximate_clearance(vertices)[0]
     # At the end of a limb the ball is small: the limb is as thick as a little before.
     clear = thickness.limb_radii(vertices, edges, np.arange(len(vertices)), clear, float(clear.max()))
-    room = clear[edges].max(axis=1)
-    pace = SPACING * np.maximum(room, float(np.median(radius)))
+    clearance = clear[edges].max(axis=1)
+    pace = SPACING * np.maximum(clearance, float(np.median(radius)))
     num = np.clip(np.ceil(np.linalg.norm(b - a, axis=1) / pace), 1, MOST_POINTS).astype(int)
     row = np.repeat(np.arange(len(edges)), num)
     place = np.arange(len(row)) - np.repeat(np.cumsum(num) - num, num)
     share = ((place + 0.5) / num[row])[:, None]
     points = np.concatenate([vertices, a[row] * (1 - share) + b[row] * share])
     away, near = spatial.KDTree(points).query(shape.vertices)
-    return away <= EXPLAINED * np.maximum(radius, np.concatenate([clear, room[row]])[near])
+    return away <= EXPLAINED * np.maximum(radius, np.concatenate([clear, clearance[row]])[near])
 
 
-def _waves(
+def _wavefronts(
     points: np.ndarray, centres: np.ndarray, radius: np.ndarray, beside: sparse.csr_matrix, is_left: np.ndarray
 ) -> Rings:
     """Rings of the waves over what is left of ``points`` (V, 3), from its borders on.

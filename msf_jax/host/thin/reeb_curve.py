@@ -29,7 +29,7 @@ AT_TIP = 0.5  # radii: vertices that are less far by no more than that are at a 
 TO_TIP = 0.8  # of the way from the last ring of a limb to its tip, that the curve goes
 
 
-class Course(NamedTuple):
+class ReebCurve(NamedTuple):
     """A curve: vertices (N, 3), edges (E, 2), and node_of_vertex (V,), one near each of the surface's."""
 
     vertices: np.ndarray
@@ -37,7 +37,7 @@ class Course(NamedTuple):
     node_of_vertex: np.ndarray
 
 
-def course(shape: Enclosure, is_inside: Test) -> Course | None:
+def reeb_curve(shape: Enclosure, is_inside: Test) -> ReebCurve | None:
     """The curve of a connected solid of diagonal 1; None where it is not thin, not coarse, or no limb but a plate."""
     x, faces = shape.vertices, shape.faces
     normals = unit(vertex_normals(x, faces))
@@ -53,8 +53,8 @@ def course(shape: Enclosure, is_inside: Test) -> Course | None:
         return None
     graph = sparse.csr_matrix((np.maximum(length, 1e-12), (tail, head)), shape=(len(x),) * 2)
     thickest = np.argsort(-radius, kind="stable")[:CANDIDATES]
-    room = shape.about_clearance(x[thickest] - radius[thickest, None] * normals[thickest])[0]
-    seed = int(thickest[room.argmax()])
+    clearance = shape.approximate_clearance(x[thickest] - radius[thickest, None] * normals[thickest])[0]
+    seed = int(thickest[clearance.argmax()])
     away = csgraph.dijkstra(graph, indices=seed)
     found = levels(x, faces, away, step)
     if not len(found.centre) or np.median(found.perimeter) > ROUND * 2 * np.pi * step:
@@ -71,7 +71,7 @@ def course(shape: Enclosure, is_inside: Test) -> Course | None:
     ring_of[found.below] = ring_of[found.above] = np.arange(len(found.centre))
     last = found.centre[ring_of[end]]
     vertices, edges = _joined(shape, found, last + TO_TIP * (tip - last), end, is_inside)
-    return Course(vertices, edges, ring_of[found.piece])
+    return ReebCurve(vertices, edges, ring_of[found.piece])
 
 
 def _joined(

@@ -16,7 +16,7 @@ BEYOND = 7.0  # sizes of a limb: nodes that are farther along it say nothing of 
 FLOOR = 1e-9  # of the weight of one at hand, which every node of the branch has
 
 
-class Way(NamedTuple):
+class BranchPath(NamedTuple):
     """A branch. nodes: (k,). is_loop: it has no junction, and its ends are one node. share: (k,) of the length before
     each node, which it is to keep. stops: positions in ``nodes`` of its ends and of the nodes that do not move."""
 
@@ -26,7 +26,7 @@ class Way(NamedTuple):
     stops: np.ndarray
 
 
-def ways_of(vertices: np.ndarray, edges: np.ndarray, is_held: np.ndarray) -> list[Way]:
+def paths_of(vertices: np.ndarray, edges: np.ndarray, is_held: np.ndarray) -> list[BranchPath]:
     """The branches of a curve that have a length."""
     degree = np.bincount(edges.ravel(), minlength=len(vertices))
     found = []
@@ -36,14 +36,14 @@ def ways_of(vertices: np.ndarray, edges: np.ndarray, is_held: np.ndarray) -> lis
             along = arc_length(vertices[nodes])
             stops = np.unique(np.r_[0, np.flatnonzero(is_held[nodes]), len(nodes) - 1])
             is_loop = bool(nodes[0] == nodes[-1] and degree[nodes[0]] == 2)
-            found.append(Way(nodes, is_loop, along / max(along[-1], 1e-300), stops))
+            found.append(BranchPath(nodes, is_loop, along / max(along[-1], 1e-300), stops))
     return found
 
 
-def spread(x: np.ndarray, ways: list[Way]) -> np.ndarray:
+def spread(x: np.ndarray, paths: list[BranchPath]) -> np.ndarray:
     """Nodes (N, 3) on the same course, each again at its share of its branch's length."""
     spaced = x.copy()
-    for nodes, _, share, stops in ways:
+    for nodes, _, share, stops in paths:
         for _ in range(SPREADINGS):
             along = arc_length(spaced[nodes])
             goal = np.interp(share, share[stops], along[stops])
@@ -51,10 +51,10 @@ def spread(x: np.ndarray, ways: list[Way]) -> np.ndarray:
     return spaced
 
 
-def chords(x: np.ndarray, ways: list[Way], reach: np.ndarray) -> sparse.csr_matrix:
+def chords(x: np.ndarray, paths: list[BranchPath], reach: np.ndarray) -> sparse.csr_matrix:
     """(N, N): times the nodes, the chord of the branch from ``reach`` (N,) before each node to as far behind it."""
     rows, columns, values = [], [], []
-    for nodes, is_loop, _, _ in ways:
+    for nodes, is_loop, _, _ in paths:
         along = arc_length(x[nodes])
         own = slice(0, len(nodes) - 1 if is_loop else len(nodes))
         for sign in (1, -1):
@@ -71,27 +71,29 @@ def chords(x: np.ndarray, ways: list[Way], reach: np.ndarray) -> sparse.csr_matr
     return sparse.csr_matrix(entries, (len(x), len(x)))
 
 
-def triples(x: np.ndarray, ways: list[Way]) -> tuple[np.ndarray, np.ndarray]:
+def triples(x: np.ndarray, paths: list[BranchPath]) -> tuple[np.ndarray, np.ndarray]:
     """Each inner node (T,) of a branch between its neighbours, (T, 3), and the mean length (T,) of its two edges."""
     found, spacing = [np.empty((0, 3), dtype=np.int64)], [np.empty(0)]
-    for nodes, is_loop, _, _ in ways:
-        course = np.r_[nodes, nodes[1]] if is_loop else nodes
-        along = arc_length(x[course])
-        found.append(np.stack([course[:-2], course[1:-1], course[2:]], axis=1))
+    for nodes, is_loop, _, _ in paths:
+        polyline = np.r_[nodes, nodes[1]] if is_loop else nodes
+        along = arc_length(x[polyline])
+        found.append(np.stack([polyline[:-2], polyline[1:-1], polyline[2:]], axis=1))
         spacing.append((along[2:] - along[:-2]) / 2)
     return np.concatenate(found), np.concatenate(spacing)
 
 
-def sizes(x: np.ndarray, ways: list[Way], size: np.ndarray, weight: np.ndarray, room: np.ndarray) -> np.ndarray:
+def sizes(
+    x: np.ndarray, paths: list[BranchPath], size: np.ndarray, weight: np.ndarray, clearance: np.ndarray
+) -> np.ndarray:
     """(N,) how large the limb around each node is: the mean of ``size`` along its branch, with ``weight``, near by.
 
-    The ends of branches, and branches on which nothing has a weight, have their ``room``.
+    The ends of branches, and branches on which nothing has a weight, have their ``clearance``.
     """
-    found = room.copy()
+    found = clearance.copy()
     degree = np.zeros(len(x), dtype=np.int64)
-    for way in ways:
-        np.add.at(degree, way.nodes[[0, -1]], 1)
-    for nodes, is_loop, _, _ in ways:
+    for path in paths:
+        np.add.at(degree, path.nodes[[0, -1]], 1)
+    for nodes, is_loop, _, _ in paths:
         own = weight[nodes]
         if own.sum() > 1e-3:
             along = arc_length(x[nodes])
@@ -111,11 +113,11 @@ def sizes(x: np.ndarray, ways: list[Way], size: np.ndarray, weight: np.ndarray, 
 
 
 def clear_of_junctions(
-    x: np.ndarray, ways: list[Way], degree: np.ndarray, size: np.ndarray, zone: float, margin: float
+    x: np.ndarray, paths: list[BranchPath], degree: np.ndarray, size: np.ndarray, zone: float, margin: float
 ) -> np.ndarray:
     """(N,) from 0, at junctions and within ``zone`` of their ``size``, to 1, where the ``margin`` around that ends."""
     clear = np.where(degree > 2, 0.0, 1.0)
-    for nodes, _, _, _ in ways:
+    for nodes, _, _, _ in paths:
         along = arc_length(x[nodes])
         for end, distance in ((nodes[0], along), (nodes[-1], along[-1] - along)):
             if degree[end] > 2:
@@ -124,23 +126,23 @@ def clear_of_junctions(
     return clear
 
 
-def usual(ways: list[Way], known: np.ndarray) -> np.ndarray:
+def usual(paths: list[BranchPath], known: np.ndarray) -> np.ndarray:
     """(N,) the median along its branch of what is ``known`` (N,), NaN where it is not."""
     found = np.full(len(known), np.nan)
-    for way in ways:
-        along = known[way.nodes]
+    for path in paths:
+        along = known[path.nodes]
         if not np.isnan(along).all():
-            found[way.nodes] = np.nanmedian(along)
+            found[path.nodes] = np.nanmedian(along)
     return found
 
 
-def second_sizes(ways: list[Way], size: np.ndarray, weight: np.ndarray) -> np.ndarray:
+def second_sizes(paths: list[BranchPath], size: np.ndarray, weight: np.ndarray) -> np.ndarray:
     """(N,) the second largest mean ``size`` (N,), with ``weight`` (N,), of the branches that end at each node.
 
     It is the largest where only one is known, and infinite where none is.
     """
     ends: dict[int, list[float]] = {}
-    for nodes, _, _, _ in ways:
+    for nodes, _, _, _ in paths:
         own = weight[nodes]
         if own.sum() > 1e-3:
             for end in (nodes[0], nodes[-1]):
