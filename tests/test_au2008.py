@@ -146,7 +146,7 @@ def test_recentring_brings_a_shifted_contraction_back():
     assert np.allclose(moved[9], moved[8])
 
 
-@pytest.mark.parametrize("name", ["y_coarse", "helix_coarse"])
+@pytest.mark.parametrize("name", [pytest.param("y_coarse", marks=pytest.mark.slow), "helix_coarse"])
 def test_the_system_contracts_to_a_millionth_and_draws_the_curve(name):
     shape = ground_truth.make(name)
     plain = msf_jax.skeletonize(shape.mesh, config=Config.au2008(check=True))

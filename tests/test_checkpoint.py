@@ -271,6 +271,7 @@ def moved_away(times):
     return compiled, calls
 
 
+@pytest.mark.slow
 def test_a_step_that_ran_away_is_redone_shorter(mesh, monkeypatch):
     """With a tenth of the contraction, twice; the tape knows, and the report says so."""
     compiled, calls = moved_away(2)

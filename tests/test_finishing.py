@@ -585,7 +585,8 @@ def test_a_held_node_behind_a_leaf_is_not_moved():
     np.testing.assert_array_equal(x[1], scale * line[1])
 
 
-@pytest.mark.parametrize("turn", [pytest.param(0.0, marks=pytest.mark.slow), 0.7])
+@pytest.mark.slow
+@pytest.mark.parametrize("turn", [0.0, 0.7])
 def test_a_cube_has_one_straight_branch_and_its_bumps_have_one_each(turn):
     """Not legs into corners, and no bump is left out, however it is turned."""
 

@@ -117,6 +117,7 @@ def test_fixed_vertices_do_not_move():
     assert np.delete(moved, held).min() > 0
 
 
+@pytest.mark.slow  # so do the tests of determinism
 def test_two_runs_give_the_same_bits():
     mesh = blob(7)
     one, two = msf_jax.skeletonize(mesh), msf_jax.skeletonize(mesh)
@@ -376,6 +377,7 @@ def test_too_thin_a_plate_is_refused_by_every_system():
             msf_jax.skeletonize(plate, config=Config.named(system))
 
 
+@pytest.mark.slow  # another scale is above
 def test_the_skeleton_of_a_tiny_or_huge_mesh_is_the_same():
     mesh = blob(4, 2)
     plain = msf_jax.skeletonize(mesh)
@@ -385,6 +387,7 @@ def test_the_skeleton_of_a_tiny_or_huge_mesh_is_the_same():
         assert np.allclose(scaled.radii / scale, plain.radii, atol=1e-9)
 
 
+@pytest.mark.system
 def test_a_process_that_was_forked_after_a_run_does_not_hang(monkeypatch):
     mesh = trimesh.creation.capsule(height=2.0, radius=0.4)
     skeleton = msf_jax.skeletonize(mesh)

@@ -131,6 +131,7 @@ def test_slopes_are_those_of_the_nearest_triangle():
     )  # moved together, nothing changes
 
 
+@pytest.mark.slow
 def test_where_a_surface_runs_through_itself_sides_are_as_recorded():
     """Two bars that cross: in one the nearest wall may be the other's, seen from outside."""
     bars = [trimesh.creation.box([6, 1, 1]), trimesh.creation.box([1, 6, 0.9])]

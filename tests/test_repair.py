@@ -239,6 +239,7 @@ def test_many_vertices_in_one_place_are_welded_in_little_memory():
     assert len(found.vertices) == len(vertices)
 
 
+@pytest.mark.slow
 def test_a_tape_of_a_mesh_with_nan_knows_it_again(tmp_path):
     broken = VERTICES.copy()
     broken[17] = np.nan

@@ -123,6 +123,7 @@ def probed(tape, seed=0):
     return np.log(np.tile(weights[:, None], len(tape.vertices))), np.asarray(tape.vertices), towards
 
 
+@pytest.mark.slow  # slopes of a step are in test_padding, that a replay equals its run is below
 def test_gradients_agree_with_central_differences(flow):
     """Along a change of all weights of all vertices, of all vertices' places, and of one vertex's weights: 1e-5."""
     tape, random = flow.tape, np.random.default_rng(0)

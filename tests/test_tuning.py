@@ -48,6 +48,7 @@ def test_poor_weights_get_better(steps):
     assert str(found).count("\n") == len(found.trajectory) + 1
 
 
+@pytest.mark.slow
 def test_from_a_run_that_does_not_converge_it_goes_to_the_defaults():
     """Half-way in logarithms, for the weights that are not zero, until a run converges."""
     config = Config(max_iterations=12)
@@ -140,6 +141,7 @@ def test_the_search_goes_on_while_all_runs_break_down():
     assert len(np.unique(search.points, axis=0)) == 15 and (np.abs(search.points) <= 9.0).all()
 
 
+@pytest.mark.slow
 def test_several_meshes_and_a_function_of_ones_own():
     wider = bone()
     wider.apply_scale([1.3, 1.3, 1.0])
