@@ -184,7 +184,7 @@ class Config:
     solve_steps: int = 2000
     preconditioner: str = "jacobi"
     surgery: bool = False
-    prune: float = 0.75
+    prune: float = 0.9
     centre: bool = True
     extend_tips: bool = True
     evaluate: bool = False

@@ -94,7 +94,7 @@ class Skeleton:
         """The curve in units of its solid's diagonal, as far as that is known."""
         return (self.vertices if self.source is None else self.source.solid.enter(self.vertices)), self.edges
 
-    def prune(self, slenderness: float = 0.75) -> "Skeleton":
+    def prune(self, slenderness: float = 0.9) -> "Skeleton":
         """A new skeleton without the branches of less than ``slenderness``, the least first; see `Branch`.
 
         Components and cycles stay, and so does a branch with a pin. The vertices of the mesh that went to a pruned

@@ -121,6 +121,7 @@ def passes(centre: bool, extend: bool) -> list[Callable[[Draft, Job], Draft]]:
         *([partial(centred, hold_leaves=extend, rounds=FIRST_ROUNDS)] if centre else []),
         contained,
         *([partial(straightened, most=SHARPEST), contained] if centre else []),
+        pruned,
         coincident_merged,
         looped,
         *([corners_rounded] if centre else []),
@@ -323,7 +324,7 @@ def pruned(draft: Draft, job: Job) -> Draft:
     if not job.prune:
         return draft
     x, e = draft.vertices, draft.edges
-    left = _left(draft, *limbs.prune(x, e, limbs.limbs_of(job.coarse, x, e), job.prune, draft.is_held))
+    left = _left(draft, *limbs.prune(x, e, limbs.limbs_of(job.shape, x, e), job.prune, draft.is_held))
     return left._replace(num_pruned=draft.num_pruned + int(draft.is_leaf().sum() - left.is_leaf().sum()))
 
 

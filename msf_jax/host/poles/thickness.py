@@ -44,15 +44,21 @@ def scales(vertices: np.ndarray, faces: np.ndarray) -> np.ndarray | None:
     return np.clip(radius / THIN, THINNEST, 1.0)
 
 
-def edge_lengths(shape: Enclosure, points: np.ndarray) -> np.ndarray:
-    """(P,) how long an edge at each of ``points`` (P, 3) of a solid of diagonal 1 may be for the flow to see the limb.
+def edge_lengths(shape: Enclosure, points: np.ndarray, longest: np.ndarray) -> np.ndarray:
+    """(P,) how long an edge at each of ``points`` (P, 3) of a solid of diagonal 1 may be for the flow to see the limb,
+    or at least `LENGTH` times ``longest`` (P,), the length of the longest one there.
 
-    Balls that touch samples of the surface, between its vertices, too, tell how thick the solid is near by.
+    Balls that touch samples of the surface, between its vertices, too, tell how thick the solid is near by. None has to
+    be larger than it takes for the longest edge, which saves most of their queries.
     """
     samples, normals = shape.surface_points(MOST_SAMPLES)
     tree = spatial.KDTree(samples)
-    radius = shrinking_balls(samples, normals, tree, 2 * THIN, 1.0, np.arange(len(samples))).radius
     away, near = tree.query(points, k=min(AROUND, len(samples)))
+    enough = np.zeros(len(samples))
+    np.maximum.at(enough, near, longest[:, None] + SLOPE * away)
+    asked = np.flatnonzero(enough)
+    radius = np.zeros(len(samples))
+    radius[asked] = shrinking_balls(samples[asked], normals[asked], tree, enough[asked], enough[asked], asked).radius
     return LENGTH * (radius[near] - SLOPE * away).max(axis=1, initial=0.0)
 
 

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 SIDES = 6  # of the tubes that edges are drawn as
 THICKNESS = 0.004  # their radius, in diagonals
-PRUNED = (0.0, 0.5, 0.75, 1.0, 1.5, 2.0, 3.0, 4.0, 6.0, 10.0)  # slenderness at the stops of the slider
+PRUNED = (0.0, 0.5, 0.9, 1.2, 1.5, 2.0, 3.0, 4.0, 6.0, 10.0)  # slenderness at the stops of the slider
 LARGEST = 1e30  # coordinate that is written in float32
 GREY = "#8c9eb8"
 RADIUS = "radius %{customdata:.4g}<extra></extra>"
