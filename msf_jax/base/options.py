@@ -146,8 +146,8 @@ class Config:
         surgery: whether the curve is read off by half-edge collapses in the order of shape and sampling costs, and its
             nodes recentred by the boundaries of their regions (Au et al. 2008). Else the shortest edges go first.
         prune: branches of less than this `slenderness` are taken away (see `msf_jax.Branch`), and junctions well within
-            one ball become one; 0 keeps all. The default is a little less than what half a ball on a wall has, pi / 4,
-            and more than the corner of a plate, 0.6, or of a box, 0.7.
+            one ball become one; 0 keeps all. The default is more than half a ball on a wall has, pi / 4, the corner
+            of a plate, 0.6, or of a box, 0.7.
         centre: whether nodes are moved to the middle of their limb's cross-section, and edges refined, at the end.
         extend_tips: whether leaves are carried on to the ends of their limbs.
         evaluate: whether the report gets the figures of `metrics.evaluate`.
