@@ -78,7 +78,8 @@ def _words(kind: Any, value: Any, row: list[int]) -> Any:
         dtype = kind.__metadata__[0]
         if value.dtype != dtype or not value.flags.carray:
             value = np.array(value, dtype=dtype, order="C")
-        row += (value.__array_interface__["data"][0], *value.shape)
+        # The address by the buffer protocol: NumPy's own ways to tell it take 20 times as long.
+        row += (ctypes.addressof(ctypes.c_char.from_buffer(value)) if value.size else 0, *value.shape)
         return value
     if hasattr(kind, "_fields"):
         return [_words(each, field, row) for each, field in zip(_hints(kind), value, strict=True)]

@@ -158,7 +158,7 @@ def centre(
         step = measures.spread(x + step, paths) - x
         step[is_held] = 0.0
         part = np.linalg.norm(step, axis=1) / np.maximum(np.maximum(clearance, 0.3 * size), 1e-300)
-        is_last = np.sqrt(np.mean(part**2)) < TOLERANCE
+        is_last = np.sqrt(np.mean(np.minimum(part, 1.0) ** 2)) < TOLERANCE
         step *= np.minimum(1.0, LONGEST_STEP / np.maximum(part, 1e-300))[:, None]
         x, clearance, near = _taken(shape, x, step, clearance, near, edges, ~is_held & (clearance > 0), least)
         if is_last:

@@ -43,13 +43,18 @@ def grow(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray) -> tuple[np.
     """The curve with a branch for each thin limb of a solid of diagonal 1 that it has missed: nodes, new ones last, and
     edges. A branch begins at the node that is nearest to its first ring, and adds no loop."""
     x, normals = shape.vertices, unit(vertex_normals(shape.vertices, shape.faces))
-    most = 2 * THICKEST
-    radius = shrinking_balls(x, normals, spatial.KDTree(x), most, most, np.arange(len(x))).radius
-    least = radius.copy()  # the ball behind the middle of a flat end is as long as the limb
-    np.minimum.at(least, shape.faces.ravel(), radius[np.roll(shape.faces, -1, axis=1).ravel()])
-    beside = _neighbours(shape.faces, len(x))
+    tree, most, beside = spatial.KDTree(x), 2 * THICKEST, _neighbours(shape.faces, len(x))
+    radius, is_known = np.full(len(x), most), np.zeros(len(x), dtype=bool)
     for _ in range(ROUNDS):
-        is_left = (least < THICKEST) & ~_is_explained(shape, radius, vertices, edges)
+        away, ball = _nearest_ball(shape, vertices, edges)
+        is_far = away > EXPLAINED * ball
+        # Most vertices are explained by the curve's balls, and need none of their own.
+        asked = np.flatnonzero((is_far | (beside @ is_far > 0)) & ~is_known)
+        radius[asked] = shrinking_balls(x[asked], normals[asked], tree, most, most, asked).radius
+        is_known[asked] = True
+        least = radius.copy()  # the ball behind the middle of a flat end is as long as the limb
+        np.minimum.at(least, shape.faces.ravel(), radius[np.roll(shape.faces, -1, axis=1).ravel()])
+        is_left = is_far & (least < THICKEST) & (away > EXPLAINED * radius)
         rings = _wavefronts(x, x - radius[:, None] * normals, radius, beside, is_left)
         new = np.flatnonzero(_is_limb(rings))
         number = np.full(len(rings.parent), -1)
@@ -67,21 +72,21 @@ def _neighbours(faces: np.ndarray, num: int) -> sparse.csr_matrix:
     return sparse.csr_matrix((np.ones(len(tail)), (tail, head)), shape=(num, num))
 
 
-def _is_explained(shape: Enclosure, radius: np.ndarray, vertices: np.ndarray, edges: np.ndarray) -> np.ndarray:
-    """(V,) which vertices of the surface are as near to the curve as the solid is thick, there or at the curve."""
+def _nearest_ball(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """How far each vertex of the surface (V,) is from the curve, and how thick the limb (V,) is there at the curve."""
     a, b = vertices[edges[:, 0]], vertices[edges[:, 1]]
     clear = shape.approximate_clearance(vertices)[0]
     # At the end of a limb the ball is small: the limb is as thick as a little before.
     clear = thickness.limb_radii(vertices, edges, np.arange(len(vertices)), clear, float(clear.max()))
     clearance = clear[edges].max(axis=1)
-    pace = SPACING * np.maximum(clearance, float(np.median(radius)))
+    pace = SPACING * np.maximum(clearance, float(np.median(clearance)))
     num = np.clip(np.ceil(np.linalg.norm(b - a, axis=1) / pace), 1, MOST_POINTS).astype(int)
     row = np.repeat(np.arange(len(edges)), num)
     place = np.arange(len(row)) - np.repeat(np.cumsum(num) - num, num)
     share = ((place + 0.5) / num[row])[:, None]
     points = np.concatenate([vertices, a[row] * (1 - share) + b[row] * share])
     away, near = spatial.KDTree(points).query(shape.vertices)
-    return away <= EXPLAINED * np.maximum(radius, np.concatenate([clear, clearance[row]])[near])
+    return np.asarray(away), np.concatenate([clear, clearance[row]])[near]
 
 
 def _wavefronts(
