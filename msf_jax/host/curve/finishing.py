@@ -121,7 +121,6 @@ def passes(centre: bool, extend: bool) -> list[Callable[[Draft, Job], Draft]]:
         *([partial(centred, hold_leaves=extend, rounds=FIRST_ROUNDS)] if centre else []),
         contained,
         *([partial(straightened, most=SHARPEST), contained] if centre else []),
-        pruned,
         coincident_merged,
         looped,
         *([corners_rounded] if centre else []),
