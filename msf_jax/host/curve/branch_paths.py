@@ -11,7 +11,6 @@ from scipy import sparse
 from msf_jax.host.curve import branches
 from msf_jax.host.solid.geometry import arc_length, at, repeated
 
-SPREADINGS = 4  # each time the branch is a little shorter
 BEYOND = 7.0  # sizes of a limb: nodes that are farther along it say nothing of it, but for
 FLOOR = 1e-9  # of the weight of one at hand, which every node of the branch has
 
@@ -44,10 +43,9 @@ def spread(x: np.ndarray, paths: list[BranchPath]) -> np.ndarray:
     """Nodes (N, 3) on the same course, each again at its share of its branch's length."""
     spaced = x.copy()
     for nodes, _, share, stops in paths:
-        for _ in range(SPREADINGS):
-            along = arc_length(spaced[nodes])
-            goal = np.interp(share, share[stops], along[stops])
-            spaced[nodes[1:-1]] = at(spaced[nodes], along, goal)[1:-1]
+        along = arc_length(x[nodes])
+        goal = np.interp(share, share[stops], along[stops])
+        spaced[nodes[1:-1]] = at(x[nodes], along, goal)[1:-1]
     return spaced
 
 
