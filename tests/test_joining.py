@@ -128,7 +128,7 @@ def test_the_callers_vertices_pins_and_weights_are_understood():
     np.testing.assert_array_equal(skeleton.vertices[skeleton.mesh_map[corner]], vertices[corner])
     nearest = np.linalg.norm(skeleton.vertices - vertices[swallowed], axis=1).argmin()
     assert skeleton.mesh_map[swallowed] == nearest
-    with pytest.raises(ConfigError, match=f"pins name vertex {swallowed}"):
+    with pytest.raises(ConfigError, match=f"pins has vertex {swallowed}"):
         msf_jax.contract(mesh, config=QUICK, pins=[swallowed], repair="join")
     tape = run.tape
     nodes = np.asarray(msf_jax.replay(tape, weights))

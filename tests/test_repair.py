@@ -120,7 +120,7 @@ def test_a_lid_stays_where_a_skirt_would_cut_as_well():
     assert not found.is_made.any()
     assert "the lid of 1 hole cuts through the surface, and so would a skirt" in found.repairs[1]
     report = msf_jax.skeletonize((vertices, faces), repair=True).report
-    assert report.inside < 1 and any("no way inside was found for" in note for note in report.notes)
+    assert report.inside < 1 and any("no path inside was found for" in note for note in report.notes)
 
 
 def test_a_hole_larger_than_asked_stays_and_is_refused():

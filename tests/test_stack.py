@@ -57,7 +57,7 @@ def test_a_batch_has_room_for_all_and_masks_for_each(curves, batch):
         np.testing.assert_allclose(batch.vertices[k][np.asarray(batch.vertex_mask[k])], vertices, rtol=0, atol=1e-14)
         assert not np.asarray(batch.vertices)[k][~np.asarray(batch.vertex_mask)[k]].any()
     assert repr(batch) == "Batch(2 curves, 320 rows of nodes, 1024 of vertices)"
-    assert repr(batch.bindings).startswith("Binding(2 curves, room for 320 nodes and 1024")
+    assert repr(batch.bindings).startswith("Binding(2 curves, capacity of 320 nodes and 1024")
 
 
 def test_every_curve_of_a_batch_is_what_it_is_alone(curves, batch):
