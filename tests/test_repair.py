@@ -105,7 +105,7 @@ def test_a_curve_of_a_relief_speaks_of_the_callers_vertices():
     vertices, faces = relief(10)
     run = msf_jax.contract((vertices, faces), config=Config(max_iterations=2), repair=True)
     assert len(run.skeleton.mesh_map) == len(vertices) and run.source.areas.sum() == pytest.approx(1.0)
-    with pytest.raises(MeshError, match=r"made where parts of the mesh were joined, or for a skirt"):
+    with pytest.raises(MeshError, match=r"repair made vertices where it joined parts or extruded a rim"):
         msf_jax.replay(run.tape, run.weights, vertices)
 
 
