@@ -256,8 +256,8 @@ def test_what_was_saved_is_read_again(hand, saved, suffix):
         ("a.ply", "ply\nformat ascii 1.0\nelement vertex 1\nend_header\n", "is no PLY of a curve"),
         ("a.graphml", "<graphml/>", "is no GraphML of a curve"),
         ("a.graphml", "<!DOCTYPE a>", "declares entities"),
-        ("a.json", '{"format": "other", "version": 1}', "holds no curve .*it is a 'other'"),
-        ("a.json", "{", "holds no curve"),
+        ("a.json", '{"format": "other", "version": 1}', "has no curve .*it is a 'other'"),
+        ("a.json", "{", "has no curve"),
     ],
 )
 def test_a_curve_that_cannot_be_read_is_named(tmp_path, name, content, says):

@@ -8,7 +8,7 @@ import trimesh
 
 import msf_jax
 from msf_jax.host.solid.enclosure import Enclosure
-from msf_jax.skeleton.report import weighed
+from msf_jax.skeleton.report import assessed
 
 
 def box(*sides: float) -> Enclosure:
@@ -29,7 +29,7 @@ def comb(teeth: int, length: float) -> tuple[np.ndarray, np.ndarray]:
 @pytest.mark.parametrize(("teeth", "is_doubted"), [(7, False), (14, True)])
 def test_many_limbs_that_are_hardly_longer_than_wide_are_in_doubt(teeth, is_doubted):
     """Twigs in a block: none of them is a limb of it."""
-    doubts = weighed(box(2.0, 1.0, 1.0), *comb(teeth, 0.3))["doubts"]
+    doubts = assessed(box(2.0, 1.0, 1.0), *comb(teeth, 0.3))["doubts"]
     expected = (f"{teeth + 2} of {teeth + 2} limbs are hardly longer than wide: the surface may be rough",)
     assert doubts == (expected if is_doubted else ())
 
@@ -41,7 +41,7 @@ def test_the_share_of_a_curve_in_sheets(side, share):
     x[:, 0] = np.linspace(-0.8, 0.8, 41)
     edges = np.stack([np.arange(40), np.arange(1, 41)], axis=1)
     thin = 0.3 if share == 0 else 0.1
-    assert weighed(box(2.0, side, thin), x, edges)["in_sheets"] == pytest.approx(share, abs=0.06)
+    assert assessed(box(2.0, side, thin), x, edges)["in_sheets"] == pytest.approx(share, abs=0.06)
 
 
 def test_a_report_says_what_it_weighs():

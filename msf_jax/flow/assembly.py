@@ -18,7 +18,7 @@ from msf_jax.host.meso import ring_tables
 from msf_jax.host.recording.records import ComponentRecord, Recording
 from msf_jax.host.solid import openings
 from msf_jax.host.solid.solid import Solid
-from msf_jax.skeleton.report import Report, loops_of, weighed
+from msf_jax.skeleton.report import Report, assessed, loops_of
 from msf_jax.skeleton.skeleton import Skeleton
 from msf_jax.skeleton.source import Source, Stage
 
@@ -98,7 +98,11 @@ def _edges(count: int) -> str:
 
 
 def _skeleton(
-    stitched: Stitched, checked: Surface, report: Report, source: Source, about: Callable[..., dict[str, Any]] = weighed
+    stitched: Stitched,
+    checked: Surface,
+    report: Report,
+    source: Source,
+    about: Callable[..., dict[str, Any]] = assessed,
 ) -> Skeleton:
     vertices, edges, node_of_vertex = stitched
     solid = source.solid
