@@ -245,11 +245,11 @@ def test_what_was_saved_is_read_again(hand, saved, suffix):
     [
         ("a.swc", "1 0 0 0 0 1", "line 1 of 'a.swc' is '1 0 0 0 0 1': expected id, type"),
         ("a.swc", "# only\n", "holds 0 nodes"),
-        ("a.swc", "1 0 0 0 0 1 7", "names a node 7 that it does not hold"),
+        ("a.swc", "1 0 0 0 0 1 7", "refers to a node 7 that it does not have"),
         ("a.swc", "1 0 nan 0 0 1 -1", "not all finite"),
         ("a.polylines.txt", "3 0 0 0 1 1 1", "line 1 of 'a.polylines.txt' is no polyline"),
         ("a.vtp", "<VTKFile/>", r"cannot read 'a.vtp': expected one of .npz, .json, .swc"),
-        ("a.obj", "v 0 0 0\nl 1 2", "has edges to nodes that it does not hold: expected numbers below 1"),
+        ("a.obj", "v 0 0 0\nl 1 2", "has edges to nodes that it does not have: expected ids below 1"),
         ("a.obj", "v 0 0\n", "line 1 of 'a.obj' is 'v 0 0': expected v and three numbers, or l"),
         ("a.cg", "v 0 0 0\ne 1 x", "line 2 of 'a.cg' is 'e 1 x'"),
         ("a.ply", "ply\nformat binary_little_endian 1.0\n", "it is binary_little_endian: expected ascii"),

@@ -305,8 +305,8 @@ def test_a_section_that_vanished_is_named(limbs, push):
     [
         (lambda v: v[:-1], r"shape \(\d+, 3\): expected"),
         (lambda v: np.where(np.arange(len(v))[:, None] == 5, np.nan, v), "1 of the vertices, the first 5, are not"),
-        (lambda v: "hand.off", "no table of numbers"),
-        (lambda v: v + 1j, "holds complex128: expected real"),
+        (lambda v: "hand.off", "expected an array of numbers"),
+        (lambda v: v + 1j, "the type complex128: expected real"),
     ],
 )
 def test_bad_vertices_are_refused(limbs, given, says):

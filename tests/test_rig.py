@@ -262,7 +262,7 @@ def test_what_cannot_be_rigged_is_named(tmp_path):
     made = skeleton.rig(mesh=mesh)
     with pytest.raises(ConfigError, match=r"for a rig in .*: expected the suffix .glb"):
         made.save(tmp_path / "y.fbx", mesh)
-    with pytest.raises(ConfigError, match=r"'elbow' turns by .*: expected a bone's name"):
+    with pytest.raises(ConfigError, match=r"turns has 'elbow' with shape .*: expected a bone's name"):
         made.posed(mesh.vertices, {"elbow": np.eye(3)})
     with pytest.raises(ConfigError, match="vertices have shape"):
         made.posed(mesh.vertices[1:], {})

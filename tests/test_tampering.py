@@ -229,7 +229,7 @@ def test_a_report_that_is_none_is_said_to_be_none(tmp_path, capsys, name, conten
     (tmp_path / name).write_text(content)
     assert main(["report", str(tmp_path / name)]) == 2
     said = capsys.readouterr()
-    assert f"{name}' holds no report" in said.err and not said.out
+    assert f"{name}' has no report" in said.err and not said.out
 
 
 def test_a_place_before_the_file_is_damage(written, tmp_path):

@@ -294,10 +294,7 @@ class Skeleton:
         if of not in ("ball", "section"):
             raise ConfigError(f'of is {of!r}: expected "ball" or "section"')
         if self.source is None:
-            raise ConfigError(
-                "the skeleton does not know the mesh that it was made from: expected one from skeletonize, or from an "
-                ".npz file"
-            )
+            raise ConfigError("the skeleton does not know its mesh: expected one from skeletonize or an .npz file")
         balls = replace(self, radii=self.source.solid.radii(self.vertices), radius_of="ball")
         if of == "ball":
             return balls
