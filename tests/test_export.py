@@ -244,7 +244,7 @@ def test_what_was_saved_is_read_again(hand, saved, suffix):
     ("name", "content", "says"),
     [
         ("a.swc", "1 0 0 0 0 1", "line 1 of 'a.swc' is '1 0 0 0 0 1': expected id, type"),
-        ("a.swc", "# only\n", "holds 0 nodes"),
+        ("a.swc", "# only\n", "has 0 nodes"),
         ("a.swc", "1 0 0 0 0 1 7", "refers to a node 7 that it does not have"),
         ("a.swc", "1 0 nan 0 0 1 -1", "not all finite"),
         ("a.polylines.txt", "3 0 0 0 1 1 1", "line 1 of 'a.polylines.txt' is no polyline"),

@@ -39,7 +39,7 @@ def test_parts_that_overlap_are_one():
     found = checking.prepare(mesh, "join")
     assert [part.genus for part in found.components] == [0]
     assert volume(found) == pytest.approx(2 - 0.45**3, rel=0.01)
-    assert found.repairs == ("joined 2 parts, as far as they overlap or touch, to 1 solid",)
+    assert found.repairs == ("joined 2 parts that overlap or touch to 1 solid",)
 
 
 def test_what_is_not_the_callers_is_known():
@@ -70,7 +70,7 @@ def test_beads_that_nearly_touch_become_a_string():
 def test_beads_that_touch_become_a_string():
     found = checking.prepare(beads(0.0), "join")
     assert [part.genus for part in found.components] == [0]
-    assert found.repairs == ("joined 4 parts, as far as they overlap or touch, to 1 solid",)
+    assert found.repairs == ("joined 4 parts that overlap or touch to 1 solid",)
 
 
 def test_parts_that_are_far_apart_stay_apart():

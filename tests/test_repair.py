@@ -83,9 +83,7 @@ def test_a_lid_that_would_cut_through_the_surface_goes_to_the_end_of_a_skirt(is_
     faces = faces[:, ::-1] if is_turned else faces
     rim = 4 * 15
     found = checking.prepare((vertices, faces), True)
-    assert found.repairs[1:] == (
-        f"put 1 lid that would cut through the surface at the end of a skirt: {rim} new vertices",
-    )
+    assert found.repairs[1:] == (f"extruded 1 rim, whose lid would cut through the surface: {rim} new vertices",)
     mesh = trimesh.Trimesh(found.vertices, found.faces, process=False)
     assert mesh.is_watertight and mesh.is_winding_consistent and found.is_made.sum() == rim
     np.testing.assert_array_equal(found.vertices[found.vertex_of_input], vertices)
@@ -118,7 +116,7 @@ def test_a_lid_stays_where_a_skirt_would_cut_as_well():
     faces = np.concatenate([np.stack([a, b, c], axis=1), np.stack([a, c, d], axis=1)])
     found = checking.prepare((vertices, faces), True)
     assert not found.is_made.any()
-    assert "the lid of 1 hole cuts through the surface, and so would a skirt" in found.repairs[1]
+    assert "the lid of 1 hole cuts through the surface, and so would an extruded rim" in found.repairs[1]
     report = msf_jax.skeletonize((vertices, faces), repair=True).report
     assert report.inside < 1 and any("no path inside was found for" in note for note in report.notes)
 
@@ -349,6 +347,6 @@ def test_options_are_checked(make, says):
 
 def test_nothing_left_is_an_error_that_says_what_was_done():
     with pytest.raises(
-        MeshError, match=r"nothing is left that encloses a volume and has 5 vertices: .*repaired: filled 1 hole"
+        MeshError, match=r"no piece is left that encloses a volume and has 5 vertices: .*repaired: filled 1 hole"
     ):
         checking.prepare((VERTICES[:3], [[0, 1, 2]]), True)

@@ -264,6 +264,6 @@ def test_what_cannot_be_rigged_is_named(tmp_path):
         made.save(tmp_path / "y.fbx", mesh)
     with pytest.raises(ConfigError, match=r"turns has 'elbow' with shape .*: expected a bone's name"):
         made.posed(mesh.vertices, {"elbow": np.eye(3)})
-    with pytest.raises(ConfigError, match="vertices have shape"):
+    with pytest.raises(ConfigError, match="vertices has shape"):
         made.posed(mesh.vertices[1:], {})
     assert gltf.MOST_JOINTS == rig.MOST_BONES and list(tmp_path.iterdir()) == []

@@ -388,7 +388,7 @@ def test_a_mesh_whose_section_vanished_spoils_no_other(curves, batch):
 
 def test_what_is_no_batch_is_refused(curves, tmp_path):
     vertices, skeleton = curves[0]
-    for given, says in (([], "has none"), ([skeleton, vertices], "holds ndarray")):
+    for given, says in (([], "has none"), ([skeleton, vertices], "has ndarray")):
         with pytest.raises(ConfigError, match=says):
             msf_jax.stack(given)
     for given, options, says in (

@@ -161,10 +161,8 @@ def test_3mf_is_counted_before_it_is_read(tmp_path, monkeypatch):
     cases = {
         "over 50 elements that are no part of a mesh": {"inside": tampering._mesh(1, b"<a/>" * 60)},
         "a vertex has 1 numbers: expected 3": {"inside": tampering._mesh(1, b'<vertex x="0"/>')},
-        "entities of its own": {"inside": tampering._mesh(1), "before": tampering.DECLARED},
-        "put together of themselves": {
-            "inside": b'<object id="1"><components><component objectid="1"/></components></object>'
-        },
+        "declares entities": {"inside": tampering._mesh(1), "before": tampering.DECLARED},
+        "contain themselves": {"inside": b'<object id="1"><components><component objectid="1"/></components></object>'},
         "12 instances and 44 triangles": {"inside": tampering._mesh(1), "build": b'<item objectid="1"/>' * 11},
     }
     for says, parts in cases.items():

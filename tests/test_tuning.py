@@ -178,7 +178,7 @@ def test_wrong_options(options, says):
 
 
 def test_no_mesh():
-    with pytest.raises(ConfigError, match="no mesh"):
+    with pytest.raises(ConfigError, match="meshes is empty"):
         msf_jax.tune([], OBJECTIVE)
 
 
