@@ -239,7 +239,7 @@ def _curve_of(skeleton: Any) -> tuple[np.ndarray, np.ndarray]:
     if vertices.ndim != 2 or vertices.shape[1] != 3 or not len(vertices) or not np.isfinite(vertices).all():
         raise MeshError(f"vertices of the curve have shape {vertices.shape}: expected (N, 3) finite numbers, N > 0")
     if len(edges) and (edges.dtype.kind not in "iu" or edges.min() < 0 or edges.max() >= len(vertices)):
-        raise MeshError(f"edges of the curve are not ids of its nodes: expected whole numbers to {len(vertices) - 1}")
+        raise MeshError(f"edges of the curve are no ids of nodes: expected whole numbers from 0 to {len(vertices) - 1}")
     edges = np.sort(edges.astype(np.int64), axis=1)
     return vertices, np.unique(edges[edges[:, 0] < edges[:, 1]], axis=0).reshape(-1, 2)
 

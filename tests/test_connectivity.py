@@ -232,10 +232,10 @@ def strange_neighbour(rings):
 @pytest.mark.parametrize(
     ("damage", "what"),
     [
-        (swap_two, "bears a face that its neighbours do not"),
-        (reverse_one, "bears a face that its neighbours do not"),
-        (forget_one, "a neighbour that does not know it"),
-        (strange_neighbour, "a neighbour that does not know it"),
+        (swap_two, "has a face that its neighbours do not have"),
+        (reverse_one, "has a face that its neighbours do not have"),
+        (forget_one, "is not a neighbour of its neighbour"),
+        (strange_neighbour, "is not a neighbour of its neighbour"),
         (repeat_one, "neighbour twice"),
         (make_self, "its own neighbour"),
         (leave_gap, "gap in its ring"),

@@ -567,11 +567,11 @@ LINE = [[0, 0, 1.0], [0, 0, 2.0]]
         (([[0, 0], [1, 1]], [[0, 1]]), r"vertices of the curve have shape \(2, 2\)"),
         (([[0, 0, np.nan]], []), "expected .* finite numbers"),
         (([[0, 0, np.inf], [0, 0, 1]], [[0, 1]]), "expected .* finite numbers"),
-        ((LINE, [[0, 2]]), "edges of the curve are not ids of its nodes: expected whole numbers to 1"),
-        ((LINE, [[-1, 0]]), "edges of the curve are not ids of its nodes: expected whole numbers to 1"),
-        ((LINE, [[0.5, 1]]), "edges of the curve are not ids of its nodes"),
-        ((LINE, [[False, True]]), "edges of the curve are not ids of its nodes"),
-        ((LINE, [["0", "1"]]), "edges of the curve are not ids of its nodes"),
+        ((LINE, [[0, 2]]), "edges of the curve are no ids of nodes: expected whole numbers from 0 to 1"),
+        ((LINE, [[-1, 0]]), "edges of the curve are no ids of nodes: expected whole numbers from 0 to 1"),
+        ((LINE, [[0.5, 1]]), "edges of the curve are no ids of nodes"),
+        ((LINE, [[False, True]]), "edges of the curve are no ids of nodes"),
+        ((LINE, [["0", "1"]]), "edges of the curve are no ids of nodes"),
     ],
 )
 def test_what_is_no_curve_is_refused(tube, curve, message):

@@ -176,7 +176,7 @@ def test_a_scene_that_shows_too_much_is_refused(tmp_path, monkeypatch):
     (tmp_path / "scene.gltf").write_bytes(tampering._gltf({}, nodes=30))
     assert len(reading.read(tmp_path / "scene.gltf")[1]) == 30
     monkeypatch.setattr(reading, "MOST_SHOWN", 20)
-    with pytest.raises(MeshError, match="its scene shows 30 meshes"):
+    with pytest.raises(MeshError, match="its scene has 30 meshes"):
         reading.read(tmp_path / "scene.gltf")
 
 

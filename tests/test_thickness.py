@@ -174,7 +174,7 @@ def test_joining_has_a_bound(monkeypatch):
     other.apply_translation([0.26, 0, 0])
     both = trimesh.util.concatenate([one, other])
     monkeypatch.setattr("msf_jax.host.poles.roadmap.FAR", 100.0)  # there are edges from one to the other
-    monkeypatch.setattr("msf_jax.host.poles.roadmap.MOST_LOOKS", -1)
+    monkeypatch.setattr("msf_jax.host.poles.roadmap.MOST_TESTS", -1)
     roadmap = Roadmap(Enclosure(np.array(both.vertices), np.array(both.faces)), containment.is_inside)
     assert not len(roadmap.paths(np.array([[0.0, 0, 0], [0.26, 0, 0]]), np.array([[0, 1]]))[0])
     assert roadmap.num_refused == 1 and roadmap.num_closed == 0

@@ -25,7 +25,7 @@ from msf_jax.host.mesh.repair import placed_between_neighbours
 from msf_jax.host.recording import padded
 from msf_jax.host.recording.decisions import decisions, num_unlike
 from msf_jax.host.recording.records import Recording
-from msf_jax.host.recording.stretches import Room, size_for
+from msf_jax.host.recording.stretches import Capacity, size_for
 from msf_jax.skeleton.skeleton import Skeleton
 from msf_jax.skeleton.source import Source
 
@@ -214,11 +214,11 @@ def record(
     """The tape of a run with the flow's curve ``curve`` and its ``source``. The buffers have the sizes of those of
     ``like``, where these are sufficient."""
     parts, shapes = [], []
-    rooms = [padded.Rooms()] * len(run.components)
-    if like is not None and len(like.parts) == len(rooms):
-        rooms = [_rooms(part, shape) for part, shape in zip(like.parts, like.shapes, strict=True)]
-    for component, room in zip(run.components, rooms, strict=True):
-        arrays, layouts, mesh_layout = padded.record_component(component, room)
+    capacities = [padded.Capacities()] * len(run.components)
+    if like is not None and len(like.parts) == len(capacities):
+        capacities = [_capacities(part, shape) for part, shape in zip(like.parts, like.shapes, strict=True)]
+    for component, capacity in zip(run.components, capacities, strict=True):
+        arrays, layouts, mesh_layout = padded.record_component(component, capacity)
         parts.append(_part(arrays))
         shapes.append(Shape(tuple(layouts), mesh_layout))
     shape, nodes = source.solid.shape, source.solid.enter(curve.vertices)
@@ -247,12 +247,13 @@ def record(
     )
 
 
-def _rooms(part: Part, shape: Shape) -> padded.Rooms:
+def _capacities(part: Part, shape: Shape) -> padded.Capacities:
     """The capacities of a component's tape."""
     stretches = tuple(
-        Room(layout, *stretch.cut.shape[:3]) for stretch, layout in zip(part.stretches, shape.layouts, strict=True)
+        Capacity(layout, *stretch.cut.shape[:3]) for stretch, layout in zip(part.stretches, shape.layouts, strict=True)
     )
-    return padded.Rooms(stretches, len(part.gather.row), len(part.nodes.row), len(part.meso_row), len(part.is_held))
+    sizes = len(part.gather.row), len(part.nodes.row), len(part.meso_row), len(part.is_held)
+    return padded.Capacities(stretches, *sizes)
 
 
 def _live(padded: list[np.ndarray], counts: list[int]) -> np.ndarray:
@@ -262,7 +263,7 @@ def _live(padded: list[np.ndarray], counts: list[int]) -> np.ndarray:
 
 
 def _part(arrays: dict[str, Any]) -> Part:
-    """`device.replay.Part` from nested dictionaries of arrays; raises what a missing or unknown name raises."""
+    """A `Part` from nested dictionaries of arrays; a missing or unknown name raises a KeyError or TypeError."""
     named = dict(arrays)
     for name in ("mesh_filter", "site_filter"):
         values = named.setdefault(name, None)

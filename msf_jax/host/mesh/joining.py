@@ -108,11 +108,11 @@ def joined(parts: Sequence[Mesh], reach: float) -> Joined:
     repairs = [_overlapped(len(parts), len(pieces))]
     if num_voids:
         repairs.append(f"filled {_count(num_voids, 'void')} between parts")
-    bodies, bridged, num_unseen = [Body(piece) for piece in pieces], [], 0
+    bodies, bridged, num_unmeasured = [Body(piece) for piece in pieces], [], 0
     for tries in range(MOST_TRIES):
         if len(bodies) == 1:
             break
-        gaps, num_unseen = _spanning(bodies, reach)
+        gaps, num_unmeasured = _spanning(bodies, reach)
         if not gaps:
             break
         bridged += [(gap, min(bodies[gap.one].radius, bodies[gap.other].radius)) for gap in gaps]
@@ -123,8 +123,8 @@ def joined(parts: Sequence[Mesh], reach: float) -> Joined:
         repairs.append(_joined_over(len(pieces), len(bodies), bridged, diagonal))
     if len(bodies) > 1:
         repairs.append(_apart(bodies, diagonal))
-    if num_unseen:
-        repairs.append(f"left {_count(num_unseen, 'pair')} of solids unmeasured: over {MOST_PAIRS} are near")
+    if num_unmeasured:
+        repairs.append(f"left {_count(num_unmeasured, 'pair')} of solids unmeasured: over {MOST_PAIRS} are near")
     vertices, faces = _arrays(whole)
     larger = np.concatenate(swollen)
     source, vertex_of_part = _same_place(larger, vertices), _same_place(vertices, larger)
