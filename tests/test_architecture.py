@@ -59,7 +59,7 @@ def test_modules_import_in_no_circle():
     assert not [part for part in nx.strongly_connected_components(graph) if len(part) > 1]
 
 
-def test_the_wings_do_not_mix():
+def test_host_and_device_do_not_mix():
     for file, name, _ in imports():
         assert name.split(".")[0] not in FOREIGN.get(file.split("/")[0], ()), f"{file} imports {name}"
     with_jaxopt = {file for file, name, _ in imports() if name.split(".")[0] == "jaxopt"}

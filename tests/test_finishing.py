@@ -563,7 +563,7 @@ def test_a_march_goes_on_as_long_as_there_is_a_limb(monkeypatch):
 
 
 def test_a_long_march_ends_where_there_is_a_curve():
-    """A ring that is cut open is not gone round many times, and a twig in a long limb does not double all of it."""
+    """A ring that is cut open is not gone round many times, and a spur in a long limb does not double all of it."""
     num = 240
     shape, scale = unit_shape(torus(1, 0.1, num, 12))
     x, edges = path(scale * bow(1.0, num + 1)[5:-5])
@@ -665,7 +665,7 @@ def test_a_place_outside_does_not_hold_a_junction(is_far):
 
 
 def test_a_junction_goes_to_the_node_whose_ball_holds_its_own():
-    """Of two legs that meet low in a trunk, to the trunk; a twig's on a limb that hardly widens stays."""
+    """Of two legs that meet low in a trunk, to the trunk; a spur's on a limb that hardly widens stays."""
     trunk = manifold3d.Manifold.sphere(1.0, 48) + manifold3d.Manifold.cylinder(3, 0.6, 0.6, 32)
     for side in (-1, 1):
         trunk += manifold3d.Manifold.cylinder(3, 0.25, 0.25, 32).translate((0, 0, -3.5)).rotate((0, 20 * side, 0))

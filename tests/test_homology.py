@@ -48,7 +48,7 @@ def loop_class(meso, loop):
 
 
 def check_classes(meso):
-    """Opposite ways have opposite classes, and around every face they add up to zero."""
+    """Opposite half-edges have opposite classes, and around every face they add up to zero."""
     for a, b, c in meso.faces():
         assert class_of(meso, a, b) == -class_of(meso, b, a)
         assert loop_class(meso, [a, b, c]) == 0

@@ -66,10 +66,10 @@ def bent() -> tuple[trimesh.Trimesh, Curve]:
     mesh = swept_tube(np.stack([3 * np.cos(t), 3 * np.sin(t), 0 * t], axis=1), 0.6 - 0.1 * t, 16)
     s = np.linspace(0.3, 2.3, 30)
     arc = np.stack([2.9 * np.cos(s), 2.9 * np.sin(s), 0.1 * np.sin(9 * s)], axis=1)
-    twig = arc[10] + np.array([0.05, 0.1, 0.3]) * np.arange(1, 5)[:, None]
+    spur = arc[10] + np.array([0.05, 0.1, 0.3]) * np.arange(1, 5)[:, None]
     vertices, edges = way(arc)
     chain = np.array([[10, 30], [30, 31], [31, 32], [32, 33]])
-    return mesh, (np.concatenate([vertices, twig]), np.concatenate([edges, chain]))
+    return mesh, (np.concatenate([vertices, spur]), np.concatenate([edges, chain]))
 
 
 def assert_same(found: dict[str, float], expected: dict[str, float], rel: float = 1e-9) -> None:
@@ -245,7 +245,7 @@ def test_a_zigzag_is_less_smooth_the_steeper_it_is(tube):
 
 
 def test_a_branch_ends_at_a_junction_and_does_not_turn_there(tube):
-    """A cross of two straight ways: four branches without a turn."""
+    """A cross of two straight lines: four branches without a turn."""
     arms = np.array([[0, 0, 3], [0, 0, 1], [0, 0, 5], [0.9, 0, 3], [0, 0.9, 3]])
     figures = evaluate(tube, (arms, [[0, 1], [0, 2], [0, 3], [4, 0]]))
     assert figures["smoothness"] == pytest.approx(1, abs=1e-9) and figures["leaves"] == 4
@@ -396,11 +396,11 @@ def test_the_distance_to_a_curve_without_edges_is_that_to_its_nodes():
 
 
 def with_twig(aside: float) -> Curve:
-    """A line parallel to the axis, and a twig across the tube from its middle."""
+    """A line parallel to the axis, and a spur across the tube from its middle."""
     vertices, edges = upright(1, 5, aside=aside)
-    twig = vertices[30] + np.array([0, 0.1, 0]) * np.arange(1, 9)[:, None]
+    spur = vertices[30] + np.array([0, 0.1, 0]) * np.arange(1, 9)[:, None]
     chain = np.stack([[30, *range(61, 68)], range(61, 69)], axis=1)
-    return np.concatenate([vertices, twig]), np.concatenate([edges, chain])
+    return np.concatenate([vertices, spur]), np.concatenate([edges, chain])
 
 
 def test_a_twig_is_not_where_both_curves_run(tube):

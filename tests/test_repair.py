@@ -176,7 +176,7 @@ def test_walls_between_many_cells_go(cells, genus):
 
 
 def test_walls_that_a_hole_leads_to_stay():
-    """What is seen from outside is no wall inside: a chamber with a hole in its own outer face is open."""
+    """What is seen from outside is no internal wall: a cell with a hole in its own outer face is open."""
     vertices, faces = faults.welded(faults.joined(faults.box(), faults.box((1, 0, 0))))
     faces = faces[np.sort(np.unique(np.sort(faces, axis=1), axis=0, return_index=True)[1])]
     hidden = internal_walls.is_wall(vertices, faces)

@@ -14,7 +14,7 @@ from msf_jax.host.solid.enclosure import Enclosure
 
 @pytest.fixture(scope="module")
 def whole():
-    """A rough Y with all the branches that the flow found."""
+    """A coarse Y with all the branches that the flow found."""
     mesh = ground_truth.make("y_noisy").mesh
     return mesh, msf_jax.skeletonize(mesh, config=msf_jax.Config(prune=0))
 

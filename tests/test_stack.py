@@ -1,5 +1,5 @@
-"""Curves in batches: what pads changes no bit and has no gradient; one program for a capacity; dtypes; ways through
-JAX."""
+"""Curves in batches: what pads changes no bit and has no gradient; one program for a capacity; dtypes;
+transformations of JAX."""
 
 import os
 import pickle
@@ -183,8 +183,8 @@ def test_a_step_of_training_in_a_scan(batch):
         now, slope = jax.value_and_grad(value)(vertices)
         return vertices - 0.3 * slope, now
 
-    course = jax.jit(lambda start: jax.lax.scan(step, start, length=5)[1])(batch.vertices)
-    assert (np.diff(course) < 0).all()
+    values = jax.jit(lambda start: jax.lax.scan(step, start, length=5)[1])(batch.vertices)
+    assert (np.diff(values) < 0).all()
 
 
 SHARDED = """
@@ -278,15 +278,15 @@ def test_curves_of_64_meshes_need_at_most_six_programs(curves):
         8000: (160, 13140, 5000, 116951),
         12000: (160, 14000, 5000, 120000),
     }
-    rooms = set()
+    capacities = set()
     for vertices in np.geomspace(500, 12_000, 64).astype(int):
         for few in (1, 2):
             near = min(measured, key=lambda num, vertices=vertices: abs(np.log(num / vertices)))
             nodes, corners, smoothing, turning = (count // few for count in measured[near])
             mesh = {"vertices": vertices, "faces": 2 * vertices}
             curve = {"nodes": nodes, "edges": nodes - 1, "sections": nodes, "corners": corners}
-            rooms.add(capacity_for(sizes._replace(**mesh, **curve, smoothing=smoothing, turning=turning)))
-    assert len(rooms) <= 6
+            capacities.add(capacity_for(sizes._replace(**mesh, **curve, smoothing=smoothing, turning=turning)))
+    assert len(capacities) <= 6
 
 
 @pytest.mark.parametrize("dtype", [np.float32, np.float64, np.float16, np.int32])

@@ -1,4 +1,4 @@
-"""Shrinking balls, the thickness that they tell of, and thin shapes; ways through a solid."""
+"""Shrinking balls, the thickness that they tell of, and thin shapes; paths through a solid."""
 
 import numpy as np
 import pytest
@@ -102,7 +102,7 @@ def test_balls_replay_to_the_run():
         Config(poles="ball")
 
 
-# Ways through a solid
+# Paths through a solid
 
 
 def bent_tube() -> Enclosure:

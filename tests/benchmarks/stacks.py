@@ -2,7 +2,7 @@
 
 usage: python -m tests.benchmarks.stacks [--meshes 64] [--closed 4] [--keep FOLDER]
 
-Meshes of 500 to 12,000 vertices, made in code. Four ways: a function that is jitted for each skeleton (``--closed`` of
+Meshes of 500 to 12,000 vertices, made in code. Four variants: a function jitted for each skeleton (``--closed`` of
 them, times so many as there are), one that is jitted over bindings, a batch for each number of vertices that there is
 room for, and one batch for all. Seconds of CPU are beside those of the clock: other work on the machine delays these.
 ``--keep`` holds the curves, so that the next time they are there. Equinox and Orbax are asked where they are installed.
@@ -31,10 +31,10 @@ SLOPE_STEP = 1e-6  # of central differences, in the units of the meshes, whose l
 def star(seed: int, num: int) -> msf_jax.Skeleton:
     """The curve of three to five limbs of random directions, in a mesh of about ``num`` vertices."""
     random = np.random.default_rng(seed)
-    ways = random.normal(size=(int(random.integers(3, 6)), 3))
-    ways /= np.linalg.norm(ways, axis=1)[:, None]
-    points = np.concatenate([np.zeros((1, 3)), ways * random.uniform(1.5, 3.0, (len(ways), 1))])
-    edges = np.stack([np.zeros(len(ways), dtype=int), np.arange(1, len(points))], axis=1)
+    directions = random.normal(size=(int(random.integers(3, 6)), 3))
+    directions /= np.linalg.norm(directions, axis=1)[:, None]
+    points = np.concatenate([np.zeros((1, 3)), directions * random.uniform(1.5, 3.0, (len(directions), 1))])
+    edges = np.stack([np.zeros(len(directions), dtype=int), np.arange(1, len(points))], axis=1)
     radii = random.uniform(0.25, 0.4, len(points))
     spacing = 0.12
     for _ in range(2):
@@ -124,7 +124,7 @@ def show_bits(skeletons: list) -> None:
 
 
 def show_slopes(skeletons: list) -> None:
-    """Of a batch, along random ways, beside central differences; the largest over the meshes, as parts of the whole."""
+    """Slopes of a batch along random directions, beside central differences: the largest relative error."""
     batch = msf_jax.stack(skeletons)
     at = batch.vertices + 0.03 * jnp.sin(3 * batch.vertices[..., jnp.array([1, 2, 0])])
     way = jnp.asarray(np.random.default_rng(5).normal(size=at.shape))
@@ -189,14 +189,14 @@ def show_files(skeleton: msf_jax.Skeleton) -> None:
         keeper.wait_until_finished()
         return keeper.restore(folder / "orbax", jax.tree.map(np.zeros_like, tree))
 
-    ways = {
+    variants = {
         "jit": lambda tree, _: jax.jit(lambda same: same)(tree),
         "tree.map": lambda tree, _: jax.tree.map(jnp.asarray, tree),
         "pickle": lambda tree, _: pickle.loads(pickle.dumps(tree)),
         "Equinox": by_equinox,
         "Orbax": by_orbax,
     }
-    for name, way in ways.items():
+    for name, way in variants.items():
         for tree in (skeleton, skeleton.binding, msf_jax.stack([skeleton])):
             with tempfile.TemporaryDirectory() as folder:
                 try:
