@@ -56,7 +56,7 @@ def degrees(num: int, edges: np.ndarray) -> np.ndarray:
 
 
 @pytest.mark.parametrize("name", GRAPHS)
-def test_branches_are_the_ways_between_ends_and_junctions(name):
+def test_branches_are_the_paths_between_ends_and_junctions(name):
     num, pairs, expected = GRAPHS[name]
     assert sorted(map(one_way, trace(num, as_edges(pairs)))) == sorted(map(one_way, expected))
 

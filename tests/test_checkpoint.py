@@ -127,19 +127,19 @@ def test_the_two_ways_to_ask_for_repair_are_one_run(mesh, tmp_path):
     loop.contract(mesh, config=once, checkpoint=tmp_path / "run.npz", repair=msf_jax.Repair())
 
 
-def replaced(header, *way, value):
-    """``header`` with what ``way`` leads to replaced, or left out."""
+def replaced(header, *keys, value):
+    """``header`` with what ``keys`` leads to replaced, or left out."""
     inside = header
-    for step in way[:-1]:
+    for step in keys[:-1]:
         inside = inside[step]
     if value is None:
-        del inside[way[-1]]
+        del inside[keys[-1]]
     else:
-        inside[way[-1]] = value
+        inside[keys[-1]] = value
 
 
 @pytest.mark.parametrize(
-    ("way", "value"),
+    ("keys", "value"),
     [
         (("states",), 5),
         (("states",), {"list": [3]}),
@@ -152,14 +152,14 @@ def replaced(header, *way, value):
         (("states", "list", 0, "members", "steps", "list", 0, "record"), "Meso"),
     ],
 )
-def test_a_changed_checkpoint_is_a_clear_error(mesh, tmp_path, way, value):
+def test_a_changed_checkpoint_is_a_clear_error(mesh, tmp_path, keys, value):
     path = tmp_path / "run.npz"
     once = Config(max_iterations=1)
     loop.contract(mesh, config=once, checkpoint=path)
     with np.load(path) as file:
         arrays = {name: file[name] for name in file.files}
     header = json.loads(str(arrays["header"]))
-    replaced(header, *way, value=value)
+    replaced(header, *keys, value=value)
     kind, version = header.pop("format").removeprefix("msf_jax "), header.pop("version")
     arrays = {name: array for name, array in arrays.items() if name not in ("header", archive.DIGEST)}
     path.write_bytes(archive.packed(kind, version, header, arrays, compress=False))
@@ -295,7 +295,7 @@ def test_a_step_that_always_runs_away_ends_the_flow(monkeypatch):
     assert np.isfinite(run.skeleton.vertices).all()
 
 
-def test_a_surface_that_outgrows_its_room_ends_the_flow():
+def test_a_surface_that_outgrows_its_capacity_ends_the_flow():
     mesh = trimesh.creation.capsule(height=4.0, radius=0.4, count=[40, 40])
     run = loop.contract(mesh, config=Config(coarsen=0.0), limits=Limits(growth=0, growth_margin=300))
     assert run.skeleton.report.reason == "out of vertices: the next split would give the surface more than 300 vertices"

@@ -178,7 +178,7 @@ def test_ring_capacities_are_few(degree, capacity):
     assert ring_tables.ring_capacity(degree) == capacity
 
 
-def test_a_vertex_of_large_degree_has_room():
+def test_a_vertex_of_large_degree_has_slots():
     """A double pyramid over a 50-gon: two vertices of degree 50."""
     around = np.arange(50)
     after = (around + 1) % 50
@@ -513,11 +513,11 @@ def test_split(research_mesh, monkeypatch, name):
             assert min(angles) <= OBTUSE + 1e-6
 
 
-def test_split_stops_before_the_surface_outgrows_its_room(research_mesh):
+def test_split_stops_before_the_surface_outgrows_its_capacity(research_mesh):
     meso = long_triangles("twisted torus", research_mesh)
-    room = meso.num_rows + 3
-    split.split_obtuse_edges(meso, OBTUSE, 1e-3, room, check=True)
-    assert meso.num_rows <= room
+    capacity = meso.num_rows + 3
+    split.split_obtuse_edges(meso, OBTUSE, 1e-3, capacity, check=True)
+    assert meso.num_rows <= capacity
 
 
 def test_one_edge_is_cut_where_its_apex_projects():

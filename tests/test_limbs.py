@@ -149,10 +149,10 @@ def test_a_pipe_counts_once():
     stays, _ = prune(vertices, edges, limbs_of(shape, vertices, edges), 0.75)
     assert num == stays.sum()  # the second is free when the first is gone
     found = measure(*one, limbs_of(shape, *one))
-    assert sorted(way.slenderness == np.inf for way in found) == [False, True]  # around the bore it cannot go
+    assert sorted(branch.slenderness == np.inf for branch in found) == [False, True]  # around the bore it cannot go
 
 
-def test_a_twig_within_a_limb_is_none():
+def test_a_side_branch_within_a_limb_is_none():
     shape = solid(manifold3d.Manifold.cylinder(8, 1, 1, 48, True))
     for end in ((0, 0.6, 0), (0, 0.9, 0.2), (0, 0.5, 0.5)):
         assert of_last(shape, legs([(0, 0, 0), (0, 0, 3.7)], [(0, 0, 0), (0, 0, -3.7)], [(0, 0, 0), end])) < 0.4
@@ -266,10 +266,10 @@ def test_a_wall_is_looked_for_four_radii_ahead():
 def star_of(lengths: list[float], radius: float, step: float = 0.25) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Up to six legs out of node 0, at right angles, with a node every ``step``."""
     vertices, pairs = [np.zeros(3)], []
-    for way, length in zip(np.concatenate([np.eye(3), -np.eye(3)]), lengths, strict=False):
+    for direction, length in zip(np.concatenate([np.eye(3), -np.eye(3)]), lengths, strict=False):
         first, num = len(vertices), round(length / step)
         pairs += chain(0, *range(first, first + num))
-        vertices += [way * length * (k + 1) / num for k in range(num)]
+        vertices += [direction * length * (k + 1) / num for k in range(num)]
     return np.array(vertices), as_edges(pairs), np.full(len(vertices), radius)
 
 
@@ -349,7 +349,7 @@ def test_an_edge_that_is_there_twice_counts_once():
         np.testing.assert_array_equal(*stays)
 
 
-def test_lengths_are_those_of_the_ways():
+def test_lengths_are_those_of_the_paths():
     vertices, edges, radii = star_of([1.0, 2.5, 0.75], 0.1)
     found = measure(*in_discs(vertices, edges, radii))
     assert sorted(branch.length for branch in found) == pytest.approx([0.75, 1.0, 2.5])
@@ -394,7 +394,7 @@ def test_the_least_goes_first_and_the_rest_is_measured_again():
         assert (target[~stays] == 0).all()
 
 
-def test_at_no_limit_a_tree_becomes_a_way():
+def test_at_no_limit_a_tree_becomes_a_path():
     stays, _ = prune(*in_discs(*star_of([1.0, 2.0, 3.0, 4.0, 5.0], 0.5)), np.inf)
     assert np.flatnonzero(stays).tolist() == [0, *range(25, 61)]  # the two longest legs
 

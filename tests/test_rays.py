@@ -192,7 +192,7 @@ def test_rays_in_the_plane_of_a_turned_wall_go_past_it():
         np.testing.assert_allclose(shape.ray_lengths(points @ turn + shift, rays @ turn, np.full(3, 3.0)), 0.5)
 
 
-def test_rays_with_more_hits_than_there_is_room_for(monkeypatch):
+def test_rays_with_more_hits_than_the_first_capacity(monkeypatch):
     random, shape = np.random.default_rng(4), Enclosure(*arrays(blob(65)))
     points, rays, reach = random.uniform(-1, 1, (300, 3)), random_directions(random, 300), random.uniform(0, 2, 300)
     whole = shape.ray_lengths(points, rays, reach)
@@ -329,7 +329,7 @@ def test_twins_of_a_tetrahedron():
 # Near enough
 
 
-def test_approach_is_never_nearer_than_the_surface_and_a_little_farther_at_most(shape):
+def test_approximate_closest_is_never_nearer_than_the_surface_and_a_little_farther_at_most(shape):
     random = np.random.default_rng(3)
     low, high = shape.vertices.min(axis=0), shape.vertices.max(axis=0)
     points = random.uniform(low, high, (300, 3))
@@ -341,7 +341,7 @@ def test_approach_is_never_nearer_than_the_surface_and_a_little_farther_at_most(
     assert shape.approximate_closest(np.empty((0, 3)))[0].shape == (0,)
 
 
-def test_approach_finds_the_wall_of_a_box_of_twelve_triangles():
+def test_approximate_closest_finds_the_wall_of_a_box_of_twelve_triangles():
     """Vertices are far from the middles of the faces; samples are not."""
     box = Enclosure(*arrays(trimesh.creation.box((1.0, 1.0, 4.0))))
     points = np.array([[0.3, 0, 0], [0, -0.45, 1.0], [0.1, 0.0, -1.9]])

@@ -77,7 +77,7 @@ def relief(num: int = 16) -> tuple[np.ndarray, np.ndarray]:
 
 
 @pytest.mark.parametrize("is_turned", [False, True])
-def test_a_lid_that_would_cut_through_the_surface_goes_to_the_end_of_a_skirt(is_turned):
+def test_a_lid_that_would_cut_through_the_surface_goes_to_the_end_of_an_extruded_rim(is_turned):
     """What is closed is the relief and the block behind it: a prism behind each face."""
     vertices, faces = relief()
     faces = faces[:, ::-1] if is_turned else faces
@@ -107,7 +107,7 @@ def test_a_curve_of_a_relief_speaks_of_the_callers_vertices():
         msf_jax.replay(run.tape, run.weights, vertices)
 
 
-def test_a_lid_stays_where_a_skirt_would_cut_as_well():
+def test_a_lid_stays_where_an_extruded_rim_would_cut_as_well():
     """A ribbon that is twisted round twice looks every way: nothing is behind all of it."""
     turn, out = (axis.ravel() for axis in np.meshgrid(np.linspace(0, 4 * np.pi, 60), [-1.0, 0.1, 1.0], indexing="ij"))
     vertices = np.stack([out * np.cos(turn), out * np.sin(turn), turn], axis=1)

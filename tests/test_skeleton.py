@@ -43,7 +43,7 @@ def check(mesh, skeleton, like):
     assert np.abs(skeleton.radii - distance).max() < 1e-6 * np.ptp(mesh.vertices)
 
 
-def test_a_slid_threshold_takes_twigs_first_and_limbs_later(whole):
+def test_a_slid_threshold_takes_spurs_first_and_limbs_later(whole):
     mesh, skeleton = whole
     leaves = []
     for least in (0.0, 0.75, 100.0):

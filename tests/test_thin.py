@@ -113,7 +113,7 @@ def test_a_loop_of_coarse_wire_keeps_its_cycle_and_the_report_says_how_it_was_ma
     assert not msf_jax.skeletonize((vertices, faces), pins=[0, 120]).report.notes  # no wavefronts; pins are not inside
 
 
-def test_waves_make_the_curve_where_the_flow_has_left_a_tangle(monkeypatch):
+def test_the_reeb_curve_is_taken_where_the_flow_has_left_a_tangle(monkeypatch):
     monkeypatch.setattr(curves, "MOST_VOLUME", -1.0)  # whatever is left of the volume is too much
     report = msf_jax.skeletonize(wire(snake(61), 0.01)).report
     assert report.is_sound and len(report.notes) == 1 and "wavefronts" in report.notes[0]

@@ -66,15 +66,15 @@ def parser_of(run: Mapping[str, Callable[[argparse.Namespace], int]]) -> argpars
     _common(demo)
     demo.set_defaults(run=run["demo"])
 
-    look = commands.add_parser("view", help="an interactive page of a mesh and its curve", **teaching("VIEW"))
-    _completes(look.add_argument("mesh", metavar="IN", help=MESH), shtab.FILE)
+    viewer = commands.add_parser("view", help="an interactive page of a mesh and its curve", **teaching("VIEW"))
+    _completes(viewer.add_argument("mesh", metavar="IN", help=MESH), shtab.FILE)
     place = "where to write the page (default: IN with .html)"
-    _completes(look.add_argument("-o", "--output", metavar="HTML", help=place), shtab.FILE)
-    _forcing(look)
-    _repairing(look)
-    _settings(look)
-    _common(look)
-    look.set_defaults(run=run["view"])
+    _completes(viewer.add_argument("-o", "--output", metavar="HTML", help=place), shtab.FILE)
+    _forcing(viewer)
+    _repairing(viewer)
+    _settings(viewer)
+    _common(viewer)
+    viewer.set_defaults(run=run["view"])
 
     many = commands.add_parser("batch", help="the curves of all meshes in a folder", **teaching("BATCH"))
     _completes(many.add_argument("folder", metavar="IN_DIR", help="where the meshes are"), shtab.DIRECTORY)

@@ -74,7 +74,7 @@ def nearest_faces(binding: Binding, points: jax.Array, vertices: jax.Array) -> j
     pair = jnp.cumsum((bound * bound <= some[:, None]).ravel().astype(jnp.int32))
     together = AT_ONCE // size
 
-    def look(state: tuple[jax.Array, ...]) -> tuple[jax.Array, ...]:
+    def test_pairs(state: tuple[jax.Array, ...]) -> tuple[jax.Array, ...]:
         done, best, face = state
         number = jnp.searchsorted(pair, done + 1 + jnp.arange(together, dtype=jnp.int32))
         number = jnp.minimum(number, len(pair) - 1)  # testing the last pair again changes nothing
@@ -86,7 +86,7 @@ def nearest_faces(binding: Binding, points: jax.Array, vertices: jax.Array) -> j
         return done + together, least, jnp.where(least < best, first, face)
 
     start = (jnp.zeros((), jnp.int32), jnp.full(num, jnp.inf, dtype), jnp.zeros(num, jnp.int32))
-    found = lax.while_loop(lambda state: state[0] < pair[-1], look, start)[2]
+    found = lax.while_loop(lambda state: state[0] < pair[-1], test_pairs, start)[2]
     return jnp.minimum(found, binding.live.faces - 1)  # padding repeats the last face
 
 

@@ -94,7 +94,7 @@ def _recentred(meso: Meso, found: Curve, draft: Draft, job: Job) -> Draft:
 
 
 def is_tangle(state: State) -> bool:
-    """Whether so much of the volume is left that the surface has not become a curve."""
+    """Whether the surface has not become a curve, as too much of its volume is left."""
     return abs(state.history[-1].volume if state.history else 1.0) > MOST_VOLUME
 
 

@@ -96,7 +96,7 @@ def stack(skeletons: Iterable[Skeleton], *, like: Batch | None = None, dtype: An
     bare = [unpadded(skeleton.binding) for skeleton in every]
     sizes: list[Sizes] = [binding.live for binding in bare]
     capacity = capacity_for(*sizes)
-    if like is not None and all(room <= wide for room, wide in zip(capacity, like.bindings.capacity, strict=True)):
+    if like is not None and all(one <= most for one, most in zip(capacity, like.bindings.capacity, strict=True)):
         capacity = like.bindings.capacity
     dtype = jnp.dtype(real_dtype() if dtype is None else dtype)
 

@@ -67,14 +67,14 @@ def follow(skeleton: Skeleton | Binding, vertices: Any) -> Followed:
     """
     binding = binding_of(skeleton)
     array = checked_vertices(skeleton, vertices)
-    room, num = binding.num_vertices, len(array)
+    capacity, num = binding.num_vertices, len(array)
     if isinstance(array, Tracer) or isinstance(binding.faces, Tracer):
-        found = Followed(*_follow(binding, jnp.pad(array, ((0, room - num), (0, 0)))))
+        found = Followed(*_follow(binding, jnp.pad(array, ((0, capacity - num), (0, 0)))))
         return found if isinstance(skeleton, Binding) else Followed(*(part[: len(skeleton.vertices)] for part in found))
     forking.check()
     _limit_programs(binding, array.dtype)
     # NumPy pads and cuts, because JAX would compile this for every size.
-    found = _follow(_in_dtype(binding, array.dtype), np.pad(np.asarray(array), ((0, room - num), (0, 0))))
+    found = _follow(_in_dtype(binding, array.dtype), np.pad(np.asarray(array), ((0, capacity - num), (0, 0))))
     nodes, radii = (np.asarray(part) for part in found)
     gone = np.flatnonzero(np.isnan(nodes).any(axis=1))
     if len(gone):

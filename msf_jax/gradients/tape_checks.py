@@ -48,12 +48,12 @@ def _check_stretch(stretch: Stretch, layout: Layout, before: int, sites: int) ->
     _check_layout(layout)
     lines, size = len(stretch.factor), layout.capacity
     rounds, cuts = np.shape(stretch.cut)[1:3]
-    room = size + rounds * cuts
+    num_rows = size + rounds * cuts
     indices(stretch.handover, (size,), before, "handover")
-    indices(stretch.enter, (lines, size), room, "enter")
+    indices(stretch.enter, (lines, size), num_rows, "enter")
     indices(stretch.site, (lines, size), sites, "site")
     indices(stretch.group, (lines, size), size, "group")
-    indices(stretch.cut, (lines, rounds, cuts, 3), room, "cut")
+    indices(stretch.cut, (lines, rounds, cuts, 3), num_rows, "cut")
     if len(stretch.rings) != 4:
         raise ValueError("rings are not four tables")
     for table in stretch.rings[:3]:
@@ -64,7 +64,7 @@ def _check_stretch(stretch: Stretch, layout: Layout, before: int, sites: int) ->
     numbers(stretch.left, (lines, 2, size, 3), "left")
     if not (numbers(stretch.factor, (lines,), "factor") > 0).all():
         raise ValueError("factor is not positive")
-    return room
+    return num_rows
 
 
 def _check_layout(layout: Any) -> None:

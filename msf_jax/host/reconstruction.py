@@ -157,6 +157,6 @@ def _edge_of(cosine: sparse.csr_matrix, k: int, guess: float) -> float:
     step = np.pi / (2 * half + 1)
     damping = ((2 * half + 1 - order) * np.cos(order * step) + np.sin(order * step) / np.tan(step)) / (2 * half + 1)
     edges = np.linspace(0, np.pi, 8 * half + 1)
-    waves = np.sin(np.outer(edges, order)) @ (damping * moments[1:] / order)
-    count = (edges * moments[0] + 2 * waves) / np.pi / PROBES
+    series = np.sin(np.outer(edges, order)) @ (damping * moments[1:] / order)
+    count = (edges * moments[0] + 2 * series) / np.pi / PROBES
     return float(edges[1:][np.maximum.accumulate(count)[1:] >= k][0])

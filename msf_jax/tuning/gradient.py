@@ -33,7 +33,7 @@ LARGEST_BOX = 2.5  # natural logarithms: its largest value
 SMALLEST_BOX = 0.02  # natural logarithms: the tuning ends below it
 GROWTH = 1.6  # factor on the box after an accepted proposal
 SHRINKAGE = 0.35  # factor on the box after rejected ones
-HALF_WAY = 0.5  # share of the distance to the default weights, in logarithms: the first step if runs do not converge
+HALVED = 0.5  # share of the distance to the default weights, in logarithms: the first step if runs do not converge
 NEARLY_THERE = 0.99  # the same share, above which the tuning ends
 SEARCH_TOLERANCE = 1e-8  # relative residual of the solves in a replay, sufficient for a direction
 TIMID = 0.1  # share of the box: a minimum closer to the start is not proposed
@@ -56,7 +56,7 @@ def descend(
     """Make at most ``steps`` proposals by the tapes, from ``weights``. Fresh runs confirm a proposal."""
     search = _Descent(runs, weights)
     config = runs.config
-    box, part, kind, reason = FIRST_BOX, HALF_WAY, MINIMUM, "all steps made"
+    box, part, kind, reason = FIRST_BOX, HALVED, MINIMUM, "all steps made"
     try:
         for _ in range(steps):
             here = logarithms(search.weights)
@@ -83,7 +83,7 @@ def descend(
                 else:
                     kind += 1
             else:
-                part = HALF_WAY if is_taken else (part + 1) / 2
+                part = HALVED if is_taken else (part + 1) / 2
             bar.update(1, f"objective {search.value:.4g}, box {box:.2f}")
             if box < SMALLEST_BOX or part > NEARLY_THERE:
                 reason = "no better weights nearby"

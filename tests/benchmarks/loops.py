@@ -103,9 +103,9 @@ def mutants(skeleton: Any) -> list[Any]:
         if not len(closing):
             continue
         cut = np.delete(edges, closing[0], axis=0)
-        roomy = int(np.where(label == part, skeleton.radii, 0).argmax())
-        off = np.concatenate([x, x[roomy] + 0.2 * skeleton.radii[roomy] * np.eye(3)[:2]])
-        found.append((off, np.concatenate([cut, [[roomy, num], [num, num + 1], [roomy, num + 1]]])))
+        widest = int(np.where(label == part, skeleton.radii, 0).argmax())
+        off = np.concatenate([x, x[widest] + 0.2 * skeleton.radii[widest] * np.eye(3)[:2]])
+        found.append((off, np.concatenate([cut, [[widest, num], [num, num + 1], [widest, num + 1]]])))
         if len(closing) > 1:
             paths = [[int(end)] for end in edges[closing[-1]]]
             for path in paths:

@@ -72,17 +72,17 @@ class _Elements:
     def check_instances(self) -> None:
         """Raise a ValueError if the parts, with the parts that they consist of, are too many."""
         done: dict[str, tuple[int, int]] = {}
-        on_the_way: set[str] = set()
+        ancestors: set[str] = set()
 
         def total(name: str) -> tuple[int, int]:
             """The numbers of instances and triangles of an object, with its parts."""
             if name in done:
                 return done[name]
-            if name in on_the_way or len(on_the_way) > 100:
+            if name in ancestors or len(ancestors) > 100:
                 raise ValueError("its parts contain themselves, or are nested too deeply")
-            on_the_way.add(name)
+            ancestors.add(name)
             found = [total(part) for part in self.parts.get(name, [])]
-            on_the_way.discard(name)
+            ancestors.discard(name)
             done[name] = 1 + sum(one for one, _ in found), self.triangles[name] + sum(num for _, num in found)
             return done[name]
 

@@ -99,8 +99,8 @@ def _surfaces(skeleton: "Skeleton", mesh: Any, middle: np.ndarray) -> tuple[list
         return found, False
     colour = segmentation.colours(len(skeleton.vertices))[skeleton.mesh_map]
     rgb = [f"rgb({r},{g},{b})" for r, g, b, _ in colour]
-    look = {"opacity": 0.5, "vertexcolor": rgb, "visible": False}
-    found.append(_mesh(vertices - middle, faces, "surface by node", **look, **hover))
+    style = {"opacity": 0.5, "vertexcolor": rgb, "visible": False}
+    found.append(_mesh(vertices - middle, faces, "surface by node", **style, **hover))
     return found, True
 
 

@@ -227,20 +227,20 @@ def _cuts(vertices: np.ndarray, radii: np.ndarray, paths: list[_BonePath], most:
     left = most - sum(len(stops) - 1 for stops in cuts)
     heap: list[tuple[float, int, float, float, float]] = []
 
-    def look(number: int, begin: float, end: float) -> None:
+    def consider(number: int, begin: float, end: float) -> None:
         badness, where = _bend(vertices, radii, paths[number], begin, end)
         if badness > 1:
             heapq.heappush(heap, (begin - end, number, begin, end, where))
 
     for number, stops in enumerate(cuts):
         if len(stops) > 1:
-            look(number, *stops)
+            consider(number, *stops)
     while heap and left > 0:
         _, number, begin, end, where = heapq.heappop(heap)
         cuts[number] = sorted([*cuts[number], where])
         left -= 1
-        look(number, begin, where)
-        look(number, where, end)
+        consider(number, begin, where)
+        consider(number, where, end)
     return [np.array(stops) for stops in cuts]
 
 
