@@ -133,14 +133,16 @@ def _refined(meso: Meso, shape: Enclosure, config: Config, watch: Stopwatch) -> 
         return meso
     with watch.stage("refining"):
         a, b = ring_tables.edges_from_rings(meso.rings)
-        is_long = collapse.edge_lengths(meso.positions, a, b) > config.refine
-        ends = np.zeros(meso.num_rows, dtype=bool)
-        ends[np.concatenate([a[is_long], b[is_long]])] = True
+        length = collapse.edge_lengths(meso.positions, a, b)
+        is_long = length > config.refine
+        longest = np.zeros(meso.num_rows)
+        np.maximum.at(longest, np.concatenate([a, b])[np.tile(is_long, 2)], np.tile(length[is_long], 2))
+        ends = longest > 0
         corners = meso.positions[(faces := meso.faces())[ends[faces].sum(axis=1) > 1]]
         if triangle_areas(corners).sum() < LEAST_REFINED * meso.area():
             return meso
         limit = np.full(meso.num_rows, 1.0)
-        limit[ends] = thickness.edge_lengths(shape, meso.positions[ends])
+        limit[ends] = thickness.edge_lengths(shape, meso.positions[ends], longest[ends])
         # Equilateral triangles with edges of this length cover the surface with about MOST_REFINED vertices.
         least = max(config.refine, float(np.sqrt(meso.area() / (MOST_REFINED * 0.4))))
         split.split_long_edges(meso, np.maximum(limit, least), check=config.check)

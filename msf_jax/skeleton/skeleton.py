@@ -94,7 +94,7 @@ class Skeleton:
         """The curve in units of its solid's diagonal, or in the caller's units if the solid is not known."""
         return (self.vertices if self.source is None else self.source.solid.enter(self.vertices)), self.edges
 
-    def prune(self, slenderness: float = 0.75) -> "Skeleton":
+    def prune(self, slenderness: float = 0.9) -> "Skeleton":
         """A new skeleton without the branches below that ``slenderness``, the least slender pruned first; see `Branch`.
 
         Components, cycles and branches with a pin are kept. The mesh's vertices of a pruned branch go to its junction.

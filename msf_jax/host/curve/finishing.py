@@ -114,12 +114,14 @@ def passes(centre: bool, extend: bool) -> list[Callable[[Draft, Job], Draft]]:
         *([straightened, placed, partial(centred, rounds=FIRST_ROUNDS, is_far=True), straightened] if centre else []),
         merged,
         *([refined] if centre else []),
-        pruned,
-        *([extended] if extend else []),
+        *([extended, completed] if extend else []),
         *([partial(centred, hold_leaves=extend)] if centre else []),
-        *([completed, pruned] if extend else []),
+        # All branches are candidates now, and one measure decides which of them are limbs.
+        pruned,
+        *([partial(centred, hold_leaves=extend, rounds=FIRST_ROUNDS)] if centre else []),
         contained,
         *([partial(straightened, most=SHARPEST), contained] if centre else []),
+        pruned,
         coincident_merged,
         looped,
         *([corners_rounded] if centre else []),
@@ -322,7 +324,7 @@ def pruned(draft: Draft, job: Job) -> Draft:
     if not job.prune:
         return draft
     x, e = draft.vertices, draft.edges
-    left = _left(draft, *limbs.prune(x, e, limbs.limbs_of(job.coarse, x, e), job.prune, draft.is_held))
+    left = _left(draft, *limbs.prune(x, e, limbs.limbs_of(job.shape, x, e), job.prune, draft.is_held))
     return left._replace(num_pruned=draft.num_pruned + int(draft.is_leaf().sum() - left.is_leaf().sum()))
 
 

@@ -38,14 +38,16 @@ def shrinking_balls(
     normals: np.ndarray,
     tree: spatial.KDTree,
     first: float | np.ndarray,
-    largest: float,
+    largest: float | np.ndarray,
     own: np.ndarray | None = None,
 ) -> Balls:
     """The largest ball behind each of ``points`` (P, 3) with outward unit ``normals``, empty of the points of ``tree``.
 
-    Radii start at ``first``, and are at most ``largest``. ``own`` (P,) is the index of each point in the tree.
+    Radii start at ``first``, and are at most ``largest``: numbers or (P,). ``own`` (P,) is the index of each point in
+    the tree.
     """
     num = len(points)
+    largest = np.broadcast_to(largest, num)
     radius = np.broadcast_to(np.minimum(first, largest), num).astype(np.float64)
     touching = np.full(num, -1)
     own = np.full(num, -1) if own is None else own
@@ -69,8 +71,8 @@ def shrinking_balls(
         is_hit &= 1 - depth / np.where(is_hit, smaller, 1.0) < NOISE
         radius[active[is_hit]], touching[active[is_hit]] = smaller[is_hit], found[is_hit]
         grows[active[is_hit]] = False
-        is_open = ~is_hit & grows[active] & (r < largest)
-        radius[active[is_open]] = np.minimum(2 * r[is_open], largest)
+        is_open = ~is_hit & grows[active] & (r < largest[active])
+        radius[active[is_open]] = np.minimum(2 * r, largest[active])[is_open]
         active = active[is_hit | is_open]
     return Balls(radius, touching)
 

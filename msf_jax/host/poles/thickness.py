@@ -44,15 +44,20 @@ def scales(vertices: np.ndarray, faces: np.ndarray) -> np.ndarray | None:
     return np.clip(radius / THIN, THINNEST, 1.0)
 
 
-def edge_lengths(shape: Enclosure, points: np.ndarray) -> np.ndarray:
+def edge_lengths(shape: Enclosure, points: np.ndarray, longest: np.ndarray) -> np.ndarray:
     """(P,) the longest edge at each of ``points`` (P, 3), of a solid of diagonal 1, that still resolves the limb.
 
-    The thickness comes from balls at samples of the surface, which are also between its vertices.
+    Values above `LENGTH` times ``longest`` (P,), the longest edge at each point, are only lower bounds: no ball needs to
+    be larger, which saves most queries. The balls touch samples of the surface, which are also between its vertices.
     """
     samples, normals = shape.surface_points(MOST_SAMPLES)
     tree = spatial.KDTree(samples)
-    radius = shrinking_balls(samples, normals, tree, 2 * THIN, 1.0, np.arange(len(samples))).radius
     away, near = tree.query(points, k=min(AROUND, len(samples)))
+    enough = np.zeros(len(samples))
+    np.maximum.at(enough, near, longest[:, None] + SLOPE * away)
+    asked = np.flatnonzero(enough)
+    radius = np.zeros(len(samples))
+    radius[asked] = shrinking_balls(samples[asked], normals[asked], tree, enough[asked], enough[asked], asked).radius
     return LENGTH * (radius[near] - SLOPE * away).max(axis=1, initial=0.0)
 
 

@@ -26,7 +26,9 @@ def repeated(count: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
 
 def arc_length(points: np.ndarray) -> np.ndarray:
     """(k,) the length of the way to each of the points (k, 3) of a polyline."""
-    return np.r_[0.0, np.cumsum(np.linalg.norm(np.diff(points, axis=0), axis=1))]
+    along, step = np.zeros(len(points)), points[1:] - points[:-1]
+    np.cumsum(np.sqrt((step * step).sum(axis=1)), out=along[1:])
+    return along
 
 
 def at(points: np.ndarray, along: np.ndarray, stops: np.ndarray) -> np.ndarray:
