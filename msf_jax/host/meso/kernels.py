@@ -120,7 +120,7 @@ def merge(a: Ints, b: Ints, rings: Rows, degree: Ints, classes: Rows, merged: Ro
         one, two = a[row], b[row]
         slot, twin = slot_of(rings, one, two), slot_of(rings, two, one)
         left, right = rings[one, (slot + 1) % degree[one]], rings[one, (slot - 1) % degree[one]]
-        way = classes[one, slot]  # b's edges start at a now, so the class of a -> b is added to theirs
+        shift = classes[one, slot]  # b's edges start at a now, so the class of a -> b is added to theirs
         # a's ring from `left` round to `right`, then b's ring from after `right` to before `left`.
         count = degree[one] + degree[two] - 4
         for place in range(rings.shape[1]):
@@ -131,7 +131,7 @@ def merge(a: Ints, b: Ints, rings: Rows, degree: Ints, classes: Rows, merged: Ro
                 source, at = two, (twin + 3 + place - degree[one]) % degree[two]
             if place < count:
                 merged[0, place] = rings[source, at]
-                merged[1, place] = classes[source, at] + (way if source == two else 0)
+                merged[1, place] = classes[source, at] + (shift if source == two else 0)
         # b's other neighbours now have a instead of b; the two apexes, which have a already, lose b.
         for place in range(degree[two]):
             other = rings[two, place]
@@ -140,7 +140,7 @@ def merge(a: Ints, b: Ints, rings: Rows, degree: Ints, classes: Rows, merged: Ro
             at = slot_of(rings, other, two)
             if other != left and other != right:
                 rings[other, at] = one
-                classes[other, at] -= way
+                classes[other, at] -= shift
                 continue
             degree[other] -= 1
             for after in range(at, degree[other]):
@@ -168,9 +168,9 @@ def cut(a: Ints, b: Ints, left: Ints, right: Ints, rings: Rows, degree: Ints, cl
         for side in range(2):
             beside, before = (left[row], a[row]) if side == 0 else (right[row], b[row])
             at = slot_of(rings, beside, before) + 1
-            way = classes[beside, slot_of(rings, beside, b[row])]
+            own = classes[beside, slot_of(rings, beside, b[row])]
             for place in range(degree[beside], at, -1):
                 rings[beside, place], classes[beside, place] = rings[beside, place - 1], classes[beside, place - 1]
-            rings[beside, at], classes[beside, at], classes[new, 1 + 2 * side] = new, way, -way
+            rings[beside, at], classes[beside, at], classes[new, 1 + 2 * side] = new, own, -own
             degree[beside] += 1
         degree[new] = 4
