@@ -44,7 +44,7 @@ ROUNDNESS = 4  # exponent of (median radius of the branch / radius of the sectio
 STRAY = 0.3  # section radii: a centroid at this distance has a quarter of its weight
 SLIDING = 0.03  # share of w along the branch
 ANCHOR, JUNCTION_ANCHOR = 0.003, 0.2  # a of a usual node; a of a junction
-DEEP_ANCHOR, DEEPER = 4.0, 1.0  # added to a if the clearance at y exceeds the limbs' size; share of excess for all of it
+DEEP_ANCHOR, DEEPER = 4.0, 1.0  # added to a if the clearance at y exceeds the limbs' size; relative excess for all of it
 FORMER_JUNCTION_DEEPER = 0.25  # the same share at a former junction, where no other branch holds the curve in its blob
 DAMPING = 0.05  # damping of a step, as a weight of its square
 DAMPING_ALONG = 0.3  # more damping of its component along the branch
@@ -59,7 +59,7 @@ CLOSE = 0.005  # diagonals: clearances below are measured exactly
 SURE = 0.5  # share of an approximate clearance that counts as certain
 NEARBY, DETOUR = 0.5, 1.5  # clearances: largest distance from a point to its deepest point; factor on it in the search
 CLIMBS, FINEST = 30, 0.004  # limit on the steps of the search; clearances: step length at which it ends
-DIRECTIONS = unit(np.array([each for each in itertools.product((-1.0, 0.0, 1.0), repeat=3) if any(each)]))  # of the search
+DIRECTIONS = unit(np.array([each for each in itertools.product((-1.0, 0.0, 1.0), repeat=3) if any(each)]))
 SETTLING = 4  # rounds after which jumps of the weight are counted
 BRINK, FADE = 1.25, 0.5  # factor on (weight over section radius) in a round that is a jump; factor on w at each jump
 
