@@ -52,8 +52,8 @@ def evaluate(mesh: Any, skeleton: Any, truth: Any = None) -> dict[str, float]:
         - ``smoothness``: mean cosine of the angle between successive steps of one hundredth of the diagonal along a
           branch. 1 is best (Wen et al. 2025, who use neighbouring points).
         - ``tip_gap``: distance from a leaf straight on to the surface, over the inscribed radius one such radius back:
-          1 for a curve that ends at the centre of a round end; at most 8. The mean over the leaves that are inside, NaN
-          if there is none.
+          1 for a curve that ends at the centre of a round end; at most 8. The mean over the leaves that are inside; NaN
+          without such leaves.
         - ``length``: of the curve.
         - with ``truth``: ``to_truth_mean``, ``to_truth_max``, ``from_truth_mean``, ``from_truth_max``: distance from
           the curve to the truth and back, by length.

@@ -20,7 +20,7 @@ def frames_in(folder: str, output: str) -> list[Path]:
     """The meshes in ``folder``, frame2 before frame10.
 
     Raises:
-        ConfigError: there is none, or ``output`` is that folder.
+        ConfigError: the folder has no mesh, or ``output`` is that folder.
     """
     if not Path(folder).is_dir():
         raise ConfigError(f"no folder {folder!r}: expected one with meshes")
