@@ -42,7 +42,7 @@ if TYPE_CHECKING:
     from msf_jax.tuning.result import Tuned
     from msf_jax.tuning.tuner import tune
 
-# Where each public name lives. It is imported when it is first asked for: what does not compute need not wait for JAX.
+# The module of each public name. It is imported on first access: a program that needs no JAX does not import it.
 _MODULES = {
     "batch": "app.batch",
     "ground_truth": "ground_truth",
@@ -71,7 +71,7 @@ _HOMES = {
     "Tape": "gradients.tape",
     "Track": "gradients.track",
     "Tuned": "tuning.result",
-    "Weights": "device",  # which makes a pytree of it
+    "Weights": "device",  # importing `device` registers it as a pytree
     "cache_compilations": "device.caching",
     "contract": "flow.loop",
     "follow": "gradients.follow",

@@ -1,4 +1,4 @@
-"""Closed meshes whose curve skeleton is known, because they are built around it: what a skeleton is scored against."""
+"""Closed meshes whose curve skeleton is known, because they are built around it. Skeletons are scored with them."""
 
 import os
 from collections.abc import Callable, Sequence
@@ -26,21 +26,21 @@ Truth = tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray, np.ndarray]  # poi
 class KnownShape:
     """A closed mesh and the curve in its middle.
 
-    The curve runs to the end of every limb, on the surface: to the pole of a rounded end, the middle of a flat one.
+    The curve goes to the end of every limb, on the surface: to the pole of a rounded end, or the centre of a flat one.
 
     Attributes:
         name: as `make` takes it.
         mesh: closed, oriented outwards, in one piece.
         points: (N, 3) nodes of the true curve.
         edges: (E, 2) its edges.
-        radii: (N,) radius of the limb at each node, less where a ball of it would reach out of an end: 0 at the tips.
-            Where limbs meet, a larger ball may fit in.
-        tips: (K, 3) where limbs end, on the surface.
-        tip_radii: (K,) radius of the limb there, which is not the 0 of the node.
+        radii: (N,) radius of the limb at each node, smaller near an end, so that the ball stays inside: 0 at the tips.
+            At a junction the inscribed ball may be larger.
+        tips: (K, 3) ends of limbs, on the surface.
+        tip_radii: (K,) radius of the limb at its end, while the node's is 0.
         genus: number of handles.
-        is_tube: it is limbs and nothing else, so that the true curve is all there is to find.
-        is_noisy: its vertices were moved at random.
-        is_coarse: its limbs have only a few vertices around, and its radii are true to a third only.
+        is_tube: whether it consists of limbs only, so that the true curve is complete.
+        is_noisy: whether its vertices were moved at random.
+        is_coarse: whether its limbs have few vertices around, so that radii are exact to a third only.
     """
 
     name: str
@@ -65,15 +65,15 @@ class KnownShape:
 
 
 def names() -> list[str]:
-    """All that `make` can make."""
+    """The names that `make` accepts."""
     return list(_BUILDERS)
 
 
 def make(name: str) -> KnownShape:
-    """The shape of that name, built anew and the same each time.
+    """The shape of that name, built anew, and identical each time.
 
     Raises:
-        ConfigError: there is none.
+        ConfigError: no shape has that name.
     """
     if name not in _BUILDERS:
         raise ConfigError(f"no shape is called {name!r}: expected one of {', '.join(names())}")
@@ -84,7 +84,7 @@ def mesh_named(name: str) -> trimesh.Trimesh:
     """The mesh of the shape of that name, or of the OFF file of that name in the folder that MSF_JAX_MESHES names.
 
     Raises:
-        ConfigError: there is neither.
+        ConfigError: neither exists.
     """
     path = Path(os.environ.get("MSF_JAX_MESHES", "."), f"{name}.off")
     if name in _BUILDERS or not path.exists():
@@ -93,7 +93,7 @@ def mesh_named(name: str) -> trimesh.Trimesh:
 
 
 def noisy(shape: KnownShape, amount: float, seed: int) -> KnownShape:
-    """The shape with each vertex moved along its normal by Gaussian noise; the truth stays.
+    """The shape with each vertex moved along its normal by Gaussian noise; the true curve is the same.
 
     ``amount`` is its standard deviation in diagonals of the bounding box.
     """
@@ -105,13 +105,13 @@ def noisy(shape: KnownShape, amount: float, seed: int) -> KnownShape:
 def swept_tube(
     points: np.ndarray, radii: np.ndarray, sides: int, ends: Literal["flat", "round"] = "flat", *, closed: bool = False
 ) -> trimesh.Trimesh:
-    """A tube along a smooth polyline, of nearly equilateral triangles; its rings turn by half a side each, and no more.
+    """A tube along a smooth polyline, of nearly equilateral triangles; each ring is turned by half a side.
 
     Args:
-        points, radii: (N, 3) and (N,), sampled more densely than the rings; if closed, the first does not come again.
+        points, radii: (N, 3) and (N,), sampled more densely than the rings; if closed, the first point is not repeated.
         sides: vertices of a ring.
         ends: flat discs at the first and the last point, or half balls beyond them.
-        closed: the last point is followed by the first, and there are no ends.
+        closed: whether the last point is followed by the first, without ends.
     """
     if closed:
         points, radii = np.vstack([points, points[:1]]), np.append(radii, radii[0])
@@ -128,7 +128,7 @@ def swept_tube(
     tangents /= np.linalg.norm(tangents, axis=1)[:, None]
     u, v = _frames(tangents, np.cross(tangents[0], np.eye(3)[np.argmin(np.abs(tangents[0]))]))
     turn = np.arange(len(stop)) * step / 2
-    if closed:  # the frame comes back turned: all rings share in what is missing to a whole number of sides
+    if closed:  # the frame returns turned: distribute the angle missing to a whole number of sides over all rings
         surplus = turn[-1] + np.arctan2(u[-1] @ v[0], u[-1] @ u[0])
         shift = round(surplus / step)
         turn += stop / stop[-1] * (shift * step - surplus)
@@ -150,7 +150,7 @@ def swept_tube(
 
 
 def _frames(tangents: np.ndarray, start: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Two unit normals (T, 3) to each tangent that turn about it as little as can be; the first one along ``start``."""
+    """A rotation-minimising frame: two unit normals (T, 3) to each tangent, the first normal along ``start``."""
     u = np.empty_like(tangents)
     for k, tangent in enumerate(tangents):
         start = start - (start @ tangent) * tangent
@@ -182,10 +182,10 @@ def _fan(ring: np.ndarray, pole: int) -> np.ndarray:
 
 
 def _bridge(first: np.ndarray, second: np.ndarray) -> np.ndarray:
-    """Triangles between two rings of vertices, which need not have as many of them."""
+    """Triangles between two rings of vertices, whose numbers may differ."""
     m, n = len(first), len(second)
     order = np.argsort(np.append((2 * np.arange(m) + 1) * n, 2 * np.arange(1, n + 1) * m), kind="stable")
-    is_first = order < m  # which of the rings goes on: the one that is behind
+    is_first = order < m  # advance on the ring that is behind
     i, j = np.cumsum(is_first) - is_first, np.cumsum(~is_first) - ~is_first
     ahead = np.where(is_first, first[(i + 1) % m], second[(j + 1) % n])
     return np.stack([first[i % m], ahead, second[j % n]], axis=1)
@@ -193,7 +193,7 @@ def _bridge(first: np.ndarray, second: np.ndarray) -> np.ndarray:
 
 _T = np.linspace(0, 1, 401)
 _A, _B = 2 * np.pi * _T, 4 * np.pi * _T
-_LINES = {  # x, y, z; the closed ones come back to their first point
+_LINES = {  # x, y, z; closed lines return to their first point
     "straight": (2.2 * _T, 0 * _T, 0 * _T),
     "arc": (0.8 * np.cos(3.6 * _T), 0.8 * np.sin(3.6 * _T), 0 * _T),
     "helix": (0.5 * np.cos(13 * _T), 0.5 * np.sin(13 * _T), 1.3 * _T),
@@ -218,7 +218,7 @@ def _swept(line: str, size: ArrayLike, sides: int, ends: Literal["flat", "round"
 
 
 def _to_surface(curve: Curve, leaves: Sequence[int] | None = None) -> Truth:
-    """The curve with its leaves (all, or those given) extended to the poles of their rounded ends."""
+    """The curve with its leaves (all, or ``leaves``) extended to the poles of their rounded ends."""
     points, edges, radii = curve
     leaf = np.flatnonzero(np.bincount(edges.ravel()) == 1) if leaves is None else np.array(leaves)
     before = np.array([edges[(edges == k).any(axis=1)][0].sum() - k for k in leaf], dtype=int)
@@ -269,7 +269,7 @@ def _around(paths: str, spacing: float, genus: int = 0, *, is_coarse: bool = Fal
     """A solid with rounded ends around paths."""
     points, edges, radii = _graph(*_PATHS[paths])
     points = points @ _TURN.T
-    # Triangles are chords of the surface they stand for: with this added, balls of the radius fit in just about.
+    # Triangles are chords of the true surface: with this addition, inscribed balls have about the true radius.
     mesh = shapes.solid_around(points, edges, radii + 0.2 * spacing**2 / radii, spacing)
     return KnownShape("", mesh, *_to_surface((points, edges, radii)), genus, is_coarse=is_coarse)
 
@@ -355,7 +355,7 @@ _BUILDERS: dict[str, Callable[[], KnownShape]] = {
     "star": partial(_around, "star", 0.065),
     "comb": partial(_around, "comb", 0.065),
     "theta": partial(_around, "theta", 0.078, 2),
-    # As it is elsewhere in the project. The forearm's end is no leaf: the handle starts there.
+    # The same hand as in the demo. The forearm's end is no leaf, because the handle starts there.
     "hand": lambda: KnownShape("", shapes.hand(), *_to_surface(shapes.hand_curve()), 1),
     "cube_frame": partial(_around, "cube_frame", 0.096, 5),
     "straight_coarse": partial(_swept, "straight", 0.12, 6),
@@ -366,7 +366,7 @@ _BUILDERS: dict[str, Callable[[], KnownShape]] = {
     "arc_fine": partial(_swept, "arc", 0.12, 72),
     "y_fine": partial(_around, "y", 0.022),
     "straight_noisy": lambda: noisy(make("straight"), 0.005, 1),
-    "y_noisy": lambda: noisy(make("y"), 0.0025, 2),  # more would fold its many short edges
+    "y_noisy": lambda: noisy(make("y"), 0.0025, 2),  # more noise would fold its many short edges
     "ring_noisy": lambda: noisy(make("ring"), 0.005, 3),
     "octopus_low": _octopus_low,
     "pawn_low": _pawn_low,

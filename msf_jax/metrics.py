@@ -1,6 +1,6 @@
-"""Figures of a curve in its mesh: `evaluate`, for this project's curves and anybody's, and `compare`, of two curves.
+"""Scores of a curve in its mesh (`evaluate`), for curves of any program, and of two curves (`compare`).
 
-Lengths are fractions of the mesh's bounding-box diagonal, so that figures of different meshes can be put side by side.
+Lengths are fractions of the mesh's bounding-box diagonal, so that scores of different meshes can be compared.
 """
 
 from typing import Any
@@ -15,13 +15,13 @@ from msf_jax.host.solid.enclosure import Enclosure
 from msf_jax.host.solid.geometry import arc_length, at, unit
 from msf_jax.host.solid.solid import Solid
 
-SAMPLES_PER_EDGE = 16
-SURFACE_SAMPLES = 20_000  # at least so many, spread by area
-LOPSIDED = 3.0  # a section so many times as wide as the inscribed ball is not that of a limb
-STRIDE = 0.01  # diagonals, between the points of a branch at which its turning is measured
-ALONG = 0.5  # of its distance to another curve, as near as its own curve is to that place, a point runs along it
-SAME = 1e-9  # diagonals, between two places that are one
-PAIRS_AT_ONCE = 4_000_000
+SAMPLES_PER_EDGE = 16  # sample points on an edge that inscribed balls do not cover
+SURFACE_SAMPLES = 20_000  # sample points on the surface, about; by area, and at least one on each face
+LOPSIDED = 3.0  # ratio of a section's mean radius to the inscribed ball's, above which it is not that of a limb
+STRIDE = 0.01  # diagonals: distance between the points of a branch at which its turning is measured
+ALONG = 0.5  # least ratio of the distance from the foot to the point's own curve to that from the foot to the point
+SAME = 1e-9  # diagonals: tolerance of these distances
+PAIRS_AT_ONCE = 4_000_000  # pairs of a point and an edge or a node in memory at a time
 
 
 def evaluate(mesh: Any, skeleton: Any, truth: Any = None) -> dict[str, float]:
@@ -37,29 +37,29 @@ def evaluate(mesh: Any, skeleton: Any, truth: Any = None) -> dict[str, float]:
         A dictionary. Lengths are fractions of the mesh's bounding-box diagonal.
 
         - ``components``, ``cycles``, ``loops``, ``leaves``, ``mesh_components``, ``genus``: counts. A curve of the
-          right topology has as many components as the mesh, and as many independent cycles as the sum of the genera;
-          ``loops`` are the handles that these go around, and as many.
+          right topology has as many components as the mesh, and as many independent cycles as the sum of the genera.
+          ``loops`` is the number of handles that the cycles go around; it should equal the genus, too.
         - ``inside``: fraction of the curve's length where the generalised winding number of the mesh is positive
           (Jacobson et al. 2013). Edges that the inscribed balls of their ends do not cover are sampled at the middles
           of 16 equal parts. 1 is best.
         - ``boundedness``: fraction of the nodes that are inside (Wen et al. 2025). 1 is best.
         - ``off_centre``: distance of an edge's middle from the centroid of the cross-section there, over the section's
-          mean radius; the mean over edges, by length. A section more than three times as wide as the largest ball
-          around its centroid is not one of a limb, and does not count; NaN if none does. 0 is best (centredness, Cornea
-          et al. 2007).
+          mean radius; the mean over edges, by length. A section more than three times as wide as the inscribed ball at
+          its centroid is not that of a limb, and does not count; NaN if none counts. 0 is best (centredness, Cornea et
+          al. 2007).
         - ``missed_95``, ``missed_max``: distance from a point of the surface to the union of the nodes' inscribed
-          balls: 95th percentile by area, and the largest. 0 is best (reconstruction, Cornea et al. 2007).
-        - ``smoothness``: mean cosine of the angle by which a branch turns from one hundredth of the diagonal to the
-          next. 1 is best (Wen et al. 2025, who take it over neighbouring points).
-        - ``tip_gap``: distance from a leaf onward to the surface, over the inscribed radius one such radius back: 1 for
-          a curve that ends in the middle of a round end, 8 for any gap that is longer. The mean over the leaves that
-          are inside, NaN if there is none.
+          balls: the 95th percentile by area, and the maximum. 0 is best (reconstruction, Cornea et al. 2007).
+        - ``smoothness``: mean cosine of the angle between successive steps of one hundredth of the diagonal along a
+          branch. 1 is best (Wen et al. 2025, who use neighbouring points).
+        - ``tip_gap``: distance from a leaf straight on to the surface, over the inscribed radius one such radius back:
+          1 for a curve that ends at the centre of a round end; at most 8. The mean over the leaves that are inside; NaN
+          without such leaves.
         - ``length``: of the curve.
         - with ``truth``: ``to_truth_mean``, ``to_truth_max``, ``from_truth_mean``, ``from_truth_max``: distance from
           the curve to the truth and back, by length.
 
     Raises:
-        MeshError: the mesh is refused at validation, or the curve is not one.
+        MeshError: the mesh is refused at validation, or ``skeleton`` is no valid curve.
     """
     checked = checking.prepare(mesh)
     solid = Solid(checked.vertices, checked.faces)
@@ -81,12 +81,12 @@ def evaluate(mesh: Any, skeleton: Any, truth: Any = None) -> dict[str, float]:
 
 
 def compare(mesh: Any, skeleton: Any, other: Any) -> dict[str, float]:
-    """Score two curves of a mesh on the part where both run, so that none wins by what it does not draw.
+    """Score two curves of a mesh on the part that both cover, so that missing branches improve no score.
 
-    A point of a curve runs along the other if the nearest place on the other is within the larger of the two inscribed
-    balls, and is about as far from the point's whole curve as from the point: a twig that leaves what both have in
-    common does not run along it. A point of the surface belongs to the part where both run if, in both curves, the node
-    whose inscribed ball is nearest to it does.
+    A point of a curve is common if its foot, the nearest point on the other curve, is within the larger of the
+    inscribed balls at both, and if the foot is not much nearer to another part of the point's own curve. So a side
+    branch that only one curve has is not common. A point of the surface is common if the node with the nearest
+    inscribed ball is common, in both curves.
 
     Args:
         mesh: as `skeletonize` takes it.
@@ -95,14 +95,14 @@ def compare(mesh: Any, skeleton: Any, other: Any) -> dict[str, float]:
     Returns:
         A dictionary, with the figures of ``other`` under the same names with ``other_`` before them.
 
-        - ``common``: fraction of the curve's length that runs along the other.
-        - ``off_centre``: as in `evaluate`, by length over that part, with a section every hundredth of the diagonal.
-        - ``missed_95``: as in `evaluate`, over the part of the surface that belongs to it. A fraction of the diagonal.
+        - ``common``: fraction of the curve's length that is common.
+        - ``off_centre``: as in `evaluate`, over the common part, with a section every hundredth of the diagonal.
+        - ``missed_95``: as in `evaluate`, over the common part of the surface.
 
-        Where nothing is common, or nothing of it can be measured, figures are NaN.
+        Figures are NaN if nothing is common, or nothing of it can be measured.
 
     Raises:
-        MeshError: the mesh is refused at validation, or one of the curves is not one.
+        MeshError: the mesh is refused at validation, or a curve is not valid.
     """
     checked = checking.prepare(mesh)
     solid = Solid(checked.vertices, checked.faces)
@@ -131,7 +131,7 @@ def common_figures_of(
 
 
 def figures_of(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray) -> dict[str, float]:
-    """`evaluate` of a curve in a surface of diagonal 1, but for what only the mesh or a truth can tell."""
+    """The figures of `evaluate` that need only the curve and a surface of diagonal 1."""
     is_inside = shape.contains(vertices)
     radii = np.where(is_inside, shape.distances(vertices), 0.0)
     components, cycles = branches.cycle_count(len(vertices), edges)
@@ -157,9 +157,9 @@ def figures_of(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray) -> dic
 def inside_fraction(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray, radii: np.ndarray) -> float:
     """Fraction of the length of the curve ``(vertices (N, 3), edges (E, 2))`` that is inside the surface ``shape``.
 
-    A point is inside where the winding number is positive. An edge is inside where the balls of ``radii`` (N,) around
-    its ends, which are, cover it; any other is sampled at the middles of 16 equal parts. A curve without length counts
-    its nodes.
+    A point is inside where the winding number is positive. An edge that the balls of ``radii`` (N,) around its ends
+    cover is inside; other edges are sampled at the middles of 16 equal parts. For a curve without length, nodes are
+    counted.
     """
     a, b = vertices[edges[:, 0]], vertices[edges[:, 1]]
     length = np.linalg.norm(b - a, axis=1)
@@ -179,10 +179,10 @@ def sample_curve(vertices: np.ndarray, edges: np.ndarray, spacing: float) -> tup
 
 
 def _pieces(vertices: np.ndarray, edges: np.ndarray, spacing: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """`sample_curve`, and the direction (P, 3) of the edge that each point is on; 0 on a curve without length."""
+    """`sample_curve`, and the direction (P, 3) of each point's edge; 0 on a curve without length."""
     a, b = vertices[edges[:, 0]], vertices[edges[:, 1]]
     length = np.linalg.norm(b - a, axis=1)
-    if not length.sum() > 0:  # a curve without length is its nodes
+    if not length.sum() > 0:  # a curve without length is sampled at its nodes
         return vertices, np.ones(len(vertices)), np.zeros_like(vertices)
     count = np.maximum(1, np.ceil(length / spacing)).astype(np.int64)
     edge = np.repeat(np.arange(len(edges)), count)
@@ -191,12 +191,12 @@ def _pieces(vertices: np.ndarray, edges: np.ndarray, spacing: float) -> tuple[np
 
 
 def curve_distance(points: np.ndarray, vertices: np.ndarray, edges: np.ndarray) -> np.ndarray:
-    """Distance (P,) from each point to the nearest edge of a curve; to the nearest node of one without edges."""
+    """Distance (P,) from each point to the nearest edge of a curve, or to the nearest node if it has no edges."""
     return np.linalg.norm(points - _feet(points, vertices, edges), axis=1)
 
 
 def _feet(points: np.ndarray, vertices: np.ndarray, edges: np.ndarray) -> np.ndarray:
-    """The place (P, 3) on a curve that is nearest to each point."""
+    """The nearest point (P, 3) on a curve for each of ``points``."""
     if not len(edges):
         edges = np.repeat(np.arange(len(vertices))[:, None], 2, axis=1)
     a, b = vertices[edges[:, 0]], vertices[edges[:, 1]]
@@ -219,7 +219,7 @@ def _runs_along(
     own: tuple[np.ndarray, np.ndarray],
     other: tuple[np.ndarray, np.ndarray],
 ) -> np.ndarray:
-    """(P,) which points of a curve run along the other one."""
+    """(P,) whether each point of a curve is common with the other curve, see `compare`."""
     foot = _feet(points, *other)
     away = np.linalg.norm(points - foot, axis=1)
     clearance = np.maximum(*(np.where(shape.contains(place), shape.distances(place), 0.0) for place in (points, foot)))
@@ -239,7 +239,7 @@ def _curve_of(skeleton: Any) -> tuple[np.ndarray, np.ndarray]:
     if vertices.ndim != 2 or vertices.shape[1] != 3 or not len(vertices) or not np.isfinite(vertices).all():
         raise MeshError(f"vertices of the curve have shape {vertices.shape}: expected (N, 3) finite numbers, N > 0")
     if len(edges) and (edges.dtype.kind not in "iu" or edges.min() < 0 or edges.max() >= len(vertices)):
-        raise MeshError(f"edges of the curve: expected whole numbers from 0 to {len(vertices) - 1}")
+        raise MeshError(f"edges of the curve are no ids of nodes: expected whole numbers from 0 to {len(vertices) - 1}")
     edges = np.sort(edges.astype(np.int64), axis=1)
     return vertices, np.unique(edges[edges[:, 0] < edges[:, 1]], axis=0).reshape(-1, 2)
 
@@ -253,7 +253,7 @@ def _middles(vertices: np.ndarray, edges: np.ndarray) -> tuple[np.ndarray, np.nd
 
 
 def _off_centre(shape: Enclosure, points: np.ndarray, along: np.ndarray, length: np.ndarray) -> float:
-    """How far off the middle ``points`` (P, 3) are, each of a ``length`` (P,) of a curve that goes ``along`` (P, 3)."""
+    """``off_centre`` of ``points`` (P, 3) on a curve with directions ``along`` (P, 3), weighted by ``length`` (P,)."""
     if not len(points):
         return float("nan")
     found = sections.cut(shape, points, along, shape.distances(points))
@@ -271,13 +271,13 @@ def _percentile(missed: np.ndarray, area: np.ndarray) -> float:
 
 
 def _missed(shape: Enclosure, vertices: np.ndarray, radii: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Distance (S,) from points of the surface to the nearest ball, whose it is, and the area that each stands for."""
+    """For sample points (S,) of the surface: distance to the nearest ball, its node, and the area of the point."""
     a, b, c = np.moveaxis(shape.triangles, 1, 0)
     area = np.linalg.norm(np.cross(b - a, c - a), axis=1) / 2
     count = np.maximum(1, np.round(SURFACE_SAMPLES * area / area.sum())).astype(np.int64)
     face = np.repeat(np.arange(len(area)), count)
     number = np.arange(len(face)) - np.repeat(np.cumsum(count) - count, count)
-    # An even spread over the triangle: the plastic number's sequence (Roberts 2018), folded over the diagonal.
+    # Evenly spread points in a triangle: the plastic number's sequence (Roberts 2018), folded over the diagonal.
     s, t = (1 / 3 + 0.7548776662466927 * number) % 1, (1 / 3 + 0.5698402909980532 * number) % 1
     s, t = np.where(s + t > 1, 1 - s, s)[:, None], np.where(s + t > 1, 1 - t, t)[:, None]
     points = (1 - s - t) * a[face] + s * b[face] + t * c[face]
@@ -310,7 +310,7 @@ def _tip_gap(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray, paths: l
                 points = vertices[nodes]
                 along = arc_length(points)
                 back = np.linspace(0, along[-1], 65)
-                fits = shape.distances(at(points, along, back)) <= back  # once it does, it does farther on
+                fits = shape.distances(at(points, along, back)) <= back  # True from the first such point on
                 back = back[fits.argmax()] if fits.any() else along[-1]
                 inner = at(points, along, np.array([back]))
                 tips.append(points[0])

@@ -1,7 +1,6 @@
 """Closed meshes made in code, for the demo, the notebooks and the tests: solids around known curves; machined parts.
 
-These are flat polygons with holes, extruded, in as few triangles as a CAD program writes: handles are what is known of
-them.
+Machined parts are extruded polygons with holes, in as few triangles as a CAD program writes. Their genus is known.
 """
 
 import manifold3d
@@ -11,7 +10,7 @@ import trimesh
 from msf_jax.host.meso import split
 from msf_jax.host.meso.meso import Meso
 
-SIDES = 32  # of a round hole
+SIDES = 32  # sides of a round hole
 
 
 def solid_around(
@@ -23,8 +22,8 @@ def solid_around(
         points: (N, 3) nodes of the curve.
         edges: (E, 2) its edges.
         radii: (N,) radius at each node; it is interpolated along the edges.
-        spacing: edge length of the sampling grid; the triangles are about as large.
-        blend: width of the fillet where cones meet, 0 for none; it makes joints thicker by up to a quarter of it.
+        spacing: edge length of the sampling grid, and about that of the triangles.
+        blend: width of the fillet where cones meet, 0 for none; it thickens joints by up to a quarter of this width.
     """
     margin = float(radii.max()) + 2 * spacing + blend
     low, high = points.min(axis=0) - margin, points.max(axis=0) + margin
@@ -42,10 +41,10 @@ def solid_around(
 
 
 def level_set(field: np.ndarray, low: np.ndarray, spacing: float) -> trimesh.Trimesh:
-    """The closed surface where ``field`` (X, Y, Z), sampled from ``low`` by ``spacing``, leaves the negative inside.
+    """The closed surface where ``field`` (X, Y, Z), sampled from ``low`` by ``spacing``, is 0; it is negative inside.
 
-    Marching tetrahedra: each cube is cut into six tetrahedra around its diagonal, which share their faces with their
-    neighbours, so that the surface is a closed manifold whatever the values.
+    By marching tetrahedra: each cube is cut into six tetrahedra around its diagonal, which share their faces with their
+    neighbours, so that the surface is a closed manifold for all values.
     """
     shape = np.array(field.shape)
     corner = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [0, 0, 1], [1, 0, 1], [1, 1, 1], [0, 1, 1]])
@@ -78,7 +77,7 @@ def level_set(field: np.ndarray, low: np.ndarray, spacing: float) -> trimesh.Tri
     a, b = value[edge[:, 0]], value[edge[:, 1]]
     t = np.clip(a / (a - b), 0.02, 0.98)[:, None]
     vertices = (1 - t) * place(edge[:, 0]) + t * place(edge[:, 1])
-    # Which way a cut faces does not depend on where it cuts: at the middles of the edges it is well conditioned.
+    # A triangle's orientation does not depend on where it cuts the edges; at their middles it is well conditioned.
     outwards = np.concatenate([place(out).mean(axis=1) - place(into).mean(axis=1) for _, into, out in cuts])
     middle = (place(edge[:, 0]) + place(edge[:, 1])) / 2
     normal = np.cross(middle[faces[:, 1]] - middle[faces[:, 0]], middle[faces[:, 2]] - middle[faces[:, 0]])
@@ -90,7 +89,7 @@ def level_set(field: np.ndarray, low: np.ndarray, spacing: float) -> trimesh.Tri
 def hand(spacing: float = 0.05) -> trimesh.Trimesh:
     """A hand with five fingers and a handle at the wrist: five tips, a forearm, and one loop (genus 1).
 
-    ``spacing`` is that of the grid it is sampled on, up to 0.1: on a coarser one fingers merge, or come off.
+    ``spacing`` is that of the sampling grid, at most 0.1: on a coarser grid fingers merge, or separate from the hand.
     """
     points, edges, radii = hand_curve()
     return solid_around(points, edges, radii, spacing, blend=0.12)
@@ -126,7 +125,7 @@ def hand_curve() -> tuple[np.ndarray, np.ndarray, np.ndarray]:
 def plate(num_holes: int, longest: float | None = None) -> trimesh.Trimesh:
     """A plate of 10 x 6 x 1 with round holes in rows, of genus ``num_holes``: 2 x (4 + 32 ``num_holes``) vertices.
 
-    Edges are halved until none is longer than ``longest``, if it is given.
+    If ``longest`` is given, edges are halved until none is longer.
     """
     columns = min(int(np.ceil(np.sqrt(num_holes * 10 / 6))), num_holes)
     rows = -(-num_holes // max(columns, 1))
@@ -138,13 +137,13 @@ def plate(num_holes: int, longest: float | None = None) -> trimesh.Trimesh:
 
 
 def pipe(wall: float, length: float = 4.0, sides: int = 48, longest: float | None = None) -> trimesh.Trimesh:
-    """A straight pipe of outer radius 1 whose ``wall`` is less: genus 1, with one loop around its bore."""
+    """A straight pipe of outer radius 1 and a ``wall`` thickness below 1: genus 1, with one loop around its bore."""
     return _as_mesh(_extruded([_circle(1.0, sides), _circle(1.0 - wall, sides)[::-1]], length), longest)
 
 
 def bracket(num_holes: int = 4, longest: float | None = None) -> trimesh.Trimesh:
-    """An angle of two plates of 6 x 4 x 0.5 with ``num_holes`` screw holes in all, up to 8, by turns in one and the
-    other, which are its genus."""
+    """An angle of two plates of 6 x 4 x 0.5 with ``num_holes`` screw holes, at most 8, alternating between the plates.
+    Its genus is ``num_holes``."""
     leg = np.array([[0.0, 0], [6, 0], [6, 4], [0, 4]])
     holes: list[list[np.ndarray]] = [[], []]
     for k in range(num_holes):
@@ -155,7 +154,7 @@ def bracket(num_holes: int = 4, longest: float | None = None) -> trimesh.Trimesh
 
 
 def rings(are_linked: bool, minor: float = 0.2, around: int = 48, across: int = 12) -> trimesh.Trimesh:
-    """Two rings of radius 1 apart, of genus 1 each: through each other as in a chain, or side by side.
+    """Two separate rings of radius 1, each of genus 1: linked as in a chain, or side by side.
 
     Their true curves are the circles of `ring_curves`.
     """
@@ -179,10 +178,10 @@ def ring_curves(are_linked: bool, num: int = 48) -> tuple[np.ndarray, np.ndarray
 
 
 def _rings(are_linked: bool, num: int) -> tuple[list[np.ndarray], list[np.ndarray], list[np.ndarray]]:
-    """Two circles: their points (num, 3), the way out at each, and the axis."""
+    """Two circles: their points (num, 3), the outward direction at each point, and the axis."""
     angle = np.linspace(0, 2 * np.pi, num, endpoint=False)
     flat = np.stack([np.cos(angle), np.sin(angle), 0 * angle], axis=1)
-    upright = flat[:, [0, 2, 1]] * [1, 1, -1]  # turned about x, so that both go round their axis the same way
+    upright = flat[:, [0, 2, 1]] * [1, 1, -1]  # turned about x, so that both have the same sense about their axis
     away = np.array([1.0 if are_linked else 3.0, 0.0, 0.0])
     return [flat, upright + away], [flat, upright], [np.array([0.0, 0, 1]), np.array([0.0, 1, 0])]
 
@@ -193,7 +192,7 @@ def _circle(radius: float, sides: int = SIDES) -> np.ndarray:
 
 
 def _extruded(outlines: list[np.ndarray], height: float) -> manifold3d.Manifold:
-    """The solid over a polygon; outlines of holes run the other way round."""
+    """The extrusion of a polygon; outlines of holes have the opposite orientation."""
     return manifold3d.CrossSection(outlines).extrude(height)
 
 

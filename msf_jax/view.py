@@ -1,4 +1,4 @@
-"""Pictures of surfaces, points, curves and of what `tune` did, in one place for users to import them from."""
+"""Pictures of surfaces, points and curves, and of the progress of a tuning: the public names."""
 
 from msf_jax.skeleton.pictures.panels import Panel, figure, panels, picture
 from msf_jax.tuning.picture import trajectory

@@ -1,4 +1,4 @@
-"""Surfaces in buffers for the tests of the device wing, and what they are compared with: NumPy over half-edges."""
+"""Surfaces in buffers for the tests of `device`, and what they are compared with: NumPy over half-edges."""
 
 from functools import partial
 from typing import NamedTuple

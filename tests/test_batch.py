@@ -180,7 +180,7 @@ def test_the_command_takes_what_skeletonize_takes(folder, tmp_path, monkeypatch)
     ("options", "says"),
     [
         ({"paths": []}, "there are no meshes"),
-        ({"paths": ["a.off", "a.off"]}, "is there twice"),
+        ({"paths": ["a.off", "a.off"]}, "is given twice"),
         ({"suffix": ".xyz"}, "suffix is '.xyz': expected one of .swc"),
         ({"jobs": 0}, "jobs is 0: expected a whole number"),
         ({"weights": Weights(w_L=np.ones(3))}, "weights that are numbers"),
@@ -202,7 +202,7 @@ def test_a_place_is_not_taken_by_another_mesh(here, tmp_path):
     with pytest.raises(ConfigError, match="by an earlier batch"):
         batch.run([tmp_path / "two" / "x.off"], out, jobs=1)
     both = [tmp_path / "one" / "x.off", tmp_path / "one" / ".." / "one" / "x.off"]
-    with pytest.raises(ConfigError, match="there twice"):
+    with pytest.raises(ConfigError, match="given twice"):
         batch.run(both, tmp_path / "twice", jobs=1)
     with pytest.raises(ConfigError, match="a list of paths"):
         batch.run(str(both[0]), tmp_path / "string", jobs=1)

@@ -17,7 +17,7 @@ NO_HANDLES = Handles(50.0 * np.array([[0.0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 
 
 
 def chain(*nodes: int) -> list[tuple[int, int]]:
-    """The edges of a way through ``nodes``."""
+    """The edges of a path through ``nodes``."""
     return list(pairwise(nodes))
 
 
@@ -52,11 +52,11 @@ def degrees(num: int, edges: np.ndarray) -> np.ndarray:
     return np.bincount(edges.ravel(), minlength=num)
 
 
-# Ways
+# Paths
 
 
 @pytest.mark.parametrize("name", GRAPHS)
-def test_branches_are_the_ways_between_ends_and_junctions(name):
+def test_branches_are_the_paths_between_ends_and_junctions(name):
     num, pairs, expected = GRAPHS[name]
     assert sorted(map(one_way, trace(num, as_edges(pairs)))) == sorted(map(one_way, expected))
 
@@ -87,14 +87,14 @@ def graphs(draw, *, is_connected: bool = False) -> tuple[int, np.ndarray]:
 @given(graphs())
 def test_every_edge_is_in_one_branch_and_every_node_in_at_least_one(graph):
     num, edges = graph
-    degree, ways = degrees(num, edges), trace(num, edges)
-    steps = [frozenset(step) for way in ways for step in pairwise(way)]
+    degree, paths = degrees(num, edges), trace(num, edges)
+    steps = [frozenset(step) for path in paths for step in pairwise(path)]
     assert len(steps) == len(edges) and set(steps) == {frozenset(edge) for edge in edges.tolist()}
-    assert {node for way in ways for node in way} == set(range(num))
-    for way in ways:
-        assert (degree[way[1:-1]] == 2).all()
-        if degree[way[0]] == 2 or degree[way[-1]] == 2:
-            assert way[0] == way[-1] and (degree[way] == 2).all() and len(way) > 3
+    assert {node for path in paths for node in path} == set(range(num))
+    for path in paths:
+        assert (degree[path[1:-1]] == 2).all()
+        if degree[path[0]] == 2 or degree[path[-1]] == 2:
+            assert path[0] == path[-1] and (degree[path] == 2).all() and len(path) > 3
 
 
 # Junctions in one ball, and edges in one place
@@ -115,7 +115,7 @@ def test_junctions_in_one_ball_are_one():
 
 
 def test_a_loop_in_one_ball_stays():
-    """Two ways between two junctions: one of them would be lost."""
+    """Two paths between two junctions: one of them would be lost."""
     vertices = np.array([[0, 0, 0], [0.2, 0, 0], [0.1, 0.1, 0], [0.1, -0.1, 0], [-2, 0, 0], [2, 0, 0]], float)
     edges = as_edges(chain(0, 2, 1) + chain(0, 3, 1) + [(0, 4), (1, 5)])
     stays, _, left = merge_junctions(vertices, edges, np.ones(6), np.zeros(6, dtype=bool), NO_HANDLES)
@@ -162,8 +162,8 @@ def test_a_loop_that_is_folded_flat_is_no_loop():
     apart = merge_coincident(x[once], np.searchsorted(once, left), is_pin[once])
     assert apart[0].all() and np.array_equal(apart[2], np.searchsorted(once, left))
     crossing = np.array([[-1, 0, 0], [0, 0, 0], [1, 0, 0], [0, -1, 0], [0, 1, 0], [0, 0, 1.0]])  # they touch, no more
-    ways = np.array([[0, 1], [1, 2], [3, 4], [0, 5], [3, 5]])
-    touching = merge_coincident(crossing, ways, np.zeros(6, dtype=bool))
-    assert touching[0].all() and np.array_equal(touching[2], np.unique(ways, axis=0))
+    paths = np.array([[0, 1], [1, 2], [3, 4], [0, 5], [3, 5]])
+    touching = merge_coincident(crossing, paths, np.zeros(6, dtype=bool))
+    assert touching[0].all() and np.array_equal(touching[2], np.unique(paths, axis=0))
     nothing = merge_coincident(x[:1], np.empty((0, 2), dtype=int), is_pin[:1])
     assert nothing[0].all() and nothing[2].shape == (0, 2)

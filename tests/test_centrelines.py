@@ -34,9 +34,9 @@ def refined(shape: ground_truth.KnownShape, spacing: float) -> tuple[np.ndarray,
     nodes, edges = [*shape.points], []
     for a, b in shape.edges:
         num = max(1, int(np.linalg.norm(shape.points[b] - shape.points[a]) / spacing))
-        way = [a, *range(len(nodes), len(nodes) + num - 1), b]
+        chain = [a, *range(len(nodes), len(nodes) + num - 1), b]
         nodes += [(1 - t) * shape.points[a] + t * shape.points[b] for t in np.arange(1, num) / num]
-        edges += list(pairwise(way))
+        edges += list(pairwise(chain))
     return np.array(nodes), edges
 
 
@@ -170,7 +170,7 @@ def test_a_curve_without_its_mesh_has_lengths_and_no_areas(tmp_path):
     assert curve.table("nodes")["area"].isna().all()
     curve.save(tmp_path / "y.vtp")
     assert "area" not in pyvista.read(tmp_path / "y.vtp").point_data
-    with pytest.raises(ConfigError, match="does not know the mesh"):
+    with pytest.raises(ConfigError, match="does not know its mesh"):
         curve.with_radii("section")
 
 

@@ -127,19 +127,19 @@ def test_the_two_ways_to_ask_for_repair_are_one_run(mesh, tmp_path):
     loop.contract(mesh, config=once, checkpoint=tmp_path / "run.npz", repair=msf_jax.Repair())
 
 
-def replaced(header, *way, value):
-    """``header`` with what ``way`` leads to replaced, or left out."""
+def replaced(header, *keys, value):
+    """``header`` with what ``keys`` leads to replaced, or left out."""
     inside = header
-    for step in way[:-1]:
+    for step in keys[:-1]:
         inside = inside[step]
     if value is None:
-        del inside[way[-1]]
+        del inside[keys[-1]]
     else:
-        inside[way[-1]] = value
+        inside[keys[-1]] = value
 
 
 @pytest.mark.parametrize(
-    ("way", "value"),
+    ("keys", "value"),
     [
         (("states",), 5),
         (("states",), {"list": [3]}),
@@ -152,14 +152,14 @@ def replaced(header, *way, value):
         (("states", "list", 0, "members", "steps", "list", 0, "record"), "Meso"),
     ],
 )
-def test_a_changed_checkpoint_is_a_clear_error(mesh, tmp_path, way, value):
+def test_a_changed_checkpoint_is_a_clear_error(mesh, tmp_path, keys, value):
     path = tmp_path / "run.npz"
     once = Config(max_iterations=1)
     loop.contract(mesh, config=once, checkpoint=path)
     with np.load(path) as file:
         arrays = {name: file[name] for name in file.files}
     header = json.loads(str(arrays["header"]))
-    replaced(header, *way, value=value)
+    replaced(header, *keys, value=value)
     kind, version = header.pop("format").removeprefix("msf_jax "), header.pop("version")
     arrays = {name: array for name, array in arrays.items() if name not in ("header", archive.DIGEST)}
     path.write_bytes(archive.packed(kind, version, header, arrays, compress=False))
@@ -279,7 +279,7 @@ def test_a_step_that_ran_away_is_redone_shorter(mesh, monkeypatch):
     run = loop.contract(torus(), config=SLOW)
     np.testing.assert_allclose(calls[:4], [1.0, 0.1, 0.01, 1.0])
     assert [line.redone for line in run.history] == [2] + [0] * (len(run.history) - 1)
-    assert run.skeleton.report.notes == ("1 step was redone shorter: numbers ran away",)
+    assert run.skeleton.report.notes == ("1 step was repeated with a smaller w_L: coordinates diverged",)
     nodes = np.asarray(msf_jax.replay(run.tape, run.weights))
     assert np.abs(nodes - run.curve.vertices).max() < 1e-9
 
@@ -289,14 +289,16 @@ def test_a_step_that_always_runs_away_ends_the_flow(monkeypatch):
     monkeypatch.setattr(stepping, "compiled_move", compiled)
     run = loop.contract(torus(), config=SLOW)
     assert len(calls) == 4 and not run.history
-    assert run.skeleton.report.reason.startswith("non-finite: 4 tries of a step")
+    assert run.skeleton.report.reason.startswith(
+        "non-finite: a step gave coordinates that are not finite or diverge, also when it was repeated 3 times"
+    )
     assert np.isfinite(run.skeleton.vertices).all()
 
 
-def test_a_surface_that_outgrows_its_room_ends_the_flow():
+def test_a_surface_that_outgrows_its_capacity_ends_the_flow():
     mesh = trimesh.creation.capsule(height=4.0, radius=0.4, count=[40, 40])
-    run = loop.contract(mesh, config=Config(coarsen=0.0), limits=Limits(growth=0, growth_room=300))
-    assert run.skeleton.report.reason == "out of vertices: splitting would take the surface past 300"
+    run = loop.contract(mesh, config=Config(coarsen=0.0), limits=Limits(growth=0, growth_margin=300))
+    assert run.skeleton.report.reason == "out of vertices: the next split would give the surface more than 300 vertices"
     assert run.skeleton.report.cycles == 0
 
 
@@ -310,8 +312,8 @@ def entry(shape, size):
 @pytest.mark.parametrize(
     ("entries", "says"),
     [
-        ({"header.npy": entry((10**12,), 8)}, "says it holds 8000000000000 bytes"),
-        ({"header.npy": entry((1,), 8), "x.npy": entry((1 << 40, 1 << 40), 8)}, "says it holds"),
+        ({"header.npy": entry((10**12,), 8)}, "claims 8000000000000 bytes"),
+        ({"header.npy": entry((1,), 8), "x.npy": entry((1 << 40, 1 << 40), 8)}, "claims"),
         ({"header.npy": entry((1,), 8), "x.npy": b"\0" * 10**8}, "bytes unpack to"),
         ({"header.npy": b"cos\nsystem\n(S'true'\ntR."}, "is no tape, or a damaged one"),
     ],

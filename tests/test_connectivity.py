@@ -178,7 +178,7 @@ def test_ring_capacities_are_few(degree, capacity):
     assert ring_tables.ring_capacity(degree) == capacity
 
 
-def test_a_vertex_of_large_degree_has_room():
+def test_a_vertex_of_large_degree_has_slots():
     """A double pyramid over a 50-gon: two vertices of degree 50."""
     around = np.arange(50)
     after = (around + 1) % 50
@@ -232,10 +232,10 @@ def strange_neighbour(rings):
 @pytest.mark.parametrize(
     ("damage", "what"),
     [
-        (swap_two, "bears a face that its neighbours do not"),
-        (reverse_one, "bears a face that its neighbours do not"),
-        (forget_one, "a neighbour that does not know it"),
-        (strange_neighbour, "a neighbour that does not know it"),
+        (swap_two, "has a face that its neighbours do not have"),
+        (reverse_one, "has a face that its neighbours do not have"),
+        (forget_one, "is not a neighbour of its neighbour"),
+        (strange_neighbour, "is not a neighbour of its neighbour"),
         (repeat_one, "neighbour twice"),
         (make_self, "its own neighbour"),
         (leave_gap, "gap in its ring"),
@@ -513,11 +513,11 @@ def test_split(research_mesh, monkeypatch, name):
             assert min(angles) <= OBTUSE + 1e-6
 
 
-def test_split_stops_before_the_surface_outgrows_its_room(research_mesh):
+def test_split_stops_before_the_surface_outgrows_its_capacity(research_mesh):
     meso = long_triangles("twisted torus", research_mesh)
-    room = meso.num_rows + 3
-    split.split_obtuse_edges(meso, OBTUSE, 1e-3, room, check=True)
-    assert meso.num_rows <= room
+    capacity = meso.num_rows + 3
+    split.split_obtuse_edges(meso, OBTUSE, 1e-3, capacity, check=True)
+    assert meso.num_rows <= capacity
 
 
 def test_one_edge_is_cut_where_its_apex_projects():

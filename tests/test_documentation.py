@@ -132,11 +132,11 @@ def test_every_link_of_the_text_leads_to_a_file(page):
 def test_the_migration_page_names_all_of_skeletors_methods():
     skeletor = pytest.importorskip("skeletor")
     page = (Path(msf_jax.__file__).parent / "guide" / "migrating.md").read_text()
-    ways = [f"skeletonize.{name}" for name in dir(skeletor.skeletonize) if name.startswith("by_")]
+    methods = [f"skeletonize.{name}" for name in dir(skeletor.skeletonize) if name.startswith("by_")]
     before = [f"pre.{name}" for name in ("fix_mesh", "simplify", "remesh", "contract")]
     after = ("clean_up", "despike", "fix_outside_edges", "radii", "recenter_vertices", "remove_bristles", "smooth")
     named = page.replace("`by_wavefront_exact`", "`skeletonize.by_wavefront_exact`")
-    assert len(ways) >= 6 and not [name for name in [*ways, *before] if name not in named]
+    assert len(methods) >= 6 and not [name for name in [*methods, *before] if name not in named]
     assert not [name for name in after if f"post.{name}(" not in page]
 
 

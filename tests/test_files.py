@@ -170,7 +170,7 @@ def test_without_pyvista_a_vtk_file_says_what_it_needs(tmp_path: Path, monkeypat
     ("name", "text", "says"),
     [
         ("a.ply", "", "'a.ply' is empty: expected a mesh file"),
-        ("a.stl", "this is a letter, and no mesh\n", "'a.stl' holds no triangles: expected a triangle mesh"),
+        ("a.stl", "this is a letter, and no mesh\n", "'a.stl' has no triangles: expected a triangle mesh"),
     ],
 )
 def test_what_is_no_mesh_is_told_in_plain_words(tmp_path: Path, name, text, says):

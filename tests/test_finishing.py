@@ -278,8 +278,8 @@ def test_centring_turns_with_the_solid():
 def test_junctions_go_to_the_middle_of_a_blob_but_not_along_a_trunk():
     """Wherever the flow has found them; places too far from the roomiest one, and pins, stay."""
     ball = manifold3d.Manifold.sphere(1.0, 32)
-    for way in np.r_[np.eye(3), -np.eye(3)[:2]]:
-        ball += manifold3d.Manifold.sphere(0.4, 32).translate(tuple(way))
+    for offset in np.r_[np.eye(3), -np.eye(3)[:2]]:
+        ball += manifold3d.Manifold.sphere(0.4, 32).translate(tuple(offset))
     found = ball.to_mesh()
     shape, scale = unit_shape(trimesh.Trimesh(found.vert_properties[:, :3].astype(float), found.tri_verts))
     places = scale * np.array([[0.2, -0.1, 0.1], [-0.15, 0.2, 0.05], [0.1, 0.1, -0.2]])
@@ -336,14 +336,14 @@ def test_how_large_a_limb_is_near_by_is_a_mean_over_the_branch():
     """With weights of a bell over the way along it, and next to none, but not none, far away."""
     random = np.random.default_rng(3)
     curve, edges = path(np.cumsum(random.uniform(0.1, 1.0, (400, 3)), axis=0))
-    size, weight, room = random.uniform(0.5, 2.0, (3, len(curve)))
+    size, weight, clearance = random.uniform(0.5, 2.0, (3, len(curve)))
     weight[100:150] = 0.0
     weight[300:] = 0.0  # nothing is known within many sizes of the end
     along = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(curve, axis=0), axis=1))])
     usual = np.average(size, weights=weight)
     bell = (np.exp(-0.5 * ((along[:, None] - along) / usual) ** 2) + 1e-9) * weight
     expected = bell @ size / bell.sum(axis=1)
-    found = branch_paths.sizes(curve, branch_paths.paths_of(curve, edges, none_held(curve)), size, weight, room)
+    found = branch_paths.sizes(curve, branch_paths.paths_of(curve, edges, none_held(curve)), size, weight, clearance)
     np.testing.assert_allclose(found, expected, rtol=1e-5)
 
 
@@ -543,7 +543,7 @@ def test_an_end_in_a_bubble_goes_and_one_in_another_piece_stays():
             assert containment.cut_off(shape, *path(line[-2:]), none_held(line[-2:]))[0].all()
 
 
-def test_the_curve_of_a_rough_surface_that_crosses_itself_is_inside():
+def test_the_curve_of_a_noisy_surface_that_crosses_itself_is_inside():
     wavy = ground_truth.noisy(ground_truth.make("y"), 0.005, 1)
     report = msf_jax.skeletonize(wavy.mesh).report
     assert report.inside == 1 and not report.notes and report.is_sound
@@ -563,7 +563,7 @@ def test_a_march_goes_on_as_long_as_there_is_a_limb(monkeypatch):
 
 
 def test_a_long_march_ends_where_there_is_a_curve():
-    """A ring that is cut open is not gone round many times, and a twig in a long limb does not double all of it."""
+    """A ring that is cut open is not gone round many times, and a spur in a long limb does not double all of it."""
     num = 240
     shape, scale = unit_shape(torus(1, 0.1, num, 12))
     x, edges = path(scale * bow(1.0, num + 1)[5:-5])
@@ -593,7 +593,9 @@ def test_a_cube_has_one_straight_branch_and_its_bumps_have_one_each(turn):
     def cube(size):
         return manifold3d.Manifold.cube((size, size, size), True)
 
-    bumps = [manifold3d.Manifold.sphere(0.45, 24).translate(tuple(way)) for way in 1.2 * np.r_[np.eye(3), -np.eye(3)]]
+    bumps = [
+        manifold3d.Manifold.sphere(0.45, 24).translate(tuple(place)) for place in 1.2 * np.r_[np.eye(3), -np.eye(3)]
+    ]
     for solid, count in ((cube(2.0), 1), (sum(bumps, cube(2.0)), 6)):
         found = solid.rotate((40 * turn, 70 * turn, 20 * turn)).refine_to_length(0.15).to_mesh()
         vertices = np.array(found.vert_properties[:, :3], dtype=float)
@@ -665,7 +667,7 @@ def test_a_place_outside_does_not_hold_a_junction(is_far):
 
 
 def test_a_junction_goes_to_the_node_whose_ball_holds_its_own():
-    """Of two legs that meet low in a trunk, to the trunk; a twig's on a limb that hardly widens stays."""
+    """Of two legs that meet low in a trunk, to the trunk; a spur's on a limb that hardly widens stays."""
     trunk = manifold3d.Manifold.sphere(1.0, 48) + manifold3d.Manifold.cylinder(3, 0.6, 0.6, 32)
     for side in (-1, 1):
         trunk += manifold3d.Manifold.cylinder(3, 0.25, 0.25, 32).translate((0, 0, -3.5)).rotate((0, 20 * side, 0))

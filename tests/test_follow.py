@@ -98,8 +98,8 @@ def test_a_node_that_leaves_the_mesh_has_a_negative_radius(limbs):
     """A bump is pressed in, past the nodes of a limb: distance and side are those of the solid as it is then."""
     vertices, faces, skeleton = limbs
     leaf = int(np.flatnonzero(np.bincount(skeleton.edges.ravel()) == 1)[0])
-    way = next(branch.nodes for branch in skeleton.branches if leaf in (branch.nodes[0], branch.nodes[-1]))
-    middle, along = skeleton.vertices[way[len(way) // 2]], skeleton.vertices[way[-1]] - skeleton.vertices[way[0]]
+    path = next(branch.nodes for branch in skeleton.branches if leaf in (branch.nodes[0], branch.nodes[-1]))
+    middle, along = skeleton.vertices[path[len(path) // 2]], skeleton.vertices[path[-1]] - skeleton.vertices[path[0]]
     side = np.cross(along, [0.3, 0.5, 0.8])
     side /= np.linalg.norm(side)
     away = vertices - middle
@@ -181,7 +181,9 @@ def pull(limbs):
 @pytest.fixture(scope="module")
 def push(limbs):
     """Nodes (N, 3), and how they move with the vertices, compiled once."""
-    return jax.jit(lambda moved, way: jax.jvp(lambda v: msf_jax.follow(limbs[2], v).nodes, (moved,), (way,)))
+    return jax.jit(
+        lambda moved, direction: jax.jvp(lambda v: msf_jax.follow(limbs[2], v).nodes, (moved,), (direction,))
+    )
 
 
 def test_slopes_are_those_of_central_differences(limbs, pull):
@@ -197,11 +199,11 @@ def test_slopes_are_those_of_central_differences(limbs, pull):
     for step, tolerances in ((1e-6, [1e-4, 1e-4]), (1e-4, [1e-3, 0.05])):
         for seed in range(3):
             random = np.random.default_rng(seed).normal(size=vertices.shape)
-            for k, way in enumerate([random, random / np.linalg.norm(random)]):
+            for k, direction in enumerate([random, random / np.linalg.norm(random)]):
                 h = step * diagonal(vertices)
-                central = (values(vertices + h * way) - values(vertices - h * way))[k] / (2 * h)
-                size = np.linalg.norm(slopes[k]) * np.linalg.norm(way) / np.sqrt(vertices.size)
-                assert abs(central - (slopes[k] * way).sum()) < tolerances[k] * size
+                central = (values(vertices + h * direction) - values(vertices - h * direction))[k] / (2 * h)
+                size = np.linalg.norm(slopes[k]) * np.linalg.norm(direction) / np.sqrt(vertices.size)
+                assert abs(central - (slopes[k] * direction).sum()) < tolerances[k] * size
 
 
 def test_the_jacobian_is_that_of_both_modes(limbs, pull, push):
@@ -211,9 +213,9 @@ def test_the_jacobian_is_that_of_both_modes(limbs, pull, push):
     num = len(skeleton.vertices)
     assert jacobian.shape == (3 * num, vertices.size)
     random = np.random.default_rng(1)
-    way, back = random.normal(size=vertices.shape), random.normal(size=(num, 3))
-    forward = push(vertices, way)[1]
-    np.testing.assert_allclose((jacobian @ way.ravel()).reshape(-1, 3), forward, rtol=1e-9, atol=1e-9)
+    direction, back = random.normal(size=vertices.shape), random.normal(size=(num, 3))
+    forward = push(vertices, direction)[1]
+    np.testing.assert_allclose((jacobian @ direction.ravel()).reshape(-1, 3), forward, rtol=1e-9, atol=1e-9)
     reverse = pull(vertices, back, np.zeros(num))
     np.testing.assert_allclose((jacobian.T @ back.ravel()).reshape(-1, 3), reverse, rtol=1e-9, atol=1e-9)
     shift = np.array([0.3, -2.0, 0.7])
@@ -293,7 +295,7 @@ def crushed(vertices, skeleton):
 def test_a_section_that_vanished_is_named(limbs, push):
     vertices, _, skeleton = limbs
     moved, node = crushed(vertices, skeleton)
-    with pytest.raises(MeshError, match=r"of the nodes, the first \d+, have no section around them any more"):
+    with pytest.raises(MeshError, match=r"the sections of \d+ nodes, the first \d+, have vanished"):
         msf_jax.follow(skeleton, moved)
     nodes, _ = push(moved, moved)
     is_gone = np.isnan(np.asarray(nodes)[:, 0])
@@ -305,8 +307,8 @@ def test_a_section_that_vanished_is_named(limbs, push):
     [
         (lambda v: v[:-1], r"shape \(\d+, 3\): expected"),
         (lambda v: np.where(np.arange(len(v))[:, None] == 5, np.nan, v), "1 of the vertices, the first 5, are not"),
-        (lambda v: "hand.off", "no table of numbers"),
-        (lambda v: v + 1j, "holds complex128: expected real"),
+        (lambda v: "hand.off", "expected an array of numbers"),
+        (lambda v: v + 1j, "the type complex128: expected real"),
     ],
 )
 def test_bad_vertices_are_refused(limbs, given, says):
@@ -339,8 +341,8 @@ def test_programs_that_are_kept_have_a_bound(limbs, monkeypatch):
     module._follow.clear_cache()
     module._kept.clear()
     vertices, _, skeleton = limbs
-    binding, room = bindings.unpadded(skeleton.binding), skeleton.binding.capacity
-    sizes = [room._replace(nodes=room.nodes + 64 * more) for more in range(3)]
+    binding, capacity = bindings.unpadded(skeleton.binding), skeleton.binding.capacity
+    sizes = [capacity._replace(nodes=capacity.nodes + 64 * more) for more in range(3)]
     for capacity in (*sizes, sizes[0]):
         nodes = np.asarray(msf_jax.follow(bindings.padded(binding, capacity), vertices).nodes)
         np.testing.assert_allclose(nodes[: len(skeleton.vertices)], skeleton.vertices, atol=1e-5)

@@ -186,7 +186,7 @@ def test_float32_and_faces_in_the_plane_of_the_curve_do_not_matter():
 
 
 @pytest.mark.parametrize("seed", range(6))
-def test_classes_add_up_along_any_way(seed):
+def test_classes_add_up_along_any_path(seed):
     """Of segments that are cut into pieces, through the solid or not; and there and back they cancel."""
     random, handles = np.random.default_rng(seed), RING.handles
     a, b = random.uniform(-1.5, 1.5, (2, 200, 3))
@@ -227,8 +227,8 @@ def test_pairs_of_segments_are_all_that_cross():
     assert is_across.sum() > 20 and set(map(tuple, np.argwhere(is_across).tolist())) <= pairs
 
 
-def test_classes_of_ways_inside_are_those_of_the_surface_beside_them(theta):
-    """A way over the surface, pushed in a little, has the class that the flow gives its edges, but for one sign."""
+def test_classes_of_paths_inside_are_those_of_the_surface_beside_them(theta):
+    """A path over the surface, pushed in a little, has the class that the flow gives its edges, but for one sign."""
     vertices, faces, _, _ = theta
     values = homology.half_edge_classes(vertices, faces)
     edges, generator, lines, _, _ = surface_loops(faces)
@@ -238,14 +238,14 @@ def test_classes_of_ways_inside_are_those_of_the_surface_beside_them(theta):
     handles, ratio = Handles(vertices, faces), set()
     for line in lines:
         onward = np.roll(line, -1)
-        flow = sum(number[way] for way in zip(line, onward.tolist(), strict=True))
+        flow = sum(number[edge] for edge in zip(line, onward.tolist(), strict=True))
         ratio.add((flow, int(handles.classes(inner[line], inner[onward]).sum())))
     assert len(generator) == 4 and sum(flow != 0 for flow, _ in ratio) >= 2
     signs = {np.sign(flow) * np.sign(own) for flow, own in ratio if flow}
     assert len(signs) == 1 and all(flow == own * int(next(iter(signs))) for flow, own in ratio)
 
 
-def test_a_way_that_touches_the_surface_at_a_vertex_of_a_loop_is_none():
+def test_a_path_that_touches_the_surface_at_a_vertex_of_a_loop_is_none():
     """A pinned node is there: a triangle from it into the solid goes around nothing."""
     mesh = torus(minor=0.3)
     handles, random = RING.handles, np.random.default_rng(1)
@@ -281,7 +281,7 @@ def test_edges_side_by_side_are_cycles_around_nothing():
     assert counts(proof(ball, line)) == (0, 1, 0, 0, 0) and ball.handles.genus == 0
 
 
-def test_sums_along_a_forest_are_those_of_its_ways():
+def test_sums_along_a_forest_are_those_of_its_paths():
     random = np.random.default_rng(5)
     edges = np.array([[k, random.integers(k)] for k in range(1, 40) if k != 20])
     edges = np.where(random.random((len(edges), 1)) < 0.5, edges, edges[:, ::-1])
@@ -352,7 +352,7 @@ def test_a_cavity_that_is_a_solid_of_its_own_has_its_own_loop():
 
 
 def test_a_loop_that_is_missing_is_laid_around_the_hole():
-    """From half a ring, and from a lone node; a way from one part of a curve to another is no loop."""
+    """From half a ring, and from a lone node; a path from one part of a curve to another is no loop."""
     shape = Enclosure(RING.vertices / 3, RING.faces)
     half = circle(1 / 3)[:60]
     edges = cycle(60)[:-1]

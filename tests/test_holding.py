@@ -14,8 +14,8 @@ from msf_jax.host.solid.crossings import Crossings
 
 
 def capsule(height):
-    way = np.linspace([0, 0, 0], [0, 0, height], 30)
-    return ground_truth.swept_tube(way, np.full(30, 0.3), 10, "round")
+    axis = np.linspace([0, 0, 0], [0, 0, height], 30)
+    return ground_truth.swept_tube(axis, np.full(30, 0.3), 10, "round")
 
 
 def capsules():
@@ -26,9 +26,9 @@ def capsules():
 def u_tube():
     """Legs along z at x of -0.8 and 0.8, of radius 0.25, and a half circle between them."""
     turn, leg = np.linspace(0, np.pi, 40)[1:], np.linspace(-2, 0, 30)
-    way = [[-0.8, 0, z] for z in leg] + [[-0.8 * np.cos(t), 0, 0.8 * np.sin(t)] for t in turn]
-    way += [[0.8, 0, z] for z in leg[::-1][1:]]
-    return ground_truth.swept_tube(np.array(way, dtype=float), np.full(len(way), 0.25), 10, "round")
+    axis = [[-0.8, 0, z] for z in leg] + [[-0.8 * np.cos(t), 0, 0.8 * np.sin(t)] for t in turn]
+    axis += [[0.8, 0, z] for z in leg[::-1][1:]]
+    return ground_truth.swept_tube(np.array(axis, dtype=float), np.full(len(axis), 0.25), 10, "round")
 
 
 MAKERS = {"capsules": capsules, "u_tube": u_tube, "y": lambda: ground_truth.make("y_coarse").mesh}
@@ -92,8 +92,8 @@ def bent(vertices, skeleton, angle):
 
 
 def test_a_bend_is_right_until_the_limb_is_folded():
-    way = np.linspace([0, 0, -2], [0, 0, 2], 60)
-    mesh = ground_truth.swept_tube(way, np.full(60, 0.3), 12, "round")
+    axis = np.linspace([0, 0, -2], [0, 0, 2], 60)
+    mesh = ground_truth.swept_tube(axis, np.full(60, 0.3), 12, "round")
     skeleton = msf_jax.skeletonize(mesh)
     tracker = Tracker(skeleton)
     vertices, diagonal = np.array(mesh.vertices), np.linalg.norm(np.ptp(mesh.vertices, axis=0))

@@ -39,7 +39,7 @@ def test_parts_that_overlap_are_one():
     found = checking.prepare(mesh, "join")
     assert [part.genus for part in found.components] == [0]
     assert volume(found) == pytest.approx(2 - 0.45**3, rel=0.01)
-    assert found.repairs == ("joined 2 parts, as far as they overlap or touch, to 1 solid",)
+    assert found.repairs == ("joined 2 parts that overlap or touch to 1 solid",)
 
 
 def test_what_is_not_the_callers_is_known():
@@ -70,7 +70,7 @@ def test_beads_that_nearly_touch_become_a_string():
 def test_beads_that_touch_become_a_string():
     found = checking.prepare(beads(0.0), "join")
     assert [part.genus for part in found.components] == [0]
-    assert found.repairs == ("joined 4 parts, as far as they overlap or touch, to 1 solid",)
+    assert found.repairs == ("joined 4 parts that overlap or touch to 1 solid",)
 
 
 def test_parts_that_are_far_apart_stay_apart():
@@ -128,13 +128,13 @@ def test_the_callers_vertices_pins_and_weights_are_understood():
     np.testing.assert_array_equal(skeleton.vertices[skeleton.mesh_map[corner]], vertices[corner])
     nearest = np.linalg.norm(skeleton.vertices - vertices[swallowed], axis=1).argmin()
     assert skeleton.mesh_map[swallowed] == nearest
-    with pytest.raises(ConfigError, match=f"pins name vertex {swallowed}"):
+    with pytest.raises(ConfigError, match=f"pins has vertex {swallowed}"):
         msf_jax.contract(mesh, config=QUICK, pins=[swallowed], repair="join")
     tape = run.tape
     nodes = np.asarray(msf_jax.replay(tape, weights))
     assert np.abs(nodes - run.curve.vertices).max() < 1e-9
     np.testing.assert_allclose(np.asarray(msf_jax.replay_radii(tape, nodes)), run.curve.radii, atol=1e-9)
-    with pytest.raises(MeshError, match="vertices of the surface were made where parts of the mesh were joined"):
+    with pytest.raises(MeshError, match="repair made vertices where it joined parts"):
         msf_jax.replay(tape, weights, vertices)
 
 

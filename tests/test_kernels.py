@@ -90,10 +90,10 @@ def test_points_on_the_rim_of_a_face_and_rays_along_one():
     shape = Enclosure(*(np.array(part) for part in (trimesh.creation.box().vertices, trimesh.creation.box().faces)))
     place = np.array([-0.5, -0.25, 0.0, 0.25, 0.5])
     points = np.stack(np.meshgrid(place, place, place, indexing="ij"), axis=-1).reshape(-1, 3)
-    for way in np.concatenate([np.eye(3), -np.eye(3)]):
-        found = shape.ray_lengths(points, np.tile(way, (len(points), 1)), np.full(len(points), 3.0))
-        is_inner = (np.abs(points[:, way == 0]) < 0.5).all(axis=1) & (points @ way < 0.5) & (points @ way > -0.5)
-        np.testing.assert_allclose(found[is_inner], 0.5 - points[is_inner] @ way, rtol=1e-12)
+    for axis in np.concatenate([np.eye(3), -np.eye(3)]):
+        found = shape.ray_lengths(points, np.tile(axis, (len(points), 1)), np.full(len(points), 3.0))
+        is_inner = (np.abs(points[:, axis == 0]) < 0.5).all(axis=1) & (points @ axis < 0.5) & (points @ axis > -0.5)
+        np.testing.assert_allclose(found[is_inner], 0.5 - points[is_inner] @ axis, rtol=1e-12)
     distance, triangle = shape.nearest(points)
     is_on = np.abs(points).max(axis=1) == 0.5
     np.testing.assert_array_equal(distance == 0, is_on)

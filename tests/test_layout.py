@@ -110,10 +110,10 @@ def test_a_layout_always_fits(common, rare, seed):
     degrees = np.sort(np.array(common + rare))[::-1]
     beyond = degree_counts(degrees)
     layout = layout_for(len(degrees), beyond)
-    room = np.zeros(layout.capacity, dtype=int)
+    slots = np.zeros(layout.capacity, dtype=int)
     for level in layout.levels:
-        room[: level.rows] += level.slots
-    assert (room[: len(degrees)] >= degrees).all()
+        slots[: level.rows] += level.slots
+    assert (slots[: len(degrees)] >= degrees).all()
     assert fits(layout, len(degrees), beyond)
 
 

@@ -134,13 +134,13 @@ def test_corners_are_less_slender_than_half_a_disc():
 
 
 def test_a_pipe_counts_once():
-    """Its sections go all around: of two twigs along its wall neither is free, and one is as slender as the pipe."""
+    """Its sections go all around: of two spurs along its wall neither is free, and one is as slender as the pipe."""
     outer, inner = (manifold3d.Manifold.cylinder(6, radius, radius, 48, True) for radius in (1.0, 0.8))
     shape = solid(outer - inner)
     angle = np.linspace(0, 2 * np.pi, 41)[:-1]
     ring = 0.9 * np.stack([np.cos(angle), np.sin(angle), 0 * angle], axis=1)
-    twig = np.linspace(0, 2.95, 31)[1:, None] * [0, 0, 1.0]
-    vertices = np.concatenate([ring, ring[0] + twig, ring[20] + twig])
+    spur = np.linspace(0, 2.95, 31)[1:, None] * [0, 0, 1.0]
+    vertices = np.concatenate([ring, ring[0] + spur, ring[20] + spur])
     edges = as_edges(chain(*range(40), 0) + chain(0, *range(40, 70)) + chain(20, *range(70, 100)))
     assert max(by_leaf(vertices, edges, limbs_of(shape, vertices, edges)).values()) < 0.1
     num = len(vertices) - 30
@@ -148,11 +148,11 @@ def test_a_pipe_counts_once():
     assert of_last(shape, one) == pytest.approx(3, rel=0.03)
     stays, _ = prune(vertices, edges, limbs_of(shape, vertices, edges), 0.75)
     assert num == stays.sum()  # the second is free when the first is gone
-    ways = measure(*one, limbs_of(shape, *one))
-    assert sorted(way.slenderness == np.inf for way in ways) == [False, True]  # around the bore it cannot go
+    found = measure(*one, limbs_of(shape, *one))
+    assert sorted(branch.slenderness == np.inf for branch in found) == [False, True]  # around the bore it cannot go
 
 
-def test_a_twig_within_a_limb_is_none():
+def test_a_side_branch_within_a_limb_is_none():
     shape = solid(manifold3d.Manifold.cylinder(8, 1, 1, 48, True))
     for end in ((0, 0.6, 0), (0, 0.9, 0.2), (0, 0.5, 0.5)):
         assert of_last(shape, legs([(0, 0, 0), (0, 0, 3.7)], [(0, 0, 0), (0, 0, -3.7)], [(0, 0, 0), end])) < 0.4
@@ -266,10 +266,10 @@ def test_a_wall_is_looked_for_four_radii_ahead():
 def star_of(lengths: list[float], radius: float, step: float = 0.25) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Up to six legs out of node 0, at right angles, with a node every ``step``."""
     vertices, pairs = [np.zeros(3)], []
-    for way, length in zip(np.concatenate([np.eye(3), -np.eye(3)]), lengths, strict=False):
+    for direction, length in zip(np.concatenate([np.eye(3), -np.eye(3)]), lengths, strict=False):
         first, num = len(vertices), round(length / step)
         pairs += chain(0, *range(first, first + num))
-        vertices += [way * length * (k + 1) / num for k in range(num)]
+        vertices += [direction * length * (k + 1) / num for k in range(num)]
     return np.array(vertices), as_edges(pairs), np.full(len(vertices), radius)
 
 
@@ -320,7 +320,7 @@ def test_a_node_without_a_section_is_as_wide_as_its_ball_and_one_outside_adds_no
 
 @pytest.mark.parametrize("name", ["path", "edge", "loop", "theta", "lone node", "figure eight", "spectacles"])
 def test_what_cannot_go_is_infinitely_slender(name):
-    """Loops, ways between junctions, and whole components."""
+    """Loops, paths between junctions, and whole components."""
     num, pairs, _ = GRAPHS[name]
     curve = in_discs(np.random.default_rng(2).normal(size=(num, 3)), as_edges(pairs), np.full(num, 100.0))
     found = measure(*curve)
@@ -349,7 +349,7 @@ def test_an_edge_that_is_there_twice_counts_once():
         np.testing.assert_array_equal(*stays)
 
 
-def test_lengths_are_those_of_the_ways():
+def test_lengths_are_those_of_the_paths():
     vertices, edges, radii = star_of([1.0, 2.5, 0.75], 0.1)
     found = measure(*in_discs(vertices, edges, radii))
     assert sorted(branch.length for branch in found) == pytest.approx([0.75, 1.0, 2.5])
@@ -394,7 +394,7 @@ def test_the_least_goes_first_and_the_rest_is_measured_again():
         assert (target[~stays] == 0).all()
 
 
-def test_at_no_limit_a_tree_becomes_a_way():
+def test_at_no_limit_a_tree_becomes_a_path():
     stays, _ = prune(*in_discs(*star_of([1.0, 2.0, 3.0, 4.0, 5.0], 0.5)), np.inf)
     assert np.flatnonzero(stays).tolist() == [0, *range(25, 61)]  # the two longest legs
 
@@ -433,7 +433,7 @@ def test_two_branches_in_one_limb_are_one():
 
 
 def test_a_node_goes_to_a_junction_that_stays():
-    """A twig on a twig: what went to the first junction goes on to the second with it."""
+    """A spur on a spur: what went to the first junction goes on to the second with it."""
     vertices, edges, radii = star_of([3.0, 3.0, 1.0], 0.5)
     leaf = len(vertices) - 1
     vertices = np.concatenate([vertices, vertices[leaf - 1 : leaf] + [[0.1, 0, 0]]])

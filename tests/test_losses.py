@@ -13,7 +13,7 @@ LINE = np.array([[0.0, 0, 0], [1.0, 0, 0], [2.0, 0, 0], [2.0, 1, 0], [2.0, -2, 0
 EDGES = np.array([[0, 1], [1, 2], [2, 3], [2, 4]])
 RADII = np.array([0.1, 0.3, 0.4, 0.2, -0.1])
 DIAGONAL = 2.0
-ROOM = Sizes(vertices=4, faces=2, nodes=8, edges=7, sections=2, corners=2, smoothing=2, turning=2)
+CAPACITY = Sizes(vertices=4, faces=2, nodes=8, edges=7, sections=2, corners=2, smoothing=2, turning=2)
 
 
 def bound(diagonal=DIAGONAL, edges=EDGES) -> Binding:
@@ -23,12 +23,12 @@ def bound(diagonal=DIAGONAL, edges=EDGES) -> Binding:
     fields = dict.fromkeys(Binding._fields, nothing) | {"live": sizes, "faces": np.zeros((1, 3), int), "edges": edges}
     fields |= {"twin": np.zeros((1, 3), int), "rest": np.zeros((num, 3)), "side": np.ones(num), "centre": np.zeros(3)}
     fields |= {"branch": np.array([0, 0, 1, 2])[: len(edges)], "diagonal": np.float64(diagonal), "unit": np.float64(1)}
-    return padded(Binding(**fields), ROOM)
+    return padded(Binding(**fields), CAPACITY)
 
 
 def filled(nodes=LINE, radii=RADII, junk=0.0) -> Followed:
     """In rows of a binding; ``junk`` is what rows of padding hold."""
-    rest = ROOM.nodes - len(nodes)
+    rest = CAPACITY.nodes - len(nodes)
     return Followed(
         jnp.concatenate([jnp.asarray(nodes), jnp.full((rest, 3), junk)]),
         jnp.concatenate([jnp.asarray(radii), jnp.full(rest, junk)]),
@@ -50,7 +50,7 @@ ALL = {
 UNEVEN = np.random.default_rng(1).normal(0, 0.1, LINE.shape)
 
 
-def test_near_is_the_mean_of_squares_both_ways():
+def test_near_is_the_mean_of_squares_both_directions():
     """One edge along x from 0 to 1, a sample in its middle: 0.5 beside a point, 1.5 beside another."""
     edge = bound(edges=np.array([[0, 1]]))
     found = filled([[0, 0, 0], [1.0, 0, 0]], [0, 0])
@@ -120,9 +120,9 @@ def test_slopes_are_those_of_central_differences(name):
     slope = jax.jit(jax.grad(value, argnums=(0, 1)))(*at)
     step, random = 1e-6, np.random.default_rng(2)
     for _ in range(3):
-        way = [random.normal(size=part.shape) for part in at]
-        ahead, behind = (value(*(p + sign * step * w for p, w in zip(at, way, strict=True))) for sign in (1, -1))
-        expected = sum(float((s * w).sum()) for s, w in zip(slope, way, strict=True))
+        direction = [random.normal(size=part.shape) for part in at]
+        ahead, behind = (value(*(p + sign * step * w for p, w in zip(at, direction, strict=True))) for sign in (1, -1))
+        expected = sum(float((s * w).sum()) for s, w in zip(slope, direction, strict=True))
         assert (ahead - behind) / (2 * step) == pytest.approx(expected, rel=1e-6, abs=1e-9)
     assert max(np.abs(part).max() for part in slope) > 1e-3
 

@@ -41,7 +41,7 @@ def diagonal(mesh: trimesh.Trimesh) -> float:
     return float(np.linalg.norm(mesh.extents))
 
 
-def way(points: Any, *, closed: bool = False) -> Curve:
+def line_of(points: Any, *, closed: bool = False) -> Curve:
     """A curve through ``points`` (N, 3) in their order, and back to the first if closed."""
     vertices = np.asarray(points, dtype=float)
     after = np.roll(np.arange(len(vertices)), -1)
@@ -51,13 +51,13 @@ def way(points: Any, *, closed: bool = False) -> Curve:
 def upright(start: float, end: float, num: int = 61, aside: float = 0.0) -> Curve:
     """A curve along z, parallel to the axis of the tubes."""
     z = np.linspace(start, end, num)
-    return way(np.stack([0 * z + aside, 0 * z, z], axis=1))
+    return line_of(np.stack([0 * z + aside, 0 * z, z], axis=1))
 
 
 def circle(num: int = 240, radius: float = 1.0) -> Curve:
     """A closed curve around z."""
     angle = 2 * np.pi * np.arange(num) / num
-    return way(radius * np.stack([np.cos(angle), np.sin(angle), 0 * angle], axis=1), closed=True)
+    return line_of(radius * np.stack([np.cos(angle), np.sin(angle), 0 * angle], axis=1), closed=True)
 
 
 def bent() -> tuple[trimesh.Trimesh, Curve]:
@@ -66,10 +66,10 @@ def bent() -> tuple[trimesh.Trimesh, Curve]:
     mesh = swept_tube(np.stack([3 * np.cos(t), 3 * np.sin(t), 0 * t], axis=1), 0.6 - 0.1 * t, 16)
     s = np.linspace(0.3, 2.3, 30)
     arc = np.stack([2.9 * np.cos(s), 2.9 * np.sin(s), 0.1 * np.sin(9 * s)], axis=1)
-    twig = arc[10] + np.array([0.05, 0.1, 0.3]) * np.arange(1, 5)[:, None]
-    vertices, edges = way(arc)
+    spur = arc[10] + np.array([0.05, 0.1, 0.3]) * np.arange(1, 5)[:, None]
+    vertices, edges = line_of(arc)
     chain = np.array([[10, 30], [30, 31], [31, 32], [32, 33]])
-    return mesh, (np.concatenate([vertices, twig]), np.concatenate([edges, chain]))
+    return mesh, (np.concatenate([vertices, spur]), np.concatenate([edges, chain]))
 
 
 def assert_same(found: dict[str, float], expected: dict[str, float], rel: float = 1e-9) -> None:
@@ -124,7 +124,7 @@ def test_a_section_much_wider_than_the_ball_that_fits_in_does_not_count():
 def test_a_tilted_curve_is_off_by_where_its_sections_are(tube):
     """A section across the curve has its centroid on the axis, where the plane meets it: (u - v.z) / v_z up from 0."""
     start, end = np.array([0.5, 0, 2.0]), np.array([-0.1, 0, 4.0])
-    vertices, edges = way(np.linspace(start, end, 2))
+    vertices, edges = line_of(np.linspace(start, end, 2))
     normal, middle = (end - start) / np.linalg.norm(end - start), (start + end) / 2
     on_axis = np.array([0, 0, middle @ normal / normal[2]])
     angle = (np.arange(5000) + 0.5) * 2 * np.pi / 5000
@@ -139,14 +139,14 @@ def test_a_tilted_curve_is_off_by_where_its_sections_are(tube):
 def test_half_of_a_curve_is_outside(tube, nodes):
     """By length, whatever the nodes: these are three quarters inside, or all but a few."""
     z = np.concatenate([np.linspace(LENGTH - 2, LENGTH - 0.1, nodes - 1), [LENGTH + 2]])
-    figures = evaluate(tube, way(np.stack([0.1 + 0 * z, 0 * z, z], axis=1)))
+    figures = evaluate(tube, line_of(np.stack([0.1 + 0 * z, 0 * z, z], axis=1)))
     assert figures["inside"] == pytest.approx(0.5, abs=0.04)
     assert figures["boundedness"] == pytest.approx(1 - 1 / nodes)
 
 
 def test_an_edge_is_sampled_in_the_middles_of_16_parts(tube):
     """The end of the tube is at 0.45 of it: middles up to 6.5 / 16 are inside."""
-    for curve in (way([[0.1, 0, LENGTH - 0.9], [0.1, 0, LENGTH + 1.1]]), way([[0.1, 0, 7.1], [0.1, 0, 5.1]])):
+    for curve in (line_of([[0.1, 0, LENGTH - 0.9], [0.1, 0, LENGTH + 1.1]]), line_of([[0.1, 0, 7.1], [0.1, 0, 5.1]])):
         assert evaluate(tube, curve)["inside"] == pytest.approx(7 / 16, rel=1e-12)
 
 
@@ -233,19 +233,21 @@ def test_a_corner_is_one_turn_among_many(capsule):
         places = np.concatenate(
             [np.linspace(vertices[0], vertices[1], num + 1)[:-1], np.linspace(*vertices[1:], num + 1)]
         )
-        assert evaluate(capsule, way(places))["smoothness"] == pytest.approx(38 / 39, abs=1e-6)
+        assert evaluate(capsule, line_of(places))["smoothness"] == pytest.approx(38 / 39, abs=1e-6)
 
 
 def test_a_zigzag_is_less_smooth_the_steeper_it_is(tube):
     z = np.linspace(1, 5, 21)
     found = []
     for width in (0.0, 0.05, 0.1, 0.2):
-        found.append(evaluate(tube, way(np.stack([width * (-1.0) ** np.arange(21), 0 * z, z], axis=1)))["smoothness"])
+        found.append(
+            evaluate(tube, line_of(np.stack([width * (-1.0) ** np.arange(21), 0 * z, z], axis=1)))["smoothness"]
+        )
     assert found[0] == pytest.approx(1, abs=1e-9) and (np.diff(found) < -0.01).all() and found[-1] < 0.85
 
 
 def test_a_branch_ends_at_a_junction_and_does_not_turn_there(tube):
-    """A cross of two straight ways: four branches without a turn."""
+    """A cross of two straight lines: four branches without a turn."""
     arms = np.array([[0, 0, 3], [0, 0, 1], [0, 0, 5], [0.9, 0, 3], [0, 0.9, 3]])
     figures = evaluate(tube, (arms, [[0, 1], [0, 2], [0, 3], [4, 0]]))
     assert figures["smoothness"] == pytest.approx(1, abs=1e-9) and figures["leaves"] == 4
@@ -290,7 +292,7 @@ def test_cycles_and_leaves_of_a_graph(tube):
 
 
 @pytest.mark.parametrize("aside", [0.0, 0.25])
-def test_a_parallel_curve_is_equally_far_both_ways(tube, aside):
+def test_a_parallel_curve_is_equally_far_both_directions(tube, aside):
     figures = evaluate(tube, upright(1, 5, aside=aside), truth=upright(1, 5, 3))
     for name in ("to_truth_mean", "to_truth_max", "from_truth_mean", "from_truth_max"):
         assert figures[name] == pytest.approx(aside / diagonal(tube), abs=1e-12)
@@ -318,7 +320,7 @@ def test_distances_from_a_truth_do_not_depend_on_the_nodes(tube):
 def test_distances_from_a_truth_are_means_by_length(tube):
     """Three hundred edges of next to no length at one end, which is off the truth by 0.5, do not count."""
     z = np.r_[1, np.linspace(4.99, 5, 300)]
-    slope = way(np.stack([0.5 * (z - 1) / 4, 0 * z, z], axis=1))
+    slope = line_of(np.stack([0.5 * (z - 1) / 4, 0 * z, z], axis=1))
     figures = evaluate(tube, slope, truth=upright(1, 5))
     assert figures["to_truth_mean"] == pytest.approx(0.25 / diagonal(tube), rel=0.01)
     assert figures["to_truth_max"] == pytest.approx(0.5 / diagonal(tube), rel=1e-3)
@@ -395,16 +397,16 @@ def test_the_distance_to_a_curve_without_edges_is_that_to_its_nodes():
 # Two curves, where both run
 
 
-def with_twig(aside: float) -> Curve:
-    """A line parallel to the axis, and a twig across the tube from its middle."""
+def with_spur(aside: float) -> Curve:
+    """A line parallel to the axis, and a spur across the tube from its middle."""
     vertices, edges = upright(1, 5, aside=aside)
-    twig = vertices[30] + np.array([0, 0.1, 0]) * np.arange(1, 9)[:, None]
+    spur = vertices[30] + np.array([0, 0.1, 0]) * np.arange(1, 9)[:, None]
     chain = np.stack([[30, *range(61, 68)], range(61, 69)], axis=1)
-    return np.concatenate([vertices, twig]), np.concatenate([edges, chain])
+    return np.concatenate([vertices, spur]), np.concatenate([edges, chain])
 
 
-def test_a_twig_is_not_where_both_curves_run(tube):
-    line, more = upright(1, 5, aside=0.3), with_twig(0.3)
+def test_a_spur_is_not_where_both_curves_run(tube):
+    line, more = upright(1, 5, aside=0.3), with_spur(0.3)
     figures = compare(tube, line, more)
     assert figures["common"] == 1 and figures["other_common"] == pytest.approx(4 / 4.8, rel=1e-9)
     assert figures["off_centre"] == figures["other_off_centre"] == pytest.approx(0.3, rel=0.01)
@@ -441,7 +443,7 @@ def test_a_curve_beside_itself_and_in_the_other_order():
     assert same["common"] == same["other_common"] == 1
     assert same["off_centre"] == same["other_off_centre"] == pytest.approx(whole["off_centre"], rel=0.02)
     assert same["missed_95"] == same["other_missed_95"] == whole["missed_95"]
-    line = way(3 * np.stack([np.cos(s := np.linspace(0.3, 2.3, 30)), np.sin(s), 0 * s], axis=1))
+    line = line_of(3 * np.stack([np.cos(s := np.linspace(0.3, 2.3, 30)), np.sin(s), 0 * s], axis=1))
     one, two = compare(mesh, fine, line), compare(mesh, line, fine)
     assert {name.removeprefix("other_") if "other_" in name else f"other_{name}": two[name] for name in two} == one
     assert one["other_off_centre"] < one["off_centre"] and one["common"] < 0.95 < one["other_common"]
@@ -567,11 +569,11 @@ LINE = [[0, 0, 1.0], [0, 0, 2.0]]
         (([[0, 0], [1, 1]], [[0, 1]]), r"vertices of the curve have shape \(2, 2\)"),
         (([[0, 0, np.nan]], []), "expected .* finite numbers"),
         (([[0, 0, np.inf], [0, 0, 1]], [[0, 1]]), "expected .* finite numbers"),
-        ((LINE, [[0, 2]]), "edges of the curve: expected whole numbers from 0 to 1"),
-        ((LINE, [[-1, 0]]), "edges of the curve: expected whole numbers from 0 to 1"),
-        ((LINE, [[0.5, 1]]), "edges of the curve: expected whole numbers"),
-        ((LINE, [[False, True]]), "edges of the curve: expected whole numbers"),
-        ((LINE, [["0", "1"]]), "edges of the curve: expected whole numbers"),
+        ((LINE, [[0, 2]]), "edges of the curve are no ids of nodes: expected whole numbers from 0 to 1"),
+        ((LINE, [[-1, 0]]), "edges of the curve are no ids of nodes: expected whole numbers from 0 to 1"),
+        ((LINE, [[0.5, 1]]), "edges of the curve are no ids of nodes"),
+        ((LINE, [[False, True]]), "edges of the curve are no ids of nodes"),
+        ((LINE, [["0", "1"]]), "edges of the curve are no ids of nodes"),
     ],
 )
 def test_what_is_no_curve_is_refused(tube, curve, message):

@@ -122,10 +122,10 @@ def test_slopes_are_those_of_the_nearest_triangle():
     total = jax.jit(jax.grad(lambda *given: nearest.signed_distances(*given).sum(), argnums=(1, 2)))
     slope = total(binding, points, moved)
     np.testing.assert_allclose(np.linalg.norm(slope[0], axis=1), 1, atol=1e-9)
-    way = np.random.default_rng(1).normal(size=points.shape)
+    direction = np.random.default_rng(1).normal(size=points.shape)
     step = 1e-7
-    ahead, behind = (np.asarray(signed(binding, points + sign * step * way, moved)) for sign in (1, -1))
-    np.testing.assert_allclose((ahead - behind) / (2 * step), (slope[0] * way).sum(axis=1), atol=1e-5)
+    ahead, behind = (np.asarray(signed(binding, points + sign * step * direction, moved)) for sign in (1, -1))
+    np.testing.assert_allclose((ahead - behind) / (2 * step), (slope[0] * direction).sum(axis=1), atol=1e-5)
     np.testing.assert_allclose(
         slope[1].sum(axis=0), -slope[0].sum(axis=0), atol=1e-9
     )  # moved together, nothing changes

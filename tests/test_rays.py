@@ -46,9 +46,9 @@ def shape(request) -> Enclosure:
 
 
 def random_directions(random: np.random.Generator, num: int) -> np.ndarray:
-    """Unit vectors (num, 3), evenly in all directions."""
-    ways = random.normal(size=(num, 3))
-    return ways / np.linalg.norm(ways, axis=1)[:, None]
+    """Unit vectors (num, 3), evenly in all rays."""
+    rays = random.normal(size=(num, 3))
+    return rays / np.linalg.norm(rays, axis=1)[:, None]
 
 
 def random_points(shape: Enclosure, random: np.random.Generator, num: int) -> np.ndarray:
@@ -62,29 +62,29 @@ def random_points(shape: Enclosure, random: np.random.Generator, num: int) -> np
 # How far a ray goes
 
 
-def moeller_trumbore(points: np.ndarray, ways: np.ndarray, triangles: np.ndarray) -> np.ndarray:
+def moeller_trumbore(points: np.ndarray, rays: np.ndarray, triangles: np.ndarray) -> np.ndarray:
     """(P,) how far each ray goes to the first of all triangles; infinite where it meets none."""
     first = np.full(len(points), np.inf)
     ab, ac = triangles[:, 1] - triangles[:, 0], triangles[:, 2] - triangles[:, 0]
-    for row, (point, way) in enumerate(zip(points, ways, strict=True)):
-        p = np.cross(way, ac)
+    for row, (point, ray) in enumerate(zip(points, rays, strict=True)):
+        p = np.cross(ray, ac)
         determinant = (ab * p).sum(axis=1)
         offset = point - triangles[:, 0]
         u = (offset * p).sum(axis=1) / determinant
         q = np.cross(offset, ab)
-        v, t = q @ way / determinant, (q * ac).sum(axis=1) / determinant
+        v, t = q @ ray / determinant, (q * ac).sum(axis=1) / determinant
         is_hit = (u >= 0) & (v >= 0) & (u + v <= 1) & (t >= 0)
         first[row] = t[is_hit].min(initial=np.inf)
     return first
 
 
 def test_rays_go_as_far_as_the_nearest_of_all_triangles(shape):
-    """With reaches from far less than the way to the surface to far more."""
+    """With reaches from far less than the ray to the surface to far more."""
     random, num = np.random.default_rng(1), 250
-    points, ways = random_points(shape, random, num), random_directions(random, num)
-    first = moeller_trumbore(points, ways, shape.triangles)
+    points, rays = random_points(shape, random, num), random_directions(random, num)
+    first = moeller_trumbore(points, rays, shape.triangles)
     reach = np.where(np.isfinite(first), first, 1.0) * random.uniform(0.2, 4, num)
-    found = shape.ray_lengths(points, ways, reach)
+    found = shape.ray_lengths(points, rays, reach)
     np.testing.assert_allclose(found, np.minimum(first, reach), rtol=1e-9)
     assert (found == reach).sum() > 50 and (found < reach).sum() > 40 and np.isinf(first).sum() > 10
 
@@ -92,20 +92,20 @@ def test_rays_go_as_far_as_the_nearest_of_all_triangles(shape):
 def test_rays_from_within_a_ball():
     random, num = np.random.default_rng(2), 200
     shape = Enclosure(*arrays(trimesh.creation.icosphere(4, radius=2.0)))
-    points, ways = random.uniform(-1, 1, (num, 3)), random_directions(random, num)
-    along = np.einsum("pi,pi->p", points, ways)
+    points, rays = random.uniform(-1, 1, (num, 3)), random_directions(random, num)
+    along = np.einsum("pi,pi->p", points, rays)
     expected = -along + np.sqrt(along**2 - (points**2).sum(axis=1) + 4)
-    np.testing.assert_allclose(shape.ray_lengths(points, ways, np.full(num, 9.0)), expected, atol=0.01)
+    np.testing.assert_allclose(shape.ray_lengths(points, rays, np.full(num, 9.0)), expected, atol=0.01)
 
 
 def test_a_ray_ends_at_its_reach():
     """From the middle of a box, whose side is one half away."""
     shape = Enclosure(*arrays(trimesh.creation.box()))
     reach = np.array([0.0, 0.3, 0.4999, 0.5, 0.5001, 7.0])
-    ways = np.tile([0, 0.6, 0.8], (6, 1))
+    rays = np.tile([0, 0.6, 0.8], (6, 1))
     found = shape.ray_lengths(np.zeros((6, 3)), np.tile([1.0, 0, 0], (6, 1)), reach)
     np.testing.assert_allclose(found, np.minimum(reach, 0.5), rtol=1e-12)
-    np.testing.assert_allclose(shape.ray_lengths(np.zeros((6, 3)), ways, reach), np.minimum(reach, 0.625), rtol=1e-12)
+    np.testing.assert_allclose(shape.ray_lengths(np.zeros((6, 3)), rays, reach), np.minimum(reach, 0.625), rtol=1e-12)
 
 
 def test_a_ray_that_misses_goes_all_the_way():
@@ -113,14 +113,14 @@ def test_a_ray_that_misses_goes_all_the_way():
     points = np.array(
         [[0.0, 0, 0], [0, 0, 0.5], [3, 0, 0], [3, 0, 0]]
     )  # in the hole, above it, beside, and turned away
-    ways = np.array([[0.0, 0, 1], [0, 0, -1], [0, 1, 0], [1, 0, 0]])
-    np.testing.assert_array_equal(shape.ray_lengths(points, ways, np.full(4, 5)), 5.0)
+    rays = np.array([[0.0, 0, 1], [0, 0, -1], [0, 1, 0], [1, 0, 0]])
+    np.testing.assert_array_equal(shape.ray_lengths(points, rays, np.full(4, 5)), 5.0)
 
 
 def test_the_surface_behind_a_ray_does_not_count():
     shape = Enclosure(*arrays(trimesh.creation.box()))
-    points, ways = np.array([[0.7, 0.1, 0.2], [0.7, 0.1, 0.2]]), np.array([[1.0, 0, 0], [-1, 0, 0]])
-    np.testing.assert_allclose(shape.ray_lengths(points, ways, np.full(2, 3.0)), [3.0, 0.2], rtol=1e-12)
+    points, rays = np.array([[0.7, 0.1, 0.2], [0.7, 0.1, 0.2]]), np.array([[1.0, 0, 0], [-1, 0, 0]])
+    np.testing.assert_allclose(shape.ray_lengths(points, rays, np.full(2, 3.0)), [3.0, 0.2], rtol=1e-12)
 
 
 @pytest.mark.parametrize("inverted", [False, True])
@@ -128,11 +128,11 @@ def test_rays_stop_on_either_side_of_a_triangle(inverted):
     vertices, faces = arrays(blob(64, 2))
     shape = Enclosure(vertices, faces[:, ::-1] if inverted else faces)
     random = np.random.default_rng(3)
-    ways = random_directions(random, 50)
-    out = shape.ray_lengths(np.zeros((50, 3)), ways, np.full(50, 10.0))
-    back = shape.ray_lengths(10 * ways, -ways, np.full(50, 10.0))
-    np.testing.assert_allclose(out, moeller_trumbore(np.zeros((50, 3)), ways, shape.triangles), rtol=1e-9)
-    np.testing.assert_allclose(back, moeller_trumbore(10 * ways, -ways, shape.triangles), rtol=1e-9)
+    rays = random_directions(random, 50)
+    out = shape.ray_lengths(np.zeros((50, 3)), rays, np.full(50, 10.0))
+    back = shape.ray_lengths(10 * rays, -rays, np.full(50, 10.0))
+    np.testing.assert_allclose(out, moeller_trumbore(np.zeros((50, 3)), rays, shape.triangles), rtol=1e-9)
+    np.testing.assert_allclose(back, moeller_trumbore(10 * rays, -rays, shape.triangles), rtol=1e-9)
 
 
 def turned_ball(seed: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
@@ -176,36 +176,36 @@ def corner_piece() -> tuple[np.ndarray, np.ndarray]:
 
 def test_rays_in_the_plane_of_a_wall_go_past_it():
     """The wall at x = 1 is in the ray's plane, exactly, and not on its way."""
-    points, ways = np.tile([1.0, 0.5, 0.5], (4, 1)), np.array([[0.0, -1, 0], [0, 0, 1], [0, 0, -1], [-1, 0, 0]])
+    points, rays = np.tile([1.0, 0.5, 0.5], (4, 1)), np.array([[0.0, -1, 0], [0, 0, 1], [0, 0, -1], [-1, 0, 0]])
     np.testing.assert_array_equal(
-        Enclosure(*corner_piece()).ray_lengths(points, ways, np.full(4, 3.0)), [0.5] * 3 + [1]
+        Enclosure(*corner_piece()).ray_lengths(points, rays, np.full(4, 3.0)), [0.5] * 3 + [1]
     )
 
 
 def test_rays_in_the_plane_of_a_turned_wall_go_past_it():
     vertices, faces = corner_piece()
-    points, ways = np.tile([1.0, 0.5, 0.5], (3, 1)), np.array([[0.0, -1, 0], [0, 0, 1], [0, 0, -1]])
+    points, rays = np.tile([1.0, 0.5, 0.5], (3, 1)), np.array([[0.0, -1, 0], [0, 0, 1], [0, 0, -1]])
     for seed in range(200):
         turn = Rotation.random(random_state=seed).as_matrix().T
         shift = np.random.default_rng(seed).normal(size=3)
         shape = Enclosure(vertices @ turn + shift, faces)
-        np.testing.assert_allclose(shape.ray_lengths(points @ turn + shift, ways @ turn, np.full(3, 3.0)), 0.5)
+        np.testing.assert_allclose(shape.ray_lengths(points @ turn + shift, rays @ turn, np.full(3, 3.0)), 0.5)
 
 
-def test_rays_with_more_hits_than_there_is_room_for(monkeypatch):
+def test_rays_with_more_hits_than_the_first_capacity(monkeypatch):
     random, shape = np.random.default_rng(4), Enclosure(*arrays(blob(65)))
-    points, ways, reach = random.uniform(-1, 1, (300, 3)), random_directions(random, 300), random.uniform(0, 2, 300)
-    whole = shape.ray_lengths(points, ways, reach)
+    points, rays, reach = random.uniform(-1, 1, (300, 3)), random_directions(random, 300), random.uniform(0, 2, 300)
+    whole = shape.ray_lengths(points, rays, reach)
     monkeypatch.setattr("msf_jax.host.solid.enclosure.HITS_AT_FIRST", 0)
-    np.testing.assert_array_equal(shape.ray_lengths(points, ways, reach), whole)
+    np.testing.assert_array_equal(shape.ray_lengths(points, rays, reach), whole)
 
 
 @pytest.mark.parametrize("scale", [1e-6, 1e6])
 def test_rays_scale(scale):
     random, (vertices, faces) = np.random.default_rng(5), arrays(torus())
-    points, ways, reach = random.uniform(-1, 1, (200, 3)), random_directions(random, 200), np.full(200, 1.5)
-    unit = Enclosure(vertices, faces).ray_lengths(points, ways, reach)
-    found = Enclosure(vertices * scale, faces).ray_lengths(points * scale, ways, reach * scale)
+    points, rays, reach = random.uniform(-1, 1, (200, 3)), random_directions(random, 200), np.full(200, 1.5)
+    unit = Enclosure(vertices, faces).ray_lengths(points, rays, reach)
+    found = Enclosure(vertices * scale, faces).ray_lengths(points * scale, rays, reach * scale)
     np.testing.assert_allclose(found, unit * scale, rtol=1e-9)
 
 
@@ -220,10 +220,10 @@ def test_no_rays_no_lengths():
     assert Enclosure(*arrays(torus())).ray_lengths(empty, empty, np.empty(0)).shape == (0,)
 
 
-def all_hits(point: np.ndarray, way: np.ndarray, triangles: np.ndarray) -> np.ndarray:
+def all_hits(point: np.ndarray, ray: np.ndarray, triangles: np.ndarray) -> np.ndarray:
     """How far along a ray each triangle is that it meets, in ascending order."""
     basis = np.stack(
-        [triangles[:, 1] - triangles[:, 0], triangles[:, 2] - triangles[:, 0], -np.tile(way, (len(triangles), 1))]
+        [triangles[:, 1] - triangles[:, 0], triangles[:, 2] - triangles[:, 0], -np.tile(ray, (len(triangles), 1))]
     )
     u, v, t = np.linalg.solve(np.moveaxis(basis, 0, 2), (point - triangles[:, 0])[..., None])[..., 0].T
     return np.sort(t[(u >= 0) & (v >= 0) & (u + v <= 1) & (t >= 0)])
@@ -232,12 +232,12 @@ def all_hits(point: np.ndarray, way: np.ndarray, triangles: np.ndarray) -> np.nd
 def test_every_hit_of_a_ray_is_found(shape):
     """From within there is an odd number of them, where the surface does not cross itself."""
     random, num = np.random.default_rng(10), 120
-    points, ways, reach = random_points(shape, random, num), random_directions(random, num), np.full(num, 80.0)
+    points, rays, reach = random_points(shape, random, num), random_directions(random, num), np.full(num, 80.0)
     reach[::3] = random.uniform(0, 2, len(reach[::3]))
-    ray, distance = shape.ray_hits(points, ways, reach)
+    ray, distance = shape.ray_hits(points, rays, reach)
     counts = []
     for row in range(num):
-        expected = all_hits(points[row], ways[row], shape.triangles)
+        expected = all_hits(points[row], rays[row], shape.triangles)
         np.testing.assert_allclose(np.sort(distance[ray == row]), expected[expected <= reach[row]], rtol=1e-9)
         counts.append(len(expected))
     np.testing.assert_array_equal(shape.winding_numbers(points) % 2, np.array(counts) % 2)
@@ -316,7 +316,7 @@ def test_the_twin_of_an_edge_is_in_the_face_next_door(shape, order):
     twins = Enclosure(shape.vertices, faces).mesh.twins
     tail, head = faces.ravel(), np.roll(faces, -1, axis=1).ravel()
     np.testing.assert_array_equal(np.sort(twins), np.arange(len(tail)))
-    np.testing.assert_array_equal(tail[twins], head)  # it runs the other way in the face next door
+    np.testing.assert_array_equal(tail[twins], head)  # it runs the other ray in the face next door
     np.testing.assert_array_equal(head[twins], tail)
     assert (twins // 3 != np.arange(len(tail)) // 3).all()
 
@@ -329,7 +329,7 @@ def test_twins_of_a_tetrahedron():
 # Near enough
 
 
-def test_approach_is_never_nearer_than_the_surface_and_a_little_farther_at_most(shape):
+def test_approximate_closest_is_never_nearer_than_the_surface_and_a_little_farther_at_most(shape):
     random = np.random.default_rng(3)
     low, high = shape.vertices.min(axis=0), shape.vertices.max(axis=0)
     points = random.uniform(low, high, (300, 3))
@@ -341,7 +341,7 @@ def test_approach_is_never_nearer_than_the_surface_and_a_little_farther_at_most(
     assert shape.approximate_closest(np.empty((0, 3)))[0].shape == (0,)
 
 
-def test_approach_finds_the_wall_of_a_box_of_twelve_triangles():
+def test_approximate_closest_finds_the_wall_of_a_box_of_twelve_triangles():
     """Vertices are far from the middles of the faces; samples are not."""
     box = Enclosure(*arrays(trimesh.creation.box((1.0, 1.0, 4.0))))
     points = np.array([[0.3, 0, 0], [0, -0.45, 1.0], [0.1, 0.0, -1.9]])

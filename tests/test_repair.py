@@ -77,15 +77,13 @@ def relief(num: int = 16) -> tuple[np.ndarray, np.ndarray]:
 
 
 @pytest.mark.parametrize("is_turned", [False, True])
-def test_a_lid_that_would_cut_through_the_surface_goes_to_the_end_of_a_skirt(is_turned):
+def test_a_lid_that_would_cut_through_the_surface_goes_to_the_end_of_an_extruded_rim(is_turned):
     """What is closed is the relief and the block behind it: a prism behind each face."""
     vertices, faces = relief()
     faces = faces[:, ::-1] if is_turned else faces
     rim = 4 * 15
     found = checking.prepare((vertices, faces), True)
-    assert found.repairs[1:] == (
-        f"put 1 lid that would cut through the surface at the end of a skirt: {rim} new vertices",
-    )
+    assert found.repairs[1:] == (f"extruded 1 rim, whose lid would cut through the surface: {rim} new vertices",)
     mesh = trimesh.Trimesh(found.vertices, found.faces, process=False)
     assert mesh.is_watertight and mesh.is_winding_consistent and found.is_made.sum() == rim
     np.testing.assert_array_equal(found.vertices[found.vertex_of_input], vertices)
@@ -105,11 +103,11 @@ def test_a_curve_of_a_relief_speaks_of_the_callers_vertices():
     vertices, faces = relief(10)
     run = msf_jax.contract((vertices, faces), config=Config(max_iterations=2), repair=True)
     assert len(run.skeleton.mesh_map) == len(vertices) and run.source.areas.sum() == pytest.approx(1.0)
-    with pytest.raises(MeshError, match=r"made where parts of the mesh were joined, or for a skirt"):
+    with pytest.raises(MeshError, match=r"repair made vertices where it joined parts or extruded a rim"):
         msf_jax.replay(run.tape, run.weights, vertices)
 
 
-def test_a_lid_stays_where_a_skirt_would_cut_as_well():
+def test_a_lid_stays_where_an_extruded_rim_would_cut_as_well():
     """A ribbon that is twisted round twice looks every way: nothing is behind all of it."""
     turn, out = (axis.ravel() for axis in np.meshgrid(np.linspace(0, 4 * np.pi, 60), [-1.0, 0.1, 1.0], indexing="ij"))
     vertices = np.stack([out * np.cos(turn), out * np.sin(turn), turn], axis=1)
@@ -118,9 +116,9 @@ def test_a_lid_stays_where_a_skirt_would_cut_as_well():
     faces = np.concatenate([np.stack([a, b, c], axis=1), np.stack([a, c, d], axis=1)])
     found = checking.prepare((vertices, faces), True)
     assert not found.is_made.any()
-    assert "the lid of 1 hole cuts through the surface, and so would a skirt" in found.repairs[1]
+    assert "the lid of 1 hole cuts through the surface, and so would an extruded rim" in found.repairs[1]
     report = msf_jax.skeletonize((vertices, faces), repair=True).report
-    assert report.inside < 1 and any("no way inside was found for" in note for note in report.notes)
+    assert report.inside < 1 and any("no path inside was found for" in note for note in report.notes)
 
 
 def test_a_hole_larger_than_asked_stays_and_is_refused():
@@ -178,7 +176,7 @@ def test_walls_between_many_cells_go(cells, genus):
 
 
 def test_walls_that_a_hole_leads_to_stay():
-    """What is seen from outside is no wall inside: a chamber with a hole in its own outer face is open."""
+    """What is seen from outside is no internal wall: a cell with a hole in its own outer face is open."""
     vertices, faces = faults.welded(faults.joined(faults.box(), faults.box((1, 0, 0))))
     faces = faces[np.sort(np.unique(np.sort(faces, axis=1), axis=0, return_index=True)[1])]
     hidden = internal_walls.is_wall(vertices, faces)
@@ -349,6 +347,6 @@ def test_options_are_checked(make, says):
 
 def test_nothing_left_is_an_error_that_says_what_was_done():
     with pytest.raises(
-        MeshError, match=r"nothing is left that encloses a volume and has 5 vertices: .*repaired: filled 1 hole"
+        MeshError, match=r"no piece is left that encloses a volume and has 5 vertices: .*repaired: filled 1 hole"
     ):
         checking.prepare((VERTICES[:3], [[0, 1, 2]]), True)

@@ -285,7 +285,7 @@ def test_a_tape_can_be_an_argument_of_a_jitted_function(flow):
             MeshError,
             "162 of the vertices, the first 0, are not",
         ),
-        (lambda tape: (tape, Weights(), "abc"), MeshError, "vertices is a str, no table of numbers"),
+        (lambda tape: (tape, Weights(), "abc"), MeshError, "vertices is a str: expected an array of numbers"),
         (lambda tape: (tape, jax.tree_util.tree_map(lambda x: -x, Weights())), ConfigError, "w_L is -1.0: expected a"),
         (
             lambda tape: (tape, jax.tree_util.tree_map(lambda x: 0.0, Weights())),

@@ -1,4 +1,4 @@
-"""What a report knows of a curve beyond its counts: limbs that are none, ways that are anywhere."""
+"""What a report knows of a curve beyond its counts: limbs that are none, paths that are arbitrary."""
 
 from dataclasses import replace
 
@@ -8,7 +8,7 @@ import trimesh
 
 import msf_jax
 from msf_jax.host.solid.enclosure import Enclosure
-from msf_jax.skeleton.report import weighed
+from msf_jax.skeleton.report import assessed
 
 
 def box(*sides: float) -> Enclosure:
@@ -18,7 +18,7 @@ def box(*sides: float) -> Enclosure:
 
 
 def comb(teeth: int, length: float) -> tuple[np.ndarray, np.ndarray]:
-    """A line along x from -0.8 to 0.8 with so many twigs along y."""
+    """A line along x from -0.8 to 0.8 with so many side branches along y."""
     line = np.stack([np.linspace(-0.8, 0.8, teeth + 2), np.zeros(teeth + 2), np.zeros(teeth + 2)], axis=1)
     missed_limbs = np.concatenate([line[1:-1] + [0, part * length, 0] for part in (0.5, 1.0)])
     own, first, last = np.arange(1, teeth + 1), np.arange(teeth) + teeth + 2, np.arange(teeth) + 2 * teeth + 2
@@ -28,8 +28,8 @@ def comb(teeth: int, length: float) -> tuple[np.ndarray, np.ndarray]:
 
 @pytest.mark.parametrize(("teeth", "is_doubted"), [(7, False), (14, True)])
 def test_many_limbs_that_are_hardly_longer_than_wide_are_in_doubt(teeth, is_doubted):
-    """Twigs in a block: none of them is a limb of it."""
-    doubts = weighed(box(2.0, 1.0, 1.0), *comb(teeth, 0.3))["doubts"]
+    """Side branches in a block: none of them is a limb of it."""
+    doubts = assessed(box(2.0, 1.0, 1.0), *comb(teeth, 0.3))["doubts"]
     expected = (f"{teeth + 2} of {teeth + 2} limbs are hardly longer than wide: the surface may be rough",)
     assert doubts == (expected if is_doubted else ())
 
@@ -41,7 +41,7 @@ def test_the_share_of_a_curve_in_sheets(side, share):
     x[:, 0] = np.linspace(-0.8, 0.8, 41)
     edges = np.stack([np.arange(40), np.arange(1, 41)], axis=1)
     thin = 0.3 if share == 0 else 0.1
-    assert weighed(box(2.0, side, thin), x, edges)["in_sheets"] == pytest.approx(share, abs=0.06)
+    assert assessed(box(2.0, side, thin), x, edges)["in_sheets"] == pytest.approx(share, abs=0.06)
 
 
 def test_a_report_says_what_it_weighs():

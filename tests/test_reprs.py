@@ -32,7 +32,7 @@ def results():
         (flow.tape, "Tape("),
         (Sensitivity(flow.tape, flow.weights, flow.weights), "Sensitivity(Tape("),
         (msf_jax.follow(skeleton, shape.mesh.vertices), f"Followed(nodes float64[{len(skeleton.vertices)}, 3], radii "),
-        (track, "Track(1 frames, 0 of them want a fresh run, Skeleton("),
+        (track, "Track(1 frames, 0 of them need a fresh run, Skeleton("),
         (track.frames[0], "Frame(frame 0: 100.00 % inside)"),
         (tuned, "Tuned(0.1 at w_L 1 to 1, w_H 0.1, "),
         (shape, "KnownShape('straight_coarse', "),

@@ -25,11 +25,11 @@ def known(name: str) -> tuple[Skeleton, trimesh.Trimesh]:
     nodes, edges, radii = [*shape.points], [], [*shape.radii]
     for a, b in shape.edges:
         num = max(1, int(np.linalg.norm(shape.points[b] - shape.points[a]) / 0.06))
-        way = [a, *range(len(nodes), len(nodes) + num - 1), b]
+        chain = [a, *range(len(nodes), len(nodes) + num - 1), b]
         for t in np.arange(1, num) / num:
             nodes.append((1 - t) * shape.points[a] + t * shape.points[b])
             radii.append((1 - t) * shape.radii[a] + t * shape.radii[b])
-        edges += list(pairwise(way))
+        edges += list(pairwise(chain))
     curve = curve_of(np.array(nodes), np.sort(np.array(edges), axis=1), np.array(radii))
     nearest = spatial.KDTree(curve.vertices).query(shape.mesh.vertices)[1]
     return Skeleton(curve.vertices, curve.edges, curve.radii, nearest, curve.report), shape.mesh
@@ -98,7 +98,7 @@ def test_there_are_never_more_bones_than_asked_for_and_every_node_has_one(most):
 
 
 def test_few_influences_leave_no_jump():
-    """Along a way through the weights of nine bones, those of four change by little in each of its many steps."""
+    """Along a path through the weights of nine bones, those of four change by little in each of its many steps."""
     random = np.random.default_rng(4)
     parents = np.array([-1, 0, 0, 0, 1, 1, 2, 3, 7])
     stops = random.dirichlet(np.full(9, 0.5), 12)
@@ -262,8 +262,8 @@ def test_what_cannot_be_rigged_is_named(tmp_path):
     made = skeleton.rig(mesh=mesh)
     with pytest.raises(ConfigError, match=r"for a rig in .*: expected the suffix .glb"):
         made.save(tmp_path / "y.fbx", mesh)
-    with pytest.raises(ConfigError, match=r"'elbow' turns by .*: expected a bone's name"):
+    with pytest.raises(ConfigError, match=r"turns has 'elbow' with shape .*: expected a bone's name"):
         made.posed(mesh.vertices, {"elbow": np.eye(3)})
-    with pytest.raises(ConfigError, match="vertices have shape"):
+    with pytest.raises(ConfigError, match="vertices has shape"):
         made.posed(mesh.vertices[1:], {})
     assert gltf.MOST_JOINTS == rig.MOST_BONES and list(tmp_path.iterdir()) == []

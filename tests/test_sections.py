@@ -357,7 +357,7 @@ def test_points_do_not_depend_on_each_other(monkeypatch):
     together = cut(shape, points, normals, radii)
     alone = [cut(shape, points[k : k + 1], normals[k : k + 1], radii[k : k + 1]) for k in range(30)]
     assert_same(Sections(*(np.concatenate(fields) for fields in zip(*alone, strict=True))), together)
-    monkeypatch.setattr(sections, "ROOM", 1)
+    monkeypatch.setattr(sections, "CAPACITY", 1)
     assert_same(cut(shape, points, normals, radii), together)
 
 

@@ -14,7 +14,7 @@ from msf_jax.host.solid.enclosure import Enclosure
 
 @pytest.fixture(scope="module")
 def whole():
-    """A rough Y with all the branches that the flow found."""
+    """A coarse Y with all the branches that the flow found."""
     mesh = ground_truth.make("y_noisy").mesh
     return mesh, msf_jax.skeletonize(mesh, config=msf_jax.Config(prune=0))
 
@@ -43,7 +43,7 @@ def check(mesh, skeleton, like):
     assert np.abs(skeleton.radii - distance).max() < 1e-6 * np.ptp(mesh.vertices)
 
 
-def test_a_slid_threshold_takes_twigs_first_and_limbs_later(whole):
+def test_a_slid_threshold_takes_spurs_first_and_limbs_later(whole):
     mesh, skeleton = whole
     leaves = []
     for least in (0.0, 0.75, 100.0):

@@ -1,5 +1,5 @@
-"""Curves in batches: what pads changes no bit and has no gradient; one program for a capacity; dtypes; ways through
-JAX."""
+"""Curves in batches: what pads changes no bit and has no gradient; one program for a capacity; dtypes;
+transformations of JAX."""
 
 import os
 import pickle
@@ -50,14 +50,14 @@ slopes = jax.jit(jax.vmap(jax.value_and_grad(weighed, argnums=1)))
 slope = jax.jit(jax.value_and_grad(weighed, argnums=1))
 
 
-def test_a_batch_has_room_for_all_and_masks_for_each(curves, batch):
+def test_a_batch_has_capacity_for_all_and_masks_for_each(curves, batch):
     assert len(batch) == 2 and batch.vertices.shape == (2, 1024, 3) and batch.node_mask.shape == (2, 320)
     for k, (vertices, skeleton) in enumerate(curves):
         assert batch.vertex_mask[k].sum() == len(vertices) and batch.node_mask[k].sum() == len(skeleton.vertices)
         np.testing.assert_allclose(batch.vertices[k][np.asarray(batch.vertex_mask[k])], vertices, rtol=0, atol=1e-14)
         assert not np.asarray(batch.vertices)[k][~np.asarray(batch.vertex_mask)[k]].any()
     assert repr(batch) == "Batch(2 curves, 320 rows of nodes, 1024 of vertices)"
-    assert repr(batch.bindings).startswith("Binding(2 curves, room for 320 nodes and 1024")
+    assert repr(batch.bindings).startswith("Binding(2 curves, capacity of 320 nodes and 1024")
 
 
 def test_every_curve_of_a_batch_is_what_it_is_alone(curves, batch):
@@ -95,7 +95,7 @@ everywhere = jax.numpy.asarray(cases.moved(batch.vertices))
 found, (values, by_vertex) = cases.every_follow(batch.bindings, everywhere), cases.slopes(batch.bindings, everywhere)
 for k, (vertices, skeleton) in enumerate(curves):
     own = unpadded(skeleton.binding)
-    twice = own.live._replace(**{name: 2 * room for name, room in skeleton.binding.capacity._asdict().items()})
+    twice = own.live._replace(**{name: 2 * capacity for name, capacity in skeleton.binding.capacity._asdict().items()})
     num, nodes = len(vertices), len(skeleton.vertices)
     for binding in (skeleton.binding, padded(own, twice)):
         rows = np.zeros((binding.num_vertices, 3))
@@ -131,11 +131,11 @@ def _in_process(script, *arguments, **variables):
 
 
 def test_padding_changes_no_value(curves):
-    """Alone, in room for twice as much of everything."""
+    """Alone, with twice the capacity of everything."""
     vertices, skeleton = curves[0]
     bare = unpadded(skeleton.binding)
     np.testing.assert_array_equal(bare.edges, skeleton.edges)
-    twice = bare.live._replace(**{name: 2 * room for name, room in skeleton.binding.capacity._asdict().items()})
+    twice = bare.live._replace(**{name: 2 * capacity for name, capacity in skeleton.binding.capacity._asdict().items()})
     found = msf_jax.follow(padded(bare, twice), moved(vertices))
     for part, other in zip(found, msf_jax.follow(skeleton, moved(vertices)), strict=True):
         np.testing.assert_allclose(part[: len(other)], other, rtol=0, atol=1e-13)
@@ -144,29 +144,29 @@ def test_padding_changes_no_value(curves):
 
 def test_gradients_in_a_batch_are_those_of_central_differences(batch):
     vertices = jnp.asarray(moved(batch.vertices))
-    way = np.random.default_rng(3).normal(size=vertices.shape)
-    way /= np.linalg.norm(way, axis=(1, 2), keepdims=True)
+    direction = np.random.default_rng(3).normal(size=vertices.shape)
+    direction /= np.linalg.norm(direction, axis=(1, 2), keepdims=True)
     by_vertex = np.asarray(slopes(batch.bindings, vertices)[1])
     step = 1e-5
-    ahead, behind = (np.asarray(slopes(batch.bindings, vertices + sign * step * way)[0]) for sign in (1, -1))
-    expected = (by_vertex * way).sum(axis=(1, 2))
+    ahead, behind = (np.asarray(slopes(batch.bindings, vertices + sign * step * direction)[0]) for sign in (1, -1))
+    expected = (by_vertex * direction).sum(axis=(1, 2))
     size = np.linalg.norm(by_vertex, axis=(1, 2)) / np.sqrt(vertices[0].size)
     np.testing.assert_array_less(np.abs((ahead - behind) / (2 * step) - expected), 1e-3 * size)
 
 
 def test_grad_of_vmap_is_vmap_of_grad_and_slopes_have_slopes(batch):
-    """Second derivatives against differences of first ones, along one way."""
+    """Second derivatives against differences of first ones, along one direction."""
     vertices = jnp.asarray(moved(batch.vertices))
 
     def total(vertices):
         return jax.vmap(weighed)(batch.bindings, vertices).sum()
 
-    both = jax.jit(lambda at, way: jax.jvp(jax.grad(total), (at,), (way,)))
-    way = jnp.asarray(np.random.default_rng(4).normal(size=vertices.shape))
-    first, second = both(vertices, way)
+    both = jax.jit(lambda at, direction: jax.jvp(jax.grad(total), (at,), (direction,)))
+    direction = jnp.asarray(np.random.default_rng(4).normal(size=vertices.shape))
+    first, second = both(vertices, direction)
     np.testing.assert_allclose(first, slopes(batch.bindings, vertices)[1], rtol=0, atol=1e-12)
     step = 1e-6
-    ahead, behind = (slopes(batch.bindings, vertices + sign * step * way)[1] for sign in (1, -1))
+    ahead, behind = (slopes(batch.bindings, vertices + sign * step * direction)[1] for sign in (1, -1))
     expected = np.asarray(ahead - behind) / (2 * step)
     size = np.linalg.norm(expected)
     assert size > 1e-2 and np.linalg.norm(np.asarray(second) - expected) < 1e-4 * size
@@ -183,8 +183,8 @@ def test_a_step_of_training_in_a_scan(batch):
         now, slope = jax.value_and_grad(value)(vertices)
         return vertices - 0.3 * slope, now
 
-    course = jax.jit(lambda start: jax.lax.scan(step, start, length=5)[1])(batch.vertices)
-    assert (np.diff(course) < 0).all()
+    values = jax.jit(lambda start: jax.lax.scan(step, start, length=5)[1])(batch.vertices)
+    assert (np.diff(values) < 0).all()
 
 
 SHARDED = """
@@ -221,7 +221,7 @@ def test_a_batch_is_spread_over_devices(curves, tmp_path):
 
 
 def test_curves_of_a_capacity_share_a_program(curves, compilations):
-    """Another curve of the same mesh, pruned and resampled, and the tube in the room of the three limbs."""
+    """Another curve of the same mesh, pruned and resampled, and the tube with the capacity of the three limbs."""
     vertices, skeleton = curves[1]
     other = skeleton.resample(0.2)
     assert other.binding.capacity == skeleton.binding.capacity and len(other.vertices) != len(skeleton.vertices)
@@ -239,10 +239,10 @@ def test_curves_of_a_capacity_share_a_program(curves, compilations):
     assert not compilations
 
 
-def test_a_second_batch_takes_the_room_of_the_first(curves, batch, compilations, monkeypatch):
+def test_a_second_batch_takes_the_capacity_of_the_first(curves, batch, compilations, monkeypatch):
     """And compiles nothing, though its largest mesh is smaller."""
-    for name, room in (("vertices", 256), ("faces", 640)):  # so that the tube has another capacity than the limbs
-        monkeypatch.setitem(SMALLEST, name, room)
+    for name, capacity in (("vertices", 256), ("faces", 640)):  # so that the tube has another capacity than the limbs
+        monkeypatch.setitem(SMALLEST, name, capacity)
     tube = curves[0][1]
     every_follow(batch.bindings, batch.vertices)
     second = msf_jax.stack([tube, tube], like=batch)
@@ -256,13 +256,13 @@ def test_a_second_batch_takes_the_room_of_the_first(curves, batch, compilations,
 
 
 def test_ladders_have_few_rungs(curves):
-    """Room for what is asked and for the rows of padding; a mesh of twice the vertices is one rung up."""
+    """Capacity for what is asked and for the rows of padding; a mesh of twice the vertices is one rung up."""
     sizes = unpadded(curves[1][1].binding).live
-    room = capacity_for(sizes)
-    assert all(one >= other for one, other in zip(room, sizes, strict=True)) and room.nodes > sizes.nodes
-    full = sizes._replace(nodes=room.nodes, vertices=room.vertices)
-    assert capacity_for(full).nodes == 4 * room.nodes and capacity_for(full).vertices == room.vertices
-    assert capacity_for(sizes, full._replace(vertices=2 * room.vertices)).vertices == 2 * room.vertices
+    capacity = capacity_for(sizes)
+    assert all(one >= other for one, other in zip(capacity, sizes, strict=True)) and capacity.nodes > sizes.nodes
+    full = sizes._replace(nodes=capacity.nodes, vertices=capacity.vertices)
+    assert capacity_for(full).nodes == 4 * capacity.nodes and capacity_for(full).vertices == capacity.vertices
+    assert capacity_for(sizes, full._replace(vertices=2 * capacity.vertices)).vertices == 2 * capacity.vertices
     many = {capacity_for(sizes._replace(vertices=num, faces=2 * num)).vertices for num in range(500, 12_001, 7)}
     assert many == {1024, 2048, 4096, 8192, 16384}
 
@@ -278,15 +278,15 @@ def test_curves_of_64_meshes_need_at_most_six_programs(curves):
         8000: (160, 13140, 5000, 116951),
         12000: (160, 14000, 5000, 120000),
     }
-    rooms = set()
+    capacities = set()
     for vertices in np.geomspace(500, 12_000, 64).astype(int):
         for few in (1, 2):
             near = min(measured, key=lambda num, vertices=vertices: abs(np.log(num / vertices)))
             nodes, corners, smoothing, turning = (count // few for count in measured[near])
             mesh = {"vertices": vertices, "faces": 2 * vertices}
             curve = {"nodes": nodes, "edges": nodes - 1, "sections": nodes, "corners": corners}
-            rooms.add(capacity_for(sizes._replace(**mesh, **curve, smoothing=smoothing, turning=turning)))
-    assert len(rooms) <= 6
+            capacities.add(capacity_for(sizes._replace(**mesh, **curve, smoothing=smoothing, turning=turning)))
+    assert len(capacities) <= 6
 
 
 @pytest.mark.parametrize("dtype", [np.float32, np.float64, np.float16, np.int32])
@@ -388,7 +388,7 @@ def test_a_mesh_whose_section_vanished_spoils_no_other(curves, batch):
 
 def test_what_is_no_batch_is_refused(curves, tmp_path):
     vertices, skeleton = curves[0]
-    for given, says in (([], "holds none"), ([skeleton, vertices], "holds ndarray")):
+    for given, says in (([], "has none"), ([skeleton, vertices], "has ndarray")):
         with pytest.raises(ConfigError, match=says):
             msf_jax.stack(given)
     for given, options, says in (

@@ -210,7 +210,7 @@ def test_a_long_list_of_faults_is_cut_short():
 def test_vertices_of_the_wrong_shape_or_kind_are_refused():
     assert_says(refusal((OCTAHEDRON[:, :2], OCTAHEDRON_FACES)), "vertices have shape (6, 2)", "expected (V, 3)")
     assert_says(refusal((OCTAHEDRON.ravel(), OCTAHEDRON_FACES)), "vertices have shape (18,)")
-    assert_says(refusal(([["a", "b", "c"]], OCTAHEDRON_FACES)), "vertices are no table of numbers")
+    assert_says(refusal(([["a", "b", "c"]], OCTAHEDRON_FACES)), "vertices are no array of numbers")
 
 
 def test_an_empty_mesh_is_refused():
@@ -356,7 +356,7 @@ def test_an_inside_out_mesh_is_flipped():
     mesh = blob(4, 2)
     mesh.invert()
     checked = checking.prepare(mesh)
-    assert checked.repairs == ("flipped the mesh, which was turned inside out",)
+    assert checked.repairs == ("flipped the mesh, which was inside out",)
     np.testing.assert_array_equal(checked.vertices, mesh.vertices)
     assert volume(checked.vertices, checked.faces) == pytest.approx(-mesh.volume) and mesh.volume < 0
     component = checked.components[0]
@@ -367,7 +367,7 @@ def test_only_the_component_that_is_inside_out_is_flipped():
     parts = [torus(), trimesh.creation.icosphere(1).apply_translation([4, 0, 0]), torus().apply_translation([9, 0, 0])]
     parts[1].invert()
     checked = checking.prepare(trimesh.util.concatenate(parts))
-    assert checked.repairs == ("flipped component 1 (the one with vertex 288), which was turned inside out",)
+    assert checked.repairs == ("flipped component 1 (the one with vertex 288), which was inside out",)
     for component, part in zip(checked.components, parts, strict=True):
         assert volume(component.vertices, component.faces) == pytest.approx(abs(part.volume))
     assert volume(checked.vertices, checked.faces) == pytest.approx(sum(abs(part.volume) for part in parts))

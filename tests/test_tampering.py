@@ -67,7 +67,7 @@ def test_one_value_that_was_changed_is_seen(written, tmp_path, kind, name):
     value = arrays[name].reshape(-1)[:1]
     value[:] = ~value if value.dtype.kind == "b" else value + (1 if value.dtype.kind in "iu" else 1e-9)
     np.savez(tmp_path / "file.npz", **arrays)
-    with pytest.raises(ConfigError, match="it is not as it was written: its digest is another"):
+    with pytest.raises(ConfigError, match="the file was changed: its digest does not fit its content"):
         load(kind, tmp_path / "file.npz")
 
 
@@ -78,11 +78,11 @@ def test_a_header_that_was_changed_is_seen_and_a_whole_file_is_read(written, tmp
     load(kind, tmp_path / "whole.npz")
     arrays["header"] = np.array(json.dumps(json.loads(str(arrays["header"])) | {"more": 1}))
     np.savez(tmp_path / "file.npz", **arrays)
-    with pytest.raises(ConfigError, match="its digest is another"):
+    with pytest.raises(ConfigError, match="its digest does not fit"):
         load(kind, tmp_path / "file.npz")
     del arrays[archive.DIGEST]
     np.savez(tmp_path / "file.npz", **arrays)
-    with pytest.raises(ConfigError, match="its digest is another"):
+    with pytest.raises(ConfigError, match="its digest does not fit"):
         load(kind, tmp_path / "file.npz")
 
 
@@ -161,10 +161,8 @@ def test_3mf_is_counted_before_it_is_read(tmp_path, monkeypatch):
     cases = {
         "over 50 elements that are no part of a mesh": {"inside": tampering._mesh(1, b"<a/>" * 60)},
         "a vertex has 1 numbers: expected 3": {"inside": tampering._mesh(1, b'<vertex x="0"/>')},
-        "entities of its own": {"inside": tampering._mesh(1), "before": tampering.DECLARED},
-        "put together of themselves": {
-            "inside": b'<object id="1"><components><component objectid="1"/></components></object>'
-        },
+        "declares entities": {"inside": tampering._mesh(1), "before": tampering.DECLARED},
+        "contain themselves": {"inside": b'<object id="1"><components><component objectid="1"/></components></object>'},
         "12 instances and 44 triangles": {"inside": tampering._mesh(1), "build": b'<item objectid="1"/>' * 11},
     }
     for says, parts in cases.items():
@@ -178,7 +176,7 @@ def test_a_scene_that_shows_too_much_is_refused(tmp_path, monkeypatch):
     (tmp_path / "scene.gltf").write_bytes(tampering._gltf({}, nodes=30))
     assert len(reading.read(tmp_path / "scene.gltf")[1]) == 30
     monkeypatch.setattr(reading, "MOST_SHOWN", 20)
-    with pytest.raises(MeshError, match="its scene shows 30 meshes"):
+    with pytest.raises(MeshError, match="its scene has 30 meshes"):
         reading.read(tmp_path / "scene.gltf")
 
 
@@ -229,7 +227,7 @@ def test_a_report_that_is_none_is_said_to_be_none(tmp_path, capsys, name, conten
     (tmp_path / name).write_text(content)
     assert main(["report", str(tmp_path / name)]) == 2
     said = capsys.readouterr()
-    assert f"{name}' holds no report" in said.err and not said.out
+    assert f"{name}' has no report" in said.err and not said.out
 
 
 def test_a_place_before_the_file_is_damage(written, tmp_path):

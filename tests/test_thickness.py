@@ -1,4 +1,4 @@
-"""Shrinking balls, the thickness that they tell of, and thin shapes; ways through a solid."""
+"""Shrinking balls, the thickness that they tell of, and thin shapes; paths through a solid."""
 
 import numpy as np
 import pytest
@@ -102,7 +102,7 @@ def test_balls_replay_to_the_run():
         Config(poles="ball")
 
 
-# Ways through a solid
+# Paths through a solid
 
 
 def bent_tube() -> Enclosure:
@@ -123,14 +123,14 @@ def test_inner_balls_are_inside():
 BOX = trimesh.creation.box((0.9, 0.4, 0.01))  # thinner than its surface is sampled
 
 
-def test_a_way_is_led_round_and_searches_are_bounded(monkeypatch):
+def test_a_path_is_led_round_and_searches_are_bounded(monkeypatch):
     shape = bent_tube()
     roadmap = Roadmap(shape, containment.is_inside)
     centre, _ = inner_balls(shape)
     ends = centre[[0, len(centre) - 1]]
     ends = centre[[centre[:, 0].argmin(), centre[:, 1].argmin()]]
-    (way,) = roadmap.paths(ends, np.array([[0, 1]]))
-    points = np.concatenate([ends[:1], way, ends[1:]])
+    (path,) = roadmap.paths(ends, np.array([[0, 1]]))
+    points = np.concatenate([ends[:1], path, ends[1:]])
     assert containment.is_inside(shape, points[:-1], points[1:]).all()
     assert roadmap.num_refused == 0
     monkeypatch.setattr("msf_jax.host.poles.roadmap.VISITS", -1)
@@ -139,14 +139,14 @@ def test_a_way_is_led_round_and_searches_are_bounded(monkeypatch):
     assert refused.num_refused == 1
 
 
-def test_ways_keep_to_their_own_sides_of_a_hole():
+def test_paths_keep_to_their_own_sides_of_a_hole():
     shape = Enclosure(*(np.array(part) for part in (RING.vertices, RING.faces)))
     angle = np.radians([0, 120, 240])
     x = 0.4 * np.stack([np.cos(angle), np.sin(angle), 0 * angle], axis=1)
     pairs = np.array([[0, 1], [1, 2], [2, 0]])
     roadmap = Roadmap(shape, containment.is_inside)
-    for (a, b), way in zip(pairs, roadmap.paths(x, pairs), strict=True):
-        points = np.concatenate([x[[a]], way, x[[b]]])
+    for (a, b), path in zip(pairs, roadmap.paths(x, pairs), strict=True):
+        points = np.concatenate([x[[a]], path, x[[b]]])
         assert containment.is_inside(shape, points[:-1], points[1:]).all()
         turned = np.unwrap(np.arctan2(points[:, 1], points[:, 0]))
         assert np.isclose(turned[-1] - turned[0], np.radians(120)) and np.ptp(turned) < np.radians(140)
@@ -155,15 +155,15 @@ def test_ways_keep_to_their_own_sides_of_a_hole():
 RING = trimesh.creation.torus(0.4, 0.05, major_sections=48, minor_sections=8)
 
 
-def test_no_way_between_two_solids_takes_no_search():
+def test_no_path_between_two_solids_takes_no_search():
     one, other = trimesh.creation.box([0.4] * 3), trimesh.creation.box([0.4] * 3)
     other.apply_translation([0.45, 0, 0])
     both = trimesh.util.concatenate([one, other])
     shape = Enclosure(np.array(both.vertices), np.array(both.faces))
     roadmap = Roadmap(shape, containment.is_inside)
     ends = np.array([[0.0, 0, 0], [0.45, 0, 0]])
-    (way,) = roadmap.paths(ends, np.array([[0, 1]]))
-    assert not len(way) and roadmap.num_visits == 0 and roadmap.num_refused == 0
+    (path,) = roadmap.paths(ends, np.array([[0, 1]]))
+    assert not len(path) and roadmap.num_visits == 0 and roadmap.num_refused == 0
     assert roadmap.num_closed == 1
     assert not roadmap.paths(ends, np.empty((0, 2), dtype=int)) and roadmap.num_closed == 0
 
@@ -174,7 +174,7 @@ def test_joining_has_a_bound(monkeypatch):
     other.apply_translation([0.26, 0, 0])
     both = trimesh.util.concatenate([one, other])
     monkeypatch.setattr("msf_jax.host.poles.roadmap.FAR", 100.0)  # there are edges from one to the other
-    monkeypatch.setattr("msf_jax.host.poles.roadmap.MOST_LOOKS", -1)
+    monkeypatch.setattr("msf_jax.host.poles.roadmap.MOST_TESTS", -1)
     roadmap = Roadmap(Enclosure(np.array(both.vertices), np.array(both.faces)), containment.is_inside)
     assert not len(roadmap.paths(np.array([[0.0, 0, 0], [0.26, 0, 0]]), np.array([[0, 1]]))[0])
     assert roadmap.num_refused == 1 and roadmap.num_closed == 0

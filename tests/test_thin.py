@@ -1,4 +1,4 @@
-"""Limbs of three to five sides, whose edges are longer than they are thick: level sets, and curves made by waves."""
+"""Limbs of three to five sides with edges longer than their thickness: level sets, and geodesic wavefronts."""
 
 import manifold3d
 import numpy as np
@@ -85,7 +85,7 @@ def test_a_coarse_wire_is_followed_to_its_ends():
     centres, radius = snake(61), 0.01
     curve = msf_jax.skeletonize(wire(centres, radius))
     vertices, edges = curve.vertices, curve.edges
-    assert curve.report.is_sound and any("waves" in note for note in curve.report.notes)
+    assert curve.report.is_sound and any("wavefronts" in note for note in curve.report.notes)
     assert (np.bincount(edges.ravel()) == 1).sum() == 2
     length = np.linalg.norm(vertices[edges[:, 0]] - vertices[edges[:, 1]], axis=1).sum()
     assert length == pytest.approx(np.linalg.norm(np.diff(centres, axis=0), axis=1).sum(), rel=0.02)
@@ -107,16 +107,16 @@ def test_a_loop_of_coarse_wire_keeps_its_cycle_and_the_report_says_how_it_was_ma
     assert run.curve.report.is_sound and run.curve.report.cycles == 1  # of the flow's nodes, too, those that stay
     curve = run.skeleton
     assert curve.report.is_sound and curve.report.cycles == 1
-    assert any("waves" in note for note in curve.report.notes)
+    assert any("wavefronts" in note for note in curve.report.notes)
     on_curve = curve.vertices[curve.mesh_map]
     assert np.linalg.norm(on_curve - vertices, axis=1).max() < 0.02
-    assert not msf_jax.skeletonize((vertices, faces), pins=[0, 120]).report.notes  # no waves; pins are not inside
+    assert not msf_jax.skeletonize((vertices, faces), pins=[0, 120]).report.notes  # no wavefronts; pins are not inside
 
 
-def test_waves_make_the_curve_where_the_flow_has_left_a_tangle(monkeypatch):
+def test_the_reeb_curve_is_taken_where_the_flow_has_left_a_tangle(monkeypatch):
     monkeypatch.setattr(curves, "MOST_VOLUME", -1.0)  # whatever is left of the volume is too much
     report = msf_jax.skeletonize(wire(snake(61), 0.01)).report
-    assert report.is_sound and len(report.notes) == 1 and "waves" in report.notes[0]
+    assert report.is_sound and len(report.notes) == 1 and "wavefronts" in report.notes[0]
     notes = msf_jax.skeletonize(wire(snake(61), 0.01), pins=[0]).report.notes
     assert any("1 of 1 curves not finished" in note for note in notes)
 

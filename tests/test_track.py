@@ -46,7 +46,7 @@ def test_every_frame_is_followed_and_compiled_for_once(tube):
     for number, (frame, angle) in enumerate(zip(done.frames, np.linspace(0, 1, 6), strict=True)):
         np.testing.assert_allclose(frame.nodes, turned(skeleton.vertices, angle), atol=1e-9)
         assert frame.number == number and frame.inside == 1.0 and not frame.wants_run
-    assert str(done) == "6 frames, 0 of them want a fresh run"
+    assert str(done) == "6 frames, 0 of them need a fresh run"
     mixed = msf_jax.track(skeleton, iter([frames[1], (frames[1], faces), trimesh.Trimesh(frames[1], faces)]))
     np.testing.assert_array_equal(mixed.nodes[1:], mixed.nodes[:1].repeat(2, axis=0))
     np.testing.assert_array_equal(mixed.nodes, msf_jax.follow(skeleton, frames[1]).nodes[None].repeat(3, axis=0))
@@ -67,7 +67,7 @@ def test_frames_that_no_longer_hold_say_which_nodes(tube):
     )
     assert len(wild.loose) + len(wild.vanished) > len(skeleton.vertices) / 2
     assert len(sheared.loose) > len(skeleton.vertices) / 2 and not len(sheared.vanished)
-    assert "3 of them want a fresh run" in str(done) and f"the first {crushed.vanished[0]}" in str(done)
+    assert "3 of them need a fresh run" in str(done) and f"the first {crushed.vanished[0]}" in str(done)
     curve = done.curve(0)
     np.testing.assert_array_equal(curve.vertices, good.nodes)
     with pytest.raises(ConfigError, match="frame 1 has no curve"):

@@ -81,11 +81,11 @@ def tube(start: list[float], end: list[float], radius: float, rings: int) -> tup
 
 @pytest.mark.parametrize(("factor", "is_found"), [(1.0, True), (20.0, False)])
 def test_a_thin_limb_that_the_curve_has_missed_is_found(factor, is_found):
-    """A trunk with its curve, and a twig that it knows nothing of; on a thick solid nothing is added."""
+    """A trunk with its curve, and a spur that it knows nothing of; on a thick solid nothing is added."""
     radius = 0.003 * factor
-    trunk, twig = tube([-0.5, 0, 0], [0.5, 0, 0], radius, 100), tube([0, 0, 0], [0, 0.2, 0], 0.7 * radius, 30)
-    faces = np.concatenate([trunk[1], twig[1] + len(trunk[0])])
-    found = checking.prepare((np.concatenate([trunk[0], twig[0]]), faces), "join")
+    trunk, spur = tube([-0.5, 0, 0], [0.5, 0, 0], radius, 100), tube([0, 0, 0], [0, 0.2, 0], 0.7 * radius, 30)
+    faces = np.concatenate([trunk[1], spur[1] + len(trunk[0])])
+    found = checking.prepare((np.concatenate([trunk[0], spur[0]]), faces), "join")
     solid = Solid(found.vertices, found.faces)
     nodes = np.stack([np.linspace(-0.49, 0.49, 300), np.zeros(300), np.zeros(300)], axis=1)
     edges = np.stack([np.arange(299), np.arange(1, 300)], axis=1)

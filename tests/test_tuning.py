@@ -159,7 +159,7 @@ def test_several_meshes_and_a_function_of_ones_own():
         ({"objective": "explained"}, "objective is a str"),
         ({"weights": (1.0, 0.1)}, "weights is a tuple"),
         ({"weights": Weights(w_L=20.0), "bounds": (0.1, 10.0)}, "w_L is 20: expected a start within its bounds"),
-        ({"bounds": {"w_X": (0.1, 1.0)}}, "bounds name 'w_X': expected one of w_L"),
+        ({"bounds": {"w_X": (0.1, 1.0)}}, "bounds has 'w_X': expected one of w_L"),
         ({"bounds": {"w_L": (1.0, 0.1)}}, r"bounds of w_L are \(1.0, 0.1\)"),
         ({"objective": lambda nodes: nodes.sum()}, r"objective is a function, .*: expected one of"),
         ({"objective": objectives.explained}, "with its parentheses"),
@@ -168,7 +168,7 @@ def test_several_meshes_and_a_function_of_ones_own():
         ({"config": Weights()}, "config is a Weights"),
         ({"of": "curve"}, "of is 'curve': expected one of skeleton, flow"),
         ({"jobs": 0}, "jobs is 0: expected a whole number"),
-        ({"of": "flow", "jobs": 2}, "jobs and checkpoint are for weights that are numbers"),
+        ({"of": "flow", "jobs": 2}, "jobs or checkpoint was given with arrays of weights"),
     ],
 )
 def test_wrong_options(options, says):
@@ -178,7 +178,7 @@ def test_wrong_options(options, says):
 
 
 def test_no_mesh():
-    with pytest.raises(ConfigError, match="no mesh"):
+    with pytest.raises(ConfigError, match="meshes is empty"):
         msf_jax.tune([], OBJECTIVE)
 
 

@@ -1,8 +1,9 @@
-"""Many meshes: a curve and a report of each, on all cores or on a cluster; one bad mesh fails alone.
+"""Batches: a curve and a report for each of many meshes, on all cores or on a cluster.
 
-Each mesh leaves its curve and, after it, a row with its report or its error, both written whole or not at all. So a
-batch that was killed goes on with what has no row yet. The table of all rows is made from them, now and then, and at
-the end. Meshes are taken in the order of the sizes of their files: neighbours share the capacities of compiled steps.
+For each mesh a batch writes the curve, and then a row with the report or the error, both atomically. So a batch that
+was killed continues with the meshes that have no row. An error of one mesh does not affect others. The table of all
+rows is written every few seconds, and at the end. Meshes are sorted by file size, so that successive meshes use the
+same compiled capacities.
 """
 
 import concurrent.futures
@@ -38,16 +39,17 @@ from msf_jax.host.mesh import reading
 from msf_jax.host.mesh.repair import Repair, as_repair
 from msf_jax.skeleton.formats import export
 
-MANIFEST, ROWS = "manifest.csv", ".rows"  # in the folder of the results
-TABLE_EVERY = 10.0  # seconds, after which the table of what is done so far is written again
-TASKS = 1000  # of a worker, on average, after which fresh ones take their place: what they have grown to goes with them
-DIED = "its worker died, twice: out of memory?"
+MANIFEST = "manifest.csv"  # the table, in the folder of the results
+ROWS = ".rows"  # the folder of the rows, likewise
+TABLE_EVERY = 10.0  # seconds between two writes of the table
+TASKS = 1000  # meshes for each worker, on average, until all workers are replaced, which frees their memory
+DIED = "its worker died, twice: out of memory?"  # the error in the row of such a mesh
 UNCHANGED = Shaping()
 
 
 @dataclass(frozen=True)
 class Job:
-    """One mesh, and what to do with it. Plain values, to be sent to another process."""
+    """One mesh and its settings, as plain values that can be sent to another process."""
 
     source: str
     target: str
@@ -64,10 +66,10 @@ class Job:
 
 @dataclass(frozen=True)
 class Batch:
-    """What came of a batch.
+    """The result of a batch.
 
-    rows: one dictionary for each mesh, as in the table. manifest: the table's file. num_done: meshes computed now; the
-    others had a row already.
+    rows: one dictionary for each mesh, as in the table. manifest: the table's file. num_done: meshes computed by this
+    call; the others had a row already.
     """
 
     rows: tuple[dict[str, Any], ...]
@@ -102,20 +104,22 @@ def run(
 
     Args:
         paths: mesh files, in any format that trimesh reads.
-        out: a folder, made if need be. ``a/b.off`` goes to ``a/b.off.swc`` in it, and all reports to ``manifest.csv``.
+        out: a folder, created if missing. The curve of ``a/b.off`` is ``a/b.off.swc`` in it; all reports are in
+            ``manifest.csv``.
         weights, config, repair: as `skeletonize` takes them; weights are numbers.
         suffix: the format of the curves; see `Skeleton.save`.
-        jobs: processes; as many as there are cores if not given.
-        scheduler: address of a Dask scheduler whose workers see the same folders (``pip install "msf_jax[dask]"``); no
+        jobs: processes; by default one for each core.
+        scheduler: address of a Dask scheduler whose workers see the same folders (``pip install "msf_jax[dask]"``). No
             processes are started then.
-        retry: take those again that failed; else only what is missing, or was made with other settings, is computed.
-        max_vertices: a larger mesh is an error in its row: a run peaks at about 4 kB a vertex.
-        shaping: what becomes of each curve before it is written: another scale, a tree, other nodes, ...
+        retry: try failed meshes again. Otherwise only curves that are missing, or were made with other settings, are
+            computed.
+        max_vertices: a larger mesh gets an error in its row, because a run needs about 4 kB of memory for each vertex.
+        shaping: changes of each curve before it is written: another scale, a tree, other nodes, ...
         progress: show a progress bar on standard error, or plain lines if that is no terminal.
 
     Raises:
-        ConfigError: an option is out of range, a path is there twice, there is none, or the place of a curve is that of
-            another mesh, by an earlier batch.
+        ConfigError: an option is out of range, a path is given twice, there are no paths, or an earlier batch wrote the
+            curve of another mesh to the same file.
         OSError: the folder cannot be written.
     """
     weights, config = checked_options(weights, config)
@@ -149,10 +153,10 @@ def run(
             for row in results(missing):
                 bar.update(1, Path(row["path"]).name)
                 done[row["path"]] = row
-                if time.monotonic() - written > TABLE_EVERY:  # to be looked at while it grows
+                if time.monotonic() - written > TABLE_EVERY:
                     write_whole(folder / MANIFEST, os.fsencode(_table(tuple(done.values()))))
                     written = time.monotonic()
-    finally:  # Ctrl-C, too, leaves a table of what there is
+    finally:  # the table is written after Ctrl-C, too
         rows = tuple(filter(None, map(_known, planned)))
         write_whole(folder / MANIFEST, os.fsencode(_table(rows)))
     return Batch(rows, folder / MANIFEST, len(missing))
@@ -161,7 +165,7 @@ def run(
 def _names(
     paths: Iterable[str | os.PathLike[str]], folder: Path, suffix: str, settings: str
 ) -> list[tuple[str, str, str, str]]:
-    """For each mesh, smallest file first: its path, those of its curve and its row, and a hash of all it depends on."""
+    """For each mesh, smallest file first: the paths of mesh, curve and row, and a hash of all inputs of the curve."""
     if isinstance(paths, str | os.PathLike):
         raise ConfigError(f"paths is {os.fspath(paths)!r}: expected a list of paths, one for each mesh")
     sources = [Path(os.path.normpath(Path(path).absolute())) for path in paths]
@@ -169,7 +173,7 @@ def _names(
         raise ConfigError("there are no meshes: expected at least one path")
     if len(set(sources)) < len(sources):
         twice = next(path for path in sources if sources.count(path) > 1)
-        raise ConfigError(f"{str(twice)!r} is there twice: expected each mesh once")
+        raise ConfigError(f"{str(twice)!r} is given twice: expected each mesh once")
     base = Path(os.path.commonpath([path.parent for path in sources]))
     found = []
     for path in sources:
@@ -183,20 +187,23 @@ def _names(
 
 
 def _check_owner(job: Job) -> None:
-    """Names are relative to the folder that all meshes of a call have in common: in another call it can be another."""
+    """Raise a `ConfigError` if an earlier batch used the same file for another mesh.
+
+    Names are relative to the folder that all meshes of a call have in common, which can differ between calls.
+    """
     try:
         owner = json.loads(Path(job.row).read_text())["path"]
     except (OSError, ValueError, KeyError):
         return
     if owner != job.source and os.path.exists(owner):
         raise ConfigError(
-            f"{job.target!r} is the place of {owner!r} already, by an earlier batch, and cannot be that of "
+            f"{job.target!r} is the curve of {owner!r}, by an earlier batch, and would be that of "
             f"{job.source!r}, too: expected another folder for the curves, or both meshes in one batch"
         )
 
 
 def _known(job: Job) -> dict[str, Any] | None:
-    """The row of a mesh that was done with these settings, and whose curve is there if it has one."""
+    """The row of a mesh that was done with these settings, if its curve exists or it has an error; else None."""
     try:
         row = json.loads(Path(job.row).read_text())
     except (OSError, ValueError):
@@ -206,7 +213,7 @@ def _known(job: Job) -> dict[str, Any] | None:
 
 
 def work(job: Job) -> dict[str, Any]:
-    """Skeletonise one mesh, in whatever process; every error but a lack of room for the result ends in the row."""
+    """Skeletonise one mesh, in any process. All errors go into the row, except a full disk, which is raised."""
     jax.config.update("jax_enable_x64", job.is_double)
     if getattr(jax.config, "jax_compilation_cache_dir", None) is None:
         cache_compilations(job.cache)
@@ -227,7 +234,7 @@ def work(job: Job) -> dict[str, Any]:
         row["output"] = job.target
     except (MeshError, FlowError, ConfigError) as error:
         row["error"] = str(error)
-    except Exception as error:  # a defect of this program must not end the batch, either
+    except Exception as error:  # a bug in this program must not end the batch, either
         if isinstance(error, OSError) and error.errno in (errno.ENOSPC, errno.EDQUOT):
             raise
         row["error"] = f"{type(error).__name__}: {error}"
@@ -245,15 +252,15 @@ Results = Callable[[list[Job]], Iterator[dict[str, Any]]]
 
 @contextmanager
 def _in_processes(num: int) -> Iterator[Results]:
-    """Rows, as they come, from ``num`` processes of this machine."""
+    """Rows, in the order of completion, from ``num`` processes on this machine."""
 
     def pool(num: int) -> concurrent.futures.ProcessPoolExecutor:
-        context = multiprocessing.get_context("spawn")  # a fork of a process in which JAX runs threads can hang
+        context = multiprocessing.get_context("spawn")  # a forked process would lack JAX's threads, and could hang
         return concurrent.futures.ProcessPoolExecutor(num, context, _start_worker, (os.getpid(),))
 
     def results(jobs: list[Job]) -> Iterator[dict[str, Any]]:
         suspects = []
-        # A pool for each share: the executor's own max_tasks_per_child can hang (CPython issue 115634).
+        # Each share has its own pool, because the executor's max_tasks_per_child can hang (CPython issue 115634).
         for first in range(0, len(jobs), TASKS * num):
             share = jobs[first : first + TASKS * num]
             with _closing(pool(min(num, len(share)))) as workers:
@@ -261,7 +268,7 @@ def _in_processes(num: int) -> Iterator[Results]:
                 for future in concurrent.futures.as_completed(futures):
                     try:
                         yield future.result()
-                    except BrokenProcessPool:  # one worker died, and took all with it
+                    except BrokenProcessPool:  # one worker died, which ends all workers of the pool
                         suspects.append(futures[future])
         for job in suspects:
             if (row := _known(job)) is None:
@@ -279,7 +286,7 @@ def _in_processes(num: int) -> Iterator[Results]:
 def _closing(
     pool: concurrent.futures.ProcessPoolExecutor,
 ) -> Iterator[concurrent.futures.ProcessPoolExecutor]:
-    """A pool whose waiting jobs are dropped when something goes wrong; those that run come to their end."""
+    """A pool that drops its waiting jobs after an error; running jobs are completed."""
     try:
         yield pool
     finally:
@@ -287,7 +294,7 @@ def _closing(
 
 
 def _start_worker(parent: int) -> None:
-    """Ctrl-C goes to all processes of a terminal, and the first decides; a worker ends when ``parent`` was killed."""
+    """Ignore Ctrl-C, which the terminal sends to all processes; ``parent`` handles it. End when ``parent`` ends."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
 
     def watch() -> None:
@@ -300,7 +307,7 @@ def _start_worker(parent: int) -> None:
 
 @contextmanager
 def _on_cluster(scheduler: str) -> Iterator[Results]:
-    """Rows, as they come, from the workers of a Dask cluster."""
+    """Rows, in the order of completion, from the workers of a Dask cluster."""
     try:
         import distributed
     except ImportError as error:
@@ -326,7 +333,7 @@ def _on_cluster(scheduler: str) -> Iterator[Results]:
 
 
 def _table(rows: tuple[dict[str, Any], ...]) -> str:
-    """Comma-separated, a line for each mesh in the order of their paths; lists joined by semicolons."""
+    """The rows as comma-separated text, sorted by path; lists are joined by semicolons."""
     ordered = sorted(rows, key=lambda row: row["path"])
     columns = list(dict.fromkeys(name for row in ordered for name in row if name not in ("key", "figures")))
     figures = list(dict.fromkeys(name for row in ordered for name in row.get("figures") or {}))

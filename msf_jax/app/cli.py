@@ -1,10 +1,10 @@
 """The command line: ``msf-jax skeletonize``, ``view``, ``batch`` and the others, also as ``python -m msf_jax``.
 
-Exit codes: 0 when all is written, 1 when some mesh of a batch failed or some frame has no curve, 2 for bad input or
-options, 130 for Ctrl-C, after which the curve as far as it went is written. A curve whose report is not clean is
-written all the same, with a warning. A file whose name was not given is never written over without ``--force``.
+Exit codes: 0 if all files are written, 1 if a mesh of a batch failed or a frame has no curve, 2 for bad input or
+options, 130 for Ctrl-C, after which the curve so far is written. A curve whose report is not sound is written with a
+warning. An existing file whose name was not given is not overwritten without ``--force``.
 
-Help and refusals come at once: a command imports what it needs when it needs it, JAX after the mesh has been accepted.
+Help and errors appear without delay: commands import modules on demand, and JAX only after the mesh was accepted.
 """
 
 import argparse
@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from msf_jax.skeleton.skeleton import Skeleton
 
 UNCHANGED = shaping.Shaping()
-LISTED = 10  # of the meshes of a batch that failed, so many are named
+LISTED = 10  # failed meshes of a batch, or doubtful frames, that are printed
 
 
 def main(argv: Sequence[str] | None = None) -> int:
@@ -50,7 +50,7 @@ def _fail(message: str, code: int) -> int:
 
 
 def _start_jax(arguments: argparse.Namespace) -> None:
-    """Import JAX, which takes as long as all the rest, with the precision that is asked for and a cache."""
+    """Import JAX, which is slow, and set the precision and the cache."""
     import jax
 
     from msf_jax.device.caching import cache_compilations
@@ -78,7 +78,7 @@ def _view(arguments: argparse.Namespace) -> int:
 def _accepted(
     arguments: argparse.Namespace, asked: shaping.Shaping = UNCHANGED
 ) -> "tuple[tuple[np.ndarray, np.ndarray], Any]":
-    """The mesh as it was read, in the units asked for, and its surface; a `MeshError` if that cannot be."""
+    """The mesh as it was read, in the requested units, and its checked surface; a `MeshError` if it is refused."""
     from msf_jax.host.mesh import checking, reading
 
     mesh = shaping.scaled(reading.read(arguments.mesh, finite=not arguments.repair), asked)
@@ -91,7 +91,7 @@ def _track(arguments: argparse.Namespace) -> int:
     from msf_jax.skeleton.formats.importing import read_curve
 
     paths = track.frames_in(arguments.folder, arguments.output)
-    export.writer_for(f"curve{arguments.format}")  # a wrong suffix is found before the run, not after it
+    export.writer_for(f"curve{arguments.format}")  # refuses a wrong suffix before the run, not after it
     if arguments.mesh.lower().endswith(".npz"):
         _start_jax(arguments)
         skeleton = read_curve(arguments.mesh)
@@ -158,7 +158,7 @@ def _batch(arguments: argparse.Namespace) -> int:
 def _skeletonize(arguments: argparse.Namespace) -> int:
     _check_is_there(arguments.mesh)
     target = _target(arguments, ".swc")
-    render = export.writer_for(target)  # a wrong suffix is found before the flow, not after it
+    render = export.writer_for(target)  # refuses a wrong suffix before the flow, not after it
     asked = shaping.asked_for(arguments)
     picture = None
     if arguments.picture is not None:
@@ -186,10 +186,10 @@ def _skeletonize(arguments: argparse.Namespace) -> int:
         )
     except Interrupted as interruption:
         skeleton = interruption.flow.skeleton
-        stopped = f"interrupted: {target} holds the curve as far as it went"
-        stopped += f"; the same command goes on from {arguments.checkpoint}" if arguments.checkpoint else ""
+        stopped = f"interrupted: {target} has the curve so far"
+        stopped += f"; the same command continues from {arguments.checkpoint}" if arguments.checkpoint else ""
     skeleton = shaping.shaped(skeleton, asked)
-    is_whole = asked.scale == 1  # then a format that holds the mesh has what its file says of it, materials and all
+    is_whole = asked.scale == 1  # then a format that contains the mesh has its file's materials, too
     files: dict[Path, str | bytes] = {target: render(skeleton, arguments.mesh if is_whole else mesh)}
     if picture:
         from msf_jax.skeleton.pictures import panels
@@ -198,40 +198,40 @@ def _skeletonize(arguments: argparse.Namespace) -> int:
     code = _finish(skeleton, files, arguments.quiet)
     if stopped:
         return _fail(stopped, 130)
-    if arguments.checkpoint:  # the curve is written: nothing is left to go on with
+    if arguments.checkpoint:  # the curve is written, so the checkpoint is no longer needed
         Path(arguments.checkpoint).unlink(missing_ok=True)
     return code
 
 
 def _check_is_there(path: str) -> None:
-    """A mesh that is missing is told before a place for what is made of it."""
+    """Report a missing mesh before a bad output path."""
     if not os.path.exists(path):
         raise MeshError(f"no file {path!r}: check the path")
 
 
 def _target(arguments: argparse.Namespace, suffix: str) -> Path:
-    """Where the result goes: to the file that was named, or beside the mesh, where nothing may be lost."""
+    """The file of the result: the given one, or one beside the mesh, which must not exist yet."""
     if arguments.output is not None:
         return _checked_target(arguments.output, arguments.mesh)
     target = _checked_target(str(Path(arguments.mesh).with_suffix(suffix)), arguments.mesh)
-    goes_on = getattr(arguments, "checkpoint", None) and Path(arguments.checkpoint).exists()  # an interrupted run's
+    goes_on = getattr(arguments, "checkpoint", None) and Path(arguments.checkpoint).exists()  # of an interrupted run
     if target.exists() and not (arguments.force or goes_on):
-        raise ConfigError(f"{str(target)!r} is there already: name another file with -o, or add --force")
+        raise ConfigError(f"{str(target)!r} exists already: name another file with -o, or add --force")
     return target
 
 
 def _checked_target(path: str, *others: str) -> Path:
-    """A file that can be written to, and is none of ``others``."""
+    """``path``, if it can be written to and is not one of ``others``."""
     target = Path(path)
     folder = target.absolute().parent
     if not path or target.is_dir():
         raise ConfigError(f"{path!r} is no file name: expected the name of a file to write")
     if not folder.is_dir():
-        raise ConfigError(f"no folder {str(folder)!r} to write {target.name!r} to: make it first")
+        raise ConfigError(f"no folder {str(folder)!r} to write {target.name!r} to: create it first")
     if not os.access(folder, os.W_OK):
         raise ConfigError(f"cannot write to {str(folder)!r}: choose another folder for {target.name!r}")
     if any(os.path.realpath(path) == os.path.realpath(other) for other in others):
-        raise ConfigError(f"{path!r} is named twice: writing it would overwrite the other; choose another name")
+        raise ConfigError(f"{path!r} is given for two files, and one would overwrite the other: choose another name")
     return target
 
 
@@ -246,7 +246,7 @@ def _demo(arguments: argparse.Namespace) -> int:
     mesh = shapes.hand()
     content, own = str(mesh.export(file_type="off")), folder / "hand.off"
     if own.exists() and own.read_bytes() != content.encode() and not arguments.force:
-        raise ConfigError(f"{str(own)!r} is another hand: name another folder with -o, or add --force")
+        raise ConfigError(f"{str(own)!r} exists with another content: name another folder with -o, or add --force")
     skeleton = skeletonize(mesh, progress=not arguments.quiet)
     files: dict[Path, str | bytes] = {
         own: content,
@@ -264,7 +264,7 @@ def _report(arguments: argparse.Namespace) -> int:
 
 
 def _finish(skeleton: "Skeleton", files: dict[Path, str | bytes], quiet: bool) -> int:
-    """Write ``files``, all of them rendered by now, and tell about it."""
+    """Write ``files``, all of them rendered before, and print the report."""
     for path, content in files.items():
         write_whole(path, content)
     _tell(skeleton, list(files), quiet)
@@ -280,7 +280,7 @@ def _tell(skeleton: "Skeleton", written: list[Path], quiet: bool) -> None:
         print(skeleton.report)
         print("wrote " + ", ".join(map(str, written)))
     if not skeleton.report.is_sound and sys.stderr is not None:
-        print("msf-jax: warning: look at this curve before you use it, its report is not clean", file=sys.stderr)
+        print("msf-jax: warning: look at this curve before you use it: its report is not sound", file=sys.stderr)
 
 
 def _parser() -> argparse.ArgumentParser:

@@ -1,4 +1,4 @@
-"""The options of every command, with their help, and what becomes of them: weights, a `Config`, a way to repair."""
+"""The options of every command, with their help, and their conversion to weights, a `Config` and a repair mode."""
 
 import argparse
 import difflib
@@ -16,22 +16,22 @@ from msf_jax.skeleton.formats import export
 
 WEIGHTS = {
     "w_L": "contraction (w_L)",
-    "w_H": "attraction to where a vertex is (w_H)",
+    "w_H": "attraction to a vertex's current position (w_H)",
     "w_M": "attraction to the Voronoi pole (w_M)",
     "smoothing": "lambda of the implicit smoothing",
 }
-REPAIRS = {"mend": True, "join": "join"}  # what `skeletonize` takes for each
+REPAIRS = {"mend": True, "join": "join"}  # the argument of `skeletonize` for each value of --repair
 MESH = "a closed triangle mesh: .off, .obj, .ply, .stl, .glb, .3mf and others, or VTK's where pyvista is installed"
 
 
 def parser_of(run: Mapping[str, Callable[[argparse.Namespace], int]]) -> argparse.ArgumentParser:
-    """All commands with their options; ``run`` holds what runs each of them, by its name."""
+    """The parser of all commands with their options. ``run`` has the function of each command, by name."""
     parser = argparse.ArgumentParser(prog="msf-jax", **teaching("PARSER"))
     parser.add_argument("--version", action="version", version=f"msf-jax {VERSION}")
     parser.set_defaults(run=lambda _: parser.print_help() or 0, parser=parser)
     commands = parser.add_subparsers(title="commands", metavar="COMMAND")
 
-    one = commands.add_parser("skeletonize", help="a mesh in, its curve skeleton out", **teaching("SKELETONIZE"))
+    one = commands.add_parser("skeletonize", help="the curve skeleton of a mesh", **teaching("SKELETONIZE"))
     _completes(one.add_argument("mesh", metavar="IN", help=MESH), shtab.FILE)
     suffixes = f"one of {', '.join(export.WRITERS)}"
     place = f"where to write the curve, {suffixes} (default: IN with .swc)"
@@ -39,12 +39,12 @@ def parser_of(run: Mapping[str, Callable[[argparse.Namespace], int]]) -> argpars
     _forcing(one)
     _completes(one.add_argument("--picture", metavar="PNG", help="draw the curve in the mesh, too"), shtab.FILE)
     _repairing(one)
-    one.add_argument("--evaluate", action="store_true", help="report off-centre, missed surface and the like, too")
+    one.add_argument("--evaluate", action="store_true", help="add scores such as off-centre to the report")
     _completes(
         one.add_argument(
             "--checkpoint",
             metavar="FILE",
-            help="keep the state there while it runs; a run that was killed goes on from it",
+            help="save the state of the run there; a run that was killed continues from it",
         ),
         shtab.FILE,
     )
@@ -66,31 +66,31 @@ def parser_of(run: Mapping[str, Callable[[argparse.Namespace], int]]) -> argpars
     _common(demo)
     demo.set_defaults(run=run["demo"])
 
-    look = commands.add_parser("view", help="a page to look around in", **teaching("VIEW"))
-    _completes(look.add_argument("mesh", metavar="IN", help=MESH), shtab.FILE)
-    place = "where to write it (default: IN with .html)"
-    _completes(look.add_argument("-o", "--output", metavar="HTML", help=place), shtab.FILE)
-    _forcing(look)
-    _repairing(look)
-    _settings(look)
-    _common(look)
-    look.set_defaults(run=run["view"])
+    viewer = commands.add_parser("view", help="an interactive page of a mesh and its curve", **teaching("VIEW"))
+    _completes(viewer.add_argument("mesh", metavar="IN", help=MESH), shtab.FILE)
+    place = "where to write the page (default: IN with .html)"
+    _completes(viewer.add_argument("-o", "--output", metavar="HTML", help=place), shtab.FILE)
+    _forcing(viewer)
+    _repairing(viewer)
+    _settings(viewer)
+    _common(viewer)
+    viewer.set_defaults(run=run["view"])
 
-    many = commands.add_parser("batch", help="a folder of meshes in, a folder of curves out", **teaching("BATCH"))
+    many = commands.add_parser("batch", help="the curves of all meshes in a folder", **teaching("BATCH"))
     _completes(many.add_argument("folder", metavar="IN_DIR", help="where the meshes are"), shtab.DIRECTORY)
     _completes(many.add_argument("output", metavar="OUT_DIR", help="where curves and manifest.csv go"), shtab.DIRECTORY)
     many.add_argument("--jobs", type=int, metavar="N", help="processes (default: one for each core)")
     many.add_argument("--format", default=".swc", metavar="SUFFIX", help=f"one of {', '.join(export.WRITERS)}")
     many.add_argument("--scheduler", metavar="ADDRESS", help="of a Dask scheduler, such as tcp://host:8786")
     _repairing(many)
-    many.add_argument("--retry", action="store_true", help="take those again that failed")
-    many.add_argument("--evaluate", action="store_true", help="figures such as off-centre in the table, too")
+    many.add_argument("--retry", action="store_true", help="try failed meshes again")
+    many.add_argument("--evaluate", action="store_true", help="add scores such as off-centre to the table")
     shaping.add_options(many)
     _settings(many)
     _common(many)
     many.set_defaults(run=run["batch"])
 
-    series = commands.add_parser("track", help="one curve through meshes of the same faces", **teaching("TRACK"))
+    series = commands.add_parser("track", help="one curve through meshes with the same faces", **teaching("TRACK"))
     _completes(series.add_argument("mesh", metavar="FIRST", help=f"{MESH}, or its curve as .npz"), shtab.FILE)
     _completes(series.add_argument("folder", metavar="FRAMES", help="where the meshes are"), shtab.DIRECTORY)
     place = "where curves and frames.csv go"
@@ -101,13 +101,13 @@ def parser_of(run: Mapping[str, Callable[[argparse.Namespace], int]]) -> argpars
     _common(series)
     series.set_defaults(run=run["track"])
 
-    again = commands.add_parser("report", help="print a curve's report again", **teaching("REPORT"))
-    place = f"a curve that was written before: {export.HOLD_REPORT}"
+    again = commands.add_parser("report", help="print the report of a saved curve", **teaching("REPORT"))
+    place = f"a saved curve: {export.HOLD_REPORT}"
     _completes(again.add_argument("curve", metavar="CURVE", help=place), shtab.FILE)
     again.set_defaults(run=run["report"])
 
-    shell = commands.add_parser("completion", help="let a shell complete commands", **teaching("COMPLETION"))
-    shell.add_argument("shell", choices=shtab.SUPPORTED_SHELLS, help="which")
+    shell = commands.add_parser("completion", help="completion of commands in a shell", **teaching("COMPLETION"))
+    shell.add_argument("shell", choices=shtab.SUPPORTED_SHELLS, help="the kind of shell")
     shell.set_defaults(run=lambda arguments: print(shtab.complete(parser, arguments.shell)) or 0)
     for command in commands.choices.values():
         command.set_defaults(parser=command)
@@ -115,7 +115,7 @@ def parser_of(run: Mapping[str, Callable[[argparse.Namespace], int]]) -> argpars
 
 
 def parsed(parser: argparse.ArgumentParser, words: list[str]) -> argparse.Namespace:
-    """What ``words`` say; for an option that there is not, the usage of their own command and the nearest option."""
+    """The parsed ``words``. For an unknown option it prints the command's usage and the most similar option."""
     arguments, unknown = parser.parse_known_args(with_whole_options(words))
     if unknown:
         near = difflib.get_close_matches(unknown[0].partition("=")[0], arguments.parser._option_string_actions, 1)
@@ -125,7 +125,7 @@ def parsed(parser: argparse.ArgumentParser, words: list[str]) -> argparse.Namesp
 
 
 def with_whole_options(words: list[str]) -> list[str]:
-    """``--repair`` with its value, which argparse would take from whatever follows, a mesh's name for one."""
+    """``words`` with a value for each bare ``--repair``; argparse would use the next word, such as a mesh's name."""
     whole = []
     for word, after in zip(words, [*words, ""][1:], strict=True):
         whole.append(f"{word}=mend" if word == "--repair" and after not in REPAIRS else word)
@@ -133,13 +133,13 @@ def with_whole_options(words: list[str]) -> list[str]:
 
 
 def _completes(option: Any, kind: object) -> None:
-    """The shell offers files or folders for an option: shtab reads an attribute of it that argparse does not know."""
+    """Let the shell complete files or folders for an option, by an attribute that shtab reads."""
     option.complete = kind
 
 
 def _forcing(parser: argparse.ArgumentParser) -> None:
-    """What writes files whose names were not given asks before it loses one."""
-    parser.add_argument("--force", action="store_true", help="write over a file whose name was not given, too")
+    """The option of commands that write files whose names were not given."""
+    parser.add_argument("--force", action="store_true", help="overwrite existing files whose name was not given")
 
 
 def _repairing(parser: argparse.ArgumentParser) -> None:
@@ -150,13 +150,13 @@ def _repairing(parser: argparse.ArgumentParser) -> None:
         metavar="join",
         nargs="?",
         const="mend",
-        help="mend a mesh that is no closed manifold, and say how; with join, parts that overlap or nearly touch are "
-        "made one solid, too",
+        help="repair a mesh that is no closed manifold, and report the changes; with join, also make one solid of "
+        "parts that overlap or nearly touch",
     )
 
 
 def repair_of(arguments: argparse.Namespace) -> bool | str:
-    """What `skeletonize` is to take as ``repair``."""
+    """The argument ``repair`` of `skeletonize`."""
     return REPAIRS.get(arguments.repair, False)
 
 
@@ -168,14 +168,14 @@ def _settings(parser: argparse.ArgumentParser) -> None:
         "--prune",
         type=float,
         metavar="X",
-        help="take away branches of less slenderness: 1 for a limb that sticks out by its radius, 4 to 8 for a finger; "
-        f"0: none (default: {defaults.prune})",
+        help="remove branches of lower slenderness: 1 for a limb that sticks out by its radius, 4 to 8 for a finger; "
+        f"0 removes none (default: {defaults.prune})",
     )
     curve.add_argument(
         "--coarsen",
         type=float,
         metavar="X",
-        help=f"collapse edges shorter than that before the flow; 0: none (default: {defaults.coarsen})",
+        help=f"collapse edges shorter than this before the flow; 0 collapses none (default: {defaults.coarsen})",
     )
     flow = parser.add_argument_group("the flow", "Of the weights, only the ratios of the first three matter.")
     flow.add_argument("--system", default="msf", metavar="NAME", help=f"one of {', '.join(SYSTEMS)} (default: msf)")
@@ -183,15 +183,18 @@ def _settings(parser: argparse.ArgumentParser) -> None:
         default = getattr(Weights(), name)
         option = f"--{name.replace('_', '-')}"
         flow.add_argument(option, dest=name, type=float, metavar="X", help=f"{meaning} (default of msf: {default})")
-    file = "weights that Tuned.save or save_weights wrote; the options above change single ones"
+    file = "a file of weights from Tuned.save or save_weights; the options above replace single weights"
     _completes(flow.add_argument("--weights", metavar="FILE", help=file), shtab.FILE)
     flow.add_argument(
-        "--max-iterations", type=int, metavar="N", help=f"give up after so many (default: {defaults.max_iterations})"
+        "--max-iterations",
+        type=int,
+        metavar="N",
+        help=f"largest number of iterations (default: {defaults.max_iterations})",
     )
 
 
 def configured(arguments: argparse.Namespace, **others: Any) -> tuple[Weights, Config]:
-    """What the options of `_settings` say, the rest as the system has it."""
+    """Weights and `Config` from the options of `_settings`; others have the system's values."""
     changes = {name: getattr(arguments, name) for name in ("max_iterations", "coarsen", "prune")}
     changes = {name: value for name, value in changes.items() if value is not None}
     config = Config.named(arguments.system, **others, **changes)

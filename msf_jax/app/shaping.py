@@ -1,4 +1,4 @@
-"""Options for what becomes of a curve before it is written: units, pieces, loops, a root, nodes, radii."""
+"""Options that change a curve before it is written: units, pieces, loops, a root, nodes, radii."""
 
 import argparse
 import math
@@ -13,8 +13,8 @@ if TYPE_CHECKING:
 
 
 class Shaping(NamedTuple):
-    """What is asked for; plain values, to be sent to another process. root: a place, "soma" or "thickest"; None for no
-    tree."""
+    """The values of these options, which can be sent to another process. root: a point, "soma" or "thickest", or None
+    for no tree."""
 
     scale: float = 1.0
     units: str = ""
@@ -27,29 +27,29 @@ class Shaping(NamedTuple):
 
 def add_options(parser: argparse.ArgumentParser) -> None:
     """The options that `asked_for` reads."""
-    after = parser.add_argument_group("what is written", "Lengths are those of the file that is written.")
+    after = parser.add_argument_group("what is written", "Lengths are in the units of the written file.")
     after.add_argument("--scale", type=float, metavar="X", help="multiply the mesh's coordinates, to change the unit")
-    after.add_argument("--units", metavar="NAME", help="of what is written, to be noted in .swc, .npz and .json")
-    after.add_argument("--resample", type=float, metavar="X", help="nodes about every so much along the branches")
+    after.add_argument("--units", metavar="NAME", help="name of the unit of length, for .swc, .npz and .json files")
+    after.add_argument("--resample", type=float, metavar="X", help="distance between nodes along the branches")
     after.add_argument(
-        "--simplify", type=float, metavar="X", help="fewer nodes, so that no way moves by more than so much"
+        "--simplify", type=float, metavar="X", help="fewer nodes, such that the curve moves by at most this length"
     )
-    after.add_argument("--heal", type=float, metavar="X", help="join pieces of the curve over gaps of up to so much")
+    after.add_argument("--heal", type=float, metavar="X", help="join pieces of the curve over gaps up to this length")
     after.add_argument("--tree", action="store_true", help="cut loops where they are thinnest")
     after.add_argument(
         "--root",
         metavar="R",
-        help="of the tree: x,y,z for the node nearest to there (--root=-1,2,3), soma, or thickest; implies --tree",
+        help="of the tree: the node nearest to x,y,z (--root=-1,2,3), soma, or thickest; implies --tree",
     )
     after.add_argument(
         "--radius",
         choices=["ball", "section"],
-        help="what radii are of: the largest ball inside (default), or a disc with the area of the cross-section",
+        help="kind of radii: of the largest ball inside (default), or of a disc with the cross-section's area",
     )
 
 
 def asked_for(arguments: argparse.Namespace) -> Shaping:
-    """What the options of `add_options` say; a `ConfigError` for a length or a root that is none."""
+    """The values of the options of `add_options`; a `ConfigError` for an invalid length or root."""
     for name in ("scale", "resample", "simplify", "heal"):
         value = getattr(arguments, name)
         if value is not None and not 0 < value < math.inf:
@@ -78,7 +78,7 @@ def scaled(mesh: "tuple[np.ndarray, np.ndarray]", asked: Shaping) -> "tuple[np.n
 
 
 def shaped(skeleton: "Skeleton", asked: Shaping) -> "Skeleton":
-    """The curve as it is to be written."""
+    """The curve after the changes ``asked``."""
     from dataclasses import replace
 
     import numpy as np

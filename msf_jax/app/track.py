@@ -1,4 +1,4 @@
-"""``msf-jax track``: the meshes of a folder in, a curve for each out, and a table that says how far to trust them."""
+"""``msf-jax track``: a curve for each mesh of a folder, and a table of their checks."""
 
 import csv
 import io
@@ -13,14 +13,14 @@ from msf_jax.host.mesh import reading
 from msf_jax.skeleton.formats import export
 from msf_jax.skeleton.skeleton import Skeleton
 
-TABLE = "frames.csv"
+TABLE = "frames.csv"  # file of the table, in the folder of the results
 
 
 def frames_in(folder: str, output: str) -> list[Path]:
     """The meshes in ``folder``, frame2 before frame10.
 
     Raises:
-        ConfigError: there is none, or ``output`` is that folder.
+        ConfigError: the folder has no mesh, or ``output`` is that folder.
     """
     if not Path(folder).is_dir():
         raise ConfigError(f"no folder {folder!r}: expected one with meshes")
@@ -33,12 +33,12 @@ def frames_in(folder: str, output: str) -> list[Path]:
     stems = [path.stem for path in paths]
     twice = sorted({stem for stem in stems if stems.count(stem) > 1})
     if twice:
-        raise ConfigError(f"two meshes in {folder!r} are called {twice[0]!r}: expected one for each frame")
+        raise ConfigError(f"two meshes in {folder!r} have the name {twice[0]!r}: expected one for each frame")
     return sorted(paths, key=lambda path: [int(part) if part.isdigit() else part for part in _parts(path.stem)])
 
 
 def _parts(name: str) -> list[str]:
-    """Text and numbers by turns."""
+    """``name`` split into text and numbers, alternating."""
     return re.split(r"(\d+)", name)
 
 
@@ -48,10 +48,10 @@ def run(
     """Follow ``skeleton`` through the meshes at ``paths``, and write a curve with ``suffix`` for each to ``output``.
 
     Returns:
-        The table, what is to be said of frames without a curve, and of those that want a fresh run.
+        The table's path, lines about frames without a curve, and lines about frames that need a fresh run.
 
     Raises:
-        MeshError: a frame cannot be read, or is no such mesh: which. The frames before it have their curves and rows.
+        MeshError: a frame cannot be read, or has other faces. The frames before it have their curves and rows.
     """
     folder = Path(output)
     folder.mkdir(parents=True, exist_ok=True)
@@ -77,6 +77,6 @@ def run(
             curve = "" if len(frame.vanished) else target.name
             faults = [f"{frame.faults.get(name, 0):.6g}" for name in FAULTS]
             table.writerow([number, path.name, curve, f"{frame.inside:.6g}", *faults, int(frame.wants_run)])
-    finally:  # what was done before a bad frame, or an interruption, is worth its table, too
+    finally:  # after a bad frame or an interruption, the table has the frames before it
         write_whole(folder / TABLE, text.getvalue())
     return folder / TABLE, lacking, doubtful

@@ -1,8 +1,8 @@
-"""One ``.npz`` file of arrays and a header, written whole or not at all, and read without trusting it.
+"""One ``.npz`` file of arrays and a header, written atomically, and read without trusting it.
 
-Nothing in it is code: NumPy reads plain numbers only, the header is JSON. Sizes are checked before memory is taken, and
-a digest of all that is in it tells whether the file is as it was written. That is no signature: whoever can write files
-can write digests, so what reads an archive checks what its numbers mean, too.
+It contains no code: NumPy reads plain numbers only, and the header is JSON. Sizes are checked before memory is
+allocated. A digest of the content shows damage. It is no signature, because whoever can change the file can change the
+digest; so the readers of an archive also check its values.
 """
 
 import errno
@@ -21,9 +21,10 @@ from msf_jax.base.errors import ConfigError
 from msf_jax.base.writing import write_whole
 
 HEADER = "header"  # name of the entry with everything that is not an array
-DIGEST = "digest"  # and of that with the digest of all others
-LONGEST_HEADER = 64_000_000  # bytes
-LARGEST_RATIO, SMALL = 100, 10_000_000  # arrays may take so many times the file's bytes; and so many bytes in any case
+DIGEST = "digest"  # name of the entry with the digest of all other entries
+LONGEST_HEADER = 64_000_000  # bytes: a longer header is refused
+LARGEST_RATIO = 100  # unpacked bytes over bytes of the file: larger files are refused as bombs,
+SMALL = 10_000_000  # bytes: unless they unpack to less than this
 
 
 def write(
@@ -35,7 +36,7 @@ def write(
     *,
     compress: bool,
 ) -> None:
-    """Write ``arrays`` and ``header`` as a ``kind`` of file to ``path``; what was there before is replaced at once.
+    """Write ``arrays`` and ``header`` as a file of that ``kind`` to ``path``, atomically.
 
     Raises:
         OSError: the file cannot be written; what was there before is untouched.
@@ -46,7 +47,7 @@ def write(
 def packed(
     kind: str, version: int, header: Mapping[str, Any], arrays: Mapping[str, np.ndarray], *, compress: bool
 ) -> bytes:
-    """What `write` writes."""
+    """The bytes that `write` writes."""
     text = json.dumps({"format": f"msf_jax {kind}", "version": version, **header})
     named: dict[str, Any] = {HEADER: np.array(text), **arrays}
     buffer = io.BytesIO()
@@ -69,20 +70,20 @@ def _digest(arrays: Mapping[str, np.ndarray]) -> np.ndarray:
 def reading(
     path: str | os.PathLike[str], kind: str, version: int, advice: str, *, without_digest: int | None = None
 ) -> Iterator[tuple[Any, Any]]:
-    """The header, and a dictionary of the arrays, of a file that `write` made; what fails inside is its damage, too.
+    """The header and a dictionary of the arrays of a file that `write` made. Errors in this context count as damage.
 
-    Files of version ``without_digest`` are read as well: they have none.
+    Files of version ``without_digest`` are read as well, although they have no digest.
 
     Raises:
-        ConfigError: the file is no ``kind``, is damaged, or was written by another version: with ``advice``.
-        OSError: it cannot be read.
+        ConfigError: the file is no ``kind``, is damaged, or was written by another version. It ends with ``advice``.
+        OSError: the file cannot be read.
     """
     name = f"{str(path)!r}"
-    if os.path.exists(path) and not os.path.isfile(path):  # a pipe would be waited for
+    if os.path.exists(path) and not os.path.isfile(path):  # opening a pipe would block
         raise ConfigError(f"{name} is no file, and no {kind}: {advice}")
     with open(path, "rb") as stream:
         if not zipfile.is_zipfile(stream):
-            raise ConfigError(f"{name} is no {kind}, or one cut short: {advice}")
+            raise ConfigError(f"{name} is no {kind}, or a truncated one: {advice}")
         stream.seek(0)
         try:
             _check_sizes(stream)
@@ -97,18 +98,18 @@ def reading(
                 arrays = {entry: file[entry] for entry in file.files}
             digest = arrays.pop(DIGEST, None)
             if header["version"] == version and not np.array_equal(digest, _digest(arrays)):
-                raise ValueError("it is not as it was written: its digest is another")
+                raise ValueError("the file was changed: its digest does not fit its content")
             yield header, {entry: array for entry, array in arrays.items() if entry != HEADER}
         except ConfigError:
             raise
-        except Exception as error:  # zip, zlib, json and NumPy raise whatever a damaged file provokes
-            if isinstance(error, OSError) and error.errno != errno.EINVAL:  # that is a place before the file begins
+        except Exception as error:  # for a damaged file, zip, zlib, json and NumPy raise exceptions of many types
+            if isinstance(error, OSError) and error.errno != errno.EINVAL:  # EINVAL: a negative offset in the file
                 raise
             raise ConfigError(f"{name} is no {kind}, or a damaged one ({type(error).__name__}: {error})") from error
 
 
 def _check_sizes(stream: Any) -> None:
-    """Raise a ValueError if what the entries say of their sizes cannot be, or is more than the file may ask for."""
+    """Raise a ValueError if the sizes of the entries are inconsistent, or too large for the file."""
     size = stream.seek(0, os.SEEK_END)
     with zipfile.ZipFile(stream) as archive:
         entries = archive.infolist()
@@ -123,15 +124,15 @@ def _check_sizes(stream: Any) -> None:
                 needed = int(np.prod([int(count) for count in shape], dtype=object)) * dtype.itemsize
                 most = LONGEST_HEADER if entry.filename == f"{HEADER}.npy" else entry.file_size
                 if not 0 <= needed <= min(most, entry.file_size):
-                    raise ValueError(f"entry {entry.filename!r} says it holds {needed} bytes")
+                    raise ValueError(f"entry {entry.filename!r} claims {needed} bytes")
     stream.seek(0)
 
 
 def encoded(value: Any, arrays: MutableMapping[str, Any], records: Mapping[str, type], name: str = "") -> Any:
-    """``value`` as JSON can hold it, with the arrays in it put into ``arrays``, under the way to them.
+    """``value`` in JSON's types. Arrays in it are put into ``arrays``, named by their path in ``value``.
 
-    ``records`` are the named tuples and dataclasses that may be in it, by their names; else there are plain values,
-    lists, tuples and dictionaries.
+    ``value`` consists of plain values, lists, tuples, dictionaries, and the named tuples and dataclasses in
+    ``records``, by their names.
     """
 
     def each(members: Mapping[str, Any]) -> dict[str, Any]:
@@ -153,7 +154,7 @@ def encoded(value: Any, arrays: MutableMapping[str, Any], records: Mapping[str, 
 
 
 def decoded(value: Any, arrays: Mapping[str, np.ndarray], records: Mapping[str, type]) -> Any:
-    """What `encoded` was given; raises a KeyError or a TypeError for what it never made."""
+    """The inverse of `encoded`; raises a KeyError or a TypeError for input that `encoded` never returns."""
     if not isinstance(value, dict):
         return value
     if "array" in value:

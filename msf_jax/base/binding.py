@@ -1,33 +1,34 @@
-"""`Binding`: how a finished curve hangs on the vertices of its mesh. The host writes it, the device reads it.
+"""`Binding`: the finished curve as a function of the vertices of its mesh. The host makes it, the device evaluates it.
 
-With c_j(V) the centroids of the cross-sections that were recorded,
+With c_j(V) the centroids of the recorded cross-sections, node i is
 
     x_i(V) = sum_j a_ij c_j(V) + sum_v b_iv V_v + r_i,
 
-where a smooths along the branches, and b turns, stretches and shears with the limb what node i was off sum_j a_ij c_j.
+where a smooths along the branches. At the recorded vertices node i differs from sum_j a_ij c_j by a vector; the entries
+of b turn, stretch and shear this vector with the limb.
 
-A binding is a pytree of arrays, and no number of its mesh is static: arrays are padded to one of few capacities, so
-that bindings of one capacity share a compiled program. What pads belongs to the last node and the last section, which
-no curve ever uses, and names vertices that the curve uses: it adds nothing to a value, and no gradient comes from it.
+A binding is a pytree of arrays without static fields. Arrays are padded to one of few capacities, so that bindings of
+one capacity share a compiled program. Padding is assigned to the last node and the last section, which no curve uses,
+and refers to vertices that the curve uses: it changes no value and no gradient.
 """
 
 from typing import Any, NamedTuple
 
 import numpy as np
 
-FACES_TOGETHER = 32  # faces come in runs of so many that are near each other; so do runs of 64, 128, ...
-# The smallest capacity, in numbers of what is counted. One ladder is for the mesh, by twos, and one for the curve, by
-# fours: a finer mesh has no more nodes, and each pair of rungs is a program. Corners and entries of b go with the
-# nodes, and with the square root of the vertices.
+FACES_TOGETHER = 32  # faces: each group of this many consecutive faces is near each other, and so are groups of 64, ...
+# The smallest capacity of each field of `Sizes`. Capacities of the mesh grow by factors of two, those of the curve by
+# factors of four, independently, because a finer mesh has no more nodes. Each pair of capacities is a compiled program.
 SMALLEST = {"vertices": 1024, "faces": 2560, "nodes": 320, "edges": 320, "sections": 320, "smoothing": 8192}
 SMALLEST |= {"corners": 6144, "turning": 71680}
-MESH, BOTH = ("vertices", "faces"), ("corners", "turning")
-STEP = 64  # capacities are multiples of it
+MESH = ("vertices", "faces")  # fields that grow with the mesh
+BOTH = ("corners", "turning")  # fields that grow with the nodes, and with the square root of the vertices
+STEP = 64  # rows: all capacities are multiples of it
 
 
 class Sizes(NamedTuple):
-    """How many there are: vertices of the caller's mesh, faces of the surface, nodes and edges of the curve, sections,
-    corners of sections, entries of a and of b."""
+    """Numbers of vertices of the caller's mesh, faces of the surface, nodes and edges of the curve, cross-sections,
+    corners of cross-sections, entries of a (``smoothing``) and of b (``turning``)."""
 
     vertices: Any
     faces: Any
@@ -40,20 +41,20 @@ class Sizes(NamedTuple):
 
 
 class Binding(NamedTuple):
-    """Arrays, for N nodes, E edges, S sections, C corners of sections, F faces and V vertices of the caller's mesh;
-    lengths in ``unit``. Of a batch, every array has one more axis, the first.
+    """Arrays for N nodes, E edges, S sections, C corners of sections, F faces and V vertices of the caller's mesh.
+    Lengths are in ``unit``. In a batch, every array has one more axis, the first.
 
-    live: how many of each are not padding. tail, head: (C,) the vertices that each corner is between. part: (C,) how
-    far from tail to head, as a fraction. onward: (C,) the corner that comes next in its section. section: (C,)
-    ascending. share: (C,) one over the number of corners in that section. is_loop: (S,) False for a cloud of points:
-    its centroid is their mean. area: (S,) of each section. node: (S,) whose it is. a_row, a_column, a_value: entries of
-    a, (N, S), in the order of rows; b_row, b_column, b_value: those of b, (N, V). rest: (N, 3) r. faces: (F, 3)
-    vertices of the surface's triangles, those that are near each other together. twin: (F, 3) for the edge from corner
-    k of face f to the next, number 3 f + k, the number of the same edge in the face on its other side. side: (N,) -1
-    for a node whose nearest wall faces it the wrong way, since the surface runs through itself; else 1. edges: (E, 2)
-    of the curve. branch: (E,) the branch that each edge belongs to: which of those of `Skeleton.branches` that have an
-    edge. centre: (3,), diagonal: () of the surface in the caller's units. unit: () a power of two that is near the
-    diagonal: to multiply by it is exact, so that compilers cannot round that in different ways.
+    live: the numbers without padding. tail, head: (C,) the vertices of the mesh edge that each corner lies on. part:
+    (C,) the corner's place on it, as a fraction from tail to head. onward: (C,) the next corner of the section.
+    section: (C,) the section of each corner, ascending. share: (C,) one over the number of corners in the section.
+    is_loop: (S,) False for a cloud of points, whose centroid is their mean. area: (S,) of each section. node: (S,) the
+    node of each section. a_row, a_column, a_value: entries of a, (N, S), sorted by rows. b_row, b_column, b_value:
+    entries of b, (N, V). rest: (N, 3) r. faces: (F, 3) triangles of the surface, neighbours close to each other. twin:
+    (F, 3): edge 3 f + k leads from corner k of face f to the next corner; its twin is the same edge of the face on the
+    other side. side: (N,) -1 for a node whose nearest wall faces away from it, where the surface crosses itself; else
+    1. edges: (E, 2) of the curve. branch: (E,) the branch of each edge, counted among those of `Skeleton.branches` that
+    have an edge. centre: (3,), diagonal: () of the surface in the caller's units. unit: () a power of two near the
+    diagonal; scaling by it is exact, so that all compilers round alike.
     """
 
     live: Sizes
@@ -85,11 +86,11 @@ class Binding(NamedTuple):
     def __repr__(self) -> str:
         shape = np.shape(self.diagonal)
         batch = f"{shape[0]} curves, " if shape else ""
-        return f"Binding({batch}room for {self.capacity.nodes} nodes and {self.capacity.vertices} vertices)"
+        return f"Binding({batch}capacity of {self.capacity.nodes} nodes and {self.capacity.vertices} vertices)"
 
     @property
     def capacity(self) -> Sizes:
-        """How many of each there is room for. Of vertices, it is what the level of the others has."""
+        """The capacities of the arrays. That of vertices follows from the capacity of faces."""
         nodes, faces = np.shape(self.rest)[-2], np.shape(self.faces)[-2]
         counts = {"nodes": nodes, "faces": faces, "edges": np.shape(self.edges)[-2], "corners": np.shape(self.tail)[-1]}
         counts |= {"sections": np.shape(self.node)[-1], "smoothing": np.shape(self.a_row)[-1]}
@@ -98,22 +99,22 @@ class Binding(NamedTuple):
 
     @property
     def node_mask(self) -> Any:
-        """(N,) bool, which rows are nodes."""
+        """(N,) bool: rows that are nodes, not padding."""
         return _mask(self.live.nodes, np.shape(self.rest)[-2])
 
     @property
     def edge_mask(self) -> Any:
-        """(E,) bool, which rows are edges."""
+        """(E,) bool: rows that are edges, not padding."""
         return _mask(self.live.edges, np.shape(self.edges)[-2])
 
     @property
     def vertex_mask(self) -> Any:
-        """(V,) bool, which rows are vertices."""
+        """(V,) bool: rows that are vertices, not padding."""
         return _mask(self.live.vertices, self.capacity.vertices)
 
     @property
     def num_vertices(self) -> int:
-        """Rows of vertices that there is room for."""
+        """The capacity of vertices."""
         return self.capacity.vertices
 
 
@@ -123,25 +124,24 @@ def _mask(count: Any, num: int) -> Any:
 
 
 def capacity_for(*sizes: Sizes) -> Sizes:
-    """The smallest capacity with room for each of ``sizes``, and for the node and the section that padding belongs
-    to."""
+    """The smallest capacity for all of ``sizes``, and for the extra node and section that padding is assigned to."""
     needed = {name: max(getattr(each, name) + (name in ("nodes", "sections")) for each in sizes) for name in SMALLEST}
     mesh = curve = 0
-    while any(_room(name, mesh, 0) < needed[name] for name in MESH):
+    while any(_capacity(name, mesh, 0) < needed[name] for name in MESH):
         mesh += 1
-    while any(_room(name, mesh, curve) < need for name, need in needed.items()):
+    while any(_capacity(name, mesh, curve) < need for name, need in needed.items()):
         curve += 1
-    return Sizes(**{name: _room(name, mesh, curve) for name in SMALLEST})
+    return Sizes(**{name: _capacity(name, mesh, curve) for name in SMALLEST})
 
 
-def _room(name: str, mesh: int, curve: int) -> int:
-    """Of that name, on those rungs of the two ladders."""
+def _capacity(name: str, mesh: int, curve: int) -> int:
+    """The capacity of field ``name``, after ``mesh`` steps of the mesh's capacities and ``curve`` of the curve's."""
     rung = mesh if name in MESH else 2 * curve + mesh / 2 if name in BOTH else 2 * curve
     return -(-int(SMALLEST[name] * 2**rung) // STEP) * STEP
 
 
 def padded(binding: Binding, capacity: Sizes) -> Binding:
-    """``binding`` of NumPy arrays without padding, with room for ``capacity``; whole numbers as int32."""
+    """``binding``, of NumPy arrays without padding, padded to ``capacity``; integers become int32."""
     last_node, last_section, vertex = capacity.nodes - 1, capacity.sections - 1, binding.faces[0, 0]
 
     def filled(values: Any, count: int, value: Any) -> np.ndarray:
@@ -153,7 +153,7 @@ def padded(binding: Binding, capacity: Sizes) -> Binding:
 
     own = np.arange(capacity.corners)
     own[: len(binding.onward)] = binding.onward
-    faces = np.minimum(np.arange(capacity.faces), len(binding.faces) - 1)  # a last one that is repeated changes no run
+    faces = np.minimum(np.arange(capacity.faces), len(binding.faces) - 1)  # padding repeats the last face
     return Binding(
         live=Sizes(*(np.asarray(count, dtype=np.int32) for count in binding.live)),
         tail=filled(binding.tail, capacity.corners, vertex),
@@ -184,7 +184,7 @@ def padded(binding: Binding, capacity: Sizes) -> Binding:
 
 
 def unpadded(binding: Binding) -> Binding:
-    """The live part of ``binding``, which is no batch, as NumPy arrays."""
+    """``binding`` without padding, as NumPy arrays; it must not be a batch."""
     live = Sizes(*(int(count) for count in binding.live))
     count = dict.fromkeys(("tail", "head", "part", "onward", "section", "share"), live.corners)
     count |= dict.fromkeys(("is_loop", "area", "node"), live.sections)

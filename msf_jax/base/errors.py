@@ -1,10 +1,10 @@
-"""The ways in which a call can fail, each for one cause."""
+"""The exceptions of this package, one for each kind of cause."""
 
 from typing import Any
 
 
 class MeshError(ValueError):
-    """The mesh cannot be skeletonised: says what was found, what was expected and what to do."""
+    """The mesh cannot be skeletonised. The message says what was found, what was expected and what to do."""
 
 
 class ConfigError(ValueError):
@@ -12,14 +12,14 @@ class ConfigError(ValueError):
 
 
 class FlowError(RuntimeError):
-    """The flow broke down on a sound mesh with valid options."""
+    """The flow failed on a sound mesh with valid options."""
 
 
 class Interrupted(KeyboardInterrupt):
     """Ctrl-C in the middle of a run.
 
     Attributes:
-        flow: the `Flow` as far as it went, its curve read off the surface as it was; its report says so.
+        flow: the unfinished `Flow`. Its curve is that of the surface so far; its report says that it was interrupted.
     """
 
     def __init__(self, message: str, flow: Any) -> None:

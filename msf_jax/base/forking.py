@@ -1,25 +1,25 @@
-"""A process that was forked after a run: it has no threads of JAX, and what waits for them never ends.
+"""Refusal of processes that were forked after a run: they lack the threads of JAX, and would wait for them for ever.
 
-So it is refused. On Linux, `multiprocessing` and `concurrent.futures` fork before Python 3.14, unless told otherwise.
+On Linux before Python 3.14, `multiprocessing` and `concurrent.futures` fork by default.
 """
 
 import os
 
 from msf_jax.base.errors import FlowError
 
-_user: int | None = None  # the process that runs are made in
+_user: int | None = None  # id of the process that has made a run
 
 
 def check() -> None:
-    """Note that runs are made in this process.
+    """Record that this process makes a run.
 
     Raises:
-        FlowError: they were made in the one that this was forked from.
+        FlowError: this process was forked from one that had made a run.
     """
     global _user
     if _user not in (None, os.getpid()):
         raise FlowError(
-            "this process was forked from one in which msf_jax had run, where JAX would wait for ever: start processes "
-            'by multiprocessing.get_context("spawn"), or take msf_jax.batch'
+            "this process was forked from one in which msf_jax had run, so JAX would wait for ever: start processes "
+            'with multiprocessing.get_context("spawn"), or use msf_jax.batch'
         )
     _user = os.getpid()

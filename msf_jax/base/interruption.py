@@ -1,4 +1,4 @@
-"""Ctrl-C during a run: held back until the surface is whole again, so that a partial curve can be given."""
+"""Ctrl-C during a run: delayed until the iteration has ended, so that a partial curve can be returned."""
 
 import signal
 import threading
@@ -18,9 +18,9 @@ class Request:
 
 @contextmanager
 def held_back() -> Iterator[Request]:
-    """Within, a first Ctrl-C makes the request true and no more; a second one is a KeyboardInterrupt, as ever.
+    """In this context, the first Ctrl-C only sets the request; the second one raises a KeyboardInterrupt.
 
-    Only Python's main thread is ever interrupted, and a handler that is not Python's own keeps its place.
+    It does nothing outside Python's main thread, which alone is interrupted, and does not replace another handler.
     """
     request = Request()
     is_main = threading.current_thread() is threading.main_thread()

@@ -1,17 +1,17 @@
-"""How a surface is laid out in fixed-capacity buffers: the one thing that both wings know.
+"""The layout of a surface in fixed-capacity buffers, which both `host` and `device` know.
 
-A capacity is compiled once, so there are few: 2048 and 4096 vertices, where a step takes a fraction of a
-millisecond anyhow, and then 1.5, 2, 3, 4, 6, ... times 4096, a ladder that a shrinking surface goes down. Rows are
-sorted by degree, the largest first, so that slot k of the one-rings is a prefix of the rows: a staircase of four
-levels, with the 6 slots of a regular vertex for all rows, two more for half of them, four more for an eighth, and a
-tail for one in 64. That is 7.8 numbers a vertex where a rectangle for the largest degree met in a flow (20) would be
-24, and nearly all of a CG step is gathering them.
+Each capacity is a compiled program, so there are few: 2048 and 4096 vertices, then 1.5, 2, 3, 4, 6, ... times 4096. A
+shrinking surface passes through them downwards. Rows are sorted by degree, the largest first, so that the rows that use
+slot k of the one-rings are a prefix of all rows. The slots form a staircase of four levels: 6 slots, a regular vertex's
+degree, for all rows, two more for half of the rows, four more for an eighth, and a tail for one row in 64. That is 7.8
+numbers a vertex. A rectangle for the largest degree seen in a flow (20) would need 24, and a CG step spends nearly all
+its time gathering them.
 """
 
 from typing import NamedTuple
 
-SMALLEST = 2048
-FINE_FROM = 4096  # from here on there is a capacity half-way to the next power of two
+SMALLEST = 2048  # vertices: the smallest capacity; smaller ones would not be faster
+FINE_FROM = 4096  # vertices: from here on there is also a capacity half-way to the next power of two
 RAGGED_TAIL = 20  # slots of the last level, unless a vertex needs more
 
 
@@ -55,7 +55,7 @@ def staircase(capacity: int, largest_degree: int) -> Layout:
 
 
 def rectangle(capacity: int, largest_degree: int) -> Layout:
-    """The layout for a surface whose degrees fit no staircase: as many slots for every row."""
+    """The layout for a surface whose degrees fit no staircase: the same number of slots for every row."""
     return _layout(capacity, [(-(-largest_degree // 8) * 8, capacity)])
 
 
@@ -70,7 +70,7 @@ def capacity_for(count: int) -> int:
 
 
 def fits(layout: Layout, count: int, rows_beyond: list[int]) -> bool:
-    """Whether ``count`` vertices fit, ``rows_beyond[k]`` of which have more than k neighbours."""
+    """Whether ``count`` vertices fit into ``layout``, if ``rows_beyond[k]`` of them have more than k neighbours."""
     if count > layout.capacity:
         return False
     first = 0
@@ -84,7 +84,7 @@ def fits(layout: Layout, count: int, rows_beyond: list[int]) -> bool:
 def layout_for(count: int, rows_beyond: list[int]) -> Layout:
     """The smallest layout for ``count`` vertices, of which ``rows_beyond[k]`` have more than k neighbours.
 
-    The next larger capacity is tried before the rectangle, since a few more rows cost less than many more slots.
+    The next larger capacity is tried before the rectangle, because a few more rows cost less than many more slots.
     """
     largest_degree = len(rows_beyond)
     for size in (capacity_for(count), capacity_for(capacity_for(count) + 1)):
@@ -95,10 +95,10 @@ def layout_for(count: int, rows_beyond: list[int]) -> Layout:
 
 
 def layout_after(capacity: int, count: int, rows_beyond: list[int]) -> Layout:
-    """The layout for a surface that was in one of ``capacity`` rows, 0 for none; else as `layout_for`.
+    """The layout for a surface that was last in a layout of ``capacity`` rows, or 0 if in none; else as `layout_for`.
 
-    It goes down once half of the rows will do: what a rung between would save, some 20 ms a run, is less than it costs
-    to compile, or even to load.
+    The capacity falls only by half or more. A capacity in between would save about 20 ms a run, which is less than the
+    time to compile or to load its program.
     """
     layout = layout_for(count, rows_beyond)
     if layout.capacity < capacity < 2 * layout.capacity:

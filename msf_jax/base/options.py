@@ -1,6 +1,6 @@
-"""The two halves of a run's settings: `Weights`, which gradients flow through, and `Config`, the rest.
+"""The settings of a run: `Weights`, which are differentiable, and `Config`, which has all others.
 
-Of a `Config`, a jitted step depends on its `StepSettings` and on nothing else.
+A jitted step depends on a `Config` only through its `StepSettings`.
 """
 
 import math
@@ -13,12 +13,12 @@ import numpy as np
 
 from msf_jax.base.errors import ConfigError
 
-LAPLACIANS = ("mean_value", "cotangent", "signed_cotangent", "uniform")
-WHOLE = ("reconstruct_poles", "reconstruct_mesh", "max_iterations", "solve_steps")
-SYSTEMS = ("msf", "tagliasacchi2012", "au2008")
-POLES = ("auto", "voronoi", "balls")
-FACTORED = "factored"  # the preconditioner that the host has a part in
-SOLVED_BY = ("jacobi", FACTORED)
+LAPLACIANS = ("mean_value", "cotangent", "signed_cotangent", "uniform")  # values of ``Config.laplacian``
+WHOLE = ("reconstruct_poles", "reconstruct_mesh", "max_iterations", "solve_steps")  # options that are integers
+SYSTEMS = ("msf", "tagliasacchi2012", "au2008")  # values of ``Config.weights_of``
+POLES = ("auto", "voronoi", "balls")  # values of ``Config.poles``
+FACTORED = "factored"  # the preconditioner that the host factorises
+SOLVED_BY = ("jacobi", FACTORED)  # values of ``Config.preconditioner``
 
 
 @dataclass(frozen=True)
@@ -27,12 +27,12 @@ class Weights:
 
     Attributes:
         w_L: contraction, >= 0.
-        w_H: attraction to where the vertex is, > 0: it keeps the system definite.
+        w_H: attraction to the vertex's current position, > 0, which keeps the system definite.
         w_M: attraction to the Voronoi pole, >= 0.
         smoothing: lambda of the implicit Laplacian step, >= 0; 0 turns it off.
 
-    All are dimensionless. The ratios matter: a larger w_L / w_H contracts more in one iteration. Weights are equal if
-    all their numbers are; those that hold arrays have no hash.
+    All are dimensionless. Only the ratios of w_L, w_H and w_M matter: a larger w_L / w_H contracts more in one
+    iteration. Weights are equal if all their numbers are equal. Weights with arrays have no hash.
 
     Raises:
         ConfigError: a value is negative or not finite.
@@ -53,7 +53,7 @@ class Weights:
         return all(a is b or (not is_traced(a) and not is_traced(b) and np.array_equal(a, b)) for a, b in pairs)
 
     def check(self) -> None:
-        """Raise a `ConfigError` unless all weights are in range; what JAX made of them is not checked otherwise."""
+        """Raise a `ConfigError` unless all weights are in range. Traced values are not checked."""
         for field in fields(self):
             value = getattr(self, field.name)
             if is_traced(value):
@@ -69,17 +69,17 @@ class Weights:
 
 
 def is_traced(value: Any) -> bool:
-    """Whether ``value`` stands for numbers that are not known yet, in a function that JAX transforms."""
-    jax = sys.modules.get("jax")  # without it, nothing is
+    """Whether ``value`` is a tracer of JAX."""
+    jax = sys.modules.get("jax")  # if JAX was not imported, there are no tracers
     return jax is not None and isinstance(value, jax.core.Tracer)
 
 
 @dataclass(frozen=True)
 class Solver:
-    """How a linear system is solved by conjugate gradients.
+    """Settings of conjugate gradients.
 
-    tolerance: residual, relative to the right-hand side, that will do. max_steps: after which it gives up.
-    preconditioner: one of `SOLVED_BY`.
+    tolerance: residual relative to the right-hand side, at which the solve ends. max_steps: CG steps after which the
+    solve gives up. preconditioner: one of `SOLVED_BY`.
     """
 
     tolerance: float
@@ -89,7 +89,7 @@ class Solver:
 
 @dataclass(frozen=True)
 class StepSettings:
-    """All that a jitted step depends on, but for the layout of its buffers; see `Config` for what they mean."""
+    """The settings that a jitted step depends on, besides the layout of its buffers; `Config` explains them."""
 
     laplacian: str
     solver: Solver
@@ -101,57 +101,57 @@ class StepSettings:
 class Config:
     """Everything about a run that is not differentiable; frozen and hashable. Lengths are fractions of the diagonal.
 
-    ``Config()`` is the article's own system, `Config.tagliasacchi2012()` and `Config.au2008()` the two it builds on.
+    ``Config()`` is the article's system, `Config.tagliasacchi2012()` and `Config.au2008()` the two it builds on.
 
     Attributes:
-        weights_of: "msf", "tagliasacchi2012" or "au2008": whose weights `default_weights` are, and nothing else. For a
-            whole system take `Config.tagliasacchi2012()`, `Config.au2008()` or `Config.named`.
-        laplacian: "mean_value" (article Eq. 4), "cotangent", where a negative sum is 0, "signed_cotangent", where it
-            is not, or "uniform".
-        reconstruct_poles: eigenvectors kept in the mesh that the poles are computed on; 0 takes the mesh as it is.
-        reconstruct_mesh: eigenvectors kept in the mesh that is contracted; 0 takes the mesh as it is.
-        exact_reconstruction: whether eigenvectors are computed for that, as in the article. Else a polynomial of the
-            Laplacian does their work, with an edge that is a little soft, in a twentieth of the time or less.
-        resample: target edge length that the mesh is resampled to before poles are sought; 0 keeps its sampling.
-        coarsen: edges shorter than that are collapsed before poles are sought, unless that would turn a face, so that
-            the cost of a run follows the solid's shape and hardly the number of its vertices; 0 keeps them all. Where
-            it would cost a twentieth of the volume, as of a thin plate, the mesh is taken as it is. Where a limb has a
-            radius r below 0.005, this length and t_c are shorter by r / 0.005: a wire keeps its length.
-        refine: edges longer than that are split before the flow where they are longer than two radii of the limb, so
-            that it sees the limbs and holes of a coarse mesh; 0 keeps them all.
+        weights_of: "msf", "tagliasacchi2012" or "au2008": the system whose weights `default_weights` returns. It has no
+            other effect. For a whole system use `Config.tagliasacchi2012()`, `Config.au2008()` or `Config.named`.
+        laplacian: "mean_value" (article Eq. 4), "cotangent" with negative sums set to 0, "signed_cotangent" with
+            negative sums kept, or "uniform".
+        reconstruct_poles: number of eigenvectors kept in the mesh that poles are computed on; 0 uses the mesh itself.
+        reconstruct_mesh: number of eigenvectors kept in the mesh that is contracted; 0 uses the mesh itself.
+        exact_reconstruction: whether reconstruction computes eigenvectors, as in the article. Else it applies a
+            polynomial of the Laplacian, whose cut-off is less sharp, in a twentieth of the time or less.
+        resample: target edge length that the mesh is resampled to before poles are computed; 0 keeps its sampling.
+        coarsen: edges shorter than this are collapsed before poles are computed, unless that would turn a face over.
+            The cost of a run then depends on the solid's shape, and hardly on the number of its vertices. 0 collapses
+            none. If it would change the volume by a twentieth, as of a thin plate, the mesh is not coarsened. On a limb
+            of radius r below 0.005, this length and t_c are multiplied by r / 0.005, so that a wire keeps its length.
+        refine: edges longer than this, and longer than two radii of their limb, are split before the flow, so that the
+            limbs and holes of a coarse mesh are resolved; 0 splits none.
         use_poles: whether poles pull at all.
-        poles: "voronoi" (article 3.1.2), "balls" (shrinking balls, Ma et al. 2012), or "auto": Voronoi poles, and balls
-            where the solid is thin. There `reconstruct_poles` would take the solid itself away, and is left out, and a
-            Voronoi diagram takes minutes.
+        poles: "voronoi" (article 3.1.2), "balls" (shrinking balls, Ma et al. 2012), or "auto": balls if the solid is
+            thin, else Voronoi poles. On a thin solid a Voronoi diagram takes minutes, and `reconstruct_poles` is left
+            out, because it would remove most of the solid.
         pole_confidence: whether w_M is weighted by how far apart the points are in which a pole's ball touches the
             surface. Off by default: over the benchmark's shapes it makes curves neither better nor worse.
-        edit_connectivity: whether edges are collapsed and split, and vertices fixed, in the loop.
+        edit_connectivity: whether each iteration collapses and splits edges, and fixes vertices.
         t_min, t_step, t_max: saw-tooth of the collapse threshold t_c (article 3.2.6); t_step 0 keeps it constant. It
-            starts at 0.005 and rises by 0.0005, where the article's program has 0.002 and 0.0001: a quarter of the
-            iterations, and the curves have fewer side branches and are more inside.
-        split_angle: theta_s in degrees: an edge with two opposite angles over it is split.
-        growth: factor on w_L after each iteration (Au et al. 2008); 1 keeps it.
-        w_H_follows_area: whether w_H grows as a vertex's one-ring area shrinks, and w_L begins at 400 times the root of
-            the mean area of a face (Au et al. 2008).
-        max_iterations: the flow gives up after so many.
-        volume_tolerance: the flow has converged when this fraction of the volume is left, and
-        area_tolerance: this fraction of the area, or area has stopped shrinking (a sheet has no volume, either).
-        free_tolerance: it has converged, too, when this fraction of the vertices is not fixed.
+            starts at 0.005 and rises by 0.0005. The article's program has 0.002 and 0.0001; the larger values take a
+            quarter of the iterations, and their curves have fewer side branches and are more inside.
+        split_angle: theta_s in degrees: an edge whose two opposite angles are larger is split.
+        growth: factor on w_L after each iteration (Au et al. 2008); 1 keeps w_L constant.
+        w_H_follows_area: whether w_H grows as a vertex's one-ring area shrinks, and w_L starts at 400 times the square
+            root of the mean area of a face (Au et al. 2008).
+        max_iterations: the flow gives up after this many iterations.
+        volume_tolerance, area_tolerance: the flow has converged when this fraction of the volume is left, and this
+            fraction of the area, or the area has stopped shrinking. The area counts because a sheet has no volume.
+        free_tolerance: the flow has also converged when at most this fraction of the vertices is not fixed.
         solve_tolerance: residual of the linear solves, relative to the right-hand side.
-        step_tolerance: a contraction is solved, too, when a CG step moves no vertex by this part of t_c.
-        preconditioner: of the contraction's conjugate gradients: "jacobi", or "factored", a sparse factor that the host
-            makes anew in every iteration, for systems too ill-conditioned for the former (see `host.factors`). Those
-            are solved in float64 whatever JAX is set to.
-        solve_steps: CG steps after which a solve gives up (and the report says so).
-        surgery: whether the curve is read off by half-edge collapses in the order of shape and sampling costs, and its
+        step_tolerance: a contraction is also solved when a CG step moves no vertex by more than this part of t_c.
+        preconditioner: of the contraction's conjugate gradients: "jacobi", or "factored", a sparse factorisation that
+            the host computes in every iteration, for systems too ill-conditioned for "jacobi" (see `host.factors`).
+            Such systems are solved in float64, whatever JAX is set to.
+        solve_steps: CG steps after which a solve gives up; the report counts such solves.
+        surgery: whether the curve is extracted by half-edge collapses in the order of shape and sampling costs, and its
             nodes recentred by the boundaries of their regions (Au et al. 2008). Else the shortest edges go first.
-        prune: branches of less than this `slenderness` are taken away (see `msf_jax.Branch`), and junctions well within
-            one ball become one; 0 keeps all. The default is more than half a ball on a wall has, pi / 4, the corner
-            of a plate, 0.6, or of a box, 0.7.
-        centre: whether nodes are moved to the middle of their limb's cross-section, and edges refined, at the end.
-        extend_tips: whether leaves are carried on to the ends of their limbs.
+        prune: branches whose `slenderness` is below this are removed (see `msf_jax.Branch`), and junctions well within
+            one ball become one; 0 keeps all. The default is above the slenderness of a half ball on a wall, pi / 4,
+            and of the corner of a plate, 0.6, or of a box, 0.7.
+        centre: whether nodes are finally moved to the middle of their limb's cross-section, and edges refined.
+        extend_tips: whether leaves are extended to the ends of their limbs.
         evaluate: whether the report gets the figures of `metrics.evaluate`.
-        check: verify after every round of edits that the surface is a closed manifold of the same genus.
+        check: whether to verify after every round of edits that the surface is a closed manifold of the same genus.
 
     Raises:
         ConfigError: a value is out of its range, or a name is unknown.
@@ -249,9 +249,9 @@ class Config:
 
     @classmethod
     def tagliasacchi2012(cls, **changes: Any) -> "Config":
-        """Tagliasacchi et al. 2012: resampled input, cotangent L, poles as they are, constant t_c.
+        """Tagliasacchi et al. 2012: resampled input, cotangent L, poles of the unfiltered surface, constant t_c.
 
-        No smoothing belongs to its weights, `default_weights`. Entries of L are limited as in the default system.
+        Its weights, `default_weights`, have no smoothing. Entries of L are limited as in the default system.
         """
         base = cls(
             weights_of="tagliasacchi2012",
@@ -268,30 +268,30 @@ class Config:
 
     @classmethod
     def au2008(cls, **changes: Any) -> "Config":
-        """Au et al. 2008: contraction to a millionth of the volume, surgery, and recentring; no poles, no edits before.
+        """Au et al. 2008: contraction to a millionth of the volume without poles or edits, then surgery and recentring.
 
-        ``Config.au2008(surgery=False)`` reads the curve off that contraction as that of the other systems is;
-        ``centre=True, extend_tips=True`` finishes either as theirs are. Against the paper:
+        ``Config.au2008(surgery=False)`` extracts the curve from that contraction as in the other systems.
+        ``centre=True, extend_tips=True`` finishes the curve as in the other systems. It differs from the paper in these
+        points:
 
-        - w_L begins at 0.001 times the root of a face's mean area there, in units that it does not give. Here it is 400
-          times that root, in diagonals, or the first twenty steps would do nothing.
-        - Cotangents of a triangle whose height is less than 0.3 of its longest edge are made smaller, all three by the
-          same factor. The negative ones count, as in the paper: without them limbs shrink in length, and the surface
-          crumples. But as they are, vertices at a limb's tip run away along it.
-        - The normal equations are solved by conjugate gradients, to 1e-5 of the diagonal, and not by a factor of their
-          own; one of their square root preconditions them (see `host.factors`).
-        - Coordinates are rounded to a millionth of the diagonal at the start, and one-ring areas count as 1e-14 at
-          least.
-        - Surgery asks whether a merge would pinch a loop of the solid (see `host.meso.homology`), and not whether the
-          edges i -> k and k -> j bound a face: a ring of three around a limb would stay for ever.
-        - Before surgery, edges shorter than ``t_min`` go to their midpoints, all that are independent at once: of
-          thousands of vertices to each node of the curve, what is left decides it.
-        - The cost of a half-edge collapse is brought up to date when it has become dearer, or its sampling cost less by
-          a tenth.
-        - Recentring weighs boundary loops by their length, and a leaf goes with the node before it. Junctions that are
-          within three quarters of a ball are merged, as for the other systems.
-        - Twigs within a limb and branches into blunt corners are pruned, and what is outside the solid is led inside:
-          ``prune=0`` keeps them, and all junctions.
+        - In the paper w_L starts at 0.001 times the square root of a face's mean area, in units that are not given.
+          Here it starts at 400 times that root, in diagonals; else the first twenty steps would do nothing.
+        - If the height of a triangle is less than 0.3 of its longest edge, its three cotangents are multiplied by the
+          same factor below 1. Otherwise vertices at a limb's tip diverge along the limb. Negative cotangents are kept,
+          as in the paper: without them limbs become shorter, and the surface crumples.
+        - The normal equations are solved by conjugate gradients, to 1e-5 of the diagonal, instead of by factorisation.
+          A factor of their square root is the preconditioner (see `host.factors`).
+        - Coordinates are rounded to a millionth of the diagonal at the start. One-ring areas are at least 1e-14.
+        - Surgery tests whether a merge would pinch a loop of the solid (see `host.meso.homology`). The paper tests
+          whether the edges i -> k and k -> j bound a face, and a ring of three edges around a limb would never
+          collapse.
+        - Before surgery, edges shorter than ``t_min`` are collapsed to their midpoints, in rounds of independent edges.
+          The surface has thousands of vertices for each node of the curve, and this reduces them.
+        - The cost of a half-edge collapse is updated when it has risen, or its sampling cost has fallen by a tenth.
+        - Recentring weights boundary loops by their length, and moves a leaf like the node before it. Junctions within
+          three quarters of a ball are merged, as for the other systems.
+        - Spurious branches within a limb and branches into blunt corners are pruned, and edges outside the solid are
+          moved inside. ``prune=0`` keeps these branches, and all junctions.
         """
         base = cls(
             weights_of="au2008",
@@ -326,7 +326,7 @@ class Config:
 
     @property
     def on_device(self) -> StepSettings:
-        """What of it a jitted step depends on: another value of anything else compiles nothing again."""
+        """The settings that a jitted step depends on. A change of any other setting compiles nothing again."""
         return StepSettings(
             laplacian=self.laplacian,
             solver=Solver(self.solve_tolerance, self.solve_steps, self.preconditioner),

@@ -1,4 +1,4 @@
-"""How far a long job is: a bar on a terminal, and in a log a plain line now and then."""
+"""Progress of a long job: a bar on a terminal, lines of text in a log."""
 
 import sys
 import time
@@ -9,11 +9,11 @@ from typing import Any, TypeVar
 from tqdm import tqdm
 
 Part = TypeVar("Part")
-EVERY = 10.0  # seconds at least between two lines of a log
+EVERY = 10.0  # seconds: the least time between two lines of a log
 
 
 class Progress:
-    """Of a job of ``total`` parts. A bar where standard error is a terminal, else lines, if it is to be ``shown``."""
+    """The progress of a job of ``total`` parts, on standard error if ``shown``: a bar on a terminal, else lines."""
 
     def __init__(self, total: int, what: str, unit: str, shown: bool):
         is_terminal = sys.stderr is not None and sys.stderr.isatty()
@@ -24,7 +24,7 @@ class Progress:
         self._began = time.monotonic()
 
     def update(self, num: int = 1, note: str = "") -> None:
-        """``num`` more parts are done; ``note`` says which, or what has come of it."""
+        """Count ``num`` more parts as done. ``note`` names them or their result."""
         self._done += num
         self._bar.update(num)
         self._bar.set_postfix_str(note)
@@ -53,7 +53,7 @@ def showing(total: int, what: str, unit: str, shown: bool) -> Iterator[Progress]
 
 
 def shown(parts: Sequence[Part], what: str, unit: str, is_shown: bool) -> Iterator[Part]:
-    """Each of ``parts``, which counts as done when the next is asked for."""
+    """Iterate over ``parts`` with a `Progress`; a part counts as done when the next one is requested."""
     with showing(len(parts), what, unit, is_shown) as bar:
         for part in parts:
             yield part

@@ -1,4 +1,4 @@
-"""Weights in a file: JSON, so that what was tuned once is used from the command line and in other programs."""
+"""Weights in a JSON file, to use tuned weights on the command line and in other programs."""
 
 import json
 import os
@@ -10,7 +10,7 @@ from msf_jax.base.errors import ConfigError
 from msf_jax.base.options import Weights
 from msf_jax.base.writing import write_whole
 
-FORMAT = "msf_jax weights"
+FORMAT = "msf_jax weights"  # marks the file's format
 
 
 def save_weights(weights: Weights, path: str | os.PathLike[str]) -> None:
@@ -32,8 +32,8 @@ def read_weights(path: str | os.PathLike[str]) -> Weights:
     """The weights in a file that `save_weights` or `Tuned.save` wrote.
 
     Raises:
-        ConfigError: it is no such file: what was found.
-        OSError: it cannot be read.
+        ConfigError: the file is of another kind; the message says what was found.
+        OSError: the file cannot be read.
     """
     name = Path(path).name
     try:
@@ -46,5 +46,5 @@ def read_weights(path: str | os.PathLike[str]) -> Weights:
         if not all(value.ndim <= 1 and np.isfinite(value).all() for value in held.values()):
             raise ValueError("a weight is neither a number nor a list of numbers")
     except (ValueError, KeyError, TypeError, AttributeError) as error:
-        raise ConfigError(f"{name!r} holds no weights ({error}): expected a file that save_weights wrote") from error
+        raise ConfigError(f"{name!r} has no weights ({error}): expected a file that save_weights wrote") from error
     return Weights(**{key: float(value) if value.ndim == 0 else value for key, value in held.items()})

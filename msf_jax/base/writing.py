@@ -1,4 +1,4 @@
-"""Files are written beside their target and renamed: the old one or the new one, never half."""
+"""Atomic writing of files: a file is written under another name, then renamed."""
 
 import os
 import secrets
@@ -7,9 +7,9 @@ from pathlib import Path
 
 
 def write_whole(path: str | os.PathLike[str], content: str | bytes) -> None:
-    """Write a file beside ``path`` and rename it, so that ``path`` is the old file or the new one, never half.
+    """Write ``content`` to a new file and rename that to ``path``. So ``path`` is never a partly written file.
 
-    A link is followed, and a file that is replaced keeps its permissions.
+    If ``path`` is a link, its target is replaced. The new file has the permissions of the old one.
     """
     target = Path(os.path.realpath(path))
     data = content.encode() if isinstance(content, str) else content

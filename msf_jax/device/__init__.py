@@ -1,7 +1,7 @@
-"""The device wing: jitted, differentiable steps on padded buffers, in JAX only.
+"""Jitted, differentiable steps on padded buffers, in JAX only.
 
-Whoever asks for it can pass `Weights` through JAX: they are declared a pytree here, so that options and the command
-line's help need not wait for JAX.
+`Weights` are registered as a pytree here, and not where they are defined, so that options and the command line's help
+do not import JAX.
 """
 
 from dataclasses import fields
@@ -25,7 +25,7 @@ def _named_leaves(weights: Weights) -> tuple[tuple[tuple[Any, Any], ...], None]:
 
 
 def _unchecked(_: None, leaves: Any) -> Weights:
-    """A tree of the same shape, unchecked: JAX puts axes, masks and gradients there."""
+    """`Weights` built without checks, because JAX also passes axes, masks and gradients."""
     weights = object.__new__(Weights)
     for name, leaf in zip(_NAMES, leaves, strict=True):
         object.__setattr__(weights, name, leaf)

@@ -1,7 +1,7 @@
-"""Padded buffers, what a jitted step sees of the surface, and the sums over one-rings that read them.
+"""Padded buffers, the input of a jitted step, and sums over one-rings.
 
-Rows and slots are laid out by `layout.Layout`. A padded row has no neighbours and is not free; an unused slot points at
-its own row. Neither adds to any sum, so values and gradients do not depend on the padding.
+`layout.Layout` places rows and slots. A padded row has no neighbours and is not free. An unused slot refers to its own
+row. Neither adds to any sum, so values and gradients do not depend on padding.
 """
 
 from functools import partial
@@ -12,40 +12,40 @@ import jax.numpy as jnp
 
 from msf_jax.base.layout import Layout, Level
 
-UNROLLED_SLOTS = 8  # up to here a level is one gather a slot, added up in a Python loop; beyond, one gather in all
+UNROLLED_SLOTS = 8  # slots: a level with more uses one gather for all slots, others one gather for each slot
 
 
 class Rings(NamedTuple):
-    """The one-rings, flat: entry s is slot k of row i, the directed edge i -> j with its two apexes.
+    """The one-rings as flat arrays: entry s is slot k of row i, the directed edge i -> j with its two apexes.
 
-    An unused slot names its own row three times.
+    An unused slot refers to its own row three times.
     """
 
     neighbour: jax.Array  # (S,) int32: j
     after: jax.Array  # (S,) int32: the neighbour after j, counter-clockwise around i
-    before: jax.Array  # (S,) int32: the one before
+    before: jax.Array  # (S,) int32: the neighbour before j
     is_used: jax.Array  # (S,) bool
 
 
 class Buffers(NamedTuple):
-    """A padded surface; everything the host tells a step."""
+    """A padded surface, with all data that a step gets from the host."""
 
     positions: jax.Array  # (n, 3), fractions of the diagonal
     rings: Rings
     degree: jax.Array  # (n,)
     free: jax.Array  # (n,) 1.0 where the vertex may move
     poles: jax.Array  # (n, 3)
-    pull: jax.Array  # (n,) 1.0 where the pole pulls, less where it is trusted less
-    t_c: jax.Array  # (), the collapse threshold: what moves by a small part of it has arrived
-    area: jax.Array  # (n,) one-ring areas at the start of the flow, for the system whose w_H follows them
+    pull: jax.Array  # (n,) 1.0 where the pole pulls, 0.0 where it does not, between if it is trusted less
+    t_c: jax.Array  # (), the collapse threshold, in diagonals: solves end when vertices move by a small part of it
+    area: jax.Array  # (n,) one-ring areas at the start of the flow, for systems whose w_H follows them
 
 
-# For what a step uses many times over: tracing it once for each layout makes a start with a full cache shorter.
+# For functions that a step calls many times: each is traced once for each layout, which saves time at the start.
 traced_once = partial(jax.jit, static_argnames="layout", inline=True)
 
 
 def real_dtype() -> jnp.dtype:
-    """float64 when JAX has it on, float32 otherwise."""
+    """float64 if JAX has it enabled, else float32."""
     return jax.dtypes.canonicalize_dtype(float)
 
 
@@ -74,7 +74,7 @@ def slot_sum(layout: Layout, values: jax.Array) -> jax.Array:
 def slot_product(layout: Layout, weights: jax.Array, neighbour: jax.Array, x: jax.Array) -> jax.Array:
     """y_i = sum over the slots of row i of weight times x[neighbour], for weights (S,) and x (n, c).
 
-    From the tail up: each level adds to the prefix of rows below it.
+    It starts at the last level; each level adds to a prefix of the rows of the level before it.
     """
     total = jnp.zeros((layout.levels[-1].rows, x.shape[1]), x.dtype)
     for level in reversed(layout.levels):

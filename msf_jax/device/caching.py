@@ -1,4 +1,4 @@
-"""Compiled programs that outlive a process: JAX's persistent cache, in the user's cache folder."""
+"""JAX's persistent cache of compiled programs, in the user's cache folder."""
 
 import os
 from pathlib import Path
@@ -10,24 +10,24 @@ from jax.experimental.compilation_cache import compilation_cache
 from msf_jax.base.errors import ConfigError
 from msf_jax.device.quiet import quieten_cache
 
-WORTH_KEEPING = 0.2  # seconds of compiling; what takes less is compiled again
+WORTH_KEEPING = 0.2  # seconds: programs that compile faster are not stored
 
 
 def cache_compilations(folder: str | os.PathLike[str] | None = None) -> Path | None:
-    """Keep what is compiled in ``folder``, so that only the first run on a machine waits for it. Call it once, early.
+    """Store compiled programs in ``folder``, so that only the first run on a machine compiles. Call it once, early.
 
-    A false alarm that XLA prints for every program that it takes from there is kept off standard error.
+    It also removes a false alarm from standard error, which XLA prints for every stored program that it loads.
 
     Args:
-        folder: made if need be. If not given, that which JAX has been told to use, by ``JAX_COMPILATION_CACHE_DIR`` or
-            its configuration; else the user's cache folder, such as ``~/.cache/msf_jax``. Nobody else should be able to
-            write to it: what is in there is run.
+        folder: created if missing. The default is the folder that JAX is configured to use, by
+            ``JAX_COMPILATION_CACHE_DIR`` or its configuration; else the user's cache folder, such as
+            ``~/.cache/msf_jax``. Nobody else should be able to write to it, because the programs in it are executed.
 
     Returns:
-        The folder; None if none was given and the user's cache folder is not to be written to.
+        The folder; None if none was given and the user's cache folder cannot be written to.
 
     Raises:
-        ConfigError: ``folder`` cannot be made or written to.
+        ConfigError: ``folder`` cannot be created or written to.
     """
     quieten_cache()
     configured = getattr(jax.config, "jax_compilation_cache_dir", None)
@@ -45,6 +45,6 @@ def cache_compilations(folder: str | os.PathLike[str] | None = None) -> Path | N
         raise ConfigError(f"cannot write to {str(path)!r}: expected a folder for compiled programs")
     if configured != str(path):
         jax.config.update("jax_compilation_cache_dir", str(path))
-        compilation_cache.reset_cache()  # JAX goes on with its first folder otherwise
+        compilation_cache.reset_cache()  # otherwise JAX keeps using its first folder
     jax.config.update("jax_persistent_cache_min_compile_time_secs", WORTH_KEEPING)
     return path

@@ -1,10 +1,9 @@
 """Conjugate gradients for A x = b with a symmetric positive definite operator A, differentiated implicitly.
 
-This is the one module that imports jaxopt for a solve. jaxopt's `solve_cg` reports neither its steps nor its residual,
-so the loop is a jaxopt `IterativeSolver`, whose state holds both. Derivatives are those of the solution,
-A dx = db - dA x, forwards and in reverse, at the cost of one more solve; a `jax.checkpoint` that keeps what is named
-"solution" does not run the first one again. A new preconditioner is one more function in `PRECONDITIONERS`, and its
-name in `base.options.SOLVED_BY`; one that the host has a part in is in `host/factors.py`.
+jaxopt's `solve_cg` reports neither its steps nor its residual. So the loop is a jaxopt `IterativeSolver`, whose state
+has both. Derivatives are those of the solution, A dx = db - dA x, in forward and reverse mode, for one more solve. A
+`jax.checkpoint` that keeps values named "solution" does not repeat the first solve. A new preconditioner is a function
+in `PRECONDITIONERS`, and a name in `base.options.SOLVED_BY`; the one on the host is in `host/factors.py`.
 """
 
 import warnings
@@ -24,18 +23,18 @@ with warnings.catch_warnings():
 
 from msf_jax.base.options import Solver
 
-SOLUTION = "solution"  # name of a solve's result, for a `jax.checkpoint` that keeps it
+SOLUTION = "solution"  # name of a solve's result, for the policy of a `jax.checkpoint`
 
 
 class Operator(Protocol):
-    """A symmetric positive definite matrix (n, n), a pytree, so that derivatives go through its arrays."""
+    """A symmetric positive definite matrix (n, n); a pytree, and differentiable in its arrays."""
 
     def __call__(self, x: jax.Array, /) -> jax.Array:
         """A x for x (n, c)."""
         ...
 
     def diagonal(self) -> jax.Array:
-        """That of A, (n,)."""
+        """(n,) the diagonal of A."""
         ...
 
 
@@ -44,14 +43,14 @@ def _jacobi(operator: Operator) -> Callable[[jax.Array], jax.Array]:
     return lambda r: inverse * r
 
 
-# A preconditioner makes of an operator the function r -> M r, with a symmetric positive definite M near A's inverse.
+# A preconditioner maps an operator to the function r -> M r, with a symmetric positive definite M near A's inverse.
 PRECONDITIONERS: dict[str, Callable[[Any], Callable[[jax.Array], jax.Array]]] = {"jacobi": _jacobi}
 
 
 class SolveReport(NamedTuple):
-    """How a solve of A x = b ended.
+    """The result of a solve of A x = b, besides x.
 
-    steps: of CG. residual: |b - A x| / |b|. is_solved: whether that will do. left: (n, c) all of (b - A x) / |b|.
+    steps: of CG. residual: |b - A x| / |b|. is_solved: whether it reached its tolerance. left: (n, c) (b - A x) / |b|.
     """
 
     steps: jax.Array
@@ -74,8 +73,8 @@ class CGState(NamedTuple):
 class ConjugateGradients(base.IterativeSolver):
     """Preconditioned CG for A x = b from x = 0.
 
-    ``error`` is the norm of the residual that the iteration carries; 0 once a step changes no entry by ``smallest``;
-    NaN, which ends it unsolved, where A or M shows that it is not positive definite.
+    ``error`` is the norm of the recursive residual. It is 0 once a step changes no entry by ``smallest``. It is NaN,
+    which ends the solve unsolved, if A or M turns out not to be positive definite.
     """
 
     matvec: Any
@@ -97,7 +96,7 @@ class ConjugateGradients(base.IterativeSolver):
         del b
         product = self.matvec(state.direction)
         curvature = _dot(state.direction, product)
-        # No step where rounding leaves no curvature, as once the residual is exactly zero.
+        # Make no step if rounding leaves no curvature, for example once the residual is exactly zero.
         is_curved = (curvature > 0) & (state.gamma > 0)
         step = jnp.where(is_curved, state.gamma / jnp.where(is_curved, curvature, 1.0), 0.0)
         residual = state.residual - step * product
@@ -111,8 +110,8 @@ class ConjugateGradients(base.IterativeSolver):
         return base.OptStep(params + step * state.direction, following)
 
     def run(self, init_params: jax.Array, *args: Any, **kwargs: Any) -> base.OptStep:
-        """As that of the base class, but for the first update, which is not apart from the others: a loop whose body is
-        there once is compiled in two thirds of the time. It always comes, and makes NaN of a right-hand side of NaN."""
+        """Like the base class, but with the first update inside the loop. The loop's body then exists once, and
+        compiles in two thirds of the time. The first update always runs, and passes a NaN in the right-hand side on."""
 
         def is_on(step: base.OptStep) -> jax.Array:
             return (step.state.iter_num == 0) | (step.state.error > self.tol)
@@ -128,14 +127,14 @@ class ConjugateGradients(base.IterativeSolver):
 
 
 def _dot(x: jax.Array, y: jax.Array) -> jax.Array:
-    """Sum of x y over all entries; as a dot product it is several times as fast on the CPU as a sum."""
+    """Sum of x y over all entries. On the CPU a dot product is several times as fast as a sum."""
     return jnp.vdot(x, y, precision=lax.Precision.HIGHEST)
 
 
 def norm(x: jax.Array) -> jax.Array:
-    """Euclidean norm of all entries, taken of x over its largest one: squares of squared weights overflow float32.
+    """Euclidean norm of all entries. Entries are first divided by the largest, because squares can overflow float32.
 
-    Differentiable in: x, with a zero gradient at 0.
+    Differentiable in: x; the gradient at 0 is 0.
     """
     largest = lax.stop_gradient(jnp.abs(x).max())
     scale = jnp.where((largest > 0) & jnp.isfinite(largest), largest, 1.0)
@@ -161,9 +160,9 @@ def solve(
 def solve_outside(
     operator: Any, b: jax.Array, solver: Solver, precondition: Callable[[jax.Array], jax.Array], smallest: Any = 0.0
 ) -> tuple[jax.Array, SolveReport]:
-    """The same as `solve`, one step after the other as Python comes to them, not to be jitted or differentiated.
+    """Like `solve`, with a loop in Python. It cannot be jitted or differentiated.
 
-    So ``precondition``, r -> M r, may be a function of the host, which none of `PRECONDITIONERS` can be.
+    So ``precondition``, r -> M r, may be a function on the host, unlike those of `PRECONDITIONERS`.
     """
     iteration = ConjugateGradients(partial(_product, operator), precondition, jit=False, unroll=True)
     return _iterated(iteration, b, solver, smallest)
@@ -183,7 +182,7 @@ def _iterated(
     iteration: ConjugateGradients, b: jax.Array, solver: Solver, smallest: Any
 ) -> tuple[jax.Array, SolveReport]:
     size = norm(b)
-    scale = jnp.where((size > 0) & jnp.isfinite(size), size, 1.0)  # inside, no square leaves float32's range
+    scale = jnp.where((size > 0) & jnp.isfinite(size), size, 1.0)  # then no square overflows float32
     iteration = replace(iteration, smallest=smallest / scale, maxiter=solver.max_steps, tol=solver.tolerance)
     x, state = iteration.run(jnp.zeros_like(b), b / scale)
     left = jnp.sqrt(_dot(state.residual, state.residual))
@@ -192,7 +191,7 @@ def _iterated(
 
 @partial(jax.custom_jvp, nondiff_argnums=(0,))
 def _solution(solver: Solver, operator: Any, b: jax.Array, x: jax.Array) -> Any:
-    """x, for an x that solves A x = b; its derivative is that of the solution: A dx = db - dA x."""
+    """x, which solves A x = b. Its derivative is that of the solution: A dx = db - dA x."""
     del solver, operator, b
     return x
 
@@ -200,6 +199,6 @@ def _solution(solver: Solver, operator: Any, b: jax.Array, x: jax.Array) -> Any:
 @_solution.defjvp
 def _solution_jvp(solver: Solver, primals: Any, tangents: Any) -> Any:
     (operator, b, x), (d_operator, db, _) = primals, tangents
-    x = _solution(solver, operator, b, x)  # for second derivatives: it depends on both
+    x = _solution(solver, operator, b, x)  # so that second derivatives see that x depends on A and b
     _, right = jax.jvp(lambda A, rhs: rhs - A(x), (operator, b), (d_operator, db))
     return x, lax.custom_linear_solve(operator, right, lambda _, rhs: _run(operator, rhs, solver)[0], symmetric=True)

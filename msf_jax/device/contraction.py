@@ -1,6 +1,6 @@
-"""Contraction and smoothing: one regularised least-squares step with other numbers (article Eq. 2 and 3.2.3).
+"""Contraction and smoothing: the same least-squares step with different parameters (article Eq. 2 and 3.2.3).
 
-For the displacement D = V' - V, which is zero at fixed vertices and the natural start of an iteration, minimise
+The unknown is the displacement D = V' - V, which is zero at fixed vertices. The step minimises
 
     |A D + beta L V|^2 + |hold^(1/2) D|^2 + |attract^(1/2) (V + D - poles)|^2,    A = diag(alpha) + diag(beta) L.
 
@@ -9,7 +9,7 @@ For the displacement D = V' - V, which is zero at fixed vertices and the natural
     smoothing:   alpha = 1, beta = -lambda, hold = attract = 0;
                  |(I - lambda L) V' - V|^2, which is 0 where (I - lambda L) V' = V
 
-Fixed vertices are held exactly: their rows are zero and their columns are on the right-hand side. The normal equations:
+Fixed vertices are held exactly: their rows are zero, and their columns are on the right-hand side. Normal equations:
 
     P (A^T A + hold + attract) P D = P (attract (poles - V) - A^T beta L V),      P = 1 on free vertices, else 0.
 """
@@ -30,7 +30,7 @@ from msf_jax.device.laplacian import Rows
 
 
 class Energy(NamedTuple):
-    """What a step minimises, see the module: (n,) each, one value a row."""
+    """The parameters of a step, see the module: (n,) each, one value a row."""
 
     alpha: jax.Array
     beta: jax.Array
@@ -39,7 +39,7 @@ class Energy(NamedTuple):
 
 
 def contracting(w_L: jax.Array, w_H: jax.Array, w_M: jax.Array) -> Energy:
-    """Article Eq. 2 for weights (n,) each: the squares of the rows that they multiply."""
+    """The contraction, article Eq. 2, for weights (n,) each."""
     return Energy(jnp.zeros_like(w_L), w_L, w_H**2, w_M**2)
 
 
@@ -57,8 +57,8 @@ class Gram:
     weights: (2, S) A's off-diagonal entries, by row and then by column. own: (n,) A's diagonal. shift: (n,). free: (n,)
     1.0 for free vertices, 0.0 for fixed and padded ones. neighbour: (S,). layout: of the slots.
 
-    The two products are two trips of one scan over the stacked weights: written as two calls, XLA on the CPU fuses them
-    into one kernel that computes A x anew for every slot.
+    The two products are two steps of one scan over the stacked weights. If they were two calls, XLA on the CPU would
+    fuse them into one kernel that computes A x again for every slot.
     """
 
     weights: jax.Array
@@ -73,12 +73,12 @@ class Gram:
         return free * (self.transposed_after(self.own, free * x) + self.shift[:, None] * x) + (1.0 - free) * x
 
     def diagonal(self) -> jax.Array:
-        """(n,)."""
+        """(n,) the operator's diagonal."""
         square = self.own**2 + slot_sum(self.layout, self.weights[1] ** 2)
         return self.free * (square + self.shift) + (1.0 - self.free)
 
     def transposed_after(self, diagonal: jax.Array, x: jax.Array) -> jax.Array:
-        """A^T (A + diag(diagonal - own)) x: ``diagonal`` (n,) stands for that of the first A."""
+        """A^T (A + diag(diagonal - own)) x: ``diagonal`` (n,) replaces the diagonal of the first factor."""
 
         def product(y: jax.Array, line: Any) -> tuple[jax.Array, None]:
             own, weights = line
@@ -98,7 +98,7 @@ def relaxed(
 ) -> tuple[jax.Array, SolveReport]:
     """The positions (n, 3) that minimise ``energy`` for the surface in ``buffers`` with the Laplacian ``rows``.
 
-    ``left`` (n, 3) is a residual to leave, over the norm of the right-hand side; for ``smallest`` see `cg.solve`.
+    ``left`` (n, 3) is the residual to leave, over the norm of the right-hand side. For ``smallest`` see `cg.solve`.
     Differentiable in: buffers.positions, buffers.poles, rows, energy.
     """
     operator, b = normal_equations(buffers, rows, energy, layout)

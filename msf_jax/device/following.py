@@ -1,8 +1,8 @@
-"""A finished curve in the mesh as it has moved: the equation of `msf_jax.base.binding`, live in the vertices.
+"""The finished curve as a function of the mesh's vertices: the equation of `msf_jax.base.binding` in JAX.
 
-A section's corners are p_k = (1 - t_k) V_tail + t_k V_head, its area vector is N = sum_k p_k x p_{k+1} / 2, and its
-centroid that of the area in the direction of N, so that a corner that moves along the limb moves the centroid along it,
-not across, to first order.
+A section's corners are p_k = (1 - t_k) V_tail + t_k V_head. Its area vector is N = sum_k p_k x p_{k+1} / 2. Its
+centroid is that of the area projected along N. So a corner that moves along the limb moves the centroid along the limb,
+and not across, to first order.
 """
 
 from typing import NamedTuple
@@ -13,8 +13,9 @@ import jax.numpy as jnp
 from msf_jax.base.binding import Binding
 from msf_jax.device.nearest import signed_distances
 
-VANISHED = 1e-3  # of its recorded area, as all sections have grown, and of the square of its corners' spread: a section
-# of less is none
+# Ratio of a section's area to its recorded area (scaled by the growth of all sections), and to the mean squared
+# distance of its corners from their mean: below it, the section has vanished.
+VANISHED = 1e-3
 
 
 class Curve(NamedTuple):
@@ -25,10 +26,10 @@ class Curve(NamedTuple):
 
 
 class Sections(NamedTuple):
-    """Sections as they have moved.
+    """The moved cross-sections.
 
-    centroid: (S, 3). area: (S,). normal: (S, 3) unit. warp: (S,) how far the corners are off a plane, root mean
-    square, over how far they are from the centroid.
+    centroid: (S, 3). area: (S,). normal: (S, 3) unit. warp: (S,) the RMS distance of the corners from their plane, over
+    that from their mean.
     """
 
     centroid: jax.Array
@@ -38,13 +39,13 @@ class Sections(NamedTuple):
 
 
 def corners(binding: Binding, vertices: jax.Array) -> jax.Array:
-    """(C, 3) of the sections, in units of the binding around the centre, for ``vertices`` (V, 3) in those units."""
+    """(C, 3) corners of the sections for ``vertices`` (V, 3), both in the binding's unit and relative to its centre."""
     tail, head = vertices[binding.tail], vertices[binding.head]
     return tail + jnp.asarray(binding.part, vertices.dtype)[:, None] * (head - tail)
 
 
 def centroids(binding: Binding, place: jax.Array) -> Sections:
-    """Of the sections whose corners are at ``place`` (C, 3)."""
+    """The sections whose corners are at ``place`` (C, 3)."""
     num, dtype = len(binding.node), place.dtype
     share = jnp.asarray(binding.share, dtype)[:, None]
 
@@ -63,7 +64,7 @@ def centroids(binding: Binding, place: jax.Array) -> Sections:
     part = (cross * normal[binding.section]).sum(1)
     spread2 = total(share[:, 0] * (p * p).sum(1))
     recorded, is_loop = jnp.asarray(binding.area, dtype), jnp.asarray(binding.is_loop)
-    # One after the other, since the order in which a sum is taken depends on how much padding there is.
+    # A segment sum adds in order, so that the result does not depend on the amount of padding.
     areas = jnp.stack([jnp.where(is_loop, twice / 2, 0.0), recorded], axis=1)
     now, before = jax.ops.segment_sum(areas, jnp.zeros(num, jnp.int32), 1, indices_are_sorted=True)[0]
     grown = now / jnp.maximum(before, jnp.finfo(dtype).tiny)
@@ -76,8 +77,8 @@ def centroids(binding: Binding, place: jax.Array) -> Sections:
 
 
 def follow(binding: Binding, vertices: jax.Array) -> Curve:
-    """The curve for ``vertices`` (V, 3), in the caller's units; NaN at a node whose own section has vanished, 0 in rows
-    that are no nodes."""
+    """The curve for ``vertices`` (V, 3), in the caller's units; NaN at a node whose section has vanished, 0 in
+    padding."""
     dtype = vertices.dtype
     unit = jnp.asarray(binding.unit, dtype)
     entered = (vertices - jnp.asarray(binding.centre, dtype)) / unit

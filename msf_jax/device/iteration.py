@@ -18,27 +18,27 @@ from msf_jax.device.laplacian import Rows
 
 
 class Moved(NamedTuple):
-    """Where the vertices went, and how the solves ended: fields of ``solves`` are (2, ...), contraction first."""
+    """The new positions, and the reports of both solves: fields of ``solves`` are (2, ...), contraction first."""
 
     positions: jax.Array
     solves: SolveReport
 
     @property
     def contraction(self) -> SolveReport:
-        """How the contraction ended."""
+        """The report of the contraction."""
         return SolveReport(*(both[0] for both in self.solves))
 
     @property
     def smoothing(self) -> SolveReport:
-        """How the smoothing ended."""
+        """The report of the smoothing."""
         return SolveReport(*(both[1] for both in self.solves))
 
 
 def move(buffers: Buffers, weights: Weights, settings: StepSettings, layout: Layout, left: Any = None) -> Moved:
     """One iteration on ``buffers``; weights are scalars or (n,), one value a row.
 
-    ``left`` (2, n, 3) are residuals that the contraction and the smoothing are to leave: those that they reported of
-    another run. The two are trips of one scan: one body to compile, and to read.
+    ``left`` (2, n, 3) are the residuals that the two solves shall leave, as a run reported them. Contraction and
+    smoothing are two steps of one scan, so that one body is compiled.
     Differentiable in: buffers.positions, buffers.poles, weights; with ``buffers.t_c`` 0, which solves to the tolerance.
     """
     energies = _energies(buffers, weights, settings, layout)
@@ -58,7 +58,7 @@ def move(buffers: Buffers, weights: Weights, settings: StepSettings, layout: Lay
 
 
 def _energies(buffers: Buffers, weights: Weights, settings: StepSettings, layout: Layout) -> tuple[Energy, Energy]:
-    """Those of the contraction and of the smoothing."""
+    """The energies of the contraction and of the smoothing."""
     one = jnp.ones_like(buffers.free)
     # Only the ratios of w_L, w_H and w_M matter, and their fourth powers must stay within float32's range.
     largest = lax.stop_gradient(
@@ -72,29 +72,29 @@ def _energies(buffers: Buffers, weights: Weights, settings: StepSettings, layout
 
 
 def _rows(buffers: Buffers, settings: StepSettings, layout: Layout) -> Rows:
-    """The Laplacian of the surface in ``buffers``, with no entry that says more than the flow takes."""
+    """The Laplacian of the surface in ``buffers``, with limited entries."""
     rows = laplacian.assemble(settings.laplacian, buffers.positions, buffers.rings, buffers.degree, layout)
     return rows if settings.laplacian in laplacian.BOUNDED else laplacian.limit(rows)
 
 
-# What the host makes of neighbour (S,), out (S,), own (n,), shift (n,), free (n,), see `contraction.Gram`, and the
-# layout: the function r (n, c) -> M r.
+# From neighbour (S,), out (S,), own (n,), shift (n,), free (n,), see `contraction.Gram`, and the layout, the host makes
+# the preconditioner r (n, c) -> M r.
 Factoring = Callable[..., Callable[[Any], Any]]
 
 
 def move_factored(
     buffers: Buffers, weights: Weights, settings: StepSettings, layout: Layout, factoring: Factoring
 ) -> Moved:
-    """`move` where the host has a part in the solves, as their preconditioner: not to be jitted or differentiated.
+    """`move` with a preconditioner on the host. It cannot be jitted or differentiated.
 
-    Steps of CG are then few, and Python comes to each; what is between is jitted.
+    CG then needs few steps. Python runs each step, and calls jitted functions.
     """
     positions, reports = buffers.positions, []
     smallest = settings.step_tolerance * buffers.t_c
     for energy, least in zip(_jitted_energies(buffers, weights, settings, layout), (smallest, 0.0), strict=True):
         moved = buffers._replace(positions=positions)
         operator, b = _equations(moved, energy, settings, layout)
-        if bool((b == 0).all()):  # nothing to do, as for a smoothing of strength 0: nothing to factor, either
+        if bool((b == 0).all()):  # as for a smoothing of strength 0: no factorisation, no solve
             zero = jnp.zeros((), b.dtype)
             reports.append(SolveReport(jnp.asarray(0), zero, jnp.asarray(True), jnp.zeros_like(b)))
             continue

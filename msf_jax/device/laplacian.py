@@ -1,8 +1,7 @@
 """Laplacians on padded one-ring slots: mean value (article Eq. 4), cotangent in two forms, and uniform.
 
-Every entry needs only the positions of its edge i -> j and of the two apexes. The weight that j gives to i is computed
-from the same four points, so that the product with the transpose is a gather too. Lengths are fractions of the
-diagonal.
+Each entry depends only on the positions of its edge i -> j and of the two apexes. The entry j -> i is computed from the
+same four points, so that the product with the transpose is a gather, too. Lengths are fractions of the diagonal.
 """
 
 from functools import partial
@@ -14,16 +13,13 @@ import jax.numpy as jnp
 from msf_jax.base.layout import Layout
 from msf_jax.device.buffers import Rings, at_rows, slot_sum
 
-# Floors that keep weights and gradients finite on degenerate triangles; both are far below anything the flow keeps.
-SHORTEST = 1e-7  # an edge length, as a fraction of the diagonal
-STEEPEST = 1e4  # tan(alpha / 2) and cot(alpha): angles within a hundredth of a degree of pi and 0
-
-# Height over longest edge, below which `_signed_cotangents` makes a triangle's three smaller. At 0.001 vertices at the
-# tips of limbs run away along them, and at 0.1 now and then.
+# Bounds that keep weights and gradients finite on degenerate triangles; the flow keeps no triangle near them.
+SHORTEST = 1e-7  # diagonals: least length of an edge
+STEEPEST = 1e4  # largest tan(alpha / 2) and cot(alpha): angles within a hundredth of a degree of pi and 0
+# Height over longest edge: flatter triangles have their cotangents reduced, see `_signed_cotangents`. With 0.001
+# vertices at the tips of limbs diverge along the limbs; with 0.1 they sometimes do.
 FLATTEST = 0.3
-
-# Largest entry that the flow takes, see `limit`; a regular mesh has 1.2.
-LARGEST = 20.0
+LARGEST = 20.0  # largest entry in the flow, without unit, see `limit`; a regular mesh has 1.2
 
 
 class Rows(NamedTuple):
@@ -46,9 +42,9 @@ def assemble(kind: str, positions: jax.Array, rings: Rings, degree: jax.Array, l
 def _mean_value(positions: jax.Array, rings: Rings, degree: jax.Array, layout: Layout) -> Rows:
     """(tan(alpha / 2) + tan(beta / 2)) / length, for the angles at i beside the edge (article Eq. 4).
 
-    Rows are multiplied by the mean length of their one-ring edges, which takes their unit away.
+    Rows are multiplied by the mean length of their one-ring edges, so that they have no unit.
     """
-    # At i and, from its own differences, at j: rounding would make L and its transpose differ on needles otherwise.
+    # Weights at i and at j use their own differences, so that L and its transpose agree on needles despite rounding.
     ends = jnp.stack([at_rows(layout, positions), positions[rings.neighbour]])
     edge = ends[::-1] - ends
     length = _length(edge[0])
@@ -60,7 +56,7 @@ def _mean_value(positions: jax.Array, rings: Rings, degree: jax.Array, layout: L
 
 
 def _cotangents(positions: jax.Array, rings: Rings, degree: jax.Array, layout: Layout) -> Rows:
-    """(cot(alpha) + cot(beta)) / 2 for the angles opposite the edge; 0 where that is negative."""
+    """(cot(alpha) + cot(beta)) / 2 for the angles opposite the edge, or 0 if that is negative."""
     del degree
     at_i = at_rows(layout, positions)
     edge, after, before = (positions[corner] - at_i for corner in (rings.neighbour, rings.after, rings.before))
@@ -70,10 +66,10 @@ def _cotangents(positions: jax.Array, rings: Rings, degree: jax.Array, layout: L
 
 
 def _signed_cotangents(positions: jax.Array, rings: Rings, degree: jax.Array, layout: Layout) -> Rows:
-    """(cot(alpha) + cot(beta)) / 2, negative where obtuse angles make it so: L x is the gradient of the area.
+    """(cot(alpha) + cot(beta)) / 2, which may be negative: L x is the gradient of the area.
 
-    A flat triangle with its corners in a row then says that the middle one is between the others, and not that the
-    outer two come nearer, which would shorten a limb that has become thin (see `_flattened`).
+    A flat triangle with collinear corners then keeps its middle corner between the outer two. It does not pull the
+    outer two together, which would shorten a thin limb (see `_flattened`).
     """
     del degree
     at_i, at_j = at_rows(layout, positions), positions[rings.neighbour]
@@ -90,37 +86,37 @@ def _uniform(positions: jax.Array, rings: Rings, degree: jax.Array, layout: Layo
     return Rows(weight, weight)
 
 
-# By the names of `base.options.LAPLACIANS`; what an unused slot is given does not count.
+# By the names of `base.options.LAPLACIANS`. `assemble` overwrites the values of unused slots.
 WEIGHTS = {
     "mean_value": _mean_value,
     "cotangent": _cotangents,
     "signed_cotangent": _signed_cotangents,
     "uniform": _uniform,
 }
-BOUNDED = ("signed_cotangent",)  # those with a bound of their own, which `limit` would put out of balance
+BOUNDED = ("signed_cotangent",)  # kinds that are bounded without `limit`, which would break their symmetry
 
 
 def limit(rows: Rows, largest: float = LARGEST) -> Rows:
-    """The same rows with no entry above ``largest``.
+    """The same rows with entries of at most ``largest``.
 
-    Two vertices that nearly coincide, or a flat triangle, make an entry as large as one likes; all it says is that the
-    two vertices belong together, and 20 times the regular weight says it as well. The condition number of the normal
-    equations grows with the square of the largest entry: on homer this halves the iterations and the CG steps.
-    Differentiable in: rows, with a zero gradient where an entry is limited.
+    Two vertices that nearly coincide, or a flat triangle, make arbitrarily large entries. Their only effect is to keep
+    the two vertices together, which 20 times the regular weight does as well. The condition number of the normal
+    equations grows with the square of the largest entry. On a mesh of 6,002 vertices the limit halves the iterations
+    and the CG steps.
+    Differentiable in: rows; the gradient of a limited entry is 0.
     """
     return Rows(jnp.minimum(rows.out, largest), jnp.minimum(rows.into, largest))
 
 
 def _cross(a: jax.Array, b: jax.Array) -> jax.Array:
-    """Cross product over the last axis; traced much faster than `jnp.cross`."""
+    """Cross product over the last axis; it is traced much faster than `jnp.cross`."""
     return jnp.roll(a, -1, -1) * jnp.roll(b, -2, -1) - jnp.roll(a, -2, -1) * jnp.roll(b, -1, -1)
 
 
 def _norm(vector: jax.Array) -> jax.Array:
-    """Norm over the last axis, with a zero gradient where it vanishes or nearly does.
+    """Norm over the last axis, with gradient 0 where it is 0 or nearly 0.
 
-    Below 1e-15 in float32, where squares are about to leave the normal numbers, the quotient x / |x| that is its
-    gradient would be anything.
+    Below 1e-15 in float32, squares are close to denormal, and the gradient x / |x| would be arbitrary.
     """
     square = (vector * vector).sum(-1)
     is_zero = square < 1e8 * jnp.finfo(square.dtype).tiny
@@ -128,23 +124,24 @@ def _norm(vector: jax.Array) -> jax.Array:
 
 
 def _length(vector: jax.Array) -> jax.Array:
-    """Norm over the last axis, at least SHORTEST, with a zero gradient below it."""
+    """Norm over the last axis, at least SHORTEST; the gradient below that is 0."""
     square = (vector * vector).sum(-1)
     is_long = square > SHORTEST**2
     return jnp.where(is_long, jnp.sqrt(jnp.where(is_long, square, 1.0)), SHORTEST)
 
 
 def _sine_and_cosine(a: jax.Array, b: jax.Array) -> tuple[jax.Array, jax.Array]:
-    """|a x b| and a . b of the directions of a and b: of order one, so that no gradient leaves float32's range."""
+    """|a x b| and a . b of the directions of a and b: of order one, so that no gradient overflows float32."""
     a, b = a / _length(a)[..., None], b / _length(b)[..., None]
     return _norm(_cross(a, b)), (a * b).sum(-1)
 
 
 def _half_angle_tangent(a: jax.Array, b: jax.Array) -> jax.Array:
-    """tan(alpha / 2) for the angle alpha between a and b, from 0 to STEEPEST, with a zero gradient at the clamp.
+    """tan(alpha / 2) for the angle alpha between a and b, clamped to STEEPEST, with gradient 0 where it is clamped.
 
-    sin / (1 + cos), or (1 - cos) / sin for an obtuse angle, where the first would cancel. They agree only where
-    sin^2 + cos^2 = 1. An edge below SHORTEST makes that smaller, where it is always the first: no jump at 90 degrees.
+    It is sin / (1 + cos), or (1 - cos) / sin for an obtuse angle, where 1 + cos cancels. Both agree only if
+    sin^2 + cos^2 = 1. For an edge shorter than SHORTEST the sum is smaller, and the first formula is always used, so
+    that there is no jump at 90 degrees.
     """
     sine, cosine = _sine_and_cosine(a, b)
     is_obtuse = (cosine < 0) & (sine * sine + cosine * cosine > 0.99999)
@@ -155,7 +152,7 @@ def _half_angle_tangent(a: jax.Array, b: jax.Array) -> jax.Array:
 
 
 def _cotangent(a: jax.Array, b: jax.Array) -> jax.Array:
-    """cot(alpha) for the angle alpha between a and b, between -STEEPEST and STEEPEST, likewise."""
+    """cot(alpha) for the angle alpha between a and b, clamped to -STEEPEST and STEEPEST, likewise."""
     sine, cosine = _sine_and_cosine(a, b)
     is_tame = jnp.abs(cosine) < STEEPEST * sine
     return jnp.where(is_tame, cosine / jnp.where(is_tame, sine, 1.0), STEEPEST * jnp.sign(cosine))
@@ -164,8 +161,8 @@ def _cotangent(a: jax.Array, b: jax.Array) -> jax.Array:
 def _flattened(a: jax.Array, b: jax.Array, square: jax.Array) -> jax.Array:
     """a . b / |a x b| for two edges of a triangle whose third has the length squared ``square``.
 
-    The divisor is at least FLATTEST times the longest edge squared. That makes all three cotangents of a triangle
-    smaller by the same factor: its energy stays one of area, which is never negative, whatever the triangle.
+    The divisor is at least FLATTEST times the square of the longest edge. So all three cotangents of a flat triangle
+    are reduced by the same factor, and its energy, an area, is never negative.
     """
     longest2 = jnp.maximum(jnp.maximum(_square(a), _square(b)), square)
     is_point = longest2 < SHORTEST**4

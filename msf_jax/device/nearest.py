@@ -1,12 +1,11 @@
-"""The nearest of all triangles of a surface that moves, for many points, and on which side of it they are.
+"""The nearest triangle of a moved surface for many points, and the side of the surface that they are on.
 
-Triangles come in runs of near ones. Each run has a ball around it, wherever its corners are now; a run whose ball is
-farther from a point than some triangle is not looked at. So the nearest is exact for every surface, however it has
-moved, and what is looked at is a small part of it. Which triangle is nearest is a decision: no derivative is taken of
-the search.
+Triangles are stored in runs of neighbours. A bounding ball of each run is computed from its moved corners. Runs whose
+ball is farther from a point than a known triangle are skipped. So the result is exact for every motion, although only a
+small part of the triangles is tested. The nearest triangle is held fixed in derivatives.
 
-The side is that of the pseudonormal of the nearest face, edge or corner (Baerentzen and Aanaes 2005): the sum of the
-normals around it, at a corner each times its angle there. It is exact for a closed surface that does not cross itself.
+The side follows from the pseudonormal of the nearest face, edge or corner (Baerentzen and Aanaes 2005): the sum of the
+normals around it, at a corner weighted by angles. It is exact for a closed surface that does not cross itself.
 """
 
 from typing import NamedTuple
@@ -18,15 +17,15 @@ from jax import lax
 from msf_jax.base.binding import FACES_TOGETHER, Binding
 from msf_jax.device.playback import clearance
 
-MOST_RUNS = 1024  # of triangles, up to which a run is as short as can be; beyond, runs grow as their number does
-AT_ONCE = 1 << 14  # triangles that are looked at together
-ROUNDING = 16  # rounding errors by which a bound of a distance may be off
+MOST_RUNS = 1024  # runs of the shortest length; for more triangles, length and number of runs grow together
+AT_ONCE = 1 << 14  # triangles that are tested in one step
+ROUNDING = 16  # rounding errors (machine epsilons) that are subtracted from a lower bound of a distance
 
 
 class Foot(NamedTuple):
-    """Where the surface is nearest to points (P,).
+    """The nearest point on an edge or a corner, for points (P,).
 
-    place: (P, 3). half_edge: (P,) 3 f + k, of the face f whose edge k, or whose corner k, it is on. is_corner: (P,).
+    place: (P, 3). half_edge: (P,) 3 f + k for edge k, or corner k, of face f. is_corner: (P,).
     """
 
     place: jax.Array
@@ -35,9 +34,9 @@ class Foot(NamedTuple):
 
 
 def signed_distances(binding: Binding, points: jax.Array, vertices: jax.Array) -> jax.Array:
-    """Distance (N,) of the nodes at ``points`` (N, 3) to the surface at ``vertices`` (V, 3), negative outside.
+    """Signed distance (N,) of the nodes at ``points`` (N, 3) to the surface at ``vertices`` (V, 3), negative outside.
 
-    Differentiable in: points, vertices; zero gradient on an edge, where there is none.
+    Differentiable in: points, vertices; the gradient of a point on an edge is 0.
     """
     frozen = lax.stop_gradient((points, vertices))
     face = nearest_faces(binding, *frozen)
@@ -47,8 +46,7 @@ def signed_distances(binding: Binding, points: jax.Array, vertices: jax.Array) -
 
 
 def nearest_faces(binding: Binding, points: jax.Array, vertices: jax.Array) -> jax.Array:
-    """(N,) the face that is nearest to each of ``points`` (N, 3), of equals the first; 0 for a point that is NaN, or of
-    padding."""
+    """(N,) the face nearest to each of ``points`` (N, 3), the first of several; 0 for NaN and for padding."""
     num, dtype = len(points), points.dtype
     count = binding.faces.shape[0]
     size = FACES_TOGETHER
@@ -71,15 +69,15 @@ def nearest_faces(binding: Binding, points: jax.Array, vertices: jax.Array) -> j
         away = squared_distances(point, runs[run])
         return away.min(axis=1), run * size + away.argmin(axis=1)
 
-    # Pairs of a point and a run that may hold its nearest, one after the other, so many at a time.
+    # All pairs of a point and a run that may contain its nearest face, numbered, and tested ``together`` at a time.
     some, _ = smallest(points, bound.argmin(axis=1))
     pair = jnp.cumsum((bound * bound <= some[:, None]).ravel().astype(jnp.int32))
     together = AT_ONCE // size
 
-    def look(state: tuple[jax.Array, ...]) -> tuple[jax.Array, ...]:
+    def test_pairs(state: tuple[jax.Array, ...]) -> tuple[jax.Array, ...]:
         done, best, face = state
         number = jnp.searchsorted(pair, done + 1 + jnp.arange(together, dtype=jnp.int32))
-        number = jnp.minimum(number, len(pair) - 1)  # what is looked at in vain changes nothing
+        number = jnp.minimum(number, len(pair) - 1)  # testing the last pair again changes nothing
         point, run = number // len(runs), number % len(runs)
         away, which = smallest(points[point], run)
         least = jnp.minimum(best, jax.ops.segment_min(away, point, num, indices_are_sorted=True))
@@ -88,13 +86,13 @@ def nearest_faces(binding: Binding, points: jax.Array, vertices: jax.Array) -> j
         return done + together, least, jnp.where(least < best, first, face)
 
     start = (jnp.zeros((), jnp.int32), jnp.full(num, jnp.inf, dtype), jnp.zeros(num, jnp.int32))
-    found = lax.while_loop(lambda state: state[0] < pair[-1], look, start)[2]
-    return jnp.minimum(found, binding.live.faces - 1)  # which those that pad repeat
+    found = lax.while_loop(lambda state: state[0] < pair[-1], test_pairs, start)[2]
+    return jnp.minimum(found, binding.live.faces - 1)  # padding repeats the last face
 
 
 def squared_distances(points: jax.Array, triangles: jax.Array) -> jax.Array:
-    """(P, K) of each of ``points`` (P, 3) to its ``triangles`` (P, K, 3, 3): to the plane over it, else to the nearest
-    edge."""
+    """(P, K) squared distances of each of ``points`` (P, 3) to its ``triangles`` (P, K, 3, 3): to the plane if the
+    point projects into the triangle, else to the nearest edge."""
     along = jnp.roll(triangles, -1, axis=2) - triangles
     offset = points[:, None, None] - triangles
     length2 = (along * along).sum(-1)
@@ -109,7 +107,7 @@ def squared_distances(points: jax.Array, triangles: jax.Array) -> jax.Array:
 
 
 def _is_inside(binding: Binding, points: jax.Array, vertices: jax.Array, face: jax.Array) -> jax.Array:
-    """(N,) whether each point is behind the edge or the corner of its nearest ``face`` (N,) that is nearest to it."""
+    """(N,) whether each point is inside, by the pseudonormal of the nearest edge or corner of its ``face`` (N,)."""
     foot = _foot(points, vertices[binding.faces[face]], face)
     twin = binding.twin.ravel()
     across = _normals(binding, vertices, foot.half_edge // 3) + _normals(binding, vertices, twin[foot.half_edge] // 3)
@@ -132,7 +130,7 @@ def _is_inside(binding: Binding, points: jax.Array, vertices: jax.Array, face: j
 
 
 def _foot(points: jax.Array, triangles: jax.Array, face: jax.Array) -> Foot:
-    """The nearest of the edges of ``triangles`` (P, 3, 3), the faces of those numbers."""
+    """The nearest point on the edges of ``triangles`` (P, 3, 3), whose ids are ``face`` (P,)."""
     along = jnp.roll(triangles, -1, axis=1) - triangles
     offset = points[:, None] - triangles
     length2 = (along * along).sum(-1)
@@ -146,7 +144,7 @@ def _foot(points: jax.Array, triangles: jax.Array, face: jax.Array) -> Foot:
 
 
 def _normals(binding: Binding, vertices: jax.Array, face: jax.Array) -> jax.Array:
-    """(P, 3) unit normals of the faces of those numbers, zero for one without an area."""
+    """(P, 3) unit normals of the faces ``face`` (P,); 0 for a face without area."""
     a, b, c = jnp.moveaxis(vertices[binding.faces[face]], 1, 0)
     normal = jnp.cross(b - a, c - a)
     length2 = (normal * normal).sum(-1, keepdims=True)
@@ -154,6 +152,6 @@ def _normals(binding: Binding, vertices: jax.Array, face: jax.Array) -> jax.Arra
 
 
 def _angles(one: jax.Array, other: jax.Array) -> jax.Array:
-    """(P,) between two vectors each."""
+    """(P,) angles between pairs of vectors, in radians."""
     normal = jnp.cross(one, other)
     return jnp.arctan2(jnp.sqrt((normal * normal).sum(-1)), (one * other).sum(-1))

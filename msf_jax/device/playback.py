@@ -1,10 +1,10 @@
-"""The flow of one component again, from its tape: the same decisions, with live geometry, as one JAX program.
+"""The replay of one component's flow from its tape: recorded decisions, geometry computed anew, one JAX program.
 
-Every iteration is a trip of a `lax.scan`: contract and smooth, merge what was merged, cut what was cut, and gather the
-rows of the next one. Laplacians, poles, midpoints and the places of cuts are computed anew from the positions;
-neighbours, merges, cuts, which pole a vertex has, and who is fixed come from the tape. The run's linear solves were
-loose: each left a residual r |b| of A x = b, and the tape holds r. The replay solves A x = b - r |b| tightly, and so
-comes to the same x, with derivatives that are those of an exact solve.
+Each iteration is a step of a `lax.scan`: contract and smooth, apply the recorded collapses and splits, and gather the
+rows of the next iteration. Laplacians, poles, midpoints and split points are computed from the positions. One-rings,
+collapses, splits, the pole of each vertex and the fixed vertices come from the tape. The run's linear solves were
+loose: each left a residual r |b| of A x = b, and the tape has r. The replay solves A x = b - r |b| tightly. So it gets
+the same x, with the derivatives of an exact solve.
 """
 
 from functools import partial
@@ -21,7 +21,7 @@ from msf_jax.device.buffers import Buffers, Rings, slot_product
 from msf_jax.device.cg import SOLUTION
 from msf_jax.device.iteration import move
 
-CUT_AT_ENDS = 1e-30  # squared length below which an edge has no direction to project on: it is cut in the middle
+CUT_AT_ENDS = 1e-30  # diagonals squared: an edge with a smaller squared length is split in the middle
 
 
 class Mixing(NamedTuple):
@@ -36,7 +36,7 @@ class Mixing(NamedTuple):
 class Polynomial(NamedTuple):
     """The filter sum_j share_j T_j(1 - 2 L / top) of the graph Laplacian L on packed rows; a constant linear map.
 
-    vertex: (n,) that each row holds. row: (V,) of each vertex. neighbour, is_used: (S,). degree: (n,).
+    vertex: (n,) the vertex of each row. row: (V,) the row of each vertex. neighbour, is_used: (S,). degree: (n,).
     """
 
     vertex: Any
@@ -55,13 +55,13 @@ class Basis(NamedTuple):
 
 
 class Stretch(NamedTuple):
-    """T consecutive iterations in one layout of n rows; R rounds of M cuts each follow every one.
+    """T consecutive iterations in one layout of n rows, each followed by R rounds of M splits.
 
-    handover: (n,) the row of the workspace before, that each row starts from. enter: (T, n) the same inside.
-    rings: (T, S) each. degree, free, pull: (T, n). site: (T, n) the first row, whose pole this one has.
-    left: (T, 2, n, 3) residuals r of the solves. factor: (T,) that w_L had grown by.
-    group: (T, n) the row that each one is merged into. share, blend: (T, n) its part of that one's position, weights.
-    cut: (T, R, M, 3) the edge's ends and the apex.
+    handover: (n,) for each row, the row of the stretch before, from which it starts. enter: (T, n) the same for each
+    iteration. rings: (T, S) each. degree, free, pull: (T, n). site: (T, n) the row of the first stretch whose pole each
+    row has. left: (T, 2, n, 3) residuals r of the solves. factor: (T,) the factor on w_L. group: (T, n) the row that
+    each row is merged into. share, blend: (T, n) its share of that row's position and weights. cut: (T, R, M, 3) the
+    ends of the split edge, and the apex.
     """
 
     handover: Any
@@ -80,15 +80,14 @@ class Stretch(NamedTuple):
 
 
 class Part(NamedTuple):
-    """The tape of one component. Its first rows are those of the surface that the flow began with.
+    """The tape of one component. Its first rows are those of the surface at the start of the flow.
 
-    vertices: (V, 3) of the component in its frame. vertex_of_input: (V,) the caller's vertex that each is.
-    is_pin: (V,). mesh_filter: of the mesh itself. gather: its vertices to the first rows (n, V).
-    site_filter: of the sites that poles are sought for. tetrahedron: (n, 4), is_firm: (n,), offset: (n, 3): see
-    `host.recording.record_poles`.
-    meso_row: (m,) of the last workspace. nodes: the meso-skeleton to the nodes (N, m). pin_node, pin_input, pin_share:
-    (p,) nodes that are the mean of some of the caller's vertices. is_held: (N,) whether a node is one of those.
-    centre: (3,), diagonal: (), axes: (3, 3): the frame.
+    vertices: (V, 3) of the component in its frame. vertex_of_input: (V,) the caller's vertex for each. is_pin: (V,).
+    mesh_filter: the filter of the mesh itself, or None. gather: the matrix (n, V) from vertices to first rows.
+    site_filter: the filter of the sites of poles, or None. tetrahedron: (n, 4), is_firm: (n,), offset: (n, 3): see
+    `host.recording.record_poles`. meso_row: (m,) rows of the last workspace. nodes: the matrix (N, m) from the
+    meso-skeleton to the nodes. pin_node, pin_input, pin_share: (p,) entries of the matrix from the caller's vertices to
+    held nodes. is_held: (N,) nodes that are means of pins. centre: (3,), diagonal: (), axes: (3, 3): the frame.
     """
 
     vertices: Any
@@ -113,7 +112,7 @@ class Part(NamedTuple):
 
 
 class Shape(NamedTuple):
-    """What of a component's tape is not an array: the layouts of its stretches and of its mesh filter's rings."""
+    """The static part of a component's tape: the layouts of its stretches and of its mesh filter's rings."""
 
     layouts: tuple[Layout, ...]
     mesh_layout: Layout | None
@@ -125,8 +124,8 @@ def replay_part(
 ) -> tuple[jax.Array, jax.Array]:
     """Meso-skeleton (m, 3) and nodes (N, 3) of a component, in the caller's units.
 
-    ``weights``: scalars or one value for each of the caller's vertices. ``vertices`` (V, 3) of the caller's mesh, and
-    how far each is ``moved`` (V, 3) from where it was recorded.
+    ``weights``: scalars, or one value for each of the caller's vertices. ``vertices`` (V, 3): of the caller's mesh.
+    ``moved`` (V, 3): their displacement from the recorded vertices.
     Differentiable in: weights, vertices together with moved.
     """
     start = jnp.asarray(part.vertices) + (moved[part.vertex_of_input] / part.diagonal) @ part.axes.T
@@ -134,7 +133,7 @@ def replay_part(
     poles = _poles(part, site_of_pole)
     workspace, area = place, jnp.ones(len(place), place.dtype)
     for number, (stretch, layout) in enumerate(zip(part.stretches, shape.layouts, strict=True)):
-        if settings.w_H_follows_area:  # no edge is edited then: rows stay what they are, in every layout
+        if settings.w_H_follows_area:  # then no edge is edited, and rows are the same in all stretches
             rings = Rings(*(table[-1] for table in stretch.rings))
             first = laplacian.one_ring_areas(place[:, :3], rings, stretch.degree[-1], layout) if number == 0 else area
             area = first[stretch.handover]
@@ -149,7 +148,7 @@ def replay_part(
 
 
 def _first_rows(part: Part, weights: Weights, start: jax.Array, shape: Shape) -> tuple[jax.Array, jax.Array]:
-    """Position and weights (n, 3 + 4) of the rows that the flow begins with, and the sites of their poles (n, 3)."""
+    """Position and weights (n, 3 + 4) of the rows at the start of the flow, and the sites of their poles (n, 3)."""
     if part.mesh_filter is not None:
         kept = _filtered(part.mesh_filter, start, shape.mesh_layout)
         start = jnp.where(part.is_pin[:, None], start, kept)
@@ -193,7 +192,7 @@ def _filtered(kept: Polynomial | Basis, x: jax.Array, layout: Any) -> jax.Array:
 def _poles(part: Part, sites: jax.Array) -> jax.Array:
     """The poles (n, 3): circumcentres c of their tetrahedra, c - p = (|a|^2 b x c + ...) / (2 a . b x c).
 
-    Where that is not well determined, the pole goes with the mean of the sites.
+    If the circumcentre is ill-conditioned, the pole moves with the mean of the sites.
     """
     corner = sites[part.tetrahedron]
     a, b, c = (corner[:, k] - corner[:, 0] for k in (1, 2, 3))
@@ -208,7 +207,7 @@ def _poles(part: Part, sites: jax.Array) -> jax.Array:
 def _replay_stretch(
     stretch: Stretch, poles: jax.Array, area: jax.Array, rows: jax.Array, layout: Layout, settings: StepSettings
 ) -> jax.Array:
-    """The workspace (n + R M, 7) after the iterations of ``stretch``: position and weights of rows, and of new ones."""
+    """The workspace (n + R M, 7) after the iterations of ``stretch``: position and weights of rows and of new rows."""
     num_new = stretch.cut.shape[1] * stretch.cut.shape[2]
     fresh = jnp.zeros((num_new, rows.shape[1]), rows.dtype)
 
@@ -233,13 +232,13 @@ def _replay_stretch(
         return _cut(jnp.concatenate([rows, fresh]), line.cut, layout.capacity), None
 
     lines = stretch._replace(handover=None)
-    # Reverse mode keeps the workspace and the two solutions of every iteration, and computes the rest of it again.
+    # Reverse mode stores the workspace and the two solutions of every iteration, and recomputes the rest.
     kept = jax.checkpoint_policies.save_only_these_names(SOLUTION)
     return lax.scan(jax.checkpoint(iteration, policy=kept), jnp.concatenate([rows, fresh]), lines)[0]
 
 
 def _cut(workspace: jax.Array, cut: jax.Array, first: int) -> jax.Array:
-    """Rounds of cuts (R, M, 3), whose new rows come after the ``first``: each where its apex projects on its edge."""
+    """Apply rounds of splits (R, M, 3): each adds a row, from ``first`` on, where the apex projects on the edge."""
     num_rounds, num_cuts, _ = cut.shape
     if num_rounds == 0:
         return workspace
@@ -259,11 +258,11 @@ def _cut(workspace: jax.Array, cut: jax.Array, first: int) -> jax.Array:
 
 
 def clearance(points: jax.Array, triangles: jax.Array, is_inside: jax.Array) -> jax.Array:
-    """Distance (N,) from each of ``points`` (N, 3) to its triangle (N, 3, 3); negative for one outside.
+    """Signed distance (N,) from each of ``points`` (N, 3) to its triangle (N, 3, 3), negative outside.
 
-    Over a face the side is live, so that a point can pass through it. Where an edge or a corner is nearest, a point is
-    on the side that ``is_inside`` (N,) says.
-    Differentiable in: points, triangles; zero gradient on an edge, where there is none.
+    If the nearest point is inside the triangle, the sign follows from the positions. If it is on an edge or a corner,
+    ``is_inside`` (N,) gives the sign.
+    Differentiable in: points, triangles; the gradient of a point on an edge is 0.
     """
     best = jnp.full(len(points), jnp.inf, points.dtype)  # squared distance to the nearest edge
     for k in range(3):

@@ -1,9 +1,9 @@
-"""One known false alarm of XLA's kept off standard error, and nothing else, nor for longer than it takes to load.
+"""Removes one known false alarm of XLA from standard error.
 
-For every program that it takes from a file on a CPU, XLA prints two lines of kilobytes each about tuning flags that
-are "not supported on the host machine" (jax issue 38445, xla issue 44565). It listens to no option that can still be
-set. So while one is loaded, a few milliseconds, what native code writes to standard error goes to a file, and is
-passed on right after without those lines.
+For every program that it loads from a file on a CPU, XLA prints two lines of kilobytes each about tuning flags that
+are "not supported on the host machine" (jax issue 38445, xla issue 44565). No option that can still be set disables it.
+So during the few milliseconds of a load, the standard error of native code goes to a file; afterwards it is passed on
+without those lines.
 """
 
 import contextlib
@@ -16,8 +16,8 @@ import threading
 from collections.abc import Callable, Iterator
 from typing import Any
 
-ALARM = b"cpu_aot_loader"  # in each of its lines
-LOADER = "jax._src.compilation_cache", "get_executable_and_time"  # JAX has no public place to take it at
+ALARM = b"cpu_aot_loader"  # occurs in each line of the alarm
+LOADER = "jax._src.compilation_cache", "get_executable_and_time"  # JAX's private function that loads a program
 
 _lock = threading.Lock()
 _num_loading = 0
@@ -25,7 +25,7 @@ _restore: Callable[[], None] | None = None
 
 
 def quieten_cache() -> bool:
-    """Keep the false alarm back whenever JAX loads a program, in this process. Returns whether JAX has that place."""
+    """Remove the false alarm whenever JAX loads a program in this process. Returns whether JAX has `LOADER`."""
     try:
         module = importlib.import_module(LOADER[0])
         load = getattr(module, LOADER[1])
@@ -45,8 +45,8 @@ def quieten_cache() -> bool:
 
 @contextlib.contextmanager
 def without_alarm() -> Iterator[None]:
-    """Hold back what is written to standard error, and pass it on at the end but for the alarm; also in many threads
-    at once, of which the first begins and the last ends it."""
+    """Hold back standard error in this context, and pass it on at the end without the alarm. Several threads may be in
+    it: the first begins to hold back, and the last passes on."""
     global _num_loading, _restore
     with _lock:
         _num_loading += 1
@@ -62,15 +62,15 @@ def without_alarm() -> Iterator[None]:
 
 
 def _held_back() -> Callable[[], None] | None:
-    """Let file descriptor 2 lead to a file; the function that is returned undoes that, and passes on what it holds.
+    """Redirect file descriptor 2 to a file. The returned function undoes that, and passes the file's content on.
 
-    None where it is closed.
+    Returns None if standard error is closed.
     """
     try:
         if sys.stderr is not None:
             sys.stderr.flush()
         original = os.dup(2)
-    except (OSError, ValueError):  # closed: nobody would see it
+    except (OSError, ValueError):  # it is closed
         return None
     held = tempfile.TemporaryFile()  # noqa: SIM115  until it is restored
     os.dup2(held.fileno(), 2)

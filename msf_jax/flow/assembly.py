@@ -1,4 +1,4 @@
-"""Put the components of a run together again, in the caller's units: curves, report, and what a tape is made from."""
+"""Make one `Flow` of all components, in the caller's units: curves, report, and the data for a tape."""
 
 from collections.abc import Callable
 from dataclasses import replace
@@ -18,11 +18,11 @@ from msf_jax.host.meso import ring_tables
 from msf_jax.host.recording.records import ComponentRecord, Recording
 from msf_jax.host.solid import openings
 from msf_jax.host.solid.solid import Solid
-from msf_jax.skeleton.report import Report, loops_of, weighed
+from msf_jax.skeleton.report import Report, assessed, loops_of
 from msf_jax.skeleton.skeleton import Skeleton
 from msf_jax.skeleton.source import Source, Stage
 
-MOST_STAGES = 12  # of the contraction that are kept to be looked at
+MOST_STAGES = 12  # surfaces of the contraction that are kept for pictures
 
 
 def assemble(
@@ -36,13 +36,13 @@ def assemble(
     watch: Stopwatch,
     notes: list[str],
 ) -> Flow:
-    """The whole run, with the caller's ``pins``, and ``notes`` for the report."""
+    """The `Flow` of a run. ``pins`` are the caller's, ``notes`` go into the report."""
     stitched = curves.as_left(checked, states, parts), curves.finished(checked, states, parts)
     history = tuple(line for state in states for line in state.history)
     with watch.stage("report"):
         solid = Solid(checked.vertices, checked.faces)
         followed = None if checked.is_made.any() else checked.input_of_vertex
-        if followed is not None:  # of welded vertices the first stands for all
+        if followed is not None:  # the first of several welded vertices represents all of them
             pins = np.unique(followed[checked.vertex_of_input[pins]])
         source = Source(solid, _areas_of_input(checked, solid), pins, _stages(states), followed)
         figures = {}
@@ -72,22 +72,22 @@ def assemble(
 
 
 def _notes_of_finishing(states: list[State], parts: list[Part]) -> list[str]:
-    """What the report says of how curves were finished."""
+    """The report's notes about the finishing of the curves."""
     done, of = [part.finished for part in parts], f"of {len(parts)} curves"
     refused, closed = sum(one.num_refused for one in done), sum(one.num_closed for one in done)
     laid = sum(one.node_of_vertex is not None for one in done)
     short, sparse = sum(one.is_cut_short for one in done), sum(one.is_sparse for one in done)
     tangles = sum(map(is_left, states, parts))
     found = (
-        (refused, f"{_edges(refused)} of the curve may be outside: the search for ways inside hit its bound"),
-        (closed, f"no way inside was found for {_edges(closed)} of the curve: the solid may be in pieces there"),
+        (refused, f"{_edges(refused)} of the curve may be outside: the search for paths inside reached its limit"),
+        (closed, f"no path inside was found for {_edges(closed)} of the curve: the solid may be in pieces there"),
         (
             laid,
-            f"edges are longer than the limbs' radius: waves over the surface made {laid} {of}; "
-            "loops no larger than a limb is thick are not in them",
+            f"edges are longer than the limbs' radius: geodesic wavefronts made {laid} {of}; "
+            "loops no larger than a limb's thickness are missing in them",
         ),
-        (short, f"centring of {short} {of} was left early: their sections are many"),
-        (sparse, f"nodes of {sparse} {of} are far apart: they are long for their thickness"),
+        (short, f"centring of {short} {of} ended early: they have too many cross-sections"),
+        (sparse, f"nodes of {sparse} {of} are far apart: the curves are long for their thickness"),
         (tangles, f"{tangles} {of} not finished: over {MOST_VOLUME:.0%} of the volume is left"),
     )
     return [note for count, note in found if count]
@@ -98,7 +98,11 @@ def _edges(count: int) -> str:
 
 
 def _skeleton(
-    stitched: Stitched, checked: Surface, report: Report, source: Source, about: Callable[..., dict[str, Any]] = weighed
+    stitched: Stitched,
+    checked: Surface,
+    report: Report,
+    source: Source,
+    about: Callable[..., dict[str, Any]] = assessed,
 ) -> Skeleton:
     vertices, edges, node_of_vertex = stitched
     solid = source.solid
@@ -111,7 +115,7 @@ def _skeleton(
 
 
 def _to_openings(stitched: Stitched, checked: Surface, report: Report, source: Source) -> Skeleton:
-    """The finished curve, led on to the middles of the openings that repair has closed."""
+    """The finished curve, extended to the centres of the openings that repair has closed."""
     if not checked.rims:
         return _skeleton(stitched, checked, report, source)
     vertex = [checked.vertex_of_input[rim] for rim in checked.rims]
@@ -121,12 +125,12 @@ def _to_openings(stitched: Stitched, checked: Surface, report: Report, source: S
     source = source._replace(solid=Solid(checked.vertices, checked.faces, found.lids))
     led = stitched._replace(vertices=found.nodes, edges=finishing.in_order(found.edges))
     num = f"{len(found.ends)} opening{'' if len(found.ends) == 1 else 's'}"
-    report = replace(report, notes=(*report.notes, f"the curve goes on to the middle of {num} that repair has closed"))
+    report = replace(report, notes=(*report.notes, f"the curve ends in the centre of {num} that repair has closed"))
     return replace(_skeleton(led, checked, report, source), openings=tuple(found.ends.tolist()))
 
 
 def _records(checked: Surface, states: list[State], parts: list[Part]) -> tuple[ComponentRecord, ...]:
-    """What the tape is made from."""
+    """The data for the tape, for each component."""
     return tuple(
         ComponentRecord(
             vertices=state.shape.vertices,
@@ -147,7 +151,7 @@ def _records(checked: Surface, states: list[State], parts: list[Part]) -> tuple[
 
 
 def _counted(part: Part) -> np.ndarray:
-    """(n,) the kept node that each vertex of the surface counts for, or -1."""
+    """(n,) the kept node whose position each vertex of the surface contributes to, or -1."""
     number = np.where(part.finished.is_kept, np.cumsum(part.finished.is_kept) - 1, -1)[part.found.node_of_meso]
     return number if part.found.is_counted is None else np.where(part.found.is_counted, number, -1)
 
@@ -192,7 +196,7 @@ def _by_vertex(parts: list[np.ndarray], states: list[State], checked: Surface) -
 
 
 def _map_of_input(checked: Surface, nodes: np.ndarray, node_of_vertex: np.ndarray) -> np.ndarray:
-    """(V,) the node of every vertex of the caller's mesh; one that no face uses goes to the nearest node."""
+    """(V,) the node of every vertex of the caller's mesh. A vertex that no face uses gets the nearest node."""
     is_used = checked.vertex_of_input >= 0
     mesh_map = np.where(is_used, node_of_vertex[checked.vertex_of_input], -1)
     mesh_map[~is_used] = spatial.KDTree(nodes).query(checked.strays)[1]
@@ -200,9 +204,9 @@ def _map_of_input(checked: Surface, nodes: np.ndarray, node_of_vertex: np.ndarra
 
 
 def _areas_of_input(checked: Surface, solid: Solid) -> np.ndarray:
-    """(V,) share of the area that belongs to every vertex of the caller's mesh; welded ones share theirs.
+    """(V,) the area that belongs to each vertex of the caller's mesh. Welded vertices share theirs equally.
 
-    That of a vertex that repair has made goes to the caller's that stands for it.
+    The area of a vertex that repair made goes to the caller's vertex that represents it.
     """
     vertex, area, made = checked.vertex_of_input, solid.vertex_areas(), np.flatnonzero(checked.is_made)
     np.add.at(area, vertex[checked.input_of_vertex[made]], area[made])
@@ -220,10 +224,10 @@ def report_of(
     figures: dict[str, float],
     watch: Stopwatch,
 ) -> Report:
-    """The report without what is the curve's own: components, cycles and inside are filled in for each."""
+    """The report without the figures of a curve: `_skeleton` fills in components, cycles and inside."""
     return Report(
         components=0,
-        mesh_components=len(reasons),  # some were not begun, perhaps
+        mesh_components=len(reasons),  # including those that an interrupted run did not begin
         genus=sum(component.genus for component in checked.components),
         cycles=0,
         inside=np.nan,
@@ -247,7 +251,8 @@ def _notes(states: list[State], history: tuple[Iteration, ...]) -> list[str]:
     notes = []
     if guessed := sum(lacks_classes(state, state.meso) for state in states):
         which = "a surface that crosses" if guessed == 1 else f"{guessed} surfaces that cross"
-        notes.append(f"the loops of {which} itself, or with very many handles, were told apart by their lengths alone")
+        notes.append(f"the loops of {which} itself, or with very many handles, were told apart by their lengths only")
     if redone := sum(line.redone > 0 for line in history):
-        notes.append(f"{redone} {'step was' if redone == 1 else 'steps were'} redone shorter: numbers ran away")
+        steps = "step was" if redone == 1 else "steps were"
+        notes.append(f"{redone} {steps} repeated with a smaller w_L: coordinates diverged")
     return notes

@@ -1,7 +1,7 @@
-"""A run's state in a file, so that one that was killed goes on to the same bits.
+"""The state of a run in a file. A run that was killed continues from it, with the same result to the last bit.
 
-The file holds what iterations change: each component's surface, history and recorded steps. What comes before them is
-computed again, which gives the same numbers. It knows which run it is of, by hashes of the mesh and of every setting.
+The file holds what iterations change: each component's surface, history and recorded steps. The preparation before the
+iterations is computed again, with the same result. Hashes of the mesh and of every setting identify the run.
 """
 
 import hashlib
@@ -23,21 +23,22 @@ from msf_jax.host.meso.meso import Compaction, Fixing, Meso
 from msf_jax.host.meso.split import SplitRound
 from msf_jax.host.recording.records import Step
 
-KIND, VERSION = "checkpoint", 3
+KIND = "checkpoint"  # of the file, see `archive`
+VERSION = 3  # of the format: files of other versions are refused
 RECORDS = {kind.__name__: kind for kind in (Meso, Step, Iteration, CollapseRound, SplitRound, Fixing, Compaction)}
 CHANGING = ("meso", "t_c", "w_L_factor", "capacity", "history", "steps", "failure")  # attributes of a `State`
 ADVICE = "choose another path"
 
 
 class Checkpoint:
-    """The file at ``path``, of the run that ``run`` identifies; without a path, nothing is kept.
+    """The checkpoint of the run that ``run`` identifies, in the file ``path``. Without a path nothing is saved.
 
     Attributes:
-        saved: of each component that was begun, what its iterations had changed.
-        failure: why it could not be written, the last time; empty if it could.
+        saved: for each component that was begun, the attributes that its iterations have changed.
+        failure: why the last write failed; empty if it did not.
 
     Raises:
-        ConfigError: the path is not to be written to, or the file there is of another run, or no checkpoint.
+        ConfigError: the path cannot be written to, or the file there is of another run, or no checkpoint.
     """
 
     def __init__(self, path: str | os.PathLike[str] | None, run: dict[str, str]) -> None:
@@ -48,7 +49,7 @@ class Checkpoint:
         folder = self.path.absolute().parent
         if self.path.is_dir() or not folder.is_dir() or not os.access(folder, os.W_OK):
             raise ConfigError(
-                f"cannot write a checkpoint to {str(path)!r}: expected a file name in a folder to write to"
+                f"cannot write a checkpoint to {str(path)!r}: expected a file name in a folder that can be written to"
             )
         if self.path.exists():
             with archive.reading(self.path, KIND, VERSION, ADVICE) as (header, arrays):
@@ -62,10 +63,10 @@ class Checkpoint:
                 resuming.check_states(self.saved, CHANGING)
 
     def restore(self, state: State, config: Config) -> None:
-        """Bring ``state``, a component's first, to where the file has it.
+        """Replace ``state``, the first state of a component, by the saved state of that component, if there is one.
 
         Raises:
-            ConfigError: what the file has cannot come of it.
+            ConfigError: the saved state cannot follow from ``state``.
         """
         if state.number < len(self.saved):
             saved = self.saved[state.number]
@@ -77,7 +78,7 @@ class Checkpoint:
                 setattr(state, name, value)
 
     def save(self, states: list[State]) -> None:
-        """Write the states of the components so far; a failure is kept in ``failure``, and the run goes on."""
+        """Write the states of the components so far. A failed write sets ``failure``, and the run continues."""
         if self.path is None:
             return
         arrays: dict[str, np.ndarray] = {}
@@ -94,7 +95,7 @@ class Checkpoint:
 def run_of(
     given: tuple[np.ndarray, np.ndarray], weights: Weights, config: Config, pins: np.ndarray, repair: Any
 ) -> dict[str, str]:
-    """What makes a run the same: hashes by name."""
+    """What identifies a run: the hash or text of each input, by name."""
     device = jax.devices()[0]
     return {
         "mesh": _hash(*given),

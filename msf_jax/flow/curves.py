@@ -1,4 +1,4 @@
-"""The curve of each component, read off the contracted surface and finished, and all of them stitched together."""
+"""The curve of each component: extracted from the contracted surface, finished, and joined with the others."""
 
 from functools import partial
 from typing import NamedTuple
@@ -14,14 +14,14 @@ from msf_jax.host.mesh.checking import Surface
 from msf_jax.host.meso import short_loops, surgery
 from msf_jax.host.meso.meso import Meso
 
-MOST_VOLUME = 0.1  # that may be left of a component whose curve is worth finishing
+MOST_VOLUME = 0.1  # share of the first volume: with more left, the curve is a tangle, and is not finished
 
 
 class Part(NamedTuple):
     """The curve of one component, in its frame.
 
-    curve: as the flow left it, without the branches that were pruned. finished: the same nodes and more, moved.
-    found: as it was read off the surface ``meso``, with those. is_held: (n,) which of the curve's nodes hold a pin.
+    curve: the flow's curve, without the branches that were pruned. finished: the same nodes, moved, and new ones.
+    found: the curve as extracted from the surface ``meso``, with all branches. is_held: (n,) nodes that have a pin.
     """
 
     curve: Curve
@@ -32,10 +32,10 @@ class Part(NamedTuple):
 
 
 def curve_of(state: State, meso: Meso, config: Config, watch: Stopwatch) -> Part:
-    """The curve of a contracted surface ``meso``, as it is and finished.
+    """The curve of a contracted surface ``meso``, as extracted and finished.
 
-    That of a surface with more than ``MOST_VOLUME`` left is a tangle that no pass can mend, and stays as it is,
-    unless waves over the surface make the curve.
+    If more than ``MOST_VOLUME`` is left, the curve is a tangle that no pass can correct. It is not finished, unless
+    geodesic wavefronts over the surface make the curve.
     """
     with watch.stage("curve"):
         pinned = meso.node_of_input[state.pins]
@@ -63,7 +63,7 @@ def curve_of(state: State, meso: Meso, config: Config, watch: Stopwatch) -> Part
             coarse=state.coarse,
             first=partial(_recentred, meso, found) if config.surgery else None,
         )
-    # A node that has gone passes its edges on to the one that stands for it: what was one curve does not fall apart.
+    # The edges of a removed node go to the node that replaces it, so that the curve stays connected.
     stands_for = (np.cumsum(done.is_kept) - 1)[done.target]
     edges = stands_for[found.edges]
     kept = Curve(
@@ -75,12 +75,12 @@ def curve_of(state: State, meso: Meso, config: Config, watch: Stopwatch) -> Part
 
 
 def lacks_classes(state: State, meso: Meso) -> bool:
-    """Whether the surface has handles, and it is not known which of its loops vanish in the solid."""
+    """Whether the surface has handles, but no homology classes that tell which loops are contractible in the solid."""
     return state.component.genus > 0 and meso.classes is None
 
 
 def _recentred(meso: Meso, found: Curve, draft: Draft, job: Job) -> Draft:
-    """A pass: the nodes that surgery has left, moved back to the middle of the solid."""
+    """A pass that moves the nodes left by surgery back to the middle of the solid."""
     x = surgery.recentred(
         draft.vertices,
         draft.edges,
@@ -94,12 +94,12 @@ def _recentred(meso: Meso, found: Curve, draft: Draft, job: Job) -> Draft:
 
 
 def is_tangle(state: State) -> bool:
-    """Whether so much of the volume is left that there is no curve to speak of."""
+    """Whether the surface has not become a curve, as too much of its volume is left."""
     return abs(state.history[-1].volume if state.history else 1.0) > MOST_VOLUME
 
 
 def is_left(state: State, part: Part) -> bool:
-    """Whether the curve is a tangle that stays as it is."""
+    """Whether the curve is a tangle that was not finished."""
     return is_tangle(state) and part.finished.node_of_vertex is None
 
 
@@ -112,7 +112,7 @@ class Stitched(NamedTuple):
 
 
 def as_left(checked: Surface, states: list[State], parts: list[Part]) -> Stitched:
-    """The curves as the flow left them, component by component."""
+    """The flow's curves, component by component."""
     nodes, edges, num = [], [], 0
     node_of_vertex = np.empty(len(checked.vertices), dtype=np.int64)
     for state, part, member in zip(states, parts, checked.members, strict=True):
@@ -124,7 +124,7 @@ def as_left(checked: Surface, states: list[State], parts: list[Part]) -> Stitche
 
 
 def finished(checked: Surface, states: list[State], parts: list[Part]) -> Stitched:
-    """The finished curves: the nodes of `as_left` come first, with the same numbers, then those that are new."""
+    """The finished curves: the nodes of `as_left` come first, with the same ids, then the new nodes."""
     old, new, edges = [], [], []
     num_flow = sum(len(part.curve.nodes) for part in parts)
     num_old = num_new = 0
@@ -146,12 +146,12 @@ def finished(checked: Surface, states: list[State], parts: list[Part]) -> Stitch
 
 
 def node_of_input(part: Part) -> np.ndarray:
-    """(V,) the node of every sorted vertex of the component, as the flow left it."""
+    """(V,) the node of the flow's curve for each sorted vertex of the component."""
     return part.curve.node_of_meso[part.meso.node_of_input]
 
 
 def _placed(checked: Surface, state: State, part: Part, member: np.ndarray, nodes: np.ndarray) -> np.ndarray:
-    """Nodes of the flow in the caller's units; a pin is where it was, to the last bit."""
+    """Nodes of the flow's curve in the caller's units. A pin has its input position, to the last bit."""
     node_of_pin = node_of_input(part)[state.pins]
     exact = means(checked.vertices[member[state.order][state.pins]], node_of_pin, len(nodes))
     placed = state.frame.leave(nodes)
@@ -160,6 +160,6 @@ def _placed(checked: Surface, state: State, part: Part, member: np.ndarray, node
 
 
 def means(points: np.ndarray, group: np.ndarray, num: int) -> np.ndarray:
-    """(num, 3) mean of the points of each group, 0 for a group without one."""
+    """(num, 3) mean of the points of each group; 0 for an empty group."""
     count = np.maximum(np.bincount(group, minlength=num), 1)
     return np.stack([np.bincount(group, weights=points[:, axis], minlength=num) / count for axis in range(3)], axis=1)

@@ -1,7 +1,7 @@
-"""The flow, Algorithm 2: every component of a mesh is started, and stepped until it is done; then curves.
+"""The flow, Algorithm 2: each component of a mesh is contracted until it is done, then its curve is extracted.
 
-`starting` prepares a component, `stepping` runs one iteration (the only place where host and device meet), `done` says
-whether and why to stop, `curves` reads the curves off, and `assembly` puts the run together.
+`starting` prepares a component. `stepping` runs one iteration; only there host and device meet. `done` decides whether
+to stop, and says why. `curves` extracts and finishes the curves. `assembly` makes one result of all components.
 """
 
 import os
@@ -28,11 +28,12 @@ from msf_jax.host.meso import collapse, fixing
 from msf_jax.host.meso.meso import Meso
 
 INTERRUPTED = "interrupted"
-SETTLED = 0.02  # of the volume may be left, however it is; or, in membranes,
-MEMBRANES, THINNED = 0.1, 0.25  # that much, if what is left is that part as thick as the solid was
-PROGRESS = 0.1  # of the area, that a tooth must take away, or the flow has settled;
-FEWEST = 20  # iterations, that a tooth counts for at least
-STALL_ITERATIONS = 30  # without progress, after which the flow gives up: longer than a tooth of the default threshold
+SETTLED = 0.02  # share of the first volume: a flow that has settled may leave this much, of any shape
+MEMBRANES = 0.1  # share of the first volume: it may leave this much in thin membranes between fixed vertices
+THINNED = 0.25  # membranes are at most this part as thick as the solid was (ratio of volume share to area share)
+PROGRESS = 0.1  # share of the area: a flow that loses less in a period of the threshold has settled
+FEWEST = 20  # iterations: shorter periods of the threshold count as this long
+STALL_ITERATIONS = 30  # iterations without progress until the flow gives up; a default period is shorter
 
 
 def contract(
@@ -46,29 +47,30 @@ def contract(
     progress: bool = False,
     limits: Limits = LIMITS,
 ) -> Flow:
-    """Run the flow on ``mesh`` and keep everything; `skeletonize` is the short way to the curve alone.
+    """Run the flow on ``mesh`` and return all of it. `skeletonize` returns the finished curve alone.
 
     Args:
-        mesh: a path that trimesh reads, a `trimesh.Trimesh`, or ``(vertices, faces)``: closed triangle surfaces. Or the
-            `Surface` that has been made of one.
+        mesh: a path that trimesh reads, a `trimesh.Trimesh`, or ``(vertices, faces)``: closed triangle surfaces. Or a
+            `Surface` that was checked before.
         weights: of the flow; those of ``config``'s system if not given. Each is a number, or an array (V,) with one for
-            every vertex of the mesh: merged vertices take the mean of theirs, one that splits an edge interpolates.
-        config: the system and its options; ``Config()``, the article's own, if not given.
-        pins: numbers of vertices of the mesh that are held in place; the curve goes through them.
-        repair: True, or a `Repair` that says how far it may go, for a mesh that is not a closed manifold; "join" also
-            makes one solid of parts that overlap, touch or nearly touch. Every change is counted in
-            ``skeleton.report.repairs``.
-        checkpoint: a file that the state is written to every few iterations, whole or not at all. If it is there, and
-            of this very run, that goes on from it, to the same bits. It stays when the run has ended.
+            every vertex of the mesh. A merged vertex gets the mean of its vertices' weights; a vertex that splits an
+            edge gets an interpolated weight.
+        config: the system and its options; ``Config()``, the article's, if not given.
+        pins: ids of vertices of the mesh that are held in place; the curve goes through them.
+        repair: True, or a `Repair` with limits, to repair a mesh that is not a closed manifold; "join" also makes one
+            solid of parts that overlap, touch or nearly touch. Every change is counted in ``skeleton.report.repairs``.
+        checkpoint: a file to which the state is written every few iterations, atomically. If the file exists and is of
+            the same run, the run continues from it, with the same result to the last bit. The file is not deleted.
         progress: show a progress bar on standard error, if that is a terminal.
         limits: bounds that only tests change.
 
     Raises:
-        MeshError: the mesh is not a closed manifold that encloses a volume, and cannot be repaired without a doubt.
+        MeshError: the mesh is not a closed manifold that encloses a volume, and ``repair`` was not given or could not
+            make it one.
         ConfigError: a weight or an option is out of range, a pin is no vertex of the surface, or the checkpoint is of
             another run or cannot be written.
-        FlowError: the mesh has no Voronoi diagram, or this process was forked from one in which a run was made.
-        Interrupted: Ctrl-C, once the iteration has ended; it is a KeyboardInterrupt, and holds the flow as it was.
+        FlowError: the mesh has no Voronoi diagram, or this process was forked after a run.
+        Interrupted: Ctrl-C, raised after the current iteration; a KeyboardInterrupt with the unfinished flow.
     """
     weights, config = checked_options(weights, config)
     forking.check()
@@ -117,7 +119,7 @@ def contract(
 
 
 def _thinned(meso: Meso, config: Config) -> Meso:
-    """The surface to read the curve off: one that was never edited first loses its short edges."""
+    """The surface to extract the curve from. If the flow did not edit it, its short edges are collapsed first."""
     if config.edit_connectivity:
         return meso
     meso = meso.copied()
@@ -126,9 +128,9 @@ def _thinned(meso: Meso, config: Config) -> Meso:
 
 
 def has_volume(state: State, config: Config) -> bool:
-    """Whether there is more to contract: volume, or, as a flat sheet has none, area that is not yet down to a curve's.
+    """Whether there is more to contract: volume, or area, because a flat sheet has no volume.
 
-    A thin curve still has some area; it is as small as it gets when three iterations take less than a tenth of it away.
+    A contracted curve still has some area. It counts as contracted when three iterations remove less than a tenth.
     """
     last = state.history[-1]
     if abs(last.volume) > config.volume_tolerance:
@@ -138,10 +140,10 @@ def has_volume(state: State, config: Config) -> bool:
 
 
 def is_settled(history: list[Iteration], config: Config) -> bool:
-    """Whether next to nothing is left, and has not become less in a whole tooth of the threshold.
+    """Whether little volume is left, and the area has hardly fallen over a whole period of the threshold.
 
-    Membranes between fixed vertices have nowhere to go: their edges are split as fast as they collapse. The curve is
-    read off them as it is of anything thin.
+    Membranes between fixed vertices do not contract further: their edges are split as fast as they collapse. A curve
+    is extracted from membranes as from any thin surface.
     """
     period = max(fixing.num_periods(config.t_min, config.t_step, config.t_max), FEWEST)
     volume = abs(history[-1].volume)
@@ -152,7 +154,7 @@ def is_settled(history: list[Iteration], config: Config) -> bool:
 
 
 def done(state: State, config: Config) -> tuple[bool, str] | None:
-    """None while the surface has volume and the flow can go on; else whether it converged, and why it stops."""
+    """None while the surface has volume and the flow can continue; else whether it converged, and why it stops."""
     if state.failure:
         return False, state.failure
     if not state.history:

@@ -1,10 +1,10 @@
-"""Compiled iterations, one for each layout: made once in a process, on another thread, and kept from run to run.
+"""Compiled iterations, one for each layout: compiled once in a process, on another thread, and shared by all runs.
 
-XLA takes seconds to compile `iteration.move` and does not hold Python's lock meanwhile, so that a step which is
-announced is compiled while the host looks for poles. Where JAX keeps compiled programs in a folder (see
-`caching.cache_compilations`), they are kept there a second time, under a name that can be had without tracing them:
-everything that they depend on, hashed. JAX's own cache asks for the traced program, which takes longer than to load it.
-Whatever is wrong with a file, it is compiled again: the same program, and the same bits.
+XLA takes seconds to compile `iteration.move`, and releases Python's lock meanwhile. So `announce` starts to compile a
+step while the host computes poles. If JAX has a folder for compiled programs (see `caching.cache_compilations`), the
+steps are also stored there by this module. Their file name is a hash of all that they depend on, so that they are found
+without tracing. JAX's own cache needs the traced program, and tracing takes longer than loading. If a file is damaged,
+the step is compiled again: the same program, and the same bits.
 """
 
 import hashlib
@@ -34,7 +34,8 @@ from msf_jax.host.factors import factored
 
 Program = Callable[[Buffers, Weights], Moved]
 
-KEPT = "steps"  # folder of the programs, inside that of JAX's cache
+KEPT = "steps"  # folder of the programs, in the folder of JAX's cache
+# Options of JAX that a program depends on.
 SAME_FOR_ALL = ("jax_enable_x64", "jax_default_matmul_precision", "jax_debug_nans", "jax_numpy_dtype_promotion")
 
 _programs: dict[Hashable, "Future[Program]"] = {}
@@ -43,23 +44,22 @@ _workers = ThreadPoolExecutor(2, "msf_jax-compile")
 
 
 def compiled_move(settings: StepSettings, layout: Layout, of_vertices: bool) -> Program:
-    """`iteration.move` for such settings and layout, as a function of buffers and of weights.
+    """`iteration.move` compiled for these settings and layout, as a function of buffers and weights.
 
-    Weights are scalars or, ``of_vertices``, one value a row. Waits until it is compiled, which takes seconds the first
-    time.
+    Weights are scalars, or one value for each row (``of_vertices``). The first call waits seconds for the compiler.
     """
     if settings.solver.preconditioner == FACTORED:
         return lambda buffers, weights: move_factored(buffers, weights, settings, layout, factored)
     if jax.config.jax_disable_jit:  # pyright: ignore[reportAttributeAccessIssue]
         return lambda buffers, weights: move(buffers, weights, settings, layout)
     program = _announced(settings, layout, of_vertices)
-    if program.exception() is not None:  # a damaged file, most likely: it is compiled after all
+    if program.exception() is not None:  # probably a damaged file: compile it
         program = _announced(settings, layout, of_vertices)
     return program.result()
 
 
 def announce(settings: StepSettings, layout: Layout, of_vertices: bool) -> None:
-    """Begin to compile what `compiled_move` will be asked for, and do not wait."""
+    """Start to compile the program that `compiled_move` will return, without waiting for it."""
     is_jitted = not jax.config.jax_disable_jit  # pyright: ignore[reportAttributeAccessIssue]
     if is_jitted and settings.solver.preconditioner != FACTORED:
         _announced(settings, layout, of_vertices)
@@ -82,7 +82,7 @@ def _announced(settings: StepSettings, layout: Layout, of_vertices: bool) -> "Fu
 
 
 def _begun(file: Path | None, settings: StepSettings, layout: Layout, of_vertices: bool) -> "Future[Program]":
-    """Trace here, as what JAX is set to can differ from thread to thread; compile on another."""
+    """Trace on this thread, because JAX's settings can differ between threads; compile on another."""
     lowered = jitted_move.lower(*_arguments(layout, of_vertices), settings, layout)
 
     def compiled() -> Program:
@@ -95,27 +95,27 @@ def _begun(file: Path | None, settings: StepSettings, layout: Layout, of_vertice
 
 
 def _read(file: Path, layout: Layout, of_vertices: bool) -> Program:
-    """The program in ``file``; raises whatever a damaged one provokes."""
+    """The program in ``file``; a damaged file raises an exception of any type."""
     data = file.read_bytes()
     if hashlib.sha256(data[32:]).digest() != data[:32]:
-        raise ValueError(f"{str(file)!r} is cut short, or damaged")
+        raise ValueError(f"{str(file)!r} is truncated or damaged")
     return _checked(data[32:], layout, of_vertices)
 
 
 def _keep(file: Path, program: Any, layout: Layout, of_vertices: bool) -> None:
-    """Write the program to ``file``, if what is written can be read: one that came from JAX's own cache cannot."""
+    """Write the program to ``file``, if it can be read back. A program from JAX's own cache cannot be."""
     try:
         data = serialize_executable.serialize(program)[0]
         _checked(data, layout, of_vertices)
         file.parent.mkdir(parents=True, exist_ok=True)
         write_whole(file, hashlib.sha256(data).digest() + data)
-    except Exception as error:  # the next start takes longer: nothing else depends on it
+    except Exception as error:  # without the file the next process compiles again; nothing else depends on it
         if isinstance(error, OSError):
-            warnings.warn(f"a compiled step could not be kept in {str(file.parent)!r}: {error}", stacklevel=2)
+            warnings.warn(f"a compiled step could not be saved in {str(file.parent)!r}: {error}", stacklevel=2)
 
 
 def _checked(data: bytes, layout: Layout, of_vertices: bool) -> Program:
-    """The program that was serialised as ``data``, once it has run on a surface without vertices."""
+    """The program that was serialised as ``data``, tested on buffers in which every vertex is fixed."""
     ones = jax.tree_util.tree_map(lambda spec: np.ones(spec.shape, spec.dtype), _arguments(layout, of_vertices))
     rings = Rings(*(np.zeros_like(table) for table in ones[0].rings))
     nothing = jax.device_put((ones[0]._replace(free=np.zeros_like(ones[0].free), rings=rings), ones[1]))
@@ -125,15 +125,15 @@ def _checked(data: bytes, layout: Layout, of_vertices: bool) -> Program:
         program = serialize_executable.deserialize_and_load(data, in_tree, out_tree)
     moved = program(*nothing)
     if not np.array_equal(jax.device_get(moved.positions), ones[0].positions):
-        raise ValueError("it moves what is fixed")
+        raise ValueError("the loaded program moves fixed vertices: the file is damaged")
     return program
 
 
 def _arguments(layout: Layout, of_vertices: bool) -> tuple[Buffers, Weights]:
-    """Shapes of what a program takes."""
+    """The shapes and types of a program's arguments."""
     dtype = real_dtype()
 
-    def table(*shape: int, dtype: Any = dtype) -> Any:  # stands for an array
+    def table(*shape: int, dtype: Any = dtype) -> Any:  # an array's shape and type, without values
         return jax.ShapeDtypeStruct(shape, dtype)
 
     rows, slots = layout.capacity, layout.num_slots
@@ -146,7 +146,7 @@ def _arguments(layout: Layout, of_vertices: bool) -> tuple[Buffers, Weights]:
 
 
 def _file(key: Hashable) -> Path | None:
-    """Where a program is kept: by all that it depends on; None where nothing is."""
+    """The file of a program, named by a hash of all that it depends on; None if JAX has no cache folder."""
     folder = getattr(jax.config, "jax_compilation_cache_dir", None)
     if not folder or "://" in str(folder) or not jax.config.jax_enable_compilation_cache:  # type: ignore[attr-defined]
         return None
@@ -160,7 +160,7 @@ def _device() -> str:
 
 @cache
 def _machine() -> tuple[str, ...]:
-    """Versions, this program's own text, and the processor, which is what code is made for."""
+    """What compiled code depends on besides its key: versions, the package's source, the processor."""
     device = jax.devices()[0]
     package = Path(__file__).parents[1]
     texts = [*sorted((package / "device").glob("*.py")), package / "base" / "layout.py", Path(__file__)]

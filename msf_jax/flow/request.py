@@ -1,4 +1,4 @@
-"""What a caller asks of a run, checked: weights, configuration, pins."""
+"""Checks of a run's arguments: weights, configuration, pins."""
 
 import reprlib
 from collections.abc import Iterable
@@ -12,7 +12,7 @@ from msf_jax.host.mesh.checking import Surface
 
 
 def checked_options(weights: Any, config: Any) -> tuple[Weights, Config]:
-    """The weights and the config that are meant, or a `ConfigError`."""
+    """The weights and the config, with defaults for None; a `ConfigError` if a type is wrong."""
     if not isinstance(config, Config | None):
         raise ConfigError(f"config is a {type(config).__name__}: expected a msf_jax.Config")
     if not isinstance(weights, Weights | None):
@@ -22,7 +22,7 @@ def checked_options(weights: Any, config: Any) -> tuple[Weights, Config]:
 
 
 def weights_of_vertices(weights: Weights, checked: Surface) -> np.ndarray | None:
-    """(V, 4) the weights of the checked surface's vertices, or None if all are scalars."""
+    """(V, 4) weights of the checked surface's vertices, or None if all weights are scalars."""
     num = len(checked.vertex_of_input)
     columns = []
     for name, value in vars(weights).items():
@@ -35,7 +35,7 @@ def weights_of_vertices(weights: Weights, checked: Surface) -> np.ndarray | None
 
 
 def checked_pins(pins: Any, checked: Surface) -> tuple[np.ndarray, np.ndarray]:
-    """The caller's ``pins`` as numbers, and the rows of the checked surface that those vertices became."""
+    """The caller's ``pins`` as an array of ids, and the ids of these vertices in the checked surface."""
     num = len(checked.vertex_of_input)
     if pins is None:
         listed: Any = []
@@ -53,7 +53,5 @@ def checked_pins(pins: Any, checked: Surface) -> tuple[np.ndarray, np.ndarray]:
         raise ConfigError(f"pins is {reprlib.repr(pins)}: expected vertex numbers from 0 to {num - 1}")
     rows = checked.vertex_of_input[given]
     if (rows < 0).any():
-        raise ConfigError(
-            f"pins name vertex {given[rows < 0][0]}, which no face uses: expected vertices of the surface"
-        )
+        raise ConfigError(f"pins has vertex {given[rows < 0][0]}, which no face uses: expected vertices of the surface")
     return np.unique(given).astype(np.int64), np.unique(rows)

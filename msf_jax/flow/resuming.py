@@ -1,8 +1,8 @@
-"""Whether a checkpoint's states can be gone on from: types, shapes, ranges, and what their run must have made of them.
+"""Checks of a checkpoint's states: types, shapes, ranges, and whether this run can have produced them.
 
-The digest of the file says that it is whole. What is asked here is whether it can be one of this run at all: t_c and
-the factor on w_L follow from the number of iterations, edits from the rows before them, and what a surface carries for
-every row is what it carried at the start.
+The file's digest only shows that the file is complete. These checks show that its content can be of this run: t_c and
+the factor on w_L follow from the number of iterations, edits refer to existing rows, and a surface has the same arrays
+as at the start.
 """
 
 from typing import Any
@@ -17,13 +17,13 @@ from msf_jax.host.meso.meso import Compaction, Fixing, Meso
 from msf_jax.host.meso.split import SplitRound
 from msf_jax.host.recording.records import Step
 
-FARTHEST = 1.0  # diagonals from the centre: farther, a run does not take a vertex
-LARGEST_FACTOR = 2.0**100  # of w_L, see `stepping`
-PER_ROW = ("trust", "classes", "scale", "weights")  # what a surface may carry besides
+FARTHEST = 1.0  # diagonals: the largest coordinate that a run accepts, see `stepping.BLOW_UP`
+LARGEST_FACTOR = 2.0**100  # on w_L, without unit, see `stepping.LARGEST_FACTOR`
+PER_ROW = ("trust", "classes", "scale", "weights")  # optional arrays of a surface
 
 
 def check_states(states: Any, changing: tuple[str, ...]) -> None:
-    """Raise a ValueError unless ``states`` are what a run may have saved: dictionaries of those names."""
+    """Raise a ValueError unless a run can have saved ``states``: valid dictionaries with the names ``changing``."""
     for state in states:
         if set(state) != set(changing):
             raise ValueError("a state lacks a part, or has one too many")
@@ -34,7 +34,7 @@ def check_states(states: Any, changing: tuple[str, ...]) -> None:
         _check_surface(meso)
         numbers = [state["t_c"], state["w_L_factor"], *(value for line in history for value in line)]
         if not all(isinstance(value, int | float) and np.isfinite(value) for value in numbers):
-            raise ValueError("a number of a state is none")
+            raise ValueError("a number of a state is not finite")
         is_whole = isinstance(state["failure"], str) and type(state["capacity"]) is int and state["capacity"] >= 0
         if not is_whole or len(history) != len(steps) or not 0 < state["t_c"] < 1 or meso.edits:
             raise ValueError("the parts of a state do not fit together")
@@ -45,7 +45,7 @@ def check_states(states: Any, changing: tuple[str, ...]) -> None:
 
 
 def check_goes_on(state: State, saved: dict[str, Any], config: Config) -> None:
-    """Raise a ValueError unless ``saved`` can be what a run with ``config`` made of ``state``, its first."""
+    """Raise a ValueError unless a run with ``config`` can lead from ``state``, its first state, to ``saved``."""
     first, meso, num = state.meso, saved["meso"], len(saved["history"])
     factor = state.w_L_factor
     for _ in range(num):
@@ -58,7 +58,7 @@ def check_goes_on(state: State, saved: dict[str, Any], config: Config) -> None:
     if len(meso.node_of_input) != len(first.node_of_input):
         raise ValueError("its surface is of another component")
     if any((getattr(meso, name) is None) != (getattr(first, name) is None) for name in PER_ROW):
-        raise ValueError("its surface carries other things than the run's")
+        raise ValueError("its surface has other arrays than the run's")
     if not meso.is_fixed[meso.node_of_input[state.pins]].all():
         raise ValueError("a pin is not held")
     euler = ring_tables.euler_characteristic(first.rings)
@@ -94,7 +94,7 @@ def _check_surface(meso: Meso) -> None:
 
 
 def _check_step(step: Step) -> int:
-    """Rows of the surface after it."""
+    """The number of rows of the surface after ``step``; a ValueError if the step is invalid."""
     num, kinds = len(step.order), ("i", "f", "iu", "iu", "f", "f", "f")
     arrays = (step.order, step.positions, step.rings, step.degree, step.free, step.pull, step.left)
     for array, kind in zip(arrays, kinds, strict=True):
@@ -116,7 +116,7 @@ def _check_step(step: Step) -> int:
 
 
 def _rows_after(edit: Any, num: int) -> int:
-    """Rows of a surface of ``num`` after one edit; a ValueError if that is none of it."""
+    """The number of rows after one edit of a surface with ``num`` rows; a ValueError if the edit is invalid."""
     rows: dict[type, tuple[str, ...]] = {
         CollapseRound: ("survivor", "removed"),
         SplitRound: ("a", "b", "apex"),
@@ -124,19 +124,19 @@ def _rows_after(edit: Any, num: int) -> int:
         Compaction: ("live",),
     }
     if type(edit) not in rows:
-        raise ValueError("an edit is none")
+        raise ValueError("an edit is of no known kind")
     named = {name: getattr(edit, name) for name in rows[type(edit)] if getattr(edit, name) is not None}
     count = len(next(iter(named.values())))
     for array in named.values():
         if array.dtype.kind not in "iu" or array.shape != (count,) or not ((array >= 0) & (array < num)).all():
-            raise ValueError("an edit is of rows that are not there")
+            raise ValueError("an edit refers to rows that do not exist")
     fraction = getattr(edit, "fraction", np.zeros(count))
     if fraction.shape != (count,) or not ((fraction >= -1e-6) & (fraction <= 1 + 1e-6)).all():
-        raise ValueError("an edit is at no place of its edge")
+        raise ValueError("an edit's fraction is not between 0 and 1")
     if isinstance(edit, CollapseRound) and not (edit.takes_pole.shape == (count,) and edit.takes_pole.dtype == bool):
         raise ValueError("an edit is of another kind")
     if isinstance(edit, SplitRound):
         if not np.array_equal(edit.new, num + np.arange(count)):
-            raise ValueError("an edit makes other rows than the next")
+            raise ValueError("the new rows of an edit do not follow its last row")
         return num + count
     return count if isinstance(edit, Compaction) else num

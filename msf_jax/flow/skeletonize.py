@@ -1,4 +1,4 @@
-"""The one call: a mesh in, its curve skeleton out."""
+"""`skeletonize`: from a mesh to its curve skeleton in one call."""
 
 import os
 from dataclasses import replace
@@ -14,8 +14,8 @@ from msf_jax.flow.request import checked_options
 from msf_jax.host.mesh.repair import Repair
 from msf_jax.skeleton.skeleton import Skeleton
 
-JITTER = 1e-4  # diagonals: standard deviation of the noise of a run for ``spread``, along each axis
-STEP = 0.005  # diagonals, between the points at which curves are compared
+JITTER = 1e-4  # diagonals: standard deviation, along each axis, of the vertex noise in the runs for ``spread``
+STEP = 0.005  # diagonals: spacing of the sample points at which two curves are compared
 
 
 def skeletonize(
@@ -33,34 +33,36 @@ def skeletonize(
 
     Args:
         mesh: a path that trimesh reads, a `trimesh.Trimesh`, or ``(vertices (V, 3), faces (F, 3))``. It is not changed.
-            Several components are skeletonised each, and returned as one skeleton.
+            Each component is skeletonised; the result is one skeleton.
         weights: of the flow; those of ``config``'s system if not given.
-        config: the system and its options; ``Config()``, the article's own, if not given.
-        pins: numbers of vertices of the mesh that are held in place; the curve goes through them.
-        repair: True, or a `Repair` that says how far it may go, for a mesh that is not a closed manifold: weld, fill
-            holes, separate what meets in an edge, and the like. "join" also makes one solid of closed parts that
-            overlap, touch or nearly touch. Every change is counted in ``report.repairs``.
-        checkpoint: a file to keep the state in, so that a run that was killed goes on; see `contract`.
+        config: the system and its options; ``Config()``, the article's, if not given.
+        pins: ids of vertices of the mesh that are held in place; the curve goes through them.
+        repair: True, or a `Repair` with limits, to repair a mesh that is not a closed manifold: weld, fill holes,
+            separate sheets that share an edge, and the like. "join" also makes one solid of closed parts that overlap,
+            touch or nearly touch. Every change is counted in ``report.repairs``.
+        checkpoint: a file for the state of the run, so that a run that was killed can continue; see `contract`.
         progress: show a progress bar on standard error, if that is a terminal.
-        spread: so many more runs, on the mesh with noise of 1e-4 diagonals at every vertex. ``report.figures`` says how
-            far their curves are from this one: "spread", the mean distance both ways, in median radii, and
-            "spread_leaves", by how many leaves they differ at most.
+        spread: the number of extra runs on the mesh with noise of 1e-4 diagonals at every vertex. ``report.figures``
+            says how far their curves are from this one: "spread" is the mean distance in both directions, in median
+            radii; "spread_leaves" is the largest difference in the number of leaves.
 
     Returns:
-        The curve in the caller's units, with radii, the map from the input's vertices, and a report to look at first.
+        The curve in the caller's units, with radii, the map from the input's vertices, and a report. Look at the report
+        first.
 
     Raises:
-        MeshError: the mesh is not a closed manifold that encloses a volume, and cannot be repaired without a doubt.
-        ConfigError: a weight or an option is out of range, or a pin is no vertex of the surface; or ``spread`` is asked
-            for with pins, or with weights that are arrays.
-        FlowError: the mesh has no Voronoi diagram, or this process was forked from one in which a run was made.
-        Interrupted: Ctrl-C; a KeyboardInterrupt that holds the curve so far, as ``flow.skeleton``.
+        MeshError: the mesh is not a closed manifold that encloses a volume, and ``repair`` was not given or could not
+            make it one.
+        ConfigError: a weight or an option is out of range, or a pin is no vertex of the surface; or ``spread`` was
+            given with pins or with arrays of weights.
+        FlowError: the mesh has no Voronoi diagram, or this process was forked after a run.
+        Interrupted: Ctrl-C; a KeyboardInterrupt with the unfinished flow, whose curve is ``flow.skeleton``.
     """
     if isinstance(spread, bool) or not isinstance(spread, int | np.integer) or spread < 0:
         raise ConfigError(f"spread is {spread!r}: expected a number of runs, 0 or more")
     weights, config = checked_options(weights, config)
     if spread and (pins is not None or any(np.ndim(value) for value in vars(weights).values())):
-        raise ConfigError("spread was asked for with pins, or with weights for each vertex: expected neither")
+        raise ConfigError("spread was given with pins, or with weights for each vertex: expected neither")
     run = loop.contract(mesh, weights, config, pins=pins, repair=repair, checkpoint=checkpoint, progress=progress)
     if not spread:
         return run.skeleton

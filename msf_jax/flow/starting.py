@@ -1,4 +1,4 @@
-"""A component at the start of its flow: placed, filtered, coarsened or resampled, with its handles and its poles."""
+"""The start of a component's flow: its frame, the filter, coarsening or resampling, handles and poles."""
 
 import numpy as np
 
@@ -17,12 +17,12 @@ from msf_jax.host.solid.enclosure import Enclosure
 from msf_jax.host.solid.frame import RESOLUTION, frame_of, sort_mesh
 from msf_jax.host.solid.geometry import signed_volume, triangle_areas
 
-FIRST = 400.0  # w_L over the root of a face's mean area, see `Config.au2008`
-FLATTEST = 1e-9  # volume, in diagonals cubed, that must be left when coordinates are rounded to the frame's resolution
-MOST_REFINED = 8_000  # vertices, about, that edges are split into at most
-LEAST_REFINED = 0.05  # of the area must have long edges: else the flow sees limbs and holes as it is
-MOST_COARSENED = 0.05  # of the volume may go with short edges
-MOST_FILTERED = 0.25  # of the volume may go with what the filter of the poles' sites takes away
+FIRST = 400.0  # 1/diagonals: the first w_L over the square root of the mean area of a face, see `Config.au2008`
+FLATTEST = 1e-9  # diagonals cubed: the least volume of a component whose coordinates are rounded to the frame's grid
+MOST_REFINED = 8_000  # vertices: refining stops at about this many
+LEAST_REFINED = 0.05  # share of the area that must be at long edges; below it, refining changes no limb or hole
+MOST_COARSENED = 0.05  # share of the volume that coarsening may change; above it, the surface is not coarsened
+MOST_FILTERED = 0.25  # share of the volume that the filter for poles may remove; above it, the filter is left out
 
 
 def init(
@@ -34,10 +34,9 @@ def init(
     weights: np.ndarray | None = None,
     limits: Limits = LIMITS,
 ) -> State:
-    """The component at the start of its flow: in its own frame, resampled if asked, with its poles.
+    """The first state of a component: in its own frame, resampled if the config says so, with its poles.
 
-    ``pins`` are vertices of the component that are fixed from the start, ``weights`` (V, 4) those of its vertices where
-    they differ.
+    ``pins`` are ids of vertices of the component that stay fixed. ``weights`` (V, 4) are weights per vertex, if given.
     """
     frame = frame_of(component.vertices)
     entered = frame.enter(component.vertices)
@@ -56,7 +55,7 @@ def init(
     if 0 < component.genus <= homology.LARGEST_GENUS:
         with watch.stage("homology"):
             meso.classes = homology.ring_classes(shape.vertices, faces, meso.rings)
-    max_rows = limits.growth * meso.num_rows + limits.growth_room
+    max_rows = limits.growth * meso.num_rows + limits.growth_margin
     if config.resample:
         with watch.stage("resampling"):
             meso = _resampled(meso, config.resample, check=config.check)
@@ -99,7 +98,7 @@ def init(
 
 
 def _surface(shape: Enclosure, pins: np.ndarray, config: Config, watch: Stopwatch) -> tuple[Meso, LowPass | None]:
-    """The surface that is contracted, with its pins fixed, and the filter that it went through if it did."""
+    """The surface to contract, with its pins fixed, and the filter that was applied to it, if any."""
     vertices, kept = shape.vertices, None
     if config.reconstruct_mesh:
         with watch.stage("reconstruction"):
@@ -111,7 +110,10 @@ def _surface(shape: Enclosure, pins: np.ndarray, config: Config, watch: Stopwatc
 
 
 def _coarsened(meso: Meso, config: Config, watch: Stopwatch) -> tuple[Meso, int]:
-    """The surface without its short edges, and how many vertices went; as it was where that would cost much volume."""
+    """The surface with its short edges collapsed, and the number of vertices removed.
+
+    The surface is returned unchanged if coarsening would change its volume by more than ``MOST_COARSENED``.
+    """
     if not config.coarsen:
         return meso, 0
     with watch.stage("coarsening"):
@@ -123,9 +125,9 @@ def _coarsened(meso: Meso, config: Config, watch: Stopwatch) -> tuple[Meso, int]
 
 
 def _refined(meso: Meso, shape: Enclosure, config: Config, watch: Stopwatch) -> Meso:
-    """The surface with its long edges split where limbs are thin beside them: else patches slide across holes.
+    """The surface with edges split that are long compared with the limb's thickness: else patches slide across holes.
 
-    A surface of which long edges bound next to nothing is left as it is.
+    A surface whose long edges bound little area is returned unchanged.
     """
     if not config.refine:
         return meso
@@ -141,7 +143,7 @@ def _refined(meso: Meso, shape: Enclosure, config: Config, watch: Stopwatch) -> 
             return meso
         limit = np.full(meso.num_rows, 1.0)
         limit[ends] = thickness.edge_lengths(shape, meso.positions[ends], longest[ends])
-        # About as many vertices as triangles of that size fit on the surface: not more than there may be.
+        # Equilateral triangles with edges of this length cover the surface with about MOST_REFINED vertices.
         least = max(config.refine, float(np.sqrt(meso.area() / (MOST_REFINED * 0.4))))
         split.split_long_edges(meso, np.maximum(limit, least), check=config.check)
         return meso
@@ -153,7 +155,7 @@ def _rebuilt(vertices: np.ndarray, faces: np.ndarray, k: int, config: Config) ->
 
 
 def _resampled(meso: Meso, length: float, *, check: bool) -> Meso:
-    """Edges between 4/5 and 4/3 of ``length``, as far as the topology lets them."""
+    """The surface with edges between 4/5 and 4/3 of ``length``, except where topology forbids a collapse."""
     for _ in range(3):
         split.split_long_edges(meso, 4 / 3 * length, check=check)
         collapse.collapse_short_edges(meso, 4 / 5 * length, check=check)
@@ -162,10 +164,10 @@ def _resampled(meso: Meso, length: float, *, check: bool) -> Meso:
 
 
 def _poles(meso: Meso, shape: Enclosure, config: Config, watch: Stopwatch) -> FoundPoles:
-    """Poles of the (reconstructed) surface, which of them pull (none outside the input's surface), and their trust.
+    """Poles of the (reconstructed) surface, whether each pulls (only inside the input's surface), and their trust.
 
-    A pole is trusted by (1 - cos(spoke angle)) / 2. A thin solid has more waves than the reconstruction keeps, which
-    would leave little more than its axis: there it is left out.
+    The trust in a pole is (1 - cos(spoke angle)) / 2. On a thin solid the reconstruction is left out: it keeps too few
+    frequencies, and would leave little more than the axis.
     """
     sites, faces, kept = meso.positions, meso.faces(), None
     is_thin = meso.scale is not None and bool(np.median(meso.scale) < 1)

@@ -38,20 +38,16 @@ class Iteration(NamedTuple):
     smoothing_steps: int
     smoothing_residual: float
     moved: float  # largest displacement
-    redone: int = 0  # times that the step was tried again, shorter, as its numbers were not sensible
+    redone: int = 0  # times that the step was repeated with a smaller w_L, because its coordinates diverged
 
 
 class Limits(NamedTuple):
-    """Bounds of a run that are no option of the user's.
+    """Bounds of a run that are not options of the user."""
 
-    checkpoint_every: iterations between two writes. growth, growth_room: splitting may take the surface to so many
-    times its first vertices, and so many. retries: of a step that has left sensible numbers.
-    """
-
-    checkpoint_every: int = 5
-    growth: int = 3
-    growth_room: int = 1000
-    retries: int = 3
+    checkpoint_every: int = 5  # iterations between two writes of the checkpoint
+    growth: int = 3  # splits may grow the surface to this multiple of its first number of vertices,
+    growth_margin: int = 1000  # plus this many vertices
+    retries: int = 3  # of a step whose coordinates are not finite or diverge
 
 
 LIMITS = Limits()
@@ -67,10 +63,10 @@ class State:
     component: Component
     number: int
     frame: Frame
-    order: np.ndarray  # (V,) the component's vertex that each of the sorted ones is
+    order: np.ndarray  # (V,) the component's vertex for each sorted vertex
     shape: Enclosure  # the input's surface, in the frame
-    coarse: Enclosure  # the same after coarsening, where that took most of it
-    pins: np.ndarray  # sorted vertices that are held in place
+    coarse: Enclosure  # the coarsened surface, if coarsening removed most vertices; else ``shape``
+    pins: np.ndarray  # ids of sorted vertices that are held in place
     first_volume: float
     first_area: float
     max_rows: int
@@ -78,34 +74,33 @@ class State:
     first_ring_area: np.ndarray
     poles: np.ndarray
     has_pole: np.ndarray
-    start: Start  # what the tape needs to know of it
+    start: Start  # the record of the preparation, for the tape
 
     meso: Meso
     t_c: float
     w_L_factor: float
-    capacity: int = 0  # of the buffers that it was in, see `layout.layout_after`
+    capacity: int = 0  # of the last buffers, see `layout.layout_after`
     history: list[Iteration] = field(default_factory=list)
     steps: list[Step] = field(default_factory=list)  # for the tape
-    failure: str = ""  # why it cannot go on
+    failure: str = ""  # why the flow cannot continue; empty if it can
 
 
 @dataclass(frozen=True, eq=False)
 class Flow:
-    """A run, opened up. All coordinates are in the caller's units.
+    """All results of a run. All coordinates are in the caller's units.
 
     Attributes:
-        weights, config: what the run used.
+        weights, config: those of the run.
         meso_skeleton: ``(vertices (n, 3), faces (m, 3))`` of the contracted surface, all components together.
         is_fixed: (n,) True where a vertex of the meso-skeleton was fixed.
-        poles: (V, 3) the Voronoi pole that each vertex of the repaired input started with, near the vertex itself
-            where it has none; where it was merged by coarsening or resampling, that of the vertex it went into.
+        poles: (V, 3) the first Voronoi pole of each vertex of the repaired input. A vertex without a pole has a point
+            near itself. A vertex that coarsening or resampling merged has the pole of the merged vertex.
         has_pole: (V,) whether that pole pulls.
         history: one `Iteration` for each iteration of each component.
-        curve: the curve as the flow left it, without the branches that were pruned, and with one node where finishing
-            has made one of several.
-        skeleton: the finished curve; its first nodes are those of ``curve``, moved, and new ones come last.
-        recording, source: what the tape is made from.
-        tape: what the run decided, for `replay`; made when first asked for.
+        curve: the flow's curve, without pruned branches. Nodes that finishing merged are one node here, too.
+        skeleton: the finished curve. Its first nodes are those of ``curve``, moved; new nodes come last.
+        recording, source: the data for the tape.
+        tape: the recorded decisions of the run, for `replay`; made on first access.
     """
 
     weights: Weights
@@ -125,11 +120,11 @@ class Flow:
         return record(self.recording, self.weights, self.config, self.curve, self.source)
 
     def tape_like(self, tape: Tape) -> Tape:
-        """The tape of this run, padded, in buffers as large as those of ``tape``, wherever this run has room in them.
+        """The tape of this run, padded to the buffer sizes of ``tape`` where this run fits into them.
 
-        For the tape of a run on the same mesh, moved a little, or at other weights: a function that was jitted over
-        ``tape.padded()`` then serves both, although this run took more iterations, or cut more. What has no room gets
-        larger buffers, and another program.
+        ``tape`` is of a run on the same mesh, moved a little, or with other weights. A function that was jitted for
+        ``tape.padded()`` then serves both, although this run took more iterations or splits. If this run does not fit,
+        its buffers are larger, and the function is compiled again.
         """
         found = record(self.recording, self.weights, self.config, self.curve, self.source, tape)
         return found.padded(tape)

@@ -16,13 +16,13 @@ from msf_jax.host.meso import collapse, fixing, packing, split
 from msf_jax.host.meso.meso import Meso
 from msf_jax.host.recording.records import Step
 
-LARGEST_FACTOR = 2.0**100  # where a growing w_L stops: its square is a number, too, in float64
-BLOW_UP = 1.0  # diagonals from the centre, twice as far as any corner of the box: nothing that contracts goes there
-SHORTER = 0.1  # factor on w_L, when a step has left sensible numbers
+LARGEST_FACTOR = 2.0**100  # the largest factor on w_L, without unit: its square is finite in float64
+BLOW_UP = 1.0  # diagonals: a larger coordinate means that a step diverged; corners of the box have at most half
+SHORTER = 0.1  # factor on w_L for each repetition of a step that diverged
 
 
 def compile_ahead(meso: Meso, config: Config) -> None:
-    """Have the programs compiled that ``meso`` will need: that for its own size, and the last, which all come to."""
+    """Start to compile the programs for the size of ``meso`` and for the smallest layout, which all runs reach."""
     beyond = packing.rows_beyond(meso)
     layouts = {layout_for(meso.num_rows, beyond)}
     if config.edit_connectivity and config.max_iterations > 1:
@@ -32,15 +32,15 @@ def compile_ahead(meso: Meso, config: Config) -> None:
 
 
 def step(state: State, weights: Weights, config: Config, watch: Stopwatch, limits: Limits = LIMITS) -> State:
-    """One iteration, in place; on numbers that are not finite or run away, ``state.failure`` says so instead."""
+    """Run one iteration in place. If coordinates are not finite or diverge, set ``state.failure`` instead."""
     is_double = config.preconditioner == FACTORED
     with jax.enable_x64(True) if is_double else nullcontext():
         packed = _pack(state, weights, watch)
         moved = _moved(state, packed, config, watch, limits)
     if moved is None:
         state.failure = (
-            f"non-finite: {limits.retries + 1} tries of a step, each with a tenth of the w_L of the one before, left "
-            "finite or sensible coordinates; the surface before it was kept"
+            f"non-finite: a step gave coordinates that are not finite or diverge, also when it was repeated "
+            f"{limits.retries} times, each time with a tenth of the w_L; the surface before it was kept"
         )
         return state
     meso, order = state.meso, packed.order
@@ -81,7 +81,7 @@ def step(state: State, weights: Weights, config: Config, watch: Stopwatch, limit
 
 
 class _Packed(NamedTuple):
-    """The surface as a device step takes it, on the host: see `packing.Packed`; ``weights`` are those of its rows."""
+    """The padded surface for a device step, still on the host; ``weights`` are those of its rows. See `packing`."""
 
     order: np.ndarray
     rings: np.ndarray
@@ -92,7 +92,7 @@ class _Packed(NamedTuple):
 
 
 class _Moved(NamedTuple):
-    """Where the vertices went (n, 3), the solves' reports, the factor on w_L, and how often the step was redone."""
+    """The new positions (n, 3), the solves' reports, the factor on w_L, and how often the step was repeated."""
 
     positions: np.ndarray
     solves: Any
@@ -114,13 +114,13 @@ def _pack(state: State, weights: Weights, watch: Stopwatch) -> _Packed:
 
 
 def _smallest(state: State) -> float:
-    """The least t_c of any limb: what a solve must be exact for."""
+    """The least t_c of any limb, in diagonals. The tolerance of the solves follows from it."""
     scale = state.meso.scale
     return state.t_c if scale is None else state.t_c * float(scale[state.meso.degree > 0].min())
 
 
 def _moved(state: State, packed: _Packed, config: Config, watch: Stopwatch, limits: Limits) -> _Moved | None:
-    """The device's step, redone with a tenth of w_L while numbers are not sensible; None if they never are."""
+    """The device's step, repeated with a tenth of w_L while coordinates diverge; None if they always do."""
     dtype = np.dtype(real_dtype())
     for retries in range(limits.retries + 1):
         factor = state.w_L_factor * SHORTER**retries
@@ -139,7 +139,7 @@ def _moved(state: State, packed: _Packed, config: Config, watch: Stopwatch, limi
 
 
 def _edited(state: State, config: Config, watch: Stopwatch) -> tuple[int, int]:
-    """Collapse, split and fix; how many edges were collapsed, and how many split."""
+    """Collapse, split and fix. Returns how many edges were collapsed, and how many were split."""
     meso = state.meso
     with watch.stage("collapse"):
         rounds = collapse.collapse_short_edges(meso, state.t_c, check=config.check)
@@ -147,7 +147,7 @@ def _edited(state: State, config: Config, watch: Stopwatch) -> tuple[int, int]:
         t_f = fixing.degenerate_length(state.t_c)
         cuts, is_full = split.split_obtuse_edges(meso, config.split_angle, t_f, state.max_rows, check=config.check)
     if is_full:
-        state.failure = f"out of vertices: splitting would take the surface past {state.max_rows}"
+        state.failure = f"out of vertices: the next split would give the surface more than {state.max_rows} vertices"
     with watch.stage("fix"):
         fixing.fix_degenerate_vertices(meso, t_f)
         state.meso = meso.compacted()

@@ -1,6 +1,6 @@
-"""`stack`: curves of many meshes, of any sizes, as one padded batch for `jax.vmap`, and one compiled program for all.
+"""`stack`: curves of many meshes, of any sizes, as one padded batch for `jax.vmap`, with one compiled program.
 
-In the way of graph libraries: every array has room for the largest, and masks say which rows are something.
+As in graph libraries, every array has the size of the largest member, and masks tell rows from padding.
 """
 
 from collections.abc import Iterable
@@ -17,7 +17,8 @@ from msf_jax.device.buffers import real_dtype
 from msf_jax.gradients.follow import Followed
 from msf_jax.skeleton.skeleton import Skeleton
 
-REALS = (np.float32, np.float64, np.dtype("float32"), np.dtype("float64"), "float32", "float64")  # that follow keeps
+# Floating-point types that `follow` supports.
+REALS = (np.float32, np.float64, np.dtype("float32"), np.dtype("float64"), "float32", "float64")
 
 
 @jax.tree_util.register_dataclass
@@ -26,10 +27,10 @@ class Batch:
     """B curves and their meshes, padded to one capacity: N nodes and V vertices. A pytree of arrays.
 
     Attributes:
-        bindings: what `msf_jax.follow` needs, every array with a first axis of B.
-        vertices: (B, V, 3) of the meshes as they were recorded, in the units of each; 0 in rows that are none.
-        vertex_mask: (B, V) bool, which rows are vertices.
-        node_mask: (B, N) bool, which rows are nodes.
+        bindings: the argument of `msf_jax.follow`; every array has a first axis of length B.
+        vertices: (B, V, 3) of the recorded meshes, in the units of each; 0 in padding.
+        vertex_mask: (B, V) bool: rows that are vertices.
+        node_mask: (B, N) bool: rows that are nodes.
     """
 
     bindings: Binding
@@ -48,12 +49,12 @@ class Batch:
         """The curves one by one, without padding.
 
         Args:
-            followed: what ``jax.vmap(msf_jax.follow)`` gave for this batch, nodes (B, N, 3) and radii (B, N). If not
-                given, the parts of the batch itself are returned.
+            followed: the result of ``jax.vmap(msf_jax.follow)`` for this batch, nodes (B, N, 3) and radii (B, N). If
+                not given, the members of the batch itself are returned.
 
         Returns:
-            A `Followed` for each mesh, in NumPy arrays. Without ``followed``, a pair for each: its binding, padded to
-            the smallest capacity that has room for it, as `Skeleton.binding` is, and its vertices (V, 3).
+            A `Followed` of NumPy arrays for each mesh. Without ``followed``, a pair for each mesh: its binding, padded
+            to the smallest sufficient capacity, as `Skeleton.binding` is, and its vertices (V, 3).
         """
         if followed is not None:
             counts = np.asarray(self.bindings.live.nodes)
@@ -69,19 +70,17 @@ class Batch:
 def stack(skeletons: Iterable[Skeleton], *, like: Batch | None = None, dtype: Any = None) -> Batch:
     """Curves of many meshes as one batch: ``jax.vmap(msf_jax.follow)(batch.bindings, batch.vertices)``.
 
-    Capacities are those of the largest mesh and the largest curve, so put what is about as large together: see
-    ``skeleton.binding.capacity``. In padding, nodes, radii and gradients are zero, and what is not padding does not
-    depend on it.
+    Capacities are those of the largest mesh and the largest curve, so stack meshes of similar size; see
+    ``skeleton.binding.capacity``. In padding, nodes, radii and gradients are zero. Padding does not change other rows.
 
     Args:
         skeletons: of runs, at least one; as `msf_jax.follow` takes them.
-        like: a batch that was stacked before. If all has room in its capacity, that is taken, and a program that was
-            compiled for it serves; the number of curves is part of a program, too.
-        dtype: of all real numbers, float32 or float64; if not given, float64 if JAX has it on, else float32.
+        like: an earlier batch. If all skeletons fit into its capacity, that capacity is used, and a program that was
+            compiled for it can be used again, if the number of curves is the same, too.
+        dtype: of all real numbers, float32 or float64. The default is float64 if JAX has it enabled, else float32.
 
     Raises:
-        ConfigError: there are none, one does not know the mesh that it was made from, or ``like`` or ``dtype`` is
-            something else.
+        ConfigError: ``skeletons`` is empty, a skeleton has no source mesh, or ``like`` or ``dtype`` has a wrong type.
     """
     if isinstance(skeletons, Skeleton) or not isinstance(skeletons, Iterable):
         raise ConfigError(f"skeletons is a {type(skeletons).__name__}: expected several, such as [skeleton]")
@@ -93,11 +92,11 @@ def stack(skeletons: Iterable[Skeleton], *, like: Batch | None = None, dtype: An
     others = [type(each).__name__ for each in every if not isinstance(each, Skeleton)]
     if others or not every:
         found = others[0] if others else "none"
-        raise ConfigError(f"skeletons holds {found}: expected at least one msf_jax.Skeleton, and nothing else")
+        raise ConfigError(f"skeletons has {found}: expected at least one msf_jax.Skeleton, and nothing else")
     bare = [unpadded(skeleton.binding) for skeleton in every]
     sizes: list[Sizes] = [binding.live for binding in bare]
     capacity = capacity_for(*sizes)
-    if like is not None and all(room <= wide for room, wide in zip(capacity, like.bindings.capacity, strict=True)):
+    if like is not None and all(one <= most for one, most in zip(capacity, like.bindings.capacity, strict=True)):
         capacity = like.bindings.capacity
     dtype = jnp.dtype(real_dtype() if dtype is None else dtype)
 

@@ -1,6 +1,7 @@
 """`follow`: the finished curve of a mesh whose vertices have moved, in pure JAX and without a run.
 
-Unlike `replay` it has no decisions in it: sections of limbs are averaged, which is tame. See `msf_jax.base.binding`.
+Unlike `replay` it depends on no decisions of a run. It averages cross-sections of limbs, so its derivatives are
+moderate. See `msf_jax.base.binding`.
 """
 
 from typing import Any, NamedTuple
@@ -17,7 +18,7 @@ from msf_jax.device import following
 from msf_jax.device.buffers import real_dtype
 from msf_jax.skeleton.skeleton import Skeleton
 
-MOST_PROGRAMS = 16  # that are kept, some 8 MB each: one for each capacity and floating-point type
+MOST_PROGRAMS = 16  # compiled programs that are kept, about 8 MB each: one for each capacity and floating-point type
 
 
 class Followed(NamedTuple):
@@ -32,55 +33,54 @@ class Followed(NamedTuple):
 
 
 def follow(skeleton: Skeleton | Binding, vertices: Any) -> Followed:
-    """The ``skeleton`` in its mesh as it is with its vertices at ``vertices`` (V, 3): the same faces, no run.
+    """The curve of ``skeleton`` for its mesh with moved ``vertices`` (V, 3) and the same faces, without a run.
 
-    Every node keeps to the cross-sections of its limb, which are recorded as fractions of mesh edges and move with
-    them; what it is off their middle turns and stretches with the limb. Junctions and bare ends are carried by the
-    sections next to them, pins by their vertices. An affine map of the mesh maps the curve along. Where the vertices
-    were recorded this is ``skeleton.vertices``, to rounding. It is for meshes of the same limbs: a new limb, or one
-    that is bent through itself, wants a fresh run; `msf_jax.track` says when.
+    Each node is tied to cross-sections of its limb. Their corners are stored as fractions of mesh edges, so they move
+    with the mesh. The offset of a node from the centroids turns and stretches with the limb. Junctions, and ends
+    without a cross-section, move with the nearest cross-sections; pins move with their vertices. An affine map of the
+    mesh maps the curve by the same map. At the recorded vertices the result is ``skeleton.vertices``, to rounding. The
+    mesh must keep its limbs: a new limb, or a limb bent through itself, needs a fresh run; `msf_jax.track` detects it.
 
-    Works under `jax.jit`, `grad`, `vmap`, `jacfwd` and `jacrev`, and twice. The first call for a skeleton records its
-    sections, in well under a second. A function that is jitted over ``skeleton.binding`` is compiled once for all
-    skeletons of its capacity; many at once are what `msf_jax.stack` is for.
+    Works under `jax.jit`, `grad`, `vmap`, `jacfwd` and `jacrev`, also for second derivatives. The first call for a
+    skeleton computes its binding, in well under a second. A jitted function of ``skeleton.binding`` is compiled once
+    for all skeletons of its capacity. `msf_jax.stack` makes batches.
 
     Args:
         skeleton: of a run, also after `Skeleton.prune`, `resample` and `smooth`, or read from an ``.npz`` file. Or its
-            ``binding``, with padding: then nodes and radii are padded, too, by rows of zeros; ``binding.node_mask``
-            says which.
+            padded ``binding``: then nodes and radii are padded by rows of zeros; see ``binding.node_mask``.
         vertices: (V, 3), in the order of the mesh that the run was given, and in its units. For a binding V may be
-            anything up to the number of rows that it has room for, ``binding.num_vertices``.
+            any number up to its capacity, ``binding.num_vertices``.
 
     Returns:
-        The nodes, and the distance of each to the surface: to the nearest of all triangles as they are now, negative
-        for a node on their outer side. It is exact, however the mesh has moved; its sign is that of the moved solid
-        unless that runs through itself. Both are in the floating-point type of ``vertices``, float32 for less, and in
-        JAX's usual one for whole numbers. Under `jax.jit`, a node whose own section has vanished is NaN.
+        The nodes and radii. A radius is the exact distance to the nearest triangle of the moved mesh, negative for a
+        node outside. Its sign is right unless the moved mesh crosses itself. Both have the floating-point type of
+        ``vertices``: float32 if that is narrower, and JAX's default if it is an integer type. Under `jax.jit`, a node
+        whose cross-section has vanished is NaN.
 
-    Differentiable in: vertices. Which triangle is nearest is a decision. In a triangle soup, where every face has
-    vertices of its own, the first of equal ones moves the surface, and has the whole slope; the others have 0.
+    Differentiable in: vertices, with the nearest triangle held fixed. In a triangle soup, where every face has its own
+    vertices, the first of several coincident vertices has the whole derivative; the others have 0.
 
     Raises:
-        ConfigError: ``skeleton`` does not know the mesh that it was made from.
-        MeshError: ``vertices`` has another shape or is not finite, or a section has vanished: whose.
-        FlowError: this process was forked from one in which a run was made.
+        ConfigError: ``skeleton`` has no source mesh.
+        MeshError: ``vertices`` has another shape or is not finite, or the section of a node has vanished.
+        FlowError: this process was forked after a run.
     """
     binding = binding_of(skeleton)
     array = checked_vertices(skeleton, vertices)
-    room, num = binding.num_vertices, len(array)
+    capacity, num = binding.num_vertices, len(array)
     if isinstance(array, Tracer) or isinstance(binding.faces, Tracer):
-        found = Followed(*_follow(binding, jnp.pad(array, ((0, room - num), (0, 0)))))
+        found = Followed(*_follow(binding, jnp.pad(array, ((0, capacity - num), (0, 0)))))
         return found if isinstance(skeleton, Binding) else Followed(*(part[: len(skeleton.vertices)] for part in found))
     forking.check()
-    _in_room(binding, array.dtype)
-    # Padded and cut by NumPy: JAX would compile that for every size.
-    found = _follow(_in_dtype(binding, array.dtype), np.pad(np.asarray(array), ((0, room - num), (0, 0))))
+    _limit_programs(binding, array.dtype)
+    # NumPy pads and cuts, because JAX would compile this for every size.
+    found = _follow(_in_dtype(binding, array.dtype), np.pad(np.asarray(array), ((0, capacity - num), (0, 0))))
     nodes, radii = (np.asarray(part) for part in found)
     gone = np.flatnonzero(np.isnan(nodes).any(axis=1))
     if len(gone):
         raise MeshError(
-            f"{len(gone)} of the nodes, the first {gone[0]}, have no section around them any more: expected a mesh "
-            "with the same limbs; run skeletonize on this one"
+            f"the sections of {len(gone)} nodes, the first {gone[0]}, have vanished: expected a mesh with the same "
+            "limbs; run skeletonize on this one"
         )
     if isinstance(skeleton, Binding):
         return Followed(*found)
@@ -89,11 +89,11 @@ def follow(skeleton: Skeleton | Binding, vertices: Any) -> Followed:
 
 
 _follow = jax.jit(following.follow)
-_kept: set[tuple[Any, ...]] = set()  # capacities and types, whose programs are
+_kept: set[tuple[Any, ...]] = set()  # capacities and types whose programs are kept
 
 
-def _in_room(binding: Binding, dtype: Any) -> None:
-    """Forget all programs where there would be more than ``MOST_PROGRAMS``."""
+def _limit_programs(binding: Binding, dtype: Any) -> None:
+    """Delete all compiled programs before there are more than ``MOST_PROGRAMS``."""
     key = *binding.capacity, np.shape(binding.diagonal), str(dtype)
     if key not in _kept and len(_kept) >= MOST_PROGRAMS:
         _follow.clear_cache()  # pyright: ignore[reportAttributeAccessIssue]
@@ -102,7 +102,7 @@ def _in_room(binding: Binding, dtype: Any) -> None:
 
 
 def binding_of(skeleton: Any) -> Binding:
-    """What ``skeleton`` follows its mesh by."""
+    """The binding of ``skeleton``, which may be a binding itself."""
     if isinstance(skeleton, Binding):
         return skeleton
     if not isinstance(skeleton, Skeleton):
@@ -111,15 +111,15 @@ def binding_of(skeleton: Any) -> Binding:
 
 
 def checked_vertices(skeleton: Skeleton | Binding, vertices: Any) -> Any:
-    """``vertices`` as (V, 3) for the device, of JAX or of NumPy. What is being traced is checked for its shape only,
-    and vertices that are not of the surface of ``skeleton`` may be anywhere."""
+    """``vertices`` as a JAX or NumPy array (V, 3). Only the shape of a traced array is checked. Vertices that no face
+    of the surface uses may be at any position."""
     is_plain = isinstance(vertices, np.ndarray) and vertices.dtype.kind in "fiu"
     try:
-        array = vertices if is_plain else jnp.asarray(vertices)  # which compiles a copy of NumPy's for every size
+        array = vertices if is_plain else jnp.asarray(vertices)  # of a NumPy array, this compiles a copy for every size
     except (TypeError, ValueError) as error:
-        raise MeshError(f"vertices is a {type(vertices).__name__}, no table of numbers: expected (V, 3)") from error
+        raise MeshError(f"vertices is a {type(vertices).__name__}: expected an array of numbers (V, 3)") from error
     if not jnp.isdtype(array.dtype, ("real floating", "integral")):
-        raise MeshError(f"vertices holds {array.dtype}: expected real numbers, (V, 3)")
+        raise MeshError(f"vertices has the type {array.dtype}: expected real numbers, (V, 3)")
     is_real = jnp.isdtype(array.dtype, "real floating")
     dtype = jnp.promote_types(array.dtype, jnp.float32) if is_real else real_dtype()
     array = array.astype(jax.dtypes.canonicalize_dtype(dtype))
@@ -127,18 +127,18 @@ def checked_vertices(skeleton: Skeleton | Binding, vertices: Any) -> Any:
     if isinstance(skeleton, Binding):
         if array.ndim != 2 or array.shape[1] != 3 or len(array) > binding.num_vertices:
             raise MeshError(
-                f"vertices has shape {array.shape}: expected (V, 3), V at most {binding.num_vertices}, for which the "
-                "binding has room"
+                f"vertices has shape {array.shape}: expected (V, 3), V at most {binding.num_vertices}, the capacity of "
+                "the binding"
             )
     elif array.shape != (num := len(skeleton.mesh_map), 3):
-        raise MeshError(f"vertices has shape {array.shape}: expected ({num}, 3), those of the mesh of the skeleton")
+        raise MeshError(f"vertices has shape {array.shape}: expected ({num}, 3), as in the mesh of the skeleton")
     if isinstance(array, Tracer) or isinstance(binding.faces, Tracer):
         return array
     used = np.zeros(binding.num_vertices, dtype=bool)
     used[np.asarray(binding.faces)] = True
     if used[len(array) :].any():
         raise MeshError(
-            f"vertices has shape {array.shape}: expected ({int(binding.live.vertices)}, 3), those of the mesh of the "
+            f"vertices has shape {array.shape}: expected ({int(binding.live.vertices)}, 3), as in the mesh of the "
             "skeleton"
         )
     bad = np.flatnonzero(~np.isfinite(np.asarray(array)).all(axis=1) & used[: len(array)])
@@ -148,7 +148,7 @@ def checked_vertices(skeleton: Skeleton | Binding, vertices: Any) -> Any:
 
 
 def _in_dtype(binding: Binding, dtype: Any) -> Binding:
-    """``binding`` with its real numbers in ``dtype``, if it holds NumPy arrays: no other type reaches the device."""
+    """``binding`` with its real NumPy arrays converted to ``dtype``, so that no other type reaches the device."""
 
     def cast(values: Any) -> Any:
         is_other = isinstance(values, np.ndarray) and values.dtype.kind == "f" and values.dtype != dtype

@@ -1,11 +1,11 @@
-"""Whether a curve that was followed still holds in the mesh as it has moved: asked of the whole moved surface.
+"""Checks whether a followed curve is still valid in the moved mesh, against the whole moved surface.
 
-What `follow` knows of a frame are the sections that were recorded, and these can look well while the solid is no longer
-what it was: a limb in another one, or a new one. So nothing here is taken from them. Distances are exact, to all of the
-moved surface; winding numbers are compared with those at the recorded mesh; faces that are apart must not cross; and
-the balls of the curve must still explain the surface, as well as they did. Lengths are compared as the mesh has grown;
-where that is not enough, once more with what the affine map that fits best has made of the recorded mesh, so that a
-mesh that is stretched as a whole is no fault.
+`follow` uses only the recorded cross-sections. They can look right although a limb has entered another one, or a new
+limb has grown. So these checks do not use them. Distances to the whole moved surface are exact. Winding numbers are
+compared with those in the recorded mesh. Faces that are far apart along the surface must not cross. The balls of the
+curve must still cover the surface as well as before. Lengths are compared relative to the growth of the mesh. A fault
+counts only if it also shows against the recorded mesh under the best fitting affine map, so that stretching the whole
+mesh is no fault.
 """
 
 from typing import NamedTuple
@@ -19,23 +19,21 @@ from msf_jax.host.solid.enclosure import Enclosure
 from msf_jax.host.solid.geometry import repeated
 from msf_jax.host.solid.solid import Solid
 
-# Chosen on three shapes (a capsule, a hand, three limbs) and judged on others, see tests/benchmarks/adversary.py.
-# Beside each is what was measured of right frames: bends to 60 degrees, noise of 0.001 diagonals.
-MISJUDGED = 0.35  # of the exact distance, that a followed radius may be off (0.05)
-PINCHED = 0.5  # of the ball that was there, less of which is left (0.8)
-UNEXPLAINED = 1.0  # radii that a vertex may be farther outside of all balls than it was (0.5; of new limbs, 2)
-STRETCHED, SHORTENED = 2.5, 0.4  # times its length, of the way from a section to the next (1.03, 0.9)
-SLIGHT = 0.005  # diagonals: to less, noise matters
-HELD = 1e-6  # diagonals: nodes so near to the surface were pinned to it, and are on no side
-NEAREST = 4  # centres, whose balls are looked at, of those of about one size
-SAMPLES = 16  # of an edge that the balls of its ends do not cover
+# Chosen on three shapes (a capsule, a hand, three limbs) and tested on others, see tests/benchmarks/adversary.py. In
+# brackets is the worst value in good frames: bends of up to 60 degrees, noise of 0.001 diagonals.
+MISJUDGED = 0.35  # relative error of a followed radius that counts as wrong (0.05)
+PINCHED = 0.5  # ratio of a node's radius to the recorded one, below which its ball has shrunk (0.8)
+UNEXPLAINED = 1.0  # radii: growth of a vertex's distance from all balls that counts as a new limb (0.5; new limbs: 2)
+STRETCHED = 2.5  # ratio of an edge's length to the recorded one, above which it is strained (1.03)
+SHORTENED = 0.4  # the same ratio, below which it is strained (0.9)
+SLIGHT = 0.005  # diagonals: radii count as at least this, because noise dominates shorter lengths
+HELD = 1e-6  # diagonals: nodes this near to the surface were pinned to it, and are neither inside nor outside
+NEAREST = 4  # nearest centres whose balls are tested, among balls of similar size
+SAMPLES = 16  # sample points on an edge that the balls of its ends do not cover
 
 
 class Held(NamedTuple):
-    """How a curve holds in a frame.
-
-    The fields are described in `msf_jax.Frame`.
-    """
+    """The checks of a curve in a frame. `msf_jax.Frame` describes the fields."""
 
     radii: np.ndarray
     inside: float
@@ -49,19 +47,22 @@ class Held(NamedTuple):
 
 
 class Measured(NamedTuple):
-    """Lengths of a curve in a surface: radii (N,) exact, gap (V,) of each vertex to the balls, length (E,) of edges."""
+    """Lengths of a curve in a surface.
+
+    radii: (N,) exact. gap: (V,) distance of each vertex from the balls. length: (E,) of edges.
+    """
 
     radii: np.ndarray
     gap: np.ndarray
     length: np.ndarray
 
     def scaled(self, factor: float) -> "Measured":
-        """As all lengths are ``factor`` times as large."""
+        """All lengths multiplied by ``factor``."""
         return Measured(*(factor * values for values in self))
 
 
 class Holding:
-    """A curve as it was recorded: ``nodes`` (N, 3) and ``edges`` (E, 2), in the units of ``surface``."""
+    """The recorded curve that frames are compared with: ``nodes`` (N, 3), ``edges`` (E, 2), in ``surface``'s units."""
 
     def __init__(self, surface: Surface, nodes: np.ndarray, edges: np.ndarray):
         self.solid, self.node, self.edges, self.nodes = surface.solid, surface.node, edges, nodes
@@ -75,8 +76,8 @@ class Holding:
         self.sides = _sides(shape)
 
     def held(self, vertices: np.ndarray, nodes: np.ndarray, followed: np.ndarray) -> Held:
-        """How the curve with its ``nodes`` (N, 3), NaN where they have vanished, holds with the surface at ``vertices``
-        (v, 3), and whether the ``followed`` (N,) radii are right. All in the caller's units."""
+        """The checks of a frame: ``vertices`` (v, 3) of the surface, ``nodes`` (N, 3), NaN where they have vanished,
+        and the ``followed`` (N,) radii. All lengths are in the caller's units."""
         is_there = np.asarray(np.isfinite(nodes).all(axis=1))
         everyone = np.arange(len(nodes))
         if not (is_there.any() and np.ptp(vertices, axis=0).any()):
@@ -114,13 +115,13 @@ class Holding:
     def _wound(
         self, shape: Enclosure, x: np.ndarray, now: Measured, winding: np.ndarray, is_there: np.ndarray
     ) -> tuple[float, float]:
-        """Fractions of the curve's length: where the surface winds around it, and where more often than it did."""
+        """Fractions of the curve's length: with a positive winding number, and with a higher one than recorded."""
         there = np.flatnonzero(is_there[self.edges].all(axis=1))
         length, ends = now.length[there], self.edges[there]
         changed = winding > self.winding
-        if not length.sum() > 0:  # a curve without length is its nodes
+        if not length.sum() > 0:  # without length, count nodes
             return float((winding > 0)[is_there].mean()), float(changed[is_there].mean())
-        # Where the balls of the ends cover the edge, no surface is between them.
+        # If the balls of its ends cover an edge, the surface does not cross it, and needs no samples.
         inside, other = (winding > 0)[ends[:, 0]].astype(float), changed[ends[:, 0]].astype(float)
         balls = np.where(winding > 0, now.radii, 0.0)
         is_open = (length >= balls[ends].sum(axis=1)) | (winding[ends] <= 0).any(axis=1)
@@ -130,11 +131,11 @@ class Holding:
         return tuple(float((share * length).sum() / length.sum()) for share in (inside, other))  # type: ignore
 
     def _faults(self, now: Measured, was: Measured, is_free: np.ndarray) -> list[np.ndarray]:
-        """(v,) vertices outside of all balls, (N,) nodes whose ball has shrunk, and (N,) whose section has strayed."""
+        """(v,) vertices outside of all balls, (N,) nodes whose ball has shrunk, and (N,) nodes at strained edges."""
         thick = np.maximum(np.maximum(was.radii, np.nan_to_num(now.radii))[self.node], SLIGHT)
         gap = now.gap - was.gap > UNEXPLAINED * thick
         pinched = is_free & (now.radii < PINCHED * was.radii - SLIGHT * PINCHED)
-        # Ways that are short in radii are as long as they happen to be.
+        # Edges much shorter than a radius have arbitrary lengths: they count as 0.3 radii.
         least = 0.3 * np.maximum(was.radii[self.edges].max(axis=1), SLIGHT)
         stretch = np.maximum(now.length, least) / np.maximum(was.length, least)
         both = is_free[self.edges].all(axis=1)
@@ -144,7 +145,7 @@ class Holding:
         return [gap, pinched, strained]
 
     def _stretched(self, solid: Solid) -> Measured | None:
-        """The recorded curve in the recorded mesh, both after the affine map that fits the moved one best."""
+        """The recorded curve and mesh under the affine map that best fits the moved mesh; None if it reflects."""
         before, after = self.solid.shape.vertices, solid.shape.vertices
         mean, away = before.mean(axis=0), after.mean(axis=0)
         matrix = np.linalg.lstsq(before - mean, after - away, rcond=None)[0]
@@ -156,7 +157,7 @@ class Holding:
 
 
 def _samples(x: np.ndarray, edges: np.ndarray, rows: np.ndarray) -> np.ndarray:
-    """Places on those edges, ``SAMPLES`` of each."""
+    """``SAMPLES`` evenly spaced points on each of the edges ``rows``."""
     t = ((np.arange(SAMPLES) + 0.5) / SAMPLES)[:, None]
     a, b = x[edges[rows, 0]], x[edges[rows, 1]]
     return (a[:, None] + t * (b - a)[:, None]).reshape(-1, 3)
@@ -170,10 +171,9 @@ def _sides(shape: Enclosure) -> np.ndarray:
 def _measured(
     shape: Enclosure, x: np.ndarray, edges: np.ndarray, is_there: np.ndarray, winding: np.ndarray
 ) -> Measured:
-    """What is measured of a curve with nodes ``x`` (N, 3), of which some are there.
+    """The lengths of a curve with nodes ``x`` (N, 3), of which those with ``is_there`` exist.
 
-    Balls are those of the nodes, and, as the curve between them is in the middle, too, balls between them on edges,
-    half a radius apart.
+    The balls are those of the nodes, and interpolated balls on edges, half a radius apart.
     """
     radii = np.full(len(x), np.nan)
     radii[is_there] = shape.distances(x[is_there])
@@ -186,7 +186,7 @@ def _measured(
     ends = edges[edge]
     centre = np.concatenate([x[is_there], (1 - t)[:, None] * x[ends[:, 0]] + t[:, None] * x[ends[:, 1]]])
     ball = np.concatenate([ball[is_there], (1 - t) * ball[ends[:, 0]] + t * ball[ends[:, 1]]])
-    # Of balls of about one size the nearest is nearly always among those whose centres are.
+    # Among balls of similar size, the nearest ball is nearly always one with a nearest centre.
     gap = np.full(len(shape.vertices), np.inf)
     size = np.floor(2 * np.log2(np.maximum(ball, 1e-6)))
     for value in np.unique(size):

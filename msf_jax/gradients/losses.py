@@ -1,12 +1,12 @@
-"""Losses of followed curves, to train with: each a number, 0 at best, of one curve, padded or not.
+"""Losses of followed curves, for training. Each is a number, 0 at best, of one curve, padded or not.
 
     found = msf_jax.follow(binding, vertices)
     loss = losses.near(found, binding, target) + 0.1 * losses.clearance(found, binding, 0.01)
 
-For a batch, `jax.vmap` them over everything. ``binding`` says which rows are nodes and edges, and how large the mesh
-is: lengths are divided by its diagonal, so that losses have no unit and one sum serves meshes of any size. All are
-means, so that a curve of many nodes weighs as much as one of few. A node that has vanished is NaN, and so is the loss:
-``jnp.where(jnp.isnan(loss), 0, loss)`` leaves such a mesh out, its gradient too.
+For a batch, `jax.vmap` a loss over all arguments. ``binding`` has the masks of nodes and edges, and the size of the
+mesh. Lengths are divided by the mesh's diagonal, so that losses have no unit, and can be added for meshes of any size.
+Losses are means, so that they do not depend on the number of nodes. A node whose cross-section has vanished is NaN, and
+so is the loss: ``jnp.where(jnp.isnan(loss), 0, loss)`` leaves such a mesh out, also out of the gradient.
 """
 
 from typing import Any
@@ -17,25 +17,25 @@ import jax.numpy as jnp
 from msf_jax.base.binding import Binding
 from msf_jax.base.errors import ConfigError
 
-SAMPLES = 4  # along each edge of a curve
-SHORTEST = 1e-4  # edge, in diagonals, whose direction counts in full
-TINY = 1e-24  # squared length, in diagonals, below which a length has no gradient
+SAMPLES = 4  # points along each edge of a curve
+SHORTEST = 1e-4  # diagonals: shorter edges count less in the turning, in proportion to their length
+TINY = 1e-24  # diagonals squared: below this squared length, the gradient of a length is 0
 
 
 def near(found: Any, binding: Binding, target: Any, mask: Any = None, *, samples: int = SAMPLES) -> jax.Array:
-    """Squared distance between the curve and a ``target``, in both directions, the mean of the two.
+    """Mean squared distance between the curve and a ``target``: the mean of both directions.
 
-    From points spread evenly over the curve's length, each to the nearest of the target; and from each point of the
-    target, to the nearest of those, or of the nodes without an edge. No correspondence is needed, nor as many nodes.
+    One direction is from points spread evenly over the curve's length to the nearest target point. The other is from
+    each target point to the nearest of those points, or of nodes without an edge. It needs no correspondence.
 
     Args:
         found: of `msf_jax.follow`, nodes (N, 3).
-        binding: what it was followed by.
+        binding: the binding that was followed.
         target: (P, 3) points along the wanted curve, in the mesh's units.
-        mask: (P,) bool, which of them count; all if not given. Where none does, the loss is 0.
+        mask: (P,) bool: points that count; all if not given. If none counts, the loss is 0.
         samples: points on each edge of the curve.
 
-    Differentiable in: nodes, target. Which point is nearest is a decision.
+    Differentiable in: nodes, target, with the nearest points held fixed.
     """
     nodes, target = _scaled(binding, _checked(found, binding).nodes), _scaled(binding, target)
     is_point = jnp.ones(len(target), bool) if mask is None else jnp.asarray(mask)
@@ -43,7 +43,7 @@ def near(found: Any, binding: Binding, target: Any, mask: Any = None, *, samples
     share = (jnp.arange(samples, dtype=nodes.dtype) + 0.5) / samples
     points = (a[:, None] + share[:, None] * (b - a)[:, None]).reshape(-1, 3)
     is_sample, weight = (jnp.repeat(x, samples) for x in (binding.edge_mask, norm(b - a)))
-    # A node without an edge has no length, but is on the curve; a curve of nothing else is a mean over those.
+    # A node without an edge has no length, so it counts only if the curve has no edges at all.
     at_edge = jnp.zeros(len(nodes), bool).at[binding.edges].max(binding.edge_mask[:, None])
     is_lone = binding.node_mask & ~at_edge
     points, is_sample = jnp.concatenate([points, nodes]), jnp.concatenate([is_sample, is_lone])
@@ -55,7 +55,7 @@ def near(found: Any, binding: Binding, target: Any, mask: Any = None, *, samples
 
 
 def radii(found: Any, binding: Binding, target: Any) -> jax.Array:
-    """Squared difference between the radii and the ``target`` (N,) ones, in the mesh's units; mean over the nodes.
+    """Mean over the nodes of the squared difference between the radii and the ``target`` (N,), in the mesh's units.
 
     Differentiable in: radii, target.
     """
@@ -63,8 +63,8 @@ def radii(found: Any, binding: Binding, target: Any) -> jax.Array:
 
 
 def lengths(found: Any, binding: Binding, target: Any) -> jax.Array:
-    """Squared difference between the lengths of the branches and the ``target`` (E,) ones, as `branch_lengths` gives
-    them; mean over the branches that have a length in the target.
+    """Mean over the branches of the squared difference between their lengths and the ``target`` (E,), both as
+    `branch_lengths` returns them. Branches with a target of 0 are left out.
 
     Differentiable in: nodes, target.
     """
@@ -73,10 +73,10 @@ def lengths(found: Any, binding: Binding, target: Any) -> jax.Array:
 
 
 def branch_lengths(found: Any, binding: Binding) -> jax.Array:
-    """(E,) the length of each branch, in the mesh's units: of those of `Skeleton.branches` that have edges, in their
-    order; 0 in the rows after the last.
+    """(E,) the length of each branch, in the mesh's units, in the order of `Skeleton.branches`, without those that have
+    no edge; 0 in padding.
 
-    Differentiable in: nodes; zero gradient at an edge without a length.
+    Differentiable in: nodes; the gradient at an edge of length 0 is 0.
     """
     nodes = _checked(found, binding).nodes
     along = norm(_scaled(binding, nodes[binding.edges[:, 1]] - nodes[binding.edges[:, 0]]))
@@ -85,7 +85,7 @@ def branch_lengths(found: Any, binding: Binding) -> jax.Array:
 
 
 def smoothness(found: Any, binding: Binding) -> jax.Array:
-    """One minus the cosine of the angle by which the curve turns at a node; mean over the nodes with two neighbours.
+    """Mean over nodes with two neighbours of one minus the cosine of the angle by which the curve turns there.
 
     Differentiable in: nodes.
     """
@@ -95,10 +95,10 @@ def smoothness(found: Any, binding: Binding) -> jax.Array:
 
 
 def clearance(found: Any, binding: Binding, least: Any) -> jax.Array:
-    """Squared shortfall of the radii below ``least``, in the mesh's units, a number or (N,); mean over the nodes.
+    """Mean over the nodes of the squared shortfall of the radii below ``least``, a number or (N,), in the mesh's units.
 
-    0 where the solid is at least twice as thick as that all along its curve, which casting and printing want; a node
-    outside falls short by its distance to the surface, too.
+    It is 0 if the solid is at least twice as thick as ``least`` along its curve, as casting and printing need. For a
+    node outside, its distance to the surface is added to the shortfall.
     Differentiable in: radii, least.
     """
     short = jnp.maximum(_scaled(binding, jnp.asarray(least) - _checked(found, binding).radii), 0.0)
@@ -106,14 +106,14 @@ def clearance(found: Any, binding: Binding, least: Any) -> jax.Array:
 
 
 def markers(found: Any, binding: Binding, node: Any, target: Any, mask: Any = None) -> jax.Array:
-    """Squared distance of some nodes, such as the ends of limbs, from where they should be; mean over those.
+    """Mean squared distance of chosen nodes, such as the ends of limbs, from their targets.
 
     Args:
         found: of `msf_jax.follow`.
-        binding: what it was followed by.
-        node: (M,) their numbers.
+        binding: the binding that was followed.
+        node: (M,) ids of the nodes.
         target: (M, 3) in the mesh's units.
-        mask: (M,) bool, which of them count; all if not given.
+        mask: (M,) bool: nodes that count; all if not given.
 
     Differentiable in: nodes, target.
     """
@@ -130,12 +130,12 @@ def turning(nodes: jax.Array, edges: Any, is_edge: Any, is_node: Any) -> jax.Arr
     total = jax.ops.segment_sum(along, a, num) - jax.ops.segment_sum(along, b, num)
     one = is_edge.astype(nodes.dtype)
     is_passed = is_node & (jax.ops.segment_sum(one, a, num) + jax.ops.segment_sum(one, b, num) == 2)
-    # Unit vectors to both neighbours add up to nothing where the curve is straight: |u + v|^2 = 2 (1 - cos turn).
+    # Unit vectors u, v to both neighbours cancel where the curve is straight: |u + v|^2 = 2 (1 - cos turn).
     return _mean((total * total).sum(1) / 2, is_passed)
 
 
 def _checked(found: Any, binding: Binding) -> Any:
-    """``found``, which is that of one curve, in as many rows as ``binding`` has."""
+    """``found``, if it is of one curve with as many rows as ``binding``; else a `ConfigError`."""
     rows, shape = jnp.shape(binding.rest)[-2], jnp.shape(found.nodes)
     if shape != (rows, 3) or jnp.ndim(binding.diagonal):
         raise ConfigError(
@@ -146,23 +146,23 @@ def _checked(found: Any, binding: Binding) -> Any:
 
 
 def _scaled(binding: Binding, lengths: Any) -> jax.Array:
-    """``lengths`` in diagonals of the mesh as it was recorded."""
+    """``lengths`` in diagonals of the recorded mesh."""
     lengths = jnp.asarray(lengths)
     return lengths / jnp.asarray(binding.diagonal, lengths.dtype)
 
 
 def _mean(values: jax.Array, weight: jax.Array) -> jax.Array:
-    """Of ``values`` with those weights, or where that is True; 0 if there is none."""
+    """The mean of ``values`` weighted by ``weight``, which may be a mask; 0 if all weights are 0."""
     weight = weight.astype(values.dtype)
     total = weight.sum()
-    # What counts for nothing may be infinite.
+    # Values with weight 0 may be infinite.
     return jnp.where(weight > 0, weight * jnp.where(weight > 0, values, 0.0), 0.0).sum() / jnp.where(
         total > 0, total, 1.0
     )
 
 
 def norm(vectors: jax.Array) -> jax.Array:
-    """Norm over the last axis, with a zero gradient where there is none."""
+    """Norm over the last axis. At length 0, its gradient is 0."""
     square = (vectors * vectors).sum(-1)
-    is_short = square <= TINY  # NaN is not
+    is_short = square <= TINY  # False for NaN, which passes through
     return jnp.where(is_short, 0.0, jnp.sqrt(jnp.where(is_short, 1.0, square)))

@@ -1,8 +1,8 @@
 """`replay`: the curve of a recorded run as a function of its weights and of the mesh's vertices, in pure JAX.
 
-What it is not: the gradient of a run. It is the gradient of the run's geometry with all decisions as they were; where
-other weights would merge, cut or fix otherwise, or take more iterations, a gradient cannot see it. `Tape.compare`
-counts what a fresh run decided differently.
+Its gradient is that of the run's geometry with all recorded decisions held fixed. It does not see that other weights
+may collapse, split or fix other vertices, or take more iterations. `Tape.compare` counts the decisions that a fresh run
+made differently.
 """
 
 from dataclasses import replace as changed
@@ -20,59 +20,64 @@ from msf_jax.device.buffers import real_dtype
 from msf_jax.device.playback import Shape, clearance, replay_part
 from msf_jax.gradients.tape import Tape
 
-# Of the linear solves, relative: for a value, and for a derivative, together with the value that comes with it.
+# Relative residuals of the linear solves, by type: where only the value is computed, and where a derivative is, too.
 TOLERANCE = {"float64": (1e-14, 1e-8), "float32": (1e-6, 1e-6)}
-MOST_STEPS = 20_000  # of conjugate gradients, in one solve
+MOST_STEPS = 20_000  # steps of conjugate gradients in one solve
 
 
 def replay(tape: Tape, weights: Weights, vertices: Any = None, *, tolerance: float | None = None) -> jax.Array:
     """The nodes that the recorded run would have found at other ``weights``, or for other ``vertices``.
 
-    Positions, Laplacians, poles and the places of cuts are computed; what was merged, cut and fixed is as recorded. At
-    the recorded weights and vertices these are ``flow.curve.vertices``. Works under `jax.jit`, `grad`, `vmap`,
-    `jacfwd` and `jacrev`; reverse mode keeps three states of the surface for each iteration. Under `jax.jit`, pass the
-    tape as an argument rather than closing over it: what is closed over is compiled in. What was compiled for one tape
-    serves the next of the same capacities and number of nodes, or, if they are `Tape.padded`, of any number of nodes.
+    Positions, Laplacians, poles and split points are computed anew. Collapses, splits and fixed vertices are those of
+    the tape. At the recorded weights and vertices the result is ``flow.curve.vertices``. Works under `jax.jit`, `grad`,
+    `vmap`, `jacfwd` and `jacrev`; reverse mode stores three states of the surface for each iteration. Under `jax.jit`,
+    pass the tape as an argument, because a tape that is closed over is compiled in. A program that was compiled for one
+    tape serves all tapes of the same capacities and number of nodes. For a tape from `Tape.padded` the number of nodes
+    may differ.
 
     Args:
         tape: of a run, ``flow.tape``.
-        weights: each a number, or (V,), one value for each vertex of the mesh: merged vertices take the mean of theirs,
-            one that cuts an edge interpolates.
-        vertices: (V, 3) of the mesh in the caller's units; where they were recorded, if not given.
-        tolerance: of the linear solves. If not given, 1e-14 where only the value is asked for, and 1e-8, three to five
-            times as fast, where a derivative is (value included); 1e-6 in float32. At 1e-8 gradients are off by some
-            thousandths of their size; ``tolerance=1e-14`` makes them exact, to rounding, for the recorded decisions.
+        weights: each a number, or (V,), one value for each vertex of the mesh. A merged vertex gets the mean of its
+            vertices' weights; a vertex that splits an edge gets an interpolated weight.
+        vertices: (V, 3) of the mesh in the caller's units. The default is the recorded vertices.
+        tolerance: relative residual of the linear solves. The default is 1e-14 where only the value is computed, and
+            1e-8 where a derivative is, too, which is three to five times as fast; in float32 it is 1e-6. At 1e-8 the
+            relative error of gradients is some thousandths. ``tolerance=1e-14`` makes them exact, to rounding, for the
+            recorded decisions.
 
     Returns:
-        (N, 3), in the caller's units. NaN if a linear solve does not converge in 20,000 steps: the weights are far from
-        any that the flow could work with (w_H and w_M next to nothing, say).
+        (N, 3), in the caller's units. NaN if a linear solve does not converge in 20,000 steps: then the weights are
+        too extreme (w_H and w_M almost 0, for example).
 
-    Differentiable in: weights, vertices; also in a pole's four sites, and through the filter that smooths them. Frozen
-    are all decisions, the frame (the flow does not depend on it), how far a pole is trusted, and the direction of the
-    residual that each of the run's loose solves left: its length goes with the right-hand side's. With
-    ``Config(solve_tolerance=1e-9, step_tolerance=0)`` a run leaves next to none. Of coincident vertices that were
-    welded, as in a triangle soup, the first stands for all: the others have a slope of 0. A system whose w_L grows
-    (``Config.au2008()``) is ill-conditioned: its run is preconditioned by a factor, its replay is not, and takes
-    minutes, or is NaN, on more than some thousand vertices.
+    Differentiable in: weights, vertices. The derivative includes a pole's dependence on its four sites, and the filter
+    of the sites. Held constant are all decisions, the frame (the flow does not depend on it), the trust in a pole, and
+    the direction of the residual that each loose solve of the run left; its length scales with the right-hand side.
+    With ``Config(solve_tolerance=1e-9, step_tolerance=0)`` a run leaves almost no residual. The first of several welded
+    vertices represents all of them; the others have a derivative of 0. A system whose w_L grows (``Config.au2008()``)
+    is ill-conditioned. Its run has a factorisation as preconditioner, its replay has not: on more than some thousand
+    vertices the replay takes minutes, or is NaN.
 
     Raises:
-        ConfigError: ``tape`` or ``weights`` is something else, or a weight is out of range or of the wrong shape.
-        MeshError: ``vertices`` has another shape than those of the tape, or is not finite; or the surface would not
-            follow them, as some of it was made by repair.
+        ConfigError: ``tape`` or ``weights`` has a wrong type, or a weight is out of range or of the wrong shape.
+        MeshError: ``vertices`` has another shape than those of the tape, or is not finite; or repair made vertices of
+            the surface, so that it cannot follow the mesh.
     """
     return _replayed(tape, weights, vertices, tolerance)[1]
 
 
 def replay_meso(tape: Tape, weights: Weights, vertices: Any = None, *, tolerance: float | None = None) -> jax.Array:
-    """The contracted surface (n, 3), as `replay` gives the nodes: ``flow.meso_skeleton[0]`` at the recorded weights."""
+    """The vertices (n, 3) of the contracted surface, computed as in `replay`.
+
+    At the recorded weights and vertices they are ``flow.meso_skeleton[0]``.
+    """
     return _replayed(tape, weights, vertices, tolerance)[0]
 
 
 def replay_radii(tape: Tape, nodes: jax.Array, vertices: Any = None) -> jax.Array:
     """Distance (N,) from each of the ``nodes`` (N, 3) to the surface, negative for a node outside.
 
-    The triangle that is nearest to each is as recorded. At the recorded nodes these are ``flow.curve.radii``, where
-    those are positive. Differentiable in: nodes, vertices.
+    The triangle nearest to each node is held as recorded. At the recorded nodes the result is ``flow.curve.radii``
+    where that is positive. Differentiable in: nodes, vertices.
 
     Raises:
         ConfigError: ``nodes`` are not those of the tape.
@@ -80,9 +85,9 @@ def replay_radii(tape: Tape, nodes: jax.Array, vertices: Any = None) -> jax.Arra
     """
     _check_tape(tape)
     if np.shape(nodes) != (tape.num_nodes, 3):
-        raise ConfigError(f"nodes has shape {np.shape(nodes)}: expected ({tape.num_nodes}, 3), those of the tape")
+        raise ConfigError(f"nodes has shape {np.shape(nodes)}: expected ({tape.num_nodes}, 3), as in the tape")
     surface = jnp.asarray(tape.vertices, real_dtype()) if vertices is None else _checked_vertices(tape, vertices)
-    unit = jnp.asarray(tape.diagonal, surface.dtype)  # in which no square leaves float32's range
+    unit = jnp.asarray(tape.diagonal, surface.dtype)  # in this unit no square overflows float32
     triangles = (surface[jnp.asarray(tape.triangles)] + jnp.asarray(tape.offsets, surface.dtype)) / unit
     return unit * clearance(jnp.asarray(nodes) / unit, triangles, jnp.asarray(tape.is_inside))
 
@@ -118,7 +123,7 @@ def _replayed(tape: Tape, weights: Weights, vertices: Any, tolerance: float | No
 
 @partial(jax.custom_jvp, nondiff_argnums=(0, 1))
 def _replayed_part(shape: Shape, settings: tuple[StepSettings, ...], arguments: Any) -> tuple[jax.Array, jax.Array]:
-    """`replay_part` with the first of ``settings``; where it is differentiated, with the second, value included."""
+    """`replay_part` with the first of ``settings``. Under differentiation, value and derivative use the second."""
     return replay_part(*arguments, shape, settings[0])
 
 
@@ -149,10 +154,10 @@ def _checked_vertices(tape: Tape, vertices: Any) -> jax.Array:
     try:
         array = jnp.asarray(vertices, real_dtype())
     except (TypeError, ValueError) as error:
-        raise MeshError(f"vertices is a {type(vertices).__name__}, no table of numbers: expected (V, 3)") from error
+        raise MeshError(f"vertices is a {type(vertices).__name__}: expected an array of numbers (V, 3)") from error
     if array.shape != tape.vertices.shape:
         raise MeshError(
-            f"vertices has shape {array.shape}: expected {tape.vertices.shape}, those of the mesh that the tape was "
+            f"vertices has shape {array.shape}: expected {tape.vertices.shape}, as in the mesh that the tape was "
             "recorded for"
         )
     if not is_traced(array):

@@ -1,4 +1,4 @@
-"""How far each node of a recorded run moves, per unit of each weight and of each vertex of the mesh."""
+"""Derivatives of the nodes of a recorded run with respect to the weights and to the vertices of the mesh."""
 
 from functools import partial
 from typing import NamedTuple
@@ -14,10 +14,10 @@ from msf_jax.gradients.tape import Tape
 
 
 class Sensitivity(NamedTuple):
-    """Derivatives of the nodes of ``tape`` at ``weights``, decisions frozen.
+    """Derivatives of the nodes of ``tape`` at ``weights``, with decisions held fixed.
 
-    by_weight: `Weights` whose entries are (N, 3): how far each node moves per unit of that weight, in the mesh's units.
-    tolerance: of the solves.
+    by_weight: `Weights` whose entries are (N, 3), the derivatives of the nodes with respect to that weight, in the
+    mesh's units. tolerance: of the solves.
     """
 
     tape: Tape
@@ -29,13 +29,13 @@ class Sensitivity(NamedTuple):
         return f"Sensitivity({self.tape!r})"
 
     def of_vertex(self, vertex: int) -> np.ndarray:
-        """(N, 3, 3): column k is how far each node moves per unit that ``vertex`` moves along axis k.
+        """(N, 3, 3) derivatives of the nodes with respect to ``vertex``; column k is for its motion along axis k.
 
-        Three products with the Jacobian, which itself, (N, 3, V, 3), is never formed.
+        It computes three products with the Jacobian (N, 3, V, 3), without forming that.
 
         Raises:
             ConfigError: the mesh has no such vertex.
-            MeshError: the surface does not follow it, as some of it was made by repair.
+            MeshError: repair made vertices of the surface, so that it cannot follow the mesh.
         """
         self.tape.check_movable()
         num = len(self.tape.vertices)
@@ -47,13 +47,13 @@ class Sensitivity(NamedTuple):
         return np.moveaxis(np.asarray(columns[:3, : self.tape.num_nodes]), 0, -1)
 
     def of_node(self, node: int) -> np.ndarray:
-        """(V, 3, 3): row k is how far ``node`` moves along axis k per unit that each vertex moves along each axis.
+        """(V, 3, 3) derivatives of ``node`` with respect to every vertex; row k is its motion along axis k.
 
-        Three products with the transposed Jacobian.
+        It computes three products with the transposed Jacobian.
 
         Raises:
             ConfigError: the curve has no such node.
-            MeshError: the surface does not follow the mesh's vertices, as some of it was made by repair.
+            MeshError: repair made vertices of the surface, so that it cannot follow the mesh.
         """
         self.tape.check_movable()
         num = self.tape.num_nodes
@@ -63,14 +63,14 @@ class Sensitivity(NamedTuple):
 
 
 def sensitivity(tape: Tape, weights: Weights | None = None, *, tolerance: float | None = None) -> Sensitivity:
-    """How far each node moves, per unit of each weight and, on request, of each vertex of the mesh.
+    """Derivatives of the nodes with respect to each weight and, by methods of the result, to vertices of the mesh.
 
     Args:
         tape: of a run.
-        weights: where to differentiate; those of the run if not given. Numbers, not arrays.
+        weights: numbers at which to differentiate; those of the run if not given.
         tolerance: of the solves, see `msf_jax.replay`.
 
-    Decisions are frozen: see `msf_jax.replay`.
+    Decisions are held fixed, see `msf_jax.replay`.
 
     Raises:
         ConfigError: see `msf_jax.replay`; or a weight is an array.
@@ -86,7 +86,7 @@ def sensitivity(tape: Tape, weights: Weights | None = None, *, tolerance: float 
     at = Weights(*(jnp.asarray(value, float) for value in vars(weights).values()))
     none = np.zeros((4, *tape.vertices.shape))
     columns = _columns(tape.padded(), at, np.eye(4), none, tolerance)[:, : tape.num_nodes]
-    structure = jax.tree_util.tree_structure(at)  # slopes are no weights: their signs are free
+    structure = jax.tree_util.tree_structure(at)  # derivatives may be negative, which the constructor would refuse
     return Sensitivity(tape, at, jax.tree_util.tree_unflatten(structure, np.asarray(columns)), tolerance)
 
 
@@ -94,9 +94,9 @@ def sensitivity(tape: Tape, weights: Weights | None = None, *, tolerance: float 
 def _columns(
     tape: Tape, weights: Weights, by_weight: jax.Array, by_vertex: jax.Array, tolerance: float | None
 ) -> jax.Array:
-    """(4, N, 3): how the nodes move along four directions, each a change of the four weights and of (V, 3) vertices.
+    """(4, N, 3): derivatives along four directions, each a change of the four weights and of the (V, 3) vertices.
 
-    Four, as there are four weights: those of a vertex, three, share what was compiled for them.
+    There are four directions for the four weights. The three of a vertex use the same compiled program.
     """
     at = weights, jnp.asarray(tape.vertices, by_vertex.dtype)
 

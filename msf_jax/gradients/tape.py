@@ -1,8 +1,8 @@
-"""The tape of a run: what was decided in it, so that `replay` can compute the same curve as a differentiable program.
+"""The tape of a run: its decisions, with which `replay` computes the same curve as a differentiable program.
 
-It holds neighbours, merges, cuts, which pole each vertex has, who is fixed, how vertices become nodes, and where the
-linear solves stopped. It is a pytree of padded arrays, can be saved and loaded, and knows the mesh it belongs to. Of
-what is no array only layouts and options are compiled in, so that tapes of the same capacities share a program.
+It has the one-rings, collapses and splits, the pole of each vertex, the fixed vertices, the map from vertices to nodes,
+and the residuals of the linear solves. It is a pytree of padded arrays, can be saved and loaded, and identifies its
+mesh. Only layouts and options are static, so that tapes of the same capacities share a program.
 """
 
 import hashlib
@@ -25,20 +25,21 @@ from msf_jax.host.mesh.repair import placed_between_neighbours
 from msf_jax.host.recording import padded
 from msf_jax.host.recording.decisions import decisions, num_unlike
 from msf_jax.host.recording.records import Recording
-from msf_jax.host.recording.stretches import Room, size_for
+from msf_jax.host.recording.stretches import Capacity, size_for
 from msf_jax.skeleton.skeleton import Skeleton
 from msf_jax.skeleton.source import Source
 
-KIND, VERSION = "tape", 4
-RECORDS = {
+KIND = "tape"  # of the file, see `archive`
+VERSION = 4  # of the format: files of other versions are refused
+RECORDS = {  # the types that a file may contain, by name
     kind.__name__: kind for kind in (Part, Mixing, Basis, Polynomial, Stretch, Shape, Layout, Level, Weights, Config)
 }
-FEWEST_NODES = 64  # rows of nodes in a padded tape: so many, twice that, ...
-FEWEST_MESO = 512  # rows of the contracted surface
+FEWEST_NODES = 64  # rows: the smallest capacity of nodes in a padded tape; the next ones are its multiples by 2, 4, ...
+FEWEST_MESO = 512  # rows: the smallest capacity of vertices of the contracted surface, likewise
 
 
 class Comparison(NamedTuple):
-    """Of ``total`` decisions that a run made, ``different`` are not those of the tape that it is compared with."""
+    """A run made ``total`` decisions; ``different`` of them are not in the tape that it is compared with."""
 
     different: int
     total: int
@@ -47,24 +48,24 @@ class Comparison(NamedTuple):
 @jax.tree_util.register_dataclass
 @dataclass(frozen=True, eq=False)
 class Tape:
-    """What a run decided. Made by `contract`, as ``flow.tape``; `replay` is what it is for. A pytree of arrays.
+    """The decisions of a run, for `replay`. `contract` makes it, as ``flow.tape``. A pytree of arrays.
 
     Attributes:
         parts: one for each component of the mesh.
         vertices: (V, 3) of the mesh, in the caller's units.
-        areas: (V,) share of the surface that belongs to each.
-        node_of_vertex: (V,) the node of each.
+        areas: (V,) the area that belongs to each vertex.
+        node_of_vertex: (V,) the node of each vertex.
         edges: (E, 2) of the recorded curve.
         triangles: (N, 3) vertices of the triangle of the mesh that is nearest to each node of the recorded curve.
-        offsets: (N, 3, 3) from those vertices to the triangle's corners, which are others where some were made.
-        is_inside: (N,) whether that node is inside.
+        offsets: (N, 3, 3) from those vertices to the triangle's corners; not 0 where repair made the corner.
+        is_inside: (N,) whether the node is inside.
         decisions: (D,) a hash of each decision.
-        node_row, meso_row: (N,), (M,) where, among the padded nodes (and meso vertices) of all parts, each one is.
+        node_row, meso_row: (N,), (M,) the row of each node (and meso vertex) among the padded rows of all parts.
         vertices_hash, faces_hash: (32,) uint8, of the mesh.
         weights: of the run.
         shapes: layouts of the parts' buffers.
         config: of the run.
-        is_joined: whether the surface has vertices that are none of the mesh's, which repair has made.
+        is_joined: whether repair made vertices of the surface that are not in the mesh.
     """
 
     parts: tuple[Part, ...]
@@ -91,7 +92,7 @@ class Tape:
 
     @property
     def num_nodes(self) -> int:
-        """Nodes of the recorded curve; of a `padded` tape, rows of nodes."""
+        """The number of nodes of the recorded curve; in a `padded` tape, the number of rows."""
         return len(self.node_row)
 
     @property
@@ -100,13 +101,12 @@ class Tape:
         return mesh_id(np.asarray(self.vertices_hash), np.asarray(self.faces_hash))
 
     def padded(self, like: "Tape | None" = None) -> "Tape":
-        """The same for `replay` in a function that is jitted over tapes, which is then compiled once for a capacity.
+        """This tape with padded nodes, so that a jitted function of tapes is compiled once for each capacity.
 
-        A curve has as many nodes as it happens to have, and a replay as many rows: another number is another program.
-        Here rows are 64, 128, 256, ..., with a quarter to spare, or as many as ``like`` has, if that will do; those
-        past the curve's own nodes repeat its last one. Edges and decisions, of which there are as many as there happen
-        to be, are left out: no objective of edges, no comparison. The iterations are in the buffers that they were
-        recorded in: see `Flow.tape_like`.
+        Without padding, each number of nodes needs its own program. Here the number of rows is 64, 128, 256, ..., at
+        least a quarter more than the nodes; or that of ``like``, if it is sufficient. Rows of padding repeat the last
+        node. Edges and decisions are left out, because their numbers vary, too; so objectives with edges and `compare`
+        do not work. The buffers of the iterations keep their sizes; see `Flow.tape_like`.
         """
         nodes = size_for(self.num_nodes, FEWEST_NODES, like.num_nodes if like else 0)
         meso = size_for(len(self.meso_row), FEWEST_MESO, len(like.meso_row) if like else 0)
@@ -128,32 +128,32 @@ class Tape:
         return (extent * extent).sum() ** 0.5
 
     def check_movable(self) -> None:
-        """Raise a `MeshError` if the surface would not follow the mesh's vertices."""
+        """Raise a `MeshError` if the surface cannot follow the mesh's vertices, because repair made some of its own."""
         if self.is_joined:
             raise MeshError(
-                "some vertices of the surface were made where parts of the mesh were joined, or for a skirt, and do "
-                'not follow the mesh\'s vertices: expected a run without repair="join" or skirts, or none to move'
+                "repair made vertices where it joined parts or extruded a rim, and these cannot follow the mesh: "
+                'expected a run without repair="join" and without extruded rims, or a call without vertices'
             )
 
     def compare(self, other: "Tape") -> Comparison:
-        """How many decisions ``other`` made differently: the tape of another run on this mesh, moved or not.
+        """How many decisions of ``other``, the tape of another run on this mesh, are different.
 
-        A gradient through this tape knows nothing of them. Decisions are of vertices by number, so the faces must be
-        the same; the vertices may be elsewhere.
+        A gradient through this tape does not see them. Decisions refer to vertices by id, so the faces must be the
+        same; the vertices may have moved.
 
         Raises:
             MeshError: the tapes are of meshes with different faces.
         """
         if not np.array_equal(other.faces_hash, self.faces_hash) or len(other.vertices) != len(self.vertices):
             raise MeshError(
-                "the tapes are of meshes with different faces: expected the same faces, vertices moved or not"
+                "the tapes are of meshes with different faces: expected the same faces; vertices may have moved"
             )
         return Comparison(num_unlike(np.asarray(self.decisions), np.asarray(other.decisions)), len(other.decisions))
 
     def check(self, mesh: Any) -> None:
         """Raise a `MeshError` unless this is a tape of ``mesh``: the same vertices and faces in the same order."""
         vertices, faces = reading.read(mesh, finite=False)
-        if not np.isfinite(vertices).all():  # a repaired run has put them between their neighbours
+        if not np.isfinite(vertices).all():  # repair placed these vertices between their neighbours
             vertices, _ = placed_between_neighbours(vertices, faces)
         if (found := mesh_id(*hashes(vertices, faces))) != self.mesh_id:
             raise MeshError(
@@ -162,10 +162,10 @@ class Tape:
             )
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Write the tape to ``path``, an ``.npz`` file, whole or not at all.
+        """Write the tape to ``path``, an ``.npz`` file, atomically.
 
         Raises:
-            ConfigError: the suffix is another.
+            ConfigError: the suffix is not ``.npz``.
             OSError: the file cannot be written; what was there before is untouched.
         """
         if Path(path).suffix.lower() != ".npz":
@@ -176,7 +176,7 @@ class Tape:
 
     @classmethod
     def load(cls, path: str | os.PathLike[str], mesh: Any = None) -> "Tape":
-        """The tape that `save` wrote to ``path``; with ``mesh``, only if it is that mesh's.
+        """The tape that `save` wrote to ``path``. With ``mesh`` given, the tape must be of that mesh.
 
         Raises:
             ConfigError: the file is no tape, is damaged, or was written by another version.
@@ -190,12 +190,12 @@ class Tape:
 
 
 def hashes(vertices: np.ndarray, faces: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Two hashes (32,) uint8 of a mesh as the caller has it: of its vertices, and of its faces."""
+    """Two hashes (32,) uint8 of the caller's mesh: of its vertices, and of its faces."""
     return _hash(np.ascontiguousarray(vertices, dtype="<f8")), _hash(np.ascontiguousarray(faces, dtype="<i8"))
 
 
 def mesh_id(vertices_hash: np.ndarray, faces_hash: np.ndarray) -> str:
-    """The two hashes of a mesh as one."""
+    """One hash from the two hashes of a mesh."""
     return hashlib.sha256(vertices_hash.tobytes() + faces_hash.tobytes()).hexdigest()
 
 
@@ -211,14 +211,14 @@ def _repeated(rows: Any, count: int) -> np.ndarray:
 def record(
     run: Recording, weights: Weights, config: Config, curve: Skeleton, source: Source, like: Tape | None = None
 ) -> Tape:
-    """The tape of a run that left ``curve``, made from ``source``; in buffers as those of ``like``, where they will
-    do."""
+    """The tape of a run with the flow's curve ``curve`` and its ``source``. The buffers have the sizes of those of
+    ``like``, where these are sufficient."""
     parts, shapes = [], []
-    rooms = [padded.Rooms()] * len(run.components)
-    if like is not None and len(like.parts) == len(rooms):
-        rooms = [_rooms(part, shape) for part, shape in zip(like.parts, like.shapes, strict=True)]
-    for component, room in zip(run.components, rooms, strict=True):
-        arrays, layouts, mesh_layout = padded.record_component(component, room)
+    capacities = [padded.Capacities()] * len(run.components)
+    if like is not None and len(like.parts) == len(capacities):
+        capacities = [_capacities(part, shape) for part, shape in zip(like.parts, like.shapes, strict=True)]
+    for component, capacity in zip(run.components, capacities, strict=True):
+        arrays, layouts, mesh_layout = padded.record_component(component, capacity)
         parts.append(_part(arrays))
         shapes.append(Shape(tuple(layouts), mesh_layout))
     shape, nodes = source.solid.shape, source.solid.enter(curve.vertices)
@@ -247,22 +247,23 @@ def record(
     )
 
 
-def _rooms(part: Part, shape: Shape) -> padded.Rooms:
-    """What a component's tape has room for."""
+def _capacities(part: Part, shape: Shape) -> padded.Capacities:
+    """The capacities of a component's tape."""
     stretches = tuple(
-        Room(layout, *stretch.cut.shape[:3]) for stretch, layout in zip(part.stretches, shape.layouts, strict=True)
+        Capacity(layout, *stretch.cut.shape[:3]) for stretch, layout in zip(part.stretches, shape.layouts, strict=True)
     )
-    return padded.Rooms(stretches, len(part.gather.row), len(part.nodes.row), len(part.meso_row), len(part.is_held))
+    sizes = len(part.gather.row), len(part.nodes.row), len(part.meso_row), len(part.is_held)
+    return padded.Capacities(stretches, *sizes)
 
 
 def _live(padded: list[np.ndarray], counts: list[int]) -> np.ndarray:
-    """Which rows are live, of padded arrays one after the other: the first so many of each."""
+    """The live rows of concatenated padded arrays: the first ``counts[k]`` rows of array k."""
     first = np.cumsum([0, *map(len, padded)])
     return np.concatenate([start + np.arange(count) for start, count in zip(first, counts, strict=False)])
 
 
 def _part(arrays: dict[str, Any]) -> Part:
-    """`device.replay.Part` from nested dictionaries of arrays; raises what a missing or unknown name raises."""
+    """A `Part` from nested dictionaries of arrays; a missing or unknown name raises a KeyError or TypeError."""
     named = dict(arrays)
     for name in ("mesh_filter", "site_filter"):
         values = named.setdefault(name, None)
@@ -275,7 +276,7 @@ def _part(arrays: dict[str, Any]) -> Part:
 
 
 def _checked(header: dict[str, Any], arrays: dict[str, np.ndarray]) -> Tape:
-    """The tape of a file; raises whatever its damage provokes."""
+    """The tape in a file; a damaged file raises exceptions of many types."""
     try:
         tape = Tape(**archive.decoded(header["tape"], arrays, RECORDS))
     except ConfigError as error:

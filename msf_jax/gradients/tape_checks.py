@@ -1,7 +1,7 @@
-"""Whether the arrays of a tape that comes from a file can be replayed: types, shapes, ranges, and who points where.
+"""Checks of a tape from a file: types, shapes, ranges, and indices.
 
-A file whose digest is right may still have been made by somebody else; what is out of range here would be a traceback,
-or a NaN, in the middle of a replay.
+Another program can write a file with a valid digest. Without these checks, an invalid value would raise an obscure
+error in a replay, or make it NaN.
 """
 
 from typing import Any
@@ -13,7 +13,7 @@ from msf_jax.device.playback import Basis, Mixing, Part, Polynomial, Shape, Stre
 
 
 def check_part(part: Part, shape: Shape, num: int) -> int:
-    """Raise a ValueError unless ``part`` is one of a mesh of ``num`` vertices; returns its rows of nodes."""
+    """Raise a ValueError unless ``part`` is valid for a mesh of ``num`` vertices. Returns its number of node rows."""
     own, rows, nodes = len(part.vertices), len(part.tetrahedron), len(part.is_held)
     numbers(part.vertices, (own, 3), "vertices")
     indices(part.vertex_of_input, (own,), num, "vertex_of_input")
@@ -44,16 +44,16 @@ def check_part(part: Part, shape: Shape, num: int) -> int:
 
 
 def _check_stretch(stretch: Stretch, layout: Layout, before: int, sites: int) -> int:
-    """Rows of the workspace after it, for so many before."""
+    """The number of rows of the workspace after ``stretch``, for ``before`` rows before it."""
     _check_layout(layout)
     lines, size = len(stretch.factor), layout.capacity
     rounds, cuts = np.shape(stretch.cut)[1:3]
-    room = size + rounds * cuts
+    num_rows = size + rounds * cuts
     indices(stretch.handover, (size,), before, "handover")
-    indices(stretch.enter, (lines, size), room, "enter")
+    indices(stretch.enter, (lines, size), num_rows, "enter")
     indices(stretch.site, (lines, size), sites, "site")
     indices(stretch.group, (lines, size), size, "group")
-    indices(stretch.cut, (lines, rounds, cuts, 3), room, "cut")
+    indices(stretch.cut, (lines, rounds, cuts, 3), num_rows, "cut")
     if len(stretch.rings) != 4:
         raise ValueError("rings are not four tables")
     for table in stretch.rings[:3]:
@@ -64,12 +64,12 @@ def _check_stretch(stretch: Stretch, layout: Layout, before: int, sites: int) ->
     numbers(stretch.left, (lines, 2, size, 3), "left")
     if not (numbers(stretch.factor, (lines,), "factor") > 0).all():
         raise ValueError("factor is not positive")
-    return room
+    return num_rows
 
 
 def _check_layout(layout: Any) -> None:
     if not isinstance(layout, Layout) or not layout.levels:
-        raise ValueError("a layout is none")
+        raise ValueError("a layout is of another type, or empty")
     offset, most = 0, layout.capacity
     for level in layout.levels:
         whole = all(isinstance(value, int) and not isinstance(value, bool) for value in level)
@@ -89,7 +89,7 @@ def _check_mixing(mixing: Any, rows: int, columns: int, name: str) -> None:
 
 
 def _check_filter(kept: Any, most: int, rows: int, layout: Layout | None) -> None:
-    """``most`` values are filtered, of which ``rows`` are read."""
+    """Raise a ValueError unless ``kept`` is a valid filter of ``most`` values, ``rows`` of which are used."""
     if kept is None:
         return
     if isinstance(kept, Basis):
@@ -98,7 +98,7 @@ def _check_filter(kept: Any, most: int, rows: int, layout: Layout | None) -> Non
         numbers(kept.basis, np.shape(kept.basis), "basis")
         return
     if not isinstance(kept, Polynomial) or layout is None:
-        raise ValueError("a filter is none")
+        raise ValueError("a filter is of another type")
     _check_layout(layout)
     size = layout.capacity
     indices(kept.vertex, (size,), most, "vertex")
@@ -112,17 +112,17 @@ def _check_filter(kept: Any, most: int, rows: int, layout: Layout | None) -> Non
 
 
 def indices(array: Any, shape: tuple[int, ...], num: int, name: str) -> np.ndarray:
-    """Raise a ValueError unless ``array`` holds whole numbers from 0 and below ``num``, in that shape."""
+    """Raise a ValueError unless ``array`` has that shape and integers from 0 to ``num`` - 1."""
     array = np.asarray(array)
     if array.dtype.kind not in "iu" or array.shape != shape:
         raise ValueError(f"{name} is {array.dtype} of shape {array.shape}: expected whole numbers, {shape}")
     if array.size and not (array.min() >= 0 and array.max() < num):
-        raise ValueError(f"{name} points to {array.min()} to {array.max()}: expected 0 to {num - 1}")
+        raise ValueError(f"{name} is from {array.min()} to {array.max()}: expected 0 to {num - 1}")
     return array
 
 
 def numbers(array: Any, shape: tuple[int, ...], name: str) -> np.ndarray:
-    """Raise a ValueError unless ``array`` holds finite real numbers, in that shape."""
+    """Raise a ValueError unless ``array`` has that shape and finite real numbers."""
     array = np.asarray(array)
     if array.dtype.kind not in "fiu" or array.shape != shape or not np.isfinite(array).all():
         raise ValueError(f"{name} is {array.dtype} of shape {array.shape}: expected finite numbers, {shape}")
@@ -130,7 +130,7 @@ def numbers(array: Any, shape: tuple[int, ...], name: str) -> np.ndarray:
 
 
 def flags(array: Any, shape: tuple[int, ...], name: str) -> np.ndarray:
-    """Raise a ValueError unless ``array`` holds True and False, in that shape."""
+    """Raise a ValueError unless ``array`` has that shape and is boolean."""
     array = np.asarray(array)
     if array.dtype.kind != "b" or array.shape != shape:
         raise ValueError(f"{name} is {array.dtype} of shape {array.shape}: expected True and False, {shape}")

@@ -1,7 +1,7 @@
-"""`track`: one curve through a sequence of meshes of the same faces, with the same nodes in each, and how it holds.
+"""`track`: one curve through a sequence of meshes with the same faces; the same nodes in each, and its validity.
 
-One run, then `follow` for each frame. What a frame is checked for: whether every section is still there, flat, and
-across its branch; and what `holding` asks of the whole moved surface, which sections cannot fool.
+It needs one run, and evaluates `follow` for each frame. It checks that each cross-section still exists, is flat, and
+lies across its branch. `holding` checks the curve against the whole moved surface, without using the cross-sections.
 """
 
 from collections.abc import Iterable, Sequence
@@ -21,17 +21,19 @@ from msf_jax.gradients.holding import Holding
 from msf_jax.host.mesh import reading
 from msf_jax.skeleton.skeleton import Skeleton
 
-WARPED = 0.5  # corners so far off their plane, in parts of how far they are from the centroid, are no section
-TILTED, STRAIGHT = 0.3, 0.7  # cosine of a section's normal and its branch, at which it lies over; at first it was above
-INSIDE = 0.99  # of the curve's length, at least
-NODES = {  # attributes of a `Frame` that name nodes, and what is said of them
+WARPED = 0.5  # RMS distance of corners from their plane over that from the centroid: above, a section is warped
+TILTED = 0.3  # cosine between a section's normal and its branch: below it, a section lies along its branch,
+STRAIGHT = 0.7  # if its cosine in the recorded mesh was above this
+INSIDE = 0.99  # share of the curve's length that must be inside, else a frame wants a run
+NODES = {  # attributes of a `Frame` with ids of nodes, and their descriptions
     "vanished": "without a section",
     "loose": "whose section no longer holds",
     "overlaps": "around which the surface winds once more",
     "misjudged": "whose followed radius was wrong",
     "pinched": "whose ball has shrunk by half",
-    "strained": "whose section has left the next one, or met it",
+    "strained": "whose section has moved away from the next one, or close to it",
 }
+# Attributes of a `Frame` that are faults if they are not 0 or empty.
 FAULTS = (*NODES, "overlapped", "crossings", "unexplained")
 
 
@@ -40,25 +42,24 @@ class Frame:
     """The curve in one mesh of a sequence.
 
     Attributes:
-        number: which frame, from 0.
-        nodes: (N, 3), in the mesh's units; NaN for those of ``vanished``.
-        radii: (N,) exact distance to the whole surface of the frame, negative for a node outside; NaN as ``nodes``.
-        inside: fraction of the curve's length that is inside, of the edges between nodes that are there.
-        vanished: (k,) nodes whose section is no more.
-        loose: (k,) nodes whose section no longer holds: it is warped, or lies along its branch.
-        overlapped: fraction of the curve's length around which the surface winds more often than in the mesh of the
-            run: another part of the solid has come there.
-        overlaps: (k,) nodes around which it does.
-        crossings: pairs of faces that cross, although they are apart along the surface; more than in the mesh of the
-            run.
-        unexplained: fraction of the surface that is outside of the balls along the curve, by a radius more than it
-            was: a limb has grown there.
-        misjudged: (k,) nodes whose radius `msf_jax.follow` has wrong, by more than a third of it.
-        pinched: (k,) nodes whose ball is less than half as large as it was.
-        strained: (k,) nodes whose section has left the next one, or met it: the edge between them is 2.5 times as long
-            as it was, or 0.4 times.
+        number: of the frame, from 0.
+        nodes: (N, 3), in the mesh's units; NaN for ``vanished`` nodes.
+        radii: (N,) exact distance to the whole surface of the frame, negative for a node outside; NaN for ``vanished``.
+        inside: fraction of the curve's length that is inside; edges at ``vanished`` nodes are left out.
+        vanished: (k,) nodes whose cross-section no longer exists.
+        loose: (k,) nodes whose cross-section is warped, or lies along its branch.
+        overlapped: fraction of the curve's length whose winding number is higher than in the mesh of the run: another
+            part of the solid has moved there.
+        overlaps: (k,) nodes whose winding number is higher.
+        crossings: number of pairs of faces that cross although they are far apart along the surface, minus the number
+            in the mesh of the run.
+        unexplained: fraction of the surface whose distance from the balls along the curve has grown by more than a
+            radius: a limb has grown there.
+        misjudged: (k,) nodes for which the radius of `msf_jax.follow` is wrong by more than a third.
+        pinched: (k,) nodes whose ball has shrunk by more than half.
+        strained: (k,) nodes at an edge that has become longer than 2.5 times, or shorter than 0.4 times, its length.
 
-    Lengths are compared as the mesh has grown, or been stretched as a whole.
+    Lengths are compared relative to the growth or the affine stretching of the whole mesh.
     """
 
     number: int
@@ -77,12 +78,12 @@ class Frame:
 
     @property
     def wants_run(self) -> bool:
-        """Whether the curve no longer holds: run `msf_jax.skeletonize` on this frame, if it is a solid at all."""
+        """Whether the curve is no longer valid, so that this frame needs `msf_jax.skeletonize`, if it is a solid."""
         return bool(self.faults) or not self.inside >= INSIDE
 
     @property
     def faults(self) -> dict[str, float]:
-        """What is wrong, by the names of the attributes: how many nodes or pairs of faces, or what fraction."""
+        """The faults by the names of their attributes: the number of nodes or pairs of faces, or the fraction."""
         counts = {name: len(getattr(self, name)) if name in NODES else getattr(self, name) for name in FAULTS}
         return {name: count for name, count in counts.items() if count}
 
@@ -101,15 +102,15 @@ class Frame:
             parts.append(f"the surface crosses itself, in {self.crossings} pairs of faces")
         if self.unexplained > 0:
             parts.append(f"{100 * self.unexplained:.2g} % of the surface is far from the curve")
-        return "; ".join(parts) + ("; wants a fresh run" if self.wants_run else "")
+        return "; ".join(parts) + ("; needs a fresh run" if self.wants_run else "")
 
 
 @dataclass(frozen=True, eq=False)
 class Track:
-    """A curve through a sequence of meshes: the nodes of all frames are the same, and so are the edges.
+    """A curve through a sequence of meshes. All frames have the same nodes and edges.
 
     Attributes:
-        skeleton: of the first mesh, or of whichever the run was on.
+        skeleton: of the mesh that was skeletonised, usually the first.
         frames: one for each mesh, in their order.
     """
 
@@ -127,7 +128,7 @@ class Track:
         return np.stack([frame.radii for frame in self.frames])
 
     def curve(self, number: int) -> Skeleton:
-        """The curve of frame ``number``, to be saved or drawn: it has no source, its report is that of the run.
+        """The curve of frame ``number``, to save or draw. It has no source mesh; its report is that of the run.
 
         Raises:
             ConfigError: nodes of that frame have vanished, or there is no such frame.
@@ -141,7 +142,7 @@ class Track:
 
     def __str__(self) -> str:
         wanting = [frame for frame in self.frames if frame.wants_run]
-        lines = [f"{len(self.frames)} frames, {len(wanting)} of them want a fresh run"]
+        lines = [f"{len(self.frames)} frames, {len(wanting)} of them need a fresh run"]
         return "\n".join(lines + [str(frame) for frame in wanting])
 
 
@@ -155,7 +156,7 @@ def curve_of(skeleton: Skeleton, frame: Frame) -> Skeleton:
 
 
 def track(skeleton: Skeleton, frames: Iterable[Any], *, progress: bool = False) -> Track:
-    """The ``skeleton`` in every mesh of a sequence: an animation, a 4-D scan, an ensemble. No run is made.
+    """The ``skeleton`` in every mesh of a sequence: an animation, a 4-D scan, an ensemble. It makes no run.
 
     Args:
         skeleton: of a mesh with the same faces as all ``frames``, usually the first of them; as `msf_jax.follow`
@@ -165,13 +166,14 @@ def track(skeleton: Skeleton, frames: Iterable[Any], *, progress: bool = False) 
         progress: show a progress bar on standard error, if that is a terminal.
 
     Returns:
-        Nodes and radii for each frame, with the same numbers in all, and how far to trust each. A frame that is bent,
-        flattened or torn too far, where limbs have come into each other, or where one has grown, says so,
-        ``wants_run``, and with which nodes; see `msf_jax.Frame`.
+        Nodes and radii for each frame, with the same ids in all, and a validity check of each. ``wants_run`` is True
+        for a frame that is bent, flattened or torn too far, in which limbs intersect, or in which a limb has grown;
+        the frame lists the nodes. See `msf_jax.Frame`.
 
     Raises:
-        ConfigError: ``skeleton`` does not know the mesh that it was made from, or ``frames`` is no sequence.
-        MeshError: a frame cannot be read, has other vertices or faces, or is not finite: which, and what was expected.
+        ConfigError: ``skeleton`` has no source mesh, or ``frames`` is no sequence.
+        MeshError: a frame cannot be read, has other vertices or faces, or is not finite. The message says which frame,
+            and what was expected.
     """
     if not isinstance(frames, Iterable) or isinstance(frames, str):
         raise ConfigError(f"frames is a {type(frames).__name__}: expected a sequence of vertices (V, 3) or of meshes")
@@ -188,7 +190,7 @@ def track(skeleton: Skeleton, frames: Iterable[Any], *, progress: bool = False) 
 
 
 class Tracker:
-    """What does not change from frame to frame; raises as `track` does."""
+    """Follows a skeleton frame by frame. It holds the data that all frames share, and raises as `track` does."""
 
     def __init__(self, skeleton: Skeleton):
         binding = unpadded(binding_of(skeleton))
@@ -196,10 +198,10 @@ class Tracker:
         self.skeleton, self.edges = skeleton, edges
         self.binding: Binding = jax.device_put(jax.tree.map(jnp.asarray, binding))
         self.solid, self.vertex = surface.solid, surface.vertex
-        # Faces of a mesh that was mended are others than the caller's: those are not compared.
+        # Repair changes faces, so the caller's faces of a repaired mesh are not compared.
         faces = self.vertex[self.solid.shape.faces]
         self.faces = None if skeleton.report.repairs else _sorted(faces)
-        # Each section, and the edges of its node.
+        # For each edge at a node with a section: that node, the other node, the section.
         section_of_node = np.full(len(skeleton.vertices), -1)
         section_of_node[binding.node[binding.is_loop]] = np.flatnonzero(binding.is_loop)
         here, there = np.concatenate([edges, edges[:, ::-1]]).T
@@ -215,7 +217,7 @@ class Tracker:
         return np.einsum("ei,ei->e", along, normal[self.section]) / np.where(length > 0, length, 1.0)
 
     def frame(self, number: int, given: Any) -> Frame:
-        """The curve in ``given``, and how it holds."""
+        """The curve in the mesh ``given``, with its checks."""
         try:
             vertices = self._vertices_of(given)
             array = checked_vertices(self.skeleton, vertices)
@@ -241,7 +243,7 @@ class Tracker:
 
 @jax.jit
 def _tracked(binding: Binding, vertices: jax.Array) -> tuple[jax.Array, ...]:
-    """Nodes, radii, which sections are warped (S,), and the normals of all (S, 3)."""
+    """Nodes, radii, whether each section is warped (S,), and the normals of sections (S, 3)."""
     nodes, radii = following.follow(binding, vertices)
     entered = (vertices - binding.centre) / binding.diagonal
     found = following.centroids(binding, following.corners(binding, entered))
@@ -249,5 +251,5 @@ def _tracked(binding: Binding, vertices: jax.Array) -> tuple[jax.Array, ...]:
 
 
 def _sorted(faces: np.ndarray) -> np.ndarray:
-    """Faces in an order that does not depend on where each begins, how it turns, or which comes first."""
+    """Faces in an order that does not depend on their first corner, their orientation or their order."""
     return np.unique(np.sort(faces, axis=1), axis=0)

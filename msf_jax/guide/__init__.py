@@ -1,4 +1,4 @@
-"""A page per task, and what is behind.
+"""The guide: a page per task, then pages of background.
 
 .. include:: report.md
 .. include:: cookbook.md

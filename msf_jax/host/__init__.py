@@ -1,1 +1,1 @@
-"""The host wing: everything that reads or edits connectivity, in NumPy and SciPy only."""
+"""Everything that reads or edits connectivity, in NumPy and SciPy only."""

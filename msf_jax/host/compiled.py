@@ -1,11 +1,11 @@
-"""Loops that are compiled: short walks over neighbours, loops and trees, of which NumPy makes pages of masks.
+"""Compiled loops, for short walks over neighbours, loops and trees, which would need many masks in NumPy.
 
-A kernel is a Python function over arrays that the caller has made. It allocates nothing, and knows nothing of NumPy but
-how to index. Numba has translated all kernels to LLVM's intermediate representation, `kernels.ll`, which is for any
-processor (`python -m tests.translate`); LLVM compiles that for this one, in a tenth of a second, when the first kernel
-is called. So neither Numba nor a compiler is needed to run the package, and nothing is kept on disk.
+A kernel is a Python function over arrays that its caller has allocated. It allocates nothing, and of NumPy it uses only
+indexing. Numba translates all kernels to LLVM's intermediate representation, `kernels.ll`, for any processor (`python
+-m tests.translate`). LLVM compiles this text in a tenth of a second when the first kernel is called. So running the
+package needs neither Numba nor a compiler, and nothing is stored on disk.
 
-Nothing reorders sums: the same source gives the same bits in every process.
+Sums are not reordered: the same source gives the same bits in every process.
 """
 
 import ast
@@ -23,22 +23,22 @@ from typing import Annotated, Any, get_type_hints
 import numpy as np
 
 _REAL, _INT, _FLAG = np.dtype(np.float64), np.dtype(np.int64), np.dtype(bool)
-Reals = Annotated[np.ndarray, _REAL, 1]  # an array of so many axes
+Reals = Annotated[np.ndarray, _REAL, 1]  # an array's type, and its number of axes
 Points = Annotated[np.ndarray, _REAL, 2]
 Triangles = Annotated[np.ndarray, _REAL, 3]
 Ints = Annotated[np.ndarray, _INT, 1]
 Rows = Annotated[np.ndarray, _INT, 2]
 Flags = Annotated[np.ndarray, _FLAG, 1]
 
-MODULES = ("msf_jax.host.solid.kernels", "msf_jax.host.solid.loops", "msf_jax.host.meso.kernels")  # with kernels
+MODULES = ("msf_jax.host.solid.kernels", "msf_jax.host.solid.loops", "msf_jax.host.meso.kernels")  # that have kernels
 TEXT = Path(__file__).with_name("kernels.ll")
 
 
 class Kernel:
-    """``function``, compiled when it is first called; ``is_part`` for one that only kernels call.
+    """``function``, compiled on its first call; ``is_part`` if only kernels call it.
 
-    Arrays are handed over as they are where they are C-contiguous, of the annotated type, and to be written to; else as
-    a copy. So must be those that results are written to.
+    An array that is C-contiguous, writeable and of the annotated type is passed without a copy, others are copied.
+    Arrays for results must therefore be of that kind.
     """
 
     def __init__(self, function: Callable, is_part: bool):
@@ -50,7 +50,7 @@ class Kernel:
         row: list[int] = []
         alive = [_words(kind, value, row) for kind, value in zip(self._kinds, arguments, strict=True)]
         found = self._entry((ctypes.c_int64 * len(row))(*row))
-        del alive  # the copies, which had to last until now
+        del alive  # the copies had to exist until now
         return found
 
     @cached_property
@@ -65,20 +65,20 @@ class Kernel:
 
 @cache
 def _hints(of: Any) -> list[Any]:
-    """What the arguments of a function, or the fields of a named tuple, are annotated with."""
+    """The annotations of a function's arguments, or of a named tuple's fields."""
     return list(get_type_hints(of, include_extras=True).values())
 
 
 def _words(kind: Any, value: Any, row: list[int]) -> Any:
-    """Add ``value`` of the annotated ``kind`` to the ``row`` of 8-byte words: of an array its address and its lengths.
+    """Append ``value`` of the annotated ``kind`` to ``row``, in 8-byte words; for an array, its address and lengths.
 
-    Returns what must not go away before the call is over.
+    Returns the objects that must exist until the call has ended.
     """
     if hasattr(kind, "__metadata__"):
         dtype = kind.__metadata__[0]
         if value.dtype != dtype or not value.flags.carray:
             value = np.array(value, dtype=dtype, order="C")
-        # The address by the buffer protocol: NumPy's own ways to tell it take 20 times as long.
+        # The address comes by the buffer protocol: NumPy's own attributes take 20 times as long.
         row += (ctypes.addressof(ctypes.c_char.from_buffer(value)) if value.size else 0, *value.shape)
         return value
     if hasattr(kind, "_fields"):
@@ -88,21 +88,21 @@ def _words(kind: Any, value: Any, row: list[int]) -> Any:
 
 
 def kernel(function: Callable) -> Kernel:
-    """``function`` over arrays, numbers and named tuples of arrays, as annotated, compiled; it returns None or an int.
+    """Compile ``function``, over arrays, numbers and named tuples of arrays as annotated; it returns None or an int.
 
     Raises:
-        RuntimeError: when it is called, and `kernels.ll` was not made of the kernels as they are now.
+        RuntimeError: on a call, if `kernels.ll` was made from other kernels than the current ones.
     """
     return Kernel(function, is_part=False)
 
 
 def part(function: Callable) -> Any:
-    """``function`` for kernels to call."""
+    """``function`` as a part of kernels, which only kernels call."""
     return Kernel(function, is_part=True)
 
 
 def entry_of(kernel: Kernel) -> str:
-    """The name of its compiled code."""
+    """The name of the kernel's compiled code."""
     return f"{kernel.__module__}.{kernel.__name__}"
 
 
@@ -113,7 +113,7 @@ def kernels_of(modules: Iterable[ModuleType]) -> list[Kernel]:
 
 
 def digest() -> str:
-    """Of the statements of all modules with kernels, without comments and docstrings."""
+    """A hash of the statements of all modules with kernels, without comments and docstrings."""
     found = hashlib.sha256()
     for name in MODULES:
         tree = ast.parse((Path(__file__).parents[2] / name.replace(".", "/")).with_suffix(".py").read_bytes())
@@ -128,12 +128,12 @@ def _is_text(node: ast.stmt) -> bool:
     return isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant)
 
 
-_LOADED: list[Any] = []  # the engine that holds the compiled code
+_LOADED: list[Any] = []  # the engine with the compiled code, once there is one
 _LOADING = threading.Lock()
 
 
 def _engine() -> Any:
-    """What holds the compiled code; made once."""
+    """The engine with the compiled code; made once."""
     with _LOADING:
         if not _LOADED:
             _LOADED.append(_compiled())
@@ -145,13 +145,13 @@ def _compiled(text: str | None = None) -> Any:
 
     text = TEXT.read_text() if text is None else text
     if not text.startswith(f"; {digest()}\n"):
-        raise RuntimeError(f"{TEXT.name} was made of other kernels: run `python -m tests.translate`")
+        raise RuntimeError(f"{TEXT.name} was made from other kernels: run `python -m tests.translate`")
     llvm.initialize_native_target()
     llvm.initialize_native_asmprinter()
     machine = llvm.Target.from_default_triple().create_target_machine(opt=2, jit=True)
     module = llvm.parse_assembly(text)
     module.triple, module.data_layout = machine.triple, str(machine.target_data)
-    if sys.platform == "win32":  # elsewhere the process has the mathematics of C
+    if sys.platform == "win32":  # elsewhere the process has C's mathematical functions
         llvm.add_symbol("atan2", ctypes.cast(ctypes.cdll.msvcrt.atan2, ctypes.c_void_p).value)
     engine = llvm.create_mcjit_compiler(module, machine)
     engine.finalize_object()

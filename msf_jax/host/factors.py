@@ -1,15 +1,15 @@
-"""A preconditioner for the most ill-conditioned of the systems: a sparse factor of the normal equations' square root.
+"""A preconditioner for very ill-conditioned systems: a sparse factor of the square root of the normal equations.
 
 The normal operator A^T A + D with A = beta L (see `device.contraction`) and D = shift is nearly the square of
 
     K = D^(1/2) - A,    K^T K = A^T A + D - (D^(1/2) A + A^T D^(1/2)).
 
-|K x|^2 is at most twice x^T (A^T A + D) x, for any A. Where D is constant, and A symmetric and negative, as a cotangent
-Laplacian is, it is not less than that either: the eigenvalues of (K^T K)^-1 (A^T A + D) are between 1/2 and 1 however
-large w_L is; where D varies the largest is up to ten, in what was tried. On homer, where w_L grows two-million-fold,
-conjugate gradients take 5 to 16 steps so, to 1e-5 of the diagonal. By the operator's diagonal they take 87 in the first
-iteration and 1,353 in the eighth, and from the eleventh on the volume falls no more, at 4e-4 of the first. K has as few
-entries as L, and its factor as few as one of a plane mesh: 0.02 s for 6,000 vertices, 0.15 s for 25,000.
+|K x|^2 is at most twice x^T (A^T A + D) x, for any A. If D is constant, and A symmetric and negative, as a cotangent
+Laplacian is, |K x|^2 is at least x^T (A^T A + D) x. Then the eigenvalues of (K^T K)^-1 (A^T A + D) are between 1/2 and
+1, however large w_L is. For varying D the largest was at most ten in experiments. On a mesh of 6,002 vertices, with w_L
+growing by a factor of two million, conjugate gradients then take 5 to 16 steps, to 1e-5 of the diagonal. With the
+operator's diagonal they take 87 in the first iteration and 1,353 in the eighth, and the volume stalls at 4e-4 of the
+first. K is as sparse as L, and its factor like that of a plane mesh: 0.02 s for 6,000 vertices, 0.15 s for 25,000.
 """
 
 from collections.abc import Callable
@@ -26,8 +26,8 @@ def factored(
 ) -> Callable[[np.ndarray], np.ndarray]:
     """The function r (n, c) -> (K^T K)^-1 r on the rows of ``free`` (n,), and r -> r on the others.
 
-    neighbour, out: (S,) A's off-diagonal entries in the slots of ``layout``. own: (n,) A's diagonal. shift: (n,). Of
-    numbers that are not finite, nothing is factored, and r is left as it is: the solve will tell.
+    neighbour, out: (S,) A's off-diagonal entries in the slots of ``layout``. own: (n,) A's diagonal. shift: (n,). If a
+    number is not finite, the function is r -> r on all rows, and the solve reports the fault.
     """
     if not all(np.isfinite(values).all() for values in (out, own, shift)):
         return lambda r: r

@@ -1,4 +1,4 @@
-; e3383ee7199e955b4b6d4108d09420b066e72550947511977185512937c4d3fe
+; 5615204768932c2c1755991eb38315aa90820811b6f4f8921217d77e47c0aeff
 ; Made of the kernels by `python -m tests.translate`: edit those.
 
 define internal fastcc void @_ZN7msf_jax4host5solid7kernels18triangle_distance2B2v2B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAEddd5ArrayIdLi3E1C7mutable7alignedEx(ptr noalias nonnull writeonly %retptr, double %arg.x, double %arg.y, double %arg.z, ptr readonly %arg.triangles.4, i64 %arg.triangles.5.0, i64 %arg.triangles.5.1, i64 %arg.triangles.5.2, i64 %arg.row) unnamed_addr {

@@ -1,4 +1,4 @@
-"""The two steps before the flow, as calls of their own: spectral reconstruction and Voronoi poles."""
+"""The two steps before the flow as separate functions: spectral reconstruction and Voronoi poles."""
 
 import numbers
 from typing import Any
@@ -27,7 +27,7 @@ def reconstruct(mesh: Any, k: int = 400) -> trimesh.Trimesh:
         ConfigError: ``k`` is below 4.
     """
     if not isinstance(k, numbers.Integral) or isinstance(k, bool) or k < 4:
-        raise ConfigError(f"k is {k!r}: expected a whole number of at least 4, fewer eigenvectors rebuild no volume")
+        raise ConfigError(f"k is {k!r}: expected a whole number of at least 4; fewer eigenvectors rebuild no volume")
     k = int(k)
     checked = checking.prepare(mesh)
     vertices = checked.vertices.copy()
@@ -38,13 +38,13 @@ def reconstruct(mesh: Any, k: int = 400) -> trimesh.Trimesh:
 
 
 def voronoi_poles(mesh: Any) -> np.ndarray:
-    """The Voronoi pole of every vertex (article 3.1.2; Amenta et al. 2001), of the mesh as it is.
+    """The Voronoi pole of every vertex of the unfiltered mesh (article 3.1.2; Amenta et al. 2001).
 
     Args:
         mesh: a path, a `trimesh.Trimesh` or ``(vertices, faces)``, as `skeletonize` takes it; it is not changed.
 
     Returns:
-        (V, 3), in the caller's units: one for each vertex of the repaired mesh, NaN where a vertex has none. The
+        (V, 3), in the caller's units: one pole for each vertex of the repaired mesh, NaN if a vertex has none. The
         distance from a vertex to its pole is the radius of the ball that touches the surface there.
 
     Raises:

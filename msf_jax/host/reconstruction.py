@@ -1,9 +1,9 @@
 """Spectral reconstruction: the surface without its small details, V' = Phi Phi^T V (article 3.1.1).
 
-Phi holds the eigenvectors of the k smallest eigenvalues of the uniform graph Laplacian D - A = L, which is symmetric.
-`reconstruct` computes them. `filtered` does without: Phi Phi^T is the function of L that is 1 up to the k-th eigenvalue
-and 0 above, and a polynomial p(L) with a soft edge there takes some hundred products with a sparse matrix, a twentieth
-of the time that the eigenvectors take or less (Chebyshev filtering; Hammond et al. 2011, Di Napoli et al. 2016).
+Phi has the eigenvectors of the k smallest eigenvalues of the symmetric uniform graph Laplacian L = D - A. `reconstruct`
+computes them. `filtered` does not: Phi Phi^T is the function of L that is 1 up to the k-th eigenvalue and 0 above, and
+is replaced by a polynomial p(L) with a smooth step. This takes some hundred products with a sparse matrix, a twentieth
+of the time for eigenvectors or less (Chebyshev filtering; Hammond et al. 2011, Di Napoli et al. 2016).
 """
 
 from collections.abc import Iterator
@@ -13,12 +13,11 @@ import numpy as np
 from scipy import fft, sparse, special
 from scipy.sparse import linalg
 
-# Shift-invert needs a matrix that can be factorised: D - A is singular, so the shift lies a little below zero.
-SHIFT = -1e-4
+SHIFT = -1e-4  # eigenvalue: the shift of shift-invert, slightly below 0 because D - A is singular
 
-SOFTNESS = 0.15  # of the filter's edge, as a part of the wave number there
-PROBES = 8  # random vectors that count eigenvalues: 3.5 % off for 200 of them, 10 % for 30
-MOST_TERMS = 3000  # of the polynomial; a long thin chain of triangles would need more, and gets its eigenvectors
+SOFTNESS = 0.15  # width of the filter's step, as a share of the wave number there
+PROBES = 8  # random vectors that count eigenvalues, to 3.5 % for 200 eigenvalues, 10 % for 30
+MOST_TERMS = 3000  # terms of the polynomial; if it needs more, as on a long thin mesh, eigenvectors are computed
 
 
 def graph_laplacian(faces: np.ndarray, num_vertices: int) -> sparse.csc_matrix:
@@ -31,7 +30,7 @@ def graph_laplacian(faces: np.ndarray, num_vertices: int) -> sparse.csc_matrix:
 
 
 class _Inverse:
-    """A factorised matrix's inverse, as SciPy's `aslinearoperator` takes it."""
+    """The inverse of a factorised matrix, in the form that SciPy's `aslinearoperator` takes."""
 
     def __init__(self, factor: linalg.SuperLU, size: int):
         self.matvec = factor.solve
@@ -42,8 +41,8 @@ class _Inverse:
 def spectral_basis(faces: np.ndarray, num_vertices: int, k: int) -> np.ndarray:
     """Orthonormal eigenvectors (V, k) of the ``k`` smallest eigenvalues of the graph Laplacian.
 
-    Small meshes (k of V / 3 or more) are decomposed densely: the iterative solver is no faster there, and cannot
-    return all of the vectors.
+    If k is at least V / 3, the matrix is decomposed densely: the iterative solver is no faster, and cannot return all
+    of the vectors.
     """
     laplacian = graph_laplacian(faces, num_vertices)
     if 3 * k >= num_vertices:
@@ -55,12 +54,12 @@ def spectral_basis(faces: np.ndarray, num_vertices: int, k: int) -> np.ndarray:
         options={"SymmetricMode": True},
     )
     inverse = linalg.aslinearoperator(_Inverse(factor, num_vertices))
-    start = np.cos(np.arange(num_vertices))  # any fixed vector that is not an eigenvector: the same bits on every run
+    start = np.cos(np.arange(num_vertices))  # a fixed vector, for the same bits on every run; it is no eigenvector
     return linalg.eigsh(laplacian, k=k, sigma=SHIFT, OPinv=inverse, v0=start)[1]
 
 
 class LowPass(NamedTuple):
-    """A linear map of coordinates that keeps what varies slowly: Phi Phi^T, or a polynomial of the graph Laplacian L.
+    """A low-pass filter of coordinates, a linear map: Phi Phi^T, or a polynomial of the graph Laplacian L.
 
     basis: (V, k) Phi, or None for the polynomial, the sum over j of share_j T_j(1 - 2 L / top).
     """
@@ -71,18 +70,18 @@ class LowPass(NamedTuple):
 
 
 def low_pass(faces: np.ndarray, num_vertices: int, k: int, *, exact: bool) -> LowPass | None:
-    """The map that keeps ``k`` eigenvectors, of that number if ``exact``, else about; None for k of V: it keeps all."""
+    """The filter that keeps ``k`` eigenvectors, exactly or about, see ``exact``; None if ``k`` is V or more."""
     if k >= num_vertices:
         return None
     if not exact:
         laplacian = graph_laplacian(faces, num_vertices)
         degree = laplacian.diagonal()
         tail, head = laplacian.nonzero()
-        # No eigenvalue is larger (Anderson, Morley 1985).
+        # An upper bound of the eigenvalues (Anderson, Morley 1985).
         top = float((degree[tail] + degree[head])[tail != head].max())
         edge = _edge_of(_cosine(laplacian, top), k, guess=np.sqrt(4 * 21.8 * k / num_vertices / top))
         width = SOFTNESS * edge
-        num_terms = int(np.ceil(6 / width))  # what is left out is below exp(-9)
+        num_terms = int(np.ceil(6 / width))  # the truncated terms are below exp(-9)
         if num_terms <= MOST_TERMS:
             theta = (np.arange(4 * num_terms) + 0.5) * np.pi / (4 * num_terms)
             share = np.asarray(fft.dct(special.erfc((theta - edge) / width), type=2))[:num_terms]
@@ -92,7 +91,7 @@ def low_pass(faces: np.ndarray, num_vertices: int, k: int, *, exact: bool) -> Lo
 
 
 def apply(kept: LowPass | None, vertices: np.ndarray, faces: np.ndarray) -> np.ndarray:
-    """Vertex positions (V, 3) of the mesh with what ``kept`` lets pass; a copy for None."""
+    """Vertex positions (V, 3) after the filter ``kept``; a copy for None."""
     if kept is None:
         return np.array(vertices, dtype=np.float64)
     if kept.basis is not None:
@@ -117,8 +116,8 @@ def reconstruct(vertices: np.ndarray, faces: np.ndarray, k: int) -> np.ndarray:
 def filtered(vertices: np.ndarray, faces: np.ndarray, k: int) -> np.ndarray:
     """Vertex positions (V, 3) of the mesh rebuilt from about ``k`` eigenvectors; ``k`` of V or more returns a copy.
 
-    With cos(theta) = 1 - 2 L / top, the filter is erfc((theta - edge) / width) / 2, taken so that it is 1 at 0: a
-    constant is an eigenvector, and stays. Linear in ``vertices``, and symmetric as a matrix.
+    With cos(theta) = 1 - 2 L / top, the filter is erfc((theta - edge) / width) / 2, scaled to be 1 at 0, so that
+    constants are kept. It is linear in ``vertices``, and symmetric as a matrix.
     """
     return apply(low_pass(faces, len(vertices), k, exact=False), vertices, faces)
 
@@ -138,9 +137,9 @@ def _chebyshev(matrix: sparse.csr_matrix, start: np.ndarray, num: int) -> Iterat
 def _edge_of(cosine: sparse.csr_matrix, k: int, guess: float) -> float:
     """The theta below which ``k`` eigenvalues of the Laplacian lie, about ``guess`` (Weyl's law for a regular mesh).
 
-    Their number below an edge is the trace of a step, whose Chebyshev coefficients are known in closed form, and the
-    trace of T_j is the mean of <r, T_j r> over random signs r (kernel polynomial method; Weisse et al. 2006). Half of
-    the products are enough, as <T_i r, T_j r> is half the sum of the moments i + j and i - j.
+    The number of eigenvalues below an edge is the trace of a step function, whose Chebyshev coefficients are known in
+    closed form. The trace of T_j is estimated by the mean of <r, T_j r> over random signs r (kernel polynomial method;
+    Weisse et al. 2006). Half of the products suffice: <T_i r, T_j r> is half the sum of the moments i + j and i - j.
     """
     num = cosine.indptr.size - 1
     signs = np.random.default_rng(0).choice([-1.0, 1.0], (num, PROBES))
@@ -154,10 +153,10 @@ def _edge_of(cosine: sparse.csr_matrix, k: int, guess: float) -> float:
             moments[2 * j] = 2 * (term * term).sum() - moments[0] if j else (term * term).sum()
         last = term
     order = np.arange(1, 2 * half)
-    # Jackson's factors keep the polynomial between 0 and 1.
+    # Jackson's damping factors keep the polynomial between 0 and 1.
     step = np.pi / (2 * half + 1)
     damping = ((2 * half + 1 - order) * np.cos(order * step) + np.sin(order * step) / np.tan(step)) / (2 * half + 1)
     edges = np.linspace(0, np.pi, 8 * half + 1)
-    waves = np.sin(np.outer(edges, order)) @ (damping * moments[1:] / order)
-    count = (edges * moments[0] + 2 * waves) / np.pi / PROBES
+    series = np.sin(np.outer(edges, order)) @ (damping * moments[1:] / order)
+    count = (edges * moments[0] + 2 * series) / np.pi / PROBES
     return float(edges[1:][np.maximum.accumulate(count)[1:] >= k][0])

@@ -1,19 +1,18 @@
-"""A skeleton as a pytree: it can be an argument of a jitted function, be mapped over, and be written by its leaves.
+"""A skeleton as a pytree, for jitted functions, `jax.tree.map`, and libraries that save leaves.
 
-Its leaves are its arrays, and those of its binding where it has one. Its report and what it was made from are static: a
-function that is jitted over a skeleton is compiled for that one. Its ``binding`` has nothing static, and shares
-programs.
+Its leaves are its arrays, and those of its binding if it has one. Its report and its source are static, so a jitted
+function of a skeleton is compiled for each skeleton. Its ``binding`` has no static fields, and shares programs.
 """
 
 from typing import Any
 
 import jax
 
-NAMES = ("vertices", "edges", "radii", "mesh_map")
+NAMES = ("vertices", "edges", "radii", "mesh_map")  # attributes of a skeleton that are leaves
 
 
 class Static:
-    """What of a skeleton is no array. It is equal where it is the same report and source: to compare them is slow."""
+    """The static part of a skeleton. Report and source are compared by identity, because comparing values is slow."""
 
     def __init__(self, skeleton: Any):
         self.report, self.source, self.roots = skeleton.report, skeleton.source, skeleton.roots
@@ -40,7 +39,7 @@ def register(kind: Any) -> None:
         return tuple(zip(map(jax.tree_util.GetAttrKey, (*NAMES, "binding")), found, strict=True)), static
 
     def whole(static: Static, children: Any) -> Any:
-        """Unchecked: JAX puts axes, masks and gradients there."""
+        """Built without checks, because JAX also passes axes, masks and gradients."""
         skeleton = object.__new__(kind)
         *arrays, binding = children
         vars(skeleton).update(zip(NAMES, arrays, strict=True))

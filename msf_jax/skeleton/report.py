@@ -1,4 +1,4 @@
-"""`Report`: what a run found, and how far to trust it."""
+"""`Report`: the results of a run, and how far to trust them."""
 
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass, field
@@ -9,47 +9,48 @@ import numpy as np
 from msf_jax.host.curve import limbs, loops
 from msf_jax.host.solid.enclosure import Enclosure
 
-MOST_NAMED = 5  # loops that go around nothing, in a report
-# Measured on 53 meshes as they are (at most 5 stubs of 17 limbs), and on two with noise of 0.005 diagonals that grew
-# thickets (98 of 145, 156 of 247).
-STUB = 1.5  # slenderness, below which a limb is hardly longer than wide;
-MANY, MOST_STUBS = 10, 1 / 3  # so many of them, and that part of all limbs, are roughness of the surface
-WIDE = 3.0  # radii, above which half the width of a limb makes it a sheet;
-WORTH_SAYING = 1 / 3  # of the length
-SENTENCES = ("doubts", "repairs", "notes")
+MOST_NAMED = 5  # loops of one kind that a report names; it counts the rest
+STUB = 1.5  # slenderness below which a limb is a stub, hardly longer than wide
+# With this many stubs, and this share of all limbs, the limbs are probably roughness of the surface. Of 53 meshes
+# without added noise the worst has 5 stubs of 17 limbs; two with noise of 0.005 diagonals have 98 of 145, 156 of 247.
+MANY = 10  # stubs
+MOST_STUBS = 1 / 3  # share of all limbs
+WIDE = 3.0  # radii: a limb whose half width is larger is a sheet
+WORTH_SAYING = 1 / 3  # share of the curve's length: the report mentions sheets above it
+SENTENCES = ("doubts", "repairs", "notes")  # attributes of a `Report` that are tuples of sentences
 
 
 @dataclass(frozen=True)
 class Report:
-    """What was found, and how far to trust it.
+    """The results of a run, and how far to trust them.
 
     Attributes:
-        components: connected components of the curve; as many as ``mesh_components`` when all is well.
+        components: connected components of the curve; should equal ``mesh_components``.
         mesh_components: connected components of the mesh.
         genus: sum of the genera of the mesh's components.
-        cycles: independent cycles of the curve; equal to ``genus`` when all is well.
-        loops: handles of the solid that these cycles go around, proved by linking numbers with loops of its surface;
-            equal to ``genus`` and ``cycles`` when all is well. None for a curve without its mesh.
-        in_sheets: fraction of the curve's length in limbs over three times as wide as they are thick, where it could as
-            well run elsewhere; None if not known.
+        cycles: independent cycles of the curve; should equal ``genus``.
+        loops: handles of the solid that these cycles go around, from linking numbers with loops of its surface; should
+            equal ``genus`` and ``cycles``. None for a curve without its mesh.
+        in_sheets: fraction of the curve's length in limbs over three times as wide as thick, where the curve's path is
+            arbitrary; None if not known.
         cut: cycles that `Skeleton.to_tree` cut.
         inside: fraction of the curve's length that is inside the mesh.
-        converged: whether the flow reached its end.
-        reason: why the flow stopped, one clause, for each component that differs.
+        converged: whether the flow converged.
+        reason: why the flow stopped: one clause for each distinct reason of a component.
         iterations: of the flow, the sum over components.
         fixed: vertices of the meso-skeleton that were fixed at the end.
         live: vertices of the meso-skeleton at the end.
-        coarsened: vertices of the mesh that went before the flow, in edges shorter than ``Config.coarsen``.
-        pruned: branches that were taken away as they are no limbs (see `Branch`), by `Skeleton.prune`, too.
-        grown: branches that were laid into thin limbs that the flow had lost, before the last pruning.
-        volume: fraction of the volume, after coarsening, that was left, the largest over components.
+        coarsened: vertices that coarsening removed before the flow, see ``Config.coarsen``.
+        pruned: branches that were removed because they are no limbs (see `Branch`), also by `Skeleton.prune`.
+        grown: branches that were added in thin limbs that the flow had lost, before the last pruning.
+        volume: fraction of the coarsened surface's volume that is left, the largest over components.
         unsolved: iterations in which a linear solve ran out of steps before it reached its tolerance.
-        solve_steps: CG steps in all.
-        doubts: why the curve is not to be trusted though it was finished, a sentence each: a loop that goes around
-            nothing, for example, or limbs that are roughness of the surface.
-        repairs: what was changed in the input, a sentence each.
-        notes: what else went otherwise than planned, a sentence each: steps that were redone, a checkpoint not written.
-        figures: `metrics.evaluate` of the curve as the run ended, where ``Config(evaluate=True)`` asks for it.
+        solve_steps: CG steps of all solves.
+        doubts: reasons not to trust the curve, a sentence each: for example a loop that goes around no handle, or limbs
+            that are roughness of the surface.
+        repairs: changes of the input mesh, a sentence each.
+        notes: other unusual events, a sentence each: repeated steps, a checkpoint that was not written.
+        figures: `metrics.evaluate` of the finished curve, with ``Config(evaluate=True)``.
         seconds: by stage.
     """
 
@@ -80,22 +81,22 @@ class Report:
 
     @property
     def is_sound(self) -> bool:
-        """Converged, every component and cycle found and none too many, each cycle around a handle of its own, the
-        curve at least 99 % inside, and no ``doubts``."""
+        """Whether the run converged, the numbers of components and cycles are right, each cycle goes around a handle of
+        its own, at least 99 % of the curve is inside, and there are no ``doubts``."""
         is_right = self.components == self.mesh_components and self.cycles + self.cut == self.genus
-        is_right &= self.loops == self.cycles or not self.cycles  # of no cycle there is nothing to prove
+        is_right &= self.loops == self.cycles or not self.cycles  # without cycles, loops need no proof
         return self.converged and is_right and self.inside >= 0.99 and not self.doubts
 
     def to_dict(self) -> dict[str, Any]:
         """Plain values, for JSON or a table."""
         figures = {name: None if np.isnan(value) else value for name, value in self.figures.items()}
-        inside = None if np.isnan(self.inside) else self.inside  # of a curve without its mesh
+        inside = None if np.isnan(self.inside) else self.inside  # NaN for a curve without its mesh
         lists = {key: list(getattr(self, key)) for key in SENTENCES}
         return asdict(self) | lists | {"figures": figures, "inside": inside}
 
     @classmethod
     def from_dict(cls, values: Mapping[str, Any]) -> "Report":
-        """The report that `to_dict` was made of; raises a KeyError or a TypeError for anything else."""
+        """The inverse of `to_dict`; raises a KeyError or a TypeError for anything else."""
         figures = {name: np.nan if value is None else value for name, value in values["figures"].items()}
         inside = np.nan if values["inside"] is None else values["inside"]
         changed: dict[str, Any] = {"figures": figures, "inside": inside}
@@ -114,7 +115,7 @@ class Report:
         return "\n".join([*self.lines(), *([seconds] if seconds else [])])
 
     def lines(self) -> list[str]:
-        """What is printed of it, but for the seconds, in which no two runs are alike."""
+        """The printed lines without the seconds, which differ from run to run."""
         lines = [
             f"{'converged' if self.converged else 'NOT converged'}: {self.reason}, "
             f"after {self.iterations} iterations ({self.volume:.1e} of the volume left)",
@@ -128,9 +129,7 @@ class Report:
             + (f", {self.coarsened} vertices coarsened away before" if self.coarsened else ""),
         ]
         if (self.in_sheets or 0.0) > WORTH_SAYING:
-            lines.append(
-                f"{self.in_sheets:.0%} of the curve's length is in sheets, where it could as well run elsewhere"
-            )
+            lines.append(f"{self.in_sheets:.0%} of the curve's length is in sheets, where its path is arbitrary")
         if self.pruned or self.grown:
             lines.append(f"branches: {self.pruned} pruned as no limbs, {self.grown} grown where the flow had lost them")
         if self.unsolved:
@@ -154,9 +153,9 @@ def _around(loops: int, cycles: int) -> str:
 def loops_of(
     shape: Enclosure, vertices: np.ndarray, edges: np.ndarray, node_of_vertex: np.ndarray | None = None
 ) -> dict[str, Any]:
-    """``loops`` and ``doubts`` of a curve ``(vertices (N, 3), edges (E, 2))`` in its solid, in the solid's units.
+    """The report's ``loops`` and ``doubts`` for a curve ``(vertices (N, 3), edges (E, 2))``, in its solid's units.
 
-    ``node_of_vertex`` (V,) is the node that each vertex of the solid goes to, if that is known.
+    ``node_of_vertex`` (V,) is the node of each vertex of the solid, if known.
     """
     found = loops.proof(shape, vertices, edges, node_of_vertex)
     doubts = []
@@ -173,15 +172,15 @@ def loops_of(
     return {"loops": found.rank, "doubts": tuple(doubts)}
 
 
-def weighed(
+def assessed(
     shape: Enclosure, vertices: np.ndarray, edges: np.ndarray, node_of_vertex: np.ndarray | None = None
 ) -> dict[str, Any]:
-    """What `loops_of` says of a finished curve, and what its limbs say: ``in_sheets``, and more ``doubts``."""
+    """The report's ``loops``, ``in_sheets`` and ``doubts`` for a finished curve, see `loops_of`."""
     about = loops_of(shape, vertices, edges, node_of_vertex)
     found = limbs.limbs_of(shape, vertices, edges)
     length = np.linalg.norm(vertices[edges[:, 0]] - vertices[edges[:, 1]], axis=1)
     own = np.bincount(edges.ravel(), np.repeat(length, 2), len(vertices))
-    own[np.bincount(edges.ravel(), minlength=len(vertices)) > 2] = 0.0  # no section is sought at a junction
+    own[np.bincount(edges.ravel(), minlength=len(vertices)) > 2] = 0.0  # a junction has no cross-section
     own /= max(own.sum(), 1e-300)
     wide = float(own[found.width > WIDE * found.radius].sum())
     slender = [branch.slenderness for branch in limbs.measure(vertices, edges, found)]

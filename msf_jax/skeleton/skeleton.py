@@ -1,4 +1,4 @@
-"""What comes out: `Skeleton`, a curve with radii and a map from the input, and `Report`, how far to trust it."""
+"""`Skeleton`, the result of a run: a curve with radii, a map from the input's vertices, and a `Report`."""
 
 import numbers
 import os
@@ -20,7 +20,7 @@ from msf_jax.skeleton import pytree, slopes, trees
 from msf_jax.skeleton.centrelines import table
 from msf_jax.skeleton.formats import export
 from msf_jax.skeleton.pictures import page, panels, segmentation
-from msf_jax.skeleton.report import Report, weighed
+from msf_jax.skeleton.report import Report, assessed
 from msf_jax.skeleton.rigging import rig
 from msf_jax.skeleton.rigging.rig import Rig
 from msf_jax.skeleton.source import Source
@@ -31,7 +31,7 @@ if TYPE_CHECKING:
     from trimesh import Trimesh
     from trimesh.path import Path3D
 
-NEAREST = 16  # nodes, whose balls are asked how much room there is beside them
+NEAREST = 16  # nearest old nodes whose balls bound the radius of a new node, if the solid is not known
 
 
 @dataclass(frozen=True, eq=False)
@@ -43,12 +43,12 @@ class Skeleton:
         edges: (E, 2) int, each with its smaller node first, in ascending order.
         radii: (N,) radius of the largest ball around the node that lies inside the surface; 0 for a node outside.
         mesh_map: (V,) int, the node of every input vertex.
-        report: what was found and how far to trust it.
+        report: the figures of the run, and how far to trust it.
         source: the surface that the curve was made from; without it, radii of a changed curve are lower bounds.
-        roots: of a tree that `to_tree` made, a node of each component, the one that was asked for first.
-        openings: nodes in the middle of openings that repair has closed: ends of vessels that were cut.
-        radius_of: what ``radii`` are of: "ball", or "section", as `with_radii` makes them.
-        units: the name of the unit of length, as files have it; "" if it is not known.
+        roots: of a tree that `to_tree` made, the root of each component, the chosen one first.
+        openings: nodes at the centres of openings that repair has closed: ends of vessels that were cut.
+        radius_of: the kind of ``radii``: "ball", or "section", see `with_radii`.
+        units: the name of the unit of length, as in files; "" if it is not known.
     """
 
     vertices: np.ndarray
@@ -74,7 +74,7 @@ class Skeleton:
 
     @property
     def branches(self) -> list[Branch]:
-        """The ways between nodes that have other than two edges, with their length, slenderness and surface."""
+        """The paths between nodes whose degree is not 2, with their length, slenderness and surface."""
         share = None
         if self.source is not None:
             share = np.bincount(self.mesh_map, weights=self.source.areas, minlength=len(self.vertices))
@@ -84,22 +84,22 @@ class Skeleton:
 
     @cached_property
     def _limbs(self) -> limbs.Limbs:
-        """What the solid says of the nodes; of a curve whose solid is not known, what its radii say."""
+        """The limb at each node, measured in the solid, or from the radii if the solid is not known."""
         vertices, edges = self._in_solid()
         if self.source is None:
             return limbs.limbs_without(vertices, edges, self.radii)
         return limbs.limbs_of(self.source.solid.shape, vertices, edges)
 
     def _in_solid(self) -> tuple[np.ndarray, np.ndarray]:
-        """The curve in units of its solid's diagonal, as far as that is known."""
+        """The curve in units of its solid's diagonal, or in the caller's units if the solid is not known."""
         return (self.vertices if self.source is None else self.source.solid.enter(self.vertices)), self.edges
 
     def prune(self, slenderness: float = 0.9) -> "Skeleton":
-        """A new skeleton without the branches of less than ``slenderness``, the least first; see `Branch`.
+        """A new skeleton without the branches below that ``slenderness``, the least slender pruned first; see `Branch`.
 
-        Components and cycles stay, and so does a branch with a pin. The vertices of the mesh that went to a pruned
-        branch go to its junction. A run has pruned at ``Config.prune`` already: for a threshold below that, run with
-        ``Config(prune=0)``, and prune here.
+        Components, cycles and branches with a pin are kept. The mesh's vertices of a pruned branch go to its junction.
+        A run has already pruned at ``Config.prune``. For a lower threshold, run with ``Config(prune=0)``, and prune
+        here.
 
         Raises:
             ConfigError: ``slenderness`` is negative or not a number.
@@ -115,11 +115,11 @@ class Skeleton:
 
     @property
     def num_leaves(self) -> int:
-        """How many nodes have one edge."""
+        """The number of nodes with one edge."""
         return int((np.bincount(self.edges.ravel()) == 1).sum())
 
     def resample(self, spacing: float) -> "Skeleton":
-        """A new skeleton whose branches have nodes about every ``spacing``, in the caller's units; ends and pins stay.
+        """A new skeleton with nodes about every ``spacing`` along branches, in the caller's units. Ends and pins stay.
 
         An edge that would leave the solid is bisected. A larger spacing never gives more nodes.
 
@@ -134,7 +134,7 @@ class Skeleton:
         return self.changed(vertices, edges, node_of_old)
 
     def smooth(self, rounds: int = 10) -> "Skeleton":
-        """A new skeleton: in each of ``rounds`` nodes go half of the way to the middle of their two neighbours.
+        """A new skeleton, smoothed: in each round nodes move half of the way to the midpoint of their two neighbours.
 
         Ends of branches and pins stay, and so does a node that would leave the solid or lose half of its clearance.
 
@@ -148,9 +148,9 @@ class Skeleton:
         return self.changed(x, edges, np.arange(len(x)))
 
     def simplify(self, tolerance: float) -> "Skeleton":
-        """A new skeleton with as few nodes as keep it within ``tolerance``, in the caller's units; ends and pins stay.
+        """A new skeleton with fewer nodes, within ``tolerance`` of this one, in the caller's units. Ends and pins stay.
 
-        Unlike `resample`, it puts nodes where a branch bends, and may cut a corner of the solid by as much.
+        Unlike `resample`, it keeps nodes where a branch bends. Edges may leave the solid by up to ``tolerance``.
 
         Raises:
             ConfigError: ``tolerance`` is not above 0.
@@ -158,15 +158,15 @@ class Skeleton:
         return trees.simplified(self, tolerance, self._is_held())
 
     def to_tree(self, root: int | str | None = None) -> "Skeleton":
-        """A new skeleton without loops: each is cut at its thinnest edge. ``save`` of it as SWC has the root first.
+        """A new skeleton without loops: each loop is cut at its thinnest edge. An SWC file of it has the root first.
 
         Args:
-            root: number of the node that is the root of its component, or "soma" (see `soma`); the thickest node if not
-                given, as it is in every other component. See ``roots``.
+            root: id of the node that is the root of its component, or "soma" (see `soma`). The default is the thickest
+                node, and so are the roots of the other components. See ``roots``.
 
         Returns:
-            The same nodes and map, fewer edges. ``report.cut`` counts the loops, and ``report.notes`` says where, and
-            whether the soma is sure.
+            The same nodes and map, with fewer edges. ``report.cut`` counts the loops; ``report.notes`` says where they
+            were cut, and whether the soma is sure.
 
         Raises:
             ConfigError: the curve has no such node.
@@ -174,14 +174,14 @@ class Skeleton:
         return trees.tree_of(self, root)
 
     def soma(self) -> trees.Soma:
-        """Where the soma of a neuron may be, the thickest place, and whether it is sure: it stands out among others."""
+        """The thickest place, where the soma of a neuron may be, and whether it stands out enough to be sure."""
         known = self.radius_of == "ball" or self.source is None
         return trees.soma_of(self.vertices, self.radii if known else self.with_radii("ball").radii)
 
     def heal(self, reach: float = np.inf) -> "Skeleton":
-        """A new skeleton of fewer pieces: edges join them between their nearest nodes, over gaps of up to ``reach``.
+        """A new skeleton with fewer pieces: edges between nearest nodes join pieces over gaps of up to ``reach``.
 
-        No loop is made. ``report.notes`` says over which gaps.
+        It makes no loop. ``reach`` is in the caller's units. ``report.notes`` gives the largest gap.
 
         Raises:
             ConfigError: ``reach`` is not above 0.
@@ -190,10 +190,10 @@ class Skeleton:
 
     @cached_property
     def binding(self) -> Binding:
-        """How the curve hangs on the vertices of its mesh, for `msf_jax.follow`; made when it is first asked for.
+        """The curve as a function of the mesh's vertices, for `msf_jax.follow`; made on first access.
 
-        A pytree of NumPy arrays, padded to one of few capacities: pass it to a jitted function as an argument, and what
-        was compiled for one skeleton serves all of its capacity.
+        A pytree of NumPy arrays, padded to one of few capacities. A jitted function with a binding as its argument is
+        compiled once for all skeletons of one capacity.
 
         Raises:
             ConfigError: the surface that the curve was made from is not known.
@@ -206,21 +206,21 @@ class Skeleton:
 
     @property
     def surface(self) -> following.Surface:
-        """The mesh as it was checked, and which of its vertices are whose; raises as `binding` does."""
+        """The checked mesh, with the input vertex and the node of each of its vertices; raises as `binding` does."""
         if self.source is None or self.source.input_of_vertex is None:
             raise ConfigError(
-                "the skeleton does not know the mesh that it was made from: expected one from skeletonize, or read "
-                "from an .npz file that msf_jax has written, of a mesh to which repair has added no vertices"
+                "the skeleton does not know the mesh that it was made from: expected one from skeletonize, or from an "
+                ".npz file that msf_jax has written, of a mesh to which repair has added no vertices"
             )
         vertex = self.source.input_of_vertex
         return following.Surface(self.source.solid, vertex, self.mesh_map[vertex])
 
     def jacobian(self) -> sparse.csr_matrix:
-        """How far each node moves with each vertex of the mesh: the derivative of `msf_jax.follow` where it was made.
+        """The derivative of `msf_jax.follow` at the recorded vertices.
 
         Returns:
-            (3 N, 3 V), sparse: entry (3 i + a, 3 v + b) is how far node i moves along axis a, per unit that vertex v of
-            the input mesh moves along axis b. Of equal vertices, as in a triangle soup, only the first has entries.
+            (3 N, 3 V), sparse. Entry (3 i + a, 3 v + b) is the derivative of coordinate a of node i with respect to
+            coordinate b of vertex v of the input mesh. Of coincident vertices only the first has entries.
 
         Raises:
             ConfigError: the surface that the curve was made from is not known.
@@ -228,14 +228,14 @@ class Skeleton:
         return slopes.jacobian(self.binding, self.surface.given(len(self.mesh_map)))
 
     def covariance(self, sigma: Any) -> np.ndarray:
-        """How uncertain each node is if the vertices of the mesh are, to first order; see `jacobian`.
+        """The covariance of each node for independent noise of the mesh's vertices, to first order; see `jacobian`.
 
         Args:
-            sigma: standard deviation of the noise of every vertex along each axis, independent of all others, in the
-                mesh's units: a number, or (V,) one for each vertex of the input mesh.
+            sigma: standard deviation of the noise of every vertex along each axis, in the mesh's units: a number, or
+                (V,) one for each vertex of the input mesh.
 
         Returns:
-            (N, 3, 3), covariances. A run that would decide otherwise on the noisy mesh is not in them.
+            (N, 3, 3) covariances, in the mesh's units squared. They do not cover other decisions of a run.
 
         Raises:
             ConfigError: ``sigma`` is negative, not finite or of another shape, or the surface is not known.
@@ -243,23 +243,23 @@ class Skeleton:
         return slopes.covariance(self.jacobian(), slopes.spread_of(sigma, len(self.mesh_map)))
 
     def _is_held(self) -> np.ndarray:
-        """(N,) True for a node that a pinned vertex of the mesh goes to."""
+        """(N,) True for the node of a pinned vertex of the mesh."""
         is_held = np.zeros(len(self.vertices), dtype=bool)
         if self.source is not None:
             is_held[self.mesh_map[self.source.pins]] = True
         return is_held
 
     def inside_of(self, vertices: np.ndarray, edges: np.ndarray, radii: np.ndarray) -> float:
-        """The fraction of a curve's length that is inside the mesh of this one, as far as that is known."""
+        """The fraction of a curve's length inside this skeleton's mesh; the report's if the mesh is not known."""
         if self.source is None:
             return self.report.inside
         solid = self.source.solid
         return metrics.inside_fraction(solid.shape, solid.enter(vertices), edges, radii / solid.diagonal)
 
     def changed(self, vertices: np.ndarray, edges: np.ndarray, node_of_old: np.ndarray) -> "Skeleton":
-        """A skeleton of the same mesh with another curve, and the report's counts made again.
+        """A skeleton of the same mesh with another curve, and an updated report.
 
-        ``node_of_old`` (N,) is the node that stands for each of this skeleton's.
+        ``node_of_old`` (N,) is the new node for each node of this skeleton.
         """
         edges = finishing.in_order(edges)
         components, cycles = branches.cycle_count(len(vertices), edges)
@@ -269,9 +269,9 @@ class Skeleton:
             radii = solid.radii(vertices)
             of_input, vertex = node_of_old[self.mesh_map], self.source.input_of_vertex
             followed = None if vertex is None else of_input[vertex]
-            report = replace(report, **weighed(solid.shape, solid.enter(vertices), edges, followed))
+            report = replace(report, **assessed(solid.shape, solid.enter(vertices), edges, followed))
             report = replace(report, inside=self.inside_of(vertices, edges, radii))
-        else:  # the largest ball inside one that is known
+        else:  # the largest ball within one of the known balls
             found = spatial.KDTree(self.vertices).query(vertices, k=min(NEAREST, len(self.radii)))
             away, near = (np.reshape(each, (len(vertices), -1)) for each in found)
             radii = np.maximum((self.radii[near] - away).max(axis=1), 0.0)
@@ -281,12 +281,12 @@ class Skeleton:
         return changed if self.radius_of == "ball" or self.source is None else changed.with_radii(self.radius_of)
 
     def with_radii(self, of: str) -> "Skeleton":
-        """The same curve with radii ``of`` another kind; files that are saved of it have these.
+        """The same curve with another kind of radii, which saved files then have, too.
 
         Args:
-            of: "ball", the radius of the largest ball around each node that fits in; or "section", that of a disc with
-                the area of the cross-section there. In a flat limb the second is larger. Where there is no section, as
-                beyond a limb's end, a node has the ball's.
+            of: "ball", the radius of the largest inscribed ball around each node; or "section", that of a disc with the
+                area of the cross-section there. In a flat limb the second is larger. A node without a cross-section,
+                such as beyond a limb's end, has the ball's.
 
         Raises:
             ConfigError: ``of`` is neither, or the surface that the curve was made from is not known.
@@ -294,7 +294,7 @@ class Skeleton:
         if of not in ("ball", "section"):
             raise ConfigError(f'of is {of!r}: expected "ball" or "section"')
         if self.source is None:
-            raise ConfigError("the skeleton does not know the mesh that it was made from: expected one that does")
+            raise ConfigError("the skeleton does not know its mesh: expected one from skeletonize or an .npz file")
         balls = replace(self, radii=self.source.solid.radii(self.vertices), radius_of="ball")
         if of == "ball":
             return balls
@@ -303,54 +303,56 @@ class Skeleton:
         return replace(balls, radii=radii, radius_of=of)
 
     def table(self, of: str = "branches") -> Any:
-        """Measurements, a row for each of ``branches``, in their order, or for each node: a pandas.DataFrame, or where
-        pandas is not installed a dictionary of arrays. ``save("x.csv")`` and ``save("x.nodes.csv")`` write the same.
+        """Measurements with a row for each of ``branches``, in their order, or for each node.
 
-        Lengths are in the caller's units, angles in degrees; what is not known is NaN. Branches lead away from the root
-        that `to_tree` was given, or from the tip of the thickest limb:
+        It is a pandas.DataFrame, or a dictionary of arrays if pandas is not installed. ``save("x.csv")`` and
+        ``save("x.nodes.csv")`` write the same tables. Lengths are in the caller's units, angles in degrees; unknown
+        values are NaN. Branches are directed away from the root of `to_tree`, or from the tip of the thickest limb.
 
-        - "branches": start and end nodes; parent, the branch that it grows out of, or -1; is_tip; length, chord,
-          tortuosity (length over chord); mean_radius, least_radius and largest_radius without the ends, where balls
-          touch the end of the limb or belong to a junction; volume of its part; angle to its parent, 0 straight on;
-          slenderness and surface, as `Branch` has them.
+        - "branches": start and end nodes; parent, the branch before it, or -1; is_tip; length, chord, tortuosity
+          (length over chord); mean_radius, least_radius and largest_radius, without the ends, where balls touch the end
+          of the limb or belong to a junction; volume of its part of the solid; angle to its parent, 0 if straight;
+          slenderness and surface, as in `Branch`.
         - "nodes": x, y, z, radius, branch, along (the length from the branch's start), tangent, curvature, torsion;
           area, perimeter, largest_diameter and least_diameter of the cross-section.
 
         Raises:
-            ConfigError: ``of`` is another.
+            ConfigError: ``of`` is neither.
         """
         return table.table_of(self, of)
 
     def save(self, path: str | os.PathLike[str], mesh: Any = None) -> None:
-        """Write the curve in the format that the suffix names, whole or not at all.
+        """Write the curve, atomically, in the format of the suffix.
 
-        ``.swc`` (a tree, parents first: ids count its rows from 1, and are not the nodes' numbers; loops are cut, and
-        the cut edges listed in a comment, as the report is), ``.obj`` (lines), ``.cg`` (vertices and edges),
-        ``.polylines.txt`` (CGAL's), ``.ply`` (vertices with radius, edges), ``.vtp`` (VTK PolyData: nodes and branches
-        with all that `table` tells of them), ``.csv`` and ``.nodes.csv`` (those tables), ``.graphml`` (NetworkX's),
-        ``.npz`` (everything, and the surface), ``.json`` (everything, the report included), ``.glb`` (glTF: ``mesh``,
-        as `skeletonize` took it, with its materials, on the bones of ``rig()``; of another rig,
-        ``rig(...).save(path, mesh)``). `msf_jax.read_curve` reads ``.npz``, ``.json``, ``.swc``, ``.obj``, ``.cg``,
-        ``.ply``, ``.graphml`` and ``.polylines.txt`` again.
+        - ``.swc``: a tree, parents first. Its ids are row numbers from 1, not node ids. Loops are cut; comments list
+          the cut edges and the report.
+        - ``.obj`` (line elements), ``.cg`` (vertices and edges), ``.polylines.txt`` (CGAL's), ``.ply`` (vertices with
+          radius, edges), ``.graphml`` (NetworkX's).
+        - ``.vtp``: VTK PolyData, with the columns of both tables of `table`. ``.csv``, ``.nodes.csv``: these tables.
+        - ``.npz``: everything, with the surface. ``.json``: everything, without the surface.
+        - ``.glb``: glTF of ``mesh``, as `skeletonize` took it, with its materials, on the bones of ``rig()``. For
+          another rig use ``rig(...).save(path, mesh)``.
+
+        `msf_jax.read_curve` reads all of these but ``.vtp``, ``.csv`` and ``.glb``.
 
         Raises:
-            ConfigError: the suffix is none of these, or a ``.glb`` is asked for without a mesh.
+            ConfigError: the suffix is none of these, or a ``.glb`` was requested without a mesh.
             MeshError: ``mesh`` is not the one that the curve was made from.
             OSError: the file cannot be written; what was there before is untouched.
         """
         export.save(self, path, mesh)
 
     def rig(self, bones: int = 50, influences: int = 4, mesh: Any = None) -> Rig:
-        """Bones for the mesh, and smooth weights by which it hangs on them; ``save("x.glb", mesh)`` writes one.
+        """Bones for the mesh, with smooth skinning weights; ``save("x.glb", mesh)`` writes one.
 
-        Joints are where limbs leave the balls of junctions, where the curve bends most, and on the way along a limb
-        that is long; the root is at the thickest junction. Loops are cut where they are thinnest. Weights spread as
-        heat does, over the surface.
+        Joints are where limbs leave the balls of junctions, where the curve bends most, and at regular distances along
+        a long limb. The root is at the thickest junction. Loops are cut where they are thinnest. Weights are computed
+        by heat diffusion over the surface.
 
         Args:
-            bones: so many at most; a simple shape gets fewer.
-            influences: bones at most that a vertex hangs on.
-            mesh: what the curve was made from, as `skeletonize` took it; only needed where repair has made vertices.
+            bones: the largest number of bones; a simple shape gets fewer.
+            influences: the largest number of bones for a vertex.
+            mesh: the mesh that the curve was made from, as `skeletonize` took it; only needed if repair made vertices.
 
         Raises:
             ConfigError: a number is out of range, or the surface that the curve was made from is not known.
@@ -359,11 +361,11 @@ class Skeleton:
         return rig.rigged(self, bones, influences, mesh)
 
     def view(self, mesh: Any = None, path: str | os.PathLike[str] | None = None) -> "PlotlyFigure":
-        """A page to look around in: the curve in its surface, with sliders for the flow's iterations and for pruning.
+        """An interactive page: the curve in its surface, with sliders for the flow's iterations and for pruning.
 
         Args:
-            mesh: what the curve was made from, as `skeletonize` took it; the repaired surface if not given.
-            path: an ``.html`` file to write it to, which needs no network.
+            mesh: the mesh that the curve was made from, as `skeletonize` took it; by default the repaired surface.
+            path: an ``.html`` file to write, which needs no network.
 
         Returns:
             A plotly figure; a notebook shows it inline.
@@ -381,8 +383,8 @@ class Skeleton:
     def segments(self, mesh: Any) -> list["Trimesh"]:
         """The surface split by branch: one `trimesh.Trimesh` for each of ``branches``, in their order.
 
-        A face goes with the branch of its first corner's node; one at a junction to the branch that is named first. A
-        branch may get none. Each has a colour of its own, and ``vertex_attributes`` "radius", "node" and "branch".
+        A face belongs to the branch of its first corner's node; at a junction, to the first of its branches. A branch
+        may have no faces. Each mesh has its own colour, and ``vertex_attributes`` "radius", "node" and "branch".
 
         Raises:
             MeshError: ``mesh`` is not the one that the curve was made from.
@@ -390,7 +392,7 @@ class Skeleton:
         return segmentation.segments(self, mesh)
 
     def to_networkx(self) -> nx.Graph:
-        """A graph whose nodes carry ``position`` (3,) and ``radius``, and whose edges carry ``length``."""
+        """A graph with ``position`` (3,) and ``radius`` at its nodes, and ``length`` at its edges."""
         graph = nx.Graph()
         for number, (position, radius) in enumerate(zip(self.vertices, self.radii, strict=True)):
             graph.add_node(number, position=tuple(position.tolist()), radius=float(radius))
@@ -415,7 +417,7 @@ pytree.register(Skeleton)
 
 
 def curve_of(vertices: np.ndarray, edges: np.ndarray, radii: np.ndarray) -> Skeleton:
-    """A skeleton of any curve: no map, and a report of its counts."""
+    """A skeleton of a curve from a file, without a map; its report has only the counts."""
     components, cycles = branches.cycle_count(len(vertices), edges)
     report = Report(
         components=components,

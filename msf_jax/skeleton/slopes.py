@@ -1,7 +1,7 @@
-"""How far the nodes of a curve move with the vertices of its mesh, as a sparse matrix, and what noise makes of them.
+"""The derivative of the nodes with respect to the mesh's vertices, as a sparse matrix, and covariances under noise.
 
-The derivative of the equation of `msf_jax.base.binding` at the mesh as it was recorded. No two sections share a corner,
-so that three products with the transpose give the derivatives of all centroids.
+It differentiates the equation of `msf_jax.base.binding` at the recorded mesh. No two cross-sections share a corner, so
+three products with the transpose give the derivatives of all centroids.
 """
 
 from typing import Any
@@ -48,7 +48,7 @@ def jacobian(padded: Binding, vertices: np.ndarray) -> sparse.csr_matrix:
 
 @jax.jit
 def _slopes(binding: Binding, entered: jax.Array) -> jax.Array:
-    """(3, C, 3): how far along axis i the centroid of its section moves with each corner along axis j."""
+    """(3, C, 3): derivative of a centroid along axis i with respect to each corner of its section along axis j."""
     place = following.corners(binding, entered)
     pull_back = jax.vjp(lambda corners: following.centroids(binding, corners).centroid, place)[1]
     return jax.vmap(lambda axis: pull_back(jnp.zeros((len(binding.node), 3), place.dtype).at[:, axis].set(1.0))[0])(
@@ -57,7 +57,7 @@ def _slopes(binding: Binding, entered: jax.Array) -> jax.Array:
 
 
 def spread_of(sigma: Any, num: int) -> np.ndarray:
-    """(num,) standard deviations from a number, or from one for each vertex; a ConfigError for anything else."""
+    """(num,) standard deviations from a number, or from an array; a ConfigError for anything else."""
     try:
         spread = np.asarray(sigma, dtype=np.float64)
     except (TypeError, ValueError) as error:
@@ -70,7 +70,7 @@ def spread_of(sigma: Any, num: int) -> np.ndarray:
 
 
 def covariance(slopes: Any, sigma: np.ndarray) -> np.ndarray:
-    """(N, 3, 3) of every node, J diag(sigma^2) J^T by blocks, for noise of ``sigma`` (V,) along each axis."""
+    """(N, 3, 3) diagonal blocks of J diag(sigma^2) J^T, one for each node, for noise of ``sigma`` (V,) on each axis."""
     by_axis: list[Any] = [slopes[axis::3] for axis in range(3)]
     variance = np.repeat(sigma**2, 3)
     found = np.empty((slopes.shape[0] // 3, 3, 3))

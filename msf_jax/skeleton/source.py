@@ -1,4 +1,4 @@
-"""What a curve was made from: the solid, its areas and pins, and the surface as it contracted."""
+"""`Source`, the data that a curve was made from: the solid, areas, pins, and stages of the contraction."""
 
 from typing import NamedTuple
 
@@ -8,9 +8,9 @@ from msf_jax.host.solid.solid import Solid
 
 
 class Stage(NamedTuple):
-    """The surface at some time of the flow, in the caller's units, to be looked at.
+    """The surface after some iterations of the flow, in the caller's units, for pictures.
 
-    iteration: after how many. vertices: (n, 3). faces: (m, 3) int32. is_fixed: (n,).
+    iteration: their number. vertices: (n, 3). faces: (m, 3) int32. is_fixed: (n,).
     """
 
     iteration: int
@@ -20,11 +20,11 @@ class Stage(NamedTuple):
 
 
 class Source(NamedTuple):
-    """What a curve was made from.
+    """The data that a curve was made from.
 
-    areas: (V,) share of the surface's area that belongs to each input vertex. pins: (k,) input vertices held in place,
-    of welded ones the first. stages: the surface as it contracted, in a few steps from first to last. input_of_vertex:
-    (v,) the input vertex that each of the solid's comes from.
+    areas: (V,) share of the surface's area that belongs to each input vertex. pins: (k,) input vertices held in place;
+    the first of several welded vertices. stages: a few surfaces of the contraction, from first to last.
+    input_of_vertex: (v,) the input vertex of each vertex of the solid.
     """
 
     solid: Solid

@@ -1,4 +1,4 @@
-"""Curves as trees, as neuroscience wants them: loops cut, pieces joined, a root, and where the soma may be."""
+"""Curves as trees, as in neuroscience: cutting loops, joining pieces, choosing a root, finding the soma."""
 
 import numbers
 from dataclasses import replace
@@ -14,14 +14,14 @@ from msf_jax.host.curve import branches, finishing, resampling
 if TYPE_CHECKING:
     from msf_jax.skeleton.skeleton import Skeleton
 
-AROUND = 4.0  # radii of the thickest ball: what is farther away is elsewhere
-STANDS_OUT = 1.5  # times the thickest ball elsewhere, and
-THICK = 4.0  # times the median radius, that a soma has at least
+AROUND = 4.0  # radii of the thickest ball: nodes within this distance may belong to the soma
+STANDS_OUT = 1.5  # least ratio of a soma's radius to the largest radius farther away
+THICK = 4.0  # least ratio of a soma's radius to the median radius
 
 
 class Soma(NamedTuple):
-    """The thickest place of a curve. node, radius: where, and how thick. contrast: its radius over that of the thickest
-    ball elsewhere. is_sure: whether it stands out enough to be a soma: some meshes have none, or only its fibre."""
+    """The thickest place of a curve. node, radius: its node and radius. contrast: its radius over the largest radius
+    farther away. is_sure: whether it stands out enough to be a soma; some meshes have no soma, or only its fibre."""
 
     node: int
     radius: float
@@ -30,7 +30,7 @@ class Soma(NamedTuple):
 
 
 def soma_of(vertices: np.ndarray, balls: np.ndarray) -> Soma:
-    """The soma of a curve with nodes ``vertices`` (N, 3) and ``balls`` (N,), the radii of the largest that fit in."""
+    """The soma of a curve with nodes ``vertices`` (N, 3) and ``balls`` (N,), the radii of inscribed balls."""
     node = int(balls.argmax())
     is_elsewhere = np.linalg.norm(vertices - vertices[node], axis=1) > AROUND * balls[node]
     radius, elsewhere = float(balls[node]), float(balls[is_elsewhere].max(initial=0.0))
@@ -94,8 +94,8 @@ def healed(skeleton: "Skeleton", reach: float) -> "Skeleton":
 
 
 def _links(vertices: np.ndarray, edges: np.ndarray, reach: float) -> np.ndarray:
-    """(K, 2) edges between nearest nodes that make one piece of all within ``reach`` of each other: Prim's algorithm,
-    from the piece with most nodes."""
+    """(K, 2) shortest edges that join pieces within ``reach`` of each other, by Prim's algorithm from the piece with
+    most nodes."""
     num = len(vertices)
     graph = sparse.coo_matrix((np.ones(len(edges)), edges.T), shape=(num, num))
     label = csgraph.connected_components(graph, directed=False)[1]
@@ -115,14 +115,14 @@ def _links(vertices: np.ndarray, edges: np.ndarray, reach: float) -> np.ndarray:
         if away[node] <= reach:
             links.append((nearest[node], node))
             piece = int(label[node])
-        else:  # what is left may still hang together
+        else:  # the remaining pieces may still be near each other
             piece = int(np.bincount(label[outside]).argmax())
             away[:] = np.inf
     return np.sort(np.array(links, dtype=np.int64).reshape(-1, 2), axis=1)
 
 
 def simplified(skeleton: "Skeleton", tolerance: float, is_held: np.ndarray) -> "Skeleton":
-    """See `Skeleton.simplify`: the nodes that Douglas and Peucker (1973) keep along each branch."""
+    """See `Skeleton.simplify`: it applies the algorithm of Douglas and Peucker (1973) to each branch."""
     if not (isinstance(tolerance, numbers.Real) and not isinstance(tolerance, bool) and 0 < float(tolerance) < np.inf):
         raise ConfigError(f"tolerance is {tolerance!r}: expected a length above 0")
     num = len(skeleton.vertices)
@@ -148,7 +148,7 @@ def simplified(skeleton: "Skeleton", tolerance: float, is_held: np.ndarray) -> "
 
 
 def _needed(points: np.ndarray, kept: np.ndarray, tolerance: float) -> np.ndarray:
-    """(n,) which of ``points`` (n, 3) are kept so that none is farther than ``tolerance`` from the line of those."""
+    """(n,) points to keep besides ``kept``, so that all ``points`` (n, 3) are within ``tolerance`` of their line."""
     found = np.zeros(len(points), dtype=bool)
     stack = list(zip(kept[:-1].tolist(), kept[1:].tolist(), strict=True))
     while stack:

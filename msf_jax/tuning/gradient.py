@@ -1,12 +1,10 @@
-"""Tune weights by gradient: what a grid cannot do, a value for every vertex, or what the flow itself is to learn.
+"""Tuning by gradient, for weights per vertex, and for objectives of the flow's curve.
 
-A run is recorded, and the objective of its replay minimised in the logarithms of the weights, within a box around them:
-there the tape may be trusted. Then a fresh run, with decisions of its own, says what the new weights are worth. If they
-are better they are taken, with a larger box around them; if not, a full step down the slope is tried, then one up it,
-and then the box shrinks, and the old tape is minimised again. A run that did not converge is no ground for a gradient:
-then the weights go half-way to the system's own.
-
-This is the one module besides `device.cg` that imports jaxopt.
+A run is recorded, and the objective of its replay is minimised in the logarithms of the weights, within a trust region,
+the box. Then a fresh run, with its own decisions, gives the value of the new weights. If it is better, the weights are
+accepted, and the box grows. If not, a full step down the slope is tried, then one up the slope; then the box shrinks,
+and the old tape is minimised again. The gradient of a run that did not converge is of no use; then the weights move
+half of the way to the system's default weights.
 """
 
 import warnings
@@ -30,14 +28,19 @@ from msf_jax.tuning.objectives import Objective, value_at
 from msf_jax.tuning.result import Tuned, TuningStep
 from msf_jax.tuning.runs import Runs
 
-FIRST_BOX, LARGEST_BOX, SMALLEST_BOX = 1.0, 2.5, 0.02  # half its width, in logarithms
-GROWTH, SHRINKAGE = 1.6, 0.35
-HALF_WAY, NEARLY_THERE = 0.5, 0.99  # parts of the way to the system's own weights
-SEARCH_TOLERANCE = 1e-8  # of the solves in a replay: enough for a direction
-TIMID = 0.1  # of the box: proposals nearer than that are none
-SIDES = (-1, 1)
-# What is proposed from a tape, in turn, until something is taken. Its minimum may be its own alone, so a step down the
-# slope is next; and where small triangles make the tape's slope steep and short, the flow's own may be the opposite.
+FIRST_BOX = 1.0  # natural logarithms: half the width of the first box
+LARGEST_BOX = 2.5  # natural logarithms: its largest value
+SMALLEST_BOX = 0.02  # natural logarithms: the tuning ends below it
+GROWTH = 1.6  # factor on the box after an accepted proposal
+SHRINKAGE = 0.35  # factor on the box after rejected ones
+HALVED = 0.5  # share of the distance to the default weights, in logarithms: the first step if runs do not converge
+NEARLY_THERE = 0.99  # the same share, above which the tuning ends
+SEARCH_TOLERANCE = 1e-8  # relative residual of the solves in a replay, sufficient for a direction
+TIMID = 0.1  # share of the box: a minimum closer to the start is not proposed
+SIDES = (-1, 1)  # the lower and the upper side of the box
+# The kinds of proposals from a tape, tried in turn until one is accepted. The tape's minimum may be an artefact of the
+# tape, so a step down the slope follows. Small triangles can make the tape's slope the opposite of the flow's, so a
+# step up the slope comes last.
 MINIMUM, DOWN, UP = range(3)
 
 
@@ -50,10 +53,10 @@ def descend(
     inner_steps: int,
     bar: Any,
 ) -> Tuned:
-    """At most ``steps`` proposals by the tapes, from ``weights``; a taken one has been confirmed by fresh runs."""
+    """Make at most ``steps`` proposals by the tapes, from ``weights``. Fresh runs confirm a proposal."""
     search = _Descent(runs, weights)
     config = runs.config
-    box, way, kind, reason = FIRST_BOX, HALF_WAY, MINIMUM, "as many as were asked for"
+    box, part, kind, reason = FIRST_BOX, HALVED, MINIMUM, "all steps made"
     try:
         for _ in range(steps):
             here = logarithms(search.weights)
@@ -63,11 +66,11 @@ def descend(
                     runs.objective, search.weights, tapes, here, box, low, high, kind, inner_steps
                 )
                 nowhere = f"{runs.objective.name} does not depend on the weights, by the tapes"
-            else:  # such a run is stuck in a few vertices, and its gradient is theirs
+            else:  # the gradient of such a run is that of the few vertices where it is stuck
                 goal = logarithms(config.default_weights())
-                there = {name: here[name] + way * (goal.get(name, here[name]) - here[name]) for name in here}
+                there = {name: here[name] + part * (goal.get(name, here[name]) - here[name]) for name in here}
                 there, expected = {name: np.clip(there[name], low[name], high[name]) for name in here}, np.nan
-                nowhere = f"runs do not converge ({search.why}), nor is there a way on to the system's own weights"
+                nowhere = f"runs do not converge ({search.why}), and the weights are those of the system already"
             if not distance(here, there) > 0:
                 reason = nowhere
                 break
@@ -80,9 +83,9 @@ def descend(
                 else:
                     kind += 1
             else:
-                way = HALF_WAY if is_taken else (way + 1) / 2
+                part = HALVED if is_taken else (part + 1) / 2
             bar.update(1, f"objective {search.value:.4g}, box {box:.2f}")
-            if box < SMALLEST_BOX or way > NEARLY_THERE:
+            if box < SMALLEST_BOX or part > NEARLY_THERE:
                 reason = "no better weights nearby"
                 break
     except KeyboardInterrupt:
@@ -91,7 +94,7 @@ def descend(
 
 
 class _Descent:
-    """The best weights so far, their runs, and what was tried."""
+    """The best weights so far, their runs, and all proposals."""
 
     def __init__(self, runs: Runs, weights: Weights):
         self.runs, self.weights, self.flows = runs, weights, runs.flows(weights)
@@ -103,16 +106,16 @@ class _Descent:
 
     @property
     def is_converged(self) -> bool:
-        """Whether all of the best weights' runs ended as they should."""
+        """Whether all runs of the best weights converged."""
         return all(run.skeleton.report.converged for run in self.flows)
 
     @property
     def why(self) -> str:
-        """Why the first that did not ended."""
+        """Why the first run that did not converge ended."""
         return next(run.skeleton.report.reason for run in self.flows if not run.skeleton.report.converged)
 
     def propose(self, weights: Weights, expected: float, box: float) -> bool:
-        """Run with ``weights``; take them if they are better, or if their runs converge and those before did not."""
+        """Run with ``weights``. Accept them if they are better, or if their runs converge and those before did not."""
         try:
             fresh = self.runs.flows(weights)
         except FlowError:
@@ -139,9 +142,9 @@ def proposal(
     kind: int,
     inner_steps: int,
 ) -> tuple[dict[str, Any], float, int]:
-    """The logarithms within ``box`` of ``here`` that are best by the tapes, the objective there, and which kind it is.
+    """A proposal: logarithms within ``box`` of ``here``, the objective there by the tapes, and the kind of proposal.
 
-    Where no minimum is found, or another ``kind`` is asked for, those at the end of the box down the slope, or up.
+    A minimum is replaced by the point at the end of the box, down the slope, if the search for it fails.
     """
 
     def clipped(point: dict[str, Any]) -> dict[str, Any]:
@@ -175,7 +178,7 @@ def proposal(
         there = clipped(there)
         if np.isfinite(state.fun_val) and distance(here, there) >= TIMID * box:
             return there, float(state.fun_val), MINIMUM
-        kind = DOWN  # its line search has failed
+        kind = DOWN  # the line search has failed
     length = box / steepest * (-1 if kind == DOWN else 1)
     return clipped({name: here[name] + length * np.asarray(slope[name]) for name in here}), np.nan, kind
 
@@ -188,7 +191,7 @@ def _mean_value(objective: Objective, logarithms: dict[str, Any], weights: Weigh
 
 
 def _value_and_grad(objective: Objective, logarithms: dict[str, Any], weights: Weights, tape: Tape) -> Any:
-    """In two halves, as a fresh tape has another number of nodes: the replay, the slow one to compile, is padded."""
+    """The objective and its gradient, in two programs: a new number of nodes does not recompile the slow replay."""
 
     def nodes_at(logarithms: dict[str, Any]) -> jax.Array:
         return replay(tape, with_logarithms(weights, logarithms), tolerance=SEARCH_TOLERANCE)
@@ -203,7 +206,7 @@ def distance(one: dict[str, np.ndarray], other: dict[str, np.ndarray]) -> float:
 
 
 def logarithms(weights: Weights) -> dict[str, np.ndarray]:
-    """Of the weights that are not 0, by name."""
+    """The natural logarithms of the weights that are not 0, by name."""
     named = {name: np.asarray(weight, dtype=np.float64) for name, weight in vars(weights).items()}
     return {name: np.log(weight) for name, weight in named.items() if (weight > 0).all()}
 

@@ -1,10 +1,10 @@
-"""What a curve can be tuned for: small functions of a replayed curve, 0 at best, that can be added and multiplied.
+"""Objectives for `tune`: functions of a curve, 0 at best, that can be added and multiplied by numbers.
 
     objective = explained() + 0.5 * inside() + 0.1 * smooth()
 
-A user's own is any JAX function of ``(nodes, radii)`` that returns a number, as it is; `tune` takes both. All of these
-are in units of the mesh's diagonal, or without unit, so that one sum serves meshes of any size. Differentiable in: the
-nodes and radii of the curve; which of several points is nearest is a decision, and so are edges.
+`tune` also takes any JAX function of ``(nodes, radii)`` that returns a number. The objectives here are in diagonals of
+the mesh, or without unit, so that they can be added for meshes of any size. Differentiable in: the nodes and radii of
+the curve, with nearest points and edges held fixed.
 """
 
 import inspect
@@ -27,15 +27,15 @@ from msf_jax.gradients.tape import Tape
 from msf_jax.host.mesh import reading
 from msf_jax.skeleton.skeleton import Skeleton
 
-MOST_SAMPLES = 2000  # vertices that stand for a surface
+MOST_SAMPLES = 2000  # vertices of a surface that `explained` uses, about
 
 
 class Replayed(NamedTuple):
     """A replayed curve in its surface.
 
     nodes: (N, 3). radii: (N,) distance to the surface, negative outside. edges: (E, 2). surface: (V, 3) vertices of the
-    mesh. areas: (V,) share of the surface that belongs to each. node_of_vertex: (V,). diagonal: of the bounding box.
-    is_node: (N,) False for rows that only fill an array up; their edges lead from one to itself.
+    mesh. areas: (V,) the area that belongs to each. node_of_vertex: (V,). diagonal: of the bounding box. is_node: (N,)
+    False for padding, whose edges lead from a row to itself.
     """
 
     nodes: jax.Array
@@ -50,11 +50,11 @@ class Replayed(NamedTuple):
 
 @dataclass(frozen=True)
 class Objective:
-    """A function from a `Replayed` curve to a number; less is better. ``a + b`` and ``2 * a`` are objectives, too."""
+    """A function from a `Replayed` curve to a number; lower is better. ``a + b`` and ``2 * a`` are objectives, too."""
 
     name: str
     function: Callable[[Replayed], jax.Array]
-    can_be_padded: bool = True  # whether it may be given rows that are no nodes
+    can_be_padded: bool = True  # whether it respects ``is_node``
 
     def __call__(self, curve: Replayed) -> jax.Array:
         return self.function(curve)
@@ -74,10 +74,10 @@ class Objective:
 
 
 def as_objective(objective: Any) -> Objective:
-    """An `Objective` as it is, or one made of a function of ``(nodes, radii)``.
+    """An `Objective` unchanged, or an `Objective` made from a function of ``(nodes, radii)``.
 
     Raises:
-        ConfigError: it is neither.
+        ConfigError: ``objective`` is neither.
     """
     if isinstance(objective, Objective):
         return objective
@@ -96,7 +96,7 @@ def as_objective(objective: Any) -> Objective:
 def value(
     objective: Any, tape: Tape, weights: Weights, vertices: Any = None, *, tolerance: float | None = None
 ) -> jax.Array:
-    """What ``objective`` says of the replay of ``tape``; see `msf_jax.replay` for the other arguments.
+    """The ``objective`` of the replay of ``tape``; see `msf_jax.replay` for the other arguments.
 
     Differentiable in: weights, vertices.
 
@@ -107,7 +107,7 @@ def value(
 
 
 def value_at(objective: Objective, tape: Tape, nodes: jax.Array, vertices: Any = None) -> jax.Array:
-    """What ``objective`` says of the curve of ``tape`` with its nodes at ``nodes`` (N, 3); raises what `value` does."""
+    """The ``objective`` of the curve of ``tape`` with nodes at ``nodes`` (N, 3); raises as `value` does."""
     found = _value_at(objective, tape, nodes, vertices)
     if not isinstance(found, Tracer) and bool(jnp.isnan(found)) and not bool(jnp.isnan(nodes).any()):
         raise ConfigError(f"objective {objective.name} returned NaN for finite nodes: expected a number")
@@ -130,17 +130,17 @@ def _value_at(objective: Objective, tape: Tape, nodes: jax.Array, vertices: Any)
 
 
 def of_skeleton(objective: Any, skeleton: Skeleton, mesh: Any) -> float:
-    """What ``objective`` says of a finished ``skeleton`` of ``mesh``, as `skeletonize` takes it: what `tune` seeks.
+    """The ``objective`` of a finished ``skeleton`` of ``mesh``, as `skeletonize` takes it; `tune` reduces this value.
 
     Raises:
-        ConfigError: the skeleton does not know its mesh (only `.npz` files do), or the mesh is another.
+        ConfigError: the skeleton has no source mesh (of files, only `.npz` has one), or ``mesh`` is another mesh.
     """
     surface = reading.read(mesh)[0]
     if skeleton.source is None:
-        raise ConfigError("the skeleton does not know what it was made from: expected a fresh one, or one from .npz")
+        raise ConfigError("the skeleton does not know its mesh: expected one from skeletonize or an .npz file")
     if len(skeleton.mesh_map) != len(surface):
         raise ConfigError(
-            f"the mesh has {len(surface)} vertices, the skeleton's had {len(skeleton.mesh_map)}: expected the same mesh"
+            f"mesh has {len(surface)} vertices, the skeleton's has {len(skeleton.mesh_map)}: expected the same mesh"
         )
     areas = skeleton.source.areas
     return of_arrays(objective, skeleton.vertices, skeleton.radii, skeleton.edges, skeleton.mesh_map, surface, areas)
@@ -155,7 +155,7 @@ def of_arrays(
     surface: np.ndarray,
     areas: np.ndarray,
 ) -> float:
-    """What ``objective`` says of a curve; see `Replayed` for the arrays. Compiled for a few sizes, not for each."""
+    """The ``objective`` of a curve; see `Replayed` for the arrays. It is padded, to be compiled for few sizes."""
     objective = as_objective(objective)
     num, rows, joined = len(nodes), len(nodes), len(edges)
     if objective.can_be_padded:
@@ -176,7 +176,7 @@ def of_arrays(
 
 
 def _rung(num: int) -> int:
-    """The least of 64, 128, 256, ... that is not less than ``num``."""
+    """The smallest of 64, 128, 256, ... that is at least ``num``."""
     return max(64, 1 << (num - 1).bit_length())
 
 
@@ -201,9 +201,9 @@ def _number(objective: Objective, curve: Replayed) -> jax.Array:
 
 
 def explained() -> Objective:
-    """How far the surface is from the union of the balls around the nodes, the mean over the surface by area.
+    """Mean distance of the surface, by area, from the union of the balls around the nodes, in diagonals.
 
-    0 where every point of the surface is on a ball. It wants nodes in the middle, where balls are large.
+    It is 0 if every point of the surface is on a ball. Centred nodes have large balls, and so low values.
     (Reconstruction, Cornea et al. 2007.)
     """
 
@@ -218,9 +218,10 @@ def explained() -> Objective:
 
 
 def centred() -> Objective:
-    """How far a node is from the middle of the surface around it, over that surface's mean distance from its nodes.
+    """Mean, by area, of a node's distance from the centroid of the surface around it, over that surface's mean distance
+    from its nodes.
 
-    The surface around a node is what is mapped to it and to its neighbours, as recorded. The mean is by area.
+    The surface around a node consists of the vertices that are mapped to the node or its neighbours.
     """
 
     def function(curve: Replayed) -> jax.Array:
@@ -244,7 +245,7 @@ def centred() -> Objective:
 
 
 def inside(margin: float = 0.0) -> Objective:
-    """How far nodes are outside of the surface, or nearer to it than ``margin`` diagonals; mean over the nodes."""
+    """Mean over the nodes of the shortfall of the signed distance to the surface below ``margin``, in diagonals."""
 
     if isinstance(margin, bool) or not isinstance(margin, int | float) or not np.isfinite(margin):
         raise ConfigError(f"margin is {margin!r}: expected a finite number, in diagonals")
@@ -256,7 +257,7 @@ def inside(margin: float = 0.0) -> Objective:
 
 
 def smooth() -> Objective:
-    """One minus the cosine of the angle by which the curve turns at a node; mean over the nodes with two neighbours."""
+    """Mean over nodes with two neighbours of one minus the cosine of the angle by which the curve turns there."""
 
     def function(curve: Replayed) -> jax.Array:
         nodes, is_edge = curve.nodes / curve.diagonal, jnp.ones(len(curve.edges), bool)
@@ -266,12 +267,12 @@ def smooth() -> Objective:
 
 
 def near(target: Any) -> Objective:
-    """Distance between the curve and ``target``, in both directions, the mean of the two.
+    """Mean distance between the curve and ``target``, the mean of both directions, in diagonals.
 
     ``target``: points (P, 3) along the wanted curve, in the mesh's units.
 
     Raises:
-        ConfigError: they are not that.
+        ConfigError: ``target`` is not an array of finite points.
     """
     try:
         points = np.asarray(getattr(target, "vertices", target), dtype=np.float64)

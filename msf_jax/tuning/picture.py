@@ -1,4 +1,4 @@
-"""A picture of what `tune` did."""
+"""A picture of the progress of `tune`."""
 
 from typing import TYPE_CHECKING
 
@@ -11,7 +11,7 @@ if TYPE_CHECKING:
 
 
 def trajectory(tuned: Tuned) -> "Figure":
-    """A matplotlib figure of what `tune` did: the objective of every proposal, and the weights that were tried."""
+    """A matplotlib figure of a tuning: the objective of every proposal, and the weights that were tried."""
     from matplotlib.figure import Figure
     from matplotlib.ticker import MaxNLocator
 

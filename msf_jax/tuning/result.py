@@ -1,4 +1,4 @@
-"""What `tune` returns."""
+"""The result of `tune`."""
 
 import os
 from dataclasses import dataclass
@@ -15,11 +15,11 @@ from msf_jax.gradients.tape import Comparison
 class TuningStep(NamedTuple):
     """One proposal. The first is the start.
 
-    weights: proposed. expected: of the objective, by the tapes or by the model of past runs; NaN for a proposal without
-    them. found: by fresh runs; inf if one broke down. is_taken: whether the weights were. box: half the width of the
-    trust region, or how far proposals are spread, in logarithms. converges: whether all of the fresh runs did.
-    changed: decisions that they made differently from the runs of the weights before, of all that they made; None where
-    no tapes were compared.
+    weights: proposed. expected: the objective predicted by the tapes or by the model of past runs; NaN if there was no
+    prediction. found: the objective of fresh runs; inf if one failed. is_taken: whether the weights were accepted. box:
+    half the width of the trust region, or the standard deviation of candidates, in natural logarithms. converges:
+    whether all of the fresh runs did. changed: decisions of the fresh runs that are not those of the runs with the
+    weights before; None if no tapes were compared.
     """
 
     weights: Weights
@@ -36,8 +36,8 @@ class Tuned:
     """The result of `tune`.
 
     Attributes:
-        weights: the best that were found.
-        value: of the objective there, by fresh runs, the mean over the meshes.
+        weights: the best weights.
+        value: the objective there, by fresh runs, the mean over the meshes.
         flows: those runs, one for each mesh.
         trajectory: every proposal, in order.
         reason: why it stopped.
@@ -63,7 +63,7 @@ class Tuned:
             weights = ", ".join(f"{name} {shown(weight)}" for name, weight in vars(step.weights).items())
             changed = f"{step.changed.different} of {step.changed.total}" if step.changed else "-"
             mark = "taken" if step.is_taken else "     "
-            expected = "-" if np.isnan(step.expected) else f"{step.expected:.6g}"  # nothing to expect it by
+            expected = "-" if np.isnan(step.expected) else f"{step.expected:.6g}"  # NaN: there was no prediction
             lines.append(f"{step.found:<11.6g} {expected:<10} {step.box:.3f}  {changed:<16} {mark}  {weights}")
         return "\n".join(lines)
 

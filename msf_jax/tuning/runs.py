@@ -1,7 +1,7 @@
-"""What weights are worth: fresh runs, here or in other processes, and a file that remembers what was found.
+"""The objective's value for given weights: fresh runs, here or in other processes, and a file that stores the values.
 
-A run's objective is that of its finished curve, the one that is saved (``of="skeleton"``), or of the curve as the flow
-left it, which a tape's gradients speak of (``of="flow"``).
+The objective is that of the finished curve (``of="skeleton"``), or of the flow's curve, of which a tape has gradients
+(``of="flow"``).
 """
 
 import concurrent.futures
@@ -25,18 +25,18 @@ from msf_jax.host.mesh import checking, reading
 from msf_jax.host.mesh.checking import Surface
 from msf_jax.tuning.objectives import Objective, of_arrays, value_at
 
-OF = ("skeleton", "flow")
+OF = ("skeleton", "flow")  # the curves that an objective can be of
 
 
 class Found(NamedTuple):
-    """value: the objective's mean over the meshes, inf if a run broke down. converges: whether all did."""
+    """value: the objective's mean over the meshes, inf if a run failed. converges: whether all runs converged."""
 
     value: float
     converges: bool
 
 
 class Curve(NamedTuple):
-    """What an objective asks of a run, as plain arrays that another process can send; see `Replayed`."""
+    """The arrays of a run's curve that an objective needs, which another process can send; see `Replayed`."""
 
     nodes: np.ndarray
     radii: np.ndarray
@@ -47,13 +47,13 @@ class Curve(NamedTuple):
 
 
 class Runs:
-    """Fresh runs of some meshes, and what ``objective`` says of their curves.
+    """Fresh runs of some meshes, and the values of ``objective`` for their curves.
 
     Args:
         meshes: as `contract` takes them.
         of: "skeleton" or "flow".
         jobs: processes.
-        checkpoint: a file that remembers the values, or None.
+        checkpoint: a file that stores the values, or None.
     """
 
     def __init__(
@@ -66,7 +66,7 @@ class Runs:
         checkpoint: str | os.PathLike[str] | None = None,
     ):
         self.meshes = [reading.read(mesh) for mesh in meshes]
-        self.surfaces = [checking.prepare(mesh) for mesh in self.meshes]  # once, and not for every run
+        self.surfaces = [checking.prepare(mesh) for mesh in self.meshes]  # checked once, not for every run
         self.objective, self.config, self.of, self.jobs = objective, config, of, jobs
         self.path = None if checkpoint is None else Path(checkpoint)
         self.key = self._key()
@@ -75,13 +75,13 @@ class Runs:
         self.kept: tuple[Weights, tuple[Flow, ...]] | None = None  # the best of this process
 
     def flows(self, weights: Weights) -> tuple[Flow, ...]:
-        """A fresh run of each mesh, or those that were kept."""
+        """A fresh run of each mesh, or the kept runs if they have these weights."""
         if self.kept is not None and _name(self.kept[0]) == _name(weights):
             return self.kept[1]
         return tuple(loop.contract(surface, weights, self.config) for surface in self.surfaces)
 
     def value(self, flows: tuple[Flow, ...]) -> float:
-        """The objective's mean over runs that were made."""
+        """The objective's mean over the runs ``flows``."""
         if self.of == "flow":
             found = [value_at_curve(self.objective, run) for run in flows]
         else:
@@ -89,7 +89,7 @@ class Runs:
         return float(np.mean(found))
 
     def found(self, proposals: list[Weights]) -> list[Found]:
-        """What each of ``proposals`` is worth, side by side on ``jobs`` processes."""
+        """The values of ``proposals``, computed in parallel by ``jobs`` processes."""
         missing = [weights for weights in proposals if _name(weights) not in self.known]
         if self.jobs > 1 and len(missing) * len(self.meshes) > 1:
             self.pool = self.pool or _started(self.jobs)
@@ -103,7 +103,7 @@ class Runs:
         return [self.known[_name(weights)] for weights in proposals]
 
     def _run_here(self, weights: Weights) -> None:
-        """In this process, which keeps the best runs."""
+        """Run ``weights`` in this process, and keep the runs if they are the best so far."""
         try:
             flows = self.flows(weights)
         except FlowError:
@@ -126,12 +126,12 @@ class Runs:
         return Found(value, bool(np.isfinite(value)) and all(curve is not None and curve.converges for curve in curves))
 
     def _value(self, mesh: int, curve: Curve) -> float:
-        """What the objective says of a run's curve."""
+        """The objective of a run's curve."""
         nodes, radii, edges, node_of_vertex, areas, _ = curve
         return of_arrays(self.objective, nodes, radii, edges, node_of_vertex, self.meshes[mesh][0], areas)
 
     def _key(self) -> str:
-        """A hash of all that values depend on; of an objective it is the name."""
+        """A hash of all that values depend on. An objective is identified by its name."""
         digest = hashlib.sha256(f"{self.objective.name} {self.config} {self.of}".encode())
         for vertices, faces in self.meshes:
             digest.update(vertices.tobytes() + faces.tobytes())
@@ -159,7 +159,7 @@ class Runs:
 
 
 def value_at_curve(objective: Objective, run: Flow) -> float:
-    """What ``objective`` says of the curve as the flow left it."""
+    """The ``objective`` of the flow's curve."""
     return float(value_at(objective, run.tape, jnp.asarray(run.curve.vertices)))
 
 
@@ -170,7 +170,7 @@ def _curve(run: Flow, of: str = "skeleton") -> Curve:
 
 
 def _run(task: tuple[Surface, Weights, Config, str]) -> Curve | None:
-    """One fresh run, in another process; None if it breaks down."""
+    """One fresh run, in another process; None if it fails."""
     surface, weights, config, of = task
     try:
         return _curve(loop.contract(surface, weights, config), of)
@@ -179,7 +179,7 @@ def _run(task: tuple[Surface, Weights, Config, str]) -> Curve | None:
 
 
 def _rank(found: Found) -> tuple[bool, float]:
-    """The better, the higher."""
+    """A key for comparison: higher is better."""
     return found.converges, -found.value
 
 
@@ -188,7 +188,7 @@ def _name(weights: Weights) -> str:
 
 
 def _started(num: int) -> concurrent.futures.ProcessPoolExecutor:
-    context = multiprocessing.get_context("spawn")  # a fork of a process in which JAX runs threads can hang
+    context = multiprocessing.get_context("spawn")  # a forked process would lack JAX's threads, and could hang
     settings = {
         name: getattr(jax.config, name)
         for name in ("jax_enable_x64", "jax_compilation_cache_dir", "jax_persistent_cache_min_compile_time_secs")

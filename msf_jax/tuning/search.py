@@ -1,14 +1,14 @@
-"""Minimise a function of a few numbers that costs seconds a value and jumps a little: a model of all that is known.
+"""Minimises an expensive, slightly discontinuous function of a few variables with a surrogate model.
 
-Values of past runs are fitted by radial basis functions, as smoothly as foretells values best that are left out of the
-fit: last bits of a run can make another curve, so that a good value may be luck. Of many candidates, half around the
-best point and half in a box around the given one, the next point is the one with the least score
+Radial basis functions are fitted to all known values. Their smoothness is chosen by cross-validation, because the last
+bits of a run can change a curve, so that a good value may be chance. Candidates are random points, half of them around
+the best point, and half in a box around the last given point. The next point is the candidate with the least score
 
-    w (model, scaled to 0 .. 1)  +  (1 - w) (1 - distance to the nearest known point, scaled to 0 .. 1),
+    w (model, scaled to 0 .. 1)  +  (1 - w) (1 - distance to the nearest known point, scaled to 0 .. 1).
 
-with w cycling from exploring to exploiting, and candidates that draw in while nothing better is found (stochastic RBF,
-Regis and Shoemaker 2007; coordinates perturbed by chance, DYCORS, 2013). It begins with the points that it is given and
-a Latin hypercube in that box. The same arguments give the same points.
+w cycles from exploring to exploiting, and candidates come closer to the best point while nothing better is found
+(stochastic RBF, Regis and Shoemaker 2007; random subsets of coordinates, DYCORS, 2013). The search begins with the
+given points and a Latin hypercube in the box. The same arguments give the same points.
 """
 
 from collections.abc import Sequence
@@ -17,21 +17,25 @@ import numpy as np
 from scipy import interpolate, spatial
 from scipy.stats import qmc
 
-REACH = 2.3  # logarithms, a factor of ten: the box, to either side of the last point that was given
-CANDIDATES = 200  # for each number that is sought
+REACH = 2.3  # natural logarithms (a factor of ten): half the width of the box
+CANDIDATES = 200  # candidates for each variable
 METHODS = (0.3, 0.6, 0.9, 1.0)  # the weights w, in turn
-FAR = 1.5  # logarithms, to the nearest known point: farther counts no more
-FIRST_SPREAD, SMALLEST_SPREAD, LARGEST_SPREAD = 0.5, 0.03, 1.2  # of the candidates around the best point, in logarithms
-SUCCESSES, FAILURES = 2, 4  # in a row, after which they spread, or draw in, twice as far
-SMOOTHINGS = (0.0, 1.0, 10.0, 100.0)  # of the model; 0 goes through all values
-ENOUGH, FOLDS = 10, 5  # points to choose one by leaving values out, a part of them at a time; before, it is 1
+FAR = 1.5  # natural logarithms: larger distances to the nearest known point count as this
+FIRST_SPREAD = 0.5  # natural logarithms: first standard deviation of candidates around the best point
+SMALLEST_SPREAD = 0.03  # natural logarithms: its least value
+LARGEST_SPREAD = 1.2  # natural logarithms: its largest value
+SUCCESSES = 2  # successive successes after which the standard deviation doubles
+FAILURES = 4  # successive failures after which it is halved
+SMOOTHINGS = (0.0, 1.0, 10.0, 100.0)  # smoothings of the model to choose from; 0 interpolates
+ENOUGH = 10  # points that cross-validation needs; with fewer, the smoothing is 1
+FOLDS = 5  # folds of the cross-validation
 
 
 class Search:
-    """The points asked for so far, and what was told of them.
+    """The known points and values of a search.
 
     Args:
-        given: (k, d) points to begin with; the last is the one that is usual.
+        given: (k, d) first points. The box of candidates is around the last.
         low, high: (d,) bounds.
         seed: of the random numbers.
     """
@@ -59,7 +63,7 @@ class Search:
         return np.array(chosen)
 
     def tell(self, points: np.ndarray, values: np.ndarray) -> None:
-        """What was found at ``points`` (n, d): values (n,), infinite where there is none."""
+        """Add the ``values`` (n,) at ``points`` (n, d); infinite for a point without a value."""
         is_better = len(self.values) > 0 and np.min(values) < np.min(self.values)
         is_modelled = not self.waiting
         self.points = np.concatenate([self.points, points])
@@ -72,7 +76,7 @@ class Search:
                 self.spread, self.failures = max(self.spread / 2, SMALLEST_SPREAD), 0
 
     def expected(self, points: np.ndarray) -> np.ndarray:
-        """(n,) what the model says of ``points`` (n, d); NaN while it knows too little."""
+        """(n,) the model's values at ``points`` (n, d); NaN while there are too few known points."""
         model = self._model()
         return np.full(len(points), np.nan) if model is None else model(points)
 
@@ -81,7 +85,7 @@ class Search:
         values = self.values[first]
         if len(distinct) < len(self.low) + 2 or not np.isfinite(values).any():
             return None
-        # A few bad values would bend the model everywhere; that they are no better than most is all that counts.
+        # A few bad values would distort the model everywhere, so values above the median count as the median.
         values = np.minimum(values, np.median(values[np.isfinite(values)]))
         return _fitted(distinct, values, _smoothing(distinct, values))
 
@@ -90,7 +94,7 @@ class Search:
         steps = self.spread * self.random.normal(size=(num, size))
         stays = self.random.random((num, size)) > max(0.5, 1 / size)
         stays[np.arange(num), self.random.integers(size, size=num)] = False
-        # In turn around the best value, and around the point that the model holds for the best.
+        # The centre is in turn the best known point, and the known point with the least value of the model.
         model, around = self._model(), self.best
         if model is not None and self.turn % 2:
             around = self.points[np.argmin(np.where(np.isfinite(self.values), model(self.points), np.inf))]
@@ -102,7 +106,7 @@ class Search:
         away = np.asarray(spatial.KDTree(known).query(candidates)[0])
         hoped = np.zeros(num) if model is None else model(candidates)
         score = weight * _scaled(hoped) + (1 - weight) * (1 - _scaled(np.minimum(away, FAR)))
-        score[away < SMALLEST_SPREAD / 10] = np.inf  # known already
+        score[away < SMALLEST_SPREAD / 10] = np.inf  # too close to a known point
         return candidates[np.argmin(score)]
 
 
@@ -111,7 +115,7 @@ def _fitted(points: np.ndarray, values: np.ndarray, smoothing: float) -> interpo
 
 
 def _smoothing(points: np.ndarray, values: np.ndarray) -> float:
-    """The one of `SMOOTHINGS` whose models come nearest to values that were left out."""
+    """The one of `SMOOTHINGS` with the least error of cross-validation."""
     num = len(points)
     if num < ENOUGH:
         return 1.0

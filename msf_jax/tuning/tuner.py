@@ -1,7 +1,7 @@
-"""Tune the flow's weights, for one mesh or for several jointly: what `msf_jax.tune` does.
+"""`tune`: tuning of the flow's weights, for one mesh or for several jointly.
 
-Four numbers are sought by fresh runs and a model of them (`search`), values for every vertex by gradient (`gradient`);
-`runs` says what weights are worth.
+Scalar weights are searched by fresh runs and a model of them (`search`), weights per vertex by gradient (`gradient`).
+`runs` computes the objective.
 """
 
 import numbers
@@ -22,7 +22,7 @@ from msf_jax.tuning.result import Tuned, TuningStep, shown
 from msf_jax.tuning.runs import OF, Runs
 from msf_jax.tuning.search import FIRST_SPREAD, Search
 
-WIDEST = (1e-6, 1e4)  # bounds of a weight, where none are given
+WIDEST = (1e-6, 1e4)  # default bounds of a weight, without unit
 
 
 def tune(
@@ -39,39 +39,36 @@ def tune(
     checkpoint: str | os.PathLike[str] | None = None,
     progress: bool = False,
 ) -> Tuned:
-    """Find weights whose curves are better, by fresh runs and a model of them, or by gradients.
+    """Find weights with a lower objective, by fresh runs and a model of them, or by gradients.
 
     Args:
-        meshes: one mesh, as `contract` takes it, or a list of them, which are tuned jointly: the mean counts.
+        meshes: one mesh, as `contract` takes it, or a list of them; for a list the mean of the objective is reduced.
         objective: one of `msf_jax.objectives`, a sum of them, or a JAX function of ``(nodes (N, 3), radii (N,))`` that
-            returns a number, the less the better.
-        weights: to start from; those of ``config``'s system if not given. One that is 0, or an array with a 0 in it,
-            stays as it is. Arrays, one value for each vertex, are possible for a single mesh.
+            returns a number; lower is better.
+        weights: the start; those of ``config``'s system if not given. A weight that is 0, or an array that contains 0,
+            is not changed. Arrays, with one value for each vertex, are possible for a single mesh.
         config: of the runs.
-        bounds: lowest and highest value of every weight, or of each by name; where they are the same it stays.
-        of: "skeleton": the objective is that of the finished curve, the one that is saved; "flow": of the curve as the
-            flow left it.
-        steps: fresh runs on each mesh, after the first.
-        inner_steps: of L-BFGS on the tapes, before each, where gradients are followed.
-        jobs: processes that make fresh runs side by side; a program that asks for more than one needs the usual
-            ``if __name__ == "__main__":``.
-        checkpoint: a file that remembers what runs have found. A tuning that was cut short goes on from it, with the
-            same proposals. It knows the meshes and the config, but an objective by its name only.
+        bounds: lowest and highest value of every weight, or by name. A weight with equal bounds is not changed.
+        of: "skeleton" for the objective of the finished curve, "flow" for that of the flow's curve.
+        steps: the number of fresh runs on each mesh, after the first.
+        inner_steps: steps of L-BFGS on the tapes before each fresh run, if gradients are used.
+        jobs: processes that make fresh runs in parallel; more than one needs ``if __name__ == "__main__":``.
+        checkpoint: a file that stores the values of runs. An interrupted tuning continues from it, with the same
+            proposals. It identifies the meshes and the config, but an objective only by its name.
         progress: show a progress bar on standard error, or plain lines if that is no terminal.
 
     Returns:
-        The best weights, their runs, every proposal, and why it stopped.
+        The best weights, their runs, every proposal, and why the tuning stopped.
 
-    Four numbers are found by fresh runs alone, which are cheap: see `tuning.search`; as only the ratios of w_L, w_H and
-    w_M matter, w_L stays where all three may change. For the curve of the flow, and for arrays with a value for every
-    vertex, the tapes' gradients say where to go, and a fresh run whether that was right: see `tuning.gradient`; then
-    ``jobs`` and ``checkpoint`` are of no use and refused. Weights whose runs converge are preferred to those whose do
-    not, whatever the objective says. What is found is the best of what was tried, no global minimum. Ctrl-C ends it
-    with what was found so far.
+    Scalar weights are searched by fresh runs, see `tuning.search`. Only the ratios of w_L, w_H and w_M matter, so w_L
+    is held constant if all three may change. Weights per vertex, and any weights for the flow's curve, are moved by the
+    tapes' gradients and confirmed by fresh runs, see `tuning.gradient`; ``jobs`` and ``checkpoint`` are not supported
+    there. Weights whose runs converge are preferred to others, whatever the objective. The result is the best of the
+    tried weights, not a global minimum. After Ctrl-C it is the best so far.
 
     Raises:
-        ConfigError: a weight is out of ``bounds``, an option is of the wrong kind, the objective returns no number, or
-            it or its slope is not finite.
+        ConfigError: a weight is out of ``bounds``, an option has a wrong type, the objective returns no number, or its
+            value or gradient is not finite.
         MeshError, FlowError: see `contract`.
     """
     objective = as_objective(objective)
@@ -86,7 +83,7 @@ def tune(
     is_plain = all(np.ndim(weight) == 0 for weight in vars(weights).values())
     by_search = of == "skeleton" and is_plain
     if not by_search and (jobs > 1 or checkpoint is not None):
-        raise ConfigError("jobs and checkpoint are for weights that are numbers, and of='skeleton': expected neither")
+        raise ConfigError("jobs or checkpoint was given with arrays of weights or of='flow': expected neither there")
     runs = Runs(meshes, objective, config, of, jobs, checkpoint)
     with showing(int(steps), "tune", "runs", progress) as bar:
         if by_search:
@@ -97,7 +94,7 @@ def tune(
 def _searched(
     runs: Runs, weights: Weights, low: dict[str, float], high: dict[str, float], steps: int, bar: Any
 ) -> Tuned:
-    """At most ``steps`` runs after the first, proposed by a model of those before; see `tuning.search`."""
+    """At most ``steps`` runs after the first, proposed by a model of earlier runs; see `tuning.search`."""
     here = logarithms(weights)
     free = [name for name in here if low[name] < high[name]]
     if {"w_L", "w_H", "w_M"} <= set(free):
@@ -114,7 +111,7 @@ def _searched(
     trajectory = [TuningStep(weights, best.value, best.value, True, FIRST_SPREAD, best.converges, None)]
     if not free:
         return Tuned(weights, best.value, runs.flows(weights), tuple(trajectory), "no weight is free to change")
-    reason, found_at = "as many as were asked for", weights
+    reason, found_at = "all steps made", weights
     search = Search([np.frombuffer(point) for point in given], _ends(low, free), _ends(high, free))
     search.tell(search.ask(), np.array([best.value if best.converges else np.inf]))
     try:
@@ -140,9 +137,10 @@ def _searched(
 def _given(
     weights: Weights, config: Config, free: list[str], low: dict[str, float], high: dict[str, float]
 ) -> dict[bytes, Weights]:
-    """By the bytes of their points: the start, and the system's own weights, as far as they are within their bounds.
+    """The first weights to try, by the bytes of their points: the start, and the system's default weights.
 
-    The weights themselves, not what becomes of them by a logarithm and back: last bits can make another curve.
+    Default weights are clipped to their bounds. The dictionary keeps exact weights, because a logarithm and an
+    exponential change their last bits, which can change a curve.
     """
     here, usual = logarithms(weights), config.default_weights()
     own = logarithms(usual)
@@ -169,21 +167,21 @@ def _listed(meshes: Any) -> list[Any]:
         return isinstance(item, str | os.PathLike) or hasattr(item, "faces") or is_pair
 
     if isinstance(meshes, list | tuple) and not len(meshes):
-        raise ConfigError("meshes is empty: expected one mesh, or a list of them; no mesh, nothing to tune for")
+        raise ConfigError("meshes is empty: expected one mesh, or a list of meshes")
     if isinstance(meshes, list | tuple) and all(is_mesh(item) for item in meshes):
         return list(meshes)
     return [meshes]
 
 
 def _checked_bounds(weights: Weights, bounds: Any) -> tuple[dict[str, float], dict[str, float]]:
-    """Logarithms of the lowest and the highest value of every weight."""
+    """Natural logarithms of the lowest and the highest value of every weight."""
     names = [member.name for member in fields(Weights)]
     pairs: dict[str, Any] = bounds if isinstance(bounds, dict) else dict.fromkeys(names, bounds)
     low, high = {}, {}
     for name in [*names, *pairs]:
         pair = pairs.get(name, WIDEST)
         if name not in names:
-            raise ConfigError(f"bounds name {name!r}: expected one of {', '.join(names)}")
+            raise ConfigError(f"bounds has {name!r}: expected one of {', '.join(names)}")
         try:
             first, last = (float(end) for end in pair)
         except (TypeError, ValueError):

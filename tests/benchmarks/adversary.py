@@ -35,8 +35,8 @@ SAMPLED = 600  # faces that are asked: a quarter of them or more
 
 def capsule(height: float = 3.0) -> trimesh.Trimesh:
     """One straight limb of radius 0.3 along z."""
-    way = np.linspace([0, 0, 0], [0, 0, height], 60)
-    return ground_truth.swept_tube(way, np.full(60, 0.3), 16, "round")
+    path = np.linspace([0, 0, 0], [0, 0, height], 60)
+    return ground_truth.swept_tube(path, np.full(60, 0.3), 16, "round")
 
 
 def capsules() -> trimesh.Trimesh:
@@ -48,9 +48,9 @@ def capsules() -> trimesh.Trimesh:
 def u_tube() -> trimesh.Trimesh:
     """Two legs along z at x of -0.8 and 0.8, of radius 0.25, and a half circle between them."""
     turn, leg = np.linspace(0, np.pi, 60)[1:], np.linspace(-2, 0, 60)
-    way = [[-0.8, 0, z] for z in leg] + [[-0.8 * np.cos(t), 0, 0.8 * np.sin(t)] for t in turn]
-    way += [[0.8, 0, z] for z in leg[::-1][1:]]
-    return ground_truth.swept_tube(np.array(way, dtype=float), np.full(len(way), 0.25), 16, "round")
+    path = [[-0.8, 0, z] for z in leg] + [[-0.8 * np.cos(t), 0, 0.8 * np.sin(t)] for t in turn]
+    path += [[0.8, 0, z] for z in leg[::-1][1:]]
+    return ground_truth.swept_tube(np.array(path, dtype=float), np.full(len(path), 0.25), 16, "round")
 
 
 CHOSEN: dict[str, Callable[[], trimesh.Trimesh]] = {
@@ -83,29 +83,31 @@ def subject(mesh: trimesh.Trimesh) -> Subject:
 def limbs(skeleton: Skeleton) -> list[np.ndarray]:
     """The nodes of every branch that ends, its root first, and is long enough to be bent."""
     degree = np.bincount(skeleton.edges.ravel(), minlength=len(skeleton.vertices))
-    ways = [np.asarray(way) for one in skeleton.branches for way in (one.nodes, one.nodes[::-1])]
-    return [way for way in ways if degree[way[-1]] == 1 and _along(skeleton, way)[-1] > 5 * _radius(skeleton, way)]
+    paths = [np.asarray(path) for one in skeleton.branches for path in (one.nodes, one.nodes[::-1])]
+    return [
+        path for path in paths if degree[path[-1]] == 1 and _along(skeleton, path)[-1] > 5 * _radius(skeleton, path)
+    ]
 
 
-def _along(skeleton: Skeleton, way: np.ndarray) -> np.ndarray:
-    return np.r_[0.0, np.cumsum(np.linalg.norm(np.diff(skeleton.vertices[way], axis=0), axis=1))]
+def _along(skeleton: Skeleton, path: np.ndarray) -> np.ndarray:
+    return np.r_[0.0, np.cumsum(np.linalg.norm(np.diff(skeleton.vertices[path], axis=0), axis=1))]
 
 
-def _radius(skeleton: Skeleton, way: np.ndarray) -> float:
-    return float(np.median(skeleton.radii[way]))
+def _radius(skeleton: Skeleton, path: np.ndarray) -> float:
+    return float(np.median(skeleton.radii[path]))
 
 
 def bent(of: Subject, random: np.random.Generator, angle: float, width: float) -> np.ndarray:
     """One limb bent by ``angle`` degrees over a length of ``width`` radii, as a rod is: sections keep their shape."""
     skeleton, vertices = of.skeleton, of.vertices
-    ways = limbs(skeleton)
-    way = ways[random.integers(len(ways))]
-    stop, radius = _along(skeleton, way), _radius(skeleton, way)
-    thick = np.flatnonzero(skeleton.radii[way] > 1.3 * radius)  # where the way is still in the body
-    low = max(1.5 * skeleton.radii[way[0]], stop[thick.max()] + radius if len(thick) else 0.0)
+    paths = limbs(skeleton)
+    path = paths[random.integers(len(paths))]
+    stop, radius = _along(skeleton, path), _radius(skeleton, path)
+    thick = np.flatnonzero(skeleton.radii[path] > 1.3 * radius)  # where the path is still in the body
+    low = max(1.5 * skeleton.radii[path[0]], stop[thick.max()] + radius if len(thick) else 0.0)
     start = low + max(stop[-1] - (1 + width / 2) * radius - low, 0) * random.uniform(0.1, 0.8)
     s = np.linspace(0, stop[-1], 800)
-    line = np.stack([np.interp(s, stop, skeleton.vertices[way, axis]) for axis in range(3)], axis=1)
+    line = np.stack([np.interp(s, stop, skeleton.vertices[path, axis]) for axis in range(3)], axis=1)
     nearest = spatial.KDTree(line).query(vertices)[1]
     share = np.clip((s - start) / (width * radius), 0, 1)
     begin = np.searchsorted(s, start)
@@ -114,7 +116,7 @@ def bent(of: Subject, random: np.random.Generator, angle: float, width: float) -
     steps = Rotation.from_rotvec(share[:-1, None] * turn).apply(np.diff(line, axis=0))
     moved = np.vstack([line[:1], line[0] + np.cumsum(steps, axis=0)])
     spoke = Rotation.from_rotvec(share[nearest, None] * turn).apply(vertices - line[nearest])
-    is_own = np.isin(skeleton.mesh_map, way)
+    is_own = np.isin(skeleton.mesh_map, path)
     return np.where(is_own[:, None], moved[nearest] + spoke, vertices)
 
 

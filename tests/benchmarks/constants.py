@@ -1,6 +1,6 @@
 """Which numbers decide anything: each constant of the host's geometry by half and by two, and what changes.
 
-    python -m tests.benchmarks.constants [--rooms NAME,..] [--names NAME,..] [--shapes NAME,..] [--meshes FOLDER]
+    python -m tests.benchmarks.constants [--modules NAME,..] [--names NAME,..] [--shapes NAME,..] [--meshes FOLDER]
         [--output FILE]
 
 Run from the project's root. A constant is a number at the top of a module of `host/curve`, `solid`, `thin` or `poles`.
@@ -27,7 +27,7 @@ import trimesh
 
 from tests.benchmarks import curves
 
-ROOMS = ("curve", "solid", "thin", "poles")
+MODULES = ("curve", "solid", "thin", "poles")
 SHAPES = ["y_coarse", "comb", "sheet_and_limb", "octopus_low", "hand"]
 FIGURES = {"leaves": 0.5, "cycles": 0.5, "off_centre": 0.005, "missed_95": 0.002, "length": 0.01}  # and what is much
 Solid = tuple[np.ndarray, np.ndarray]
@@ -42,12 +42,12 @@ class Constant(NamedTuple):
         return max(1, round(self.value * factor)) if isinstance(self.value, int) else self.value * factor
 
 
-def constants(rooms: list[str], names: list[str] | None) -> list[Constant]:
-    """The numbers at the top of the modules of these rooms."""
+def constants(folders: list[str], names: list[str] | None) -> list[Constant]:
+    """The numbers at the top of the modules of these folders."""
     found = []
-    for room in rooms:
-        for path in sorted((curves.ROOT / "msf_jax" / "host" / room).glob("*.py")):
-            module = importlib.import_module(f"msf_jax.host.{room}.{path.stem}")
+    for folder in folders:
+        for path in sorted((curves.ROOT / "msf_jax" / "host" / folder).glob("*.py")):
+            module = importlib.import_module(f"msf_jax.host.{folder}.{path.stem}")
             for node in ast.parse(path.read_text()).body:
                 targets = node.targets if isinstance(node, ast.Assign) else []
                 for target in (name for each in targets for name in ast.walk(each) if isinstance(name, ast.Name)):
@@ -146,10 +146,10 @@ def row_of(constant: Constant, factor: float, meshes: dict[str, Solid], own: dic
 def report(wanted: argparse.Namespace) -> Iterator[str]:
     import msf_jax  # noqa: F401  # all modules are to be there
 
-    numbers = constants(wanted.rooms, wanted.names)
+    numbers = constants(wanted.modules, wanted.names)
     meshes = shapes(wanted.shapes, wanted.meshes)
     own = {name: figures_of(mesh) for name, mesh in meshes.items()}
-    yield f"# Constants\n\n{len(numbers)} numbers of host/{', '.join(wanted.rooms)}, on {', '.join(meshes)}.\n\n"
+    yield f"# Constants\n\n{len(numbers)} numbers of host/{', '.join(wanted.modules)}, on {', '.join(meshes)}.\n\n"
     yield curves.line(["constant", "value", "by", *FIGURES, "on"])
     yield curves.line(["---", *["---:"] * (len(FIGURES) + 2), "---"])
     unmissed = []
@@ -171,7 +171,7 @@ def words(text: str) -> list[str]:
 
 def main() -> None:
     parser = argparse.ArgumentParser(prog="python -m tests.benchmarks.constants", description=__doc__.splitlines()[0])
-    parser.add_argument("--rooms", type=words, default=list(ROOMS), help=",".join(ROOMS))
+    parser.add_argument("--modules", type=words, default=list(MODULES), help=",".join(MODULES))
     parser.add_argument("--names", type=words, help="of constants, with commas between")
     parser.add_argument("--shapes", type=words, default=SHAPES, help=",".join(SHAPES))
     parser.add_argument("--meshes", type=Path, default=curves.ROOT.parent / "shared/meshes")

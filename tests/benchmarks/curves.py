@@ -182,7 +182,7 @@ def score(case: Case, result: Figures) -> Figures:
         length = np.linalg.norm(np.diff(shape.points[shape.edges], axis=1)[:, 0], axis=1)
         radius = np.average(shape.radii[shape.edges].mean(axis=1), weights=length)
         unit = np.linalg.norm(np.ptp(case.vertices, axis=0)) / radius
-        figures |= {f"{way}_true/R": unit * figures.get(f"{way}_truth_mean", np.nan) for way in ("to", "from")}
+        figures |= {f"{side}_true/R": unit * figures.get(f"{side}_truth_mean", np.nan) for side in ("to", "from")}
     return figures
 
 

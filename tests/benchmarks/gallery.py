@@ -70,8 +70,8 @@ def plant() -> trimesh.Trimesh:
     for k in range(2, 11):
         (x, y, z, radius), turn = stem[k], (0.35 if k % 2 else np.pi + 0.35) + 0.25 * np.sin(5 * k)
         long = 0.85 - 0.055 * k
-        way = [(s * long, 0.75 * s * long - 0.35 * s * s * long) for s in (0.35, 0.7, 1.0)]
-        turned = [(x + out * np.cos(turn), y + 0.6 * out * np.sin(turn), z + up) for out, up in way]
+        path = [(s * long, 0.75 * s * long - 0.35 * s * s * long) for s in (0.35, 0.7, 1.0)]
+        turned = [(x + out * np.cos(turn), y + 0.6 * out * np.sin(turn), z + up) for out, up in path]
         paths.append(
             [stem[k], *((*place, radius * thin) for place, thin in zip(turned, (0.7, 0.75, 0.4), strict=True))]
         )
@@ -88,9 +88,9 @@ def neuron() -> trimesh.Trimesh:
         long = 0.75 - 0.1 * level + random.uniform(-0.1, 0.1)
         bend = angle + random.uniform(-0.25, 0.25)
         x, y, z, _ = start
-        way = np.array([np.cos(angle) + np.cos(bend), random.uniform(-0.3, 0.3), np.sin(angle) + np.sin(bend)])
+        direction = np.array([np.cos(angle) + np.cos(bend), random.uniform(-0.3, 0.3), np.sin(angle) + np.sin(bend)])
         half = (x + long / 2 * np.cos(angle), y, z + long / 2 * np.sin(angle), 0.075 - 0.012 * level)
-        end = (x + long / 2 * way[0], y + long * way[1], z + long / 2 * way[2], 0.065 - 0.012 * level)
+        end = (x + long / 2 * direction[0], y + long * direction[1], z + long / 2 * direction[2], 0.065 - 0.012 * level)
         paths.append([start, half, end])
         for side in (-1, 1) if level < 2 else ():
             grow(end, bend + side * random.uniform(0.35, 0.5), level + 1)

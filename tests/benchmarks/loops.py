@@ -4,7 +4,7 @@
         [--limit SECONDS] [--cache FOLDER] [--output FILE]
 
 Run from the project's root. Parts are those of `msf_jax.shapes`: plates with holes, raw and with edges cut to about
-0.05 and 0.02 diagonals, and turned in ten ways; pipes, brackets, rings. Files are all of the two folders that have
+0.05 and 0.02 diagonals, and turned ten times; pipes, brackets, rings. Files are all of the two folders that have
 handles (``MSF_JAX_MESHES``, else ``../shared/meshes``, and ``MSF_JAX_WILD``, else ``../shared/wild``); one that is
 refused as found is joined (``repair="join"``). ``--only`` takes names of parts, and of files with their suffix.
 
@@ -103,17 +103,17 @@ def mutants(skeleton: Any) -> list[Any]:
         if not len(closing):
             continue
         cut = np.delete(edges, closing[0], axis=0)
-        roomy = int(np.where(label == part, skeleton.radii, 0).argmax())
-        off = np.concatenate([x, x[roomy] + 0.2 * skeleton.radii[roomy] * np.eye(3)[:2]])
-        found.append((off, np.concatenate([cut, [[roomy, num], [num, num + 1], [roomy, num + 1]]])))
+        widest = int(np.where(label == part, skeleton.radii, 0).argmax())
+        off = np.concatenate([x, x[widest] + 0.2 * skeleton.radii[widest] * np.eye(3)[:2]])
+        found.append((off, np.concatenate([cut, [[widest, num], [num, num + 1], [widest, num + 1]]])))
         if len(closing) > 1:
-            ways = [[int(end)] for end in edges[closing[-1]]]
-            for way in ways:
-                while before[way[-1]] >= 0:
-                    way.append(int(before[way[-1]]))
-            while len(ways[0]) > 1 and len(ways[1]) > 1 and ways[0][-2] == ways[1][-2]:
-                ways = [way[:-1] for way in ways]
-            loop = np.array([*ways[0], *ways[1][-2::-1]])
+            paths = [[int(end)] for end in edges[closing[-1]]]
+            for path in paths:
+                while before[path[-1]] >= 0:
+                    path.append(int(before[path[-1]]))
+            while len(paths[0]) > 1 and len(paths[1]) > 1 and paths[0][-2] == paths[1][-2]:
+                paths = [path[:-1] for path in paths]
+            loop = np.array([*paths[0], *paths[1][-2::-1]])
             beside = x[loop] + 0.05 * skeleton.radii[loop, None] * np.array([0.36, 0.48, 0.8])
             number = num + np.arange(len(loop))
             links = np.concatenate([np.stack([number, np.roll(number, -1)], axis=1), [[loop[0], num]]])

@@ -121,8 +121,8 @@ def apart(mesh: Solid, one: Found, other: Found) -> float:
     shape = Enclosure(*mesh)
     inside = points[0][shape.contains(points[0])]
     radius = np.median(shape.distances(inside)) if len(inside) else np.nan
-    ways = (spatial.KDTree(a).query(b)[0].mean() for a, b in (points, points[::-1]))
-    return float(np.mean([*ways]) / radius)
+    means = (spatial.KDTree(a).query(b)[0].mean() for a, b in (points, points[::-1]))
+    return float(np.mean([*means]) / radius)
 
 
 def row_of(method: str, name: str, mesh: Solid, wanted: argparse.Namespace) -> dict[str, Any] | None:

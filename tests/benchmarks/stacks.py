@@ -2,10 +2,10 @@
 
 usage: python -m tests.benchmarks.stacks [--meshes 64] [--closed 4] [--keep FOLDER]
 
-Meshes of 500 to 12,000 vertices, made in code. Four ways: a function that is jitted for each skeleton (``--closed`` of
-them, times so many as there are), one that is jitted over bindings, a batch for each number of vertices that there is
-room for, and one batch for all. Seconds of CPU are beside those of the clock: other work on the machine delays these.
-``--keep`` holds the curves, so that the next time they are there. Equinox and Orbax are asked where they are installed.
+Meshes of 500 to 12,000 vertices, made in code. Four variants: a function jitted for each skeleton (``--closed`` of
+them, scaled up to all), one that is jitted over bindings, a batch for each capacity of vertices, and one batch for all.
+Seconds of CPU stand beside seconds of the clock, which other work on the machine delays. ``--keep`` holds the curves
+for the next run. Equinox and Orbax take part if they are installed.
 """
 
 import argparse
@@ -31,10 +31,10 @@ SLOPE_STEP = 1e-6  # of central differences, in the units of the meshes, whose l
 def star(seed: int, num: int) -> msf_jax.Skeleton:
     """The curve of three to five limbs of random directions, in a mesh of about ``num`` vertices."""
     random = np.random.default_rng(seed)
-    ways = random.normal(size=(int(random.integers(3, 6)), 3))
-    ways /= np.linalg.norm(ways, axis=1)[:, None]
-    points = np.concatenate([np.zeros((1, 3)), ways * random.uniform(1.5, 3.0, (len(ways), 1))])
-    edges = np.stack([np.zeros(len(ways), dtype=int), np.arange(1, len(points))], axis=1)
+    directions = random.normal(size=(int(random.integers(3, 6)), 3))
+    directions /= np.linalg.norm(directions, axis=1)[:, None]
+    points = np.concatenate([np.zeros((1, 3)), directions * random.uniform(1.5, 3.0, (len(directions), 1))])
+    edges = np.stack([np.zeros(len(directions), dtype=int), np.arange(1, len(points))], axis=1)
     radii = random.uniform(0.25, 0.4, len(points))
     spacing = 0.12
     for _ in range(2):
@@ -71,13 +71,13 @@ def report(name: str, step, compilations: list) -> None:
     print(f"| {name} | {count} | {first[0]:.1f} | {first[1]:.1f} | {wall:.3f} | {cpu:.3f} |", flush=True)
 
 
-def show_ways(skeletons: list, closed: int, compilations: list) -> None:
+def show_variants(skeletons: list, closed: int, compilations: list) -> None:
     bindings = [jax.device_put(skeleton.binding) for skeleton in skeletons]
     rows = [jnp.asarray(msf_jax.stack([skeleton]).vertices[0]) for skeleton in skeletons]
     counts = [len(skeleton.mesh_map) for skeleton in skeletons]
     print(f"{len(skeletons)} meshes of {min(counts)} to {max(counts)} vertices, {jax.devices()[0].platform}")
     print(
-        "| way | compilations | first, s | of CPU | a step for all, s | of CPU |\n| --- | --- | --- | --- | --- | --- |"
+        "| run | compilations | first, s | of CPU | a step for all, s | of CPU |\n| --- | --- | --- | --- | --- | --- |"
     )
     chosen = range(0, len(skeletons), max(1, len(skeletons) // max(1, closed)))[:closed]
     alone = [jax.jit(jax.value_and_grad(lambda v, k=k: value(skeletons[k], v))) for k in chosen]
@@ -96,14 +96,14 @@ def show_ways(skeletons: list, closed: int, compilations: list) -> None:
 
 
 def show_bits(skeletons: list) -> None:
-    """Numbers of the live parts that are not the same bits: moved, alone, in twice the room, and in one batch."""
+    """Numbers of the live parts that are not the same bits: moved, alone, with twice the capacity, and in one batch."""
     batch = msf_jax.stack(skeletons)
     moved = batch.vertices + 0.03 * jnp.sin(3 * batch.vertices[..., jnp.array([1, 2, 0])])
     many = [*jax.vmap(msf_jax.follow)(batch.bindings, moved), every(batch.bindings, moved)[1]]
-    total, unlike = 0, {"in a batch": 0, "in twice the room": 0}
+    total, unlike = 0, {"in a batch": 0, "with twice the capacity": 0}
     for k, skeleton in enumerate(skeletons):
         binding, live = skeleton.binding, unpadded(skeleton.binding).live
-        twice = live._replace(**{name: 2 * room for name, room in binding.capacity._asdict().items()})
+        twice = live._replace(**{name: 2 * capacity for name, capacity in binding.capacity._asdict().items()})
         count = live.nodes, live.nodes, live.vertices
 
         def found(binding, k=k, live=live):
@@ -113,7 +113,7 @@ def show_bits(skeletons: list) -> None:
 
         alone = [np.asarray(part)[:num] for part, num in zip(found(binding), count, strict=True)]
         others = {"in a batch": [part[k] for part in many]}
-        others["in twice the room"] = found(padded(unpadded(binding), twice))
+        others["with twice the capacity"] = found(padded(unpadded(binding), twice))
         total += sum(part.size for part in alone)
         for name, parts in others.items():
             unlike[name] += sum(
@@ -124,23 +124,23 @@ def show_bits(skeletons: list) -> None:
 
 
 def show_slopes(skeletons: list) -> None:
-    """Of a batch, along random ways, beside central differences; the largest over the meshes, as parts of the whole."""
+    """Slopes of a batch along random directions, beside central differences: the largest relative error."""
     batch = msf_jax.stack(skeletons)
     at = batch.vertices + 0.03 * jnp.sin(3 * batch.vertices[..., jnp.array([1, 2, 0])])
-    way = jnp.asarray(np.random.default_rng(5).normal(size=at.shape))
-    way = way / jnp.sqrt((way**2).sum(axis=(1, 2), keepdims=True))
+    direction = jnp.asarray(np.random.default_rng(5).normal(size=at.shape))
+    direction = direction / jnp.sqrt((direction**2).sum(axis=(1, 2), keepdims=True))
 
     def total(vertices):
         return jax.vmap(value)(batch.bindings, vertices).sum()
 
     slopes = every(batch.bindings, at)[1]
     (ahead, slope_ahead), (behind, slope_behind) = (
-        every(batch.bindings, at + sign * SLOPE_STEP * way) for sign in (1, -1)
+        every(batch.bindings, at + sign * SLOPE_STEP * direction) for sign in (1, -1)
     )
-    off = (ahead - behind) / (2 * SLOPE_STEP) - (slopes * way).sum(axis=(1, 2))
+    off = (ahead - behind) / (2 * SLOPE_STEP) - (slopes * direction).sum(axis=(1, 2))
     size = jnp.sqrt((slopes**2).sum(axis=(1, 2)) / at[0].size)
-    print(f"Slopes off central differences, over what a random way has: {float(jnp.abs(off / size).max()):.1e}")
-    first, second = jax.jit(lambda at: jax.jvp(jax.grad(total), (at,), (way,)))(at)
+    print(f"Slopes off central differences, over what a random direction has: {float(jnp.abs(off / size).max()):.1e}")
+    first, second = jax.jit(lambda at: jax.jvp(jax.grad(total), (at,), (direction,)))(at)
     off = jnp.abs(first - slopes).max()
     print(f"grad of vmap off vmap of grad: {float(off):.1e} of {float(jnp.abs(slopes).max()):.1e}")
     expected = (slope_ahead - slope_behind) / (2 * SLOPE_STEP)
@@ -189,18 +189,18 @@ def show_files(skeleton: msf_jax.Skeleton) -> None:
         keeper.wait_until_finished()
         return keeper.restore(folder / "orbax", jax.tree.map(np.zeros_like, tree))
 
-    ways = {
+    variants = {
         "jit": lambda tree, _: jax.jit(lambda same: same)(tree),
         "tree.map": lambda tree, _: jax.tree.map(jnp.asarray, tree),
         "pickle": lambda tree, _: pickle.loads(pickle.dumps(tree)),
         "Equinox": by_equinox,
         "Orbax": by_orbax,
     }
-    for name, way in ways.items():
+    for name, round_trip in variants.items():
         for tree in (skeleton, skeleton.binding, msf_jax.stack([skeleton])):
             with tempfile.TemporaryDirectory() as folder:
                 try:
-                    back = way(tree, Path(folder))
+                    back = round_trip(tree, Path(folder))
                 except ImportError as error:
                     print(f"{name}: {error}")
                     break
@@ -228,7 +228,7 @@ def main() -> None:
         skeletons.append(star(seed, int(num)))
         if path:
             path.write_bytes(pickle.dumps(skeletons[-1]))
-    show_ways(skeletons, options.closed, compilations)
+    show_variants(skeletons, options.closed, compilations)
     show_bits(skeletons[:: max(1, len(skeletons) // 16)])
     show_slopes(skeletons[:: max(1, len(skeletons) // 8)])
     show_tape(compilations)

@@ -147,11 +147,11 @@ def try_files(seed: int, num: int) -> list[str]:
         whole = originals(folder)
         expected = {kind: curve_of(kind, folder / f"{kind}.npz") for kind in whole}
         for number in range(num):
-            kind, way = list(whole)[number % 3], ("bytes", "array", "forged")[number // 3 % 3]
-            if way == "bytes":
+            kind, change = list(whole)[number % 3], ("bytes", "array", "forged")[number // 3 % 3]
+            if change == "bytes":
                 content = with_bytes_changed(whole[kind], random)
             else:
-                content = with_an_array_changed(whole[kind], random, forge=way == "forged")
+                content = with_an_array_changed(whole[kind], random, forge=change == "forged")
             path = folder / f"{number}.npz"
             path.write_bytes(content)
             try:
@@ -160,18 +160,18 @@ def try_files(seed: int, num: int) -> list[str]:
                 outcome = "refused"
             except Exception:
                 outcome = "FAILED"
-                wrong.append(f"altered file {number}, {kind}, {way}: {traceback.format_exc()}")
+                wrong.append(f"altered file {number}, {kind}, {change}: {traceback.format_exc()}")
             else:
                 outcome = "the same curve" if found == expected[kind] else "another curve"
-            if outcome == "another curve" and way != "forged":
-                wrong.append(f"altered file {number}, {kind}, {way}: another curve was loaded")
-            counts[kind, way, outcome] += 1
+            if outcome == "another curve" and change != "forged":
+                wrong.append(f"altered file {number}, {kind}, {change}: another curve was loaded")
+            counts[kind, change, outcome] += 1
             path.unlink(missing_ok=True)
     outcomes = ("refused", "the same curve", "another curve", "FAILED")
     print(f"| file | altered | {' | '.join(outcomes)} |\n{'| --- ' * 6}|")
     for kind in whole:
-        for way in ("bytes", "array", "forged"):
-            print(f"| {kind} | {way} | {' | '.join(str(counts[kind, way, outcome]) for outcome in outcomes)} |")
+        for change in ("bytes", "array", "forged"):
+            print(f"| {kind} | {change} | {' | '.join(str(counts[kind, change, outcome]) for outcome in outcomes)} |")
     return wrong
 
 

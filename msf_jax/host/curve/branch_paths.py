@@ -1,6 +1,6 @@
-"""Branches of a curve as ways to be measured along: directions, bending, spacing, and how large the limb around is.
+"""Branches of a curve as paths, with measures along them: directions, bending, spacing, and the limb's size.
 
-What is linear in the nodes comes as a sparse matrix, so that it can be a row of a least-squares problem.
+Measures that are linear in the nodes are sparse matrices, for use as rows of a least-squares problem.
 """
 
 from typing import NamedTuple
@@ -11,13 +11,13 @@ from scipy import sparse
 from msf_jax.host.curve import branches
 from msf_jax.host.solid.geometry import arc_length, at, repeated
 
-BEYOND = 7.0  # sizes of a limb: nodes that are farther along it say nothing of it, but for
-FLOOR = 1e-9  # of the weight of one at hand, which every node of the branch has
+BEYOND = 7.0  # limb sizes along the branch: farther nodes have only the weight `FLOOR` in a mean
+FLOOR = 1e-9  # least weight of every node of the branch in a mean, relative to a node at distance 0
 
 
 class BranchPath(NamedTuple):
-    """A branch. nodes: (k,). is_loop: it has no junction, and its ends are one node. share: (k,) of the length before
-    each node, which it is to keep. stops: positions in ``nodes`` of its ends and of the nodes that do not move."""
+    """A branch. nodes: (k,). is_loop: it has no junction, and its ends are one node. share: (k,) arc length to each
+    node over the whole, to be kept. stops: positions in ``nodes`` of its ends and of the nodes that do not move."""
 
     nodes: np.ndarray
     is_loop: bool
@@ -26,7 +26,7 @@ class BranchPath(NamedTuple):
 
 
 def paths_of(vertices: np.ndarray, edges: np.ndarray, is_held: np.ndarray) -> list[BranchPath]:
-    """The branches of a curve that have a length."""
+    """The branches of a curve that have at least one edge."""
     degree = np.bincount(edges.ravel(), minlength=len(vertices))
     found = []
     for branch in branches.trace(len(vertices), edges):
@@ -40,7 +40,7 @@ def paths_of(vertices: np.ndarray, edges: np.ndarray, is_held: np.ndarray) -> li
 
 
 def spread(x: np.ndarray, paths: list[BranchPath]) -> np.ndarray:
-    """Nodes (N, 3) on the same course, each again at its share of its branch's length."""
+    """Move the nodes (N, 3) along their branches, so that each is at its share of its branch's length again."""
     spaced = x.copy()
     for nodes, _, share, stops in paths:
         along = arc_length(x[nodes])
@@ -50,7 +50,7 @@ def spread(x: np.ndarray, paths: list[BranchPath]) -> np.ndarray:
 
 
 def chords(x: np.ndarray, paths: list[BranchPath], reach: np.ndarray) -> sparse.csr_matrix:
-    """(N, N): times the nodes, the chord of the branch from ``reach`` (N,) before each node to as far behind it."""
+    """(N, N) matrix from nodes to chords of their branches, from ``reach`` (N,) before to as far after each node."""
     rows, columns, values = [], [], []
     for nodes, is_loop, _, _ in paths:
         along = arc_length(x[nodes])
@@ -70,7 +70,7 @@ def chords(x: np.ndarray, paths: list[BranchPath], reach: np.ndarray) -> sparse.
 
 
 def triples(x: np.ndarray, paths: list[BranchPath]) -> tuple[np.ndarray, np.ndarray]:
-    """Each inner node (T,) of a branch between its neighbours, (T, 3), and the mean length (T,) of its two edges."""
+    """(T, 3) each inner node of a branch between its two neighbours, and the mean length (T,) of its two edges."""
     found, spacing = [np.empty((0, 3), dtype=np.int64)], [np.empty(0)]
     for nodes, is_loop, _, _ in paths:
         polyline = np.r_[nodes, nodes[1]] if is_loop else nodes
@@ -83,9 +83,9 @@ def triples(x: np.ndarray, paths: list[BranchPath]) -> tuple[np.ndarray, np.ndar
 def sizes(
     x: np.ndarray, paths: list[BranchPath], size: np.ndarray, weight: np.ndarray, clearance: np.ndarray
 ) -> np.ndarray:
-    """(N,) how large the limb around each node is: the mean of ``size`` along its branch, with ``weight``, near by.
+    """(N,) the size of the limb around each node: a weighted mean of ``size`` along its branch, over nearby nodes.
 
-    The ends of branches, and branches on which nothing has a weight, have their ``clearance``.
+    The ends of branches, and branches without any ``weight``, get their ``clearance``.
     """
     found = clearance.copy()
     degree = np.zeros(len(x), dtype=np.int64)
@@ -113,7 +113,7 @@ def sizes(
 def clear_of_junctions(
     x: np.ndarray, paths: list[BranchPath], degree: np.ndarray, size: np.ndarray, zone: float, margin: float
 ) -> np.ndarray:
-    """(N,) from 0, at junctions and within ``zone`` of their ``size``, to 1, where the ``margin`` around that ends."""
+    """(N,) a smooth step: 0 within about ``zone`` times a junction's ``size``, 1 beyond, over a width of ``margin``."""
     clear = np.where(degree > 2, 0.0, 1.0)
     for nodes, _, _, _ in paths:
         along = arc_length(x[nodes])
@@ -125,7 +125,7 @@ def clear_of_junctions(
 
 
 def usual(paths: list[BranchPath], known: np.ndarray) -> np.ndarray:
-    """(N,) the median along its branch of what is ``known`` (N,), NaN where it is not."""
+    """(N,) the median of ``known`` (N,) along each node's branch, without NaN; NaN if all are NaN."""
     found = np.full(len(known), np.nan)
     for path in paths:
         along = known[path.nodes]
@@ -135,9 +135,9 @@ def usual(paths: list[BranchPath], known: np.ndarray) -> np.ndarray:
 
 
 def second_sizes(paths: list[BranchPath], size: np.ndarray, weight: np.ndarray) -> np.ndarray:
-    """(N,) the second largest mean ``size`` (N,), with ``weight`` (N,), of the branches that end at each node.
+    """(N,) the second largest weighted mean of ``size`` (N,) over the branches that end at each node.
 
-    It is the largest where only one is known, and infinite where none is.
+    If only one branch has a ``weight`` (N,), it is that branch's mean; without any it is infinite.
     """
     ends: dict[int, list[float]] = {}
     for nodes, _, _, _ in paths:

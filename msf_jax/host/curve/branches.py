@@ -1,4 +1,4 @@
-"""A curve as branches: the paths between nodes that have other than two edges, and what is done to the graph."""
+"""A curve as branches: the paths between nodes that do not have two edges; and edits of the graph."""
 
 from typing import NamedTuple
 
@@ -9,19 +9,18 @@ from scipy.sparse import csgraph
 
 from msf_jax.host.solid.handles import Handles
 
-NEAR = 0.85  # radii, between two junctions that are one
-TOGETHER = 1e-6  # diagonals: nodes, or a node and an edge, that are no farther apart are in one place
+NEAR = 0.85  # radii: two junctions that are nearer than this are merged
+TOGETHER = 1e-6  # diagonals: two nodes, or a node and an edge, that are no farther apart coincide
 
 
 class Branch(NamedTuple):
-    """nodes: along the branch; a closed one names its first node again at its end. length: of the branch.
+    """nodes: along the branch; a closed branch repeats its first node at its end. length: of the branch.
 
-    slenderness: how far a branch that ends in a leaf reaches out of the rest, over its own half width across (see
-    `host.curve.limbs`): a cylinder that sticks out by h has h / radius. Infinite for a branch without a junction, and
-    for one that joins two of them, or a junction to itself: taking it away would change the curve's components or
-    cycles.
+    slenderness: length of the limb of a branch that ends in a leaf, over its half width (see `host.curve.limbs`): a
+    cylinder that sticks out by h has h / radius. Infinite for a branch without a junction or between junctions: its
+    removal would change the curve's components or cycles.
 
-    surface: share of the mesh's area that goes to the branch's own nodes, its junctions not among them; NaN if unknown.
+    surface: share of the mesh's area that belongs to the branch's nodes, without its junctions; NaN if unknown.
     """
 
     nodes: list[int]
@@ -36,11 +35,11 @@ class Branch(NamedTuple):
 
 
 def trace(num_nodes: int, edges: np.ndarray) -> list[list[int]]:
-    """Node lists between nodes that have other than two edges; a loop without one is closed.
+    """The node list of each branch, between nodes that do not have two edges; a loop repeats its first node.
 
-    A lone node is a branch of its own, of one node.
+    An isolated node is a branch of one node.
     """
-    near: list[list[int]] = [[] for _ in range(num_nodes)]  # of each node, in ascending order
+    near: list[list[int]] = [[] for _ in range(num_nodes)]  # neighbours of each node, ascending
     for a, b in np.unique(np.sort(edges, axis=1), axis=0).tolist():
         near[a].append(b)
         near[b].append(a)
@@ -68,27 +67,27 @@ def trace(num_nodes: int, edges: np.ndarray) -> list[list[int]]:
 
 
 def cycle_count(num_nodes: int, edges: np.ndarray) -> tuple[int, int]:
-    """Components and independent cycles of a graph."""
+    """The numbers of components and of independent cycles of a graph."""
     graph = sparse.coo_matrix((np.ones(len(edges)), (edges[:, 0], edges[:, 1])), shape=(num_nodes, num_nodes))
     components = int(csgraph.connected_components(graph, directed=False)[0])
     return components, len(edges) - num_nodes + components
 
 
 def cut_loops(num_nodes: int, edges: np.ndarray, radii: np.ndarray) -> np.ndarray:
-    """(E,) which edges stay when every loop is cut at the thinnest of its edges: a spanning tree of the thickest.
+    """(E,) which edges stay if every loop is cut at its thinnest edge: the spanning forest of the thickest edges.
 
-    An edge is as thick as the smaller of the balls at its ends; of equal ones that with the smaller other ball goes.
+    The thickness of an edge is the smaller radius at its ends; the larger radius breaks ties.
     """
     order = np.lexsort((-radii[edges].max(axis=1), -radii[edges].min(axis=1)))
     rank = np.empty(len(edges))
-    rank[order] = np.arange(1, len(edges) + 1)  # no two weigh the same, and none nothing
+    rank[order] = np.arange(1, len(edges) + 1)  # distinct weights, none 0
     graph = sparse.coo_matrix((rank, (edges[:, 0], edges[:, 1])), shape=(num_nodes, num_nodes))
     left = np.rint(csgraph.minimum_spanning_tree(graph).data).astype(np.int64) - 1
     return np.isin(np.arange(len(edges)), order[left])
 
 
 def roots_of(num_nodes: int, edges: np.ndarray, radii: np.ndarray, root: int | None) -> tuple[int, ...]:
-    """The node with the largest ball in each component, the thickest first; ``root`` instead in its own, before all."""
+    """The node with the largest ball in each component, largest first; ``root``, if given, is first instead."""
     graph = sparse.coo_matrix((np.ones(len(edges)), (edges[:, 0], edges[:, 1])), shape=(num_nodes, num_nodes))
     label = csgraph.connected_components(graph, directed=False)[1]
     size = radii.copy()
@@ -99,9 +98,9 @@ def roots_of(num_nodes: int, edges: np.ndarray, radii: np.ndarray, root: int | N
 
 
 def tree(num_nodes: int, edges: np.ndarray, roots: tuple[int, ...] = ()) -> dict[int, int]:
-    """The parent of every node, -1 for a root: parents come first, loops are cut.
+    """The parent of every node, -1 for a root. Parents come before their children, and loops are cut.
 
-    Components of the ``roots`` come first, in that order; the roots of others are leaves if there are any.
+    Components of the ``roots`` come first, in that order. The root of any other component is a leaf if it has one.
     """
     graph = nx.Graph()
     graph.add_nodes_from(range(num_nodes))
@@ -126,12 +125,12 @@ def tree(num_nodes: int, edges: np.ndarray, roots: tuple[int, ...] = ()) -> dict
 def merge_junctions(
     vertices: np.ndarray, edges: np.ndarray, radii: np.ndarray, is_held: np.ndarray, handles: Handles
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Make junctions that are well within one ball a single one, where it is the largest: which nodes stay (N,), where
-    each goes (N,), and the edges. What would take a loop away, or lay it around another of the ``handles``, stays, and
-    so do nodes of ``is_held`` (N,)."""
+    """Merge junctions that are well within the same ball, at the one with the largest radius: which nodes stay (N,),
+    the target of each node (N,), and the edges. Junctions whose merge would remove a loop, or lead it around other
+    ``handles``, are not merged, and nodes of ``is_held`` (N,) stay."""
     degree = np.bincount(edges.ravel(), minlength=len(vertices))
     target = every = np.arange(len(vertices))
-    moved = np.zeros(len(vertices), dtype=np.int64)  # class of the way from each node to where it goes
+    moved = np.zeros(len(vertices), dtype=np.int64)  # class of the path from each node to its target
     cycles = cycle_count(len(vertices), edges)[1]
     own = handles.classes(vertices[edges[:, 0]], vertices[edges[:, 1]])
     for path in trace(len(vertices), edges):
@@ -158,10 +157,10 @@ def merge_junctions(
 def merge_coincident(
     vertices: np.ndarray, edges: np.ndarray, is_held: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Make edges that coincide in space one: which nodes stay (N,), where each goes (N,), and the edges.
+    """Merge edges that coincide in space: which nodes stay (N,), the target of each node (N,), and the edges.
 
-    A loop that is folded flat is no loop. An edge then goes through nodes that lie on it, and nodes in one place are
-    one, the first of them, or one of ``is_held`` (N,). Branches that only touch stay apart: no loop comes to be.
+    This removes loops that are folded flat. An edge is split at nodes that lie on it, and coincident nodes are merged
+    into the first of them, or into one of ``is_held`` (N,). Branches that only touch stay apart, so no loop is added.
     """
     num, every = len(vertices), np.arange(len(vertices))
     places = _places(vertices, edges, is_held)
@@ -180,7 +179,7 @@ def merge_coincident(
 
 
 class _Places(NamedTuple):
-    """target: (N,) the first node in the place of each. edge, node, part: (k,) see `_nodes_on`."""
+    """target: (N,) the first of the nodes that coincide with each node. edge, node, part: (k,) see `_nodes_on`."""
 
     target: np.ndarray
     edge: np.ndarray
@@ -189,7 +188,7 @@ class _Places(NamedTuple):
 
 
 def _places(vertices: np.ndarray, edges: np.ndarray, is_held: np.ndarray) -> _Places:
-    """Which nodes are in one place, those of ``is_held`` (N,) before others, and which are on edges."""
+    """Which nodes coincide, those of ``is_held`` (N,) before others, and which nodes are on edges."""
     num, tree = len(vertices), spatial.KDTree(vertices)
     pairs = tree.query_pairs(TOGETHER, output_type="ndarray")
     graph = sparse.coo_matrix((np.ones(len(pairs)), (pairs[:, 0], pairs[:, 1])), (num, num))
@@ -200,14 +199,14 @@ def _places(vertices: np.ndarray, edges: np.ndarray, is_held: np.ndarray) -> _Pl
 
 
 def _laid(edges: np.ndarray, places: _Places, is_glued: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Where nodes go (N,), and the pieces (P, 2) of edges, if edges and nodes are one at the places of ``is_glued``."""
+    """The target of each node (N,) and the pieces (P, 2) of edges, if they are merged at places ``is_glued`` (N,)."""
     target, edge, node, part = places
     goal, stops = np.where(is_glued[target], target, np.arange(len(target))), is_glued[target[node]]
     return goal, np.sort(goal[_pieces(edges, edge[stops], node[stops], part[stops])], axis=1)
 
 
 def _doubled(pieces: np.ndarray) -> np.ndarray:
-    """The pieces that are there twice, or have no length."""
+    """The pieces that occur several times or have equal ends."""
     single, count = np.unique(pieces, axis=0, return_counts=True)
     return single[(count > 1) | (single[:, 0] == single[:, 1])]
 
@@ -215,7 +214,7 @@ def _doubled(pieces: np.ndarray) -> np.ndarray:
 def _nodes_on(
     vertices: np.ndarray, edges: np.ndarray, tree: spatial.KDTree
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Edges (k,), the nodes (k,) that lie on them between their ends, and which part (k,) of the way that is."""
+    """Edges (k,), nodes (k,) that lie on them between their ends, and the fraction (k,) of the edge before the node."""
     a, b = vertices[edges[:, 0]], vertices[edges[:, 1]]
     near = tree.query_ball_point((a + b) / 2, np.linalg.norm(b - a, axis=1) / 2 + TOGETHER)
     edge = np.repeat(np.arange(len(edges)), np.fromiter(map(len, near), np.int64, len(near)))
@@ -229,7 +228,7 @@ def _nodes_on(
 
 
 def _pieces(edges: np.ndarray, edge: np.ndarray, node: np.ndarray, part: np.ndarray) -> np.ndarray:
-    """Edges (P, 2), each as the way from its tail over the nodes on it to its head; see `_nodes_on`."""
+    """Pieces (P, 2) of edges: each edge is split at the nodes on it, from its tail to its head; see `_nodes_on`."""
     every, ends = np.arange(len(edges)), np.zeros(len(edges))
     owner, stop = np.concatenate([every, edge, every]), np.concatenate([edges[:, 0], node, edges[:, 1]])
     order = np.lexsort((np.concatenate([ends, part, ends + 1]), owner))
@@ -238,6 +237,6 @@ def _pieces(edges: np.ndarray, edge: np.ndarray, node: np.ndarray, part: np.ndar
 
 
 def _relabelled(edges: np.ndarray, target: np.ndarray) -> np.ndarray:
-    """Edges (E, 2) between what their ends have gone to."""
+    """Edges (E, 2) between the targets of their ends."""
     left = np.sort(target[edges], axis=1)
     return np.unique(left[left[:, 0] != left[:, 1]], axis=0)

@@ -1,21 +1,21 @@
-"""Move the nodes of a curve to the middle of the solid, and leave its graph alone.
+"""Move the nodes of a curve to the middle of the solid; its graph does not change.
 
-The middle of a limb is the centroid c of its cross-section. The nodes x of a curve are where they make least of
+The middle of a limb is the centroid c of its cross-section. The nodes x of a curve minimise
 
     sum_i w_i |P_i (x_i - c_i)|^2  +  sum_i (l_i / h_i)^4 |x_{i-1} - 2 x_i + x_{i+1}|^2  +  sum_j a_j |x_j - y_j|^2,
 
-where P_i takes away most of what is along the branch: a smoothing spline, whose stiffness reaches over a part l of the
-limb's size whatever the spacing h of the nodes. Nodes keep their shares of their branch's length, so that they move
-across it only. Near a junction a cross-section cuts several limbs and says nothing: w falls to 0 there, and the
-branches run straight on, so that the junction comes to where the axes of its limbs meet. That is right for tubes. Where
-the solid is roomier around y, the place that the flow found for a junction, than around the straight way (the rump of a
-horse, a shell on a back), a holds the junction there.
+where P_i removes most of the component along the branch. This is a smoothing spline: its stiffness acts over a length
+l, a part of the limb's size, for any spacing h of the nodes. Nodes keep their shares of their branch's length, so they
+move across it only. Near a junction a cross-section cuts several limbs and is no guide, so w falls to 0 there. The
+branches then continue straight, and the junction comes to where the axes of its limbs meet. That is right for tubes. If
+the clearance at y, the flow's place for a junction, is larger than that of its limbs (the rump of a horse, a shell on a
+back), a holds the junction at y.
 
-The section turns with the curve, and where it is wide its centroid turns with it much farther than the nodes went: to
-take c as given makes a round that never ends. So each round is a step of Gauss and Newton, with the derivative of c by
-the plane (`sections.Sections`), and weights from the round before (a Geman-McClure loss of the distance to c). Weights
-are smooth in the nodes. But a section has jumps, where it begins to cut another limb, too: a node on such a brink
-counts less each time that it goes over it. The rounds end when the nodes hardly move any more.
+A section turns with the curve. In a wide section the centroid then moves much farther than the nodes, and an iteration
+with c held fixed does not converge. So each round is a Gauss-Newton step with the derivative of c by the plane
+(`sections.Sections`), and with the weights of a Geman-McClure loss of the distance to c, from the round before. Weights
+are smooth in the nodes, but a section jumps where its plane begins to cut another limb, too. A node at such a jump
+loses weight each time that it crosses it. The rounds end when the nodes hardly move any more.
 """
 
 import itertools
@@ -32,41 +32,40 @@ from msf_jax.host.solid import sections
 from msf_jax.host.solid.enclosure import Enclosure
 from msf_jax.host.solid.geometry import unit
 
-# Chosen on the ground-truth shapes and the research meshes, for the mean distance to the true curve, off-centre and
-# missed together; see `tests.benchmarks.curves`.
-ROUNDS = 12  # at most
-TOLERANCE = 0.02  # sizes of the limb: a round in which the root mean square of all steps is less is the last
-AFRESH = 0.01  # sizes moved, or radians turned, after which a section is cut again; until then it is linear in both
-STIFFNESS = 0.35  # the length l, in sizes of the limb
-STIFFEST = 1e5  # of (l / h)^4
-ZONE, MARGIN = 0.7, 0.4  # sizes of a junction, within which sections do not count, and over which they come to do so
-LOPSIDED, STEEP = 1.6, 8  # a section so many times as wide as its limb counts half, by this power of the ratio
-ROUNDNESS = 4  # a section wider than its branch's usual one counts less, by this power of the ratio
-STRAY = 0.3  # section radii: a centroid so far away counts for a quarter
-SLIDING = 0.03  # what is left of w along the branch
-ANCHOR, JUNCTION_ANCHOR = 0.003, 0.2  # a: in general, at a junction, and
-DEEP_ANCHOR, DEEPER = 4.0, 1.0  # so much more there where the flow's place is roomier by this part; and by this
-FORMER_JUNCTION_DEEPER = 0.25  # where a junction has been: what was pruned was all that held the curve in its blob
-DAMPING = 0.05  # of a step, and
-DAMPING_ALONG = 0.3  # of what is along the branch
-LONGEST_STEP = 0.5  # sizes, in one round
-FARTHEST = 20.0  # steps of a node, that a centroid may be expected to go with it
-HELD = 1e9  # a, for a node that is not to move
-MOST_CORNERS = 5_000_000  # of all sections that are cut for a curve; then each centring is left after a round
-THINNEST = 0.25  # of its clearance, that a step must leave to a node
-HALVINGS = 2  # of a step that goes too far, before none is taken
-SLIGHT = 0.05  # of its room: a shorter step of a node leads nowhere else
-CLOSE = 0.005  # diagonals, to the surface, where it is measured exactly; elsewhere, of what is about the clearance,
-SURE = 0.5  # that part is
-NEARBY, DETOUR = 0.5, 1.5  # balls, between a junction and the place where the solid is roomiest; times that, under way
-CLIMBS, FINEST = 30, 0.004  # steps on the way there, and balls, the last of them
+# These give the least mean errors on the ground-truth shapes and the research meshes: see `tests.benchmarks.curves`.
+ROUNDS = 12  # limit on the rounds of a centring
+TOLERANCE = 0.02  # clearances: a round in which the root mean square of all steps is less is the last
+AFRESH = 0.01  # limb sizes moved or radians turned: then a section is cut again; before, it is extrapolated
+STIFFNESS = 0.35  # limb sizes: the length l
+STIFFEST = 1e5  # limit on (l / h)^4
+ZONE, MARGIN = 0.7, 0.4  # junction sizes: within which sections do not count; over which their weight rises to 1
+LOPSIDED, STEEP = 1.6, 8  # section radius over section size at which a section counts half; exponent of that ratio
+ROUNDNESS = 4  # exponent of (median radius of the branch / radius of the section) in the weight, if below 1
+STRAY = 0.3  # section radii: a centroid at this distance has a quarter of its weight
+SLIDING = 0.03  # share of w along the branch
+ANCHOR, JUNCTION_ANCHOR = 0.003, 0.2  # a of a usual node; a of a junction
+DEEP_ANCHOR, DEEPER = 4.0, 1.0  # added to a if the clearance at y exceeds the limbs' size; relative excess for all
+FORMER_JUNCTION_DEEPER = 0.25  # the same share at a former junction, where no other branch holds the curve in its blob
+DAMPING = 0.05  # damping of a step, as a weight of its square
+DAMPING_ALONG = 0.3  # more damping of its component along the branch
+LONGEST_STEP = 0.5  # clearances: limit on a node's step in a round
+FARTHEST = 20.0  # limit on the derivative of a centroid by a node
+HELD = 1e9  # a of a node that does not move
+MOST_CORNERS = 5_000_000  # corners of all sections that are cut for a curve; then each centring ends after one round
+THINNEST = 0.25  # least share of its first clearance that a step must leave to a node
+HALVINGS = 2  # times that a step that goes too far is halved, before none is taken
+SLIGHT = 0.05  # clearances: a shorter step is taken without a test
+CLOSE = 0.005  # diagonals: clearances below are measured exactly
+SURE = 0.5  # share of an approximate clearance that counts as certain
+NEARBY, DETOUR = 0.5, 1.5  # clearances: largest distance from a point to its deepest point; factor on it in the search
+CLIMBS, FINEST = 30, 0.004  # limit on the steps of the search; clearances: step length at which it ends
 DIRECTIONS = unit(np.array([each for each in itertools.product((-1.0, 0.0, 1.0), repeat=3) if any(each)]))
-SETTLING = 4  # rounds, after which a node that goes over a brink counts less,
-BRINK, FADE = 1.25, 0.5  # where its weight over its width changes by that factor, by this one
+SETTLING = 4  # rounds after which jumps of the weight are counted
+BRINK, FADE = 1.25, 0.5  # factor on (weight over section radius) in a round that is a jump; factor on w at each jump
 
 
 class Budget:
-    """What centring may cost: corners of sections, ``left`` of them, and if it was left early for that."""
+    """The cost limit of centring: ``left`` is the number of section corners left; ``was_hit`` is True if it ran out."""
 
     def __init__(self) -> None:
         self.left = MOST_CORNERS
@@ -84,13 +83,13 @@ def centre(
     is_far: bool = True,
     budget: Budget | None = None,
 ) -> np.ndarray:
-    """The nodes ``vertices`` (N, 3) of the curve, centred; those of ``is_held`` (N,) stay where they are.
+    """Centre the nodes ``vertices`` (N, 3) of the curve; those of ``is_held`` (N,) do not move.
 
-    ``places`` (N, 3) are those that the flow found, ``vertices`` if not given. ``former_junctions`` (N,) are nodes that
-    were junctions, and are held where the clearance is larger, too; none if not given. ``is_far`` says that the curve
-    is not near the middle yet: then the first round takes it there, however far that is. A step that would leave the
-    solid is cut short; a node that is outside stays there. When ``budget`` is spent, which others may share, one round
-    must do.
+    ``places`` (N, 3) are the flow's places y; default ``vertices``. ``former_junctions`` (N,) are nodes that were
+    junctions; they, too, are held where the clearance is larger; default none. ``is_far`` says that the curve is not
+    near the middle yet: the first round then ignores distances to centroids. A step that would leave the solid is
+    shortened, and a node outside stays there. When ``budget``, which other calls may share, is spent, there is one
+    round only.
     """
     budget = Budget() if budget is None else budget
     x, num = vertices.copy(), len(vertices)
@@ -108,7 +107,7 @@ def centre(
     least = np.maximum(THINNEST * clearance, 2 * TOUCHING)
     size, faded, before = clearance.copy(), np.ones(num), np.zeros(num)
     known = _Known(x, budget)
-    for number in range(-1, rounds):  # the first only finds out how large limbs are
+    for number in range(-1, rounds):  # round -1 only measures the limbs' sizes
         if number > 0 and budget.left < 0:
             budget.was_hit = True
             break
@@ -122,7 +121,7 @@ def centre(
         limb = limb[found.is_around]
         found = sections.Sections(*(field[found.is_around] for field in found))
         weight = clear[limb] / (1 + (found.radius / (LOPSIDED * found.size)) ** STEEP)
-        # A node on the brink between two limbs counts less each time that it crosses it.
+        # A node whose section jumps between two limbs loses weight at each jump.
         pull = np.zeros(num)
         pull[limb] = weight / found.radius
         if number >= SETTLING:
@@ -167,10 +166,10 @@ def centre(
 
 
 def deepest_points(shape: Enclosure, points: np.ndarray) -> np.ndarray:
-    """For each of ``points`` (P, 3) inside, where the solid is roomiest, if that is within ``NEARBY`` of its ball.
+    """For each of ``points`` (P, 3) inside: the nearby point of largest clearance, if it is within ``NEARBY``.
 
-    There is such a place in a blob where limbs meet, and it does not depend on how it was found: the point to where
-    they are alike. Along a trunk the way to it is long, and the point stays. By steps in 26 directions, halved.
+    A blob where limbs meet has such a point, and it hardly depends on the start of the search. In a trunk of constant
+    size it is far away, and the point stays. The search steps in 26 directions, with steps that are halved.
     """
     clearance = shape.approximate_closest(points)[0]
     x, best, step = points.copy(), clearance.copy(), NEARBY / 2 * clearance
@@ -201,15 +200,15 @@ def _taken(
     is_free: np.ndarray,
     least: np.ndarray,
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """The nodes (N, 3) after as much of their ``step`` as leaves no wall behind, with their room and what is near.
+    """The nodes (N, 3) after as much of their ``step`` as stays inside, with their clearance and a near triangle.
 
-    A node that would come too near to the surface, or go through it, goes a half or a quarter of its way, or stays; so
-    do both ends of an edge that was inside and would not be. A loop around a hole does not slip off it that way.
+    A node that would come too near to the surface, or cross it, takes a half or a quarter of its step, or none. So do
+    both ends of an edge that was inside and would leave. This way a loop around a hole cannot slip off it.
     """
     part = is_free.astype(float)
     goal, new_clearance, triangle = x.copy(), clearance.copy(), near.copy()
     length = np.linalg.norm(step, axis=1)
-    is_slight = is_free & (length < SLIGHT * clearance) & (clearance - length > least)  # no need to look
+    is_slight = is_free & (length < SLIGHT * clearance) & (clearance - length > least)  # needs no test
     goal[is_slight] += step[is_slight]
     new_clearance[is_slight] -= length[is_slight]
     changed = np.flatnonzero(is_free & ~is_slight)
@@ -239,13 +238,14 @@ def _taken(
 def _is_open(
     shape: Enclosure, x: np.ndarray, y: np.ndarray, clearance: np.ndarray, its_clearance: np.ndarray, paths: np.ndarray
 ) -> np.ndarray:
-    """(W,) whether the segments from x[a] to y[b] for (a, b) of ``paths`` (W, 2) are inside; rooms are not exact."""
+    """(W,) whether the segments from x[a] to y[b] for (a, b) of ``paths`` (W, 2) are inside; clearances are
+    approximate."""
     a, b = paths.T
     return is_inside(shape, x[a], y[b], SURE * (clearance[a] + its_clearance[b]))
 
 
 class _Known:
-    """Sections that were cut, until their nodes have moved on too far."""
+    """The last section of each node, used until the node has moved or turned by `AFRESH`."""
 
     def __init__(self, x: np.ndarray, budget: Budget):
         self.budget = budget
@@ -261,7 +261,7 @@ class _Known:
         near: np.ndarray,
         limb: np.ndarray,
     ) -> sections.Sections:
-        """The sections of the nodes ``limb``; one that moved a little has the centroid that is expected there."""
+        """The sections of the nodes ``limb``; for a node that moved a little, the centroid is extrapolated."""
         moved = np.linalg.norm(x[limb] - self.place[limb], axis=1) / size[limb]
         turned = np.linalg.norm(tangent[limb] - self.normal[limb], axis=1)
         old = limb[(moved > AFRESH) | (turned > AFRESH)]
@@ -279,7 +279,7 @@ class _Known:
 
 
 class _System:
-    """One step of Gauss and Newton: rows of a least-squares problem in the nodes' steps.
+    """A Gauss-Newton step: the rows of a least-squares problem in the nodes' steps.
 
     off: (L, 3) P (x - c) of the nodes of ``limb``.
     """
@@ -331,17 +331,17 @@ class _System:
         self.pull = (anchor[:, None] * (places - x)).ravel()
 
     def step(self, weight: np.ndarray) -> np.ndarray:
-        """The step (N, 3) that makes least of it, with ``weight`` (L,) of the sections."""
+        """The step (N, 3) that minimises the energy, with ``weight`` (L,) of the sections."""
         scale = np.concatenate([np.repeat(weight, 3), self.stiff])
         back = self.rows.T.tocsr().multiply(scale).tocsr()
         matrix = (back @ self.rows).tocsc() + self.held
         return linalg.splu(matrix).solve(self.pull - back @ self.value).reshape(-1, 3)
 
     def moved(self, step: np.ndarray) -> np.ndarray:
-        """(L, 3) by how much `off` changes in a step."""
+        """(L, 3) the change of `off` in a step."""
         return (self.rows @ step.ravel())[: self.off.size].reshape(-1, 3)
 
 
 def _bound(derivative: np.ndarray) -> np.ndarray:
-    """(L,) the part of each row of ``derivative`` (L, k) that is kept: a section through a sliver has any one."""
+    """(L,) factors that limit the rows of ``derivative`` (L, k), as a section through a sliver can have a huge one."""
     return np.minimum(1.0, FARTHEST / np.maximum(np.linalg.norm(derivative, axis=1), 1e-300))

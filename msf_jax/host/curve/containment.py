@@ -1,8 +1,8 @@
-"""Keep the curve inside: nodes off the surface, edges that do not cross it, whatever the flow did.
+"""Keep the curve inside the solid: nodes off the surface, and edges that do not cross it.
 
-A node outside goes into the solid behind the nearest triangle, as deep as the limb is there. An edge that leaves the
-solid is led through it: over the middle of its own cross-section, if that will do, or else from ball to ball by the
-shortest and roomiest way (see `roadmap`).
+A node outside is moved into the solid behind its nearest triangle, to the middle of the limb there. An edge that leaves
+the solid is replaced by a path inside: over the centroid of its own cross-section, if that is enough, or else along
+the edges of a roadmap (see `roadmap`), which prefers short paths and large balls.
 """
 
 import itertools
@@ -16,10 +16,10 @@ from msf_jax.host.solid import sections
 from msf_jax.host.solid.enclosure import Enclosure
 from msf_jax.host.solid.geometry import arc_length, barycentric, cross, unit
 
-STRAIGHTENINGS = 20  # rounds
-HALVINGS = 2  # of an edge that is not inside, before a way is looked for
-FAN = 6  # rays from a node to either side of what it would cut off, and one
-SHALLOWER = 10  # halvings of the ball behind the surface, each with a middle nearer to it
+STRAIGHTENINGS = 20  # rounds of `straighten`
+HALVINGS = 2  # times that an edge outside is bisected, before the roadmap is searched
+FAN = 6  # points on each side of a corner that would be cut off; rays to the inner ones test that it is inside
+SHALLOWER = 10  # candidates for the ball behind the surface, each with half the radius of the one before
 
 
 def contain(
@@ -29,10 +29,10 @@ def contain(
     is_held: np.ndarray,
     roadmap: Roadmap | None = None,
 ) -> tuple[np.ndarray, np.ndarray]:
-    """The curve ``(vertices, edges)`` of a solid of diagonal 1, inside: its nodes, new ones last, and its edges.
+    """Move the curve ``(vertices, edges)`` into a solid of diagonal 1: returns its nodes, new ones last, and its edges.
 
-    ``roadmap`` are those of the solid, if it has been asked for ways before. Nodes of ``is_held`` stay where they are.
-    An edge that cannot be led through the solid stays as it is.
+    ``roadmap`` is that of the solid, if there is one already. Nodes of ``is_held`` do not move. An edge for which no
+    path inside is found stays as it is.
     """
     x, edges = vertices.copy(), edges.copy()
     radii = shape.clearance(x)
@@ -41,7 +41,7 @@ def contain(
     if is_out.any():
         x[is_out] = _inward(shape, x[is_out])
         radii[is_out] = shape.clearance(x[is_out])
-        # Where the surface is inside out there is nothing behind its triangles: then the nearest ball that there is.
+        # If the surface is inside out there, no ball is behind its triangle: the nearest ball of the roadmap is taken.
         is_out = (radii < TOUCHING) & ~is_held
         x[is_out], radii[is_out] = roadmap.nearest(x[is_out], radii[is_out])
 
@@ -63,11 +63,11 @@ def contain(
 def cut_off(
     shape: Enclosure, vertices: np.ndarray, edges: np.ndarray, is_held: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Take away the ends of branches that are behind an edge outside: which nodes stay, and where each goes (N,).
+    """Remove the ends of branches beyond an edge that is outside: which nodes stay, and the target of each node (N,).
 
-    On a rough surface that crosses itself a leaf can be caught in a bubble, which no way leads into. An end that is
-    longer than the largest ball of its branch is no bubble: the solid may be in pieces there. Nodes of ``is_held`` (N,)
-    stay, with what is before them, and two nodes of each branch.
+    Where a noisy surface crosses itself, a leaf can be in a bubble that no path inside leads to. An end that is longer
+    than the largest radius of its branch is no bubble: the solid may be in pieces there. Nodes of ``is_held`` (N,) stay
+    and so do the nodes that join them to the rest, and at least two nodes of each branch.
     """
     stays, target = np.ones(len(vertices), dtype=bool), np.arange(len(vertices))
     degree = np.bincount(edges.ravel(), minlength=len(vertices))
@@ -79,7 +79,7 @@ def cut_off(
             is_out = ~is_inside(shape, vertices[nodes[:-1]], vertices[nodes[1:]])
             is_end = arc_length(vertices[nodes])[1:] < radii[nodes].max()
             is_end &= ~np.logical_or.accumulate(is_held[nodes[:-1]])
-            is_end[len(nodes) - 2 :] &= degree[nodes[-1]] > 2  # else one node would be left
+            is_end[len(nodes) - 2 :] &= degree[nodes[-1]] > 2  # else only one node would be left
             last = np.flatnonzero(is_out & is_end)
             if len(last):
                 gone = nodes[: last[-1] + 1]
@@ -90,7 +90,7 @@ def cut_off(
 def is_inside(shape: Enclosure, a: np.ndarray, b: np.ndarray, covered: np.ndarray | None = None) -> np.ndarray:
     """(E,) True for a segment from a (E, 3) to b (E, 3) that is inside the solid.
 
-    One shorter than ``covered`` (E,), the radii of balls inside around its ends together, is inside without a look.
+    A segment shorter than ``covered`` (E,) is inside without a test: the sum of the radii of balls around its ends.
     """
     length = np.linalg.norm(b - a, axis=1)
     is_in = np.zeros(len(a), dtype=bool) if covered is None else length < covered
@@ -98,7 +98,7 @@ def is_inside(shape: Enclosure, a: np.ndarray, b: np.ndarray, covered: np.ndarra
     is_in[unknown] = shape.contains(a[unknown])
     rows = unknown[is_in[unknown]]
     ray, hit = shape.ray_hits(a[rows], unit(b - a)[rows], length[rows])
-    # Where it meets the surface it comes out, or only crosses a fold of the surface inside: the stretches between tell.
+    # At a hit the segment leaves the solid or crosses a fold inside: the middles of the stretches between hits decide.
     edge = np.concatenate([rows[ray], np.unique(rows[ray])])
     stop = np.concatenate([hit, np.zeros(len(edge) - len(hit))])
     order = np.lexsort((stop, edge))
@@ -110,18 +110,18 @@ def is_inside(shape: Enclosure, a: np.ndarray, b: np.ndarray, covered: np.ndarra
     is_stretch = onward - stop > 1e-9
     is_in[edge[is_stretch][~shape.contains(middle[is_stretch])]] = False
     left = rows[is_in[rows]]
-    is_in[left] = shape.contains(b[left])  # a ray along a face, or from the surface, may miss where it comes out
+    is_in[left] = shape.contains(b[left])  # a ray along a face, or from the surface, may miss its exit
     return is_in
 
 
 def straighten(
     shape: Enclosure, vertices: np.ndarray, edges: np.ndarray, is_held: np.ndarray, most: float = 90.0
 ) -> np.ndarray:
-    """The nodes (N, 3) without sharp turns: where a branch turns by more than ``most`` degrees at a node, it cuts the
-    corner, or a half of it, if that is inside.
+    """Cut sharp corners: a node where its branch turns by more than ``most`` degrees moves to the middle of its
+    neighbours, or half of the distance. Returns the nodes (N, 3).
 
-    What is cut off must be, too: else a loop around a hole would be folded flat beside it. A node that came in from
-    outside, or is caught in a fold of the surface, would make a spike of the branch.
+    The new edges and the triangle that is cut off must be inside: else a loop around a hole could be folded flat beside
+    the hole. Sharp corners are spikes at nodes that came in from outside or lie in a fold of the surface.
     """
     x = vertices.copy()
     found = between(len(x), edges)
@@ -146,13 +146,13 @@ def straighten(
             x[node[is_free]] = goal[is_free]
             has_moved[node[is_free]] = True
             left = left[~is_free]
-        if not has_moved.any():  # none is sharp, or none can be helped
+        if not has_moved.any():  # no corner is sharp, or none can be cut
             break
     return x
 
 
 def between(num_nodes: int, edges: np.ndarray) -> np.ndarray:
-    """(3, k) the nodes with two edges, and those before and after them."""
+    """(3, k) the nodes with two edges, and the two neighbours of each."""
     ends = np.concatenate([edges, edges[:, ::-1]])
     ends = ends[np.argsort(ends[:, 0], kind="stable")]
     inner = np.flatnonzero(np.bincount(edges.ravel(), minlength=num_nodes) == 2)
@@ -163,9 +163,9 @@ def between(num_nodes: int, edges: np.ndarray) -> np.ndarray:
 def refine(
     shape: Enclosure, vertices: np.ndarray, edges: np.ndarray, spacing: float, most: int
 ) -> tuple[np.ndarray, np.ndarray, bool]:
-    """Split edges longer than ``spacing`` times the smaller of the radii at their ends, down to 1/400 diagonal.
+    """Split edges longer than ``spacing`` times the smaller radius at their ends, and longer than 1/400 diagonal.
 
-    All of them less, where that would take more than ``most`` nodes, and whether that was so.
+    If that would need more than ``most`` nodes, all edges are split less, and the third result is True.
     """
     radii = shape.approximate_closest(vertices)[0]
     a, b = vertices[edges[:, 0]], vertices[edges[:, 1]]
@@ -184,7 +184,7 @@ def refine(
 def _replaced(
     x: np.ndarray, edges: np.ndarray, is_gone: np.ndarray, chains: list[np.ndarray]
 ) -> tuple[np.ndarray, np.ndarray]:
-    """The curve with edges of ``is_gone`` led over the new nodes of ``chains``, one (k, 3) for each."""
+    """The curve with each edge of ``is_gone`` replaced by a path over the new nodes of its chain (k, 3)."""
     joined, count = [], len(x)
     for (a, b), chain in zip(edges[is_gone].tolist(), chains, strict=True):
         stops = [a, *range(count, count + len(chain)), b]
@@ -195,7 +195,7 @@ def _replaced(
 
 
 def _middles(shape: Enclosure, a: np.ndarray, b: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """A point inside for the middle of each edge, and whether it is near enough to the edge to be on its way."""
+    """A point inside near the middle of each edge, and whether it is near enough to lead the edge over it."""
     middle = (a + b) / 2
     inner = middle.copy()
     is_out = shape.clearance(middle) < TOUCHING
@@ -212,9 +212,9 @@ def _middles(shape: Enclosure, a: np.ndarray, b: np.ndarray) -> tuple[np.ndarray
 
 
 def _inward(shape: Enclosure, points: np.ndarray) -> np.ndarray:
-    """For points outside or on the surface, the centre of the ball that touches it at the nearest triangle from inside.
+    """For points outside or on the surface: the centre of the ball that touches the nearest triangle from inside.
 
-    Samples of the surface tell how large it is; the ball is smaller where another triangle between them is nearer.
+    The ball is found among samples of the surface. If a triangle between samples is nearer, a smaller ball is taken.
     """
     _, triangle = shape.nearest(points)
     corner = shape.triangles[triangle]
@@ -226,7 +226,7 @@ def _inward(shape: Enclosure, points: np.ndarray) -> np.ndarray:
     clearance = shape.clearance(choice.reshape(-1, 3)).reshape(len(points), len(shallower))
     is_bounded = clearance >= 0.7 * depth[:, None] * shallower
     found = choice[np.arange(len(points)), is_bounded.argmax(axis=1)]
-    # Where the samples miss a wall that is far nearer, as of a plate of two triangles: half of the chord.
+    # Samples can miss a far nearer wall, such as the other side of a plate of two triangles: take half of the chord.
     rows = np.flatnonzero(~is_bounded.any(axis=1))
     chord = shape.ray_lengths(entry[rows], -normal[rows], depth[rows])
     found[rows] = entry[rows] - (chord / 2)[:, None] * normal[rows]

@@ -1,8 +1,8 @@
-"""From the curve as the flow left it to the finished one: inside, pruned, centred, and out to the ends of the limbs.
+"""From the flow's curve to the finished curve: inside, pruned, centred, and extended to the ends of the limbs.
 
-Each step is a pass: a function from a `Draft` to a `Draft`. The nodes of the flow that stay keep their order, and new
-ones come after them, so that whatever speaks of the flow's nodes (a loss on a replay, say) speaks of the same ones in
-the finished curve.
+Each step is a pass: a function from a `Draft` to a `Draft`. The flow's nodes that stay keep their order, and new nodes
+come after them. So a function of the flow's nodes, such as a loss on a replay, means the same nodes in the finished
+curve.
 """
 
 from collections.abc import Callable
@@ -18,23 +18,22 @@ from msf_jax.host.poles.roadmap import Roadmap
 from msf_jax.host.solid.enclosure import Enclosure
 from msf_jax.host.thin import missed_limbs, reeb_curve
 
-SPACING = 0.5  # radii, between the nodes of a finished curve
-MOST_NODES = 5_000  # that this may take, or they are farther apart
-SHARPEST = 40.0  # degrees, that a finished branch turns at a node
-HOLDS = 1.1  # of a node's ball: a junction whose ball is within that is none of its own place
-FIRST_ROUNDS = 2  # of centring, before it is decided what to prune; tips, too, set out from there
+SPACING = 0.5  # radii between the nodes of a finished curve
+MOST_NODES = 5_000  # nodes of a finished curve; if `SPACING` needs more, nodes are farther apart
+SHARPEST = 40.0  # degrees: largest turn of a finished branch at a node, where possible
+HOLDS = 1.1  # radii of a node: a junction whose ball is within this distance takes the place of the node
+FIRST_ROUNDS = 2  # rounds of centring before branches are pruned and leaves extended
 
 
 class Draft(NamedTuple):
     """A curve on its way to being finished.
 
-    vertices: (N, 3). edges: (E, 2). is_held: (N,) nodes that do not move. origin: (N,) the flow's node that each is,
-    in ascending order, and -1 for the new ones, which come last. node_of_flow: (n,) the node that stands for each of
-    the flow's: itself, or the junction that its branch was pruned from. place: (N, 3) where each was found at first,
-    or, of a junction, where it is to be. is_former_junction: (N,) those junctions, and what is left of them when their
-    branches are pruned. is_sparse: whether nodes are farther apart than they should be, as there would be too many.
-    num_pruned, num_grown: branches that were taken away as they are no limbs, and that the flow had lost, counted by
-    their ends.
+    vertices: (N, 3). edges: (E, 2). is_held: (N,) nodes that do not move. origin: (N,) the number of each node in the
+    flow's curve, ascending; -1 for new nodes, which come last. node_of_flow: (n,) the node for each of the flow's
+    nodes: itself, or the junction that its branch was pruned from. place: (N, 3) the first place of each node, or the
+    place wanted for a junction. is_former_junction: (N,) those junctions, also after their branches are pruned.
+    is_sparse: whether nodes are farther apart than `SPACING`, because of `MOST_NODES`. num_pruned, num_grown: branches
+    that were removed because they are no limbs, and that were added because the flow had missed them, counted by ends.
     """
 
     vertices: np.ndarray
@@ -49,7 +48,7 @@ class Draft(NamedTuple):
     num_grown: int = 0
 
     def changed(self, vertices: np.ndarray, edges: np.ndarray | None = None) -> "Draft":
-        """The same with its nodes moved, new ones last, and with other edges if they are given."""
+        """The draft with moved nodes, new ones last, and with other edges if they are given."""
         new = (0, len(vertices) - len(self.vertices))
         return self._replace(
             vertices=vertices,
@@ -66,12 +65,11 @@ class Draft(NamedTuple):
 
 
 class Job(NamedTuple):
-    """What a pass may ask.
+    """The inputs of all passes.
 
-    shape: the solid, of diagonal 1. coarse: much the same of fewer triangles, good enough to find the middle of.
-    prune: slenderness below which branches are pruned, 0 for none (see `limbs`). is_thin: whether limbs of the solid
-    are (see `poles.thickness`).
-    roadmap: ways through the solid. budget: of all centring.
+    shape: the solid, of diagonal 1. coarse: about the same surface with fewer triangles, fine enough for centring.
+    prune: slenderness below which branches are pruned, 0 for none (see `limbs`). is_thin: whether the solid has thin
+    limbs (see `poles.thickness`). roadmap: paths through the solid. budget: of all centring together.
     """
 
     shape: Enclosure
@@ -85,11 +83,11 @@ class Job(NamedTuple):
 class Finished(NamedTuple):
     """vertices (N, 3) and edges (E, 2) of the finished curve.
 
-    is_kept: (n,) which of the flow's nodes are in it, in their order, before all others.
-    target: (n,) the flow's node that stands for each: itself, or the junction that its branch was pruned from.
-    num_refused: edges outside that were left there, as a bound was hit. num_closed: those with no way inside.
-    is_cut_short: whether centring was left early, as its bound was hit. is_sparse, num_pruned, num_grown: see `Draft`.
-    node_of_vertex: (V,) where waves have made the curve, the node that each vertex of the solid goes to; else None.
+    is_kept: (n,) which of the flow's nodes are in it. They come first, in their order.
+    target: (n,) the flow's node that represents each: itself, or the junction that its branch was pruned from.
+    num_refused: edges left outside because a limit was reached. num_closed: edges without a path inside.
+    is_cut_short: whether centring ended early because of its budget. is_sparse, num_pruned, num_grown: see `Draft`.
+    node_of_vertex: (V,) for a Reeb curve, the node of each vertex of the solid; else None.
     """
 
     vertices: np.ndarray
@@ -106,7 +104,7 @@ class Finished(NamedTuple):
 
 
 def passes(centre: bool, extend: bool) -> list[Callable[[Draft, Job], Draft]]:
-    """The passes in their order; ``centre`` and ``extend`` switch those that belong to them."""
+    """The passes in their order; ``centre`` and ``extend`` switch the passes for these steps."""
     return [
         contained,
         looped,
@@ -143,14 +141,14 @@ def finish(
 ) -> Finished:
     """Finish the curve ``(nodes (n, 3), edges)`` of a solid of diagonal 1; nodes of ``is_held`` (n,) do not move.
 
-    Of a solid too coarse for the flow waves make another curve (see `thin.reeb_curve`), if both steps are wanted and no
-    node is held.
+    A solid that is too coarse for the flow gets a Reeb curve instead (see `thin.reeb_curve`), if ``centre`` and
+    ``extend`` are True and no node is held.
 
     ``prune`` is the slenderness below which branches are pruned; ``centre`` and ``extend`` switch those steps.
-    ``is_thin`` says that it has thin limbs, of which waves may make the curve. ``is_tangle`` says that the flow has
-    left a tangle, which no pass can mend: it stays as it is, unless waves make a curve. ``coarse`` is much the same
-    surface of fewer triangles, which is good enough to find the middle of. ``first`` is a pass that comes before all
-    others, and may say where the flow's nodes are to be.
+    ``is_thin`` says that the solid has thin limbs, and may get a Reeb curve. ``is_tangle`` says that the flow ended in
+    a tangle that no pass can repair: it stays as it is, unless there is a Reeb curve. ``coarse`` is about the same
+    surface with fewer triangles, fine enough for centring. ``first`` is a pass that comes before all others, and may
+    set the places of the flow's nodes.
     """
     job = Job(
         shape,
@@ -185,9 +183,9 @@ def finish(
 
 
 def _of_reeb_curve(laid: reeb_curve.ReebCurve, nodes: np.ndarray, job: Job) -> Finished:
-    """The curve that waves have ``laid``. Each of the flow's ``nodes`` (n, 3) is the one that is nearest to it; where
-    several are, the first stays. It is in the middle and out to the ends: centring and tips are left out. In its draft
-    the solid's vertices follow the nodes, in place of the flow's."""
+    """Finish the Reeb curve ``laid``. It is centred and reaches the limbs' ends, so centring and extension are left
+    out. Each of the flow's ``nodes`` (n, 3) becomes the nearest node of the curve; of several, the first stays. In the
+    draft, ``node_of_flow`` holds the solid's vertices instead of the flow's nodes."""
     x, num = laid.vertices, len(laid.vertices)
     none = np.zeros(num, dtype=bool)
     draft = Draft(x, laid.edges, none, np.arange(num), laid.node_of_vertex, x, none)
@@ -213,7 +211,7 @@ def _of_reeb_curve(laid: reeb_curve.ReebCurve, nodes: np.ndarray, job: Job) -> F
 
 
 def contained(draft: Draft, job: Job) -> Draft:
-    """Nodes and edges inside, without the ends that no way leads to."""
+    """Nodes and edges are inside; ends that no path inside leads to are removed."""
 
     def inside(draft: Draft) -> Draft:
         return draft.changed(*containment.contain(job.shape, draft.vertices, draft.edges, draft.is_held, job.roadmap))
@@ -226,14 +224,14 @@ def contained(draft: Draft, job: Job) -> Draft:
 
 
 def opened(draft: Draft, job: Job) -> Draft:
-    """With no loop but those around handles of the solid, one around each at most."""
+    """All loops go around handles of the solid, at most one around each."""
     if not job.shape.handles.genus:
         return draft
     return draft._replace(edges=draft.edges[loops.independent(job.shape, draft.vertices, draft.edges)])
 
 
 def looped(draft: Draft, job: Job) -> Draft:
-    """With a loop around every handle of the solid, and no other."""
+    """There is one loop around every handle of the solid, and no other loop."""
     draft = opened(draft, job)
     x, edges = draft.vertices, draft.edges
     missing = job.shape.handles.genus - branches.cycle_count(len(x), edges)[1]
@@ -244,13 +242,13 @@ def looped(draft: Draft, job: Job) -> Draft:
 
 
 def straightened(draft: Draft, job: Job, most: float = 90.0) -> Draft:
-    """No branch turns by more than ``most`` degrees at a node, if it need not."""
+    """Branches turn by at most ``most`` degrees at a node, where possible."""
     x = containment.straighten(job.shape, draft.vertices, draft.edges, draft.is_held, most)
     return draft.changed(_around(draft, job, x))
 
 
 def placed(draft: Draft, job: Job) -> Draft:
-    """With the places of junctions where the solid is roomiest, if that is near, or a ball there holds theirs."""
+    """Junctions get places: nearby points of largest clearance, or first a node whose ball contains theirs."""
     is_former_junction = (np.bincount(draft.edges.ravel(), minlength=len(draft.vertices)) > 2) & ~draft.is_held
     is_former_junction[is_former_junction] = job.coarse.contains(draft.place[is_former_junction])
     place = draft.place.copy()
@@ -270,7 +268,7 @@ def placed(draft: Draft, job: Job) -> Draft:
 def centred(
     draft: Draft, job: Job, rounds: int = centring.ROUNDS, hold_leaves: bool = False, is_far: bool = False
 ) -> Draft:
-    """Nodes in the middle of the solid."""
+    """Nodes are in the middle of the solid."""
     is_held = draft.is_held | draft.is_leaf() if hold_leaves else draft.is_held
     x = centring.centre(
         job.coarse,
@@ -287,9 +285,9 @@ def centred(
 
 
 def _around(draft: Draft, job: Job, x: np.ndarray) -> np.ndarray:
-    """Nodes ``x`` (N, 3) that a pass has moved, but for branches that would go around other handles then: those stay.
+    """Nodes ``x`` (N, 3) that a pass has moved; branches that would then go around other handles stay.
 
-    An edge goes around the same ones exactly if its class is the same, but for what the ways of its ends add.
+    An edge goes around the same handles exactly if its class changes by the classes of its ends' moves.
     """
     handles, before, x = job.shape.handles, draft.vertices, x.copy()
     if not handles.genus:
@@ -308,7 +306,7 @@ def _around(draft: Draft, job: Job, x: np.ndarray) -> np.ndarray:
 
 
 def merged(draft: Draft, job: Job) -> Draft:
-    """With one junction where several are well within one ball."""
+    """Junctions that are well within one ball are merged."""
     if not job.prune:
         return draft
     x = draft.vertices
@@ -319,7 +317,7 @@ def merged(draft: Draft, job: Job) -> Draft:
 
 
 def pruned(draft: Draft, job: Job) -> Draft:
-    """Without the branches that are no limbs."""
+    """Branches that are no limbs are removed."""
     if not job.prune:
         return draft
     x, e = draft.vertices, draft.edges
@@ -328,7 +326,7 @@ def pruned(draft: Draft, job: Job) -> Draft:
 
 
 def _left(draft: Draft, stays: np.ndarray, target: np.ndarray) -> Draft:
-    """The nodes that stay (N,); the others go to their ``target`` (N,)."""
+    """The draft with the nodes of ``stays`` (N,) only; the others are replaced by their ``target`` (N,)."""
     x, e, is_held = draft.vertices, draft.edges, draft.is_held
     rank = np.cumsum(stays) - 1
     left = rank[e[stays[e].all(axis=1)]]
@@ -345,30 +343,30 @@ def _left(draft: Draft, stays: np.ndarray, target: np.ndarray) -> Draft:
 
 
 def refined(draft: Draft, job: Job) -> Draft:
-    """With nodes about every ``SPACING`` radii."""
+    """Nodes are about ``SPACING`` radii apart."""
     x, edges, is_sparse = containment.refine(job.shape, draft.vertices, draft.edges, SPACING, MOST_NODES)
     return draft.changed(x, edges)._replace(is_sparse=is_sparse)
 
 
 def extended(draft: Draft, job: Job) -> Draft:
-    """Leaves at the ends of their limbs."""
+    """Leaves are at the ends of their limbs."""
     return draft.changed(*leaf_extension.extend(job.shape, draft.vertices, draft.edges, draft.is_held))
 
 
 def completed(draft: Draft, job: Job) -> Draft:
-    """With the thin limbs that the flow has lost."""
+    """Thin limbs that the flow has missed are added."""
     more = draft.changed(*missed_limbs.grow(job.coarse, draft.vertices, draft.edges))
     return more._replace(num_grown=int(more.is_leaf().sum() - draft.is_leaf().sum()))
 
 
 def coincident_merged(draft: Draft, job: Job) -> Draft:
-    """No edge twice, and none without length: cycles are cycles in space."""
+    """Coincident edges are merged, so every cycle is one in space."""
     stays, target, edges = branches.merge_coincident(draft.vertices, draft.edges, draft.is_held)
     return _left(draft._replace(edges=edges), stays, target)
 
 
 def corners_rounded(draft: Draft, job: Job) -> Draft:
-    """With corners that cannot be cut rounded within their balls."""
+    """Corners that could not be cut are rounded within their balls."""
     return draft.changed(*resampling.round_corners(job.shape, draft.vertices, draft.edges, draft.is_held, SHARPEST))
 
 
@@ -380,9 +378,9 @@ def in_order(edges: np.ndarray) -> np.ndarray:
 def nearest_on_branch(
     nodes: np.ndarray, edges: np.ndarray, points: np.ndarray, node_of_point: np.ndarray
 ) -> np.ndarray:
-    """Let each point (P, 3) go to the nearest node of its own branch; one at a junction, of any that meet there.
+    """The nearest node (P,) of each point (P, 3) on its own branch; for a point at a junction, on any branch there.
 
-    Nodes have moved along their branches, and there are new ones, since a point was given its node. Returns (P,) nodes.
+    ``node_of_point`` (P,) is the point's node from before nodes moved along their branches and new ones were added.
     """
     found = node_of_point.copy()
     least = np.full(len(points), np.inf)
@@ -391,9 +389,9 @@ def nearest_on_branch(
     for path in branches.trace(len(nodes), edges):
         own = np.concatenate([order[bounds[node] : bounds[node + 1]] for node in dict.fromkeys(path)])
         if len(own):
-            on_way = np.array(path)
-            away, place = spatial.KDTree(nodes[on_way]).query(points[own])
+            on_path = np.array(path)
+            away, place = spatial.KDTree(nodes[on_path]).query(points[own])
             is_nearer = away < least[own]
-            found[own[is_nearer]] = on_way[np.asarray(place)[is_nearer]]
+            found[own[is_nearer]] = on_path[np.asarray(place)[is_nearer]]
             least[own[is_nearer]] = away[is_nearer]
     return found

@@ -1,21 +1,21 @@
-"""Record how a finished curve hangs on its mesh, so that it can be followed when the vertices move.
+"""Record the binding of a finished curve to its mesh, so that the curve can follow moving vertices.
 
-What a node follows is what centring put it in the middle of: the cross-sections of its limb. Their corners are kept as
-fractions of mesh edges, so that a section moves, turns and bulges with the surface. Along a branch centroids c are
-smoothed by the energy of `centring`, with its weights w and its stiffness alpha at the curve as it is. Unlike there, w
-holds along the branch, too, so that nodes go with a limb that is stretched, and mu in the place of anchors carries on
-what no section governs:
+A node follows the cross-sections of its limb, in whose middle centring put it. Their corners are stored as fractions of
+mesh edges, so a section moves, turns and bulges with the surface. Along a branch, the centroids c are smoothed by the
+energy of `centring`, with its weights w and its stiffness alpha at the recorded curve. There are two differences: w
+also acts along the branch, so nodes go with a limb that is stretched; and a membrane mu instead of anchors carries
+along the nodes without a section:
 
-    minimise  sum_i w_i |x_i - c_i|^2  +  sum alpha_i |x_{i-1} - 2 x_i + x_{i+1}|^2  +  sum_ij mu_ij |x_i - x_j|^2,
+    minimise  sum_i w_i |x_i - c_i|^2  +  sum alpha_i |x_{i-1} - 2 x_i + x_{i+1}|^2  +  sum_ij mu_ij |x_i - x_j|^2.
 
-so x = a c for a constant matrix a, whose rows sum to one; at junctions and bare ends it has the sections around. What
-is left, o = x - a c at the recorded mesh, is in every node's own frame: the affine map F that fits best how the corners
-of the sections around it have moved. F o is linear in the vertices, F = C / S with
+So x = a c with a constant matrix a, whose rows sum to one. The remainder o = x - a c at the recorded mesh is carried in
+a frame of each node: the affine map F that best fits how the corners of the sections around it have moved. F o is
+linear in the vertices, F = C / S with
 
     C = sum_k beta_k (p_k - p_mean) (q_k - q_mean)^T,   S = the same with p = q,   q the recorded corners,
 
-so that it is a matrix b, too. Both reproduce every affine map of the mesh exactly. The vertices at a pin are its node's
-row of b, and it has no other.
+so it is a matrix b times the vertices. Both a and b reproduce every affine map of the mesh exactly. A pinned node has
+only the mean of its pins, as its row of b.
 """
 
 from typing import Any, NamedTuple
@@ -33,19 +33,19 @@ from msf_jax.host.solid.enclosure import Enclosure
 from msf_jax.host.solid.geometry import cross, unit, vertex_normals
 from msf_jax.host.solid.solid import Solid
 
-SLIGHT = 0.02  # a section of less weight is left out
+SLIGHT = 0.02  # least weight w of a section; sections of less are left out
 MEMBRANE = 0.01  # mu = MEMBRANE (size / h)^2, for nodes h apart in a limb of that size
-REACH = 1.0  # sizes along the branch, over which a frame is fitted
-FRAME_CORNERS = 12  # of each section, that a frame is fitted to
-FLATTEST = 1e-6  # of the eigenvalues of S, to the largest: along those of less o is kept as it was recorded
-SMALLEST = {"a": 1e-3, "b": 2e-2}  # entries of the smoothings under that part of the largest in their row are left out
-NOTHING = 1e-6  # as a share of a node
+REACH = 1.0  # limb sizes along the branch over which a frame is fitted
+FRAME_CORNERS = 12  # corners of each section that a frame is fitted to
+FLATTEST = 1e-6  # eigenvalues of S over the largest: along axes of smaller ones, o stays as recorded
+SMALLEST = {"a": 1e-3, "b": 2e-2}  # shares of a row's largest entry: smaller entries of the smoothings are left out
+NOTHING = 1e-6  # entries of a solved block below this are left out at once, to save memory
 
 
 class Surface(NamedTuple):
-    """The mesh that a curve is followed in.
+    """The mesh that a curve is bound to.
 
-    solid: as it was checked. vertex: (v,) the caller's vertex that each of the solid's is. node: (v,) that it went to.
+    solid: the checked mesh. vertex: (v,) the caller's number of each vertex of the solid. node: (v,) its node.
     """
 
     solid: Solid
@@ -53,14 +53,14 @@ class Surface(NamedTuple):
     node: np.ndarray
 
     def given(self, num: int) -> np.ndarray:
-        """The ``num`` vertices of the caller's mesh; at 0 those that are in no face, and move nothing."""
+        """The ``num`` vertices of the caller's mesh; vertices in no face have no effect, and are at 0."""
         vertices = np.zeros((num, 3))
         vertices[self.vertex] = self.solid.leave(self.solid.shape.vertices)
         return vertices
 
 
 class Corners(NamedTuple):
-    """Sections, one after the other: their corners (see `sections.Corners`), places (C, 3) and who is whose.
+    """The corners (C,) of S sections, one section after the other; section: (C,); tail, head, part: `sections.Corners`.
 
     is_loop: (S,) False for a cloud. centroid: (S, 3). area: (S,). node: (S,). weight: (S,) w.
     """
@@ -79,9 +79,9 @@ class Corners(NamedTuple):
 def record(
     surface: Surface, num: int, vertices: np.ndarray, edges: np.ndarray, pins_of_node: dict[int, np.ndarray]
 ) -> Binding:
-    """How the curve ``(vertices (N, 3), edges (E, 2))``, in the caller's units, hangs on ``surface``; without padding.
+    """The binding of the curve ``(vertices (N, 3), edges (E, 2))``, in the caller's units, to ``surface``; not padded.
 
-    ``num``: of the caller's vertices. ``pins_of_node``: those whose mean a node is, for the nodes that are pinned.
+    ``num``: number of the caller's vertices. ``pins_of_node``: for each pinned node, the vertices whose mean it is.
     """
     shape, x = surface.solid.shape, surface.solid.enter(vertices)
     inside = shape.contains(x)
@@ -164,9 +164,9 @@ def _sections(
     nearest: np.ndarray,
     is_held: np.ndarray,
 ) -> tuple[Corners, np.ndarray]:
-    """The sections of the nodes that one goes around, with weights as in `centring`, and the size of their limbs.
+    """The sections that go around nodes, with weights as in `centring`, and the size (N,) of the nodes' limbs.
 
-    ``size`` (N,) is what that is thought to be.
+    ``size`` (N,) is an estimate of the latter.
     """
     degree = np.bincount(edges.ravel(), minlength=len(x))
     tangent = unit(measures.chords(x, paths, size) @ x) if paths else np.zeros_like(x)
@@ -196,7 +196,7 @@ def _sections(
 
 
 def _areas(place: np.ndarray, section: np.ndarray, normals: np.ndarray) -> np.ndarray:
-    """(S,) enclosed by the corners at ``place`` (C, 3), around the sections' centroids."""
+    """(S,) the area inside each section's corners at ``place`` (C, 3), relative to the section's centroid."""
     first = np.searchsorted(section, section)
     is_last = np.r_[section[1:] != section[:-1], True]
     onward = place[np.where(is_last, first, np.arange(len(section)) + 1)] if len(section) else place
@@ -205,7 +205,7 @@ def _areas(place: np.ndarray, section: np.ndarray, normals: np.ndarray) -> np.nd
 
 
 def _with_clouds(surface: Surface, edges: np.ndarray, num: int, found: Corners) -> Corners:
-    """And for each component of the curve with fewer than two sections a cloud: all vertices that went to it."""
+    """Add a cloud for each component of the curve with fewer than two sections: all vertices that belong to it."""
     graph = sparse.coo_matrix((np.ones(len(edges)), (edges[:, 0], edges[:, 1])), shape=(num, num))
     component = csgraph.connected_components(graph, directed=False)[1]
     count = np.bincount(component[found.node], minlength=component.max() + 1)
@@ -238,7 +238,7 @@ def _smoothing(
     stiffness: float,
     membrane: float,
 ) -> sparse.csr_matrix:
-    """The matrix (N, S) that takes centroids to the minimum of the energy in the module's docstring."""
+    """The matrix (N, S) from centroids to the nodes that minimise the energy in the module's docstring."""
     num = len(x)
     size = np.maximum(size, 1e-3)
     gather: Any = sparse.coo_matrix(
@@ -261,7 +261,7 @@ def _smoothing(
         )
         matrix = matrix + bending.T @ sparse.diags(alpha) @ bending
     solve = linalg.splu((matrix + 1e-12 * sparse.eye(num)).tocsc())
-    # By blocks of sections: what is far from a section hardly hears of it, and is left out at once.
+    # Blocks of sections save memory: entries of nodes far from a section are tiny, and are left out at once.
     blocks = []
     for first in range(0, gather.shape[1], 256):
         block = solve.solve(gather[:, first : first + 256].toarray())
@@ -271,7 +271,7 @@ def _smoothing(
 
 
 def _pruned(matrix: Any, smallest: float) -> sparse.csr_matrix:
-    """Without the entries that are next to nothing, and with rows that sum to one, but empty ones."""
+    """The matrix without tiny entries, and with rows scaled to a sum of one; empty rows stay empty."""
     matrix = sparse.csr_matrix(matrix)
     row = np.repeat(np.arange(matrix.shape[0]), np.diff(matrix.indptr))
     largest = np.zeros(matrix.shape[0])
@@ -283,19 +283,19 @@ def _pruned(matrix: Any, smallest: float) -> sparse.csr_matrix:
 
 
 def _turning(surface: Surface, corners: Corners, beta: Any, offset: np.ndarray) -> sparse.csr_matrix:
-    """The matrix b (N, V): b V is F o, for ``offset`` (N, 3) o; ``beta`` (N, S) says what sections fit a node's F."""
+    """The matrix b (N, V) with b V = F o, for ``offset`` (N, 3) o; ``beta`` (N, S) has the sections' weights in F."""
     shape, num = surface.solid.shape, len(corners.section)
     place = shape.vertices[corners.tail]
     place = place + corners.part[:, None] * (shape.vertices[corners.head] - place)
     count = np.bincount(corners.section, minlength=len(corners.node))
-    # So many of each section, evenly, will do for a frame.
+    # A frame is fitted to a few corners of each section, evenly chosen.
     rank = np.arange(num) - np.searchsorted(corners.section, corners.section)
     most = np.minimum(count, FRAME_CORNERS)[corners.section]
     chosen = np.flatnonzero((rank + 1) * most // count[corners.section] > rank * most // count[corners.section])
     section = corners.section[chosen]
     share = 1 / np.bincount(section, minlength=len(corners.node))[section]
     spread = sparse.coo_matrix((share, (section, chosen)), shape=(len(corners.node), num))
-    weight: Any = (beta @ spread).tocoo()  # (N, C) of every corner in a node's frame
+    weight: Any = (beta @ spread).tocoo()  # (N, C) weight of every corner in a node's frame
     row, corner = weight.row, weight.col
     mean = weight @ place
     away = place[corner] - mean[row]
@@ -316,9 +316,9 @@ def _turning(surface: Surface, corners: Corners, beta: Any, offset: np.ndarray) 
 
 
 def _together(points: np.ndarray) -> np.ndarray:
-    """The order (P,) in which runs of `FACES_TOGETHER`, of twice that, four times ... are near each other.
+    """An order (P,) in which each run of `FACES_TOGETHER` points, of twice as many, and so on, is compact in space.
 
-    All are in one run at first. Each is then sorted along its longest side, and halved, until runs are short.
+    It begins with one run of all points. Each run is sorted along its longest side and halved, until runs are short.
     """
     order, length = np.arange(len(points)), FACES_TOGETHER
     while length < len(points):
@@ -335,8 +335,8 @@ def _together(points: np.ndarray) -> np.ndarray:
 
 
 def _is_behind(shape: Enclosure, x: np.ndarray, nearest: np.ndarray) -> np.ndarray:
-    """(N,) whether each node is on the inner side of the face, edge or corner of its ``nearest`` triangle (N,) that it
-    is nearest to, by the pseudonormal there; see `device.nearest`."""
+    """(N,) whether each node is on the inner side of its ``nearest`` triangle (N,), by the pseudonormal of the nearest
+    face, edge or corner; see `device.nearest`."""
     triangle = shape.triangles[nearest]
     along, offset = np.roll(triangle, -1, axis=1) - triangle, x[:, None] - triangle
     length2 = np.einsum("nki,nki->nk", along, along)
@@ -357,7 +357,7 @@ def _is_behind(shape: Enclosure, x: np.ndarray, nearest: np.ndarray) -> np.ndarr
 
 
 def _branches(num: int, edges: np.ndarray) -> np.ndarray:
-    """(E,) the branch that each of ``edges`` belongs to, of those of `branches.trace` that have edges."""
+    """(E,) the number of each edge's branch, among the branches of `branches.trace` that have edges."""
     if not len(edges):
         return np.zeros(0, dtype=np.int64)
     pairs = [

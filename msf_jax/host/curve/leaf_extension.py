@@ -1,8 +1,8 @@
-"""Carry the ends of a curve on to the ends of their limbs.
+"""Extend the leaves of a curve to the ends of their limbs.
 
-A contraction stops short: a tip shrinks away before the limb is thin. From a leaf the curve is marched on in small
-steps along the limb's axis, each followed by a step to the centroid of the cross-section, until the surface ahead is
-nearer than a part of the limb's radius.
+The contraction shortens limbs: a tip shrinks before its limb is thin. From a leaf the curve is extended in small steps
+along the limb's axis. Each step is followed by a move to the centroid of the cross-section. The extension ends where
+the surface ahead is nearer than a fraction of the limb's radius.
 """
 
 import itertools
@@ -16,16 +16,16 @@ from msf_jax.host.solid import sections
 from msf_jax.host.solid.enclosure import Enclosure
 from msf_jax.host.solid.geometry import arc_length, at, unit
 
-GAP = 0.3  # limb radii, that are left between the end of the curve and the surface ahead
-BACK = 1.0  # limb radii, by which a leaf is taken back first: the last bit of a contracted curve is bent
-STEP = 0.4  # limb radii, of one step
-TURN = 1.0  # step lengths, that a step goes sideways at most
-MOST_STEPS = 80
-MOST_STEPS_IN_A_LIMB = 1000  # where no curve is, in sections of a limb: a coarse mesh leaves hundreds of radii
+GAP = 0.3  # limb radii between the end of the curve and the surface ahead
+BACK = 1.0  # limb radii by which a leaf is first moved back, as the end of a contracted curve is bent
+STEP = 0.4  # limb radii: length of a step
+TURN = 1.0  # step lengths: largest sideways move of a step
+MOST_STEPS = 80  # steps of a leaf, near other nodes of the curve or without a cross-section of a limb
+MOST_STEPS_IN_A_LIMB = 1000  # steps of a leaf in all: on a coarse mesh hundreds of radii can be missing
 
 
 class Tip(NamedTuple):
-    """nodes: of the leaf's branch, from the leaf on. last: which of them it may be taken back to."""
+    """nodes: of the leaf's branch, from the leaf on. last: the position of the last one that may move."""
 
     nodes: np.ndarray
     last: int
@@ -36,7 +36,7 @@ def extend(
 ) -> tuple[np.ndarray, np.ndarray]:
     """The curve with its leaves at the ends of their limbs: nodes, new ones last, and edges.
 
-    The nodes of a leaf's branch are spread over its new course, from where it differs.
+    The nodes of a leaf's branch are spread evenly over its new part.
     """
     x = vertices.copy()
     degree = np.bincount(edges.ravel(), minlength=len(x))
@@ -44,7 +44,7 @@ def extend(
     for path in branches.trace(len(x), edges):
         for nodes in (np.array(path), np.array(path[::-1])):
             if degree[nodes[0]] == 1 and not is_held[nodes[0]]:
-                # A branch with two leaves can be taken back to its middle from both; a held node is not passed.
+                # A branch with two leaves can be moved back to its middle from both sides; held nodes stay.
                 last = (len(nodes) - 1) // 2 if degree[nodes[-1]] == 1 else len(nodes) - 1
                 tips.append(Tip(nodes, int(np.argmax(np.append(is_held[nodes[:last]], True)))))
     if not tips:
@@ -55,8 +55,8 @@ def extend(
     for (nodes, _), (kept, polyline) in zip(tips, polylines, strict=True):
         along = arc_length(polyline)
         if along[-1] < arc_length(vertices[nodes[: kept + 1]])[-1]:
-            continue  # no farther than before
-        # Nodes that were taken back lie on the course again, evenly; what they leave uncovered gets new nodes.
+            continue  # not longer than before
+        # Nodes that were moved back are spread over the new polyline; more nodes fill it to the usual spacing.
         moved = nodes[:kept]
         radius = max(float(radii[nodes[: kept + 1]].max()), 1e-300)
         num_new = max(0, int(np.ceil(along[-1] / (STEP * radius))) - len(moved))
@@ -71,7 +71,7 @@ def extend(
 
 
 def _march(shape: Enclosure, vertices: np.ndarray, radii: np.ndarray, tips: list[Tip]) -> list[tuple[int, np.ndarray]]:
-    """For each leaf, how many nodes of its branch are taken back, and the course (k, 3) from there to the end."""
+    """For each leaf, how many nodes of its branch are moved back, and the polyline (k, 3) from there to the end."""
     start, direction, limb, kept = [], [], [], []
     for nodes, last in tips:
         points, radius = vertices[nodes], radii[nodes]
@@ -99,7 +99,7 @@ def _march(shape: Enclosure, vertices: np.ndarray, radii: np.ndarray, tips: list
         off = found.centroid - goal
         length = np.linalg.norm(off, axis=1)
         is_limb = found.is_around & (found.radius < 2 * size[active])
-        # A turn of half a right angle at most in a step; and a cap's sections wander, so they count for less.
+        # A step turns by at most 45 degrees. Sections of a cap are unreliable, so they count less towards the end.
         share = np.minimum(1.0, TURN * step / np.maximum(length, 1e-300)) * np.clip(clearance / size[active], 0, 1)
         goal = goal + np.where(is_limb, share, 0.0)[:, None] * off
         is_open = (clearance > 0.02 * size[active]) & (
@@ -109,15 +109,15 @@ def _march(shape: Enclosure, vertices: np.ndarray, radii: np.ndarray, tips: list
             polylines[row].append(point)
         heading[active[is_open]] = unit(heading[active] + unit(goal - place[active]))[is_open]
         place[active[is_open]] = goal[is_open]
-        # A limb that tapers is followed with its own radius, but not into its cap.
+        # The radius follows a limb that tapers, but not into its cap.
         is_full = is_open & is_limb & (ahead > 2 * size[active])
         size[active[is_full]] = np.minimum(size[active], found.radius)[is_full]
-        # Where the way is barred, a shorter step may go round the bend.
+        # Where a step is blocked, a shorter one may follow the bend.
         stride[active] = np.where(is_open, np.minimum(2 * stride[active], STEP), stride[active] / 2)
-        has_way = (clearance > 0.02 * size[active]) & (stride[active] > STEP / 5)
+        goes_on = (clearance > 0.02 * size[active]) & (stride[active] > STEP / 5)
         if count >= MOST_STEPS:
-            has_way &= is_limb & (tree.query(place[active])[0] > size[active])
-        active = active[has_way]
+            goes_on &= is_limb & (tree.query(place[active])[0] > size[active])
+        active = active[goes_on]
         if not len(active):
             break
     return [(number, np.array(polyline)) for number, polyline in zip(kept, polylines, strict=True)]

@@ -1,22 +1,21 @@
-"""Which branches of a curve are limbs of the solid: how far each reaches out, over its own half width across.
+"""Which branches of a curve are limbs of the solid: a limb's length over its own half width across, its slenderness.
 
-A plane across a branch cuts the solid in a section, and half of the section's largest extent is how wide the limb is
-there: the radius of a tube, half the width of an ear or a blade, however thin those are. Where the section holds
-another part of the curve, the two are in one limb or in one sheet, and that place says nothing for a limb of its own.
-So the *slenderness* of a branch that ends in a leaf is
+A plane across a branch cuts the solid in a section. The half width w of the limb is half of the section's largest
+extent: the radius of a tube, or half the width of an ear or a blade of any thickness. A section that another part of
+the curve passes through belongs to a shared limb or sheet, and is no evidence for a limb of its own. So the
+*slenderness* of a branch that ends in a leaf is
 
     max over s of  (integral of w from the end of the limb to s) / (largest w from the end to s)^2,
 
-where w is the half width, and counts in the integral only where the section holds nothing else of the curve. It is the
-length of a limb of constant width that covers as much, over its half width: of a cylinder that sticks out by h from a
-larger body h / radius, of a cone or a wedge with the angle 2 a at its tip 1 / (2 tan a). A finger has 4 to 8, half a
-disc on a rim, or half a ball on a wall, pi / 4, the corner of a square plate 0.6, that of a cube 0.7 as far as its
-middle. All branches are kept or pruned by that one number; of equal ones the order of nodes decides. Where the
-section cannot be cut, the ball is as wide as the limb; what is outside adds nothing. A curve of which no ball is known
-keeps all its branches.
+where the integral takes only sections that no other part of the curve passes through. It is length over half width of a
+limb of constant width with the same integral. A cylinder that sticks out by h from a larger body has h / radius, a cone
+or a wedge with the angle 2 a at its tip 1 / (2 tan a). A finger has 4 to 8, half a disc on a rim, or half a ball on a
+wall, pi / 4, the corner of a square plate 0.6, and the corner of a cube, up to its centre, 0.7. Branches are kept or
+pruned by this number alone; the order of nodes breaks ties. Where there is no section, w is the ball's radius; nodes
+outside add nothing. If no radius is known, all branches are kept.
 
-It is related to the erosion thickness of a medial axis (Yan, Sykes, Chambers, Letscher, Ju 2016), which tells how far a
-part of the solid reaches against its thickness; here it is against its width, so that a sheet is one limb.
+It is related to the erosion thickness of a medial axis (Yan, Sykes, Chambers, Letscher, Ju 2016), which compares the
+extent of a part of the solid with its thickness. Slenderness compares it with the width, so a sheet is one limb.
 """
 
 import heapq
@@ -32,18 +31,18 @@ from msf_jax.host.solid import sections
 from msf_jax.host.solid.enclosure import Enclosure
 from msf_jax.host.solid.geometry import PAIRS_AT_ONCE, cross, repeated, unit
 
-LEAST_SHARE = 0.25  # of the ball at its junction, that a limb reaches out at least: less is roughness of the surface
-CHORD = 1.0  # radii, before and behind a node, between which its branch gives the direction across which it is cut
-AHEAD = 4.0  # radii, that are looked for a wall
-AT_ONCE = 500  # nodes, whose sections are in memory
+LEAST_SHARE = 0.25  # radii at the junction: least length of a limb; anything shorter is noise of the surface
+CHORD = 1.0  # radii before and after a node: ends of the chord that is the normal of its section
+AHEAD = 4.0  # radii: length of the rays that search for the surface
+AT_ONCE = 500  # nodes whose sections are cut together: bounds memory
 
 
 class Limbs(NamedTuple):
-    """What a solid says of the nodes of a curve.
+    """Measures of the solid at the nodes of a curve.
 
-    radius: (N,) of the largest ball. width: (N,) half of the section's largest extent; NaN where there is no section
-    around the node. ahead: (N,) from a leaf onward to the surface, 0 for other nodes. node, edge: (k,) pairs of a node
-    and an edge that goes through its section.
+    radius: (N,) of the largest ball. width: (N,) half of the section's largest extent; NaN if no section goes around
+    the node. ahead: (N,) distance from a leaf to the surface along its branch, 0 for other nodes. node, edge: (k,)
+    pairs of a node and an edge that passes through its section.
     """
 
     radius: np.ndarray
@@ -64,7 +63,7 @@ def limbs_of(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray) -> Limbs
     if not paths:
         return Limbs(radius, width, ahead, nothing, nothing)
     along = unit(branch_paths.chords(vertices, paths, CHORD * radius) @ vertices)
-    onward = np.zeros((num, 1))  # the chord of a branch points along it: into the solid at its beginning
+    onward = np.zeros((num, 1))  # sign of the outward direction: at the first node the chord points inward
     for path in paths:
         onward[path.nodes[0]], onward[path.nodes[-1]] = -1.0, 1.0
     leaf = np.flatnonzero((degree == 1) & (radius > 0) & along.any(axis=1))
@@ -81,7 +80,7 @@ def limbs_of(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray) -> Limbs
         width[part[found.is_around]] = extent[found.is_around]
         is_wide = np.bincount(corners.loop, minlength=len(part)) == 0  # in its plane no wall is near
         width[part[is_wide]] = sections.FARTHEST * radius[part[is_wide]]
-        # What of the curve is in a section: where an edge goes through its plane, within its loop.
+        # Edges of the curve in a section: those that cross its plane within its loop.
         rows = np.flatnonzero(found.is_around)
         height = (normal @ vertices.T - np.einsum("ni,ni->n", normal, x)[:, None])[rows]
         is_up = height >= 0
@@ -98,7 +97,7 @@ def limbs_of(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray) -> Limbs
 
 
 def limbs_without(vertices: np.ndarray, edges: np.ndarray, radii: np.ndarray) -> Limbs:
-    """The same for a curve whose solid is not known: every section is a disc of its node's radius, if that is known."""
+    """`Limbs` for a curve without its solid: every section is a disc of its node's radius, if that is known."""
     radii = radii if (radii > 0).any() else np.full(len(radii), np.nan)
     nothing = np.empty(0, dtype=np.int64)
     degree = np.bincount(edges.ravel(), minlength=len(vertices))
@@ -106,7 +105,7 @@ def limbs_without(vertices: np.ndarray, edges: np.ndarray, radii: np.ndarray) ->
 
 
 def _places(shape: Enclosure, corners: sections.Corners) -> np.ndarray:
-    """Where the corners are (C, 3)."""
+    """Coordinates of the corners (C, 3)."""
     share = corners.part[:, None]
     return (1 - share) * shape.vertices[corners.tail] + share * shape.vertices[corners.head]
 
@@ -114,8 +113,8 @@ def _places(shape: Enclosure, corners: sections.Corners) -> np.ndarray:
 def _outer(
     shape: Enclosure, x: np.ndarray, normal: np.ndarray, radius: np.ndarray, near: np.ndarray
 ) -> sections.Corners:
-    """The loops of sections around nodes ``x`` (P, 3), as `sections.corners` finds them. Of one that goes around a bore
-    instead of its node, that which a ray from the bore through the node comes to."""
+    """The outer loops of the sections at nodes ``x`` (P, 3). Where `sections.corners` finds the loop of a bore, the ray
+    from the bore through the node leads to the outer loop."""
     found = sections.corners(shape, x, normal, radius, near)
     hole = np.flatnonzero(found.is_closed & ~sections.measured(shape, x, normal, found).is_found)
     if not len(hole):
@@ -137,10 +136,10 @@ def _outer(
 
 
 def _within(point: np.ndarray, row: np.ndarray, normal: np.ndarray, loop: np.ndarray, place: np.ndarray) -> np.ndarray:
-    """(k,) whether each ``point`` (k, 3) of the plane of section ``row`` (k,) is within its loop: by the sum of angles.
+    """(k,) whether each ``point`` (k, 3) in the plane of section ``row`` (k,) is within its loop: by the sum of angles.
 
-    ``loop`` (C,) is the section of each corner, and ``place`` (C, 3) where it is; that, and points, from the section's
-    node on.
+    ``loop`` (C,) is the section of each corner, and ``place`` (C, 3) its coordinates. These and points are relative to
+    the section's node.
     """
     size = np.bincount(loop, minlength=len(normal))
     first = np.cumsum(size) - size
@@ -158,14 +157,14 @@ def _within(point: np.ndarray, row: np.ndarray, normal: np.ndarray, loop: np.nda
 
 
 class Pruning:
-    """The branches of a curve while the least slender are taken away.
+    """The branches of a curve while the least slender are removed.
 
-    Edges of one branch are a set of a union-find structure, so that two branches become one in no time however long
-    they are, and a branch is walked along no farther than it takes to decide.
+    The edges of a branch are a set of a union-find structure, so two branches of any length are joined in constant
+    time. A branch is followed only until its slenderness is known to be enough.
 
     Args:
-        vertices, edges: of the curve, (N, 3) and (E, 2); an edge that is there twice counts once.
-        limbs: what the solid says of its nodes.
+        vertices, edges: of the curve, (N, 3) and (E, 2); a duplicate edge counts once.
+        limbs: measures of the solid at the nodes.
     """
 
     def __init__(self, vertices: np.ndarray, edges: np.ndarray, limbs: Limbs):
@@ -177,14 +176,14 @@ class Pruning:
         pairs = edges.tolist()
         for edge, (a, b) in enumerate(pairs):
             self._beside[a][b] = self._beside[b][a] = self._beside[a].get(b, edge)
-        self._through: dict[int, set[int]] = {}  # node: edges that go through its section
-        self._sections: dict[int, list[int]] = {}  # edge: nodes whose sections it goes through
+        self._through: dict[int, set[int]] = {}  # node: edges that pass through its section
+        self._sections: dict[int, list[int]] = {}  # edge: nodes whose sections it passes through
         for node, twin in zip(limbs.node.tolist(), limbs.edge.tolist(), strict=True):
             edge = self._beside[pairs[twin][0]][pairs[twin][1]]
             self._through.setdefault(node, set()).add(edge)
             self._sections.setdefault(edge, []).append(node)
-        self._above = list(range(len(pairs)))  # of an edge, another of its branch; the last one stands for the branch
-        self._ends = pairs  # of the branch that an edge stands for: two nodes, none of a loop without a junction
+        self._above = list(range(len(pairs)))  # parent of each edge in the union-find tree; a root stands for a branch
+        self._ends = pairs  # the two end nodes of each root's branch; none for a loop without a junction
         for node, beside in enumerate(self._beside):
             if len(beside) == 2:
                 self._join(node)
@@ -194,11 +193,11 @@ class Pruning:
         return [node for node, beside in enumerate(self._beside) if len(beside) == 1]
 
     def branch(self, leaf: int) -> list[int]:
-        """The nodes from ``leaf`` to where its branch ends: a junction, or another leaf."""
+        """The nodes from ``leaf`` to the end of its branch: a junction or another leaf."""
         return [leaf, *(node for node, _ in self._walk(leaf))]
 
     def slenderness(self, leaf: int, enough: float = np.inf) -> float:
-        """Of the branch that ends in ``leaf``, or at least ``enough`` where it is; infinite without a junction."""
+        """Of the branch that ends in ``leaf``, or some value of at least ``enough``; infinite without a junction."""
         own = self._branch_of(leaf)
         junction = next((end for end in self._ends[own] if len(self._beside[end]) > 2), None)
         if junction is None:
@@ -210,7 +209,7 @@ class Pruning:
         for (node, step, here), (_, _, after) in itertools.pairwise(cells):
             if all(self._branch_at(other) == own for other in self._through.get(node, ())):
                 length, area = length + (last_step + step) / 2, area + (last_step + step) / 2 * here
-            # A cell ends half an edge on. There a smooth limb is wider, as it was before, but no more than it will be.
+            # A cell ends at the middle of an edge: the width there follows the slope so far, up to the nodes' mean.
             rise = (here - last) / last_step if last_step else rise
             width = max(width, here, min(here + rise * step / 2, (here + after) / 2))
             if length >= least and width > 0:
@@ -221,7 +220,7 @@ class Pruning:
         return most if most >= 0 else np.inf if np.isnan(width) else 0.0
 
     def take_away(self, leaf: int) -> set[int]:
-        """Take the branch of a leaf away, but for its junction; the leaves whose slenderness may be another now."""
+        """Remove the branch of a leaf up to its junction; returns the leaves whose slenderness may have changed."""
         touched, nodes = set(), self.branch(leaf)
         for a, b in itertools.pairwise(nodes):
             edge = self._beside[a].pop(b)
@@ -236,9 +235,9 @@ class Pruning:
         return {end for branch in found for end in self._ends[branch] if len(self._beside[end]) == 1}
 
     def _cells(self, leaf: int, junction: int) -> Iterator[tuple[int, float, float]]:
-        """Of each node from ``leaf`` on, but for the junction: it, the length of the edge onward, and how wide it is.
+        """For each node from ``leaf`` to before the junction: the node, the length of its next edge, its half width.
 
-        A section that is wide, or narrow, at one node only is cut askew: the median of three does not see it.
+        A width that stands out at a single node is a section cut askew; a median of three removes it.
         """
         node, before = leaf, self._width[leaf]
         for onward, edge in self._walk(leaf):
@@ -248,7 +247,7 @@ class Pruning:
             node, before = onward, here
 
     def _walk(self, leaf: int) -> Iterator[tuple[int, int]]:
-        """The nodes after ``leaf`` on its branch, each with the edge that leads there."""
+        """The nodes after ``leaf`` on its branch, each with the edge before it."""
         node, last = leaf, -1
         while True:
             onward, edge = next(each for each in self._beside[node].items() if each[1] != last)
@@ -258,11 +257,11 @@ class Pruning:
             node, last = onward, edge
 
     def _branch_of(self, node: int) -> int:
-        """The edge that stands for the branch of a node with one edge or two."""
+        """The root edge of the branch of a node with one or two edges."""
         return self._branch_at(next(iter(self._beside[node].values())))
 
     def _branch_at(self, edge: int) -> int:
-        """The edge that stands for the branch of ``edge``."""
+        """The root edge of the branch of ``edge``."""
         above = self._above
         while above[edge] != edge:
             above[edge] = above[above[edge]]
@@ -270,7 +269,7 @@ class Pruning:
         return edge
 
     def _join(self, node: int) -> None:
-        """Make the branches one that meet at a ``node`` with two edges."""
+        """Join the two branches that meet at a ``node`` with two edges."""
         one, other = (self._branch_at(edge) for edge in self._beside[node].values())
         ends = [end for branch in {one, other} for end in self._ends[branch] if end != node]
         self._above[one], self._ends[other] = other, ends
@@ -292,11 +291,11 @@ def measure(vertices: np.ndarray, edges: np.ndarray, limbs: Limbs, share: np.nda
 def prune(
     vertices: np.ndarray, edges: np.ndarray, limbs: Limbs, least: float, is_held: np.ndarray | None = None
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Take away branches of a slenderness below ``least``, the least slender first, until none is left.
+    """Remove branches with a slenderness below ``least``, the least slender first, until none is left.
 
-    Each time those that it bears on are measured again: where two branches remain at a junction they become one, and a
-    section that held the branch is free. A branch with a node of ``is_held`` (N,) beyond its junction stays. Returns
-    which nodes stay (N,), and the node that each goes to (N,): itself, or the junction that its branch grew out of.
+    After each removal the affected branches are measured again: two branches that remain at a junction become one, and
+    sections lose the removed branch. A branch with a node of ``is_held`` (N,) besides its junction stays. Returns which
+    nodes stay (N,), and the target of each node (N,): itself, or the junction that its branch began at.
     """
     stays, target = np.ones(len(vertices), dtype=bool), np.arange(len(vertices))
     held = set() if is_held is None else set(np.flatnonzero(is_held).tolist())
@@ -304,7 +303,7 @@ def prune(
     known: dict[int, float] = {}
     queue: list[tuple[float, int]] = []
 
-    def look(leaf: int) -> None:
+    def measure_branch(leaf: int) -> None:
         known[leaf] = pruning.slenderness(leaf, least)
         if known[leaf] < least:
             if held.isdisjoint(pruning.branch(leaf)[:-1]):
@@ -313,7 +312,7 @@ def prune(
                 known[leaf] = np.inf
 
     for leaf in pruning.leaves():
-        look(leaf)
+        measure_branch(leaf)
     while queue:
         value, leaf = heapq.heappop(queue)
         if known.get(leaf) != value:
@@ -323,7 +322,7 @@ def prune(
         stays[nodes[:-1]] = False
         target[nodes[:-1]] = nodes[-1]
         for other in pruning.take_away(leaf):
-            look(other)
+            measure_branch(other)
     while (target != target[target]).any():
         target = target[target]
     return stays, target

@@ -1,12 +1,12 @@
-"""A loop around every handle of the solid: the false ones are cut open, and the missing ones laid.
+"""One loop of the curve around every handle of the solid: false loops are cut open, and missing ones are added.
 
-The flow carries on its edges which loops of the surface vanish in the solid, so its graph has a cycle for every handle.
-But where its nodes come to be is another matter: on a coarse or thin solid they slide across holes, and a cycle may go
-around nothing in space. A cycle that goes around no handle, or around none but those that others go around already, is
-cut at its longest edge. For a handle that is left, the shortest path inside that leads from the curve around it and
-back to the curve is added. It is found as the shortest loops of a surface are (Erickson, Whittlesey 2005): every edge
-of a roadmap of the solid (see `roadmap`) closes one loop with a forest of shortest paths from the curve; the shortest
-is taken whose linking numbers do not depend on those of the loops that are there.
+The flow tracks, on its edges, which loops of the surface vanish in the solid, so its graph has a cycle for each handle.
+But on a coarse or thin solid its nodes can slide across holes, and then a cycle may go around nothing in space. A cycle
+is cut at its longest edge if it goes around no handle, or only around handles of other cycles. For each remaining
+handle, the shortest path inside from the curve, around the handle and back to the curve is added. The search is like
+that for the shortest loops of a surface (Erickson, Whittlesey 2005). Every edge of a roadmap of the solid (see
+`roadmap`) closes one loop with a forest of shortest paths from the curve. The shortest loop is taken whose linking
+numbers are independent of those of the present loops.
 """
 
 from typing import NamedTuple
@@ -21,21 +21,21 @@ from msf_jax.host.solid.enclosure import Enclosure
 from msf_jax.host.solid.geometry import signed_volume
 from msf_jax.host.solid.handles import along_forest, shortest_forest
 
-PRIME = 2**31 - 1  # numbers are compared modulo that: a rank is too small if it divides a minor, which is unlikely
-FACTORS = (2, 3)  # modulo these, too, the rank of loops that each go around something once is the same
-AT_ONCE = 8  # loops that are laid in one round, at least; of many more a quarter
+PRIME = 2**31 - 1  # modulus of linear algebra: a rank is too small only if it divides a minor, which is unlikely
+FACTORS = (2, 3)  # moduli with a smaller rank if loops go around handles several times
+AT_ONCE = 8  # loops added in a round: at least so many, or a quarter of the missing ones
 
 
 class Span:
-    """The vectors that are combinations of some given ones, as far as integers modulo a ``prime`` tell."""
+    """The span of integer vectors modulo a ``prime``."""
 
     def __init__(self, size: int, prime: int = PRIME):
         self._prime = prime
-        self._rows = np.empty((0, size), dtype=np.int64)  # each has a 1 at its pivot, where all others have a 0
+        self._rows = np.empty((0, size), dtype=np.int64)  # reduced rows: 1 at the own pivot, 0 at other pivots
         self._pivots: list[int] = []
 
     def adds(self, vector: np.ndarray) -> bool:
-        """Whether ``vector`` (size,) depends on none of those that were given before; then it is one of them."""
+        """Whether ``vector`` (size,) is outside the span; then it is added."""
         left = vector.astype(np.int64) % self._prime
         left = (left - (left[self._pivots, None] * self._rows % self._prime).sum(axis=0)) % self._prime
         where = np.flatnonzero(left)
@@ -51,9 +51,9 @@ class Span:
 class Proof(NamedTuple):
     """rank: independent handles of the solid that a curve's cycles go around.
 
-    none, again, several, outside: (k,) edges of the curve, each in a cycle that goes around no handle, or only around
-    handles that the cycles before it go around, or around one several times (twice, or once more than twice what those
-    before it do, say: then they are no basis of the solid's loops), or that leaves the solid, which proves nothing.
+    The rest are edges (k,) of the curve, one for each doubtful cycle. none: it goes around no handle. again: it depends
+    on the cycles before it. several: it goes around a handle several times, also after cycles before it are subtracted,
+    so the cycles are no basis of the solid's loops. outside: it leaves the solid, which proves nothing.
     """
 
     rank: int
@@ -66,8 +66,8 @@ class Proof(NamedTuple):
 def proof(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray, node_of_vertex: np.ndarray | None = None) -> Proof:
     """Which cycles of the curve ``(vertices (N, 3), edges (E, 2))`` go around handles of the solid ``shape``.
 
-    Where that has several components, which may overlap, each part of the curve is asked about its own: the one whose
-    vertices go to its nodes by ``node_of_vertex`` (V,), or else the smallest that it is in.
+    If the solid has several components, which may overlap, each part of the curve is tested in its own component: that
+    of the vertices that ``node_of_vertex`` (V,) maps to its nodes, or else the smallest that contains it.
     """
     closing = np.flatnonzero(~shortest_forest(len(vertices), edges, np.zeros(len(edges))))
     part = _parts(len(vertices), edges)
@@ -98,9 +98,9 @@ def proof(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray, node_of_ver
 def _solids(
     shape: Enclosure, x: np.ndarray, part: np.ndarray, is_asked: np.ndarray, node_of_vertex: np.ndarray | None
 ) -> list[tuple[Enclosure, np.ndarray]]:
-    """Components of the solid, each with which parts of the curve are its own, of those that are asked about.
+    """Components of the solid, each with a mask (N,) over parts of the curve: those of ``is_asked`` that belong to it.
 
-    ``part`` (N,) is that of each node, ``is_asked`` (N,) and the answers are for each part.
+    ``part`` (N,) is the part of each node; ``is_asked`` (N,) is indexed by part.
     """
     if not is_asked.any():
         return []
@@ -139,16 +139,16 @@ def _parts(num: int, *pairs: np.ndarray) -> np.ndarray:
 
 
 def _lengths(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """(E,) the length of each edge, more than all together for one outside, and which those are."""
+    """(E,) the length of each edge, plus the total length for an edge outside, and which edges are outside."""
     a, b = vertices[edges[:, 0]], vertices[edges[:, 1]]
     length, is_out = np.linalg.norm(a - b, axis=1), ~is_inside(shape, a, b)
     return length + np.where(is_out, length.sum(), 0.0), is_out
 
 
 def independent(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray) -> np.ndarray:
-    """(E,) which edges stay when each cycle that goes around no handle of its own is cut at its longest edge.
+    """(E,) which edges stay if each cycle that depends on others, or goes around no handle, is cut at its longest edge.
 
-    An edge outside counts as longer than all others.
+    An edge outside counts as longer than all edges inside.
     """
     length, _ = _lengths(shape, vertices, edges)
     closing, windings = shape.handles.windings(vertices, edges, length)
@@ -159,8 +159,8 @@ def independent(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray) -> np
 
 
 def completed(roadmap: Roadmap, vertices: np.ndarray, edges: np.ndarray, missing: int) -> tuple[np.ndarray, np.ndarray]:
-    """The curve with ``missing`` more loops, each around a handle that none goes around yet: nodes, new ones last, and
-    edges. There are fewer of them where the roadmap has no such loop."""
+    """The curve with ``missing`` more loops, each around a handle without a loop: nodes, new ones last, and edges.
+    Fewer are added if the roadmap has no more such loops."""
     handles, is_complete = roadmap.shape.handles, False
     while missing:
         part = _parts(len(vertices), edges)
@@ -176,7 +176,7 @@ def completed(roadmap: Roadmap, vertices: np.ndarray, edges: np.ndarray, missing
         )
         laid, most = 0, max(AT_ONCE, missing // 4)
         for start, end, path in roadmap.loops_from(vertices, edges, is_complete):
-            if part[start] != part[end]:  # no loop
+            if part[start] != part[end]:  # it joins two parts of the curve, and closes no loop
                 continue
             polyline = np.concatenate([vertices[start][None], path, vertices[end][None]])
             winding = potential[start] - potential[end] + handles.linking(polyline[:-1], polyline[1:]).sum(axis=0)

@@ -1,5 +1,5 @@
-"""Other nodes on the same curve: spread evenly along its branches, smoothed, or with its corners rounded; all of them
-keep it inside its solid."""
+"""Move the nodes of a curve: spread them evenly along its branches, smooth it, or round its corners. All of these keep
+the curve inside its solid."""
 
 import itertools
 from math import comb
@@ -11,14 +11,14 @@ from msf_jax.host.solid.enclosure import Enclosure
 from msf_jax.host.solid.geometry import arc_length, at, unit
 from msf_jax.host.solid.solid import Solid
 
-ROUNDINGS = 4  # rounds, each of all corners that are left
-REACH = 0.9  # of its ball, within which the course about a corner is made anew
-LEGS = 3  # points of the course on either side of the corner, and at it, that lead the curve
-FINE = 65  # points of the curve, of which its nodes are chosen:
-EVEN = 0.3  # by the length between them so much, the rest by the turn
-SPARE = 0.75  # of the sharpest turn, that a node is meant to have
-ENDS = 0.2  # of the way to the corner, within which a node that is there will do for the beginning or the end
-CLOSEST = 0.01  # balls, between two nodes: a corner that has room for less stays
+ROUNDINGS = 4  # rounds, each over all corners that are left
+REACH = 0.9  # clearances of a corner: the curve is replaced within this arc length of it
+LEGS = 3  # control points of the Bezier curve on each side of the corner, with the corner itself
+FINE = 65  # points at which the Bezier curve is evaluated, to place its nodes
+EVEN = 0.3  # share of arc length in the spacing of its nodes; the rest is by turning
+SPARE = 0.75  # mean turn at these nodes, over the sharpest allowed turn
+ENDS = 0.2  # fraction of the distance to the corner: a node so near to either end of the replaced part becomes its end
+CLOSEST = 0.01  # clearances between two nodes: a corner that would need a smaller distance stays
 
 
 def resample(
@@ -29,7 +29,7 @@ def resample(
     Ends of branches and nodes of ``is_held`` (N,) stay. An edge that would leave ``solid`` is bisected.
 
     Returns:
-        The nodes, the edges, and the new node (N,) of each old one.
+        The nodes, the edges, and the new node (N,) of each old node.
     """
     degree = np.bincount(edges.ravel(), minlength=len(vertices))
     is_end = (degree != 2) | is_held
@@ -44,9 +44,9 @@ def resample(
             along = arc_length(vertices[nodes])
             num = max(1, round(along[-1] / spacing))
             if ends[0] == ends[1]:
-                num = max(3, num)  # a loop needs three edges,
+                num = max(3, num)  # a loop needs three edges
             elif num == 1 and ends in joined_ends:
-                num = 2  # and of two branches with the same ends one needs a node of its own
+                num = 2  # of two branches with the same ends, one needs an inner node
             joined_ends.add(ends)
             polylines.append((nodes, along))
             stops.append(_stops_inside(vertices[nodes], along, num, solid))
@@ -69,9 +69,9 @@ def nearest_of(stops: np.ndarray, along: np.ndarray) -> np.ndarray:
 
 
 def _stops_inside(points: np.ndarray, along: np.ndarray, num: int, solid: Solid | None) -> np.ndarray:
-    """Arc lengths of the ends of ``num`` edges or more along ``points`` (k, 3), as few as it takes to stay inside.
+    """Arc lengths of the ends of at least ``num`` edges along ``points`` (k, 3), as few as stay inside.
 
-    Where many have to be bisected, fewer shorter ones may do: so a larger spacing never takes more nodes.
+    Instead of many bisections, a few more equal edges may be enough. So a larger spacing never needs more nodes.
     """
     fewest = _bisected(points, along, num, solid)
     while num + 1 < len(fewest) - 1:
@@ -81,8 +81,8 @@ def _stops_inside(points: np.ndarray, along: np.ndarray, num: int, solid: Solid 
 
 
 def _bisected(points: np.ndarray, along: np.ndarray, num: int, solid: Solid | None) -> np.ndarray:
-    """Arc lengths of the ends of ``num`` edges of one length, those outside bisected: at the middle one of the old
-    nodes, as long as there is one."""
+    """Arc lengths of the ends of ``num`` equal edges; those outside are bisected at the middle one of the old nodes
+    between their ends, until none is outside or no old node is left."""
     stops = np.linspace(0, along[-1], num + 1)
     while solid is not None:
         entered = solid.enter(at(points, along, stops))
@@ -99,10 +99,10 @@ def _bisected(points: np.ndarray, along: np.ndarray, num: int, solid: Solid | No
 def smooth(
     vertices: np.ndarray, edges: np.ndarray, radii: np.ndarray, rounds: int, is_held: np.ndarray, solid: Solid | None
 ) -> tuple[np.ndarray, np.ndarray]:
-    """The curve after ``rounds`` in which nodes go half of the way to the middle of their two neighbours.
+    """The curve after ``rounds`` in which each node moves half of the distance to the middle of its two neighbours.
 
     Ends of branches and nodes of ``is_held`` (N,) stay, and so does a node that would leave ``solid`` or lose half of
-    its radius. Returns the nodes, new ones last where an edge had to be led through the solid, and the edges.
+    its radius. Returns the nodes and the edges; an edge that would leave the solid gets new nodes, which come last.
     """
     x = vertices.copy()
     degree = np.bincount(edges.ravel(), minlength=len(x))
@@ -110,7 +110,7 @@ def smooth(
     for _ in range(rounds):
         goal = x.copy()
         for path in paths:
-            nodes = path[:-1] + path[:2] if degree[path[0]] == 2 else path  # a loop has no ends that stay
+            nodes = path[:-1] + path[:2] if degree[path[0]] == 2 else path  # a loop has no fixed ends
             goal[nodes[1:-1]] = x[nodes[1:-1]] / 2 + (x[nodes[:-2]] + x[nodes[2:]]) / 4
         is_safe = ~is_held
         if solid is not None:
@@ -127,9 +127,9 @@ def round_corners(
 ) -> tuple[np.ndarray, np.ndarray]:
     """The curve with corners that turn by more than ``most`` degrees rounded: its nodes, new ones last, and its edges.
 
-    Within the ball around a corner the curve may run as it likes, for the ball is convex and inside. There the course
-    becomes the control polygon of a Bezier curve, which turns no more than that does in all, and nowhere at once. Its
-    nodes are those that were there, and as many more as it takes. Ends of branches and nodes of ``is_held`` (N,) stay.
+    The ball around a corner is convex and inside, so any curve within it is inside. There the curve is replaced by the
+    Bezier curve with the old polyline as its control polygon. Its total turn is no larger, and it has no corner. It
+    uses the old nodes there, and new ones as needed. Ends of branches and nodes of ``is_held`` (N,) stay.
     """
     x = vertices
     for _ in range(ROUNDINGS):
@@ -144,7 +144,7 @@ def round_corners(
         for path in branches.trace(len(x), edges):
             nodes = np.array(path)
             corners = nodes[clearance[nodes] > 0]
-            if len(corners) and nodes[0] == nodes[-1] and turn[nodes[0]] > 0:  # a ring: to begin where it is straight
+            if len(corners) and nodes[0] == nodes[-1] and turn[nodes[0]] > 0:  # a ring begins at its straightest node
                 first = int(turn[nodes].argmin())
                 nodes = np.r_[nodes[first:-1], nodes[: first + 1]]
             for corner in corners[np.argsort(-turn[corners], kind="stable")]:
@@ -157,7 +157,7 @@ def round_corners(
 
 
 def turns(vertices: np.ndarray, edges: np.ndarray) -> np.ndarray:
-    """(N,) degrees by which the curve turns at its nodes; 0 where there are other than two edges."""
+    """(N,) degrees by which the curve turns at its nodes; 0 for nodes without exactly two edges."""
     inner, before, after = containment.between(len(vertices), edges)
     found = np.zeros(len(vertices))
     found[inner] = _angles(vertices[inner] - vertices[before], vertices[after] - vertices[inner])
@@ -165,7 +165,7 @@ def turns(vertices: np.ndarray, edges: np.ndarray) -> np.ndarray:
 
 
 def _angles(one: np.ndarray, other: np.ndarray) -> np.ndarray:
-    """Degrees (n,) between vectors (n, 3), 0 where one of them has no length."""
+    """Degrees (n,) between vectors (n, 3), 0 if one of them is zero."""
     found = np.degrees(np.arccos(np.clip(np.einsum("ni,ni->n", unit(one), unit(other)), -1.0, 1.0)))
     return np.where(one.any(axis=1) & other.any(axis=1), found, 0.0)
 
@@ -173,19 +173,19 @@ def _angles(one: np.ndarray, other: np.ndarray) -> np.ndarray:
 def _round_corner(
     x: np.ndarray, nodes: np.ndarray, corner: int, clearance: float, is_fixed: np.ndarray, most: float
 ) -> tuple[np.ndarray, np.ndarray]:
-    """The nodes (N, 3) of a curve, new ones last, and those of a branch (k,), with one ``corner`` rounded in its ball.
+    """Round one ``corner`` of a branch within its ball: the curve's nodes (N, 3), new ones last, and the branch's (k,).
 
-    Nodes of ``is_fixed`` stay, and those that are too new to be among them; what is rounded comes to be fixed.
+    Nodes of ``is_fixed`` and nodes that are newer than it stay. The nodes of a rounded corner become fixed.
     """
     here = int(np.flatnonzero(nodes == corner)[0])
     is_end = np.append(is_fixed, True)[np.minimum(nodes, len(is_fixed))]
     is_end[[0, -1]] = True
-    if is_end[here]:  # another has been rounded near by, or a ring begins here: the next round looks at it
+    if is_end[here]:  # fixed by another corner near by, or the start of a ring: left to the next round
         return x, nodes
     along, ends = arc_length(x[nodes]), np.flatnonzero(is_end)
     low, high = ends[ends < here].max(), ends[ends > here].min()
     first, last = max(along[low], along[here] - REACH * clearance), min(along[high], along[here] + REACH * clearance)
-    begin = max(low, np.searchsorted(along, first))  # the nodes between; others may be in one place with an end
+    begin = max(low, np.searchsorted(along, first))  # first of the nodes between; some may coincide with an end
     end = min(high + 1, np.searchsorted(along, last, side="right"))
     has_first = along[begin] <= first + ENDS * (along[here] - first)
     has_last = along[end - 1] >= last - ENDS * (last - along[here])

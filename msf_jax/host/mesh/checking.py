@@ -1,8 +1,8 @@
-"""Validation: read a mesh, check it, repair what can be repaired without a doubt, refuse the rest by name.
+"""Validation: read a mesh, check it, make the repairs that are never in doubt, refuse other faults with a message.
 
-A surface that passes is closed, consistently oriented outwards, manifold at edges and vertices, and encloses a volume.
-Repairs made here, each one listed for the report: coincident vertices of an open mesh are welded, vertices without a
-face dropped, a component turned inside out is flipped, a vertex where several fans meet is split into one per fan.
+A valid surface is closed, consistently oriented outwards, manifold at edges and vertices, and encloses a volume. The
+repairs made here are listed in the report: coincident vertices of an open mesh are welded, vertices without a face
+dropped, components that are inside out flipped, vertices where several fans meet split into one per fan.
 """
 
 from dataclasses import dataclass, replace
@@ -39,15 +39,15 @@ class Surface:
 
     vertices: (V, 3) and faces: (F, 3) of the whole repaired surface, in the caller's units.
     components: its parts, whose vertices are ``vertices[members[c]]``.
-    vertex_of_input: (V_in,) where every vertex of the caller's mesh went, -1 if it is in no face, or was swallowed
-        when parts were joined.
-    input_of_vertex: (V,) the caller's vertex that each comes from; of welded ones, the first; for one that was made
-        where parts were joined, the nearest that is left, and for one of a skirt, the one that it was carried from.
-    is_made: (V,) which those are.
-    strays: (S, 3) the vertices that went nowhere, in the caller's order.
-    repairs: what was changed, one sentence each.
-    given: vertices and faces as the caller's mesh has them.
-    rims: of each hole that was filled, the caller's vertices around it.
+    vertex_of_input: (V_in,) the vertex for each vertex of the caller's mesh; -1 if it is in no face, or was inside
+        after parts were joined.
+    input_of_vertex: (V,) the caller's vertex for each vertex; the first of several welded ones. For a vertex made where
+        parts were joined it is the nearest one, for a vertex of an extruded rim the one of the rim.
+    is_made: (V,) vertices that repair made.
+    strays: (S, 3) the caller's vertices without a vertex here, in the caller's order.
+    repairs: the changes, one sentence each.
+    given: vertices and faces of the caller's mesh.
+    rims: the caller's vertices around each filled hole.
     """
 
     vertices: np.ndarray
@@ -63,7 +63,7 @@ class Surface:
     rims: tuple[np.ndarray, ...] = ()
 
     def first(self, num: int) -> "Surface":
-        """Its first ``num`` components alone: vertices of the others went nowhere."""
+        """The surface of the first ``num`` components only."""
         rows = np.sort(np.concatenate(self.members[:num]))
         number = np.full(len(self.vertices) + 1, -1)
         number[rows] = np.arange(len(rows))
@@ -83,10 +83,10 @@ class Surface:
 
 
 def prepare(mesh: Any, repair: bool | str | Repair = False) -> Surface:
-    """Read, check and repair ``mesh``, with ``repair`` beyond what is without a doubt; the caller's object stays.
+    """Read and check ``mesh``, and repair it as ``repair`` says. The caller's object is not changed.
 
     Raises:
-        MeshError: what was found, how often and where first, and what to do about it.
+        MeshError: the message says what was found, how often and where first, and what to do about it.
         ConfigError: ``repair`` is none of True, False, "join" and a `Repair`.
     """
     wanted = as_repair(repair)
@@ -104,7 +104,7 @@ def prepare(mesh: Any, repair: bool | str | Repair = False) -> Surface:
     target = np.where(done.vertex_of_given < 0, -1, checked.vertex_of_input[done.vertex_of_given])
     source = done.source[checked.input_of_vertex]
     is_made = checked.is_made | done.is_made[checked.input_of_vertex]
-    left = np.flatnonzero(~is_made & (target[source] < 0))  # of one that was doubled, the copy that was kept
+    left = np.flatnonzero(~is_made & (target[source] < 0))  # kept copies of vertices that repair doubled
     target[source[left]] = left
     return replace(
         checked,
@@ -119,7 +119,7 @@ def prepare(mesh: Any, repair: bool | str | Repair = False) -> Surface:
 
 
 def _joined(vertices: np.ndarray, faces: np.ndarray, reach: float) -> Surface:
-    """The checked surface of what closed parts become when those that belong together are one; see `joining`."""
+    """The checked surface after joining closed parts; see `joining`."""
     parts = _checked(vertices, faces, is_joined=False)
     done = joining.joined([(part.vertices, part.faces) for part in parts.components], reach)
     faces, num_few, num_flat, _, _ = with_volume(done.vertices, done.faces, 0.0)
@@ -127,7 +127,7 @@ def _joined(vertices: np.ndarray, faces: np.ndarray, reach: float) -> Surface:
         raise MeshError(f"no part has the {FEWEST_VERTICES} vertices and the volume that a solid needs")
     used, corners = np.unique(faces, return_inverse=True)
     checked = _checked(done.vertices[used], corners.reshape(-1, 3))
-    member = np.concatenate(parts.members)  # the parts' vertices, as they were counted through
+    member = np.concatenate(parts.members)  # the parts' vertices, in the order in which `joining` counts them
     source = done.source[used][checked.input_of_vertex]
     is_made = source < 0
     source[is_made] = source[~is_made][spatial.KDTree(checked.vertices[~is_made]).query(checked.vertices[is_made])[1]]
@@ -146,9 +146,9 @@ def _joined(vertices: np.ndarray, faces: np.ndarray, reach: float) -> Surface:
 
 
 def _checked(vertices: np.ndarray, faces: np.ndarray, is_joined: bool = True) -> Surface:
-    """The surface of sound input, after repairs without a doubt; unless it ``is_joined``, its parts will be.
+    """The surface of a valid mesh, after the repairs that are never in doubt.
 
-    Parts that will be joined may be smaller, and a cavity counts as a solid.
+    If not ``is_joined``, its parts will be joined later: then they may be smaller, and a cavity counts as a solid.
     """
     given = vertices, faces
     repairs: list[str] = []
@@ -199,13 +199,13 @@ def _checked(vertices: np.ndarray, faces: np.ndarray, is_joined: bool = True) ->
             repairs.append(
                 f"flipped {name}, a cavity in another component: it is skeletonised as a solid of its own"
                 if is_cavity
-                else f"flipped {name}, which was turned inside out"
+                else f"flipped {name}, which was inside out"
             )
         components.append(component)
         members.append(member)
     if num_flipped and not is_joined:
         parts = "part that was" if num_flipped == 1 else "parts that were"
-        repairs.append(f"flipped {num_flipped} {parts} turned inside out")
+        repairs.append(f"flipped {num_flipped} {parts} inside out")
     return Surface(
         vertices=vertices,
         faces=faces,
@@ -228,7 +228,7 @@ def _without_repeated_corners(faces: np.ndarray) -> np.ndarray:
 
 
 def _weld(vertices: np.ndarray, faces: np.ndarray) -> tuple[np.ndarray, np.ndarray, int, np.ndarray]:
-    """Merge exactly coincident vertices, and drop the faces that this crushes."""
+    """Merge exactly coincident vertices, and drop the faces that become degenerate."""
     _, first, inverse = np.unique(vertices, axis=0, return_index=True, return_inverse=True)
     inverse = inverse.ravel()
     order = np.argsort(first, kind="stable")  # keep the caller's order
@@ -240,7 +240,10 @@ def _weld(vertices: np.ndarray, faces: np.ndarray) -> tuple[np.ndarray, np.ndarr
 
 
 def _check_edges(faces: np.ndarray, caller_number: np.ndarray) -> None:
-    """Every edge must have exactly two faces, and run once each way; ``caller_number`` names vertices in messages."""
+    """Raise a `MeshError` unless every edge has two faces of consistent orientation.
+
+    ``caller_number`` are the caller's ids of vertices, for messages.
+    """
     if len(faces) == 0:
         raise MeshError("no face is left once coincident vertices are welded: the mesh is degenerate")
     num = np.int64(faces.max()) + 1
@@ -274,9 +277,9 @@ def _check_edges(faces: np.ndarray, caller_number: np.ndarray) -> None:
 
 
 def _split_pinches(vertices: np.ndarray, faces: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """One vertex per fan: the first fan keeps its number, the others get new ones at the end.
+    """One vertex per fan: the first fan keeps the vertex's id, the others get new vertices at the end.
 
-    Returns vertices, faces, and the old vertex that each new one was.
+    Returns vertices, faces, and the old vertex for each new one.
     """
     edges = half_edges(faces)
     num = len(edges.origin)

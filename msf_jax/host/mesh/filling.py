@@ -1,4 +1,4 @@
-"""Holes filled without new vertices: ear after ear over a rim."""
+"""Filling of holes by ear clipping, without new vertices."""
 
 import heapq
 import math
@@ -12,18 +12,18 @@ Face = tuple[int, int, int]
 
 
 class Hole(NamedTuple):
-    """A hole that was filled. loop: the vertices of its rim, the way round that the lid has them. lid: (L, 3)."""
+    """A hole that was filled. loop: the vertices of its rim, in the order of the lid's orientation. lid: (L, 3)."""
 
     loop: list[int]
     lid: np.ndarray
 
 
 def filled(vertices: np.ndarray, faces: np.ndarray, size: float) -> list[Hole]:
-    """The holes whose rim fits into a box with diagonal ``size``, each with the faces that fill it."""
+    """The holes whose rim fits into a box of diagonal ``size``, each with the faces that fill it."""
     edge, _, count = edge_codes(faces)
     origin, target = faces.ravel(), faces[:, [1, 2, 0]].ravel()
     half = np.flatnonzero(count[edge] == 1)
-    after = dict(zip(target[half].tolist(), origin[half].tolist(), strict=True))  # along the hole, not the face
+    after = dict(zip(target[half].tolist(), origin[half].tolist(), strict=True))  # in the lid's direction
     known = set(zip(origin.tolist(), target.tolist(), strict=True))
     holes = []
     while after:
@@ -41,14 +41,14 @@ def filled(vertices: np.ndarray, faces: np.ndarray, size: float) -> list[Hole]:
 
 
 def cap(vertices: np.ndarray, loop: list[int], known: set[tuple[int, int]]) -> list[Face]:
-    """Triangles over a rim: ear after ear, the shortest chord first, those that bulge the right way before others.
+    """Triangles over a rim by ear clipping: convex ears first, among these the shortest chord.
 
-    ``known`` are the half-edges there are, to which the new ones are added: no chord may be one of them. Returns no
-    triangle where it cannot be closed.
+    ``known`` are the half-edges of the mesh, to which new ones are added; a chord may not be one of them. Returns no
+    triangles if the rim cannot be closed.
     """
     around = vertices[loop] - vertices[loop].mean(axis=0)
     normal = np.cross(around, np.roll(around, -1, axis=0)).sum(axis=0)
-    # In plain numbers: a file can have thousands of small holes, and NumPy is slow in threes.
+    # Plain numbers, because a file can have thousands of small holes, and NumPy is slow for short vectors.
     points, (nx, ny, nz) = vertices[loop].tolist(), normal.tolist()
     num = len(loop)
     before, after = list(range(-1, num - 1)), [*range(1, num), 0]

@@ -1,9 +1,9 @@
-"""Faces inside a solid: walls between its chambers, which no way from outside leads to.
+"""Faces inside a solid: walls between its cells, which are not connected to the outside.
 
-A mesh of cells, or of bodies that share faces, has walls within, and as many faces at an edge as chambers meet there.
-Round an edge the side of a face sees the side of the next one. Sides that see each other, over any number of edges,
-make a shell; it has the volume of its chamber, and the shell of the outside has that of all chambers together, with the
-other sign. A face with neither side in that shell is a wall. (Shells of cells around an edge: Zhou et al. 2016.)
+A mesh of cells, or of bodies that share faces, has internal walls, and at an edge as many faces as cells. Around an
+edge, the side of a face is connected to the facing side of the next face. Connected sides form a shell. The shell of a
+cell encloses its volume; the outer shell encloses the sum of all volumes, with the opposite sign. A face with neither
+side in the outer shell is a wall. (Shells of cells around an edge: Zhou et al. 2016.)
 """
 
 import numpy as np
@@ -15,9 +15,9 @@ from msf_jax.host.mesh.sheets import angles_around
 
 
 def is_wall(vertices: np.ndarray, faces: np.ndarray) -> np.ndarray:
-    """(F,) which of ``faces`` (F, 3) are hidden inside, among those that hang together over their edges.
+    """(F,) whether each of ``faces`` (F, 3) is an internal wall of its edge-connected piece.
 
-    None is where a hole leads inside, and none where no edge has more than two faces.
+    There are none if a hole connects inside and outside, or if no edge has more than two faces.
     """
     num = len(faces)
     edge, _, count = edge_codes(faces)
@@ -31,7 +31,7 @@ def is_wall(vertices: np.ndarray, faces: np.ndarray) -> np.ndarray:
     first = np.concatenate([[0], np.flatnonzero(is_last)[:-1] + 1])
     following = np.append(order[1:], 0)
     following[is_last] = order[first]
-    # Side 0 of a face, numbered as the face, is where its normal points; side 1 comes F later.
+    # The side that the normal of face f points to has the id f, the other side f + F.
     is_forward = origin == low
     ahead = order // 3 + num * ~is_forward[order]
     back = following // 3 + num * is_forward[following]

@@ -1,10 +1,9 @@
-"""Closed parts that overlap, touch or nearly touch become one solid, on request.
+"""Joining of closed parts that overlap, touch or nearly touch to one solid, on request.
 
-Manifold (Apache-2.0) makes the union, of parts that are swollen by a hundredth of their thickness: faces that lie on
-each other, as of a pin in its hole, would leave a hundred slits otherwise. Afterwards vertices go back to where they
-were. Solids that are still apart are bridged where they are nearest to each other, along a spanning tree and so without
-new loops: a capsule at each gap, half as thick as what it joins, and one more union. Voids between parts, which cannot
-be seen from outside, are filled.
+The library Manifold (Apache-2.0) computes the union. Parts are first swollen by a hundredth of their thickness, because
+coincident faces, as of a pin in its hole, would leave many slits. Afterwards vertices return to their positions. Solids
+that are still apart are bridged where they are nearest, along a spanning tree, so that no loops are made: a capsule at
+each gap, half as thick as the solids there, and another union. Voids between parts, closed from outside, are filled.
 """
 
 from collections.abc import Sequence
@@ -21,25 +20,25 @@ from msf_jax.host.solid.geometry import signed_volume, unit, vertex_normals
 if TYPE_CHECKING:
     from manifold3d import Manifold
 
-SWELL = 0.01  # radii of a part, by which it is larger in the union
-TOUCH = 1e-6  # diagonals, up to which a gap is none
-MOST_SITES = 60_000  # points on faces that gaps are sought between, beside the vertices
-MOST_TRIES = 4  # of bridging what is still apart, each twice as thick as the one before
-MOST_PAIRS = 20_000  # of solids that a gap is sought between, those with the nearest boxes first
-ROUNDS = 4  # of going to and fro between two surfaces, to the ends of a gap
-GLUE, THINNEST = 0.5, 0.1  # radius of a capsule over the solids' where it ends, and at least, over the smaller one's
-SECTIONS = 8  # of a capsule's circles
-SAME = 1e-12  # diagonals, between a vertex of the union and the one that it was
+SWELL = 0.01  # radii of a part, by which it is swollen for the union
+TOUCH = 1e-6  # diagonals: solids closer than this touch
+MOST_SITES = 60_000  # sample points on faces, besides vertices, between which gaps are measured
+MOST_TRIES = 4  # rounds of bridging; each makes capsules twice as thick
+MOST_PAIRS = 20_000  # pairs of solids whose gap is measured, those with the nearest boxes first
+ROUNDS = 4  # alternating projections between two surfaces that find the ends of a gap
+GLUE, THINNEST = 0.5, 0.1  # a capsule's radius: ratio to the thickness at its ends; least ratio to the smaller radius
+SECTIONS = 8  # sides of a capsule's circles
+SAME = 1e-12  # diagonals: distance between a vertex of the union and the same vertex of a part, at most
 
 Mesh = tuple[np.ndarray, np.ndarray]
 
 
 class Joined(NamedTuple):
-    """Parts after they were joined.
+    """The result of joining parts.
 
-    vertices: (V, 3). faces: (F, 3). source: (V,) the vertex that each was, counted through all the parts, and -1 for
-    one that the union made. vertex_of_part: (P,) what became of each of those, -1 for one that is inside now, or was
-    cut away. repairs: what was done, a sentence each.
+    vertices: (V, 3). faces: (F, 3). source: (V,) the vertex of the parts, counted through all of them, or -1 for one
+    that the union made. vertex_of_part: (P,) the new vertex for each vertex of the parts, or -1 if it is inside now or
+    was cut away. repairs: the changes, a sentence each.
     """
 
     vertices: np.ndarray
@@ -50,7 +49,7 @@ class Joined(NamedTuple):
 
 
 class Gap(NamedTuple):
-    """Where two solids, ``one`` and ``other``, are nearest. ends: (2, 3). faces: that the ends are on."""
+    """The nearest points of two solids, ``one`` and ``other``. ends: (2, 3). faces: the faces of the ends."""
 
     one: int
     other: int
@@ -63,9 +62,9 @@ class Gap(NamedTuple):
 
 
 class Body:
-    """One closed connected surface, turned outwards, in units of the whole's diagonal.
+    """One closed connected surface, oriented outwards, in diagonals of the whole mesh.
 
-    vertices: (V, 3). faces: (F, 3). radius: of the ball with its ratio of volume to area. size: of its box's diagonal.
+    vertices: (V, 3). faces: (F, 3). radius: of the ball with its ratio of volume to area. size: its box's diagonal.
     """
 
     def __init__(self, solid: "Manifold") -> None:
@@ -83,19 +82,19 @@ class Body:
         return _on_triangle(point, self.shape.triangles[face]), face
 
     def thickness(self, point: np.ndarray, face: int) -> float:
-        """Half the way through the solid from a ``point`` (3,) of its ``face``, two radii at most."""
+        """Half of the distance through the solid from a ``point`` (3,) of its ``face``, at most two radii."""
         a, b, c = self.shape.triangles[face]
         inward = -unit(np.cross(b - a, c - a))[None]
         return float(self.shape.ray_lengths(point[None] + TOUCH * inward, inward, np.array([4 * self.radius]))[0]) / 2
 
 
 def joined(parts: Sequence[Mesh], reach: float) -> Joined:
-    """Join ``parts``, closed surfaces turned outwards: ``(vertices (n, 3), faces (m, 3))`` each.
+    """Join ``parts``, closed surfaces oriented outwards: ``(vertices (n, 3), faces (m, 3))`` each.
 
-    Those that overlap become one. Gaps are bridged up to ``reach``, in diagonals of the whole, or up to the radius of
-    the smaller solid if that is more; with a ``reach`` of 0, where solids touch.
+    Parts that overlap become one. Gaps are bridged up to ``reach``, in diagonals of the whole mesh, or up to the radius
+    of the smaller solid if that is larger. With a ``reach`` of 0, only solids that touch are bridged.
     """
-    from manifold3d import Manifold, OpType  # here, as most runs do without
+    from manifold3d import Manifold, OpType  # imported here, because most runs do not need it
 
     every = np.concatenate([vertices for vertices, _ in parts])
     low, high = every.min(axis=0), every.max(axis=0)
@@ -109,11 +108,11 @@ def joined(parts: Sequence[Mesh], reach: float) -> Joined:
     repairs = [_overlapped(len(parts), len(pieces))]
     if num_voids:
         repairs.append(f"filled {_count(num_voids, 'void')} between parts")
-    bodies, bridged, num_unseen = [Body(piece) for piece in pieces], [], 0
+    bodies, bridged, num_unmeasured = [Body(piece) for piece in pieces], [], 0
     for tries in range(MOST_TRIES):
         if len(bodies) == 1:
             break
-        gaps, num_unseen = _spanning(bodies, reach)
+        gaps, num_unmeasured = _spanning(bodies, reach)
         if not gaps:
             break
         bridged += [(gap, min(bodies[gap.one].radius, bodies[gap.other].radius)) for gap in gaps]
@@ -124,8 +123,8 @@ def joined(parts: Sequence[Mesh], reach: float) -> Joined:
         repairs.append(_joined_over(len(pieces), len(bodies), bridged, diagonal))
     if len(bodies) > 1:
         repairs.append(_apart(bodies, diagonal))
-    if num_unseen:
-        repairs.append(f"looked for no gap between {_count(num_unseen, 'pair')} of solids: over {MOST_PAIRS} are near")
+    if num_unmeasured:
+        repairs.append(f"left {_count(num_unmeasured, 'pair')} of solids unmeasured: over {MOST_PAIRS} are near")
     vertices, faces = _arrays(whole)
     larger = np.concatenate(swollen)
     source, vertex_of_part = _same_place(larger, vertices), _same_place(vertices, larger)
@@ -134,7 +133,7 @@ def joined(parts: Sequence[Mesh], reach: float) -> Joined:
 
 
 def _same_place(known: np.ndarray, points: np.ndarray) -> np.ndarray:
-    """(P,) one of the ``known`` (K, 3) that is in the place of each point (P, 3), -1 where there is none."""
+    """(P,) one of ``known`` (K, 3) that coincides with each of ``points`` (P, 3), or -1."""
     away, found = spatial.KDTree(known).query(points, distance_upper_bound=SAME)
     return np.where(np.isfinite(away), found, -1)
 
@@ -145,7 +144,7 @@ def _count(number: int, what: str) -> str:
 
 def _overlapped(num_parts: int, num_bodies: int) -> str:
     if num_bodies < num_parts:
-        return f"joined {num_parts} parts, as far as they overlap or touch, to {_count(num_bodies, 'solid')}"
+        return f"joined {num_parts} parts that overlap or touch to {_count(num_bodies, 'solid')}"
     return f"joined none of {_count(num_parts, 'part')} by overlap" if num_parts > 1 else "joined nothing: one part"
 
 
@@ -158,13 +157,13 @@ def _joined_over(before: int, after: int, bridged: list[tuple[Gap, float]], diag
 
 
 def _apart(bodies: list[Body], diagonal: float) -> str:
-    """What is left apart, and how far the largest of it is from the next."""
+    """The report about solids that stay apart, with the distance from the largest to the next."""
     largest = max(bodies, key=lambda body: body.size)
     others = np.concatenate([body.vertices for body in bodies if body is not largest])
     gap = float(largest.shape.distances(others).min())
     return (
         f"left {len(bodies)} solids apart: the largest is {gap * diagonal:.3g} from the next ({gap:.2g} diagonals; "
-        "Repair(join=...) says how far to go)"
+        "Repair(join=...) sets the largest gap)"
     )
 
 
@@ -187,7 +186,7 @@ def _arrays(solid: "Manifold") -> Mesh:
 
 
 def _filled(whole: "Manifold") -> tuple["Manifold", int]:
-    """The solid without the surfaces that are turned inwards, and how many of them there were."""
+    """The solid without its voids (surfaces oriented inwards), and their number."""
     from manifold3d import Manifold, OpType
 
     pieces = whole.decompose()
@@ -198,9 +197,9 @@ def _filled(whole: "Manifold") -> tuple["Manifold", int]:
 
 
 def _spanning(bodies: list[Body], reach: float) -> tuple[list[Gap], int]:
-    """The gaps of a spanning tree, shortest first, as far as they are to be bridged; and how many pairs were not seen.
+    """The gaps of a spanning tree that are short enough to bridge, shortest first, and the number of unmeasured pairs.
 
-    Gaps are sought between points all over the surfaces, and then measured between the surfaces themselves.
+    Gaps are found between sample points of the surfaces, and then measured between the surfaces.
     """
     radius = np.array([body.radius for body in bodies])
     spacing, sites = _sites(bodies)
@@ -227,7 +226,7 @@ def _spanning(bodies: list[Body], reach: float) -> tuple[list[Gap], int]:
 
 
 def _near_pairs(bodies: list[Body], radius: np.ndarray, reach: float) -> tuple[np.ndarray, np.ndarray]:
-    """Pairs (n, 2) of bodies whose boxes are near enough for a bridge, nearest first, and how long that may be."""
+    """Pairs (n, 2) of bodies whose boxes are near enough for a bridge, nearest first, and its largest length."""
     low = np.array([body.vertices.min(axis=0) for body in bodies])
     high = np.array([body.vertices.max(axis=0) for body in bodies])
     pairs, bounds, gaps = [], [], []
@@ -245,7 +244,7 @@ def _near_pairs(bodies: list[Body], radius: np.ndarray, reach: float) -> tuple[n
 
 
 def _sites(bodies: list[Body]) -> tuple[float, list[np.ndarray]]:
-    """Points of each surface, its vertices among them, and about how far apart they are on large faces."""
+    """The spacing of sample points on large faces, and sample points of each surface, with its vertices."""
     corners = [body.vertices[body.faces] for body in bodies]
     a, b, c = np.moveaxis(np.concatenate(corners), 1, 0)
     spacing = float(np.sqrt(np.linalg.norm(np.cross(b - a, c - a), axis=1).sum() / MOST_SITES))
@@ -263,7 +262,7 @@ def _sites(bodies: list[Body]) -> tuple[float, list[np.ndarray]]:
 
 
 def _measured(bodies: list[Body], one: int, other: int, at_one: np.ndarray, at_other: np.ndarray) -> Gap:
-    """The gap between two surfaces near the points ``at_one`` and ``at_other`` (3,), each the other's foot."""
+    """The gap between two surfaces near the points ``at_one`` and ``at_other`` (3,), by alternating projections."""
     start, end, first, last = at_one, at_other, 0, 0
     for _ in range(ROUNDS):
         start, first = bodies[one].foot(end)
@@ -272,7 +271,7 @@ def _measured(bodies: list[Body], one: int, other: int, at_one: np.ndarray, at_o
 
 
 def _capsule(bodies: list[Body], gap: Gap, factor: float) -> "Manifold":
-    """What bridges ``gap``: the hull of two balls around its ends, ``factor`` times as thick as it should do."""
+    """The capsule that bridges ``gap``: the hull of two balls around its ends, ``factor`` times the usual thickness."""
     from manifold3d import Manifold
 
     pair = bodies[gap.one], bodies[gap.other]
@@ -284,7 +283,7 @@ def _capsule(bodies: list[Body], gap: Gap, factor: float) -> "Manifold":
 
 
 def _on_triangle(point: np.ndarray, triangle: np.ndarray) -> np.ndarray:
-    """The point of ``triangle`` (3, 3) nearest to ``point`` (3,): inside it, or else on the nearest of its edges."""
+    """The point of ``triangle`` (3, 3) nearest to ``point`` (3,): inside it, or on its nearest edge."""
     a, b, c = triangle
     normal = unit(np.cross(b - a, c - a))
     foot = point - ((point - a) @ normal) * normal

@@ -1,7 +1,7 @@
-"""OFF, read as its users write it: faces of any number of corners, over any number of lines, with colours or without.
+"""Reading of OFF files: polygons of any number of corners, over any number of lines, with or without colours.
 
-Trimesh's reader takes a face to be a line. Polygons become triangles: a quad by the shorter of the diagonals that do
-not fold it, one of more corners ear by ear.
+Trimesh's reader expects one face a line. Polygons are cut into triangles: a quad by the shorter of the diagonals that
+do not fold it, a polygon of more corners by ear clipping.
 """
 
 import re
@@ -18,7 +18,7 @@ def parsed(text: str) -> tuple[np.ndarray, np.ndarray]:
     """Vertices (V, 3) and triangles (F, 3) of an OFF file's text.
 
     Raises:
-        ValueError: what the text has instead.
+        ValueError: the text is no OFF file; the message says what it has instead.
     """
     if (found := _plain(text)) is not None:
         return found
@@ -46,7 +46,7 @@ def parsed(text: str) -> tuple[np.ndarray, np.ndarray]:
 
 
 def _plain(text: str) -> tuple[np.ndarray, np.ndarray] | None:
-    """Vertices and triangles of a file of nothing else, which most are: words in a row. None for any other."""
+    """Vertices and triangles of a file that has only these, as most have; None for other files. It is fast."""
     head = PLAIN.match(text)
     if head is None:
         return None
@@ -66,7 +66,7 @@ def _plain(text: str) -> tuple[np.ndarray, np.ndarray] | None:
 
 
 def _is_by_line(rows: list[list[str]], sides: list[list[str]], num: int, num_faces: int) -> bool:
-    """Whether every vertex and every face has a line of its own, of colours or not."""
+    """Whether every vertex and every face has its own line, with or without colours."""
     return (
         (len(rows), len(sides)) == (num, num_faces)
         and all(len(row) >= 3 for row in rows)
@@ -75,7 +75,7 @@ def _is_by_line(rows: list[list[str]], sides: list[list[str]], num: int, num_fac
 
 
 def _by_word(words: list[str], num: int, num_faces: int) -> tuple[list[list[str]], list[list[str]]]:
-    """Rows of vertices and of faces where lines mean nothing, which is where there are no colours."""
+    """Rows of vertices and of faces in a file without colours, whose line breaks have no meaning."""
     rows = [words[start : start + 3] for start in range(0, min(3 * num, len(words)), 3)]
     sides, start = [], 3 * num
     while len(sides) < num_faces and start < len(words):
@@ -87,7 +87,7 @@ def _by_word(words: list[str], num: int, num_faces: int) -> tuple[list[list[str]
 
 
 def triangulated(vertices: np.ndarray, polygons: list[list[int]]) -> np.ndarray:
-    """(F, 3) triangles of ``polygons``, lists of corners; those of fewer than three are no faces.
+    """(F, 3) triangles of ``polygons``, lists of corners. Polygons of fewer than three corners are dropped.
 
     Raises:
         ValueError: a corner is no vertex, or a polygon cannot be cut into triangles.
@@ -109,7 +109,7 @@ def triangulated(vertices: np.ndarray, polygons: list[list[int]]) -> np.ndarray:
 
 
 def _halves(vertices: np.ndarray, quads: np.ndarray) -> np.ndarray:
-    """(2n, 3) the triangles of ``quads`` (n, 4): cut from the first corner to the third, or from the second on."""
+    """(2n, 3) the triangles of ``quads`` (n, 4), cut from the first corner to the third, or from the second on."""
     paths = quads[:, [[0, 1, 2, 0, 2, 3], [1, 2, 3, 1, 3, 0]]].reshape(-1, 2, 2, 3)
     a, b, c = np.moveaxis(vertices[paths], 3, 0)
     normal = np.cross(b - a, c - a)

@@ -1,8 +1,8 @@
-"""Read a mesh from a path, an object or arrays: triangles, or an error that says what was found.
+"""Reading of a mesh from a path, an object or arrays: triangles, or an error that says what was found.
 
-A file goes through trimesh, but for OFF, whose polygons it does not always see, and for VTK's formats, which pyvista
-reads. A scene is all its meshes, each where the scene has it, in one list of triangles. STL has no indices: corners in
-one place, to float32's last bits, are one vertex.
+trimesh reads files, except OFF, whose polygons it does not always read, and VTK's formats, which pyvista reads. The
+meshes of a scene become one list of triangles, placed as in the scene. STL has no indices, so its corners that coincide
+to float32's last bits become one vertex.
 """
 
 import importlib.util
@@ -22,13 +22,13 @@ from scipy.sparse import csgraph
 from msf_jax.base.errors import MeshError
 from msf_jax.host.mesh import off, unpacking
 
-SMALLEST = 1e-150  # extent, and the largest coordinate is one over it: squares must be numbers
-ARCHIVES = {"zip", "bz2", "gz", "tar", "tar.gz", "tar.bz2", "tgz"}  # a small one can unpack to more than memory
-VTK = {"vtp", "vtk", "vtu", "vti", "vtr", "vts"}  # read by pyvista, where it is installed
-WITHOUT_INDICES = {"stl", "stl_ascii"}
-SAME_CORNER = 2.0**-22  # of the largest coordinate: a few of float32's last bits
-MOST_SHOWN, MOST_FACES = 50_000, 20_000_000  # meshes that a scene shows, and faces of all of them
-OR_REPAIR = ", or ask for repair=True (--repair)"
+SMALLEST = 1e-150  # the mesh's units: least extent; 1 over it is the largest coordinate, so that squares are finite
+ARCHIVES = {"zip", "bz2", "gz", "tar", "tar.gz", "tar.bz2", "tgz"}  # refused: they can unpack to more than memory
+VTK = {"vtp", "vtk", "vtu", "vti", "vtr", "vts"}  # formats that need pyvista
+WITHOUT_INDICES = {"stl", "stl_ascii"}  # formats whose faces have corners, not vertex ids
+SAME_CORNER = 2.0**-22  # ratio to the largest coordinate: corners within a few of float32's last bits are one vertex
+MOST_SHOWN, MOST_FACES = 50_000, 20_000_000  # the largest numbers of meshes in a scene, and of their faces in all
+OR_REPAIR = ", or use repair=True (--repair)"  # ends the message of an error that repair can correct
 
 
 def read_mesh(mesh: Any) -> tuple[np.ndarray, np.ndarray]:
@@ -36,14 +36,14 @@ def read_mesh(mesh: Any) -> tuple[np.ndarray, np.ndarray]:
 
     Args:
         mesh: a path, to any of the formats that trimesh reads, or VTK's where pyvista is installed; a
-            `trimesh.Trimesh`, a pyvista mesh, or a pair (vertices, faces). Polygons are cut into triangles, and the
-            meshes of a scene come in one list, each where the scene has it.
+            `trimesh.Trimesh`, a pyvista mesh, or a pair (vertices, faces). Polygons are cut into triangles. The meshes
+            of a scene become one, placed as in the scene.
 
     Returns:
-        Copies. Numbers of vertices, as in ``mesh_map`` and ``pins``, count along these.
+        Copies. Ids of vertices, as in ``mesh_map`` and ``pins``, are rows of these vertices.
 
     Raises:
-        MeshError: there is no such file, or it holds no triangle mesh.
+        MeshError: there is no such file, or it has no triangle mesh.
     """
     return read(mesh, finite=False)
 
@@ -51,10 +51,10 @@ def read_mesh(mesh: Any) -> tuple[np.ndarray, np.ndarray]:
 def read(mesh: Any, *, finite: bool = True) -> tuple[np.ndarray, np.ndarray]:
     """Vertices (V, 3) float64 and faces (F, 3) int64 of a path, a `trimesh.Trimesh` or a pair; always copies.
 
-    Vertices must be ``finite``, unless that is for `repair` to mend.
+    With ``finite``, all vertices must be finite; else `repair` has to place them.
 
     Raises:
-        MeshError: there is no such file, it holds no triangle mesh, or the arrays have the wrong shape or values.
+        MeshError: there is no such file, it has no triangle mesh, or the arrays have the wrong shape or values.
     """
     if isinstance(mesh, str | os.PathLike):
         found = _load(Path(mesh))
@@ -74,26 +74,26 @@ def read(mesh: Any, *, finite: bool = True) -> tuple[np.ndarray, np.ndarray]:
 
 
 def readable_suffixes() -> list[str]:
-    """Of the mesh files that can be read, without their dot."""
+    """The suffixes of mesh files that can be read, without the dot."""
     known = set(trimesh.available_formats()) - ARCHIVES
     return sorted(known | VTK if importlib.util.find_spec("pyvista") else known)
 
 
 def _of_pyvista(mesh: Any, name: str) -> trimesh.Trimesh:
-    """The surface of a mesh of pyvista's: that of a grid is its boundary."""
+    """The surface of a pyvista mesh; for a grid, its boundary."""
     surface = mesh
-    if not hasattr(mesh, "is_all_triangles") and mesh.n_cells:  # newer versions warn unless they are told how
+    if not hasattr(mesh, "is_all_triangles") and mesh.n_cells:  # newer versions warn if no algorithm is given
         has_choice = "algorithm" in inspect.signature(mesh.extract_surface).parameters
         surface = mesh.extract_surface(**({"algorithm": None} if has_choice else {}))
     surface = surface.triangulate() if surface.n_cells else surface
     if not (surface.n_points and surface.n_cells):
-        raise MeshError(f"{name} has no surface: expected one of triangles or polygons, or a grid with a boundary")
+        raise MeshError(f"{name} has no surface: expected triangles or polygons, or a grid with a boundary")
     faces = np.asarray(surface.faces).reshape(-1, 4)[:, 1:]
     return trimesh.Trimesh(np.asarray(surface.points, dtype=np.float64), faces, process=False)
 
 
 def _without_doubles(loaded: trimesh.Trimesh) -> trimesh.Trimesh:
-    """A mesh of a format without indices, its corners in one place made one vertex; in the order of the file."""
+    """A mesh of a format without indices with coincident corners merged to one vertex, in the order of the file."""
     corners = np.asarray(loaded.vertices, dtype=np.float64)
     if not np.isfinite(corners).all() or len(corners) == 0:
         return loaded
@@ -111,8 +111,8 @@ def _without_doubles(loaded: trimesh.Trimesh) -> trimesh.Trimesh:
 
 
 def parts(mesh: Any) -> list[trimesh.Trimesh]:
-    """The meshes that ``mesh`` consists of, each where it is in the whole, with all that its file says of it: their
-    vertices and faces, one after the other, are those of `read`. The caller's own object stays as it is."""
+    """The meshes that ``mesh`` consists of, in place, with all attributes of its file. Their concatenated vertices and
+    faces are those of `read`. The caller's object is not changed."""
     if isinstance(mesh, str | os.PathLike):
         return _load(Path(mesh))
     if isinstance(mesh, trimesh.Trimesh):
@@ -121,11 +121,11 @@ def parts(mesh: Any) -> list[trimesh.Trimesh]:
 
 
 def _placed(scene: trimesh.Scene) -> list[trimesh.Trimesh]:
-    """The meshes of a scene; unlike those of `trimesh.Scene.dump`, with the normals that they have."""
+    """The meshes of a scene; unlike `trimesh.Scene.dump`, it keeps their normals."""
     size = {name: len(mesh.faces) for name, mesh in scene.geometry.items() if isinstance(mesh, trimesh.Trimesh)}
     shown = [(name, transform) for transform, name in (scene.graph[node] for node in scene.graph.nodes_geometry)]
     if len(shown) > MOST_SHOWN or sum(size.get(name, 0) for name, _ in shown) > MOST_FACES:
-        raise ValueError(f"its scene shows {len(shown)} meshes, with too many triangles in all")
+        raise ValueError(f"its scene has {len(shown)} meshes, or too many triangles in all")
     found = []
     for name, transform in shown:
         if name in size:
@@ -136,12 +136,12 @@ def _placed(scene: trimesh.Scene) -> list[trimesh.Trimesh]:
 
 
 def _load(path: Path) -> list[trimesh.Trimesh]:
-    """The meshes in a file, as `parts` has them; at least one."""
+    """The meshes in a file, as in `parts`; at least one."""
     if not path.exists():
         raise MeshError(f"no file {str(path)!r}: check the path")
     if path.is_dir():
         raise MeshError(f"{str(path)!r} is a folder: expected one mesh file")
-    if not path.is_file():  # a pipe would be waited for, a device may have no end
+    if not path.is_file():  # opening a pipe would block, and a device may have no end
         raise MeshError(f"{str(path)!r} is a pipe or a device: expected a mesh file")
     if path.stat().st_size == 0:
         raise MeshError(f"{path.name!r} is empty: expected a mesh file")
@@ -170,32 +170,32 @@ def _load(path: Path) -> list[trimesh.Trimesh]:
     except MeshError:
         raise
     except MemoryError as error:
-        raise MeshError(f"{path.name!r} asks for more memory than there is: it is damaged or too large") from error
-    except Exception as error:  # trimesh's readers raise whatever a damaged file provokes
+        raise MeshError(f"{path.name!r} needs more memory than there is: it is damaged or too large") from error
+    except Exception as error:  # for a damaged file trimesh's readers raise exceptions of many types
         reason = str(error).strip().splitlines()[0] if str(error).strip() else type(error).__name__
         raise MeshError(
             f"cannot read {path.name!r} as {suffix}: it is damaged, or its suffix is wrong ({reason[:200]})"
         ) from error
     meshes = [part for part in found if isinstance(part, trimesh.Trimesh)]
     if len(meshes) < len(found):
-        raise MeshError(f"{path.name!r} holds a {type(loaded).__name__} without triangles: expected a triangle mesh")
+        raise MeshError(f"{path.name!r} has a {type(loaded).__name__} without triangles: expected a triangle mesh")
     if not meshes:
-        raise MeshError(f"{path.name!r} holds no triangles: expected a triangle mesh")
+        raise MeshError(f"{path.name!r} has no triangles: expected a triangle mesh")
     return meshes
 
 
 def check_map(mesh_map: np.ndarray, num_vertices: int) -> None:
-    """Raise a `MeshError` unless ``mesh_map`` speaks of a mesh of so many vertices."""
+    """Raise a `MeshError` unless ``mesh_map`` is of a mesh with ``num_vertices`` vertices."""
     if len(mesh_map) != num_vertices:
         raise MeshError(
-            f"the mesh has {num_vertices} vertices, and the skeleton was made from one of {len(mesh_map)}: expected "
-            "the same mesh, its vertices in the same order"
+            f"the mesh has {num_vertices} vertices, but the skeleton was made from one of {len(mesh_map)}: expected "
+            "the same mesh, with its vertices in the same order"
         )
 
 
 @contextmanager
 def _quiet_loader() -> Iterator[None]:
-    """Keep trimesh from printing tracebacks of what it could not read, where the caller has set up no logging."""
+    """Keep trimesh from printing tracebacks of read errors if the caller has not set up logging."""
     handler = logging.NullHandler()
     trimesh.util.log.addHandler(handler)
     try:
@@ -209,7 +209,7 @@ def _as_vertices(vertices: Any, finite: bool) -> np.ndarray:
         is_complex = np.iscomplexobj(vertices)
         array = np.empty((0, 3)) if is_complex else np.array(vertices, dtype=np.float64)
     except (TypeError, ValueError) as error:
-        raise MeshError(f"the vertices are no table of numbers: {error}") from error
+        raise MeshError(f"the vertices are no array of numbers: {error}") from error
     if is_complex:
         raise MeshError("the vertices are complex numbers: expected real coordinates")
     if array.ndim != 2 or array.shape[1] != 3:
@@ -226,8 +226,8 @@ def _as_vertices(vertices: Any, finite: bool) -> np.ndarray:
     )
     if 0 < extent < SMALLEST or largest > 1 / SMALLEST:
         raise MeshError(
-            f"the mesh extends over {extent:.3g}, to {largest:.3g}: expected an extent of {SMALLEST:g} or more, and "
-            f"no coordinate over {1 / SMALLEST:g}; choose another unit"
+            f"the mesh has an extent of {extent:.3g}, and coordinates up to {largest:.3g}: expected an extent of "
+            f"{SMALLEST:g} or more, and no coordinate over {1 / SMALLEST:g}; choose another unit"
         )
     return array
 

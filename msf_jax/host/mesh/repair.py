@@ -1,11 +1,11 @@
-"""Repair on request: from any list of triangles to closed, oriented, manifold surfaces, every change counted.
+"""Repair on request: from any list of triangles to closed, oriented, manifold surfaces, with every change counted.
 
-In this order: vertices that are not finite are put between their neighbours; vertices that lie together are welded, as
-far as the mesh is open; faces that are degenerate or there twice go, and so do walls inside; faces are turned the same
-way round; sheets that meet in an edge or a vertex are cut apart; holes are filled without new vertices; pieces without
-volume go.
-Each vertex of the result is one of the caller's, so that weights, pins and gradients find theirs; but for those of a
-skirt, where a lid would cut through the surface (see `rim_extrusion`).
+The steps are: place vertices that are not finite between their neighbours; weld coincident vertices at open edges;
+remove degenerate and duplicate faces, and internal walls; orient faces consistently; separate sheets that share an edge
+or a vertex; fill holes without new vertices; remove pieces without volume.
+
+Each vertex of the result is one of the caller's, so that weights, pins and gradients apply to it. Exceptions are the
+vertices of an extruded rim, where a lid would cut through the surface (see `rim_extrusion`).
 """
 
 import numbers
@@ -24,31 +24,30 @@ from msf_jax.host.mesh.rim_extrusion import extruded
 from msf_jax.host.mesh.sheets import cut_apart, is_double, left_alone, oriented, twins
 from msf_jax.host.solid.geometry import signed_volume
 
-FEWEST_VERTICES = 5  # of a piece that has a skeleton
-FEWEST_TO_JOIN = 4  # of a piece that can be joined to another
-LARGEST_WELD = 0.01  # of the median edge: more would crush triangles
-MOST_NEIGHBOURS = 50  # of a rim's vertex within the radius of a weld
-REACH = 0.005  # of the diagonal, over which "join" bridges gaps
-FLATTEST = 1e-9  # volume over the cube of the largest extent, below which a piece encloses nothing
+FEWEST_VERTICES = 5  # vertices of a piece, at least, to have a skeleton
+FEWEST_TO_JOIN = 4  # vertices of a piece, at least, to be joined to another
+LARGEST_WELD = 0.01  # median edges: the largest radius of a weld; more would collapse triangles
+MOST_NEIGHBOURS = 50  # vertices at rims within the radius of a weld, on average, at most
+REACH = 0.005  # diagonals: the longest gap that "join" bridges
+FLATTEST = 1e-9  # volume over the cube of the largest extent: below it, a piece encloses no volume
 
 
 @dataclass(frozen=True)
 class Repair:
-    """What `skeletonize` may do to a mesh that is not sound. Lengths are fractions of the bounding box's diagonal.
+    """Limits of the repair in `skeletonize`. Lengths are fractions of the bounding box's diagonal.
 
     Attributes:
-        weld: vertices at the rim of a hole that are so near to each other are one, if that is below a hundredth of the
-            median edge.
+        weld: vertices at the rim of a hole within this distance are welded; at most a hundredth of the median edge.
         largest_hole: holes whose rim fits into a box of this diagonal are filled; 0 fills none, 1 all.
-        smallest_part: pieces whose box has a smaller diagonal are left out; 0 keeps all that enclose a volume.
-        join: closed parts become one solid where they overlap, or where their gap is at most that, or at most the
-            radius of the smaller solid (of the ball with its ratio of volume to area); 0 joins what overlaps or
-            touches, None keeps parts as they are. ``repair="join"`` stands for 0.005.
-        most_parts: pieces that are kept, unless they are joined: the largest, as each has a run of its own. The
-            vertices of the others go to the nearest node.
+        smallest_part: pieces whose box has a smaller diagonal are dropped; 0 keeps all that enclose a volume.
+        join: closed parts become one solid if they overlap, or if their gap is at most this length, or at most the
+            radius of the smaller solid (of the ball with its ratio of volume to area). 0 joins parts that overlap or
+            touch, None joins none. ``repair="join"`` means 0.005.
+        most_parts: the number of pieces that are kept, the largest, because each needs a run; it does not apply to
+            joined pieces. The vertices of dropped pieces go to the nearest node.
 
     Raises:
-        ConfigError: ``most_parts`` is no whole number above 0, or another value no number from 0 to 1.
+        ConfigError: ``most_parts`` is no whole number above 0, or another value is no number from 0 to 1.
     """
 
     weld: float = 1e-6
@@ -71,10 +70,10 @@ class Repair:
 
 
 def as_repair(repair: Any) -> Repair | None:
-    """What ``repair`` asks for: True the defaults, "join" also one solid of parts that belong together, False nothing.
+    """The `Repair` that ``repair`` means: for True the defaults, for "join" with joining, for False None.
 
     Raises:
-        ConfigError: it is none of them, nor a `Repair`.
+        ConfigError: ``repair`` is something else, and no `Repair`.
     """
     if isinstance(repair, Repair):
         return repair
@@ -88,10 +87,10 @@ def as_repair(repair: Any) -> Repair | None:
 class Repaired(NamedTuple):
     """A mesh after repair.
 
-    vertices: (V, 3). faces: (F, 3). source: (V,) the given vertex that each comes from. is_made: (V,) which are others,
-    of a skirt; those come from the one that they were carried from. vertex_of_given: (V_in,) where each went, -1 if
-    nowhere. given: (V_in, 3) the given vertices, all finite. repairs: what was changed, a sentence each. rims: of each
-    hole that was filled, the given vertices around it.
+    vertices: (V, 3). faces: (F, 3). source: (V,) the given vertex of each. is_made: (V,) new vertices of an extruded
+    rim, whose source is the vertex of the rim. vertex_of_given: (V_in,) the new vertex for each given one, or -1.
+    given: (V_in, 3) the given vertices, all finite. repairs: the changes, a sentence each. rims: the given vertices
+    around each filled hole.
     """
 
     vertices: np.ndarray
@@ -126,14 +125,14 @@ def repaired(vertices: np.ndarray, faces: np.ndarray, options: Repair) -> Repair
             _note(repairs, "welded {} at the rim of a hole to another", moved, "vertex", "vertices")
             welded, faces = target[welded], _without_doubles(target[faces], repairs)
     hidden = is_wall(given, faces)
-    _note(repairs, "left out {} inside, walls between chambers", int(hidden.sum()), "face", "faces")
+    _note(repairs, "left out {} of internal walls", int(hidden.sum()), "face", "faces")
     faces = faces[~hidden]
     faces, num_turned = oriented(faces, left_alone(faces))
     _note(repairs, "turned {} round", num_turned, "face", "faces")
     num_faces, num_crowded = len(faces), int((edge_codes(faces)[2] > 2).sum())
     _note(repairs, "separated the sheets that met in {}", num_crowded, "edge", "edges")
     twin = twins(given, faces)
-    while (is_crowded := is_double(cut_apart(faces, twin)[0])).any():  # a sheet that meets itself: cut there, and fill
+    while (is_crowded := is_double(cut_apart(faces, twin)[0])).any():  # remove faces where a sheet meets itself
         faces = faces[~is_crowded]
         twin = twins(given, faces)
     _note(repairs, "left out {} at edges where a sheet met itself", num_faces - len(faces), "face", "faces")
@@ -157,7 +156,7 @@ def repaired(vertices: np.ndarray, faces: np.ndarray, options: Repair) -> Repair
     _note(repairs, f"left out {{}}, the smallest, beyond most_parts = {most}", num_beyond, "piece", "pieces")
     if len(faces) == 0:
         raise MeshError(
-            f"after repair nothing is left that encloses a volume and has {fewest} vertices: expected a "
+            f"after repair no piece is left that encloses a volume and has {fewest} vertices: expected a "
             "solid, if with holes" + (f" (repaired: {'; '.join(repairs)})" if repairs else "")
         )
     used, flat = np.unique(faces, return_inverse=True)
@@ -175,9 +174,9 @@ def _note(repairs: list[str], sentence: str, count: int, one: str, many: str) ->
 
 
 def placed_between_neighbours(vertices: np.ndarray, faces: np.ndarray) -> tuple[np.ndarray, int]:
-    """Vertices that are not finite at the mean of those that share a face with them, as far out as it takes.
+    """Place vertices that are not finite at the mean of their neighbours in faces, starting at finite neighbours.
 
-    Returns all vertices, and how many of these are in a face; others go to the middle.
+    Those without a finite neighbour go to the mean of all. Returns all vertices, and how many in a face were placed.
     """
     is_bad = np.logical_not(np.isfinite(vertices).all(axis=1))
     if not is_bad.any():
@@ -204,7 +203,7 @@ def placed_between_neighbours(vertices: np.ndarray, faces: np.ndarray) -> tuple[
 
 
 def _without_doubles(faces: np.ndarray, repairs: list[str]) -> np.ndarray:
-    """Without faces that have a corner twice, and with one of those that have the same three corners."""
+    """The faces without those that have a corner twice, and with one of several that have the same three corners."""
     ordered = np.sort(faces, axis=1)
     is_flat = (ordered[:, 0] == ordered[:, 1]) | (ordered[:, 1] == ordered[:, 2])
     _note(repairs, "left out {} with a corner twice", int(is_flat.sum()), "face", "faces")
@@ -222,12 +221,12 @@ def _rim(faces: np.ndarray) -> np.ndarray:
 
 
 def _welded(vertices: np.ndarray, rim: np.ndarray, radius: float) -> np.ndarray:
-    """(V,) the vertex that each becomes: those of ``rim`` within ``radius`` of each other the first of them."""
+    """(V,) the vertex that each becomes: vertices of ``rim`` within ``radius`` of each other become the first."""
     target = np.arange(len(vertices))
     points, place = np.unique(vertices[rim], axis=0, return_inverse=True)
     tree, num = spatial.KDTree(points), len(points)
     if radius > 0 and tree.count_neighbors(tree, radius) > MOST_NEIGHBOURS * num:
-        raise MeshError(f"Repair.weld would make one of many vertices ({radius:.3g} apart): expected a smaller one")
+        raise MeshError(f"Repair.weld would merge too many vertices (within {radius:.3g}): expected a smaller one")
     pairs = tree.query_pairs(radius, output_type="ndarray") if radius > 0 else np.empty((0, 2), dtype=np.int64)
     graph = sparse.coo_matrix((np.ones(len(pairs)), pairs.T), shape=(num, num))
     label = csgraph.connected_components(graph, directed=False)[1][place.ravel()]
@@ -239,10 +238,10 @@ def _welded(vertices: np.ndarray, rim: np.ndarray, radius: float) -> np.ndarray:
 def with_volume(
     vertices: np.ndarray, faces: np.ndarray, size: float, fewest: int = FEWEST_VERTICES, most: int | None = None
 ) -> tuple[np.ndarray, int, int, int, int]:
-    """Without pieces of fewer vertices than ``fewest``, closed ones without volume, those below ``size``, and the
-    smallest beyond the ``most`` that may be left.
+    """Remove pieces of fewer than ``fewest`` vertices, closed ones without volume, those smaller than ``size``, and the
+    smallest of more than ``most`` pieces.
 
-    Returns the faces that are left, and how many pieces of each kind went.
+    Returns the faces that are left, and how many pieces of each kind were removed.
     """
     if len(faces) == 0:
         return faces, 0, 0, 0, 0

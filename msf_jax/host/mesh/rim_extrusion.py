@@ -1,10 +1,10 @@
-"""Holes whose lid would cut through the surface: a skirt is let down from the rim, and the lid goes flat on its end.
+"""Extrusion of the rim of a hole whose lid would cut through the surface; a flat lid closes the extruded rim.
 
-The lid over the uneven rim of a height field or a bent sheet passes now above the surface and now below it: what it
-closes falls into solids that hang together by nothing, and no curve can stay inside. The area vector of the surface
-(the sum of its faces' normals times their areas, which is its rim's alone) says where the surface looks; behind it is
-the inside. The rim is carried that way, past all of the piece, and the lid is put there: as the base of a relief.
-The other way is taken where that side is the better one. A skirt has new vertices, one for each of the rim.
+The lid over the uneven rim of a height field or a bent sheet passes above the surface in some places and below it in
+others. The closed surface is then several solids that meet in curves, and no skeleton can stay inside. The area vector
+of the surface (the sum of its faces' normals times areas, which depends on the rim only) gives the direction of its
+front; the inside is behind it. The rim is extruded backwards, past all of the piece, and closed there, like the base of
+a relief; or forwards, if that is better. The extrusion has a new vertex for each vertex of the rim.
 """
 
 from typing import NamedTuple
@@ -18,19 +18,19 @@ from msf_jax.host.mesh.half_edges import by_label
 from msf_jax.host.solid.enclosure import Enclosure
 from msf_jax.host.solid.geometry import signed_volume, unit
 
-LARGEST_CUT = 0.01  # of a piece's area, that may have its inside outside of what a lid closes
-MARGIN = 0.05  # of the rim's extent, between the piece and the end of a skirt
-FLAT = 1e-6  # of a piece's extent: a rim that is no higher has a flat lid
-FEWEST_FACES = 100  # of a piece that may have a skirt: fewer are a crumb, or a patch of something else
-MOST_TESTED = 200  # pieces with an uneven lid, those with the most faces first
-BESIDE = 1e-5  # of a piece's extent, behind the middle of a face, where it is asked whether that is inside
+LARGEST_CUT = 0.01  # share of a piece's area whose inner side is outside of the closed solid, at most
+MARGIN = 0.05  # extents of the rim: distance between the piece and the end of the extrusion
+FLAT = 1e-6  # extents of the rim: a rim of less height has a flat lid, which needs no extrusion
+FEWEST_FACES = 100  # faces of a piece whose rim may be extruded: smaller pieces are fragments
+MOST_TESTED = 200  # pieces with an uneven rim that are tested, those with the most faces first
+BESIDE = 1e-5  # extents of the piece: depth below the centre of a face of the point that is tested to be inside
 
 
 class Extruded(NamedTuple):
     """A surface without holes.
 
-    vertices: (V, 3), those that were given and the skirts', which come last. faces: (F, 3). source: (M,) the vertex of
-    the rim that each of a skirt's was carried from. repairs: what was done, a sentence each.
+    vertices: (V, 3), those given, then those of extrusions. faces: (F, 3). source: (M,) the vertex of the rim for each
+    new vertex. repairs: the changes, a sentence each.
     """
 
     vertices: np.ndarray
@@ -40,16 +40,16 @@ class Extruded(NamedTuple):
 
 
 class RimExtrusion(NamedTuple):
-    """ring: (n, 3) the vertices at its end, in the order of the rim. faces: its own and the lid's, (S, 3)."""
+    """ring: (n, 3) the new vertices, in the order of the rim. faces: (S, 3) those of the extrusion and its lid."""
 
     ring: np.ndarray
     faces: np.ndarray
 
 
 def extruded(vertices: np.ndarray, faces: np.ndarray, holes: list[Hole]) -> Extruded:
-    """The surface of ``faces`` (F, 3) with the lids of ``holes``, or a skirt where a lid cuts through its piece.
+    """The surface of ``faces`` (F, 3) with the lids of ``holes``; a rim is extruded if its lid cuts through the piece.
 
-    Of the holes of a piece the one with the longest rim can have one.
+    Only the longest rim of a piece can be extruded.
     """
     uneven = _uneven(vertices, faces, holes)
     sources, rings, instead, num_kept = [np.empty(0, dtype=np.int64)], [vertices], {}, 0
@@ -72,21 +72,19 @@ def extruded(vertices: np.ndarray, faces: np.ndarray, holes: list[Hole]) -> Extr
     repairs = []
     if instead:
         made = sum(map(len, rings)) - len(vertices)
-        lids, rim_extrusion = ("1 lid", "a skirt") if len(instead) == 1 else (f"{len(instead)} lids", "skirts")
-        repairs.append(
-            f"put {lids} that would cut through the surface at the end of {rim_extrusion}: {made} new vertices"
-        )
+        rims = "1 rim, whose lid" if len(instead) == 1 else f"{len(instead)} rims, whose lids"
+        repairs.append(f"extruded {rims} would cut through the surface: {made} new vertices")
     if num_kept:
         lids = "the lid of 1 hole cuts" if num_kept == 1 else f"the lids of {num_kept} holes cut"
-        repairs.append(f"{lids} through the surface, and so would a skirt: the curve may be outside there")
+        repairs.append(f"{lids} through the surface, and so would an extruded rim: the curve may be outside there")
     if len(uneven) > MOST_TESTED:
-        repairs.append(f"looked if lids cut through the surface in the largest {MOST_TESTED} of {len(uneven)} pieces")
+        repairs.append(f"tested lids only in the largest {MOST_TESTED} of {len(uneven)} pieces with uneven rims")
     lids = [instead.get(number, hole.lid) for number, hole in enumerate(holes)]
     return Extruded(np.concatenate(rings), np.concatenate([faces, *lids]), np.concatenate(sources), repairs)
 
 
 def share_cut_off(vertices: np.ndarray, faces: np.ndarray, num_given: int) -> float:
-    """The share of the area of the first ``num_given`` of closed ``faces`` (F, 3) that has its inside outside."""
+    """The share of the area of the first ``num_given`` of closed ``faces`` (F, 3) whose inner side is outside."""
     used, corners = np.unique(faces, return_inverse=True)
     points, corners = vertices[used], corners.reshape(-1, 3)
     extent = float(np.ptp(points, axis=0).max())
@@ -101,7 +99,7 @@ def share_cut_off(vertices: np.ndarray, faces: np.ndarray, num_given: int) -> fl
 
 
 def _uneven(vertices: np.ndarray, faces: np.ndarray, holes: list[Hole]) -> list[tuple[int, np.ndarray, list[int]]]:
-    """The hole with the longest rim of each large piece, if that is uneven; the piece's faces; its other holes.
+    """For each large piece whose longest rim is uneven: that hole, the piece's faces, its other holes.
 
     Pieces with the most faces come first.
     """
@@ -126,15 +124,15 @@ def _uneven(vertices: np.ndarray, faces: np.ndarray, holes: list[Hole]) -> list[
 
 
 def _area_vector(rim: np.ndarray) -> np.ndarray:
-    """(3,) twice the area vector of any surface that a loop (n, 3) goes round."""
+    """(3,) twice the area vector of any surface bounded by the loop ``rim`` (n, 3)."""
     around = rim - rim.mean(axis=0)
     return np.cross(around, np.roll(around, -1, axis=0)).sum(axis=0)
 
 
 def _extrusion(vertices: np.ndarray, faces: np.ndarray, loop: np.ndarray, side: int) -> RimExtrusion:
-    """The skirt from a ``loop`` (n,) round a hole past the piece of ``faces``, numbered from ``len(vertices)``.
+    """The extrusion of the rim ``loop`` (n,) past the piece of ``faces``; new vertices count from ``len(vertices)``.
 
-    It goes to where the lid looks, which is behind the surface, or with ``side`` -1 the other way.
+    With ``side`` 1 it goes in the direction of the lid's normal, behind the surface; with -1 in the other direction.
     """
     rim = vertices[loop]
     along = side * unit(_area_vector(rim))

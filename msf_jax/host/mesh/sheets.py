@@ -1,4 +1,4 @@
-"""Sheets that meet in an edge or a vertex: which faces belong together there, turned one way round, cut from others."""
+"""Separation of sheets that share an edge or a vertex: which faces belong together, their orientation, their twins."""
 
 import numpy as np
 from scipy import sparse
@@ -8,10 +8,10 @@ from msf_jax.host.mesh.half_edges import edge_codes
 
 
 def left_alone(faces: np.ndarray) -> np.ndarray:
-    """(3F,) which half-edges, at an edge of more than two, take no part in joining the others there.
+    """(3F,) half-edges, at an edge of more than two faces, that are not paired with the others there.
 
-    Faces of an open patch, such as a fin, where the others are an even number; else, of an odd number, the one of the
-    smallest patch, and rather an open one: more likely a wall than a part of a solid.
+    These are the faces of open patches, such as a fin, if the other faces are an even number. Of an odd number of faces
+    it is the one of the smallest patch, preferably an open one, which is more likely a wall than part of a solid.
     """
     edge, _, count = edge_codes(faces)
     order = np.argsort(edge, kind="stable")
@@ -30,7 +30,7 @@ def left_alone(faces: np.ndarray) -> np.ndarray:
 
 
 def _patches(edge: np.ndarray, count: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """For each face, its patch, joined across edges with two faces; for each patch, its faces, and if it has a rim."""
+    """For each face its patch, connected across edges of two faces; for each patch its size, and whether it is open."""
     order = np.argsort(edge, kind="stable")
     pair = order[(count[edge] == 2)[order]].reshape(-1, 2) // 3
     num = len(edge) // 3
@@ -41,12 +41,11 @@ def _patches(edge: np.ndarray, count: np.ndarray) -> tuple[np.ndarray, np.ndarra
 
 
 def oriented(faces: np.ndarray, alone: np.ndarray) -> tuple[np.ndarray, int]:
-    """Neighbours across edges turned the same way round, where two faces are not ``alone`` (3F,).
+    """Orient faces consistently across edges with two faces that are not ``alone`` (3F,). Returns how many were turned.
 
-    Of what hangs together the fewer faces are turned.
-
-    Every face stands in a graph twice, as it is and turned; faces that fit together are joined. A patch is then two
-    components, of which one is taken, or, if it has one side only, a single one, which is left as it is.
+    In each connected patch, the smaller number of faces is turned. Each face is twice in a graph, as it is and turned,
+    and faces that fit are connected. A patch is then two components, one of which is used. A patch with one side only
+    is a single component, and is not changed.
     """
     edge, _, count = edge_codes(faces)
     num_joined = np.bincount(edge[~alone], minlength=len(count))
@@ -67,10 +66,10 @@ def oriented(faces: np.ndarray, alone: np.ndarray) -> tuple[np.ndarray, int]:
 
 
 def twins(vertices: np.ndarray, faces: np.ndarray) -> np.ndarray:
-    """(3F,) the half-edge across each, -1 where there is none.
+    """(3F,) the twin of each half-edge, or -1.
 
-    At an edge of more than two faces, those are joined in pairs that run opposite ways, first the pairs that enclose
-    the smallest angle of inside; faces that are left alone are joined to others of their own patch only.
+    At an edge of more than two faces, half-edges of opposite directions are paired, those that enclose the smallest
+    angle of the inside first. Half-edges that are left alone are paired only within their patch.
     """
     edge, _, count = edge_codes(faces)
     alone, patch = left_alone(faces), _patches(edge, count)[0]
@@ -88,7 +87,7 @@ def twins(vertices: np.ndarray, faces: np.ndarray) -> np.ndarray:
         halves = order[start[number] : start[number + 1]]
         angle, is_forward = angles[halves], origin[halves] == low[halves]
         ahead, back = np.flatnonzero(is_forward), np.flatnonzero(~is_forward)
-        wedge = (angle[ahead][:, None] - angle[back]) % (2 * np.pi)  # a face's inside is where its angle falls
+        wedge = (angle[ahead][:, None] - angle[back]) % (2 * np.pi)  # inside is in the direction of smaller angles
         one, other = halves[ahead][:, None], halves[back]
         is_barred = (alone[one] | alone[other]) & (patch[one // 3] != patch[other // 3])
         wedge[is_barred] = np.inf
@@ -101,7 +100,7 @@ def twins(vertices: np.ndarray, faces: np.ndarray) -> np.ndarray:
 
 
 def is_double(faces: np.ndarray) -> np.ndarray:
-    """(F,) which faces lie at an edge that still has more than two."""
+    """(F,) faces at an edge of more than two faces."""
     edge, _, count = edge_codes(faces)
     return np.any(count[edge].reshape(-1, 3) > 2, axis=1)
 
@@ -117,10 +116,10 @@ def angles_around(start: np.ndarray, end: np.ndarray, points: np.ndarray) -> np.
 
 
 def cut_apart(faces: np.ndarray, twin: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """One vertex for each fan of faces that are joined around it: new faces, and the old vertex of each new one."""
+    """One vertex for each fan of faces around it: new faces, and the old vertex of each new one."""
     num = len(twin)
     half = np.flatnonzero(twin >= 0)
-    after = twin - twin % 3 + (twin + 1) % 3  # the corner at the end of the half-edge across
+    after = twin - twin % 3 + (twin + 1) % 3  # the corner at the end of the twin
     graph = sparse.coo_matrix((np.ones(len(half)), (half, after[half])), shape=(num, num))
     fan = csgraph.connected_components(graph, directed=False)[1]
     owner = faces.ravel()[np.unique(fan, return_index=True)[1]]

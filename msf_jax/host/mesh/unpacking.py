@@ -1,8 +1,8 @@
-"""What a mesh file in XML would take to read, before it is: a small one can unpack to more than memory.
+"""Checks of a mesh file in XML before it is read, because a small file can unpack to more than memory.
 
-An archive may unpack to a multiple of its size. Its XML is then gone through as a stream, which keeps nothing: elements
-that are not numbers of a mesh are few, those that are have their numbers, entities of its own there are none, and what
-parts are put together of other parts comes to so many triangles.
+The unpacked size of an archive is limited. Its XML is then parsed as a stream, without storing it. The checks limit the
+number of elements that are not vertices or triangles, require the attributes of those, refuse entities, and limit the
+triangles of parts that consist of other parts.
 """
 
 import zipfile
@@ -13,17 +13,18 @@ from xml.parsers import expat
 
 ZIPPED = {"3mf", "3dxml"}  # mesh formats that are archives
 IN_XML = ZIPPED | {"xaml"}
-LARGEST_RATIO, SMALL, LARGEST = 50, 10_000_000, 2**29  # bytes unpacked: times those packed, in any case, at most
-NUMBERS = ("vertex", "triangle")  # elements of a mesh, with so many attributes each:
-FEWEST = 3
-MOST_ELEMENTS = 100_000  # of all others
-MOST_TRIANGLES = 20_000_000  # of all instances
-MOST_INSTANCES = 100_000
-CHUNK = 1 << 16
+# Limits of the unpacked bytes: ratio to the packed bytes; bytes that are always allowed; bytes that are never exceeded.
+LARGEST_RATIO, SMALL, LARGEST = 50, 10_000_000, 2**29
+NUMBERS = ("vertex", "triangle")  # elements of a mesh
+FEWEST = 3  # attributes of each of these, at least
+MOST_ELEMENTS = 100_000  # other elements, at most
+MOST_TRIANGLES = 20_000_000  # triangles of all instances of parts, at most
+MOST_INSTANCES = 100_000  # instances of parts, at most
+CHUNK = 1 << 16  # bytes that are read at a time
 
 
 def check(path: Path) -> None:
-    """Raise a ValueError if the file at ``path`` would take more memory than its size lets one expect."""
+    """Raise a ValueError if the file at ``path`` would need too much memory for its size."""
     if path.suffix.lower().lstrip(".") not in ZIPPED:
         with path.open("rb") as stream:
             _Elements().read(stream)
@@ -42,16 +43,16 @@ def check(path: Path) -> None:
 
 
 class _Elements:
-    """Counts what is in a stream of XML."""
+    """Counts the elements in a stream of XML."""
 
     def __init__(self) -> None:
         self.num_others = 0
-        self.inside = ""  # the object that is being read
+        self.inside = ""  # the current object
         self.triangles: dict[str, int] = defaultdict(int)  # of each object
-        self.parts: dict[str, list[str]] = defaultdict(list)  # that each object is put together of; of "" the whole
+        self.parts: dict[str, list[str]] = defaultdict(list)  # the parts of each object; "" is the whole file
 
     def read(self, stream: BinaryIO | Any) -> None:
-        """Go through one stream; what is no XML is left to whoever reads it."""
+        """Parse one stream. A stream that is no XML is left to the file's reader."""
         first = stream.read(CHUNK)
         if not first.lstrip(b"\xef\xbb\xbf \t\r\n").startswith((b"<", b"\xff\xfe", b"\xfe\xff")):
             return
@@ -66,28 +67,28 @@ class _Elements:
                 chunk = stream.read(CHUNK)
             parser.Parse(b"", True)
         except expat.ExpatError:
-            return  # damaged: its reader says how, and has seen no more of it than this one
+            return  # it is damaged: the file's reader reports it, and reads no farther than this parser
 
     def check_instances(self) -> None:
-        """Raise a ValueError if all the parts of parts together are too many."""
+        """Raise a ValueError if the parts, with the parts that they consist of, are too many."""
         done: dict[str, tuple[int, int]] = {}
-        on_the_way: set[str] = set()
+        ancestors: set[str] = set()
 
         def total(name: str) -> tuple[int, int]:
-            """Instances and triangles of an object, by depth."""
+            """The numbers of instances and triangles of an object, with its parts."""
             if name in done:
                 return done[name]
-            if name in on_the_way or len(on_the_way) > 100:
-                raise ValueError("its parts are put together of themselves, or too deeply")
-            on_the_way.add(name)
+            if name in ancestors or len(ancestors) > 100:
+                raise ValueError("its parts contain themselves, or are nested too deeply")
+            ancestors.add(name)
             found = [total(part) for part in self.parts.get(name, [])]
-            on_the_way.discard(name)
+            ancestors.discard(name)
             done[name] = 1 + sum(one for one, _ in found), self.triangles[name] + sum(num for _, num in found)
             return done[name]
 
         instances, triangles = total("")
         if instances > MOST_INSTANCES or triangles > MOST_TRIANGLES:
-            raise ValueError(f"its parts come to {instances} instances and {triangles} triangles, which is too many")
+            raise ValueError(f"its parts have {instances} instances and {triangles} triangles, which is too many")
 
     def _begun(self, name: str, attributes: dict[str, str]) -> None:
         name = name.rpartition(":")[2]
@@ -109,4 +110,4 @@ class _Elements:
             self.inside = ""
 
     def _declared(self, *_: Any) -> None:
-        raise ValueError("it declares entities of its own, which no mesh needs")
+        raise ValueError("it declares entities, which no mesh needs")

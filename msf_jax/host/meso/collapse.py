@@ -1,9 +1,9 @@
-"""Edge collapse: every edge shorter than t_c goes to its midpoint (article 3.2.4).
+"""Edge collapse: every edge shorter than t_c is collapsed to its midpoint (article 3.2.4).
 
-Collapses go in rounds. A round takes a maximal set of edges whose ends are not even neighbours of each other's ends,
-shortest first and ties by index: such collapses neither touch each other's rings nor change each other's link
-condition, so they can be applied at once and the surface stays a closed manifold. After a round only the edges around
-the survivors, and those that had to wait, are looked at again: the cost follows the edits, not the mesh.
+Collapses are applied in rounds. A round is a maximal set of edges whose ends are neither shared nor neighbours,
+shortest first and ties by index. Such collapses do not change each other's rings or link conditions, so they can be
+applied at once, and the surface stays a closed manifold. After a round only the edges around survivors, and those that
+had to wait, are tested again: the cost depends on the number of edits, not on the size of the mesh.
 """
 
 from typing import NamedTuple
@@ -16,7 +16,7 @@ from msf_jax.host.solid.geometry import cross
 
 
 class CollapseRound(NamedTuple):
-    """One round of independent collapses, (c,) each: ``removed`` goes into ``survivor``."""
+    """One round of independent collapses, (c,) each: ``removed`` is merged into ``survivor``."""
 
     survivor: np.ndarray
     removed: np.ndarray
@@ -33,8 +33,8 @@ def edge_lengths(positions: np.ndarray, a: np.ndarray, b: np.ndarray) -> np.ndar
 def shortest_first(a: np.ndarray, b: np.ndarray, length: np.ndarray, unit: float) -> np.ndarray:
     """Order (c,) of the edges ab by length, ties by index.
 
-    Lengths count as tied when they agree to 1e-6 of ``unit``: equal edges of a symmetric mesh stay tied when rounding
-    makes them differ in the last bit, so that a scaled or shifted mesh is edited alike.
+    Lengths that agree to 1e-6 of ``unit`` count as tied. So equal edges of a symmetric mesh stay tied although they
+    differ by rounding, and a scaled or shifted mesh is edited alike.
     """
     rounded = np.round(length / (1e-6 * unit))
     num_bits = int(max(a.max(initial=0), b.max(initial=0))).bit_length()
@@ -46,9 +46,9 @@ def shortest_first(a: np.ndarray, b: np.ndarray, length: np.ndarray, unit: float
 def collapse_short_edges(
     meso: Meso, t_c: float, *, keep_faces: bool = False, check: bool = False
 ) -> list[CollapseRound]:
-    """Collapse in place until no edge shorter than ``t_c`` can go; returns the rounds.
+    """Collapse in place until no edge shorter than ``t_c`` can be collapsed; returns the rounds.
 
-    ``keep_faces`` leaves an edge alone where its collapse would turn a face by more than 60 degrees.
+    With ``keep_faces`` no collapse turns a face by more than 60 degrees.
     ``check`` verifies after each round that the surface is a closed manifold of the same genus.
     """
     euler = ring_tables.euler_characteristic(meso.rings) if check else 0
@@ -71,7 +71,7 @@ def collapse_short_edges(
         rounds.append(done)
         if check:
             ring_tables.check_closed_manifold(meso.rings, euler)
-        # Look again at the edges around the survivors; those that had to wait further away are what they were.
+        # Test the edges around the survivors again; waiting edges elsewhere have not changed.
         is_touched = np.zeros(meso.num_rows + 1, dtype=bool)  # the last entry serves the padding -1
         is_touched[meso.rings[done.survivor]] = True
         is_touched[done.survivor] = True
@@ -83,7 +83,7 @@ def collapse_short_edges(
 
 
 class Candidates(NamedTuple):
-    """Edges ab (c,) that are short and can be collapsed, but for the degrees of their apexes ``left`` and ``right``."""
+    """Short edges ab (c,) that can be collapsed if the degrees of their apexes ``left`` and ``right`` allow it."""
 
     a: np.ndarray
     b: np.ndarray
@@ -92,7 +92,7 @@ class Candidates(NamedTuple):
     length: np.ndarray
 
     def at(self, rows: np.ndarray) -> "Candidates":
-        """Those of ``rows``."""
+        """The candidates in ``rows``."""
         return Candidates(*(values[rows] for values in self))
 
 
@@ -107,20 +107,20 @@ def _candidates(meso: Meso, is_touched: np.ndarray, t_c: float) -> Candidates:
 
 def short_edges(meso: Meso, is_touched: np.ndarray, limit: float) -> np.ndarray:
     """(5, c) the edges ab at vertices of ``is_touched`` (n,) that are shorter than ``limit``: a, b, the apexes to the
-    left and to the right, and how many neighbours a and b have in common."""
+    left and to the right, and the number of common neighbours of a and b."""
     found = np.empty((int(meso.degree[is_touched].sum()), 5), dtype=np.int64)
     surface = meso.positions, meso.rings, meso.degree, meso.scales()
     return found[: kernels.short_edges(*surface, limit, is_touched, found)].T.copy()
 
 
 def _place(meso: Meso, a: np.ndarray, b: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Where a collapse of ab, of which b goes, puts a: the fraction (c,) of the way to b, and the position (c, 3)."""
+    """The new place of a after the collapse of b into a: the fraction (c,) from a to b, and the position (c, 3)."""
     fraction = np.where(meso.is_fixed[a], 0.0, 0.5)
     return fraction, meso.positions[a] + fraction[:, None] * (meso.positions[b] - meso.positions[a])
 
 
 def _turns_a_face(meso: Meso, a: np.ndarray, b: np.ndarray) -> np.ndarray:
-    """(c,) True where the collapse of ab would turn a face that it leaves by more than 60 degrees, or flatten it."""
+    """(c,) True where the collapse of ab would turn a remaining face by more than 60 degrees, or make it degenerate."""
     swap = meso.is_fixed[b] & ~meso.is_fixed[a]
     a, b = np.where(swap, b, a), np.where(swap, a, b)
     goal = _place(meso, a, b)[1][:, None]
@@ -140,15 +140,15 @@ def _turns_a_face(meso: Meso, a: np.ndarray, b: np.ndarray) -> np.ndarray:
 
 
 def first_apart(claims: np.ndarray, order: np.ndarray, rings: np.ndarray) -> np.ndarray:
-    """A maximal set of rows of ``claims`` (c, k), vertices, first in ``order`` first, no two of which share a vertex,
-    nor have neighbours in ``rings`` (n, K)."""
+    """A maximal set of rows of ``claims`` (c, k), ids of vertices, chosen greedily in ``order``, in which no two rows
+    share a vertex or have vertices that are neighbours in ``rings`` (n, K)."""
     found = np.empty(len(claims), dtype=bool)
     kernels.apart(claims, order, rings, np.zeros(len(rings), dtype=bool), found)
     return np.flatnonzero(found)
 
 
 def _apply(meso: Meso, a: np.ndarray, b: np.ndarray) -> CollapseRound:
-    """Merge the ends of the independent edges ab, and what they carry."""
+    """Merge the ends of the independent edges ab, and their poles, weights and other data."""
     swap = meso.is_fixed[b] & ~meso.is_fixed[a]  # the fixed end survives
     a, b = np.where(swap, b, a), np.where(swap, a, b)
     meso.widen(int((meso.degree[a] + meso.degree[b] - 4).max()))

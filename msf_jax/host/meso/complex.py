@@ -1,7 +1,7 @@
-"""Triangles and edges while vertices are merged, down to a graph: what the curve is read off with, in any order.
+"""Triangles and edges while vertices are merged to a graph, from which the curve is extracted; merges in any order.
 
-A merge contracts an edge. Where the solid has handles, edges carry classes (see `homology`), and no merge pinches a
-loop that the curve must keep while another can go first.
+A merge contracts an edge. If the solid has handles, edges have homology classes (see `homology`), and a merge that
+would pinch a loop that the curve must keep waits until no other merge is left.
 """
 
 import numpy as np
@@ -10,7 +10,7 @@ from msf_jax.host.meso import ring_tables
 
 
 class Complex:
-    """A closed surface, then what is left of it; ``root`` is a union-find forest.
+    """A closed surface, and then the remaining simplices; ``root`` is a union-find forest.
 
     rings: (n, K). classes: (n, K) or None. pinned: vertices that are not merged with each other unless forced.
     """
@@ -20,7 +20,7 @@ class Complex:
         self.pinned = set() if pinned is None else set(pinned.tolist())  # roots
         self.has_classes = classes is not None
         self.root = list(range(num))
-        # apexes[u][v]: the third vertices of the faces at uv. classes[u][v]: the class of the way from u to v.
+        # apexes[u][v]: the third vertices of the faces at uv. classes[u][v]: the class of the edge from u to v.
         self.apexes: list[dict[int, set[int]]] = [{} for _ in range(num)]
         self.classes: list[dict[int, int]] = [{} for _ in range(num)]
         for u, v, w in ring_tables.faces_from_rings(rings).tolist():
@@ -34,7 +34,7 @@ class Complex:
                 self.classes[u][v] = value
 
     def find(self, u: int) -> int:
-        """The vertex that u has been merged into."""
+        """The vertex that u was merged into."""
         root = self.root
         while root[u] != u:
             root[u] = root[root[u]]
@@ -42,7 +42,7 @@ class Complex:
         return u
 
     def merge(self, u: int, v: int, *, force: bool) -> bool:
-        """Merge the ends of an edge that bears a face; False if it has to wait, lest it pinch a cycle."""
+        """Merge the ends of an edge that has a face; False if it must wait because it would pinch a loop."""
         u, v = self.find(u), self.find(v)
         if u == v or not self.apexes[u].get(v):
             return True
@@ -54,7 +54,7 @@ class Complex:
             self.pinned.add(u)
         self._move_classes(u, v)
         around_v, self.apexes[v] = self.apexes[v], {}
-        for x, thirds in around_v.items():  # faces (v, x, z) become (u, x, z), those with u vanish
+        for x, thirds in around_v.items():  # faces (v, x, z) become (u, x, z); those with u vanish
             around_x = self.apexes[x]
             around_x.pop(v, None)
             for z in thirds:
@@ -69,10 +69,10 @@ class Complex:
         return True
 
     def open_face(self, edges: list[tuple[int, int]]) -> bool:
-        """Take away a face, with the first of ``edges`` that bears no other: the shape is open there anyway.
+        """Remove a face, with the first of ``edges`` that has no other face. False if no edge has a face.
 
-        This is how a face goes whose three edges all close cycles. Where every edge bears more, the first one's goes;
-        a cycle that this leaves, and that bounds a disc in the solid, `cut_discs` takes away. False if none is left.
+        This removes faces whose three edges all close cycles. If every edge has several faces, a face of the first edge
+        is removed. `cut_discs` removes remaining cycles that bound a disc in the solid.
         """
         closed = None
         for u, v in edges:
@@ -95,46 +95,46 @@ class Complex:
             self.apexes[y][x].discard(z)
 
     def edges(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """The ends of every edge that is left, and its class, where classes are known."""
+        """The ends of every remaining edge, and its class; no edges if there are no classes."""
         found = [(u, v, value) for u, classes in enumerate(self.classes) for v, value in classes.items() if u < v]
         left = np.array(found, dtype=np.int64).reshape(-1, 3)
         return left[:, 0], left[:, 1], left[:, 2]
 
     def _pinches(self, u: int, v: int) -> bool:
-        """Whether a loop u -> v -> x -> u is not zero in the solid."""
+        """Whether the class of a loop u -> v -> x -> u is not zero."""
         of_u, of_v = self.classes[u], self.classes[v]
-        way = of_u[v]
-        return any(x in of_u and of_u[x] != way + value for x, value in of_v.items() if x != u)
+        own = of_u[v]
+        return any(x in of_u and of_u[x] != own + value for x, value in of_v.items() if x != u)
 
     def _move_classes(self, u: int, v: int) -> None:
         of_v, self.classes[v] = self.classes[v], {}
-        way = self.classes[u].pop(v, 0)
+        own = self.classes[u].pop(v, 0)
         for x, value in of_v.items():
             self.classes[x].pop(v, None)
             if x != u:
-                self.classes[u].setdefault(x, way + value)
+                self.classes[u].setdefault(x, own + value)
                 self.classes[x].setdefault(u, -self.classes[u][x])
 
 
 def cut_discs(a: np.ndarray, b: np.ndarray, value: np.ndarray, order: np.ndarray) -> np.ndarray:
-    """Which of the graph's edges ab (E,) of class ``value`` stay, so that no cycle bounds a disc in the solid.
+    """Which of the graph's edges ab (E,) of class ``value`` are kept, so that no cycle bounds a disc in the solid.
 
-    Edges are added in ``order``. One that closes a cycle whose class is zero, or that of up to three others together,
-    goes.
+    Edges are added in ``order``. An edge is dropped if it closes a cycle whose class is zero, or the sum of the classes
+    of up to three other cycles.
     """
     is_kept = np.ones(len(a), dtype=bool)
-    above: dict[int, tuple[int, int]] = {}  # a parent, and the class of the way there
+    above: dict[int, tuple[int, int]] = {}  # a parent, and the class of the edge to it
 
-    def way_up(vertex: int) -> tuple[int, int]:
+    def to_root(vertex: int) -> tuple[int, int]:
         total = 0
         while vertex in above:
             vertex, step = above[vertex]
             total += step
         return vertex, total
 
-    known, sums = {0}, {0}  # classes of cycles, and of two of them together
+    known, sums = {0}, {0}  # classes of cycles, and sums of two of them
     for edge in order.tolist():
-        (root, up), (other, other_up) = way_up(int(a[edge])), way_up(int(b[edge]))
+        (root, up), (other, other_up) = to_root(int(a[edge])), to_root(int(b[edge]))
         around = int(value[edge]) + other_up - up
         if root != other:
             above[root] = other, around

@@ -7,7 +7,7 @@ from msf_jax.host.meso.meso import Fixing, Meso
 
 
 def degenerate_length(t_c: float) -> float:
-    """t_f = t_c / 10: below it an edge is as good as a point."""
+    """t_f = t_c / 10: a shorter edge counts as a point."""
     return t_c / 10
 
 
@@ -26,7 +26,7 @@ def fix_degenerate_vertices(meso: Meso, t_f: float) -> int:
 
 
 def threshold(iteration: int, t_min: float, t_step: float, t_max: float) -> float:
-    """The saw-tooth: t_c in that iteration, from 0; rises by ``t_step``, falls to ``t_min`` above ``t_max``."""
+    """The saw-tooth: t_c in an iteration, from 0. It rises by ``t_step``, and above ``t_max`` falls to ``t_min``."""
     return t_min + (iteration % num_periods(t_min, t_step, t_max)) * t_step
 
 

@@ -1,16 +1,16 @@
-"""Which loops of the surface bound a disc inside it: what the curve may pinch, and what it must keep.
+"""Which loops of the surface are contractible in the solid: these may be pinched, the others must be kept.
 
-A surface of genus g has 2g independent loops; half of them, around its limbs, vanish in the solid, and the other half
-are the cycles of its curve. A loop vanishes (in homology) exactly if it links no loop outside, by Alexander duality,
-and the loops outside are spanned by the surface's own, pushed out a little. So every directed edge gets an integer, its
-class, such that the sum along a loop is a fixed random combination of the loop's linking numbers with all of them: the
-sum is zero if and (but for a chance of 1 in 10^9) only if the loop vanishes in the solid.
+A surface of genus g has 2g independent loops. Half of them, around its limbs, are zero in the homology of the solid;
+the other half are the cycles of its curve. By Alexander duality a loop is zero in the solid if and only if it links no
+loop outside. The surface's own loops, pushed out slightly, span the loops outside. So every directed edge gets an
+integer, its class, such that the sum along a loop is a fixed random combination of its linking numbers with these
+loops. The sum is zero if, and with an error probability of 1 in 10^9 only if, the loop is zero in the solid.
 
-Noise and slivers make a surface cross itself here and there, which spoils linking numbers, but not what they are asked
-for: then they are those of the surface after a little smoothing.
+Noise and slivers make a surface cross itself in places, where linking numbers are not valid. Then they are computed on
+the slightly smoothed surface, whose loops have the same classes.
 
-The loops are those of `host.solid.handles`, whose classes of ways through the solid are these on its surface. Linking
-numbers come from signed crossings in a projection.
+The loops are those of `host.solid.handles`, which has the same classes for paths through the solid. Linking numbers are
+computed from signed crossings in a projection.
 """
 
 import numpy as np
@@ -21,19 +21,19 @@ from msf_jax.host.meso import ring_tables
 from msf_jax.host.solid.geometry import vertex_normals
 from msf_jax.host.solid.handles import SEED, surface_loops
 
-PUSH = 1e-3  # how far out, as a fraction of the mean edge length
-SMOOTHINGS = (1, 1, 2, 4, 8, 16)  # rounds, one after the other, of a surface that small triangles make cross itself
-MANY_HANDLES = 16  # of which smoothing all but never leaves a surface that does not cross itself: it is tried once
-MOST_PAIRS = 200_000_000  # of a loop's edges with another's; beyond, linking numbers are not asked for
-LARGEST_GENUS = 64  # beyond, the cost of all linking numbers is no longer small
+PUSH = 1e-3  # mean edge lengths, by which loops are pushed out
+SMOOTHINGS = (1, 1, 2, 4, 8, 16)  # successive numbers of smoothing rounds for a surface that crosses itself
+MANY_HANDLES = 16  # handles: with more, smoothing hardly ever removes all crossings, and is tried once
+MOST_PAIRS = 200_000_000  # pairs of edges of two loops; with more, no linking numbers are computed
+LARGEST_GENUS = 64  # with a larger genus, linking numbers would take too long
 
 
 def half_edge_classes(positions: np.ndarray, faces: np.ndarray) -> np.ndarray | None:
-    """The class (3F,) of every half-edge of a connected closed surface; twins have opposite ones.
+    """The class (3F,) of every half-edge of a connected closed surface; twins have opposite classes.
 
-    None where the linking numbers are not those of a solid (their rank is the genus, and their skew part, how loops
-    cross on the surface, has determinant 1): the surface crosses itself, or is so coarse that a push goes inside. None
-    also where there are more than ``MOST_PAIRS`` to be looked at.
+    In a solid, the rank of the linking numbers is the genus, and their skew part, the crossings of loops on the
+    surface, has determinant 1. Otherwise the result is None: the surface crosses itself, or is so coarse that pushed
+    loops are inside. It is also None if there are more than ``MOST_PAIRS`` pairs of edges.
     """
     edges, generator, loops, to_parent, depth = surface_loops(faces)
     if sum(map(len, loops)) ** 2 > MOST_PAIRS:
@@ -44,12 +44,13 @@ def half_edge_classes(positions: np.ndarray, faces: np.ndarray) -> np.ndarray | 
     linking = linking_numbers(
         [positions[loop] for loop in loops], [(positions + PUSH * spacing * normal)[loop] for loop in loops]
     )
-    crossings = np.linalg.det(linking - linking.T)  # of the loops with each other, on the surface: they span it all
+    crossings = np.linalg.det(linking - linking.T)  # the loops span the surface's homology if this is 1
     if 2 * np.linalg.matrix_rank(linking) != len(generator) or round(abs(crossings)) != 1:
         return None
     weight = np.random.default_rng(SEED).integers(1, 2**30, size=len(generator))
 
-    # Zero on the tree, known on the generators; across the cotree, from the leaves up, a face's three add up to zero.
+    # Classes are zero on the tree, and known on generators. On the cotree, from its leaves, those of a face sum to
+    # zero.
     value = np.zeros(len(edges.origin), dtype=np.int64)
     value[generator] = linking @ weight
     value[edges.twin[generator]] = -value[generator]
@@ -63,7 +64,7 @@ def half_edge_classes(positions: np.ndarray, faces: np.ndarray) -> np.ndarray | 
 
 
 def ring_classes(positions: np.ndarray, faces: np.ndarray, rings: np.ndarray) -> np.ndarray | None:
-    """The same, beside the ring table ``rings`` (n, K) of ``faces``: entry [i, k] is the class of i -> rings[i, k]."""
+    """The classes in the form of the ring table ``rings`` (n, K): entry [i, k] is the class of i -> rings[i, k]."""
     edges = half_edges(faces)
     count = np.bincount(edges.origin)[:, None]
     ends = edges.origin, edges.target
@@ -90,7 +91,7 @@ def ring_classes(positions: np.ndarray, faces: np.ndarray, rings: np.ndarray) ->
 def linking_numbers(loops: list[np.ndarray], others: list[np.ndarray]) -> np.ndarray:
     """Linking number (A, B) of every closed polyline (P, 3) of ``loops`` with every one of ``others``, all disjoint.
 
-    Half the signed crossings in a projection along a direction in general position.
+    It is half of the signed crossings in a projection along a generic direction.
     """
     turn = np.linalg.qr(np.random.default_rng(1987).normal(size=(3, 3)))[0]
     turn[:, 0] *= np.linalg.det(turn)

@@ -1,7 +1,7 @@
-"""The surface while it contracts: positions, rings, and what every vertex carries.
+"""The surface while it contracts: positions, one-rings, and data of vertices.
 
-The meso-skeleton is the one object that the host edits. Its arrays have a row for every vertex ever made in the run up
-to the last `compacted`; merged vertices leave dead rows, whose ring is empty.
+The host edits only this object. Its arrays have a row for every vertex that existed since the last `compacted`. Merged
+vertices leave dead rows with an empty ring.
 """
 
 from dataclasses import dataclass, field, replace
@@ -14,13 +14,13 @@ from msf_jax.host.solid.geometry import signed_volume
 
 
 class Fixing(NamedTuple):
-    """An edit: ``vertex`` (c,) were fixed."""
+    """An edit: the vertices ``vertex`` (c,) were fixed."""
 
     vertex: np.ndarray
 
 
 class Compaction(NamedTuple):
-    """An edit: rows ``live`` (m,) became rows 0, 1, ..., and the others went."""
+    """An edit: rows ``live`` (m,) became rows 0, 1, ..., and the others were dropped."""
 
     live: np.ndarray
 
@@ -29,15 +29,15 @@ class Compaction(NamedTuple):
 class Meso:
     """A closed surface under contraction. Lengths are fractions of the input's bounding-box diagonal.
 
-    positions: (n, 3). rings: (n, K), see `connectivity`. degree: (n,), 0 for a dead row.
+    positions: (n, 3). rings: (n, K), see `ring_tables`. degree: (n,), 0 for a dead row.
     poles: (n, 3), finite everywhere. has_pole: (n,), False where the pole must not pull.
-    trust: (n,) from 0 to 1, how much the pole counts, or None where all count the same.
+    trust: (n,) factor on w_M from 0 to 1, or None if it is 1 everywhere.
     classes: (n, K), the class of every edge (see `homology`), or None for a surface without handles.
-    is_fixed: (n,), True where the vertex has reached the skeleton for good.
+    is_fixed: (n,), True where the vertex has reached the skeleton and no longer moves.
     node_of_input: (V,), the row that every vertex of the input has been merged into.
-    scale: (n,) up to 1, the factor on lengths where the solid is thin (see `poles.thickness`), or None where it is not.
-    weights: (n, 4), w_L, w_H, w_M and smoothing of every vertex, or None where they are the same everywhere.
-    edits: what has been done to the connectivity, in order: `CollapseRound`, `SplitRound`, `Fixing`, `Compaction`.
+    scale: (n,) factor on lengths, up to 1, smaller on thin limbs (see `poles.thickness`), or None if no limb is thin.
+    weights: (n, 4), w_L, w_H, w_M and smoothing of every vertex, or None if they are the same everywhere.
+    edits: the edits of the connectivity, in order: `CollapseRound`, `SplitRound`, `Fixing`, `Compaction`.
     """
 
     positions: np.ndarray
@@ -55,7 +55,7 @@ class Meso:
 
     @classmethod
     def from_mesh(cls, vertices: np.ndarray, faces: np.ndarray) -> "Meso":
-        """The uncontracted surface: nothing fixed, every vertex its own, no poles."""
+        """The surface before contraction: no vertex fixed or merged, no poles."""
         rings = ring_tables.rings_from_faces(faces, len(vertices))
         return cls(
             positions=np.array(vertices, dtype=np.float64),
@@ -69,16 +69,16 @@ class Meso:
 
     @property
     def num_rows(self) -> int:
-        """Rows, dead ones included."""
+        """The number of rows, with dead rows."""
         return len(self.positions)
 
     @property
     def num_live(self) -> int:
-        """Vertices of the surface."""
+        """The number of vertices of the surface."""
         return int(np.count_nonzero(self.degree))
 
     def faces(self) -> np.ndarray:
-        """(F, 3), rows as they are numbered now."""
+        """(F, 3), the rows of the corners."""
         return ring_tables.faces_from_rings(self.rings)
 
     def volume(self) -> float:
@@ -95,7 +95,7 @@ class Meso:
         return np.ones(self.num_rows) if self.scale is None else self.scale
 
     def widen(self, degree: int) -> None:
-        """Make room for ``degree`` neighbours in every row."""
+        """Add slots until every row has at least ``degree``."""
         missing = ring_tables.ring_capacity(degree) - self.rings.shape[1]
         if missing > 0:
             self.rings = np.pad(self.rings, ((0, 0), (0, missing)), constant_values=-1)
@@ -103,13 +103,13 @@ class Meso:
                 self.classes = np.pad(self.classes, ((0, 0), (0, missing)))
 
     def merge_map(self, survivor: np.ndarray, removed: np.ndarray) -> None:
-        """Carry the input's vertices from removed rows to their survivors."""
+        """Update ``node_of_input`` after rows ``removed`` were merged into ``survivor``."""
         target = np.arange(self.num_rows)
         target[removed] = survivor
         self.node_of_input = target[self.node_of_input]
 
     def copied(self) -> "Meso":
-        """The same surface in arrays of its own."""
+        """A copy of the surface."""
         return replace(self, **{name: value.copy() for name, value in vars(self).items() if value is not None})
 
     def compacted(self) -> "Meso":

@@ -1,4 +1,4 @@
-"""Padding: the meso-skeleton's arrays in a fixed layout, ready for the device, and back."""
+"""Packing of the meso-skeleton's arrays into a padded layout for the device, and unpacking."""
 
 from typing import Any, NamedTuple
 
@@ -11,8 +11,8 @@ from msf_jax.host.meso.meso import Meso
 class Packed(NamedTuple):
     """A surface of m vertices in a layout.
 
-    order: (m,) the vertex in each row. rings: (m, K) rows of the neighbours of each; what is past its degree means
-    nothing. fields: the arrays of `device.buffers.Buffers`, by name.
+    order: (m,) the vertex in each row. rings: (m, K) the rows of its neighbours; entries beyond its degree are not
+    defined. fields: the arrays of `device.buffers.Buffers`, by name.
     """
 
     order: np.ndarray
@@ -21,12 +21,12 @@ class Packed(NamedTuple):
 
 
 def rows_beyond(meso: Meso) -> list[int]:
-    """How many vertices have more than k neighbours, for k up to the largest degree: what a layout must hold."""
+    """The number of vertices with more than k neighbours, for k up to the largest degree, which a layout depends on."""
     return degrees_beyond(meso.degree)
 
 
 def degrees_beyond(degree: np.ndarray) -> list[int]:
-    """How many of ``degree`` are more than k, for k up to the largest."""
+    """The number of values in ``degree`` above k, for k up to the largest."""
     return (len(degree) - np.cumsum(np.bincount(degree)))[:-1].tolist()
 
 
@@ -38,7 +38,7 @@ def pad(array: np.ndarray, size: int, fill: float, dtype: np.dtype) -> np.ndarra
 
 
 def pack(meso: Meso, layout: Layout, area: np.ndarray, dtype: np.dtype, t_c: float = 0.0) -> Packed:
-    """The surface in ``layout``: rows by degree, largest first, numbers as ``dtype``."""
+    """The surface in ``layout``: rows sorted by degree, the largest first; real numbers of type ``dtype``."""
     order = np.argsort(-meso.degree, kind="stable")
     rank = np.empty(meso.num_rows + 1, dtype=np.int32)
     rank[order] = np.arange(meso.num_rows, dtype=np.int32)
@@ -71,7 +71,7 @@ def slots(rings: np.ndarray, degree: np.ndarray, layout: Layout) -> tuple[np.nda
     slot = 0
     for level in layout.levels:
         own = np.arange(level.rows, dtype=np.int32)
-        for k in range(level.slots):  # an unused slot points at its own row
+        for k in range(level.slots):  # an unused slot refers to its own row
             part = slice(level.offset + k * level.rows, level.offset + (k + 1) * level.rows)
             count = int(np.searchsorted(-degree, -slot, side="left"))  # rows with more than `slot` neighbours
             for name, table in (("neighbour", rings), ("after", after), ("before", before)):

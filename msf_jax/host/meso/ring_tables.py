@@ -1,9 +1,9 @@
 """Ordered one-rings: the connectivity of a closed oriented surface as one table.
 
-Row i of ``rings`` (n, K) lists the neighbours of vertex i counter-clockwise seen from outside, padded with -1, so that
-every face at i is ``(i, rings[i, k], rings[i, k + 1])``, cyclically. The table alone is the surface: faces, edges, the
-two apexes of an edge and the link condition are read off it, an edit touches only the rows around it, and the same
-table, transposed, is what the device gathers through. A vertex has one row and so one fan: pinches cannot be expressed.
+Row i of ``rings`` (n, K) lists the neighbours of vertex i counter-clockwise seen from outside, padded with -1. So the
+faces at i are ``(i, rings[i, k], rings[i, k + 1])``, cyclically. The table defines the surface: faces, edges, apexes of
+an edge and the link condition follow from it. An edit changes only nearby rows. The device gathers through the same
+table, transposed. A vertex has one row, and so one fan: pinched vertices cannot be represented.
 """
 
 import numpy as np
@@ -11,7 +11,7 @@ import numpy as np
 from msf_jax.base.errors import FlowError, MeshError
 from msf_jax.host.mesh.half_edges import half_edges, next_in_ring
 
-RING_CAPACITIES = (8, 12, 16, 24, 32)
+RING_CAPACITIES = (8, 12, 16, 24, 32)  # slots of a row
 
 
 def ring_capacity(degree: int) -> int:
@@ -33,7 +33,7 @@ def rings_from_faces(faces: np.ndarray, num_vertices: int) -> np.ndarray:
     degree = np.bincount(edges.origin, minlength=num_vertices)
     if len(edges.origin) == 0 or degree.min() == 0 or (edges.twin < 0).any():
         raise MeshError(
-            "the faces do not cover every vertex with a closed surface: check the mesh with host.surface first"
+            "the faces do not cover every vertex with a closed surface: check the mesh with host.mesh.checking first"
         )
     rings = np.full((num_vertices, ring_capacity(int(degree.max()))), -1, dtype=np.int64)
     first = np.empty(num_vertices, dtype=np.int64)
@@ -44,7 +44,7 @@ def rings_from_faces(faces: np.ndarray, num_vertices: int) -> np.ndarray:
         rings[open_ring, k] = edges.target[current[open_ring]]
         current = step[current]
         if (current[open_ring & (degree > k + 1)] == first[open_ring & (degree > k + 1)]).any():
-            raise MeshError("the faces around a vertex form several fans: split the vertex with host.surface first")
+            raise MeshError("the faces around a vertex form several fans: split it with host.mesh.checking first")
     return rings
 
 
@@ -54,7 +54,7 @@ def ring_degrees(rings: np.ndarray) -> np.ndarray:
 
 
 def find_slot(rows: np.ndarray, neighbour: np.ndarray) -> np.ndarray:
-    """The slot (c,) of ``neighbour`` (c,) in each of ``rows`` (c, K); it must be there."""
+    """The slot (c,) of ``neighbour`` (c,) in each of ``rows`` (c, K); it must exist."""
     return (rows == neighbour[:, None]).argmax(axis=1)
 
 
@@ -71,7 +71,7 @@ def edges_from_rings(rings: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
 
 
 def encode_edges(a: np.ndarray, b: np.ndarray, num_vertices: int) -> np.ndarray:
-    """One sortable integer an edge."""
+    """One sortable integer for each edge."""
     return a * np.int64(num_vertices) + b
 
 
@@ -94,10 +94,10 @@ def euler_characteristic(rings: np.ndarray) -> int:
 
 
 def check_closed_manifold(rings: np.ndarray, euler: int) -> None:
-    """The debug check after an edit: closed, oriented, simplicial, and of the Euler characteristic it had.
+    """The debug check after an edit: the surface is closed, oriented, simplicial, with the same Euler characteristic.
 
     Raises:
-        FlowError: naming the first vertex that breaks a rule.
+        FlowError: it is not; the message names the first vertex at fault.
     """
     vertex, slot = np.nonzero(rings >= 0)
     neighbour = rings[vertex, slot]
@@ -106,22 +106,22 @@ def check_closed_manifold(rings: np.ndarray, euler: int) -> None:
     faults = {
         "is its own neighbour": vertex[vertex == neighbour],
         "has a neighbour twice": np.sort(code)[1:][np.diff(np.sort(code)) == 0] // len(rings),
-        "has a neighbour that does not know it": vertex[~np.isin(code, encode_edges(neighbour, vertex, len(rings)))],
+        "is not a neighbour of its neighbour": vertex[~np.isin(code, encode_edges(neighbour, vertex, len(rings)))],
         "has fewer than three neighbours": np.flatnonzero((degree > 0) & (degree < 3)),
         "has a gap in its ring": np.flatnonzero((rings >= 0) != (np.arange(rings.shape[1]) < degree[:, None]))
         // rings.shape[1],
     }
-    # Face (i, j, k) read at i must be read at j as (j, k, i): after k comes i.
+    # A face (i, j, k) at i must be the face (j, k, i) at j: there i comes after k.
     following = np.where(slot + 1 < degree[vertex], slot + 1, 0)
     third = rings[vertex, following]
     if not any(len(found) for found in faults.values()):
         slot_of_third = find_slot(rings[neighbour], third)
         after = rings[neighbour, np.where(slot_of_third + 1 < degree[neighbour], slot_of_third + 1, 0)]
-        faults["bears a face that its neighbours do not"] = vertex[after != vertex]
+        faults["has a face that its neighbours do not have"] = vertex[after != vertex]
     for what, found in faults.items():
         if len(found):
             raise FlowError(
-                f"the surface is no closed manifold any more: vertex {found[0]} {what}, as do {len(found) - 1} others"
+                f"the surface is no longer a closed manifold: vertex {found[0]} {what}, and {len(found) - 1} more"
             )
     if (now := euler_characteristic(rings)) != euler:
         raise FlowError(f"an edit changed the topology: Euler characteristic {now}, was {euler}")

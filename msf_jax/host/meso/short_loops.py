@@ -1,9 +1,10 @@
-"""Which loops the curve must keep, where the surface crosses itself and linking numbers say nothing.
+"""Which loops the curve must keep, for a surface that crosses itself, where linking numbers are not valid.
 
-A contracted surface tells it by its lengths: loops around limbs have shrunk to nothing, those that the curve keeps are
-as long as ever. Of 2g independent loops, the shortest that start from one vertex (Erickson, Whittlesey 2005), g are
-taken, short ones first, that do not cross each other, sums of them where it takes that. Loops that cross none of these
-are what vanishes: the class of an edge is how often it crosses a fixed random combination of them.
+On a contracted surface lengths tell: loops around limbs have shrunk to almost 0, and the loops that the curve keeps
+have not. From the 2g shortest independent loops through one vertex (Erickson, Whittlesey 2005), g loops that do not
+cross each other are chosen, short ones first, or sums of loops where necessary. These count as contractible in the
+solid, and so does every loop that crosses none of them. The class of an edge is its number of crossings with a fixed
+random combination of them.
 """
 
 import numpy as np
@@ -14,15 +15,15 @@ from msf_jax.host.mesh.half_edges import HalfEdges, half_edges
 from msf_jax.host.meso import ring_tables
 from msf_jax.host.solid.handles import loop_along
 
-MOST_HANDLES = 400  # beyond, the table of crossings is no longer small
-MOST_TIMES = 2**14  # that a sum of loops may go along one of them, lest classes of edges leave the range of 64 bits
+MOST_HANDLES = 400  # handles: with more, the table of crossings would be too large
+MOST_TIMES = 2**14  # largest coefficient of a loop in a sum, so that classes of edges do not overflow 64 bits
 
 
 def short_classes(positions: np.ndarray, rings: np.ndarray) -> np.ndarray | None:
     """Classes (n, K) beside the ring table ``rings`` of a connected surface, as `homology.ring_classes` gives them.
 
-    It takes short loops for those that vanish in the solid. None for a surface of more than ``MOST_HANDLES``,
-    or where sums of loops grow beyond ``MOST_TIMES``.
+    Short loops count as contractible in the solid. None for a surface of more than ``MOST_HANDLES``, or if coefficients
+    of loops exceed ``MOST_TIMES``.
     """
     degree = ring_tables.ring_degrees(rings)
     edges = half_edges(ring_tables.faces_from_rings(rings))
@@ -53,7 +54,7 @@ def short_classes(positions: np.ndarray, rings: np.ndarray) -> np.ndarray | None
     number = np.repeat(np.arange(len(paths)), [len(path) for path in paths])
     ahead = np.concatenate([*paths, np.empty(0, dtype=np.int64)])
     back = twin[np.concatenate([*(np.roll(path, 1) for path in paths), np.empty(0, dtype=np.int64)])]
-    # On its left a loop is crossed by what lies, counter-clockwise, between the path ahead and the path back.
+    # Edges that are, counter-clockwise, between the next and the previous edge of a loop leave it to the left.
     count = (slot_of[back] - slot_of[ahead] - 1) % degree[tail[ahead]]
     row = np.repeat(np.arange(len(ahead)), count)
     step = np.arange(len(row)) - np.repeat(np.cumsum(count) - count, count) + 1
@@ -74,9 +75,10 @@ def short_classes(positions: np.ndarray, rings: np.ndarray) -> np.ndarray | None
 
 
 def _generators(edges: HalfEdges, around: np.ndarray, in_tree: np.ndarray) -> np.ndarray:
-    """The half-edges that close the 2g shortest loops, with the tree's ways; ``around`` (H,) is how long each is.
+    """The half-edges that close the 2g shortest loops with paths of the tree; ``around`` (H,) is the length of each
+    loop.
 
-    Edges of neither the tree nor a spanning tree of the faces, which crosses the edges with the longest loops.
+    They are in neither the tree nor a spanning tree of the faces, which crosses the edges with the longest loops.
     """
     num_half, twin = len(edges.origin), edges.twin
     face = np.arange(num_half) // 3
@@ -84,7 +86,7 @@ def _generators(edges: HalfEdges, around: np.ndarray, in_tree: np.ndarray) -> np
     one, other = np.sort(np.stack([face[free], face[twin[free]]]), axis=0)
     longest_first = np.lexsort((free, -around[free], other, one))
     first = np.unique(np.stack([one, other])[:, longest_first], axis=1, return_index=True)[1]
-    single = longest_first[first]  # of several edges between two faces, the one with the longest loop
+    single = longest_first[first]  # of edges between the same two faces, the one with the longest loop
     cost = 1.0 + around[free].max(initial=0.0) - around[free]
     num_faces = num_half // 3
     dual = sparse.csr_matrix((cost[single], (one[single], other[single])), (num_faces, num_faces))
@@ -96,11 +98,11 @@ def _generators(edges: HalfEdges, around: np.ndarray, in_tree: np.ndarray) -> np
 
 
 def _apart(crossings: np.ndarray, length: np.ndarray) -> np.ndarray | None:
-    """(g, 2g): short sums of the 2g loops that do not cross each other; ``crossings`` (2g, 2g) is how those do.
+    """(g, 2g) coefficients of short sums of the 2g loops that do not cross; ``crossings`` (2g, 2g) are the loops'.
 
-    After one is chosen, another that crosses it goes, and is added to all others as often as makes them not cross it.
-    Of a sum that goes around several times one time is left, lest numbers double with every round. None where they grow
-    beyond ``MOST_TIMES`` still.
+    After each choice, another loop that crosses the chosen one is removed, and multiples of it are added to the others
+    so that they do not cross the chosen one. Coefficients are divided by their greatest common divisor, so that they do
+    not double in each round. None if they still exceed ``MOST_TIMES``.
     """
     left, length = np.eye(len(length), dtype=np.int64), length.copy()
     chosen = []

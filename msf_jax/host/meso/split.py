@@ -1,8 +1,8 @@
-"""Edge split: an edge with two obtuse opposite angles is cut where an apex projects on it (article 3.2.4).
+"""Edge split: an edge with two obtuse opposite angles is split where an apex projects on it (article 3.2.4).
 
-The collapse leaves long thin triangles; cutting their longest edge gives the contraction a vertex to move there. The
-new vertex lies on the old edge, so the shape does not change, and has no pole of its own: the interpolated one, at the
-same fraction of the edge, is carried along but does not pull.
+Collapses leave long thin triangles. A split of their longest edge adds a vertex that the contraction can move. The new
+vertex is on the old edge, so the shape does not change. Its pole is interpolated at the same fraction, but does not
+pull.
 """
 
 from typing import NamedTuple
@@ -17,7 +17,7 @@ from msf_jax.host.meso.meso import Meso
 class SplitRound(NamedTuple):
     """One round of independent splits, (c,) each: the new vertex is (1 - fraction) a + fraction b.
 
-    That is where ``apex`` projects on ab; None where the fraction was given.
+    ``apex`` projects on ab there; it is None if the fraction was given.
     """
 
     a: np.ndarray
@@ -32,7 +32,7 @@ def split_obtuse_edges(
 ) -> tuple[list[SplitRound], bool]:
     """Split in place until no edge longer than ``shortest`` has two opposite angles over ``angle`` degrees.
 
-    Returns the rounds, and whether it stopped early rather than let the surface outgrow ``max_rows``.
+    Returns the rounds, and whether it stopped early because the surface would have more than ``max_rows`` vertices.
     """
     euler = ring_tables.euler_characteristic(meso.rings) if check else 0
     cosine = np.cos(np.radians(angle))
@@ -55,7 +55,7 @@ def split_obtuse_edges(
         rounds.append(split_edges(meso, a[chosen], b[chosen], fraction[chosen], apex[chosen]))
         if check:
             ring_tables.check_closed_manifold(meso.rings, euler)
-        # Look again at the edges of the cut faces; those that had to wait further away are what they were.
+        # Test the edges of the split faces again; waiting edges elsewhere have not changed.
         is_touched = np.zeros(meso.num_rows, dtype=bool)
         is_touched[np.r_[rounds[-1].new, edges[:4, chosen].ravel()]] = True
         edges = edges[:, ~(is_touched[a] | is_touched[b])]
@@ -64,7 +64,7 @@ def split_obtuse_edges(
 def split_long_edges(meso: Meso, longest: float | np.ndarray, *, check: bool = False) -> None:
     """Halve every edge longer than ``longest``, longest first, until none is left.
 
-    A limit for each vertex (n,) holds for an edge by the mean of its ends', and a new vertex has that mean.
+    ``longest`` may be an array (n,): the limit of an edge, and of the vertex that halves it, is the mean of its ends'.
     """
     euler = ring_tables.euler_characteristic(meso.rings) if check else 0
     limit = np.broadcast_to(np.asarray(longest, dtype=np.float64), meso.num_rows)
@@ -87,7 +87,7 @@ def split_long_edges(meso: Meso, longest: float | np.ndarray, *, check: bool = F
 def split_edges(
     meso: Meso, a: np.ndarray, b: np.ndarray, fraction: np.ndarray, apex: np.ndarray | None = None
 ) -> SplitRound:
-    """Cut the edges ab (c,), which share no face, at ``fraction`` of the way from a to b, where ``apex`` projects."""
+    """Split the edges ab (c,), which share no face, at ``fraction`` from a to b, where ``apex`` projects."""
     left, right = ring_tables.apexes(meso.rings, meso.degree, a, b)
     meso.widen(int(meso.degree.max(initial=0)) + 1)
     new = np.arange(meso.num_rows, meso.num_rows + len(a))
@@ -111,5 +111,5 @@ def split_edges(
 
 
 def _disjoint(claims: np.ndarray, order: np.ndarray, num_vertices: int) -> np.ndarray:
-    """Rows of ``claims`` (c, 4), first in ``order`` first, no two of which share a vertex."""
+    """A maximal set of rows of ``claims`` (c, 4), chosen greedily in ``order``, no two of which share a vertex."""
     return first_apart(claims, order, np.empty((num_vertices, 0), dtype=np.int64))

@@ -1,13 +1,13 @@
-"""The surgery of Au et al. 2008: half-edge collapses down to a curve, and the recentring of its nodes.
+"""The connectivity surgery of Au et al. 2008: half-edge collapses down to a curve, and the recentring of its nodes.
 
-A half-edge collapse i -> j moves vertex i, with all its edges, to where j is. It costs
+A half-edge collapse i -> j merges vertex i, with all its edges, into j. Its cost is
 
     F(i, j) = F_a + 0.1 F_b,    F_a = sum over the edges gathered in i and in j of |a x (v_j - v)|^2,
                                 F_b = |v_i - v_j| sum over the neighbours k of i of |v_i - v_k|,
 
-a shape cost, of v_j's distance from the lines of edges (through v, of direction a) that have been contracted into the
-two, as a quadric, and a sampling cost, which is against long edges. The cheapest goes first, of the edges that bear a
-face, until there is none. What may not go is up to `complex.Complex`: a merge that would pinch a loop of the solid.
+The shape cost F_a is a quadric: the distance of v_j from the lines of edges (through v, with direction a) that were
+contracted into the two. The sampling cost F_b penalises long edges. The cheapest edge with a face is collapsed first,
+until no edge has a face. `complex.Complex` delays merges that would pinch a loop of the solid.
 """
 
 import heapq
@@ -18,17 +18,17 @@ from scipy import spatial
 from msf_jax.host.meso.complex import Complex
 
 SAMPLING = 0.1  # weight of the sampling cost
-STALE = 1e-9  # an entry of the heap that has become dearer by more than this part goes back
-CHEAPER = 0.9  # factor on a vertex's edge lengths, from which on its entries are made anew: most change by far less
+STALE = 1e-9  # relative rise of a cost, above which an entry of the heap is inserted again
+CHEAPER = 0.9  # ratio of a vertex's edge lengths to those before, below which its entries are inserted again
 
 Quadric = tuple[float, ...]  # xx, xy, xz, yy, yz, zz of M, then M v, and v . M v, summed over lines
 
 
 def operate(complex_: Complex, positions: np.ndarray, a: np.ndarray, b: np.ndarray) -> None:
-    """Collapse, in place, what bears a face, for vertices at ``positions`` (n, 3) and all edges ab (E,).
+    """Collapse, in place, all edges with a face, for vertices at ``positions`` (n, 3) and all edges ab (E,).
 
-    An edge that would pinch a loop waits until all others have gone; where nothing else is left, one face is opened,
-    or, without classes, one edge goes all the same. O(E log E), but for vertices of many neighbours.
+    An edge that would pinch a loop waits until no others are left. If only such edges are left, one face is opened, or,
+    without classes, one edge is collapsed. It takes O(E log E) time, except for vertices of many neighbours.
     """
     work = _Costs(positions, a, b)
     heap = [(work.cost(i, j), i, j) for u, v in zip(a.tolist(), b.tolist(), strict=True) for i, j in ((u, v), (v, u))]
@@ -50,7 +50,7 @@ def operate(complex_: Complex, positions: np.ndarray, a: np.ndarray, b: np.ndarr
         cost, i, j = heapq.heappop(heap)
         if not _is_open(complex_, i, j):
             continue
-        now = work.cost(i, j)  # an entry tells what it cost then: what has been gathered since makes it dearer
+        now = work.cost(i, j)  # the cost may have risen since the entry was inserted
         if now > cost * (1 + STALE):
             heapq.heappush(heap, (now, i, j))
         elif complex_.merge(j, i, force=False):
@@ -63,7 +63,7 @@ def operate(complex_: Complex, positions: np.ndarray, a: np.ndarray, b: np.ndarr
 
 
 def _is_open(complex_: Complex, i: int, j: int) -> bool:
-    """Whether i and j are still there, with an edge between them that bears a face."""
+    """Whether i and j still exist, with an edge between them that has a face."""
     return complex_.root[i] == i and complex_.root[j] == j and bool(complex_.apexes[i].get(j))
 
 
@@ -76,7 +76,7 @@ class _Costs:
         length = np.linalg.norm(along, axis=1)
         along /= np.where(length > 0, length, 1.0)[:, None]
         M = np.eye(3) - along[:, :, None] * along[:, None, :]
-        M[length == 0] = 0  # no line, no distance from it
+        M[length == 0] = 0  # an edge without length has no line
         Mv = np.einsum("eij,ej->ei", M, positions[ends])
         columns = [M[:, i, j] for i in range(3) for j in range(i, 3)]
         columns += [*Mv.T, np.einsum("ei,ei->e", Mv, positions[ends])]
@@ -90,7 +90,7 @@ class _Costs:
             self.around[i].add(j)
 
     def cost(self, i: int, j: int) -> float:
-        """Of the collapse of i into j."""
+        """The cost of the collapse of i into j."""
         x, y, z = self.position[j]
         shape = 0.0
         for xx, xy, xz, yy, yz, zz, bx, by, bz, c in (self.quadric[i], self.quadric[j]):
@@ -99,7 +99,7 @@ class _Costs:
         return max(shape, 0.0) + SAMPLING * self._length(i, j) * self.reach[i]
 
     def merge(self, i: int, j: int) -> list[tuple[int, int]]:
-        """Merge i into j; returns the half-edges that are new, or may be much cheaper than they were."""
+        """Merge i into j; returns the half-edges that are new, or may be much cheaper than before."""
         around, own = self.around[i], self.around[j]
         fresh, cheaper, reach = [], [], self.reach[j]
         for k in around:
@@ -134,17 +134,17 @@ def recentred(
     vertices: np.ndarray,
     faces: np.ndarray,
 ) -> np.ndarray:
-    """The ``nodes`` (N, 3), moved back by how far the boundaries of their regions have come in the contraction.
+    """The ``nodes`` (N, 3), moved back by the mean displacement of their regions' boundaries in the contraction.
 
-    The region of a node is the vertices (V,) of ``node_of_vertex``. Its boundary loops run half-way between its
-    vertices and others, through the faces that have both; of all their points, the mean of ``contracted - vertices``
-    (V, 3) each is taken by length, so that a short loop, around a hole in the region, counts little. A node without a
-    boundary goes with the nearest that has one. A leaf goes with the node before it: as often as not its region is a
-    patch on one side of a limb, and its own loop would take it out there.
+    The region of a node is its vertices in ``node_of_vertex`` (V,). Boundary loops run half-way between its vertices
+    and others, through the faces that have both. The displacement ``contracted - vertices`` (V, 3) is averaged over all
+    loops by length, so that a short loop, around a hole in the region, counts little. A node without a boundary moves
+    like the nearest node with one. A leaf moves like the node before it, because its region is often a patch on one
+    side of a limb, and its own loop would move it to that side.
     """
     label, away = node_of_vertex[faces], contracted - vertices
     num, ends, weights, moves = len(nodes), [], [], []
-    for k in range(3):  # faces that have corner k on one side of a boundary, and the two others on the other
+    for k in range(3):  # faces with corner k on one side of a boundary, and the two others on the other side
         (c, a, b), (own, other, same) = (np.roll(rows, -k, axis=1).T for rows in (faces, label))
         is_cut = (other == same) & (own != other)
         c, a, b = c[is_cut], a[is_cut], b[is_cut]

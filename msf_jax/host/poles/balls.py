@@ -3,11 +3,11 @@
 The ball of radius r that touches the surface at v, with outward unit normal n, has its centre at c = v - r n. If
 another point q of the surface is inside, the ball through v and q that touches at v is smaller, and has the radius
 
-    r = |q - v|^2 / (2 n . (v - q));
+    r = |q - v|^2 / (2 n . (v - q)).
 
-with the nearest point to c for q the ball shrinks until it is empty, after some four to seven queries of a k-d tree. A
-query is fast where the ball is small, so balls begin small, and double as long as they are empty. A point that lies
-next to v, seen from the centre, is noise, and does not count (Peters 2018).
+With q the point nearest to c, the ball shrinks until it is empty, after four to seven queries of a k-d tree. Queries
+are fast for small balls, so balls start small, and double while they are empty. A point q that is close to v as seen
+from the centre is noise, and does not count (Peters 2018).
 """
 
 from typing import NamedTuple
@@ -18,16 +18,16 @@ from scipy import spatial
 from msf_jax.host.poles.voronoi import Poles
 from msf_jax.host.solid.geometry import unit, vertex_normals
 
-FIRST = 0.01  # extents (diagonals, of a solid), the radius to begin with
-LARGEST = 1.0  # extents, that a radius may be
-NOISE = np.cos(np.radians(25))  # of the angle between the two points of touch, below which the other one is noise
-ROUNDS = 60  # of queries
-EMPTY = 1 - 1e-9  # of a radius: what is no nearer than that touches the ball
+FIRST = 0.01  # extents of the points (diagonals, for a solid): the first radius
+LARGEST = 1.0  # extents: the largest radius
+NOISE = np.cos(np.radians(25))  # cosine of the angle at the centre between v and q, above which q is noise
+ROUNDS = 60  # queries for each ball, at most
+EMPTY = 1 - 1e-9  # radii from the centre: a point that is not nearer is not inside the ball
 
 
 class Balls(NamedTuple):
-    """radius: (P,) of the ball at each point. touching: (P,) the other point where it touches; -1 where it has grown to
-    the largest radius that was asked for, and touches nothing."""
+    """radius: (P,) of the ball at each point. touching: (P,) the other point that it touches; -1 if it has the largest
+    radius, and touches none."""
 
     radius: np.ndarray
     touching: np.ndarray
@@ -43,8 +43,8 @@ def shrinking_balls(
 ) -> Balls:
     """The largest ball behind each of ``points`` (P, 3) with outward unit ``normals``, empty of the points of ``tree``.
 
-    It begins with radius ``first`` and ends at ``largest``, numbers or (P,). ``own`` (P,) names the point of the tree
-    that each is.
+    Radii start at ``first``, and are at most ``largest``: numbers or (P,). ``own`` (P,) is the index of each point in
+    the tree.
     """
     num = len(points)
     largest = np.broadcast_to(largest, num)
@@ -67,7 +67,7 @@ def shrinking_balls(
         depth = -np.einsum("ij,ij->i", n, to_q)
         is_hit &= (depth > 0) & (length2 > 0)
         smaller = length2 / np.where(is_hit, 2 * depth, 1.0)
-        # n . (q - c) / r is the cosine of the angle that v and q make at the new centre.
+        # n . (q - c) / r is the cosine of the angle between v and q at the new centre.
         is_hit &= 1 - depth / np.where(is_hit, smaller, 1.0) < NOISE
         radius[active[is_hit]], touching[active[is_hit]] = smaller[is_hit], found[is_hit]
         grows[active[is_hit]] = False
@@ -80,7 +80,7 @@ def shrinking_balls(
 def ball_poles(sites: np.ndarray, faces: np.ndarray, box: np.ndarray | None = None) -> Poles:
     """The centre of the ball at every vertex of the closed mesh ``(sites, faces)``, in the form of `voronoi_poles`.
 
-    In place of a tetrahedron there are the two vertices where the ball touches, each twice.
+    Instead of a tetrahedron, it has the two vertices that the ball touches, each twice.
     """
     normals = unit(vertex_normals(sites, faces))
     extent = float(np.ptp(sites, axis=0).max())

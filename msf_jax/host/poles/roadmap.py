@@ -1,12 +1,11 @@
-"""Ways through a solid: a graph of balls inside it, made once, whose edges are looked at when a way wants them.
+"""Shortest paths inside a solid: a roadmap of inscribed balls, made once, whose edges are tested when they are needed.
 
-The nodes are centres of balls that touch the surface from inside, one for each place: a ball among others of its size
-that overlap it says nothing new. Where two balls overlap, the segment between their centres is inside without a look.
-Rays tell of the others. First the parts that a way is wanted between are joined, each by the nearest of its edges that
-is inside, as in a spanning tree (Boruvka 1926): then it is known where there is a way. Any other edge is taken for open
-until a shortest way uses it, and is looked at then (lazy shortest paths; Dellin, Srinivasa 2016). A way is sought near
-the edge that it is for, and farther off only if there is none: it goes on the same side of a hole, and costs what is
-near. All of it has a bound.
+The nodes are centres of balls that touch the surface from inside, one for each place and size. If two balls overlap,
+the segment between their centres is inside; other segments are tested with rays. First the parts of the graph between
+which a path is requested are joined, each by the nearest of its edges that is inside, as in Boruvka's spanning tree
+(1926). Then it is known which paths exist. Any other edge counts as open until a shortest path uses it, and is tested
+then (lazy shortest paths; Dellin, Srinivasa 2016). A path is searched near the edge that it replaces, and farther away
+only if there is none, so that it stays on the same side of a hole, and the search is local. All searches have bounds.
 """
 
 from collections.abc import Callable, Iterator
@@ -20,45 +19,44 @@ from msf_jax.host.poles import balls
 from msf_jax.host.solid.enclosure import Enclosure
 from msf_jax.host.solid.handles import along_forest, down_forest, shortest_forest
 
-TOUCHING = 1e-5  # diagonals: a point with less room than that counts as outside
-MOST_SEEDS = 20_000  # points of the surface, behind which balls are sought
-CORRECTIONS = 4  # of a ball's radius, by the triangles between the samples
-NEIGHBOURS = 12  # of a ball, of any size, and
-LARGER = 3  # of each larger size
-FAR = 3.0  # times the sum of their radii: balls that are farther apart than that are no neighbours
-JOINING = 2  # edges out of a part that are looked at in the first round of joining, twice as many in every next
-MOST_LOOKS = 15_000  # that joining may take, for a curve
-MOST_LOOKS_FOR_LOOPS = 60_000  # that the search for missing loops may take, once
-REACHES = (2.0, 6.0)  # times the length of an edge: so long a way over a ball may be, at first and then
-TRIES = 8  # ways over edges that nobody has looked at, before such edges are left out
-UNSEEN = 3.0  # times as long as it is counts an edge that nobody has looked at
-VISITS = 5_000_000  # of balls, by all searches for ways of a curve
+TOUCHING = 1e-5  # diagonals: a point of less clearance counts as outside
+MOST_SEEDS = 20_000  # points of the surface at which balls start
+CORRECTIONS = 4  # corrections of a ball's radius by the triangles between samples
+NEIGHBOURS = 12  # nearest balls of any size that a ball has edges to
+LARGER = 3  # nearest balls of each larger size that a ball has edges to
+FAR = 3.0  # sums of the two radii: balls farther apart have no edge
+JOINING = 2  # edges of each part that the first round of joining tests; each next round tests twice as many
+MOST_TESTS = 15_000  # tests of edges in joining, for one curve
+MOST_TESTS_FOR_LOOPS = 60_000  # tests of edges in the search for missing loops
+REACHES = (2.0, 6.0)  # lengths of the edge to replace: longest detour over a ball, in the first and the second search
+TRIES = 8  # searches that may use untested edges; afterwards only tested edges are used
+UNTESTED = 3.0  # factor on the cost of untested edges
+VISITS = 5_000_000  # visits of balls by all searches for one curve
 
 Test = Callable[[Enclosure, np.ndarray, np.ndarray], np.ndarray]
 
 
 class Roadmap:
-    """Ways through the solid ``shape``, of diagonal 1.
+    """Paths inside the solid ``shape``, of diagonal 1.
 
     Args:
         shape: the solid.
-        test: which segments from a (E, 3) to b (E, 3) are inside it.
+        test: whether each segment from a (E, 3) to b (E, 3) is inside it.
     """
 
     def __init__(self, shape: Enclosure, test: Test):
         self.shape = shape
         self.test = test
-        self.num_visits = self.num_looks = 0
-        # Of the curve that was asked for last:
-        self.num_refused = 0  # ways that were not looked for, as a bound was hit
-        self.num_closed = 0  # edges between points inside, for which there is no way
+        self.num_visits = self.num_tests = 0
+        # Results of the last call of `paths`:
+        self.num_refused = 0  # edges without a search, because a bound was reached
+        self.num_closed = 0  # edges between points inside for which there is no path
         self._balls: tuple[np.ndarray, np.ndarray] | None = None
         self._links: _Links | None = None
 
     def paths(self, x: np.ndarray, pairs: np.ndarray) -> list[np.ndarray]:
-        """Points (k, 3) from x[a] to x[b] for each of ``pairs`` (E, 2), with segments inside; none where there is none.
-
-        A roomy and short one near the edge is taken.
+        """Points (k, 3) of a path inside from x[a] to x[b] for each of ``pairs`` (E, 2), without its ends; empty if
+        there is none. The path is short, near the edge, and has large clearance.
         """
         self.num_closed = self.num_refused = 0
         if not len(pairs):
@@ -69,8 +67,8 @@ class Roadmap:
         number = graph.first_end + np.cumsum(is_inside) - 1
         place = place.reshape(-1, 2)
         is_asked = np.logical_and(*is_inside[place].T)
-        is_joined = graph.join(number[place[is_asked]], MOST_LOOKS - self.num_looks)
-        self.num_looks += graph.num_looks
+        is_joined = graph.join(number[place[is_asked]], MOST_TESTS - self.num_tests)
+        self.num_tests += graph.num_tests
         found = []
         for (start, end), has_ends in zip(number[place].tolist(), is_asked.tolist(), strict=True):
             path = np.empty((0, 3))
@@ -86,11 +84,11 @@ class Roadmap:
         return found
 
     def loops_from(self, x: np.ndarray, edges: np.ndarray, is_complete: bool) -> Iterator[tuple[int, int, np.ndarray]]:
-        """Paths inside from nodes of the curve ``(x (N, 3), edges (E, 2))`` to nodes of it, the shortest first.
+        """Paths inside that make loops around handles with the curve ``(x (N, 3), edges (E, 2))``, the shortest first.
 
-        Each edge of the roadmap makes one, with shortest paths from the curve to its two ends; of those that go around
-        the same handles the shortest only, and none that goes around no handle. Edges between balls that overlap do, or
-        all that are inside, if ``is_complete``.
+        Each edge of the roadmap, with shortest paths from its ends to the curve, is a candidate. Of candidates around
+        the same handles only the shortest is kept; those around no handle are dropped. Only edges between overlapping
+        balls are used, or, if ``is_complete``, all edges that are inside.
 
         Yields:
             start, end: nodes. path: (k, 3) points between them.
@@ -101,7 +99,7 @@ class Roadmap:
             return
         graph = self._graph(x[node_of_end])
         if is_complete:
-            graph.look_at_all(MOST_LOOKS_FOR_LOOPS)
+            graph.test_all(MOST_TESTS_FOR_LOOPS)
             self._links = graph.links_of_balls()
         is_open, first, handles = graph.links.is_open, graph.first_end, self.shape.handles
         tail, head, cost = (field[is_open] for field in (graph.links.tail, graph.links.head, graph.links.cost))
@@ -120,7 +118,7 @@ class Roadmap:
         to_ball = of_curve[node_of_end[np.maximum(source, first) - first]] + down_forest(before, last)
         around = to_ball[tail] + value - to_ball[head]
         length = away[tail] + cost + away[head]
-        rows = np.flatnonzero(around > 0)  # the other way round it is the same loop
+        rows = np.flatnonzero(around > 0)  # a negative class is the same loop in the other direction
         rows = rows[np.lexsort((length[rows], around[rows]))]
         rows = rows[np.r_[True, around[rows][1:] != around[rows][:-1]]] if len(rows) else rows
         for row in rows[np.argsort(length[rows], kind="stable")].tolist():
@@ -129,7 +127,7 @@ class Roadmap:
             yield start, end, graph.centre[[*there[-2::-1], *back[:-1]]]
 
     def nearest(self, points: np.ndarray, radii: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Centre (P, 3) and radius (P,) of the ball nearest to each point; what is given, if there is none."""
+        """Centre (P, 3) and radius (P,) of the ball nearest to each point; the arguments if there are no balls."""
         if not len(points):
             return points, radii
         centre, radius = self._all_balls()
@@ -144,7 +142,7 @@ class Roadmap:
         return self._balls
 
     def _graph(self, ends: np.ndarray) -> "_Graph":
-        """The balls, and after them ``ends`` of ways."""
+        """The graph of the balls, and after them the ``ends`` of paths."""
         centre, radius = self._all_balls()
         if self._links is None:
             self._links = _links(centre, radius, *_neighbours(centre, radius))
@@ -154,38 +152,37 @@ class Roadmap:
 
 
 class _Links(NamedTuple):
-    """Edges (E,) from ball ``tail`` to ball ``head``: their length over that of both radii (``gap``), and over that of
-    the smaller one (``cost``); whether each ``is_seen``, and ``is_open``, as far as that is known."""
+    """Edges (E,) from ball ``tail`` to ball ``head``. gap: length over the sum of the radii. cost: length over the
+    smaller radius. is_tested: whether ``is_open``, which says that the edge is inside, is known."""
 
     tail: np.ndarray
     head: np.ndarray
     gap: np.ndarray
     cost: np.ndarray
-    is_seen: np.ndarray
+    is_tested: np.ndarray
     is_open: np.ndarray
 
 
 class _Graph:
-    """Balls with their centres, ends of ways from number ``first_end`` on, and the edges between neighbours."""
+    """The centres of balls, from ``first_end`` on ends of paths, and the edges between neighbours."""
 
     def __init__(self, shape: Enclosure, test: Test, centre: np.ndarray, first_end: int, links: _Links):
         self.shape, self.test, self.centre, self.first_end, self.links = shape, test, centre, first_end, links
-        self.num_visits = self.num_looks = 0
+        self.num_visits = self.num_tests = 0
         self.tree = spatial.KDTree(centre)
         every, both = np.arange(1, len(links.tail) + 1), (np.r_[links.tail, links.head], np.r_[links.head, links.tail])
         self.number: Any = sparse.csr_matrix((np.tile(every, 2), both), (len(centre),) * 2)  # of each edge, from 1 on
-        self.part = np.empty(0, dtype=np.int64)  # that each ball is in, as far as is known
+        self.part = np.empty(0, dtype=np.int64)  # of each ball: the component by edges known to be inside
 
     def links_of_balls(self) -> _Links:
-        """What is known of the edges between balls."""
+        """The edges between balls, with the results of their tests."""
         return _Links(*(each[self.links.head < self.first_end] for each in self.links))
 
-    def join(self, pairs: np.ndarray, most_looks: int) -> bool:
-        """Join the parts that the two of each of ``pairs`` (W, 2) are in, if edges do, and tell whether all was tried.
-
-        The smaller of two parts is the one whose edges are looked at: it may be a pocket that no way leads out of.
+    def join(self, pairs: np.ndarray, most_tests: int) -> bool:
+        """Test edges until the two balls of each of ``pairs`` (W, 2) are in one part, if they can be. Returns False if
+        a bound stopped it. It tests edges of the smaller of two parts, which may be an enclosed pocket.
         """
-        tail, head, gap, _, is_seen, is_open = self.links
+        tail, head, gap, _, is_tested, is_open = self.links
         most = JOINING
         while True:
             known = sparse.coo_matrix((is_open[is_open], (tail[is_open], head[is_open])), (len(self.centre),) * 2)
@@ -193,33 +190,33 @@ class _Graph:
             both = self.part[pairs[self.part[pairs[:, 0]] != self.part[pairs[:, 1]]]]
             count = np.bincount(self.part)
             is_asked = np.isin(np.arange(len(count)), np.where(count[both[:, 0]] < count[both[:, 1]], *both.T))
-            across = np.flatnonzero(~is_seen & (self.part[tail] != self.part[head]))
+            across = np.flatnonzero(~is_tested & (self.part[tail] != self.part[head]))
             owner, edge = self.part[np.concatenate([tail[across], head[across]])], np.tile(across, 2)
             owner, edge = owner[is_asked[owner]], edge[is_asked[owner]]
-            if not len(edge) or self.num_looks >= most_looks:
+            if not len(edge) or self.num_tests >= most_tests:
                 return not len(edge)
             order = np.lexsort((gap[edge], owner))
             owner, edge = owner[order], edge[order]
             rank = np.arange(len(owner)) - np.searchsorted(owner, owner)
-            chosen = np.unique(edge[rank < most])[: most_looks - self.num_looks]
-            self._look(chosen)
-            self.num_looks += len(chosen)
+            chosen = np.unique(edge[rank < most])[: most_tests - self.num_tests]
+            self._test_edges(chosen)
+            self.num_tests += len(chosen)
             most *= 2
 
-    def look_at_all(self, most: int) -> None:
-        """Look at all edges, those between balls that are near each other first, ``most`` of them."""
-        unseen = np.flatnonzero(~self.links.is_seen)
-        self._look(unseen[np.argsort(self.links.gap[unseen], kind="stable")[:most]])
+    def test_all(self, most: int) -> None:
+        """Test at most ``most`` edges, those between the nearest balls first."""
+        untested = np.flatnonzero(~self.links.is_tested)
+        self._test_edges(untested[np.argsort(self.links.gap[untested], kind="stable")[:most]])
 
-    def _look(self, edge: np.ndarray) -> bool:
-        """Look if these edges are inside, and whether all are."""
+    def _test_edges(self, edge: np.ndarray) -> bool:
+        """Test the edges ``edge``. Returns whether all are inside."""
         tail, head = self.links.tail[edge], self.links.head[edge]
         self.links.is_open[edge] = self.test(self.shape, self.centre[tail], self.centre[head])
-        self.links.is_seen[edge] = True
+        self.links.is_tested[edge] = True
         return bool(self.links.is_open[edge].all())
 
     def path(self, start: int, end: int) -> np.ndarray:
-        """Points (k, 3) between the two, which are in one part."""
+        """Points (k, 3) of a path between two balls of the same part, without its ends."""
         self.num_visits = 0
         if start == end:
             return np.empty((0, 3))
@@ -230,37 +227,36 @@ class _Graph:
             detour = np.linalg.norm(self.centre[near, None] - ends, axis=2).sum(axis=1)
             near = near[detour <= reach * length]
             for number in range(TRIES + 1):
-                stops, unseen = self._shortest(start, end, near, number < TRIES)
+                stops, untested = self._shortest(start, end, near, number < TRIES)
                 if not len(stops):
                     break
-                if not len(unseen) or self._look(unseen):
+                if not len(untested) or self._test_edges(untested):
                     return self.centre[stops[1:-1]]
-        stops, _ = self._shortest(start, end, np.arange(len(self.centre)), may_be_unseen=False)
+        stops, _ = self._shortest(start, end, np.arange(len(self.centre)), may_be_untested=False)
         return self.centre[stops[1:-1]]
 
-    def _shortest(self, start: int, end: int, near: np.ndarray, may_be_unseen: bool) -> tuple[np.ndarray, np.ndarray]:
-        """The balls (k,) on the way over those of ``near``, in ascending order; none if there is no way. And the edges
-        of it that nobody has looked at."""
-        _, _, _, cost, is_seen, is_open = self.links
+    def _shortest(self, start: int, end: int, near: np.ndarray, may_be_untested: bool) -> tuple[np.ndarray, np.ndarray]:
+        """The balls (k,) of a shortest path over ``near``, which is ascending, or none; and its untested edges."""
+        _, _, _, cost, is_tested, is_open = self.links
         self.num_visits += len(near)
         number = self.number if len(near) == len(self.centre) else self.number[near][:, near]
         edge = number.data - 1
-        price = np.where(is_seen[edge], 1.0, UNSEEN) * cost[edge]
-        price[~is_open[edge] & (is_seen[edge] | (not may_be_unseen))] = np.inf
+        price = np.where(is_tested[edge], 1.0, UNTESTED) * cost[edge]
+        price[~is_open[edge] & (is_tested[edge] | (not may_be_untested))] = np.inf
         matrix = sparse.csr_matrix((price, number.indices, number.indptr), number.shape)
         first, last = np.searchsorted(near, [start, end]).tolist()
-        # Over a closed edge, of infinite price, SciPy below 1.16 would go but for the limit.
+        # Without this limit, SciPy below 1.16 uses closed edges, whose price is infinite.
         most = float(np.finfo(float).max)
         before = np.asarray(csgraph.dijkstra(matrix, indices=first, return_predecessors=True, limit=most)[1])
         stops = _ascent(before, last)
         if stops[-1] != first:
             return np.empty(0, dtype=np.int64), np.empty(0, dtype=np.int64)
         used = np.asarray(number[stops[:-1], stops[1:]]).ravel() - 1
-        return near[stops[::-1]], used[~is_seen[used]]
+        return near[stops[::-1]], used[~is_tested[used]]
 
 
 def _ascent(before: np.ndarray, last: int) -> list[int]:
-    """From ``last`` to the root of a tree, in which each ball comes after ``before`` (B,)."""
+    """The path from ``last`` to the root of a tree with predecessors ``before`` (B,)."""
     stops = [last]
     while before[stops[-1]] >= 0:
         stops.append(int(before[stops[-1]]))
@@ -268,11 +264,11 @@ def _ascent(before: np.ndarray, last: int) -> list[int]:
 
 
 def inner_balls(shape: Enclosure) -> tuple[np.ndarray, np.ndarray]:
-    """Centres (B, 3) and radii (B,) of balls inside the solid, touching it: one for each place and size."""
+    """Centres (B, 3) and radii (B,) of balls that touch the solid from inside: one for each place and size."""
     points, normals = shape.surface_points(MOST_SEEDS)
     tree = shape.sample_tree()
     radius = balls.shrinking_balls(points, normals, tree, balls.FIRST, balls.LARGEST).radius
-    for _ in range(CORRECTIONS):  # between the samples of large triangles
+    for _ in range(CORRECTIONS):  # large triangles can be nearer than any sample
         foot = shape.feet(points - radius[:, None] * normals)
         to_foot = foot - points
         depth = -np.einsum("ij,ij->i", normals, to_foot)
@@ -289,7 +285,7 @@ def inner_balls(shape: Enclosure) -> tuple[np.ndarray, np.ndarray]:
 
 
 def _one_for_each_place(centre: np.ndarray, radius: np.ndarray) -> np.ndarray:
-    """Rows of the balls that are the first in their cell, of about half their radius."""
+    """The first ball in each cell of a grid, whose cells have about half the radius of their balls."""
     size = 2.0 ** np.floor(np.log2(np.maximum(radius, TOUCHING)) - 1)
     cells = np.concatenate([size[:, None], np.round(centre / size[:, None])], axis=1)
     return np.sort(np.unique(cells, axis=0, return_index=True)[1])
@@ -307,7 +303,7 @@ def _levels(radius: np.ndarray) -> np.ndarray:
 
 
 def _neighbours(centre: np.ndarray, radius: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Pairs of balls, the smaller number first, in ascending order: each with those next to it, and larger ones."""
+    """Pairs of balls, the smaller id first, sorted: each ball with its nearest ones, and with nearest larger ones."""
     num, level = len(centre), _levels(radius)
     pairs = [_nearest(centre, np.arange(num), centre, np.arange(num), NEIGHBOURS + 1)]
     for size in np.unique(level)[1:]:
@@ -324,7 +320,7 @@ def _neighbours(centre: np.ndarray, radius: np.ndarray) -> tuple[np.ndarray, np.
 
 
 def _links_of_ends(centre: np.ndarray, radius: np.ndarray, ends: np.ndarray, clearance: np.ndarray) -> _Links:
-    """Edges from balls to ``ends`` (P, 3), numbered after them: to those next to each, and to some of every size."""
+    """Edges to ``ends`` (P, 3), whose ids follow those of balls, from the nearest balls, and from some of each size."""
     number, level = len(centre) + np.arange(len(ends)), _levels(radius)
     pairs = [_nearest(ends, number, centre, np.arange(len(centre)), NEIGHBOURS)]
     pairs += [_nearest(ends, number, centre, np.flatnonzero(level == size), LARGER) for size in np.unique(level)]
@@ -333,7 +329,7 @@ def _links_of_ends(centre: np.ndarray, radius: np.ndarray, ends: np.ndarray, cle
 
 
 def _nearest(points: np.ndarray, number: np.ndarray, centre: np.ndarray, others: np.ndarray, num: int) -> np.ndarray:
-    """(P k, 2): the ``number`` of each point with its nearest ``num`` of ``others``, by their ``centre``."""
+    """(P k, 2): the id ``number`` of each point with its ``num`` nearest of ``others``, by their ``centre``."""
     num = min(num, len(others))
     if not num:
         return np.empty((0, 2), dtype=np.int64)

@@ -1,8 +1,8 @@
-"""How thick the solid is at each vertex, for the lengths that the flow may use there.
+"""The thickness of the solid at each vertex, which the lengths of the flow adapt to.
 
-A wire, a vessel or a neurite is thin beside the diagonal that lengths are fractions of. The ball that touches at a
-vertex (see `balls`) knows how thin; but at a sharp edge, a bump or a dent it is small on the thickest solid. So a limb
-is as thick as the largest ball near by: at a distance d from one of radius r, at least r - SLOPE d.
+Lengths are fractions of the diagonal, and a wire, a vessel or a neurite is thin compared with that. The ball at a
+vertex (see `balls`) gives the thickness. But at a sharp edge, a bump or a dent balls are small on every solid. So the
+thickness comes from the largest nearby ball: at a distance d from a ball of radius r, it is at least r - SLOPE d.
 """
 
 import numpy as np
@@ -13,18 +13,18 @@ from msf_jax.host.poles.balls import shrinking_balls
 from msf_jax.host.solid.enclosure import Enclosure
 from msf_jax.host.solid.geometry import unit, vertex_normals
 
-THIN = 0.005  # diagonals: a limb of a larger radius is not thin
-SLOPE = 0.25  # right angles, whose balls shrink to nothing, do not make a solid thin
-THINNEST = 0.02  # of `THIN`: the frame's resolution is a hundredth of that
-SAMPLED, MANY = 8, 30_000  # of so many vertices one is asked first, where there are more than that
-LENGTH = 2.0  # radii of a limb: edges of a coarse surface that are longer hide where the limb is
-AROUND = 16  # samples of the surface near a point, of whose balls the largest tells how thick the solid is there
-MOST_SAMPLES = 20_000
-FEW = 0.01  # of the vertices: a solid of which no more is thin is taken as it always was
+THIN = 0.005  # diagonals: a limb of a smaller radius is thin
+SLOPE = 0.25  # fall of the radius per distance; with it, right angles, whose balls shrink to 0, do not count as thin
+THINNEST = 0.02  # ratio to `THIN`: the least thickness, a hundred times the frame's resolution
+SAMPLED, MANY = 8, 30_000  # with more than MANY vertices, first only one of SAMPLED vertices is tested
+LENGTH = 2.0  # radii of a limb: longer edges of a coarse surface are too long to resolve the limb
+AROUND = 16  # nearest samples of the surface whose balls give the thickness at a point
+MOST_SAMPLES = 20_000  # samples of the surface
+FEW = 0.01  # share of the vertices: with fewer thin ones, the solid counts as not thin
 
 
 def scales(vertices: np.ndarray, faces: np.ndarray) -> np.ndarray | None:
-    """(V,) the limb's radius at each vertex over `THIN`, 1 where it is larger; None where it is nearly everywhere.
+    """(V,) the limb's radius at each vertex over `THIN`, at most 1; None if it is 1 nearly everywhere.
 
     Args:
         vertices: (V, 3), of diagonal 1.
@@ -32,7 +32,7 @@ def scales(vertices: np.ndarray, faces: np.ndarray) -> np.ndarray | None:
     """
     normals, tree = unit(vertex_normals(vertices, faces)), spatial.KDTree(vertices)
     radius = np.empty(0)
-    # Of many vertices the balls at some show already that the solid is thick, if it is: radii are no less than those.
+    # With many vertices, the balls at some of them can show that the solid is not thin, because they bound radii below.
     for step in (SAMPLED, 1) if len(vertices) > MANY else (1,):
         some = np.arange(0, len(vertices), step)
         radius = shrinking_balls(vertices[some], normals[some], tree, 2 * THIN, 2 * THIN, some).radius
@@ -45,11 +45,10 @@ def scales(vertices: np.ndarray, faces: np.ndarray) -> np.ndarray | None:
 
 
 def edge_lengths(shape: Enclosure, points: np.ndarray, longest: np.ndarray) -> np.ndarray:
-    """(P,) how long an edge at each of ``points`` (P, 3) of a solid of diagonal 1 may be for the flow to see the limb,
-    or at least `LENGTH` times ``longest`` (P,), the length of the longest one there.
+    """(P,) the longest edge at each of ``points`` (P, 3), of a solid of diagonal 1, that still resolves the limb.
 
-    Balls that touch samples of the surface, between its vertices, too, tell how thick the solid is near by. None has to
-    be larger than it takes for the longest edge, which saves most of their queries.
+    Values above `LENGTH` times ``longest`` (P,), the longest edge at each point, are only lower bounds, as larger balls
+    would cost most of the time. The balls touch samples of the surface, which are also between its vertices.
     """
     samples, normals = shape.surface_points(MOST_SAMPLES)
     tree = spatial.KDTree(samples)
@@ -63,11 +62,12 @@ def edge_lengths(shape: Enclosure, points: np.ndarray, longest: np.ndarray) -> n
 
 
 def limb_radii(points: np.ndarray, pairs: np.ndarray, some: np.ndarray, radius: np.ndarray, most: float) -> np.ndarray:
-    """(P,) how thick the solid is at all points, at least, as balls of ``radius``, up to ``most``, are at ``some``.
+    """(P,) lower bounds of the solid's radius at all points, from balls of ``radius``, up to ``most``, at ``some``.
 
-    ``pairs`` (E, 2) are the edges between points (P, 3) of its surface or its curve.
+    ``pairs`` (E, 2) are edges between ``points`` (P, 3) of the surface or the curve.
 
-    The largest of r_u - SLOPE |u - v| over all u is the most less a shortest way, from one more node joined to all u.
+    The maximum of r_u - SLOPE |u - v| over all u is computed as ``most`` minus a shortest path to v, from an extra node
+    with an edge of length most - r_u to each u.
     """
     (tail, head), num = pairs.T, len(points)
     length = SLOPE * np.linalg.norm(points[tail] - points[head], axis=1)

@@ -14,8 +14,8 @@ from msf_jax.host.solid.geometry import vertex_normals
 
 
 class Poles(NamedTuple):
-    """position: (V, 3), the vertex itself where it has no pole. tetrahedron: (V, 4) the sites whose circumcentre the
-    pole is, -1 where there is none. radius: (V,) distance from vertex to pole, 0 where there is none."""
+    """position: (V, 3), the vertex itself if it has no pole. tetrahedron: (V, 4) the sites whose circumcentre the pole
+    is, -1 without a pole. radius: (V,) distance from vertex to pole, 0 without a pole."""
 
     position: np.ndarray
     tetrahedron: np.ndarray
@@ -28,10 +28,10 @@ class Poles(NamedTuple):
 
 
 def spoke_angles(found: Poles, sites: np.ndarray) -> np.ndarray:
-    """Largest angle (V,) between the spokes from each pole to its four sites, in radians; 0 where there is no pole.
+    """Largest angle (V,) between the spokes from each pole to its four sites, in radians; 0 without a pole.
 
-    It is near pi for a ball that touches the surface on opposite sides, and small for one that belongs to noise
-    (Amenta et al. 2001; Tagliasacchi et al. 2012).
+    It is near pi for a ball that touches the surface on opposite sides, and small for a ball caused by noise (Amenta et
+    al. 2001; Tagliasacchi et al. 2012).
     """
     spokes = sites[found.tetrahedron] - found.position[:, None]
     spokes /= np.maximum(np.linalg.norm(spokes, axis=2, keepdims=True), 1e-300)
@@ -40,11 +40,11 @@ def spoke_angles(found: Poles, sites: np.ndarray) -> np.ndarray:
 
 
 def circumcentres(diagram: spatial.Delaunay) -> np.ndarray:
-    """Circumcentres (T, 3) of the tetrahedra; not finite for one without volume.
+    """Circumcentres (T, 3) of the tetrahedra; not finite for a tetrahedron without volume.
 
-    Lifted to the paraboloid z = |x|^2, a tetrahedron spans the hyperplane n . x + m z + c = 0 and its circumcentre is
-    -n / 2m. Qhull computes the hyperplane once for all tetrahedra of one empty ball (cospherical sites, common on
-    symmetric meshes), where the formula in the four corners would divide rounding by rounding on the flat ones.
+    Lifted to the paraboloid z = |x|^2, a tetrahedron spans the hyperplane n . x + m z + c = 0, and its circumcentre is
+    -n / 2m. Qhull computes one hyperplane for all tetrahedra of the same empty ball (cospherical sites, common on
+    symmetric meshes). The formula in the four corners would divide rounding errors for flat tetrahedra.
     """
     plane = diagram.equations
     with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
@@ -54,24 +54,23 @@ def circumcentres(diagram: spatial.Delaunay) -> np.ndarray:
 def voronoi_poles(sites: np.ndarray, faces: np.ndarray, box: np.ndarray | None = None) -> Poles:
     """The pole of every vertex of the closed mesh ``(sites, faces)``.
 
-    ``box`` (P, 3) holds points whose bounding box the poles must lie in, the sites if not given.
-
-    A vertex whose cell has no Voronoi vertex behind the surface and inside the bounding box has no pole.
+    Poles must be inside the bounding box of the points ``box`` (P, 3), by default of the sites. A vertex has no pole if
+    its cell has no Voronoi vertex behind the surface and inside the box.
 
     Raises:
-        FlowError: the vertices span no volume, or hold non-finite values.
+        FlowError: the vertices span no volume, or have non-finite values.
     """
     try:
         diagram = spatial.Delaunay(sites)
     except (spatial.QhullError, ValueError) as error:
         raise FlowError(
             f"no Voronoi diagram of {len(sites)} vertices: {str(error).strip().splitlines()[0]}; "
-            "expected points that span a volume: check the mesh, or turn the poles off (use_poles=False)"
+            "expected points that span a volume: check the mesh, or turn poles off (use_poles=False)"
         ) from error
     tetrahedra, centre = diagram.simplices, circumcentres(diagram)
     box = sites if box is None else box
     low, high = box.min(axis=0), box.max(axis=0)
-    is_inside_box = ((centre >= low) & (centre <= high)).all(axis=1)  # False, too, where a centre is not finite
+    is_inside_box = ((centre >= low) & (centre <= high)).all(axis=1)  # False if a centre is not finite
     tetrahedra, centre = tetrahedra[is_inside_box], centre[is_inside_box]
 
     normal = vertex_normals(sites, faces)
@@ -83,7 +82,7 @@ def voronoi_poles(sites: np.ndarray, faces: np.ndarray, box: np.ndarray | None =
     is_pole = (depth == deepest[site]) & (depth < 0)
     site, tetrahedron = site[is_pole], tetrahedron[is_pole]
     chosen = np.full(len(sites), -1)
-    chosen[site[::-1]] = tetrahedron[::-1]  # several at the same depth (cospherical sites): the first
+    chosen[site[::-1]] = tetrahedron[::-1]  # the first of several at the same depth (cospherical sites)
 
     found = chosen >= 0
     position = np.array(sites, dtype=np.float64)

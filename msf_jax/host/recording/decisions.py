@@ -1,8 +1,8 @@
-"""The decisions of a run as a set of numbers, so that two runs can be compared: which decisions did they not share?
+"""The decisions of a run as a set of hashes, to count the decisions that two runs do not share.
 
-A decision is one collapse (with the pole that the survivor kept), one cut, one vertex fixed, or the node of one vertex
-of the meso-skeleton, at its iteration. Vertices are named by the caller's that they come from, not by rows, which any
-earlier difference would shift.
+A decision is one collapse (with the pole that the survivor kept), one split, one vertex fixed, or the node of one
+vertex of the meso-skeleton, in its iteration. Vertices are identified by the caller's vertices that they come from.
+Rows would shift after any difference.
 """
 
 from typing import Any
@@ -14,7 +14,7 @@ from msf_jax.host.meso.meso import Compaction, Fixing
 from msf_jax.host.meso.split import SplitRound
 from msf_jax.host.recording.records import ComponentRecord
 
-MERGE, CUT, FIX, NODE = 1, 2, 3, 4
+MERGE, CUT, FIX, NODE = 1, 2, 3, 4  # kinds of decisions, hashed with them
 
 
 def decisions(components: tuple[ComponentRecord, ...]) -> np.ndarray:
@@ -23,7 +23,7 @@ def decisions(components: tuple[ComponentRecord, ...]) -> np.ndarray:
 
 
 def num_unlike(first: np.ndarray, second: np.ndarray) -> int:
-    """How many decisions of ``second`` are not among ``first``."""
+    """The number of decisions of ``second`` that are not in ``first``."""
     place = np.searchsorted(first, second)
     return int((first[np.minimum(place, len(first) - 1)] != second).sum()) if len(first) else len(second)
 
@@ -45,7 +45,7 @@ def _of_component(record: ComponentRecord) -> np.ndarray:
 
 
 def _follow(edit: Any, number: int, names: np.ndarray, pole_names: np.ndarray, keys: list[np.ndarray]) -> Any:
-    """Add the decisions of one edit in phase ``number`` to ``keys``, and return the names of what there is after it."""
+    """Add the decisions of one edit in phase ``number`` to ``keys``. Returns the vertices' names after the edit."""
     if isinstance(edit, CollapseRound):
         one, other = names[edit.survivor], names[edit.removed]
         pole = np.where(edit.takes_pole, pole_names[edit.removed], pole_names[edit.survivor])
@@ -66,7 +66,7 @@ def _follow(edit: Any, number: int, names: np.ndarray, pole_names: np.ndarray, k
 
 
 def _hash(*columns: Any) -> np.ndarray:
-    """(c,) uint64: the columns of numbers, mixed (the finaliser of splitmix64; Steele et al. 2014)."""
+    """(c,) uint64 hashes of the rows of ``columns``, by the finaliser of splitmix64 (Steele et al. 2014)."""
     mixed = np.full(np.broadcast(*columns).shape, 0x9E3779B97F4A7C15, dtype=np.uint64)
     for column in columns:
         mixed = mixed * np.uint64(3) + np.asarray(column).astype(np.uint64)

@@ -1,7 +1,7 @@
-"""What the host decided in a run, as padded arrays: the tape of one component, for `device.replay`.
+"""The decisions of a run as padded arrays: the tape of one component, for `device.playback`.
 
-All that comes before the flow, or after it, is linear in the positions, and one sparse matrix: what is made of several
-vertices has known shares of each. The iterations between are in `stretches`.
+The edits before and after the iterations are linear in the positions, with known shares, and are recorded as one sparse
+matrix each. `stretches` records the iterations.
 """
 
 from typing import Any, NamedTuple
@@ -16,16 +16,16 @@ from msf_jax.host.meso.meso import Compaction, Meso
 from msf_jax.host.meso.split import SplitRound
 from msf_jax.host.reconstruction import LowPass
 from msf_jax.host.recording.records import ComponentRecord, FoundPoles, Step
-from msf_jax.host.recording.stretches import Planned, Room, merged, record_steps, rung, size_for, stretches_of
+from msf_jax.host.recording.stretches import Capacity, Planned, merged, record_steps, rung, size_for, stretches_of
 
-FLATTEST = 1e-5  # a tetrahedron of less volume, over the product of three edges, says nothing sure of its circumcentre
+FLATTEST = 1e-5  # least volume of a tetrahedron over the product of three edges, for a well-conditioned circumcentre
 
 
-class Rooms(NamedTuple):
-    """What the tape of a component has room for: its stretches, entries of its two sparse matrices, vertices of the
-    meso-skeleton, nodes. Nothing, if it is yet to be found out."""
+class Capacities(NamedTuple):
+    """The capacities of a component's tape: of its stretches, of the entries of its two sparse matrices, of vertices of
+    the meso-skeleton, and of nodes; 0 if not known yet."""
 
-    stretches: tuple[Room, ...] = ()
+    stretches: tuple[Capacity, ...] = ()
     gather: int = 0
     thinned: int = 0
     meso: int = 0
@@ -33,13 +33,13 @@ class Rooms(NamedTuple):
 
 
 def record_component(
-    record: ComponentRecord, before: Rooms | None = None
+    record: ComponentRecord, before: Capacities | None = None
 ) -> tuple[dict[str, Any], list[Layout], Layout | None]:
-    """The arrays of `device.replay.Part`, by name, and the layouts of its stretches and of its mesh filter.
+    """The arrays of `device.playback.Part`, by name, and the layouts of its stretches and of its mesh filter.
 
-    ``before``: what the tape has room for that this one is to share programs with, where that will do.
+    ``before``: the capacities of another tape, which are used if they suffice, so that both share programs.
     """
-    before, start, steps = before or Rooms(), record.start, record.steps
+    before, start, steps = before or Capacities(), record.start, record.steps
     num = len(record.vertices)
     place, blend = edit_matrices(start.edits, num)
     capacity = place.shape[0]
@@ -82,9 +82,9 @@ def record_component(
 
 
 def edit_matrices(edits: list[Any], num_rows: int) -> tuple[Any, Any]:
-    """What ``edits`` of known fractions do to positions and to weights: sparse matrices (rows after, rows before).
+    """The effect of ``edits`` with known fractions on positions and on weights: sparse matrices (rows after, before).
 
-    They differ at a fixed vertex, which keeps its place in a collapse, but takes the mean of the weights.
+    They differ at a fixed vertex: in a collapse it keeps its position, but gets the mean of the weights.
     """
     place: Any = sparse.csr_matrix(sparse.identity(num_rows))
     blend = place
@@ -112,7 +112,7 @@ def edit_matrices(edits: list[Any], num_rows: int) -> tuple[Any, Any]:
 
 
 def entries(place: Any, blend: Any = None, before: int = 0) -> dict[str, np.ndarray]:
-    """The matrices' entries, by `device.replay.Mixing`'s names, padded with zeros that do nothing."""
+    """The matrices' entries, by the names of `device.playback.Mixing`, padded with zeros."""
     blend = place if blend is None else blend
     row, column = (abs(place) + abs(blend)).nonzero()
     size = size_for(len(row), 256, before)
@@ -122,7 +122,7 @@ def entries(place: Any, blend: Any = None, before: int = 0) -> dict[str, np.ndar
 
 
 def record_site_filter(kept: LowPass | None, steps: list[Step], plan: list[Planned]) -> dict[str, Any] | None:
-    """The filter of the sites of poles, for the rows that the flow begins with, by `device.replay`'s names."""
+    """The filter of the sites of poles, for the first rows of the flow, by the names of `device.playback`."""
     if kept is None or not steps:
         return None
     if kept.basis is not None:
@@ -135,7 +135,7 @@ def record_site_filter(kept: LowPass | None, steps: list[Step], plan: list[Plann
 def record_mesh_filter(
     kept: LowPass | None, vertices: np.ndarray, faces: np.ndarray
 ) -> tuple[dict[str, Any] | None, Layout | None]:
-    """The filter that the mesh itself went through, on rings of its own, and their layout."""
+    """The filter of the mesh itself, with its own one-rings, and their layout."""
     if kept is None:
         return None, None
     if kept.basis is not None:
@@ -167,8 +167,8 @@ def _polynomial(
 def record_poles(found: FoundPoles | None, order: np.ndarray, capacity: int) -> dict[str, np.ndarray]:
     """Tetrahedra of the poles, by packed rows (n, ...).
 
-    is_firm: where the circumcentre of the four sites is well determined; elsewhere a pole goes with their mean.
-    offset: (n, 3) what is to be added to that to give the pole as it was found.
+    is_firm: whether the circumcentre of the four sites is well-conditioned; if not, the pole moves with their mean.
+    offset: (n, 3) the pole as it was found, minus the circumcentre or the mean.
     """
     if found is None:
         empty = np.zeros((capacity, 4), dtype=np.int32), np.zeros(capacity, dtype=bool), np.zeros((capacity, 3))

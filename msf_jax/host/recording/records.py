@@ -1,4 +1,4 @@
-"""What a run keeps of its decisions, as they were made: what its tape is made from when that is asked for."""
+"""The records of a run's decisions, from which a tape is made on request."""
 
 from typing import Any, NamedTuple
 
@@ -11,8 +11,8 @@ from msf_jax.host.solid.frame import Frame
 class FoundPoles(NamedTuple):
     """Poles of a surface of n vertices.
 
-    kept: the filter that made the sites of its vertices. sites: (n, 3). poles: (n, 3). tetrahedron: (n, 4) the sites
-    whose circumcentre a pole is. is_inside: (n,) whether it pulls. trust: (n,).
+    kept: the filter from its vertices to the sites. sites: (n, 3). poles: (n, 3). tetrahedron: (n, 4) the sites whose
+    circumcentre the pole is. is_inside: (n,) whether the pole pulls. trust: (n,) from 0 to 1.
     """
 
     kept: LowPass | None
@@ -24,7 +24,7 @@ class FoundPoles(NamedTuple):
 
 
 class Start(NamedTuple):
-    """What was done to a component before its flow: the mesh filtered, edited, and its poles sought."""
+    """The preparation of a component: the filter of its mesh, edits, and poles."""
 
     mesh_filter: LowPass | None
     edits: list[Any]
@@ -34,10 +34,9 @@ class Start(NamedTuple):
 class Step(NamedTuple):
     """One iteration on a surface of m vertices, and the edits after it.
 
-    order: (m,) the vertex in each packed row; all else is by rows. positions: (m, 3) float32, before it. rings: (m, K),
-    see `packing.Packed`. degree, free, pull: (m,). left: (2, m, 3) residuals of the two solves, over their right-hand
-    sides' norms.
-    factor: that w_L had grown by.
+    order: (m,) the vertex in each packed row; the other arrays are by rows. positions: (m, 3) float32, before the
+    iteration. rings: (m, K), see `packing.Packed`. degree, free, pull: (m,). left: (2, m, 3) residuals of the two
+    solves, divided by the norms of their right-hand sides. factor: on w_L.
     """
 
     order: np.ndarray
@@ -52,11 +51,11 @@ class Step(NamedTuple):
 
 
 class ComponentRecord(NamedTuple):
-    """Everything that the tape of a component is made from.
+    """The data for the tape of a component.
 
-    vertices: (V, 3) in the frame. vertex_of_input: (V,) the caller's vertex that each is. pins: vertices held in place.
-    num_meso: vertices of the contracted surface. thinning: edits of it before the curve was read off.
-    node_of_meso: the node (-1 for none, or a pruned one) that each vertex counts for. node_of_pin: that of each pin.
+    vertices: (V, 3) in the frame. vertex_of_input: (V,) the caller's vertex for each. pins: vertices held in place.
+    num_meso: number of vertices of the contracted surface. thinning: its edits before the curve was extracted.
+    node_of_meso: the node whose position each vertex contributes to, or -1. node_of_pin: the node of each pin.
     """
 
     vertices: np.ndarray
@@ -76,7 +75,7 @@ class ComponentRecord(NamedTuple):
 class Recording(NamedTuple):
     """A run's components, and the caller's mesh.
 
-    input_of_vertex: the caller's vertex that each checked one is, or, for those of ``is_made``, the one near it.
+    input_of_vertex: the caller's vertex for each checked vertex; for those of ``is_made``, one near it.
     """
 
     components: tuple[ComponentRecord, ...]

@@ -1,8 +1,8 @@
-"""The iterations of a run as padded arrays, for `device.replay`.
+"""The iterations of a run as padded arrays, for `device.playback`.
 
-A collapse is linear in the positions: where all of a phase's collapses put a vertex is a sum of a few others, with
-shares that are powers of one half. So a phase of collapses, however many rounds it has, is a group and a share for each
-row. A split is not: its place is where an apex projects, which is computed anew; which rows they are is recorded.
+Collapses are linear in the positions: after all collapses of an iteration, a vertex is a weighted sum of others, with
+shares that are powers of one half. So they are recorded as a group and a share for each row, however many rounds there
+were. A split is not linear: its place, the projection of an apex, is computed anew; its three rows are recorded.
 """
 
 from typing import Any, NamedTuple
@@ -16,21 +16,21 @@ from msf_jax.host.meso.meso import Compaction
 from msf_jax.host.meso.split import SplitRound
 from msf_jax.host.recording.records import Step
 
-FEWEST_LINES = 8  # iterations of a stretch, idle ones included; an idle one costs next to nothing
-FEWEST_ROUNDS, FEWEST_CUTS = 16, 64  # of cuts after an iteration, and in a round
-WORTH_A_LAYOUT = 0.7  # of the cost of one layout: two that cost less are worth their compilation
+FEWEST_LINES = 8  # smallest capacity of a stretch, in iterations; idle ones cost almost nothing
+FEWEST_ROUNDS, FEWEST_CUTS = 16, 64  # smallest capacities of rounds of splits in an iteration, and of splits in a round
+WORTH_A_LAYOUT = 0.7  # ratio of the cost of two layouts to that of one, below which two are compiled
 
 
 class Planned(NamedTuple):
-    """Iterations ``first`` to ``last``, without that one, share ``layout``."""
+    """Iterations from ``first`` up to, but not including, ``last`` share ``layout``."""
 
     first: int
     last: int
     layout: Layout
 
 
-class Room(NamedTuple):
-    """What a stretch of a tape has room for: ``lines`` iterations in ``layout``, with ``rounds`` of ``cuts`` each."""
+class Capacity(NamedTuple):
+    """The capacity of a stretch of a tape: ``lines`` iterations in ``layout``, with ``rounds`` of ``cuts`` each."""
 
     layout: Layout
     lines: int
@@ -39,14 +39,14 @@ class Room(NamedTuple):
 
 
 class Row(NamedTuple):
-    """Where every vertex (num_rows,) is: the row that holds it, and the first row whose pole it has."""
+    """For every vertex (num_rows,): its row of the workspace, and the row of the first stretch whose pole it has."""
 
     workspace: np.ndarray
     site: np.ndarray
 
 
 def rung(count: int, smallest: int = 1) -> int:
-    """The next of ``smallest``, twice that, four times, ...: what is padded to it has few sizes, and compiles once."""
+    """The smallest of ``smallest``, twice that, four times, ... that is at least ``count``; so there are few sizes."""
     size = smallest
     while size < count:
         size *= 2
@@ -54,16 +54,16 @@ def rung(count: int, smallest: int = 1) -> int:
 
 
 def size_for(count: int, smallest: int, before: int = 0) -> int:
-    """Room for ``count``: the room that there was ``before``, if that will do, else a rung with a quarter to spare, so
-    that a run which is a little longer has room there, too."""
+    """A capacity for ``count``: that of ``before`` if it suffices, else a `rung` for a quarter more, so that a slightly
+    longer run fits, too."""
     return before if count <= before else rung(count + count // 4, smallest)
 
 
-def stretches_of(steps: list[Step], before: tuple[Room, ...] = ()) -> list[Planned]:
-    """Iterations in one layout or two, whichever is less to compute; in the room of a tape made ``before``, if it fits.
+def stretches_of(steps: list[Step], before: tuple[Capacity, ...] = ()) -> list[Planned]:
+    """Divide the iterations into one or two layouts, whichever is cheaper; into those of ``before``, if they suffice.
 
-    Every layout is compiled on its own, and takes seconds; but a surface shrinks fast, and in one layout for all of its
-    iterations the late ones would mostly be padding.
+    Each layout takes seconds to compile. But a surface shrinks fast, and with one layout for all iterations, the late
+    ones would consist mostly of padding.
     """
     if not steps:
         return []
@@ -78,14 +78,14 @@ def stretches_of(steps: list[Step], before: tuple[Room, ...] = ()) -> list[Plann
     def planned(first: int, last: int) -> Planned:
         return Planned(first, last, layout_for(*needed(first, last)))
 
-    def has_room(room: Room, first: int, last: int) -> bool:
-        return 0 < last - first <= room.lines and fits(room.layout, *needed(first, last))
+    def fits_in(given: Capacity, first: int, last: int) -> bool:
+        return 0 < last - first <= given.lines and fits(given.layout, *needed(first, last))
 
     for cuts in ([], *([k] for k in range(1, len(steps)))) if before else ():
         ends = [0, *cuts, len(steps)]
-        if len(ends) == len(before) + 1 and all(map(has_room, before, ends[:-1], ends[1:])):
+        if len(ends) == len(before) + 1 and all(map(fits_in, before, ends[:-1], ends[1:])):
             parts = zip(ends[:-1], ends[1:], before, strict=True)
-            return [Planned(first, last, room.layout) for first, last, room in parts]
+            return [Planned(first, last, given.layout) for first, last, given in parts]
 
     def cost(plan: list[Planned]) -> float:
         return sum(size_for(last - first, FEWEST_LINES) * layout.num_slots for first, last, layout in plan)
@@ -97,10 +97,10 @@ def stretches_of(steps: list[Step], before: tuple[Room, ...] = ()) -> list[Plann
 
 
 def record_steps(
-    steps: list[Step], plan: list[Planned], num_meso: int, before: tuple[Room, ...] = ()
+    steps: list[Step], plan: list[Planned], num_meso: int, before: tuple[Capacity, ...] = ()
 ) -> tuple[list[dict[str, Any]], np.ndarray]:
-    """The arrays of `device.replay.Stretch`, by name, for each of ``plan``, and the row of the last workspace (m,) that
-    each vertex of the meso-skeleton is in."""
+    """The arrays of `device.playback.Stretch`, by name, for each of ``plan``, and the row (m,) of each vertex of the
+    meso-skeleton in the last workspace."""
     if not steps:
         return [], np.arange(num_meso)
     first = np.empty(len(steps[0].order), dtype=np.int64)
@@ -108,13 +108,13 @@ def record_steps(
     at = Row(first, first)
     stretches = []
     for number, (start, end, layout) in enumerate(plan):
-        room = before[number] if len(before) == len(plan) else Room(layout, 0, 0, 0)
-        fields, at = _stretch(steps[start:end], layout, at, room)
+        given = before[number] if len(before) == len(plan) else Capacity(layout, 0, 0, 0)
+        fields, at = _stretch(steps[start:end], layout, at, given)
         stretches.append(fields)
     return stretches, at.workspace
 
 
-def _stretch(steps: list[Step], layout: Layout, at: Row, before: Room) -> tuple[dict[str, Any], Row]:
+def _stretch(steps: list[Step], layout: Layout, at: Row, before: Capacity) -> tuple[dict[str, Any], Row]:
     capacity = layout.capacity
     cuts = [[edit for edit in step.edits if isinstance(edit, SplitRound)] for step in steps]
     num_rounds = size_for(max(map(len, cuts)), FEWEST_ROUNDS, before.rounds)
@@ -127,7 +127,7 @@ def _stretch(steps: list[Step], layout: Layout, at: Row, before: Room) -> tuple[
         rank[step.order] = np.arange(num_rows)
         enter, site = packing.pad(at.workspace[step.order], capacity, 0, np.dtype(np.int32)), at.site[step.order]
         handovers.append(enter)
-        # Edits speak of vertices; here everything is a row: of the buffers, then of the workspace with the new ones.
+        # Edits have ids of vertices. Here they become rows: of the buffers, and, for new vertices, of the workspace.
         group, share, blend = merged([edit for edit in step.edits if isinstance(edit, CollapseRound)], num_rows)
         row_of, site_of = _rows_after(step, rank, at.site)
         cut = np.zeros((num_rounds, num_cuts, 3), dtype=np.int32)
@@ -161,7 +161,7 @@ def _stretch(steps: list[Step], layout: Layout, at: Row, before: Room) -> tuple[
 
 
 def _rows_after(step: Step, rank: np.ndarray, site: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """The row of every vertex, with room for new ones, and the site of the pole that it has after the collapses."""
+    """The row of every vertex, extended for new vertices, and the site of its pole after the collapses."""
     num_new = sum(len(edit.new) for edit in step.edits if isinstance(edit, SplitRound))
     site = np.concatenate([site, np.zeros(num_new, dtype=np.int64)])  # a new vertex has no pole that pulls
     for edit in step.edits:
@@ -171,7 +171,7 @@ def _rows_after(step: Step, rank: np.ndarray, site: np.ndarray) -> tuple[np.ndar
 
 
 def _idle(line: dict[str, Any], layout: Layout) -> dict[str, Any]:
-    """An iteration that does nothing: no vertex is free, none has neighbours, none is merged or cut."""
+    """An iteration that does nothing: no vertex is free or has neighbours, and there are no collapses or splits."""
     own = np.arange(layout.capacity, dtype=np.int32)
     of_slot = np.concatenate([own[: level.rows] for level in layout.levels for _ in range(level.slots)])
     idle = {name: np.zeros_like(values) for name, values in line.items() if name != "rings"}
@@ -181,7 +181,7 @@ def _idle(line: dict[str, Any], layout: Layout) -> dict[str, Any]:
 
 
 def merged(rounds: list[CollapseRound], num_rows: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """The row (n,) that each row goes into in ``rounds``, its share of that one's position, and of its weights."""
+    """The row (n,) that each row is merged into in ``rounds``, its share of that row's position, and of its weights."""
     group, share, mean = np.arange(num_rows), np.ones(num_rows), np.ones(num_rows)
     for done in rounds:
         target, keeps, halves = np.arange(num_rows), np.ones(num_rows), np.ones(num_rows)

@@ -1,9 +1,9 @@
-"""Where a mesh that has moved crosses itself: pairs of faces that meet, although they are apart along the surface.
+"""Where a moved mesh crosses itself: pairs of faces that intersect, although they are apart along the surface.
 
-Two triangles cross where a side of one passes through the other. Neighbours that a little noise has folded over each
-other are not what is looked for, nor the inner side of a bend: faces are apart if no few edges lead from one to the
-other, and they were far from each other when the curve was recorded, through the solid or along the curve. Candidates
-share a cell of a grid; where all faces in a cell belong together, which is nearly everywhere, its pairs are not listed.
+Two triangles cross where a side of one passes through the other. Neighbours that noise folds over each other do not
+count, nor does the inner side of a bend. Two faces are apart if more than `RINGS` edges separate them, and if they were
+far from each other when the curve was recorded: in space or along the curve. Candidate pairs share a cell of a grid. In
+most cells no two faces are apart; the pairs of these cells are not listed.
 """
 
 from collections.abc import Iterator
@@ -16,18 +16,18 @@ from scipy.sparse import csgraph
 from msf_jax.host.solid.geometry import cross, repeated
 from msf_jax.host.solid.triangles import boxes, middles
 
-RINGS = 3  # edges, that lead from a face to those that are beside it
-ALONG = 2.0  # radii, along the curve, between nodes whose faces are apart
-ACROSS = 1.2  # radii, between faces that are apart
-CELL = 2.0  # sizes of the usual face, that a cell of the grid is wide; more where faces would fill so many cells each:
-MOST_CELLS = 16
-LONGEST = 100_000  # cells along the whole, at most
-PAIRS_AT_ONCE = 500_000
-MOST_FOUND = 10_000  # pairs, after which a mesh is in such a tangle that the others need not be counted
+RINGS = 3  # edges: faces that so few edges join are neighbours, and never apart
+ALONG = 2.0  # radii: least distance along the curve of nodes whose faces are apart
+ACROSS = 1.2  # radii: least distance in space of faces that are apart
+CELL = 2.0  # mean sizes of a face's box: width of a grid cell, which grows until the faces meet `MOST_CELLS`
+MOST_CELLS = 16  # mean number of cells that the box of a face overlaps
+LONGEST = 100_000  # cells along the longest axis of the grid
+PAIRS_AT_ONCE = 500_000  # pairs of faces in a batch: bounds memory
+MOST_FOUND = 10_000  # pairs after which the search stops: the mesh is a tangle in any case
 
 
 class Crossings:
-    """Which faces of a mesh are apart, where a curve was recorded in it: asked of the same mesh when it has moved.
+    """Finds crossing faces of a moved mesh; which faces are apart is decided by the mesh that a curve was recorded in.
 
     Args:
         vertices: (V, 3), faces: (F, 3). Lengths in any unit.
@@ -51,9 +51,9 @@ class Crossings:
         self._near, self._close = _codes_near(edges, length, radii)
 
     def found(self, vertices: np.ndarray) -> np.ndarray:
-        """(P, 2) the pairs of faces that are apart, and cross with the mesh's ``vertices`` (V, 3) where they are now.
+        """(P, 2) the pairs of faces that are apart and cross, for the moved ``vertices`` (V, 3).
 
-        Of more than ``MOST_FOUND``, some.
+        The search stops after ``MOST_FOUND`` pairs.
         """
         corners = vertices[self.faces]
         low, high = boxes(corners)
@@ -62,7 +62,7 @@ class Crossings:
         for one, other, cell in self._candidates(grid, low, high):
             meet = ((low[one] <= high[other]) & (low[other] <= high[one])).all(axis=1)
             one, other, cell = one[meet], other[meet], cell[meet]
-            # Of the cells that both are in one counts: that where their boxes begin to overlap.
+            # A pair that shares several cells counts once: in the cell of the lowest corner of the boxes' overlap.
             is_first = grid.number(grid.cell(np.maximum(low[one], low[other]))) == cell
             one, other = one[is_first], other[is_first]
             apart = self.apart(one, other)
@@ -113,7 +113,7 @@ class Crossings:
             yield one[is_once], other[is_once], code[begin][is_once]
 
     def _belong_together(self, face: np.ndarray, start: np.ndarray, count: np.ndarray) -> np.ndarray:
-        """(c,) cells no two of whose faces can be apart: all are within half of what is apart of the first one."""
+        """(c,) which cells have no faces that are apart: all are within half the limits of the cell's first face."""
         first = np.repeat(face[start], count)
         here, there = self.node[face], self.node[first]
         is_near = np.linalg.norm(self.place[face] - self.place[first], axis=1) <= ACROSS / 2 * np.minimum(
@@ -124,7 +124,7 @@ class Crossings:
 
 
 class _Grid(NamedTuple):
-    """Cubes of edge ``size`` from ``low`` (3,) on, ``shape`` (3,) of them along each axis."""
+    """A grid of ``shape`` (3,) cubes of edge ``size``, from its corner ``low`` (3,)."""
 
     low: np.ndarray
     size: float
@@ -138,7 +138,7 @@ class _Grid(NamedTuple):
 
 
 def _grid_of(low: np.ndarray, high: np.ndarray) -> _Grid:
-    """For faces with such boxes (F, 3)."""
+    """The grid for faces whose boxes have the corners ``low`` and ``high`` (F, 3)."""
     first, extent = low.min(axis=0), float(np.ptp(np.concatenate([low, high]), axis=0).max())
     size = max(CELL * float((high - low).max(axis=1).mean()), extent / LONGEST)
     while True:
@@ -149,12 +149,12 @@ def _grid_of(low: np.ndarray, high: np.ndarray) -> _Grid:
 
 
 def _among(codes: np.ndarray, sorted_codes: np.ndarray) -> np.ndarray:
-    """(c,) whether each is one of ``sorted_codes``, of which there is at least one."""
+    """(c,) whether each code is among ``sorted_codes``, which are not empty."""
     return sorted_codes[np.minimum(np.searchsorted(sorted_codes, codes), len(sorted_codes) - 1)] == codes
 
 
 def _codes_beside(faces: np.ndarray, num: int) -> np.ndarray:
-    """u V + v of all vertices that at most ``RINGS`` edges lead between, ascending."""
+    """u V + v of all pairs of vertices that at most ``RINGS`` edges join, ascending."""
     ends = np.concatenate([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]])
     ones = np.ones(len(ends), dtype=bool)
     table = sparse.coo_matrix((ones, (ends[:, 0], ends[:, 1])), shape=(num, num)).tocsr()
@@ -167,13 +167,12 @@ def _codes_beside(faces: np.ndarray, num: int) -> np.ndarray:
 
 
 def _codes_near(edges: np.ndarray, length: np.ndarray, radii: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """i N + j of all nodes that are at most ``ALONG`` of the larger of their radii apart along the curve, ascending.
-
-    And of those at half of the smaller: any two that are so near to a third are among the former.
+    """i N + j of all pairs of nodes within ``ALONG`` times their larger radius along the curve, ascending; and of those
+    within half of that for their smaller radius. Two nodes that are so near to the same node are in the first list.
     """
     num = len(radii)
     near, close = ([np.arange(num) * (num + 1)] for _ in range(2))
-    weight = np.maximum(length, 1e-300)  # a length of 0 would be no edge
+    weight = np.maximum(length, 1e-300)  # SciPy takes an entry of 0 for a missing edge
     graph = sparse.coo_matrix((weight, (edges[:, 0], edges[:, 1])), shape=(num, num)).tocsr()
     for first in range(0, num, 256):
         rows = np.arange(first, min(first + 256, num))
@@ -189,7 +188,7 @@ def _codes_near(edges: np.ndarray, length: np.ndarray, radii: np.ndarray) -> tup
 
 
 def _cross(one: np.ndarray, other: np.ndarray) -> np.ndarray:
-    """(c,) whether triangles (c, 3, 3) cross: a side of either passes through the other."""
+    """(c,) whether the triangles (c, 3, 3) of each pair cross: a side of one passes through the other."""
     found = np.zeros(len(one), dtype=bool)
     for a, b in ((one, other), (other, one)):
         for k in range(3):
@@ -198,8 +197,8 @@ def _cross(one: np.ndarray, other: np.ndarray) -> np.ndarray:
 
 
 def _passes(start: np.ndarray, end: np.ndarray, triangle: np.ndarray) -> np.ndarray:
-    """(c,) whether each segment passes through its triangle (c, 3, 3): its ends are on the two sides of the plane, and
-    its line is on the same side of all three edges. Both are signs of volumes of tetrahedra."""
+    """(c,) whether each segment passes through its triangle (c, 3, 3): its ends are on different sides of the plane,
+    and its line is on the same side of all three edges. Both are signs of tetrahedron volumes."""
     a, b, c = np.moveaxis(triangle, 1, 0)
     normal, along = cross(b - a, c - a), end - start
     above, below = (np.einsum("ci,ci->c", place - a, normal) for place in (start, end))

@@ -1,19 +1,18 @@
-"""The frame that a component is worked on in: centred, of diagonal 1, its axes, digits and order chosen by the mesh.
+"""The coordinate frame of a component: centred, with a diagonal of 1; its axes and its order follow from the mesh.
 
-The flow takes thousands of yes-or-no decisions, and CG amplifies a difference in the last bit until some of them turn
-out otherwise. A mesh that is scaled, shifted or turned by right angles differs in last bits only, one with its vertices
-or faces in another order in ties and sums. So the axes are put in an order, and given signs, that turn with the mesh;
-the coordinates are rounded to 2^-20 of the diagonal; and vertices and faces are sorted. All of these meshes then start
-from the same bits, and end in the same curve. The rounding is a two-hundredth of the smallest length that the flow's
-defaults look at (t_f).
+The flow takes thousands of yes-or-no decisions, and CG amplifies a difference in the last bit until some of them
+change. A mesh that is scaled, shifted or turned by right angles differs in last bits only; a permuted mesh differs in
+ties and sums. So the order and the signs of the axes turn with the mesh, coordinates are rounded to 2^-20 of the
+diagonal, and vertices and faces are sorted. All of these meshes then start from the same bits and give the same curve.
+The rounding is a two-hundredth of the smallest length that the flow's defaults use (t_f).
 """
 
 from typing import NamedTuple
 
 import numpy as np
 
-RESOLUTION = 2.0**-20
-SYMMETRIC = 1e-7  # mean cube of a coordinate, below which a mesh counts as symmetric along that axis
+RESOLUTION = 2.0**-20  # diagonals: the grid that coordinates are rounded to
+SYMMETRIC = 1e-7  # diagonals cubed: mean cube of a coordinate below which the mesh is symmetric along that axis
 
 
 class Frame(NamedTuple):
@@ -27,19 +26,19 @@ class Frame(NamedTuple):
     axes: np.ndarray
 
     def enter(self, points: np.ndarray) -> np.ndarray:
-        """Points (P, 3) of the caller's, in the frame, rounded to RESOLUTION."""
+        """Points (P, 3) in the caller's units to the frame, rounded to RESOLUTION."""
         return np.round(((points - self.centre) / self.diagonal) @ self.axes.T / RESOLUTION) * RESOLUTION
 
     def leave(self, points: np.ndarray) -> np.ndarray:
-        """Points (P, 3) of the frame, in the caller's units."""
+        """Points (P, 3) of the frame to the caller's units."""
         return self.centre + self.diagonal * (points @ self.axes)
 
 
 def frame_of(vertices: np.ndarray) -> Frame:
     """The frame of a component with ``vertices`` (V, 3) that do not all coincide.
 
-    Axes go by the extent, the largest first, and point where the mesh is heavier. Where a symmetric mesh leaves that
-    open, a moment with a weight for each vertex decides, which turns with the mesh but not with the vertices' order.
+    The axes are ordered by extent, the largest first, and point to the heavier side of the mesh. For a symmetric mesh a
+    moment with one weight a vertex decides instead: it turns with the mesh, but depends on the vertices' order.
     """
     low, high = vertices.min(axis=0), vertices.max(axis=0)
     centre, diagonal = (low + high) / 2, float(np.linalg.norm(high - low))
@@ -55,7 +54,7 @@ def frame_of(vertices: np.ndarray) -> Frame:
 
 
 def sort_mesh(vertices: np.ndarray, faces: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """The order (V,) of ``vertices`` by x, then y, then z, and the faces between the sorted ones, sorted themselves."""
+    """The order (V,) of ``vertices`` by x, then y, then z, and the sorted faces of the sorted vertices."""
     order = np.lexsort(vertices.T[::-1])
     rank = np.empty(len(order), dtype=np.int64)
     rank[order] = np.arange(len(order))

@@ -1,17 +1,17 @@
-"""Small geometry that many rooms share: vectors, polylines, and what a triangle list says of its normals and volume."""
+"""Shared geometry: vectors, polylines, and the normals, areas and volume of triangle lists."""
 
 import numpy as np
 
-PAIRS_AT_ONCE = 2_000_000  # of points, segments or triangles that are looked at together, which bounds memory
+PAIRS_AT_ONCE = 2_000_000  # pairs of points, segments or triangles in a batch: bounds memory
 
 
 def unit(vectors: np.ndarray) -> np.ndarray:
-    """``vectors`` (..., 3) at length 1; a vector of no length stays as it is."""
+    """``vectors`` (..., 3) scaled to length 1; a zero vector stays zero."""
     return vectors / np.maximum(np.linalg.norm(vectors, axis=-1, keepdims=True), 1e-300)
 
 
 def cross(a: np.ndarray, b: np.ndarray) -> np.ndarray:
-    """a x b over the last axis, to the bits of `np.cross`, which takes many times as long for few vectors."""
+    """a x b over the last axis, with the same bits as `np.cross`, which is many times slower for few vectors."""
     found = np.empty(np.broadcast_shapes(a.shape, b.shape))
     for k, (i, j) in enumerate(((1, 2), (2, 0), (0, 1))):
         found[..., k] = a[..., i] * b[..., j] - a[..., j] * b[..., i]
@@ -19,13 +19,13 @@ def cross(a: np.ndarray, b: np.ndarray) -> np.ndarray:
 
 
 def repeated(count: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Each row as often as ``count`` (n,) says, and the how-manieth time it is."""
+    """Each row number ``count`` (n,) times, and a counter from 0 within each row."""
     row = np.repeat(np.arange(len(count)), count)
     return row, np.arange(len(row)) - np.repeat(np.cumsum(count) - count, count)
 
 
 def arc_length(points: np.ndarray) -> np.ndarray:
-    """(k,) the length of the way to each of the points (k, 3) of a polyline."""
+    """(k,) the arc length from the first to each of the points (k, 3) of a polyline."""
     along, step = np.zeros(len(points)), points[1:] - points[:-1]
     np.cumsum(np.sqrt((step * step).sum(axis=1)), out=along[1:])
     return along
@@ -39,8 +39,8 @@ def at(points: np.ndarray, along: np.ndarray, stops: np.ndarray) -> np.ndarray:
 def vertex_normals(vertices: np.ndarray, faces: np.ndarray) -> np.ndarray:
     """Vertex normals (V, 3), unit face normals weighted by the corner's angle (Thuermer and Wuethrich 1998).
 
-    Not normalised: only the sign and the order of <n, w - v> matter. Angle weights reproduce all of the reference
-    poles; area weights miss 85 of 12,128.
+    They are not normalised: only the sign and the order of <n, w - v> matter. Angle weights reproduce all of the
+    reference poles; area weights miss 85 of 12,128.
     """
     corners = vertices[faces]
     normal = cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
@@ -56,20 +56,20 @@ def vertex_normals(vertices: np.ndarray, faces: np.ndarray) -> np.ndarray:
 
 
 def signed_volume(vertices: np.ndarray, faces: np.ndarray) -> float:
-    """Signed volume that closed ``faces`` (F, 3) enclose, positive when they face outwards."""
+    """Signed volume inside the closed ``faces`` (F, 3), positive if they face outwards."""
     a, b, c = vertices[faces[:, 0]], vertices[faces[:, 1]], vertices[faces[:, 2]]
     return float(np.einsum("ij,ij->", a, cross(b, c)) / 6.0)
 
 
 def triangle_areas(corners: np.ndarray) -> np.ndarray:
-    """(F,) areas of triangles, whose corners are (F, 3, 3)."""
+    """(F,) areas of triangles with ``corners`` (F, 3, 3)."""
     a, b, c = np.moveaxis(corners, 1, 0)
     return np.linalg.norm(cross(b - a, c - a), axis=1) / 2
 
 
 def barycentric(points: np.ndarray, triangles: np.ndarray, least: float) -> np.ndarray:
-    """Weights (P, 3) of the corners at the foot of each point's perpendicular, none below ``least`` before they add up
-    to 1: that keeps it on the triangle."""
+    """Weights (P, 3) of the corners at the foot of each point's perpendicular. They are clipped to at least ``least``,
+    to stay on the triangle, and then normalised to a sum of 1."""
     a, b, c = np.moveaxis(triangles, 1, 0)
     normal = cross(b - a, c - a)
     area2 = np.maximum(np.einsum("ij,ij->i", normal, normal), 1e-300)

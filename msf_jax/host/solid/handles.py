@@ -1,16 +1,15 @@
-"""Which handles of a solid a curve inside it goes around: crossings with curtains that hang from loops of its surface.
+"""Which handles of a solid a curve inside it goes around, from linking numbers with loops of its surface.
 
 The loops of a closed surface span the homology of the outside, which Alexander duality pairs with that of the inside. A
-curve inside never meets the surface, so its linking numbers with the surface's loops are well defined, and the rank of
+curve inside never meets the surface, so its linking numbers with the surface's loops are well defined. The rank of
 their matrix is the number of independent handles that its cycles go around.
 
-From every loop a curtain hangs along one fixed direction, without an end. The linking number of a closed curve with
-the loop is the sum of its signed crossings with the loop's curtain (Gauss's count of the crossings in a projection, of
-those where the curve is on the curtain's side). A sum over segments needs no closed curve: so every segment has a
-class, the classes along a way add up, and two ways inside between the same ends go around the same handles exactly if
-their classes are equal. That is how a pass over a curve keeps its loops where they are.
+The curtain of a loop is the half-infinite strip that the loop sweeps along one fixed direction. The linking number of a
+closed curve with the loop is the sum of the curve's signed crossings with the curtain (Gauss's count in a projection).
+This sum is a sum over segments, so each segment has a class, and the classes along a path add up. Two paths inside with
+the same ends go around the same handles exactly if their classes are equal. So passes over a curve keep its loops.
 
-The loops come from a tree and a cotree of the surface (Eppstein 2003).
+The surface's loops come from a tree and a cotree (Eppstein 2003).
 """
 
 from collections.abc import Iterator
@@ -23,19 +22,19 @@ from scipy.sparse import csgraph
 from msf_jax.host.mesh.half_edges import HalfEdges, half_edges
 from msf_jax.host.solid.geometry import PAIRS_AT_ONCE, repeated, unit, vertex_normals
 
-SEED = 2003  # of the random combination that makes one number of all linking numbers
-CELLS = 96  # of the grid that pairs of segments are found by, along each of its two axes
-PUSH = 1e-9  # of the extent, that loops are outside the surface: a pinned node is on it
+SEED = 2003  # seed of the random weights that combine all linking numbers into one number
+CELLS = 96  # cells along each axis of the grid that finds pairs of segments
+PUSH = 1e-9  # extents that the loops lie outside the surface, as a pinned node lies on it
 TURN = np.linalg.qr(np.random.default_rng(1987).normal(size=(3, 3)))[0]
-TURN *= np.linalg.det(TURN)  # a rotation in general position, whose rows are two axes across the curtains and one along
+TURN *= np.linalg.det(TURN)  # a rotation in general position: two axes across the curtains, then the curtains' own
 
 
 class SurfaceLoops(NamedTuple):
-    """2g loops of a closed surface that span all of its loops, one to each ``generator``.
+    """2g loops of a closed surface that generate its homology.
 
-    edges: the half-edges. generator: (2g,) half-edges, each of which closes one loop. loops: (2g,) lists of vertices.
-    to_parent: (F,) the half-edge over which the cotree leads from each face towards the first one, -1 at its end.
-    depth: (F,) how many such steps that takes.
+    edges: the half-edges. generator: (2g,) the half-edge that closes each loop. loops: (2g,) lists of vertices.
+    to_parent: (F,) the half-edge from each face to its parent in the cotree, -1 at the root.
+    depth: (F,) of each face in the cotree.
     """
 
     edges: HalfEdges
@@ -55,7 +54,7 @@ def surface_loops(faces: np.ndarray) -> SurfaceLoops:
     in_tree = (parent[edges.origin] == edges.target) | (parent[edges.target] == edges.origin)
     crossed = is_first & ~in_tree
     face_parent, depth = _forest(face[crossed], face[edges.twin[crossed]], num_faces)
-    # Two faces can share several edges that are not in the tree; the cotree crosses the first of them.
+    # Two faces can share several edges outside the tree; the cotree crosses the first of them.
     to_parent = np.full(num_faces, -1)
     leads_up = np.flatnonzero(~in_tree & (face_parent[face] == face[edges.twin]))
     to_parent[face[leads_up[::-1]]] = leads_up[::-1]
@@ -80,15 +79,15 @@ def _forest(a: np.ndarray, b: np.ndarray, num: int) -> tuple[np.ndarray, np.ndar
 
 
 def loop_along(start: int, end: int, parent: np.ndarray) -> list[int]:
-    """The loop start -> end -> ... -> start along the tree, without the stretch to the root that both ways share."""
+    """The loop start -> end -> ... -> start along the tree, without the stretch to the root that both paths share."""
 
-    def way_up(vertex: int) -> list[int]:
+    def to_root(vertex: int) -> list[int]:
         path = [vertex]
         while parent[path[-1]] >= 0:
             path.append(int(parent[path[-1]]))
         return path
 
-    one, other = way_up(start), way_up(end)
+    one, other = to_root(start), to_root(end)
     while len(one) > 1 and len(other) > 1 and one[-2] == other[-2]:
         one.pop()
         other.pop()
@@ -96,7 +95,7 @@ def loop_along(start: int, end: int, parent: np.ndarray) -> list[int]:
 
 
 class Handles:
-    """The handles of a solid, as a curve inside meets them.
+    """The handles of a solid, to be asked which of them a curve inside goes around.
 
     Args:
         vertices: (V, 3), any unit.
@@ -109,14 +108,14 @@ class Handles:
         number, _ = repeated(np.array([len(loop) for loop in loops], dtype=np.int64))
         tail = np.array([vertex for loop in loops for vertex in loop], dtype=np.int64)
         head = np.array([vertex for loop in loops for vertex in [*loop[1:], loop[0]]], dtype=np.int64)
-        # Loops share most of their edges: each is looked at once.
+        # Loops share most of their edges: each edge is tested once.
         ends, edge = np.unique(np.sort(np.stack([tail, head], axis=1), axis=1), axis=0, return_inverse=True)
         sign = np.where(tail == ends[edge.ravel(), 0], 1, -1) if len(tail) else tail
         times = sparse.coo_matrix((sign, (edge.ravel(), number)), shape=(len(ends), len(loops)))
         self._times = times.tocsr()  # (K, 2g) how often each loop runs along each edge
         weight = np.random.default_rng(SEED).integers(1, 2**30, size=len(loops))
         self._value = self._times @ weight if len(loops) else np.empty(0, dtype=np.int64)
-        # So that no square leaves the range of floating point, lengths are fractions of the extent.
+        # Lengths are fractions of the extent, so that no square overflows or underflows.
         self._low = vertices.min(axis=0)
         self._extent = max(float((vertices.max(axis=0) - self._low).max()), 1e-300)
         placed = (vertices - self._low) / self._extent
@@ -126,8 +125,8 @@ class Handles:
     def classes(self, a: np.ndarray, b: np.ndarray) -> np.ndarray:
         """The class (E,) of each segment from a (E, 3) to b (E, 3): a fixed random combination of its crossings.
 
-        Along a closed curve inside they add up to zero exactly if it goes around no handle, but for a chance of 1 in
-        10^9.
+        Along a closed curve inside, the classes add up to zero if it goes around no handle. If it goes around one, the
+        sum is zero with a probability of 10^-9.
         """
         segment, edge, sign = self._crossings(a, b)
         found = np.zeros(len(a), dtype=np.int64)
@@ -137,8 +136,8 @@ class Handles:
     def windings(
         self, vertices: np.ndarray, edges: np.ndarray, length: np.ndarray | None = None
     ) -> tuple[np.ndarray, np.ndarray]:
-        """A basis of the curve's cycles: the edge (C,) that closes each, with a spanning forest of the shortest others,
-        and its linking numbers (C, 2g) with the surface's loops. ``length`` (E,) says which are short, if given."""
+        """A basis of the curve's cycles: the edge (C,) that closes each cycle of a shortest spanning forest, and the
+        cycles' linking numbers (C, 2g) with the surface's loops. ``length`` (E,) replaces the edges' own, if given."""
         num, (a, b) = len(vertices), edges.T
         size = np.linalg.norm(vertices[a] - vertices[b], axis=1) if length is None else length
         in_forest = shortest_forest(num, edges, size)
@@ -148,17 +147,17 @@ class Handles:
         return closing, linking[closing] + potential[a[closing]] - potential[b[closing]]
 
     def linking(self, a: np.ndarray, b: np.ndarray) -> np.ndarray:
-        """What each segment from a (E, 3) to b (E, 3) adds to the linking numbers (E, 2g) with the surface's loops."""
+        """The parts (E, 2g) of segments from a (E, 3) to b (E, 3) in the linking numbers with the surface's loops."""
         segment, edge, sign = self._crossings(a, b)
         crossed: Any = sparse.csr_matrix((sign, (segment, edge)), shape=(len(a), len(self._tail)))
         return (crossed @ self._times).toarray()
 
     def _crossings(self, a: np.ndarray, b: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Where segments from a (E, 3) to b (E, 3) go through curtains: segment, edge that the curtain hangs from, and
-        sign, (k,) each.
+        """Crossings of segments from a (E, 3) to b (E, 3) with curtains: the segment, the edge that sweeps the curtain,
+        and the sign, (k,) each.
 
-        Seen along the curtains, a segment crosses an edge if the ends of each are on either side of the other. Segments
-        that share an end get the same bits for its side, so that a way through it crosses once or not at all.
+        Seen along the curtains, a segment crosses an edge if the ends of each are on different sides of the other.
+        Segments that share an end compute the same side for it, so a path through it crosses once or not at all.
         """
         p, p_end = (_turned((points - self._low) / self._extent) for points in (a, b))
         q, q_end = self._tail, self._head
@@ -184,18 +183,18 @@ class Handles:
 
 
 def _turned(points: np.ndarray) -> np.ndarray:
-    """``points`` (P, 3) along the axes of `TURN`. A product of matrices would not give one point the same bits at
-    every place."""
+    """``points`` (P, 3) in the axes of `TURN`. In a matrix product, the bits of a point could depend on its row, so
+    this is written out."""
     x, y, z = points.T
     return np.stack([x * axis[0] + y * axis[1] + z * axis[2] for axis in TURN], axis=1)
 
 
 def shortest_forest(num_nodes: int, edges: np.ndarray, length: np.ndarray) -> np.ndarray:
-    """(E,) which edges are in a spanning forest of the graph, those of less ``length`` (E,) first, ties by number."""
+    """(E,) which edges are in the minimum spanning forest by ``length`` (E,), ties by number."""
     order = np.argsort(length, kind="stable")
-    # Of edges between the same nodes the shortest only: in a sparse matrix they would be added up.
+    # Only the shortest edge between two nodes: a sparse matrix would add parallel edges up.
     order = order[np.sort(np.unique(np.sort(edges[order], axis=1), axis=0, return_index=True)[1])]
-    rank = np.arange(1, len(order) + 1)  # no two are alike, and none is 0
+    rank = np.arange(1, len(order) + 1)  # distinct, and never 0
     ends = np.sort(edges[order], axis=1).T
     graph = sparse.coo_matrix((rank, (ends[0], ends[1])), shape=(num_nodes, num_nodes))
     is_in = np.zeros(len(edges), dtype=bool)
@@ -204,26 +203,26 @@ def shortest_forest(num_nodes: int, edges: np.ndarray, length: np.ndarray) -> np
 
 
 def along_forest(num_nodes: int, edges: np.ndarray, values: np.ndarray) -> np.ndarray:
-    """(N, ...) the sum of the ``values`` (E, ...) of the edges (E, 2) of a forest, on the way from a root to each node.
+    """(N, ...) the sum of the ``values`` (E, ...) of a forest's edges (E, 2) along the path from a root to each node.
 
-    An edge that is walked from its second node to its first counts with the opposite sign.
+    An edge that the path takes from its second node to its first counts with the opposite sign.
     """
     a, b = edges.T
     parent, _ = _forest(a, b, num_nodes)
     last = np.zeros((num_nodes, *values.shape[1:]), dtype=values.dtype)
-    for tail, head, way in ((a, b, 1), (b, a, -1)):
+    for tail, head, sign in ((a, b, 1), (b, a, -1)):
         leads = parent[head] == tail
-        last[head[leads]] = way * values[leads]
+        last[head[leads]] = sign * values[leads]
     return down_forest(parent, last)
 
 
 def down_forest(parent: np.ndarray, last: np.ndarray) -> np.ndarray:
-    """(N, ...) the sum over the way from a root to each node, of which ``last`` (N, ...) is the last step, 0 at a root.
+    """(N, ...) sums along the paths from a root to each node. ``last`` (N, ...) are values of last steps, 0 at a root.
 
-    ``parent`` (N,) is less than 0 at a root.
+    ``parent`` (N,) is negative at a root.
     """
     above, total = np.where(parent < 0, np.arange(len(parent)), parent), last
-    while (above != above[above]).any():  # of ways that are twice as long each time
+    while (above != above[above]).any():  # pointer doubling: the summed paths double in length
         total, above = total + total[above], above[above]
     return total
 
@@ -231,7 +230,7 @@ def down_forest(parent: np.ndarray, last: np.ndarray) -> np.ndarray:
 def _pairs_in_cells(
     ones: tuple[np.ndarray, np.ndarray], others: tuple[np.ndarray, np.ndarray]
 ) -> Iterator[tuple[np.ndarray, np.ndarray]]:
-    """Pairs of segments of the plane, ``ones`` and ``others`` as their ends (n, 2), that may cross: batches (k,)."""
+    """Batches (k,) of pairs of segments of the plane that may cross; ``ones`` and ``others`` are their ends (n, 2)."""
     if not len(ones[0]) or not len(others[0]):
         return
     boxes = [(np.minimum(*ends), np.maximum(*ends)) for ends in (ones, others)]
@@ -254,7 +253,7 @@ def _pairs_in_cells(
         row, place = repeated(count[rows])
         row = rows[row]
         a, b = one[row], other[order[start[cell_of_one[row]] + place]]
-        # Two boxes that share several cells are a pair in the first of them only.
+        # A pair whose boxes share several cells counts in the first of them only.
         shared = np.maximum(first_of_one[a], first_of_other[b])
         is_first = shared[:, 0] * CELLS + shared[:, 1] == cell_of_one[row]
         yield a[is_first], b[is_first]

@@ -1,10 +1,10 @@
-"""The compiled loops of a solid: what is nearest to a point, how the surface winds around it, and what a ray meets.
+"""The compiled loops of a solid: nearest triangles, winding numbers and ray hits.
 
-They walk down a tree of boxes of n triangles. It is a heap: below node k are 2 k and 2 k + 1, and node n + i is the box
-of triangle ``order[i]``, its lowest and its highest x, y and z. That needs no stack: after node k and all below it
-comes k + 1 or, where that is a left child, the first node above it that is not.
+They search a tree of bounding boxes of n triangles. The tree is a heap: the children of node k are 2 k and 2 k + 1, and
+node n + i is the box of triangle ``order[i]``: its lowest and its highest x, y and z. The search needs no stack. After
+node k and its descendants comes k + 1 or, if k + 1 is a left child, its first ancestor that is not a left child.
 
-The distance to a triangle is that to the nearest of its edges, or to its plane where the foot of the perpendicular is
+The distance to a triangle is the distance to its nearest edge, or to its plane if the foot of the perpendicular is
 inside (Ericson 2005, 5.1.5).
 """
 
@@ -15,13 +15,13 @@ import numpy as np
 
 from msf_jax.host.compiled import Ints, Points, Reals, Triangles, kernel, part
 
-FLAT = 1e-14  # of the square of a triangle's size: less area than that, seen along a ray, is rounding
-SLACK = 1 + 1e-12  # on the square of a distance, by which a box may seem farther than what is in it
+FLAT = 1e-14  # squared sizes of a triangle: a smaller area, seen along a ray, is a rounding error
+SLACK = 1 + 1e-12  # factor on a squared distance: by rounding a box may seem farther than its triangle
 
 
 class Mesh(NamedTuple):
-    """vertices: (V, 3). corners: (3F,) of the faces. triangles: (F, 3, 3) their places. twins: (3F,) the edge on the
-    other side of edge 3 f + k, from corner k of face f to the next. boxes: (2F, 6) and order: (F,), the tree of boxes.
+    """vertices: (V, 3). corners: (3F,) of the faces. triangles: (F, 3, 3) their coordinates. twins: (3F,) the opposite
+    of half-edge 3 f + k, from corner k of face f to the next. boxes: (2F, 6) and order: (F,), the tree of boxes.
     """
 
     vertices: Points
@@ -34,19 +34,19 @@ class Mesh(NamedTuple):
 
 @part
 def dot(ax: float, ay: float, az: float, bx: float, by: float, bz: float) -> float:
-    """a . b, added as NumPy's `einsum` does."""
+    """a . b, summed in the order of NumPy's `einsum`."""
     return (ax * bx + az * bz) + ay * by
 
 
 @part
 def norm(x: float, y: float, z: float) -> float:
-    """|x|, added as `numpy.linalg.norm` does."""
+    """|x|, summed in the order of `numpy.linalg.norm`."""
     return sqrt((x * x + y * y) + z * z)
 
 
 @part
 def onward(node: int, num: int, is_met: bool) -> int:
-    """The node after ``node`` in a tree of ``num`` triangles, below it if ``is_met``; 0 after the last."""
+    """The node to visit after ``node`` in a tree of ``num`` triangles: a child if ``is_met``; 0 after the last."""
     if is_met and node < num:
         return 2 * node
     node += 1
@@ -59,14 +59,14 @@ def onward(node: int, num: int, is_met: bool) -> int:
 def overlaps(
     boxes: Points, node: int, low_x: float, low_y: float, low_z: float, high_x: float, high_y: float, high_z: float
 ) -> bool:
-    """Whether a box meets another."""
+    """Whether the box of a node overlaps the given box."""
     is_beside = boxes[node, 0] > high_x or boxes[node, 1] > high_y or boxes[node, 2] > high_z
     return not (is_beside or boxes[node, 3] < low_x or boxes[node, 4] < low_y or boxes[node, 5] < low_z)
 
 
 @part
 def is_within(x: float, y: float, z: float, boxes: Points, node: int, distance2: float) -> bool:
-    """Whether a box is within a distance of a point, given its square."""
+    """Whether the box of a node is within a distance of a point; ``distance2`` is the square of the distance."""
     dx = max(boxes[node, 0] - x, x - boxes[node, 3], 0.0)
     dy = max(boxes[node, 1] - y, y - boxes[node, 4], 0.0)
     dz = max(boxes[node, 2] - z, z - boxes[node, 5], 0.0)
@@ -75,7 +75,7 @@ def is_within(x: float, y: float, z: float, boxes: Points, node: int, distance2:
 
 @part
 def triangle_distance2(x: float, y: float, z: float, triangles: Triangles, row: int) -> float:
-    """Squared distance from a point to a triangle, which may be a segment or a point."""
+    """Squared distance from a point to a triangle, which may be degenerate."""
     best = np.inf
     for k in range(3):
         j = (k + 1) % 3
@@ -112,8 +112,8 @@ def distances2(points: Points, triangles: Triangles, found: Reals) -> None:
 def nearest(
     points: Points, mesh: Mesh, sample: Ints, first: Ints, fan: Ints, is_exact: bool, found2: Reals, found: Ints
 ) -> None:
-    """``found`` (P,): the nearest triangle of those in ``fan[first[sample] : first[sample + 1]]`` or, if ``is_exact``,
-    of all, the first if several are; and ``found2``, the squared distance."""
+    """``found`` (P,): the nearest triangle among ``fan[first[sample] : first[sample + 1]]``, or among all triangles if
+    ``is_exact``; the first of several at the same distance. ``found2`` (P,): the squared distance."""
     triangles, num = mesh.triangles, len(mesh.order)
     for row in range(len(points)):
         x, y, z = points[row, 0], points[row, 1], points[row, 2]
@@ -136,9 +136,9 @@ def nearest(
 
 @kernel
 def around(points: Points, reach: Reals, start: int, mesh: Mesh, ends: Ints, point: Ints, triangle: Ints) -> int:
-    """Pairs of points, from ``start`` on, and triangles whose boxes are within reach, as many as there is room for.
+    """Pairs of points, from ``start`` on, and triangles whose boxes are within reach, until ``point`` is full.
 
-    Returns the first point whose pairs are not all there; those of point p end before ``ends[p]``.
+    Returns the first point whose pairs are incomplete; the pairs of point p end before ``ends[p]``.
     """
     num, count = len(mesh.order), 0
     for row in range(start, len(points)):
@@ -157,11 +157,11 @@ def around(points: Points, reach: Reals, start: int, mesh: Mesh, ends: Ints, poi
 
 @kernel
 def windings(points: Points, mesh: Mesh, found: Ints) -> None:
-    """``found`` (P,): how often the surface winds around each point: signed crossings of the ray that goes up from it.
+    """``found`` (P,): the winding number of the surface around each point: signed crossings of the ray upwards.
 
-    Seen from above the ray is a point. It is in a triangle if it is on the same side of all three edges. The side is
-    computed with an edge's ends in order of index, so that both faces at the edge agree; a point on the line is taken
-    as shifted by (e, e^2) for a vanishing e, so that a ray through a vertex or along a wall is no exception.
+    Seen from above, the ray is a point. It is in a triangle if it is on the same side of all three edges. The side is
+    computed with an edge's ends in order of index, so both faces at the edge agree. A point on an edge's line counts as
+    shifted by (e, e^2) for a vanishing e, so a ray through a vertex or along a wall needs no special case.
     """
     corners, triangles, boxes, num = mesh.corners, mesh.triangles, mesh.boxes, len(mesh.order)
     for row in range(len(points)):
@@ -198,8 +198,8 @@ def hits(
 ) -> int:
     """Every hit of the rays from ``points`` (P, 3) along the last of their ``axes`` (P, 3, 3), up to ``reach`` (P,).
 
-    ``seen`` (3, 3) is room for a triangle as seen along the ray, where that is a point. Returns how many there are; as
-    many as there is room for are in ``ray`` and ``distance``.
+    ``seen`` (3, 3) is scratch space for a triangle in the ray's axes. Returns the number of hits; ``ray`` and
+    ``distance`` hold the first of them, up to their length.
     """
     triangles, num, count = mesh.triangles, len(mesh.order), 0
     for row in range(len(points)):
@@ -225,7 +225,7 @@ def hits(
                 two = seen[1, 0] * seen[2, 1] - seen[2, 0] * seen[1, 1]
                 three = seen[2, 0] * seen[0, 1] - seen[0, 0] * seen[2, 1]
                 total = one + two + three
-                # Seen edge-on a triangle has no area but rounding errors, and is no hit.
+                # A triangle seen edge-on has an area of rounding errors only: it is no hit.
                 if (min(one, two, three) >= 0 or max(one, two, three) <= 0) and abs(total) > FLAT * size2:
                     t = dot(one, two, three, seen[2, 2], seen[0, 2], seen[1, 2]) / total
                     t = max(t, min(seen[0, 2], seen[1, 2], seen[2, 2]))

@@ -1,24 +1,24 @@
-"""The compiled loops of plane sections: what a plane cuts out of a surface around a point, and how large that is."""
+"""The compiled kernels of plane sections: the loop in which a plane cuts a surface around a point, and its measures."""
 
 from math import atan2, sqrt
 
 from msf_jax.host.compiled import Ints, Points, Reals, kernel, part
 from msf_jax.host.solid.kernels import Mesh, dot, is_within, norm, onward
 
-DESCENT = 30  # triangles from a given one to the plane, after which all around are searched
+DESCENT = 30  # triangles from the given one to the plane, after which the tree is searched instead
 
 
 @part
 def height(mesh: Mesh, vertex: int, points: Points, normals: Points, row: int) -> float:
-    """Of a vertex over the plane through a point; the same bits whichever triangle asks."""
+    """Height of a vertex above the plane through a point: the same bits for every triangle at the vertex."""
     x = (mesh.vertices[vertex, 0] - points[row, 0]) * normals[row, 0]
     y = (mesh.vertices[vertex, 1] - points[row, 1]) * normals[row, 1]
     return x + y + (mesh.vertices[vertex, 2] - points[row, 2]) * normals[row, 2]
 
 
 @part
-def way_down(mesh: Mesh, points: Points, normals: Points, row: int, face: int) -> int:
-    """The directed edge of a face that leads from above the plane to below it; -1 if there is none."""
+def edge_down(mesh: Mesh, points: Points, normals: Points, row: int, face: int) -> int:
+    """The half-edge of a face that leads from above the plane to below it; -1 if there is none."""
     for k in range(3):
         tail, head = mesh.corners[3 * face + k], mesh.corners[3 * face + (k + 1) % 3]
         if height(mesh, tail, points, normals, row) >= 0 > height(mesh, head, points, normals, row):
@@ -28,12 +28,12 @@ def way_down(mesh: Mesh, points: Points, normals: Points, row: int, face: int) -
 
 @part
 def descended(mesh: Mesh, points: Points, normals: Points, row: int, face: int) -> int:
-    """The directed edge that leads down, reached from a face, from neighbour to neighbour; -1 if it is too far."""
+    """The half-edge down through the plane that is reached from a face, face by face; -1 if it is too far."""
     for _ in range(DESCENT):
-        edge = way_down(mesh, points, normals, row, face)
+        edge = edge_down(mesh, points, normals, row, face)
         if edge >= 0:
             return edge
-        # Away from the farthest corner, over the edge opposite to it, which is the next edge.
+        # To the neighbour across the edge opposite to the corner that is farthest from the plane.
         farthest, most = 0, -1.0
         for k in range(3):
             away = abs(height(mesh, mesh.corners[3 * face + k], points, normals, row))
@@ -45,7 +45,7 @@ def descended(mesh: Mesh, points: Points, normals: Points, row: int, face: int) 
 
 @part
 def segment_distance(mesh: Mesh, points: Points, normals: Points, row: int, face: int, ends: Points) -> float:
-    """From a point to the segment that its plane cuts out of a face, if it cuts it; ``ends`` (2, 3) is room for it."""
+    """Distance from a point to the segment in which its plane cuts a face; ``ends`` (2, 3) is scratch space."""
     for k in range(3):
         tail, head = mesh.corners[3 * face + k], mesh.corners[3 * face + (k + 1) % 3]
         a, b = height(mesh, tail, points, normals, row), height(mesh, head, points, normals, row)
@@ -75,14 +75,14 @@ def loops(
     edges: Ints,
     parts: Reals,
 ) -> bool:
-    """Around each point the directed edges that lead down where a loop in its plane crosses them.
+    """For each point, the half-edges down through its plane along one loop.
 
-    The loop is that which is reached from triangle ``near[p]``; or, where that is -1 or the plane is far from there,
-    the nearest one, within ``reach[p]`` or thrice as far and so on, ``searches`` times: that of the first triangle, if
-    several are as near. It is walked once around. One of more than ``longest`` corners is left out.
+    The loop is reached from triangle ``near[p]``. If that is -1, or if the plane is far from there, it is the nearest
+    loop within ``reach[p]``, three times ``reach[p]`` and so on, ``searches`` times; of several at the same distance,
+    that of the first triangle. A loop of more than ``longest`` corners is left out.
 
-    Those of point p end before ``ends[p]``; ``parts`` is how far the plane is from each edge's tail, as a fraction.
-    ``segment`` (2, 3) is room. Returns whether there was room for all of them.
+    The half-edges of point p end before ``ends[p]``; ``parts`` is the fraction of each above the plane. ``segment``
+    (2, 3) is scratch space. Returns False if ``edges`` is too short.
     """
     num, count = len(mesh.order), 0
     for row in range(len(points)):
@@ -97,7 +97,7 @@ def loops(
                 is_met = is_within(points[row, 0], points[row, 1], points[row, 2], mesh.boxes, node, best * best)
                 if is_met and node >= num:
                     face = mesh.order[node - num]
-                    edge = way_down(mesh, points, normals, row, face)
+                    edge = edge_down(mesh, points, normals, row, face)
                     if edge >= 0:
                         away = segment_distance(mesh, points, normals, row, face, segment)
                         if away < best or (away == best and face < which):
@@ -116,7 +116,7 @@ def loops(
             b = height(mesh, mesh.corners[3 * face + (k + 1) % 3], points, normals, row)
             edges[count], parts[count] = edge, a / (a - b)
             count += 1
-            # Over the next edge if the corner opposite is up, else over the last.
+            # The loop leaves over the next edge if the opposite corner is above the plane, else over the one after.
             opposite = (k + 2) % 3
             is_up = height(mesh, mesh.corners[3 * face + opposite], points, normals, row) >= 0
             edge = mesh.twins[3 * face + (k + 1) % 3 if is_up else 3 * face + opposite]
@@ -130,12 +130,12 @@ def loops(
 def measures(
     places: Points, leans: Reals, normals: Points, ends: Ints, rows: Ints, flattest: float, found: Points
 ) -> None:
-    """Sums over loops with corners at ``places`` (C, 3), seen from points in their planes across ``normals`` (P, 3).
+    """Sums over loops with corners at ``places`` (C, 3) relative to their points, in planes with ``normals`` (P, 3).
 
-    Loop number k is around point ``rows[k]``, and ends before ``ends[k]``. ``leans`` (C,) says how far the wall after
-    each corner leans inward. Columns of ``found`` (P, 19), which are 0 at first: 0 to 2 the centroid of the area, 3
-    twice the area, 4 the angle that the loop turns, 5 its length, 6 its mean distance from the centroid; 7 to 9 and,
-    row by row, 10 to 18 how the centroid moves when the plane slides and turns.
+    Loop k belongs to point ``rows[k]``, and ends before ``ends[k]``. ``leans`` (C,) is the inward slope of the wall
+    after each corner: minus the product of the wall's and the plane's normals. Columns of ``found`` (P, 19), which are
+    0 at first: 0 to 2 the centroid, 3 twice the area, 4 the angle around the point, 5 the length, 6 the length times
+    the mean distance from the centroid; 7 to 9 and, row by row, 10 to 18 sums of the centroid's derivatives.
     """
     first = 0
     for loop in range(len(ends)):

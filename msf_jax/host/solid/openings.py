@@ -1,6 +1,6 @@
-"""Openings: rims at which a limb was cut, a vessel for one, and that repair has closed with a lid.
+"""Openings: boundary loops where a limb was cut off, such as a vessel's, and which repair closed with a lid.
 
-The curve of such a limb goes on to the middle of the lid, and balls are measured against the wall, not against the lid.
+The curve of such a limb is led to the middle of the lid, and radii are measured to the wall, not to the lid.
 """
 
 from typing import NamedTuple
@@ -10,14 +10,14 @@ import numpy as np
 from msf_jax.host.solid.geometry import cross, unit
 from msf_jax.host.solid.solid import Solid
 
-FARTHEST = 3.0  # radii of an opening, from its middle to the tip of the curve that it belongs to
-STEEPEST = 0.5  # cosine between the way there and the lid's normal, at least
-NARROWEST = 0.5  # radii of the limb at that tip, that an opening has at least: others are holes
+FARTHEST = 3.0  # radii of an opening: largest distance from its middle to the tip that is led to it
+STEEPEST = 0.5  # least cosine between the direction from the tip's neighbour to the middle and the lid's normal
+NARROWEST = 0.5  # radii of the limb at the tip: least radius of an opening; a smaller one is a hole in the wall
 
 
 class Opened(NamedTuple):
-    """A curve that goes on to its openings. nodes: (N, 3), new ones last. edges: (E, 2). ends: (k,) the new nodes.
-    lids: (L,) the solid's faces that are no wall."""
+    """A curve that is led to its openings. nodes: (N, 3), new ones last. edges: (E, 2). ends: (k,) the new nodes.
+    lids: (L,) the faces of the solid that are lids."""
 
     nodes: np.ndarray
     edges: np.ndarray
@@ -26,8 +26,8 @@ class Opened(NamedTuple):
 
 
 def opened(solid: Solid, nodes: np.ndarray, edges: np.ndarray, rims: list[np.ndarray]) -> Opened:
-    """Lead the tips of a curve ``(nodes (N, 3), edges (E, 2))`` on to the middles of those ``rims``, vertices of
-    ``solid``, that its limbs end in."""
+    """Lead the tips of a curve ``(nodes (N, 3), edges (E, 2))`` to the middles of the openings where its limbs end.
+    Each of the ``rims`` lists the vertices of one boundary loop of ``solid``."""
     degree = np.bincount(edges.ravel(), minlength=len(nodes))
     tips = np.flatnonzero(degree == 1)
     taken: set[int] = set()

@@ -1,8 +1,7 @@
-"""Plane sections of a surface around points of a curve: where the middle of a limb is.
+"""Plane sections of a surface around points of a curve: they say where the middle of a limb is.
 
-The section of a closed surface by a plane is a set of closed loops. The one that goes around a point is what a curve
-should be in the middle of. It is walked along from triangle to triangle (see `loops`), so that the cost is that
-of the loops, not of the surface.
+A plane cuts a closed surface in closed loops. A curve should pass through the middle of the loop around it. The loop is
+followed from triangle to triangle (see `loops`), so the cost depends on the loop's length and not on the surface.
 """
 
 from typing import NamedTuple
@@ -12,19 +11,19 @@ import numpy as np
 from msf_jax.host.solid import loops
 from msf_jax.host.solid.enclosure import Enclosure
 
-SEARCHES = 3  # for the nearest loop, each three times as far as the last, the first this many radii:
-NEAREST, FARTHEST = 1.5, 1.5 * 3 ** (SEARCHES - 1)
-LONGEST_LOOP = 20_000  # triangles, after which a walk is given up
-ROOM = 1_000  # corners of a loop, that there is room for at first
-FLATTEST = 0.2  # a wall that leans more than that from the plane counts as leaning so much
+SEARCHES = 3  # searches for the nearest loop, each three times as far as the one before
+NEAREST, FARTHEST = 1.5, 1.5 * 3 ** (SEARCHES - 1)  # radii: reach of the first and of the last search
+LONGEST_LOOP = 20_000  # triangles after which a loop is given up
+CAPACITY = 1_000  # corners a loop for which memory is allocated first; it doubles when it is full
+FLATTEST = 0.2  # sine added, as a square, between wall and plane: nearly tangent walls get bounded derivatives
 
 
 class Corners(NamedTuple):
-    """The corners of closed loops, one loop after the other, each in its order.
+    """The corners of closed loops, loop by loop and in order.
 
-    loop: (C,) the loop of each. tail, head: (C,) ends of the edge that it is on, over and under the plane. part: (C,)
-    how far from the tail to the head it is, as a fraction. triangle: (C,) which the loop crosses to the next corner.
-    is_closed: (P,) which loops came back to where they began.
+    loop: (C,) the loop of each corner. tail, head: (C,) ends of its mesh edge, above and below the plane. part: (C,)
+    fraction of the edge from tail to corner. triangle: (C,) the triangle from this corner to the next.
+    is_closed: (P,) which loops returned to their first corner.
     """
 
     loop: np.ndarray
@@ -38,13 +37,13 @@ class Corners(NamedTuple):
 class Sections(NamedTuple):
     """The loop around each of P points.
 
-    centroid: (P, 3) of the area that the loop encloses, the point itself where there is no loop.
-    radius: (P,) mean distance of the loop from its centroid, 0 where there is none.
-    size: (P,) twice its area over its length: the radius of a disc, the thickness of a sheet; 0 where there is none.
+    centroid: (P, 3) of the area inside the loop; the point itself without a loop.
+    radius: (P,) mean distance of the loop from its centroid; 0 without a loop.
+    size: (P,) twice the area over the loop's length: the radius of a disc, the thickness of a sheet; 0 without a loop.
     is_found: (P,) whether there is a loop that bounds the solid from outside.
-    is_around: (P,) whether it goes around the point.
-    slide: (P, 3) how the centroid moves, but for going along, when the plane goes a unit of length along its normal n,
-    turn: (P, 3, 3) and, times (dn, the change of n), when the plane turns about the point.
+    is_around: (P,) whether the loop goes around the point.
+    slide: (P, 3) motion of the centroid within the plane, when the plane moves along its normal n by a unit of length.
+    turn: (P, 3, 3) motion of the centroid when the plane turns about the point: turn @ dn for a change dn of n.
     """
 
     centroid: np.ndarray
@@ -61,9 +60,9 @@ def cut(
 ) -> Sections:
     """Cut ``shape`` through ``points`` (P, 3) across the unit vectors ``normals`` (P, 3).
 
-    The nearest loop in the plane is the point's: the outer one of its region, but where there is a cavity. ``radii``
-    (P,) are guesses at how far it is; it is looked for within one and a half of that, and then ever farther. With
-    ``near`` (P,), triangles near the points, a loop that can be reached from there is taken instead, which is fast.
+    A point's loop is the nearest loop in its plane: the outer boundary, unless a cavity is nearer. ``radii`` (P,) are
+    estimates of its distance; the search begins within 1.5 of them. With ``near`` (P,), triangles near the points, the
+    loop reached from such a triangle is taken instead, which is fast.
     """
     return measured(shape, points, normals, corners(shape, points, normals, radii, near))
 
@@ -75,13 +74,13 @@ def corners(
     num, corner = len(points), shape.faces.ravel()
     near = np.full(num, -1) if near is None else near
     reach = NEAREST * np.maximum(radii, 1e-3 * np.ptp(shape.vertices, axis=0).max())
-    room, ends = ROOM * num, np.empty(num, dtype=np.int64)
+    capacity, ends = CAPACITY * num, np.empty(num, dtype=np.int64)
     while True:
-        edge, part = np.empty(room, dtype=np.int64), np.empty(room)
+        edge, part = np.empty(capacity, dtype=np.int64), np.empty(capacity)
         limits, segment = (SEARCHES, LONGEST_LOOP), np.empty((2, 3))
         if loops.loops(points, normals, reach, near, shape.mesh, *limits, segment, ends, edge, part):
             break
-        room *= 2
+        capacity *= 2
     count = np.diff(ends, prepend=0)
     loop = np.repeat(np.arange(num), count)
     edge, part = edge[: len(loop)], part[: len(loop)]
@@ -91,14 +90,14 @@ def corners(
 
 
 def nowhere(points: np.ndarray) -> Sections:
-    """What is found where there is no loop."""
+    """The result for points without a loop."""
     zero, none = np.zeros(len(points)), np.zeros(len(points), dtype=bool)
     slide, turn = np.zeros_like(points), np.zeros((*points.shape, 3))
     return Sections(points.copy(), zero, zero.copy(), none, none.copy(), slide, turn)
 
 
 def measured(shape: Enclosure, points: np.ndarray, normals: np.ndarray, corners: Corners) -> Sections:
-    """The loops with these ``corners`` through ``points`` (P, 3), across ``normals`` (P, 3)."""
+    """Measure the loops with these ``corners``, in planes through ``points`` (P, 3) with ``normals`` (P, 3)."""
     loop, t = corners.loop, corners.part[:, None]
     places = (1 - t) * shape.vertices[corners.tail] + t * shape.vertices[corners.head] - points[loop]
     leans = -np.einsum("ci,ci->c", shape.normals[corners.triangle], normals[loop])

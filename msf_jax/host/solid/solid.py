@@ -1,21 +1,21 @@
-"""A solid in the caller's units: what of it is inside, and how large a ball fits around a point."""
+"""A solid in the caller's units, and the radius of the largest ball inside it around a point."""
 
 import numpy as np
 
 from msf_jax.host.solid.enclosure import Enclosure
 
-ON_LID = 1e-9  # diagonals from a lid, within which a point is on it, and not outside
+ON_LID = 1e-9  # diagonals from a lid within which a point is on it and counts as inside
 
 
 class Solid:
-    """A closed surface that questions are asked of in the caller's units.
+    """A closed surface with queries in the caller's units.
 
-    It is kept centred and with a diagonal of 1, so that no square leaves the range of floating point.
+    It is stored centred and with a diagonal of 1, so that no square overflows or underflows.
 
     Args:
         vertices: (V, 3), in the caller's units.
         faces: (F, 3), closed and oriented.
-        lids: (L,) those of the faces that close openings, if any: balls reach through them.
+        lids: (L,) the faces that close openings, if any: they do not bound a ball.
     """
 
     def __init__(self, vertices: np.ndarray, faces: np.ndarray, lids: np.ndarray | None = None):
@@ -26,7 +26,7 @@ class Solid:
         self.shape = Enclosure((vertices - self.centre) / self.diagonal, faces)
         self.lids = np.empty(0, dtype=np.int64) if lids is None else lids
         self._wall = None
-        if len(self.lids):  # without the vertices that only lids use
+        if len(self.lids):  # the wall has no vertices that only lids use
             used, corners = np.unique(np.delete(faces, self.lids, axis=0), return_inverse=True)
             self._wall = Enclosure(self.shape.vertices[used], corners.reshape(-1, 3))
 
@@ -35,13 +35,13 @@ class Solid:
         return (points - self.centre) / self.diagonal
 
     def leave(self, points: np.ndarray) -> np.ndarray:
-        """The way back from `enter`."""
+        """The inverse of `enter`."""
         return self.centre + self.diagonal * points
 
     def radii(self, points: np.ndarray) -> np.ndarray:
-        """Radius (P,) of the largest ball around each point that is inside, 0 for a point outside.
+        """Radius (P,) of the largest ball inside around each point; 0 for a point outside.
 
-        Only the wall bounds a ball, where there are lids.
+        With lids, only the wall bounds a ball.
         """
         entered = self.enter(points)
         clearance = self.shape.clearance(entered)
@@ -52,7 +52,7 @@ class Solid:
         return self.diagonal * clearance
 
     def vertex_areas(self) -> np.ndarray:
-        """(V,) a third of the area of the faces around each vertex, as fractions of the whole."""
+        """(V,) a third of the area of the faces around each vertex, as a fraction of the whole area."""
         a, b, c = np.moveaxis(self.shape.triangles, 1, 0)
         area = np.linalg.norm(np.cross(b - a, c - a), axis=1)
         corners = self.shape.faces.T.ravel()

@@ -1,4 +1,4 @@
-"""Triangles near points: a tree of boxes around them, samples of them, and how far away they are."""
+"""Triangles near points: a tree of bounding boxes, samples of triangles, and distances."""
 
 from functools import reduce
 from typing import NamedTuple
@@ -8,14 +8,14 @@ from scipy import spatial
 
 from msf_jax.host.solid import kernels
 
-SAMPLE_SPACING = 0.02  # of the extent, between samples of a triangle; more where that would make more than so many:
-MOST_SAMPLES = 200_000
+SAMPLE_SPACING = 0.02  # extents between samples of a triangle; more if `MOST_SAMPLES` requires it
+MOST_SAMPLES = 200_000  # approximate limit on the samples of a surface, for memory
 
 
 def tree_of(low: np.ndarray, high: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """``boxes`` (2n, 6) and ``order`` (n,) of the tree (see `kernels`) of boxes with these corners (n, 3).
+    """``boxes`` (2n, 6) and ``order`` (n,) of the tree (see `kernels`) of boxes with corners ``low``, ``high`` (n, 3).
 
-    Neighbours in a k-d tree of their middles are neighbours in it.
+    The leaves have the order of a k-d tree of the boxes' middles.
     """
     num = len(low)
     order = spatial.KDTree((low + high) / 2, leafsize=4).indices.astype(np.int64)
@@ -32,7 +32,7 @@ def tree_of(low: np.ndarray, high: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
 
 
 class Samples(NamedTuple):
-    """Points of the surface: a tree of them, and the triangles at sample s, ``fan[first[s] : first[s + 1]]``."""
+    """Samples of the surface: a tree of them; the triangles at sample s are ``fan[first[s] : first[s + 1]]``."""
 
     tree: spatial.KDTree
     first: np.ndarray
@@ -40,7 +40,7 @@ class Samples(NamedTuple):
 
 
 def sampled(vertices: np.ndarray, faces: np.ndarray, reaches: np.ndarray) -> Samples:
-    """Every vertex of a triangle with its fan, and a grid of points in every triangle that is large, with that one."""
+    """Every used vertex with its fan, and a grid of points in every large triangle with that triangle."""
     spacing = max(
         SAMPLE_SPACING * float(np.ptp(vertices, axis=0).max()), float(np.sqrt((reaches**2).sum() / MOST_SAMPLES))
     )
@@ -60,7 +60,7 @@ def sampled(vertices: np.ndarray, faces: np.ndarray, reaches: np.ndarray) -> Sam
     return Samples(spatial.KDTree(np.concatenate(points), leafsize=32), first, fan)
 
 
-# Corner by corner, as NumPy is slow in reductions over axes of two or three.
+# The following go corner by corner, as NumPy is slow in reductions over axes of length 2 or 3.
 
 
 def middles(triangles: np.ndarray) -> np.ndarray:
@@ -82,7 +82,7 @@ def reaches(triangles: np.ndarray) -> np.ndarray:
 
 
 def point_triangle_distance2(point: np.ndarray, triangle: np.ndarray) -> np.ndarray:
-    """Squared distance (c,) from each point (c, 3) to each triangle (c, 3, 3), degenerate ones included."""
+    """Squared distance (c,) from each point (c, 3) to its triangle (c, 3, 3), which may be degenerate."""
     found = np.empty(len(point))
     kernels.distances2(point, triangle, found)
     return found

@@ -1,8 +1,8 @@
-"""How the level sets of a function on a closed surface hang together: its Reeb graph, as far as a step resolves it.
+"""How the level sets of a function on a closed surface are connected: its Reeb graph, at the resolution of a step.
 
-Levels, a step apart, cut the surface into pieces; where two pieces meet is a ring. On a limb, and for a function that
-grows along it, a ring is a cross-section, and the middles of successive rings are the limb's curve (Lazarus, Verroust
-1999, level set diagrams). The graph has a cycle for each handle that is larger than the step, and no others.
+Levels, one step apart, cut the surface into pieces, and two pieces meet at a ring. If the function grows along a limb,
+a ring is a cross-section of the limb, and the middles of successive rings are its curve (Lazarus, Verroust 1999, level
+set diagrams). The graph has a cycle for each handle that is larger than the step, and no other cycles.
 """
 
 from typing import NamedTuple
@@ -13,14 +13,14 @@ from scipy.sparse import csgraph
 
 from msf_jax.host.solid.geometry import repeated
 
-MOST_POINTS = 2_000_000  # in which levels cut edges; the step is made larger until there are no more
+MOST_POINTS = 2_000_000  # intersections of levels and edges: if there are more, the step is doubled
 
 
 class Levels(NamedTuple):
     """Rings between pieces of the surface.
 
-    centre: (R, 3) centroid of what a ring goes around. perimeter: (R,). below, above: (R,) the pieces on its two sides.
-    piece: (V,) the piece of each vertex. num_pieces: those with no vertex among them.
+    centre: (R, 3) centroid of the area inside a ring. perimeter: (R,) of a ring. below, above: (R,) the pieces that
+    meet there. piece: (V,) the piece of each vertex. num_pieces: of all pieces, also those without a vertex.
     """
 
     centre: np.ndarray
@@ -34,8 +34,8 @@ class Levels(NamedTuple):
 def levels(vertices: np.ndarray, faces: np.ndarray, height: np.ndarray, step: float) -> Levels:
     """The level sets of ``height`` (V,), at multiples of ``step``, linear on each of ``faces`` (F, 3).
 
-    An edge is cut into stretches, one for each piece that it runs through. Stretches of a face that lie between the
-    same two levels are of one piece, and points of a face on the same level of one ring.
+    The levels cut an edge into stretches. Stretches of a face between the same two levels belong to one piece, and
+    points of a face on the same level belong to one ring.
     """
     side = np.sort(np.stack([faces, np.roll(faces, -1, axis=1)], axis=2).reshape(-1, 2), axis=1)
     ends, edge_of = np.unique(side, axis=0, return_inverse=True)
@@ -45,13 +45,13 @@ def levels(vertices: np.ndarray, faces: np.ndarray, height: np.ndarray, step: fl
         step *= 2
     low, high = np.floor(height[ends] / step).astype(np.int64).T
     count = high - low
-    first = np.cumsum(count) - count  # of an edge's points
+    first = np.cumsum(count) - count  # the first point of each edge
     edge, place = repeated(count)
     level = low[edge] + 1 + place
     start, stop = height[ends[edge]].T
     share = ((level * step - start) / (stop - start))[:, None]
     points = (1 - share) * vertices[ends[edge, 0]] + share * vertices[ends[edge, 1]]
-    # Nodes are the vertices, and then the stretches of every edge, from its lower end up.
+    # The graph's nodes are the vertices, then the stretches of every edge, from its lower end up.
     stretch = len(vertices) + np.cumsum(count + 1) - (count + 1)
     joined, beside = [np.stack([ends[:, 0], stretch]), np.stack([ends[:, 1], stretch + count])], []
     for k in range(3):
@@ -71,9 +71,9 @@ def levels(vertices: np.ndarray, faces: np.ndarray, height: np.ndarray, step: fl
 
 
 def _centroids(a: np.ndarray, b: np.ndarray, ring: np.ndarray, num: int) -> tuple[np.ndarray, np.ndarray]:
-    """Centroid (num, 3) of each ring's area, seen from that of its perimeter, and its perimeter (num,).
+    """The centroid (num, 3) of each ring's area and its perimeter (num,).
 
-    ``a`` and ``b`` (S, 3) are the ends of the segments of each ``ring`` (S,).
+    ``a`` and ``b`` (S, 3) are the ends of the segments, which belong to each ``ring`` (S,).
     """
 
     def mean(points: np.ndarray, weight: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -86,7 +86,7 @@ def _centroids(a: np.ndarray, b: np.ndarray, ring: np.ndarray, num: int) -> tupl
     area = np.linalg.norm(np.cross(a - from_there, b - from_there), axis=1)
     centre, total = mean((a + b + from_there) / 3, area)
     is_flat = total <= 1e-9 * perimeter**2
-    # A ring without a length is a point; it has no segment but from there to there.
+    # A ring without a length is a point: all of its segments start and end there.
     point = np.zeros((num, 3))
     point[ring] = a
     centre = np.where(is_flat[:, None], middle, centre)
@@ -94,6 +94,6 @@ def _centroids(a: np.ndarray, b: np.ndarray, ring: np.ndarray, num: int) -> tupl
 
 
 def _parts(num: int, pairs: np.ndarray) -> tuple[int, np.ndarray]:
-    """How many parts ``pairs`` (2, P) make of so many nodes, and the part (num,) of each."""
+    """The number of components of a graph with ``num`` nodes and edges ``pairs`` (2, P), and each node's component."""
     graph = sparse.coo_matrix((np.ones(pairs.shape[1]), tuple(pairs)), shape=(num, num))
     return csgraph.connected_components(graph, directed=False)

@@ -1,9 +1,9 @@
-"""Branches for thin limbs that a curve has missed, as they contracted away before the limb beside them was thin.
+"""Branches for thin limbs that a curve has missed, because they contracted before the limb beside them was thin.
 
-A vertex of the surface is explained if the curve is about as near to it as the solid is thick there. What is not hangs
-together in patches. From where a patch borders on the rest, waves run over it along its edges, a step a wave; on a
-thin limb each wave is a ring, and the middles of successive rings are its curve (as in skeletor's wavefront, here for
-what is left only). Patches no longer than they are thick are bumps.
+A vertex of the surface is explained if its distance from the curve is about the thickness of the solid there. Vertices
+that are not explained form patches. From the border of a patch, a wavefront advances edge by edge. On a thin limb each
+front is a ring, and the middles of successive rings are the limb's curve (as in skeletor's wavefront method, but only
+for these patches). A patch that is no longer than thick is a bump.
 """
 
 from typing import NamedTuple
@@ -17,20 +17,20 @@ from msf_jax.host.poles.balls import shrinking_balls
 from msf_jax.host.solid.enclosure import Enclosure
 from msf_jax.host.solid.geometry import unit, vertex_normals
 
-EXPLAINED = 2.0  # radii, that the curve is away from a vertex at most
-SLENDER = 2.0  # half widths across, that a limb is longer than
-THICKEST = 0.02  # diagonals, the radius of limbs that a curve may have missed
-ROUND = 3.0  # radii of the balls in a ring, that it is wide at most: a wider one is in a sheet
-ROUNDS = 2  # the second one finds what a limb of the first has hidden
-SPACING = 0.5  # radii, between the points that stand for the curve
-MOST_POINTS = 100  # of these on an edge
+EXPLAINED = 2.0  # radii: largest distance from the curve to an explained vertex
+SLENDER = 2.0  # ring widths: least length of a limb, to its farthest end
+THICKEST = 0.02  # diagonals: largest radius of the limbs that are looked for
+ROUND = 3.0  # mean ball radii of a ring: a wider ring belongs to a sheet
+ROUNDS = 2  # searches: the second one finds limbs that were hidden by a limb of the first
+SPACING = 0.5  # radii between sample points of the curve
+MOST_POINTS = 100  # sample points on an edge
 
 
 class Rings(NamedTuple):
-    """Rings of the waves. parent: (R,) the ring before each, -1 for one at a border. middle: (R, 3).
+    """The rings of the wavefront. parent: (R,) the ring before each, -1 at a border. middle: (R, 3) of each ring.
 
     width: (R,) root mean square distance of a ring's vertices from their centroid: its radius around a limb, and about
-    a third of its length in a sheet, however thin that is. is_round: (R,) whether it is no wider than a limb is thick.
+    a third of its length in a sheet of any thickness. is_round: (R,) whether its width fits a limb, see ``ROUND``.
     """
 
     parent: np.ndarray
@@ -40,19 +40,19 @@ class Rings(NamedTuple):
 
 
 def grow(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """The curve with a branch for each thin limb of a solid of diagonal 1 that it has missed: nodes, new ones last, and
-    edges. A branch begins at the node that is nearest to its first ring, and adds no loop."""
+    """The curve with a branch for each missed thin limb of a solid of diagonal 1: nodes, new ones last, and edges. A
+    branch begins at the node nearest to its first ring, and adds no loop."""
     x, normals = shape.vertices, unit(vertex_normals(shape.vertices, shape.faces))
     tree, most, beside = spatial.KDTree(x), 2 * THICKEST, _neighbours(shape.faces, len(x))
     radius, is_known = np.full(len(x), most), np.zeros(len(x), dtype=bool)
     for _ in range(ROUNDS):
         away, ball = _nearest_ball(shape, vertices, edges)
         is_far = away > EXPLAINED * ball
-        # Most vertices are explained by the curve's balls, and need none of their own.
+        # Most vertices are explained by the curve's balls: only the others need balls of their own.
         asked = np.flatnonzero((is_far | (beside @ is_far > 0)) & ~is_known)
         radius[asked] = shrinking_balls(x[asked], normals[asked], tree, most, most, asked).radius
         is_known[asked] = True
-        least = radius.copy()  # the ball behind the middle of a flat end is as long as the limb
+        least = radius.copy()  # of each vertex and its neighbours, as the ball behind a flat end can be too large
         np.minimum.at(least, shape.faces.ravel(), radius[np.roll(shape.faces, -1, axis=1).ravel()])
         is_left = is_far & (least < THICKEST) & (away > EXPLAINED * radius)
         rings = _wavefronts(x, x - radius[:, None] * normals, radius, beside, is_left)
@@ -68,15 +68,15 @@ def grow(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray) -> tuple[np.
 
 def _neighbours(faces: np.ndarray, num: int) -> sparse.csr_matrix:
     """(V, V) 1 where two vertices share an edge."""
-    tail, head = faces.ravel(), np.roll(faces, -1, axis=1).ravel()  # closed: every edge is there both ways
+    tail, head = faces.ravel(), np.roll(faces, -1, axis=1).ravel()  # a closed surface has both half-edges
     return sparse.csr_matrix((np.ones(len(tail)), (tail, head)), shape=(num, num))
 
 
 def _nearest_ball(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """How far each vertex of the surface (V,) is from the curve, and how thick the limb (V,) is there at the curve."""
+    """The distance (V,) of each surface vertex from the curve, and the limb's radius (V,) at the nearest point."""
     a, b = vertices[edges[:, 0]], vertices[edges[:, 1]]
     clear = shape.approximate_clearance(vertices)[0]
-    # At the end of a limb the ball is small: the limb is as thick as a little before.
+    # The ball at the end of a limb is too small: the limb's radius is that of balls a little before.
     clear = thickness.limb_radii(vertices, edges, np.arange(len(vertices)), clear, float(clear.max()))
     clearance = clear[edges].max(axis=1)
     pace = SPACING * np.maximum(clearance, float(np.median(clearance)))
@@ -92,9 +92,9 @@ def _nearest_ball(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray) -> 
 def _wavefronts(
     points: np.ndarray, centres: np.ndarray, radius: np.ndarray, beside: sparse.csr_matrix, is_left: np.ndarray
 ) -> Rings:
-    """Rings of the waves over what is left of ``points`` (V, 3), from its borders on.
+    """Rings of the wavefront over the vertices of ``is_left`` (V,) among ``points`` (V, 3), from their borders on.
 
-    The middle of a ring is the mean of the balls' ``centres`` (V, 3), but of its points where it is the last.
+    The middle of a ring is the mean of its balls' ``centres`` (V, 3); for a last ring it is the mean of its points.
     """
     step = np.where(is_left, -1, 0)
     front, level = ~is_left, 0
@@ -112,7 +112,7 @@ def _wavefronts(
     links, votes = np.unique(links, axis=0, return_counts=True)
     parent = np.full(num, -1)
     order = np.argsort(votes, kind="stable")
-    parent[links[order, 0]] = links[order, 1]  # of several the one with the most edges to it
+    parent[links[order, 0]] = links[order, 1]  # the last one wins: the parent that most edges lead to
     count = np.maximum(np.bincount(ring, minlength=num), 1)
 
     def mean(of_vertex: np.ndarray) -> np.ndarray:
@@ -127,13 +127,13 @@ def _wavefronts(
 
 
 def _is_limb(rings: Rings) -> np.ndarray:
-    """(R,) which rings are on limbs: on the longest way from a border, or on one that branches off and is slender."""
+    """(R,) which rings are on limbs: on the longest path from a border, or on a slender side branch of it."""
     order = _borders_first(rings.parent)
     has_parent = rings.parent >= 0
     length = np.linalg.norm(rings.middle - rings.middle[rings.parent], axis=1)
     length[~has_parent] = 0.0
-    reach = np.zeros(len(order))  # from the ring before it to the farthest end
-    first = np.full(len(order), -1)  # the ring after it that is on the way there
+    reach = np.zeros(len(order))  # length from the parent of each ring to the farthest end
+    first = np.full(len(order), -1)  # the next ring on the path to that end
     for ring in order[::-1].tolist():
         reach[ring] += length[ring]
         above = int(rings.parent[ring])
@@ -148,7 +148,7 @@ def _is_limb(rings: Rings) -> np.ndarray:
 
 
 def _borders_first(parent: np.ndarray) -> np.ndarray:
-    """The rings, each after its parent."""
+    """An order (R,) of the rings in which each comes after its parent."""
     depth = np.where(parent < 0, 0, -1)
     while (depth < 0).any():
         now = (depth < 0) & (depth[parent] >= 0)

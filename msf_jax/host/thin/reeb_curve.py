@@ -1,8 +1,8 @@
-"""The curve of a solid whose limbs have three to five sides, by waves over its surface.
+"""The curve of a coarse solid, whose limbs have three to five sides: its Reeb curve by geodesic distance.
 
-Decimated neurons, vessels and wires are like that: edges are longer than limbs are thick, and a contraction that merges
-and splits them has nothing left to go by. There waves start from where the solid is thickest, and run along the edges;
-the middles of the rings that they make, about as far apart as a limb is thick, are the curve. Where two waves meet it
+Decimated neurons, vessels and wires are of this kind: their edges are longer than their limbs are thick, so merging and
+splitting edges leaves no shape to contract. Instead, wavefronts of equal geodesic distance spread from the thickest
+point of the solid. The middles of the fronts' rings, about a radius apart, are the curve. Where two fronts meet, it
 closes a loop.
 """
 
@@ -20,17 +20,17 @@ from msf_jax.host.thin.levels import Levels, levels
 
 Test = Callable[[Enclosure, np.ndarray, np.ndarray], np.ndarray]
 
-COARSE = 1.0  # radii: the median edge of a limb of six sides; where it is longer there are fewer
-ROUND = 3.0  # of a circle's perimeter, that the median ring has at most; around a plate it has far more
-CANDIDATES = 100  # for where the solid is thickest: a ball may be too large, between the vertices
-MOST_AROUND = 32  # rings of one piece that are joined as is shortest; of more, all to the first
-OUTSIDE = 3.0  # times as long as it is counts an edge that is not inside
-AT_TIP = 0.5  # radii: vertices that are less far by no more than that are at a limb's tip, too
-TO_TIP = 0.8  # of the way from the last ring of a limb to its tip, that the curve goes
+COARSE = 1.0  # radii: median edge length of a limb with six sides; longer edges mean fewer sides
+ROUND = 3.0  # largest median perimeter of the rings, over that of a circle; a plate has far longer rings
+CANDIDATES = 100  # vertices tried for the thickest point: a ball between few vertices can be too large
+MOST_AROUND = 32  # rings of a piece that are joined by a shortest tree; if there are more, all are joined to the first
+OUTSIDE = 3.0  # factor on the length of an edge that is not inside, when the tree is chosen
+AT_TIP = 0.5  # radii: vertices that are nearer than the farthest by no more than this belong to the tip, too
+TO_TIP = 0.8  # fraction of the distance from the last ring of a limb to its tip, at which the curve ends
 
 
 class ReebCurve(NamedTuple):
-    """A curve: vertices (N, 3), edges (E, 2), and node_of_vertex (V,), one near each of the surface's."""
+    """A curve: vertices (N, 3), edges (E, 2), and node_of_vertex (V,), a node near each vertex of the surface."""
 
     vertices: np.ndarray
     edges: np.ndarray
@@ -38,11 +38,11 @@ class ReebCurve(NamedTuple):
 
 
 def reeb_curve(shape: Enclosure, is_inside: Test) -> ReebCurve | None:
-    """The curve of a connected solid of diagonal 1; None where it is not thin, not coarse, or no limb but a plate."""
+    """The curve of a connected solid of diagonal 1; None if the solid is not thin, not coarse, or a plate."""
     x, faces = shape.vertices, shape.faces
     normals = unit(vertex_normals(x, faces))
     asked = x, normals, spatial.KDTree(x), balls.FIRST
-    # Small balls decide, and are found fast.
+    # Whether the solid is thin is decided by balls of limited size, which are found fast.
     if np.median(balls.shrinking_balls(*asked, 2 * thickness.THIN, np.arange(len(x))).radius) >= thickness.THIN:
         return None
     radius = balls.shrinking_balls(*asked, balls.LARGEST, np.arange(len(x))).radius
@@ -59,7 +59,7 @@ def reeb_curve(shape: Enclosure, is_inside: Test) -> ReebCurve | None:
     found = levels(x, faces, away, step)
     if not len(found.centre) or np.median(found.perimeter) > ROUND * 2 * np.pi * step:
         return None
-    # A piece with one ring is the end of a limb. The curve goes towards what is farthest there, or towards the seed.
+    # A piece with one ring is the end of a limb. There the curve goes towards the farthest vertices, or to the seed.
     num_rings = np.bincount(np.concatenate([found.below, found.above]), minlength=found.num_pieces)
     sign = np.where(found.piece == found.piece[seed], -1.0, 1.0)
     top = np.full(found.num_pieces, -np.inf)
@@ -77,9 +77,9 @@ def reeb_curve(shape: Enclosure, is_inside: Test) -> ReebCurve | None:
 def _joined(
     shape: Enclosure, found: Levels, ends: np.ndarray, piece_of_end: np.ndarray, is_inside: Test
 ) -> tuple[np.ndarray, np.ndarray]:
-    """The rings, and the ``ends`` of limbs (T, 3), joined within each piece by a shortest tree, inside if that can be.
+    """The curve through the rings' centres and the ``ends`` (T, 3) of limbs, joined by a shortest tree in each piece.
 
-    It has as many cycles as the rings and pieces have.
+    Edges inside the solid are preferred. The curve has as many cycles as the graph of rings and pieces.
     """
     num = len(found.centre)
     vertices = np.concatenate([found.centre, ends])

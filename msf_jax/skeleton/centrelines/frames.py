@@ -1,6 +1,6 @@
-"""How a branch turns at each of its nodes: tangent, curvature and torsion, of a cubic that is fitted around it.
+"""Tangent, curvature and torsion of a branch at each of its nodes, from a cubic fitted around the node.
 
-With s the arc length and x(s) the cubic of least squares over the nodes within a few radii,
+With s the arc length and x(s) the least-squares cubic over the nodes within a few radii,
 
     tangent x' / |x'|,   curvature |x' x x''| / |x'|^3,   torsion (x' x x'') . x''' / |x' x x''|^2.
 """
@@ -11,14 +11,14 @@ import numpy as np
 
 from msf_jax.host.solid.geometry import arc_length, cross, repeated, unit
 
-REACH = 3.0  # radii on either side, that a cubic is fitted to
-FEWEST = 3  # nodes on either side, if the branch has them
-STRAIGHT = 0.02  # curvature times reach, below which torsion is 0: a straight line has none
-NEGLIGIBLE = 1e-9  # of the largest eigenvalue of a fit: what few nodes leave open is 0
+REACH = 3.0  # radii: a cubic is fitted to the nodes within this distance along the branch, in both directions
+FEWEST = 3  # nodes in each direction that a fit uses at least, if the branch has them
+STRAIGHT = 0.02  # curvature times reach: below it, torsion is 0, because a straight line has none
+NEGLIGIBLE = 1e-9  # share of the largest eigenvalue of a fit: smaller ones, of too few nodes, count as 0
 
 
 class Frames(NamedTuple):
-    """Of nodes (n,) along a branch. tangent: (n, 3), unit. curvature: (n,) one over length. torsion: (n,) the same."""
+    """Values at the nodes of a branch. tangent: (n, 3), unit. curvature, torsion: (n,), in 1/length."""
 
     tangent: np.ndarray
     curvature: np.ndarray

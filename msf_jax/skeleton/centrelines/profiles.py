@@ -1,4 +1,4 @@
-"""The cross-section of the solid at each node: area, perimeter, and its widths; and the volume around each branch."""
+"""Cross-sections of the solid at nodes (area, perimeter, diameters), and the volume around each branch."""
 
 from typing import NamedTuple
 
@@ -8,12 +8,12 @@ from msf_jax.host.solid import sections
 from msf_jax.host.solid.geometry import cross, unit
 from msf_jax.host.solid.solid import Solid
 
-DIRECTIONS = 48  # in half a turn, in which a section is measured: a width is right to 0.1 %
+DIRECTIONS = 48  # directions in half a turn in which a section's width is measured, to an error of 0.1 %
 
 
 class Profiles(NamedTuple):
-    """Of nodes (N,), in the caller's units, NaN where no section was found. largest, least: diameters, as a calliper
-    has them."""
+    """Cross-sections at nodes (N,), in the caller's units, NaN where none was found. largest, least: diameters between
+    parallel lines, as measured by a calliper."""
 
     area: np.ndarray
     perimeter: np.ndarray
@@ -22,7 +22,8 @@ class Profiles(NamedTuple):
 
 
 def profiles_of(solid: Solid, nodes: np.ndarray, tangents: np.ndarray, radii: np.ndarray) -> Profiles:
-    """The sections of ``solid`` through ``nodes`` (N, 3) across ``tangents`` (N, 3), of about ``radii`` (N,)."""
+    """The sections of ``solid`` through ``nodes`` (N, 3), normal to ``tangents`` (N, 3), with radii of about ``radii``
+    (N,)."""
     num, points = len(nodes), solid.enter(nodes)
     found = sections.corners(solid.shape, points, tangents, radii / solid.diagonal)
     unknown = np.full(num, np.nan)
@@ -56,9 +57,9 @@ def profiles_of(solid: Solid, nodes: np.ndarray, tangents: np.ndarray, radii: np
 def swept_volumes(corners: np.ndarray, feet: np.ndarray, group: np.ndarray, num: int) -> np.ndarray:
     """(num,) the volume between the faces of each ``group`` (F,) and the curve.
 
-    ``corners`` (F, 3, 3) of each face go straight to their ``feet`` (F, 3, 3) on the curve; the sides of what a face
-    sweeps are shared with its neighbours, so that the volumes of all of a closed surface add up to that which it
-    encloses: a curve encloses none.
+    ``corners`` (F, 3, 3) of each face move straight to their ``feet`` (F, 3, 3) on the curve. The sides of the volume
+    that a face sweeps are shared with its neighbours, so the volumes of all faces of a closed surface add up to the
+    enclosed volume, because a curve encloses none.
     """
 
     def under(a: np.ndarray, b: np.ndarray, c: np.ndarray) -> np.ndarray:
@@ -66,7 +67,7 @@ def swept_volumes(corners: np.ndarray, feet: np.ndarray, group: np.ndarray, num:
 
     a, b = np.moveaxis(corners, 1, 0), np.moveaxis(feet, 1, 0)
     volume = under(*a) - under(*b)
-    for k in range(3):  # a side is ruled: the mean of its two foldings
+    for k in range(3):  # a side is a ruled surface: take the mean of its two triangulations
         p, q = k, (k + 1) % 3
         one = under(a[q], a[p], b[p]) + under(a[q], b[p], b[q])
         other = under(a[q], a[p], b[q]) + under(a[p], b[p], b[q])

@@ -1,4 +1,4 @@
-"""Tables of a curve as measurements ask for them: a row for each branch, or for each node."""
+"""Tables of measurements: a row for each branch, or for each node."""
 
 from collections import deque
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -15,13 +15,13 @@ from msf_jax.skeleton.centrelines.profiles import Profiles, profiles_of, swept_v
 if TYPE_CHECKING:
     from msf_jax.skeleton.skeleton import Skeleton
 
-BEYOND = 2.0  # radii of a junction, over which a branch shows where it goes, from where it leaves the junction's ball
+BEYOND = 2.0  # radii of the junction: a branch's direction is taken over this length, from the junction's ball on
 Columns = dict[str, np.ndarray]
 
 
 class Oriented(NamedTuple):
-    """Branches as they lead away from the root. nodes: of each, the end nearer to the root first. parent: (B,) the
-    branch that each grows out of, -1 for those at a root."""
+    """Branches directed away from the root. nodes: those of each branch, the end nearer to the root first. parent: (B,)
+    the branch before each, -1 for those at a root."""
 
     nodes: list[np.ndarray]
     parent: np.ndarray
@@ -53,7 +53,7 @@ def oriented(skeleton: "Skeleton") -> Oriented:
     parent = np.full(len(paths), -2)
     inside = {int(node): number for number, nodes in enumerate(paths) for node in nodes[1:-1]}
     for root in roots:
-        queue: deque[tuple[int, int]] = deque()  # a junction that was reached, and the branch that led there
+        queue: deque[tuple[int, int]] = deque()  # a junction, and the branch by which it was reached
         if root in inside:
             first = inside[root]
             parent[first] = -1
@@ -72,9 +72,9 @@ def oriented(skeleton: "Skeleton") -> Oriented:
 
 
 def _inlets(skeleton: "Skeleton", paths: list[np.ndarray]) -> tuple[int, ...]:
-    """A node of each component, the tip of its thickest limb before others."""
+    """A root for each component: the tip of its thickest limb, or its thickest node if it has no tip."""
     degree = np.bincount(skeleton.edges.ravel(), minlength=len(skeleton.vertices))
-    size = skeleton.radii / (1 + skeleton.radii.max())  # below 1: of a component without a tip, the thickest node
+    size = skeleton.radii / (1 + skeleton.radii.max())  # below 1, so that tips, with sizes above 1, go first
     for nodes in paths:
         for tip in nodes[[0, -1]][degree[nodes[[0, -1]]] == 1]:
             size[tip] = 1 + np.median(skeleton.radii[nodes])
@@ -82,7 +82,7 @@ def _inlets(skeleton: "Skeleton", paths: list[np.ndarray]) -> tuple[int, ...]:
 
 
 def branch_columns(skeleton: "Skeleton") -> Columns:
-    """A value for each of the branches in each column."""
+    """The columns of the table of branches."""
     paths, parent = oriented(skeleton)
     num, degree = len(paths), np.bincount(skeleton.edges.ravel(), minlength=len(skeleton.vertices))
     points = [skeleton.vertices[nodes] for nodes in paths]
@@ -112,7 +112,7 @@ def branch_columns(skeleton: "Skeleton") -> Columns:
 
 
 def node_columns(skeleton: "Skeleton") -> Columns:
-    """A value for each of the nodes in each column; a node at a junction is with the first of its branches."""
+    """The columns of the table of nodes. A junction belongs to the first of its branches."""
     paths, _ = oriented(skeleton)
     num = len(skeleton.vertices)
     branch, along, curvature, torsion = (
@@ -152,8 +152,8 @@ def node_columns(skeleton: "Skeleton") -> Columns:
 
 
 def _radii_without_ends(skeleton: "Skeleton", nodes: np.ndarray, degree: np.ndarray) -> tuple[float, float, float]:
-    """Mean, least and largest radius of a branch, but for where its ends make balls smaller or larger: within a radius
-    of a tip, which balls do not reach out of, and within the ball of a junction, which is not the branch's."""
+    """Mean, least and largest radius of a branch without its ends: within a radius of a tip balls are smaller, and
+    within the ball of a junction larger, than along the branch."""
     radii, along = skeleton.radii[nodes], arc_length(skeleton.vertices[nodes])
     usual = float(np.median(radii))
     first, last = (
@@ -169,8 +169,8 @@ def _radii_without_ends(skeleton: "Skeleton", nodes: np.ndarray, degree: np.ndar
 
 
 def _angles(skeleton: "Skeleton", paths: list[np.ndarray], parent: np.ndarray) -> np.ndarray:
-    """(B,) degrees by which each branch turns off its parent's direction at their junction, 0 straight on; NaN at a
-    root."""
+    """(B,) the angle in degrees between the directions of each branch and its parent at their junction, 0 if straight;
+    NaN at a root."""
     found = np.full(len(paths), np.nan)
     for number, above in enumerate(parent.tolist()):
         if above < 0 or len(paths[number]) < 2:
@@ -185,7 +185,7 @@ def _angles(skeleton: "Skeleton", paths: list[np.ndarray], parent: np.ndarray) -
 
 
 def _leaves(points: np.ndarray, radius: float) -> np.ndarray:
-    """(3,) the direction in which a branch goes from where it leaves the ball at its first point."""
+    """(3,) the direction of a branch where it leaves the ball at its first point."""
     along = arc_length(points)
     begin = min(radius, along[-1] / 2)
     near, far = at(points, along, np.array([begin, min(begin + BEYOND * radius, along[-1])]))
@@ -193,7 +193,7 @@ def _leaves(points: np.ndarray, radius: float) -> np.ndarray:
 
 
 def _volumes(skeleton: "Skeleton", num: int) -> np.ndarray:
-    """(B,) the volume between each branch and the faces that go to it; NaN where the surface is not known."""
+    """(B,) the volume between each branch and the faces that belong to it; NaN if the surface is not known."""
     if skeleton.source is None:
         return np.full(num, np.nan)
     solid = skeleton.source.solid

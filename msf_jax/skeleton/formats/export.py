@@ -1,6 +1,6 @@
-"""Files that other programs read, one writer a format. Written beside the target and renamed, so never by halves.
+"""Saving in the formats of other programs, with one writer for each format. Files are written atomically.
 
-A writer is imported when its format is asked for: the command line's help only needs the suffixes.
+A writer is imported on first use, because the command line's help only needs the suffixes.
 """
 
 import importlib
@@ -22,10 +22,10 @@ def save(skeleton: "Skeleton", path: str | os.PathLike[str], mesh: Any = None) -
 
 
 def writer_for(path: str | os.PathLike[str]) -> "Callable[[Skeleton, Any], str | bytes]":
-    """What makes the content of a file, of a skeleton and its mesh, in the format that the suffix of ``path`` names.
+    """The function from a skeleton and its mesh to the content of a file, for the suffix of ``path``.
 
     Raises:
-        ConfigError: there is none.
+        ConfigError: no format has that suffix.
     """
     name = Path(path).name.lower()
     for suffix, place in WRITERS.items():
@@ -40,13 +40,13 @@ def writer_for(path: str | os.PathLike[str]) -> "Callable[[Skeleton, Any], str |
 
 def _needed(mesh: Any, suffix: str) -> Any:
     if mesh is None:
-        raise ConfigError(f"a {suffix} file holds the mesh, too: expected save(path, mesh)")
+        raise ConfigError(f"a {suffix} file contains the mesh, too: expected save(path, mesh)")
     return mesh
 
 
-HOLD_REPORT = ".npz, .json or .swc"
-# Module and function of each writer. It takes the skeleton, and the mesh if it is one of those that need it.
-NEED_MESH = (".glb",)
+HOLD_REPORT = ".npz, .json or .swc"  # formats that contain the report
+NEED_MESH = (".glb",)  # formats whose writer takes the mesh, too
+# Module and function of the writer of each format.
 WRITERS = {
     ".swc": "swc.written",
     ".obj": "graphs.obj",

@@ -1,8 +1,8 @@
-"""A mesh on the bones of a rig, as one binary glTF 2.0 file, with the materials, UVs, normals and colours that it has.
+"""A mesh on the bones of a rig, as one binary glTF 2.0 file, with its materials, UVs, normals and colours.
 
-trimesh writes the mesh itself; the skin, of joints and weights, is added to its file. A joint's name is the bone's, and
-its "extras" hold where the bone ends and its radius there. The format's numbers are float32: far from the origin, they
-count from the middle of the mesh.
+trimesh writes the mesh, and this module adds the skin: joints and weights. A joint has the name of its bone, and the
+end of the bone in its "extras". Numbers in the format are float32. So coordinates of a mesh far from the origin are
+relative to its centre.
 """
 
 import json
@@ -21,19 +21,19 @@ if TYPE_CHECKING:
     from msf_jax.skeleton.rigging.rig import Rig
     from msf_jax.skeleton.skeleton import Skeleton
 
-MOST_JOINTS = 65535
-FAR = 100  # of the mesh's size from the origin
+MOST_JOINTS = 65535  # joints that the format can number
+FAR = 100  # bounding-box diagonals from the origin: beyond, coordinates are relative to the mesh's centre
 AT_ONCE = 4  # influences in one set of attributes of the format
 FLOAT, USHORT = 5126, 5123  # component types of the format
-ARRAY_BUFFER = 34962
-JSON, BINARY = 0x4E4F534A, 0x004E4942  # kinds of chunks
+ARRAY_BUFFER = 34962  # buffer target of the format
+JSON, BINARY = 0x4E4F534A, 0x004E4942  # types of chunks in the format
 
 
 def skinned(skeleton: "Skeleton", mesh: Any) -> bytes:
     """The bytes of a ``.glb`` file with ``mesh``, as `skeletonize` took it, on the bones of ``skeleton``.
 
     Raises:
-        MeshError: the mesh cannot be read, or has not the vertices that the curve's map speaks of.
+        MeshError: the mesh cannot be read, or has another number of vertices than the curve's map.
     """
     return of_rig(skeleton.rig(mesh=mesh), mesh)
 
@@ -42,11 +42,11 @@ def of_rig(rig: "Rig", mesh: Any) -> bytes:
     """The bytes of a ``.glb`` file with ``mesh``, as `skeletonize` took it, on the bones of ``rig``.
 
     Raises:
-        ConfigError: there are more bones than the format numbers.
+        ConfigError: there are more bones than the format can number.
         MeshError: the mesh cannot be read, or has another number of vertices than the rig.
     """
     if len(rig.joints) > MOST_JOINTS:
-        raise ConfigError(f"the rig has {len(rig.joints)} bones: glTF numbers at most {MOST_JOINTS}")
+        raise ConfigError(f"the rig has {len(rig.joints)} bones: glTF can number at most {MOST_JOINTS}")
     parts = [part for part in reading.parts(mesh) if len(part.vertices)]
     reading.check_map(np.empty(rig.num_vertices), sum(len(part.vertices) for part in parts))
     points = np.concatenate([part.vertices for part in parts])
@@ -61,14 +61,14 @@ def of_rig(rig: "Rig", mesh: Any) -> bytes:
 
 
 def _plain(parts: list[trimesh.Trimesh], middle: np.ndarray) -> tuple[dict[str, Any], bytearray]:
-    """The document and the binary of a file with the parts alone, in the order of ``parts``."""
+    """The JSON document and the binary content of a file with only the ``parts``, in their order."""
     scene = trimesh.Scene()
     for number, part in enumerate(parts):
         is_finite = np.isfinite(part.vertices)
         if not is_finite.all():
             part.vertices = np.where(is_finite, part.vertices, middle)
         if middle.any():
-            part.apply_translation(-middle)  # which keeps normals
+            part.apply_translation(-middle)  # this keeps normals
         part.metadata.clear()
         scene.add_geometry(part, node_name=f"mesh {number}", geom_name=f"mesh {number}")
     data = export_glb(scene)
@@ -78,7 +78,7 @@ def _plain(parts: list[trimesh.Trimesh], middle: np.ndarray) -> tuple[dict[str, 
 
 
 def _add_joints(document: dict[str, Any], rig: "Rig", middle: np.ndarray) -> int:
-    """Add the joints as nodes, after those that there are; returns the number of the first."""
+    """Append the joints to the document's nodes. Returns the index of the first."""
     start = len(document["nodes"])
     position = (rig.joints - middle).astype(np.float32)
     for bone, (name, above) in enumerate(zip(rig.names, rig.parents.tolist(), strict=True)):
@@ -93,7 +93,7 @@ def _add_joints(document: dict[str, Any], rig: "Rig", middle: np.ndarray) -> int
 def _add_skin(
     document: dict[str, Any], content: bytearray, rig: "Rig", parts: list[trimesh.Trimesh], start: int, middle: Any
 ) -> None:
-    """Bind the nodes of ``parts`` to the joints, whose nodes begin with ``start``; all of them in one frame."""
+    """Bind the nodes of ``parts`` to the joints, whose nodes begin at index ``start``."""
     num = len(rig.joints)
     placed = {"translation": middle.tolist()} if middle.any() else {}
     meshes = {mesh["name"]: number for number, mesh in enumerate(document["meshes"])}
@@ -102,7 +102,7 @@ def _add_skin(
         rows = rig.weights[first : first + len(part.vertices)]
         first += len(part.vertices)
         mesh = meshes.get(f"mesh {number}")
-        if mesh is None:  # without faces
+        if mesh is None:  # a part without faces
             continue
         attributes = document["meshes"][mesh]["primitives"][0]["attributes"]
         for which, (bound, weights) in enumerate(_sets(rows)):
@@ -112,7 +112,7 @@ def _add_skin(
         document["nodes"].append({"name": f"mesh {number}" if len(parts) > 1 else "mesh", "mesh": mesh, "skin": 0})
         document["nodes"][-1] |= placed
     inverse = np.tile(np.eye(4, dtype=np.float32), (num, 1, 1))
-    inverse[:, 3, :3] = -(rig.joints - middle).astype(np.float32)  # columns come first in the format
+    inverse[:, 3, :3] = -(rig.joints - middle).astype(np.float32)  # matrices of the format are column-major
     binds = _add(document, content, inverse, "MAT4", FLOAT)
     roots = (start + np.flatnonzero(rig.parents < 0)).tolist()
     document["nodes"].append({"name": "rig", "children": roots, **placed})
@@ -125,7 +125,7 @@ def _add_skin(
 
 
 def _sets(rows: Any) -> list[tuple[np.ndarray, np.ndarray]]:
-    """Joints and weights of vertices by four, the largest first: (v, 4) uint16 and (v, 4) float32 each."""
+    """Joints and weights in sets of four, the largest weights first: (v, 4) uint16 and (v, 4) float32 each."""
     num, most = rows.shape[0], int(np.diff(rows.indptr).max(initial=1))
     width = -(-most // AT_ONCE) * AT_ONCE
     bound, weights = np.zeros((num, width), dtype=np.uint16), np.zeros((num, width), dtype=np.float32)
@@ -145,7 +145,7 @@ def _add(
     component: int,
     target: int | None = None,
 ) -> int:
-    """Put ``array`` behind what the binary holds; returns the number of its accessor."""
+    """Append ``array`` to the binary content. Returns the index of its accessor."""
     content.extend(b"\0" * (-len(content) % 4))
     data = np.ascontiguousarray(array).tobytes()
     view: dict[str, Any] = {"buffer": 0, "byteOffset": len(content), "byteLength": len(data)}
@@ -157,7 +157,7 @@ def _add(
 
 
 def _drop_nodes(document: dict[str, Any], start: int) -> None:
-    """Leave out the nodes before ``start``: those of the plain file, whose meshes have others now."""
+    """Remove the nodes before ``start``: those of the plain file, which the skinned nodes replace."""
     document["nodes"] = document["nodes"][start:]
     for node in document["nodes"]:
         if "children" in node:

@@ -1,4 +1,4 @@
-"""Text formats that hold a graph: OBJ, CG, PLY, VTK PolyData, GraphML; one writer each."""
+"""Writers of text formats for graphs: OBJ, CG, PLY, VTK PolyData, GraphML."""
 
 import base64
 from typing import TYPE_CHECKING
@@ -22,7 +22,7 @@ def obj(skeleton: "Skeleton") -> str:
 
 
 def cg(skeleton: "Skeleton") -> str:
-    """A curve graph: vertices and edges, counted in its first line."""
+    """A curve graph: vertices and edges, with their numbers in the first line."""
     header = f"# D:3 NV:{len(skeleton.vertices)} NE:{len(skeleton.edges)}"
     vertices = [f"v {point(position)}" for position in skeleton.vertices]
     edges = [f"e {a + 1} {b + 1}" for a, b in skeleton.edges.tolist()]
@@ -40,9 +40,9 @@ def ply(skeleton: "Skeleton") -> str:
 
 
 def vtp(skeleton: "Skeleton") -> str:
-    """VTK's XML PolyData: a line for each branch, or a vertex for a lone node, with the columns of both tables.
+    """VTK's XML PolyData: a line for each branch, or a vertex for an isolated node, with the columns of both tables.
 
-    Point data are those of nodes, cell data those of branches; a column of which nothing is known is left out.
+    Point data are the columns of nodes, cell data those of branches. A column without a known value is left out.
     """
     paths = branches.trace(len(skeleton.vertices), skeleton.edges)
     order = sorted(range(len(paths)), key=lambda number: len(paths[number]) > 1)  # VTK has vertices before lines
@@ -53,7 +53,7 @@ def vtp(skeleton: "Skeleton") -> str:
         return f"<DataArray {head}>{values}</DataArray>"
 
     def column(name: str, values: np.ndarray) -> str:
-        """In base64, which knows NaN, after the number of bytes."""
+        """The number of bytes and the values in base64, because VTK's text has no NaN."""
         is_whole = values.dtype.kind in "bi"
         data = values.astype("<i8" if is_whole else "<f8").tobytes()
         text = base64.b64encode(len(data).to_bytes(8, "little") + data).decode()

@@ -1,4 +1,4 @@
-"""Graphs from text: OBJ's lines, CG, PLY with edges, GraphML; each as nodes (N, 3), edges and radii (N,)."""
+"""Reading of text formats: OBJ's lines, CG, PLY with edges, GraphML. Each gives nodes (N, 3), edges and radii (N,)."""
 
 import itertools
 
@@ -21,7 +21,7 @@ def cg(name: str, lines: list[str]) -> Parsed:
 
 
 def _listed(name: str, lines: list[str], kind: str) -> Parsed:
-    """Lines that begin with ``v`` are nodes, those with ``kind`` chains of their numbers, from 1."""
+    """The graph in lines where ``v`` begins a node, and ``kind`` begins a chain of node numbers from 1."""
     nodes, edges = [], []
     for number, line in enumerate(lines, 1):
         words = line.split("#")[0].split()
@@ -71,7 +71,7 @@ def ply(name: str, lines: list[str]) -> Parsed:
         radii = table[:, columns["vertex"].index("radius")] if "radius" in columns["vertex"] else np.zeros(len(table))
         return nodes, [(int(a), int(b)) for a, b in held["edge"][:, ends]], radii
     except (ValueError, KeyError, IndexError, StopIteration) as error:
-        reason = f"there is no element {error}" if isinstance(error, KeyError) else str(error) or "it is cut short"
+        reason = f"there is no element {error}" if isinstance(error, KeyError) else str(error) or "it is truncated"
         raise ConfigError(
             f"{name!r} is no PLY of a curve ({reason}): expected elements vertex, with x, y and z, and edge, with "
             "vertex1 and vertex2, as text"
@@ -79,7 +79,7 @@ def ply(name: str, lines: list[str]) -> Parsed:
 
 
 def graphml(name: str, lines: list[str]) -> Parsed:
-    """NetworkX's GraphML, whose nodes have x, y, z, and radius if there is one."""
+    """NetworkX's GraphML, whose nodes have x, y, z, and optionally radius."""
     if any("<!ENTITY" in line or "<!DOCTYPE" in line for line in lines):
         raise ConfigError(f"{name!r} declares entities: expected plain GraphML")
     try:
@@ -89,7 +89,7 @@ def graphml(name: str, lines: list[str]) -> Parsed:
         nodes = np.array([[float(one[axis]) for axis in "xyz"] for one in data]).reshape(-1, 3)
         radii = np.array([float(one.get("radius", 0.0)) for one in data])
         return nodes, [(rank[edge[0]], rank[edge[1]]) for edge in graph.edges], radii
-    except Exception as error:  # the parser raises whatever a damaged file provokes
+    except Exception as error:  # for a damaged file the parser raises exceptions of many types
         raise ConfigError(
             f"{name!r} is no GraphML of a curve ({type(error).__name__}: {str(error)[:100]}): expected nodes with x, y "
             "and z"

@@ -1,4 +1,4 @@
-"""CGAL's polylines: a branch a line; written and read."""
+"""CGAL's polylines, one line of text for each branch: writing and reading."""
 
 from typing import TYPE_CHECKING
 
@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 
 def written(skeleton: "Skeleton") -> str:
-    """A line for each branch: how many points, and their coordinates."""
+    """A line for each branch: the number of points, and their coordinates."""
     return "".join(
         f"{len(branch)} {' '.join(point(skeleton.vertices[node]) for node in branch)}\n"
         for branch in branches.trace(len(skeleton.vertices), skeleton.edges)
@@ -21,7 +21,7 @@ def written(skeleton: "Skeleton") -> str:
 
 
 def parsed(name: str, lines: list[str]) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Nodes (N, 3), edges and radii (N,), which are 0; ends in the same place are one node."""
+    """Nodes (N, 3), edges and radii (N,), which are 0. Coincident ends become one node."""
     points, edges = [], []
     for number, line in enumerate(lines, 1):
         if not line.strip():
@@ -38,7 +38,7 @@ def parsed(name: str, lines: list[str]) -> tuple[np.ndarray, np.ndarray, np.ndar
         edges += [(k, k + 1) for k in range(start, len(points) - 1)]
     given = np.array(points).reshape(-1, 3)
     first, inverse = np.unique(given, axis=0, return_index=True, return_inverse=True)[1:]
-    order = np.argsort(first)  # in the order of the file
+    order = np.argsort(first)  # the order of the file
     rank = np.empty(len(order), dtype=np.int64)
     rank[order] = np.arange(len(order))
     joined = rank[inverse.ravel()][np.array(edges, dtype=np.int64).reshape(-1, 2)]

@@ -1,4 +1,4 @@
-"""The report in a curve's file, to be printed again: all of it in NPZ and JSON, its lines in an SWC file's comments."""
+"""Reading the report from a curve's file: all of it from NPZ and JSON, its lines from the comments of SWC."""
 
 import json
 import os
@@ -12,14 +12,14 @@ def lines_of(path: str | os.PathLike[str]) -> list[str]:
     """The lines of the report of the curve in a file that `Skeleton.save` wrote.
 
     Raises:
-        ConfigError: the file's format holds no report, or this file does not.
+        ConfigError: files of this format have no report, or this file has none.
         OSError: the file cannot be read.
     """
     name = Path(path).name
     suffix = Path(path).suffix.lower()
     if suffix not in (".npz", ".json", ".swc"):
-        raise ConfigError(f"{name!r} holds no report: expected an {export.HOLD_REPORT} file that msf_jax has written")
-    if Path(path).exists() and not Path(path).is_file():  # a pipe would be waited for
+        raise ConfigError(f"{name!r} has no report: expected an {export.HOLD_REPORT} file that msf_jax has written")
+    if Path(path).exists() and not Path(path).is_file():  # opening a pipe would block
         raise ConfigError(f"{name!r} is no file: expected one that msf_jax has written")
     try:
         if suffix == ".npz":
@@ -30,9 +30,9 @@ def lines_of(path: str | os.PathLike[str]) -> list[str]:
     except (ValueError, KeyError, TypeError, RecursionError, MemoryError) as error:
         if isinstance(error, ConfigError):
             raise
-        raise ConfigError(f"{name!r} holds no report ({type(error).__name__}): expected one from msf_jax") from error
+        raise ConfigError(f"{name!r} has no report ({type(error).__name__}): expected a file of msf_jax") from error
     if not found:
-        raise ConfigError(f"{name!r} holds no report: expected one that msf_jax wrote, and after a run")
+        raise ConfigError(f"{name!r} has no report: expected a file that msf_jax wrote after a run")
     return [text.plain(line) for line in found]
 
 

@@ -1,4 +1,4 @@
-"""SWC, what neuroscience keeps trees in: id, type, x, y, z, radius, parent; written and read."""
+"""SWC, the format of trees in neuroscience (id, type, x, y, z, radius, parent): writing and reading."""
 
 import re
 from typing import TYPE_CHECKING
@@ -12,21 +12,21 @@ from msf_jax.skeleton.formats.text import number, point
 if TYPE_CHECKING:
     from msf_jax.skeleton.skeleton import Skeleton
 
-CUT = "# cut edge"  # the comment that names an edge which SWC cannot hold, by its two ids
-SOMA, FORK, END, OTHER = 1, 5, 6, 0  # labels of the format
+CUT = "# cut edge"  # begins the comment that lists a cut edge by its two ids
+SOMA, FORK, END, OTHER = 1, 5, 6, 0  # labels of the format, without unit
 RADII = {"ball": "of the largest ball inside", "section": "of a disc with the area of the cross-section"}
-REPORT = "# report: "  # before each line of the report
+REPORT = "# report: "  # begins the comment with a line of the report
 
 
 def written(skeleton: "Skeleton") -> str:
     """The text: ids from 1, parents before children, -1 for the parent of a root; a tree's root first.
 
-    Labels are those of CNIC: 1 soma, 5 fork, 6 end, 0 other. A soma is labelled where the tree's root is one for sure.
+    Labels are those of CNIC: 1 soma, 5 fork, 6 end, 0 other. The root is labelled as soma only if that is sure.
     """
     parent = branches.tree(len(skeleton.vertices), skeleton.edges, skeleton.roots)
     row_of = {node: index + 1 for index, node in enumerate(parent)}
     cut = [f"{CUT} {row_of[a]} {row_of[b]}" for a, b in skeleton.edges.tolist() if parent[a] != b and parent[b] != a]
-    is_known = not np.isnan(skeleton.report.inside)  # of a curve that was read from a file it is not
+    is_known = not np.isnan(skeleton.report.inside)  # a curve that was read from a file has no report
     report = [REPORT + " ".join(line.split()) for line in skeleton.report.lines()] if is_known else []
     header = ["# curve skeleton written by msf_jax", *report]
     header.append("# labels: 1 soma, 5 fork, 6 end, 0 other")
@@ -43,7 +43,7 @@ def written(skeleton: "Skeleton") -> str:
 
 
 def _labels(skeleton: "Skeleton", parent: dict[int, int]) -> np.ndarray:
-    """(N,) what each node is in the tree of ``parent``."""
+    """(N,) the label of each node in the tree of ``parent``."""
     above = np.array([value for value in parent.values() if value >= 0], dtype=np.int64)
     children = np.bincount(above, minlength=len(skeleton.vertices))
     label = np.select([children > 1, children == 0], [FORK, END], OTHER)
@@ -55,7 +55,7 @@ def _labels(skeleton: "Skeleton", parent: dict[int, int]) -> np.ndarray:
 
 
 def report_lines(text: str) -> list[str]:
-    """The lines of the report that `written` left in the comments; none in a file of another program."""
+    """The lines of the report in the comments of a file that `written` made; empty for a file of another program."""
     return [line.removeprefix(REPORT) for line in text.splitlines() if line.startswith(REPORT)]
 
 
@@ -83,13 +83,13 @@ def parsed(name: str, lines: list[str]) -> tuple[np.ndarray, list[tuple[int, int
     try:
         edges = [(place[a], place[b]) for a, b in joined] + [(place[int(a)], place[int(b)]) for a, b in cuts]
     except (KeyError, ValueError) as error:
-        raise ConfigError(f"{name!r} names a node {error} that it does not hold: expected one of its ids") from None
+        raise ConfigError(f"{name!r} refers to a node {error} that it does not have: expected one of its ids") from None
     table = np.array(list(rows.values()), dtype=np.float64).reshape(-1, 4)
     return table[:, :3], edges, table[:, 3]
 
 
 def _whole(word: str) -> int:
-    """A whole number; some programs write it as 1.0."""
+    """The integer ``word``, which some programs write as 1.0."""
     value = float(word)
     if not value.is_integer():
         raise ValueError

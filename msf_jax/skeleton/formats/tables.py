@@ -1,4 +1,4 @@
-"""Tables as comma-separated text: ``.csv`` a row for each branch, ``.nodes.csv`` for each node."""
+"""Tables as comma-separated text: ``.csv`` has a row for each branch, ``.nodes.csv`` for each node."""
 
 import csv
 import io
@@ -13,12 +13,12 @@ if TYPE_CHECKING:
 
 
 def branch_rows(skeleton: "Skeleton") -> str:
-    """The table of branches; what is not known is left empty."""
+    """The table of branches; unknown values are empty."""
     return _text(branch_columns(skeleton))
 
 
 def node_rows(skeleton: "Skeleton") -> str:
-    """The table of nodes; what is not known is left empty."""
+    """The table of nodes; unknown values are empty."""
     return _text(node_columns(skeleton))
 
 

@@ -1,4 +1,4 @@
-"""Numbers as text, for all formats that are text."""
+"""Numbers as text, for all text formats."""
 
 import numpy as np
 
@@ -9,10 +9,10 @@ def number(value: float) -> str:
 
 
 def point(position: np.ndarray) -> str:
-    """The coordinates, with a space between."""
+    """The coordinates, separated by spaces."""
     return " ".join(map(number, position))
 
 
 def plain(line: str) -> str:
-    """``line`` as a terminal may see it: what is not to be printed, escapes above all, is spelled out."""
+    """``line``, safe to print on a terminal: characters that are not printable are escaped."""
     return "".join(one if one.isprintable() else one.encode("unicode_escape").decode() for one in line)

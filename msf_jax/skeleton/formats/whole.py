@@ -1,4 +1,4 @@
-"""Everything that a skeleton holds, the report included: NumPy arrays, JSON."""
+"""Formats for all of a skeleton, with its report: NumPy arrays (``.npz``) and JSON."""
 
 import json
 import os
@@ -17,11 +17,13 @@ if TYPE_CHECKING:
     from msf_jax.skeleton.skeleton import Skeleton
 
 
-KIND, VERSION, WITHOUT_DIGEST = "skeleton", 2, 1
+KIND = "skeleton"  # of the file, see `archive`
+VERSION = 2  # of the format
+WITHOUT_DIGEST = 1  # older version of the format that can be read, too
 
 
 def npz(skeleton: "Skeleton") -> bytes:
-    """The arrays by their names, the report as JSON, and the surface and pins that the curve was made from, if any."""
+    """The arrays by name, the report as JSON, and the surface and pins that the curve was made from, if known."""
     arrays: dict[str, Any] = {name: getattr(skeleton, name) for name in ("vertices", "edges", "radii", "mesh_map")}
     arrays |= {name: np.array(getattr(skeleton, name), dtype=np.int64) for name in ("roots", "openings")}
     arrays |= {name: np.array(getattr(skeleton, name)) for name in ("radius_of", "units")}
@@ -42,10 +44,10 @@ def npz(skeleton: "Skeleton") -> bytes:
 
 
 def read_npz(path: str | os.PathLike[str]) -> "tuple[dict[str, Any], Report, Source | None]":
-    """The arrays of a curve that `npz` wrote, its report, and what it was made from, without the stages of its flow.
+    """The arrays of a curve that `npz` wrote, its report, and its source without the stages of the flow.
 
     Raises:
-        ConfigError: the file is none, is damaged, or was written by another version.
+        ConfigError: the file is of another kind, is damaged, or was written by another version.
     """
     advice = "save the skeleton anew"
     with archive.reading(path, KIND, VERSION, advice, without_digest=WITHOUT_DIGEST) as (_, held):
@@ -62,7 +64,7 @@ def read_npz(path: str | os.PathLike[str]) -> "tuple[dict[str, Any], Report, Sou
         for name in ("roots", "openings"):  # files of version 0.3.0 have no openings
             numbers = held.get(name, np.empty(0, dtype=np.int64))
             if numbers.ndim != 1 or numbers.dtype.kind not in "iu" or not ((numbers >= 0) & (numbers < num)).all():
-                raise ValueError(f"the {name} are no nodes")
+                raise ValueError(f"the {name} are not ids of nodes")
             curve[name] = tuple(numbers.tolist())
         curve["radius_of"], curve["units"] = (str(held.get(*pair)) for pair in (("radius_of", "ball"), ("units", "")))
         if curve["radius_of"] not in ("ball", "section"):
@@ -83,14 +85,13 @@ def read_npz(path: str | os.PathLike[str]) -> "tuple[dict[str, Any], Report, Sou
                 raise ValueError("the surface does not fit the curve")
             lids = held.get("lids", np.empty(0, dtype=np.int64))
             if lids.ndim != 1 or lids.dtype.kind not in "iu" or not ((lids >= 0) & (lids < len(faces))).all():
-                raise ValueError("the lids are no faces")
+                raise ValueError("the lids are not ids of faces")
             source = Source(Solid(vertices, faces, lids.astype(np.int64)), areas, pins, (), origin)
     return curve, report, source
 
 
 def checked_report(values: Any) -> Report:
-    """The report of those ``values``; raises a KeyError, a TypeError or a ValueError for what `Report.to_dict` never
-    made."""
+    """The report from ``values`` of `Report.to_dict`; raises a KeyError, a TypeError or a ValueError for others."""
     if not isinstance(values, dict) or not isinstance(values["figures"], dict):
         raise TypeError("no report")
     report = Report.from_dict(values)
@@ -101,7 +102,7 @@ def checked_report(values: Any) -> Report:
 
 
 def _is_a(value: Any, hint: Any) -> bool:
-    """Whether ``value`` is of the plain type, or a tuple, a dictionary or a union of some, that ``hint`` says."""
+    """Whether ``value`` has the type ``hint``: a plain type, or a tuple, dictionary or union of plain types."""
     kind, parts = get_origin(hint) or hint, get_args(hint)
     if kind is UnionType:
         return any(_is_a(value, part) for part in parts)
@@ -117,7 +118,7 @@ def _is_a(value: Any, hint: Any) -> bool:
 
 
 def plain_json(skeleton: "Skeleton") -> str:
-    """Everything by its name, for whatever reads JSON."""
+    """All of a skeleton but its surface, by name, as JSON."""
     content = {
         "format": f"msf_jax {KIND}",
         "version": VERSION,
@@ -157,5 +158,5 @@ def read_json(name: str, text: str) -> tuple[dict[str, Any], Report]:
         return curve, Report.from_dict(content["report"])
     except (ValueError, KeyError, TypeError, AttributeError) as error:
         raise ConfigError(
-            f"{name!r} holds no curve ({type(error).__name__}: {error}): expected one of msf_jax"
+            f"{name!r} has no curve ({type(error).__name__}: {error}): expected a file of msf_jax"
         ) from error

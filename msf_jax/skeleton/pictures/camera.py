@@ -1,35 +1,36 @@
-"""Where a picture is seen from: about along the shortest principal axis, the longest upright or level, head up."""
+"""The camera of a picture: it looks about along the shortest principal axis, with the longest upright or level."""
 
 from typing import NamedTuple
 
 import numpy as np
 
-EVEN = np.diag([0.02, 0.0, 0.01])  # what is as long one way as another lies along x, stands along z, is seen along y
-STEEPEST = 89.9  # degrees: straight from above there is no way up
-ALONG = 0.85  # cosine at which an axis is that of the file, more or less
-LONG = 1.7  # so many times as long as wide has a direction of its own
-STANDS = 1.5  # so many times as high as wide is a thing that stands; people are 2 to 4, animals are longer than high
-ASIDE, ABOVE = np.radians(18.0), np.radians(8.0)  # straight on, half of what is symmetric hides behind the other half
-# From which side, by the axis that is up (x, y, z): CAD looks along y where z is up, games against z where y is.
+EVEN = np.diag([0.02, 0.0, 0.01])  # share of the variance added on x, y, z, to break ties between equal axes
+STEEPEST = 89.9  # degrees: the largest elevation; at 90 the up direction is not defined
+ALONG = 0.85  # cosine above which a principal axis counts as an axis of the file
+LONG = 1.7  # ratio of length to width above which a shape has a direction of its own
+STANDS = 1.5  # ratio of height to width above which a shape stands; people have 2 to 4, animals less than 1
+ASIDE = np.radians(18.0)  # radians: turn to the side, because from the front one half of a shape can hide the other
+ABOVE = np.radians(8.0)  # radians: turn upwards
+# The side of the camera for each up axis (x, y, z): CAD looks along y if z is up, games look along -z if y is up.
 FRONT = np.array([[0.0, -1.0, 0.5], [0.5, 0.0, 1.0], [0.5, -1.0, 0.0]])
 
 
 class Camera(NamedTuple):
-    """towards: (3,) from what is seen to the eye. up: (3,). Both of length 1, at right angles."""
+    """towards: (3,) the direction from the shape to the eye. up: (3,). Both are unit vectors at right angles."""
 
     towards: np.ndarray
     up: np.ndarray
 
     @property
     def right(self) -> np.ndarray:
-        """(3,)"""
+        """(3,) the unit vector to the right."""
         return np.cross(self.up, self.towards)
 
     def angles(self) -> tuple[float, float, float]:
-        """Elevation, azimuth and roll in degrees, as matplotlib has them."""
+        """Elevation, azimuth and roll in degrees, as in matplotlib."""
         elevation = np.clip(np.degrees(np.arcsin(np.clip(self.towards[2], -1, 1))), -STEEPEST, STEEPEST)
         azimuth = np.arctan2(self.towards[1], self.towards[0])
-        across = np.array([-np.sin(azimuth), np.cos(azimuth), 0.0])  # to the right of whoever does not roll
+        across = np.array([-np.sin(azimuth), np.cos(azimuth), 0.0])  # to the right, without roll
         roll = np.arctan2(self.up @ across, self.up @ np.cross(self.towards, across))
         return float(elevation), float(np.degrees(azimuth)), float(np.degrees(roll))
 
@@ -37,12 +38,12 @@ class Camera(NamedTuple):
 def looking(vertices: np.ndarray, faces: np.ndarray | None = None) -> Camera:
     """The camera for a surface, or for points (N, 3) if there are no faces.
 
-    Files have y or z up. Seen along z it is y, and seen along y it is z. Seen along x it is the longer of both for what
-    is slender, as people are, and the shorter else, as for horses. What lies askew in its file is turned: its longest
-    axis is level if that is nearest to x, and upright else.
+    In files y or z is up. If the camera looks along z, up is y; along y, up is z. If it looks along x, up is the longer
+    of both for a slender shape, such as a person, else the shorter, as for a horse. A shape that is not aligned with
+    the file's axes is turned: its longest axis is level if it is nearest to x, else upright.
     """
     vertices = np.asarray(vertices, dtype=np.float64)
-    vertices = vertices / max(float(np.abs(vertices).max(initial=0.0)), 1e-300)  # squares of the large are no numbers
+    vertices = vertices / max(float(np.abs(vertices).max(initial=0.0)), 1e-300)  # else squares can overflow
     points, weight = vertices, np.ones(len(vertices))
     if faces is not None and len(faces):
         corner = vertices[faces]
@@ -50,7 +51,7 @@ def looking(vertices: np.ndarray, faces: np.ndarray | None = None) -> Camera:
         if area.sum() > 0:
             points, weight = corner.mean(axis=1), area
     away = points - np.average(points, axis=0, weights=weight)
-    away = away / max(float(np.abs(away).max(initial=0.0)), 1e-300)  # nor are those of the small
+    away = away / max(float(np.abs(away).max(initial=0.0)), 1e-300)  # else squares can underflow
     spread = (weight[:, None] * away).T @ away
     values, axes = np.linalg.eigh(spread / max(float(np.trace(spread)), 1e-300) + EVEN)
     towards, middle, longest = axes.T

@@ -1,7 +1,7 @@
-"""A plotly figure as one page that needs no network, small: plotly and the data are compressed, the browser unpacks.
+"""A plotly figure as one small page that needs no network: plotly and the data are compressed, and the browser unpacks.
 
-Arrays are kept as bytes, each once, behind a header in JSON that says where. What the sliders and the menu of the
-figure do is done by a form, which fits on a phone.
+Each array is stored once, as bytes. A JSON header before them has their offsets. A form replaces the sliders and the
+menu of the figure, because it fits on a phone.
 """
 
 import base64
@@ -16,12 +16,12 @@ import numpy as np
 if TYPE_CHECKING:
     from plotly.graph_objects import Figure
 
-ALIGNED = 8  # bytes: typed arrays begin at multiples of their items' size
-NOT_SHOWN = ("sliders", "updatemenus", "title", "template")  # of the layout: the page has its own
+ALIGNED = 8  # bytes: arrays begin at multiples of this, because JavaScript's typed arrays must be aligned
+NOT_SHOWN = ("sliders", "updatemenus", "title", "template")  # parts of the layout that the page replaces
 
 
 def page_of(figure: "Figure", title: str, subtitle: str) -> str:
-    """The page. ``layout.meta`` of the figure says how far to be away, for all of it to be in view: see `page`."""
+    """The HTML of the page. ``layout.meta`` of the figure has the camera's distance, see `page`."""
     from plotly.offline import get_plotlyjs
 
     layout = figure.layout.to_plotly_json()
@@ -42,7 +42,7 @@ def _packed(content: bytes) -> str:
 
 
 def _blob(content: Any) -> bytes:
-    """The length of a header in four bytes, the header, and the arrays that it speaks of."""
+    """The length of the header in four bytes, the header, and the arrays."""
     place: dict[tuple[str, bytes], int] = {}
     size = 0
 
@@ -68,7 +68,7 @@ def _blob(content: Any) -> bytes:
 
 
 def _narrow(values: np.ndarray) -> np.ndarray:
-    """Whole numbers in as few bytes as hold them, but none in eight, which JavaScript has no plain array for."""
+    """Integers in two or four bytes (JavaScript has no plain array of eight), real numbers in little-endian order."""
     if values.dtype.kind == "f":
         return values.astype(values.dtype.newbyteorder("<"))
     largest = int(values.max(initial=0))

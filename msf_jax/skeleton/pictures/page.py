@@ -1,4 +1,4 @@
-"""One self-contained page to look around in: surface, curve, iterations, pruning. Drawn by plotly."""
+"""A self-contained interactive page of surface, curve, iterations and pruning, drawn by plotly."""
 
 import os
 from pathlib import Path
@@ -19,15 +19,15 @@ if TYPE_CHECKING:
 
     from msf_jax.skeleton.skeleton import Skeleton
 
-SIDES = 6  # of the tubes that edges are drawn as
-THICKNESS = 0.004  # their radius, in diagonals
+SIDES = 6  # sides of the tubes that edges are drawn as
+THICKNESS = 0.004  # diagonals: radius of these tubes
 PRUNED = (0.0, 0.5, 0.9, 1.2, 1.5, 2.0, 3.0, 4.0, 6.0, 10.0)  # slenderness at the stops of the slider
-LARGEST = 1e30  # coordinate that is written in float32
-GREY = "#8c9eb8"
-RADIUS = "radius %{customdata:.4g}<extra></extra>"
-SLOPE = np.tan(np.radians(22.5))  # of the upper edge of plotly's view
-LANDSCAPE = 1.3  # width over height of a notebook's cell; a page finds out its own
-FLATTEST = 0.01  # the scene is at least so deep as it is wide: plotly scales its extents to a product of 1
+LARGEST = 1e30  # coordinates above this, in the caller's units, are written in float64
+GREY = "#8c9eb8"  # colour of the surface
+RADIUS = "radius %{customdata:.4g}<extra></extra>"  # plotly's template of the text at the pointer
+SLOPE = np.tan(np.radians(22.5))  # tangent of half of plotly's angle of view
+LANDSCAPE = 1.3  # width over height of a notebook's cell; a page measures its own
+FLATTEST = 0.01  # least ratio of the scene's extents: plotly divides by the cube root of their product
 
 
 def view(skeleton: "Skeleton", mesh: Any = None, path: str | os.PathLike[str] | None = None) -> "Figure":
@@ -35,10 +35,10 @@ def view(skeleton: "Skeleton", mesh: Any = None, path: str | os.PathLike[str] | 
     import plotly.graph_objects as go
 
     if isinstance(mesh, str | os.PathLike) and str(mesh).lower().endswith(".html"):
-        raise ConfigError(f"{str(mesh)!r} is given as the mesh, which comes first: expected path={str(mesh)!r}")
+        raise ConfigError(f"{str(mesh)!r} is given as the mesh, the first argument: expected path={str(mesh)!r}")
     if path is not None and Path(path).suffix.lower() != ".html":
         raise ConfigError(f"a page is written as .html, not as {Path(path).suffix!r}")
-    middle = (skeleton.vertices.min(axis=0) + skeleton.vertices.max(axis=0)) / 2  # float32 is fine around it
+    middle = (skeleton.vertices.min(axis=0) + skeleton.vertices.max(axis=0)) / 2  # float32 is precise enough around it
     traces, node = _surfaces(skeleton, mesh, middle)
     stages = skeleton.source.stages if skeleton.source else ()
     num_surfaces = len(traces)
@@ -81,7 +81,7 @@ def _title(skeleton: "Skeleton") -> str:
 
 
 def _surfaces(skeleton: "Skeleton", mesh: Any, middle: np.ndarray) -> tuple[list[Any], bool]:
-    """The mesh, in grey and, where the map speaks of it, coloured by node; and whether it is."""
+    """The mesh in grey, and coloured by node if the curve has a map of it; and whether it has."""
     if mesh is None:
         if skeleton.source is None:
             return [], False
@@ -92,20 +92,20 @@ def _surfaces(skeleton: "Skeleton", mesh: Any, middle: np.ndarray) -> tuple[list
         if len(skeleton.mesh_map):
             reading.check_map(skeleton.mesh_map, len(vertices))
     node = _node_of(skeleton, vertices, len(vertices) if mesh is not None else -1)
-    # The pointer meets the surface before the curve: there, too, it tells the radius.
+    # The pointer meets the surface before the curve, so the surface shows the radius, too.
     hover = {"hoverinfo": None, "customdata": _short(skeleton.radii)[node], "hovertemplate": RADIUS}
     found = [_mesh(vertices - middle, faces, "surface", opacity=0.18, color=GREY, visible=True, **hover)]
     if mesh is None or len(skeleton.mesh_map) == 0:  # a curve of another program has no map
         return found, False
     colour = segmentation.colours(len(skeleton.vertices))[skeleton.mesh_map]
     rgb = [f"rgb({r},{g},{b})" for r, g, b, _ in colour]
-    look = {"opacity": 0.5, "vertexcolor": rgb, "visible": False}
-    found.append(_mesh(vertices - middle, faces, "surface by node", **look, **hover))
+    style = {"opacity": 0.5, "vertexcolor": rgb, "visible": False}
+    found.append(_mesh(vertices - middle, faces, "surface by node", **style, **hover))
     return found, True
 
 
 def _node_of(skeleton: "Skeleton", vertices: np.ndarray, num: int) -> np.ndarray:
-    """(V,) the node of each vertex, by the map if it is that of a mesh of ``num`` vertices, else the nearest."""
+    """(V,) the node of each vertex: by the map if it has ``num`` entries, else the nearest."""
     if len(skeleton.mesh_map) == num:
         return skeleton.mesh_map
     return np.asarray(spatial.KDTree(skeleton.vertices).query(vertices)[1])
@@ -120,14 +120,14 @@ def _mesh(vertices: np.ndarray, faces: np.ndarray, name: str, **options: Any) ->
 
 
 def _short(points: np.ndarray) -> np.ndarray:
-    """Coordinates as float32, which makes the page half as large, unless they are too large for that."""
+    """Coordinates as float32, for a smaller page, unless they are too large for that."""
     return points.astype(np.float32 if np.abs(points).max(initial=0.0) < LARGEST else np.float64)
 
 
 def _scene(traces: list[Any]) -> dict[str, Any]:
-    """Where all is in view, and stays where it is when parts of it are hidden. Lengths in ``meta`` are plotly's, which
-    scales a scene so that the product of its extents is 1: the camera is to be ``deep`` away, and as far again as it is
-    ``high``, or ``wide`` in a picture that is as wide as high, for what is shown to fill it."""
+    """Axes and camera such that all is in view, and stays in place when parts are hidden. Lengths in ``meta`` are in
+    plotly's unit, in which the product of the scene's extents is 1. In a square picture the scene fills the view if the
+    camera's distance is ``deep`` plus the larger of ``high`` and ``wide``."""
     parts = [np.stack([np.asarray(trace[axis], dtype=np.float64) for axis in "xyz"], axis=1) for trace in traces]
     points = np.concatenate(parts)
     faces = np.stack([traces[0][corner] for corner in "ijk"], axis=1) if traces[0].type == "mesh3d" else None
@@ -150,7 +150,7 @@ def _scene(traces: list[Any]) -> dict[str, Any]:
 
 
 def _pruned(skeleton: "Skeleton") -> list[tuple[str, "Skeleton"]]:
-    """The curve at each stop of the slider, those left out that change nothing."""
+    """The curve at each stop of the slider, without stops that change nothing."""
     kept = [("none", skeleton)]
     for slenderness in PRUNED[1:]:
         curve = skeleton.prune(slenderness)
@@ -162,7 +162,7 @@ def _pruned(skeleton: "Skeleton") -> list[tuple[str, "Skeleton"]]:
 def _tubes(
     curve: "Skeleton", whole: "Skeleton", middle: np.ndarray, limits: tuple[float, float], *, visible: bool
 ) -> Any:
-    """Every edge a prism, the ends of neighbouring ones in one another, coloured by radius."""
+    """Every edge as a prism, coloured by radius; neighbouring prisms overlap at their ends."""
     import plotly.graph_objects as go
 
     extent = whole.source.solid.diagonal if whole.source else float(np.linalg.norm(np.ptp(whole.vertices, axis=0)))

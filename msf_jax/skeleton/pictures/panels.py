@@ -1,4 +1,4 @@
-"""Pictures of surfaces, points and curves: one, or several side by side."""
+"""Pictures of surfaces, points and curves, by matplotlib: one, or several side by side."""
 
 import io
 from collections.abc import Mapping, Sequence
@@ -16,20 +16,20 @@ if TYPE_CHECKING:
 
     from msf_jax.skeleton.skeleton import Skeleton
 
-GREY_BLUE = (0.55, 0.62, 0.72)
+GREY_BLUE = (0.55, 0.62, 0.72)  # colour of surfaces: red, green, blue from 0 to 1
 
 
 @dataclass(frozen=True, eq=False)
 class Panel:
-    """What one picture of `panels` shows, each part if it is given.
+    """The content of one picture of `panels`; all parts are optional.
 
     Attributes:
-        title: above it.
-        mesh: a surface, as `skeletonize` takes it, sound or not.
-        curves: by name; one is coloured by radius, several have a colour each and a legend.
-        points: (N, 3) dots.
-        is_solid: whether the surface is opaque, with its shading, and hides what is inside; else it is translucent.
-        face_colours: (F, 3) of an opaque surface's faces, 0 to 1.
+        title: above the picture.
+        mesh: a surface, as `skeletonize` takes it; it need not be a closed manifold.
+        curves: by name. A single curve is coloured by radius; several have one colour each, and a legend.
+        points: (N, 3), drawn as dots.
+        is_solid: whether the surface is opaque and shaded; else it is translucent.
+        face_colours: (F, 3) colours of an opaque surface's faces, from 0 to 1.
     """
 
     title: str = ""
@@ -48,15 +48,14 @@ def panels(
     elevation: float | None = None,
     azimuth: float | None = None,
 ) -> "Figure":
-    """A matplotlib figure of pictures side by side, all in the box of what they show together.
+    """A matplotlib figure of pictures side by side, all with the same limits.
 
     Args:
-        shown: a picture each.
-        columns: so many in a row.
-        size: of each, in inches.
-        elevation, azimuth: where they are seen from, in degrees, with z upright; if one alone is given, the other is 15
-            or -70; if neither is, about along the shortest principal axis of what is shown, the longest upright or
-            level.
+        shown: one `Panel` for each picture.
+        columns: pictures in a row.
+        size: of each picture, in inches.
+        elevation, azimuth: of the camera, in degrees, with z upright. If only one is given, the other is 15 or -70. If
+            neither is given, the camera looks about along the shortest principal axis, see `camera.looking`.
 
     Raises:
         ConfigError: there is nothing to show.
@@ -135,16 +134,16 @@ def _draw(axes: Any, panel: Panel, mesh: tuple[np.ndarray, np.ndarray] | None, c
 
 
 def _frame(axes: Any, points: np.ndarray) -> None:
-    """Limits around the points, and as near to them as the view allows."""
+    """Set limits around the points, and zoom in until they fill the view."""
     from mpl_toolkits.mplot3d import proj3d
 
     low, high = points.min(axis=0), points.max(axis=0)
     middle, half = (low + high) / 2, (high - low) / 2
-    half = np.maximum(half, 1e-3 * max(float(half.max()), 1e-9))  # a line, or a point, has no box of its own
+    half = np.maximum(half, 1e-3 * max(float(half.max()), 1e-9))  # the box of a line or a point would be empty
     axes.set(**dict(zip(("xlim", "ylim", "zlim"), np.stack([middle - half, middle + half], axis=1), strict=True)))
     axes.set_axis_off()
     zoom = 1.0
-    for _ in range(3):  # the perspective changes with the zoom, a little
+    for _ in range(3):  # the perspective changes a little with the zoom
         axes.set_box_aspect(half, zoom=zoom)
         x, y, _ = proj3d.proj_transform(points[:, 0], points[:, 1], points[:, 2], axes.get_proj())
         zoom *= 0.47 / max(float(np.abs(axes.transLimits.transform(np.stack([x, y], axis=1)) - 0.5).max()), 0.01)
@@ -158,8 +157,8 @@ def figure(
 
     Args:
         skeleton: the curve.
-        mesh: what it was made from, as `skeletonize` takes it; the curve alone if not given.
-        elevation, azimuth: where it is seen from; see `panels`.
+        mesh: the mesh that it was made from, as `skeletonize` takes it; if not given, only the curve is drawn.
+        elevation, azimuth: of the camera; see `panels`.
     """
     return panels([Panel(mesh=mesh, curves={"": skeleton})], size=8, elevation=elevation, azimuth=azimuth)
 

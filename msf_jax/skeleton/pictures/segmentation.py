@@ -1,4 +1,4 @@
-"""What the map from the surface to the curve is good for: the surface by branch, radius and branch of every vertex."""
+"""Segmentation of the surface by branch, with the map from the surface to the curve."""
 
 from typing import TYPE_CHECKING, Any
 
@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
 
 def branch_of_node(skeleton: "Skeleton") -> np.ndarray:
-    """(N,) the number in ``skeleton.branches`` of the branch that each node is on; at a junction, the first."""
+    """(N,) the index in ``skeleton.branches`` of each node's branch; at a junction, the first."""
     number = np.full(len(skeleton.vertices), -1)
     for k, branch in reversed(list(enumerate(skeleton.branches))):
         number[np.asarray(branch.nodes)] = k
@@ -20,7 +20,7 @@ def branch_of_node(skeleton: "Skeleton") -> np.ndarray:
 
 
 def colours(num: int) -> np.ndarray:
-    """(num, 4) uint8 colours, neighbours in number far apart in hue."""
+    """(num, 4) uint8 colours; those of successive numbers have very different hues."""
     hue = np.arange(num) * 0.61803398875 % 1.0  # the golden ratio
     angle = 2 * np.pi * (hue[:, None] + np.array([0, 1 / 3, 2 / 3]))
     return np.column_stack([150 + 90 * np.cos(angle), np.full(num, 255)]).astype(np.uint8)

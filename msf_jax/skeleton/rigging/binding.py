@@ -1,14 +1,15 @@
-"""How a mesh hangs on its bones: smooth weights, by heat that spreads over the surface from what belongs to each bone.
+"""Smooth skinning weights, by heat diffusion over the surface.
 
-As in Pinocchio (Baran and Popovic 2007) and in Blender's automatic weights, with L the cotangent Laplacian, M the areas
-of vertices and d the distance of a vertex from the curve, the weights w_b of bone b are the heat in balance
+As in Pinocchio (Baran and Popovic 2007) and in Blender's automatic weights, the weights w_b of bone b are the heat in
+equilibrium
 
-    (L + H) w_b = H p_b,    H = M / d^2.
+    (L + H) w_b = H p_b,    H = M / d^2,
 
-There p_b is 1 where b is the nearest bone that is seen; here where the flow has carried a vertex to b's part of the
-curve, so that an arm that touches a leg is not taken for it. One factorisation serves all bones of a round. Weights add
-up to 1 as p does, and none is below 0. Where an edge would still stretch too far when a bone turns, d is made larger
-about it, and the heat found again.
+with L the cotangent Laplacian, M the areas of vertices, and d the distance of a vertex from the curve. In Pinocchio p_b
+is 1 where b is the nearest visible bone. Here it is 1 at vertices that the flow maps to b's part of the curve, so that
+an arm that touches a leg keeps its own bones. One factorisation serves all bones of a round. Weights sum to 1 as p
+does, and none is negative. If an edge still stretches too much when a bone turns, d is increased around it, and the
+weights are computed again.
 """
 
 from typing import Any, NamedTuple
@@ -19,25 +20,25 @@ from scipy.sparse import csgraph, linalg
 
 from msf_jax.host.solid.geometry import cross, repeated
 
-ANGLE = np.radians(40.0)  # by which a bone is turned to see what stretches
-STRETCH = 1.9  # of an edge's length, at most, where rounds can achieve it
-ROUNDS = 3
-REACH = 1.3  # distances from the curve, over which heat spreads
-LOOSER = 1.5  # by which that grows in a round, where it must
-LARGEST_T = 0.45  # of half of a row's sum
-LEAST = 1e-6  # weight; less is none
-LARGEST = 1e4  # cotangent of an angle
+ANGLE = np.radians(40.0)  # radians: the turn of a bone at which the stretch of edges is tested
+STRETCH = 1.9  # ratio of an edge's length after that turn to its length at rest: larger ones need another round
+ROUNDS = 3  # rounds of diffusion, at most
+REACH = 1.3  # ratio of d to the distance from the curve
+LOOSER = 1.5  # factor on d in each round, where edges stretch too much
+LARGEST_T = 0.45  # largest t of `fewest`, below 1/2; a share of a row's sum
+LEAST = 1e-6  # weights below this count as 0
+LARGEST = 1e4  # bound on cotangents of angles
 
 
 class Tree(NamedTuple):
-    """Bones that hang on each other. order: (B,) all of them, parents first. parents: (B,) -1 for a root."""
+    """A tree of bones. order: (B,) all bones, parents first. parents: (B,) -1 for a root."""
 
     order: np.ndarray
     parents: np.ndarray
 
 
 class Heat:
-    """The surface that heat spreads over. Vertices in the same place are one.
+    """The surface for heat diffusion. Coincident vertices count as one.
 
     Args:
         vertices: (V, 3), finite. faces: (F, 3). away: (V,) distance from the curve, above 0.
@@ -74,7 +75,7 @@ class Heat:
         self._factor: Any = None
 
     def spread(self, bone: np.ndarray, num_bones: int) -> np.ndarray:
-        """(n, B) weights at the places, of what belongs to bone ``bone`` (V,)."""
+        """(n, B) weights at the points of the surface, for vertices that belong to the bones ``bone`` (V,)."""
         num = len(self.points)
         share = sparse.coo_matrix((np.ones(len(bone)), (self.of_given, bone)), shape=(num, num_bones)).toarray()
         share /= share.sum(axis=1, keepdims=True)
@@ -82,7 +83,7 @@ class Heat:
         return found / found.sum(axis=1, keepdims=True)
 
     def loosen(self, is_tight: np.ndarray) -> None:
-        """Let heat spread farther about the places (n,) where the surface stretches too much."""
+        """Increase d around the points ``is_tight`` (n,), where the surface stretches too much."""
         near = np.maximum(self._balance(is_tight.astype(float)[:, None])[:, 0], 0.0)
         self.away = self.away * (1 + (LOOSER - 1) * near / near.max())
         self._factor = None
@@ -101,7 +102,7 @@ class Heat:
 
 
 def bound(heat: Heat, bone: np.ndarray, joints: np.ndarray, parents: np.ndarray, influences: int) -> np.ndarray:
-    """(V, B) weights of the vertices that ``heat`` was given, at most ``influences`` of a row above 0, with sum 1."""
+    """(V, B) weights of the vertices of ``heat``; each row sums to 1, and has at most ``influences`` above 0."""
     best, least, own = np.empty(0), np.inf, Tree(np.arange(len(parents)), parents)
     for _ in range(ROUNDS):
         spread = heat.spread(bone, len(joints))
@@ -116,19 +117,20 @@ def bound(heat: Heat, bone: np.ndarray, joints: np.ndarray, parents: np.ndarray,
                 is_tight[heat.edges[stretched > STRETCH]] = True
             if least <= STRETCH:
                 return best[heat.of_given]
-        if not is_tight.any():  # this round was no better than those before
+        if not is_tight.any():  # this round was no better than earlier ones
             break
         heat.loosen(is_tight)
     return best[heat.of_given]
 
 
 def fewest(weights: np.ndarray, tree: Tree, most: int) -> np.ndarray:
-    """At most ``most`` weights of each row (n, B), with sum 1, as smooth over the surface as they were.
+    """Reduce each row of ``weights`` (n, B) to at most ``most`` values with sum 1, still smooth over the surface.
 
-    Each bone but a root stands for the edge to its parent in ``tree``, and that parts the weights: c beyond it, 1 - c
-    on this side. With t the ``most``-th largest of all min(c, 1 - c), an edge's c becomes (c - t) / (1 - 2 t), between
-    0 and 1. The edges with c between t and 1 - t, fewer than ``most``, hang together, so that no more bones are left;
-    and no weight comes or goes at a jump, as it would if the smallest were left out.
+    Each bone but a root represents the edge to its parent in ``tree``. This edge splits the sum of a row into c, for
+    the bone and its descendants, and 1 - c. With t the ``most``-th largest of all min(c, 1 - c), c becomes
+    (c - t) / (1 - 2 t), clipped to 0 and 1. Fewer than ``most`` edges have c between t and 1 - t, and these are
+    connected, so at most ``most`` bones remain. No weight jumps over the surface, as it would if the smallest were set
+    to 0.
     """
     num = weights.shape[1]
     if most == 1:
@@ -149,9 +151,9 @@ def fewest(weights: np.ndarray, tree: Tree, most: int) -> np.ndarray:
 
 
 def by_touch(weights: np.ndarray) -> Tree:
-    """A tree of bones whose neighbours share most: where a loop was cut, bones touch that are far apart in the rig's.
+    """A tree in which bones that share most vertices are neighbours. ``weights`` is (n, B).
 
-    ``weights`` is (n, B).
+    Where a loop was cut, such bones can be far apart in the tree of the rig.
     """
     common = weights.T @ weights
     apart = sparse.csr_matrix(np.where(common > 0, 1 / np.maximum(common, 1e-300), 0.0))
@@ -166,7 +168,7 @@ def by_touch(weights: np.ndarray) -> Tree:
 
 
 def carried(weights: np.ndarray, tree: Tree) -> np.ndarray:
-    """(n, B) the sum of the weights (n, B) of each bone and of all that hang on it in ``tree``."""
+    """(n, B) the sum of the weights (n, B) of each bone and its descendants in ``tree``."""
     found = weights.copy()
     for bone in tree.order[::-1]:
         if tree.parents[bone] >= 0:
@@ -175,10 +177,10 @@ def carried(weights: np.ndarray, tree: Tree) -> np.ndarray:
 
 
 def stretch(points: np.ndarray, edges: np.ndarray, joints: np.ndarray, tree: Tree, weights: np.ndarray) -> np.ndarray:
-    """(E,) how much longer each edge becomes, at most, when one of the bones turns by `ANGLE` about any axis.
+    """(E,) an upper bound on the ratio by which each edge stretches when one bone turns by `ANGLE` about any axis.
 
-    A bone that turns takes along all that hang on it. With s the sum of their weights at a vertex, which moves by at
-    most 2 sin(angle / 2) s times its distance from the joint, an edge gains at most the difference of that at its ends.
+    A bone's descendants turn with it. With s the sum of their weights at a vertex, the vertex moves by at most
+    2 sin(angle / 2) s times its distance from the joint. An edge gains at most the difference of that at its ends.
     """
     beyond = np.ascontiguousarray(carried(weights, tree).T)
     a, b = edges.T
@@ -194,7 +196,7 @@ def stretch(points: np.ndarray, edges: np.ndarray, joints: np.ndarray, tree: Tre
 
 
 def walked(points: np.ndarray, nodes: np.ndarray, edges: np.ndarray, start: np.ndarray) -> np.ndarray:
-    """(P,) the node that each of ``points`` (P, 3) comes to from ``start`` (P,) on a curve, always to a nearer one."""
+    """(P,) a locally nearest node for each of ``points`` (P, 3): from ``start`` (P,), step to nearer neighbours."""
     ends = np.concatenate([edges, edges[:, ::-1]])
     ends = ends[np.argsort(ends[:, 0], kind="stable")]
     count = np.bincount(ends[:, 0], minlength=len(nodes))

@@ -1,9 +1,8 @@
-"""Bones from a curve: where the joints are, which bone hangs on which, and which part of the curve goes with each.
+"""Bones from a curve: the joints, the parent of each bone, and its part of the curve.
 
-A bone begins at its joint, about which it turns. The root's joint is at the thickest junction, and its part of the
-curve is what lies in the ball there. Every branch that leaves a junction begins with a joint of its own, where it comes
-out of the junction's ball, as an arm leaves a shoulder: so each limb turns by itself. A branch is cut into more bones
-where it bends most, or where it is long.
+A bone begins at its joint, about which it turns. The root's joint is at the thickest junction; its part of the curve is
+inside the ball there. Each branch at a junction begins with its own joint, where it leaves the junction's ball, as an
+arm leaves a shoulder. So each limb turns on its own. A branch has more bones where it bends most, or where it is long.
 """
 
 import heapq
@@ -18,21 +17,21 @@ from scipy.sparse import csgraph
 from msf_jax.host.curve import branches
 from msf_jax.host.solid.geometry import arc_length, at
 
-LEAST_LIMB = 0.6  # radii of its junction's ball, that a limb with a bone sticks out of that
-FOR_LIMBS = 0.6  # of the bones at most, so that some are left for bends
-BENT = 0.35  # radii that a bone's part of the curve may be off a straight line
-LONG = 6.0  # radii that a straight bone may be long
-SHORTEST = 1.0  # radii, of a bone that a bend makes, and of one between two junctions
-USUAL = 75  # percentile of the radii along a bone, that is called its radius
-LEAVES = 0.6  # of a branch at most, that the ball at its beginning takes
+LEAST_LIMB = 0.6  # radii of the junction's ball: a limb that sticks out of the ball by less has no bone
+FOR_LIMBS = 0.6  # share of all bones for the first bones of branches, at most; the rest is for bends
+BENT = 0.35  # radii: a bone's part of the curve is cut if it is farther than this from a straight line
+LONG = 6.0  # radii: a longer bone is cut
+SHORTEST = 1.0  # radii: the least length of a bone after a cut, and of one between two junctions
+USUAL = 75  # percentile of the radii along a bone that counts as the bone's radius
+LEAVES = 0.6  # share of a branch's length that the ball at its start may cover, at most
 
 
 class Bones(NamedTuple):
     """B bones, parents before children.
 
-    joints: (B, 3) where each begins, and about which it turns. tails: (B, 3) where it ends. parents: (B,) -1 for a
-    root. branch, place: (B,) the branch of the curve and the how-manieth on it, both from 0; -1 and 0 for a root.
-    is_limb: (B,) whether the branch ends in a tip. of_node: (N,) the bone of every node of the curve.
+    joints: (B, 3) the start of each, about which it turns. tails: (B, 3) the end. parents: (B,) -1 for a root. branch:
+    (B,) the branch of the curve, -1 for a root. place: (B,) the position along the branch, from 0. is_limb: (B,)
+    whether the branch ends in a tip. of_node: (N,) the bone of every node of the curve.
     """
 
     joints: np.ndarray
@@ -45,8 +44,8 @@ class Bones(NamedTuple):
 
 
 class _BonePath(NamedTuple):
-    """A branch away from the root. along: (n,) arc length of its nodes. start: that of its first joint. above: the
-    branch that it leaves, -1 for the root's junction."""
+    """A branch directed away from the root. along: (n,) arc length of its nodes. start: that of its first joint. above:
+    the branch before it, -1 at the root's junction."""
 
     nodes: np.ndarray
     along: np.ndarray
@@ -56,8 +55,8 @@ class _BonePath(NamedTuple):
 
 
 def bones_of(vertices: np.ndarray, edges: np.ndarray, radii: np.ndarray, most: int) -> Bones:
-    """At most ``most`` bones for a curve ``(vertices (N, 3), edges (E, 2))`` in limbs of ``radii`` (N,): its longest
-    components have some."""
+    """At most ``most`` bones for a curve ``(vertices (N, 3), edges (E, 2))`` in limbs of ``radii`` (N,). If there are
+    too many components, the longest have bones."""
     edges = edges[branches.cut_loops(len(vertices), edges, radii)]
     stays, target = _limbs(vertices, edges, radii, max(1, int(FOR_LIMBS * most)))
     roots, paths = _paths(vertices, edges[stays[edges].all(axis=1)], radii, stays, most)
@@ -74,7 +73,7 @@ def bones_of(vertices: np.ndarray, edges: np.ndarray, radii: np.ndarray, most: i
         place.append(0)
         is_limb.append(False)
         of_node[root] = number
-        last[int(root)] = number  # by the node at which a branch ends, the bone that it ends with
+        last[int(root)] = number  # maps the last node of a branch to its last bone
     for number, (path, stops) in enumerate(zip(paths, cuts, strict=True)):
         above = last[int(path.nodes[0])]
         first = len(joints)
@@ -90,7 +89,7 @@ def bones_of(vertices: np.ndarray, edges: np.ndarray, radii: np.ndarray, most: i
         of_node[path.nodes[1:]] = own[1:]
         last[int(path.nodes[-1])] = own[-1]
     known = np.flatnonzero(of_node >= 0)
-    lost = np.flatnonzero((of_node < 0) & stays)  # of components without a bone
+    lost = np.flatnonzero((of_node < 0) & stays)  # nodes of components without a bone
     if len(lost):
         away = np.linalg.norm(vertices[lost][:, None] - vertices[known], axis=2)
         of_node[lost] = of_node[known[away.argmin(axis=1)]]
@@ -108,7 +107,7 @@ def _at(vertices: np.ndarray, path: _BonePath, stop: float) -> np.ndarray:
 
 
 def without(bones: Bones, is_left_out: np.ndarray) -> Bones:
-    """The bones without those of ``is_left_out`` (B,), no roots: what was theirs is their parents'."""
+    """The bones without those of ``is_left_out`` (B,), none of them roots. Their nodes go to their parents."""
     heir = np.arange(len(bones.parents))
     for bone in np.flatnonzero(is_left_out):
         heir[bone] = heir[bones.parents[bone]]
@@ -131,8 +130,8 @@ def without(bones: Bones, is_left_out: np.ndarray) -> Bones:
 
 
 def _limbs(vertices: np.ndarray, edges: np.ndarray, radii: np.ndarray, most: int) -> tuple[np.ndarray, np.ndarray]:
-    """Which nodes stay (N,) when limbs that are too short for a bone are left out, and the shortest of others until
-    there are ``most`` branches; and where each node goes (N,). A limb counts from the ball at its junction."""
+    """Remove limbs that are too short for a bone, then the shortest limbs until there are ``most`` branches. A limb's
+    length counts from the ball at its junction. Returns which nodes stay (N,), and the node that replaces each (N,)."""
     target = np.arange(len(vertices))
     paths = dict(enumerate(branches.trace(len(vertices), edges)))
     at_end: dict[int, set[int]] = {}
@@ -142,7 +141,7 @@ def _limbs(vertices: np.ndarray, edges: np.ndarray, radii: np.ndarray, most: int
     length = {number: arc_length(vertices[nodes])[-1] for number, nodes in paths.items()}
 
     def reach(number: int) -> tuple[float, int, int]:
-        """How far a limb sticks out, where, and where it ends; infinitely far unless it is one."""
+        """How far a limb sticks out, its junction and its tip; infinite for a branch that is no limb."""
         first, last = paths[number][0], paths[number][-1]
         degrees = len(at_end[first]), len(at_end[last])
         if sorted(degrees)[0] != 1 or sorted(degrees)[1] < 3:
@@ -162,7 +161,7 @@ def _limbs(vertices: np.ndarray, edges: np.ndarray, radii: np.ndarray, most: int
         target[gone] = junction
         at_end[junction].discard(number)
         del at_end[tip]
-        if len(at_end[junction]) == 2:  # no junction any more: its two branches are one
+        if len(at_end[junction]) == 2:  # it is no longer a junction: its two branches become one
             a, b = sorted(at_end.pop(junction))
             one = paths[a] if paths[a][-1] == junction else paths[a][::-1]
             other = paths[b] if paths[b][0] == junction else paths[b][::-1]
@@ -179,7 +178,7 @@ def _limbs(vertices: np.ndarray, edges: np.ndarray, radii: np.ndarray, most: int
 def _paths(
     vertices: np.ndarray, edges: np.ndarray, radii: np.ndarray, stays: np.ndarray, most: int
 ) -> tuple[list[int], list[_BonePath]]:
-    """The root of each component, and the branches away from it, those nearer to it first."""
+    """The root of each component, and the branches directed away from it, those nearer to it first."""
     num = len(vertices)
     degree = np.bincount(edges.ravel(), minlength=num)
     graph = sparse.coo_matrix((np.ones(len(edges)), edges.T), shape=(num, num))
@@ -213,37 +212,40 @@ def _paths(
                 is_limb = degree[nodes[-1]] == 1
                 start = min(radii[node], LEAVES * along[-1])
                 if not is_limb and along[-1] - start < SHORTEST * np.percentile(radii[nodes], USUAL):
-                    start = along[-1]  # two junctions that are as good as one
+                    start = along[-1]  # the junctions are too close for a bone between them
                 paths.append(_BonePath(np.array(nodes), along, float(start), above, is_limb))
                 queue.append((nodes[-1], nodes[-2], len(paths) - 1))
     return chosen, paths
 
 
 def _cuts(vertices: np.ndarray, radii: np.ndarray, paths: list[_BonePath], most: int) -> list[np.ndarray]:
-    """For each branch where its bones begin, and where the last ends: the longest bad bone is cut until none is."""
+    """For each branch the arc lengths where its bones begin, and where the last ends.
+
+    The longest bone that is too bent or too long is cut, until there is none or there are ``most`` bones.
+    """
     cuts = [[path.start, path.along[-1]] if path.start < path.along[-1] else [path.along[-1]] for path in paths]
     left = most - sum(len(stops) - 1 for stops in cuts)
     heap: list[tuple[float, int, float, float, float]] = []
 
-    def look(number: int, begin: float, end: float) -> None:
+    def consider(number: int, begin: float, end: float) -> None:
         badness, where = _bend(vertices, radii, paths[number], begin, end)
         if badness > 1:
             heapq.heappush(heap, (begin - end, number, begin, end, where))
 
     for number, stops in enumerate(cuts):
         if len(stops) > 1:
-            look(number, *stops)
+            consider(number, *stops)
     while heap and left > 0:
         _, number, begin, end, where = heapq.heappop(heap)
         cuts[number] = sorted([*cuts[number], where])
         left -= 1
-        look(number, begin, where)
-        look(number, where, end)
+        consider(number, begin, where)
+        consider(number, where, end)
     return [np.array(stops) for stops in cuts]
 
 
 def _bend(vertices: np.ndarray, radii: np.ndarray, path: _BonePath, begin: float, end: float) -> tuple[float, float]:
-    """How badly one bone does for a piece of a branch, 1 being the limit, and the arc length at which to cut it."""
+    """The badness of one bone for a piece of a branch, which should be at most 1, and the arc length to cut it at."""
     inner = (path.along > begin) & (path.along < end)
     stops = np.r_[begin, path.along[inner], end]
     points = at(vertices[path.nodes], path.along, stops)

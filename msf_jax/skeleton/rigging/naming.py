@@ -1,9 +1,9 @@
-"""Names of bones: what they belong to, where on it they are, and which side of a symmetric shape that is.
+"""Names of bones: the branch, the place along it, and the side of a symmetric shape.
 
-``root``; ``trunk2_1`` for the first bone of a branch between two junctions, ``limb5_3.L`` for the third of one that
-ends in a tip. Two branches that are each other's image in a mirror have one number, with ``.L`` and ``.R``, by which
-Blender knows the other side. Left is where the coordinate across the mirror is larger: that is the left of a figure
-that looks along z with y up, as in glTF, or along -y with z up, as in Blender.
+``root``; ``trunk2_1`` for the first bone of a branch between two junctions; ``limb5_3.L`` for the third bone of a
+branch that ends in a tip. Two branches that are mirror images have the same number, with ``.L`` and ``.R``, by which
+Blender finds the other side. Left is the side with the larger coordinate across the mirror: the left of a figure that
+looks along z with y up, as in glTF, or along -y with z up, as in Blender.
 """
 
 import numpy as np
@@ -11,12 +11,12 @@ from scipy import spatial
 
 from msf_jax.skeleton.rigging.bones import Bones
 
-ALIKE = 0.1  # of the rig's size, within which a branch's ends are their images
-ENOUGH = 0.6  # of the branches' length, that has an image
+ALIKE = 0.1  # diagonals of the rig: distance between a branch's ends and those of its mirror image, at most
+ENOUGH = 0.6  # share of the branches' length that has a mirror image in a symmetric shape, at least
 
 
 def names_of(bones: Bones) -> tuple[str, ...]:
-    """A name for each bone, no two alike."""
+    """A unique name for each bone."""
     number, side = _sides(bones)
     names, roots = [], int((bones.parents < 0).sum())
     for bone, branch in enumerate(bones.branch):
@@ -29,7 +29,7 @@ def names_of(bones: Bones) -> tuple[str, ...]:
 
 
 def _sides(bones: Bones) -> tuple[dict[int, int], dict[int, str]]:
-    """The number and the side of each branch, by where it is among all."""
+    """The number and the side (".L", ".R" or "") of each branch."""
     known = np.unique(bones.branch[bones.branch >= 0])
     image = _mirrored(bones, known)
     number: dict[int, int] = {}
@@ -40,7 +40,7 @@ def _sides(bones: Bones) -> tuple[dict[int, int], dict[int, str]]:
 
 
 def _mirrored(bones: Bones, known: np.ndarray) -> dict[int, tuple[int, str]]:
-    """For each branch the one that it is the image of, and on which side it is; empty unless the shape is symmetric."""
+    """The mirror image of each branch, and the branch's side; empty unless the shape is symmetric."""
     if len(known) < 2:
         return {}
     rows = [np.flatnonzero(bones.branch == branch) for branch in known]

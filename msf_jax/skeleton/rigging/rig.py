@@ -1,4 +1,4 @@
-"""`Rig`: bones for a mesh and the weights by which it hangs on them, to be posed here or in another program."""
+"""`Rig`: bones for a mesh, with skinning weights, to pose here or in another program."""
 
 import numbers
 import os
@@ -19,22 +19,22 @@ from msf_jax.skeleton.rigging.bones import Bones, bones_of, without
 if TYPE_CHECKING:
     from msf_jax.skeleton.skeleton import Skeleton
 
-MOST_BONES = 65535  # that glTF can number
-NEIGHBOURS = 3  # on the curve, whose vertices tell how large a limb is at a node
-THINNEST = 0.003  # of the mesh's diagonal, for the heat: details below that hang together
-FEWEST = 4  # vertices of a bone; what has less goes to its parent
+MOST_BONES = 65535  # bones that glTF can number
+NEIGHBOURS = 3  # edges along the curve: the size of a limb at a node is averaged over nodes within this distance
+THINNEST = 0.003  # diagonals: the least distance from the curve for heat, so that smaller details move together
+FEWEST = 4  # vertices of a bone, at least; a bone with fewer is merged into its parent
 
 
 @dataclass(frozen=True, eq=False)
 class Rig:
-    """Bones, and how much of each vertex hangs on each of them.
+    """Bones, and the weight of each bone at each vertex.
 
     Attributes:
-        joints: (B, 3) where each bone begins, and about which it turns; in the caller's units, parents first.
-        tails: (B, 3) where it ends.
-        parents: (B,) int, the bone that each hangs on; -1 for a root.
+        joints: (B, 3) the start of each bone, about which it turns; in the caller's units, parents first.
+        tails: (B, 3) the end of each bone.
+        parents: (B,) int, the parent of each bone; -1 for a root.
         names: of the bones: root, trunk1_1, limb2_3.L (branch 2, the third bone from the root, on the left side).
-        weights: sparse (V, B), rows with sum 1.
+        weights: sparse (V, B); each row sums to 1.
     """
 
     joints: np.ndarray
@@ -49,15 +49,15 @@ class Rig:
 
     @property
     def num_vertices(self) -> int:
-        """Of the mesh that hangs on it."""
+        """The number of vertices of the mesh."""
         return len(self.weights.indptr) - 1
 
     def save(self, path: str | os.PathLike[str], mesh: Any) -> None:
-        """Write ``mesh``, as `skeletonize` took it, on these bones as a ``.glb`` file, whole or not at all.
+        """Write ``mesh``, as `skeletonize` took it, on these bones to a ``.glb`` file, atomically.
 
         Raises:
-            ConfigError: the suffix is another, or there are more bones than the format numbers.
-            MeshError: the mesh has other vertices than the rig speaks of.
+            ConfigError: the suffix is not ``.glb``, or there are more bones than the format can number.
+            MeshError: the mesh has another number of vertices than the rig.
             OSError: the file cannot be written.
         """
         if not os.fspath(path).lower().endswith(".glb"):
@@ -65,22 +65,23 @@ class Rig:
         write_whole(path, gltf.of_rig(self, mesh))
 
     def posed(self, vertices: Any, turns: Mapping[str, Any]) -> np.ndarray:
-        """Where ``vertices`` (V, 3) go when bones turn, by linear blend skinning, as other programs do it.
+        """The positions of ``vertices`` (V, 3) when bones turn, by linear blend skinning, as in other programs.
 
         Args:
-            vertices: of the mesh, as it was bound.
-            turns: for some bones, by name, a rotation matrix (3, 3) about the bone's joint. It takes along all that
-                hangs on the bone.
+            vertices: of the mesh at rest.
+            turns: rotation matrices (3, 3) about joints, by the name of the bone. A bone's descendants turn with it.
 
         Raises:
             ConfigError: there is no bone of that name, or a rotation or the vertices have another shape.
         """
         points = np.asarray(vertices, dtype=np.float64)
         if points.shape != (self.num_vertices, 3):
-            raise ConfigError(f"vertices have shape {points.shape}: expected ({self.num_vertices}, 3)")
+            raise ConfigError(f"vertices has shape {points.shape}: expected ({self.num_vertices}, 3)")
         for name, turn in turns.items():
             if name not in self.names or np.shape(turn) != (3, 3):
-                raise ConfigError(f"{name!r} turns by {np.shape(turn)}: expected a bone's name, and a matrix (3, 3)")
+                raise ConfigError(
+                    f"turns has {name!r} with shape {np.shape(turn)}: expected a bone's name, and a matrix (3, 3)"
+                )
         found = np.zeros_like(points)
         columns = self.weights.tocsc()
         linear, shift = np.empty((len(self.joints), 3, 3)), np.empty((len(self.joints), 3))
@@ -116,7 +117,7 @@ def rigged(skeleton: "Skeleton", bones: int, influences: int, mesh: Any) -> Rig:
 
 
 def _surface(skeleton: "Skeleton") -> tuple[np.ndarray, np.ndarray]:
-    """Vertices and faces of the mesh that the curve was made from, as far as that is known without it."""
+    """Vertices and faces of the mesh that the curve was made from, if they can be known without the mesh."""
     surface, num = skeleton.surface, len(skeleton.mesh_map)
     if len(np.unique(surface.vertex)) < num:
         raise ConfigError("the mesh was welded or repaired, and not all its vertices are known: expected rig(mesh=...)")
@@ -124,10 +125,10 @@ def _surface(skeleton: "Skeleton") -> tuple[np.ndarray, np.ndarray]:
 
 
 def _sizes(skeleton: "Skeleton", node: np.ndarray, away: np.ndarray) -> np.ndarray:
-    """(N,) how large the limb is around each node: its ball, or as far as its vertices are, if that is more.
+    """(N,) the size of the limb at each node: the larger of its ball's radius and the mean distance of its vertices.
 
-    In a sheet the ball tells how thick it is, and bones are to be as long as it is wide. Of neighbours on the curve the
-    mean is taken.
+    In a sheet the ball has half its thickness, but bones should be as long as the sheet is wide. The mean is over the
+    node's neighbours along the curve, too.
     """
     num = len(skeleton.vertices)
     ends = np.concatenate([skeleton.edges, skeleton.edges[:, ::-1]])
@@ -139,7 +140,7 @@ def _sizes(skeleton: "Skeleton", node: np.ndarray, away: np.ndarray) -> np.ndarr
 
 
 def _without_empty(bones: Bones, node: np.ndarray) -> Bones:
-    """Bones that few of the vertices, which are at ``node`` (V,), go with are their parents'."""
+    """The bones without those that have few vertices, which go to the parent. ``node`` (V,) is that of each vertex."""
     while True:
         count = np.bincount(bones.of_node[node], minlength=len(bones.parents))
         is_few = (count < FEWEST) & (bones.parents >= 0)
