@@ -125,10 +125,17 @@ def parsed(parser: argparse.ArgumentParser, words: list[str]) -> argparse.Namesp
 
 
 def with_whole_options(words: list[str]) -> list[str]:
-    """``--repair`` with its value, which argparse would take from whatever follows, a mesh's name for one."""
-    whole = []
-    for word, after in zip(words, [*words, ""][1:], strict=True):
-        whole.append(f"{word}=mend" if word == "--repair" and after not in REPAIRS else word)
+    """Options with their values, where argparse would see it otherwise: ``--repair`` takes whatever follows, a mesh's
+    name for one, and to ``--root`` a place that begins with a minus sign is another option."""
+    whole, words = [], list(words)
+    while words:
+        word = words.pop(0)
+        after = words[0] if words else ""
+        if word == "--repair" and after not in REPAIRS:
+            word = f"{word}=mend"
+        elif word == "--root" and after[:1] == "-" and after[1:2] in tuple("0123456789."):
+            word = f"{word}={words.pop(0)}"
+        whole.append(word)
     return whole
 
 
