@@ -338,8 +338,9 @@ class Skeleton:
     def segments(self, mesh: Any) -> list["Trimesh"]:
         """The surface split by branch: one `trimesh.Trimesh` for each of ``branches``, in their order.
 
-        A face goes with the branch of its first corner's node; one at a junction to the branch that is named first. A
-        branch may get none. Each has a colour of its own, and ``vertex_attributes`` "radius", "node" and "branch".
+        A face goes with the branch of most of its corners' nodes, or of its first corner's; a node at a junction counts
+        for the branch that is named first. A small piece amid another branch goes with that one. A branch may get none.
+        Each has a colour of its own, and ``vertex_attributes`` "radius", "node" and "branch".
 
         Raises:
             MeshError: ``mesh`` is not the one that the curve was made from.
