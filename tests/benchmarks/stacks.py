@@ -130,8 +130,12 @@ def show_slopes(skeletons: list) -> None:
     way = jnp.asarray(np.random.default_rng(5).normal(size=at.shape))
     way = way / jnp.sqrt((way**2).sum(axis=(1, 2), keepdims=True))
 
-    def total(vertices):
-        return jax.vmap(value)(batch.bindings, vertices).sum()
+    def total(bindings, vertices):
+        return jax.vmap(value)(bindings, vertices).sum()
+
+    @jax.jit  # with bindings for an argument: XLA takes a minute to fold them as constants
+    def twice(bindings, at):
+        return jax.jvp(lambda at: jax.grad(total, argnums=1)(bindings, at), (at,), (way,))
 
     slopes = every(batch.bindings, at)[1]
     (ahead, slope_ahead), (behind, slope_behind) = (
@@ -140,7 +144,7 @@ def show_slopes(skeletons: list) -> None:
     off = (ahead - behind) / (2 * SLOPE_STEP) - (slopes * way).sum(axis=(1, 2))
     size = jnp.sqrt((slopes**2).sum(axis=(1, 2)) / at[0].size)
     print(f"Slopes off central differences, over what a random way has: {float(jnp.abs(off / size).max()):.1e}")
-    first, second = jax.jit(lambda at: jax.jvp(jax.grad(total), (at,), (way,)))(at)
+    first, second = twice(batch.bindings, at)
     off = jnp.abs(first - slopes).max()
     print(f"grad of vmap off vmap of grad: {float(off):.1e} of {float(jnp.abs(slopes).max()):.1e}")
     expected = (slope_ahead - slope_behind) / (2 * SLOPE_STEP)
