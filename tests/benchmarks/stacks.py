@@ -2,9 +2,9 @@
 
 usage: python -m tests.benchmarks.stacks [--meshes 64] [--closed 4] [--keep FOLDER]
 
-Meshes of 500 to 12,000 vertices, made in code. Four ways: a function that is jitted for each skeleton (``--closed`` of
-them, times so many as there are), one that is jitted over bindings, a batch for each number of vertices that there is
-room for, and one batch for all. Seconds of CPU are beside those of the clock: other work on the machine delays these.
+Meshes of 500 to 12,000 vertices, made in code. Five ways: a function that is jitted for each skeleton (``--closed`` of
+them, times so many as there are), one that is jitted over bindings, a batch for each capacity, by ``vmap`` and by
+``lax.map``, and one batch for all. Seconds of CPU are beside those of the clock, which other work delays.
 ``--keep`` holds the curves, so that the next time they are there. Equinox and Orbax are asked where they are installed.
 """
 
@@ -50,6 +50,7 @@ def value(binding, vertices):
 
 one = jax.jit(jax.value_and_grad(value, argnums=1))
 every = jax.jit(jax.vmap(jax.value_and_grad(value, argnums=1)))
+in_turn = jax.jit(lambda *batch: jax.lax.map(lambda pair: jax.value_and_grad(value, argnums=1)(*pair), batch))
 
 
 def clocks() -> np.ndarray:
@@ -90,7 +91,9 @@ def show_ways(skeletons: list, closed: int, compilations: list) -> None:
     for skeleton in skeletons:
         alike[skeleton.binding.capacity].append(skeleton)
     batches = [msf_jax.stack(some) for some in alike.values()]
-    report(f"{len(batches)} batches", lambda: [every(some.bindings, some.vertices) for some in batches], compilations)
+    for name, way in (("vmap", every), ("lax.map", in_turn)):
+        report(f"{len(batches)} batches, {name}",
+               lambda way=way: [way(some.bindings, some.vertices) for some in batches], compilations)  # fmt: skip
     whole = msf_jax.stack(skeletons)
     report("one batch", lambda: every(whole.bindings, whole.vertices), compilations)
 
