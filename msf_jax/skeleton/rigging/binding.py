@@ -22,7 +22,7 @@ from msf_jax.host.solid.geometry import cross, repeated
 
 ANGLE = np.radians(40.0)  # by which a bone is turned to see what stretches
 STRETCH = 1.9  # of an edge's length, at most, where rounds can achieve it
-ROUNDS = 3
+ROUNDS = 8
 REACH = 1.3  # distances from the curve, over which heat spreads
 LOOSER = 1.5  # by which that grows in a round, where it must
 LARGEST_T = 0.45  # of half of a row's sum
