@@ -132,6 +132,22 @@ def test_weights_that_are_lowered_are_few_and_do_not_jump():
     np.testing.assert_array_equal(binding.lowered(fine, 9), fine)
 
 
+def test_a_bone_that_holds_little_of_any_vertex_is_its_parents():
+    """Of a chain of four, the third holds a tenth at most; all others move what they moved before."""
+    nodes = np.linspace(0, 4, 41)[:, None] * [1.0, 0, 0]
+    edges = np.stack([np.arange(40), np.arange(1, 41)], axis=1)
+    found = bones.bones_of(nodes, edges, np.full(41, 0.12), 4)
+    assert found.parents.tolist() == [-1, 0, 1, 2]
+    weights = np.array([[1.0, 0, 0, 0], [0.2, 0.7, 0.1, 0], [0, 0.5, 0.1, 0.4], [0, 0, 0.05, 0.95]])
+    left, held = rig._without_idle(found, weights.copy())
+    assert left.parents.tolist() == [-1, 0, 1]
+    np.testing.assert_array_equal(left.joints, found.joints[[0, 1, 3]])
+    np.testing.assert_allclose(held, [[1.0, 0, 0], [0.2, 0.8, 0], [0, 0.6, 0.4], [0, 0.05, 0.95]])
+    assert set(left.of_node.tolist()) == {0, 1, 2}
+    alone, all_of_it = rig._without_idle(found, np.eye(4))
+    assert len(alone.joints) == 4 and (all_of_it == np.eye(4)).all()
+
+
 def test_names_tell_the_side_where_a_shape_is_symmetric():
     """A T with arms along x: one branch down, two that are each other's image."""
     nodes = np.array([[0, 0, 0], [1.0, 0, 0], [2, 0, 0], [-1, 0, 0], [-2, 0, 0], [0, -1, 0], [0, -2.5, 0]])

@@ -38,7 +38,7 @@ def _of_faces(vertices: np.ndarray, faces: np.ndarray, branch: np.ndarray) -> np
     corner = branch[faces]
     of_face = np.where(corner[:, 1] == corner[:, 2], corner[:, 1], corner[:, 0])
     place = np.unique(vertices, axis=0, return_inverse=True)[1].ravel()  # across seams, too
-    a, b = trimesh.graph.face_adjacency(place[faces]).reshape(-1, 2).T
+    a, b = np.reshape(trimesh.graph.face_adjacency(place[faces]), (-1, 2)).T
     while True:
         same = of_face[a] == of_face[b]
         joined = sparse.coo_matrix((np.ones(same.sum()), (a[same], b[same])), shape=(len(faces), len(faces)))

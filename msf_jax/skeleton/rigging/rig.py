@@ -22,6 +22,7 @@ if TYPE_CHECKING:
 MOST_BONES = 65535  # that glTF can number
 NEIGHBOURS = 3  # on the curve, whose vertices tell how large a limb is at a node
 THINNEST = 0.003  # of the mesh's diagonal, for the heat: details below that hang together
+HELD = 0.25  # of some vertex, that a bone moves at least
 FEWEST = 4  # vertices of a bone; what has less goes to its parent
 
 
@@ -112,6 +113,7 @@ def rigged(skeleton: "Skeleton", bones: int, influences: int, mesh: Any) -> Rig:
     thinnest = THINNEST * float(np.linalg.norm(np.ptp(vertices, axis=0)))
     heat = binding.Heat(vertices, faces, np.maximum(np.maximum(away, size[node]), thinnest))
     weights = binding.bound(heat, found.of_node[node], found.joints, found.parents, int(influences))
+    found, weights = _without_idle(found, weights)
     return Rig(found.joints, found.tails, found.parents, naming.names_of(found), sparse.csr_matrix(weights))
 
 
@@ -146,3 +148,16 @@ def _without_empty(bones: Bones, node: np.ndarray) -> Bones:
         if not is_few.any():
             return bones
         bones = without(bones, is_few)
+
+
+def _without_idle(bones: Bones, weights: np.ndarray) -> tuple[Bones, np.ndarray]:
+    """Bones that hold little of any vertex, where heat had to spread far, give their ``weights`` (V, B) to their
+    parents: no other bone moves anything else than before."""
+    while True:
+        most = np.where(bones.parents < 0, np.inf, weights.max(axis=0))
+        bone = int(most.argmin())
+        if most[bone] >= HELD:
+            return bones, weights
+        weights[:, bones.parents[bone]] += weights[:, bone]
+        is_idle = np.arange(len(most)) == bone
+        bones, weights = without(bones, is_idle), weights[:, ~is_idle]
