@@ -106,6 +106,23 @@ def test_branches_know_their_lengths_angles_parents_and_radii():
     assert table["volume"].sum() == pytest.approx(shape.mesh.volume, rel=1e-3)
 
 
+def test_an_angle_is_that_of_the_limbs_and_not_of_how_they_bend_towards_the_middle_of_a_junction():
+    """Two T's on one straight limb, 3.4 radii apart. As balls go, the limb dips by half a radius at each."""
+    x = np.linspace(-1, 1.34, 118)
+    away = np.minimum(np.abs(x), np.abs(x - 0.34)) / 0.1  # from the nearer junction, in radii
+    line = np.stack([x, 0 * x, -0.05 * np.maximum(1 - away / 1.4, 0)], axis=1)
+    first, second = np.abs(x).argmin(), np.abs(x - 0.34).argmin()
+    down = [line[k] + np.arange(1, 40)[:, None] * [0, 0, -0.02] for k in (first, second)]
+    edges = [*pairwise(range(118)), *pairwise([first, *range(118, 157)]), *pairwise([second, *range(157, 196)])]
+    nodes = np.concatenate([line, *down])
+    table = curve_of(nodes, np.sort(edges, axis=1), np.full(196, 0.1)).to_tree(root=0).table()
+    ends = nodes[table["end"]]
+    is_down = ends[:, 2] < -0.5
+    assert is_down.sum() == 2 and np.isnan(table["angle"]).sum() == 1
+    np.testing.assert_allclose(table["angle"][is_down], 90, atol=1.0)
+    np.testing.assert_allclose(table["angle"][~is_down].dropna(), 0, atol=2.0)
+
+
 def test_the_branches_of_a_tree_lead_away_from_its_root():
     shape = ground_truth.make("y")
     nodes, edges = refined(shape, 0.05)

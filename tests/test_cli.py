@@ -14,6 +14,7 @@ from jax.experimental.compilation_cache import compilation_cache
 
 import msf_jax
 from msf_jax.app.cli import _parser, main
+from msf_jax.app.parser import parsed
 
 
 @pytest.fixture
@@ -164,6 +165,20 @@ def test_a_typo_in_an_option_is_named_with_the_usage_of_its_command(capsys):
     err = capsys.readouterr().err
     assert err.startswith("usage: msf-jax skeletonize") and "--max-iterations" in err
     assert err.endswith("unrecognized arguments: --wL 1; did you mean --w-L?\n")
+
+
+@pytest.mark.parametrize("place", ["-1,2,3", "-.5,0,0", "1,-2,3"])
+def test_a_root_may_be_at_negative_coordinates(place):
+    words = ["skeletonize", "a.off", "--root", place, "-o", "b.swc"]
+    assert parsed(_parser(), words).root == place
+    assert parsed(_parser(), ["skeletonize", "a.off", f"--root={place}", "-o", "b.swc"]).root == place
+
+
+@pytest.mark.parametrize("rest", [["--root"], ["--root", "-o", "b.swc"]])
+def test_a_root_without_a_place_is_told(rest, capsys):
+    with pytest.raises(SystemExit, match="2"):
+        parsed(_parser(), ["skeletonize", "a.off", *rest])
+    assert "argument --root: expected one argument" in capsys.readouterr().err
 
 
 def test_alone_it_shows_help_and_all_is_well(capsys):

@@ -138,6 +138,8 @@ def test_the_migration_page_names_all_of_skeletors_methods():
     named = page.replace("`by_wavefront_exact`", "`skeletonize.by_wavefront_exact`")
     assert len(methods) >= 6 and not [name for name in [*methods, *before] if name not in named]
     assert not [name for name in after if f"post.{name}(" not in page]
+    own = [name for name in dir(skeletor.Skeleton) if not name.startswith("_") and name != "skeleton"]
+    assert len(own) > 12 and not [name for name in own if not re.search(rf"`s\.{name}\b", page)]
 
 
 @pytest.mark.slow

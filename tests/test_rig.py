@@ -57,16 +57,20 @@ def test_every_bone_has_vertices_and_no_edge_stretches_to_twice_its_length_at_40
             assert (np.linalg.norm(bent[a] - bent[b], axis=1) / length).max() < 2
 
 
-def test_where_a_loop_was_cut_the_surface_is_not_torn():
-    """A bone of a loop that turns pulls at what it hangs on, however far: but less than if it were bound by halves."""
-    skeleton, mesh = known("ring")
-    made = skeleton.rig(mesh=mesh)
+@pytest.mark.parametrize(
+    ("name", "most_bones", "most"),
+    [("ring", 50, 3.0), ("theta", 50, 3.0), ("cube_frame", 50, 6.0), ("trefoil", 10, 2.0)],
+)
+def test_where_a_loop_was_cut_the_surface_is_not_torn(name, most_bones, most):
+    """A bone of a loop that turns pulls at what it hangs on, however far: over the limb, and not over an edge."""
+    skeleton, mesh = known(name)
+    made = skeleton.rig(bones=most_bones, mesh=mesh)
     a, b = mesh.edges_unique.T
     length = np.linalg.norm(mesh.vertices[a] - mesh.vertices[b], axis=1)
     for bone in made.names:
         for axis in range(3):
             bent = made.posed(mesh.vertices, {bone: turned(np.radians(40), axis)})
-            assert (np.linalg.norm(bent[a] - bent[b], axis=1) / length).max() < 8
+            assert (np.linalg.norm(bent[a] - bent[b], axis=1) / length).max() < most
 
 
 def test_the_root_is_at_the_thickest_junction_and_limbs_begin_where_they_leave_its_ball():
@@ -111,6 +115,37 @@ def test_few_influences_leave_no_jump():
     assert np.abs(np.diff(found, axis=0)).max() < 60 * step
     np.testing.assert_allclose(binding.fewest(fine, tree, 9), fine, atol=1e-6)
     assert set(np.unique(binding.fewest(fine, tree, 1)).tolist()) == {0.0, 1.0}
+
+
+def test_weights_that_are_lowered_are_few_and_do_not_jump():
+    random = np.random.default_rng(5)
+    stops = random.dirichlet(np.full(9, 0.5), 12)
+    fine = np.concatenate([np.linspace(a, b, 2000) for a, b in pairwise(stops)])
+    found = binding.lowered(fine, 4)
+    np.testing.assert_allclose(found.sum(axis=1), 1, rtol=1e-12)
+    assert (found > 0).sum(axis=1).max() == 4 and found.min() >= 0
+    left = fine - np.sort(fine, axis=1)[:, 4:5]  # the fifth largest
+    assert (np.abs(np.diff(found, axis=0)).max(axis=1) < 20 * 1e-3 / np.clip(left, 0, 1).sum(axis=1)[1:]).all()
+    few = np.pad(random.dirichlet(np.ones(4), 50), ((0, 0), (0, 5)))
+    np.testing.assert_allclose(binding.lowered(few, 4), few, atol=1e-5)
+    np.testing.assert_allclose(binding.lowered(np.full((1, 6), 1 / 6), 4).max(axis=1), 1)
+    np.testing.assert_array_equal(binding.lowered(fine, 9), fine)
+
+
+def test_a_bone_that_holds_little_of_any_vertex_is_its_parents():
+    """Of a chain of four, the third holds a tenth at most; all others move what they moved before."""
+    nodes = np.linspace(0, 4, 41)[:, None] * [1.0, 0, 0]
+    edges = np.stack([np.arange(40), np.arange(1, 41)], axis=1)
+    found = bones.bones_of(nodes, edges, np.full(41, 0.12), 4)
+    assert found.parents.tolist() == [-1, 0, 1, 2]
+    weights = np.array([[1.0, 0, 0, 0], [0.2, 0.7, 0.1, 0], [0, 0.5, 0.1, 0.4], [0, 0, 0.05, 0.95]])
+    left, held = rig._without_idle(found, weights.copy())
+    assert left.parents.tolist() == [-1, 0, 1]
+    np.testing.assert_array_equal(left.joints, found.joints[[0, 1, 3]])
+    np.testing.assert_allclose(held, [[1.0, 0, 0], [0.2, 0.8, 0], [0, 0.6, 0.4], [0, 0.05, 0.95]])
+    assert set(left.of_node.tolist()) == {0, 1, 2}
+    alone, all_of_it = rig._without_idle(found, np.eye(4))
+    assert len(alone.joints) == 4 and (all_of_it == np.eye(4)).all()
 
 
 def test_names_tell_the_side_where_a_shape_is_symmetric():

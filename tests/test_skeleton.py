@@ -153,6 +153,8 @@ def test_a_skeleton_without_its_surface_keeps_radii_that_fit(whole):
         (lambda s: s.prune(-1), "slenderness is -1: expected a number of 0 or more"),
         (lambda s: s.prune(float("nan")), "slenderness is nan"),
         (lambda s: s.resample(0), "spacing is 0: expected a length above 0"),
+        (lambda s: s.resample(1e-320), "at most 10000000 nodes; is it in the mesh's units"),
+        (lambda s: s.resample(1e-12), "at most 10000000 nodes"),
         (lambda s: s.smooth(-2), "rounds is -2"),
     ],
 )

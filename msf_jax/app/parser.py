@@ -125,10 +125,20 @@ def parsed(parser: argparse.ArgumentParser, words: list[str]) -> argparse.Namesp
 
 
 def with_whole_options(words: list[str]) -> list[str]:
-    """``words`` with a value for each bare ``--repair``; argparse would use the next word, such as a mesh's name."""
-    whole = []
-    for word, after in zip(words, [*words, ""][1:], strict=True):
-        whole.append(f"{word}=mend" if word == "--repair" and after not in REPAIRS else word)
+    """``words`` with some options joined to their values, where argparse would misread them.
+
+    A bare ``--repair`` would take the next word, such as a mesh's name. A place after ``--root`` that begins with a
+    minus sign would be another option.
+    """
+    whole, words = [], list(words)
+    while words:
+        word = words.pop(0)
+        after = words[0] if words else ""
+        if word == "--repair" and after not in REPAIRS:
+            word = f"{word}=mend"
+        elif word == "--root" and after[:1] == "-" and after[1:2] in tuple("0123456789."):
+            word = f"{word}={words.pop(0)}"
+        whole.append(word)
     return whole
 
 

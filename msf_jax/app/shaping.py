@@ -39,7 +39,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     after.add_argument(
         "--root",
         metavar="R",
-        help="of the tree: the node nearest to x,y,z (--root=-1,2,3), soma, or thickest; implies --tree",
+        help="of the tree: the node nearest to x,y,z, soma, or thickest; implies --tree",
     )
     after.add_argument(
         "--radius",

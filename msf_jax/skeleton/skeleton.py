@@ -1,26 +1,25 @@
 """`Skeleton`, the result of a run: a curve with radii, a map from the input's vertices, and a `Report`."""
 
-import numbers
 import os
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 import networkx as nx
 import numpy as np
-from scipy import sparse, spatial
+from scipy import sparse
 
 from msf_jax import metrics
 from msf_jax.base import binding as bindings
 from msf_jax.base.binding import Binding
 from msf_jax.base.errors import ConfigError
-from msf_jax.host.curve import branches, finishing, following, limbs, resampling
+from msf_jax.host.curve import branches, following, limbs
 from msf_jax.host.curve.branches import Branch
-from msf_jax.skeleton import pytree, slopes, trees
+from msf_jax.skeleton import changes, pytree, slopes, trees
 from msf_jax.skeleton.centrelines import table
 from msf_jax.skeleton.formats import export
 from msf_jax.skeleton.pictures import page, panels, segmentation
-from msf_jax.skeleton.report import Report, assessed
+from msf_jax.skeleton.report import Report
 from msf_jax.skeleton.rigging import rig
 from msf_jax.skeleton.rigging.rig import Rig
 from msf_jax.skeleton.source import Source
@@ -30,8 +29,6 @@ if TYPE_CHECKING:
     from plotly.graph_objects import Figure as PlotlyFigure
     from trimesh import Trimesh
     from trimesh.path import Path3D
-
-NEAREST = 16  # nearest old nodes whose balls bound the radius of a new node, if the solid is not known
 
 
 @dataclass(frozen=True, eq=False)
@@ -104,14 +101,9 @@ class Skeleton:
         Raises:
             ConfigError: ``slenderness`` is negative or not a number.
         """
-        if not (isinstance(slenderness, numbers.Real) and slenderness >= 0):
-            raise ConfigError(f"slenderness is {slenderness!r}: expected a number of 0 or more")
-        stays, target = limbs.prune(*self._in_solid(), self._limbs, float(slenderness), self._is_held())
-        rank = np.cumsum(stays) - 1
-        edges = rank[self.edges[stays[self.edges].all(axis=1)]]
-        found = self.changed(self.vertices[stays], edges, rank[target])
-        gone = self.num_leaves - found.num_leaves
-        return replace(found, report=replace(found.report, pruned=self.report.pruned + gone))
+        changes.check_slenderness(slenderness)
+        found = limbs.prune(*self._in_solid(), self._limbs, float(slenderness), self._is_held())
+        return changes.pruned(self, *found)
 
     @property
     def num_leaves(self) -> int:
@@ -124,14 +116,9 @@ class Skeleton:
         An edge that would leave the solid is bisected. A larger spacing never gives more nodes.
 
         Raises:
-            ConfigError: ``spacing`` is not above 0.
+            ConfigError: ``spacing`` is not above 0, or would give more than ten million nodes.
         """
-        if not (isinstance(spacing, numbers.Real) and 0 < spacing < np.inf):
-            raise ConfigError(f"spacing is {spacing!r}: expected a length above 0")
-        vertices, edges, node_of_old = resampling.resample(
-            self.vertices, self.edges, spacing, self._is_held(), None if self.source is None else self.source.solid
-        )
-        return self.changed(vertices, edges, node_of_old)
+        return changes.resampled(self, spacing, self._is_held())
 
     def smooth(self, rounds: int = 10) -> "Skeleton":
         """A new skeleton, smoothed: in each round nodes move half of the way to the midpoint of their two neighbours.
@@ -141,11 +128,7 @@ class Skeleton:
         Raises:
             ConfigError: ``rounds`` is negative.
         """
-        if isinstance(rounds, bool) or not isinstance(rounds, numbers.Integral) or rounds < 0:
-            raise ConfigError(f"rounds is {rounds!r}: expected a whole number of 0 or more")
-        solid = None if self.source is None else self.source.solid
-        x, edges = resampling.smooth(self.vertices, self.edges, self.radii, int(rounds), self._is_held(), solid)
-        return self.changed(x, edges, np.arange(len(x)))
+        return changes.smoothed(self, rounds, self._is_held())
 
     def simplify(self, tolerance: float) -> "Skeleton":
         """A new skeleton with fewer nodes, within ``tolerance`` of this one, in the caller's units. Ends and pins stay.
@@ -155,7 +138,7 @@ class Skeleton:
         Raises:
             ConfigError: ``tolerance`` is not above 0.
         """
-        return trees.simplified(self, tolerance, self._is_held())
+        return changes.simplified(self, tolerance, self._is_held())
 
     def to_tree(self, root: int | str | None = None) -> "Skeleton":
         """A new skeleton without loops: each loop is cut at its thinnest edge. An SWC file of it has the root first.
@@ -261,24 +244,7 @@ class Skeleton:
 
         ``node_of_old`` (N,) is the new node for each node of this skeleton.
         """
-        edges = finishing.in_order(edges)
-        components, cycles = branches.cycle_count(len(vertices), edges)
-        report = replace(self.report, components=components, cycles=cycles, loops=None, figures={})
-        if self.source is not None:
-            solid = self.source.solid
-            radii = solid.radii(vertices)
-            of_input, vertex = node_of_old[self.mesh_map], self.source.input_of_vertex
-            followed = None if vertex is None else of_input[vertex]
-            report = replace(report, **assessed(solid.shape, solid.enter(vertices), edges, followed))
-            report = replace(report, inside=self.inside_of(vertices, edges, radii))
-        else:  # the largest ball within one of the known balls
-            found = spatial.KDTree(self.vertices).query(vertices, k=min(NEAREST, len(self.radii)))
-            away, near = (np.reshape(each, (len(vertices), -1)) for each in found)
-            radii = np.maximum((self.radii[near] - away).max(axis=1), 0.0)
-        roots, openings = (tuple(node_of_old[list(nodes)].tolist()) for nodes in (self.roots, self.openings))
-        mesh_map = node_of_old[self.mesh_map]
-        changed = Skeleton(vertices, edges, radii, mesh_map, report, self.source, roots, openings, units=self.units)
-        return changed if self.radius_of == "ball" or self.source is None else changed.with_radii(self.radius_of)
+        return changes.changed(self, vertices, edges, node_of_old)
 
     def with_radii(self, of: str) -> "Skeleton":
         """The same curve with another kind of radii, which saved files then have, too.
@@ -291,16 +257,7 @@ class Skeleton:
         Raises:
             ConfigError: ``of`` is neither, or the surface that the curve was made from is not known.
         """
-        if of not in ("ball", "section"):
-            raise ConfigError(f'of is {of!r}: expected "ball" or "section"')
-        if self.source is None:
-            raise ConfigError("the skeleton does not know its mesh: expected one from skeletonize or an .npz file")
-        balls = replace(self, radii=self.source.solid.radii(self.vertices), radius_of="ball")
-        if of == "ball":
-            return balls
-        area = table.node_columns(balls)["area"]
-        radii = np.where(np.isfinite(area), np.sqrt(np.maximum(area, 0.0) / np.pi), balls.radii)
-        return replace(balls, radii=radii, radius_of=of)
+        return changes.with_radii(self, of)
 
     def table(self, of: str = "branches") -> Any:
         """Measurements with a row for each of ``branches``, in their order, or for each node.
@@ -383,8 +340,9 @@ class Skeleton:
     def segments(self, mesh: Any) -> list["Trimesh"]:
         """The surface split by branch: one `trimesh.Trimesh` for each of ``branches``, in their order.
 
-        A face belongs to the branch of its first corner's node; at a junction, to the first of its branches. A branch
-        may have no faces. Each mesh has its own colour, and ``vertex_attributes`` "radius", "node" and "branch".
+        A face belongs to the branch of most of its corners' nodes, or else of its first corner's; a node at a junction
+        counts for the first of its branches. A small piece within another branch belongs to that branch. A branch may
+        have no faces. Each mesh has its own colour, and ``vertex_attributes`` "radius", "node" and "branch".
 
         Raises:
             MeshError: ``mesh`` is not the one that the curve was made from.

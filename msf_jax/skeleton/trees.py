@@ -9,7 +9,7 @@ from scipy import sparse, spatial
 from scipy.sparse import csgraph
 
 from msf_jax.base.errors import ConfigError
-from msf_jax.host.curve import branches, finishing, resampling
+from msf_jax.host.curve import branches, finishing
 
 if TYPE_CHECKING:
     from msf_jax.skeleton.skeleton import Skeleton
@@ -119,47 +119,3 @@ def _links(vertices: np.ndarray, edges: np.ndarray, reach: float) -> np.ndarray:
             piece = int(np.bincount(label[outside]).argmax())
             away[:] = np.inf
     return np.sort(np.array(links, dtype=np.int64).reshape(-1, 2), axis=1)
-
-
-def simplified(skeleton: "Skeleton", tolerance: float, is_held: np.ndarray) -> "Skeleton":
-    """See `Skeleton.simplify`: it applies the algorithm of Douglas and Peucker (1973) to each branch."""
-    if not (isinstance(tolerance, numbers.Real) and not isinstance(tolerance, bool) and 0 < float(tolerance) < np.inf):
-        raise ConfigError(f"tolerance is {tolerance!r}: expected a length above 0")
-    num = len(skeleton.vertices)
-    stays = is_held | (np.bincount(skeleton.edges.ravel(), minlength=num) != 2)
-    stays[list(skeleton.roots) + list(skeleton.openings)] = True
-    chains, node_of_old = [], np.arange(num)
-    for path in branches.trace(num, skeleton.edges):
-        nodes = np.array(path)
-        is_kept = stays[nodes]
-        is_kept[[0, -1]] = True
-        if nodes[0] == nodes[-1] and is_kept[1:-1].sum() < 2:  # a loop needs three nodes
-            is_kept[[len(nodes) // 3, 2 * len(nodes) // 3]] = True
-        kept = np.flatnonzero(is_kept)
-        is_kept |= _needed(skeleton.vertices[nodes], kept, float(tolerance))
-        kept = np.flatnonzero(is_kept)
-        chains.append(nodes[kept])
-        stays[nodes[kept]] = True
-        node_of_old[nodes[1:-1]] = nodes[kept[resampling.nearest_of(kept, np.arange(1, len(nodes) - 1))]]
-    rank = np.cumsum(stays) - 1
-    ends = [np.stack([chain[:-1], chain[1:]], axis=1) for chain in chains if len(chain) > 1]
-    edges = rank[np.concatenate([np.empty((0, 2), dtype=np.int64), *ends])]
-    return skeleton.changed(skeleton.vertices[stays], edges, rank[node_of_old])
-
-
-def _needed(points: np.ndarray, kept: np.ndarray, tolerance: float) -> np.ndarray:
-    """(n,) points to keep besides ``kept``, so that all ``points`` (n, 3) are within ``tolerance`` of their line."""
-    found = np.zeros(len(points), dtype=bool)
-    stack = list(zip(kept[:-1].tolist(), kept[1:].tolist(), strict=True))
-    while stack:
-        a, b = stack.pop()
-        if b - a < 2:
-            continue
-        along, offset = points[b] - points[a], points[a + 1 : b] - points[a]
-        t = np.clip(offset @ along / max(float(along @ along), 1e-300), 0.0, 1.0)
-        away = np.linalg.norm(offset - t[:, None] * along, axis=1)
-        if away.max() > tolerance:
-            middle = a + 1 + int(away.argmax())
-            found[middle] = True
-            stack += [(a, middle), (middle, b)]
-    return found

@@ -2,10 +2,10 @@
 
 usage: python -m tests.benchmarks.stacks [--meshes 64] [--closed 4] [--keep FOLDER]
 
-Meshes of 500 to 12,000 vertices, made in code. Four variants: a function jitted for each skeleton (``--closed`` of
-them, scaled up to all), one that is jitted over bindings, a batch for each capacity of vertices, and one batch for all.
-Seconds of CPU stand beside seconds of the clock, which other work on the machine delays. ``--keep`` holds the curves
-for the next run. Equinox and Orbax take part if they are installed.
+Meshes of 500 to 12,000 vertices, made in code. Five variants: a function jitted for each skeleton (``--closed`` of
+them, scaled up to all), one that is jitted over bindings, a batch for each capacity, by ``vmap`` and by ``lax.map``,
+and one batch for all. Seconds of CPU stand beside seconds of the clock, which other work on the machine delays.
+``--keep`` holds the curves for the next run. Equinox and Orbax take part if they are installed.
 """
 
 import argparse
@@ -50,6 +50,7 @@ def value(binding, vertices):
 
 one = jax.jit(jax.value_and_grad(value, argnums=1))
 every = jax.jit(jax.vmap(jax.value_and_grad(value, argnums=1)))
+in_turn = jax.jit(lambda *batch: jax.lax.map(lambda pair: jax.value_and_grad(value, argnums=1)(*pair), batch))
 
 
 def clocks() -> np.ndarray:
@@ -90,7 +91,9 @@ def show_variants(skeletons: list, closed: int, compilations: list) -> None:
     for skeleton in skeletons:
         alike[skeleton.binding.capacity].append(skeleton)
     batches = [msf_jax.stack(some) for some in alike.values()]
-    report(f"{len(batches)} batches", lambda: [every(some.bindings, some.vertices) for some in batches], compilations)
+    for name, way in (("vmap", every), ("lax.map", in_turn)):
+        report(f"{len(batches)} batches, {name}",
+               lambda way=way: [way(some.bindings, some.vertices) for some in batches], compilations)  # fmt: skip
     whole = msf_jax.stack(skeletons)
     report("one batch", lambda: every(whole.bindings, whole.vertices), compilations)
 
@@ -130,8 +133,12 @@ def show_slopes(skeletons: list) -> None:
     direction = jnp.asarray(np.random.default_rng(5).normal(size=at.shape))
     direction = direction / jnp.sqrt((direction**2).sum(axis=(1, 2), keepdims=True))
 
-    def total(vertices):
-        return jax.vmap(value)(batch.bindings, vertices).sum()
+    def total(bindings, vertices):
+        return jax.vmap(value)(bindings, vertices).sum()
+
+    @jax.jit  # with bindings for an argument: XLA takes a minute to fold them as constants
+    def twice(bindings, at):
+        return jax.jvp(lambda at: jax.grad(total, argnums=1)(bindings, at), (at,), (direction,))
 
     slopes = every(batch.bindings, at)[1]
     (ahead, slope_ahead), (behind, slope_behind) = (
@@ -140,7 +147,7 @@ def show_slopes(skeletons: list) -> None:
     off = (ahead - behind) / (2 * SLOPE_STEP) - (slopes * direction).sum(axis=(1, 2))
     size = jnp.sqrt((slopes**2).sum(axis=(1, 2)) / at[0].size)
     print(f"Slopes off central differences, over what a random direction has: {float(jnp.abs(off / size).max()):.1e}")
-    first, second = jax.jit(lambda at: jax.jvp(jax.grad(total), (at,), (direction,)))(at)
+    first, second = twice(batch.bindings, at)
     off = jnp.abs(first - slopes).max()
     print(f"grad of vmap off vmap of grad: {float(off):.1e} of {float(jnp.abs(slopes).max()):.1e}")
     expected = (slope_ahead - slope_behind) / (2 * SLOPE_STEP)

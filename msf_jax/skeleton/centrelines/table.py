@@ -15,7 +15,9 @@ from msf_jax.skeleton.centrelines.profiles import Profiles, profiles_of, swept_v
 if TYPE_CHECKING:
     from msf_jax.skeleton.skeleton import Skeleton
 
-BEYOND = 2.0  # radii of the junction: a branch's direction is taken over this length, from the junction's ball on
+AWAY = 1.5  # radii of a junction: nearer to it, a branch still bends towards its middle
+BEYOND = 2.0  # radii of a junction: a branch's direction is taken over this length, from `AWAY` on
+LEAST_BEYOND = 1.0  # radii of a junction: the least such length, where another junction is near
 Columns = dict[str, np.ndarray]
 
 
@@ -172,23 +174,32 @@ def _angles(skeleton: "Skeleton", paths: list[np.ndarray], parent: np.ndarray) -
     """(B,) the angle in degrees between the directions of each branch and its parent at their junction, 0 if straight;
     NaN at a root."""
     found = np.full(len(paths), np.nan)
+    degree = np.bincount(skeleton.edges.ravel(), minlength=len(skeleton.vertices))
     for number, above in enumerate(parent.tolist()):
         if above < 0 or len(paths[number]) < 2:
             continue
         junction = paths[number][0]
         mother = paths[above] if paths[above][-1] != junction else paths[above][::-1]
-        radius = float(skeleton.radii[junction])
-        ahead = _leaves(skeleton.vertices[paths[number]], radius)
-        back = _leaves(skeleton.vertices[mother], radius)
+        ahead, back = (_direction(skeleton, nodes, degree) for nodes in (paths[number], mother))
         found[number] = np.degrees(np.arccos(np.clip(-(ahead @ back), -1.0, 1.0)))
     return found
 
 
-def _leaves(points: np.ndarray, radius: float) -> np.ndarray:
-    """(3,) the direction of a branch where it leaves the ball at its first point."""
-    along = arc_length(points)
-    begin = min(radius, along[-1] / 2)
-    near, far = at(points, along, np.array([begin, min(begin + BEYOND * radius, along[-1])]))
+def _direction(skeleton: "Skeleton", nodes: np.ndarray, degree: np.ndarray) -> np.ndarray:
+    """(3,) the direction of a branch away from the junction at its first node.
+
+    The parts that bend towards that junction, and towards another one at the last node, are left out.
+    """
+    points = skeleton.vertices[nodes]
+    along, radius = arc_length(points), float(skeleton.radii[nodes[0]])
+    first, last = AWAY * radius, AWAY * float(skeleton.radii[nodes[-1]]) * (degree[nodes[-1]] > 2)
+    least = min(LEAST_BEYOND * radius, along[-1] / 2)
+    begin, end = first, min(first + BEYOND * radius, along[-1] - last)
+    if end - begin < least:  # around the place that is as many radii from one junction as from the other
+        middle = along[-1] * first / (first + last) if first + last > 0 else along[-1]
+        begin = min(max(middle - least / 2, 0.0), along[-1] - least)
+        end = begin + least
+    near, far = at(points, along, np.array([begin, end]))
     return unit(far - near)
 
 

@@ -4,11 +4,15 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import trimesh
+from scipy import sparse
+from scipy.sparse import csgraph
 
 from msf_jax.host.mesh import reading
 
 if TYPE_CHECKING:
     from msf_jax.skeleton.skeleton import Skeleton
+
+SMALL = 0.5  # of the faces of a branch's largest piece: a smaller one is a speck, or cut off by another branch
 
 
 def branch_of_node(skeleton: "Skeleton") -> np.ndarray:
@@ -26,12 +30,41 @@ def colours(num: int) -> np.ndarray:
     return np.column_stack([150 + 90 * np.cos(angle), np.full(num, 255)]).astype(np.uint8)
 
 
+def _of_faces(vertices: np.ndarray, faces: np.ndarray, branch: np.ndarray) -> np.ndarray:
+    """(F,) the branch of each face, where vertices (V,) have ``branch``: that of most corners.
+
+    Where vertices of a few branches are mixed, about a junction, a small piece of one goes to the branch around it.
+    """
+    corner = branch[faces]
+    of_face = np.where(corner[:, 1] == corner[:, 2], corner[:, 1], corner[:, 0])
+    place = np.unique(vertices, axis=0, return_inverse=True)[1].ravel()  # across seams, too
+    a, b = np.reshape(trimesh.graph.face_adjacency(place[faces]), (-1, 2)).T
+    while True:
+        same = of_face[a] == of_face[b]
+        joined = sparse.coo_matrix((np.ones(same.sum()), (a[same], b[same])), shape=(len(faces), len(faces)))
+        num, piece = csgraph.connected_components(joined, directed=False)
+        owner = np.zeros(num, dtype=np.int64)
+        owner[piece] = of_face
+        size = np.bincount(piece, minlength=num)
+        largest = np.zeros(int(branch.max(initial=0)) + 1, dtype=np.int64)
+        np.maximum.at(largest, owner, size)
+        is_small = size < SMALL * largest[owner]
+        ends = np.concatenate([piece[np.stack([a, b], axis=1)[~same]], piece[np.stack([b, a], axis=1)[~same]]])
+        ends = ends[is_small[ends[:, 0]] & ~is_small[ends[:, 1]]]
+        if not len(ends):
+            return of_face
+        border, count = np.unique(ends, axis=0, return_counts=True)
+        border = border[np.lexsort((count, border[:, 0]))]  # the longest last, which is the one that is kept
+        owner[border[:, 0]] = owner[border[:, 1]]
+        of_face = owner[piece]
+
+
 def segments(skeleton: "Skeleton", mesh: Any) -> list[trimesh.Trimesh]:
     """See `Skeleton.segments`."""
     vertices, faces = reading.read(mesh, finite=False)
     reading.check_map(skeleton.mesh_map, len(vertices))
     branch = branch_of_node(skeleton)[skeleton.mesh_map]
-    of_face = branch[faces[:, 0]]
+    of_face = _of_faces(vertices, faces, branch)
     palette = colours(len(skeleton.branches))
     parts = []
     for number in range(len(palette)):

@@ -12,6 +12,7 @@ does, and none is negative. If an edge still stretches too much when a bone turn
 weights are computed again.
 """
 
+from collections.abc import Iterator
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -22,7 +23,7 @@ from msf_jax.host.solid.geometry import cross, repeated
 
 ANGLE = np.radians(40.0)  # radians: the turn of a bone at which the stretch of edges is tested
 STRETCH = 1.9  # ratio of an edge's length after that turn to its length at rest: larger ones need another round
-ROUNDS = 3  # rounds of diffusion, at most
+ROUNDS = 8  # rounds of diffusion, at most
 REACH = 1.3  # ratio of d to the distance from the curve
 LOOSER = 1.5  # factor on d in each round, where edges stretch too much
 LARGEST_T = 0.45  # largest t of `fewest`, below 1/2; a share of a row's sum
@@ -107,8 +108,7 @@ def bound(heat: Heat, bone: np.ndarray, joints: np.ndarray, parents: np.ndarray,
     for _ in range(ROUNDS):
         spread = heat.spread(bone, len(joints))
         is_tight = np.zeros(len(heat.points), dtype=bool)
-        for tree in (own, by_touch(spread)):
-            weights = fewest(spread, tree, influences)
+        for weights in candidates(spread, own, influences):
             stretched = stretch(heat.points, heat.edges, joints, own, weights)
             worst = float(stretched.max(initial=1.0))
             if worst < least:
@@ -148,6 +148,28 @@ def fewest(weights: np.ndarray, tree: Tree, most: int) -> np.ndarray:
     found = np.where(found > LEAST, found, 0.0)
     found = np.where(found >= -np.partition(-found, most - 1, axis=1)[:, most - 1 : most], found, 0.0)  # rounding
     return found / found.sum(axis=1, keepdims=True)
+
+
+def lowered(weights: np.ndarray, most: int) -> np.ndarray:
+    """At most ``most`` weights of each row (n, B), with sum 1: all are lowered by the largest that is left out.
+
+    No tree of bones goes around the loops of a surface, and this needs none. No weight jumps here either, but many that
+    are alike change fast.
+    """
+    if weights.shape[1] <= most:
+        return weights
+    found = np.maximum(weights + np.partition(-weights, most, axis=1)[:, most : most + 1], 0.0)
+    found = np.where(found > LEAST, found, 0.0)
+    is_even = np.logical_not(found.any(axis=1))
+    found[is_even, weights[is_even].argmax(axis=1)] = 1.0
+    return found / found.sum(axis=1, keepdims=True)
+
+
+def candidates(weights: np.ndarray, own: Tree, most: int) -> Iterator[np.ndarray]:
+    """Ways to leave at most ``most`` weights of each row (n, B), of which the one that stretches least is taken."""
+    yield fewest(weights, own, most)
+    yield fewest(weights, by_touch(weights), most)
+    yield lowered(weights, most)
 
 
 def by_touch(weights: np.ndarray) -> Tree:

@@ -22,6 +22,7 @@ if TYPE_CHECKING:
 MOST_BONES = 65535  # bones that glTF can number
 NEIGHBOURS = 3  # edges along the curve: the size of a limb at a node is averaged over nodes within this distance
 THINNEST = 0.003  # diagonals: the least distance from the curve for heat, so that smaller details move together
+HELD = 0.25  # weight: a bone has a larger one at some vertex, or it is merged into its parent
 FEWEST = 4  # vertices of a bone, at least; a bone with fewer is merged into its parent
 
 
@@ -113,6 +114,7 @@ def rigged(skeleton: "Skeleton", bones: int, influences: int, mesh: Any) -> Rig:
     thinnest = THINNEST * float(np.linalg.norm(np.ptp(vertices, axis=0)))
     heat = binding.Heat(vertices, faces, np.maximum(np.maximum(away, size[node]), thinnest))
     weights = binding.bound(heat, found.of_node[node], found.joints, found.parents, int(influences))
+    found, weights = _without_idle(found, weights)
     return Rig(found.joints, found.tails, found.parents, naming.names_of(found), sparse.csr_matrix(weights))
 
 
@@ -147,3 +149,16 @@ def _without_empty(bones: Bones, node: np.ndarray) -> Bones:
         if not is_few.any():
             return bones
         bones = without(bones, is_few)
+
+
+def _without_idle(bones: Bones, weights: np.ndarray) -> tuple[Bones, np.ndarray]:
+    """Bones that hold little of any vertex, where heat had to spread far, give their ``weights`` (V, B) to their
+    parents: no other bone moves anything else than before."""
+    while True:
+        most = np.where(bones.parents < 0, np.inf, weights.max(axis=0))
+        bone = int(most.argmin())
+        if most[bone] >= HELD:
+            return bones, weights
+        weights[:, bones.parents[bone]] += weights[:, bone]
+        is_idle = np.arange(len(most)) == bone
+        bones, weights = without(bones, is_idle), weights[:, ~is_idle]

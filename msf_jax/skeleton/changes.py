@@ -1,0 +1,138 @@
+"""Other curves of the same mesh: pruned, with other nodes, smoothed, or with radii of another kind."""
+
+import numbers
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from scipy import spatial
+
+from msf_jax.base.errors import ConfigError
+from msf_jax.host.curve import branches, finishing, resampling
+from msf_jax.skeleton.centrelines import table
+from msf_jax.skeleton.report import assessed
+
+if TYPE_CHECKING:
+    from msf_jax.skeleton.skeleton import Skeleton
+
+NEAREST = 16  # nearest old nodes whose balls bound the radius of a new node, if the solid is not known
+MOST_NODES = 10_000_000  # nodes of a resampled curve; more would fill the memory, and mean a spacing in another unit
+
+
+def changed(skeleton: "Skeleton", vertices: np.ndarray, edges: np.ndarray, node_of_old: np.ndarray) -> "Skeleton":
+    """See `Skeleton.changed`."""
+    edges = finishing.in_order(edges)
+    components, cycles = branches.cycle_count(len(vertices), edges)
+    report = replace(skeleton.report, components=components, cycles=cycles, loops=None, figures={})
+    if skeleton.source is not None:
+        solid = skeleton.source.solid
+        radii = solid.radii(vertices)
+        of_input, vertex = node_of_old[skeleton.mesh_map], skeleton.source.input_of_vertex
+        followed = None if vertex is None else of_input[vertex]
+        report = replace(report, **assessed(solid.shape, solid.enter(vertices), edges, followed))
+        report = replace(report, inside=skeleton.inside_of(vertices, edges, radii))
+    else:  # the largest ball within one of the known balls
+        found = spatial.KDTree(skeleton.vertices).query(vertices, k=min(NEAREST, len(skeleton.radii)))
+        away, near = (np.reshape(each, (len(vertices), -1)) for each in found)
+        radii = np.maximum((skeleton.radii[near] - away).max(axis=1), 0.0)
+    roots, openings = (tuple(node_of_old[list(nodes)].tolist()) for nodes in (skeleton.roots, skeleton.openings))
+    of = skeleton.radius_of
+    parts = {"vertices": vertices, "edges": edges, "radii": radii, "mesh_map": node_of_old[skeleton.mesh_map]}
+    found = replace(skeleton, **parts, report=report, roots=roots, openings=openings, radius_of="ball")
+    return found if of == "ball" or skeleton.source is None else with_radii(found, of)
+
+
+def check_slenderness(slenderness: Any) -> None:
+    """Raise a `ConfigError` unless it is a threshold to prune at."""
+    if not (isinstance(slenderness, numbers.Real) and float(slenderness) >= 0):
+        raise ConfigError(f"slenderness is {slenderness!r}: expected a number of 0 or more")
+
+
+def pruned(skeleton: "Skeleton", stays: np.ndarray, target: np.ndarray) -> "Skeleton":
+    """See `Skeleton.prune`: the nodes that stay (N,), and which of them stands for each (N,)."""
+    rank = np.cumsum(stays) - 1
+    edges = rank[skeleton.edges[stays[skeleton.edges].all(axis=1)]]
+    found = changed(skeleton, skeleton.vertices[stays], edges, rank[target])
+    gone = skeleton.num_leaves - found.num_leaves
+    return replace(found, report=replace(found.report, pruned=skeleton.report.pruned + gone))
+
+
+def resampled(skeleton: "Skeleton", spacing: float, is_held: np.ndarray) -> "Skeleton":
+    """See `Skeleton.resample`."""
+    if not (isinstance(spacing, numbers.Real) and 0 < spacing < np.inf):
+        raise ConfigError(f"spacing is {spacing!r}: expected a length above 0")
+    if skeleton.length > MOST_NODES * float(spacing):
+        raise ConfigError(
+            f"spacing is {spacing!r}, and the curve {skeleton.length:.3g} long: expected a spacing that gives at most "
+            f"{MOST_NODES} nodes; is it in the mesh's units?"
+        )
+    solid = None if skeleton.source is None else skeleton.source.solid
+    found = resampling.resample(skeleton.vertices, skeleton.edges, spacing, is_held, solid)
+    return changed(skeleton, *found)
+
+
+def smoothed(skeleton: "Skeleton", rounds: int, is_held: np.ndarray) -> "Skeleton":
+    """See `Skeleton.smooth`."""
+    if isinstance(rounds, bool) or not isinstance(rounds, numbers.Integral) or rounds < 0:
+        raise ConfigError(f"rounds is {rounds!r}: expected a whole number of 0 or more")
+    solid = None if skeleton.source is None else skeleton.source.solid
+    x, edges = resampling.smooth(skeleton.vertices, skeleton.edges, skeleton.radii, int(rounds), is_held, solid)
+    return changed(skeleton, x, edges, np.arange(len(x)))
+
+
+def with_radii(skeleton: "Skeleton", of: str) -> "Skeleton":
+    """See `Skeleton.with_radii`."""
+    if of not in ("ball", "section"):
+        raise ConfigError(f'of is {of!r}: expected "ball" or "section"')
+    if skeleton.source is None:
+        raise ConfigError("the skeleton does not know the mesh that it was made from: expected one that does")
+    balls = replace(skeleton, radii=skeleton.source.solid.radii(skeleton.vertices), radius_of="ball")
+    if of == "ball":
+        return balls
+    area = table.node_columns(balls)["area"]
+    radii = np.where(np.isfinite(area), np.sqrt(np.maximum(area, 0.0) / np.pi), balls.radii)
+    return replace(balls, radii=radii, radius_of=of)
+
+
+def simplified(skeleton: "Skeleton", tolerance: float, is_held: np.ndarray) -> "Skeleton":
+    """See `Skeleton.simplify`: the nodes that Douglas and Peucker (1973) keep along each branch."""
+    if not (isinstance(tolerance, numbers.Real) and not isinstance(tolerance, bool) and 0 < float(tolerance) < np.inf):
+        raise ConfigError(f"tolerance is {tolerance!r}: expected a length above 0")
+    num = len(skeleton.vertices)
+    stays = is_held | (np.bincount(skeleton.edges.ravel(), minlength=num) != 2)
+    stays[list(skeleton.roots) + list(skeleton.openings)] = True
+    chains, node_of_old = [], np.arange(num)
+    for path in branches.trace(num, skeleton.edges):
+        nodes = np.array(path)
+        is_kept = stays[nodes]
+        is_kept[[0, -1]] = True
+        if nodes[0] == nodes[-1] and is_kept[1:-1].sum() < 2:  # a loop needs three nodes
+            is_kept[[len(nodes) // 3, 2 * len(nodes) // 3]] = True
+        kept = np.flatnonzero(is_kept)
+        is_kept |= _needed(skeleton.vertices[nodes], kept, float(tolerance))
+        kept = np.flatnonzero(is_kept)
+        chains.append(nodes[kept])
+        stays[nodes[kept]] = True
+        node_of_old[nodes[1:-1]] = nodes[kept[resampling.nearest_of(kept, np.arange(1, len(nodes) - 1))]]
+    rank = np.cumsum(stays) - 1
+    ends = [np.stack([chain[:-1], chain[1:]], axis=1) for chain in chains if len(chain) > 1]
+    edges = rank[np.concatenate([np.empty((0, 2), dtype=np.int64), *ends])]
+    return changed(skeleton, skeleton.vertices[stays], edges, rank[node_of_old])
+
+
+def _needed(points: np.ndarray, kept: np.ndarray, tolerance: float) -> np.ndarray:
+    """(n,) which of ``points`` (n, 3) are kept so that none is farther than ``tolerance`` from the line of those."""
+    found = np.zeros(len(points), dtype=bool)
+    stack = list(zip(kept[:-1].tolist(), kept[1:].tolist(), strict=True))
+    while stack:
+        a, b = stack.pop()
+        if b - a < 2:
+            continue
+        along, offset = points[b] - points[a], points[a + 1 : b] - points[a]
+        t = np.clip(offset @ along / max(float(along @ along), 1e-300), 0.0, 1.0)
+        away = np.linalg.norm(offset - t[:, None] * along, axis=1)
+        if away.max() > tolerance:
+            middle = a + 1 + int(away.argmax())
+            found[middle] = True
+            stack += [(a, middle), (middle, b)]
+    return found
