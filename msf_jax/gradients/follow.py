@@ -65,13 +65,13 @@ def follow(skeleton: Skeleton | Binding, vertices: Any) -> Followed:
         MeshError: ``vertices`` has another shape or is not finite, or a section has vanished: whose.
         FlowError: this process was forked from one in which a run was made.
     """
+    forking.check()
     binding = binding_of(skeleton)
     array = checked_vertices(skeleton, vertices)
     room, num = binding.num_vertices, len(array)
     if isinstance(array, Tracer) or isinstance(binding.faces, Tracer):
         found = Followed(*_follow(binding, jnp.pad(array, ((0, room - num), (0, 0)))))
         return found if isinstance(skeleton, Binding) else Followed(*(part[: len(skeleton.vertices)] for part in found))
-    forking.check()
     _in_room(binding, array.dtype)
     # Padded and cut by NumPy: JAX would compile that for every size.
     found = _follow(_in_dtype(binding, array.dtype), np.pad(np.asarray(array), ((0, room - num), (0, 0))))

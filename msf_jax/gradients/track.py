@@ -13,6 +13,7 @@ import jax.numpy as jnp
 import numpy as np
 from tqdm import tqdm
 
+from msf_jax.base import forking
 from msf_jax.base.binding import Binding, unpadded
 from msf_jax.base.errors import ConfigError, MeshError
 from msf_jax.device import following
@@ -191,6 +192,7 @@ class Tracker:
     """What does not change from frame to frame; raises as `track` does."""
 
     def __init__(self, skeleton: Skeleton):
+        forking.check()
         binding = unpadded(binding_of(skeleton))
         surface, edges = skeleton.surface, skeleton.edges
         self.skeleton, self.edges = skeleton, edges
