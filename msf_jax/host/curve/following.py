@@ -35,7 +35,7 @@ from msf_jax.host.solid.geometry import cross, together, unit, vertex_normals
 from msf_jax.host.solid.solid import Solid
 
 SLIGHT = 0.02  # a section of less weight is left out
-# A node follows the vertices that went to it, if they are so many, where it is farther from every section along the curve
+# A node follows the vertices that went to it, if they are so many, where it is farther along the curve from sections
 # than so many sizes, or where its offset would carry more than so many times the vertices' noise.
 FEWEST, FAR, LEVER = 4, 3.0, 0.5
 MEMBRANE = 0.01  # mu = MEMBRANE (size / h)^2, for nodes h apart in a limb of that size
