@@ -116,6 +116,33 @@ def test_a_mesh_that_is_stretched_as_a_whole_is_right():
         np.testing.assert_allclose(frame.nodes, skeleton.vertices @ matrix.T, atol=1e-9)
 
 
+def test_a_limb_that_has_been_drawn_in_is_seen():
+    """Telescoped to a thirtieth of its length, with all its sections as they were: each lies upon the next."""
+    vertices, _, skeleton, tracker = tracked("y")
+    way = next(np.array(branch.nodes) for branch in skeleton.branches)
+    degree = np.bincount(skeleton.edges.ravel())
+    way = way if degree[way[-1]] == 1 else way[::-1]
+    radius = np.median(skeleton.radii[way])
+    start = np.argmax(np.linalg.norm(skeleton.vertices[way] - skeleton.vertices[way[0]], axis=1) > 2 * radius)
+    is_far = np.isin(skeleton.mesh_map, way[start:])
+    at, root = skeleton.vertices[skeleton.mesh_map], skeleton.vertices[way[start]]
+    for left, is_wrong in ((0.7, False), (0.03, True)):
+        moved = np.where(is_far[:, None], vertices + (left - 1) * (at - root), vertices)
+        frame = tracker.frame(0, moved)
+        assert frame.wants_run == is_wrong and (len(frame.strained) > 0) == is_wrong
+
+
+def test_noise_of_a_thousandth_is_no_fault():
+    """Also where balls miss much of a body, and where the mesh has crossed itself from the beginning."""
+    octopus = ground_truth.make("octopus_low").mesh
+    crossed = trimesh.util.concatenate([capsule(2.0), capsule(2.0).apply_translation([0.5, 0, 0.1])])
+    for mesh in (octopus, crossed):
+        vertices, random = np.array(mesh.vertices), np.random.default_rng(0)
+        tracker, diagonal = Tracker(msf_jax.skeletonize(mesh)), np.linalg.norm(np.ptp(mesh.vertices, axis=0))
+        frames = [tracker.frame(0, vertices + random.normal(0, 1e-3 * diagonal, vertices.shape)) for _ in range(10)]
+        assert [str(frame) for frame in frames if frame.wants_run] == []
+
+
 def test_radii_are_exact_to_the_whole_surface():
     """Also where what is nearest now was far away: brute force over points of all faces."""
     vertices, faces, _, tracker = tracked("u_tube")

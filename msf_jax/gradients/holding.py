@@ -13,6 +13,7 @@ from typing import NamedTuple
 import numpy as np
 from scipy import spatial
 
+from msf_jax.host.curve import branches
 from msf_jax.host.curve.following import Surface
 from msf_jax.host.solid.crossings import Crossings
 from msf_jax.host.solid.enclosure import Enclosure
@@ -23,8 +24,10 @@ from msf_jax.host.solid.solid import Solid
 # Beside each is what was measured of right frames: bends to 60 degrees, noise of 0.001 diagonals.
 MISJUDGED = 0.35  # of the exact distance, that a followed radius may be off (0.05)
 PINCHED = 0.5  # of the ball that was there, less of which is left (0.8)
-UNEXPLAINED = 1.0  # radii that a vertex may be farther outside of all balls than it was (0.5; of new limbs, 2)
-STRETCHED, SHORTENED = 2.5, 0.4  # times its length, of the way from a section to the next (1.03, 0.9)
+UNEXPLAINED = 1.0  # radii that a vertex may be farther outside of all balls than it was (0.5; of new limbs, 2),
+WIDE = 0.25  # and of how far it was: more in a sheet
+STRETCHED, SHORTENED = 2.5, 0.4  # times its length, of a stretch of a branch that is about a radius long (1.03, 0.9)
+AROUND = 0.5  # radii around faces that crossed when the curve was recorded
 SLIGHT = 0.005  # diagonals: to less, noise matters
 HELD = 1e-6  # diagonals: nodes so near to the surface were pinned to it, and are on no side
 NEAREST = 4  # centres, whose balls are looked at, of those of about one size
@@ -60,6 +63,26 @@ class Measured(NamedTuple):
         return Measured(*(factor * values for values in self))
 
 
+class Stretches(NamedTuple):
+    """Stretches of branches: edges ``order[first:last]`` are each, one after the other."""
+
+    order: np.ndarray
+    first: np.ndarray
+    last: np.ndarray
+
+    def lengths(self, of_edge: np.ndarray) -> np.ndarray:
+        """(S,) the sums of what is measured ``of_edge`` (E,), NaN as 0."""
+        along = np.r_[0.0, np.cumsum(np.nan_to_num(of_edge[self.order].astype(float)))]
+        return along[self.last] - along[self.first]
+
+    def edges_of(self, chosen: np.ndarray) -> np.ndarray:
+        """The edges of those of the stretches that are ``chosen`` (S,)."""
+        change = np.zeros(len(self.order) + 1, dtype=np.int64)
+        np.add.at(change, self.first[chosen], 1)
+        np.add.at(change, self.last[chosen], -1)
+        return self.order[np.cumsum(change)[:-1] > 0]
+
+
 class Holding:
     """A curve as it was recorded: ``nodes`` (N, 3) and ``edges`` (E, 2), in the units of ``surface``."""
 
@@ -67,11 +90,14 @@ class Holding:
         self.solid, self.node, self.edges, self.nodes = surface.solid, surface.node, edges, nodes
         shape, x = self.solid.shape, self.solid.enter(nodes)
         self.winding = shape.winding_numbers(x)
-        self.along = shape.winding_numbers(_samples(x, edges, np.arange(len(edges)))).reshape(-1, SAMPLES)
+        along = shape.winding_numbers(_samples(x, edges, np.arange(len(edges)))).reshape(-1, SAMPLES)
+        self.most, self.along = np.maximum(self.winding, 1), np.maximum(along, 1)  # once is no overlap anywhere
         self.recorded = _measured(shape, x, edges, np.ones(len(x), dtype=bool), self.winding)
         thick, length = np.maximum(self.recorded.radii, SLIGHT), self.recorded.length
         self.crossings = Crossings(shape.vertices, shape.faces, self.node, thick, edges, length)
-        self.num_crossed = len(self.crossings.found(shape.vertices))
+        # Where faces crossed as recorded, noise makes others of their neighbours cross: that is no news.
+        self.tangle = spatial.KDTree(self.crossings.place[self.crossings.found(shape.vertices).ravel()])
+        self.stretches = _stretches(len(x), edges, length, thick)
         self.sides = _sides(shape)
 
     def held(self, vertices: np.ndarray, nodes: np.ndarray, followed: np.ndarray) -> Held:
@@ -103,13 +129,19 @@ class Holding:
             radii=np.where(is_there, np.where(winding > 0, 1.0, -1.0) * solid.diagonal * now.radii, np.nan),
             inside=inside,
             overlapped=overlapped,
-            overlaps=np.flatnonzero(is_free & (winding > self.winding)),
-            crossings=max(len(self.crossings.found(solid.shape.vertices)) - self.num_crossed, 0),
+            overlaps=np.flatnonzero(is_free & (winding > self.most)),
+            crossings=self._num_crossed(solid.shape.vertices),
             unexplained=float(solid.vertex_areas()[gap].sum()),
             misjudged=np.flatnonzero(misjudged),
             pinched=np.flatnonzero(pinched),
             strained=np.flatnonzero(strained),
         )
+
+    def _num_crossed(self, vertices: np.ndarray) -> int:
+        """Pairs of faces that cross where none did."""
+        pairs, of = self.crossings.found(vertices), self.crossings
+        away = self.tangle.query(of.place[pairs])[0]
+        return int((away > np.maximum(AROUND * of.radii[of.node[pairs]], SLIGHT)).any(axis=1).sum())
 
     def _wound(
         self, shape: Enclosure, x: np.ndarray, now: Measured, winding: np.ndarray, is_there: np.ndarray
@@ -117,7 +149,7 @@ class Holding:
         """Fractions of the curve's length: where the surface winds around it, and where more often than it did."""
         there = np.flatnonzero(is_there[self.edges].all(axis=1))
         length, ends = now.length[there], self.edges[there]
-        changed = winding > self.winding
+        changed = winding > self.most
         if not length.sum() > 0:  # a curve without length is its nodes
             return float((winding > 0)[is_there].mean()), float(changed[is_there].mean())
         # Where the balls of the ends cover the edge, no surface is between them.
@@ -132,15 +164,13 @@ class Holding:
     def _faults(self, now: Measured, was: Measured, is_free: np.ndarray) -> list[np.ndarray]:
         """(v,) vertices outside of all balls, (N,) nodes whose ball has shrunk, and (N,) whose section has strayed."""
         thick = np.maximum(np.maximum(was.radii, np.nan_to_num(now.radii))[self.node], SLIGHT)
-        gap = now.gap - was.gap > UNEXPLAINED * thick
+        gap = now.gap - was.gap > UNEXPLAINED * thick + WIDE * was.gap
         pinched = is_free & (now.radii < PINCHED * was.radii - SLIGHT * PINCHED)
-        # Ways that are short in radii are as long as they happen to be.
-        least = 0.3 * np.maximum(was.radii[self.edges].max(axis=1), SLIGHT)
-        stretch = np.maximum(now.length, least) / np.maximum(was.length, least)
-        both = is_free[self.edges].all(axis=1)
-        is_strained = both & ((stretch > STRETCHED) | (stretch < SHORTENED))
+        stretch = self.stretches.lengths(now.length) / np.maximum(self.stretches.lengths(was.length), 1e-300)
+        is_gone = self.stretches.lengths(np.asarray(~is_free[self.edges].all(axis=1))) > 0
+        edges = self.stretches.edges_of(~is_gone & ((stretch > STRETCHED) | (stretch < SHORTENED)))
         strained = np.zeros(len(is_free), dtype=bool)
-        strained[self.edges[is_strained].ravel()] = True
+        strained[self.edges[edges].ravel()] = True
         return [gap, pinched, strained]
 
     def _stretched(self, solid: Solid) -> Measured | None:
@@ -153,6 +183,23 @@ class Holding:
         shape = Enclosure((before - mean) @ matrix + away, solid.shape.faces)
         x = (self.solid.enter(self.nodes) - mean) @ matrix + away
         return _measured(shape, x, self.edges, np.ones(len(x), dtype=bool), self.winding)
+
+
+def _stretches(num: int, edges: np.ndarray, length: np.ndarray, thick: np.ndarray) -> Stretches:
+    """From every edge on as far as the limb is ``thick`` (N,) there, or to its end; without what is less than half."""
+    paths = [np.asarray(path) for path in branches.trace(num, edges) if len(path) > 1]
+    empty = np.zeros(0, dtype=np.int64)
+    pairs = np.concatenate([np.empty((0, 2), np.int64), *(np.stack([path[:-1], path[1:]], axis=1) for path in paths)])
+    code = np.sort(edges, axis=1) @ [num, 1]
+    by_code = np.argsort(code)
+    order = by_code[np.searchsorted(code[by_code], np.sort(pairs, axis=1) @ [num, 1])] if len(pairs) else empty
+    count = np.array([len(path) - 1 for path in paths], dtype=np.int64)
+    end, first = np.repeat(np.cumsum(count), count), np.arange(len(order))
+    along = np.r_[0.0, np.cumsum(length[order])]
+    reach = thick[pairs[:, 0]]
+    last = np.minimum(np.maximum(np.searchsorted(along, along[first] + reach), first + 1), end)
+    is_long = along[last] - along[first] >= 0.5 * reach
+    return Stretches(order, first[is_long], last[is_long])
 
 
 def _samples(x: np.ndarray, edges: np.ndarray, rows: np.ndarray) -> np.ndarray:

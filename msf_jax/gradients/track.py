@@ -18,7 +18,7 @@ from msf_jax.base.binding import Binding, unpadded
 from msf_jax.base.errors import ConfigError, MeshError
 from msf_jax.device import following
 from msf_jax.gradients.follow import binding_of, checked_vertices
-from msf_jax.gradients.holding import Holding
+from msf_jax.gradients.holding import SLIGHT, Holding
 from msf_jax.host.mesh import reading
 from msf_jax.skeleton.skeleton import Skeleton
 
@@ -31,7 +31,7 @@ NODES = {  # attributes of a `Frame` that name nodes, and what is said of them
     "overlaps": "around which the surface winds once more",
     "misjudged": "whose followed radius was wrong",
     "pinched": "whose ball has shrunk by half",
-    "strained": "whose section has left the next one, or met it",
+    "strained": "in a stretch that has become much longer, or shorter",
 }
 FAULTS = (*NODES, "overlapped", "crossings", "unexplained")
 
@@ -56,8 +56,8 @@ class Frame:
             was: a limb has grown there.
         misjudged: (k,) nodes whose radius `msf_jax.follow` has wrong, by more than a third of it.
         pinched: (k,) nodes whose ball is less than half as large as it was.
-        strained: (k,) nodes whose section has left the next one, or met it: the edge between them is 2.5 times as long
-            as it was, or 0.4 times.
+        strained: (k,) nodes whose sections have left each other, or met: a stretch of the branch that was about a
+            radius long is 2.5 times as long, or 0.4 times.
 
     Lengths are compared as the mesh has grown, or been stretched as a whole.
     """
@@ -226,7 +226,7 @@ class Tracker:
         nodes, radii, is_warped, normal = (np.asarray(each, dtype=np.float64) for each in _tracked(self.binding, array))
         vanished = np.flatnonzero(np.isnan(nodes).any(axis=1))
         cosine = np.sign(self.upright) * self._cosines(nodes, normal)
-        is_over = (np.abs(self.upright) > STRAIGHT) & (cosine < TILTED)
+        is_over = (np.abs(self.upright) > STRAIGHT) & (cosine < TILTED) & normal[self.section].any(axis=1)
         loose = np.union1d(np.asarray(self.binding.node)[is_warped > 0], self.here[is_over])
         moved = np.asarray(array, dtype=np.float64)[self.vertex]
         held = self.holding.held(moved, nodes, radii)
@@ -243,11 +243,14 @@ class Tracker:
 
 @jax.jit
 def _tracked(binding: Binding, vertices: jax.Array) -> tuple[jax.Array, ...]:
-    """Nodes, radii, which sections are warped (S,), and the normals of all (S, 3)."""
+    """Nodes, radii, which sections are warped (S,), and the normals of all (S, 3), 0 of those that are too small for
+    one: what noise of the vertices is to them."""
     nodes, radii = following.follow(binding, vertices)
     entered = (vertices - binding.centre) / binding.diagonal
     found = following.centroids(binding, following.corners(binding, entered))
-    return nodes, radii, binding.is_loop & (found.warp > WARPED), found.normal
+    size = jnp.sqrt(found.area / jnp.pi)
+    is_warped = binding.is_loop & (found.warp * size > WARPED * jnp.maximum(size, SLIGHT))
+    return nodes, radii, is_warped, jnp.where(size[:, None] < SLIGHT / 2, 0.0, found.normal)
 
 
 def _sorted(faces: np.ndarray) -> np.ndarray:

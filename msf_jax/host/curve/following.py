@@ -97,17 +97,20 @@ def record(
     paths = measures.paths_of(x, edges, is_held)
     size = _sections(shape, x, edges, paths, radii, radii, nearest, is_held)[1]
     found, size = _sections(shape, x, edges, paths, radii, size, nearest, is_held)
-    is_lost = _far(x, edges, size, found.node)
-    for _ in range(2):  # the second time with clouds where a node hung on levers
+
+    def hung(is_lost: np.ndarray) -> tuple[Corners, Any, Any]:
         corners = _with_clouds(surface, edges, found, is_lost)
         a = _smoothing(x, edges, paths, size, corners, stiffness=centring.STIFFNESS, membrane=MEMBRANE)
         beta = _smoothing(x, edges, paths, _wide(surface, size, corners), corners, stiffness=0.0, membrane=REACH**2)
         a = _pruned(sparse.diags(is_free) @ a, SMALLEST["a"])
-        b = _turning(surface, corners, _pruned(beta, SMALLEST["b"]), is_free[:, None] * (x - a @ corners.centroid))
-        is_hanging = np.asarray(b.multiply(b).sum(axis=1)).ravel() > LEVER**2
-        if not (is_hanging & ~is_lost).any():
-            break
-        is_lost |= is_hanging
+        offset = is_free[:, None] * (x - a @ corners.centroid)
+        return corners, a, _turning(surface, corners, _pruned(beta, SMALLEST["b"]), offset)
+
+    is_lost = _far(x, edges, size, found.node)
+    corners, a, b = hung(is_lost)
+    is_hanging = np.asarray(b.multiply(b).sum(axis=1)).ravel() > LEVER**2
+    if (is_hanging & ~is_lost).any():
+        corners, a, b = hung(is_lost | is_hanging)
     pin = sparse.lil_matrix(b.shape)
     for node, pins in pins_of_node.items():
         pin[node, pins] = 1 / len(pins)
