@@ -18,9 +18,9 @@ def capsule(height):
     return ground_truth.swept_tube(way, np.full(30, 0.3), 10, "round")
 
 
-def capsules():
-    """Two of them, their axes 1.5 apart."""
-    return trimesh.util.concatenate([capsule(2.0), capsule(2.0).apply_translation([1.5, 0, 0])])
+def capsules(gap=1.5):
+    """Two of them, their axes so far apart."""
+    return trimesh.util.concatenate([capsule(2.0), capsule(2.0).apply_translation([gap, 0, 0])])
 
 
 def u_tube():
@@ -134,9 +134,7 @@ def test_a_limb_that_has_been_drawn_in_is_seen():
 
 def test_noise_of_a_thousandth_is_no_fault():
     """Also where balls miss much of a body, and where the mesh has crossed itself from the beginning."""
-    octopus = ground_truth.make("octopus_low").mesh
-    crossed = trimesh.util.concatenate([capsule(2.0), capsule(2.0).apply_translation([0.5, 0, 0.1])])
-    for mesh in (octopus, crossed):
+    for mesh in (ground_truth.make("octopus_low").mesh, capsules(0.5)):
         vertices, random = np.array(mesh.vertices), np.random.default_rng(0)
         tracker, diagonal = Tracker(msf_jax.skeletonize(mesh)), np.linalg.norm(np.ptp(mesh.vertices, axis=0))
         frames = [tracker.frame(0, vertices + random.normal(0, 1e-3 * diagonal, vertices.shape)) for _ in range(10)]

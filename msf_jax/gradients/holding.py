@@ -52,10 +52,12 @@ class Held(NamedTuple):
 
 
 class Measured(NamedTuple):
-    """Lengths of a curve in a surface: radii (N,) exact, gap (V,) of each vertex to the balls, length (E,) of edges."""
+    """Lengths of a curve in a surface: radii (N,) exact, gap (V,) of each vertex to the balls, reach (V,) to its own
+    node, length (E,) of edges."""
 
     radii: np.ndarray
     gap: np.ndarray
+    reach: np.ndarray
     length: np.ndarray
 
     def scaled(self, factor: float) -> "Measured":
@@ -92,7 +94,7 @@ class Holding:
         self.winding = shape.winding_numbers(x)
         along = shape.winding_numbers(_samples(x, edges, np.arange(len(edges)))).reshape(-1, SAMPLES)
         self.most, self.along = np.maximum(self.winding, 1), np.maximum(along, 1)  # once is no overlap anywhere
-        self.recorded = _measured(shape, x, edges, np.ones(len(x), dtype=bool), self.winding)
+        self.recorded = _measured(shape, x, self.node, edges, np.ones(len(x), dtype=bool), self.winding)
         thick, length = np.maximum(self.recorded.radii, SLIGHT), self.recorded.length
         self.crossings = Crossings(shape.vertices, shape.faces, self.node, thick, edges, length)
         # Where faces crossed as recorded, noise makes others of their neighbours cross: that is no news.
@@ -110,7 +112,7 @@ class Holding:
         solid = Solid(vertices, self.solid.shape.faces)
         x = solid.enter(np.where(is_there[:, None], nodes, solid.centre))
         winding = solid.shape.winding_numbers(x)
-        now = _measured(solid.shape, x, self.edges, is_there, winding)
+        now = _measured(solid.shape, x, self.node, self.edges, is_there, winding)
         inside, overlapped = self._wound(solid.shape, x, now, winding, is_there)
         was = self.recorded
         is_free = is_there & (was.radii > HELD)
@@ -164,7 +166,9 @@ class Holding:
     def _faults(self, now: Measured, was: Measured, is_free: np.ndarray) -> list[np.ndarray]:
         """(v,) vertices outside of all balls, (N,) nodes whose ball has shrunk, and (N,) whose section has strayed."""
         thick = np.maximum(np.maximum(was.radii, np.nan_to_num(now.radii))[self.node], SLIGHT)
+        # Also a limb that has grown into the ball of another one is away from its own node.
         gap = now.gap - was.gap > UNEXPLAINED * thick + WIDE * was.gap
+        gap |= now.reach - was.reach > UNEXPLAINED * thick + WIDE * was.reach
         pinched = is_free & (now.radii < PINCHED * was.radii - SLIGHT * PINCHED)
         stretch = self.stretches.lengths(now.length) / np.maximum(self.stretches.lengths(was.length), 1e-300)
         is_gone = self.stretches.lengths(np.asarray(~is_free[self.edges].all(axis=1))) > 0
@@ -182,7 +186,7 @@ class Holding:
             return None
         shape = Enclosure((before - mean) @ matrix + away, solid.shape.faces)
         x = (self.solid.enter(self.nodes) - mean) @ matrix + away
-        return _measured(shape, x, self.edges, np.ones(len(x), dtype=bool), self.winding)
+        return _measured(shape, x, self.node, self.edges, np.ones(len(x), dtype=bool), self.winding)
 
 
 def _stretches(num: int, edges: np.ndarray, length: np.ndarray, thick: np.ndarray) -> Stretches:
@@ -215,7 +219,7 @@ def _sides(shape: Enclosure) -> np.ndarray:
 
 
 def _measured(
-    shape: Enclosure, x: np.ndarray, edges: np.ndarray, is_there: np.ndarray, winding: np.ndarray
+    shape: Enclosure, x: np.ndarray, node: np.ndarray, edges: np.ndarray, is_there: np.ndarray, winding: np.ndarray
 ) -> Measured:
     """What is measured of a curve with nodes ``x`` (N, 3), of which some are there.
 
@@ -241,4 +245,5 @@ def _measured(
         away, nearest = spatial.KDTree(centre[rows]).query(shape.vertices, k=min(NEAREST, len(rows)))
         gap = np.minimum(gap, (away - ball[rows[nearest]]).reshape(len(gap), -1).min(axis=1))
     gap = np.maximum(gap, 0.0)
-    return Measured(radii, gap, np.where(is_there[edges].all(axis=1), length, np.nan))
+    reach = np.where(is_there[node], np.linalg.norm(shape.vertices - x[node], axis=1), 0.0)
+    return Measured(radii, gap, reach, np.where(is_there[edges].all(axis=1), length, np.nan))
