@@ -117,6 +117,7 @@ FORGED = [
     ("skeleton", "vertices", lambda a: a.astype(np.int64)),
     ("skeleton", "areas", lambda a: a * np.nan),
     ("skeleton", "surface_faces", lambda a: a[:0]),
+    ("skeleton", "surface_vertices", lambda a: np.ones_like(a)),
     ("skeleton", "input_of_vertex", lambda a: a.astype(float)),
 ]
 
