@@ -10,6 +10,7 @@ from scipy.spatial.transform import Rotation
 import msf_jax
 from msf_jax import ground_truth
 from msf_jax.gradients.track import Tracker
+from msf_jax.host.solid import crossings
 from msf_jax.host.solid.crossings import Crossings
 
 
@@ -179,3 +180,15 @@ def test_faces_cross_where_a_side_passes_through():
     """The corner of a tetrahedron within another cuts the slanted face with its own three; once it is out, nothing."""
     assert {tuple(pair) for pair in crossings_of([0, 1], 0.5).tolist()} == {(2, 4), (2, 5), (2, 7)}
     assert len(crossings_of([0, 1], 1.01)) == 0
+
+
+def test_a_mesh_in_a_tangle_is_not_looked_at_to_the_last_pair(monkeypatch):
+    """Vertices shuffled: nearly all faces share the few cells that there are, and cross each other."""
+    vertices, _, _, tracker = tracked("y")
+    shape = tracker.holding.solid.shape
+    shuffled = np.random.default_rng(0).permutation(shape.vertices)
+    monkeypatch.setattr(crossings, "PAIRS_AT_ONCE", 10_000)
+    monkeypatch.setattr(crossings, "MOST_FOUND", 1000)
+    found = tracker.holding.crossings.found(shuffled)
+    assert 1000 < len(found) <= 1000 + 10_000 + len(shape.faces)
+    assert tracker.frame(0, np.random.default_rng(0).permutation(vertices)).wants_run
