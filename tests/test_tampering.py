@@ -251,3 +251,11 @@ def test_escapes_are_not_sent_to_the_terminal(tmp_path, capsys):
     assert capsys.readouterr().out == "\\x1b]0;owned\\x07\\x1b[2Jconverged\n"
     assert main(["report", str(tmp_path / "\x1b[2Jnone.swc")]) == 2
     assert "\x1b" not in capsys.readouterr().err
+
+
+def test_weights_are_no_pipe_and_no_deep_list(tmp_path):
+    os.mkfifo(tmp_path / "pipe.json")
+    (tmp_path / "deep.json").write_text("[" * 100_000)
+    for name, says in (("pipe.json", "is no file"), ("deep.json", "holds no weights")):
+        with pytest.raises(ConfigError, match=says):
+            msf_jax.read_weights(tmp_path / name)
