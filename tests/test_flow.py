@@ -390,13 +390,22 @@ def test_the_skeleton_of_a_tiny_or_huge_mesh_is_the_same():
 @pytest.mark.system
 def test_a_process_that_was_forked_after_a_run_does_not_hang(monkeypatch):
     mesh = trimesh.creation.capsule(height=2.0, radius=0.4)
-    skeleton = msf_jax.skeletonize(mesh)
+    run = msf_jax.contract(mesh)
+    skeleton, vertices = run.skeleton, np.array(mesh.vertices)
     context = multiprocessing.get_context("fork")
+    calls = (
+        lambda: msf_jax.skeletonize(mesh),
+        lambda: msf_jax.follow(skeleton, vertices),
+        lambda: jax.grad(lambda moved: msf_jax.follow(skeleton, moved).nodes.sum())(vertices),
+        lambda: msf_jax.track(skeleton, [vertices]),
+        lambda: skeleton.jacobian(),
+        lambda: msf_jax.replay(run.tape, run.weights),
+    )
 
     def use(answers):
-        for call in (msf_jax.skeletonize, lambda mesh: msf_jax.follow(skeleton, mesh.vertices)):
+        for call in calls:
             try:
-                call(mesh)
+                call()
             except FlowError as error:
                 answers.send(str(error))
         answers.close()
@@ -407,7 +416,7 @@ def test_a_process_that_was_forked_after_a_run_does_not_hang(monkeypatch):
         child = context.Process(target=use, args=(theirs,))
         child.start()
     try:
-        for _ in range(2):
+        for _ in calls:
             assert ours.poll(60) and 'get_context("spawn")' in ours.recv()
     finally:
         child.kill()

@@ -172,6 +172,29 @@ def test_a_node_is_in_the_middle_of_the_area_of_its_section(beam):
     assert np.linalg.norm(corners.mean(axis=0) - expected) > 0.05  # which is not the mean of the corners
 
 
+def test_nodes_in_a_sheet_follow_their_own_vertices():
+    """A plate has cross-sections only near its ends. When it is bent by 60 degrees, its nodes keep their place in it.
+
+    Noise of the vertices moves no node more than about half as far, as it would move the mean of four vertices.
+    """
+    mesh = trimesh.creation.box([6, 2, 0.1]).subdivide_to_size(0.35)
+    vertices, skeleton = np.array(mesh.vertices), msf_jax.skeletonize(mesh)
+    has_section = np.isin(np.arange(len(skeleton.vertices)), skeleton.binding.node[skeleton.binding.is_loop])
+    assert has_section.mean() < 0.5
+    covariance = skeleton.covariance(1.0)
+    deviation = np.sqrt(np.trace(covariance, axis1=1, axis2=2) / 3)
+    assert np.median(deviation) < 0.25 and deviation.max() < 0.6
+    curvature = np.radians(60) / 6
+
+    def bent(points):
+        x, y, z = points.T
+        angle = curvature * x
+        return np.stack([(1 / curvature - z) * np.sin(angle), y, (z - 1 / curvature) * np.cos(angle)], axis=1)
+
+    nodes = np.asarray(msf_jax.follow(skeleton, bent(vertices)).nodes)
+    np.testing.assert_allclose(nodes, bent(skeleton.vertices), rtol=0, atol=0.1)
+
+
 @pytest.fixture(scope="module")
 def pull(limbs):
     """The gradient (V, 3) of a sum over nodes and radii with weights, compiled once."""

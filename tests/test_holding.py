@@ -10,6 +10,7 @@ from scipy.spatial.transform import Rotation
 import msf_jax
 from msf_jax import ground_truth
 from msf_jax.gradients.track import Tracker
+from msf_jax.host.solid import crossings
 from msf_jax.host.solid.crossings import Crossings
 
 
@@ -18,9 +19,9 @@ def capsule(height):
     return ground_truth.swept_tube(axis, np.full(30, 0.3), 10, "round")
 
 
-def capsules():
-    """Two of them, their axes 1.5 apart."""
-    return trimesh.util.concatenate([capsule(2.0), capsule(2.0).apply_translation([1.5, 0, 0])])
+def capsules(gap=1.5):
+    """Two of them, whose axes are ``gap`` apart."""
+    return trimesh.util.concatenate([capsule(2.0), capsule(2.0).apply_translation([gap, 0, 0])])
 
 
 def u_tube():
@@ -116,6 +117,31 @@ def test_a_mesh_that_is_stretched_as_a_whole_is_right():
         np.testing.assert_allclose(frame.nodes, skeleton.vertices @ matrix.T, atol=1e-9)
 
 
+def test_a_limb_that_has_been_drawn_in_is_seen():
+    """A limb is telescoped to 0.03 of its length. Its sections keep their shape, so each lies next to the other."""
+    vertices, _, skeleton, tracker = tracked("y")
+    path = next(np.array(branch.nodes) for branch in skeleton.branches)
+    degree = np.bincount(skeleton.edges.ravel())
+    path = path if degree[path[-1]] == 1 else path[::-1]
+    radius = np.median(skeleton.radii[path])
+    start = np.argmax(np.linalg.norm(skeleton.vertices[path] - skeleton.vertices[path[0]], axis=1) > 2 * radius)
+    is_far = np.isin(skeleton.mesh_map, path[start:])
+    at, root = skeleton.vertices[skeleton.mesh_map], skeleton.vertices[path[start]]
+    for left, is_wrong in ((0.7, False), (0.03, True)):
+        moved = np.where(is_far[:, None], vertices + (left - 1) * (at - root), vertices)
+        frame = tracker.frame(0, moved)
+        assert frame.wants_run == is_wrong and (len(frame.strained) > 0) == is_wrong
+
+
+def test_noise_of_a_thousandth_is_no_fault():
+    """Also if balls do not cover much of a body, and if the mesh of the run crosses itself."""
+    for mesh in (ground_truth.make("octopus_low").mesh, capsules(0.5)):
+        vertices, random = np.array(mesh.vertices), np.random.default_rng(0)
+        tracker, diagonal = Tracker(msf_jax.skeletonize(mesh)), np.linalg.norm(np.ptp(mesh.vertices, axis=0))
+        frames = [tracker.frame(0, vertices + random.normal(0, 1e-3 * diagonal, vertices.shape)) for _ in range(10)]
+        assert [str(frame) for frame in frames if frame.wants_run] == []
+
+
 def test_radii_are_exact_to_the_whole_surface():
     """Also where what is nearest now was far away: brute force over points of all faces."""
     vertices, faces, _, tracker = tracked("u_tube")
@@ -154,3 +180,15 @@ def test_faces_cross_where_a_side_passes_through():
     """The corner of a tetrahedron within another cuts the slanted face with its own three; once it is out, nothing."""
     assert {tuple(pair) for pair in crossings_of([0, 1], 0.5).tolist()} == {(2, 4), (2, 5), (2, 7)}
     assert len(crossings_of([0, 1], 1.01)) == 0
+
+
+def test_the_search_in_a_tangled_mesh_stops_early(monkeypatch):
+    """The vertices are shuffled. So nearly all faces share the few cells of the grid, and cross each other."""
+    vertices, _, _, tracker = tracked("y")
+    shape = tracker.holding.solid.shape
+    shuffled = np.random.default_rng(0).permutation(shape.vertices)
+    monkeypatch.setattr(crossings, "PAIRS_AT_ONCE", 10_000)
+    monkeypatch.setattr(crossings, "MOST_FOUND", 1000)
+    found = tracker.holding.crossings.found(shuffled)
+    assert 1000 < len(found) <= 1000 + 10_000 + len(shape.faces)
+    assert tracker.frame(0, np.random.default_rng(0).permutation(vertices)).wants_run

@@ -117,6 +117,7 @@ FORGED = [
     ("skeleton", "vertices", lambda a: a.astype(np.int64)),
     ("skeleton", "areas", lambda a: a * np.nan),
     ("skeleton", "surface_faces", lambda a: a[:0]),
+    ("skeleton", "surface_vertices", lambda a: np.ones_like(a)),
     ("skeleton", "input_of_vertex", lambda a: a.astype(float)),
 ]
 
@@ -126,7 +127,8 @@ def test_what_a_digest_was_made_for_is_checked_all_the_same(written, tmp_path, k
     """Types, shapes, ranges and indices."""
     assert name in written[kind], sorted(written[kind])
     forged(written[kind] | {name: change(written[kind][name])}, tmp_path / "file.npz")
-    with pytest.raises(ConfigError, match=f"(is no {kind}, or a damaged one|is damaged)"):
+    # The tests turn NumPy's warnings into errors; users see only warnings.
+    with np.errstate(all="ignore"), pytest.raises(ConfigError, match=f"(is no {kind}, or a damaged one|is damaged)"):
         load(kind, tmp_path / "file.npz")
 
 
@@ -247,3 +249,11 @@ def test_escapes_are_not_sent_to_the_terminal(tmp_path, capsys):
     assert capsys.readouterr().out == "\\x1b]0;owned\\x07\\x1b[2Jconverged\n"
     assert main(["report", str(tmp_path / "\x1b[2Jnone.swc")]) == 2
     assert "\x1b" not in capsys.readouterr().err
+
+
+def test_weights_are_no_pipe_and_no_deep_list(tmp_path):
+    os.mkfifo(tmp_path / "pipe.json")
+    (tmp_path / "deep.json").write_text("[" * 100_000)
+    for name, says in (("pipe.json", "is not a regular file"), ("deep.json", "has no weights")):
+        with pytest.raises(ConfigError, match=says):
+            msf_jax.read_weights(tmp_path / name)

@@ -81,9 +81,10 @@ def test_the_finished_curve_by_fresh_runs(tmp_path):
     assert resumed.value == pytest.approx(found.value - 1.0) and resumed.weights == found.weights
     with pytest.raises(ConfigError, match="is of another tuning"):
         msf_jax.tune(bone(), objectives.smooth(), poor, **arguments)
-    path.write_text("{}")
-    with pytest.raises(ConfigError, match="is no checkpoint of a tuning"):
-        msf_jax.tune(bone(), OBJECTIVE, poor, **arguments)
+    for content in ("{}", "[" * 100_000):
+        path.write_text(content)
+        with pytest.raises(ConfigError, match="is no checkpoint of a tuning"):
+            msf_jax.tune(bone(), OBJECTIVE, poor, **arguments)
 
 
 def test_the_defaults_are_tried_to_the_last_bit():

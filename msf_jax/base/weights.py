@@ -36,6 +36,8 @@ def read_weights(path: str | os.PathLike[str]) -> Weights:
         OSError: the file cannot be read.
     """
     name = Path(path).name
+    if Path(path).exists() and not Path(path).is_file():  # reading a pipe would wait
+        raise ConfigError(f"{name!r} is not a regular file: expected a file that save_weights wrote")
     try:
         content = json.loads(Path(path).read_text("utf-8"))
         if content["format"] != FORMAT or content["version"] != 1:
@@ -45,6 +47,6 @@ def read_weights(path: str | os.PathLike[str]) -> Weights:
             raise ValueError(f"there is no weight {min(set(held) - set(vars(Weights())))!r}")
         if not all(value.ndim <= 1 and np.isfinite(value).all() for value in held.values()):
             raise ValueError("a weight is neither a number nor a list of numbers")
-    except (ValueError, KeyError, TypeError, AttributeError) as error:
+    except (ValueError, KeyError, TypeError, AttributeError, RecursionError) as error:
         raise ConfigError(f"{name!r} has no weights ({error}): expected a file that save_weights wrote") from error
     return Weights(**{key: float(value) if value.ndim == 0 else value for key, value in held.items()})

@@ -65,13 +65,13 @@ def follow(skeleton: Skeleton | Binding, vertices: Any) -> Followed:
         MeshError: ``vertices`` has another shape or is not finite, or the section of a node has vanished.
         FlowError: this process was forked after a run.
     """
+    forking.check()
     binding = binding_of(skeleton)
     array = checked_vertices(skeleton, vertices)
     capacity, num = binding.num_vertices, len(array)
     if isinstance(array, Tracer) or isinstance(binding.faces, Tracer):
         found = Followed(*_follow(binding, jnp.pad(array, ((0, capacity - num), (0, 0)))))
         return found if isinstance(skeleton, Binding) else Followed(*(part[: len(skeleton.vertices)] for part in found))
-    forking.check()
     _limit_programs(binding, array.dtype)
     # NumPy pads and cuts, because JAX would compile this for every size.
     found = _follow(_in_dtype(binding, array.dtype), np.pad(np.asarray(array), ((0, capacity - num), (0, 0))))

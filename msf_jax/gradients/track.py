@@ -13,11 +13,12 @@ import jax.numpy as jnp
 import numpy as np
 from tqdm import tqdm
 
+from msf_jax.base import forking
 from msf_jax.base.binding import Binding, unpadded
 from msf_jax.base.errors import ConfigError, MeshError
 from msf_jax.device import following
 from msf_jax.gradients.follow import binding_of, checked_vertices
-from msf_jax.gradients.holding import Holding
+from msf_jax.gradients.holding import SLIGHT, Holding
 from msf_jax.host.mesh import reading
 from msf_jax.skeleton.skeleton import Skeleton
 
@@ -31,7 +32,7 @@ NODES = {  # attributes of a `Frame` with ids of nodes, and their descriptions
     "overlaps": "around which the surface winds once more",
     "misjudged": "whose followed radius was wrong",
     "pinched": "whose ball has shrunk by half",
-    "strained": "whose section has moved away from the next one, or close to it",
+    "strained": "in a stretch of a branch that has become much longer or shorter",
 }
 # Attributes of a `Frame` that are faults if they are not 0 or empty.
 FAULTS = (*NODES, "overlapped", "crossings", "unexplained")
@@ -48,16 +49,17 @@ class Frame:
         inside: fraction of the curve's length that is inside; edges at ``vanished`` nodes are left out.
         vanished: (k,) nodes whose cross-section no longer exists.
         loose: (k,) nodes whose cross-section is warped, or lies along its branch.
-        overlapped: fraction of the curve's length whose winding number is higher than in the mesh of the run: another
-            part of the solid has moved there.
-        overlaps: (k,) nodes whose winding number is higher.
-        crossings: number of pairs of faces that cross although they are far apart along the surface, minus the number
-            in the mesh of the run.
-        unexplained: fraction of the surface whose distance from the balls along the curve has grown by more than a
-            radius: a limb has grown there.
+        overlapped: fraction of the curve's length whose winding number is above 1, and higher than in the mesh of the
+            run: another part of the solid has moved there.
+        overlaps: (k,) nodes whose winding number is above 1, and higher than in the mesh of the run.
+        crossings: number of pairs of faces that cross although they are far apart along the surface. Pairs next to
+            faces that crossed in the mesh of the run do not count.
+        unexplained: fraction of the surface whose distance from the balls along the curve, or from its own node, has
+            grown by more than a radius: a limb has grown there.
         misjudged: (k,) nodes for which the radius of `msf_jax.follow` is wrong by more than a third.
         pinched: (k,) nodes whose ball has shrunk by more than half.
-        strained: (k,) nodes at an edge that has become longer than 2.5 times, or shorter than 0.4 times, its length.
+        strained: (k,) nodes in a stretch of a branch that has become longer than 2.5 times, or shorter than 0.4 times,
+            its length. Stretches were about a radius long.
 
     Lengths are compared relative to the growth or the affine stretching of the whole mesh.
     """
@@ -193,6 +195,7 @@ class Tracker:
     """Follows a skeleton frame by frame. It holds the data that all frames share, and raises as `track` does."""
 
     def __init__(self, skeleton: Skeleton):
+        forking.check()
         binding = unpadded(binding_of(skeleton))
         surface, edges = skeleton.surface, skeleton.edges
         self.skeleton, self.edges = skeleton, edges
@@ -226,7 +229,7 @@ class Tracker:
         nodes, radii, is_warped, normal = (np.asarray(each, dtype=np.float64) for each in _tracked(self.binding, array))
         vanished = np.flatnonzero(np.isnan(nodes).any(axis=1))
         cosine = np.sign(self.upright) * self._cosines(nodes, normal)
-        is_over = (np.abs(self.upright) > STRAIGHT) & (cosine < TILTED)
+        is_over = (np.abs(self.upright) > STRAIGHT) & (cosine < TILTED) & normal[self.section].any(axis=1)
         loose = np.union1d(np.asarray(self.binding.node)[is_warped > 0], self.here[is_over])
         moved = np.asarray(array, dtype=np.float64)[self.vertex]
         held = self.holding.held(moved, nodes, radii)
@@ -243,11 +246,16 @@ class Tracker:
 
 @jax.jit
 def _tracked(binding: Binding, vertices: jax.Array) -> tuple[jax.Array, ...]:
-    """Nodes, radii, whether each section is warped (S,), and the normals of sections (S, 3)."""
+    """Nodes, radii, whether each section is warped (S,), and the normals of sections (S, 3).
+
+    The normal of a section smaller than half of `SLIGHT` is 0, because noise of the vertices turns it at random.
+    """
     nodes, radii = following.follow(binding, vertices)
     entered = (vertices - binding.centre) / binding.diagonal
     found = following.centroids(binding, following.corners(binding, entered))
-    return nodes, radii, binding.is_loop & (found.warp > WARPED), found.normal
+    size = jnp.sqrt(found.area / jnp.pi)
+    is_warped = binding.is_loop & (found.warp * size > WARPED * jnp.maximum(size, SLIGHT))
+    return nodes, radii, is_warped, jnp.where(size[:, None] < SLIGHT / 2, 0.0, found.normal)
 
 
 def _sorted(faces: np.ndarray) -> np.ndarray:

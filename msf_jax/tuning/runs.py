@@ -141,9 +141,11 @@ class Runs:
         if self.path is None or not self.path.exists():
             return {}
         try:
+            if not self.path.is_file():  # reading a pipe would wait
+                raise ValueError("not a regular file")
             content = json.loads(self.path.read_text())
             key, values = content["key"], {name: Found(*found) for name, found in content["values"].items()}
-        except (ValueError, KeyError, TypeError, AttributeError) as error:
+        except (ValueError, KeyError, TypeError, AttributeError, RecursionError) as error:
             raise ConfigError(f"{str(self.path)!r} is no checkpoint of a tuning: expected one, or no file") from error
         if key != self.key:
             raise ConfigError(

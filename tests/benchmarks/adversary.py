@@ -30,6 +30,8 @@ MOST_FLAGGED = 0.05  # of the right frames
 TORN = 2.0  # times its length, that a side of a face has at most in a right bend, or the inverse
 CROSSED = 0.01  # of the surface in another part of the solid: wrong, whatever made it. Less is the fold inside a bend
 
+NEARLY = 1e-3  # diagonals: nodes this near to the surface may be on either side
+
 SAMPLED = 600  # faces that are asked: a quarter of them or more
 
 
@@ -110,7 +112,7 @@ def bent(of: Subject, random: np.random.Generator, angle: float, width: float) -
     line = np.stack([np.interp(s, stop, skeleton.vertices[path, axis]) for axis in range(3)], axis=1)
     nearest = spatial.KDTree(line).query(vertices)[1]
     share = np.clip((s - start) / (width * radius), 0, 1)
-    begin = np.searchsorted(s, start)
+    begin = min(np.searchsorted(s, start), len(line) - 1)
     axis = np.cross(line[begin] - line[max(begin - 20, 0)], random.normal(size=3))
     turn = np.radians(angle) * axis / np.linalg.norm(axis)
     steps = Rotation.from_rotvec(share[:-1, None] * turn).apply(np.diff(line, axis=0))
@@ -201,9 +203,15 @@ def wound(points: np.ndarray, corners: np.ndarray) -> np.ndarray:
 
 def is_wrong(of: Subject, moved: np.ndarray) -> bool:
     """Whether the solid is in itself, and not only folded a little inside of a bend."""
+    if crossed(moved, of.faces) > CROSSED:
+        return True
     nodes = of.tracker.frame(0, moved).nodes
     there = nodes[np.isfinite(nodes).all(axis=1)]
-    return crossed(moved, of.faces) > CROSSED or bool((np.abs(wound(there, moved[of.faces]) - 1) > 0.5).any())
+    bad = there[np.abs(wound(there, moved[of.faces]) - 1) > 0.5]
+    # A node close to the surface, such as a leaf, may be on either side. It is bad only if all points around it are.
+    around = NEARLY * np.linalg.norm(np.ptp(moved, axis=0)) * np.concatenate([np.eye(3), -np.eye(3)])
+    beside = wound((bad[:, None] + around).reshape(-1, 3), moved[of.faces]).reshape(-1, 6)
+    return bool((np.abs(beside - 1) > 0.5).all(axis=1).any())
 
 
 class Made(NamedTuple):

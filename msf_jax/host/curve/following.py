@@ -8,9 +8,10 @@ along the nodes without a section:
 
     minimise  sum_i w_i |x_i - c_i|^2  +  sum alpha_i |x_{i-1} - 2 x_i + x_{i+1}|^2  +  sum_ij mu_ij |x_i - x_j|^2.
 
-So x = a c with a constant matrix a, whose rows sum to one. The remainder o = x - a c at the recorded mesh is carried in
-a frame of each node: the affine map F that best fits how the corners of the sections around it have moved. F o is
-linear in the vertices, F = C / S with
+So x = a c with a constant matrix a, whose rows sum to one. In a sheet, a node can be far from every section. There c is
+the mean of the vertices of the node and its neighbours. The remainder o = x - a c at the recorded mesh is carried in a
+frame of each node: the affine map F that best fits how the corners of the sections around it have moved. F o is linear
+in the vertices, F = C / S with
 
     C = sum_k beta_k (p_k - p_mean) (q_k - q_mean)^T,   S = the same with p = q,   q the recorded corners,
 
@@ -30,10 +31,13 @@ from msf_jax.host.curve import branches, centring
 from msf_jax.host.curve.branch_paths import BranchPath
 from msf_jax.host.solid import sections
 from msf_jax.host.solid.enclosure import Enclosure
-from msf_jax.host.solid.geometry import cross, unit, vertex_normals
+from msf_jax.host.solid.geometry import cross, together, unit, vertex_normals
 from msf_jax.host.solid.solid import Solid
 
 SLIGHT = 0.02  # least weight w of a section; sections of less are left out
+# Vertices: least number in a cloud. Limb sizes: distance along the curve from every section, beyond which a node needs
+# a cloud. Ratio of the noise of a node's offset to that of the vertices, above which a node needs a cloud.
+FEWEST, FAR, LEVER = 4, 3.0, 0.5
 MEMBRANE = 0.01  # mu = MEMBRANE (size / h)^2, for nodes h apart in a limb of that size
 REACH = 1.0  # limb sizes along the branch over which a frame is fitted
 FRAME_CORNERS = 12  # corners of each section that a frame is fitted to
@@ -93,11 +97,20 @@ def record(
     paths = measures.paths_of(x, edges, is_held)
     size = _sections(shape, x, edges, paths, radii, radii, nearest, is_held)[1]
     found, size = _sections(shape, x, edges, paths, radii, size, nearest, is_held)
-    corners = _with_clouds(surface, edges, len(x), found)
-    a = _smoothing(x, edges, paths, size, corners, stiffness=centring.STIFFNESS, membrane=MEMBRANE)
-    beta = _smoothing(x, edges, paths, size, corners, stiffness=0.0, membrane=REACH**2)
-    a = _pruned(sparse.diags(is_free) @ a, SMALLEST["a"])
-    b = _turning(surface, corners, _pruned(beta, SMALLEST["b"]), is_free[:, None] * (x - a @ corners.centroid))
+
+    def matrices(is_lost: np.ndarray) -> tuple[Corners, Any, Any]:
+        corners = _with_clouds(surface, edges, found, is_lost)
+        a = _smoothing(x, edges, paths, size, corners, stiffness=centring.STIFFNESS, membrane=MEMBRANE)
+        beta = _smoothing(x, edges, paths, _wide(surface, size, corners), corners, stiffness=0.0, membrane=REACH**2)
+        a = _pruned(sparse.diags(is_free) @ a, SMALLEST["a"])
+        offset = is_free[:, None] * (x - a @ corners.centroid)
+        return corners, a, _turning(surface, corners, _pruned(beta, SMALLEST["b"]), offset)
+
+    is_lost = _far(x, edges, size, found.node)
+    corners, a, b = matrices(is_lost)
+    is_noisy = np.asarray(b.multiply(b).sum(axis=1)).ravel() > LEVER**2
+    if (is_noisy & ~is_lost).any():
+        corners, a, b = matrices(is_lost | is_noisy)
     pin = sparse.lil_matrix(b.shape)
     for node, pins in pins_of_node.items():
         pin[node, pins] = 1 / len(pins)
@@ -112,7 +125,7 @@ def record(
     a, b = a.tocoo(), b.tocoo()
     unit_of_length = 2.0 ** np.round(np.log2(surface.solid.diagonal))
     scale = surface.solid.diagonal / unit_of_length
-    order_of_faces = _together(shape.centroids)
+    order_of_faces = together(shape.centroids, FACES_TOGETHER)
     rank = np.empty(len(order_of_faces), dtype=np.int64)
     rank[order_of_faces] = np.arange(len(rank))
     twin = shape.mesh.twins.reshape(-1, 3)[order_of_faces]
@@ -204,28 +217,56 @@ def _areas(place: np.ndarray, section: np.ndarray, normals: np.ndarray) -> np.nd
     return np.bincount(section, weights=twice, minlength=len(normals)) / 2
 
 
-def _with_clouds(surface: Surface, edges: np.ndarray, num: int, found: Corners) -> Corners:
-    """Add a cloud for each component of the curve with fewer than two sections: all vertices that belong to it."""
-    graph = sparse.coo_matrix((np.ones(len(edges)), (edges[:, 0], edges[:, 1])), shape=(num, num))
+def _far(x: np.ndarray, edges: np.ndarray, size: np.ndarray, node: np.ndarray) -> np.ndarray:
+    """(N,) whether each node is far along the curve from every ``node`` (S,) that has a section."""
+    if not len(node):
+        return np.ones(len(x), dtype=bool)
+    length = np.maximum(np.linalg.norm(x[edges[:, 0]] - x[edges[:, 1]], axis=1), 1e-300)
+    graph = sparse.coo_matrix((length, (edges[:, 0], edges[:, 1])), shape=(len(x), len(x))).tocsr()
+    return csgraph.dijkstra(graph, directed=False, indices=node, min_only=True) > FAR * size
+
+
+def _with_clouds(surface: Surface, edges: np.ndarray, found: Corners, is_lost: np.ndarray) -> Corners:
+    """Add a cloud for each node with ``is_lost`` (N,): the vertices of the node and its neighbours, if they are enough.
+
+    A component of the curve with fewer than two sections and clouds gets a cloud of all its vertices."""
+    num, many = len(is_lost), len(surface.node)
+    graph: Any = sparse.coo_matrix((np.ones(len(edges)), (edges[:, 0], edges[:, 1])), shape=(num, num)).tocsr()
     component = csgraph.connected_components(graph, directed=False)[1]
-    count = np.bincount(component[found.node], minlength=component.max() + 1)
+    went = sparse.csr_matrix((np.ones(many), (surface.node, np.arange(many))), shape=(num, many))
+    went = sparse.csr_matrix((graph + graph.T + sparse.eye(num)) @ went)
+    lost = np.flatnonzero(is_lost & (np.diff(went.indptr) >= FEWEST))
+    clouds = [(node, np.sort(went[node].indices)) for node in lost]
+    count = np.bincount(component[np.r_[found.node, lost]], minlength=component.max() + 1)
     for number in np.flatnonzero(count < 2):
-        cloud = np.flatnonzero(component[surface.node] == number)
+        clouds.append((np.flatnonzero(component == number)[0], np.flatnonzero(component[surface.node] == number)))
+    for node, cloud in clouds:
         if not len(cloud):
             continue
-        at_cloud = surface.solid.shape.vertices[cloud]
         found = Corners(
             np.r_[found.section, np.full(len(cloud), len(found.node))],
             np.r_[found.tail, cloud],
             np.r_[found.head, cloud],
             np.r_[found.part, np.zeros(len(cloud))],
             np.r_[found.is_loop, False],
-            np.concatenate([found.centroid, at_cloud.mean(axis=0)[None]]),
+            np.concatenate([found.centroid, surface.solid.shape.vertices[cloud].mean(axis=0)[None]]),
             np.r_[found.area, 0.0],
-            np.r_[found.node, np.flatnonzero(component == number)[0]],
+            np.r_[found.node, node],
             np.r_[found.weight, 1.0],
         )
     return found
+
+
+def _wide(surface: Surface, size: np.ndarray, corners: Corners) -> np.ndarray:
+    """``size`` (N,), at least the RMS distance of a cloud's vertices from their mean for a node with a cloud."""
+    rows = np.flatnonzero(~corners.is_loop[corners.section])
+    away2 = ((surface.solid.shape.vertices[corners.tail[rows]] - corners.centroid[corners.section[rows]]) ** 2).sum(1)
+    wide2 = np.bincount(corners.section[rows], away2, len(corners.node)) / np.maximum(
+        np.bincount(corners.section[rows], minlength=len(corners.node)), 1
+    )
+    size = size.copy()
+    np.maximum.at(size, corners.node, np.sqrt(wide2))
+    return size
 
 
 def _smoothing(
@@ -313,25 +354,6 @@ def _turning(surface: Surface, corners: Corners, beta: Any, offset: np.ndarray) 
         shape=(num, int(surface.vertex.max()) + 1),
     )
     return sparse.csr_matrix(omega @ ends)
-
-
-def _together(points: np.ndarray) -> np.ndarray:
-    """An order (P,) in which each run of `FACES_TOGETHER` points, of twice as many, and so on, is compact in space.
-
-    It begins with one run of all points. Each run is sorted along its longest side and halved, until runs are short.
-    """
-    order, length = np.arange(len(points)), FACES_TOGETHER
-    while length < len(points):
-        length *= 2
-    while length > FACES_TOGETHER:
-        place = points[order]
-        run = np.arange(len(points)) // length
-        first = np.arange(0, len(points), length)
-        low, high = np.minimum.reduceat(place, first), np.maximum.reduceat(place, first)
-        longest = (high - low).argmax(axis=1)
-        order = order[np.lexsort((place[np.arange(len(points)), longest[run]], run))]
-        length //= 2
-    return order
 
 
 def _is_behind(shape: Enclosure, x: np.ndarray, nearest: np.ndarray) -> np.ndarray:

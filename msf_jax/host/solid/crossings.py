@@ -103,14 +103,17 @@ class Crossings:
         start = np.flatnonzero(np.r_[True, code[1:] != code[:-1]])
         count = np.diff(np.r_[start, len(code)])
         cells = np.flatnonzero(~self._belong_together(face, start, count) & (count > 1))
-        batch = np.cumsum(count[cells] ** 2) // PAIRS_AT_ONCE
-        for number in np.unique(batch):
-            chosen = cells[batch == number]
-            row, place = repeated(count[chosen] ** 2)
-            width, begin = count[chosen][row], start[chosen][row]
-            one, other = face[begin + place // width], face[begin + place % width]
+        # A batch is a range of faces, because in a tangled mesh one cell may hold nearly all faces.
+        cell, step = repeated(count[cells])
+        width, begin = count[cells][cell], start[cells][cell]
+        batch = np.cumsum(width) // PAIRS_AT_ONCE
+        for number in range(int(batch[-1]) + 1 if len(batch) else 0):
+            rows = np.arange(*np.searchsorted(batch, [number, number + 1]))
+            row, place = repeated(width[rows])
+            first_of = begin[rows][row]
+            one, other = face[first_of + step[rows][row]], face[first_of + place]
             is_once = one < other
-            yield one[is_once], other[is_once], code[begin][is_once]
+            yield one[is_once], other[is_once], code[first_of][is_once]
 
     def _belong_together(self, face: np.ndarray, start: np.ndarray, count: np.ndarray) -> np.ndarray:
         """(c,) which cells have no faces that are apart: all are within half the limits of the cell's first face."""

@@ -77,3 +77,22 @@ def barycentric(points: np.ndarray, triangles: np.ndarray, least: float) -> np.n
     weight = np.stack([np.einsum("ij,ij->i", normal, cross(u - points, v - points)) / area2 for u, v in sides])
     weight = np.clip(weight, least, 1.0)
     return (weight / np.maximum(weight.sum(axis=0), 1e-300)).T
+
+
+def together(points: np.ndarray, shortest: int) -> np.ndarray:
+    """An order (P,) in which each run of ``shortest`` points, of twice as many, and so on, is compact in space.
+
+    It begins with one run of all points. Each run is sorted along its longest side and halved, until runs are short.
+    """
+    order, length = np.arange(len(points)), shortest
+    while length < len(points):
+        length *= 2
+    while length > shortest:
+        place = points[order]
+        run = np.arange(len(points)) // length
+        first = np.arange(0, len(points), length)
+        low, high = np.minimum.reduceat(place, first), np.maximum.reduceat(place, first)
+        longest = (high - low).argmax(axis=1)
+        order = order[np.lexsort((place[np.arange(len(points)), longest[run]], run))]
+        length //= 2
+    return order

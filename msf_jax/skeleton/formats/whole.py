@@ -81,6 +81,7 @@ def read_npz(path: str | os.PathLike[str]) -> "tuple[dict[str, Any], Report, Sou
             is_right &= all(((index >= 0) & (index < len(mesh_map))).all() for index in known)
             is_right &= all(index.dtype.kind in "iu" for index in (held["surface_faces"], *known))
             is_right &= all(value.dtype.kind == "f" and np.isfinite(value).all() for value in (vertices, areas))
+            is_right &= bool(np.ptp(vertices, axis=0).any())  # coincident vertices give no scale
             if not (is_right and len(faces) and (areas >= 0).all()):
                 raise ValueError("the surface does not fit the curve")
             lids = held.get("lids", np.empty(0, dtype=np.int64))
