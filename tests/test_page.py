@@ -181,7 +181,7 @@ def test_segments_share_the_surface_between_the_branches(hand):
 
 
 def test_segments_are_in_one_piece_with_even_borders():
-    """A tube of three branches; its vertices have the nearest, but for a speck, and the seam of a file with UVs."""
+    """A tube has three branches. Its vertices have the nearest, except for a speck. A file with UVs has a seam."""
     shape = ground_truth.make("straight")
     along = (shape.mesh.vertices - shape.points[0]) @ (shape.points[-1] - shape.points[0]) / 2.2**2
     third = np.minimum((3 * np.clip(along, 0, 1)).astype(int), 2)

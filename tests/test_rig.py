@@ -62,7 +62,7 @@ def test_every_bone_has_vertices_and_no_edge_stretches_to_twice_its_length_at_40
     [("ring", 50, 3.0), ("theta", 50, 3.0), ("cube_frame", 50, 6.0), ("trefoil", 10, 2.0)],
 )
 def test_where_a_loop_was_cut_the_surface_is_not_torn(name, most_bones, most):
-    """A bone of a loop that turns pulls at what it hangs on, however far: over the limb, and not over an edge."""
+    """When a bone of a loop turns, the other side of the cut is stretched along its limb, and not across one edge."""
     skeleton, mesh = known(name)
     made = skeleton.rig(bones=most_bones, mesh=mesh)
     a, b = mesh.edges_unique.T
@@ -132,8 +132,8 @@ def test_weights_that_are_lowered_are_few_and_do_not_jump():
     np.testing.assert_array_equal(binding.lowered(fine, 9), fine)
 
 
-def test_a_bone_that_holds_little_of_any_vertex_is_its_parents():
-    """Of a chain of four, the third holds a tenth at most; all others move what they moved before."""
+def test_a_bone_with_small_weights_is_merged_into_its_parent():
+    """In a chain of four bones the third has weights of at most 0.1. The weights of the others stay as they were."""
     nodes = np.linspace(0, 4, 41)[:, None] * [1.0, 0, 0]
     edges = np.stack([np.arange(40), np.arange(1, 41)], axis=1)
     found = bones.bones_of(nodes, edges, np.full(41, 0.12), 4)

@@ -125,10 +125,10 @@ def parsed(parser: argparse.ArgumentParser, words: list[str]) -> argparse.Namesp
 
 
 def with_whole_options(words: list[str]) -> list[str]:
-    """``words`` with some options joined to their values, where argparse would misread them.
+    """``words``, with ``--repair`` and ``--root`` joined to their values, because argparse would misread two cases.
 
-    A bare ``--repair`` would take the next word, such as a mesh's name. A place after ``--root`` that begins with a
-    minus sign would be another option.
+    It would take the word after a bare ``--repair``, such as a mesh's name, as its value. It would take negative
+    coordinates after ``--root`` as another option.
     """
     whole, words = [], list(words)
     while words:

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from msf_jax.skeleton.skeleton import Skeleton
 
 NEAREST = 16  # nearest old nodes whose balls bound the radius of a new node, if the solid is not known
-MOST_NODES = 10_000_000  # nodes of a resampled curve; more would fill the memory, and mean a spacing in another unit
+MOST_NODES = 10_000_000  # most nodes of a resampled curve; a spacing that gives more is in a wrong unit
 
 
 def changed(skeleton: "Skeleton", vertices: np.ndarray, edges: np.ndarray, node_of_old: np.ndarray) -> "Skeleton":
@@ -31,7 +31,7 @@ def changed(skeleton: "Skeleton", vertices: np.ndarray, edges: np.ndarray, node_
         followed = None if vertex is None else of_input[vertex]
         report = replace(report, **assessed(solid.shape, solid.enter(vertices), edges, followed))
         report = replace(report, inside=skeleton.inside_of(vertices, edges, radii))
-    else:  # the largest ball within one of the known balls
+    else:  # radius of the largest ball inside one of the old balls
         found = spatial.KDTree(skeleton.vertices).query(vertices, k=min(NEAREST, len(skeleton.radii)))
         away, near = (np.reshape(each, (len(vertices), -1)) for each in found)
         radii = np.maximum((skeleton.radii[near] - away).max(axis=1), 0.0)
@@ -43,13 +43,13 @@ def changed(skeleton: "Skeleton", vertices: np.ndarray, edges: np.ndarray, node_
 
 
 def check_slenderness(slenderness: Any) -> None:
-    """Raise a `ConfigError` unless it is a threshold to prune at."""
+    """Raise a `ConfigError` unless ``slenderness`` is a number of 0 or more."""
     if not (isinstance(slenderness, numbers.Real) and float(slenderness) >= 0):
         raise ConfigError(f"slenderness is {slenderness!r}: expected a number of 0 or more")
 
 
 def pruned(skeleton: "Skeleton", stays: np.ndarray, target: np.ndarray) -> "Skeleton":
-    """See `Skeleton.prune`: the nodes that stay (N,), and which of them stands for each (N,)."""
+    """See `Skeleton.prune`. stays: (N,) whether a node is kept. target: (N,) the kept node that replaces each node."""
     rank = np.cumsum(stays) - 1
     edges = rank[skeleton.edges[stays[skeleton.edges].all(axis=1)]]
     found = changed(skeleton, skeleton.vertices[stays], edges, rank[target])

@@ -207,6 +207,7 @@ class Skeleton:
 
         Raises:
             ConfigError: the surface that the curve was made from is not known.
+            FlowError: this process was forked after a run.
         """
         return slopes.jacobian(self.binding, self.surface.given(len(self.mesh_map)))
 

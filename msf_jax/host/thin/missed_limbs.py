@@ -48,7 +48,7 @@ def grow(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray) -> tuple[np.
     for _ in range(ROUNDS):
         away, ball = _nearest_ball(shape, vertices, edges)
         is_far = away > EXPLAINED * ball
-        # Most vertices are explained by the curve's balls: only the others need balls of their own.
+        # The curve's balls cover most vertices. Only the other vertices need shrinking balls.
         asked = np.flatnonzero((is_far | (beside @ is_far > 0)) & ~is_known)
         radius[asked] = shrinking_balls(x[asked], normals[asked], tree, most, most, asked).radius
         is_known[asked] = True

@@ -188,14 +188,14 @@ def _angles(skeleton: "Skeleton", paths: list[np.ndarray], parent: np.ndarray) -
 def _direction(skeleton: "Skeleton", nodes: np.ndarray, degree: np.ndarray) -> np.ndarray:
     """(3,) the direction of a branch away from the junction at its first node.
 
-    The parts that bend towards that junction, and towards another one at the last node, are left out.
+    It leaves out the part that bends towards this junction, and the part that bends towards one at the last node.
     """
     points = skeleton.vertices[nodes]
     along, radius = arc_length(points), float(skeleton.radii[nodes[0]])
     first, last = AWAY * radius, AWAY * float(skeleton.radii[nodes[-1]]) * (degree[nodes[-1]] > 2)
     least = min(LEAST_BEYOND * radius, along[-1] / 2)
     begin, end = first, min(first + BEYOND * radius, along[-1] - last)
-    if end - begin < least:  # around the place that is as many radii from one junction as from the other
+    if end - begin < least:  # centred where both junctions are equally many radii away
         middle = along[-1] * first / (first + last) if first + last > 0 else along[-1]
         begin = min(max(middle - least / 2, 0.0), along[-1] - least)
         end = begin + least

@@ -12,7 +12,7 @@ from msf_jax.host.mesh import reading
 if TYPE_CHECKING:
     from msf_jax.skeleton.skeleton import Skeleton
 
-SMALL = 0.5  # of the faces of a branch's largest piece: a smaller one is a speck, or cut off by another branch
+SMALL = 0.5  # ratio of a piece's number of faces to that of its branch's largest piece: a smaller one is reassigned
 
 
 def branch_of_node(skeleton: "Skeleton") -> np.ndarray:
@@ -31,13 +31,13 @@ def colours(num: int) -> np.ndarray:
 
 
 def _of_faces(vertices: np.ndarray, faces: np.ndarray, branch: np.ndarray) -> np.ndarray:
-    """(F,) the branch of each face, where vertices (V,) have ``branch``: that of most corners.
+    """(F,) the branch of each face: the ``branch`` (V,) of most of its corners.
 
-    Where vertices of a few branches are mixed, about a junction, a small piece of one goes to the branch around it.
+    Around a junction, vertices of several branches are mixed. There a small piece goes to the branch around it.
     """
     corner = branch[faces]
     of_face = np.where(corner[:, 1] == corner[:, 2], corner[:, 1], corner[:, 0])
-    place = np.unique(vertices, axis=0, return_inverse=True)[1].ravel()  # across seams, too
+    place = np.unique(vertices, axis=0, return_inverse=True)[1].ravel()  # so that faces across a seam are neighbours
     a, b = np.reshape(trimesh.graph.face_adjacency(place[faces]), (-1, 2)).T
     while True:
         same = of_face[a] == of_face[b]
@@ -54,7 +54,7 @@ def _of_faces(vertices: np.ndarray, faces: np.ndarray, branch: np.ndarray) -> np
         if not len(ends):
             return of_face
         border, count = np.unique(ends, axis=0, return_counts=True)
-        border = border[np.lexsort((count, border[:, 0]))]  # the longest last, which is the one that is kept
+        border = border[np.lexsort((count, border[:, 0]))]  # the longest border last: the last assignment below wins
         owner[border[:, 0]] = owner[border[:, 1]]
         of_face = owner[piece]
 

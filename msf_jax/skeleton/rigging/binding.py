@@ -23,7 +23,7 @@ from msf_jax.host.solid.geometry import cross, repeated
 
 ANGLE = np.radians(40.0)  # radians: the turn of a bone at which the stretch of edges is tested
 STRETCH = 1.9  # ratio of an edge's length after that turn to its length at rest: larger ones need another round
-ROUNDS = 8  # rounds of diffusion, at most
+ROUNDS = 8  # most rounds of diffusion
 REACH = 1.3  # ratio of d to the distance from the curve
 LOOSER = 1.5  # factor on d in each round, where edges stretch too much
 LARGEST_T = 0.45  # largest t of `fewest`, below 1/2; a share of a row's sum
@@ -151,10 +151,10 @@ def fewest(weights: np.ndarray, tree: Tree, most: int) -> np.ndarray:
 
 
 def lowered(weights: np.ndarray, most: int) -> np.ndarray:
-    """At most ``most`` weights of each row (n, B), with sum 1: all are lowered by the largest that is left out.
+    """Reduce each row (n, B) to at most ``most`` weights with sum 1: subtract the largest weight that is left out.
 
-    No tree of bones goes around the loops of a surface, and this needs none. No weight jumps here either, but many that
-    are alike change fast.
+    It needs no tree of bones, and a tree cannot follow the loops of a surface. Weights stay continuous here, too, but
+    they change quickly where many of them are similar.
     """
     if weights.shape[1] <= most:
         return weights
@@ -166,7 +166,7 @@ def lowered(weights: np.ndarray, most: int) -> np.ndarray:
 
 
 def candidates(weights: np.ndarray, own: Tree, most: int) -> Iterator[np.ndarray]:
-    """Ways to leave at most ``most`` weights of each row (n, B), of which the one that stretches least is taken."""
+    """Alternative reductions of each row (n, B) to at most ``most`` weights; `bound` takes the least stretched one."""
     yield fewest(weights, own, most)
     yield fewest(weights, by_touch(weights), most)
     yield lowered(weights, most)

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 MOST_BONES = 65535  # bones that glTF can number
 NEIGHBOURS = 3  # edges along the curve: the size of a limb at a node is averaged over nodes within this distance
 THINNEST = 0.003  # diagonals: the least distance from the curve for heat, so that smaller details move together
-HELD = 0.25  # weight: a bone has a larger one at some vertex, or it is merged into its parent
+HELD = 0.25  # a bone whose largest weight at any vertex is below this is merged into its parent
 FEWEST = 4  # vertices of a bone, at least; a bone with fewer is merged into its parent
 
 
@@ -152,8 +152,10 @@ def _without_empty(bones: Bones, node: np.ndarray) -> Bones:
 
 
 def _without_idle(bones: Bones, weights: np.ndarray) -> tuple[Bones, np.ndarray]:
-    """Bones that hold little of any vertex, where heat had to spread far, give their ``weights`` (V, B) to their
-    parents: no other bone moves anything else than before."""
+    """Merge each bone with small ``weights`` (V, B) at all vertices into its parent; other bones keep their weights.
+
+    Such bones occur where heat had to spread far.
+    """
     while True:
         most = np.where(bones.parents < 0, np.inf, weights.max(axis=0))
         bone = int(most.argmin())
