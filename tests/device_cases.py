@@ -221,8 +221,8 @@ def plain_smooth(buffers, strength, layout, kind="mean_value", tolerance=TIGHT, 
 
 
 jitted_rows = quick_jit(plain_rows, static_argnames=("kind", "layout"))
-jitted_contract = quick_jit(plain_contract, static_argnames=("layout", "kind", "tolerance", "max_steps"))
-jitted_smooth = quick_jit(plain_smooth, static_argnames=("layout", "kind", "tolerance", "max_steps"))
+jitted_contract = quick_jit(plain_contract, static_argnames=("layout", "kind"))
+jitted_smooth = quick_jit(plain_smooth, static_argnames=("layout", "kind"))
 
 
 def dense_contract(L, vertices, poles, is_fixed, w_L, w_H, w_M) -> np.ndarray:

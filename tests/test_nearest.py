@@ -83,7 +83,7 @@ def test_it_does_not_matter_how_many_are_looked_at_together(monkeypatch):
     faces = np.asarray(jax.jit(nearest.nearest_faces)(binding, points, moved))
     assert faces.max() < int(binding.live.faces)
     triangles = jnp.asarray(moved[binding.faces[: int(binding.live.faces)]])
-    away = nearest.squared_distances(points, jnp.broadcast_to(triangles, (len(points), *triangles.shape)))
+    away = jax.jit(nearest.squared_distances)(points, jnp.broadcast_to(triangles, (len(points), *triangles.shape)))
     np.testing.assert_array_equal(away[np.arange(len(points)), faces], away.min(axis=1))
     monkeypatch.setattr(nearest, "MOST_RUNS", 2)
     monkeypatch.setattr(nearest, "AT_ONCE", 4096)
