@@ -26,7 +26,7 @@ from device_cases import (
 from msf_jax.base.options import FACTORED, SOLVED_BY, Config, Solver, Weights
 from msf_jax.device import cg, iteration
 from msf_jax.device.buffers import Buffers, Rings
-from msf_jax.device.contraction import contracting, relaxed
+from msf_jax.device.contraction import contracting, normal_equations, relaxed
 from msf_jax.device.laplacian import Rows
 
 W_L, W_H, W_M = 1.3, 0.2, 0.35
@@ -153,6 +153,14 @@ def test_chain_with_a_fixed_end_by_hand():
     new, _ = relaxed(buffers, rows, contracting(one, one, 0 * one), one_level(3, 2), Solver(TIGHT, 100))
     np.testing.assert_allclose(new, [[0, 0, 0], [1, 0, 0], [5 / 3, 0, 0]], atol=1e-14)
     assert float(new[0, 0]) == 0.0
+
+
+def test_the_diagonal_is_that_of_the_operator():
+    """Wrong, it would only take more steps: it is what conjugate gradients are preconditioned by."""
+    buffers, rows = chain()
+    weights = contracting(jnp.array([1.0, 0.7, 1.3]), 0.2 * jnp.ones(3), 0.5 * jnp.ones(3))
+    operator, _ = normal_equations(buffers, rows, weights, one_level(3, 2))
+    np.testing.assert_allclose(operator.diagonal(), np.diag(operator(jnp.eye(3))), rtol=1e-14)
 
 
 def test_fixing_everything_holds_everything(case):
@@ -292,9 +300,7 @@ def test_gradient_in_the_positions(case, scalar, gradients):
     random = np.random.default_rng(5)
     for _ in range(4):
         direction = case.to_rows(random.normal(size=case.vertices.shape))
-        slope = central_difference(
-            lambda x: scalar(W_L, W_H, W_M, x), case.buffers.positions, direction, h=1e-6
-        )
+        slope = central_difference(lambda x: scalar(W_L, W_H, W_M, x), case.buffers.positions, direction, h=1e-6)
         np.testing.assert_allclose((gradients[3] * direction).sum(), slope, rtol=1e-5)
 
 

@@ -61,6 +61,7 @@ def flow() -> msf_jax.Flow:
 
 SLOW = pytest.mark.slow  # more cases of what the first one shows
 CASES = {
+    "pinched, pins, another weight at each vertex": (pinched, None, Config(max_iterations=4), [0, 5, 100]),
     "parts, one pinched, pins, another weight at each vertex": (parts, None, Config(), [0, 5, 100]),
     "au2008, two layouts": (
         lambda: ellipsoid(2),
