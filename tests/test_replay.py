@@ -55,8 +55,8 @@ def varied(num: int) -> Weights:
 
 @pytest.fixture(scope="module")
 def flow() -> msf_jax.Flow:
-    """A small one with many edits: what takes time is compiling, and solves that are as tight as can be."""
-    return msf_jax.contract(ellipsoid(2))
+    """A small and short one with edits: what takes time is compiling, and solves that are as tight as can be."""
+    return msf_jax.contract(ellipsoid(2), config=Config(max_iterations=5))
 
 
 SLOW = pytest.mark.slow  # more cases of what the first one shows
