@@ -301,7 +301,7 @@ def test_a_step_that_always_runs_away_ends_the_flow(monkeypatch):
 
 
 def test_a_surface_that_outgrows_its_room_ends_the_flow():
-    mesh = trimesh.creation.capsule(height=4.0, radius=0.4, count=[16, 16])
+    mesh = trimesh.creation.capsule(height=4.0, radius=0.4, count=[24, 24])
     run = loop.contract(mesh, config=Config(coarsen=0.0), limits=Limits(growth=0, growth_room=300))
     assert run.skeleton.report.reason == "out of vertices: splitting would take the surface past 300"
     assert run.skeleton.report.cycles == 0

@@ -12,6 +12,7 @@ from conftest import blob, torus
 
 import msf_jax
 from msf_jax import Config, ConfigError, FlowError, Weights, shapes
+from msf_jax.base import layout
 from msf_jax.flow import loop, programs
 from msf_jax.flow.state import Stopwatch
 from msf_jax.host.mesh import checking
@@ -32,9 +33,12 @@ def diagonal(vertices):
 
 def tubes():
     """A torus and a Y of tubes, as (mesh, genus)."""
+    return [(torus(minor=0.2, around=60, across=16), 1), (three_arms(0.06), 0)]
+
+
+def three_arms(spacing):
     points = np.array([[0, 0, 0], [0, 0, 1.0], [0.9, 0, -0.5], [-0.8, 0.3, -0.6]])
-    y = shapes.solid_around(points, np.array([[0, 1], [0, 2], [0, 3]]), np.full(4, 0.15), 0.06)
-    return [(torus(minor=0.2, around=60, across=16), 1), (y, 0)]
+    return shapes.solid_around(points, np.array([[0, 1], [0, 2], [0, 3]]), np.full(4, 0.15), spacing)
 
 
 def check_map(run):
@@ -178,7 +182,7 @@ def test_float32_gives_a_sound_curve_too():
 
 @pytest.mark.parametrize("system", ["tagliasacchi2012", "au2008"])
 def test_the_other_systems_end_in_a_curve(system):
-    mesh, _ = tubes()[1]
+    mesh = three_arms(0.1)
     skeleton = msf_jax.skeletonize(mesh, config=Config.named(system, check=True))
     assert skeleton.report.components == 1
     assert skeleton.report.cycles == 0
@@ -300,9 +304,10 @@ def test_a_flow_without_jit():
 def test_a_run_compiles_once_for_each_capacity_and_another_compiles_nothing(compilations, monkeypatch):
     """Not for a second mesh, nor for options that a jitted step does not see."""
     monkeypatch.setattr(programs, "_file", lambda key: None)  # what an earlier run of the tests has kept
+    monkeypatch.setattr(layout, "SMALLEST", 256)  # small ones are compiled in less time
     config = Config(solve_tolerance=0.00123)  # one that no other test compiles for
     states = []
-    for number, mesh in enumerate((blob(11, subdivisions=4), torus())):
+    for number, mesh in enumerate((blob(11), torus())):
         states.append(loop.init(checking.prepare(mesh).components[0], number, config, Stopwatch()))
     capacities = set()
     for state in states:
@@ -312,7 +317,7 @@ def test_a_run_compiles_once_for_each_capacity_and_another_compiles_nothing(comp
     assert len(capacities) > 1
     assert len(compilations) == len(capacities)
     changed = replace(config, t_min=0.008, t_step=0.001, prune=0.0, max_iterations=50, coarsen=0.0, check=True)
-    loop.contract(blob(11, subdivisions=4), Weights(w_M=0.3), changed)
+    loop.contract(blob(11), Weights(w_M=0.3), changed)
     assert len(compilations) == len(capacities)
 
 
