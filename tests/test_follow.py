@@ -224,6 +224,7 @@ def test_the_jacobian_is_that_of_both_modes(limbs, pull, push):
     np.testing.assert_allclose(turned, np.cross(shift, skeleton.vertices), atol=1e-9)
 
 
+@pytest.mark.slow  # slopes are those of central differences above
 def test_noise_moves_nodes_less_than_vertices_and_as_the_covariance_says(tube):
     """A thousand noisy meshes at once, by `jax.vmap`."""
     vertices, _, skeleton = tube
@@ -332,6 +333,7 @@ def test_noise_that_is_none_is_refused(limbs, sigma, says):
         limbs[2].covariance(sigma)
 
 
+@pytest.mark.slow
 def test_programs_that_are_kept_have_a_bound(limbs, monkeypatch):
     """One for each capacity; beyond the bound they are made again, and say the same."""
     module = importlib.import_module("msf_jax.gradients.follow")

@@ -74,6 +74,7 @@ def test_distances_and_sides_are_those_of_the_moved_solid(name, move):
     np.testing.assert_array_equal((found > 0)[is_clear], is_inside[is_clear])
 
 
+@pytest.mark.slow  # distances are those of the solid above
 def test_it_does_not_matter_how_many_are_looked_at_together(monkeypatch):
     """Runs of 256 triangles for 32, so many at once that there are many rounds; and brute force."""
     vertices, _, binding = bound("limbs")

@@ -319,6 +319,7 @@ def test_research_meshes_become_curves(research_mesh, name):
     )
 
 
+@pytest.mark.slow  # that of a joined one is in test_joining
 def test_the_tape_of_a_repaired_mesh_speaks_of_the_callers_vertices():
     vertices, faces = faults.topology_variants()["many holes"]
     run = msf_jax.contract((vertices, faces), config=Config(max_iterations=4), repair=True)

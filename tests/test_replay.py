@@ -268,6 +268,7 @@ def test_an_unsolved_replay_is_nan(flow, monkeypatch):
     assert np.isnan(msf_jax.replay(flow.tape, flow.weights)).all()
 
 
+@pytest.mark.slow  # that a tape is one is in test_tape, too
 def test_a_tape_can_be_an_argument_of_a_jitted_function(flow):
     at = jnp.asarray(flow.tape.vertices)
     nodes = jax.jit(lambda tape, weights: msf_jax.replay(tape, weights, at))(flow.tape, flow.weights)

@@ -129,6 +129,7 @@ def _in_process(script, *arguments, **variables):
     return done.stdout
 
 
+@pytest.mark.slow  # in a batch, above
 def test_padding_changes_no_value(curves):
     """Alone, in room for twice as much of everything."""
     vertices, skeleton = curves[0]
