@@ -39,6 +39,7 @@ def pytest_configure(config: pytest.Config) -> None:
         if sum(path.stat().st_size for path in folder.iterdir()) > LARGEST_CACHE:
             shutil.rmtree(folder)
         os.environ[CACHE] = str(folder)
+    os.environ["JAX_COMPILATION_CACHE_DIR"] = os.environ[CACHE]  # for the processes that tests start
     jax.config.update("jax_compilation_cache_dir", os.environ[CACHE])
     jax.config.update("jax_persistent_cache_min_compile_time_secs", 0.0)
 

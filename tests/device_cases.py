@@ -221,8 +221,20 @@ def plain_smooth(buffers, strength, layout, kind="mean_value", tolerance=TIGHT, 
 
 
 jitted_rows = quick_jit(plain_rows, static_argnames=("kind", "layout"))
-jitted_contract = quick_jit(plain_contract, static_argnames=("layout", "kind", "tolerance", "max_steps"))
-jitted_smooth = quick_jit(plain_smooth, static_argnames=("layout", "kind", "tolerance", "max_steps"))
+compiled_contract = quick_jit(plain_contract, static_argnames=("layout", "kind"))
+compiled_smooth = quick_jit(plain_smooth, static_argnames=("layout", "kind"))
+
+
+def jitted_contract(buffers, w_L, w_H, w_M, layout, kind="mean_value", tolerance=TIGHT, max_steps=MANY):
+    """`plain_contract`, compiled once for all numbers."""
+    w_L, w_H, w_M, tolerance, max_steps = map(np.asarray, (w_L, w_H, w_M, tolerance, max_steps))
+    return compiled_contract(buffers, w_L, w_H, w_M, layout, kind, tolerance, max_steps)
+
+
+def jitted_smooth(buffers, strength, layout, kind="mean_value", tolerance=TIGHT, max_steps=MANY):
+    """`plain_smooth`, likewise."""
+    strength, tolerance, max_steps = map(np.asarray, (strength, tolerance, max_steps))
+    return compiled_smooth(buffers, strength, layout, kind, tolerance, max_steps)
 
 
 def dense_contract(L, vertices, poles, is_fixed, w_L, w_H, w_M) -> np.ndarray:

@@ -202,10 +202,14 @@ def test_a_curve_goes_beside_its_mesh_and_over_nothing_unless_forced(ball, tmp_p
     assert "is no checkpoint" in capsys.readouterr().err
 
 
+@pytest.fixture(scope="module")
+def evaluated():
+    return msf_jax.skeletonize(blob(4, 2), msf_jax.Weights(), msf_jax.Config(evaluate=True))
+
+
 @pytest.mark.parametrize("suffix", [".swc", ".json", ".npz"])
-def test_a_report_is_printed_again_from_the_curves_file(suffix, tmp_path, capsys):
-    shape = blob(4)
-    skeleton = msf_jax.skeletonize(shape, msf_jax.Weights(), msf_jax.Config(evaluate=True))
+def test_a_report_is_printed_again_from_the_curves_file(suffix, evaluated, tmp_path, capsys):
+    skeleton = evaluated
     skeleton.save(tmp_path / f"a{suffix}")
     assert main(["report", str(tmp_path / f"a{suffix}")]) == 0
     lines = skeleton.report.lines() if suffix == ".swc" else str(skeleton.report).splitlines()

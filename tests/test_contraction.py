@@ -1,5 +1,6 @@
 """The contraction against dense least squares: values, what the solve reports, fixed vertices and gradients."""
 
+from functools import partial
 from typing import NamedTuple
 
 import jax
@@ -25,7 +26,7 @@ from device_cases import (
 from msf_jax.base.options import FACTORED, SOLVED_BY, Config, Solver, Weights
 from msf_jax.device import cg, iteration
 from msf_jax.device.buffers import Buffers, Rings
-from msf_jax.device.contraction import contracting, relaxed
+from msf_jax.device.contraction import contracting, normal_equations, relaxed
 from msf_jax.device.laplacian import Rows
 
 W_L, W_H, W_M = 1.3, 0.2, 0.35
@@ -94,14 +95,11 @@ def test_nothing_moves_without_contraction_and_poles(case):
     assert float(report.residual) == 0.0
 
 
-def test_gradients_are_finite_where_nothing_moves(case):
-    def scalar(w_L, w_M, positions):
-        new, _ = plain_contract(case.buffers._replace(positions=positions), w_L, W_H, w_M, case.layout)
-        return (new * jnp.arange(new.size).reshape(new.shape)).sum()
-
-    w_L, w_M, positions = quick_jit(jax.grad(scalar, argnums=(0, 1, 2)))(0.0, 0.0, case.buffers.positions)
+def test_gradients_are_finite_where_nothing_moves(case, slopes):
+    factors = np.arange(case.buffers.positions.size, dtype=float).reshape(case.buffers.positions.shape)
+    w_L, _, w_M, positions = slopes(factors, 0.0, W_H, 0.0, case.buffers.positions)
     assert float(w_L) == float(w_M) == 0.0  # only their squares count
-    np.testing.assert_array_equal(positions, np.arange(positions.size).reshape(positions.shape))
+    np.testing.assert_array_equal(positions, factors)
 
 
 def test_it_moves_with_the_surface(case):
@@ -157,6 +155,14 @@ def test_chain_with_a_fixed_end_by_hand():
     assert float(new[0, 0]) == 0.0
 
 
+def test_the_diagonal_is_that_of_the_operator():
+    """Wrong, it would only take more steps: it is what conjugate gradients are preconditioned by."""
+    buffers, rows = chain()
+    weights = contracting(jnp.array([1.0, 0.7, 1.3]), 0.2 * jnp.ones(3), 0.5 * jnp.ones(3))
+    operator, _ = normal_equations(buffers, rows, weights, one_level(3, 2))
+    np.testing.assert_allclose(operator.diagonal(), np.diag(operator(jnp.eye(3))), rtol=1e-14)
+
+
 def test_fixing_everything_holds_everything(case):
     buffers = case.buffers._replace(free=jnp.zeros_like(case.buffers.free))
     new, report = jitted_contract(buffers, W_L, W_H, W_M, case.layout)
@@ -197,16 +203,13 @@ def test_solve_that_gives_up_says_so(case):
     np.testing.assert_allclose(float(report.residual), relative_residual(case, new), rtol=1e-9)
 
 
-def test_what_is_no_number_stays_none(case):
+def test_what_is_no_number_stays_none(case, slopes):
     """Whether NaN comes in from before or, as a slope, from behind: zeros would look like a result."""
     bad = case.buffers._replace(poles=case.buffers.poles.at[3, 1].set(jnp.nan))
     new, report = jitted_contract(bad, W_L, W_H, W_M, case.layout)
     assert np.isnan(new).any() and not bool(report.is_solved)
-
-    def slope(factor):
-        return jax.grad(lambda w_L: (factor * plain_contract(case.buffers, w_L, W_H, W_M, case.layout)[0]).sum())(W_L)
-
-    assert np.isnan(quick_jit(slope)(jnp.nan))
+    factors = np.full(case.buffers.positions.shape, np.nan)
+    assert np.isnan(slopes(factors, W_L, W_H, W_M, case.buffers.positions)[0])
 
 
 class Diagonal(NamedTuple):
@@ -238,30 +241,48 @@ def test_no_solve_of_what_is_not_positive_definite_is_solved(entries, smallest):
 # Gradients
 
 
-def scalar_of(case):
-    """A compiled scalar of the result, as a function of the three weights and the positions in rows."""
-    factors = jnp.asarray(case.to_rows(np.random.default_rng(21).normal(size=case.vertices.shape)))
+def product_of(case):
+    """The scalar product of the result with factors, as a function of those, the weights and the positions in rows."""
 
-    def scalar(w_L, w_H, w_M, positions):
+    def product(factors, w_L, w_H, w_M, positions):
         new, _ = plain_contract(case.buffers._replace(positions=positions), w_L, w_H, w_M, case.layout)
         return (factors * new).sum()
 
-    return scalar
+    return product
 
 
-def jitted_scalar_of(case):
-    return quick_jit(scalar_of(case))
+def on_arrays(function):
+    """Compiled, and once for all numbers, Python's and NumPy's."""
+    compiled = quick_jit(function)
+    return lambda *arguments: compiled(*map(np.asarray, arguments))
 
 
 @pytest.fixture(scope="module")
-def gradients(case):
-    """Of the scalar, in all four arguments, by reverse mode."""
-    return quick_jit(jax.grad(scalar_of(case), argnums=(0, 1, 2, 3)))(W_L, W_H, W_M, case.buffers.positions)
+def slopes(case):
+    """Of the product, in the weights and the positions, by reverse mode."""
+    return on_arrays(jax.grad(product_of(case), argnums=(1, 2, 3, 4)))
+
+
+@pytest.fixture(scope="module")
+def factors(case):
+    return case.to_rows(np.random.default_rng(21).normal(size=case.vertices.shape))
+
+
+@pytest.fixture(scope="module")
+def scalar(case, factors):
+    """The product with these factors."""
+    return partial(on_arrays(product_of(case)), factors)
+
+
+@pytest.fixture(scope="module")
+def gradients(case, slopes, factors):
+    """Of the scalar, in all four arguments."""
+    return slopes(factors, W_L, W_H, W_M, case.buffers.positions)
 
 
 @pytest.mark.parametrize("number", [0, 1, 2])
-def test_gradient_in_the_weights(case, gradients, number):
-    scalar, weights = jitted_scalar_of(case), np.array([W_L, W_H, W_M])
+def test_gradient_in_the_weights(case, scalar, gradients, number):
+    weights = np.array([W_L, W_H, W_M])
     slope = central_difference(lambda w: scalar(*w, case.buffers.positions), weights, np.eye(3)[number], h=1e-4)
     assert abs(slope) > 1e-3
     np.testing.assert_allclose(gradients[number], slope, rtol=1e-5)
@@ -275,13 +296,11 @@ def test_gradient_in_the_weights_of_the_dense_solution(case, gradients):
     np.testing.assert_allclose(np.dot(gradients[:3], direction), slope, rtol=1e-5)
 
 
-def test_gradient_in_the_positions(case, gradients):
-    scalar, random = jitted_scalar_of(case), np.random.default_rng(5)
+def test_gradient_in_the_positions(case, scalar, gradients):
+    random = np.random.default_rng(5)
     for _ in range(4):
         direction = case.to_rows(random.normal(size=case.vertices.shape))
-        slope = central_difference(
-            lambda x: scalar(W_L, W_H, W_M, jnp.asarray(x)), case.buffers.positions, direction, h=1e-6
-        )
+        slope = central_difference(lambda x: scalar(W_L, W_H, W_M, x), case.buffers.positions, direction, h=1e-6)
         np.testing.assert_allclose((gradients[3] * direction).sum(), slope, rtol=1e-5)
 
 
@@ -297,15 +316,12 @@ def test_gradient_in_the_poles_is_linear(case):
     assert not np.asarray(tangent)[case.rank[case.is_fixed]].any()
 
 
-def test_gradient_with_weights_per_row(case):
+def test_gradient_with_weights_per_row(case, scalar, slopes, factors):
     random = np.random.default_rng(12)
-    weights = [jnp.asarray(case.to_rows(s * np.exp(random.normal(size=120)), fill=s)) for s in (1.0, 0.3, 0.3)]
-    direction = jnp.asarray(case.to_rows(random.normal(size=120)))
-    scalar, positions = scalar_of(case), case.buffers.positions
-    slopes = quick_jit(jax.grad(lambda *w: scalar(*w, positions), argnums=(0, 1, 2)))(*weights)
-    for k, slope in enumerate(slopes):
+    weights = [case.to_rows(s * np.exp(random.normal(size=120)), fill=s) for s in (1.0, 0.3, 0.3)]
+    direction, positions = case.to_rows(random.normal(size=120)), case.buffers.positions
+    for k, slope in enumerate(slopes(factors, *weights, positions)[:3]):
 
-        @quick_jit
         def along(t, k=k):
             return scalar(*(w + t * direction if m == k else w for m, w in enumerate(weights)), positions)
 

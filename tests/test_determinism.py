@@ -42,7 +42,6 @@ def start(threads, precision="float64", *checkpoint, seed="0"):
     environment = os.environ | {
         "PYTHONHASHSEED": seed,
         "OMP_NUM_THREADS": str(threads),
-        "JAX_COMPILATION_CACHE_DIR": os.environ["MSF_JAX_TEST_CACHE"],
         "TF_CPP_MIN_LOG_LEVEL": "3",
         "XLA_FLAGS": "",  # with all optimisations
     }

@@ -69,7 +69,7 @@ def test_every_block_runs(tmp_path, number, block, monkeypatch):
 
 
 def _environment() -> dict[str, str]:
-    return os.environ | {"PYTHONPATH": str(ROOT), "JAX_COMPILATION_CACHE_DIR": os.environ["MSF_JAX_TEST_CACHE"]}
+    return os.environ | {"PYTHONPATH": str(ROOT)}
 
 
 @pytest.fixture(scope="module")

@@ -404,7 +404,13 @@ def score(shape, skeleton):
     return figures["to_truth_mean"] / radius, figures["from_truth_mean"] / radius, gap, figures["leaves"]
 
 
-@pytest.mark.parametrize("name", ["straight", "arc_coarse", "taper", "y", "tee", "comb", "ring", "theta", "y_coarse"])
+@pytest.mark.parametrize(
+    "name",
+    [
+        *("arc_coarse", "ring", "comb", "y_coarse"),
+        *(pytest.param(name, marks=pytest.mark.slow) for name in ("straight", "taper", "y", "tee", "theta")),
+    ],
+)
 def test_a_tube_gives_its_curve_back(name):
     shape = ground_truth.make(name)
     skeleton = msf_jax.skeletonize(shape.mesh)

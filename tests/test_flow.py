@@ -12,14 +12,18 @@ from conftest import blob, torus
 
 import msf_jax
 from msf_jax import Config, ConfigError, FlowError, Weights, shapes
+from msf_jax.base import layout
 from msf_jax.flow import loop, programs
 from msf_jax.flow.state import Stopwatch
 from msf_jax.host.mesh import checking
 
 SLOW = pytest.mark.slow  # more of the same
 CLOSED = [
-    *("bunny", "three-holes", "indorelax"),
-    *(pytest.param(name, marks=SLOW) for name in ("homer", "elephant", "cheburashka", "sindorelax")),
+    "three-holes",
+    *(
+        pytest.param(name, marks=SLOW)
+        for name in ("bunny", "indorelax", "homer", "elephant", "cheburashka", "sindorelax")
+    ),
 ]
 
 
@@ -29,9 +33,12 @@ def diagonal(vertices):
 
 def tubes():
     """A torus and a Y of tubes, as (mesh, genus)."""
+    return [(torus(minor=0.2, around=60, across=16), 1), (three_arms(0.06), 0)]
+
+
+def three_arms(spacing):
     points = np.array([[0, 0, 0], [0, 0, 1.0], [0.9, 0, -0.5], [-0.8, 0.3, -0.6]])
-    y = shapes.solid_around(points, np.array([[0, 1], [0, 2], [0, 3]]), np.full(4, 0.15), 0.06)
-    return [(torus(minor=0.2, around=60, across=16), 1), (y, 0)]
+    return shapes.solid_around(points, np.array([[0, 1], [0, 2], [0, 3]]), np.full(4, 0.15), spacing)
 
 
 def check_map(run):
@@ -134,7 +141,7 @@ def same_curve(one, two, tolerance):
 
 @pytest.mark.parametrize("name", ["blob", pytest.param("homer", marks=SLOW)])
 def test_the_skeleton_scales_shifts_and_turns_with_the_mesh(name, research_mesh):
-    vertices, faces = (blob(5).vertices, blob(5).faces) if name == "blob" else research_mesh(name)
+    vertices, faces = (blob(5, 2).vertices, blob(5, 2).faces) if name == "blob" else research_mesh(name)
     size = diagonal(vertices)
     plain = msf_jax.skeletonize((vertices, faces))
     shift = 1e4 * size * np.array([1.0, -0.5, 0.3])
@@ -175,7 +182,7 @@ def test_float32_gives_a_sound_curve_too():
 
 @pytest.mark.parametrize("system", ["tagliasacchi2012", "au2008"])
 def test_the_other_systems_end_in_a_curve(system):
-    mesh, _ = tubes()[1]
+    mesh = three_arms(0.1)
     skeleton = msf_jax.skeletonize(mesh, config=Config.named(system, check=True))
     assert skeleton.report.components == 1
     assert skeleton.report.cycles == 0
@@ -238,7 +245,7 @@ def length_of(skeleton):
     ).sum()
 
 
-@pytest.mark.parametrize("name", ["rod", "bar"])
+@pytest.mark.parametrize("name", ["rod", pytest.param("bar", marks=SLOW)])
 def test_a_solid_thinner_than_the_shortest_edge_keeps_its_length(name):
     """Coarsening would collapse its cross-section, and with it the solid: it is left out."""
     mesh = trimesh.creation.cylinder(radius=0.002, height=1, sections=32)
@@ -250,7 +257,7 @@ def test_a_solid_thinner_than_the_shortest_edge_keeps_its_length(name):
     assert length_of(skeleton) > 0.98
 
 
-@pytest.mark.parametrize("extents", [(1, 1, 0.002), (1, 0.5, 0.004), (1, 1, 1e-5)])
+@pytest.mark.parametrize("extents", [pytest.param((1, 1, 0.002), marks=SLOW), (1, 0.5, 0.004), (1, 1, 1e-5)])
 def test_a_plate_whose_edges_are_all_short_or_long_is_no_error(extents):
     skeleton = msf_jax.skeletonize(trimesh.creation.box(extents))
     assert skeleton.report.components == 1
@@ -297,9 +304,10 @@ def test_a_flow_without_jit():
 def test_a_run_compiles_once_for_each_capacity_and_another_compiles_nothing(compilations, monkeypatch):
     """Not for a second mesh, nor for options that a jitted step does not see."""
     monkeypatch.setattr(programs, "_file", lambda key: None)  # what an earlier run of the tests has kept
+    monkeypatch.setattr(layout, "SMALLEST", 256)  # small ones are compiled in less time
     config = Config(solve_tolerance=0.00123)  # one that no other test compiles for
     states = []
-    for number, mesh in enumerate((blob(11, subdivisions=4), torus())):
+    for number, mesh in enumerate((blob(11), torus())):
         states.append(loop.init(checking.prepare(mesh).components[0], number, config, Stopwatch()))
     capacities = set()
     for state in states:
@@ -309,7 +317,7 @@ def test_a_run_compiles_once_for_each_capacity_and_another_compiles_nothing(comp
     assert len(capacities) > 1
     assert len(compilations) == len(capacities)
     changed = replace(config, t_min=0.008, t_step=0.001, prune=0.0, max_iterations=50, coarsen=0.0, check=True)
-    loop.contract(blob(11, subdivisions=4), Weights(w_M=0.3), changed)
+    loop.contract(blob(11), Weights(w_M=0.3), changed)
     assert len(compilations) == len(capacities)
 
 
@@ -340,6 +348,7 @@ def test_research_meshes_come_out_sound(name, research_mesh):
     check_map(run)
 
 
+@pytest.mark.slow  # so are they with more repair, in test_repair
 @pytest.mark.parametrize("name", ["cow-pinched", "camel-pinched"])
 def test_pinched_meshes_come_out_with_the_repair_reported(name, research_mesh):
     skeleton = msf_jax.skeletonize(research_mesh(name))
@@ -389,7 +398,7 @@ def test_the_skeleton_of_a_tiny_or_huge_mesh_is_the_same():
 
 @pytest.mark.system
 def test_a_process_that_was_forked_after_a_run_does_not_hang(monkeypatch):
-    mesh = trimesh.creation.capsule(height=2.0, radius=0.4)
+    mesh = trimesh.creation.capsule(height=2.0, radius=0.4, count=[12, 12])
     run = msf_jax.contract(mesh)
     skeleton, vertices = run.skeleton, np.array(mesh.vertices)
     context = multiprocessing.get_context("fork")
@@ -423,7 +432,7 @@ def test_a_process_that_was_forked_after_a_run_does_not_hang(monkeypatch):
 
 
 def test_spread_says_how_far_jittered_runs_are():
-    mesh = trimesh.creation.capsule(height=2.0, radius=0.4)
+    mesh = trimesh.creation.capsule(height=2.0, radius=0.4, count=[12, 12])
     plain, found = msf_jax.skeletonize(mesh), msf_jax.skeletonize(mesh, spread=2)
     np.testing.assert_array_equal(found.vertices, plain.vertices)
     assert 0 < found.report.figures["spread"] < 0.05 and found.report.figures["spread_leaves"] == 0

@@ -76,11 +76,11 @@ def test_near_knows_nodes_without_an_edge():
     """Of a lone node, the distance to the point at hand; beside an edge, points of the target find it, too."""
     target = np.array([[0.0, 3.0, 4.0]])
     lone = bound()._replace(live=bound().live._replace(nodes=1, edges=0))
-    assert losses.near(filled(), lone, target) == pytest.approx(25 / DIAGONAL**2)
+    assert near(filled(), lone, target) == pytest.approx(25 / DIAGONAL**2)
     pair = bound(edges=np.array([[0, 1]]))
     pair = pair._replace(live=pair.live._replace(nodes=3))
     found = filled([[0, 0, 0], [1.0, 0, 0], [0, 3.0, 4.0]], [0, 0, 0])
-    assert losses.near(found, pair, target, samples=1) == pytest.approx((25 + 0.25) / 2 / DIAGONAL**2)
+    assert near(found, pair, target, samples=1) == pytest.approx((25 + 0.25) / 2 / DIAGONAL**2)
 
 
 def test_values_that_are_known():
@@ -149,7 +149,7 @@ def test_where_points_coincide_slopes_are_finite():
 
 def test_a_curve_without_a_target_adds_nothing():
     """In a batch some may have none."""
-    value, slope = jax.value_and_grad(lambda found: losses.near(found, bound(), TARGET, np.zeros(3, bool)))(filled())
+    value, slope = jax.jit(jax.value_and_grad(near))(filled(), bound(), TARGET, np.zeros(3, bool))
     assert value == 0 and not any(np.asarray(part).any() for part in slope)
 
 

@@ -226,8 +226,8 @@ def test_a_gap_is_no_longer_than_eight_radii():
 
 
 def test_a_corner_is_one_turn_among_many(capsule):
-    """Two legs of 20 strides each, at right angles: 39 turns, of which one has cosine 0."""
-    leg = 20 * metrics.STRIDE * diagonal(capsule)
+    """Two legs of a fifth of the diagonal each, at right angles: at every hundredth of it 39 turns, one of cosine 0."""
+    leg = 0.2 * diagonal(capsule)
     vertices = np.array([[0, 0, 1], [0, 0, 1 + leg], [leg, 0, 1 + leg]])
     for num in (1, 7):  # with however many nodes on a leg
         places = np.concatenate(

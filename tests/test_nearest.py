@@ -74,6 +74,7 @@ def test_distances_and_sides_are_those_of_the_moved_solid(name, move):
     np.testing.assert_array_equal((found > 0)[is_clear], is_inside[is_clear])
 
 
+@pytest.mark.slow  # distances are those of the solid above
 def test_it_does_not_matter_how_many_are_looked_at_together(monkeypatch):
     """Runs of 256 triangles for 32, so many at once that there are many rounds; and brute force."""
     vertices, _, binding = bound("limbs")
@@ -83,7 +84,7 @@ def test_it_does_not_matter_how_many_are_looked_at_together(monkeypatch):
     faces = np.asarray(jax.jit(nearest.nearest_faces)(binding, points, moved))
     assert faces.max() < int(binding.live.faces)
     triangles = jnp.asarray(moved[binding.faces[: int(binding.live.faces)]])
-    away = nearest.squared_distances(points, jnp.broadcast_to(triangles, (len(points), *triangles.shape)))
+    away = jax.jit(nearest.squared_distances)(points, jnp.broadcast_to(triangles, (len(points), *triangles.shape)))
     np.testing.assert_array_equal(away[np.arange(len(points)), faces], away.min(axis=1))
     monkeypatch.setattr(nearest, "MOST_RUNS", 2)
     monkeypatch.setattr(nearest, "AT_ONCE", 4096)

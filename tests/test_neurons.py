@@ -2,7 +2,6 @@
 
 from dataclasses import replace
 
-import navis
 import numpy as np
 import pytest
 from scipy.sparse.csgraph import minimum_spanning_tree
@@ -51,6 +50,8 @@ def test_labels_of_an_swc_are_soma_forks_and_ends(tmp_path):
     assert rows[0, :3].tolist() == [1, 1, 3] and rows[0, 6] == -1
     count = {label: int((rows[:, 1] == label).sum()) for label in (0, 1, 5, 6)}
     assert count == {0: 43, 1: 1, 5: 2, 6: 4}  # two ends of the fibre, two side branches
+    import navis  # here, because the import takes seconds
+
     read = navis.read_swc(str(tmp_path / "a.swc")).nodes
     assert (read["type"].to_numpy()[read["label"].to_numpy() == 5] == "branch").all()
     assert set(rows[rows[:, 1] == 6, 2]) == {0.0, 39.0, 22.5, 32.5}

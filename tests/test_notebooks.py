@@ -1,12 +1,10 @@
 """Every notebook runs, in a smaller setting; what is committed is what a full run left, and small."""
 
-import os
 from pathlib import Path
 
 import matplotlib.pyplot as plt
 import nbformat
 import pytest
-from conftest import CACHE
 from nbclient import NotebookClient
 
 ROOT = Path(__file__).parents[1]
@@ -35,7 +33,6 @@ def test_it_runs_without_a_warning(path, monkeypatch, tmp_path):
 def test_a_kernel_runs_the_first(monkeypatch):
     """The way that a reader takes, magics included."""
     monkeypatch.setenv("MSF_JAX_SMALL", "1")
-    monkeypatch.setenv("JAX_COMPILATION_CACHE_DIR", os.environ[CACHE])
     notebook = nbformat.read(ROOT / "notebooks" / "quickstart.ipynb", as_version=4)
     NotebookClient(notebook, timeout=600, kernel_name="python3").execute()
     assert not _warnings(notebook)

@@ -29,6 +29,10 @@ def replayed(nodes, radii, edges=(), surface=None, node_of_vertex=None) -> Repla
     )
 
 
+def compiled(objective):
+    return jax.jit(lambda curve: objective(curve))
+
+
 @pytest.mark.parametrize(
     "objective",
     [objectives.explained(), objectives.centred(), objectives.inside(0.1), objectives.smooth(), objectives.near(SPOTS)],
@@ -47,7 +51,8 @@ def test_rows_that_fill_up_do_not_matter(objective):
         curve.surface,
         node,
     )._replace(is_node=jnp.arange(7) < 5)
-    assert objective(wider) == pytest.approx(float(objective(curve)), rel=1e-12)
+    value = compiled(objective)
+    assert value(wider) == pytest.approx(float(value(curve)), rel=1e-12)
     assert objective.can_be_padded and not objectives.as_objective(lambda nodes, radii: 0.0).can_be_padded
 
 
@@ -57,29 +62,31 @@ def sphere() -> np.ndarray:
 
 def test_explained():
     """A ball that is the surface explains it; of half its radius, it leaves a quarter of the diagonal."""
+    value = compiled(objectives.explained())
     for radius, expected in ((1.0, 0.0), (0.5, 0.25), (2.0, 0.0)):
         curve = replayed([[0, 0, 0]], [radius], surface=sphere())
-        assert objectives.explained()(curve) == pytest.approx(expected, abs=1e-12)
+        assert value(curve) == pytest.approx(expected, abs=1e-12)
     two = replayed([[0, 0, 0], [9, 0, 0]], [0.5, 8.5], surface=[[1, 0, 0], [0, 1, 0]])
-    assert objectives.explained()(two) == pytest.approx(0.25 / 2)  # the second ball reaches the first point, past it
+    assert value(two) == pytest.approx(0.25 / 2)  # the second ball reaches the first point, past it
 
 
 def test_explained_takes_samples_of_a_large_surface():
     surface = np.tile(sphere(), (10, 1))
-    assert objectives.explained()(replayed([[0, 0, 0]], [0.5], surface=surface)) == pytest.approx(0.25)
+    assert compiled(objectives.explained())(replayed([[0, 0, 0]], [0.5], surface=surface)) == pytest.approx(0.25)
 
 
 def test_centred():
     """0 on a ring's axis, offset over mean distance beside it; a neighbour's surface counts, too."""
     angle = np.arange(64) * 2 * np.pi / 64
     ring = np.stack([np.cos(angle), np.sin(angle), np.zeros(64)], axis=1)
-    assert objectives.centred()(replayed([[0, 0, 0]], [1], surface=ring)) == pytest.approx(0.0, abs=1e-9)
+    value = compiled(objectives.centred())
+    assert value(replayed([[0, 0, 0]], [1], surface=ring)) == pytest.approx(0.0, abs=1e-9)
     off = np.array([0.3, 0.0, 0.0])
     expected = 0.3 / np.linalg.norm(ring - off, axis=1).mean()
-    assert objectives.centred()(replayed([off], [0.7], surface=ring)) == pytest.approx(expected, rel=1e-4)
+    assert value(replayed([off], [0.7], surface=ring)) == pytest.approx(expected, rel=1e-4)
     halves = (ring[:, 0] > 0).astype(int)
     pair = replayed([[0, 0, 0], [0, 0, 0]], [1, 1], [[0, 1]], ring, halves)
-    assert objectives.centred()(pair) == pytest.approx(0.0, abs=1e-9)
+    assert value(pair) == pytest.approx(0.0, abs=1e-9)
 
 
 def test_inside():
@@ -95,9 +102,10 @@ def test_smooth(degrees):
     bent = [[0, 0, 0], [1, 0, 0], [2, 0, 0], [2 + np.cos(turn), np.sin(turn), 0]]
     row = [[0, 1], [1, 2], [2, 3]]
     expected = (1 - np.cos(turn)) / 2
-    assert objectives.smooth()(replayed(bent, np.ones(4), row)) == pytest.approx(expected, abs=1e-12)
+    value = compiled(objectives.smooth())
+    assert value(replayed(bent, np.ones(4), row)) == pytest.approx(expected, abs=1e-12)
     forked = replayed([*bent, [2, 5, 0]], np.ones(5), [*row, [2, 4]])
-    assert objectives.smooth()(forked) == pytest.approx(0.0, abs=1e-12)
+    assert value(forked) == pytest.approx(0.0, abs=1e-12)
 
 
 def test_near():
@@ -113,7 +121,7 @@ def test_gradients_are_finite_where_points_coincide():
     curve = replayed(np.zeros((3, 3)), np.zeros(3), [[0, 1], [1, 2]])
     total = objectives.explained() + objectives.centred() + objectives.inside() + objectives.smooth()
     total = total + objectives.near(np.zeros((2, 3)))
-    slope = jax.grad(lambda nodes: total(curve._replace(nodes=nodes)))(curve.nodes)
+    slope = jax.jit(jax.grad(lambda nodes: total(curve._replace(nodes=nodes))))(curve.nodes)
     assert np.isfinite(slope).all()
 
 
@@ -132,7 +140,8 @@ def test_no_unit():
     curve = curve._replace(node_of_vertex=jnp.asarray(random.integers(0, 5, 642)))
     lengths = {name: 1e3 * getattr(curve, name) for name in ("nodes", "radii", "surface", "diagonal")}
     for objective in (objectives.explained(), objectives.centred(), objectives.inside(0.1), objectives.smooth()):
-        assert objective(curve._replace(**lengths)) == pytest.approx(float(objective(curve)), rel=1e-9)
+        value = compiled(objective)
+        assert value(curve._replace(**lengths)) == pytest.approx(float(value(curve)), rel=1e-9)
 
 
 def test_sums_and_multiples():

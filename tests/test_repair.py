@@ -298,7 +298,14 @@ def test_a_mesh_that_was_broken_in_every_way_has_its_genus_again(make, seed):
     assert volumes(found)[0] == pytest.approx(mesh.volume, rel=0.01)
 
 
-@pytest.mark.parametrize("name", ["beetle-open", "lilium-open", "cow-pinched", "camel-pinched"])
+@pytest.mark.parametrize(
+    "name",
+    [
+        "beetle-open",
+        "camel-pinched",
+        *(pytest.param(name, marks=pytest.mark.slow) for name in ("lilium-open", "cow-pinched")),
+    ],
+)
 def test_research_meshes_become_curves(research_mesh, name):
     mesh = research_mesh(name)
     found = checking.prepare(mesh, True)
@@ -310,6 +317,7 @@ def test_research_meshes_become_curves(research_mesh, name):
     )
 
 
+@pytest.mark.slow  # that of a joined one is in test_joining
 def test_the_tape_of_a_repaired_mesh_speaks_of_the_callers_vertices():
     vertices, faces = faults.topology_variants()["many holes"]
     run = msf_jax.contract((vertices, faces), config=Config(max_iterations=4), repair=True)

@@ -55,12 +55,13 @@ def varied(num: int) -> Weights:
 
 @pytest.fixture(scope="module")
 def flow() -> msf_jax.Flow:
-    """A small one with many edits: what takes time is compiling, and solves that are as tight as can be."""
-    return msf_jax.contract(ellipsoid(2))
+    """A small and short one with edits: what takes time is compiling, and solves that are as tight as can be."""
+    return msf_jax.contract(ellipsoid(2), config=Config(max_iterations=5))
 
 
 SLOW = pytest.mark.slow  # more cases of what the first one shows
 CASES = {
+    "pinched, pins, another weight at each vertex": (pinched, None, Config(max_iterations=4), [0, 5, 100]),
     "parts, one pinched, pins, another weight at each vertex": (parts, None, Config(), [0, 5, 100]),
     "au2008, two layouts": (
         lambda: ellipsoid(2),
@@ -99,7 +100,7 @@ def test_it_equals_the_run(name):
 @pytest.mark.slow
 def test_it_equals_the_run_on_a_research_mesh(research_mesh):
     vertices, faces = research_mesh("indorelax")
-    flow = msf_jax.contract((vertices, faces))
+    flow = msf_jax.contract((vertices, faces), config=Config(max_iterations=6))
     error = np.abs(msf_jax.replay(flow.tape, flow.weights) - flow.curve.vertices).max()
     assert error < 1e-9 * np.linalg.norm(np.ptp(vertices, axis=0))
 
@@ -267,6 +268,7 @@ def test_an_unsolved_replay_is_nan(flow, monkeypatch):
     assert np.isnan(msf_jax.replay(flow.tape, flow.weights)).all()
 
 
+@pytest.mark.slow  # that a tape is one is in test_tape, too
 def test_a_tape_can_be_an_argument_of_a_jitted_function(flow):
     at = jnp.asarray(flow.tape.vertices)
     nodes = jax.jit(lambda tape, weights: msf_jax.replay(tape, weights, at))(flow.tape, flow.weights)

@@ -45,7 +45,7 @@ def test_the_share_of_a_curve_in_sheets(side, share):
 
 
 def test_a_report_says_what_it_weighs():
-    skeleton = msf_jax.skeletonize(trimesh.creation.capsule(height=3.0, radius=0.4))
+    skeleton = msf_jax.skeletonize(trimesh.creation.capsule(height=3.0, radius=0.4, count=[12, 12]))
     report = skeleton.report
     assert report.is_sound and report.in_sheets == 0.0 and report.doubts == ()
     assert "52% of the curve's length is in sheets" in str(replace(report, in_sheets=0.52))

@@ -94,6 +94,15 @@ def test_a_limb_gets_joints_where_it_bends():
     assert np.linalg.norm(found.joints - [1, 0, 0], axis=1).min() < 1e-9
 
 
+def test_a_straight_limb_has_a_bone_for_at_most_six_radii():
+    """One of some twenty radii has four, each half of a half."""
+    nodes = np.linspace(0, 1, 41)[:, None] * [1.0, 0, 0]
+    edges = np.stack([np.arange(40), np.arange(1, 41)], axis=1)
+    found = bones.bones_of(nodes, edges, np.r_[0.06, np.full(40, 0.05)], 50)
+    length = np.linalg.norm(found.tails - found.joints, axis=1)[1:] / 0.05
+    assert len(length) == 4 and length.max() <= 6 and length.min() > 3
+
+
 @pytest.mark.parametrize("most", [1, 2, 5, 12])
 def test_there_are_never_more_bones_than_asked_for_and_every_node_has_one(most):
     skeleton, _ = known("octopus_low")

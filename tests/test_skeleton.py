@@ -176,7 +176,7 @@ def test_a_changed_curve_without_its_mesh_asks_for_no_distances_of_all_pairs():
     x = np.stack([np.linspace(0, 1, num), np.zeros(num), np.zeros(num)], axis=1)
     edges = np.stack([np.arange(num - 1), np.arange(1, num)], axis=1)
     radii = 0.02 + 0.01 * np.sin(40 * x[:, 0])  # of slope 0.4
-    report = replace(msf_jax.skeletonize(trimesh.creation.capsule(3.0, 0.4)).report, inside=np.nan)
+    report = replace(msf_jax.skeletonize(trimesh.creation.capsule(3.0, 0.4, count=[12, 12])).report, inside=np.nan)
     plain = Skeleton(x, edges, radii, np.zeros(0, dtype=int), report)
     tracemalloc.start()
     halved = plain.resample(2 / num)

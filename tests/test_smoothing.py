@@ -85,18 +85,36 @@ def test_every_coordinate_stays_between_those_it_had(free_case):
     assert np.ptp(moved, axis=0).max() < 0.5 * np.ptp(start, axis=0).max()
 
 
-def test_gradient_in_the_strength(case):
+@pytest.fixture(scope="module")
+def scalar(case):
+    """The scalar product of the result with factors, as a function of those, the strength and the positions in rows."""
+
+    def product(factors, strength, positions):
+        return (factors * plain_smooth(case.buffers._replace(positions=positions), strength, case.layout)[0]).sum()
+
+    return product
+
+
+@pytest.fixture(scope="module")
+def compiled(scalar):
+    """The scalar; its slopes in strength and positions; its tangent along the strength."""
+    slopes = jax.grad(scalar, argnums=(1, 2))
+
+    def tangent(factors, strength, positions):
+        return jax.jvp(lambda value: scalar(factors, value, positions), (strength,), (1.0,))[1]
+
+    return quick_jit(scalar), quick_jit(lambda *at: (slopes(*at), tangent(*at)))
+
+
+def test_gradient_in_the_strength(case, compiled):
     factors = np.random.default_rng(4).normal(size=case.vertices.shape)
-
-    def scalar(value):
-        return (jnp.asarray(case.to_rows(factors)) * plain_smooth(case.buffers, value, case.layout)[0]).sum()
-
-    plain, scalar = scalar, quick_jit(scalar)
-    both = quick_jit(lambda value: (jax.grad(plain)(value), jax.jvp(plain, (value,), (1.0,))[1]))
+    scalar, both = compiled
+    rows, positions = case.to_rows(factors), case.buffers.positions
     for strength in (0.01, 0.5):
-        reverse, forward = both(strength)
+        (reverse, _), forward = both(rows, strength, positions)
         h = 0.01 * strength
-        np.testing.assert_allclose(reverse, central_difference(scalar, strength, 1.0, h), rtol=1e-6)
+        difference = central_difference(lambda value: scalar(rows, float(value), positions), strength, 1.0, h)
+        np.testing.assert_allclose(reverse, difference, rtol=1e-6)
         dense = central_difference(lambda value: (factors * expected(case, value)).sum(), strength, 1.0, h)
         np.testing.assert_allclose(reverse, dense, rtol=1e-6)
         np.testing.assert_allclose(forward, reverse, rtol=1e-9)
@@ -110,18 +128,16 @@ def test_slope_at_strength_zero_is_the_laplacian(case):
     np.testing.assert_allclose(case.to_vertices(tangent), slope, atol=1e-9)
 
 
-def test_gradient_in_the_positions(case):
+def test_gradient_in_the_positions(case, compiled):
     random = np.random.default_rng(5)
-    factors = jnp.asarray(case.to_rows(random.normal(size=case.vertices.shape)))
-
-    def scalar(positions):
-        return (factors * plain_smooth(case.buffers._replace(positions=positions), 0.2, case.layout)[0]).sum()
-
-    gradient = quick_jit(jax.grad(scalar))(case.buffers.positions)
-    scalar = quick_jit(scalar)
+    factors = case.to_rows(random.normal(size=case.vertices.shape))
+    scalar, both = compiled
+    gradient = both(factors, 0.2, case.buffers.positions)[0][1]
     for _ in range(3):
         direction = case.to_rows(random.normal(size=case.vertices.shape))
-        slope = central_difference(lambda x: scalar(jnp.asarray(x)), case.buffers.positions, direction, h=1e-6)
+        slope = central_difference(
+            lambda x: scalar(factors, 0.2, x), np.asarray(case.buffers.positions), direction, h=1e-6
+        )
         np.testing.assert_allclose((gradient * direction).sum(), slope, rtol=1e-5)
 
 

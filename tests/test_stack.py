@@ -12,7 +12,6 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 import pytest
-from conftest import CACHE
 
 import msf_jax
 from msf_jax import ConfigError, MeshError, ground_truth
@@ -131,13 +130,14 @@ def _in_process(script, *arguments, **variables):
     tests = Path(__file__).parent
     inherited = {name: value for name, value in os.environ.items() if name not in ("XLA_FLAGS",)}
     path = f"{tests.parent}{os.pathsep}{tests}"
-    names = {"PYTHONPATH": path, "JAX_COMPILATION_CACHE_DIR": os.environ[CACHE], **variables}
+    names = {"PYTHONPATH": path, **variables}
     command = [sys.executable, str(script), *arguments]
     done = subprocess.run(command, env=inherited | names, capture_output=True, text=True, timeout=600)
     assert done.returncode == 0, done.stderr[-3000:]
     return done.stdout
 
 
+@pytest.mark.slow  # in a batch, above
 def test_padding_changes_no_value(curves):
     """Alone, with twice the capacity of everything."""
     vertices, skeleton = curves[0]
@@ -162,6 +162,7 @@ def test_gradients_in_a_batch_are_those_of_central_differences(batch):
     np.testing.assert_array_less(np.abs((ahead - behind) / (2 * step) - expected), 1e-3 * size)
 
 
+@pytest.mark.slow  # first derivatives have the tests around it
 def test_grad_of_vmap_is_vmap_of_grad_and_slopes_have_slopes(batch):
     """Second derivatives against differences of first ones, along one direction."""
     vertices = jnp.asarray(moved(batch.vertices))

@@ -186,6 +186,7 @@ def test_a_second_tape_compiles_nothing(flow, compilations):
         np.testing.assert_array_equal(nodes[num:], np.tile(nodes[num - 1], (len(nodes) - num, 1)))
 
 
+@pytest.mark.slow  # the test above shows that the capacity is kept
 def test_a_tape_that_is_full_grows(flow):
     """In the buffers of a shorter run's tape: its own where those are too small, and the same curve."""
     short = msf_jax.contract(mesh(), config=Config(reconstruct_mesh=60, max_iterations=3))

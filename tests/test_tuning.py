@@ -87,6 +87,7 @@ def test_the_finished_curve_by_fresh_runs(tmp_path):
             msf_jax.tune(bone(), OBJECTIVE, poor, **arguments)
 
 
+@pytest.mark.slow
 def test_the_defaults_are_tried_to_the_last_bit():
     """A logarithm and back would change last bits, and those can make another curve."""
     found = msf_jax.tune(bone(), OBJECTIVE, Weights(w_H=0.3), steps=1)
