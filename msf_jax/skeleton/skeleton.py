@@ -285,13 +285,13 @@ class Skeleton:
         - ``.swc``: a tree, parents first. Its ids are row numbers from 1, not node ids. Loops are cut; comments list
           the cut edges and the report.
         - ``.obj`` (line elements), ``.cg`` (vertices and edges), ``.polylines.txt`` (CGAL's), ``.ply`` (vertices with
-          radius, edges), ``.graphml`` (NetworkX's).
+          radius, edges), ``.graphml`` and ``.gml`` (NetworkX's).
         - ``.vtp``: VTK PolyData, with the columns of both tables of `table`. ``.csv``, ``.nodes.csv``: these tables.
         - ``.npz``: everything, with the surface. ``.json``: everything, without the surface.
         - ``.glb``: glTF of ``mesh``, as `skeletonize` took it, with its materials, on the bones of ``rig()``. For
           another rig use ``rig(...).save(path, mesh)``.
 
-        `msf_jax.read_curve` reads all of these but ``.vtp``, ``.csv`` and ``.glb``.
+        `msf_jax.read_curve` reads all of these but ``.gml``, ``.vtp``, ``.csv`` and ``.glb``.
 
         Raises:
             ConfigError: the suffix is none of these, or a ``.glb`` was requested without a mesh.
