@@ -22,7 +22,7 @@ from msf_jax.skeleton.pictures import page, panels, segmentation
 from msf_jax.skeleton.report import Report
 from msf_jax.skeleton.rigging import rig
 from msf_jax.skeleton.rigging.rig import Rig
-from msf_jax.skeleton.source import Source
+from msf_jax.skeleton.source import Source, known
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -190,13 +190,14 @@ class Skeleton:
     @property
     def surface(self) -> following.Surface:
         """The checked mesh, with the input vertex and the node of each of its vertices; raises as `binding` does."""
-        if self.source is None or self.source.input_of_vertex is None:
+        source = known(self.source)
+        vertex = source.input_of_vertex
+        if vertex is None:
             raise ConfigError(
-                "the skeleton does not know the mesh that it was made from: expected one from skeletonize, or from an "
-                ".npz file that msf_jax has written, of a mesh to which repair has added no vertices"
+                "repair has added vertices to the mesh that the skeleton was made from: expected only the mesh's own "
+                'vertices; run skeletonize without repair="join" or extruded rims'
             )
-        vertex = self.source.input_of_vertex
-        return following.Surface(self.source.solid, vertex, self.mesh_map[vertex])
+        return following.Surface(source.solid, vertex, self.mesh_map[vertex])
 
     def jacobian(self) -> sparse.csr_matrix:
         """The derivative of `msf_jax.follow` at the recorded vertices.
