@@ -167,6 +167,7 @@ def test_3mf_is_counted_before_it_is_read(tmp_path, monkeypatch):
         "a vertex has 1 numbers: expected at least 3": {"inside": tampering._mesh(1, b'<vertex x="0"/>')},
         "declares entities": {"inside": tampering._mesh(1), "before": tampering.DECLARED},
         "contain themselves": {"inside": b'<object id="1"><components><component objectid="1"/></components></object>'},
+        "an object in another": {"inside": b'<object id="1"><object id="2"/></object>'},
         "12 instances and 44 triangles": {"inside": tampering._mesh(1), "build": b'<item objectid="1"/>' * 11},
     }
     for says, parts in cases.items():

@@ -19,10 +19,8 @@ class Hole(NamedTuple):
 
 
 def filled(vertices: np.ndarray, faces: np.ndarray, size: float) -> list[Hole]:
-    """The holes whose rim fits into a box of diagonal ``size``, each with the faces that fill it.
-
-    Rims must not share a vertex: of those that do, some are left open.
-    """
+    """The holes whose rim fits into a box of diagonal ``size``, each with the faces that fill it. Rims must not share a
+    vertex: of those that do, some are left open."""
     edge, _, count = edge_codes(faces)
     origin, target = faces.ravel(), faces[:, [1, 2, 0]].ravel()
     half = np.flatnonzero(count[edge] == 1)

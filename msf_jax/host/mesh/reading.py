@@ -127,13 +127,8 @@ def _placed(scene: trimesh.Scene) -> list[trimesh.Trimesh]:
     shown = [(name, transform) for transform, name in (scene.graph[node] for node in scene.graph.nodes_geometry)]
     if len(shown) > MOST_SHOWN or sum(size.get(name, 0) for name, _ in shown) > MOST_FACES:
         raise ValueError(f"its scene has {len(shown)} meshes, or too many triangles in all")
-    found = []
-    for name, transform in shown:
-        if name in size:
-            part = scene.geometry[name].copy(include_cache=True)
-            part.apply_transform(transform)
-            found.append(part)
-    return found
+    copies = [(scene.geometry[name].copy(include_cache=True), transform) for name, transform in shown if name in size]
+    return [part.apply_transform(transform) for part, transform in copies]
 
 
 def _load(path: Path) -> list[trimesh.Trimesh]:
@@ -221,10 +216,8 @@ def _as_vertices(vertices: Any, finite: bool) -> np.ndarray:
     if len(bad) and finite:
         raise MeshError(f"{count(bad, 'vertex', 'vertices')} not finite (NaN or infinite): correct them{OR_REPAIR}")
     sound = array[np.isfinite(array).all(axis=1)]
-    extent, largest = (
-        float(values.max(initial=0.0))
-        for values in (sound.max(axis=0, initial=-np.inf) - sound.min(axis=0, initial=np.inf), np.abs(sound))
-    )
+    extent = float(np.ptp(sound, axis=0).max()) if len(sound) else 0.0
+    largest = float(np.abs(sound).max(initial=0.0))
     if 0 < extent < SMALLEST or largest > 1 / SMALLEST:
         raise MeshError(
             f"the mesh has an extent of {extent:.3g}, and coordinates up to {largest:.3g}: expected an extent of "

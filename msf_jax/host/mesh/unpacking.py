@@ -23,24 +23,20 @@ MOST_ELEMENTS = 100_000  # other elements, at most
 MOST_TRIANGLES, MOST_INSTANCES, DEEPEST = 20_000_000, 100_000, 100
 CHUNK = 1 << 16  # bytes that are read at a time
 
-Key = tuple[str, str]  # of an object: the archive's member that defines it, and its id, which is unique there
-WHOLE = ("", "")  # stands for the whole file
-
 
 def check(path: Path) -> bool:
-    """Raise a ValueError if the file at ``path`` would need too much memory for its size.
-
-    Returns whether its objects refer to objects of other members; `merged` then makes it readable.
-    """
+    """Raise a ValueError if the file at ``path`` would need too much memory for its size. Returns whether its objects
+    refer to members of the archive: `merged` then makes it readable."""
     if path.suffix.lower().lstrip(".") not in ZIPPED:
         with path.open("rb") as stream:
             _Elements().read(stream)
         return False
     with zipfile.ZipFile(path) as archive:
         members = archive.infolist()
-        size, most = sum(member.file_size for member in members), LARGEST_RATIO * path.stat().st_size
-        if size > min(max(most, SMALL), LARGEST):
-            raise ValueError(f"it unpacks to {size} bytes: expected at most {min(max(most, SMALL), LARGEST)}")
+        size = sum(member.file_size for member in members)
+        most = min(max(LARGEST_RATIO * path.stat().st_size, SMALL), LARGEST)
+        if size > most:
+            raise ValueError(f"it unpacks to {size} bytes: expected at most {most}")
         elements = _Elements()
         for member in members:
             if Path(member.filename).suffix.lower() not in (".png", ".jpg", ".jpeg"):
@@ -51,10 +47,8 @@ def check(path: Path) -> bool:
 
 
 def merged(path: Path) -> io.BytesIO:
-    """The 3MF file at ``path`` with the objects of all its models in one, and ids that are unique in the whole file.
-
-    In 3MF's production extension a component names the member and the id of an object. trimesh uses only the id.
-    """
+    """The 3MF file at ``path`` with the objects of all its models in one, and ids that are unique in the whole file. In
+    3MF's production extension a component names the member and the id of an object, but trimesh uses only the id."""
     etree: Any = importlib.import_module("lxml.etree")
     with zipfile.ZipFile(path) as archive:
         names = [name for name in archive.namelist() if name.lower().endswith(".model")]
@@ -62,23 +56,22 @@ def merged(path: Path) -> io.BytesIO:
     root = next(models[name] for name in names if "3d/3dmodel.model" in name.lower())
     for name, model in models.items():
         for part in model.findall(".//{*}component") + model.findall(".//{*}item"):
-            key = " ".join(_referred(part.attrib, name))
-            etree.strip_attributes(part, "{*}path", "path")
-            part.set("objectid", key)
+            part.set("objectid", _referred(part.attrib, name))
+            for attribute in [each for each in part.attrib if each.endswith("path")]:
+                del part.attrib[attribute]
         for element in model.findall(".//{*}object"):
             element.set("id", f"{name} {element.get('id')}")
             root.find("{*}resources").append(element)
     found = io.BytesIO()
     with zipfile.ZipFile(found, "w") as archive:
         archive.writestr("3D/3dmodel.model", etree.tostring(root))
-    found.seek(0)
     return found
 
 
-def _referred(attributes: Any, member: str) -> Key:
-    """The object that a component or item in ``member`` refers to."""
+def _referred(attributes: Any, member: str) -> str:
+    """The member and the id of the object that a component or item in ``member`` refers to."""
     path = next((value.strip("/") for key, value in attributes.items() if key.endswith("path")), member)
-    return path, attributes["objectid"]
+    return f"{path} {attributes['objectid']}"
 
 
 class _Elements:
@@ -87,14 +80,14 @@ class _Elements:
     def __init__(self) -> None:
         self.num_others = 0
         self.member = ""  # the archive's member that is read
-        self.inside = WHOLE  # the current object
+        self.inside = ""  # the current object: its member and id; "" is the whole file
         self.has_paths = False
-        self.triangles: dict[Key, int] = defaultdict(int)  # of each object
-        self.parts: dict[Key, list[Key]] = defaultdict(list)  # of each object
+        self.triangles: dict[str, int] = defaultdict(int)  # of each object
+        self.parts: dict[str, list[str]] = defaultdict(list)  # the parts of each object
 
     def read(self, stream: BinaryIO | Any, member: str = "") -> None:
         """Parse one stream. A stream that is no XML is left to the file's reader."""
-        self.member, self.inside = member, WHOLE
+        self.member, self.inside = member, ""
         first = stream.read(CHUNK)
         if not first.lstrip(b"\xef\xbb\xbf \t\r\n").startswith((b"<", b"\xff\xfe", b"\xfe\xff")):
             return
@@ -113,10 +106,10 @@ class _Elements:
 
     def check_instances(self) -> None:
         """Raise a ValueError if the parts, with the parts that they consist of, are too many."""
-        done: dict[Key, tuple[int, int]] = {}
-        ancestors: set[Key] = set()
+        done: dict[str, tuple[int, int]] = {}
+        ancestors: set[str] = set()
 
-        def total(name: Key) -> tuple[int, int]:
+        def total(name: str) -> tuple[int, int]:
             """The numbers of instances and triangles of an object, with its parts."""
             if name in done:
                 return done[name]
@@ -128,7 +121,7 @@ class _Elements:
             done[name] = 1 + sum(one for one, _ in found), self.triangles[name] + sum(num for _, num in found)
             return done[name]
 
-        instances, triangles = total(WHOLE)
+        instances, triangles = total("")
         if instances > MOST_INSTANCES or triangles > MOST_TRIANGLES:
             raise ValueError(f"its parts have {instances} instances and {triangles} triangles, which is too many")
 
@@ -142,15 +135,17 @@ class _Elements:
         self.num_others += 1
         if self.num_others > MOST_ELEMENTS:
             raise ValueError(f"it has over {MOST_ELEMENTS} elements that are no part of a mesh")
+        if name == "object" and self.inside:
+            raise ValueError("it has an object in another")
         if name == "object":
-            self.inside = self.member, attributes.get("id", "")
+            self.inside = f"{self.member} {attributes.get('id')}"
         elif name in ("component", "item") and "objectid" in attributes:
             self.has_paths |= any(key.endswith("path") for key in attributes)
-            self.parts[self.inside if name == "component" else WHOLE].append(_referred(attributes, self.member))
+            self.parts[self.inside if name == "component" else ""].append(_referred(attributes, self.member))
 
     def _ended(self, name: str) -> None:
         if name.rpartition(":")[2] == "object":
-            self.inside = WHOLE
+            self.inside = ""
 
     def _declared(self, *_: Any) -> None:
         raise ValueError("it declares entities, which no mesh needs")

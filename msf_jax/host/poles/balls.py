@@ -18,9 +18,8 @@ from scipy import spatial
 from msf_jax.host.poles.voronoi import Poles
 from msf_jax.host.solid.geometry import unit, vertex_normals
 
-# The first and the largest radius, as ratios to the largest side of the bounding box; a caller with a solid uses its
-# diagonal.
-FIRST, LARGEST = 0.01, 1.0
+FIRST = 0.01  # first radius, as a ratio to the largest side of the bounding box (to the diagonal if there is a solid)
+LARGEST = 1.0  # largest radius, likewise
 NOISE = np.cos(np.radians(25))  # q is noise if the angle v-c-q is under 25 degrees; this is its cosine
 ROUNDS = 60  # queries for each ball, at most
 EMPTY = 1 - 1e-9  # a point counts as inside if it is nearer to the centre than this share of the radius
