@@ -13,6 +13,8 @@ from conftest import blob
 from jax.experimental.compilation_cache import compilation_cache
 
 import msf_jax
+from msf_jax import ConfigError
+from msf_jax.app import shaping
 from msf_jax.app.cli import _parser, main
 from msf_jax.app.parser import parsed
 
@@ -165,6 +167,14 @@ def test_a_typo_in_an_option_is_named_with_the_usage_of_its_command(capsys):
     err = capsys.readouterr().err
     assert err.startswith("usage: msf-jax skeletonize") and "--max-iterations" in err
     assert err.endswith("unrecognized arguments: --wL 1; did you mean --w-L?\n")
+
+
+@pytest.mark.parametrize("value", ["inf", "nan", "0", "-1"])
+@pytest.mark.parametrize("name", ["scale", "resample", "simplify", "heal"])
+def test_lengths_are_finite(name, value):
+    arguments = parsed(_parser(), ["skeletonize", "a.off", f"--{name}={value}", "-o", "b.swc"])
+    with pytest.raises(ConfigError, match=f"--{name} is {float(value)}: expected a finite number above 0"):
+        shaping.asked_for(arguments)
 
 
 @pytest.mark.parametrize("place", ["-1,2,3", "-.5,0,0", "1,-2,3"])

@@ -195,6 +195,20 @@ def test_networkx_reads_graphml(hand, saved):
     assert graph.nodes[3]["y"] == skeleton.vertices[3, 1]
 
 
+def test_networkx_reads_gml(lollipop, tmp_path):
+    """With every double as it was, a lone node and a loop; edges with the distance of their ends."""
+    lollipop.save(tmp_path / "a.gml")
+    graph = nx.read_gml(tmp_path / "a.gml", label="id")
+    assert sorted(graph) == list(range(6))
+    assert {tuple(sorted(edge)) for edge in graph.edges} == set(map(tuple, lollipop.edges.tolist()))
+    rows = [[graph.nodes[node][name] for name in ("x", "y", "z", "radius")] for node in range(6)]
+    np.testing.assert_array_equal(rows, np.column_stack([lollipop.vertices, lollipop.radii]))
+    assert {frozenset(edge): length for *edge, length in graph.edges(data="length")} == {
+        frozenset((a, b)): pytest.approx(np.linalg.norm(lollipop.vertices[a] - lollipop.vertices[b]))
+        for a, b in lollipop.edges.tolist()
+    }
+
+
 def test_numpy_reads_npz(hand, saved):
     skeleton, _ = hand
     with np.load(saved(".npz")) as file:

@@ -1,11 +1,13 @@
 """Files that are not as they were written, or ask for too much: refused with a reason, and nothing else."""
 
+import io
 import json
 import os
 import re
 import subprocess
 import sys
 import tomllib
+import zipfile
 from pathlib import Path
 
 import numpy as np
@@ -162,9 +164,10 @@ def test_3mf_is_counted_before_it_is_read(tmp_path, monkeypatch):
     monkeypatch.setattr(unpacking, "MOST_TRIANGLES", 40)
     cases = {
         "over 50 elements that are no part of a mesh": {"inside": tampering._mesh(1, b"<a/>" * 60)},
-        "a vertex has 1 numbers: expected 3": {"inside": tampering._mesh(1, b'<vertex x="0"/>')},
+        "a vertex has 1 numbers: expected at least 3": {"inside": tampering._mesh(1, b'<vertex x="0"/>')},
         "declares entities": {"inside": tampering._mesh(1), "before": tampering.DECLARED},
         "contain themselves": {"inside": b'<object id="1"><components><component objectid="1"/></components></object>'},
+        "an object in another": {"inside": b'<object id="1"><object id="2"/></object>'},
         "12 instances and 44 triangles": {"inside": tampering._mesh(1), "build": b'<item objectid="1"/>' * 11},
     }
     for says, parts in cases.items():
@@ -172,6 +175,35 @@ def test_3mf_is_counted_before_it_is_read(tmp_path, monkeypatch):
             reading.read(written_3mf(tmp_path / "bomb.3mf", **parts))
     with pytest.raises(MeshError, match=r"unpacks to \d+ bytes: expected at most 10000000"):
         reading.read(written_3mf(tmp_path / "bomb.3mf", inside=b" " * 20_000_000))
+
+
+def parts_of_models(path, *components, item=b'<item objectid="1"/>'):
+    """A file whose first model has an object 1 with these components: pairs of a path and an id."""
+    text = b"".join(b'<component %s objectid="%s"/>' % component for component in components)
+    inside = b'<object id="1"><components>' + text + b"</components></object>"
+    path.write_bytes(tampering._model(inside=inside, build=item))
+    with zipfile.ZipFile(path, "a") as archive:
+        other = tampering._model(tampering._mesh(1) + tampering._mesh(2, b'<vertex x="9" y="9" z="9"/>'), build=b"")
+        archive.writestr("3D/Objects/a.model", zipfile.ZipFile(io.BytesIO(other)).read("3D/3dmodel.model"))
+    return path
+
+
+IN_A = b'path="/3D/Objects/a.model"'
+
+
+def test_ids_of_3mf_are_those_of_one_model(tmp_path, monkeypatch):
+    """3MF's production extension: object 1 consists of object 1 of another model, and of its object 2."""
+    one = reading.read(parts_of_models(tmp_path / "one.3mf", (IN_A, b"1")))
+    assert one[0].shape == (4, 3) and one[1].shape == (4, 3)
+    both = reading.read(parts_of_models(tmp_path / "two.3mf", (IN_A, b"1"), (IN_A, b"2")))
+    assert len(both[0]) == 9 and len(both[1]) == 8  # each once
+    direct = reading.read(parts_of_models(tmp_path / "item.3mf", item=b'<item %s objectid="2"/>' % IN_A))
+    assert len(direct[0]) == 5 and direct[0].max() == 9
+    with pytest.raises(MeshError, match="contain themselves"):
+        reading.read(parts_of_models(tmp_path / "cycle.3mf", (b'path="/3D/3dmodel.model"', b"1")))
+    monkeypatch.setattr(unpacking, "MOST_TRIANGLES", 40)
+    with pytest.raises(MeshError, match="triangles, which is too many"):
+        reading.read(parts_of_models(tmp_path / "many.3mf", *[(IN_A, b"1")] * 11))
 
 
 def test_a_scene_that_shows_too_much_is_refused(tmp_path, monkeypatch):

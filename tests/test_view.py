@@ -59,6 +59,8 @@ def test_several_curves_differ_in_colour_and_one_is_coloured_by_radius():
     assert [tuple(drawn.get_color()[0]) for drawn in several.collections] == [to_rgba("C0"), to_rgba("C1")]
     assert len(np.unique(one.collections[0].get_color(), axis=0)) == 2
     assert bar.get_ylim() == (0, 4)
+    several, *_ = cast(list[Any], view.panels([Panel(curves={"a": LINE, "dot": DOT})]).axes)
+    assert tuple(several.collections[1].get_facecolor()[0]) == to_rgba("C1")  # it has no edges
 
 
 def test_pictures_without_a_curve_have_no_colour_bar():

@@ -27,7 +27,9 @@ class Shaping(NamedTuple):
 
 def add_options(parser: argparse.ArgumentParser) -> None:
     """The options that `asked_for` reads."""
-    after = parser.add_argument_group("what is written", "Lengths are in the units of the written file.")
+    after = parser.add_argument_group(
+        "what is written", "Lengths are in the units of the written file: the mesh is scaled first."
+    )
     after.add_argument("--scale", type=float, metavar="X", help="multiply the mesh's coordinates, to change the unit")
     after.add_argument("--units", metavar="NAME", help="name of the unit of length, for .swc, .npz and .json files")
     after.add_argument("--resample", type=float, metavar="X", help="distance between nodes along the branches")
@@ -44,7 +46,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     after.add_argument(
         "--radius",
         choices=["ball", "section"],
-        help="kind of radii: of the largest ball inside (default), or of a disc with the cross-section's area",
+        help="ball: of the largest ball inside (default); section: of a disc with the cross-section's area",
     )
 
 
@@ -53,7 +55,7 @@ def asked_for(arguments: argparse.Namespace) -> Shaping:
     for name in ("scale", "resample", "simplify", "heal"):
         value = getattr(arguments, name)
         if value is not None and not 0 < value < math.inf:
-            raise ConfigError(f"--{name} is {value}: expected a number above 0")
+            raise ConfigError(f"--{name} is {value}: expected a finite number above 0")
     root: tuple[float, ...] | str | None = "thickest" if arguments.tree else None
     if arguments.root is not None:
         root = arguments.root if arguments.root in ("soma", "thickest") else _place(arguments.root)
@@ -78,7 +80,7 @@ def scaled(mesh: "tuple[np.ndarray, np.ndarray]", asked: Shaping) -> "tuple[np.n
 
 
 def shaped(skeleton: "Skeleton", asked: Shaping) -> "Skeleton":
-    """The curve after the changes ``asked``."""
+    """The curve after the changes ``asked``: gaps, loops and root, nodes, radii, then the name of the unit."""
     from dataclasses import replace
 
     import numpy as np
@@ -86,9 +88,13 @@ def shaped(skeleton: "Skeleton", asked: Shaping) -> "Skeleton":
     if asked.heal is not None:
         skeleton = skeleton.heal(asked.heal)
     if asked.root is not None:
-        root: int | str | None = None if asked.root == "thickest" else "soma"
+        root: int | str | None
         if isinstance(asked.root, tuple):
             root = int(np.linalg.norm(skeleton.vertices - np.array(asked.root), axis=1).argmin())
+        elif asked.root == "thickest":
+            root = None
+        else:
+            root = "soma"
         skeleton = skeleton.to_tree(root)
     if asked.resample is not None:
         skeleton = skeleton.resample(asked.resample)

@@ -13,12 +13,12 @@ EVERY = 10.0  # seconds: the least time between two lines of a log
 
 
 class Progress:
-    """The progress of a job of ``total`` parts, on standard error if ``shown``: a bar on a terminal, else lines."""
+    """The progress of a job of ``total`` parts, on standard error if ``is_shown``: a bar on a terminal, else lines."""
 
-    def __init__(self, total: int, what: str, unit: str, shown: bool):
+    def __init__(self, total: int, what: str, unit: str, is_shown: bool):
         is_terminal = sys.stderr is not None and sys.stderr.isatty()
-        self._bar: Any = tqdm(total=total, desc=what, unit=unit, disable=not (shown and is_terminal))
-        self._is_plain = shown and not is_terminal and sys.stderr is not None
+        self._bar: Any = tqdm(total=total, desc=what, unit=unit, disable=not (is_shown and is_terminal))
+        self._is_plain = is_shown and not is_terminal and sys.stderr is not None
         self._total, self._what, self._unit = total, what, unit
         self._done, self._last = 0, -EVERY
         self._began = time.monotonic()
@@ -43,9 +43,9 @@ class Progress:
 
 
 @contextmanager
-def showing(total: int, what: str, unit: str, shown: bool) -> Iterator[Progress]:
+def showing(total: int, what: str, unit: str, is_shown: bool) -> Iterator[Progress]:
     """A `Progress` that is closed at the end."""
-    made = Progress(total, what, unit, shown)
+    made = Progress(total, what, unit, is_shown)
     try:
         yield made
     finally:

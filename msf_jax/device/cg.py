@@ -1,14 +1,14 @@
 """Conjugate gradients for A x = b with a symmetric positive definite operator A, differentiated implicitly.
 
 jaxopt's `solve_cg` reports neither its steps nor its residual. So the loop is a jaxopt `IterativeSolver`, whose state
-has both. Derivatives are those of the solution, A dx = db - dA x, in forward and reverse mode, for one more solve. A
-`jax.checkpoint` that keeps values named "solution" does not repeat the first solve. A new preconditioner is a function
-in `PRECONDITIONERS`, and a name in `base.options.SOLVED_BY`; the one on the host is in `host/factors.py`.
+has both. Derivatives are those of the solution, A dx = db - dA x, in forward and reverse mode. Each derivative costs
+one more solve. With a `jax.checkpoint` whose policy saves the name "solution", the backward pass does not repeat the
+solve for x. The functions in `PRECONDITIONERS` use JAX; `host/factors.py` has a preconditioner on the host.
 """
 
 import warnings
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import partial
 from typing import Any, NamedTuple, Protocol
 
@@ -48,9 +48,10 @@ PRECONDITIONERS: dict[str, Callable[[Any], Callable[[jax.Array], jax.Array]]] = 
 
 
 class SolveReport(NamedTuple):
-    """The result of a solve of A x = b, besides x.
+    """The result of a solve of A x = b, or of A x = b - |b| left, besides x.
 
-    steps: of CG. residual: |b - A x| / |b|. is_solved: whether it reached its tolerance. left: (n, c) (b - A x) / |b|.
+    steps: of CG. residual: the norm of ``left``. is_solved: whether it reached its tolerance. left: (n, c) the residual
+    over |b|. It is CG's recursive residual, which differs from the right-hand side minus A x by rounding.
     """
 
     steps: jax.Array
@@ -73,15 +74,15 @@ class CGState(NamedTuple):
 class ConjugateGradients(base.IterativeSolver):
     """Preconditioned CG for A x = b from x = 0.
 
-    ``error`` is the norm of the recursive residual. It is 0 once a step changes no entry by ``smallest``. It is NaN,
-    which ends the solve unsolved, if A or M turns out not to be positive definite.
+    ``error`` is the norm of the recursive residual. It is set to 0 once a step changes every entry by less than
+    ``smallest``. It is NaN, which ends the solve unsolved, if A or M turns out not to be positive definite.
     """
 
     matvec: Any
     precondition: Any
-    smallest: Any = 0.0
-    maxiter: int = 2000
-    tol: Any = 0.0
+    smallest: Any
+    maxiter: int
+    tol: Any
     implicit_diff: bool = False
     jit: bool = True
     unroll: bool = False
@@ -145,14 +146,15 @@ def norm(x: jax.Array) -> jax.Array:
 def solve(
     operator: Any, b: jax.Array, solver: Solver, smallest: Any = 0.0, left: jax.Array | None = None
 ) -> tuple[jax.Array, SolveReport]:
-    """Solve A x = b - |b| left for an `Operator` A and b (n, c), from x = 0.
+    """Solve A x = b - |b| left for an `Operator` A and b (n, c), from x = 0; without ``left``, A x = b.
 
-    Stops when the norm of the residual is at most the solver's tolerance times that of ``b``, or when a step changes no
-    entry of x by ``smallest``.
+    Stops when the norm of the residual is at most the solver's tolerance times |b|, or when a step changes every entry
+    of x by less than ``smallest``.
     Differentiable in: operator, b; implicitly, in forward and reverse mode, by a solve to the tolerance.
     """
-    b = b if left is None else b - norm(b) * left
-    x, report = _run(*lax.stop_gradient((operator, b)), solver, lax.stop_gradient(smallest))
+    size = norm(b)
+    b = b if left is None else b - size * left
+    x, report = _run(*lax.stop_gradient((operator, b, size)), solver, lax.stop_gradient(smallest))
     report = report._replace(is_solved=checkpoint_name(report.is_solved, SOLUTION))
     return _solution(solver, operator, b, checkpoint_name(x, SOLUTION)), report
 
@@ -164,8 +166,7 @@ def solve_outside(
 
     So ``precondition``, r -> M r, may be a function on the host, unlike those of `PRECONDITIONERS`.
     """
-    iteration = ConjugateGradients(partial(_product, operator), precondition, jit=False, unroll=True)
-    return _iterated(iteration, b, solver, smallest)
+    return _iterated(partial(_product, operator), precondition, b, norm(b), solver, smallest, jit=False, unroll=True)
 
 
 @jax.jit
@@ -173,20 +174,22 @@ def _product(operator: Any, x: jax.Array) -> jax.Array:
     return operator(x)
 
 
-def _run(operator: Any, b: jax.Array, solver: Solver, smallest: Any = 0.0) -> tuple[jax.Array, SolveReport]:
-    iteration = ConjugateGradients(operator, PRECONDITIONERS[solver.preconditioner](operator))
-    return _iterated(iteration, b, solver, smallest)
+def _run(
+    operator: Any, b: jax.Array, size: jax.Array, solver: Solver, smallest: Any = 0.0
+) -> tuple[jax.Array, SolveReport]:
+    return _iterated(operator, PRECONDITIONERS[solver.preconditioner](operator), b, size, solver, smallest)
 
 
 def _iterated(
-    iteration: ConjugateGradients, b: jax.Array, solver: Solver, smallest: Any
+    matvec: Any, precondition: Any, b: jax.Array, size: jax.Array, solver: Solver, smallest: Any, **options: bool
 ) -> tuple[jax.Array, SolveReport]:
-    size = norm(b)
-    scale = jnp.where((size > 0) & jnp.isfinite(size), size, 1.0)  # then no square overflows float32
-    iteration = replace(iteration, smallest=smallest / scale, maxiter=solver.max_steps, tol=solver.tolerance)
-    x, state = iteration.run(jnp.zeros_like(b), b / scale)
-    left = jnp.sqrt(_dot(state.residual, state.residual))
-    return scale * x, SolveReport(state.iter_num, left, state.error <= solver.tolerance, state.residual)
+    """Solve for b; residuals are relative to ``size``."""
+    # b / scale has norm 1, or nearly if something is left, so no square overflows float32.
+    scale = jnp.where((size > 0) & jnp.isfinite(size), size, 1.0)
+    solving = ConjugateGradients(matvec, precondition, smallest / scale, solver.max_steps, solver.tolerance, **options)
+    x, state = solving.run(jnp.zeros_like(b), b / scale)
+    residual = jnp.sqrt(_dot(state.residual, state.residual))
+    return scale * x, SolveReport(state.iter_num, residual, state.error <= solver.tolerance, state.residual)
 
 
 @partial(jax.custom_jvp, nondiff_argnums=(0,))
@@ -201,4 +204,8 @@ def _solution_jvp(solver: Solver, primals: Any, tangents: Any) -> Any:
     (operator, b, x), (d_operator, db, _) = primals, tangents
     x = _solution(solver, operator, b, x)  # so that second derivatives see that x depends on A and b
     _, right = jax.jvp(lambda A, rhs: rhs - A(x), (operator, b), (d_operator, db))
-    return x, lax.custom_linear_solve(operator, right, lambda _, rhs: _run(operator, rhs, solver)[0], symmetric=True)
+
+    def solved(_: Any, rhs: jax.Array) -> jax.Array:
+        return _run(operator, rhs, norm(rhs), solver)[0]
+
+    return x, lax.custom_linear_solve(operator, right, solved, symmetric=True)

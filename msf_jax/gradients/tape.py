@@ -34,8 +34,8 @@ VERSION = 4  # of the format: files of other versions are refused
 RECORDS = {  # the types that a file may contain, by name
     kind.__name__: kind for kind in (Part, Mixing, Basis, Polynomial, Stretch, Shape, Layout, Level, Weights, Config)
 }
-FEWEST_NODES = 64  # rows: the smallest capacity of nodes in a padded tape; the next ones are its multiples by 2, 4, ...
-FEWEST_MESO = 512  # rows: the smallest capacity of vertices of the contracted surface, likewise
+FEWEST_NODES = 64  # rows of nodes in a padded tape, at least: capacities are 64, 128, 256, ...
+FEWEST_MESO = 512  # rows of vertices of the contracted surface, at least: 512, 1024, 2048, ...
 
 
 class Comparison(NamedTuple):
@@ -57,15 +57,16 @@ class Tape:
         node_of_vertex: (V,) the node of each vertex.
         edges: (E, 2) of the recorded curve.
         triangles: (N, 3) vertices of the triangle of the mesh that is nearest to each node of the recorded curve.
-        offsets: (N, 3, 3) from those vertices to the triangle's corners; not 0 where repair made the corner.
+        offsets: (N, 3, 3) from those vertices to the triangle's corners; 0, but for corners that repair made.
         is_inside: (N,) whether the node is inside.
         decisions: (D,) a hash of each decision.
-        node_row, meso_row: (N,), (M,) the row of each node (and meso vertex) among the padded rows of all parts.
+        node_row: (N,) the row of each node in the concatenated padded nodes of all parts.
+        meso_row: (M,) the row of each vertex of the contracted surface in the concatenated padded ones of all parts.
         vertices_hash, faces_hash: (32,) uint8, of the mesh.
         weights: of the run.
         shapes: layouts of the parts' buffers.
         config: of the run.
-        is_joined: whether repair made vertices of the surface that are not in the mesh.
+        is_joined: whether the surface has vertices that repair made, where it joined parts or extruded a rim.
     """
 
     parts: tuple[Part, ...]
@@ -103,10 +104,11 @@ class Tape:
     def padded(self, like: "Tape | None" = None) -> "Tape":
         """This tape with padded nodes, so that a jitted function of tapes is compiled once for each capacity.
 
-        Without padding, each number of nodes needs its own program. Here the number of rows is 64, 128, 256, ..., at
-        least a quarter more than the nodes; or that of ``like``, if it is sufficient. Rows of padding repeat the last
-        node. Edges and decisions are left out, because their numbers vary, too; so objectives with edges and `compare`
-        do not work. The buffers of the iterations keep their sizes; see `Flow.tape_like`.
+        Without padding, each number of nodes needs its own program. Here the number of rows is that of ``like``, if it
+        is sufficient. Else it is the first of 64, 128, 256, ... that is at least a quarter more than the nodes. Rows of
+        padding repeat the last node. Edges and decisions are left out, because their numbers vary, too. So objectives
+        that need edges, and `compare`, do not work. The buffers of the iterations keep their sizes; see
+        `Flow.tape_like`.
         """
         nodes = size_for(self.num_nodes, FEWEST_NODES, like.num_nodes if like else 0)
         meso = size_for(len(self.meso_row), FEWEST_MESO, len(like.meso_row) if like else 0)
@@ -138,8 +140,8 @@ class Tape:
     def compare(self, other: "Tape") -> Comparison:
         """How many decisions of ``other``, the tape of another run on this mesh, are different.
 
-        A gradient through this tape does not see them. Decisions refer to vertices by id, so the faces must be the
-        same; the vertices may have moved.
+        A gradient through this tape ignores these differences. Decisions refer to vertices by id, so the faces must be
+        the same; the vertices may have moved.
 
         Raises:
             MeshError: the tapes are of meshes with different faces.
@@ -182,7 +184,10 @@ class Tape:
             ConfigError: the file is no tape, is damaged, or was written by another version.
             MeshError: the tape is of another mesh.
         """
-        with archive.reading(path, KIND, VERSION, "record one with contract, and Tape.save") as (header, arrays):
+        with archive.reading(path, KIND, VERSION, "make a tape with contract, and save it with Tape.save") as (
+            header,
+            arrays,
+        ):
             tape = _checked(header, arrays)
         if mesh is not None:
             tape.check(mesh)
@@ -256,9 +261,9 @@ def _capacities(part: Part, shape: Shape) -> padded.Capacities:
     return padded.Capacities(stretches, *sizes)
 
 
-def _live(padded: list[np.ndarray], counts: list[int]) -> np.ndarray:
+def _live(arrays: list[np.ndarray], counts: list[int]) -> np.ndarray:
     """The live rows of concatenated padded arrays: the first ``counts[k]`` rows of array k."""
-    first = np.cumsum([0, *map(len, padded)])
+    first = np.cumsum([0, *map(len, arrays)])
     return np.concatenate([start + np.arange(count) for start, count in zip(first, counts, strict=False)])
 
 

@@ -11,6 +11,7 @@ from msf_jax.base.errors import ConfigError
 from msf_jax.host.curve import branches, finishing, resampling
 from msf_jax.skeleton.centrelines import table
 from msf_jax.skeleton.report import assessed
+from msf_jax.skeleton.source import known
 
 if TYPE_CHECKING:
     from msf_jax.skeleton.skeleton import Skeleton
@@ -84,9 +85,8 @@ def with_radii(skeleton: "Skeleton", of: str) -> "Skeleton":
     """See `Skeleton.with_radii`."""
     if of not in ("ball", "section"):
         raise ConfigError(f'of is {of!r}: expected "ball" or "section"')
-    if skeleton.source is None:
-        raise ConfigError("the skeleton does not know the mesh that it was made from: expected one that does")
-    balls = replace(skeleton, radii=skeleton.source.solid.radii(skeleton.vertices), radius_of="ball")
+    source = known(skeleton.source)
+    balls = replace(skeleton, radii=source.solid.radii(skeleton.vertices), radius_of="ball")
     if of == "ball":
         return balls
     area = table.node_columns(balls)["area"]

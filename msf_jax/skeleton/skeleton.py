@@ -22,7 +22,7 @@ from msf_jax.skeleton.pictures import page, panels, segmentation
 from msf_jax.skeleton.report import Report
 from msf_jax.skeleton.rigging import rig
 from msf_jax.skeleton.rigging.rig import Rig
-from msf_jax.skeleton.source import Source
+from msf_jax.skeleton.source import Source, known
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -190,13 +190,14 @@ class Skeleton:
     @property
     def surface(self) -> following.Surface:
         """The checked mesh, with the input vertex and the node of each of its vertices; raises as `binding` does."""
-        if self.source is None or self.source.input_of_vertex is None:
+        source = known(self.source)
+        vertex = source.input_of_vertex
+        if vertex is None:
             raise ConfigError(
-                "the skeleton does not know the mesh that it was made from: expected one from skeletonize, or from an "
-                ".npz file that msf_jax has written, of a mesh to which repair has added no vertices"
+                "repair has added vertices to the mesh that the skeleton was made from: expected only the mesh's own "
+                'vertices; run skeletonize without repair="join" or extruded rims'
             )
-        vertex = self.source.input_of_vertex
-        return following.Surface(self.source.solid, vertex, self.mesh_map[vertex])
+        return following.Surface(source.solid, vertex, self.mesh_map[vertex])
 
     def jacobian(self) -> sparse.csr_matrix:
         """The derivative of `msf_jax.follow` at the recorded vertices.
@@ -285,13 +286,13 @@ class Skeleton:
         - ``.swc``: a tree, parents first. Its ids are row numbers from 1, not node ids. Loops are cut; comments list
           the cut edges and the report.
         - ``.obj`` (line elements), ``.cg`` (vertices and edges), ``.polylines.txt`` (CGAL's), ``.ply`` (vertices with
-          radius, edges), ``.graphml`` (NetworkX's).
+          radius, edges), ``.graphml`` and ``.gml`` (NetworkX's).
         - ``.vtp``: VTK PolyData, with the columns of both tables of `table`. ``.csv``, ``.nodes.csv``: these tables.
         - ``.npz``: everything, with the surface. ``.json``: everything, without the surface.
         - ``.glb``: glTF of ``mesh``, as `skeletonize` took it, with its materials, on the bones of ``rig()``. For
           another rig use ``rig(...).save(path, mesh)``.
 
-        `msf_jax.read_curve` reads all of these but ``.vtp``, ``.csv`` and ``.glb``.
+        `msf_jax.read_curve` reads all of these but ``.gml``, ``.vtp``, ``.csv`` and ``.glb``.
 
         Raises:
             ConfigError: the suffix is none of these, or a ``.glb`` was requested without a mesh.

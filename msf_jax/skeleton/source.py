@@ -4,6 +4,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from msf_jax.base.errors import ConfigError
 from msf_jax.host.solid.solid import Solid
 
 
@@ -32,3 +33,13 @@ class Source(NamedTuple):
     pins: np.ndarray
     stages: tuple[Stage, ...] = ()
     input_of_vertex: np.ndarray | None = None
+
+
+def known(source: Source | None) -> Source:
+    """The ``source`` of a skeleton; a `ConfigError` if it has none."""
+    if source is None:
+        raise ConfigError(
+            "the skeleton does not know the mesh that it was made from: expected one from skeletonize, or from an .npz "
+            "file; save it as .npz, because other files do not contain the mesh"
+        )
+    return source

@@ -26,6 +26,7 @@ from msf_jax.gradients.replay import replay, replay_radii
 from msf_jax.gradients.tape import Tape
 from msf_jax.host.mesh import reading
 from msf_jax.skeleton.skeleton import Skeleton
+from msf_jax.skeleton.source import known
 
 MOST_SAMPLES = 2000  # vertices of a surface that `explained` uses, about
 
@@ -136,14 +137,13 @@ def of_skeleton(objective: Any, skeleton: Skeleton, mesh: Any) -> float:
         ConfigError: the skeleton has no source mesh (of files, only `.npz` has one), or ``mesh`` is another mesh.
     """
     surface = reading.read(mesh)[0]
-    if skeleton.source is None:
-        raise ConfigError("the skeleton does not know its mesh: expected one from skeletonize or an .npz file")
+    source = known(skeleton.source)
     if len(skeleton.mesh_map) != len(surface):
         raise ConfigError(
             f"mesh has {len(surface)} vertices, the skeleton's has {len(skeleton.mesh_map)}: expected the same mesh"
         )
-    areas = skeleton.source.areas
-    return of_arrays(objective, skeleton.vertices, skeleton.radii, skeleton.edges, skeleton.mesh_map, surface, areas)
+    curve = skeleton.vertices, skeleton.radii, skeleton.edges, skeleton.mesh_map
+    return of_arrays(objective, *curve, surface, source.areas)
 
 
 def of_arrays(

@@ -12,14 +12,15 @@ Face = tuple[int, int, int]
 
 
 class Hole(NamedTuple):
-    """A hole that was filled. loop: the vertices of its rim, in the order of the lid's orientation. lid: (L, 3)."""
+    """A filled hole. loop: the vertices of its rim, in the lid's orientation. lid: (L, 3) the faces that fill it."""
 
     loop: list[int]
     lid: np.ndarray
 
 
 def filled(vertices: np.ndarray, faces: np.ndarray, size: float) -> list[Hole]:
-    """The holes whose rim fits into a box of diagonal ``size``, each with the faces that fill it."""
+    """The holes whose rim fits into a box of diagonal ``size``, each with the faces that fill it. Rims must not share a
+    vertex: of those that do, some are left open."""
     edge, _, count = edge_codes(faces)
     origin, target = faces.ravel(), faces[:, [1, 2, 0]].ravel()
     half = np.flatnonzero(count[edge] == 1)
@@ -43,8 +44,8 @@ def filled(vertices: np.ndarray, faces: np.ndarray, size: float) -> list[Hole]:
 def cap(vertices: np.ndarray, loop: list[int], known: set[tuple[int, int]]) -> list[Face]:
     """Triangles over a rim by ear clipping: convex ears first, among these the shortest chord.
 
-    ``known`` are the half-edges of the mesh, to which new ones are added; a chord may not be one of them. Returns no
-    triangles if the rim cannot be closed.
+    ``known`` are the half-edges of the mesh. A chord may not be one of them, in either direction. The half-edges of the
+    triangles are added to them. Returns no triangles if the rim cannot be closed.
     """
     around = vertices[loop] - vertices[loop].mean(axis=0)
     normal = np.cross(around, np.roll(around, -1, axis=0)).sum(axis=0)

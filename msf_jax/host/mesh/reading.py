@@ -1,8 +1,8 @@
 """Reading of a mesh from a path, an object or arrays: triangles, or an error that says what was found.
 
 trimesh reads files, except OFF, whose polygons it does not always read, and VTK's formats, which pyvista reads. The
-meshes of a scene become one list of triangles, placed as in the scene. STL has no indices, so its corners that coincide
-to float32's last bits become one vertex.
+meshes of a scene become one list of triangles, placed as in the scene. STL has no indices, so corners that differ only
+in the last bits of a float32 become one vertex.
 """
 
 import importlib.util
@@ -22,7 +22,7 @@ from scipy.sparse import csgraph
 from msf_jax.base.errors import MeshError
 from msf_jax.host.mesh import off, unpacking
 
-SMALLEST = 1e-150  # the mesh's units: least extent; 1 over it is the largest coordinate, so that squares are finite
+SMALLEST = 1e-150  # the mesh's units: smallest extent allowed; its inverse is the largest coordinate allowed
 ARCHIVES = {"zip", "bz2", "gz", "tar", "tar.gz", "tar.bz2", "tgz"}  # refused: they can unpack to more than memory
 VTK = {"vtp", "vtk", "vtu", "vti", "vtr", "vts"}  # formats that need pyvista
 WITHOUT_INDICES = {"stl", "stl_ascii"}  # formats whose faces have corners, not vertex ids
@@ -36,8 +36,8 @@ def read_mesh(mesh: Any) -> tuple[np.ndarray, np.ndarray]:
 
     Args:
         mesh: a path, to any of the formats that trimesh reads, or VTK's where pyvista is installed; a
-            `trimesh.Trimesh`, a pyvista mesh, or a pair (vertices, faces). Polygons are cut into triangles. The meshes
-            of a scene become one, placed as in the scene.
+            `trimesh.Trimesh`, a pyvista mesh, or a pair (vertices, faces). Polygons of files and pyvista meshes are
+            cut into triangles. The meshes of a scene become one, placed as in the scene.
 
     Returns:
         Copies. Ids of vertices, as in ``mesh_map`` and ``pins``, are rows of these vertices.
@@ -76,13 +76,14 @@ def read(mesh: Any, *, finite: bool = True) -> tuple[np.ndarray, np.ndarray]:
 def readable_suffixes() -> list[str]:
     """The suffixes of mesh files that can be read, without the dot."""
     known = set(trimesh.available_formats()) - ARCHIVES
-    return sorted(known | VTK if importlib.util.find_spec("pyvista") else known)
+    return sorted((known | VTK) if importlib.util.find_spec("pyvista") else known)
 
 
 def _of_pyvista(mesh: Any, name: str) -> trimesh.Trimesh:
     """The surface of a pyvista mesh; for a grid, its boundary."""
     surface = mesh
-    if not hasattr(mesh, "is_all_triangles") and mesh.n_cells:  # newer versions warn if no algorithm is given
+    if not hasattr(mesh, "is_all_triangles") and mesh.n_cells:
+        # Newer versions warn if no algorithm is given.
         has_choice = "algorithm" in inspect.signature(mesh.extract_surface).parameters
         surface = mesh.extract_surface(**({"algorithm": None} if has_choice else {}))
     surface = surface.triangulate() if surface.n_cells else surface
@@ -111,8 +112,8 @@ def _without_doubles(loaded: trimesh.Trimesh) -> trimesh.Trimesh:
 
 
 def parts(mesh: Any) -> list[trimesh.Trimesh]:
-    """The meshes that ``mesh`` consists of, in place, with all attributes of its file. Their concatenated vertices and
-    faces are those of `read`. The caller's object is not changed."""
+    """The meshes that ``mesh`` consists of, each where the scene places it, with all attributes of its file. Their
+    concatenated vertices and faces are those of `read`. The caller's object is not changed."""
     if isinstance(mesh, str | os.PathLike):
         return _load(Path(mesh))
     if isinstance(mesh, trimesh.Trimesh):
@@ -126,13 +127,8 @@ def _placed(scene: trimesh.Scene) -> list[trimesh.Trimesh]:
     shown = [(name, transform) for transform, name in (scene.graph[node] for node in scene.graph.nodes_geometry)]
     if len(shown) > MOST_SHOWN or sum(size.get(name, 0) for name, _ in shown) > MOST_FACES:
         raise ValueError(f"its scene has {len(shown)} meshes, or too many triangles in all")
-    found = []
-    for name, transform in shown:
-        if name in size:
-            part = scene.geometry[name].copy(include_cache=True)
-            part.apply_transform(transform)
-            found.append(part)
-    return found
+    copies = [(scene.geometry[name].copy(include_cache=True), transform) for name, transform in shown if name in size]
+    return [part.apply_transform(transform) for part, transform in copies]
 
 
 def _load(path: Path) -> list[trimesh.Trimesh]:
@@ -160,10 +156,10 @@ def _load(path: Path) -> list[trimesh.Trimesh]:
             return [trimesh.Trimesh(vertices, faces, process=False)]
         if suffix in VTK:
             return [_of_pyvista(importlib.import_module("pyvista").read(path), repr(path.name))]
-        if suffix in unpacking.IN_XML:
-            unpacking.check(path)
+        has_paths = suffix in unpacking.IN_XML and unpacking.check(path)
         with _quiet_loader():
-            loaded = trimesh.load(path, process=False, maintain_order=True)
+            source: Any = {"file_obj": unpacking.merged(path), "file_type": suffix} if has_paths else {"file_obj": path}
+            loaded = trimesh.load(**source, process=False, maintain_order=True)
             found = _placed(loaded) if isinstance(loaded, trimesh.Scene) else [loaded]
         if suffix in WITHOUT_INDICES and isinstance(loaded, trimesh.Trimesh):
             found = [_without_doubles(loaded)]
@@ -220,10 +216,8 @@ def _as_vertices(vertices: Any, finite: bool) -> np.ndarray:
     if len(bad) and finite:
         raise MeshError(f"{count(bad, 'vertex', 'vertices')} not finite (NaN or infinite): correct them{OR_REPAIR}")
     sound = array[np.isfinite(array).all(axis=1)]
-    extent, largest = (
-        float(values.max(initial=0.0))
-        for values in (sound.max(axis=0, initial=-np.inf) - sound.min(axis=0, initial=np.inf), np.abs(sound))
-    )
+    extent = float(np.ptp(sound, axis=0).max()) if len(sound) else 0.0
+    largest = float(np.abs(sound).max(initial=0.0))
     if 0 < extent < SMALLEST or largest > 1 / SMALLEST:
         raise MeshError(
             f"the mesh has an extent of {extent:.3g}, and coordinates up to {largest:.3g}: expected an extent of "
@@ -258,6 +252,7 @@ def _is_whole(array: np.ndarray) -> bool:
 
 
 def count(found: np.ndarray, one: str, many: str) -> str:
+    """The number of ids ``found``, the first five, and the verb: "2 faces (3, 8) are"."""
     first = ", ".join(map(str, found[:5].tolist()))
     more = ", ..." if len(found) > 5 else ""
     return f"{len(found)} {one if len(found) == 1 else many} ({first}{more}) {'is' if len(found) == 1 else 'are'}"

@@ -18,16 +18,16 @@ from scipy import spatial
 from msf_jax.host.poles.voronoi import Poles
 from msf_jax.host.solid.geometry import unit, vertex_normals
 
-FIRST = 0.01  # extents of the points (diagonals, for a solid): the first radius
-LARGEST = 1.0  # extents: the largest radius
-NOISE = np.cos(np.radians(25))  # cosine of the angle at the centre between v and q, above which q is noise
+FIRST = 0.01  # first radius, as a ratio to the largest side of the bounding box (to the diagonal if there is a solid)
+LARGEST = 1.0  # largest radius, likewise
+NOISE = np.cos(np.radians(25))  # q is noise if the angle v-c-q is under 25 degrees; this is its cosine
 ROUNDS = 60  # queries for each ball, at most
-EMPTY = 1 - 1e-9  # radii from the centre: a point that is not nearer is not inside the ball
+EMPTY = 1 - 1e-9  # a point counts as inside if it is nearer to the centre than this share of the radius
 
 
 class Balls(NamedTuple):
-    """radius: (P,) of the ball at each point. touching: (P,) the other point that it touches; -1 if it has the largest
-    radius, and touches none."""
+    """radius: (P,) of the ball at each point. touching: (P,) the other point that it touches; -1 if it touches none: it
+    has the largest radius, or the point has no normal and its ball the first radius."""
 
     radius: np.ndarray
     touching: np.ndarray
@@ -44,13 +44,14 @@ def shrinking_balls(
     """The largest ball behind each of ``points`` (P, 3) with outward unit ``normals``, empty of the points of ``tree``.
 
     Radii start at ``first``, and are at most ``largest``: numbers or (P,). ``own`` (P,) is the index of each point in
-    the tree.
+    the tree, because a point is not its own hit. Leave it out if the points are not in the tree.
     """
     num = len(points)
     largest = np.broadcast_to(largest, num)
     radius = np.broadcast_to(np.minimum(first, largest), num).astype(np.float64)
     touching = np.full(num, -1)
     own = np.full(num, -1) if own is None else own
+    # Points without a normal keep the first radius.
     active = np.flatnonzero(np.einsum("ij,ij->i", normals, normals) > 0.5)
     grows = np.ones(num, dtype=bool)
     for _ in range(ROUNDS):
@@ -80,7 +81,8 @@ def shrinking_balls(
 def ball_poles(sites: np.ndarray, faces: np.ndarray, box: np.ndarray | None = None) -> Poles:
     """The centre of the ball at every vertex of the closed mesh ``(sites, faces)``, in the form of `voronoi_poles`.
 
-    Instead of a tetrahedron, it has the two vertices that the ball touches, each twice.
+    Instead of a tetrahedron, it has the two vertices that the ball touches, each twice. A pole outside the bounding box
+    of the points ``box`` (by default ``sites``) counts as not found.
     """
     normals = unit(vertex_normals(sites, faces))
     extent = float(np.ptp(sites, axis=0).max())

@@ -55,6 +55,7 @@ WRITERS = {
     ".ply": "graphs.ply",
     ".vtp": "graphs.vtp",
     ".graphml": "graphs.graphml",
+    ".gml": "graphs.gml",
     ".nodes.csv": "tables.node_rows",
     ".csv": "tables.branch_rows",
     ".npz": "whole.npz",

@@ -1,4 +1,4 @@
-"""Writers of text formats for graphs: OBJ, CG, PLY, VTK PolyData, GraphML."""
+"""Writers of text formats for graphs: OBJ, CG, PLY, VTK PolyData, GraphML, GML."""
 
 import base64
 from typing import TYPE_CHECKING
@@ -85,7 +85,17 @@ def vtp(skeleton: "Skeleton") -> str:
 
 def graphml(skeleton: "Skeleton") -> str:
     """Nodes with x, y, z and radius, edges with length, by NetworkX."""
+    return "\n".join(nx.generate_graphml(_plain(skeleton))) + "\n"
+
+
+def gml(skeleton: "Skeleton") -> str:
+    """The same graph in the Graph Modelling Language, by NetworkX."""
+    return "\n".join(nx.generate_gml(_plain(skeleton))) + "\n"
+
+
+def _plain(skeleton: "Skeleton") -> nx.Graph:
+    """The graph of `Skeleton.to_networkx`, with x, y and z instead of positions: attributes must be numbers."""
     graph = skeleton.to_networkx()
     for _, data in graph.nodes(data=True):
         data["x"], data["y"], data["z"] = data.pop("position")
-    return "\n".join(nx.generate_graphml(graph)) + "\n"
+    return graph

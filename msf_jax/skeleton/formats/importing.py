@@ -12,7 +12,7 @@ from msf_jax.skeleton.skeleton import Skeleton, curve_of
 
 def read_curve(path: str | os.PathLike[str]) -> Skeleton:
     """The curve in a file that `Skeleton.save` or another program wrote: ``.npz``, ``.json``, ``.swc``, ``.obj``,
-    ``.cg``, ``.ply``, ``.graphml`` or ``.polylines.txt``. It cannot read ``.vtp``, ``.csv`` and ``.glb``.
+    ``.cg``, ``.ply``, ``.graphml`` or ``.polylines.txt``. It cannot read ``.gml``, ``.vtp``, ``.csv``, ``.glb``.
 
     Returns:
         A skeleton. That of an ``.npz`` has all but the stages of the flow, so that it can be pruned, resampled and

@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from msf_jax.skeleton.skeleton import Skeleton
 
 GREY_BLUE = (0.55, 0.62, 0.72)  # colour of surfaces: red, green, blue from 0 to 1
+HALF_WIDTH = 0.47  # half width of the drawing, as a share of the axes
 
 
 @dataclass(frozen=True, eq=False)
@@ -54,8 +55,9 @@ def panels(
         shown: one `Panel` for each picture.
         columns: pictures in a row.
         size: of each picture, in inches.
-        elevation, azimuth: of the camera, in degrees, with z upright. If only one is given, the other is 15 or -70. If
-            neither is given, the camera looks about along the shortest principal axis, see `camera.looking`.
+        elevation, azimuth: of the camera, in degrees, with z upright. If only one is given, elevation is 15 or azimuth
+            is -70. If neither is given, the camera looks nearly along the shortest principal axis, see
+            `camera.looking`.
 
     Raises:
         ConfigError: there is nothing to show.
@@ -116,8 +118,8 @@ def _draw(axes: Any, panel: Panel, mesh: tuple[np.ndarray, np.ndarray] | None, c
             axes.add_collection3d(Poly3DCollection(triangles, facecolor=(*GREY_BLUE, 0.10), zorder=1))
     if panel.points is not None:
         axes.scatter(*panel.points.T, s=2, color="tab:red", linewidths=0, zorder=2)
-    for name, curve in panel.curves.items():
-        one = len(panel.curves) == 1
+    one = len(panel.curves) == 1
+    for number, (name, curve) in enumerate(panel.curves.items()):
         if len(curve.edges):
             lines: Any = Line3DCollection(
                 curve.vertices[curve.edges], linewidths=2.5 if one else 1.8, zorder=3, label=name
@@ -125,10 +127,11 @@ def _draw(axes: Any, panel: Panel, mesh: tuple[np.ndarray, np.ndarray] | None, c
             if one:
                 lines.set_color(colours.to_rgba(curve.radii[curve.edges].mean(axis=1)))
             else:
-                lines.set_color(f"C{list(panel.curves).index(name)}")
+                lines.set_color(f"C{number}")
             axes.add_collection3d(lines)
         else:
-            axes.scatter(*curve.vertices.T, color=colours.to_rgba(curve.radii), zorder=3, label=name)
+            colour = colours.to_rgba(curve.radii) if one else f"C{number}"
+            axes.scatter(*curve.vertices.T, color=colour, zorder=3, label=name)
     if len(panel.curves) > 1:
         axes.legend(fontsize=8, loc="lower left")
 
@@ -146,7 +149,7 @@ def _frame(axes: Any, points: np.ndarray) -> None:
     for _ in range(3):  # the perspective changes a little with the zoom
         axes.set_box_aspect(half, zoom=zoom)
         x, y, _ = proj3d.proj_transform(points[:, 0], points[:, 1], points[:, 2], axes.get_proj())
-        zoom *= 0.47 / max(float(np.abs(axes.transLimits.transform(np.stack([x, y], axis=1)) - 0.5).max()), 0.01)
+        zoom *= HALF_WIDTH / max(float(np.abs(axes.transLimits.transform(np.stack([x, y], axis=1)) - 0.5).max()), 0.01)
     axes.set_box_aspect(half, zoom=zoom)
 
 
