@@ -22,6 +22,7 @@ SPACING = 0.5  # radii between the nodes of a finished curve
 MOST_NODES = 5_000  # nodes of a finished curve; if `SPACING` needs more, nodes are farther apart
 SHARPEST = 40.0  # degrees: largest turn of a finished branch at a node, where possible
 HOLDS = 1.1  # radii of a node: a junction whose ball is within this distance takes the place of the node
+FIRST_SHARE = 0.5  # share of the threshold of slenderness: a branch with less is no limb, also before it is extended
 FIRST_ROUNDS = 2  # rounds of centring before branches are pruned and leaves extended
 
 
@@ -108,13 +109,13 @@ def passes(centre: bool, extend: bool) -> list[Callable[[Draft, Job], Draft]]:
     return [
         contained,
         looped,
-        # What to prune is decided on a curve that is centred.
         *([straightened, placed, partial(centred, rounds=FIRST_ROUNDS, is_far=True), straightened] if centre else []),
         merged,
         *([refined] if centre else []),
-        *([extended, completed] if extend else []),
+        # A branch into a corner must not be extended: its leaf would march on through the block to another corner.
+        *([partial(pruned, share=FIRST_SHARE), extended, completed] if extend else []),
         *([partial(centred, hold_leaves=extend)] if centre else []),
-        # All branches are candidates now, and one measure decides which of them are limbs.
+        # All branches are candidates now, and centred: the slenderness decides which of them are limbs.
         pruned,
         *([partial(centred, hold_leaves=extend, rounds=FIRST_ROUNDS)] if centre else []),
         contained,
@@ -316,12 +317,12 @@ def merged(draft: Draft, job: Job) -> Draft:
     return _left(draft._replace(edges=edges), stays, target)
 
 
-def pruned(draft: Draft, job: Job) -> Draft:
-    """Branches that are no limbs are removed."""
+def pruned(draft: Draft, job: Job, share: float = 1.0) -> Draft:
+    """Branches with less than a ``share`` of the threshold are removed, because they are no limbs."""
     if not job.prune:
         return draft
     x, e = draft.vertices, draft.edges
-    left = _left(draft, *limbs.prune(x, e, limbs.limbs_of(job.shape, x, e), job.prune, draft.is_held))
+    left = _left(draft, *limbs.prune(x, e, limbs.limbs_of(job.shape, x, e), share * job.prune, draft.is_held))
     return left._replace(num_pruned=draft.num_pruned + int(draft.is_leaf().sum() - left.is_leaf().sum()))
 
 
