@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from msf_jax.host.curve.branches import cycle_count, merge_coincident, merge_junctions, trace
+from msf_jax.host.curve.branches import cycle_count, merge_coincident, merge_junctions, nearest_along, trace
 from msf_jax.host.solid.handles import Handles
 
 NONE = np.empty((0, 2), dtype=np.int64)
@@ -167,3 +167,11 @@ def test_a_loop_that_is_folded_flat_is_no_loop():
     assert touching[0].all() and np.array_equal(touching[2], np.unique(paths, axis=0))
     nothing = merge_coincident(x[:1], np.empty((0, 2), dtype=int), is_pin[:1])
     assert nothing[0].all() and nothing[2].shape == (0, 2)
+
+
+def test_what_is_nearest_along_a_curve_is_not_what_is_nearest_in_space():
+    """On a hairpin the other side is nearer in space. A source is its own nearest one."""
+    x = np.array([[0.0, 0, 0], [1, 0, 0], [2, 0, 0], [3, 0, 0], [3, 0.1, 0], [2, 0.1, 0], [1, 0.1, 0], [0, 0.1, 0]])
+    edges = np.stack([np.arange(7), np.arange(1, 8)], axis=1)
+    is_source = np.isin(np.arange(8), [0, 5])
+    np.testing.assert_array_equal(nearest_along(x, edges, is_source), [0, 0, 0, 5, 5, 5, 5, 5])

@@ -689,3 +689,19 @@ def test_a_junction_goes_to_the_node_whose_ball_holds_its_own():
     place = finishing.placed(draft, job).place / scale
     assert np.linalg.norm(place[0]) < 0.1
     assert np.linalg.norm(place[3] - [0, 0, 1.6]) < 0.35
+
+
+def test_what_is_pruned_to_a_new_node_goes_to_the_flows_nearest_one(monkeypatch):
+    """A limb that was grown can begin at a node that the flow did not have, and the flow's own tip beyond goes there."""
+    shape, scale = unit_shape(tube(bow(0.3)))
+    nodes, edges = path(scale * bow(0.3)[[20, 30, 40, 50]])
+
+    def one(draft, job):
+        middle = draft.vertices[2:].mean(axis=0, keepdims=True)
+        more = draft.changed(np.concatenate([draft.vertices, middle]), np.array([[0, 1], [1, 2], [2, 4], [4, 3]]))
+        return finishing._left(more, np.arange(5) != 3, np.array([0, 1, 2, 4, 4]))
+
+    monkeypatch.setattr(finishing, "passes", lambda centre, extend: [one])
+    found = finishing.finish(shape, nodes, edges, np.zeros(4, dtype=bool), prune=0.9, centre=True, extend=True)
+    np.testing.assert_array_equal(found.is_kept, [True, True, True, False])
+    np.testing.assert_array_equal(found.target, [0, 1, 2, 2])

@@ -42,7 +42,7 @@ class Report:
         live: vertices of the meso-skeleton at the end.
         coarsened: vertices that coarsening removed before the flow, see ``Config.coarsen``.
         pruned: branches that were removed because they are no limbs (see `Branch`), also by `Skeleton.prune`.
-        grown: branches that were added in thin limbs that the flow had lost, before the last pruning.
+        grown: branches that were added in thin limbs that the flow had lost; some of them may be pruned again.
         volume: fraction of the coarsened surface's volume that is left, the largest over components.
         unsolved: iterations in which a linear solve ran out of steps before it reached its tolerance.
         solve_steps: CG steps of all solves.

@@ -73,6 +73,17 @@ def cycle_count(num_nodes: int, edges: np.ndarray) -> tuple[int, int]:
     return components, len(edges) - num_nodes + components
 
 
+def nearest_along(vertices: np.ndarray, edges: np.ndarray, is_source: np.ndarray) -> np.ndarray:
+    """(N,) the nearest node along the curve with ``is_source`` (N,), which each component has: the node itself if it is
+    one."""
+    num, (a, b) = len(vertices), edges.T
+    length = np.maximum(np.linalg.norm(vertices[a] - vertices[b], axis=1), 1e-300)
+    graph = sparse.coo_matrix((length, (a, b)), shape=(num, num)).tocsr()
+    return csgraph.dijkstra(
+        graph, directed=False, indices=np.flatnonzero(is_source), min_only=True, return_predecessors=True
+    )[2]
+
+
 def cut_loops(num_nodes: int, edges: np.ndarray, radii: np.ndarray) -> np.ndarray:
     """(E,) which edges stay if every loop is cut at its thinnest edge: the spanning forest of the thickest edges.
 

@@ -23,7 +23,7 @@ MOST_NODES = 5_000  # nodes of a finished curve; if `SPACING` needs more, nodes 
 SHARPEST = 40.0  # degrees: largest turn of a finished branch at a node, where possible
 HOLDS = 1.1  # radii of a node: a junction whose ball is within this distance takes the place of the node
 FIRST_SHARE = 0.5  # share of the threshold of slenderness: a branch with less is no limb, also before it is extended
-FIRST_ROUNDS = 2  # rounds of centring before branches are pruned and leaves extended
+FIRST_ROUNDS = 2  # rounds of centring before leaves are extended, and after branches are pruned
 
 
 class Draft(NamedTuple):
@@ -173,7 +173,7 @@ def finish(
         draft.vertices,
         in_order(draft.edges),
         is_kept,
-        draft.origin[draft.node_of_flow],
+        draft.origin[branches.nearest_along(draft.vertices, draft.edges, draft.origin >= 0)[draft.node_of_flow]],
         job.roadmap.num_refused,
         job.roadmap.num_closed,
         job.budget.was_hit,

@@ -57,7 +57,7 @@ def edge_lengths(shape: Enclosure, points: np.ndarray, longest: np.ndarray) -> n
     np.maximum.at(enough, near, longest[:, None] + SLOPE * away)
     asked = np.flatnonzero(enough)
     radius = np.zeros(len(samples))
-    radius[asked] = shrinking_balls(samples[asked], normals[asked], tree, enough[asked], enough[asked], asked).radius
+    radius[asked] = shrinking_balls(samples[asked], normals[asked], tree, 2 * THIN, enough[asked], asked).radius
     return LENGTH * (radius[near] - SLOPE * away).max(axis=1, initial=0.0)
 
 

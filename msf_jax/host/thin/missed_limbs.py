@@ -79,7 +79,7 @@ def _nearest_ball(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray) -> 
     # The ball at the end of a limb is too small: the limb's radius is that of balls a little before.
     clear = thickness.limb_radii(vertices, edges, np.arange(len(vertices)), clear, float(clear.max()))
     clearance = clear[edges].max(axis=1)
-    pace = SPACING * np.maximum(clearance, float(np.median(clearance)))
+    pace = SPACING * np.maximum(clearance, float(np.median(clear)))
     num = np.clip(np.ceil(np.linalg.norm(b - a, axis=1) / pace), 1, MOST_POINTS).astype(int)
     row = np.repeat(np.arange(len(edges)), num)
     place = np.arange(len(row)) - np.repeat(np.cumsum(num) - num, num)
