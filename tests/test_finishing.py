@@ -692,7 +692,7 @@ def test_a_junction_goes_to_the_node_whose_ball_holds_its_own():
 
 
 def test_what_is_pruned_to_a_new_node_goes_to_the_flows_nearest_one(monkeypatch):
-    """A limb that was grown can begin at a node that the flow did not have, and the flow's own tip beyond goes there."""
+    """A limb that was grown can begin at a node that is not the flow's, and the flow's own tip beyond goes there."""
     shape, scale = unit_shape(tube(bow(0.3)))
     nodes, edges = path(scale * bow(0.3)[[20, 30, 40, 50]])
 
