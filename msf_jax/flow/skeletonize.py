@@ -13,6 +13,7 @@ from msf_jax.flow import loop
 from msf_jax.flow.request import checked_options
 from msf_jax.host.mesh.repair import Repair
 from msf_jax.skeleton.skeleton import Skeleton
+from msf_jax.skeleton.source import known
 
 JITTER = 1e-4  # diagonals: standard deviation, along each axis, of the vertex noise in the runs for ``spread``
 STEP = 0.005  # diagonals: spacing of the sample points at which two curves are compared
@@ -72,8 +73,7 @@ def skeletonize(
 
 def _spread(skeleton: Skeleton, weights: Weights, config: Config, num: int) -> dict[str, float]:
     """How far the curves of ``num`` runs on the mesh with noise are from ``skeleton``."""
-    assert skeleton.source is not None
-    solid, random = skeleton.source.solid, np.random.default_rng(0)
+    solid, random = known(skeleton.source).solid, np.random.default_rng(0)
     unit = max(float(np.median(skeleton.radii)), STEP * solid.diagonal)
     away, leaves = [], []
     for _ in range(num):
