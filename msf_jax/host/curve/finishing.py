@@ -113,7 +113,7 @@ def passes(centre: bool, extend: bool) -> list[Callable[[Draft, Job], Draft]]:
         merged,
         *([refined] if centre else []),
         # A branch into a corner must not be extended: its leaf would march on through the block to another corner.
-        *([partial(pruned, share=FIRST_SHARE), extended, completed] if extend else []),
+        *([extended, completed] if extend else []),
         *([partial(centred, hold_leaves=extend)] if centre else []),
         # All branches are candidates now, and centred: the slenderness decides which of them are limbs.
         pruned,

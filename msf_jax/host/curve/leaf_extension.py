@@ -20,7 +20,7 @@ GAP = 0.3  # limb radii between the end of the curve and the surface ahead
 BACK = 1.0  # limb radii by which a leaf is first moved back, as the end of a contracted curve is bent
 STEP = 0.4  # limb radii: length of a step
 TURN = 1.0  # step lengths: largest sideways move of a step
-MOST_STEPS = 80  # steps of a leaf, near other nodes of the curve or without a cross-section of a limb
+MOST_STEPS = 80  # steps of a leaf without a cross-section of a limb
 MOST_STEPS_IN_A_LIMB = 1000  # steps of a leaf in all: on a coarse mesh hundreds of radii can be missing
 
 
@@ -89,7 +89,8 @@ def _march(shape: Enclosure, vertices: np.ndarray, radii: np.ndarray, tips: list
     place, heading, size = np.array(start), unit(np.array(direction)), np.array(limb)
     stride = np.full(len(place), STEP)
     polylines = [[point.copy()] for point in place]
-    active, tree = np.flatnonzero(size > 0), spatial.KDTree(vertices)
+    active, others = np.flatnonzero(size > 0), _Others(vertices, [nodes for nodes, _ in tips])
+    away = others.distance(np.arange(len(tips)), place, size)
     for count in range(MOST_STEPS_IN_A_LIMB):
         ahead = shape.ray_lengths(place[active], heading[active], 4 * size[active])
         clearance = ahead - GAP * size[active]
@@ -105,6 +106,11 @@ def _march(shape: Enclosure, vertices: np.ndarray, radii: np.ndarray, tips: list
         is_open = (clearance > 0.02 * size[active]) & (
             shape.approximate_clearance(goal)[0] > 0.1 * np.minimum(size[active], ahead)
         )
+        # A limb leads away from the rest of the curve. A march that comes back to it, within the limb's radius, is over.
+        beyond = others.distance(active, goal, size[active])
+        is_back = beyond < np.minimum(away[active], size[active])
+        is_open &= ~is_back
+        away[active[is_open]] = beyond[is_open]
         for row, point in zip(active[is_open], goal[is_open], strict=True):
             polylines[row].append(point)
         heading[active[is_open]] = unit(heading[active] + unit(goal - place[active]))[is_open]
@@ -114,10 +120,27 @@ def _march(shape: Enclosure, vertices: np.ndarray, radii: np.ndarray, tips: list
         size[active[is_full]] = np.minimum(size[active], found.radius)[is_full]
         # Where a step is blocked, a shorter one may follow the bend.
         stride[active] = np.where(is_open, np.minimum(2 * stride[active], STEP), stride[active] / 2)
-        goes_on = (clearance > 0.02 * size[active]) & (stride[active] > STEP / 5)
+        goes_on = (clearance > 0.02 * size[active]) & (stride[active] > STEP / 5) & ~is_back
         if count >= MOST_STEPS:
-            goes_on &= is_limb & (tree.query(place[active])[0] > size[active])
+            goes_on &= is_limb
         active = active[goes_on]
         if not len(active):
             break
     return [(number, np.array(polyline)) for number, polyline in zip(kept, polylines, strict=True)]
+
+
+class _Others:
+    """Distances from the nodes of a curve that are not of a tip's own branch."""
+
+    def __init__(self, vertices: np.ndarray, own: list[np.ndarray]):
+        self._vertices, self._tree = vertices, spatial.KDTree(vertices)
+        self._own = [set(nodes.tolist()) for nodes in own]
+
+    def distance(self, tip: np.ndarray, place: np.ndarray, most: np.ndarray) -> np.ndarray:
+        """The distance (k,) of each place (k, 3) of a tip (k,); infinite if it is more than ``most`` (k,)."""
+        found = np.full(len(tip), np.inf)
+        for row, near in enumerate(self._tree.query_ball_point(place, most)):
+            other = [node for node in near if node not in self._own[tip[row]]]
+            if other:
+                found[row] = np.linalg.norm(self._vertices[other] - place[row], axis=1).min()
+        return found

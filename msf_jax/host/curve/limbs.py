@@ -33,6 +33,7 @@ from msf_jax.host.solid.geometry import PAIRS_AT_ONCE, cross, repeated, unit
 
 LEAST_SHARE = 0.25  # radii at the junction: least length of a limb; anything shorter is noise of the surface
 CHORD = 1.0  # radii before and after a node: ends of the chord that is the normal of its section
+WIDE = 2.0  # radii: a half width above this belongs to a sheet
 AHEAD = 4.0  # radii: length of the rays that search for the surface
 AT_ONCE = 500  # nodes whose sections are cut together: bounds memory
 
@@ -63,37 +64,60 @@ def limbs_of(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray) -> Limbs
     if not paths:
         return Limbs(radius, width, ahead, nothing, nothing)
     along = unit(branch_paths.chords(vertices, paths, CHORD * radius) @ vertices)
+    asked = np.flatnonzero((degree > 0) & (degree < 3) & (radius > 0) & along.any(axis=1))
+    pairs = []
+    for part in np.array_split(asked, max(1, -(-len(asked) // AT_ONCE))):
+        width[part], node, edge = _across(shape, vertices, edges, part, along[part], radius[part], near[part])
+        pairs.append((node, edge))
+    # In a sheet the curve bends within a width. Sections askew are too wide: its chords are as long as it is wide.
+    wide = np.flatnonzero(width > WIDE * radius)
+    longer = unit(branch_paths.chords(vertices, paths, np.fmax(CHORD * radius, width)) @ vertices)
+    is_wide = np.zeros(num, dtype=bool)
+    is_wide[wide] = True
+    pairs = [tuple(each[~is_wide[node]] for each in (node, edge)) for node, edge in pairs]
+    for part in np.array_split(wide, max(1, -(-len(wide) // AT_ONCE))):
+        width[part], node, edge = _across(shape, vertices, edges, part, longer[part], radius[part], near[part])
+        pairs.append((node, edge))
     onward = np.zeros((num, 1))  # sign of the outward direction: at the first node the chord points inward
     for path in paths:
         onward[path.nodes[0]], onward[path.nodes[-1]] = -1.0, 1.0
     leaf = np.flatnonzero((degree == 1) & (radius > 0) & along.any(axis=1))
     ahead[leaf] = shape.ray_lengths(vertices[leaf], onward[leaf] * along[leaf], AHEAD * radius[leaf])
-    asked = np.flatnonzero((degree > 0) & (degree < 3) & (radius > 0) & along.any(axis=1))
-    ends = vertices[edges]
-    pairs = [(nothing, nothing)]
-    for part in np.array_split(asked, max(1, -(-len(asked) // AT_ONCE))):
-        x, normal = vertices[part], along[part]
-        corners = _outer(shape, x, normal, radius[part], near[part])
-        found, place = sections.measured(shape, x, normal, corners), _places(shape, corners)
-        extent = np.zeros(len(part))
-        np.maximum.at(extent, corners.loop, np.linalg.norm(place - found.centroid[corners.loop], axis=1))
-        width[part[found.is_around]] = extent[found.is_around]
-        is_wide = np.bincount(corners.loop, minlength=len(part)) == 0  # in its plane no wall is near
-        width[part[is_wide]] = sections.FARTHEST * radius[part[is_wide]]
-        # Edges of the curve in a section: those that cross its plane within its loop.
-        rows = np.flatnonzero(found.is_around)
-        height = (normal @ vertices.T - np.einsum("ni,ni->n", normal, x)[:, None])[rows]
-        is_up = height >= 0
-        row, edge = np.nonzero(is_up[:, edges[:, 0]] != is_up[:, edges[:, 1]])
-        share = height[row, edges[edge, 0]] / (height[row, edges[edge, 0]] - height[row, edges[edge, 1]])
-        row = rows[row]
-        point = ends[edge, 0] + share[:, None] * (ends[edge, 1] - ends[edge, 0])
-        is_near = np.linalg.norm(point - found.centroid[row], axis=1) < extent[row]
-        row, edge, point = row[is_near], edge[is_near], (point - x[row])[is_near]
-        is_in = _within(point, row, normal, corners.loop, place - x[corners.loop])
-        pairs.append((part[row[is_in]], edge[is_in]))
     node, edge = (np.concatenate(each) for each in zip(*pairs, strict=True))
     return Limbs(radius, width, ahead, node, edge)
+
+
+def _across(
+    shape: Enclosure,
+    vertices: np.ndarray,
+    edges: np.ndarray,
+    part: np.ndarray,
+    normal: np.ndarray,
+    radius: np.ndarray,
+    near: np.ndarray,
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Half widths (P,) of the sections at the nodes ``part`` (P,), across ``normal`` (P, 3); NaN without one. And
+    pairs of a node and an edge of the curve that passes through its section."""
+    x, ends, width = vertices[part], vertices[edges], np.full(len(part), np.nan)
+    corners = _outer(shape, x, normal, radius, near)
+    found, place = sections.measured(shape, x, normal, corners), _places(shape, corners)
+    extent = np.zeros(len(part))
+    np.maximum.at(extent, corners.loop, np.linalg.norm(place - found.centroid[corners.loop], axis=1))
+    width[found.is_around] = extent[found.is_around]
+    is_open = np.bincount(corners.loop, minlength=len(part)) == 0  # in its plane no wall is near
+    width[is_open] = sections.FARTHEST * radius[is_open]
+    # Edges of the curve in a section: those that cross its plane within its loop.
+    rows = np.flatnonzero(found.is_around)
+    height = (normal @ vertices.T - np.einsum("ni,ni->n", normal, x)[:, None])[rows]
+    is_up = height >= 0
+    row, edge = np.nonzero(is_up[:, edges[:, 0]] != is_up[:, edges[:, 1]])
+    share = height[row, edges[edge, 0]] / (height[row, edges[edge, 0]] - height[row, edges[edge, 1]])
+    row = rows[row]
+    point = ends[edge, 0] + share[:, None] * (ends[edge, 1] - ends[edge, 0])
+    is_near = np.linalg.norm(point - found.centroid[row], axis=1) < extent[row]
+    row, edge, point = row[is_near], edge[is_near], (point - x[row])[is_near]
+    is_in = _within(point, row, normal, corners.loop, place - x[corners.loop])
+    return width, part[row[is_in]], edge[is_in]
 
 
 def limbs_without(vertices: np.ndarray, edges: np.ndarray, radii: np.ndarray) -> Limbs:
