@@ -22,7 +22,6 @@ SPACING = 0.5  # radii between the nodes of a finished curve
 MOST_NODES = 5_000  # nodes of a finished curve; if `SPACING` needs more, nodes are farther apart
 SHARPEST = 40.0  # degrees: largest turn of a finished branch at a node, where possible
 HOLDS = 1.1  # radii of a node: a junction whose ball is within this distance takes the place of the node
-FIRST_SHARE = 0.5  # share of the threshold of slenderness: a branch with less is no limb, also before it is extended
 FIRST_ROUNDS = 2  # rounds of centring before leaves are extended, and after branches are pruned
 
 
@@ -112,12 +111,11 @@ def passes(centre: bool, extend: bool) -> list[Callable[[Draft, Job], Draft]]:
         *([straightened, placed, partial(centred, rounds=FIRST_ROUNDS, is_far=True), straightened] if centre else []),
         merged,
         *([refined] if centre else []),
-        # A branch into a corner must not be extended: its leaf would march on through the block to another corner.
         *([extended, completed] if extend else []),
         *([partial(centred, hold_leaves=extend)] if centre else []),
         # All branches are candidates now, and centred: the slenderness decides which of them are limbs.
         pruned,
-        *([partial(centred, hold_leaves=extend, rounds=FIRST_ROUNDS)] if centre else []),
+        *([partial(centred, hold_leaves=extend, rounds=FIRST_ROUNDS), pruned] if centre else []),
         contained,
         *([partial(straightened, most=SHARPEST), contained] if centre else []),
         coincident_merged,
@@ -317,12 +315,12 @@ def merged(draft: Draft, job: Job) -> Draft:
     return _left(draft._replace(edges=edges), stays, target)
 
 
-def pruned(draft: Draft, job: Job, share: float = 1.0) -> Draft:
-    """Branches with less than a ``share`` of the threshold are removed, because they are no limbs."""
+def pruned(draft: Draft, job: Job) -> Draft:
+    """Branches that are less slender than the threshold are removed, because they are no limbs."""
     if not job.prune:
         return draft
     x, e = draft.vertices, draft.edges
-    left = _left(draft, *limbs.prune(x, e, limbs.limbs_of(job.shape, x, e), share * job.prune, draft.is_held))
+    left = _left(draft, *limbs.prune(x, e, limbs.limbs_of(job.shape, x, e), job.prune, draft.is_held))
     return left._replace(num_pruned=draft.num_pruned + int(draft.is_leaf().sum() - left.is_leaf().sum()))
 
 
