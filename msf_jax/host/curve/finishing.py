@@ -59,9 +59,13 @@ class Draft(NamedTuple):
             place=np.concatenate([self.place, vertices[len(self.vertices) :]]),
         )
 
+    def degree(self) -> np.ndarray:
+        """(N,) number of edges at each node."""
+        return np.bincount(self.edges.ravel(), minlength=len(self.vertices))
+
     def is_leaf(self) -> np.ndarray:
         """(N,) True for a node with one edge."""
-        return np.bincount(self.edges.ravel(), minlength=len(self.vertices)) == 1
+        return self.degree() == 1
 
 
 class Job(NamedTuple):
@@ -249,7 +253,7 @@ def straightened(draft: Draft, job: Job, most: float = 90.0) -> Draft:
 
 def placed(draft: Draft, job: Job) -> Draft:
     """Junctions get places: nearby points of largest clearance, or first a node whose ball contains theirs."""
-    is_former_junction = (np.bincount(draft.edges.ravel(), minlength=len(draft.vertices)) > 2) & ~draft.is_held
+    is_former_junction = (draft.degree() > 2) & ~draft.is_held
     is_former_junction[is_former_junction] = job.coarse.contains(draft.place[is_former_junction])
     place = draft.place.copy()
     if is_former_junction.any():
@@ -356,7 +360,10 @@ def extended(draft: Draft, job: Job) -> Draft:
 def completed(draft: Draft, job: Job) -> Draft:
     """Thin limbs that the flow has missed are added."""
     more = draft.changed(*missed_limbs.grow(job.coarse, draft.vertices, draft.edges))
-    return more._replace(num_grown=int(more.is_leaf().sum() - draft.is_leaf().sum()))
+    # The flow has no place for a junction that is new.
+    is_new = (more.degree() > 2) & (np.pad(draft.degree(), (0, len(more.vertices) - len(draft.vertices))) < 3)
+    place = np.where(is_new[:, None], more.vertices, more.place)
+    return more._replace(place=place, num_grown=int(more.is_leaf().sum() - draft.is_leaf().sum()))
 
 
 def coincident_merged(draft: Draft, job: Job) -> Draft:
