@@ -120,7 +120,7 @@ def passes(centre: bool, extend: bool) -> list[Callable[[Draft, Job], Draft]]:
         # All branches are candidates now, and centred: the slenderness decides which of them are limbs.
         pruned,
         merged,
-        *([partial(centred, hold_leaves=extend, rounds=FIRST_ROUNDS), pruned] if centre else []),
+        *([partial(centred, hold_leaves=extend), pruned] if centre else []),
         contained,
         *([partial(straightened, most=SHARPEST), contained] if centre else []),
         coincident_merged,

@@ -147,7 +147,8 @@ def _outer(
     order = np.lexsort((np.einsum("ci,ci->c", away, away), found.loop))
     nearest = order[np.searchsorted(found.loop, hole)]
     onward = unit(-away[nearest])
-    there = x[hole] + shape.ray_lengths(x[hole], onward, AHEAD * radius[hole])[:, None] * onward
+    across = np.full(len(hole), np.linalg.norm(np.ptp(shape.vertices, axis=0)))  # near a wall, a ball is no measure
+    there = x[hole] + shape.ray_lengths(x[hole], onward, across)[:, None] * onward
     again = sections.corners(shape, x[hole], normal[hole], radius[hole], shape.approximate_closest(there)[1])
     stays = ~np.isin(found.loop, hole)
     loop = np.concatenate([found.loop[stays], hole[again.loop]])
