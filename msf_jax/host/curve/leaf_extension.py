@@ -89,8 +89,9 @@ def _march(shape: Enclosure, vertices: np.ndarray, radii: np.ndarray, tips: list
     place, heading, size = np.array(start), unit(np.array(direction)), np.array(limb)
     stride = np.full(len(place), STEP)
     polylines = [[point.copy()] for point in place]
-    active, others = np.flatnonzero(size > 0), _Others(vertices, [nodes for nodes, _ in tips])
-    away = others.distance(np.arange(len(tips)), place, size)
+    active = np.flatnonzero(size > 0)
+    rest = _Rest(vertices, [nodes[:first] for (nodes, _), first in zip(tips, kept, strict=True)])
+    away = np.zeros(len(place))
     for count in range(MOST_STEPS_IN_A_LIMB):
         ahead = shape.ray_lengths(place[active], heading[active], 4 * size[active])
         clearance = ahead - GAP * size[active]
@@ -107,7 +108,7 @@ def _march(shape: Enclosure, vertices: np.ndarray, radii: np.ndarray, tips: list
             shape.approximate_clearance(goal)[0] > 0.1 * np.minimum(size[active], ahead)
         )
         # A limb leads away from the rest of the curve. A march that comes back to it, within the limb's radius, is over.
-        beyond = others.distance(active, goal, size[active])
+        beyond = rest.distance(active, goal, size[active])
         is_back = beyond < np.minimum(away[active], size[active])
         is_open &= ~is_back
         away[active[is_open]] = beyond[is_open]
@@ -129,18 +130,18 @@ def _march(shape: Enclosure, vertices: np.ndarray, radii: np.ndarray, tips: list
     return [(number, np.array(polyline)) for number, polyline in zip(kept, polylines, strict=True)]
 
 
-class _Others:
-    """Distances from the nodes of a curve that are not of a tip's own branch."""
+class _Rest:
+    """The rest of the curve for each tip: all nodes but those of its ``moved`` ones, which the march replaces."""
 
-    def __init__(self, vertices: np.ndarray, own: list[np.ndarray]):
+    def __init__(self, vertices: np.ndarray, moved: list[np.ndarray]):
         self._vertices, self._tree = vertices, spatial.KDTree(vertices)
-        self._own = [set(nodes.tolist()) for nodes in own]
+        self._moved = [set(nodes.tolist()) for nodes in moved]
 
     def distance(self, tip: np.ndarray, place: np.ndarray, most: np.ndarray) -> np.ndarray:
-        """The distance (k,) of each place (k, 3) of a tip (k,); infinite if it is more than ``most`` (k,)."""
+        """The distance (k,) of each place (k, 3) of a tip (k,) from the rest; infinite beyond ``most`` (k,)."""
         found = np.full(len(tip), np.inf)
         for row, near in enumerate(self._tree.query_ball_point(place, most)):
-            other = [node for node in near if node not in self._own[tip[row]]]
-            if other:
-                found[row] = np.linalg.norm(self._vertices[other] - place[row], axis=1).min()
+            left = [node for node in near if node not in self._moved[tip[row]]]
+            if left:
+                found[row] = np.linalg.norm(self._vertices[left] - place[row], axis=1).min()
         return found
