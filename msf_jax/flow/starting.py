@@ -137,14 +137,15 @@ def _refined(meso: Meso, shape: Enclosure, config: Config, watch: Stopwatch) -> 
         is_long = length > config.refine
         longest = np.zeros(meso.num_rows)
         np.maximum.at(longest, np.concatenate([a, b])[np.tile(is_long, 2)], np.tile(length[is_long], 2))
-        ends = longest > 0
-        corners = meso.positions[(faces := meso.faces())[ends[faces].sum(axis=1) > 1]]
+        is_end = longest > 0
+        corners = meso.positions[(faces := meso.faces())[is_end[faces].sum(axis=1) > 1]]
         if triangle_areas(corners).sum() < LEAST_REFINED * meso.area():
             return meso
-        limit = np.full(meso.num_rows, 1.0)
-        limit[ends] = thickness.edge_lengths(shape, meso.positions[ends], longest[ends])
         # Equilateral triangles with edges of this length cover the surface with about MOST_REFINED vertices.
         least = max(config.refine, float(np.sqrt(meso.area() / (MOST_REFINED * 0.4))))
+        asked = longest > least
+        limit = np.full(meso.num_rows, 1.0)
+        limit[asked] = thickness.edge_lengths(shape, meso.positions[asked], longest[asked])
         split.split_long_edges(meso, np.maximum(limit, least), check=config.check)
         return meso
 

@@ -51,14 +51,16 @@ def edge_lengths(shape: Enclosure, points: np.ndarray, longest: np.ndarray) -> n
     would cost most of the time. The balls touch samples of the surface, which are also between its vertices.
     """
     samples, normals = shape.surface_points(MOST_SAMPLES)
-    tree = spatial.KDTree(samples)
-    away, near = tree.query(points, k=min(AROUND, len(samples)))
-    enough = np.zeros(len(samples))
-    np.maximum.at(enough, near, longest[:, None] + SLOPE * away)
-    asked = np.flatnonzero(enough)
-    radius = np.zeros(len(samples))
-    radius[asked] = shrinking_balls(samples[asked], normals[asked], tree, 2 * THIN, enough[asked], asked).radius
-    return LENGTH * (radius[near] - SLOPE * away).max(axis=1, initial=0.0)
+    tree, limit = spatial.KDTree(samples), np.zeros(len(points))
+    for count in (1, min(AROUND, len(samples))):  # the nearest ball is enough at most points
+        left = np.flatnonzero(limit < longest)
+        away, near = (found.reshape(len(left), count) for found in map(np.asarray, tree.query(points[left], k=count)))
+        enough, radius = np.zeros((2, len(samples)))
+        np.maximum.at(enough, near, longest[left, None] + SLOPE * away)
+        asked = np.flatnonzero(enough)
+        radius[asked] = shrinking_balls(samples[asked], normals[asked], tree, 2 * THIN, enough[asked], asked).radius
+        limit[left] = LENGTH * (radius[near] - SLOPE * away).max(axis=1)
+    return limit
 
 
 def limb_radii(points: np.ndarray, pairs: np.ndarray, some: np.ndarray, radius: np.ndarray, most: float) -> np.ndarray:
