@@ -22,7 +22,7 @@ SPACING = 0.5  # radii between the nodes of a finished curve
 MOST_NODES = 5_000  # nodes of a finished curve; if `SPACING` needs more, nodes are farther apart
 SHARPEST = 40.0  # degrees: largest turn of a finished branch at a node, where possible
 HOLDS = 1.1  # radii of a node: a junction whose ball is within this distance takes the place of the node
-FIRST_ROUNDS = 2  # rounds of centring before leaves are extended, and after branches are pruned
+FIRST_ROUNDS = 2  # rounds of a centring before branches are pruned
 
 
 class Draft(NamedTuple):
@@ -116,7 +116,7 @@ def passes(centre: bool, extend: bool) -> list[Callable[[Draft, Job], Draft]]:
         merged,
         *([refined] if centre else []),
         *([extended, completed] if extend else []),
-        *([partial(centred, hold_leaves=extend)] if centre else []),
+        *([partial(centred, hold_leaves=extend, rounds=FIRST_ROUNDS)] if centre else []),
         # All branches are candidates now, and centred: the slenderness decides which of them are limbs.
         pruned,
         merged,
