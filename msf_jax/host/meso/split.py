@@ -68,8 +68,8 @@ def split_long_edges(meso: Meso, longest: float | np.ndarray, *, check: bool = F
     """
     euler = ring_tables.euler_characteristic(meso.rings) if check else 0
     limit = np.broadcast_to(np.asarray(longest, dtype=np.float64), meso.num_rows)
+    a, b = ring_tables.edges_from_rings(meso.rings)
     while True:
-        a, b = ring_tables.edges_from_rings(meso.rings)
         excess = edge_lengths(meso.positions, a, b) * 2 / (limit[a] + limit[b])
         is_long = excess > 1
         a, b, excess = a[is_long], b[is_long], excess[is_long]
@@ -79,9 +79,14 @@ def split_long_edges(meso: Meso, longest: float | np.ndarray, *, check: bool = F
         if len(chosen) == 0:
             return
         limit = np.concatenate([limit, (limit[a] + limit[b])[chosen] / 2])
-        split_edges(meso, a[chosen], b[chosen], np.full(len(chosen), 0.5))
+        new = split_edges(meso, a[chosen], b[chosen], np.full(len(chosen), 0.5)).new
         if check:
             ring_tables.check_closed_manifold(meso.rings, euler)
+        # The other edges have not changed.
+        near = meso.rings[new, :4].ravel()
+        a, b = np.r_[np.delete(a, chosen), near], np.r_[np.delete(b, chosen), np.repeat(new, 4)]
+        order = np.lexsort((b, a))
+        a, b = a[order], b[order]
 
 
 def split_edges(
