@@ -15,7 +15,6 @@ STUB = 1.5  # slenderness below which a limb is a stub, hardly longer than wide
 # without added noise the worst has 5 stubs of 17 limbs; two with noise of 0.005 diagonals have 98 of 145, 156 of 247.
 MANY = 10  # stubs
 MOST_STUBS = 1 / 3  # share of all limbs
-WIDE = 3.0  # radii: a limb whose half width is larger is a sheet
 WORTH_SAYING = 1 / 3  # share of the curve's length: the report mentions sheets above it
 SENTENCES = ("doubts", "repairs", "notes")  # attributes of a `Report` that are tuples of sentences
 
@@ -177,12 +176,12 @@ def assessed(
 ) -> dict[str, Any]:
     """The report's ``loops``, ``in_sheets`` and ``doubts`` for a finished curve, see `loops_of`."""
     about = loops_of(shape, vertices, edges, node_of_vertex)
-    found = limbs.limbs_of(shape, vertices, edges)
+    found = limbs.limbs_of(shape, vertices, edges, is_whole=True)
     length = np.linalg.norm(vertices[edges[:, 0]] - vertices[edges[:, 1]], axis=1)
     own = np.bincount(edges.ravel(), np.repeat(length, 2), len(vertices))
     own[np.bincount(edges.ravel(), minlength=len(vertices)) > 2] = 0.0  # a junction has no cross-section
     own /= max(own.sum(), 1e-300)
-    wide = float(own[found.width > WIDE * found.radius].sum())
+    wide = float(own[found.width > limbs.WIDE * found.radius].sum())
     slender = [branch.slenderness for branch in limbs.measure(vertices, edges, found)]
     ending = sum(np.isfinite(slender))
     stubs = sum(each < STUB for each in slender)

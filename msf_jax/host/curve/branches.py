@@ -73,6 +73,15 @@ def cycle_count(num_nodes: int, edges: np.ndarray) -> tuple[int, int]:
     return components, len(edges) - num_nodes + components
 
 
+def core(num_nodes: int, edges: np.ndarray) -> np.ndarray:
+    """(N,) which nodes are left when leaves are removed until there are none: of loops, and of paths between loops."""
+    is_left = np.zeros(num_nodes, dtype=bool)
+    if cycle_count(num_nodes, edges)[1]:
+        graph = nx.Graph(edges[edges[:, 0] != edges[:, 1]].tolist())
+        is_left[list(nx.k_core(graph, 2))] = True
+    return is_left
+
+
 def nearest_along(vertices: np.ndarray, edges: np.ndarray, is_source: np.ndarray) -> np.ndarray:
     """(N,) the nearest node along the curve with ``is_source`` (N,), which each component has: the node itself if it is
     one."""

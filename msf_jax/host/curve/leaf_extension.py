@@ -107,7 +107,7 @@ def _march(shape: Enclosure, vertices: np.ndarray, radii: np.ndarray, tips: list
         is_open = (clearance > 0.02 * size[active]) & (
             shape.approximate_clearance(goal)[0] > 0.1 * np.minimum(size[active], ahead)
         )
-        # A limb leads away from the rest of the curve. A march that comes back to it, within the limb's radius, is over.
+        # A limb leads away from the rest of the curve: a march that comes back, within the limb's radius, is over.
         beyond = rest.distance(active, goal, size[active])
         is_back = beyond < np.minimum(away[active], size[active])
         is_open &= ~is_back

@@ -26,14 +26,14 @@ from typing import NamedTuple
 import numpy as np
 
 from msf_jax.host.curve import branch_paths
-from msf_jax.host.curve.branches import Branch, trace
+from msf_jax.host.curve.branches import Branch, core, trace
 from msf_jax.host.solid import sections
 from msf_jax.host.solid.enclosure import Enclosure
 from msf_jax.host.solid.geometry import PAIRS_AT_ONCE, cross, repeated, unit
 
 LEAST_SHARE = 0.25  # radii at the junction: least length of a limb; anything shorter is noise of the surface
 CHORD = 1.0  # radii before and after a node: ends of the chord that is the normal of its section
-WIDE = 2.0  # radii: a half width above this belongs to a sheet
+WIDE = 3.0  # radii: a limb whose half width is larger is a sheet
 AHEAD = 4.0  # radii: length of the rays that search for the surface
 AT_ONCE = 500  # nodes whose sections are cut together: bounds memory
 
@@ -53,62 +53,70 @@ class Limbs(NamedTuple):
     edge: np.ndarray
 
 
-def limbs_of(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray) -> Limbs:
-    """Measure the solid ``shape`` around the nodes of the curve ``(vertices (N, 3), edges (E, 2))``."""
+def limbs_of(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray, is_whole: bool = False) -> Limbs:
+    """Measure the solid ``shape`` around the nodes of the curve ``(vertices (N, 3), edges (E, 2))``.
+
+    Nodes of loops, and between loops, have no width unless ``is_whole``: they are on no branch that ends in a leaf, not
+    even after others are pruned.
+    """
     num = len(vertices)
     radius, near = shape.approximate_clearance(vertices)
     degree = np.bincount(np.unique(np.sort(edges, axis=1), axis=0).ravel(), minlength=num)
     paths = branch_paths.paths_of(vertices, edges, np.zeros(num, dtype=bool))
-    width, ahead = np.full(num, np.nan), np.zeros(num)
-    nothing = np.empty(0, dtype=np.int64)
+    width, ahead, pairs = np.full(num, np.nan), np.zeros(num), np.empty((2, 0), dtype=np.int64)
     if not paths:
-        return Limbs(radius, width, ahead, nothing, nothing)
+        return Limbs(radius, width, ahead, *pairs)
     along = unit(branch_paths.chords(vertices, paths, CHORD * radius) @ vertices)
-    asked = np.flatnonzero((degree > 0) & (degree < 3) & (radius > 0) & along.any(axis=1))
-    pairs = []
-    for part in np.array_split(asked, max(1, -(-len(asked) // AT_ONCE))):
-        width[part], node, edge = _across(shape, vertices, edges, part, along[part], radius[part], near[part])
-        pairs.append((node, edge))
+    has_section = (degree > 0) & (degree < 3) & (radius > 0) & along.any(axis=1)
+    is_limb = has_section & ~core(num, edges)
+
+    def cut(asked: np.ndarray, along: np.ndarray) -> np.ndarray:
+        found = [pairs]
+        for some in np.array_split(asked, max(1, -(-len(asked) // AT_ONCE))):
+            width[some], row, edge = _across(
+                shape, vertices, edges, some, along[some], radius[some], near[some], is_limb
+            )
+            found.append(np.stack([some[row], edge]))
+        return np.concatenate(found, axis=1)
+
+    pairs = cut(np.flatnonzero(has_section if is_whole else is_limb), along)
     # In a sheet the curve bends within a width. Sections askew are too wide: its chords are as long as it is wide.
-    wide = np.flatnonzero(width > WIDE * radius)
-    longer = unit(branch_paths.chords(vertices, paths, np.fmax(CHORD * radius, width)) @ vertices)
-    is_wide = np.zeros(num, dtype=bool)
-    is_wide[wide] = True
-    pairs = [tuple(each[~is_wide[node]] for each in (node, edge)) for node, edge in pairs]
-    for part in np.array_split(wide, max(1, -(-len(wide) // AT_ONCE))):
-        width[part], node, edge = _across(shape, vertices, edges, part, longer[part], radius[part], near[part])
-        pairs.append((node, edge))
+    is_sheet = is_limb & (width > WIDE * radius)
+    if is_sheet.any():
+        longer = unit(branch_paths.chords(vertices, paths, np.fmax(CHORD * radius, width)) @ vertices)
+        pairs = pairs[:, ~is_sheet[pairs[0]]]
+        pairs = cut(np.flatnonzero(is_sheet), longer)
     onward = np.zeros((num, 1))  # sign of the outward direction: at the first node the chord points inward
     for path in paths:
         onward[path.nodes[0]], onward[path.nodes[-1]] = -1.0, 1.0
-    leaf = np.flatnonzero((degree == 1) & (radius > 0) & along.any(axis=1))
+    leaf = np.flatnonzero((degree == 1) & has_section)
     ahead[leaf] = shape.ray_lengths(vertices[leaf], onward[leaf] * along[leaf], AHEAD * radius[leaf])
-    node, edge = (np.concatenate(each) for each in zip(*pairs, strict=True))
-    return Limbs(radius, width, ahead, node, edge)
+    return Limbs(radius, width, ahead, *pairs)
 
 
 def _across(
     shape: Enclosure,
     vertices: np.ndarray,
     edges: np.ndarray,
-    part: np.ndarray,
+    some: np.ndarray,
     normal: np.ndarray,
     radius: np.ndarray,
     near: np.ndarray,
+    is_limb: np.ndarray,
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Half widths (P,) of the sections at the nodes ``part`` (P,), across ``normal`` (P, 3); NaN without one. And
-    pairs of a node and an edge of the curve that passes through its section."""
-    x, ends, width = vertices[part], vertices[edges], np.full(len(part), np.nan)
+    """Half widths (P,) of the sections at the nodes ``some`` (P,), across ``normal`` (P, 3); NaN without one. Then pairs
+    of a row of ``some`` and an edge of the curve that passes through its section, for nodes of ``is_limb`` (N,)."""
+    x, ends, width = vertices[some], vertices[edges], np.full(len(some), np.nan)
     corners = _outer(shape, x, normal, radius, near)
     found, place = sections.measured(shape, x, normal, corners), _places(shape, corners)
-    extent = np.zeros(len(part))
+    extent = np.zeros(len(some))
     np.maximum.at(extent, corners.loop, np.linalg.norm(place - found.centroid[corners.loop], axis=1))
     width[found.is_around] = extent[found.is_around]
-    is_open = np.bincount(corners.loop, minlength=len(part)) == 0  # in its plane no wall is near
+    is_open = np.bincount(corners.loop, minlength=len(some)) == 0  # in its plane no wall is near
     width[is_open] = sections.FARTHEST * radius[is_open]
     # Edges of the curve in a section: those that cross its plane within its loop.
-    rows = np.flatnonzero(found.is_around)
-    height = (normal @ vertices.T - np.einsum("ni,ni->n", normal, x)[:, None])[rows]
+    rows = np.flatnonzero(found.is_around & is_limb[some])
+    height = normal[rows] @ vertices.T - np.einsum("ni,ni->n", normal[rows], x[rows])[:, None]
     is_up = height >= 0
     row, edge = np.nonzero(is_up[:, edges[:, 0]] != is_up[:, edges[:, 1]])
     share = height[row, edges[edge, 0]] / (height[row, edges[edge, 0]] - height[row, edges[edge, 1]])
@@ -117,7 +125,7 @@ def _across(
     is_near = np.linalg.norm(point - found.centroid[row], axis=1) < extent[row]
     row, edge, point = row[is_near], edge[is_near], (point - x[row])[is_near]
     is_in = _within(point, row, normal, corners.loop, place - x[corners.loop])
-    return width, part[row[is_in]], edge[is_in]
+    return width, row[is_in], edge[is_in]
 
 
 def limbs_without(vertices: np.ndarray, edges: np.ndarray, radii: np.ndarray) -> Limbs:

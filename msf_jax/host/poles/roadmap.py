@@ -268,14 +268,16 @@ def inner_balls(shape: Enclosure) -> tuple[np.ndarray, np.ndarray]:
     points, normals = shape.surface_points(MOST_SEEDS)
     tree = shape.sample_tree()
     radius = balls.shrinking_balls(points, normals, tree, balls.FIRST, balls.LARGEST).radius
+    left = np.arange(len(points))
     for _ in range(CORRECTIONS):  # large triangles can be nearer than any sample
-        foot = shape.feet(points - radius[:, None] * normals)
-        to_foot = foot - points
-        depth = -np.einsum("ij,ij->i", normals, to_foot)
+        foot = shape.feet(points[left] - radius[left, None] * normals[left])
+        to_foot = foot - points[left]
+        depth = -np.einsum("ij,ij->i", normals[left], to_foot)
         length2 = np.einsum("ij,ij->i", to_foot, to_foot)
         smaller = length2 / np.where(depth > 1e-9, 2 * depth, 1.0)
-        is_smaller = (depth > 1e-9) & (smaller < radius) & (smaller > TOUCHING)
-        radius[is_smaller] = smaller[is_smaller]
+        is_smaller = (depth > 1e-9) & (smaller < radius[left]) & (smaller > TOUCHING)
+        left, smaller = left[is_smaller], smaller[is_smaller]
+        radius[left] = smaller
     centre = points - radius[:, None] * normals
     chosen = _one_for_each_place(centre, radius)
     clearance = shape.clearance(centre[chosen])
