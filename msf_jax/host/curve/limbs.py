@@ -104,7 +104,7 @@ def _across(
     near: np.ndarray,
     is_limb: np.ndarray,
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Half widths (P,) of the sections at the nodes ``some`` (P,), across ``normal`` (P, 3); NaN without one. Then pairs
+    """Half widths (P,) of the sections at the nodes ``some`` (P,), across ``normal`` (P, 3); NaN without one. And pairs
     of a row of ``some`` and an edge of the curve that passes through its section, for nodes of ``is_limb`` (N,)."""
     x, ends, width = vertices[some], vertices[edges], np.full(len(some), np.nan)
     corners = _outer(shape, x, normal, radius, near)
