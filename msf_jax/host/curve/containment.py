@@ -87,8 +87,11 @@ def cut_off(
     return stays, target
 
 
-def is_inside(shape: Enclosure, a: np.ndarray, b: np.ndarray, covered: np.ndarray | None = None) -> np.ndarray:
-    """(E,) True for a segment from a (E, 3) to b (E, 3) that is inside the solid.
+def is_inside(
+    shape: Enclosure, a: np.ndarray, b: np.ndarray, covered: np.ndarray | None = None, sliver: float = 1e-9
+) -> np.ndarray:
+    """(E,) True for a segment from a (E, 3) to b (E, 3) that is inside the solid, up to stretches shorter than
+    ``sliver`` between its ends.
 
     A segment shorter than ``covered`` (E,) is inside without a test: the sum of the radii of balls around its ends.
     """
@@ -107,7 +110,7 @@ def is_inside(shape: Enclosure, a: np.ndarray, b: np.ndarray, covered: np.ndarra
     is_last = np.append(edge[1:] != edge[:-1], True)[: len(edge)]
     onward = np.where(is_last, length[edge], onward[: len(edge)])
     middle = a[edge] + ((stop + onward) / 2)[:, None] * unit(b - a)[edge]
-    is_stretch = onward - stop > 1e-9
+    is_stretch = onward - stop > sliver
     is_in[edge[is_stretch][~shape.contains(middle[is_stretch])]] = False
     left = rows[is_in[rows]]
     is_in[left] = shape.contains(b[left])  # a ray along a face, or from the surface, may miss its exit

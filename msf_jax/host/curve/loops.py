@@ -18,6 +18,7 @@ from scipy.sparse import csgraph
 from msf_jax.host.curve.containment import is_inside
 from msf_jax.host.poles.roadmap import Roadmap
 from msf_jax.host.solid.enclosure import Enclosure
+from msf_jax.host.solid.frame import RESOLUTION
 from msf_jax.host.solid.geometry import signed_volume
 from msf_jax.host.solid.handles import along_forest, shortest_forest
 
@@ -139,9 +140,12 @@ def _parts(num: int, *pairs: np.ndarray) -> np.ndarray:
 
 
 def _lengths(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """(E,) the length of each edge, plus the total length for an edge outside, and which edges are outside."""
+    """(E,) the length of each edge, plus the total length for an edge outside, and which edges are outside.
+
+    An edge may graze the surface: a stretch outside that is shorter than the solid's resolution proves nothing.
+    """
     a, b = vertices[edges[:, 0]], vertices[edges[:, 1]]
-    length, is_out = np.linalg.norm(a - b, axis=1), ~is_inside(shape, a, b)
+    length, is_out = np.linalg.norm(a - b, axis=1), ~is_inside(shape, a, b, sliver=RESOLUTION)
     return length + np.where(is_out, length.sum(), 0.0), is_out
 
 
