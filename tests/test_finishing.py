@@ -13,6 +13,7 @@ from msf_jax.host.curve import branch_paths, centring, containment, finishing, l
 from msf_jax.host.curve.branches import cycle_count
 from msf_jax.host.poles.roadmap import Roadmap
 from msf_jax.host.solid.enclosure import Enclosure
+from msf_jax.host.solid.frame import RESOLUTION
 
 
 def path(points):
@@ -94,6 +95,20 @@ def test_a_segment_through_a_fold_inside_the_solid_is_inside():
     ends = np.array([[0.0, 0, 0], [1.2, 0, 0], [0.6, 0.5, 0], [0.6, 1.2, 0]])
     a, b = ends[[0, 0, 0]], ends[[1, 2, 3]]
     assert containment.is_inside(shape, a, b).tolist() == [True, True, False]
+
+
+@pytest.mark.parametrize(("width", "is_in"), [(RESOLUTION / 4, True), (4 * RESOLUTION, False)])
+def test_a_loop_may_graze_the_surface(width, is_in):
+    """A segment through the tip of a wedge that is cut out of a block, where the wedge is ``width`` wide."""
+    block = manifold3d.Manifold.cube([1.0, 1.0, 0.2], True)
+    wedge = manifold3d.Manifold.cube([1.0, 1.0, 1.0], True).rotate([0, 0, 45]).translate([0, np.sqrt(0.5), 0])
+    found = (block - wedge).to_mesh()
+    shape = Enclosure(found.vert_properties[:, :3].astype(float), found.tri_verts.astype(np.int64))
+    a, b = np.array([[-0.1, width / 2, 0.01]]), np.array([[0.1, width / 2, 0.01]])
+    assert not containment.is_inside(shape, a, b).any()
+    assert containment.is_inside(shape, a, b, sliver=RESOLUTION).tolist() == [is_in]
+    is_out = loops.proof(shape, np.concatenate([a, b, [[0.0, -0.1, 0.01]]]), np.array([[0, 1], [1, 2], [0, 2]])).outside
+    assert (len(is_out) == 0) == is_in
 
 
 def turns_of(x, edges):
