@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from msf_jax.host.curve import limbs, loops
+from msf_jax.host.curve import branch_paths, limbs, loops
 from msf_jax.host.solid.enclosure import Enclosure
 
 MOST_NAMED = 5  # loops of one kind that a report names; it counts the rest
@@ -181,7 +181,7 @@ def assessed(
     own = np.bincount(edges.ravel(), np.repeat(length, 2), len(vertices))
     own[np.bincount(edges.ravel(), minlength=len(vertices)) > 2] = 0.0  # a junction has no cross-section
     own /= max(own.sum(), 1e-300)
-    wide = float(own[found.width > limbs.WIDE * found.radius].sum())
+    wide = float(own[found.width > branch_paths.WIDE * found.radius].sum())
     slender = [branch.slenderness for branch in limbs.measure(vertices, edges, found)]
     ending = sum(np.isfinite(slender))
     stubs = sum(each < STUB for each in slender)

@@ -11,6 +11,7 @@ from scipy import sparse
 from msf_jax.host.curve import branches
 from msf_jax.host.solid.geometry import arc_length, at, repeated
 
+WIDE = 3.0  # sizes: a limb whose half width is larger is a sheet
 BEYOND = 7.0  # limb sizes along the branch: farther nodes have only the weight `FLOOR` in a mean
 FLOOR = 1e-9  # least weight of every node of the branch in a mean, relative to a node at distance 0
 

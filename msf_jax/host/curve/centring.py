@@ -5,11 +5,11 @@ The middle of a limb is the centroid c of its cross-section. The nodes x of a cu
     sum_i w_i |P_i (x_i - c_i)|^2  +  sum_i (l_i / h_i)^4 |x_{i-1} - 2 x_i + x_{i+1}|^2  +  sum_j a_j |x_j - y_j|^2,
 
 where P_i removes most of the component along the branch. This is a smoothing spline: its stiffness acts over a length
-l, a part of the limb's size, for any spacing h of the nodes. Nodes keep their shares of their branch's length, so they
-move across it only. Near a junction a cross-section cuts several limbs and is no guide, so w falls to 0 there. The
-branches then continue straight, and the junction comes to where the axes of its limbs meet. That is right for tubes. If
-the clearance at y, the flow's place for a junction, is larger than that of its limbs (the rump of a horse, a shell on a
-back), a holds the junction at y.
+l, a part of the limb's size, or of a sheet's half width, for any spacing h of the nodes. Nodes keep their shares of
+their branch's length, so they move across it only. Near a junction a cross-section cuts several limbs and is no guide,
+so w falls to 0 there. The branches then continue straight, and the junction comes to where the axes of its limbs meet.
+That is right for tubes. If the clearance at y, the flow's place for a junction, is larger than that of its limbs (the
+rump of a horse, a shell on a back), a holds the junction at y.
 
 A section turns with the curve. In a wide section the centroid then moves much farther than the nodes, and an iteration
 with c held fixed does not converge. So each round is a Gauss-Newton step with the derivative of c by the plane
@@ -36,7 +36,7 @@ from msf_jax.host.solid.geometry import unit
 ROUNDS = 12  # limit on the rounds of a centring
 TOLERANCE = 0.02  # clearances: a round in which the root mean square of all steps is less is the last
 AFRESH = 0.01  # limb sizes moved or radians turned: then a section is cut again; before, it is extrapolated
-STIFFNESS = 0.35  # limb sizes: the length l
+STIFFNESS = 0.35  # limb sizes, or half widths of a sheet: the length l
 STIFFEST = 1e5  # limit on (l / h)^4
 ZONE, MARGIN = 0.7, 0.4  # junction sizes: within which sections do not count; over which their weight rises to 1
 LOPSIDED, STEEP = 1.6, 8  # section radius over section size at which a section counts half; exponent of that ratio
@@ -106,13 +106,14 @@ def centre(
     clearance, near = shape.approximate_clearance(x)
     least = np.maximum(THINNEST * clearance, 2 * TOUCHING)
     size, faded, before = clearance.copy(), np.ones(num), np.zeros(num)
+    span = size  # in a sheet, the usual radius of its sections: its size is its thickness, and says nothing of bends
     known = _Known(x, budget)
     for number in range(-1, rounds):  # round -1 only measures the limbs' sizes
         if number > 0 and budget.left < 0:
             budget.was_hit = True
             break
         clearance[junction] = shape.distances(x[junction])
-        chord = measures.chords(x, paths, size)
+        chord = measures.chords(x, paths, span)
         ahead = chord @ x
         tangent = unit(ahead)
         clear = measures.clear_of_junctions(x, paths, degree, size, ZONE, MARGIN)
@@ -120,7 +121,9 @@ def centre(
         found = known.at(shape, x, tangent, size, near, limb)
         limb = limb[found.is_around]
         found = sections.Sections(*(field[found.is_around] for field in found))
-        weight = clear[limb] / (1 + (found.radius / (LOPSIDED * found.size)) ** STEEP)
+        is_sheet = span[limb] > measures.WIDE * size[limb]
+        expected = LOPSIDED * np.where(is_sheet, span[limb], found.size)
+        weight = clear[limb] / (1 + (found.radius / expected) ** STEEP)
         # A node whose section jumps between two limbs loses weight at each jump.
         pull = np.zeros(num)
         pull[limb] = weight / found.radius
@@ -135,6 +138,10 @@ def centre(
         everywhere = np.zeros((2, num))
         everywhere[:, limb] = found.size, weight
         size = measures.sizes(x, paths, everywhere[0], everywhere[1], clearance)
+        wide = np.full(num, np.nan)
+        wide[limb] = found.radius
+        wide = measures.usual(paths, wide)
+        span = np.where(wide > measures.WIDE * size, wide, size)
         if number < 0:
             continue
         anchor = np.full(num, ANCHOR)
@@ -147,7 +154,7 @@ def centre(
         anchor[junction] = np.where(is_former_junction[junction] | is_lost, ANCHOR, JUNCTION_ANCHOR)
         anchor[junction] += DEEP_ANCHOR * deeper**2 * (3 - 2 * deeper)
         anchor[is_held] = HELD
-        system = _System(x, paths, size, limb, found, tangent, ahead, chord, anchor, y)
+        system = _System(x, paths, span, limb, found, tangent, ahead, chord, anchor, y)
         is_blind = is_far and number == 0
         away = np.zeros(len(limb)) if is_blind else np.linalg.norm(system.off, axis=1)
         step = system.step(weight / (1 + (away / (STRAY * found.radius)) ** 2) ** 2)

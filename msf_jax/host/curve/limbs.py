@@ -33,7 +33,6 @@ from msf_jax.host.solid.geometry import PAIRS_AT_ONCE, cross, repeated, unit
 
 LEAST_SHARE = 0.25  # radii at the junction: least length of a limb; anything shorter is noise of the surface
 CHORD = 1.0  # radii before and after a node: ends of the chord that is the normal of its section
-WIDE = 3.0  # radii: a limb whose half width is larger is a sheet
 AHEAD = 4.0  # radii: length of the rays that search for the surface
 AT_ONCE = 500  # nodes whose sections are cut together: bounds memory
 
@@ -81,7 +80,7 @@ def limbs_of(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray, is_whole
 
     pairs = cut(np.flatnonzero(has_section if is_whole else is_limb), along)
     # In a sheet the curve bends within a width. Sections askew are too wide: its chords are as long as it is wide.
-    is_sheet = is_limb & (width > WIDE * radius)
+    is_sheet = is_limb & (width > branch_paths.WIDE * radius)
     if is_sheet.any():
         longer = unit(branch_paths.chords(vertices, paths, np.fmax(CHORD * radius, width)) @ vertices)
         pairs = pairs[:, ~is_sheet[pairs[0]]]
