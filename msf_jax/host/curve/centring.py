@@ -13,9 +13,8 @@ rump of a horse, a shell on a back), a holds the junction at y.
 
 A section turns with the curve. In a wide section the centroid then moves much farther than the nodes, and an iteration
 with c held fixed does not converge. So each round is a Gauss-Newton step with the derivative of c by the plane
-(`sections.Sections`), and with the weights of a Geman-McClure loss of the distance to c, from the round before. Weights
-are smooth in the nodes, but a section jumps where its plane begins to cut another limb, too. A node at such a jump
-loses weight each time that it crosses it. The rounds end when the nodes hardly move any more.
+(`sections.Sections`), and with the weights of a Geman-McClure loss of the distance to c, from the round before. The
+rounds end when the nodes hardly move any more.
 """
 
 import itertools
@@ -60,8 +59,6 @@ SURE = 0.5  # share of an approximate clearance that counts as certain
 NEARBY, DETOUR = 0.5, 1.5  # clearances: largest distance from a point to its deepest point; factor on it in the search
 CLIMBS, FINEST = 30, 0.004  # limit on the steps of the search; clearances: step length at which it ends
 DIRECTIONS = unit(np.array([each for each in itertools.product((-1.0, 0.0, 1.0), repeat=3) if any(each)]))
-SETTLING = 4  # rounds after which jumps of the weight are counted
-BRINK, FADE = 1.25, 0.5  # factor on (weight over section radius) in a round that is a jump; factor on w at each jump
 
 
 class Budget:
@@ -105,7 +102,7 @@ def centre(
     clearance_at_place = np.where(is_lost, 0.0, shape.distances(y[junction]))
     clearance, near = shape.approximate_clearance(x)
     least = np.maximum(THINNEST * clearance, 2 * TOUCHING)
-    size, faded, before = clearance.copy(), np.ones(num), np.zeros(num)
+    size = clearance.copy()
     span = size  # in a sheet, the usual radius of its sections: its size is its thickness, and says nothing of bends
     known = _Known(x, budget)
     for number in range(-1, rounds):  # round -1 only measures the limbs' sizes
@@ -124,14 +121,6 @@ def centre(
         is_sheet = span[limb] > measures.WIDE * size[limb]
         expected = LOPSIDED * np.where(is_sheet, span[limb], found.size)
         weight = clear[limb] / (1 + (found.radius / expected) ** STEEP)
-        # A node whose section jumps between two limbs loses weight at each jump.
-        pull = np.zeros(num)
-        pull[limb] = weight / found.radius
-        if number >= SETTLING:
-            is_over = np.maximum(pull, before) > BRINK * np.minimum(pull, before)
-            faded[is_over & (np.abs(pull - before) * size > 0.1)] *= FADE
-        before = pull
-        weight *= faded[limb]
         width = np.full(num, np.nan)
         width[limb[weight > 1e-6]] = found.radius[weight > 1e-6]
         weight *= np.minimum(1.0, np.nan_to_num(measures.usual(paths, width)[limb] / found.radius)) ** ROUNDNESS
