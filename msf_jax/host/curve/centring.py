@@ -4,7 +4,7 @@ The middle of a limb is the centroid c of its cross-section. The nodes x of a cu
 
     sum_i w_i |P_i (x_i - c_i)|^2  +  sum_i (l_i / h_i)^4 |x_{i-1} - 2 x_i + x_{i+1}|^2  +  sum_j a_j |x_j - y_j|^2,
 
-where P_i removes most of the component along the branch. This is a smoothing spline: its stiffness acts over a length
+where P_i removes the component along the branch. This is a smoothing spline: its stiffness acts over a length
 l, a part of the limb's size, or of a sheet's half width, for any spacing h of the nodes. Nodes keep their shares of
 their branch's length, so they move across it only. Near a junction a cross-section cuts several limbs and is no guide,
 so w falls to 0 there. The branches then continue straight, and the junction comes to where the axes of its limbs meet.
@@ -41,7 +41,6 @@ ZONE, MARGIN = 0.7, 0.4  # junction sizes: within which sections do not count; o
 LOPSIDED, STEEP = 1.6, 8  # section radius over section size at which a section counts half; exponent of that ratio
 ROUNDNESS = 4  # exponent of (median radius of the branch / radius of the section) in the weight, if below 1
 STRAY = 0.3  # section radii: a centroid at this distance has a quarter of its weight
-SLIDING = 0.03  # share of w along the branch
 ANCHOR, JUNCTION_ANCHOR = 0.003, 0.2  # a of a usual node; a of a junction
 DEEP_ANCHOR, DEEPER = 4.0, 1.0  # added to a if the clearance at y exceeds the limbs' size; relative excess for all
 FORMER_JUNCTION_DEEPER = 0.25  # the same share at a former junction, where no other branch holds the curve in its blob
@@ -294,13 +293,11 @@ class _System:
         places: np.ndarray,
     ):
         num, t = len(x), tangent[limb]
-        both = t[:, :, None] * t[:, None, :]
-        flat = np.eye(3) - both
-        across = flat + SLIDING * both
-        self.off = np.einsum("nij,nj->ni", across, x[limb] - found.centroid)
+        flat = np.eye(3) - t[:, :, None] * t[:, None, :]
+        self.off = np.einsum("nij,nj->ni", flat, x[limb] - found.centroid)
         slide = np.einsum("nij,nj->ni", flat, found.slide)
         slide *= _bound(slide)[:, None]
-        own = across - slide[:, :, None] * t[:, None, :]
+        own = flat - slide[:, :, None] * t[:, None, :]
         length = np.maximum(np.linalg.norm(ahead[limb], axis=1), 1e-300)
         turn = -flat @ found.turn @ flat / length[:, None, None]
         turn *= _bound(turn.reshape(-1, 9))[:, None, None]
