@@ -25,6 +25,7 @@ from scipy.sparse import linalg
 
 from msf_jax.host.curve import branch_paths as measures
 from msf_jax.host.curve.branch_paths import BranchPath
+from msf_jax.host.curve.branches import core
 from msf_jax.host.curve.containment import is_inside
 from msf_jax.host.poles.roadmap import TOUCHING
 from msf_jax.host.solid import sections
@@ -94,6 +95,7 @@ def centre(
     paths = measures.paths_of(x, edges, is_held)
     if not paths:
         return x
+    is_core = core(num, edges)
     is_former_junction = (degree == 2) & (False if former_junctions is None else former_junctions)
     junction = np.flatnonzero((degree > 2) | is_former_junction)
     is_lost = ~shape.contains(y[junction])  # a place outside holds nothing
@@ -102,14 +104,13 @@ def centre(
     clearance, near = shape.approximate_clearance(x)
     least = np.maximum(THINNEST * clearance, 2 * TOUCHING)
     size = clearance.copy()
-    span = size  # in a sheet, the usual radius of its sections: its size is its thickness, and says nothing of bends
     known = _Known(x, budget)
     for number in range(-1, rounds):  # round -1 only measures the limbs' sizes
         if number > 0 and budget.left < 0:
             budget.was_hit = True
             break
         clearance[junction] = shape.distances(x[junction])
-        chord = measures.chords(x, paths, span)
+        chord = measures.chords(x, paths, size)
         ahead = chord @ x
         tangent = unit(ahead)
         clear = measures.clear_of_junctions(x, paths, degree, size, ZONE, MARGIN)
@@ -117,9 +118,7 @@ def centre(
         found = known.at(shape, x, tangent, size, near, limb)
         limb = limb[found.is_around]
         found = sections.Sections(*(field[found.is_around] for field in found))
-        is_sheet = span[limb] > measures.WIDE * size[limb]
-        expected = LOPSIDED * np.where(is_sheet, span[limb], found.size)
-        weight = clear[limb] / (1 + (found.radius / expected) ** STEEP)
+        weight = clear[limb] / (1 + (found.radius / (LOPSIDED * found.size)) ** STEEP)
         width = np.full(num, np.nan)
         width[limb[weight > 1e-6]] = found.radius[weight > 1e-6]
         weight *= np.minimum(1.0, np.nan_to_num(measures.usual(paths, width)[limb] / found.radius)) ** ROUNDNESS
@@ -129,7 +128,7 @@ def centre(
         wide = np.full(num, np.nan)
         wide[limb] = found.radius
         wide = measures.usual(paths, wide)
-        span = np.where(wide > measures.WIDE * size, wide, size)
+        span = np.where((wide > measures.WIDE * size) & ~is_core, wide, size)  # a loop is not to be drawn to its hole
         if number < 0:
             continue
         anchor = np.full(num, ANCHOR)
