@@ -74,7 +74,8 @@ def cycle_count(num_nodes: int, edges: np.ndarray) -> tuple[int, int]:
 
 
 def core(num_nodes: int, edges: np.ndarray) -> np.ndarray:
-    """(N,) which nodes are left when leaves are removed until there are none: of loops, and of paths between loops."""
+    """(N,) which nodes are left when leaves are removed until there are none: of loops, and of paths between loops. An
+    edge from a node to itself is no loop."""
     is_left = np.zeros(num_nodes, dtype=bool)
     if cycle_count(num_nodes, edges)[1]:
         graph = nx.Graph(edges[edges[:, 0] != edges[:, 1]].tolist())

@@ -29,7 +29,7 @@ from msf_jax.host.curve.branches import core
 from msf_jax.host.curve.containment import is_inside
 from msf_jax.host.poles.roadmap import TOUCHING
 from msf_jax.host.solid import sections
-from msf_jax.host.solid.enclosure import Enclosure
+from msf_jax.host.solid.enclosure import SURE, Enclosure
 from msf_jax.host.solid.geometry import unit
 
 # These give the least mean errors on the ground-truth shapes and the research meshes: see `tests.benchmarks.curves`.
@@ -55,7 +55,6 @@ THINNEST = 0.25  # least share of its first clearance that a step must leave to 
 HALVINGS = 2  # times that a step that goes too far is halved, before none is taken
 SLIGHT = 0.05  # clearances: a shorter step is taken without a test
 CLOSE = 0.005  # diagonals: clearances below are measured exactly
-SURE = 0.5  # share of an approximate clearance that counts as certain
 NEARBY, DETOUR = 0.5, 1.5  # clearances: largest distance from a point to its deepest point; factor on it in the search
 CLIMBS, FINEST = 30, 0.004  # limit on the steps of the search; clearances: step length at which it ends
 DIRECTIONS = unit(np.array([each for each in itertools.product((-1.0, 0.0, 1.0), repeat=3) if any(each)]))

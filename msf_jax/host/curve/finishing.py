@@ -120,11 +120,12 @@ def passes(centre: bool, extend: bool) -> list[Callable[[Draft, Job], Draft]]:
         # All branches are candidates now, and centred: the slenderness decides which of them are limbs.
         pruned,
         merged,
-        *([partial(centred, hold_leaves=extend), pruned] if centre else []),
+        *([partial(centred, hold_leaves=extend)] if centre else []),
         contained,
         *([partial(straightened, most=SHARPEST), contained] if centre else []),
         coincident_merged,
         looped,
+        pruned,  # again: what is left has moved
         *([corners_rounded] if centre else []),
     ]
 
@@ -193,7 +194,7 @@ def _of_reeb_curve(laid: reeb_curve.ReebCurve, nodes: np.ndarray, job: Job) -> F
     x, num = laid.vertices, len(laid.vertices)
     none = np.zeros(num, dtype=bool)
     draft = Draft(x, laid.edges, none, np.arange(num), laid.node_of_vertex, x, none)
-    for each in (contained, opened, pruned, straightened, contained, coincident_merged, looped, corners_rounded):
+    for each in (contained, opened, straightened, contained, coincident_merged, looped, pruned, corners_rounded):
         draft = each(draft, job)
     near = np.asarray(spatial.KDTree(draft.vertices).query(nodes)[1])
     taken, first, place = np.unique(near, return_index=True, return_inverse=True)

@@ -28,7 +28,7 @@ import numpy as np
 from msf_jax.host.curve import branch_paths
 from msf_jax.host.curve.branches import Branch, core, trace
 from msf_jax.host.solid import sections
-from msf_jax.host.solid.enclosure import Enclosure
+from msf_jax.host.solid.enclosure import SURE, Enclosure
 from msf_jax.host.solid.geometry import PAIRS_AT_ONCE, cross, repeated, unit
 
 LEAST_SHARE = 0.25  # radii at the junction: least length of a limb; anything shorter is noise of the surface
@@ -41,8 +41,8 @@ class Limbs(NamedTuple):
     """Measures of the solid at the nodes of a curve.
 
     radius: (N,) of the largest ball. width: (N,) half of the section's largest extent; NaN if no section goes around
-    the node. ahead: (N,) distance from a leaf to the surface along its branch, 0 for other nodes. node, edge: (k,)
-    pairs of a node and an edge that passes through its section.
+    the node, or none was asked for. ahead: (N,) distance from a leaf to the surface along its branch, 0 for other
+    nodes. node, edge: (k,) pairs of a node and an edge that passes through its section.
     """
 
     radius: np.ndarray
@@ -70,7 +70,7 @@ def limbs_of(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray, is_whole
     is_limb = has_section & ~core(num, edges)
 
     def cut(asked: np.ndarray, along: np.ndarray) -> np.ndarray:
-        found = [pairs]
+        found = [np.empty((2, 0), dtype=np.int64)]
         for some in np.array_split(asked, max(1, -(-len(asked) // AT_ONCE))):
             width[some], row, edge = _across(
                 shape, vertices, edges, some, along[some], radius[some], near[some], is_limb
@@ -80,11 +80,13 @@ def limbs_of(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray, is_whole
 
     pairs = cut(np.flatnonzero(has_section if is_whole else is_limb), along)
     # In a sheet the curve bends within a width. Sections askew are too wide: its chords are as long as it is wide.
-    is_sheet = is_limb & (width > branch_paths.WIDE * radius)
+    first, is_sheet = width.copy(), is_limb & (width > branch_paths.WIDE * radius)
     if is_sheet.any():
         longer = unit(branch_paths.chords(vertices, paths, np.fmax(CHORD * radius, width)) @ vertices)
-        pairs = pairs[:, ~is_sheet[pairs[0]]]
-        pairs = cut(np.flatnonzero(is_sheet), longer)
+        again = cut(np.flatnonzero(is_sheet), longer)
+        is_better = is_sheet & (width < first)
+        width = np.where(is_better, width, first)
+        pairs = np.concatenate([pairs[:, ~is_better[pairs[0]]], again[:, is_better[again[0]]]], axis=1)
     onward = np.zeros((num, 1))  # sign of the outward direction: at the first node the chord points inward
     for path in paths:
         onward[path.nodes[0]], onward[path.nodes[-1]] = -1.0, 1.0
@@ -123,7 +125,9 @@ def _across(
     point = ends[edge, 0] + share[:, None] * (ends[edge, 1] - ends[edge, 0])
     is_near = np.linalg.norm(point - found.centroid[row], axis=1) < extent[row]
     row, edge, point = row[is_near], edge[is_near], (point - x[row])[is_near]
-    is_in = _within(point, row, normal, corners.loop, place - x[corners.loop])
+    is_in = np.linalg.norm(point, axis=1) < SURE * radius[row]  # within the node's ball; else the loop tells
+    left = ~is_in
+    is_in[left] = _within(point[left], row[left], normal, corners.loop, place - x[corners.loop])
     return width, row[is_in], edge[is_in]
 
 

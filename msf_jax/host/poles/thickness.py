@@ -47,8 +47,8 @@ def scales(vertices: np.ndarray, faces: np.ndarray) -> np.ndarray | None:
 def edge_lengths(shape: Enclosure, points: np.ndarray, longest: np.ndarray) -> np.ndarray:
     """(P,) the longest edge at each of ``points`` (P, 3), of a solid of diagonal 1, that still resolves the limb.
 
-    Values above `LENGTH` times ``longest`` (P,), the longest edge at each point, are only lower bounds, as larger balls
-    would cost most of the time. The balls touch samples of the surface, which are also between its vertices.
+    Values of at least ``longest`` (P,), the longest edge at each point, are only lower bounds: larger balls and more of
+    them would cost most of the time. The balls touch samples of the surface, which are also between its vertices.
     """
     samples, normals = shape.surface_points(MOST_SAMPLES)
     tree, limit = spatial.KDTree(samples), np.zeros(len(points))

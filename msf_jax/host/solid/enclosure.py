@@ -17,6 +17,7 @@ from msf_jax.host.solid.handles import Handles
 from msf_jax.host.solid.kernels import Mesh
 from msf_jax.host.solid.triangles import Samples, boxes, middles, reaches, sampled, tree_of
 
+SURE = 0.5  # share of an approximate clearance that counts as certain
 HITS_AT_FIRST = 8  # hits a ray for which memory is allocated first; few rays have more
 ROUNDING = 1e-9  # extents by which the box around a ray is enlarged, against rounding
 
