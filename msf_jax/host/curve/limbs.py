@@ -79,12 +79,12 @@ def limbs_of(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray, is_whole
         return np.concatenate(found, axis=1)
 
     pairs = cut(np.flatnonzero(has_section if is_whole else is_limb), along)
-    # In a sheet the curve bends within a width. Sections askew are too wide: its chords are as long as it is wide.
+    # In a sheet the curve bends within a width, and sections are askew: now across chords as long as it is wide.
     first, is_sheet = width.copy(), is_limb & (width > branch_paths.WIDE * radius)
     if is_sheet.any():
         longer = unit(branch_paths.chords(vertices, paths, np.fmax(CHORD * radius, width)) @ vertices)
         again = cut(np.flatnonzero(is_sheet), longer)
-        is_better = is_sheet & (width < first)
+        is_better = is_sheet & ~np.isnan(width)
         width = np.where(is_better, width, first)
         pairs = np.concatenate([pairs[:, ~is_better[pairs[0]]], again[:, is_better[again[0]]]], axis=1)
     onward = np.zeros((num, 1))  # sign of the outward direction: at the first node the chord points inward
