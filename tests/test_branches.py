@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from msf_jax.host.curve.branches import cycle_count, merge_coincident, merge_junctions, nearest_along, trace
+from msf_jax.host.curve.branches import core, cycle_count, merge_coincident, merge_junctions, nearest_along, trace
 from msf_jax.host.solid.handles import Handles
 
 NONE = np.empty((0, 2), dtype=np.int64)
@@ -175,3 +175,12 @@ def test_what_is_nearest_along_a_curve_is_not_what_is_nearest_in_space():
     edges = np.stack([np.arange(7), np.arange(1, 8)], axis=1)
     is_source = np.isin(np.arange(8), [0, 5])
     np.testing.assert_array_equal(nearest_along(x, edges, is_source), [0, 0, 0, 5, 5, 5, 5, 5])
+
+
+def test_the_core_is_what_leaves_cannot_reach():
+    """Two triangles, the path between them, a tail with a fork at one of them, and a chain apart."""
+    loops = [(0, 1), (1, 2), (0, 2), (3, 4), (4, 5), (3, 5), (2, 6), (6, 3)]
+    tails = [(0, 7), (7, 8), (7, 9), (10, 11), (11, 12)]
+    assert np.flatnonzero(core(13, np.array(loops + tails))).tolist() == [0, 1, 2, 3, 4, 5, 6]
+    assert np.flatnonzero(core(13, np.array(loops + tails + loops))).tolist() == [0, 1, 2, 3, 4, 5, 6]
+    assert not core(13, np.array(tails)).any()

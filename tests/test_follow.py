@@ -175,7 +175,7 @@ def test_a_node_is_in_the_middle_of_the_area_of_its_section(beam):
 def test_nodes_in_a_sheet_follow_their_own_vertices():
     """A plate has cross-sections only near its ends. When it is bent by 60 degrees, its nodes keep their place in it.
 
-    Noise of the vertices moves most nodes less than half as far, as it would move the mean of four vertices, and no node
+    Noise of the vertices moves most nodes less than half as far, as it would move the mean of four vertices, and none
     farther than the mean of two: the tip in a corner lies between the corner's two vertices.
     """
     mesh = trimesh.creation.box([6, 2, 0.1]).subdivide_to_size(0.35)

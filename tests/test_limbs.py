@@ -117,6 +117,30 @@ def test_a_sheet_is_as_wide_as_it_is_whatever_its_thickness(limb, top, expected)
 CORNERS = np.array(np.meshgrid([-1.0, 1.0], [-1.0, 1.0], [-1.0, 1.0])).reshape(3, -1).T
 
 
+def test_a_sheet_is_as_wide_for_a_curve_that_bends_in_it():
+    """A curve that zigzags by 45 degrees along a plate of width 2: its sections are across the plate, not askew."""
+    shape = solid(manifold3d.Manifold.cube([8, 2, 0.1], True))
+    along = np.linspace(-3, 3, 61)
+    x = np.stack([along, 0.05 * (-1.0) ** np.arange(61), np.zeros(61)], axis=1)
+    edges = np.stack([np.arange(60), np.arange(1, 61)], axis=1)
+    width = limbs_of(shape, x, edges).width[10:-10]
+    np.testing.assert_allclose(width, 1.0, atol=0.1)  # askew: 1.41
+
+
+def test_only_nodes_of_branches_with_a_leaf_have_a_width():
+    """Unless all are asked for; the slenderness is the same."""
+    ring = trimesh.creation.torus(1.0, 0.2, major_sections=48, minor_sections=16)
+    vertices, faces = np.array(ring.vertices), np.array(ring.faces)
+    angle = np.linspace(0, 2 * np.pi, 49)[:-1]
+    x = np.stack([np.cos(angle), np.sin(angle), 0 * angle], axis=1)
+    x = np.concatenate([x, [[1.05, 0.0, 0.0], [1.1, 0.0, 0.0]]])
+    edges = np.array([*((k, (k + 1) % 48) for k in range(48)), (0, 48), (48, 49)])
+    some, whole = (limbs_of(Enclosure(vertices, faces), x, edges, is_whole) for is_whole in (False, True))
+    assert np.isnan(some.width[1:48]).all() and not np.isnan(whole.width[1:48]).any()
+    np.testing.assert_allclose(whole.width[1:48], 0.2, rtol=0.1)
+    assert by_leaf(x, edges, some) == by_leaf(x, edges, whole)
+
+
 def test_corners_are_less_slender_than_half_a_disc():
     """Of a plate sqrt(s^2 + t^2) is half the width at s from a corner: 0.6 at 1.5 t, and 0.5 farther in."""
     s = np.linspace(0.01, 20, 4000)
