@@ -20,7 +20,6 @@ GAP = 0.3  # limb radii between the end of the curve and the surface ahead
 BACK = 1.0  # limb radii by which a leaf is first moved back, as the end of a contracted curve is bent
 STEP = 0.4  # limb radii: length of a step
 TURN = 1.0  # step lengths: largest sideways move of a step
-RETURN = 0.5  # share of the largest distance from the rest of the curve, up to a limb radius: nearer is a return
 MOST_STEPS = 80  # steps of a leaf, after which it goes on only from one cross-section of a limb to the next
 MOST_STEPS_IN_A_LIMB = 1000  # steps of a leaf in all: on a coarse mesh hundreds of radii can be missing
 
@@ -111,9 +110,9 @@ def _march(shape: Enclosure, vertices: np.ndarray, radii: np.ndarray, tips: list
         )
         # A limb leads away from the rest of the curve: a march that comes back, within the limb's radius, is over.
         beyond = rest.distance(active, goal, size[active])
-        is_back = is_open & (beyond < RETURN * np.minimum(away[active], size[active]))
+        is_back = beyond < np.minimum(away[active], size[active])
         is_open &= ~is_back
-        away[active[is_open]] = np.maximum(away[active], beyond)[is_open]
+        away[active[is_open]] = beyond[is_open]
         for row, point in zip(active[is_open], goal[is_open], strict=True):
             polylines[row].append(point)
         heading[active[is_open]] = unit(heading[active] + unit(goal - place[active]))[is_open]
