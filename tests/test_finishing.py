@@ -9,7 +9,16 @@ from scipy import spatial
 
 import msf_jax
 from msf_jax import Config, ground_truth, metrics
-from msf_jax.host.curve import branch_paths, centring, containment, finishing, leaf_extension, loops, resampling
+from msf_jax.host.curve import (
+    branch_paths,
+    branches,
+    centring,
+    containment,
+    finishing,
+    leaf_extension,
+    loops,
+    resampling,
+)
 from msf_jax.host.curve.branches import cycle_count
 from msf_jax.host.poles.roadmap import Roadmap
 from msf_jax.host.solid.enclosure import Enclosure
@@ -404,7 +413,7 @@ def test_points_go_to_the_nearest_node_of_their_own_branch():
     nodes = np.array([[0.0, 0, 0], [2, 0, 0], [4, 0, 0], [0, 2, 0], [0, 4, 0], [-2, 0, 0], [-4, 0, 0]])
     edges = np.array([[0, 1], [1, 2], [0, 3], [3, 4], [0, 5], [5, 6]])
     points = np.array([[3.9, 1, 0], [0.1, 1, 0], [0, 3.9, 0], [-1.9, 0, 0], [-1.9, 0, 0]])
-    found = finishing.nearest_on_branch(nodes, edges, points, np.array([1, 2, 1, 1, 0]))
+    found = branches.nearest_on_branch(nodes, edges, points, np.array([1, 2, 1, 1, 0]))
     assert found.tolist() == [2, 0, 0, 0, 5]
 
 

@@ -7,7 +7,7 @@ import numpy as np
 
 from msf_jax.base.options import Config
 from msf_jax.flow.state import State, Stopwatch
-from msf_jax.host.curve import extraction, finishing
+from msf_jax.host.curve import branches, extraction, finishing
 from msf_jax.host.curve.extraction import Curve
 from msf_jax.host.curve.finishing import Draft, Finished, Job
 from msf_jax.host.mesh.checking import Surface
@@ -138,7 +138,7 @@ def finished(checked: Surface, states: list[State], parts: list[Part]) -> Stitch
         edges.append(number[done.edges])
         node = node_of_input(part) if done.node_of_vertex is None else done.node_of_vertex
         if not is_left(state, part):
-            node = finishing.nearest_on_branch(done.vertices, done.edges, state.shape.vertices, node)
+            node = branches.nearest_on_branch(done.vertices, done.edges, state.shape.vertices, node)
         node_of_vertex[member[state.order]] = number[node]
         num_old += count
         num_new += len(done.vertices) - count

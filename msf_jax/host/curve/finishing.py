@@ -381,25 +381,3 @@ def corners_rounded(draft: Draft, job: Job) -> Draft:
 def in_order(edges: np.ndarray) -> np.ndarray:
     """Edges with their smaller node first, in ascending order."""
     return np.unique(np.sort(edges, axis=1), axis=0).reshape(-1, 2)
-
-
-def nearest_on_branch(
-    nodes: np.ndarray, edges: np.ndarray, points: np.ndarray, node_of_point: np.ndarray
-) -> np.ndarray:
-    """The nearest node (P,) of each point (P, 3) on its own branch; for a point at a junction, on any branch there.
-
-    ``node_of_point`` (P,) is the point's node from before nodes moved along their branches and new ones were added.
-    """
-    found = node_of_point.copy()
-    least = np.full(len(points), np.inf)
-    order = np.argsort(node_of_point, kind="stable")
-    bounds = np.searchsorted(node_of_point[order], np.arange(len(nodes) + 1))
-    for path in branches.trace(len(nodes), edges):
-        own = np.concatenate([order[bounds[node] : bounds[node + 1]] for node in dict.fromkeys(path)])
-        if len(own):
-            on_path = np.array(path)
-            away, place = spatial.KDTree(nodes[on_path]).query(points[own])
-            is_nearer = away < least[own]
-            found[own[is_nearer]] = on_path[np.asarray(place)[is_nearer]]
-            least[own[is_nearer]] = away[is_nearer]
-    return found
