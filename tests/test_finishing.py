@@ -138,10 +138,10 @@ def test_a_loop_around_a_hole_is_not_folded_flat():
     x = 1.2 * scale * np.stack([np.cos(angle), np.sin(angle), 0 * angle], axis=1)
     edges = np.array([[0, 1], [1, 2], [0, 2]])
     assert is_inside(shape, x, edges)
-    np.testing.assert_array_equal(containment.straighten(shape, x, edges, none_held(x)), x)
+    np.testing.assert_array_equal(containment.straighten(shape, x, edges, none_held(x), 90.0), x)
     spike = np.concatenate([x, [x[0] * 1.2]])  # there and back, beside the way from 0 to 1
     chain = np.array([[0, 3], [1, 3], [1, 2], [0, 2]])
-    straight = containment.straighten(shape, spike, chain, np.arange(4) < 3)
+    straight = containment.straighten(shape, spike, chain, np.arange(4) < 3, 90.0)
     np.testing.assert_allclose(straight[3], (x[0] + x[1]) / 2, atol=1e-12)
 
 

@@ -346,29 +346,3 @@ def test_approximate_closest_finds_the_wall_of_a_box_of_twelve_triangles():
     box = Enclosure(*arrays(trimesh.creation.box((1.0, 1.0, 4.0))))
     points = np.array([[0.3, 0, 0], [0, -0.45, 1.0], [0.1, 0.0, -1.9]])
     np.testing.assert_allclose(box.approximate_closest(points)[0], [0.2, 0.05, 0.1], rtol=1e-3)
-
-
-# All triangles near a point
-
-
-@pytest.mark.parametrize("many", [False, True])
-def test_every_triangle_within_reach_is_found(shape, monkeypatch, many):
-    """Each once, all of a point's in one batch and side by side, and few that are not within reach."""
-    if many:
-        monkeypatch.setattr("msf_jax.host.solid.enclosure.PAIRS_AT_ONCE", 10)
-    random, num = np.random.default_rng(9), 80
-    points, reach = random_points(shape, random, num), random.uniform(0, 0.8, num)
-    batches = list(shape.triangles_near(points, reach))
-    assert (len(batches) > 5) == many
-    owners = [set(point.tolist()) for point, _ in batches]
-    assert sum(map(len, owners)) == len(set.union(*owners)), "a point in two batches"
-    pairs = np.concatenate([np.stack(batch, axis=1) for batch in batches])
-    found = np.zeros((num, len(shape.faces)), dtype=int)
-    np.add.at(found, tuple(pairs.T), 1)
-    assert found.max() == 1
-    away = distances_to_all(points, shape.triangles)
-    is_within = away <= reach[:, None]
-    assert found[is_within].all() and is_within.sum() > 500
-    width = np.linalg.norm(shape.triangles - np.roll(shape.triangles, 1, axis=1), axis=2).max(axis=1)
-    # What is found in vain has a box that comes so near.
-    assert not found[away > reach[:, None] + 2 * width].any()

@@ -1,4 +1,4 @@
-; 5615204768932c2c1755991eb38315aa90820811b6f4f8921217d77e47c0aeff
+; 9c38aa2bd62d7cd8c3ca4566d5b0ce9db416348f75bc83c241ebc6024c0761d4
 ; Made of the kernels by `python -m tests.translate`: edit those.
 
 define internal fastcc void @_ZN7msf_jax4host5solid7kernels18triangle_distance2B2v2B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAEddd5ArrayIdLi3E1C7mutable7alignedEx(ptr noalias nonnull writeonly %retptr, double %arg.x, double %arg.y, double %arg.z, ptr readonly %arg.triangles.4, i64 %arg.triangles.5.0, i64 %arg.triangles.5.1, i64 %arg.triangles.5.2, i64 %arg.row) unnamed_addr {
@@ -509,182 +509,6 @@ _ZN7msf_jax4host5solid7kernels7nearestB2v6B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsB
   ret i64 0
 }
 
-define i64 @msf_jax.host.solid.kernels.around(ptr readonly %words) local_unnamed_addr {
-  %w0 = load ptr, ptr %words, align 8
-  %p1 = getelementptr i8, ptr %words, i64 8
-  %w1 = load i64, ptr %p1, align 8
-  %p2 = getelementptr i8, ptr %words, i64 16
-  %w2 = load i64, ptr %p2, align 8
-  %s3 = shl i64 %w2, 3
-  %p3 = getelementptr i8, ptr %words, i64 24
-  %w3 = load ptr, ptr %p3, align 8
-  %p5 = getelementptr i8, ptr %words, i64 40
-  %w5 = load i64, ptr %p5, align 8
-  %p17 = getelementptr i8, ptr %words, i64 136
-  %w17 = load ptr, ptr %p17, align 8
-  %p18 = getelementptr i8, ptr %words, i64 144
-  %w18 = load i64, ptr %p18, align 8
-  %p19 = getelementptr i8, ptr %words, i64 152
-  %w19 = load i64, ptr %p19, align 8
-  %p20 = getelementptr i8, ptr %words, i64 160
-  %w20 = load ptr, ptr %p20, align 8
-  %p21 = getelementptr i8, ptr %words, i64 168
-  %w21 = load i64, ptr %p21, align 8
-  %p22 = getelementptr i8, ptr %words, i64 176
-  %w22 = load ptr, ptr %p22, align 8
-  %p23 = getelementptr i8, ptr %words, i64 184
-  %w23 = load i64, ptr %p23, align 8
-  %p24 = getelementptr i8, ptr %words, i64 192
-  %w24 = load ptr, ptr %p24, align 8
-  %p25 = getelementptr i8, ptr %words, i64 200
-  %w25 = load i64, ptr %p25, align 8
-  %p26 = getelementptr i8, ptr %words, i64 208
-  %w26 = load ptr, ptr %p26, align 8
-  %p27 = getelementptr i8, ptr %words, i64 216
-  %w27 = load i64, ptr %p27, align 8
-  %.202.i = sub i64 %w1, %w5
-  %.247610.not.i = icmp slt i64 %.202.i, 1
-  br i1 %.247610.not.i, label %_ZN7msf_jax4host5solid7kernels6aroundB3v10B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx232Mesh_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE.exit, label %B108.preheader.i
-
-B108.preheader.i:                                 ; preds = %0
-  %p4 = getelementptr i8, ptr %words, i64 32
-  %w4 = load i64, ptr %p4, align 8
-  %1 = shl i64 %w4, 3
-  br label %B108.i
-
-B108.i:                                           ; preds = %B394.i, %B108.preheader.i
-  %count.4.0613.i = phi i64 [ %count.3.223.i, %B394.i ], [ 0, %B108.preheader.i ]
-  %.246602612.i = phi i64 [ %.256.i, %B394.i ], [ %.202.i, %B108.preheader.i ]
-  %.253606611.i = phi i64 [ %.260.i, %B394.i ], [ %w5, %B108.preheader.i ]
-  %.256.i = add nsw i64 %.246602612.i, -1
-  %.260.i = add i64 %.253606611.i, 1
-  %.334.i = icmp slt i64 %.253606611.i, 0
-  %.335.i = select i1 %.334.i, i64 %w1, i64 0
-  %.336.i = add i64 %.335.i, %.253606611.i
-  %2 = getelementptr double, ptr %w3, i64 %.253606611.i
-  %sunkaddr.i = mul i64 %s3, %.336.i
-  %sunkaddr46.i = getelementptr i8, ptr %w0, i64 %sunkaddr.i
-  %sunkaddr49.i = getelementptr i8, ptr %sunkaddr46.i, i64 8
-  %sunkaddr52.i = getelementptr i8, ptr %sunkaddr46.i, i64 16
-  %sunkaddr53.i = select i1 %.334.i, i64 %1, i64 0
-  %sunkaddr54.i = getelementptr inbounds i8, ptr %2, i64 %sunkaddr53.i
-  br label %B118.outer.i
-
-B118.outer.i:                                     ; preds = %B70.i.i, %B108.i
-  %count.2.1.ph.i = phi i64 [ %count.3.223.i, %B70.i.i ], [ %count.4.0613.i, %B108.i ]
-  %node.2.1.ph.i = phi i64 [ %node.4.0.i.i, %B70.i.i ], [ 1, %B108.i ]
-  %.361.i = load double, ptr %sunkaddr46.i, align 8
-  %.416.i = load double, ptr %sunkaddr49.i, align 8
-  %.471.i = load double, ptr %sunkaddr52.i, align 8
-  %.504.i = load double, ptr %sunkaddr54.i, align 8
-  %.147.i.i = fmul double %.504.i, %.504.i
-  %.443.i.i = fmul double %.147.i.i, 0x3FF0000000001198
-  br label %B118.i
-
-B118.i:                                           ; preds = %B20.i.i, %B118.outer.i
-  %node.2.1.i = phi i64 [ %.28.i.i, %B20.i.i ], [ %node.2.1.ph.i, %B118.outer.i ]
-  %.47.i.i = icmp slt i64 %node.2.1.i, 0
-  %.48.i.i = select i1 %.47.i.i, i64 %w18, i64 0
-  %.49.i17.i = add i64 %.48.i.i, %node.2.1.i
-  %.69.i.i = mul i64 %.49.i17.i, %w19
-  %.73.i.i = getelementptr double, ptr %w17, i64 %.69.i.i
-  %.74.i.i = load double, ptr %.73.i.i, align 8
-  %.75.i.i = fsub double %.74.i.i, %.361.i
-  %.127.i18.i = getelementptr i8, ptr %.73.i.i, i64 24
-  %.128.i.i = load double, ptr %.127.i18.i, align 8
-  %.129.i.i = fsub double %.361.i, %.128.i.i
-  %.13.i.i.i = fcmp ogt double %.129.i.i, %.75.i.i
-  %.14.i.i.i = select i1 %.13.i.i.i, double %.129.i.i, double %.75.i.i
-  %.15.i.i.i = fcmp olt double %.14.i.i.i, 0.000000e+00
-  %.16.i.i.i = select i1 %.15.i.i.i, double 0.000000e+00, double %.14.i.i.i
-  %.213.i.i = getelementptr i8, ptr %.73.i.i, i64 8
-  %.214.i.i = load double, ptr %.213.i.i, align 8
-  %.215.i.i = fsub double %.214.i.i, %.416.i
-  %.267.i.i = getelementptr i8, ptr %.73.i.i, i64 32
-  %.268.i.i = load double, ptr %.267.i.i, align 8
-  %.269.i.i = fsub double %.416.i, %.268.i.i
-  %.13.i1.i.i = fcmp ogt double %.269.i.i, %.215.i.i
-  %.14.i2.i.i = select i1 %.13.i1.i.i, double %.269.i.i, double %.215.i.i
-  %.15.i3.i.i = fcmp olt double %.14.i2.i.i, 0.000000e+00
-  %.16.i4.i.i = select i1 %.15.i3.i.i, double 0.000000e+00, double %.14.i2.i.i
-  %.351.i.i = getelementptr i8, ptr %.73.i.i, i64 16
-  %.352.i.i = load double, ptr %.351.i.i, align 8
-  %.353.i.i = fsub double %.352.i.i, %.471.i
-  %.405.i.i = getelementptr i8, ptr %.73.i.i, i64 40
-  %.406.i.i = load double, ptr %.405.i.i, align 8
-  %.407.i.i = fsub double %.471.i, %.406.i.i
-  %.13.i5.i.i = fcmp ogt double %.407.i.i, %.353.i.i
-  %.14.i6.i.i = select i1 %.13.i5.i.i, double %.407.i.i, double %.353.i.i
-  %.15.i7.i.i = fcmp olt double %.14.i6.i.i, 0.000000e+00
-  %.16.i8.i.i = select i1 %.15.i7.i.i, double 0.000000e+00, double %.14.i6.i.i
-  %.438.i.i = fmul double %.16.i.i.i, %.16.i.i.i
-  %.439.i.i = fmul double %.16.i4.i.i, %.16.i4.i.i
-  %.440.i.i = fadd double %.438.i.i, %.439.i.i
-  %.441.i.i = fmul double %.16.i8.i.i, %.16.i8.i.i
-  %.442.i.i = fadd double %.440.i.i, %.441.i.i
-  %.444.i.i = fcmp ugt double %.442.i.i, %.443.i.i
-  br i1 %.444.i.i, label %B30.i.i, label %B238.i
-
-B238.i:                                           ; preds = %B118.i
-  %.577.not.i = icmp slt i64 %node.2.1.i, %w21
-  br i1 %.577.not.i, label %B20.i.i, label %B250.i
-
-B250.i:                                           ; preds = %B238.i
-  %.592.i = icmp eq i64 %count.2.1.ph.i, %w25
-  br i1 %.592.i, label %_ZN7msf_jax4host5solid7kernels6aroundB3v10B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx232Mesh_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE.exit, label %B356.i
-
-B356.i:                                           ; preds = %B250.i
-  %.625.i = sub nsw i64 %node.2.1.i, %w21
-  %.653.i = getelementptr i64, ptr %w20, i64 %.625.i
-  %.654.i = load i64, ptr %.653.i, align 8
-  %.670.i = icmp slt i64 %count.2.1.ph.i, 0
-  %.671.i = select i1 %.670.i, i64 %w25, i64 0
-  %3 = getelementptr i64, ptr %w24, i64 %count.2.1.ph.i
-  %.685.i = getelementptr i64, ptr %3, i64 %.671.i
-  store i64 %.253606611.i, ptr %.685.i, align 8
-  %.702.i = select i1 %.670.i, i64 %w27, i64 0
-  %4 = getelementptr i64, ptr %w26, i64 %count.2.1.ph.i
-  %.716.i = getelementptr i64, ptr %4, i64 %.702.i
-  store i64 %.654.i, ptr %.716.i, align 8
-  %.719.i = add nsw i64 %count.2.1.ph.i, 1
-  br label %B30.i.i
-
-B20.i.i:                                          ; preds = %B238.i
-  %.28.i.i = shl nsw i64 %node.2.1.i, 1
-  br label %B118.i
-
-B30.i.i:                                          ; preds = %B118.i, %B356.i
-  %count.3.223.i = phi i64 [ %.719.i, %B356.i ], [ %count.2.1.ph.i, %B118.i ]
-  %.36.i.i = add nsw i64 %node.2.1.i, 1
-  %5 = and i64 %node.2.1.i, 1
-  %.46.not.not.i.i = icmp eq i64 %5, 0
-  br i1 %.46.not.not.i.i, label %B70.i.i, label %B50.i.i
-
-B50.i.i:                                          ; preds = %B30.i.i, %B50.i.i
-  %node.3.1.i.i = phi i64 [ %.49.i.i, %B50.i.i ], [ %.36.i.i, %B30.i.i ]
-  %.49.i.i = ashr i64 %node.3.1.i.i, 1
-  %6 = and i64 %node.3.1.i.i, 2
-  %.55.not.i.i = icmp eq i64 %6, 0
-  br i1 %.55.not.i.i, label %B50.i.i, label %B70.i.i
-
-B70.i.i:                                          ; preds = %B50.i.i, %B30.i.i
-  %node.4.0.i.i = phi i64 [ %.36.i.i, %B30.i.i ], [ %.49.i.i, %B50.i.i ]
-  %.60.i.i = icmp sgt i64 %node.4.0.i.i, 1
-  br i1 %.60.i.i, label %B118.outer.i, label %B394.i
-
-B394.i:                                           ; preds = %B70.i.i
-  %.792.i = select i1 %.334.i, i64 %w23, i64 0
-  %7 = getelementptr i64, ptr %w22, i64 %.253606611.i
-  %.806.i = getelementptr i64, ptr %7, i64 %.792.i
-  store i64 %count.3.223.i, ptr %.806.i, align 8
-  %.247.i = icmp sgt i64 %.246602612.i, 1
-  br i1 %.247.i, label %B108.i, label %_ZN7msf_jax4host5solid7kernels6aroundB3v10B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx232Mesh_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE.exit
-
-_ZN7msf_jax4host5solid7kernels6aroundB3v10B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx232Mesh_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE.exit: ; preds = %B394.i, %B250.i, %0
-  %storemerge.i = phi i64 [ %w1, %0 ], [ %.253606611.i, %B250.i ], [ %w1, %B394.i ]
-  ret i64 %storemerge.i
-}
-
 define noundef i64 @msf_jax.host.solid.kernels.windings(ptr readonly %words) local_unnamed_addr {
   %w0 = load ptr, ptr %words, align 8
   %p1 = getelementptr i8, ptr %words, i64 8
@@ -714,7 +538,7 @@ define noundef i64 @msf_jax.host.solid.kernels.windings(ptr readonly %words) loc
   %p19 = getelementptr i8, ptr %words, i64 152
   %w19 = load ptr, ptr %p19, align 8
   %.234836.not.i = icmp slt i64 %w1, 1
-  br i1 %.234836.not.i, label %_ZN7msf_jax4host5solid7kernels8windingsB3v14B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE232Mesh_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedE.exit, label %B152.lr.ph.i
+  br i1 %.234836.not.i, label %_ZN7msf_jax4host5solid7kernels8windingsB3v10B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE232Mesh_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedE.exit, label %B152.lr.ph.i
 
 B152.lr.ph.i:                                     ; preds = %0
   %p10 = getelementptr i8, ptr %words, i64 80
@@ -763,15 +587,15 @@ B120.i.i:                                         ; preds = %B86.i.i
   %sunkaddr40.i = getelementptr i8, ptr %sunkaddr1.i.i, i64 32
   %.349.i.i = load double, ptr %sunkaddr40.i, align 8
   %.351.i.i = fcmp olt double %.349.i.i, %.384.i
-  br i1 %.351.i.i, label %B30.i.i, label %_ZN7msf_jax4host5solid7kernels8overlapsB3v16B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedExdddddd.exit.i
+  br i1 %.351.i.i, label %B30.i.i, label %_ZN7msf_jax4host5solid7kernels8overlapsB3v13B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedExdddddd.exit.i
 
-_ZN7msf_jax4host5solid7kernels8overlapsB3v16B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedExdddddd.exit.i: ; preds = %B120.i.i
+_ZN7msf_jax4host5solid7kernels8overlapsB3v13B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedExdddddd.exit.i: ; preds = %B120.i.i
   %sunkaddr43.i = getelementptr i8, ptr %sunkaddr1.i.i, i64 40
   %.413.i.i = load double, ptr %sunkaddr43.i, align 8
   %.417.i.i = fcmp uge double %.413.i.i, %.439.i
   br i1 %.417.i.i, label %B300.i, label %B30.i.i
 
-B300.i:                                           ; preds = %_ZN7msf_jax4host5solid7kernels8overlapsB3v16B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedExdddddd.exit.i
+B300.i:                                           ; preds = %_ZN7msf_jax4host5solid7kernels8overlapsB3v13B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedExdddddd.exit.i
   %.528.not.i = icmp slt i64 %node.2.17.i, %w18
   br i1 %.528.not.i, label %B20.i.i, label %B314.endif.endif.i
 
@@ -925,9 +749,9 @@ B20.i.i:                                          ; preds = %B300.i
   %.93.i.i = fcmp ogt double %.92.i.i, %.329.i
   br i1 %.93.i.i, label %B30.i.i, label %B32.i.i
 
-B30.i.i:                                          ; preds = %B20.i.i, %_ZN7msf_jax4host5solid7kernels8overlapsB3v16B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedExdddddd.exit.i, %B120.i.i, %B86.i.i, %B32.i.i, %B834.endif.endif.i, %B936.i, %B230.outer.i
-  %node.2.12.i = phi i64 [ %node.2.17.i, %B936.i ], [ %node.2.17.i, %B834.endif.endif.i ], [ %node.2.1.ph.i, %B230.outer.i ], [ %node.2.17.i, %_ZN7msf_jax4host5solid7kernels8overlapsB3v16B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedExdddddd.exit.i ], [ %node.2.17.i, %B120.i.i ], [ %node.2.17.i, %B86.i.i ], [ %node.2.17.i, %B32.i.i ], [ %.28.i.i, %B20.i.i ]
-  %winding.3.324.i = phi i64 [ %.1759.i, %B936.i ], [ %winding.2.1.ph.i, %B834.endif.endif.i ], [ %winding.2.1.ph.i, %B230.outer.i ], [ %winding.2.1.ph.i, %B32.i.i ], [ %winding.2.1.ph.i, %B86.i.i ], [ %winding.2.1.ph.i, %B120.i.i ], [ %winding.2.1.ph.i, %_ZN7msf_jax4host5solid7kernels8overlapsB3v16B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedExdddddd.exit.i ], [ %winding.2.1.ph.i, %B20.i.i ]
+B30.i.i:                                          ; preds = %B20.i.i, %_ZN7msf_jax4host5solid7kernels8overlapsB3v13B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedExdddddd.exit.i, %B120.i.i, %B86.i.i, %B32.i.i, %B834.endif.endif.i, %B936.i, %B230.outer.i
+  %node.2.12.i = phi i64 [ %node.2.17.i, %B936.i ], [ %node.2.17.i, %B834.endif.endif.i ], [ %node.2.1.ph.i, %B230.outer.i ], [ %node.2.17.i, %_ZN7msf_jax4host5solid7kernels8overlapsB3v13B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedExdddddd.exit.i ], [ %node.2.17.i, %B120.i.i ], [ %node.2.17.i, %B86.i.i ], [ %node.2.17.i, %B32.i.i ], [ %.28.i.i, %B20.i.i ]
+  %winding.3.324.i = phi i64 [ %.1759.i, %B936.i ], [ %winding.2.1.ph.i, %B834.endif.endif.i ], [ %winding.2.1.ph.i, %B230.outer.i ], [ %winding.2.1.ph.i, %B32.i.i ], [ %winding.2.1.ph.i, %B86.i.i ], [ %winding.2.1.ph.i, %B120.i.i ], [ %winding.2.1.ph.i, %_ZN7msf_jax4host5solid7kernels8overlapsB3v13B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedExdddddd.exit.i ], [ %winding.2.1.ph.i, %B20.i.i ]
   %.36.i.i = add nsw i64 %node.2.12.i, 1
   %9 = and i64 %node.2.12.i, 1
   %.46.not.not.i.i = icmp eq i64 %9, 0
@@ -950,7 +774,7 @@ B1008.i:                                          ; preds = %B70.i.i
   %11 = getelementptr i64, ptr %w19, i64 %.240822839.i
   store i64 %winding.3.324.i, ptr %11, align 8
   %exitcond.not.i = icmp eq i64 %.247.i, %w1
-  br i1 %exitcond.not.i, label %_ZN7msf_jax4host5solid7kernels8windingsB3v14B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE232Mesh_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedE.exit, label %B152.i
+  br i1 %exitcond.not.i, label %_ZN7msf_jax4host5solid7kernels8windingsB3v10B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE232Mesh_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedE.exit, label %B152.i
 
 B314.endif.endif.i:                               ; preds = %B300.i
   %.536.i = sub nsw i64 %node.2.17.i, %w18
@@ -1019,7 +843,7 @@ B834.endif.endif.i:                               ; preds = %B720.2.i, %B708.2.i
   %.1745.i = fcmp ogt double %.11.i14.i, %.439.i
   br i1 %.1745.i, label %B936.i, label %B30.i.i
 
-_ZN7msf_jax4host5solid7kernels8windingsB3v14B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE232Mesh_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedE.exit: ; preds = %B1008.i, %0
+_ZN7msf_jax4host5solid7kernels8windingsB3v10B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE232Mesh_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedE.exit: ; preds = %B1008.i, %0
   ret i64 0
 }
 
@@ -1066,7 +890,7 @@ define i64 @msf_jax.host.solid.kernels.hits(ptr readonly %words) local_unnamed_a
   %p32 = getelementptr i8, ptr %words, i64 256
   %w32 = load i64, ptr %p32, align 8
   %.2781694.not.i = icmp slt i64 %w1, 1
-  br i1 %.2781694.not.i, label %_ZN7msf_jax4host5solid7kernels4hitsB3v17B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi3E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd232Mesh_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_295ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, label %B122.lr.ph.i
+  br i1 %.2781694.not.i, label %_ZN7msf_jax4host5solid7kernels4hitsB3v14B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi3E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd232Mesh_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_295ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, label %B122.lr.ph.i
 
 B122.lr.ph.i:                                     ; preds = %0
   %p28 = getelementptr i8, ptr %words, i64 224
@@ -1094,7 +918,7 @@ B122.lr.ph.i:                                     ; preds = %0
 B120.loopexit.i:                                  ; preds = %B70.i.i
   %.291.i = add nuw nsw i64 %.28415931699.i, 1
   %exitcond.not.i = icmp eq i64 %.291.i, %w1
-  br i1 %exitcond.not.i, label %_ZN7msf_jax4host5solid7kernels4hitsB3v17B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi3E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd232Mesh_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_295ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, label %B122.endif.endif.endif.endif.endif.endif.i
+  br i1 %exitcond.not.i, label %_ZN7msf_jax4host5solid7kernels4hitsB3v14B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi3E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd232Mesh_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_295ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, label %B122.endif.endif.endif.endif.endif.endif.i
 
 B32.i.i:                                          ; preds = %B560.outer.i, %B20.i.i
   %.87.i8.i = phi i64 [ %.87.i.i, %B20.i.i ], [ %.87.i3.i, %B560.outer.i ]
@@ -1122,15 +946,15 @@ B120.i.i:                                         ; preds = %B92.i.i
   %sunkaddr322.i = getelementptr i8, ptr %sunkaddr1.i.i, i64 32
   %.349.i.i = load double, ptr %sunkaddr322.i, align 8
   %.351.i.i = fcmp olt double %.349.i.i, %.890.i
-  br i1 %.351.i.i, label %B30.i.i, label %_ZN7msf_jax4host5solid7kernels8overlapsB3v16B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedExdddddd.exit.i
+  br i1 %.351.i.i, label %B30.i.i, label %_ZN7msf_jax4host5solid7kernels8overlapsB3v13B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedExdddddd.exit.i
 
-_ZN7msf_jax4host5solid7kernels8overlapsB3v16B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedExdddddd.exit.i: ; preds = %B120.i.i
+_ZN7msf_jax4host5solid7kernels8overlapsB3v13B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedExdddddd.exit.i: ; preds = %B120.i.i
   %sunkaddr325.i = getelementptr i8, ptr %sunkaddr1.i.i, i64 40
   %.413.i.i = load double, ptr %sunkaddr325.i, align 8
   %.417.i.i = fcmp uge double %.413.i.i, %.921.i
   br i1 %.417.i.i, label %B620.i, label %B30.i.i
 
-B620.i:                                           ; preds = %_ZN7msf_jax4host5solid7kernels8overlapsB3v16B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedExdddddd.exit.i
+B620.i:                                           ; preds = %_ZN7msf_jax4host5solid7kernels8overlapsB3v13B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedExdddddd.exit.i
   %.1102.not.i = icmp slt i64 %node.2.17.i, %w25
   br i1 %.1102.not.i, label %B20.i.i, label %B820.endif.us.2.i
 
@@ -1176,9 +1000,9 @@ B20.i.i:                                          ; preds = %B620.i
   %.93.i.i = fcmp ogt double %.92.i.i, %.961.i
   br i1 %.93.i.i, label %B30.i.i, label %B32.i.i
 
-B30.i.i:                                          ; preds = %B20.i.i, %_ZN7msf_jax4host5solid7kernels8overlapsB3v16B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedExdddddd.exit.i, %B120.i.i, %B92.i.i, %B86.i.i, %B32.i.i, %B1376.endif.endif.endif.endif.endif.endif.i, %B1280.endif.i, %B560.outer.i, %B1758.i, %B1670.i, %B1322.i
-  %node.2.12.i = phi i64 [ %node.2.17.i, %B1758.i ], [ %node.2.17.i, %B1280.endif.i ], [ %node.2.17.i, %B1322.i ], [ %node.2.17.i, %B1376.endif.endif.endif.endif.endif.endif.i ], [ %node.2.17.i, %B1670.i ], [ %node.2.1.ph.i, %B560.outer.i ], [ %node.2.17.i, %_ZN7msf_jax4host5solid7kernels8overlapsB3v16B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedExdddddd.exit.i ], [ %node.2.17.i, %B120.i.i ], [ %node.2.17.i, %B92.i.i ], [ %node.2.17.i, %B86.i.i ], [ %node.2.17.i, %B32.i.i ], [ %.28.i.i, %B20.i.i ]
-  %count.3.2305.i = phi i64 [ %.3697.i, %B1758.i ], [ %count.2.1.ph.i, %B1280.endif.i ], [ %count.2.1.ph.i, %B1322.i ], [ %count.2.1.ph.i, %B1376.endif.endif.endif.endif.endif.endif.i ], [ %count.2.1.ph.i, %B1670.i ], [ %count.2.1.ph.i, %B560.outer.i ], [ %count.2.1.ph.i, %B32.i.i ], [ %count.2.1.ph.i, %B86.i.i ], [ %count.2.1.ph.i, %B92.i.i ], [ %count.2.1.ph.i, %B120.i.i ], [ %count.2.1.ph.i, %_ZN7msf_jax4host5solid7kernels8overlapsB3v16B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedExdddddd.exit.i ], [ %count.2.1.ph.i, %B20.i.i ]
+B30.i.i:                                          ; preds = %B20.i.i, %_ZN7msf_jax4host5solid7kernels8overlapsB3v13B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedExdddddd.exit.i, %B120.i.i, %B92.i.i, %B86.i.i, %B32.i.i, %B1376.endif.endif.endif.endif.endif.endif.i, %B1280.endif.i, %B560.outer.i, %B1758.i, %B1670.i, %B1322.i
+  %node.2.12.i = phi i64 [ %node.2.17.i, %B1758.i ], [ %node.2.17.i, %B1280.endif.i ], [ %node.2.17.i, %B1322.i ], [ %node.2.17.i, %B1376.endif.endif.endif.endif.endif.endif.i ], [ %node.2.17.i, %B1670.i ], [ %node.2.1.ph.i, %B560.outer.i ], [ %node.2.17.i, %_ZN7msf_jax4host5solid7kernels8overlapsB3v13B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedExdddddd.exit.i ], [ %node.2.17.i, %B120.i.i ], [ %node.2.17.i, %B92.i.i ], [ %node.2.17.i, %B86.i.i ], [ %node.2.17.i, %B32.i.i ], [ %.28.i.i, %B20.i.i ]
+  %count.3.2305.i = phi i64 [ %.3697.i, %B1758.i ], [ %count.2.1.ph.i, %B1280.endif.i ], [ %count.2.1.ph.i, %B1322.i ], [ %count.2.1.ph.i, %B1376.endif.endif.endif.endif.endif.endif.i ], [ %count.2.1.ph.i, %B1670.i ], [ %count.2.1.ph.i, %B560.outer.i ], [ %count.2.1.ph.i, %B32.i.i ], [ %count.2.1.ph.i, %B86.i.i ], [ %count.2.1.ph.i, %B92.i.i ], [ %count.2.1.ph.i, %B120.i.i ], [ %count.2.1.ph.i, %_ZN7msf_jax4host5solid7kernels8overlapsB3v13B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedExdddddd.exit.i ], [ %count.2.1.ph.i, %B20.i.i ]
   %.36.i.i = add nsw i64 %node.2.12.i, 1
   %4 = and i64 %node.2.12.i, 1
   %.46.not.not.i.i = icmp eq i64 %4, 0
@@ -1452,7 +1276,7 @@ B1376.endif.endif.endif.endif.endif.endif.i:      ; preds = %B1322.i
   %.3556.i = fcmp ult double %.11.i295.i, 0.000000e+00
   br i1 %.3556.i, label %B30.i.i, label %B1670.i
 
-_ZN7msf_jax4host5solid7kernels4hitsB3v17B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi3E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd232Mesh_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_295ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit: ; preds = %B120.loopexit.i, %0
+_ZN7msf_jax4host5solid7kernels4hitsB3v14B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi3E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd232Mesh_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_295ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit: ; preds = %B120.loopexit.i, %0
   %count.4.0.lcssa.i = phi i64 [ 0, %0 ], [ %count.3.2305.i, %B120.loopexit.i ]
   ret i64 %count.4.0.lcssa.i
 }
@@ -1516,7 +1340,7 @@ define i64 @msf_jax.host.solid.loops.loops(ptr readonly %words) local_unnamed_ad
   %p35 = getelementptr i8, ptr %words, i64 280
   %w35 = load ptr, ptr %p35, align 8
   %.2941365.not.i = icmp slt i64 %w1, 1
-  br i1 %.2941365.not.i, label %_ZN7msf_jax4host5solid5loops5loopsB3v19B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE232Mesh_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xx5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, label %B108.preheader.i
+  br i1 %.2941365.not.i, label %_ZN7msf_jax4host5solid5loops5loopsB3v17B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE232Mesh_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xx5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, label %B108.preheader.i
 
 B108.preheader.i:                                 ; preds = %0
   %p36 = getelementptr i8, ptr %words, i64 288
@@ -2270,7 +2094,7 @@ B408.2.i.i:                                       ; preds = %B230.2.i.i, %B408.1
   %.13.i.i7.i = fmul double %.1429.i.i, %.1429.i.i
   %.14.i.i8.i = fadd double %.13.i.i7.i, %.12.i.i.i
   %.1586.i.i = fcmp ogt double %.14.i.i8.i, 0.000000e+00
-  br i1 %.1586.i.i, label %B678.endif.endif.endif.i.i, label %_ZN7msf_jax4host5solid5loops16segment_distanceB3v23B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE232Mesh_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_295ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedExx5ArrayIdLi2E1C7mutable7alignedE.exit.i
+  br i1 %.1586.i.i, label %B678.endif.endif.endif.i.i, label %_ZN7msf_jax4host5solid5loops16segment_distanceB3v22B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE232Mesh_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_295ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedExx5ArrayIdLi2E1C7mutable7alignedE.exit.i
 
 B678.endif.endif.endif.i.i:                       ; preds = %B408.2.i.i
   %.10.i4.i.i = fmul double %.978.i.i, %.1320.i.i
@@ -2283,9 +2107,9 @@ B678.endif.endif.endif.i.i:                       ; preds = %B408.2.i.i
   %.11.i49.i.i = select i1 %.10.i48.i.i, double 0.000000e+00, double %.1623.i.i
   %.10.i50.i.i = fcmp ogt double %.11.i49.i.i, 1.000000e+00
   %.11.i51.i.i = select i1 %.10.i50.i.i, double 1.000000e+00, double %.11.i49.i.i
-  br label %_ZN7msf_jax4host5solid5loops16segment_distanceB3v23B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE232Mesh_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_295ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedExx5ArrayIdLi2E1C7mutable7alignedE.exit.i
+  br label %_ZN7msf_jax4host5solid5loops16segment_distanceB3v22B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE232Mesh_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_295ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedExx5ArrayIdLi2E1C7mutable7alignedE.exit.i
 
-_ZN7msf_jax4host5solid5loops16segment_distanceB3v23B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE232Mesh_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_295ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedExx5ArrayIdLi2E1C7mutable7alignedE.exit.i: ; preds = %B678.endif.endif.endif.i.i, %B408.2.i.i
+_ZN7msf_jax4host5solid5loops16segment_distanceB3v22B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE232Mesh_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_295ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedExx5ArrayIdLi2E1C7mutable7alignedE.exit.i: ; preds = %B678.endif.endif.endif.i.i, %B408.2.i.i
   %"$phi782.0.2.0.i.i" = phi double [ 0.000000e+00, %B408.2.i.i ], [ %.11.i51.i.i, %B678.endif.endif.endif.i.i ]
   %.1695.i.i = fmul double %.1320.i.i, %"$phi782.0.2.0.i.i"
   %.1699.i.i = fsub double %.978.i.i, %.1695.i.i
@@ -2302,13 +2126,13 @@ _ZN7msf_jax4host5solid5loops16segment_distanceB3v23B54c8tJTIeFIjxB2IKSgI4CrvQCk0
   %.1081.i = fcmp olt double %sqrt.i.i.i, %best.3.2.ph.i
   br i1 %.1081.i, label %B544.i, label %B520.i
 
-B520.i:                                           ; preds = %_ZN7msf_jax4host5solid5loops16segment_distanceB3v23B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE232Mesh_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_295ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedExx5ArrayIdLi2E1C7mutable7alignedE.exit.i
+B520.i:                                           ; preds = %_ZN7msf_jax4host5solid5loops16segment_distanceB3v22B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE232Mesh_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_295ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedExx5ArrayIdLi2E1C7mutable7alignedE.exit.i
   %.1094.i = fcmp oeq double %sqrt.i.i.i, %best.3.2.ph.i
   %.1111.i = icmp slt i64 %.939.i, %which.2.2.ph.i
   %or.cond.i = select i1 %.1094.i, i1 %.1111.i, i1 false
   br i1 %or.cond.i, label %B544.i, label %B30.i.i
 
-B544.i:                                           ; preds = %B520.i, %_ZN7msf_jax4host5solid5loops16segment_distanceB3v23B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE232Mesh_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_295ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedExx5ArrayIdLi2E1C7mutable7alignedE.exit.i
+B544.i:                                           ; preds = %B520.i, %_ZN7msf_jax4host5solid5loops16segment_distanceB3v22B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE232Mesh_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_295ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedExx5ArrayIdLi2E1C7mutable7alignedE.exit.i
   br label %B30.i.i
 
 B20.i.i:                                          ; preds = %B374.i
@@ -2379,14 +2203,14 @@ B626.i:                                           ; preds = %B694.endif.endif.en
 
 B650.i:                                           ; preds = %B626.i
   %.1275.i = icmp eq i64 %w34, %count.5.1.i
-  br i1 %.1275.i, label %_ZN7msf_jax4host5solid5loops5loopsB3v19B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE232Mesh_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xx5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, label %B694.endif.endif.endif.endif.endif.endif.endif.endif.i
+  br i1 %.1275.i, label %_ZN7msf_jax4host5solid5loops5loopsB3v17B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE232Mesh_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xx5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, label %B694.endif.endif.endif.endif.endif.endif.endif.endif.i
 
 B1094.i:                                          ; preds = %B694.endif.endif.endif.endif.endif.endif.endif.endif.i, %B626.i, %B606.i
   %count.4.2.i = phi i64 [ %count.3.01371.i, %B606.i ], [ %count.3.01371.i, %B626.i ], [ %.1697.i, %B694.endif.endif.endif.endif.endif.endif.endif.endif.i ]
   %25 = getelementptr i64, ptr %w31, i64 %.30013411368.i
   store i64 %count.4.2.i, ptr %25, align 8
   %exitcond1425.not.i = icmp eq i64 %.307.i, %w1
-  br i1 %exitcond1425.not.i, label %_ZN7msf_jax4host5solid5loops5loopsB3v19B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE232Mesh_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xx5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, label %B108.i
+  br i1 %exitcond1425.not.i, label %_ZN7msf_jax4host5solid5loops5loopsB3v17B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE232Mesh_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xx5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, label %B108.i
 
 B204.endif.i:                                     ; preds = %B148.endif.2.i.i, %B46.endif.i.i, %B108.i
   %first.7.1.i = phi i64 [ -1, %B108.i ], [ %storemerge.i.i.i, %B46.endif.i.i ], [ -1, %B148.endif.2.i.i ]
@@ -2522,7 +2346,7 @@ B694.endif.endif.endif.endif.endif.endif.endif.endif.i: ; preds = %B650.i
   %or.cond1290.i = and i1 %.1956.i, %.1982.i
   br i1 %or.cond1290.i, label %B626.i, label %B1094.i
 
-_ZN7msf_jax4host5solid5loops5loopsB3v19B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE232Mesh_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xx5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit: ; preds = %B1094.i, %B650.i, %0
+_ZN7msf_jax4host5solid5loops5loopsB3v17B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE232Mesh_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xx5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit: ; preds = %B1094.i, %B650.i, %0
   %storemerge.i = phi i64 [ 1, %0 ], [ 0, %B650.i ], [ 1, %B1094.i ]
   ret i64 %storemerge.i
 }
@@ -2556,7 +2380,7 @@ define noundef i64 @msf_jax.host.solid.loops.measures(ptr readonly %words) local
   %p14 = getelementptr i8, ptr %words, i64 112
   %w14 = load i64, ptr %p14, align 8
   %.1801245.not.i = icmp slt i64 %w9, 1
-  br i1 %.1801245.not.i, label %_ZN7msf_jax4host5solid5loops8measuresB3v25B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi2E1C7mutable7alignedE.exit, label %B68.endif.lr.ph.i
+  br i1 %.1801245.not.i, label %_ZN7msf_jax4host5solid5loops8measuresB3v24B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi2E1C7mutable7alignedE.exit, label %B68.endif.lr.ph.i
 
 B68.endif.lr.ph.i:                                ; preds = %0
   %p15 = getelementptr i8, ptr %words, i64 120
@@ -2718,7 +2542,7 @@ B1696.2.i:                                        ; preds = %B986.lr.ph.i, %B169
 
 B1896.i:                                          ; preds = %B1696.2.i, %B950.endif.i, %B838.i
   %exitcond.not.i = icmp eq i64 %.193.i, %w9
-  br i1 %exitcond.not.i, label %_ZN7msf_jax4host5solid5loops8measuresB3v25B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi2E1C7mutable7alignedE.exit, label %B68.endif.i
+  br i1 %exitcond.not.i, label %_ZN7msf_jax4host5solid5loops8measuresB3v24B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi2E1C7mutable7alignedE.exit, label %B68.endif.i
 
 B68.endif.i:                                      ; preds = %B1896.i, %B68.endif.lr.ph.i
   %first.2.01254.i = phi i64 [ 0, %B68.endif.lr.ph.i ], [ %.247.i, %B1896.i ]
@@ -2896,7 +2720,7 @@ B986.lr.ph.i:                                     ; preds = %B950.endif.i
   %7 = add nuw i64 %..651.i, 1
   br label %B1696.2.i
 
-_ZN7msf_jax4host5solid5loops8measuresB3v25B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi2E1C7mutable7alignedE.exit: ; preds = %B1896.i, %0
+_ZN7msf_jax4host5solid5loops8measuresB3v24B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi2E1C7mutable7alignedE.exit: ; preds = %B1896.i, %0
   ret i64 0
 }
 
@@ -2928,7 +2752,7 @@ define i64 @msf_jax.host.meso.kernels.short_edges(ptr readonly %words) local_unn
   %p15 = getelementptr i8, ptr %words, i64 120
   %w15 = load i64, ptr %p15, align 8
   %.183801.not.i = icmp slt i64 %w4, 1
-  br i1 %.183801.not.i, label %_ZN7msf_jax4host4meso7kernels11short_edgesB3v26B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIbLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE.exit, label %B68.preheader.i
+  br i1 %.183801.not.i, label %_ZN7msf_jax4host4meso7kernels11short_edgesB3v25B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIbLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE.exit, label %B68.preheader.i
 
 B68.preheader.i:                                  ; preds = %0
   %scevgep.i = getelementptr i8, ptr %w3, i64 24
@@ -2938,7 +2762,7 @@ B68.preheader.i:                                  ; preds = %0
 B66.loopexit.i:                                   ; preds = %B757.i, %B116.endif.i, %B68.i
   %count.2.1.lcssa.i = phi i64 [ %count.3.0808.i, %B116.endif.i ], [ %count.3.0808.i, %B68.i ], [ %count.4.2.i, %B757.i ]
   %exitcond909.not.i = icmp eq i64 %w4, %.196.i
-  br i1 %exitcond909.not.i, label %_ZN7msf_jax4host4meso7kernels11short_edgesB3v26B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIbLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE.exit, label %B68.i
+  br i1 %exitcond909.not.i, label %_ZN7msf_jax4host4meso7kernels11short_edgesB3v25B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIbLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE.exit, label %B68.i
 
 B68.i:                                            ; preds = %B66.loopexit.i, %B68.preheader.i
   %count.3.0808.i = phi i64 [ %count.2.1.lcssa.i, %B66.loopexit.i ], [ 0, %B68.preheader.i ]
@@ -2971,8 +2795,8 @@ B36.i.i:                                          ; preds = %B36.i.i, %B36.prehe
   %.147.not.i.i = icmp eq i64 %.145.i.i, %.11.i23.i
   br i1 %.147.not.i.i, label %B552.endif.i, label %B36.i.i
 
-B757.i:                                           ; preds = %B552.endif.endif.endif.thread.i, %B270.endif.endif.i, %_ZN7msf_jax4host4meso7kernels12is_met_laterB3v29B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedExx.exit.i, %B136.endif.endif.i
-  %count.4.2.i = phi i64 [ %.1783.i, %B552.endif.endif.endif.thread.i ], [ %count.2.1743.i, %B270.endif.endif.i ], [ %count.2.1743.i, %_ZN7msf_jax4host4meso7kernels12is_met_laterB3v29B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedExx.exit.i ], [ %count.2.1743.i, %B136.endif.endif.i ]
+B757.i:                                           ; preds = %B552.endif.endif.endif.thread.i, %B270.endif.endif.i, %_ZN7msf_jax4host4meso7kernels12is_met_laterB3v28B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedExx.exit.i, %B136.endif.endif.i
+  %count.4.2.i = phi i64 [ %.1783.i, %B552.endif.endif.endif.thread.i ], [ %count.2.1743.i, %B270.endif.endif.i ], [ %count.2.1743.i, %_ZN7msf_jax4host4meso7kernels12is_met_laterB3v28B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedExx.exit.i ], [ %count.2.1743.i, %B136.endif.endif.i ]
   %exitcond908.not.i = icmp eq i64 %.298.i, %.410.i
   br i1 %exitcond908.not.i, label %B66.loopexit.i, label %B136.endif.endif.i
 
@@ -3000,15 +2824,15 @@ B136.endif.endif.i:                               ; preds = %B136.lr.ph.i, %B757
 
 B48.i.i:                                          ; preds = %B136.endif.endif.i
   %.96.i.i = icmp slt i64 %.485.i, %.189756806.i
-  br i1 %.96.i.i, label %_ZN7msf_jax4host4meso7kernels12is_met_laterB3v29B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedExx.exit.i, label %B270.endif.endif.i
+  br i1 %.96.i.i, label %_ZN7msf_jax4host4meso7kernels12is_met_laterB3v28B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedExx.exit.i, label %B270.endif.endif.i
 
-_ZN7msf_jax4host4meso7kernels12is_met_laterB3v29B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedExx.exit.i: ; preds = %B48.i.i
+_ZN7msf_jax4host4meso7kernels12is_met_laterB3v28B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedExx.exit.i: ; preds = %B48.i.i
   %.131.i.i = getelementptr i8, ptr %w11, i64 %.485.i
   %.132.i.i = load i8, ptr %.131.i.i, align 1
   %.135.i.not.i = icmp eq i8 %.132.i.i, 0
   br i1 %.135.i.not.i, label %B270.endif.endif.i, label %B757.i
 
-B270.endif.endif.i:                               ; preds = %_ZN7msf_jax4host4meso7kernels12is_met_laterB3v29B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedExx.exit.i, %B48.i.i
+B270.endif.endif.i:                               ; preds = %_ZN7msf_jax4host4meso7kernels12is_met_laterB3v28B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedExx.exit.i, %B48.i.i
   %.68.i.i = mul i64 %.11.i.i, %w2
   %7 = getelementptr double, ptr %w0, i64 %.68.i.i
   %.72.i.i = getelementptr i8, ptr %7, i64 16
@@ -3242,7 +3066,7 @@ B552.endif.endif.else.if.i:                       ; preds = %B552.endif.endif.el
   %spec.select629.i = add i64 %.1703.i, %spec.select630.fr.i
   br label %B552.endif.endif.endif.thread.i
 
-_ZN7msf_jax4host4meso7kernels11short_edgesB3v26B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIbLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE.exit: ; preds = %B66.loopexit.i, %0
+_ZN7msf_jax4host4meso7kernels11short_edgesB3v25B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIbLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE.exit: ; preds = %B66.loopexit.i, %0
   %count.3.0.lcssa.i = phi i64 [ 0, %0 ], [ %count.2.1.lcssa.i, %B66.loopexit.i ]
   ret i64 %count.3.0.lcssa.i
 }
@@ -3277,7 +3101,7 @@ define i64 @msf_jax.host.meso.kernels.wide_edges(ptr readonly %words) local_unna
   %p16 = getelementptr i8, ptr %words, i64 128
   %w16 = load i64, ptr %p16, align 8
   %.186619.not.i = icmp slt i64 %w4, 1
-  br i1 %.186619.not.i, label %_ZN7msf_jax4host4meso7kernels10wide_edgesB3v32B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEdd5ArrayIbLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE.exit, label %B68.preheader.i
+  br i1 %.186619.not.i, label %_ZN7msf_jax4host4meso7kernels10wide_edgesB3v31B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEdd5ArrayIbLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE.exit, label %B68.preheader.i
 
 B68.preheader.i:                                  ; preds = %0
   %scevgep.i = getelementptr i8, ptr %w3, i64 8
@@ -3286,7 +3110,7 @@ B68.preheader.i:                                  ; preds = %0
 B66.loopexit.i:                                   ; preds = %B731.i, %B116.endif.i, %B68.i
   %count.2.1.lcssa.i = phi i64 [ %count.5.0622.i, %B116.endif.i ], [ %count.5.0622.i, %B68.i ], [ %count.3.2.i, %B731.i ]
   %exitcond681.not.i = icmp eq i64 %w4, %.199.i
-  br i1 %exitcond681.not.i, label %_ZN7msf_jax4host4meso7kernels10wide_edgesB3v32B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEdd5ArrayIbLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE.exit, label %B68.i
+  br i1 %exitcond681.not.i, label %_ZN7msf_jax4host4meso7kernels10wide_edgesB3v31B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEdd5ArrayIbLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE.exit, label %B68.i
 
 B68.i:                                            ; preds = %B66.loopexit.i, %B68.preheader.i
   %count.5.0622.i = phi i64 [ %count.2.1.lcssa.i, %B66.loopexit.i ], [ 0, %B68.preheader.i ]
@@ -3338,8 +3162,8 @@ B620.i:                                           ; preds = %B402.endif.endif.en
   %.1481.i = add nsw i64 %count.2.1589.i, 1
   br label %B731.i
 
-B731.i:                                           ; preds = %B402.endif.endif.endif.endif.endif.i, %B270.endif.endif.i, %_ZN7msf_jax4host4meso7kernels12is_met_laterB3v29B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedExx.exit.i, %B136.endif.endif.i, %B620.i
-  %count.3.2.i = phi i64 [ %count.2.1589.i, %B402.endif.endif.endif.endif.endif.i ], [ %count.2.1589.i, %B270.endif.endif.i ], [ %.1481.i, %B620.i ], [ %count.2.1589.i, %_ZN7msf_jax4host4meso7kernels12is_met_laterB3v29B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedExx.exit.i ], [ %count.2.1589.i, %B136.endif.endif.i ]
+B731.i:                                           ; preds = %B402.endif.endif.endif.endif.endif.i, %B270.endif.endif.i, %_ZN7msf_jax4host4meso7kernels12is_met_laterB3v28B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedExx.exit.i, %B136.endif.endif.i, %B620.i
+  %count.3.2.i = phi i64 [ %count.2.1589.i, %B402.endif.endif.endif.endif.endif.i ], [ %count.2.1589.i, %B270.endif.endif.i ], [ %.1481.i, %B620.i ], [ %count.2.1589.i, %_ZN7msf_jax4host4meso7kernels12is_met_laterB3v28B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedExx.exit.i ], [ %count.2.1589.i, %B136.endif.endif.i ]
   %exitcond.not.i = icmp eq i64 %.301.i, %.413.i
   br i1 %exitcond.not.i, label %B66.loopexit.i, label %B136.endif.endif.i
 
@@ -3367,15 +3191,15 @@ B136.endif.endif.i:                               ; preds = %B136.lr.ph.i, %B731
 
 B48.i.i:                                          ; preds = %B136.endif.endif.i
   %.96.i.i = icmp slt i64 %.488.i, %.192600620.i
-  br i1 %.96.i.i, label %_ZN7msf_jax4host4meso7kernels12is_met_laterB3v29B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedExx.exit.i, label %B270.endif.endif.i
+  br i1 %.96.i.i, label %_ZN7msf_jax4host4meso7kernels12is_met_laterB3v28B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedExx.exit.i, label %B270.endif.endif.i
 
-_ZN7msf_jax4host4meso7kernels12is_met_laterB3v29B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedExx.exit.i: ; preds = %B48.i.i
+_ZN7msf_jax4host4meso7kernels12is_met_laterB3v28B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedExx.exit.i: ; preds = %B48.i.i
   %.131.i.i = getelementptr i8, ptr %w12, i64 %.488.i
   %.132.i.i = load i8, ptr %.131.i.i, align 1
   %.135.i.not.i = icmp eq i8 %.132.i.i, 0
   br i1 %.135.i.not.i, label %B270.endif.endif.i, label %B731.i
 
-B270.endif.endif.i:                               ; preds = %_ZN7msf_jax4host4meso7kernels12is_met_laterB3v29B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedExx.exit.i, %B48.i.i
+B270.endif.endif.i:                               ; preds = %_ZN7msf_jax4host4meso7kernels12is_met_laterB3v28B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedExx.exit.i, %B48.i.i
   %.68.i.i = mul i64 %.11.i.i, %w2
   %7 = getelementptr double, ptr %w0, i64 %.68.i.i
   %.72.i.i = getelementptr i8, ptr %7, i64 16
@@ -3577,7 +3401,7 @@ B402.endif.endif.endif.endif.endif.i:             ; preds = %B120.endif.endif.i8
   %or.cond.i = and i1 %.1150.i, %.1157.i
   br i1 %or.cond.i, label %B620.i, label %B731.i
 
-_ZN7msf_jax4host4meso7kernels10wide_edgesB3v32B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEdd5ArrayIbLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE.exit: ; preds = %B66.loopexit.i, %0
+_ZN7msf_jax4host4meso7kernels10wide_edgesB3v31B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEdd5ArrayIbLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE.exit: ; preds = %B66.loopexit.i, %0
   %count.5.0.lcssa.i = phi i64 [ 0, %0 ], [ %count.2.1.lcssa.i, %B66.loopexit.i ]
   ret i64 %count.5.0.lcssa.i
 }
@@ -3609,7 +3433,7 @@ define noundef i64 @msf_jax.host.meso.kernels.apart(ptr readonly %words) local_u
   %w11 = load i64, ptr %p11, align 8
   %arg.rings.5.1.fr.i = freeze i64 %w7
   %.102478.i = icmp sgt i64 %w4, 0
-  br i1 %.102478.i, label %B10.endif.lr.ph.i, label %_ZN7msf_jax4host4meso7kernels5apartB3v34B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE.exit
+  br i1 %.102478.i, label %B10.endif.lr.ph.i, label %_ZN7msf_jax4host4meso7kernels5apartB3v33B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE.exit
 
 B10.endif.lr.ph.i:                                ; preds = %0
   %.731446.i = icmp sgt i64 %arg.rings.5.1.fr.i, 0
@@ -3683,7 +3507,7 @@ B348.us.i:                                        ; preds = %B108.us.thread.i, %
   %.1058.us.i = getelementptr i8, ptr %13, i64 %.1044.us.i
   store i8 %"$phi108.2.2.2.us1417.i", ptr %.1058.us.i, align 1
   %exitcond628.not.i = icmp eq i64 %.123.us18.i, %w4
-  br i1 %exitcond628.not.i, label %_ZN7msf_jax4host4meso7kernels5apartB3v34B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE.exit, label %B10.endif.us.i
+  br i1 %exitcond628.not.i, label %_ZN7msf_jax4host4meso7kernels5apartB3v33B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE.exit, label %B10.endif.us.i
 
 B70.us.i:                                         ; preds = %B70.us.backedge.i, %B10.endif.us.i
   %lsr.iv58.i = phi i64 [ %lsr.iv.next.i, %B70.us.backedge.i ], [ 1, %B10.endif.us.i ]
@@ -3860,7 +3684,7 @@ B348.us512.i:                                     ; preds = %B108.us538.thread.i
   %.1058.us519.i = getelementptr i8, ptr %29, i64 %.1044.us518.i
   store i8 %"$phi108.2.2.2.us539636639.i", ptr %.1058.us519.i, align 1
   %exitcond623.not.i = icmp eq i64 %.123.us503640.i, %w4
-  br i1 %exitcond623.not.i, label %_ZN7msf_jax4host4meso7kernels5apartB3v34B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE.exit, label %B10.endif.us496.i
+  br i1 %exitcond623.not.i, label %_ZN7msf_jax4host4meso7kernels5apartB3v33B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE.exit, label %B10.endif.us496.i
 
 B174.endif.us.i:                                  ; preds = %B174.endif.us.preheader54.i, %B174.endif.us.i
   %.521452458.us.i = phi i64 [ %.528.us.3.i, %B174.endif.us.i ], [ 0, %B174.endif.us.preheader54.i ]
@@ -3938,12 +3762,12 @@ B174.endif.us.preheader54.i:                      ; preds = %B174.endif.us.prehe
 B360.loopexit.unr-lcssa.i:                        ; preds = %B10.endif.us.us.i
   %37 = and i64 %w4, 1
   %lcmp.mod49.not.i = icmp eq i64 %37, 0
-  br i1 %lcmp.mod49.not.i, label %_ZN7msf_jax4host4meso7kernels5apartB3v34B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE.exit, label %B360.sink.split.i
+  br i1 %lcmp.mod49.not.i, label %_ZN7msf_jax4host4meso7kernels5apartB3v33B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE.exit, label %B360.sink.split.i
 
 B360.loopexit31.unr-lcssa.i:                      ; preds = %B10.endif.i
   %38 = and i64 %w4, 1
   %lcmp.mod37.not.i = icmp eq i64 %38, 0
-  br i1 %lcmp.mod37.not.i, label %_ZN7msf_jax4host4meso7kernels5apartB3v34B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE.exit, label %B360.sink.split.i
+  br i1 %lcmp.mod37.not.i, label %_ZN7msf_jax4host4meso7kernels5apartB3v33B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE.exit, label %B360.sink.split.i
 
 B360.sink.split.i:                                ; preds = %B360.loopexit31.unr-lcssa.i, %B360.loopexit.unr-lcssa.i, %B10.endif.preheader.i, %B10.endif.us.us.preheader.i
   %.101467481.epil.init.sink.i = phi i64 [ %unroll_iter51.i, %B360.loopexit.unr-lcssa.i ], [ 0, %B10.endif.us.us.preheader.i ], [ 0, %B10.endif.preheader.i ], [ %unroll_iter39.i, %B360.loopexit31.unr-lcssa.i ]
@@ -3955,7 +3779,7 @@ B360.sink.split.i:                                ; preds = %B360.loopexit31.unr
   %39 = getelementptr i8, ptr %w10, i64 %.120.epil.i
   %.1058.epil.i = getelementptr i8, ptr %39, i64 %.1044.epil.i
   store i8 1, ptr %.1058.epil.i, align 1
-  br label %_ZN7msf_jax4host4meso7kernels5apartB3v34B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE.exit
+  br label %_ZN7msf_jax4host4meso7kernels5apartB3v33B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE.exit
 
 B10.endif.i:                                      ; preds = %B10.endif.i, %B10.endif.preheader.new.i
   %lsr.iv69.i = phi ptr [ %scevgep70.i, %B10.endif.i ], [ %w3, %B10.endif.preheader.new.i ]
@@ -3978,7 +3802,7 @@ B10.endif.i:                                      ; preds = %B10.endif.i, %B10.e
   %niter40.ncmp.1.i = icmp eq i64 %unroll_iter39.i, %.123.1.i
   br i1 %niter40.ncmp.1.i, label %B360.loopexit31.unr-lcssa.i, label %B10.endif.i
 
-_ZN7msf_jax4host4meso7kernels5apartB3v34B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE.exit: ; preds = %B348.us512.i, %B348.us.i, %0, %B360.loopexit.unr-lcssa.i, %B360.loopexit31.unr-lcssa.i, %B360.sink.split.i
+_ZN7msf_jax4host4meso7kernels5apartB3v33B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE.exit: ; preds = %B348.us512.i, %B348.us.i, %0, %B360.loopexit.unr-lcssa.i, %B360.loopexit31.unr-lcssa.i, %B360.sink.split.i
   ret i64 0
 }
 
@@ -4009,7 +3833,7 @@ define noundef i64 @msf_jax.host.meso.kernels.merge(ptr readonly %words) local_u
   %p12 = getelementptr i8, ptr %words, i64 96
   %w12 = load ptr, ptr %p12, align 8
   %.1741151.not.i = icmp slt i64 %w1, 1
-  br i1 %.1741151.not.i, label %_ZN7msf_jax4host4meso7kernels5mergeB3v35B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE.exit, label %B64.lr.ph.i
+  br i1 %.1741151.not.i, label %_ZN7msf_jax4host4meso7kernels5mergeB3v34B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE.exit, label %B64.lr.ph.i
 
 B64.lr.ph.i:                                      ; preds = %0
   %p14 = getelementptr i8, ptr %words, i64 112
@@ -4282,7 +4106,7 @@ B1130.i:                                          ; preds = %B996.endif.i, %B105
   %sunkaddr112.i = getelementptr i8, ptr %72, i64 %sunkaddr111.i
   store i64 0, ptr %sunkaddr112.i, align 8
   %exitcond1210.not.i = icmp eq i64 %.187.i, %w1
-  br i1 %exitcond1210.not.i, label %_ZN7msf_jax4host4meso7kernels5mergeB3v35B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE.exit, label %B64.i
+  br i1 %exitcond1210.not.i, label %_ZN7msf_jax4host4meso7kernels5mergeB3v34B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE.exit, label %B64.i
 
 B1157.i:                                          ; preds = %B968.i, %B760.i, %B666.i
   %exitcond1208.not.i = icmp eq i64 %.1494.i, %.1587.i
@@ -4558,7 +4382,7 @@ B1050.preheader45.i:                              ; preds = %B1050.preheader.i
   %scevgep90.i = getelementptr i8, ptr %scevgep89.i, i64 %109
   br label %B1050.i
 
-_ZN7msf_jax4host4meso7kernels5mergeB3v35B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE.exit: ; preds = %B1130.i, %0
+_ZN7msf_jax4host4meso7kernels5mergeB3v34B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE.exit: ; preds = %B1130.i, %0
   ret i64 0
 }
 
@@ -4591,7 +4415,7 @@ define noundef i64 @msf_jax.host.meso.kernels.cut(ptr readonly %words) local_unn
   %w15 = load i64, ptr %p15, align 8
   %s23 = shl i64 %w15, 3
   %.181957.not.i = icmp slt i64 %w1, 1
-  br i1 %.181957.not.i, label %_ZN7msf_jax4host4meso7kernels3cutB3v36B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE.exit, label %B64.lr.ph.i
+  br i1 %.181957.not.i, label %_ZN7msf_jax4host4meso7kernels3cutB3v35B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE.exit, label %B64.lr.ph.i
 
 B64.lr.ph.i:                                      ; preds = %0
   %.245.i = sub nsw i64 %w9, %w1
@@ -4776,7 +4600,7 @@ B920.i:                                           ; preds = %B750.1.i, %B592.end
   %.2214.i = getelementptr i64, ptr %28, i64 %.2200.i
   store i64 4, ptr %.2214.i, align 8
   %exitcond.not.i = icmp eq i64 %.194.i, %w1
-  br i1 %exitcond.not.i, label %_ZN7msf_jax4host4meso7kernels3cutB3v36B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE.exit, label %B64.i
+  br i1 %exitcond.not.i, label %_ZN7msf_jax4host4meso7kernels3cutB3v35B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE.exit, label %B64.i
 
 B64.endif.i:                                      ; preds = %B36.i.i, %B64.i
   %slot.3.1.i.i = phi i64 [ 0, %B64.i ], [ %.90.i.i, %B36.i.i ]
@@ -4927,7 +4751,7 @@ B592.endif.endif.endif.i:                         ; preds = %B36.i85.i, %B592.en
   %.16969061004.i = icmp ugt i64 %.1653.i, -9223372036854775808
   br i1 %.16969061004.i, label %B750.i, label %B828.i
 
-_ZN7msf_jax4host4meso7kernels3cutB3v36B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE.exit: ; preds = %B920.i, %0
+_ZN7msf_jax4host4meso7kernels3cutB3v35B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE.exit: ; preds = %B920.i, %0
   ret i64 0
 }
 

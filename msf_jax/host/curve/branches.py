@@ -76,11 +76,13 @@ def cycle_count(num_nodes: int, edges: np.ndarray) -> tuple[int, int]:
 def core(num_nodes: int, edges: np.ndarray) -> np.ndarray:
     """(N,) which nodes are left when leaves are removed until there are none: of loops, and of paths between loops. An
     edge from a node to itself is no loop."""
-    is_left = np.zeros(num_nodes, dtype=bool)
-    if cycle_count(num_nodes, edges)[1]:
-        graph = nx.Graph(edges[edges[:, 0] != edges[:, 1]].tolist())
-        is_left[list(nx.k_core(graph, 2))] = True
-    return is_left
+    left = _relabelled(edges, np.arange(num_nodes))
+    while True:
+        is_inner = np.bincount(left.ravel(), minlength=num_nodes) > 1
+        stays = is_inner[left].all(axis=1)
+        if stays.all():
+            return is_inner
+        left = left[stays]
 
 
 def nearest_along(vertices: np.ndarray, edges: np.ndarray, is_source: np.ndarray) -> np.ndarray:

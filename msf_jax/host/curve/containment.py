@@ -118,7 +118,7 @@ def is_inside(
 
 
 def straighten(
-    shape: Enclosure, vertices: np.ndarray, edges: np.ndarray, is_held: np.ndarray, most: float = 90.0
+    shape: Enclosure, vertices: np.ndarray, edges: np.ndarray, is_held: np.ndarray, most: float
 ) -> np.ndarray:
     """Cut sharp corners: a node where its branch turns by more than ``most`` degrees moves to the middle of its
     neighbours, or half of the distance. Returns the nodes (N, 3).

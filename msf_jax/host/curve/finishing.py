@@ -112,7 +112,7 @@ def passes(centre: bool, extend: bool) -> list[Callable[[Draft, Job], Draft]]:
     return [
         contained,
         looped,
-        *([straightened, placed, partial(centred, rounds=FIRST_ROUNDS, is_far=True), straightened] if centre else []),
+        *([placed, partial(centred, rounds=FIRST_ROUNDS, is_far=True)] if centre else []),
         merged,
         *([refined] if centre else []),
         *([extended, completed] if extend else []),
@@ -122,7 +122,7 @@ def passes(centre: bool, extend: bool) -> list[Callable[[Draft, Job], Draft]]:
         merged,
         *([partial(centred, hold_leaves=extend)] if centre else []),
         contained,
-        *([partial(straightened, most=SHARPEST), contained] if centre else []),
+        *([straightened, contained] if centre else []),
         coincident_merged,
         looped,
         pruned,  # again: what is left has moved
@@ -246,9 +246,9 @@ def looped(draft: Draft, job: Job) -> Draft:
     return draft.changed(x, edges)
 
 
-def straightened(draft: Draft, job: Job, most: float = 90.0) -> Draft:
-    """Branches turn by at most ``most`` degrees at a node, where possible."""
-    x = containment.straighten(job.shape, draft.vertices, draft.edges, draft.is_held, most)
+def straightened(draft: Draft, job: Job) -> Draft:
+    """Branches turn by at most ``SHARPEST`` degrees at a node, where possible."""
+    x = containment.straighten(job.shape, draft.vertices, draft.edges, draft.is_held, SHARPEST)
     return draft.changed(_around(draft, job, x))
 
 
@@ -292,19 +292,25 @@ def centred(
 def _around(draft: Draft, job: Job, x: np.ndarray) -> np.ndarray:
     """Nodes ``x`` (N, 3) that a pass has moved; branches that would then go around other handles stay.
 
-    An edge goes around the same handles exactly if its class changes by the classes of its ends' moves.
+    An edge goes around the same handles exactly if its class changes by the classes of its ends' moves. It does if both
+    places of its ends are within one ball around an end, which is convex and inside.
     """
     handles, before, x = job.shape.handles, draft.vertices, x.copy()
     if not handles.genus:
         return x
-    a, b = draft.edges.T
+    every = np.concatenate([draft.edges, draft.edges[:, ::-1]])
+    places = np.stack([before[every[:, 1]], x[every[:, 0]], x[every[:, 1]]], axis=1)
+    is_in = np.linalg.norm(places - before[every[:, :1]], axis=2).max(axis=1) < job.shape.clearance(before)[every[:, 0]]
+    a, b = draft.edges[~is_in.reshape(2, -1).any(axis=0)].T
+    if not len(a):
+        return x
     own, paths = handles.classes(before[a], before[b]), branches.trace(len(x), draft.edges)
     while True:
         moved = handles.classes(before, x)
         is_bad = handles.classes(x[a], x[b]) != own + moved[b] - moved[a]
         if not is_bad.any():
             return x
-        bad = {frozenset(edge) for edge in draft.edges[is_bad].tolist()}
+        bad = {frozenset(edge) for edge in np.stack([a, b], axis=1)[is_bad].tolist()}
         for nodes in paths:
             if not bad.isdisjoint(map(frozenset, pairwise(nodes))):
                 x[nodes] = before[nodes]

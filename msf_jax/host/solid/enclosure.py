@@ -5,14 +5,13 @@ crossings of a vertical ray. For a closed mesh it equals the generalised winding
 everywhere off the surface, also where the mesh crosses itself.
 """
 
-from collections.abc import Iterator
 from functools import cached_property
 
 import numpy as np
 from scipy import spatial
 
 from msf_jax.host.solid import kernels
-from msf_jax.host.solid.geometry import PAIRS_AT_ONCE, barycentric, cross, unit
+from msf_jax.host.solid.geometry import barycentric, cross, unit
 from msf_jax.host.solid.handles import Handles
 from msf_jax.host.solid.kernels import Mesh
 from msf_jax.host.solid.triangles import Samples, boxes, middles, reaches, sampled, tree_of
@@ -131,22 +130,6 @@ class Enclosure:
         """The foot (P, 3) of each point's perpendicular on its triangle of `approximate_closest`, or nearest point."""
         triangle = self.triangles[self.approximate_closest(points)[1]]
         return np.einsum("pk,pki->pi", barycentric(points, triangle, 0.0), triangle)
-
-    def triangles_near(self, points: np.ndarray, reach: np.ndarray) -> Iterator[tuple[np.ndarray, np.ndarray]]:
-        """Batches of (point, triangle) index pairs: all triangles within ``reach`` (P,) of each point.
-
-        A few farther triangles are among them. All pairs of a point are in one batch.
-        """
-        start, capacity, ends = 0, PAIRS_AT_ONCE, np.empty(len(points), dtype=np.int64)
-        while start < len(points):
-            point, triangle = np.empty((2, capacity), dtype=np.int64)
-            stop = kernels.around(points, reach, start, self.mesh, ends, point, triangle)
-            if stop > start:
-                count = ends[stop - 1]
-                yield point[:count], triangle[:count]
-            else:
-                capacity *= 2  # one point alone has more pairs
-            start = stop
 
     def ray_lengths(self, points: np.ndarray, directions: np.ndarray, reach: np.ndarray) -> np.ndarray:
         """Distance (P,) to the surface from each point along its unit vector, at most ``reach`` (P,)."""

@@ -135,27 +135,6 @@ def nearest(
 
 
 @kernel
-def around(points: Points, reach: Reals, start: int, mesh: Mesh, ends: Ints, point: Ints, triangle: Ints) -> int:
-    """Pairs of points, from ``start`` on, and triangles whose boxes are within reach, until ``point`` is full.
-
-    Returns the first point whose pairs are incomplete; the pairs of point p end before ``ends[p]``.
-    """
-    num, count = len(mesh.order), 0
-    for row in range(start, len(points)):
-        node = 1
-        while node:
-            is_met = is_within(points[row, 0], points[row, 1], points[row, 2], mesh.boxes, node, reach[row] ** 2)
-            if is_met and node >= num:
-                if count == len(point):
-                    return row
-                point[count], triangle[count] = row, mesh.order[node - num]
-                count += 1
-            node = onward(node, num, is_met)
-        ends[row] = count
-    return len(points)
-
-
-@kernel
 def windings(points: Points, mesh: Mesh, found: Ints) -> None:
     """``found`` (P,): the winding number of the surface around each point: signed crossings of the ray upwards.
 
