@@ -48,9 +48,10 @@ FORMER_JUNCTION_DEEPER = 0.25  # the same share at a former junction, where no o
 DAMPING = 0.05  # damping of a step, as a weight of its square
 DAMPING_ALONG = 0.3  # more damping of its component along the branch
 LONGEST_STEP = 0.5  # clearances: limit on a node's step in a round
+FARTHEST = 20.0  # limit on the derivative of a centroid by a node; it counts where a wall has slivers
 HELD = 1e9  # a of a node that does not move
 MOST_CORNERS = 5_000_000  # corners of all sections that are cut for a curve; then each centring ends after one round
-THINNEST = 0.25  # least share of its first clearance that a step must leave to a node
+LEAST = 2 * TOUCHING  # diagonals: least clearance that a step must leave to a node
 HALVINGS = 2  # times that a step that goes too far is halved, before none is taken
 SLIGHT = 0.05  # clearances: a shorter step is taken without a test
 CLOSE = 0.005  # diagonals: clearances below are measured exactly
@@ -100,7 +101,6 @@ def centre(
     y[junction[is_lost]] = x[junction[is_lost]]
     clearance_at_place = np.where(is_lost, 0.0, shape.distances(y[junction]))
     clearance, near = shape.approximate_clearance(x)
-    least = np.maximum(THINNEST * clearance, 2 * TOUCHING)
     size = clearance.copy()
     known = _Known(x, budget)
     for number in range(-1, rounds):  # round -1 only measures the limbs' sizes
@@ -151,7 +151,7 @@ def centre(
         part = np.linalg.norm(step, axis=1) / np.maximum(np.maximum(clearance, 0.3 * size), 1e-300)
         is_last = np.sqrt(np.mean(np.minimum(part, 1.0) ** 2)) < TOLERANCE
         step *= np.minimum(1.0, LONGEST_STEP / np.maximum(part, 1e-300))[:, None]
-        x, clearance, near = _taken(shape, x, step, clearance, near, edges, ~is_held & (clearance > 0), least)
+        x, clearance, near = _taken(shape, x, step, clearance, near, edges, ~is_held & (clearance > 0))
         if is_last:
             break
     return x
@@ -190,7 +190,6 @@ def _taken(
     near: np.ndarray,
     edges: np.ndarray,
     is_free: np.ndarray,
-    least: np.ndarray,
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """The nodes (N, 3) after as much of their ``step`` as stays inside, with their clearance and a near triangle.
 
@@ -200,7 +199,7 @@ def _taken(
     part = is_free.astype(float)
     goal, new_clearance, triangle = x.copy(), clearance.copy(), near.copy()
     length = np.linalg.norm(step, axis=1)
-    is_slight = is_free & (length < SLIGHT * clearance) & (clearance - length > least)  # needs no test
+    is_slight = is_free & (length < SLIGHT * clearance) & (clearance - length > LEAST)  # needs no test
     goal[is_slight] += step[is_slight]
     new_clearance[is_slight] -= length[is_slight]
     changed = np.flatnonzero(is_free & ~is_slight)
@@ -214,7 +213,7 @@ def _taken(
         new_clearance[close] = shape.distances(goal[close])
         moved = changed[part[changed] > 0]
         is_bad = np.zeros(len(x), dtype=bool)
-        is_bad[moved] = ~shape.contains(goal[moved]) | (new_clearance[moved] < np.minimum(least, clearance)[moved])
+        is_bad[moved] = ~shape.contains(goal[moved]) | (new_clearance[moved] < np.minimum(LEAST, clearance)[moved])
         moved = moved[~is_bad[moved]]
         paths = np.stack([moved, moved], axis=1)
         is_bad[moved] = ~_is_open(shape, x, goal, clearance, new_clearance, paths)
@@ -293,9 +292,11 @@ class _System:
         flat = np.eye(3) - t[:, :, None] * t[:, None, :]
         self.off = np.einsum("nij,nj->ni", flat, x[limb] - found.centroid)
         slide = np.einsum("nij,nj->ni", flat, found.slide)
+        slide *= _bound(slide)[:, None]
         own = flat - slide[:, :, None] * t[:, None, :]
         length = np.maximum(np.linalg.norm(ahead[limb], axis=1), 1e-300)
         turn = -flat @ found.turn @ flat / length[:, None, None]
+        turn *= _bound(turn.reshape(-1, 9))[:, None, None]
         reach = chord[limb].tocoo()
         row = np.concatenate([np.arange(len(limb)), reach.row])
         column = np.concatenate([limb, reach.col])
@@ -328,3 +329,8 @@ class _System:
     def moved(self, step: np.ndarray) -> np.ndarray:
         """(L, 3) the change of `off` in a step."""
         return (self.rows @ step.ravel())[: self.off.size].reshape(-1, 3)
+
+
+def _bound(derivative: np.ndarray) -> np.ndarray:
+    """(L,) factors that limit the rows of ``derivative`` (L, k), as a section through a sliver can have a huge one."""
+    return np.minimum(1.0, FARTHEST / np.maximum(np.linalg.norm(derivative, axis=1), 1e-300))
