@@ -96,7 +96,7 @@ class Skeleton:
 
         Components, cycles and branches with a pin are kept. The mesh's vertices of a pruned branch go to its junction.
         A run has already pruned at ``Config.prune``. For a lower threshold, run with ``Config(prune=0)``, and prune
-        here.
+        here. Prune before `resample`: between nodes that are far apart, widths are not measured.
 
         Raises:
             ConfigError: ``slenderness`` is negative or not a number.
