@@ -76,13 +76,16 @@ def cycle_count(num_nodes: int, edges: np.ndarray) -> tuple[int, int]:
 def core(num_nodes: int, edges: np.ndarray) -> np.ndarray:
     """(N,) which nodes are left when leaves are removed until there are none: of loops, and of paths between loops. An
     edge from a node to itself is no loop."""
-    left = _relabelled(edges, np.arange(num_nodes))
-    while True:
-        is_inner = np.bincount(left.ravel(), minlength=num_nodes) > 1
-        stays = is_inner[left].all(axis=1)
-        if stays.all():
-            return is_inner
-        left = left[stays]
+    beside: list[set[int]] = [set() for _ in range(num_nodes)]
+    for a, b in _relabelled(edges, np.arange(num_nodes)).tolist():
+        beside[a].add(b)
+        beside[b].add(a)
+    for node in range(num_nodes):
+        while len(beside[node]) == 1:
+            inner = beside[node].pop()
+            beside[inner].remove(node)
+            node = inner
+    return np.array([len(near) > 0 for near in beside], dtype=bool)
 
 
 def nearest_along(vertices: np.ndarray, edges: np.ndarray, is_source: np.ndarray) -> np.ndarray:

@@ -51,7 +51,7 @@ LONGEST_STEP = 0.5  # clearances: limit on a node's step in a round
 FARTHEST = 20.0  # limit on the derivative of a centroid by a node; it counts where a wall has slivers
 HELD = 1e9  # a of a node that does not move
 MOST_CORNERS = 5_000_000  # corners of all sections that are cut for a curve; then each centring ends after one round
-LEAST = 2 * TOUCHING  # diagonals: least clearance that a step must leave to a node
+THINNEST = 0.25  # least share of its first clearance that a step must leave to a node: the coarse surface is not exact
 HALVINGS = 2  # times that a step that goes too far is halved, before none is taken
 SLIGHT = 0.05  # clearances: a shorter step is taken without a test
 CLOSE = 0.005  # diagonals: clearances below are measured exactly
@@ -101,6 +101,7 @@ def centre(
     y[junction[is_lost]] = x[junction[is_lost]]
     clearance_at_place = np.where(is_lost, 0.0, shape.distances(y[junction]))
     clearance, near = shape.approximate_clearance(x)
+    least = np.maximum(THINNEST * clearance, 2 * TOUCHING)
     size = clearance.copy()
     known = _Known(x, budget)
     for number in range(-1, rounds):  # round -1 only measures the limbs' sizes
@@ -151,7 +152,7 @@ def centre(
         part = np.linalg.norm(step, axis=1) / np.maximum(np.maximum(clearance, 0.3 * size), 1e-300)
         is_last = np.sqrt(np.mean(np.minimum(part, 1.0) ** 2)) < TOLERANCE
         step *= np.minimum(1.0, LONGEST_STEP / np.maximum(part, 1e-300))[:, None]
-        x, clearance, near = _taken(shape, x, step, clearance, near, edges, ~is_held & (clearance > 0))
+        x, clearance, near = _taken(shape, x, step, clearance, near, edges, ~is_held & (clearance > 0), least)
         if is_last:
             break
     return x
@@ -190,6 +191,7 @@ def _taken(
     near: np.ndarray,
     edges: np.ndarray,
     is_free: np.ndarray,
+    least: np.ndarray,
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """The nodes (N, 3) after as much of their ``step`` as stays inside, with their clearance and a near triangle.
 
@@ -199,7 +201,7 @@ def _taken(
     part = is_free.astype(float)
     goal, new_clearance, triangle = x.copy(), clearance.copy(), near.copy()
     length = np.linalg.norm(step, axis=1)
-    is_slight = is_free & (length < SLIGHT * clearance) & (clearance - length > LEAST)  # needs no test
+    is_slight = is_free & (length < SLIGHT * clearance) & (clearance - length > least)  # needs no test
     goal[is_slight] += step[is_slight]
     new_clearance[is_slight] -= length[is_slight]
     changed = np.flatnonzero(is_free & ~is_slight)
@@ -213,7 +215,7 @@ def _taken(
         new_clearance[close] = shape.distances(goal[close])
         moved = changed[part[changed] > 0]
         is_bad = np.zeros(len(x), dtype=bool)
-        is_bad[moved] = ~shape.contains(goal[moved]) | (new_clearance[moved] < np.minimum(LEAST, clearance)[moved])
+        is_bad[moved] = ~shape.contains(goal[moved]) | (new_clearance[moved] < np.minimum(least, clearance)[moved])
         moved = moved[~is_bad[moved]]
         paths = np.stack([moved, moved], axis=1)
         is_bad[moved] = ~_is_open(shape, x, goal, clearance, new_clearance, paths)
