@@ -76,16 +76,11 @@ def cycle_count(num_nodes: int, edges: np.ndarray) -> tuple[int, int]:
 def core(num_nodes: int, edges: np.ndarray) -> np.ndarray:
     """(N,) which nodes are left when leaves are removed until there are none: of loops, and of paths between loops. An
     edge from a node to itself is no loop."""
-    beside: list[set[int]] = [set() for _ in range(num_nodes)]
-    for a, b in _relabelled(edges, np.arange(num_nodes)).tolist():
-        beside[a].add(b)
-        beside[b].add(a)
-    for node in range(num_nodes):
-        while len(beside[node]) == 1:
-            inner = beside[node].pop()
-            beside[inner].remove(node)
-            node = inner
-    return np.array([len(near) > 0 for near in beside], dtype=bool)
+    is_left = np.zeros(num_nodes, dtype=bool)
+    if cycle_count(num_nodes, edges)[1]:
+        graph = nx.Graph(edges[edges[:, 0] != edges[:, 1]].tolist())
+        is_left[list(nx.k_core(graph, 2))] = True
+    return is_left
 
 
 def nearest_along(vertices: np.ndarray, edges: np.ndarray, is_source: np.ndarray) -> np.ndarray:
