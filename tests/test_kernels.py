@@ -235,7 +235,7 @@ def test_the_text_is_what_numba_makes_of_the_kernels():
         compiled._compiled(text),
         [compiled.entry_of(one) for one in compiled.kernels_of(translate.modules())],
     )
-    assert len(names) == 11 and all(engine.get_function_address(name) for name in names)
+    assert len(names) == 13 and all(engine.get_function_address(name) for name in names)
 
 
 PROGRAM = """

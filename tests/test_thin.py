@@ -1,18 +1,14 @@
 """Limbs of three to five sides with edges longer than their thickness: level sets, and geodesic wavefronts."""
 
-import manifold3d
 import numpy as np
 import pytest
 import trimesh
-from test_limbs import BLADE, block, half_ellipse, legs, sheet, solid
 
 import msf_jax
 from msf_jax.flow import curves
-from msf_jax.host.curve import branches, containment, limbs
+from msf_jax.host.curve import branches, containment
 from msf_jax.host.mesh import checking
-from msf_jax.host.solid.enclosure import Enclosure
 from msf_jax.host.solid.solid import Solid
-from msf_jax.host.thin import missed_limbs
 from msf_jax.host.thin.levels import levels
 from msf_jax.host.thin.reeb_curve import reeb_curve
 
@@ -137,23 +133,3 @@ def test_joined_wires_are_one_tree():
     curve = msf_jax.skeletonize(mesh, repair="join")
     assert curve.report.is_sound
     assert np.linalg.norm(curve.vertices[curve.mesh_map] - mesh[0], axis=1).max() < 0.03
-
-
-@pytest.mark.parametrize(("outline", "length"), [("wire", 3.0), ("half disc", 0.0), ("blade", 0.0)])
-def test_of_lost_limbs_a_wire_is_grown_once_and_sheets_are_not(outline, length):
-    """The curve of a sheet is the flow's. What grows too much is pruned: the same measure decides."""
-    if outline == "wire":
-        limb = manifold3d.Manifold.cylinder(length, 0.03, 0.03, 8)
-    else:
-        limb = sheet(half_ellipse(1, 1) if outline == "half disc" else BLADE, 0.04)
-    body = solid(block() + limb, 0.08)
-    scale = 1 / np.linalg.norm(np.ptp(body.vertices, axis=0))
-    shape = Enclosure(scale * body.vertices, body.faces)
-    trunk = legs([(0, 0, -1.02), (1.4, 0, -1)], [(0, 0, -1.02), (-1.4, 0, -1)])
-    x, edges = missed_limbs.grow(shape, scale * trunk[0], trunk[1])
-    is_trunk = np.arange(len(x)) < len(trunk[0])
-    stays, _ = limbs.prune(x, edges, limbs.limbs_of(shape, x, edges), 0.75, is_trunk)
-    left = edges[stays[edges].all(axis=1)]
-    leaf = np.flatnonzero((np.bincount(left.ravel(), minlength=len(x)) == 1) & ~is_trunk)
-    assert len(leaf) == (length > 0)
-    assert (x[leaf, 2] > 0.6 * scale * length).all()

@@ -10,9 +10,6 @@ from conftest import torus
 import msf_jax
 from msf_jax import Config, ConfigError
 from msf_jax.host.curve import branches
-from msf_jax.host.mesh import checking
-from msf_jax.host.solid.solid import Solid
-from msf_jax.host.thin import missed_limbs
 from msf_jax.skeleton.skeleton import curve_of
 
 
@@ -77,22 +74,3 @@ def tube(start: list[float], end: list[float], radius: float, rings: int) -> tup
     while len(mesh.vertices) < 8 * rings:
         mesh = mesh.subdivide()
     return np.array(mesh.vertices), np.array(mesh.faces)
-
-
-@pytest.mark.parametrize(("factor", "is_found"), [(1.0, True), (20.0, False)])
-def test_a_thin_limb_that_the_curve_has_missed_is_found(factor, is_found):
-    """A trunk with its curve, and a spur that it knows nothing of; on a thick solid nothing is added."""
-    radius = 0.003 * factor
-    trunk, spur = tube([-0.5, 0, 0], [0.5, 0, 0], radius, 100), tube([0, 0, 0], [0, 0.2, 0], 0.7 * radius, 30)
-    faces = np.concatenate([trunk[1], spur[1] + len(trunk[0])])
-    found = checking.prepare((np.concatenate([trunk[0], spur[0]]), faces), "join")
-    solid = Solid(found.vertices, found.faces)
-    nodes = np.stack([np.linspace(-0.49, 0.49, 300), np.zeros(300), np.zeros(300)], axis=1)
-    edges = np.stack([np.arange(299), np.arange(1, 300)], axis=1)
-    vertices, joined = missed_limbs.grow(solid.shape, solid.enter(nodes), edges)
-    np.testing.assert_array_equal(vertices[:300], solid.enter(nodes))
-    new = solid.leave(vertices[300:])
-    assert bool(len(new)) == is_found
-    assert branches.cycle_count(len(vertices), joined) == (1, 0)
-    if is_found:
-        assert new[:, 1].max() > 0.2 - 3 * radius and np.abs(new[:, [0, 2]]).max() < 2 * radius

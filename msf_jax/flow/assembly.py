@@ -86,7 +86,7 @@ def _notes_of_finishing(states: list[State], parts: list[Part]) -> list[str]:
             f"edges are longer than the limbs' radius: geodesic wavefronts made {laid} {of}; "
             "loops no larger than a limb's thickness are missing in them",
         ),
-        (short, f"centring of {short} {of} ended early: they have too many cross-sections"),
+        (short, f"centring of {short} {of}, or the search for limbs, ended early: there are too many cross-sections"),
         (sparse, f"nodes of {sparse} {of} are far apart: the curves are long for their thickness"),
         (tangles, f"{tangles} {of} not finished: over {MOST_VOLUME:.0%} of the volume is left"),
     )

@@ -30,7 +30,12 @@ Ints = Annotated[np.ndarray, _INT, 1]
 Rows = Annotated[np.ndarray, _INT, 2]
 Flags = Annotated[np.ndarray, _FLAG, 1]
 
-MODULES = ("msf_jax.host.solid.kernels", "msf_jax.host.solid.loops", "msf_jax.host.meso.kernels")  # that have kernels
+MODULES = (
+    "msf_jax.host.solid.kernels",
+    "msf_jax.host.solid.loops",
+    "msf_jax.host.thin.fronts",
+    "msf_jax.host.meso.kernels",
+)  # that have kernels
 TEXT = Path(__file__).with_name("kernels.ll")
 
 

@@ -1,4 +1,4 @@
-; 9c38aa2bd62d7cd8c3ca4566d5b0ce9db416348f75bc83c241ebc6024c0761d4
+; b38b697db1aea92fa666a20c7149bbc970eac90c497f0817edb4ed6d7b25e267
 ; Made of the kernels by `python -m tests.translate`: edit those.
 
 define internal fastcc void @_ZN7msf_jax4host5solid7kernels18triangle_distance2B2v2B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAEddd5ArrayIdLi3E1C7mutable7alignedEx(ptr noalias nonnull writeonly %retptr, double %arg.x, double %arg.y, double %arg.z, ptr readonly %arg.triangles.4, i64 %arg.triangles.5.0, i64 %arg.triangles.5.1, i64 %arg.triangles.5.2, i64 %arg.row) unnamed_addr {
@@ -2724,7 +2724,2302 @@ _ZN7msf_jax4host5solid5loops8measuresB3v24B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsB
   ret i64 0
 }
 
+declare double @sqrt(double) local_unnamed_addr
+
+define i64 @msf_jax.host.thin.fronts.spread(ptr readonly %words) local_unnamed_addr {
+  %w0 = load ptr, ptr %words, align 8
+  %p1 = getelementptr i8, ptr %words, i64 8
+  %w1 = load i64, ptr %p1, align 8
+  %p2 = getelementptr i8, ptr %words, i64 16
+  %w2 = load i64, ptr %p2, align 8
+  %p3 = getelementptr i8, ptr %words, i64 24
+  %w3 = load ptr, ptr %p3, align 8
+  %p4 = getelementptr i8, ptr %words, i64 32
+  %w4 = load i64, ptr %p4, align 8
+  %p5 = getelementptr i8, ptr %words, i64 40
+  %w5 = load i64, ptr %p5, align 8
+  %p8 = getelementptr i8, ptr %words, i64 64
+  %w8 = load ptr, ptr %p8, align 8
+  %p9 = getelementptr i8, ptr %words, i64 72
+  %w9 = load i64, ptr %p9, align 8
+  %p10 = getelementptr i8, ptr %words, i64 80
+  %w10 = load ptr, ptr %p10, align 8
+  %p11 = getelementptr i8, ptr %words, i64 88
+  %w11 = load i64, ptr %p11, align 8
+  %p14 = getelementptr i8, ptr %words, i64 112
+  %w14 = load ptr, ptr %p14, align 8
+  %p15 = getelementptr i8, ptr %words, i64 120
+  %w15 = load i64, ptr %p15, align 8
+  %p16 = getelementptr i8, ptr %words, i64 128
+  %w16 = load ptr, ptr %p16, align 8
+  %p17 = getelementptr i8, ptr %words, i64 136
+  %w17 = load i64, ptr %p17, align 8
+  %p24 = getelementptr i8, ptr %words, i64 192
+  %w24 = load ptr, ptr %p24, align 8
+  %p25 = getelementptr i8, ptr %words, i64 200
+  %w25 = load i64, ptr %p25, align 8
+  %p26 = getelementptr i8, ptr %words, i64 208
+  %w26 = load ptr, ptr %p26, align 8
+  %p27 = getelementptr i8, ptr %words, i64 216
+  %w27 = load i64, ptr %p27, align 8
+  %p30 = getelementptr i8, ptr %words, i64 240
+  %w30 = load i64, ptr %p30, align 8
+  %.163.i = icmp slt i64 %w30, 0
+  %.164.i = select i1 %.163.i, i64 %w15, i64 0
+  %1 = getelementptr double, ptr %w14, i64 %w30
+  %.178.i = getelementptr double, ptr %1, i64 %.164.i
+  store double 0.000000e+00, ptr %.178.i, align 8
+  store double 0.000000e+00, ptr %w24, align 8
+  store i64 %w30, ptr %w26, align 8
+  %2 = shl i64 %w15, 3
+  %factor.op.mul.i.i = shl i64 %w2, 3
+  br label %B68.i
+
+B68.i:                                            ; preds = %B220.i, %0
+  %last.4.0.i = phi i64 [ %last.3.1.i, %B220.i ], [ %w30, %0 ]
+  %size.3.0.i = phi i64 [ %size.4.1.i, %B220.i ], [ 1, %0 ]
+  %.270.i = load i64, ptr %w26, align 8
+  %.79.i.i = add nsw i64 %size.3.0.i, -1
+  %.98.i.i = icmp slt i64 %size.3.0.i, 1
+  %.99.i.i = select i1 %.98.i.i, i64 %w25, i64 0
+  %3 = getelementptr double, ptr %w24, i64 %.79.i.i
+  %.113.i.i = getelementptr double, ptr %3, i64 %.99.i.i
+  %.114.i.i = load double, ptr %.113.i.i, align 8
+  %.131.i.i = select i1 %.98.i.i, i64 %w27, i64 0
+  %4 = getelementptr i64, ptr %w26, i64 %.79.i.i
+  %.145.i.i = getelementptr i64, ptr %4, i64 %.131.i.i
+  %.146.i.i = load i64, ptr %.145.i.i, align 8
+  %.162.i.i = icmp sgt i64 %size.3.0.i, 2
+  br i1 %.162.i.i, label %B94.i.i, label %B68.endif.i
+
+B94.i.i:                                          ; preds = %B68.i, %B236.i.i
+  %at.2.0.i.i = phi i64 [ %child.2.1.i.i, %B236.i.i ], [ 0, %B68.i ]
+  %.170.i.i = shl nsw i64 %at.2.0.i.i, 1
+  %.171.i.i = or disjoint i64 %.170.i.i, 1
+  %.180.i.i = add nsw i64 %.170.i.i, 2
+  %.182.i.i = icmp slt i64 %.180.i.i, %.79.i.i
+  br i1 %.182.i.i, label %B128.i.i, label %B200.i.i
+
+B128.i.i:                                         ; preds = %B94.i.i
+  %.203.i.i = icmp slt i64 %at.2.0.i.i, -1
+  %.204.i.i = select i1 %.203.i.i, i64 %w25, i64 0
+  %5 = getelementptr double, ptr %w24, i64 %.180.i.i
+  %.218.i.i = getelementptr double, ptr %5, i64 %.204.i.i
+  %.219.i.i = load double, ptr %.218.i.i, align 8
+  %.235.i.i = icmp slt i64 %at.2.0.i.i, 0
+  %.236.i.i = select i1 %.235.i.i, i64 %w25, i64 0
+  %6 = getelementptr double, ptr %w24, i64 %.171.i.i
+  %.250.i.i = getelementptr double, ptr %6, i64 %.236.i.i
+  %.251.i.i = load double, ptr %.250.i.i, align 8
+  %.252.i.i = fcmp olt double %.219.i.i, %.251.i.i
+  br i1 %.252.i.i, label %B190.i.i, label %B200.i.i
+
+B190.i.i:                                         ; preds = %B128.i.i
+  br label %B200.i.i
+
+B200.i.i:                                         ; preds = %B190.i.i, %B128.i.i, %B94.i.i
+  %child.2.1.i.i = phi i64 [ %.180.i.i, %B190.i.i ], [ %.171.i.i, %B128.i.i ], [ %.171.i.i, %B94.i.i ]
+  %.278.i.i = icmp slt i64 %child.2.1.i.i, 0
+  %.279.i.i = select i1 %.278.i.i, i64 %w25, i64 0
+  %7 = getelementptr double, ptr %w24, i64 %child.2.1.i.i
+  %.293.i.i = getelementptr double, ptr %7, i64 %.279.i.i
+  %.294.i.i = load double, ptr %.293.i.i, align 8
+  %.296.i.i = fcmp ult double %.294.i.i, %.114.i.i
+  br i1 %.296.i.i, label %B236.i.i, label %B68.endif.i
+
+B236.i.i:                                         ; preds = %B200.i.i
+  %.354.i.i = select i1 %.278.i.i, i64 %w27, i64 0
+  %8 = getelementptr i64, ptr %w26, i64 %child.2.1.i.i
+  %.368.i.i = getelementptr i64, ptr %8, i64 %.354.i.i
+  %.369.i.i = load i64, ptr %.368.i.i, align 8
+  %.385.i.i = icmp slt i64 %at.2.0.i.i, 0
+  %.386.i.i = select i1 %.385.i.i, i64 %w25, i64 0
+  %9 = getelementptr double, ptr %w24, i64 %at.2.0.i.i
+  %.400.i.i = getelementptr double, ptr %9, i64 %.386.i.i
+  store double %.294.i.i, ptr %.400.i.i, align 8
+  %.418.i.i = select i1 %.385.i.i, i64 %w27, i64 0
+  %10 = getelementptr i64, ptr %w26, i64 %at.2.0.i.i
+  %.432.i.i = getelementptr i64, ptr %10, i64 %.418.i.i
+  store i64 %.369.i.i, ptr %.432.i.i, align 8
+  %.441.i.i = shl nsw i64 %child.2.1.i.i, 1
+  %.442.i.i = or disjoint i64 %.441.i.i, 1
+  %.444.i.i = icmp slt i64 %.442.i.i, %.79.i.i
+  br i1 %.444.i.i, label %B94.i.i, label %B68.endif.i
+
+B160.i:                                           ; preds = %B68.endif.i
+  %sunkaddr.i = shl i64 %.342.i, 3
+  %sunkaddr33.i = getelementptr inbounds i8, ptr %29, i64 %sunkaddr.i
+  store i64 1, ptr %sunkaddr33.i, align 8
+  %.180.i3.i = select i1 %.341.i, i64 %w9, i64 0
+  %11 = getelementptr i64, ptr %w8, i64 %.270.i
+  %.194.i.i = getelementptr i64, ptr %11, i64 %.180.i3.i
+  %.195.i.i = load i64, ptr %.194.i.i, align 8
+  %.212.i.i = icmp slt i64 %.270.i, -1
+  %.213.i.i = select i1 %.212.i.i, i64 %w9, i64 0
+  %12 = getelementptr i8, ptr %11, i64 8
+  %.227.i.i = getelementptr i64, ptr %12, i64 %.213.i.i
+  %.228.i.i = load i64, ptr %.227.i.i, align 8
+  %.265.i.i = sub i64 %.228.i.i, %.195.i.i
+  %.310773.not.i.i = icmp slt i64 %.265.i.i, 1
+  br i1 %.310773.not.i.i, label %B220.i, label %B130.endif.endif.us.preheader.i.i
+
+B130.endif.endif.us.preheader.i.i:                ; preds = %B160.i
+  %13 = getelementptr double, ptr %w14, i64 %.270.i
+  %.99.i.i.i = select i1 %.341.i, i64 %w1, i64 0
+  %.100.i.i.i = add i64 %.99.i.i.i, %.270.i
+  %sunkaddr.i.i = select i1 %.341.i, i64 %2, i64 0
+  %sunkaddr34.i = getelementptr inbounds i8, ptr %13, i64 %sunkaddr.i.i
+  %sunkaddr35.i = mul i64 %factor.op.mul.i.i, %.100.i.i.i
+  %sunkaddr36.i = getelementptr i8, ptr %w0, i64 %sunkaddr35.i
+  %sunkaddr37.i = getelementptr i8, ptr %sunkaddr36.i, i64 16
+  %sunkaddr42.i = getelementptr i8, ptr %sunkaddr36.i, i64 8
+  br label %B130.endif.endif.us.i.i
+
+B130.endif.endif.us.i.i:                          ; preds = %B188.B128.loopexit_crit_edge.us.i.i, %B130.endif.endif.us.preheader.i.i
+  %size.3.0776.us.i.i = phi i64 [ %size.4.2.us.i.i, %B188.B128.loopexit_crit_edge.us.i.i ], [ %.79.i.i, %B130.endif.endif.us.preheader.i.i ]
+  %.309763775.us.i.i = phi i64 [ %.319.us.i.i, %B188.B128.loopexit_crit_edge.us.i.i ], [ %.265.i.i, %B130.endif.endif.us.preheader.i.i ]
+  %.316766774.us.i.i = phi i64 [ %.323.us.i.i, %B188.B128.loopexit_crit_edge.us.i.i ], [ %.195.i.i, %B130.endif.endif.us.preheader.i.i ]
+  %.368.us.i.i = icmp slt i64 %.316766774.us.i.i, 0
+  %.369.us.i.i = select i1 %.368.us.i.i, i64 %w11, i64 0
+  %14 = getelementptr i64, ptr %w10, i64 %.316766774.us.i.i
+  %.383.us.i.i = getelementptr i64, ptr %14, i64 %.369.us.i.i
+  %.384.us.i.i = load i64, ptr %.383.us.i.i, align 8
+  %.528.us.i.i = icmp slt i64 %.384.us.i.i, 0
+  %.529.us.i.i = select i1 %.528.us.i.i, i64 %w4, i64 0
+  %.530.us.i.i = add i64 %.529.us.i.i, %.384.us.i.i
+  %.550.us.i.i = mul i64 %.530.us.i.i, %w5
+  %15 = getelementptr i64, ptr %w3, i64 %.550.us.i.i
+  %sunkaddr43.i = getelementptr i8, ptr %15, i64 8
+  %sunkaddr44.i = getelementptr i8, ptr %15, i64 16
+  br label %B190.us.i.i
+
+B190.us.i.i:                                      ; preds = %B599.us.i.i, %B130.endif.endif.us.i.i
+  %size.2.1760.us.i.i = phi i64 [ %size.3.0776.us.i.i, %B130.endif.endif.us.i.i ], [ %size.4.2.us.i.i, %B599.us.i.i ]
+  %.473754758.us.i.i = phi i64 [ 0, %B130.endif.endif.us.i.i ], [ %.480.us.i.i, %B599.us.i.i ]
+  %.480.us.i.i = add nuw nsw i64 %.473754758.us.i.i, 1
+  %16 = getelementptr i64, ptr %15, i64 %.473754758.us.i.i
+  %.555.us.i.i = load i64, ptr %16, align 8
+  %.561.us.i.i = icmp eq i64 %.555.us.i.i, %.270.i
+  br i1 %.561.us.i.i, label %B599.us.i.i, label %B226.us.i.i
+
+B226.us.i.i:                                      ; preds = %B190.us.i.i
+  %.761.us.i.i = icmp slt i64 %.555.us.i.i, 0
+  %.762.us.i.i = select i1 %.761.us.i.i, i64 %w17, i64 0
+  %17 = getelementptr i64, ptr %w16, i64 %.555.us.i.i
+  %.776.us.i.i = getelementptr i64, ptr %17, i64 %.762.us.i.i
+  %.777.us.i.i = load i64, ptr %.776.us.i.i, align 8
+  %.778.us.i.i = icmp eq i64 %.777.us.i.i, 1
+  %.72.i.i8.i = load double, ptr %sunkaddr37.i, align 8
+  br i1 %.778.us.i.i, label %B336.us.i.i, label %B406.endif.us.i.i
+
+B406.endif.us.i.i:                                ; preds = %B226.us.i.i
+  %.919.us.i.i = load double, ptr %sunkaddr34.i, align 8
+  %.46.i.i.i = select i1 %.761.us.i.i, i64 %w1, i64 0
+  %.47.i.i.i = add i64 %.46.i.i.i, %.555.us.i.i
+  %.67.i.i.i = mul i64 %.47.i.i.i, %w2
+  %18 = getelementptr double, ptr %w0, i64 %.67.i.i.i
+  %.71.i.i.i = getelementptr i8, ptr %18, i64 16
+  %.72.i.i.i = load double, ptr %.71.i.i.i, align 8
+  %.126.i.i.i = fsub double %.72.i.i.i, %.72.i.i8.i
+  %.234.i.i.i = fmul double %.126.i.i.i, %.126.i.i.i
+  %.287.i.i.i = load double, ptr %18, align 8
+  %.340.i.i.i = load double, ptr %sunkaddr36.i, align 8
+  %.341.i.i.i = fsub double %.287.i.i.i, %.340.i.i.i
+  %.449.i.i.i = fmul double %.341.i.i.i, %.341.i.i.i
+  %.501.i.i.i = getelementptr i8, ptr %18, i64 8
+  %.502.i.i.i = load double, ptr %.501.i.i.i, align 8
+  %.555.i.i.i = load double, ptr %sunkaddr42.i, align 8
+  %.556.i.i.i = fsub double %.502.i.i.i, %.555.i.i.i
+  %.664.i.i.i = fmul double %.556.i.i.i, %.556.i.i.i
+  %.665.i.i.i = fadd double %.449.i.i.i, %.664.i.i.i
+  %.666.i.i.i = fadd double %.234.i.i.i, %.665.i.i.i
+  %sqrt.i.i = tail call double @llvm.sqrt.f64(double %.666.i.i.i)
+  %.954.us.i.i = fadd double %.919.us.i.i, %sqrt.i.i
+  br label %B490.us.i.i
+
+B336.us.i.i:                                      ; preds = %B226.us.i.i
+  %.626.us.i.i = load i64, ptr %15, align 8
+  %.681.us.i.i = load i64, ptr %sunkaddr43.i, align 8
+  %.737.us.i.i = load i64, ptr %sunkaddr44.i, align 8
+  %19 = add i64 %.555.us.i.i, %.270.i
+  %.682.us.i.i = sub i64 %.626.us.i.i, %19
+  %.738.us.i.i = add i64 %.682.us.i.i, %.681.us.i.i
+  %.742.us.i.i = add i64 %.738.us.i.i, %.737.us.i.i
+  %.99.i.i9.i = select i1 %.761.us.i.i, i64 %w1, i64 0
+  %.100.i.i10.i = add i64 %.99.i.i9.i, %.555.us.i.i
+  %.120.i.i.i = mul i64 %.100.i.i10.i, %w2
+  %20 = getelementptr double, ptr %w0, i64 %.120.i.i.i
+  %.124.i.i.i = getelementptr i8, ptr %20, i64 16
+  %.125.i.i11.i = load double, ptr %.124.i.i.i, align 8
+  %.126.i.i12.i = fsub double %.72.i.i8.i, %.125.i.i11.i
+  %.234.i.i13.i = fmul double %.126.i.i12.i, %.126.i.i12.i
+  %.287.i.i14.i = load double, ptr %sunkaddr36.i, align 8
+  %.340.i.i15.i = load double, ptr %20, align 8
+  %.341.i.i16.i = fsub double %.287.i.i14.i, %.340.i.i15.i
+  %.449.i.i17.i = fmul double %.341.i.i16.i, %.341.i.i16.i
+  %.502.i.i19.i = load double, ptr %sunkaddr42.i, align 8
+  %.554.i.i.i = getelementptr i8, ptr %20, i64 8
+  %.555.i.i20.i = load double, ptr %.554.i.i.i, align 8
+  %.556.i.i21.i = fsub double %.502.i.i19.i, %.555.i.i20.i
+  %.664.i.i22.i = fmul double %.556.i.i21.i, %.556.i.i21.i
+  %.665.i.i23.i = fadd double %.449.i.i17.i, %.664.i.i22.i
+  %.666.i.i24.i = fadd double %.234.i.i13.i, %.665.i.i23.i
+  %sqrt77.i.i = tail call double @llvm.sqrt.f64(double %.666.i.i24.i)
+  %.79.i25.i = fcmp une double %.666.i.i24.i, 0.000000e+00
+  br i1 %.79.i25.i, label %B96.endif.endif.endif.endif.i.i, label %B490.us.i.i
+
+B328.i.i:                                         ; preds = %B96.endif.endif.endif.endif.i.i
+  %.234.i59.i.i = fmul double %.233.i20.i.i, %.233.i20.i.i
+  %.449.i65.i.i = fmul double %.448.i26.i.i, %.448.i26.i.i
+  %.664.i74.i.i = fmul double %.663.i35.i.i, %.663.i35.i.i
+  %.665.i75.i.i = fadd double %.449.i65.i.i, %.664.i74.i.i
+  %.666.i76.i.i = fadd double %.234.i59.i.i, %.665.i75.i.i
+  %.183.i.i = fmul double %.138.i.i, %.138.i.i
+  %.184.i.i = fsub double %.666.i76.i.i, %.183.i.i
+  %.10.i.i.i = fcmp olt double %.184.i.i, 0.000000e+00
+  %.11.i.i.i = select i1 %.10.i.i.i, double 0.000000e+00, double %.184.i.i
+  %sqrt78.i.i = tail call double @llvm.sqrt.f64(double %.11.i.i.i)
+  %.269.i.i = tail call double @sqrt(double %.248.i.i)
+  %.277.i.i = fadd double %sqrt78.i.i, %.269.i.i
+  %.279.i29.i = fcmp ogt double %.277.i.i, 0.000000e+00
+  br i1 %.279.i29.i, label %B412.i.i, label %B490.us.i.i
+
+B412.i.i:                                         ; preds = %B328.i.i
+  %.283.i.i = fsub double %.138.i.i, %.236.i28.i
+  %.285.i.i = fmul double %.283.i.i, %.269.i.i
+  %.292.i.i = fdiv double %.285.i.i, %.277.i.i
+  %.294.i30.i = fadd double %.236.i28.i, %.292.i.i
+  %.306.i.i = fcmp oge double %.294.i30.i, 0.000000e+00
+  %.313.i.i = fcmp ole double %.294.i30.i, %sqrt77.i.i
+  %or.cond.i.i = and i1 %.306.i.i, %.313.i.i
+  br i1 %or.cond.i.i, label %B446.i.i, label %B490.us.i.i
+
+B446.i.i:                                         ; preds = %B412.i.i
+  %.343.i.i = fmul double %.283.i.i, %.283.i.i
+  %.354.i31.i = fmul double %.277.i.i, %.277.i.i
+  %.355.i.i = fadd double %.343.i.i, %.354.i31.i
+  %sqrt.i32.i = tail call double @llvm.sqrt.f64(double %.355.i.i)
+  br label %B490.us.i.i
+
+B96.endif.endif.endif.endif.i.i:                  ; preds = %B336.us.i.i
+  %.842.us.i.i = load double, ptr %sunkaddr34.i, align 8
+  %21 = getelementptr double, ptr %w14, i64 %.555.us.i.i
+  %.796.us.i.i = select i1 %.761.us.i.i, i64 %w15, i64 0
+  %.810.us.i.i = getelementptr double, ptr %21, i64 %.796.us.i.i
+  %.811.us.i.i = load double, ptr %.810.us.i.i, align 8
+  %.152.i14.i.i = icmp slt i64 %.742.us.i.i, 0
+  %.153.i15.i.i = select i1 %.152.i14.i.i, i64 %w1, i64 0
+  %.154.i16.i.i = add i64 %.153.i15.i.i, %.742.us.i.i
+  %.174.i17.i.i = mul i64 %.154.i16.i.i, %w2
+  %22 = getelementptr double, ptr %w0, i64 %.174.i17.i.i
+  %.178.i18.i.i = getelementptr i8, ptr %22, i64 16
+  %.179.i19.i.i = load double, ptr %.178.i18.i.i, align 8
+  %.233.i20.i.i = fsub double %.179.i19.i.i, %.125.i.i11.i
+  %.234.i21.i.i = fmul double %.126.i.i12.i, %.233.i20.i.i
+  %.394.i25.i.i = load double, ptr %22, align 8
+  %.448.i26.i.i = fsub double %.394.i25.i.i, %.340.i.i15.i
+  %.449.i27.i.i = fmul double %.341.i.i16.i, %.448.i26.i.i
+  %.608.i33.i.i = getelementptr i8, ptr %22, i64 8
+  %.609.i34.i.i = load double, ptr %.608.i33.i.i, align 8
+  %.663.i35.i.i = fsub double %.609.i34.i.i, %.555.i.i20.i
+  %.664.i36.i.i = fmul double %.556.i.i21.i, %.663.i35.i.i
+  %.665.i37.i.i = fadd double %.449.i27.i.i, %.664.i36.i.i
+  %.666.i38.i.i = fadd double %.234.i21.i.i, %.665.i37.i.i
+  %.138.i.i = fdiv double %.666.i38.i.i, %sqrt77.i.i
+  %.219.i26.i = fmul double %.811.us.i.i, %.811.us.i.i
+  %.222.i.i = fmul double %.842.us.i.i, %.842.us.i.i
+  %.225.i.i = fsub double %.219.i26.i, %.222.i.i
+  %.227.i27.i = fadd double %.666.i.i24.i, %.225.i.i
+  %.232.i.i = fmul double %sqrt77.i.i, 2.000000e+00
+  %.236.i28.i = fdiv double %.227.i27.i, %.232.i.i
+  %.247.i.i = fmul double %.236.i28.i, %.236.i28.i
+  %.248.i.i = fsub double %.219.i26.i, %.247.i.i
+  %.254.i.i = fcmp olt double %.248.i.i, 0.000000e+00
+  br i1 %.254.i.i, label %B490.us.i.i, label %B328.i.i
+
+B490.us.i.i:                                      ; preds = %B96.endif.endif.endif.endif.i.i, %B446.i.i, %B412.i.i, %B328.i.i, %B336.us.i.i, %B406.endif.us.i.i
+  %away.2.3.us.i.i = phi double [ %.954.us.i.i, %B406.endif.us.i.i ], [ 0x7FF0000000000000, %B96.endif.endif.endif.endif.i.i ], [ 0x7FF0000000000000, %B336.us.i.i ], [ %sqrt.i32.i, %B446.i.i ], [ 0x7FF0000000000000, %B412.i.i ], [ 0x7FF0000000000000, %B328.i.i ]
+  %target.2.3.us.i.i = phi i64 [ %.555.us.i.i, %B406.endif.us.i.i ], [ %.742.us.i.i, %B96.endif.endif.endif.endif.i.i ], [ %.742.us.i.i, %B336.us.i.i ], [ %.742.us.i.i, %B446.i.i ], [ %.742.us.i.i, %B412.i.i ], [ %.742.us.i.i, %B328.i.i ]
+  %.982.us.i.i = icmp slt i64 %target.2.3.us.i.i, 0
+  %.983.us.i.i = select i1 %.982.us.i.i, i64 %w17, i64 0
+  %23 = getelementptr i64, ptr %w16, i64 %target.2.3.us.i.i
+  %.997.us.i.i = getelementptr i64, ptr %23, i64 %.983.us.i.i
+  %.998.us.i.i = load i64, ptr %.997.us.i.i, align 8
+  %.999.not.us.i.i = icmp eq i64 %.998.us.i.i, 1
+  br i1 %.999.not.us.i.i, label %B599.us.i.i, label %B524.us.i.i
+
+B524.us.i.i:                                      ; preds = %B490.us.i.i
+  %.1019.us.i.i = select i1 %.982.us.i.i, i64 %w15, i64 0
+  %24 = getelementptr double, ptr %w14, i64 %target.2.3.us.i.i
+  %.1033.us.i.i = getelementptr double, ptr %24, i64 %.1019.us.i.i
+  %.1034.us.i.i = load double, ptr %.1033.us.i.i, align 8
+  %.1036.us.i.i = fcmp olt double %away.2.3.us.i.i, %.1034.us.i.i
+  br i1 %.1036.us.i.i, label %B548.us.i.i, label %B599.us.i.i
+
+B548.us.i.i:                                      ; preds = %B524.us.i.i
+  %sunkaddr17.i.i = shl i64 %.1019.us.i.i, 3
+  %sunkaddr18.i.i = getelementptr inbounds i8, ptr %24, i64 %sunkaddr17.i.i
+  store double %away.2.3.us.i.i, ptr %sunkaddr18.i.i, align 8
+  %.96.i.i.i = icmp sgt i64 %size.2.1760.us.i.i, 0
+  br i1 %.96.i.i.i, label %B20.else.if.i.i.i, label %_ZN7msf_jax4host4thin6fronts4pushB3v31B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx.exit.i.i
+
+B20.else.if.i.i.i:                                ; preds = %B548.us.i.i
+  %.108.i.i.i = add nsw i64 %size.2.1760.us.i.i, -1
+  %.129416426.i.i.i = lshr i64 %.108.i.i.i, 1
+  %.178.i1.i.i = getelementptr double, ptr %w24, i64 %.129416426.i.i.i
+  %.179.i2.i.i = load double, ptr %.178.i1.i.i, align 8
+  %.181.i.i.i = fcmp ogt double %.179.i2.i.i, %away.2.3.us.i.i
+  br i1 %.181.i.i.i, label %B66.else.if.i.i.i, label %_ZN7msf_jax4host4thin6fronts4pushB3v31B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx.exit.i.i
+
+B66.else.if.i.i.i:                                ; preds = %B20.else.if.i.i.i, %B204.else.if.i.i.i
+  %at.2.1.i.i.i = phi i64 [ %.208418427.i.i.i, %B204.else.if.i.i.i ], [ %size.2.1760.us.i.i, %B20.else.if.i.i.i ]
+  %.189.i.i.i = add nsw i64 %at.2.1.i.i.i, -1
+  %.208418427.i.i.i = lshr i64 %.189.i.i.i, 1
+  %.257.i.i.i = getelementptr double, ptr %w24, i64 %.208418427.i.i.i
+  %.258.i.i.i = load double, ptr %.257.i.i.i, align 8
+  %.330.i.i.i = getelementptr i64, ptr %w26, i64 %.208418427.i.i.i
+  %.331.i.i.i = load i64, ptr %.330.i.i.i, align 8
+  %.362.i.i.i = getelementptr double, ptr %w24, i64 %at.2.1.i.i.i
+  store double %.258.i.i.i, ptr %.362.i.i.i, align 8
+  %.394.i3.i.i = getelementptr i64, ptr %w26, i64 %at.2.1.i.i.i
+  store i64 %.331.i.i.i, ptr %.394.i3.i.i, align 8
+  %.447.not.i.i.i = icmp eq i64 %.208418427.i.i.i, 0
+  br i1 %.447.not.i.i.i, label %_ZN7msf_jax4host4thin6fronts4pushB3v31B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx.exit.i.i, label %B204.else.if.i.i.i
+
+B204.else.if.i.i.i:                               ; preds = %B66.else.if.i.i.i
+  %.458.i.i.i = add nsw i64 %.208418427.i.i.i, -1
+  %.479424430.i.i.i = lshr i64 %.458.i.i.i, 1
+  %.528.i.i.i = getelementptr double, ptr %w24, i64 %.479424430.i.i.i
+  %.529.i.i.i = load double, ptr %.528.i.i.i, align 8
+  %.531.i.i.i = fcmp ogt double %.529.i.i.i, %away.2.3.us.i.i
+  br i1 %.531.i.i.i, label %B66.else.if.i.i.i, label %_ZN7msf_jax4host4thin6fronts4pushB3v31B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx.exit.i.i
+
+_ZN7msf_jax4host4thin6fronts4pushB3v31B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx.exit.i.i: ; preds = %B204.else.if.i.i.i, %B66.else.if.i.i.i, %B20.else.if.i.i.i, %B548.us.i.i
+  %at.3.0.i.i.i = phi i64 [ %size.2.1760.us.i.i, %B20.else.if.i.i.i ], [ %size.2.1760.us.i.i, %B548.us.i.i ], [ 0, %B66.else.if.i.i.i ], [ %.208418427.i.i.i, %B204.else.if.i.i.i ]
+  %.560.i.i.i = icmp slt i64 %at.3.0.i.i.i, 0
+  %.561.i.i.i = select i1 %.560.i.i.i, i64 %w25, i64 0
+  %25 = getelementptr double, ptr %w24, i64 %at.3.0.i.i.i
+  %.575.i.i.i = getelementptr double, ptr %25, i64 %.561.i.i.i
+  store double %away.2.3.us.i.i, ptr %.575.i.i.i, align 8
+  %.598.i.i.i = select i1 %.560.i.i.i, i64 %w27, i64 0
+  %26 = getelementptr i64, ptr %w26, i64 %at.3.0.i.i.i
+  %.612.i.i.i = getelementptr i64, ptr %26, i64 %.598.i.i.i
+  store i64 %target.2.3.us.i.i, ptr %.612.i.i.i, align 8
+  %.619.i.i.i = add nsw i64 %size.2.1760.us.i.i, 1
+  br label %B599.us.i.i
+
+B599.us.i.i:                                      ; preds = %_ZN7msf_jax4host4thin6fronts4pushB3v31B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx.exit.i.i, %B524.us.i.i, %B490.us.i.i, %B190.us.i.i
+  %size.4.2.us.i.i = phi i64 [ %size.2.1760.us.i.i, %B190.us.i.i ], [ %size.2.1760.us.i.i, %B490.us.i.i ], [ %size.2.1760.us.i.i, %B524.us.i.i ], [ %.619.i.i.i, %_ZN7msf_jax4host4thin6fronts4pushB3v31B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx.exit.i.i ]
+  %exitcond.not.i.i = icmp eq i64 %.480.us.i.i, 3
+  br i1 %exitcond.not.i.i, label %B188.B128.loopexit_crit_edge.us.i.i, label %B190.us.i.i
+
+B188.B128.loopexit_crit_edge.us.i.i:              ; preds = %B599.us.i.i
+  %.319.us.i.i = add nsw i64 %.309763775.us.i.i, -1
+  %.323.us.i.i = add i64 %.316766774.us.i.i, 1
+  %.310.us.i.i = icmp sgt i64 %.309763775.us.i.i, 1
+  br i1 %.310.us.i.i, label %B130.endif.endif.us.i.i, label %B220.i
+
+B220.i:                                           ; preds = %B188.B128.loopexit_crit_edge.us.i.i, %B68.endif.i, %B160.i
+  %last.3.1.i = phi i64 [ %last.4.0.i, %B68.endif.i ], [ %.270.i, %B160.i ], [ %.270.i, %B188.B128.loopexit_crit_edge.us.i.i ]
+  %size.4.1.i = phi i64 [ %.79.i.i, %B68.endif.i ], [ %.79.i.i, %B160.i ], [ %size.4.2.us.i.i, %B188.B128.loopexit_crit_edge.us.i.i ]
+  %.479.not.i = icmp eq i64 %size.4.1.i, 0
+  br i1 %.479.not.i, label %_ZN7msf_jax4host4thin6fronts6spreadB3v25B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29x.exit, label %B68.i
+
+B68.endif.i:                                      ; preds = %B236.i.i, %B200.i.i, %B68.i
+  %at.3.1.i.i = phi i64 [ 0, %B68.i ], [ %child.2.1.i.i, %B236.i.i ], [ %at.2.0.i.i, %B200.i.i ]
+  %.469.i.i = icmp slt i64 %at.3.1.i.i, 0
+  %.470.i.i = select i1 %.469.i.i, i64 %w25, i64 0
+  %27 = getelementptr double, ptr %w24, i64 %at.3.1.i.i
+  %.484.i.i = getelementptr double, ptr %27, i64 %.470.i.i
+  store double %.114.i.i, ptr %.484.i.i, align 8
+  %.507.i.i = select i1 %.469.i.i, i64 %w27, i64 0
+  %28 = getelementptr i64, ptr %w26, i64 %at.3.1.i.i
+  %.521.i.i = getelementptr i64, ptr %28, i64 %.507.i.i
+  store i64 %.146.i.i, ptr %.521.i.i, align 8
+  %.341.i = icmp slt i64 %.270.i, 0
+  %.342.i = select i1 %.341.i, i64 %w17, i64 0
+  %29 = getelementptr i64, ptr %w16, i64 %.270.i
+  %.356.i = getelementptr i64, ptr %29, i64 %.342.i
+  %.357.i = load i64, ptr %.356.i, align 8
+  %.358.not.i = icmp eq i64 %.357.i, 1
+  br i1 %.358.not.i, label %B220.i, label %B160.i
+
+_ZN7msf_jax4host4thin6fronts6spreadB3v25B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29x.exit: ; preds = %B220.i
+  ret i64 %last.3.1.i
+}
+
 declare i64 @llvm.smin.i64(i64, i64)
+
+declare void @llvm.lifetime.start.p0(ptr)
+
+declare void @llvm.lifetime.end.p0(ptr)
+
+declare void @llvm.memset.p0.i64(ptr writeonly, i8, i64, i1 immarg)
+
+declare { i8, i1 } @llvm.usub.with.overflow.i8(i8, i8)
+
+define i64 @msf_jax.host.thin.fronts.cap(ptr readonly %words) local_unnamed_addr {
+  %w0 = load ptr, ptr %words, align 8
+  %p1 = getelementptr i8, ptr %words, i64 8
+  %w1 = load i64, ptr %p1, align 8
+  %p2 = getelementptr i8, ptr %words, i64 16
+  %w2 = load i64, ptr %p2, align 8
+  %s3 = shl i64 %w2, 3
+  %p3 = getelementptr i8, ptr %words, i64 24
+  %w3 = load ptr, ptr %p3, align 8
+  %p4 = getelementptr i8, ptr %words, i64 32
+  %w4 = load i64, ptr %p4, align 8
+  %p5 = getelementptr i8, ptr %words, i64 40
+  %w5 = load i64, ptr %p5, align 8
+  %p6 = getelementptr i8, ptr %words, i64 48
+  %w6 = load ptr, ptr %p6, align 8
+  %p7 = getelementptr i8, ptr %words, i64 56
+  %w7 = load i64, ptr %p7, align 8
+  %p8 = getelementptr i8, ptr %words, i64 64
+  %w8 = load ptr, ptr %p8, align 8
+  %p9 = getelementptr i8, ptr %words, i64 72
+  %w9 = load i64, ptr %p9, align 8
+  %p10 = getelementptr i8, ptr %words, i64 80
+  %w10 = load ptr, ptr %p10, align 8
+  %p11 = getelementptr i8, ptr %words, i64 88
+  %w11 = load i64, ptr %p11, align 8
+  %p12 = getelementptr i8, ptr %words, i64 96
+  %w12 = load ptr, ptr %p12, align 8
+  %p13 = getelementptr i8, ptr %words, i64 104
+  %w13 = load i64, ptr %p13, align 8
+  %p14 = getelementptr i8, ptr %words, i64 112
+  %w14 = load ptr, ptr %p14, align 8
+  %p15 = getelementptr i8, ptr %words, i64 120
+  %w15 = load i64, ptr %p15, align 8
+  %p16 = getelementptr i8, ptr %words, i64 128
+  %w16 = load ptr, ptr %p16, align 8
+  %p17 = getelementptr i8, ptr %words, i64 136
+  %w17 = load i64, ptr %p17, align 8
+  %p18 = getelementptr i8, ptr %words, i64 144
+  %w18 = load ptr, ptr %p18, align 8
+  %p19 = getelementptr i8, ptr %words, i64 152
+  %w19 = load i64, ptr %p19, align 8
+  %p20 = getelementptr i8, ptr %words, i64 160
+  %w20 = load ptr, ptr %p20, align 8
+  %p21 = getelementptr i8, ptr %words, i64 168
+  %w21 = load i64, ptr %p21, align 8
+  %p22 = getelementptr i8, ptr %words, i64 176
+  %w22 = load ptr, ptr %p22, align 8
+  %p23 = getelementptr i8, ptr %words, i64 184
+  %w23 = load i64, ptr %p23, align 8
+  %p24 = getelementptr i8, ptr %words, i64 192
+  %w24 = load ptr, ptr %p24, align 8
+  %p25 = getelementptr i8, ptr %words, i64 200
+  %w25 = load i64, ptr %p25, align 8
+  %p26 = getelementptr i8, ptr %words, i64 208
+  %w26 = load ptr, ptr %p26, align 8
+  %p27 = getelementptr i8, ptr %words, i64 216
+  %w27 = load i64, ptr %p27, align 8
+  %p28 = getelementptr i8, ptr %words, i64 224
+  %w28 = load ptr, ptr %p28, align 8
+  %p29 = getelementptr i8, ptr %words, i64 232
+  %w29 = load i64, ptr %p29, align 8
+  %p30 = getelementptr i8, ptr %words, i64 240
+  %w30 = load i64, ptr %p30, align 8
+  %p31 = getelementptr i8, ptr %words, i64 248
+  %w31 = load double, ptr %p31, align 8
+  %p32 = getelementptr i8, ptr %words, i64 256
+  %w32 = load double, ptr %p32, align 8
+  %p33 = getelementptr i8, ptr %words, i64 264
+  %w33 = load double, ptr %p33, align 8
+  %p34 = getelementptr i8, ptr %words, i64 272
+  %w34 = load double, ptr %p34, align 8
+  %p35 = getelementptr i8, ptr %words, i64 280
+  %w35 = load ptr, ptr %p35, align 8
+  %p36 = getelementptr i8, ptr %words, i64 288
+  %w36 = load i64, ptr %p36, align 8
+  %p37 = getelementptr i8, ptr %words, i64 296
+  %w37 = load ptr, ptr %p37, align 8
+  %p38 = getelementptr i8, ptr %words, i64 304
+  %w38 = load i64, ptr %p38, align 8
+  %p39 = getelementptr i8, ptr %words, i64 312
+  %w39 = load i64, ptr %p39, align 8
+  %s57 = shl i64 %w39, 3
+  %p40 = getelementptr i8, ptr %words, i64 320
+  %w40 = load ptr, ptr %p40, align 8
+  %p41 = getelementptr i8, ptr %words, i64 328
+  %w41 = load i64, ptr %p41, align 8
+  %.228.i = add nsw i64 %w38, -1
+  %.248.i = tail call i64 @llvm.smin.i64(i64 %w38, i64 0)
+  %.249.i = add i64 %.228.i, %.248.i
+  %.266.i = mul i64 %.249.i, %w39
+  %.268.i = getelementptr double, ptr %w37, i64 %.266.i
+  %.310.i = add i64 %w38, 2305843009213693950
+  %.329.i = icmp slt i64 %w38, 2
+  %.330.i = select i1 %.329.i, i64 %w38, i64 0
+  %.331.i = add i64 %.310.i, %.330.i
+  %.392.i = add nsw i64 %w38, -3
+  %.411.i = icmp slt i64 %w38, 3
+  %.412.i = select i1 %.411.i, i64 %w38, i64 0
+  %.413.i = add i64 %.412.i, %.392.i
+  %.430.i = mul i64 %.413.i, %w39
+  %.432.i = getelementptr double, ptr %w37, i64 %.430.i
+  %.485.i = icmp slt i64 %w30, 0
+  %.486.i = select i1 %.485.i, i64 %w15, i64 0
+  %1 = getelementptr double, ptr %w14, i64 %w30
+  %.500.i = getelementptr double, ptr %1, i64 %.486.i
+  store double 0.000000e+00, ptr %.500.i, align 8
+  store double 0.000000e+00, ptr %w24, align 8
+  store i64 %w30, ptr %w26, align 8
+  %2 = shl i64 %w15, 3
+  %scevgep177.i = getelementptr i8, ptr %w40, i64 24
+  %factor.op.mul.reass.i = mul i64 %s57, %.331.i
+  %sunkaddr285.i = getelementptr i8, ptr %w37, i64 %factor.op.mul.reass.i
+  %3 = shl i64 %w11, 3
+  %sunkaddr1.i.i = getelementptr i8, ptr %.268.i, i64 8
+  %sunkaddr.i34.i = getelementptr i8, ptr %.268.i, i64 16
+  %sunkaddr2.i.i = getelementptr i8, ptr %.268.i, i64 24
+  %sunkaddr3.i.i = getelementptr i8, ptr %.268.i, i64 32
+  %sunkaddr294.i = getelementptr i8, ptr %sunkaddr285.i, i64 8
+  %sunkaddr298.i = getelementptr i8, ptr %sunkaddr285.i, i64 16
+  %sunkaddr302.i = getelementptr i8, ptr %sunkaddr285.i, i64 24
+  %sunkaddr306.i = getelementptr i8, ptr %sunkaddr285.i, i64 32
+  br label %B252.preheader.i
+
+B252.preheader.i:                                 ; preds = %B504.i, %0
+  %size.3.03191.i = phi i64 [ 1, %0 ], [ %size.4.1.i, %B504.i ]
+  %last.5.03190.i = phi double [ 0x7FF0000000000000, %0 ], [ %.us-phi2971.i, %B504.i ]
+  %size_of_region.3.03189.i = phi i64 [ 0, %0 ], [ %.us-phi2970.i, %B504.i ]
+  %count.2.03188.i = phi i64 [ 0, %0 ], [ %count.3.1.i, %B504.i ]
+  %rows.5.03187.i = phi i64 [ 0, %0 ], [ %.us-phi2969.i, %B504.i ]
+  %level.3.03186.i = phi double [ %w31, %0 ], [ %.us-phi2968.i, %B504.i ]
+  %.1031.i = icmp sgt i64 %count.2.03188.i, 5
+  %.67127.i = load double, ptr %w24, align 8
+  %.67628.i = fcmp olt double %.67127.i, %level.3.03186.i
+  br i1 %.1031.i, label %B252.preheader3240.i, label %B252.preheader.split.us.split.i
+
+B252.preheader3240.i:                             ; preds = %B252.preheader.i
+  br i1 %.67628.i, label %B316.i, label %B506.preheader.i
+
+B506.preheader.i:                                 ; preds = %B252.preheader3240.i
+  %xtraiter85.i = and i64 %count.2.03188.i, 3
+  %unroll_iter88.i = and i64 %count.2.03188.i, 9223372036854775804
+  %4 = shl i64 %count.2.03188.i, 3
+  %scevgep178.i = getelementptr i8, ptr %scevgep177.i, i64 %4
+  %scevgep186.i = getelementptr i8, ptr %w40, i64 %4
+  %5 = icmp eq i64 %xtraiter85.i, 0
+  br label %B506.i
+
+B252.preheader.split.us.split.i:                  ; preds = %B252.preheader.i
+  br i1 %.67628.i, label %B316.i, label %B506.us.i
+
+B506.us.i:                                        ; preds = %B252.preheader.split.us.split.i, %B506.us.i
+  %level.2.2.us2996.i = phi double [ %.4225.us.i, %B506.us.i ], [ %level.3.03186.i, %B252.preheader.split.us.split.i ]
+  %.4225.us.i = fmul double %w32, %level.2.2.us2996.i
+  %.676.us.i = fcmp olt double %.67127.i, %.4225.us.i
+  br i1 %.676.us.i, label %B316.i, label %B506.us.i
+
+B316.i:                                           ; preds = %B506.us.i, %B252.backedge.i, %B252.preheader.split.us.split.i, %B252.preheader3240.i
+  %.us-phi2968.i = phi double [ %level.2.2.be.i, %B252.backedge.i ], [ %level.3.03186.i, %B252.preheader.split.us.split.i ], [ %level.3.03186.i, %B252.preheader3240.i ], [ %.4225.us.i, %B506.us.i ]
+  %.us-phi2969.i = phi i64 [ %rows.2.2.be.i, %B252.backedge.i ], [ %rows.5.03187.i, %B252.preheader.split.us.split.i ], [ %rows.5.03187.i, %B252.preheader3240.i ], [ %rows.5.03187.i, %B506.us.i ]
+  %.us-phi2970.i = phi i64 [ %size_of_region.4.2.be.i, %B252.backedge.i ], [ %size_of_region.3.03189.i, %B252.preheader.split.us.split.i ], [ %size_of_region.3.03189.i, %B252.preheader3240.i ], [ %size_of_region.3.03189.i, %B506.us.i ]
+  %.us-phi2971.i = phi double [ %last.2.2.be.i, %B252.backedge.i ], [ %last.5.03190.i, %B252.preheader.split.us.split.i ], [ %last.5.03190.i, %B252.preheader3240.i ], [ %last.5.03190.i, %B506.us.i ]
+  %.us-phi2972.i = load i64, ptr %w26, align 8
+  %.79.i.i = add nsw i64 %size.3.03191.i, -1
+  %.98.i.i = icmp slt i64 %size.3.03191.i, 1
+  %.99.i.i = select i1 %.98.i.i, i64 %w25, i64 0
+  %6 = getelementptr double, ptr %w24, i64 %.79.i.i
+  %.113.i.i = getelementptr double, ptr %6, i64 %.99.i.i
+  %.114.i.i = load double, ptr %.113.i.i, align 8
+  %.131.i.i = select i1 %.98.i.i, i64 %w27, i64 0
+  %7 = getelementptr i64, ptr %w26, i64 %.79.i.i
+  %.145.i.i = getelementptr i64, ptr %7, i64 %.131.i.i
+  %.146.i.i = load i64, ptr %.145.i.i, align 8
+  %.162.i.i = icmp sgt i64 %size.3.03191.i, 2
+  br i1 %.162.i.i, label %B94.i.i, label %B316.endif.i
+
+B94.i.i:                                          ; preds = %B316.i, %B236.i.i
+  %at.2.0.i.i = phi i64 [ %child.2.1.i.i, %B236.i.i ], [ 0, %B316.i ]
+  %.170.i.i = shl nsw i64 %at.2.0.i.i, 1
+  %.171.i.i = or disjoint i64 %.170.i.i, 1
+  %.180.i.i = add nsw i64 %.170.i.i, 2
+  %.182.i.i = icmp slt i64 %.180.i.i, %.79.i.i
+  br i1 %.182.i.i, label %B128.i.i, label %B200.i.i
+
+B128.i.i:                                         ; preds = %B94.i.i
+  %.203.i.i = icmp slt i64 %at.2.0.i.i, -1
+  %.204.i.i = select i1 %.203.i.i, i64 %w25, i64 0
+  %8 = getelementptr double, ptr %w24, i64 %.180.i.i
+  %.218.i.i = getelementptr double, ptr %8, i64 %.204.i.i
+  %.219.i.i = load double, ptr %.218.i.i, align 8
+  %.235.i.i = icmp slt i64 %at.2.0.i.i, 0
+  %.236.i.i = select i1 %.235.i.i, i64 %w25, i64 0
+  %9 = getelementptr double, ptr %w24, i64 %.171.i.i
+  %.250.i.i = getelementptr double, ptr %9, i64 %.236.i.i
+  %.251.i.i = load double, ptr %.250.i.i, align 8
+  %.252.i.i = fcmp olt double %.219.i.i, %.251.i.i
+  br i1 %.252.i.i, label %B190.i.i, label %B200.i.i
+
+B190.i.i:                                         ; preds = %B128.i.i
+  br label %B200.i.i
+
+B200.i.i:                                         ; preds = %B190.i.i, %B128.i.i, %B94.i.i
+  %child.2.1.i.i = phi i64 [ %.180.i.i, %B190.i.i ], [ %.171.i.i, %B128.i.i ], [ %.171.i.i, %B94.i.i ]
+  %.278.i.i = icmp slt i64 %child.2.1.i.i, 0
+  %.279.i.i = select i1 %.278.i.i, i64 %w25, i64 0
+  %10 = getelementptr double, ptr %w24, i64 %child.2.1.i.i
+  %.293.i.i = getelementptr double, ptr %10, i64 %.279.i.i
+  %.294.i.i = load double, ptr %.293.i.i, align 8
+  %.296.i.i = fcmp ult double %.294.i.i, %.114.i.i
+  br i1 %.296.i.i, label %B236.i.i, label %B316.endif.i
+
+B236.i.i:                                         ; preds = %B200.i.i
+  %.354.i.i = select i1 %.278.i.i, i64 %w27, i64 0
+  %11 = getelementptr i64, ptr %w26, i64 %child.2.1.i.i
+  %.368.i.i = getelementptr i64, ptr %11, i64 %.354.i.i
+  %.369.i.i = load i64, ptr %.368.i.i, align 8
+  %.385.i.i = icmp slt i64 %at.2.0.i.i, 0
+  %.386.i.i = select i1 %.385.i.i, i64 %w25, i64 0
+  %12 = getelementptr double, ptr %w24, i64 %at.2.0.i.i
+  %.400.i.i = getelementptr double, ptr %12, i64 %.386.i.i
+  store double %.294.i.i, ptr %.400.i.i, align 8
+  %.418.i.i = select i1 %.385.i.i, i64 %w27, i64 0
+  %13 = getelementptr i64, ptr %w26, i64 %at.2.0.i.i
+  %.432.i.i = getelementptr i64, ptr %13, i64 %.418.i.i
+  store i64 %.369.i.i, ptr %.432.i.i, align 8
+  %.441.i.i = shl nsw i64 %child.2.1.i.i, 1
+  %.442.i.i = or disjoint i64 %.441.i.i, 1
+  %.444.i.i = icmp slt i64 %.442.i.i, %.79.i.i
+  br i1 %.444.i.i, label %B94.i.i, label %B316.endif.i
+
+B382.i:                                           ; preds = %B316.endif.i
+  %sunkaddr.i = shl i64 %.756.i, 3
+  %sunkaddr201.i = getelementptr inbounds i8, ptr %128, i64 %sunkaddr.i
+  store i64 1, ptr %sunkaddr201.i, align 8
+  %.828.i = icmp slt i64 %count.2.03188.i, 0
+  %.829.i = select i1 %.828.i, i64 %w19, i64 0
+  %14 = getelementptr i64, ptr %w18, i64 %count.2.03188.i
+  %.843.i = getelementptr i64, ptr %14, i64 %.829.i
+  store i64 %.us-phi2972.i, ptr %.843.i, align 8
+  %.846.i = add i64 %count.2.03188.i, 1
+  %.854.i = icmp eq i64 %.us-phi2972.i, %w30
+  br i1 %.854.i, label %B466.i, label %B444.i
+
+B444.i:                                           ; preds = %B382.i
+  %.874.i = select i1 %.755.i, i64 %w36, i64 0
+  %15 = getelementptr i64, ptr %w35, i64 %.us-phi2972.i
+  %.888.i = getelementptr i64, ptr %15, i64 %.874.i
+  %.889.i = load i64, ptr %.888.i, align 8
+  %.890.i = icmp eq i64 %.889.i, 0
+  br label %B466.i
+
+B466.i:                                           ; preds = %B444.i, %B382.i
+  %"$phi466.0.2.1.i" = phi i1 [ true, %B382.i ], [ %.890.i, %B444.i ]
+  %.180.i47.i = select i1 %.755.i, i64 %w9, i64 0
+  %16 = getelementptr i64, ptr %w8, i64 %.us-phi2972.i
+  %.194.i.i = getelementptr i64, ptr %16, i64 %.180.i47.i
+  %.195.i.i = load i64, ptr %.194.i.i, align 8
+  %.212.i.i = icmp slt i64 %.us-phi2972.i, -1
+  %.213.i.i = select i1 %.212.i.i, i64 %w9, i64 0
+  %17 = getelementptr i8, ptr %16, i64 8
+  %.227.i.i = getelementptr i64, ptr %17, i64 %.213.i.i
+  %.228.i.i = load i64, ptr %.227.i.i, align 8
+  %.265.i.i = sub i64 %.228.i.i, %.195.i.i
+  %.310773.not.i.i = icmp slt i64 %.265.i.i, 1
+  br i1 %.310773.not.i.i, label %B504.i, label %B130.endif.endif.us.preheader.i.i
+
+B130.endif.endif.us.preheader.i.i:                ; preds = %B466.i
+  %18 = getelementptr double, ptr %w14, i64 %.us-phi2972.i
+  %.99.i.i.i = select i1 %.755.i, i64 %w1, i64 0
+  %.100.i.i.i = add i64 %.99.i.i.i, %.us-phi2972.i
+  %sunkaddr.i.i = select i1 %.755.i, i64 %2, i64 0
+  %.120.i.reass.i.i = mul i64 %s3, %.100.i.i.i
+  %sunkaddr202.i = getelementptr inbounds i8, ptr %18, i64 %sunkaddr.i.i
+  %sunkaddr203.i = getelementptr i8, ptr %w0, i64 %.120.i.reass.i.i
+  %sunkaddr204.i = getelementptr i8, ptr %sunkaddr203.i, i64 16
+  %sunkaddr207.i = getelementptr i8, ptr %sunkaddr203.i, i64 8
+  %.67.i.i3.i = mul i64 %.100.i.i.i, %w2
+  %19 = getelementptr double, ptr %w0, i64 %.67.i.i3.i
+  %.71.i.i4.i = getelementptr i8, ptr %19, i64 16
+  %.501.i.i15.i = getelementptr i8, ptr %19, i64 8
+  br label %B130.endif.endif.us.i.i
+
+B130.endif.endif.us.i.i:                          ; preds = %B188.B128.loopexit_crit_edge.us.i.i, %B130.endif.endif.us.preheader.i.i
+  %size.3.0776.us.i.i = phi i64 [ %size.4.2.us.i.i, %B188.B128.loopexit_crit_edge.us.i.i ], [ %.79.i.i, %B130.endif.endif.us.preheader.i.i ]
+  %.309763775.us.i.i = phi i64 [ %.319.us.i.i, %B188.B128.loopexit_crit_edge.us.i.i ], [ %.265.i.i, %B130.endif.endif.us.preheader.i.i ]
+  %.316766774.us.i.i = phi i64 [ %.323.us.i.i, %B188.B128.loopexit_crit_edge.us.i.i ], [ %.195.i.i, %B130.endif.endif.us.preheader.i.i ]
+  %.368.us.i.i = icmp slt i64 %.316766774.us.i.i, 0
+  %.369.us.i.i = select i1 %.368.us.i.i, i64 %w11, i64 0
+  %20 = getelementptr i64, ptr %w10, i64 %.316766774.us.i.i
+  %.383.us.i.i = getelementptr i64, ptr %20, i64 %.369.us.i.i
+  %.384.us.i.i = load i64, ptr %.383.us.i.i, align 8
+  %.528.us.i.i = icmp slt i64 %.384.us.i.i, 0
+  %.529.us.i.i = select i1 %.528.us.i.i, i64 %w4, i64 0
+  %.530.us.i.i = add i64 %.529.us.i.i, %.384.us.i.i
+  %.550.us.i.i = mul i64 %.530.us.i.i, %w5
+  %21 = getelementptr i64, ptr %w3, i64 %.550.us.i.i
+  %sunkaddr208.i = getelementptr i8, ptr %21, i64 8
+  %sunkaddr209.i = getelementptr i8, ptr %21, i64 16
+  br label %B190.us.i.i
+
+B190.us.i.i:                                      ; preds = %B599.us.i.i, %B130.endif.endif.us.i.i
+  %size.2.1760.us.i.i = phi i64 [ %size.3.0776.us.i.i, %B130.endif.endif.us.i.i ], [ %size.4.2.us.i.i, %B599.us.i.i ]
+  %.473754758.us.i.i = phi i64 [ 0, %B130.endif.endif.us.i.i ], [ %.480.us.i.i, %B599.us.i.i ]
+  %.480.us.i.i = add nuw nsw i64 %.473754758.us.i.i, 1
+  %22 = getelementptr i64, ptr %21, i64 %.473754758.us.i.i
+  %.555.us.i.i = load i64, ptr %22, align 8
+  %.561.us.i.i = icmp eq i64 %.555.us.i.i, %.us-phi2972.i
+  br i1 %.561.us.i.i, label %B599.us.i.i, label %B226.us.i.i
+
+B226.us.i.i:                                      ; preds = %B190.us.i.i
+  %.761.us.i.i = icmp slt i64 %.555.us.i.i, 0
+  %.762.us.i.i = select i1 %.761.us.i.i, i64 %w17, i64 0
+  %23 = getelementptr i64, ptr %w16, i64 %.555.us.i.i
+  %.776.us.i.i = getelementptr i64, ptr %23, i64 %.762.us.i.i
+  %.777.us.i.i = load i64, ptr %.776.us.i.i, align 8
+  %.778.us.i.i = icmp eq i64 %.777.us.i.i, 1
+  br i1 %.778.us.i.i, label %B336.us.i.i, label %B406.endif.us.i.i
+
+B406.endif.us.i.i:                                ; preds = %B226.us.i.i
+  %.919.us.i.i = load double, ptr %sunkaddr202.i, align 8
+  %.46.i.i.i = select i1 %.761.us.i.i, i64 %w1, i64 0
+  %.47.i.i.i = add i64 %.46.i.i.i, %.555.us.i.i
+  %.67.i.i.i = mul i64 %.47.i.i.i, %w2
+  %24 = getelementptr double, ptr %w0, i64 %.67.i.i.i
+  %.71.i.i.i = getelementptr i8, ptr %24, i64 16
+  %.72.i.i.i = load double, ptr %.71.i.i.i, align 8
+  %.125.i.i.i = load double, ptr %sunkaddr204.i, align 8
+  %.126.i.i.i = fsub double %.72.i.i.i, %.125.i.i.i
+  %.234.i.i.i = fmul double %.126.i.i.i, %.126.i.i.i
+  %.287.i.i.i = load double, ptr %24, align 8
+  %.340.i.i.i = load double, ptr %sunkaddr203.i, align 8
+  %.341.i.i.i = fsub double %.287.i.i.i, %.340.i.i.i
+  %.449.i.i.i = fmul double %.341.i.i.i, %.341.i.i.i
+  %.501.i.i.i = getelementptr i8, ptr %24, i64 8
+  %.502.i.i.i = load double, ptr %.501.i.i.i, align 8
+  %.555.i.i.i = load double, ptr %sunkaddr207.i, align 8
+  %.556.i.i.i = fsub double %.502.i.i.i, %.555.i.i.i
+  %.664.i.i.i = fmul double %.556.i.i.i, %.556.i.i.i
+  %.665.i.i.i = fadd double %.449.i.i.i, %.664.i.i.i
+  %.666.i.i.i = fadd double %.234.i.i.i, %.665.i.i.i
+  %sqrt.i.i = tail call double @llvm.sqrt.f64(double %.666.i.i.i)
+  %.954.us.i.i = fadd double %.919.us.i.i, %sqrt.i.i
+  br label %B490.us.i.i
+
+B336.us.i.i:                                      ; preds = %B226.us.i.i
+  %.626.us.i.i = load i64, ptr %21, align 8
+  %.681.us.i.i = load i64, ptr %sunkaddr208.i, align 8
+  %.737.us.i.i = load i64, ptr %sunkaddr209.i, align 8
+  %25 = add i64 %.555.us.i.i, %.us-phi2972.i
+  %.682.us.i.i = sub i64 %.626.us.i.i, %25
+  %.738.us.i.i = add i64 %.682.us.i.i, %.681.us.i.i
+  %.742.us.i.i = add i64 %.738.us.i.i, %.737.us.i.i
+  %.72.i.i5.i = load double, ptr %.71.i.i4.i, align 8
+  %.99.i.i6.i = select i1 %.761.us.i.i, i64 %w1, i64 0
+  %.100.i.i7.i = add i64 %.99.i.i6.i, %.555.us.i.i
+  %.120.i.i.i = mul i64 %.100.i.i7.i, %w2
+  %26 = getelementptr double, ptr %w0, i64 %.120.i.i.i
+  %.124.i.i.i = getelementptr i8, ptr %26, i64 16
+  %.125.i.i8.i = load double, ptr %.124.i.i.i, align 8
+  %.126.i.i9.i = fsub double %.72.i.i5.i, %.125.i.i8.i
+  %.234.i.i10.i = fmul double %.126.i.i9.i, %.126.i.i9.i
+  %.287.i.i11.i = load double, ptr %19, align 8
+  %.340.i.i12.i = load double, ptr %26, align 8
+  %.341.i.i13.i = fsub double %.287.i.i11.i, %.340.i.i12.i
+  %.449.i.i14.i = fmul double %.341.i.i13.i, %.341.i.i13.i
+  %.502.i.i16.i = load double, ptr %.501.i.i15.i, align 8
+  %.554.i.i.i = getelementptr i8, ptr %26, i64 8
+  %.555.i.i17.i = load double, ptr %.554.i.i.i, align 8
+  %.556.i.i18.i = fsub double %.502.i.i16.i, %.555.i.i17.i
+  %.664.i.i19.i = fmul double %.556.i.i18.i, %.556.i.i18.i
+  %.665.i.i20.i = fadd double %.449.i.i14.i, %.664.i.i19.i
+  %.666.i.i21.i = fadd double %.234.i.i10.i, %.665.i.i20.i
+  %sqrt77.i.i = tail call double @llvm.sqrt.f64(double %.666.i.i21.i)
+  %.79.i22.i = fcmp une double %.666.i.i21.i, 0.000000e+00
+  br i1 %.79.i22.i, label %B96.endif.endif.endif.endif.i.i, label %B490.us.i.i
+
+B328.i.i:                                         ; preds = %B96.endif.endif.endif.endif.i.i
+  %.234.i59.i.i = fmul double %.233.i20.i.i, %.233.i20.i.i
+  %.449.i65.i.i = fmul double %.448.i26.i.i, %.448.i26.i.i
+  %.664.i74.i.i = fmul double %.663.i35.i.i, %.663.i35.i.i
+  %.665.i75.i.i = fadd double %.449.i65.i.i, %.664.i74.i.i
+  %.666.i76.i.i = fadd double %.234.i59.i.i, %.665.i75.i.i
+  %.183.i.i = fmul double %.138.i.i, %.138.i.i
+  %.184.i.i = fsub double %.666.i76.i.i, %.183.i.i
+  %.10.i.i.i = fcmp olt double %.184.i.i, 0.000000e+00
+  %.11.i.i.i = select i1 %.10.i.i.i, double 0.000000e+00, double %.184.i.i
+  %sqrt78.i.i = tail call double @llvm.sqrt.f64(double %.11.i.i.i)
+  %.269.i.i = tail call double @sqrt(double %.248.i.i)
+  %.277.i.i = fadd double %sqrt78.i.i, %.269.i.i
+  %.279.i26.i = fcmp ogt double %.277.i.i, 0.000000e+00
+  br i1 %.279.i26.i, label %B412.i.i, label %B490.us.i.i
+
+B412.i.i:                                         ; preds = %B328.i.i
+  %.283.i.i = fsub double %.138.i.i, %.236.i25.i
+  %.285.i.i = fmul double %.283.i.i, %.269.i.i
+  %.292.i.i = fdiv double %.285.i.i, %.277.i.i
+  %.294.i27.i = fadd double %.236.i25.i, %.292.i.i
+  %.306.i.i = fcmp oge double %.294.i27.i, 0.000000e+00
+  %.313.i.i = fcmp ole double %.294.i27.i, %sqrt77.i.i
+  %or.cond.i.i = and i1 %.306.i.i, %.313.i.i
+  br i1 %or.cond.i.i, label %B446.i.i, label %B490.us.i.i
+
+B446.i.i:                                         ; preds = %B412.i.i
+  %.343.i.i = fmul double %.283.i.i, %.283.i.i
+  %.354.i28.i = fmul double %.277.i.i, %.277.i.i
+  %.355.i29.i = fadd double %.343.i.i, %.354.i28.i
+  %sqrt.i30.i = tail call double @llvm.sqrt.f64(double %.355.i29.i)
+  br label %B490.us.i.i
+
+B96.endif.endif.endif.endif.i.i:                  ; preds = %B336.us.i.i
+  %.842.us.i.i = load double, ptr %sunkaddr202.i, align 8
+  %27 = getelementptr double, ptr %w14, i64 %.555.us.i.i
+  %.796.us.i.i = select i1 %.761.us.i.i, i64 %w15, i64 0
+  %.810.us.i.i = getelementptr double, ptr %27, i64 %.796.us.i.i
+  %.811.us.i.i = load double, ptr %.810.us.i.i, align 8
+  %.152.i14.i.i = icmp slt i64 %.742.us.i.i, 0
+  %.153.i15.i.i = select i1 %.152.i14.i.i, i64 %w1, i64 0
+  %.154.i16.i.i = add i64 %.153.i15.i.i, %.742.us.i.i
+  %.174.i17.i.i = mul i64 %.154.i16.i.i, %w2
+  %28 = getelementptr double, ptr %w0, i64 %.174.i17.i.i
+  %.178.i18.i.i = getelementptr i8, ptr %28, i64 16
+  %.179.i19.i.i = load double, ptr %.178.i18.i.i, align 8
+  %.233.i20.i.i = fsub double %.179.i19.i.i, %.125.i.i8.i
+  %.234.i21.i.i = fmul double %.126.i.i9.i, %.233.i20.i.i
+  %.394.i25.i.i = load double, ptr %28, align 8
+  %.448.i26.i.i = fsub double %.394.i25.i.i, %.340.i.i12.i
+  %.449.i27.i.i = fmul double %.341.i.i13.i, %.448.i26.i.i
+  %.608.i33.i.i = getelementptr i8, ptr %28, i64 8
+  %.609.i34.i.i = load double, ptr %.608.i33.i.i, align 8
+  %.663.i35.i.i = fsub double %.609.i34.i.i, %.555.i.i17.i
+  %.664.i36.i.i = fmul double %.556.i.i18.i, %.663.i35.i.i
+  %.665.i37.i.i = fadd double %.449.i27.i.i, %.664.i36.i.i
+  %.666.i38.i.i = fadd double %.234.i21.i.i, %.665.i37.i.i
+  %.138.i.i = fdiv double %.666.i38.i.i, %sqrt77.i.i
+  %.219.i23.i = fmul double %.811.us.i.i, %.811.us.i.i
+  %.222.i.i = fmul double %.842.us.i.i, %.842.us.i.i
+  %.225.i.i = fsub double %.219.i23.i, %.222.i.i
+  %.227.i24.i = fadd double %.666.i.i21.i, %.225.i.i
+  %.232.i.i = fmul double %sqrt77.i.i, 2.000000e+00
+  %.236.i25.i = fdiv double %.227.i24.i, %.232.i.i
+  %.247.i.i = fmul double %.236.i25.i, %.236.i25.i
+  %.248.i.i = fsub double %.219.i23.i, %.247.i.i
+  %.254.i.i = fcmp olt double %.248.i.i, 0.000000e+00
+  br i1 %.254.i.i, label %B490.us.i.i, label %B328.i.i
+
+B490.us.i.i:                                      ; preds = %B96.endif.endif.endif.endif.i.i, %B446.i.i, %B412.i.i, %B328.i.i, %B336.us.i.i, %B406.endif.us.i.i
+  %away.2.3.us.i.i = phi double [ %.954.us.i.i, %B406.endif.us.i.i ], [ 0x7FF0000000000000, %B96.endif.endif.endif.endif.i.i ], [ 0x7FF0000000000000, %B336.us.i.i ], [ %sqrt.i30.i, %B446.i.i ], [ 0x7FF0000000000000, %B412.i.i ], [ 0x7FF0000000000000, %B328.i.i ]
+  %target.2.3.us.i.i = phi i64 [ %.555.us.i.i, %B406.endif.us.i.i ], [ %.742.us.i.i, %B96.endif.endif.endif.endif.i.i ], [ %.742.us.i.i, %B336.us.i.i ], [ %.742.us.i.i, %B446.i.i ], [ %.742.us.i.i, %B412.i.i ], [ %.742.us.i.i, %B328.i.i ]
+  %.982.us.i.i = icmp slt i64 %target.2.3.us.i.i, 0
+  %.983.us.i.i = select i1 %.982.us.i.i, i64 %w17, i64 0
+  %29 = getelementptr i64, ptr %w16, i64 %target.2.3.us.i.i
+  %.997.us.i.i = getelementptr i64, ptr %29, i64 %.983.us.i.i
+  %.998.us.i.i = load i64, ptr %.997.us.i.i, align 8
+  %.999.not.us.i.i = icmp eq i64 %.998.us.i.i, 1
+  br i1 %.999.not.us.i.i, label %B599.us.i.i, label %B524.us.i.i
+
+B524.us.i.i:                                      ; preds = %B490.us.i.i
+  %.1019.us.i.i = select i1 %.982.us.i.i, i64 %w15, i64 0
+  %30 = getelementptr double, ptr %w14, i64 %target.2.3.us.i.i
+  %.1033.us.i.i = getelementptr double, ptr %30, i64 %.1019.us.i.i
+  %.1034.us.i.i = load double, ptr %.1033.us.i.i, align 8
+  %.1036.us.i.i = fcmp olt double %away.2.3.us.i.i, %.1034.us.i.i
+  br i1 %.1036.us.i.i, label %B548.us.i.i, label %B599.us.i.i
+
+B548.us.i.i:                                      ; preds = %B524.us.i.i
+  %sunkaddr17.i.i = shl i64 %.1019.us.i.i, 3
+  %sunkaddr18.i.i = getelementptr inbounds i8, ptr %30, i64 %sunkaddr17.i.i
+  store double %away.2.3.us.i.i, ptr %sunkaddr18.i.i, align 8
+  %.96.i.i.i = icmp sgt i64 %size.2.1760.us.i.i, 0
+  br i1 %.96.i.i.i, label %B20.else.if.i.i.i, label %_ZN7msf_jax4host4thin6fronts4pushB3v31B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx.exit.i.i
+
+B20.else.if.i.i.i:                                ; preds = %B548.us.i.i
+  %.108.i.i.i = add nsw i64 %size.2.1760.us.i.i, -1
+  %.129416426.i.i.i = lshr i64 %.108.i.i.i, 1
+  %.178.i1.i.i = getelementptr double, ptr %w24, i64 %.129416426.i.i.i
+  %.179.i2.i.i = load double, ptr %.178.i1.i.i, align 8
+  %.181.i.i.i = fcmp ogt double %.179.i2.i.i, %away.2.3.us.i.i
+  br i1 %.181.i.i.i, label %B66.else.if.i.i.i, label %_ZN7msf_jax4host4thin6fronts4pushB3v31B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx.exit.i.i
+
+B66.else.if.i.i.i:                                ; preds = %B20.else.if.i.i.i, %B204.else.if.i.i.i
+  %at.2.1.i.i.i = phi i64 [ %.208418427.i.i.i, %B204.else.if.i.i.i ], [ %size.2.1760.us.i.i, %B20.else.if.i.i.i ]
+  %.189.i.i.i = add nsw i64 %at.2.1.i.i.i, -1
+  %.208418427.i.i.i = lshr i64 %.189.i.i.i, 1
+  %.257.i.i.i = getelementptr double, ptr %w24, i64 %.208418427.i.i.i
+  %.258.i.i.i = load double, ptr %.257.i.i.i, align 8
+  %.330.i.i.i = getelementptr i64, ptr %w26, i64 %.208418427.i.i.i
+  %.331.i.i.i = load i64, ptr %.330.i.i.i, align 8
+  %.362.i.i.i = getelementptr double, ptr %w24, i64 %at.2.1.i.i.i
+  store double %.258.i.i.i, ptr %.362.i.i.i, align 8
+  %.394.i3.i.i = getelementptr i64, ptr %w26, i64 %at.2.1.i.i.i
+  store i64 %.331.i.i.i, ptr %.394.i3.i.i, align 8
+  %.447.not.i.i.i = icmp eq i64 %.208418427.i.i.i, 0
+  br i1 %.447.not.i.i.i, label %_ZN7msf_jax4host4thin6fronts4pushB3v31B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx.exit.i.i, label %B204.else.if.i.i.i
+
+B204.else.if.i.i.i:                               ; preds = %B66.else.if.i.i.i
+  %.458.i.i.i = add nsw i64 %.208418427.i.i.i, -1
+  %.479424430.i.i.i = lshr i64 %.458.i.i.i, 1
+  %.528.i.i.i = getelementptr double, ptr %w24, i64 %.479424430.i.i.i
+  %.529.i.i.i = load double, ptr %.528.i.i.i, align 8
+  %.531.i.i.i = fcmp ogt double %.529.i.i.i, %away.2.3.us.i.i
+  br i1 %.531.i.i.i, label %B66.else.if.i.i.i, label %_ZN7msf_jax4host4thin6fronts4pushB3v31B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx.exit.i.i
+
+_ZN7msf_jax4host4thin6fronts4pushB3v31B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx.exit.i.i: ; preds = %B204.else.if.i.i.i, %B66.else.if.i.i.i, %B20.else.if.i.i.i, %B548.us.i.i
+  %at.3.0.i.i.i = phi i64 [ %size.2.1760.us.i.i, %B20.else.if.i.i.i ], [ %size.2.1760.us.i.i, %B548.us.i.i ], [ 0, %B66.else.if.i.i.i ], [ %.208418427.i.i.i, %B204.else.if.i.i.i ]
+  %.560.i.i.i = icmp slt i64 %at.3.0.i.i.i, 0
+  %.561.i.i.i = select i1 %.560.i.i.i, i64 %w25, i64 0
+  %31 = getelementptr double, ptr %w24, i64 %at.3.0.i.i.i
+  %.575.i.i.i = getelementptr double, ptr %31, i64 %.561.i.i.i
+  store double %away.2.3.us.i.i, ptr %.575.i.i.i, align 8
+  %.598.i.i.i = select i1 %.560.i.i.i, i64 %w27, i64 0
+  %32 = getelementptr i64, ptr %w26, i64 %at.3.0.i.i.i
+  %.612.i.i.i = getelementptr i64, ptr %32, i64 %.598.i.i.i
+  store i64 %target.2.3.us.i.i, ptr %.612.i.i.i, align 8
+  %.619.i.i.i = add nsw i64 %size.2.1760.us.i.i, 1
+  br label %B599.us.i.i
+
+B599.us.i.i:                                      ; preds = %_ZN7msf_jax4host4thin6fronts4pushB3v31B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx.exit.i.i, %B524.us.i.i, %B490.us.i.i, %B190.us.i.i
+  %size.4.2.us.i.i = phi i64 [ %size.2.1760.us.i.i, %B190.us.i.i ], [ %size.2.1760.us.i.i, %B490.us.i.i ], [ %size.2.1760.us.i.i, %B524.us.i.i ], [ %.619.i.i.i, %_ZN7msf_jax4host4thin6fronts4pushB3v31B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx.exit.i.i ]
+  %exitcond.not.i.i = icmp eq i64 %.480.us.i.i, 3
+  br i1 %exitcond.not.i.i, label %B188.B128.loopexit_crit_edge.us.i.i, label %B190.us.i.i
+
+B188.B128.loopexit_crit_edge.us.i.i:              ; preds = %B599.us.i.i
+  %.319.us.i.i = add nsw i64 %.309763775.us.i.i, -1
+  %.323.us.i.i = add i64 %.316766774.us.i.i, 1
+  %.310.us.i.i = icmp sgt i64 %.309763775.us.i.i, 1
+  br i1 %.310.us.i.i, label %B130.endif.endif.us.i.i, label %B504.i
+
+B504.i:                                           ; preds = %B188.B128.loopexit_crit_edge.us.i.i, %B316.endif.i, %B466.i
+  %count.3.1.i = phi i64 [ %count.2.03188.i, %B316.endif.i ], [ %.846.i, %B466.i ], [ %.846.i, %B188.B128.loopexit_crit_edge.us.i.i ]
+  %goes_on.6.1.i = phi i1 [ true, %B316.endif.i ], [ %"$phi466.0.2.1.i", %B466.i ], [ %"$phi466.0.2.1.i", %B188.B128.loopexit_crit_edge.us.i.i ]
+  %size.4.1.i = phi i64 [ %.79.i.i, %B316.endif.i ], [ %.79.i.i, %B466.i ], [ %size.4.2.us.i.i, %B188.B128.loopexit_crit_edge.us.i.i ]
+  %.563.not2653.i = icmp ne i64 %size.4.1.i, 0
+  %brmerge.not.i = select i1 %.563.not2653.i, i1 %goes_on.6.1.i, i1 false
+  br i1 %brmerge.not.i, label %B252.preheader.i, label %B2030.i
+
+B506.i:                                           ; preds = %B252.backedge.i, %B506.preheader.i
+  %last.2.235.i = phi double [ %last.2.2.be.i, %B252.backedge.i ], [ %last.5.03190.i, %B506.preheader.i ]
+  %size_of_region.4.234.i = phi i64 [ %size_of_region.4.2.be.i, %B252.backedge.i ], [ %size_of_region.3.03189.i, %B506.preheader.i ]
+  %rows.2.233.i = phi i64 [ %rows.2.2.be.i, %B252.backedge.i ], [ %rows.5.03187.i, %B506.preheader.i ]
+  %level.2.229.i = phi double [ %level.2.2.be.i, %B252.backedge.i ], [ %level.3.03186.i, %B506.preheader.i ]
+  %.1060.i = icmp slt i64 %rows.2.233.i, %.392.i
+  br i1 %.1060.i, label %B630.endif.preheader.i, label %B252.backedge.i
+
+B628.loopexit.i:                                  ; preds = %B2203.i, %B630.endif.i
+  %area.4.4.lcssa.i = phi double [ %area.7.32765.i, %B630.endif.i ], [ %area.5.5.i, %B2203.i ]
+  %rings.2.4.lcssa.i = phi i64 [ %rings.5.32766.i, %B630.endif.i ], [ %rings.3.5.i, %B2203.i ]
+  %longest.3.4.lcssa.i = phi i64 [ %longest.2.32767.i, %B630.endif.i ], [ %longest.4.5.i, %B2203.i ]
+  %exitcond.not.i = icmp eq i64 %.1208.i, %count.2.03188.i
+  br i1 %exitcond.not.i, label %B1066.i, label %B630.endif.i
+
+B760.i:                                           ; preds = %B760.preheader.i, %B2203.i
+  %lsr.iv.i = phi i64 [ %132, %B760.preheader.i ], [ %lsr.iv.next.i, %B2203.i ]
+  %longest.3.42736.i = phi i64 [ %longest.2.32767.i, %B760.preheader.i ], [ %longest.4.5.i, %B2203.i ]
+  %rings.2.42735.i = phi i64 [ %rings.5.32766.i, %B760.preheader.i ], [ %rings.3.5.i, %B2203.i ]
+  %area.4.42734.i = phi double [ %area.7.32765.i, %B760.preheader.i ], [ %area.5.5.i, %B2203.i ]
+  %.146127152732.i = phi i64 [ %.1312.i, %B760.preheader.i ], [ %.1468.i, %B2203.i ]
+  %.1507.i = icmp slt i64 %.146127152732.i, 0
+  %33 = select i1 %.1507.i, i64 %3, i64 0
+  %scevgep132.i = getelementptr i8, ptr %w10, i64 %33
+  %34 = shl i64 %.146127152732.i, 3
+  %scevgep133.i = getelementptr i8, ptr %scevgep132.i, i64 %34
+  %.1523.i = load i64, ptr %scevgep133.i, align 8
+  %.300.i.i = icmp slt i64 %.1523.i, 0
+  %.301.i.i = select i1 %.300.i.i, i64 %w4, i64 0
+  %.302.i.i = add i64 %.301.i.i, %.1523.i
+  %.322.i.i = mul i64 %.302.i.i, %w5
+  %35 = getelementptr i64, ptr %w3, i64 %.322.i.i
+  %.327.i.i = load i64, ptr %35, align 8
+  %.340.i.i = icmp slt i64 %.327.i.i, 0
+  %.341.i.i = select i1 %.340.i.i, i64 %w17, i64 0
+  %36 = getelementptr i64, ptr %w16, i64 %.327.i.i
+  %.355.i.i = getelementptr i64, ptr %36, i64 %.341.i.i
+  %.356.i.i = load i64, ptr %.355.i.i, align 8
+  %.357.i.i = icmp eq i64 %.356.i.i, 1
+  %.360.i.i = zext i1 %.357.i.i to i64
+  %37 = getelementptr i8, ptr %35, i64 8
+  %.327.1.i.i = load i64, ptr %37, align 8
+  %.340.1.i.i = icmp slt i64 %.327.1.i.i, 0
+  %.341.1.i.i = select i1 %.340.1.i.i, i64 %w17, i64 0
+  %38 = getelementptr i64, ptr %w16, i64 %.327.1.i.i
+  %.355.1.i.i = getelementptr i64, ptr %38, i64 %.341.1.i.i
+  %.356.1.i.i = load i64, ptr %.355.1.i.i, align 8
+  %.357.1.i.i = icmp eq i64 %.356.1.i.i, 1
+  %.360.1.i.i = zext i1 %.357.1.i.i to i64
+  %.361.1.i.i = add nuw nsw i64 %.360.1.i.i, %.360.i.i
+  %39 = getelementptr i8, ptr %35, i64 16
+  %.327.2.i.i = load i64, ptr %39, align 8
+  %.340.2.i.i = icmp slt i64 %.327.2.i.i, 0
+  %.341.2.i.i = select i1 %.340.2.i.i, i64 %w17, i64 0
+  %40 = getelementptr i64, ptr %w16, i64 %.327.2.i.i
+  %.355.2.i.i = getelementptr i64, ptr %40, i64 %.341.2.i.i
+  %.356.2.i.i = load i64, ptr %.355.2.i.i, align 8
+  %.357.2.i.i = icmp eq i64 %.356.2.i.i, 1
+  %.360.2.i.i = zext i1 %.357.2.i.i to i64
+  %.361.2.i.i = add nuw nsw i64 %.361.1.i.i, %.360.2.i.i
+  switch i64 %.361.2.i.i, label %B874.i [
+    i64 0, label %B140.endif.i.i
+    i64 3, label %B140.endif.i.i
+  ]
+
+B140.endif.i.i:                                   ; preds = %B760.i, %B760.i
+  %.402536.cmp.i.i = icmp samesign ugt i64 %.361.2.i.i, 2
+  br i1 %.402536.cmp.i.i, label %B834.endif.i, label %B874.i
+
+B874.i:                                           ; preds = %B140.endif.i.i, %B760.i
+  %.1676.i = select i1 %.300.i.i, i64 %w29, i64 0
+  %41 = getelementptr i64, ptr %w28, i64 %.1523.i
+  %.1690.i = getelementptr i64, ptr %41, i64 %.1676.i
+  %.1691.i = load i64, ptr %.1690.i, align 8
+  %.1692.i = icmp slt i64 %.1691.i, 0
+  br i1 %.1692.i, label %B908.i, label %B2203.i
+
+B908.i:                                           ; preds = %B874.i
+  tail call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(40) %.268.i, i8 0, i64 40, i1 false)
+  %.357.i33.i = load i64, ptr %.1690.i, align 8
+  %.358.i.i = icmp slt i64 %.357.i33.i, 0
+  br i1 %.358.i.i, label %B104.i.i, label %_ZN7msf_jax4host4thin6fronts12ring_throughB3v36B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx5ArrayIdLi1E1C7mutable7alignedE.exit.i
+
+B104.i.i:                                         ; preds = %B908.i, %B104.endif.else.if.i.i
+  %face.2.0.i.i = phi i64 [ %.2101.1.i.i, %B104.endif.else.if.i.i ], [ %.1523.i, %B908.i ]
+  %.379.i.i = icmp slt i64 %face.2.0.i.i, 0
+  %.380.i.i = select i1 %.379.i.i, i64 %w29, i64 0
+  %42 = getelementptr i64, ptr %w28, i64 %face.2.0.i.i
+  %.394.i.i = getelementptr i64, ptr %42, i64 %.380.i.i
+  store i64 %rings.2.42735.i, ptr %.394.i.i, align 8
+  %.301.i.i.i = select i1 %.379.i.i, i64 %w4, i64 0
+  %.302.i.i.i = add i64 %.301.i.i.i, %face.2.0.i.i
+  %.322.i.i.i = mul i64 %.302.i.i.i, %w5
+  %43 = getelementptr i64, ptr %w3, i64 %.322.i.i.i
+  %.327.i.i.i = load i64, ptr %43, align 8
+  %.340.i.i35.i = icmp slt i64 %.327.i.i.i, 0
+  %.341.i.i36.i = select i1 %.340.i.i35.i, i64 %w17, i64 0
+  %44 = getelementptr i64, ptr %w16, i64 %.327.i.i.i
+  %.355.i.i.i = getelementptr i64, ptr %44, i64 %.341.i.i36.i
+  %.356.i.i.i = load i64, ptr %.355.i.i.i, align 8
+  %.357.i.i.i = icmp eq i64 %.356.i.i.i, 1
+  %.360.i.i.i = zext i1 %.357.i.i.i to i64
+  %45 = getelementptr i8, ptr %43, i64 8
+  %.327.1.i.i.i = load i64, ptr %45, align 8
+  %.340.1.i.i.i = icmp slt i64 %.327.1.i.i.i, 0
+  %.341.1.i.i.i = select i1 %.340.1.i.i.i, i64 %w17, i64 0
+  %46 = getelementptr i64, ptr %w16, i64 %.327.1.i.i.i
+  %.355.1.i.i.i = getelementptr i64, ptr %46, i64 %.341.1.i.i.i
+  %.356.1.i.i.i = load i64, ptr %.355.1.i.i.i, align 8
+  %.357.1.i.i.i = icmp eq i64 %.356.1.i.i.i, 1
+  %.360.1.i.i.i = zext i1 %.357.1.i.i.i to i64
+  %.361.1.i.i.i = add nuw nsw i64 %.360.1.i.i.i, %.360.i.i.i
+  %47 = getelementptr i8, ptr %43, i64 16
+  %.327.2.i.i.i = load i64, ptr %47, align 8
+  %.340.2.i.i.i = icmp slt i64 %.327.2.i.i.i, 0
+  %.341.2.i.i.i = select i1 %.340.2.i.i.i, i64 %w17, i64 0
+  %48 = getelementptr i64, ptr %w16, i64 %.327.2.i.i.i
+  %.355.2.i.i.i = getelementptr i64, ptr %48, i64 %.341.2.i.i.i
+  %.356.2.i.i.i = load i64, ptr %.355.2.i.i.i, align 8
+  %.357.2.i.i.i = icmp eq i64 %.356.2.i.i.i, 1
+  %.360.2.i.i.i = zext i1 %.357.2.i.i.i to i64
+  %.361.2.i.i.i = add nuw nsw i64 %.361.1.i.i.i, %.360.2.i.i.i
+  switch i64 %.361.2.i.i.i, label %B156.endif.endif.i.i.i [
+    i64 0, label %B140.endif.i.i.i
+    i64 3, label %B140.endif.i.i.i
+  ]
+
+B140.endif.i.i.i:                                 ; preds = %B104.i.i, %B104.i.i
+  %.402536.cmp.i.i.i = icmp samesign ugt i64 %.361.2.i.i.i, 2
+  %.426.i.i.i = select i1 %.402536.cmp.i.i.i, i64 7, i64 6
+  br label %B104.endif.else.if.i.i
+
+B156.endif.endif.i.i.i:                           ; preds = %B104.i.i
+  %49 = icmp ne i64 %.361.2.i.i.i, 1
+  %.648.1.i.i.i = xor i1 %.357.1.i.i.i, %49
+  %spec.select.1.i.i.i = zext i1 %.648.1.i.i.i to i64
+  %.648.2.i.i.i = xor i1 %.357.2.i.i.i, %49
+  %spec.select.2.i.i.i = select i1 %.648.2.i.i.i, i64 2, i64 %spec.select.1.i.i.i
+  %.675.i.i.i = icmp eq i64 %.361.2.i.i.i, 1
+  %.687.i.i.i = add nuw nsw i64 %spec.select.2.i.i.i, 3
+  %spec.select538.i.i.i = select i1 %.675.i.i.i, i64 %spec.select.2.i.i.i, i64 %.687.i.i.i
+  br label %B104.endif.else.if.i.i
+
+B104.endif.else.if.i.i:                           ; preds = %B156.endif.endif.i.i.i, %B140.endif.i.i.i
+  %storemerge.i.i.i = phi i64 [ %.426.i.i.i, %B140.endif.i.i.i ], [ %spec.select538.i.i.i, %B156.endif.endif.i.i.i ]
+  %storemerge.i.fr.i.i = freeze i64 %storemerge.i.i.i
+  %.4792.lhs.trunc.i.i = trunc i64 %storemerge.i.fr.i.i to i8
+  %.47923.i.i = urem i8 %.4792.lhs.trunc.i.i, 3
+  %.4792.zext.i.i = zext nneg i8 %.47923.i.i to i64
+  %50 = getelementptr i64, ptr %43, i64 %.4792.zext.i.i
+  %.555.i.i = load i64, ptr %50, align 8
+  %.579.lhs.trunc.i.i = add nuw nsw i8 %.47923.i.i, 1
+  %51 = icmp eq i8 %.579.lhs.trunc.i.i, 3
+  %.57912594.i.i = select i1 %51, i8 0, i8 %.579.lhs.trunc.i.i
+  %.579.sext.i.i = zext nneg i8 %.57912594.i.i to i64
+  %52 = getelementptr i64, ptr %43, i64 %.579.sext.i.i
+  %.649.i.i = load i64, ptr %52, align 8
+  %53 = tail call { i8, i1 } @llvm.usub.with.overflow.i8(i8 %.47923.i.i, i8 1)
+  %math.i.i = extractvalue { i8, i1 } %53, 0
+  %ov.i.i = extractvalue { i8, i1 } %53, 1
+  %54 = zext nneg i8 %math.i.i to i64
+  %.6731262.zext.i.i = select i1 %ov.i.i, i64 2, i64 %54
+  %.742.i.i = getelementptr i64, ptr %43, i64 %.6731262.zext.i.i
+  %.743.i.i = load i64, ptr %.742.i.i, align 8
+  %.768.i.i = icmp slt i64 %.555.i.i, 0
+  %.769.i.i = select i1 %.768.i.i, i64 %w15, i64 0
+  %55 = getelementptr double, ptr %w14, i64 %.555.i.i
+  %.783.i.i = getelementptr double, ptr %55, i64 %.769.i.i
+  %.784.i.i = load double, ptr %.783.i.i, align 8
+  %.786.i.i = fsub double %level.2.229.i, %.784.i.i
+  %.802.i.i = icmp slt i64 %.649.i.i, 0
+  %.803.i.i = select i1 %.802.i.i, i64 %w15, i64 0
+  %56 = getelementptr double, ptr %w14, i64 %.649.i.i
+  %.817.i.i = getelementptr double, ptr %56, i64 %.803.i.i
+  %.818.i.i = load double, ptr %.817.i.i, align 8
+  %.851.i.i = fsub double %.818.i.i, %.784.i.i
+  %.855.i.i = fdiv double %.786.i.i, %.851.i.i
+  %.908.i.i = icmp slt i64 %.743.i.i, 0
+  %.909.i.i = select i1 %.908.i.i, i64 %w15, i64 0
+  %57 = getelementptr double, ptr %w14, i64 %.743.i.i
+  %.923.i.i = getelementptr double, ptr %57, i64 %.909.i.i
+  %.924.i.i = load double, ptr %.923.i.i, align 8
+  %.957.i.i = fsub double %.924.i.i, %.784.i.i
+  %.961.i.i = fdiv double %.786.i.i, %.957.i.i
+  %.1109.i.i = select i1 %.802.i.i, i64 %w1, i64 0
+  %.1110.i.i = add i64 %.1109.i.i, %.649.i.i
+  %.1130.i.i = mul i64 %.1110.i.i, %w2
+  %58 = getelementptr double, ptr %w0, i64 %.1130.i.i
+  %.1160.i.i = select i1 %.768.i.i, i64 %w1, i64 0
+  %.1161.i.i = add i64 %.1160.i.i, %.555.i.i
+  %.1181.i.i = mul i64 %.1161.i.i, %w2
+  %59 = getelementptr double, ptr %w0, i64 %.1181.i.i
+  %.1214.i.i = select i1 %.908.i.i, i64 %w1, i64 0
+  %.1215.i.i = add i64 %.1214.i.i, %.743.i.i
+  %.1235.i.i = mul i64 %.1215.i.i, %w2
+  %60 = getelementptr double, ptr %w0, i64 %.1235.i.i
+  %.1135.i.i = load double, ptr %58, align 8
+  %.1186.i.i = load double, ptr %59, align 8
+  %.1187.i.i = fsub double %.1135.i.i, %.1186.i.i
+  %.1189.i.i = fmul double %.855.i.i, %.1187.i.i
+  %.1240.i.i = load double, ptr %60, align 8
+  %.1292.i.i = fsub double %.1240.i.i, %.1186.i.i
+  %.1294.i.i = fmul double %.961.i.i, %.1292.i.i
+  %.1295.i.i = fsub double %.1189.i.i, %.1294.i.i
+  %.1296.i.i = fmul double %.1295.i.i, %.1295.i.i
+  %.1134.1.i.i = getelementptr i8, ptr %58, i64 8
+  %.1135.1.i.i = load double, ptr %.1134.1.i.i, align 8
+  %.1185.1.i.i = getelementptr i8, ptr %59, i64 8
+  %.1186.1.i.i = load double, ptr %.1185.1.i.i, align 8
+  %.1187.1.i.i = fsub double %.1135.1.i.i, %.1186.1.i.i
+  %.1189.1.i.i = fmul double %.855.i.i, %.1187.1.i.i
+  %.1239.1.i.i = getelementptr i8, ptr %60, i64 8
+  %.1240.1.i.i = load double, ptr %.1239.1.i.i, align 8
+  %.1292.1.i.i = fsub double %.1240.1.i.i, %.1186.1.i.i
+  %.1294.1.i.i = fmul double %.961.i.i, %.1292.1.i.i
+  %.1295.1.i.i = fsub double %.1189.1.i.i, %.1294.1.i.i
+  %.1296.1.i.i = fmul double %.1295.1.i.i, %.1295.1.i.i
+  %.1298.1.i.i = fadd double %.1296.i.i, %.1296.1.i.i
+  %.1134.2.i.i = getelementptr i8, ptr %58, i64 16
+  %.1135.2.i.i = load double, ptr %.1134.2.i.i, align 8
+  %.1185.2.i.i = getelementptr i8, ptr %59, i64 16
+  %.1186.2.i.i = load double, ptr %.1185.2.i.i, align 8
+  %.1187.2.i.i = fsub double %.1135.2.i.i, %.1186.2.i.i
+  %.1189.2.i.i = fmul double %.855.i.i, %.1187.2.i.i
+  %.1239.2.i.i = getelementptr i8, ptr %60, i64 16
+  %.1240.2.i.i = load double, ptr %.1239.2.i.i, align 8
+  %.1292.2.i.i = fsub double %.1240.2.i.i, %.1186.2.i.i
+  %.1294.2.i.i = fmul double %.961.i.i, %.1292.2.i.i
+  %.1295.2.i.i = fsub double %.1189.2.i.i, %.1294.2.i.i
+  %.1296.2.i.i = fmul double %.1295.2.i.i, %.1295.2.i.i
+  %.1298.2.i.i = fadd double %.1298.1.i.i, %.1296.2.i.i
+  %sqrt.i37.i = tail call double @llvm.sqrt.f64(double %.1298.2.i.i)
+  %.1342.i.i = load double, ptr %.268.i, align 8
+  %.1344.i.i = fadd double %.1342.i.i, %sqrt.i37.i
+  store double %.1344.i.i, ptr %.268.i, align 8
+  %.1522.i.i = load double, ptr %sunkaddr1.i.i, align 8
+  %.1573.i.i = load double, ptr %59, align 8
+  %.1624.i.i = load double, ptr %58, align 8
+  %.1676.i.i = fsub double %.1624.i.i, %.1573.i.i
+  %.1678.i.i = fmul double %.855.i.i, %.1676.i.i
+  %.1729.i.i = load double, ptr %60, align 8
+  %.1781.i.i = fsub double %.1729.i.i, %.1573.i.i
+  %.1783.i.i = fmul double %.961.i.i, %.1781.i.i
+  %.1784.i.i = fadd double %.1678.i.i, %.1783.i.i
+  %.1789.i.i = fmul double %.1784.i.i, 5.000000e-01
+  %.1790.i.i = fadd double %.1573.i.i, %.1789.i.i
+  %.1792.i.i = fmul double %sqrt.i37.i, %.1790.i.i
+  %.1793.i.i = fadd double %.1522.i.i, %.1792.i.i
+  store double %.1793.i.i, ptr %sunkaddr1.i.i, align 8
+  %.1522.1.i.i = load double, ptr %sunkaddr.i34.i, align 8
+  %.1573.1.i.i = load double, ptr %.1185.1.i.i, align 8
+  %.1624.1.i.i = load double, ptr %.1134.1.i.i, align 8
+  %.1676.1.i.i = fsub double %.1624.1.i.i, %.1573.1.i.i
+  %.1678.1.i.i = fmul double %.855.i.i, %.1676.1.i.i
+  %.1729.1.i.i = load double, ptr %.1239.1.i.i, align 8
+  %.1781.1.i.i = fsub double %.1729.1.i.i, %.1573.1.i.i
+  %.1783.1.i.i = fmul double %.961.i.i, %.1781.1.i.i
+  %.1784.1.i.i = fadd double %.1678.1.i.i, %.1783.1.i.i
+  %.1789.1.i.i = fmul double %.1784.1.i.i, 5.000000e-01
+  %.1790.1.i.i = fadd double %.1573.1.i.i, %.1789.1.i.i
+  %.1792.1.i.i = fmul double %sqrt.i37.i, %.1790.1.i.i
+  %.1793.1.i.i = fadd double %.1522.1.i.i, %.1792.1.i.i
+  store double %.1793.1.i.i, ptr %sunkaddr.i34.i, align 8
+  %.1522.2.i.i = load double, ptr %sunkaddr2.i.i, align 8
+  %.1573.2.i.i = load double, ptr %.1185.2.i.i, align 8
+  %.1624.2.i.i = load double, ptr %.1134.2.i.i, align 8
+  %.1676.2.i.i = fsub double %.1624.2.i.i, %.1573.2.i.i
+  %.1678.2.i.i = fmul double %.855.i.i, %.1676.2.i.i
+  %.1729.2.i.i = load double, ptr %.1239.2.i.i, align 8
+  %.1781.2.i.i = fsub double %.1729.2.i.i, %.1573.2.i.i
+  %.1783.2.i.i = fmul double %.961.i.i, %.1781.2.i.i
+  %.1784.2.i.i = fadd double %.1678.2.i.i, %.1783.2.i.i
+  %.1789.2.i.i = fmul double %.1784.2.i.i, 5.000000e-01
+  %.1790.2.i.i = fadd double %.1573.2.i.i, %.1789.2.i.i
+  %.1792.2.i.i = fmul double %sqrt.i37.i, %.1790.2.i.i
+  %.1793.2.i.i = fadd double %.1522.2.i.i, %.1792.2.i.i
+  store double %.1793.2.i.i, ptr %sunkaddr2.i.i, align 8
+  %.1866.i.i = load double, ptr %sunkaddr3.i.i, align 8
+  %.1883.i.i = select i1 %.379.i.i, i64 %w13, i64 0
+  %61 = getelementptr double, ptr %w12, i64 %face.2.0.i.i
+  %.1897.i.i = getelementptr double, ptr %61, i64 %.1883.i.i
+  %.1898.i.i = load double, ptr %.1897.i.i, align 8
+  %.1900.i.i = icmp samesign ult i64 %storemerge.i.fr.i.i, 3
+  %.1917.i.i = fmul double %.855.i.i, %.961.i.i
+  %.1934.i.i = fsub double 1.000000e+00, %.1917.i.i
+  %.1917.pn.i.i = select i1 %.1900.i.i, double %.1917.i.i, double %.1934.i.i
+  %"$phi1020.2.2.1.i.i" = select i1 %.1900.i.i, i64 %.6731262.zext.i.i, i64 %.4792.zext.i.i
+  %.19401235.pn.i.i = fmul double %.1917.pn.i.i, %.1898.i.i
+  %.1946.sink.i.i = fadd double %.1866.i.i, %.19401235.pn.i.i
+  store double %.1946.sink.i.i, ptr %sunkaddr3.i.i, align 8
+  %.19871240.i.i = mul nsw i64 %face.2.0.i.i, 3
+  %.2057.i.i = add nsw i64 %"$phi1020.2.2.1.i.i", %.19871240.i.i
+  %.2075.i.i = icmp slt i64 %.2057.i.i, 0
+  %.2076.i.i = select i1 %.2075.i.i, i64 %w7, i64 0
+  %62 = getelementptr i64, ptr %w6, i64 %.2057.i.i
+  %.2090.i.i = getelementptr i64, ptr %62, i64 %.2076.i.i
+  %.2091.i.i = load i64, ptr %.2090.i.i, align 8
+  %.2112.i.i = sdiv i64 %.2091.i.i, 3
+  %.2113.i.i = srem i64 %.2091.i.i, 3
+  %.2113.lobit.i.i = ashr i64 %.2113.i.i, 63
+  %.2101.1.i.i = add nsw i64 %.2113.lobit.i.i, %.2112.i.i
+  %.2150.i.i = icmp slt i64 %.2101.1.i.i, 0
+  %.2151.i.i = select i1 %.2150.i.i, i64 %w29, i64 0
+  %63 = getelementptr i64, ptr %w28, i64 %.2101.1.i.i
+  %.2165.i.i = getelementptr i64, ptr %63, i64 %.2151.i.i
+  %.2166.i.i = load i64, ptr %.2165.i.i, align 8
+  %.2167.i.i = icmp slt i64 %.2166.i.i, 0
+  br i1 %.2167.i.i, label %B104.i.i, label %_ZN7msf_jax4host4thin6fronts12ring_throughB3v36B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx5ArrayIdLi1E1C7mutable7alignedE.exit.i
+
+_ZN7msf_jax4host4thin6fronts12ring_throughB3v36B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx5ArrayIdLi1E1C7mutable7alignedE.exit.i: ; preds = %B104.endif.else.if.i.i, %B908.i
+  %.2034.pre.i = phi double [ 0.000000e+00, %B908.i ], [ %.1946.sink.i.i, %B104.endif.else.if.i.i ]
+  %.1962.i = phi double [ 0.000000e+00, %B908.i ], [ %.1344.i.i, %B104.endif.else.if.i.i ]
+  %.1802.i = load double, ptr %sunkaddr285.i, align 8
+  %.1803.i = fcmp ogt double %.1962.i, %.1802.i
+  br i1 %.1803.i, label %B1004.preheader.i, label %B1030.i
+
+B1030.i:                                          ; preds = %B1004.preheader.i, %_ZN7msf_jax4host4thin6fronts12ring_throughB3v36B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx5ArrayIdLi1E1C7mutable7alignedE.exit.i
+  %.2034.i = phi double [ %.1962.4.i, %B1004.preheader.i ], [ %.2034.pre.i, %_ZN7msf_jax4host4thin6fronts12ring_throughB3v36B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx5ArrayIdLi1E1C7mutable7alignedE.exit.i ]
+  %longest.6.7.i = phi i64 [ %rings.2.42735.i, %B1004.preheader.i ], [ %longest.3.42736.i, %_ZN7msf_jax4host4thin6fronts12ring_throughB3v36B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx5ArrayIdLi1E1C7mutable7alignedE.exit.i ]
+  %.2036.i = fadd double %area.4.42734.i, %.2034.i
+  %.2042.i = add nsw i64 %rings.2.42735.i, 1
+  br label %B2203.i
+
+B1066.i:                                          ; preds = %B628.loopexit.i
+  %.2108.i = icmp sgt i64 %rings.2.4.lcssa.i, 1
+  br i1 %.2108.i, label %B50.endif.i.i, label %B1242.endif.i
+
+B48.loopexit.i.i:                                 ; preds = %B1061.i.i, %B50.endif.i.i
+  %.2224.i = phi double [ %extra.5.02068.i.i, %B50.endif.i.i ], [ %extra.6.2.i.i, %B1061.i.i ]
+  %num.5.1.lcssa.i.i = phi i64 [ %num.6.02069.i.i, %B50.endif.i.i ], [ %num.7.2.i.i, %B1061.i.i ]
+  %exitcond.not.i45.i = icmp eq i64 %count.2.03188.i, %.270.i.i
+  br i1 %exitcond.not.i45.i, label %_ZN7msf_jax4host4thin6fronts7islandsB3v38B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xxd5ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B50.endif.i.i
+
+B164.i.i:                                         ; preds = %B50.endif.i.i, %B1061.i.i
+  %num.5.11998.i.i = phi i64 [ %num.7.2.i.i, %B1061.i.i ], [ %num.6.02069.i.i, %B50.endif.i.i ]
+  %extra.4.11997.i.i = phi double [ %extra.6.2.i.i, %B1061.i.i ], [ %extra.5.02068.i.i, %B50.endif.i.i ]
+  %.48619421996.i.i = phi i64 [ %.496.i.i, %B1061.i.i ], [ %.443.i.i, %B50.endif.i.i ]
+  %.49319461995.i.i = phi i64 [ %.500.i.i, %B1061.i.i ], [ %.374.i.i, %B50.endif.i.i ]
+  %.496.i.i = add nsw i64 %.48619421996.i.i, -1
+  %.500.i.i = add i64 %.49319461995.i.i, 1
+  %.539.i.i = icmp slt i64 %.49319461995.i.i, 0
+  %.540.i.i = select i1 %.539.i.i, i64 %w11, i64 0
+  %64 = getelementptr i64, ptr %w10, i64 %.49319461995.i.i
+  %.554.i.i = getelementptr i64, ptr %64, i64 %.540.i.i
+  %.555.i40.i = load i64, ptr %.554.i.i, align 8
+  %.574.i.i = icmp slt i64 %.555.i40.i, 0
+  %.575.i.i = select i1 %.574.i.i, i64 %w29, i64 0
+  %65 = getelementptr i64, ptr %w28, i64 %.555.i40.i
+  %.589.i.i = getelementptr i64, ptr %65, i64 %.575.i.i
+  %.590.i.i = load i64, ptr %.589.i.i, align 8
+  %.591.i.i = icmp slt i64 %.590.i.i, 0
+  %.626.i.i = icmp eq i64 %.590.i.i, %longest.3.4.lcssa.i
+  %or.cond.i41.i = select i1 %.591.i.i, i1 true, i1 %.626.i.i
+  br i1 %or.cond.i41.i, label %B1061.i.i, label %B294.lr.ph.i.i
+
+B356.i.i:                                         ; preds = %B294.lr.ph.i.i
+  %sunkaddr.i46.i = shl i64 %.857.i.i, 3
+  %sunkaddr55.i.i = getelementptr inbounds i8, ptr %84, i64 %sunkaddr.i46.i
+  store i64 2, ptr %sunkaddr55.i.i, align 8
+  %sunkaddr56.i.i = shl i64 %.838.i.i, 3
+  %sunkaddr57.i.i = getelementptr i8, ptr %w3, i64 %sunkaddr56.i.i
+  %.1013.i.i = load i64, ptr %sunkaddr57.i.i, align 8
+  %.1029.i.i = icmp slt i64 %num.5.11998.i.i, 0
+  %.1030.i.i = select i1 %.1029.i.i, i64 %w21, i64 0
+  %66 = getelementptr i64, ptr %w20, i64 %num.5.11998.i.i
+  %.1044.i.i = getelementptr i64, ptr %66, i64 %.1030.i.i
+  store i64 %.1013.i.i, ptr %.1044.i.i, align 8
+  store i64 %.1013.i.i, ptr %w22, align 8
+  %.1079.i.i = add nsw i64 %num.5.11998.i.i, 1
+  br label %B488.i.i
+
+B488.i.i:                                         ; preds = %B294.lr.ph.B488_crit_edge.i.i, %B356.i.i
+  %sunkaddr58.pre-phi.i.i = phi i64 [ %.pre.i.i, %B294.lr.ph.B488_crit_edge.i.i ], [ %sunkaddr56.i.i, %B356.i.i ]
+  %num.4.4.i.i = phi i64 [ %num.5.11998.i.i, %B294.lr.ph.B488_crit_edge.i.i ], [ %.1079.i.i, %B356.i.i ]
+  %top.5.4.i.i = phi i64 [ 0, %B294.lr.ph.B488_crit_edge.i.i ], [ 1, %B356.i.i ]
+  %sunkaddr59.i.i = getelementptr i8, ptr %w3, i64 %sunkaddr58.pre-phi.i.i
+  %sunkaddr60.i.i = getelementptr i8, ptr %sunkaddr59.i.i, i64 8
+  %.843.1.i.i = load i64, ptr %sunkaddr60.i.i, align 8
+  %.856.1.i.i = icmp slt i64 %.843.1.i.i, 0
+  %.857.1.i.i = select i1 %.856.1.i.i, i64 %w17, i64 0
+  %67 = getelementptr i64, ptr %w16, i64 %.843.1.i.i
+  %.871.1.i.i = getelementptr i64, ptr %67, i64 %.857.1.i.i
+  %.872.1.i.i = load i64, ptr %.871.1.i.i, align 8
+  %.873.1.i.i = icmp eq i64 %.872.1.i.i, 0
+  br i1 %.873.1.i.i, label %B356.1.i.i, label %B488.1.i.i
+
+B356.1.i.i:                                       ; preds = %B488.i.i
+  %sunkaddr61.i.i = shl i64 %.857.1.i.i, 3
+  %sunkaddr62.i.i = getelementptr inbounds i8, ptr %67, i64 %sunkaddr61.i.i
+  store i64 2, ptr %sunkaddr62.i.i, align 8
+  %.1013.1.i.i = load i64, ptr %sunkaddr60.i.i, align 8
+  %.1029.1.i.i = icmp slt i64 %num.4.4.i.i, 0
+  %.1030.1.i.i = select i1 %.1029.1.i.i, i64 %w21, i64 0
+  %68 = getelementptr i64, ptr %w20, i64 %num.4.4.i.i
+  %.1044.1.i.i = getelementptr i64, ptr %68, i64 %.1030.1.i.i
+  store i64 %.1013.1.i.i, ptr %.1044.1.i.i, align 8
+  %69 = getelementptr i64, ptr %w22, i64 %top.5.4.i.i
+  store i64 %.1013.1.i.i, ptr %69, align 8
+  %.1079.1.i.i = add nsw i64 %num.4.4.i.i, 1
+  %.1083.1.i.i = add nuw nsw i64 %top.5.4.i.i, 1
+  br label %B488.1.i.i
+
+B488.1.i.i:                                       ; preds = %B356.1.i.i, %B488.i.i
+  %num.4.4.1.i.i = phi i64 [ %.1079.1.i.i, %B356.1.i.i ], [ %num.4.4.i.i, %B488.i.i ]
+  %top.5.4.1.i.i = phi i64 [ %.1083.1.i.i, %B356.1.i.i ], [ %top.5.4.i.i, %B488.i.i ]
+  %sunkaddr65.i.i = getelementptr i8, ptr %sunkaddr59.i.i, i64 16
+  %.843.2.i.i = load i64, ptr %sunkaddr65.i.i, align 8
+  %.856.2.i.i = icmp slt i64 %.843.2.i.i, 0
+  %.857.2.i.i = select i1 %.856.2.i.i, i64 %w17, i64 0
+  %70 = getelementptr i64, ptr %w16, i64 %.843.2.i.i
+  %.871.2.i.i = getelementptr i64, ptr %70, i64 %.857.2.i.i
+  %.872.2.i.i = load i64, ptr %.871.2.i.i, align 8
+  %.873.2.i.i = icmp eq i64 %.872.2.i.i, 0
+  br i1 %.873.2.i.i, label %B488.2.thread.i.i, label %B488.2.i.i
+
+B488.2.thread.i.i:                                ; preds = %B488.1.i.i
+  %sunkaddr69.i.i = shl i64 %.857.2.i.i, 3
+  %sunkaddr70.i.i = getelementptr inbounds i8, ptr %70, i64 %sunkaddr69.i.i
+  store i64 2, ptr %sunkaddr70.i.i, align 8
+  %.1013.2.i.i = load i64, ptr %sunkaddr65.i.i, align 8
+  %.1029.2.i.i = icmp slt i64 %num.4.4.1.i.i, 0
+  %.1030.2.i.i = select i1 %.1029.2.i.i, i64 %w21, i64 0
+  %71 = getelementptr i64, ptr %w20, i64 %num.4.4.1.i.i
+  %.1044.2.i.i = getelementptr i64, ptr %71, i64 %.1030.2.i.i
+  store i64 %.1013.2.i.i, ptr %.1044.2.i.i, align 8
+  %72 = getelementptr i64, ptr %w22, i64 %top.5.4.1.i.i
+  store i64 %.1013.2.i.i, ptr %72, align 8
+  %.1079.2.i.i = add nsw i64 %num.4.4.1.i.i, 1
+  %.1083.2.i.i = add nuw nsw i64 %top.5.4.1.i.i, 1
+  br label %B496.endif.i.i.preheader
+
+B496.endif.i.i.preheader:                         ; preds = %B488.2.i.i, %B488.2.thread.i.i
+  %num.10.3.i.i.ph = phi i64 [ %.1079.2.i.i, %B488.2.thread.i.i ], [ %num.4.4.1.i.i, %B488.2.i.i ]
+  %top.13.3.i.i.ph = phi i64 [ %.1083.2.i.i, %B488.2.thread.i.i ], [ %top.5.4.1.i.i, %B488.2.i.i ]
+  br label %B496.endif.i.i
+
+B488.2.i.i:                                       ; preds = %B488.1.i.i
+  %.1139.not.i.i = icmp eq i64 %top.5.4.1.i.i, 0
+  br i1 %.1139.not.i.i, label %B1061.i.i, label %B496.endif.i.i.preheader
+
+B760.i.i:                                         ; preds = %B760.preheader.new.i.i, %B760.i.i
+  %.160720832085.i.i = phi i64 [ 0, %B760.preheader.new.i.i ], [ %.1614.3.i.i, %B760.i.i ]
+  %sunkaddr68.i.i = shl i64 %.160720832085.i.i, 3
+  %sunkaddr71.i.i = getelementptr i8, ptr %w20, i64 %sunkaddr68.i.i
+  %.1671.i.i = load i64, ptr %sunkaddr71.i.i, align 8
+  %.1684.i.i = icmp slt i64 %.1671.i.i, 0
+  %.1685.i.i = select i1 %.1684.i.i, i64 %w17, i64 0
+  %73 = getelementptr i64, ptr %w16, i64 %.1671.i.i
+  %.1699.i.i = getelementptr i64, ptr %73, i64 %.1685.i.i
+  store i64 0, ptr %.1699.i.i, align 8
+  %sunkaddr74.i.i = getelementptr i8, ptr %sunkaddr71.i.i, i64 8
+  %.1671.1.i.i = load i64, ptr %sunkaddr74.i.i, align 8
+  %.1684.1.i.i = icmp slt i64 %.1671.1.i.i, 0
+  %.1685.1.i.i = select i1 %.1684.1.i.i, i64 %w17, i64 0
+  %74 = getelementptr i64, ptr %w16, i64 %.1671.1.i.i
+  %.1699.1.i.i = getelementptr i64, ptr %74, i64 %.1685.1.i.i
+  store i64 0, ptr %.1699.1.i.i, align 8
+  %sunkaddr77.i.i = getelementptr i8, ptr %sunkaddr71.i.i, i64 16
+  %.1671.2.i.i = load i64, ptr %sunkaddr77.i.i, align 8
+  %.1684.2.i.i = icmp slt i64 %.1671.2.i.i, 0
+  %.1685.2.i.i = select i1 %.1684.2.i.i, i64 %w17, i64 0
+  %75 = getelementptr i64, ptr %w16, i64 %.1671.2.i.i
+  %.1699.2.i.i = getelementptr i64, ptr %75, i64 %.1685.2.i.i
+  store i64 0, ptr %.1699.2.i.i, align 8
+  %.1614.3.i.i = add nuw nsw i64 %.160720832085.i.i, 4
+  %sunkaddr80.i.i = getelementptr i8, ptr %sunkaddr71.i.i, i64 24
+  %.1671.3.i.i = load i64, ptr %sunkaddr80.i.i, align 8
+  %.1684.3.i.i = icmp slt i64 %.1671.3.i.i, 0
+  %.1685.3.i.i = select i1 %.1684.3.i.i, i64 %w17, i64 0
+  %76 = getelementptr i64, ptr %w16, i64 %.1671.3.i.i
+  %.1699.3.i.i = getelementptr i64, ptr %76, i64 %.1685.3.i.i
+  store i64 0, ptr %.1699.3.i.i, align 8
+  %niter.ncmp.3.i.i = icmp eq i64 %unroll_iter.i.i, %.1614.3.i.i
+  br i1 %niter.ncmp.3.i.i, label %common.ret.loopexit.unr-lcssa.i.i, label %B760.i.i
+
+common.ret.loopexit.unr-lcssa.i.i:                ; preds = %B760.i.i
+  %lcmp.mod.not.i.i = icmp eq i64 %xtraiter.i.i, 0
+  br i1 %lcmp.mod.not.i.i, label %B1242.endif.i, label %B760.epil.preheader.i.i
+
+B760.epil.preheader.i.i:                          ; preds = %B760.preheader.i.i, %common.ret.loopexit.unr-lcssa.i.i
+  %.160720832085.epil.init.i.i = phi i64 [ 0, %B760.preheader.i.i ], [ %unroll_iter.i.i, %common.ret.loopexit.unr-lcssa.i.i ]
+  %77 = shl i64 %.160720832085.epil.init.i.i, 3
+  %scevgep.i.i = getelementptr i8, ptr %w20, i64 %77
+  br label %B760.epil.i.i
+
+B760.epil.i.i:                                    ; preds = %B760.epil.i.i, %B760.epil.preheader.i.i
+  %epil.iter.i.i = phi i64 [ %epil.iter.next.i.i, %B760.epil.i.i ], [ 0, %B760.epil.preheader.i.i ]
+  %78 = shl i64 %epil.iter.i.i, 3
+  %scevgep45.i.i = getelementptr i8, ptr %scevgep.i.i, i64 %78
+  %.1671.epil.i.i = load i64, ptr %scevgep45.i.i, align 8
+  %.1684.epil.i.i = icmp slt i64 %.1671.epil.i.i, 0
+  %.1685.epil.i.i = select i1 %.1684.epil.i.i, i64 %w17, i64 0
+  %79 = getelementptr i64, ptr %w16, i64 %.1671.epil.i.i
+  %.1699.epil.i.i = getelementptr i64, ptr %79, i64 %.1685.epil.i.i
+  store i64 0, ptr %.1699.epil.i.i, align 8
+  %epil.iter.next.i.i = add i64 %epil.iter.i.i, 1
+  %epil.iter.cmp.not.i.i = icmp eq i64 %xtraiter.i.i, %epil.iter.next.i.i
+  br i1 %epil.iter.cmp.not.i.i, label %B1242.endif.i, label %B760.epil.i.i
+
+B1046.i.i:                                        ; preds = %B1042.us.2.i.i, %B496.endif.i.i
+  %extra.2.5.lcssa.i.i = phi double [ %extra.3.3.i.i, %B496.endif.i.i ], [ %.1454.us1915.i.i, %B1042.us.2.i.i ]
+  %num.9.5.lcssa.i.i = phi i64 [ %num.10.3.i.i, %B496.endif.i.i ], [ %num.12.7.us.2.i.i, %B1042.us.2.i.i ]
+  %top.10.5.lcssa.i.i = phi i64 [ %.1165.i.i, %B496.endif.i.i ], [ %top.12.7.us.2.i.i, %B1042.us.2.i.i ]
+  %.2214.not.i.i = icmp eq i64 %top.10.5.lcssa.i.i, 0
+  br i1 %.2214.not.i.i, label %B1061.i.i, label %B496.endif.i.i
+
+B1061.i.i:                                        ; preds = %B1046.i.i, %B488.2.i.i, %B164.i.i
+  %extra.6.2.i.i = phi double [ %extra.4.11997.i.i, %B164.i.i ], [ %extra.4.11997.i.i, %B488.2.i.i ], [ %extra.2.5.lcssa.i.i, %B1046.i.i ]
+  %num.7.2.i.i = phi i64 [ %num.5.11998.i.i, %B164.i.i ], [ %num.4.4.1.i.i, %B488.2.i.i ], [ %num.9.5.lcssa.i.i, %B1046.i.i ]
+  %.487.i.i = icmp sgt i64 %.48619421996.i.i, 1
+  br i1 %.487.i.i, label %B164.i.i, label %B48.loopexit.i.i
+
+B50.endif.i.i:                                    ; preds = %B1066.i, %B48.loopexit.i.i
+  %num.6.02069.i.i = phi i64 [ %num.5.1.lcssa.i.i, %B48.loopexit.i.i ], [ 0, %B1066.i ]
+  %extra.5.02068.i.i = phi double [ %.2224.i, %B48.loopexit.i.i ], [ 0.000000e+00, %B1066.i ]
+  %.26320132066.i.i = phi i64 [ %.270.i.i, %B48.loopexit.i.i ], [ 0, %B1066.i ]
+  %.270.i.i = add nuw nsw i64 %.26320132066.i.i, 1
+  %80 = getelementptr i64, ptr %w18, i64 %.26320132066.i.i
+  %.343.i38.i = load i64, ptr %80, align 8
+  %.358.i39.i = icmp slt i64 %.343.i38.i, 0
+  %.359.i.i = select i1 %.358.i39.i, i64 %w9, i64 0
+  %81 = getelementptr i64, ptr %w8, i64 %.343.i38.i
+  %.373.i.i = getelementptr i64, ptr %81, i64 %.359.i.i
+  %.374.i.i = load i64, ptr %.373.i.i, align 8
+  %.390.i.i = icmp slt i64 %.343.i38.i, -1
+  %.391.i.i = select i1 %.390.i.i, i64 %w9, i64 0
+  %82 = getelementptr i8, ptr %81, i64 8
+  %.405.i.i = getelementptr i64, ptr %82, i64 %.391.i.i
+  %.406.i.i = load i64, ptr %.405.i.i, align 8
+  %.443.i.i = sub i64 %.406.i.i, %.374.i.i
+  %.4871988.not.i.i = icmp slt i64 %.443.i.i, 1
+  br i1 %.4871988.not.i.i, label %B48.loopexit.i.i, label %B164.i.i
+
+B294.lr.ph.i.i:                                   ; preds = %B164.i.i
+  %.817.i42.i = select i1 %.574.i.i, i64 %w4, i64 0
+  %.818.i43.i = add i64 %.817.i42.i, %.555.i40.i
+  %.838.i.i = mul i64 %.818.i43.i, %w5
+  %83 = getelementptr i64, ptr %w3, i64 %.838.i.i
+  %.843.i.i = load i64, ptr %83, align 8
+  %.856.i.i = icmp slt i64 %.843.i.i, 0
+  %.857.i.i = select i1 %.856.i.i, i64 %w17, i64 0
+  %84 = getelementptr i64, ptr %w16, i64 %.843.i.i
+  %.871.i.i = getelementptr i64, ptr %84, i64 %.857.i.i
+  %.872.i.i = load i64, ptr %.871.i.i, align 8
+  %.873.i.i = icmp eq i64 %.872.i.i, 0
+  br i1 %.873.i.i, label %B356.i.i, label %B294.lr.ph.B488_crit_edge.i.i
+
+B294.lr.ph.B488_crit_edge.i.i:                    ; preds = %B294.lr.ph.i.i
+  %.pre.i.i = shl i64 %.838.i.i, 3
+  br label %B488.i.i
+
+B496.endif.i.i:                                   ; preds = %B496.endif.i.i.preheader, %B1046.i.i
+  %extra.3.3.i.i = phi double [ %extra.2.5.lcssa.i.i, %B1046.i.i ], [ %extra.4.11997.i.i, %B496.endif.i.i.preheader ]
+  %num.10.3.i.i = phi i64 [ %num.9.5.lcssa.i.i, %B1046.i.i ], [ %num.10.3.i.i.ph, %B496.endif.i.i.preheader ]
+  %top.13.3.i.i = phi i64 [ %top.10.5.lcssa.i.i, %B1046.i.i ], [ %top.13.3.i.i.ph, %B496.endif.i.i.preheader ]
+  %.1165.i.i = add nsw i64 %top.13.3.i.i, -1
+  %.1185.inv.i.i = icmp sgt i64 %top.13.3.i.i, 0
+  %.1186.i44.i = select i1 %.1185.inv.i.i, i64 0, i64 %w23
+  %85 = getelementptr i64, ptr %w22, i64 %.1165.i.i
+  %.1200.i.i = getelementptr i64, ptr %85, i64 %.1186.i44.i
+  %.1201.i.i = load i64, ptr %.1200.i.i, align 8
+  %.1216.i.i = icmp slt i64 %.1201.i.i, 0
+  %.1217.i.i = select i1 %.1216.i.i, i64 %w9, i64 0
+  %86 = getelementptr i64, ptr %w8, i64 %.1201.i.i
+  %.1231.i.i = getelementptr i64, ptr %86, i64 %.1217.i.i
+  %.1232.i.i = load i64, ptr %.1231.i.i, align 8
+  %.1248.i.i = icmp slt i64 %.1201.i.i, -1
+  %.1249.i.i = select i1 %.1248.i.i, i64 %w9, i64 0
+  %87 = getelementptr i8, ptr %86, i64 8
+  %.1263.i.i = getelementptr i64, ptr %87, i64 %.1249.i.i
+  %.1264.i.i = load i64, ptr %.1263.i.i, align 8
+  %.1301.i.i = sub i64 %.1264.i.i, %.1232.i.i
+  %.13441834.not.i.i = icmp slt i64 %.1301.i.i, 1
+  br i1 %.13441834.not.i.i, label %B1046.i.i, label %B616.endif.lr.ph.split.us.i.i
+
+B616.endif.lr.ph.split.us.i.i:                    ; preds = %B496.endif.i.i
+  %.1396.us1893.i.i = icmp slt i64 %.1232.i.i, 0
+  %.1397.us1894.i.i = select i1 %.1396.us1893.i.i, i64 %w11, i64 0
+  %88 = getelementptr i64, ptr %w10, i64 %.1232.i.i
+  %.1411.us1895.i.i = getelementptr i64, ptr %88, i64 %.1397.us1894.i.i
+  %.1412.us1896.i.i = load i64, ptr %.1411.us1895.i.i, align 8
+  %.1431.us1897.i.i = icmp slt i64 %.1412.us1896.i.i, 0
+  %.1432.us1898.i.i = select i1 %.1431.us1897.i.i, i64 %w13, i64 0
+  %89 = getelementptr double, ptr %w12, i64 %.1412.us1896.i.i
+  %.1446.us1899.i.i = getelementptr double, ptr %89, i64 %.1432.us1898.i.i
+  %.1447.us1900.i.i = load double, ptr %.1446.us1899.i.i, align 8
+  %.1452.us1901.i.i = fdiv double %.1447.us1900.i.i, 3.000000e+00
+  %.1454.us1902.i.i = fadd double %extra.3.3.i.i, %.1452.us1901.i.i
+  %.1476.us1903.i.i = select i1 %.1431.us1897.i.i, i64 %w29, i64 0
+  %90 = getelementptr i64, ptr %w28, i64 %.1412.us1896.i.i
+  %.1490.us1904.i.i = getelementptr i64, ptr %90, i64 %.1476.us1903.i.i
+  %.1491.us1905.i.i = load i64, ptr %.1490.us1904.i.i, align 8
+  %.1493.us1906.i.i = icmp eq i64 %.1491.us1905.i.i, %longest.3.4.lcssa.i
+  %.1497.us1907.i.i = fcmp ogt double %.1454.us1902.i.i, %area.4.4.lcssa.i
+  %or.cond1793.us1908.i.i = select i1 %.1493.us1906.i.i, i1 true, i1 %.1497.us1907.i.i
+  br i1 %or.cond1793.us1908.i.i, label %B728.endif.i.i, label %B816.endif.endif.us.i.i
+
+B616.endif.us.i.i:                                ; preds = %B1042.us.2.i.i
+  %.1396.us.i.i = icmp slt i64 %lsr.iv56.i.i, 0
+  %91 = select i1 %.1396.us.i.i, i64 %3, i64 0
+  %scevgep53.i.i = getelementptr i8, ptr %w10, i64 %91
+  %92 = shl i64 %lsr.iv56.i.i, 3
+  %scevgep57.i.i = getelementptr i8, ptr %scevgep53.i.i, i64 %92
+  %.1412.us.i.i = load i64, ptr %scevgep57.i.i, align 8
+  %.1431.us.i.i = icmp slt i64 %.1412.us.i.i, 0
+  %.1432.us.i.i = select i1 %.1431.us.i.i, i64 %w13, i64 0
+  %93 = getelementptr double, ptr %w12, i64 %.1412.us.i.i
+  %.1446.us.i.i = getelementptr double, ptr %93, i64 %.1432.us.i.i
+  %.1447.us.i.i = load double, ptr %.1446.us.i.i, align 8
+  %.1452.us.i.i = fdiv double %.1447.us.i.i, 3.000000e+00
+  %.1454.us.i.i = fadd double %.1454.us1915.i.i, %.1452.us.i.i
+  %.1476.us.i.i = select i1 %.1431.us.i.i, i64 %w29, i64 0
+  %94 = getelementptr i64, ptr %w28, i64 %.1412.us.i.i
+  %.1490.us.i.i = getelementptr i64, ptr %94, i64 %.1476.us.i.i
+  %.1491.us.i.i = load i64, ptr %.1490.us.i.i, align 8
+  %.1493.us.i.i = icmp eq i64 %.1491.us.i.i, %longest.3.4.lcssa.i
+  %.1497.us.i.i = fcmp ogt double %.1454.us.i.i, %area.4.4.lcssa.i
+  %or.cond1793.us.i.i = select i1 %.1493.us.i.i, i1 true, i1 %.1497.us.i.i
+  %.1353.us1911.i.i = add nsw i64 %.1353.us1911.in.i.i, -1
+  br i1 %or.cond1793.us.i.i, label %B728.endif.i.i, label %B816.endif.endif.us.i.i
+
+B816.endif.endif.us.i.i:                          ; preds = %B616.endif.lr.ph.split.us.i.i, %B616.endif.us.i.i
+  %lsr.iv56.in.i.i = phi i64 [ %lsr.iv56.i.i, %B616.endif.us.i.i ], [ %.1232.i.i, %B616.endif.lr.ph.split.us.i.i ]
+  %.1454.us1915.i.i = phi double [ %.1454.us.i.i, %B616.endif.us.i.i ], [ %.1454.us1902.i.i, %B616.endif.lr.ph.split.us.i.i ]
+  %.1431.us1914.i.i = phi i1 [ %.1431.us.i.i, %B616.endif.us.i.i ], [ %.1431.us1897.i.i, %B616.endif.lr.ph.split.us.i.i ]
+  %.1412.us1913.i.i = phi i64 [ %.1412.us.i.i, %B616.endif.us.i.i ], [ %.1412.us1896.i.i, %B616.endif.lr.ph.split.us.i.i ]
+  %.1353.us1911.in.i.i = phi i64 [ %.1353.us1911.i.i, %B616.endif.us.i.i ], [ %.1301.i.i, %B616.endif.lr.ph.split.us.i.i ]
+  %num.9.51840.us1910.i.i = phi i64 [ %num.12.7.us.2.i.i, %B616.endif.us.i.i ], [ %num.10.3.i.i, %B616.endif.lr.ph.split.us.i.i ]
+  %top.10.51841.us1909.i.i = phi i64 [ %top.12.7.us.2.i.i, %B616.endif.us.i.i ], [ %.1165.i.i, %B616.endif.lr.ph.split.us.i.i ]
+  %lsr.iv56.i.i = add i64 %lsr.iv56.in.i.i, 1
+  %.1878.us.i.i = select i1 %.1431.us1914.i.i, i64 %w4, i64 0
+  %.1879.us.i.i = add i64 %.1878.us.i.i, %.1412.us1913.i.i
+  %.1899.us.i.i = mul i64 %.1879.us.i.i, %w5
+  %95 = getelementptr i64, ptr %w3, i64 %.1899.us.i.i
+  %.1904.us.i.i = load i64, ptr %95, align 8
+  %.1917.us.i.i = icmp slt i64 %.1904.us.i.i, 0
+  %.1918.us.i.i = select i1 %.1917.us.i.i, i64 %w17, i64 0
+  %96 = getelementptr i64, ptr %w16, i64 %.1904.us.i.i
+  %.1932.us.i.i = getelementptr i64, ptr %96, i64 %.1918.us.i.i
+  %.1933.us.i.i = load i64, ptr %.1932.us.i.i, align 8
+  %.1934.us.i.i = icmp eq i64 %.1933.us.i.i, 0
+  br i1 %.1934.us.i.i, label %B910.us.i.i, label %B816.endif.endif.us.B1042.us_crit_edge.i.i
+
+B816.endif.endif.us.B1042.us_crit_edge.i.i:       ; preds = %B816.endif.endif.us.i.i
+  %.pre19.i.i = shl i64 %.1899.us.i.i, 3
+  br label %B1042.us.i.i
+
+B910.us.i.i:                                      ; preds = %B816.endif.endif.us.i.i
+  %sunkaddr85.i.i = shl i64 %.1918.us.i.i, 3
+  %sunkaddr86.i.i = getelementptr inbounds i8, ptr %96, i64 %sunkaddr85.i.i
+  store i64 2, ptr %sunkaddr86.i.i, align 8
+  %sunkaddr87.i.i = shl i64 %.1899.us.i.i, 3
+  %sunkaddr88.i.i = getelementptr i8, ptr %w3, i64 %sunkaddr87.i.i
+  %.2074.us.i.i = load i64, ptr %sunkaddr88.i.i, align 8
+  %.2090.us.i.i = icmp slt i64 %num.9.51840.us1910.i.i, 0
+  %.2091.us.i.i = select i1 %.2090.us.i.i, i64 %w21, i64 0
+  %97 = getelementptr i64, ptr %w20, i64 %num.9.51840.us1910.i.i
+  %.2105.us.i.i = getelementptr i64, ptr %97, i64 %.2091.us.i.i
+  store i64 %.2074.us.i.i, ptr %.2105.us.i.i, align 8
+  %.2122.us.i.i = icmp slt i64 %top.10.51841.us1909.i.i, 0
+  %.2123.us.i.i = select i1 %.2122.us.i.i, i64 %w23, i64 0
+  %98 = getelementptr i64, ptr %w22, i64 %top.10.51841.us1909.i.i
+  %.2137.us.i.i = getelementptr i64, ptr %98, i64 %.2123.us.i.i
+  store i64 %.2074.us.i.i, ptr %.2137.us.i.i, align 8
+  %.2140.us.i.i = add nsw i64 %num.9.51840.us1910.i.i, 1
+  %.2144.us.i.i = add nsw i64 %top.10.51841.us1909.i.i, 1
+  br label %B1042.us.i.i
+
+B1042.us.i.i:                                     ; preds = %B910.us.i.i, %B816.endif.endif.us.B1042.us_crit_edge.i.i
+  %sunkaddr89.pre-phi.i.i = phi i64 [ %.pre19.i.i, %B816.endif.endif.us.B1042.us_crit_edge.i.i ], [ %sunkaddr87.i.i, %B910.us.i.i ]
+  %num.12.7.us.i.i = phi i64 [ %num.9.51840.us1910.i.i, %B816.endif.endif.us.B1042.us_crit_edge.i.i ], [ %.2140.us.i.i, %B910.us.i.i ]
+  %top.12.7.us.i.i = phi i64 [ %top.10.51841.us1909.i.i, %B816.endif.endif.us.B1042.us_crit_edge.i.i ], [ %.2144.us.i.i, %B910.us.i.i ]
+  %sunkaddr90.i.i = getelementptr i8, ptr %w3, i64 %sunkaddr89.pre-phi.i.i
+  %sunkaddr91.i.i = getelementptr i8, ptr %sunkaddr90.i.i, i64 8
+  %.1904.us.1.i.i = load i64, ptr %sunkaddr91.i.i, align 8
+  %.1917.us.1.i.i = icmp slt i64 %.1904.us.1.i.i, 0
+  %.1918.us.1.i.i = select i1 %.1917.us.1.i.i, i64 %w17, i64 0
+  %99 = getelementptr i64, ptr %w16, i64 %.1904.us.1.i.i
+  %.1932.us.1.i.i = getelementptr i64, ptr %99, i64 %.1918.us.1.i.i
+  %.1933.us.1.i.i = load i64, ptr %.1932.us.1.i.i, align 8
+  %.1934.us.1.i.i = icmp eq i64 %.1933.us.1.i.i, 0
+  br i1 %.1934.us.1.i.i, label %B910.us.1.i.i, label %B1042.us.1.i.i
+
+B910.us.1.i.i:                                    ; preds = %B1042.us.i.i
+  %sunkaddr92.i.i = shl i64 %.1918.us.1.i.i, 3
+  %sunkaddr93.i.i = getelementptr inbounds i8, ptr %99, i64 %sunkaddr92.i.i
+  store i64 2, ptr %sunkaddr93.i.i, align 8
+  %.2074.us.1.i.i = load i64, ptr %sunkaddr91.i.i, align 8
+  %.2090.us.1.i.i = icmp slt i64 %num.12.7.us.i.i, 0
+  %.2091.us.1.i.i = select i1 %.2090.us.1.i.i, i64 %w21, i64 0
+  %100 = getelementptr i64, ptr %w20, i64 %num.12.7.us.i.i
+  %.2105.us.1.i.i = getelementptr i64, ptr %100, i64 %.2091.us.1.i.i
+  store i64 %.2074.us.1.i.i, ptr %.2105.us.1.i.i, align 8
+  %.2122.us.1.i.i = icmp slt i64 %top.12.7.us.i.i, 0
+  %.2123.us.1.i.i = select i1 %.2122.us.1.i.i, i64 %w23, i64 0
+  %101 = getelementptr i64, ptr %w22, i64 %top.12.7.us.i.i
+  %.2137.us.1.i.i = getelementptr i64, ptr %101, i64 %.2123.us.1.i.i
+  store i64 %.2074.us.1.i.i, ptr %.2137.us.1.i.i, align 8
+  %.2140.us.1.i.i = add nsw i64 %num.12.7.us.i.i, 1
+  %.2144.us.1.i.i = add nsw i64 %top.12.7.us.i.i, 1
+  br label %B1042.us.1.i.i
+
+B1042.us.1.i.i:                                   ; preds = %B910.us.1.i.i, %B1042.us.i.i
+  %num.12.7.us.1.i.i = phi i64 [ %.2140.us.1.i.i, %B910.us.1.i.i ], [ %num.12.7.us.i.i, %B1042.us.i.i ]
+  %top.12.7.us.1.i.i = phi i64 [ %.2144.us.1.i.i, %B910.us.1.i.i ], [ %top.12.7.us.i.i, %B1042.us.i.i ]
+  %sunkaddr84.i.i = getelementptr i8, ptr %sunkaddr90.i.i, i64 16
+  %.1904.us.2.i.i = load i64, ptr %sunkaddr84.i.i, align 8
+  %.1917.us.2.i.i = icmp slt i64 %.1904.us.2.i.i, 0
+  %.1918.us.2.i.i = select i1 %.1917.us.2.i.i, i64 %w17, i64 0
+  %102 = getelementptr i64, ptr %w16, i64 %.1904.us.2.i.i
+  %.1932.us.2.i.i = getelementptr i64, ptr %102, i64 %.1918.us.2.i.i
+  %.1933.us.2.i.i = load i64, ptr %.1932.us.2.i.i, align 8
+  %.1934.us.2.i.i = icmp eq i64 %.1933.us.2.i.i, 0
+  br i1 %.1934.us.2.i.i, label %B910.us.2.i.i, label %B1042.us.2.i.i
+
+B910.us.2.i.i:                                    ; preds = %B1042.us.1.i.i
+  %sunkaddr100.i.i = shl i64 %.1918.us.2.i.i, 3
+  %sunkaddr101.i.i = getelementptr inbounds i8, ptr %102, i64 %sunkaddr100.i.i
+  store i64 2, ptr %sunkaddr101.i.i, align 8
+  %.2074.us.2.i.i = load i64, ptr %sunkaddr84.i.i, align 8
+  %.2090.us.2.i.i = icmp slt i64 %num.12.7.us.1.i.i, 0
+  %.2091.us.2.i.i = select i1 %.2090.us.2.i.i, i64 %w21, i64 0
+  %103 = getelementptr i64, ptr %w20, i64 %num.12.7.us.1.i.i
+  %.2105.us.2.i.i = getelementptr i64, ptr %103, i64 %.2091.us.2.i.i
+  store i64 %.2074.us.2.i.i, ptr %.2105.us.2.i.i, align 8
+  %.2122.us.2.i.i = icmp slt i64 %top.12.7.us.1.i.i, 0
+  %.2123.us.2.i.i = select i1 %.2122.us.2.i.i, i64 %w23, i64 0
+  %104 = getelementptr i64, ptr %w22, i64 %top.12.7.us.1.i.i
+  %.2137.us.2.i.i = getelementptr i64, ptr %104, i64 %.2123.us.2.i.i
+  store i64 %.2074.us.2.i.i, ptr %.2137.us.2.i.i, align 8
+  %.2140.us.2.i.i = add nsw i64 %num.12.7.us.1.i.i, 1
+  %.2144.us.2.i.i = add nsw i64 %top.12.7.us.1.i.i, 1
+  br label %B1042.us.2.i.i
+
+B1042.us.2.i.i:                                   ; preds = %B910.us.2.i.i, %B1042.us.1.i.i
+  %num.12.7.us.2.i.i = phi i64 [ %.2140.us.2.i.i, %B910.us.2.i.i ], [ %num.12.7.us.1.i.i, %B1042.us.1.i.i ]
+  %top.12.7.us.2.i.i = phi i64 [ %.2144.us.2.i.i, %B910.us.2.i.i ], [ %top.12.7.us.1.i.i, %B1042.us.1.i.i ]
+  %.1344.us.i.i = icmp samesign ugt i64 %.1353.us1911.in.i.i, 1
+  br i1 %.1344.us.i.i, label %B616.endif.us.i.i, label %B1046.i.i
+
+B728.endif.i.i:                                   ; preds = %B616.endif.lr.ph.split.us.i.i, %B616.endif.us.i.i
+  %num.9.5.lcssa1799.us.i.i = phi i64 [ %num.12.7.us.2.i.i, %B616.endif.us.i.i ], [ %num.10.3.i.i, %B616.endif.lr.ph.split.us.i.i ]
+  %.16012084.not.i.i = icmp slt i64 %num.9.5.lcssa1799.us.i.i, 1
+  br i1 %.16012084.not.i.i, label %B1242.endif.i, label %B760.preheader.i.i
+
+B760.preheader.i.i:                               ; preds = %B728.endif.i.i
+  %xtraiter.i.i = and i64 %num.9.5.lcssa1799.us.i.i, 3
+  %105 = icmp samesign ult i64 %num.9.5.lcssa1799.us.i.i, 4
+  br i1 %105, label %B760.epil.preheader.i.i, label %B760.preheader.new.i.i
+
+B760.preheader.new.i.i:                           ; preds = %B760.preheader.i.i
+  %unroll_iter.i.i = and i64 %num.9.5.lcssa1799.us.i.i, 9223372036854775804
+  br label %B760.i.i
+
+_ZN7msf_jax4host4thin6fronts7islandsB3v38B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xxd5ArrayIdLi1E1C7mutable7alignedE.exit.i: ; preds = %B48.loopexit.i.i
+  store double %.2224.i, ptr %.432.i, align 8
+  %.2193.i = icmp sgt i64 %num.5.1.lcssa.i.i, 0
+  br i1 %.2193.i, label %B1188.preheader.i, label %B1242.endif.i
+
+B1188.i:                                          ; preds = %B1188.preheader.new.i, %B1238.1.i
+  %goes_on.11.42782.i = phi i1 [ true, %B1188.preheader.new.i ], [ %"$phi1238.1.2.5.1.i", %B1238.1.i ]
+  %.233527782780.i = phi i64 [ 0, %B1188.preheader.new.i ], [ %.2342.151.i, %B1238.1.i ]
+  br i1 %goes_on.11.42782.i, label %B1238.i, label %B1238.1.i
+
+B1238.i:                                          ; preds = %B1188.i
+  %sunkaddr211.i = shl i64 %.233527782780.i, 3
+  %sunkaddr212.i = getelementptr i8, ptr %w20, i64 %sunkaddr211.i
+  %.2415.i = load i64, ptr %sunkaddr212.i, align 8
+  %.2431.i = icmp slt i64 %.2415.i, 0
+  %.2432.i = select i1 %.2431.i, i64 %w36, i64 0
+  %106 = getelementptr i64, ptr %w35, i64 %.2415.i
+  %.2446.i = getelementptr i64, ptr %106, i64 %.2432.i
+  %.2447.i = load i64, ptr %.2446.i, align 8
+  %.2448.i = icmp eq i64 %.2447.i, 0
+  br i1 %.2448.i, label %B1194.1.i, label %B1238.1.i
+
+B1194.1.i:                                        ; preds = %B1238.i
+  %sunkaddr215.i = getelementptr i8, ptr %sunkaddr212.i, i64 8
+  %.2415.1.i = load i64, ptr %sunkaddr215.i, align 8
+  %.2431.1.i = icmp slt i64 %.2415.1.i, 0
+  %.2432.1.i = select i1 %.2431.1.i, i64 %w36, i64 0
+  %107 = getelementptr i64, ptr %w35, i64 %.2415.1.i
+  %.2446.1.i = getelementptr i64, ptr %107, i64 %.2432.1.i
+  %.2447.1.i = load i64, ptr %.2446.1.i, align 8
+  %.2448.1.i = icmp eq i64 %.2447.1.i, 0
+  br label %B1238.1.i
+
+B1238.1.i:                                        ; preds = %B1194.1.i, %B1238.i, %B1188.i
+  %"$phi1238.1.2.5.1.i" = phi i1 [ %.2448.1.i, %B1194.1.i ], [ false, %B1238.i ], [ false, %B1188.i ]
+  %.2342.151.i = add nuw i64 %.233527782780.i, 2
+  %niter.ncmp.1.i = icmp eq i64 %unroll_iter.i, %.2342.151.i
+  br i1 %niter.ncmp.1.i, label %B1242.endif.loopexit.unr-lcssa.i, label %B1188.i
+
+B1272.loopexit.i:                                 ; preds = %B1404.i, %B1404.prol.loopexit.i, %B1274.endif.i
+  %exitcond3532.not.i = icmp eq i64 %.2569.i, %count.2.03188.i
+  br i1 %exitcond3532.not.i, label %B1452.loopexit.i, label %B1274.endif.i
+
+B1404.i:                                          ; preds = %B1404.preheader110.i, %B1404.i
+  %lsr.iv138.i = phi i64 [ %144, %B1404.preheader110.i ], [ %lsr.iv.next139.i, %B1404.i ]
+  %.280427872789.i = phi i64 [ %.280427872789.unr.i, %B1404.preheader110.i ], [ %114, %B1404.i ]
+  %.2852.i = icmp slt i64 %.280427872789.i, 0
+  %108 = select i1 %.2852.i, i64 %3, i64 0
+  %scevgep140.i = getelementptr i8, ptr %w10, i64 %108
+  %109 = shl i64 %.280427872789.i, 3
+  %scevgep141.i = getelementptr i8, ptr %scevgep140.i, i64 %109
+  %.2868.i = load i64, ptr %scevgep141.i, align 8
+  %.2881.i = icmp slt i64 %.2868.i, 0
+  %.2882.i = select i1 %.2881.i, i64 %w29, i64 0
+  %110 = getelementptr i64, ptr %w28, i64 %.2868.i
+  %.2896.i = getelementptr i64, ptr %110, i64 %.2882.i
+  store i64 -1, ptr %.2896.i, align 8
+  %111 = add i64 %.280427872789.i, 1
+  %.2852.1.i = icmp slt i64 %111, 0
+  %112 = select i1 %.2852.1.i, i64 %3, i64 0
+  %scevgep142.i = getelementptr i8, ptr %w10, i64 %112
+  %scevgep143.i = getelementptr i8, ptr %scevgep142.i, i64 %109
+  %scevgep144.i = getelementptr i8, ptr %scevgep143.i, i64 8
+  %.2868.1.i = load i64, ptr %scevgep144.i, align 8
+  %.2881.1.i = icmp slt i64 %.2868.1.i, 0
+  %.2882.1.i = select i1 %.2881.1.i, i64 %w29, i64 0
+  %113 = getelementptr i64, ptr %w28, i64 %.2868.1.i
+  %.2896.1.i = getelementptr i64, ptr %113, i64 %.2882.1.i
+  store i64 -1, ptr %.2896.1.i, align 8
+  %lsr.iv.next139.i = add i64 %lsr.iv138.i, -2
+  %.2798.1.i = icmp samesign ugt i64 %lsr.iv.next139.i, 2
+  %114 = add i64 %.280427872789.i, 2
+  br i1 %.2798.1.i, label %B1404.i, label %B1272.loopexit.i
+
+B1452.loopexit.i:                                 ; preds = %B1272.loopexit.i
+  %.2910.i = fcmp ule double %area.8.3.i, %w34
+  %.2913.i = fmul double %last.2.235.i, 1.500000e+00
+  %.2915.i = fcmp ule double %level.2.229.i, %.2913.i
+  %or.cond2652.not3584.i = select i1 %.2910.i, i1 %.2915.i, i1 false
+  %brmerge.not3583.i = select i1 %or.cond2652.not3584.i, i1 %goes_on.10.3.i, i1 false
+  br i1 %brmerge.not3583.i, label %B1502.i, label %B1932.endif.i
+
+B1502.i:                                          ; preds = %B1452.loopexit.i
+  %.2970.i = icmp sgt i64 %num.2.3.i, -1
+  br i1 %.2970.i, label %B1514.i, label %B252.backedge.i
+
+B1514.i:                                          ; preds = %B1502.i
+  %.3019.i = load double, ptr %sunkaddr285.i, align 8
+  %.3021.i = fcmp ogt double %.3019.i, 0.000000e+00
+  br i1 %.3021.i, label %B1822.preheader.i, label %B1932.endif.i
+
+B1822.i:                                          ; preds = %B1822.preheader.i, %B1822.i
+  %lsr.iv161.i = phi i64 [ %lsr.iv.next162.i, %B1822.i ], [ 32, %B1822.preheader.i ]
+  %.367228142816.i = phi i64 [ %.3679.3.i, %B1822.i ], [ 0, %B1822.preheader.i ]
+  %sunkaddr218.i = shl i64 %.367228142816.i, 3
+  %sunkaddr219.i = getelementptr i8, ptr %w18, i64 %sunkaddr218.i
+  %.3734.i = load i64, ptr %sunkaddr219.i, align 8
+  %sunkaddr221.i = getelementptr i8, ptr %w40, i64 %sunkaddr218.i
+  store i64 %.3734.i, ptr %sunkaddr221.i, align 8
+  %sunkaddr224.i = getelementptr i8, ptr %sunkaddr219.i, i64 8
+  %.3734.1.i = load i64, ptr %sunkaddr224.i, align 8
+  %sunkaddr227.i = getelementptr i8, ptr %sunkaddr221.i, i64 8
+  store i64 %.3734.1.i, ptr %sunkaddr227.i, align 8
+  %sunkaddr230.i = getelementptr i8, ptr %sunkaddr219.i, i64 16
+  %.3734.2.i = load i64, ptr %sunkaddr230.i, align 8
+  %sunkaddr233.i = getelementptr i8, ptr %sunkaddr221.i, i64 16
+  store i64 %.3734.2.i, ptr %sunkaddr233.i, align 8
+  %.3679.3.i = add nuw nsw i64 %.367228142816.i, 4
+  %sunkaddr236.i = getelementptr i8, ptr %sunkaddr219.i, i64 24
+  %.3734.3.i = load i64, ptr %sunkaddr236.i, align 8
+  %sunkaddr239.i = getelementptr i8, ptr %sunkaddr221.i, i64 24
+  store i64 %.3734.3.i, ptr %sunkaddr239.i, align 8
+  %niter89.ncmp.3.i = icmp eq i64 %unroll_iter88.i, %.3679.3.i
+  %lsr.iv.next162.i = add i64 %lsr.iv161.i, 32
+  br i1 %niter89.ncmp.3.i, label %B1858.endif.unr-lcssa.i, label %B1822.i
+
+B1890.i:                                          ; preds = %B1890.preheader.new.i, %B1890.i
+  %.386828212823.i = phi i64 [ 0, %B1890.preheader.new.i ], [ %.3875.3.i, %B1890.i ]
+  %115 = shl i64 %.386828212823.i, 3
+  %sunkaddr241.i = getelementptr i8, ptr %w20, i64 %115
+  %.3938.i = load i64, ptr %sunkaddr241.i, align 8
+  %scevgep184.i = getelementptr i8, ptr %scevgep178.i, i64 %115
+  %scevgep185.i = getelementptr i8, ptr %scevgep184.i, i64 -24
+  store i64 %.3938.i, ptr %scevgep185.i, align 8
+  %sunkaddr244.i = getelementptr i8, ptr %sunkaddr241.i, i64 8
+  %.3938.1.i = load i64, ptr %sunkaddr244.i, align 8
+  %scevgep183.i = getelementptr i8, ptr %scevgep184.i, i64 -16
+  store i64 %.3938.1.i, ptr %scevgep183.i, align 8
+  %sunkaddr247.i = getelementptr i8, ptr %sunkaddr241.i, i64 16
+  %.3938.2.i = load i64, ptr %sunkaddr247.i, align 8
+  %scevgep181.i = getelementptr i8, ptr %scevgep184.i, i64 -8
+  store i64 %.3938.2.i, ptr %scevgep181.i, align 8
+  %.3875.3.i = add i64 %.386828212823.i, 4
+  %sunkaddr248.i = shl i64 %.3875.3.i, 3
+  %sunkaddr249.i = getelementptr i8, ptr %w20, i64 %sunkaddr248.i
+  %sunkaddr250.i = getelementptr i8, ptr %sunkaddr249.i, i64 -8
+  %.3938.3.i = load i64, ptr %sunkaddr250.i, align 8
+  store i64 %.3938.3.i, ptr %scevgep184.i, align 8
+  %niter95.ncmp.3.i = icmp eq i64 %unroll_iter94.i, %.3875.3.i
+  br i1 %niter95.ncmp.3.i, label %B1964.preheader.loopexit.unr-lcssa.i, label %B1890.i
+
+B1964.i:                                          ; preds = %B1964.preheader.new.i, %B1964.i
+  %.409428282830.i = phi i64 [ 0, %B1964.preheader.new.i ], [ %.4101.3.i, %B1964.i ]
+  %sunkaddr251.i = shl i64 %.409428282830.i, 3
+  %sunkaddr252.i = getelementptr i8, ptr %w20, i64 %sunkaddr251.i
+  %.4166.i = load i64, ptr %sunkaddr252.i, align 8
+  %.4179.i = icmp slt i64 %.4166.i, 0
+  %.4180.i = select i1 %.4179.i, i64 %w17, i64 0
+  %116 = getelementptr i64, ptr %w16, i64 %.4166.i
+  %.4194.i = getelementptr i64, ptr %116, i64 %.4180.i
+  store i64 0, ptr %.4194.i, align 8
+  %sunkaddr255.i = getelementptr i8, ptr %sunkaddr252.i, i64 8
+  %.4166.1.i = load i64, ptr %sunkaddr255.i, align 8
+  %.4179.1.i = icmp slt i64 %.4166.1.i, 0
+  %.4180.1.i = select i1 %.4179.1.i, i64 %w17, i64 0
+  %117 = getelementptr i64, ptr %w16, i64 %.4166.1.i
+  %.4194.1.i = getelementptr i64, ptr %117, i64 %.4180.1.i
+  store i64 0, ptr %.4194.1.i, align 8
+  %sunkaddr258.i = getelementptr i8, ptr %sunkaddr252.i, i64 16
+  %.4166.2.i = load i64, ptr %sunkaddr258.i, align 8
+  %.4179.2.i = icmp slt i64 %.4166.2.i, 0
+  %.4180.2.i = select i1 %.4179.2.i, i64 %w17, i64 0
+  %118 = getelementptr i64, ptr %w16, i64 %.4166.2.i
+  %.4194.2.i = getelementptr i64, ptr %118, i64 %.4180.2.i
+  store i64 0, ptr %.4194.2.i, align 8
+  %.4101.3.i = add nuw i64 %.409428282830.i, 4
+  %sunkaddr261.i = getelementptr i8, ptr %sunkaddr252.i, i64 24
+  %.4166.3.i = load i64, ptr %sunkaddr261.i, align 8
+  %.4179.3.i = icmp slt i64 %.4166.3.i, 0
+  %.4180.3.i = select i1 %.4179.3.i, i64 %w17, i64 0
+  %119 = getelementptr i64, ptr %w16, i64 %.4166.3.i
+  %.4194.3.i = getelementptr i64, ptr %119, i64 %.4180.3.i
+  store i64 0, ptr %.4194.3.i, align 8
+  %niter101.ncmp.3.i = icmp eq i64 %unroll_iter100.i, %.4101.3.i
+  br i1 %niter101.ncmp.3.i, label %B2024.loopexit.unr-lcssa.i, label %B1964.i
+
+B2024.loopexit.unr-lcssa.i:                       ; preds = %B1964.i
+  %lcmp.mod98.not.i = icmp eq i64 %xtraiter9668.i, 0
+  br i1 %lcmp.mod98.not.i, label %B2024.i, label %B1964.epil.preheader.i
+
+B1964.epil.preheader.i:                           ; preds = %B1964.preheader.i, %B2024.loopexit.unr-lcssa.i
+  %xtraiter9669.i = phi i64 [ %xtraiter96.pre-phi.i, %B1964.preheader.i ], [ %xtraiter9668.i, %B2024.loopexit.unr-lcssa.i ]
+  %rows.4.3355267.i = phi i64 [ %rows.4.33552.i, %B1964.preheader.i ], [ %rows.4.3355266.i, %B2024.loopexit.unr-lcssa.i ]
+  %size_of_region.6.3355365.i = phi i64 [ %size_of_region.6.33553.i, %B1964.preheader.i ], [ %size_of_region.6.3355364.i, %B2024.loopexit.unr-lcssa.i ]
+  %last.4.3355463.i = phi double [ %last.4.33554.i, %B1964.preheader.i ], [ %last.4.3355462.i, %B2024.loopexit.unr-lcssa.i ]
+  %goes_on.9.3355561.i = phi i1 [ %goes_on.9.33555.i, %B1964.preheader.i ], [ %goes_on.9.3355560.i, %B2024.loopexit.unr-lcssa.i ]
+  %.409428282830.epil.init.i = phi i64 [ 0, %B1964.preheader.i ], [ %unroll_iter100.i, %B2024.loopexit.unr-lcssa.i ]
+  %120 = shl i64 %.409428282830.epil.init.i, 3
+  %scevgep198.i = getelementptr i8, ptr %w20, i64 %120
+  br label %B1964.epil.i
+
+B1964.epil.i:                                     ; preds = %B1964.epil.i, %B1964.epil.preheader.i
+  %epil.iter97.i = phi i64 [ %epil.iter97.next.i, %B1964.epil.i ], [ 0, %B1964.epil.preheader.i ]
+  %121 = shl nuw nsw i64 %epil.iter97.i, 3
+  %scevgep199.i = getelementptr i8, ptr %scevgep198.i, i64 %121
+  %.4166.epil.i = load i64, ptr %scevgep199.i, align 8
+  %.4179.epil.i = icmp slt i64 %.4166.epil.i, 0
+  %.4180.epil.i = select i1 %.4179.epil.i, i64 %w17, i64 0
+  %122 = getelementptr i64, ptr %w16, i64 %.4166.epil.i
+  %.4194.epil.i = getelementptr i64, ptr %122, i64 %.4180.epil.i
+  store i64 0, ptr %.4194.epil.i, align 8
+  %epil.iter97.next.i = add i64 %epil.iter97.i, 1
+  %epil.iter97.cmp.not.i = icmp eq i64 %xtraiter9669.i, %epil.iter97.next.i
+  br i1 %epil.iter97.cmp.not.i, label %B2024.i, label %B1964.epil.i
+
+B2024.i:                                          ; preds = %B1964.epil.i, %B1932.endif.i, %B2024.loopexit.unr-lcssa.i
+  %rows.3.3.i = phi i64 [ %rows.2.233.i, %B1932.endif.i ], [ %rows.4.3355266.i, %B2024.loopexit.unr-lcssa.i ], [ %rows.4.3355267.i, %B1964.epil.i ]
+  %size_of_region.5.3.i = phi i64 [ %size_of_region.4.234.i, %B1932.endif.i ], [ %size_of_region.6.3355364.i, %B2024.loopexit.unr-lcssa.i ], [ %size_of_region.6.3355365.i, %B1964.epil.i ]
+  %last.3.3.i = phi double [ %last.2.235.i, %B1932.endif.i ], [ %last.4.3355462.i, %B2024.loopexit.unr-lcssa.i ], [ %last.4.3355463.i, %B1964.epil.i ]
+  %goes_on.8.3.i = phi i1 [ %brmerge.not3583.i, %B1932.endif.i ], [ %goes_on.9.3355560.i, %B2024.loopexit.unr-lcssa.i ], [ %goes_on.9.3355561.i, %B1964.epil.i ]
+  br i1 %goes_on.8.3.i, label %B252.backedge.i, label %B2030.i
+
+B252.backedge.i:                                  ; preds = %B1932.endif.thread.i, %B2024.i, %B1502.i, %B506.i
+  %rows.2.2.be.i = phi i64 [ %rows.3.3.i, %B2024.i ], [ %.3570.i, %B1932.endif.thread.i ], [ %rows.2.233.i, %B506.i ], [ %rows.2.233.i, %B1502.i ]
+  %size_of_region.4.2.be.i = phi i64 [ %size_of_region.5.3.i, %B2024.i ], [ %.3582.i, %B1932.endif.thread.i ], [ %size_of_region.4.234.i, %B506.i ], [ %size_of_region.4.234.i, %B1502.i ]
+  %last.2.2.be.i = phi double [ %last.3.3.i, %B2024.i ], [ %level.2.229.i, %B1932.endif.thread.i ], [ %last.2.235.i, %B506.i ], [ %last.2.235.i, %B1502.i ]
+  %level.2.2.be.i = fmul double %w32, %level.2.229.i
+  %.671.i = load double, ptr %w24, align 8
+  %.676.i = fcmp olt double %.671.i, %level.2.2.be.i
+  br i1 %.676.i, label %B316.i, label %B506.i
+
+B2030.i:                                          ; preds = %B504.i, %B1932.endif.thread.i, %B2024.i
+  %rows.6.1.i = phi i64 [ %rows.3.3.i, %B2024.i ], [ %.3570.i, %B1932.endif.thread.i ], [ %.us-phi2969.i, %B504.i ]
+  %size_of_region.2.1.i = phi i64 [ %size_of_region.5.3.i, %B2024.i ], [ %.3582.i, %B1932.endif.thread.i ], [ %.us-phi2970.i, %B504.i ]
+  %.4337.i = icmp slt i64 %size_of_region.2.1.i, %w41
+  br i1 %.4337.i, label %B2068.i, label %B2078.endif.i
+
+B2068.i:                                          ; preds = %B2030.i
+  %123 = getelementptr i64, ptr %w40, i64 %size_of_region.2.1.i
+  store i64 -1, ptr %123, align 8
+  br label %B2078.endif.i
+
+B2146.i:                                          ; preds = %B2146.preheader.new.i, %B2146.i
+  %.447532153217.i = phi i64 [ 0, %B2146.preheader.new.i ], [ %.4482.3.i, %B2146.i ]
+  %sunkaddr262.i = shl i64 %.447532153217.i, 3
+  %sunkaddr263.i = getelementptr i8, ptr %w14, i64 %sunkaddr262.i
+  store double 0x7FF0000000000000, ptr %sunkaddr263.i, align 8
+  %sunkaddr265.i = getelementptr i8, ptr %w16, i64 %sunkaddr262.i
+  store i64 0, ptr %sunkaddr265.i, align 8
+  %sunkaddr268.i = getelementptr i8, ptr %sunkaddr263.i, i64 8
+  store double 0x7FF0000000000000, ptr %sunkaddr268.i, align 8
+  %sunkaddr271.i = getelementptr i8, ptr %sunkaddr265.i, i64 8
+  store i64 0, ptr %sunkaddr271.i, align 8
+  %sunkaddr274.i = getelementptr i8, ptr %sunkaddr263.i, i64 16
+  store double 0x7FF0000000000000, ptr %sunkaddr274.i, align 8
+  %sunkaddr277.i = getelementptr i8, ptr %sunkaddr265.i, i64 16
+  store i64 0, ptr %sunkaddr277.i, align 8
+  %.4482.3.i = add nuw nsw i64 %.447532153217.i, 4
+  %sunkaddr280.i = getelementptr i8, ptr %sunkaddr263.i, i64 24
+  store double 0x7FF0000000000000, ptr %sunkaddr280.i, align 8
+  %sunkaddr283.i = getelementptr i8, ptr %sunkaddr265.i, i64 24
+  store i64 0, ptr %sunkaddr283.i, align 8
+  %niter107.ncmp.3.i = icmp eq i64 %unroll_iter106.i, %.4482.3.i
+  br i1 %niter107.ncmp.3.i, label %B2202.loopexit.unr-lcssa.i, label %B2146.i
+
+B2202.loopexit.unr-lcssa.i:                       ; preds = %B2146.i
+  %lcmp.mod104.not.i = icmp eq i64 %xtraiter102.i, 0
+  br i1 %lcmp.mod104.not.i, label %_ZN7msf_jax4host4thin6fronts3capB3v32B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdddd5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE.exit, label %B2146.epil.preheader.i
+
+B2146.epil.preheader.i:                           ; preds = %B2146.preheader.i, %B2202.loopexit.unr-lcssa.i
+  %.447532153217.epil.init.i = phi i64 [ 0, %B2146.preheader.i ], [ %unroll_iter106.i, %B2202.loopexit.unr-lcssa.i ]
+  %124 = shl i64 %.447532153217.epil.init.i, 3
+  %scevgep.i = getelementptr i8, ptr %w16, i64 %124
+  %scevgep114.i = getelementptr i8, ptr %w14, i64 %124
+  br label %B2146.epil.i
+
+B2146.epil.i:                                     ; preds = %B2146.epil.i, %B2146.epil.preheader.i
+  %epil.iter103.i = phi i64 [ %epil.iter103.next.i, %B2146.epil.i ], [ 0, %B2146.epil.preheader.i ]
+  %125 = shl nuw nsw i64 %epil.iter103.i, 3
+  %scevgep115.i = getelementptr i8, ptr %scevgep114.i, i64 %125
+  store double 0x7FF0000000000000, ptr %scevgep115.i, align 8
+  %scevgep113.i = getelementptr i8, ptr %scevgep.i, i64 %125
+  store i64 0, ptr %scevgep113.i, align 8
+  %epil.iter103.next.i = add i64 %epil.iter103.i, 1
+  %epil.iter103.cmp.not.i = icmp eq i64 %xtraiter102.i, %epil.iter103.next.i
+  br i1 %epil.iter103.cmp.not.i, label %_ZN7msf_jax4host4thin6fronts3capB3v32B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdddd5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE.exit, label %B2146.epil.i
+
+B2203.i:                                          ; preds = %B834.endif.i, %B1030.i, %B874.i
+  %rings.3.5.i = phi i64 [ %rings.2.42735.i, %B834.endif.i ], [ %.2042.i, %B1030.i ], [ %rings.2.42735.i, %B874.i ]
+  %longest.4.5.i = phi i64 [ %longest.3.42736.i, %B834.endif.i ], [ %longest.6.7.i, %B1030.i ], [ %longest.3.42736.i, %B874.i ]
+  %area.5.5.i = phi double [ %.1641.i, %B834.endif.i ], [ %.2036.i, %B1030.i ], [ %area.4.42734.i, %B874.i ]
+  %lsr.iv.next.i = add i64 %lsr.iv.i, -1
+  %.1468.i = add i64 %.146127152732.i, 1
+  %.1455.i = icmp samesign ugt i64 %lsr.iv.next.i, 1
+  br i1 %.1455.i, label %B760.i, label %B628.loopexit.i
+
+B316.endif.i:                                     ; preds = %B236.i.i, %B200.i.i, %B316.i
+  %at.3.1.i.i = phi i64 [ 0, %B316.i ], [ %child.2.1.i.i, %B236.i.i ], [ %at.2.0.i.i, %B200.i.i ]
+  %.469.i.i = icmp slt i64 %at.3.1.i.i, 0
+  %.470.i.i = select i1 %.469.i.i, i64 %w25, i64 0
+  %126 = getelementptr double, ptr %w24, i64 %at.3.1.i.i
+  %.484.i.i = getelementptr double, ptr %126, i64 %.470.i.i
+  store double %.114.i.i, ptr %.484.i.i, align 8
+  %.507.i.i = select i1 %.469.i.i, i64 %w27, i64 0
+  %127 = getelementptr i64, ptr %w26, i64 %at.3.1.i.i
+  %.521.i.i = getelementptr i64, ptr %127, i64 %.507.i.i
+  store i64 %.146.i.i, ptr %.521.i.i, align 8
+  %.755.i = icmp slt i64 %.us-phi2972.i, 0
+  %.756.i = select i1 %.755.i, i64 %w17, i64 0
+  %128 = getelementptr i64, ptr %w16, i64 %.us-phi2972.i
+  %.770.i = getelementptr i64, ptr %128, i64 %.756.i
+  %.771.i = load i64, ptr %.770.i, align 8
+  %.772.not.i = icmp eq i64 %.771.i, 1
+  br i1 %.772.not.i, label %B504.i, label %B382.i
+
+B630.endif.preheader.i:                           ; preds = %B506.i
+  store double 0.000000e+00, ptr %sunkaddr285.i, align 8
+  br label %B630.endif.i
+
+B630.endif.i:                                     ; preds = %B630.endif.preheader.i, %B628.loopexit.i
+  %longest.2.32767.i = phi i64 [ %longest.3.4.lcssa.i, %B628.loopexit.i ], [ 0, %B630.endif.preheader.i ]
+  %rings.5.32766.i = phi i64 [ %rings.2.4.lcssa.i, %B628.loopexit.i ], [ 0, %B630.endif.preheader.i ]
+  %area.7.32765.i = phi double [ %area.4.4.lcssa.i, %B628.loopexit.i ], [ 0.000000e+00, %B630.endif.preheader.i ]
+  %.120127462763.i = phi i64 [ %.1208.i, %B628.loopexit.i ], [ 0, %B630.endif.preheader.i ]
+  %.1208.i = add nuw nsw i64 %.120127462763.i, 1
+  %129 = getelementptr i64, ptr %w18, i64 %.120127462763.i
+  %.1283.i = load i64, ptr %129, align 8
+  %.1296.i = icmp slt i64 %.1283.i, 0
+  %.1297.i = select i1 %.1296.i, i64 %w9, i64 0
+  %130 = getelementptr i64, ptr %w8, i64 %.1283.i
+  %.1311.i = getelementptr i64, ptr %130, i64 %.1297.i
+  %.1312.i = load i64, ptr %.1311.i, align 8
+  %.1359.i = icmp slt i64 %.1283.i, -1
+  %.1360.i = select i1 %.1359.i, i64 %w9, i64 0
+  %131 = getelementptr i8, ptr %130, i64 8
+  %.1374.i = getelementptr i64, ptr %131, i64 %.1360.i
+  %.1375.i = load i64, ptr %.1374.i, align 8
+  %.1412.i = sub i64 %.1375.i, %.1312.i
+  %.14552729.not.i = icmp slt i64 %.1412.i, 1
+  br i1 %.14552729.not.i, label %B628.loopexit.i, label %B760.preheader.i
+
+B760.preheader.i:                                 ; preds = %B630.endif.i
+  %132 = add nuw i64 %.1412.i, 1
+  br label %B760.i
+
+B834.endif.i:                                     ; preds = %B140.endif.i.i
+  %.1617.i = select i1 %.300.i.i, i64 %w13, i64 0
+  %133 = getelementptr double, ptr %w12, i64 %.1523.i
+  %.1631.i = getelementptr double, ptr %133, i64 %.1617.i
+  %.1632.i = load double, ptr %.1631.i, align 8
+  %.1639.i = fdiv double %.1632.i, 3.000000e+00
+  %.1641.i = fadd double %area.4.42734.i, %.1639.i
+  br label %B2203.i
+
+B1004.preheader.i:                                ; preds = %_ZN7msf_jax4host4thin6fronts12ring_throughB3v36B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx5ArrayIdLi1E1C7mutable7alignedE.exit.i
+  store double %.1962.i, ptr %sunkaddr285.i, align 8
+  %.1962.1.i = load double, ptr %sunkaddr1.i.i, align 8
+  store double %.1962.1.i, ptr %sunkaddr294.i, align 8
+  %.1962.2.i = load double, ptr %sunkaddr.i34.i, align 8
+  store double %.1962.2.i, ptr %sunkaddr298.i, align 8
+  %.1962.3.i = load double, ptr %sunkaddr2.i.i, align 8
+  store double %.1962.3.i, ptr %sunkaddr302.i, align 8
+  %.1962.4.i = load double, ptr %sunkaddr3.i.i, align 8
+  store double %.1962.4.i, ptr %sunkaddr306.i, align 8
+  br label %B1030.i
+
+B1188.preheader.i:                                ; preds = %_ZN7msf_jax4host4thin6fronts7islandsB3v38B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xxd5ArrayIdLi1E1C7mutable7alignedE.exit.i
+  %134 = icmp eq i64 %num.5.1.lcssa.i.i, 1
+  br i1 %134, label %B1194.epil.i, label %B1188.preheader.new.i
+
+B1188.preheader.new.i:                            ; preds = %B1188.preheader.i
+  %unroll_iter.i = and i64 %num.5.1.lcssa.i.i, 9223372036854775806
+  br label %B1188.i
+
+B1242.endif.loopexit.unr-lcssa.i:                 ; preds = %B1238.1.i
+  %135 = and i64 %num.5.1.lcssa.i.i, 1
+  %lcmp.mod.not.i = icmp eq i64 %135, 0
+  %"$phi1238.1.2.5.1.not.i" = xor i1 %"$phi1238.1.2.5.1.i", true
+  %brmerge.i = select i1 %lcmp.mod.not.i, i1 true, i1 %"$phi1238.1.2.5.1.not.i"
+  %"$phi1238.1.2.5.1.mux.i" = select i1 %lcmp.mod.not.i, i1 %"$phi1238.1.2.5.1.i", i1 false
+  br i1 %brmerge.i, label %B1242.endif.loopexit.i, label %B1194.epil.i
+
+B1194.epil.i:                                     ; preds = %B1242.endif.loopexit.unr-lcssa.i, %B1188.preheader.i
+  %.233527782780.epil.init54.i = phi i64 [ %unroll_iter.i, %B1242.endif.loopexit.unr-lcssa.i ], [ 0, %B1188.preheader.i ]
+  %136 = getelementptr i64, ptr %w20, i64 %.233527782780.epil.init54.i
+  %.2415.epil.i = load i64, ptr %136, align 8
+  %.2431.epil.i = icmp slt i64 %.2415.epil.i, 0
+  %.2432.epil.i = select i1 %.2431.epil.i, i64 %w36, i64 0
+  %137 = getelementptr i64, ptr %w35, i64 %.2415.epil.i
+  %.2446.epil.i = getelementptr i64, ptr %137, i64 %.2432.epil.i
+  %.2447.epil.i = load i64, ptr %.2446.epil.i, align 8
+  %.2448.epil.i = icmp eq i64 %.2447.epil.i, 0
+  br label %B1242.endif.loopexit.i
+
+B1242.endif.loopexit.i:                           ; preds = %B1194.epil.i, %B1242.endif.loopexit.unr-lcssa.i
+  %"$phi1238.1.2.5.lcssa.i" = phi i1 [ %"$phi1238.1.2.5.1.mux.i", %B1242.endif.loopexit.unr-lcssa.i ], [ %.2448.epil.i, %B1194.epil.i ]
+  %.2226.i = fadd double %area.4.4.lcssa.i, %.2224.i
+  br label %B1242.endif.i
+
+B1242.endif.i:                                    ; preds = %B760.epil.i.i, %B1242.endif.loopexit.i, %_ZN7msf_jax4host4thin6fronts7islandsB3v38B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xxd5ArrayIdLi1E1C7mutable7alignedE.exit.i, %B728.endif.i.i, %common.ret.loopexit.unr-lcssa.i.i, %B1066.i
+  %goes_on.10.3.i = phi i1 [ true, %B1066.i ], [ true, %_ZN7msf_jax4host4thin6fronts7islandsB3v38B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xxd5ArrayIdLi1E1C7mutable7alignedE.exit.i ], [ %"$phi1238.1.2.5.lcssa.i", %B1242.endif.loopexit.i ], [ true, %B728.endif.i.i ], [ true, %common.ret.loopexit.unr-lcssa.i.i ], [ true, %B760.epil.i.i ]
+  %area.8.3.i = phi double [ %area.4.4.lcssa.i, %B1066.i ], [ %area.4.4.lcssa.i, %_ZN7msf_jax4host4thin6fronts7islandsB3v38B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xxd5ArrayIdLi1E1C7mutable7alignedE.exit.i ], [ %.2226.i, %B1242.endif.loopexit.i ], [ %area.4.4.lcssa.i, %B728.endif.i.i ], [ %area.4.4.lcssa.i, %common.ret.loopexit.unr-lcssa.i.i ], [ %area.4.4.lcssa.i, %B760.epil.i.i ]
+  %num.2.3.i = phi i64 [ 0, %B1066.i ], [ %num.5.1.lcssa.i.i, %_ZN7msf_jax4host4thin6fronts7islandsB3v38B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xxd5ArrayIdLi1E1C7mutable7alignedE.exit.i ], [ %num.5.1.lcssa.i.i, %B1242.endif.loopexit.i ], [ -1, %B728.endif.i.i ], [ -1, %common.ret.loopexit.unr-lcssa.i.i ], [ -1, %B760.epil.i.i ]
+  br label %B1274.endif.i
+
+B1274.endif.i:                                    ; preds = %B1242.endif.i, %B1272.loopexit.i
+  %.256227942800.i = phi i64 [ %.2569.i, %B1272.loopexit.i ], [ 0, %B1242.endif.i ]
+  %.2569.i = add nuw nsw i64 %.256227942800.i, 1
+  %138 = getelementptr i64, ptr %w18, i64 %.256227942800.i
+  %.2626.i = load i64, ptr %138, align 8
+  %.2639.i = icmp slt i64 %.2626.i, 0
+  %.2640.i = select i1 %.2639.i, i64 %w9, i64 0
+  %139 = getelementptr i64, ptr %w8, i64 %.2626.i
+  %.2654.i = getelementptr i64, ptr %139, i64 %.2640.i
+  %.2655.i = load i64, ptr %.2654.i, align 8
+  %.2702.i = icmp slt i64 %.2626.i, -1
+  %.2703.i = select i1 %.2702.i, i64 %w9, i64 0
+  %140 = getelementptr i8, ptr %139, i64 8
+  %.2717.i = getelementptr i64, ptr %140, i64 %.2703.i
+  %.2718.i = load i64, ptr %.2717.i, align 8
+  %.2755.i = sub i64 %.2718.i, %.2655.i
+  %.27982788.not.i = icmp slt i64 %.2755.i, 1
+  br i1 %.27982788.not.i, label %B1272.loopexit.i, label %B1404.preheader.i
+
+B1404.preheader.i:                                ; preds = %B1274.endif.i
+  %.neg.i = add i64 %.2655.i, 1
+  %xtraiter83.i = and i64 %.2755.i, 1
+  %lcmp.mod84.not.i = icmp eq i64 %xtraiter83.i, 0
+  br i1 %lcmp.mod84.not.i, label %B1404.prol.loopexit.i, label %B1404.prol.i
+
+B1404.prol.i:                                     ; preds = %B1404.preheader.i
+  %.2807.prol.i = add nsw i64 %.2755.i, -1
+  %.2852.prol.i = icmp slt i64 %.2655.i, 0
+  %.2853.prol.i = select i1 %.2852.prol.i, i64 %w11, i64 0
+  %141 = getelementptr i64, ptr %w10, i64 %.2655.i
+  %.2867.prol.i = getelementptr i64, ptr %141, i64 %.2853.prol.i
+  %.2868.prol.i = load i64, ptr %.2867.prol.i, align 8
+  %.2881.prol.i = icmp slt i64 %.2868.prol.i, 0
+  %.2882.prol.i = select i1 %.2881.prol.i, i64 %w29, i64 0
+  %142 = getelementptr i64, ptr %w28, i64 %.2868.prol.i
+  %.2896.prol.i = getelementptr i64, ptr %142, i64 %.2882.prol.i
+  store i64 -1, ptr %.2896.prol.i, align 8
+  br label %B1404.prol.loopexit.i
+
+B1404.prol.loopexit.i:                            ; preds = %B1404.prol.i, %B1404.preheader.i
+  %.279727862790.unr.i = phi i64 [ %.2755.i, %B1404.preheader.i ], [ %.2807.prol.i, %B1404.prol.i ]
+  %.280427872789.unr.i = phi i64 [ %.2655.i, %B1404.preheader.i ], [ %.neg.i, %B1404.prol.i ]
+  %143 = icmp eq i64 %.2718.i, %.neg.i
+  br i1 %143, label %B1272.loopexit.i, label %B1404.preheader110.i
+
+B1404.preheader110.i:                             ; preds = %B1404.prol.loopexit.i
+  %144 = add nuw i64 %.279727862790.unr.i, 2
+  br label %B1404.i
+
+B1822.preheader.i:                                ; preds = %B1514.i
+  %.3034.i = fmul double %area.8.3.i, 0x401921FB54442D18
+  %.3095.i = fmul double %.3019.i, %.3019.i
+  %.3099.i = fdiv double %.3034.i, %.3095.i
+  %.3100.i = fadd double %.3099.i, -5.000000e-01
+  %.3128.i = icmp slt i64 %rows.2.233.i, 0
+  %.3129.i = select i1 %.3128.i, i64 %w38, i64 0
+  %.3130.i = add i64 %.3129.i, %rows.2.233.i
+  %.3150.i = mul i64 %.3130.i, %w39
+  %.3154.i = getelementptr double, ptr %w37, i64 %.3150.i
+  store double %.3100.i, ptr %.3154.i, align 8
+  %.3210.i = getelementptr i8, ptr %.3154.i, i64 8
+  store double %level.2.229.i, ptr %.3210.i, align 8
+  %.3266.i = getelementptr i8, ptr %.3154.i, i64 16
+  store double %area.8.3.i, ptr %.3266.i, align 8
+  %.3417.i = load double, ptr %sunkaddr294.i, align 8
+  %.3447.i = load double, ptr %sunkaddr285.i, align 8
+  %.3451.i = fdiv double %.3417.i, %.3447.i
+  %145 = getelementptr i8, ptr %.3154.i, i64 24
+  store double %.3451.i, ptr %145, align 8
+  %.3417.1.i = load double, ptr %sunkaddr298.i, align 8
+  %.3447.1.i = load double, ptr %sunkaddr285.i, align 8
+  %.3451.1.i = fdiv double %.3417.1.i, %.3447.1.i
+  %146 = getelementptr i8, ptr %.3154.i, i64 32
+  store double %.3451.1.i, ptr %146, align 8
+  %.3417.2.i = load double, ptr %sunkaddr302.i, align 8
+  %.3447.2.i = load double, ptr %sunkaddr285.i, align 8
+  %.3451.2.i = fdiv double %.3417.2.i, %.3447.2.i
+  %147 = getelementptr i8, ptr %.3154.i, i64 40
+  store double %.3451.2.i, ptr %147, align 8
+  br label %B1822.i
+
+B1858.endif.unr-lcssa.i:                          ; preds = %B1822.i
+  br i1 %5, label %B1858.endif.i, label %B1822.epil.i
+
+B1822.epil.i:                                     ; preds = %B1858.endif.unr-lcssa.i, %B1822.epil.i
+  %lsr.iv167.i = phi i64 [ %lsr.iv.next168.i, %B1822.epil.i ], [ %xtraiter85.i, %B1858.endif.unr-lcssa.i ]
+  %lsr.iv163.i = phi i64 [ %lsr.iv.next164.i, %B1822.epil.i ], [ %lsr.iv161.i, %B1858.endif.unr-lcssa.i ]
+  %scevgep166.i = getelementptr i8, ptr %w18, i64 %lsr.iv163.i
+  %.3734.epil.i = load i64, ptr %scevgep166.i, align 8
+  %scevgep165.i = getelementptr i8, ptr %w40, i64 %lsr.iv163.i
+  store i64 %.3734.epil.i, ptr %scevgep165.i, align 8
+  %lsr.iv.next164.i = add nuw nsw i64 %lsr.iv163.i, 8
+  %lsr.iv.next168.i = add nsw i64 %lsr.iv167.i, -1
+  %epil.iter.cmp.not.i = icmp eq i64 %lsr.iv.next168.i, 0
+  br i1 %epil.iter.cmp.not.i, label %B1858.endif.i, label %B1822.epil.i
+
+B1858.endif.i:                                    ; preds = %B1822.epil.i, %B1858.endif.unr-lcssa.i
+  %.3565.i = fcmp olt double %.3100.i, %w33
+  %.3570.i = add nsw i64 %rows.2.233.i, 1
+  %.3582.i = add nuw nsw i64 %num.2.3.i, %count.2.03188.i
+  %.38622822.not.i = icmp eq i64 %num.2.3.i, 0
+  br i1 %.38622822.not.i, label %B1932.endif.thread.i, label %B1890.preheader.i
+
+B1890.preheader.i:                                ; preds = %B1858.endif.i
+  %xtraiter90.i = and i64 %num.2.3.i, 3
+  %148 = icmp samesign ult i64 %num.2.3.i, 4
+  br i1 %148, label %B1890.epil.preheader.i, label %B1890.preheader.new.i
+
+B1890.preheader.new.i:                            ; preds = %B1890.preheader.i
+  %unroll_iter94.i = and i64 %num.2.3.i, 9223372036854775804
+  br label %B1890.i
+
+B1932.endif.thread.i:                             ; preds = %B1858.endif.i
+  br i1 %.3565.i, label %B252.backedge.i, label %B2030.i
+
+B1932.endif.i:                                    ; preds = %B1514.i, %B1452.loopexit.i
+  %.40882829.not.i = icmp slt i64 %num.2.3.i, 1
+  br i1 %.40882829.not.i, label %B2024.i, label %B1932.endif.B1964.preheader_crit_edge.i
+
+B1932.endif.B1964.preheader_crit_edge.i:          ; preds = %B1932.endif.i
+  %.pre.i = and i64 %num.2.3.i, 3
+  br label %B1964.preheader.i
+
+B1964.preheader.loopexit.unr-lcssa.i:             ; preds = %B1890.i
+  %lcmp.mod92.not.i = icmp eq i64 %xtraiter90.i, 0
+  br i1 %lcmp.mod92.not.i, label %B1964.preheader.new.i, label %B1890.epil.preheader.i
+
+B1890.epil.preheader.i:                           ; preds = %B1964.preheader.loopexit.unr-lcssa.i, %B1890.preheader.i
+  %.386828212823.epil.init.i = phi i64 [ 0, %B1890.preheader.i ], [ %unroll_iter94.i, %B1964.preheader.loopexit.unr-lcssa.i ]
+  %149 = shl i64 %.386828212823.epil.init.i, 3
+  %scevgep187.i = getelementptr i8, ptr %scevgep186.i, i64 %149
+  %scevgep189.i = getelementptr i8, ptr %w20, i64 %149
+  br label %B1890.epil.i
+
+B1890.epil.i:                                     ; preds = %B1890.epil.i, %B1890.epil.preheader.i
+  %epil.iter91.i = phi i64 [ %epil.iter91.next.i, %B1890.epil.i ], [ 0, %B1890.epil.preheader.i ]
+  %150 = shl nuw nsw i64 %epil.iter91.i, 3
+  %scevgep190.i = getelementptr i8, ptr %scevgep189.i, i64 %150
+  %.3938.epil.i = load i64, ptr %scevgep190.i, align 8
+  %scevgep188.i = getelementptr i8, ptr %scevgep187.i, i64 %150
+  store i64 %.3938.epil.i, ptr %scevgep188.i, align 8
+  %epil.iter91.next.i = add i64 %epil.iter91.i, 1
+  %epil.iter91.cmp.not.i = icmp eq i64 %xtraiter90.i, %epil.iter91.next.i
+  br i1 %epil.iter91.cmp.not.i, label %B1964.preheader.i, label %B1890.epil.i
+
+B1964.preheader.i:                                ; preds = %B1890.epil.i, %B1932.endif.B1964.preheader_crit_edge.i
+  %xtraiter96.pre-phi.i = phi i64 [ %.pre.i, %B1932.endif.B1964.preheader_crit_edge.i ], [ %xtraiter90.i, %B1890.epil.i ]
+  %goes_on.9.33555.i = phi i1 [ %brmerge.not3583.i, %B1932.endif.B1964.preheader_crit_edge.i ], [ %.3565.i, %B1890.epil.i ]
+  %last.4.33554.i = phi double [ %last.2.235.i, %B1932.endif.B1964.preheader_crit_edge.i ], [ %level.2.229.i, %B1890.epil.i ]
+  %size_of_region.6.33553.i = phi i64 [ %size_of_region.4.234.i, %B1932.endif.B1964.preheader_crit_edge.i ], [ %.3582.i, %B1890.epil.i ]
+  %rows.4.33552.i = phi i64 [ %rows.2.233.i, %B1932.endif.B1964.preheader_crit_edge.i ], [ %.3570.i, %B1890.epil.i ]
+  %151 = icmp samesign ult i64 %num.2.3.i, 4
+  br i1 %151, label %B1964.epil.preheader.i, label %B1964.preheader.new.i
+
+B1964.preheader.new.i:                            ; preds = %B1964.preheader.i, %B1964.preheader.loopexit.unr-lcssa.i
+  %xtraiter9668.i = phi i64 [ %xtraiter96.pre-phi.i, %B1964.preheader.i ], [ 0, %B1964.preheader.loopexit.unr-lcssa.i ]
+  %rows.4.3355266.i = phi i64 [ %rows.4.33552.i, %B1964.preheader.i ], [ %.3570.i, %B1964.preheader.loopexit.unr-lcssa.i ]
+  %size_of_region.6.3355364.i = phi i64 [ %size_of_region.6.33553.i, %B1964.preheader.i ], [ %.3582.i, %B1964.preheader.loopexit.unr-lcssa.i ]
+  %last.4.3355462.i = phi double [ %last.4.33554.i, %B1964.preheader.i ], [ %level.2.229.i, %B1964.preheader.loopexit.unr-lcssa.i ]
+  %goes_on.9.3355560.i = phi i1 [ %goes_on.9.33555.i, %B1964.preheader.i ], [ %.3565.i, %B1964.preheader.loopexit.unr-lcssa.i ]
+  %unroll_iter100.i = and i64 %num.2.3.i, -4
+  br label %B1964.i
+
+B2078.endif.i:                                    ; preds = %B2068.i, %B2030.i
+  %.44693216.not.i = icmp slt i64 %w15, 1
+  br i1 %.44693216.not.i, label %_ZN7msf_jax4host4thin6fronts3capB3v32B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdddd5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE.exit, label %B2146.preheader.i
+
+B2146.preheader.i:                                ; preds = %B2078.endif.i
+  %xtraiter102.i = and i64 %w15, 3
+  %152 = icmp samesign ult i64 %w15, 4
+  br i1 %152, label %B2146.epil.preheader.i, label %B2146.preheader.new.i
+
+B2146.preheader.new.i:                            ; preds = %B2146.preheader.i
+  %unroll_iter106.i = and i64 %w15, 9223372036854775804
+  br label %B2146.i
+
+_ZN7msf_jax4host4thin6fronts3capB3v32B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdddd5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE.exit: ; preds = %B2146.epil.i, %B2202.loopexit.unr-lcssa.i, %B2078.endif.i
+  ret i64 %rows.6.1.i
+}
 
 define i64 @msf_jax.host.meso.kernels.short_edges(ptr readonly %words) local_unnamed_addr {
   %w0 = load ptr, ptr %words, align 8
@@ -2752,7 +5047,7 @@ define i64 @msf_jax.host.meso.kernels.short_edges(ptr readonly %words) local_unn
   %p15 = getelementptr i8, ptr %words, i64 120
   %w15 = load i64, ptr %p15, align 8
   %.183801.not.i = icmp slt i64 %w4, 1
-  br i1 %.183801.not.i, label %_ZN7msf_jax4host4meso7kernels11short_edgesB3v25B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIbLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE.exit, label %B68.preheader.i
+  br i1 %.183801.not.i, label %_ZN7msf_jax4host4meso7kernels11short_edgesB3v39B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIbLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE.exit, label %B68.preheader.i
 
 B68.preheader.i:                                  ; preds = %0
   %scevgep.i = getelementptr i8, ptr %w3, i64 24
@@ -2762,7 +5057,7 @@ B68.preheader.i:                                  ; preds = %0
 B66.loopexit.i:                                   ; preds = %B757.i, %B116.endif.i, %B68.i
   %count.2.1.lcssa.i = phi i64 [ %count.3.0808.i, %B116.endif.i ], [ %count.3.0808.i, %B68.i ], [ %count.4.2.i, %B757.i ]
   %exitcond909.not.i = icmp eq i64 %w4, %.196.i
-  br i1 %exitcond909.not.i, label %_ZN7msf_jax4host4meso7kernels11short_edgesB3v25B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIbLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE.exit, label %B68.i
+  br i1 %exitcond909.not.i, label %_ZN7msf_jax4host4meso7kernels11short_edgesB3v39B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIbLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE.exit, label %B68.i
 
 B68.i:                                            ; preds = %B66.loopexit.i, %B68.preheader.i
   %count.3.0808.i = phi i64 [ %count.2.1.lcssa.i, %B66.loopexit.i ], [ 0, %B68.preheader.i ]
@@ -2795,8 +5090,8 @@ B36.i.i:                                          ; preds = %B36.i.i, %B36.prehe
   %.147.not.i.i = icmp eq i64 %.145.i.i, %.11.i23.i
   br i1 %.147.not.i.i, label %B552.endif.i, label %B36.i.i
 
-B757.i:                                           ; preds = %B552.endif.endif.endif.thread.i, %B270.endif.endif.i, %_ZN7msf_jax4host4meso7kernels12is_met_laterB3v28B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedExx.exit.i, %B136.endif.endif.i
-  %count.4.2.i = phi i64 [ %.1783.i, %B552.endif.endif.endif.thread.i ], [ %count.2.1743.i, %B270.endif.endif.i ], [ %count.2.1743.i, %_ZN7msf_jax4host4meso7kernels12is_met_laterB3v28B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedExx.exit.i ], [ %count.2.1743.i, %B136.endif.endif.i ]
+B757.i:                                           ; preds = %B552.endif.endif.endif.thread.i, %B270.endif.endif.i, %_ZN7msf_jax4host4meso7kernels12is_met_laterB3v42B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedExx.exit.i, %B136.endif.endif.i
+  %count.4.2.i = phi i64 [ %.1783.i, %B552.endif.endif.endif.thread.i ], [ %count.2.1743.i, %B270.endif.endif.i ], [ %count.2.1743.i, %_ZN7msf_jax4host4meso7kernels12is_met_laterB3v42B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedExx.exit.i ], [ %count.2.1743.i, %B136.endif.endif.i ]
   %exitcond908.not.i = icmp eq i64 %.298.i, %.410.i
   br i1 %exitcond908.not.i, label %B66.loopexit.i, label %B136.endif.endif.i
 
@@ -2824,15 +5119,15 @@ B136.endif.endif.i:                               ; preds = %B136.lr.ph.i, %B757
 
 B48.i.i:                                          ; preds = %B136.endif.endif.i
   %.96.i.i = icmp slt i64 %.485.i, %.189756806.i
-  br i1 %.96.i.i, label %_ZN7msf_jax4host4meso7kernels12is_met_laterB3v28B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedExx.exit.i, label %B270.endif.endif.i
+  br i1 %.96.i.i, label %_ZN7msf_jax4host4meso7kernels12is_met_laterB3v42B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedExx.exit.i, label %B270.endif.endif.i
 
-_ZN7msf_jax4host4meso7kernels12is_met_laterB3v28B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedExx.exit.i: ; preds = %B48.i.i
+_ZN7msf_jax4host4meso7kernels12is_met_laterB3v42B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedExx.exit.i: ; preds = %B48.i.i
   %.131.i.i = getelementptr i8, ptr %w11, i64 %.485.i
   %.132.i.i = load i8, ptr %.131.i.i, align 1
   %.135.i.not.i = icmp eq i8 %.132.i.i, 0
   br i1 %.135.i.not.i, label %B270.endif.endif.i, label %B757.i
 
-B270.endif.endif.i:                               ; preds = %_ZN7msf_jax4host4meso7kernels12is_met_laterB3v28B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedExx.exit.i, %B48.i.i
+B270.endif.endif.i:                               ; preds = %_ZN7msf_jax4host4meso7kernels12is_met_laterB3v42B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedExx.exit.i, %B48.i.i
   %.68.i.i = mul i64 %.11.i.i, %w2
   %7 = getelementptr double, ptr %w0, i64 %.68.i.i
   %.72.i.i = getelementptr i8, ptr %7, i64 16
@@ -3066,7 +5361,7 @@ B552.endif.endif.else.if.i:                       ; preds = %B552.endif.endif.el
   %spec.select629.i = add i64 %.1703.i, %spec.select630.fr.i
   br label %B552.endif.endif.endif.thread.i
 
-_ZN7msf_jax4host4meso7kernels11short_edgesB3v25B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIbLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE.exit: ; preds = %B66.loopexit.i, %0
+_ZN7msf_jax4host4meso7kernels11short_edgesB3v39B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIbLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE.exit: ; preds = %B66.loopexit.i, %0
   %count.3.0.lcssa.i = phi i64 [ 0, %0 ], [ %count.2.1.lcssa.i, %B66.loopexit.i ]
   ret i64 %count.3.0.lcssa.i
 }
@@ -3101,7 +5396,7 @@ define i64 @msf_jax.host.meso.kernels.wide_edges(ptr readonly %words) local_unna
   %p16 = getelementptr i8, ptr %words, i64 128
   %w16 = load i64, ptr %p16, align 8
   %.186619.not.i = icmp slt i64 %w4, 1
-  br i1 %.186619.not.i, label %_ZN7msf_jax4host4meso7kernels10wide_edgesB3v31B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEdd5ArrayIbLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE.exit, label %B68.preheader.i
+  br i1 %.186619.not.i, label %_ZN7msf_jax4host4meso7kernels10wide_edgesB3v45B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEdd5ArrayIbLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE.exit, label %B68.preheader.i
 
 B68.preheader.i:                                  ; preds = %0
   %scevgep.i = getelementptr i8, ptr %w3, i64 8
@@ -3110,7 +5405,7 @@ B68.preheader.i:                                  ; preds = %0
 B66.loopexit.i:                                   ; preds = %B731.i, %B116.endif.i, %B68.i
   %count.2.1.lcssa.i = phi i64 [ %count.5.0622.i, %B116.endif.i ], [ %count.5.0622.i, %B68.i ], [ %count.3.2.i, %B731.i ]
   %exitcond681.not.i = icmp eq i64 %w4, %.199.i
-  br i1 %exitcond681.not.i, label %_ZN7msf_jax4host4meso7kernels10wide_edgesB3v31B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEdd5ArrayIbLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE.exit, label %B68.i
+  br i1 %exitcond681.not.i, label %_ZN7msf_jax4host4meso7kernels10wide_edgesB3v45B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEdd5ArrayIbLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE.exit, label %B68.i
 
 B68.i:                                            ; preds = %B66.loopexit.i, %B68.preheader.i
   %count.5.0622.i = phi i64 [ %count.2.1.lcssa.i, %B66.loopexit.i ], [ 0, %B68.preheader.i ]
@@ -3162,8 +5457,8 @@ B620.i:                                           ; preds = %B402.endif.endif.en
   %.1481.i = add nsw i64 %count.2.1589.i, 1
   br label %B731.i
 
-B731.i:                                           ; preds = %B402.endif.endif.endif.endif.endif.i, %B270.endif.endif.i, %_ZN7msf_jax4host4meso7kernels12is_met_laterB3v28B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedExx.exit.i, %B136.endif.endif.i, %B620.i
-  %count.3.2.i = phi i64 [ %count.2.1589.i, %B402.endif.endif.endif.endif.endif.i ], [ %count.2.1589.i, %B270.endif.endif.i ], [ %.1481.i, %B620.i ], [ %count.2.1589.i, %_ZN7msf_jax4host4meso7kernels12is_met_laterB3v28B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedExx.exit.i ], [ %count.2.1589.i, %B136.endif.endif.i ]
+B731.i:                                           ; preds = %B402.endif.endif.endif.endif.endif.i, %B270.endif.endif.i, %_ZN7msf_jax4host4meso7kernels12is_met_laterB3v42B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedExx.exit.i, %B136.endif.endif.i, %B620.i
+  %count.3.2.i = phi i64 [ %count.2.1589.i, %B402.endif.endif.endif.endif.endif.i ], [ %count.2.1589.i, %B270.endif.endif.i ], [ %.1481.i, %B620.i ], [ %count.2.1589.i, %_ZN7msf_jax4host4meso7kernels12is_met_laterB3v42B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedExx.exit.i ], [ %count.2.1589.i, %B136.endif.endif.i ]
   %exitcond.not.i = icmp eq i64 %.301.i, %.413.i
   br i1 %exitcond.not.i, label %B66.loopexit.i, label %B136.endif.endif.i
 
@@ -3191,15 +5486,15 @@ B136.endif.endif.i:                               ; preds = %B136.lr.ph.i, %B731
 
 B48.i.i:                                          ; preds = %B136.endif.endif.i
   %.96.i.i = icmp slt i64 %.488.i, %.192600620.i
-  br i1 %.96.i.i, label %_ZN7msf_jax4host4meso7kernels12is_met_laterB3v28B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedExx.exit.i, label %B270.endif.endif.i
+  br i1 %.96.i.i, label %_ZN7msf_jax4host4meso7kernels12is_met_laterB3v42B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedExx.exit.i, label %B270.endif.endif.i
 
-_ZN7msf_jax4host4meso7kernels12is_met_laterB3v28B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedExx.exit.i: ; preds = %B48.i.i
+_ZN7msf_jax4host4meso7kernels12is_met_laterB3v42B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedExx.exit.i: ; preds = %B48.i.i
   %.131.i.i = getelementptr i8, ptr %w12, i64 %.488.i
   %.132.i.i = load i8, ptr %.131.i.i, align 1
   %.135.i.not.i = icmp eq i8 %.132.i.i, 0
   br i1 %.135.i.not.i, label %B270.endif.endif.i, label %B731.i
 
-B270.endif.endif.i:                               ; preds = %_ZN7msf_jax4host4meso7kernels12is_met_laterB3v28B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedExx.exit.i, %B48.i.i
+B270.endif.endif.i:                               ; preds = %_ZN7msf_jax4host4meso7kernels12is_met_laterB3v42B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedExx.exit.i, %B48.i.i
   %.68.i.i = mul i64 %.11.i.i, %w2
   %7 = getelementptr double, ptr %w0, i64 %.68.i.i
   %.72.i.i = getelementptr i8, ptr %7, i64 16
@@ -3401,7 +5696,7 @@ B402.endif.endif.endif.endif.endif.i:             ; preds = %B120.endif.endif.i8
   %or.cond.i = and i1 %.1150.i, %.1157.i
   br i1 %or.cond.i, label %B620.i, label %B731.i
 
-_ZN7msf_jax4host4meso7kernels10wide_edgesB3v31B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEdd5ArrayIbLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE.exit: ; preds = %B66.loopexit.i, %0
+_ZN7msf_jax4host4meso7kernels10wide_edgesB3v45B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEdd5ArrayIbLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE.exit: ; preds = %B66.loopexit.i, %0
   %count.5.0.lcssa.i = phi i64 [ 0, %0 ], [ %count.2.1.lcssa.i, %B66.loopexit.i ]
   ret i64 %count.5.0.lcssa.i
 }
@@ -3433,7 +5728,7 @@ define noundef i64 @msf_jax.host.meso.kernels.apart(ptr readonly %words) local_u
   %w11 = load i64, ptr %p11, align 8
   %arg.rings.5.1.fr.i = freeze i64 %w7
   %.102478.i = icmp sgt i64 %w4, 0
-  br i1 %.102478.i, label %B10.endif.lr.ph.i, label %_ZN7msf_jax4host4meso7kernels5apartB3v33B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE.exit
+  br i1 %.102478.i, label %B10.endif.lr.ph.i, label %_ZN7msf_jax4host4meso7kernels5apartB3v47B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE.exit
 
 B10.endif.lr.ph.i:                                ; preds = %0
   %.731446.i = icmp sgt i64 %arg.rings.5.1.fr.i, 0
@@ -3507,7 +5802,7 @@ B348.us.i:                                        ; preds = %B108.us.thread.i, %
   %.1058.us.i = getelementptr i8, ptr %13, i64 %.1044.us.i
   store i8 %"$phi108.2.2.2.us1417.i", ptr %.1058.us.i, align 1
   %exitcond628.not.i = icmp eq i64 %.123.us18.i, %w4
-  br i1 %exitcond628.not.i, label %_ZN7msf_jax4host4meso7kernels5apartB3v33B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE.exit, label %B10.endif.us.i
+  br i1 %exitcond628.not.i, label %_ZN7msf_jax4host4meso7kernels5apartB3v47B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE.exit, label %B10.endif.us.i
 
 B70.us.i:                                         ; preds = %B70.us.backedge.i, %B10.endif.us.i
   %lsr.iv58.i = phi i64 [ %lsr.iv.next.i, %B70.us.backedge.i ], [ 1, %B10.endif.us.i ]
@@ -3684,7 +5979,7 @@ B348.us512.i:                                     ; preds = %B108.us538.thread.i
   %.1058.us519.i = getelementptr i8, ptr %29, i64 %.1044.us518.i
   store i8 %"$phi108.2.2.2.us539636639.i", ptr %.1058.us519.i, align 1
   %exitcond623.not.i = icmp eq i64 %.123.us503640.i, %w4
-  br i1 %exitcond623.not.i, label %_ZN7msf_jax4host4meso7kernels5apartB3v33B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE.exit, label %B10.endif.us496.i
+  br i1 %exitcond623.not.i, label %_ZN7msf_jax4host4meso7kernels5apartB3v47B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE.exit, label %B10.endif.us496.i
 
 B174.endif.us.i:                                  ; preds = %B174.endif.us.preheader54.i, %B174.endif.us.i
   %.521452458.us.i = phi i64 [ %.528.us.3.i, %B174.endif.us.i ], [ 0, %B174.endif.us.preheader54.i ]
@@ -3762,12 +6057,12 @@ B174.endif.us.preheader54.i:                      ; preds = %B174.endif.us.prehe
 B360.loopexit.unr-lcssa.i:                        ; preds = %B10.endif.us.us.i
   %37 = and i64 %w4, 1
   %lcmp.mod49.not.i = icmp eq i64 %37, 0
-  br i1 %lcmp.mod49.not.i, label %_ZN7msf_jax4host4meso7kernels5apartB3v33B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE.exit, label %B360.sink.split.i
+  br i1 %lcmp.mod49.not.i, label %_ZN7msf_jax4host4meso7kernels5apartB3v47B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE.exit, label %B360.sink.split.i
 
 B360.loopexit31.unr-lcssa.i:                      ; preds = %B10.endif.i
   %38 = and i64 %w4, 1
   %lcmp.mod37.not.i = icmp eq i64 %38, 0
-  br i1 %lcmp.mod37.not.i, label %_ZN7msf_jax4host4meso7kernels5apartB3v33B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE.exit, label %B360.sink.split.i
+  br i1 %lcmp.mod37.not.i, label %_ZN7msf_jax4host4meso7kernels5apartB3v47B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE.exit, label %B360.sink.split.i
 
 B360.sink.split.i:                                ; preds = %B360.loopexit31.unr-lcssa.i, %B360.loopexit.unr-lcssa.i, %B10.endif.preheader.i, %B10.endif.us.us.preheader.i
   %.101467481.epil.init.sink.i = phi i64 [ %unroll_iter51.i, %B360.loopexit.unr-lcssa.i ], [ 0, %B10.endif.us.us.preheader.i ], [ 0, %B10.endif.preheader.i ], [ %unroll_iter39.i, %B360.loopexit31.unr-lcssa.i ]
@@ -3779,7 +6074,7 @@ B360.sink.split.i:                                ; preds = %B360.loopexit31.unr
   %39 = getelementptr i8, ptr %w10, i64 %.120.epil.i
   %.1058.epil.i = getelementptr i8, ptr %39, i64 %.1044.epil.i
   store i8 1, ptr %.1058.epil.i, align 1
-  br label %_ZN7msf_jax4host4meso7kernels5apartB3v33B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE.exit
+  br label %_ZN7msf_jax4host4meso7kernels5apartB3v47B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE.exit
 
 B10.endif.i:                                      ; preds = %B10.endif.i, %B10.endif.preheader.new.i
   %lsr.iv69.i = phi ptr [ %scevgep70.i, %B10.endif.i ], [ %w3, %B10.endif.preheader.new.i ]
@@ -3802,7 +6097,7 @@ B10.endif.i:                                      ; preds = %B10.endif.i, %B10.e
   %niter40.ncmp.1.i = icmp eq i64 %unroll_iter39.i, %.123.1.i
   br i1 %niter40.ncmp.1.i, label %B360.loopexit31.unr-lcssa.i, label %B10.endif.i
 
-_ZN7msf_jax4host4meso7kernels5apartB3v33B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE.exit: ; preds = %B348.us512.i, %B348.us.i, %0, %B360.loopexit.unr-lcssa.i, %B360.loopexit31.unr-lcssa.i, %B360.sink.split.i
+_ZN7msf_jax4host4meso7kernels5apartB3v47B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE.exit: ; preds = %B348.us512.i, %B348.us.i, %0, %B360.loopexit.unr-lcssa.i, %B360.loopexit31.unr-lcssa.i, %B360.sink.split.i
   ret i64 0
 }
 
@@ -3833,7 +6128,7 @@ define noundef i64 @msf_jax.host.meso.kernels.merge(ptr readonly %words) local_u
   %p12 = getelementptr i8, ptr %words, i64 96
   %w12 = load ptr, ptr %p12, align 8
   %.1741151.not.i = icmp slt i64 %w1, 1
-  br i1 %.1741151.not.i, label %_ZN7msf_jax4host4meso7kernels5mergeB3v34B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE.exit, label %B64.lr.ph.i
+  br i1 %.1741151.not.i, label %_ZN7msf_jax4host4meso7kernels5mergeB3v48B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE.exit, label %B64.lr.ph.i
 
 B64.lr.ph.i:                                      ; preds = %0
   %p14 = getelementptr i8, ptr %words, i64 112
@@ -4106,7 +6401,7 @@ B1130.i:                                          ; preds = %B996.endif.i, %B105
   %sunkaddr112.i = getelementptr i8, ptr %72, i64 %sunkaddr111.i
   store i64 0, ptr %sunkaddr112.i, align 8
   %exitcond1210.not.i = icmp eq i64 %.187.i, %w1
-  br i1 %exitcond1210.not.i, label %_ZN7msf_jax4host4meso7kernels5mergeB3v34B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE.exit, label %B64.i
+  br i1 %exitcond1210.not.i, label %_ZN7msf_jax4host4meso7kernels5mergeB3v48B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE.exit, label %B64.i
 
 B1157.i:                                          ; preds = %B968.i, %B760.i, %B666.i
   %exitcond1208.not.i = icmp eq i64 %.1494.i, %.1587.i
@@ -4382,7 +6677,7 @@ B1050.preheader45.i:                              ; preds = %B1050.preheader.i
   %scevgep90.i = getelementptr i8, ptr %scevgep89.i, i64 %109
   br label %B1050.i
 
-_ZN7msf_jax4host4meso7kernels5mergeB3v34B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE.exit: ; preds = %B1130.i, %0
+_ZN7msf_jax4host4meso7kernels5mergeB3v48B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE.exit: ; preds = %B1130.i, %0
   ret i64 0
 }
 
@@ -4415,7 +6710,7 @@ define noundef i64 @msf_jax.host.meso.kernels.cut(ptr readonly %words) local_unn
   %w15 = load i64, ptr %p15, align 8
   %s23 = shl i64 %w15, 3
   %.181957.not.i = icmp slt i64 %w1, 1
-  br i1 %.181957.not.i, label %_ZN7msf_jax4host4meso7kernels3cutB3v35B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE.exit, label %B64.lr.ph.i
+  br i1 %.181957.not.i, label %_ZN7msf_jax4host4meso7kernels3cutB3v49B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE.exit, label %B64.lr.ph.i
 
 B64.lr.ph.i:                                      ; preds = %0
   %.245.i = sub nsw i64 %w9, %w1
@@ -4600,7 +6895,7 @@ B920.i:                                           ; preds = %B750.1.i, %B592.end
   %.2214.i = getelementptr i64, ptr %28, i64 %.2200.i
   store i64 4, ptr %.2214.i, align 8
   %exitcond.not.i = icmp eq i64 %.194.i, %w1
-  br i1 %exitcond.not.i, label %_ZN7msf_jax4host4meso7kernels3cutB3v35B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE.exit, label %B64.i
+  br i1 %exitcond.not.i, label %_ZN7msf_jax4host4meso7kernels3cutB3v49B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE.exit, label %B64.i
 
 B64.endif.i:                                      ; preds = %B36.i.i, %B64.i
   %slot.3.1.i.i = phi i64 [ 0, %B64.i ], [ %.90.i.i, %B36.i.i ]
@@ -4751,12 +7046,8 @@ B592.endif.endif.endif.i:                         ; preds = %B36.i85.i, %B592.en
   %.16969061004.i = icmp ugt i64 %.1653.i, -9223372036854775808
   br i1 %.16969061004.i, label %B750.i, label %B828.i
 
-_ZN7msf_jax4host4meso7kernels3cutB3v35B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE.exit: ; preds = %B920.i, %0
+_ZN7msf_jax4host4meso7kernels3cutB3v49B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE.exit: ; preds = %B920.i, %0
   ret i64 0
 }
-
-declare void @llvm.lifetime.start.p0(ptr)
-
-declare void @llvm.lifetime.end.p0(ptr)
 
 

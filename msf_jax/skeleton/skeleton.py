@@ -95,8 +95,9 @@ class Skeleton:
         """A new skeleton without the branches below that ``slenderness``, the least slender pruned first; see `Branch`.
 
         Components, cycles and branches with a pin are kept. The mesh's vertices of a pruned branch go to its junction.
-        A run has already pruned at ``Config.prune``. For a lower threshold, run with ``Config(prune=0)``, and prune
-        here. Prune before `resample`: between nodes that are far apart, widths are not measured.
+        A run has already chosen the limbs of at least ``Config.prune`` by another measure, on the surface. For a lower
+        threshold, run with a lower one. Prune before `resample`: between nodes that are far apart, widths are not
+        measured.
 
         Raises:
             ConfigError: ``slenderness`` is negative or not a number.

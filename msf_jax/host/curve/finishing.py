@@ -16,13 +16,15 @@ from scipy import spatial
 from msf_jax.host.curve import branches, centring, containment, leaf_extension, limbs, loops, resampling
 from msf_jax.host.poles.roadmap import Roadmap
 from msf_jax.host.solid.enclosure import Enclosure
-from msf_jax.host.thin import missed_limbs, reeb_curve
+from msf_jax.host.thin import one_branch, reeb_curve
+from msf_jax.host.thin.caps import Caps
 
 SPACING = 0.5  # radii between the nodes of a finished curve
 MOST_NODES = 5_000  # nodes of a finished curve; if `SPACING` needs more, nodes are farther apart
 SHARPEST = 40.0  # degrees: largest turn of a finished branch at a node, where possible
 HOLDS = 1.1  # radii of a node: a junction whose ball is within this distance takes the place of the node
-FIRST_ROUNDS = 2  # rounds of a centring before branches are pruned
+FIRST_ROUNDS = 2  # rounds of a centring before junctions are merged
+BY_SECTIONS = 0.75  # of the least slenderness, if sections measure it: of half a ball pi / 4, where its cap has 1 / 2
 
 
 class Draft(NamedTuple):
@@ -34,6 +36,7 @@ class Draft(NamedTuple):
     place wanted for a junction. is_former_junction: (N,) those junctions, also after their branches are pruned.
     is_sparse: whether nodes are farther apart than `SPACING`, because of `MOST_NODES`. num_pruned, num_grown: branches
     that were removed because they are no limbs, and that were added because the flow had missed them, counted by ends.
+    has_limbs: whether the surface has limbs, which then decide about branches.
     """
 
     vertices: np.ndarray
@@ -46,6 +49,7 @@ class Draft(NamedTuple):
     is_sparse: bool = False
     num_pruned: int = 0
     num_grown: int = 0
+    has_limbs: bool = False
 
     def changed(self, vertices: np.ndarray, edges: np.ndarray | None = None) -> "Draft":
         """The draft with moved nodes, new ones last, and with other edges if they are given."""
@@ -72,7 +76,7 @@ class Job(NamedTuple):
     """The inputs of all passes.
 
     shape: the solid, of diagonal 1. coarse: about the same surface with fewer triangles, fine enough for centring.
-    prune: slenderness below which branches are pruned, 0 for none (see `limbs`). is_thin: whether the solid has thin
+    prune: least slenderness of a limb, 0 for no pruning (see `thin.caps`). is_thin: whether the solid has thin
     limbs (see `poles.thickness`). roadmap: paths through the solid. budget: of all centring together.
     """
 
@@ -90,7 +94,8 @@ class Finished(NamedTuple):
     is_kept: (n,) which of the flow's nodes are in it. They come first, in their order.
     target: (n,) the flow's node that represents each: itself, or the junction that its branch was pruned from.
     num_refused: edges left outside because a limit was reached. num_closed: edges without a path inside.
-    is_cut_short: whether centring ended early because of its budget. is_sparse, num_pruned, num_grown: see `Draft`.
+    is_cut_short: whether centring, or the search for limbs, ended early because of its budget. is_sparse, num_pruned,
+    num_grown: see `Draft`.
     node_of_vertex: (V,) for a Reeb curve, the node of each vertex of the solid; else None.
     """
 
@@ -115,17 +120,16 @@ def passes(centre: bool, extend: bool) -> list[Callable[[Draft, Job], Draft]]:
         *([placed, partial(centred, rounds=FIRST_ROUNDS, is_far=True)] if centre else []),
         merged,
         *([refined] if centre else []),
-        *([extended, completed] if extend else []),
+        *([extended] if extend else []),
+        partial(limbed, grows=extend),
         *([partial(centred, hold_leaves=extend, rounds=FIRST_ROUNDS)] if centre else []),
-        # All branches are candidates now, and centred: the slenderness decides which of them are limbs.
-        pruned,
         merged,
         *([partial(centred, hold_leaves=extend)] if centre else []),
         contained,
         *([straightened, contained] if centre else []),
         coincident_merged,
         looped,
-        pruned,  # again: what is left has moved
+        pruned,  # again, where sections decide: what is left has moved
         *([corners_rounded] if centre else []),
     ]
 
@@ -149,7 +153,7 @@ def finish(
     A solid that is too coarse for the flow gets a Reeb curve instead (see `thin.reeb_curve`), if ``centre`` and
     ``extend`` are True and no node is held.
 
-    ``prune`` is the slenderness below which branches are pruned; ``centre`` and ``extend`` switch those steps.
+    ``prune`` is the least slenderness of a limb, 0 for no pruning; ``centre`` and ``extend`` switch those steps.
     ``is_thin`` says that the solid has thin limbs, and may get a Reeb curve. ``is_tangle`` says that the flow ended in
     a tangle that no pass can repair: it stays as it is, unless there is a Reeb curve. ``coarse`` is about the same
     surface with fewer triangles, fine enough for centring. ``first`` is a pass that comes before all others, and may
@@ -328,11 +332,11 @@ def merged(draft: Draft, job: Job) -> Draft:
 
 
 def pruned(draft: Draft, job: Job) -> Draft:
-    """Branches that are less slender than the threshold are removed, because they are no limbs."""
-    if not job.prune:
+    """Branches that are less slender by their sections than the threshold are removed, because they are no limbs."""
+    if not job.prune or draft.has_limbs:
         return draft
     x, e = draft.vertices, draft.edges
-    left = _left(draft, *limbs.prune(x, e, limbs.limbs_of(job.shape, x, e), job.prune, draft.is_held))
+    left = _left(draft, *limbs.prune(x, e, limbs.limbs_of(job.shape, x, e), BY_SECTIONS * job.prune, draft.is_held))
     return left._replace(num_pruned=draft.num_pruned + int(draft.is_leaf().sum() - left.is_leaf().sum()))
 
 
@@ -364,13 +368,40 @@ def extended(draft: Draft, job: Job) -> Draft:
     return draft.changed(*leaf_extension.extend(job.shape, draft.vertices, draft.edges, draft.is_held))
 
 
-def completed(draft: Draft, job: Job) -> Draft:
-    """Thin limbs that the flow has missed are added."""
-    more = draft.changed(*missed_limbs.grow(job.coarse, draft.vertices, draft.edges))
-    # The flow has no place for a junction that is new.
-    is_new = (more.degree() > 2) & (np.pad(draft.degree(), (0, len(more.vertices) - len(draft.vertices))) < 3)
-    place = np.where(is_new[:, None], more.vertices, more.place)
-    return more._replace(place=place, num_grown=int(more.is_leaf().sum() - draft.is_leaf().sum()))
+def limbed(draft: Draft, job: Job, grows: bool) -> Draft:
+    """Every limb of the solid has one branch, and no other branch ends in a leaf, but for held nodes.
+
+    ``grows``: whether limbs without a branch get one.
+    """
+    if not job.prune:
+        return draft
+    num = int(draft.is_leaf().sum())
+    leaves = np.flatnonzero(draft.is_leaf())
+    near = job.coarse.faces[job.coarse.approximate_closest(draft.vertices[leaves])[1]]
+    away = np.linalg.norm(job.coarse.vertices[near] - draft.vertices[leaves, None], axis=2)
+    foot = near[np.arange(len(near)), away.argmin(axis=1)]
+    caps = Caps(job.coarse)
+    found, slenderness = caps.limbs(job.prune, foot)
+    job.budget.was_hit |= caps.was_hit
+    if not found:  # a body without limbs, such as a star with blunt arms: its branches are measured by their sections
+        return pruned(draft, job)
+    is_held = draft.is_held[leaves]
+    of_leaf, missing = one_branch.matched(draft.vertices[leaves], is_held, foot, found, job.coarse.vertices)
+    worth = np.full(len(draft.vertices), 0.0)
+    worth[leaves] = np.where(of_leaf == 0, np.inf, np.where(of_leaf > 0, 0.0, slenderness))
+    stays, target = one_branch.kept(draft.vertices, draft.edges, worth, draft.is_held)
+    left, num_grown = _left(draft, stays, target), 0
+    if grows:
+        more = left.changed(*one_branch.grown(left.vertices, left.edges, missing))
+        new = (0, len(more.vertices) - len(left.vertices))
+        # The flow has no place for a junction that is new.
+        is_new = (more.degree() > 2) & (np.pad(left.degree(), new) < 3)
+        more = more._replace(place=np.where(is_new[:, None], more.vertices, more.place))
+        # The first time, a component keeps two leaves, which the new ones may replace.
+        worth, num_grown = np.pad(worth[stays], new, constant_values=np.inf), len(missing)
+        left = _left(more, *one_branch.kept(more.vertices, more.edges, worth, more.is_held))
+    num_pruned = num + num_grown - int(left.is_leaf().sum())
+    return left._replace(num_pruned=num_pruned, num_grown=num_grown, has_limbs=True)
 
 
 def coincident_merged(draft: Draft, job: Job) -> Draft:

@@ -10,8 +10,8 @@ the curve passes through belongs to a shared limb or sheet, and is no evidence f
 where the integral takes only sections that no other part of the curve passes through. It is length over half width of a
 limb of constant width with the same integral. A cylinder that sticks out by h from a larger body has h / radius, a cone
 or a wedge with the angle 2 a at its tip 1 / (2 tan a). A finger has 4 to 8, half a disc on a rim, or half a ball on a
-wall, pi / 4, the corner of a square plate 0.6, and the corner of a cube, up to its centre, 0.7. Branches are kept or
-pruned by this number alone; the order of nodes breaks ties. Where there is no section, w is the ball's radius; nodes
+wall, pi / 4, the corner of a square plate 0.6, and the corner of a cube, up to its centre, 0.7. A curve is pruned by
+this number alone; the order of nodes breaks ties. Where there is no section, w is the ball's radius; nodes
 outside add nothing. If no radius is known, all branches are kept.
 
 It is related to the erosion thickness of a medial axis (Yan, Sykes, Chambers, Letscher, Ju 2016), which compares the

@@ -1,0 +1,183 @@
+"""Caps of a surface: closed forms on solids whose limbs are known, and one branch for each limb."""
+
+import manifold3d
+import numpy as np
+import pytest
+import trimesh
+from scipy.spatial.transform import Rotation
+from test_branches import NONE
+from test_limbs import block, legs, solid
+
+from msf_jax.host.curve import branches, centring, containment, finishing
+from msf_jax.host.poles.roadmap import Roadmap
+from msf_jax.host.solid.enclosure import Enclosure
+from msf_jax.host.thin import caps, one_branch
+from msf_jax.host.thin.caps import RATIO, Cap, Caps
+
+RADIUS = 0.3
+NOT_HELD = np.zeros(3, dtype=bool)
+LIMB = {
+    "short cylinder": (manifold3d.Manifold.cylinder(0.6, RADIUS, RADIUS, 48), 2.0),
+    "long cylinder": (manifold3d.Manifold.cylinder(1.5, RADIUS, RADIUS, 48), 5.0),
+    "cone": (manifold3d.Manifold.cylinder(1.2, RADIUS, 0.0, 48), (np.hypot(1.2, RADIUS) / RADIUS - 1) / 2),
+    "half ball": (manifold3d.Manifold.sphere(1.0, 48), 0.5),
+}
+
+
+def nearest(shape: Enclosure, point) -> int:
+    return int(((shape.vertices - point) ** 2).sum(axis=1).argmin())
+
+
+def none(shape: Enclosure) -> np.ndarray:
+    return np.zeros(len(shape.vertices), dtype=np.int64)
+
+
+@pytest.mark.parametrize("name", LIMB)
+def test_slenderness_has_closed_forms(name):
+    """Of the largest cap on the limb; discs differ by `RATIO`, so it may be that much smaller."""
+    limb, expected = LIMB[name]
+    shape = solid(block() + limb, 0.07)
+    top = shape.vertices[:, 2].max()
+    rows, _ = Caps(shape).grown(nearest(shape, (0, 0, top)), none(shape))
+    along = top + RADIUS if "cylinder" in name else np.hypot(top, RADIUS) if name == "cone" else np.pi / 2
+    most = rows[rows[:, 1] < 1.05 * along, 0].max()
+    assert expected / RATIO**1.5 - 0.05 < most < 1.08 * expected + 0.05
+
+
+def test_a_flat_disc_has_none_and_the_middle_of_its_curve_is_its_tip():
+    shape = solid(block(), 0.1)
+    tip = nearest(shape, (0, 0, 0))
+    rows, region = Caps(shape).grown(tip, none(shape))
+    flat = rows[rows[:, 1] < 1.8]
+    assert len(flat) > 10 and np.abs(flat[:, 0]).max() < 0.06
+    np.testing.assert_allclose(flat[:, 2], np.pi * flat[:, 1] ** 2, rtol=0.15)
+    np.testing.assert_allclose(flat[:, 3:], np.broadcast_to(shape.vertices[tip], (len(flat), 3)), atol=0.05)
+    assert tip in region and rows[-1, 2] < shape.mesh.triangles.size
+
+
+@pytest.mark.parametrize("change", ["scaled", "turned", "permuted", "split"])
+def test_limbs_belong_to_the_surface(change):
+    fingers = [manifold3d.Manifold.cylinder(1.0, 0.25, 0.25, 24).translate((x, 0, 0)) for x in (-1.2, -0.4, 0.4, 1.2)]
+    shape = solid(manifold3d.Manifold.batch_boolean([block(), *fingers], manifold3d.OpType.Add), 0.15)
+    x, faces = shape.vertices, shape.faces
+    turn = Rotation.random(random_state=3)
+    rng = np.random.default_rng(1)
+    if change == "scaled":
+        other = Enclosure(1e3 * x, faces)
+    elif change == "turned":
+        other = Enclosure(turn.apply(x), faces)
+    elif change == "split":
+        other = Enclosure(*trimesh.remesh.subdivide(x, faces))
+    else:
+        order = rng.permutation(len(x))
+        other = Enclosure(x[order], np.argsort(order)[faces][rng.permutation(len(faces))])
+    found = [Caps(each).limbs(1.2, np.empty(0, dtype=np.int64))[0] for each in (shape, other)]
+    assert [len(each) for each in found] == [4, 4]
+    value = [sorted(cap.slenderness for cap in each) for each in found]
+    np.testing.assert_allclose(*value, rtol=1e-6 if change in ("scaled", "turned") else 0.15)
+    for cap in found[0]:
+        assert abs(cap.slenderness - 4) < 0.6 and shape.vertices[cap.tip, 2] > 0.9
+
+
+def test_a_ring_a_ball_and_the_middle_of_a_tube_are_no_limbs():
+    """A cap is cut off by one curve, and is less than half of the surface."""
+    nothing = np.empty(0, dtype=np.int64)
+    ring = trimesh.creation.torus(1.0, 0.25, 64, 24)
+    assert not Caps(Enclosure(ring.vertices, ring.faces)).limbs(0.9, nothing)[0]
+    ball = trimesh.creation.icosphere(4)
+    assert not Caps(Enclosure(ball.vertices, ball.faces)).limbs(0.9, nothing)[0]
+    tube = solid(manifold3d.Manifold.cylinder(6.0, 0.3, 0.3, 32), 0.1)
+    side = nearest(tube, (0.3, 0, 3.0))
+    found, _ = Caps(tube).limbs(1.2, np.array([side]))
+    assert sorted(round(tube.vertices[cap.tip, 2]) for cap in found) == [0, 6]
+    assert side not in [cap.tip for cap in found]
+
+
+def test_a_small_island_belongs_to_the_cap_and_a_large_one_does_not():
+    """Around a finger's base, a disc cuts the finger off besides: it fills it while it is smaller than the disc."""
+    shape = solid(block() + LIMB["long cylinder"][0], 0.1)
+    tip, top = nearest(shape, (0.9, 0, 0)), nearest(shape, (0, 0, 1.5))
+    rows, region = Caps(shape).grown(tip, none(shape))
+    assert top in region
+    others = none(shape)
+    others[top] = 1
+    stopped, region = Caps(shape).grown(tip, others)
+    assert 0 < len(stopped) < len(rows) and top not in region
+    np.testing.assert_array_equal(stopped, rows[: len(stopped)])
+
+
+def test_a_limb_keeps_the_leaf_nearest_to_its_tip_and_others_are_missing():
+    points = np.array([[0, 0, 1.0], [0, 0, 0.5], [3, 0, 1.0], [9, 9, 9]])
+    limbs = [Cap(0, 2.0, 1.0, points[:1], 0.1, np.array([0, 1])), Cap(2, 3.0, 2.0, points[2:3], 0.1, np.array([2]))]
+    leaves = np.array([[0, 0, 0.4], [0, 0, 0.9], [8, 9, 9]])
+    rank, missing = one_branch.matched(leaves, NOT_HELD, np.array([1, 0, 3]), limbs, points)
+    assert rank.tolist() == [1, 0, -1] and [cap.tip for cap in missing] == [2]
+    rank, _ = one_branch.matched(leaves, np.array([True, False, False]), np.array([1, 0, 3]), limbs, points)
+    assert rank.tolist() == [0, 1, -1]
+
+
+def test_leaves_go_in_the_order_of_their_worth_and_two_stay():
+    x, edges = legs(
+        [(0, 0, 0), (1, 0, 0)], [(0, 0, 0), (-1, 0, 0)], [(0, 0, 0), (0, 1, 0)], [(0, 0, 0), (0, 0, 1)], step=0.5
+    )
+    leaf = np.flatnonzero(np.bincount(edges.ravel()) == 1)
+    worth = np.zeros(len(x))
+    worth[leaf] = [np.inf, 0.3, 0.2, 0.4]
+    stays, target = one_branch.kept(x, edges, worth, np.zeros(len(x), dtype=bool))
+    left = np.flatnonzero(np.bincount(edges[stays[edges].all(axis=1)].ravel(), minlength=len(x)) == 1)
+    assert left.tolist() == [leaf[0], leaf[3]]
+    assert set(target[~stays].tolist()) == {0} and (target[stays] == np.flatnonzero(stays)).all()
+    held = np.isin(np.arange(len(x)), leaf[1])
+    stays, _ = one_branch.kept(x, edges, worth, held)
+    assert stays[leaf].tolist() == [True, True, False, False]
+
+
+def test_a_lost_limb_gets_a_branch_through_its_middle():
+    shape = solid(block() + LIMB["long cylinder"][0], 0.1)
+    trunk = legs([(0, 0, -1.02), (1.4, 0, -1)], [(0, 0, -1.02), (-1.4, 0, -1)])
+    found = [cap for cap in Caps(shape).limbs(1.2, NONE)[0] if shape.vertices[cap.tip, 2] > 1]
+    assert len(found) == 1
+    x, edges = one_branch.grown(*trunk, found)
+    assert branches.cycle_count(len(x), edges) == (1, 0)
+    np.testing.assert_array_equal(x[: len(trunk[0])], trunk[0])
+    new = x[len(trunk[0]) :]
+    assert np.hypot(*new[:, :2].T).max() < 0.5 * RADIUS and 1.2 < new[:, 2].max() <= 1.5 + 1e-9
+
+
+def test_the_body_is_a_limb_beyond_half_of_the_surface():
+    """Two ears on a ball: each ear is one, and the ball is the third, though it has most of the surface."""
+    ears = [LIMB["long cylinder"][0].translate((x, 0, 0.7)) for x in (-0.35, 0.35)]
+    shape = solid(
+        manifold3d.Manifold.batch_boolean([manifold3d.Manifold.sphere(1.0, 48), *ears], manifold3d.OpType.Add), 0.1
+    )
+    found, _ = Caps(shape).limbs(1.2, np.empty(0, dtype=np.int64))
+    assert sorted(round(shape.vertices[cap.tip, 2], 1) > 0 for cap in found) == [False, True, True]
+
+
+def test_a_part_with_a_handle_is_no_limb():
+    """A handle of a large ball: no cap without the handle is slender, and a curve has a loop there, not a leaf."""
+    ring = manifold3d.Manifold.revolve(manifold3d.CrossSection.circle(0.2, 24).translate((0.8, 0)), 64)
+    shape = solid(manifold3d.Manifold.sphere(1.0, 64) + ring.rotate((90, 0, 0)).translate((1.5, 0, 0)), 0.1)
+    assert not Caps(shape).limbs(1.2, np.empty(0, dtype=np.int64))[0]
+
+
+def test_limbs_without_a_leaf_get_one_and_leaves_in_the_body_go():
+    """Three leaves in a block with four fingers: a component keeps two until fingers have theirs."""
+    fingers = [manifold3d.Manifold.cylinder(1.0, 0.25, 0.25, 24).translate((x, 0, 0)) for x in (-1.2, -0.4, 0.4, 1.2)]
+    shape = solid(manifold3d.Manifold.batch_boolean([block(), *fingers], manifold3d.OpType.Add), 0.15)
+    x, edges = legs(*[[(0, 0, -1.02), (a, b, -1)] for a, b in ((1.4, 1.4), (-1.4, -1.4), (-1.4, 1.4))])
+    number, none = np.arange(len(x)), np.zeros(len(x), dtype=bool)
+    draft = finishing.Draft(x, edges, none, number, number, x, none)
+    job = finishing.Job(shape, shape, 1.2, False, Roadmap(shape, containment.is_inside), centring.Budget())
+    found = finishing.limbed(draft, job, grows=True)
+    leaves = found.vertices[found.is_leaf()]
+    assert len(leaves) == 4 and (leaves[:, 2] > 0.8).all() and (found.num_grown, found.num_pruned) == (4, 3)
+    assert branches.cycle_count(len(found.vertices), found.edges) == (1, 0)
+
+
+def test_beyond_its_budget_no_tip_is_tried_and_that_is_said(monkeypatch):
+    shape = solid(block() + LIMB["long cylinder"][0], 0.15)
+    top = np.array([nearest(shape, (0, 0, 1.5))])
+    monkeypatch.setattr(caps, "MOST_AREA", -1.0)
+    none = Caps(shape)
+    assert none.limbs(1.2, top)[0] == [] and none.was_hit and none.limbs(1.2, top)[1].tolist() == [np.inf]
