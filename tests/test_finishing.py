@@ -201,7 +201,7 @@ def test_loops_that_their_junctions_fold_are_put_back(x, edges, moved):
     flat[moved] = scale * np.array([[0, 1, 0], [2, 1, 0]] if len(moved) == 2 else [[3, -1, 0]])
     draft, job = draft_of(x, np.array(edges)), job_of(shape)
     assert loops_and_rank(shape, draft.changed(flat), job) == (0, 0)
-    assert loops_and_rank(shape, draft.changed(finishing._around(draft, job, flat)), job) == (1, 1)
+    assert loops_and_rank(shape, draft.changed(loops.around(shape, draft.edges, x, flat)), job) == (1, 1)
 
 
 def test_a_loop_is_not_moved_over_a_hole():
@@ -212,7 +212,7 @@ def test_a_loop_is_not_moved_over_a_hole():
     draft, job = draft_of(x, np.array([[0, 1], [1, 2], [0, 2], [0, 3]])), job_of(shape)
     over = x + scale * np.array([[0, 0, 0], [0, 0, 0], [0, -1.5, 0], [0, 0.2, 0]])
     assert loops_and_rank(shape, draft.changed(over), job) == (1, 0)
-    kept = finishing._around(draft, job, over)
+    kept = loops.around(shape, draft.edges, x, over)
     assert loops_and_rank(shape, draft.changed(kept), job) == (1, 1)
     np.testing.assert_array_equal(kept[3], over[3])
 

@@ -7,7 +7,6 @@ curve.
 
 from collections.abc import Callable
 from functools import partial
-from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
@@ -253,7 +252,7 @@ def looped(draft: Draft, job: Job) -> Draft:
 def straightened(draft: Draft, job: Job) -> Draft:
     """Branches turn by at most ``SHARPEST`` degrees at a node, where possible."""
     x = containment.straighten(job.shape, draft.vertices, draft.edges, draft.is_held, SHARPEST)
-    return draft.changed(_around(draft, job, x))
+    return draft.changed(loops.around(job.shape, draft.edges, draft.vertices, x))
 
 
 def placed(draft: Draft, job: Job) -> Draft:
@@ -290,34 +289,7 @@ def centred(
         is_far,
         job.budget,
     )
-    return draft.changed(_around(draft, job, x))
-
-
-def _around(draft: Draft, job: Job, x: np.ndarray) -> np.ndarray:
-    """Nodes ``x`` (N, 3) that a pass has moved; branches that would then go around other handles stay.
-
-    An edge goes around the same handles exactly if its class changes by the classes of its ends' moves. It does if both
-    places of its ends are within one ball around an end, which is convex and inside.
-    """
-    handles, before, x = job.shape.handles, draft.vertices, x.copy()
-    if not handles.genus:
-        return x
-    every = np.concatenate([draft.edges, draft.edges[:, ::-1]])
-    places = np.stack([before[every[:, 1]], x[every[:, 0]], x[every[:, 1]]], axis=1)
-    is_in = np.linalg.norm(places - before[every[:, :1]], axis=2).max(axis=1) < job.shape.clearance(before)[every[:, 0]]
-    a, b = draft.edges[~is_in.reshape(2, -1).any(axis=0)].T
-    if not len(a):
-        return x
-    own, paths = handles.classes(before[a], before[b]), branches.trace(len(x), draft.edges)
-    while True:
-        moved = handles.classes(before, x)
-        is_bad = handles.classes(x[a], x[b]) != own + moved[b] - moved[a]
-        if not is_bad.any():
-            return x
-        bad = {frozenset(edge) for edge in np.stack([a, b], axis=1)[is_bad].tolist()}
-        for nodes in paths:
-            if not bad.isdisjoint(map(frozenset, pairwise(nodes))):
-                x[nodes] = before[nodes]
+    return draft.changed(loops.around(job.shape, draft.edges, draft.vertices, x))
 
 
 def merged(draft: Draft, job: Job) -> Draft:

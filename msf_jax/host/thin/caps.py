@@ -158,8 +158,9 @@ class Caps:
         found = []
         for tip in tips.tolist() if self._left > 0 else []:
             own = self.grown(tip, (owner > 0).astype(np.int64))[0][:, 0].max(initial=0.0)
-            whole = self.grown(tip, np.zeros_like(owner), least)[0][:, 0].max(initial=0.0)
-            if BLUNT <= own < least <= whole:
+            if not BLUNT <= own < least:
+                continue
+            if self.grown(tip, np.zeros_like(owner), least)[0][:, 0].max(initial=0.0) >= least:
                 found.append((own, tip))
         limbs = []
         for own, tip in sorted(found, key=lambda each: (-each[0], each[1])):
