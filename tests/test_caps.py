@@ -1,13 +1,15 @@
 """Caps of a surface: closed forms on solids whose limbs are known, and one branch for each limb."""
 
+from itertools import pairwise
+
 import manifold3d
 import numpy as np
 import pytest
 import trimesh
 from scipy.spatial.transform import Rotation
-from test_branches import NONE
-from test_limbs import block, legs, solid
+from test_branches import as_edges, chain
 
+import msf_jax
 from msf_jax.host.curve import branches, centring, containment, finishing
 from msf_jax.host.poles.roadmap import Roadmap
 from msf_jax.host.solid.enclosure import Enclosure
@@ -22,6 +24,44 @@ LIMB = {
     "cone": (manifold3d.Manifold.cylinder(1.2, RADIUS, 0.0, 48), (np.hypot(1.2, RADIUS) / RADIUS - 1) / 2),
     "half ball": (manifold3d.Manifold.sphere(1.0, 48), 0.5),
 }
+
+
+Curve = tuple[np.ndarray, np.ndarray]
+
+
+def solid(found: manifold3d.Manifold, edge: float = 0.25) -> Enclosure:
+    mesh = found.refine_to_length(edge).to_mesh()
+    return Enclosure(np.array(mesh.vert_properties[:, :3], dtype=float), np.array(mesh.tri_verts, dtype=np.int64))
+
+
+def block() -> manifold3d.Manifold:
+    """A block of 4 x 4 x 2 whose top is at height 0."""
+    return manifold3d.Manifold.cube((4, 4, 2), True).translate((0, 0, -1))
+
+
+def fingers() -> manifold3d.Manifold:
+    """The block with four fingers, each four radii long."""
+    each = [manifold3d.Manifold.cylinder(1.0, 0.25, 0.25, 24).translate((x, 0, 0)) for x in (-1.2, -0.4, 0.4, 1.2)]
+    return manifold3d.Manifold.batch_boolean([block(), *each], manifold3d.OpType.Add)
+
+
+def legs(*polylines: list, step: float = 0.05) -> Curve:
+    """Branches out of one node, where all courses begin, each a polyline with a node every ``step``, the leaf last."""
+    vertices, pairs = [np.array(polylines[0][0], dtype=float)], []
+    for polyline in polylines:
+        last = 0
+        for a, b in pairwise(np.array(polyline, dtype=float)):
+            num = max(1, round(np.linalg.norm(b - a) / step))
+            new = range(len(vertices), len(vertices) + num)
+            vertices += list(a + np.arange(1, num + 1)[:, None] / num * (b - a))
+            pairs += chain(last, *new)
+            last = new[-1]
+    return np.array(vertices), as_edges(pairs)
+
+
+def limbs(shape: Enclosure, least: float, *more: int) -> list[Cap]:
+    found = Caps(shape)
+    return found.limbs(least, np.concatenate([found.tips(), np.array(more, dtype=np.int64)]))[0]
 
 
 def nearest(shape: Enclosure, point) -> int:
@@ -57,8 +97,7 @@ def test_a_flat_disc_has_none_and_the_middle_of_its_curve_is_its_tip():
 
 @pytest.mark.parametrize("change", ["scaled", "turned", "permuted", "split"])
 def test_limbs_belong_to_the_surface(change):
-    fingers = [manifold3d.Manifold.cylinder(1.0, 0.25, 0.25, 24).translate((x, 0, 0)) for x in (-1.2, -0.4, 0.4, 1.2)]
-    shape = solid(manifold3d.Manifold.batch_boolean([block(), *fingers], manifold3d.OpType.Add), 0.15)
+    shape = solid(fingers(), 0.15)
     x, faces = shape.vertices, shape.faces
     turn = Rotation.random(random_state=3)
     rng = np.random.default_rng(1)
@@ -71,7 +110,7 @@ def test_limbs_belong_to_the_surface(change):
     else:
         order = rng.permutation(len(x))
         other = Enclosure(x[order], np.argsort(order)[faces][rng.permutation(len(faces))])
-    found = [Caps(each).limbs(1.2, np.empty(0, dtype=np.int64))[0] for each in (shape, other)]
+    found = [limbs(each, 1.2) for each in (shape, other)]
     assert [len(each) for each in found] == [4, 4]
     value = [sorted(cap.slenderness for cap in each) for each in found]
     np.testing.assert_allclose(*value, rtol=1e-6 if change in ("scaled", "turned") else 0.15)
@@ -81,14 +120,13 @@ def test_limbs_belong_to_the_surface(change):
 
 def test_a_ring_a_ball_and_the_middle_of_a_tube_are_no_limbs():
     """A cap is cut off by one curve, and is less than half of the surface."""
-    nothing = np.empty(0, dtype=np.int64)
     ring = trimesh.creation.torus(1.0, 0.25, 64, 24)
-    assert not Caps(Enclosure(ring.vertices, ring.faces)).limbs(0.9, nothing)[0]
+    assert not limbs(Enclosure(ring.vertices, ring.faces), 0.9)
     ball = trimesh.creation.icosphere(4)
-    assert not Caps(Enclosure(ball.vertices, ball.faces)).limbs(0.9, nothing)[0]
+    assert not limbs(Enclosure(ball.vertices, ball.faces), 0.9)
     tube = solid(manifold3d.Manifold.cylinder(6.0, 0.3, 0.3, 32), 0.1)
     side = nearest(tube, (0.3, 0, 3.0))
-    found, _ = Caps(tube).limbs(1.2, np.array([side]))
+    found = limbs(tube, 1.2, side)
     assert sorted(round(tube.vertices[cap.tip, 2]) for cap in found) == [0, 6]
     assert side not in [cap.tip for cap in found]
 
@@ -123,19 +161,19 @@ def test_leaves_go_in_the_order_of_their_worth_and_two_stay():
     leaf = np.flatnonzero(np.bincount(edges.ravel()) == 1)
     worth = np.zeros(len(x))
     worth[leaf] = [np.inf, 0.3, 0.2, 0.4]
-    stays, target = one_branch.kept(x, edges, worth, np.zeros(len(x), dtype=bool))
+    stays, target = one_branch.kept(edges, worth, np.zeros(len(x), dtype=bool))
     left = np.flatnonzero(np.bincount(edges[stays[edges].all(axis=1)].ravel(), minlength=len(x)) == 1)
     assert left.tolist() == [leaf[0], leaf[3]]
     assert set(target[~stays].tolist()) == {0} and (target[stays] == np.flatnonzero(stays)).all()
     held = np.isin(np.arange(len(x)), leaf[1])
-    stays, _ = one_branch.kept(x, edges, worth, held)
+    stays, _ = one_branch.kept(edges, worth, held)
     assert stays[leaf].tolist() == [True, True, False, False]
 
 
 def test_a_lost_limb_gets_a_branch_through_its_middle():
     shape = solid(block() + LIMB["long cylinder"][0], 0.1)
     trunk = legs([(0, 0, -1.02), (1.4, 0, -1)], [(0, 0, -1.02), (-1.4, 0, -1)])
-    found = [cap for cap in Caps(shape).limbs(1.2, NONE)[0] if shape.vertices[cap.tip, 2] > 1]
+    found = [cap for cap in limbs(shape, 1.2) if shape.vertices[cap.tip, 2] > 1]
     assert len(found) == 1
     x, edges = one_branch.grown(*trunk, found)
     assert branches.cycle_count(len(x), edges) == (1, 0)
@@ -150,7 +188,7 @@ def test_the_body_is_a_limb_beyond_half_of_the_surface():
     shape = solid(
         manifold3d.Manifold.batch_boolean([manifold3d.Manifold.sphere(1.0, 48), *ears], manifold3d.OpType.Add), 0.1
     )
-    found, _ = Caps(shape).limbs(1.2, np.empty(0, dtype=np.int64))
+    found = limbs(shape, 1.2)
     assert sorted(round(shape.vertices[cap.tip, 2], 1) > 0 for cap in found) == [False, True, True]
 
 
@@ -158,13 +196,12 @@ def test_a_part_with_a_handle_is_no_limb():
     """A handle of a large ball: no cap without the handle is slender, and a curve has a loop there, not a leaf."""
     ring = manifold3d.Manifold.revolve(manifold3d.CrossSection.circle(0.2, 24).translate((0.8, 0)), 64)
     shape = solid(manifold3d.Manifold.sphere(1.0, 64) + ring.rotate((90, 0, 0)).translate((1.5, 0, 0)), 0.1)
-    assert not Caps(shape).limbs(1.2, np.empty(0, dtype=np.int64))[0]
+    assert not limbs(shape, 1.2)
 
 
 def test_limbs_without_a_leaf_get_one_and_leaves_in_the_body_go():
     """Three leaves in a block with four fingers: a component keeps two until fingers have theirs."""
-    fingers = [manifold3d.Manifold.cylinder(1.0, 0.25, 0.25, 24).translate((x, 0, 0)) for x in (-1.2, -0.4, 0.4, 1.2)]
-    shape = solid(manifold3d.Manifold.batch_boolean([block(), *fingers], manifold3d.OpType.Add), 0.15)
+    shape = solid(fingers(), 0.15)
     x, edges = legs(*[[(0, 0, -1.02), (a, b, -1)] for a, b in ((1.4, 1.4), (-1.4, -1.4), (-1.4, 1.4))])
     number, none = np.arange(len(x)), np.zeros(len(x), dtype=bool)
     draft = finishing.Draft(x, edges, none, number, number, x, none)
@@ -175,9 +212,84 @@ def test_limbs_without_a_leaf_get_one_and_leaves_in_the_body_go():
     assert branches.cycle_count(len(found.vertices), found.edges) == (1, 0)
 
 
+def test_a_small_limb_must_be_twice_as_slender():
+    """`SMALL`, `SMALLER`: a finger of a fiftieth of the surface is a limb, on a block 16 times as large it is none."""
+    for size, expected in ((1.0, 1), (4.0, 0)):
+        limb = manifold3d.Manifold.cylinder(0.75, 0.25, 0.25, 48)  # three radii long, 1.37 with its top
+        body = manifold3d.Manifold.cube((4 * size, 4 * size, 2 * size), True).translate((0, 0, -size))
+        shape = solid(body + limb, 0.1 * size**0.5)
+        share = (2 * np.pi * 0.25 * 0.75 + np.pi * 0.25**2) / (64 * size**2)
+        assert (share < caps.SMALL) == (expected == 0)
+        found = limbs(shape, 2.0)
+        assert len(found) == expected
+        assert len(limbs(shape, 1.2)) == 1
+
+
+def test_noise_makes_few_tips():
+    """`SMOOTHINGS`: the vertices of a ball are moved by a third of an edge."""
+    ball = trimesh.creation.icosphere(4)
+    noise = np.random.default_rng(5).normal(0, 0.02, ball.vertices.shape)
+    num = [len(Caps(Enclosure(ball.vertices + part * noise, ball.faces)).tips()) for part in (0, 1)]
+    assert num[1] < 45 and num[0] < 30
+
+
+def test_a_vertex_leads_to_the_tip_of_its_finger():
+    shape = solid(fingers(), 0.15)
+    found = Caps(shape)
+    for x in (-1.2, -0.4, 0.4, 1.2):
+        tip = found.tip_of[nearest(shape, (x + 0.25, 0, 0.5))]
+        assert abs(shape.vertices[tip, 0] - x) < 0.26 and shape.vertices[tip, 2] > 0.99
+    assert set(found.tips()) == set(found.tip_of)
+
+
+def test_components_do_not_see_each_other():
+    """Two solids in one surface have the tips and limbs that each of them has."""
+    one, other = solid(fingers(), 0.15), solid(block() + LIMB["long cylinder"][0], 0.15)
+    x = np.concatenate([one.vertices, other.vertices + [9.0, 0, 0]])
+    both = Enclosure(x, np.concatenate([one.faces, other.faces + len(one.vertices)]))
+    tips = [set(Caps(shape).tips().tolist()) for shape in (one, other, both)]
+    assert tips[2] == tips[0] | {tip + len(one.vertices) for tip in tips[1]}
+    found = [sorted(round(cap.slenderness, 6) for cap in limbs(shape, 1.2)) for shape in (one, other, both)]
+    assert found[2] == sorted(found[0] + found[1])
+
+
+@pytest.mark.parametrize("name", ["fingers", "ears"])
+def test_pruning_again_removes_nothing_and_further_the_fingers(name):
+    """A run, and `Skeleton.prune` with the same threshold, choose the same limbs."""
+    body = fingers() if name == "fingers" else manifold3d.Manifold.sphere(1.0, 48)
+    if name == "ears":
+        for x in (-0.35, 0.35):
+            body += LIMB["long cylinder"][0].translate((x, 0, 0.7))
+    shape = solid(body, 0.15)
+    skeleton = msf_jax.skeletonize((shape.vertices, shape.faces))
+    assert skeleton.num_leaves == (4 if name == "fingers" else 3)
+    assert skeleton.prune().num_leaves == skeleton.num_leaves
+    finite = [branch.slenderness for branch in skeleton.branches if np.isfinite(branch.slenderness)]
+    assert len(finite) == skeleton.num_leaves and min(finite) >= 1.0
+    assert skeleton.prune(100.0).num_leaves == 2
+
+
+def test_a_solid_with_neither_limbs_nor_handles_keeps_its_blunt_ends():
+    """`BLUNT`: six bumps on a ball, each less slender than 1; with a hole through it, the ball has a loop instead."""
+    bumps = [
+        manifold3d.Manifold.sphere(0.45, 32).translate(tuple(0.8 * direction))
+        for direction in np.concatenate([np.eye(3), -np.eye(3)])
+    ]
+    ball = manifold3d.Manifold.batch_boolean([manifold3d.Manifold.sphere(0.8, 48), *bumps], manifold3d.OpType.Add)
+    drill = manifold3d.Manifold.cylinder(4, 0.2, 0.2, 24, True).rotate((35, 35, 0))
+    for body, leaves in ((ball, 6), (ball - drill, 0)):
+        shape = solid(body, 0.12)
+        assert not limbs(shape, 1.0) and len(limbs(shape, finishing.BLUNT)) == 6
+        skeleton = msf_jax.skeletonize((shape.vertices, shape.faces))
+        assert skeleton.num_leaves == leaves and skeleton.report.loops == (leaves == 0)
+
+
 def test_beyond_its_budget_no_tip_is_tried_and_that_is_said(monkeypatch):
     shape = solid(block() + LIMB["long cylinder"][0], 0.15)
     top = np.array([nearest(shape, (0, 0, 1.5))])
     monkeypatch.setattr(caps, "MOST_AREA", -1.0)
     none = Caps(shape)
     assert none.limbs(1.2, top)[0] == [] and none.was_hit and none.limbs(1.2, top)[1].tolist() == [np.inf]
+    monkeypatch.setattr(caps, "MOST_TIPS", 2)
+    few = Caps(shape)
+    assert len(few.tips()) == 2 and few.was_hit

@@ -145,9 +145,10 @@ class Config:
         solve_steps: CG steps after which a solve gives up; the report counts such solves.
         surgery: whether the curve is extracted by half-edge collapses in the order of shape and sampling costs, and its
             nodes recentred by the boundaries of their regions (Au et al. 2008). Else the shortest edges go first.
-        prune: least slenderness of the solid's limbs (see `host.thin.caps`): length over radius. Each limb gets one
-            branch, others are removed, and junctions well within one ball become one; 0 keeps the flow's branches. The
-            default is above the slenderness of a half ball on a wall, 0.5, and of the corner of a box, up to 0.6.
+        prune: least slenderness of the solid's limbs (see `host.thin.caps`): length over radius, and half of that below
+            a hundredth of the surface. Each limb gets one branch, others are removed, and junctions well within one
+            ball become one; 0 keeps the flow's branches. The default is above the slenderness of a half ball on a wall,
+            0.5, and of the corner of a box, up to 0.6.
         centre: whether nodes are finally moved to the middle of their limb's cross-section, and edges refined.
         extend_tips: whether leaves are extended to the ends of their limbs.
         evaluate: whether the report gets the figures of `metrics.evaluate`.
@@ -184,7 +185,7 @@ class Config:
     solve_steps: int = 2000
     preconditioner: str = "jacobi"
     surgery: bool = False
-    prune: float = 1.2
+    prune: float = 1.0
     centre: bool = True
     extend_tips: bool = True
     evaluate: bool = False

@@ -1,8 +1,6 @@
 """Make one `Flow` of all components, in the caller's units: curves, report, and the data for a tape."""
 
-from collections.abc import Callable
 from dataclasses import replace
-from typing import Any
 
 import numpy as np
 from scipy import spatial
@@ -53,8 +51,9 @@ def assemble(
             report_of(checked, states, reasons, history, notes, figures, watch),
             pruned=sum(part.finished.num_pruned for part in parts),
             grown=sum(part.finished.num_grown for part in parts),
+            wavefronts=sum(part.finished.node_of_vertex is not None for part in parts),
         )
-        curve = _skeleton(stitched[0], checked, report, source, loops_of)
+        curve = _skeleton(stitched[0], checked, report, source, is_finished=False)
         skeleton = _to_openings(stitched[1], checked, report, source)
     return Flow(
         weights=weights,
@@ -102,14 +101,15 @@ def _skeleton(
     checked: Surface,
     report: Report,
     source: Source,
-    about: Callable[..., dict[str, Any]] = assessed,
+    is_finished: bool = True,
 ) -> Skeleton:
     vertices, edges, node_of_vertex = stitched
     solid = source.solid
     components, cycles = branches.cycle_count(len(vertices), edges)
     radii = solid.radii(vertices)
     inside = metrics.inside_fraction(solid.shape, solid.enter(vertices), edges, radii / solid.diagonal)
-    found = about(solid.shape, solid.enter(vertices), edges, node_of_vertex)
+    asked = solid.shape, solid.enter(vertices), edges, node_of_vertex
+    found = assessed(*asked, report.wavefronts > 0) if is_finished else loops_of(*asked)
     report = replace(report, components=components, cycles=cycles, inside=inside, **found)
     return Skeleton(vertices, edges, radii, _map_of_input(checked, vertices, node_of_vertex), report, source)
 

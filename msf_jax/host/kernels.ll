@@ -1,4 +1,4 @@
-; b38b697db1aea92fa666a20c7149bbc970eac90c497f0817edb4ed6d7b25e267
+; 7e5f6a37e62c1be60aea4aebf62760864e5b6d2bd13677908e237171c9e7b45e
 ; Made of the kernels by `python -m tests.translate`: edit those.
 
 define internal fastcc void @_ZN7msf_jax4host5solid7kernels18triangle_distance2B2v2B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAEddd5ArrayIdLi3E1C7mutable7alignedEx(ptr noalias nonnull writeonly %retptr, double %arg.x, double %arg.y, double %arg.z, ptr readonly %arg.triangles.4, i64 %arg.triangles.5.0, i64 %arg.triangles.5.1, i64 %arg.triangles.5.2, i64 %arg.row) unnamed_addr {
@@ -2763,37 +2763,90 @@ define i64 @msf_jax.host.thin.fronts.spread(ptr readonly %words) local_unnamed_a
   %p27 = getelementptr i8, ptr %words, i64 216
   %w27 = load i64, ptr %p27, align 8
   %p30 = getelementptr i8, ptr %words, i64 240
-  %w30 = load i64, ptr %p30, align 8
-  %.163.i = icmp slt i64 %w30, 0
-  %.164.i = select i1 %.163.i, i64 %w15, i64 0
-  %1 = getelementptr double, ptr %w14, i64 %w30
-  %.178.i = getelementptr double, ptr %1, i64 %.164.i
-  store double 0.000000e+00, ptr %.178.i, align 8
-  store double 0.000000e+00, ptr %w24, align 8
-  store i64 %w30, ptr %w26, align 8
-  %2 = shl i64 %w15, 3
-  %factor.op.mul.i.i = shl i64 %w2, 3
-  br label %B68.i
+  %w30 = load ptr, ptr %p30, align 8
+  %p31 = getelementptr i8, ptr %words, i64 248
+  %w31 = load i64, ptr %p31, align 8
+  %.198490.i = icmp sgt i64 %w31, 0
+  br i1 %.198490.i, label %B20.i, label %_ZN7msf_jax4host4thin6fronts6spreadB3v25B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedE.exit
 
-B68.i:                                            ; preds = %B220.i, %0
-  %last.4.0.i = phi i64 [ %last.3.1.i, %B220.i ], [ %w30, %0 ]
-  %size.3.0.i = phi i64 [ %size.4.1.i, %B220.i ], [ 1, %0 ]
-  %.270.i = load i64, ptr %w26, align 8
-  %.79.i.i = add nsw i64 %size.3.0.i, -1
-  %.98.i.i = icmp slt i64 %size.3.0.i, 1
+B20.i:                                            ; preds = %0, %B18.backedge.i
+  %size.4.0492.i = phi i64 [ %.619.i.i, %B18.backedge.i ], [ 0, %0 ]
+  %.210.i = shl i64 %size.4.0492.i, 3
+  %.214.i = getelementptr i8, ptr %w30, i64 %.210.i
+  %.216.i = load i64, ptr %.214.i, align 8
+  %.258.i = icmp slt i64 %.216.i, 0
+  %.259.i = select i1 %.258.i, i64 %w15, i64 0
+  %1 = getelementptr double, ptr %w14, i64 %.216.i
+  %.273.i = getelementptr double, ptr %1, i64 %.259.i
+  store double 0.000000e+00, ptr %.273.i, align 8
+  %.96.i.not.i = icmp eq i64 %size.4.0492.i, 0
+  br i1 %.96.i.not.i, label %B18.backedge.i, label %B20.else.if.i.i
+
+B20.else.if.i.i:                                  ; preds = %B20.i
+  %.108.i.i = add nsw i64 %size.4.0492.i, -1
+  %.129416426.i.i = lshr i64 %.108.i.i, 1
+  %.178.i.i = getelementptr double, ptr %w24, i64 %.129416426.i.i
+  %.179.i.i = load double, ptr %.178.i.i, align 8
+  %.181.i.i = fcmp ogt double %.179.i.i, 0.000000e+00
+  br i1 %.181.i.i, label %B66.else.if.i.i, label %B18.backedge.i
+
+B66.else.if.i.i:                                  ; preds = %B20.else.if.i.i, %B204.else.if.i.i
+  %at.2.1.i.i = phi i64 [ %.208418427.i.i, %B204.else.if.i.i ], [ %size.4.0492.i, %B20.else.if.i.i ]
+  %.189.i.i = add nsw i64 %at.2.1.i.i, -1
+  %.208418427.i.i = lshr i64 %.189.i.i, 1
+  %.257.i.i = getelementptr double, ptr %w24, i64 %.208418427.i.i
+  %.258.i.i = load double, ptr %.257.i.i, align 8
+  %.330.i.i = getelementptr i64, ptr %w26, i64 %.208418427.i.i
+  %.331.i.i = load i64, ptr %.330.i.i, align 8
+  %.362.i.i = getelementptr double, ptr %w24, i64 %at.2.1.i.i
+  store double %.258.i.i, ptr %.362.i.i, align 8
+  %.394.i.i = getelementptr i64, ptr %w26, i64 %at.2.1.i.i
+  store i64 %.331.i.i, ptr %.394.i.i, align 8
+  %.447.not.i.i = icmp eq i64 %.208418427.i.i, 0
+  br i1 %.447.not.i.i, label %B18.backedge.i, label %B204.else.if.i.i
+
+B204.else.if.i.i:                                 ; preds = %B66.else.if.i.i
+  %.458.i.i = add nsw i64 %.208418427.i.i, -1
+  %.479424430.i.i = lshr i64 %.458.i.i, 1
+  %.528.i.i = getelementptr double, ptr %w24, i64 %.479424430.i.i
+  %.529.i.i = load double, ptr %.528.i.i, align 8
+  %.531.i.i = fcmp ogt double %.529.i.i, 0.000000e+00
+  br i1 %.531.i.i, label %B66.else.if.i.i, label %B18.backedge.i
+
+B18.backedge.i:                                   ; preds = %B204.else.if.i.i, %B66.else.if.i.i, %B20.else.if.i.i, %B20.i
+  %at.3.0.i.i = phi i64 [ %size.4.0492.i, %B20.else.if.i.i ], [ 0, %B20.i ], [ 0, %B66.else.if.i.i ], [ %.208418427.i.i, %B204.else.if.i.i ]
+  %2 = getelementptr double, ptr %w24, i64 %at.3.0.i.i
+  store double 0.000000e+00, ptr %2, align 8
+  %3 = getelementptr i64, ptr %w26, i64 %at.3.0.i.i
+  store i64 %.216.i, ptr %3, align 8
+  %.619.i.i = add nuw nsw i64 %size.4.0492.i, 1
+  %exitcond.not.i = icmp eq i64 %.619.i.i, %w31
+  br i1 %exitcond.not.i, label %B84.preheader.i, label %B20.i
+
+B84.preheader.i:                                  ; preds = %B18.backedge.i
+  %4 = shl i64 %w15, 3
+  %factor.op.mul.i.i = shl i64 %w2, 3
+  br label %B84.i
+
+B84.i:                                            ; preds = %B236.i, %B84.preheader.i
+  %last.4.0.i = phi i64 [ %last.3.1.i, %B236.i ], [ 0, %B84.preheader.i ]
+  %size.5.0.i = phi i64 [ %size.6.1.i, %B236.i ], [ %w31, %B84.preheader.i ]
+  %.387.i = load i64, ptr %w26, align 8
+  %.79.i.i = add nsw i64 %size.5.0.i, -1
+  %.98.i.i = icmp slt i64 %size.5.0.i, 1
   %.99.i.i = select i1 %.98.i.i, i64 %w25, i64 0
-  %3 = getelementptr double, ptr %w24, i64 %.79.i.i
-  %.113.i.i = getelementptr double, ptr %3, i64 %.99.i.i
+  %5 = getelementptr double, ptr %w24, i64 %.79.i.i
+  %.113.i.i = getelementptr double, ptr %5, i64 %.99.i.i
   %.114.i.i = load double, ptr %.113.i.i, align 8
   %.131.i.i = select i1 %.98.i.i, i64 %w27, i64 0
-  %4 = getelementptr i64, ptr %w26, i64 %.79.i.i
-  %.145.i.i = getelementptr i64, ptr %4, i64 %.131.i.i
+  %6 = getelementptr i64, ptr %w26, i64 %.79.i.i
+  %.145.i.i = getelementptr i64, ptr %6, i64 %.131.i.i
   %.146.i.i = load i64, ptr %.145.i.i, align 8
-  %.162.i.i = icmp sgt i64 %size.3.0.i, 2
-  br i1 %.162.i.i, label %B94.i.i, label %B68.endif.i
+  %.162.i.i = icmp sgt i64 %size.5.0.i, 2
+  br i1 %.162.i.i, label %B94.i.i, label %B84.endif.i
 
-B94.i.i:                                          ; preds = %B68.i, %B236.i.i
-  %at.2.0.i.i = phi i64 [ %child.2.1.i.i, %B236.i.i ], [ 0, %B68.i ]
+B94.i.i:                                          ; preds = %B84.i, %B236.i.i
+  %at.2.0.i.i = phi i64 [ %child.2.1.i.i, %B236.i.i ], [ 0, %B84.i ]
   %.170.i.i = shl nsw i64 %at.2.0.i.i, 1
   %.171.i.i = or disjoint i64 %.170.i.i, 1
   %.180.i.i = add nsw i64 %.170.i.i, 2
@@ -2803,13 +2856,13 @@ B94.i.i:                                          ; preds = %B68.i, %B236.i.i
 B128.i.i:                                         ; preds = %B94.i.i
   %.203.i.i = icmp slt i64 %at.2.0.i.i, -1
   %.204.i.i = select i1 %.203.i.i, i64 %w25, i64 0
-  %5 = getelementptr double, ptr %w24, i64 %.180.i.i
-  %.218.i.i = getelementptr double, ptr %5, i64 %.204.i.i
+  %7 = getelementptr double, ptr %w24, i64 %.180.i.i
+  %.218.i.i = getelementptr double, ptr %7, i64 %.204.i.i
   %.219.i.i = load double, ptr %.218.i.i, align 8
   %.235.i.i = icmp slt i64 %at.2.0.i.i, 0
   %.236.i.i = select i1 %.235.i.i, i64 %w25, i64 0
-  %6 = getelementptr double, ptr %w24, i64 %.171.i.i
-  %.250.i.i = getelementptr double, ptr %6, i64 %.236.i.i
+  %8 = getelementptr double, ptr %w24, i64 %.171.i.i
+  %.250.i.i = getelementptr double, ptr %8, i64 %.236.i.i
   %.251.i.i = load double, ptr %.250.i.i, align 8
   %.252.i.i = fcmp olt double %.219.i.i, %.251.i.i
   br i1 %.252.i.i, label %B190.i.i, label %B200.i.i
@@ -2821,58 +2874,58 @@ B200.i.i:                                         ; preds = %B190.i.i, %B128.i.i
   %child.2.1.i.i = phi i64 [ %.180.i.i, %B190.i.i ], [ %.171.i.i, %B128.i.i ], [ %.171.i.i, %B94.i.i ]
   %.278.i.i = icmp slt i64 %child.2.1.i.i, 0
   %.279.i.i = select i1 %.278.i.i, i64 %w25, i64 0
-  %7 = getelementptr double, ptr %w24, i64 %child.2.1.i.i
-  %.293.i.i = getelementptr double, ptr %7, i64 %.279.i.i
+  %9 = getelementptr double, ptr %w24, i64 %child.2.1.i.i
+  %.293.i.i = getelementptr double, ptr %9, i64 %.279.i.i
   %.294.i.i = load double, ptr %.293.i.i, align 8
   %.296.i.i = fcmp ult double %.294.i.i, %.114.i.i
-  br i1 %.296.i.i, label %B236.i.i, label %B68.endif.i
+  br i1 %.296.i.i, label %B236.i.i, label %B84.endif.i
 
 B236.i.i:                                         ; preds = %B200.i.i
   %.354.i.i = select i1 %.278.i.i, i64 %w27, i64 0
-  %8 = getelementptr i64, ptr %w26, i64 %child.2.1.i.i
-  %.368.i.i = getelementptr i64, ptr %8, i64 %.354.i.i
+  %10 = getelementptr i64, ptr %w26, i64 %child.2.1.i.i
+  %.368.i.i = getelementptr i64, ptr %10, i64 %.354.i.i
   %.369.i.i = load i64, ptr %.368.i.i, align 8
   %.385.i.i = icmp slt i64 %at.2.0.i.i, 0
   %.386.i.i = select i1 %.385.i.i, i64 %w25, i64 0
-  %9 = getelementptr double, ptr %w24, i64 %at.2.0.i.i
-  %.400.i.i = getelementptr double, ptr %9, i64 %.386.i.i
+  %11 = getelementptr double, ptr %w24, i64 %at.2.0.i.i
+  %.400.i.i = getelementptr double, ptr %11, i64 %.386.i.i
   store double %.294.i.i, ptr %.400.i.i, align 8
   %.418.i.i = select i1 %.385.i.i, i64 %w27, i64 0
-  %10 = getelementptr i64, ptr %w26, i64 %at.2.0.i.i
-  %.432.i.i = getelementptr i64, ptr %10, i64 %.418.i.i
+  %12 = getelementptr i64, ptr %w26, i64 %at.2.0.i.i
+  %.432.i.i = getelementptr i64, ptr %12, i64 %.418.i.i
   store i64 %.369.i.i, ptr %.432.i.i, align 8
   %.441.i.i = shl nsw i64 %child.2.1.i.i, 1
   %.442.i.i = or disjoint i64 %.441.i.i, 1
   %.444.i.i = icmp slt i64 %.442.i.i, %.79.i.i
-  br i1 %.444.i.i, label %B94.i.i, label %B68.endif.i
+  br i1 %.444.i.i, label %B94.i.i, label %B84.endif.i
 
-B160.i:                                           ; preds = %B68.endif.i
-  %sunkaddr.i = shl i64 %.342.i, 3
-  %sunkaddr33.i = getelementptr inbounds i8, ptr %29, i64 %sunkaddr.i
-  store i64 1, ptr %sunkaddr33.i, align 8
-  %.180.i3.i = select i1 %.341.i, i64 %w9, i64 0
-  %11 = getelementptr i64, ptr %w8, i64 %.270.i
-  %.194.i.i = getelementptr i64, ptr %11, i64 %.180.i3.i
+B176.i:                                           ; preds = %B84.endif.i
+  %sunkaddr.i = shl i64 %.459.i, 3
+  %sunkaddr35.i = getelementptr inbounds i8, ptr %31, i64 %sunkaddr.i
+  store i64 1, ptr %sunkaddr35.i, align 8
+  %.180.i5.i = select i1 %.458.i, i64 %w9, i64 0
+  %13 = getelementptr i64, ptr %w8, i64 %.387.i
+  %.194.i.i = getelementptr i64, ptr %13, i64 %.180.i5.i
   %.195.i.i = load i64, ptr %.194.i.i, align 8
-  %.212.i.i = icmp slt i64 %.270.i, -1
+  %.212.i.i = icmp slt i64 %.387.i, -1
   %.213.i.i = select i1 %.212.i.i, i64 %w9, i64 0
-  %12 = getelementptr i8, ptr %11, i64 8
-  %.227.i.i = getelementptr i64, ptr %12, i64 %.213.i.i
+  %14 = getelementptr i8, ptr %13, i64 8
+  %.227.i.i = getelementptr i64, ptr %14, i64 %.213.i.i
   %.228.i.i = load i64, ptr %.227.i.i, align 8
   %.265.i.i = sub i64 %.228.i.i, %.195.i.i
   %.310773.not.i.i = icmp slt i64 %.265.i.i, 1
-  br i1 %.310773.not.i.i, label %B220.i, label %B130.endif.endif.us.preheader.i.i
+  br i1 %.310773.not.i.i, label %B236.i, label %B130.endif.endif.us.preheader.i.i
 
-B130.endif.endif.us.preheader.i.i:                ; preds = %B160.i
-  %13 = getelementptr double, ptr %w14, i64 %.270.i
-  %.99.i.i.i = select i1 %.341.i, i64 %w1, i64 0
-  %.100.i.i.i = add i64 %.99.i.i.i, %.270.i
-  %sunkaddr.i.i = select i1 %.341.i, i64 %2, i64 0
-  %sunkaddr34.i = getelementptr inbounds i8, ptr %13, i64 %sunkaddr.i.i
-  %sunkaddr35.i = mul i64 %factor.op.mul.i.i, %.100.i.i.i
-  %sunkaddr36.i = getelementptr i8, ptr %w0, i64 %sunkaddr35.i
-  %sunkaddr37.i = getelementptr i8, ptr %sunkaddr36.i, i64 16
-  %sunkaddr42.i = getelementptr i8, ptr %sunkaddr36.i, i64 8
+B130.endif.endif.us.preheader.i.i:                ; preds = %B176.i
+  %15 = getelementptr double, ptr %w14, i64 %.387.i
+  %.99.i.i.i = select i1 %.458.i, i64 %w1, i64 0
+  %.100.i.i.i = add i64 %.99.i.i.i, %.387.i
+  %sunkaddr.i.i = select i1 %.458.i, i64 %4, i64 0
+  %sunkaddr36.i = getelementptr inbounds i8, ptr %15, i64 %sunkaddr.i.i
+  %sunkaddr37.i = mul i64 %factor.op.mul.i.i, %.100.i.i.i
+  %sunkaddr38.i = getelementptr i8, ptr %w0, i64 %sunkaddr37.i
+  %sunkaddr39.i = getelementptr i8, ptr %sunkaddr38.i, i64 16
+  %sunkaddr44.i = getelementptr i8, ptr %sunkaddr38.i, i64 8
   br label %B130.endif.endif.us.i.i
 
 B130.endif.endif.us.i.i:                          ; preds = %B188.B128.loopexit_crit_edge.us.i.i, %B130.endif.endif.us.preheader.i.i
@@ -2881,54 +2934,54 @@ B130.endif.endif.us.i.i:                          ; preds = %B188.B128.loopexit_
   %.316766774.us.i.i = phi i64 [ %.323.us.i.i, %B188.B128.loopexit_crit_edge.us.i.i ], [ %.195.i.i, %B130.endif.endif.us.preheader.i.i ]
   %.368.us.i.i = icmp slt i64 %.316766774.us.i.i, 0
   %.369.us.i.i = select i1 %.368.us.i.i, i64 %w11, i64 0
-  %14 = getelementptr i64, ptr %w10, i64 %.316766774.us.i.i
-  %.383.us.i.i = getelementptr i64, ptr %14, i64 %.369.us.i.i
+  %16 = getelementptr i64, ptr %w10, i64 %.316766774.us.i.i
+  %.383.us.i.i = getelementptr i64, ptr %16, i64 %.369.us.i.i
   %.384.us.i.i = load i64, ptr %.383.us.i.i, align 8
   %.528.us.i.i = icmp slt i64 %.384.us.i.i, 0
   %.529.us.i.i = select i1 %.528.us.i.i, i64 %w4, i64 0
   %.530.us.i.i = add i64 %.529.us.i.i, %.384.us.i.i
   %.550.us.i.i = mul i64 %.530.us.i.i, %w5
-  %15 = getelementptr i64, ptr %w3, i64 %.550.us.i.i
-  %sunkaddr43.i = getelementptr i8, ptr %15, i64 8
-  %sunkaddr44.i = getelementptr i8, ptr %15, i64 16
+  %17 = getelementptr i64, ptr %w3, i64 %.550.us.i.i
+  %sunkaddr45.i = getelementptr i8, ptr %17, i64 8
+  %sunkaddr46.i = getelementptr i8, ptr %17, i64 16
   br label %B190.us.i.i
 
 B190.us.i.i:                                      ; preds = %B599.us.i.i, %B130.endif.endif.us.i.i
   %size.2.1760.us.i.i = phi i64 [ %size.3.0776.us.i.i, %B130.endif.endif.us.i.i ], [ %size.4.2.us.i.i, %B599.us.i.i ]
   %.473754758.us.i.i = phi i64 [ 0, %B130.endif.endif.us.i.i ], [ %.480.us.i.i, %B599.us.i.i ]
   %.480.us.i.i = add nuw nsw i64 %.473754758.us.i.i, 1
-  %16 = getelementptr i64, ptr %15, i64 %.473754758.us.i.i
-  %.555.us.i.i = load i64, ptr %16, align 8
-  %.561.us.i.i = icmp eq i64 %.555.us.i.i, %.270.i
+  %18 = getelementptr i64, ptr %17, i64 %.473754758.us.i.i
+  %.555.us.i.i = load i64, ptr %18, align 8
+  %.561.us.i.i = icmp eq i64 %.555.us.i.i, %.387.i
   br i1 %.561.us.i.i, label %B599.us.i.i, label %B226.us.i.i
 
 B226.us.i.i:                                      ; preds = %B190.us.i.i
   %.761.us.i.i = icmp slt i64 %.555.us.i.i, 0
   %.762.us.i.i = select i1 %.761.us.i.i, i64 %w17, i64 0
-  %17 = getelementptr i64, ptr %w16, i64 %.555.us.i.i
-  %.776.us.i.i = getelementptr i64, ptr %17, i64 %.762.us.i.i
+  %19 = getelementptr i64, ptr %w16, i64 %.555.us.i.i
+  %.776.us.i.i = getelementptr i64, ptr %19, i64 %.762.us.i.i
   %.777.us.i.i = load i64, ptr %.776.us.i.i, align 8
   %.778.us.i.i = icmp eq i64 %.777.us.i.i, 1
-  %.72.i.i8.i = load double, ptr %sunkaddr37.i, align 8
+  %.72.i.i10.i = load double, ptr %sunkaddr39.i, align 8
   br i1 %.778.us.i.i, label %B336.us.i.i, label %B406.endif.us.i.i
 
 B406.endif.us.i.i:                                ; preds = %B226.us.i.i
-  %.919.us.i.i = load double, ptr %sunkaddr34.i, align 8
+  %.919.us.i.i = load double, ptr %sunkaddr36.i, align 8
   %.46.i.i.i = select i1 %.761.us.i.i, i64 %w1, i64 0
   %.47.i.i.i = add i64 %.46.i.i.i, %.555.us.i.i
   %.67.i.i.i = mul i64 %.47.i.i.i, %w2
-  %18 = getelementptr double, ptr %w0, i64 %.67.i.i.i
-  %.71.i.i.i = getelementptr i8, ptr %18, i64 16
+  %20 = getelementptr double, ptr %w0, i64 %.67.i.i.i
+  %.71.i.i.i = getelementptr i8, ptr %20, i64 16
   %.72.i.i.i = load double, ptr %.71.i.i.i, align 8
-  %.126.i.i.i = fsub double %.72.i.i.i, %.72.i.i8.i
+  %.126.i.i.i = fsub double %.72.i.i.i, %.72.i.i10.i
   %.234.i.i.i = fmul double %.126.i.i.i, %.126.i.i.i
-  %.287.i.i.i = load double, ptr %18, align 8
-  %.340.i.i.i = load double, ptr %sunkaddr36.i, align 8
+  %.287.i.i.i = load double, ptr %20, align 8
+  %.340.i.i.i = load double, ptr %sunkaddr38.i, align 8
   %.341.i.i.i = fsub double %.287.i.i.i, %.340.i.i.i
   %.449.i.i.i = fmul double %.341.i.i.i, %.341.i.i.i
-  %.501.i.i.i = getelementptr i8, ptr %18, i64 8
+  %.501.i.i.i = getelementptr i8, ptr %20, i64 8
   %.502.i.i.i = load double, ptr %.501.i.i.i, align 8
-  %.555.i.i.i = load double, ptr %sunkaddr42.i, align 8
+  %.555.i.i.i = load double, ptr %sunkaddr44.i, align 8
   %.556.i.i.i = fsub double %.502.i.i.i, %.555.i.i.i
   %.664.i.i.i = fmul double %.556.i.i.i, %.556.i.i.i
   %.665.i.i.i = fadd double %.449.i.i.i, %.664.i.i.i
@@ -2938,35 +2991,35 @@ B406.endif.us.i.i:                                ; preds = %B226.us.i.i
   br label %B490.us.i.i
 
 B336.us.i.i:                                      ; preds = %B226.us.i.i
-  %.626.us.i.i = load i64, ptr %15, align 8
-  %.681.us.i.i = load i64, ptr %sunkaddr43.i, align 8
-  %.737.us.i.i = load i64, ptr %sunkaddr44.i, align 8
-  %19 = add i64 %.555.us.i.i, %.270.i
-  %.682.us.i.i = sub i64 %.626.us.i.i, %19
+  %.626.us.i.i = load i64, ptr %17, align 8
+  %.681.us.i.i = load i64, ptr %sunkaddr45.i, align 8
+  %.737.us.i.i = load i64, ptr %sunkaddr46.i, align 8
+  %21 = add i64 %.555.us.i.i, %.387.i
+  %.682.us.i.i = sub i64 %.626.us.i.i, %21
   %.738.us.i.i = add i64 %.682.us.i.i, %.681.us.i.i
   %.742.us.i.i = add i64 %.738.us.i.i, %.737.us.i.i
-  %.99.i.i9.i = select i1 %.761.us.i.i, i64 %w1, i64 0
-  %.100.i.i10.i = add i64 %.99.i.i9.i, %.555.us.i.i
-  %.120.i.i.i = mul i64 %.100.i.i10.i, %w2
-  %20 = getelementptr double, ptr %w0, i64 %.120.i.i.i
-  %.124.i.i.i = getelementptr i8, ptr %20, i64 16
-  %.125.i.i11.i = load double, ptr %.124.i.i.i, align 8
-  %.126.i.i12.i = fsub double %.72.i.i8.i, %.125.i.i11.i
-  %.234.i.i13.i = fmul double %.126.i.i12.i, %.126.i.i12.i
-  %.287.i.i14.i = load double, ptr %sunkaddr36.i, align 8
-  %.340.i.i15.i = load double, ptr %20, align 8
-  %.341.i.i16.i = fsub double %.287.i.i14.i, %.340.i.i15.i
-  %.449.i.i17.i = fmul double %.341.i.i16.i, %.341.i.i16.i
-  %.502.i.i19.i = load double, ptr %sunkaddr42.i, align 8
-  %.554.i.i.i = getelementptr i8, ptr %20, i64 8
-  %.555.i.i20.i = load double, ptr %.554.i.i.i, align 8
-  %.556.i.i21.i = fsub double %.502.i.i19.i, %.555.i.i20.i
-  %.664.i.i22.i = fmul double %.556.i.i21.i, %.556.i.i21.i
-  %.665.i.i23.i = fadd double %.449.i.i17.i, %.664.i.i22.i
-  %.666.i.i24.i = fadd double %.234.i.i13.i, %.665.i.i23.i
-  %sqrt77.i.i = tail call double @llvm.sqrt.f64(double %.666.i.i24.i)
-  %.79.i25.i = fcmp une double %.666.i.i24.i, 0.000000e+00
-  br i1 %.79.i25.i, label %B96.endif.endif.endif.endif.i.i, label %B490.us.i.i
+  %.99.i.i11.i = select i1 %.761.us.i.i, i64 %w1, i64 0
+  %.100.i.i12.i = add i64 %.99.i.i11.i, %.555.us.i.i
+  %.120.i.i.i = mul i64 %.100.i.i12.i, %w2
+  %22 = getelementptr double, ptr %w0, i64 %.120.i.i.i
+  %.124.i.i.i = getelementptr i8, ptr %22, i64 16
+  %.125.i.i13.i = load double, ptr %.124.i.i.i, align 8
+  %.126.i.i14.i = fsub double %.72.i.i10.i, %.125.i.i13.i
+  %.234.i.i15.i = fmul double %.126.i.i14.i, %.126.i.i14.i
+  %.287.i.i16.i = load double, ptr %sunkaddr38.i, align 8
+  %.340.i.i17.i = load double, ptr %22, align 8
+  %.341.i.i18.i = fsub double %.287.i.i16.i, %.340.i.i17.i
+  %.449.i.i19.i = fmul double %.341.i.i18.i, %.341.i.i18.i
+  %.502.i.i21.i = load double, ptr %sunkaddr44.i, align 8
+  %.554.i.i.i = getelementptr i8, ptr %22, i64 8
+  %.555.i.i22.i = load double, ptr %.554.i.i.i, align 8
+  %.556.i.i23.i = fsub double %.502.i.i21.i, %.555.i.i22.i
+  %.664.i.i24.i = fmul double %.556.i.i23.i, %.556.i.i23.i
+  %.665.i.i25.i = fadd double %.449.i.i19.i, %.664.i.i24.i
+  %.666.i.i26.i = fadd double %.234.i.i15.i, %.665.i.i25.i
+  %sqrt77.i.i = tail call double @llvm.sqrt.f64(double %.666.i.i26.i)
+  %.79.i27.i = fcmp une double %.666.i.i26.i, 0.000000e+00
+  br i1 %.79.i27.i, label %B96.endif.endif.endif.endif.i.i, label %B490.us.i.i
 
 B328.i.i:                                         ; preds = %B96.endif.endif.endif.endif.i.i
   %.234.i59.i.i = fmul double %.233.i20.i.i, %.233.i20.i.i
@@ -2981,84 +3034,84 @@ B328.i.i:                                         ; preds = %B96.endif.endif.end
   %sqrt78.i.i = tail call double @llvm.sqrt.f64(double %.11.i.i.i)
   %.269.i.i = tail call double @sqrt(double %.248.i.i)
   %.277.i.i = fadd double %sqrt78.i.i, %.269.i.i
-  %.279.i29.i = fcmp ogt double %.277.i.i, 0.000000e+00
-  br i1 %.279.i29.i, label %B412.i.i, label %B490.us.i.i
+  %.279.i31.i = fcmp ogt double %.277.i.i, 0.000000e+00
+  br i1 %.279.i31.i, label %B412.i.i, label %B490.us.i.i
 
 B412.i.i:                                         ; preds = %B328.i.i
-  %.283.i.i = fsub double %.138.i.i, %.236.i28.i
+  %.283.i.i = fsub double %.138.i.i, %.236.i30.i
   %.285.i.i = fmul double %.283.i.i, %.269.i.i
   %.292.i.i = fdiv double %.285.i.i, %.277.i.i
-  %.294.i30.i = fadd double %.236.i28.i, %.292.i.i
-  %.306.i.i = fcmp oge double %.294.i30.i, 0.000000e+00
-  %.313.i.i = fcmp ole double %.294.i30.i, %sqrt77.i.i
+  %.294.i32.i = fadd double %.236.i30.i, %.292.i.i
+  %.306.i.i = fcmp oge double %.294.i32.i, 0.000000e+00
+  %.313.i.i = fcmp ole double %.294.i32.i, %sqrt77.i.i
   %or.cond.i.i = and i1 %.306.i.i, %.313.i.i
   br i1 %or.cond.i.i, label %B446.i.i, label %B490.us.i.i
 
 B446.i.i:                                         ; preds = %B412.i.i
   %.343.i.i = fmul double %.283.i.i, %.283.i.i
-  %.354.i31.i = fmul double %.277.i.i, %.277.i.i
-  %.355.i.i = fadd double %.343.i.i, %.354.i31.i
-  %sqrt.i32.i = tail call double @llvm.sqrt.f64(double %.355.i.i)
+  %.354.i33.i = fmul double %.277.i.i, %.277.i.i
+  %.355.i.i = fadd double %.343.i.i, %.354.i33.i
+  %sqrt.i34.i = tail call double @llvm.sqrt.f64(double %.355.i.i)
   br label %B490.us.i.i
 
 B96.endif.endif.endif.endif.i.i:                  ; preds = %B336.us.i.i
-  %.842.us.i.i = load double, ptr %sunkaddr34.i, align 8
-  %21 = getelementptr double, ptr %w14, i64 %.555.us.i.i
+  %.842.us.i.i = load double, ptr %sunkaddr36.i, align 8
+  %23 = getelementptr double, ptr %w14, i64 %.555.us.i.i
   %.796.us.i.i = select i1 %.761.us.i.i, i64 %w15, i64 0
-  %.810.us.i.i = getelementptr double, ptr %21, i64 %.796.us.i.i
+  %.810.us.i.i = getelementptr double, ptr %23, i64 %.796.us.i.i
   %.811.us.i.i = load double, ptr %.810.us.i.i, align 8
   %.152.i14.i.i = icmp slt i64 %.742.us.i.i, 0
   %.153.i15.i.i = select i1 %.152.i14.i.i, i64 %w1, i64 0
   %.154.i16.i.i = add i64 %.153.i15.i.i, %.742.us.i.i
   %.174.i17.i.i = mul i64 %.154.i16.i.i, %w2
-  %22 = getelementptr double, ptr %w0, i64 %.174.i17.i.i
-  %.178.i18.i.i = getelementptr i8, ptr %22, i64 16
+  %24 = getelementptr double, ptr %w0, i64 %.174.i17.i.i
+  %.178.i18.i.i = getelementptr i8, ptr %24, i64 16
   %.179.i19.i.i = load double, ptr %.178.i18.i.i, align 8
-  %.233.i20.i.i = fsub double %.179.i19.i.i, %.125.i.i11.i
-  %.234.i21.i.i = fmul double %.126.i.i12.i, %.233.i20.i.i
-  %.394.i25.i.i = load double, ptr %22, align 8
-  %.448.i26.i.i = fsub double %.394.i25.i.i, %.340.i.i15.i
-  %.449.i27.i.i = fmul double %.341.i.i16.i, %.448.i26.i.i
-  %.608.i33.i.i = getelementptr i8, ptr %22, i64 8
+  %.233.i20.i.i = fsub double %.179.i19.i.i, %.125.i.i13.i
+  %.234.i21.i.i = fmul double %.126.i.i14.i, %.233.i20.i.i
+  %.394.i25.i.i = load double, ptr %24, align 8
+  %.448.i26.i.i = fsub double %.394.i25.i.i, %.340.i.i17.i
+  %.449.i27.i.i = fmul double %.341.i.i18.i, %.448.i26.i.i
+  %.608.i33.i.i = getelementptr i8, ptr %24, i64 8
   %.609.i34.i.i = load double, ptr %.608.i33.i.i, align 8
-  %.663.i35.i.i = fsub double %.609.i34.i.i, %.555.i.i20.i
-  %.664.i36.i.i = fmul double %.556.i.i21.i, %.663.i35.i.i
+  %.663.i35.i.i = fsub double %.609.i34.i.i, %.555.i.i22.i
+  %.664.i36.i.i = fmul double %.556.i.i23.i, %.663.i35.i.i
   %.665.i37.i.i = fadd double %.449.i27.i.i, %.664.i36.i.i
   %.666.i38.i.i = fadd double %.234.i21.i.i, %.665.i37.i.i
   %.138.i.i = fdiv double %.666.i38.i.i, %sqrt77.i.i
-  %.219.i26.i = fmul double %.811.us.i.i, %.811.us.i.i
+  %.219.i28.i = fmul double %.811.us.i.i, %.811.us.i.i
   %.222.i.i = fmul double %.842.us.i.i, %.842.us.i.i
-  %.225.i.i = fsub double %.219.i26.i, %.222.i.i
-  %.227.i27.i = fadd double %.666.i.i24.i, %.225.i.i
+  %.225.i.i = fsub double %.219.i28.i, %.222.i.i
+  %.227.i29.i = fadd double %.666.i.i26.i, %.225.i.i
   %.232.i.i = fmul double %sqrt77.i.i, 2.000000e+00
-  %.236.i28.i = fdiv double %.227.i27.i, %.232.i.i
-  %.247.i.i = fmul double %.236.i28.i, %.236.i28.i
-  %.248.i.i = fsub double %.219.i26.i, %.247.i.i
+  %.236.i30.i = fdiv double %.227.i29.i, %.232.i.i
+  %.247.i.i = fmul double %.236.i30.i, %.236.i30.i
+  %.248.i.i = fsub double %.219.i28.i, %.247.i.i
   %.254.i.i = fcmp olt double %.248.i.i, 0.000000e+00
   br i1 %.254.i.i, label %B490.us.i.i, label %B328.i.i
 
 B490.us.i.i:                                      ; preds = %B96.endif.endif.endif.endif.i.i, %B446.i.i, %B412.i.i, %B328.i.i, %B336.us.i.i, %B406.endif.us.i.i
-  %away.2.3.us.i.i = phi double [ %.954.us.i.i, %B406.endif.us.i.i ], [ 0x7FF0000000000000, %B96.endif.endif.endif.endif.i.i ], [ 0x7FF0000000000000, %B336.us.i.i ], [ %sqrt.i32.i, %B446.i.i ], [ 0x7FF0000000000000, %B412.i.i ], [ 0x7FF0000000000000, %B328.i.i ]
+  %away.2.3.us.i.i = phi double [ %.954.us.i.i, %B406.endif.us.i.i ], [ 0x7FF0000000000000, %B96.endif.endif.endif.endif.i.i ], [ 0x7FF0000000000000, %B336.us.i.i ], [ %sqrt.i34.i, %B446.i.i ], [ 0x7FF0000000000000, %B412.i.i ], [ 0x7FF0000000000000, %B328.i.i ]
   %target.2.3.us.i.i = phi i64 [ %.555.us.i.i, %B406.endif.us.i.i ], [ %.742.us.i.i, %B96.endif.endif.endif.endif.i.i ], [ %.742.us.i.i, %B336.us.i.i ], [ %.742.us.i.i, %B446.i.i ], [ %.742.us.i.i, %B412.i.i ], [ %.742.us.i.i, %B328.i.i ]
   %.982.us.i.i = icmp slt i64 %target.2.3.us.i.i, 0
   %.983.us.i.i = select i1 %.982.us.i.i, i64 %w17, i64 0
-  %23 = getelementptr i64, ptr %w16, i64 %target.2.3.us.i.i
-  %.997.us.i.i = getelementptr i64, ptr %23, i64 %.983.us.i.i
+  %25 = getelementptr i64, ptr %w16, i64 %target.2.3.us.i.i
+  %.997.us.i.i = getelementptr i64, ptr %25, i64 %.983.us.i.i
   %.998.us.i.i = load i64, ptr %.997.us.i.i, align 8
   %.999.not.us.i.i = icmp eq i64 %.998.us.i.i, 1
   br i1 %.999.not.us.i.i, label %B599.us.i.i, label %B524.us.i.i
 
 B524.us.i.i:                                      ; preds = %B490.us.i.i
   %.1019.us.i.i = select i1 %.982.us.i.i, i64 %w15, i64 0
-  %24 = getelementptr double, ptr %w14, i64 %target.2.3.us.i.i
-  %.1033.us.i.i = getelementptr double, ptr %24, i64 %.1019.us.i.i
+  %26 = getelementptr double, ptr %w14, i64 %target.2.3.us.i.i
+  %.1033.us.i.i = getelementptr double, ptr %26, i64 %.1019.us.i.i
   %.1034.us.i.i = load double, ptr %.1033.us.i.i, align 8
   %.1036.us.i.i = fcmp olt double %away.2.3.us.i.i, %.1034.us.i.i
   br i1 %.1036.us.i.i, label %B548.us.i.i, label %B599.us.i.i
 
 B548.us.i.i:                                      ; preds = %B524.us.i.i
   %sunkaddr17.i.i = shl i64 %.1019.us.i.i, 3
-  %sunkaddr18.i.i = getelementptr inbounds i8, ptr %24, i64 %sunkaddr17.i.i
+  %sunkaddr18.i.i = getelementptr inbounds i8, ptr %26, i64 %sunkaddr17.i.i
   store double %away.2.3.us.i.i, ptr %sunkaddr18.i.i, align 8
   %.96.i.i.i = icmp sgt i64 %size.2.1760.us.i.i, 0
   br i1 %.96.i.i.i, label %B20.else.if.i.i.i, label %_ZN7msf_jax4host4thin6fronts4pushB3v31B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx.exit.i.i
@@ -3098,12 +3151,12 @@ _ZN7msf_jax4host4thin6fronts4pushB3v31B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s
   %at.3.0.i.i.i = phi i64 [ %size.2.1760.us.i.i, %B20.else.if.i.i.i ], [ %size.2.1760.us.i.i, %B548.us.i.i ], [ 0, %B66.else.if.i.i.i ], [ %.208418427.i.i.i, %B204.else.if.i.i.i ]
   %.560.i.i.i = icmp slt i64 %at.3.0.i.i.i, 0
   %.561.i.i.i = select i1 %.560.i.i.i, i64 %w25, i64 0
-  %25 = getelementptr double, ptr %w24, i64 %at.3.0.i.i.i
-  %.575.i.i.i = getelementptr double, ptr %25, i64 %.561.i.i.i
+  %27 = getelementptr double, ptr %w24, i64 %at.3.0.i.i.i
+  %.575.i.i.i = getelementptr double, ptr %27, i64 %.561.i.i.i
   store double %away.2.3.us.i.i, ptr %.575.i.i.i, align 8
   %.598.i.i.i = select i1 %.560.i.i.i, i64 %w27, i64 0
-  %26 = getelementptr i64, ptr %w26, i64 %at.3.0.i.i.i
-  %.612.i.i.i = getelementptr i64, ptr %26, i64 %.598.i.i.i
+  %28 = getelementptr i64, ptr %w26, i64 %at.3.0.i.i.i
+  %.612.i.i.i = getelementptr i64, ptr %28, i64 %.598.i.i.i
   store i64 %target.2.3.us.i.i, ptr %.612.i.i.i, align 8
   %.619.i.i.i = add nsw i64 %size.2.1760.us.i.i, 1
   br label %B599.us.i.i
@@ -3117,35 +3170,36 @@ B188.B128.loopexit_crit_edge.us.i.i:              ; preds = %B599.us.i.i
   %.319.us.i.i = add nsw i64 %.309763775.us.i.i, -1
   %.323.us.i.i = add i64 %.316766774.us.i.i, 1
   %.310.us.i.i = icmp sgt i64 %.309763775.us.i.i, 1
-  br i1 %.310.us.i.i, label %B130.endif.endif.us.i.i, label %B220.i
+  br i1 %.310.us.i.i, label %B130.endif.endif.us.i.i, label %B236.i
 
-B220.i:                                           ; preds = %B188.B128.loopexit_crit_edge.us.i.i, %B68.endif.i, %B160.i
-  %last.3.1.i = phi i64 [ %last.4.0.i, %B68.endif.i ], [ %.270.i, %B160.i ], [ %.270.i, %B188.B128.loopexit_crit_edge.us.i.i ]
-  %size.4.1.i = phi i64 [ %.79.i.i, %B68.endif.i ], [ %.79.i.i, %B160.i ], [ %size.4.2.us.i.i, %B188.B128.loopexit_crit_edge.us.i.i ]
-  %.479.not.i = icmp eq i64 %size.4.1.i, 0
-  br i1 %.479.not.i, label %_ZN7msf_jax4host4thin6fronts6spreadB3v25B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29x.exit, label %B68.i
+B236.i:                                           ; preds = %B188.B128.loopexit_crit_edge.us.i.i, %B84.endif.i, %B176.i
+  %last.3.1.i = phi i64 [ %last.4.0.i, %B84.endif.i ], [ %.387.i, %B176.i ], [ %.387.i, %B188.B128.loopexit_crit_edge.us.i.i ]
+  %size.6.1.i = phi i64 [ %.79.i.i, %B84.endif.i ], [ %.79.i.i, %B176.i ], [ %size.4.2.us.i.i, %B188.B128.loopexit_crit_edge.us.i.i ]
+  %.596.not.i = icmp eq i64 %size.6.1.i, 0
+  br i1 %.596.not.i, label %_ZN7msf_jax4host4thin6fronts6spreadB3v25B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedE.exit, label %B84.i
 
-B68.endif.i:                                      ; preds = %B236.i.i, %B200.i.i, %B68.i
-  %at.3.1.i.i = phi i64 [ 0, %B68.i ], [ %child.2.1.i.i, %B236.i.i ], [ %at.2.0.i.i, %B200.i.i ]
+B84.endif.i:                                      ; preds = %B236.i.i, %B200.i.i, %B84.i
+  %at.3.1.i.i = phi i64 [ 0, %B84.i ], [ %child.2.1.i.i, %B236.i.i ], [ %at.2.0.i.i, %B200.i.i ]
   %.469.i.i = icmp slt i64 %at.3.1.i.i, 0
   %.470.i.i = select i1 %.469.i.i, i64 %w25, i64 0
-  %27 = getelementptr double, ptr %w24, i64 %at.3.1.i.i
-  %.484.i.i = getelementptr double, ptr %27, i64 %.470.i.i
+  %29 = getelementptr double, ptr %w24, i64 %at.3.1.i.i
+  %.484.i.i = getelementptr double, ptr %29, i64 %.470.i.i
   store double %.114.i.i, ptr %.484.i.i, align 8
   %.507.i.i = select i1 %.469.i.i, i64 %w27, i64 0
-  %28 = getelementptr i64, ptr %w26, i64 %at.3.1.i.i
-  %.521.i.i = getelementptr i64, ptr %28, i64 %.507.i.i
+  %30 = getelementptr i64, ptr %w26, i64 %at.3.1.i.i
+  %.521.i.i = getelementptr i64, ptr %30, i64 %.507.i.i
   store i64 %.146.i.i, ptr %.521.i.i, align 8
-  %.341.i = icmp slt i64 %.270.i, 0
-  %.342.i = select i1 %.341.i, i64 %w17, i64 0
-  %29 = getelementptr i64, ptr %w16, i64 %.270.i
-  %.356.i = getelementptr i64, ptr %29, i64 %.342.i
-  %.357.i = load i64, ptr %.356.i, align 8
-  %.358.not.i = icmp eq i64 %.357.i, 1
-  br i1 %.358.not.i, label %B220.i, label %B160.i
+  %.458.i = icmp slt i64 %.387.i, 0
+  %.459.i = select i1 %.458.i, i64 %w17, i64 0
+  %31 = getelementptr i64, ptr %w16, i64 %.387.i
+  %.473.i = getelementptr i64, ptr %31, i64 %.459.i
+  %.474.i = load i64, ptr %.473.i, align 8
+  %.475.not.i = icmp eq i64 %.474.i, 1
+  br i1 %.475.not.i, label %B236.i, label %B176.i
 
-_ZN7msf_jax4host4thin6fronts6spreadB3v25B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29x.exit: ; preds = %B220.i
-  ret i64 %last.3.1.i
+_ZN7msf_jax4host4thin6fronts6spreadB3v25B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedE.exit: ; preds = %B236.i, %0
+  %last.2.1.i = phi i64 [ 0, %0 ], [ %last.3.1.i, %B236.i ]
+  ret i64 %last.2.1.i
 }
 
 declare i64 @llvm.smin.i64(i64, i64)
@@ -3230,51 +3284,53 @@ define i64 @msf_jax.host.thin.fronts.cap(ptr readonly %words) local_unnamed_addr
   %p34 = getelementptr i8, ptr %words, i64 272
   %w34 = load double, ptr %p34, align 8
   %p35 = getelementptr i8, ptr %words, i64 280
-  %w35 = load ptr, ptr %p35, align 8
+  %w35 = load double, ptr %p35, align 8
   %p36 = getelementptr i8, ptr %words, i64 288
-  %w36 = load i64, ptr %p36, align 8
+  %w36 = load ptr, ptr %p36, align 8
   %p37 = getelementptr i8, ptr %words, i64 296
-  %w37 = load ptr, ptr %p37, align 8
+  %w37 = load i64, ptr %p37, align 8
   %p38 = getelementptr i8, ptr %words, i64 304
-  %w38 = load i64, ptr %p38, align 8
+  %w38 = load ptr, ptr %p38, align 8
   %p39 = getelementptr i8, ptr %words, i64 312
   %w39 = load i64, ptr %p39, align 8
-  %s57 = shl i64 %w39, 3
   %p40 = getelementptr i8, ptr %words, i64 320
-  %w40 = load ptr, ptr %p40, align 8
+  %w40 = load i64, ptr %p40, align 8
+  %s58 = shl i64 %w40, 3
   %p41 = getelementptr i8, ptr %words, i64 328
-  %w41 = load i64, ptr %p41, align 8
-  %.228.i = add nsw i64 %w38, -1
-  %.248.i = tail call i64 @llvm.smin.i64(i64 %w38, i64 0)
-  %.249.i = add i64 %.228.i, %.248.i
-  %.266.i = mul i64 %.249.i, %w39
-  %.268.i = getelementptr double, ptr %w37, i64 %.266.i
-  %.310.i = add i64 %w38, 2305843009213693950
-  %.329.i = icmp slt i64 %w38, 2
-  %.330.i = select i1 %.329.i, i64 %w38, i64 0
-  %.331.i = add i64 %.310.i, %.330.i
-  %.392.i = add nsw i64 %w38, -3
-  %.411.i = icmp slt i64 %w38, 3
-  %.412.i = select i1 %.411.i, i64 %w38, i64 0
-  %.413.i = add i64 %.412.i, %.392.i
-  %.430.i = mul i64 %.413.i, %w39
-  %.432.i = getelementptr double, ptr %w37, i64 %.430.i
-  %.485.i = icmp slt i64 %w30, 0
-  %.486.i = select i1 %.485.i, i64 %w15, i64 0
+  %w41 = load ptr, ptr %p41, align 8
+  %p42 = getelementptr i8, ptr %words, i64 336
+  %w42 = load i64, ptr %p42, align 8
+  %.231.i = add nsw i64 %w39, -1
+  %.251.i = tail call i64 @llvm.smin.i64(i64 %w39, i64 0)
+  %.252.i = add i64 %.231.i, %.251.i
+  %.269.i = mul i64 %.252.i, %w40
+  %.271.i = getelementptr double, ptr %w38, i64 %.269.i
+  %.313.i = add i64 %w39, 2305843009213693950
+  %.332.i = icmp slt i64 %w39, 2
+  %.333.i = select i1 %.332.i, i64 %w39, i64 0
+  %.334.i = add i64 %.313.i, %.333.i
+  %.395.i = add nsw i64 %w39, -3
+  %.414.i = icmp slt i64 %w39, 3
+  %.415.i = select i1 %.414.i, i64 %w39, i64 0
+  %.416.i = add i64 %.415.i, %.395.i
+  %.433.i = mul i64 %.416.i, %w40
+  %.435.i = getelementptr double, ptr %w38, i64 %.433.i
+  %.488.i = icmp slt i64 %w30, 0
+  %.489.i = select i1 %.488.i, i64 %w15, i64 0
   %1 = getelementptr double, ptr %w14, i64 %w30
-  %.500.i = getelementptr double, ptr %1, i64 %.486.i
-  store double 0.000000e+00, ptr %.500.i, align 8
+  %.503.i = getelementptr double, ptr %1, i64 %.489.i
+  store double 0.000000e+00, ptr %.503.i, align 8
   store double 0.000000e+00, ptr %w24, align 8
   store i64 %w30, ptr %w26, align 8
   %2 = shl i64 %w15, 3
-  %scevgep177.i = getelementptr i8, ptr %w40, i64 24
-  %factor.op.mul.reass.i = mul i64 %s57, %.331.i
-  %sunkaddr285.i = getelementptr i8, ptr %w37, i64 %factor.op.mul.reass.i
+  %scevgep177.i = getelementptr i8, ptr %w41, i64 24
+  %factor.op.mul.reass.i = mul i64 %s58, %.334.i
+  %sunkaddr285.i = getelementptr i8, ptr %w38, i64 %factor.op.mul.reass.i
   %3 = shl i64 %w11, 3
-  %sunkaddr1.i.i = getelementptr i8, ptr %.268.i, i64 8
-  %sunkaddr.i34.i = getelementptr i8, ptr %.268.i, i64 16
-  %sunkaddr2.i.i = getelementptr i8, ptr %.268.i, i64 24
-  %sunkaddr3.i.i = getelementptr i8, ptr %.268.i, i64 32
+  %sunkaddr1.i.i = getelementptr i8, ptr %.271.i, i64 8
+  %sunkaddr.i34.i = getelementptr i8, ptr %.271.i, i64 16
+  %sunkaddr2.i.i = getelementptr i8, ptr %.271.i, i64 24
+  %sunkaddr3.i.i = getelementptr i8, ptr %.271.i, i64 32
   %sunkaddr294.i = getelementptr i8, ptr %sunkaddr285.i, i64 8
   %sunkaddr298.i = getelementptr i8, ptr %sunkaddr285.i, i64 16
   %sunkaddr302.i = getelementptr i8, ptr %sunkaddr285.i, i64 24
@@ -3288,34 +3344,34 @@ B252.preheader.i:                                 ; preds = %B504.i, %0
   %count.2.03188.i = phi i64 [ 0, %0 ], [ %count.3.1.i, %B504.i ]
   %rows.5.03187.i = phi i64 [ 0, %0 ], [ %.us-phi2969.i, %B504.i ]
   %level.3.03186.i = phi double [ %w31, %0 ], [ %.us-phi2968.i, %B504.i ]
-  %.1031.i = icmp sgt i64 %count.2.03188.i, 5
-  %.67127.i = load double, ptr %w24, align 8
-  %.67628.i = fcmp olt double %.67127.i, %level.3.03186.i
-  br i1 %.1031.i, label %B252.preheader3240.i, label %B252.preheader.split.us.split.i
+  %.1034.i = icmp sgt i64 %count.2.03188.i, 5
+  %.67427.i = load double, ptr %w24, align 8
+  %.67928.i = fcmp olt double %.67427.i, %level.3.03186.i
+  br i1 %.1034.i, label %B252.preheader3240.i, label %B252.preheader.split.us.split.i
 
 B252.preheader3240.i:                             ; preds = %B252.preheader.i
-  br i1 %.67628.i, label %B316.i, label %B506.preheader.i
+  br i1 %.67928.i, label %B316.i, label %B506.preheader.i
 
 B506.preheader.i:                                 ; preds = %B252.preheader3240.i
   %xtraiter85.i = and i64 %count.2.03188.i, 3
   %unroll_iter88.i = and i64 %count.2.03188.i, 9223372036854775804
   %4 = shl i64 %count.2.03188.i, 3
   %scevgep178.i = getelementptr i8, ptr %scevgep177.i, i64 %4
-  %scevgep186.i = getelementptr i8, ptr %w40, i64 %4
+  %scevgep186.i = getelementptr i8, ptr %w41, i64 %4
   %5 = icmp eq i64 %xtraiter85.i, 0
   br label %B506.i
 
 B252.preheader.split.us.split.i:                  ; preds = %B252.preheader.i
-  br i1 %.67628.i, label %B316.i, label %B506.us.i
+  br i1 %.67928.i, label %B316.i, label %B506.us.i
 
 B506.us.i:                                        ; preds = %B252.preheader.split.us.split.i, %B506.us.i
-  %level.2.2.us2996.i = phi double [ %.4225.us.i, %B506.us.i ], [ %level.3.03186.i, %B252.preheader.split.us.split.i ]
-  %.4225.us.i = fmul double %w32, %level.2.2.us2996.i
-  %.676.us.i = fcmp olt double %.67127.i, %.4225.us.i
-  br i1 %.676.us.i, label %B316.i, label %B506.us.i
+  %level.2.2.us2996.i = phi double [ %.4252.us.i, %B506.us.i ], [ %level.3.03186.i, %B252.preheader.split.us.split.i ]
+  %.4252.us.i = fmul double %w32, %level.2.2.us2996.i
+  %.679.us.i = fcmp olt double %.67427.i, %.4252.us.i
+  br i1 %.679.us.i, label %B316.i, label %B506.us.i
 
 B316.i:                                           ; preds = %B506.us.i, %B252.backedge.i, %B252.preheader.split.us.split.i, %B252.preheader3240.i
-  %.us-phi2968.i = phi double [ %level.2.2.be.i, %B252.backedge.i ], [ %level.3.03186.i, %B252.preheader.split.us.split.i ], [ %level.3.03186.i, %B252.preheader3240.i ], [ %.4225.us.i, %B506.us.i ]
+  %.us-phi2968.i = phi double [ %level.2.2.be.i, %B252.backedge.i ], [ %level.3.03186.i, %B252.preheader.split.us.split.i ], [ %level.3.03186.i, %B252.preheader3240.i ], [ %.4252.us.i, %B506.us.i ]
   %.us-phi2969.i = phi i64 [ %rows.2.2.be.i, %B252.backedge.i ], [ %rows.5.03187.i, %B252.preheader.split.us.split.i ], [ %rows.5.03187.i, %B252.preheader3240.i ], [ %rows.5.03187.i, %B506.us.i ]
   %.us-phi2970.i = phi i64 [ %size_of_region.4.2.be.i, %B252.backedge.i ], [ %size_of_region.3.03189.i, %B252.preheader.split.us.split.i ], [ %size_of_region.3.03189.i, %B252.preheader3240.i ], [ %size_of_region.3.03189.i, %B506.us.i ]
   %.us-phi2971.i = phi double [ %last.2.2.be.i, %B252.backedge.i ], [ %last.5.03190.i, %B252.preheader.split.us.split.i ], [ %last.5.03190.i, %B252.preheader3240.i ], [ %last.5.03190.i, %B506.us.i ]
@@ -3388,29 +3444,29 @@ B236.i.i:                                         ; preds = %B200.i.i
   br i1 %.444.i.i, label %B94.i.i, label %B316.endif.i
 
 B382.i:                                           ; preds = %B316.endif.i
-  %sunkaddr.i = shl i64 %.756.i, 3
+  %sunkaddr.i = shl i64 %.759.i, 3
   %sunkaddr201.i = getelementptr inbounds i8, ptr %128, i64 %sunkaddr.i
   store i64 1, ptr %sunkaddr201.i, align 8
-  %.828.i = icmp slt i64 %count.2.03188.i, 0
-  %.829.i = select i1 %.828.i, i64 %w19, i64 0
+  %.831.i = icmp slt i64 %count.2.03188.i, 0
+  %.832.i = select i1 %.831.i, i64 %w19, i64 0
   %14 = getelementptr i64, ptr %w18, i64 %count.2.03188.i
-  %.843.i = getelementptr i64, ptr %14, i64 %.829.i
-  store i64 %.us-phi2972.i, ptr %.843.i, align 8
-  %.846.i = add i64 %count.2.03188.i, 1
-  %.854.i = icmp eq i64 %.us-phi2972.i, %w30
-  br i1 %.854.i, label %B466.i, label %B444.i
+  %.846.i = getelementptr i64, ptr %14, i64 %.832.i
+  store i64 %.us-phi2972.i, ptr %.846.i, align 8
+  %.849.i = add i64 %count.2.03188.i, 1
+  %.857.i = icmp eq i64 %.us-phi2972.i, %w30
+  br i1 %.857.i, label %B466.i, label %B444.i
 
 B444.i:                                           ; preds = %B382.i
-  %.874.i = select i1 %.755.i, i64 %w36, i64 0
-  %15 = getelementptr i64, ptr %w35, i64 %.us-phi2972.i
-  %.888.i = getelementptr i64, ptr %15, i64 %.874.i
-  %.889.i = load i64, ptr %.888.i, align 8
-  %.890.i = icmp eq i64 %.889.i, 0
+  %.877.i = select i1 %.758.i, i64 %w37, i64 0
+  %15 = getelementptr i64, ptr %w36, i64 %.us-phi2972.i
+  %.891.i = getelementptr i64, ptr %15, i64 %.877.i
+  %.892.i = load i64, ptr %.891.i, align 8
+  %.893.i = icmp eq i64 %.892.i, 0
   br label %B466.i
 
 B466.i:                                           ; preds = %B444.i, %B382.i
-  %"$phi466.0.2.1.i" = phi i1 [ true, %B382.i ], [ %.890.i, %B444.i ]
-  %.180.i47.i = select i1 %.755.i, i64 %w9, i64 0
+  %"$phi466.0.2.1.i" = phi i1 [ true, %B382.i ], [ %.893.i, %B444.i ]
+  %.180.i47.i = select i1 %.758.i, i64 %w9, i64 0
   %16 = getelementptr i64, ptr %w8, i64 %.us-phi2972.i
   %.194.i.i = getelementptr i64, ptr %16, i64 %.180.i47.i
   %.195.i.i = load i64, ptr %.194.i.i, align 8
@@ -3425,9 +3481,9 @@ B466.i:                                           ; preds = %B444.i, %B382.i
 
 B130.endif.endif.us.preheader.i.i:                ; preds = %B466.i
   %18 = getelementptr double, ptr %w14, i64 %.us-phi2972.i
-  %.99.i.i.i = select i1 %.755.i, i64 %w1, i64 0
+  %.99.i.i.i = select i1 %.758.i, i64 %w1, i64 0
   %.100.i.i.i = add i64 %.99.i.i.i, %.us-phi2972.i
-  %sunkaddr.i.i = select i1 %.755.i, i64 %2, i64 0
+  %sunkaddr.i.i = select i1 %.758.i, i64 %2, i64 0
   %.120.i.reass.i.i = mul i64 %s3, %.100.i.i.i
   %sunkaddr202.i = getelementptr inbounds i8, ptr %18, i64 %sunkaddr.i.i
   %sunkaddr203.i = getelementptr i8, ptr %w0, i64 %.120.i.reass.i.i
@@ -3685,43 +3741,43 @@ B188.B128.loopexit_crit_edge.us.i.i:              ; preds = %B599.us.i.i
   br i1 %.310.us.i.i, label %B130.endif.endif.us.i.i, label %B504.i
 
 B504.i:                                           ; preds = %B188.B128.loopexit_crit_edge.us.i.i, %B316.endif.i, %B466.i
-  %count.3.1.i = phi i64 [ %count.2.03188.i, %B316.endif.i ], [ %.846.i, %B466.i ], [ %.846.i, %B188.B128.loopexit_crit_edge.us.i.i ]
+  %count.3.1.i = phi i64 [ %count.2.03188.i, %B316.endif.i ], [ %.849.i, %B466.i ], [ %.849.i, %B188.B128.loopexit_crit_edge.us.i.i ]
   %goes_on.6.1.i = phi i1 [ true, %B316.endif.i ], [ %"$phi466.0.2.1.i", %B466.i ], [ %"$phi466.0.2.1.i", %B188.B128.loopexit_crit_edge.us.i.i ]
   %size.4.1.i = phi i64 [ %.79.i.i, %B316.endif.i ], [ %.79.i.i, %B466.i ], [ %size.4.2.us.i.i, %B188.B128.loopexit_crit_edge.us.i.i ]
-  %.563.not2653.i = icmp ne i64 %size.4.1.i, 0
-  %brmerge.not.i = select i1 %.563.not2653.i, i1 %goes_on.6.1.i, i1 false
-  br i1 %brmerge.not.i, label %B252.preheader.i, label %B2030.i
+  %.566.not2653.i = icmp ne i64 %size.4.1.i, 0
+  %brmerge.not.i = select i1 %.566.not2653.i, i1 %goes_on.6.1.i, i1 false
+  br i1 %brmerge.not.i, label %B252.preheader.i, label %B2066.i
 
 B506.i:                                           ; preds = %B252.backedge.i, %B506.preheader.i
   %last.2.235.i = phi double [ %last.2.2.be.i, %B252.backedge.i ], [ %last.5.03190.i, %B506.preheader.i ]
   %size_of_region.4.234.i = phi i64 [ %size_of_region.4.2.be.i, %B252.backedge.i ], [ %size_of_region.3.03189.i, %B506.preheader.i ]
   %rows.2.233.i = phi i64 [ %rows.2.2.be.i, %B252.backedge.i ], [ %rows.5.03187.i, %B506.preheader.i ]
   %level.2.229.i = phi double [ %level.2.2.be.i, %B252.backedge.i ], [ %level.3.03186.i, %B506.preheader.i ]
-  %.1060.i = icmp slt i64 %rows.2.233.i, %.392.i
-  br i1 %.1060.i, label %B630.endif.preheader.i, label %B252.backedge.i
+  %.1063.i = icmp slt i64 %rows.2.233.i, %.395.i
+  br i1 %.1063.i, label %B630.endif.preheader.i, label %B252.backedge.i
 
-B628.loopexit.i:                                  ; preds = %B2203.i, %B630.endif.i
-  %area.4.4.lcssa.i = phi double [ %area.7.32765.i, %B630.endif.i ], [ %area.5.5.i, %B2203.i ]
-  %rings.2.4.lcssa.i = phi i64 [ %rings.5.32766.i, %B630.endif.i ], [ %rings.3.5.i, %B2203.i ]
-  %longest.3.4.lcssa.i = phi i64 [ %longest.2.32767.i, %B630.endif.i ], [ %longest.4.5.i, %B2203.i ]
-  %exitcond.not.i = icmp eq i64 %.1208.i, %count.2.03188.i
+B628.loopexit.i:                                  ; preds = %B2239.i, %B630.endif.i
+  %area.4.4.lcssa.i = phi double [ %area.5.32765.i, %B630.endif.i ], [ %area.6.5.i, %B2239.i ]
+  %rings.2.4.lcssa.i = phi i64 [ %rings.3.32766.i, %B630.endif.i ], [ %rings.4.5.i, %B2239.i ]
+  %longest.3.4.lcssa.i = phi i64 [ %longest.2.32767.i, %B630.endif.i ], [ %longest.4.5.i, %B2239.i ]
+  %exitcond.not.i = icmp eq i64 %.1211.i, %count.2.03188.i
   br i1 %exitcond.not.i, label %B1066.i, label %B630.endif.i
 
-B760.i:                                           ; preds = %B760.preheader.i, %B2203.i
-  %lsr.iv.i = phi i64 [ %132, %B760.preheader.i ], [ %lsr.iv.next.i, %B2203.i ]
-  %longest.3.42736.i = phi i64 [ %longest.2.32767.i, %B760.preheader.i ], [ %longest.4.5.i, %B2203.i ]
-  %rings.2.42735.i = phi i64 [ %rings.5.32766.i, %B760.preheader.i ], [ %rings.3.5.i, %B2203.i ]
-  %area.4.42734.i = phi double [ %area.7.32765.i, %B760.preheader.i ], [ %area.5.5.i, %B2203.i ]
-  %.146127152732.i = phi i64 [ %.1312.i, %B760.preheader.i ], [ %.1468.i, %B2203.i ]
-  %.1507.i = icmp slt i64 %.146127152732.i, 0
-  %33 = select i1 %.1507.i, i64 %3, i64 0
+B760.i:                                           ; preds = %B760.preheader.i, %B2239.i
+  %lsr.iv.i = phi i64 [ %132, %B760.preheader.i ], [ %lsr.iv.next.i, %B2239.i ]
+  %longest.3.42736.i = phi i64 [ %longest.2.32767.i, %B760.preheader.i ], [ %longest.4.5.i, %B2239.i ]
+  %rings.2.42735.i = phi i64 [ %rings.3.32766.i, %B760.preheader.i ], [ %rings.4.5.i, %B2239.i ]
+  %area.4.42734.i = phi double [ %area.5.32765.i, %B760.preheader.i ], [ %area.6.5.i, %B2239.i ]
+  %.146427152732.i = phi i64 [ %.1315.i, %B760.preheader.i ], [ %.1471.i, %B2239.i ]
+  %.1510.i = icmp slt i64 %.146427152732.i, 0
+  %33 = select i1 %.1510.i, i64 %3, i64 0
   %scevgep132.i = getelementptr i8, ptr %w10, i64 %33
-  %34 = shl i64 %.146127152732.i, 3
+  %34 = shl i64 %.146427152732.i, 3
   %scevgep133.i = getelementptr i8, ptr %scevgep132.i, i64 %34
-  %.1523.i = load i64, ptr %scevgep133.i, align 8
-  %.300.i.i = icmp slt i64 %.1523.i, 0
+  %.1526.i = load i64, ptr %scevgep133.i, align 8
+  %.300.i.i = icmp slt i64 %.1526.i, 0
   %.301.i.i = select i1 %.300.i.i, i64 %w4, i64 0
-  %.302.i.i = add i64 %.301.i.i, %.1523.i
+  %.302.i.i = add i64 %.301.i.i, %.1526.i
   %.322.i.i = mul i64 %.302.i.i, %w5
   %35 = getelementptr i64, ptr %w3, i64 %.322.i.i
   %.327.i.i = load i64, ptr %35, align 8
@@ -3762,21 +3818,21 @@ B140.endif.i.i:                                   ; preds = %B760.i, %B760.i
   br i1 %.402536.cmp.i.i, label %B834.endif.i, label %B874.i
 
 B874.i:                                           ; preds = %B140.endif.i.i, %B760.i
-  %.1676.i = select i1 %.300.i.i, i64 %w29, i64 0
-  %41 = getelementptr i64, ptr %w28, i64 %.1523.i
-  %.1690.i = getelementptr i64, ptr %41, i64 %.1676.i
-  %.1691.i = load i64, ptr %.1690.i, align 8
-  %.1692.i = icmp slt i64 %.1691.i, 0
-  br i1 %.1692.i, label %B908.i, label %B2203.i
+  %.1679.i = select i1 %.300.i.i, i64 %w29, i64 0
+  %41 = getelementptr i64, ptr %w28, i64 %.1526.i
+  %.1693.i = getelementptr i64, ptr %41, i64 %.1679.i
+  %.1694.i = load i64, ptr %.1693.i, align 8
+  %.1695.i = icmp slt i64 %.1694.i, 0
+  br i1 %.1695.i, label %B908.i, label %B2239.i
 
 B908.i:                                           ; preds = %B874.i
-  tail call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(40) %.268.i, i8 0, i64 40, i1 false)
-  %.357.i33.i = load i64, ptr %.1690.i, align 8
+  tail call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(40) %.271.i, i8 0, i64 40, i1 false)
+  %.357.i33.i = load i64, ptr %.1693.i, align 8
   %.358.i.i = icmp slt i64 %.357.i33.i, 0
-  br i1 %.358.i.i, label %B104.i.i, label %_ZN7msf_jax4host4thin6fronts12ring_throughB3v36B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx5ArrayIdLi1E1C7mutable7alignedE.exit.i
+  br i1 %.358.i.i, label %B104.i.i, label %_ZN7msf_jax4host4thin6fronts12ring_throughB3v37B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx5ArrayIdLi1E1C7mutable7alignedE.exit.i
 
 B104.i.i:                                         ; preds = %B908.i, %B104.endif.else.if.i.i
-  %face.2.0.i.i = phi i64 [ %.2101.1.i.i, %B104.endif.else.if.i.i ], [ %.1523.i, %B908.i ]
+  %face.2.0.i.i = phi i64 [ %.2101.1.i.i, %B104.endif.else.if.i.i ], [ %.1526.i, %B908.i ]
   %.379.i.i = icmp slt i64 %face.2.0.i.i, 0
   %.380.i.i = select i1 %.379.i.i, i64 %w29, i64 0
   %42 = getelementptr i64, ptr %w28, i64 %face.2.0.i.i
@@ -3924,9 +3980,9 @@ B104.endif.else.if.i.i:                           ; preds = %B156.endif.endif.i.
   %.1296.2.i.i = fmul double %.1295.2.i.i, %.1295.2.i.i
   %.1298.2.i.i = fadd double %.1298.1.i.i, %.1296.2.i.i
   %sqrt.i37.i = tail call double @llvm.sqrt.f64(double %.1298.2.i.i)
-  %.1342.i.i = load double, ptr %.268.i, align 8
+  %.1342.i.i = load double, ptr %.271.i, align 8
   %.1344.i.i = fadd double %.1342.i.i, %sqrt.i37.i
-  store double %.1344.i.i, ptr %.268.i, align 8
+  store double %.1344.i.i, ptr %.271.i, align 8
   %.1522.i.i = load double, ptr %sunkaddr1.i.i, align 8
   %.1573.i.i = load double, ptr %59, align 8
   %.1624.i.i = load double, ptr %58, align 8
@@ -3999,31 +4055,31 @@ B104.endif.else.if.i.i:                           ; preds = %B156.endif.endif.i.
   %.2165.i.i = getelementptr i64, ptr %63, i64 %.2151.i.i
   %.2166.i.i = load i64, ptr %.2165.i.i, align 8
   %.2167.i.i = icmp slt i64 %.2166.i.i, 0
-  br i1 %.2167.i.i, label %B104.i.i, label %_ZN7msf_jax4host4thin6fronts12ring_throughB3v36B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx5ArrayIdLi1E1C7mutable7alignedE.exit.i
+  br i1 %.2167.i.i, label %B104.i.i, label %_ZN7msf_jax4host4thin6fronts12ring_throughB3v37B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx5ArrayIdLi1E1C7mutable7alignedE.exit.i
 
-_ZN7msf_jax4host4thin6fronts12ring_throughB3v36B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx5ArrayIdLi1E1C7mutable7alignedE.exit.i: ; preds = %B104.endif.else.if.i.i, %B908.i
-  %.2034.pre.i = phi double [ 0.000000e+00, %B908.i ], [ %.1946.sink.i.i, %B104.endif.else.if.i.i ]
-  %.1962.i = phi double [ 0.000000e+00, %B908.i ], [ %.1344.i.i, %B104.endif.else.if.i.i ]
-  %.1802.i = load double, ptr %sunkaddr285.i, align 8
-  %.1803.i = fcmp ogt double %.1962.i, %.1802.i
-  br i1 %.1803.i, label %B1004.preheader.i, label %B1030.i
+_ZN7msf_jax4host4thin6fronts12ring_throughB3v37B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx5ArrayIdLi1E1C7mutable7alignedE.exit.i: ; preds = %B104.endif.else.if.i.i, %B908.i
+  %.2037.pre.i = phi double [ 0.000000e+00, %B908.i ], [ %.1946.sink.i.i, %B104.endif.else.if.i.i ]
+  %.1965.i = phi double [ 0.000000e+00, %B908.i ], [ %.1344.i.i, %B104.endif.else.if.i.i ]
+  %.1805.i = load double, ptr %sunkaddr285.i, align 8
+  %.1806.i = fcmp ogt double %.1965.i, %.1805.i
+  br i1 %.1806.i, label %B1004.preheader.i, label %B1030.i
 
-B1030.i:                                          ; preds = %B1004.preheader.i, %_ZN7msf_jax4host4thin6fronts12ring_throughB3v36B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx5ArrayIdLi1E1C7mutable7alignedE.exit.i
-  %.2034.i = phi double [ %.1962.4.i, %B1004.preheader.i ], [ %.2034.pre.i, %_ZN7msf_jax4host4thin6fronts12ring_throughB3v36B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx5ArrayIdLi1E1C7mutable7alignedE.exit.i ]
-  %longest.6.7.i = phi i64 [ %rings.2.42735.i, %B1004.preheader.i ], [ %longest.3.42736.i, %_ZN7msf_jax4host4thin6fronts12ring_throughB3v36B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx5ArrayIdLi1E1C7mutable7alignedE.exit.i ]
-  %.2036.i = fadd double %area.4.42734.i, %.2034.i
-  %.2042.i = add nsw i64 %rings.2.42735.i, 1
-  br label %B2203.i
+B1030.i:                                          ; preds = %B1004.preheader.i, %_ZN7msf_jax4host4thin6fronts12ring_throughB3v37B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx5ArrayIdLi1E1C7mutable7alignedE.exit.i
+  %.2037.i = phi double [ %.1965.4.i, %B1004.preheader.i ], [ %.2037.pre.i, %_ZN7msf_jax4host4thin6fronts12ring_throughB3v37B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx5ArrayIdLi1E1C7mutable7alignedE.exit.i ]
+  %longest.6.7.i = phi i64 [ %rings.2.42735.i, %B1004.preheader.i ], [ %longest.3.42736.i, %_ZN7msf_jax4host4thin6fronts12ring_throughB3v37B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx5ArrayIdLi1E1C7mutable7alignedE.exit.i ]
+  %.2039.i = fadd double %area.4.42734.i, %.2037.i
+  %.2045.i = add nsw i64 %rings.2.42735.i, 1
+  br label %B2239.i
 
 B1066.i:                                          ; preds = %B628.loopexit.i
-  %.2108.i = icmp sgt i64 %rings.2.4.lcssa.i, 1
-  br i1 %.2108.i, label %B50.endif.i.i, label %B1242.endif.i
+  %.2111.i = icmp sgt i64 %rings.2.4.lcssa.i, 1
+  br i1 %.2111.i, label %B50.endif.i.i, label %B1242.endif.i
 
 B48.loopexit.i.i:                                 ; preds = %B1061.i.i, %B50.endif.i.i
-  %.2224.i = phi double [ %extra.5.02068.i.i, %B50.endif.i.i ], [ %extra.6.2.i.i, %B1061.i.i ]
+  %.2227.i = phi double [ %extra.5.02068.i.i, %B50.endif.i.i ], [ %extra.6.2.i.i, %B1061.i.i ]
   %num.5.1.lcssa.i.i = phi i64 [ %num.6.02069.i.i, %B50.endif.i.i ], [ %num.7.2.i.i, %B1061.i.i ]
   %exitcond.not.i45.i = icmp eq i64 %count.2.03188.i, %.270.i.i
-  br i1 %exitcond.not.i45.i, label %_ZN7msf_jax4host4thin6fronts7islandsB3v38B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xxd5ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B50.endif.i.i
+  br i1 %exitcond.not.i45.i, label %_ZN7msf_jax4host4thin6fronts7islandsB3v39B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xxd5ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B50.endif.i.i
 
 B164.i.i:                                         ; preds = %B50.endif.i.i, %B1061.i.i
   %num.5.11998.i.i = phi i64 [ %num.7.2.i.i, %B1061.i.i ], [ %num.6.02069.i.i, %B50.endif.i.i ]
@@ -4206,7 +4262,7 @@ B1061.i.i:                                        ; preds = %B1046.i.i, %B488.2.
 
 B50.endif.i.i:                                    ; preds = %B1066.i, %B48.loopexit.i.i
   %num.6.02069.i.i = phi i64 [ %num.5.1.lcssa.i.i, %B48.loopexit.i.i ], [ 0, %B1066.i ]
-  %extra.5.02068.i.i = phi double [ %.2224.i, %B48.loopexit.i.i ], [ 0.000000e+00, %B1066.i ]
+  %extra.5.02068.i.i = phi double [ %.2227.i, %B48.loopexit.i.i ], [ 0.000000e+00, %B1066.i ]
   %.26320132066.i.i = phi i64 [ %.270.i.i, %B48.loopexit.i.i ], [ 0, %B1066.i ]
   %.270.i.i = add nuw nsw i64 %.26320132066.i.i, 1
   %80 = getelementptr i64, ptr %w18, i64 %.26320132066.i.i
@@ -4446,241 +4502,241 @@ B760.preheader.new.i.i:                           ; preds = %B760.preheader.i.i
   %unroll_iter.i.i = and i64 %num.9.5.lcssa1799.us.i.i, 9223372036854775804
   br label %B760.i.i
 
-_ZN7msf_jax4host4thin6fronts7islandsB3v38B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xxd5ArrayIdLi1E1C7mutable7alignedE.exit.i: ; preds = %B48.loopexit.i.i
-  store double %.2224.i, ptr %.432.i, align 8
-  %.2193.i = icmp sgt i64 %num.5.1.lcssa.i.i, 0
-  br i1 %.2193.i, label %B1188.preheader.i, label %B1242.endif.i
+_ZN7msf_jax4host4thin6fronts7islandsB3v39B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xxd5ArrayIdLi1E1C7mutable7alignedE.exit.i: ; preds = %B48.loopexit.i.i
+  store double %.2227.i, ptr %.435.i, align 8
+  %.2196.i = icmp sgt i64 %num.5.1.lcssa.i.i, 0
+  br i1 %.2196.i, label %B1188.preheader.i, label %B1242.endif.i
 
 B1188.i:                                          ; preds = %B1188.preheader.new.i, %B1238.1.i
   %goes_on.11.42782.i = phi i1 [ true, %B1188.preheader.new.i ], [ %"$phi1238.1.2.5.1.i", %B1238.1.i ]
-  %.233527782780.i = phi i64 [ 0, %B1188.preheader.new.i ], [ %.2342.151.i, %B1238.1.i ]
+  %.233827782780.i = phi i64 [ 0, %B1188.preheader.new.i ], [ %.2345.151.i, %B1238.1.i ]
   br i1 %goes_on.11.42782.i, label %B1238.i, label %B1238.1.i
 
 B1238.i:                                          ; preds = %B1188.i
-  %sunkaddr211.i = shl i64 %.233527782780.i, 3
+  %sunkaddr211.i = shl i64 %.233827782780.i, 3
   %sunkaddr212.i = getelementptr i8, ptr %w20, i64 %sunkaddr211.i
-  %.2415.i = load i64, ptr %sunkaddr212.i, align 8
-  %.2431.i = icmp slt i64 %.2415.i, 0
-  %.2432.i = select i1 %.2431.i, i64 %w36, i64 0
-  %106 = getelementptr i64, ptr %w35, i64 %.2415.i
-  %.2446.i = getelementptr i64, ptr %106, i64 %.2432.i
-  %.2447.i = load i64, ptr %.2446.i, align 8
-  %.2448.i = icmp eq i64 %.2447.i, 0
-  br i1 %.2448.i, label %B1194.1.i, label %B1238.1.i
+  %.2418.i = load i64, ptr %sunkaddr212.i, align 8
+  %.2434.i = icmp slt i64 %.2418.i, 0
+  %.2435.i = select i1 %.2434.i, i64 %w37, i64 0
+  %106 = getelementptr i64, ptr %w36, i64 %.2418.i
+  %.2449.i = getelementptr i64, ptr %106, i64 %.2435.i
+  %.2450.i = load i64, ptr %.2449.i, align 8
+  %.2451.i = icmp eq i64 %.2450.i, 0
+  br i1 %.2451.i, label %B1194.1.i, label %B1238.1.i
 
 B1194.1.i:                                        ; preds = %B1238.i
   %sunkaddr215.i = getelementptr i8, ptr %sunkaddr212.i, i64 8
-  %.2415.1.i = load i64, ptr %sunkaddr215.i, align 8
-  %.2431.1.i = icmp slt i64 %.2415.1.i, 0
-  %.2432.1.i = select i1 %.2431.1.i, i64 %w36, i64 0
-  %107 = getelementptr i64, ptr %w35, i64 %.2415.1.i
-  %.2446.1.i = getelementptr i64, ptr %107, i64 %.2432.1.i
-  %.2447.1.i = load i64, ptr %.2446.1.i, align 8
-  %.2448.1.i = icmp eq i64 %.2447.1.i, 0
+  %.2418.1.i = load i64, ptr %sunkaddr215.i, align 8
+  %.2434.1.i = icmp slt i64 %.2418.1.i, 0
+  %.2435.1.i = select i1 %.2434.1.i, i64 %w37, i64 0
+  %107 = getelementptr i64, ptr %w36, i64 %.2418.1.i
+  %.2449.1.i = getelementptr i64, ptr %107, i64 %.2435.1.i
+  %.2450.1.i = load i64, ptr %.2449.1.i, align 8
+  %.2451.1.i = icmp eq i64 %.2450.1.i, 0
   br label %B1238.1.i
 
 B1238.1.i:                                        ; preds = %B1194.1.i, %B1238.i, %B1188.i
-  %"$phi1238.1.2.5.1.i" = phi i1 [ %.2448.1.i, %B1194.1.i ], [ false, %B1238.i ], [ false, %B1188.i ]
-  %.2342.151.i = add nuw i64 %.233527782780.i, 2
-  %niter.ncmp.1.i = icmp eq i64 %unroll_iter.i, %.2342.151.i
+  %"$phi1238.1.2.5.1.i" = phi i1 [ %.2451.1.i, %B1194.1.i ], [ false, %B1238.i ], [ false, %B1188.i ]
+  %.2345.151.i = add nuw i64 %.233827782780.i, 2
+  %niter.ncmp.1.i = icmp eq i64 %unroll_iter.i, %.2345.151.i
   br i1 %niter.ncmp.1.i, label %B1242.endif.loopexit.unr-lcssa.i, label %B1188.i
 
 B1272.loopexit.i:                                 ; preds = %B1404.i, %B1404.prol.loopexit.i, %B1274.endif.i
-  %exitcond3532.not.i = icmp eq i64 %.2569.i, %count.2.03188.i
+  %exitcond3532.not.i = icmp eq i64 %.2572.i, %count.2.03188.i
   br i1 %exitcond3532.not.i, label %B1452.loopexit.i, label %B1274.endif.i
 
 B1404.i:                                          ; preds = %B1404.preheader110.i, %B1404.i
   %lsr.iv138.i = phi i64 [ %144, %B1404.preheader110.i ], [ %lsr.iv.next139.i, %B1404.i ]
-  %.280427872789.i = phi i64 [ %.280427872789.unr.i, %B1404.preheader110.i ], [ %114, %B1404.i ]
-  %.2852.i = icmp slt i64 %.280427872789.i, 0
-  %108 = select i1 %.2852.i, i64 %3, i64 0
+  %.280727872789.i = phi i64 [ %.280727872789.unr.i, %B1404.preheader110.i ], [ %114, %B1404.i ]
+  %.2855.i = icmp slt i64 %.280727872789.i, 0
+  %108 = select i1 %.2855.i, i64 %3, i64 0
   %scevgep140.i = getelementptr i8, ptr %w10, i64 %108
-  %109 = shl i64 %.280427872789.i, 3
+  %109 = shl i64 %.280727872789.i, 3
   %scevgep141.i = getelementptr i8, ptr %scevgep140.i, i64 %109
-  %.2868.i = load i64, ptr %scevgep141.i, align 8
-  %.2881.i = icmp slt i64 %.2868.i, 0
-  %.2882.i = select i1 %.2881.i, i64 %w29, i64 0
-  %110 = getelementptr i64, ptr %w28, i64 %.2868.i
-  %.2896.i = getelementptr i64, ptr %110, i64 %.2882.i
-  store i64 -1, ptr %.2896.i, align 8
-  %111 = add i64 %.280427872789.i, 1
-  %.2852.1.i = icmp slt i64 %111, 0
-  %112 = select i1 %.2852.1.i, i64 %3, i64 0
+  %.2871.i = load i64, ptr %scevgep141.i, align 8
+  %.2884.i = icmp slt i64 %.2871.i, 0
+  %.2885.i = select i1 %.2884.i, i64 %w29, i64 0
+  %110 = getelementptr i64, ptr %w28, i64 %.2871.i
+  %.2899.i = getelementptr i64, ptr %110, i64 %.2885.i
+  store i64 -1, ptr %.2899.i, align 8
+  %111 = add i64 %.280727872789.i, 1
+  %.2855.1.i = icmp slt i64 %111, 0
+  %112 = select i1 %.2855.1.i, i64 %3, i64 0
   %scevgep142.i = getelementptr i8, ptr %w10, i64 %112
   %scevgep143.i = getelementptr i8, ptr %scevgep142.i, i64 %109
   %scevgep144.i = getelementptr i8, ptr %scevgep143.i, i64 8
-  %.2868.1.i = load i64, ptr %scevgep144.i, align 8
-  %.2881.1.i = icmp slt i64 %.2868.1.i, 0
-  %.2882.1.i = select i1 %.2881.1.i, i64 %w29, i64 0
-  %113 = getelementptr i64, ptr %w28, i64 %.2868.1.i
-  %.2896.1.i = getelementptr i64, ptr %113, i64 %.2882.1.i
-  store i64 -1, ptr %.2896.1.i, align 8
+  %.2871.1.i = load i64, ptr %scevgep144.i, align 8
+  %.2884.1.i = icmp slt i64 %.2871.1.i, 0
+  %.2885.1.i = select i1 %.2884.1.i, i64 %w29, i64 0
+  %113 = getelementptr i64, ptr %w28, i64 %.2871.1.i
+  %.2899.1.i = getelementptr i64, ptr %113, i64 %.2885.1.i
+  store i64 -1, ptr %.2899.1.i, align 8
   %lsr.iv.next139.i = add i64 %lsr.iv138.i, -2
-  %.2798.1.i = icmp samesign ugt i64 %lsr.iv.next139.i, 2
-  %114 = add i64 %.280427872789.i, 2
-  br i1 %.2798.1.i, label %B1404.i, label %B1272.loopexit.i
+  %.2801.1.i = icmp samesign ugt i64 %lsr.iv.next139.i, 2
+  %114 = add i64 %.280727872789.i, 2
+  br i1 %.2801.1.i, label %B1404.i, label %B1272.loopexit.i
 
 B1452.loopexit.i:                                 ; preds = %B1272.loopexit.i
-  %.2910.i = fcmp ule double %area.8.3.i, %w34
-  %.2913.i = fmul double %last.2.235.i, 1.500000e+00
-  %.2915.i = fcmp ule double %level.2.229.i, %.2913.i
-  %or.cond2652.not3584.i = select i1 %.2910.i, i1 %.2915.i, i1 false
+  %.2913.i = fcmp ule double %area.8.3.i, %w35
+  %.2916.i = fmul double %last.2.235.i, 1.500000e+00
+  %.2918.i = fcmp ule double %level.2.229.i, %.2916.i
+  %or.cond2652.not3584.i = select i1 %.2913.i, i1 %.2918.i, i1 false
   %brmerge.not3583.i = select i1 %or.cond2652.not3584.i, i1 %goes_on.10.3.i, i1 false
-  br i1 %brmerge.not3583.i, label %B1502.i, label %B1932.endif.i
+  br i1 %brmerge.not3583.i, label %B1502.i, label %B1968.endif.i
 
 B1502.i:                                          ; preds = %B1452.loopexit.i
-  %.2970.i = icmp sgt i64 %num.2.3.i, -1
-  br i1 %.2970.i, label %B1514.i, label %B252.backedge.i
+  %.2973.i = icmp sgt i64 %num.2.3.i, -1
+  br i1 %.2973.i, label %B1514.i, label %B252.backedge.i
 
 B1514.i:                                          ; preds = %B1502.i
-  %.3019.i = load double, ptr %sunkaddr285.i, align 8
-  %.3021.i = fcmp ogt double %.3019.i, 0.000000e+00
-  br i1 %.3021.i, label %B1822.preheader.i, label %B1932.endif.i
+  %.3022.i = load double, ptr %sunkaddr285.i, align 8
+  %.3024.i = fcmp ogt double %.3022.i, 0.000000e+00
+  br i1 %.3024.i, label %B1858.preheader.i, label %B1968.endif.i
 
-B1822.i:                                          ; preds = %B1822.preheader.i, %B1822.i
-  %lsr.iv161.i = phi i64 [ %lsr.iv.next162.i, %B1822.i ], [ 32, %B1822.preheader.i ]
-  %.367228142816.i = phi i64 [ %.3679.3.i, %B1822.i ], [ 0, %B1822.preheader.i ]
-  %sunkaddr218.i = shl i64 %.367228142816.i, 3
+B1858.i:                                          ; preds = %B1858.preheader.i, %B1858.i
+  %lsr.iv161.i = phi i64 [ %lsr.iv.next162.i, %B1858.i ], [ 32, %B1858.preheader.i ]
+  %.369928142816.i = phi i64 [ %.3706.3.i, %B1858.i ], [ 0, %B1858.preheader.i ]
+  %sunkaddr218.i = shl i64 %.369928142816.i, 3
   %sunkaddr219.i = getelementptr i8, ptr %w18, i64 %sunkaddr218.i
-  %.3734.i = load i64, ptr %sunkaddr219.i, align 8
-  %sunkaddr221.i = getelementptr i8, ptr %w40, i64 %sunkaddr218.i
-  store i64 %.3734.i, ptr %sunkaddr221.i, align 8
+  %.3761.i = load i64, ptr %sunkaddr219.i, align 8
+  %sunkaddr221.i = getelementptr i8, ptr %w41, i64 %sunkaddr218.i
+  store i64 %.3761.i, ptr %sunkaddr221.i, align 8
   %sunkaddr224.i = getelementptr i8, ptr %sunkaddr219.i, i64 8
-  %.3734.1.i = load i64, ptr %sunkaddr224.i, align 8
+  %.3761.1.i = load i64, ptr %sunkaddr224.i, align 8
   %sunkaddr227.i = getelementptr i8, ptr %sunkaddr221.i, i64 8
-  store i64 %.3734.1.i, ptr %sunkaddr227.i, align 8
+  store i64 %.3761.1.i, ptr %sunkaddr227.i, align 8
   %sunkaddr230.i = getelementptr i8, ptr %sunkaddr219.i, i64 16
-  %.3734.2.i = load i64, ptr %sunkaddr230.i, align 8
+  %.3761.2.i = load i64, ptr %sunkaddr230.i, align 8
   %sunkaddr233.i = getelementptr i8, ptr %sunkaddr221.i, i64 16
-  store i64 %.3734.2.i, ptr %sunkaddr233.i, align 8
-  %.3679.3.i = add nuw nsw i64 %.367228142816.i, 4
+  store i64 %.3761.2.i, ptr %sunkaddr233.i, align 8
+  %.3706.3.i = add nuw nsw i64 %.369928142816.i, 4
   %sunkaddr236.i = getelementptr i8, ptr %sunkaddr219.i, i64 24
-  %.3734.3.i = load i64, ptr %sunkaddr236.i, align 8
+  %.3761.3.i = load i64, ptr %sunkaddr236.i, align 8
   %sunkaddr239.i = getelementptr i8, ptr %sunkaddr221.i, i64 24
-  store i64 %.3734.3.i, ptr %sunkaddr239.i, align 8
-  %niter89.ncmp.3.i = icmp eq i64 %unroll_iter88.i, %.3679.3.i
+  store i64 %.3761.3.i, ptr %sunkaddr239.i, align 8
+  %niter89.ncmp.3.i = icmp eq i64 %unroll_iter88.i, %.3706.3.i
   %lsr.iv.next162.i = add i64 %lsr.iv161.i, 32
-  br i1 %niter89.ncmp.3.i, label %B1858.endif.unr-lcssa.i, label %B1822.i
+  br i1 %niter89.ncmp.3.i, label %B1894.endif.unr-lcssa.i, label %B1858.i
 
-B1890.i:                                          ; preds = %B1890.preheader.new.i, %B1890.i
-  %.386828212823.i = phi i64 [ 0, %B1890.preheader.new.i ], [ %.3875.3.i, %B1890.i ]
-  %115 = shl i64 %.386828212823.i, 3
+B1926.i:                                          ; preds = %B1926.preheader.new.i, %B1926.i
+  %.389528212823.i = phi i64 [ 0, %B1926.preheader.new.i ], [ %.3902.3.i, %B1926.i ]
+  %115 = shl i64 %.389528212823.i, 3
   %sunkaddr241.i = getelementptr i8, ptr %w20, i64 %115
-  %.3938.i = load i64, ptr %sunkaddr241.i, align 8
+  %.3965.i = load i64, ptr %sunkaddr241.i, align 8
   %scevgep184.i = getelementptr i8, ptr %scevgep178.i, i64 %115
   %scevgep185.i = getelementptr i8, ptr %scevgep184.i, i64 -24
-  store i64 %.3938.i, ptr %scevgep185.i, align 8
+  store i64 %.3965.i, ptr %scevgep185.i, align 8
   %sunkaddr244.i = getelementptr i8, ptr %sunkaddr241.i, i64 8
-  %.3938.1.i = load i64, ptr %sunkaddr244.i, align 8
+  %.3965.1.i = load i64, ptr %sunkaddr244.i, align 8
   %scevgep183.i = getelementptr i8, ptr %scevgep184.i, i64 -16
-  store i64 %.3938.1.i, ptr %scevgep183.i, align 8
+  store i64 %.3965.1.i, ptr %scevgep183.i, align 8
   %sunkaddr247.i = getelementptr i8, ptr %sunkaddr241.i, i64 16
-  %.3938.2.i = load i64, ptr %sunkaddr247.i, align 8
+  %.3965.2.i = load i64, ptr %sunkaddr247.i, align 8
   %scevgep181.i = getelementptr i8, ptr %scevgep184.i, i64 -8
-  store i64 %.3938.2.i, ptr %scevgep181.i, align 8
-  %.3875.3.i = add i64 %.386828212823.i, 4
-  %sunkaddr248.i = shl i64 %.3875.3.i, 3
+  store i64 %.3965.2.i, ptr %scevgep181.i, align 8
+  %.3902.3.i = add i64 %.389528212823.i, 4
+  %sunkaddr248.i = shl i64 %.3902.3.i, 3
   %sunkaddr249.i = getelementptr i8, ptr %w20, i64 %sunkaddr248.i
   %sunkaddr250.i = getelementptr i8, ptr %sunkaddr249.i, i64 -8
-  %.3938.3.i = load i64, ptr %sunkaddr250.i, align 8
-  store i64 %.3938.3.i, ptr %scevgep184.i, align 8
-  %niter95.ncmp.3.i = icmp eq i64 %unroll_iter94.i, %.3875.3.i
-  br i1 %niter95.ncmp.3.i, label %B1964.preheader.loopexit.unr-lcssa.i, label %B1890.i
+  %.3965.3.i = load i64, ptr %sunkaddr250.i, align 8
+  store i64 %.3965.3.i, ptr %scevgep184.i, align 8
+  %niter95.ncmp.3.i = icmp eq i64 %unroll_iter94.i, %.3902.3.i
+  br i1 %niter95.ncmp.3.i, label %B2000.preheader.loopexit.unr-lcssa.i, label %B1926.i
 
-B1964.i:                                          ; preds = %B1964.preheader.new.i, %B1964.i
-  %.409428282830.i = phi i64 [ 0, %B1964.preheader.new.i ], [ %.4101.3.i, %B1964.i ]
-  %sunkaddr251.i = shl i64 %.409428282830.i, 3
+B2000.i:                                          ; preds = %B2000.preheader.new.i, %B2000.i
+  %.412128282830.i = phi i64 [ 0, %B2000.preheader.new.i ], [ %.4128.3.i, %B2000.i ]
+  %sunkaddr251.i = shl i64 %.412128282830.i, 3
   %sunkaddr252.i = getelementptr i8, ptr %w20, i64 %sunkaddr251.i
-  %.4166.i = load i64, ptr %sunkaddr252.i, align 8
-  %.4179.i = icmp slt i64 %.4166.i, 0
-  %.4180.i = select i1 %.4179.i, i64 %w17, i64 0
-  %116 = getelementptr i64, ptr %w16, i64 %.4166.i
-  %.4194.i = getelementptr i64, ptr %116, i64 %.4180.i
-  store i64 0, ptr %.4194.i, align 8
+  %.4193.i = load i64, ptr %sunkaddr252.i, align 8
+  %.4206.i = icmp slt i64 %.4193.i, 0
+  %.4207.i = select i1 %.4206.i, i64 %w17, i64 0
+  %116 = getelementptr i64, ptr %w16, i64 %.4193.i
+  %.4221.i = getelementptr i64, ptr %116, i64 %.4207.i
+  store i64 0, ptr %.4221.i, align 8
   %sunkaddr255.i = getelementptr i8, ptr %sunkaddr252.i, i64 8
-  %.4166.1.i = load i64, ptr %sunkaddr255.i, align 8
-  %.4179.1.i = icmp slt i64 %.4166.1.i, 0
-  %.4180.1.i = select i1 %.4179.1.i, i64 %w17, i64 0
-  %117 = getelementptr i64, ptr %w16, i64 %.4166.1.i
-  %.4194.1.i = getelementptr i64, ptr %117, i64 %.4180.1.i
-  store i64 0, ptr %.4194.1.i, align 8
+  %.4193.1.i = load i64, ptr %sunkaddr255.i, align 8
+  %.4206.1.i = icmp slt i64 %.4193.1.i, 0
+  %.4207.1.i = select i1 %.4206.1.i, i64 %w17, i64 0
+  %117 = getelementptr i64, ptr %w16, i64 %.4193.1.i
+  %.4221.1.i = getelementptr i64, ptr %117, i64 %.4207.1.i
+  store i64 0, ptr %.4221.1.i, align 8
   %sunkaddr258.i = getelementptr i8, ptr %sunkaddr252.i, i64 16
-  %.4166.2.i = load i64, ptr %sunkaddr258.i, align 8
-  %.4179.2.i = icmp slt i64 %.4166.2.i, 0
-  %.4180.2.i = select i1 %.4179.2.i, i64 %w17, i64 0
-  %118 = getelementptr i64, ptr %w16, i64 %.4166.2.i
-  %.4194.2.i = getelementptr i64, ptr %118, i64 %.4180.2.i
-  store i64 0, ptr %.4194.2.i, align 8
-  %.4101.3.i = add nuw i64 %.409428282830.i, 4
+  %.4193.2.i = load i64, ptr %sunkaddr258.i, align 8
+  %.4206.2.i = icmp slt i64 %.4193.2.i, 0
+  %.4207.2.i = select i1 %.4206.2.i, i64 %w17, i64 0
+  %118 = getelementptr i64, ptr %w16, i64 %.4193.2.i
+  %.4221.2.i = getelementptr i64, ptr %118, i64 %.4207.2.i
+  store i64 0, ptr %.4221.2.i, align 8
+  %.4128.3.i = add nuw i64 %.412128282830.i, 4
   %sunkaddr261.i = getelementptr i8, ptr %sunkaddr252.i, i64 24
-  %.4166.3.i = load i64, ptr %sunkaddr261.i, align 8
-  %.4179.3.i = icmp slt i64 %.4166.3.i, 0
-  %.4180.3.i = select i1 %.4179.3.i, i64 %w17, i64 0
-  %119 = getelementptr i64, ptr %w16, i64 %.4166.3.i
-  %.4194.3.i = getelementptr i64, ptr %119, i64 %.4180.3.i
-  store i64 0, ptr %.4194.3.i, align 8
-  %niter101.ncmp.3.i = icmp eq i64 %unroll_iter100.i, %.4101.3.i
-  br i1 %niter101.ncmp.3.i, label %B2024.loopexit.unr-lcssa.i, label %B1964.i
+  %.4193.3.i = load i64, ptr %sunkaddr261.i, align 8
+  %.4206.3.i = icmp slt i64 %.4193.3.i, 0
+  %.4207.3.i = select i1 %.4206.3.i, i64 %w17, i64 0
+  %119 = getelementptr i64, ptr %w16, i64 %.4193.3.i
+  %.4221.3.i = getelementptr i64, ptr %119, i64 %.4207.3.i
+  store i64 0, ptr %.4221.3.i, align 8
+  %niter101.ncmp.3.i = icmp eq i64 %unroll_iter100.i, %.4128.3.i
+  br i1 %niter101.ncmp.3.i, label %B2060.loopexit.unr-lcssa.i, label %B2000.i
 
-B2024.loopexit.unr-lcssa.i:                       ; preds = %B1964.i
+B2060.loopexit.unr-lcssa.i:                       ; preds = %B2000.i
   %lcmp.mod98.not.i = icmp eq i64 %xtraiter9668.i, 0
-  br i1 %lcmp.mod98.not.i, label %B2024.i, label %B1964.epil.preheader.i
+  br i1 %lcmp.mod98.not.i, label %B2060.i, label %B2000.epil.preheader.i
 
-B1964.epil.preheader.i:                           ; preds = %B1964.preheader.i, %B2024.loopexit.unr-lcssa.i
-  %xtraiter9669.i = phi i64 [ %xtraiter96.pre-phi.i, %B1964.preheader.i ], [ %xtraiter9668.i, %B2024.loopexit.unr-lcssa.i ]
-  %rows.4.3355267.i = phi i64 [ %rows.4.33552.i, %B1964.preheader.i ], [ %rows.4.3355266.i, %B2024.loopexit.unr-lcssa.i ]
-  %size_of_region.6.3355365.i = phi i64 [ %size_of_region.6.33553.i, %B1964.preheader.i ], [ %size_of_region.6.3355364.i, %B2024.loopexit.unr-lcssa.i ]
-  %last.4.3355463.i = phi double [ %last.4.33554.i, %B1964.preheader.i ], [ %last.4.3355462.i, %B2024.loopexit.unr-lcssa.i ]
-  %goes_on.9.3355561.i = phi i1 [ %goes_on.9.33555.i, %B1964.preheader.i ], [ %goes_on.9.3355560.i, %B2024.loopexit.unr-lcssa.i ]
-  %.409428282830.epil.init.i = phi i64 [ 0, %B1964.preheader.i ], [ %unroll_iter100.i, %B2024.loopexit.unr-lcssa.i ]
-  %120 = shl i64 %.409428282830.epil.init.i, 3
+B2000.epil.preheader.i:                           ; preds = %B2000.preheader.i, %B2060.loopexit.unr-lcssa.i
+  %xtraiter9669.i = phi i64 [ %xtraiter96.pre-phi.i, %B2000.preheader.i ], [ %xtraiter9668.i, %B2060.loopexit.unr-lcssa.i ]
+  %rows.4.3355267.i = phi i64 [ %rows.4.33552.i, %B2000.preheader.i ], [ %rows.4.3355266.i, %B2060.loopexit.unr-lcssa.i ]
+  %size_of_region.6.3355365.i = phi i64 [ %size_of_region.6.33553.i, %B2000.preheader.i ], [ %size_of_region.6.3355364.i, %B2060.loopexit.unr-lcssa.i ]
+  %last.4.3355463.i = phi double [ %last.4.33554.i, %B2000.preheader.i ], [ %last.4.3355462.i, %B2060.loopexit.unr-lcssa.i ]
+  %goes_on.9.3355561.i = phi i1 [ %goes_on.9.33555.i, %B2000.preheader.i ], [ %goes_on.9.3355560.i, %B2060.loopexit.unr-lcssa.i ]
+  %.412128282830.epil.init.i = phi i64 [ 0, %B2000.preheader.i ], [ %unroll_iter100.i, %B2060.loopexit.unr-lcssa.i ]
+  %120 = shl i64 %.412128282830.epil.init.i, 3
   %scevgep198.i = getelementptr i8, ptr %w20, i64 %120
-  br label %B1964.epil.i
+  br label %B2000.epil.i
 
-B1964.epil.i:                                     ; preds = %B1964.epil.i, %B1964.epil.preheader.i
-  %epil.iter97.i = phi i64 [ %epil.iter97.next.i, %B1964.epil.i ], [ 0, %B1964.epil.preheader.i ]
+B2000.epil.i:                                     ; preds = %B2000.epil.i, %B2000.epil.preheader.i
+  %epil.iter97.i = phi i64 [ %epil.iter97.next.i, %B2000.epil.i ], [ 0, %B2000.epil.preheader.i ]
   %121 = shl nuw nsw i64 %epil.iter97.i, 3
   %scevgep199.i = getelementptr i8, ptr %scevgep198.i, i64 %121
-  %.4166.epil.i = load i64, ptr %scevgep199.i, align 8
-  %.4179.epil.i = icmp slt i64 %.4166.epil.i, 0
-  %.4180.epil.i = select i1 %.4179.epil.i, i64 %w17, i64 0
-  %122 = getelementptr i64, ptr %w16, i64 %.4166.epil.i
-  %.4194.epil.i = getelementptr i64, ptr %122, i64 %.4180.epil.i
-  store i64 0, ptr %.4194.epil.i, align 8
+  %.4193.epil.i = load i64, ptr %scevgep199.i, align 8
+  %.4206.epil.i = icmp slt i64 %.4193.epil.i, 0
+  %.4207.epil.i = select i1 %.4206.epil.i, i64 %w17, i64 0
+  %122 = getelementptr i64, ptr %w16, i64 %.4193.epil.i
+  %.4221.epil.i = getelementptr i64, ptr %122, i64 %.4207.epil.i
+  store i64 0, ptr %.4221.epil.i, align 8
   %epil.iter97.next.i = add i64 %epil.iter97.i, 1
   %epil.iter97.cmp.not.i = icmp eq i64 %xtraiter9669.i, %epil.iter97.next.i
-  br i1 %epil.iter97.cmp.not.i, label %B2024.i, label %B1964.epil.i
+  br i1 %epil.iter97.cmp.not.i, label %B2060.i, label %B2000.epil.i
 
-B2024.i:                                          ; preds = %B1964.epil.i, %B1932.endif.i, %B2024.loopexit.unr-lcssa.i
-  %rows.3.3.i = phi i64 [ %rows.2.233.i, %B1932.endif.i ], [ %rows.4.3355266.i, %B2024.loopexit.unr-lcssa.i ], [ %rows.4.3355267.i, %B1964.epil.i ]
-  %size_of_region.5.3.i = phi i64 [ %size_of_region.4.234.i, %B1932.endif.i ], [ %size_of_region.6.3355364.i, %B2024.loopexit.unr-lcssa.i ], [ %size_of_region.6.3355365.i, %B1964.epil.i ]
-  %last.3.3.i = phi double [ %last.2.235.i, %B1932.endif.i ], [ %last.4.3355462.i, %B2024.loopexit.unr-lcssa.i ], [ %last.4.3355463.i, %B1964.epil.i ]
-  %goes_on.8.3.i = phi i1 [ %brmerge.not3583.i, %B1932.endif.i ], [ %goes_on.9.3355560.i, %B2024.loopexit.unr-lcssa.i ], [ %goes_on.9.3355561.i, %B1964.epil.i ]
-  br i1 %goes_on.8.3.i, label %B252.backedge.i, label %B2030.i
+B2060.i:                                          ; preds = %B2000.epil.i, %B1968.endif.i, %B2060.loopexit.unr-lcssa.i
+  %rows.3.3.i = phi i64 [ %rows.2.233.i, %B1968.endif.i ], [ %rows.4.3355266.i, %B2060.loopexit.unr-lcssa.i ], [ %rows.4.3355267.i, %B2000.epil.i ]
+  %size_of_region.5.3.i = phi i64 [ %size_of_region.4.234.i, %B1968.endif.i ], [ %size_of_region.6.3355364.i, %B2060.loopexit.unr-lcssa.i ], [ %size_of_region.6.3355365.i, %B2000.epil.i ]
+  %last.3.3.i = phi double [ %last.2.235.i, %B1968.endif.i ], [ %last.4.3355462.i, %B2060.loopexit.unr-lcssa.i ], [ %last.4.3355463.i, %B2000.epil.i ]
+  %goes_on.8.3.i = phi i1 [ %brmerge.not3583.i, %B1968.endif.i ], [ %goes_on.9.3355560.i, %B2060.loopexit.unr-lcssa.i ], [ %goes_on.9.3355561.i, %B2000.epil.i ]
+  br i1 %goes_on.8.3.i, label %B252.backedge.i, label %B2066.i
 
-B252.backedge.i:                                  ; preds = %B1932.endif.thread.i, %B2024.i, %B1502.i, %B506.i
-  %rows.2.2.be.i = phi i64 [ %rows.3.3.i, %B2024.i ], [ %.3570.i, %B1932.endif.thread.i ], [ %rows.2.233.i, %B506.i ], [ %rows.2.233.i, %B1502.i ]
-  %size_of_region.4.2.be.i = phi i64 [ %size_of_region.5.3.i, %B2024.i ], [ %.3582.i, %B1932.endif.thread.i ], [ %size_of_region.4.234.i, %B506.i ], [ %size_of_region.4.234.i, %B1502.i ]
-  %last.2.2.be.i = phi double [ %last.3.3.i, %B2024.i ], [ %level.2.229.i, %B1932.endif.thread.i ], [ %last.2.235.i, %B506.i ], [ %last.2.235.i, %B1502.i ]
+B252.backedge.i:                                  ; preds = %B1968.endif.thread.i, %B2060.i, %B1502.i, %B506.i
+  %rows.2.2.be.i = phi i64 [ %rows.3.3.i, %B2060.i ], [ %.3597.i, %B1968.endif.thread.i ], [ %rows.2.233.i, %B506.i ], [ %rows.2.233.i, %B1502.i ]
+  %size_of_region.4.2.be.i = phi i64 [ %size_of_region.5.3.i, %B2060.i ], [ %.3609.i, %B1968.endif.thread.i ], [ %size_of_region.4.234.i, %B506.i ], [ %size_of_region.4.234.i, %B1502.i ]
+  %last.2.2.be.i = phi double [ %last.3.3.i, %B2060.i ], [ %level.2.229.i, %B1968.endif.thread.i ], [ %last.2.235.i, %B506.i ], [ %last.2.235.i, %B1502.i ]
   %level.2.2.be.i = fmul double %w32, %level.2.229.i
-  %.671.i = load double, ptr %w24, align 8
-  %.676.i = fcmp olt double %.671.i, %level.2.2.be.i
-  br i1 %.676.i, label %B316.i, label %B506.i
+  %.674.i = load double, ptr %w24, align 8
+  %.679.i = fcmp olt double %.674.i, %level.2.2.be.i
+  br i1 %.679.i, label %B316.i, label %B506.i
 
-B2030.i:                                          ; preds = %B504.i, %B1932.endif.thread.i, %B2024.i
-  %rows.6.1.i = phi i64 [ %rows.3.3.i, %B2024.i ], [ %.3570.i, %B1932.endif.thread.i ], [ %.us-phi2969.i, %B504.i ]
-  %size_of_region.2.1.i = phi i64 [ %size_of_region.5.3.i, %B2024.i ], [ %.3582.i, %B1932.endif.thread.i ], [ %.us-phi2970.i, %B504.i ]
-  %.4337.i = icmp slt i64 %size_of_region.2.1.i, %w41
-  br i1 %.4337.i, label %B2068.i, label %B2078.endif.i
+B2066.i:                                          ; preds = %B504.i, %B1968.endif.thread.i, %B2060.i
+  %rows.6.1.i = phi i64 [ %rows.3.3.i, %B2060.i ], [ %.3597.i, %B1968.endif.thread.i ], [ %.us-phi2969.i, %B504.i ]
+  %size_of_region.2.1.i = phi i64 [ %size_of_region.5.3.i, %B2060.i ], [ %.3609.i, %B1968.endif.thread.i ], [ %.us-phi2970.i, %B504.i ]
+  %.4366.i = icmp slt i64 %size_of_region.2.1.i, %w42
+  br i1 %.4366.i, label %B2104.i, label %B2114.endif.i
 
-B2068.i:                                          ; preds = %B2030.i
-  %123 = getelementptr i64, ptr %w40, i64 %size_of_region.2.1.i
+B2104.i:                                          ; preds = %B2066.i
+  %123 = getelementptr i64, ptr %w41, i64 %size_of_region.2.1.i
   store i64 -1, ptr %123, align 8
-  br label %B2078.endif.i
+  br label %B2114.endif.i
 
-B2146.i:                                          ; preds = %B2146.preheader.new.i, %B2146.i
-  %.447532153217.i = phi i64 [ 0, %B2146.preheader.new.i ], [ %.4482.3.i, %B2146.i ]
-  %sunkaddr262.i = shl i64 %.447532153217.i, 3
+B2182.i:                                          ; preds = %B2182.preheader.new.i, %B2182.i
+  %.450432153217.i = phi i64 [ 0, %B2182.preheader.new.i ], [ %.4511.3.i, %B2182.i ]
+  %sunkaddr262.i = shl i64 %.450432153217.i, 3
   %sunkaddr263.i = getelementptr i8, ptr %w14, i64 %sunkaddr262.i
   store double 0x7FF0000000000000, ptr %sunkaddr263.i, align 8
   %sunkaddr265.i = getelementptr i8, ptr %w16, i64 %sunkaddr262.i
@@ -4693,27 +4749,27 @@ B2146.i:                                          ; preds = %B2146.preheader.new
   store double 0x7FF0000000000000, ptr %sunkaddr274.i, align 8
   %sunkaddr277.i = getelementptr i8, ptr %sunkaddr265.i, i64 16
   store i64 0, ptr %sunkaddr277.i, align 8
-  %.4482.3.i = add nuw nsw i64 %.447532153217.i, 4
+  %.4511.3.i = add nuw nsw i64 %.450432153217.i, 4
   %sunkaddr280.i = getelementptr i8, ptr %sunkaddr263.i, i64 24
   store double 0x7FF0000000000000, ptr %sunkaddr280.i, align 8
   %sunkaddr283.i = getelementptr i8, ptr %sunkaddr265.i, i64 24
   store i64 0, ptr %sunkaddr283.i, align 8
-  %niter107.ncmp.3.i = icmp eq i64 %unroll_iter106.i, %.4482.3.i
-  br i1 %niter107.ncmp.3.i, label %B2202.loopexit.unr-lcssa.i, label %B2146.i
+  %niter107.ncmp.3.i = icmp eq i64 %unroll_iter106.i, %.4511.3.i
+  br i1 %niter107.ncmp.3.i, label %B2238.loopexit.unr-lcssa.i, label %B2182.i
 
-B2202.loopexit.unr-lcssa.i:                       ; preds = %B2146.i
+B2238.loopexit.unr-lcssa.i:                       ; preds = %B2182.i
   %lcmp.mod104.not.i = icmp eq i64 %xtraiter102.i, 0
-  br i1 %lcmp.mod104.not.i, label %_ZN7msf_jax4host4thin6fronts3capB3v32B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdddd5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE.exit, label %B2146.epil.preheader.i
+  br i1 %lcmp.mod104.not.i, label %_ZN7msf_jax4host4thin6fronts3capB3v33B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xddddd5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE.exit, label %B2182.epil.preheader.i
 
-B2146.epil.preheader.i:                           ; preds = %B2146.preheader.i, %B2202.loopexit.unr-lcssa.i
-  %.447532153217.epil.init.i = phi i64 [ 0, %B2146.preheader.i ], [ %unroll_iter106.i, %B2202.loopexit.unr-lcssa.i ]
-  %124 = shl i64 %.447532153217.epil.init.i, 3
+B2182.epil.preheader.i:                           ; preds = %B2182.preheader.i, %B2238.loopexit.unr-lcssa.i
+  %.450432153217.epil.init.i = phi i64 [ 0, %B2182.preheader.i ], [ %unroll_iter106.i, %B2238.loopexit.unr-lcssa.i ]
+  %124 = shl i64 %.450432153217.epil.init.i, 3
   %scevgep.i = getelementptr i8, ptr %w16, i64 %124
   %scevgep114.i = getelementptr i8, ptr %w14, i64 %124
-  br label %B2146.epil.i
+  br label %B2182.epil.i
 
-B2146.epil.i:                                     ; preds = %B2146.epil.i, %B2146.epil.preheader.i
-  %epil.iter103.i = phi i64 [ %epil.iter103.next.i, %B2146.epil.i ], [ 0, %B2146.epil.preheader.i ]
+B2182.epil.i:                                     ; preds = %B2182.epil.i, %B2182.epil.preheader.i
+  %epil.iter103.i = phi i64 [ %epil.iter103.next.i, %B2182.epil.i ], [ 0, %B2182.epil.preheader.i ]
   %125 = shl nuw nsw i64 %epil.iter103.i, 3
   %scevgep115.i = getelementptr i8, ptr %scevgep114.i, i64 %125
   store double 0x7FF0000000000000, ptr %scevgep115.i, align 8
@@ -4721,16 +4777,16 @@ B2146.epil.i:                                     ; preds = %B2146.epil.i, %B214
   store i64 0, ptr %scevgep113.i, align 8
   %epil.iter103.next.i = add i64 %epil.iter103.i, 1
   %epil.iter103.cmp.not.i = icmp eq i64 %xtraiter102.i, %epil.iter103.next.i
-  br i1 %epil.iter103.cmp.not.i, label %_ZN7msf_jax4host4thin6fronts3capB3v32B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdddd5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE.exit, label %B2146.epil.i
+  br i1 %epil.iter103.cmp.not.i, label %_ZN7msf_jax4host4thin6fronts3capB3v33B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xddddd5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE.exit, label %B2182.epil.i
 
-B2203.i:                                          ; preds = %B834.endif.i, %B1030.i, %B874.i
-  %rings.3.5.i = phi i64 [ %rings.2.42735.i, %B834.endif.i ], [ %.2042.i, %B1030.i ], [ %rings.2.42735.i, %B874.i ]
+B2239.i:                                          ; preds = %B834.endif.i, %B1030.i, %B874.i
+  %rings.4.5.i = phi i64 [ %rings.2.42735.i, %B834.endif.i ], [ %.2045.i, %B1030.i ], [ %rings.2.42735.i, %B874.i ]
   %longest.4.5.i = phi i64 [ %longest.3.42736.i, %B834.endif.i ], [ %longest.6.7.i, %B1030.i ], [ %longest.3.42736.i, %B874.i ]
-  %area.5.5.i = phi double [ %.1641.i, %B834.endif.i ], [ %.2036.i, %B1030.i ], [ %area.4.42734.i, %B874.i ]
+  %area.6.5.i = phi double [ %.1644.i, %B834.endif.i ], [ %.2039.i, %B1030.i ], [ %area.4.42734.i, %B874.i ]
   %lsr.iv.next.i = add i64 %lsr.iv.i, -1
-  %.1468.i = add i64 %.146127152732.i, 1
-  %.1455.i = icmp samesign ugt i64 %lsr.iv.next.i, 1
-  br i1 %.1455.i, label %B760.i, label %B628.loopexit.i
+  %.1471.i = add i64 %.146427152732.i, 1
+  %.1458.i = icmp samesign ugt i64 %lsr.iv.next.i, 1
+  br i1 %.1458.i, label %B760.i, label %B628.loopexit.i
 
 B316.endif.i:                                     ; preds = %B236.i.i, %B200.i.i, %B316.i
   %at.3.1.i.i = phi i64 [ 0, %B316.i ], [ %child.2.1.i.i, %B236.i.i ], [ %at.2.0.i.i, %B200.i.i ]
@@ -4743,13 +4799,13 @@ B316.endif.i:                                     ; preds = %B236.i.i, %B200.i.i
   %127 = getelementptr i64, ptr %w26, i64 %at.3.1.i.i
   %.521.i.i = getelementptr i64, ptr %127, i64 %.507.i.i
   store i64 %.146.i.i, ptr %.521.i.i, align 8
-  %.755.i = icmp slt i64 %.us-phi2972.i, 0
-  %.756.i = select i1 %.755.i, i64 %w17, i64 0
+  %.758.i = icmp slt i64 %.us-phi2972.i, 0
+  %.759.i = select i1 %.758.i, i64 %w17, i64 0
   %128 = getelementptr i64, ptr %w16, i64 %.us-phi2972.i
-  %.770.i = getelementptr i64, ptr %128, i64 %.756.i
-  %.771.i = load i64, ptr %.770.i, align 8
-  %.772.not.i = icmp eq i64 %.771.i, 1
-  br i1 %.772.not.i, label %B504.i, label %B382.i
+  %.773.i = getelementptr i64, ptr %128, i64 %.759.i
+  %.774.i = load i64, ptr %.773.i, align 8
+  %.775.not.i = icmp eq i64 %.774.i, 1
+  br i1 %.775.not.i, label %B504.i, label %B382.i
 
 B630.endif.preheader.i:                           ; preds = %B506.i
   store double 0.000000e+00, ptr %sunkaddr285.i, align 8
@@ -4757,52 +4813,52 @@ B630.endif.preheader.i:                           ; preds = %B506.i
 
 B630.endif.i:                                     ; preds = %B630.endif.preheader.i, %B628.loopexit.i
   %longest.2.32767.i = phi i64 [ %longest.3.4.lcssa.i, %B628.loopexit.i ], [ 0, %B630.endif.preheader.i ]
-  %rings.5.32766.i = phi i64 [ %rings.2.4.lcssa.i, %B628.loopexit.i ], [ 0, %B630.endif.preheader.i ]
-  %area.7.32765.i = phi double [ %area.4.4.lcssa.i, %B628.loopexit.i ], [ 0.000000e+00, %B630.endif.preheader.i ]
-  %.120127462763.i = phi i64 [ %.1208.i, %B628.loopexit.i ], [ 0, %B630.endif.preheader.i ]
-  %.1208.i = add nuw nsw i64 %.120127462763.i, 1
-  %129 = getelementptr i64, ptr %w18, i64 %.120127462763.i
-  %.1283.i = load i64, ptr %129, align 8
-  %.1296.i = icmp slt i64 %.1283.i, 0
-  %.1297.i = select i1 %.1296.i, i64 %w9, i64 0
-  %130 = getelementptr i64, ptr %w8, i64 %.1283.i
-  %.1311.i = getelementptr i64, ptr %130, i64 %.1297.i
-  %.1312.i = load i64, ptr %.1311.i, align 8
-  %.1359.i = icmp slt i64 %.1283.i, -1
-  %.1360.i = select i1 %.1359.i, i64 %w9, i64 0
+  %rings.3.32766.i = phi i64 [ %rings.2.4.lcssa.i, %B628.loopexit.i ], [ 0, %B630.endif.preheader.i ]
+  %area.5.32765.i = phi double [ %area.4.4.lcssa.i, %B628.loopexit.i ], [ 0.000000e+00, %B630.endif.preheader.i ]
+  %.120427462763.i = phi i64 [ %.1211.i, %B628.loopexit.i ], [ 0, %B630.endif.preheader.i ]
+  %.1211.i = add nuw nsw i64 %.120427462763.i, 1
+  %129 = getelementptr i64, ptr %w18, i64 %.120427462763.i
+  %.1286.i = load i64, ptr %129, align 8
+  %.1299.i = icmp slt i64 %.1286.i, 0
+  %.1300.i = select i1 %.1299.i, i64 %w9, i64 0
+  %130 = getelementptr i64, ptr %w8, i64 %.1286.i
+  %.1314.i = getelementptr i64, ptr %130, i64 %.1300.i
+  %.1315.i = load i64, ptr %.1314.i, align 8
+  %.1362.i = icmp slt i64 %.1286.i, -1
+  %.1363.i = select i1 %.1362.i, i64 %w9, i64 0
   %131 = getelementptr i8, ptr %130, i64 8
-  %.1374.i = getelementptr i64, ptr %131, i64 %.1360.i
-  %.1375.i = load i64, ptr %.1374.i, align 8
-  %.1412.i = sub i64 %.1375.i, %.1312.i
-  %.14552729.not.i = icmp slt i64 %.1412.i, 1
-  br i1 %.14552729.not.i, label %B628.loopexit.i, label %B760.preheader.i
+  %.1377.i = getelementptr i64, ptr %131, i64 %.1363.i
+  %.1378.i = load i64, ptr %.1377.i, align 8
+  %.1415.i = sub i64 %.1378.i, %.1315.i
+  %.14582729.not.i = icmp slt i64 %.1415.i, 1
+  br i1 %.14582729.not.i, label %B628.loopexit.i, label %B760.preheader.i
 
 B760.preheader.i:                                 ; preds = %B630.endif.i
-  %132 = add nuw i64 %.1412.i, 1
+  %132 = add nuw i64 %.1415.i, 1
   br label %B760.i
 
 B834.endif.i:                                     ; preds = %B140.endif.i.i
-  %.1617.i = select i1 %.300.i.i, i64 %w13, i64 0
-  %133 = getelementptr double, ptr %w12, i64 %.1523.i
-  %.1631.i = getelementptr double, ptr %133, i64 %.1617.i
-  %.1632.i = load double, ptr %.1631.i, align 8
-  %.1639.i = fdiv double %.1632.i, 3.000000e+00
-  %.1641.i = fadd double %area.4.42734.i, %.1639.i
-  br label %B2203.i
+  %.1620.i = select i1 %.300.i.i, i64 %w13, i64 0
+  %133 = getelementptr double, ptr %w12, i64 %.1526.i
+  %.1634.i = getelementptr double, ptr %133, i64 %.1620.i
+  %.1635.i = load double, ptr %.1634.i, align 8
+  %.1642.i = fdiv double %.1635.i, 3.000000e+00
+  %.1644.i = fadd double %area.4.42734.i, %.1642.i
+  br label %B2239.i
 
-B1004.preheader.i:                                ; preds = %_ZN7msf_jax4host4thin6fronts12ring_throughB3v36B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx5ArrayIdLi1E1C7mutable7alignedE.exit.i
-  store double %.1962.i, ptr %sunkaddr285.i, align 8
-  %.1962.1.i = load double, ptr %sunkaddr1.i.i, align 8
-  store double %.1962.1.i, ptr %sunkaddr294.i, align 8
-  %.1962.2.i = load double, ptr %sunkaddr.i34.i, align 8
-  store double %.1962.2.i, ptr %sunkaddr298.i, align 8
-  %.1962.3.i = load double, ptr %sunkaddr2.i.i, align 8
-  store double %.1962.3.i, ptr %sunkaddr302.i, align 8
-  %.1962.4.i = load double, ptr %sunkaddr3.i.i, align 8
-  store double %.1962.4.i, ptr %sunkaddr306.i, align 8
+B1004.preheader.i:                                ; preds = %_ZN7msf_jax4host4thin6fronts12ring_throughB3v37B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx5ArrayIdLi1E1C7mutable7alignedE.exit.i
+  store double %.1965.i, ptr %sunkaddr285.i, align 8
+  %.1965.1.i = load double, ptr %sunkaddr1.i.i, align 8
+  store double %.1965.1.i, ptr %sunkaddr294.i, align 8
+  %.1965.2.i = load double, ptr %sunkaddr.i34.i, align 8
+  store double %.1965.2.i, ptr %sunkaddr298.i, align 8
+  %.1965.3.i = load double, ptr %sunkaddr2.i.i, align 8
+  store double %.1965.3.i, ptr %sunkaddr302.i, align 8
+  %.1965.4.i = load double, ptr %sunkaddr3.i.i, align 8
+  store double %.1965.4.i, ptr %sunkaddr306.i, align 8
   br label %B1030.i
 
-B1188.preheader.i:                                ; preds = %_ZN7msf_jax4host4thin6fronts7islandsB3v38B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xxd5ArrayIdLi1E1C7mutable7alignedE.exit.i
+B1188.preheader.i:                                ; preds = %_ZN7msf_jax4host4thin6fronts7islandsB3v39B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xxd5ArrayIdLi1E1C7mutable7alignedE.exit.i
   %134 = icmp eq i64 %num.5.1.lcssa.i.i, 1
   br i1 %134, label %B1194.epil.i, label %B1188.preheader.new.i
 
@@ -4819,205 +4875,208 @@ B1242.endif.loopexit.unr-lcssa.i:                 ; preds = %B1238.1.i
   br i1 %brmerge.i, label %B1242.endif.loopexit.i, label %B1194.epil.i
 
 B1194.epil.i:                                     ; preds = %B1242.endif.loopexit.unr-lcssa.i, %B1188.preheader.i
-  %.233527782780.epil.init54.i = phi i64 [ %unroll_iter.i, %B1242.endif.loopexit.unr-lcssa.i ], [ 0, %B1188.preheader.i ]
-  %136 = getelementptr i64, ptr %w20, i64 %.233527782780.epil.init54.i
-  %.2415.epil.i = load i64, ptr %136, align 8
-  %.2431.epil.i = icmp slt i64 %.2415.epil.i, 0
-  %.2432.epil.i = select i1 %.2431.epil.i, i64 %w36, i64 0
-  %137 = getelementptr i64, ptr %w35, i64 %.2415.epil.i
-  %.2446.epil.i = getelementptr i64, ptr %137, i64 %.2432.epil.i
-  %.2447.epil.i = load i64, ptr %.2446.epil.i, align 8
-  %.2448.epil.i = icmp eq i64 %.2447.epil.i, 0
+  %.233827782780.epil.init54.i = phi i64 [ %unroll_iter.i, %B1242.endif.loopexit.unr-lcssa.i ], [ 0, %B1188.preheader.i ]
+  %136 = getelementptr i64, ptr %w20, i64 %.233827782780.epil.init54.i
+  %.2418.epil.i = load i64, ptr %136, align 8
+  %.2434.epil.i = icmp slt i64 %.2418.epil.i, 0
+  %.2435.epil.i = select i1 %.2434.epil.i, i64 %w37, i64 0
+  %137 = getelementptr i64, ptr %w36, i64 %.2418.epil.i
+  %.2449.epil.i = getelementptr i64, ptr %137, i64 %.2435.epil.i
+  %.2450.epil.i = load i64, ptr %.2449.epil.i, align 8
+  %.2451.epil.i = icmp eq i64 %.2450.epil.i, 0
   br label %B1242.endif.loopexit.i
 
 B1242.endif.loopexit.i:                           ; preds = %B1194.epil.i, %B1242.endif.loopexit.unr-lcssa.i
-  %"$phi1238.1.2.5.lcssa.i" = phi i1 [ %"$phi1238.1.2.5.1.mux.i", %B1242.endif.loopexit.unr-lcssa.i ], [ %.2448.epil.i, %B1194.epil.i ]
-  %.2226.i = fadd double %area.4.4.lcssa.i, %.2224.i
+  %"$phi1238.1.2.5.lcssa.i" = phi i1 [ %"$phi1238.1.2.5.1.mux.i", %B1242.endif.loopexit.unr-lcssa.i ], [ %.2451.epil.i, %B1194.epil.i ]
+  %.2229.i = fadd double %area.4.4.lcssa.i, %.2227.i
   br label %B1242.endif.i
 
-B1242.endif.i:                                    ; preds = %B760.epil.i.i, %B1242.endif.loopexit.i, %_ZN7msf_jax4host4thin6fronts7islandsB3v38B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xxd5ArrayIdLi1E1C7mutable7alignedE.exit.i, %B728.endif.i.i, %common.ret.loopexit.unr-lcssa.i.i, %B1066.i
-  %goes_on.10.3.i = phi i1 [ true, %B1066.i ], [ true, %_ZN7msf_jax4host4thin6fronts7islandsB3v38B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xxd5ArrayIdLi1E1C7mutable7alignedE.exit.i ], [ %"$phi1238.1.2.5.lcssa.i", %B1242.endif.loopexit.i ], [ true, %B728.endif.i.i ], [ true, %common.ret.loopexit.unr-lcssa.i.i ], [ true, %B760.epil.i.i ]
-  %area.8.3.i = phi double [ %area.4.4.lcssa.i, %B1066.i ], [ %area.4.4.lcssa.i, %_ZN7msf_jax4host4thin6fronts7islandsB3v38B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xxd5ArrayIdLi1E1C7mutable7alignedE.exit.i ], [ %.2226.i, %B1242.endif.loopexit.i ], [ %area.4.4.lcssa.i, %B728.endif.i.i ], [ %area.4.4.lcssa.i, %common.ret.loopexit.unr-lcssa.i.i ], [ %area.4.4.lcssa.i, %B760.epil.i.i ]
-  %num.2.3.i = phi i64 [ 0, %B1066.i ], [ %num.5.1.lcssa.i.i, %_ZN7msf_jax4host4thin6fronts7islandsB3v38B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xxd5ArrayIdLi1E1C7mutable7alignedE.exit.i ], [ %num.5.1.lcssa.i.i, %B1242.endif.loopexit.i ], [ -1, %B728.endif.i.i ], [ -1, %common.ret.loopexit.unr-lcssa.i.i ], [ -1, %B760.epil.i.i ]
+B1242.endif.i:                                    ; preds = %B760.epil.i.i, %B1242.endif.loopexit.i, %_ZN7msf_jax4host4thin6fronts7islandsB3v39B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xxd5ArrayIdLi1E1C7mutable7alignedE.exit.i, %B728.endif.i.i, %common.ret.loopexit.unr-lcssa.i.i, %B1066.i
+  %goes_on.10.3.i = phi i1 [ true, %B1066.i ], [ true, %_ZN7msf_jax4host4thin6fronts7islandsB3v39B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xxd5ArrayIdLi1E1C7mutable7alignedE.exit.i ], [ %"$phi1238.1.2.5.lcssa.i", %B1242.endif.loopexit.i ], [ true, %B728.endif.i.i ], [ true, %common.ret.loopexit.unr-lcssa.i.i ], [ true, %B760.epil.i.i ]
+  %area.8.3.i = phi double [ %area.4.4.lcssa.i, %B1066.i ], [ %area.4.4.lcssa.i, %_ZN7msf_jax4host4thin6fronts7islandsB3v39B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xxd5ArrayIdLi1E1C7mutable7alignedE.exit.i ], [ %.2229.i, %B1242.endif.loopexit.i ], [ %area.4.4.lcssa.i, %B728.endif.i.i ], [ %area.4.4.lcssa.i, %common.ret.loopexit.unr-lcssa.i.i ], [ %area.4.4.lcssa.i, %B760.epil.i.i ]
+  %num.2.3.i = phi i64 [ 0, %B1066.i ], [ %num.5.1.lcssa.i.i, %_ZN7msf_jax4host4thin6fronts7islandsB3v39B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xxd5ArrayIdLi1E1C7mutable7alignedE.exit.i ], [ %num.5.1.lcssa.i.i, %B1242.endif.loopexit.i ], [ -1, %B728.endif.i.i ], [ -1, %common.ret.loopexit.unr-lcssa.i.i ], [ -1, %B760.epil.i.i ]
   br label %B1274.endif.i
 
 B1274.endif.i:                                    ; preds = %B1242.endif.i, %B1272.loopexit.i
-  %.256227942800.i = phi i64 [ %.2569.i, %B1272.loopexit.i ], [ 0, %B1242.endif.i ]
-  %.2569.i = add nuw nsw i64 %.256227942800.i, 1
-  %138 = getelementptr i64, ptr %w18, i64 %.256227942800.i
-  %.2626.i = load i64, ptr %138, align 8
-  %.2639.i = icmp slt i64 %.2626.i, 0
-  %.2640.i = select i1 %.2639.i, i64 %w9, i64 0
-  %139 = getelementptr i64, ptr %w8, i64 %.2626.i
-  %.2654.i = getelementptr i64, ptr %139, i64 %.2640.i
-  %.2655.i = load i64, ptr %.2654.i, align 8
-  %.2702.i = icmp slt i64 %.2626.i, -1
-  %.2703.i = select i1 %.2702.i, i64 %w9, i64 0
+  %.256527942800.i = phi i64 [ %.2572.i, %B1272.loopexit.i ], [ 0, %B1242.endif.i ]
+  %.2572.i = add nuw nsw i64 %.256527942800.i, 1
+  %138 = getelementptr i64, ptr %w18, i64 %.256527942800.i
+  %.2629.i = load i64, ptr %138, align 8
+  %.2642.i = icmp slt i64 %.2629.i, 0
+  %.2643.i = select i1 %.2642.i, i64 %w9, i64 0
+  %139 = getelementptr i64, ptr %w8, i64 %.2629.i
+  %.2657.i = getelementptr i64, ptr %139, i64 %.2643.i
+  %.2658.i = load i64, ptr %.2657.i, align 8
+  %.2705.i = icmp slt i64 %.2629.i, -1
+  %.2706.i = select i1 %.2705.i, i64 %w9, i64 0
   %140 = getelementptr i8, ptr %139, i64 8
-  %.2717.i = getelementptr i64, ptr %140, i64 %.2703.i
-  %.2718.i = load i64, ptr %.2717.i, align 8
-  %.2755.i = sub i64 %.2718.i, %.2655.i
-  %.27982788.not.i = icmp slt i64 %.2755.i, 1
-  br i1 %.27982788.not.i, label %B1272.loopexit.i, label %B1404.preheader.i
+  %.2720.i = getelementptr i64, ptr %140, i64 %.2706.i
+  %.2721.i = load i64, ptr %.2720.i, align 8
+  %.2758.i = sub i64 %.2721.i, %.2658.i
+  %.28012788.not.i = icmp slt i64 %.2758.i, 1
+  br i1 %.28012788.not.i, label %B1272.loopexit.i, label %B1404.preheader.i
 
 B1404.preheader.i:                                ; preds = %B1274.endif.i
-  %.neg.i = add i64 %.2655.i, 1
-  %xtraiter83.i = and i64 %.2755.i, 1
+  %.neg.i = add i64 %.2658.i, 1
+  %xtraiter83.i = and i64 %.2758.i, 1
   %lcmp.mod84.not.i = icmp eq i64 %xtraiter83.i, 0
   br i1 %lcmp.mod84.not.i, label %B1404.prol.loopexit.i, label %B1404.prol.i
 
 B1404.prol.i:                                     ; preds = %B1404.preheader.i
-  %.2807.prol.i = add nsw i64 %.2755.i, -1
-  %.2852.prol.i = icmp slt i64 %.2655.i, 0
-  %.2853.prol.i = select i1 %.2852.prol.i, i64 %w11, i64 0
-  %141 = getelementptr i64, ptr %w10, i64 %.2655.i
-  %.2867.prol.i = getelementptr i64, ptr %141, i64 %.2853.prol.i
-  %.2868.prol.i = load i64, ptr %.2867.prol.i, align 8
-  %.2881.prol.i = icmp slt i64 %.2868.prol.i, 0
-  %.2882.prol.i = select i1 %.2881.prol.i, i64 %w29, i64 0
-  %142 = getelementptr i64, ptr %w28, i64 %.2868.prol.i
-  %.2896.prol.i = getelementptr i64, ptr %142, i64 %.2882.prol.i
-  store i64 -1, ptr %.2896.prol.i, align 8
+  %.2810.prol.i = add nsw i64 %.2758.i, -1
+  %.2855.prol.i = icmp slt i64 %.2658.i, 0
+  %.2856.prol.i = select i1 %.2855.prol.i, i64 %w11, i64 0
+  %141 = getelementptr i64, ptr %w10, i64 %.2658.i
+  %.2870.prol.i = getelementptr i64, ptr %141, i64 %.2856.prol.i
+  %.2871.prol.i = load i64, ptr %.2870.prol.i, align 8
+  %.2884.prol.i = icmp slt i64 %.2871.prol.i, 0
+  %.2885.prol.i = select i1 %.2884.prol.i, i64 %w29, i64 0
+  %142 = getelementptr i64, ptr %w28, i64 %.2871.prol.i
+  %.2899.prol.i = getelementptr i64, ptr %142, i64 %.2885.prol.i
+  store i64 -1, ptr %.2899.prol.i, align 8
   br label %B1404.prol.loopexit.i
 
 B1404.prol.loopexit.i:                            ; preds = %B1404.prol.i, %B1404.preheader.i
-  %.279727862790.unr.i = phi i64 [ %.2755.i, %B1404.preheader.i ], [ %.2807.prol.i, %B1404.prol.i ]
-  %.280427872789.unr.i = phi i64 [ %.2655.i, %B1404.preheader.i ], [ %.neg.i, %B1404.prol.i ]
-  %143 = icmp eq i64 %.2718.i, %.neg.i
+  %.280027862790.unr.i = phi i64 [ %.2758.i, %B1404.preheader.i ], [ %.2810.prol.i, %B1404.prol.i ]
+  %.280727872789.unr.i = phi i64 [ %.2658.i, %B1404.preheader.i ], [ %.neg.i, %B1404.prol.i ]
+  %143 = icmp eq i64 %.2721.i, %.neg.i
   br i1 %143, label %B1272.loopexit.i, label %B1404.preheader110.i
 
 B1404.preheader110.i:                             ; preds = %B1404.prol.loopexit.i
-  %144 = add nuw i64 %.279727862790.unr.i, 2
+  %144 = add nuw i64 %.280027862790.unr.i, 2
   br label %B1404.i
 
-B1822.preheader.i:                                ; preds = %B1514.i
-  %.3034.i = fmul double %area.8.3.i, 0x401921FB54442D18
-  %.3095.i = fmul double %.3019.i, %.3019.i
-  %.3099.i = fdiv double %.3034.i, %.3095.i
-  %.3100.i = fadd double %.3099.i, -5.000000e-01
-  %.3128.i = icmp slt i64 %rows.2.233.i, 0
-  %.3129.i = select i1 %.3128.i, i64 %w38, i64 0
-  %.3130.i = add i64 %.3129.i, %rows.2.233.i
-  %.3150.i = mul i64 %.3130.i, %w39
-  %.3154.i = getelementptr double, ptr %w37, i64 %.3150.i
-  store double %.3100.i, ptr %.3154.i, align 8
-  %.3210.i = getelementptr i8, ptr %.3154.i, i64 8
-  store double %level.2.229.i, ptr %.3210.i, align 8
-  %.3266.i = getelementptr i8, ptr %.3154.i, i64 16
-  store double %area.8.3.i, ptr %.3266.i, align 8
-  %.3417.i = load double, ptr %sunkaddr294.i, align 8
-  %.3447.i = load double, ptr %sunkaddr285.i, align 8
-  %.3451.i = fdiv double %.3417.i, %.3447.i
-  %145 = getelementptr i8, ptr %.3154.i, i64 24
-  store double %.3451.i, ptr %145, align 8
-  %.3417.1.i = load double, ptr %sunkaddr298.i, align 8
-  %.3447.1.i = load double, ptr %sunkaddr285.i, align 8
-  %.3451.1.i = fdiv double %.3417.1.i, %.3447.1.i
-  %146 = getelementptr i8, ptr %.3154.i, i64 32
-  store double %.3451.1.i, ptr %146, align 8
-  %.3417.2.i = load double, ptr %sunkaddr302.i, align 8
-  %.3447.2.i = load double, ptr %sunkaddr285.i, align 8
-  %.3451.2.i = fdiv double %.3417.2.i, %.3447.2.i
-  %147 = getelementptr i8, ptr %.3154.i, i64 40
-  store double %.3451.2.i, ptr %147, align 8
-  br label %B1822.i
+B1858.preheader.i:                                ; preds = %B1514.i
+  %.3037.i = fmul double %area.8.3.i, 0x401921FB54442D18
+  %.3098.i = fmul double %.3022.i, %.3022.i
+  %.3102.i = fdiv double %.3037.i, %.3098.i
+  %.3103.i = fadd double %.3102.i, -5.000000e-01
+  %.3109.i = fcmp oge double %area.8.3.i, %w34
+  %.3119.i = fmul double %.3103.i, 5.000000e-01
+  %"$phi1640.0.2.4.i" = select i1 %.3109.i, double %.3103.i, double %.3119.i
+  %.3153.i = icmp slt i64 %rows.2.233.i, 0
+  %.3154.i = select i1 %.3153.i, i64 %w39, i64 0
+  %.3155.i = add i64 %.3154.i, %rows.2.233.i
+  %.3175.i = mul i64 %.3155.i, %w40
+  %.3179.i = getelementptr double, ptr %w38, i64 %.3175.i
+  store double %"$phi1640.0.2.4.i", ptr %.3179.i, align 8
+  %.3237.i = getelementptr i8, ptr %.3179.i, i64 8
+  store double %level.2.229.i, ptr %.3237.i, align 8
+  %.3293.i = getelementptr i8, ptr %.3179.i, i64 16
+  store double %area.8.3.i, ptr %.3293.i, align 8
+  %.3444.i = load double, ptr %sunkaddr294.i, align 8
+  %.3474.i = load double, ptr %sunkaddr285.i, align 8
+  %.3478.i = fdiv double %.3444.i, %.3474.i
+  %145 = getelementptr i8, ptr %.3179.i, i64 24
+  store double %.3478.i, ptr %145, align 8
+  %.3444.1.i = load double, ptr %sunkaddr298.i, align 8
+  %.3474.1.i = load double, ptr %sunkaddr285.i, align 8
+  %.3478.1.i = fdiv double %.3444.1.i, %.3474.1.i
+  %146 = getelementptr i8, ptr %.3179.i, i64 32
+  store double %.3478.1.i, ptr %146, align 8
+  %.3444.2.i = load double, ptr %sunkaddr302.i, align 8
+  %.3474.2.i = load double, ptr %sunkaddr285.i, align 8
+  %.3478.2.i = fdiv double %.3444.2.i, %.3474.2.i
+  %147 = getelementptr i8, ptr %.3179.i, i64 40
+  store double %.3478.2.i, ptr %147, align 8
+  br label %B1858.i
 
-B1858.endif.unr-lcssa.i:                          ; preds = %B1822.i
-  br i1 %5, label %B1858.endif.i, label %B1822.epil.i
+B1894.endif.unr-lcssa.i:                          ; preds = %B1858.i
+  br i1 %5, label %B1894.endif.i, label %B1858.epil.i
 
-B1822.epil.i:                                     ; preds = %B1858.endif.unr-lcssa.i, %B1822.epil.i
-  %lsr.iv167.i = phi i64 [ %lsr.iv.next168.i, %B1822.epil.i ], [ %xtraiter85.i, %B1858.endif.unr-lcssa.i ]
-  %lsr.iv163.i = phi i64 [ %lsr.iv.next164.i, %B1822.epil.i ], [ %lsr.iv161.i, %B1858.endif.unr-lcssa.i ]
+B1858.epil.i:                                     ; preds = %B1894.endif.unr-lcssa.i, %B1858.epil.i
+  %lsr.iv167.i = phi i64 [ %lsr.iv.next168.i, %B1858.epil.i ], [ %xtraiter85.i, %B1894.endif.unr-lcssa.i ]
+  %lsr.iv163.i = phi i64 [ %lsr.iv.next164.i, %B1858.epil.i ], [ %lsr.iv161.i, %B1894.endif.unr-lcssa.i ]
   %scevgep166.i = getelementptr i8, ptr %w18, i64 %lsr.iv163.i
-  %.3734.epil.i = load i64, ptr %scevgep166.i, align 8
-  %scevgep165.i = getelementptr i8, ptr %w40, i64 %lsr.iv163.i
-  store i64 %.3734.epil.i, ptr %scevgep165.i, align 8
+  %.3761.epil.i = load i64, ptr %scevgep166.i, align 8
+  %scevgep165.i = getelementptr i8, ptr %w41, i64 %lsr.iv163.i
+  store i64 %.3761.epil.i, ptr %scevgep165.i, align 8
   %lsr.iv.next164.i = add nuw nsw i64 %lsr.iv163.i, 8
   %lsr.iv.next168.i = add nsw i64 %lsr.iv167.i, -1
   %epil.iter.cmp.not.i = icmp eq i64 %lsr.iv.next168.i, 0
-  br i1 %epil.iter.cmp.not.i, label %B1858.endif.i, label %B1822.epil.i
+  br i1 %epil.iter.cmp.not.i, label %B1894.endif.i, label %B1858.epil.i
 
-B1858.endif.i:                                    ; preds = %B1822.epil.i, %B1858.endif.unr-lcssa.i
-  %.3565.i = fcmp olt double %.3100.i, %w33
-  %.3570.i = add nsw i64 %rows.2.233.i, 1
-  %.3582.i = add nuw nsw i64 %num.2.3.i, %count.2.03188.i
-  %.38622822.not.i = icmp eq i64 %num.2.3.i, 0
-  br i1 %.38622822.not.i, label %B1932.endif.thread.i, label %B1890.preheader.i
+B1894.endif.i:                                    ; preds = %B1858.epil.i, %B1894.endif.unr-lcssa.i
+  %.3592.i = fcmp olt double %"$phi1640.0.2.4.i", %w33
+  %.3597.i = add nsw i64 %rows.2.233.i, 1
+  %.3609.i = add nuw nsw i64 %num.2.3.i, %count.2.03188.i
+  %.38892822.not.i = icmp eq i64 %num.2.3.i, 0
+  br i1 %.38892822.not.i, label %B1968.endif.thread.i, label %B1926.preheader.i
 
-B1890.preheader.i:                                ; preds = %B1858.endif.i
+B1926.preheader.i:                                ; preds = %B1894.endif.i
   %xtraiter90.i = and i64 %num.2.3.i, 3
   %148 = icmp samesign ult i64 %num.2.3.i, 4
-  br i1 %148, label %B1890.epil.preheader.i, label %B1890.preheader.new.i
+  br i1 %148, label %B1926.epil.preheader.i, label %B1926.preheader.new.i
 
-B1890.preheader.new.i:                            ; preds = %B1890.preheader.i
+B1926.preheader.new.i:                            ; preds = %B1926.preheader.i
   %unroll_iter94.i = and i64 %num.2.3.i, 9223372036854775804
-  br label %B1890.i
+  br label %B1926.i
 
-B1932.endif.thread.i:                             ; preds = %B1858.endif.i
-  br i1 %.3565.i, label %B252.backedge.i, label %B2030.i
+B1968.endif.thread.i:                             ; preds = %B1894.endif.i
+  br i1 %.3592.i, label %B252.backedge.i, label %B2066.i
 
-B1932.endif.i:                                    ; preds = %B1514.i, %B1452.loopexit.i
-  %.40882829.not.i = icmp slt i64 %num.2.3.i, 1
-  br i1 %.40882829.not.i, label %B2024.i, label %B1932.endif.B1964.preheader_crit_edge.i
+B1968.endif.i:                                    ; preds = %B1514.i, %B1452.loopexit.i
+  %.41152829.not.i = icmp slt i64 %num.2.3.i, 1
+  br i1 %.41152829.not.i, label %B2060.i, label %B1968.endif.B2000.preheader_crit_edge.i
 
-B1932.endif.B1964.preheader_crit_edge.i:          ; preds = %B1932.endif.i
+B1968.endif.B2000.preheader_crit_edge.i:          ; preds = %B1968.endif.i
   %.pre.i = and i64 %num.2.3.i, 3
-  br label %B1964.preheader.i
+  br label %B2000.preheader.i
 
-B1964.preheader.loopexit.unr-lcssa.i:             ; preds = %B1890.i
+B2000.preheader.loopexit.unr-lcssa.i:             ; preds = %B1926.i
   %lcmp.mod92.not.i = icmp eq i64 %xtraiter90.i, 0
-  br i1 %lcmp.mod92.not.i, label %B1964.preheader.new.i, label %B1890.epil.preheader.i
+  br i1 %lcmp.mod92.not.i, label %B2000.preheader.new.i, label %B1926.epil.preheader.i
 
-B1890.epil.preheader.i:                           ; preds = %B1964.preheader.loopexit.unr-lcssa.i, %B1890.preheader.i
-  %.386828212823.epil.init.i = phi i64 [ 0, %B1890.preheader.i ], [ %unroll_iter94.i, %B1964.preheader.loopexit.unr-lcssa.i ]
-  %149 = shl i64 %.386828212823.epil.init.i, 3
+B1926.epil.preheader.i:                           ; preds = %B2000.preheader.loopexit.unr-lcssa.i, %B1926.preheader.i
+  %.389528212823.epil.init.i = phi i64 [ 0, %B1926.preheader.i ], [ %unroll_iter94.i, %B2000.preheader.loopexit.unr-lcssa.i ]
+  %149 = shl i64 %.389528212823.epil.init.i, 3
   %scevgep187.i = getelementptr i8, ptr %scevgep186.i, i64 %149
   %scevgep189.i = getelementptr i8, ptr %w20, i64 %149
-  br label %B1890.epil.i
+  br label %B1926.epil.i
 
-B1890.epil.i:                                     ; preds = %B1890.epil.i, %B1890.epil.preheader.i
-  %epil.iter91.i = phi i64 [ %epil.iter91.next.i, %B1890.epil.i ], [ 0, %B1890.epil.preheader.i ]
+B1926.epil.i:                                     ; preds = %B1926.epil.i, %B1926.epil.preheader.i
+  %epil.iter91.i = phi i64 [ %epil.iter91.next.i, %B1926.epil.i ], [ 0, %B1926.epil.preheader.i ]
   %150 = shl nuw nsw i64 %epil.iter91.i, 3
   %scevgep190.i = getelementptr i8, ptr %scevgep189.i, i64 %150
-  %.3938.epil.i = load i64, ptr %scevgep190.i, align 8
+  %.3965.epil.i = load i64, ptr %scevgep190.i, align 8
   %scevgep188.i = getelementptr i8, ptr %scevgep187.i, i64 %150
-  store i64 %.3938.epil.i, ptr %scevgep188.i, align 8
+  store i64 %.3965.epil.i, ptr %scevgep188.i, align 8
   %epil.iter91.next.i = add i64 %epil.iter91.i, 1
   %epil.iter91.cmp.not.i = icmp eq i64 %xtraiter90.i, %epil.iter91.next.i
-  br i1 %epil.iter91.cmp.not.i, label %B1964.preheader.i, label %B1890.epil.i
+  br i1 %epil.iter91.cmp.not.i, label %B2000.preheader.i, label %B1926.epil.i
 
-B1964.preheader.i:                                ; preds = %B1890.epil.i, %B1932.endif.B1964.preheader_crit_edge.i
-  %xtraiter96.pre-phi.i = phi i64 [ %.pre.i, %B1932.endif.B1964.preheader_crit_edge.i ], [ %xtraiter90.i, %B1890.epil.i ]
-  %goes_on.9.33555.i = phi i1 [ %brmerge.not3583.i, %B1932.endif.B1964.preheader_crit_edge.i ], [ %.3565.i, %B1890.epil.i ]
-  %last.4.33554.i = phi double [ %last.2.235.i, %B1932.endif.B1964.preheader_crit_edge.i ], [ %level.2.229.i, %B1890.epil.i ]
-  %size_of_region.6.33553.i = phi i64 [ %size_of_region.4.234.i, %B1932.endif.B1964.preheader_crit_edge.i ], [ %.3582.i, %B1890.epil.i ]
-  %rows.4.33552.i = phi i64 [ %rows.2.233.i, %B1932.endif.B1964.preheader_crit_edge.i ], [ %.3570.i, %B1890.epil.i ]
+B2000.preheader.i:                                ; preds = %B1926.epil.i, %B1968.endif.B2000.preheader_crit_edge.i
+  %xtraiter96.pre-phi.i = phi i64 [ %.pre.i, %B1968.endif.B2000.preheader_crit_edge.i ], [ %xtraiter90.i, %B1926.epil.i ]
+  %goes_on.9.33555.i = phi i1 [ %brmerge.not3583.i, %B1968.endif.B2000.preheader_crit_edge.i ], [ %.3592.i, %B1926.epil.i ]
+  %last.4.33554.i = phi double [ %last.2.235.i, %B1968.endif.B2000.preheader_crit_edge.i ], [ %level.2.229.i, %B1926.epil.i ]
+  %size_of_region.6.33553.i = phi i64 [ %size_of_region.4.234.i, %B1968.endif.B2000.preheader_crit_edge.i ], [ %.3609.i, %B1926.epil.i ]
+  %rows.4.33552.i = phi i64 [ %rows.2.233.i, %B1968.endif.B2000.preheader_crit_edge.i ], [ %.3597.i, %B1926.epil.i ]
   %151 = icmp samesign ult i64 %num.2.3.i, 4
-  br i1 %151, label %B1964.epil.preheader.i, label %B1964.preheader.new.i
+  br i1 %151, label %B2000.epil.preheader.i, label %B2000.preheader.new.i
 
-B1964.preheader.new.i:                            ; preds = %B1964.preheader.i, %B1964.preheader.loopexit.unr-lcssa.i
-  %xtraiter9668.i = phi i64 [ %xtraiter96.pre-phi.i, %B1964.preheader.i ], [ 0, %B1964.preheader.loopexit.unr-lcssa.i ]
-  %rows.4.3355266.i = phi i64 [ %rows.4.33552.i, %B1964.preheader.i ], [ %.3570.i, %B1964.preheader.loopexit.unr-lcssa.i ]
-  %size_of_region.6.3355364.i = phi i64 [ %size_of_region.6.33553.i, %B1964.preheader.i ], [ %.3582.i, %B1964.preheader.loopexit.unr-lcssa.i ]
-  %last.4.3355462.i = phi double [ %last.4.33554.i, %B1964.preheader.i ], [ %level.2.229.i, %B1964.preheader.loopexit.unr-lcssa.i ]
-  %goes_on.9.3355560.i = phi i1 [ %goes_on.9.33555.i, %B1964.preheader.i ], [ %.3565.i, %B1964.preheader.loopexit.unr-lcssa.i ]
+B2000.preheader.new.i:                            ; preds = %B2000.preheader.i, %B2000.preheader.loopexit.unr-lcssa.i
+  %xtraiter9668.i = phi i64 [ %xtraiter96.pre-phi.i, %B2000.preheader.i ], [ 0, %B2000.preheader.loopexit.unr-lcssa.i ]
+  %rows.4.3355266.i = phi i64 [ %rows.4.33552.i, %B2000.preheader.i ], [ %.3597.i, %B2000.preheader.loopexit.unr-lcssa.i ]
+  %size_of_region.6.3355364.i = phi i64 [ %size_of_region.6.33553.i, %B2000.preheader.i ], [ %.3609.i, %B2000.preheader.loopexit.unr-lcssa.i ]
+  %last.4.3355462.i = phi double [ %last.4.33554.i, %B2000.preheader.i ], [ %level.2.229.i, %B2000.preheader.loopexit.unr-lcssa.i ]
+  %goes_on.9.3355560.i = phi i1 [ %goes_on.9.33555.i, %B2000.preheader.i ], [ %.3592.i, %B2000.preheader.loopexit.unr-lcssa.i ]
   %unroll_iter100.i = and i64 %num.2.3.i, -4
-  br label %B1964.i
+  br label %B2000.i
 
-B2078.endif.i:                                    ; preds = %B2068.i, %B2030.i
-  %.44693216.not.i = icmp slt i64 %w15, 1
-  br i1 %.44693216.not.i, label %_ZN7msf_jax4host4thin6fronts3capB3v32B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdddd5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE.exit, label %B2146.preheader.i
+B2114.endif.i:                                    ; preds = %B2104.i, %B2066.i
+  %.44983216.not.i = icmp slt i64 %w15, 1
+  br i1 %.44983216.not.i, label %_ZN7msf_jax4host4thin6fronts3capB3v33B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xddddd5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE.exit, label %B2182.preheader.i
 
-B2146.preheader.i:                                ; preds = %B2078.endif.i
+B2182.preheader.i:                                ; preds = %B2114.endif.i
   %xtraiter102.i = and i64 %w15, 3
   %152 = icmp samesign ult i64 %w15, 4
-  br i1 %152, label %B2146.epil.preheader.i, label %B2146.preheader.new.i
+  br i1 %152, label %B2182.epil.preheader.i, label %B2182.preheader.new.i
 
-B2146.preheader.new.i:                            ; preds = %B2146.preheader.i
+B2182.preheader.new.i:                            ; preds = %B2182.preheader.i
   %unroll_iter106.i = and i64 %w15, 9223372036854775804
-  br label %B2146.i
+  br label %B2182.i
 
-_ZN7msf_jax4host4thin6fronts3capB3v32B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdddd5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE.exit: ; preds = %B2146.epil.i, %B2202.loopexit.unr-lcssa.i, %B2078.endif.i
+_ZN7msf_jax4host4thin6fronts3capB3v33B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xddddd5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE.exit: ; preds = %B2182.epil.i, %B2238.loopexit.unr-lcssa.i, %B2114.endif.i
   ret i64 %rows.6.1.i
 }
 
@@ -5047,7 +5106,7 @@ define i64 @msf_jax.host.meso.kernels.short_edges(ptr readonly %words) local_unn
   %p15 = getelementptr i8, ptr %words, i64 120
   %w15 = load i64, ptr %p15, align 8
   %.183801.not.i = icmp slt i64 %w4, 1
-  br i1 %.183801.not.i, label %_ZN7msf_jax4host4meso7kernels11short_edgesB3v39B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIbLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE.exit, label %B68.preheader.i
+  br i1 %.183801.not.i, label %_ZN7msf_jax4host4meso7kernels11short_edgesB3v40B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIbLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE.exit, label %B68.preheader.i
 
 B68.preheader.i:                                  ; preds = %0
   %scevgep.i = getelementptr i8, ptr %w3, i64 24
@@ -5057,7 +5116,7 @@ B68.preheader.i:                                  ; preds = %0
 B66.loopexit.i:                                   ; preds = %B757.i, %B116.endif.i, %B68.i
   %count.2.1.lcssa.i = phi i64 [ %count.3.0808.i, %B116.endif.i ], [ %count.3.0808.i, %B68.i ], [ %count.4.2.i, %B757.i ]
   %exitcond909.not.i = icmp eq i64 %w4, %.196.i
-  br i1 %exitcond909.not.i, label %_ZN7msf_jax4host4meso7kernels11short_edgesB3v39B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIbLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE.exit, label %B68.i
+  br i1 %exitcond909.not.i, label %_ZN7msf_jax4host4meso7kernels11short_edgesB3v40B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIbLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE.exit, label %B68.i
 
 B68.i:                                            ; preds = %B66.loopexit.i, %B68.preheader.i
   %count.3.0808.i = phi i64 [ %count.2.1.lcssa.i, %B66.loopexit.i ], [ 0, %B68.preheader.i ]
@@ -5090,8 +5149,8 @@ B36.i.i:                                          ; preds = %B36.i.i, %B36.prehe
   %.147.not.i.i = icmp eq i64 %.145.i.i, %.11.i23.i
   br i1 %.147.not.i.i, label %B552.endif.i, label %B36.i.i
 
-B757.i:                                           ; preds = %B552.endif.endif.endif.thread.i, %B270.endif.endif.i, %_ZN7msf_jax4host4meso7kernels12is_met_laterB3v42B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedExx.exit.i, %B136.endif.endif.i
-  %count.4.2.i = phi i64 [ %.1783.i, %B552.endif.endif.endif.thread.i ], [ %count.2.1743.i, %B270.endif.endif.i ], [ %count.2.1743.i, %_ZN7msf_jax4host4meso7kernels12is_met_laterB3v42B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedExx.exit.i ], [ %count.2.1743.i, %B136.endif.endif.i ]
+B757.i:                                           ; preds = %B552.endif.endif.endif.thread.i, %B270.endif.endif.i, %_ZN7msf_jax4host4meso7kernels12is_met_laterB3v43B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedExx.exit.i, %B136.endif.endif.i
+  %count.4.2.i = phi i64 [ %.1783.i, %B552.endif.endif.endif.thread.i ], [ %count.2.1743.i, %B270.endif.endif.i ], [ %count.2.1743.i, %_ZN7msf_jax4host4meso7kernels12is_met_laterB3v43B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedExx.exit.i ], [ %count.2.1743.i, %B136.endif.endif.i ]
   %exitcond908.not.i = icmp eq i64 %.298.i, %.410.i
   br i1 %exitcond908.not.i, label %B66.loopexit.i, label %B136.endif.endif.i
 
@@ -5119,15 +5178,15 @@ B136.endif.endif.i:                               ; preds = %B136.lr.ph.i, %B757
 
 B48.i.i:                                          ; preds = %B136.endif.endif.i
   %.96.i.i = icmp slt i64 %.485.i, %.189756806.i
-  br i1 %.96.i.i, label %_ZN7msf_jax4host4meso7kernels12is_met_laterB3v42B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedExx.exit.i, label %B270.endif.endif.i
+  br i1 %.96.i.i, label %_ZN7msf_jax4host4meso7kernels12is_met_laterB3v43B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedExx.exit.i, label %B270.endif.endif.i
 
-_ZN7msf_jax4host4meso7kernels12is_met_laterB3v42B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedExx.exit.i: ; preds = %B48.i.i
+_ZN7msf_jax4host4meso7kernels12is_met_laterB3v43B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedExx.exit.i: ; preds = %B48.i.i
   %.131.i.i = getelementptr i8, ptr %w11, i64 %.485.i
   %.132.i.i = load i8, ptr %.131.i.i, align 1
   %.135.i.not.i = icmp eq i8 %.132.i.i, 0
   br i1 %.135.i.not.i, label %B270.endif.endif.i, label %B757.i
 
-B270.endif.endif.i:                               ; preds = %_ZN7msf_jax4host4meso7kernels12is_met_laterB3v42B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedExx.exit.i, %B48.i.i
+B270.endif.endif.i:                               ; preds = %_ZN7msf_jax4host4meso7kernels12is_met_laterB3v43B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedExx.exit.i, %B48.i.i
   %.68.i.i = mul i64 %.11.i.i, %w2
   %7 = getelementptr double, ptr %w0, i64 %.68.i.i
   %.72.i.i = getelementptr i8, ptr %7, i64 16
@@ -5361,7 +5420,7 @@ B552.endif.endif.else.if.i:                       ; preds = %B552.endif.endif.el
   %spec.select629.i = add i64 %.1703.i, %spec.select630.fr.i
   br label %B552.endif.endif.endif.thread.i
 
-_ZN7msf_jax4host4meso7kernels11short_edgesB3v39B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIbLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE.exit: ; preds = %B66.loopexit.i, %0
+_ZN7msf_jax4host4meso7kernels11short_edgesB3v40B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIbLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE.exit: ; preds = %B66.loopexit.i, %0
   %count.3.0.lcssa.i = phi i64 [ 0, %0 ], [ %count.2.1.lcssa.i, %B66.loopexit.i ]
   ret i64 %count.3.0.lcssa.i
 }
@@ -5396,7 +5455,7 @@ define i64 @msf_jax.host.meso.kernels.wide_edges(ptr readonly %words) local_unna
   %p16 = getelementptr i8, ptr %words, i64 128
   %w16 = load i64, ptr %p16, align 8
   %.186619.not.i = icmp slt i64 %w4, 1
-  br i1 %.186619.not.i, label %_ZN7msf_jax4host4meso7kernels10wide_edgesB3v45B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEdd5ArrayIbLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE.exit, label %B68.preheader.i
+  br i1 %.186619.not.i, label %_ZN7msf_jax4host4meso7kernels10wide_edgesB3v46B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEdd5ArrayIbLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE.exit, label %B68.preheader.i
 
 B68.preheader.i:                                  ; preds = %0
   %scevgep.i = getelementptr i8, ptr %w3, i64 8
@@ -5405,7 +5464,7 @@ B68.preheader.i:                                  ; preds = %0
 B66.loopexit.i:                                   ; preds = %B731.i, %B116.endif.i, %B68.i
   %count.2.1.lcssa.i = phi i64 [ %count.5.0622.i, %B116.endif.i ], [ %count.5.0622.i, %B68.i ], [ %count.3.2.i, %B731.i ]
   %exitcond681.not.i = icmp eq i64 %w4, %.199.i
-  br i1 %exitcond681.not.i, label %_ZN7msf_jax4host4meso7kernels10wide_edgesB3v45B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEdd5ArrayIbLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE.exit, label %B68.i
+  br i1 %exitcond681.not.i, label %_ZN7msf_jax4host4meso7kernels10wide_edgesB3v46B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEdd5ArrayIbLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE.exit, label %B68.i
 
 B68.i:                                            ; preds = %B66.loopexit.i, %B68.preheader.i
   %count.5.0622.i = phi i64 [ %count.2.1.lcssa.i, %B66.loopexit.i ], [ 0, %B68.preheader.i ]
@@ -5457,8 +5516,8 @@ B620.i:                                           ; preds = %B402.endif.endif.en
   %.1481.i = add nsw i64 %count.2.1589.i, 1
   br label %B731.i
 
-B731.i:                                           ; preds = %B402.endif.endif.endif.endif.endif.i, %B270.endif.endif.i, %_ZN7msf_jax4host4meso7kernels12is_met_laterB3v42B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedExx.exit.i, %B136.endif.endif.i, %B620.i
-  %count.3.2.i = phi i64 [ %count.2.1589.i, %B402.endif.endif.endif.endif.endif.i ], [ %count.2.1589.i, %B270.endif.endif.i ], [ %.1481.i, %B620.i ], [ %count.2.1589.i, %_ZN7msf_jax4host4meso7kernels12is_met_laterB3v42B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedExx.exit.i ], [ %count.2.1589.i, %B136.endif.endif.i ]
+B731.i:                                           ; preds = %B402.endif.endif.endif.endif.endif.i, %B270.endif.endif.i, %_ZN7msf_jax4host4meso7kernels12is_met_laterB3v43B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedExx.exit.i, %B136.endif.endif.i, %B620.i
+  %count.3.2.i = phi i64 [ %count.2.1589.i, %B402.endif.endif.endif.endif.endif.i ], [ %count.2.1589.i, %B270.endif.endif.i ], [ %.1481.i, %B620.i ], [ %count.2.1589.i, %_ZN7msf_jax4host4meso7kernels12is_met_laterB3v43B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedExx.exit.i ], [ %count.2.1589.i, %B136.endif.endif.i ]
   %exitcond.not.i = icmp eq i64 %.301.i, %.413.i
   br i1 %exitcond.not.i, label %B66.loopexit.i, label %B136.endif.endif.i
 
@@ -5486,15 +5545,15 @@ B136.endif.endif.i:                               ; preds = %B136.lr.ph.i, %B731
 
 B48.i.i:                                          ; preds = %B136.endif.endif.i
   %.96.i.i = icmp slt i64 %.488.i, %.192600620.i
-  br i1 %.96.i.i, label %_ZN7msf_jax4host4meso7kernels12is_met_laterB3v42B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedExx.exit.i, label %B270.endif.endif.i
+  br i1 %.96.i.i, label %_ZN7msf_jax4host4meso7kernels12is_met_laterB3v43B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedExx.exit.i, label %B270.endif.endif.i
 
-_ZN7msf_jax4host4meso7kernels12is_met_laterB3v42B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedExx.exit.i: ; preds = %B48.i.i
+_ZN7msf_jax4host4meso7kernels12is_met_laterB3v43B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedExx.exit.i: ; preds = %B48.i.i
   %.131.i.i = getelementptr i8, ptr %w12, i64 %.488.i
   %.132.i.i = load i8, ptr %.131.i.i, align 1
   %.135.i.not.i = icmp eq i8 %.132.i.i, 0
   br i1 %.135.i.not.i, label %B270.endif.endif.i, label %B731.i
 
-B270.endif.endif.i:                               ; preds = %_ZN7msf_jax4host4meso7kernels12is_met_laterB3v42B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedExx.exit.i, %B48.i.i
+B270.endif.endif.i:                               ; preds = %_ZN7msf_jax4host4meso7kernels12is_met_laterB3v43B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedExx.exit.i, %B48.i.i
   %.68.i.i = mul i64 %.11.i.i, %w2
   %7 = getelementptr double, ptr %w0, i64 %.68.i.i
   %.72.i.i = getelementptr i8, ptr %7, i64 16
@@ -5696,7 +5755,7 @@ B402.endif.endif.endif.endif.endif.i:             ; preds = %B120.endif.endif.i8
   %or.cond.i = and i1 %.1150.i, %.1157.i
   br i1 %or.cond.i, label %B620.i, label %B731.i
 
-_ZN7msf_jax4host4meso7kernels10wide_edgesB3v45B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEdd5ArrayIbLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE.exit: ; preds = %B66.loopexit.i, %0
+_ZN7msf_jax4host4meso7kernels10wide_edgesB3v46B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEdd5ArrayIbLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE.exit: ; preds = %B66.loopexit.i, %0
   %count.5.0.lcssa.i = phi i64 [ 0, %0 ], [ %count.2.1.lcssa.i, %B66.loopexit.i ]
   ret i64 %count.5.0.lcssa.i
 }
@@ -5728,7 +5787,7 @@ define noundef i64 @msf_jax.host.meso.kernels.apart(ptr readonly %words) local_u
   %w11 = load i64, ptr %p11, align 8
   %arg.rings.5.1.fr.i = freeze i64 %w7
   %.102478.i = icmp sgt i64 %w4, 0
-  br i1 %.102478.i, label %B10.endif.lr.ph.i, label %_ZN7msf_jax4host4meso7kernels5apartB3v47B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE.exit
+  br i1 %.102478.i, label %B10.endif.lr.ph.i, label %_ZN7msf_jax4host4meso7kernels5apartB3v48B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE.exit
 
 B10.endif.lr.ph.i:                                ; preds = %0
   %.731446.i = icmp sgt i64 %arg.rings.5.1.fr.i, 0
@@ -5802,7 +5861,7 @@ B348.us.i:                                        ; preds = %B108.us.thread.i, %
   %.1058.us.i = getelementptr i8, ptr %13, i64 %.1044.us.i
   store i8 %"$phi108.2.2.2.us1417.i", ptr %.1058.us.i, align 1
   %exitcond628.not.i = icmp eq i64 %.123.us18.i, %w4
-  br i1 %exitcond628.not.i, label %_ZN7msf_jax4host4meso7kernels5apartB3v47B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE.exit, label %B10.endif.us.i
+  br i1 %exitcond628.not.i, label %_ZN7msf_jax4host4meso7kernels5apartB3v48B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE.exit, label %B10.endif.us.i
 
 B70.us.i:                                         ; preds = %B70.us.backedge.i, %B10.endif.us.i
   %lsr.iv58.i = phi i64 [ %lsr.iv.next.i, %B70.us.backedge.i ], [ 1, %B10.endif.us.i ]
@@ -5979,7 +6038,7 @@ B348.us512.i:                                     ; preds = %B108.us538.thread.i
   %.1058.us519.i = getelementptr i8, ptr %29, i64 %.1044.us518.i
   store i8 %"$phi108.2.2.2.us539636639.i", ptr %.1058.us519.i, align 1
   %exitcond623.not.i = icmp eq i64 %.123.us503640.i, %w4
-  br i1 %exitcond623.not.i, label %_ZN7msf_jax4host4meso7kernels5apartB3v47B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE.exit, label %B10.endif.us496.i
+  br i1 %exitcond623.not.i, label %_ZN7msf_jax4host4meso7kernels5apartB3v48B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE.exit, label %B10.endif.us496.i
 
 B174.endif.us.i:                                  ; preds = %B174.endif.us.preheader54.i, %B174.endif.us.i
   %.521452458.us.i = phi i64 [ %.528.us.3.i, %B174.endif.us.i ], [ 0, %B174.endif.us.preheader54.i ]
@@ -6057,12 +6116,12 @@ B174.endif.us.preheader54.i:                      ; preds = %B174.endif.us.prehe
 B360.loopexit.unr-lcssa.i:                        ; preds = %B10.endif.us.us.i
   %37 = and i64 %w4, 1
   %lcmp.mod49.not.i = icmp eq i64 %37, 0
-  br i1 %lcmp.mod49.not.i, label %_ZN7msf_jax4host4meso7kernels5apartB3v47B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE.exit, label %B360.sink.split.i
+  br i1 %lcmp.mod49.not.i, label %_ZN7msf_jax4host4meso7kernels5apartB3v48B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE.exit, label %B360.sink.split.i
 
 B360.loopexit31.unr-lcssa.i:                      ; preds = %B10.endif.i
   %38 = and i64 %w4, 1
   %lcmp.mod37.not.i = icmp eq i64 %38, 0
-  br i1 %lcmp.mod37.not.i, label %_ZN7msf_jax4host4meso7kernels5apartB3v47B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE.exit, label %B360.sink.split.i
+  br i1 %lcmp.mod37.not.i, label %_ZN7msf_jax4host4meso7kernels5apartB3v48B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE.exit, label %B360.sink.split.i
 
 B360.sink.split.i:                                ; preds = %B360.loopexit31.unr-lcssa.i, %B360.loopexit.unr-lcssa.i, %B10.endif.preheader.i, %B10.endif.us.us.preheader.i
   %.101467481.epil.init.sink.i = phi i64 [ %unroll_iter51.i, %B360.loopexit.unr-lcssa.i ], [ 0, %B10.endif.us.us.preheader.i ], [ 0, %B10.endif.preheader.i ], [ %unroll_iter39.i, %B360.loopexit31.unr-lcssa.i ]
@@ -6074,7 +6133,7 @@ B360.sink.split.i:                                ; preds = %B360.loopexit31.unr
   %39 = getelementptr i8, ptr %w10, i64 %.120.epil.i
   %.1058.epil.i = getelementptr i8, ptr %39, i64 %.1044.epil.i
   store i8 1, ptr %.1058.epil.i, align 1
-  br label %_ZN7msf_jax4host4meso7kernels5apartB3v47B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE.exit
+  br label %_ZN7msf_jax4host4meso7kernels5apartB3v48B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE.exit
 
 B10.endif.i:                                      ; preds = %B10.endif.i, %B10.endif.preheader.new.i
   %lsr.iv69.i = phi ptr [ %scevgep70.i, %B10.endif.i ], [ %w3, %B10.endif.preheader.new.i ]
@@ -6097,7 +6156,7 @@ B10.endif.i:                                      ; preds = %B10.endif.i, %B10.e
   %niter40.ncmp.1.i = icmp eq i64 %unroll_iter39.i, %.123.1.i
   br i1 %niter40.ncmp.1.i, label %B360.loopexit31.unr-lcssa.i, label %B10.endif.i
 
-_ZN7msf_jax4host4meso7kernels5apartB3v47B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE.exit: ; preds = %B348.us512.i, %B348.us.i, %0, %B360.loopexit.unr-lcssa.i, %B360.loopexit31.unr-lcssa.i, %B360.sink.split.i
+_ZN7msf_jax4host4meso7kernels5apartB3v48B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE.exit: ; preds = %B348.us512.i, %B348.us.i, %0, %B360.loopexit.unr-lcssa.i, %B360.loopexit31.unr-lcssa.i, %B360.sink.split.i
   ret i64 0
 }
 
@@ -6128,7 +6187,7 @@ define noundef i64 @msf_jax.host.meso.kernels.merge(ptr readonly %words) local_u
   %p12 = getelementptr i8, ptr %words, i64 96
   %w12 = load ptr, ptr %p12, align 8
   %.1741151.not.i = icmp slt i64 %w1, 1
-  br i1 %.1741151.not.i, label %_ZN7msf_jax4host4meso7kernels5mergeB3v48B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE.exit, label %B64.lr.ph.i
+  br i1 %.1741151.not.i, label %_ZN7msf_jax4host4meso7kernels5mergeB3v49B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE.exit, label %B64.lr.ph.i
 
 B64.lr.ph.i:                                      ; preds = %0
   %p14 = getelementptr i8, ptr %words, i64 112
@@ -6401,7 +6460,7 @@ B1130.i:                                          ; preds = %B996.endif.i, %B105
   %sunkaddr112.i = getelementptr i8, ptr %72, i64 %sunkaddr111.i
   store i64 0, ptr %sunkaddr112.i, align 8
   %exitcond1210.not.i = icmp eq i64 %.187.i, %w1
-  br i1 %exitcond1210.not.i, label %_ZN7msf_jax4host4meso7kernels5mergeB3v48B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE.exit, label %B64.i
+  br i1 %exitcond1210.not.i, label %_ZN7msf_jax4host4meso7kernels5mergeB3v49B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE.exit, label %B64.i
 
 B1157.i:                                          ; preds = %B968.i, %B760.i, %B666.i
   %exitcond1208.not.i = icmp eq i64 %.1494.i, %.1587.i
@@ -6677,7 +6736,7 @@ B1050.preheader45.i:                              ; preds = %B1050.preheader.i
   %scevgep90.i = getelementptr i8, ptr %scevgep89.i, i64 %109
   br label %B1050.i
 
-_ZN7msf_jax4host4meso7kernels5mergeB3v48B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE.exit: ; preds = %B1130.i, %0
+_ZN7msf_jax4host4meso7kernels5mergeB3v49B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE.exit: ; preds = %B1130.i, %0
   ret i64 0
 }
 
@@ -6710,7 +6769,7 @@ define noundef i64 @msf_jax.host.meso.kernels.cut(ptr readonly %words) local_unn
   %w15 = load i64, ptr %p15, align 8
   %s23 = shl i64 %w15, 3
   %.181957.not.i = icmp slt i64 %w1, 1
-  br i1 %.181957.not.i, label %_ZN7msf_jax4host4meso7kernels3cutB3v49B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE.exit, label %B64.lr.ph.i
+  br i1 %.181957.not.i, label %_ZN7msf_jax4host4meso7kernels3cutB3v50B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE.exit, label %B64.lr.ph.i
 
 B64.lr.ph.i:                                      ; preds = %0
   %.245.i = sub nsw i64 %w9, %w1
@@ -6895,7 +6954,7 @@ B920.i:                                           ; preds = %B750.1.i, %B592.end
   %.2214.i = getelementptr i64, ptr %28, i64 %.2200.i
   store i64 4, ptr %.2214.i, align 8
   %exitcond.not.i = icmp eq i64 %.194.i, %w1
-  br i1 %exitcond.not.i, label %_ZN7msf_jax4host4meso7kernels3cutB3v49B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE.exit, label %B64.i
+  br i1 %exitcond.not.i, label %_ZN7msf_jax4host4meso7kernels3cutB3v50B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE.exit, label %B64.i
 
 B64.endif.i:                                      ; preds = %B36.i.i, %B64.i
   %slot.3.1.i.i = phi i64 [ 0, %B64.i ], [ %.90.i.i, %B36.i.i ]
@@ -7046,7 +7105,7 @@ B592.endif.endif.endif.i:                         ; preds = %B36.i85.i, %B592.en
   %.16969061004.i = icmp ugt i64 %.1653.i, -9223372036854775808
   br i1 %.16969061004.i, label %B750.i, label %B828.i
 
-_ZN7msf_jax4host4meso7kernels3cutB3v49B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE.exit: ; preds = %B920.i, %0
+_ZN7msf_jax4host4meso7kernels3cutB3v50B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE.exit: ; preds = %B920.i, %0
   ret i64 0
 }
 

@@ -30,7 +30,7 @@ def changed(skeleton: "Skeleton", vertices: np.ndarray, edges: np.ndarray, node_
         radii = solid.radii(vertices)
         of_input, vertex = node_of_old[skeleton.mesh_map], skeleton.source.input_of_vertex
         followed = None if vertex is None else of_input[vertex]
-        report = replace(report, **assessed(solid.shape, solid.enter(vertices), edges, followed))
+        report = replace(report, **assessed(solid.shape, solid.enter(vertices), edges, followed, report.wavefronts > 0))
         report = replace(report, inside=skeleton.inside_of(vertices, edges, radii))
     else:  # radius of the largest ball inside one of the old balls
         found = spatial.KDTree(skeleton.vertices).query(vertices, k=min(NEAREST, len(skeleton.radii)))

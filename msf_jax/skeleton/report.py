@@ -6,10 +6,15 @@ from typing import Any
 
 import numpy as np
 
-from msf_jax.host.curve import branch_paths, limbs, loops
+from msf_jax.host.curve import branch_paths, loops, pruning
+from msf_jax.host.solid import sections
 from msf_jax.host.solid.enclosure import Enclosure
+from msf_jax.host.solid.geometry import unit
+from msf_jax.host.thin import one_branch
+from msf_jax.host.thin.caps import Caps
 
 MOST_NAMED = 5  # loops of one kind that a report names; it counts the rest
+SHEET = 2.0  # balls' radii: mean radius of a sheet's cross-section; that of a rectangle four times as wide as thick
 STUB = 1.5  # slenderness below which a limb is a stub, hardly longer than wide
 # With this many stubs, and this share of all limbs, the limbs are probably roughness of the surface. Of 53 meshes
 # without added noise the worst has 5 stubs of 17 limbs; two with noise of 0.005 diagonals have 98 of 145, 156 of 247.
@@ -30,8 +35,8 @@ class Report:
         cycles: independent cycles of the curve; should equal ``genus``.
         loops: handles of the solid that these cycles go around, from linking numbers with loops of its surface; should
             equal ``genus`` and ``cycles``. None for a curve without its mesh.
-        in_sheets: fraction of the curve's length in limbs over three times as wide as thick, where the curve's path is
-            arbitrary; None if not known.
+        in_sheets: fraction of the curve's length in limbs some four times as wide as thick or more, where the curve's
+            path is arbitrary; None if not known.
         cut: cycles that `Skeleton.to_tree` cut.
         inside: fraction of the curve's length that is inside the mesh.
         converged: whether the flow converged.
@@ -42,6 +47,8 @@ class Report:
         coarsened: vertices that coarsening removed before the flow, see ``Config.coarsen``.
         pruned: branches that were removed because they are no limbs (see `Branch`), also by `Skeleton.prune`.
         grown: branches that were added in thin limbs that the flow had lost; some of them may be pruned again.
+        wavefronts: curves of components that geodesic wavefronts made, as edges are longer than their limbs are thick.
+            Branches are then measured by their balls, see `Branch`.
         volume: fraction of the coarsened surface's volume that is left, the largest over components.
         unsolved: iterations in which a linear solve ran out of steps before it reached its tolerance.
         solve_steps: CG steps of all solves.
@@ -69,6 +76,7 @@ class Report:
     coarsened: int = 0
     pruned: int = 0
     grown: int = 0
+    wavefronts: int = 0
     cut: int = 0
     loops: int | None = None
     in_sheets: float | None = None
@@ -172,17 +180,32 @@ def loops_of(
 
 
 def assessed(
-    shape: Enclosure, vertices: np.ndarray, edges: np.ndarray, node_of_vertex: np.ndarray | None = None
+    shape: Enclosure,
+    vertices: np.ndarray,
+    edges: np.ndarray,
+    node_of_vertex: np.ndarray | None = None,
+    is_tubular: bool = False,
 ) -> dict[str, Any]:
-    """The report's ``loops``, ``in_sheets`` and ``doubts`` for a finished curve, see `loops_of`."""
+    """The report's ``loops``, ``in_sheets`` and ``doubts`` for a finished curve, see `loops_of`.
+
+    ``is_tubular``: whether its branches are measured by their balls.
+    """
     about = loops_of(shape, vertices, edges, node_of_vertex)
-    found = limbs.limbs_of(shape, vertices, edges, is_whole=True)
+    radius, near = shape.approximate_clearance(vertices)
+    paths = branch_paths.paths_of(vertices, edges, np.zeros(len(vertices), dtype=bool))
     length = np.linalg.norm(vertices[edges[:, 0]] - vertices[edges[:, 1]], axis=1)
     own = np.bincount(edges.ravel(), np.repeat(length, 2), len(vertices))
-    own[np.bincount(edges.ravel(), minlength=len(vertices)) > 2] = 0.0  # a junction has no cross-section
-    own /= max(own.sum(), 1e-300)
-    wide = float(own[found.width > branch_paths.WIDE * found.radius].sum())
-    slender = [branch.slenderness for branch in limbs.measure(vertices, edges, found)]
+    own[np.bincount(edges.ravel(), minlength=len(vertices)) != 2] = (
+        0.0  # a junction has no cross-section, an end a small ball
+    )
+    asked = np.flatnonzero(own * radius > 0)
+    normal = unit(branch_paths.chords(vertices, paths, radius) @ vertices)[asked] if paths else vertices[asked]
+    found = sections.cut(shape, vertices[asked], normal, radius[asked], near[asked])
+    wide = float(own[asked[found.radius > SHEET * radius[asked]]].sum() / max(own.sum(), 1e-300))
+    slenderness = (
+        pruning.by_balls(vertices, radius) if is_tubular else one_branch.slenderness(Caps(shape), vertices, edges, STUB)
+    )
+    slender = [branch.slenderness for branch in pruning.measure(vertices, edges, slenderness)]
     ending = sum(np.isfinite(slender))
     stubs = sum(each < STUB for each in slender)
     doubts = []

@@ -13,8 +13,10 @@ from msf_jax import metrics
 from msf_jax.base import binding as bindings
 from msf_jax.base.binding import Binding
 from msf_jax.base.errors import ConfigError
-from msf_jax.host.curve import branches, following, limbs
+from msf_jax.host.curve import branches, following, pruning
 from msf_jax.host.curve.branches import Branch
+from msf_jax.host.thin import one_branch
+from msf_jax.host.thin.caps import Caps
 from msf_jax.skeleton import changes, pytree, slopes, trees
 from msf_jax.skeleton.centrelines import table
 from msf_jax.skeleton.formats import export
@@ -76,35 +78,44 @@ class Skeleton:
         if self.source is not None:
             share = np.bincount(self.mesh_map, weights=self.source.areas, minlength=len(self.vertices))
         unit = 1.0 if self.source is None else self.source.solid.diagonal
-        found = limbs.measure(*self._in_solid(), self._limbs, share)
+        found = pruning.measure(*self._in_solid(), self._slenderness, share)
         return [branch._replace(length=unit * branch.length) for branch in found]
 
     @cached_property
-    def _limbs(self) -> limbs.Limbs:
-        """The limb at each node, measured in the solid, or from the radii if the solid is not known."""
+    def _slenderness(self) -> np.ndarray | pruning.Worth:
+        """The slenderness of each leaf on the solid's surface, or that of branches by their balls."""
         vertices, edges = self._in_solid()
-        if self.source is None:
-            return limbs.limbs_without(vertices, edges, self.radii)
-        return limbs.limbs_of(self.source.solid.shape, vertices, edges)
+        if self.source is None or self.report.wavefronts:
+            return pruning.by_balls(self.vertices, self.radii)
+        return one_branch.slenderness(self._caps, vertices, edges)
+
+    @cached_property
+    def _caps(self) -> Caps:
+        """The caps of the solid's surface."""
+        return Caps(known(self.source).solid.shape)
 
     def _in_solid(self) -> tuple[np.ndarray, np.ndarray]:
         """The curve in units of its solid's diagonal, or in the caller's units if the solid is not known."""
         return (self.vertices if self.source is None else self.source.solid.enter(self.vertices)), self.edges
 
-    def prune(self, slenderness: float = 0.9) -> "Skeleton":
-        """A new skeleton without the branches below that ``slenderness``, the least slender pruned first; see `Branch`.
+    def prune(self, slenderness: float = 1.0) -> "Skeleton":
+        """A new skeleton with one branch for each limb of at least that ``slenderness`` that has any; see `Branch`.
 
+        A run with ``Config(prune=slenderness)`` chooses limbs in the same way, and adds those that have no branch.
         Components, cycles and branches with a pin are kept. The mesh's vertices of a pruned branch go to its junction.
-        A run has already chosen the limbs of at least ``Config.prune`` by another measure, on the surface. For a lower
-        threshold, run with a lower one. Prune before `resample`: between nodes that are far apart, widths are not
-        measured.
+        Without its mesh, or if wavefronts made the curve, branches are pruned by their balls, the least slender first.
 
         Raises:
             ConfigError: ``slenderness`` is negative or not a number.
         """
         changes.check_slenderness(slenderness)
-        found = limbs.prune(*self._in_solid(), self._limbs, float(slenderness), self._is_held())
-        return changes.pruned(self, *found)
+        vertices, edges = self._in_solid()
+        least, is_held = float(slenderness), self._is_held()
+        if self.source is None or self.report.wavefronts or not least:
+            worth = pruning.by_balls(self.vertices, self.radii)
+            return changes.pruned(self, *pruning.prune(len(vertices), edges, worth, least, is_held))
+        choice = one_branch.choose(self._caps, vertices, edges, is_held, least)
+        return changes.pruned(self, *one_branch.kept(edges, choice.worth, is_held))
 
     @property
     def num_leaves(self) -> int:

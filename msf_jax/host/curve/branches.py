@@ -16,9 +16,11 @@ TOGETHER = 1e-6  # diagonals: two nodes, or a node and an edge, that are no fart
 class Branch(NamedTuple):
     """nodes: along the branch; a closed branch repeats its first node at its end. length: of the branch.
 
-    slenderness: length of the limb of a branch that ends in a leaf, over its half width (see `host.curve.limbs`): a
-    cylinder that sticks out by h has h / radius. Infinite for a branch without a junction or between junctions: its
-    removal would change the curve's components or cycles.
+    slenderness: of the limb of a branch that ends in a leaf, as large as it can be without another leaf (see
+    `host.thin.caps`): a cylinder that sticks out by h has h / radius, and half of that if it is less than a hundredth
+    of the surface. Without the mesh, and for thin limbs in coarse triangles, it is measured by the nodes' balls (see
+    `host.curve.pruning`). Infinite for a branch without a junction or between junctions: its removal would change the
+    curve's components or cycles.
 
     surface: share of the mesh's area that belongs to the branch's nodes, without its junctions; NaN if unknown.
     """

@@ -12,7 +12,7 @@ from typing import NamedTuple
 import numpy as np
 from scipy import spatial
 
-from msf_jax.host.curve import branches, centring, containment, leaf_extension, limbs, loops, resampling
+from msf_jax.host.curve import branches, centring, containment, leaf_extension, loops, pruning, resampling
 from msf_jax.host.poles.roadmap import Roadmap
 from msf_jax.host.solid.enclosure import Enclosure
 from msf_jax.host.thin import one_branch, reeb_curve
@@ -23,7 +23,7 @@ MOST_NODES = 5_000  # nodes of a finished curve; if `SPACING` needs more, nodes 
 SHARPEST = 40.0  # degrees: largest turn of a finished branch at a node, where possible
 HOLDS = 1.1  # radii of a node: a junction whose ball is within this distance takes the place of the node
 FIRST_ROUNDS = 2  # rounds of a centring before junctions are merged
-BY_SECTIONS = 0.75  # of the least slenderness, if sections measure it: of half a ball pi / 4, where its cap has 1 / 2
+BLUNT = 0.6  # of the least slenderness, for a solid that has neither limbs nor handles: more than corners of a box have
 
 
 class Draft(NamedTuple):
@@ -35,7 +35,6 @@ class Draft(NamedTuple):
     place wanted for a junction. is_former_junction: (N,) those junctions, also after their branches are pruned.
     is_sparse: whether nodes are farther apart than `SPACING`, because of `MOST_NODES`. num_pruned, num_grown: branches
     that were removed because they are no limbs, and that were added because the flow had missed them, counted by ends.
-    has_limbs: whether the surface has limbs, which then decide about branches.
     """
 
     vertices: np.ndarray
@@ -48,7 +47,6 @@ class Draft(NamedTuple):
     is_sparse: bool = False
     num_pruned: int = 0
     num_grown: int = 0
-    has_limbs: bool = False
 
     def changed(self, vertices: np.ndarray, edges: np.ndarray | None = None) -> "Draft":
         """The draft with moved nodes, new ones last, and with other edges if they are given."""
@@ -128,7 +126,6 @@ def passes(centre: bool, extend: bool) -> list[Callable[[Draft, Job], Draft]]:
         *([straightened, contained] if centre else []),
         coincident_merged,
         looped,
-        pruned,  # again, where sections decide: what is left has moved
         *([corners_rounded] if centre else []),
     ]
 
@@ -304,11 +301,13 @@ def merged(draft: Draft, job: Job) -> Draft:
 
 
 def pruned(draft: Draft, job: Job) -> Draft:
-    """Branches that are less slender by their sections than the threshold are removed, because they are no limbs."""
-    if not job.prune or draft.has_limbs:
+    """Branches of a Reeb curve that are no limbs by their balls are removed: its limbs are tubes, and have too few
+    triangles for caps."""
+    if not job.prune:
         return draft
-    x, e = draft.vertices, draft.edges
-    left = _left(draft, *limbs.prune(x, e, limbs.limbs_of(job.shape, x, e), BY_SECTIONS * job.prune, draft.is_held))
+    x = draft.vertices
+    slenderness = pruning.by_balls(x, job.shape.approximate_clearance(x)[0])
+    left = _left(draft, *pruning.prune(len(x), draft.edges, slenderness, job.prune, draft.is_held))
     return left._replace(num_pruned=draft.num_pruned + int(draft.is_leaf().sum() - left.is_leaf().sum()))
 
 
@@ -347,33 +346,25 @@ def limbed(draft: Draft, job: Job, grows: bool) -> Draft:
     """
     if not job.prune:
         return draft
-    num = int(draft.is_leaf().sum())
-    leaves = np.flatnonzero(draft.is_leaf())
-    near = job.coarse.faces[job.coarse.approximate_closest(draft.vertices[leaves])[1]]
-    away = np.linalg.norm(job.coarse.vertices[near] - draft.vertices[leaves, None], axis=2)
-    foot = near[np.arange(len(near)), away.argmin(axis=1)]
-    caps = Caps(job.coarse)
-    found, slenderness = caps.limbs(job.prune, foot)
-    job.budget.was_hit |= caps.was_hit
-    if not found:  # a body without limbs, such as a star with blunt arms: its branches are measured by their sections
-        return pruned(draft, job)
-    is_held = draft.is_held[leaves]
-    of_leaf, missing = one_branch.matched(draft.vertices[leaves], is_held, foot, found, job.coarse.vertices)
-    worth = np.full(len(draft.vertices), 0.0)
-    worth[leaves] = np.where(of_leaf == 0, np.inf, np.where(of_leaf > 0, 0.0, slenderness))
-    stays, target = one_branch.kept(draft.vertices, draft.edges, worth, draft.is_held)
-    left, num_grown = _left(draft, stays, target), 0
-    if grows:
-        more = left.changed(*one_branch.grown(left.vertices, left.edges, missing))
+    asked = Caps(job.coarse), draft.vertices, draft.edges, draft.is_held
+    choice = one_branch.choose(*asked, job.prune)
+    if not choice.num and not job.shape.handles.genus:
+        choice = one_branch.choose(*asked, BLUNT * job.prune)
+    job.budget.was_hit |= choice.was_hit
+    stays, target = one_branch.kept(draft.edges, choice.worth, draft.is_held)
+    left, num = _left(draft, stays, target), int(draft.is_leaf().sum())
+    num_grown = len(choice.missing) if grows else 0
+    if num_grown:
+        more = left.changed(*one_branch.grown(left.vertices, left.edges, choice.missing))
         new = (0, len(more.vertices) - len(left.vertices))
         # The flow has no place for a junction that is new.
         is_new = (more.degree() > 2) & (np.pad(left.degree(), new) < 3)
         more = more._replace(place=np.where(is_new[:, None], more.vertices, more.place))
         # The first time, a component keeps two leaves, which the new ones may replace.
-        worth, num_grown = np.pad(worth[stays], new, constant_values=np.inf), len(missing)
-        left = _left(more, *one_branch.kept(more.vertices, more.edges, worth, more.is_held))
+        worth = np.pad(choice.worth[stays], new, constant_values=np.inf)
+        left = _left(more, *one_branch.kept(more.edges, worth, more.is_held))
     num_pruned = num + num_grown - int(left.is_leaf().sum())
-    return left._replace(num_pruned=num_pruned, num_grown=num_grown, has_limbs=True)
+    return left._replace(num_pruned=num_pruned, num_grown=num_grown)
 
 
 def coincident_merged(draft: Draft, job: Job) -> Draft:

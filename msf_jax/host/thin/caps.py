@@ -4,27 +4,34 @@ The points of the surface within a geodesic distance of a *tip* are a disc. Its 
 cuts off a *cap* of area A: the disc, and the smaller parts that its other boundary curves enclose. The cap's
 *slenderness* is
 
-    2 pi A / P^2 - 1 / 2.
+    2 pi A / P^2 - 1 / 2,
 
-It is 0 for a flat disc, 1 / 2 for half a ball, and h / radius for a cylinder that sticks out by h from a larger body.
-Unlike a measure along a curve, it does not depend on where the curve runs, and little on the size of the triangles. The
-smallest cap around a tip that is slender enough is a *limb*, unless it overlaps a smaller one.
+and half of that if A is less than `SMALL` of the surface. It is 0 for a flat disc, 1 / 2 for half a ball, and
+h / radius for a cylinder that sticks out by h from a larger body. Unlike a measure along a curve, it does not depend on
+where the curve runs, and little on the size of the triangles. The smallest cap around a tip that is slender enough is a
+*limb*, unless it overlaps a smaller one. A small limb must be twice as slender, because toes and knuckles have too few
+triangles: their slenderness changes by a fifth with the triangulation.
 
 A tip is a vertex whose average geodesic distance from the surface is larger than that of its neighbours (Hilaga,
 Shinagawa, Kohmura, Kunii 2001).
 """
 
+from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
+from scipy import sparse
+from scipy.sparse import csgraph
 
 from msf_jax.host.solid.enclosure import Enclosure
 from msf_jax.host.thin import fronts
 
 SOURCES = 16  # points, far from each other, whose distances are averaged
+SMOOTHINGS = 5  # of the average distance, each a mean with the neighbours: so noise makes few tips
 FIRST_RADIUS = 0.002  # of the first disc, in square roots of the surface's area
 RATIO = 1.06  # of the radii of successive discs
-BLUNT = 0.6  # least slenderness of a limb's own end: above half a ball, 0.5, and the corner of a box
+SMALL = 0.01  # of the surface: a smaller cap counts as half as slender, see `fronts.SMALLER`
+ROUND_END = 0.5  # least slenderness of a limb's end, before a disc goes around a handle or a larger part: half a ball
 GAP = 0.3  # radii of the limb between the end of its curve and the tip
 MOST_DISCS = 200  # radii: more than from the first one to the whole of a surface
 MOST_TIPS = 100  # places that are tried, besides the curve's leaves, those with the largest average distance first
@@ -44,15 +51,20 @@ class Cap(NamedTuple):
 
 
 class Caps:
-    """The caps of the closed, connected surface ``shape``. ``was_hit``: whether `MOST_AREA` was reached."""
+    """The caps of the closed surface ``shape``. ``was_hit``: whether `MOST_TIPS` or `MOST_AREA` was reached."""
 
     def __init__(self, shape: Enclosure):
+        self.shape = shape
         x, faces = shape.vertices, shape.faces
         around = np.argsort(faces.ravel(), kind="stable") // 3
         first = np.concatenate([[0], np.cumsum(np.bincount(faces.ravel(), minlength=len(x)))])
         a, b, c = shape.triangles[:, 0], shape.triangles[:, 1], shape.triangles[:, 2]
         area = np.linalg.norm(np.cross(b - a, c - a), axis=1) / 2
         self.surface = fronts.Surface(x, faces, shape.mesh.twins, first, around, area)
+        pairs = np.ones(2 * len(faces)), (np.tile(faces[:, 0], 2), faces[:, 1:].T.ravel())
+        component = csgraph.connected_components(sparse.coo_matrix(pairs, (len(x),) * 2), directed=False)[1]
+        self._component = component.astype(np.int64)
+        self._total = np.bincount(component[faces[:, 0]], area, component.max() + 1)[component]
         num, size = len(x), 9 * len(faces)
         state, order, filled, stack = np.zeros((4, num), dtype=np.int64)
         key, value = np.empty(size), np.empty(size, dtype=np.int64)
@@ -71,78 +83,100 @@ class Caps:
         ``enough`` slenderness, or the last one below that ``share`` of the surface and without a vertex of ``others``
         (V,).
         """
-        total = float(self.surface.area.sum())
-        first, most = FIRST_RADIUS * np.sqrt(total), share * total
+        total = float(self._total[tip])
+        first, small, most = FIRST_RADIUS * np.sqrt(total), SMALL * total, share * total
         count = fronts.cap(
-            self.surface, self._front, int(tip), first, RATIO, enough, most, others, self._rows, self._region
+            self.surface, self._front, int(tip), first, RATIO, enough, small, most, others, self._rows, self._region
         )
         end = int(np.argmax(self._region == -1))
         self._left -= self._rows[count - 1, 2] / total if count else 0.0
         return self._rows[:count].copy(), self._region[:end].copy()
 
-    def tips(self) -> np.ndarray:
-        """Vertices (t,) where the average geodesic distance is largest among their neighbours, the largest first."""
-        x, faces = self.surface.points, self.surface.faces
+    @cached_property
+    def height(self) -> np.ndarray:
+        """(V,) the average geodesic distance of each vertex from its component, smoothed against noise."""
+        x, faces, component = self.surface.points, self.surface.faces, self._component
         share = np.bincount(faces.ravel(), np.repeat(self.surface.area / 3, 3), len(x))
-        source = int(((x - share @ x / share.sum()) ** 2).sum(axis=1).argmin())
+        whole = np.bincount(component, share)
+        middle = np.stack([np.bincount(component, share * axis) / whole for axis in x.T], axis=1)
+        source = self._farthest(-np.linalg.norm(x - middle[component], axis=1))
+        source = self._farthest(self._distances(source))
         away = np.empty((SOURCES, len(x)))
-        source = int(np.nan_to_num(self._distances(source), posinf=-1.0).argmax())
         for row in range(SOURCES):
             away[row] = self._distances(source)
-            source = int(np.nan_to_num(away[: row + 1].min(axis=0), posinf=-1.0).argmax())
-        weight = np.bincount(away.argmin(axis=0), share, SOURCES)
-        height = weight @ np.nan_to_num(away, posinf=0.0) / weight.sum()
+            source = self._farthest(away[: row + 1].min(axis=0))
+        weight = np.zeros((SOURCES, len(whole)))
+        np.add.at(weight, (away.argmin(axis=0), component), share)
+        found = np.einsum("sv,sv->v", (weight / whole)[:, component], away)
         tail, head = faces.ravel(), np.roll(faces, -1, axis=1).ravel()
-        above = np.full(len(x), -np.inf)
-        np.maximum.at(above, tail, height[head])
-        top = np.flatnonzero(height >= above)
-        return top[np.argsort(-height[top], kind="stable")][:MOST_TIPS]
+        degree = np.bincount(tail, minlength=len(x))
+        for _ in range(SMOOTHINGS):
+            found = (found + np.bincount(tail, found[head], len(x)) / degree) / 2
+        return found
 
-    def _distances(self, source: int) -> np.ndarray:
-        fronts.spread(self.surface, self._front, source)
+    @cached_property
+    def tip_of(self) -> np.ndarray:
+        """(V,) the tip that each vertex leads to, if the largest height among its neighbours is followed."""
+        tail, head = self.surface.faces.ravel(), np.roll(self.surface.faces, -1, axis=1).ravel()
+        above = np.arange(len(self.height))
+        order = np.argsort(self.height[head], kind="stable")
+        order = order[self.height[head[order]] > self.height[tail[order]]]
+        above[tail[order]] = head[order]  # of several, the last and highest is kept
+        while (above != above[above]).any():
+            above = above[above]
+        return above
+
+    def tips(self) -> np.ndarray:
+        """Vertices (t,) where `height` is largest among their neighbours, the largest first."""
+        found = np.unique(self.tip_of)
+        self.was_hit |= len(found) > MOST_TIPS
+        return found[np.argsort(-self.height[found], kind="stable")][:MOST_TIPS]
+
+    def _farthest(self, away: np.ndarray) -> np.ndarray:
+        """The vertex of each component where ``away`` (V,) is largest."""
+        order = np.lexsort((away, self._component))
+        return order[np.flatnonzero(np.diff(self._component[order], append=-1))]
+
+    def _distances(self, sources: np.ndarray) -> np.ndarray:
+        fronts.spread(self.surface, self._front, sources)
         found = self._front.distance.copy()
         self._front.distance[:], self._front.state[:] = np.inf, 0
         return found
 
-    def limbs(self, least: float, more: np.ndarray) -> tuple[list[Cap], np.ndarray]:
-        """The limbs of at least that slenderness, with tips among `tips` and the vertices ``more`` (m,).
+    def limbs(self, least: float, tips: np.ndarray) -> tuple[list[Cap], np.ndarray]:
+        """The limbs of at least that slenderness, with their tips among the vertices ``tips`` (t,).
 
         First come caps below half of the surface. Then the rest may be a limb, too, up to the first ones: the body of a
-        bunny is the other end of its ears. Last come blunt ends of parts with limbs, such as the nose of a head with
-        ears. Also returns the largest slenderness (m,) of the caps around ``more``, as far as they were grown, infinite
-        for vertices that were not tried.
+        bunny is the other end of its ears. Also returns the largest slenderness (t,) of the caps around ``tips``, as
+        far as they were grown, infinite for vertices that were not tried.
         """
-        tips = np.array(list(dict.fromkeys([*self.tips().tolist(), *more.tolist()])), dtype=np.int64)
+        self._left = MOST_AREA
         most = np.zeros(len(self.surface.points))
         owner = np.zeros(len(most), dtype=np.int64)  # the number of the limb of each vertex, from 1; 0 for none
         # Of each limb, its tip and the slenderness of its cap: below half of the surface, the largest one.
         limbs = [(tip, np.inf) for tip in self._slender(tips, owner, most, least, 0.5)]
         if limbs:
             limbs += [(tip, least) for tip in self._slender(tips[owner[tips] == 0], owner, most, least, 1.0)]
-            limbs += self._blunt(tips[owner[tips] == 0], owner, least)
         caps = [
             self._of(tip, ((owner > 0) & (owner != number)).astype(np.int64), enough)
             for number, (tip, enough) in enumerate(limbs, 1)
         ]
-        return caps, most[more]
+        return caps, most[tips]
 
     def _slender(self, tips: np.ndarray, owner: np.ndarray, most: np.ndarray, least: float, share: float) -> list[int]:
-        """The tips of limbs with caps of at most that ``share`` of the surface.
+        """The tips of limbs with caps of at most that ``share`` of the surface, up to the limbs in ``owner`` (V,).
 
-        Numbers their vertices in ``owner`` (V,), and sets ``most`` (V,) to the largest slenderness around the tips.
+        Numbers their vertices in ``owner``, and sets ``most`` (V,) to the largest slenderness around the tips.
         """
-        is_tip, found = np.zeros_like(owner), []
-        if share > 0.5:
-            is_tip[:] = owner > 0
+        others, found = (owner > 0).astype(np.int64), []
         for tip in tips.tolist():
             if self._left < 0:
                 most[tip], self.was_hit = np.inf, True
                 continue
-            rows, region = self.grown(tip, is_tip, least, share)
+            rows, region = self.grown(tip, others, least, share)
             most[tip] = rows[:, 0].max(initial=0.0)
-            if most[tip] >= least and _own(rows) >= BLUNT:
+            if most[tip] >= least and _own(rows) >= ROUND_END:
                 found.append((rows[-1, 2], tip, region))
-                is_tip[tip] = share <= 0.5  # no disc grows over the tip of a limb that was found before
         limbs = []
         for _, tip, region in sorted(found, key=lambda each: each[:2]):
             if not owner[region].any():
@@ -150,25 +184,16 @@ class Caps:
                 owner[region] = owner.max() + 1
         return limbs
 
-    def _blunt(self, tips: np.ndarray, owner: np.ndarray, least: float) -> list[tuple[int, float]]:
-        """The tips of blunt ends, and their slenderness up to the limbs that ``owner`` (V,) numbers. It numbers theirs.
-
-        Together with these limbs, the part that ends there is slender.
-        """
-        found = []
-        for tip in tips.tolist() if self._left > 0 else []:
-            own = self.grown(tip, (owner > 0).astype(np.int64))[0][:, 0].max(initial=0.0)
-            if not BLUNT <= own < least:
-                continue
-            if self.grown(tip, np.zeros_like(owner), least)[0][:, 0].max(initial=0.0) >= least:
-                found.append((own, tip))
-        limbs = []
-        for own, tip in sorted(found, key=lambda each: (-each[0], each[1])):
-            rows, region = self.grown(tip, (owner > 0).astype(np.int64), own)
-            if len(rows) and rows[-1, 0] >= own:
-                limbs.append((tip, own))
-                owner[region] = owner.max() + 1
-        return limbs
+    def slenderness(self, foot: np.ndarray, enough: float = np.inf) -> np.ndarray:
+        """The largest slenderness (l,) of the caps around the tips that the vertices ``foot`` (l,) lead to, each
+        without another foot or its tip, or some value of at least ``enough``."""
+        found, tip = np.zeros(len(foot)), self.tip_of[foot]
+        for number in range(len(foot)):
+            others = np.zeros(len(self.tip_of), dtype=np.int64)
+            others[np.delete(foot, number)] = others[np.delete(tip, number)] = 1
+            others[tip[number]] = 0
+            found[number] = self.grown(tip[number], others, enough, 1.0)[0][:, 0].max(initial=0.0)
+        return found
 
     def _of(self, tip: int, others: np.ndarray, enough: float) -> Cap:
         """The slenderest cap around ``tip`` below half of the surface without a vertex of ``others`` (V,), or the first
@@ -177,7 +202,8 @@ class Caps:
         rows, region = self.grown(tip, others, enough, share)
         if enough == np.inf:
             rows, region = self.grown(tip, others, float(rows[:, 0].max()), share)
-        radius = np.sqrt(rows[:, 2] / (2 * np.pi * (rows[:, 0] + 0.5)))  # the curve's length over 2 pi
+        factor = np.where(rows[:, 2] < SMALL * self._total[tip], fronts.SMALLER, 1.0)
+        radius = np.sqrt(rows[:, 2] / (2 * np.pi * (rows[:, 0] / factor + 0.5)))  # the curve's length over 2 pi
         size = float(np.median(radius[len(rows) // 2 :]))
         rows = rows[min(int((rows[:, 1] > GAP * size).argmax()), len(rows) - 1) :]
         return Cap(tip, float(rows[-1, 0]), float(rows[-1, 2]), rows[:, 3:], size / 2, region)

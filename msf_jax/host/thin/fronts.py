@@ -5,6 +5,7 @@ from typing import NamedTuple
 
 from msf_jax.host.compiled import Ints, Points, Reals, Rows, kernel, part
 
+SMALLER = 0.5  # factor on the slenderness of a cap below the area that is given: it must be twice as slender
 LEAST_COUNT = 6  # vertices in a disc: below it, a disc is noise of the tessellation
 AROUND = 1.5  # a disc that cuts off no cap while its radius grows by this factor goes around a handle or a large limb
 
@@ -112,11 +113,13 @@ def settle(surface: Surface, front: Scratch, vertex: int, size: int) -> int:
 
 
 @kernel
-def spread(surface: Surface, front: Scratch, source: int) -> int:
-    """Set ``front.distance`` to the geodesic distances from the vertex ``source``. Returns the farthest vertex."""
-    last = source
-    front.distance[source] = 0.0
-    size = push(front, 0, 0.0, source)
+def spread(surface: Surface, front: Scratch, sources: Ints) -> int:
+    """Set ``front.distance`` to the geodesic distances from the nearest of the vertices ``sources`` (k,). Returns the
+    farthest vertex."""
+    last, size = 0, 0
+    for source in sources:
+        front.distance[source] = 0.0
+        size = push(front, size, 0.0, source)
     while size:
         vertex = front.value[0]
         size = pop(front, size)
@@ -221,16 +224,18 @@ def cap(
     level: float,
     ratio: float,
     enough: float,
-    half: float,
+    small: float,
+    most: float,
     is_other: Ints,
     found: Points,
     region: Ints,
 ) -> int:
     """Grow a disc around the vertex ``tip``, and measure the caps that it cuts off (see `caps`).
 
-    Rows of ``found``: slenderness, radius, area and middle of each cap. Radii grow from ``level`` by the factor
-    ``ratio``, until a cap has ``enough`` slenderness, or more than the area ``half``, or holds a vertex of ``is_other``
-    (V,) besides the tip. The last three rows are scratch space. ``region`` (V + 1,) gets the vertices of the last cap,
+    Rows of ``found``: slenderness, radius, area and middle of each cap. That of a cap below the area ``small`` is
+    multiplied by `SMALLER`. Radii grow from ``level`` by the factor ``ratio``, until a cap has ``enough`` slenderness,
+    or more than the area ``most``, or holds a vertex of ``is_other`` (V,) besides the tip. The last three rows are
+    scratch space. ``region`` (V + 1,) gets the vertices of the last cap,
     and -1 after them. Returns the number of rows.
     """
     rows, count, size_of_region, last = 0, 0, 0, inf
@@ -275,10 +280,11 @@ def cap(
             for number in range(count):
                 for at in range(surface.first[front.order[number]], surface.first[front.order[number] + 1]):
                     front.ring[surface.around[at]] = -1
-            if area > half or level > AROUND * last:
+            if area > most or level > AROUND * last:
                 goes_on = False
             elif goes_on and num >= 0 and best[0] > 0:
-                found[rows, 0] = 2 * pi * area / (best[0] * best[0]) - 0.5
+                slenderness = 2 * pi * area / (best[0] * best[0]) - 0.5
+                found[rows, 0] = slenderness if area >= small else SMALLER * slenderness
                 found[rows, 1], found[rows, 2] = level, area
                 for i in range(3):
                     found[rows, 3 + i] = best[1 + i] / best[0]

@@ -1,16 +1,67 @@
 """One branch for each limb of a solid: which leaves stay, and branches for limbs without one.
 
-Limbs are found on the surface (see `caps`), wherever the flow's curve runs. Of the leaves in a limb, the one nearest to
-its tip stays. A limb without a leaf gets a branch, through the middles of the curves around its discs. All other leaves
+Limbs are found on the surface (see `caps`), wherever the curve runs. Of the leaves in a limb, the one nearest to its
+tip stays. A limb without a leaf can get a branch, through the middles of the curves around its discs. All other leaves
 are removed. A component without loops keeps two leaves: of those outside of limbs, the ones with the slenderest caps.
 """
+
+from typing import NamedTuple
 
 import numpy as np
 from scipy import spatial
 
-from msf_jax.host.curve import limbs
+from msf_jax.host.curve import pruning
+from msf_jax.host.solid.enclosure import Enclosure
 from msf_jax.host.solid.geometry import arc_length, at
-from msf_jax.host.thin.caps import Cap
+from msf_jax.host.thin.caps import Cap, Caps
+
+
+class Choice(NamedTuple):
+    """worth: (N,) of each leaf: infinite for one that stays, else the slenderness of its cap, 0 in a limb that has a
+    better leaf. missing: the limbs without a leaf. num: of limbs. was_hit: whether the search ended early."""
+
+    worth: np.ndarray
+    missing: list[Cap]
+    num: int
+    was_hit: bool
+
+
+def choose(caps: Caps, vertices: np.ndarray, edges: np.ndarray, is_held: np.ndarray, least: float) -> Choice:
+    """The leaves of a curve ``(vertices (N, 3), edges (E, 2))`` for the limbs of slenderness ``least`` of a surface.
+
+    Of several leaves in a limb, a held one of ``is_held`` (N,) stays, or else the one nearest to the limb's tip.
+    """
+    leaves = leaves_of(edges)
+    foot = feet(caps.shape, vertices[leaves])
+    tips = caps.tips()
+    tips = np.concatenate([tips, np.setdiff1d(caps.tip_of[foot], tips)])
+    found, slenderness = caps.limbs(least, tips)
+    rank, missing = matched(vertices[leaves], is_held[leaves], foot, found, caps.shape.vertices)
+    of_tip = np.zeros(len(caps.tip_of))
+    of_tip[tips] = slenderness
+    worth = np.zeros(len(vertices))
+    worth[leaves] = np.where(rank == 0, np.inf, np.where(rank > 0, 0.0, of_tip[caps.tip_of[foot]]))
+    return Choice(worth, missing, len(found), caps.was_hit)
+
+
+def slenderness(caps: Caps, vertices: np.ndarray, edges: np.ndarray, enough: float = np.inf) -> np.ndarray:
+    """(N,) the largest slenderness of the caps around each leaf's tip that hold no other leaf's, or some value of at
+    least ``enough``; infinite for other nodes."""
+    leaves, found = leaves_of(edges), np.full(len(vertices), np.inf)
+    found[leaves] = caps.slenderness(feet(caps.shape, vertices[leaves]), enough)
+    return found
+
+
+def leaves_of(edges: np.ndarray) -> np.ndarray:
+    """The nodes (l,) with one edge; a duplicate edge counts once."""
+    return np.flatnonzero(np.bincount(np.unique(np.sort(edges, axis=1), axis=0).ravel()) == 1)
+
+
+def feet(shape: Enclosure, points: np.ndarray) -> np.ndarray:
+    """The vertex (P,) nearest to each of ``points`` (P, 3), of the triangle nearest to it."""
+    near = shape.faces[shape.approximate_closest(points)[1]]
+    away = np.linalg.norm(shape.vertices[near] - points[:, None], axis=2)
+    return near[np.arange(len(near)), away.argmin(axis=1)]
 
 
 def matched(
@@ -37,25 +88,11 @@ def matched(
 
 
 def kept(
-    vertices: np.ndarray, edges: np.ndarray, worth: np.ndarray, is_held: np.ndarray
+    edges: np.ndarray, worth: np.ndarray, is_held: np.ndarray, least: float = np.inf
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Remove the branches that end in leaves of finite ``worth`` (N,), the least first; see `prune`."""
-    stays, target = np.ones(len(vertices), dtype=bool), np.arange(len(vertices))
-    held = set(np.flatnonzero(is_held).tolist())
-    pruning = limbs.Pruning(vertices, edges, limbs.limbs_without(vertices, edges, np.ones(len(vertices))))
-    gone = True
-    while gone:
-        gone = False
-        for leaf in sorted(pruning.leaves(), key=lambda each: (worth[each], each)):
-            nodes = pruning.branch(leaf)
-            if worth[leaf] < np.inf and held.isdisjoint(nodes[:-1]) and pruning.slenderness(leaf) < np.inf:
-                stays[nodes[:-1]] = False
-                target[nodes[:-1]] = nodes[-1]
-                pruning.take_away(leaf)
-                gone = True
-    while (target != target[target]).any():
-        target = target[target]
-    return stays, target
+    """Remove the branches that end in leaves of a ``worth`` (N,) below ``least``, the least first; see
+    `pruning.prune`."""
+    return pruning.prune(len(worth), edges, lambda nodes: float(worth[next(nodes)]), least, is_held)
 
 
 def grown(vertices: np.ndarray, edges: np.ndarray, caps: list[Cap]) -> tuple[np.ndarray, np.ndarray]:

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 SIDES = 6  # sides of the tubes that edges are drawn as
 THICKNESS = 0.004  # diagonals: radius of these tubes
-PRUNED = (0.0, 0.5, 0.9, 1.2, 1.5, 2.0, 3.0, 4.0, 6.0, 10.0)  # slenderness at the stops of the slider
+PRUNED = (0.0, 0.5, 0.75, 1.0, 1.5, 2.0, 3.0, 4.0, 6.0, 10.0)  # slenderness at the stops of the slider
 LARGEST = 1e30  # coordinates above this, in the caller's units, are written in float64
 GREY = "#8c9eb8"  # colour of the surface
 RADIUS = "radius %{customdata:.4g}<extra></extra>"  # plotly's template of the text at the pointer
