@@ -31,6 +31,7 @@ SMOOTHINGS = 5  # of the average distance, each a mean with the neighbours: so n
 FIRST_RADIUS = 0.002  # of the first disc, in square roots of the surface's area
 RATIO = 1.06  # of the radii of successive discs
 SMALL = 0.01  # of the surface: a smaller cap counts as half as slender, see `fronts.SMALLER`
+NEARLY = 0.7  # of the least slenderness: then the neighbours of a tip are tried, too
 ROUND_END = 0.5  # least slenderness of a limb's end, before a disc goes around a handle or a larger part: half a ball
 GAP = 0.3  # radii of the limb between the end of its curve and the tip
 MOST_DISCS = 200  # radii: more than from the first one to the whole of a surface
@@ -173,10 +174,10 @@ class Caps:
             if self._left < 0:
                 most[tip], self.was_hit = np.inf, True
                 continue
-            rows, region = self.grown(tip, others, least, share)
+            best, rows, region = self._slenderest(tip, others, least, share)
             most[tip] = rows[:, 0].max(initial=0.0)
             if most[tip] >= least and _own(rows) >= ROUND_END:
-                found.append((rows[-1, 2], tip, region))
+                found.append((rows[-1, 2], best, region))
         limbs = []
         for _, tip, region in sorted(found, key=lambda each: each[:2]):
             if not owner[region].any():
@@ -184,12 +185,26 @@ class Caps:
                 owner[region] = owner.max() + 1
         return limbs
 
-    def slenderness(self, foot: np.ndarray, enough: float = np.inf) -> np.ndarray:
-        """The largest slenderness (l,) of the caps around the tips that the vertices ``foot`` (l,) lead to, each
-        without another foot or its tip, or some value of at least ``enough``."""
-        found, tip = np.zeros(len(foot)), self.tip_of[foot]
-        for number in range(len(foot)):
-            others = np.zeros(len(self.tip_of), dtype=np.int64)
+    def _slenderest(
+        self, tip: int, others: np.ndarray, least: float, share: float
+    ) -> tuple[int, np.ndarray, np.ndarray]:
+        """``tip``, or a neighbour of it, with its caps (see `grown`): those of a blunt limb change with their tip."""
+        best, (rows, region) = tip, self.grown(tip, others, least, share)
+        most = rows[:, 0].max(initial=0.0)
+        if NEARLY * least <= most < least:
+            around = self.surface.around[self.surface.first[tip] : self.surface.first[tip + 1]]
+            for near in np.setdiff1d(self.surface.faces[around], [tip]).tolist():
+                other, other_region = self.grown(near, others, least, share)
+                if other[:, 0].max(initial=0.0) > most:
+                    most, best, rows, region = other[:, 0].max(), near, other, other_region
+        return best, rows, region
+
+    def slenderness(self, foot: np.ndarray, tip: np.ndarray, enough: float = np.inf) -> np.ndarray:
+        """The largest slenderness (l,) of the caps around each of the vertices ``tip`` (l,), without another one of
+        them or another ``foot`` (l,), or some value of at least ``enough``."""
+        found = np.zeros(len(tip))
+        for number in range(len(tip)):
+            others = np.zeros(len(self.surface.points), dtype=np.int64)
             others[np.delete(foot, number)] = others[np.delete(tip, number)] = 1
             others[tip[number]] = 0
             found[number] = self.grown(tip[number], others, enough, 1.0)[0][:, 0].max(initial=0.0)

@@ -45,10 +45,13 @@ def choose(caps: Caps, vertices: np.ndarray, edges: np.ndarray, is_held: np.ndar
 
 
 def slenderness(caps: Caps, vertices: np.ndarray, edges: np.ndarray, enough: float = np.inf) -> np.ndarray:
-    """(N,) the largest slenderness of the caps around each leaf's tip that hold no other leaf's, or some value of at
-    least ``enough``; infinite for other nodes."""
+    """(N,) the largest slenderness of the caps around each leaf's tip without another leaf, infinite for other nodes.
+
+    With ``enough`` it is some value of at least that, of caps around the nearest vertex, which is faster.
+    """
     leaves, found = leaves_of(edges), np.full(len(vertices), np.inf)
-    found[leaves] = caps.slenderness(feet(caps.shape, vertices[leaves]), enough)
+    foot = feet(caps.shape, vertices[leaves])
+    found[leaves] = caps.slenderness(foot, caps.tip_of[foot] if enough == np.inf else foot, enough)
     return found
 
 
