@@ -2,13 +2,15 @@
 
 import numbers
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 from scipy import spatial
 
 from msf_jax.base.errors import ConfigError
-from msf_jax.host.curve import branches, finishing, resampling
+from msf_jax.host.curve import branches, finishing, pruning, resampling
+from msf_jax.host.thin import one_branch
+from msf_jax.host.thin.caps import Caps
 from msf_jax.skeleton.centrelines import table
 from msf_jax.skeleton.report import assessed
 from msf_jax.skeleton.source import known
@@ -43,17 +45,18 @@ def changed(skeleton: "Skeleton", vertices: np.ndarray, edges: np.ndarray, node_
     return found if of == "ball" or skeleton.source is None else with_radii(found, of)
 
 
-def check_slenderness(slenderness: Any) -> None:
-    """Raise a `ConfigError` unless ``slenderness`` is a number of 0 or more."""
+def pruned(skeleton: "Skeleton", slenderness: float, caps: Caps | None, is_held: np.ndarray) -> "Skeleton":
+    """See `Skeleton.prune`. caps: of the mesh; None if branches are measured by their balls."""
     if not (isinstance(slenderness, numbers.Real) and float(slenderness) >= 0):
         raise ConfigError(f"slenderness is {slenderness!r}: expected a number of 0 or more")
-
-
-def pruned(skeleton: "Skeleton", stays: np.ndarray, target: np.ndarray) -> "Skeleton":
-    """See `Skeleton.prune`. stays: (N,) whether a node is kept. target: (N,) the kept node that replaces each node."""
+    x, edges, least = skeleton.vertices, skeleton.edges, float(slenderness)
+    if caps is None or not least:
+        stays, target = pruning.prune(len(x), edges, pruning.by_balls(x, skeleton.radii), least, is_held)
+    else:
+        choice = one_branch.choose(caps, known(skeleton.source).solid.enter(x), edges, is_held, least)
+        stays, target = one_branch.kept(edges, choice.worth, is_held)
     rank = np.cumsum(stays) - 1
-    edges = rank[skeleton.edges[stays[skeleton.edges].all(axis=1)]]
-    found = changed(skeleton, skeleton.vertices[stays], edges, rank[target])
+    found = changed(skeleton, x[stays], rank[edges[stays[edges].all(axis=1)]], rank[target])
     gone = skeleton.num_leaves - found.num_leaves
     return replace(found, report=replace(found.report, pruned=skeleton.report.pruned + gone))
 

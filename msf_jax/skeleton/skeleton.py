@@ -77,26 +77,19 @@ class Skeleton:
         share = None
         if self.source is not None:
             share = np.bincount(self.mesh_map, weights=self.source.areas, minlength=len(self.vertices))
-        unit = 1.0 if self.source is None else self.source.solid.diagonal
-        found = pruning.measure(*self._in_solid(), self._slenderness, share)
-        return [branch._replace(length=unit * branch.length) for branch in found]
+        return pruning.measure(self.vertices, self.edges, self._slenderness, share)
 
     @cached_property
     def _slenderness(self) -> np.ndarray | pruning.Worth:
         """The slenderness of each leaf on the solid's surface, or that of branches by their balls."""
-        vertices, edges = self._in_solid()
-        if self.source is None or self.report.wavefronts:
+        if self._caps is None:
             return pruning.by_balls(self.vertices, self.radii)
-        return one_branch.slenderness(self._caps, vertices, edges)
+        return one_branch.slenderness(self._caps, known(self.source).solid.enter(self.vertices), self.edges)
 
     @cached_property
-    def _caps(self) -> Caps:
-        """The caps of the solid's surface."""
-        return Caps(known(self.source).solid.shape)
-
-    def _in_solid(self) -> tuple[np.ndarray, np.ndarray]:
-        """The curve in units of its solid's diagonal, or in the caller's units if the solid is not known."""
-        return (self.vertices if self.source is None else self.source.solid.enter(self.vertices)), self.edges
+    def _caps(self) -> Caps | None:
+        """The caps of the solid's surface; None if the solid is not known, or wavefronts made the curve."""
+        return None if self.source is None or self.report.wavefronts else Caps(self.source.solid.shape)
 
     def prune(self, slenderness: float = 1.0) -> "Skeleton":
         """A new skeleton with one branch for each limb of at least that ``slenderness`` that has any; see `Branch`.
@@ -108,14 +101,7 @@ class Skeleton:
         Raises:
             ConfigError: ``slenderness`` is negative or not a number.
         """
-        changes.check_slenderness(slenderness)
-        vertices, edges = self._in_solid()
-        least, is_held = float(slenderness), self._is_held()
-        if self.source is None or self.report.wavefronts or not least:
-            worth = pruning.by_balls(self.vertices, self.radii)
-            return changes.pruned(self, *pruning.prune(len(vertices), edges, worth, least, is_held))
-        choice = one_branch.choose(self._caps, vertices, edges, is_held, least)
-        return changes.pruned(self, *one_branch.kept(edges, choice.worth, is_held))
+        return changes.pruned(self, slenderness, self._caps, self._is_held())
 
     @property
     def num_leaves(self) -> int:
