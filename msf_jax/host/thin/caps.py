@@ -220,7 +220,9 @@ class Caps:
         factor = np.where(rows[:, 2] < SMALL * self._total[tip], fronts.SMALLER, 1.0)
         radius = np.sqrt(rows[:, 2] / (2 * np.pi * (rows[:, 0] / factor + 0.5)))  # the curve's length over 2 pi
         size = float(np.median(radius[len(rows) // 2 :]))
-        rows = rows[min(int((rows[:, 1] > GAP * size).argmax()), len(rows) - 1) :]
+        depth = np.linalg.norm(rows[:, 3:] - self.surface.points[tip], axis=1)
+        is_in = depth > GAP * size
+        rows = rows[int(is_in.argmax()) if is_in.any() else -1 :]
         return Cap(tip, float(rows[-1, 0]), float(rows[-1, 2]), rows[:, 3:], size / 2, region)
 
 
