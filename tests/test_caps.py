@@ -1,5 +1,8 @@
 """Caps of a surface: closed forms on solids whose limbs are known, and one branch for each limb."""
 
+import pickle
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import replace
 from itertools import pairwise
 
 import manifold3d
@@ -293,9 +296,70 @@ def test_a_solid_with_neither_limbs_nor_handles_keeps_its_blunt_ends():
     drill = manifold3d.Manifold.cylinder(4, 0.2, 0.2, 24, True).rotate((35, 35, 0))
     for body, leaves in ((ball, 6), (ball - drill, 0)):
         shape = solid(body, 0.12)
-        assert not limbs(shape, 1.0) and len(limbs(shape, finishing.BLUNT)) == 6
+        assert not limbs(shape, 1.0) and len(limbs(shape, caps.BLUNT)) == 6
         skeleton = msf_jax.skeletonize((shape.vertices, shape.faces))
         assert skeleton.num_leaves == leaves and skeleton.report.loops == (leaves == 0)
+        assert skeleton.prune().num_leaves == leaves
+
+
+def test_the_blunt_nose_of_a_head_with_ears_is_a_limb():
+    """`Caps.limbs`: it sticks out by less than its radius, and the head that ends there is slender with its ears."""
+    head = manifold3d.Manifold.cylinder(1.6, 0.5, 0.5, 48) + manifold3d.Manifold.sphere(0.5, 48).translate((0, 0, 1.6))
+    ear = manifold3d.Manifold.cylinder(0.9, 0.12, 0.12, 24)
+    ears = [ear.rotate((0, angle, 0)).translate((0, 0, 1.2)) for angle in (90, -90)]
+    shape = solid(manifold3d.Manifold.batch_boolean([block(), head, *ears], manifold3d.OpType.Add), 0.1)
+    top = nearest(shape, (0, 0, 2.1))
+    found = Caps(shape)
+    others = none(shape)
+    others[[nearest(shape, (x, 0, 1.2)) for x in (-0.9, 0.9)]] = 1
+    assert caps.BLUNT < found.grown(top, others)[0][:, 0].max() < 2.0
+    for least in (2.0, 3.0):
+        assert [cap for cap in limbs(shape, least) if shape.vertices[cap.tip, 2] > 1.9], least
+
+
+@pytest.mark.parametrize("name", ["tee", "plus"])
+def test_few_triangles_do_not_hide_limbs(name):
+    """`FEWEST`: solids of bars with 16 to 32 vertices."""
+    bars = [(6, 1, 1), (1, 6, 1)] if name == "plus" else [(6, 1, 1)]
+    body = manifold3d.Manifold.batch_boolean(
+        [manifold3d.Manifold.cube(bar, True) for bar in bars], manifold3d.OpType.Add
+    )
+    if name == "tee":
+        body += manifold3d.Manifold.cube((1, 3, 1), True).translate((0, 1.5, 0))
+    mesh = body.to_mesh()
+    x, faces = np.array(mesh.vert_properties[:, :3], dtype=float), np.array(mesh.tri_verts, dtype=np.int64)
+    assert len(x) < 40 and len(limbs(Enclosure(x, faces), 1.0)) == (4 if name == "plus" else 3)
+    assert msf_jax.skeletonize((x, faces)).num_leaves == (4 if name == "plus" else 3)
+
+
+def test_a_lower_threshold_never_prunes_more():
+    """Below half a ball, all thresholds are that of half a ball."""
+    shape = solid(fingers(), 0.15)
+    skeleton = msf_jax.skeletonize((shape.vertices, shape.faces))
+    leaves = [skeleton.prune(least).num_leaves for least in (0, 1e-9, 0.1, 0.4, 1.0, 3.0, 100.0)]
+    assert leaves == [4, 4, 4, 4, 4, 4, 2]
+
+
+def test_many_components_have_a_budget_each():
+    """`MOST_TIPS`, `MOST_AREA` are those of a component."""
+    one = solid(block() + LIMB["long cylinder"][0], 0.4)
+    num, size = 150, len(one.vertices)
+    x = np.concatenate([one.vertices + [5.0 * k, 0, 0] for k in range(num)])
+    many = Caps(Enclosure(x, np.concatenate([one.faces + k * size for k in range(num)])))
+    found = many.limbs(2.0, many.tips())[0]
+    assert sorted(cap.tip // size for cap in found) == list(range(num)) and not many.was_hit
+
+
+def test_a_skeleton_is_pruned_by_several_threads_and_pickled():
+    shape = solid(fingers(), 0.15)
+    skeleton = msf_jax.skeletonize((shape.vertices, shape.faces))
+    with ThreadPoolExecutor(4) as threads:
+        found = [*threads.map(lambda least: skeleton.prune(least).num_leaves, (1.0, 3.0, 100.0) * 4)]
+    assert found == [4, 4, 2] * 4
+    bare = replace(skeleton, source=None)
+    for each in (skeleton, bare):
+        again = pickle.loads(pickle.dumps((each.branches, each)[1]))
+        assert [one.slenderness for one in again.branches] == [one.slenderness for one in each.branches]
 
 
 def test_beyond_its_budget_no_tip_is_tried_and_that_is_said(monkeypatch):

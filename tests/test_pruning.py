@@ -60,6 +60,16 @@ def test_a_cone_has_its_closed_form():
     assert by_leaf(x, edges, radii)[0] == pytest.approx(1 / (2 * slope) - 0.5, rel=0.05)
 
 
+def test_a_leaf_near_the_tip_of_a_round_end_makes_no_difference():
+    """Balls there are as large as their depth; from a depth of 0.3 on, h / r - 1 / 2 is found as from the middle on."""
+    depth = np.append(np.linspace(0.3, 1.0, 15), np.linspace(1.0, 8.0, 60)[1:])
+    num = len(depth)
+    x = np.concatenate([np.stack([8 - depth, 0 * depth, 0 * depth], axis=1), [[0, 9, 0], [0, -9, 0]]])
+    radii = np.append(np.minimum(depth, 1.0), [1.0, 1.0])
+    edges = as_edges([*pairwise(range(num)), (num - 1, num), (num - 1, num + 1)])
+    assert by_leaf(x, edges, radii)[0] == pytest.approx(7.0 - 0.5, abs=0.15)  # the ball at the junction left out
+
+
 @pytest.mark.parametrize("radius", [0.0, np.nan])
 def test_where_no_radius_is_known_all_stays_and_what_is_outside_goes(radius):
     vertices, edges, radii = star_of([1.0, 2.5, 0.75], 0.1)
@@ -217,10 +227,13 @@ def plain_slenderness(balls: Balls, graph: nx.Graph) -> dict[int, tuple[list, fl
             (onward,) = set(graph[onward]) - set(own[-2:])
         if graph.degree[onward] < 3:
             continue
-        area, most, last = 2 * np.pi * radii[leaf] ** 2, 0.5, leaf
+        depth, area, touches, last = radii[leaf], 0.0, True, leaf
         values = []
         for node in own:
-            area += np.pi * (radii[last] + radii[node]) * np.linalg.norm(x[node] - x[last])
+            step = np.linalg.norm(x[node] - x[last])
+            depth += step
+            touches = touches and radii[node] >= 0.9 * depth
+            area = 2 * np.pi * radii[node] * depth if touches else area + np.pi * (radii[last] + radii[node]) * step
             if radii[node] > 0 and np.linalg.norm(x[node] - x[onward]) >= radii[onward]:
                 values.append(2 * np.pi * area / (2 * np.pi * radii[node]) ** 2 - 0.5)
             last = node

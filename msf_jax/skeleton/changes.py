@@ -45,20 +45,23 @@ def changed(skeleton: "Skeleton", vertices: np.ndarray, edges: np.ndarray, node_
     return found if of == "ball" or skeleton.source is None else with_radii(found, of)
 
 
-def pruned(skeleton: "Skeleton", slenderness: float, caps: Caps | None, is_held: np.ndarray) -> "Skeleton":
-    """See `Skeleton.prune`. caps: of the mesh; None if branches are measured by their balls."""
+def pruned(skeleton: "Skeleton", slenderness: float, is_held: np.ndarray) -> "Skeleton":
+    """See `Skeleton.prune`."""
     if not (isinstance(slenderness, numbers.Real) and float(slenderness) >= 0):
         raise ConfigError(f"slenderness is {slenderness!r}: expected a number of 0 or more")
     x, edges, least = skeleton.vertices, skeleton.edges, float(slenderness)
-    if caps is None or not least:
+    notes = skeleton.report.notes
+    if skeleton.source is None or skeleton.report.wavefronts or not least:
         stays, target = pruning.prune(len(x), edges, pruning.by_balls(x, skeleton.radii), least, is_held)
     else:
-        choice = one_branch.choose(caps, known(skeleton.source).solid.enter(x), edges, is_held, least)
+        solid = skeleton.source.solid
+        choice = one_branch.choose(Caps(solid.shape), solid.enter(x), edges, is_held, least, skeleton.report.genus)
         stays, target = one_branch.kept(edges, choice.worth, is_held)
+        notes += ("the search for limbs ended early; branches that it did not try are kept",) * choice.was_hit
     rank = np.cumsum(stays) - 1
     found = changed(skeleton, x[stays], rank[edges[stays[edges].all(axis=1)]], rank[target])
     gone = skeleton.num_leaves - found.num_leaves
-    return replace(found, report=replace(found.report, pruned=skeleton.report.pruned + gone))
+    return replace(found, report=replace(found.report, pruned=skeleton.report.pruned + gone, notes=notes))
 
 
 def resampled(skeleton: "Skeleton", spacing: float, is_held: np.ndarray) -> "Skeleton":

@@ -77,22 +77,23 @@ class Skeleton:
         share = None
         if self.source is not None:
             share = np.bincount(self.mesh_map, weights=self.source.areas, minlength=len(self.vertices))
-        return pruning.measure(self.vertices, self.edges, self._slenderness, share)
+        known_slenderness = self._slenderness
+        if known_slenderness is None:
+            return pruning.measure(self.vertices, self.edges, pruning.by_balls(self.vertices, self.radii), share)
+        return pruning.measure(self.vertices, self.edges, known_slenderness, share)
 
     @cached_property
-    def _slenderness(self) -> np.ndarray | pruning.Worth:
-        """The slenderness of each leaf on the solid's surface, or that of branches by their balls."""
-        if self._caps is None:
-            return pruning.by_balls(self.vertices, self.radii)
-        return one_branch.slenderness(self._caps, known(self.source).solid.enter(self.vertices), self.edges)
-
-    @cached_property
-    def _caps(self) -> Caps | None:
-        """The caps of the solid's surface; None if the solid is not known, or wavefronts made the curve."""
-        return None if self.source is None or self.report.wavefronts else Caps(self.source.solid.shape)
+    def _slenderness(self) -> np.ndarray | None:
+        """The slenderness of each leaf on the solid's surface; None if branches are measured by their balls."""
+        if self.source is None or self.report.wavefronts:
+            return None
+        solid = self.source.solid
+        return one_branch.slenderness(Caps(solid.shape), solid.enter(self.vertices), self.edges)
 
     def prune(self, slenderness: float = 1.0) -> "Skeleton":
         """A new skeleton with one branch for each limb of at least that ``slenderness`` that has any; see `Branch`.
+
+        Nothing less slender than half a ball, 0.5, is a limb, but 0 keeps all branches.
 
         A run with ``Config(prune=slenderness)`` chooses limbs in the same way, and adds those that have no branch.
         Components, cycles and branches with a pin are kept. The mesh's vertices of a pruned branch go to its junction.
@@ -101,7 +102,7 @@ class Skeleton:
         Raises:
             ConfigError: ``slenderness`` is negative or not a number.
         """
-        return changes.pruned(self, slenderness, self._caps, self._is_held())
+        return changes.pruned(self, slenderness, self._is_held())
 
     @property
     def num_leaves(self) -> int:

@@ -23,7 +23,6 @@ MOST_NODES = 5_000  # nodes of a finished curve; if `SPACING` needs more, nodes 
 SHARPEST = 40.0  # degrees: largest turn of a finished branch at a node, where possible
 HOLDS = 1.1  # radii of a node: a junction whose ball is within this distance takes the place of the node
 FIRST_ROUNDS = 2  # rounds of a centring before junctions are merged
-BLUNT = 0.6  # of the least slenderness, for a solid that has neither limbs nor handles: more than corners of a box have
 
 
 class Draft(NamedTuple):
@@ -346,10 +345,8 @@ def limbed(draft: Draft, job: Job, grows: bool) -> Draft:
     """
     if not job.prune:
         return draft
-    asked = Caps(job.coarse), draft.vertices, draft.edges, draft.is_held
-    choice = one_branch.choose(*asked, job.prune)
-    if not choice.num and not job.shape.handles.genus:
-        choice = one_branch.choose(*asked, BLUNT * job.prune)
+    curve = draft.vertices, draft.edges, draft.is_held
+    choice = one_branch.choose(Caps(job.coarse), *curve, job.prune, job.shape.handles.genus)
     job.budget.was_hit |= choice.was_hit
     stays, target = one_branch.kept(draft.edges, choice.worth, draft.is_held)
     left, num = _left(draft, stays, target), int(draft.is_leaf().sum())

@@ -2,13 +2,11 @@
 
 The solid's surface says which of its parts are limbs, see `thin.caps`. Of a curve without its solid only the balls of
 its nodes are known. Then a branch stands for a tube of radius r(s) at the distance s from its leaf, with a round end.
-Its cap has the area A(s) = 2 pi r(0)^2 + integral of 2 pi r ds, and the curve that cuts it off has the length
-P(s) = 2 pi r(s), so its slenderness is
-
-    2 pi A / P^2 - 1 / 2 = (r(0)^2 + integral of r ds) / r(s)^2 - 1 / 2.
-
-The slenderness of the branch is the largest one outside of the ball at its junction. For a tube that sticks out by h it
-is h / r, as on a surface.
+The tip is r(0) beyond the leaf, at the depth d(s) = s + r(0). As long as the largest ball still touches the tip, the
+round end up to that depth has the area A(s) = 2 pi r d (Archimedes); from there on, the integral of 2 pi r ds is added.
+The curve that cuts the cap off has the length P(s) = 2 pi r(s), so its slenderness is 2 pi A / P^2 - 1 / 2, as on a
+surface. The slenderness of the branch is the largest one outside of the ball at its junction: h / r - 1 / 2 of a tube
+with a round end that sticks out by h.
 """
 
 import heapq
@@ -18,6 +16,8 @@ import numpy as np
 
 from msf_jax.host.curve.branches import Branch, trace
 from msf_jax.host.solid.geometry import arc_length
+
+TOUCHES = 0.9  # of the depth of a node: least radius of a ball that touches the tip of its limb
 
 Worth = Callable[[Iterator[int]], float]  # of the branch with these nodes, its leaf first
 
@@ -66,6 +66,7 @@ def prune(
 def by_balls(vertices: np.ndarray, radii: np.ndarray) -> Worth:
     """The slenderness of branches with balls of ``radii`` (N,) around the nodes ``vertices`` (N, 3); infinite if no
     radius is known."""
+    radii = np.nan_to_num(radii)
     is_known = bool((radii > 0).any())
 
     def slenderness(walk: Iterator[int]) -> float:
@@ -75,8 +76,10 @@ def by_balls(vertices: np.ndarray, radii: np.ndarray) -> Worth:
         is_out[-1] = False
         if not is_known or not is_out.any():
             return 0.0 if is_known else np.inf
-        steps = np.diff(arc_length(x)) * (r[1:] + r[:-1]) / 2
-        area = r[0] ** 2 + np.concatenate([[0.0], np.cumsum(steps)])
+        along = arc_length(x)
+        depth, added = along + r[0], np.concatenate([[0.0], np.cumsum(np.diff(along) * (r[1:] + r[:-1]) / 2)])
+        end = int(np.argmin(np.append(r >= TOUCHES * depth, False))) - 1  # the last node whose ball touches the tip
+        area = np.where(np.arange(len(r)) <= end, r * depth, (r * depth - added)[end] + added)  # over 2 pi
         return float((area[is_out] / r[is_out] ** 2).max() - 0.5)
 
     return slenderness

@@ -20,6 +20,7 @@ from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
+import trimesh
 from scipy import sparse
 from scipy.sparse import csgraph
 
@@ -31,12 +32,14 @@ SMOOTHINGS = 5  # of the average distance, each a mean with the neighbours: so n
 FIRST_RADIUS = 0.002  # of the first disc, in square roots of the surface's area
 RATIO = 1.06  # of the radii of successive discs
 SMALL = 0.01  # of the surface: a smaller cap counts as half as slender, see `fronts.SMALLER`
+BLUNT = 0.6  # of the least slenderness: enough for blunt ends, see `Caps.limbs`; more than corners of a box have
 NEARLY = 0.7  # of the least slenderness: then the neighbours of a tip are tried, too
 ROUND_END = 0.5  # least slenderness of a limb's end, before a disc goes around a handle or a larger part: half a ball
 GAP = 0.3  # radii of the limb between the end of its curve and the tip
 MOST_DISCS = 200  # radii: more than from the first one to the whole of a surface
-MOST_TIPS = 100  # places that are tried, besides the curve's leaves, those with the largest average distance first
-MOST_AREA = 100.0  # surfaces: area of all discs together; then no further tip is tried
+FEWEST = 1_000  # vertices of a surface: of one with fewer, triangles are split, so that discs follow its limbs
+MOST_TIPS = 100  # places of a component, besides the curve's leaves, those with the largest average distance first
+MOST_AREA = 100.0  # surfaces of a component: area of all its discs together; then no further tip of it is tried
 
 
 class Cap(NamedTuple):
@@ -52,9 +55,15 @@ class Cap(NamedTuple):
 
 
 class Caps:
-    """The caps of the closed surface ``shape``. ``was_hit``: whether `MOST_TIPS` or `MOST_AREA` was reached."""
+    """The caps of the closed surface ``shape``, whose triangles are split if they are few.
+
+    ``was_hit``: whether `MOST_TIPS` or `MOST_AREA` was reached. Not for several threads at once.
+    """
 
     def __init__(self, shape: Enclosure):
+        while len(shape.vertices) < FEWEST:
+            split = trimesh.remesh.subdivide(shape.vertices, shape.faces)
+            shape = Enclosure(split[0], split[1])
         self.shape = shape
         x, faces = shape.vertices, shape.faces
         around = np.argsort(faces.ravel(), kind="stable") // 3
@@ -71,7 +80,7 @@ class Caps:
         key, value = np.empty(size), np.empty(size, dtype=np.int64)
         ring = np.full(len(faces), -1)
         self._front = fronts.Scratch(np.full(num, np.inf), state, order, filled, stack, key, value, ring)
-        self._left, self.was_hit = MOST_AREA, False
+        self._left, self.was_hit = np.full(component.max() + 1, MOST_AREA), False
         self._rows = np.empty((MOST_DISCS + 3, 6))
         self._region = np.empty(len(x) + 1, dtype=np.int64)
 
@@ -90,7 +99,7 @@ class Caps:
             self.surface, self._front, int(tip), first, RATIO, enough, small, most, others, self._rows, self._region
         )
         end = int(np.argmax(self._region == -1))
-        self._left -= self._rows[count - 1, 2] / total if count else 0.0
+        self._left[self._component[tip]] -= self._rows[count - 1, 2] / total if count else 0.0
         return self._rows[:count].copy(), self._region[:end].copy()
 
     @cached_property
@@ -128,10 +137,13 @@ class Caps:
         return above
 
     def tips(self) -> np.ndarray:
-        """Vertices (t,) where `height` is largest among their neighbours, the largest first."""
+        """Vertices (t,) where `height` is largest among their neighbours, the largest of each component first."""
         found = np.unique(self.tip_of)
-        self.was_hit |= len(found) > MOST_TIPS
-        return found[np.argsort(-self.height[found], kind="stable")][:MOST_TIPS]
+        found = found[np.lexsort((-self.height[found], self._component[found]))]
+        own = self._component[found]
+        is_first = np.arange(len(found)) - np.searchsorted(own, own) < MOST_TIPS
+        self.was_hit |= not is_first.all()
+        return found[is_first]
 
     def _farthest(self, away: np.ndarray) -> np.ndarray:
         """The vertex of each component where ``away`` (V,) is largest."""
@@ -144,20 +156,27 @@ class Caps:
         self._front.distance[:], self._front.state[:] = np.inf, 0
         return found
 
-    def limbs(self, least: float, tips: np.ndarray) -> tuple[list[Cap], np.ndarray]:
-        """The limbs of at least that slenderness, with their tips among the vertices ``tips`` (t,).
+    def limbs(self, least: float, tips: np.ndarray, is_solid: bool = False) -> tuple[list[Cap], np.ndarray]:
+        """The limbs of at least that slenderness, but `ROUND_END`, with their tips among the vertices ``tips`` (t,).
 
         First come caps below half of the surface. Then the rest may be a limb, too, up to the first ones: the body of a
-        bunny is the other end of its ears. Also returns the largest slenderness (t,) of the caps around ``tips``, as
-        far as they were grown, infinite for vertices that were not tried.
+        bunny is the other end of its ears. Last come blunt ends of parts with limbs, such as the nose of a head with
+        ears. ``is_solid`` says that the solid has no handles: a component without limbs then has its blunt ends. Also
+        returns the largest slenderness (t,) of the caps around ``tips``, infinite for vertices that were not tried.
         """
-        self._left = MOST_AREA
-        most = np.zeros(len(self.surface.points))
+        least = max(least, ROUND_END)
+        self._left[:] = MOST_AREA
+        most = np.full(len(self.surface.points), np.inf)
         owner = np.zeros(len(most), dtype=np.int64)  # the number of the limb of each vertex, from 1; 0 for none
         # Of each limb, its tip and the slenderness of its cap: below half of the surface, the largest one.
         limbs = [(tip, np.inf) for tip in self._slender(tips, owner, most, least, 0.5)]
         if limbs:
             limbs += [(tip, least) for tip in self._slender(tips[owner[tips] == 0], owner, most, least, 1.0)]
+            limbs += self._blunt(tips[owner[tips] == 0], owner, least)
+        if is_solid:
+            has_limbs = np.bincount(self._component, owner) > 0
+            rest = tips[~has_limbs[self._component[tips]]]
+            limbs += [(tip, np.inf) for tip in self._slender(rest, owner, most, max(BLUNT * least, ROUND_END), 0.5)]
         caps = [
             self._of(tip, ((owner > 0) & (owner != number)).astype(np.int64), enough)
             for number, (tip, enough) in enumerate(limbs, 1)
@@ -171,8 +190,8 @@ class Caps:
         """
         others, found = (owner > 0).astype(np.int64), []
         for tip in tips.tolist():
-            if self._left < 0:
-                most[tip], self.was_hit = np.inf, True
+            if self._left[self._component[tip]] < 0:
+                self.was_hit = True
                 continue
             best, rows, region = self._slenderest(tip, others, least, share)
             most[tip] = rows[:, 0].max(initial=0.0)
@@ -182,6 +201,28 @@ class Caps:
         for _, tip, region in sorted(found, key=lambda each: each[:2]):
             if not owner[region].any():
                 limbs.append(tip)
+                owner[region] = owner.max() + 1
+        return limbs
+
+    def _blunt(self, tips: np.ndarray, owner: np.ndarray, least: float) -> list[tuple[int, float]]:
+        """The tips of blunt ends that are not small, and their slenderness up to the limbs that ``owner`` (V,) numbers.
+        It numbers theirs.
+
+        Together with these limbs, the part that ends there is slender enough.
+        """
+        others, nothing, found = (owner > 0).astype(np.int64), np.zeros_like(owner), []
+        for tip in tips.tolist():
+            if self._left[self._component[tip]] < 0:
+                continue
+            best, rows, _ = self._slenderest(tip, others, least, 0.5)
+            own = float(rows[rows[:, 2] >= SMALL * self._total[tip], 0].max(initial=0.0))
+            if own >= BLUNT * least and self.grown(best, nothing, least)[0][:, 0].max(initial=0.0) >= least:
+                found.append((own, best))
+        limbs = []
+        for own, tip in sorted(found, key=lambda each: (-each[0], each[1])):
+            rows, region = self.grown(tip, (owner > 0).astype(np.int64), own)
+            if len(rows) and rows[-1, 0] >= own:
+                limbs.append((tip, own))
                 owner[region] = owner.max() + 1
         return limbs
 
@@ -201,10 +242,11 @@ class Caps:
 
     def slenderness(self, foot: np.ndarray, tip: np.ndarray, enough: float = np.inf) -> np.ndarray:
         """The largest slenderness (l,) of the caps around each of the vertices ``tip`` (l,), without another one of
-        them or another ``foot`` (l,), or some value of at least ``enough``."""
+        them or another ``foot`` (l,), or some value of at least ``enough``. One tip of several feet stands for none."""
+        tip = np.where(np.bincount(tip, minlength=len(self._total))[tip] > 1, foot, tip)
         found = np.zeros(len(tip))
         for number in range(len(tip)):
-            others = np.zeros(len(self.surface.points), dtype=np.int64)
+            others = np.zeros(len(self._total), dtype=np.int64)
             others[np.delete(foot, number)] = others[np.delete(tip, number)] = 1
             others[tip[number]] = 0
             found[number] = self.grown(tip[number], others, enough, 1.0)[0][:, 0].max(initial=0.0)

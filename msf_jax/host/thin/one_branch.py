@@ -18,15 +18,16 @@ from msf_jax.host.thin.caps import Cap, Caps
 
 class Choice(NamedTuple):
     """worth: (N,) of each leaf: infinite for one that stays, else the slenderness of its cap, 0 in a limb that has a
-    better leaf. missing: the limbs without a leaf. num: of limbs. was_hit: whether the search ended early."""
+    better leaf. missing: the limbs without a leaf. was_hit: whether the search ended early."""
 
     worth: np.ndarray
     missing: list[Cap]
-    num: int
     was_hit: bool
 
 
-def choose(caps: Caps, vertices: np.ndarray, edges: np.ndarray, is_held: np.ndarray, least: float) -> Choice:
+def choose(
+    caps: Caps, vertices: np.ndarray, edges: np.ndarray, is_held: np.ndarray, least: float, genus: int
+) -> Choice:
     """The leaves of a curve ``(vertices (N, 3), edges (E, 2))`` for the limbs of slenderness ``least`` of a surface.
 
     Of several leaves in a limb, a held one of ``is_held`` (N,) stays, or else the one nearest to the limb's tip.
@@ -35,13 +36,13 @@ def choose(caps: Caps, vertices: np.ndarray, edges: np.ndarray, is_held: np.ndar
     foot = feet(caps.shape, vertices[leaves])
     tips = caps.tips()
     tips = np.concatenate([tips, np.setdiff1d(caps.tip_of[foot], tips)])
-    found, slenderness = caps.limbs(least, tips)
+    found, slenderness = caps.limbs(least, tips, is_solid=not genus)
     rank, missing = matched(vertices[leaves], is_held[leaves], foot, found, caps.shape.vertices)
     of_tip = np.zeros(len(caps.tip_of))
     of_tip[tips] = slenderness
     worth = np.zeros(len(vertices))
     worth[leaves] = np.where(rank == 0, np.inf, np.where(rank > 0, 0.0, of_tip[caps.tip_of[foot]]))
-    return Choice(worth, missing, len(found), caps.was_hit)
+    return Choice(worth, missing, caps.was_hit)
 
 
 def slenderness(caps: Caps, vertices: np.ndarray, edges: np.ndarray, enough: float = np.inf) -> np.ndarray:
