@@ -147,14 +147,27 @@ def test_a_small_island_belongs_to_the_cap_and_a_large_one_does_not():
     np.testing.assert_array_equal(stopped, rows[: len(stopped)])
 
 
-def test_a_limb_keeps_the_leaf_nearest_to_its_tip_and_others_are_missing():
+def test_a_limb_keeps_the_leaf_farthest_from_its_base_and_others_are_missing():
     points = np.array([[0, 0, 1.0], [0, 0, 0.5], [3, 0, 1.0], [9, 9, 9]])
     limbs = [Cap(0, 2.0, 1.0, points[:1], 0.1, np.array([0, 1])), Cap(2, 3.0, 2.0, points[2:3], 0.1, np.array([2]))]
-    leaves = np.array([[0, 0, 0.4], [0, 0, 0.9], [8, 9, 9]])
-    rank, missing = one_branch.matched(leaves, NOT_HELD, np.array([1, 0, 3]), limbs, points)
+    foot = np.array([1, 0, 3])
+
+    def from_base(_: Cap) -> np.ndarray:
+        return points[:, 2]
+
+    rank, missing = one_branch.matched(foot, NOT_HELD, limbs, 4, from_base)
     assert rank.tolist() == [1, 0, -1] and [cap.tip for cap in missing] == [2]
-    rank, _ = one_branch.matched(leaves, np.array([True, False, False]), np.array([1, 0, 3]), limbs, points)
+    rank, _ = one_branch.matched(foot, np.array([True, False, False]), limbs, 4, from_base)
     assert rank.tolist() == [0, 1, -1]
+
+
+def test_distances_from_the_base_of_a_finger_are_its_length():
+    shape = solid(block() + LIMB["long cylinder"][0], 0.1)
+    (cap,) = [cap for cap in limbs(shape, 2.0) if shape.vertices[cap.tip, 2] > 1]
+    away = Caps(shape).from_base(cap)
+    side = (np.abs(np.hypot(*shape.vertices[:, :2].T) - RADIUS) < 1e-6) & (shape.vertices[:, 2] > 0.5)
+    base = (shape.vertices[side, 2] - away[side]).mean()  # below it, near the block's top
+    assert abs(base) < 0.2 and np.ptp(shape.vertices[side, 2] - away[side]) < 0.15
 
 
 def test_leaves_go_in_the_order_of_their_worth_and_two_stay():

@@ -240,6 +240,12 @@ class Caps:
                     most, best, rows, region = other[:, 0].max(), near, other, other_region
         return best, rows, region
 
+    def from_base(self, cap: Cap) -> np.ndarray:
+        """(V,) the geodesic distance of each vertex from the vertices just outside of ``cap``."""
+        is_in = np.isin(np.arange(len(self._total)), cap.region)[self.surface.faces]
+        is_rim = is_in.any(axis=1) & ~is_in.all(axis=1)
+        return self._distances(np.unique(self.surface.faces[is_rim][~is_in[is_rim]]))
+
     def slenderness(self, foot: np.ndarray, tip: np.ndarray, enough: float = np.inf) -> np.ndarray:
         """The largest slenderness (l,) of the caps around each of the vertices ``tip`` (l,), without another one of
         them or another ``foot`` (l,), or some value of at least ``enough``. One tip of several feet stands for none."""

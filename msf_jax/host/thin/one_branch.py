@@ -1,10 +1,11 @@
 """One branch for each limb of a solid: which leaves stay, and branches for limbs without one.
 
-Limbs are found on the surface (see `caps`), wherever the curve runs. Of the leaves in a limb, the one nearest to its
-tip stays. A limb without a leaf can get a branch, through the middles of the curves around its discs. All other leaves
+Limbs are found on the surface (see `caps`), wherever the curve runs. Of the leaves in a limb, the one farthest from its
+base stays. A limb without a leaf can get a branch, through the middles of the curves around its discs. All other leaves
 are removed. A component without loops keeps two leaves: of those outside of limbs, the ones with the slenderest caps.
 """
 
+from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
@@ -30,14 +31,14 @@ def choose(
 ) -> Choice:
     """The leaves of a curve ``(vertices (N, 3), edges (E, 2))`` for the limbs of slenderness ``least`` of a surface.
 
-    Of several leaves in a limb, a held one of ``is_held`` (N,) stays, or else the one nearest to the limb's tip.
+    Of several leaves in a limb, a held one of ``is_held`` (N,) stays, or else the one farthest from the limb's base.
     """
     leaves = leaves_of(edges)
     foot = feet(caps.shape, vertices[leaves])
     tips = caps.tips()
     tips = np.concatenate([tips, np.setdiff1d(caps.tip_of[foot], tips)])
     found, slenderness = caps.limbs(least, tips, is_solid=not genus)
-    rank, missing = matched(vertices[leaves], is_held[leaves], foot, found, caps.shape.vertices)
+    rank, missing = matched(foot, is_held[leaves], found, len(caps.tip_of), caps.from_base)
     of_tip = np.zeros(len(caps.tip_of))
     of_tip[tips] = slenderness
     worth = np.zeros(len(vertices))
@@ -69,24 +70,24 @@ def feet(shape: Enclosure, points: np.ndarray) -> np.ndarray:
 
 
 def matched(
-    leaves: np.ndarray, is_held: np.ndarray, foot: np.ndarray, caps: list[Cap], points: np.ndarray
+    foot: np.ndarray, is_held: np.ndarray, caps: list[Cap], num_vertices: int, from_base: Callable[[Cap], np.ndarray]
 ) -> tuple[np.ndarray, list[Cap]]:
-    """The rank of each of ``leaves`` (l, 3) in its limb, -1 outside of limbs: 0 for a held one of ``is_held``
-    (l,), or the one nearest to the limb's tip.
+    """The rank of each leaf in its limb, -1 outside of limbs: 0 for a held one, or the one farthest from the limb's
+    base: a middle finger and not a thumb, on the left as on the right.
 
-    ``foot`` (l,) are their nearest vertices among ``points`` (V, 3) of the surface. Also returns the limbs without a
-    leaf, the largest first.
+    ``foot`` (l,) are the leaves' nearest vertices, ``is_held`` (l,) says which are held, and ``from_base`` gives the
+    distance (V,) of vertices from a limb's base. Also returns the limbs without a leaf, the largest first.
     """
-    rank = np.full(len(leaves), -1)
-    own = np.full(len(points), -1)
+    rank = np.full(len(foot), -1)
+    own = np.full(num_vertices, -1)
     order = sorted(range(len(caps)), key=lambda k: -caps[k].area)
     for k in order:
         own[caps[k].region] = k
     missing = []
     for k in order:
         mine = np.flatnonzero(own[foot] == k)
-        away = np.linalg.norm(leaves[mine] - points[caps[k].tip], axis=1)
-        rank[mine[np.lexsort((away, ~is_held[mine]))]] = range(len(mine))
+        away = from_base(caps[k])[foot[mine]] if len(mine) > 1 else np.zeros(len(mine))
+        rank[mine[np.lexsort((-away, ~is_held[mine]))]] = range(len(mine))
         missing += [] if len(mine) else [caps[k]]
     return rank, missing
 
