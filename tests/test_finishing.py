@@ -729,3 +729,19 @@ def test_what_is_pruned_to_a_new_node_goes_to_the_flows_nearest_one(monkeypatch)
     found = finishing.finish(shape, nodes, edges, np.zeros(4, dtype=bool), prune=0.9, centre=True, extend=True)
     np.testing.assert_array_equal(found.is_kept, [True, True, True, False])
     np.testing.assert_array_equal(found.target, [0, 1, 2, 2])
+
+
+def test_if_no_node_of_the_flow_is_left_the_first_new_one_stands_for_the_nearest(monkeypatch):
+    """Limbs of their own can replace all branches of a small curve."""
+    shape, scale = unit_shape(tube(bow(0.3)))
+    nodes, edges = path(scale * bow(0.3)[[20, 30, 40, 50]])
+
+    def other(draft, job):
+        more = draft.changed(np.concatenate([nodes, nodes[1:3] + 1e-3]), np.array([[0, 1], [1, 2], [2, 3], [4, 5]]))
+        return finishing._left(more, np.arange(6) > 3, np.array([4, 4, 5, 5, 4, 5]))
+
+    monkeypatch.setattr(finishing, "passes", lambda centre, extend: [other])
+    found = finishing.finish(shape, nodes, edges, np.zeros(4, dtype=bool), prune=0.9, centre=True, extend=True)
+    np.testing.assert_array_equal(found.is_kept, [False, True, False, False])
+    np.testing.assert_array_equal(found.target, [1, 1, 1, 1])
+    assert len(found.vertices) == 2 and found.edges.tolist() == [[0, 1]]

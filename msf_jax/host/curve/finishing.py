@@ -171,6 +171,8 @@ def finish(
     draft = Draft(nodes, edges, is_held, np.arange(len(nodes)), np.arange(len(nodes)), nodes, np.zeros_like(is_held))
     for each in [*([] if first is None else [first]), *passes(centre, extend)]:
         draft = each(draft, job)
+    if (draft.origin < 0).all():  # every node is new, so the first one stands for the flow's nearest node
+        draft.origin[0] = np.linalg.norm(nodes - draft.vertices[0], axis=1).argmin()
     is_kept = np.isin(np.arange(len(nodes)), draft.origin)
     return Finished(
         draft.vertices,
