@@ -195,9 +195,8 @@ def assessed(
     paths = branch_paths.paths_of(vertices, edges, np.zeros(len(vertices), dtype=bool))
     length = np.linalg.norm(vertices[edges[:, 0]] - vertices[edges[:, 1]], axis=1)
     own = np.bincount(edges.ravel(), np.repeat(length, 2), len(vertices))
-    own[np.bincount(edges.ravel(), minlength=len(vertices)) != 2] = (
-        0.0  # a junction has no cross-section, an end a small ball
-    )
+    # A junction has no cross-section, and the ball of an end is small.
+    own[np.bincount(edges.ravel(), minlength=len(vertices)) != 2] = 0.0
     asked = np.flatnonzero(own * radius > 0)
     normal = unit(branch_paths.chords(vertices, paths, radius) @ vertices)[asked] if paths else vertices[asked]
     found = sections.cut(shape, vertices[asked], normal, radius[asked], near[asked])

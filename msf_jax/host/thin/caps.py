@@ -115,8 +115,8 @@ class Caps:
         for row in range(SOURCES):
             away[row] = self._distances(source)
             source = self._farthest(away[: row + 1].min(axis=0))
-        weight = np.zeros((SOURCES, len(whole)))
-        np.add.at(weight, (away.argmin(axis=0), component), share)
+        pair = away.argmin(axis=0) * len(whole) + component
+        weight = np.bincount(pair, share, SOURCES * len(whole)).reshape(SOURCES, -1)
         found = np.einsum("sv,sv->v", (weight / whole)[:, component], away)
         tail, head = faces.ravel(), np.roll(faces, -1, axis=1).ravel()
         degree = np.bincount(tail, minlength=len(x))

@@ -92,12 +92,9 @@ def matched(
     return rank, missing
 
 
-def kept(
-    edges: np.ndarray, worth: np.ndarray, is_held: np.ndarray, least: float = np.inf
-) -> tuple[np.ndarray, np.ndarray]:
-    """Remove the branches that end in leaves of a ``worth`` (N,) below ``least``, the least first; see
-    `pruning.prune`."""
-    return pruning.prune(len(worth), edges, lambda nodes: float(worth[next(nodes)]), least, is_held)
+def kept(edges: np.ndarray, worth: np.ndarray, is_held: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Remove the branches that end in leaves of finite ``worth`` (N,), the least first; see `pruning.prune`."""
+    return pruning.prune(len(worth), edges, lambda nodes: float(worth[next(nodes)]), np.inf, is_held)
 
 
 def grown(vertices: np.ndarray, edges: np.ndarray, caps: list[Cap]) -> tuple[np.ndarray, np.ndarray]:
