@@ -170,20 +170,37 @@ def test_distances_from_the_base_of_a_finger_are_its_length():
     assert abs(base) < 0.2 and np.ptp(shape.vertices[side, 2] - away[side]) < 0.15
 
 
-def test_leaves_go_in_the_order_of_their_worth_and_two_stay():
+def test_a_limb_keeps_its_leaf_and_the_one_farthest_from_it():
     x, edges = legs(
-        [(0, 0, 0), (1, 0, 0)], [(0, 0, 0), (-1, 0, 0)], [(0, 0, 0), (0, 1, 0)], [(0, 0, 0), (0, 0, 1)], step=0.5
+        [(0, 0, 0), (1, 0, 0)], [(0, 0, 0), (-1, 0, 0)], [(0, 0, 0), (0, 1, 0)], [(0, 0, 0), (0, 0, 2)], step=0.5
     )
     leaf = np.flatnonzero(np.bincount(edges.ravel()) == 1)
     worth = np.zeros(len(x))
-    worth[leaf] = [np.inf, 0.3, 0.2, 0.4]
-    stays, target = one_branch.kept(edges, worth, np.zeros(len(x), dtype=bool))
+    worth[leaf] = [np.inf, 0.4, 0.2, 0.3]
+    stays, target = one_branch.kept(x, edges, worth, np.zeros(len(x), dtype=bool))
     left = np.flatnonzero(np.bincount(edges[stays[edges].all(axis=1)].ravel(), minlength=len(x)) == 1)
     assert left.tolist() == [leaf[0], leaf[3]]
     assert set(target[~stays].tolist()) == {0} and (target[stays] == np.flatnonzero(stays)).all()
     held = np.isin(np.arange(len(x)), leaf[1])
-    stays, _ = one_branch.kept(edges, worth, held)
+    stays, _ = one_branch.kept(x, edges, worth, held)
     assert stays[leaf].tolist() == [True, True, False, False]
+
+
+def test_components_keep_their_longest_path_unless_they_have_a_loop_or_two_limbs():
+    tree = legs([(0, 0, 0), (1, 0, 0)], [(0, 0, 0), (-2, 0, 0)], [(0, 0, 0), (0, 3, 0)], step=1.0)
+    ring = np.array([(0.0, 0, 9), (1, 0, 9), (0, 1, 9), (-4, 0, 9)]), as_edges([(0, 1), (1, 2), (2, 0), (0, 3)])
+    parts = [tree, (tree[0] + (0, 0, 5), tree[1]), ring]
+    first = np.cumsum([0] + [len(x) for x, _ in parts])
+    x = np.concatenate([part[0] for part in parts])
+    edges = np.concatenate([part[1] + at for part, at in zip(parts, first, strict=False)])
+    leaf = one_branch.leaves_of(tree[1])
+    stays = np.zeros(len(x), dtype=bool)
+    stays[leaf[:2] + first[1]] = True
+    assert np.flatnonzero(one_branch.ends(x, edges, stays)).tolist() == leaf[1:].tolist()
+    stays[:] = False
+    stays[leaf[0]] = True
+    found = np.flatnonzero(one_branch.ends(x, edges, stays))
+    assert found.tolist() == [leaf[0], leaf[2], *(leaf[1:] + first[1])]
 
 
 def test_a_lost_limb_gets_a_branch_through_its_middle():
@@ -191,12 +208,24 @@ def test_a_lost_limb_gets_a_branch_through_its_middle():
     trunk = legs([(0, 0, -1.02), (1.4, 0, -1)], [(0, 0, -1.02), (-1.4, 0, -1)])
     found = [cap for cap in limbs(shape, 1.2) if shape.vertices[cap.tip, 2] > 1]
     assert len(found) == 1
-    x, edges = one_branch.grown(*trunk, found)
+    x, edges = one_branch.grown(*trunk, np.zeros(len(trunk[0])), found)
     assert branches.cycle_count(len(x), edges) == (1, 0)
     np.testing.assert_array_equal(x[: len(trunk[0])], trunk[0])
     new = x[len(trunk[0]) :]
     assert np.hypot(*new[:, :2].T).max() < 0.5 * RADIUS
     assert new[:, 2].max() == pytest.approx(1.5 - 0.3 * RADIUS, abs=0.03)
+
+
+def test_a_finger_begins_in_the_palm_and_not_at_the_finger_beside_it():
+    """A finger's base is nearer to the next finger's tip than to the palm's node, but not to the palm's ball."""
+    x, edges = legs([(0, 0, -1.0), (0.4, 0, 0.0), (0.4, 0, 0.4)], [(0, 0, -1.0), (0, 0, -3.0)], step=0.4)
+    radius = np.where(x[:, 2] > -0.5, 0.2, 1.0)
+    middles = np.array([(-0.3, 0, 0.9), (-0.3, 0, 0.2)])
+    found = Cap(0, 4.0, 0.1, middles, 0.1, np.empty(0, dtype=np.int64))
+    assert radius[np.linalg.norm(x - middles[-1], axis=1).argmin()] == 0.2
+    _, grown = one_branch.grown(x, edges, radius, [found])
+    begin = grown[len(edges)].min()
+    assert grown[len(edges)].max() == len(x) and radius[begin] == 1.0
 
 
 def test_the_body_is_a_limb_beyond_half_of_the_surface():
@@ -229,17 +258,20 @@ def test_limbs_without_a_leaf_get_one_and_leaves_in_the_body_go():
     assert branches.cycle_count(len(found.vertices), found.edges) == (1, 0)
 
 
-def test_a_small_limb_must_be_twice_as_slender():
-    """`SMALL`, `SMALLER`: a finger of a fiftieth of the surface is a limb, on a larger block it is none."""
-    for size, expected in ((1.0, 1), (1.75, 0)):
-        limb = manifold3d.Manifold.cylinder(0.75, 0.25, 0.25, 48)  # three radii long, 1.37 with its top
+def test_a_small_limb_counts_half():
+    """`SMALL`, `SMALLER`: of a finger on blocks of any size, and a finger of that share is a limb or none."""
+    length, radius, refined = 0.75, 0.25, 0.1  # three radii long
+    finger = manifold3d.Manifold.cylinder(length, radius, radius, 32).refine_to_length(refined)
+    own = 2 * np.pi * radius * length + np.pi * radius**2
+    most = []
+    for share in (0.002, 0.0016, 0.0009, 0.0007):
+        size = np.sqrt(own / share / 64)
         body = manifold3d.Manifold.cube((4 * size, 4 * size, 2 * size), True).translate((0, 0, -size))
-        shape = solid(body + limb, 0.1 * size**0.5)
-        share = (2 * np.pi * 0.25 * 0.75 + np.pi * 0.25**2) / (64 * size**2)
-        assert share == pytest.approx(0.021 if expected else 0.007, abs=5e-4)
-        found = limbs(shape, 2.0)
-        assert len(found) == expected
-        assert len(limbs(shape, 1.2)) == 1
+        mesh = (body.refine_to_length(size / 2) + finger).to_mesh()
+        shape = Enclosure(np.array(mesh.vert_properties[:, :3], dtype=float), np.array(mesh.tri_verts, dtype=np.int64))
+        most.append(Caps(shape).grown(nearest(shape, (0, 0, length)), none(shape))[0][:, 0].max())
+    assert most[0] == pytest.approx(length / radius, rel=0.15)
+    np.testing.assert_allclose(np.array(most) / most[0], (1, 1, 0.5, 0.5), rtol=0.02)
 
 
 def test_beside_the_top_of_a_blunt_limb_its_top_is_found():
@@ -326,7 +358,7 @@ def test_the_blunt_nose_of_a_head_with_ears_is_a_limb():
     others = none(shape)
     others[[nearest(shape, (x, 0, 1.2)) for x in (-0.9, 0.9)]] = 1
     assert caps.BLUNT < found.grown(top, others)[0][:, 0].max() < 2.0
-    for least in (2.0, 3.0):
+    for least in (1.2, 1.6, 3.0):
         assert [cap for cap in limbs(shape, least) if shape.vertices[cap.tip, 2] > 1.9], least
 
 

@@ -56,7 +56,7 @@ def pruned(skeleton: "Skeleton", slenderness: float, is_held: np.ndarray) -> "Sk
     else:
         solid = skeleton.source.solid
         choice = one_branch.choose(Caps(solid.shape), solid.enter(x), edges, is_held, least, skeleton.report.genus)
-        stays, target = one_branch.kept(edges, choice.worth, is_held)
+        stays, target = one_branch.kept(x, edges, choice.worth, is_held)
         notes += ("the search for limbs ended early; branches that it did not try are kept",) * choice.was_hit
     rank = np.cumsum(stays) - 1
     found = changed(skeleton, x[stays], rank[edges[stays[edges].all(axis=1)]], rank[target])

@@ -9,7 +9,7 @@ from scipy.sparse import csgraph
 
 from msf_jax.host.solid.handles import Handles
 
-NEAR = 0.85  # radii: two junctions that are nearer than this are merged
+NEAR = 1.0  # radii: a junction inside the ball of another one is merged with it
 TOGETHER = 1e-6  # diagonals: two nodes, or a node and an edge, that are no farther apart coincide
 
 

@@ -350,20 +350,18 @@ def limbed(draft: Draft, job: Job, grows: bool) -> Draft:
     curve = draft.vertices, draft.edges, draft.is_held
     choice = one_branch.choose(Caps(job.coarse), *curve, job.prune, job.shape.handles.genus)
     job.budget.was_hit |= choice.was_hit
-    stays, target = one_branch.kept(draft.edges, choice.worth, draft.is_held)
-    left, num = _left(draft, stays, target), int(draft.is_leaf().sum())
-    num_grown = len(choice.missing) if grows else 0
-    if num_grown:
-        more = left.changed(*one_branch.grown(left.vertices, left.edges, choice.missing))
-        new = (0, len(more.vertices) - len(left.vertices))
+    more, worth, missing = draft, choice.worth, choice.missing if grows else []
+    if missing:
+        radius = job.coarse.approximate_clearance(draft.vertices)[0]
+        more = draft.changed(*one_branch.grown(draft.vertices, draft.edges, radius, missing))
+        new = (0, len(more.vertices) - len(draft.vertices))
         # The flow has no place for a junction that is new.
-        is_new = (more.degree() > 2) & (np.pad(left.degree(), new) < 3)
+        is_new = (more.degree() > 2) & (np.pad(draft.degree(), new) < 3)
         more = more._replace(place=np.where(is_new[:, None], more.vertices, more.place))
-        # The first time, a component keeps two leaves, which the new ones may replace.
-        worth = np.pad(choice.worth[stays], new, constant_values=np.inf)
-        left = _left(more, *one_branch.kept(more.edges, worth, more.is_held))
-    num_pruned = num + num_grown - int(left.is_leaf().sum())
-    return left._replace(num_pruned=num_pruned, num_grown=num_grown)
+        worth = np.pad(worth, new, constant_values=np.inf)
+    left = _left(more, *one_branch.kept(more.vertices, more.edges, worth, more.is_held))
+    num_pruned = int(draft.is_leaf().sum()) + len(missing) - int(left.is_leaf().sum())
+    return left._replace(num_pruned=num_pruned, num_grown=len(missing))
 
 
 def coincident_merged(draft: Draft, job: Job) -> Draft:

@@ -2,14 +2,15 @@
 
 Limbs are found on the surface (see `caps`), wherever the curve runs. Of the leaves in a limb, the one farthest from its
 base stays. A limb without a leaf can get a branch, through the middles of the curves around its discs. All other leaves
-are removed. A component without loops keeps two leaves: of those outside of limbs, the ones with the slenderest caps.
+are removed. A component without loops keeps two leaves: the ends of its longest path, from its limb if it has one.
 """
 
 from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
-from scipy import spatial
+from scipy import sparse
+from scipy.sparse import csgraph
 
 from msf_jax.host.curve import pruning
 from msf_jax.host.solid.enclosure import Enclosure
@@ -92,16 +93,53 @@ def matched(
     return rank, missing
 
 
-def kept(edges: np.ndarray, worth: np.ndarray, is_held: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+def kept(
+    vertices: np.ndarray, edges: np.ndarray, worth: np.ndarray, is_held: np.ndarray
+) -> tuple[np.ndarray, np.ndarray]:
     """Remove the branches that end in leaves of finite ``worth`` (N,), the least first; see `pruning.prune`."""
+    is_end = np.zeros(len(worth), dtype=bool)
+    is_end[leaves_of(edges)] = True
+    worth = np.where(ends(vertices, edges, is_end & ((worth == np.inf) | is_held)), np.inf, worth)
     return pruning.prune(len(worth), edges, lambda nodes: float(worth[next(nodes)]), np.inf, is_held)
 
 
-def grown(vertices: np.ndarray, edges: np.ndarray, caps: list[Cap]) -> tuple[np.ndarray, np.ndarray]:
-    """The curve with a branch in each of ``caps``, from its nearest node: nodes, new ones last, and edges."""
+def ends(vertices: np.ndarray, edges: np.ndarray, stays: np.ndarray) -> np.ndarray:
+    """(N,) True for the ends of the longest path of each component without loops that has fewer than two leaves of
+    ``stays`` (N,): from the one that it has, or else between any two."""
+    num = len(vertices)
+    length = np.linalg.norm(vertices[edges[:, 0]] - vertices[edges[:, 1]], axis=1)
+    graph = sparse.coo_matrix((length, (edges[:, 0], edges[:, 1])), (num, num)).tocsr()
+    component = csgraph.connected_components(graph, directed=False)[1]
+
+    def last(value: np.ndarray) -> np.ndarray:
+        """The node of each component where ``value`` (N,) is largest."""
+        order = np.lexsort((value, component))
+        return order[np.flatnonzero(np.diff(component[order], append=-1))]
+
+    def farthest(sources: np.ndarray) -> np.ndarray:
+        return last(csgraph.dijkstra(graph, directed=False, indices=sources, min_only=True))
+
+    is_tree = np.bincount(component) - np.bincount(component[edges[:, 0]], minlength=component.max() + 1) == 1
+    count = np.bincount(component, stays)
+    first = np.where(count == 1, last(stays.astype(float)), farthest(last(np.arange(num))))
+    found = np.zeros(num, dtype=bool)
+    for each in (first, farthest(first)):
+        found[each[is_tree & (count < 2)]] = True
+    return found
+
+
+def grown(
+    vertices: np.ndarray, edges: np.ndarray, radius: np.ndarray, caps: list[Cap]
+) -> tuple[np.ndarray, np.ndarray]:
+    """The curve with a branch in each of ``caps``: nodes, new ones last, and edges.
+
+    A branch begins at the node whose ball, of ``radius`` (N,), is nearest to the limb's base: so a finger begins in the
+    palm and not at the finger beside it.
+    """
+    old = vertices
     for cap in caps:
         places = cap.middles[::-1]
-        first = spatial.KDTree(vertices).query(places[0])[1]
+        first = np.argmin(np.linalg.norm(old - places[0], axis=1) - radius)
         along = arc_length(places)
         num = max(2, int(np.ceil(along[-1] / cap.step)) + 1) if along[-1] else 1
         places = at(places, along, np.linspace(0, along[-1], num))
