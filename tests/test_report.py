@@ -26,7 +26,7 @@ def comb(teeth: int, length: float) -> tuple[np.ndarray, np.ndarray]:
     return np.concatenate([line, missed_limbs]), np.concatenate([np.stack(pair, axis=1) for pair in edges])
 
 
-@pytest.mark.parametrize(("teeth", "is_doubted"), [(7, False), (14, True)])
+@pytest.mark.parametrize(("teeth", "is_doubted"), [(22, False), (24, True)])
 def test_many_limbs_that_are_hardly_longer_than_wide_are_in_doubt(teeth, is_doubted):
     """Side branches in a block: none of them is a limb of it."""
     doubts = assessed(box(2.0, 1.0, 1.0), *comb(teeth, 0.3))["doubts"]

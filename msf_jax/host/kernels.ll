@@ -1,4 +1,4 @@
-; 7e5f6a37e62c1be60aea4aebf62760864e5b6d2bd13677908e237171c9e7b45e
+; be351365f56b3324d96f94bbbb72bf234922c30806fea27f31474946bcb92934
 ; Made of the kernels by `python -m tests.translate`: edit those.
 
 define internal fastcc void @_ZN7msf_jax4host5solid7kernels18triangle_distance2B2v2B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAEddd5ArrayIdLi3E1C7mutable7alignedEx(ptr noalias nonnull writeonly %retptr, double %arg.x, double %arg.y, double %arg.z, ptr readonly %arg.triangles.4, i64 %arg.triangles.5.0, i64 %arg.triangles.5.1, i64 %arg.triangles.5.2, i64 %arg.row) unnamed_addr {
@@ -3300,84 +3300,93 @@ define i64 @msf_jax.host.thin.fronts.cap(ptr readonly %words) local_unnamed_addr
   %w41 = load ptr, ptr %p41, align 8
   %p42 = getelementptr i8, ptr %words, i64 336
   %w42 = load i64, ptr %p42, align 8
-  %.231.i = add nsw i64 %w39, -1
-  %.251.i = tail call i64 @llvm.smin.i64(i64 %w39, i64 0)
-  %.252.i = add i64 %.231.i, %.251.i
-  %.269.i = mul i64 %.252.i, %w40
-  %.271.i = getelementptr double, ptr %w38, i64 %.269.i
-  %.313.i = add i64 %w39, 2305843009213693950
-  %.332.i = icmp slt i64 %w39, 2
-  %.333.i = select i1 %.332.i, i64 %w39, i64 0
-  %.334.i = add i64 %.313.i, %.333.i
-  %.395.i = add nsw i64 %w39, -3
-  %.414.i = icmp slt i64 %w39, 3
-  %.415.i = select i1 %.414.i, i64 %w39, i64 0
-  %.416.i = add i64 %.415.i, %.395.i
-  %.433.i = mul i64 %.416.i, %w40
-  %.435.i = getelementptr double, ptr %w38, i64 %.433.i
-  %.488.i = icmp slt i64 %w30, 0
-  %.489.i = select i1 %.488.i, i64 %w15, i64 0
+  %.237.i = add nsw i64 %w39, -1
+  %.257.i = tail call i64 @llvm.smin.i64(i64 %w39, i64 0)
+  %.258.i = add i64 %.237.i, %.257.i
+  %.275.i = mul i64 %.258.i, %w40
+  %.277.i = getelementptr double, ptr %w38, i64 %.275.i
+  %.319.i = add i64 %w39, 2305843009213693950
+  %.338.i = icmp slt i64 %w39, 2
+  %.339.i = select i1 %.338.i, i64 %w39, i64 0
+  %.340.i = add i64 %.319.i, %.339.i
+  %.401.i = add nsw i64 %w39, -3
+  %.420.i = icmp slt i64 %w39, 3
+  %.421.i = select i1 %.420.i, i64 %w39, i64 0
+  %.422.i = add i64 %.421.i, %.401.i
+  %.439.i = mul i64 %.422.i, %w40
+  %.441.i = getelementptr double, ptr %w38, i64 %.439.i
+  %.494.i = icmp slt i64 %w30, 0
+  %.495.i = select i1 %.494.i, i64 %w15, i64 0
   %1 = getelementptr double, ptr %w14, i64 %w30
-  %.503.i = getelementptr double, ptr %1, i64 %.489.i
-  store double 0.000000e+00, ptr %.503.i, align 8
+  %.509.i = getelementptr double, ptr %1, i64 %.495.i
+  store double 0.000000e+00, ptr %.509.i, align 8
   store double 0.000000e+00, ptr %w24, align 8
   store i64 %w30, ptr %w26, align 8
   %2 = shl i64 %w15, 3
-  %scevgep177.i = getelementptr i8, ptr %w41, i64 24
-  %factor.op.mul.reass.i = mul i64 %s58, %.334.i
-  %sunkaddr285.i = getelementptr i8, ptr %w38, i64 %factor.op.mul.reass.i
+  %scevgep251.i = getelementptr i8, ptr %w41, i64 24
+  %factor.op.mul.reass.i = mul i64 %s58, %.340.i
+  %sunkaddr370.i = getelementptr i8, ptr %w38, i64 %factor.op.mul.reass.i
   %3 = shl i64 %w11, 3
-  %sunkaddr1.i.i = getelementptr i8, ptr %.271.i, i64 8
-  %sunkaddr.i34.i = getelementptr i8, ptr %.271.i, i64 16
-  %sunkaddr2.i.i = getelementptr i8, ptr %.271.i, i64 24
-  %sunkaddr3.i.i = getelementptr i8, ptr %.271.i, i64 32
-  %sunkaddr294.i = getelementptr i8, ptr %sunkaddr285.i, i64 8
-  %sunkaddr298.i = getelementptr i8, ptr %sunkaddr285.i, i64 16
-  %sunkaddr302.i = getelementptr i8, ptr %sunkaddr285.i, i64 24
-  %sunkaddr306.i = getelementptr i8, ptr %sunkaddr285.i, i64 32
-  br label %B252.preheader.i
+  %sunkaddr1.i.i = getelementptr i8, ptr %.277.i, i64 8
+  %sunkaddr.i34.i = getelementptr i8, ptr %.277.i, i64 16
+  %sunkaddr2.i.i = getelementptr i8, ptr %.277.i, i64 24
+  %sunkaddr3.i.i = getelementptr i8, ptr %.277.i, i64 32
+  %sunkaddr379.i = getelementptr i8, ptr %sunkaddr370.i, i64 8
+  %sunkaddr383.i = getelementptr i8, ptr %sunkaddr370.i, i64 16
+  %sunkaddr387.i = getelementptr i8, ptr %sunkaddr370.i, i64 24
+  %sunkaddr391.i = getelementptr i8, ptr %sunkaddr370.i, i64 32
+  br label %B268.preheader.i
 
-B252.preheader.i:                                 ; preds = %B504.i, %0
-  %size.3.03191.i = phi i64 [ 1, %0 ], [ %size.4.1.i, %B504.i ]
-  %last.5.03190.i = phi double [ 0x7FF0000000000000, %0 ], [ %.us-phi2971.i, %B504.i ]
-  %size_of_region.3.03189.i = phi i64 [ 0, %0 ], [ %.us-phi2970.i, %B504.i ]
-  %count.2.03188.i = phi i64 [ 0, %0 ], [ %count.3.1.i, %B504.i ]
-  %rows.5.03187.i = phi i64 [ 0, %0 ], [ %.us-phi2969.i, %B504.i ]
-  %level.3.03186.i = phi double [ %w31, %0 ], [ %.us-phi2968.i, %B504.i ]
-  %.1034.i = icmp sgt i64 %count.2.03188.i, 5
-  %.67427.i = load double, ptr %w24, align 8
-  %.67928.i = fcmp olt double %.67427.i, %level.3.03186.i
-  br i1 %.1034.i, label %B252.preheader3240.i, label %B252.preheader.split.us.split.i
+B268.preheader.i:                                 ; preds = %B520.i, %0
+  %size.3.03244.i = phi i64 [ 1, %0 ], [ %size.4.1.i, %B520.i ]
+  %slenderest.6.03243.i = phi double [ 0xFFF0000000000000, %0 ], [ %.us-phi3022.i, %B520.i ]
+  %last.5.03242.i = phi double [ 0x7FF0000000000000, %0 ], [ %.us-phi3021.i, %B520.i ]
+  %size_of_region.3.03241.i = phi i64 [ 0, %0 ], [ %.us-phi3020.i, %B520.i ]
+  %count.2.03240.i = phi i64 [ 0, %0 ], [ %count.3.1.i, %B520.i ]
+  %rows.5.03239.i = phi i64 [ 0, %0 ], [ %.us-phi3019.i, %B520.i ]
+  %level.3.03238.i = phi double [ %w31, %0 ], [ %.us-phi3018.i, %B520.i ]
+  %.1055.i = icmp sgt i64 %count.2.03240.i, 5
+  br i1 %.1055.i, label %B268.preheader3293.i, label %B268.preheader.split.us.split.i
 
-B252.preheader3240.i:                             ; preds = %B252.preheader.i
-  br i1 %.67928.i, label %B316.i, label %B506.preheader.i
+B268.preheader3293.i:                             ; preds = %B268.preheader.i
+  %xtraiter144.i = and i64 %count.2.03240.i, 3
+  %unroll_iter147.i = and i64 %count.2.03240.i, 9223372036854775804
+  %4 = shl i64 %count.2.03240.i, 3
+  %scevgep252.i = getelementptr i8, ptr %scevgep251.i, i64 %4
+  %scevgep260.i = getelementptr i8, ptr %w41, i64 %4
+  %5 = icmp eq i64 %xtraiter144.i, 0
+  br label %B268.i
 
-B506.preheader.i:                                 ; preds = %B252.preheader3240.i
-  %xtraiter85.i = and i64 %count.2.03188.i, 3
-  %unroll_iter88.i = and i64 %count.2.03188.i, 9223372036854775804
-  %4 = shl i64 %count.2.03188.i, 3
-  %scevgep178.i = getelementptr i8, ptr %scevgep177.i, i64 %4
-  %scevgep186.i = getelementptr i8, ptr %w41, i64 %4
-  %5 = icmp eq i64 %xtraiter85.i, 0
-  br label %B506.i
+B268.preheader.split.us.split.i:                  ; preds = %B268.preheader.i
+  %.686.us.i = load double, ptr %w24, align 8
+  %.691.us3046.i = fcmp olt double %.686.us.i, %level.3.03238.i
+  br i1 %.691.us3046.i, label %B332.i, label %B522.us.i
 
-B252.preheader.split.us.split.i:                  ; preds = %B252.preheader.i
-  br i1 %.67928.i, label %B316.i, label %B506.us.i
+B522.us.i:                                        ; preds = %B268.preheader.split.us.split.i, %B522.us.i
+  %level.2.2.us3047.i = phi double [ %.4436.us.i, %B522.us.i ], [ %level.3.03238.i, %B268.preheader.split.us.split.i ]
+  %.4436.us.i = fmul double %w32, %level.2.2.us3047.i
+  %.691.us.i = fcmp olt double %.686.us.i, %.4436.us.i
+  br i1 %.691.us.i, label %B332.i, label %B522.us.i
 
-B506.us.i:                                        ; preds = %B252.preheader.split.us.split.i, %B506.us.i
-  %level.2.2.us2996.i = phi double [ %.4252.us.i, %B506.us.i ], [ %level.3.03186.i, %B252.preheader.split.us.split.i ]
-  %.4252.us.i = fmul double %w32, %level.2.2.us2996.i
-  %.679.us.i = fcmp olt double %.67427.i, %.4252.us.i
-  br i1 %.679.us.i, label %B316.i, label %B506.us.i
+B268.i:                                           ; preds = %B2128.i, %B268.preheader3293.i
+  %level.2.2.i = phi double [ %.4436.i, %B2128.i ], [ %level.3.03238.i, %B268.preheader3293.i ]
+  %rows.2.2.i = phi i64 [ %rows.3.3.i, %B2128.i ], [ %rows.5.03239.i, %B268.preheader3293.i ]
+  %size_of_region.4.2.i = phi i64 [ %size_of_region.5.3.i, %B2128.i ], [ %size_of_region.3.03241.i, %B268.preheader3293.i ]
+  %last.2.2.i = phi double [ %last.3.3.i, %B2128.i ], [ %last.5.03242.i, %B268.preheader3293.i ]
+  %slenderest.2.2.i = phi double [ %slenderest.3.3.i, %B2128.i ], [ %slenderest.6.03243.i, %B268.preheader3293.i ]
+  %.686.i = load double, ptr %w24, align 8
+  %.691.i = fcmp olt double %.686.i, %level.2.2.i
+  br i1 %.691.i, label %B332.i, label %B522.i
 
-B316.i:                                           ; preds = %B506.us.i, %B252.backedge.i, %B252.preheader.split.us.split.i, %B252.preheader3240.i
-  %.us-phi2968.i = phi double [ %level.2.2.be.i, %B252.backedge.i ], [ %level.3.03186.i, %B252.preheader.split.us.split.i ], [ %level.3.03186.i, %B252.preheader3240.i ], [ %.4252.us.i, %B506.us.i ]
-  %.us-phi2969.i = phi i64 [ %rows.2.2.be.i, %B252.backedge.i ], [ %rows.5.03187.i, %B252.preheader.split.us.split.i ], [ %rows.5.03187.i, %B252.preheader3240.i ], [ %rows.5.03187.i, %B506.us.i ]
-  %.us-phi2970.i = phi i64 [ %size_of_region.4.2.be.i, %B252.backedge.i ], [ %size_of_region.3.03189.i, %B252.preheader.split.us.split.i ], [ %size_of_region.3.03189.i, %B252.preheader3240.i ], [ %size_of_region.3.03189.i, %B506.us.i ]
-  %.us-phi2971.i = phi double [ %last.2.2.be.i, %B252.backedge.i ], [ %last.5.03190.i, %B252.preheader.split.us.split.i ], [ %last.5.03190.i, %B252.preheader3240.i ], [ %last.5.03190.i, %B506.us.i ]
-  %.us-phi2972.i = load i64, ptr %w26, align 8
-  %.79.i.i = add nsw i64 %size.3.03191.i, -1
-  %.98.i.i = icmp slt i64 %size.3.03191.i, 1
+B332.i:                                           ; preds = %B522.us.i, %B268.i, %B268.preheader.split.us.split.i
+  %.us-phi3018.i = phi double [ %level.2.2.i, %B268.i ], [ %level.3.03238.i, %B268.preheader.split.us.split.i ], [ %.4436.us.i, %B522.us.i ]
+  %.us-phi3019.i = phi i64 [ %rows.2.2.i, %B268.i ], [ %rows.5.03239.i, %B268.preheader.split.us.split.i ], [ %rows.5.03239.i, %B522.us.i ]
+  %.us-phi3020.i = phi i64 [ %size_of_region.4.2.i, %B268.i ], [ %size_of_region.3.03241.i, %B268.preheader.split.us.split.i ], [ %size_of_region.3.03241.i, %B522.us.i ]
+  %.us-phi3021.i = phi double [ %last.2.2.i, %B268.i ], [ %last.5.03242.i, %B268.preheader.split.us.split.i ], [ %last.5.03242.i, %B522.us.i ]
+  %.us-phi3022.i = phi double [ %slenderest.2.2.i, %B268.i ], [ %slenderest.6.03243.i, %B268.preheader.split.us.split.i ], [ %slenderest.6.03243.i, %B522.us.i ]
+  %.us-phi3023.i = load i64, ptr %w26, align 8
+  %.79.i.i = add nsw i64 %size.3.03244.i, -1
+  %.98.i.i = icmp slt i64 %size.3.03244.i, 1
   %.99.i.i = select i1 %.98.i.i, i64 %w25, i64 0
   %6 = getelementptr double, ptr %w24, i64 %.79.i.i
   %.113.i.i = getelementptr double, ptr %6, i64 %.99.i.i
@@ -3386,11 +3395,11 @@ B316.i:                                           ; preds = %B506.us.i, %B252.ba
   %7 = getelementptr i64, ptr %w26, i64 %.79.i.i
   %.145.i.i = getelementptr i64, ptr %7, i64 %.131.i.i
   %.146.i.i = load i64, ptr %.145.i.i, align 8
-  %.162.i.i = icmp sgt i64 %size.3.03191.i, 2
-  br i1 %.162.i.i, label %B94.i.i, label %B316.endif.i
+  %.162.i.i = icmp sgt i64 %size.3.03244.i, 2
+  br i1 %.162.i.i, label %B94.i.i, label %B332.endif.i
 
-B94.i.i:                                          ; preds = %B316.i, %B236.i.i
-  %at.2.0.i.i = phi i64 [ %child.2.1.i.i, %B236.i.i ], [ 0, %B316.i ]
+B94.i.i:                                          ; preds = %B332.i, %B236.i.i
+  %at.2.0.i.i = phi i64 [ %child.2.1.i.i, %B236.i.i ], [ 0, %B332.i ]
   %.170.i.i = shl nsw i64 %at.2.0.i.i, 1
   %.171.i.i = or disjoint i64 %.170.i.i, 1
   %.180.i.i = add nsw i64 %.170.i.i, 2
@@ -3422,7 +3431,7 @@ B200.i.i:                                         ; preds = %B190.i.i, %B128.i.i
   %.293.i.i = getelementptr double, ptr %10, i64 %.279.i.i
   %.294.i.i = load double, ptr %.293.i.i, align 8
   %.296.i.i = fcmp ult double %.294.i.i, %.114.i.i
-  br i1 %.296.i.i, label %B236.i.i, label %B316.endif.i
+  br i1 %.296.i.i, label %B236.i.i, label %B332.endif.i
 
 B236.i.i:                                         ; preds = %B200.i.i
   %.354.i.i = select i1 %.278.i.i, i64 %w27, i64 0
@@ -3441,54 +3450,54 @@ B236.i.i:                                         ; preds = %B200.i.i
   %.441.i.i = shl nsw i64 %child.2.1.i.i, 1
   %.442.i.i = or disjoint i64 %.441.i.i, 1
   %.444.i.i = icmp slt i64 %.442.i.i, %.79.i.i
-  br i1 %.444.i.i, label %B94.i.i, label %B316.endif.i
+  br i1 %.444.i.i, label %B94.i.i, label %B332.endif.i
 
-B382.i:                                           ; preds = %B316.endif.i
-  %sunkaddr.i = shl i64 %.759.i, 3
-  %sunkaddr201.i = getelementptr inbounds i8, ptr %128, i64 %sunkaddr.i
-  store i64 1, ptr %sunkaddr201.i, align 8
-  %.831.i = icmp slt i64 %count.2.03188.i, 0
-  %.832.i = select i1 %.831.i, i64 %w19, i64 0
-  %14 = getelementptr i64, ptr %w18, i64 %count.2.03188.i
-  %.846.i = getelementptr i64, ptr %14, i64 %.832.i
-  store i64 %.us-phi2972.i, ptr %.846.i, align 8
-  %.849.i = add i64 %count.2.03188.i, 1
-  %.857.i = icmp eq i64 %.us-phi2972.i, %w30
-  br i1 %.857.i, label %B466.i, label %B444.i
+B398.i:                                           ; preds = %B332.endif.i
+  %sunkaddr.i = shl i64 %.771.i, 3
+  %sunkaddr275.i = getelementptr inbounds i8, ptr %133, i64 %sunkaddr.i
+  store i64 1, ptr %sunkaddr275.i, align 8
+  %.843.i = icmp slt i64 %count.2.03240.i, 0
+  %.844.i = select i1 %.843.i, i64 %w19, i64 0
+  %14 = getelementptr i64, ptr %w18, i64 %count.2.03240.i
+  %.858.i = getelementptr i64, ptr %14, i64 %.844.i
+  store i64 %.us-phi3023.i, ptr %.858.i, align 8
+  %.861.i = add i64 %count.2.03240.i, 1
+  %.869.i = icmp eq i64 %.us-phi3023.i, %w30
+  br i1 %.869.i, label %B482.i, label %B460.i
 
-B444.i:                                           ; preds = %B382.i
-  %.877.i = select i1 %.758.i, i64 %w37, i64 0
-  %15 = getelementptr i64, ptr %w36, i64 %.us-phi2972.i
-  %.891.i = getelementptr i64, ptr %15, i64 %.877.i
-  %.892.i = load i64, ptr %.891.i, align 8
-  %.893.i = icmp eq i64 %.892.i, 0
-  br label %B466.i
+B460.i:                                           ; preds = %B398.i
+  %.889.i = select i1 %.770.i, i64 %w37, i64 0
+  %15 = getelementptr i64, ptr %w36, i64 %.us-phi3023.i
+  %.903.i = getelementptr i64, ptr %15, i64 %.889.i
+  %.904.i = load i64, ptr %.903.i, align 8
+  %.905.i = icmp eq i64 %.904.i, 0
+  br label %B482.i
 
-B466.i:                                           ; preds = %B444.i, %B382.i
-  %"$phi466.0.2.1.i" = phi i1 [ true, %B382.i ], [ %.893.i, %B444.i ]
-  %.180.i47.i = select i1 %.758.i, i64 %w9, i64 0
-  %16 = getelementptr i64, ptr %w8, i64 %.us-phi2972.i
-  %.194.i.i = getelementptr i64, ptr %16, i64 %.180.i47.i
+B482.i:                                           ; preds = %B460.i, %B398.i
+  %"$phi482.0.2.1.i" = phi i1 [ true, %B398.i ], [ %.905.i, %B460.i ]
+  %.180.i31.i = select i1 %.770.i, i64 %w9, i64 0
+  %16 = getelementptr i64, ptr %w8, i64 %.us-phi3023.i
+  %.194.i.i = getelementptr i64, ptr %16, i64 %.180.i31.i
   %.195.i.i = load i64, ptr %.194.i.i, align 8
-  %.212.i.i = icmp slt i64 %.us-phi2972.i, -1
+  %.212.i.i = icmp slt i64 %.us-phi3023.i, -1
   %.213.i.i = select i1 %.212.i.i, i64 %w9, i64 0
   %17 = getelementptr i8, ptr %16, i64 8
   %.227.i.i = getelementptr i64, ptr %17, i64 %.213.i.i
   %.228.i.i = load i64, ptr %.227.i.i, align 8
   %.265.i.i = sub i64 %.228.i.i, %.195.i.i
   %.310773.not.i.i = icmp slt i64 %.265.i.i, 1
-  br i1 %.310773.not.i.i, label %B504.i, label %B130.endif.endif.us.preheader.i.i
+  br i1 %.310773.not.i.i, label %B520.i, label %B130.endif.endif.us.preheader.i.i
 
-B130.endif.endif.us.preheader.i.i:                ; preds = %B466.i
-  %18 = getelementptr double, ptr %w14, i64 %.us-phi2972.i
-  %.99.i.i.i = select i1 %.758.i, i64 %w1, i64 0
-  %.100.i.i.i = add i64 %.99.i.i.i, %.us-phi2972.i
-  %sunkaddr.i.i = select i1 %.758.i, i64 %2, i64 0
+B130.endif.endif.us.preheader.i.i:                ; preds = %B482.i
+  %18 = getelementptr double, ptr %w14, i64 %.us-phi3023.i
+  %.99.i.i.i = select i1 %.770.i, i64 %w1, i64 0
+  %.100.i.i.i = add i64 %.99.i.i.i, %.us-phi3023.i
+  %sunkaddr.i.i = select i1 %.770.i, i64 %2, i64 0
   %.120.i.reass.i.i = mul i64 %s3, %.100.i.i.i
-  %sunkaddr202.i = getelementptr inbounds i8, ptr %18, i64 %sunkaddr.i.i
-  %sunkaddr203.i = getelementptr i8, ptr %w0, i64 %.120.i.reass.i.i
-  %sunkaddr204.i = getelementptr i8, ptr %sunkaddr203.i, i64 16
-  %sunkaddr207.i = getelementptr i8, ptr %sunkaddr203.i, i64 8
+  %sunkaddr276.i = getelementptr inbounds i8, ptr %18, i64 %sunkaddr.i.i
+  %sunkaddr277.i = getelementptr i8, ptr %w0, i64 %.120.i.reass.i.i
+  %sunkaddr278.i = getelementptr i8, ptr %sunkaddr277.i, i64 16
+  %sunkaddr281.i = getelementptr i8, ptr %sunkaddr277.i, i64 8
   %.67.i.i3.i = mul i64 %.100.i.i.i, %w2
   %19 = getelementptr double, ptr %w0, i64 %.67.i.i3.i
   %.71.i.i4.i = getelementptr i8, ptr %19, i64 16
@@ -3509,8 +3518,8 @@ B130.endif.endif.us.i.i:                          ; preds = %B188.B128.loopexit_
   %.530.us.i.i = add i64 %.529.us.i.i, %.384.us.i.i
   %.550.us.i.i = mul i64 %.530.us.i.i, %w5
   %21 = getelementptr i64, ptr %w3, i64 %.550.us.i.i
-  %sunkaddr208.i = getelementptr i8, ptr %21, i64 8
-  %sunkaddr209.i = getelementptr i8, ptr %21, i64 16
+  %sunkaddr282.i = getelementptr i8, ptr %21, i64 8
+  %sunkaddr283.i = getelementptr i8, ptr %21, i64 16
   br label %B190.us.i.i
 
 B190.us.i.i:                                      ; preds = %B599.us.i.i, %B130.endif.endif.us.i.i
@@ -3519,7 +3528,7 @@ B190.us.i.i:                                      ; preds = %B599.us.i.i, %B130.
   %.480.us.i.i = add nuw nsw i64 %.473754758.us.i.i, 1
   %22 = getelementptr i64, ptr %21, i64 %.473754758.us.i.i
   %.555.us.i.i = load i64, ptr %22, align 8
-  %.561.us.i.i = icmp eq i64 %.555.us.i.i, %.us-phi2972.i
+  %.561.us.i.i = icmp eq i64 %.555.us.i.i, %.us-phi3023.i
   br i1 %.561.us.i.i, label %B599.us.i.i, label %B226.us.i.i
 
 B226.us.i.i:                                      ; preds = %B190.us.i.i
@@ -3532,23 +3541,23 @@ B226.us.i.i:                                      ; preds = %B190.us.i.i
   br i1 %.778.us.i.i, label %B336.us.i.i, label %B406.endif.us.i.i
 
 B406.endif.us.i.i:                                ; preds = %B226.us.i.i
-  %.919.us.i.i = load double, ptr %sunkaddr202.i, align 8
+  %.919.us.i.i = load double, ptr %sunkaddr276.i, align 8
   %.46.i.i.i = select i1 %.761.us.i.i, i64 %w1, i64 0
   %.47.i.i.i = add i64 %.46.i.i.i, %.555.us.i.i
   %.67.i.i.i = mul i64 %.47.i.i.i, %w2
   %24 = getelementptr double, ptr %w0, i64 %.67.i.i.i
   %.71.i.i.i = getelementptr i8, ptr %24, i64 16
   %.72.i.i.i = load double, ptr %.71.i.i.i, align 8
-  %.125.i.i.i = load double, ptr %sunkaddr204.i, align 8
+  %.125.i.i.i = load double, ptr %sunkaddr278.i, align 8
   %.126.i.i.i = fsub double %.72.i.i.i, %.125.i.i.i
   %.234.i.i.i = fmul double %.126.i.i.i, %.126.i.i.i
   %.287.i.i.i = load double, ptr %24, align 8
-  %.340.i.i.i = load double, ptr %sunkaddr203.i, align 8
+  %.340.i.i.i = load double, ptr %sunkaddr277.i, align 8
   %.341.i.i.i = fsub double %.287.i.i.i, %.340.i.i.i
   %.449.i.i.i = fmul double %.341.i.i.i, %.341.i.i.i
   %.501.i.i.i = getelementptr i8, ptr %24, i64 8
   %.502.i.i.i = load double, ptr %.501.i.i.i, align 8
-  %.555.i.i.i = load double, ptr %sunkaddr207.i, align 8
+  %.555.i.i.i = load double, ptr %sunkaddr281.i, align 8
   %.556.i.i.i = fsub double %.502.i.i.i, %.555.i.i.i
   %.664.i.i.i = fmul double %.556.i.i.i, %.556.i.i.i
   %.665.i.i.i = fadd double %.449.i.i.i, %.664.i.i.i
@@ -3559,9 +3568,9 @@ B406.endif.us.i.i:                                ; preds = %B226.us.i.i
 
 B336.us.i.i:                                      ; preds = %B226.us.i.i
   %.626.us.i.i = load i64, ptr %21, align 8
-  %.681.us.i.i = load i64, ptr %sunkaddr208.i, align 8
-  %.737.us.i.i = load i64, ptr %sunkaddr209.i, align 8
-  %25 = add i64 %.555.us.i.i, %.us-phi2972.i
+  %.681.us.i.i = load i64, ptr %sunkaddr282.i, align 8
+  %.737.us.i.i = load i64, ptr %sunkaddr283.i, align 8
+  %25 = add i64 %.555.us.i.i, %.us-phi3023.i
   %.682.us.i.i = sub i64 %.626.us.i.i, %25
   %.738.us.i.i = add i64 %.682.us.i.i, %.681.us.i.i
   %.742.us.i.i = add i64 %.738.us.i.i, %.737.us.i.i
@@ -3623,7 +3632,7 @@ B446.i.i:                                         ; preds = %B412.i.i
   br label %B490.us.i.i
 
 B96.endif.endif.endif.endif.i.i:                  ; preds = %B336.us.i.i
-  %.842.us.i.i = load double, ptr %sunkaddr202.i, align 8
+  %.842.us.i.i = load double, ptr %sunkaddr276.i, align 8
   %27 = getelementptr double, ptr %w14, i64 %.555.us.i.i
   %.796.us.i.i = select i1 %.761.us.i.i, i64 %w15, i64 0
   %.810.us.i.i = getelementptr double, ptr %27, i64 %.796.us.i.i
@@ -3738,46 +3747,42 @@ B188.B128.loopexit_crit_edge.us.i.i:              ; preds = %B599.us.i.i
   %.319.us.i.i = add nsw i64 %.309763775.us.i.i, -1
   %.323.us.i.i = add i64 %.316766774.us.i.i, 1
   %.310.us.i.i = icmp sgt i64 %.309763775.us.i.i, 1
-  br i1 %.310.us.i.i, label %B130.endif.endif.us.i.i, label %B504.i
+  br i1 %.310.us.i.i, label %B130.endif.endif.us.i.i, label %B520.i
 
-B504.i:                                           ; preds = %B188.B128.loopexit_crit_edge.us.i.i, %B316.endif.i, %B466.i
-  %count.3.1.i = phi i64 [ %count.2.03188.i, %B316.endif.i ], [ %.849.i, %B466.i ], [ %.849.i, %B188.B128.loopexit_crit_edge.us.i.i ]
-  %goes_on.6.1.i = phi i1 [ true, %B316.endif.i ], [ %"$phi466.0.2.1.i", %B466.i ], [ %"$phi466.0.2.1.i", %B188.B128.loopexit_crit_edge.us.i.i ]
-  %size.4.1.i = phi i64 [ %.79.i.i, %B316.endif.i ], [ %.79.i.i, %B466.i ], [ %size.4.2.us.i.i, %B188.B128.loopexit_crit_edge.us.i.i ]
-  %.566.not2653.i = icmp ne i64 %size.4.1.i, 0
-  %brmerge.not.i = select i1 %.566.not2653.i, i1 %goes_on.6.1.i, i1 false
-  br i1 %brmerge.not.i, label %B252.preheader.i, label %B2066.i
+B520.i:                                           ; preds = %B188.B128.loopexit_crit_edge.us.i.i, %B332.endif.i, %B482.i
+  %count.3.1.i = phi i64 [ %count.2.03240.i, %B332.endif.i ], [ %.861.i, %B482.i ], [ %.861.i, %B188.B128.loopexit_crit_edge.us.i.i ]
+  %goes_on.6.1.i = phi i1 [ true, %B332.endif.i ], [ %"$phi482.0.2.1.i", %B482.i ], [ %"$phi482.0.2.1.i", %B188.B128.loopexit_crit_edge.us.i.i ]
+  %size.4.1.i = phi i64 [ %.79.i.i, %B332.endif.i ], [ %.79.i.i, %B482.i ], [ %size.4.2.us.i.i, %B188.B128.loopexit_crit_edge.us.i.i ]
+  %.572.not2695.i = icmp ne i64 %size.4.1.i, 0
+  %brmerge.not.i = select i1 %.572.not2695.i, i1 %goes_on.6.1.i, i1 false
+  br i1 %brmerge.not.i, label %B268.preheader.i, label %B2134.i
 
-B506.i:                                           ; preds = %B252.backedge.i, %B506.preheader.i
-  %last.2.235.i = phi double [ %last.2.2.be.i, %B252.backedge.i ], [ %last.5.03190.i, %B506.preheader.i ]
-  %size_of_region.4.234.i = phi i64 [ %size_of_region.4.2.be.i, %B252.backedge.i ], [ %size_of_region.3.03189.i, %B506.preheader.i ]
-  %rows.2.233.i = phi i64 [ %rows.2.2.be.i, %B252.backedge.i ], [ %rows.5.03187.i, %B506.preheader.i ]
-  %level.2.229.i = phi double [ %level.2.2.be.i, %B252.backedge.i ], [ %level.3.03186.i, %B506.preheader.i ]
-  %.1063.i = icmp slt i64 %rows.2.233.i, %.395.i
-  br i1 %.1063.i, label %B630.endif.preheader.i, label %B252.backedge.i
+B522.i:                                           ; preds = %B268.i
+  %.1087.i = icmp slt i64 %rows.2.2.i, %.401.i
+  br i1 %.1087.i, label %B646.endif.preheader.i, label %B2128.i
 
-B628.loopexit.i:                                  ; preds = %B2239.i, %B630.endif.i
-  %area.4.4.lcssa.i = phi double [ %area.5.32765.i, %B630.endif.i ], [ %area.6.5.i, %B2239.i ]
-  %rings.2.4.lcssa.i = phi i64 [ %rings.3.32766.i, %B630.endif.i ], [ %rings.4.5.i, %B2239.i ]
-  %longest.3.4.lcssa.i = phi i64 [ %longest.2.32767.i, %B630.endif.i ], [ %longest.4.5.i, %B2239.i ]
-  %exitcond.not.i = icmp eq i64 %.1211.i, %count.2.03188.i
-  br i1 %exitcond.not.i, label %B1066.i, label %B630.endif.i
+B644.loopexit.i:                                  ; preds = %B2307.i, %B646.endif.i
+  %area.4.4.lcssa.i = phi double [ %area.7.32811.i, %B646.endif.i ], [ %area.5.5.i, %B2307.i ]
+  %rings.2.4.lcssa.i = phi i64 [ %rings.5.32812.i, %B646.endif.i ], [ %rings.3.5.i, %B2307.i ]
+  %longest.3.4.lcssa.i = phi i64 [ %longest.2.32813.i, %B646.endif.i ], [ %longest.4.5.i, %B2307.i ]
+  %exitcond.not.i = icmp eq i64 %.1237.i, %count.2.03240.i
+  br i1 %exitcond.not.i, label %B1082.i, label %B646.endif.i
 
-B760.i:                                           ; preds = %B760.preheader.i, %B2239.i
-  %lsr.iv.i = phi i64 [ %132, %B760.preheader.i ], [ %lsr.iv.next.i, %B2239.i ]
-  %longest.3.42736.i = phi i64 [ %longest.2.32767.i, %B760.preheader.i ], [ %longest.4.5.i, %B2239.i ]
-  %rings.2.42735.i = phi i64 [ %rings.3.32766.i, %B760.preheader.i ], [ %rings.4.5.i, %B2239.i ]
-  %area.4.42734.i = phi double [ %area.5.32765.i, %B760.preheader.i ], [ %area.6.5.i, %B2239.i ]
-  %.146427152732.i = phi i64 [ %.1315.i, %B760.preheader.i ], [ %.1471.i, %B2239.i ]
-  %.1510.i = icmp slt i64 %.146427152732.i, 0
-  %33 = select i1 %.1510.i, i64 %3, i64 0
-  %scevgep132.i = getelementptr i8, ptr %w10, i64 %33
-  %34 = shl i64 %.146427152732.i, 3
-  %scevgep133.i = getelementptr i8, ptr %scevgep132.i, i64 %34
-  %.1526.i = load i64, ptr %scevgep133.i, align 8
-  %.300.i.i = icmp slt i64 %.1526.i, 0
+B776.i:                                           ; preds = %B776.preheader.i, %B2307.i
+  %lsr.iv.i = phi i64 [ %137, %B776.preheader.i ], [ %lsr.iv.next.i, %B2307.i ]
+  %longest.3.42782.i = phi i64 [ %longest.2.32813.i, %B776.preheader.i ], [ %longest.4.5.i, %B2307.i ]
+  %rings.2.42781.i = phi i64 [ %rings.5.32812.i, %B776.preheader.i ], [ %rings.3.5.i, %B2307.i ]
+  %area.4.42780.i = phi double [ %area.7.32811.i, %B776.preheader.i ], [ %area.5.5.i, %B2307.i ]
+  %.149027612778.i = phi i64 [ %.1341.i, %B776.preheader.i ], [ %.1497.i, %B2307.i ]
+  %.1536.i = icmp slt i64 %.149027612778.i, 0
+  %33 = select i1 %.1536.i, i64 %3, i64 0
+  %scevgep206.i = getelementptr i8, ptr %w10, i64 %33
+  %34 = shl i64 %.149027612778.i, 3
+  %scevgep207.i = getelementptr i8, ptr %scevgep206.i, i64 %34
+  %.1552.i = load i64, ptr %scevgep207.i, align 8
+  %.300.i.i = icmp slt i64 %.1552.i, 0
   %.301.i.i = select i1 %.300.i.i, i64 %w4, i64 0
-  %.302.i.i = add i64 %.301.i.i, %.1526.i
+  %.302.i.i = add i64 %.301.i.i, %.1552.i
   %.322.i.i = mul i64 %.302.i.i, %w5
   %35 = getelementptr i64, ptr %w3, i64 %.322.i.i
   %.327.i.i = load i64, ptr %35, align 8
@@ -3808,36 +3813,36 @@ B760.i:                                           ; preds = %B760.preheader.i, %
   %.357.2.i.i = icmp eq i64 %.356.2.i.i, 1
   %.360.2.i.i = zext i1 %.357.2.i.i to i64
   %.361.2.i.i = add nuw nsw i64 %.361.1.i.i, %.360.2.i.i
-  switch i64 %.361.2.i.i, label %B874.i [
+  switch i64 %.361.2.i.i, label %B890.i [
     i64 0, label %B140.endif.i.i
     i64 3, label %B140.endif.i.i
   ]
 
-B140.endif.i.i:                                   ; preds = %B760.i, %B760.i
+B140.endif.i.i:                                   ; preds = %B776.i, %B776.i
   %.402536.cmp.i.i = icmp samesign ugt i64 %.361.2.i.i, 2
-  br i1 %.402536.cmp.i.i, label %B834.endif.i, label %B874.i
+  br i1 %.402536.cmp.i.i, label %B850.endif.i, label %B890.i
 
-B874.i:                                           ; preds = %B140.endif.i.i, %B760.i
-  %.1679.i = select i1 %.300.i.i, i64 %w29, i64 0
-  %41 = getelementptr i64, ptr %w28, i64 %.1526.i
-  %.1693.i = getelementptr i64, ptr %41, i64 %.1679.i
-  %.1694.i = load i64, ptr %.1693.i, align 8
-  %.1695.i = icmp slt i64 %.1694.i, 0
-  br i1 %.1695.i, label %B908.i, label %B2239.i
+B890.i:                                           ; preds = %B140.endif.i.i, %B776.i
+  %.1705.i = select i1 %.300.i.i, i64 %w29, i64 0
+  %41 = getelementptr i64, ptr %w28, i64 %.1552.i
+  %.1719.i = getelementptr i64, ptr %41, i64 %.1705.i
+  %.1720.i = load i64, ptr %.1719.i, align 8
+  %.1721.i = icmp slt i64 %.1720.i, 0
+  br i1 %.1721.i, label %B924.i, label %B2307.i
 
-B908.i:                                           ; preds = %B874.i
-  tail call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(40) %.271.i, i8 0, i64 40, i1 false)
-  %.357.i33.i = load i64, ptr %.1693.i, align 8
+B924.i:                                           ; preds = %B890.i
+  tail call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(40) %.277.i, i8 0, i64 40, i1 false)
+  %.357.i33.i = load i64, ptr %.1719.i, align 8
   %.358.i.i = icmp slt i64 %.357.i33.i, 0
   br i1 %.358.i.i, label %B104.i.i, label %_ZN7msf_jax4host4thin6fronts12ring_throughB3v37B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx5ArrayIdLi1E1C7mutable7alignedE.exit.i
 
-B104.i.i:                                         ; preds = %B908.i, %B104.endif.else.if.i.i
-  %face.2.0.i.i = phi i64 [ %.2101.1.i.i, %B104.endif.else.if.i.i ], [ %.1526.i, %B908.i ]
+B104.i.i:                                         ; preds = %B924.i, %B104.endif.else.if.i.i
+  %face.2.0.i.i = phi i64 [ %.2101.1.i.i, %B104.endif.else.if.i.i ], [ %.1552.i, %B924.i ]
   %.379.i.i = icmp slt i64 %face.2.0.i.i, 0
   %.380.i.i = select i1 %.379.i.i, i64 %w29, i64 0
   %42 = getelementptr i64, ptr %w28, i64 %face.2.0.i.i
   %.394.i.i = getelementptr i64, ptr %42, i64 %.380.i.i
-  store i64 %rings.2.42735.i, ptr %.394.i.i, align 8
+  store i64 %rings.2.42781.i, ptr %.394.i.i, align 8
   %.301.i.i.i = select i1 %.379.i.i, i64 %w4, i64 0
   %.302.i.i.i = add i64 %.301.i.i.i, %face.2.0.i.i
   %.322.i.i.i = mul i64 %.302.i.i.i, %w5
@@ -3917,7 +3922,7 @@ B104.endif.else.if.i.i:                           ; preds = %B156.endif.endif.i.
   %55 = getelementptr double, ptr %w14, i64 %.555.i.i
   %.783.i.i = getelementptr double, ptr %55, i64 %.769.i.i
   %.784.i.i = load double, ptr %.783.i.i, align 8
-  %.786.i.i = fsub double %level.2.229.i, %.784.i.i
+  %.786.i.i = fsub double %level.2.2.i, %.784.i.i
   %.802.i.i = icmp slt i64 %.649.i.i, 0
   %.803.i.i = select i1 %.802.i.i, i64 %w15, i64 0
   %56 = getelementptr double, ptr %w14, i64 %.649.i.i
@@ -3980,9 +3985,9 @@ B104.endif.else.if.i.i:                           ; preds = %B156.endif.endif.i.
   %.1296.2.i.i = fmul double %.1295.2.i.i, %.1295.2.i.i
   %.1298.2.i.i = fadd double %.1298.1.i.i, %.1296.2.i.i
   %sqrt.i37.i = tail call double @llvm.sqrt.f64(double %.1298.2.i.i)
-  %.1342.i.i = load double, ptr %.271.i, align 8
+  %.1342.i.i = load double, ptr %.277.i, align 8
   %.1344.i.i = fadd double %.1342.i.i, %sqrt.i37.i
-  store double %.1344.i.i, ptr %.271.i, align 8
+  store double %.1344.i.i, ptr %.277.i, align 8
   %.1522.i.i = load double, ptr %sunkaddr1.i.i, align 8
   %.1573.i.i = load double, ptr %59, align 8
   %.1624.i.i = load double, ptr %58, align 8
@@ -4057,28 +4062,28 @@ B104.endif.else.if.i.i:                           ; preds = %B156.endif.endif.i.
   %.2167.i.i = icmp slt i64 %.2166.i.i, 0
   br i1 %.2167.i.i, label %B104.i.i, label %_ZN7msf_jax4host4thin6fronts12ring_throughB3v37B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx5ArrayIdLi1E1C7mutable7alignedE.exit.i
 
-_ZN7msf_jax4host4thin6fronts12ring_throughB3v37B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx5ArrayIdLi1E1C7mutable7alignedE.exit.i: ; preds = %B104.endif.else.if.i.i, %B908.i
-  %.2037.pre.i = phi double [ 0.000000e+00, %B908.i ], [ %.1946.sink.i.i, %B104.endif.else.if.i.i ]
-  %.1965.i = phi double [ 0.000000e+00, %B908.i ], [ %.1344.i.i, %B104.endif.else.if.i.i ]
-  %.1805.i = load double, ptr %sunkaddr285.i, align 8
-  %.1806.i = fcmp ogt double %.1965.i, %.1805.i
-  br i1 %.1806.i, label %B1004.preheader.i, label %B1030.i
+_ZN7msf_jax4host4thin6fronts12ring_throughB3v37B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx5ArrayIdLi1E1C7mutable7alignedE.exit.i: ; preds = %B104.endif.else.if.i.i, %B924.i
+  %.2063.pre.i = phi double [ 0.000000e+00, %B924.i ], [ %.1946.sink.i.i, %B104.endif.else.if.i.i ]
+  %.1991.i = phi double [ 0.000000e+00, %B924.i ], [ %.1344.i.i, %B104.endif.else.if.i.i ]
+  %.1831.i = load double, ptr %sunkaddr370.i, align 8
+  %.1832.i = fcmp ogt double %.1991.i, %.1831.i
+  br i1 %.1832.i, label %B1020.preheader.i, label %B1046.i
 
-B1030.i:                                          ; preds = %B1004.preheader.i, %_ZN7msf_jax4host4thin6fronts12ring_throughB3v37B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx5ArrayIdLi1E1C7mutable7alignedE.exit.i
-  %.2037.i = phi double [ %.1965.4.i, %B1004.preheader.i ], [ %.2037.pre.i, %_ZN7msf_jax4host4thin6fronts12ring_throughB3v37B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx5ArrayIdLi1E1C7mutable7alignedE.exit.i ]
-  %longest.6.7.i = phi i64 [ %rings.2.42735.i, %B1004.preheader.i ], [ %longest.3.42736.i, %_ZN7msf_jax4host4thin6fronts12ring_throughB3v37B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx5ArrayIdLi1E1C7mutable7alignedE.exit.i ]
-  %.2039.i = fadd double %area.4.42734.i, %.2037.i
-  %.2045.i = add nsw i64 %rings.2.42735.i, 1
-  br label %B2239.i
+B1046.i:                                          ; preds = %B1020.preheader.i, %_ZN7msf_jax4host4thin6fronts12ring_throughB3v37B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx5ArrayIdLi1E1C7mutable7alignedE.exit.i
+  %.2063.i = phi double [ %.1991.4.i, %B1020.preheader.i ], [ %.2063.pre.i, %_ZN7msf_jax4host4thin6fronts12ring_throughB3v37B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx5ArrayIdLi1E1C7mutable7alignedE.exit.i ]
+  %longest.6.7.i = phi i64 [ %rings.2.42781.i, %B1020.preheader.i ], [ %longest.3.42782.i, %_ZN7msf_jax4host4thin6fronts12ring_throughB3v37B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx5ArrayIdLi1E1C7mutable7alignedE.exit.i ]
+  %.2065.i = fadd double %area.4.42780.i, %.2063.i
+  %.2071.i = add nsw i64 %rings.2.42781.i, 1
+  br label %B2307.i
 
-B1066.i:                                          ; preds = %B628.loopexit.i
-  %.2111.i = icmp sgt i64 %rings.2.4.lcssa.i, 1
-  br i1 %.2111.i, label %B50.endif.i.i, label %B1242.endif.i
+B1082.i:                                          ; preds = %B644.loopexit.i
+  %.2137.i = icmp sgt i64 %rings.2.4.lcssa.i, 1
+  br i1 %.2137.i, label %B50.endif.i.i, label %B1258.endif.i
 
 B48.loopexit.i.i:                                 ; preds = %B1061.i.i, %B50.endif.i.i
-  %.2227.i = phi double [ %extra.5.02068.i.i, %B50.endif.i.i ], [ %extra.6.2.i.i, %B1061.i.i ]
+  %.2253.i = phi double [ %extra.5.02068.i.i, %B50.endif.i.i ], [ %extra.6.2.i.i, %B1061.i.i ]
   %num.5.1.lcssa.i.i = phi i64 [ %num.6.02069.i.i, %B50.endif.i.i ], [ %num.7.2.i.i, %B1061.i.i ]
-  %exitcond.not.i45.i = icmp eq i64 %count.2.03188.i, %.270.i.i
+  %exitcond.not.i45.i = icmp eq i64 %count.2.03240.i, %.270.i.i
   br i1 %exitcond.not.i45.i, label %_ZN7msf_jax4host4thin6fronts7islandsB3v39B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xxd5ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B50.endif.i.i
 
 B164.i.i:                                         ; preds = %B50.endif.i.i, %B1061.i.i
@@ -4225,7 +4230,7 @@ B760.i.i:                                         ; preds = %B760.preheader.new.
 
 common.ret.loopexit.unr-lcssa.i.i:                ; preds = %B760.i.i
   %lcmp.mod.not.i.i = icmp eq i64 %xtraiter.i.i, 0
-  br i1 %lcmp.mod.not.i.i, label %B1242.endif.i, label %B760.epil.preheader.i.i
+  br i1 %lcmp.mod.not.i.i, label %B1258.endif.i, label %B760.epil.preheader.i.i
 
 B760.epil.preheader.i.i:                          ; preds = %B760.preheader.i.i, %common.ret.loopexit.unr-lcssa.i.i
   %.160720832085.epil.init.i.i = phi i64 [ 0, %B760.preheader.i.i ], [ %unroll_iter.i.i, %common.ret.loopexit.unr-lcssa.i.i ]
@@ -4245,7 +4250,7 @@ B760.epil.i.i:                                    ; preds = %B760.epil.i.i, %B76
   store i64 0, ptr %.1699.epil.i.i, align 8
   %epil.iter.next.i.i = add i64 %epil.iter.i.i, 1
   %epil.iter.cmp.not.i.i = icmp eq i64 %xtraiter.i.i, %epil.iter.next.i.i
-  br i1 %epil.iter.cmp.not.i.i, label %B1242.endif.i, label %B760.epil.i.i
+  br i1 %epil.iter.cmp.not.i.i, label %B1258.endif.i, label %B760.epil.i.i
 
 B1046.i.i:                                        ; preds = %B1042.us.2.i.i, %B496.endif.i.i
   %extra.2.5.lcssa.i.i = phi double [ %extra.3.3.i.i, %B496.endif.i.i ], [ %.1454.us1915.i.i, %B1042.us.2.i.i ]
@@ -4260,10 +4265,10 @@ B1061.i.i:                                        ; preds = %B1046.i.i, %B488.2.
   %.487.i.i = icmp sgt i64 %.48619421996.i.i, 1
   br i1 %.487.i.i, label %B164.i.i, label %B48.loopexit.i.i
 
-B50.endif.i.i:                                    ; preds = %B1066.i, %B48.loopexit.i.i
-  %num.6.02069.i.i = phi i64 [ %num.5.1.lcssa.i.i, %B48.loopexit.i.i ], [ 0, %B1066.i ]
-  %extra.5.02068.i.i = phi double [ %.2227.i, %B48.loopexit.i.i ], [ 0.000000e+00, %B1066.i ]
-  %.26320132066.i.i = phi i64 [ %.270.i.i, %B48.loopexit.i.i ], [ 0, %B1066.i ]
+B50.endif.i.i:                                    ; preds = %B1082.i, %B48.loopexit.i.i
+  %num.6.02069.i.i = phi i64 [ %num.5.1.lcssa.i.i, %B48.loopexit.i.i ], [ 0, %B1082.i ]
+  %extra.5.02068.i.i = phi double [ %.2253.i, %B48.loopexit.i.i ], [ 0.000000e+00, %B1082.i ]
+  %.26320132066.i.i = phi i64 [ %.270.i.i, %B48.loopexit.i.i ], [ 0, %B1082.i ]
   %.270.i.i = add nuw nsw i64 %.26320132066.i.i, 1
   %80 = getelementptr i64, ptr %w18, i64 %.26320132066.i.i
   %.343.i38.i = load i64, ptr %80, align 8
@@ -4491,7 +4496,7 @@ B1042.us.2.i.i:                                   ; preds = %B910.us.2.i.i, %B10
 B728.endif.i.i:                                   ; preds = %B616.endif.lr.ph.split.us.i.i, %B616.endif.us.i.i
   %num.9.5.lcssa1799.us.i.i = phi i64 [ %num.12.7.us.2.i.i, %B616.endif.us.i.i ], [ %num.10.3.i.i, %B616.endif.lr.ph.split.us.i.i ]
   %.16012084.not.i.i = icmp slt i64 %num.9.5.lcssa1799.us.i.i, 1
-  br i1 %.16012084.not.i.i, label %B1242.endif.i, label %B760.preheader.i.i
+  br i1 %.16012084.not.i.i, label %B1258.endif.i, label %B760.preheader.i.i
 
 B760.preheader.i.i:                               ; preds = %B728.endif.i.i
   %xtraiter.i.i = and i64 %num.9.5.lcssa1799.us.i.i, 3
@@ -4503,580 +4508,565 @@ B760.preheader.new.i.i:                           ; preds = %B760.preheader.i.i
   br label %B760.i.i
 
 _ZN7msf_jax4host4thin6fronts7islandsB3v39B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xxd5ArrayIdLi1E1C7mutable7alignedE.exit.i: ; preds = %B48.loopexit.i.i
-  store double %.2227.i, ptr %.435.i, align 8
-  %.2196.i = icmp sgt i64 %num.5.1.lcssa.i.i, 0
-  br i1 %.2196.i, label %B1188.preheader.i, label %B1242.endif.i
+  store double %.2253.i, ptr %.441.i, align 8
+  %.2222.i = icmp sgt i64 %num.5.1.lcssa.i.i, 0
+  br i1 %.2222.i, label %B1204.preheader.i, label %B1258.endif.i
 
-B1188.i:                                          ; preds = %B1188.preheader.new.i, %B1238.1.i
-  %goes_on.11.42782.i = phi i1 [ true, %B1188.preheader.new.i ], [ %"$phi1238.1.2.5.1.i", %B1238.1.i ]
-  %.233827782780.i = phi i64 [ 0, %B1188.preheader.new.i ], [ %.2345.151.i, %B1238.1.i ]
-  br i1 %goes_on.11.42782.i, label %B1238.i, label %B1238.1.i
+B1204.i:                                          ; preds = %B1204.preheader.new.i, %B1254.1.i
+  %goes_on.11.42828.i = phi i1 [ true, %B1204.preheader.new.i ], [ %"$phi1254.1.2.5.1.i", %B1254.1.i ]
+  %.236428242826.i = phi i64 [ 0, %B1204.preheader.new.i ], [ %.2371.151.i, %B1254.1.i ]
+  br i1 %goes_on.11.42828.i, label %B1254.i, label %B1254.1.i
 
-B1238.i:                                          ; preds = %B1188.i
-  %sunkaddr211.i = shl i64 %.233827782780.i, 3
-  %sunkaddr212.i = getelementptr i8, ptr %w20, i64 %sunkaddr211.i
-  %.2418.i = load i64, ptr %sunkaddr212.i, align 8
-  %.2434.i = icmp slt i64 %.2418.i, 0
-  %.2435.i = select i1 %.2434.i, i64 %w37, i64 0
-  %106 = getelementptr i64, ptr %w36, i64 %.2418.i
-  %.2449.i = getelementptr i64, ptr %106, i64 %.2435.i
-  %.2450.i = load i64, ptr %.2449.i, align 8
-  %.2451.i = icmp eq i64 %.2450.i, 0
-  br i1 %.2451.i, label %B1194.1.i, label %B1238.1.i
+B1254.i:                                          ; preds = %B1204.i
+  %sunkaddr285.i = shl i64 %.236428242826.i, 3
+  %sunkaddr286.i = getelementptr i8, ptr %w20, i64 %sunkaddr285.i
+  %.2444.i = load i64, ptr %sunkaddr286.i, align 8
+  %.2460.i = icmp slt i64 %.2444.i, 0
+  %.2461.i = select i1 %.2460.i, i64 %w37, i64 0
+  %106 = getelementptr i64, ptr %w36, i64 %.2444.i
+  %.2475.i = getelementptr i64, ptr %106, i64 %.2461.i
+  %.2476.i = load i64, ptr %.2475.i, align 8
+  %.2477.i = icmp eq i64 %.2476.i, 0
+  br i1 %.2477.i, label %B1210.1.i, label %B1254.1.i
 
-B1194.1.i:                                        ; preds = %B1238.i
-  %sunkaddr215.i = getelementptr i8, ptr %sunkaddr212.i, i64 8
-  %.2418.1.i = load i64, ptr %sunkaddr215.i, align 8
-  %.2434.1.i = icmp slt i64 %.2418.1.i, 0
-  %.2435.1.i = select i1 %.2434.1.i, i64 %w37, i64 0
-  %107 = getelementptr i64, ptr %w36, i64 %.2418.1.i
-  %.2449.1.i = getelementptr i64, ptr %107, i64 %.2435.1.i
-  %.2450.1.i = load i64, ptr %.2449.1.i, align 8
-  %.2451.1.i = icmp eq i64 %.2450.1.i, 0
-  br label %B1238.1.i
+B1210.1.i:                                        ; preds = %B1254.i
+  %sunkaddr289.i = getelementptr i8, ptr %sunkaddr286.i, i64 8
+  %.2444.1.i = load i64, ptr %sunkaddr289.i, align 8
+  %.2460.1.i = icmp slt i64 %.2444.1.i, 0
+  %.2461.1.i = select i1 %.2460.1.i, i64 %w37, i64 0
+  %107 = getelementptr i64, ptr %w36, i64 %.2444.1.i
+  %.2475.1.i = getelementptr i64, ptr %107, i64 %.2461.1.i
+  %.2476.1.i = load i64, ptr %.2475.1.i, align 8
+  %.2477.1.i = icmp eq i64 %.2476.1.i, 0
+  br label %B1254.1.i
 
-B1238.1.i:                                        ; preds = %B1194.1.i, %B1238.i, %B1188.i
-  %"$phi1238.1.2.5.1.i" = phi i1 [ %.2451.1.i, %B1194.1.i ], [ false, %B1238.i ], [ false, %B1188.i ]
-  %.2345.151.i = add nuw i64 %.233827782780.i, 2
-  %niter.ncmp.1.i = icmp eq i64 %unroll_iter.i, %.2345.151.i
-  br i1 %niter.ncmp.1.i, label %B1242.endif.loopexit.unr-lcssa.i, label %B1188.i
+B1254.1.i:                                        ; preds = %B1210.1.i, %B1254.i, %B1204.i
+  %"$phi1254.1.2.5.1.i" = phi i1 [ %.2477.1.i, %B1210.1.i ], [ false, %B1254.i ], [ false, %B1204.i ]
+  %.2371.151.i = add nuw i64 %.236428242826.i, 2
+  %niter.ncmp.1.i = icmp eq i64 %unroll_iter.i, %.2371.151.i
+  br i1 %niter.ncmp.1.i, label %B1258.endif.loopexit.unr-lcssa.i, label %B1204.i
 
-B1272.loopexit.i:                                 ; preds = %B1404.i, %B1404.prol.loopexit.i, %B1274.endif.i
-  %exitcond3532.not.i = icmp eq i64 %.2572.i, %count.2.03188.i
-  br i1 %exitcond3532.not.i, label %B1452.loopexit.i, label %B1274.endif.i
+B1288.loopexit.i:                                 ; preds = %B1420.i, %B1420.prol.loopexit.i, %B1290.endif.i
+  %exitcond3589.not.i = icmp eq i64 %.2598.i, %count.2.03240.i
+  br i1 %exitcond3589.not.i, label %B1468.loopexit.i, label %B1290.endif.i
 
-B1404.i:                                          ; preds = %B1404.preheader110.i, %B1404.i
-  %lsr.iv138.i = phi i64 [ %144, %B1404.preheader110.i ], [ %lsr.iv.next139.i, %B1404.i ]
-  %.280727872789.i = phi i64 [ %.280727872789.unr.i, %B1404.preheader110.i ], [ %114, %B1404.i ]
-  %.2855.i = icmp slt i64 %.280727872789.i, 0
-  %108 = select i1 %.2855.i, i64 %3, i64 0
-  %scevgep140.i = getelementptr i8, ptr %w10, i64 %108
-  %109 = shl i64 %.280727872789.i, 3
-  %scevgep141.i = getelementptr i8, ptr %scevgep140.i, i64 %109
-  %.2871.i = load i64, ptr %scevgep141.i, align 8
-  %.2884.i = icmp slt i64 %.2871.i, 0
-  %.2885.i = select i1 %.2884.i, i64 %w29, i64 0
-  %110 = getelementptr i64, ptr %w28, i64 %.2871.i
-  %.2899.i = getelementptr i64, ptr %110, i64 %.2885.i
-  store i64 -1, ptr %.2899.i, align 8
-  %111 = add i64 %.280727872789.i, 1
-  %.2855.1.i = icmp slt i64 %111, 0
-  %112 = select i1 %.2855.1.i, i64 %3, i64 0
-  %scevgep142.i = getelementptr i8, ptr %w10, i64 %112
-  %scevgep143.i = getelementptr i8, ptr %scevgep142.i, i64 %109
-  %scevgep144.i = getelementptr i8, ptr %scevgep143.i, i64 8
-  %.2871.1.i = load i64, ptr %scevgep144.i, align 8
-  %.2884.1.i = icmp slt i64 %.2871.1.i, 0
-  %.2885.1.i = select i1 %.2884.1.i, i64 %w29, i64 0
-  %113 = getelementptr i64, ptr %w28, i64 %.2871.1.i
-  %.2899.1.i = getelementptr i64, ptr %113, i64 %.2885.1.i
-  store i64 -1, ptr %.2899.1.i, align 8
-  %lsr.iv.next139.i = add i64 %lsr.iv138.i, -2
-  %.2801.1.i = icmp samesign ugt i64 %lsr.iv.next139.i, 2
-  %114 = add i64 %.280727872789.i, 2
-  br i1 %.2801.1.i, label %B1404.i, label %B1272.loopexit.i
+B1420.i:                                          ; preds = %B1420.preheader184.i, %B1420.i
+  %lsr.iv212.i = phi i64 [ %149, %B1420.preheader184.i ], [ %lsr.iv.next213.i, %B1420.i ]
+  %.283328332835.i = phi i64 [ %.283328332835.unr.i, %B1420.preheader184.i ], [ %114, %B1420.i ]
+  %.2881.i = icmp slt i64 %.283328332835.i, 0
+  %108 = select i1 %.2881.i, i64 %3, i64 0
+  %scevgep214.i = getelementptr i8, ptr %w10, i64 %108
+  %109 = shl i64 %.283328332835.i, 3
+  %scevgep215.i = getelementptr i8, ptr %scevgep214.i, i64 %109
+  %.2897.i = load i64, ptr %scevgep215.i, align 8
+  %.2910.i = icmp slt i64 %.2897.i, 0
+  %.2911.i = select i1 %.2910.i, i64 %w29, i64 0
+  %110 = getelementptr i64, ptr %w28, i64 %.2897.i
+  %.2925.i = getelementptr i64, ptr %110, i64 %.2911.i
+  store i64 -1, ptr %.2925.i, align 8
+  %111 = add i64 %.283328332835.i, 1
+  %.2881.1.i = icmp slt i64 %111, 0
+  %112 = select i1 %.2881.1.i, i64 %3, i64 0
+  %scevgep216.i = getelementptr i8, ptr %w10, i64 %112
+  %scevgep217.i = getelementptr i8, ptr %scevgep216.i, i64 %109
+  %scevgep218.i = getelementptr i8, ptr %scevgep217.i, i64 8
+  %.2897.1.i = load i64, ptr %scevgep218.i, align 8
+  %.2910.1.i = icmp slt i64 %.2897.1.i, 0
+  %.2911.1.i = select i1 %.2910.1.i, i64 %w29, i64 0
+  %113 = getelementptr i64, ptr %w28, i64 %.2897.1.i
+  %.2925.1.i = getelementptr i64, ptr %113, i64 %.2911.1.i
+  store i64 -1, ptr %.2925.1.i, align 8
+  %lsr.iv.next213.i = add i64 %lsr.iv212.i, -2
+  %.2827.1.i = icmp samesign ugt i64 %lsr.iv.next213.i, 2
+  %114 = add i64 %.283328332835.i, 2
+  br i1 %.2827.1.i, label %B1420.i, label %B1288.loopexit.i
 
-B1452.loopexit.i:                                 ; preds = %B1272.loopexit.i
-  %.2913.i = fcmp ule double %area.8.3.i, %w35
-  %.2916.i = fmul double %last.2.235.i, 1.500000e+00
-  %.2918.i = fcmp ule double %level.2.229.i, %.2916.i
-  %or.cond2652.not3584.i = select i1 %.2913.i, i1 %.2918.i, i1 false
-  %brmerge.not3583.i = select i1 %or.cond2652.not3584.i, i1 %goes_on.10.3.i, i1 false
-  br i1 %brmerge.not3583.i, label %B1502.i, label %B1968.endif.i
+B1468.loopexit.i:                                 ; preds = %B1288.loopexit.i
+  %.2939.i = fcmp ogt double %area.8.3.i, %w35
+  %.2942.i = fmul double %last.2.2.i, 1.500000e+00
+  %.2944.i = fcmp ogt double %level.2.2.i, %.2942.i
+  %or.cond2694.i = select i1 %.2939.i, i1 true, i1 %.2944.i
+  br i1 %or.cond2694.i, label %B2036.endif.i, label %B1516.i
 
-B1502.i:                                          ; preds = %B1452.loopexit.i
-  %.2973.i = icmp sgt i64 %num.2.3.i, -1
-  br i1 %.2973.i, label %B1514.i, label %B252.backedge.i
+B1516.i:                                          ; preds = %B1468.loopexit.i
+  br i1 %goes_on.10.3.i, label %B1522.i, label %B2036.endif.i
 
-B1514.i:                                          ; preds = %B1502.i
-  %.3022.i = load double, ptr %sunkaddr285.i, align 8
-  %.3024.i = fcmp ogt double %.3022.i, 0.000000e+00
-  br i1 %.3024.i, label %B1858.preheader.i, label %B1968.endif.i
+B1522.i:                                          ; preds = %B1516.i
+  %.3011.i = icmp sgt i64 %num.2.3.i, -1
+  br i1 %.3011.i, label %B1534.i, label %B2128.i
 
-B1858.i:                                          ; preds = %B1858.preheader.i, %B1858.i
-  %lsr.iv161.i = phi i64 [ %lsr.iv.next162.i, %B1858.i ], [ 32, %B1858.preheader.i ]
-  %.369928142816.i = phi i64 [ %.3706.3.i, %B1858.i ], [ 0, %B1858.preheader.i ]
-  %sunkaddr218.i = shl i64 %.369928142816.i, 3
-  %sunkaddr219.i = getelementptr i8, ptr %w18, i64 %sunkaddr218.i
-  %.3761.i = load i64, ptr %sunkaddr219.i, align 8
-  %sunkaddr221.i = getelementptr i8, ptr %w41, i64 %sunkaddr218.i
-  store i64 %.3761.i, ptr %sunkaddr221.i, align 8
-  %sunkaddr224.i = getelementptr i8, ptr %sunkaddr219.i, i64 8
-  %.3761.1.i = load i64, ptr %sunkaddr224.i, align 8
-  %sunkaddr227.i = getelementptr i8, ptr %sunkaddr221.i, i64 8
-  store i64 %.3761.1.i, ptr %sunkaddr227.i, align 8
-  %sunkaddr230.i = getelementptr i8, ptr %sunkaddr219.i, i64 16
-  %.3761.2.i = load i64, ptr %sunkaddr230.i, align 8
-  %sunkaddr233.i = getelementptr i8, ptr %sunkaddr221.i, i64 16
-  store i64 %.3761.2.i, ptr %sunkaddr233.i, align 8
-  %.3706.3.i = add nuw nsw i64 %.369928142816.i, 4
-  %sunkaddr236.i = getelementptr i8, ptr %sunkaddr219.i, i64 24
-  %.3761.3.i = load i64, ptr %sunkaddr236.i, align 8
-  %sunkaddr239.i = getelementptr i8, ptr %sunkaddr221.i, i64 24
-  store i64 %.3761.3.i, ptr %sunkaddr239.i, align 8
-  %niter89.ncmp.3.i = icmp eq i64 %unroll_iter88.i, %.3706.3.i
-  %lsr.iv.next162.i = add i64 %lsr.iv161.i, 32
-  br i1 %niter89.ncmp.3.i, label %B1894.endif.unr-lcssa.i, label %B1858.i
+B1534.i:                                          ; preds = %B1522.i
+  %.3061.i = load double, ptr %sunkaddr370.i, align 8
+  %.3063.i = fcmp ogt double %.3061.i, 0.000000e+00
+  br i1 %.3063.i, label %B1558.i, label %B2036.endif.i
 
-B1926.i:                                          ; preds = %B1926.preheader.new.i, %B1926.i
-  %.389528212823.i = phi i64 [ 0, %B1926.preheader.new.i ], [ %.3902.3.i, %B1926.i ]
-  %115 = shl i64 %.389528212823.i, 3
-  %sunkaddr241.i = getelementptr i8, ptr %w20, i64 %115
-  %.3965.i = load i64, ptr %sunkaddr241.i, align 8
-  %scevgep184.i = getelementptr i8, ptr %scevgep178.i, i64 %115
-  %scevgep185.i = getelementptr i8, ptr %scevgep184.i, i64 -24
-  store i64 %.3965.i, ptr %scevgep185.i, align 8
-  %sunkaddr244.i = getelementptr i8, ptr %sunkaddr241.i, i64 8
-  %.3965.1.i = load i64, ptr %sunkaddr244.i, align 8
-  %scevgep183.i = getelementptr i8, ptr %scevgep184.i, i64 -16
-  store i64 %.3965.1.i, ptr %scevgep183.i, align 8
-  %sunkaddr247.i = getelementptr i8, ptr %sunkaddr241.i, i64 16
-  %.3965.2.i = load i64, ptr %sunkaddr247.i, align 8
-  %scevgep181.i = getelementptr i8, ptr %scevgep184.i, i64 -8
-  store i64 %.3965.2.i, ptr %scevgep181.i, align 8
-  %.3902.3.i = add i64 %.389528212823.i, 4
-  %sunkaddr248.i = shl i64 %.3902.3.i, 3
-  %sunkaddr249.i = getelementptr i8, ptr %w20, i64 %sunkaddr248.i
-  %sunkaddr250.i = getelementptr i8, ptr %sunkaddr249.i, i64 -8
-  %.3965.3.i = load i64, ptr %sunkaddr250.i, align 8
-  store i64 %.3965.3.i, ptr %scevgep184.i, align 8
-  %niter95.ncmp.3.i = icmp eq i64 %unroll_iter94.i, %.3902.3.i
-  br i1 %niter95.ncmp.3.i, label %B2000.preheader.loopexit.unr-lcssa.i, label %B1926.i
+B1558.i:                                          ; preds = %B1534.i
+  %.3078.i = fmul double %area.8.3.i, 0x401921FB54442D18
+  %.3139.i = fmul double %.3061.i, %.3061.i
+  %.3143.i = fdiv double %.3078.i, %.3139.i
+  %.3144.i = fadd double %.3143.i, -5.000000e-01
+  %.3150.i = fcmp oge double %area.8.3.i, %w34
+  %.3160.i = fmul double %.3144.i, 5.000000e-01
+  %"$phi1660.0.2.4.i" = select i1 %.3150.i, double %.3144.i, double %.3160.i
+  %.3194.i = icmp slt i64 %rows.2.2.i, 0
+  %.3195.i = select i1 %.3194.i, i64 %w39, i64 0
+  %.3196.i = add i64 %.3195.i, %rows.2.2.i
+  %.3216.i = mul i64 %.3196.i, %w40
+  %.3220.i = getelementptr double, ptr %w38, i64 %.3216.i
+  store double %"$phi1660.0.2.4.i", ptr %.3220.i, align 8
+  %.3278.i = getelementptr i8, ptr %.3220.i, i64 8
+  store double %level.2.2.i, ptr %.3278.i, align 8
+  %.3334.i = getelementptr i8, ptr %.3220.i, i64 16
+  store double %area.8.3.i, ptr %.3334.i, align 8
+  %.3485.i = load double, ptr %sunkaddr379.i, align 8
+  %.3515.i = load double, ptr %sunkaddr370.i, align 8
+  %.3519.i = fdiv double %.3485.i, %.3515.i
+  %115 = getelementptr i8, ptr %.3220.i, i64 24
+  store double %.3519.i, ptr %115, align 8
+  %.3485.1.i = load double, ptr %sunkaddr383.i, align 8
+  %.3515.1.i = load double, ptr %sunkaddr370.i, align 8
+  %.3519.1.i = fdiv double %.3485.1.i, %.3515.1.i
+  %116 = getelementptr i8, ptr %.3220.i, i64 32
+  store double %.3519.1.i, ptr %116, align 8
+  %.3485.2.i = load double, ptr %sunkaddr387.i, align 8
+  %.3515.2.i = load double, ptr %sunkaddr370.i, align 8
+  %.3519.2.i = fdiv double %.3485.2.i, %.3515.2.i
+  %117 = getelementptr i8, ptr %.3220.i, i64 40
+  store double %.3519.2.i, ptr %117, align 8
+  %.3643.i = fcmp olt double %"$phi1660.0.2.4.i", %w33
+  %.3703.i = fcmp ogt double %"$phi1660.0.2.4.i", %slenderest.2.2.i
+  br i1 %.3703.i, label %B1912.i, label %B2022.i
 
-B2000.i:                                          ; preds = %B2000.preheader.new.i, %B2000.i
-  %.412128282830.i = phi i64 [ 0, %B2000.preheader.new.i ], [ %.4128.3.i, %B2000.i ]
-  %sunkaddr251.i = shl i64 %.412128282830.i, 3
-  %sunkaddr252.i = getelementptr i8, ptr %w20, i64 %sunkaddr251.i
-  %.4193.i = load i64, ptr %sunkaddr252.i, align 8
-  %.4206.i = icmp slt i64 %.4193.i, 0
-  %.4207.i = select i1 %.4206.i, i64 %w17, i64 0
-  %116 = getelementptr i64, ptr %w16, i64 %.4193.i
-  %.4221.i = getelementptr i64, ptr %116, i64 %.4207.i
-  store i64 0, ptr %.4221.i, align 8
-  %sunkaddr255.i = getelementptr i8, ptr %sunkaddr252.i, i64 8
-  %.4193.1.i = load i64, ptr %sunkaddr255.i, align 8
-  %.4206.1.i = icmp slt i64 %.4193.1.i, 0
-  %.4207.1.i = select i1 %.4206.1.i, i64 %w17, i64 0
-  %117 = getelementptr i64, ptr %w16, i64 %.4193.1.i
-  %.4221.1.i = getelementptr i64, ptr %117, i64 %.4207.1.i
-  store i64 0, ptr %.4221.1.i, align 8
-  %sunkaddr258.i = getelementptr i8, ptr %sunkaddr252.i, i64 16
-  %.4193.2.i = load i64, ptr %sunkaddr258.i, align 8
-  %.4206.2.i = icmp slt i64 %.4193.2.i, 0
-  %.4207.2.i = select i1 %.4206.2.i, i64 %w17, i64 0
-  %118 = getelementptr i64, ptr %w16, i64 %.4193.2.i
-  %.4221.2.i = getelementptr i64, ptr %118, i64 %.4207.2.i
-  store i64 0, ptr %.4221.2.i, align 8
-  %.4128.3.i = add nuw i64 %.412128282830.i, 4
-  %sunkaddr261.i = getelementptr i8, ptr %sunkaddr252.i, i64 24
-  %.4193.3.i = load i64, ptr %sunkaddr261.i, align 8
-  %.4206.3.i = icmp slt i64 %.4193.3.i, 0
-  %.4207.3.i = select i1 %.4206.3.i, i64 %w17, i64 0
-  %119 = getelementptr i64, ptr %w16, i64 %.4193.3.i
-  %.4221.3.i = getelementptr i64, ptr %119, i64 %.4207.3.i
-  store i64 0, ptr %.4221.3.i, align 8
-  %niter101.ncmp.3.i = icmp eq i64 %unroll_iter100.i, %.4128.3.i
-  br i1 %niter101.ncmp.3.i, label %B2060.loopexit.unr-lcssa.i, label %B2000.i
+B1912.i:                                          ; preds = %B1558.i, %B1912.i
+  %lsr.iv235.i = phi i64 [ %lsr.iv.next236.i, %B1912.i ], [ 32, %B1558.i ]
+  %.386128602862.i = phi i64 [ %.3868.3.i, %B1912.i ], [ 0, %B1558.i ]
+  %sunkaddr303.i = shl i64 %.386128602862.i, 3
+  %sunkaddr304.i = getelementptr i8, ptr %w18, i64 %sunkaddr303.i
+  %.3923.i = load i64, ptr %sunkaddr304.i, align 8
+  %sunkaddr306.i = getelementptr i8, ptr %w41, i64 %sunkaddr303.i
+  store i64 %.3923.i, ptr %sunkaddr306.i, align 8
+  %sunkaddr309.i = getelementptr i8, ptr %sunkaddr304.i, i64 8
+  %.3923.1.i = load i64, ptr %sunkaddr309.i, align 8
+  %sunkaddr312.i = getelementptr i8, ptr %sunkaddr306.i, i64 8
+  store i64 %.3923.1.i, ptr %sunkaddr312.i, align 8
+  %sunkaddr315.i = getelementptr i8, ptr %sunkaddr304.i, i64 16
+  %.3923.2.i = load i64, ptr %sunkaddr315.i, align 8
+  %sunkaddr318.i = getelementptr i8, ptr %sunkaddr306.i, i64 16
+  store i64 %.3923.2.i, ptr %sunkaddr318.i, align 8
+  %.3868.3.i = add nuw nsw i64 %.386128602862.i, 4
+  %sunkaddr321.i = getelementptr i8, ptr %sunkaddr304.i, i64 24
+  %.3923.3.i = load i64, ptr %sunkaddr321.i, align 8
+  %sunkaddr324.i = getelementptr i8, ptr %sunkaddr306.i, i64 24
+  store i64 %.3923.3.i, ptr %sunkaddr324.i, align 8
+  %niter148.ncmp.3.i = icmp eq i64 %unroll_iter147.i, %.3868.3.i
+  %lsr.iv.next236.i = add i64 %lsr.iv235.i, 32
+  br i1 %niter148.ncmp.3.i, label %B1948.endif.unr-lcssa.i, label %B1912.i
 
-B2060.loopexit.unr-lcssa.i:                       ; preds = %B2000.i
-  %lcmp.mod98.not.i = icmp eq i64 %xtraiter9668.i, 0
-  br i1 %lcmp.mod98.not.i, label %B2060.i, label %B2000.epil.preheader.i
+B1980.i:                                          ; preds = %B1980.preheader.new.i, %B1980.i
+  %.405128672869.i = phi i64 [ 0, %B1980.preheader.new.i ], [ %.4058.3.i, %B1980.i ]
+  %118 = shl i64 %.405128672869.i, 3
+  %sunkaddr326.i = getelementptr i8, ptr %w20, i64 %118
+  %.4117.i = load i64, ptr %sunkaddr326.i, align 8
+  %scevgep258.i = getelementptr i8, ptr %scevgep252.i, i64 %118
+  %scevgep259.i = getelementptr i8, ptr %scevgep258.i, i64 -24
+  store i64 %.4117.i, ptr %scevgep259.i, align 8
+  %sunkaddr329.i = getelementptr i8, ptr %sunkaddr326.i, i64 8
+  %.4117.1.i = load i64, ptr %sunkaddr329.i, align 8
+  %scevgep257.i = getelementptr i8, ptr %scevgep258.i, i64 -16
+  store i64 %.4117.1.i, ptr %scevgep257.i, align 8
+  %sunkaddr332.i = getelementptr i8, ptr %sunkaddr326.i, i64 16
+  %.4117.2.i = load i64, ptr %sunkaddr332.i, align 8
+  %scevgep255.i = getelementptr i8, ptr %scevgep258.i, i64 -8
+  store i64 %.4117.2.i, ptr %scevgep255.i, align 8
+  %.4058.3.i = add i64 %.405128672869.i, 4
+  %sunkaddr333.i = shl i64 %.4058.3.i, 3
+  %sunkaddr334.i = getelementptr i8, ptr %w20, i64 %sunkaddr333.i
+  %sunkaddr335.i = getelementptr i8, ptr %sunkaddr334.i, i64 -8
+  %.4117.3.i = load i64, ptr %sunkaddr335.i, align 8
+  store i64 %.4117.3.i, ptr %scevgep258.i, align 8
+  %niter154.ncmp.3.i = icmp eq i64 %unroll_iter153.i, %.4058.3.i
+  br i1 %niter154.ncmp.3.i, label %B2022.loopexit.unr-lcssa.i, label %B1980.i
 
-B2000.epil.preheader.i:                           ; preds = %B2000.preheader.i, %B2060.loopexit.unr-lcssa.i
-  %xtraiter9669.i = phi i64 [ %xtraiter96.pre-phi.i, %B2000.preheader.i ], [ %xtraiter9668.i, %B2060.loopexit.unr-lcssa.i ]
-  %rows.4.3355267.i = phi i64 [ %rows.4.33552.i, %B2000.preheader.i ], [ %rows.4.3355266.i, %B2060.loopexit.unr-lcssa.i ]
-  %size_of_region.6.3355365.i = phi i64 [ %size_of_region.6.33553.i, %B2000.preheader.i ], [ %size_of_region.6.3355364.i, %B2060.loopexit.unr-lcssa.i ]
-  %last.4.3355463.i = phi double [ %last.4.33554.i, %B2000.preheader.i ], [ %last.4.3355462.i, %B2060.loopexit.unr-lcssa.i ]
-  %goes_on.9.3355561.i = phi i1 [ %goes_on.9.33555.i, %B2000.preheader.i ], [ %goes_on.9.3355560.i, %B2060.loopexit.unr-lcssa.i ]
-  %.412128282830.epil.init.i = phi i64 [ 0, %B2000.preheader.i ], [ %unroll_iter100.i, %B2060.loopexit.unr-lcssa.i ]
-  %120 = shl i64 %.412128282830.epil.init.i, 3
-  %scevgep198.i = getelementptr i8, ptr %w20, i64 %120
-  br label %B2000.epil.i
+B2022.loopexit.unr-lcssa.i:                       ; preds = %B1980.i
+  %lcmp.mod151.not.i = icmp eq i64 %xtraiter149.i, 0
+  br i1 %lcmp.mod151.not.i, label %B2022.i, label %B1980.epil.preheader.i
 
-B2000.epil.i:                                     ; preds = %B2000.epil.i, %B2000.epil.preheader.i
-  %epil.iter97.i = phi i64 [ %epil.iter97.next.i, %B2000.epil.i ], [ 0, %B2000.epil.preheader.i ]
-  %121 = shl nuw nsw i64 %epil.iter97.i, 3
-  %scevgep199.i = getelementptr i8, ptr %scevgep198.i, i64 %121
-  %.4193.epil.i = load i64, ptr %scevgep199.i, align 8
-  %.4206.epil.i = icmp slt i64 %.4193.epil.i, 0
-  %.4207.epil.i = select i1 %.4206.epil.i, i64 %w17, i64 0
-  %122 = getelementptr i64, ptr %w16, i64 %.4193.epil.i
-  %.4221.epil.i = getelementptr i64, ptr %122, i64 %.4207.epil.i
-  store i64 0, ptr %.4221.epil.i, align 8
-  %epil.iter97.next.i = add i64 %epil.iter97.i, 1
-  %epil.iter97.cmp.not.i = icmp eq i64 %xtraiter9669.i, %epil.iter97.next.i
-  br i1 %epil.iter97.cmp.not.i, label %B2060.i, label %B2000.epil.i
+B1980.epil.preheader.i:                           ; preds = %B1980.preheader.i, %B2022.loopexit.unr-lcssa.i
+  %.405128672869.epil.init.i = phi i64 [ 0, %B1980.preheader.i ], [ %unroll_iter153.i, %B2022.loopexit.unr-lcssa.i ]
+  %119 = shl i64 %.405128672869.epil.init.i, 3
+  %scevgep261.i = getelementptr i8, ptr %scevgep260.i, i64 %119
+  %scevgep263.i = getelementptr i8, ptr %w20, i64 %119
+  br label %B1980.epil.i
 
-B2060.i:                                          ; preds = %B2000.epil.i, %B1968.endif.i, %B2060.loopexit.unr-lcssa.i
-  %rows.3.3.i = phi i64 [ %rows.2.233.i, %B1968.endif.i ], [ %rows.4.3355266.i, %B2060.loopexit.unr-lcssa.i ], [ %rows.4.3355267.i, %B2000.epil.i ]
-  %size_of_region.5.3.i = phi i64 [ %size_of_region.4.234.i, %B1968.endif.i ], [ %size_of_region.6.3355364.i, %B2060.loopexit.unr-lcssa.i ], [ %size_of_region.6.3355365.i, %B2000.epil.i ]
-  %last.3.3.i = phi double [ %last.2.235.i, %B1968.endif.i ], [ %last.4.3355462.i, %B2060.loopexit.unr-lcssa.i ], [ %last.4.3355463.i, %B2000.epil.i ]
-  %goes_on.8.3.i = phi i1 [ %brmerge.not3583.i, %B1968.endif.i ], [ %goes_on.9.3355560.i, %B2060.loopexit.unr-lcssa.i ], [ %goes_on.9.3355561.i, %B2000.epil.i ]
-  br i1 %goes_on.8.3.i, label %B252.backedge.i, label %B2066.i
+B1980.epil.i:                                     ; preds = %B1980.epil.i, %B1980.epil.preheader.i
+  %epil.iter150.i = phi i64 [ %epil.iter150.next.i, %B1980.epil.i ], [ 0, %B1980.epil.preheader.i ]
+  %120 = shl nuw nsw i64 %epil.iter150.i, 3
+  %scevgep264.i = getelementptr i8, ptr %scevgep263.i, i64 %120
+  %.4117.epil.i = load i64, ptr %scevgep264.i, align 8
+  %scevgep262.i = getelementptr i8, ptr %scevgep261.i, i64 %120
+  store i64 %.4117.epil.i, ptr %scevgep262.i, align 8
+  %epil.iter150.next.i = add i64 %epil.iter150.i, 1
+  %epil.iter150.cmp.not.i = icmp eq i64 %xtraiter149.i, %epil.iter150.next.i
+  br i1 %epil.iter150.cmp.not.i, label %B2022.i, label %B1980.epil.i
 
-B252.backedge.i:                                  ; preds = %B1968.endif.thread.i, %B2060.i, %B1502.i, %B506.i
-  %rows.2.2.be.i = phi i64 [ %rows.3.3.i, %B2060.i ], [ %.3597.i, %B1968.endif.thread.i ], [ %rows.2.233.i, %B506.i ], [ %rows.2.233.i, %B1502.i ]
-  %size_of_region.4.2.be.i = phi i64 [ %size_of_region.5.3.i, %B2060.i ], [ %.3609.i, %B1968.endif.thread.i ], [ %size_of_region.4.234.i, %B506.i ], [ %size_of_region.4.234.i, %B1502.i ]
-  %last.2.2.be.i = phi double [ %last.3.3.i, %B2060.i ], [ %level.2.229.i, %B1968.endif.thread.i ], [ %last.2.235.i, %B506.i ], [ %last.2.235.i, %B1502.i ]
-  %level.2.2.be.i = fmul double %w32, %level.2.229.i
-  %.674.i = load double, ptr %w24, align 8
-  %.679.i = fcmp olt double %.674.i, %level.2.2.be.i
-  br i1 %.679.i, label %B316.i, label %B506.i
+B2022.i:                                          ; preds = %B1980.epil.i, %B1948.endif.i, %B2022.loopexit.unr-lcssa.i, %B1558.i
+  %size_of_region.7.4.i = phi i64 [ %size_of_region.4.2.i, %B1558.i ], [ %.3768.i, %B1948.endif.i ], [ %.3768.i, %B2022.loopexit.unr-lcssa.i ], [ %.3768.i, %B1980.epil.i ]
+  %slenderest.5.4.i = phi double [ %slenderest.2.2.i, %B1558.i ], [ %"$phi1660.0.2.4.i", %B1948.endif.i ], [ %"$phi1660.0.2.4.i", %B2022.loopexit.unr-lcssa.i ], [ %"$phi1660.0.2.4.i", %B1980.epil.i ]
+  %.4175.i = add nsw i64 %rows.2.2.i, 1
+  br label %B2036.endif.i
 
-B2066.i:                                          ; preds = %B504.i, %B1968.endif.thread.i, %B2060.i
-  %rows.6.1.i = phi i64 [ %rows.3.3.i, %B2060.i ], [ %.3597.i, %B1968.endif.thread.i ], [ %.us-phi2969.i, %B504.i ]
-  %size_of_region.2.1.i = phi i64 [ %size_of_region.5.3.i, %B2060.i ], [ %.3609.i, %B1968.endif.thread.i ], [ %.us-phi2970.i, %B504.i ]
-  %.4366.i = icmp slt i64 %size_of_region.2.1.i, %w42
-  br i1 %.4366.i, label %B2104.i, label %B2114.endif.i
+B2068.i:                                          ; preds = %B2068.preheader.new.i, %B2068.i
+  %.429928742876.i = phi i64 [ 0, %B2068.preheader.new.i ], [ %.4306.3.i, %B2068.i ]
+  %sunkaddr336.i = shl i64 %.429928742876.i, 3
+  %sunkaddr337.i = getelementptr i8, ptr %w20, i64 %sunkaddr336.i
+  %.4373.i = load i64, ptr %sunkaddr337.i, align 8
+  %.4386.i = icmp slt i64 %.4373.i, 0
+  %.4387.i = select i1 %.4386.i, i64 %w17, i64 0
+  %121 = getelementptr i64, ptr %w16, i64 %.4373.i
+  %.4401.i = getelementptr i64, ptr %121, i64 %.4387.i
+  store i64 0, ptr %.4401.i, align 8
+  %sunkaddr340.i = getelementptr i8, ptr %sunkaddr337.i, i64 8
+  %.4373.1.i = load i64, ptr %sunkaddr340.i, align 8
+  %.4386.1.i = icmp slt i64 %.4373.1.i, 0
+  %.4387.1.i = select i1 %.4386.1.i, i64 %w17, i64 0
+  %122 = getelementptr i64, ptr %w16, i64 %.4373.1.i
+  %.4401.1.i = getelementptr i64, ptr %122, i64 %.4387.1.i
+  store i64 0, ptr %.4401.1.i, align 8
+  %sunkaddr343.i = getelementptr i8, ptr %sunkaddr337.i, i64 16
+  %.4373.2.i = load i64, ptr %sunkaddr343.i, align 8
+  %.4386.2.i = icmp slt i64 %.4373.2.i, 0
+  %.4387.2.i = select i1 %.4386.2.i, i64 %w17, i64 0
+  %123 = getelementptr i64, ptr %w16, i64 %.4373.2.i
+  %.4401.2.i = getelementptr i64, ptr %123, i64 %.4387.2.i
+  store i64 0, ptr %.4401.2.i, align 8
+  %.4306.3.i = add nuw nsw i64 %.429928742876.i, 4
+  %sunkaddr346.i = getelementptr i8, ptr %sunkaddr337.i, i64 24
+  %.4373.3.i = load i64, ptr %sunkaddr346.i, align 8
+  %.4386.3.i = icmp slt i64 %.4373.3.i, 0
+  %.4387.3.i = select i1 %.4386.3.i, i64 %w17, i64 0
+  %124 = getelementptr i64, ptr %w16, i64 %.4373.3.i
+  %.4401.3.i = getelementptr i64, ptr %124, i64 %.4387.3.i
+  store i64 0, ptr %.4401.3.i, align 8
+  %niter160.ncmp.3.i = icmp eq i64 %unroll_iter159.i, %.4306.3.i
+  br i1 %niter160.ncmp.3.i, label %B2128.loopexit.unr-lcssa.i, label %B2068.i
 
-B2104.i:                                          ; preds = %B2066.i
-  %123 = getelementptr i64, ptr %w41, i64 %size_of_region.2.1.i
-  store i64 -1, ptr %123, align 8
-  br label %B2114.endif.i
+B2128.loopexit.unr-lcssa.i:                       ; preds = %B2068.i
+  %lcmp.mod157.not.i = icmp eq i64 %xtraiter155.i, 0
+  br i1 %lcmp.mod157.not.i, label %B2128.i, label %B2068.epil.preheader.i
 
-B2182.i:                                          ; preds = %B2182.preheader.new.i, %B2182.i
-  %.450432153217.i = phi i64 [ 0, %B2182.preheader.new.i ], [ %.4511.3.i, %B2182.i ]
-  %sunkaddr262.i = shl i64 %.450432153217.i, 3
-  %sunkaddr263.i = getelementptr i8, ptr %w14, i64 %sunkaddr262.i
-  store double 0x7FF0000000000000, ptr %sunkaddr263.i, align 8
-  %sunkaddr265.i = getelementptr i8, ptr %w16, i64 %sunkaddr262.i
-  store i64 0, ptr %sunkaddr265.i, align 8
-  %sunkaddr268.i = getelementptr i8, ptr %sunkaddr263.i, i64 8
-  store double 0x7FF0000000000000, ptr %sunkaddr268.i, align 8
-  %sunkaddr271.i = getelementptr i8, ptr %sunkaddr265.i, i64 8
-  store i64 0, ptr %sunkaddr271.i, align 8
-  %sunkaddr274.i = getelementptr i8, ptr %sunkaddr263.i, i64 16
-  store double 0x7FF0000000000000, ptr %sunkaddr274.i, align 8
-  %sunkaddr277.i = getelementptr i8, ptr %sunkaddr265.i, i64 16
-  store i64 0, ptr %sunkaddr277.i, align 8
-  %.4511.3.i = add nuw nsw i64 %.450432153217.i, 4
-  %sunkaddr280.i = getelementptr i8, ptr %sunkaddr263.i, i64 24
-  store double 0x7FF0000000000000, ptr %sunkaddr280.i, align 8
-  %sunkaddr283.i = getelementptr i8, ptr %sunkaddr265.i, i64 24
-  store i64 0, ptr %sunkaddr283.i, align 8
-  %niter107.ncmp.3.i = icmp eq i64 %unroll_iter106.i, %.4511.3.i
-  br i1 %niter107.ncmp.3.i, label %B2238.loopexit.unr-lcssa.i, label %B2182.i
+B2068.epil.preheader.i:                           ; preds = %B2068.preheader.i, %B2128.loopexit.unr-lcssa.i
+  %.429928742876.epil.init.i = phi i64 [ 0, %B2068.preheader.i ], [ %unroll_iter159.i, %B2128.loopexit.unr-lcssa.i ]
+  %125 = shl i64 %.429928742876.epil.init.i, 3
+  %scevgep272.i = getelementptr i8, ptr %w20, i64 %125
+  br label %B2068.epil.i
 
-B2238.loopexit.unr-lcssa.i:                       ; preds = %B2182.i
-  %lcmp.mod104.not.i = icmp eq i64 %xtraiter102.i, 0
-  br i1 %lcmp.mod104.not.i, label %_ZN7msf_jax4host4thin6fronts3capB3v33B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xddddd5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE.exit, label %B2182.epil.preheader.i
+B2068.epil.i:                                     ; preds = %B2068.epil.i, %B2068.epil.preheader.i
+  %epil.iter156.i = phi i64 [ %epil.iter156.next.i, %B2068.epil.i ], [ 0, %B2068.epil.preheader.i ]
+  %126 = shl nuw nsw i64 %epil.iter156.i, 3
+  %scevgep273.i = getelementptr i8, ptr %scevgep272.i, i64 %126
+  %.4373.epil.i = load i64, ptr %scevgep273.i, align 8
+  %.4386.epil.i = icmp slt i64 %.4373.epil.i, 0
+  %.4387.epil.i = select i1 %.4386.epil.i, i64 %w17, i64 0
+  %127 = getelementptr i64, ptr %w16, i64 %.4373.epil.i
+  %.4401.epil.i = getelementptr i64, ptr %127, i64 %.4387.epil.i
+  store i64 0, ptr %.4401.epil.i, align 8
+  %epil.iter156.next.i = add i64 %epil.iter156.i, 1
+  %epil.iter156.cmp.not.i = icmp eq i64 %xtraiter155.i, %epil.iter156.next.i
+  br i1 %epil.iter156.cmp.not.i, label %B2128.i, label %B2068.epil.i
 
-B2182.epil.preheader.i:                           ; preds = %B2182.preheader.i, %B2238.loopexit.unr-lcssa.i
-  %.450432153217.epil.init.i = phi i64 [ 0, %B2182.preheader.i ], [ %unroll_iter106.i, %B2238.loopexit.unr-lcssa.i ]
-  %124 = shl i64 %.450432153217.epil.init.i, 3
-  %scevgep.i = getelementptr i8, ptr %w16, i64 %124
-  %scevgep114.i = getelementptr i8, ptr %w14, i64 %124
-  br label %B2182.epil.i
+B2128.i:                                          ; preds = %B2068.epil.i, %B2036.endif.i, %B2128.loopexit.unr-lcssa.i, %B1522.i, %B522.i
+  %rows.3.3.i = phi i64 [ %rows.2.2.i, %B522.i ], [ %rows.4.3.i, %B2036.endif.i ], [ %rows.2.2.i, %B1522.i ], [ %rows.4.3.i, %B2128.loopexit.unr-lcssa.i ], [ %rows.4.3.i, %B2068.epil.i ]
+  %size_of_region.5.3.i = phi i64 [ %size_of_region.4.2.i, %B522.i ], [ %size_of_region.6.3.i, %B2036.endif.i ], [ %size_of_region.4.2.i, %B1522.i ], [ %size_of_region.6.3.i, %B2128.loopexit.unr-lcssa.i ], [ %size_of_region.6.3.i, %B2068.epil.i ]
+  %last.3.3.i = phi double [ %last.2.2.i, %B522.i ], [ %last.4.3.i, %B2036.endif.i ], [ %last.2.2.i, %B1522.i ], [ %last.4.3.i, %B2128.loopexit.unr-lcssa.i ], [ %last.4.3.i, %B2068.epil.i ]
+  %slenderest.3.3.i = phi double [ %slenderest.2.2.i, %B522.i ], [ %slenderest.4.3.i, %B2036.endif.i ], [ %slenderest.2.2.i, %B1522.i ], [ %slenderest.4.3.i, %B2128.loopexit.unr-lcssa.i ], [ %slenderest.4.3.i, %B2068.epil.i ]
+  %goes_on.8.3.i = phi i1 [ true, %B522.i ], [ %goes_on.9.3.i, %B2036.endif.i ], [ true, %B1522.i ], [ %goes_on.9.3.i, %B2128.loopexit.unr-lcssa.i ], [ %goes_on.9.3.i, %B2068.epil.i ]
+  %.4436.i = fmul double %w32, %level.2.2.i
+  br i1 %goes_on.8.3.i, label %B268.i, label %B2134.i
 
-B2182.epil.i:                                     ; preds = %B2182.epil.i, %B2182.epil.preheader.i
-  %epil.iter103.i = phi i64 [ %epil.iter103.next.i, %B2182.epil.i ], [ 0, %B2182.epil.preheader.i ]
-  %125 = shl nuw nsw i64 %epil.iter103.i, 3
-  %scevgep115.i = getelementptr i8, ptr %scevgep114.i, i64 %125
-  store double 0x7FF0000000000000, ptr %scevgep115.i, align 8
-  %scevgep113.i = getelementptr i8, ptr %scevgep.i, i64 %125
-  store i64 0, ptr %scevgep113.i, align 8
-  %epil.iter103.next.i = add i64 %epil.iter103.i, 1
-  %epil.iter103.cmp.not.i = icmp eq i64 %xtraiter102.i, %epil.iter103.next.i
-  br i1 %epil.iter103.cmp.not.i, label %_ZN7msf_jax4host4thin6fronts3capB3v33B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xddddd5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE.exit, label %B2182.epil.i
+B2134.i:                                          ; preds = %B520.i, %B2128.i
+  %rows.6.1.i = phi i64 [ %rows.3.3.i, %B2128.i ], [ %.us-phi3019.i, %B520.i ]
+  %size_of_region.2.1.i = phi i64 [ %size_of_region.5.3.i, %B2128.i ], [ %.us-phi3020.i, %B520.i ]
+  %.4561.i = icmp slt i64 %size_of_region.2.1.i, %w42
+  br i1 %.4561.i, label %B2172.i, label %B2182.endif.i
 
-B2239.i:                                          ; preds = %B834.endif.i, %B1030.i, %B874.i
-  %rings.4.5.i = phi i64 [ %rings.2.42735.i, %B834.endif.i ], [ %.2045.i, %B1030.i ], [ %rings.2.42735.i, %B874.i ]
-  %longest.4.5.i = phi i64 [ %longest.3.42736.i, %B834.endif.i ], [ %longest.6.7.i, %B1030.i ], [ %longest.3.42736.i, %B874.i ]
-  %area.6.5.i = phi double [ %.1644.i, %B834.endif.i ], [ %.2039.i, %B1030.i ], [ %area.4.42734.i, %B874.i ]
+B2172.i:                                          ; preds = %B2134.i
+  %128 = getelementptr i64, ptr %w41, i64 %size_of_region.2.1.i
+  store i64 -1, ptr %128, align 8
+  br label %B2182.endif.i
+
+B2250.i:                                          ; preds = %B2250.preheader.new.i, %B2250.i
+  %.469932683270.i = phi i64 [ 0, %B2250.preheader.new.i ], [ %.4706.3.i, %B2250.i ]
+  %sunkaddr347.i = shl i64 %.469932683270.i, 3
+  %sunkaddr348.i = getelementptr i8, ptr %w14, i64 %sunkaddr347.i
+  store double 0x7FF0000000000000, ptr %sunkaddr348.i, align 8
+  %sunkaddr350.i = getelementptr i8, ptr %w16, i64 %sunkaddr347.i
+  store i64 0, ptr %sunkaddr350.i, align 8
+  %sunkaddr353.i = getelementptr i8, ptr %sunkaddr348.i, i64 8
+  store double 0x7FF0000000000000, ptr %sunkaddr353.i, align 8
+  %sunkaddr356.i = getelementptr i8, ptr %sunkaddr350.i, i64 8
+  store i64 0, ptr %sunkaddr356.i, align 8
+  %sunkaddr359.i = getelementptr i8, ptr %sunkaddr348.i, i64 16
+  store double 0x7FF0000000000000, ptr %sunkaddr359.i, align 8
+  %sunkaddr362.i = getelementptr i8, ptr %sunkaddr350.i, i64 16
+  store i64 0, ptr %sunkaddr362.i, align 8
+  %.4706.3.i = add nuw nsw i64 %.469932683270.i, 4
+  %sunkaddr365.i = getelementptr i8, ptr %sunkaddr348.i, i64 24
+  store double 0x7FF0000000000000, ptr %sunkaddr365.i, align 8
+  %sunkaddr368.i = getelementptr i8, ptr %sunkaddr350.i, i64 24
+  store i64 0, ptr %sunkaddr368.i, align 8
+  %niter166.ncmp.3.i = icmp eq i64 %unroll_iter165.i, %.4706.3.i
+  br i1 %niter166.ncmp.3.i, label %B2306.loopexit.unr-lcssa.i, label %B2250.i
+
+B2306.loopexit.unr-lcssa.i:                       ; preds = %B2250.i
+  %lcmp.mod163.not.i = icmp eq i64 %xtraiter161.i, 0
+  br i1 %lcmp.mod163.not.i, label %_ZN7msf_jax4host4thin6fronts3capB3v33B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xddddd5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE.exit, label %B2250.epil.preheader.i
+
+B2250.epil.preheader.i:                           ; preds = %B2250.preheader.i, %B2306.loopexit.unr-lcssa.i
+  %.469932683270.epil.init.i = phi i64 [ 0, %B2250.preheader.i ], [ %unroll_iter165.i, %B2306.loopexit.unr-lcssa.i ]
+  %129 = shl i64 %.469932683270.epil.init.i, 3
+  %scevgep.i = getelementptr i8, ptr %w16, i64 %129
+  %scevgep188.i = getelementptr i8, ptr %w14, i64 %129
+  br label %B2250.epil.i
+
+B2250.epil.i:                                     ; preds = %B2250.epil.i, %B2250.epil.preheader.i
+  %epil.iter162.i = phi i64 [ %epil.iter162.next.i, %B2250.epil.i ], [ 0, %B2250.epil.preheader.i ]
+  %130 = shl nuw nsw i64 %epil.iter162.i, 3
+  %scevgep189.i = getelementptr i8, ptr %scevgep188.i, i64 %130
+  store double 0x7FF0000000000000, ptr %scevgep189.i, align 8
+  %scevgep187.i = getelementptr i8, ptr %scevgep.i, i64 %130
+  store i64 0, ptr %scevgep187.i, align 8
+  %epil.iter162.next.i = add i64 %epil.iter162.i, 1
+  %epil.iter162.cmp.not.i = icmp eq i64 %xtraiter161.i, %epil.iter162.next.i
+  br i1 %epil.iter162.cmp.not.i, label %_ZN7msf_jax4host4thin6fronts3capB3v33B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xddddd5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE.exit, label %B2250.epil.i
+
+B2307.i:                                          ; preds = %B850.endif.i, %B1046.i, %B890.i
+  %rings.3.5.i = phi i64 [ %rings.2.42781.i, %B850.endif.i ], [ %.2071.i, %B1046.i ], [ %rings.2.42781.i, %B890.i ]
+  %longest.4.5.i = phi i64 [ %longest.3.42782.i, %B850.endif.i ], [ %longest.6.7.i, %B1046.i ], [ %longest.3.42782.i, %B890.i ]
+  %area.5.5.i = phi double [ %.1670.i, %B850.endif.i ], [ %.2065.i, %B1046.i ], [ %area.4.42780.i, %B890.i ]
   %lsr.iv.next.i = add i64 %lsr.iv.i, -1
-  %.1471.i = add i64 %.146427152732.i, 1
-  %.1458.i = icmp samesign ugt i64 %lsr.iv.next.i, 1
-  br i1 %.1458.i, label %B760.i, label %B628.loopexit.i
+  %.1497.i = add i64 %.149027612778.i, 1
+  %.1484.i = icmp samesign ugt i64 %lsr.iv.next.i, 1
+  br i1 %.1484.i, label %B776.i, label %B644.loopexit.i
 
-B316.endif.i:                                     ; preds = %B236.i.i, %B200.i.i, %B316.i
-  %at.3.1.i.i = phi i64 [ 0, %B316.i ], [ %child.2.1.i.i, %B236.i.i ], [ %at.2.0.i.i, %B200.i.i ]
+B332.endif.i:                                     ; preds = %B236.i.i, %B200.i.i, %B332.i
+  %at.3.1.i.i = phi i64 [ 0, %B332.i ], [ %child.2.1.i.i, %B236.i.i ], [ %at.2.0.i.i, %B200.i.i ]
   %.469.i.i = icmp slt i64 %at.3.1.i.i, 0
   %.470.i.i = select i1 %.469.i.i, i64 %w25, i64 0
-  %126 = getelementptr double, ptr %w24, i64 %at.3.1.i.i
-  %.484.i.i = getelementptr double, ptr %126, i64 %.470.i.i
+  %131 = getelementptr double, ptr %w24, i64 %at.3.1.i.i
+  %.484.i.i = getelementptr double, ptr %131, i64 %.470.i.i
   store double %.114.i.i, ptr %.484.i.i, align 8
   %.507.i.i = select i1 %.469.i.i, i64 %w27, i64 0
-  %127 = getelementptr i64, ptr %w26, i64 %at.3.1.i.i
-  %.521.i.i = getelementptr i64, ptr %127, i64 %.507.i.i
+  %132 = getelementptr i64, ptr %w26, i64 %at.3.1.i.i
+  %.521.i.i = getelementptr i64, ptr %132, i64 %.507.i.i
   store i64 %.146.i.i, ptr %.521.i.i, align 8
-  %.758.i = icmp slt i64 %.us-phi2972.i, 0
-  %.759.i = select i1 %.758.i, i64 %w17, i64 0
-  %128 = getelementptr i64, ptr %w16, i64 %.us-phi2972.i
-  %.773.i = getelementptr i64, ptr %128, i64 %.759.i
-  %.774.i = load i64, ptr %.773.i, align 8
-  %.775.not.i = icmp eq i64 %.774.i, 1
-  br i1 %.775.not.i, label %B504.i, label %B382.i
+  %.770.i = icmp slt i64 %.us-phi3023.i, 0
+  %.771.i = select i1 %.770.i, i64 %w17, i64 0
+  %133 = getelementptr i64, ptr %w16, i64 %.us-phi3023.i
+  %.785.i = getelementptr i64, ptr %133, i64 %.771.i
+  %.786.i = load i64, ptr %.785.i, align 8
+  %.787.not.i = icmp eq i64 %.786.i, 1
+  br i1 %.787.not.i, label %B520.i, label %B398.i
 
-B630.endif.preheader.i:                           ; preds = %B506.i
-  store double 0.000000e+00, ptr %sunkaddr285.i, align 8
-  br label %B630.endif.i
+B646.endif.preheader.i:                           ; preds = %B522.i
+  store double 0.000000e+00, ptr %sunkaddr370.i, align 8
+  br label %B646.endif.i
 
-B630.endif.i:                                     ; preds = %B630.endif.preheader.i, %B628.loopexit.i
-  %longest.2.32767.i = phi i64 [ %longest.3.4.lcssa.i, %B628.loopexit.i ], [ 0, %B630.endif.preheader.i ]
-  %rings.3.32766.i = phi i64 [ %rings.2.4.lcssa.i, %B628.loopexit.i ], [ 0, %B630.endif.preheader.i ]
-  %area.5.32765.i = phi double [ %area.4.4.lcssa.i, %B628.loopexit.i ], [ 0.000000e+00, %B630.endif.preheader.i ]
-  %.120427462763.i = phi i64 [ %.1211.i, %B628.loopexit.i ], [ 0, %B630.endif.preheader.i ]
-  %.1211.i = add nuw nsw i64 %.120427462763.i, 1
-  %129 = getelementptr i64, ptr %w18, i64 %.120427462763.i
-  %.1286.i = load i64, ptr %129, align 8
-  %.1299.i = icmp slt i64 %.1286.i, 0
-  %.1300.i = select i1 %.1299.i, i64 %w9, i64 0
-  %130 = getelementptr i64, ptr %w8, i64 %.1286.i
-  %.1314.i = getelementptr i64, ptr %130, i64 %.1300.i
-  %.1315.i = load i64, ptr %.1314.i, align 8
-  %.1362.i = icmp slt i64 %.1286.i, -1
-  %.1363.i = select i1 %.1362.i, i64 %w9, i64 0
-  %131 = getelementptr i8, ptr %130, i64 8
-  %.1377.i = getelementptr i64, ptr %131, i64 %.1363.i
-  %.1378.i = load i64, ptr %.1377.i, align 8
-  %.1415.i = sub i64 %.1378.i, %.1315.i
-  %.14582729.not.i = icmp slt i64 %.1415.i, 1
-  br i1 %.14582729.not.i, label %B628.loopexit.i, label %B760.preheader.i
+B646.endif.i:                                     ; preds = %B646.endif.preheader.i, %B644.loopexit.i
+  %longest.2.32813.i = phi i64 [ %longest.3.4.lcssa.i, %B644.loopexit.i ], [ 0, %B646.endif.preheader.i ]
+  %rings.5.32812.i = phi i64 [ %rings.2.4.lcssa.i, %B644.loopexit.i ], [ 0, %B646.endif.preheader.i ]
+  %area.7.32811.i = phi double [ %area.4.4.lcssa.i, %B644.loopexit.i ], [ 0.000000e+00, %B646.endif.preheader.i ]
+  %.123027922809.i = phi i64 [ %.1237.i, %B644.loopexit.i ], [ 0, %B646.endif.preheader.i ]
+  %.1237.i = add nuw nsw i64 %.123027922809.i, 1
+  %134 = getelementptr i64, ptr %w18, i64 %.123027922809.i
+  %.1312.i = load i64, ptr %134, align 8
+  %.1325.i = icmp slt i64 %.1312.i, 0
+  %.1326.i = select i1 %.1325.i, i64 %w9, i64 0
+  %135 = getelementptr i64, ptr %w8, i64 %.1312.i
+  %.1340.i = getelementptr i64, ptr %135, i64 %.1326.i
+  %.1341.i = load i64, ptr %.1340.i, align 8
+  %.1388.i = icmp slt i64 %.1312.i, -1
+  %.1389.i = select i1 %.1388.i, i64 %w9, i64 0
+  %136 = getelementptr i8, ptr %135, i64 8
+  %.1403.i = getelementptr i64, ptr %136, i64 %.1389.i
+  %.1404.i = load i64, ptr %.1403.i, align 8
+  %.1441.i = sub i64 %.1404.i, %.1341.i
+  %.14842775.not.i = icmp slt i64 %.1441.i, 1
+  br i1 %.14842775.not.i, label %B644.loopexit.i, label %B776.preheader.i
 
-B760.preheader.i:                                 ; preds = %B630.endif.i
-  %132 = add nuw i64 %.1415.i, 1
-  br label %B760.i
+B776.preheader.i:                                 ; preds = %B646.endif.i
+  %137 = add nuw i64 %.1441.i, 1
+  br label %B776.i
 
-B834.endif.i:                                     ; preds = %B140.endif.i.i
-  %.1620.i = select i1 %.300.i.i, i64 %w13, i64 0
-  %133 = getelementptr double, ptr %w12, i64 %.1526.i
-  %.1634.i = getelementptr double, ptr %133, i64 %.1620.i
-  %.1635.i = load double, ptr %.1634.i, align 8
-  %.1642.i = fdiv double %.1635.i, 3.000000e+00
-  %.1644.i = fadd double %area.4.42734.i, %.1642.i
-  br label %B2239.i
+B850.endif.i:                                     ; preds = %B140.endif.i.i
+  %.1646.i = select i1 %.300.i.i, i64 %w13, i64 0
+  %138 = getelementptr double, ptr %w12, i64 %.1552.i
+  %.1660.i = getelementptr double, ptr %138, i64 %.1646.i
+  %.1661.i = load double, ptr %.1660.i, align 8
+  %.1668.i = fdiv double %.1661.i, 3.000000e+00
+  %.1670.i = fadd double %area.4.42780.i, %.1668.i
+  br label %B2307.i
 
-B1004.preheader.i:                                ; preds = %_ZN7msf_jax4host4thin6fronts12ring_throughB3v37B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx5ArrayIdLi1E1C7mutable7alignedE.exit.i
-  store double %.1965.i, ptr %sunkaddr285.i, align 8
-  %.1965.1.i = load double, ptr %sunkaddr1.i.i, align 8
-  store double %.1965.1.i, ptr %sunkaddr294.i, align 8
-  %.1965.2.i = load double, ptr %sunkaddr.i34.i, align 8
-  store double %.1965.2.i, ptr %sunkaddr298.i, align 8
-  %.1965.3.i = load double, ptr %sunkaddr2.i.i, align 8
-  store double %.1965.3.i, ptr %sunkaddr302.i, align 8
-  %.1965.4.i = load double, ptr %sunkaddr3.i.i, align 8
-  store double %.1965.4.i, ptr %sunkaddr306.i, align 8
-  br label %B1030.i
+B1020.preheader.i:                                ; preds = %_ZN7msf_jax4host4thin6fronts12ring_throughB3v37B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx5ArrayIdLi1E1C7mutable7alignedE.exit.i
+  store double %.1991.i, ptr %sunkaddr370.i, align 8
+  %.1991.1.i = load double, ptr %sunkaddr1.i.i, align 8
+  store double %.1991.1.i, ptr %sunkaddr379.i, align 8
+  %.1991.2.i = load double, ptr %sunkaddr.i34.i, align 8
+  store double %.1991.2.i, ptr %sunkaddr383.i, align 8
+  %.1991.3.i = load double, ptr %sunkaddr2.i.i, align 8
+  store double %.1991.3.i, ptr %sunkaddr387.i, align 8
+  %.1991.4.i = load double, ptr %sunkaddr3.i.i, align 8
+  store double %.1991.4.i, ptr %sunkaddr391.i, align 8
+  br label %B1046.i
 
-B1188.preheader.i:                                ; preds = %_ZN7msf_jax4host4thin6fronts7islandsB3v39B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xxd5ArrayIdLi1E1C7mutable7alignedE.exit.i
-  %134 = icmp eq i64 %num.5.1.lcssa.i.i, 1
-  br i1 %134, label %B1194.epil.i, label %B1188.preheader.new.i
+B1204.preheader.i:                                ; preds = %_ZN7msf_jax4host4thin6fronts7islandsB3v39B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xxd5ArrayIdLi1E1C7mutable7alignedE.exit.i
+  %139 = icmp eq i64 %num.5.1.lcssa.i.i, 1
+  br i1 %139, label %B1210.epil.i, label %B1204.preheader.new.i
 
-B1188.preheader.new.i:                            ; preds = %B1188.preheader.i
+B1204.preheader.new.i:                            ; preds = %B1204.preheader.i
   %unroll_iter.i = and i64 %num.5.1.lcssa.i.i, 9223372036854775806
-  br label %B1188.i
+  br label %B1204.i
 
-B1242.endif.loopexit.unr-lcssa.i:                 ; preds = %B1238.1.i
-  %135 = and i64 %num.5.1.lcssa.i.i, 1
-  %lcmp.mod.not.i = icmp eq i64 %135, 0
-  %"$phi1238.1.2.5.1.not.i" = xor i1 %"$phi1238.1.2.5.1.i", true
-  %brmerge.i = select i1 %lcmp.mod.not.i, i1 true, i1 %"$phi1238.1.2.5.1.not.i"
-  %"$phi1238.1.2.5.1.mux.i" = select i1 %lcmp.mod.not.i, i1 %"$phi1238.1.2.5.1.i", i1 false
-  br i1 %brmerge.i, label %B1242.endif.loopexit.i, label %B1194.epil.i
+B1258.endif.loopexit.unr-lcssa.i:                 ; preds = %B1254.1.i
+  %140 = and i64 %num.5.1.lcssa.i.i, 1
+  %lcmp.mod.not.i = icmp eq i64 %140, 0
+  %"$phi1254.1.2.5.1.not.i" = xor i1 %"$phi1254.1.2.5.1.i", true
+  %brmerge.i = select i1 %lcmp.mod.not.i, i1 true, i1 %"$phi1254.1.2.5.1.not.i"
+  %"$phi1254.1.2.5.1.mux.i" = select i1 %lcmp.mod.not.i, i1 %"$phi1254.1.2.5.1.i", i1 false
+  br i1 %brmerge.i, label %B1258.endif.loopexit.i, label %B1210.epil.i
 
-B1194.epil.i:                                     ; preds = %B1242.endif.loopexit.unr-lcssa.i, %B1188.preheader.i
-  %.233827782780.epil.init54.i = phi i64 [ %unroll_iter.i, %B1242.endif.loopexit.unr-lcssa.i ], [ 0, %B1188.preheader.i ]
-  %136 = getelementptr i64, ptr %w20, i64 %.233827782780.epil.init54.i
-  %.2418.epil.i = load i64, ptr %136, align 8
-  %.2434.epil.i = icmp slt i64 %.2418.epil.i, 0
-  %.2435.epil.i = select i1 %.2434.epil.i, i64 %w37, i64 0
-  %137 = getelementptr i64, ptr %w36, i64 %.2418.epil.i
-  %.2449.epil.i = getelementptr i64, ptr %137, i64 %.2435.epil.i
-  %.2450.epil.i = load i64, ptr %.2449.epil.i, align 8
-  %.2451.epil.i = icmp eq i64 %.2450.epil.i, 0
-  br label %B1242.endif.loopexit.i
+B1210.epil.i:                                     ; preds = %B1258.endif.loopexit.unr-lcssa.i, %B1204.preheader.i
+  %.236428242826.epil.init54.i = phi i64 [ %unroll_iter.i, %B1258.endif.loopexit.unr-lcssa.i ], [ 0, %B1204.preheader.i ]
+  %141 = getelementptr i64, ptr %w20, i64 %.236428242826.epil.init54.i
+  %.2444.epil.i = load i64, ptr %141, align 8
+  %.2460.epil.i = icmp slt i64 %.2444.epil.i, 0
+  %.2461.epil.i = select i1 %.2460.epil.i, i64 %w37, i64 0
+  %142 = getelementptr i64, ptr %w36, i64 %.2444.epil.i
+  %.2475.epil.i = getelementptr i64, ptr %142, i64 %.2461.epil.i
+  %.2476.epil.i = load i64, ptr %.2475.epil.i, align 8
+  %.2477.epil.i = icmp eq i64 %.2476.epil.i, 0
+  br label %B1258.endif.loopexit.i
 
-B1242.endif.loopexit.i:                           ; preds = %B1194.epil.i, %B1242.endif.loopexit.unr-lcssa.i
-  %"$phi1238.1.2.5.lcssa.i" = phi i1 [ %"$phi1238.1.2.5.1.mux.i", %B1242.endif.loopexit.unr-lcssa.i ], [ %.2451.epil.i, %B1194.epil.i ]
-  %.2229.i = fadd double %area.4.4.lcssa.i, %.2227.i
-  br label %B1242.endif.i
+B1258.endif.loopexit.i:                           ; preds = %B1210.epil.i, %B1258.endif.loopexit.unr-lcssa.i
+  %"$phi1254.1.2.5.lcssa.i" = phi i1 [ %"$phi1254.1.2.5.1.mux.i", %B1258.endif.loopexit.unr-lcssa.i ], [ %.2477.epil.i, %B1210.epil.i ]
+  %.2255.i = fadd double %area.4.4.lcssa.i, %.2253.i
+  br label %B1258.endif.i
 
-B1242.endif.i:                                    ; preds = %B760.epil.i.i, %B1242.endif.loopexit.i, %_ZN7msf_jax4host4thin6fronts7islandsB3v39B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xxd5ArrayIdLi1E1C7mutable7alignedE.exit.i, %B728.endif.i.i, %common.ret.loopexit.unr-lcssa.i.i, %B1066.i
-  %goes_on.10.3.i = phi i1 [ true, %B1066.i ], [ true, %_ZN7msf_jax4host4thin6fronts7islandsB3v39B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xxd5ArrayIdLi1E1C7mutable7alignedE.exit.i ], [ %"$phi1238.1.2.5.lcssa.i", %B1242.endif.loopexit.i ], [ true, %B728.endif.i.i ], [ true, %common.ret.loopexit.unr-lcssa.i.i ], [ true, %B760.epil.i.i ]
-  %area.8.3.i = phi double [ %area.4.4.lcssa.i, %B1066.i ], [ %area.4.4.lcssa.i, %_ZN7msf_jax4host4thin6fronts7islandsB3v39B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xxd5ArrayIdLi1E1C7mutable7alignedE.exit.i ], [ %.2229.i, %B1242.endif.loopexit.i ], [ %area.4.4.lcssa.i, %B728.endif.i.i ], [ %area.4.4.lcssa.i, %common.ret.loopexit.unr-lcssa.i.i ], [ %area.4.4.lcssa.i, %B760.epil.i.i ]
-  %num.2.3.i = phi i64 [ 0, %B1066.i ], [ %num.5.1.lcssa.i.i, %_ZN7msf_jax4host4thin6fronts7islandsB3v39B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xxd5ArrayIdLi1E1C7mutable7alignedE.exit.i ], [ %num.5.1.lcssa.i.i, %B1242.endif.loopexit.i ], [ -1, %B728.endif.i.i ], [ -1, %common.ret.loopexit.unr-lcssa.i.i ], [ -1, %B760.epil.i.i ]
-  br label %B1274.endif.i
+B1258.endif.i:                                    ; preds = %B760.epil.i.i, %B1258.endif.loopexit.i, %_ZN7msf_jax4host4thin6fronts7islandsB3v39B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xxd5ArrayIdLi1E1C7mutable7alignedE.exit.i, %B728.endif.i.i, %common.ret.loopexit.unr-lcssa.i.i, %B1082.i
+  %goes_on.10.3.i = phi i1 [ true, %B1082.i ], [ true, %_ZN7msf_jax4host4thin6fronts7islandsB3v39B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xxd5ArrayIdLi1E1C7mutable7alignedE.exit.i ], [ %"$phi1254.1.2.5.lcssa.i", %B1258.endif.loopexit.i ], [ true, %B728.endif.i.i ], [ true, %common.ret.loopexit.unr-lcssa.i.i ], [ true, %B760.epil.i.i ]
+  %area.8.3.i = phi double [ %area.4.4.lcssa.i, %B1082.i ], [ %area.4.4.lcssa.i, %_ZN7msf_jax4host4thin6fronts7islandsB3v39B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xxd5ArrayIdLi1E1C7mutable7alignedE.exit.i ], [ %.2255.i, %B1258.endif.loopexit.i ], [ %area.4.4.lcssa.i, %B728.endif.i.i ], [ %area.4.4.lcssa.i, %common.ret.loopexit.unr-lcssa.i.i ], [ %area.4.4.lcssa.i, %B760.epil.i.i ]
+  %num.2.3.i = phi i64 [ 0, %B1082.i ], [ %num.5.1.lcssa.i.i, %_ZN7msf_jax4host4thin6fronts7islandsB3v39B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xxd5ArrayIdLi1E1C7mutable7alignedE.exit.i ], [ %num.5.1.lcssa.i.i, %B1258.endif.loopexit.i ], [ -1, %B728.endif.i.i ], [ -1, %common.ret.loopexit.unr-lcssa.i.i ], [ -1, %B760.epil.i.i ]
+  br label %B1290.endif.i
 
-B1274.endif.i:                                    ; preds = %B1242.endif.i, %B1272.loopexit.i
-  %.256527942800.i = phi i64 [ %.2572.i, %B1272.loopexit.i ], [ 0, %B1242.endif.i ]
-  %.2572.i = add nuw nsw i64 %.256527942800.i, 1
-  %138 = getelementptr i64, ptr %w18, i64 %.256527942800.i
-  %.2629.i = load i64, ptr %138, align 8
-  %.2642.i = icmp slt i64 %.2629.i, 0
-  %.2643.i = select i1 %.2642.i, i64 %w9, i64 0
-  %139 = getelementptr i64, ptr %w8, i64 %.2629.i
-  %.2657.i = getelementptr i64, ptr %139, i64 %.2643.i
-  %.2658.i = load i64, ptr %.2657.i, align 8
-  %.2705.i = icmp slt i64 %.2629.i, -1
-  %.2706.i = select i1 %.2705.i, i64 %w9, i64 0
-  %140 = getelementptr i8, ptr %139, i64 8
-  %.2720.i = getelementptr i64, ptr %140, i64 %.2706.i
-  %.2721.i = load i64, ptr %.2720.i, align 8
-  %.2758.i = sub i64 %.2721.i, %.2658.i
-  %.28012788.not.i = icmp slt i64 %.2758.i, 1
-  br i1 %.28012788.not.i, label %B1272.loopexit.i, label %B1404.preheader.i
+B1290.endif.i:                                    ; preds = %B1258.endif.i, %B1288.loopexit.i
+  %.259128402846.i = phi i64 [ %.2598.i, %B1288.loopexit.i ], [ 0, %B1258.endif.i ]
+  %.2598.i = add nuw nsw i64 %.259128402846.i, 1
+  %143 = getelementptr i64, ptr %w18, i64 %.259128402846.i
+  %.2655.i = load i64, ptr %143, align 8
+  %.2668.i = icmp slt i64 %.2655.i, 0
+  %.2669.i = select i1 %.2668.i, i64 %w9, i64 0
+  %144 = getelementptr i64, ptr %w8, i64 %.2655.i
+  %.2683.i = getelementptr i64, ptr %144, i64 %.2669.i
+  %.2684.i = load i64, ptr %.2683.i, align 8
+  %.2731.i = icmp slt i64 %.2655.i, -1
+  %.2732.i = select i1 %.2731.i, i64 %w9, i64 0
+  %145 = getelementptr i8, ptr %144, i64 8
+  %.2746.i = getelementptr i64, ptr %145, i64 %.2732.i
+  %.2747.i = load i64, ptr %.2746.i, align 8
+  %.2784.i = sub i64 %.2747.i, %.2684.i
+  %.28272834.not.i = icmp slt i64 %.2784.i, 1
+  br i1 %.28272834.not.i, label %B1288.loopexit.i, label %B1420.preheader.i
 
-B1404.preheader.i:                                ; preds = %B1274.endif.i
-  %.neg.i = add i64 %.2658.i, 1
-  %xtraiter83.i = and i64 %.2758.i, 1
-  %lcmp.mod84.not.i = icmp eq i64 %xtraiter83.i, 0
-  br i1 %lcmp.mod84.not.i, label %B1404.prol.loopexit.i, label %B1404.prol.i
+B1420.preheader.i:                                ; preds = %B1290.endif.i
+  %.neg.i = add i64 %.2684.i, 1
+  %xtraiter142.i = and i64 %.2784.i, 1
+  %lcmp.mod143.not.i = icmp eq i64 %xtraiter142.i, 0
+  br i1 %lcmp.mod143.not.i, label %B1420.prol.loopexit.i, label %B1420.prol.i
 
-B1404.prol.i:                                     ; preds = %B1404.preheader.i
-  %.2810.prol.i = add nsw i64 %.2758.i, -1
-  %.2855.prol.i = icmp slt i64 %.2658.i, 0
-  %.2856.prol.i = select i1 %.2855.prol.i, i64 %w11, i64 0
-  %141 = getelementptr i64, ptr %w10, i64 %.2658.i
-  %.2870.prol.i = getelementptr i64, ptr %141, i64 %.2856.prol.i
-  %.2871.prol.i = load i64, ptr %.2870.prol.i, align 8
-  %.2884.prol.i = icmp slt i64 %.2871.prol.i, 0
-  %.2885.prol.i = select i1 %.2884.prol.i, i64 %w29, i64 0
-  %142 = getelementptr i64, ptr %w28, i64 %.2871.prol.i
-  %.2899.prol.i = getelementptr i64, ptr %142, i64 %.2885.prol.i
-  store i64 -1, ptr %.2899.prol.i, align 8
-  br label %B1404.prol.loopexit.i
+B1420.prol.i:                                     ; preds = %B1420.preheader.i
+  %.2836.prol.i = add nsw i64 %.2784.i, -1
+  %.2881.prol.i = icmp slt i64 %.2684.i, 0
+  %.2882.prol.i = select i1 %.2881.prol.i, i64 %w11, i64 0
+  %146 = getelementptr i64, ptr %w10, i64 %.2684.i
+  %.2896.prol.i = getelementptr i64, ptr %146, i64 %.2882.prol.i
+  %.2897.prol.i = load i64, ptr %.2896.prol.i, align 8
+  %.2910.prol.i = icmp slt i64 %.2897.prol.i, 0
+  %.2911.prol.i = select i1 %.2910.prol.i, i64 %w29, i64 0
+  %147 = getelementptr i64, ptr %w28, i64 %.2897.prol.i
+  %.2925.prol.i = getelementptr i64, ptr %147, i64 %.2911.prol.i
+  store i64 -1, ptr %.2925.prol.i, align 8
+  br label %B1420.prol.loopexit.i
 
-B1404.prol.loopexit.i:                            ; preds = %B1404.prol.i, %B1404.preheader.i
-  %.280027862790.unr.i = phi i64 [ %.2758.i, %B1404.preheader.i ], [ %.2810.prol.i, %B1404.prol.i ]
-  %.280727872789.unr.i = phi i64 [ %.2658.i, %B1404.preheader.i ], [ %.neg.i, %B1404.prol.i ]
-  %143 = icmp eq i64 %.2721.i, %.neg.i
-  br i1 %143, label %B1272.loopexit.i, label %B1404.preheader110.i
+B1420.prol.loopexit.i:                            ; preds = %B1420.prol.i, %B1420.preheader.i
+  %.282628322836.unr.i = phi i64 [ %.2784.i, %B1420.preheader.i ], [ %.2836.prol.i, %B1420.prol.i ]
+  %.283328332835.unr.i = phi i64 [ %.2684.i, %B1420.preheader.i ], [ %.neg.i, %B1420.prol.i ]
+  %148 = icmp eq i64 %.2747.i, %.neg.i
+  br i1 %148, label %B1288.loopexit.i, label %B1420.preheader184.i
 
-B1404.preheader110.i:                             ; preds = %B1404.prol.loopexit.i
-  %144 = add nuw i64 %.280027862790.unr.i, 2
-  br label %B1404.i
+B1420.preheader184.i:                             ; preds = %B1420.prol.loopexit.i
+  %149 = add nuw i64 %.282628322836.unr.i, 2
+  br label %B1420.i
 
-B1858.preheader.i:                                ; preds = %B1514.i
-  %.3037.i = fmul double %area.8.3.i, 0x401921FB54442D18
-  %.3098.i = fmul double %.3022.i, %.3022.i
-  %.3102.i = fdiv double %.3037.i, %.3098.i
-  %.3103.i = fadd double %.3102.i, -5.000000e-01
-  %.3109.i = fcmp oge double %area.8.3.i, %w34
-  %.3119.i = fmul double %.3103.i, 5.000000e-01
-  %"$phi1640.0.2.4.i" = select i1 %.3109.i, double %.3103.i, double %.3119.i
-  %.3153.i = icmp slt i64 %rows.2.233.i, 0
-  %.3154.i = select i1 %.3153.i, i64 %w39, i64 0
-  %.3155.i = add i64 %.3154.i, %rows.2.233.i
-  %.3175.i = mul i64 %.3155.i, %w40
-  %.3179.i = getelementptr double, ptr %w38, i64 %.3175.i
-  store double %"$phi1640.0.2.4.i", ptr %.3179.i, align 8
-  %.3237.i = getelementptr i8, ptr %.3179.i, i64 8
-  store double %level.2.229.i, ptr %.3237.i, align 8
-  %.3293.i = getelementptr i8, ptr %.3179.i, i64 16
-  store double %area.8.3.i, ptr %.3293.i, align 8
-  %.3444.i = load double, ptr %sunkaddr294.i, align 8
-  %.3474.i = load double, ptr %sunkaddr285.i, align 8
-  %.3478.i = fdiv double %.3444.i, %.3474.i
-  %145 = getelementptr i8, ptr %.3179.i, i64 24
-  store double %.3478.i, ptr %145, align 8
-  %.3444.1.i = load double, ptr %sunkaddr298.i, align 8
-  %.3474.1.i = load double, ptr %sunkaddr285.i, align 8
-  %.3478.1.i = fdiv double %.3444.1.i, %.3474.1.i
-  %146 = getelementptr i8, ptr %.3179.i, i64 32
-  store double %.3478.1.i, ptr %146, align 8
-  %.3444.2.i = load double, ptr %sunkaddr302.i, align 8
-  %.3474.2.i = load double, ptr %sunkaddr285.i, align 8
-  %.3478.2.i = fdiv double %.3444.2.i, %.3474.2.i
-  %147 = getelementptr i8, ptr %.3179.i, i64 40
-  store double %.3478.2.i, ptr %147, align 8
-  br label %B1858.i
+B1948.endif.unr-lcssa.i:                          ; preds = %B1912.i
+  br i1 %5, label %B1948.endif.i, label %B1912.epil.i
 
-B1894.endif.unr-lcssa.i:                          ; preds = %B1858.i
-  br i1 %5, label %B1894.endif.i, label %B1858.epil.i
+B1912.epil.i:                                     ; preds = %B1948.endif.unr-lcssa.i, %B1912.epil.i
+  %lsr.iv241.i = phi i64 [ %lsr.iv.next242.i, %B1912.epil.i ], [ %xtraiter144.i, %B1948.endif.unr-lcssa.i ]
+  %lsr.iv237.i = phi i64 [ %lsr.iv.next238.i, %B1912.epil.i ], [ %lsr.iv235.i, %B1948.endif.unr-lcssa.i ]
+  %scevgep240.i = getelementptr i8, ptr %w18, i64 %lsr.iv237.i
+  %.3923.epil.i = load i64, ptr %scevgep240.i, align 8
+  %scevgep239.i = getelementptr i8, ptr %w41, i64 %lsr.iv237.i
+  store i64 %.3923.epil.i, ptr %scevgep239.i, align 8
+  %lsr.iv.next238.i = add nuw nsw i64 %lsr.iv237.i, 8
+  %lsr.iv.next242.i = add nsw i64 %lsr.iv241.i, -1
+  %epil.iter.cmp.not.i = icmp eq i64 %lsr.iv.next242.i, 0
+  br i1 %epil.iter.cmp.not.i, label %B1948.endif.i, label %B1912.epil.i
 
-B1858.epil.i:                                     ; preds = %B1894.endif.unr-lcssa.i, %B1858.epil.i
-  %lsr.iv167.i = phi i64 [ %lsr.iv.next168.i, %B1858.epil.i ], [ %xtraiter85.i, %B1894.endif.unr-lcssa.i ]
-  %lsr.iv163.i = phi i64 [ %lsr.iv.next164.i, %B1858.epil.i ], [ %lsr.iv161.i, %B1894.endif.unr-lcssa.i ]
-  %scevgep166.i = getelementptr i8, ptr %w18, i64 %lsr.iv163.i
-  %.3761.epil.i = load i64, ptr %scevgep166.i, align 8
-  %scevgep165.i = getelementptr i8, ptr %w41, i64 %lsr.iv163.i
-  store i64 %.3761.epil.i, ptr %scevgep165.i, align 8
-  %lsr.iv.next164.i = add nuw nsw i64 %lsr.iv163.i, 8
-  %lsr.iv.next168.i = add nsw i64 %lsr.iv167.i, -1
-  %epil.iter.cmp.not.i = icmp eq i64 %lsr.iv.next168.i, 0
-  br i1 %epil.iter.cmp.not.i, label %B1894.endif.i, label %B1858.epil.i
+B1948.endif.i:                                    ; preds = %B1912.epil.i, %B1948.endif.unr-lcssa.i
+  %.3768.i = add nuw nsw i64 %num.2.3.i, %count.2.03240.i
+  %.40452868.not.i = icmp eq i64 %num.2.3.i, 0
+  br i1 %.40452868.not.i, label %B2022.i, label %B1980.preheader.i
 
-B1894.endif.i:                                    ; preds = %B1858.epil.i, %B1894.endif.unr-lcssa.i
-  %.3592.i = fcmp olt double %"$phi1640.0.2.4.i", %w33
-  %.3597.i = add nsw i64 %rows.2.233.i, 1
-  %.3609.i = add nuw nsw i64 %num.2.3.i, %count.2.03188.i
-  %.38892822.not.i = icmp eq i64 %num.2.3.i, 0
-  br i1 %.38892822.not.i, label %B1968.endif.thread.i, label %B1926.preheader.i
+B1980.preheader.i:                                ; preds = %B1948.endif.i
+  %xtraiter149.i = and i64 %num.2.3.i, 3
+  %150 = icmp samesign ult i64 %num.2.3.i, 4
+  br i1 %150, label %B1980.epil.preheader.i, label %B1980.preheader.new.i
 
-B1926.preheader.i:                                ; preds = %B1894.endif.i
-  %xtraiter90.i = and i64 %num.2.3.i, 3
-  %148 = icmp samesign ult i64 %num.2.3.i, 4
-  br i1 %148, label %B1926.epil.preheader.i, label %B1926.preheader.new.i
+B1980.preheader.new.i:                            ; preds = %B1980.preheader.i
+  %unroll_iter153.i = and i64 %num.2.3.i, 9223372036854775804
+  br label %B1980.i
 
-B1926.preheader.new.i:                            ; preds = %B1926.preheader.i
-  %unroll_iter94.i = and i64 %num.2.3.i, 9223372036854775804
-  br label %B1926.i
+B2036.endif.i:                                    ; preds = %B2022.i, %B1534.i, %B1516.i, %B1468.loopexit.i
+  %rows.4.3.i = phi i64 [ %rows.2.2.i, %B1516.i ], [ %.4175.i, %B2022.i ], [ %rows.2.2.i, %B1534.i ], [ %rows.2.2.i, %B1468.loopexit.i ]
+  %size_of_region.6.3.i = phi i64 [ %size_of_region.4.2.i, %B1516.i ], [ %size_of_region.7.4.i, %B2022.i ], [ %size_of_region.4.2.i, %B1534.i ], [ %size_of_region.4.2.i, %B1468.loopexit.i ]
+  %last.4.3.i = phi double [ %last.2.2.i, %B1516.i ], [ %level.2.2.i, %B2022.i ], [ %last.2.2.i, %B1534.i ], [ %last.2.2.i, %B1468.loopexit.i ]
+  %slenderest.4.3.i = phi double [ %slenderest.2.2.i, %B1516.i ], [ %slenderest.5.4.i, %B2022.i ], [ %slenderest.2.2.i, %B1534.i ], [ %slenderest.2.2.i, %B1468.loopexit.i ]
+  %goes_on.9.3.i = phi i1 [ false, %B1516.i ], [ %.3643.i, %B2022.i ], [ true, %B1534.i ], [ false, %B1468.loopexit.i ]
+  %.42932875.not.i = icmp slt i64 %num.2.3.i, 1
+  br i1 %.42932875.not.i, label %B2128.i, label %B2068.preheader.i
 
-B1968.endif.thread.i:                             ; preds = %B1894.endif.i
-  br i1 %.3592.i, label %B252.backedge.i, label %B2066.i
-
-B1968.endif.i:                                    ; preds = %B1514.i, %B1452.loopexit.i
-  %.41152829.not.i = icmp slt i64 %num.2.3.i, 1
-  br i1 %.41152829.not.i, label %B2060.i, label %B1968.endif.B2000.preheader_crit_edge.i
-
-B1968.endif.B2000.preheader_crit_edge.i:          ; preds = %B1968.endif.i
-  %.pre.i = and i64 %num.2.3.i, 3
-  br label %B2000.preheader.i
-
-B2000.preheader.loopexit.unr-lcssa.i:             ; preds = %B1926.i
-  %lcmp.mod92.not.i = icmp eq i64 %xtraiter90.i, 0
-  br i1 %lcmp.mod92.not.i, label %B2000.preheader.new.i, label %B1926.epil.preheader.i
-
-B1926.epil.preheader.i:                           ; preds = %B2000.preheader.loopexit.unr-lcssa.i, %B1926.preheader.i
-  %.389528212823.epil.init.i = phi i64 [ 0, %B1926.preheader.i ], [ %unroll_iter94.i, %B2000.preheader.loopexit.unr-lcssa.i ]
-  %149 = shl i64 %.389528212823.epil.init.i, 3
-  %scevgep187.i = getelementptr i8, ptr %scevgep186.i, i64 %149
-  %scevgep189.i = getelementptr i8, ptr %w20, i64 %149
-  br label %B1926.epil.i
-
-B1926.epil.i:                                     ; preds = %B1926.epil.i, %B1926.epil.preheader.i
-  %epil.iter91.i = phi i64 [ %epil.iter91.next.i, %B1926.epil.i ], [ 0, %B1926.epil.preheader.i ]
-  %150 = shl nuw nsw i64 %epil.iter91.i, 3
-  %scevgep190.i = getelementptr i8, ptr %scevgep189.i, i64 %150
-  %.3965.epil.i = load i64, ptr %scevgep190.i, align 8
-  %scevgep188.i = getelementptr i8, ptr %scevgep187.i, i64 %150
-  store i64 %.3965.epil.i, ptr %scevgep188.i, align 8
-  %epil.iter91.next.i = add i64 %epil.iter91.i, 1
-  %epil.iter91.cmp.not.i = icmp eq i64 %xtraiter90.i, %epil.iter91.next.i
-  br i1 %epil.iter91.cmp.not.i, label %B2000.preheader.i, label %B1926.epil.i
-
-B2000.preheader.i:                                ; preds = %B1926.epil.i, %B1968.endif.B2000.preheader_crit_edge.i
-  %xtraiter96.pre-phi.i = phi i64 [ %.pre.i, %B1968.endif.B2000.preheader_crit_edge.i ], [ %xtraiter90.i, %B1926.epil.i ]
-  %goes_on.9.33555.i = phi i1 [ %brmerge.not3583.i, %B1968.endif.B2000.preheader_crit_edge.i ], [ %.3592.i, %B1926.epil.i ]
-  %last.4.33554.i = phi double [ %last.2.235.i, %B1968.endif.B2000.preheader_crit_edge.i ], [ %level.2.229.i, %B1926.epil.i ]
-  %size_of_region.6.33553.i = phi i64 [ %size_of_region.4.234.i, %B1968.endif.B2000.preheader_crit_edge.i ], [ %.3609.i, %B1926.epil.i ]
-  %rows.4.33552.i = phi i64 [ %rows.2.233.i, %B1968.endif.B2000.preheader_crit_edge.i ], [ %.3597.i, %B1926.epil.i ]
+B2068.preheader.i:                                ; preds = %B2036.endif.i
+  %xtraiter155.i = and i64 %num.2.3.i, 3
   %151 = icmp samesign ult i64 %num.2.3.i, 4
-  br i1 %151, label %B2000.epil.preheader.i, label %B2000.preheader.new.i
+  br i1 %151, label %B2068.epil.preheader.i, label %B2068.preheader.new.i
 
-B2000.preheader.new.i:                            ; preds = %B2000.preheader.i, %B2000.preheader.loopexit.unr-lcssa.i
-  %xtraiter9668.i = phi i64 [ %xtraiter96.pre-phi.i, %B2000.preheader.i ], [ 0, %B2000.preheader.loopexit.unr-lcssa.i ]
-  %rows.4.3355266.i = phi i64 [ %rows.4.33552.i, %B2000.preheader.i ], [ %.3597.i, %B2000.preheader.loopexit.unr-lcssa.i ]
-  %size_of_region.6.3355364.i = phi i64 [ %size_of_region.6.33553.i, %B2000.preheader.i ], [ %.3609.i, %B2000.preheader.loopexit.unr-lcssa.i ]
-  %last.4.3355462.i = phi double [ %last.4.33554.i, %B2000.preheader.i ], [ %level.2.229.i, %B2000.preheader.loopexit.unr-lcssa.i ]
-  %goes_on.9.3355560.i = phi i1 [ %goes_on.9.33555.i, %B2000.preheader.i ], [ %.3592.i, %B2000.preheader.loopexit.unr-lcssa.i ]
-  %unroll_iter100.i = and i64 %num.2.3.i, -4
-  br label %B2000.i
+B2068.preheader.new.i:                            ; preds = %B2068.preheader.i
+  %unroll_iter159.i = and i64 %num.2.3.i, 9223372036854775804
+  br label %B2068.i
 
-B2114.endif.i:                                    ; preds = %B2104.i, %B2066.i
-  %.44983216.not.i = icmp slt i64 %w15, 1
-  br i1 %.44983216.not.i, label %_ZN7msf_jax4host4thin6fronts3capB3v33B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xddddd5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE.exit, label %B2182.preheader.i
+B2182.endif.i:                                    ; preds = %B2172.i, %B2134.i
+  %.46933269.not.i = icmp slt i64 %w15, 1
+  br i1 %.46933269.not.i, label %_ZN7msf_jax4host4thin6fronts3capB3v33B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xddddd5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE.exit, label %B2250.preheader.i
 
-B2182.preheader.i:                                ; preds = %B2114.endif.i
-  %xtraiter102.i = and i64 %w15, 3
+B2250.preheader.i:                                ; preds = %B2182.endif.i
+  %xtraiter161.i = and i64 %w15, 3
   %152 = icmp samesign ult i64 %w15, 4
-  br i1 %152, label %B2182.epil.preheader.i, label %B2182.preheader.new.i
+  br i1 %152, label %B2250.epil.preheader.i, label %B2250.preheader.new.i
 
-B2182.preheader.new.i:                            ; preds = %B2182.preheader.i
-  %unroll_iter106.i = and i64 %w15, 9223372036854775804
-  br label %B2182.i
+B2250.preheader.new.i:                            ; preds = %B2250.preheader.i
+  %unroll_iter165.i = and i64 %w15, 9223372036854775804
+  br label %B2250.i
 
-_ZN7msf_jax4host4thin6fronts3capB3v33B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xddddd5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE.exit: ; preds = %B2182.epil.i, %B2238.loopexit.unr-lcssa.i, %B2114.endif.i
+_ZN7msf_jax4host4thin6fronts3capB3v33B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xddddd5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE.exit: ; preds = %B2250.epil.i, %B2306.loopexit.unr-lcssa.i, %B2182.endif.i
   ret i64 %rows.6.1.i
 }
 

@@ -66,6 +66,14 @@ def surface_loops(faces: np.ndarray) -> SurfaceLoops:
     return SurfaceLoops(edges, generator, loops, to_parent, depth)
 
 
+def _has_handles(faces: np.ndarray) -> bool:
+    """Whether V - E + F of the closed surface is below 2 for a component: quicker than its loops."""
+    (a, b, c), num = faces.T, int(faces.max()) + 1
+    pairs = sparse.coo_matrix((np.ones(2 * len(faces)), (np.r_[a, b], np.r_[b, c])), (num, num))
+    num_components = csgraph.connected_components(pairs, directed=False)[0]  # vertices without a face are components
+    return num - len(faces) // 2 < 2 * num_components - np.count_nonzero(np.bincount(faces.ravel()) == 0)
+
+
 def _forest(a: np.ndarray, b: np.ndarray, num: int) -> tuple[np.ndarray, np.ndarray]:
     """The parent (num,) of each node in a breadth-first tree of its component, -1 at the root, and its depth (num,)."""
     graph = sparse.coo_matrix((np.ones(len(a)), (a, b)), shape=(num, num))
@@ -103,7 +111,7 @@ class Handles:
     """
 
     def __init__(self, vertices: np.ndarray, faces: np.ndarray):
-        loops = surface_loops(faces).loops
+        loops = surface_loops(faces).loops if _has_handles(faces) else []
         self.genus = len(loops) // 2
         number, _ = repeated(np.array([len(loop) for loop in loops], dtype=np.int64))
         tail = np.array([vertex for loop in loops for vertex in loop], dtype=np.int64)
@@ -119,7 +127,8 @@ class Handles:
         self._low = vertices.min(axis=0)
         self._extent = max(float((vertices.max(axis=0) - self._low).max()), 1e-300)
         placed = (vertices - self._low) / self._extent
-        placed += PUSH * unit(vertex_normals(placed, faces))
+        if len(ends):  # the normals of all vertices cost most of the time
+            placed += PUSH * unit(vertex_normals(placed, faces))
         self._tail, self._head = (_turned(placed[ends[:, side]]) for side in (0, 1))
 
     def classes(self, a: np.ndarray, b: np.ndarray) -> np.ndarray:

@@ -87,7 +87,7 @@ class Caps:
     def grown(
         self, tip: int, others: np.ndarray, enough: float = np.inf, share: float = 0.5
     ) -> tuple[np.ndarray, np.ndarray]:
-        """The caps around ``tip``, one in each row (k, 6), and the vertices (r,) of the last cap.
+        """The caps around ``tip``, one in each row (k, 6), and the vertices (r,) of the slenderest cap.
 
         A row is slenderness, radius of the disc, area and middle of the curve. The last cap is the first one of
         ``enough`` slenderness, or the last one below that ``share`` of the surface and without a vertex of ``others``
@@ -261,10 +261,8 @@ class Caps:
     def _of(self, tip: int, others: np.ndarray, enough: float) -> Cap:
         """The slenderest cap around ``tip`` below half of the surface without a vertex of ``others`` (V,), or the first
         cap of any size that is slender ``enough``."""
-        share = 0.5 if enough == np.inf else 1.0
-        rows, region = self.grown(tip, others, enough, share)
-        if enough == np.inf:
-            rows, region = self.grown(tip, others, float(rows[:, 0].max()), share)
+        rows, region = self.grown(tip, others, enough, 0.5 if enough == np.inf else 1.0)
+        rows = rows[: rows[:, 0].argmax() + 1]
         factor = np.where(rows[:, 2] < SMALL * self._total[tip], fronts.SMALLER, 1.0)
         radius = np.sqrt(rows[:, 2] / (2 * np.pi * (rows[:, 0] / factor + 0.5)))  # the curve's length over 2 pi
         size = float(np.median(radius[len(rows) // 2 :]))

@@ -235,10 +235,10 @@ def cap(
     Rows of ``found``: slenderness, radius, area and middle of each cap. That of a cap below the area ``small`` is
     multiplied by `SMALLER`. Radii grow from ``level`` by the factor ``ratio``, until a cap has ``enough`` slenderness,
     or more than the area ``most``, or holds a vertex of ``is_other`` (V,) besides the tip. The last three rows are
-    scratch space. ``region`` (V + 1,) gets the vertices of the last cap,
-    and -1 after them. Returns the number of rows.
+    scratch space. ``region`` (V + 1,) gets the vertices of the slenderest cap, and -1 after them. Returns the number of
+    rows.
     """
-    rows, count, size_of_region, last = 0, 0, 0, inf
+    rows, count, size_of_region, last, slenderest = 0, 0, 0, inf, -inf
     middle, best, islets = found[len(found) - 1], found[len(found) - 2], found[len(found) - 3]
     front.distance[tip] = 0.0
     size = push(front, 0, 0.0, tip)
@@ -289,12 +289,13 @@ def cap(
                 for i in range(3):
                     found[rows, 3 + i] = best[1 + i] / best[0]
                 goes_on = found[rows, 0] < enough
+                if found[rows, 0] > slenderest:
+                    slenderest, size_of_region = found[rows, 0], count + num
+                    for number in range(count):
+                        region[number] = front.order[number]
+                    for number in range(num):
+                        region[count + number] = front.filled[number]
                 rows, last = rows + 1, level
-                size_of_region = count + num
-                for number in range(count):
-                    region[number] = front.order[number]
-                for number in range(num):
-                    region[count + number] = front.filled[number]
             for number in range(num):
                 front.state[front.filled[number]] = 0
         level *= ratio
