@@ -3,6 +3,7 @@
 import pickle
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
+from functools import partial
 from itertools import pairwise
 
 import manifold3d
@@ -251,7 +252,9 @@ def test_limbs_without_a_leaf_get_one_and_leaves_in_the_body_go():
     x, edges = legs(*[[(0, 0, -1.02), (a, b, -1)] for a, b in ((1.4, 1.4), (-1.4, -1.4), (-1.4, 1.4))])
     number, none = np.arange(len(x)), np.zeros(len(x), dtype=bool)
     draft = finishing.Draft(x, edges, none, number, number, x, none)
-    job = finishing.Job(shape, shape, 1.2, False, Roadmap(shape, containment.is_inside), centring.Budget())
+    job = finishing.Job(
+        shape, shape, 1.2, False, Roadmap(shape, containment.is_inside), centring.Budget(), partial(Caps, shape)
+    )
     found = finishing.limbed(draft, job, grows=True)
     leaves = found.vertices[found.is_leaf()]
     assert len(leaves) == 4 and (leaves[:, 2] > 0.8).all() and (found.num_grown, found.num_pruned) == (4, 3)

@@ -1,5 +1,7 @@
 """The passes after the flow: containment, centring, pruning, tips; and shapes whose curve is known."""
 
+from functools import partial
+
 import manifold3d
 import numpy as np
 import pytest
@@ -23,6 +25,7 @@ from msf_jax.host.curve.branches import cycle_count
 from msf_jax.host.poles.roadmap import Roadmap
 from msf_jax.host.solid.enclosure import Enclosure
 from msf_jax.host.solid.frame import RESOLUTION
+from msf_jax.host.thin.caps import Caps
 
 
 def path(points):
@@ -147,7 +150,9 @@ def test_a_loop_around_a_hole_is_not_folded_flat():
 
 def job_of(shape):
     """What a pass may ask of the solid ``shape``."""
-    return finishing.Job(shape, shape, 1.5, False, Roadmap(shape, containment.is_inside), centring.Budget())
+    return finishing.Job(
+        shape, shape, 1.5, False, Roadmap(shape, containment.is_inside), centring.Budget(), partial(Caps, shape)
+    )
 
 
 def draft_of(x, edges):
@@ -707,7 +712,7 @@ def test_a_junction_goes_to_the_node_whose_ball_holds_its_own():
     x = scale * np.array([[0, 0, -0.75], [0, 0, -0.3], [0, 0, 0.05], [0, 0, 1.6], [0, 0.3, 1.6], [0, 0, 2.5], *legs])
     edges = np.array([[0, 1], [1, 2], [2, 3], [3, 4], [3, 5], [0, 6], [0, 7]])
     roadmap = Roadmap(shape, containment.is_inside)
-    job = finishing.Job(shape, shape, 0.75, False, roadmap, centring.Budget())
+    job = finishing.Job(shape, shape, 0.75, False, roadmap, centring.Budget(), partial(Caps, shape))
     every = np.arange(len(x))
     draft = finishing.Draft(x, edges, none_held(x), every, every, x, none_held(x))
     place = finishing.placed(draft, job).place / scale

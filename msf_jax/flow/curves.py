@@ -61,8 +61,10 @@ def curve_of(state: State, meso: Meso, config: Config, watch: Stopwatch) -> Part
             is_thin=meso.scale is not None,
             is_tangle=is_tangle(state),
             coarse=state.coarse,
+            caps=None if state.caps is None else state.caps.result,
             first=partial(_recentred, meso, found) if config.surgery else None,
         )
+    state.caps = None  # as large as the surface
     # The edges of a removed node go to the node that replaces it, so that the curve stays connected.
     stands_for = (np.cumsum(done.is_kept) - 1)[done.target]
     edges = stands_for[found.edges]

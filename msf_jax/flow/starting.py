@@ -1,5 +1,7 @@
 """The start of a component's flow: its frame, the filter, coarsening or resampling, handles and poles."""
 
+from concurrent.futures import ThreadPoolExecutor
+
 import numpy as np
 
 from msf_jax.base.errors import MeshError
@@ -16,6 +18,7 @@ from msf_jax.host.recording.records import FoundPoles, Start
 from msf_jax.host.solid.enclosure import Enclosure
 from msf_jax.host.solid.frame import RESOLUTION, frame_of, sort_mesh
 from msf_jax.host.solid.geometry import signed_volume, triangle_areas
+from msf_jax.host.thin.caps import Caps
 
 FIRST = 400.0  # 1/diagonals: the first w_L over the square root of the mean area of a face, see `Config.au2008`
 FLATTEST = 1e-9  # diagonals cubed: the least volume of a component whose coordinates are rounded to the frame's grid
@@ -23,6 +26,8 @@ MOST_REFINED = 8_000  # vertices: refining stops at about this many
 LEAST_REFINED = 0.05  # share of the area that must be at long edges; below it, refining changes no limb or hole
 MOST_COARSENED = 0.05  # share of the volume that coarsening may change; above it, the surface is not coarsened
 MOST_FILTERED = 0.25  # share of the volume that the filter for poles may remove; above it, the filter is left out
+
+_workers = ThreadPoolExecutor(1, "msf_jax-caps")
 
 
 def init(
@@ -66,6 +71,9 @@ def init(
     meso, num_coarsened = _coarsened(meso, config, watch)
     is_coarsened = num_coarsened > meso.num_rows and not (config.reconstruct_mesh or config.resample)
     coarse = Enclosure(meso.positions, meso.faces()) if is_coarsened else shape
+    with watch.stage("poles"):
+        _ = coarse.mesh  # made here, before two threads ask for it
+    caps = _workers.submit(_with_tips, coarse) if config.prune else None
     with watch.stage("compile"):
         compile_ahead(meso, config)
     found = None
@@ -93,8 +101,16 @@ def init(
         start=start,
         meso=meso,
         t_c=config.t_min,
+        caps=caps,
         w_L_factor=FIRST * np.sqrt(meso.area() / len(meso.faces())) if config.w_H_follows_area else 1.0,
     )
+
+
+def _with_tips(shape: Enclosure) -> Caps:
+    """The caps of a surface. Its tips do not depend on the flow, so another thread can look for them meanwhile."""
+    caps = Caps(shape)
+    caps.tips()
+    return caps
 
 
 def _surface(shape: Enclosure, pins: np.ndarray, config: Config, watch: Stopwatch) -> tuple[Meso, LowPass | None]:

@@ -2,6 +2,7 @@
 
 import time
 from collections.abc import Iterator
+from concurrent.futures import Future
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from functools import cached_property
@@ -16,6 +17,7 @@ from msf_jax.host.meso.meso import Meso
 from msf_jax.host.recording.records import Recording, Start, Step
 from msf_jax.host.solid.enclosure import Enclosure
 from msf_jax.host.solid.frame import Frame
+from msf_jax.host.thin.caps import Caps
 from msf_jax.skeleton.skeleton import Skeleton
 from msf_jax.skeleton.source import Source
 
@@ -79,6 +81,7 @@ class State:
     meso: Meso
     t_c: float
     w_L_factor: float
+    caps: Future[Caps] | None  # of ``coarse``, measured on another thread; None if limbs are not asked for, or known
     capacity: int = 0  # of the last buffers, see `layout.layout_after`
     history: list[Iteration] = field(default_factory=list)
     steps: list[Step] = field(default_factory=list)  # for the tape

@@ -73,7 +73,8 @@ class Job(NamedTuple):
 
     shape: the solid, of diagonal 1. coarse: about the same surface with fewer triangles, fine enough for centring.
     prune: least slenderness of a limb, 0 for no pruning (see `thin.caps`). is_thin: whether the solid has thin
-    limbs (see `poles.thickness`). roadmap: paths through the solid. budget: of all centring together.
+    limbs (see `poles.thickness`). roadmap: paths through the solid. budget: of all centring together. caps: returns
+    those of the coarse surface.
     """
 
     shape: Enclosure
@@ -82,6 +83,7 @@ class Job(NamedTuple):
     is_thin: bool
     roadmap: Roadmap
     budget: centring.Budget
+    caps: Callable[[], Caps]
 
 
 class Finished(NamedTuple):
@@ -141,6 +143,7 @@ def finish(
     is_thin: bool = False,
     is_tangle: bool = False,
     coarse: Enclosure | None = None,
+    caps: Callable[[], Caps] | None = None,
     first: Callable[[Draft, Job], Draft] | None = None,
 ) -> Finished:
     """Finish the curve ``(nodes (n, 3), edges)`` of a solid of diagonal 1; nodes of ``is_held`` (n,) do not move.
@@ -151,17 +154,12 @@ def finish(
     ``prune`` is the least slenderness of a limb, 0 for no pruning; ``centre`` and ``extend`` switch those steps.
     ``is_thin`` says that the solid has thin limbs, and may get a Reeb curve. ``is_tangle`` says that the flow ended in
     a tangle that no pass can repair: it stays as it is, unless there is a Reeb curve. ``coarse`` is about the same
-    surface with fewer triangles, fine enough for centring. ``first`` is a pass that comes before all others, and may
-    set the places of the flow's nodes.
+    surface with fewer triangles, fine enough for centring, and ``caps`` returns its caps. ``first`` is a pass that
+    comes before all others, and may set the places of the flow's nodes.
     """
-    job = Job(
-        shape,
-        shape if coarse is None else coarse,
-        prune,
-        is_thin,
-        Roadmap(shape, containment.is_inside),
-        centring.Budget(),
-    )
+    coarse = shape if coarse is None else coarse
+    roadmap = Roadmap(shape, containment.is_inside)
+    job = Job(shape, coarse, prune, is_thin, roadmap, centring.Budget(), caps or partial(Caps, coarse))
     if is_thin and centre and extend and not is_held.any():
         laid = reeb_curve.reeb_curve(shape, containment.is_inside)
         if laid is not None:
@@ -348,7 +346,7 @@ def limbed(draft: Draft, job: Job, grows: bool) -> Draft:
     if not job.prune:
         return draft
     curve = draft.vertices, draft.edges, draft.is_held
-    choice = one_branch.choose(Caps(job.coarse), *curve, job.prune, job.shape.handles.genus)
+    choice = one_branch.choose(job.caps(), *curve, job.prune, job.shape.handles.genus)
     job.budget.was_hit |= choice.was_hit
     more, worth, missing = draft, choice.worth, choice.missing if grows else []
     if missing:
