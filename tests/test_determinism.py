@@ -7,10 +7,15 @@ import os
 import subprocess
 import sys
 import time
+from concurrent.futures import Future
 from pathlib import Path
 
 import numpy as np
 import pytest
+
+import msf_jax
+from msf_jax import shapes
+from msf_jax.flow import starting
 
 PROCESSES, KILLS = int(os.environ.get("MSF_JAX_PROCESSES", "2")), int(os.environ.get("MSF_JAX_KILLS", "2"))
 ROOT = Path(__file__).parents[1]
@@ -35,6 +40,27 @@ for array in (*jax.tree_util.tree_leaves(run.tape), *vars(run.skeleton).values()
         digest.update(array.tobytes())
 print(len(run.history), digest.hexdigest())
 """
+
+
+class AtOnce:
+    """A pool that computes on the caller's thread."""
+
+    def submit(self, function, *arguments):
+        done = Future()
+        done.set_result(function(*arguments))
+        return done
+
+
+def test_limbs_from_another_thread_are_the_same(monkeypatch):
+    """Their tips are looked for while poles and the flow are computed; without pruning nobody looks for them."""
+    mesh = shapes.hand(0.1)
+    found = [msf_jax.skeletonize(mesh)]
+    monkeypatch.setattr(starting, "_workers", AtOnce())
+    found.append(msf_jax.skeletonize(mesh))
+    np.testing.assert_array_equal(found[0].vertices, found[1].vertices)
+    np.testing.assert_array_equal(found[0].edges, found[1].edges)
+    monkeypatch.setattr(starting, "_workers", None)
+    assert msf_jax.skeletonize(mesh, config=msf_jax.Config(prune=0.0)).num_leaves >= found[0].num_leaves
 
 
 def start(threads, precision="float64", *checkpoint, seed="0"):

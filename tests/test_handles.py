@@ -444,3 +444,16 @@ def test_the_figures_count_loops(ring_curve):
     assert metrics.evaluate(mesh, ring_curve)["loops"] == 1
     beside = ring_curve.vertices[0] + 0.02 * ring_curve.vertices
     assert metrics.evaluate(mesh, (beside, ring_curve.edges))["loops"] == 0
+
+
+@pytest.mark.parametrize("gap", [0, 3])
+def test_a_surface_has_loops_only_if_a_component_has_handles(gap):
+    """Its genus is counted first; ``gap`` vertices between the components are of no face."""
+    ball, ring = (shape_of(mesh) for mesh in (trimesh.creation.icosphere(2), trimesh.creation.torus(1, 0.3)))
+    for parts, genus in (([ball], 0), ([ring], 1), ([ball, ball], 0), ([ball, ring], 1), ([ring, ball, ring], 2)):
+        faces, vertices = [], []
+        for number, part in enumerate(parts):
+            faces.append(part.faces + sum(map(len, vertices)))
+            vertices.append(np.concatenate([part.vertices + [4.0 * number, 0, 0], np.zeros((gap, 3))]))
+        found = Handles(np.concatenate(vertices), np.concatenate(faces))
+        assert found.genus == genus == len(surface_loops(np.concatenate(faces)).loops) // 2
