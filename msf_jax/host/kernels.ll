@@ -1,4 +1,4 @@
-; be351365f56b3324d96f94bbbb72bf234922c30806fea27f31474946bcb92934
+; 1ad5afaefab3ea8436c61a36373228bda75955fd5a81774834eb07f0aaf31348
 ; Made of the kernels by `python -m tests.translate`: edit those.
 
 define internal fastcc void @_ZN7msf_jax4host5solid7kernels18triangle_distance2B2v2B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAEddd5ArrayIdLi3E1C7mutable7alignedEx(ptr noalias nonnull writeonly %retptr, double %arg.x, double %arg.y, double %arg.z, ptr readonly %arg.triangles.4, i64 %arg.triangles.5.0, i64 %arg.triangles.5.1, i64 %arg.triangles.5.2, i64 %arg.row) unnamed_addr {
@@ -2726,7 +2726,7 @@ _ZN7msf_jax4host5solid5loops8measuresB3v24B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsB
 
 declare double @sqrt(double) local_unnamed_addr
 
-define i64 @msf_jax.host.thin.fronts.spread(ptr readonly %words) local_unnamed_addr {
+define noundef i64 @msf_jax.host.thin.fronts.spread(ptr readonly %words) local_unnamed_addr {
   %w0 = load ptr, ptr %words, align 8
   %p1 = getelementptr i8, ptr %words, i64 8
   %w1 = load i64, ptr %p1, align 8
@@ -2766,32 +2766,32 @@ define i64 @msf_jax.host.thin.fronts.spread(ptr readonly %words) local_unnamed_a
   %w30 = load ptr, ptr %p30, align 8
   %p31 = getelementptr i8, ptr %words, i64 248
   %w31 = load i64, ptr %p31, align 8
-  %.198490.i = icmp sgt i64 %w31, 0
-  br i1 %.198490.i, label %B20.i, label %_ZN7msf_jax4host4thin6fronts6spreadB3v25B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedE.exit
+  %.191637.i = icmp sgt i64 %w31, 0
+  br i1 %.191637.i, label %B14.i, label %_ZN7msf_jax4host4thin6fronts6spreadB3v25B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedE.exit
 
-B20.i:                                            ; preds = %0, %B18.backedge.i
-  %size.4.0492.i = phi i64 [ %.619.i.i, %B18.backedge.i ], [ 0, %0 ]
-  %.210.i = shl i64 %size.4.0492.i, 3
-  %.214.i = getelementptr i8, ptr %w30, i64 %.210.i
-  %.216.i = load i64, ptr %.214.i, align 8
-  %.258.i = icmp slt i64 %.216.i, 0
-  %.259.i = select i1 %.258.i, i64 %w15, i64 0
-  %1 = getelementptr double, ptr %w14, i64 %.216.i
-  %.273.i = getelementptr double, ptr %1, i64 %.259.i
-  store double 0.000000e+00, ptr %.273.i, align 8
-  %.96.i.not.i = icmp eq i64 %size.4.0492.i, 0
-  br i1 %.96.i.not.i, label %B18.backedge.i, label %B20.else.if.i.i
+B14.i:                                            ; preds = %0, %B12.backedge.i
+  %size.4.0639.i = phi i64 [ %.619.i.i, %B12.backedge.i ], [ 0, %0 ]
+  %.203.i = shl i64 %size.4.0639.i, 3
+  %.207.i = getelementptr i8, ptr %w30, i64 %.203.i
+  %.209.i = load i64, ptr %.207.i, align 8
+  %.251.i = icmp slt i64 %.209.i, 0
+  %.252.i = select i1 %.251.i, i64 %w15, i64 0
+  %1 = getelementptr double, ptr %w14, i64 %.209.i
+  %.266.i = getelementptr double, ptr %1, i64 %.252.i
+  store double 0.000000e+00, ptr %.266.i, align 8
+  %.96.i.not.i = icmp eq i64 %size.4.0639.i, 0
+  br i1 %.96.i.not.i, label %B12.backedge.i, label %B20.else.if.i.i
 
-B20.else.if.i.i:                                  ; preds = %B20.i
-  %.108.i.i = add nsw i64 %size.4.0492.i, -1
+B20.else.if.i.i:                                  ; preds = %B14.i
+  %.108.i.i = add nsw i64 %size.4.0639.i, -1
   %.129416426.i.i = lshr i64 %.108.i.i, 1
   %.178.i.i = getelementptr double, ptr %w24, i64 %.129416426.i.i
   %.179.i.i = load double, ptr %.178.i.i, align 8
   %.181.i.i = fcmp ogt double %.179.i.i, 0.000000e+00
-  br i1 %.181.i.i, label %B66.else.if.i.i, label %B18.backedge.i
+  br i1 %.181.i.i, label %B66.else.if.i.i, label %B12.backedge.i
 
 B66.else.if.i.i:                                  ; preds = %B20.else.if.i.i, %B204.else.if.i.i
-  %at.2.1.i.i = phi i64 [ %.208418427.i.i, %B204.else.if.i.i ], [ %size.4.0492.i, %B20.else.if.i.i ]
+  %at.2.1.i.i = phi i64 [ %.208418427.i.i, %B204.else.if.i.i ], [ %size.4.0639.i, %B20.else.if.i.i ]
   %.189.i.i = add nsw i64 %at.2.1.i.i, -1
   %.208418427.i.i = lshr i64 %.189.i.i, 1
   %.257.i.i = getelementptr double, ptr %w24, i64 %.208418427.i.i
@@ -2803,7 +2803,7 @@ B66.else.if.i.i:                                  ; preds = %B20.else.if.i.i, %B
   %.394.i.i = getelementptr i64, ptr %w26, i64 %at.2.1.i.i
   store i64 %.331.i.i, ptr %.394.i.i, align 8
   %.447.not.i.i = icmp eq i64 %.208418427.i.i, 0
-  br i1 %.447.not.i.i, label %B18.backedge.i, label %B204.else.if.i.i
+  br i1 %.447.not.i.i, label %B12.backedge.i, label %B204.else.if.i.i
 
 B204.else.if.i.i:                                 ; preds = %B66.else.if.i.i
   %.458.i.i = add nsw i64 %.208418427.i.i, -1
@@ -2811,27 +2811,26 @@ B204.else.if.i.i:                                 ; preds = %B66.else.if.i.i
   %.528.i.i = getelementptr double, ptr %w24, i64 %.479424430.i.i
   %.529.i.i = load double, ptr %.528.i.i, align 8
   %.531.i.i = fcmp ogt double %.529.i.i, 0.000000e+00
-  br i1 %.531.i.i, label %B66.else.if.i.i, label %B18.backedge.i
+  br i1 %.531.i.i, label %B66.else.if.i.i, label %B12.backedge.i
 
-B18.backedge.i:                                   ; preds = %B204.else.if.i.i, %B66.else.if.i.i, %B20.else.if.i.i, %B20.i
-  %at.3.0.i.i = phi i64 [ %size.4.0492.i, %B20.else.if.i.i ], [ 0, %B20.i ], [ 0, %B66.else.if.i.i ], [ %.208418427.i.i, %B204.else.if.i.i ]
+B12.backedge.i:                                   ; preds = %B204.else.if.i.i, %B66.else.if.i.i, %B20.else.if.i.i, %B14.i
+  %at.3.0.i.i = phi i64 [ %size.4.0639.i, %B20.else.if.i.i ], [ 0, %B14.i ], [ 0, %B66.else.if.i.i ], [ %.208418427.i.i, %B204.else.if.i.i ]
   %2 = getelementptr double, ptr %w24, i64 %at.3.0.i.i
   store double 0.000000e+00, ptr %2, align 8
   %3 = getelementptr i64, ptr %w26, i64 %at.3.0.i.i
-  store i64 %.216.i, ptr %3, align 8
-  %.619.i.i = add nuw nsw i64 %size.4.0492.i, 1
+  store i64 %.209.i, ptr %3, align 8
+  %.619.i.i = add nuw nsw i64 %size.4.0639.i, 1
   %exitcond.not.i = icmp eq i64 %.619.i.i, %w31
-  br i1 %exitcond.not.i, label %B84.preheader.i, label %B20.i
+  br i1 %exitcond.not.i, label %B78.preheader.i, label %B14.i
 
-B84.preheader.i:                                  ; preds = %B18.backedge.i
+B78.preheader.i:                                  ; preds = %B12.backedge.i
   %4 = shl i64 %w15, 3
   %factor.op.mul.i.i = shl i64 %w2, 3
-  br label %B84.i
+  br label %B78.i
 
-B84.i:                                            ; preds = %B236.i, %B84.preheader.i
-  %last.4.0.i = phi i64 [ %last.3.1.i, %B236.i ], [ 0, %B84.preheader.i ]
-  %size.5.0.i = phi i64 [ %size.6.1.i, %B236.i ], [ %w31, %B84.preheader.i ]
-  %.387.i = load i64, ptr %w26, align 8
+B78.i:                                            ; preds = %B226.i, %B78.preheader.i
+  %size.5.0.i = phi i64 [ %size.6.1.i, %B226.i ], [ %w31, %B78.preheader.i ]
+  %.362.i = load i64, ptr %w26, align 8
   %.79.i.i = add nsw i64 %size.5.0.i, -1
   %.98.i.i = icmp slt i64 %size.5.0.i, 1
   %.99.i.i = select i1 %.98.i.i, i64 %w25, i64 0
@@ -2843,10 +2842,10 @@ B84.i:                                            ; preds = %B236.i, %B84.prehea
   %.145.i.i = getelementptr i64, ptr %6, i64 %.131.i.i
   %.146.i.i = load i64, ptr %.145.i.i, align 8
   %.162.i.i = icmp sgt i64 %size.5.0.i, 2
-  br i1 %.162.i.i, label %B94.i.i, label %B84.endif.i
+  br i1 %.162.i.i, label %B94.i.i, label %B78.endif.i
 
-B94.i.i:                                          ; preds = %B84.i, %B236.i.i
-  %at.2.0.i.i = phi i64 [ %child.2.1.i.i, %B236.i.i ], [ 0, %B84.i ]
+B94.i.i:                                          ; preds = %B78.i, %B236.i.i
+  %at.2.0.i.i = phi i64 [ %child.2.1.i.i, %B236.i.i ], [ 0, %B78.i ]
   %.170.i.i = shl nsw i64 %at.2.0.i.i, 1
   %.171.i.i = or disjoint i64 %.170.i.i, 1
   %.180.i.i = add nsw i64 %.170.i.i, 2
@@ -2878,7 +2877,7 @@ B200.i.i:                                         ; preds = %B190.i.i, %B128.i.i
   %.293.i.i = getelementptr double, ptr %9, i64 %.279.i.i
   %.294.i.i = load double, ptr %.293.i.i, align 8
   %.296.i.i = fcmp ult double %.294.i.i, %.114.i.i
-  br i1 %.296.i.i, label %B236.i.i, label %B84.endif.i
+  br i1 %.296.i.i, label %B236.i.i, label %B78.endif.i
 
 B236.i.i:                                         ; preds = %B200.i.i
   %.354.i.i = select i1 %.278.i.i, i64 %w27, i64 0
@@ -2897,30 +2896,30 @@ B236.i.i:                                         ; preds = %B200.i.i
   %.441.i.i = shl nsw i64 %child.2.1.i.i, 1
   %.442.i.i = or disjoint i64 %.441.i.i, 1
   %.444.i.i = icmp slt i64 %.442.i.i, %.79.i.i
-  br i1 %.444.i.i, label %B94.i.i, label %B84.endif.i
+  br i1 %.444.i.i, label %B94.i.i, label %B78.endif.i
 
-B176.i:                                           ; preds = %B84.endif.i
-  %sunkaddr.i = shl i64 %.459.i, 3
+B170.i:                                           ; preds = %B78.endif.i
+  %sunkaddr.i = shl i64 %.434.i, 3
   %sunkaddr35.i = getelementptr inbounds i8, ptr %31, i64 %sunkaddr.i
   store i64 1, ptr %sunkaddr35.i, align 8
-  %.180.i5.i = select i1 %.458.i, i64 %w9, i64 0
-  %13 = getelementptr i64, ptr %w8, i64 %.387.i
+  %.180.i5.i = select i1 %.433.i, i64 %w9, i64 0
+  %13 = getelementptr i64, ptr %w8, i64 %.362.i
   %.194.i.i = getelementptr i64, ptr %13, i64 %.180.i5.i
   %.195.i.i = load i64, ptr %.194.i.i, align 8
-  %.212.i.i = icmp slt i64 %.387.i, -1
+  %.212.i.i = icmp slt i64 %.362.i, -1
   %.213.i.i = select i1 %.212.i.i, i64 %w9, i64 0
   %14 = getelementptr i8, ptr %13, i64 8
   %.227.i.i = getelementptr i64, ptr %14, i64 %.213.i.i
   %.228.i.i = load i64, ptr %.227.i.i, align 8
   %.265.i.i = sub i64 %.228.i.i, %.195.i.i
   %.310773.not.i.i = icmp slt i64 %.265.i.i, 1
-  br i1 %.310773.not.i.i, label %B236.i, label %B130.endif.endif.us.preheader.i.i
+  br i1 %.310773.not.i.i, label %B226.i, label %B130.endif.endif.us.preheader.i.i
 
-B130.endif.endif.us.preheader.i.i:                ; preds = %B176.i
-  %15 = getelementptr double, ptr %w14, i64 %.387.i
-  %.99.i.i.i = select i1 %.458.i, i64 %w1, i64 0
-  %.100.i.i.i = add i64 %.99.i.i.i, %.387.i
-  %sunkaddr.i.i = select i1 %.458.i, i64 %4, i64 0
+B130.endif.endif.us.preheader.i.i:                ; preds = %B170.i
+  %15 = getelementptr double, ptr %w14, i64 %.362.i
+  %.99.i.i.i = select i1 %.433.i, i64 %w1, i64 0
+  %.100.i.i.i = add i64 %.99.i.i.i, %.362.i
+  %sunkaddr.i.i = select i1 %.433.i, i64 %4, i64 0
   %sunkaddr36.i = getelementptr inbounds i8, ptr %15, i64 %sunkaddr.i.i
   %sunkaddr37.i = mul i64 %factor.op.mul.i.i, %.100.i.i.i
   %sunkaddr38.i = getelementptr i8, ptr %w0, i64 %sunkaddr37.i
@@ -2952,7 +2951,7 @@ B190.us.i.i:                                      ; preds = %B599.us.i.i, %B130.
   %.480.us.i.i = add nuw nsw i64 %.473754758.us.i.i, 1
   %18 = getelementptr i64, ptr %17, i64 %.473754758.us.i.i
   %.555.us.i.i = load i64, ptr %18, align 8
-  %.561.us.i.i = icmp eq i64 %.555.us.i.i, %.387.i
+  %.561.us.i.i = icmp eq i64 %.555.us.i.i, %.362.i
   br i1 %.561.us.i.i, label %B599.us.i.i, label %B226.us.i.i
 
 B226.us.i.i:                                      ; preds = %B190.us.i.i
@@ -2994,7 +2993,7 @@ B336.us.i.i:                                      ; preds = %B226.us.i.i
   %.626.us.i.i = load i64, ptr %17, align 8
   %.681.us.i.i = load i64, ptr %sunkaddr45.i, align 8
   %.737.us.i.i = load i64, ptr %sunkaddr46.i, align 8
-  %21 = add i64 %.555.us.i.i, %.387.i
+  %21 = add i64 %.555.us.i.i, %.362.i
   %.682.us.i.i = sub i64 %.626.us.i.i, %21
   %.738.us.i.i = add i64 %.682.us.i.i, %.681.us.i.i
   %.742.us.i.i = add i64 %.738.us.i.i, %.737.us.i.i
@@ -3170,16 +3169,15 @@ B188.B128.loopexit_crit_edge.us.i.i:              ; preds = %B599.us.i.i
   %.319.us.i.i = add nsw i64 %.309763775.us.i.i, -1
   %.323.us.i.i = add i64 %.316766774.us.i.i, 1
   %.310.us.i.i = icmp sgt i64 %.309763775.us.i.i, 1
-  br i1 %.310.us.i.i, label %B130.endif.endif.us.i.i, label %B236.i
+  br i1 %.310.us.i.i, label %B130.endif.endif.us.i.i, label %B226.i
 
-B236.i:                                           ; preds = %B188.B128.loopexit_crit_edge.us.i.i, %B84.endif.i, %B176.i
-  %last.3.1.i = phi i64 [ %last.4.0.i, %B84.endif.i ], [ %.387.i, %B176.i ], [ %.387.i, %B188.B128.loopexit_crit_edge.us.i.i ]
-  %size.6.1.i = phi i64 [ %.79.i.i, %B84.endif.i ], [ %.79.i.i, %B176.i ], [ %size.4.2.us.i.i, %B188.B128.loopexit_crit_edge.us.i.i ]
-  %.596.not.i = icmp eq i64 %size.6.1.i, 0
-  br i1 %.596.not.i, label %_ZN7msf_jax4host4thin6fronts6spreadB3v25B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedE.exit, label %B84.i
+B226.i:                                           ; preds = %B188.B128.loopexit_crit_edge.us.i.i, %B78.endif.i, %B170.i
+  %size.6.1.i = phi i64 [ %.79.i.i, %B78.endif.i ], [ %.79.i.i, %B170.i ], [ %size.4.2.us.i.i, %B188.B128.loopexit_crit_edge.us.i.i ]
+  %.560.not.i = icmp eq i64 %size.6.1.i, 0
+  br i1 %.560.not.i, label %_ZN7msf_jax4host4thin6fronts6spreadB3v25B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedE.exit, label %B78.i
 
-B84.endif.i:                                      ; preds = %B236.i.i, %B200.i.i, %B84.i
-  %at.3.1.i.i = phi i64 [ 0, %B84.i ], [ %child.2.1.i.i, %B236.i.i ], [ %at.2.0.i.i, %B200.i.i ]
+B78.endif.i:                                      ; preds = %B236.i.i, %B200.i.i, %B78.i
+  %at.3.1.i.i = phi i64 [ 0, %B78.i ], [ %child.2.1.i.i, %B236.i.i ], [ %at.2.0.i.i, %B200.i.i ]
   %.469.i.i = icmp slt i64 %at.3.1.i.i, 0
   %.470.i.i = select i1 %.469.i.i, i64 %w25, i64 0
   %29 = getelementptr double, ptr %w24, i64 %at.3.1.i.i
@@ -3189,17 +3187,16 @@ B84.endif.i:                                      ; preds = %B236.i.i, %B200.i.i
   %30 = getelementptr i64, ptr %w26, i64 %at.3.1.i.i
   %.521.i.i = getelementptr i64, ptr %30, i64 %.507.i.i
   store i64 %.146.i.i, ptr %.521.i.i, align 8
-  %.458.i = icmp slt i64 %.387.i, 0
-  %.459.i = select i1 %.458.i, i64 %w17, i64 0
-  %31 = getelementptr i64, ptr %w16, i64 %.387.i
-  %.473.i = getelementptr i64, ptr %31, i64 %.459.i
-  %.474.i = load i64, ptr %.473.i, align 8
-  %.475.not.i = icmp eq i64 %.474.i, 1
-  br i1 %.475.not.i, label %B236.i, label %B176.i
+  %.433.i = icmp slt i64 %.362.i, 0
+  %.434.i = select i1 %.433.i, i64 %w17, i64 0
+  %31 = getelementptr i64, ptr %w16, i64 %.362.i
+  %.448.i = getelementptr i64, ptr %31, i64 %.434.i
+  %.449.i = load i64, ptr %.448.i, align 8
+  %.450.not.i = icmp eq i64 %.449.i, 1
+  br i1 %.450.not.i, label %B226.i, label %B170.i
 
-_ZN7msf_jax4host4thin6fronts6spreadB3v25B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedE.exit: ; preds = %B236.i, %0
-  %last.2.1.i = phi i64 [ 0, %0 ], [ %last.3.1.i, %B236.i ]
-  ret i64 %last.2.1.i
+_ZN7msf_jax4host4thin6fronts6spreadB3v25B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedE.exit: ; preds = %B226.i, %0
+  ret i64 0
 }
 
 declare i64 @llvm.smin.i64(i64, i64)

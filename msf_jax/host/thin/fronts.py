@@ -113,10 +113,9 @@ def settle(surface: Surface, front: Scratch, vertex: int, size: int) -> int:
 
 
 @kernel
-def spread(surface: Surface, front: Scratch, sources: Ints) -> int:
-    """Set ``front.distance`` to the geodesic distances from the nearest of the vertices ``sources`` (k,). Returns the
-    farthest vertex."""
-    last, size = 0, 0
+def spread(surface: Surface, front: Scratch, sources: Ints) -> None:
+    """Set ``front.distance`` to the geodesic distances from the nearest of the vertices ``sources`` (k,)."""
+    size = 0
     for source in sources:
         front.distance[source] = 0.0
         size = push(front, size, 0.0, source)
@@ -125,9 +124,7 @@ def spread(surface: Surface, front: Scratch, sources: Ints) -> int:
         size = pop(front, size)
         if front.state[vertex] != 1:
             front.state[vertex] = 1
-            last = vertex
             size = settle(surface, front, vertex, size)
-    return last
 
 
 @part
