@@ -209,7 +209,7 @@ def test_a_lost_limb_gets_a_branch_through_its_middle():
     trunk = legs([(0, 0, -1.02), (1.4, 0, -1)], [(0, 0, -1.02), (-1.4, 0, -1)])
     found = [cap for cap in limbs(shape, 1.2) if shape.vertices[cap.tip, 2] > 1]
     assert len(found) == 1
-    x, edges = one_branch.grown(*trunk, np.zeros(len(trunk[0])), found)
+    x, edges = one_branch.grown(shape, *trunk, found)
     assert branches.cycle_count(len(x), edges) == (1, 0)
     np.testing.assert_array_equal(x[: len(trunk[0])], trunk[0])
     new = x[len(trunk[0]) :]
@@ -217,16 +217,26 @@ def test_a_lost_limb_gets_a_branch_through_its_middle():
     assert new[:, 2].max() == pytest.approx(1.5 - 0.3 * RADIUS, abs=0.03)
 
 
-def test_a_finger_begins_in_the_palm_and_not_at_the_finger_beside_it():
-    """A finger's base is nearer to the next finger's tip than to the palm's node, but not to the palm's ball."""
-    x, edges = legs([(0, 0, -1.0), (0.4, 0, 0.0), (0.4, 0, 0.4)], [(0, 0, -1.0), (0, 0, -3.0)], step=0.4)
-    radius = np.where(x[:, 2] > -0.5, 0.2, 1.0)
-    middles = np.array([(-0.3, 0, 0.9), (-0.3, 0, 0.2)])
-    found = Cap(0, 4.0, 0.1, middles, 0.1, np.empty(0, dtype=np.int64))
-    assert radius[np.linalg.norm(x - middles[-1], axis=1).argmin()] == 0.2
-    _, grown = one_branch.grown(x, edges, radius, [found])
-    begin = grown[len(edges)].min()
-    assert grown[len(edges)].max() == len(x) and radius[begin] == 1.0
+def test_a_finger_begins_in_the_palm_and_not_at_the_finger_beside_it_nor_in_a_body_nearby():
+    """The nearest node is of the other finger, and the nearest ball is the body's, across a gap."""
+    palm = manifold3d.Manifold.cube((2, 0.6, 2), True)
+    finger = manifold3d.Manifold.cylinder(1.5, 0.2, 0.2, 24)
+    body = manifold3d.Manifold.sphere(3.0, 64).translate((0, 3.35, 1.2))
+    bridge = manifold3d.Manifold.cylinder(1.5, 0.25, 0.25, 24).rotate((-90, 0, 0)).translate((0, 0, -0.8))
+    parts = [palm, finger.translate((0.3, 0, 0.8)), finger.translate((-0.3, 0, 0.8)), body, bridge]
+    shape = solid(manifold3d.Manifold.batch_boolean(parts, manifold3d.OpType.Add), 0.3)
+    x, edges = legs(
+        [(0, 0, -0.4), (0.3, 0, 0.6), (0.3, 0, 2.1)],
+        [(0, 0, -0.4), (0, 0, -0.8), (0, 3.35, -0.8), (0, 3.35, 2.0)],
+        step=0.1,
+    )
+    base = np.array([-0.3, 0, 1.2])
+    found = Cap(0, 4.0, 0.1, np.array([(-0.3, 0, 2.1), base]), 0.1, np.empty(0, dtype=np.int64))
+    radius, away = shape.approximate_clearance(x)[0], np.linalg.norm(x - base, axis=1)
+    assert x[away.argmin(), 2] > 1.0 and x[(away - radius).argmin(), 1] > 0.5
+    _, grown = one_branch.grown(shape, x, edges, [found])
+    begin = x[grown[len(edges)].min()]
+    assert grown[len(edges)].max() == len(x) and abs(begin[1]) < 0.1 and begin[2] < 1.0
 
 
 def test_the_body_is_a_limb_beyond_half_of_the_surface():

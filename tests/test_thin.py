@@ -132,7 +132,7 @@ def test_joined_wires_are_one_tree():
         assert np.linalg.norm(leaves - end, axis=1).min() < 0.02
     curve = msf_jax.skeletonize(mesh, repair="join")
     assert curve.report.is_sound
-    # Its branches are measured by their balls: caps have too few triangles, and none of a hundredth of the surface.
+    # Its branches are measured by their balls: caps have too few triangles, and too little of the surface.
     assert curve.report.wavefronts == 1 and curve.num_leaves == 4
     slender = sorted(branch.slenderness for branch in curve.branches)
     assert all(value > 30 for value in slender) and curve.prune().num_leaves == 4

@@ -146,8 +146,8 @@ class Config:
         surgery: whether the curve is extracted by half-edge collapses in the order of shape and sampling costs, and its
             nodes recentred by the boundaries of their regions (Au et al. 2008). Else the shortest edges go first.
         prune: least slenderness of the solid's limbs (see `host.thin.caps`): length over radius, and half of that below
-            a hundredth of the surface. Each limb gets one branch, others are removed, and junctions well within one
-            ball become one; 0 keeps the flow's branches. The default is above the slenderness of a half ball on a wall,
+            0.12 % of the surface. Each limb gets one branch, others are removed, and junctions within one ball
+            become one; 0 keeps the flow's branches. The default is above the slenderness of a half ball on a wall,
             0.5, and of the corner of a box, up to 0.6.
         centre: whether nodes are finally moved to the middle of their limb's cross-section, and edges refined.
         extend_tips: whether leaves are extended to the ends of their limbs.
@@ -290,7 +290,7 @@ class Config:
           The surface has thousands of vertices for each node of the curve, and this reduces them.
         - The cost of a half-edge collapse is updated when it has risen, or its sampling cost has fallen by a tenth.
         - Recentring weights boundary loops by their length, and moves a leaf like the node before it. Junctions within
-          three quarters of a ball are merged, as for the other systems.
+          one ball are merged, as for the other systems.
         - Spurious branches within a limb and branches into blunt corners are pruned, and edges outside the solid are
           moved inside. ``prune=0`` keeps these branches, and all junctions.
         """

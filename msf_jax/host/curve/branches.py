@@ -9,7 +9,7 @@ from scipy.sparse import csgraph
 
 from msf_jax.host.solid.handles import Handles
 
-NEAR = 1.0  # radii: a junction inside the ball of another one is merged with it
+NEAR = 1.0  # radii: a junction inside the ball of another one, with the path between them, is merged with it
 TOGETHER = 1e-6  # diagonals: two nodes, or a node and an edge, that are no farther apart coincide
 
 
@@ -17,7 +17,7 @@ class Branch(NamedTuple):
     """nodes: along the branch; a closed branch repeats its first node at its end. length: of the branch.
 
     slenderness: of the limb of a branch that ends in a leaf, as large as it can be without another leaf (see
-    `host.thin.caps`): a cylinder that sticks out by h has h / radius, and half of that if it is less than a hundredth
+    `host.thin.caps`): a cylinder that sticks out by h has h / radius, and half of that if it is less than 0.12 %
     of the surface. Without the mesh, and for thin limbs in coarse triangles, it is measured by the nodes' balls (see
     `host.curve.pruning`). Infinite for a branch without a junction or between junctions: its removal would change the
     curve's components or cycles.
@@ -170,9 +170,10 @@ def tree(num_nodes: int, edges: np.ndarray, roots: tuple[int, ...] = ()) -> dict
 def merge_junctions(
     vertices: np.ndarray, edges: np.ndarray, radii: np.ndarray, is_held: np.ndarray, handles: Handles
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Merge junctions that are well within the same ball, at the one with the largest radius: which nodes stay (N,),
-    the target of each node (N,), and the edges. Junctions whose merge would remove a loop, or lead it around other
-    ``handles``, are not merged, and nodes of ``is_held`` (N,) stay."""
+    """Merge junctions whose path is within the ball of one of them, at the one with the largest radius.
+
+    Returns which nodes stay (N,), the target of each node (N,), and the edges. Junctions whose merge would remove a
+    loop, or lead it around other ``handles``, are not merged, and nodes of ``is_held`` (N,) stay."""
     degree = np.bincount(edges.ravel(), minlength=len(vertices))
     target = every = np.arange(len(vertices))
     moved = np.zeros(len(vertices), dtype=np.int64)  # class of the path from each node to its target

@@ -289,7 +289,7 @@ def centred(
 
 
 def merged(draft: Draft, job: Job) -> Draft:
-    """Junctions that are well within one ball are merged."""
+    """Junctions inside the ball of another one are merged."""
     if not job.prune:
         return draft
     x = draft.vertices
@@ -350,8 +350,7 @@ def limbed(draft: Draft, job: Job, grows: bool) -> Draft:
     job.budget.was_hit |= choice.was_hit
     more, worth, missing = draft, choice.worth, choice.missing if grows else []
     if missing:
-        radius = job.coarse.approximate_clearance(draft.vertices)[0]
-        more = draft.changed(*one_branch.grown(draft.vertices, draft.edges, radius, missing))
+        more = draft.changed(*one_branch.grown(job.coarse, draft.vertices, draft.edges, missing))
         new = (0, len(more.vertices) - len(draft.vertices))
         # The flow has no place for a junction that is new.
         is_new = (more.degree() > 2) & (np.pad(draft.degree(), new) < 3)

@@ -13,9 +13,12 @@ from scipy import sparse
 from scipy.sparse import csgraph
 
 from msf_jax.host.curve import pruning
+from msf_jax.host.curve.containment import is_inside
 from msf_jax.host.solid.enclosure import Enclosure
 from msf_jax.host.solid.geometry import arc_length, at
 from msf_jax.host.thin.caps import Cap, Caps
+
+TRIED = 64  # nodes, those with the nearest balls first, that a new branch may begin at; else it is the nearest node
 
 
 class Choice(NamedTuple):
@@ -96,7 +99,7 @@ def matched(
 def kept(
     vertices: np.ndarray, edges: np.ndarray, worth: np.ndarray, is_held: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Remove the branches that end in leaves of finite ``worth`` (N,), the least first; see `pruning.prune`."""
+    """Remove the branches that end in leaves of finite ``worth`` (N,), but not in `ends`; see `pruning.prune`."""
     is_end = np.zeros(len(worth), dtype=bool)
     is_end[leaves_of(edges)] = True
     worth = np.where(ends(vertices, edges, is_end & ((worth == np.inf) | is_held)), np.inf, worth)
@@ -128,18 +131,20 @@ def ends(vertices: np.ndarray, edges: np.ndarray, stays: np.ndarray) -> np.ndarr
     return found
 
 
-def grown(
-    vertices: np.ndarray, edges: np.ndarray, radius: np.ndarray, caps: list[Cap]
-) -> tuple[np.ndarray, np.ndarray]:
-    """The curve with a branch in each of ``caps``: nodes, new ones last, and edges.
+def grown(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray, caps: list[Cap]) -> tuple[np.ndarray, np.ndarray]:
+    """The curve in the solid ``shape`` with a branch in each of ``caps``: nodes, new ones last, and edges.
 
-    A branch begins at the node whose ball, of ``radius`` (N,), is nearest to the limb's base: so a finger begins in the
-    palm and not at the finger beside it.
+    A branch begins at the node whose ball is nearest to the limb's base, so a finger begins in the palm and not at the
+    finger beside it. The way there must be inside: a hand at the hip does not begin in the body. Leaves are left out.
     """
-    old = vertices
+    old, radius = vertices, shape.approximate_clearance(vertices)[0]
+    radius[leaves_of(edges)] = -np.inf
     for cap in caps:
         places = cap.middles[::-1]
-        first = np.argmin(np.linalg.norm(old - places[0], axis=1) - radius)
+        away = np.linalg.norm(old - places[0], axis=1)
+        near = np.argsort(away - radius, kind="stable")[:TRIED]
+        is_open = is_inside(shape, old[near], np.repeat(places[:1], len(near), axis=0))
+        first = near[is_open.argmax()] if is_open.any() else away.argmin()
         along = arc_length(places)
         num = max(2, int(np.ceil(along[-1] / cap.step)) + 1) if along[-1] else 1
         places = at(places, along, np.linspace(0, along[-1], num))
