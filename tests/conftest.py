@@ -17,12 +17,15 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 # For `tests.benchmarks` and `tests.translate`. Last, so that the package is the one that is installed.
 sys.path.append(str(Path(__file__).parents[1]))
 
+import hypothesis
 import jax
 import matplotlib
 import numpy as np
 import pytest
 import trimesh
 
+hypothesis.settings.register_profile("same", derandomize=True)  # the same examples in every run
+hypothesis.settings.load_profile("same")
 jax.config.update("jax_enable_x64", True)
 matplotlib.use("Agg")
 

@@ -253,6 +253,14 @@ def test_what_is_left_and_reported_is_relative_to_the_given_right_hand_side(size
         np.testing.assert_allclose(report.residual, np.linalg.norm(found) / np.linalg.norm(b), atol=1e-14)
 
 
+def test_a_loose_solve_iterates_in_float32_and_a_tight_one_does_not():
+    b = jnp.ones((3, 2))
+    for tolerance, is_short in ((3e-3, True), (1e-6, False)):
+        solver = Solver(tolerance, 50)
+        program = str(jax.make_jaxpr(lambda entries, solver=solver: cg.solve(Diagonal(entries), b, solver))(b[:, 0]))
+        assert ("f32[3,2]" in program) == is_short and "f64[3,2]" in program
+
+
 # Gradients
 
 

@@ -99,7 +99,7 @@ def test_what_fits():
     assert fits(layout, 1, [])
 
 
-@settings(max_examples=80, deadline=None, derandomize=True)
+@settings(max_examples=80, deadline=None)
 @given(
     st.lists(st.integers(3, 9), min_size=4, max_size=900),
     st.lists(st.integers(10, 80), max_size=40),

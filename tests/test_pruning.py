@@ -205,6 +205,19 @@ def test_a_held_branch_stays_and_others_go():
         assert np.flatnonzero(~stays).tolist() == [node for leg in gone for node in each[leg]], held
 
 
+def test_a_branch_that_becomes_worth_less_when_a_twig_goes_is_removed_too():
+    # Three arms meet in a large ball, node 0. A thin branch, the nodes 31 to 38, ends within that ball, but outside of
+    # the small ball at its node 33, where a twig begins: node 39.
+    vertices, edges, radii = star_of([10.0, 10.0, 10.0], 0.3, 1.0)
+    thin = np.linspace([-0.1, 0, 0], [-0.8, 0, 0], 8)
+    vertices = np.concatenate([vertices, thin, [[-0.3, 0.12, 0]]])
+    edges = np.concatenate([edges, as_edges(chain(0, *range(31, 39))), [[33, 39]]])
+    radii = np.concatenate([[1.0], radii[1:], np.full(9, 0.1)])
+    assert by_leaf(vertices, edges, radii)[38] > 1
+    stays, target = prune(vertices, edges, radii, 1.0)
+    assert np.flatnonzero(~stays).tolist() == [*range(31, 40)] and (target[~stays] == 0).all()
+
+
 @st.composite
 def curves(draw) -> Balls:
     """A graph with random places and radii, one of them perhaps 0."""

@@ -144,7 +144,20 @@ def test_a_skeleton_without_its_surface_keeps_radii_that_fit(whole):
     largest = Enclosure(np.asarray(mesh.vertices), np.asarray(mesh.faces)).distances(resampled.vertices)
     assert (resampled.radii <= largest + 1e-9).all()
     assert np.isnan([branch.surface for branch in bare.branches]).all()
-    assert num_leaves(bare.prune(2.0)) == num_leaves(skeleton.prune(2.0)) == 3
+
+
+def test_a_twig_within_a_limb_goes_with_the_surface_and_without_it(whole):
+    skeleton = whole[1].prune(2.0)
+    longest = max(skeleton.branches, key=lambda branch: branch.length)
+    node = int(longest.nodes[len(longest.nodes) // 2])
+    twig = skeleton.vertices[node] + skeleton.radii[node] * np.array([0.3, 0.3, 0.3])
+    vertices, radii = np.vstack([skeleton.vertices, twig]), np.append(skeleton.radii, 0.4 * skeleton.radii[node])
+    edges = np.vstack([skeleton.edges, [node, len(skeleton.vertices)]])
+    for source in (skeleton.source, None):
+        forked = Skeleton(vertices, edges, radii, skeleton.mesh_map, skeleton.report, source)
+        assert num_leaves(forked) == 4
+        left = forked.prune(2.0)
+        assert num_leaves(left) == 3 and len(left.vertices) == len(skeleton.vertices)
 
 
 @pytest.mark.parametrize(

@@ -9,10 +9,9 @@ from typing import NamedTuple
 
 import jax
 import jax.numpy as jnp
+from jax import lax
 
 from msf_jax.base.layout import Layout, Level
-
-UNROLLED_SLOTS = 8  # slots: a level with more uses one gather for all slots, others one gather for each slot
 
 
 class Rings(NamedTuple):
@@ -76,18 +75,15 @@ def slot_product(layout: Layout, weights: jax.Array, neighbour: jax.Array, x: ja
 
     It starts at the last level; each level adds to a prefix of the rows of the level before it.
     """
-    total = jnp.zeros((layout.levels[-1].rows, x.shape[1]), x.dtype)
-    for level in reversed(layout.levels):
-        total = _level_product(level, weights, neighbour, x) + _raised(level.rows, total)
+    total = _level_product(layout.levels[-1], weights, neighbour, x)
+    for level in layout.levels[-2::-1]:
+        lower, total = total, _level_product(level, weights, neighbour, x)
+        rows = lower.shape[0]
+        total = lax.dynamic_update_slice(total, total[:rows] + lower, (0, 0))  # in place, unlike a sum of padded arrays
     return total
 
 
 def _level_product(level: Level, weights: jax.Array, neighbour: jax.Array, x: jax.Array) -> jax.Array:
     w = weights[level.offset : level.end].reshape(level.slots, level.rows)
     j = neighbour[level.offset : level.end].reshape(level.slots, level.rows)
-    if level.slots > UNROLLED_SLOTS:
-        return jnp.einsum("kr,krc->rc", w, x[j])
-    part = w[0][:, None] * x[j[0]]
-    for k in range(1, level.slots):
-        part = part + w[k][:, None] * x[j[k]]
-    return part
+    return (w[:, :, None] * x[j]).sum(0)

@@ -23,6 +23,7 @@ with warnings.catch_warnings():
 
 from msf_jax.base.options import Solver
 
+LOOSE = 1e-3  # relative residual: tolerances from here on are reached in float32, whose rounding is 6e-8
 SOLUTION = "solution"  # name of a solve's result, for the policy of a `jax.checkpoint`
 
 
@@ -51,7 +52,7 @@ class SolveReport(NamedTuple):
     """The result of a solve of A x = b, or of A x = b - |b| left, besides x.
 
     steps: of CG. residual: the norm of ``left``. is_solved: whether it reached its tolerance. left: (n, c) the residual
-    over |b|. It is CG's recursive residual, which differs from the right-hand side minus A x by rounding.
+    over |b|; CG's recursive one, which differs from the right-hand side minus A x by rounding, or that difference.
     """
 
     steps: jax.Array
@@ -128,8 +129,8 @@ class ConjugateGradients(base.IterativeSolver):
 
 
 def _dot(x: jax.Array, y: jax.Array) -> jax.Array:
-    """Sum of x y over all entries. On the CPU a dot product is several times as fast as a sum."""
-    return jnp.vdot(x, y, precision=lax.Precision.HIGHEST)
+    """Sum of x y over all entries. On the CPU it is three times as fast as `jnp.vdot`, and rounds less."""
+    return (x * y).sum()
 
 
 def norm(x: jax.Array) -> jax.Array:
@@ -177,7 +178,21 @@ def _product(operator: Any, x: jax.Array) -> jax.Array:
 def _run(
     operator: Any, b: jax.Array, size: jax.Array, solver: Solver, smallest: Any = 0.0
 ) -> tuple[jax.Array, SolveReport]:
-    return _iterated(operator, PRECONDITIONERS[solver.preconditioner](operator), b, size, solver, smallest)
+    """Solve for b; residuals are relative to ``size``. A loose solve runs in float32, where a step takes two thirds of
+    the time. Its residual is then computed from x, so that what it leaves is as exact as b."""
+    is_loose = isinstance(solver.tolerance, float) and solver.tolerance >= LOOSE  # a traced tolerance may be tight
+
+    def short(values: Any) -> jax.Array:
+        is_real = jnp.issubdtype(jnp.result_type(values), jnp.floating)
+        return jnp.asarray(values, jnp.float32 if is_real and is_loose else None)
+
+    A, right, norm_of, least = jax.tree_util.tree_map(short, (operator, b, size, smallest))
+    x, report = _iterated(A, PRECONDITIONERS[solver.preconditioner](A), right, norm_of, solver, least)
+    if x.dtype == b.dtype:
+        return x, report
+    x = x.astype(b.dtype)
+    left = (b - operator(x)) / jnp.where(size > 0, size, 1.0)
+    return x, report._replace(left=left, residual=jnp.sqrt(_dot(left, left)))
 
 
 def _iterated(

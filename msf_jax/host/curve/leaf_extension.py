@@ -55,8 +55,9 @@ def extend(
     added, joined, count = [], [], len(x)
     for (nodes, _), (kept, polyline) in zip(tips, polylines, strict=True):
         along = arc_length(polyline)
-        if along[-1] < arc_length(vertices[nodes[: kept + 1]])[-1]:
-            continue  # not longer than before
+        away = np.linalg.norm(polyline - vertices[nodes[0]], axis=1)
+        if (away > shape.approximate_clearance(polyline)[0]).all():
+            continue  # it ends before the old leaf, which is in no ball of it
         # Nodes that were moved back are spread over the new polyline; more nodes fill it to the usual spacing.
         moved = nodes[:kept]
         radius = max(float(radii[nodes[: kept + 1]].max()), 1e-300)
@@ -77,9 +78,8 @@ def _march(shape: Enclosure, vertices: np.ndarray, radii: np.ndarray, tips: list
     for nodes, last in tips:
         points, radius = vertices[nodes], radii[nodes]
         along = arc_length(points)
-        size = radius[0]
-        for _ in range(3):  # the limb's radius is the largest ball within that radius of the leaf
-            size = max(size, float(radius[along <= size].max()))
+        # The limb's radius is that of the branch's largest ball with the leaf in it.
+        size = float(radius[np.append(True, np.linalg.norm(points[1:] - points[0], axis=1) <= radius[1:])].max())
         back = min(BACK * size, 0.5 * along[-1])
         first = min(int(np.searchsorted(along, back)), last)
         ahead = at(points, along, np.array([along[first], min(along[first] + size, along[-1])]))

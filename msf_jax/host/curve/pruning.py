@@ -27,9 +27,9 @@ def prune(
 ) -> tuple[np.ndarray, np.ndarray]:
     """Remove branches of a ``worth`` below ``least``, the one of least worth first, until none is left.
 
-    When two branches are left at a junction, they become one, so the ``worth`` of a leaf may rise. Components and
-    cycles stay, and branches with a node of ``is_held`` (N,) besides their junction. Returns which nodes stay (N,), and
-    the target of each node (N,): itself, or the junction that its branch began at.
+    When two branches are left at a junction, they become one, and the ``worth`` of its leaf may rise or fall.
+    Components and cycles stay, and branches with a node of ``is_held`` (N,) besides their junction. Returns which nodes
+    stay (N,), and the target of each node (N,): itself, or the junction that its branch began at.
     """
     beside: list[set[int]] = [set() for _ in range(num_nodes)]
     for a, b in edges.tolist():
@@ -45,19 +45,23 @@ def prune(
         yield node
 
     stays, target = np.ones(num_nodes, dtype=bool), np.arange(num_nodes)
-    queue = [(worth(walk(leaf)), leaf) for leaf in range(num_nodes) if len(beside[leaf]) == 1]
-    heapq.heapify(queue)
-    while queue and queue[0][0] < least:
-        known, leaf = heapq.heappop(queue)
-        now = worth(walk(leaf))
-        if now > known:
-            heapq.heappush(queue, (now, leaf))
-            continue
-        nodes = list(walk(leaf))
-        if len(beside[nodes[-1]]) < 3 or is_held[nodes[:-1]].any():
-            continue
-        stays[nodes[:-1]], target[nodes[:-1]] = False, nodes[-1]
-        beside[nodes[-1]].discard(nodes[-2])
+    is_done = False
+    while not is_done:  # a second time if something was removed, as worths may have fallen
+        is_done = True
+        queue = [(worth(walk(leaf)), leaf) for leaf in range(num_nodes) if stays[leaf] and len(beside[leaf]) == 1]
+        heapq.heapify(queue)
+        while queue and queue[0][0] < least:
+            known, leaf = heapq.heappop(queue)
+            now = worth(walk(leaf))
+            if now > known:
+                heapq.heappush(queue, (now, leaf))
+                continue
+            nodes = list(walk(leaf))
+            if len(beside[nodes[-1]]) < 3 or is_held[nodes[:-1]].any():
+                continue
+            is_done = False
+            stays[nodes[:-1]], target[nodes[:-1]] = False, nodes[-1]
+            beside[nodes[-1]].discard(nodes[-2])
     while (target != target[target]).any():
         target = target[target]
     return stays, target
