@@ -43,24 +43,30 @@ print(len(run.history), digest.hexdigest())
 
 
 class AtOnce:
-    """A pool that computes on the caller's thread."""
+    """A pool that computes on the caller's thread, and knows what it was asked for."""
+
+    def __init__(self):
+        self.names = []
 
     def submit(self, function, *arguments):
+        self.names.append(function.__name__)
         done = Future()
         done.set_result(function(*arguments))
         return done
 
 
 def test_limbs_from_another_thread_are_the_same(monkeypatch):
-    """Their tips are looked for while poles and the flow are computed; without pruning nobody looks for them."""
+    """They are looked for while poles and the flow are computed; without pruning nobody looks for them."""
     mesh = shapes.hand(0.1)
     found = [msf_jax.skeletonize(mesh)]
-    monkeypatch.setattr(starting, "_workers", AtOnce())
+    pool = AtOnce()
+    monkeypatch.setattr(starting, "_workers", pool)
     found.append(msf_jax.skeletonize(mesh))
+    assert pool.names == ["_with_limbs", "prepared"]
     np.testing.assert_array_equal(found[0].vertices, found[1].vertices)
     np.testing.assert_array_equal(found[0].edges, found[1].edges)
-    monkeypatch.setattr(starting, "_workers", None)
     assert msf_jax.skeletonize(mesh, config=msf_jax.Config(prune=0.0)).num_leaves >= found[0].num_leaves
+    assert pool.names[2:] == ["prepared"]
 
 
 def start(threads, precision="float64", *checkpoint, seed="0"):

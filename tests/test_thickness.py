@@ -139,6 +139,20 @@ def test_a_path_is_led_round_and_searches_are_bounded(monkeypatch):
     assert refused.num_refused == 1
 
 
+def test_a_path_near_its_edge_needs_no_balls_elsewhere():
+    """From a ball in a bent tube to the nearest one that it does not see."""
+    shape = bent_tube()
+    centre, _ = inner_balls(shape)
+    first = centre[[centre[:, 0].argmin()]]
+    is_seen = containment.is_inside(shape, np.repeat(first, len(centre), axis=0), centre)
+    ends = np.concatenate([first, centre[[np.where(is_seen, np.inf, np.linalg.norm(centre - first, axis=1)).argmin()]]])
+    roadmap = Roadmap(shape, containment.is_inside)
+    (path,) = roadmap.paths(ends, np.array([[0, 1]]))
+    points = np.concatenate([ends[:1], path, ends[1:]])
+    assert len(path) and containment.is_inside(shape, points[:-1], points[1:]).all()
+    assert roadmap._balls is None
+
+
 def test_paths_keep_to_their_own_sides_of_a_hole():
     shape = Enclosure(*(np.array(part) for part in (RING.vertices, RING.faces)))
     angle = np.radians([0, 120, 240])

@@ -25,6 +25,7 @@ MOST_STAGES = 12  # surfaces of the contraction that are kept for pictures
 
 def assemble(
     checked: Surface,
+    solid: Solid,
     pins: np.ndarray,
     states: list[State],
     reasons: list[tuple[bool, str]],
@@ -34,11 +35,10 @@ def assemble(
     watch: Stopwatch,
     notes: list[str],
 ) -> Flow:
-    """The `Flow` of a run. ``pins`` are the caller's, ``notes`` go into the report."""
+    """The `Flow` of a run. ``solid`` has the surface, ``pins`` are the caller's, ``notes`` go into the report."""
     stitched = curves.as_left(checked, states, parts), curves.finished(checked, states, parts)
     history = tuple(line for state in states for line in state.history)
     with watch.stage("report"):
-        solid = Solid(checked.vertices, checked.faces)
         followed = None if checked.is_made.any() else checked.input_of_vertex
         if followed is not None:  # the first of several welded vertices represents all of them
             pins = np.unique(followed[checked.vertex_of_input[pins]])

@@ -18,7 +18,7 @@ from msf_jax.flow import assembly
 from msf_jax.flow.checkpoint import Checkpoint, run_of
 from msf_jax.flow.curves import curve_of
 from msf_jax.flow.request import checked_options, checked_pins, weights_of_vertices
-from msf_jax.flow.starting import init
+from msf_jax.flow.starting import init, meanwhile
 from msf_jax.flow.state import LIMITS, Flow, Iteration, Limits, State, Stopwatch
 from msf_jax.flow.stepping import step
 from msf_jax.host.mesh import checking
@@ -26,11 +26,12 @@ from msf_jax.host.mesh.checking import Surface
 from msf_jax.host.mesh.repair import Repair, as_repair
 from msf_jax.host.meso import collapse, fixing
 from msf_jax.host.meso.meso import Meso
+from msf_jax.host.solid.solid import Solid
 
 INTERRUPTED = "interrupted"
 SETTLED = 0.02  # share of the first volume: a flow that has settled may leave this much, of any shape
 MEMBRANES = 0.1  # share of the first volume: it may leave this much in thin membranes between fixed vertices
-THINNED = 0.25  # membranes are at most this part as thick as the solid was (ratio of volume share to area share)
+THINNED = 1 / 3  # membranes are at most this part as thick as the solid was (ratio of volume share to area share)
 PROGRESS = 0.1  # share of the area: a flow that loses less in a period of the threshold has settled
 FEWEST = 20  # iterations: shorter periods of the threshold count as this long
 STALL_ITERATIONS = 30  # iterations without progress until the flow gives up; a default period is shorter
@@ -81,7 +82,7 @@ def contract(
     of_vertices = weights_of_vertices(weights, checked)
     identity = run_of(checked.given, weights, config, held, as_repair(repair)) if checkpoint is not None else {}
     keeper = Checkpoint(checkpoint, identity)
-    states, reasons, parts = [], [], []
+    states, reasons, parts, solid = [], [], [], None
     with tqdm(desc="msf_jax", unit="it", disable=None if progress else True) as bar, held_back() as interruption:
         for number, component in enumerate(checked.components):
             if interruption and parts:
@@ -89,6 +90,7 @@ def contract(
             pins_here = np.flatnonzero(np.isin(checked.members[number], pinned))
             of_members = None if of_vertices is None else of_vertices[checked.members[number]]
             state = init(component, number, config, watch, pins_here, of_members, limits)
+            solid = solid or meanwhile(Solid(checked.vertices, checked.faces).prepared)
             keeper.restore(state, config)
             states.append(state)
             while (end := done(state, config)) is None:
@@ -109,7 +111,9 @@ def contract(
             reasons += [(False, "not begun")] * (len(checked.components) - len(parts))
             checked = checked.first(len(parts))
             held = held[checked.vertex_of_input[held] >= 0]
-        run = assembly.assemble(checked, held, states, reasons, parts, weights, config, watch, notes)
+            solid = None
+        whole = solid.result() if solid else Solid(checked.vertices, checked.faces)
+        run = assembly.assemble(checked, whole, held, states, reasons, parts, weights, config, watch, notes)
     if interruption:
         kept = f"; run it again with checkpoint={str(checkpoint)!r} to go on" if checkpoint and not notes else ""
         raise Interrupted(

@@ -1,6 +1,8 @@
 """The start of a component's flow: its frame, the filter, coarsening or resampling, handles and poles."""
 
-from concurrent.futures import ThreadPoolExecutor
+from collections.abc import Callable
+from concurrent.futures import Future, ThreadPoolExecutor
+from typing import Any
 
 import numpy as np
 
@@ -27,7 +29,12 @@ LEAST_REFINED = 0.05  # share of the area that must be at long edges; below it, 
 MOST_COARSENED = 0.05  # share of the volume that coarsening may change; above it, the surface is not coarsened
 MOST_FILTERED = 0.25  # share of the volume that the filter for poles may remove; above it, the filter is left out
 
-_workers = ThreadPoolExecutor(1, "msf_jax-caps")
+_workers = ThreadPoolExecutor(1, "msf_jax-meanwhile")
+
+
+def meanwhile(function: Callable[..., Any], *arguments: Any) -> "Future[Any]":
+    """Begin to compute what does not depend on the flow. Poles, compiled loops and XLA release Python's lock."""
+    return _workers.submit(function, *arguments)
 
 
 def init(
@@ -73,7 +80,7 @@ def init(
     coarse = Enclosure(meso.positions, meso.faces()) if is_coarsened else shape
     with watch.stage("poles"):
         _ = coarse.mesh  # made here, before two threads ask for it
-    caps = _workers.submit(_with_tips, coarse) if config.prune else None
+    caps = meanwhile(_with_limbs, coarse, config.prune, component.genus == 0) if config.prune else None
     with watch.stage("compile"):
         compile_ahead(meso, config)
     found = None
@@ -106,10 +113,10 @@ def init(
     )
 
 
-def _with_tips(shape: Enclosure) -> Caps:
-    """The caps of a surface. Its tips do not depend on the flow, so another thread can look for them meanwhile."""
+def _with_limbs(shape: Enclosure, least: float, is_solid: bool) -> Caps:
+    """The caps of a surface, whose limbs are known then, see `Caps.limbs`."""
     caps = Caps(shape)
-    caps.tips()
+    caps.limbs(least, caps.tips(), is_solid)
     return caps
 
 

@@ -59,13 +59,28 @@ class Roadmap:
         there is none. The path is short, near the edge, and has large clearance.
         """
         self.num_closed = self.num_refused = 0
-        if not len(pairs):
-            return []
+        found = [np.empty((0, 3)) for _ in pairs]
+        for is_local in (True, False):
+            left = [row for row, path in enumerate(found) if not len(path)]
+            if not left or (is_local and self._balls is not None):
+                continue
+            for row, path in zip(left, self._search(x, pairs[left], is_local), strict=True):
+                found[row] = path
+        return found
+
+    def _search(self, x: np.ndarray, pairs: np.ndarray, is_local: bool) -> list[np.ndarray]:
+        """The paths of `paths`, over the balls near the edges that they replace, or over all balls."""
+        self.num_closed = self.num_refused = 0
         ends, place = np.unique(pairs, return_inverse=True)
-        is_inside = self.shape.contains(x[ends])
-        graph = self._graph(x[ends[is_inside]])
+        clearance = self.shape.clearance(x[ends])
+        is_inside, place = clearance > 0, place.reshape(-1, 2)
+        if is_local:
+            length = np.linalg.norm(x[pairs[:, 0]] - x[pairs[:, 1]], axis=1)
+            reach = REACHES[-1] / 2 * length + clearance[place].sum(axis=1)
+            graph = self._graph(x[ends[is_inside]], inner_balls(self.shape, x[pairs].mean(axis=1), reach))
+        else:
+            graph = self._graph(x[ends[is_inside]])
         number = graph.first_end + np.cumsum(is_inside) - 1
-        place = place.reshape(-1, 2)
         is_asked = np.logical_and(*is_inside[place].T)
         is_joined = graph.join(number[place[is_asked]], MOST_TESTS - self.num_tests)
         self.num_tests += graph.num_tests
@@ -80,7 +95,8 @@ class Roadmap:
             else:
                 self.num_refused += has_ends
             found.append(path)
-        self._links = graph.links_of_balls()
+        if not is_local:
+            self._links = graph.links_of_balls()
         return found
 
     def loops_from(self, x: np.ndarray, edges: np.ndarray, is_complete: bool) -> Iterator[tuple[int, int, np.ndarray]]:
@@ -141,13 +157,15 @@ class Roadmap:
             self._balls = inner_balls(self.shape)
         return self._balls
 
-    def _graph(self, ends: np.ndarray) -> "_Graph":
-        """The graph of the balls, and after them the ``ends`` of paths."""
-        centre, radius = self._all_balls()
-        if self._links is None:
-            self._links = _links(centre, radius, *_neighbours(centre, radius))
+    def _graph(self, ends: np.ndarray, some: tuple[np.ndarray, np.ndarray] | None = None) -> "_Graph":
+        """The graph of all balls, or of ``some``, and after them the ``ends`` of paths."""
+        centre, radius = some or self._all_balls()
+        links = self._links if some is None else None
+        if links is None:
+            links = _links(centre, radius, *_neighbours(centre, radius))
+        self._links = links if some is None else self._links
         of_ends = _links_of_ends(centre, radius, ends, self.shape.clearance(ends))
-        links = _Links(*(np.concatenate(both) for both in zip(self._links, of_ends, strict=True)))
+        links = _Links(*(np.concatenate(both) for both in zip(links, of_ends, strict=True)))
         return _Graph(self.shape, self.test, np.concatenate([centre, ends]), len(centre), links)
 
 
@@ -263,9 +281,18 @@ def _ascent(before: np.ndarray, last: int) -> list[int]:
     return stops
 
 
-def inner_balls(shape: Enclosure) -> tuple[np.ndarray, np.ndarray]:
-    """Centres (B, 3) and radii (B,) of balls that touch the solid from inside: one for each place and size."""
+def inner_balls(
+    shape: Enclosure, places: np.ndarray | None = None, reach: np.ndarray | None = None
+) -> tuple[np.ndarray, np.ndarray]:
+    """Centres (B, 3) and radii (B,) of balls that touch the solid from inside: one for each place and size.
+
+    With ``places`` (P, 3) they touch the surface within ``reach`` (P,) of one of them.
+    """
     points, normals = shape.surface_points(MOST_SEEDS)
+    if places is not None:
+        near = spatial.KDTree(points).query_ball_point(places, reach)
+        asked = np.unique(np.concatenate([np.empty(0, dtype=np.int64), *near]).astype(np.int64))
+        points, normals = points[asked], normals[asked]
     tree = shape.sample_tree()
     radius = balls.shrinking_balls(points, normals, tree, balls.FIRST, balls.LARGEST).radius
     left = np.arange(len(points))

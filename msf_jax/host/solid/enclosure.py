@@ -64,6 +64,10 @@ class Enclosure:
     def _samples(self) -> Samples:
         return sampled(self.vertices, self.faces, self.reaches)
 
+    def prepare(self) -> None:
+        """Make the trees of triangles and samples now, and not at the first query."""
+        _ = self.mesh, self._samples
+
     def winding_numbers(self, points: np.ndarray) -> np.ndarray:
         """Winding number (P,) of the surface around each point: 1 inside, 0 outside an embedded surface."""
         winding = np.empty(len(points), dtype=np.int64)

@@ -16,6 +16,7 @@ A tip is a vertex whose average geodesic distance from the surface is larger tha
 Shinagawa, Kohmura, Kunii 2001).
 """
 
+from collections.abc import Hashable
 from functools import cached_property
 from typing import NamedTuple
 
@@ -83,6 +84,7 @@ class Caps:
         self._left, self.was_hit = np.full(component.max() + 1, MOST_AREA), False
         self._rows = np.empty((MOST_DISCS + 3, 6))
         self._region = np.empty(len(x) + 1, dtype=np.int64)
+        self._found: dict[Hashable, tuple[list[Cap], np.ndarray]] = {}
 
     def grown(
         self, tip: int, others: np.ndarray, enough: float = np.inf, share: float = 0.5
@@ -163,8 +165,14 @@ class Caps:
         bunny is the other end of its ears. Last come blunt ends of parts with limbs, such as the nose of a head with
         ears. ``is_solid`` says that the solid has no handles: a component without limbs then has its blunt ends. Also
         returns the largest slenderness (t,) of the caps around ``tips``, infinite for vertices that were not tried.
+        A search that was made before is not repeated.
         """
-        least = max(least, ROUND_END)
+        asked = least, tips.tobytes(), is_solid
+        if asked not in self._found:
+            self._found[asked] = self._search(max(least, ROUND_END), tips, is_solid)
+        return self._found[asked]
+
+    def _search(self, least: float, tips: np.ndarray, is_solid: bool) -> tuple[list[Cap], np.ndarray]:
         self._left[:] = MOST_AREA
         most = np.full(len(self.surface.points), np.inf)
         owner = np.zeros(len(most), dtype=np.int64)  # the number of the limb of each vertex, from 1; 0 for none
