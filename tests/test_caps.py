@@ -14,6 +14,7 @@ from scipy.spatial.transform import Rotation
 from test_branches import as_edges, chain
 
 import msf_jax
+from msf_jax import ground_truth
 from msf_jax.host.curve import branches, centring, containment, finishing
 from msf_jax.host.poles.roadmap import Roadmap
 from msf_jax.host.solid.enclosure import Enclosure
@@ -158,8 +159,19 @@ def test_a_limb_keeps_the_leaf_farthest_from_its_base_and_others_are_missing():
 
     rank, missing = one_branch.matched(foot, NOT_HELD, limbs, 4, from_base)
     assert rank.tolist() == [1, 0, -1] and [cap.tip for cap in missing] == [2]
-    rank, _ = one_branch.matched(foot, np.array([True, False, False]), limbs, 4, from_base)
-    assert rank.tolist() == [0, 1, -1]
+    for size, expected in ((0.24, [1, 0, -1]), (0.26, [0, 1, -1])):  # a held one is 0.5 lower: by a radius, or less
+        near = [limbs[0]._replace(step=size), limbs[1]]
+        rank, _ = one_branch.matched(foot, np.array([True, False, False]), near, 4, from_base)
+        assert rank.tolist() == expected
+
+
+@pytest.mark.parametrize("at", [2.0, 7.5])
+def test_a_pin_on_the_side_of_a_bar_leaves_both_its_ends(at):
+    mesh = ground_truth.swept_tube(np.linspace([0, 0, 0], [10, 0, 0], 100), np.full(100, 0.6), 16)
+    pin = int(np.linalg.norm(np.asarray(mesh.vertices) - [at, 0.6, 0], axis=1).argmin())
+    skeleton = msf_jax.skeletonize(mesh, pins=[pin])
+    assert skeleton.vertices[:, 0].min() < 0.4 and skeleton.vertices[:, 0].max() > 9.6
+    assert np.isclose(skeleton.vertices, np.asarray(mesh.vertices)[pin]).all(axis=1).any()
 
 
 def test_distances_from_the_base_of_a_finger_are_its_length():

@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from msf_jax.host.meso import ring_tables
-from msf_jax.host.solid.geometry import signed_volume
+from msf_jax.host.solid.geometry import signed_volume, triangle_areas
 
 
 class Fixing(NamedTuple):
@@ -87,8 +87,7 @@ class Meso:
 
     def area(self) -> float:
         """Area of the surface."""
-        a, b, c = (self.positions[corner] for corner in self.faces().T)
-        return float(np.linalg.norm(np.cross(b - a, c - a), axis=1).sum() / 2)
+        return float(triangle_areas(self.positions[self.faces()]).sum())
 
     def scales(self) -> np.ndarray:
         """(n,) the factor on lengths."""

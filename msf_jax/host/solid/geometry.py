@@ -36,6 +36,12 @@ def at(points: np.ndarray, along: np.ndarray, stops: np.ndarray) -> np.ndarray:
     return np.stack([np.interp(stops, along, points[:, axis]) for axis in range(3)], axis=-1)
 
 
+def largest_of_each(group: np.ndarray, value: np.ndarray) -> np.ndarray:
+    """(g,) the index of the largest ``value`` (n,) in each ``group`` (n,) of numbers 0, 1, ..., the last of equals."""
+    order = np.lexsort((value, group))
+    return order[np.flatnonzero(np.diff(group[order], append=-1))]
+
+
 def vertex_normals(vertices: np.ndarray, faces: np.ndarray) -> np.ndarray:
     """Vertex normals (V, 3), unit face normals weighted by the corner's angle (Thuermer and Wuethrich 1998).
 

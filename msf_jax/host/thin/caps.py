@@ -26,6 +26,7 @@ from scipy import sparse
 from scipy.sparse import csgraph
 
 from msf_jax.host.solid.enclosure import Enclosure
+from msf_jax.host.solid.geometry import largest_of_each
 from msf_jax.host.thin import fronts
 
 SOURCES = 16  # points, far from each other, whose distances are averaged
@@ -111,12 +112,12 @@ class Caps:
         share = np.bincount(faces.ravel(), np.repeat(self.surface.area / 3, 3), len(x))
         whole = np.bincount(component, share)
         middle = np.stack([np.bincount(component, share * axis) / whole for axis in x.T], axis=1)
-        source = self._farthest(-np.linalg.norm(x - middle[component], axis=1))
-        source = self._farthest(self._distances(source))
+        source = largest_of_each(component, -np.linalg.norm(x - middle[component], axis=1))
+        source = largest_of_each(component, self._distances(source))
         away = np.empty((SOURCES, len(x)))
         for row in range(SOURCES):
             away[row] = self._distances(source)
-            source = self._farthest(away[: row + 1].min(axis=0))
+            source = largest_of_each(component, away[: row + 1].min(axis=0))
         pair = away.argmin(axis=0) * len(whole) + component
         weight = np.bincount(pair, share, SOURCES * len(whole)).reshape(SOURCES, -1)
         found = np.einsum("sv,sv->v", (weight / whole)[:, component], away)
@@ -146,11 +147,6 @@ class Caps:
         is_first = np.arange(len(found)) - np.searchsorted(own, own) < MOST_TIPS
         self.was_hit |= not is_first.all()
         return found[is_first]
-
-    def _farthest(self, away: np.ndarray) -> np.ndarray:
-        """The vertex of each component where ``away`` (V,) is largest."""
-        order = np.lexsort((away, self._component))
-        return order[np.flatnonzero(np.diff(self._component[order], append=-1))]
 
     def _distances(self, sources: np.ndarray) -> np.ndarray:
         fronts.spread(self.surface, self._front, sources)

@@ -15,7 +15,7 @@ from scipy.sparse import csgraph
 from msf_jax.host.curve import pruning
 from msf_jax.host.curve.containment import is_inside
 from msf_jax.host.solid.enclosure import Enclosure
-from msf_jax.host.solid.geometry import arc_length, at
+from msf_jax.host.solid.geometry import arc_length, at, largest_of_each
 from msf_jax.host.thin.caps import Cap, Caps
 
 TRIED = 64  # nodes, those with the nearest balls first, that a new branch may begin at; else it is the nearest node
@@ -35,7 +35,8 @@ def choose(
 ) -> Choice:
     """The leaves of a curve ``(vertices (N, 3), edges (E, 2))`` for the limbs of slenderness ``least`` of a surface.
 
-    Of several leaves in a limb, a held one of ``is_held`` (N,) stays, or else the one farthest from the limb's base.
+    Of several leaves in a limb, the one farthest from the limb's base stays, or a held one of ``is_held`` (N,) near it.
+    Other held ones stay, too, beside it.
     """
     leaves = leaves_of(edges)
     foot = feet(caps.shape, vertices[leaves])
@@ -76,8 +77,8 @@ def feet(shape: Enclosure, points: np.ndarray) -> np.ndarray:
 def matched(
     foot: np.ndarray, is_held: np.ndarray, caps: list[Cap], num_vertices: int, from_base: Callable[[Cap], np.ndarray]
 ) -> tuple[np.ndarray, list[Cap]]:
-    """The rank of each leaf in its limb, -1 outside of limbs: 0 for a held one, or the one farthest from the limb's
-    base: a middle finger and not a thumb, on the left as on the right.
+    """The rank of each leaf in its limb, -1 outside of limbs: 0 for the one farthest from the limb's base: a middle
+    finger and not a thumb, on the left as on the right. A held one within a limb's radius of it goes before.
 
     ``foot`` (l,) are the leaves' nearest vertices, ``is_held`` (l,) says which are held, and ``from_base`` gives the
     distance (V,) of vertices from a limb's base. Also returns the limbs without a leaf, the largest first.
@@ -91,7 +92,8 @@ def matched(
     for k in order:
         mine = np.flatnonzero(own[foot] == k)
         away = from_base(caps[k])[foot[mine]] if len(mine) > 1 else np.zeros(len(mine))
-        rank[mine[np.lexsort((-away, ~is_held[mine]))]] = range(len(mine))
+        is_end = is_held[mine] & (away >= away.max(initial=0.0) - 2 * caps[k].step)
+        rank[mine[np.lexsort((-away, ~is_end))]] = range(len(mine))
         missing += [] if len(mine) else [caps[k]]
     return rank, missing
 
@@ -114,17 +116,14 @@ def ends(vertices: np.ndarray, edges: np.ndarray, stays: np.ndarray) -> np.ndarr
     graph = sparse.coo_matrix((length, (edges[:, 0], edges[:, 1])), (num, num)).tocsr()
     component = csgraph.connected_components(graph, directed=False)[1]
 
-    def last(value: np.ndarray) -> np.ndarray:
-        """The node of each component where ``value`` (N,) is largest."""
-        order = np.lexsort((value, component))
-        return order[np.flatnonzero(np.diff(component[order], append=-1))]
-
     def farthest(sources: np.ndarray) -> np.ndarray:
-        return last(csgraph.dijkstra(graph, directed=False, indices=sources, min_only=True))
+        return largest_of_each(component, csgraph.dijkstra(graph, directed=False, indices=sources, min_only=True))
 
     is_tree = np.bincount(component) - np.bincount(component[edges[:, 0]], minlength=component.max() + 1) == 1
     count = np.bincount(component, stays)
-    first = np.where(count == 1, last(stays.astype(float)), farthest(last(np.arange(num))))
+    first = np.where(
+        count == 1, largest_of_each(component, stays), farthest(np.unique(component, return_index=True)[1])
+    )
     found = np.zeros(num, dtype=bool)
     for each in (first, farthest(first)):
         found[each[is_tree & (count < 2)]] = True
