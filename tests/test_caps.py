@@ -364,12 +364,16 @@ def test_a_solid_with_neither_limbs_nor_handles_keeps_its_blunt_ends():
     ]
     ball = manifold3d.Manifold.batch_boolean([manifold3d.Manifold.sphere(0.8, 48), *bumps], manifold3d.OpType.Add)
     drill = manifold3d.Manifold.cylinder(4, 0.2, 0.2, 24, True).rotate((35, 35, 0))
-    for body, leaves in ((ball, 6), (ball - drill, 0)):
-        shape = solid(body, 0.12)
+    whole = solid(ball, 0.12)
+    for shape, leaves in ((whole, 6), (solid(ball - drill, 0.12), 0)):
         assert not limbs(shape, 1.0) and len(limbs(shape, caps.BLUNT)) == 6
         skeleton = msf_jax.skeletonize((shape.vertices, shape.faces))
         assert skeleton.num_leaves == leaves and skeleton.report.loops == (leaves == 0)
         assert skeleton.prune().num_leaves == leaves
+    ring = trimesh.creation.torus(3.0, 0.5)  # a part with a handle beside the ball changes nothing in the ball
+    both = trimesh.util.concatenate([trimesh.Trimesh(whole.vertices, whole.faces, process=False), ring])
+    skeleton = msf_jax.skeletonize(both)
+    assert skeleton.num_leaves == skeleton.prune().num_leaves == 6 and skeleton.report.loops == 1
 
 
 def test_the_blunt_nose_of_a_head_with_ears_is_a_limb():

@@ -80,7 +80,7 @@ def init(
     coarse = Enclosure(meso.positions, meso.faces()) if is_coarsened else shape
     with watch.stage("poles"):
         _ = coarse.mesh  # made here, before two threads ask for it
-    caps = meanwhile(_with_limbs, coarse, config.prune, component.genus == 0) if config.prune else None
+    caps = meanwhile(_with_limbs, coarse, config.prune) if config.prune else None
     with watch.stage("compile"):
         compile_ahead(meso, config)
     found = None
@@ -113,10 +113,10 @@ def init(
     )
 
 
-def _with_limbs(shape: Enclosure, least: float, is_solid: bool) -> Caps:
+def _with_limbs(shape: Enclosure, least: float) -> Caps:
     """The caps of a surface, whose limbs are known then, see `Caps.limbs`."""
     caps = Caps(shape)
-    caps.limbs(least, caps.tips(), is_solid)
+    caps.limbs(least, caps.tips(), with_blunt=True)
     return caps
 
 

@@ -346,7 +346,7 @@ def limbed(draft: Draft, job: Job, grows: bool) -> Draft:
     if not job.prune:
         return draft
     curve = draft.vertices, draft.edges, draft.is_held
-    choice = one_branch.choose(job.caps(), *curve, job.prune, job.shape.handles.genus)
+    choice = one_branch.choose(job.caps(), *curve, job.prune)
     job.budget.was_hit |= choice.was_hit
     more, worth, missing = draft, choice.worth, choice.missing if grows else []
     if missing:

@@ -76,7 +76,10 @@ class Caps:
         pairs = np.ones(2 * len(faces)), (np.tile(faces[:, 0], 2), faces[:, 1:].T.ravel())
         component = csgraph.connected_components(sparse.coo_matrix(pairs, (len(x),) * 2), directed=False)[1]
         self._component = component.astype(np.int64)
-        self._total = np.bincount(component[faces[:, 0]], area, component.max() + 1)[component]
+        count, of_face = np.bincount(component), component[faces[:, 0]]
+        self._total = np.bincount(of_face, area, len(count))[component]
+        # Two vertices more than half of the faces: Euler's formula for a component without handles.
+        self._is_ball = 2 * count - np.bincount(of_face, minlength=len(count)) == 4
         num, size = len(x), 9 * len(faces)
         state, order, filled, stack = np.zeros((4, num), dtype=np.int64)
         key, value = np.empty(size), np.empty(size, dtype=np.int64)
@@ -154,21 +157,21 @@ class Caps:
         self._front.distance[:], self._front.state[:] = np.inf, 0
         return found
 
-    def limbs(self, least: float, tips: np.ndarray, is_solid: bool = False) -> tuple[list[Cap], np.ndarray]:
+    def limbs(self, least: float, tips: np.ndarray, with_blunt: bool = False) -> tuple[list[Cap], np.ndarray]:
         """The limbs of at least that slenderness, but `ROUND_END`, with their tips among the vertices ``tips`` (t,).
 
         First come caps below half of the surface. Then the rest may be a limb, too, up to the first ones: the body of a
         bunny is the other end of its ears. Last come blunt ends of parts with limbs, such as the nose of a head with
-        ears. ``is_solid`` says that the solid has no handles: a component without limbs then has its blunt ends. Also
-        returns the largest slenderness (t,) of the caps around ``tips``, infinite for vertices that were not tried.
-        A search that was made before is not repeated.
+        ears. With ``with_blunt``, a component without limbs and handles has its blunt ends instead. Also returns the
+        largest slenderness (t,) of the caps around ``tips``, infinite for vertices that were not tried. A search that
+        was made before is not repeated.
         """
-        asked = least, tips.tobytes(), is_solid
+        asked = least, tips.tobytes(), with_blunt
         if asked not in self._found:
-            self._found[asked] = self._search(max(least, ROUND_END), tips, is_solid)
+            self._found[asked] = self._search(max(least, ROUND_END), tips, with_blunt)
         return self._found[asked]
 
-    def _search(self, least: float, tips: np.ndarray, is_solid: bool) -> tuple[list[Cap], np.ndarray]:
+    def _search(self, least: float, tips: np.ndarray, with_blunt: bool) -> tuple[list[Cap], np.ndarray]:
         self._left[:] = MOST_AREA
         most = np.full(len(self.surface.points), np.inf)
         owner = np.zeros(len(most), dtype=np.int64)  # the number of the limb of each vertex, from 1; 0 for none
@@ -177,9 +180,9 @@ class Caps:
         if limbs:
             limbs += [(tip, least) for tip in self._slender(tips[owner[tips] == 0], owner, most, least, 1.0)]
             limbs += self._blunt(tips[owner[tips] == 0], owner, least)
-        if is_solid:
-            has_limbs = np.bincount(self._component, owner) > 0
-            rest = tips[~has_limbs[self._component[tips]]]
+        if with_blunt:
+            is_whole = (np.bincount(self._component, owner) == 0) & self._is_ball
+            rest = tips[is_whole[self._component[tips]]]
             limbs += [(tip, np.inf) for tip in self._slender(rest, owner, most, max(BLUNT * least, ROUND_END), 0.5)]
         caps = [
             self._of(tip, ((owner > 0) & (owner != number)).astype(np.int64), enough)

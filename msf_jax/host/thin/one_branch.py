@@ -30,9 +30,7 @@ class Choice(NamedTuple):
     was_hit: bool
 
 
-def choose(
-    caps: Caps, vertices: np.ndarray, edges: np.ndarray, is_held: np.ndarray, least: float, genus: int
-) -> Choice:
+def choose(caps: Caps, vertices: np.ndarray, edges: np.ndarray, is_held: np.ndarray, least: float) -> Choice:
     """The leaves of a curve ``(vertices (N, 3), edges (E, 2))`` for the limbs of slenderness ``least`` of a surface.
 
     Of several leaves in a limb, the one farthest from the limb's base stays, or a held one of ``is_held`` (N,) near it.
@@ -42,7 +40,7 @@ def choose(
     foot = feet(caps.shape, vertices[leaves])
     tips = caps.tips()
     tips = np.concatenate([tips, np.setdiff1d(caps.tip_of[foot], tips)])
-    found, slenderness = caps.limbs(least, tips, is_solid=not genus)
+    found, slenderness = caps.limbs(least, tips, with_blunt=True)
     rank, missing = matched(foot, is_held[leaves], found, len(caps.tip_of), caps.from_base)
     of_tip = np.zeros(len(caps.tip_of))
     of_tip[tips] = slenderness
