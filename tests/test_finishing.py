@@ -361,6 +361,22 @@ def test_a_budget_that_is_spent_leaves_one_round():
     assert budget.was_hit
 
 
+@pytest.mark.parametrize(("factor", "num"), [(1.1, 3), (0.9, 12)])
+def test_centring_ends_when_steps_grow_twice_in_a_row(monkeypatch, factor, num):
+    shape, scale = unit_shape(tube(bow(0.3)))
+    nodes, edges = path(scale * bow(0.3)[10:-10:4])
+    sizes = list(0.1 * factor ** np.arange(12))
+
+    def step(self, weight):
+        across = np.zeros((len(nodes), 3))
+        across[1:-1, 2] = sizes.pop(0) * 0.1 * scale * (-1) ** len(sizes)
+        return across
+
+    monkeypatch.setattr(centring._System, "step", step)
+    centring.centre(shape, nodes, edges, none_held(nodes), is_far=False)
+    assert 12 - len(sizes) == num
+
+
 def test_how_large_a_limb_is_near_by_is_a_mean_over_the_branch():
     """With weights of a bell over the way along it, and next to none, but not none, far away."""
     random = np.random.default_rng(3)

@@ -14,7 +14,7 @@ rump of a horse, a shell on a back), a holds the junction at y.
 A section turns with the curve. In a wide section the centroid then moves much farther than the nodes, and an iteration
 with c held fixed does not converge. So each round is a Gauss-Newton step with the derivative of c by the plane
 (`sections.Sections`), and with the weights of a Geman-McClure loss of the distance to c, from the round before. The
-rounds end when the nodes hardly move any more.
+rounds end when the nodes hardly move any more, or when steps grow twice in a row: then they no longer converge.
 """
 
 import itertools
@@ -103,7 +103,7 @@ def centre(
     clearance, near = shape.approximate_clearance(x)
     least = np.maximum(THINNEST * clearance, 2 * TOUCHING)
     size = clearance.copy()
-    known = _Known(x, budget)
+    known, moves = _Known(x, budget), [np.inf, np.inf]
     for number in range(-1, rounds):  # round -1 only measures the limbs' sizes
         if number > 0 and budget.left < 0:
             budget.was_hit = True
@@ -150,7 +150,8 @@ def centre(
         step = measures.spread(x + step, paths) - x
         step[is_held] = 0.0
         part = np.linalg.norm(step, axis=1) / np.maximum(np.maximum(clearance, 0.3 * size), 1e-300)
-        is_last = np.sqrt(np.mean(np.minimum(part, 1.0) ** 2)) < TOLERANCE
+        moves.append(float(np.sqrt(np.mean(np.minimum(part, 1.0) ** 2))))
+        is_last = moves[-1] < TOLERANCE or moves[-1] > moves[-2] > moves[-3]
         step *= np.minimum(1.0, LONGEST_STEP / np.maximum(part, 1e-300))[:, None]
         x, clearance, near = _taken(shape, x, step, clearance, near, edges, ~is_held & (clearance > 0), least)
         if is_last:
