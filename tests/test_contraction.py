@@ -224,6 +224,18 @@ class Diagonal(NamedTuple):
         return jnp.ones_like(self.entries)
 
 
+class Dense(NamedTuple):
+    """A full matrix (n, n)."""
+
+    entries: jax.Array
+
+    def __call__(self, x):
+        return self.entries @ x
+
+    def diagonal(self):
+        return jnp.diagonal(self.entries)
+
+
 @pytest.mark.parametrize("smallest", [0.0, 1e-3])
 @pytest.mark.parametrize("entries", [[1.0, -1.0, 1.0], [2.0, 3.0, -1e-3], [0.0, 0.0, 0.0]])
 def test_no_solve_of_what_is_not_positive_definite_is_solved(entries, smallest):
@@ -251,6 +263,32 @@ def test_what_is_left_and_reported_is_relative_to_the_given_right_hand_side(size
         assert bool(report.is_solved) and float(report.residual) <= tolerance
         np.testing.assert_allclose(report.left, found / np.linalg.norm(b), atol=1e-14)
         np.testing.assert_allclose(report.residual, np.linalg.norm(found) / np.linalg.norm(b), atol=1e-14)
+
+
+@pytest.mark.parametrize("size", [1e-50, 1e-40, 1.0, 1e40])
+def test_a_loose_solve_is_right_for_right_hand_sides_beyond_float32(size):
+    random = np.random.default_rng(6)
+    operator = Diagonal(jnp.asarray(random.uniform(1, 4, 40)))
+    b = size * jnp.asarray(random.normal(size=(40, 3)))
+    x, report = cg.solve(operator, b, Solver(3e-3, 50))
+    assert bool(report.is_solved) and 0 < float(report.residual) <= 3e-3
+    np.testing.assert_allclose(operator(x) / size, b / size, atol=0.05)
+
+
+def test_a_loose_solve_that_float32_cannot_do_is_not_solved():
+    """The recursive residual reaches the tolerance, the true one does not: A has a condition of 1e10."""
+    random = np.random.default_rng(7)
+    basis = np.linalg.qr(random.normal(size=(60, 60)))[0]
+    operator = Dense(jnp.asarray(basis @ np.diag(np.logspace(-10, 0, 60)) @ basis.T))
+    _, report = cg.solve(operator, jnp.asarray(random.normal(size=(60, 1))), Solver(3e-3, 20_000))
+    assert float(report.residual) > 6e-3 and not bool(report.is_solved)
+
+
+def test_derivatives_of_a_loose_solve_are_in_the_precision_of_its_input():
+    entries = jnp.tile(jnp.asarray([1.0, 4.0]), 10)  # CG is exact after two steps, and far off after one
+    b = jnp.asarray(np.random.default_rng(8).normal(size=(20, 1)))
+    found = jax.grad(lambda b: cg.solve(Diagonal(entries), b, Solver(3e-3, 50))[0].sum())(b)
+    np.testing.assert_allclose(found[:, 0], 1 / entries, rtol=1e-12)
 
 
 def test_a_loose_solve_iterates_in_float32_and_a_tight_one_does_not():

@@ -64,7 +64,9 @@ def curve_of(state: State, meso: Meso, config: Config, watch: Stopwatch) -> Part
             caps=None if state.caps is None else state.caps.result,
             first=partial(_recentred, meso, found) if config.surgery else None,
         )
-    state.caps = None  # as large as the surface
+    if state.caps is not None:
+        state.caps.cancel()  # if nobody asked for it, and it has not begun
+        state.caps = None  # as large as the surface
     # The edges of a removed node go to the node that replaces it, so that the curve stays connected.
     stands_for = (np.cumsum(done.is_kept) - 1)[done.target]
     edges = stands_for[found.edges]

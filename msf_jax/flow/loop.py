@@ -89,8 +89,8 @@ def contract(
                 break
             pins_here = np.flatnonzero(np.isin(checked.members[number], pinned))
             of_members = None if of_vertices is None else of_vertices[checked.members[number]]
-            state = init(component, number, config, watch, pins_here, of_members, limits)
             solid = solid or meanwhile(Solid(checked.vertices, checked.faces).prepared)
+            state = init(component, number, config, watch, pins_here, of_members, limits)
             keeper.restore(state, config)
             states.append(state)
             while (end := done(state, config)) is None:
@@ -112,7 +112,8 @@ def contract(
             checked = checked.first(len(parts))
             held = held[checked.vertex_of_input[held] >= 0]
             solid = None
-        whole = solid.result() if solid else Solid(checked.vertices, checked.faces)
+        with watch.stage("report"):
+            whole = solid.result() if solid else Solid(checked.vertices, checked.faces)
         run = assembly.assemble(checked, whole, held, states, reasons, parts, weights, config, watch, notes)
     if interruption:
         kept = f"; run it again with checkpoint={str(checkpoint)!r} to go on" if checkpoint and not notes else ""

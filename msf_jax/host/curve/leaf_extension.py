@@ -56,7 +56,7 @@ def extend(
     for (nodes, _), (kept, polyline) in zip(tips, polylines, strict=True):
         along = arc_length(polyline)
         away = np.linalg.norm(polyline - vertices[nodes[0]], axis=1)
-        if (away > shape.approximate_clearance(polyline)[0]).all():
+        if not along[-1] or (away > shape.approximate_clearance(polyline)[0]).all():
             continue  # it ends before the old leaf, which is in no ball of it
         # Nodes that were moved back are spread over the new polyline; more nodes fill it to the usual spacing.
         moved = nodes[:kept]

@@ -1,11 +1,12 @@
-"""Shortest paths inside a solid: a roadmap of inscribed balls, made once, whose edges are tested when they are needed.
+"""Shortest paths inside a solid, in a roadmap of inscribed balls whose edges are tested when they are needed.
 
 The nodes are centres of balls that touch the surface from inside, one for each place and size. If two balls overlap,
 the segment between their centres is inside; other segments are tested with rays. First the parts of the graph between
 which a path is requested are joined, each by the nearest of its edges that is inside, as in Boruvka's spanning tree
 (1926). Then it is known which paths exist. Any other edge counts as open until a shortest path uses it, and is tested
 then (lazy shortest paths; Dellin, Srinivasa 2016). A path is searched near the edge that it replaces, and farther away
-only if there is none, so that it stays on the same side of a hole, and the search is local. All searches have bounds.
+only if there is none, so that it stays on the same side of a hole, and the search is local. So at first there are only
+balls near the edges; the roadmap of all balls is made once it is needed. All searches together have bounds.
 """
 
 from collections.abc import Callable, Iterator
