@@ -285,7 +285,7 @@ def test_a_changed_curve_is_followed_and_one_from_a_file(limbs, tmp_path):
     read = msf_jax.read_curve(tmp_path / "y.npz")
     moved = vertices + 0.05 * np.sin(3 * vertices[:, [1, 2, 0]])
     nodes = msf_jax.follow(read, moved).nodes
-    np.testing.assert_allclose(nodes, msf_jax.follow(changed, moved).nodes, rtol=0, atol=1e-6)
+    np.testing.assert_array_equal(nodes, msf_jax.follow(changed, moved).nodes)  # a file has the mesh to the last bit
     assert read.report == changed.report
     np.testing.assert_array_equal(read.prune(90.0).edges, changed.prune(90.0).edges)
     assert [branch.slenderness for branch in read.branches] == [branch.slenderness for branch in changed.branches]

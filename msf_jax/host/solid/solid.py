@@ -19,6 +19,7 @@ class Solid:
     """
 
     def __init__(self, vertices: np.ndarray, faces: np.ndarray, lids: np.ndarray | None = None):
+        self.vertices = np.array(vertices)  # as given: `leave` of the stored ones would be rounded
         low, high = vertices.min(axis=0), vertices.max(axis=0)
         unit = float((high - low).max())
         self.centre = low + (high - low) / 2

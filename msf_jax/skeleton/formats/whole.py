@@ -31,7 +31,7 @@ def npz(skeleton: "Skeleton") -> bytes:
     if source is not None:
         shape = source.solid.shape
         arrays |= {
-            "surface_vertices": source.solid.leave(shape.vertices),
+            "surface_vertices": source.solid.vertices,
             "surface_faces": shape.faces.astype(np.int32),
             "areas": source.areas,
             "pins": np.asarray(source.pins, dtype=np.int64),
