@@ -62,11 +62,11 @@ def test_limbs_from_another_thread_are_the_same(monkeypatch):
     pool = AtOnce()
     monkeypatch.setattr(starting, "_workers", pool)
     found.append(msf_jax.skeletonize(mesh))
-    assert pool.names == ["prepared", "_with_limbs"]
+    assert pool.names == ["prepare", "_with_limbs"]
     np.testing.assert_array_equal(found[0].vertices, found[1].vertices)
     np.testing.assert_array_equal(found[0].edges, found[1].edges)
     assert msf_jax.skeletonize(mesh, config=msf_jax.Config(prune=0.0)).num_leaves >= found[0].num_leaves
-    assert pool.names[2:] == ["prepared"]
+    assert pool.names[2:] == ["prepare"]
 
 
 def start(threads, precision="float64", *checkpoint, seed="0"):

@@ -82,14 +82,15 @@ def contract(
     of_vertices = weights_of_vertices(weights, checked)
     identity = run_of(checked.given, weights, config, held, as_repair(repair)) if checkpoint is not None else {}
     keeper = Checkpoint(checkpoint, identity)
-    states, reasons, parts, solid = [], [], [], None
+    solid = Solid(checked.vertices, checked.faces)
+    prepared = meanwhile(solid.shape.prepare)
+    states, reasons, parts = [], [], []
     with tqdm(desc="msf_jax", unit="it", disable=None if progress else True) as bar, held_back() as interruption:
         for number, component in enumerate(checked.components):
             if interruption and parts:
                 break
             pins_here = np.flatnonzero(np.isin(checked.members[number], pinned))
             of_members = None if of_vertices is None else of_vertices[checked.members[number]]
-            solid = solid or meanwhile(Solid(checked.vertices, checked.faces).prepared)
             state = init(component, number, config, watch, pins_here, of_members, limits)
             keeper.restore(state, config)
             states.append(state)
@@ -111,10 +112,11 @@ def contract(
             reasons += [(False, "not begun")] * (len(checked.components) - len(parts))
             checked = checked.first(len(parts))
             held = held[checked.vertex_of_input[held] >= 0]
-            solid = None
-        with watch.stage("report"):
-            whole = solid.result() if solid else Solid(checked.vertices, checked.faces)
-        run = assembly.assemble(checked, whole, held, states, reasons, parts, weights, config, watch, notes)
+            solid = Solid(checked.vertices, checked.faces)
+        else:
+            with watch.stage("report"):
+                prepared.result()
+        run = assembly.assemble(checked, solid, held, states, reasons, parts, weights, config, watch, notes)
     if interruption:
         kept = f"; run it again with checkpoint={str(checkpoint)!r} to go on" if checkpoint and not notes else ""
         raise Interrupted(

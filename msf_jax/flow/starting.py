@@ -29,7 +29,7 @@ LEAST_REFINED = 0.05  # share of the area that must be at long edges; below it, 
 MOST_COARSENED = 0.05  # share of the volume that coarsening may change; above it, the surface is not coarsened
 MOST_FILTERED = 0.25  # share of the volume that the filter for poles may remove; above it, the filter is left out
 
-_workers = ThreadPoolExecutor(1, "msf_jax-meanwhile")
+_workers = ThreadPoolExecutor(1, "msf_jax-meanwhile")  # one thread: there is little to do beside the flow
 
 
 def meanwhile(function: Callable[..., Any], *arguments: Any) -> "Future[Any]":

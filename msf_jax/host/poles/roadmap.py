@@ -161,10 +161,10 @@ class Roadmap:
     def _graph(self, ends: np.ndarray, some: tuple[np.ndarray, np.ndarray] | None = None) -> "_Graph":
         """The graph of all balls, or of ``some``, and after them the ``ends`` of paths."""
         centre, radius = some or self._all_balls()
-        links = self._links if some is None else None
+        links = None if some else self._links
         if links is None:
             links = _links(centre, radius, *_neighbours(centre, radius))
-        self._links = links if some is None else self._links
+            self._links = self._links if some else links
         of_ends = _links_of_ends(centre, radius, ends, self.shape.clearance(ends))
         links = _Links(*(np.concatenate(both) for both in zip(links, of_ends, strict=True)))
         return _Graph(self.shape, self.test, np.concatenate([centre, ends]), len(centre), links)

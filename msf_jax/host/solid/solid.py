@@ -31,11 +31,6 @@ class Solid:
             used, corners = np.unique(np.delete(faces, self.lids, axis=0), return_inverse=True)
             self._wall = Enclosure(self.shape.vertices[used], corners.reshape(-1, 3))
 
-    def prepared(self) -> "Solid":
-        """The solid itself, ready for queries; else the first query prepares it."""
-        self.shape.prepare()
-        return self
-
     def enter(self, points: np.ndarray) -> np.ndarray:
         """``points`` (P, 3) in units of the diagonal, around the centre."""
         return (points - self.centre) / self.diagonal
