@@ -361,20 +361,36 @@ def test_a_budget_that_is_spent_leaves_one_round():
     assert budget.was_hit
 
 
-@pytest.mark.parametrize(("factor", "num"), [(1.1, 3), (0.9, 12)])
-def test_centring_ends_when_steps_grow_twice_in_a_row(monkeypatch, factor, num):
-    shape, scale = unit_shape(tube(bow(0.3)))
-    nodes, edges = path(scale * bow(0.3)[10:-10:4])
-    sizes = list(0.1 * factor ** np.arange(12))
+def test_a_step_that_goes_back_is_shortened(monkeypatch):
+    """Steps that go as far beyond the middle as they came from: the second one, halved, ends there."""
+    shape, scale = unit_shape(tube(np.linspace([-1, 0, 0], [1, 0, 0], 41), 0.2))
+    nodes, edges = path(scale * np.linspace([-0.5, 0, 0.02], [0.5, 0, 0.02], 9))
+    seen = []
 
-    def step(self, weight):
-        across = np.zeros((len(nodes), 3))
-        across[1:-1, 2] = sizes.pop(0) * 0.1 * scale * (-1) ** len(sizes)
-        return across
+    class Overshooting:
+        def __init__(self, x, paths, span, limb, *rest):
+            seen.append(x)
+            self.off = np.zeros((len(limb), 3))
 
-    monkeypatch.setattr(centring._System, "step", step)
-    centring.centre(shape, nodes, edges, none_held(nodes), is_far=False)
-    assert 12 - len(sizes) == num
+        def step(self, weight):
+            return np.array([0, 0, -2]) * seen[-1]
+
+    monkeypatch.setattr(centring, "_System", Overshooting)
+    x = centring.centre(shape, nodes, edges, none_held(nodes), is_far=False)
+    np.testing.assert_allclose(np.array([*seen, x])[:, 4, 2], 0.02 * scale * np.array([1, -1, 0, 0]), atol=1e-12)
+
+
+def test_the_nodes_of_a_ring_do_not_go_round(monkeypatch):
+    """However unevenly they are spaced: a ring has no end that would hold them."""
+    shape, scale = unit_shape(trimesh.creation.torus(1.0, 0.2, major_sections=64, minor_sections=24))
+    angle = 2 * np.pi * np.linspace(0, 1, 48, endpoint=False) ** 1.3
+    nodes = scale * np.stack([1.05 * np.cos(angle), 1.05 * np.sin(angle), 0.03 * np.cos(5 * angle)], axis=1)
+    edges = np.stack([np.arange(48), np.roll(np.arange(48), -1)], axis=1)
+    monkeypatch.setattr(centring, "ANCHOR", 0.0)
+    x = centring.centre(shape, nodes, edges, none_held(nodes))
+    assert np.abs(np.linalg.norm(x[:, :2], axis=1) / scale - 1).max() < 0.01 and np.abs(x[:, 2]).max() < 0.01 * scale
+    turned = np.angle((x[:, 0] + 1j * x[:, 1]) * np.exp(-1j * angle))
+    assert np.abs(turned).max() < 0.01
 
 
 def test_how_large_a_limb_is_near_by_is_a_mean_over_the_branch():

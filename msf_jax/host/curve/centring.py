@@ -14,7 +14,8 @@ rump of a horse, a shell on a back), a holds the junction at y.
 A section turns with the curve. In a wide section the centroid then moves much farther than the nodes, and an iteration
 with c held fixed does not converge. So each round is a Gauss-Newton step with the derivative of c by the plane
 (`sections.Sections`), and with the weights of a Geman-McClure loss of the distance to c, from the round before. The
-rounds end when the nodes hardly move any more, or when steps grow twice in a row: then they no longer converge.
+rounds end when the nodes hardly move any more. In a sheet, weight and section change each other, and nodes go back and
+forth: a step against the one before is shortened.
 """
 
 import itertools
@@ -52,6 +53,7 @@ FARTHEST = 20.0  # limit on the derivative of a centroid by a node; it counts wh
 HELD = 1e9  # a of a node that does not move
 MOST_CORNERS = 5_000_000  # corners of all sections that are cut for a curve; then each centring ends after one round
 THINNEST = 0.25  # least share of its first clearance that a step must leave to a node: the coarse surface is not exact
+BACK = 0.5  # part of a step that is taken by a node that goes back, against its step of the round before
 HALVINGS = 2  # times that a step that goes too far is halved, before none is taken
 SLIGHT = 0.05  # clearances: a shorter step is taken without a test
 CLOSE = 0.005  # diagonals: clearances below are measured exactly
@@ -97,13 +99,14 @@ def centre(
     is_core = core(num, edges)
     is_former_junction = (degree == 2) & (False if former_junctions is None else former_junctions)
     junction = np.flatnonzero((degree > 2) | is_former_junction)
+    start = np.array([path.nodes[0] for path in paths if path.is_loop], dtype=np.int64)  # it does not go round
     is_lost = ~shape.contains(y[junction])  # a place outside holds nothing
     y[junction[is_lost]] = x[junction[is_lost]]
     clearance_at_place = np.where(is_lost, 0.0, shape.distances(y[junction]))
     clearance, near = shape.approximate_clearance(x)
     least = np.maximum(THINNEST * clearance, 2 * TOUCHING)
     size = clearance.copy()
-    known, moves = _Known(x, budget), [np.inf, np.inf]
+    known, before = _Known(x, budget), np.zeros_like(x)
     for number in range(-1, rounds):  # round -1 only measures the limbs' sizes
         if number > 0 and budget.left < 0:
             budget.was_hit = True
@@ -147,11 +150,13 @@ def centre(
         if is_blind:
             away = np.linalg.norm(system.off + system.moved(step), axis=1)
             step = system.step(weight / (1 + (away / (STRAY * found.radius)) ** 2) ** 2)
+        step[start] -= np.einsum("ni,ni->n", step[start], tangent[start])[:, None] * tangent[start]
         step = measures.spread(x + step, paths) - x
         step[is_held] = 0.0
+        step[np.einsum("ni,ni->n", step, before) < 0] *= BACK
+        before = step
         part = np.linalg.norm(step, axis=1) / np.maximum(np.maximum(clearance, 0.3 * size), 1e-300)
-        moves.append(float(np.sqrt(np.mean(np.minimum(part, 1.0) ** 2))))
-        is_last = moves[-1] < TOLERANCE or moves[-1] > moves[-2] > moves[-3]
+        is_last = float(np.sqrt(np.mean(np.minimum(part, 1.0) ** 2))) < TOLERANCE
         step *= np.minimum(1.0, LONGEST_STEP / np.maximum(part, 1e-300))[:, None]
         x, clearance, near = _taken(shape, x, step, clearance, near, edges, ~is_held & (clearance > 0), least)
         if is_last:
