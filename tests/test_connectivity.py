@@ -12,7 +12,7 @@ import trimesh
 from conftest import blob, torus
 
 from msf_jax.base.errors import FlowError, MeshError
-from msf_jax.host.meso import collapse, fixing, ring_tables, split
+from msf_jax.host.meso import collapse, fixing, kernels, ring_tables, split
 from msf_jax.host.meso.meso import Meso
 
 OBTUSE = 110.0
@@ -415,22 +415,23 @@ def test_an_edge_that_a_collapse_frees_goes_too():
     assert_nothing_left_to_collapse(meso, t_c)
 
 
-def test_independent_edges_are_a_maximal_set():
-    """No two chosen edges have equal or neighbouring ends, and every other candidate does with one chosen before it."""
+def test_the_edges_of_a_round_are_a_maximal_set():
+    """No two have equal or neighbouring ends, and every other edge that could collapse does with a shorter one."""
     mesh = blob(10)
     meso = meso_of(np.array(mesh.vertices), np.array(mesh.faces))
     around = neighbours_of(meso.faces())
-    a, b = ring_tables.edges_from_rings(meso.rings)
-    order = np.random.default_rng(2).permutation(len(a))
-    chosen = set(collapse.first_apart(np.stack([a, b], axis=1), order, meso.rings).tolist())
+    t_c = 2 * typical_length(meso)
+    edges = collapse.Waiting().find(kernels.short_edges, meso, np.ones(meso.num_rows, dtype=bool), t_c)
+    can = edges[(edges[:, 4] == 2) & (meso.degree[edges[:, 2:4]] > 3).all(axis=1)]
+    length = collapse.edge_lengths(meso.positions, can[:, 0], can[:, 1])
     blocked: set[int] = set()
     greedy = set()
-    for edge in order.tolist():
-        ends = {int(a[edge]), int(b[edge])}
-        if not ends & blocked:
-            greedy.add(edge)
-            blocked |= around[int(a[edge])] | around[int(b[edge])]
-    assert chosen == greedy and len(chosen) > 10
+    for a, b in can[np.lexsort((can[:, 1], can[:, 0], np.round(length / (1e-6 * t_c)))), :2].tolist():
+        if not {a, b} & blocked:
+            greedy.add((a, b))
+            blocked |= around[a] | around[b] | {a, b}
+    first = collapse.collapse_short_edges(meso, t_c)[0]
+    assert set(zip(first.survivor.tolist(), first.removed.tolist(), strict=True)) == greedy and len(greedy) > 10
 
 
 # Split

@@ -108,6 +108,10 @@ def meso_of(mesh: trimesh.Trimesh) -> Meso:
     return Meso.from_mesh(np.array(mesh.vertices), np.array(mesh.faces))
 
 
+def short_edges(meso: Meso, is_touched: np.ndarray, limit: float) -> np.ndarray:
+    return collapse.Waiting().find(kernels.short_edges, meso, is_touched, limit).T
+
+
 def edges_in_numpy(meso: Meso, is_touched: np.ndarray) -> tuple[np.ndarray, ...]:
     """Every edge with an end that is touched, from the smaller one that is, and what `short_edges` says of it."""
     vertex, slot = np.nonzero((meso.rings >= 0) & is_touched[:, None])
@@ -129,7 +133,7 @@ def test_short_edges_are_those_of_numpy(mesh, share):
         rows = np.flatnonzero(length < limit)
         common = [len(around[i] & around[j]) for i, j in zip(a[rows], b[rows], strict=True)]
         expected = np.stack([a[rows], b[rows], left[rows], right[rows], np.array(common, dtype=np.int64)])
-        np.testing.assert_array_equal(collapse.short_edges(meso, is_touched, float(limit)), expected)
+        np.testing.assert_array_equal(short_edges(meso, is_touched, float(limit)), expected)
 
 
 def test_scales_of_thin_vertices_make_their_edges_long():
@@ -139,7 +143,7 @@ def test_scales_of_thin_vertices_make_their_edges_long():
     a, b, _, _, length = edges_in_numpy(meso, every)
     limit = 2 * float(np.median(length))
     is_short = length < limit * np.minimum(meso.scale[a], meso.scale[b])
-    found = collapse.short_edges(meso, every, limit)
+    found = short_edges(meso, every, limit)
     np.testing.assert_array_equal(found[:2], [a[is_short], b[is_short]])
     assert 0 < is_short.sum() < len(a)
 
@@ -156,9 +160,8 @@ def test_what_is_chosen_apart_is_what_a_greedy_loop_chooses(data):
         if not taken & set(claims[row]):
             taken |= set(claims[row])
             expected.append(row)
-    rings = np.empty((10, 0), dtype=np.int64)
     rows = np.array(claims, dtype=np.int64).reshape(-1, 3)
-    found = collapse.first_apart(rows, np.array(order, dtype=np.int64), rings)
+    found = collapse.first_apart(rows, np.array(order, dtype=np.int64), 10)
     assert found.tolist() == sorted(expected)
 
 
@@ -170,7 +173,7 @@ def interpreted(kernel: compiled.Kernel) -> types.FunctionType:
     return types.FunctionType(kernel.function.__code__, {**names, **parts})
 
 
-@pytest.mark.parametrize("kernel", [kernels.merge, kernels.cut], ids=["merge", "cut"])
+@pytest.mark.parametrize("kernel", [kernels.collapse, kernels.cut], ids=["collapse", "cut"])
 def test_surgery_does_what_its_text_says(kernel, monkeypatch):
     """A surface of random classes, edited by the compiled loop and by the same text, interpreted."""
     found = []
@@ -179,7 +182,7 @@ def test_surgery_does_what_its_text_says(kernel, monkeypatch):
         meso.classes = np.where(meso.rings >= 0, np.random.default_rng(4).integers(-99, 99, meso.rings.shape), 0)
         if name == "interpreted":
             monkeypatch.setattr(kernels, kernel.__name__, interpreted(kernel))
-        if kernel.__name__ == "merge":
+        if kernel.__name__ == "collapse":
             collapse.collapse_short_edges(meso, 0.35, check=True)
         else:
             split.split_long_edges(meso, 0.35, check=True)

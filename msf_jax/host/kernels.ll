@@ -1,4 +1,4 @@
-; 1ad5afaefab3ea8436c61a36373228bda75955fd5a81774834eb07f0aaf31348
+; 13b7e3af4ae886e28333edbf452a1286aab7a5a489a4139ff4585239ee063e08
 ; Made of the kernels by `python -m tests.translate`: edit those.
 
 define internal fastcc void @_ZN7msf_jax4host5solid7kernels18triangle_distance2B2v2B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAEddd5ArrayIdLi3E1C7mutable7alignedEx(ptr noalias nonnull writeonly %retptr, double %arg.x, double %arg.y, double %arg.z, ptr readonly %arg.triangles.4, i64 %arg.triangles.5.0, i64 %arg.triangles.5.1, i64 %arg.triangles.5.2, i64 %arg.row) unnamed_addr {
@@ -5086,330 +5086,428 @@ define i64 @msf_jax.host.meso.kernels.short_edges(ptr readonly %words) local_unn
   %w10 = load double, ptr %p10, align 8
   %p11 = getelementptr i8, ptr %words, i64 88
   %w11 = load ptr, ptr %p11, align 8
+  %p12 = getelementptr i8, ptr %words, i64 96
+  %w12 = load i64, ptr %p12, align 8
   %p13 = getelementptr i8, ptr %words, i64 104
-  %w13 = load ptr, ptr %p13, align 8
+  %w13 = load i64, ptr %p13, align 8
   %p14 = getelementptr i8, ptr %words, i64 112
-  %w14 = load i64, ptr %p14, align 8
+  %w14 = load ptr, ptr %p14, align 8
   %p15 = getelementptr i8, ptr %words, i64 120
   %w15 = load i64, ptr %p15, align 8
-  %.183801.not.i = icmp slt i64 %w4, 1
-  br i1 %.183801.not.i, label %_ZN7msf_jax4host4meso7kernels11short_edgesB3v40B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIbLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE.exit, label %B68.preheader.i
+  %p16 = getelementptr i8, ptr %words, i64 128
+  %w16 = load i64, ptr %p16, align 8
+  %s24 = shl i64 %w16, 3
+  %p17 = getelementptr i8, ptr %words, i64 136
+  %w17 = load ptr, ptr %p17, align 8
+  %p18 = getelementptr i8, ptr %words, i64 144
+  %w18 = load i64, ptr %p18, align 8
+  %p19 = getelementptr i8, ptr %words, i64 152
+  %w19 = load i64, ptr %p19, align 8
+  %s29 = shl i64 %w19, 3
+  %.130339.not.i.i = icmp slt i64 %w13, 1
+  br i1 %.130339.not.i.i, label %B0.endif.endif.i, label %B40.us.preheader.i.i
 
-B68.preheader.i:                                  ; preds = %0
-  %scevgep.i = getelementptr i8, ptr %w3, i64 24
-  %scevgep46.i = getelementptr i8, ptr %w3, i64 8
-  br label %B68.i
+B40.us.preheader.i.i:                             ; preds = %0
+  %scevgep.i.i = getelementptr i8, ptr %w17, i64 8
+  %scevgep3.i.i = getelementptr i8, ptr %w14, i64 32
+  br label %B40.us.i.i
 
-B66.loopexit.i:                                   ; preds = %B757.i, %B116.endif.i, %B68.i
-  %count.2.1.lcssa.i = phi i64 [ %count.3.0808.i, %B116.endif.i ], [ %count.3.0808.i, %B68.i ], [ %count.4.2.i, %B757.i ]
-  %exitcond909.not.i = icmp eq i64 %w4, %.196.i
-  br i1 %exitcond909.not.i, label %_ZN7msf_jax4host4meso7kernels11short_edgesB3v40B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIbLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE.exit, label %B68.i
+B40.us.i.i:                                       ; preds = %B272.us.i.i, %B40.us.preheader.i.i
+  %lsr.iv10.i.i = phi i64 [ %w13, %B40.us.preheader.i.i ], [ %lsr.iv.next.i.i, %B272.us.i.i ]
+  %lsr.iv4.i.i = phi ptr [ %scevgep3.i.i, %B40.us.preheader.i.i ], [ %scevgep5.i.i, %B272.us.i.i ]
+  %lsr.iv.i.i = phi ptr [ %scevgep.i.i, %B40.us.preheader.i.i ], [ %scevgep1.i.i, %B272.us.i.i ]
+  %count.2.0344.us.i.i = phi i64 [ 0, %B40.us.preheader.i.i ], [ %count.3.1.us.i.i, %B272.us.i.i ]
+  %scevgep9.i.i = getelementptr i8, ptr %lsr.iv4.i.i, i64 -32
+  %.229.us.i.i = load i64, ptr %scevgep9.i.i, align 8
+  %.230.us.i.i = icmp sgt i64 %.229.us.i.i, -1
+  br i1 %.230.us.i.i, label %B70.us.i.i, label %B272.us.i.i
 
-B68.i:                                            ; preds = %B66.loopexit.i, %B68.preheader.i
-  %count.3.0808.i = phi i64 [ %count.2.1.lcssa.i, %B66.loopexit.i ], [ 0, %B68.preheader.i ]
-  %.189756806.i = phi i64 [ %.196.i, %B66.loopexit.i ], [ 0, %B68.preheader.i ]
-  %.196.i = add nuw nsw i64 %.189756806.i, 1
-  %1 = getelementptr i8, ptr %w11, i64 %.189756806.i
-  %.254.i = load i8, ptr %1, align 1
-  %.257.i = icmp eq i8 %.254.i, 0
-  br i1 %.257.i, label %B66.loopexit.i, label %B116.endif.i
+B70.us.i.i:                                       ; preds = %B40.us.i.i
+  %.318.us.i.i = getelementptr i8, ptr %w11, i64 %.229.us.i.i
+  %.319.us.i.i = load i8, ptr %.318.us.i.i, align 1
+  %.322.us.i.i = icmp eq i8 %.319.us.i.i, 0
+  br i1 %.322.us.i.i, label %B102.us.i.i, label %B272.us.i.i
 
-B552.i:                                           ; preds = %B494.B448.loopexit_crit_edge.us.i, %B450.endif.lr.ph.i, %B402.endif.B552_crit_edge.i
-  %.80.i.pre-phi.i = phi i64 [ %.pre.i, %B402.endif.B552_crit_edge.i ], [ %.1139.i, %B450.endif.lr.ph.i ], [ %.1139.i, %B494.B448.loopexit_crit_edge.us.i ]
-  %common.3.3.lcssa.i = phi i64 [ 0, %B402.endif.B552_crit_edge.i ], [ 0, %B450.endif.lr.ph.i ], [ %.1200.us.lcssa.i, %B494.B448.loopexit_crit_edge.us.i ]
+B102.us.i.i:                                      ; preds = %B70.us.i.i
+  %scevgep8.i.i = getelementptr i8, ptr %lsr.iv4.i.i, i64 -24
+  %.387.us.i.i = load i64, ptr %scevgep8.i.i, align 8
+  %.401.us.i.i = icmp slt i64 %.387.us.i.i, 0
+  %.402.us.i.i = select i1 %.401.us.i.i, i64 %w12, i64 0
+  %1 = getelementptr i8, ptr %w11, i64 %.387.us.i.i
+  %.416.us.i.i = getelementptr i8, ptr %1, i64 %.402.us.i.i
+  %.417.us.i.i = load i8, ptr %.416.us.i.i, align 1
+  %.420.us.i.i = icmp eq i8 %.417.us.i.i, 0
+  br i1 %.420.us.i.i, label %B134.endif.endif.us.i.i, label %B272.us.i.i
+
+B134.endif.endif.us.i.i:                          ; preds = %B102.us.i.i
+  %.621.us.i.i = icmp slt i64 %count.2.0344.us.i.i, 0
+  %.622.us.i.i = select i1 %.621.us.i.i, i64 %w15, i64 0
+  %.623.us.i.i = add i64 %.622.us.i.i, %count.2.0344.us.i.i
+  %.643.us.i.i = mul i64 %.623.us.i.i, %w16
+  %2 = getelementptr i64, ptr %w14, i64 %.643.us.i.i
+  store i64 %.229.us.i.i, ptr %2, align 8
+  %.597.us.1.i.i = load i64, ptr %scevgep8.i.i, align 8
+  %.647.us.1.i.i = getelementptr i8, ptr %2, i64 8
+  store i64 %.597.us.1.i.i, ptr %.647.us.1.i.i, align 8
+  %scevgep7.i.i = getelementptr i8, ptr %lsr.iv4.i.i, i64 -16
+  %.597.us.2.i.i = load i64, ptr %scevgep7.i.i, align 8
+  %.647.us.2.i.i = getelementptr i8, ptr %2, i64 16
+  store i64 %.597.us.2.i.i, ptr %.647.us.2.i.i, align 8
+  %scevgep6.i.i = getelementptr i8, ptr %lsr.iv4.i.i, i64 -8
+  %.597.us.3.i.i = load i64, ptr %scevgep6.i.i, align 8
+  %.647.us.3.i.i = getelementptr i8, ptr %2, i64 24
+  store i64 %.597.us.3.i.i, ptr %.647.us.3.i.i, align 8
+  %.597.us.4.i.i = load i64, ptr %lsr.iv4.i.i, align 8
+  %.647.us.4.i.i = getelementptr i8, ptr %2, i64 32
+  store i64 %.597.us.4.i.i, ptr %.647.us.4.i.i, align 8
+  %scevgep2.i.i = getelementptr i8, ptr %lsr.iv.i.i, i64 -8
+  %.708.us.i.i = load double, ptr %scevgep2.i.i, align 8
+  %.765.us.i.i = load double, ptr %lsr.iv.i.i, align 8
+  %.794.us.i.i = select i1 %.621.us.i.i, i64 %w18, i64 0
+  %.795.us.i.i = add i64 %.794.us.i.i, %count.2.0344.us.i.i
+  %.815.us.i.i = mul i64 %.795.us.i.i, %w19
+  %.819.us.i.i = getelementptr double, ptr %w17, i64 %.815.us.i.i
+  store double %.708.us.i.i, ptr %.819.us.i.i, align 8
+  %.874.us.i.i = getelementptr i8, ptr %.819.us.i.i, i64 8
+  store double %.765.us.i.i, ptr %.874.us.i.i, align 8
+  %.877.us.i.i = add nsw i64 %count.2.0344.us.i.i, 1
+  br label %B272.us.i.i
+
+B272.us.i.i:                                      ; preds = %B134.endif.endif.us.i.i, %B102.us.i.i, %B70.us.i.i, %B40.us.i.i
+  %count.3.1.us.i.i = phi i64 [ %count.2.0344.us.i.i, %B40.us.i.i ], [ %count.2.0344.us.i.i, %B70.us.i.i ], [ %.877.us.i.i, %B134.endif.endif.us.i.i ], [ %count.2.0344.us.i.i, %B102.us.i.i ]
+  %scevgep1.i.i = getelementptr i8, ptr %lsr.iv.i.i, i64 %s29
+  %scevgep5.i.i = getelementptr i8, ptr %lsr.iv4.i.i, i64 %s24
+  %lsr.iv.next.i.i = add nsw i64 %lsr.iv10.i.i, -1
+  %exitcond.not.i.i = icmp eq i64 %lsr.iv.next.i.i, 0
+  br i1 %exitcond.not.i.i, label %B0.endif.endif.i, label %B40.us.i.i
+
+B98.loopexit.i:                                   ; preds = %B825.i, %B148.endif.i, %B100.i
+  %count.2.1.lcssa.i = phi i64 [ %count.4.0884.i, %B148.endif.i ], [ %count.4.0884.i, %B100.i ], [ %count.3.2.i, %B825.i ]
+  %exitcond985.not.i = icmp eq i64 %w4, %.250.i
+  br i1 %exitcond985.not.i, label %_ZN7msf_jax4host4meso7kernels11short_edgesB3v40B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIbLi1E1C7mutable7alignedEx5ArrayIxLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE.exit, label %B100.i
+
+B100.i:                                           ; preds = %B100.preheader.i, %B98.loopexit.i
+  %count.4.0884.i = phi i64 [ %count.2.1.lcssa.i, %B98.loopexit.i ], [ %count.2.0.lcssa.i.i, %B100.preheader.i ]
+  %.243832882.i = phi i64 [ %.250.i, %B98.loopexit.i ], [ 0, %B100.preheader.i ]
+  %.250.i = add nuw nsw i64 %.243832882.i, 1
+  %3 = getelementptr i8, ptr %w11, i64 %.243832882.i
+  %.308.i = load i8, ptr %3, align 1
+  %.311.i = icmp eq i8 %.308.i, 0
+  br i1 %.311.i, label %B98.loopexit.i, label %B148.endif.i
+
+B168.i:                                           ; preds = %B168.lr.ph.i, %B825.i
+  %count.2.1819.i = phi i64 [ %count.4.0884.i, %B168.lr.ph.i ], [ %count.3.2.i, %B825.i ]
+  %.457776817.i = phi i64 [ 0, %B168.lr.ph.i ], [ %.464.i, %B825.i ]
+  %.464.i = add nuw nsw i64 %.457776817.i, 1
+  %4 = getelementptr i64, ptr %8, i64 %.457776817.i
+  %.81.i.i = load i64, ptr %4, align 8
+  %.86.i.i = icmp slt i64 %.81.i.i, 0
+  br i1 %.86.i.i, label %B825.i, label %B48.i.i
+
+B48.i.i:                                          ; preds = %B168.i
+  %.96.i.i = icmp slt i64 %.81.i.i, %.243832882.i
+  br i1 %.96.i.i, label %_ZN7msf_jax4host4meso7kernels12is_met_laterB3v42B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedExx.exit.i, label %B208.endif.endif.endif.endif.i
+
+_ZN7msf_jax4host4meso7kernels12is_met_laterB3v42B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedExx.exit.i: ; preds = %B48.i.i
+  %.131.i.i = getelementptr i8, ptr %w11, i64 %.81.i.i
+  %.132.i.i = load i8, ptr %.131.i.i, align 1
+  %.135.i.not.i = icmp eq i8 %.132.i.i, 0
+  br i1 %.135.i.not.i, label %B208.endif.endif.endif.endif.i, label %B825.i
+
+B590.i:                                           ; preds = %B532.B486.loopexit_crit_edge.us.i, %B488.endif.lr.ph.i, %B440.endif.B590_crit_edge.i
+  %.80.i.pre-phi.i = phi i64 [ %.pre.i, %B440.endif.B590_crit_edge.i ], [ %.1215.i, %B488.endif.lr.ph.i ], [ %.1215.i, %B532.B486.loopexit_crit_edge.us.i ]
+  %common.3.3.lcssa.i = phi i64 [ 0, %B440.endif.B590_crit_edge.i ], [ 0, %B488.endif.lr.ph.i ], [ %.1276.us.lcssa.i, %B532.B486.loopexit_crit_edge.us.i ]
   %.84.i.i = getelementptr i64, ptr %w3, i64 %.80.i.pre-phi.i
   %.85.i.i = load i64, ptr %.84.i.i, align 8
-  %.87.not.i.i = icmp eq i64 %.85.i.i, %.11.i23.i
-  br i1 %.87.not.i.i, label %B552.endif.i, label %B36.preheader.i.i
+  %.87.not.i.i = icmp eq i64 %.85.i.i, %.11.i25.i
+  br i1 %.87.not.i.i, label %B590.endif.i, label %B36.preheader.i.i
 
-B36.preheader.i.i:                                ; preds = %B552.i
-  %2 = mul i64 %.11.i.i, %s8
-  %scevgep47.i = getelementptr i8, ptr %scevgep46.i, i64 %2
+B36.preheader.i.i:                                ; preds = %B590.i
+  %5 = mul i64 %.11.i.i, %s8
+  %scevgep47.i = getelementptr i8, ptr %scevgep46.i, i64 %5
   br label %B36.i.i
 
 B36.i.i:                                          ; preds = %B36.i.i, %B36.preheader.i.i
   %slot.2.0.i.i = phi i64 [ %.90.i.i, %B36.i.i ], [ 0, %B36.preheader.i.i ]
   %.90.i.i = add nuw i64 %slot.2.0.i.i, 1
-  %3 = shl i64 %slot.2.0.i.i, 3
-  %scevgep48.i = getelementptr i8, ptr %scevgep47.i, i64 %3
+  %6 = shl i64 %slot.2.0.i.i, 3
+  %scevgep48.i = getelementptr i8, ptr %scevgep47.i, i64 %6
   %.145.i.i = load i64, ptr %scevgep48.i, align 8
-  %.147.not.i.i = icmp eq i64 %.145.i.i, %.11.i23.i
-  br i1 %.147.not.i.i, label %B552.endif.i, label %B36.i.i
+  %.147.not.i.i = icmp eq i64 %.145.i.i, %.11.i25.i
+  br i1 %.147.not.i.i, label %B590.endif.i, label %B36.i.i
 
-B757.i:                                           ; preds = %B552.endif.endif.endif.thread.i, %B270.endif.endif.i, %_ZN7msf_jax4host4meso7kernels12is_met_laterB3v43B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedExx.exit.i, %B136.endif.endif.i
-  %count.4.2.i = phi i64 [ %.1783.i, %B552.endif.endif.endif.thread.i ], [ %count.2.1743.i, %B270.endif.endif.i ], [ %count.2.1743.i, %_ZN7msf_jax4host4meso7kernels12is_met_laterB3v43B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedExx.exit.i ], [ %count.2.1743.i, %B136.endif.endif.i ]
-  %exitcond908.not.i = icmp eq i64 %.298.i, %.410.i
-  br i1 %exitcond908.not.i, label %B66.loopexit.i, label %B136.endif.endif.i
+B825.i:                                           ; preds = %B590.endif.endif.endif.thread.i, %B208.endif.endif.endif.endif.i, %_ZN7msf_jax4host4meso7kernels12is_met_laterB3v42B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedExx.exit.i, %B168.i
+  %count.3.2.i = phi i64 [ %.1972.i, %B590.endif.endif.endif.thread.i ], [ %count.2.1819.i, %B208.endif.endif.endif.endif.i ], [ %count.2.1819.i, %_ZN7msf_jax4host4meso7kernels12is_met_laterB3v42B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedExx.exit.i ], [ %count.2.1819.i, %B168.i ]
+  %exitcond984.not.i = icmp eq i64 %.352.i, %.464.i
+  br i1 %exitcond984.not.i, label %B98.loopexit.i, label %B168.i
 
-B116.endif.i:                                     ; preds = %B68.i
-  %4 = getelementptr i64, ptr %w6, i64 %.189756806.i
-  %.298.i = load i64, ptr %4, align 8
-  %.397736.not.i = icmp slt i64 %.298.i, 1
-  br i1 %.397736.not.i, label %B66.loopexit.i, label %B136.lr.ph.i
+B0.endif.endif.i:                                 ; preds = %B272.us.i.i, %0
+  %count.2.0.lcssa.i.i = phi i64 [ 0, %0 ], [ %count.3.1.us.i.i, %B272.us.i.i ]
+  %.237877.not.i = icmp slt i64 %w4, 1
+  br i1 %.237877.not.i, label %_ZN7msf_jax4host4meso7kernels11short_edgesB3v40B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIbLi1E1C7mutable7alignedEx5ArrayIxLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE.exit, label %B100.preheader.i
 
-B136.lr.ph.i:                                     ; preds = %B116.endif.i
-  %.480.i = mul i64 %.189756806.i, %w5
-  %5 = getelementptr i64, ptr %w3, i64 %.480.i
-  br label %B136.endif.endif.i
+B100.preheader.i:                                 ; preds = %B0.endif.endif.i
+  %scevgep.i = getelementptr i8, ptr %w3, i64 24
+  %scevgep46.i = getelementptr i8, ptr %w3, i64 8
+  br label %B100.i
 
-B136.endif.endif.i:                               ; preds = %B136.lr.ph.i, %B757.i
-  %count.2.1743.i = phi i64 [ %count.3.0808.i, %B136.lr.ph.i ], [ %count.4.2.i, %B757.i ]
-  %.403700741.i = phi i64 [ 0, %B136.lr.ph.i ], [ %.410.i, %B757.i ]
-  %.410.i = add nuw nsw i64 %.403700741.i, 1
-  %6 = getelementptr i64, ptr %5, i64 %.403700741.i
-  %.485.i = load i64, ptr %6, align 8
-  %.11.i.i = tail call i64 @llvm.smin.i64(i64 %.485.i, i64 %.189756806.i)
-  %.11.i23.i = tail call i64 @llvm.smax.i64(i64 %.485.i, i64 %.189756806.i)
-  %.86.i.i = icmp slt i64 %.485.i, 0
-  br i1 %.86.i.i, label %B757.i, label %B48.i.i
+B148.endif.i:                                     ; preds = %B100.i
+  %7 = getelementptr i64, ptr %w6, i64 %.243832882.i
+  %.352.i = load i64, ptr %7, align 8
+  %.451812.not.i = icmp slt i64 %.352.i, 1
+  br i1 %.451812.not.i, label %B98.loopexit.i, label %B168.lr.ph.i
 
-B48.i.i:                                          ; preds = %B136.endif.endif.i
-  %.96.i.i = icmp slt i64 %.485.i, %.189756806.i
-  br i1 %.96.i.i, label %_ZN7msf_jax4host4meso7kernels12is_met_laterB3v43B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedExx.exit.i, label %B270.endif.endif.i
+B168.lr.ph.i:                                     ; preds = %B148.endif.i
+  %.592.i = mul i64 %.243832882.i, %w5
+  %8 = getelementptr i64, ptr %w3, i64 %.592.i
+  br label %B168.i
 
-_ZN7msf_jax4host4meso7kernels12is_met_laterB3v43B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedExx.exit.i: ; preds = %B48.i.i
-  %.131.i.i = getelementptr i8, ptr %w11, i64 %.485.i
-  %.132.i.i = load i8, ptr %.131.i.i, align 1
-  %.135.i.not.i = icmp eq i8 %.132.i.i, 0
-  br i1 %.135.i.not.i, label %B270.endif.endif.i, label %B757.i
-
-B270.endif.endif.i:                               ; preds = %_ZN7msf_jax4host4meso7kernels12is_met_laterB3v43B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedExx.exit.i, %B48.i.i
+B208.endif.endif.endif.endif.i:                   ; preds = %_ZN7msf_jax4host4meso7kernels12is_met_laterB3v42B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedExx.exit.i, %B48.i.i
+  %.11.i.i = tail call i64 @llvm.smin.i64(i64 %.81.i.i, i64 %.243832882.i)
+  %.11.i25.i = tail call i64 @llvm.smax.i64(i64 %.81.i.i, i64 %.243832882.i)
   %.68.i.i = mul i64 %.11.i.i, %w2
-  %7 = getelementptr double, ptr %w0, i64 %.68.i.i
-  %.72.i.i = getelementptr i8, ptr %7, i64 16
+  %9 = getelementptr double, ptr %w0, i64 %.68.i.i
+  %.72.i.i = getelementptr i8, ptr %9, i64 16
   %.73.i.i = load double, ptr %.72.i.i, align 8
-  %.121.i.i = mul i64 %.11.i23.i, %w2
-  %8 = getelementptr double, ptr %w0, i64 %.121.i.i
-  %.125.i.i = getelementptr i8, ptr %8, i64 16
+  %.121.i.i = mul i64 %.11.i25.i, %w2
+  %10 = getelementptr double, ptr %w0, i64 %.121.i.i
+  %.125.i.i = getelementptr i8, ptr %10, i64 16
   %.126.i.i = load double, ptr %.125.i.i, align 8
   %.127.i.i = fsub double %.73.i.i, %.126.i.i
   %.235.i.i = fmul double %.127.i.i, %.127.i.i
-  %.288.i.i = load double, ptr %7, align 8
-  %.341.i.i = load double, ptr %8, align 8
+  %.288.i.i = load double, ptr %9, align 8
+  %.341.i.i = load double, ptr %10, align 8
   %.342.i.i = fsub double %.288.i.i, %.341.i.i
   %.450.i.i = fmul double %.342.i.i, %.342.i.i
   %.451.i.i = fadd double %.235.i.i, %.450.i.i
-  %.503.i.i = getelementptr i8, ptr %7, i64 8
+  %.503.i.i = getelementptr i8, ptr %9, i64 8
   %.504.i.i = load double, ptr %.503.i.i, align 8
-  %.556.i.i = getelementptr i8, ptr %8, i64 8
+  %.556.i.i = getelementptr i8, ptr %10, i64 8
   %.557.i.i = load double, ptr %.556.i.i, align 8
   %.558.i.i = fsub double %.504.i.i, %.557.i.i
   %.666.i.i = fmul double %.558.i.i, %.558.i.i
   %.667.i.i = fadd double %.451.i.i, %.666.i.i
-  %9 = getelementptr double, ptr %w8, i64 %.11.i.i
-  %.710.i = load double, ptr %9, align 8
-  %10 = getelementptr double, ptr %w8, i64 %.11.i23.i
-  %.741.i = load double, ptr %10, align 8
-  %.10.i.i = fcmp olt double %.741.i, %.710.i
-  %.11.i26.i = select i1 %.10.i.i, double %.741.i, double %.710.i
   %sqrt.i = tail call double @llvm.sqrt.f64(double %.667.i.i)
-  %.771.i = fmul double %w10, %.11.i26.i
-  %.772.i = fcmp ult double %sqrt.i, %.771.i
-  br i1 %.772.i, label %B402.endif.i, label %B757.i
+  %11 = getelementptr double, ptr %w8, i64 %.11.i.i
+  %.784.i = load double, ptr %11, align 8
+  %12 = getelementptr double, ptr %w8, i64 %.11.i25.i
+  %.815.i = load double, ptr %12, align 8
+  %.10.i.i = fcmp olt double %.815.i, %.784.i
+  %.11.i26.i = select i1 %.10.i.i, double %.815.i, double %.784.i
+  %.845.i = fmul double %w10, %.11.i26.i
+  %.847.i = fcmp ult double %sqrt.i, %.845.i
+  br i1 %.847.i, label %B440.endif.i, label %B825.i
 
-B402.endif.i:                                     ; preds = %B270.endif.endif.i
-  %11 = getelementptr i64, ptr %w6, i64 %.11.i.i
-  %.818.i = load i64, ptr %11, align 8
-  %.898678.not.i = icmp slt i64 %.818.i, 1
-  br i1 %.898678.not.i, label %B402.endif.B552_crit_edge.i, label %B450.endif.lr.ph.i
+B440.endif.i:                                     ; preds = %B208.endif.endif.endif.endif.i
+  %13 = getelementptr i64, ptr %w6, i64 %.11.i.i
+  %.894.i = load i64, ptr %13, align 8
+  %.974754.not.i = icmp slt i64 %.894.i, 1
+  br i1 %.974754.not.i, label %B440.endif.B590_crit_edge.i, label %B488.endif.lr.ph.i
 
-B402.endif.B552_crit_edge.i:                      ; preds = %B402.endif.i
+B440.endif.B590_crit_edge.i:                      ; preds = %B440.endif.i
   %.pre.i = mul i64 %.11.i.i, %w5
-  br label %B552.i
+  br label %B590.i
 
-B450.endif.lr.ph.i:                               ; preds = %B402.endif.i
-  %12 = getelementptr i64, ptr %w6, i64 %.11.i23.i
-  %.975.i = load i64, ptr %12, align 8
-  %.1055666.not.i = icmp slt i64 %.975.i, 1
-  %.1139.i = mul i64 %.11.i.i, %w5
-  %invariant.gep687.i = getelementptr i64, ptr %w3, i64 %.1139.i
-  br i1 %.1055666.not.i, label %B552.i, label %B450.endif.us.preheader.i
+B488.endif.lr.ph.i:                               ; preds = %B440.endif.i
+  %14 = getelementptr i64, ptr %w6, i64 %.11.i25.i
+  %.1051.i = load i64, ptr %14, align 8
+  %.1131742.not.i = icmp slt i64 %.1051.i, 1
+  %.1215.i = mul i64 %.11.i.i, %w5
+  %invariant.gep763.i = getelementptr i64, ptr %w3, i64 %.1215.i
+  br i1 %.1131742.not.i, label %B590.i, label %B488.endif.us.preheader.i
 
-B450.endif.us.preheader.i:                        ; preds = %B450.endif.lr.ph.i
-  %xtraiter.i = and i64 %.975.i, 3
-  %unroll_iter.i = and i64 %.975.i, 9223372036854775804
-  %13 = mul i64 %.11.i23.i, %s8
-  %scevgep34.i = getelementptr i8, ptr %scevgep.i, i64 %13
-  %scevgep43.i = getelementptr i8, ptr %w3, i64 %13
-  %14 = icmp samesign ult i64 %.975.i, 4
-  %15 = icmp eq i64 %xtraiter.i, 0
-  br label %B450.endif.us.i
+B488.endif.us.preheader.i:                        ; preds = %B488.endif.lr.ph.i
+  %xtraiter.i = and i64 %.1051.i, 3
+  %unroll_iter.i = and i64 %.1051.i, 9223372036854775804
+  %15 = mul i64 %.11.i25.i, %s8
+  %scevgep34.i = getelementptr i8, ptr %scevgep.i, i64 %15
+  %scevgep43.i = getelementptr i8, ptr %w3, i64 %15
+  %16 = icmp samesign ult i64 %.1051.i, 4
+  %17 = icmp eq i64 %xtraiter.i, 0
+  br label %B488.endif.us.i
 
-B450.endif.us.i:                                  ; preds = %B494.B448.loopexit_crit_edge.us.i, %B450.endif.us.preheader.i
-  %common.3.3681.us.i = phi i64 [ %.1200.us.lcssa.i, %B494.B448.loopexit_crit_edge.us.i ], [ 0, %B450.endif.us.preheader.i ]
-  %.904673679.us.i = phi i64 [ %.911.us.i, %B494.B448.loopexit_crit_edge.us.i ], [ 0, %B450.endif.us.preheader.i ]
-  %gep688.us.i = getelementptr i64, ptr %invariant.gep687.i, i64 %.904673679.us.i
-  %.1144.us.i = load i64, ptr %gep688.us.i, align 8
-  br i1 %14, label %B496.us.epil.preheader.i, label %B496.us.i
+B488.endif.us.i:                                  ; preds = %B532.B486.loopexit_crit_edge.us.i, %B488.endif.us.preheader.i
+  %common.3.3757.us.i = phi i64 [ %.1276.us.lcssa.i, %B532.B486.loopexit_crit_edge.us.i ], [ 0, %B488.endif.us.preheader.i ]
+  %.980749755.us.i = phi i64 [ %.987.us.i, %B532.B486.loopexit_crit_edge.us.i ], [ 0, %B488.endif.us.preheader.i ]
+  %gep764.us.i = getelementptr i64, ptr %invariant.gep763.i, i64 %.980749755.us.i
+  %.1220.us.i = load i64, ptr %gep764.us.i, align 8
+  br i1 %16, label %B534.us.epil.preheader.i, label %B534.us.i
 
-B496.us.i:                                        ; preds = %B450.endif.us.i, %B496.us.i
-  %common.2.4669.us.i = phi i64 [ %.1200.us.3.i, %B496.us.i ], [ %common.3.3681.us.i, %B450.endif.us.i ]
-  %.1061665667.us.i = phi i64 [ %.1068.us.3.i, %B496.us.i ], [ 0, %B450.endif.us.i ]
-  %16 = shl i64 %.1061665667.us.i, 3
-  %scevgep40.i = getelementptr i8, ptr %scevgep34.i, i64 %16
+B534.us.i:                                        ; preds = %B488.endif.us.i, %B534.us.i
+  %common.2.4745.us.i = phi i64 [ %.1276.us.3.i, %B534.us.i ], [ %common.3.3757.us.i, %B488.endif.us.i ]
+  %.1137741743.us.i = phi i64 [ %.1144.us.3.i, %B534.us.i ], [ 0, %B488.endif.us.i ]
+  %18 = shl i64 %.1137741743.us.i, 3
+  %scevgep40.i = getelementptr i8, ptr %scevgep34.i, i64 %18
   %scevgep41.i = getelementptr i8, ptr %scevgep40.i, i64 -24
-  %.1195.us.i = load i64, ptr %scevgep41.i, align 8
-  %.1196.us.i = icmp eq i64 %.1144.us.i, %.1195.us.i
-  %.1199.us.i = zext i1 %.1196.us.i to i64
-  %.1200.us.i = add nsw i64 %common.2.4669.us.i, %.1199.us.i
+  %.1271.us.i = load i64, ptr %scevgep41.i, align 8
+  %.1272.us.i = icmp eq i64 %.1220.us.i, %.1271.us.i
+  %.1275.us.i = zext i1 %.1272.us.i to i64
+  %.1276.us.i = add nsw i64 %common.2.4745.us.i, %.1275.us.i
   %scevgep39.i = getelementptr i8, ptr %scevgep40.i, i64 -16
-  %.1195.us.1.i = load i64, ptr %scevgep39.i, align 8
-  %.1196.us.1.i = icmp eq i64 %.1144.us.i, %.1195.us.1.i
-  %.1199.us.1.i = zext i1 %.1196.us.1.i to i64
-  %.1200.us.1.i = add nsw i64 %.1200.us.i, %.1199.us.1.i
+  %.1271.us.1.i = load i64, ptr %scevgep39.i, align 8
+  %.1272.us.1.i = icmp eq i64 %.1220.us.i, %.1271.us.1.i
+  %.1275.us.1.i = zext i1 %.1272.us.1.i to i64
+  %.1276.us.1.i = add nsw i64 %.1276.us.i, %.1275.us.1.i
   %scevgep37.i = getelementptr i8, ptr %scevgep40.i, i64 -8
-  %.1195.us.2.i = load i64, ptr %scevgep37.i, align 8
-  %.1196.us.2.i = icmp eq i64 %.1144.us.i, %.1195.us.2.i
-  %.1199.us.2.i = zext i1 %.1196.us.2.i to i64
-  %.1200.us.2.i = add nsw i64 %.1200.us.1.i, %.1199.us.2.i
-  %.1068.us.3.i = add nuw nsw i64 %.1061665667.us.i, 4
-  %.1195.us.3.i = load i64, ptr %scevgep40.i, align 8
-  %.1196.us.3.i = icmp eq i64 %.1144.us.i, %.1195.us.3.i
-  %.1199.us.3.i = zext i1 %.1196.us.3.i to i64
-  %.1200.us.3.i = add nsw i64 %.1200.us.2.i, %.1199.us.3.i
-  %niter.ncmp.3.i = icmp eq i64 %unroll_iter.i, %.1068.us.3.i
-  br i1 %niter.ncmp.3.i, label %B494.B448.loopexit_crit_edge.us.unr-lcssa.i, label %B496.us.i
+  %.1271.us.2.i = load i64, ptr %scevgep37.i, align 8
+  %.1272.us.2.i = icmp eq i64 %.1220.us.i, %.1271.us.2.i
+  %.1275.us.2.i = zext i1 %.1272.us.2.i to i64
+  %.1276.us.2.i = add nsw i64 %.1276.us.1.i, %.1275.us.2.i
+  %.1144.us.3.i = add nuw nsw i64 %.1137741743.us.i, 4
+  %.1271.us.3.i = load i64, ptr %scevgep40.i, align 8
+  %.1272.us.3.i = icmp eq i64 %.1220.us.i, %.1271.us.3.i
+  %.1275.us.3.i = zext i1 %.1272.us.3.i to i64
+  %.1276.us.3.i = add nsw i64 %.1276.us.2.i, %.1275.us.3.i
+  %niter.ncmp.3.i = icmp eq i64 %unroll_iter.i, %.1144.us.3.i
+  br i1 %niter.ncmp.3.i, label %B532.B486.loopexit_crit_edge.us.unr-lcssa.i, label %B534.us.i
 
-B494.B448.loopexit_crit_edge.us.unr-lcssa.i:      ; preds = %B496.us.i
-  br i1 %15, label %B494.B448.loopexit_crit_edge.us.i, label %B496.us.epil.preheader.i
+B532.B486.loopexit_crit_edge.us.unr-lcssa.i:      ; preds = %B534.us.i
+  br i1 %17, label %B532.B486.loopexit_crit_edge.us.i, label %B534.us.epil.preheader.i
 
-B496.us.epil.preheader.i:                         ; preds = %B494.B448.loopexit_crit_edge.us.unr-lcssa.i, %B450.endif.us.i
-  %common.2.4669.us.epil.init.i = phi i64 [ %common.3.3681.us.i, %B450.endif.us.i ], [ %.1200.us.3.i, %B494.B448.loopexit_crit_edge.us.unr-lcssa.i ]
-  %.1061665667.us.epil.init.i = phi i64 [ 0, %B450.endif.us.i ], [ %unroll_iter.i, %B494.B448.loopexit_crit_edge.us.unr-lcssa.i ]
-  %17 = shl i64 %.1061665667.us.epil.init.i, 3
-  %scevgep44.i = getelementptr i8, ptr %scevgep43.i, i64 %17
-  br label %B496.us.epil.i
+B534.us.epil.preheader.i:                         ; preds = %B532.B486.loopexit_crit_edge.us.unr-lcssa.i, %B488.endif.us.i
+  %common.2.4745.us.epil.init.i = phi i64 [ %common.3.3757.us.i, %B488.endif.us.i ], [ %.1276.us.3.i, %B532.B486.loopexit_crit_edge.us.unr-lcssa.i ]
+  %.1137741743.us.epil.init.i = phi i64 [ 0, %B488.endif.us.i ], [ %unroll_iter.i, %B532.B486.loopexit_crit_edge.us.unr-lcssa.i ]
+  %19 = shl i64 %.1137741743.us.epil.init.i, 3
+  %scevgep44.i = getelementptr i8, ptr %scevgep43.i, i64 %19
+  br label %B534.us.epil.i
 
-B496.us.epil.i:                                   ; preds = %B496.us.epil.i, %B496.us.epil.preheader.i
-  %common.2.4669.us.epil.i = phi i64 [ %common.2.4669.us.epil.init.i, %B496.us.epil.preheader.i ], [ %.1200.us.epil.i, %B496.us.epil.i ]
-  %epil.iter.i = phi i64 [ 0, %B496.us.epil.preheader.i ], [ %epil.iter.next.i, %B496.us.epil.i ]
-  %18 = shl nuw nsw i64 %epil.iter.i, 3
-  %scevgep45.i = getelementptr i8, ptr %scevgep44.i, i64 %18
-  %.1195.us.epil.i = load i64, ptr %scevgep45.i, align 8
-  %.1196.us.epil.i = icmp eq i64 %.1144.us.i, %.1195.us.epil.i
-  %.1199.us.epil.i = zext i1 %.1196.us.epil.i to i64
-  %.1200.us.epil.i = add nsw i64 %common.2.4669.us.epil.i, %.1199.us.epil.i
+B534.us.epil.i:                                   ; preds = %B534.us.epil.i, %B534.us.epil.preheader.i
+  %common.2.4745.us.epil.i = phi i64 [ %common.2.4745.us.epil.init.i, %B534.us.epil.preheader.i ], [ %.1276.us.epil.i, %B534.us.epil.i ]
+  %epil.iter.i = phi i64 [ 0, %B534.us.epil.preheader.i ], [ %epil.iter.next.i, %B534.us.epil.i ]
+  %20 = shl nuw nsw i64 %epil.iter.i, 3
+  %scevgep45.i = getelementptr i8, ptr %scevgep44.i, i64 %20
+  %.1271.us.epil.i = load i64, ptr %scevgep45.i, align 8
+  %.1272.us.epil.i = icmp eq i64 %.1220.us.i, %.1271.us.epil.i
+  %.1275.us.epil.i = zext i1 %.1272.us.epil.i to i64
+  %.1276.us.epil.i = add nsw i64 %common.2.4745.us.epil.i, %.1275.us.epil.i
   %epil.iter.next.i = add i64 %epil.iter.i, 1
   %epil.iter.cmp.not.i = icmp eq i64 %xtraiter.i, %epil.iter.next.i
-  br i1 %epil.iter.cmp.not.i, label %B494.B448.loopexit_crit_edge.us.i, label %B496.us.epil.i
+  br i1 %epil.iter.cmp.not.i, label %B532.B486.loopexit_crit_edge.us.i, label %B534.us.epil.i
 
-B494.B448.loopexit_crit_edge.us.i:                ; preds = %B496.us.epil.i, %B494.B448.loopexit_crit_edge.us.unr-lcssa.i
-  %.1200.us.lcssa.i = phi i64 [ %.1200.us.3.i, %B494.B448.loopexit_crit_edge.us.unr-lcssa.i ], [ %.1200.us.epil.i, %B496.us.epil.i ]
-  %.911.us.i = add nuw nsw i64 %.904673679.us.i, 1
-  %exitcond907.not.i = icmp eq i64 %.818.i, %.911.us.i
-  br i1 %exitcond907.not.i, label %B552.i, label %B450.endif.us.i
+B532.B486.loopexit_crit_edge.us.i:                ; preds = %B534.us.epil.i, %B532.B486.loopexit_crit_edge.us.unr-lcssa.i
+  %.1276.us.lcssa.i = phi i64 [ %.1276.us.3.i, %B532.B486.loopexit_crit_edge.us.unr-lcssa.i ], [ %.1276.us.epil.i, %B534.us.epil.i ]
+  %.987.us.i = add nuw nsw i64 %.980749755.us.i, 1
+  %exitcond983.not.i = icmp eq i64 %.894.i, %.987.us.i
+  br i1 %exitcond983.not.i, label %B590.i, label %B488.endif.us.i
 
-B552.endif.i:                                     ; preds = %B36.i.i, %B552.i
-  %slot.3.1.i.i = phi i64 [ 0, %B552.i ], [ %.90.i.i, %B36.i.i ]
-  %.1280.i = icmp slt i64 %count.2.1743.i, 0
-  %.1281.i = select i1 %.1280.i, i64 %w14, i64 0
-  %.1282.i = add i64 %.1281.i, %count.2.1743.i
-  %.1302.i = mul i64 %.1282.i, %w15
-  %.1306.i = getelementptr i64, ptr %w13, i64 %.1302.i
-  store i64 %.11.i.i, ptr %.1306.i, align 8
-  %.1362.i = getelementptr i8, ptr %.1306.i, i64 8
-  store i64 %.11.i23.i, ptr %.1362.i, align 8
-  %.1420.i = getelementptr i8, ptr %.1306.i, i64 32
-  store i64 %common.3.3.lcssa.i, ptr %.1420.i, align 8
-  %sunkaddr.i = shl i64 %.11.i.i, 3
-  %sunkaddr49.i = getelementptr i8, ptr %w6, i64 %sunkaddr.i
-  %.1455.i = load i64, ptr %sunkaddr49.i, align 8
-  %.1458.i = icmp eq i64 %.1455.i, 0
-  br i1 %.1458.i, label %B552.endif.endif.thread.i, label %B552.endif.endif.i
+B590.endif.i:                                     ; preds = %B36.i.i, %B590.i
+  %slot.3.1.i.i = phi i64 [ 0, %B590.i ], [ %.90.i.i, %B36.i.i ]
+  %.1356.i = icmp slt i64 %count.2.1819.i, 0
+  %.1357.i = select i1 %.1356.i, i64 %w15, i64 0
+  %.1358.i = add i64 %.1357.i, %count.2.1819.i
+  %.1378.i = mul i64 %.1358.i, %w16
+  %.1382.i = getelementptr i64, ptr %w14, i64 %.1378.i
+  store i64 %.11.i.i, ptr %.1382.i, align 8
+  %.1438.i = getelementptr i8, ptr %.1382.i, i64 8
+  store i64 %.11.i25.i, ptr %.1438.i, align 8
+  %.1496.i = getelementptr i8, ptr %.1382.i, i64 32
+  store i64 %common.3.3.lcssa.i, ptr %.1496.i, align 8
+  %sunkaddr49.i = shl i64 %.11.i.i, 3
+  %sunkaddr50.i = getelementptr i8, ptr %w6, i64 %sunkaddr49.i
+  %.1531.i = load i64, ptr %sunkaddr50.i, align 8
+  %.1534.i = icmp eq i64 %.1531.i, 0
+  br i1 %.1534.i, label %B590.endif.endif.thread.i, label %B590.endif.endif.i
 
-B552.endif.endif.i:                               ; preds = %B552.endif.i
-  %.1424.i = add nsw i64 %slot.3.1.i.i, 1
-  %19 = or i64 %.1455.i, %.1424.i
-  %20 = icmp ult i64 %19, 4294967296
-  br i1 %20, label %21, label %26
+B590.endif.endif.i:                               ; preds = %B590.endif.i
+  %.1500.i = add nsw i64 %slot.3.1.i.i, 1
+  %21 = or i64 %.1531.i, %.1500.i
+  %22 = icmp ult i64 %21, 4294967296
+  br i1 %22, label %23, label %28
 
-21:                                               ; preds = %B552.endif.endif.i
-  %22 = trunc nuw i64 %.1455.i to i32
-  %23 = trunc nuw i64 %.1424.i to i32
-  %24 = urem i32 %23, %22
-  %25 = zext i32 %24 to i64
-  br label %28
+23:                                               ; preds = %B590.endif.endif.i
+  %24 = trunc nuw i64 %.1531.i to i32
+  %25 = trunc nuw i64 %.1500.i to i32
+  %26 = urem i32 %25, %24
+  %27 = zext i32 %26 to i64
+  br label %30
 
-26:                                               ; preds = %B552.endif.endif.i
-  %27 = srem i64 %.1424.i, %.1455.i
-  br label %28
+28:                                               ; preds = %B590.endif.endif.i
+  %29 = srem i64 %.1500.i, %.1531.i
+  br label %30
 
-28:                                               ; preds = %26, %21
-  %29 = phi i64 [ %25, %21 ], [ %27, %26 ]
-  %.1476.i = xor i64 %29, %.1455.i
-  %.1477.i = icmp slt i64 %.1476.i, 0
-  %.1478.i = icmp ne i64 %29, 0
-  %.1479.i = and i1 %.1478.i, %.1477.i
-  %.1486.i = select i1 %.1479.i, i64 %.1455.i, i64 0
-  %spec.select.i = add i64 %.1486.i, %29
+30:                                               ; preds = %28, %23
+  %31 = phi i64 [ %27, %23 ], [ %29, %28 ]
+  %.1552.i = xor i64 %31, %.1531.i
+  %.1553.i = icmp slt i64 %.1552.i, 0
+  %.1554.i = icmp ne i64 %31, 0
+  %.1555.i = and i1 %.1554.i, %.1553.i
+  %.1562.i = select i1 %.1555.i, i64 %.1531.i, i64 0
+  %spec.select.i = add i64 %.1562.i, %31
   %spec.select.fr.i = freeze i64 %spec.select.i
-  %.1522.i = icmp slt i64 %spec.select.fr.i, 0
-  %spec.select941.i = select i1 %.1522.i, i64 %w5, i64 0
-  br label %B552.endif.endif.thread.i
+  %.1598.i = icmp slt i64 %spec.select.fr.i, 0
+  %spec.select1017.i = select i1 %.1598.i, i64 %w5, i64 0
+  br label %B590.endif.endif.thread.i
 
-B552.endif.endif.thread.i:                        ; preds = %28, %B552.endif.i
-  %rem.0917.i = phi i64 [ %spec.select.fr.i, %28 ], [ 0, %B552.endif.i ]
-  %30 = phi i64 [ %spec.select941.i, %28 ], [ 0, %B552.endif.i ]
-  %31 = getelementptr i64, ptr %.84.i.i, i64 %rem.0917.i
-  %.1545.i = getelementptr i64, ptr %31, i64 %30
-  %.1546.i = load i64, ptr %.1545.i, align 8
-  %sunkaddr50.i = shl i64 %.1302.i, 3
-  %sunkaddr51.i = getelementptr i8, ptr %w13, i64 %sunkaddr50.i
-  %sunkaddr52.i = getelementptr i8, ptr %sunkaddr51.i, i64 16
-  store i64 %.1546.i, ptr %sunkaddr52.i, align 8
-  %.1602.i = add nsw i64 %slot.3.1.i.i, -1
-  %.1633.i = load i64, ptr %sunkaddr49.i, align 8
-  %.1636.i = icmp eq i64 %.1633.i, 0
-  br i1 %.1636.i, label %B552.endif.endif.endif.thread.i, label %B552.endif.endif.else.i
+B590.endif.endif.thread.i:                        ; preds = %30, %B590.endif.i
+  %rem.0993.i = phi i64 [ %spec.select.fr.i, %30 ], [ 0, %B590.endif.i ]
+  %32 = phi i64 [ %spec.select1017.i, %30 ], [ 0, %B590.endif.i ]
+  %33 = getelementptr i64, ptr %.84.i.i, i64 %rem.0993.i
+  %.1621.i = getelementptr i64, ptr %33, i64 %32
+  %.1622.i = load i64, ptr %.1621.i, align 8
+  %sunkaddr51.i = shl i64 %.1378.i, 3
+  %sunkaddr52.i = getelementptr i8, ptr %w14, i64 %sunkaddr51.i
+  %sunkaddr53.i = getelementptr i8, ptr %sunkaddr52.i, i64 16
+  store i64 %.1622.i, ptr %sunkaddr53.i, align 8
+  %.1678.i = add nsw i64 %slot.3.1.i.i, -1
+  %.1709.i = load i64, ptr %sunkaddr50.i, align 8
+  %.1712.i = icmp eq i64 %.1709.i, 0
+  br i1 %.1712.i, label %B590.endif.endif.endif.thread.i, label %B590.endif.endif.else.i
 
-B552.endif.endif.else.i:                          ; preds = %B552.endif.endif.thread.i
-  %.1647.i = icmp ne i64 %.1602.i, -9223372036854775808
-  %.1648.i = icmp ne i64 %.1633.i, -1
-  %.1649.not.i = or i1 %.1647.i, %.1648.i
-  br i1 %.1649.not.i, label %B552.endif.endif.else.if.i, label %B552.endif.endif.endif.thread.i
+B590.endif.endif.else.i:                          ; preds = %B590.endif.endif.thread.i
+  %.1723.i = icmp ne i64 %.1678.i, -9223372036854775808
+  %.1724.i = icmp ne i64 %.1709.i, -1
+  %.1725.not.i = or i1 %.1723.i, %.1724.i
+  br i1 %.1725.not.i, label %B590.endif.endif.else.if.i, label %B590.endif.endif.endif.thread.i
 
-B552.endif.endif.endif.thread.i:                  ; preds = %42, %B552.endif.endif.else.i, %B552.endif.endif.thread.i
-  %32 = phi i64 [ 0, %B552.endif.endif.thread.i ], [ %spec.select629.i, %42 ], [ 0, %B552.endif.endif.else.i ]
-  %.1725.i = getelementptr i64, ptr %.84.i.i, i64 %32
-  %.1726.i = load i64, ptr %.1725.i, align 8
-  %sunkaddr57.i = getelementptr i8, ptr %sunkaddr51.i, i64 24
-  store i64 %.1726.i, ptr %sunkaddr57.i, align 8
-  %.1783.i = add nsw i64 %count.2.1743.i, 1
-  br label %B757.i
+B590.endif.endif.endif.thread.i:                  ; preds = %44, %B590.endif.endif.else.i, %B590.endif.endif.thread.i
+  %34 = phi i64 [ 0, %B590.endif.endif.thread.i ], [ %spec.select703.i, %44 ], [ 0, %B590.endif.endif.else.i ]
+  %.1801.i = getelementptr i64, ptr %.84.i.i, i64 %34
+  %.1802.i = load i64, ptr %.1801.i, align 8
+  %sunkaddr58.i = getelementptr i8, ptr %sunkaddr52.i, i64 24
+  store i64 %.1802.i, ptr %sunkaddr58.i, align 8
+  %.1887.i = select i1 %.1356.i, i64 %w18, i64 0
+  %.1888.i = add i64 %.1887.i, %count.2.1819.i
+  %.1908.i = mul i64 %.1888.i, %w19
+  %.1912.i = getelementptr double, ptr %w17, i64 %.1908.i
+  store double %sqrt.i, ptr %.1912.i, align 8
+  %.1969.i = getelementptr i8, ptr %.1912.i, i64 8
+  store double 0.000000e+00, ptr %.1969.i, align 8
+  %.1972.i = add nsw i64 %count.2.1819.i, 1
+  br label %B825.i
 
-B552.endif.endif.else.if.i:                       ; preds = %B552.endif.endif.else.i
-  %33 = or i64 %.1633.i, %.1602.i
-  %34 = icmp ult i64 %33, 4294967296
-  br i1 %34, label %35, label %40
+B590.endif.endif.else.if.i:                       ; preds = %B590.endif.endif.else.i
+  %35 = or i64 %.1709.i, %.1678.i
+  %36 = icmp ult i64 %35, 4294967296
+  br i1 %36, label %37, label %42
 
-35:                                               ; preds = %B552.endif.endif.else.if.i
-  %36 = trunc nuw i64 %.1633.i to i32
-  %37 = trunc nuw i64 %.1602.i to i32
-  %38 = urem i32 %37, %36
-  %39 = zext i32 %38 to i64
-  br label %42
+37:                                               ; preds = %B590.endif.endif.else.if.i
+  %38 = trunc nuw i64 %.1709.i to i32
+  %39 = trunc nuw i64 %.1678.i to i32
+  %40 = urem i32 %39, %38
+  %41 = zext i32 %40 to i64
+  br label %44
 
-40:                                               ; preds = %B552.endif.endif.else.if.i
-  %41 = srem i64 %.1602.i, %.1633.i
-  br label %42
+42:                                               ; preds = %B590.endif.endif.else.if.i
+  %43 = srem i64 %.1678.i, %.1709.i
+  br label %44
 
-42:                                               ; preds = %40, %35
-  %43 = phi i64 [ %39, %35 ], [ %41, %40 ]
-  %.1654.i = xor i64 %43, %.1633.i
-  %.1655.i = icmp slt i64 %.1654.i, 0
-  %.1656.i = icmp ne i64 %43, 0
-  %.1657.i = and i1 %.1656.i, %.1655.i
-  %.1664.i = select i1 %.1657.i, i64 %.1633.i, i64 0
-  %spec.select630.i = add i64 %.1664.i, %43
-  %spec.select630.fr.i = freeze i64 %spec.select630.i
-  %.1702.i = icmp slt i64 %spec.select630.fr.i, 0
-  %.1703.i = select i1 %.1702.i, i64 %w5, i64 0
-  %spec.select629.i = add i64 %.1703.i, %spec.select630.fr.i
-  br label %B552.endif.endif.endif.thread.i
+44:                                               ; preds = %42, %37
+  %45 = phi i64 [ %41, %37 ], [ %43, %42 ]
+  %.1730.i = xor i64 %45, %.1709.i
+  %.1731.i = icmp slt i64 %.1730.i, 0
+  %.1732.i = icmp ne i64 %45, 0
+  %.1733.i = and i1 %.1732.i, %.1731.i
+  %.1740.i = select i1 %.1733.i, i64 %.1709.i, i64 0
+  %spec.select704.i = add i64 %.1740.i, %45
+  %spec.select704.fr.i = freeze i64 %spec.select704.i
+  %.1778.i = icmp slt i64 %spec.select704.fr.i, 0
+  %.1779.i = select i1 %.1778.i, i64 %w5, i64 0
+  %spec.select703.i = add i64 %.1779.i, %spec.select704.fr.i
+  br label %B590.endif.endif.endif.thread.i
 
-_ZN7msf_jax4host4meso7kernels11short_edgesB3v40B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIbLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE.exit: ; preds = %B66.loopexit.i, %0
-  %count.3.0.lcssa.i = phi i64 [ 0, %0 ], [ %count.2.1.lcssa.i, %B66.loopexit.i ]
-  ret i64 %count.3.0.lcssa.i
+_ZN7msf_jax4host4meso7kernels11short_edgesB3v40B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIbLi1E1C7mutable7alignedEx5ArrayIxLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE.exit: ; preds = %B98.loopexit.i, %B0.endif.endif.i
+  %count.4.0.lcssa.i = phi i64 [ %count.2.0.lcssa.i.i, %B0.endif.endif.i ], [ %count.2.1.lcssa.i, %B98.loopexit.i ]
+  ret i64 %count.4.0.lcssa.i
 }
 
 define i64 @msf_jax.host.meso.kernels.wide_edges(ptr readonly %words) local_unnamed_addr {
@@ -5435,316 +5533,450 @@ define i64 @msf_jax.host.meso.kernels.wide_edges(ptr readonly %words) local_unna
   %w11 = load double, ptr %p11, align 8
   %p12 = getelementptr i8, ptr %words, i64 96
   %w12 = load ptr, ptr %p12, align 8
+  %p13 = getelementptr i8, ptr %words, i64 104
+  %w13 = load i64, ptr %p13, align 8
   %p14 = getelementptr i8, ptr %words, i64 112
-  %w14 = load ptr, ptr %p14, align 8
+  %w14 = load i64, ptr %p14, align 8
   %p15 = getelementptr i8, ptr %words, i64 120
-  %w15 = load i64, ptr %p15, align 8
+  %w15 = load ptr, ptr %p15, align 8
   %p16 = getelementptr i8, ptr %words, i64 128
   %w16 = load i64, ptr %p16, align 8
-  %.186619.not.i = icmp slt i64 %w4, 1
-  br i1 %.186619.not.i, label %_ZN7msf_jax4host4meso7kernels10wide_edgesB3v46B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEdd5ArrayIbLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE.exit, label %B68.preheader.i
+  %p17 = getelementptr i8, ptr %words, i64 136
+  %w17 = load i64, ptr %p17, align 8
+  %s25 = shl i64 %w17, 3
+  %p18 = getelementptr i8, ptr %words, i64 144
+  %w18 = load ptr, ptr %p18, align 8
+  %p19 = getelementptr i8, ptr %words, i64 152
+  %w19 = load i64, ptr %p19, align 8
+  %p20 = getelementptr i8, ptr %words, i64 160
+  %w20 = load i64, ptr %p20, align 8
+  %s30 = shl i64 %w20, 3
+  %.130339.not.i.i = icmp slt i64 %w14, 1
+  br i1 %.130339.not.i.i, label %B0.endif.endif.i, label %B40.us.preheader.i.i
 
-B68.preheader.i:                                  ; preds = %0
-  %scevgep.i = getelementptr i8, ptr %w3, i64 8
-  br label %B68.i
+B40.us.preheader.i.i:                             ; preds = %0
+  %scevgep.i.i = getelementptr i8, ptr %w18, i64 8
+  %scevgep3.i.i = getelementptr i8, ptr %w15, i64 32
+  br label %B40.us.i.i
 
-B66.loopexit.i:                                   ; preds = %B731.i, %B116.endif.i, %B68.i
-  %count.2.1.lcssa.i = phi i64 [ %count.5.0622.i, %B116.endif.i ], [ %count.5.0622.i, %B68.i ], [ %count.3.2.i, %B731.i ]
-  %exitcond681.not.i = icmp eq i64 %w4, %.199.i
-  br i1 %exitcond681.not.i, label %_ZN7msf_jax4host4meso7kernels10wide_edgesB3v46B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEdd5ArrayIbLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE.exit, label %B68.i
+B40.us.i.i:                                       ; preds = %B272.us.i.i, %B40.us.preheader.i.i
+  %lsr.iv10.i.i = phi i64 [ %w14, %B40.us.preheader.i.i ], [ %lsr.iv.next.i.i, %B272.us.i.i ]
+  %lsr.iv4.i.i = phi ptr [ %scevgep3.i.i, %B40.us.preheader.i.i ], [ %scevgep5.i.i, %B272.us.i.i ]
+  %lsr.iv.i.i = phi ptr [ %scevgep.i.i, %B40.us.preheader.i.i ], [ %scevgep1.i.i, %B272.us.i.i ]
+  %count.2.0344.us.i.i = phi i64 [ 0, %B40.us.preheader.i.i ], [ %count.3.1.us.i.i, %B272.us.i.i ]
+  %scevgep9.i.i = getelementptr i8, ptr %lsr.iv4.i.i, i64 -32
+  %.229.us.i.i = load i64, ptr %scevgep9.i.i, align 8
+  %.230.us.i.i = icmp sgt i64 %.229.us.i.i, -1
+  br i1 %.230.us.i.i, label %B70.us.i.i, label %B272.us.i.i
 
-B68.i:                                            ; preds = %B66.loopexit.i, %B68.preheader.i
-  %count.5.0622.i = phi i64 [ %count.2.1.lcssa.i, %B66.loopexit.i ], [ 0, %B68.preheader.i ]
-  %.192600620.i = phi i64 [ %.199.i, %B66.loopexit.i ], [ 0, %B68.preheader.i ]
-  %.199.i = add nuw nsw i64 %.192600620.i, 1
-  %1 = getelementptr i8, ptr %w12, i64 %.192600620.i
-  %.257.i = load i8, ptr %1, align 1
-  %.260.i = icmp eq i8 %.257.i, 0
-  br i1 %.260.i, label %B66.loopexit.i, label %B116.endif.i
+B70.us.i.i:                                       ; preds = %B40.us.i.i
+  %.318.us.i.i = getelementptr i8, ptr %w12, i64 %.229.us.i.i
+  %.319.us.i.i = load i8, ptr %.318.us.i.i, align 1
+  %.322.us.i.i = icmp eq i8 %.319.us.i.i, 0
+  br i1 %.322.us.i.i, label %B102.us.i.i, label %B272.us.i.i
 
-B402.i:                                           ; preds = %B270.endif.endif.i
+B102.us.i.i:                                      ; preds = %B70.us.i.i
+  %scevgep8.i.i = getelementptr i8, ptr %lsr.iv4.i.i, i64 -24
+  %.387.us.i.i = load i64, ptr %scevgep8.i.i, align 8
+  %.401.us.i.i = icmp slt i64 %.387.us.i.i, 0
+  %.402.us.i.i = select i1 %.401.us.i.i, i64 %w13, i64 0
+  %1 = getelementptr i8, ptr %w12, i64 %.387.us.i.i
+  %.416.us.i.i = getelementptr i8, ptr %1, i64 %.402.us.i.i
+  %.417.us.i.i = load i8, ptr %.416.us.i.i, align 1
+  %.420.us.i.i = icmp eq i8 %.417.us.i.i, 0
+  br i1 %.420.us.i.i, label %B134.endif.endif.us.i.i, label %B272.us.i.i
+
+B134.endif.endif.us.i.i:                          ; preds = %B102.us.i.i
+  %.621.us.i.i = icmp slt i64 %count.2.0344.us.i.i, 0
+  %.622.us.i.i = select i1 %.621.us.i.i, i64 %w16, i64 0
+  %.623.us.i.i = add i64 %.622.us.i.i, %count.2.0344.us.i.i
+  %.643.us.i.i = mul i64 %.623.us.i.i, %w17
+  %2 = getelementptr i64, ptr %w15, i64 %.643.us.i.i
+  store i64 %.229.us.i.i, ptr %2, align 8
+  %.597.us.1.i.i = load i64, ptr %scevgep8.i.i, align 8
+  %.647.us.1.i.i = getelementptr i8, ptr %2, i64 8
+  store i64 %.597.us.1.i.i, ptr %.647.us.1.i.i, align 8
+  %scevgep7.i.i = getelementptr i8, ptr %lsr.iv4.i.i, i64 -16
+  %.597.us.2.i.i = load i64, ptr %scevgep7.i.i, align 8
+  %.647.us.2.i.i = getelementptr i8, ptr %2, i64 16
+  store i64 %.597.us.2.i.i, ptr %.647.us.2.i.i, align 8
+  %scevgep6.i.i = getelementptr i8, ptr %lsr.iv4.i.i, i64 -8
+  %.597.us.3.i.i = load i64, ptr %scevgep6.i.i, align 8
+  %.647.us.3.i.i = getelementptr i8, ptr %2, i64 24
+  store i64 %.597.us.3.i.i, ptr %.647.us.3.i.i, align 8
+  %.597.us.4.i.i = load i64, ptr %lsr.iv4.i.i, align 8
+  %.647.us.4.i.i = getelementptr i8, ptr %2, i64 32
+  store i64 %.597.us.4.i.i, ptr %.647.us.4.i.i, align 8
+  %scevgep2.i.i = getelementptr i8, ptr %lsr.iv.i.i, i64 -8
+  %.708.us.i.i = load double, ptr %scevgep2.i.i, align 8
+  %.765.us.i.i = load double, ptr %lsr.iv.i.i, align 8
+  %.794.us.i.i = select i1 %.621.us.i.i, i64 %w19, i64 0
+  %.795.us.i.i = add i64 %.794.us.i.i, %count.2.0344.us.i.i
+  %.815.us.i.i = mul i64 %.795.us.i.i, %w20
+  %.819.us.i.i = getelementptr double, ptr %w18, i64 %.815.us.i.i
+  store double %.708.us.i.i, ptr %.819.us.i.i, align 8
+  %.874.us.i.i = getelementptr i8, ptr %.819.us.i.i, i64 8
+  store double %.765.us.i.i, ptr %.874.us.i.i, align 8
+  %.877.us.i.i = add nsw i64 %count.2.0344.us.i.i, 1
+  br label %B272.us.i.i
+
+B272.us.i.i:                                      ; preds = %B134.endif.endif.us.i.i, %B102.us.i.i, %B70.us.i.i, %B40.us.i.i
+  %count.3.1.us.i.i = phi i64 [ %count.2.0344.us.i.i, %B40.us.i.i ], [ %count.2.0344.us.i.i, %B70.us.i.i ], [ %.877.us.i.i, %B134.endif.endif.us.i.i ], [ %count.2.0344.us.i.i, %B102.us.i.i ]
+  %scevgep1.i.i = getelementptr i8, ptr %lsr.iv.i.i, i64 %s30
+  %scevgep5.i.i = getelementptr i8, ptr %lsr.iv4.i.i, i64 %s25
+  %lsr.iv.next.i.i = add nsw i64 %lsr.iv10.i.i, -1
+  %exitcond.not.i.i = icmp eq i64 %lsr.iv.next.i.i, 0
+  br i1 %exitcond.not.i.i, label %B0.endif.endif.i, label %B40.us.i.i
+
+B98.loopexit.i:                                   ; preds = %B869.i, %B148.endif.i, %B100.i
+  %count.2.1.lcssa.i = phi i64 [ %count.3.0722.i, %B148.endif.i ], [ %count.3.0722.i, %B100.i ], [ %count.4.2.i, %B869.i ]
+  %exitcond792.not.i = icmp eq i64 %w4, %.253.i
+  br i1 %exitcond792.not.i, label %_ZN7msf_jax4host4meso7kernels10wide_edgesB3v47B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEdd5ArrayIbLi1E1C7mutable7alignedEx5ArrayIxLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE.exit, label %B100.i
+
+B100.i:                                           ; preds = %B100.preheader.i, %B98.loopexit.i
+  %count.3.0722.i = phi i64 [ %count.2.1.lcssa.i, %B98.loopexit.i ], [ %count.2.0.lcssa.i.i, %B100.preheader.i ]
+  %.246698720.i = phi i64 [ %.253.i, %B98.loopexit.i ], [ 0, %B100.preheader.i ]
+  %.253.i = add nuw nsw i64 %.246698720.i, 1
+  %3 = getelementptr i8, ptr %w12, i64 %.246698720.i
+  %.311.i = load i8, ptr %3, align 1
+  %.314.i = icmp eq i8 %.311.i, 0
+  br i1 %.314.i, label %B98.loopexit.i, label %B148.endif.i
+
+B168.i:                                           ; preds = %B168.lr.ph.i, %B869.i
+  %count.2.1686.i = phi i64 [ %count.3.0722.i, %B168.lr.ph.i ], [ %count.4.2.i, %B869.i ]
+  %.460674684.i = phi i64 [ 0, %B168.lr.ph.i ], [ %.467.i, %B869.i ]
+  %.467.i = add nuw nsw i64 %.460674684.i, 1
+  %4 = getelementptr i64, ptr %8, i64 %.460674684.i
+  %.81.i.i = load i64, ptr %4, align 8
+  %.86.i.i = icmp slt i64 %.81.i.i, 0
+  br i1 %.86.i.i, label %B869.i, label %B48.i.i
+
+B48.i.i:                                          ; preds = %B168.i
+  %.96.i.i = icmp slt i64 %.81.i.i, %.246698720.i
+  br i1 %.96.i.i, label %_ZN7msf_jax4host4meso7kernels12is_met_laterB3v42B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedExx.exit.i, label %B208.endif.endif.endif.endif.i
+
+_ZN7msf_jax4host4meso7kernels12is_met_laterB3v42B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedExx.exit.i: ; preds = %B48.i.i
+  %.131.i.i = getelementptr i8, ptr %w12, i64 %.81.i.i
+  %.132.i.i = load i8, ptr %.131.i.i, align 1
+  %.135.i.not.i = icmp eq i8 %.132.i.i, 0
+  br i1 %.135.i.not.i, label %B208.endif.endif.endif.endif.i, label %B869.i
+
+B440.i:                                           ; preds = %B208.endif.endif.endif.endif.i
   %.80.i.i = mul i64 %.11.i.i, %w5
   %.84.i.i = getelementptr i64, ptr %w3, i64 %.80.i.i
   %.85.i.i = load i64, ptr %.84.i.i, align 8
-  %.87.not.i.i = icmp eq i64 %.85.i.i, %.11.i38.i
-  br i1 %.87.not.i.i, label %B402.endif.i, label %B36.preheader.i.i
+  %.87.not.i.i = icmp eq i64 %.85.i.i, %.11.i49.i
+  br i1 %.87.not.i.i, label %B440.endif.i, label %B36.preheader.i.i
 
-B36.preheader.i.i:                                ; preds = %B402.i
-  %2 = mul i64 %s8, %.11.i.i
-  %scevgep104.i = getelementptr i8, ptr %scevgep.i, i64 %2
+B36.preheader.i.i:                                ; preds = %B440.i
+  %5 = mul i64 %s8, %.11.i.i
+  %scevgep160.i = getelementptr i8, ptr %scevgep.i, i64 %5
   br label %B36.i.i
 
 B36.i.i:                                          ; preds = %B36.i.i, %B36.preheader.i.i
   %slot.2.0.i.i = phi i64 [ %.90.i.i, %B36.i.i ], [ 0, %B36.preheader.i.i ]
   %.90.i.i = add nuw i64 %slot.2.0.i.i, 1
-  %3 = shl i64 %slot.2.0.i.i, 3
-  %scevgep105.i = getelementptr i8, ptr %scevgep104.i, i64 %3
-  %.145.i.i = load i64, ptr %scevgep105.i, align 8
-  %.147.not.i.i = icmp eq i64 %.145.i.i, %.11.i38.i
-  br i1 %.147.not.i.i, label %B402.endif.i, label %B36.i.i
+  %6 = shl i64 %slot.2.0.i.i, 3
+  %scevgep161.i = getelementptr i8, ptr %scevgep160.i, i64 %6
+  %.145.i.i = load i64, ptr %scevgep161.i, align 8
+  %.147.not.i.i = icmp eq i64 %.145.i.i, %.11.i49.i
+  br i1 %.147.not.i.i, label %B440.endif.i, label %B36.i.i
 
-B620.i:                                           ; preds = %B402.endif.endif.endif.endif.endif.i
-  %.1204.i = icmp slt i64 %count.2.1589.i, 0
-  %.1205.i = select i1 %.1204.i, i64 %w15, i64 0
-  %.1206.i = add i64 %.1205.i, %count.2.1589.i
-  %.1226.i = mul i64 %.1206.i, %w16
-  %.1230.i = getelementptr i64, ptr %w14, i64 %.1226.i
-  store i64 %.11.i.i, ptr %.1230.i, align 8
-  %.1285.i = getelementptr i8, ptr %.1230.i, i64 8
-  store i64 %.11.i38.i, ptr %.1285.i, align 8
-  %.1340.i = getelementptr i8, ptr %.1230.i, i64 16
-  store i64 %.946698.i, ptr %.1340.i, align 8
-  %.1395.i = getelementptr i8, ptr %.1230.i, i64 24
-  store i64 %.1069.i, ptr %.1395.i, align 8
-  %.1399.i = fcmp ole double %"$phi166.0.2.0.i.i", %"$phi166.0.2.0.i88.i"
-  %"$phi700.2.2.4.i" = select i1 %.1399.i, i64 %.946698.i, i64 %.1069.i
-  %.1476.i = getelementptr i8, ptr %.1230.i, i64 32
-  store i64 %"$phi700.2.2.4.i", ptr %.1476.i, align 8
-  %.1481.i = add nsw i64 %count.2.1589.i, 1
-  br label %B731.i
+B869.i:                                           ; preds = %B676.endif.endif.i, %B440.endif.endif.endif.endif.endif.i, %B208.endif.endif.endif.endif.i, %_ZN7msf_jax4host4meso7kernels12is_met_laterB3v42B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedExx.exit.i, %B168.i
+  %count.4.2.i = phi i64 [ %count.2.1686.i, %B208.endif.endif.endif.endif.i ], [ %count.2.1686.i, %B440.endif.endif.endif.endif.endif.i ], [ %.1705.i, %B676.endif.endif.i ], [ %count.2.1686.i, %_ZN7msf_jax4host4meso7kernels12is_met_laterB3v42B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedExx.exit.i ], [ %count.2.1686.i, %B168.i ]
+  %exitcond.not.i = icmp eq i64 %.355.i, %.467.i
+  br i1 %exitcond.not.i, label %B98.loopexit.i, label %B168.i
 
-B731.i:                                           ; preds = %B402.endif.endif.endif.endif.endif.i, %B270.endif.endif.i, %_ZN7msf_jax4host4meso7kernels12is_met_laterB3v43B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedExx.exit.i, %B136.endif.endif.i, %B620.i
-  %count.3.2.i = phi i64 [ %count.2.1589.i, %B402.endif.endif.endif.endif.endif.i ], [ %count.2.1589.i, %B270.endif.endif.i ], [ %.1481.i, %B620.i ], [ %count.2.1589.i, %_ZN7msf_jax4host4meso7kernels12is_met_laterB3v43B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedExx.exit.i ], [ %count.2.1589.i, %B136.endif.endif.i ]
-  %exitcond.not.i = icmp eq i64 %.301.i, %.413.i
-  br i1 %exitcond.not.i, label %B66.loopexit.i, label %B136.endif.endif.i
+B0.endif.endif.i:                                 ; preds = %B272.us.i.i, %0
+  %count.2.0.lcssa.i.i = phi i64 [ 0, %0 ], [ %count.3.1.us.i.i, %B272.us.i.i ]
+  %.240719.not.i = icmp slt i64 %w4, 1
+  br i1 %.240719.not.i, label %_ZN7msf_jax4host4meso7kernels10wide_edgesB3v47B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEdd5ArrayIbLi1E1C7mutable7alignedEx5ArrayIxLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE.exit, label %B100.preheader.i
 
-B116.endif.i:                                     ; preds = %B68.i
-  %4 = getelementptr i64, ptr %w6, i64 %.192600620.i
-  %.301.i = load i64, ptr %4, align 8
-  %.400586.not.i = icmp slt i64 %.301.i, 1
-  br i1 %.400586.not.i, label %B66.loopexit.i, label %B136.lr.ph.i
+B100.preheader.i:                                 ; preds = %B0.endif.endif.i
+  %scevgep.i = getelementptr i8, ptr %w3, i64 8
+  br label %B100.i
 
-B136.lr.ph.i:                                     ; preds = %B116.endif.i
-  %.483.i = mul i64 %.192600620.i, %w5
-  %5 = getelementptr i64, ptr %w3, i64 %.483.i
-  br label %B136.endif.endif.i
+B148.endif.i:                                     ; preds = %B100.i
+  %7 = getelementptr i64, ptr %w6, i64 %.246698720.i
+  %.355.i = load i64, ptr %7, align 8
+  %.454683.not.i = icmp slt i64 %.355.i, 1
+  br i1 %.454683.not.i, label %B98.loopexit.i, label %B168.lr.ph.i
 
-B136.endif.endif.i:                               ; preds = %B136.lr.ph.i, %B731.i
-  %count.2.1589.i = phi i64 [ %count.5.0622.i, %B136.lr.ph.i ], [ %count.3.2.i, %B731.i ]
-  %.406578587.i = phi i64 [ 0, %B136.lr.ph.i ], [ %.413.i, %B731.i ]
-  %.413.i = add nuw nsw i64 %.406578587.i, 1
-  %6 = getelementptr i64, ptr %5, i64 %.406578587.i
-  %.488.i = load i64, ptr %6, align 8
-  %.11.i.i = tail call i64 @llvm.smin.i64(i64 %.488.i, i64 %.192600620.i)
-  %.11.i38.i = tail call i64 @llvm.smax.i64(i64 %.488.i, i64 %.192600620.i)
-  %.86.i.i = icmp slt i64 %.488.i, 0
-  br i1 %.86.i.i, label %B731.i, label %B48.i.i
+B168.lr.ph.i:                                     ; preds = %B148.endif.i
+  %.595.i = mul i64 %.246698720.i, %w5
+  %8 = getelementptr i64, ptr %w3, i64 %.595.i
+  br label %B168.i
 
-B48.i.i:                                          ; preds = %B136.endif.endif.i
-  %.96.i.i = icmp slt i64 %.488.i, %.192600620.i
-  br i1 %.96.i.i, label %_ZN7msf_jax4host4meso7kernels12is_met_laterB3v43B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedExx.exit.i, label %B270.endif.endif.i
+B208.endif.endif.endif.endif.i:                   ; preds = %_ZN7msf_jax4host4meso7kernels12is_met_laterB3v42B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedExx.exit.i, %B48.i.i
+  %.11.i.i = tail call i64 @llvm.smin.i64(i64 %.81.i.i, i64 %.246698720.i)
+  %.11.i49.i = tail call i64 @llvm.smax.i64(i64 %.81.i.i, i64 %.246698720.i)
+  %.68.i53.i = mul i64 %.11.i49.i, %w2
+  %9 = getelementptr double, ptr %w0, i64 %.68.i53.i
+  %.72.i54.i = getelementptr i8, ptr %9, i64 16
+  %.73.i55.i = load double, ptr %.72.i54.i, align 8
+  %.121.i59.i = mul i64 %.11.i.i, %w2
+  %10 = getelementptr double, ptr %w0, i64 %.121.i59.i
+  %.125.i60.i = getelementptr i8, ptr %10, i64 16
+  %.126.i61.i = load double, ptr %.125.i60.i, align 8
+  %.127.i62.i = fsub double %.73.i55.i, %.126.i61.i
+  %.235.i76.i = fmul double %.127.i62.i, %.127.i62.i
+  %.288.i77.i = load double, ptr %9, align 8
+  %.341.i78.i = load double, ptr %10, align 8
+  %.342.i79.i = fsub double %.288.i77.i, %.341.i78.i
+  %.450.i83.i = fmul double %.342.i79.i, %.342.i79.i
+  %.451.i84.i = fadd double %.235.i76.i, %.450.i83.i
+  %.503.i85.i = getelementptr i8, ptr %9, i64 8
+  %.504.i86.i = load double, ptr %.503.i85.i, align 8
+  %.556.i87.i = getelementptr i8, ptr %10, i64 8
+  %.557.i88.i = load double, ptr %.556.i87.i, align 8
+  %.558.i89.i = fsub double %.504.i86.i, %.557.i88.i
+  %.666.i95.i = fmul double %.558.i89.i, %.558.i89.i
+  %.667.i96.i = fadd double %.451.i84.i, %.666.i95.i
+  %sqrt.i = tail call double @llvm.sqrt.f64(double %.667.i96.i)
+  %11 = getelementptr double, ptr %w8, i64 %.11.i.i
+  %.788.i = load double, ptr %11, align 8
+  %12 = getelementptr double, ptr %w8, i64 %.11.i49.i
+  %.819.i = load double, ptr %12, align 8
+  %.10.i.i = fcmp olt double %.819.i, %.788.i
+  %.11.i97.i = select i1 %.10.i.i, double %.819.i, double %.788.i
+  %.849.i = fmul double %w10, %.11.i97.i
+  %.850.i = fcmp ugt double %sqrt.i, %.849.i
+  br i1 %.850.i, label %B440.i, label %B869.i
 
-_ZN7msf_jax4host4meso7kernels12is_met_laterB3v43B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedExx.exit.i: ; preds = %B48.i.i
-  %.131.i.i = getelementptr i8, ptr %w12, i64 %.488.i
-  %.132.i.i = load i8, ptr %.131.i.i, align 1
-  %.135.i.not.i = icmp eq i8 %.132.i.i, 0
-  br i1 %.135.i.not.i, label %B270.endif.endif.i, label %B731.i
+B440.endif.i:                                     ; preds = %B36.i.i, %B440.i
+  %slot.3.1.i.i = phi i64 [ 0, %B440.i ], [ %.90.i.i, %B36.i.i ]
+  %13 = getelementptr i64, ptr %w6, i64 %.11.i.i
+  %.931.i = load i64, ptr %13, align 8
+  %.934.i = icmp eq i64 %.931.i, 0
+  br i1 %.934.i, label %B440.endif.endif.endif.thread.i, label %B440.endif.endif.i
 
-B270.endif.endif.i:                               ; preds = %_ZN7msf_jax4host4meso7kernels12is_met_laterB3v43B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedExx.exit.i, %B48.i.i
-  %.68.i.i = mul i64 %.11.i.i, %w2
-  %7 = getelementptr double, ptr %w0, i64 %.68.i.i
-  %.72.i.i = getelementptr i8, ptr %7, i64 16
-  %.73.i.i = load double, ptr %.72.i.i, align 8
-  %.121.i.i = mul i64 %.11.i38.i, %w2
-  %8 = getelementptr double, ptr %w0, i64 %.121.i.i
-  %.125.i.i = getelementptr i8, ptr %8, i64 16
-  %.126.i.i = load double, ptr %.125.i.i, align 8
-  %.127.i.i = fsub double %.73.i.i, %.126.i.i
-  %.235.i.i = fmul double %.127.i.i, %.127.i.i
-  %.288.i.i = load double, ptr %7, align 8
-  %.341.i.i = load double, ptr %8, align 8
-  %.342.i.i = fsub double %.288.i.i, %.341.i.i
-  %.450.i.i = fmul double %.342.i.i, %.342.i.i
-  %.451.i.i = fadd double %.235.i.i, %.450.i.i
-  %.503.i.i = getelementptr i8, ptr %7, i64 8
-  %.504.i.i = load double, ptr %.503.i.i, align 8
-  %.556.i.i = getelementptr i8, ptr %8, i64 8
-  %.557.i.i = load double, ptr %.556.i.i, align 8
-  %.558.i.i = fsub double %.504.i.i, %.557.i.i
-  %.666.i.i = fmul double %.558.i.i, %.558.i.i
-  %.667.i.i = fadd double %.451.i.i, %.666.i.i
-  %9 = getelementptr double, ptr %w8, i64 %.11.i.i
-  %.713.i = load double, ptr %9, align 8
-  %10 = getelementptr double, ptr %w8, i64 %.11.i38.i
-  %.744.i = load double, ptr %10, align 8
-  %.10.i.i = fcmp olt double %.744.i, %.713.i
-  %.11.i41.i = select i1 %.10.i.i, double %.744.i, double %.713.i
-  %sqrt.i = tail call double @llvm.sqrt.f64(double %.667.i.i)
-  %.774.i = fmul double %w10, %.11.i41.i
-  %.775.i = fcmp ugt double %sqrt.i, %.774.i
-  br i1 %.775.i, label %B402.i, label %B731.i
+B440.endif.endif.i:                               ; preds = %B440.endif.i
+  %.900.i = add nsw i64 %slot.3.1.i.i, 1
+  %14 = or i64 %.900.i, %.931.i
+  %15 = icmp ult i64 %14, 4294967296
+  br i1 %15, label %16, label %21
 
-B402.endif.i:                                     ; preds = %B36.i.i, %B402.i
-  %slot.3.1.i.i = phi i64 [ 0, %B402.i ], [ %.90.i.i, %B36.i.i ]
-  %11 = getelementptr i64, ptr %w6, i64 %.11.i.i
-  %.855.i = load i64, ptr %11, align 8
-  %.858.i = icmp eq i64 %.855.i, 0
-  br i1 %.858.i, label %B402.endif.endif.endif.thread.i, label %B402.endif.endif.i
+16:                                               ; preds = %B440.endif.endif.i
+  %17 = trunc nuw i64 %.931.i to i32
+  %18 = trunc nuw i64 %.900.i to i32
+  %19 = urem i32 %18, %17
+  %20 = zext i32 %19 to i64
+  br label %23
 
-B402.endif.endif.i:                               ; preds = %B402.endif.i
-  %.824.i = add nsw i64 %slot.3.1.i.i, 1
-  %12 = or i64 %.824.i, %.855.i
-  %13 = icmp ult i64 %12, 4294967296
-  br i1 %13, label %14, label %19
+21:                                               ; preds = %B440.endif.endif.i
+  %22 = srem i64 %.900.i, %.931.i
+  br label %23
 
-14:                                               ; preds = %B402.endif.endif.i
-  %15 = trunc nuw i64 %.855.i to i32
-  %16 = trunc nuw i64 %.824.i to i32
-  %17 = urem i32 %16, %15
-  %18 = zext i32 %17 to i64
-  br label %21
-
-19:                                               ; preds = %B402.endif.endif.i
-  %20 = srem i64 %.824.i, %.855.i
-  br label %21
-
-21:                                               ; preds = %19, %14
-  %22 = phi i64 [ %18, %14 ], [ %20, %19 ]
-  %.876.i = xor i64 %22, %.855.i
-  %.877.i = icmp slt i64 %.876.i, 0
-  %.878.i = icmp ne i64 %22, 0
-  %.879.i = and i1 %.878.i, %.877.i
-  %.886.i = select i1 %.879.i, i64 %.855.i, i64 0
-  %spec.select.i = add i64 %.886.i, %22
+23:                                               ; preds = %21, %16
+  %24 = phi i64 [ %20, %16 ], [ %22, %21 ]
+  %.952.i = xor i64 %24, %.931.i
+  %.953.i = icmp slt i64 %.952.i, 0
+  %.954.i = icmp ne i64 %24, 0
+  %.955.i = and i1 %.954.i, %.953.i
+  %.962.i = select i1 %.955.i, i64 %.931.i, i64 0
+  %spec.select.i = add i64 %.962.i, %24
   %spec.select.fr.i = freeze i64 %spec.select.i
-  %.922.i = icmp slt i64 %spec.select.fr.i, 0
-  %spec.select737.i = select i1 %.922.i, i64 %w5, i64 0
-  %23 = getelementptr i64, ptr %.84.i.i, i64 %spec.select.fr.i
-  %.945694.i = getelementptr i64, ptr %23, i64 %spec.select737.i
-  %.946695.i = load i64, ptr %.945694.i, align 8
-  %.947696.i = add nsw i64 %slot.3.1.i.i, -1
-  %.992.i = icmp ne i64 %.947696.i, -9223372036854775808
-  %.993.i = icmp ne i64 %.855.i, -1
-  %.994.not.i = or i1 %.992.i, %.993.i
-  br i1 %.994.not.i, label %B402.endif.endif.else.if.i, label %B402.endif.endif.endif.thread.i
+  %.998.i = icmp slt i64 %spec.select.fr.i, 0
+  %spec.select857.i = select i1 %.998.i, i64 %w5, i64 0
+  %25 = getelementptr i64, ptr %.84.i.i, i64 %spec.select.fr.i
+  %.1021805.i = getelementptr i64, ptr %25, i64 %spec.select857.i
+  %.1022806.i = load i64, ptr %.1021805.i, align 8
+  %.1023807.i = add nsw i64 %slot.3.1.i.i, -1
+  %.1068.i = icmp ne i64 %.1023807.i, -9223372036854775808
+  %.1069.i = icmp ne i64 %.931.i, -1
+  %.1070.not.i = or i1 %.1068.i, %.1069.i
+  br i1 %.1070.not.i, label %B440.endif.endif.else.if.i, label %B440.endif.endif.endif.thread.i
 
-B402.endif.endif.endif.thread.i:                  ; preds = %34, %21, %B402.endif.i
-  %.1069.i = phi i64 [ %.85.i.i, %21 ], [ %.1069.pre.i, %34 ], [ %.85.i.i, %B402.endif.i ]
-  %.946698.i = phi i64 [ %.946695.i, %21 ], [ %.946695.i, %34 ], [ %.85.i.i, %B402.endif.i ]
-  %.99.i.i.i = icmp slt i64 %.946698.i, 0
+B440.endif.endif.endif.thread.i:                  ; preds = %36, %23, %B440.endif.i
+  %.1145.i = phi i64 [ %.85.i.i, %23 ], [ %.1145.pre.i, %36 ], [ %.85.i.i, %B440.endif.i ]
+  %.1022809.i = phi i64 [ %.1022806.i, %23 ], [ %.1022806.i, %36 ], [ %.85.i.i, %B440.endif.i ]
+  %.99.i.i.i = icmp slt i64 %.1022809.i, 0
   %.100.i.i.i = select i1 %.99.i.i.i, i64 %w1, i64 0
-  %.101.i.i.i = add i64 %.100.i.i.i, %.946698.i
+  %.101.i.i.i = add i64 %.100.i.i.i, %.1022809.i
   %.121.i.i.i = mul i64 %.101.i.i.i, %w2
-  %24 = getelementptr double, ptr %w0, i64 %.121.i.i.i
-  %.125.i.i.i = getelementptr i8, ptr %24, i64 16
+  %26 = getelementptr double, ptr %w0, i64 %.121.i.i.i
+  %.125.i.i.i = getelementptr i8, ptr %26, i64 16
   %.126.i.i.i = load double, ptr %.125.i.i.i, align 8
-  %.127.i.i.i = fsub double %.73.i.i, %.126.i.i.i
+  %.127.i.i.i = fsub double %.126.i61.i, %.126.i.i.i
   %.235.i.i.i = fmul double %.127.i.i.i, %.127.i.i.i
-  %.341.i.i.i = load double, ptr %24, align 8
-  %.342.i.i.i = fsub double %.288.i.i, %.341.i.i.i
+  %.341.i.i.i = load double, ptr %26, align 8
+  %.342.i.i.i = fsub double %.341.i78.i, %.341.i.i.i
   %.450.i.i.i = fmul double %.342.i.i.i, %.342.i.i.i
   %.451.i.i.i = fadd double %.235.i.i.i, %.450.i.i.i
-  %.556.i.i.i = getelementptr i8, ptr %24, i64 8
+  %.556.i.i.i = getelementptr i8, ptr %26, i64 8
   %.557.i.i.i = load double, ptr %.556.i.i.i, align 8
-  %.558.i.i.i = fsub double %.504.i.i, %.557.i.i.i
+  %.558.i.i.i = fsub double %.557.i88.i, %.557.i.i.i
   %.666.i.i.i = fmul double %.558.i.i.i, %.558.i.i.i
   %.667.i.i.i = fadd double %.451.i.i.i, %.666.i.i.i
-  %.127.i60.i.i = fsub double %.126.i.i, %.126.i.i.i
+  %.127.i60.i.i = fsub double %.73.i55.i, %.126.i.i.i
   %.235.i74.i.i = fmul double %.127.i60.i.i, %.127.i60.i.i
-  %.342.i77.i.i = fsub double %.341.i.i, %.341.i.i.i
+  %.342.i77.i.i = fsub double %.288.i77.i, %.341.i.i.i
   %.450.i81.i.i = fmul double %.342.i77.i.i, %.342.i77.i.i
   %.451.i82.i.i = fadd double %.235.i74.i.i, %.450.i81.i.i
-  %.558.i87.i.i = fsub double %.557.i.i, %.557.i.i.i
+  %.558.i87.i.i = fsub double %.504.i86.i, %.557.i.i.i
   %.666.i93.i.i = fmul double %.558.i87.i.i, %.558.i87.i.i
   %.667.i94.i.i = fadd double %.451.i82.i.i, %.666.i93.i.i
   %.98.i.i = fmul double %.667.i.i.i, %.667.i94.i.i
   %.105.i.i = fcmp ogt double %.98.i.i, 0.000000e+00
-  br i1 %.105.i.i, label %B120.endif.endif.i.i, label %B402.endif.endif.endif.endif.i
+  br i1 %.105.i.i, label %B120.endif.endif.i.i, label %B440.endif.endif.endif.endif.i
 
-B120.endif.endif.i.i:                             ; preds = %B402.endif.endif.endif.thread.i
+B120.endif.endif.i.i:                             ; preds = %B440.endif.endif.endif.thread.i
   %sqrt.i.i = tail call double @llvm.sqrt.f64(double %.98.i.i)
   %.235.i27.i.i = fmul double %.127.i.i.i, %.127.i60.i.i
   %.450.i34.i.i = fmul double %.342.i.i.i, %.342.i77.i.i
   %.451.i35.i.i = fadd double %.235.i27.i.i, %.450.i34.i.i
   %.666.i46.i.i = fmul double %.558.i.i.i, %.558.i87.i.i
   %.667.i47.i.i = fadd double %.451.i35.i.i, %.666.i46.i.i
-  %.153.i42.i = fdiv double %.667.i47.i.i, %sqrt.i.i
-  br label %B402.endif.endif.endif.endif.i
+  %.153.i98.i = fdiv double %.667.i47.i.i, %sqrt.i.i
+  br label %B440.endif.endif.endif.endif.i
 
-B402.endif.endif.else.if.i:                       ; preds = %21
-  %25 = or i64 %.947696.i, %.855.i
-  %26 = icmp ult i64 %25, 4294967296
-  br i1 %26, label %27, label %32
+B440.endif.endif.else.if.i:                       ; preds = %23
+  %27 = or i64 %.1023807.i, %.931.i
+  %28 = icmp ult i64 %27, 4294967296
+  br i1 %28, label %29, label %34
 
-27:                                               ; preds = %B402.endif.endif.else.if.i
-  %28 = trunc nuw i64 %.855.i to i32
-  %29 = trunc nuw i64 %.947696.i to i32
-  %30 = urem i32 %29, %28
-  %31 = zext i32 %30 to i64
-  br label %34
+29:                                               ; preds = %B440.endif.endif.else.if.i
+  %30 = trunc nuw i64 %.931.i to i32
+  %31 = trunc nuw i64 %.1023807.i to i32
+  %32 = urem i32 %31, %30
+  %33 = zext i32 %32 to i64
+  br label %36
 
-32:                                               ; preds = %B402.endif.endif.else.if.i
-  %33 = srem i64 %.947696.i, %.855.i
-  br label %34
+34:                                               ; preds = %B440.endif.endif.else.if.i
+  %35 = srem i64 %.1023807.i, %.931.i
+  br label %36
 
-34:                                               ; preds = %32, %27
-  %35 = phi i64 [ %31, %27 ], [ %33, %32 ]
-  %.999.i = xor i64 %35, %.855.i
-  %.1000.i = icmp slt i64 %.999.i, 0
-  %.1001.i = icmp ne i64 %35, 0
-  %.1002.i = and i1 %.1001.i, %.1000.i
-  %.1009.i = select i1 %.1002.i, i64 %.855.i, i64 0
-  %spec.select518.i = add i64 %.1009.i, %35
-  %spec.select518.fr.i = freeze i64 %spec.select518.i
-  %.1045.i = icmp slt i64 %spec.select518.fr.i, 0
-  %.1046.i = select i1 %.1045.i, i64 %w5, i64 0
-  %36 = getelementptr i64, ptr %.84.i.i, i64 %.1046.i
-  %.1068.phi.trans.insert.i = getelementptr i64, ptr %36, i64 %spec.select518.fr.i
-  %.1069.pre.i = load i64, ptr %.1068.phi.trans.insert.i, align 8
-  br label %B402.endif.endif.endif.thread.i
+36:                                               ; preds = %34, %29
+  %37 = phi i64 [ %33, %29 ], [ %35, %34 ]
+  %.1075.i = xor i64 %37, %.931.i
+  %.1076.i = icmp slt i64 %.1075.i, 0
+  %.1077.i = icmp ne i64 %37, 0
+  %.1078.i = and i1 %.1077.i, %.1076.i
+  %.1085.i = select i1 %.1078.i, i64 %.931.i, i64 0
+  %spec.select600.i = add i64 %.1085.i, %37
+  %spec.select600.fr.i = freeze i64 %spec.select600.i
+  %.1121.i = icmp slt i64 %spec.select600.fr.i, 0
+  %.1122.i = select i1 %.1121.i, i64 %w5, i64 0
+  %38 = getelementptr i64, ptr %.84.i.i, i64 %.1122.i
+  %.1144.phi.trans.insert.i = getelementptr i64, ptr %38, i64 %spec.select600.fr.i
+  %.1145.pre.i = load i64, ptr %.1144.phi.trans.insert.i, align 8
+  br label %B440.endif.endif.endif.thread.i
 
-B402.endif.endif.endif.endif.i:                   ; preds = %B120.endif.endif.i.i, %B402.endif.endif.endif.thread.i
-  %"$phi166.0.2.0.i.i" = phi double [ %.153.i42.i, %B120.endif.endif.i.i ], [ 1.000000e+00, %B402.endif.endif.endif.thread.i ]
-  %.99.i.i49.i = icmp slt i64 %.1069.i, 0
-  %.100.i.i50.i = select i1 %.99.i.i49.i, i64 %w1, i64 0
-  %.101.i.i51.i = add i64 %.100.i.i50.i, %.1069.i
-  %.121.i.i52.i = mul i64 %.101.i.i51.i, %w2
-  %37 = getelementptr double, ptr %w0, i64 %.121.i.i52.i
-  %.125.i.i53.i = getelementptr i8, ptr %37, i64 16
-  %.126.i.i54.i = load double, ptr %.125.i.i53.i, align 8
-  %.127.i.i55.i = fsub double %.73.i.i, %.126.i.i54.i
-  %.235.i.i56.i = fmul double %.127.i.i55.i, %.127.i.i55.i
-  %.341.i.i58.i = load double, ptr %37, align 8
-  %.342.i.i59.i = fsub double %.288.i.i, %.341.i.i58.i
-  %.450.i.i60.i = fmul double %.342.i.i59.i, %.342.i.i59.i
-  %.451.i.i61.i = fadd double %.235.i.i56.i, %.450.i.i60.i
-  %.556.i.i64.i = getelementptr i8, ptr %37, i64 8
-  %.557.i.i65.i = load double, ptr %.556.i.i64.i, align 8
-  %.558.i.i66.i = fsub double %.504.i.i, %.557.i.i65.i
-  %.666.i.i67.i = fmul double %.558.i.i66.i, %.558.i.i66.i
-  %.667.i.i68.i = fadd double %.451.i.i61.i, %.666.i.i67.i
-  %.127.i60.i75.i = fsub double %.126.i.i, %.126.i.i54.i
-  %.235.i74.i76.i = fmul double %.127.i60.i75.i, %.127.i60.i75.i
-  %.342.i77.i78.i = fsub double %.341.i.i, %.341.i.i58.i
-  %.450.i81.i79.i = fmul double %.342.i77.i78.i, %.342.i77.i78.i
-  %.451.i82.i80.i = fadd double %.235.i74.i76.i, %.450.i81.i79.i
-  %.558.i87.i83.i = fsub double %.557.i.i, %.557.i.i65.i
-  %.666.i93.i84.i = fmul double %.558.i87.i83.i, %.558.i87.i83.i
-  %.667.i94.i85.i = fadd double %.451.i82.i80.i, %.666.i93.i84.i
-  %.98.i86.i = fmul double %.667.i.i68.i, %.667.i94.i85.i
-  %.105.i87.i = fcmp ogt double %.98.i86.i, 0.000000e+00
-  br i1 %.105.i87.i, label %B120.endif.endif.i89.i, label %B402.endif.endif.endif.endif.endif.i
+B440.endif.endif.endif.endif.i:                   ; preds = %B120.endif.endif.i.i, %B440.endif.endif.endif.thread.i
+  %"$phi166.0.2.0.i.i" = phi double [ %.153.i98.i, %B120.endif.endif.i.i ], [ 1.000000e+00, %B440.endif.endif.endif.thread.i ]
+  %.99.i.i105.i = icmp slt i64 %.1145.i, 0
+  %.100.i.i106.i = select i1 %.99.i.i105.i, i64 %w1, i64 0
+  %.101.i.i107.i = add i64 %.100.i.i106.i, %.1145.i
+  %.121.i.i108.i = mul i64 %.101.i.i107.i, %w2
+  %39 = getelementptr double, ptr %w0, i64 %.121.i.i108.i
+  %.125.i.i109.i = getelementptr i8, ptr %39, i64 16
+  %.126.i.i110.i = load double, ptr %.125.i.i109.i, align 8
+  %.127.i.i111.i = fsub double %.126.i61.i, %.126.i.i110.i
+  %.235.i.i112.i = fmul double %.127.i.i111.i, %.127.i.i111.i
+  %.341.i.i114.i = load double, ptr %39, align 8
+  %.342.i.i115.i = fsub double %.341.i78.i, %.341.i.i114.i
+  %.450.i.i116.i = fmul double %.342.i.i115.i, %.342.i.i115.i
+  %.451.i.i117.i = fadd double %.235.i.i112.i, %.450.i.i116.i
+  %.556.i.i120.i = getelementptr i8, ptr %39, i64 8
+  %.557.i.i121.i = load double, ptr %.556.i.i120.i, align 8
+  %.558.i.i122.i = fsub double %.557.i88.i, %.557.i.i121.i
+  %.666.i.i123.i = fmul double %.558.i.i122.i, %.558.i.i122.i
+  %.667.i.i124.i = fadd double %.451.i.i117.i, %.666.i.i123.i
+  %.127.i60.i131.i = fsub double %.73.i55.i, %.126.i.i110.i
+  %.235.i74.i132.i = fmul double %.127.i60.i131.i, %.127.i60.i131.i
+  %.342.i77.i134.i = fsub double %.288.i77.i, %.341.i.i114.i
+  %.450.i81.i135.i = fmul double %.342.i77.i134.i, %.342.i77.i134.i
+  %.451.i82.i136.i = fadd double %.235.i74.i132.i, %.450.i81.i135.i
+  %.558.i87.i139.i = fsub double %.504.i86.i, %.557.i.i121.i
+  %.666.i93.i140.i = fmul double %.558.i87.i139.i, %.558.i87.i139.i
+  %.667.i94.i141.i = fadd double %.451.i82.i136.i, %.666.i93.i140.i
+  %.98.i142.i = fmul double %.667.i.i124.i, %.667.i94.i141.i
+  %.105.i143.i = fcmp ogt double %.98.i142.i, 0.000000e+00
+  br i1 %.105.i143.i, label %B120.endif.endif.i145.i, label %B440.endif.endif.endif.endif.endif.i
 
-B120.endif.endif.i89.i:                           ; preds = %B402.endif.endif.endif.endif.i
-  %sqrt.i90.i = tail call double @llvm.sqrt.f64(double %.98.i86.i)
-  %.235.i27.i91.i = fmul double %.127.i.i55.i, %.127.i60.i75.i
-  %.450.i34.i92.i = fmul double %.342.i.i59.i, %.342.i77.i78.i
-  %.451.i35.i93.i = fadd double %.235.i27.i91.i, %.450.i34.i92.i
-  %.666.i46.i94.i = fmul double %.558.i.i66.i, %.558.i87.i83.i
-  %.667.i47.i95.i = fadd double %.451.i35.i93.i, %.666.i46.i94.i
-  %.153.i96.i = fdiv double %.667.i47.i95.i, %sqrt.i90.i
-  br label %B402.endif.endif.endif.endif.endif.i
+B120.endif.endif.i145.i:                          ; preds = %B440.endif.endif.endif.endif.i
+  %sqrt.i146.i = tail call double @llvm.sqrt.f64(double %.98.i142.i)
+  %.235.i27.i147.i = fmul double %.127.i.i111.i, %.127.i60.i131.i
+  %.450.i34.i148.i = fmul double %.342.i.i115.i, %.342.i77.i134.i
+  %.451.i35.i149.i = fadd double %.235.i27.i147.i, %.450.i34.i148.i
+  %.666.i46.i150.i = fmul double %.558.i.i122.i, %.558.i87.i139.i
+  %.667.i47.i151.i = fadd double %.451.i35.i149.i, %.666.i46.i150.i
+  %.153.i152.i = fdiv double %.667.i47.i151.i, %sqrt.i146.i
+  br label %B440.endif.endif.endif.endif.endif.i
 
-B402.endif.endif.endif.endif.endif.i:             ; preds = %B120.endif.endif.i89.i, %B402.endif.endif.endif.endif.i
-  %"$phi166.0.2.0.i88.i" = phi double [ %.153.i96.i, %B120.endif.endif.i89.i ], [ 1.000000e+00, %B402.endif.endif.endif.endif.i ]
-  %.1150.i = fcmp olt double %"$phi166.0.2.0.i.i", %w11
-  %.1157.i = fcmp olt double %"$phi166.0.2.0.i88.i", %w11
-  %or.cond.i = and i1 %.1150.i, %.1157.i
-  br i1 %or.cond.i, label %B620.i, label %B731.i
+B440.endif.endif.endif.endif.endif.i:             ; preds = %B120.endif.endif.i145.i, %B440.endif.endif.endif.endif.i
+  %"$phi166.0.2.0.i144.i" = phi double [ %.153.i152.i, %B120.endif.endif.i145.i ], [ 1.000000e+00, %B440.endif.endif.endif.endif.i ]
+  %.1226.i = fcmp olt double %"$phi166.0.2.0.i.i", %w11
+  %.1233.i = fcmp olt double %"$phi166.0.2.0.i144.i", %w11
+  %or.cond.i = and i1 %.1226.i, %.1233.i
+  br i1 %or.cond.i, label %B676.endif.endif.i, label %B869.i
 
-_ZN7msf_jax4host4meso7kernels10wide_edgesB3v46B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEdd5ArrayIbLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE.exit: ; preds = %B66.loopexit.i, %0
-  %count.5.0.lcssa.i = phi i64 [ 0, %0 ], [ %count.2.1.lcssa.i, %B66.loopexit.i ]
-  ret i64 %count.5.0.lcssa.i
+B676.endif.endif.i:                               ; preds = %B440.endif.endif.endif.endif.endif.i
+  %.1239.i = fcmp ole double %"$phi166.0.2.0.i.i", %"$phi166.0.2.0.i144.i"
+  %"$phi676.2.2.4.i" = select i1 %.1239.i, i64 %.1022809.i, i64 %.1145.i
+  %.1300.i = icmp slt i64 %count.2.1686.i, 0
+  %.1301.i = select i1 %.1300.i, i64 %w16, i64 0
+  %.1302.i = add i64 %.1301.i, %count.2.1686.i
+  %.1322.i = mul i64 %.1302.i, %w17
+  %.1326.i = getelementptr i64, ptr %w15, i64 %.1322.i
+  store i64 %.11.i.i, ptr %.1326.i, align 8
+  %.1381.i = getelementptr i8, ptr %.1326.i, i64 8
+  store i64 %.11.i49.i, ptr %.1381.i, align 8
+  %.1436.i = getelementptr i8, ptr %.1326.i, i64 16
+  store i64 %.1022809.i, ptr %.1436.i, align 8
+  %.1491.i = getelementptr i8, ptr %.1326.i, i64 24
+  store i64 %.1145.i, ptr %.1491.i, align 8
+  %.1546.i = getelementptr i8, ptr %.1326.i, i64 32
+  store i64 %"$phi676.2.2.4.i", ptr %.1546.i, align 8
+  %.46.i.i = icmp slt i64 %"$phi676.2.2.4.i", 0
+  %.47.i.i = select i1 %.46.i.i, i64 %w1, i64 0
+  %.48.i.i = add i64 %.47.i.i, %"$phi676.2.2.4.i"
+  %.68.i.i = mul i64 %.48.i.i, %w2
+  %40 = getelementptr double, ptr %w0, i64 %.68.i.i
+  %.72.i.i = getelementptr i8, ptr %40, i64 16
+  %.73.i.i = load double, ptr %.72.i.i, align 8
+  %sunkaddr162.i = shl i64 %.121.i59.i, 3
+  %sunkaddr163.i = getelementptr i8, ptr %w0, i64 %sunkaddr162.i
+  %sunkaddr164.i = getelementptr i8, ptr %sunkaddr163.i, i64 16
+  %.126.i.i = load double, ptr %sunkaddr164.i, align 8
+  %.127.i.i = fsub double %.73.i.i, %.126.i.i
+  %sunkaddr165.i = shl i64 %.68.i53.i, 3
+  %sunkaddr166.i = getelementptr i8, ptr %w0, i64 %sunkaddr165.i
+  %sunkaddr167.i = getelementptr i8, ptr %sunkaddr166.i, i64 16
+  %.180.i.i = load double, ptr %sunkaddr167.i, align 8
+  %.234.i.i = fsub double %.180.i.i, %.126.i.i
+  %.235.i.i = fmul double %.127.i.i, %.234.i.i
+  %.288.i.i = load double, ptr %40, align 8
+  %.341.i.i = load double, ptr %sunkaddr163.i, align 8
+  %.342.i.i = fsub double %.288.i.i, %.341.i.i
+  %.395.i.i = load double, ptr %sunkaddr166.i, align 8
+  %.449.i.i = fsub double %.395.i.i, %.341.i.i
+  %.450.i.i = fmul double %.342.i.i, %.449.i.i
+  %.451.i.i = fadd double %.235.i.i, %.450.i.i
+  %.503.i.i = getelementptr i8, ptr %40, i64 8
+  %.504.i.i = load double, ptr %.503.i.i, align 8
+  %sunkaddr174.i = getelementptr i8, ptr %sunkaddr163.i, i64 8
+  %.557.i.i = load double, ptr %sunkaddr174.i, align 8
+  %.558.i.i = fsub double %.504.i.i, %.557.i.i
+  %sunkaddr177.i = getelementptr i8, ptr %sunkaddr166.i, i64 8
+  %.611.i.i = load double, ptr %sunkaddr177.i, align 8
+  %.665.i.i = fsub double %.611.i.i, %.557.i.i
+  %.666.i.i = fmul double %.558.i.i, %.665.i.i
+  %.667.i.i = fadd double %.451.i.i, %.666.i.i
+  %.1591.i = fdiv double %.667.i.i, %.667.i96.i
+  %.1622.i = select i1 %.1300.i, i64 %w19, i64 0
+  %.1623.i = add i64 %.1622.i, %count.2.1686.i
+  %.1643.i = mul i64 %.1623.i, %w20
+  %.1647.i = getelementptr double, ptr %w18, i64 %.1643.i
+  store double %sqrt.i, ptr %.1647.i, align 8
+  %.1702.i = getelementptr i8, ptr %.1647.i, i64 8
+  store double %.1591.i, ptr %.1702.i, align 8
+  %.1705.i = add nsw i64 %count.2.1686.i, 1
+  br label %B869.i
+
+_ZN7msf_jax4host4meso7kernels10wide_edgesB3v47B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEdd5ArrayIbLi1E1C7mutable7alignedEx5ArrayIxLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE.exit: ; preds = %B98.loopexit.i, %B0.endif.endif.i
+  %count.3.0.lcssa.i = phi i64 [ %count.2.0.lcssa.i.i, %B0.endif.endif.i ], [ %count.2.1.lcssa.i, %B98.loopexit.i ]
+  ret i64 %count.3.0.lcssa.i
 }
 
 define noundef i64 @msf_jax.host.meso.kernels.apart(ptr readonly %words) local_unnamed_addr {
@@ -5763,968 +5995,1749 @@ define noundef i64 @msf_jax.host.meso.kernels.apart(ptr readonly %words) local_u
   %p6 = getelementptr i8, ptr %words, i64 48
   %w6 = load i64, ptr %p6, align 8
   %p7 = getelementptr i8, ptr %words, i64 56
+  %w7 = load ptr, ptr %p7, align 8
+  %p8 = getelementptr i8, ptr %words, i64 64
+  %w8 = load i64, ptr %p8, align 8
+  %.87297.i = icmp sgt i64 %w4, 0
+  br i1 %.87297.i, label %B10.endif.lr.ph.i, label %_ZN7msf_jax4host4meso7kernels5apartB3v49B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE.exit
+
+B10.endif.lr.ph.i:                                ; preds = %0
+  %.233275.not.i = icmp slt i64 %w2, 1
+  br i1 %.233275.not.i, label %B10.endif.preheader.i, label %B10.endif.us.preheader.i
+
+B10.endif.us.preheader.i:                         ; preds = %B10.endif.lr.ph.i
+  %xtraiter.i = and i64 %w2, 3
+  %unroll_iter.i = and i64 %w2, 9223372036854775804
+  %1 = add nsw i64 %w2, -1
+  %scevgep23.i = getelementptr i8, ptr %w0, i64 24
+  %2 = icmp samesign ult i64 %w2, 4
+  %3 = icmp eq i64 %xtraiter.i, 0
+  br label %B10.endif.us.i
+
+B10.endif.preheader.i:                            ; preds = %B10.endif.lr.ph.i
+  %4 = icmp eq i64 %w4, 1
+  br i1 %4, label %B10.endif.epil.preheader.i, label %B10.endif.preheader.new.i
+
+B10.endif.preheader.new.i:                        ; preds = %B10.endif.preheader.i
+  %unroll_iter17.i = and i64 %w4, 9223372036854775806
+  br label %B10.endif.i
+
+B10.endif.us.i:                                   ; preds = %B204.us.i, %B10.endif.us.preheader.i
+  %.86288298.us.i = phi i64 [ %.108.us363.i, %B204.us.i ], [ 0, %B10.endif.us.preheader.i ]
+  %.99.us.i = shl i64 %.86288298.us.i, 3
+  %.103.us.i = getelementptr i8, ptr %w3, i64 %.99.us.i
+  %.105.us.i = load i64, ptr %.103.us.i, align 8
+  %.308.us.i = icmp slt i64 %.105.us.i, 0
+  %.309.us.i = select i1 %.308.us.i, i64 %w1, i64 0
+  %.310.us.i = add i64 %.309.us.i, %.105.us.i
+  %.330.us.i = mul i64 %.310.us.i, %w2
+  %5 = getelementptr i64, ptr %w0, i64 %.330.us.i
+  br label %B70.us.i
+
+B204.us.loopexit.unr-lcssa.i:                     ; preds = %B174.us.i
+  br i1 %3, label %B204.us.i, label %B174.us.epil.preheader.i
+
+B174.us.epil.preheader.i:                         ; preds = %B174.us.preheader.i, %B204.us.loopexit.unr-lcssa.i
+  %.506282284.us.epil.init.i = phi i64 [ %unroll_iter.i, %B204.us.loopexit.unr-lcssa.i ], [ 0, %B174.us.preheader.i ]
+  %6 = shl i64 %.506282284.us.epil.init.i, 3
+  %7 = getelementptr i8, ptr %w0, i64 %.pre.i
+  %scevgep32.i = getelementptr i8, ptr %7, i64 %6
+  br label %B174.us.epil.i
+
+B174.us.epil.i:                                   ; preds = %B174.us.epil.i, %B174.us.epil.preheader.i
+  %epil.iter.i = phi i64 [ %epil.iter.next.i, %B174.us.epil.i ], [ 0, %B174.us.epil.preheader.i ]
+  %8 = shl nuw nsw i64 %epil.iter.i, 3
+  %scevgep33.i = getelementptr i8, ptr %scevgep32.i, i64 %8
+  %.588.us.epil.i = load i64, ptr %scevgep33.i, align 8
+  %.602.us.epil.i = icmp slt i64 %.588.us.epil.i, 0
+  %.603.us.epil.i = select i1 %.602.us.epil.i, i64 %w6, i64 0
+  %9 = getelementptr i8, ptr %w5, i64 %.588.us.epil.i
+  %.617.us.epil.i = getelementptr i8, ptr %9, i64 %.603.us.epil.i
+  store i8 1, ptr %.617.us.epil.i, align 1
+  %epil.iter.next.i = add i64 %epil.iter.i, 1
+  %epil.iter.cmp.not.i = icmp eq i64 %xtraiter.i, %epil.iter.next.i
+  br i1 %epil.iter.cmp.not.i, label %B204.us.i, label %B174.us.epil.i
+
+B204.us.i:                                        ; preds = %B108.us.thread.i, %B174.us.epil.i, %B68.B112_crit_edge.us.i, %B204.us.loopexit.unr-lcssa.i
+  %"$phi108.2.2.2.us359362.i" = phi i8 [ 1, %B204.us.loopexit.unr-lcssa.i ], [ 0, %B68.B112_crit_edge.us.i ], [ 1, %B174.us.epil.i ], [ 0, %B108.us.thread.i ]
+  %.108.us363.i = add nuw nsw i64 %.86288298.us.i, 1
+  %.641.us.i = select i1 %.308.us.i, i64 %w8, i64 0
+  %10 = getelementptr i8, ptr %w7, i64 %.105.us.i
+  %.655.us.i = getelementptr i8, ptr %10, i64 %.641.us.i
+  store i8 %"$phi108.2.2.2.us359362.i", ptr %.655.us.i, align 1
+  %exitcond355.not.i = icmp eq i64 %.108.us363.i, %w4
+  br i1 %exitcond355.not.i, label %_ZN7msf_jax4host4meso7kernels5apartB3v49B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE.exit, label %B10.endif.us.i
+
+B174.us.i:                                        ; preds = %B174.us.preheader19.i, %B174.us.i
+  %.506282284.us.i = phi i64 [ %.513.us.3.i, %B174.us.i ], [ 0, %B174.us.preheader19.i ]
+  %11 = shl i64 %.506282284.us.i, 3
+  %scevgep30.i = getelementptr i8, ptr %scevgep24.i, i64 %11
+  %scevgep31.i = getelementptr i8, ptr %scevgep30.i, i64 -24
+  %.588.us.i = load i64, ptr %scevgep31.i, align 8
+  %.602.us.i = icmp slt i64 %.588.us.i, 0
+  %.603.us.i = select i1 %.602.us.i, i64 %w6, i64 0
+  %12 = getelementptr i8, ptr %w5, i64 %.588.us.i
+  %.617.us.i = getelementptr i8, ptr %12, i64 %.603.us.i
+  store i8 1, ptr %.617.us.i, align 1
+  %scevgep29.i = getelementptr i8, ptr %scevgep30.i, i64 -16
+  %.588.us.1.i = load i64, ptr %scevgep29.i, align 8
+  %.602.us.1.i = icmp slt i64 %.588.us.1.i, 0
+  %.603.us.1.i = select i1 %.602.us.1.i, i64 %w6, i64 0
+  %13 = getelementptr i8, ptr %w5, i64 %.588.us.1.i
+  %.617.us.1.i = getelementptr i8, ptr %13, i64 %.603.us.1.i
+  store i8 1, ptr %.617.us.1.i, align 1
+  %scevgep27.i = getelementptr i8, ptr %scevgep30.i, i64 -8
+  %.588.us.2.i = load i64, ptr %scevgep27.i, align 8
+  %.602.us.2.i = icmp slt i64 %.588.us.2.i, 0
+  %.603.us.2.i = select i1 %.602.us.2.i, i64 %w6, i64 0
+  %14 = getelementptr i8, ptr %w5, i64 %.588.us.2.i
+  %.617.us.2.i = getelementptr i8, ptr %14, i64 %.603.us.2.i
+  store i8 1, ptr %.617.us.2.i, align 1
+  %.513.us.3.i = add nuw nsw i64 %.506282284.us.i, 4
+  %.588.us.3.i = load i64, ptr %scevgep30.i, align 8
+  %.602.us.3.i = icmp slt i64 %.588.us.3.i, 0
+  %.603.us.3.i = select i1 %.602.us.3.i, i64 %w6, i64 0
+  %15 = getelementptr i8, ptr %w5, i64 %.588.us.3.i
+  %.617.us.3.i = getelementptr i8, ptr %15, i64 %.603.us.3.i
+  store i8 1, ptr %.617.us.3.i, align 1
+  %niter.ncmp.3.i = icmp eq i64 %unroll_iter.i, %.513.us.3.i
+  br i1 %niter.ncmp.3.i, label %B204.us.loopexit.unr-lcssa.i, label %B174.us.i
+
+B70.us.i:                                         ; preds = %B70.us.backedge.i, %B10.endif.us.i
+  %is_free.2.1278.us.i = phi i1 [ true, %B10.endif.us.i ], [ %is_free.2.1278.us.be.i, %B70.us.backedge.i ]
+  %.239274276.us.i = phi i64 [ 0, %B10.endif.us.i ], [ %.246.us.i, %B70.us.backedge.i ]
+  br i1 %is_free.2.1278.us.i, label %B108.us.i, label %B108.us.thread.i
+
+B108.us.i:                                        ; preds = %B70.us.i
+  %16 = shl i64 %.239274276.us.i, 3
+  %scevgep22.i = getelementptr i8, ptr %5, i64 %16
+  %.335.us.i = load i64, ptr %scevgep22.i, align 8
+  %.349.us.i = icmp slt i64 %.335.us.i, 0
+  %.350.us.i = select i1 %.349.us.i, i64 %w6, i64 0
+  %17 = getelementptr i8, ptr %w5, i64 %.335.us.i
+  %.364.us.i = getelementptr i8, ptr %17, i64 %.350.us.i
+  %.365.us.i = load i8, ptr %.364.us.i, align 1
+  %.368.not.us.i = icmp eq i8 %.365.us.i, 0
+  %exitcond.not.i = icmp eq i64 %1, %.239274276.us.i
+  br i1 %exitcond.not.i, label %B68.B112_crit_edge.us.i, label %B70.us.backedge.i
+
+B70.us.backedge.i:                                ; preds = %B108.us.thread.i, %B108.us.i
+  %is_free.2.1278.us.be.i = phi i1 [ %.368.not.us.i, %B108.us.i ], [ false, %B108.us.thread.i ]
+  %.246.us.i = add nuw nsw i64 %.239274276.us.i, 1
+  br label %B70.us.i
+
+B108.us.thread.i:                                 ; preds = %B70.us.i
+  %exitcond.not358.i = icmp eq i64 %1, %.239274276.us.i
+  br i1 %exitcond.not358.i, label %B204.us.i, label %B70.us.backedge.i
+
+B68.B112_crit_edge.us.i:                          ; preds = %B108.us.i
+  br i1 %.368.not.us.i, label %B174.us.preheader.i, label %B204.us.i
+
+B174.us.preheader.i:                              ; preds = %B68.B112_crit_edge.us.i
+  %.pre.i = mul i64 %.310.us.i, %s3
+  br i1 %2, label %B174.us.epil.preheader.i, label %B174.us.preheader19.i
+
+B174.us.preheader19.i:                            ; preds = %B174.us.preheader.i
+  %scevgep24.i = getelementptr i8, ptr %scevgep23.i, i64 %.pre.i
+  br label %B174.us.i
+
+B216.loopexit.unr-lcssa.i:                        ; preds = %B10.endif.i
+  %18 = and i64 %w4, 1
+  %lcmp.mod15.not.i = icmp eq i64 %18, 0
+  br i1 %lcmp.mod15.not.i, label %_ZN7msf_jax4host4meso7kernels5apartB3v49B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE.exit, label %B10.endif.epil.preheader.i
+
+B10.endif.epil.preheader.i:                       ; preds = %B216.loopexit.unr-lcssa.i, %B10.endif.preheader.i
+  %.86288298.epil.init.i = phi i64 [ 0, %B10.endif.preheader.i ], [ %unroll_iter17.i, %B216.loopexit.unr-lcssa.i ]
+  %.99.epil.i = shl i64 %.86288298.epil.init.i, 3
+  %.103.epil.i = getelementptr i8, ptr %w3, i64 %.99.epil.i
+  %.105.epil.i = load i64, ptr %.103.epil.i, align 8
+  %.640.epil.i = icmp slt i64 %.105.epil.i, 0
+  %.641.epil.i = select i1 %.640.epil.i, i64 %w8, i64 0
+  %19 = getelementptr i8, ptr %w7, i64 %.105.epil.i
+  %.655.epil.i = getelementptr i8, ptr %19, i64 %.641.epil.i
+  store i8 1, ptr %.655.epil.i, align 1
+  br label %_ZN7msf_jax4host4meso7kernels5apartB3v49B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE.exit
+
+B10.endif.i:                                      ; preds = %B10.endif.i, %B10.endif.preheader.new.i
+  %lsr.iv.i = phi ptr [ %scevgep.i, %B10.endif.i ], [ %w3, %B10.endif.preheader.new.i ]
+  %.86288298.i = phi i64 [ %.108.1.i, %B10.endif.i ], [ 0, %B10.endif.preheader.new.i ]
+  %.105.i = load i64, ptr %lsr.iv.i, align 8
+  %.640.i = icmp slt i64 %.105.i, 0
+  %.641.i = select i1 %.640.i, i64 %w8, i64 0
+  %20 = getelementptr i8, ptr %w7, i64 %.105.i
+  %.655.i = getelementptr i8, ptr %20, i64 %.641.i
+  store i8 1, ptr %.655.i, align 1
+  %scevgep21.i = getelementptr i8, ptr %lsr.iv.i, i64 8
+  %.105.1.i = load i64, ptr %scevgep21.i, align 8
+  %.108.1.i = add nuw i64 %.86288298.i, 2
+  %.640.1.i = icmp slt i64 %.105.1.i, 0
+  %.641.1.i = select i1 %.640.1.i, i64 %w8, i64 0
+  %21 = getelementptr i8, ptr %w7, i64 %.105.1.i
+  %.655.1.i = getelementptr i8, ptr %21, i64 %.641.1.i
+  store i8 1, ptr %.655.1.i, align 1
+  %scevgep.i = getelementptr i8, ptr %lsr.iv.i, i64 16
+  %niter18.ncmp.1.i = icmp eq i64 %unroll_iter17.i, %.108.1.i
+  br i1 %niter18.ncmp.1.i, label %B216.loopexit.unr-lcssa.i, label %B10.endif.i
+
+_ZN7msf_jax4host4meso7kernels5apartB3v49B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE.exit: ; preds = %B204.us.i, %0, %B216.loopexit.unr-lcssa.i, %B10.endif.epil.preheader.i
+  ret i64 0
+}
+
+define i64 @msf_jax.host.meso.kernels.collapse(ptr readonly %words) local_unnamed_addr {
+  %w0 = load ptr, ptr %words, align 8
+  %p1 = getelementptr i8, ptr %words, i64 8
+  %w1 = load i64, ptr %p1, align 8
+  %p2 = getelementptr i8, ptr %words, i64 16
+  %w2 = load i64, ptr %p2, align 8
+  %s3 = shl i64 %w2, 3
+  %p3 = getelementptr i8, ptr %words, i64 24
+  %w3 = load ptr, ptr %p3, align 8
+  %p4 = getelementptr i8, ptr %words, i64 32
+  %w4 = load i64, ptr %p4, align 8
+  %p5 = getelementptr i8, ptr %words, i64 40
+  %w5 = load i64, ptr %p5, align 8
+  %s8 = shl i64 %w5, 3
+  %p6 = getelementptr i8, ptr %words, i64 48
+  %w6 = load ptr, ptr %p6, align 8
+  %p7 = getelementptr i8, ptr %words, i64 56
   %w7 = load i64, ptr %p7, align 8
   %p8 = getelementptr i8, ptr %words, i64 64
   %w8 = load ptr, ptr %p8, align 8
   %p9 = getelementptr i8, ptr %words, i64 72
   %w9 = load i64, ptr %p9, align 8
   %p10 = getelementptr i8, ptr %words, i64 80
-  %w10 = load ptr, ptr %p10, align 8
-  %p11 = getelementptr i8, ptr %words, i64 88
-  %w11 = load i64, ptr %p11, align 8
-  %arg.rings.5.1.fr.i = freeze i64 %w7
-  %.102478.i = icmp sgt i64 %w4, 0
-  br i1 %.102478.i, label %B10.endif.lr.ph.i, label %_ZN7msf_jax4host4meso7kernels5apartB3v48B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE.exit
-
-B10.endif.lr.ph.i:                                ; preds = %0
-  %.731446.i = icmp sgt i64 %arg.rings.5.1.fr.i, 0
-  %1 = icmp slt i64 %w2, 1
-  br i1 %.731446.i, label %B10.endif.us.preheader.i, label %B10.endif.lr.ph.split.i
-
-B10.endif.us.preheader.i:                         ; preds = %B10.endif.lr.ph.i
-  br i1 %1, label %B10.endif.us.us.preheader.i, label %B10.endif.us.preheader29.i
-
-B10.endif.us.preheader29.i:                       ; preds = %B10.endif.us.preheader.i
-  %2 = shl i64 %arg.rings.5.1.fr.i, 3
-  %scevgep61.i = getelementptr i8, ptr %w5, i64 8
-  %3 = lshr i64 %arg.rings.5.1.fr.i, 1
-  %4 = mul nsw i64 %3, -2
-  %5 = icmp eq i64 %arg.rings.5.1.fr.i, 1
-  %6 = and i64 %arg.rings.5.1.fr.i, 1
-  %7 = icmp eq i64 %6, 0
-  %8 = and i64 %arg.rings.5.1.fr.i, 9223372036854775806
-  %invariant.gep.i = getelementptr i64, ptr %w5, i64 %8
-  br label %B10.endif.us.i
-
-B10.endif.us.us.preheader.i:                      ; preds = %B10.endif.us.preheader.i
-  %9 = icmp eq i64 %w4, 1
-  br i1 %9, label %B360.sink.split.i, label %B10.endif.us.us.preheader.new.i
-
-B10.endif.us.us.preheader.new.i:                  ; preds = %B10.endif.us.us.preheader.i
-  %unroll_iter51.i = and i64 %w4, 9223372036854775806
-  br label %B10.endif.us.us.i
-
-B10.endif.us.us.i:                                ; preds = %B10.endif.us.us.i, %B10.endif.us.us.preheader.new.i
-  %lsr.iv.i = phi ptr [ %scevgep.i, %B10.endif.us.us.i ], [ %w3, %B10.endif.us.us.preheader.new.i ]
-  %.101467481.us.us.i = phi i64 [ %.123.us.us.1.i, %B10.endif.us.us.i ], [ 0, %B10.endif.us.us.preheader.new.i ]
-  %.120.us.us.i = load i64, ptr %lsr.iv.i, align 8
-  %.1043.us.us.i = icmp slt i64 %.120.us.us.i, 0
-  %.1044.us.us.i = select i1 %.1043.us.us.i, i64 %w11, i64 0
-  %10 = getelementptr i8, ptr %w10, i64 %.120.us.us.i
-  %.1058.us.us.i = getelementptr i8, ptr %10, i64 %.1044.us.us.i
-  store i8 1, ptr %.1058.us.us.i, align 1
-  %scevgep57.i = getelementptr i8, ptr %lsr.iv.i, i64 8
-  %.120.us.us.1.i = load i64, ptr %scevgep57.i, align 8
-  %.123.us.us.1.i = add nuw i64 %.101467481.us.us.i, 2
-  %.1043.us.us.1.i = icmp slt i64 %.120.us.us.1.i, 0
-  %.1044.us.us.1.i = select i1 %.1043.us.us.1.i, i64 %w11, i64 0
-  %11 = getelementptr i8, ptr %w10, i64 %.120.us.us.1.i
-  %.1058.us.us.1.i = getelementptr i8, ptr %11, i64 %.1044.us.us.1.i
-  store i8 1, ptr %.1058.us.us.1.i, align 1
-  %scevgep.i = getelementptr i8, ptr %lsr.iv.i, i64 16
-  %niter52.ncmp.1.i = icmp eq i64 %unroll_iter51.i, %.123.us.us.1.i
-  br i1 %niter52.ncmp.1.i, label %B360.loopexit.unr-lcssa.i, label %B10.endif.us.us.i
-
-B10.endif.us.i:                                   ; preds = %B348.us.i, %B10.endif.us.preheader29.i
-  %.101467481.us.i = phi i64 [ %.123.us18.i, %B348.us.i ], [ 0, %B10.endif.us.preheader29.i ]
-  %.114.us.i = shl i64 %.101467481.us.i, 3
-  %.118.us.i = getelementptr i8, ptr %w3, i64 %.114.us.i
-  %.120.us.i = load i64, ptr %.118.us.i, align 8
-  %.323.us.i = icmp slt i64 %.120.us.i, 0
-  %.324.us.i = select i1 %.323.us.i, i64 %w1, i64 0
-  %.325.us.i = add i64 %.324.us.i, %.120.us.i
-  %.345.us.i = mul i64 %.325.us.i, %w2
-  %12 = getelementptr i64, ptr %w0, i64 %.345.us.i
-  br label %B70.us.i
-
-B112.us.i:                                        ; preds = %B108.us.i
-  br i1 %.383.not.us.i, label %B174.endif.us.us.i, label %B348.us.i
-
-B348.us.i:                                        ; preds = %B108.us.thread.i, %B254.B172.loopexit_crit_edge.us.us.i, %B112.us.i
-  %"$phi108.2.2.2.us1417.i" = phi i8 [ 1, %B254.B172.loopexit_crit_edge.us.us.i ], [ 0, %B112.us.i ], [ 0, %B108.us.thread.i ]
-  %.123.us18.i = add nuw nsw i64 %.101467481.us.i, 1
-  %.1044.us.i = select i1 %.323.us.i, i64 %w11, i64 0
-  %13 = getelementptr i8, ptr %w10, i64 %.120.us.i
-  %.1058.us.i = getelementptr i8, ptr %13, i64 %.1044.us.i
-  store i8 %"$phi108.2.2.2.us1417.i", ptr %.1058.us.i, align 1
-  %exitcond628.not.i = icmp eq i64 %.123.us18.i, %w4
-  br i1 %exitcond628.not.i, label %_ZN7msf_jax4host4meso7kernels5apartB3v48B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE.exit, label %B10.endif.us.i
-
-B70.us.i:                                         ; preds = %B70.us.backedge.i, %B10.endif.us.i
-  %lsr.iv58.i = phi i64 [ %lsr.iv.next.i, %B70.us.backedge.i ], [ 1, %B10.endif.us.i ]
-  %is_free.2.1441.us.i = phi i1 [ %is_free.2.1441.us.be.i, %B70.us.backedge.i ], [ true, %B10.endif.us.i ]
-  br i1 %is_free.2.1441.us.i, label %B108.us.i, label %B108.us.thread.i
-
-B108.us.i:                                        ; preds = %B70.us.i
-  %14 = shl i64 %lsr.iv58.i, 3
-  %scevgep59.i = getelementptr i8, ptr %12, i64 %14
-  %scevgep60.i = getelementptr i8, ptr %scevgep59.i, i64 -8
-  %.350.us.i = load i64, ptr %scevgep60.i, align 8
-  %.364.us.i = icmp slt i64 %.350.us.i, 0
-  %.365.us.i = select i1 %.364.us.i, i64 %w9, i64 0
-  %15 = getelementptr i8, ptr %w8, i64 %.350.us.i
-  %.379.us.i = getelementptr i8, ptr %15, i64 %.365.us.i
-  %.380.us.i = load i8, ptr %.379.us.i, align 1
-  %.383.not.us.i = icmp eq i8 %.380.us.i, 0
-  %exitcond625.not.i = icmp eq i64 %w2, %lsr.iv58.i
-  br i1 %exitcond625.not.i, label %B112.us.i, label %B70.us.backedge.i
-
-B70.us.backedge.i:                                ; preds = %B108.us.thread.i, %B108.us.i
-  %is_free.2.1441.us.be.i = phi i1 [ %.383.not.us.i, %B108.us.i ], [ false, %B108.us.thread.i ]
-  %lsr.iv.next.i = add nuw i64 %lsr.iv58.i, 1
-  br label %B70.us.i
-
-B108.us.thread.i:                                 ; preds = %B70.us.i
-  %exitcond625.not13.i = icmp eq i64 %w2, %lsr.iv58.i
-  br i1 %exitcond625.not13.i, label %B348.us.i, label %B70.us.backedge.i
-
-B174.endif.us.us.i:                               ; preds = %B112.us.i, %B254.B172.loopexit_crit_edge.us.us.i
-  %.521452458.us.us.i = phi i64 [ %.528.us.us.i, %B254.B172.loopexit_crit_edge.us.us.i ], [ 0, %B112.us.i ]
-  %16 = getelementptr i64, ptr %12, i64 %.521452458.us.us.i
-  %.607.us.us.i = load i64, ptr %16, align 8
-  %.621.us.us.i = icmp slt i64 %.607.us.us.i, 0
-  %.622.us.us.i = select i1 %.621.us.us.i, i64 %w9, i64 0
-  %17 = getelementptr i8, ptr %w8, i64 %.607.us.us.i
-  %.636.us.us.i = getelementptr i8, ptr %17, i64 %.622.us.us.i
-  store i8 1, ptr %.636.us.us.i, align 1
-  %.pre.i = shl i64 %.521452458.us.us.i, 3
-  br i1 %5, label %B256.us.us.epil.preheader.i, label %B256.us.us.preheader.i
-
-B256.us.us.preheader.i:                           ; preds = %B174.endif.us.us.i
-  %sunkaddr86.i = getelementptr i8, ptr %12, i64 %.pre.i
-  br label %B256.us.us.i
-
-B256.us.us.i:                                     ; preds = %B344.us.us.1.i, %B256.us.us.preheader.i
-  %lsr.iv65.i = phi i64 [ %lsr.iv.next66.i, %B344.us.us.1.i ], [ 0, %B256.us.us.preheader.i ]
-  %lsr.iv62.i = phi ptr [ %scevgep63.i, %B344.us.us.1.i ], [ %scevgep61.i, %B256.us.us.preheader.i ]
-  %.823.us.us.i = load i64, ptr %sunkaddr86.i, align 8
-  %.847.us.us.i = icmp slt i64 %.823.us.us.i, 0
-  %.848.us.us.i = select i1 %.847.us.us.i, i64 %w6, i64 0
-  %.849.us.us.i = add i64 %.848.us.us.i, %.823.us.us.i
-  %18 = mul i64 %.849.us.us.i, %2
-  %scevgep67.i = getelementptr i8, ptr %lsr.iv62.i, i64 %18
-  %scevgep68.i = getelementptr i8, ptr %scevgep67.i, i64 -8
-  %.874.us.us.i = load i64, ptr %scevgep68.i, align 8
-  %.875.us.us.i = icmp sgt i64 %.874.us.us.i, -1
-  br i1 %.875.us.us.i, label %B302.us.us.i, label %B344.us.us.i
-
-B302.us.us.i:                                     ; preds = %B256.us.us.i
-  %.1010.us.us.i = getelementptr i8, ptr %w8, i64 %.874.us.us.i
-  store i8 1, ptr %.1010.us.us.i, align 1
-  %.823.us.us.1.pre.i = load i64, ptr %sunkaddr86.i, align 8
-  br label %B344.us.us.i
-
-B344.us.us.i:                                     ; preds = %B302.us.us.i, %B256.us.us.i
-  %.823.us.us.1.i = phi i64 [ %.823.us.us.1.pre.i, %B302.us.us.i ], [ %.823.us.us.i, %B256.us.us.i ]
-  %.847.us.us.1.i = icmp slt i64 %.823.us.us.1.i, 0
-  %.848.us.us.1.i = select i1 %.847.us.us.1.i, i64 %w6, i64 0
-  %.849.us.us.1.i = add i64 %.848.us.us.1.i, %.823.us.us.1.i
-  %19 = mul i64 %.849.us.us.1.i, %2
-  %scevgep64.i = getelementptr i8, ptr %lsr.iv62.i, i64 %19
-  %.874.us.us.1.i = load i64, ptr %scevgep64.i, align 8
-  %.875.us.us.1.i = icmp sgt i64 %.874.us.us.1.i, -1
-  br i1 %.875.us.us.1.i, label %B302.us.us.1.i, label %B344.us.us.1.i
-
-B302.us.us.1.i:                                   ; preds = %B344.us.us.i
-  %.1010.us.us.1.i = getelementptr i8, ptr %w8, i64 %.874.us.us.1.i
-  store i8 1, ptr %.1010.us.us.1.i, align 1
-  br label %B344.us.us.1.i
-
-B344.us.us.1.i:                                   ; preds = %B302.us.us.1.i, %B344.us.us.i
-  %scevgep63.i = getelementptr i8, ptr %lsr.iv62.i, i64 16
-  %lsr.iv.next66.i = add i64 %lsr.iv65.i, -2
-  %niter46.ncmp.1.i = icmp eq i64 %4, %lsr.iv.next66.i
-  br i1 %niter46.ncmp.1.i, label %B254.B172.loopexit_crit_edge.us.us.unr-lcssa.i, label %B256.us.us.i
-
-B254.B172.loopexit_crit_edge.us.us.unr-lcssa.i:   ; preds = %B344.us.us.1.i
-  br i1 %7, label %B254.B172.loopexit_crit_edge.us.us.i, label %B256.us.us.epil.preheader.i
-
-B256.us.us.epil.preheader.i:                      ; preds = %B254.B172.loopexit_crit_edge.us.us.unr-lcssa.i, %B174.endif.us.us.i
-  %sunkaddr90.i = getelementptr i8, ptr %12, i64 %.pre.i
-  %.823.us.us.epil.i = load i64, ptr %sunkaddr90.i, align 8
-  %.847.us.us.epil.i = icmp slt i64 %.823.us.us.epil.i, 0
-  %.848.us.us.epil.i = select i1 %.847.us.us.epil.i, i64 %w6, i64 0
-  %.849.us.us.epil.i = add i64 %.848.us.us.epil.i, %.823.us.us.epil.i
-  %.869.us.us.epil.i = mul i64 %.849.us.us.epil.i, %arg.rings.5.1.fr.i
-  %gep.i = getelementptr i64, ptr %invariant.gep.i, i64 %.869.us.us.epil.i
-  %.874.us.us.epil.i = load i64, ptr %gep.i, align 8
-  %.875.us.us.epil.i = icmp sgt i64 %.874.us.us.epil.i, -1
-  br i1 %.875.us.us.epil.i, label %B302.us.us.epil.i, label %B254.B172.loopexit_crit_edge.us.us.i
-
-B302.us.us.epil.i:                                ; preds = %B256.us.us.epil.preheader.i
-  %.1010.us.us.epil.i = getelementptr i8, ptr %w8, i64 %.874.us.us.epil.i
-  store i8 1, ptr %.1010.us.us.epil.i, align 1
-  br label %B254.B172.loopexit_crit_edge.us.us.i
-
-B254.B172.loopexit_crit_edge.us.us.i:             ; preds = %B302.us.us.epil.i, %B256.us.us.epil.preheader.i, %B254.B172.loopexit_crit_edge.us.us.unr-lcssa.i
-  %.528.us.us.i = add nuw nsw i64 %.521452458.us.us.i, 1
-  %exitcond627.not.i = icmp eq i64 %w2, %.528.us.us.i
-  br i1 %exitcond627.not.i, label %B348.us.i, label %B174.endif.us.us.i
-
-B10.endif.lr.ph.split.i:                          ; preds = %B10.endif.lr.ph.i
-  br i1 %1, label %B10.endif.preheader.i, label %B10.endif.us496.preheader.i
-
-B10.endif.us496.preheader.i:                      ; preds = %B10.endif.lr.ph.split.i
-  %xtraiter.i = and i64 %w2, 3
-  %unroll_iter.i = and i64 %w2, 9223372036854775804
-  %20 = add nsw i64 %w2, -1
-  %scevgep73.i = getelementptr i8, ptr %w0, i64 24
-  %21 = icmp samesign ult i64 %w2, 4
-  %22 = icmp eq i64 %xtraiter.i, 0
-  br label %B10.endif.us496.i
-
-B10.endif.preheader.i:                            ; preds = %B10.endif.lr.ph.split.i
-  %23 = icmp eq i64 %w4, 1
-  br i1 %23, label %B360.sink.split.i, label %B10.endif.preheader.new.i
-
-B10.endif.preheader.new.i:                        ; preds = %B10.endif.preheader.i
-  %unroll_iter39.i = and i64 %w4, 9223372036854775806
-  br label %B10.endif.i
-
-B10.endif.us496.i:                                ; preds = %B348.us512.i, %B10.endif.us496.preheader.i
-  %.101467481.us497.i = phi i64 [ %.123.us503640.i, %B348.us512.i ], [ 0, %B10.endif.us496.preheader.i ]
-  %.114.us500.i = shl i64 %.101467481.us497.i, 3
-  %.118.us501.i = getelementptr i8, ptr %w3, i64 %.114.us500.i
-  %.120.us502.i = load i64, ptr %.118.us501.i, align 8
-  %.323.us542.i = icmp slt i64 %.120.us502.i, 0
-  %.324.us543.i = select i1 %.323.us542.i, i64 %w1, i64 0
-  %.325.us544.i = add i64 %.324.us543.i, %.120.us502.i
-  %.345.us545.i = mul i64 %.325.us544.i, %w2
-  %24 = getelementptr i64, ptr %w0, i64 %.345.us545.i
-  br label %B70.us522.i
-
-B348.us512.loopexit.unr-lcssa.i:                  ; preds = %B174.endif.us.i
-  br i1 %22, label %B348.us512.i, label %B174.endif.us.epil.preheader.i
-
-B174.endif.us.epil.preheader.i:                   ; preds = %B174.endif.us.preheader.i, %B348.us512.loopexit.unr-lcssa.i
-  %.521452458.us.epil.init.i = phi i64 [ %unroll_iter.i, %B348.us512.loopexit.unr-lcssa.i ], [ 0, %B174.endif.us.preheader.i ]
-  %25 = shl i64 %.521452458.us.epil.init.i, 3
-  %26 = getelementptr i8, ptr %w0, i64 %.pre8.i
-  %scevgep82.i = getelementptr i8, ptr %26, i64 %25
-  br label %B174.endif.us.epil.i
-
-B174.endif.us.epil.i:                             ; preds = %B174.endif.us.epil.i, %B174.endif.us.epil.preheader.i
-  %epil.iter.i = phi i64 [ %epil.iter.next.i, %B174.endif.us.epil.i ], [ 0, %B174.endif.us.epil.preheader.i ]
-  %27 = shl nuw nsw i64 %epil.iter.i, 3
-  %scevgep83.i = getelementptr i8, ptr %scevgep82.i, i64 %27
-  %.607.us.epil.i = load i64, ptr %scevgep83.i, align 8
-  %.621.us.epil.i = icmp slt i64 %.607.us.epil.i, 0
-  %.622.us.epil.i = select i1 %.621.us.epil.i, i64 %w9, i64 0
-  %28 = getelementptr i8, ptr %w8, i64 %.607.us.epil.i
-  %.636.us.epil.i = getelementptr i8, ptr %28, i64 %.622.us.epil.i
-  store i8 1, ptr %.636.us.epil.i, align 1
-  %epil.iter.next.i = add i64 %epil.iter.i, 1
-  %epil.iter.cmp.not.i = icmp eq i64 %xtraiter.i, %epil.iter.next.i
-  br i1 %epil.iter.cmp.not.i, label %B348.us512.i, label %B174.endif.us.epil.i
-
-B348.us512.i:                                     ; preds = %B108.us538.thread.i, %B174.endif.us.epil.i, %B68.B112_crit_edge.us546.i, %B348.us512.loopexit.unr-lcssa.i
-  %"$phi108.2.2.2.us539636639.i" = phi i8 [ 1, %B348.us512.loopexit.unr-lcssa.i ], [ 0, %B68.B112_crit_edge.us546.i ], [ 1, %B174.endif.us.epil.i ], [ 0, %B108.us538.thread.i ]
-  %.123.us503640.i = add nuw nsw i64 %.101467481.us497.i, 1
-  %.1044.us518.i = select i1 %.323.us542.i, i64 %w11, i64 0
-  %29 = getelementptr i8, ptr %w10, i64 %.120.us502.i
-  %.1058.us519.i = getelementptr i8, ptr %29, i64 %.1044.us518.i
-  store i8 %"$phi108.2.2.2.us539636639.i", ptr %.1058.us519.i, align 1
-  %exitcond623.not.i = icmp eq i64 %.123.us503640.i, %w4
-  br i1 %exitcond623.not.i, label %_ZN7msf_jax4host4meso7kernels5apartB3v48B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE.exit, label %B10.endif.us496.i
-
-B174.endif.us.i:                                  ; preds = %B174.endif.us.preheader54.i, %B174.endif.us.i
-  %.521452458.us.i = phi i64 [ %.528.us.3.i, %B174.endif.us.i ], [ 0, %B174.endif.us.preheader54.i ]
-  %30 = shl i64 %.521452458.us.i, 3
-  %scevgep80.i = getelementptr i8, ptr %scevgep74.i, i64 %30
-  %scevgep81.i = getelementptr i8, ptr %scevgep80.i, i64 -24
-  %.607.us.i = load i64, ptr %scevgep81.i, align 8
-  %.621.us.i = icmp slt i64 %.607.us.i, 0
-  %.622.us.i = select i1 %.621.us.i, i64 %w9, i64 0
-  %31 = getelementptr i8, ptr %w8, i64 %.607.us.i
-  %.636.us.i = getelementptr i8, ptr %31, i64 %.622.us.i
-  store i8 1, ptr %.636.us.i, align 1
-  %scevgep79.i = getelementptr i8, ptr %scevgep80.i, i64 -16
-  %.607.us.1.i = load i64, ptr %scevgep79.i, align 8
-  %.621.us.1.i = icmp slt i64 %.607.us.1.i, 0
-  %.622.us.1.i = select i1 %.621.us.1.i, i64 %w9, i64 0
-  %32 = getelementptr i8, ptr %w8, i64 %.607.us.1.i
-  %.636.us.1.i = getelementptr i8, ptr %32, i64 %.622.us.1.i
-  store i8 1, ptr %.636.us.1.i, align 1
-  %scevgep77.i = getelementptr i8, ptr %scevgep80.i, i64 -8
-  %.607.us.2.i = load i64, ptr %scevgep77.i, align 8
-  %.621.us.2.i = icmp slt i64 %.607.us.2.i, 0
-  %.622.us.2.i = select i1 %.621.us.2.i, i64 %w9, i64 0
-  %33 = getelementptr i8, ptr %w8, i64 %.607.us.2.i
-  %.636.us.2.i = getelementptr i8, ptr %33, i64 %.622.us.2.i
-  store i8 1, ptr %.636.us.2.i, align 1
-  %.528.us.3.i = add nuw nsw i64 %.521452458.us.i, 4
-  %.607.us.3.i = load i64, ptr %scevgep80.i, align 8
-  %.621.us.3.i = icmp slt i64 %.607.us.3.i, 0
-  %.622.us.3.i = select i1 %.621.us.3.i, i64 %w9, i64 0
-  %34 = getelementptr i8, ptr %w8, i64 %.607.us.3.i
-  %.636.us.3.i = getelementptr i8, ptr %34, i64 %.622.us.3.i
-  store i8 1, ptr %.636.us.3.i, align 1
-  %niter.ncmp.3.i = icmp eq i64 %unroll_iter.i, %.528.us.3.i
-  br i1 %niter.ncmp.3.i, label %B348.us512.loopexit.unr-lcssa.i, label %B174.endif.us.i
-
-B70.us522.i:                                      ; preds = %B70.us522.backedge.i, %B10.endif.us496.i
-  %is_free.2.1441.us523.i = phi i1 [ true, %B10.endif.us496.i ], [ %is_free.2.1441.us523.be.i, %B70.us522.backedge.i ]
-  %.254437439.us525.i = phi i64 [ 0, %B10.endif.us496.i ], [ %.261.us527.i, %B70.us522.backedge.i ]
-  br i1 %is_free.2.1441.us523.i, label %B108.us538.i, label %B108.us538.thread.i
-
-B108.us538.i:                                     ; preds = %B70.us522.i
-  %35 = shl i64 %.254437439.us525.i, 3
-  %scevgep72.i = getelementptr i8, ptr %24, i64 %35
-  %.350.us532.i = load i64, ptr %scevgep72.i, align 8
-  %.364.us533.i = icmp slt i64 %.350.us532.i, 0
-  %.365.us534.i = select i1 %.364.us533.i, i64 %w9, i64 0
-  %36 = getelementptr i8, ptr %w8, i64 %.350.us532.i
-  %.379.us535.i = getelementptr i8, ptr %36, i64 %.365.us534.i
-  %.380.us536.i = load i8, ptr %.379.us535.i, align 1
-  %.383.not.us537.i = icmp eq i8 %.380.us536.i, 0
-  %exitcond.not.i = icmp eq i64 %20, %.254437439.us525.i
-  br i1 %exitcond.not.i, label %B68.B112_crit_edge.us546.i, label %B70.us522.backedge.i
-
-B70.us522.backedge.i:                             ; preds = %B108.us538.thread.i, %B108.us538.i
-  %is_free.2.1441.us523.be.i = phi i1 [ %.383.not.us537.i, %B108.us538.i ], [ false, %B108.us538.thread.i ]
-  %.261.us527.i = add nuw nsw i64 %.254437439.us525.i, 1
-  br label %B70.us522.i
-
-B108.us538.thread.i:                              ; preds = %B70.us522.i
-  %exitcond.not635.i = icmp eq i64 %20, %.254437439.us525.i
-  br i1 %exitcond.not635.i, label %B348.us512.i, label %B70.us522.backedge.i
-
-B68.B112_crit_edge.us546.i:                       ; preds = %B108.us538.i
-  br i1 %.383.not.us537.i, label %B174.endif.us.preheader.i, label %B348.us512.i
-
-B174.endif.us.preheader.i:                        ; preds = %B68.B112_crit_edge.us546.i
-  %.pre8.i = mul i64 %.325.us544.i, %s3
-  br i1 %21, label %B174.endif.us.epil.preheader.i, label %B174.endif.us.preheader54.i
-
-B174.endif.us.preheader54.i:                      ; preds = %B174.endif.us.preheader.i
-  %scevgep74.i = getelementptr i8, ptr %scevgep73.i, i64 %.pre8.i
-  br label %B174.endif.us.i
-
-B360.loopexit.unr-lcssa.i:                        ; preds = %B10.endif.us.us.i
-  %37 = and i64 %w4, 1
-  %lcmp.mod49.not.i = icmp eq i64 %37, 0
-  br i1 %lcmp.mod49.not.i, label %_ZN7msf_jax4host4meso7kernels5apartB3v48B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE.exit, label %B360.sink.split.i
-
-B360.loopexit31.unr-lcssa.i:                      ; preds = %B10.endif.i
-  %38 = and i64 %w4, 1
-  %lcmp.mod37.not.i = icmp eq i64 %38, 0
-  br i1 %lcmp.mod37.not.i, label %_ZN7msf_jax4host4meso7kernels5apartB3v48B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE.exit, label %B360.sink.split.i
-
-B360.sink.split.i:                                ; preds = %B360.loopexit31.unr-lcssa.i, %B360.loopexit.unr-lcssa.i, %B10.endif.preheader.i, %B10.endif.us.us.preheader.i
-  %.101467481.epil.init.sink.i = phi i64 [ %unroll_iter51.i, %B360.loopexit.unr-lcssa.i ], [ 0, %B10.endif.us.us.preheader.i ], [ 0, %B10.endif.preheader.i ], [ %unroll_iter39.i, %B360.loopexit31.unr-lcssa.i ]
-  %.114.epil.i = shl i64 %.101467481.epil.init.sink.i, 3
-  %.118.epil.i = getelementptr i8, ptr %w3, i64 %.114.epil.i
-  %.120.epil.i = load i64, ptr %.118.epil.i, align 8
-  %.1043.epil.i = icmp slt i64 %.120.epil.i, 0
-  %.1044.epil.i = select i1 %.1043.epil.i, i64 %w11, i64 0
-  %39 = getelementptr i8, ptr %w10, i64 %.120.epil.i
-  %.1058.epil.i = getelementptr i8, ptr %39, i64 %.1044.epil.i
-  store i8 1, ptr %.1058.epil.i, align 1
-  br label %_ZN7msf_jax4host4meso7kernels5apartB3v48B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE.exit
-
-B10.endif.i:                                      ; preds = %B10.endif.i, %B10.endif.preheader.new.i
-  %lsr.iv69.i = phi ptr [ %scevgep70.i, %B10.endif.i ], [ %w3, %B10.endif.preheader.new.i ]
-  %.101467481.i = phi i64 [ %.123.1.i, %B10.endif.i ], [ 0, %B10.endif.preheader.new.i ]
-  %.120.i = load i64, ptr %lsr.iv69.i, align 8
-  %.1043.i = icmp slt i64 %.120.i, 0
-  %.1044.i = select i1 %.1043.i, i64 %w11, i64 0
-  %40 = getelementptr i8, ptr %w10, i64 %.120.i
-  %.1058.i = getelementptr i8, ptr %40, i64 %.1044.i
-  store i8 1, ptr %.1058.i, align 1
-  %scevgep71.i = getelementptr i8, ptr %lsr.iv69.i, i64 8
-  %.120.1.i = load i64, ptr %scevgep71.i, align 8
-  %.123.1.i = add nuw i64 %.101467481.i, 2
-  %.1043.1.i = icmp slt i64 %.120.1.i, 0
-  %.1044.1.i = select i1 %.1043.1.i, i64 %w11, i64 0
-  %41 = getelementptr i8, ptr %w10, i64 %.120.1.i
-  %.1058.1.i = getelementptr i8, ptr %41, i64 %.1044.1.i
-  store i8 1, ptr %.1058.1.i, align 1
-  %scevgep70.i = getelementptr i8, ptr %lsr.iv69.i, i64 16
-  %niter40.ncmp.1.i = icmp eq i64 %unroll_iter39.i, %.123.1.i
-  br i1 %niter40.ncmp.1.i, label %B360.loopexit31.unr-lcssa.i, label %B10.endif.i
-
-_ZN7msf_jax4host4meso7kernels5apartB3v48B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE.exit: ; preds = %B348.us512.i, %B348.us.i, %0, %B360.loopexit.unr-lcssa.i, %B360.loopexit31.unr-lcssa.i, %B360.sink.split.i
-  ret i64 0
-}
-
-define noundef i64 @msf_jax.host.meso.kernels.merge(ptr readonly %words) local_unnamed_addr {
-  %w0 = load ptr, ptr %words, align 8
-  %p1 = getelementptr i8, ptr %words, i64 8
-  %w1 = load i64, ptr %p1, align 8
-  %p2 = getelementptr i8, ptr %words, i64 16
-  %w2 = load ptr, ptr %p2, align 8
-  %p4 = getelementptr i8, ptr %words, i64 32
-  %w4 = load ptr, ptr %p4, align 8
-  %p5 = getelementptr i8, ptr %words, i64 40
-  %w5 = load i64, ptr %p5, align 8
-  %p6 = getelementptr i8, ptr %words, i64 48
-  %w6 = load i64, ptr %p6, align 8
-  %s9 = shl i64 %w6, 3
-  %p7 = getelementptr i8, ptr %words, i64 56
-  %w7 = load ptr, ptr %p7, align 8
-  %p8 = getelementptr i8, ptr %words, i64 64
-  %w8 = load i64, ptr %p8, align 8
-  %p9 = getelementptr i8, ptr %words, i64 72
-  %w9 = load ptr, ptr %p9, align 8
-  %p10 = getelementptr i8, ptr %words, i64 80
   %w10 = load i64, ptr %p10, align 8
+  %s16 = shl i64 %w10, 3
   %p11 = getelementptr i8, ptr %words, i64 88
-  %w11 = load i64, ptr %p11, align 8
-  %s17 = shl i64 %w11, 3
+  %w11 = load ptr, ptr %p11, align 8
   %p12 = getelementptr i8, ptr %words, i64 96
-  %w12 = load ptr, ptr %p12, align 8
-  %.1741151.not.i = icmp slt i64 %w1, 1
-  br i1 %.1741151.not.i, label %_ZN7msf_jax4host4meso7kernels5mergeB3v49B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE.exit, label %B64.lr.ph.i
-
-B64.lr.ph.i:                                      ; preds = %0
+  %w12 = load i64, ptr %p12, align 8
+  %p13 = getelementptr i8, ptr %words, i64 104
+  %w13 = load i64, ptr %p13, align 8
   %p14 = getelementptr i8, ptr %words, i64 112
-  %w14 = load i64, ptr %p14, align 8
-  %s22 = shl i64 %w14, 3
-  %1 = getelementptr i64, ptr %w12, i64 %w14
-  %unroll_iter.i = and i64 %w6, 9223372036854775806
-  %scevgep75.i = getelementptr i8, ptr %w4, i64 8
-  %2 = getelementptr i8, ptr %w12, i64 %s22
-  %scevgep85.i = getelementptr i8, ptr %2, i64 8
-  %scevgep89.i = getelementptr i8, ptr %w9, i64 8
-  %3 = icmp sgt i64 %w6, 0
-  %4 = icmp slt i64 %w6, 1
-  %5 = icmp eq i64 %w6, 1
-  %6 = and i64 %w6, 1
-  %7 = icmp eq i64 %6, 0
-  %.2578.epil.i = getelementptr i64, ptr %w12, i64 %unroll_iter.i
-  %.2734.epil.i = getelementptr i64, ptr %1, i64 %unroll_iter.i
-  br label %B64.i
+  %w14 = load ptr, ptr %p14, align 8
+  %p15 = getelementptr i8, ptr %words, i64 120
+  %w15 = load i64, ptr %p15, align 8
+  %p16 = getelementptr i8, ptr %words, i64 128
+  %w16 = load ptr, ptr %p16, align 8
+  %p17 = getelementptr i8, ptr %words, i64 136
+  %w17 = load i64, ptr %p17, align 8
+  %p18 = getelementptr i8, ptr %words, i64 144
+  %w18 = load ptr, ptr %p18, align 8
+  %p19 = getelementptr i8, ptr %words, i64 152
+  %w19 = load i64, ptr %p19, align 8
+  %p20 = getelementptr i8, ptr %words, i64 160
+  %w20 = load ptr, ptr %p20, align 8
+  %p21 = getelementptr i8, ptr %words, i64 168
+  %w21 = load i64, ptr %p21, align 8
+  %p22 = getelementptr i8, ptr %words, i64 176
+  %w22 = load ptr, ptr %p22, align 8
+  %p23 = getelementptr i8, ptr %words, i64 184
+  %w23 = load i64, ptr %p23, align 8
+  %p24 = getelementptr i8, ptr %words, i64 192
+  %w24 = load i64, ptr %p24, align 8
+  %p25 = getelementptr i8, ptr %words, i64 200
+  %w25 = load ptr, ptr %p25, align 8
+  %p26 = getelementptr i8, ptr %words, i64 208
+  %w26 = load i64, ptr %p26, align 8
+  %p27 = getelementptr i8, ptr %words, i64 216
+  %w27 = load ptr, ptr %p27, align 8
+  %p28 = getelementptr i8, ptr %words, i64 224
+  %w28 = load i64, ptr %p28, align 8
+  %p29 = getelementptr i8, ptr %words, i64 232
+  %w29 = load i64, ptr %p29, align 8
+  %p31 = getelementptr i8, ptr %words, i64 248
+  %w31 = load ptr, ptr %p31, align 8
+  %p32 = getelementptr i8, ptr %words, i64 256
+  %w32 = load i64, ptr %p32, align 8
+  %p33 = getelementptr i8, ptr %words, i64 264
+  %w33 = load ptr, ptr %p33, align 8
+  %p34 = getelementptr i8, ptr %words, i64 272
+  %w34 = load i64, ptr %p34, align 8
+  %p35 = getelementptr i8, ptr %words, i64 280
+  %w35 = load ptr, ptr %p35, align 8
+  %p38 = getelementptr i8, ptr %words, i64 304
+  %w38 = load ptr, ptr %p38, align 8
+  %p39 = getelementptr i8, ptr %words, i64 312
+  %w39 = load i64, ptr %p39, align 8
+  %p40 = getelementptr i8, ptr %words, i64 320
+  %w40 = load i64, ptr %p40, align 8
+  %p41 = getelementptr i8, ptr %words, i64 328
+  %w41 = load ptr, ptr %p41, align 8
+  %p42 = getelementptr i8, ptr %words, i64 336
+  %w42 = load i64, ptr %p42, align 8
+  %.2711082.i = icmp sgt i64 %w26, 0
+  br i1 %.2711082.i, label %B58.preheader.i, label %_ZN7msf_jax4host4meso7kernels8collapseB3v50B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE385Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28bool_2c_201d_2c_20C_29_2c_20array_28bool_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEb5ArrayIbLi1E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit
 
-B64.i:                                            ; preds = %B1130.i, %B64.lr.ph.i
-  %.18011141160.i = phi i64 [ 0, %B64.lr.ph.i ], [ %.187.i, %B1130.i ]
-  %.187.i = add nuw nsw i64 %.18011141160.i, 1
-  %8 = getelementptr i64, ptr %w0, i64 %.18011141160.i
-  %.241.i = load i64, ptr %8, align 8
-  %9 = getelementptr i64, ptr %w2, i64 %.18011141160.i
-  %.271.i = load i64, ptr %9, align 8
-  %.58.i.i = icmp slt i64 %.241.i, 0
-  %.59.i.i = select i1 %.58.i.i, i64 %w5, i64 0
-  %.60.i.i = add i64 %.59.i.i, %.241.i
-  %.80.i.i = mul i64 %.60.i.i, %w6
-  %.84.i.i = getelementptr i64, ptr %w4, i64 %.80.i.i
-  %.85.i.i = load i64, ptr %.84.i.i, align 8
-  %.87.not.i.i = icmp eq i64 %.85.i.i, %.271.i
-  br i1 %.87.not.i.i, label %B64.endif.i, label %B36.preheader.i.i
+B58.preheader.i:                                  ; preds = %0
+  %p37 = getelementptr i8, ptr %words, i64 296
+  %w37 = load i64, ptr %p37, align 8
+  %s58 = shl i64 %w37, 3
+  %p30 = getelementptr i8, ptr %words, i64 240
+  %w30 = load i8, ptr %p30, align 8
+  %unroll_iter.i224.i = and i64 %w24, 9223372036854775806
+  %invariant.gep.i = getelementptr double, ptr %w22, i64 %unroll_iter.i224.i
+  %1 = add nsw i64 %unroll_iter.i224.i, -2
+  %2 = lshr exact i64 %1, 1
+  %3 = add nuw i64 %2, 1
+  %unroll_iter.i = and i64 %3, -2
+  %scevgep296.i = getelementptr i8, ptr %w22, i64 24
+  %4 = icmp eq i8 %w30, 0
+  %.564.i.i = icmp sgt i64 %w5, 0
+  %5 = getelementptr i64, ptr %w35, i64 %w37
+  %6 = add i64 %s8, 8
+  %7 = add i64 %s16, 8
+  %8 = add i64 %s8, 16
+  %9 = add i64 %s16, 16
+  %.22781011.not.i.i = icmp slt i64 %w5, 1
+  %10 = icmp eq i64 %w5, 1
+  %unroll_iter.i7.i = and i64 %w5, 9223372036854775806
+  %11 = getelementptr i8, ptr %w35, i64 %s58
+  %scevgep51.i.i = getelementptr i8, ptr %11, i64 8
+  %12 = and i64 %w5, 1
+  %lcmp.mod38.not.i.i = icmp eq i64 %12, 0
+  %13 = icmp slt i64 %w24, 1
+  %14 = icmp eq i64 %w24, 1
+  %15 = icmp eq i64 %1, 0
+  %16 = and i64 %1, 2
+  %.not.i = icmp eq i64 %16, 0
+  %17 = and i64 %w24, 1
+  %18 = icmp eq i64 %17, 0
+  %.2368.epil.i.i = getelementptr i64, ptr %w35, i64 %unroll_iter.i7.i
+  %.2524.epil.i.i = getelementptr i64, ptr %5, i64 %unroll_iter.i7.i
+  br label %B58.i
 
-B36.preheader.i.i:                                ; preds = %B64.i
-  %10 = shl i64 %.80.i.i, 3
-  %11 = getelementptr i8, ptr %w4, i64 %10
-  %scevgep.i.i = getelementptr i8, ptr %11, i64 8
-  br label %B36.i.i
+B58.i:                                            ; preds = %B733.i, %B58.preheader.i
+  %count.2.01084.i = phi i64 [ %count.3.1.i, %B733.i ], [ 0, %B58.preheader.i ]
+  %.27010741083.i = phi i64 [ %.292.i, %B733.i ], [ 0, %B58.preheader.i ]
+  %.283.i = shl i64 %.27010741083.i, 3
+  %.287.i = getelementptr i8, ptr %w25, i64 %.283.i
+  %.289.i = load i64, ptr %.287.i, align 8
+  %.292.i = add nuw nsw i64 %.27010741083.i, 1
+  %.347.i = icmp slt i64 %.289.i, 0
+  %.348.i = select i1 %.347.i, i64 %w28, i64 0
+  %.349.i = add i64 %.348.i, %.289.i
+  %.369.i = mul i64 %.349.i, %w29
+  %.373.i = getelementptr i64, ptr %w27, i64 %.369.i
+  %.374.i = load i64, ptr %.373.i, align 8
+  %.428.i = getelementptr i8, ptr %.373.i, i64 8
+  %.429.i = load i64, ptr %.428.i, align 8
+  %.483.i = getelementptr i8, ptr %.373.i, i64 16
+  %.484.i = load i64, ptr %.483.i, align 8
+  %.538.i = getelementptr i8, ptr %.373.i, i64 24
+  %.539.i = load i64, ptr %.538.i, align 8
+  %.613.i = getelementptr i8, ptr %.373.i, i64 32
+  %.614.i = load i64, ptr %.613.i, align 8
+  %.615.not.i = icmp eq i64 %.614.i, 2
+  br i1 %.615.not.i, label %B174.i, label %B270.i
 
-B36.i.i:                                          ; preds = %B36.i.i, %B36.preheader.i.i
-  %slot.2.0.i.i = phi i64 [ %.90.i.i, %B36.i.i ], [ 0, %B36.preheader.i.i ]
-  %.90.i.i = add nuw i64 %slot.2.0.i.i, 1
-  %12 = shl i64 %slot.2.0.i.i, 3
-  %scevgep1.i.i = getelementptr i8, ptr %scevgep.i.i, i64 %12
-  %.145.i.i = load i64, ptr %scevgep1.i.i, align 8
-  %.147.not.i.i = icmp eq i64 %.145.i.i, %.271.i
-  br i1 %.147.not.i.i, label %B64.endif.i, label %B36.i.i
+B174.i:                                           ; preds = %B58.i
+  %.631.i = icmp slt i64 %.374.i, 0
+  %.632.i = select i1 %.631.i, i64 %w17, i64 0
+  %19 = getelementptr i8, ptr %w16, i64 %.374.i
+  %.646.i = getelementptr i8, ptr %19, i64 %.632.i
+  %.647.i = load i8, ptr %.646.i, align 1
+  %.650.i = icmp eq i8 %.647.i, 0
+  br i1 %.650.i, label %B206.endif.i, label %B190.i
 
-B368.i:                                           ; preds = %B368.preheader.i, %B620.i
-  %.82210731075.i = phi i64 [ %.829.i, %B620.i ], [ 0, %B368.preheader.i ]
-  %.829.i = add nuw nsw i64 %.82210731075.i, 1
-  %13 = shl i64 %.82210731075.i, 3
-  %scevgep47.i = getelementptr i8, ptr %w12, i64 %13
-  store i64 -1, ptr %scevgep47.i, align 8
-  %scevgep48.i = getelementptr i8, ptr %1, i64 %13
-  store i64 0, ptr %scevgep48.i, align 8
-  %.1001.i = load i64, ptr %sunkaddr95.i, align 8
-  %.1002.i = add nsw i64 %.1001.i, -1
-  %.1004.i = icmp slt i64 %.82210731075.i, %.1002.i
-  br i1 %.1004.i, label %B430.i, label %B470.i
+B190.i:                                           ; preds = %B174.i
+  %.672.i = icmp slt i64 %.429.i, 0
+  %.673.i = select i1 %.672.i, i64 %w17, i64 0
+  %20 = getelementptr i8, ptr %w16, i64 %.429.i
+  %.687.i = getelementptr i8, ptr %20, i64 %.673.i
+  %.688.i = load i8, ptr %.687.i, align 1
+  %.691.i = icmp eq i8 %.688.i, 0
+  br i1 %.691.i, label %B206.endif.i, label %B270.i
 
-B430.i:                                           ; preds = %B368.i
-  %14 = add i64 %.82210731075.i, %.349.i
-  %.1043.i = icmp eq i64 %.1001.i, 0
-  br i1 %.1043.i, label %B526.i, label %B430.else.i
+B270.i:                                           ; preds = %B206.endif.i, %B190.i, %B58.i
+  %sunkaddr.i = shl i64 %.369.i, 3
+  %sunkaddr315.i = getelementptr i8, ptr %w27, i64 %sunkaddr.i
+  store i64 -1, ptr %sunkaddr315.i, align 8
+  br label %B733.i
 
-B470.i:                                           ; preds = %B368.i
-  %15 = add i64 %.82210731075.i, %slot.3.1.i38.i
-  %16 = sub i64 %15, %.1001.i
-  %.1155.i = load i64, ptr %sunkaddr97.i, align 8
-  %.1158.i = icmp eq i64 %.1155.i, 0
-  br i1 %.1158.i, label %B526.i, label %B470.else.i
+B286.i:                                           ; preds = %B206.endif.i
+  %.884.i = select i1 %.631.i, i64 %w32, i64 0
+  %21 = getelementptr i8, ptr %w31, i64 %.374.i
+  %.898.i = getelementptr i8, ptr %21, i64 %.884.i
+  %.899.i = load i8, ptr %.898.i, align 1
+  %.902.i = icmp eq i8 %.899.i, 0
+  br i1 %.902.i, label %B302.i, label %B733.i
 
-B526.i:                                           ; preds = %97, %B470.else.i, %85, %B430.else.i, %B470.i, %B430.i
-  %at.3.2.i = phi i64 [ %spec.select1061.i, %85 ], [ 0, %B430.i ], [ 0, %B430.else.i ], [ %spec.select1062.i, %97 ], [ 0, %B470.i ], [ 0, %B470.else.i ]
-  %source.2.2.i = phi i64 [ %.241.i, %85 ], [ %.241.i, %B430.i ], [ %.241.i, %B430.else.i ], [ %.271.i, %97 ], [ %.271.i, %B470.i ], [ %.271.i, %B470.else.i ]
-  %.1204.i = icmp slt i64 %.82210731075.i, %.720.i
-  br i1 %.1204.i, label %B538.i, label %B620.i
+B302.i:                                           ; preds = %B286.i
+  %.924.i = icmp slt i64 %.429.i, 0
+  %.925.i = select i1 %.924.i, i64 %w32, i64 0
+  %22 = getelementptr i8, ptr %w31, i64 %.429.i
+  %.939.i = getelementptr i8, ptr %22, i64 %.925.i
+  %.940.i = load i8, ptr %.939.i, align 1
+  %.943.i = icmp eq i8 %.940.i, 0
+  br i1 %.943.i, label %B320.i, label %B733.i
 
-B538.i:                                           ; preds = %B526.i
-  %.1230.i = icmp slt i64 %source.2.2.i, 0
-  %.1231.i = select i1 %.1230.i, i64 %w5, i64 0
-  %.1232.i = add i64 %.1231.i, %source.2.2.i
-  %.1233.i = icmp slt i64 %at.3.2.i, 0
-  %.1234.i = select i1 %.1233.i, i64 %w6, i64 0
-  %.1252.i = mul i64 %.1232.i, %w6
-  %17 = getelementptr i64, ptr %w4, i64 %.1252.i
-  %18 = getelementptr i64, ptr %17, i64 %at.3.2.i
-  %.1256.i = getelementptr i64, ptr %18, i64 %.1234.i
-  %.1257.i = load i64, ptr %.1256.i, align 8
-  store i64 %.1257.i, ptr %scevgep47.i, align 8
-  %.1340.i = select i1 %.1230.i, i64 %w10, i64 0
-  %.1341.i = add i64 %.1340.i, %source.2.2.i
-  %.1343.i = select i1 %.1233.i, i64 %w11, i64 0
-  %.1361.i = mul i64 %.1341.i, %w11
-  %19 = getelementptr i64, ptr %w9, i64 %.1361.i
-  %20 = getelementptr i64, ptr %19, i64 %at.3.2.i
-  %.1365.i = getelementptr i64, ptr %20, i64 %.1343.i
-  %.1366.i = load i64, ptr %.1365.i, align 8
-  %.1369.i = icmp eq i64 %source.2.2.i, %.271.i
-  %spec.select.i = select i1 %.1369.i, i64 %.653.i, i64 0
-  %.1386.i = add nsw i64 %.1366.i, %spec.select.i
-  store i64 %.1386.i, ptr %scevgep48.i, align 8
-  br label %B620.i
+B320.i:                                           ; preds = %B302.i
+  store i8 1, ptr %.898.i, align 1
+  %.88.i.i = select i1 %.631.i, i64 %w7, i64 0
+  %23 = getelementptr i64, ptr %w6, i64 %.374.i
+  %.102.i.i = getelementptr i64, ptr %23, i64 %.88.i.i
+  %.103.i.i = load i64, ptr %.102.i.i, align 8
+  %.185113.not.i.i = icmp slt i64 %.103.i.i, 1
+  br i1 %.185113.not.i.i, label %B320.endif.i, label %B58.lr.ph.i.i
 
-B620.i:                                           ; preds = %B538.i, %B526.i
-  %exitcond.not.i = icmp eq i64 %w6, %.829.i
-  br i1 %exitcond.not.i, label %B622.endif.loopexit.i, label %B368.i
+B58.lr.ph.i.i:                                    ; preds = %B320.i
+  %.247.i.i = select i1 %.631.i, i64 %w4, i64 0
+  %.248.i.i = add i64 %.247.i.i, %.374.i
+  %xtraiter.i.i = and i64 %.103.i.i, 3
+  %24 = icmp samesign ult i64 %.103.i.i, 4
+  br i1 %24, label %B58.epil.preheader.i.i, label %B58.lr.ph.new.i.i
 
-B666.i:                                           ; preds = %B622.endif.i, %B1157.i
-  %.158010861098.i = phi i64 [ %.1587.i, %B1157.i ], [ 0, %B622.endif.i ]
-  %.1587.i = add nuw nsw i64 %.158010861098.i, 1
-  %21 = getelementptr i64, ptr %.84.i27.i, i64 %.158010861098.i
-  %.1662.i = load i64, ptr %21, align 8
-  %.1668.i = icmp eq i64 %.1662.i, %.241.i
-  br i1 %.1668.i, label %B1157.i, label %B702.i
+B58.lr.ph.new.i.i:                                ; preds = %B58.lr.ph.i.i
+  %unroll_iter.i.i = and i64 %.103.i.i, 9223372036854775804
+  %25 = mul i64 %.248.i.i, %s8
+  %26 = getelementptr i8, ptr %w3, i64 %25
+  %scevgep3.i.i = getelementptr i8, ptr %26, i64 24
+  br label %B58.i.i
 
-B702.i:                                           ; preds = %B666.i
-  %.58.i6.i = icmp slt i64 %.1662.i, 0
-  %.59.i7.i = select i1 %.58.i6.i, i64 %w5, i64 0
-  %.60.i8.i = add i64 %.59.i7.i, %.1662.i
-  %.80.i9.i = mul i64 %.60.i8.i, %w6
-  %.84.i10.i = getelementptr i64, ptr %w4, i64 %.80.i9.i
-  %.85.i11.i = load i64, ptr %.84.i10.i, align 8
-  %.87.not.i12.i = icmp eq i64 %.85.i11.i, %.271.i
-  br i1 %.87.not.i12.i, label %B702.endif.i, label %B36.preheader.i13.i
+B58.i.i:                                          ; preds = %B58.i.i, %B58.lr.ph.new.i.i
+  %.191112114.i.i = phi i64 [ 0, %B58.lr.ph.new.i.i ], [ %.198.3.i.i, %B58.i.i ]
+  %27 = shl i64 %.191112114.i.i, 3
+  %scevgep9.i.i = getelementptr i8, ptr %scevgep3.i.i, i64 %27
+  %scevgep10.i.i = getelementptr i8, ptr %scevgep9.i.i, i64 -24
+  %.273.i.i = load i64, ptr %scevgep10.i.i, align 8
+  %.287.i.i = icmp slt i64 %.273.i.i, 0
+  %.288.i.i = select i1 %.287.i.i, i64 %w32, i64 0
+  %28 = getelementptr i8, ptr %w31, i64 %.273.i.i
+  %.302.i.i = getelementptr i8, ptr %28, i64 %.288.i.i
+  store i8 1, ptr %.302.i.i, align 1
+  %scevgep289.i = getelementptr i8, ptr %scevgep9.i.i, i64 -16
+  %.273.1.i.i = load i64, ptr %scevgep289.i, align 8
+  %.287.1.i.i = icmp slt i64 %.273.1.i.i, 0
+  %.288.1.i.i = select i1 %.287.1.i.i, i64 %w32, i64 0
+  %29 = getelementptr i8, ptr %w31, i64 %.273.1.i.i
+  %.302.1.i.i = getelementptr i8, ptr %29, i64 %.288.1.i.i
+  store i8 1, ptr %.302.1.i.i, align 1
+  %scevgep287.i = getelementptr i8, ptr %scevgep9.i.i, i64 -8
+  %.273.2.i.i = load i64, ptr %scevgep287.i, align 8
+  %.287.2.i.i = icmp slt i64 %.273.2.i.i, 0
+  %.288.2.i.i = select i1 %.287.2.i.i, i64 %w32, i64 0
+  %30 = getelementptr i8, ptr %w31, i64 %.273.2.i.i
+  %.302.2.i.i = getelementptr i8, ptr %30, i64 %.288.2.i.i
+  store i8 1, ptr %.302.2.i.i, align 1
+  %.198.3.i.i = add nuw nsw i64 %.191112114.i.i, 4
+  %.273.3.i.i = load i64, ptr %scevgep9.i.i, align 8
+  %.287.3.i.i = icmp slt i64 %.273.3.i.i, 0
+  %.288.3.i.i = select i1 %.287.3.i.i, i64 %w32, i64 0
+  %31 = getelementptr i8, ptr %w31, i64 %.273.3.i.i
+  %.302.3.i.i = getelementptr i8, ptr %31, i64 %.288.3.i.i
+  store i8 1, ptr %.302.3.i.i, align 1
+  %niter.ncmp.3.i.i = icmp eq i64 %unroll_iter.i.i, %.198.3.i.i
+  br i1 %niter.ncmp.3.i.i, label %B88.loopexit.unr-lcssa.i.i, label %B58.i.i
 
-B36.preheader.i13.i:                              ; preds = %B702.i
-  %22 = shl i64 %.80.i9.i, 3
-  %23 = getelementptr i8, ptr %w4, i64 %22
-  %scevgep.i14.i = getelementptr i8, ptr %23, i64 8
-  br label %B36.i15.i
+B88.loopexit.unr-lcssa.i.i:                       ; preds = %B58.i.i
+  %lcmp.mod.not.i.i = icmp eq i64 %xtraiter.i.i, 0
+  br i1 %lcmp.mod.not.i.i, label %B320.endif.i, label %B58.epil.preheader.i.i
 
-B36.i15.i:                                        ; preds = %B36.i15.i, %B36.preheader.i13.i
-  %slot.2.0.i16.i = phi i64 [ %.90.i17.i, %B36.i15.i ], [ 0, %B36.preheader.i13.i ]
-  %.90.i17.i = add nuw i64 %slot.2.0.i16.i, 1
-  %24 = shl i64 %slot.2.0.i16.i, 3
-  %scevgep1.i18.i = getelementptr i8, ptr %scevgep.i14.i, i64 %24
-  %.145.i19.i = load i64, ptr %scevgep1.i18.i, align 8
-  %.147.not.i20.i = icmp eq i64 %.145.i19.i, %.271.i
-  br i1 %.147.not.i20.i, label %B702.endif.i, label %B36.i15.i
+B58.epil.preheader.i.i:                           ; preds = %B88.loopexit.unr-lcssa.i.i, %B58.lr.ph.i.i
+  %.191112114.epil.init.i.i = phi i64 [ 0, %B58.lr.ph.i.i ], [ %unroll_iter.i.i, %B88.loopexit.unr-lcssa.i.i ]
+  %32 = mul i64 %.248.i.i, %w5
+  %33 = add i64 %.191112114.epil.init.i.i, %32
+  %34 = shl i64 %33, 3
+  %scevgep.i.i = getelementptr i8, ptr %w3, i64 %34
+  br label %B58.epil.i.i
 
-B760.i:                                           ; preds = %B702.endif.i
-  %25 = getelementptr i64, ptr %.84.i10.i, i64 %slot.3.1.i21.i
-  store i64 %.241.i, ptr %25, align 8
-  %.1798.i = select i1 %.58.i6.i, i64 %w10, i64 0
-  %.1799.i = add i64 %.1798.i, %.1662.i
-  %.1819.i = mul i64 %.1799.i, %w11
-  %26 = getelementptr i64, ptr %w9, i64 %.1819.i
-  %27 = getelementptr i64, ptr %26, i64 %slot.3.1.i21.i
-  %.1824.i = load i64, ptr %27, align 8
-  %.1826.i = sub nsw i64 %.1824.i, %.653.i
-  store i64 %.1826.i, ptr %27, align 8
-  br label %B1157.i
+B58.epil.i.i:                                     ; preds = %B58.epil.i.i, %B58.epil.preheader.i.i
+  %epil.iter.i.i = phi i64 [ 0, %B58.epil.preheader.i.i ], [ %epil.iter.next.i.i, %B58.epil.i.i ]
+  %35 = shl i64 %epil.iter.i.i, 3
+  %scevgep290.i = getelementptr i8, ptr %scevgep.i.i, i64 %35
+  %.273.epil.i.i = load i64, ptr %scevgep290.i, align 8
+  %.287.epil.i.i = icmp slt i64 %.273.epil.i.i, 0
+  %.288.epil.i.i = select i1 %.287.epil.i.i, i64 %w32, i64 0
+  %36 = getelementptr i8, ptr %w31, i64 %.273.epil.i.i
+  %.302.epil.i.i = getelementptr i8, ptr %36, i64 %.288.epil.i.i
+  store i8 1, ptr %.302.epil.i.i, align 1
+  %epil.iter.next.i.i = add i64 %epil.iter.i.i, 1
+  %epil.iter.cmp.not.i.i = icmp eq i64 %xtraiter.i.i, %epil.iter.next.i.i
+  br i1 %epil.iter.cmp.not.i.i, label %B320.endif.i, label %B58.epil.i.i
 
-B890.i:                                           ; preds = %B890.prol.loopexit.i, %B890.i
-  %.205810791081.i = phi i64 [ %38, %B890.i ], [ %.205810791081.unr.i, %B890.prol.loopexit.i ]
-  %.2117.i = icmp slt i64 %.205810791081.i, -1
-  %28 = select i1 %.2117.i, i64 %s9, i64 0
-  %scevgep65.i = getelementptr i8, ptr %.84.i10.i, i64 %28
-  %29 = shl i64 %.205810791081.i, 3
-  %scevgep66.i = getelementptr i8, ptr %scevgep65.i, i64 %29
-  %scevgep67.i = getelementptr i8, ptr %scevgep66.i, i64 8
-  %.2141.i = load i64, ptr %scevgep67.i, align 8
-  %30 = select i1 %.2117.i, i64 %s17, i64 0
-  %scevgep68.i = getelementptr i8, ptr %100, i64 %30
-  %scevgep69.i = getelementptr i8, ptr %scevgep68.i, i64 %29
-  %scevgep70.i = getelementptr i8, ptr %scevgep69.i, i64 8
-  %.2193.i = load i64, ptr %scevgep70.i, align 8
-  %.2220.i = icmp slt i64 %.205810791081.i, 0
-  %31 = select i1 %.2220.i, i64 %s9, i64 0
-  %scevgep57.i = getelementptr i8, ptr %.84.i10.i, i64 %31
-  %scevgep58.i = getelementptr i8, ptr %scevgep57.i, i64 %29
-  store i64 %.2141.i, ptr %scevgep58.i, align 8
-  %32 = select i1 %.2220.i, i64 %s17, i64 0
-  %scevgep55.i = getelementptr i8, ptr %100, i64 %32
-  %scevgep56.i = getelementptr i8, ptr %scevgep55.i, i64 %29
-  store i64 %.2193.i, ptr %scevgep56.i, align 8
-  %33 = add i64 %.205810791081.i, 1
-  %.2117.1.i = icmp slt i64 %33, -1
-  %34 = select i1 %.2117.1.i, i64 %s9, i64 0
-  %scevgep52.i = getelementptr i8, ptr %.84.i10.i, i64 %34
-  %scevgep53.i = getelementptr i8, ptr %scevgep52.i, i64 %29
-  %scevgep54.i = getelementptr i8, ptr %scevgep53.i, i64 16
-  %.2141.1.i = load i64, ptr %scevgep54.i, align 8
-  %35 = select i1 %.2117.1.i, i64 %s17, i64 0
-  %scevgep49.i = getelementptr i8, ptr %100, i64 %35
-  %scevgep50.i = getelementptr i8, ptr %scevgep49.i, i64 %29
-  %scevgep51.i = getelementptr i8, ptr %scevgep50.i, i64 16
-  %.2193.1.i = load i64, ptr %scevgep51.i, align 8
-  %.2220.1.i = icmp slt i64 %33, 0
-  %36 = select i1 %.2220.1.i, i64 %s9, i64 0
-  %scevgep62.i = getelementptr i8, ptr %.84.i10.i, i64 %36
-  %scevgep63.i = getelementptr i8, ptr %scevgep62.i, i64 %29
-  %scevgep64.i = getelementptr i8, ptr %scevgep63.i, i64 8
-  store i64 %.2141.1.i, ptr %scevgep64.i, align 8
-  %37 = select i1 %.2220.1.i, i64 %s17, i64 0
-  %scevgep59.i = getelementptr i8, ptr %100, i64 %37
-  %scevgep60.i = getelementptr i8, ptr %scevgep59.i, i64 %29
-  %scevgep61.i = getelementptr i8, ptr %scevgep60.i, i64 8
-  store i64 %.2193.1.i, ptr %scevgep61.i, align 8
-  %38 = add i64 %.205810791081.i, 2
-  %exitcond.not41.1.i = icmp eq i64 %38, %.1907.i
-  br i1 %exitcond.not41.1.i, label %B968.loopexit.i, label %B890.i
+B444.i:                                           ; preds = %B320.endif.endif.i
+  %.143.i.i = select i1 %.1115.i, i64 %w7, i64 0
+  %37 = getelementptr i64, ptr %w6, i64 %one.2.2.i
+  %.157.i.i = getelementptr i64, ptr %37, i64 %.143.i.i
+  %.158.i.i = load i64, ptr %.157.i.i, align 8
+  %.251496.not.i.i = icmp slt i64 %.158.i.i, 1
+  br i1 %.251496.not.i.i, label %B482.i, label %B92.lr.ph.i.i
 
-B968.loopexit.i:                                  ; preds = %B890.i, %B890.prol.loopexit.i
-  %sunkaddr102.i = shl i64 %.1891.i, 3
-  %sunkaddr103.i = getelementptr inbounds i8, ptr %99, i64 %sunkaddr102.i
-  %.2331.pre.i = load i64, ptr %sunkaddr103.i, align 8
-  br label %B968.i
+B92.lr.ph.i.i:                                    ; preds = %B444.i
+  %.313.i.i = select i1 %.1115.i, i64 %w4, i64 0
+  %.314.i.i = add i64 %.313.i.i, %one.2.2.i
+  %.334.i.i = mul i64 %.314.i.i, %w5
+  %38 = getelementptr i64, ptr %w3, i64 %.334.i.i
+  %.932.i.i = select i1 %.1115.i, i64 %w1, i64 0
+  %.933.i.i = add i64 %.932.i.i, %one.2.2.i
+  %.1103.i.i = icmp slt i64 %two.2.2.i, 0
+  %.1104.i.i = select i1 %.1103.i.i, i64 %w1, i64 0
+  %.1105.i.i = add i64 %.1104.i.i, %two.2.2.i
+  %.953.reass.i.i = mul i64 %.933.i.i, %s3
+  %.1125.reass.i.i = mul i64 %.1105.i.i, %s3
+  %sunkaddr317.i = getelementptr i8, ptr %w0, i64 %.953.reass.i.i
+  %sunkaddr318.i = getelementptr i8, ptr %sunkaddr317.i, i64 8
+  %sunkaddr320.i = getelementptr i8, ptr %sunkaddr317.i, i64 16
+  %sunkaddr322.i = getelementptr i8, ptr %w0, i64 %.1125.reass.i.i
+  %sunkaddr323.i = getelementptr i8, ptr %sunkaddr322.i, i64 8
+  %sunkaddr325.i = getelementptr i8, ptr %sunkaddr322.i, i64 16
+  br label %B92.endif.i.i
 
-B968.i:                                           ; preds = %B812.endif.i, %B968.loopexit.i
-  %.2331.i = phi i64 [ %.2331.pre.i, %B968.loopexit.i ], [ %.1907.i, %B812.endif.i ]
-  %.2360.i = icmp slt i64 %.2331.i, 0
-  %.2361.i = select i1 %.2360.i, i64 %w6, i64 0
-  %39 = getelementptr i64, ptr %.84.i10.i, i64 %.2331.i
-  %.2383.i = getelementptr i64, ptr %39, i64 %.2361.i
-  store i64 -1, ptr %.2383.i, align 8
-  br label %B1157.i
+B158.i.i:                                         ; preds = %B92.endif.i.i
+  %.84.i.i.i = icmp ne i64 %one.2.2.i, %.432.i.i
+  %.84.1.i.i.i = icmp ne i64 %two.2.2.i, %.432.i.i
+  %or.cond.i.not.i.i = select i1 %.84.i.i.i, i1 %.84.1.i.i.i, i1 false
+  br i1 %or.cond.i.not.i.i, label %B632.i.i, label %B705.i.i
 
-B1050.i:                                          ; preds = %B1050.preheader45.i, %B1050.i
-  %.249411051107.i = phi i64 [ %.2501.1.i, %B1050.i ], [ 0, %B1050.preheader45.i ]
-  %40 = shl i64 %.249411051107.i, 3
-  %sunkaddr105.i = getelementptr i8, ptr %w12, i64 %40
-  %.2579.i = load i64, ptr %sunkaddr105.i, align 8
-  %scevgep78.i = getelementptr i8, ptr %scevgep76.i, i64 %40
-  %scevgep79.i = getelementptr i8, ptr %scevgep78.i, i64 -8
-  store i64 %.2579.i, ptr %scevgep79.i, align 8
-  %scevgep83.i = getelementptr i8, ptr %scevgep81.i, i64 %40
-  %scevgep84.i = getelementptr i8, ptr %scevgep83.i, i64 -8
-  store i64 -1, ptr %scevgep84.i, align 8
-  %scevgep87.i = getelementptr i8, ptr %scevgep85.i, i64 %40
-  %scevgep88.i = getelementptr i8, ptr %scevgep87.i, i64 -8
-  %.2735.i = load i64, ptr %scevgep88.i, align 8
-  %scevgep92.i = getelementptr i8, ptr %scevgep90.i, i64 %40
-  %scevgep93.i = getelementptr i8, ptr %scevgep92.i, i64 -8
-  store i64 %.2735.i, ptr %scevgep93.i, align 8
-  %.2501.1.i = add nuw i64 %.249411051107.i, 2
-  %sunkaddr108.i = getelementptr i8, ptr %sunkaddr105.i, i64 8
-  %.2579.1.i = load i64, ptr %sunkaddr108.i, align 8
-  store i64 %.2579.1.i, ptr %scevgep78.i, align 8
-  store i64 -1, ptr %scevgep83.i, align 8
-  %.2735.1.i = load i64, ptr %scevgep87.i, align 8
-  store i64 %.2735.1.i, ptr %scevgep92.i, align 8
-  %niter.ncmp.1.i = icmp eq i64 %unroll_iter.i, %.2501.1.i
-  br i1 %niter.ncmp.1.i, label %B1130.loopexit.unr-lcssa.i, label %B1050.i
+B632.i.i:                                         ; preds = %B158.i.i
+  %.727.i.i = icmp slt i64 %.339.i.i, 0
+  %.728.i.i = select i1 %.727.i.i, i64 %w1, i64 0
+  %.729.i.i = add i64 %.728.i.i, %.339.i.i
+  %.749.i.i = mul i64 %.729.i.i, %w2
+  %39 = getelementptr double, ptr %w0, i64 %.749.i.i
+  %.829.i.i = icmp slt i64 %.432.i.i, 0
+  %.830.i.i = select i1 %.829.i.i, i64 %w1, i64 0
+  %.831.i.i = add i64 %.830.i.i, %.432.i.i
+  %.851.i.i = mul i64 %.831.i.i, %w2
+  %40 = getelementptr double, ptr %w0, i64 %.851.i.i
+  %.753.i.i = getelementptr i8, ptr %39, i64 8
+  %.754.i.i = load double, ptr %.753.i.i, align 8
+  %.804.i.i = getelementptr i8, ptr %39, i64 16
+  %.805.i.i = load double, ptr %.804.i.i, align 8
+  %.855.i.i = getelementptr i8, ptr %40, i64 8
+  %.856.i.i = load double, ptr %.855.i.i, align 8
+  %.906.i.i = getelementptr i8, ptr %40, i64 16
+  %.907.i.i = load double, ptr %.906.i.i, align 8
+  %.958.i.i = load double, ptr %sunkaddr318.i, align 8
+  %.1009.i.i = load double, ptr %sunkaddr320.i, align 8
+  %.1022.i.i = fsub double %.754.i.i, %.958.i.i
+  %.1023.i.i = fsub double %.907.i.i, %.1009.i.i
+  %.1024.i.i = fmul double %.1022.i.i, %.1023.i.i
+  %.1025.i.i = fsub double %.805.i.i, %.1009.i.i
+  %.1026.i.i = fsub double %.856.i.i, %.958.i.i
+  %.1027.i.i = fmul double %.1026.i.i, %.1025.i.i
+  %.1028.i.i = fsub double %.1024.i.i, %.1027.i.i
+  %.1353.i.i = fmul double %.1028.i.i, %.1028.i.i
+  %.754.1.i.i = load double, ptr %39, align 8
+  %.856.1.i.i = load double, ptr %40, align 8
+  %.958.1.i.i = load double, ptr %sunkaddr317.i, align 8
+  %.1022.1.i.i = fsub double %.754.1.i.i, %.958.1.i.i
+  %.1024.1.i.i = fmul double %.1026.i.i, %.1022.1.i.i
+  %.1026.1.i.i = fsub double %.856.1.i.i, %.958.1.i.i
+  %.1027.1.i.i = fmul double %.1022.i.i, %.1026.1.i.i
+  %.1028.1.i.i = fsub double %.1024.1.i.i, %.1027.1.i.i
+  %.1353.1.i.i = fmul double %.1028.1.i.i, %.1028.1.i.i
+  %.1355.1.i.i = fadd double %.1353.i.i, %.1353.1.i.i
+  %.1024.2.i.i = fmul double %.1025.i.i, %.1026.1.i.i
+  %.1027.2.i.i = fmul double %.1023.i.i, %.1022.1.i.i
+  %.1028.2.i.i = fsub double %.1024.2.i.i, %.1027.2.i.i
+  %.1353.2.i.i = fmul double %.1028.2.i.i, %.1028.2.i.i
+  %.1355.2.i.i = fadd double %.1353.2.i.i, %.1355.1.i.i
+  %.1376.i.i = fcmp ogt double %.1355.2.i.i, 0.000000e+00
+  br i1 %.1376.i.i, label %B644.i.i, label %B705.i.i
 
-B1130.loopexit.unr-lcssa.i:                       ; preds = %B1050.i
-  br i1 %7, label %B1130.i, label %B1050.epil.preheader.i
+B644.i.i:                                         ; preds = %B632.i.i
+  %.1130.i.i = load double, ptr %sunkaddr323.i, align 8
+  %.1182.i.i = fsub double %.1130.i.i, %.958.i.i
+  %.1184.i.i = fmul double %"$phi438.1.2.2.i", %.1182.i.i
+  %.1185.i.i = fadd double %.958.i.i, %.1184.i.i
+  %.1343.i.i = fsub double %.754.i.i, %.1185.i.i
+  %.1287.i.i = load double, ptr %sunkaddr325.i, align 8
+  %.1339.i.i = fsub double %.1287.i.i, %.1009.i.i
+  %.1341.i.i = fmul double %"$phi438.1.2.2.i", %.1339.i.i
+  %.1342.i.i = fadd double %.1009.i.i, %.1341.i.i
+  %.1344.i.i = fsub double %.907.i.i, %.1342.i.i
+  %.1345.i.i = fmul double %.1343.i.i, %.1344.i.i
+  %.1347.i.i = fsub double %.856.i.i, %.1185.i.i
+  %.1346.i.i = fsub double %.805.i.i, %.1342.i.i
+  %.1348.i.i = fmul double %.1347.i.i, %.1346.i.i
+  %.1349.i.i = fsub double %.1345.i.i, %.1348.i.i
+  %.1356.i.i = fmul double %.1349.i.i, %.1349.i.i
+  %.1130.1.i.i = load double, ptr %sunkaddr322.i, align 8
+  %.1182.1.i.i = fsub double %.1130.1.i.i, %.958.1.i.i
+  %.1184.1.i.i = fmul double %"$phi438.1.2.2.i", %.1182.1.i.i
+  %.1185.1.i.i = fadd double %.958.1.i.i, %.1184.1.i.i
+  %.1343.1.i.i = fsub double %.754.1.i.i, %.1185.1.i.i
+  %.1345.1.i.i = fmul double %.1347.i.i, %.1343.1.i.i
+  %.1347.1.i.i = fsub double %.856.1.i.i, %.1185.1.i.i
+  %.1348.1.i.i = fmul double %.1343.i.i, %.1347.1.i.i
+  %.1349.1.i.i = fsub double %.1345.1.i.i, %.1348.1.i.i
+  %.1356.1.i.i = fmul double %.1349.1.i.i, %.1349.1.i.i
+  %.1358.1.i.i = fadd double %.1356.i.i, %.1356.1.i.i
+  %.1345.2.i.i = fmul double %.1346.i.i, %.1347.1.i.i
+  %.1348.2.i.i = fmul double %.1344.i.i, %.1343.1.i.i
+  %.1349.2.i.i = fsub double %.1345.2.i.i, %.1348.2.i.i
+  %.1356.2.i.i = fmul double %.1349.2.i.i, %.1349.2.i.i
+  %.1358.2.i.i = fadd double %.1356.2.i.i, %.1358.1.i.i
+  %.1350.i.i = fmul double %.1028.i.i, %.1349.i.i
+  %.1352.i.i = fadd double %.1350.i.i, 0.000000e+00
+  %.1350.1.i.i = fmul double %.1028.1.i.i, %.1349.1.i.i
+  %.1352.1.i.i = fadd double %.1352.i.i, %.1350.1.i.i
+  %.1350.2.i.i = fmul double %.1028.2.i.i, %.1349.2.i.i
+  %.1352.2.i.i = fadd double %.1350.2.i.i, %.1352.1.i.i
+  %.1380.i.i = fmul double %.1355.2.i.i, %.1358.2.i.i
+  %sqrt.i.i = tail call double @llvm.sqrt.f64(double %.1380.i.i)
+  %.1386.i.i = fmul double %sqrt.i.i, 5.000000e-01
+  %.1388.i.i = fcmp ole double %.1352.2.i.i, %.1386.i.i
+  %brmerge.i.i = or i1 %42, %.1388.i.i
+  br i1 %brmerge.i.i, label %B444.endif.endif.i, label %B92.endif.backedge.i.i
 
-B1050.epil.preheader.i:                           ; preds = %B1050.preheader.i, %B1130.loopexit.unr-lcssa.i
-  %.2579.epil.i = load i64, ptr %.2578.epil.i, align 8
-  %.2629.epil.i = getelementptr i64, ptr %.84.i.i, i64 %unroll_iter.i
-  store i64 %.2579.epil.i, ptr %.2629.epil.i, align 8
-  %.2680.epil.i = getelementptr i64, ptr %.84.i27.i, i64 %unroll_iter.i
-  store i64 -1, ptr %.2680.epil.i, align 8
-  %.2735.epil.i = load i64, ptr %.2734.epil.i, align 8
-  %41 = getelementptr i64, ptr %70, i64 %unroll_iter.i
-  store i64 %.2735.epil.i, ptr %41, align 8
-  br label %B1130.i
+B705.i.i:                                         ; preds = %B92.endif.i.i, %B632.i.i, %B158.i.i
+  br i1 %42, label %B482.i, label %B92.endif.backedge.i.i
 
-B1130.i:                                          ; preds = %B996.endif.i, %B1050.epil.preheader.i, %B1130.loopexit.unr-lcssa.i
-  %sunkaddr109.i = shl i64 %.365.i, 3
-  %sunkaddr110.i = getelementptr i8, ptr %45, i64 %sunkaddr109.i
-  store i64 %.720.i, ptr %sunkaddr110.i, align 8
-  %sunkaddr111.i = shl i64 %.703.i, 3
-  %sunkaddr112.i = getelementptr i8, ptr %72, i64 %sunkaddr111.i
-  store i64 0, ptr %sunkaddr112.i, align 8
-  %exitcond1210.not.i = icmp eq i64 %.187.i, %w1
-  br i1 %exitcond1210.not.i, label %_ZN7msf_jax4host4meso7kernels5mergeB3v49B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE.exit, label %B64.i
+B92.endif.backedge.i.i:                           ; preds = %B705.i.i, %B644.i.i
+  %lsr.iv.next.i.i = add nuw i64 %lsr.iv.i.i, 1
+  br label %B92.endif.i.i
 
-B1157.i:                                          ; preds = %B968.i, %B760.i, %B666.i
-  %exitcond1208.not.i = icmp eq i64 %.1494.i, %.1587.i
-  br i1 %exitcond1208.not.i, label %B996.endif.i, label %B666.i
+B92.endif.i.i:                                    ; preds = %B92.endif.backedge.i.i, %B92.lr.ph.i.i
+  %lsr.iv.i.i = phi i64 [ %lsr.iv.next.i.i, %B92.endif.backedge.i.i ], [ 1, %B92.lr.ph.i.i ]
+  %41 = shl i64 %lsr.iv.i.i, 3
+  %scevgep.i24.i = getelementptr i8, ptr %38, i64 %41
+  %scevgep18.i.i = getelementptr i8, ptr %scevgep.i24.i, i64 -8
+  %.339.i.i = load i64, ptr %scevgep18.i.i, align 8
+  %42 = icmp eq i64 %.158.i.i, %lsr.iv.i.i
+  %iv.rem.i.i = select i1 %42, i64 0, i64 %lsr.iv.i.i
+  %43 = getelementptr i64, ptr %38, i64 %iv.rem.i.i
+  %.432.i.i = load i64, ptr %43, align 8
+  %.84.i12.i.i = icmp ne i64 %one.2.2.i, %.339.i.i
+  %.84.1.i13.i.i = icmp ne i64 %two.2.2.i, %.339.i.i
+  %or.cond.i14.not.i.i = select i1 %.84.i12.i.i, i1 %.84.1.i13.i.i, i1 false
+  br i1 %or.cond.i14.not.i.i, label %B158.i.i, label %B705.i.i
 
-B64.endif.i:                                      ; preds = %B36.i.i, %B64.i
-  %slot.3.1.i.i = phi i64 [ 0, %B64.i ], [ %.90.i.i, %B36.i.i ]
-  %.58.i23.i = icmp slt i64 %.271.i, 0
-  %.59.i24.i = select i1 %.58.i23.i, i64 %w5, i64 0
-  %.60.i25.i = add i64 %.59.i24.i, %.271.i
-  %.80.i26.i = mul i64 %.60.i25.i, %w6
-  %.84.i27.i = getelementptr i64, ptr %w4, i64 %.80.i26.i
-  %.85.i28.i = load i64, ptr %.84.i27.i, align 8
-  %.87.not.i29.i = icmp eq i64 %.85.i28.i, %.241.i
-  br i1 %.87.not.i29.i, label %B64.endif.endif.i, label %B36.preheader.i30.i
+B482.i:                                           ; preds = %B705.i.i, %B444.endif.endif.i, %B444.i
+  %.142.i25.i = icmp slt i64 %two.2.2.i, 0
+  %.143.i26.i = select i1 %.142.i25.i, i64 %w7, i64 0
+  %44 = getelementptr i64, ptr %w6, i64 %two.2.2.i
+  %.157.i27.i = getelementptr i64, ptr %44, i64 %.143.i26.i
+  %.158.i28.i = load i64, ptr %.157.i27.i, align 8
+  %.251496.not.i29.i = icmp slt i64 %.158.i28.i, 1
+  br i1 %.251496.not.i29.i, label %B536.i, label %B92.lr.ph.i30.i
 
-B36.preheader.i30.i:                              ; preds = %B64.endif.i
-  %42 = shl i64 %.80.i26.i, 3
-  %43 = getelementptr i8, ptr %w4, i64 %42
-  br label %B36.i32.i
+B92.lr.ph.i30.i:                                  ; preds = %B482.i
+  %.313.i31.i = select i1 %.142.i25.i, i64 %w4, i64 0
+  %.314.i32.i = add i64 %.313.i31.i, %two.2.2.i
+  %.334.i33.i = mul i64 %.314.i32.i, %w5
+  %45 = getelementptr i64, ptr %w3, i64 %.334.i33.i
+  %.932.i34.i = select i1 %.142.i25.i, i64 %w1, i64 0
+  %.933.i35.i = add i64 %.932.i34.i, %two.2.2.i
+  %.1053.i37.i = select i1 %.1115.i, i64 %w1, i64 0
+  %.1054.i38.i = add i64 %.1053.i37.i, %one.2.2.i
+  %.953.reass.i45.i = mul i64 %.933.i35.i, %s3
+  %.1074.reass.i49.i = mul i64 %.1054.i38.i, %s3
+  %sunkaddr327.i = getelementptr i8, ptr %w0, i64 %.953.reass.i45.i
+  %sunkaddr328.i = getelementptr i8, ptr %sunkaddr327.i, i64 8
+  %sunkaddr330.i = getelementptr i8, ptr %sunkaddr327.i, i64 16
+  %sunkaddr332.i = getelementptr i8, ptr %w0, i64 %.1074.reass.i49.i
+  %sunkaddr333.i = getelementptr i8, ptr %sunkaddr332.i, i64 8
+  %sunkaddr335.i = getelementptr i8, ptr %sunkaddr332.i, i64 16
+  br label %B92.endif.i57.i
 
-B36.i32.i:                                        ; preds = %B36.i32.i, %B36.preheader.i30.i
-  %lsr.iv.i = phi i64 [ %lsr.iv.next.i, %B36.i32.i ], [ 3, %B36.preheader.i30.i ]
-  %44 = shl i64 %lsr.iv.i, 3
-  %scevgep.i = getelementptr i8, ptr %43, i64 %44
-  %scevgep46.i = getelementptr i8, ptr %scevgep.i, i64 -16
-  %.145.i36.i = load i64, ptr %scevgep46.i, align 8
-  %.147.not.i37.i = icmp eq i64 %.145.i36.i, %.241.i
-  %lsr.iv.next.i = add nuw i64 %lsr.iv.i, 1
-  br i1 %.147.not.i37.i, label %B64.endif.endif.i, label %B36.i32.i
+B158.i71.i:                                       ; preds = %B92.endif.i57.i
+  %.84.i.i72.i = icmp ne i64 %one.2.2.i, %.432.i63.i
+  %.84.1.i.i73.i = icmp ne i64 %two.2.2.i, %.432.i63.i
+  %or.cond.i.not.i74.i = select i1 %.84.i.i72.i, i1 %.84.1.i.i73.i, i1 false
+  br i1 %or.cond.i.not.i74.i, label %B632.i75.i, label %B705.i67.i
 
-B64.endif.endif.i:                                ; preds = %B36.i32.i, %B64.endif.i
-  %slot.3.1.i38.i = phi i64 [ 3, %B64.endif.i ], [ %lsr.iv.next.i, %B36.i32.i ]
-  %.349.i = add i64 %slot.3.1.i.i, 1
-  %.365.i = select i1 %.58.i.i, i64 %w8, i64 0
-  %45 = getelementptr i64, ptr %w7, i64 %.241.i
-  %.379.i = getelementptr i64, ptr %45, i64 %.365.i
-  %.380.i = load i64, ptr %.379.i, align 8
-  %.383.i = icmp eq i64 %.380.i, 0
-  br i1 %.383.i, label %B64.endif.endif.endif.endif.endif.thread.i, label %B64.endif.endif.endif.i
+B632.i75.i:                                       ; preds = %B158.i71.i
+  %.727.i76.i = icmp slt i64 %.339.i61.i, 0
+  %.728.i77.i = select i1 %.727.i76.i, i64 %w1, i64 0
+  %.729.i78.i = add i64 %.728.i77.i, %.339.i61.i
+  %.749.i79.i = mul i64 %.729.i78.i, %w2
+  %46 = getelementptr double, ptr %w0, i64 %.749.i79.i
+  %.829.i80.i = icmp slt i64 %.432.i63.i, 0
+  %.830.i81.i = select i1 %.829.i80.i, i64 %w1, i64 0
+  %.831.i82.i = add i64 %.830.i81.i, %.432.i63.i
+  %.851.i83.i = mul i64 %.831.i82.i, %w2
+  %47 = getelementptr double, ptr %w0, i64 %.851.i83.i
+  %.753.i84.i = getelementptr i8, ptr %46, i64 8
+  %.754.i85.i = load double, ptr %.753.i84.i, align 8
+  %.804.i86.i = getelementptr i8, ptr %46, i64 16
+  %.805.i87.i = load double, ptr %.804.i86.i, align 8
+  %.855.i88.i = getelementptr i8, ptr %47, i64 8
+  %.856.i89.i = load double, ptr %.855.i88.i, align 8
+  %.906.i90.i = getelementptr i8, ptr %47, i64 16
+  %.907.i91.i = load double, ptr %.906.i90.i, align 8
+  %.958.i92.i = load double, ptr %sunkaddr328.i, align 8
+  %.1009.i93.i = load double, ptr %sunkaddr330.i, align 8
+  %.1022.i94.i = fsub double %.754.i85.i, %.958.i92.i
+  %.1023.i95.i = fsub double %.907.i91.i, %.1009.i93.i
+  %.1024.i96.i = fmul double %.1022.i94.i, %.1023.i95.i
+  %.1025.i97.i = fsub double %.805.i87.i, %.1009.i93.i
+  %.1026.i98.i = fsub double %.856.i89.i, %.958.i92.i
+  %.1027.i99.i = fmul double %.1026.i98.i, %.1025.i97.i
+  %.1028.i100.i = fsub double %.1024.i96.i, %.1027.i99.i
+  %.1353.i101.i = fmul double %.1028.i100.i, %.1028.i100.i
+  %.754.1.i102.i = load double, ptr %46, align 8
+  %.856.1.i103.i = load double, ptr %47, align 8
+  %.958.1.i104.i = load double, ptr %sunkaddr327.i, align 8
+  %.1022.1.i105.i = fsub double %.754.1.i102.i, %.958.1.i104.i
+  %.1024.1.i106.i = fmul double %.1026.i98.i, %.1022.1.i105.i
+  %.1026.1.i107.i = fsub double %.856.1.i103.i, %.958.1.i104.i
+  %.1027.1.i108.i = fmul double %.1022.i94.i, %.1026.1.i107.i
+  %.1028.1.i109.i = fsub double %.1024.1.i106.i, %.1027.1.i108.i
+  %.1353.1.i110.i = fmul double %.1028.1.i109.i, %.1028.1.i109.i
+  %.1355.1.i111.i = fadd double %.1353.i101.i, %.1353.1.i110.i
+  %.1024.2.i112.i = fmul double %.1025.i97.i, %.1026.1.i107.i
+  %.1027.2.i113.i = fmul double %.1023.i95.i, %.1022.1.i105.i
+  %.1028.2.i114.i = fsub double %.1024.2.i112.i, %.1027.2.i113.i
+  %.1353.2.i115.i = fmul double %.1028.2.i114.i, %.1028.2.i114.i
+  %.1355.2.i116.i = fadd double %.1353.2.i115.i, %.1355.1.i111.i
+  %.1376.i117.i = fcmp ogt double %.1355.2.i116.i, 0.000000e+00
+  br i1 %.1376.i117.i, label %B644.i118.i, label %B705.i67.i
 
-B64.endif.endif.endif.i:                          ; preds = %B64.endif.endif.i
-  %46 = or i64 %.380.i, %.349.i
-  %47 = icmp ult i64 %46, 4294967296
-  br i1 %47, label %48, label %53
+B644.i118.i:                                      ; preds = %B632.i75.i
+  %.1079.i119.i = load double, ptr %sunkaddr333.i, align 8
+  %.1182.i121.i = fsub double %.958.i92.i, %.1079.i119.i
+  %.1184.i122.i = fmul double %"$phi438.1.2.2.i", %.1182.i121.i
+  %.1185.i123.i = fadd double %.1079.i119.i, %.1184.i122.i
+  %.1343.i124.i = fsub double %.754.i85.i, %.1185.i123.i
+  %.1236.i125.i = load double, ptr %sunkaddr335.i, align 8
+  %.1339.i127.i = fsub double %.1009.i93.i, %.1236.i125.i
+  %.1341.i128.i = fmul double %"$phi438.1.2.2.i", %.1339.i127.i
+  %.1342.i129.i = fadd double %.1236.i125.i, %.1341.i128.i
+  %.1344.i130.i = fsub double %.907.i91.i, %.1342.i129.i
+  %.1345.i131.i = fmul double %.1343.i124.i, %.1344.i130.i
+  %.1347.i132.i = fsub double %.856.i89.i, %.1185.i123.i
+  %.1346.i133.i = fsub double %.805.i87.i, %.1342.i129.i
+  %.1348.i134.i = fmul double %.1347.i132.i, %.1346.i133.i
+  %.1349.i135.i = fsub double %.1345.i131.i, %.1348.i134.i
+  %.1356.i136.i = fmul double %.1349.i135.i, %.1349.i135.i
+  %.1079.1.i137.i = load double, ptr %sunkaddr332.i, align 8
+  %.1182.1.i139.i = fsub double %.958.1.i104.i, %.1079.1.i137.i
+  %.1184.1.i140.i = fmul double %"$phi438.1.2.2.i", %.1182.1.i139.i
+  %.1185.1.i141.i = fadd double %.1079.1.i137.i, %.1184.1.i140.i
+  %.1343.1.i142.i = fsub double %.754.1.i102.i, %.1185.1.i141.i
+  %.1345.1.i143.i = fmul double %.1347.i132.i, %.1343.1.i142.i
+  %.1347.1.i144.i = fsub double %.856.1.i103.i, %.1185.1.i141.i
+  %.1348.1.i145.i = fmul double %.1343.i124.i, %.1347.1.i144.i
+  %.1349.1.i146.i = fsub double %.1345.1.i143.i, %.1348.1.i145.i
+  %.1356.1.i147.i = fmul double %.1349.1.i146.i, %.1349.1.i146.i
+  %.1358.1.i148.i = fadd double %.1356.i136.i, %.1356.1.i147.i
+  %.1345.2.i149.i = fmul double %.1346.i133.i, %.1347.1.i144.i
+  %.1348.2.i150.i = fmul double %.1344.i130.i, %.1343.1.i142.i
+  %.1349.2.i151.i = fsub double %.1345.2.i149.i, %.1348.2.i150.i
+  %.1356.2.i152.i = fmul double %.1349.2.i151.i, %.1349.2.i151.i
+  %.1358.2.i153.i = fadd double %.1356.2.i152.i, %.1358.1.i148.i
+  %.1350.i154.i = fmul double %.1028.i100.i, %.1349.i135.i
+  %.1352.i155.i = fadd double %.1350.i154.i, 0.000000e+00
+  %.1350.1.i156.i = fmul double %.1028.1.i109.i, %.1349.1.i146.i
+  %.1352.1.i157.i = fadd double %.1352.i155.i, %.1350.1.i156.i
+  %.1350.2.i158.i = fmul double %.1028.2.i114.i, %.1349.2.i151.i
+  %.1352.2.i159.i = fadd double %.1350.2.i158.i, %.1352.1.i157.i
+  %.1380.i160.i = fmul double %.1355.2.i116.i, %.1358.2.i153.i
+  %sqrt.i161.i = tail call double @llvm.sqrt.f64(double %.1380.i160.i)
+  %.1386.i162.i = fmul double %sqrt.i161.i, 5.000000e-01
+  %.1388.i163.i = fcmp ole double %.1352.2.i159.i, %.1386.i162.i
+  %brmerge.i164.i = or i1 %49, %.1388.i163.i
+  br i1 %brmerge.i164.i, label %B482.endif.endif.i, label %B92.endif.backedge.i68.i
 
-48:                                               ; preds = %B64.endif.endif.endif.i
-  %49 = trunc nuw i64 %.380.i to i32
-  %50 = trunc nuw i64 %.349.i to i32
-  %51 = urem i32 %50, %49
-  %52 = zext i32 %51 to i64
-  br label %55
+B705.i67.i:                                       ; preds = %B92.endif.i57.i, %B632.i75.i, %B158.i71.i
+  br i1 %49, label %B536.i, label %B92.endif.backedge.i68.i
 
-53:                                               ; preds = %B64.endif.endif.endif.i
-  %54 = srem i64 %.349.i, %.380.i
-  br label %55
+B92.endif.backedge.i68.i:                         ; preds = %B705.i67.i, %B644.i118.i
+  %lsr.iv.next.i69.i = add nuw i64 %lsr.iv.i58.i, 1
+  br label %B92.endif.i57.i
 
-55:                                               ; preds = %53, %48
-  %56 = phi i64 [ %52, %48 ], [ %54, %53 ]
-  %.401.i = xor i64 %56, %.380.i
-  %.402.i = icmp slt i64 %.401.i, 0
-  %.403.i = icmp ne i64 %56, 0
-  %.404.i = and i1 %.403.i, %.402.i
-  %.411.i = select i1 %.404.i, i64 %.380.i, i64 0
-  %spec.select1059.i = add i64 %.411.i, %56
-  %spec.select1059.fr.i = freeze i64 %spec.select1059.i
-  %.447.i = icmp slt i64 %spec.select1059.fr.i, 0
-  %spec.select1236.i = select i1 %.447.i, i64 %w6, i64 0
-  %57 = getelementptr i64, ptr %.84.i.i, i64 %spec.select1059.fr.i
-  %.4701225.i = getelementptr i64, ptr %57, i64 %spec.select1236.i
-  %.4711226.i = load i64, ptr %.4701225.i, align 8
-  %.4731227.i = add nsw i64 %slot.3.1.i.i, -1
-  %.518.i = icmp ne i64 %.4731227.i, -9223372036854775808
-  %.519.i = icmp ne i64 %.380.i, -1
-  %.520.not.i = or i1 %.518.i, %.519.i
-  br i1 %.520.not.i, label %B64.endif.endif.endif.else.if.i, label %B64.endif.endif.endif.endif.endif.thread.i
+B92.endif.i57.i:                                  ; preds = %B92.endif.backedge.i68.i, %B92.lr.ph.i30.i
+  %lsr.iv.i58.i = phi i64 [ %lsr.iv.next.i69.i, %B92.endif.backedge.i68.i ], [ 1, %B92.lr.ph.i30.i ]
+  %48 = shl i64 %lsr.iv.i58.i, 3
+  %scevgep.i59.i = getelementptr i8, ptr %45, i64 %48
+  %scevgep18.i60.i = getelementptr i8, ptr %scevgep.i59.i, i64 -8
+  %.339.i61.i = load i64, ptr %scevgep18.i60.i, align 8
+  %49 = icmp eq i64 %.158.i28.i, %lsr.iv.i58.i
+  %iv.rem.i62.i = select i1 %49, i64 0, i64 %lsr.iv.i58.i
+  %50 = getelementptr i64, ptr %45, i64 %iv.rem.i62.i
+  %.432.i63.i = load i64, ptr %50, align 8
+  %.84.i12.i64.i = icmp ne i64 %one.2.2.i, %.339.i61.i
+  %.84.1.i13.i65.i = icmp ne i64 %two.2.2.i, %.339.i61.i
+  %or.cond.i14.not.i66.i = select i1 %.84.i12.i64.i, i1 %.84.1.i13.i65.i, i1 false
+  br i1 %or.cond.i14.not.i66.i, label %B158.i71.i, label %B705.i67.i
 
-B64.endif.endif.endif.else.if.i:                  ; preds = %55
-  %58 = or i64 %.380.i, %.4731227.i
-  %59 = icmp ult i64 %58, 4294967296
-  br i1 %59, label %60, label %65
+B520.i:                                           ; preds = %B482.endif.endif.i, %B444.endif.endif.i
+  %sunkaddr337.i = shl i64 %.369.i, 3
+  %sunkaddr338.i = getelementptr i8, ptr %w27, i64 %sunkaddr337.i
+  store i64 -1, ptr %sunkaddr338.i, align 8
+  br label %B733.i
 
-60:                                               ; preds = %B64.endif.endif.endif.else.if.i
-  %61 = trunc nuw i64 %.380.i to i32
-  %62 = trunc nuw i64 %.4731227.i to i32
-  %63 = urem i32 %62, %61
-  %64 = zext i32 %63 to i64
-  br label %67
+B536.i:                                           ; preds = %B705.i67.i, %B482.endif.endif.i, %B320.endif.endif.i, %B482.i
+  %.59.i.i.i = select i1 %.1115.i, i64 %w4, i64 0
+  %.60.i.i.i = add i64 %.59.i.i.i, %one.2.2.i
+  %.80.i.i.i = mul i64 %.60.i.i.i, %w5
+  %.84.i.i1.i = getelementptr i64, ptr %w3, i64 %.80.i.i.i
+  %.85.i.i.i = load i64, ptr %.84.i.i1.i, align 8
+  %.87.not.i.i.i = icmp eq i64 %.85.i.i.i, %two.2.2.i
+  br i1 %.87.not.i.i.i, label %B0.endif.i.i, label %B36.preheader.i.i.i
 
-65:                                               ; preds = %B64.endif.endif.endif.else.if.i
-  %66 = srem i64 %.4731227.i, %.380.i
-  br label %67
+B36.preheader.i.i.i:                              ; preds = %B536.i
+  %51 = shl i64 %.80.i.i.i, 3
+  %52 = getelementptr i8, ptr %w3, i64 %51
+  %scevgep.i.i.i = getelementptr i8, ptr %52, i64 8
+  br label %B36.i.i.i
 
-67:                                               ; preds = %65, %60
-  %68 = phi i64 [ %64, %60 ], [ %66, %65 ]
-  %.525.i = xor i64 %68, %.380.i
-  %.526.i = icmp slt i64 %.525.i, 0
-  %.527.i = icmp ne i64 %68, 0
-  %.528.i = and i1 %.527.i, %.526.i
-  %.535.i = select i1 %.528.i, i64 %.380.i, i64 0
-  %spec.select1060.i = add i64 %.535.i, %68
-  %spec.select1060.fr.i = freeze i64 %spec.select1060.i
-  %.571.i = icmp slt i64 %spec.select1060.fr.i, 0
-  %.572.i = select i1 %.571.i, i64 %w6, i64 0
-  %69 = getelementptr i64, ptr %.84.i.i, i64 %.572.i
-  %.594.phi.trans.insert.i = getelementptr i64, ptr %69, i64 %spec.select1060.fr.i
-  %.595.pre.i = load i64, ptr %.594.phi.trans.insert.i, align 8
-  br label %B64.endif.endif.endif.endif.endif.thread.i
+B36.i.i.i:                                        ; preds = %B36.i.i.i, %B36.preheader.i.i.i
+  %slot.2.0.i.i.i = phi i64 [ %.90.i.i.i, %B36.i.i.i ], [ 0, %B36.preheader.i.i.i ]
+  %.90.i.i.i = add i64 %slot.2.0.i.i.i, 1
+  %53 = shl i64 %slot.2.0.i.i.i, 3
+  %scevgep1.i.i.i = getelementptr i8, ptr %scevgep.i.i.i, i64 %53
+  %.145.i.i.i = load i64, ptr %scevgep1.i.i.i, align 8
+  %.147.not.i.i.i = icmp eq i64 %.145.i.i.i, %two.2.2.i
+  br i1 %.147.not.i.i.i, label %B0.endif.i.i, label %B36.i.i.i
 
-B64.endif.endif.endif.endif.endif.thread.i:       ; preds = %67, %55, %B64.endif.endif.i
-  %.595.i = phi i64 [ %.85.i.i, %55 ], [ %.595.pre.i, %67 ], [ %.85.i.i, %B64.endif.endif.i ]
-  %.4711229.i = phi i64 [ %.4711226.i, %55 ], [ %.4711226.i, %67 ], [ %.85.i.i, %B64.endif.endif.i ]
-  %.627.i = select i1 %.58.i.i, i64 %w10, i64 0
-  %.628.i = add i64 %.627.i, %.241.i
-  %.648.i = mul i64 %.628.i, %w11
-  %70 = getelementptr i64, ptr %w9, i64 %.648.i
-  %71 = getelementptr i64, ptr %70, i64 %slot.3.1.i.i
-  %.653.i = load i64, ptr %71, align 8
-  %.703.i = select i1 %.58.i23.i, i64 %w8, i64 0
-  %72 = getelementptr i64, ptr %w7, i64 %.271.i
-  %.717.i = getelementptr i64, ptr %72, i64 %.703.i
-  %.718.i = load i64, ptr %.717.i, align 8
-  %.719.i = add i64 %.380.i, -4
-  %.720.i = add i64 %.719.i, %.718.i
-  br i1 %3, label %B368.preheader.i, label %B622.endif.i
+B274.i.i:                                         ; preds = %B274.lr.ph.i.i, %B526.i.i
+  %.612978980.i.i = phi i64 [ 0, %B274.lr.ph.i.i ], [ %.619.i.i, %B526.i.i ]
+  %.619.i.i = add nuw nsw i64 %.612978980.i.i, 1
+  %54 = shl i64 %.612978980.i.i, 3
+  %scevgep81.i.i = getelementptr i8, ptr %w35, i64 %54
+  store i64 -1, ptr %scevgep81.i.i, align 8
+  %scevgep82.i.i = getelementptr i8, ptr %5, i64 %54
+  store i64 0, ptr %scevgep82.i.i, align 8
+  %.791.i.i = load i64, ptr %sunkaddr30.i.i, align 8
+  %.792.i.i = add nsw i64 %.791.i.i, -1
+  %.794.i.i = icmp slt i64 %.612978980.i.i, %.792.i.i
+  br i1 %.794.i.i, label %B336.i.i, label %B376.i.i
 
-B368.preheader.i:                                 ; preds = %B64.endif.endif.endif.endif.endif.thread.i
-  %73 = xor i64 %slot.3.1.i38.i, -9223372036854775808
-  %74 = add i64 %slot.3.1.i.i, 9223372036854775807
-  %sunkaddr.i = shl i64 %.365.i, 3
-  %sunkaddr95.i = getelementptr inbounds i8, ptr %45, i64 %sunkaddr.i
-  %sunkaddr96.i = shl i64 %.703.i, 3
-  %sunkaddr97.i = getelementptr i8, ptr %72, i64 %sunkaddr96.i
-  br label %B368.i
+B336.i.i:                                         ; preds = %B274.i.i
+  %55 = add i64 %.612978980.i.i, %.139.i.i
+  %.833.i.i = icmp eq i64 %.791.i.i, 0
+  br i1 %.833.i.i, label %B432.i.i, label %B336.else.i.i
 
-B430.else.i:                                      ; preds = %B430.i
-  %75 = add i64 %74, %.82210731075.i
-  %.1054.i = icmp ne i64 %75, -2
-  %.1055.i = icmp ne i64 %.1001.i, -1
-  %.1056.not.i = or i1 %.1054.i, %.1055.i
-  br i1 %.1056.not.i, label %B430.else.if.i, label %B526.i
+B376.i.i:                                         ; preds = %B274.i.i
+  %56 = add i64 %.612978980.i.i, %slot.3.1.i33.i.i
+  %57 = sub i64 %56, %.791.i.i
+  %.945.i.i = load i64, ptr %sunkaddr31.i.i, align 8
+  %.948.i.i = icmp eq i64 %.945.i.i, 0
+  br i1 %.948.i.i, label %B432.i.i, label %B376.else.i.i
 
-B430.else.if.i:                                   ; preds = %B430.else.i
-  %76 = or i64 %.1001.i, %14
-  %77 = icmp ult i64 %76, 4294967296
-  br i1 %77, label %78, label %83
+B432.i.i:                                         ; preds = %134, %B376.else.i.i, %123, %B336.else.i.i, %B376.i.i, %B336.i.i
+  %at.3.1.i.i = phi i64 [ %spec.select970.i.i, %123 ], [ 0, %B336.i.i ], [ 0, %B336.else.i.i ], [ %spec.select971.i.i, %134 ], [ 0, %B376.i.i ], [ 0, %B376.else.i.i ]
+  %source.2.1.i.i = phi i64 [ %one.2.2.i, %123 ], [ %one.2.2.i, %B336.i.i ], [ %one.2.2.i, %B336.else.i.i ], [ %two.2.2.i, %134 ], [ %two.2.2.i, %B376.i.i ], [ %two.2.2.i, %B376.else.i.i ]
+  %.994.i.i = icmp slt i64 %.612978980.i.i, %.510.i.i
+  br i1 %.994.i.i, label %B444.i.i, label %B526.i.i
 
-78:                                               ; preds = %B430.else.if.i
-  %79 = trunc nuw i64 %.1001.i to i32
-  %80 = trunc nuw i64 %14 to i32
-  %81 = urem i32 %80, %79
-  %82 = zext i32 %81 to i64
-  br label %85
+B444.i.i:                                         ; preds = %B432.i.i
+  %.1020.i.i = icmp slt i64 %source.2.1.i.i, 0
+  %.1021.i.i = select i1 %.1020.i.i, i64 %w4, i64 0
+  %.1022.i11.i = add i64 %.1021.i.i, %source.2.1.i.i
+  %.1023.i12.i = icmp slt i64 %at.3.1.i.i, 0
+  %.1024.i13.i = select i1 %.1023.i12.i, i64 %w5, i64 0
+  %.1042.i.i = mul i64 %.1022.i11.i, %w5
+  %58 = getelementptr i64, ptr %w3, i64 %.1042.i.i
+  %59 = getelementptr i64, ptr %58, i64 %at.3.1.i.i
+  %.1046.i.i = getelementptr i64, ptr %59, i64 %.1024.i13.i
+  %.1047.i.i = load i64, ptr %.1046.i.i, align 8
+  store i64 %.1047.i.i, ptr %scevgep81.i.i, align 8
+  %.1130.i14.i = select i1 %.1020.i.i, i64 %w9, i64 0
+  %.1131.i.i = add i64 %.1130.i14.i, %source.2.1.i.i
+  %.1133.i.i = select i1 %.1023.i12.i, i64 %w10, i64 0
+  %.1151.i.i = mul i64 %.1131.i.i, %w10
+  %60 = getelementptr i64, ptr %w8, i64 %.1151.i.i
+  %61 = getelementptr i64, ptr %60, i64 %at.3.1.i.i
+  %.1155.i.i = getelementptr i64, ptr %61, i64 %.1133.i.i
+  %.1156.i.i = load i64, ptr %.1155.i.i, align 8
+  %.1159.i.i = icmp eq i64 %source.2.1.i.i, %two.2.2.i
+  %spec.select.i.i = select i1 %.1159.i.i, i64 %.443.i.i, i64 0
+  %.1176.i.i = add nsw i64 %.1156.i.i, %spec.select.i.i
+  store i64 %.1176.i.i, ptr %scevgep82.i.i, align 8
+  br label %B526.i.i
 
-83:                                               ; preds = %B430.else.if.i
-  %84 = srem i64 %14, %.1001.i
-  br label %85
+B526.i.i:                                         ; preds = %B444.i.i, %B432.i.i
+  %exitcond.not.i.i = icmp eq i64 %w5, %.619.i.i
+  br i1 %exitcond.not.i.i, label %B528.endif.loopexit.i.i, label %B274.i.i
 
-85:                                               ; preds = %83, %78
-  %86 = phi i64 [ %82, %78 ], [ %84, %83 ]
-  %.1061.i = xor i64 %86, %.1001.i
-  %.1062.i = icmp slt i64 %.1061.i, 0
-  %.1063.i = icmp ne i64 %86, 0
-  %.1064.i = and i1 %.1063.i, %.1062.i
-  %.1071.i = select i1 %.1064.i, i64 %.1001.i, i64 0
-  %spec.select1061.i = add i64 %.1071.i, %86
-  br label %B526.i
+B572.i.i:                                         ; preds = %B528.endif.i.i, %B1037.i.i
+  %.13709911003.i.i = phi i64 [ %.1377.i.i, %B1037.i.i ], [ 0, %B528.endif.i.i ]
+  %.1377.i.i = add nuw nsw i64 %.13709911003.i.i, 1
+  %62 = getelementptr i64, ptr %.84.i22.i.i, i64 %.13709911003.i.i
+  %.1452.i.i = load i64, ptr %62, align 8
+  %.1458.i.i = icmp eq i64 %.1452.i.i, %one.2.2.i
+  br i1 %.1458.i.i, label %B1037.i.i, label %B608.i.i
 
-B470.else.i:                                      ; preds = %B470.i
-  %87 = add i64 %.82210731075.i, %73
-  %.1169.i = icmp ne i64 %87, %.1001.i
-  %.1170.i = icmp ne i64 %.1155.i, -1
-  %.1171.not.i = or i1 %.1169.i, %.1170.i
-  br i1 %.1171.not.i, label %B470.else.if.i, label %B526.i
+B608.i.i:                                         ; preds = %B572.i.i
+  %.58.i1.i.i = icmp slt i64 %.1452.i.i, 0
+  %.59.i2.i.i = select i1 %.58.i1.i.i, i64 %w4, i64 0
+  %.60.i3.i.i = add i64 %.59.i2.i.i, %.1452.i.i
+  %.80.i4.i.i = mul i64 %.60.i3.i.i, %w5
+  %.84.i5.i.i = getelementptr i64, ptr %w3, i64 %.80.i4.i.i
+  %.85.i6.i.i = load i64, ptr %.84.i5.i.i, align 8
+  %.87.not.i7.i.i = icmp eq i64 %.85.i6.i.i, %two.2.2.i
+  br i1 %.87.not.i7.i.i, label %B608.endif.i.i, label %B36.preheader.i8.i.i
 
-B470.else.if.i:                                   ; preds = %B470.else.i
-  %88 = or i64 %.1155.i, %16
-  %89 = icmp ult i64 %88, 4294967296
-  br i1 %89, label %90, label %95
+B36.preheader.i8.i.i:                             ; preds = %B608.i.i
+  %63 = shl i64 %.80.i4.i.i, 3
+  %64 = getelementptr i8, ptr %w3, i64 %63
+  %scevgep.i9.i.i = getelementptr i8, ptr %64, i64 8
+  br label %B36.i10.i.i
 
-90:                                               ; preds = %B470.else.if.i
-  %91 = trunc nuw i64 %.1155.i to i32
-  %92 = trunc nuw i64 %16 to i32
-  %93 = urem i32 %92, %91
-  %94 = zext i32 %93 to i64
-  br label %97
+B36.i10.i.i:                                      ; preds = %B36.i10.i.i, %B36.preheader.i8.i.i
+  %slot.2.0.i11.i.i = phi i64 [ %.90.i12.i.i, %B36.i10.i.i ], [ 0, %B36.preheader.i8.i.i ]
+  %.90.i12.i.i = add i64 %slot.2.0.i11.i.i, 1
+  %65 = shl i64 %slot.2.0.i11.i.i, 3
+  %scevgep1.i13.i.i = getelementptr i8, ptr %scevgep.i9.i.i, i64 %65
+  %.145.i14.i.i = load i64, ptr %scevgep1.i13.i.i, align 8
+  %.147.not.i15.i.i = icmp eq i64 %.145.i14.i.i, %two.2.2.i
+  br i1 %.147.not.i15.i.i, label %B608.endif.i.i, label %B36.i10.i.i
 
-95:                                               ; preds = %B470.else.if.i
-  %96 = srem i64 %16, %.1155.i
-  br label %97
+B666.i.i:                                         ; preds = %B608.endif.i.i
+  %66 = getelementptr i64, ptr %.84.i5.i.i, i64 %slot.3.1.i16.i.i
+  store i64 %one.2.2.i, ptr %66, align 8
+  %.1588.i.i = select i1 %.58.i1.i.i, i64 %w9, i64 0
+  %.1589.i.i = add i64 %.1588.i.i, %.1452.i.i
+  %.1609.i.i = mul i64 %.1589.i.i, %w10
+  %67 = getelementptr i64, ptr %w8, i64 %.1609.i.i
+  %68 = getelementptr i64, ptr %67, i64 %slot.3.1.i16.i.i
+  %.1614.i.i = load i64, ptr %68, align 8
+  %.1616.i.i = sub nsw i64 %.1614.i.i, %.443.i.i
+  store i64 %.1616.i.i, ptr %68, align 8
+  br label %B1037.i.i
 
-97:                                               ; preds = %95, %90
-  %98 = phi i64 [ %94, %90 ], [ %96, %95 ]
-  %.1176.i = xor i64 %98, %.1155.i
-  %.1177.i = icmp slt i64 %.1176.i, 0
-  %.1178.i = icmp ne i64 %98, 0
-  %.1179.i = and i1 %.1178.i, %.1177.i
-  %.1186.i = select i1 %.1179.i, i64 %.1155.i, i64 0
-  %spec.select1062.i = add i64 %.1186.i, %98
-  br label %B526.i
+B796.i.i:                                         ; preds = %B796.prol.loopexit.i.i, %B796.i.i
+  %.1848984986.i.i = phi i64 [ %79, %B796.i.i ], [ %.1848984986.unr.i.i, %B796.prol.loopexit.i.i ]
+  %.1907.i.i = icmp slt i64 %.1848984986.i.i, -1
+  %69 = shl i64 %.1848984986.i.i, 3
+  %70 = select i1 %.1907.i.i, i64 %6, i64 8
+  %scevgep25.i.i = getelementptr i8, ptr %.84.i5.i.i, i64 %70
+  %scevgep26.i.i = getelementptr i8, ptr %scevgep25.i.i, i64 %69
+  %.1931.i.i = load i64, ptr %scevgep26.i.i, align 8
+  %71 = select i1 %.1907.i.i, i64 %7, i64 8
+  %scevgep23.i.i = getelementptr i8, ptr %137, i64 %71
+  %scevgep24.i.i = getelementptr i8, ptr %scevgep23.i.i, i64 %69
+  %.1983.i.i = load i64, ptr %scevgep24.i.i, align 8
+  %.2010.i.i = icmp slt i64 %.1848984986.i.i, 0
+  %72 = select i1 %.2010.i.i, i64 %s8, i64 0
+  %scevgep67.i.i = getelementptr i8, ptr %.84.i5.i.i, i64 %72
+  %scevgep22.i.i = getelementptr i8, ptr %scevgep67.i.i, i64 %69
+  store i64 %.1931.i.i, ptr %scevgep22.i.i, align 8
+  %73 = select i1 %.2010.i.i, i64 %s16, i64 0
+  %scevgep65.i.i = getelementptr i8, ptr %137, i64 %73
+  %scevgep21.i.i = getelementptr i8, ptr %scevgep65.i.i, i64 %69
+  store i64 %.1983.i.i, ptr %scevgep21.i.i, align 8
+  %74 = add i64 %.1848984986.i.i, 1
+  %.1907.1.i.i = icmp slt i64 %74, -1
+  %75 = select i1 %.1907.1.i.i, i64 %8, i64 16
+  %scevgep19.i.i = getelementptr i8, ptr %.84.i5.i.i, i64 %75
+  %scevgep20.i.i = getelementptr i8, ptr %scevgep19.i.i, i64 %69
+  %.1931.1.i.i = load i64, ptr %scevgep20.i.i, align 8
+  %76 = select i1 %.1907.1.i.i, i64 %9, i64 16
+  %scevgep17.i.i = getelementptr i8, ptr %137, i64 %76
+  %scevgep18.i6.i = getelementptr i8, ptr %scevgep17.i.i, i64 %69
+  %.1983.1.i.i = load i64, ptr %scevgep18.i6.i, align 8
+  %.2010.1.i.i = icmp slt i64 %74, 0
+  %77 = select i1 %.2010.1.i.i, i64 %6, i64 8
+  %scevgep15.i.i = getelementptr i8, ptr %.84.i5.i.i, i64 %77
+  %scevgep16.i.i = getelementptr i8, ptr %scevgep15.i.i, i64 %69
+  store i64 %.1931.1.i.i, ptr %scevgep16.i.i, align 8
+  %78 = select i1 %.2010.1.i.i, i64 %7, i64 8
+  %scevgep13.i.i = getelementptr i8, ptr %137, i64 %78
+  %scevgep14.i.i = getelementptr i8, ptr %scevgep13.i.i, i64 %69
+  store i64 %.1983.1.i.i, ptr %scevgep14.i.i, align 8
+  %79 = add i64 %.1848984986.i.i, 2
+  %exitcond.not36.1.i.i = icmp eq i64 %79, %.1697.i.i
+  br i1 %exitcond.not36.1.i.i, label %B874.loopexit.i.i, label %B796.i.i
 
-B622.endif.loopexit.i:                            ; preds = %B620.i
-  %.1494.pre.i = load i64, ptr %sunkaddr97.i, align 8
-  br label %B622.endif.i
+B874.loopexit.i.i:                                ; preds = %B796.i.i, %B796.prol.loopexit.i.i
+  %sunkaddr93.i.i = shl i64 %.1681.i.i, 3
+  %sunkaddr94.i.i = getelementptr inbounds i8, ptr %136, i64 %sunkaddr93.i.i
+  %.2121.pre.i.i = load i64, ptr %sunkaddr94.i.i, align 8
+  br label %B874.i.i
 
-B622.endif.i:                                     ; preds = %B622.endif.loopexit.i, %B64.endif.endif.endif.endif.endif.thread.i
-  %.1494.i = phi i64 [ %.718.i, %B64.endif.endif.endif.endif.endif.thread.i ], [ %.1494.pre.i, %B622.endif.loopexit.i ]
-  %.15741095.not.i = icmp slt i64 %.1494.i, 1
-  br i1 %.15741095.not.i, label %B996.endif.i, label %B666.i
+B874.i.i:                                         ; preds = %B718.endif.i.i, %B874.loopexit.i.i
+  %.2121.i.i = phi i64 [ %.2121.pre.i.i, %B874.loopexit.i.i ], [ %.1697.i.i, %B718.endif.i.i ]
+  %.2150.i.i = icmp slt i64 %.2121.i.i, 0
+  %.2151.i.i = select i1 %.2150.i.i, i64 %w5, i64 0
+  %80 = getelementptr i64, ptr %.84.i5.i.i, i64 %.2121.i.i
+  %.2173.i.i = getelementptr i64, ptr %80, i64 %.2151.i.i
+  store i64 -1, ptr %.2173.i.i, align 8
+  br label %B1037.i.i
 
-B702.endif.i:                                     ; preds = %B36.i15.i, %B702.i
-  %slot.3.1.i21.i = phi i64 [ 0, %B702.i ], [ %.90.i17.i, %B36.i15.i ]
-  %.1710.i = icmp ne i64 %.1662.i, %.4711229.i
-  %.1714.i = icmp ne i64 %.1662.i, %.595.i
-  %or.cond.i = select i1 %.1710.i, i1 %.1714.i, i1 false
-  br i1 %or.cond.i, label %B760.i, label %B812.endif.i
+B956.i.i:                                         ; preds = %B956.lr.ph.new.i.i, %B956.i.i
+  %.228410101012.i.i = phi i64 [ 0, %B956.lr.ph.new.i.i ], [ %.2291.1.i.i, %B956.i.i ]
+  %81 = shl i64 %.228410101012.i.i, 3
+  %sunkaddr37.i.i = getelementptr i8, ptr %w35, i64 %81
+  %.2369.i.i = load i64, ptr %sunkaddr37.i.i, align 8
+  %scevgep45.i.i = getelementptr i8, ptr %scevgep43.i.i, i64 %81
+  %scevgep12.i.i = getelementptr i8, ptr %scevgep45.i.i, i64 -8
+  store i64 %.2369.i.i, ptr %scevgep12.i.i, align 8
+  %scevgep2.i.i = getelementptr i8, ptr %scevgep47.i.i, i64 %81
+  %scevgep3.i8.i = getelementptr i8, ptr %scevgep2.i.i, i64 -8
+  store i64 -1, ptr %scevgep3.i8.i, align 8
+  %scevgep4.i.i = getelementptr i8, ptr %scevgep51.i.i, i64 %81
+  %scevgep6.i.i = getelementptr i8, ptr %scevgep4.i.i, i64 -8
+  %.2525.i.i = load i64, ptr %scevgep6.i.i, align 8
+  %scevgep.i9.i = getelementptr i8, ptr %scevgep55.i.i, i64 %81
+  %scevgep1.i.i = getelementptr i8, ptr %scevgep.i9.i, i64 -8
+  store i64 %.2525.i.i, ptr %scevgep1.i.i, align 8
+  %.2291.1.i.i = add nuw i64 %.228410101012.i.i, 2
+  %sunkaddr40.i.i = getelementptr i8, ptr %sunkaddr37.i.i, i64 8
+  %.2369.1.i.i = load i64, ptr %sunkaddr40.i.i, align 8
+  store i64 %.2369.1.i.i, ptr %scevgep45.i.i, align 8
+  store i64 -1, ptr %scevgep2.i.i, align 8
+  %.2525.1.i.i = load i64, ptr %scevgep4.i.i, align 8
+  store i64 %.2525.1.i.i, ptr %scevgep.i9.i, align 8
+  %niter.ncmp.1.i.i = icmp eq i64 %unroll_iter.i7.i, %.2291.1.i.i
+  br i1 %niter.ncmp.1.i.i, label %common.ret.loopexit.unr-lcssa.i10.i, label %B956.i.i
 
-B812.endif.i:                                     ; preds = %B702.endif.i
-  %.1891.i = select i1 %.58.i6.i, i64 %w8, i64 0
-  %99 = getelementptr i64, ptr %w7, i64 %.1662.i
-  %.1905.i = getelementptr i64, ptr %99, i64 %.1891.i
-  %.1906.i = load i64, ptr %.1905.i, align 8
-  %.1907.i = add nsw i64 %.1906.i, -1
-  store i64 %.1907.i, ptr %.1905.i, align 8
-  %.2009.i = sub i64 %.1907.i, %slot.3.1.i21.i
-  %.20521080.not.i = icmp slt i64 %.2009.i, 1
-  br i1 %.20521080.not.i, label %B968.i, label %B890.lr.ph.i
+common.ret.loopexit.unr-lcssa.i10.i:              ; preds = %B956.i.i
+  br i1 %lcmp.mod38.not.i.i, label %_ZN7msf_jax4host4meso7kernels11merge_ringsB3v54B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedExx5ArrayIxLi2E1C7mutable7alignedE.exit.i, label %B956.epil.preheader.i.i
 
-B890.lr.ph.i:                                     ; preds = %B812.endif.i
-  %.2167.i = select i1 %.58.i6.i, i64 %w10, i64 0
-  %.2168.i = add i64 %.2167.i, %.1662.i
-  %.2188.i = mul i64 %.2168.i, %w11
-  %100 = getelementptr i64, ptr %w9, i64 %.2188.i
-  %101 = add i64 %.1906.i, -2
-  %xtraiter.i = and i64 %.2009.i, 1
-  %lcmp.mod.not.i = icmp eq i64 %xtraiter.i, 0
-  br i1 %lcmp.mod.not.i, label %B890.prol.loopexit.i, label %B890.prol.i
+B956.epil.preheader.i.i:                          ; preds = %B956.lr.ph.i.i, %common.ret.loopexit.unr-lcssa.i10.i
+  %.2369.epil.i.i = load i64, ptr %.2368.epil.i.i, align 8
+  %.2419.epil.i.i = getelementptr i64, ptr %.84.i.i1.i, i64 %unroll_iter.i7.i
+  store i64 %.2369.epil.i.i, ptr %.2419.epil.i.i, align 8
+  %.2470.epil.i.i = getelementptr i64, ptr %.84.i22.i.i, i64 %unroll_iter.i7.i
+  store i64 -1, ptr %.2470.epil.i.i, align 8
+  %.2525.epil.i.i = load i64, ptr %.2524.epil.i.i, align 8
+  %82 = getelementptr i64, ptr %109, i64 %unroll_iter.i7.i
+  store i64 %.2525.epil.i.i, ptr %82, align 8
+  br label %_ZN7msf_jax4host4meso7kernels11merge_ringsB3v54B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedExx5ArrayIxLi2E1C7mutable7alignedE.exit.i
 
-B890.prol.i:                                      ; preds = %B890.lr.ph.i
-  %.2065.prol.i = add i64 %slot.3.1.i21.i, 1
-  %.2117.prol.i = icmp slt i64 %slot.3.1.i21.i, -1
-  %.2118.prol.i = select i1 %.2117.prol.i, i64 %w6, i64 0
-  %102 = getelementptr i64, ptr %.84.i10.i, i64 %.2065.prol.i
-  %.2140.prol.i = getelementptr i64, ptr %102, i64 %.2118.prol.i
-  %.2141.prol.i = load i64, ptr %.2140.prol.i, align 8
-  %.2170.prol.i = select i1 %.2117.prol.i, i64 %w11, i64 0
-  %103 = getelementptr i64, ptr %100, i64 %.2065.prol.i
-  %.2192.prol.i = getelementptr i64, ptr %103, i64 %.2170.prol.i
-  %.2193.prol.i = load i64, ptr %.2192.prol.i, align 8
-  %104 = getelementptr i64, ptr %.84.i10.i, i64 %slot.3.1.i21.i
-  store i64 %.2141.prol.i, ptr %104, align 8
-  %105 = getelementptr i64, ptr %100, i64 %slot.3.1.i21.i
-  store i64 %.2193.prol.i, ptr %105, align 8
-  br label %B890.prol.loopexit.i
+B1037.i.i:                                        ; preds = %B874.i.i, %B666.i.i, %B572.i.i
+  %exitcond1018.not.i.i = icmp eq i64 %.1377.i.i, %.1284.i.i
+  br i1 %exitcond1018.not.i.i, label %B902.endif.i.i, label %B572.i.i
 
-B890.prol.loopexit.i:                             ; preds = %B890.prol.i, %B890.lr.ph.i
-  %.205810791081.unr.i = phi i64 [ %slot.3.1.i21.i, %B890.lr.ph.i ], [ %.2065.prol.i, %B890.prol.i ]
-  %106 = icmp eq i64 %101, %slot.3.1.i21.i
-  br i1 %106, label %B968.loopexit.i, label %B890.i
+B0.endif.i.i:                                     ; preds = %B36.i.i.i, %B536.i
+  %slot.3.1.i.i.i = phi i64 [ 0, %B536.i ], [ %.90.i.i.i, %B36.i.i.i ]
+  %.58.i18.i.i = icmp slt i64 %two.2.2.i, 0
+  %.59.i19.i.i = select i1 %.58.i18.i.i, i64 %w4, i64 0
+  %.60.i20.i.i = add i64 %.59.i19.i.i, %two.2.2.i
+  %.80.i21.i.i = mul i64 %.60.i20.i.i, %w5
+  %.84.i22.i.i = getelementptr i64, ptr %w3, i64 %.80.i21.i.i
+  %.85.i23.i.i = load i64, ptr %.84.i22.i.i, align 8
+  %.87.not.i24.i.i = icmp eq i64 %.85.i23.i.i, %one.2.2.i
+  br i1 %.87.not.i24.i.i, label %B0.endif.endif.i.i, label %B36.i27.i.i
 
-B996.endif.i:                                     ; preds = %B1157.i, %B622.endif.i
-  br i1 %4, label %B1130.i, label %B1050.preheader.i
+B36.i27.i.i:                                      ; preds = %B0.endif.i.i, %B36.i27.i.i
+  %lsr.iv.i2.i = phi i64 [ %lsr.iv.next.i3.i, %B36.i27.i.i ], [ 3, %B0.endif.i.i ]
+  %83 = shl i64 %lsr.iv.i2.i, 3
+  %scevgep83.i.i = getelementptr i8, ptr %.84.i22.i.i, i64 %83
+  %scevgep84.i.i = getelementptr i8, ptr %scevgep83.i.i, i64 -16
+  %.145.i31.i.i = load i64, ptr %scevgep84.i.i, align 8
+  %.147.not.i32.i.i = icmp eq i64 %.145.i31.i.i, %one.2.2.i
+  %lsr.iv.next.i3.i = add i64 %lsr.iv.i2.i, 1
+  br i1 %.147.not.i32.i.i, label %B0.endif.endif.i.i, label %B36.i27.i.i
 
-B1050.preheader.i:                                ; preds = %B996.endif.i
-  br i1 %5, label %B1050.epil.preheader.i, label %B1050.preheader45.i
+B0.endif.endif.i.i:                               ; preds = %B36.i27.i.i, %B0.endif.i.i
+  %slot.3.1.i33.i.i = phi i64 [ 3, %B0.endif.i.i ], [ %lsr.iv.next.i3.i, %B36.i27.i.i ]
+  %.139.i.i = add i64 %slot.3.1.i.i.i, 1
+  %.155.i.i = select i1 %.1115.i, i64 %w7, i64 0
+  %84 = getelementptr i64, ptr %w6, i64 %one.2.2.i
+  %.169.i.i = getelementptr i64, ptr %84, i64 %.155.i.i
+  %.170.i.i = load i64, ptr %.169.i.i, align 8
+  %.173.i.i = icmp eq i64 %.170.i.i, 0
+  br i1 %.173.i.i, label %B0.endif.endif.endif.endif.endif.thread.i.i, label %B0.endif.endif.endif.i.i
 
-B1050.preheader45.i:                              ; preds = %B1050.preheader.i
-  %107 = mul i64 %.60.i.i, %s9
-  %scevgep76.i = getelementptr i8, ptr %scevgep75.i, i64 %107
-  %108 = mul i64 %.60.i25.i, %s9
-  %scevgep81.i = getelementptr i8, ptr %scevgep75.i, i64 %108
-  %109 = mul i64 %.628.i, %s17
-  %scevgep90.i = getelementptr i8, ptr %scevgep89.i, i64 %109
-  br label %B1050.i
+B0.endif.endif.endif.i.i:                         ; preds = %B0.endif.endif.i.i
+  %85 = or i64 %.170.i.i, %.139.i.i
+  %86 = icmp ult i64 %85, 4294967296
+  br i1 %86, label %87, label %92
 
-_ZN7msf_jax4host4meso7kernels5mergeB3v49B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE.exit: ; preds = %B1130.i, %0
-  ret i64 0
+87:                                               ; preds = %B0.endif.endif.endif.i.i
+  %88 = trunc nuw i64 %.170.i.i to i32
+  %89 = trunc nuw i64 %.139.i.i to i32
+  %90 = urem i32 %89, %88
+  %91 = zext i32 %90 to i64
+  br label %94
+
+92:                                               ; preds = %B0.endif.endif.endif.i.i
+  %93 = srem i64 %.139.i.i, %.170.i.i
+  br label %94
+
+94:                                               ; preds = %92, %87
+  %95 = phi i64 [ %91, %87 ], [ %93, %92 ]
+  %.191.i.i = xor i64 %95, %.170.i.i
+  %.192.i.i = icmp slt i64 %.191.i.i, 0
+  %.193.i.i = icmp ne i64 %95, 0
+  %.194.i.i = and i1 %.193.i.i, %.192.i.i
+  %.201.i.i = select i1 %.194.i.i, i64 %.170.i.i, i64 0
+  %spec.select968.i.i = add i64 %.201.i.i, %95
+  %spec.select968.fr.i.i = freeze i64 %spec.select968.i.i
+  %.237.i.i = icmp slt i64 %spec.select968.fr.i.i, 0
+  %spec.select1040.i.i = select i1 %.237.i.i, i64 %w5, i64 0
+  %96 = getelementptr i64, ptr %.84.i.i1.i, i64 %spec.select968.fr.i.i
+  %.2601034.i.i = getelementptr i64, ptr %96, i64 %spec.select1040.i.i
+  %.2611035.i.i = load i64, ptr %.2601034.i.i, align 8
+  %.2631036.i.i = add nsw i64 %slot.3.1.i.i.i, -1
+  %.308.i.i = icmp ne i64 %.2631036.i.i, -9223372036854775808
+  %.309.i.i = icmp ne i64 %.170.i.i, -1
+  %.310.not.i.i = or i1 %.308.i.i, %.309.i.i
+  br i1 %.310.not.i.i, label %B0.endif.endif.endif.else.if.i.i, label %B0.endif.endif.endif.endif.endif.thread.i.i
+
+B0.endif.endif.endif.else.if.i.i:                 ; preds = %94
+  %97 = or i64 %.170.i.i, %.2631036.i.i
+  %98 = icmp ult i64 %97, 4294967296
+  br i1 %98, label %99, label %104
+
+99:                                               ; preds = %B0.endif.endif.endif.else.if.i.i
+  %100 = trunc nuw i64 %.170.i.i to i32
+  %101 = trunc nuw i64 %.2631036.i.i to i32
+  %102 = urem i32 %101, %100
+  %103 = zext i32 %102 to i64
+  br label %106
+
+104:                                              ; preds = %B0.endif.endif.endif.else.if.i.i
+  %105 = srem i64 %.2631036.i.i, %.170.i.i
+  br label %106
+
+106:                                              ; preds = %104, %99
+  %107 = phi i64 [ %103, %99 ], [ %105, %104 ]
+  %.315.i.i = xor i64 %107, %.170.i.i
+  %.316.i.i = icmp slt i64 %.315.i.i, 0
+  %.317.i.i = icmp ne i64 %107, 0
+  %.318.i.i = and i1 %.317.i.i, %.316.i.i
+  %.325.i.i = select i1 %.318.i.i, i64 %.170.i.i, i64 0
+  %spec.select969.i.i = add i64 %.325.i.i, %107
+  %spec.select969.fr.i.i = freeze i64 %spec.select969.i.i
+  %.361.i.i = icmp slt i64 %spec.select969.fr.i.i, 0
+  %.362.i.i = select i1 %.361.i.i, i64 %w5, i64 0
+  %108 = getelementptr i64, ptr %.84.i.i1.i, i64 %.362.i.i
+  %.384.phi.trans.insert.i.i = getelementptr i64, ptr %108, i64 %spec.select969.fr.i.i
+  %.385.pre.i.i = load i64, ptr %.384.phi.trans.insert.i.i, align 8
+  br label %B0.endif.endif.endif.endif.endif.thread.i.i
+
+B0.endif.endif.endif.endif.endif.thread.i.i:      ; preds = %106, %94, %B0.endif.endif.i.i
+  %.385.i.i = phi i64 [ %.85.i.i.i, %94 ], [ %.385.pre.i.i, %106 ], [ %.85.i.i.i, %B0.endif.endif.i.i ]
+  %.2611038.i.i = phi i64 [ %.2611035.i.i, %94 ], [ %.2611035.i.i, %106 ], [ %.85.i.i.i, %B0.endif.endif.i.i ]
+  %.417.i.i = select i1 %.1115.i, i64 %w9, i64 0
+  %.418.i.i = add i64 %.417.i.i, %one.2.2.i
+  %.438.i.i = mul i64 %.418.i.i, %w10
+  %109 = getelementptr i64, ptr %w8, i64 %.438.i.i
+  %110 = getelementptr i64, ptr %109, i64 %slot.3.1.i.i.i
+  %.443.i.i = load i64, ptr %110, align 8
+  %.493.i.i = select i1 %.58.i18.i.i, i64 %w7, i64 0
+  %111 = getelementptr i64, ptr %w6, i64 %two.2.2.i
+  %.507.i.i = getelementptr i64, ptr %111, i64 %.493.i.i
+  %.508.i.i = load i64, ptr %.507.i.i, align 8
+  %.509.i.i = add i64 %.170.i.i, -4
+  %.510.i.i = add i64 %.509.i.i, %.508.i.i
+  br i1 %.564.i.i, label %B274.lr.ph.i.i, label %B528.endif.i.i
+
+B274.lr.ph.i.i:                                   ; preds = %B0.endif.endif.endif.endif.endif.thread.i.i
+  %112 = xor i64 %slot.3.1.i33.i.i, -9223372036854775808
+  %113 = add i64 %slot.3.1.i.i.i, 9223372036854775807
+  %sunkaddr29.i.i = shl i64 %.155.i.i, 3
+  %sunkaddr30.i.i = getelementptr i8, ptr %84, i64 %sunkaddr29.i.i
+  %sunkaddr.i.i = shl i64 %.493.i.i, 3
+  %sunkaddr31.i.i = getelementptr i8, ptr %111, i64 %sunkaddr.i.i
+  br label %B274.i.i
+
+B336.else.i.i:                                    ; preds = %B336.i.i
+  %114 = add i64 %113, %.612978980.i.i
+  %.844.i.i = icmp ne i64 %114, -2
+  %.845.i16.i = icmp ne i64 %.791.i.i, -1
+  %.846.not.i.i = or i1 %.844.i.i, %.845.i16.i
+  br i1 %.846.not.i.i, label %B336.else.if.i.i, label %B432.i.i
+
+B336.else.if.i.i:                                 ; preds = %B336.else.i.i
+  %115 = or i64 %.791.i.i, %55
+  %116 = icmp ult i64 %115, 4294967296
+  br i1 %116, label %117, label %121
+
+117:                                              ; preds = %B336.else.if.i.i
+  %118 = trunc nuw i64 %.791.i.i to i32
+  %tmp27.i.i = trunc nuw i64 %55 to i32
+  %119 = urem i32 %tmp27.i.i, %118
+  %120 = zext i32 %119 to i64
+  br label %123
+
+121:                                              ; preds = %B336.else.if.i.i
+  %122 = srem i64 %55, %.791.i.i
+  br label %123
+
+123:                                              ; preds = %121, %117
+  %124 = phi i64 [ %120, %117 ], [ %122, %121 ]
+  %.851.i17.i = xor i64 %124, %.791.i.i
+  %.852.i.i = icmp slt i64 %.851.i17.i, 0
+  %.853.i.i = icmp ne i64 %124, 0
+  %.854.i.i = and i1 %.853.i.i, %.852.i.i
+  %.861.i.i = select i1 %.854.i.i, i64 %.791.i.i, i64 0
+  %spec.select970.i.i = add i64 %.861.i.i, %124
+  br label %B432.i.i
+
+B376.else.i.i:                                    ; preds = %B376.i.i
+  %125 = add i64 %.612978980.i.i, %112
+  %.959.i.i = icmp ne i64 %125, %.791.i.i
+  %.960.i.i = icmp ne i64 %.945.i.i, -1
+  %.961.not.i.i = or i1 %.959.i.i, %.960.i.i
+  br i1 %.961.not.i.i, label %B376.else.if.i.i, label %B432.i.i
+
+B376.else.if.i.i:                                 ; preds = %B376.else.i.i
+  %126 = or i64 %.945.i.i, %57
+  %127 = icmp ult i64 %126, 4294967296
+  br i1 %127, label %128, label %132
+
+128:                                              ; preds = %B376.else.if.i.i
+  %129 = trunc nuw i64 %.945.i.i to i32
+  %tmp.i.i = trunc nuw i64 %57 to i32
+  %130 = urem i32 %tmp.i.i, %129
+  %131 = zext i32 %130 to i64
+  br label %134
+
+132:                                              ; preds = %B376.else.if.i.i
+  %133 = srem i64 %57, %.945.i.i
+  br label %134
+
+134:                                              ; preds = %132, %128
+  %135 = phi i64 [ %131, %128 ], [ %133, %132 ]
+  %.966.i15.i = xor i64 %135, %.945.i.i
+  %.967.i.i = icmp slt i64 %.966.i15.i, 0
+  %.968.i.i = icmp ne i64 %135, 0
+  %.969.i.i = and i1 %.968.i.i, %.967.i.i
+  %.976.i.i = select i1 %.969.i.i, i64 %.945.i.i, i64 0
+  %spec.select971.i.i = add i64 %.976.i.i, %135
+  br label %B432.i.i
+
+B528.endif.loopexit.i.i:                          ; preds = %B526.i.i
+  %.1284.pre.i.i = load i64, ptr %sunkaddr31.i.i, align 8
+  br label %B528.endif.i.i
+
+B528.endif.i.i:                                   ; preds = %B528.endif.loopexit.i.i, %B0.endif.endif.endif.endif.endif.thread.i.i
+  %.1284.i.i = phi i64 [ %.1284.pre.i.i, %B528.endif.loopexit.i.i ], [ %.508.i.i, %B0.endif.endif.endif.endif.endif.thread.i.i ]
+  %.13641000.not.i.i = icmp slt i64 %.1284.i.i, 1
+  br i1 %.13641000.not.i.i, label %B902.endif.i.i, label %B572.i.i
+
+B608.endif.i.i:                                   ; preds = %B36.i10.i.i, %B608.i.i
+  %slot.3.1.i16.i.i = phi i64 [ 0, %B608.i.i ], [ %.90.i12.i.i, %B36.i10.i.i ]
+  %.1500.i.i = icmp ne i64 %.1452.i.i, %.2611038.i.i
+  %.1504.i.i = icmp ne i64 %.1452.i.i, %.385.i.i
+  %or.cond.i.i = select i1 %.1500.i.i, i1 %.1504.i.i, i1 false
+  br i1 %or.cond.i.i, label %B666.i.i, label %B718.endif.i.i
+
+B718.endif.i.i:                                   ; preds = %B608.endif.i.i
+  %.1681.i.i = select i1 %.58.i1.i.i, i64 %w7, i64 0
+  %136 = getelementptr i64, ptr %w6, i64 %.1452.i.i
+  %.1695.i.i = getelementptr i64, ptr %136, i64 %.1681.i.i
+  %.1696.i.i = load i64, ptr %.1695.i.i, align 8
+  %.1697.i.i = add nsw i64 %.1696.i.i, -1
+  store i64 %.1697.i.i, ptr %.1695.i.i, align 8
+  %.1799.i.i = sub i64 %.1697.i.i, %slot.3.1.i16.i.i
+  %.1842985.not.i.i = icmp slt i64 %.1799.i.i, 1
+  br i1 %.1842985.not.i.i, label %B874.i.i, label %B796.lr.ph.i.i
+
+B796.lr.ph.i.i:                                   ; preds = %B718.endif.i.i
+  %.1957.i.i = select i1 %.58.i1.i.i, i64 %w9, i64 0
+  %.1958.i.i = add i64 %.1957.i.i, %.1452.i.i
+  %.1978.i.i = mul i64 %.1958.i.i, %w10
+  %137 = getelementptr i64, ptr %w8, i64 %.1978.i.i
+  %138 = add i64 %.1696.i.i, -2
+  %xtraiter.i4.i = and i64 %.1799.i.i, 1
+  %lcmp.mod.not.i5.i = icmp eq i64 %xtraiter.i4.i, 0
+  br i1 %lcmp.mod.not.i5.i, label %B796.prol.loopexit.i.i, label %B796.prol.i.i
+
+B796.prol.i.i:                                    ; preds = %B796.lr.ph.i.i
+  %.1855.prol.i.i = add i64 %slot.3.1.i16.i.i, 1
+  %.1907.prol.i.i = icmp slt i64 %slot.3.1.i16.i.i, -1
+  %.1908.prol.i.i = select i1 %.1907.prol.i.i, i64 %w5, i64 0
+  %139 = getelementptr i64, ptr %.84.i5.i.i, i64 %.1855.prol.i.i
+  %.1930.prol.i.i = getelementptr i64, ptr %139, i64 %.1908.prol.i.i
+  %.1931.prol.i.i = load i64, ptr %.1930.prol.i.i, align 8
+  %.1960.prol.i.i = select i1 %.1907.prol.i.i, i64 %w10, i64 0
+  %140 = getelementptr i64, ptr %137, i64 %.1855.prol.i.i
+  %.1982.prol.i.i = getelementptr i64, ptr %140, i64 %.1960.prol.i.i
+  %.1983.prol.i.i = load i64, ptr %.1982.prol.i.i, align 8
+  %141 = getelementptr i64, ptr %.84.i5.i.i, i64 %slot.3.1.i16.i.i
+  store i64 %.1931.prol.i.i, ptr %141, align 8
+  %142 = getelementptr i64, ptr %137, i64 %slot.3.1.i16.i.i
+  store i64 %.1983.prol.i.i, ptr %142, align 8
+  br label %B796.prol.loopexit.i.i
+
+B796.prol.loopexit.i.i:                           ; preds = %B796.prol.i.i, %B796.lr.ph.i.i
+  %.1848984986.unr.i.i = phi i64 [ %slot.3.1.i16.i.i, %B796.lr.ph.i.i ], [ %.1855.prol.i.i, %B796.prol.i.i ]
+  %143 = icmp eq i64 %138, %slot.3.1.i16.i.i
+  br i1 %143, label %B874.loopexit.i.i, label %B796.i.i
+
+B902.endif.i.i:                                   ; preds = %B1037.i.i, %B528.endif.i.i
+  br i1 %.22781011.not.i.i, label %_ZN7msf_jax4host4meso7kernels11merge_ringsB3v54B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedExx5ArrayIxLi2E1C7mutable7alignedE.exit.i, label %B956.lr.ph.i.i
+
+B956.lr.ph.i.i:                                   ; preds = %B902.endif.i.i
+  br i1 %10, label %B956.epil.preheader.i.i, label %B956.lr.ph.new.i.i
+
+B956.lr.ph.new.i.i:                               ; preds = %B956.lr.ph.i.i
+  %144 = shl i64 %.80.i.i.i, 3
+  %145 = getelementptr i8, ptr %w3, i64 %144
+  %scevgep43.i.i = getelementptr i8, ptr %145, i64 8
+  %146 = shl i64 %.80.i21.i.i, 3
+  %147 = getelementptr i8, ptr %w3, i64 %146
+  %scevgep47.i.i = getelementptr i8, ptr %147, i64 8
+  %148 = shl i64 %.438.i.i, 3
+  %149 = getelementptr i8, ptr %w8, i64 %148
+  %scevgep55.i.i = getelementptr i8, ptr %149, i64 8
+  br label %B956.i.i
+
+_ZN7msf_jax4host4meso7kernels11merge_ringsB3v54B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedExx5ArrayIxLi2E1C7mutable7alignedE.exit.i: ; preds = %B902.endif.i.i, %B956.epil.preheader.i.i, %common.ret.loopexit.unr-lcssa.i10.i
+  %sunkaddr100.i.i = shl i64 %.155.i.i, 3
+  %sunkaddr101.i.i = getelementptr i8, ptr %84, i64 %sunkaddr100.i.i
+  store i64 %.510.i.i, ptr %sunkaddr101.i.i, align 8
+  %sunkaddr102.i.i = shl i64 %.493.i.i, 3
+  %sunkaddr103.i.i = getelementptr i8, ptr %111, i64 %sunkaddr102.i.i
+  store i64 0, ptr %sunkaddr103.i.i, align 8
+  %.1442.i = icmp slt i64 %count.2.01084.i, 0
+  %.1443.i = select i1 %.1442.i, i64 %w39, i64 0
+  %.1444.i = add i64 %.1443.i, %count.2.01084.i
+  %.1464.i = mul i64 %.1444.i, %w40
+  %.1468.i = getelementptr i64, ptr %w38, i64 %.1464.i
+  store i64 %one.2.2.i, ptr %.1468.i, align 8
+  %.1524.i = getelementptr i8, ptr %.1468.i, i64 8
+  store i64 %two.2.2.i, ptr %.1524.i, align 8
+  %.1542.i = select i1 %.1442.i, i64 %w42, i64 0
+  %150 = getelementptr double, ptr %w41, i64 %count.2.01084.i
+  %.1556.i = getelementptr double, ptr %150, i64 %.1542.i
+  store double %"$phi438.1.2.2.i", ptr %.1556.i, align 8
+  %.269.i.i = select i1 %.1115.i, i64 %w1, i64 0
+  %.270.i.i = add i64 %.269.i.i, %one.2.2.i
+  %.290.i.i = mul i64 %.270.i.i, %w2
+  %151 = getelementptr double, ptr %w0, i64 %.290.i.i
+  %.321.i.i = select i1 %.58.i18.i.i, i64 %w1, i64 0
+  %.322.i.i = add i64 %.321.i.i, %two.2.2.i
+  %.342.i.i = mul i64 %.322.i.i, %w2
+  %152 = getelementptr double, ptr %w0, i64 %.342.i.i
+  %.295.i.i = load double, ptr %151, align 8
+  %.347.i.i = load double, ptr %152, align 8
+  %.400.i.i = fsub double %.347.i.i, %.295.i.i
+  %.402.i.i = fmul double %"$phi438.1.2.2.i", %.400.i.i
+  %.403.i.i = fadd double %.295.i.i, %.402.i.i
+  store double %.403.i.i, ptr %151, align 8
+  %.294.1.i.i = getelementptr i8, ptr %151, i64 8
+  %.295.1.i.i = load double, ptr %.294.1.i.i, align 8
+  %.346.1.i.i = getelementptr i8, ptr %152, i64 8
+  %.347.1.i.i = load double, ptr %.346.1.i.i, align 8
+  %.400.1.i.i = fsub double %.347.1.i.i, %.295.1.i.i
+  %.402.1.i.i = fmul double %"$phi438.1.2.2.i", %.400.1.i.i
+  %.403.1.i.i = fadd double %.295.1.i.i, %.402.1.i.i
+  store double %.403.1.i.i, ptr %.294.1.i.i, align 8
+  %.294.2.i.i = getelementptr i8, ptr %151, i64 16
+  %.295.2.i.i = load double, ptr %.294.2.i.i, align 8
+  %.346.2.i.i = getelementptr i8, ptr %152, i64 16
+  %.347.2.i.i = load double, ptr %.346.2.i.i, align 8
+  %.400.2.i.i = fsub double %.347.2.i.i, %.295.2.i.i
+  %.402.2.i.i = fmul double %"$phi438.1.2.2.i", %.400.2.i.i
+  %.403.2.i.i = fadd double %.295.2.i.i, %.402.2.i.i
+  store double %.403.2.i.i, ptr %.294.2.i.i, align 8
+  %.419.i.i.i = select i1 %.58.i18.i.i, i64 %w15, i64 0
+  %153 = getelementptr i8, ptr %w14, i64 %two.2.2.i
+  %.433.i.i.i = getelementptr i8, ptr %153, i64 %.419.i.i.i
+  %.434.i.i.i = load i8, ptr %.433.i.i.i, align 1
+  %.437.i.i.i = icmp eq i8 %.434.i.i.i, 0
+  br i1 %.437.i.i.i, label %B150.endif.i.i, label %B156.i.i.i
+
+B733.i:                                           ; preds = %B536.endif.endif.endif.endif.i, %B520.i, %B302.i, %B286.i, %B270.i
+  %count.3.1.i = phi i64 [ %count.2.01084.i, %B270.i ], [ %.1759.i, %B536.endif.endif.endif.endif.i ], [ %count.2.01084.i, %B520.i ], [ %count.2.01084.i, %B286.i ], [ %count.2.01084.i, %B302.i ]
+  %exitcond.not.i = icmp eq i64 %.292.i, %w26
+  br i1 %exitcond.not.i, label %_ZN7msf_jax4host4meso7kernels8collapseB3v50B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE385Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28bool_2c_201d_2c_20C_29_2c_20array_28bool_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEb5ArrayIbLi1E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, label %B58.i
+
+B206.endif.i:                                     ; preds = %B190.i, %B174.i
+  %.713.i = icmp slt i64 %.484.i, 0
+  %.714.i = select i1 %.713.i, i64 %w7, i64 0
+  %154 = getelementptr i64, ptr %w6, i64 %.484.i
+  %.728.i = getelementptr i64, ptr %154, i64 %.714.i
+  %.729.i = load i64, ptr %.728.i, align 8
+  %.746.i = icmp slt i64 %.539.i, 0
+  %.747.i = select i1 %.746.i, i64 %w7, i64 0
+  %155 = getelementptr i64, ptr %w6, i64 %.539.i
+  %.761.i = getelementptr i64, ptr %155, i64 %.747.i
+  %.762.i = load i64, ptr %.761.i, align 8
+  %.11.i.i = tail call i64 @llvm.smin.i64(i64 %.762.i, i64 %.729.i)
+  %.795.i = icmp slt i64 %.11.i.i, 4
+  br i1 %.795.i, label %B270.i, label %B286.i
+
+B320.endif.i:                                     ; preds = %B58.epil.i.i, %B88.loopexit.unr-lcssa.i.i, %B320.i
+  store i8 1, ptr %.939.i, align 1
+  %.88.i171.i = select i1 %.924.i, i64 %w7, i64 0
+  %156 = getelementptr i64, ptr %w6, i64 %.429.i
+  %.102.i172.i = getelementptr i64, ptr %156, i64 %.88.i171.i
+  %.103.i173.i = load i64, ptr %.102.i172.i, align 8
+  %.185113.not.i174.i = icmp slt i64 %.103.i173.i, 1
+  br i1 %.185113.not.i174.i, label %B320.endif.endif.i, label %B58.lr.ph.i175.i
+
+B58.lr.ph.i175.i:                                 ; preds = %B320.endif.i
+  %.247.i176.i = select i1 %.924.i, i64 %w4, i64 0
+  %.248.i177.i = add i64 %.247.i176.i, %.429.i
+  %xtraiter.i178.i = and i64 %.103.i173.i, 3
+  %157 = icmp samesign ult i64 %.103.i173.i, 4
+  br i1 %157, label %B58.epil.preheader.i208.i, label %B58.lr.ph.new.i179.i
+
+B58.lr.ph.new.i179.i:                             ; preds = %B58.lr.ph.i175.i
+  %unroll_iter.i180.i = and i64 %.103.i173.i, 9223372036854775804
+  %158 = mul i64 %.248.i177.i, %s8
+  %159 = getelementptr i8, ptr %w3, i64 %158
+  %scevgep3.i181.i = getelementptr i8, ptr %159, i64 24
+  br label %B58.i182.i
+
+B58.i182.i:                                       ; preds = %B58.i182.i, %B58.lr.ph.new.i179.i
+  %.191112114.i183.i = phi i64 [ 0, %B58.lr.ph.new.i179.i ], [ %.198.3.i200.i, %B58.i182.i ]
+  %160 = shl i64 %.191112114.i183.i, 3
+  %scevgep9.i184.i = getelementptr i8, ptr %scevgep3.i181.i, i64 %160
+  %scevgep10.i185.i = getelementptr i8, ptr %scevgep9.i184.i, i64 -24
+  %.273.i186.i = load i64, ptr %scevgep10.i185.i, align 8
+  %.287.i187.i = icmp slt i64 %.273.i186.i, 0
+  %.288.i188.i = select i1 %.287.i187.i, i64 %w32, i64 0
+  %161 = getelementptr i8, ptr %w31, i64 %.273.i186.i
+  %.302.i189.i = getelementptr i8, ptr %161, i64 %.288.i188.i
+  store i8 1, ptr %.302.i189.i, align 1
+  %scevgep294.i = getelementptr i8, ptr %scevgep9.i184.i, i64 -16
+  %.273.1.i191.i = load i64, ptr %scevgep294.i, align 8
+  %.287.1.i192.i = icmp slt i64 %.273.1.i191.i, 0
+  %.288.1.i193.i = select i1 %.287.1.i192.i, i64 %w32, i64 0
+  %162 = getelementptr i8, ptr %w31, i64 %.273.1.i191.i
+  %.302.1.i194.i = getelementptr i8, ptr %162, i64 %.288.1.i193.i
+  store i8 1, ptr %.302.1.i194.i, align 1
+  %scevgep292.i = getelementptr i8, ptr %scevgep9.i184.i, i64 -8
+  %.273.2.i196.i = load i64, ptr %scevgep292.i, align 8
+  %.287.2.i197.i = icmp slt i64 %.273.2.i196.i, 0
+  %.288.2.i198.i = select i1 %.287.2.i197.i, i64 %w32, i64 0
+  %163 = getelementptr i8, ptr %w31, i64 %.273.2.i196.i
+  %.302.2.i199.i = getelementptr i8, ptr %163, i64 %.288.2.i198.i
+  store i8 1, ptr %.302.2.i199.i, align 1
+  %.198.3.i200.i = add nuw nsw i64 %.191112114.i183.i, 4
+  %.273.3.i201.i = load i64, ptr %scevgep9.i184.i, align 8
+  %.287.3.i202.i = icmp slt i64 %.273.3.i201.i, 0
+  %.288.3.i203.i = select i1 %.287.3.i202.i, i64 %w32, i64 0
+  %164 = getelementptr i8, ptr %w31, i64 %.273.3.i201.i
+  %.302.3.i204.i = getelementptr i8, ptr %164, i64 %.288.3.i203.i
+  store i8 1, ptr %.302.3.i204.i, align 1
+  %niter.ncmp.3.i205.i = icmp eq i64 %unroll_iter.i180.i, %.198.3.i200.i
+  br i1 %niter.ncmp.3.i205.i, label %B88.loopexit.unr-lcssa.i206.i, label %B58.i182.i
+
+B88.loopexit.unr-lcssa.i206.i:                    ; preds = %B58.i182.i
+  %lcmp.mod.not.i207.i = icmp eq i64 %xtraiter.i178.i, 0
+  br i1 %lcmp.mod.not.i207.i, label %B320.endif.endif.i, label %B58.epil.preheader.i208.i
+
+B58.epil.preheader.i208.i:                        ; preds = %B88.loopexit.unr-lcssa.i206.i, %B58.lr.ph.i175.i
+  %.191112114.epil.init.i209.i = phi i64 [ 0, %B58.lr.ph.i175.i ], [ %unroll_iter.i180.i, %B88.loopexit.unr-lcssa.i206.i ]
+  %165 = mul i64 %.248.i177.i, %w5
+  %166 = add i64 %.191112114.epil.init.i209.i, %165
+  %167 = shl i64 %166, 3
+  %scevgep.i210.i = getelementptr i8, ptr %w3, i64 %167
+  br label %B58.epil.i211.i
+
+B58.epil.i211.i:                                  ; preds = %B58.epil.i211.i, %B58.epil.preheader.i208.i
+  %epil.iter.i212.i = phi i64 [ 0, %B58.epil.preheader.i208.i ], [ %epil.iter.next.i218.i, %B58.epil.i211.i ]
+  %168 = shl i64 %epil.iter.i212.i, 3
+  %scevgep295.i = getelementptr i8, ptr %scevgep.i210.i, i64 %168
+  %.273.epil.i214.i = load i64, ptr %scevgep295.i, align 8
+  %.287.epil.i215.i = icmp slt i64 %.273.epil.i214.i, 0
+  %.288.epil.i216.i = select i1 %.287.epil.i215.i, i64 %w32, i64 0
+  %169 = getelementptr i8, ptr %w31, i64 %.273.epil.i214.i
+  %.302.epil.i217.i = getelementptr i8, ptr %169, i64 %.288.epil.i216.i
+  store i8 1, ptr %.302.epil.i217.i, align 1
+  %epil.iter.next.i218.i = add i64 %epil.iter.i212.i, 1
+  %epil.iter.cmp.not.i219.i = icmp eq i64 %xtraiter.i178.i, %epil.iter.next.i218.i
+  br i1 %epil.iter.cmp.not.i219.i, label %B320.endif.endif.i, label %B58.epil.i211.i
+
+B320.endif.endif.i:                               ; preds = %B58.epil.i211.i, %B88.loopexit.unr-lcssa.i206.i, %B320.endif.i
+  %.1060.i = select i1 %.924.i, i64 %w17, i64 0
+  %170 = getelementptr i8, ptr %w16, i64 %.429.i
+  %.1074.i = getelementptr i8, ptr %170, i64 %.1060.i
+  %.1075.i = load i8, ptr %.1074.i, align 1
+  %.1078.i = icmp eq i8 %.1075.i, 0
+  %one.2.2.i = select i1 %.1078.i, i64 %.374.i, i64 %.429.i
+  %two.2.2.i = select i1 %.1078.i, i64 %.429.i, i64 %.374.i
+  %.1115.i = icmp slt i64 %one.2.2.i, 0
+  %.1116.i = select i1 %.1115.i, i64 %w17, i64 0
+  %171 = getelementptr i8, ptr %w16, i64 %one.2.2.i
+  %.1130.i = getelementptr i8, ptr %171, i64 %.1116.i
+  %.1131.i = load i8, ptr %.1130.i, align 1
+  %.1134.i = icmp eq i8 %.1131.i, 0
+  %"$phi438.1.2.2.i" = select i1 %.1134.i, double 5.000000e-01, double 0.000000e+00
+  br i1 %4, label %B536.i, label %B444.i
+
+B444.endif.endif.i:                               ; preds = %B644.i.i
+  br i1 %.1388.i.i, label %B520.i, label %B482.i
+
+B482.endif.endif.i:                               ; preds = %B644.i118.i
+  br i1 %.1388.i163.i, label %B520.i, label %B536.i
+
+B156.i.i.i:                                       ; preds = %_ZN7msf_jax4host4meso7kernels11merge_ringsB3v54B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedExx5ArrayIxLi2E1C7mutable7alignedE.exit.i
+  %.156.i.i.i = select i1 %.58.i18.i.i, i64 %w12, i64 0
+  %.157.i.i.i = add i64 %.156.i.i.i, %two.2.2.i
+  %.177.i.i.i = mul i64 %.157.i.i.i, %w13
+  %.181.i.i.i = getelementptr double, ptr %w11, i64 %.177.i.i.i
+  %.182.i.i.i = load double, ptr %.181.i.i.i, align 8
+  %.238.i.i.i = fsub double %.182.i.i.i, %.403.i.i
+  %.147.i.i.i.i = fmul double %.238.i.i.i, %.238.i.i.i
+  %.318.i.i.i = getelementptr i8, ptr %.181.i.i.i, i64 8
+  %.319.i.i.i = load double, ptr %.318.i.i.i, align 8
+  %.375.i.i.i = fsub double %.319.i.i.i, %.403.1.i.i
+  %.147.i24.i.i.i = fmul double %.375.i.i.i, %.375.i.i.i
+  %.400.i.i.i = fadd double %.147.i.i.i.i, %.147.i24.i.i.i
+  %.500.i.i.i = getelementptr i8, ptr %.181.i.i.i, i64 16
+  %.501.i.i.i = load double, ptr %.500.i.i.i, align 8
+  %.563.i.i.i = fsub double %.501.i.i.i, %.403.2.i.i
+  %.147.i12.i.i.i = fmul double %.563.i.i.i, %.563.i.i.i
+  %.589.i.i.i = fadd double %.400.i.i.i, %.147.i12.i.i.i
+  %sqrt.i.i.i = tail call double @llvm.sqrt.f64(double %.589.i.i.i)
+  br label %B150.endif.i.i
+
+common.ret.loopexit.unr-lcssa.i.unr-lcssa.i:      ; preds = %B532.endif.i.i
+  br i1 %.not.i, label %B532.endif.i.epil.preheader.i, label %common.ret.loopexit.unr-lcssa.i.i
+
+B532.endif.i.epil.preheader.i:                    ; preds = %B532.endif.lr.ph.new.i.i, %common.ret.loopexit.unr-lcssa.i.unr-lcssa.i
+  %.112612631265.i.epil.init.i = phi i64 [ 0, %B532.endif.lr.ph.new.i.i ], [ %.1133.1.i.1.i, %common.ret.loopexit.unr-lcssa.i.unr-lcssa.i ]
+  %172 = shl i64 %.112612631265.i.epil.init.i, 3
+  %scevgep40.i.epil.i = getelementptr i8, ptr %scevgep.i225.i, i64 %172
+  %scevgep41.i.epil.i = getelementptr i8, ptr %scevgep40.i.epil.i, i64 -8
+  %.1209.i.epil.i = load double, ptr %scevgep41.i.epil.i, align 8
+  %scevgep44.i.epil.i = getelementptr i8, ptr %scevgep42.i.i, i64 %172
+  %scevgep45.i.epil.i = getelementptr i8, ptr %scevgep44.i.epil.i, i64 -8
+  %.1261.i.epil.i = load double, ptr %scevgep45.i.epil.i, align 8
+  %.1262.i.epil.i = fadd double %.1209.i.epil.i, %.1261.i.epil.i
+  %.1267.i.epil.i = fmul double %.1262.i.epil.i, 5.000000e-01
+  store double %.1267.i.epil.i, ptr %scevgep41.i.epil.i, align 8
+  %.1209.1.i.epil.i = load double, ptr %scevgep40.i.epil.i, align 8
+  %.1261.1.i.epil.i = load double, ptr %scevgep44.i.epil.i, align 8
+  %.1262.1.i.epil.i = fadd double %.1209.1.i.epil.i, %.1261.1.i.epil.i
+  %.1267.1.i.epil.i = fmul double %.1262.1.i.epil.i, 5.000000e-01
+  store double %.1267.1.i.epil.i, ptr %scevgep40.i.epil.i, align 8
+  br label %common.ret.loopexit.unr-lcssa.i.i
+
+common.ret.loopexit.unr-lcssa.i.i:                ; preds = %B532.endif.i.epil.preheader.i, %common.ret.loopexit.unr-lcssa.i.unr-lcssa.i
+  br i1 %18, label %B536.endif.endif.endif.i, label %B532.endif.epil.preheader.i.i
+
+B532.endif.epil.preheader.i.i:                    ; preds = %B532.endif.lr.ph.i.i, %common.ret.loopexit.unr-lcssa.i.i
+  %gep.i = getelementptr double, ptr %invariant.gep.i, i64 %.1204.i.i
+  %.1209.epil.i.i = load double, ptr %gep.i, align 8
+  %gep285.i = getelementptr double, ptr %invariant.gep.i, i64 %.1256.i.i
+  %.1261.epil.i.i = load double, ptr %gep285.i, align 8
+  %.1262.epil.i.i = fadd double %.1209.epil.i.i, %.1261.epil.i.i
+  %.1267.epil.i.i = fmul double %.1262.epil.i.i, 5.000000e-01
+  store double %.1267.epil.i.i, ptr %gep.i, align 8
+  br label %B536.endif.endif.endif.i
+
+B150.endif.i.i:                                   ; preds = %B156.i.i.i, %_ZN7msf_jax4host4meso7kernels11merge_ringsB3v54B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedExx5ArrayIxLi2E1C7mutable7alignedE.exit.i
+  %"$phi248.0.2.0.i.i.i" = phi double [ %sqrt.i.i.i, %B156.i.i.i ], [ 0x7FF0000000000000, %_ZN7msf_jax4host4meso7kernels11merge_ringsB3v54B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedExx5ArrayIxLi2E1C7mutable7alignedE.exit.i ]
+  %.419.i3.i.i = select i1 %.1115.i, i64 %w15, i64 0
+  %173 = getelementptr i8, ptr %w14, i64 %one.2.2.i
+  %.433.i4.i.i = getelementptr i8, ptr %173, i64 %.419.i3.i.i
+  %.434.i5.i.i = load i8, ptr %.433.i4.i.i, align 1
+  %.437.i6.i.i = icmp eq i8 %.434.i5.i.i, 0
+  br i1 %.437.i6.i.i, label %B150.endif.endif.i.i, label %B156.i7.i.i
+
+B156.i7.i.i:                                      ; preds = %B150.endif.i.i
+  %.156.i8.i.i = select i1 %.1115.i, i64 %w12, i64 0
+  %.157.i9.i.i = add i64 %.156.i8.i.i, %one.2.2.i
+  %.177.i10.i.i = mul i64 %.157.i9.i.i, %w13
+  %.181.i11.i.i = getelementptr double, ptr %w11, i64 %.177.i10.i.i
+  %.182.i12.i.i = load double, ptr %.181.i11.i.i, align 8
+  %.238.i19.i.i = fsub double %.182.i12.i.i, %.403.i.i
+  %.147.i.i20.i.i = fmul double %.238.i19.i.i, %.238.i19.i.i
+  %.318.i21.i.i = getelementptr i8, ptr %.181.i11.i.i, i64 8
+  %.319.i22.i.i = load double, ptr %.318.i21.i.i, align 8
+  %.375.i25.i.i = fsub double %.319.i22.i.i, %.403.1.i.i
+  %.147.i24.i26.i.i = fmul double %.375.i25.i.i, %.375.i25.i.i
+  %.400.i27.i.i = fadd double %.147.i.i20.i.i, %.147.i24.i26.i.i
+  %.500.i28.i.i = getelementptr i8, ptr %.181.i11.i.i, i64 16
+  %.501.i29.i.i = load double, ptr %.500.i28.i.i, align 8
+  %.563.i32.i.i = fsub double %.501.i29.i.i, %.403.2.i.i
+  %.147.i12.i33.i.i = fmul double %.563.i32.i.i, %.563.i32.i.i
+  %.589.i34.i.i = fadd double %.400.i27.i.i, %.147.i12.i33.i.i
+  %sqrt.i35.i.i = tail call double @llvm.sqrt.f64(double %.589.i34.i.i)
+  br label %B150.endif.endif.i.i
+
+B150.endif.endif.i.i:                             ; preds = %B156.i7.i.i, %B150.endif.i.i
+  %"$phi248.0.2.0.i36.i.i" = phi double [ %sqrt.i35.i.i, %B156.i7.i.i ], [ 0x7FF0000000000000, %B150.endif.i.i ]
+  %.574.i.i = fcmp olt double %"$phi248.0.2.0.i.i.i", %"$phi248.0.2.0.i36.i.i"
+  br i1 %.574.i.i, label %B226.endif.endif.i.i, label %B376.endif.endif.i.i
+
+B226.endif.endif.i.i:                             ; preds = %B150.endif.endif.i.i
+  %.596.i.i = select i1 %.58.i18.i.i, i64 %w19, i64 0
+  %174 = getelementptr double, ptr %w18, i64 %two.2.2.i
+  %.610.i.i = getelementptr double, ptr %174, i64 %.596.i.i
+  %.611.i.i = load double, ptr %.610.i.i, align 8
+  store i8 1, ptr %.433.i4.i.i, align 1
+  %.661.i.i = select i1 %.1115.i, i64 %w19, i64 0
+  %175 = getelementptr double, ptr %w18, i64 %one.2.2.i
+  %.675.i.i = getelementptr double, ptr %175, i64 %.661.i.i
+  store double %.611.i.i, ptr %.675.i.i, align 8
+  %.819.i.i = select i1 %.58.i18.i.i, i64 %w12, i64 0
+  %.820.i.i = add i64 %.819.i.i, %two.2.2.i
+  %.840.i.i = mul i64 %.820.i.i, %w13
+  %176 = getelementptr double, ptr %w11, i64 %.840.i.i
+  %.871.i.i = select i1 %.1115.i, i64 %w12, i64 0
+  %.872.i.i = add i64 %.871.i.i, %one.2.2.i
+  %.892.i.i = mul i64 %.872.i.i, %w13
+  %177 = getelementptr double, ptr %w11, i64 %.892.i.i
+  %.845.i.i = load double, ptr %176, align 8
+  store double %.845.i.i, ptr %177, align 8
+  %.844.1.i.i = getelementptr i8, ptr %176, i64 8
+  %.845.1.i.i = load double, ptr %.844.1.i.i, align 8
+  %.896.1.i.i = getelementptr i8, ptr %177, i64 8
+  store double %.845.1.i.i, ptr %.896.1.i.i, align 8
+  %.844.2.i.i = getelementptr i8, ptr %176, i64 16
+  %.845.2.i.i = load double, ptr %.844.2.i.i, align 8
+  %.896.2.i.i = getelementptr i8, ptr %177, i64 16
+  store double %.845.2.i.i, ptr %.896.2.i.i, align 8
+  br label %B376.endif.endif.i.i
+
+B376.endif.endif.i.i:                             ; preds = %B226.endif.endif.i.i, %B150.endif.endif.i.i
+  %.919.i.i = select i1 %.1115.i, i64 %w21, i64 0
+  %178 = getelementptr double, ptr %w20, i64 %one.2.2.i
+  %.933.i221.i = getelementptr double, ptr %178, i64 %.919.i.i
+  %.934.i.i = load double, ptr %.933.i221.i, align 8
+  %.951.i.i = select i1 %.58.i18.i.i, i64 %w21, i64 0
+  %179 = getelementptr double, ptr %w20, i64 %two.2.2.i
+  %.965.i.i = getelementptr double, ptr %179, i64 %.951.i.i
+  %.966.i.i = load double, ptr %.965.i.i, align 8
+  %.10.i.i.i = fcmp olt double %.966.i.i, %.934.i.i
+  %.11.i.i.i = select i1 %.10.i.i.i, double %.966.i.i, double %.934.i.i
+  store double %.11.i.i.i, ptr %.933.i221.i, align 8
+  br i1 %13, label %B536.endif.endif.endif.i, label %B532.endif.lr.ph.i.i
+
+B532.endif.lr.ph.i.i:                             ; preds = %B376.endif.endif.i.i
+  %.1183.i.i = select i1 %.1115.i, i64 %w23, i64 0
+  %.1184.i222.i = add i64 %.1183.i.i, %one.2.2.i
+  %.1204.i.i = mul i64 %.1184.i222.i, %w24
+  %.1235.i.i = select i1 %.58.i18.i.i, i64 %w23, i64 0
+  %.1236.i223.i = add i64 %.1235.i.i, %two.2.2.i
+  %.1256.i.i = mul i64 %.1236.i223.i, %w24
+  br i1 %14, label %B532.endif.epil.preheader.i.i, label %B532.endif.lr.ph.new.i.i
+
+B532.endif.lr.ph.new.i.i:                         ; preds = %B532.endif.lr.ph.i.i
+  %180 = shl i64 %.1204.i.i, 3
+  %181 = getelementptr i8, ptr %w22, i64 %180
+  %scevgep.i225.i = getelementptr i8, ptr %181, i64 8
+  %182 = shl i64 %.1256.i.i, 3
+  %183 = getelementptr i8, ptr %w22, i64 %182
+  %scevgep42.i.i = getelementptr i8, ptr %183, i64 8
+  br i1 %15, label %B532.endif.i.epil.preheader.i, label %B532.endif.i.preheader.i
+
+B532.endif.i.preheader.i:                         ; preds = %B532.endif.lr.ph.new.i.i
+  %scevgep297.i = getelementptr i8, ptr %scevgep296.i, i64 %180
+  %scevgep304.i = getelementptr i8, ptr %scevgep296.i, i64 %182
+  br label %B532.endif.i.i
+
+B532.endif.i.i:                                   ; preds = %B532.endif.i.i, %B532.endif.i.preheader.i
+  %lsr.iv.i = phi i64 [ %unroll_iter.i, %B532.endif.i.preheader.i ], [ %lsr.iv.next.i, %B532.endif.i.i ]
+  %.112612631265.i.i = phi i64 [ 0, %B532.endif.i.preheader.i ], [ %.1133.1.i.1.i, %B532.endif.i.i ]
+  %184 = shl i64 %.112612631265.i.i, 3
+  %scevgep300.i = getelementptr i8, ptr %scevgep297.i, i64 %184
+  %scevgep301.i = getelementptr i8, ptr %scevgep300.i, i64 -16
+  %scevgep302.i = getelementptr i8, ptr %scevgep300.i, i64 -24
+  %.1209.i.i = load double, ptr %scevgep302.i, align 8
+  %scevgep307.i = getelementptr i8, ptr %scevgep304.i, i64 %184
+  %scevgep308.i = getelementptr i8, ptr %scevgep307.i, i64 -16
+  %scevgep309.i = getelementptr i8, ptr %scevgep307.i, i64 -24
+  %.1261.i.i = load double, ptr %scevgep309.i, align 8
+  %.1262.i.i = fadd double %.1209.i.i, %.1261.i.i
+  %.1267.i.i = fmul double %.1262.i.i, 5.000000e-01
+  store double %.1267.i.i, ptr %scevgep302.i, align 8
+  %.1209.1.i.i = load double, ptr %scevgep301.i, align 8
+  %.1261.1.i.i = load double, ptr %scevgep308.i, align 8
+  %.1262.1.i.i = fadd double %.1209.1.i.i, %.1261.1.i.i
+  %.1267.1.i.i = fmul double %.1262.1.i.i, 5.000000e-01
+  store double %.1267.1.i.i, ptr %scevgep301.i, align 8
+  %scevgep299.i = getelementptr i8, ptr %scevgep300.i, i64 -8
+  %.1209.i.1.i = load double, ptr %scevgep299.i, align 8
+  %scevgep306.i = getelementptr i8, ptr %scevgep307.i, i64 -8
+  %.1261.i.1.i = load double, ptr %scevgep306.i, align 8
+  %.1262.i.1.i = fadd double %.1209.i.1.i, %.1261.i.1.i
+  %.1267.i.1.i = fmul double %.1262.i.1.i, 5.000000e-01
+  store double %.1267.i.1.i, ptr %scevgep299.i, align 8
+  %.1133.1.i.1.i = add i64 %.112612631265.i.i, 4
+  %.1209.1.i.1.i = load double, ptr %scevgep300.i, align 8
+  %.1261.1.i.1.i = load double, ptr %scevgep307.i, align 8
+  %.1262.1.i.1.i = fadd double %.1209.1.i.1.i, %.1261.1.i.1.i
+  %.1267.1.i.1.i = fmul double %.1262.1.i.1.i, 5.000000e-01
+  store double %.1267.1.i.1.i, ptr %scevgep300.i, align 8
+  %lsr.iv.next.i = add i64 %lsr.iv.i, -2
+  %niter.ncmp.1.i = icmp eq i64 %lsr.iv.next.i, 0
+  br i1 %niter.ncmp.1.i, label %common.ret.loopexit.unr-lcssa.i.unr-lcssa.i, label %B532.endif.i.i
+
+B536.endif.endif.endif.i:                         ; preds = %B376.endif.endif.i.i, %B532.endif.epil.preheader.i.i, %common.ret.loopexit.unr-lcssa.i.i
+  %.1683.i = zext i1 %.574.i.i to i64
+  %sunkaddr341.i = shl i64 %.1464.i, 3
+  %sunkaddr342.i = getelementptr i8, ptr %w38, i64 %sunkaddr341.i
+  %sunkaddr343.i = getelementptr i8, ptr %sunkaddr342.i, i64 16
+  store i64 %.1683.i, ptr %sunkaddr343.i, align 8
+  %.1700.i = select i1 %.58.i18.i.i, i64 %w34, i64 0
+  %185 = getelementptr i8, ptr %w33, i64 %two.2.2.i
+  %.1714.i = getelementptr i8, ptr %185, i64 %.1700.i
+  store i8 1, ptr %.1714.i, align 1
+  %.57.i228.i = select i1 %.1115.i, i64 %w34, i64 0
+  %186 = getelementptr i8, ptr %w33, i64 %one.2.2.i
+  %.71.i229.i = getelementptr i8, ptr %186, i64 %.57.i228.i
+  store i8 1, ptr %.71.i229.i, align 1
+  %.103.i232.i = load i64, ptr %.169.i.i, align 8
+  %.185113.not.i233.i = icmp slt i64 %.103.i232.i, 1
+  br i1 %.185113.not.i233.i, label %B536.endif.endif.endif.endif.i, label %B58.lr.ph.i234.i
+
+B58.lr.ph.i234.i:                                 ; preds = %B536.endif.endif.endif.i
+  %xtraiter.i237.i = and i64 %.103.i232.i, 3
+  %187 = icmp samesign ult i64 %.103.i232.i, 4
+  br i1 %187, label %B58.epil.preheader.i267.i, label %B58.lr.ph.new.i238.i
+
+B58.lr.ph.new.i238.i:                             ; preds = %B58.lr.ph.i234.i
+  %unroll_iter.i239.i = and i64 %.103.i232.i, 9223372036854775804
+  %188 = mul i64 %.60.i.i.i, %s8
+  %189 = getelementptr i8, ptr %w3, i64 %188
+  %scevgep3.i240.i = getelementptr i8, ptr %189, i64 24
+  br label %B58.i241.i
+
+B58.i241.i:                                       ; preds = %B58.i241.i, %B58.lr.ph.new.i238.i
+  %.191112114.i242.i = phi i64 [ 0, %B58.lr.ph.new.i238.i ], [ %.198.3.i259.i, %B58.i241.i ]
+  %190 = shl i64 %.191112114.i242.i, 3
+  %scevgep9.i243.i = getelementptr i8, ptr %scevgep3.i240.i, i64 %190
+  %scevgep10.i244.i = getelementptr i8, ptr %scevgep9.i243.i, i64 -24
+  %.273.i245.i = load i64, ptr %scevgep10.i244.i, align 8
+  %.287.i246.i = icmp slt i64 %.273.i245.i, 0
+  %.288.i247.i = select i1 %.287.i246.i, i64 %w34, i64 0
+  %191 = getelementptr i8, ptr %w33, i64 %.273.i245.i
+  %.302.i248.i = getelementptr i8, ptr %191, i64 %.288.i247.i
+  store i8 1, ptr %.302.i248.i, align 1
+  %scevgep313.i = getelementptr i8, ptr %scevgep9.i243.i, i64 -16
+  %.273.1.i250.i = load i64, ptr %scevgep313.i, align 8
+  %.287.1.i251.i = icmp slt i64 %.273.1.i250.i, 0
+  %.288.1.i252.i = select i1 %.287.1.i251.i, i64 %w34, i64 0
+  %192 = getelementptr i8, ptr %w33, i64 %.273.1.i250.i
+  %.302.1.i253.i = getelementptr i8, ptr %192, i64 %.288.1.i252.i
+  store i8 1, ptr %.302.1.i253.i, align 1
+  %scevgep311.i = getelementptr i8, ptr %scevgep9.i243.i, i64 -8
+  %.273.2.i255.i = load i64, ptr %scevgep311.i, align 8
+  %.287.2.i256.i = icmp slt i64 %.273.2.i255.i, 0
+  %.288.2.i257.i = select i1 %.287.2.i256.i, i64 %w34, i64 0
+  %193 = getelementptr i8, ptr %w33, i64 %.273.2.i255.i
+  %.302.2.i258.i = getelementptr i8, ptr %193, i64 %.288.2.i257.i
+  store i8 1, ptr %.302.2.i258.i, align 1
+  %.198.3.i259.i = add nuw nsw i64 %.191112114.i242.i, 4
+  %.273.3.i260.i = load i64, ptr %scevgep9.i243.i, align 8
+  %.287.3.i261.i = icmp slt i64 %.273.3.i260.i, 0
+  %.288.3.i262.i = select i1 %.287.3.i261.i, i64 %w34, i64 0
+  %194 = getelementptr i8, ptr %w33, i64 %.273.3.i260.i
+  %.302.3.i263.i = getelementptr i8, ptr %194, i64 %.288.3.i262.i
+  store i8 1, ptr %.302.3.i263.i, align 1
+  %niter.ncmp.3.i264.i = icmp eq i64 %unroll_iter.i239.i, %.198.3.i259.i
+  br i1 %niter.ncmp.3.i264.i, label %B88.loopexit.unr-lcssa.i265.i, label %B58.i241.i
+
+B88.loopexit.unr-lcssa.i265.i:                    ; preds = %B58.i241.i
+  %lcmp.mod.not.i266.i = icmp eq i64 %xtraiter.i237.i, 0
+  br i1 %lcmp.mod.not.i266.i, label %B536.endif.endif.endif.endif.i, label %B58.epil.preheader.i267.i
+
+B58.epil.preheader.i267.i:                        ; preds = %B88.loopexit.unr-lcssa.i265.i, %B58.lr.ph.i234.i
+  %.191112114.epil.init.i268.i = phi i64 [ 0, %B58.lr.ph.i234.i ], [ %unroll_iter.i239.i, %B88.loopexit.unr-lcssa.i265.i ]
+  %195 = add i64 %.191112114.epil.init.i268.i, %.80.i.i.i
+  %196 = shl i64 %195, 3
+  %scevgep.i269.i = getelementptr i8, ptr %w3, i64 %196
+  br label %B58.epil.i270.i
+
+B58.epil.i270.i:                                  ; preds = %B58.epil.i270.i, %B58.epil.preheader.i267.i
+  %epil.iter.i271.i = phi i64 [ 0, %B58.epil.preheader.i267.i ], [ %epil.iter.next.i277.i, %B58.epil.i270.i ]
+  %197 = shl i64 %epil.iter.i271.i, 3
+  %scevgep314.i = getelementptr i8, ptr %scevgep.i269.i, i64 %197
+  %.273.epil.i273.i = load i64, ptr %scevgep314.i, align 8
+  %.287.epil.i274.i = icmp slt i64 %.273.epil.i273.i, 0
+  %.288.epil.i275.i = select i1 %.287.epil.i274.i, i64 %w34, i64 0
+  %198 = getelementptr i8, ptr %w33, i64 %.273.epil.i273.i
+  %.302.epil.i276.i = getelementptr i8, ptr %198, i64 %.288.epil.i275.i
+  store i8 1, ptr %.302.epil.i276.i, align 1
+  %epil.iter.next.i277.i = add i64 %epil.iter.i271.i, 1
+  %epil.iter.cmp.not.i278.i = icmp eq i64 %xtraiter.i237.i, %epil.iter.next.i277.i
+  br i1 %epil.iter.cmp.not.i278.i, label %B536.endif.endif.endif.endif.i, label %B58.epil.i270.i
+
+B536.endif.endif.endif.endif.i:                   ; preds = %B58.epil.i270.i, %B88.loopexit.unr-lcssa.i265.i, %B536.endif.endif.endif.i
+  %.1759.i = add nsw i64 %count.2.01084.i, 1
+  br label %B733.i
+
+_ZN7msf_jax4host4meso7kernels8collapseB3v50B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE385Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28bool_2c_201d_2c_20C_29_2c_20array_28bool_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEb5ArrayIbLi1E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit: ; preds = %B733.i, %0
+  %count.2.0.lcssa.i = phi i64 [ 0, %0 ], [ %count.3.1.i, %B733.i ]
+  ret i64 %count.2.0.lcssa.i
 }
 
 define noundef i64 @msf_jax.host.meso.kernels.cut(ptr readonly %words) local_unnamed_addr {
@@ -6732,367 +7745,597 @@ define noundef i64 @msf_jax.host.meso.kernels.cut(ptr readonly %words) local_unn
   %p1 = getelementptr i8, ptr %words, i64 8
   %w1 = load i64, ptr %p1, align 8
   %p2 = getelementptr i8, ptr %words, i64 16
-  %w2 = load ptr, ptr %p2, align 8
+  %w2 = load i64, ptr %p2, align 8
+  %p3 = getelementptr i8, ptr %words, i64 24
+  %w3 = load ptr, ptr %p3, align 8
   %p4 = getelementptr i8, ptr %words, i64 32
-  %w4 = load ptr, ptr %p4, align 8
+  %w4 = load i64, ptr %p4, align 8
+  %p5 = getelementptr i8, ptr %words, i64 40
+  %w5 = load i64, ptr %p5, align 8
+  %s8 = shl i64 %w5, 3
   %p6 = getelementptr i8, ptr %words, i64 48
   %w6 = load ptr, ptr %p6, align 8
+  %p7 = getelementptr i8, ptr %words, i64 56
+  %w7 = load i64, ptr %p7, align 8
   %p8 = getelementptr i8, ptr %words, i64 64
   %w8 = load ptr, ptr %p8, align 8
   %p9 = getelementptr i8, ptr %words, i64 72
   %w9 = load i64, ptr %p9, align 8
   %p10 = getelementptr i8, ptr %words, i64 80
   %w10 = load i64, ptr %p10, align 8
-  %s15 = shl i64 %w10, 3
+  %s16 = shl i64 %w10, 3
   %p11 = getelementptr i8, ptr %words, i64 88
   %w11 = load ptr, ptr %p11, align 8
   %p12 = getelementptr i8, ptr %words, i64 96
   %w12 = load i64, ptr %p12, align 8
   %p13 = getelementptr i8, ptr %words, i64 104
-  %w13 = load ptr, ptr %p13, align 8
-  %p14 = getelementptr i8, ptr %words, i64 112
-  %w14 = load i64, ptr %p14, align 8
-  %p15 = getelementptr i8, ptr %words, i64 120
-  %w15 = load i64, ptr %p15, align 8
-  %s23 = shl i64 %w15, 3
-  %.181957.not.i = icmp slt i64 %w1, 1
-  br i1 %.181957.not.i, label %_ZN7msf_jax4host4meso7kernels3cutB3v50B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE.exit, label %B64.lr.ph.i
+  %w13 = load i64, ptr %p13, align 8
+  %p20 = getelementptr i8, ptr %words, i64 160
+  %w20 = load ptr, ptr %p20, align 8
+  %p21 = getelementptr i8, ptr %words, i64 168
+  %w21 = load i64, ptr %p21, align 8
+  %p23 = getelementptr i8, ptr %words, i64 184
+  %w23 = load i64, ptr %p23, align 8
+  %p24 = getelementptr i8, ptr %words, i64 192
+  %w24 = load i64, ptr %p24, align 8
+  %s38 = shl i64 %w24, 3
+  %p25 = getelementptr i8, ptr %words, i64 200
+  %w25 = load ptr, ptr %p25, align 8
+  %p26 = getelementptr i8, ptr %words, i64 208
+  %w26 = load i64, ptr %p26, align 8
+  %p27 = getelementptr i8, ptr %words, i64 216
+  %w27 = load ptr, ptr %p27, align 8
+  %p29 = getelementptr i8, ptr %words, i64 232
+  %w29 = load ptr, ptr %p29, align 8
+  %.2562017.not.i = icmp slt i64 %w26, 1
+  br i1 %.2562017.not.i, label %_ZN7msf_jax4host4meso7kernels3cutB3v57B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE385Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28bool_2c_201d_2c_20C_29_2c_20array_28bool_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, label %B106.lr.ph.i
 
-B64.lr.ph.i:                                      ; preds = %0
-  %.245.i = sub nsw i64 %w9, %w1
-  br label %B64.i
+B106.lr.ph.i:                                     ; preds = %0
+  %p22 = getelementptr i8, ptr %words, i64 176
+  %w22 = load ptr, ptr %p22, align 8
+  %.317.i = sub i64 %w4, %w26
+  %unroll_iter.i = and i64 %w24, 9223372036854775806
+  %scevgep121.i = getelementptr i8, ptr %w22, i64 8
+  %1 = icmp slt i64 %w24, 1
+  %2 = icmp eq i64 %w24, 1
+  %3 = and i64 %w24, 1
+  %4 = icmp eq i64 %3, 0
+  %invariant.gep.i = getelementptr double, ptr %w22, i64 %unroll_iter.i
+  br label %B106.i
 
-B64.i:                                            ; preds = %B920.i, %B64.lr.ph.i
-  %.187935962.i = phi i64 [ 0, %B64.lr.ph.i ], [ %.194.i, %B920.i ]
-  %.194.i = add nuw nsw i64 %.187935962.i, 1
-  %.247.i = add nsw i64 %.187935962.i, %.245.i
-  %1 = getelementptr i64, ptr %w0, i64 %.187935962.i
-  %.282.i = load i64, ptr %1, align 8
-  %2 = getelementptr i64, ptr %w2, i64 %.187935962.i
-  %.313.i = load i64, ptr %2, align 8
-  %.58.i.i = icmp slt i64 %.282.i, 0
-  %.59.i.i = select i1 %.58.i.i, i64 %w9, i64 0
-  %.60.i.i = add i64 %.59.i.i, %.282.i
-  %.80.i.i = mul i64 %.60.i.i, %w10
-  %.84.i.i = getelementptr i64, ptr %w8, i64 %.80.i.i
+B104.loopexit.loopexit.unr-lcssa.i:               ; preds = %B1298.i
+  br i1 %4, label %B104.loopexit.i, label %B1298.epil.preheader.i
+
+B1298.epil.preheader.i:                           ; preds = %B1298.lr.ph.i, %B104.loopexit.loopexit.unr-lcssa.i
+  %gep.i = getelementptr double, ptr %invariant.gep.i, i64 %.2869.i
+  %.2874.epil.i = load double, ptr %gep.i, align 8
+  %.2875.epil.i = fmul double %.2257.i, %.2874.epil.i
+  %gep2.i = getelementptr double, ptr %invariant.gep.i, i64 %.2922.i
+  %.2927.epil.i = load double, ptr %gep2.i, align 8
+  %.2929.epil.i = fmul double %.408.i, %.2927.epil.i
+  %.2930.epil.i = fadd double %.2875.epil.i, %.2929.epil.i
+  %gep4.i = getelementptr double, ptr %invariant.gep.i, i64 %.2977.i
+  store double %.2930.epil.i, ptr %gep4.i, align 8
+  br label %B104.loopexit.i
+
+B104.loopexit.i:                                  ; preds = %B900.endif.endif.i, %B1298.epil.preheader.i, %B104.loopexit.loopexit.unr-lcssa.i
+  %lsr.iv.next133.i = add i64 %lsr.iv132.i, 1
+  %exitcond2088.not.i = icmp eq i64 %.269.i, %w26
+  br i1 %exitcond2088.not.i, label %_ZN7msf_jax4host4meso7kernels3cutB3v57B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE385Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28bool_2c_201d_2c_20C_29_2c_20array_28bool_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, label %B106.i
+
+B106.i:                                           ; preds = %B104.loopexit.i, %B106.lr.ph.i
+  %lsr.iv132.i = phi i64 [ %.317.i, %B106.lr.ph.i ], [ %lsr.iv.next133.i, %B104.loopexit.i ]
+  %.26219722026.i = phi i64 [ 0, %B106.lr.ph.i ], [ %.269.i, %B104.loopexit.i ]
+  %.269.i = add nuw nsw i64 %.26219722026.i, 1
+  %.318.i = add nsw i64 %.26219722026.i, %.317.i
+  %5 = getelementptr i64, ptr %w25, i64 %.26219722026.i
+  %.348.i = load i64, ptr %5, align 8
+  %6 = getelementptr i64, ptr %w27, i64 %.26219722026.i
+  %.378.i = load i64, ptr %6, align 8
+  %7 = getelementptr double, ptr %w29, i64 %.26219722026.i
+  %.408.i = load double, ptr %7, align 8
+  %.58.i.i = icmp slt i64 %.348.i, 0
+  %.59.i.i = select i1 %.58.i.i, i64 %w4, i64 0
+  %.60.i.i = add i64 %.59.i.i, %.348.i
+  %.80.i.i = mul i64 %.60.i.i, %w5
+  %.84.i.i = getelementptr i64, ptr %w3, i64 %.80.i.i
   %.85.i.i = load i64, ptr %.84.i.i, align 8
-  %.87.not.i.i = icmp eq i64 %.85.i.i, %.313.i
-  br i1 %.87.not.i.i, label %B64.endif.i, label %B36.preheader.i.i
+  %.87.not.i.i = icmp eq i64 %.85.i.i, %.378.i
+  br i1 %.87.not.i.i, label %B106.endif.i, label %B36.preheader.i.i
 
-B36.preheader.i.i:                                ; preds = %B64.i
-  %3 = shl i64 %.80.i.i, 3
-  %4 = getelementptr i8, ptr %w8, i64 %3
-  %scevgep.i.i = getelementptr i8, ptr %4, i64 8
+B36.preheader.i.i:                                ; preds = %B106.i
+  %8 = shl i64 %.80.i.i, 3
+  %9 = getelementptr i8, ptr %w3, i64 %8
+  %scevgep.i.i = getelementptr i8, ptr %9, i64 8
   br label %B36.i.i
 
 B36.i.i:                                          ; preds = %B36.i.i, %B36.preheader.i.i
   %slot.2.0.i.i = phi i64 [ %.90.i.i, %B36.i.i ], [ 0, %B36.preheader.i.i ]
   %.90.i.i = add nuw i64 %slot.2.0.i.i, 1
-  %5 = shl i64 %slot.2.0.i.i, 3
-  %scevgep1.i.i = getelementptr i8, ptr %scevgep.i.i, i64 %5
+  %10 = shl i64 %slot.2.0.i.i, 3
+  %scevgep1.i.i = getelementptr i8, ptr %scevgep.i.i, i64 %10
   %.145.i.i = load i64, ptr %scevgep1.i.i, align 8
-  %.147.not.i.i = icmp eq i64 %.145.i.i, %.313.i
-  br i1 %.147.not.i.i, label %B64.endif.i, label %B36.i.i
+  %.147.not.i.i = icmp eq i64 %.145.i.i, %.378.i
+  br i1 %.147.not.i.i, label %B106.endif.i, label %B36.i.i
 
-B750.i:                                           ; preds = %B592.endif.endif.endif.i, %B750.i
-  %.1702905907.i = phi i64 [ %.1709.i, %B750.i ], [ %.1615.i, %B592.endif.endif.endif.i ]
-  %.1709.i = add i64 %.1702905907.i, -1
-  %.1761.i = icmp slt i64 %.1702905907.i, 1
-  %6 = select i1 %.1761.i, i64 %s15, i64 0
-  %scevgep102.i = getelementptr i8, ptr %.84.i63.i, i64 %6
-  %7 = shl i64 %.1702905907.i, 3
-  %scevgep103.i = getelementptr i8, ptr %scevgep102.i, i64 %7
-  %scevgep104.i = getelementptr i8, ptr %scevgep103.i, i64 -8
-  %.1785.i = load i64, ptr %scevgep104.i, align 8
-  %8 = select i1 %.1761.i, i64 %s23, i64 0
-  %scevgep105.i = getelementptr i8, ptr %47, i64 %8
-  %scevgep106.i = getelementptr i8, ptr %scevgep105.i, i64 %7
-  %scevgep107.i = getelementptr i8, ptr %scevgep106.i, i64 -8
-  %.1837.i = load i64, ptr %scevgep107.i, align 8
-  %.1864.i = icmp slt i64 %.1702905907.i, 0
-  %9 = select i1 %.1864.i, i64 %s15, i64 0
-  %scevgep100.i = getelementptr i8, ptr %.84.i63.i, i64 %9
-  %scevgep101.i = getelementptr i8, ptr %scevgep100.i, i64 %7
-  store i64 %.1785.i, ptr %scevgep101.i, align 8
-  %10 = select i1 %.1864.i, i64 %s23, i64 0
-  %scevgep.i = getelementptr i8, ptr %47, i64 %10
-  %scevgep99.i = getelementptr i8, ptr %scevgep.i, i64 %7
-  store i64 %.1837.i, ptr %scevgep99.i, align 8
-  %11 = sub i64 %.1709.i, %slot.3.1.i74.i
-  %.1696.i = icmp samesign ugt i64 %11, 1
-  br i1 %.1696.i, label %B750.i, label %B828.i
+B730.i:                                           ; preds = %B584.endif.endif.endif.i, %B730.i
+  %.162219311933.i = phi i64 [ %.1629.i, %B730.i ], [ %.1535.i, %B584.endif.endif.endif.i ]
+  %.1629.i = add i64 %.162219311933.i, -1
+  %.1681.i = icmp slt i64 %.162219311933.i, 1
+  %11 = select i1 %.1681.i, i64 %s8, i64 0
+  %scevgep104.i = getelementptr i8, ptr %.84.i63.i, i64 %11
+  %12 = shl i64 %.162219311933.i, 3
+  %scevgep105.i = getelementptr i8, ptr %scevgep104.i, i64 %12
+  %scevgep106.i = getelementptr i8, ptr %scevgep105.i, i64 -8
+  %.1705.i = load i64, ptr %scevgep106.i, align 8
+  %13 = select i1 %.1681.i, i64 %s16, i64 0
+  %scevgep107.i = getelementptr i8, ptr %71, i64 %13
+  %scevgep108.i = getelementptr i8, ptr %scevgep107.i, i64 %12
+  %scevgep109.i = getelementptr i8, ptr %scevgep108.i, i64 -8
+  %.1757.i = load i64, ptr %scevgep109.i, align 8
+  %.1784.i = icmp slt i64 %.162219311933.i, 0
+  %14 = select i1 %.1784.i, i64 %s8, i64 0
+  %scevgep102.i = getelementptr i8, ptr %.84.i63.i, i64 %14
+  %scevgep103.i = getelementptr i8, ptr %scevgep102.i, i64 %12
+  store i64 %.1705.i, ptr %scevgep103.i, align 8
+  %15 = select i1 %.1784.i, i64 %s16, i64 0
+  %scevgep.i = getelementptr i8, ptr %71, i64 %15
+  %scevgep101.i = getelementptr i8, ptr %scevgep.i, i64 %12
+  store i64 %.1757.i, ptr %scevgep101.i, align 8
+  %16 = sub i64 %.1629.i, %slot.3.1.i74.i
+  %.1616.i = icmp samesign ugt i64 %16, 1
+  br i1 %.1616.i, label %B730.i, label %B808.i
 
-B828.i:                                           ; preds = %B750.i, %B592.endif.endif.endif.i
-  %.1946.i = sub i64 0, %.1581.i
-  %.1975.i = icmp slt i64 %slot.3.1.i74.i, -1
-  %.1976.i = select i1 %.1975.i, i64 %w10, i64 0
-  %12 = getelementptr i64, ptr %.84.i63.i, i64 %.1465.i
-  %.1998.i = getelementptr i64, ptr %12, i64 %.1976.i
-  store i64 %.247.i, ptr %.1998.i, align 8
-  %.2031.i = select i1 %.1975.i, i64 %w15, i64 0
-  %13 = getelementptr i64, ptr %47, i64 %.1465.i
-  %.2053.i = getelementptr i64, ptr %13, i64 %.2031.i
-  store i64 %.1581.i, ptr %.2053.i, align 8
-  %sunkaddr.i = shl i64 %.917.i, 3
-  %sunkaddr119.i = getelementptr i8, ptr %w13, i64 %sunkaddr.i
-  %sunkaddr120.i = getelementptr i8, ptr %sunkaddr119.i, i64 8
-  store i64 %.1946.i, ptr %sunkaddr120.i, align 8
-  %sunkaddr121.i = shl i64 %.1600.i, 3
-  %sunkaddr122.i = getelementptr inbounds i8, ptr %49, i64 %sunkaddr121.i
-  %.2143.i = load i64, ptr %sunkaddr122.i, align 8
-  %.2144.i = add nsw i64 %.2143.i, 1
-  store i64 %.2144.i, ptr %sunkaddr122.i, align 8
-  %sunkaddr124.i = getelementptr i8, ptr %w6, i64 %sunkaddr135.i
-  %"$phi592.2.2.sroa.0.2.1.i" = load i64, ptr %sunkaddr124.i, align 8
-  %"$phi592.2.2.sroa.8.2.1.i" = load i64, ptr %sunkaddr136.i, align 8
-  %.58.i8.i = icmp slt i64 %"$phi592.2.2.sroa.0.2.1.i", 0
-  %.59.i9.i = select i1 %.58.i8.i, i64 %w9, i64 0
-  %.60.i10.i = add i64 %.59.i9.i, %"$phi592.2.2.sroa.0.2.1.i"
-  %.80.i11.i = mul i64 %.60.i10.i, %w10
-  %.84.i12.i = getelementptr i64, ptr %w8, i64 %.80.i11.i
+B808.i:                                           ; preds = %B730.i, %B584.endif.endif.endif.i
+  %.1866.i = sub i64 0, %.1501.i
+  %.1895.i = icmp slt i64 %slot.3.1.i74.i, -1
+  %.1896.i = select i1 %.1895.i, i64 %w5, i64 0
+  %17 = getelementptr i64, ptr %.84.i63.i, i64 %.1415.i
+  %.1918.i = getelementptr i64, ptr %17, i64 %.1896.i
+  store i64 %.318.i, ptr %.1918.i, align 8
+  %.1951.i = select i1 %.1895.i, i64 %w10, i64 0
+  %18 = getelementptr i64, ptr %71, i64 %.1415.i
+  %.1973.i = getelementptr i64, ptr %18, i64 %.1951.i
+  store i64 %.1501.i, ptr %.1973.i, align 8
+  %sunkaddr.i = shl i64 %.1077.i, 3
+  %sunkaddr138.i = getelementptr i8, ptr %w8, i64 %sunkaddr.i
+  %sunkaddr139.i = getelementptr i8, ptr %sunkaddr138.i, i64 8
+  store i64 %.1866.i, ptr %sunkaddr139.i, align 8
+  %sunkaddr140.i = shl i64 %.1520.i, 3
+  %sunkaddr141.i = getelementptr inbounds i8, ptr %73, i64 %sunkaddr140.i
+  %.2063.i = load i64, ptr %sunkaddr141.i, align 8
+  %.2064.i = add nsw i64 %.2063.i, 1
+  store i64 %.2064.i, ptr %sunkaddr141.i, align 8
+  %.58.i8.i = icmp slt i64 %.738.i, 0
+  %.59.i9.i = select i1 %.58.i8.i, i64 %w4, i64 0
+  %.60.i10.i = add i64 %.59.i9.i, %.738.i
+  %.80.i11.i = mul i64 %.60.i10.i, %w5
+  %.84.i12.i = getelementptr i64, ptr %w3, i64 %.80.i11.i
   %.85.i13.i = load i64, ptr %.84.i12.i, align 8
-  %.87.not.i14.i = icmp eq i64 %.85.i13.i, %"$phi592.2.2.sroa.8.2.1.i"
-  br i1 %.87.not.i14.i, label %B592.endif.endif.endif.1.i, label %B36.preheader.i15.i
+  %.87.not.i14.i = icmp eq i64 %.85.i13.i, %.378.i
+  br i1 %.87.not.i14.i, label %B584.endif.endif.endif.1.i, label %B36.preheader.i15.i
 
-B36.preheader.i15.i:                              ; preds = %B828.i
-  %14 = shl i64 %.80.i11.i, 3
-  %15 = getelementptr i8, ptr %w8, i64 %14
+B36.preheader.i15.i:                              ; preds = %B808.i
+  %19 = shl i64 %.80.i11.i, 3
+  %20 = getelementptr i8, ptr %w3, i64 %19
   br label %B36.i17.i
 
 B36.i17.i:                                        ; preds = %B36.i17.i, %B36.preheader.i15.i
   %lsr.iv.i = phi i64 [ %lsr.iv.next.i, %B36.i17.i ], [ 1, %B36.preheader.i15.i ]
-  %16 = shl i64 %lsr.iv.i, 3
-  %scevgep108.i = getelementptr i8, ptr %15, i64 %16
-  %.145.i21.i = load i64, ptr %scevgep108.i, align 8
-  %.147.not.i22.i = icmp eq i64 %.145.i21.i, %"$phi592.2.2.sroa.8.2.1.i"
+  %21 = shl i64 %lsr.iv.i, 3
+  %scevgep110.i = getelementptr i8, ptr %20, i64 %21
+  %.145.i21.i = load i64, ptr %scevgep110.i, align 8
+  %.147.not.i22.i = icmp eq i64 %.145.i21.i, %.378.i
   %lsr.iv.next.i = add nuw i64 %lsr.iv.i, 1
   br i1 %.147.not.i22.i, label %B36.i34.i, label %B36.i17.i
 
 B36.i34.i:                                        ; preds = %B36.i17.i, %B36.i34.i
   %slot.2.0.i35.i = phi i64 [ %.90.i36.i, %B36.i34.i ], [ 0, %B36.i17.i ]
   %.90.i36.i = add nuw i64 %slot.2.0.i35.i, 1
-  %sunkaddr127.i = shl i64 %slot.2.0.i35.i, 3
-  %sunkaddr128.i = getelementptr i8, ptr %15, i64 %sunkaddr127.i
-  %sunkaddr129.i = getelementptr i8, ptr %sunkaddr128.i, i64 8
-  %.145.i38.i = load i64, ptr %sunkaddr129.i, align 8
-  %.147.not.i39.i = icmp eq i64 %.145.i38.i, %"$phi592.2.2.sroa.8.2.1.i"
-  br i1 %.147.not.i39.i, label %B592.endif.endif.endif.1.i, label %B36.i34.i
+  %sunkaddr142.i = shl i64 %slot.2.0.i35.i, 3
+  %sunkaddr143.i = getelementptr i8, ptr %20, i64 %sunkaddr142.i
+  %sunkaddr144.i = getelementptr i8, ptr %sunkaddr143.i, i64 8
+  %.145.i38.i = load i64, ptr %sunkaddr144.i, align 8
+  %.147.not.i39.i = icmp eq i64 %.145.i38.i, %.378.i
+  br i1 %.147.not.i39.i, label %B584.endif.endif.endif.1.i, label %B36.i34.i
 
-B592.endif.endif.endif.1.i:                       ; preds = %B36.i34.i, %B828.i
-  %.1465.198.i = phi i64 [ 1, %B828.i ], [ %lsr.iv.next.i, %B36.i34.i ]
-  %slot.3.1.i40.i = phi i64 [ 0, %B828.i ], [ %.90.i36.i, %B36.i34.i ]
-  %.1555.1.i = select i1 %.58.i8.i, i64 %w14, i64 0
-  %.1556.1.i = add i64 %.1555.1.i, %"$phi592.2.2.sroa.0.2.1.i"
-  %.1576.1.i = mul i64 %.1556.1.i, %w15
-  %17 = getelementptr i64, ptr %w13, i64 %.1576.1.i
-  %18 = getelementptr i64, ptr %17, i64 %slot.3.1.i40.i
-  %.1581.1.i = load i64, ptr %18, align 8
-  %.1600.1.i = select i1 %.58.i8.i, i64 %w12, i64 0
-  %19 = getelementptr i64, ptr %w11, i64 %"$phi592.2.2.sroa.0.2.1.i"
-  %.1614.1.i = getelementptr i64, ptr %19, i64 %.1600.1.i
-  %.1615.1.i = load i64, ptr %.1614.1.i, align 8
-  %.1653.1.i = sub i64 %.1465.198.i, %.1615.1.i
-  %.1696906.11005.i = icmp ugt i64 %.1653.1.i, -9223372036854775808
-  br i1 %.1696906.11005.i, label %B750.1.i, label %B920.i
+B584.endif.endif.endif.1.i:                       ; preds = %B36.i34.i, %B808.i
+  %.1415.198.i = phi i64 [ 1, %B808.i ], [ %lsr.iv.next.i, %B36.i34.i ]
+  %slot.3.1.i40.i = phi i64 [ 0, %B808.i ], [ %.90.i36.i, %B36.i34.i ]
+  %.1475.1.i = select i1 %.58.i8.i, i64 %w9, i64 0
+  %.1476.1.i = add i64 %.1475.1.i, %.738.i
+  %.1496.1.i = mul i64 %.1476.1.i, %w10
+  %22 = getelementptr i64, ptr %w8, i64 %.1496.1.i
+  %23 = getelementptr i64, ptr %22, i64 %slot.3.1.i40.i
+  %.1501.1.i = load i64, ptr %23, align 8
+  %.1520.1.i = select i1 %.58.i8.i, i64 %w7, i64 0
+  %24 = getelementptr i64, ptr %w6, i64 %.738.i
+  %.1534.1.i = getelementptr i64, ptr %24, i64 %.1520.1.i
+  %.1535.1.i = load i64, ptr %.1534.1.i, align 8
+  %.1573.1.i = sub i64 %.1415.198.i, %.1535.1.i
+  %.16161932.12120.i = icmp ugt i64 %.1573.1.i, -9223372036854775808
+  br i1 %.16161932.12120.i, label %B730.1.i, label %B900.endif.endif.i
 
-B750.1.i:                                         ; preds = %B592.endif.endif.endif.1.i, %B750.1.i
-  %.1702905907.1.i = phi i64 [ %.1709.1.i, %B750.1.i ], [ %.1615.1.i, %B592.endif.endif.endif.1.i ]
-  %.1709.1.i = add i64 %.1702905907.1.i, -1
-  %.1761.1.i = icmp slt i64 %.1702905907.1.i, 1
-  %20 = select i1 %.1761.1.i, i64 %s15, i64 0
-  %scevgep113.i = getelementptr i8, ptr %.84.i12.i, i64 %20
-  %21 = shl i64 %.1702905907.1.i, 3
-  %scevgep114.i = getelementptr i8, ptr %scevgep113.i, i64 %21
-  %scevgep115.i = getelementptr i8, ptr %scevgep114.i, i64 -8
-  %.1785.1.i = load i64, ptr %scevgep115.i, align 8
-  %22 = select i1 %.1761.1.i, i64 %s23, i64 0
-  %scevgep116.i = getelementptr i8, ptr %17, i64 %22
-  %scevgep117.i = getelementptr i8, ptr %scevgep116.i, i64 %21
-  %scevgep118.i = getelementptr i8, ptr %scevgep117.i, i64 -8
-  %.1837.1.i = load i64, ptr %scevgep118.i, align 8
-  %.1864.1.i = icmp slt i64 %.1702905907.1.i, 0
-  %23 = select i1 %.1864.1.i, i64 %s15, i64 0
-  %scevgep111.i = getelementptr i8, ptr %.84.i12.i, i64 %23
-  %scevgep112.i = getelementptr i8, ptr %scevgep111.i, i64 %21
-  store i64 %.1785.1.i, ptr %scevgep112.i, align 8
-  %24 = select i1 %.1864.1.i, i64 %s23, i64 0
-  %scevgep109.i = getelementptr i8, ptr %17, i64 %24
-  %scevgep110.i = getelementptr i8, ptr %scevgep109.i, i64 %21
-  store i64 %.1837.1.i, ptr %scevgep110.i, align 8
-  %25 = sub i64 %.1702905907.1.i, %.1465.198.i
-  %.1696.1.i = icmp samesign ugt i64 %25, 1
-  br i1 %.1696.1.i, label %B750.1.i, label %B920.i
+B730.1.i:                                         ; preds = %B584.endif.endif.endif.1.i, %B730.1.i
+  %.162219311933.1.i = phi i64 [ %.1629.1.i, %B730.1.i ], [ %.1535.1.i, %B584.endif.endif.endif.1.i ]
+  %.1629.1.i = add i64 %.162219311933.1.i, -1
+  %.1681.1.i = icmp slt i64 %.162219311933.1.i, 1
+  %25 = select i1 %.1681.1.i, i64 %s8, i64 0
+  %scevgep115.i = getelementptr i8, ptr %.84.i12.i, i64 %25
+  %26 = shl i64 %.162219311933.1.i, 3
+  %scevgep116.i = getelementptr i8, ptr %scevgep115.i, i64 %26
+  %scevgep117.i = getelementptr i8, ptr %scevgep116.i, i64 -8
+  %.1705.1.i = load i64, ptr %scevgep117.i, align 8
+  %27 = select i1 %.1681.1.i, i64 %s16, i64 0
+  %scevgep118.i = getelementptr i8, ptr %22, i64 %27
+  %scevgep119.i = getelementptr i8, ptr %scevgep118.i, i64 %26
+  %scevgep120.i = getelementptr i8, ptr %scevgep119.i, i64 -8
+  %.1757.1.i = load i64, ptr %scevgep120.i, align 8
+  %.1784.1.i = icmp slt i64 %.162219311933.1.i, 0
+  %28 = select i1 %.1784.1.i, i64 %s8, i64 0
+  %scevgep113.i = getelementptr i8, ptr %.84.i12.i, i64 %28
+  %scevgep114.i = getelementptr i8, ptr %scevgep113.i, i64 %26
+  store i64 %.1705.1.i, ptr %scevgep114.i, align 8
+  %29 = select i1 %.1784.1.i, i64 %s16, i64 0
+  %scevgep111.i = getelementptr i8, ptr %22, i64 %29
+  %scevgep112.i = getelementptr i8, ptr %scevgep111.i, i64 %26
+  store i64 %.1757.1.i, ptr %scevgep112.i, align 8
+  %30 = sub i64 %.162219311933.1.i, %.1415.198.i
+  %.1616.1.i = icmp samesign ugt i64 %30, 1
+  br i1 %.1616.1.i, label %B730.1.i, label %B900.endif.endif.i
 
-B920.i:                                           ; preds = %B750.1.i, %B592.endif.endif.endif.1.i
-  %.1946.1.i = sub i64 0, %.1581.1.i
-  %26 = getelementptr i64, ptr %.84.i12.i, i64 %.1465.198.i
-  store i64 %.247.i, ptr %26, align 8
-  %27 = getelementptr i64, ptr %17, i64 %.1465.198.i
-  store i64 %.1581.1.i, ptr %27, align 8
-  %sunkaddr132.i = getelementptr i8, ptr %sunkaddr119.i, i64 24
-  store i64 %.1946.1.i, ptr %sunkaddr132.i, align 8
-  %sunkaddr133.i = shl i64 %.1600.1.i, 3
-  %sunkaddr134.i = getelementptr inbounds i8, ptr %19, i64 %sunkaddr133.i
-  %.2143.1.i = load i64, ptr %sunkaddr134.i, align 8
-  %.2144.1.i = add nsw i64 %.2143.1.i, 1
-  store i64 %.2144.1.i, ptr %sunkaddr134.i, align 8
-  %.2200.i = select i1 %.594.i, i64 %w12, i64 0
-  %28 = getelementptr i64, ptr %w11, i64 %.247.i
-  %.2214.i = getelementptr i64, ptr %28, i64 %.2200.i
-  store i64 4, ptr %.2214.i, align 8
-  %exitcond.not.i = icmp eq i64 %.194.i, %w1
-  br i1 %exitcond.not.i, label %_ZN7msf_jax4host4meso7kernels3cutB3v50B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE.exit, label %B64.i
+B1298.i:                                          ; preds = %B1298.preheader.i, %B1298.i
+  %.278819621964.i = phi i64 [ %.2795.1.i, %B1298.i ], [ 0, %B1298.preheader.i ]
+  %31 = shl i64 %.278819621964.i, 3
+  %scevgep124.i = getelementptr i8, ptr %scevgep122.i, i64 %31
+  %scevgep125.i = getelementptr i8, ptr %scevgep124.i, i64 -8
+  %.2874.i = load double, ptr %scevgep125.i, align 8
+  %.2875.i = fmul double %.2257.i, %.2874.i
+  %scevgep129.i = getelementptr i8, ptr %scevgep127.i, i64 %31
+  %scevgep130.i = getelementptr i8, ptr %scevgep129.i, i64 -8
+  %.2927.i = load double, ptr %scevgep130.i, align 8
+  %.2929.i = fmul double %.408.i, %.2927.i
+  %.2930.i = fadd double %.2875.i, %.2929.i
+  %scevgep136.i = getelementptr i8, ptr %scevgep134.i, i64 %31
+  %scevgep137.i = getelementptr i8, ptr %scevgep136.i, i64 -8
+  store double %.2930.i, ptr %scevgep137.i, align 8
+  %.2795.1.i = add nuw i64 %.278819621964.i, 2
+  %.2874.1.i = load double, ptr %scevgep124.i, align 8
+  %.2875.1.i = fmul double %.2257.i, %.2874.1.i
+  %.2927.1.i = load double, ptr %scevgep129.i, align 8
+  %.2929.1.i = fmul double %.408.i, %.2927.1.i
+  %.2930.1.i = fadd double %.2875.1.i, %.2929.1.i
+  store double %.2930.1.i, ptr %scevgep136.i, align 8
+  %niter.ncmp.1.i = icmp eq i64 %unroll_iter.i, %.2795.1.i
+  br i1 %niter.ncmp.1.i, label %B104.loopexit.loopexit.unr-lcssa.i, label %B1298.i
 
-B64.endif.i:                                      ; preds = %B36.i.i, %B64.i
-  %slot.3.1.i.i = phi i64 [ 0, %B64.i ], [ %.90.i.i, %B36.i.i ]
-  %.58.i42.i = icmp slt i64 %.313.i, 0
-  %.59.i43.i = select i1 %.58.i42.i, i64 %w9, i64 0
-  %.60.i44.i = add i64 %.59.i43.i, %.313.i
-  %.80.i45.i = mul i64 %.60.i44.i, %w10
-  %.84.i46.i = getelementptr i64, ptr %w8, i64 %.80.i45.i
+B106.endif.i:                                     ; preds = %B36.i.i, %B106.i
+  %slot.3.1.i.i = phi i64 [ 0, %B106.i ], [ %.90.i.i, %B36.i.i ]
+  %.58.i42.i = icmp slt i64 %.378.i, 0
+  %.59.i43.i = select i1 %.58.i42.i, i64 %w4, i64 0
+  %.60.i44.i = add i64 %.59.i43.i, %.378.i
+  %.80.i45.i = mul i64 %.60.i44.i, %w5
+  %.84.i46.i = getelementptr i64, ptr %w3, i64 %.80.i45.i
   %.85.i47.i = load i64, ptr %.84.i46.i, align 8
-  %.87.not.i48.i = icmp eq i64 %.85.i47.i, %.282.i
-  br i1 %.87.not.i48.i, label %B516.lr.ph.i, label %B36.preheader.i49.i
+  %.87.not.i48.i = icmp eq i64 %.85.i47.i, %.348.i
+  br i1 %.87.not.i48.i, label %B106.endif.endif.i, label %B36.preheader.i49.i
 
-B36.preheader.i49.i:                              ; preds = %B64.endif.i
-  %29 = shl i64 %.80.i45.i, 3
-  %30 = getelementptr i8, ptr %w8, i64 %29
-  %scevgep.i50.i = getelementptr i8, ptr %30, i64 8
+B36.preheader.i49.i:                              ; preds = %B106.endif.i
+  %32 = shl i64 %.80.i45.i, 3
+  %33 = getelementptr i8, ptr %w3, i64 %32
+  %scevgep.i50.i = getelementptr i8, ptr %33, i64 8
   br label %B36.i51.i
 
 B36.i51.i:                                        ; preds = %B36.i51.i, %B36.preheader.i49.i
   %slot.2.0.i52.i = phi i64 [ %.90.i53.i, %B36.i51.i ], [ 0, %B36.preheader.i49.i ]
   %.90.i53.i = add nuw i64 %slot.2.0.i52.i, 1
-  %31 = shl i64 %slot.2.0.i52.i, 3
-  %scevgep1.i54.i = getelementptr i8, ptr %scevgep.i50.i, i64 %31
+  %34 = shl i64 %slot.2.0.i52.i, 3
+  %scevgep1.i54.i = getelementptr i8, ptr %scevgep.i50.i, i64 %34
   %.145.i55.i = load i64, ptr %scevgep1.i54.i, align 8
-  %.147.not.i56.i = icmp eq i64 %.145.i55.i, %.282.i
-  br i1 %.147.not.i56.i, label %B516.lr.ph.i, label %B36.i51.i
+  %.147.not.i56.i = icmp eq i64 %.145.i55.i, %.348.i
+  br i1 %.147.not.i56.i, label %B106.endif.endif.i, label %B36.i51.i
 
-B516.lr.ph.i:                                     ; preds = %B36.i51.i, %B64.endif.i
-  %slot.3.1.i57.i = phi i64 [ 0, %B64.endif.i ], [ %.90.i53.i, %B36.i51.i ]
-  %32 = getelementptr i64, ptr %w4, i64 %.187935962.i
-  %.496.i = load i64, ptr %32, align 8
-  %33 = getelementptr i64, ptr %w6, i64 %.187935962.i
-  %.558.i = load i64, ptr %33, align 8
-  %.594.i = icmp slt i64 %.247.i, 0
-  %.595.i = select i1 %.594.i, i64 %w9, i64 0
-  %.596.i = add i64 %.595.i, %.247.i
-  %.616.i = mul i64 %.596.i, %w10
-  %.620.i = getelementptr i64, ptr %w8, i64 %.616.i
-  store i64 %.313.i, ptr %.620.i, align 8
-  %.675.i = getelementptr i8, ptr %.620.i, i64 8
-  store i64 %.496.i, ptr %.675.i, align 8
-  %.730.i = getelementptr i8, ptr %.620.i, i64 16
-  store i64 %.282.i, ptr %.730.i, align 8
-  %.785.i = getelementptr i8, ptr %.620.i, i64 24
-  store i64 %.558.i, ptr %.785.i, align 8
-  %sunkaddr135.i = shl i64 %.187935962.i, 3
-  %sunkaddr136.i = getelementptr i8, ptr %w2, i64 %sunkaddr135.i
-  %.817.i = load i64, ptr %sunkaddr136.i, align 8
-  %.840.i = icmp slt i64 %.817.i, 0
-  %.841.i = select i1 %.840.i, i64 %w14, i64 0
-  %.842.i = add i64 %.841.i, %.817.i
-  %.862.i = mul i64 %.842.i, %w15
-  %34 = getelementptr i64, ptr %w13, i64 %.862.i
-  %.866.i = getelementptr i64, ptr %34, i64 %slot.3.1.i57.i
-  %.867.i = load i64, ptr %.866.i, align 8
-  %.896.i = select i1 %.594.i, i64 %w14, i64 0
-  %.897.i = add i64 %.896.i, %.247.i
-  %.917.i = mul i64 %.897.i, %w15
-  %35 = getelementptr i64, ptr %w13, i64 %.917.i
-  %.921.i = getelementptr i8, ptr %35, i64 16
-  store i64 %.867.i, ptr %.921.i, align 8
-  %.953.i = load i64, ptr %sunkaddr136.i, align 8
-  %.976.i = icmp slt i64 %.953.i, 0
-  %.977.i = select i1 %.976.i, i64 %w14, i64 0
-  %.978.i = add i64 %.977.i, %.953.i
-  %.998.i = mul i64 %.978.i, %w15
-  %36 = getelementptr i64, ptr %w13, i64 %.998.i
-  %.1002.i = getelementptr i64, ptr %36, i64 %slot.3.1.i57.i
-  store i64 0, ptr %.1002.i, align 8
-  %sunkaddr138.i = getelementptr i8, ptr %w0, i64 %sunkaddr135.i
-  %.1034.i = load i64, ptr %sunkaddr138.i, align 8
-  %.1058.i = icmp slt i64 %.1034.i, 0
-  %.1059.i = select i1 %.1058.i, i64 %w9, i64 0
-  %.1060.i = add i64 %.1059.i, %.1034.i
-  %.1080.i = mul i64 %.1060.i, %w10
-  %37 = getelementptr i64, ptr %w8, i64 %.1080.i
-  %38 = getelementptr i64, ptr %37, i64 %slot.3.1.i.i
-  store i64 %.247.i, ptr %38, align 8
-  %.1116.i = load i64, ptr %sunkaddr136.i, align 8
-  %.1140.i = icmp slt i64 %.1116.i, 0
-  %.1141.i = select i1 %.1140.i, i64 %w9, i64 0
-  %.1142.i = add i64 %.1141.i, %.1116.i
-  %.1162.i = mul i64 %.1142.i, %w10
-  %39 = getelementptr i64, ptr %w8, i64 %.1162.i
-  %40 = getelementptr i64, ptr %39, i64 %slot.3.1.i57.i
-  store i64 %.247.i, ptr %40, align 8
-  %"$phi592.2.2.sroa.0.2.i" = load i64, ptr %32, align 8
-  %"$phi592.2.2.sroa.8.2.i" = load i64, ptr %sunkaddr138.i, align 8
-  %.58.i59.i = icmp slt i64 %"$phi592.2.2.sroa.0.2.i", 0
-  %.59.i60.i = select i1 %.58.i59.i, i64 %w9, i64 0
-  %.60.i61.i = add i64 %.59.i60.i, %"$phi592.2.2.sroa.0.2.i"
-  %.80.i62.i = mul i64 %.60.i61.i, %w10
-  %.84.i63.i = getelementptr i64, ptr %w8, i64 %.80.i62.i
+B106.endif.endif.i:                               ; preds = %B36.i51.i, %B106.endif.i
+  %slot.3.1.i57.i = phi i64 [ 0, %B106.endif.i ], [ %.90.i53.i, %B36.i51.i ]
+  %.509.i = select i1 %.58.i.i, i64 %w7, i64 0
+  %35 = getelementptr i64, ptr %w6, i64 %.348.i
+  %.523.i = getelementptr i64, ptr %35, i64 %.509.i
+  %.524.i = load i64, ptr %.523.i, align 8
+  %.527.i = icmp eq i64 %.524.i, 0
+  br i1 %.527.i, label %B556.lr.ph.i, label %B106.endif.endif.endif.i
+
+B106.endif.endif.endif.i:                         ; preds = %B106.endif.endif.i
+  %.493.i = add nsw i64 %slot.3.1.i.i, 1
+  %36 = or i64 %.524.i, %.493.i
+  %37 = icmp ult i64 %36, 4294967296
+  br i1 %37, label %38, label %43
+
+38:                                               ; preds = %B106.endif.endif.endif.i
+  %39 = trunc nuw i64 %.524.i to i32
+  %40 = trunc nuw i64 %.493.i to i32
+  %41 = urem i32 %40, %39
+  %42 = zext i32 %41 to i64
+  br label %45
+
+43:                                               ; preds = %B106.endif.endif.endif.i
+  %44 = srem i64 %.493.i, %.524.i
+  br label %45
+
+45:                                               ; preds = %43, %38
+  %46 = phi i64 [ %42, %38 ], [ %44, %43 ]
+  %.545.i = xor i64 %46, %.524.i
+  %.546.i = icmp slt i64 %.545.i, 0
+  %.547.i = icmp ne i64 %46, 0
+  %.548.i = and i1 %.547.i, %.546.i
+  %.555.i = select i1 %.548.i, i64 %.524.i, i64 0
+  %spec.select.i = add i64 %.555.i, %46
+  %spec.select.fr.i = freeze i64 %spec.select.i
+  %.591.i = icmp slt i64 %spec.select.fr.i, 0
+  %spec.select2118.i = select i1 %.591.i, i64 %w5, i64 0
+  %47 = getelementptr i64, ptr %.84.i.i, i64 %spec.select.fr.i
+  %.6142105.i = getelementptr i64, ptr %47, i64 %spec.select2118.i
+  %.6152106.i = load i64, ptr %.6142105.i, align 8
+  %.6162107.i = add nsw i64 %slot.3.1.i.i, -1
+  %.661.i = icmp ne i64 %.6162107.i, -9223372036854775808
+  %.662.i = icmp ne i64 %.524.i, -1
+  %.663.not.i = or i1 %.661.i, %.662.i
+  br i1 %.663.not.i, label %B106.endif.endif.endif.else.if.i, label %B556.lr.ph.i
+
+B106.endif.endif.endif.else.if.i:                 ; preds = %45
+  %48 = or i64 %.524.i, %.6162107.i
+  %49 = icmp ult i64 %48, 4294967296
+  br i1 %49, label %50, label %55
+
+50:                                               ; preds = %B106.endif.endif.endif.else.if.i
+  %51 = trunc nuw i64 %.524.i to i32
+  %52 = trunc nuw i64 %.6162107.i to i32
+  %53 = urem i32 %52, %51
+  %54 = zext i32 %53 to i64
+  br label %57
+
+55:                                               ; preds = %B106.endif.endif.endif.else.if.i
+  %56 = srem i64 %.6162107.i, %.524.i
+  br label %57
+
+57:                                               ; preds = %55, %50
+  %58 = phi i64 [ %54, %50 ], [ %56, %55 ]
+  %.668.i = xor i64 %58, %.524.i
+  %.669.i = icmp slt i64 %.668.i, 0
+  %.670.i = icmp ne i64 %58, 0
+  %.671.i = and i1 %.670.i, %.669.i
+  %.678.i = select i1 %.671.i, i64 %.524.i, i64 0
+  %spec.select1920.i = add i64 %.678.i, %58
+  %spec.select1920.fr.i = freeze i64 %spec.select1920.i
+  %.714.i = icmp slt i64 %spec.select1920.fr.i, 0
+  %.715.i = select i1 %.714.i, i64 %w5, i64 0
+  %59 = getelementptr i64, ptr %.84.i.i, i64 %.715.i
+  %.737.phi.trans.insert.i = getelementptr i64, ptr %59, i64 %spec.select1920.fr.i
+  %.738.pre.i = load i64, ptr %.737.phi.trans.insert.i, align 8
+  br label %B556.lr.ph.i
+
+B556.lr.ph.i:                                     ; preds = %57, %45, %B106.endif.endif.i
+  %.738.i = phi i64 [ %.85.i.i, %45 ], [ %.738.pre.i, %57 ], [ %.85.i.i, %B106.endif.endif.i ]
+  %.6152109.i = phi i64 [ %.6152106.i, %45 ], [ %.6152106.i, %57 ], [ %.85.i.i, %B106.endif.endif.i ]
+  %.784.i = icmp slt i64 %.318.i, 0
+  %.785.i = select i1 %.784.i, i64 %w4, i64 0
+  %.786.i = add i64 %.785.i, %.318.i
+  %.806.i = mul i64 %.786.i, %w5
+  %.810.i = getelementptr i64, ptr %w3, i64 %.806.i
+  store i64 %.378.i, ptr %.810.i, align 8
+  %.865.i = getelementptr i8, ptr %.810.i, i64 8
+  store i64 %.6152109.i, ptr %.865.i, align 8
+  %.920.i = getelementptr i8, ptr %.810.i, i64 16
+  store i64 %.348.i, ptr %.920.i, align 8
+  %.975.i = getelementptr i8, ptr %.810.i, i64 24
+  store i64 %.738.i, ptr %.975.i, align 8
+  %.1001.i = select i1 %.58.i42.i, i64 %w9, i64 0
+  %.1002.i = add i64 %.1001.i, %.378.i
+  %.1022.i = mul i64 %.1002.i, %w10
+  %60 = getelementptr i64, ptr %w8, i64 %.1022.i
+  %61 = getelementptr i64, ptr %60, i64 %slot.3.1.i57.i
+  %.1027.i = load i64, ptr %61, align 8
+  %.1056.i = select i1 %.784.i, i64 %w9, i64 0
+  %.1057.i = add i64 %.1056.i, %.318.i
+  %.1077.i = mul i64 %.1057.i, %w10
+  %62 = getelementptr i64, ptr %w8, i64 %.1077.i
+  %.1081.i = getelementptr i8, ptr %62, i64 16
+  store i64 %.1027.i, ptr %.1081.i, align 8
+  store i64 0, ptr %61, align 8
+  %63 = getelementptr i64, ptr %.84.i.i, i64 %slot.3.1.i.i
+  store i64 %.318.i, ptr %63, align 8
+  %64 = getelementptr i64, ptr %.84.i46.i, i64 %slot.3.1.i57.i
+  store i64 %.318.i, ptr %64, align 8
+  %.58.i59.i = icmp slt i64 %.6152109.i, 0
+  %.59.i60.i = select i1 %.58.i59.i, i64 %w4, i64 0
+  %.60.i61.i = add i64 %.59.i60.i, %.6152109.i
+  %.80.i62.i = mul i64 %.60.i61.i, %w5
+  %.84.i63.i = getelementptr i64, ptr %w3, i64 %.80.i62.i
   %.85.i64.i = load i64, ptr %.84.i63.i, align 8
-  %.87.not.i65.i = icmp eq i64 %.85.i64.i, %"$phi592.2.2.sroa.8.2.i"
-  br i1 %.87.not.i65.i, label %B592.endif.i, label %B36.preheader.i66.i
+  %.87.not.i65.i = icmp eq i64 %.85.i64.i, %.348.i
+  br i1 %.87.not.i65.i, label %B584.endif.i, label %B36.preheader.i66.i
 
-B36.preheader.i66.i:                              ; preds = %B516.lr.ph.i
-  %41 = shl i64 %.80.i62.i, 3
-  %42 = getelementptr i8, ptr %w8, i64 %41
-  %scevgep.i67.i = getelementptr i8, ptr %42, i64 8
+B36.preheader.i66.i:                              ; preds = %B556.lr.ph.i
+  %65 = shl i64 %.80.i62.i, 3
+  %66 = getelementptr i8, ptr %w3, i64 %65
+  %scevgep.i67.i = getelementptr i8, ptr %66, i64 8
   br label %B36.i68.i
 
 B36.i68.i:                                        ; preds = %B36.i68.i, %B36.preheader.i66.i
   %slot.2.0.i69.i = phi i64 [ %.90.i70.i, %B36.i68.i ], [ 0, %B36.preheader.i66.i ]
   %.90.i70.i = add nuw i64 %slot.2.0.i69.i, 1
-  %43 = shl i64 %slot.2.0.i69.i, 3
-  %scevgep1.i71.i = getelementptr i8, ptr %scevgep.i67.i, i64 %43
+  %67 = shl i64 %slot.2.0.i69.i, 3
+  %scevgep1.i71.i = getelementptr i8, ptr %scevgep.i67.i, i64 %67
   %.145.i72.i = load i64, ptr %scevgep1.i71.i, align 8
-  %.147.not.i73.i = icmp eq i64 %.145.i72.i, %"$phi592.2.2.sroa.8.2.i"
-  br i1 %.147.not.i73.i, label %B592.endif.i, label %B36.i68.i
+  %.147.not.i73.i = icmp eq i64 %.145.i72.i, %.348.i
+  br i1 %.147.not.i73.i, label %B584.endif.i, label %B36.i68.i
 
-B592.endif.i:                                     ; preds = %B36.i68.i, %B516.lr.ph.i
-  %slot.3.1.i74.i = phi i64 [ 0, %B516.lr.ph.i ], [ %.90.i70.i, %B36.i68.i ]
-  %.1465.i = add nsw i64 %slot.3.1.i74.i, 1
-  %.1500.i = load i64, ptr %sunkaddr136.i, align 8
-  %.87.not.i82.i = icmp eq i64 %.85.i64.i, %.1500.i
-  br i1 %.87.not.i82.i, label %B592.endif.endif.endif.i, label %B36.preheader.i83.i
+B584.endif.i:                                     ; preds = %B36.i68.i, %B556.lr.ph.i
+  %slot.3.1.i74.i = phi i64 [ 0, %B556.lr.ph.i ], [ %.90.i70.i, %B36.i68.i ]
+  %.1415.i = add nsw i64 %slot.3.1.i74.i, 1
+  %.87.not.i82.i = icmp eq i64 %.85.i64.i, %.378.i
+  br i1 %.87.not.i82.i, label %B584.endif.endif.endif.i, label %B36.preheader.i83.i
 
-B36.preheader.i83.i:                              ; preds = %B592.endif.i
-  %44 = shl i64 %.80.i62.i, 3
-  %45 = getelementptr i8, ptr %w8, i64 %44
-  %scevgep.i84.i = getelementptr i8, ptr %45, i64 8
+B36.preheader.i83.i:                              ; preds = %B584.endif.i
+  %68 = shl i64 %.80.i62.i, 3
+  %69 = getelementptr i8, ptr %w3, i64 %68
+  %scevgep.i84.i = getelementptr i8, ptr %69, i64 8
   br label %B36.i85.i
 
 B36.i85.i:                                        ; preds = %B36.i85.i, %B36.preheader.i83.i
   %slot.2.0.i86.i = phi i64 [ %.90.i87.i, %B36.i85.i ], [ 0, %B36.preheader.i83.i ]
   %.90.i87.i = add nuw i64 %slot.2.0.i86.i, 1
-  %46 = shl i64 %slot.2.0.i86.i, 3
-  %scevgep1.i88.i = getelementptr i8, ptr %scevgep.i84.i, i64 %46
+  %70 = shl i64 %slot.2.0.i86.i, 3
+  %scevgep1.i88.i = getelementptr i8, ptr %scevgep.i84.i, i64 %70
   %.145.i89.i = load i64, ptr %scevgep1.i88.i, align 8
-  %.147.not.i90.i = icmp eq i64 %.145.i89.i, %.1500.i
-  br i1 %.147.not.i90.i, label %B592.endif.endif.endif.i, label %B36.i85.i
+  %.147.not.i90.i = icmp eq i64 %.145.i89.i, %.378.i
+  br i1 %.147.not.i90.i, label %B584.endif.endif.endif.i, label %B36.i85.i
 
-B592.endif.endif.endif.i:                         ; preds = %B36.i85.i, %B592.endif.i
-  %slot.3.1.i91.i = phi i64 [ 0, %B592.endif.i ], [ %.90.i87.i, %B36.i85.i ]
-  %.1555.i = select i1 %.58.i59.i, i64 %w14, i64 0
-  %.1556.i = add i64 %.1555.i, %"$phi592.2.2.sroa.0.2.i"
-  %.1576.i = mul i64 %.1556.i, %w15
-  %47 = getelementptr i64, ptr %w13, i64 %.1576.i
-  %48 = getelementptr i64, ptr %47, i64 %slot.3.1.i91.i
-  %.1581.i = load i64, ptr %48, align 8
-  %.1600.i = select i1 %.58.i59.i, i64 %w12, i64 0
-  %49 = getelementptr i64, ptr %w11, i64 %"$phi592.2.2.sroa.0.2.i"
-  %.1614.i = getelementptr i64, ptr %49, i64 %.1600.i
-  %.1615.i = load i64, ptr %.1614.i, align 8
-  %.1653.i = sub i64 %.1465.i, %.1615.i
-  %.16969061004.i = icmp ugt i64 %.1653.i, -9223372036854775808
-  br i1 %.16969061004.i, label %B750.i, label %B828.i
+B584.endif.endif.endif.i:                         ; preds = %B36.i85.i, %B584.endif.i
+  %slot.3.1.i91.i = phi i64 [ 0, %B584.endif.i ], [ %.90.i87.i, %B36.i85.i ]
+  %.1475.i = select i1 %.58.i59.i, i64 %w9, i64 0
+  %.1476.i = add i64 %.1475.i, %.6152109.i
+  %.1496.i = mul i64 %.1476.i, %w10
+  %71 = getelementptr i64, ptr %w8, i64 %.1496.i
+  %72 = getelementptr i64, ptr %71, i64 %slot.3.1.i91.i
+  %.1501.i = load i64, ptr %72, align 8
+  %.1520.i = select i1 %.58.i59.i, i64 %w7, i64 0
+  %73 = getelementptr i64, ptr %w6, i64 %.6152109.i
+  %.1534.i = getelementptr i64, ptr %73, i64 %.1520.i
+  %.1535.i = load i64, ptr %.1534.i, align 8
+  %.1573.i = sub i64 %.1415.i, %.1535.i
+  %.161619322119.i = icmp ugt i64 %.1573.i, -9223372036854775808
+  br i1 %.161619322119.i, label %B730.i, label %B808.i
 
-_ZN7msf_jax4host4meso7kernels3cutB3v50B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE.exit: ; preds = %B920.i, %0
+B900.endif.endif.i:                               ; preds = %B730.1.i, %B584.endif.endif.endif.1.i
+  %.1866.1.i = sub i64 0, %.1501.1.i
+  %74 = getelementptr i64, ptr %.84.i12.i, i64 %.1415.198.i
+  store i64 %.318.i, ptr %74, align 8
+  %75 = getelementptr i64, ptr %22, i64 %.1415.198.i
+  store i64 %.1501.1.i, ptr %75, align 8
+  %sunkaddr147.i = getelementptr i8, ptr %sunkaddr138.i, i64 24
+  store i64 %.1866.1.i, ptr %sunkaddr147.i, align 8
+  %sunkaddr148.i = shl i64 %.1520.1.i, 3
+  %sunkaddr149.i = getelementptr inbounds i8, ptr %24, i64 %sunkaddr148.i
+  %.2063.1.i = load i64, ptr %sunkaddr149.i, align 8
+  %.2064.1.i = add nsw i64 %.2063.1.i, 1
+  store i64 %.2064.1.i, ptr %sunkaddr149.i, align 8
+  %.2122.i = select i1 %.784.i, i64 %w7, i64 0
+  %76 = getelementptr i64, ptr %w6, i64 %.318.i
+  %.2136.i = getelementptr i64, ptr %76, i64 %.2122.i
+  store i64 4, ptr %.2136.i, align 8
+  %.2257.i = fsub double 1.000000e+00, %.408.i
+  %.2283.i = select i1 %.58.i.i, i64 %w1, i64 0
+  %.2284.i = add i64 %.2283.i, %.348.i
+  %.2304.i = mul i64 %.2284.i, %w2
+  %77 = getelementptr double, ptr %w0, i64 %.2304.i
+  %.2336.i = select i1 %.58.i42.i, i64 %w1, i64 0
+  %.2337.i = add i64 %.2336.i, %.378.i
+  %.2357.i = mul i64 %.2337.i, %w2
+  %78 = getelementptr double, ptr %w0, i64 %.2357.i
+  %.2391.i = select i1 %.784.i, i64 %w1, i64 0
+  %.2392.i = add i64 %.2391.i, %.318.i
+  %.2412.i = mul i64 %.2392.i, %w2
+  %79 = getelementptr double, ptr %w0, i64 %.2412.i
+  %.2446.i = select i1 %.58.i.i, i64 %w12, i64 0
+  %.2447.i = add i64 %.2446.i, %.348.i
+  %.2467.i = mul i64 %.2447.i, %w13
+  %80 = getelementptr double, ptr %w11, i64 %.2467.i
+  %.2499.i = select i1 %.58.i42.i, i64 %w12, i64 0
+  %.2500.i = add i64 %.2499.i, %.378.i
+  %.2520.i = mul i64 %.2500.i, %w13
+  %81 = getelementptr double, ptr %w11, i64 %.2520.i
+  %.2554.i = select i1 %.784.i, i64 %w12, i64 0
+  %.2555.i = add i64 %.2554.i, %.318.i
+  %.2575.i = mul i64 %.2555.i, %w13
+  %82 = getelementptr double, ptr %w11, i64 %.2575.i
+  %.2309.i = load double, ptr %77, align 8
+  %.2310.i = fmul double %.2257.i, %.2309.i
+  %.2362.i = load double, ptr %78, align 8
+  %.2364.i = fmul double %.408.i, %.2362.i
+  %.2365.i = fadd double %.2310.i, %.2364.i
+  store double %.2365.i, ptr %79, align 8
+  %.2472.i = load double, ptr %80, align 8
+  %.2473.i = fmul double %.2257.i, %.2472.i
+  %.2525.i = load double, ptr %81, align 8
+  %.2527.i = fmul double %.408.i, %.2525.i
+  %.2528.i = fadd double %.2473.i, %.2527.i
+  store double %.2528.i, ptr %82, align 8
+  %.2308.1.i = getelementptr i8, ptr %77, i64 8
+  %.2309.1.i = load double, ptr %.2308.1.i, align 8
+  %.2310.1.i = fmul double %.2257.i, %.2309.1.i
+  %.2361.1.i = getelementptr i8, ptr %78, i64 8
+  %.2362.1.i = load double, ptr %.2361.1.i, align 8
+  %.2364.1.i = fmul double %.408.i, %.2362.1.i
+  %.2365.1.i = fadd double %.2310.1.i, %.2364.1.i
+  %.2416.1.i = getelementptr i8, ptr %79, i64 8
+  store double %.2365.1.i, ptr %.2416.1.i, align 8
+  %.2471.1.i = getelementptr i8, ptr %80, i64 8
+  %.2472.1.i = load double, ptr %.2471.1.i, align 8
+  %.2473.1.i = fmul double %.2257.i, %.2472.1.i
+  %.2524.1.i = getelementptr i8, ptr %81, i64 8
+  %.2525.1.i = load double, ptr %.2524.1.i, align 8
+  %.2527.1.i = fmul double %.408.i, %.2525.1.i
+  %.2528.1.i = fadd double %.2473.1.i, %.2527.1.i
+  %.2579.1.i = getelementptr i8, ptr %82, i64 8
+  store double %.2528.1.i, ptr %.2579.1.i, align 8
+  %.2308.2.i = getelementptr i8, ptr %77, i64 16
+  %.2309.2.i = load double, ptr %.2308.2.i, align 8
+  %.2310.2.i = fmul double %.2257.i, %.2309.2.i
+  %.2361.2.i = getelementptr i8, ptr %78, i64 16
+  %.2362.2.i = load double, ptr %.2361.2.i, align 8
+  %.2364.2.i = fmul double %.408.i, %.2362.2.i
+  %.2365.2.i = fadd double %.2310.2.i, %.2364.2.i
+  %.2416.2.i = getelementptr i8, ptr %79, i64 16
+  store double %.2365.2.i, ptr %.2416.2.i, align 8
+  %.2471.2.i = getelementptr i8, ptr %80, i64 16
+  %.2472.2.i = load double, ptr %.2471.2.i, align 8
+  %.2473.2.i = fmul double %.2257.i, %.2472.2.i
+  %.2524.2.i = getelementptr i8, ptr %81, i64 16
+  %.2525.2.i = load double, ptr %.2524.2.i, align 8
+  %.2527.2.i = fmul double %.408.i, %.2525.2.i
+  %.2528.2.i = fadd double %.2473.2.i, %.2527.2.i
+  %.2579.2.i = getelementptr i8, ptr %82, i64 16
+  store double %.2528.2.i, ptr %.2579.2.i, align 8
+  %.2605.i = select i1 %.58.i.i, i64 %w21, i64 0
+  %83 = getelementptr double, ptr %w20, i64 %.348.i
+  %.2619.i = getelementptr double, ptr %83, i64 %.2605.i
+  %.2620.i = load double, ptr %.2619.i, align 8
+  %.2621.i = fmul double %.2257.i, %.2620.i
+  %.2638.i = select i1 %.58.i42.i, i64 %w21, i64 0
+  %84 = getelementptr double, ptr %w20, i64 %.378.i
+  %.2652.i = getelementptr double, ptr %84, i64 %.2638.i
+  %.2653.i = load double, ptr %.2652.i, align 8
+  %.2655.i = fmul double %.408.i, %.2653.i
+  %.2656.i = fadd double %.2621.i, %.2655.i
+  %.2673.i = select i1 %.784.i, i64 %w21, i64 0
+  %85 = getelementptr double, ptr %w20, i64 %.318.i
+  %.2687.i = getelementptr double, ptr %85, i64 %.2673.i
+  store double %.2656.i, ptr %.2687.i, align 8
+  br i1 %1, label %B104.loopexit.i, label %B1298.lr.ph.i
+
+B1298.lr.ph.i:                                    ; preds = %B900.endif.endif.i
+  %.2848.i = select i1 %.58.i.i, i64 %w23, i64 0
+  %.2849.i = add i64 %.2848.i, %.348.i
+  %.2869.i = mul i64 %.2849.i, %w24
+  %.2901.i = select i1 %.58.i42.i, i64 %w23, i64 0
+  %.2902.i = add i64 %.2901.i, %.378.i
+  %.2922.i = mul i64 %.2902.i, %w24
+  %.2956.i = select i1 %.784.i, i64 %w23, i64 0
+  %.2957.i = add i64 %.2956.i, %.318.i
+  %.2977.i = mul i64 %.2957.i, %w24
+  br i1 %2, label %B1298.epil.preheader.i, label %B1298.preheader.i
+
+B1298.preheader.i:                                ; preds = %B1298.lr.ph.i
+  %86 = mul i64 %.2849.i, %s38
+  %scevgep122.i = getelementptr i8, ptr %scevgep121.i, i64 %86
+  %87 = mul i64 %.2902.i, %s38
+  %scevgep127.i = getelementptr i8, ptr %scevgep121.i, i64 %87
+  %88 = add i64 %.2956.i, %lsr.iv132.i
+  %89 = mul i64 %88, %s38
+  %scevgep134.i = getelementptr i8, ptr %scevgep121.i, i64 %89
+  br label %B1298.i
+
+_ZN7msf_jax4host4meso7kernels3cutB3v57B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE385Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28bool_2c_201d_2c_20C_29_2c_20array_28bool_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit: ; preds = %B104.loopexit.i, %0
   ret i64 0
 }
 

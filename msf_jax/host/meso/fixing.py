@@ -2,7 +2,8 @@
 
 import numpy as np
 
-from msf_jax.host.meso.collapse import short_edges
+from msf_jax.host.meso import kernels
+from msf_jax.host.meso.collapse import Waiting
 from msf_jax.host.meso.meso import Fixing, Meso
 
 
@@ -16,7 +17,8 @@ def fix_degenerate_vertices(meso: Meso, t_f: float) -> int:
 
     Returns how many became fixed.
     """
-    a, b, left, right, common = short_edges(meso, np.ones(meso.num_rows, dtype=bool), t_f)
+    every = np.ones(meso.num_rows, dtype=bool)
+    a, b, left, right, common = Waiting().find(kernels.short_edges, meso, every, t_f).T
     is_stuck = (common != 2) | (meso.degree[left] <= 3) | (meso.degree[right] <= 3)
     count = np.bincount(np.concatenate([a[is_stuck], b[is_stuck]]), minlength=meso.num_rows)
     fresh = (count >= 2) & ~meso.is_fixed

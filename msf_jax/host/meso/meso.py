@@ -9,8 +9,10 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from msf_jax.host.meso import ring_tables
+from msf_jax.host.meso import kernels, ring_tables
 from msf_jax.host.solid.geometry import signed_volume, triangle_areas
+
+ROWS = kernels.Surface._fields  # the arrays with a row for each vertex
 
 
 class Fixing(NamedTuple):
@@ -89,9 +91,31 @@ class Meso:
         """Area of the surface."""
         return float(triangle_areas(self.positions[self.faces()]).sum())
 
-    def scales(self) -> np.ndarray:
-        """(n,) the factor on lengths."""
-        return np.ones(self.num_rows) if self.scale is None else self.scale
+    def surface(self) -> kernels.Surface:
+        """The arrays for kernels, which may change them."""
+        num = self.num_rows
+        for name in ROWS:
+            if (value := getattr(self, name)) is not None and not value.flags.carray:
+                setattr(self, name, value.copy())  # kernels would change a copy
+        return kernels.Surface(
+            self.positions,
+            self.rings,
+            self.degree,
+            np.zeros_like(self.rings) if self.classes is None else self.classes,
+            self.poles,
+            self.has_pole,
+            self.is_fixed,
+            np.ones(num) if self.trust is None else self.trust,
+            np.ones(num) if self.scale is None else self.scale,
+            np.empty((num, 0)) if self.weights is None else self.weights,
+        )
+
+    def append(self, count: int) -> None:
+        """Add ``count`` dead rows, with zeros."""
+        for name in ROWS:
+            if (value := getattr(self, name)) is not None:
+                more = np.full((count, *value.shape[1:]), -1 if name == "rings" else 0, value.dtype)
+                setattr(self, name, np.concatenate([value, more]))
 
     def widen(self, degree: int) -> None:
         """Add slots until every row has at least ``degree``."""

@@ -10,7 +10,7 @@ from typing import NamedTuple
 import numpy as np
 
 from msf_jax.host.meso import kernels, ring_tables
-from msf_jax.host.meso.collapse import edge_lengths, first_apart, shortest_first
+from msf_jax.host.meso.collapse import Waiting, edge_lengths, first_apart, shortest_first
 from msf_jax.host.meso.meso import Meso
 
 
@@ -36,29 +36,21 @@ def split_obtuse_edges(
     """
     euler = ring_tables.euler_characteristic(meso.rings) if check else 0
     cosine = np.cos(np.radians(angle))
-    rounds = []
-    edges, is_touched = np.empty((5, 0), dtype=np.int64), np.ones(meso.num_rows, dtype=bool)
+    rounds, waiting, is_touched = [], Waiting(), np.ones(meso.num_rows, dtype=bool)
     while True:
-        found = np.empty((int(meso.degree[is_touched].sum()), 5), dtype=np.int64)
-        surface = meso.positions, meso.rings, meso.degree, meso.scales()
-        count = kernels.wide_edges(*surface, shortest, cosine, is_touched, found)
-        edges = np.concatenate([edges, found[:count].T], axis=1)
-        a, b, _, _, apex = edges
-        along = meso.positions[b] - meso.positions[a]
-        length2 = np.einsum("ij,ij->i", along, along)
-        fraction = np.einsum("ij,ij->i", meso.positions[apex] - meso.positions[a], along) / length2
-        order = shortest_first(a, b, -np.sqrt(length2), shortest)
-        chosen = _disjoint(edges[:4].T, order, meso.num_rows)
+        found = waiting.find(kernels.wide_edges, meso, is_touched, shortest, cosine)
+        a, b, apex = found.T[[0, 1, 4]]
+        order = shortest_first(a, b, -waiting.value[:, 0], shortest)
+        chosen = first_apart(found[:, :4], order, meso.num_rows)
         is_full = meso.num_live + len(chosen) > max_rows
         if len(chosen) == 0 or is_full:
             return rounds, is_full
-        rounds.append(split_edges(meso, a[chosen], b[chosen], fraction[chosen], apex[chosen]))
+        rounds.append(split_edges(meso, a[chosen], b[chosen], waiting.value[chosen, 1], apex[chosen]))
         if check:
             ring_tables.check_closed_manifold(meso.rings, euler)
-        # Test the edges of the split faces again; waiting edges elsewhere have not changed.
+        # The edges of the split faces are tested again; waiting edges elsewhere have not changed.
         is_touched = np.zeros(meso.num_rows, dtype=bool)
-        is_touched[np.r_[rounds[-1].new, edges[:4, chosen].ravel()]] = True
-        edges = edges[:, ~(is_touched[a] | is_touched[b])]
+        is_touched[np.r_[rounds[-1].new, found[chosen, :4].ravel()]] = True
 
 
 def split_long_edges(meso: Meso, longest: float | np.ndarray, *, check: bool = False) -> None:
@@ -75,7 +67,7 @@ def split_long_edges(meso: Meso, longest: float | np.ndarray, *, check: bool = F
         a, b, excess = a[is_long], b[is_long], excess[is_long]
         left, right = ring_tables.apexes(meso.rings, meso.degree, a, b)
         claims = np.stack([a, b, left, right], axis=1)
-        chosen = _disjoint(claims, shortest_first(a, b, -excess, 1.0), meso.num_rows)
+        chosen = first_apart(claims, shortest_first(a, b, -excess, 1.0), meso.num_rows)
         if len(chosen) == 0:
             return
         limit = np.concatenate([limit, (limit[a] + limit[b])[chosen] / 2])
@@ -93,28 +85,10 @@ def split_edges(
     meso: Meso, a: np.ndarray, b: np.ndarray, fraction: np.ndarray, apex: np.ndarray | None = None
 ) -> SplitRound:
     """Split the edges ab (c,), which share no face, at ``fraction`` from a to b, where ``apex`` projects."""
-    left, right = ring_tables.apexes(meso.rings, meso.degree, a, b)
     meso.widen(int(meso.degree.max(initial=0)) + 1)
     new = np.arange(meso.num_rows, meso.num_rows + len(a))
-    more = ((0, len(a)), (0, 0))
-    meso.rings, meso.degree = np.pad(meso.rings, more, constant_values=-1), np.pad(meso.degree, more[0])
-    meso.classes = None if meso.classes is None else np.pad(meso.classes, more)
-    classes = np.zeros_like(meso.rings) if meso.classes is None else meso.classes
-    kernels.cut(a, b, left, right, meso.rings, meso.degree, classes)
-    weight = fraction[:, None]
-    for name, share in (("positions", weight), ("poles", weight), ("weights", weight), ("scale", fraction)):
-        old = getattr(meso, name)
-        if old is not None:
-            setattr(meso, name, np.concatenate([old, (1 - share) * old[a] + share * old[b]]))
-    meso.has_pole = np.concatenate([meso.has_pole, np.zeros(len(a), dtype=bool)])
-    if meso.trust is not None:
-        meso.trust = np.concatenate([meso.trust, np.zeros(len(a))])
-    meso.is_fixed = np.concatenate([meso.is_fixed, np.zeros(len(a), dtype=bool)])
+    meso.append(len(a))
+    kernels.cut(meso.surface(), a, b, fraction)
     done = SplitRound(a, b, new, fraction, apex)
     meso.edits.append(done)
     return done
-
-
-def _disjoint(claims: np.ndarray, order: np.ndarray, num_vertices: int) -> np.ndarray:
-    """A maximal set of rows of ``claims`` (c, 4), chosen greedily in ``order``, no two of which share a vertex."""
-    return first_apart(claims, order, np.empty((num_vertices, 0), dtype=np.int64))
