@@ -62,7 +62,7 @@ def flow() -> msf_jax.Flow:
 SLOW = pytest.mark.slow  # more cases of what the first one shows
 CASES = {
     "pinched, pins, another weight at each vertex": (pinched, None, Config(max_iterations=4), [0, 5, 100]),
-    "parts, one pinched, pins, another weight at each vertex": (parts, None, Config(), [0, 5, 100]),
+    "parts, one pinched, pins, another weight at each vertex": (parts, None, Config(max_iterations=9), [0, 5, 100]),
     "au2008, two layouts": (
         lambda: ellipsoid(2),
         Weights(1.0, 1.0, 0.0, 0.0),
@@ -99,8 +99,8 @@ def test_it_equals_the_run(name):
 
 @pytest.mark.slow
 def test_it_equals_the_run_on_a_research_mesh(research_mesh):
-    vertices, faces = research_mesh("indorelax")
-    flow = msf_jax.contract((vertices, faces), config=Config(max_iterations=6))
+    vertices, faces = research_mesh("homer")
+    flow = msf_jax.contract((vertices, faces), config=Config(max_iterations=4))
     error = np.abs(msf_jax.replay(flow.tape, flow.weights) - flow.curve.vertices).max()
     assert error < 1e-9 * np.linalg.norm(np.ptp(vertices, axis=0))
 
@@ -234,7 +234,7 @@ def test_finite_gradients_with_degenerate_triangles():
     vertices, faces = np.array(box.vertices), np.array(box.faces)
     for face in faces[[10, 80, 150]]:
         vertices[face[2]] = (vertices[face[0]] + vertices[face[1]]) / 2  # on its edge
-    flow = msf_jax.contract((vertices, faces), config=Config(coarsen=0.0, reconstruct_poles=0))
+    flow = msf_jax.contract((vertices, faces), config=Config(coarsen=0.0, reconstruct_poles=0, max_iterations=5))
     assert np.abs(msf_jax.replay(flow.tape, flow.weights) - flow.curve.vertices).max() < 1e-9
 
     def value(weights, vertices):
