@@ -25,6 +25,7 @@ from msf_jax.host.curve.branches import cycle_count
 from msf_jax.host.poles.roadmap import Roadmap
 from msf_jax.host.solid.enclosure import Enclosure
 from msf_jax.host.solid.frame import RESOLUTION
+from msf_jax.host.solid.geometry import unit
 from msf_jax.host.thin.caps import Caps
 
 
@@ -380,17 +381,21 @@ def test_a_step_that_goes_back_is_shortened(monkeypatch):
     np.testing.assert_allclose(np.array([*seen, x])[:, 4, 2], 0.02 * scale * np.array([1, -1, 0, 0]), atol=1e-12)
 
 
-def test_the_nodes_of_a_ring_do_not_go_round(monkeypatch):
-    """However unevenly they are spaced: a ring has no end that would hold them."""
+@pytest.mark.parametrize(("num", "held"), [(48, []), (200, []), (200, [100])])
+def test_the_nodes_of_a_ring_do_not_go_round(monkeypatch, num, held):
+    """However unevenly they are spaced: a ring has no end that would hold them. Nor does it fold back on itself."""
     shape, scale = unit_shape(trimesh.creation.torus(1.0, 0.2, major_sections=64, minor_sections=24))
-    angle = 2 * np.pi * np.linspace(0, 1, 48, endpoint=False) ** 1.3
+    angle = 2 * np.pi * np.linspace(0, 1, num, endpoint=False) ** 1.3
     nodes = scale * np.stack([1.05 * np.cos(angle), 1.05 * np.sin(angle), 0.03 * np.cos(5 * angle)], axis=1)
-    edges = np.stack([np.arange(48), np.roll(np.arange(48), -1)], axis=1)
+    edges = np.stack([np.arange(num), np.roll(np.arange(num), -1)], axis=1)
     monkeypatch.setattr(centring, "ANCHOR", 0.0)
-    x = centring.centre(shape, nodes, edges, none_held(nodes))
-    assert np.abs(np.linalg.norm(x[:, :2], axis=1) / scale - 1).max() < 0.01 and np.abs(x[:, 2]).max() < 0.01 * scale
-    turned = np.angle((x[:, 0] + 1j * x[:, 1]) * np.exp(-1j * angle))
-    assert np.abs(turned).max() < 0.01
+    x = centring.centre(shape, nodes, edges, np.isin(np.arange(num), held))
+    ahead = unit(np.roll(x, -1, axis=0) - x)
+    assert np.einsum("ni,ni->n", ahead, np.roll(ahead, 1, axis=0)).min() > (0.5 if held else 0.97)
+    if not held:
+        assert np.abs(np.linalg.norm(x[:, :2], axis=1) / scale - 1).max() < 0.01
+        assert np.abs(x[:, 2]).max() < 0.01 * scale
+        assert np.abs(np.angle((x[:, 0] + 1j * x[:, 1]) * np.exp(-1j * angle))).max() < 0.01
 
 
 def test_how_large_a_limb_is_near_by_is_a_mean_over_the_branch():

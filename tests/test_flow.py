@@ -379,6 +379,25 @@ def test_poles_are_in_the_order_of_the_vertices():
     assert np.array_equal(found.poles[:, 0] > 4, mixed[0][:, 0] > 4)
 
 
+def test_edits_change_no_record_of_the_poles(monkeypatch):
+    """A tape is made from it, and a run that is continued has it anew."""
+    kept = []
+
+    def watched(*given):
+        state = init(*given)
+        assert state.start.found is not None
+        kept.append((state.start.found, state.start.found.is_inside.copy(), state.start.found.trust.copy()))
+        return state
+
+    init = loop.init
+    monkeypatch.setattr(loop, "init", watched)
+    loop.contract(torus(around=40, across=14), config=Config(max_iterations=4, pole_confidence=True))
+    found, is_inside, trust = kept[0]
+    assert len(np.unique(trust)) > 100
+    np.testing.assert_array_equal(found.is_inside, is_inside)
+    np.testing.assert_array_equal(found.trust, trust)
+
+
 def test_too_thin_a_plate_is_refused_by_every_system():
     plate = trimesh.creation.box((1, 1, 1e-7)).subdivide().subdivide()
     for system in ("msf", "tagliasacchi2012", "au2008"):

@@ -192,6 +192,24 @@ def test_surgery_does_what_its_text_says(kernel, monkeypatch):
         np.testing.assert_array_equal(one, other)
 
 
+def test_a_surface_of_other_types_is_edited_alike():
+    """As a checkpoint of another machine may have them: smaller, of the other byte order, read-only."""
+    found = []
+    for kind in (np.float32, np.float64, ">f8"):
+        mesh = meso_of(blob(74, 2))
+        mesh.positions = mesh.positions.astype(np.float32).astype(kind)
+        mesh.poles, mesh.weights = mesh.positions[::-1], np.ones((mesh.num_rows, 4), dtype=kind)
+        mesh.scale = np.ones(mesh.num_rows, dtype=kind)
+        mesh.positions.flags.writeable = False
+        collapse.collapse_short_edges(mesh, 0.3, check=True)
+        split.split_long_edges(mesh, 0.4, check=True)
+        found.append((mesh.positions, mesh.rings, mesh.poles, mesh.scale))
+        assert len(mesh.edits) > 3
+    for other in found[1:]:
+        for one, same in zip(found[0], other, strict=True):
+            np.testing.assert_array_equal(one, same)
+
+
 # What every kernel shares
 
 

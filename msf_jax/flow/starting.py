@@ -86,8 +86,9 @@ def init(
     found = None
     if config.use_poles:
         found = _poles(meso, shape, config, watch)
-        meso.poles, meso.has_pole = np.where(found.is_inside[:, None], found.poles, meso.positions), found.is_inside
-        meso.trust = found.trust if config.pole_confidence else None
+        meso.poles = np.where(found.is_inside[:, None], found.poles, meso.positions)
+        meso.has_pole = found.is_inside.copy()  # edits change the surface, not what was found
+        meso.trust = found.trust.copy() if config.pole_confidence else None
     start = Start(mesh_filter, meso.edits, found)
     meso.edits = []
     return State(

@@ -99,7 +99,7 @@ def centre(
     is_core = core(num, edges)
     is_former_junction = (degree == 2) & (False if former_junctions is None else former_junctions)
     junction = np.flatnonzero((degree > 2) | is_former_junction)
-    start = np.array([path.nodes[0] for path in paths if path.is_loop], dtype=np.int64)  # it does not go round
+    rings = [path.nodes[:-1] for path in paths if path.is_loop and not is_held[path.nodes].any()]
     is_lost = ~shape.contains(y[junction])  # a place outside holds nothing
     y[junction[is_lost]] = x[junction[is_lost]]
     clearance_at_place = np.where(is_lost, 0.0, shape.distances(y[junction]))
@@ -150,15 +150,17 @@ def centre(
         if is_blind:
             away = np.linalg.norm(system.off + system.moved(step), axis=1)
             step = system.step(weight / (1 + (away / (STRAY * found.radius)) ** 2) ** 2)
-        step[start] -= np.einsum("ni,ni->n", step[start], tangent[start])[:, None] * tangent[start]
+        for ring in rings:  # its nodes do not go round: shares of its length count from the first one
+            step[ring] -= (step[ring[0]] @ tangent[ring[0]]) * tangent[ring]
         step = measures.spread(x + step, paths) - x
         step[is_held] = 0.0
         step[np.einsum("ni,ni->n", step, before) < 0] *= BACK
-        before = step
         part = np.linalg.norm(step, axis=1) / np.maximum(np.maximum(clearance, 0.3 * size), 1e-300)
         is_last = float(np.sqrt(np.mean(np.minimum(part, 1.0) ** 2))) < TOLERANCE
         step *= np.minimum(1.0, LONGEST_STEP / np.maximum(part, 1e-300))[:, None]
-        x, clearance, near = _taken(shape, x, step, clearance, near, edges, ~is_held & (clearance > 0), least)
+        start, is_free = x, ~is_held & (clearance > 0)
+        x, clearance, near = _taken(shape, x, step, clearance, near, edges, is_free, least)
+        before = x - start
         if is_last:
             break
     return x

@@ -56,7 +56,8 @@ def collapse_short_edges(
     surface = meso.surface()
     while len(waiting.find(kernels.short_edges, meso, is_touched, t_c)):
         a, b, _, _, common = waiting.found.T
-        meso.widen(int((meso.degree[a] + meso.degree[b])[common == 2].max(initial=0)) - 4)
+        can_merge = (common == 2) & ~(meso.is_fixed[a] & meso.is_fixed[b])
+        meso.widen(int((meso.degree[a] + meso.degree[b])[can_merge].max(initial=0)) - 4)
         order = shortest_first(a, b, waiting.value[:, 0], t_c)
         is_touched, is_taken = np.zeros((2, meso.num_rows), dtype=bool)
         done, fraction = np.empty((len(order), 3), dtype=np.int64), np.empty(len(order))
@@ -69,7 +70,7 @@ def collapse_short_edges(
         if count:
             survivor, removed, takes_pole = done[:count].T.copy()
             meso.merge_map(survivor, removed)
-            rounds.append(CollapseRound(survivor, removed, fraction[:count], takes_pole.astype(bool)))
+            rounds.append(CollapseRound(survivor, removed, fraction[:count].copy(), takes_pole.astype(bool)))
             meso.edits.append(rounds[-1])
             if check:
                 ring_tables.check_closed_manifold(meso.rings, euler)

@@ -94,9 +94,10 @@ class Meso:
     def surface(self) -> kernels.Surface:
         """The arrays for kernels, which may change them."""
         num = self.num_rows
-        for name in ROWS:
-            if (value := getattr(self, name)) is not None and not value.flags.carray:
-                setattr(self, name, value.copy())  # kernels would change a copy
+        for name in ROWS:  # a kernel would change a copy of an array of another kind
+            if (value := getattr(self, name)) is not None:
+                kind = kernels.Surface.__annotations__[name].__metadata__[0]
+                setattr(self, name, np.require(value, kind, ["C", "W"]))
         return kernels.Surface(
             self.positions,
             self.rings,
