@@ -426,6 +426,19 @@ def test_a_long_curve_has_no_more_nodes_than_it_may(monkeypatch):
     assert report.is_sound and any("far apart" in note for note in report.notes)
 
 
+@pytest.mark.parametrize(("back", "held", "num_left"), [(0.5, [], 17), (1.5, [], 15), (1.5, [16], 17)])
+def test_an_end_that_runs_back_beside_its_branch_is_removed(back, held, num_left):
+    """On a straight tube, by so many radii; a short hook stays, and so does one with a held node."""
+    shape, scale = unit_shape(tube(np.linspace([-1, 0, 0], [1, 0, 0], 41), 0.2))
+    ahead = np.linspace(-0.5, 0.5, 14)
+    nodes, edges = path(scale * np.array([[x, 0, 0] for x in [*ahead, 0.505, *(0.5 - 0.1 * back * np.arange(1, 3))]]))
+    for order in (np.arange(17), np.arange(17)[::-1]):
+        is_held = np.isin(order, held)
+        stays, target = leaf_extension.unfold(shape, nodes[order], edges, is_held)
+        assert stays.sum() == num_left and stays[target].all()
+        assert sorted(order[target[~stays]]) == [14] * (17 - num_left)
+
+
 @pytest.mark.parametrize("turn", [0.02, 0.3])
 def test_a_short_curve_is_carried_to_both_ends(turn):
     line = bow(turn) * (5 if turn < 0.1 else 1)
