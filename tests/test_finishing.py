@@ -434,7 +434,7 @@ def test_an_end_that_runs_back_beside_its_branch_is_removed(back, held, num_left
     nodes, edges = path(scale * np.array([[x, 0, 0] for x in [*ahead, 0.505, *(0.5 - 0.1 * back * np.arange(1, 3))]]))
     for order in (np.arange(17), np.arange(17)[::-1]):
         is_held = np.isin(order, held)
-        stays, target = leaf_extension.unfold(shape, nodes[order], edges, is_held)
+        stays, target = leaf_extension.cut_back(shape, nodes[order], edges, is_held)
         assert stays.sum() == num_left and stays[target].all()
         assert sorted(order[target[~stays]]) == [14] * (17 - num_left)
 

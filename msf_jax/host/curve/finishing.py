@@ -118,7 +118,7 @@ def passes(centre: bool, extend: bool) -> list[Callable[[Draft, Job], Draft]]:
         *([placed, partial(centred, rounds=FIRST_ROUNDS, is_far=True)] if centre else []),
         merged,
         *([refined] if centre else []),
-        *([unfolded, extended] if extend else []),
+        *([cut_back, extended] if extend else []),
         partial(limbed, grows=extend),
         *([partial(centred, hold_leaves=extend, rounds=FIRST_ROUNDS)] if centre else []),
         merged,
@@ -333,9 +333,9 @@ def refined(draft: Draft, job: Job) -> Draft:
     return draft.changed(x, edges)._replace(is_sparse=is_sparse)
 
 
-def unfolded(draft: Draft, job: Job) -> Draft:
+def cut_back(draft: Draft, job: Job) -> Draft:
     """No end runs back beside its own branch."""
-    return _left(draft, *leaf_extension.unfold(job.coarse, draft.vertices, draft.edges, draft.is_held))
+    return _left(draft, *leaf_extension.cut_back(job.coarse, draft.vertices, draft.edges, draft.is_held))
 
 
 def extended(draft: Draft, job: Job) -> Draft:

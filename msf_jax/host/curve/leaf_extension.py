@@ -32,7 +32,7 @@ class Tip(NamedTuple):
     last: int
 
 
-def unfold(
+def cut_back(
     shape: Enclosure, vertices: np.ndarray, edges: np.ndarray, is_held: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
     """Remove ends that run back beside their own branch: which nodes stay (N,), and the target of each node (N,).
