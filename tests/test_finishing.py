@@ -439,6 +439,14 @@ def test_an_end_that_runs_back_beside_its_branch_is_removed(back, held, num_left
         assert sorted(order[target[~stays]]) == [14] * (17 - num_left)
 
 
+def test_a_curve_that_runs_to_and_fro_in_a_ball_keeps_an_edge():
+    """Its last node, the only one that far along the curve, is the farthest one, too."""
+    shape, scale = unit_shape(trimesh.creation.icosphere(3))
+    nodes, edges = path(scale * np.array([[0.01 * (k // 2) + 0.3 * (k % 2), 0, 0] for k in range(10)]))
+    stays, target = leaf_extension.cut_back(shape, nodes, edges, none_held(nodes))
+    assert np.flatnonzero(stays).tolist() == [8, 9] and stays[target].all()
+
+
 @pytest.mark.parametrize("turn", [0.02, 0.3])
 def test_a_short_curve_is_carried_to_both_ends(turn):
     line = bow(turn) * (5 if turn < 0.1 else 1)

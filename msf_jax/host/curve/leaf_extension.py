@@ -16,7 +16,7 @@ from msf_jax.host.solid import sections
 from msf_jax.host.solid.enclosure import Enclosure
 from msf_jax.host.solid.geometry import arc_length, at, unit
 
-FOLDED = np.pi  # radii of a ball: a path from its middle that is longer, and ends in it, runs back
+FOLDED = np.pi / 2  # sums of the radii of two balls that meet: a path between them that is longer runs back
 GAP = 0.3  # limb radii between the end of the curve and the surface ahead
 BACK = 1.0  # limb radii by which a leaf is first moved back, as the end of a contracted curve is bent
 STEP = 0.4  # limb radii: length of a step
@@ -37,19 +37,22 @@ def cut_back(
 ) -> tuple[np.ndarray, np.ndarray]:
     """Remove ends that run back beside their own branch: which nodes stay (N,), and the target of each node (N,).
 
-    Such a leaf is in the ball of a node that is more than ``FOLDED`` of its radii away along the branch. The branch
-    then ends where, between the two, it is farthest from the old leaf. Nothing is removed beyond a node of ``is_held``.
+    The ball of such a leaf meets that of a node that is, along the branch, more than ``FOLDED`` times the sum of their
+    radii away. The branch then ends where it is farthest from the old leaf, on the path to the nearest such node. At
+    least one edge is left, and nothing is removed beyond a node of ``is_held``.
     """
     stays, target = np.ones(len(vertices), dtype=bool), np.arange(len(vertices))
-    degree, radii = np.bincount(edges.ravel(), minlength=len(vertices)), shape.approximate_closest(vertices)[0]
+    degree, radii = np.bincount(edges.ravel(), minlength=len(vertices)), shape.approximate_clearance(vertices)[0]
     for path in branches.trace(len(vertices), edges):
         for nodes in (np.array(path), np.array(path[::-1])):
             if degree[nodes[0]] != 1:
                 continue
             nodes = nodes[stays[nodes]]  # without the branch's other end, if that was removed
             along, away = arc_length(vertices[nodes]), np.linalg.norm(vertices[nodes] - vertices[nodes[0]], axis=1)
-            over = np.flatnonzero((away <= radii[nodes]) & (along > FOLDED * radii[nodes]))
-            end = int(away[: over[-1] + 1].argmax()) if len(over) else 0
+            both = radii[nodes] + radii[nodes[0]]
+            over = np.flatnonzero((away <= both) & (along > FOLDED * both))
+            beside = over[away[over].argmin()] if len(over) else 0
+            end = min(int(away[: beside + 1].argmax()), len(nodes) - 2)
             if not is_held[nodes[:end]].any():
                 stays[nodes[:end]], target[nodes[:end]] = False, nodes[end]
     return stays, target
