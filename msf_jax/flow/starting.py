@@ -80,7 +80,10 @@ def init(
     coarse = Enclosure(meso.positions, meso.faces()) if is_coarsened else shape
     with watch.stage("poles"):
         _ = coarse.mesh  # made here, before two threads ask for it
-    caps = meanwhile(_with_limbs, coarse, config.prune) if config.prune else None
+    # Split edges follow the limbs of a solid of few triangles better; filtered or resampled surfaces are others.
+    is_same = len(meso.positions) > len(shape.vertices) and not (config.reconstruct_mesh or config.resample)
+    of_limbs = Enclosure(meso.positions, meso.faces()) if is_same else coarse
+    caps = meanwhile(_with_limbs, of_limbs, config.prune) if config.prune or config.extend_tips else None
     with watch.stage("compile"):
         compile_ahead(meso, config)
     found = None
@@ -117,7 +120,7 @@ def init(
 def _with_limbs(shape: Enclosure, least: float) -> Caps:
     """The caps of a surface, whose limbs are known then, see `Caps.limbs`."""
     caps = Caps(shape)
-    caps.limbs(least, caps.tips(), with_blunt=True)
+    caps.limbs(least)
     return caps
 
 

@@ -1,4 +1,4 @@
-; 13b7e3af4ae886e28333edbf452a1286aab7a5a489a4139ff4585239ee063e08
+; cc0038b83f9d14fa80959a8b3ce98a2bb333a3c1dc446a1ae8ecb1ac4574065d
 ; Made of the kernels by `python -m tests.translate`: edit those.
 
 define internal fastcc void @_ZN7msf_jax4host5solid7kernels18triangle_distance2B2v2B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAEddd5ArrayIdLi3E1C7mutable7alignedEx(ptr noalias nonnull writeonly %retptr, double %arg.x, double %arg.y, double %arg.z, ptr readonly %arg.triangles.4, i64 %arg.triangles.5.0, i64 %arg.triangles.5.1, i64 %arg.triangles.5.2, i64 %arg.row) unnamed_addr {
@@ -2746,61 +2746,61 @@ define noundef i64 @msf_jax.host.thin.fronts.spread(ptr readonly %words) local_u
   %w10 = load ptr, ptr %p10, align 8
   %p11 = getelementptr i8, ptr %words, i64 88
   %w11 = load i64, ptr %p11, align 8
-  %p14 = getelementptr i8, ptr %words, i64 112
-  %w14 = load ptr, ptr %p14, align 8
   %p15 = getelementptr i8, ptr %words, i64 120
-  %w15 = load i64, ptr %p15, align 8
+  %w15 = load ptr, ptr %p15, align 8
   %p16 = getelementptr i8, ptr %words, i64 128
-  %w16 = load ptr, ptr %p16, align 8
+  %w16 = load i64, ptr %p16, align 8
   %p17 = getelementptr i8, ptr %words, i64 136
-  %w17 = load i64, ptr %p17, align 8
-  %p24 = getelementptr i8, ptr %words, i64 192
-  %w24 = load ptr, ptr %p24, align 8
+  %w17 = load ptr, ptr %p17, align 8
+  %p18 = getelementptr i8, ptr %words, i64 144
+  %w18 = load i64, ptr %p18, align 8
   %p25 = getelementptr i8, ptr %words, i64 200
-  %w25 = load i64, ptr %p25, align 8
+  %w25 = load ptr, ptr %p25, align 8
   %p26 = getelementptr i8, ptr %words, i64 208
-  %w26 = load ptr, ptr %p26, align 8
+  %w26 = load i64, ptr %p26, align 8
   %p27 = getelementptr i8, ptr %words, i64 216
-  %w27 = load i64, ptr %p27, align 8
-  %p30 = getelementptr i8, ptr %words, i64 240
-  %w30 = load ptr, ptr %p30, align 8
+  %w27 = load ptr, ptr %p27, align 8
+  %p28 = getelementptr i8, ptr %words, i64 224
+  %w28 = load i64, ptr %p28, align 8
   %p31 = getelementptr i8, ptr %words, i64 248
-  %w31 = load i64, ptr %p31, align 8
-  %.191637.i = icmp sgt i64 %w31, 0
-  br i1 %.191637.i, label %B14.i, label %_ZN7msf_jax4host4thin6fronts6spreadB3v25B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedE.exit
+  %w31 = load ptr, ptr %p31, align 8
+  %p32 = getelementptr i8, ptr %words, i64 256
+  %w32 = load i64, ptr %p32, align 8
+  %.195645.i = icmp sgt i64 %w32, 0
+  br i1 %.195645.i, label %B14.i, label %_ZN7msf_jax4host4thin6fronts6spreadB3v25B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedE.exit
 
 B14.i:                                            ; preds = %0, %B12.backedge.i
-  %size.4.0639.i = phi i64 [ %.619.i.i, %B12.backedge.i ], [ 0, %0 ]
-  %.203.i = shl i64 %size.4.0639.i, 3
-  %.207.i = getelementptr i8, ptr %w30, i64 %.203.i
-  %.209.i = load i64, ptr %.207.i, align 8
-  %.251.i = icmp slt i64 %.209.i, 0
-  %.252.i = select i1 %.251.i, i64 %w15, i64 0
-  %1 = getelementptr double, ptr %w14, i64 %.209.i
-  %.266.i = getelementptr double, ptr %1, i64 %.252.i
-  store double 0.000000e+00, ptr %.266.i, align 8
-  %.96.i.not.i = icmp eq i64 %size.4.0639.i, 0
+  %size.4.0647.i = phi i64 [ %.619.i.i, %B12.backedge.i ], [ 0, %0 ]
+  %.207.i = shl i64 %size.4.0647.i, 3
+  %.211.i = getelementptr i8, ptr %w31, i64 %.207.i
+  %.213.i = load i64, ptr %.211.i, align 8
+  %.255.i = icmp slt i64 %.213.i, 0
+  %.256.i = select i1 %.255.i, i64 %w16, i64 0
+  %1 = getelementptr double, ptr %w15, i64 %.213.i
+  %.270.i = getelementptr double, ptr %1, i64 %.256.i
+  store double 0.000000e+00, ptr %.270.i, align 8
+  %.96.i.not.i = icmp eq i64 %size.4.0647.i, 0
   br i1 %.96.i.not.i, label %B12.backedge.i, label %B20.else.if.i.i
 
 B20.else.if.i.i:                                  ; preds = %B14.i
-  %.108.i.i = add nsw i64 %size.4.0639.i, -1
+  %.108.i.i = add nsw i64 %size.4.0647.i, -1
   %.129416426.i.i = lshr i64 %.108.i.i, 1
-  %.178.i.i = getelementptr double, ptr %w24, i64 %.129416426.i.i
+  %.178.i.i = getelementptr double, ptr %w25, i64 %.129416426.i.i
   %.179.i.i = load double, ptr %.178.i.i, align 8
   %.181.i.i = fcmp ogt double %.179.i.i, 0.000000e+00
   br i1 %.181.i.i, label %B66.else.if.i.i, label %B12.backedge.i
 
 B66.else.if.i.i:                                  ; preds = %B20.else.if.i.i, %B204.else.if.i.i
-  %at.2.1.i.i = phi i64 [ %.208418427.i.i, %B204.else.if.i.i ], [ %size.4.0639.i, %B20.else.if.i.i ]
+  %at.2.1.i.i = phi i64 [ %.208418427.i.i, %B204.else.if.i.i ], [ %size.4.0647.i, %B20.else.if.i.i ]
   %.189.i.i = add nsw i64 %at.2.1.i.i, -1
   %.208418427.i.i = lshr i64 %.189.i.i, 1
-  %.257.i.i = getelementptr double, ptr %w24, i64 %.208418427.i.i
+  %.257.i.i = getelementptr double, ptr %w25, i64 %.208418427.i.i
   %.258.i.i = load double, ptr %.257.i.i, align 8
-  %.330.i.i = getelementptr i64, ptr %w26, i64 %.208418427.i.i
+  %.330.i.i = getelementptr i64, ptr %w27, i64 %.208418427.i.i
   %.331.i.i = load i64, ptr %.330.i.i, align 8
-  %.362.i.i = getelementptr double, ptr %w24, i64 %at.2.1.i.i
+  %.362.i.i = getelementptr double, ptr %w25, i64 %at.2.1.i.i
   store double %.258.i.i, ptr %.362.i.i, align 8
-  %.394.i.i = getelementptr i64, ptr %w26, i64 %at.2.1.i.i
+  %.394.i.i = getelementptr i64, ptr %w27, i64 %at.2.1.i.i
   store i64 %.331.i.i, ptr %.394.i.i, align 8
   %.447.not.i.i = icmp eq i64 %.208418427.i.i, 0
   br i1 %.447.not.i.i, label %B12.backedge.i, label %B204.else.if.i.i
@@ -2808,37 +2808,37 @@ B66.else.if.i.i:                                  ; preds = %B20.else.if.i.i, %B
 B204.else.if.i.i:                                 ; preds = %B66.else.if.i.i
   %.458.i.i = add nsw i64 %.208418427.i.i, -1
   %.479424430.i.i = lshr i64 %.458.i.i, 1
-  %.528.i.i = getelementptr double, ptr %w24, i64 %.479424430.i.i
+  %.528.i.i = getelementptr double, ptr %w25, i64 %.479424430.i.i
   %.529.i.i = load double, ptr %.528.i.i, align 8
   %.531.i.i = fcmp ogt double %.529.i.i, 0.000000e+00
   br i1 %.531.i.i, label %B66.else.if.i.i, label %B12.backedge.i
 
 B12.backedge.i:                                   ; preds = %B204.else.if.i.i, %B66.else.if.i.i, %B20.else.if.i.i, %B14.i
-  %at.3.0.i.i = phi i64 [ %size.4.0639.i, %B20.else.if.i.i ], [ 0, %B14.i ], [ 0, %B66.else.if.i.i ], [ %.208418427.i.i, %B204.else.if.i.i ]
-  %2 = getelementptr double, ptr %w24, i64 %at.3.0.i.i
+  %at.3.0.i.i = phi i64 [ %size.4.0647.i, %B20.else.if.i.i ], [ 0, %B14.i ], [ 0, %B66.else.if.i.i ], [ %.208418427.i.i, %B204.else.if.i.i ]
+  %2 = getelementptr double, ptr %w25, i64 %at.3.0.i.i
   store double 0.000000e+00, ptr %2, align 8
-  %3 = getelementptr i64, ptr %w26, i64 %at.3.0.i.i
-  store i64 %.209.i, ptr %3, align 8
-  %.619.i.i = add nuw nsw i64 %size.4.0639.i, 1
-  %exitcond.not.i = icmp eq i64 %.619.i.i, %w31
+  %3 = getelementptr i64, ptr %w27, i64 %at.3.0.i.i
+  store i64 %.213.i, ptr %3, align 8
+  %.619.i.i = add nuw nsw i64 %size.4.0647.i, 1
+  %exitcond.not.i = icmp eq i64 %.619.i.i, %w32
   br i1 %exitcond.not.i, label %B78.preheader.i, label %B14.i
 
 B78.preheader.i:                                  ; preds = %B12.backedge.i
-  %4 = shl i64 %w15, 3
+  %4 = shl i64 %w16, 3
   %factor.op.mul.i.i = shl i64 %w2, 3
   br label %B78.i
 
 B78.i:                                            ; preds = %B226.i, %B78.preheader.i
-  %size.5.0.i = phi i64 [ %size.6.1.i, %B226.i ], [ %w31, %B78.preheader.i ]
-  %.362.i = load i64, ptr %w26, align 8
+  %size.5.0.i = phi i64 [ %size.6.1.i, %B226.i ], [ %w32, %B78.preheader.i ]
+  %.366.i = load i64, ptr %w27, align 8
   %.79.i.i = add nsw i64 %size.5.0.i, -1
   %.98.i.i = icmp slt i64 %size.5.0.i, 1
-  %.99.i.i = select i1 %.98.i.i, i64 %w25, i64 0
-  %5 = getelementptr double, ptr %w24, i64 %.79.i.i
+  %.99.i.i = select i1 %.98.i.i, i64 %w26, i64 0
+  %5 = getelementptr double, ptr %w25, i64 %.79.i.i
   %.113.i.i = getelementptr double, ptr %5, i64 %.99.i.i
   %.114.i.i = load double, ptr %.113.i.i, align 8
-  %.131.i.i = select i1 %.98.i.i, i64 %w27, i64 0
-  %6 = getelementptr i64, ptr %w26, i64 %.79.i.i
+  %.131.i.i = select i1 %.98.i.i, i64 %w28, i64 0
+  %6 = getelementptr i64, ptr %w27, i64 %.79.i.i
   %.145.i.i = getelementptr i64, ptr %6, i64 %.131.i.i
   %.146.i.i = load i64, ptr %.145.i.i, align 8
   %.162.i.i = icmp sgt i64 %size.5.0.i, 2
@@ -2854,13 +2854,13 @@ B94.i.i:                                          ; preds = %B78.i, %B236.i.i
 
 B128.i.i:                                         ; preds = %B94.i.i
   %.203.i.i = icmp slt i64 %at.2.0.i.i, -1
-  %.204.i.i = select i1 %.203.i.i, i64 %w25, i64 0
-  %7 = getelementptr double, ptr %w24, i64 %.180.i.i
+  %.204.i.i = select i1 %.203.i.i, i64 %w26, i64 0
+  %7 = getelementptr double, ptr %w25, i64 %.180.i.i
   %.218.i.i = getelementptr double, ptr %7, i64 %.204.i.i
   %.219.i.i = load double, ptr %.218.i.i, align 8
   %.235.i.i = icmp slt i64 %at.2.0.i.i, 0
-  %.236.i.i = select i1 %.235.i.i, i64 %w25, i64 0
-  %8 = getelementptr double, ptr %w24, i64 %.171.i.i
+  %.236.i.i = select i1 %.235.i.i, i64 %w26, i64 0
+  %8 = getelementptr double, ptr %w25, i64 %.171.i.i
   %.250.i.i = getelementptr double, ptr %8, i64 %.236.i.i
   %.251.i.i = load double, ptr %.250.i.i, align 8
   %.252.i.i = fcmp olt double %.219.i.i, %.251.i.i
@@ -2872,25 +2872,25 @@ B190.i.i:                                         ; preds = %B128.i.i
 B200.i.i:                                         ; preds = %B190.i.i, %B128.i.i, %B94.i.i
   %child.2.1.i.i = phi i64 [ %.180.i.i, %B190.i.i ], [ %.171.i.i, %B128.i.i ], [ %.171.i.i, %B94.i.i ]
   %.278.i.i = icmp slt i64 %child.2.1.i.i, 0
-  %.279.i.i = select i1 %.278.i.i, i64 %w25, i64 0
-  %9 = getelementptr double, ptr %w24, i64 %child.2.1.i.i
+  %.279.i.i = select i1 %.278.i.i, i64 %w26, i64 0
+  %9 = getelementptr double, ptr %w25, i64 %child.2.1.i.i
   %.293.i.i = getelementptr double, ptr %9, i64 %.279.i.i
   %.294.i.i = load double, ptr %.293.i.i, align 8
   %.296.i.i = fcmp ult double %.294.i.i, %.114.i.i
   br i1 %.296.i.i, label %B236.i.i, label %B78.endif.i
 
 B236.i.i:                                         ; preds = %B200.i.i
-  %.354.i.i = select i1 %.278.i.i, i64 %w27, i64 0
-  %10 = getelementptr i64, ptr %w26, i64 %child.2.1.i.i
+  %.354.i.i = select i1 %.278.i.i, i64 %w28, i64 0
+  %10 = getelementptr i64, ptr %w27, i64 %child.2.1.i.i
   %.368.i.i = getelementptr i64, ptr %10, i64 %.354.i.i
   %.369.i.i = load i64, ptr %.368.i.i, align 8
   %.385.i.i = icmp slt i64 %at.2.0.i.i, 0
-  %.386.i.i = select i1 %.385.i.i, i64 %w25, i64 0
-  %11 = getelementptr double, ptr %w24, i64 %at.2.0.i.i
+  %.386.i.i = select i1 %.385.i.i, i64 %w26, i64 0
+  %11 = getelementptr double, ptr %w25, i64 %at.2.0.i.i
   %.400.i.i = getelementptr double, ptr %11, i64 %.386.i.i
   store double %.294.i.i, ptr %.400.i.i, align 8
-  %.418.i.i = select i1 %.385.i.i, i64 %w27, i64 0
-  %12 = getelementptr i64, ptr %w26, i64 %at.2.0.i.i
+  %.418.i.i = select i1 %.385.i.i, i64 %w28, i64 0
+  %12 = getelementptr i64, ptr %w27, i64 %at.2.0.i.i
   %.432.i.i = getelementptr i64, ptr %12, i64 %.418.i.i
   store i64 %.369.i.i, ptr %.432.i.i, align 8
   %.441.i.i = shl nsw i64 %child.2.1.i.i, 1
@@ -2899,126 +2899,126 @@ B236.i.i:                                         ; preds = %B200.i.i
   br i1 %.444.i.i, label %B94.i.i, label %B78.endif.i
 
 B170.i:                                           ; preds = %B78.endif.i
-  %sunkaddr.i = shl i64 %.434.i, 3
-  %sunkaddr35.i = getelementptr inbounds i8, ptr %31, i64 %sunkaddr.i
-  store i64 1, ptr %sunkaddr35.i, align 8
-  %.180.i5.i = select i1 %.433.i, i64 %w9, i64 0
-  %13 = getelementptr i64, ptr %w8, i64 %.362.i
-  %.194.i.i = getelementptr i64, ptr %13, i64 %.180.i5.i
-  %.195.i.i = load i64, ptr %.194.i.i, align 8
-  %.212.i.i = icmp slt i64 %.362.i, -1
-  %.213.i.i = select i1 %.212.i.i, i64 %w9, i64 0
+  %sunkaddr.i = shl i64 %.438.i, 3
+  %sunkaddr36.i = getelementptr inbounds i8, ptr %31, i64 %sunkaddr.i
+  store i64 1, ptr %sunkaddr36.i, align 8
+  %.184.i.i = select i1 %.437.i, i64 %w9, i64 0
+  %13 = getelementptr i64, ptr %w8, i64 %.366.i
+  %.198.i.i = getelementptr i64, ptr %13, i64 %.184.i.i
+  %.199.i.i = load i64, ptr %.198.i.i, align 8
+  %.216.i.i = icmp slt i64 %.366.i, -1
+  %.217.i.i = select i1 %.216.i.i, i64 %w9, i64 0
   %14 = getelementptr i8, ptr %13, i64 8
-  %.227.i.i = getelementptr i64, ptr %14, i64 %.213.i.i
-  %.228.i.i = load i64, ptr %.227.i.i, align 8
-  %.265.i.i = sub i64 %.228.i.i, %.195.i.i
-  %.310773.not.i.i = icmp slt i64 %.265.i.i, 1
-  br i1 %.310773.not.i.i, label %B226.i, label %B130.endif.endif.us.preheader.i.i
+  %.231.i.i = getelementptr i64, ptr %14, i64 %.217.i.i
+  %.232.i.i = load i64, ptr %.231.i.i, align 8
+  %.269.i.i = sub i64 %.232.i.i, %.199.i.i
+  %.314785.not.i.i = icmp slt i64 %.269.i.i, 1
+  br i1 %.314785.not.i.i, label %B226.i, label %B130.endif.endif.us.preheader.i.i
 
 B130.endif.endif.us.preheader.i.i:                ; preds = %B170.i
-  %15 = getelementptr double, ptr %w14, i64 %.362.i
-  %.99.i.i.i = select i1 %.433.i, i64 %w1, i64 0
-  %.100.i.i.i = add i64 %.99.i.i.i, %.362.i
-  %sunkaddr.i.i = select i1 %.433.i, i64 %4, i64 0
-  %sunkaddr36.i = getelementptr inbounds i8, ptr %15, i64 %sunkaddr.i.i
-  %sunkaddr37.i = mul i64 %factor.op.mul.i.i, %.100.i.i.i
-  %sunkaddr38.i = getelementptr i8, ptr %w0, i64 %sunkaddr37.i
-  %sunkaddr39.i = getelementptr i8, ptr %sunkaddr38.i, i64 16
-  %sunkaddr44.i = getelementptr i8, ptr %sunkaddr38.i, i64 8
+  %15 = getelementptr double, ptr %w15, i64 %.366.i
+  %.99.i.i.i = select i1 %.437.i, i64 %w1, i64 0
+  %.100.i.i.i = add i64 %.99.i.i.i, %.366.i
+  %sunkaddr.i.i = select i1 %.437.i, i64 %4, i64 0
+  %sunkaddr37.i = getelementptr inbounds i8, ptr %15, i64 %sunkaddr.i.i
+  %sunkaddr38.i = mul i64 %factor.op.mul.i.i, %.100.i.i.i
+  %sunkaddr39.i = getelementptr i8, ptr %w0, i64 %sunkaddr38.i
+  %sunkaddr40.i = getelementptr i8, ptr %sunkaddr39.i, i64 16
+  %sunkaddr45.i = getelementptr i8, ptr %sunkaddr39.i, i64 8
   br label %B130.endif.endif.us.i.i
 
 B130.endif.endif.us.i.i:                          ; preds = %B188.B128.loopexit_crit_edge.us.i.i, %B130.endif.endif.us.preheader.i.i
-  %size.3.0776.us.i.i = phi i64 [ %size.4.2.us.i.i, %B188.B128.loopexit_crit_edge.us.i.i ], [ %.79.i.i, %B130.endif.endif.us.preheader.i.i ]
-  %.309763775.us.i.i = phi i64 [ %.319.us.i.i, %B188.B128.loopexit_crit_edge.us.i.i ], [ %.265.i.i, %B130.endif.endif.us.preheader.i.i ]
-  %.316766774.us.i.i = phi i64 [ %.323.us.i.i, %B188.B128.loopexit_crit_edge.us.i.i ], [ %.195.i.i, %B130.endif.endif.us.preheader.i.i ]
-  %.368.us.i.i = icmp slt i64 %.316766774.us.i.i, 0
-  %.369.us.i.i = select i1 %.368.us.i.i, i64 %w11, i64 0
-  %16 = getelementptr i64, ptr %w10, i64 %.316766774.us.i.i
-  %.383.us.i.i = getelementptr i64, ptr %16, i64 %.369.us.i.i
-  %.384.us.i.i = load i64, ptr %.383.us.i.i, align 8
-  %.528.us.i.i = icmp slt i64 %.384.us.i.i, 0
-  %.529.us.i.i = select i1 %.528.us.i.i, i64 %w4, i64 0
-  %.530.us.i.i = add i64 %.529.us.i.i, %.384.us.i.i
-  %.550.us.i.i = mul i64 %.530.us.i.i, %w5
-  %17 = getelementptr i64, ptr %w3, i64 %.550.us.i.i
-  %sunkaddr45.i = getelementptr i8, ptr %17, i64 8
-  %sunkaddr46.i = getelementptr i8, ptr %17, i64 16
+  %size.3.0788.us.i.i = phi i64 [ %size.4.2.us.i.i, %B188.B128.loopexit_crit_edge.us.i.i ], [ %.79.i.i, %B130.endif.endif.us.preheader.i.i ]
+  %.313775787.us.i.i = phi i64 [ %.323.us.i.i, %B188.B128.loopexit_crit_edge.us.i.i ], [ %.269.i.i, %B130.endif.endif.us.preheader.i.i ]
+  %.320778786.us.i.i = phi i64 [ %.327.us.i.i, %B188.B128.loopexit_crit_edge.us.i.i ], [ %.199.i.i, %B130.endif.endif.us.preheader.i.i ]
+  %.372.us.i.i = icmp slt i64 %.320778786.us.i.i, 0
+  %.373.us.i.i = select i1 %.372.us.i.i, i64 %w11, i64 0
+  %16 = getelementptr i64, ptr %w10, i64 %.320778786.us.i.i
+  %.387.us.i.i = getelementptr i64, ptr %16, i64 %.373.us.i.i
+  %.388.us.i.i = load i64, ptr %.387.us.i.i, align 8
+  %.532.us.i.i = icmp slt i64 %.388.us.i.i, 0
+  %.533.us.i.i = select i1 %.532.us.i.i, i64 %w4, i64 0
+  %.534.us.i.i = add i64 %.533.us.i.i, %.388.us.i.i
+  %.554.us.i.i = mul i64 %.534.us.i.i, %w5
+  %17 = getelementptr i64, ptr %w3, i64 %.554.us.i.i
+  %sunkaddr46.i = getelementptr i8, ptr %17, i64 8
+  %sunkaddr47.i = getelementptr i8, ptr %17, i64 16
   br label %B190.us.i.i
 
 B190.us.i.i:                                      ; preds = %B599.us.i.i, %B130.endif.endif.us.i.i
-  %size.2.1760.us.i.i = phi i64 [ %size.3.0776.us.i.i, %B130.endif.endif.us.i.i ], [ %size.4.2.us.i.i, %B599.us.i.i ]
-  %.473754758.us.i.i = phi i64 [ 0, %B130.endif.endif.us.i.i ], [ %.480.us.i.i, %B599.us.i.i ]
-  %.480.us.i.i = add nuw nsw i64 %.473754758.us.i.i, 1
-  %18 = getelementptr i64, ptr %17, i64 %.473754758.us.i.i
-  %.555.us.i.i = load i64, ptr %18, align 8
-  %.561.us.i.i = icmp eq i64 %.555.us.i.i, %.362.i
-  br i1 %.561.us.i.i, label %B599.us.i.i, label %B226.us.i.i
+  %size.2.1772.us.i.i = phi i64 [ %size.3.0788.us.i.i, %B130.endif.endif.us.i.i ], [ %size.4.2.us.i.i, %B599.us.i.i ]
+  %.477766770.us.i.i = phi i64 [ 0, %B130.endif.endif.us.i.i ], [ %.484.us.i.i, %B599.us.i.i ]
+  %.484.us.i.i = add nuw nsw i64 %.477766770.us.i.i, 1
+  %18 = getelementptr i64, ptr %17, i64 %.477766770.us.i.i
+  %.559.us.i.i = load i64, ptr %18, align 8
+  %.565.us.i.i = icmp eq i64 %.559.us.i.i, %.366.i
+  br i1 %.565.us.i.i, label %B599.us.i.i, label %B226.us.i.i
 
 B226.us.i.i:                                      ; preds = %B190.us.i.i
-  %.761.us.i.i = icmp slt i64 %.555.us.i.i, 0
-  %.762.us.i.i = select i1 %.761.us.i.i, i64 %w17, i64 0
-  %19 = getelementptr i64, ptr %w16, i64 %.555.us.i.i
-  %.776.us.i.i = getelementptr i64, ptr %19, i64 %.762.us.i.i
-  %.777.us.i.i = load i64, ptr %.776.us.i.i, align 8
-  %.778.us.i.i = icmp eq i64 %.777.us.i.i, 1
-  %.72.i.i10.i = load double, ptr %sunkaddr39.i, align 8
-  br i1 %.778.us.i.i, label %B336.us.i.i, label %B406.endif.us.i.i
+  %.765.us.i.i = icmp slt i64 %.559.us.i.i, 0
+  %.766.us.i.i = select i1 %.765.us.i.i, i64 %w18, i64 0
+  %19 = getelementptr i64, ptr %w17, i64 %.559.us.i.i
+  %.780.us.i.i = getelementptr i64, ptr %19, i64 %.766.us.i.i
+  %.781.us.i.i = load i64, ptr %.780.us.i.i, align 8
+  %.782.us.i.i = icmp eq i64 %.781.us.i.i, 1
+  %.72.i.i8.i = load double, ptr %sunkaddr40.i, align 8
+  br i1 %.782.us.i.i, label %B336.us.i.i, label %B406.endif.us.i.i
 
 B406.endif.us.i.i:                                ; preds = %B226.us.i.i
-  %.919.us.i.i = load double, ptr %sunkaddr36.i, align 8
-  %.46.i.i.i = select i1 %.761.us.i.i, i64 %w1, i64 0
-  %.47.i.i.i = add i64 %.46.i.i.i, %.555.us.i.i
+  %.923.us.i.i = load double, ptr %sunkaddr37.i, align 8
+  %.46.i.i.i = select i1 %.765.us.i.i, i64 %w1, i64 0
+  %.47.i.i.i = add i64 %.46.i.i.i, %.559.us.i.i
   %.67.i.i.i = mul i64 %.47.i.i.i, %w2
   %20 = getelementptr double, ptr %w0, i64 %.67.i.i.i
   %.71.i.i.i = getelementptr i8, ptr %20, i64 16
   %.72.i.i.i = load double, ptr %.71.i.i.i, align 8
-  %.126.i.i.i = fsub double %.72.i.i.i, %.72.i.i10.i
+  %.126.i.i.i = fsub double %.72.i.i.i, %.72.i.i8.i
   %.234.i.i.i = fmul double %.126.i.i.i, %.126.i.i.i
   %.287.i.i.i = load double, ptr %20, align 8
-  %.340.i.i.i = load double, ptr %sunkaddr38.i, align 8
+  %.340.i.i.i = load double, ptr %sunkaddr39.i, align 8
   %.341.i.i.i = fsub double %.287.i.i.i, %.340.i.i.i
   %.449.i.i.i = fmul double %.341.i.i.i, %.341.i.i.i
   %.501.i.i.i = getelementptr i8, ptr %20, i64 8
   %.502.i.i.i = load double, ptr %.501.i.i.i, align 8
-  %.555.i.i.i = load double, ptr %sunkaddr44.i, align 8
+  %.555.i.i.i = load double, ptr %sunkaddr45.i, align 8
   %.556.i.i.i = fsub double %.502.i.i.i, %.555.i.i.i
   %.664.i.i.i = fmul double %.556.i.i.i, %.556.i.i.i
   %.665.i.i.i = fadd double %.449.i.i.i, %.664.i.i.i
   %.666.i.i.i = fadd double %.234.i.i.i, %.665.i.i.i
   %sqrt.i.i = tail call double @llvm.sqrt.f64(double %.666.i.i.i)
-  %.954.us.i.i = fadd double %.919.us.i.i, %sqrt.i.i
+  %.958.us.i.i = fadd double %.923.us.i.i, %sqrt.i.i
   br label %B490.us.i.i
 
 B336.us.i.i:                                      ; preds = %B226.us.i.i
-  %.626.us.i.i = load i64, ptr %17, align 8
-  %.681.us.i.i = load i64, ptr %sunkaddr45.i, align 8
-  %.737.us.i.i = load i64, ptr %sunkaddr46.i, align 8
-  %21 = add i64 %.555.us.i.i, %.362.i
-  %.682.us.i.i = sub i64 %.626.us.i.i, %21
-  %.738.us.i.i = add i64 %.682.us.i.i, %.681.us.i.i
-  %.742.us.i.i = add i64 %.738.us.i.i, %.737.us.i.i
-  %.99.i.i11.i = select i1 %.761.us.i.i, i64 %w1, i64 0
-  %.100.i.i12.i = add i64 %.99.i.i11.i, %.555.us.i.i
-  %.120.i.i.i = mul i64 %.100.i.i12.i, %w2
+  %.630.us.i.i = load i64, ptr %17, align 8
+  %.685.us.i.i = load i64, ptr %sunkaddr46.i, align 8
+  %.741.us.i.i = load i64, ptr %sunkaddr47.i, align 8
+  %21 = add i64 %.559.us.i.i, %.366.i
+  %.686.us.i.i = sub i64 %.630.us.i.i, %21
+  %.742.us.i.i = add i64 %.686.us.i.i, %.685.us.i.i
+  %.746.us.i.i = add i64 %.742.us.i.i, %.741.us.i.i
+  %.99.i.i9.i = select i1 %.765.us.i.i, i64 %w1, i64 0
+  %.100.i.i10.i = add i64 %.99.i.i9.i, %.559.us.i.i
+  %.120.i.i.i = mul i64 %.100.i.i10.i, %w2
   %22 = getelementptr double, ptr %w0, i64 %.120.i.i.i
   %.124.i.i.i = getelementptr i8, ptr %22, i64 16
-  %.125.i.i13.i = load double, ptr %.124.i.i.i, align 8
-  %.126.i.i14.i = fsub double %.72.i.i10.i, %.125.i.i13.i
-  %.234.i.i15.i = fmul double %.126.i.i14.i, %.126.i.i14.i
-  %.287.i.i16.i = load double, ptr %sunkaddr38.i, align 8
-  %.340.i.i17.i = load double, ptr %22, align 8
-  %.341.i.i18.i = fsub double %.287.i.i16.i, %.340.i.i17.i
-  %.449.i.i19.i = fmul double %.341.i.i18.i, %.341.i.i18.i
-  %.502.i.i21.i = load double, ptr %sunkaddr44.i, align 8
+  %.125.i.i11.i = load double, ptr %.124.i.i.i, align 8
+  %.126.i.i12.i = fsub double %.72.i.i8.i, %.125.i.i11.i
+  %.234.i.i13.i = fmul double %.126.i.i12.i, %.126.i.i12.i
+  %.287.i.i14.i = load double, ptr %sunkaddr39.i, align 8
+  %.340.i.i15.i = load double, ptr %22, align 8
+  %.341.i.i16.i = fsub double %.287.i.i14.i, %.340.i.i15.i
+  %.449.i.i17.i = fmul double %.341.i.i16.i, %.341.i.i16.i
+  %.502.i.i19.i = load double, ptr %sunkaddr45.i, align 8
   %.554.i.i.i = getelementptr i8, ptr %22, i64 8
-  %.555.i.i22.i = load double, ptr %.554.i.i.i, align 8
-  %.556.i.i23.i = fsub double %.502.i.i21.i, %.555.i.i22.i
-  %.664.i.i24.i = fmul double %.556.i.i23.i, %.556.i.i23.i
-  %.665.i.i25.i = fadd double %.449.i.i19.i, %.664.i.i24.i
-  %.666.i.i26.i = fadd double %.234.i.i15.i, %.665.i.i25.i
-  %sqrt77.i.i = tail call double @llvm.sqrt.f64(double %.666.i.i26.i)
-  %.79.i27.i = fcmp une double %.666.i.i26.i, 0.000000e+00
-  br i1 %.79.i27.i, label %B96.endif.endif.endif.endif.i.i, label %B490.us.i.i
+  %.555.i.i20.i = load double, ptr %.554.i.i.i, align 8
+  %.556.i.i21.i = fsub double %.502.i.i19.i, %.555.i.i20.i
+  %.664.i.i22.i = fmul double %.556.i.i21.i, %.556.i.i21.i
+  %.665.i.i23.i = fadd double %.449.i.i17.i, %.664.i.i22.i
+  %.666.i.i24.i = fadd double %.234.i.i13.i, %.665.i.i23.i
+  %sqrt77.i.i = tail call double @llvm.sqrt.f64(double %.666.i.i24.i)
+  %.79.i25.i = fcmp une double %.666.i.i24.i, 0.000000e+00
+  br i1 %.79.i25.i, label %B96.endif.endif.endif.endif.i.i, label %B490.us.i.i
 
 B328.i.i:                                         ; preds = %B96.endif.endif.endif.endif.i.i
   %.234.i59.i.i = fmul double %.233.i20.i.i, %.233.i20.i.i
@@ -3026,114 +3026,114 @@ B328.i.i:                                         ; preds = %B96.endif.endif.end
   %.664.i74.i.i = fmul double %.663.i35.i.i, %.663.i35.i.i
   %.665.i75.i.i = fadd double %.449.i65.i.i, %.664.i74.i.i
   %.666.i76.i.i = fadd double %.234.i59.i.i, %.665.i75.i.i
-  %.183.i.i = fmul double %.138.i.i, %.138.i.i
-  %.184.i.i = fsub double %.666.i76.i.i, %.183.i.i
-  %.10.i.i.i = fcmp olt double %.184.i.i, 0.000000e+00
-  %.11.i.i.i = select i1 %.10.i.i.i, double 0.000000e+00, double %.184.i.i
+  %.183.i29.i = fmul double %.138.i.i, %.138.i.i
+  %.184.i30.i = fsub double %.666.i76.i.i, %.183.i29.i
+  %.10.i.i.i = fcmp olt double %.184.i30.i, 0.000000e+00
+  %.11.i.i.i = select i1 %.10.i.i.i, double 0.000000e+00, double %.184.i30.i
   %sqrt78.i.i = tail call double @llvm.sqrt.f64(double %.11.i.i.i)
-  %.269.i.i = tail call double @sqrt(double %.248.i.i)
-  %.277.i.i = fadd double %sqrt78.i.i, %.269.i.i
-  %.279.i31.i = fcmp ogt double %.277.i.i, 0.000000e+00
-  br i1 %.279.i31.i, label %B412.i.i, label %B490.us.i.i
+  %.269.i31.i = tail call double @sqrt(double %.248.i.i)
+  %.277.i.i = fadd double %sqrt78.i.i, %.269.i31.i
+  %.279.i32.i = fcmp ogt double %.277.i.i, 0.000000e+00
+  br i1 %.279.i32.i, label %B412.i.i, label %B490.us.i.i
 
 B412.i.i:                                         ; preds = %B328.i.i
-  %.283.i.i = fsub double %.138.i.i, %.236.i30.i
-  %.285.i.i = fmul double %.283.i.i, %.269.i.i
+  %.283.i.i = fsub double %.138.i.i, %.236.i28.i
+  %.285.i.i = fmul double %.283.i.i, %.269.i31.i
   %.292.i.i = fdiv double %.285.i.i, %.277.i.i
-  %.294.i32.i = fadd double %.236.i30.i, %.292.i.i
-  %.306.i.i = fcmp oge double %.294.i32.i, 0.000000e+00
-  %.313.i.i = fcmp ole double %.294.i32.i, %sqrt77.i.i
+  %.294.i33.i = fadd double %.236.i28.i, %.292.i.i
+  %.306.i.i = fcmp oge double %.294.i33.i, 0.000000e+00
+  %.313.i.i = fcmp ole double %.294.i33.i, %sqrt77.i.i
   %or.cond.i.i = and i1 %.306.i.i, %.313.i.i
   br i1 %or.cond.i.i, label %B446.i.i, label %B490.us.i.i
 
 B446.i.i:                                         ; preds = %B412.i.i
   %.343.i.i = fmul double %.283.i.i, %.283.i.i
-  %.354.i33.i = fmul double %.277.i.i, %.277.i.i
-  %.355.i.i = fadd double %.343.i.i, %.354.i33.i
-  %sqrt.i34.i = tail call double @llvm.sqrt.f64(double %.355.i.i)
+  %.354.i34.i = fmul double %.277.i.i, %.277.i.i
+  %.355.i.i = fadd double %.343.i.i, %.354.i34.i
+  %sqrt.i35.i = tail call double @llvm.sqrt.f64(double %.355.i.i)
   br label %B490.us.i.i
 
 B96.endif.endif.endif.endif.i.i:                  ; preds = %B336.us.i.i
-  %.842.us.i.i = load double, ptr %sunkaddr36.i, align 8
-  %23 = getelementptr double, ptr %w14, i64 %.555.us.i.i
-  %.796.us.i.i = select i1 %.761.us.i.i, i64 %w15, i64 0
-  %.810.us.i.i = getelementptr double, ptr %23, i64 %.796.us.i.i
-  %.811.us.i.i = load double, ptr %.810.us.i.i, align 8
-  %.152.i14.i.i = icmp slt i64 %.742.us.i.i, 0
+  %.846.us.i.i = load double, ptr %sunkaddr37.i, align 8
+  %23 = getelementptr double, ptr %w15, i64 %.559.us.i.i
+  %.800.us.i.i = select i1 %.765.us.i.i, i64 %w16, i64 0
+  %.814.us.i.i = getelementptr double, ptr %23, i64 %.800.us.i.i
+  %.815.us.i.i = load double, ptr %.814.us.i.i, align 8
+  %.152.i14.i.i = icmp slt i64 %.746.us.i.i, 0
   %.153.i15.i.i = select i1 %.152.i14.i.i, i64 %w1, i64 0
-  %.154.i16.i.i = add i64 %.153.i15.i.i, %.742.us.i.i
+  %.154.i16.i.i = add i64 %.153.i15.i.i, %.746.us.i.i
   %.174.i17.i.i = mul i64 %.154.i16.i.i, %w2
   %24 = getelementptr double, ptr %w0, i64 %.174.i17.i.i
   %.178.i18.i.i = getelementptr i8, ptr %24, i64 16
   %.179.i19.i.i = load double, ptr %.178.i18.i.i, align 8
-  %.233.i20.i.i = fsub double %.179.i19.i.i, %.125.i.i13.i
-  %.234.i21.i.i = fmul double %.126.i.i14.i, %.233.i20.i.i
+  %.233.i20.i.i = fsub double %.179.i19.i.i, %.125.i.i11.i
+  %.234.i21.i.i = fmul double %.126.i.i12.i, %.233.i20.i.i
   %.394.i25.i.i = load double, ptr %24, align 8
-  %.448.i26.i.i = fsub double %.394.i25.i.i, %.340.i.i17.i
-  %.449.i27.i.i = fmul double %.341.i.i18.i, %.448.i26.i.i
+  %.448.i26.i.i = fsub double %.394.i25.i.i, %.340.i.i15.i
+  %.449.i27.i.i = fmul double %.341.i.i16.i, %.448.i26.i.i
   %.608.i33.i.i = getelementptr i8, ptr %24, i64 8
   %.609.i34.i.i = load double, ptr %.608.i33.i.i, align 8
-  %.663.i35.i.i = fsub double %.609.i34.i.i, %.555.i.i22.i
-  %.664.i36.i.i = fmul double %.556.i.i23.i, %.663.i35.i.i
+  %.663.i35.i.i = fsub double %.609.i34.i.i, %.555.i.i20.i
+  %.664.i36.i.i = fmul double %.556.i.i21.i, %.663.i35.i.i
   %.665.i37.i.i = fadd double %.449.i27.i.i, %.664.i36.i.i
   %.666.i38.i.i = fadd double %.234.i21.i.i, %.665.i37.i.i
   %.138.i.i = fdiv double %.666.i38.i.i, %sqrt77.i.i
-  %.219.i28.i = fmul double %.811.us.i.i, %.811.us.i.i
-  %.222.i.i = fmul double %.842.us.i.i, %.842.us.i.i
-  %.225.i.i = fsub double %.219.i28.i, %.222.i.i
-  %.227.i29.i = fadd double %.666.i.i26.i, %.225.i.i
-  %.232.i.i = fmul double %sqrt77.i.i, 2.000000e+00
-  %.236.i30.i = fdiv double %.227.i29.i, %.232.i.i
-  %.247.i.i = fmul double %.236.i30.i, %.236.i30.i
-  %.248.i.i = fsub double %.219.i28.i, %.247.i.i
+  %.219.i26.i = fmul double %.815.us.i.i, %.815.us.i.i
+  %.222.i.i = fmul double %.846.us.i.i, %.846.us.i.i
+  %.225.i.i = fsub double %.219.i26.i, %.222.i.i
+  %.227.i.i = fadd double %.666.i.i24.i, %.225.i.i
+  %.232.i27.i = fmul double %sqrt77.i.i, 2.000000e+00
+  %.236.i28.i = fdiv double %.227.i.i, %.232.i27.i
+  %.247.i.i = fmul double %.236.i28.i, %.236.i28.i
+  %.248.i.i = fsub double %.219.i26.i, %.247.i.i
   %.254.i.i = fcmp olt double %.248.i.i, 0.000000e+00
   br i1 %.254.i.i, label %B490.us.i.i, label %B328.i.i
 
 B490.us.i.i:                                      ; preds = %B96.endif.endif.endif.endif.i.i, %B446.i.i, %B412.i.i, %B328.i.i, %B336.us.i.i, %B406.endif.us.i.i
-  %away.2.3.us.i.i = phi double [ %.954.us.i.i, %B406.endif.us.i.i ], [ 0x7FF0000000000000, %B96.endif.endif.endif.endif.i.i ], [ 0x7FF0000000000000, %B336.us.i.i ], [ %sqrt.i34.i, %B446.i.i ], [ 0x7FF0000000000000, %B412.i.i ], [ 0x7FF0000000000000, %B328.i.i ]
-  %target.2.3.us.i.i = phi i64 [ %.555.us.i.i, %B406.endif.us.i.i ], [ %.742.us.i.i, %B96.endif.endif.endif.endif.i.i ], [ %.742.us.i.i, %B336.us.i.i ], [ %.742.us.i.i, %B446.i.i ], [ %.742.us.i.i, %B412.i.i ], [ %.742.us.i.i, %B328.i.i ]
-  %.982.us.i.i = icmp slt i64 %target.2.3.us.i.i, 0
-  %.983.us.i.i = select i1 %.982.us.i.i, i64 %w17, i64 0
-  %25 = getelementptr i64, ptr %w16, i64 %target.2.3.us.i.i
-  %.997.us.i.i = getelementptr i64, ptr %25, i64 %.983.us.i.i
-  %.998.us.i.i = load i64, ptr %.997.us.i.i, align 8
-  %.999.not.us.i.i = icmp eq i64 %.998.us.i.i, 1
-  br i1 %.999.not.us.i.i, label %B599.us.i.i, label %B524.us.i.i
+  %away.2.3.us.i.i = phi double [ %.958.us.i.i, %B406.endif.us.i.i ], [ 0x7FF0000000000000, %B96.endif.endif.endif.endif.i.i ], [ 0x7FF0000000000000, %B336.us.i.i ], [ %sqrt.i35.i, %B446.i.i ], [ 0x7FF0000000000000, %B412.i.i ], [ 0x7FF0000000000000, %B328.i.i ]
+  %target.2.3.us.i.i = phi i64 [ %.559.us.i.i, %B406.endif.us.i.i ], [ %.746.us.i.i, %B96.endif.endif.endif.endif.i.i ], [ %.746.us.i.i, %B336.us.i.i ], [ %.746.us.i.i, %B446.i.i ], [ %.746.us.i.i, %B412.i.i ], [ %.746.us.i.i, %B328.i.i ]
+  %.986.us.i.i = icmp slt i64 %target.2.3.us.i.i, 0
+  %.987.us.i.i = select i1 %.986.us.i.i, i64 %w18, i64 0
+  %25 = getelementptr i64, ptr %w17, i64 %target.2.3.us.i.i
+  %.1001.us.i.i = getelementptr i64, ptr %25, i64 %.987.us.i.i
+  %.1002.us.i.i = load i64, ptr %.1001.us.i.i, align 8
+  %.1003.not.us.i.i = icmp eq i64 %.1002.us.i.i, 1
+  br i1 %.1003.not.us.i.i, label %B599.us.i.i, label %B524.us.i.i
 
 B524.us.i.i:                                      ; preds = %B490.us.i.i
-  %.1019.us.i.i = select i1 %.982.us.i.i, i64 %w15, i64 0
-  %26 = getelementptr double, ptr %w14, i64 %target.2.3.us.i.i
-  %.1033.us.i.i = getelementptr double, ptr %26, i64 %.1019.us.i.i
-  %.1034.us.i.i = load double, ptr %.1033.us.i.i, align 8
-  %.1036.us.i.i = fcmp olt double %away.2.3.us.i.i, %.1034.us.i.i
-  br i1 %.1036.us.i.i, label %B548.us.i.i, label %B599.us.i.i
+  %.1023.us.i.i = select i1 %.986.us.i.i, i64 %w16, i64 0
+  %26 = getelementptr double, ptr %w15, i64 %target.2.3.us.i.i
+  %.1037.us.i.i = getelementptr double, ptr %26, i64 %.1023.us.i.i
+  %.1038.us.i.i = load double, ptr %.1037.us.i.i, align 8
+  %.1040.us.i.i = fcmp olt double %away.2.3.us.i.i, %.1038.us.i.i
+  br i1 %.1040.us.i.i, label %B548.us.i.i, label %B599.us.i.i
 
 B548.us.i.i:                                      ; preds = %B524.us.i.i
-  %sunkaddr17.i.i = shl i64 %.1019.us.i.i, 3
+  %sunkaddr17.i.i = shl i64 %.1023.us.i.i, 3
   %sunkaddr18.i.i = getelementptr inbounds i8, ptr %26, i64 %sunkaddr17.i.i
   store double %away.2.3.us.i.i, ptr %sunkaddr18.i.i, align 8
-  %.96.i.i.i = icmp sgt i64 %size.2.1760.us.i.i, 0
+  %.96.i.i.i = icmp sgt i64 %size.2.1772.us.i.i, 0
   br i1 %.96.i.i.i, label %B20.else.if.i.i.i, label %_ZN7msf_jax4host4thin6fronts4pushB3v31B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx.exit.i.i
 
 B20.else.if.i.i.i:                                ; preds = %B548.us.i.i
-  %.108.i.i.i = add nsw i64 %size.2.1760.us.i.i, -1
+  %.108.i.i.i = add nsw i64 %size.2.1772.us.i.i, -1
   %.129416426.i.i.i = lshr i64 %.108.i.i.i, 1
-  %.178.i1.i.i = getelementptr double, ptr %w24, i64 %.129416426.i.i.i
+  %.178.i1.i.i = getelementptr double, ptr %w25, i64 %.129416426.i.i.i
   %.179.i2.i.i = load double, ptr %.178.i1.i.i, align 8
   %.181.i.i.i = fcmp ogt double %.179.i2.i.i, %away.2.3.us.i.i
   br i1 %.181.i.i.i, label %B66.else.if.i.i.i, label %_ZN7msf_jax4host4thin6fronts4pushB3v31B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx.exit.i.i
 
 B66.else.if.i.i.i:                                ; preds = %B20.else.if.i.i.i, %B204.else.if.i.i.i
-  %at.2.1.i.i.i = phi i64 [ %.208418427.i.i.i, %B204.else.if.i.i.i ], [ %size.2.1760.us.i.i, %B20.else.if.i.i.i ]
+  %at.2.1.i.i.i = phi i64 [ %.208418427.i.i.i, %B204.else.if.i.i.i ], [ %size.2.1772.us.i.i, %B20.else.if.i.i.i ]
   %.189.i.i.i = add nsw i64 %at.2.1.i.i.i, -1
   %.208418427.i.i.i = lshr i64 %.189.i.i.i, 1
-  %.257.i.i.i = getelementptr double, ptr %w24, i64 %.208418427.i.i.i
+  %.257.i.i.i = getelementptr double, ptr %w25, i64 %.208418427.i.i.i
   %.258.i.i.i = load double, ptr %.257.i.i.i, align 8
-  %.330.i.i.i = getelementptr i64, ptr %w26, i64 %.208418427.i.i.i
+  %.330.i.i.i = getelementptr i64, ptr %w27, i64 %.208418427.i.i.i
   %.331.i.i.i = load i64, ptr %.330.i.i.i, align 8
-  %.362.i.i.i = getelementptr double, ptr %w24, i64 %at.2.1.i.i.i
+  %.362.i.i.i = getelementptr double, ptr %w25, i64 %at.2.1.i.i.i
   store double %.258.i.i.i, ptr %.362.i.i.i, align 8
-  %.394.i3.i.i = getelementptr i64, ptr %w26, i64 %at.2.1.i.i.i
+  %.394.i3.i.i = getelementptr i64, ptr %w27, i64 %at.2.1.i.i.i
   store i64 %.331.i.i.i, ptr %.394.i3.i.i, align 8
   %.447.not.i.i.i = icmp eq i64 %.208418427.i.i.i, 0
   br i1 %.447.not.i.i.i, label %_ZN7msf_jax4host4thin6fronts4pushB3v31B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx.exit.i.i, label %B204.else.if.i.i.i
@@ -3141,61 +3141,61 @@ B66.else.if.i.i.i:                                ; preds = %B20.else.if.i.i.i, 
 B204.else.if.i.i.i:                               ; preds = %B66.else.if.i.i.i
   %.458.i.i.i = add nsw i64 %.208418427.i.i.i, -1
   %.479424430.i.i.i = lshr i64 %.458.i.i.i, 1
-  %.528.i.i.i = getelementptr double, ptr %w24, i64 %.479424430.i.i.i
+  %.528.i.i.i = getelementptr double, ptr %w25, i64 %.479424430.i.i.i
   %.529.i.i.i = load double, ptr %.528.i.i.i, align 8
   %.531.i.i.i = fcmp ogt double %.529.i.i.i, %away.2.3.us.i.i
   br i1 %.531.i.i.i, label %B66.else.if.i.i.i, label %_ZN7msf_jax4host4thin6fronts4pushB3v31B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx.exit.i.i
 
 _ZN7msf_jax4host4thin6fronts4pushB3v31B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx.exit.i.i: ; preds = %B204.else.if.i.i.i, %B66.else.if.i.i.i, %B20.else.if.i.i.i, %B548.us.i.i
-  %at.3.0.i.i.i = phi i64 [ %size.2.1760.us.i.i, %B20.else.if.i.i.i ], [ %size.2.1760.us.i.i, %B548.us.i.i ], [ 0, %B66.else.if.i.i.i ], [ %.208418427.i.i.i, %B204.else.if.i.i.i ]
+  %at.3.0.i.i.i = phi i64 [ %size.2.1772.us.i.i, %B20.else.if.i.i.i ], [ %size.2.1772.us.i.i, %B548.us.i.i ], [ 0, %B66.else.if.i.i.i ], [ %.208418427.i.i.i, %B204.else.if.i.i.i ]
   %.560.i.i.i = icmp slt i64 %at.3.0.i.i.i, 0
-  %.561.i.i.i = select i1 %.560.i.i.i, i64 %w25, i64 0
-  %27 = getelementptr double, ptr %w24, i64 %at.3.0.i.i.i
+  %.561.i.i.i = select i1 %.560.i.i.i, i64 %w26, i64 0
+  %27 = getelementptr double, ptr %w25, i64 %at.3.0.i.i.i
   %.575.i.i.i = getelementptr double, ptr %27, i64 %.561.i.i.i
   store double %away.2.3.us.i.i, ptr %.575.i.i.i, align 8
-  %.598.i.i.i = select i1 %.560.i.i.i, i64 %w27, i64 0
-  %28 = getelementptr i64, ptr %w26, i64 %at.3.0.i.i.i
+  %.598.i.i.i = select i1 %.560.i.i.i, i64 %w28, i64 0
+  %28 = getelementptr i64, ptr %w27, i64 %at.3.0.i.i.i
   %.612.i.i.i = getelementptr i64, ptr %28, i64 %.598.i.i.i
   store i64 %target.2.3.us.i.i, ptr %.612.i.i.i, align 8
-  %.619.i.i.i = add nsw i64 %size.2.1760.us.i.i, 1
+  %.619.i.i.i = add nsw i64 %size.2.1772.us.i.i, 1
   br label %B599.us.i.i
 
 B599.us.i.i:                                      ; preds = %_ZN7msf_jax4host4thin6fronts4pushB3v31B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx.exit.i.i, %B524.us.i.i, %B490.us.i.i, %B190.us.i.i
-  %size.4.2.us.i.i = phi i64 [ %size.2.1760.us.i.i, %B190.us.i.i ], [ %size.2.1760.us.i.i, %B490.us.i.i ], [ %size.2.1760.us.i.i, %B524.us.i.i ], [ %.619.i.i.i, %_ZN7msf_jax4host4thin6fronts4pushB3v31B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx.exit.i.i ]
-  %exitcond.not.i.i = icmp eq i64 %.480.us.i.i, 3
+  %size.4.2.us.i.i = phi i64 [ %size.2.1772.us.i.i, %B190.us.i.i ], [ %size.2.1772.us.i.i, %B490.us.i.i ], [ %size.2.1772.us.i.i, %B524.us.i.i ], [ %.619.i.i.i, %_ZN7msf_jax4host4thin6fronts4pushB3v31B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx.exit.i.i ]
+  %exitcond.not.i.i = icmp eq i64 %.484.us.i.i, 3
   br i1 %exitcond.not.i.i, label %B188.B128.loopexit_crit_edge.us.i.i, label %B190.us.i.i
 
 B188.B128.loopexit_crit_edge.us.i.i:              ; preds = %B599.us.i.i
-  %.319.us.i.i = add nsw i64 %.309763775.us.i.i, -1
-  %.323.us.i.i = add i64 %.316766774.us.i.i, 1
-  %.310.us.i.i = icmp sgt i64 %.309763775.us.i.i, 1
-  br i1 %.310.us.i.i, label %B130.endif.endif.us.i.i, label %B226.i
+  %.323.us.i.i = add nsw i64 %.313775787.us.i.i, -1
+  %.327.us.i.i = add i64 %.320778786.us.i.i, 1
+  %.314.us.i.i = icmp sgt i64 %.313775787.us.i.i, 1
+  br i1 %.314.us.i.i, label %B130.endif.endif.us.i.i, label %B226.i
 
 B226.i:                                           ; preds = %B188.B128.loopexit_crit_edge.us.i.i, %B78.endif.i, %B170.i
   %size.6.1.i = phi i64 [ %.79.i.i, %B78.endif.i ], [ %.79.i.i, %B170.i ], [ %size.4.2.us.i.i, %B188.B128.loopexit_crit_edge.us.i.i ]
-  %.560.not.i = icmp eq i64 %size.6.1.i, 0
-  br i1 %.560.not.i, label %_ZN7msf_jax4host4thin6fronts6spreadB3v25B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedE.exit, label %B78.i
+  %.566.not.i = icmp eq i64 %size.6.1.i, 0
+  br i1 %.566.not.i, label %_ZN7msf_jax4host4thin6fronts6spreadB3v25B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedE.exit, label %B78.i
 
 B78.endif.i:                                      ; preds = %B236.i.i, %B200.i.i, %B78.i
   %at.3.1.i.i = phi i64 [ 0, %B78.i ], [ %child.2.1.i.i, %B236.i.i ], [ %at.2.0.i.i, %B200.i.i ]
   %.469.i.i = icmp slt i64 %at.3.1.i.i, 0
-  %.470.i.i = select i1 %.469.i.i, i64 %w25, i64 0
-  %29 = getelementptr double, ptr %w24, i64 %at.3.1.i.i
+  %.470.i.i = select i1 %.469.i.i, i64 %w26, i64 0
+  %29 = getelementptr double, ptr %w25, i64 %at.3.1.i.i
   %.484.i.i = getelementptr double, ptr %29, i64 %.470.i.i
   store double %.114.i.i, ptr %.484.i.i, align 8
-  %.507.i.i = select i1 %.469.i.i, i64 %w27, i64 0
-  %30 = getelementptr i64, ptr %w26, i64 %at.3.1.i.i
+  %.507.i.i = select i1 %.469.i.i, i64 %w28, i64 0
+  %30 = getelementptr i64, ptr %w27, i64 %at.3.1.i.i
   %.521.i.i = getelementptr i64, ptr %30, i64 %.507.i.i
   store i64 %.146.i.i, ptr %.521.i.i, align 8
-  %.433.i = icmp slt i64 %.362.i, 0
-  %.434.i = select i1 %.433.i, i64 %w17, i64 0
-  %31 = getelementptr i64, ptr %w16, i64 %.362.i
-  %.448.i = getelementptr i64, ptr %31, i64 %.434.i
-  %.449.i = load i64, ptr %.448.i, align 8
-  %.450.not.i = icmp eq i64 %.449.i, 1
-  br i1 %.450.not.i, label %B226.i, label %B170.i
+  %.437.i = icmp slt i64 %.366.i, 0
+  %.438.i = select i1 %.437.i, i64 %w18, i64 0
+  %31 = getelementptr i64, ptr %w17, i64 %.366.i
+  %.452.i = getelementptr i64, ptr %31, i64 %.438.i
+  %.453.i = load i64, ptr %.452.i, align 8
+  %.454.not.i = icmp eq i64 %.453.i, 1
+  br i1 %.454.not.i, label %B226.i, label %B170.i
 
-_ZN7msf_jax4host4thin6fronts6spreadB3v25B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedE.exit: ; preds = %B226.i, %0
+_ZN7msf_jax4host4thin6fronts6spreadB3v25B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedE.exit: ; preds = %B226.i, %0
   ret i64 0
 }
 
@@ -3239,41 +3239,41 @@ define i64 @msf_jax.host.thin.fronts.cap(ptr readonly %words) local_unnamed_addr
   %p13 = getelementptr i8, ptr %words, i64 104
   %w13 = load i64, ptr %p13, align 8
   %p14 = getelementptr i8, ptr %words, i64 112
-  %w14 = load ptr, ptr %p14, align 8
+  %w14 = load i64, ptr %p14, align 8
   %p15 = getelementptr i8, ptr %words, i64 120
-  %w15 = load i64, ptr %p15, align 8
+  %w15 = load ptr, ptr %p15, align 8
   %p16 = getelementptr i8, ptr %words, i64 128
-  %w16 = load ptr, ptr %p16, align 8
+  %w16 = load i64, ptr %p16, align 8
   %p17 = getelementptr i8, ptr %words, i64 136
-  %w17 = load i64, ptr %p17, align 8
+  %w17 = load ptr, ptr %p17, align 8
   %p18 = getelementptr i8, ptr %words, i64 144
-  %w18 = load ptr, ptr %p18, align 8
+  %w18 = load i64, ptr %p18, align 8
   %p19 = getelementptr i8, ptr %words, i64 152
-  %w19 = load i64, ptr %p19, align 8
+  %w19 = load ptr, ptr %p19, align 8
   %p20 = getelementptr i8, ptr %words, i64 160
-  %w20 = load ptr, ptr %p20, align 8
+  %w20 = load i64, ptr %p20, align 8
   %p21 = getelementptr i8, ptr %words, i64 168
-  %w21 = load i64, ptr %p21, align 8
+  %w21 = load ptr, ptr %p21, align 8
   %p22 = getelementptr i8, ptr %words, i64 176
-  %w22 = load ptr, ptr %p22, align 8
+  %w22 = load i64, ptr %p22, align 8
   %p23 = getelementptr i8, ptr %words, i64 184
-  %w23 = load i64, ptr %p23, align 8
+  %w23 = load ptr, ptr %p23, align 8
   %p24 = getelementptr i8, ptr %words, i64 192
-  %w24 = load ptr, ptr %p24, align 8
+  %w24 = load i64, ptr %p24, align 8
   %p25 = getelementptr i8, ptr %words, i64 200
-  %w25 = load i64, ptr %p25, align 8
+  %w25 = load ptr, ptr %p25, align 8
   %p26 = getelementptr i8, ptr %words, i64 208
-  %w26 = load ptr, ptr %p26, align 8
+  %w26 = load i64, ptr %p26, align 8
   %p27 = getelementptr i8, ptr %words, i64 216
-  %w27 = load i64, ptr %p27, align 8
+  %w27 = load ptr, ptr %p27, align 8
   %p28 = getelementptr i8, ptr %words, i64 224
-  %w28 = load ptr, ptr %p28, align 8
+  %w28 = load i64, ptr %p28, align 8
   %p29 = getelementptr i8, ptr %words, i64 232
-  %w29 = load i64, ptr %p29, align 8
+  %w29 = load ptr, ptr %p29, align 8
   %p30 = getelementptr i8, ptr %words, i64 240
   %w30 = load i64, ptr %p30, align 8
   %p31 = getelementptr i8, ptr %words, i64 248
-  %w31 = load double, ptr %p31, align 8
+  %w31 = load i64, ptr %p31, align 8
   %p32 = getelementptr i8, ptr %words, i64 256
   %w32 = load double, ptr %p32, align 8
   %p33 = getelementptr i8, ptr %words, i64 264
@@ -3283,120 +3283,139 @@ define i64 @msf_jax.host.thin.fronts.cap(ptr readonly %words) local_unnamed_addr
   %p35 = getelementptr i8, ptr %words, i64 280
   %w35 = load double, ptr %p35, align 8
   %p36 = getelementptr i8, ptr %words, i64 288
-  %w36 = load ptr, ptr %p36, align 8
+  %w36 = load double, ptr %p36, align 8
   %p37 = getelementptr i8, ptr %words, i64 296
-  %w37 = load i64, ptr %p37, align 8
+  %w37 = load ptr, ptr %p37, align 8
   %p38 = getelementptr i8, ptr %words, i64 304
-  %w38 = load ptr, ptr %p38, align 8
+  %w38 = load i64, ptr %p38, align 8
   %p39 = getelementptr i8, ptr %words, i64 312
-  %w39 = load i64, ptr %p39, align 8
+  %w39 = load ptr, ptr %p39, align 8
   %p40 = getelementptr i8, ptr %words, i64 320
   %w40 = load i64, ptr %p40, align 8
-  %s58 = shl i64 %w40, 3
   %p41 = getelementptr i8, ptr %words, i64 328
-  %w41 = load ptr, ptr %p41, align 8
+  %w41 = load i64, ptr %p41, align 8
+  %s60 = shl i64 %w41, 3
   %p42 = getelementptr i8, ptr %words, i64 336
-  %w42 = load i64, ptr %p42, align 8
-  %.237.i = add nsw i64 %w39, -1
-  %.257.i = tail call i64 @llvm.smin.i64(i64 %w39, i64 0)
-  %.258.i = add i64 %.237.i, %.257.i
-  %.275.i = mul i64 %.258.i, %w40
-  %.277.i = getelementptr double, ptr %w38, i64 %.275.i
-  %.319.i = add i64 %w39, 2305843009213693950
-  %.338.i = icmp slt i64 %w39, 2
-  %.339.i = select i1 %.338.i, i64 %w39, i64 0
-  %.340.i = add i64 %.319.i, %.339.i
-  %.401.i = add nsw i64 %w39, -3
-  %.420.i = icmp slt i64 %w39, 3
-  %.421.i = select i1 %.420.i, i64 %w39, i64 0
-  %.422.i = add i64 %.421.i, %.401.i
-  %.439.i = mul i64 %.422.i, %w40
-  %.441.i = getelementptr double, ptr %w38, i64 %.439.i
-  %.494.i = icmp slt i64 %w30, 0
-  %.495.i = select i1 %.494.i, i64 %w15, i64 0
-  %1 = getelementptr double, ptr %w14, i64 %w30
-  %.509.i = getelementptr double, ptr %1, i64 %.495.i
-  store double 0.000000e+00, ptr %.509.i, align 8
-  store double 0.000000e+00, ptr %w24, align 8
-  store i64 %w30, ptr %w26, align 8
-  %2 = shl i64 %w15, 3
-  %scevgep251.i = getelementptr i8, ptr %w41, i64 24
-  %factor.op.mul.reass.i = mul i64 %s58, %.340.i
-  %sunkaddr370.i = getelementptr i8, ptr %w38, i64 %factor.op.mul.reass.i
+  %w42 = load ptr, ptr %p42, align 8
+  %p43 = getelementptr i8, ptr %words, i64 344
+  %w43 = load i64, ptr %p43, align 8
+  %.241.i = add nsw i64 %w40, -1
+  %.261.i = tail call i64 @llvm.smin.i64(i64 %w40, i64 0)
+  %.262.i = add i64 %.241.i, %.261.i
+  %.279.i = mul i64 %.262.i, %w41
+  %.281.i = getelementptr double, ptr %w39, i64 %.279.i
+  %.323.i = add i64 %w40, 2305843009213693950
+  %.342.i = icmp slt i64 %w40, 2
+  %.343.i = select i1 %.342.i, i64 %w40, i64 0
+  %.344.i = add i64 %.323.i, %.343.i
+  %.411.i = add nsw i64 %w40, -3
+  %.430.i = icmp slt i64 %w40, 3
+  %.431.i = select i1 %.430.i, i64 %w40, i64 0
+  %.432.i = add i64 %.411.i, %.431.i
+  %.449.i = mul i64 %.432.i, %w41
+  %.451.i = getelementptr double, ptr %w39, i64 %.449.i
+  %.493.i = add nsw i64 %w40, -4
+  %.512.i = icmp slt i64 %w40, 4
+  %.513.i = select i1 %.512.i, i64 %w40, i64 0
+  %.514.i = add i64 %.513.i, %.493.i
+  %.531.i = mul i64 %.514.i, %w41
+  %.533.i = getelementptr double, ptr %w39, i64 %.531.i
+  %.583.i = icmp slt i64 %w31, 0
+  %.584.i = select i1 %.583.i, i64 %w16, i64 0
+  %1 = getelementptr double, ptr %w15, i64 %w31
+  %.598.i = getelementptr double, ptr %1, i64 %.584.i
+  store double 0.000000e+00, ptr %.598.i, align 8
+  store double 0.000000e+00, ptr %w25, align 8
+  store i64 %w31, ptr %w27, align 8
+  %2 = shl i64 %w16, 3
+  %scevgep250.i = getelementptr i8, ptr %w42, i64 24
+  %factor.op.mul.reass.i = mul i64 %s60, %.344.i
+  %sunkaddr373.i = getelementptr i8, ptr %w39, i64 %factor.op.mul.reass.i
   %3 = shl i64 %w11, 3
-  %sunkaddr1.i.i = getelementptr i8, ptr %.277.i, i64 8
-  %sunkaddr.i34.i = getelementptr i8, ptr %.277.i, i64 16
-  %sunkaddr2.i.i = getelementptr i8, ptr %.277.i, i64 24
-  %sunkaddr3.i.i = getelementptr i8, ptr %.277.i, i64 32
-  %sunkaddr379.i = getelementptr i8, ptr %sunkaddr370.i, i64 8
-  %sunkaddr383.i = getelementptr i8, ptr %sunkaddr370.i, i64 16
-  %sunkaddr387.i = getelementptr i8, ptr %sunkaddr370.i, i64 24
-  %sunkaddr391.i = getelementptr i8, ptr %sunkaddr370.i, i64 32
-  br label %B268.preheader.i
+  %sunkaddr374.i = getelementptr i8, ptr %.533.i, i64 8
+  %sunkaddr375.i = getelementptr i8, ptr %.533.i, i64 16
+  %sunkaddr376.i = getelementptr i8, ptr %.533.i, i64 24
+  %sunkaddr377.i = getelementptr i8, ptr %.533.i, i64 32
+  %sunkaddr1.i.i = getelementptr i8, ptr %.281.i, i64 8
+  %sunkaddr.i36.i = getelementptr i8, ptr %.281.i, i64 16
+  %sunkaddr2.i.i = getelementptr i8, ptr %.281.i, i64 24
+  %sunkaddr3.i.i = getelementptr i8, ptr %.281.i, i64 32
+  %sunkaddr4.i.i = getelementptr i8, ptr %.281.i, i64 40
+  %sunkaddr5.i.i = getelementptr i8, ptr %.281.i, i64 48
+  %sunkaddr6.i.i = getelementptr i8, ptr %.281.i, i64 56
+  %sunkaddr7.i.i = getelementptr i8, ptr %.281.i, i64 64
+  %sunkaddr385.i = getelementptr i8, ptr %sunkaddr373.i, i64 8
+  %sunkaddr389.i = getelementptr i8, ptr %sunkaddr373.i, i64 16
+  %sunkaddr393.i = getelementptr i8, ptr %sunkaddr373.i, i64 24
+  %sunkaddr83.i.i = getelementptr i8, ptr %.451.i, i64 8
+  %sunkaddr84.i.i = getelementptr i8, ptr %.451.i, i64 16
+  %sunkaddr85.i.i = getelementptr i8, ptr %.451.i, i64 24
+  %sunkaddr86.i.i = getelementptr i8, ptr %.451.i, i64 32
+  br label %B316.preheader.i
 
-B268.preheader.i:                                 ; preds = %B520.i, %0
-  %size.3.03244.i = phi i64 [ 1, %0 ], [ %size.4.1.i, %B520.i ]
-  %slenderest.6.03243.i = phi double [ 0xFFF0000000000000, %0 ], [ %.us-phi3022.i, %B520.i ]
-  %last.5.03242.i = phi double [ 0x7FF0000000000000, %0 ], [ %.us-phi3021.i, %B520.i ]
-  %size_of_region.3.03241.i = phi i64 [ 0, %0 ], [ %.us-phi3020.i, %B520.i ]
-  %count.2.03240.i = phi i64 [ 0, %0 ], [ %count.3.1.i, %B520.i ]
-  %rows.5.03239.i = phi i64 [ 0, %0 ], [ %.us-phi3019.i, %B520.i ]
-  %level.3.03238.i = phi double [ %w31, %0 ], [ %.us-phi3018.i, %B520.i ]
-  %.1055.i = icmp sgt i64 %count.2.03240.i, 5
-  br i1 %.1055.i, label %B268.preheader3293.i, label %B268.preheader.split.us.split.i
+B316.preheader.i:                                 ; preds = %B568.i, %0
+  %size.3.03910.i = phi i64 [ 1, %0 ], [ %size.4.1.i, %B568.i ]
+  %slenderest.6.03909.i = phi double [ 0xFFF0000000000000, %0 ], [ %.us-phi3608.i, %B568.i ]
+  %last.5.03908.i = phi double [ 0x7FF0000000000000, %0 ], [ %.us-phi3607.i, %B568.i ]
+  %size_of_region.3.03907.i = phi i64 [ 0, %0 ], [ %.us-phi3606.i, %B568.i ]
+  %count.2.03906.i = phi i64 [ 0, %0 ], [ %count.3.1.i, %B568.i ]
+  %rows.5.03905.i = phi i64 [ 0, %0 ], [ %.us-phi3605.i, %B568.i ]
+  %level.3.03904.i = phi double [ %w32, %0 ], [ %.us-phi3604.i, %B568.i ]
+  %.1146.i = icmp sgt i64 %count.2.03906.i, 5
+  br i1 %.1146.i, label %B316.preheader3975.i, label %B316.preheader.split.us.split.i
 
-B268.preheader3293.i:                             ; preds = %B268.preheader.i
-  %xtraiter144.i = and i64 %count.2.03240.i, 3
-  %unroll_iter147.i = and i64 %count.2.03240.i, 9223372036854775804
-  %4 = shl i64 %count.2.03240.i, 3
-  %scevgep252.i = getelementptr i8, ptr %scevgep251.i, i64 %4
-  %scevgep260.i = getelementptr i8, ptr %w41, i64 %4
-  %5 = icmp eq i64 %xtraiter144.i, 0
-  br label %B268.i
+B316.preheader3975.i:                             ; preds = %B316.preheader.i
+  %xtraiter143.i = and i64 %count.2.03906.i, 3
+  %unroll_iter146.i = and i64 %count.2.03906.i, 9223372036854775804
+  %4 = shl i64 %count.2.03906.i, 3
+  %scevgep251.i = getelementptr i8, ptr %scevgep250.i, i64 %4
+  %scevgep259.i = getelementptr i8, ptr %w42, i64 %4
+  %5 = icmp eq i64 %xtraiter143.i, 0
+  br label %B316.i
 
-B268.preheader.split.us.split.i:                  ; preds = %B268.preheader.i
-  %.686.us.i = load double, ptr %w24, align 8
-  %.691.us3046.i = fcmp olt double %.686.us.i, %level.3.03238.i
-  br i1 %.691.us3046.i, label %B332.i, label %B522.us.i
+B316.preheader.split.us.split.i:                  ; preds = %B316.preheader.i
+  %.775.us.i = load double, ptr %w25, align 8
+  %.780.us3640.i = fcmp olt double %.775.us.i, %level.3.03904.i
+  br i1 %.780.us3640.i, label %B380.i, label %B570.us.i
 
-B522.us.i:                                        ; preds = %B268.preheader.split.us.split.i, %B522.us.i
-  %level.2.2.us3047.i = phi double [ %.4436.us.i, %B522.us.i ], [ %level.3.03238.i, %B268.preheader.split.us.split.i ]
-  %.4436.us.i = fmul double %w32, %level.2.2.us3047.i
-  %.691.us.i = fcmp olt double %.686.us.i, %.4436.us.i
-  br i1 %.691.us.i, label %B332.i, label %B522.us.i
+B570.us.i:                                        ; preds = %B316.preheader.split.us.split.i, %B570.us.i
+  %level.2.2.us3641.i = phi double [ %.5543.us.i, %B570.us.i ], [ %level.3.03904.i, %B316.preheader.split.us.split.i ]
+  %.5543.us.i = fmul double %w33, %level.2.2.us3641.i
+  %.780.us.i = fcmp olt double %.775.us.i, %.5543.us.i
+  br i1 %.780.us.i, label %B380.i, label %B570.us.i
 
-B268.i:                                           ; preds = %B2128.i, %B268.preheader3293.i
-  %level.2.2.i = phi double [ %.4436.i, %B2128.i ], [ %level.3.03238.i, %B268.preheader3293.i ]
-  %rows.2.2.i = phi i64 [ %rows.3.3.i, %B2128.i ], [ %rows.5.03239.i, %B268.preheader3293.i ]
-  %size_of_region.4.2.i = phi i64 [ %size_of_region.5.3.i, %B2128.i ], [ %size_of_region.3.03241.i, %B268.preheader3293.i ]
-  %last.2.2.i = phi double [ %last.3.3.i, %B2128.i ], [ %last.5.03242.i, %B268.preheader3293.i ]
-  %slenderest.2.2.i = phi double [ %slenderest.3.3.i, %B2128.i ], [ %slenderest.6.03243.i, %B268.preheader3293.i ]
-  %.686.i = load double, ptr %w24, align 8
-  %.691.i = fcmp olt double %.686.i, %level.2.2.i
-  br i1 %.691.i, label %B332.i, label %B522.i
+B316.i:                                           ; preds = %B2584.i, %B316.preheader3975.i
+  %level.2.2.i = phi double [ %.5543.i, %B2584.i ], [ %level.3.03904.i, %B316.preheader3975.i ]
+  %rows.2.2.i = phi i64 [ %rows.3.3.i, %B2584.i ], [ %rows.5.03905.i, %B316.preheader3975.i ]
+  %size_of_region.4.2.i = phi i64 [ %size_of_region.5.3.i, %B2584.i ], [ %size_of_region.3.03907.i, %B316.preheader3975.i ]
+  %last.2.2.i = phi double [ %last.3.3.i, %B2584.i ], [ %last.5.03908.i, %B316.preheader3975.i ]
+  %slenderest.2.2.i = phi double [ %slenderest.3.3.i, %B2584.i ], [ %slenderest.6.03909.i, %B316.preheader3975.i ]
+  %.775.i = load double, ptr %w25, align 8
+  %.780.i = fcmp olt double %.775.i, %level.2.2.i
+  br i1 %.780.i, label %B380.i, label %B570.i
 
-B332.i:                                           ; preds = %B522.us.i, %B268.i, %B268.preheader.split.us.split.i
-  %.us-phi3018.i = phi double [ %level.2.2.i, %B268.i ], [ %level.3.03238.i, %B268.preheader.split.us.split.i ], [ %.4436.us.i, %B522.us.i ]
-  %.us-phi3019.i = phi i64 [ %rows.2.2.i, %B268.i ], [ %rows.5.03239.i, %B268.preheader.split.us.split.i ], [ %rows.5.03239.i, %B522.us.i ]
-  %.us-phi3020.i = phi i64 [ %size_of_region.4.2.i, %B268.i ], [ %size_of_region.3.03241.i, %B268.preheader.split.us.split.i ], [ %size_of_region.3.03241.i, %B522.us.i ]
-  %.us-phi3021.i = phi double [ %last.2.2.i, %B268.i ], [ %last.5.03242.i, %B268.preheader.split.us.split.i ], [ %last.5.03242.i, %B522.us.i ]
-  %.us-phi3022.i = phi double [ %slenderest.2.2.i, %B268.i ], [ %slenderest.6.03243.i, %B268.preheader.split.us.split.i ], [ %slenderest.6.03243.i, %B522.us.i ]
-  %.us-phi3023.i = load i64, ptr %w26, align 8
-  %.79.i.i = add nsw i64 %size.3.03244.i, -1
-  %.98.i.i = icmp slt i64 %size.3.03244.i, 1
-  %.99.i.i = select i1 %.98.i.i, i64 %w25, i64 0
-  %6 = getelementptr double, ptr %w24, i64 %.79.i.i
+B380.i:                                           ; preds = %B570.us.i, %B316.i, %B316.preheader.split.us.split.i
+  %.us-phi3604.i = phi double [ %level.2.2.i, %B316.i ], [ %level.3.03904.i, %B316.preheader.split.us.split.i ], [ %.5543.us.i, %B570.us.i ]
+  %.us-phi3605.i = phi i64 [ %rows.2.2.i, %B316.i ], [ %rows.5.03905.i, %B316.preheader.split.us.split.i ], [ %rows.5.03905.i, %B570.us.i ]
+  %.us-phi3606.i = phi i64 [ %size_of_region.4.2.i, %B316.i ], [ %size_of_region.3.03907.i, %B316.preheader.split.us.split.i ], [ %size_of_region.3.03907.i, %B570.us.i ]
+  %.us-phi3607.i = phi double [ %last.2.2.i, %B316.i ], [ %last.5.03908.i, %B316.preheader.split.us.split.i ], [ %last.5.03908.i, %B570.us.i ]
+  %.us-phi3608.i = phi double [ %slenderest.2.2.i, %B316.i ], [ %slenderest.6.03909.i, %B316.preheader.split.us.split.i ], [ %slenderest.6.03909.i, %B570.us.i ]
+  %.us-phi3609.i = load i64, ptr %w27, align 8
+  %.79.i.i = add nsw i64 %size.3.03910.i, -1
+  %.98.i.i = icmp slt i64 %size.3.03910.i, 1
+  %.99.i.i = select i1 %.98.i.i, i64 %w26, i64 0
+  %6 = getelementptr double, ptr %w25, i64 %.79.i.i
   %.113.i.i = getelementptr double, ptr %6, i64 %.99.i.i
   %.114.i.i = load double, ptr %.113.i.i, align 8
-  %.131.i.i = select i1 %.98.i.i, i64 %w27, i64 0
-  %7 = getelementptr i64, ptr %w26, i64 %.79.i.i
+  %.131.i.i = select i1 %.98.i.i, i64 %w28, i64 0
+  %7 = getelementptr i64, ptr %w27, i64 %.79.i.i
   %.145.i.i = getelementptr i64, ptr %7, i64 %.131.i.i
   %.146.i.i = load i64, ptr %.145.i.i, align 8
-  %.162.i.i = icmp sgt i64 %size.3.03244.i, 2
-  br i1 %.162.i.i, label %B94.i.i, label %B332.endif.i
+  %.162.i.i = icmp sgt i64 %size.3.03910.i, 2
+  br i1 %.162.i.i, label %B94.i.i, label %B380.endif.i
 
-B94.i.i:                                          ; preds = %B332.i, %B236.i.i
-  %at.2.0.i.i = phi i64 [ %child.2.1.i.i, %B236.i.i ], [ 0, %B332.i ]
+B94.i.i:                                          ; preds = %B380.i, %B236.i.i
+  %at.2.0.i.i = phi i64 [ %child.2.1.i.i, %B236.i.i ], [ 0, %B380.i ]
   %.170.i.i = shl nsw i64 %at.2.0.i.i, 1
   %.171.i.i = or disjoint i64 %.170.i.i, 1
   %.180.i.i = add nsw i64 %.170.i.i, 2
@@ -3405,13 +3424,13 @@ B94.i.i:                                          ; preds = %B332.i, %B236.i.i
 
 B128.i.i:                                         ; preds = %B94.i.i
   %.203.i.i = icmp slt i64 %at.2.0.i.i, -1
-  %.204.i.i = select i1 %.203.i.i, i64 %w25, i64 0
-  %8 = getelementptr double, ptr %w24, i64 %.180.i.i
+  %.204.i.i = select i1 %.203.i.i, i64 %w26, i64 0
+  %8 = getelementptr double, ptr %w25, i64 %.180.i.i
   %.218.i.i = getelementptr double, ptr %8, i64 %.204.i.i
   %.219.i.i = load double, ptr %.218.i.i, align 8
   %.235.i.i = icmp slt i64 %at.2.0.i.i, 0
-  %.236.i.i = select i1 %.235.i.i, i64 %w25, i64 0
-  %9 = getelementptr double, ptr %w24, i64 %.171.i.i
+  %.236.i.i = select i1 %.235.i.i, i64 %w26, i64 0
+  %9 = getelementptr double, ptr %w25, i64 %.171.i.i
   %.250.i.i = getelementptr double, ptr %9, i64 %.236.i.i
   %.251.i.i = load double, ptr %.250.i.i, align 8
   %.252.i.i = fcmp olt double %.219.i.i, %.251.i.i
@@ -3423,78 +3442,78 @@ B190.i.i:                                         ; preds = %B128.i.i
 B200.i.i:                                         ; preds = %B190.i.i, %B128.i.i, %B94.i.i
   %child.2.1.i.i = phi i64 [ %.180.i.i, %B190.i.i ], [ %.171.i.i, %B128.i.i ], [ %.171.i.i, %B94.i.i ]
   %.278.i.i = icmp slt i64 %child.2.1.i.i, 0
-  %.279.i.i = select i1 %.278.i.i, i64 %w25, i64 0
-  %10 = getelementptr double, ptr %w24, i64 %child.2.1.i.i
+  %.279.i.i = select i1 %.278.i.i, i64 %w26, i64 0
+  %10 = getelementptr double, ptr %w25, i64 %child.2.1.i.i
   %.293.i.i = getelementptr double, ptr %10, i64 %.279.i.i
   %.294.i.i = load double, ptr %.293.i.i, align 8
   %.296.i.i = fcmp ult double %.294.i.i, %.114.i.i
-  br i1 %.296.i.i, label %B236.i.i, label %B332.endif.i
+  br i1 %.296.i.i, label %B236.i.i, label %B380.endif.i
 
 B236.i.i:                                         ; preds = %B200.i.i
-  %.354.i.i = select i1 %.278.i.i, i64 %w27, i64 0
-  %11 = getelementptr i64, ptr %w26, i64 %child.2.1.i.i
+  %.354.i.i = select i1 %.278.i.i, i64 %w28, i64 0
+  %11 = getelementptr i64, ptr %w27, i64 %child.2.1.i.i
   %.368.i.i = getelementptr i64, ptr %11, i64 %.354.i.i
   %.369.i.i = load i64, ptr %.368.i.i, align 8
   %.385.i.i = icmp slt i64 %at.2.0.i.i, 0
-  %.386.i.i = select i1 %.385.i.i, i64 %w25, i64 0
-  %12 = getelementptr double, ptr %w24, i64 %at.2.0.i.i
+  %.386.i.i = select i1 %.385.i.i, i64 %w26, i64 0
+  %12 = getelementptr double, ptr %w25, i64 %at.2.0.i.i
   %.400.i.i = getelementptr double, ptr %12, i64 %.386.i.i
   store double %.294.i.i, ptr %.400.i.i, align 8
-  %.418.i.i = select i1 %.385.i.i, i64 %w27, i64 0
-  %13 = getelementptr i64, ptr %w26, i64 %at.2.0.i.i
+  %.418.i.i = select i1 %.385.i.i, i64 %w28, i64 0
+  %13 = getelementptr i64, ptr %w27, i64 %at.2.0.i.i
   %.432.i.i = getelementptr i64, ptr %13, i64 %.418.i.i
   store i64 %.369.i.i, ptr %.432.i.i, align 8
   %.441.i.i = shl nsw i64 %child.2.1.i.i, 1
   %.442.i.i = or disjoint i64 %.441.i.i, 1
   %.444.i.i = icmp slt i64 %.442.i.i, %.79.i.i
-  br i1 %.444.i.i, label %B94.i.i, label %B332.endif.i
+  br i1 %.444.i.i, label %B94.i.i, label %B380.endif.i
 
-B398.i:                                           ; preds = %B332.endif.i
-  %sunkaddr.i = shl i64 %.771.i, 3
-  %sunkaddr275.i = getelementptr inbounds i8, ptr %133, i64 %sunkaddr.i
-  store i64 1, ptr %sunkaddr275.i, align 8
-  %.843.i = icmp slt i64 %count.2.03240.i, 0
-  %.844.i = select i1 %.843.i, i64 %w19, i64 0
-  %14 = getelementptr i64, ptr %w18, i64 %count.2.03240.i
-  %.858.i = getelementptr i64, ptr %14, i64 %.844.i
-  store i64 %.us-phi3023.i, ptr %.858.i, align 8
-  %.861.i = add i64 %count.2.03240.i, 1
-  %.869.i = icmp eq i64 %.us-phi3023.i, %w30
-  br i1 %.869.i, label %B482.i, label %B460.i
+B446.i:                                           ; preds = %B380.endif.i
+  %sunkaddr.i = shl i64 %.860.i, 3
+  %sunkaddr274.i = getelementptr inbounds i8, ptr %158, i64 %sunkaddr.i
+  store i64 1, ptr %sunkaddr274.i, align 8
+  %.932.i = icmp slt i64 %count.2.03906.i, 0
+  %.933.i = select i1 %.932.i, i64 %w20, i64 0
+  %14 = getelementptr i64, ptr %w19, i64 %count.2.03906.i
+  %.947.i = getelementptr i64, ptr %14, i64 %.933.i
+  store i64 %.us-phi3609.i, ptr %.947.i, align 8
+  %.950.i = add i64 %count.2.03906.i, 1
+  %.958.i = icmp eq i64 %.us-phi3609.i, %w31
+  br i1 %.958.i, label %B530.i, label %B508.i
 
-B460.i:                                           ; preds = %B398.i
-  %.889.i = select i1 %.770.i, i64 %w37, i64 0
-  %15 = getelementptr i64, ptr %w36, i64 %.us-phi3023.i
-  %.903.i = getelementptr i64, ptr %15, i64 %.889.i
-  %.904.i = load i64, ptr %.903.i, align 8
-  %.905.i = icmp eq i64 %.904.i, 0
-  br label %B482.i
+B508.i:                                           ; preds = %B446.i
+  %.978.i = select i1 %.859.i, i64 %w38, i64 0
+  %15 = getelementptr i64, ptr %w37, i64 %.us-phi3609.i
+  %.992.i = getelementptr i64, ptr %15, i64 %.978.i
+  %.993.i = load i64, ptr %.992.i, align 8
+  %.994.i = icmp eq i64 %.993.i, 0
+  br label %B530.i
 
-B482.i:                                           ; preds = %B460.i, %B398.i
-  %"$phi482.0.2.1.i" = phi i1 [ true, %B398.i ], [ %.905.i, %B460.i ]
-  %.180.i31.i = select i1 %.770.i, i64 %w9, i64 0
-  %16 = getelementptr i64, ptr %w8, i64 %.us-phi3023.i
-  %.194.i.i = getelementptr i64, ptr %16, i64 %.180.i31.i
-  %.195.i.i = load i64, ptr %.194.i.i, align 8
-  %.212.i.i = icmp slt i64 %.us-phi3023.i, -1
-  %.213.i.i = select i1 %.212.i.i, i64 %w9, i64 0
+B530.i:                                           ; preds = %B508.i, %B446.i
+  %"$phi530.0.2.1.i" = phi i1 [ true, %B446.i ], [ %.994.i, %B508.i ]
+  %.184.i.i = select i1 %.859.i, i64 %w9, i64 0
+  %16 = getelementptr i64, ptr %w8, i64 %.us-phi3609.i
+  %.198.i.i = getelementptr i64, ptr %16, i64 %.184.i.i
+  %.199.i.i = load i64, ptr %.198.i.i, align 8
+  %.216.i.i = icmp slt i64 %.us-phi3609.i, -1
+  %.217.i.i = select i1 %.216.i.i, i64 %w9, i64 0
   %17 = getelementptr i8, ptr %16, i64 8
-  %.227.i.i = getelementptr i64, ptr %17, i64 %.213.i.i
-  %.228.i.i = load i64, ptr %.227.i.i, align 8
-  %.265.i.i = sub i64 %.228.i.i, %.195.i.i
-  %.310773.not.i.i = icmp slt i64 %.265.i.i, 1
-  br i1 %.310773.not.i.i, label %B520.i, label %B130.endif.endif.us.preheader.i.i
+  %.231.i.i = getelementptr i64, ptr %17, i64 %.217.i.i
+  %.232.i.i = load i64, ptr %.231.i.i, align 8
+  %.269.i.i = sub i64 %.232.i.i, %.199.i.i
+  %.314785.not.i.i = icmp slt i64 %.269.i.i, 1
+  br i1 %.314785.not.i.i, label %B568.i, label %B130.endif.endif.us.preheader.i.i
 
-B130.endif.endif.us.preheader.i.i:                ; preds = %B482.i
-  %18 = getelementptr double, ptr %w14, i64 %.us-phi3023.i
-  %.99.i.i.i = select i1 %.770.i, i64 %w1, i64 0
-  %.100.i.i.i = add i64 %.99.i.i.i, %.us-phi3023.i
-  %sunkaddr.i.i = select i1 %.770.i, i64 %2, i64 0
+B130.endif.endif.us.preheader.i.i:                ; preds = %B530.i
+  %18 = getelementptr double, ptr %w15, i64 %.us-phi3609.i
+  %.99.i.i.i = select i1 %.859.i, i64 %w1, i64 0
+  %.100.i.i.i = add i64 %.99.i.i.i, %.us-phi3609.i
+  %sunkaddr.i.i = select i1 %.859.i, i64 %2, i64 0
   %.120.i.reass.i.i = mul i64 %s3, %.100.i.i.i
-  %sunkaddr276.i = getelementptr inbounds i8, ptr %18, i64 %sunkaddr.i.i
-  %sunkaddr277.i = getelementptr i8, ptr %w0, i64 %.120.i.reass.i.i
-  %sunkaddr278.i = getelementptr i8, ptr %sunkaddr277.i, i64 16
-  %sunkaddr281.i = getelementptr i8, ptr %sunkaddr277.i, i64 8
+  %sunkaddr275.i = getelementptr inbounds i8, ptr %18, i64 %sunkaddr.i.i
+  %sunkaddr276.i = getelementptr i8, ptr %w0, i64 %.120.i.reass.i.i
+  %sunkaddr277.i = getelementptr i8, ptr %sunkaddr276.i, i64 16
+  %sunkaddr280.i = getelementptr i8, ptr %sunkaddr276.i, i64 8
   %.67.i.i3.i = mul i64 %.100.i.i.i, %w2
   %19 = getelementptr double, ptr %w0, i64 %.67.i.i3.i
   %.71.i.i4.i = getelementptr i8, ptr %19, i64 16
@@ -3502,78 +3521,78 @@ B130.endif.endif.us.preheader.i.i:                ; preds = %B482.i
   br label %B130.endif.endif.us.i.i
 
 B130.endif.endif.us.i.i:                          ; preds = %B188.B128.loopexit_crit_edge.us.i.i, %B130.endif.endif.us.preheader.i.i
-  %size.3.0776.us.i.i = phi i64 [ %size.4.2.us.i.i, %B188.B128.loopexit_crit_edge.us.i.i ], [ %.79.i.i, %B130.endif.endif.us.preheader.i.i ]
-  %.309763775.us.i.i = phi i64 [ %.319.us.i.i, %B188.B128.loopexit_crit_edge.us.i.i ], [ %.265.i.i, %B130.endif.endif.us.preheader.i.i ]
-  %.316766774.us.i.i = phi i64 [ %.323.us.i.i, %B188.B128.loopexit_crit_edge.us.i.i ], [ %.195.i.i, %B130.endif.endif.us.preheader.i.i ]
-  %.368.us.i.i = icmp slt i64 %.316766774.us.i.i, 0
-  %.369.us.i.i = select i1 %.368.us.i.i, i64 %w11, i64 0
-  %20 = getelementptr i64, ptr %w10, i64 %.316766774.us.i.i
-  %.383.us.i.i = getelementptr i64, ptr %20, i64 %.369.us.i.i
-  %.384.us.i.i = load i64, ptr %.383.us.i.i, align 8
-  %.528.us.i.i = icmp slt i64 %.384.us.i.i, 0
-  %.529.us.i.i = select i1 %.528.us.i.i, i64 %w4, i64 0
-  %.530.us.i.i = add i64 %.529.us.i.i, %.384.us.i.i
-  %.550.us.i.i = mul i64 %.530.us.i.i, %w5
-  %21 = getelementptr i64, ptr %w3, i64 %.550.us.i.i
-  %sunkaddr282.i = getelementptr i8, ptr %21, i64 8
-  %sunkaddr283.i = getelementptr i8, ptr %21, i64 16
+  %size.3.0788.us.i.i = phi i64 [ %size.4.2.us.i.i, %B188.B128.loopexit_crit_edge.us.i.i ], [ %.79.i.i, %B130.endif.endif.us.preheader.i.i ]
+  %.313775787.us.i.i = phi i64 [ %.323.us.i.i, %B188.B128.loopexit_crit_edge.us.i.i ], [ %.269.i.i, %B130.endif.endif.us.preheader.i.i ]
+  %.320778786.us.i.i = phi i64 [ %.327.us.i.i, %B188.B128.loopexit_crit_edge.us.i.i ], [ %.199.i.i, %B130.endif.endif.us.preheader.i.i ]
+  %.372.us.i.i = icmp slt i64 %.320778786.us.i.i, 0
+  %.373.us.i.i = select i1 %.372.us.i.i, i64 %w11, i64 0
+  %20 = getelementptr i64, ptr %w10, i64 %.320778786.us.i.i
+  %.387.us.i.i = getelementptr i64, ptr %20, i64 %.373.us.i.i
+  %.388.us.i.i = load i64, ptr %.387.us.i.i, align 8
+  %.532.us.i.i = icmp slt i64 %.388.us.i.i, 0
+  %.533.us.i.i = select i1 %.532.us.i.i, i64 %w4, i64 0
+  %.534.us.i.i = add i64 %.533.us.i.i, %.388.us.i.i
+  %.554.us.i.i = mul i64 %.534.us.i.i, %w5
+  %21 = getelementptr i64, ptr %w3, i64 %.554.us.i.i
+  %sunkaddr281.i = getelementptr i8, ptr %21, i64 8
+  %sunkaddr282.i = getelementptr i8, ptr %21, i64 16
   br label %B190.us.i.i
 
 B190.us.i.i:                                      ; preds = %B599.us.i.i, %B130.endif.endif.us.i.i
-  %size.2.1760.us.i.i = phi i64 [ %size.3.0776.us.i.i, %B130.endif.endif.us.i.i ], [ %size.4.2.us.i.i, %B599.us.i.i ]
-  %.473754758.us.i.i = phi i64 [ 0, %B130.endif.endif.us.i.i ], [ %.480.us.i.i, %B599.us.i.i ]
-  %.480.us.i.i = add nuw nsw i64 %.473754758.us.i.i, 1
-  %22 = getelementptr i64, ptr %21, i64 %.473754758.us.i.i
-  %.555.us.i.i = load i64, ptr %22, align 8
-  %.561.us.i.i = icmp eq i64 %.555.us.i.i, %.us-phi3023.i
-  br i1 %.561.us.i.i, label %B599.us.i.i, label %B226.us.i.i
+  %size.2.1772.us.i.i = phi i64 [ %size.3.0788.us.i.i, %B130.endif.endif.us.i.i ], [ %size.4.2.us.i.i, %B599.us.i.i ]
+  %.477766770.us.i.i = phi i64 [ 0, %B130.endif.endif.us.i.i ], [ %.484.us.i.i, %B599.us.i.i ]
+  %.484.us.i.i = add nuw nsw i64 %.477766770.us.i.i, 1
+  %22 = getelementptr i64, ptr %21, i64 %.477766770.us.i.i
+  %.559.us.i.i = load i64, ptr %22, align 8
+  %.565.us.i.i = icmp eq i64 %.559.us.i.i, %.us-phi3609.i
+  br i1 %.565.us.i.i, label %B599.us.i.i, label %B226.us.i.i
 
 B226.us.i.i:                                      ; preds = %B190.us.i.i
-  %.761.us.i.i = icmp slt i64 %.555.us.i.i, 0
-  %.762.us.i.i = select i1 %.761.us.i.i, i64 %w17, i64 0
-  %23 = getelementptr i64, ptr %w16, i64 %.555.us.i.i
-  %.776.us.i.i = getelementptr i64, ptr %23, i64 %.762.us.i.i
-  %.777.us.i.i = load i64, ptr %.776.us.i.i, align 8
-  %.778.us.i.i = icmp eq i64 %.777.us.i.i, 1
-  br i1 %.778.us.i.i, label %B336.us.i.i, label %B406.endif.us.i.i
+  %.765.us.i.i = icmp slt i64 %.559.us.i.i, 0
+  %.766.us.i.i = select i1 %.765.us.i.i, i64 %w18, i64 0
+  %23 = getelementptr i64, ptr %w17, i64 %.559.us.i.i
+  %.780.us.i.i = getelementptr i64, ptr %23, i64 %.766.us.i.i
+  %.781.us.i.i = load i64, ptr %.780.us.i.i, align 8
+  %.782.us.i.i = icmp eq i64 %.781.us.i.i, 1
+  br i1 %.782.us.i.i, label %B336.us.i.i, label %B406.endif.us.i.i
 
 B406.endif.us.i.i:                                ; preds = %B226.us.i.i
-  %.919.us.i.i = load double, ptr %sunkaddr276.i, align 8
-  %.46.i.i.i = select i1 %.761.us.i.i, i64 %w1, i64 0
-  %.47.i.i.i = add i64 %.46.i.i.i, %.555.us.i.i
+  %.923.us.i.i = load double, ptr %sunkaddr275.i, align 8
+  %.46.i.i.i = select i1 %.765.us.i.i, i64 %w1, i64 0
+  %.47.i.i.i = add i64 %.46.i.i.i, %.559.us.i.i
   %.67.i.i.i = mul i64 %.47.i.i.i, %w2
   %24 = getelementptr double, ptr %w0, i64 %.67.i.i.i
   %.71.i.i.i = getelementptr i8, ptr %24, i64 16
   %.72.i.i.i = load double, ptr %.71.i.i.i, align 8
-  %.125.i.i.i = load double, ptr %sunkaddr278.i, align 8
+  %.125.i.i.i = load double, ptr %sunkaddr277.i, align 8
   %.126.i.i.i = fsub double %.72.i.i.i, %.125.i.i.i
   %.234.i.i.i = fmul double %.126.i.i.i, %.126.i.i.i
   %.287.i.i.i = load double, ptr %24, align 8
-  %.340.i.i.i = load double, ptr %sunkaddr277.i, align 8
+  %.340.i.i.i = load double, ptr %sunkaddr276.i, align 8
   %.341.i.i.i = fsub double %.287.i.i.i, %.340.i.i.i
   %.449.i.i.i = fmul double %.341.i.i.i, %.341.i.i.i
   %.501.i.i.i = getelementptr i8, ptr %24, i64 8
   %.502.i.i.i = load double, ptr %.501.i.i.i, align 8
-  %.555.i.i.i = load double, ptr %sunkaddr281.i, align 8
+  %.555.i.i.i = load double, ptr %sunkaddr280.i, align 8
   %.556.i.i.i = fsub double %.502.i.i.i, %.555.i.i.i
   %.664.i.i.i = fmul double %.556.i.i.i, %.556.i.i.i
   %.665.i.i.i = fadd double %.449.i.i.i, %.664.i.i.i
   %.666.i.i.i = fadd double %.234.i.i.i, %.665.i.i.i
   %sqrt.i.i = tail call double @llvm.sqrt.f64(double %.666.i.i.i)
-  %.954.us.i.i = fadd double %.919.us.i.i, %sqrt.i.i
+  %.958.us.i.i = fadd double %.923.us.i.i, %sqrt.i.i
   br label %B490.us.i.i
 
 B336.us.i.i:                                      ; preds = %B226.us.i.i
-  %.626.us.i.i = load i64, ptr %21, align 8
-  %.681.us.i.i = load i64, ptr %sunkaddr282.i, align 8
-  %.737.us.i.i = load i64, ptr %sunkaddr283.i, align 8
-  %25 = add i64 %.555.us.i.i, %.us-phi3023.i
-  %.682.us.i.i = sub i64 %.626.us.i.i, %25
-  %.738.us.i.i = add i64 %.682.us.i.i, %.681.us.i.i
-  %.742.us.i.i = add i64 %.738.us.i.i, %.737.us.i.i
+  %.630.us.i.i = load i64, ptr %21, align 8
+  %.685.us.i.i = load i64, ptr %sunkaddr281.i, align 8
+  %.741.us.i.i = load i64, ptr %sunkaddr282.i, align 8
+  %25 = add i64 %.559.us.i.i, %.us-phi3609.i
+  %.686.us.i.i = sub i64 %.630.us.i.i, %25
+  %.742.us.i.i = add i64 %.686.us.i.i, %.685.us.i.i
+  %.746.us.i.i = add i64 %.742.us.i.i, %.741.us.i.i
   %.72.i.i5.i = load double, ptr %.71.i.i4.i, align 8
-  %.99.i.i6.i = select i1 %.761.us.i.i, i64 %w1, i64 0
-  %.100.i.i7.i = add i64 %.99.i.i6.i, %.555.us.i.i
+  %.99.i.i6.i = select i1 %.765.us.i.i, i64 %w1, i64 0
+  %.100.i.i7.i = add i64 %.99.i.i6.i, %.559.us.i.i
   %.120.i.i.i = mul i64 %.100.i.i7.i, %w2
   %26 = getelementptr double, ptr %w0, i64 %.120.i.i.i
   %.124.i.i.i = getelementptr i8, ptr %26, i64 16
@@ -3602,41 +3621,41 @@ B328.i.i:                                         ; preds = %B96.endif.endif.end
   %.665.i75.i.i = fadd double %.449.i65.i.i, %.664.i74.i.i
   %.666.i76.i.i = fadd double %.234.i59.i.i, %.665.i75.i.i
   %.183.i.i = fmul double %.138.i.i, %.138.i.i
-  %.184.i.i = fsub double %.666.i76.i.i, %.183.i.i
-  %.10.i.i.i = fcmp olt double %.184.i.i, 0.000000e+00
-  %.11.i.i.i = select i1 %.10.i.i.i, double 0.000000e+00, double %.184.i.i
+  %.184.i26.i = fsub double %.666.i76.i.i, %.183.i.i
+  %.10.i.i.i = fcmp olt double %.184.i26.i, 0.000000e+00
+  %.11.i.i.i = select i1 %.10.i.i.i, double 0.000000e+00, double %.184.i26.i
   %sqrt78.i.i = tail call double @llvm.sqrt.f64(double %.11.i.i.i)
-  %.269.i.i = tail call double @sqrt(double %.248.i.i)
-  %.277.i.i = fadd double %sqrt78.i.i, %.269.i.i
-  %.279.i26.i = fcmp ogt double %.277.i.i, 0.000000e+00
-  br i1 %.279.i26.i, label %B412.i.i, label %B490.us.i.i
+  %.269.i27.i = tail call double @sqrt(double %.248.i.i)
+  %.277.i.i = fadd double %sqrt78.i.i, %.269.i27.i
+  %.279.i28.i = fcmp ogt double %.277.i.i, 0.000000e+00
+  br i1 %.279.i28.i, label %B412.i.i, label %B490.us.i.i
 
 B412.i.i:                                         ; preds = %B328.i.i
   %.283.i.i = fsub double %.138.i.i, %.236.i25.i
-  %.285.i.i = fmul double %.283.i.i, %.269.i.i
+  %.285.i.i = fmul double %.283.i.i, %.269.i27.i
   %.292.i.i = fdiv double %.285.i.i, %.277.i.i
-  %.294.i27.i = fadd double %.236.i25.i, %.292.i.i
-  %.306.i.i = fcmp oge double %.294.i27.i, 0.000000e+00
-  %.313.i.i = fcmp ole double %.294.i27.i, %sqrt77.i.i
-  %or.cond.i.i = and i1 %.306.i.i, %.313.i.i
+  %.294.i29.i = fadd double %.236.i25.i, %.292.i.i
+  %.306.i30.i = fcmp oge double %.294.i29.i, 0.000000e+00
+  %.313.i.i = fcmp ole double %.294.i29.i, %sqrt77.i.i
+  %or.cond.i.i = and i1 %.306.i30.i, %.313.i.i
   br i1 %or.cond.i.i, label %B446.i.i, label %B490.us.i.i
 
 B446.i.i:                                         ; preds = %B412.i.i
   %.343.i.i = fmul double %.283.i.i, %.283.i.i
-  %.354.i28.i = fmul double %.277.i.i, %.277.i.i
-  %.355.i29.i = fadd double %.343.i.i, %.354.i28.i
-  %sqrt.i30.i = tail call double @llvm.sqrt.f64(double %.355.i29.i)
+  %.354.i31.i = fmul double %.277.i.i, %.277.i.i
+  %.355.i.i = fadd double %.343.i.i, %.354.i31.i
+  %sqrt.i32.i = tail call double @llvm.sqrt.f64(double %.355.i.i)
   br label %B490.us.i.i
 
 B96.endif.endif.endif.endif.i.i:                  ; preds = %B336.us.i.i
-  %.842.us.i.i = load double, ptr %sunkaddr276.i, align 8
-  %27 = getelementptr double, ptr %w14, i64 %.555.us.i.i
-  %.796.us.i.i = select i1 %.761.us.i.i, i64 %w15, i64 0
-  %.810.us.i.i = getelementptr double, ptr %27, i64 %.796.us.i.i
-  %.811.us.i.i = load double, ptr %.810.us.i.i, align 8
-  %.152.i14.i.i = icmp slt i64 %.742.us.i.i, 0
+  %.846.us.i.i = load double, ptr %sunkaddr275.i, align 8
+  %27 = getelementptr double, ptr %w15, i64 %.559.us.i.i
+  %.800.us.i.i = select i1 %.765.us.i.i, i64 %w16, i64 0
+  %.814.us.i.i = getelementptr double, ptr %27, i64 %.800.us.i.i
+  %.815.us.i.i = load double, ptr %.814.us.i.i, align 8
+  %.152.i14.i.i = icmp slt i64 %.746.us.i.i, 0
   %.153.i15.i.i = select i1 %.152.i14.i.i, i64 %w1, i64 0
-  %.154.i16.i.i = add i64 %.153.i15.i.i, %.742.us.i.i
+  %.154.i16.i.i = add i64 %.153.i15.i.i, %.746.us.i.i
   %.174.i17.i.i = mul i64 %.154.i16.i.i, %w2
   %28 = getelementptr double, ptr %w0, i64 %.174.i17.i.i
   %.178.i18.i.i = getelementptr i8, ptr %28, i64 16
@@ -3653,62 +3672,62 @@ B96.endif.endif.endif.endif.i.i:                  ; preds = %B336.us.i.i
   %.665.i37.i.i = fadd double %.449.i27.i.i, %.664.i36.i.i
   %.666.i38.i.i = fadd double %.234.i21.i.i, %.665.i37.i.i
   %.138.i.i = fdiv double %.666.i38.i.i, %sqrt77.i.i
-  %.219.i23.i = fmul double %.811.us.i.i, %.811.us.i.i
-  %.222.i.i = fmul double %.842.us.i.i, %.842.us.i.i
+  %.219.i23.i = fmul double %.815.us.i.i, %.815.us.i.i
+  %.222.i.i = fmul double %.846.us.i.i, %.846.us.i.i
   %.225.i.i = fsub double %.219.i23.i, %.222.i.i
-  %.227.i24.i = fadd double %.666.i.i21.i, %.225.i.i
-  %.232.i.i = fmul double %sqrt77.i.i, 2.000000e+00
-  %.236.i25.i = fdiv double %.227.i24.i, %.232.i.i
+  %.227.i.i = fadd double %.666.i.i21.i, %.225.i.i
+  %.232.i24.i = fmul double %sqrt77.i.i, 2.000000e+00
+  %.236.i25.i = fdiv double %.227.i.i, %.232.i24.i
   %.247.i.i = fmul double %.236.i25.i, %.236.i25.i
   %.248.i.i = fsub double %.219.i23.i, %.247.i.i
   %.254.i.i = fcmp olt double %.248.i.i, 0.000000e+00
   br i1 %.254.i.i, label %B490.us.i.i, label %B328.i.i
 
 B490.us.i.i:                                      ; preds = %B96.endif.endif.endif.endif.i.i, %B446.i.i, %B412.i.i, %B328.i.i, %B336.us.i.i, %B406.endif.us.i.i
-  %away.2.3.us.i.i = phi double [ %.954.us.i.i, %B406.endif.us.i.i ], [ 0x7FF0000000000000, %B96.endif.endif.endif.endif.i.i ], [ 0x7FF0000000000000, %B336.us.i.i ], [ %sqrt.i30.i, %B446.i.i ], [ 0x7FF0000000000000, %B412.i.i ], [ 0x7FF0000000000000, %B328.i.i ]
-  %target.2.3.us.i.i = phi i64 [ %.555.us.i.i, %B406.endif.us.i.i ], [ %.742.us.i.i, %B96.endif.endif.endif.endif.i.i ], [ %.742.us.i.i, %B336.us.i.i ], [ %.742.us.i.i, %B446.i.i ], [ %.742.us.i.i, %B412.i.i ], [ %.742.us.i.i, %B328.i.i ]
-  %.982.us.i.i = icmp slt i64 %target.2.3.us.i.i, 0
-  %.983.us.i.i = select i1 %.982.us.i.i, i64 %w17, i64 0
-  %29 = getelementptr i64, ptr %w16, i64 %target.2.3.us.i.i
-  %.997.us.i.i = getelementptr i64, ptr %29, i64 %.983.us.i.i
-  %.998.us.i.i = load i64, ptr %.997.us.i.i, align 8
-  %.999.not.us.i.i = icmp eq i64 %.998.us.i.i, 1
-  br i1 %.999.not.us.i.i, label %B599.us.i.i, label %B524.us.i.i
+  %away.2.3.us.i.i = phi double [ %.958.us.i.i, %B406.endif.us.i.i ], [ 0x7FF0000000000000, %B96.endif.endif.endif.endif.i.i ], [ 0x7FF0000000000000, %B336.us.i.i ], [ %sqrt.i32.i, %B446.i.i ], [ 0x7FF0000000000000, %B412.i.i ], [ 0x7FF0000000000000, %B328.i.i ]
+  %target.2.3.us.i.i = phi i64 [ %.559.us.i.i, %B406.endif.us.i.i ], [ %.746.us.i.i, %B96.endif.endif.endif.endif.i.i ], [ %.746.us.i.i, %B336.us.i.i ], [ %.746.us.i.i, %B446.i.i ], [ %.746.us.i.i, %B412.i.i ], [ %.746.us.i.i, %B328.i.i ]
+  %.986.us.i.i = icmp slt i64 %target.2.3.us.i.i, 0
+  %.987.us.i.i = select i1 %.986.us.i.i, i64 %w18, i64 0
+  %29 = getelementptr i64, ptr %w17, i64 %target.2.3.us.i.i
+  %.1001.us.i.i = getelementptr i64, ptr %29, i64 %.987.us.i.i
+  %.1002.us.i.i = load i64, ptr %.1001.us.i.i, align 8
+  %.1003.not.us.i.i = icmp eq i64 %.1002.us.i.i, 1
+  br i1 %.1003.not.us.i.i, label %B599.us.i.i, label %B524.us.i.i
 
 B524.us.i.i:                                      ; preds = %B490.us.i.i
-  %.1019.us.i.i = select i1 %.982.us.i.i, i64 %w15, i64 0
-  %30 = getelementptr double, ptr %w14, i64 %target.2.3.us.i.i
-  %.1033.us.i.i = getelementptr double, ptr %30, i64 %.1019.us.i.i
-  %.1034.us.i.i = load double, ptr %.1033.us.i.i, align 8
-  %.1036.us.i.i = fcmp olt double %away.2.3.us.i.i, %.1034.us.i.i
-  br i1 %.1036.us.i.i, label %B548.us.i.i, label %B599.us.i.i
+  %.1023.us.i.i = select i1 %.986.us.i.i, i64 %w16, i64 0
+  %30 = getelementptr double, ptr %w15, i64 %target.2.3.us.i.i
+  %.1037.us.i.i = getelementptr double, ptr %30, i64 %.1023.us.i.i
+  %.1038.us.i.i = load double, ptr %.1037.us.i.i, align 8
+  %.1040.us.i.i = fcmp olt double %away.2.3.us.i.i, %.1038.us.i.i
+  br i1 %.1040.us.i.i, label %B548.us.i.i, label %B599.us.i.i
 
 B548.us.i.i:                                      ; preds = %B524.us.i.i
-  %sunkaddr17.i.i = shl i64 %.1019.us.i.i, 3
+  %sunkaddr17.i.i = shl i64 %.1023.us.i.i, 3
   %sunkaddr18.i.i = getelementptr inbounds i8, ptr %30, i64 %sunkaddr17.i.i
   store double %away.2.3.us.i.i, ptr %sunkaddr18.i.i, align 8
-  %.96.i.i.i = icmp sgt i64 %size.2.1760.us.i.i, 0
+  %.96.i.i.i = icmp sgt i64 %size.2.1772.us.i.i, 0
   br i1 %.96.i.i.i, label %B20.else.if.i.i.i, label %_ZN7msf_jax4host4thin6fronts4pushB3v31B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx.exit.i.i
 
 B20.else.if.i.i.i:                                ; preds = %B548.us.i.i
-  %.108.i.i.i = add nsw i64 %size.2.1760.us.i.i, -1
+  %.108.i.i.i = add nsw i64 %size.2.1772.us.i.i, -1
   %.129416426.i.i.i = lshr i64 %.108.i.i.i, 1
-  %.178.i1.i.i = getelementptr double, ptr %w24, i64 %.129416426.i.i.i
+  %.178.i1.i.i = getelementptr double, ptr %w25, i64 %.129416426.i.i.i
   %.179.i2.i.i = load double, ptr %.178.i1.i.i, align 8
   %.181.i.i.i = fcmp ogt double %.179.i2.i.i, %away.2.3.us.i.i
   br i1 %.181.i.i.i, label %B66.else.if.i.i.i, label %_ZN7msf_jax4host4thin6fronts4pushB3v31B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx.exit.i.i
 
 B66.else.if.i.i.i:                                ; preds = %B20.else.if.i.i.i, %B204.else.if.i.i.i
-  %at.2.1.i.i.i = phi i64 [ %.208418427.i.i.i, %B204.else.if.i.i.i ], [ %size.2.1760.us.i.i, %B20.else.if.i.i.i ]
+  %at.2.1.i.i.i = phi i64 [ %.208418427.i.i.i, %B204.else.if.i.i.i ], [ %size.2.1772.us.i.i, %B20.else.if.i.i.i ]
   %.189.i.i.i = add nsw i64 %at.2.1.i.i.i, -1
   %.208418427.i.i.i = lshr i64 %.189.i.i.i, 1
-  %.257.i.i.i = getelementptr double, ptr %w24, i64 %.208418427.i.i.i
+  %.257.i.i.i = getelementptr double, ptr %w25, i64 %.208418427.i.i.i
   %.258.i.i.i = load double, ptr %.257.i.i.i, align 8
-  %.330.i.i.i = getelementptr i64, ptr %w26, i64 %.208418427.i.i.i
+  %.330.i.i.i = getelementptr i64, ptr %w27, i64 %.208418427.i.i.i
   %.331.i.i.i = load i64, ptr %.330.i.i.i, align 8
-  %.362.i.i.i = getelementptr double, ptr %w24, i64 %at.2.1.i.i.i
+  %.362.i.i.i = getelementptr double, ptr %w25, i64 %at.2.1.i.i.i
   store double %.258.i.i.i, ptr %.362.i.i.i, align 8
-  %.394.i3.i.i = getelementptr i64, ptr %w26, i64 %at.2.1.i.i.i
+  %.394.i3.i.i = getelementptr i64, ptr %w27, i64 %at.2.1.i.i.i
   store i64 %.331.i.i.i, ptr %.394.i3.i.i, align 8
   %.447.not.i.i.i = icmp eq i64 %.208418427.i.i.i, 0
   br i1 %.447.not.i.i.i, label %_ZN7msf_jax4host4thin6fronts4pushB3v31B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx.exit.i.i, label %B204.else.if.i.i.i
@@ -3716,1354 +3735,1614 @@ B66.else.if.i.i.i:                                ; preds = %B20.else.if.i.i.i, 
 B204.else.if.i.i.i:                               ; preds = %B66.else.if.i.i.i
   %.458.i.i.i = add nsw i64 %.208418427.i.i.i, -1
   %.479424430.i.i.i = lshr i64 %.458.i.i.i, 1
-  %.528.i.i.i = getelementptr double, ptr %w24, i64 %.479424430.i.i.i
+  %.528.i.i.i = getelementptr double, ptr %w25, i64 %.479424430.i.i.i
   %.529.i.i.i = load double, ptr %.528.i.i.i, align 8
   %.531.i.i.i = fcmp ogt double %.529.i.i.i, %away.2.3.us.i.i
   br i1 %.531.i.i.i, label %B66.else.if.i.i.i, label %_ZN7msf_jax4host4thin6fronts4pushB3v31B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx.exit.i.i
 
 _ZN7msf_jax4host4thin6fronts4pushB3v31B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx.exit.i.i: ; preds = %B204.else.if.i.i.i, %B66.else.if.i.i.i, %B20.else.if.i.i.i, %B548.us.i.i
-  %at.3.0.i.i.i = phi i64 [ %size.2.1760.us.i.i, %B20.else.if.i.i.i ], [ %size.2.1760.us.i.i, %B548.us.i.i ], [ 0, %B66.else.if.i.i.i ], [ %.208418427.i.i.i, %B204.else.if.i.i.i ]
+  %at.3.0.i.i.i = phi i64 [ %size.2.1772.us.i.i, %B20.else.if.i.i.i ], [ %size.2.1772.us.i.i, %B548.us.i.i ], [ 0, %B66.else.if.i.i.i ], [ %.208418427.i.i.i, %B204.else.if.i.i.i ]
   %.560.i.i.i = icmp slt i64 %at.3.0.i.i.i, 0
-  %.561.i.i.i = select i1 %.560.i.i.i, i64 %w25, i64 0
-  %31 = getelementptr double, ptr %w24, i64 %at.3.0.i.i.i
+  %.561.i.i.i = select i1 %.560.i.i.i, i64 %w26, i64 0
+  %31 = getelementptr double, ptr %w25, i64 %at.3.0.i.i.i
   %.575.i.i.i = getelementptr double, ptr %31, i64 %.561.i.i.i
   store double %away.2.3.us.i.i, ptr %.575.i.i.i, align 8
-  %.598.i.i.i = select i1 %.560.i.i.i, i64 %w27, i64 0
-  %32 = getelementptr i64, ptr %w26, i64 %at.3.0.i.i.i
+  %.598.i.i.i = select i1 %.560.i.i.i, i64 %w28, i64 0
+  %32 = getelementptr i64, ptr %w27, i64 %at.3.0.i.i.i
   %.612.i.i.i = getelementptr i64, ptr %32, i64 %.598.i.i.i
   store i64 %target.2.3.us.i.i, ptr %.612.i.i.i, align 8
-  %.619.i.i.i = add nsw i64 %size.2.1760.us.i.i, 1
+  %.619.i.i.i = add nsw i64 %size.2.1772.us.i.i, 1
   br label %B599.us.i.i
 
 B599.us.i.i:                                      ; preds = %_ZN7msf_jax4host4thin6fronts4pushB3v31B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx.exit.i.i, %B524.us.i.i, %B490.us.i.i, %B190.us.i.i
-  %size.4.2.us.i.i = phi i64 [ %size.2.1760.us.i.i, %B190.us.i.i ], [ %size.2.1760.us.i.i, %B490.us.i.i ], [ %size.2.1760.us.i.i, %B524.us.i.i ], [ %.619.i.i.i, %_ZN7msf_jax4host4thin6fronts4pushB3v31B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx.exit.i.i ]
-  %exitcond.not.i.i = icmp eq i64 %.480.us.i.i, 3
+  %size.4.2.us.i.i = phi i64 [ %size.2.1772.us.i.i, %B190.us.i.i ], [ %size.2.1772.us.i.i, %B490.us.i.i ], [ %size.2.1772.us.i.i, %B524.us.i.i ], [ %.619.i.i.i, %_ZN7msf_jax4host4thin6fronts4pushB3v31B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx.exit.i.i ]
+  %exitcond.not.i.i = icmp eq i64 %.484.us.i.i, 3
   br i1 %exitcond.not.i.i, label %B188.B128.loopexit_crit_edge.us.i.i, label %B190.us.i.i
 
 B188.B128.loopexit_crit_edge.us.i.i:              ; preds = %B599.us.i.i
-  %.319.us.i.i = add nsw i64 %.309763775.us.i.i, -1
-  %.323.us.i.i = add i64 %.316766774.us.i.i, 1
-  %.310.us.i.i = icmp sgt i64 %.309763775.us.i.i, 1
-  br i1 %.310.us.i.i, label %B130.endif.endif.us.i.i, label %B520.i
+  %.323.us.i.i = add nsw i64 %.313775787.us.i.i, -1
+  %.327.us.i.i = add i64 %.320778786.us.i.i, 1
+  %.314.us.i.i = icmp sgt i64 %.313775787.us.i.i, 1
+  br i1 %.314.us.i.i, label %B130.endif.endif.us.i.i, label %B568.i
 
-B520.i:                                           ; preds = %B188.B128.loopexit_crit_edge.us.i.i, %B332.endif.i, %B482.i
-  %count.3.1.i = phi i64 [ %count.2.03240.i, %B332.endif.i ], [ %.861.i, %B482.i ], [ %.861.i, %B188.B128.loopexit_crit_edge.us.i.i ]
-  %goes_on.6.1.i = phi i1 [ true, %B332.endif.i ], [ %"$phi482.0.2.1.i", %B482.i ], [ %"$phi482.0.2.1.i", %B188.B128.loopexit_crit_edge.us.i.i ]
-  %size.4.1.i = phi i64 [ %.79.i.i, %B332.endif.i ], [ %.79.i.i, %B482.i ], [ %size.4.2.us.i.i, %B188.B128.loopexit_crit_edge.us.i.i ]
-  %.572.not2695.i = icmp ne i64 %size.4.1.i, 0
-  %brmerge.not.i = select i1 %.572.not2695.i, i1 %goes_on.6.1.i, i1 false
-  br i1 %brmerge.not.i, label %B268.preheader.i, label %B2134.i
+B568.i:                                           ; preds = %B188.B128.loopexit_crit_edge.us.i.i, %B380.endif.i, %B530.i
+  %count.3.1.i = phi i64 [ %count.2.03906.i, %B380.endif.i ], [ %.950.i, %B530.i ], [ %.950.i, %B188.B128.loopexit_crit_edge.us.i.i ]
+  %goes_on.6.1.i = phi i1 [ true, %B380.endif.i ], [ %"$phi530.0.2.1.i", %B530.i ], [ %"$phi530.0.2.1.i", %B188.B128.loopexit_crit_edge.us.i.i ]
+  %size.4.1.i = phi i64 [ %.79.i.i, %B380.endif.i ], [ %.79.i.i, %B530.i ], [ %size.4.2.us.i.i, %B188.B128.loopexit_crit_edge.us.i.i ]
+  %.661.not3157.i = icmp ne i64 %size.4.1.i, 0
+  %brmerge.not.i = select i1 %.661.not3157.i, i1 %goes_on.6.1.i, i1 false
+  br i1 %brmerge.not.i, label %B316.preheader.i, label %B2590.i
 
-B522.i:                                           ; preds = %B268.i
-  %.1087.i = icmp slt i64 %rows.2.2.i, %.401.i
-  br i1 %.1087.i, label %B646.endif.preheader.i, label %B2128.i
+B570.i:                                           ; preds = %B316.i
+  %.1178.i = icmp slt i64 %rows.2.2.i, %.493.i
+  br i1 %.1178.i, label %B740.endif.preheader.i, label %B2584.i
 
-B644.loopexit.i:                                  ; preds = %B2307.i, %B646.endif.i
-  %area.4.4.lcssa.i = phi double [ %area.7.32811.i, %B646.endif.i ], [ %area.5.5.i, %B2307.i ]
-  %rings.2.4.lcssa.i = phi i64 [ %rings.5.32812.i, %B646.endif.i ], [ %rings.3.5.i, %B2307.i ]
-  %longest.3.4.lcssa.i = phi i64 [ %longest.2.32813.i, %B646.endif.i ], [ %longest.4.5.i, %B2307.i ]
-  %exitcond.not.i = icmp eq i64 %.1237.i, %count.2.03240.i
-  br i1 %exitcond.not.i, label %B1082.i, label %B646.endif.i
+B738.loopexit.i:                                  ; preds = %B2763.i, %B740.endif.i
+  %rings.2.4.lcssa.i = phi i64 [ %rings.5.33332.i, %B740.endif.i ], [ %rings.3.5.i, %B2763.i ]
+  %longest.3.4.lcssa.i = phi i64 [ %longest.2.33333.i, %B740.endif.i ], [ %longest.4.5.i, %B2763.i ]
+  %exitcond.not.i = icmp eq i64 %.1488.i, %count.2.03906.i
+  br i1 %exitcond.not.i, label %B1304.i, label %B740.endif.i
 
-B776.i:                                           ; preds = %B776.preheader.i, %B2307.i
-  %lsr.iv.i = phi i64 [ %137, %B776.preheader.i ], [ %lsr.iv.next.i, %B2307.i ]
-  %longest.3.42782.i = phi i64 [ %longest.2.32813.i, %B776.preheader.i ], [ %longest.4.5.i, %B2307.i ]
-  %rings.2.42781.i = phi i64 [ %rings.5.32812.i, %B776.preheader.i ], [ %rings.3.5.i, %B2307.i ]
-  %area.4.42780.i = phi double [ %area.7.32811.i, %B776.preheader.i ], [ %area.5.5.i, %B2307.i ]
-  %.149027612778.i = phi i64 [ %.1341.i, %B776.preheader.i ], [ %.1497.i, %B2307.i ]
-  %.1536.i = icmp slt i64 %.149027612778.i, 0
-  %33 = select i1 %.1536.i, i64 %3, i64 0
-  %scevgep206.i = getelementptr i8, ptr %w10, i64 %33
-  %34 = shl i64 %.149027612778.i, 3
-  %scevgep207.i = getelementptr i8, ptr %scevgep206.i, i64 %34
-  %.1552.i = load i64, ptr %scevgep207.i, align 8
-  %.300.i.i = icmp slt i64 %.1552.i, 0
-  %.301.i.i = select i1 %.300.i.i, i64 %w4, i64 0
-  %.302.i.i = add i64 %.301.i.i, %.1552.i
-  %.322.i.i = mul i64 %.302.i.i, %w5
-  %35 = getelementptr i64, ptr %w3, i64 %.322.i.i
-  %.327.i.i = load i64, ptr %35, align 8
-  %.340.i.i = icmp slt i64 %.327.i.i, 0
-  %.341.i.i = select i1 %.340.i.i, i64 %w17, i64 0
-  %36 = getelementptr i64, ptr %w16, i64 %.327.i.i
-  %.355.i.i = getelementptr i64, ptr %36, i64 %.341.i.i
-  %.356.i.i = load i64, ptr %.355.i.i, align 8
-  %.357.i.i = icmp eq i64 %.356.i.i, 1
-  %.360.i.i = zext i1 %.357.i.i to i64
+B870.i:                                           ; preds = %B870.preheader.i, %B2763.i
+  %lsr.iv.i = phi i64 [ %162, %B870.preheader.i ], [ %lsr.iv.next.i, %B2763.i ]
+  %longest.3.43284.i = phi i64 [ %longest.2.33333.i, %B870.preheader.i ], [ %longest.4.5.i, %B2763.i ]
+  %rings.2.43283.i = phi i64 [ %rings.5.33332.i, %B870.preheader.i ], [ %rings.3.5.i, %B2763.i ]
+  %.173532403281.i = phi i64 [ %.1586.i, %B870.preheader.i ], [ %.1742.i, %B2763.i ]
+  %.1781.i = icmp slt i64 %.173532403281.i, 0
+  %33 = select i1 %.1781.i, i64 %3, i64 0
+  %scevgep205.i = getelementptr i8, ptr %w10, i64 %33
+  %34 = shl i64 %.173532403281.i, 3
+  %scevgep206.i = getelementptr i8, ptr %scevgep205.i, i64 %34
+  %.1797.i = load i64, ptr %scevgep206.i, align 8
+  %.304.i.i = icmp slt i64 %.1797.i, 0
+  %.305.i.i = select i1 %.304.i.i, i64 %w4, i64 0
+  %.306.i.i = add i64 %.305.i.i, %.1797.i
+  %.326.i.i = mul i64 %.306.i.i, %w5
+  %35 = getelementptr i64, ptr %w3, i64 %.326.i.i
+  %.331.i.i = load i64, ptr %35, align 8
+  %.344.i.i = icmp slt i64 %.331.i.i, 0
+  %.345.i.i = select i1 %.344.i.i, i64 %w18, i64 0
+  %36 = getelementptr i64, ptr %w17, i64 %.331.i.i
+  %.359.i.i = getelementptr i64, ptr %36, i64 %.345.i.i
+  %.360.i.i = load i64, ptr %.359.i.i, align 8
+  %.361.i.i = icmp eq i64 %.360.i.i, 1
+  %.364.i.i = zext i1 %.361.i.i to i64
   %37 = getelementptr i8, ptr %35, i64 8
-  %.327.1.i.i = load i64, ptr %37, align 8
-  %.340.1.i.i = icmp slt i64 %.327.1.i.i, 0
-  %.341.1.i.i = select i1 %.340.1.i.i, i64 %w17, i64 0
-  %38 = getelementptr i64, ptr %w16, i64 %.327.1.i.i
-  %.355.1.i.i = getelementptr i64, ptr %38, i64 %.341.1.i.i
-  %.356.1.i.i = load i64, ptr %.355.1.i.i, align 8
-  %.357.1.i.i = icmp eq i64 %.356.1.i.i, 1
-  %.360.1.i.i = zext i1 %.357.1.i.i to i64
-  %.361.1.i.i = add nuw nsw i64 %.360.1.i.i, %.360.i.i
+  %.331.1.i.i = load i64, ptr %37, align 8
+  %.344.1.i.i = icmp slt i64 %.331.1.i.i, 0
+  %.345.1.i.i = select i1 %.344.1.i.i, i64 %w18, i64 0
+  %38 = getelementptr i64, ptr %w17, i64 %.331.1.i.i
+  %.359.1.i.i = getelementptr i64, ptr %38, i64 %.345.1.i.i
+  %.360.1.i.i = load i64, ptr %.359.1.i.i, align 8
+  %.361.1.i.i = icmp eq i64 %.360.1.i.i, 1
+  %.364.1.i.i = zext i1 %.361.1.i.i to i64
+  %.365.1.i.i = add nuw nsw i64 %.364.1.i.i, %.364.i.i
   %39 = getelementptr i8, ptr %35, i64 16
-  %.327.2.i.i = load i64, ptr %39, align 8
-  %.340.2.i.i = icmp slt i64 %.327.2.i.i, 0
-  %.341.2.i.i = select i1 %.340.2.i.i, i64 %w17, i64 0
-  %40 = getelementptr i64, ptr %w16, i64 %.327.2.i.i
-  %.355.2.i.i = getelementptr i64, ptr %40, i64 %.341.2.i.i
-  %.356.2.i.i = load i64, ptr %.355.2.i.i, align 8
-  %.357.2.i.i = icmp eq i64 %.356.2.i.i, 1
-  %.360.2.i.i = zext i1 %.357.2.i.i to i64
-  %.361.2.i.i = add nuw nsw i64 %.361.1.i.i, %.360.2.i.i
-  switch i64 %.361.2.i.i, label %B890.i [
+  %.331.2.i.i = load i64, ptr %39, align 8
+  %.344.2.i.i = icmp slt i64 %.331.2.i.i, 0
+  %.345.2.i.i = select i1 %.344.2.i.i, i64 %w18, i64 0
+  %40 = getelementptr i64, ptr %w17, i64 %.331.2.i.i
+  %.359.2.i.i = getelementptr i64, ptr %40, i64 %.345.2.i.i
+  %.360.2.i.i = load i64, ptr %.359.2.i.i, align 8
+  %.361.2.i.i = icmp eq i64 %.360.2.i.i, 1
+  %.364.2.i.i = zext i1 %.361.2.i.i to i64
+  %.365.2.i.i = add nuw nsw i64 %.365.1.i.i, %.364.2.i.i
+  switch i64 %.365.2.i.i, label %B1046.i [
     i64 0, label %B140.endif.i.i
     i64 3, label %B140.endif.i.i
   ]
 
-B140.endif.i.i:                                   ; preds = %B776.i, %B776.i
-  %.402536.cmp.i.i = icmp samesign ugt i64 %.361.2.i.i, 2
-  br i1 %.402536.cmp.i.i, label %B850.endif.i, label %B890.i
+B140.endif.i.i:                                   ; preds = %B870.i, %B870.i
+  %.406546.cmp.i.i = icmp samesign ugt i64 %.365.2.i.i, 2
+  br i1 %.406546.cmp.i.i, label %B976.endif.lr.ph.i, label %B1046.i
 
-B890.i:                                           ; preds = %B140.endif.i.i, %B776.i
-  %.1705.i = select i1 %.300.i.i, i64 %w29, i64 0
-  %41 = getelementptr i64, ptr %w28, i64 %.1552.i
-  %.1719.i = getelementptr i64, ptr %41, i64 %.1705.i
-  %.1720.i = load i64, ptr %.1719.i, align 8
-  %.1721.i = icmp slt i64 %.1720.i, 0
-  br i1 %.1721.i, label %B924.i, label %B2307.i
+B1046.i:                                          ; preds = %B140.endif.i.i, %B870.i
+  %.2144.i = select i1 %.304.i.i, i64 %w30, i64 0
+  %41 = getelementptr i64, ptr %w29, i64 %.1797.i
+  %.2158.i = getelementptr i64, ptr %41, i64 %.2144.i
+  %.2159.i = load i64, ptr %.2158.i, align 8
+  %.2160.i = icmp slt i64 %.2159.i, 0
+  br i1 %.2160.i, label %B1080.i, label %B2763.i
 
-B924.i:                                           ; preds = %B890.i
-  tail call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(40) %.277.i, i8 0, i64 40, i1 false)
-  %.357.i33.i = load i64, ptr %.1719.i, align 8
-  %.358.i.i = icmp slt i64 %.357.i33.i, 0
-  br i1 %.358.i.i, label %B104.i.i, label %_ZN7msf_jax4host4thin6fronts12ring_throughB3v37B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx5ArrayIdLi1E1C7mutable7alignedE.exit.i
+B1080.i:                                          ; preds = %B1046.i
+  tail call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(72) %.281.i, i8 0, i64 72, i1 false)
+  %.361.i35.i = load i64, ptr %.2158.i, align 8
+  %.362.i.i = icmp slt i64 %.361.i35.i, 0
+  br i1 %.362.i.i, label %B104.i.i, label %_ZN7msf_jax4host4thin6fronts12ring_throughB3v37B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx5ArrayIdLi1E1C7mutable7alignedE.exit.i
 
-B104.i.i:                                         ; preds = %B924.i, %B104.endif.else.if.i.i
-  %face.2.0.i.i = phi i64 [ %.2101.1.i.i, %B104.endif.else.if.i.i ], [ %.1552.i, %B924.i ]
-  %.379.i.i = icmp slt i64 %face.2.0.i.i, 0
-  %.380.i.i = select i1 %.379.i.i, i64 %w29, i64 0
-  %42 = getelementptr i64, ptr %w28, i64 %face.2.0.i.i
-  %.394.i.i = getelementptr i64, ptr %42, i64 %.380.i.i
-  store i64 %rings.2.42781.i, ptr %.394.i.i, align 8
-  %.301.i.i.i = select i1 %.379.i.i, i64 %w4, i64 0
-  %.302.i.i.i = add i64 %.301.i.i.i, %face.2.0.i.i
-  %.322.i.i.i = mul i64 %.302.i.i.i, %w5
-  %43 = getelementptr i64, ptr %w3, i64 %.322.i.i.i
-  %.327.i.i.i = load i64, ptr %43, align 8
-  %.340.i.i35.i = icmp slt i64 %.327.i.i.i, 0
-  %.341.i.i36.i = select i1 %.340.i.i35.i, i64 %w17, i64 0
-  %44 = getelementptr i64, ptr %w16, i64 %.327.i.i.i
-  %.355.i.i.i = getelementptr i64, ptr %44, i64 %.341.i.i36.i
-  %.356.i.i.i = load i64, ptr %.355.i.i.i, align 8
-  %.357.i.i.i = icmp eq i64 %.356.i.i.i, 1
-  %.360.i.i.i = zext i1 %.357.i.i.i to i64
+B104.i.i:                                         ; preds = %B1080.i, %B1016.i.i
+  %face.2.0.i.i = phi i64 [ %.2246.1.i.i, %B1016.i.i ], [ %.1797.i, %B1080.i ]
+  %.383.i.i = icmp slt i64 %face.2.0.i.i, 0
+  %.384.i.i = select i1 %.383.i.i, i64 %w30, i64 0
+  %42 = getelementptr i64, ptr %w29, i64 %face.2.0.i.i
+  %.398.i.i = getelementptr i64, ptr %42, i64 %.384.i.i
+  store i64 %rings.2.43283.i, ptr %.398.i.i, align 8
+  %.305.i.i.i = select i1 %.383.i.i, i64 %w4, i64 0
+  %.306.i.i.i = add i64 %.305.i.i.i, %face.2.0.i.i
+  %.326.i.i.i = mul i64 %.306.i.i.i, %w5
+  %43 = getelementptr i64, ptr %w3, i64 %.326.i.i.i
+  %.331.i.i37.i = load i64, ptr %43, align 8
+  %.344.i.i.i = icmp slt i64 %.331.i.i37.i, 0
+  %.345.i.i.i = select i1 %.344.i.i.i, i64 %w18, i64 0
+  %44 = getelementptr i64, ptr %w17, i64 %.331.i.i37.i
+  %.359.i.i.i = getelementptr i64, ptr %44, i64 %.345.i.i.i
+  %.360.i.i.i = load i64, ptr %.359.i.i.i, align 8
+  %.361.i.i.i = icmp eq i64 %.360.i.i.i, 1
+  %.364.i.i.i = zext i1 %.361.i.i.i to i64
   %45 = getelementptr i8, ptr %43, i64 8
-  %.327.1.i.i.i = load i64, ptr %45, align 8
-  %.340.1.i.i.i = icmp slt i64 %.327.1.i.i.i, 0
-  %.341.1.i.i.i = select i1 %.340.1.i.i.i, i64 %w17, i64 0
-  %46 = getelementptr i64, ptr %w16, i64 %.327.1.i.i.i
-  %.355.1.i.i.i = getelementptr i64, ptr %46, i64 %.341.1.i.i.i
-  %.356.1.i.i.i = load i64, ptr %.355.1.i.i.i, align 8
-  %.357.1.i.i.i = icmp eq i64 %.356.1.i.i.i, 1
-  %.360.1.i.i.i = zext i1 %.357.1.i.i.i to i64
-  %.361.1.i.i.i = add nuw nsw i64 %.360.1.i.i.i, %.360.i.i.i
+  %.331.1.i.i.i = load i64, ptr %45, align 8
+  %.344.1.i.i.i = icmp slt i64 %.331.1.i.i.i, 0
+  %.345.1.i.i.i = select i1 %.344.1.i.i.i, i64 %w18, i64 0
+  %46 = getelementptr i64, ptr %w17, i64 %.331.1.i.i.i
+  %.359.1.i.i.i = getelementptr i64, ptr %46, i64 %.345.1.i.i.i
+  %.360.1.i.i.i = load i64, ptr %.359.1.i.i.i, align 8
+  %.361.1.i.i.i = icmp eq i64 %.360.1.i.i.i, 1
+  %.364.1.i.i.i = zext i1 %.361.1.i.i.i to i64
+  %.365.1.i.i.i = add nuw nsw i64 %.364.1.i.i.i, %.364.i.i.i
   %47 = getelementptr i8, ptr %43, i64 16
-  %.327.2.i.i.i = load i64, ptr %47, align 8
-  %.340.2.i.i.i = icmp slt i64 %.327.2.i.i.i, 0
-  %.341.2.i.i.i = select i1 %.340.2.i.i.i, i64 %w17, i64 0
-  %48 = getelementptr i64, ptr %w16, i64 %.327.2.i.i.i
-  %.355.2.i.i.i = getelementptr i64, ptr %48, i64 %.341.2.i.i.i
-  %.356.2.i.i.i = load i64, ptr %.355.2.i.i.i, align 8
-  %.357.2.i.i.i = icmp eq i64 %.356.2.i.i.i, 1
-  %.360.2.i.i.i = zext i1 %.357.2.i.i.i to i64
-  %.361.2.i.i.i = add nuw nsw i64 %.361.1.i.i.i, %.360.2.i.i.i
-  switch i64 %.361.2.i.i.i, label %B156.endif.endif.i.i.i [
+  %.331.2.i.i.i = load i64, ptr %47, align 8
+  %.344.2.i.i.i = icmp slt i64 %.331.2.i.i.i, 0
+  %.345.2.i.i.i = select i1 %.344.2.i.i.i, i64 %w18, i64 0
+  %48 = getelementptr i64, ptr %w17, i64 %.331.2.i.i.i
+  %.359.2.i.i.i = getelementptr i64, ptr %48, i64 %.345.2.i.i.i
+  %.360.2.i.i.i = load i64, ptr %.359.2.i.i.i, align 8
+  %.361.2.i.i.i = icmp eq i64 %.360.2.i.i.i, 1
+  %.364.2.i.i.i = zext i1 %.361.2.i.i.i to i64
+  %.365.2.i.i.i = add nuw nsw i64 %.365.1.i.i.i, %.364.2.i.i.i
+  switch i64 %.365.2.i.i.i, label %B156.endif.endif.i.i.i [
     i64 0, label %B140.endif.i.i.i
     i64 3, label %B140.endif.i.i.i
   ]
 
 B140.endif.i.i.i:                                 ; preds = %B104.i.i, %B104.i.i
-  %.402536.cmp.i.i.i = icmp samesign ugt i64 %.361.2.i.i.i, 2
-  %.426.i.i.i = select i1 %.402536.cmp.i.i.i, i64 7, i64 6
-  br label %B104.endif.else.if.i.i
+  %.406546.cmp.i.i.i = icmp samesign ugt i64 %.365.2.i.i.i, 2
+  %.430.i.i.i = select i1 %.406546.cmp.i.i.i, i64 7, i64 6
+  br label %B1016.i.i
 
 B156.endif.endif.i.i.i:                           ; preds = %B104.i.i
-  %49 = icmp ne i64 %.361.2.i.i.i, 1
-  %.648.1.i.i.i = xor i1 %.357.1.i.i.i, %49
-  %spec.select.1.i.i.i = zext i1 %.648.1.i.i.i to i64
-  %.648.2.i.i.i = xor i1 %.357.2.i.i.i, %49
-  %spec.select.2.i.i.i = select i1 %.648.2.i.i.i, i64 2, i64 %spec.select.1.i.i.i
-  %.675.i.i.i = icmp eq i64 %.361.2.i.i.i, 1
-  %.687.i.i.i = add nuw nsw i64 %spec.select.2.i.i.i, 3
-  %spec.select538.i.i.i = select i1 %.675.i.i.i, i64 %spec.select.2.i.i.i, i64 %.687.i.i.i
-  br label %B104.endif.else.if.i.i
+  %49 = icmp ne i64 %.365.2.i.i.i, 1
+  %.652.1.i.i.i = xor i1 %.361.1.i.i.i, %49
+  %spec.select.1.i.i.i = zext i1 %.652.1.i.i.i to i64
+  %.652.2.i.i.i = xor i1 %.361.2.i.i.i, %49
+  %spec.select.2.i.i.i = select i1 %.652.2.i.i.i, i64 2, i64 %spec.select.1.i.i.i
+  %.679.i.i.i = icmp eq i64 %.365.2.i.i.i, 1
+  %.691.i.i.i = add nuw nsw i64 %spec.select.2.i.i.i, 3
+  %spec.select548.i.i.i = select i1 %.679.i.i.i, i64 %spec.select.2.i.i.i, i64 %.691.i.i.i
+  br label %B1016.i.i
 
-B104.endif.else.if.i.i:                           ; preds = %B156.endif.endif.i.i.i, %B140.endif.i.i.i
-  %storemerge.i.i.i = phi i64 [ %.426.i.i.i, %B140.endif.i.i.i ], [ %spec.select538.i.i.i, %B156.endif.endif.i.i.i ]
+B1016.i.i:                                        ; preds = %B156.endif.endif.i.i.i, %B140.endif.i.i.i
+  %storemerge.i.i.i = phi i64 [ %.430.i.i.i, %B140.endif.i.i.i ], [ %spec.select548.i.i.i, %B156.endif.endif.i.i.i ]
   %storemerge.i.fr.i.i = freeze i64 %storemerge.i.i.i
-  %.4792.lhs.trunc.i.i = trunc i64 %storemerge.i.fr.i.i to i8
-  %.47923.i.i = urem i8 %.4792.lhs.trunc.i.i, 3
-  %.4792.zext.i.i = zext nneg i8 %.47923.i.i to i64
-  %50 = getelementptr i64, ptr %43, i64 %.4792.zext.i.i
-  %.555.i.i = load i64, ptr %50, align 8
-  %.579.lhs.trunc.i.i = add nuw nsw i8 %.47923.i.i, 1
-  %51 = icmp eq i8 %.579.lhs.trunc.i.i, 3
-  %.57912594.i.i = select i1 %51, i8 0, i8 %.579.lhs.trunc.i.i
-  %.579.sext.i.i = zext nneg i8 %.57912594.i.i to i64
-  %52 = getelementptr i64, ptr %43, i64 %.579.sext.i.i
-  %.649.i.i = load i64, ptr %52, align 8
-  %53 = tail call { i8, i1 } @llvm.usub.with.overflow.i8(i8 %.47923.i.i, i8 1)
+  %.4852.lhs.trunc.i.i = trunc i64 %storemerge.i.fr.i.i to i8
+  %.48523.i.i = urem i8 %.4852.lhs.trunc.i.i, 3
+  %.4852.zext.i.i = zext nneg i8 %.48523.i.i to i64
+  %50 = getelementptr i64, ptr %43, i64 %.4852.zext.i.i
+  %.561.i.i = load i64, ptr %50, align 8
+  %.585.lhs.trunc.i.i = add nuw nsw i8 %.48523.i.i, 1
+  %51 = icmp eq i8 %.585.lhs.trunc.i.i, 3
+  %.58513054.i.i = select i1 %51, i8 0, i8 %.585.lhs.trunc.i.i
+  %.585.sext.i.i = zext nneg i8 %.58513054.i.i to i64
+  %52 = getelementptr i64, ptr %43, i64 %.585.sext.i.i
+  %.655.i.i = load i64, ptr %52, align 8
+  %53 = tail call { i8, i1 } @llvm.usub.with.overflow.i8(i8 %.48523.i.i, i8 1)
   %math.i.i = extractvalue { i8, i1 } %53, 0
   %ov.i.i = extractvalue { i8, i1 } %53, 1
   %54 = zext nneg i8 %math.i.i to i64
-  %.6731262.zext.i.i = select i1 %ov.i.i, i64 2, i64 %54
-  %.742.i.i = getelementptr i64, ptr %43, i64 %.6731262.zext.i.i
-  %.743.i.i = load i64, ptr %.742.i.i, align 8
-  %.768.i.i = icmp slt i64 %.555.i.i, 0
-  %.769.i.i = select i1 %.768.i.i, i64 %w15, i64 0
-  %55 = getelementptr double, ptr %w14, i64 %.555.i.i
-  %.783.i.i = getelementptr double, ptr %55, i64 %.769.i.i
-  %.784.i.i = load double, ptr %.783.i.i, align 8
-  %.786.i.i = fsub double %level.2.2.i, %.784.i.i
-  %.802.i.i = icmp slt i64 %.649.i.i, 0
-  %.803.i.i = select i1 %.802.i.i, i64 %w15, i64 0
-  %56 = getelementptr double, ptr %w14, i64 %.649.i.i
-  %.817.i.i = getelementptr double, ptr %56, i64 %.803.i.i
-  %.818.i.i = load double, ptr %.817.i.i, align 8
-  %.851.i.i = fsub double %.818.i.i, %.784.i.i
-  %.855.i.i = fdiv double %.786.i.i, %.851.i.i
-  %.908.i.i = icmp slt i64 %.743.i.i, 0
-  %.909.i.i = select i1 %.908.i.i, i64 %w15, i64 0
-  %57 = getelementptr double, ptr %w14, i64 %.743.i.i
-  %.923.i.i = getelementptr double, ptr %57, i64 %.909.i.i
-  %.924.i.i = load double, ptr %.923.i.i, align 8
-  %.957.i.i = fsub double %.924.i.i, %.784.i.i
-  %.961.i.i = fdiv double %.786.i.i, %.957.i.i
-  %.1109.i.i = select i1 %.802.i.i, i64 %w1, i64 0
-  %.1110.i.i = add i64 %.1109.i.i, %.649.i.i
-  %.1130.i.i = mul i64 %.1110.i.i, %w2
-  %58 = getelementptr double, ptr %w0, i64 %.1130.i.i
-  %.1160.i.i = select i1 %.768.i.i, i64 %w1, i64 0
-  %.1161.i.i = add i64 %.1160.i.i, %.555.i.i
-  %.1181.i.i = mul i64 %.1161.i.i, %w2
-  %59 = getelementptr double, ptr %w0, i64 %.1181.i.i
-  %.1214.i.i = select i1 %.908.i.i, i64 %w1, i64 0
-  %.1215.i.i = add i64 %.1214.i.i, %.743.i.i
-  %.1235.i.i = mul i64 %.1215.i.i, %w2
-  %60 = getelementptr double, ptr %w0, i64 %.1235.i.i
-  %.1135.i.i = load double, ptr %58, align 8
-  %.1186.i.i = load double, ptr %59, align 8
-  %.1187.i.i = fsub double %.1135.i.i, %.1186.i.i
-  %.1189.i.i = fmul double %.855.i.i, %.1187.i.i
-  %.1240.i.i = load double, ptr %60, align 8
-  %.1292.i.i = fsub double %.1240.i.i, %.1186.i.i
-  %.1294.i.i = fmul double %.961.i.i, %.1292.i.i
-  %.1295.i.i = fsub double %.1189.i.i, %.1294.i.i
-  %.1296.i.i = fmul double %.1295.i.i, %.1295.i.i
-  %.1134.1.i.i = getelementptr i8, ptr %58, i64 8
-  %.1135.1.i.i = load double, ptr %.1134.1.i.i, align 8
-  %.1185.1.i.i = getelementptr i8, ptr %59, i64 8
-  %.1186.1.i.i = load double, ptr %.1185.1.i.i, align 8
-  %.1187.1.i.i = fsub double %.1135.1.i.i, %.1186.1.i.i
-  %.1189.1.i.i = fmul double %.855.i.i, %.1187.1.i.i
-  %.1239.1.i.i = getelementptr i8, ptr %60, i64 8
-  %.1240.1.i.i = load double, ptr %.1239.1.i.i, align 8
-  %.1292.1.i.i = fsub double %.1240.1.i.i, %.1186.1.i.i
-  %.1294.1.i.i = fmul double %.961.i.i, %.1292.1.i.i
-  %.1295.1.i.i = fsub double %.1189.1.i.i, %.1294.1.i.i
-  %.1296.1.i.i = fmul double %.1295.1.i.i, %.1295.1.i.i
-  %.1298.1.i.i = fadd double %.1296.i.i, %.1296.1.i.i
-  %.1134.2.i.i = getelementptr i8, ptr %58, i64 16
-  %.1135.2.i.i = load double, ptr %.1134.2.i.i, align 8
-  %.1185.2.i.i = getelementptr i8, ptr %59, i64 16
-  %.1186.2.i.i = load double, ptr %.1185.2.i.i, align 8
-  %.1187.2.i.i = fsub double %.1135.2.i.i, %.1186.2.i.i
-  %.1189.2.i.i = fmul double %.855.i.i, %.1187.2.i.i
-  %.1239.2.i.i = getelementptr i8, ptr %60, i64 16
-  %.1240.2.i.i = load double, ptr %.1239.2.i.i, align 8
-  %.1292.2.i.i = fsub double %.1240.2.i.i, %.1186.2.i.i
-  %.1294.2.i.i = fmul double %.961.i.i, %.1292.2.i.i
-  %.1295.2.i.i = fsub double %.1189.2.i.i, %.1294.2.i.i
-  %.1296.2.i.i = fmul double %.1295.2.i.i, %.1295.2.i.i
-  %.1298.2.i.i = fadd double %.1298.1.i.i, %.1296.2.i.i
-  %sqrt.i37.i = tail call double @llvm.sqrt.f64(double %.1298.2.i.i)
-  %.1342.i.i = load double, ptr %.277.i, align 8
-  %.1344.i.i = fadd double %.1342.i.i, %sqrt.i37.i
-  store double %.1344.i.i, ptr %.277.i, align 8
-  %.1522.i.i = load double, ptr %sunkaddr1.i.i, align 8
-  %.1573.i.i = load double, ptr %59, align 8
-  %.1624.i.i = load double, ptr %58, align 8
-  %.1676.i.i = fsub double %.1624.i.i, %.1573.i.i
-  %.1678.i.i = fmul double %.855.i.i, %.1676.i.i
-  %.1729.i.i = load double, ptr %60, align 8
-  %.1781.i.i = fsub double %.1729.i.i, %.1573.i.i
-  %.1783.i.i = fmul double %.961.i.i, %.1781.i.i
-  %.1784.i.i = fadd double %.1678.i.i, %.1783.i.i
-  %.1789.i.i = fmul double %.1784.i.i, 5.000000e-01
-  %.1790.i.i = fadd double %.1573.i.i, %.1789.i.i
-  %.1792.i.i = fmul double %sqrt.i37.i, %.1790.i.i
-  %.1793.i.i = fadd double %.1522.i.i, %.1792.i.i
-  store double %.1793.i.i, ptr %sunkaddr1.i.i, align 8
-  %.1522.1.i.i = load double, ptr %sunkaddr.i34.i, align 8
-  %.1573.1.i.i = load double, ptr %.1185.1.i.i, align 8
-  %.1624.1.i.i = load double, ptr %.1134.1.i.i, align 8
-  %.1676.1.i.i = fsub double %.1624.1.i.i, %.1573.1.i.i
-  %.1678.1.i.i = fmul double %.855.i.i, %.1676.1.i.i
-  %.1729.1.i.i = load double, ptr %.1239.1.i.i, align 8
-  %.1781.1.i.i = fsub double %.1729.1.i.i, %.1573.1.i.i
-  %.1783.1.i.i = fmul double %.961.i.i, %.1781.1.i.i
-  %.1784.1.i.i = fadd double %.1678.1.i.i, %.1783.1.i.i
-  %.1789.1.i.i = fmul double %.1784.1.i.i, 5.000000e-01
-  %.1790.1.i.i = fadd double %.1573.1.i.i, %.1789.1.i.i
-  %.1792.1.i.i = fmul double %sqrt.i37.i, %.1790.1.i.i
-  %.1793.1.i.i = fadd double %.1522.1.i.i, %.1792.1.i.i
-  store double %.1793.1.i.i, ptr %sunkaddr.i34.i, align 8
-  %.1522.2.i.i = load double, ptr %sunkaddr2.i.i, align 8
-  %.1573.2.i.i = load double, ptr %.1185.2.i.i, align 8
-  %.1624.2.i.i = load double, ptr %.1134.2.i.i, align 8
-  %.1676.2.i.i = fsub double %.1624.2.i.i, %.1573.2.i.i
-  %.1678.2.i.i = fmul double %.855.i.i, %.1676.2.i.i
-  %.1729.2.i.i = load double, ptr %.1239.2.i.i, align 8
-  %.1781.2.i.i = fsub double %.1729.2.i.i, %.1573.2.i.i
-  %.1783.2.i.i = fmul double %.961.i.i, %.1781.2.i.i
-  %.1784.2.i.i = fadd double %.1678.2.i.i, %.1783.2.i.i
-  %.1789.2.i.i = fmul double %.1784.2.i.i, 5.000000e-01
-  %.1790.2.i.i = fadd double %.1573.2.i.i, %.1789.2.i.i
-  %.1792.2.i.i = fmul double %sqrt.i37.i, %.1790.2.i.i
-  %.1793.2.i.i = fadd double %.1522.2.i.i, %.1792.2.i.i
-  store double %.1793.2.i.i, ptr %sunkaddr2.i.i, align 8
-  %.1866.i.i = load double, ptr %sunkaddr3.i.i, align 8
-  %.1883.i.i = select i1 %.379.i.i, i64 %w13, i64 0
-  %61 = getelementptr double, ptr %w12, i64 %face.2.0.i.i
-  %.1897.i.i = getelementptr double, ptr %61, i64 %.1883.i.i
-  %.1898.i.i = load double, ptr %.1897.i.i, align 8
-  %.1900.i.i = icmp samesign ult i64 %storemerge.i.fr.i.i, 3
-  %.1917.i.i = fmul double %.855.i.i, %.961.i.i
-  %.1934.i.i = fsub double 1.000000e+00, %.1917.i.i
-  %.1917.pn.i.i = select i1 %.1900.i.i, double %.1917.i.i, double %.1934.i.i
-  %"$phi1020.2.2.1.i.i" = select i1 %.1900.i.i, i64 %.6731262.zext.i.i, i64 %.4792.zext.i.i
-  %.19401235.pn.i.i = fmul double %.1917.pn.i.i, %.1898.i.i
-  %.1946.sink.i.i = fadd double %.1866.i.i, %.19401235.pn.i.i
-  store double %.1946.sink.i.i, ptr %sunkaddr3.i.i, align 8
-  %.19871240.i.i = mul nsw i64 %face.2.0.i.i, 3
-  %.2057.i.i = add nsw i64 %"$phi1020.2.2.1.i.i", %.19871240.i.i
-  %.2075.i.i = icmp slt i64 %.2057.i.i, 0
-  %.2076.i.i = select i1 %.2075.i.i, i64 %w7, i64 0
-  %62 = getelementptr i64, ptr %w6, i64 %.2057.i.i
-  %.2090.i.i = getelementptr i64, ptr %62, i64 %.2076.i.i
-  %.2091.i.i = load i64, ptr %.2090.i.i, align 8
-  %.2112.i.i = sdiv i64 %.2091.i.i, 3
-  %.2113.i.i = srem i64 %.2091.i.i, 3
-  %.2113.lobit.i.i = ashr i64 %.2113.i.i, 63
-  %.2101.1.i.i = add nsw i64 %.2113.lobit.i.i, %.2112.i.i
-  %.2150.i.i = icmp slt i64 %.2101.1.i.i, 0
-  %.2151.i.i = select i1 %.2150.i.i, i64 %w29, i64 0
-  %63 = getelementptr i64, ptr %w28, i64 %.2101.1.i.i
-  %.2165.i.i = getelementptr i64, ptr %63, i64 %.2151.i.i
-  %.2166.i.i = load i64, ptr %.2165.i.i, align 8
-  %.2167.i.i = icmp slt i64 %.2166.i.i, 0
-  br i1 %.2167.i.i, label %B104.i.i, label %_ZN7msf_jax4host4thin6fronts12ring_throughB3v37B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx5ArrayIdLi1E1C7mutable7alignedE.exit.i
+  %.6791308.zext.i.i = select i1 %ov.i.i, i64 2, i64 %54
+  %.748.i.i = getelementptr i64, ptr %43, i64 %.6791308.zext.i.i
+  %.749.i.i = load i64, ptr %.748.i.i, align 8
+  %.774.i.i = icmp slt i64 %.561.i.i, 0
+  %.775.i.i = select i1 %.774.i.i, i64 %w16, i64 0
+  %55 = getelementptr double, ptr %w15, i64 %.561.i.i
+  %.789.i.i = getelementptr double, ptr %55, i64 %.775.i.i
+  %.790.i.i = load double, ptr %.789.i.i, align 8
+  %.792.i.i = fsub double %level.2.2.i, %.790.i.i
+  %.808.i.i = icmp slt i64 %.655.i.i, 0
+  %.809.i.i = select i1 %.808.i.i, i64 %w16, i64 0
+  %56 = getelementptr double, ptr %w15, i64 %.655.i.i
+  %.823.i.i = getelementptr double, ptr %56, i64 %.809.i.i
+  %.824.i.i = load double, ptr %.823.i.i, align 8
+  %.857.i.i = fsub double %.824.i.i, %.790.i.i
+  %.861.i.i = fdiv double %.792.i.i, %.857.i.i
+  %.914.i.i = icmp slt i64 %.749.i.i, 0
+  %.915.i.i = select i1 %.914.i.i, i64 %w16, i64 0
+  %57 = getelementptr double, ptr %w15, i64 %.749.i.i
+  %.929.i.i = getelementptr double, ptr %57, i64 %.915.i.i
+  %.930.i.i = load double, ptr %.929.i.i, align 8
+  %.963.i.i = fsub double %.930.i.i, %.790.i.i
+  %.967.i.i = fdiv double %.792.i.i, %.963.i.i
+  %.1115.i.i = select i1 %.808.i.i, i64 %w1, i64 0
+  %.1116.i.i = add i64 %.1115.i.i, %.655.i.i
+  %.1136.i.i = mul i64 %.1116.i.i, %w2
+  %58 = getelementptr double, ptr %w0, i64 %.1136.i.i
+  %.1166.i.i = select i1 %.774.i.i, i64 %w1, i64 0
+  %.1167.i.i = add i64 %.1166.i.i, %.561.i.i
+  %.1187.i.i = mul i64 %.1167.i.i, %w2
+  %59 = getelementptr double, ptr %w0, i64 %.1187.i.i
+  %.1220.i.i = select i1 %.914.i.i, i64 %w1, i64 0
+  %.1221.i.i = add i64 %.1220.i.i, %.749.i.i
+  %.1241.i.i = mul i64 %.1221.i.i, %w2
+  %60 = getelementptr double, ptr %w0, i64 %.1241.i.i
+  %.1141.i.i = load double, ptr %58, align 8
+  %.1192.i.i = load double, ptr %59, align 8
+  %.1193.i.i = fsub double %.1141.i.i, %.1192.i.i
+  %.1195.i.i = fmul double %.861.i.i, %.1193.i.i
+  %.1246.i.i = load double, ptr %60, align 8
+  %.1298.i.i = fsub double %.1246.i.i, %.1192.i.i
+  %.1300.i.i = fmul double %.967.i.i, %.1298.i.i
+  %.1301.i.i = fsub double %.1195.i.i, %.1300.i.i
+  %.1302.i.i = fmul double %.1301.i.i, %.1301.i.i
+  %.1140.1.i.i = getelementptr i8, ptr %58, i64 8
+  %.1141.1.i.i = load double, ptr %.1140.1.i.i, align 8
+  %.1191.1.i.i = getelementptr i8, ptr %59, i64 8
+  %.1192.1.i.i = load double, ptr %.1191.1.i.i, align 8
+  %.1193.1.i.i = fsub double %.1141.1.i.i, %.1192.1.i.i
+  %.1195.1.i.i = fmul double %.861.i.i, %.1193.1.i.i
+  %.1245.1.i.i = getelementptr i8, ptr %60, i64 8
+  %.1246.1.i.i = load double, ptr %.1245.1.i.i, align 8
+  %.1298.1.i.i = fsub double %.1246.1.i.i, %.1192.1.i.i
+  %.1300.1.i.i = fmul double %.967.i.i, %.1298.1.i.i
+  %.1301.1.i.i = fsub double %.1195.1.i.i, %.1300.1.i.i
+  %.1302.1.i.i = fmul double %.1301.1.i.i, %.1301.1.i.i
+  %.1304.1.i.i = fadd double %.1302.i.i, %.1302.1.i.i
+  %.1140.2.i.i = getelementptr i8, ptr %58, i64 16
+  %.1141.2.i.i = load double, ptr %.1140.2.i.i, align 8
+  %.1191.2.i.i = getelementptr i8, ptr %59, i64 16
+  %.1192.2.i.i = load double, ptr %.1191.2.i.i, align 8
+  %.1193.2.i.i = fsub double %.1141.2.i.i, %.1192.2.i.i
+  %.1195.2.i.i = fmul double %.861.i.i, %.1193.2.i.i
+  %.1245.2.i.i = getelementptr i8, ptr %60, i64 16
+  %.1246.2.i.i = load double, ptr %.1245.2.i.i, align 8
+  %.1298.2.i.i = fsub double %.1246.2.i.i, %.1192.2.i.i
+  %.1300.2.i.i = fmul double %.967.i.i, %.1298.2.i.i
+  %.1301.2.i.i = fsub double %.1195.2.i.i, %.1300.2.i.i
+  %.1302.2.i.i = fmul double %.1301.2.i.i, %.1301.2.i.i
+  %.1304.2.i.i = fadd double %.1304.1.i.i, %.1302.2.i.i
+  %sqrt.i38.i = tail call double @llvm.sqrt.f64(double %.1304.2.i.i)
+  %.1348.i.i = load double, ptr %.281.i, align 8
+  %.1350.i.i = fadd double %.1348.i.i, %sqrt.i38.i
+  store double %.1350.i.i, ptr %.281.i, align 8
+  %.1528.i.i = load double, ptr %sunkaddr1.i.i, align 8
+  %.1579.i.i = load double, ptr %59, align 8
+  %.1630.i.i = load double, ptr %58, align 8
+  %.1682.i.i = fsub double %.1630.i.i, %.1579.i.i
+  %.1684.i.i = fmul double %.861.i.i, %.1682.i.i
+  %.1735.i.i = load double, ptr %60, align 8
+  %.1787.i.i = fsub double %.1735.i.i, %.1579.i.i
+  %.1789.i.i = fmul double %.967.i.i, %.1787.i.i
+  %.1790.i.i = fadd double %.1684.i.i, %.1789.i.i
+  %.1795.i.i = fmul double %.1790.i.i, 5.000000e-01
+  %.1796.i.i = fadd double %.1579.i.i, %.1795.i.i
+  %.1798.i.i = fmul double %sqrt.i38.i, %.1796.i.i
+  %.1799.i.i = fadd double %.1528.i.i, %.1798.i.i
+  store double %.1799.i.i, ptr %sunkaddr1.i.i, align 8
+  %.1528.1.i.i = load double, ptr %sunkaddr.i36.i, align 8
+  %.1579.1.i.i = load double, ptr %.1191.1.i.i, align 8
+  %.1630.1.i.i = load double, ptr %.1140.1.i.i, align 8
+  %.1682.1.i.i = fsub double %.1630.1.i.i, %.1579.1.i.i
+  %.1684.1.i.i = fmul double %.861.i.i, %.1682.1.i.i
+  %.1735.1.i.i = load double, ptr %.1245.1.i.i, align 8
+  %.1787.1.i.i = fsub double %.1735.1.i.i, %.1579.1.i.i
+  %.1789.1.i.i = fmul double %.967.i.i, %.1787.1.i.i
+  %.1790.1.i.i = fadd double %.1684.1.i.i, %.1789.1.i.i
+  %.1795.1.i.i = fmul double %.1790.1.i.i, 5.000000e-01
+  %.1796.1.i.i = fadd double %.1579.1.i.i, %.1795.1.i.i
+  %.1798.1.i.i = fmul double %sqrt.i38.i, %.1796.1.i.i
+  %.1799.1.i.i = fadd double %.1528.1.i.i, %.1798.1.i.i
+  store double %.1799.1.i.i, ptr %sunkaddr.i36.i, align 8
+  %.1528.2.i.i = load double, ptr %sunkaddr2.i.i, align 8
+  %.1579.2.i.i = load double, ptr %.1191.2.i.i, align 8
+  %.1630.2.i.i = load double, ptr %.1140.2.i.i, align 8
+  %.1682.2.i.i = fsub double %.1630.2.i.i, %.1579.2.i.i
+  %.1684.2.i.i = fmul double %.861.i.i, %.1682.2.i.i
+  %.1735.2.i.i = load double, ptr %.1245.2.i.i, align 8
+  %.1787.2.i.i = fsub double %.1735.2.i.i, %.1579.2.i.i
+  %.1789.2.i.i = fmul double %.967.i.i, %.1787.2.i.i
+  %.1790.2.i.i = fadd double %.1684.2.i.i, %.1789.2.i.i
+  %.1795.2.i.i = fmul double %.1790.2.i.i, 5.000000e-01
+  %.1796.2.i.i = fadd double %.1579.2.i.i, %.1795.2.i.i
+  %.1798.2.i.i = fmul double %sqrt.i38.i, %.1796.2.i.i
+  %.1799.2.i.i = fadd double %.1528.2.i.i, %.1798.2.i.i
+  store double %.1799.2.i.i, ptr %sunkaddr2.i.i, align 8
+  %.2016.i.i = select i1 %.383.i.i, i64 %w13, i64 0
+  %.2017.i.i = add i64 %.2016.i.i, %face.2.0.i.i
+  %.2037.i.i = mul i64 %.2017.i.i, %w14
+  %61 = getelementptr double, ptr %w12, i64 %.2037.i.i
+  %.2044.i.i = icmp samesign ult i64 %storemerge.i.fr.i.i, 3
+  %.2061.i.i = fmul double %.861.i.i, %.967.i.i
+  %.2070.i.i = fsub double 1.000000e+00, %.2061.i.i
+  %"$phi998.5.2.2.i.i" = select i1 %.2044.i.i, double %.2061.i.i, double %.2070.i.i
+  %.1990.i.i = load double, ptr %sunkaddr3.i.i, align 8
+  %.2042.i.i = load double, ptr %61, align 8
+  %.2076.i.i = fmul double %"$phi998.5.2.2.i.i", %.2042.i.i
+  %.2082.i.i = fadd double %.1990.i.i, %.2076.i.i
+  store double %.2082.i.i, ptr %sunkaddr3.i.i, align 8
+  %.1990.1.i.i = load double, ptr %sunkaddr4.i.i, align 8
+  %62 = getelementptr i8, ptr %61, i64 8
+  %.2042.1.i.i = load double, ptr %62, align 8
+  %.2076.1.i.i = fmul double %"$phi998.5.2.2.i.i", %.2042.1.i.i
+  %.2082.1.i.i = fadd double %.1990.1.i.i, %.2076.1.i.i
+  store double %.2082.1.i.i, ptr %sunkaddr4.i.i, align 8
+  %.1990.2.i.i = load double, ptr %sunkaddr5.i.i, align 8
+  %63 = getelementptr i8, ptr %61, i64 16
+  %.2042.2.i.i = load double, ptr %63, align 8
+  %.2076.2.i.i = fmul double %"$phi998.5.2.2.i.i", %.2042.2.i.i
+  %.2082.2.i.i = fadd double %.1990.2.i.i, %.2076.2.i.i
+  store double %.2082.2.i.i, ptr %sunkaddr5.i.i, align 8
+  %.1990.3.i.i = load double, ptr %sunkaddr6.i.i, align 8
+  %64 = getelementptr i8, ptr %61, i64 24
+  %.2042.3.i.i = load double, ptr %64, align 8
+  %.2076.3.i.i = fmul double %"$phi998.5.2.2.i.i", %.2042.3.i.i
+  %.2082.3.i.i = fadd double %.1990.3.i.i, %.2076.3.i.i
+  store double %.2082.3.i.i, ptr %sunkaddr6.i.i, align 8
+  %.1990.4.i.i = load double, ptr %sunkaddr7.i.i, align 8
+  %65 = getelementptr i8, ptr %61, i64 32
+  %.2042.4.i.i = load double, ptr %65, align 8
+  %.2076.4.i.i = fmul double %"$phi998.5.2.2.i.i", %.2042.4.i.i
+  %.2082.4.i.i = fadd double %.1990.4.i.i, %.2076.4.i.i
+  store double %.2082.4.i.i, ptr %sunkaddr7.i.i, align 8
+  %.2132.i.i = mul nsw i64 %face.2.0.i.i, 3
+  %spec.select.i.i = select i1 %.2044.i.i, i64 %.6791308.zext.i.i, i64 %.4852.zext.i.i
+  %.2202.i.i = add nsw i64 %spec.select.i.i, %.2132.i.i
+  %.2220.i.i = icmp slt i64 %.2202.i.i, 0
+  %.2221.i.i = select i1 %.2220.i.i, i64 %w7, i64 0
+  %66 = getelementptr i64, ptr %w6, i64 %.2202.i.i
+  %.2235.i.i = getelementptr i64, ptr %66, i64 %.2221.i.i
+  %.2236.i.i = load i64, ptr %.2235.i.i, align 8
+  %.2257.i.i = sdiv i64 %.2236.i.i, 3
+  %.2258.i.i = srem i64 %.2236.i.i, 3
+  %.2258.lobit.i.i = ashr i64 %.2258.i.i, 63
+  %.2246.1.i.i = add nsw i64 %.2258.lobit.i.i, %.2257.i.i
+  %.2295.i.i = icmp slt i64 %.2246.1.i.i, 0
+  %.2296.i.i = select i1 %.2295.i.i, i64 %w30, i64 0
+  %67 = getelementptr i64, ptr %w29, i64 %.2246.1.i.i
+  %.2310.i.i = getelementptr i64, ptr %67, i64 %.2296.i.i
+  %.2311.i.i = load i64, ptr %.2310.i.i, align 8
+  %.2312.i.i = icmp slt i64 %.2311.i.i, 0
+  br i1 %.2312.i.i, label %B104.i.i, label %_ZN7msf_jax4host4thin6fronts12ring_throughB3v37B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx5ArrayIdLi1E1C7mutable7alignedE.exit.i
 
-_ZN7msf_jax4host4thin6fronts12ring_throughB3v37B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx5ArrayIdLi1E1C7mutable7alignedE.exit.i: ; preds = %B104.endif.else.if.i.i, %B924.i
-  %.2063.pre.i = phi double [ 0.000000e+00, %B924.i ], [ %.1946.sink.i.i, %B104.endif.else.if.i.i ]
-  %.1991.i = phi double [ 0.000000e+00, %B924.i ], [ %.1344.i.i, %B104.endif.else.if.i.i ]
-  %.1831.i = load double, ptr %sunkaddr370.i, align 8
-  %.1832.i = fcmp ogt double %.1991.i, %.1831.i
-  br i1 %.1832.i, label %B1020.preheader.i, label %B1046.i
+_ZN7msf_jax4host4thin6fronts12ring_throughB3v37B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx5ArrayIdLi1E1C7mutable7alignedE.exit.i: ; preds = %B1016.i.i, %B1080.i
+  %.264578.i = phi double [ 0.000000e+00, %B1080.i ], [ %.2082.i.i, %B1016.i.i ]
+  %.2430.i = phi double [ 0.000000e+00, %B1080.i ], [ %.1350.i.i, %B1016.i.i ]
+  %.2270.i = load double, ptr %sunkaddr373.i, align 8
+  %.2271.i = fcmp ogt double %.2430.i, %.2270.i
+  br i1 %.2271.i, label %B1176.preheader.i, label %B1234.lr.ph.i
 
-B1046.i:                                          ; preds = %B1020.preheader.i, %_ZN7msf_jax4host4thin6fronts12ring_throughB3v37B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx5ArrayIdLi1E1C7mutable7alignedE.exit.i
-  %.2063.i = phi double [ %.1991.4.i, %B1020.preheader.i ], [ %.2063.pre.i, %_ZN7msf_jax4host4thin6fronts12ring_throughB3v37B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx5ArrayIdLi1E1C7mutable7alignedE.exit.i ]
-  %longest.6.7.i = phi i64 [ %rings.2.42781.i, %B1020.preheader.i ], [ %longest.3.42782.i, %_ZN7msf_jax4host4thin6fronts12ring_throughB3v37B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx5ArrayIdLi1E1C7mutable7alignedE.exit.i ]
-  %.2065.i = fadd double %area.4.42780.i, %.2063.i
-  %.2071.i = add nsw i64 %rings.2.42781.i, 1
-  br label %B2307.i
+B1304.i:                                          ; preds = %B738.loopexit.i
+  %.2738.i = icmp sgt i64 %rings.2.4.lcssa.i, 1
+  br i1 %.2738.i, label %B1320.i, label %B1550.endif.i
 
-B1082.i:                                          ; preds = %B644.loopexit.i
-  %.2137.i = icmp sgt i64 %rings.2.4.lcssa.i, 1
-  br i1 %.2137.i, label %B50.endif.i.i, label %B1258.endif.i
+B1320.i:                                          ; preds = %B1304.i
+  %.2776.i = load double, ptr %.533.i, align 8
+  tail call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(40) %.451.i, i8 0, i64 40, i1 false)
+  br label %B94.endif.i.i
 
-B48.loopexit.i.i:                                 ; preds = %B1061.i.i, %B50.endif.i.i
-  %.2253.i = phi double [ %extra.5.02068.i.i, %B50.endif.i.i ], [ %extra.6.2.i.i, %B1061.i.i ]
-  %num.5.1.lcssa.i.i = phi i64 [ %num.6.02069.i.i, %B50.endif.i.i ], [ %num.7.2.i.i, %B1061.i.i ]
-  %exitcond.not.i45.i = icmp eq i64 %count.2.03240.i, %.270.i.i
-  br i1 %exitcond.not.i45.i, label %_ZN7msf_jax4host4thin6fronts7islandsB3v39B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xxd5ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B50.endif.i.i
+B92.loopexit.i.i:                                 ; preds = %B1179.i.i, %B94.endif.i.i
+  %num.4.1.lcssa.i.i = phi i64 [ %num.11.02265.i.i, %B94.endif.i.i ], [ %num.5.2.i.i, %B1179.i.i ]
+  %exitcond.not.i41.i = icmp eq i64 %count.2.03906.i, %.438.i.i
+  br i1 %exitcond.not.i41.i, label %_ZN7msf_jax4host4thin6fronts7islandsB3v39B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xxd5ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B94.endif.i.i
 
-B164.i.i:                                         ; preds = %B50.endif.i.i, %B1061.i.i
-  %num.5.11998.i.i = phi i64 [ %num.7.2.i.i, %B1061.i.i ], [ %num.6.02069.i.i, %B50.endif.i.i ]
-  %extra.4.11997.i.i = phi double [ %extra.6.2.i.i, %B1061.i.i ], [ %extra.5.02068.i.i, %B50.endif.i.i ]
-  %.48619421996.i.i = phi i64 [ %.496.i.i, %B1061.i.i ], [ %.443.i.i, %B50.endif.i.i ]
-  %.49319461995.i.i = phi i64 [ %.500.i.i, %B1061.i.i ], [ %.374.i.i, %B50.endif.i.i ]
-  %.496.i.i = add nsw i64 %.48619421996.i.i, -1
-  %.500.i.i = add i64 %.49319461995.i.i, 1
-  %.539.i.i = icmp slt i64 %.49319461995.i.i, 0
-  %.540.i.i = select i1 %.539.i.i, i64 %w11, i64 0
-  %64 = getelementptr i64, ptr %w10, i64 %.49319461995.i.i
-  %.554.i.i = getelementptr i64, ptr %64, i64 %.540.i.i
-  %.555.i40.i = load i64, ptr %.554.i.i, align 8
-  %.574.i.i = icmp slt i64 %.555.i40.i, 0
-  %.575.i.i = select i1 %.574.i.i, i64 %w29, i64 0
-  %65 = getelementptr i64, ptr %w28, i64 %.555.i40.i
-  %.589.i.i = getelementptr i64, ptr %65, i64 %.575.i.i
-  %.590.i.i = load i64, ptr %.589.i.i, align 8
-  %.591.i.i = icmp slt i64 %.590.i.i, 0
-  %.626.i.i = icmp eq i64 %.590.i.i, %longest.3.4.lcssa.i
-  %or.cond.i41.i = select i1 %.591.i.i, i1 true, i1 %.626.i.i
-  br i1 %or.cond.i41.i, label %B1061.i.i, label %B294.lr.ph.i.i
+B208.i.i:                                         ; preds = %B94.endif.i.i, %B1179.i.i
+  %num.4.12218.i.i = phi i64 [ %num.5.2.i.i, %B1179.i.i ], [ %num.11.02265.i.i, %B94.endif.i.i ]
+  %.64821772217.i.i = phi i64 [ %.658.i.i, %B1179.i.i ], [ %.605.i.i, %B94.endif.i.i ]
+  %.65521782216.i.i = phi i64 [ %.662.i.i, %B1179.i.i ], [ %.536.i.i, %B94.endif.i.i ]
+  %.658.i.i = add nsw i64 %.64821772217.i.i, -1
+  %.662.i.i = add i64 %.65521782216.i.i, 1
+  %.701.i.i = icmp slt i64 %.65521782216.i.i, 0
+  %.702.i.i = select i1 %.701.i.i, i64 %w11, i64 0
+  %68 = getelementptr i64, ptr %w10, i64 %.65521782216.i.i
+  %.716.i.i = getelementptr i64, ptr %68, i64 %.702.i.i
+  %.717.i.i = load i64, ptr %.716.i.i, align 8
+  %.736.i.i = icmp slt i64 %.717.i.i, 0
+  %.737.i.i = select i1 %.736.i.i, i64 %w30, i64 0
+  %69 = getelementptr i64, ptr %w29, i64 %.717.i.i
+  %.751.i.i = getelementptr i64, ptr %69, i64 %.737.i.i
+  %.752.i.i = load i64, ptr %.751.i.i, align 8
+  %.753.i.i = icmp slt i64 %.752.i.i, 0
+  %.788.i.i = icmp eq i64 %.752.i.i, %longest.3.4.lcssa.i
+  %or.cond.i40.i = select i1 %.753.i.i, i1 true, i1 %.788.i.i
+  br i1 %or.cond.i40.i, label %B1179.i.i, label %B338.lr.ph.i.i
 
-B356.i.i:                                         ; preds = %B294.lr.ph.i.i
-  %sunkaddr.i46.i = shl i64 %.857.i.i, 3
-  %sunkaddr55.i.i = getelementptr inbounds i8, ptr %84, i64 %sunkaddr.i46.i
-  store i64 2, ptr %sunkaddr55.i.i, align 8
-  %sunkaddr56.i.i = shl i64 %.838.i.i, 3
-  %sunkaddr57.i.i = getelementptr i8, ptr %w3, i64 %sunkaddr56.i.i
-  %.1013.i.i = load i64, ptr %sunkaddr57.i.i, align 8
-  %.1029.i.i = icmp slt i64 %num.5.11998.i.i, 0
-  %.1030.i.i = select i1 %.1029.i.i, i64 %w21, i64 0
-  %66 = getelementptr i64, ptr %w20, i64 %num.5.11998.i.i
-  %.1044.i.i = getelementptr i64, ptr %66, i64 %.1030.i.i
-  store i64 %.1013.i.i, ptr %.1044.i.i, align 8
-  store i64 %.1013.i.i, ptr %w22, align 8
-  %.1079.i.i = add nsw i64 %num.5.11998.i.i, 1
-  br label %B488.i.i
+B400.i.i:                                         ; preds = %B338.lr.ph.i.i
+  %sunkaddr.i42.i = shl i64 %.1013.i.i, 3
+  %sunkaddr63.i.i = getelementptr inbounds i8, ptr %88, i64 %sunkaddr.i42.i
+  store i64 2, ptr %sunkaddr63.i.i, align 8
+  %sunkaddr64.i.i = shl i64 %.994.i.i, 3
+  %sunkaddr65.i.i = getelementptr i8, ptr %w3, i64 %sunkaddr64.i.i
+  %.1169.i.i = load i64, ptr %sunkaddr65.i.i, align 8
+  %.1185.i.i = icmp slt i64 %num.4.12218.i.i, 0
+  %.1186.i.i = select i1 %.1185.i.i, i64 %w22, i64 0
+  %70 = getelementptr i64, ptr %w21, i64 %num.4.12218.i.i
+  %.1200.i.i = getelementptr i64, ptr %70, i64 %.1186.i.i
+  store i64 %.1169.i.i, ptr %.1200.i.i, align 8
+  store i64 %.1169.i.i, ptr %w23, align 8
+  %.1235.i.i = add nsw i64 %num.4.12218.i.i, 1
+  br label %B532.i.i
 
-B488.i.i:                                         ; preds = %B294.lr.ph.B488_crit_edge.i.i, %B356.i.i
-  %sunkaddr58.pre-phi.i.i = phi i64 [ %.pre.i.i, %B294.lr.ph.B488_crit_edge.i.i ], [ %sunkaddr56.i.i, %B356.i.i ]
-  %num.4.4.i.i = phi i64 [ %num.5.11998.i.i, %B294.lr.ph.B488_crit_edge.i.i ], [ %.1079.i.i, %B356.i.i ]
-  %top.5.4.i.i = phi i64 [ 0, %B294.lr.ph.B488_crit_edge.i.i ], [ 1, %B356.i.i ]
-  %sunkaddr59.i.i = getelementptr i8, ptr %w3, i64 %sunkaddr58.pre-phi.i.i
-  %sunkaddr60.i.i = getelementptr i8, ptr %sunkaddr59.i.i, i64 8
-  %.843.1.i.i = load i64, ptr %sunkaddr60.i.i, align 8
-  %.856.1.i.i = icmp slt i64 %.843.1.i.i, 0
-  %.857.1.i.i = select i1 %.856.1.i.i, i64 %w17, i64 0
-  %67 = getelementptr i64, ptr %w16, i64 %.843.1.i.i
-  %.871.1.i.i = getelementptr i64, ptr %67, i64 %.857.1.i.i
-  %.872.1.i.i = load i64, ptr %.871.1.i.i, align 8
-  %.873.1.i.i = icmp eq i64 %.872.1.i.i, 0
-  br i1 %.873.1.i.i, label %B356.1.i.i, label %B488.1.i.i
+B532.i.i:                                         ; preds = %B338.lr.ph.B532_crit_edge.i.i, %B400.i.i
+  %sunkaddr66.pre-phi.i.i = phi i64 [ %.pre.i.i, %B338.lr.ph.B532_crit_edge.i.i ], [ %sunkaddr64.i.i, %B400.i.i ]
+  %num.12.4.i.i = phi i64 [ %num.4.12218.i.i, %B338.lr.ph.B532_crit_edge.i.i ], [ %.1235.i.i, %B400.i.i ]
+  %top.12.4.i.i = phi i64 [ 0, %B338.lr.ph.B532_crit_edge.i.i ], [ 1, %B400.i.i ]
+  %sunkaddr67.i.i = getelementptr i8, ptr %w3, i64 %sunkaddr66.pre-phi.i.i
+  %sunkaddr68.i.i = getelementptr i8, ptr %sunkaddr67.i.i, i64 8
+  %.999.1.i.i = load i64, ptr %sunkaddr68.i.i, align 8
+  %.1012.1.i.i = icmp slt i64 %.999.1.i.i, 0
+  %.1013.1.i.i = select i1 %.1012.1.i.i, i64 %w18, i64 0
+  %71 = getelementptr i64, ptr %w17, i64 %.999.1.i.i
+  %.1027.1.i.i = getelementptr i64, ptr %71, i64 %.1013.1.i.i
+  %.1028.1.i.i = load i64, ptr %.1027.1.i.i, align 8
+  %.1029.1.i.i = icmp eq i64 %.1028.1.i.i, 0
+  br i1 %.1029.1.i.i, label %B400.1.i.i, label %B532.1.i.i
 
-B356.1.i.i:                                       ; preds = %B488.i.i
-  %sunkaddr61.i.i = shl i64 %.857.1.i.i, 3
-  %sunkaddr62.i.i = getelementptr inbounds i8, ptr %67, i64 %sunkaddr61.i.i
-  store i64 2, ptr %sunkaddr62.i.i, align 8
-  %.1013.1.i.i = load i64, ptr %sunkaddr60.i.i, align 8
-  %.1029.1.i.i = icmp slt i64 %num.4.4.i.i, 0
-  %.1030.1.i.i = select i1 %.1029.1.i.i, i64 %w21, i64 0
-  %68 = getelementptr i64, ptr %w20, i64 %num.4.4.i.i
-  %.1044.1.i.i = getelementptr i64, ptr %68, i64 %.1030.1.i.i
-  store i64 %.1013.1.i.i, ptr %.1044.1.i.i, align 8
-  %69 = getelementptr i64, ptr %w22, i64 %top.5.4.i.i
-  store i64 %.1013.1.i.i, ptr %69, align 8
-  %.1079.1.i.i = add nsw i64 %num.4.4.i.i, 1
-  %.1083.1.i.i = add nuw nsw i64 %top.5.4.i.i, 1
-  br label %B488.1.i.i
-
-B488.1.i.i:                                       ; preds = %B356.1.i.i, %B488.i.i
-  %num.4.4.1.i.i = phi i64 [ %.1079.1.i.i, %B356.1.i.i ], [ %num.4.4.i.i, %B488.i.i ]
-  %top.5.4.1.i.i = phi i64 [ %.1083.1.i.i, %B356.1.i.i ], [ %top.5.4.i.i, %B488.i.i ]
-  %sunkaddr65.i.i = getelementptr i8, ptr %sunkaddr59.i.i, i64 16
-  %.843.2.i.i = load i64, ptr %sunkaddr65.i.i, align 8
-  %.856.2.i.i = icmp slt i64 %.843.2.i.i, 0
-  %.857.2.i.i = select i1 %.856.2.i.i, i64 %w17, i64 0
-  %70 = getelementptr i64, ptr %w16, i64 %.843.2.i.i
-  %.871.2.i.i = getelementptr i64, ptr %70, i64 %.857.2.i.i
-  %.872.2.i.i = load i64, ptr %.871.2.i.i, align 8
-  %.873.2.i.i = icmp eq i64 %.872.2.i.i, 0
-  br i1 %.873.2.i.i, label %B488.2.thread.i.i, label %B488.2.i.i
-
-B488.2.thread.i.i:                                ; preds = %B488.1.i.i
-  %sunkaddr69.i.i = shl i64 %.857.2.i.i, 3
-  %sunkaddr70.i.i = getelementptr inbounds i8, ptr %70, i64 %sunkaddr69.i.i
+B400.1.i.i:                                       ; preds = %B532.i.i
+  %sunkaddr69.i.i = shl i64 %.1013.1.i.i, 3
+  %sunkaddr70.i.i = getelementptr inbounds i8, ptr %71, i64 %sunkaddr69.i.i
   store i64 2, ptr %sunkaddr70.i.i, align 8
-  %.1013.2.i.i = load i64, ptr %sunkaddr65.i.i, align 8
-  %.1029.2.i.i = icmp slt i64 %num.4.4.1.i.i, 0
-  %.1030.2.i.i = select i1 %.1029.2.i.i, i64 %w21, i64 0
-  %71 = getelementptr i64, ptr %w20, i64 %num.4.4.1.i.i
-  %.1044.2.i.i = getelementptr i64, ptr %71, i64 %.1030.2.i.i
-  store i64 %.1013.2.i.i, ptr %.1044.2.i.i, align 8
-  %72 = getelementptr i64, ptr %w22, i64 %top.5.4.1.i.i
-  store i64 %.1013.2.i.i, ptr %72, align 8
-  %.1079.2.i.i = add nsw i64 %num.4.4.1.i.i, 1
-  %.1083.2.i.i = add nuw nsw i64 %top.5.4.1.i.i, 1
-  br label %B496.endif.i.i.preheader
+  %.1169.1.i.i = load i64, ptr %sunkaddr68.i.i, align 8
+  %.1185.1.i.i = icmp slt i64 %num.12.4.i.i, 0
+  %.1186.1.i.i = select i1 %.1185.1.i.i, i64 %w22, i64 0
+  %72 = getelementptr i64, ptr %w21, i64 %num.12.4.i.i
+  %.1200.1.i.i = getelementptr i64, ptr %72, i64 %.1186.1.i.i
+  store i64 %.1169.1.i.i, ptr %.1200.1.i.i, align 8
+  %73 = getelementptr i64, ptr %w23, i64 %top.12.4.i.i
+  store i64 %.1169.1.i.i, ptr %73, align 8
+  %.1235.1.i.i = add nsw i64 %num.12.4.i.i, 1
+  %.1239.1.i.i = add nuw nsw i64 %top.12.4.i.i, 1
+  br label %B532.1.i.i
 
-B496.endif.i.i.preheader:                         ; preds = %B488.2.i.i, %B488.2.thread.i.i
-  %num.10.3.i.i.ph = phi i64 [ %.1079.2.i.i, %B488.2.thread.i.i ], [ %num.4.4.1.i.i, %B488.2.i.i ]
-  %top.13.3.i.i.ph = phi i64 [ %.1083.2.i.i, %B488.2.thread.i.i ], [ %top.5.4.1.i.i, %B488.2.i.i ]
-  br label %B496.endif.i.i
+B532.1.i.i:                                       ; preds = %B400.1.i.i, %B532.i.i
+  %num.12.4.1.i.i = phi i64 [ %.1235.1.i.i, %B400.1.i.i ], [ %num.12.4.i.i, %B532.i.i ]
+  %top.12.4.1.i.i = phi i64 [ %.1239.1.i.i, %B400.1.i.i ], [ %top.12.4.i.i, %B532.i.i ]
+  %sunkaddr60.i.i = getelementptr i8, ptr %sunkaddr67.i.i, i64 16
+  %.999.2.i.i = load i64, ptr %sunkaddr60.i.i, align 8
+  %.1012.2.i.i = icmp slt i64 %.999.2.i.i, 0
+  %.1013.2.i.i = select i1 %.1012.2.i.i, i64 %w18, i64 0
+  %74 = getelementptr i64, ptr %w17, i64 %.999.2.i.i
+  %.1027.2.i.i = getelementptr i64, ptr %74, i64 %.1013.2.i.i
+  %.1028.2.i.i = load i64, ptr %.1027.2.i.i, align 8
+  %.1029.2.i.i = icmp eq i64 %.1028.2.i.i, 0
+  br i1 %.1029.2.i.i, label %B532.2.thread.i.i, label %B532.2.i.i
 
-B488.2.i.i:                                       ; preds = %B488.1.i.i
-  %.1139.not.i.i = icmp eq i64 %top.5.4.1.i.i, 0
-  br i1 %.1139.not.i.i, label %B1061.i.i, label %B496.endif.i.i.preheader
+B532.2.thread.i.i:                                ; preds = %B532.1.i.i
+  %sunkaddr77.i.i = shl i64 %.1013.2.i.i, 3
+  %sunkaddr78.i.i = getelementptr inbounds i8, ptr %74, i64 %sunkaddr77.i.i
+  store i64 2, ptr %sunkaddr78.i.i, align 8
+  %.1169.2.i.i = load i64, ptr %sunkaddr60.i.i, align 8
+  %.1185.2.i.i = icmp slt i64 %num.12.4.1.i.i, 0
+  %.1186.2.i.i = select i1 %.1185.2.i.i, i64 %w22, i64 0
+  %75 = getelementptr i64, ptr %w21, i64 %num.12.4.1.i.i
+  %.1200.2.i.i = getelementptr i64, ptr %75, i64 %.1186.2.i.i
+  store i64 %.1169.2.i.i, ptr %.1200.2.i.i, align 8
+  %76 = getelementptr i64, ptr %w23, i64 %top.12.4.1.i.i
+  store i64 %.1169.2.i.i, ptr %76, align 8
+  %.1235.2.i.i = add nsw i64 %num.12.4.1.i.i, 1
+  %.1239.2.i.i = add nuw nsw i64 %top.12.4.1.i.i, 1
+  br label %B540.endif.i.i.preheader
 
-B760.i.i:                                         ; preds = %B760.preheader.new.i.i, %B760.i.i
-  %.160720832085.i.i = phi i64 [ 0, %B760.preheader.new.i.i ], [ %.1614.3.i.i, %B760.i.i ]
-  %sunkaddr68.i.i = shl i64 %.160720832085.i.i, 3
-  %sunkaddr71.i.i = getelementptr i8, ptr %w20, i64 %sunkaddr68.i.i
-  %.1671.i.i = load i64, ptr %sunkaddr71.i.i, align 8
-  %.1684.i.i = icmp slt i64 %.1671.i.i, 0
-  %.1685.i.i = select i1 %.1684.i.i, i64 %w17, i64 0
-  %73 = getelementptr i64, ptr %w16, i64 %.1671.i.i
-  %.1699.i.i = getelementptr i64, ptr %73, i64 %.1685.i.i
-  store i64 0, ptr %.1699.i.i, align 8
+B540.endif.i.i.preheader:                         ; preds = %B532.2.i.i, %B532.2.thread.i.i
+  %num.10.3.i.i.ph = phi i64 [ %num.12.4.1.i.i, %B532.2.i.i ], [ %.1235.2.i.i, %B532.2.thread.i.i ]
+  %top.13.3.i.i.ph = phi i64 [ %top.12.4.1.i.i, %B532.2.i.i ], [ %.1239.2.i.i, %B532.2.thread.i.i ]
+  br label %B540.endif.i.i
+
+B532.2.i.i:                                       ; preds = %B532.1.i.i
+  %.1285.not.i.i = icmp eq i64 %top.12.4.1.i.i, 0
+  br i1 %.1285.not.i.i, label %B1179.i.i, label %B540.endif.i.i.preheader
+
+B878.i.i:                                         ; preds = %B878.preheader.new.i.i, %B878.i.i
+  %.196822802282.i.i = phi i64 [ 0, %B878.preheader.new.i.i ], [ %.1975.3.i.i, %B878.i.i ]
+  %sunkaddr66.i.i = shl i64 %.196822802282.i.i, 3
+  %sunkaddr71.i.i = getelementptr i8, ptr %w21, i64 %sunkaddr66.i.i
+  %.2032.i.i = load i64, ptr %sunkaddr71.i.i, align 8
+  %.2045.i.i = icmp slt i64 %.2032.i.i, 0
+  %.2046.i.i = select i1 %.2045.i.i, i64 %w18, i64 0
+  %77 = getelementptr i64, ptr %w17, i64 %.2032.i.i
+  %.2060.i.i = getelementptr i64, ptr %77, i64 %.2046.i.i
+  store i64 0, ptr %.2060.i.i, align 8
   %sunkaddr74.i.i = getelementptr i8, ptr %sunkaddr71.i.i, i64 8
-  %.1671.1.i.i = load i64, ptr %sunkaddr74.i.i, align 8
-  %.1684.1.i.i = icmp slt i64 %.1671.1.i.i, 0
-  %.1685.1.i.i = select i1 %.1684.1.i.i, i64 %w17, i64 0
-  %74 = getelementptr i64, ptr %w16, i64 %.1671.1.i.i
-  %.1699.1.i.i = getelementptr i64, ptr %74, i64 %.1685.1.i.i
-  store i64 0, ptr %.1699.1.i.i, align 8
-  %sunkaddr77.i.i = getelementptr i8, ptr %sunkaddr71.i.i, i64 16
-  %.1671.2.i.i = load i64, ptr %sunkaddr77.i.i, align 8
-  %.1684.2.i.i = icmp slt i64 %.1671.2.i.i, 0
-  %.1685.2.i.i = select i1 %.1684.2.i.i, i64 %w17, i64 0
-  %75 = getelementptr i64, ptr %w16, i64 %.1671.2.i.i
-  %.1699.2.i.i = getelementptr i64, ptr %75, i64 %.1685.2.i.i
-  store i64 0, ptr %.1699.2.i.i, align 8
-  %.1614.3.i.i = add nuw nsw i64 %.160720832085.i.i, 4
-  %sunkaddr80.i.i = getelementptr i8, ptr %sunkaddr71.i.i, i64 24
-  %.1671.3.i.i = load i64, ptr %sunkaddr80.i.i, align 8
-  %.1684.3.i.i = icmp slt i64 %.1671.3.i.i, 0
-  %.1685.3.i.i = select i1 %.1684.3.i.i, i64 %w17, i64 0
-  %76 = getelementptr i64, ptr %w16, i64 %.1671.3.i.i
-  %.1699.3.i.i = getelementptr i64, ptr %76, i64 %.1685.3.i.i
-  store i64 0, ptr %.1699.3.i.i, align 8
-  %niter.ncmp.3.i.i = icmp eq i64 %unroll_iter.i.i, %.1614.3.i.i
-  br i1 %niter.ncmp.3.i.i, label %common.ret.loopexit.unr-lcssa.i.i, label %B760.i.i
+  %.2032.1.i.i = load i64, ptr %sunkaddr74.i.i, align 8
+  %.2045.1.i.i = icmp slt i64 %.2032.1.i.i, 0
+  %.2046.1.i.i = select i1 %.2045.1.i.i, i64 %w18, i64 0
+  %78 = getelementptr i64, ptr %w17, i64 %.2032.1.i.i
+  %.2060.1.i.i = getelementptr i64, ptr %78, i64 %.2046.1.i.i
+  store i64 0, ptr %.2060.1.i.i, align 8
+  %sunkaddr79.i.i = getelementptr i8, ptr %sunkaddr71.i.i, i64 16
+  %.2032.2.i.i = load i64, ptr %sunkaddr79.i.i, align 8
+  %.2045.2.i.i = icmp slt i64 %.2032.2.i.i, 0
+  %.2046.2.i.i = select i1 %.2045.2.i.i, i64 %w18, i64 0
+  %79 = getelementptr i64, ptr %w17, i64 %.2032.2.i.i
+  %.2060.2.i.i = getelementptr i64, ptr %79, i64 %.2046.2.i.i
+  store i64 0, ptr %.2060.2.i.i, align 8
+  %.1975.3.i.i = add nuw nsw i64 %.196822802282.i.i, 4
+  %sunkaddr82.i.i = getelementptr i8, ptr %sunkaddr71.i.i, i64 24
+  %.2032.3.i.i = load i64, ptr %sunkaddr82.i.i, align 8
+  %.2045.3.i.i = icmp slt i64 %.2032.3.i.i, 0
+  %.2046.3.i.i = select i1 %.2045.3.i.i, i64 %w18, i64 0
+  %80 = getelementptr i64, ptr %w17, i64 %.2032.3.i.i
+  %.2060.3.i.i = getelementptr i64, ptr %80, i64 %.2046.3.i.i
+  store i64 0, ptr %.2060.3.i.i, align 8
+  %niter.ncmp.3.i.i = icmp eq i64 %unroll_iter.i.i, %.1975.3.i.i
+  br i1 %niter.ncmp.3.i.i, label %common.ret.loopexit.unr-lcssa.i.i, label %B878.i.i
 
-common.ret.loopexit.unr-lcssa.i.i:                ; preds = %B760.i.i
+common.ret.loopexit.unr-lcssa.i.i:                ; preds = %B878.i.i
   %lcmp.mod.not.i.i = icmp eq i64 %xtraiter.i.i, 0
-  br i1 %lcmp.mod.not.i.i, label %B1258.endif.i, label %B760.epil.preheader.i.i
+  br i1 %lcmp.mod.not.i.i, label %B1550.endif.i, label %B878.epil.preheader.i.i
 
-B760.epil.preheader.i.i:                          ; preds = %B760.preheader.i.i, %common.ret.loopexit.unr-lcssa.i.i
-  %.160720832085.epil.init.i.i = phi i64 [ 0, %B760.preheader.i.i ], [ %unroll_iter.i.i, %common.ret.loopexit.unr-lcssa.i.i ]
-  %77 = shl i64 %.160720832085.epil.init.i.i, 3
-  %scevgep.i.i = getelementptr i8, ptr %w20, i64 %77
-  br label %B760.epil.i.i
+B878.epil.preheader.i.i:                          ; preds = %B878.preheader.i.i, %common.ret.loopexit.unr-lcssa.i.i
+  %.196822802282.epil.init.i.i = phi i64 [ 0, %B878.preheader.i.i ], [ %unroll_iter.i.i, %common.ret.loopexit.unr-lcssa.i.i ]
+  %81 = shl i64 %.196822802282.epil.init.i.i, 3
+  %scevgep.i.i = getelementptr i8, ptr %w21, i64 %81
+  br label %B878.epil.i.i
 
-B760.epil.i.i:                                    ; preds = %B760.epil.i.i, %B760.epil.preheader.i.i
-  %epil.iter.i.i = phi i64 [ %epil.iter.next.i.i, %B760.epil.i.i ], [ 0, %B760.epil.preheader.i.i ]
-  %78 = shl i64 %epil.iter.i.i, 3
-  %scevgep45.i.i = getelementptr i8, ptr %scevgep.i.i, i64 %78
-  %.1671.epil.i.i = load i64, ptr %scevgep45.i.i, align 8
-  %.1684.epil.i.i = icmp slt i64 %.1671.epil.i.i, 0
-  %.1685.epil.i.i = select i1 %.1684.epil.i.i, i64 %w17, i64 0
-  %79 = getelementptr i64, ptr %w16, i64 %.1671.epil.i.i
-  %.1699.epil.i.i = getelementptr i64, ptr %79, i64 %.1685.epil.i.i
-  store i64 0, ptr %.1699.epil.i.i, align 8
+B878.epil.i.i:                                    ; preds = %B878.epil.i.i, %B878.epil.preheader.i.i
+  %epil.iter.i.i = phi i64 [ %epil.iter.next.i.i, %B878.epil.i.i ], [ 0, %B878.epil.preheader.i.i ]
+  %82 = shl i64 %epil.iter.i.i, 3
+  %scevgep45.i.i = getelementptr i8, ptr %scevgep.i.i, i64 %82
+  %.2032.epil.i.i = load i64, ptr %scevgep45.i.i, align 8
+  %.2045.epil.i.i = icmp slt i64 %.2032.epil.i.i, 0
+  %.2046.epil.i.i = select i1 %.2045.epil.i.i, i64 %w18, i64 0
+  %83 = getelementptr i64, ptr %w17, i64 %.2032.epil.i.i
+  %.2060.epil.i.i = getelementptr i64, ptr %83, i64 %.2046.epil.i.i
+  store i64 0, ptr %.2060.epil.i.i, align 8
   %epil.iter.next.i.i = add i64 %epil.iter.i.i, 1
   %epil.iter.cmp.not.i.i = icmp eq i64 %xtraiter.i.i, %epil.iter.next.i.i
-  br i1 %epil.iter.cmp.not.i.i, label %B1258.endif.i, label %B760.epil.i.i
+  br i1 %epil.iter.cmp.not.i.i, label %B1550.endif.i, label %B878.epil.i.i
 
-B1046.i.i:                                        ; preds = %B1042.us.2.i.i, %B496.endif.i.i
-  %extra.2.5.lcssa.i.i = phi double [ %extra.3.3.i.i, %B496.endif.i.i ], [ %.1454.us1915.i.i, %B1042.us.2.i.i ]
-  %num.9.5.lcssa.i.i = phi i64 [ %num.10.3.i.i, %B496.endif.i.i ], [ %num.12.7.us.2.i.i, %B1042.us.2.i.i ]
-  %top.10.5.lcssa.i.i = phi i64 [ %.1165.i.i, %B496.endif.i.i ], [ %top.12.7.us.2.i.i, %B1042.us.2.i.i ]
-  %.2214.not.i.i = icmp eq i64 %top.10.5.lcssa.i.i, 0
-  br i1 %.2214.not.i.i, label %B1061.i.i, label %B496.endif.i.i
+B1164.i.i:                                        ; preds = %B1160.us.2.i.i, %B1160.us.2.peel.i.i, %B540.endif.i.i
+  %num.7.5.lcssa.i.i = phi i64 [ %num.10.3.i.i, %B540.endif.i.i ], [ %num.9.7.us.2.peel.i.i, %B1160.us.2.peel.i.i ], [ %num.9.7.us.2.i.i, %B1160.us.2.i.i ]
+  %top.8.5.lcssa.i.i = phi i64 [ %.1303.i.i, %B540.endif.i.i ], [ %top.10.7.us.2.peel.i.i, %B1160.us.2.peel.i.i ], [ %top.10.7.us.2.i.i, %B1160.us.2.i.i ]
+  %.2562.not.i.i = icmp eq i64 %top.8.5.lcssa.i.i, 0
+  br i1 %.2562.not.i.i, label %B1179.i.i, label %B540.endif.i.i
 
-B1061.i.i:                                        ; preds = %B1046.i.i, %B488.2.i.i, %B164.i.i
-  %extra.6.2.i.i = phi double [ %extra.4.11997.i.i, %B164.i.i ], [ %extra.4.11997.i.i, %B488.2.i.i ], [ %extra.2.5.lcssa.i.i, %B1046.i.i ]
-  %num.7.2.i.i = phi i64 [ %num.5.11998.i.i, %B164.i.i ], [ %num.4.4.1.i.i, %B488.2.i.i ], [ %num.9.5.lcssa.i.i, %B1046.i.i ]
-  %.487.i.i = icmp sgt i64 %.48619421996.i.i, 1
-  br i1 %.487.i.i, label %B164.i.i, label %B48.loopexit.i.i
+B1179.i.i:                                        ; preds = %B1164.i.i, %B532.2.i.i, %B208.i.i
+  %num.5.2.i.i = phi i64 [ %num.4.12218.i.i, %B208.i.i ], [ %num.12.4.1.i.i, %B532.2.i.i ], [ %num.7.5.lcssa.i.i, %B1164.i.i ]
+  %.649.i.i = icmp sgt i64 %.64821772217.i.i, 1
+  br i1 %.649.i.i, label %B208.i.i, label %B92.loopexit.i.i
 
-B50.endif.i.i:                                    ; preds = %B1082.i, %B48.loopexit.i.i
-  %num.6.02069.i.i = phi i64 [ %num.5.1.lcssa.i.i, %B48.loopexit.i.i ], [ 0, %B1082.i ]
-  %extra.5.02068.i.i = phi double [ %.2253.i, %B48.loopexit.i.i ], [ 0.000000e+00, %B1082.i ]
-  %.26320132066.i.i = phi i64 [ %.270.i.i, %B48.loopexit.i.i ], [ 0, %B1082.i ]
-  %.270.i.i = add nuw nsw i64 %.26320132066.i.i, 1
-  %80 = getelementptr i64, ptr %w18, i64 %.26320132066.i.i
-  %.343.i38.i = load i64, ptr %80, align 8
-  %.358.i39.i = icmp slt i64 %.343.i38.i, 0
-  %.359.i.i = select i1 %.358.i39.i, i64 %w9, i64 0
-  %81 = getelementptr i64, ptr %w8, i64 %.343.i38.i
-  %.373.i.i = getelementptr i64, ptr %81, i64 %.359.i.i
-  %.374.i.i = load i64, ptr %.373.i.i, align 8
-  %.390.i.i = icmp slt i64 %.343.i38.i, -1
-  %.391.i.i = select i1 %.390.i.i, i64 %w9, i64 0
-  %82 = getelementptr i8, ptr %81, i64 8
-  %.405.i.i = getelementptr i64, ptr %82, i64 %.391.i.i
-  %.406.i.i = load i64, ptr %.405.i.i, align 8
-  %.443.i.i = sub i64 %.406.i.i, %.374.i.i
-  %.4871988.not.i.i = icmp slt i64 %.443.i.i, 1
-  br i1 %.4871988.not.i.i, label %B48.loopexit.i.i, label %B164.i.i
+B94.endif.i.i:                                    ; preds = %B92.loopexit.i.i, %B1320.i
+  %num.11.02265.i.i = phi i64 [ %num.4.1.lcssa.i.i, %B92.loopexit.i.i ], [ 0, %B1320.i ]
+  %.43122312263.i.i = phi i64 [ %.438.i.i, %B92.loopexit.i.i ], [ 0, %B1320.i ]
+  %.438.i.i = add nuw nsw i64 %.43122312263.i.i, 1
+  %84 = getelementptr i64, ptr %w19, i64 %.43122312263.i.i
+  %.505.i.i = load i64, ptr %84, align 8
+  %.520.i.i = icmp slt i64 %.505.i.i, 0
+  %.521.i39.i = select i1 %.520.i.i, i64 %w9, i64 0
+  %85 = getelementptr i64, ptr %w8, i64 %.505.i.i
+  %.535.i.i = getelementptr i64, ptr %85, i64 %.521.i39.i
+  %.536.i.i = load i64, ptr %.535.i.i, align 8
+  %.552.i.i = icmp slt i64 %.505.i.i, -1
+  %.553.i.i = select i1 %.552.i.i, i64 %w9, i64 0
+  %86 = getelementptr i8, ptr %85, i64 8
+  %.567.i.i = getelementptr i64, ptr %86, i64 %.553.i.i
+  %.568.i.i = load i64, ptr %.567.i.i, align 8
+  %.605.i.i = sub i64 %.568.i.i, %.536.i.i
+  %.6492207.not.i.i = icmp slt i64 %.605.i.i, 1
+  br i1 %.6492207.not.i.i, label %B92.loopexit.i.i, label %B208.i.i
 
-B294.lr.ph.i.i:                                   ; preds = %B164.i.i
-  %.817.i42.i = select i1 %.574.i.i, i64 %w4, i64 0
-  %.818.i43.i = add i64 %.817.i42.i, %.555.i40.i
-  %.838.i.i = mul i64 %.818.i43.i, %w5
-  %83 = getelementptr i64, ptr %w3, i64 %.838.i.i
-  %.843.i.i = load i64, ptr %83, align 8
-  %.856.i.i = icmp slt i64 %.843.i.i, 0
-  %.857.i.i = select i1 %.856.i.i, i64 %w17, i64 0
-  %84 = getelementptr i64, ptr %w16, i64 %.843.i.i
-  %.871.i.i = getelementptr i64, ptr %84, i64 %.857.i.i
-  %.872.i.i = load i64, ptr %.871.i.i, align 8
-  %.873.i.i = icmp eq i64 %.872.i.i, 0
-  br i1 %.873.i.i, label %B356.i.i, label %B294.lr.ph.B488_crit_edge.i.i
+B338.lr.ph.i.i:                                   ; preds = %B208.i.i
+  %.973.i.i = select i1 %.736.i.i, i64 %w4, i64 0
+  %.974.i.i = add i64 %.973.i.i, %.717.i.i
+  %.994.i.i = mul i64 %.974.i.i, %w5
+  %87 = getelementptr i64, ptr %w3, i64 %.994.i.i
+  %.999.i.i = load i64, ptr %87, align 8
+  %.1012.i.i = icmp slt i64 %.999.i.i, 0
+  %.1013.i.i = select i1 %.1012.i.i, i64 %w18, i64 0
+  %88 = getelementptr i64, ptr %w17, i64 %.999.i.i
+  %.1027.i.i = getelementptr i64, ptr %88, i64 %.1013.i.i
+  %.1028.i.i = load i64, ptr %.1027.i.i, align 8
+  %.1029.i.i = icmp eq i64 %.1028.i.i, 0
+  br i1 %.1029.i.i, label %B400.i.i, label %B338.lr.ph.B532_crit_edge.i.i
 
-B294.lr.ph.B488_crit_edge.i.i:                    ; preds = %B294.lr.ph.i.i
-  %.pre.i.i = shl i64 %.838.i.i, 3
-  br label %B488.i.i
+B338.lr.ph.B532_crit_edge.i.i:                    ; preds = %B338.lr.ph.i.i
+  %.pre.i.i = shl i64 %.994.i.i, 3
+  br label %B532.i.i
 
-B496.endif.i.i:                                   ; preds = %B496.endif.i.i.preheader, %B1046.i.i
-  %extra.3.3.i.i = phi double [ %extra.2.5.lcssa.i.i, %B1046.i.i ], [ %extra.4.11997.i.i, %B496.endif.i.i.preheader ]
-  %num.10.3.i.i = phi i64 [ %num.9.5.lcssa.i.i, %B1046.i.i ], [ %num.10.3.i.i.ph, %B496.endif.i.i.preheader ]
-  %top.13.3.i.i = phi i64 [ %top.10.5.lcssa.i.i, %B1046.i.i ], [ %top.13.3.i.i.ph, %B496.endif.i.i.preheader ]
-  %.1165.i.i = add nsw i64 %top.13.3.i.i, -1
-  %.1185.inv.i.i = icmp sgt i64 %top.13.3.i.i, 0
-  %.1186.i44.i = select i1 %.1185.inv.i.i, i64 0, i64 %w23
-  %85 = getelementptr i64, ptr %w22, i64 %.1165.i.i
-  %.1200.i.i = getelementptr i64, ptr %85, i64 %.1186.i44.i
-  %.1201.i.i = load i64, ptr %.1200.i.i, align 8
-  %.1216.i.i = icmp slt i64 %.1201.i.i, 0
-  %.1217.i.i = select i1 %.1216.i.i, i64 %w9, i64 0
-  %86 = getelementptr i64, ptr %w8, i64 %.1201.i.i
-  %.1231.i.i = getelementptr i64, ptr %86, i64 %.1217.i.i
-  %.1232.i.i = load i64, ptr %.1231.i.i, align 8
-  %.1248.i.i = icmp slt i64 %.1201.i.i, -1
-  %.1249.i.i = select i1 %.1248.i.i, i64 %w9, i64 0
-  %87 = getelementptr i8, ptr %86, i64 8
-  %.1263.i.i = getelementptr i64, ptr %87, i64 %.1249.i.i
-  %.1264.i.i = load i64, ptr %.1263.i.i, align 8
-  %.1301.i.i = sub i64 %.1264.i.i, %.1232.i.i
-  %.13441834.not.i.i = icmp slt i64 %.1301.i.i, 1
-  br i1 %.13441834.not.i.i, label %B1046.i.i, label %B616.endif.lr.ph.split.us.i.i
+B540.endif.i.i:                                   ; preds = %B540.endif.i.i.preheader, %B1164.i.i
+  %num.10.3.i.i = phi i64 [ %num.7.5.lcssa.i.i, %B1164.i.i ], [ %num.10.3.i.i.ph, %B540.endif.i.i.preheader ]
+  %top.13.3.i.i = phi i64 [ %top.8.5.lcssa.i.i, %B1164.i.i ], [ %top.13.3.i.i.ph, %B540.endif.i.i.preheader ]
+  %.1303.i.i = add nsw i64 %top.13.3.i.i, -1
+  %.1323.inv.i.i = icmp sgt i64 %top.13.3.i.i, 0
+  %.1324.i.i = select i1 %.1323.inv.i.i, i64 0, i64 %w24
+  %89 = getelementptr i64, ptr %w23, i64 %.1303.i.i
+  %.1338.i.i = getelementptr i64, ptr %89, i64 %.1324.i.i
+  %.1339.i.i = load i64, ptr %.1338.i.i, align 8
+  %.1354.i.i = icmp slt i64 %.1339.i.i, 0
+  %.1355.i.i = select i1 %.1354.i.i, i64 %w9, i64 0
+  %90 = getelementptr i64, ptr %w8, i64 %.1339.i.i
+  %.1369.i.i = getelementptr i64, ptr %90, i64 %.1355.i.i
+  %.1370.i.i = load i64, ptr %.1369.i.i, align 8
+  %.1386.i.i = icmp slt i64 %.1339.i.i, -1
+  %.1387.i.i = select i1 %.1386.i.i, i64 %w9, i64 0
+  %91 = getelementptr i8, ptr %90, i64 8
+  %.1401.i.i = getelementptr i64, ptr %91, i64 %.1387.i.i
+  %.1402.i.i = load i64, ptr %.1401.i.i, align 8
+  %.1439.i.i = sub i64 %.1402.i.i, %.1370.i.i
+  %.14822002.not.i.i = icmp slt i64 %.1439.i.i, 1
+  br i1 %.14822002.not.i.i, label %B1164.i.i, label %B660.endif.endif.us.preheader.i.i
 
-B616.endif.lr.ph.split.us.i.i:                    ; preds = %B496.endif.i.i
-  %.1396.us1893.i.i = icmp slt i64 %.1232.i.i, 0
-  %.1397.us1894.i.i = select i1 %.1396.us1893.i.i, i64 %w11, i64 0
-  %88 = getelementptr i64, ptr %w10, i64 %.1232.i.i
-  %.1411.us1895.i.i = getelementptr i64, ptr %88, i64 %.1397.us1894.i.i
-  %.1412.us1896.i.i = load i64, ptr %.1411.us1895.i.i, align 8
-  %.1431.us1897.i.i = icmp slt i64 %.1412.us1896.i.i, 0
-  %.1432.us1898.i.i = select i1 %.1431.us1897.i.i, i64 %w13, i64 0
-  %89 = getelementptr double, ptr %w12, i64 %.1412.us1896.i.i
-  %.1446.us1899.i.i = getelementptr double, ptr %89, i64 %.1432.us1898.i.i
-  %.1447.us1900.i.i = load double, ptr %.1446.us1899.i.i, align 8
-  %.1452.us1901.i.i = fdiv double %.1447.us1900.i.i, 3.000000e+00
-  %.1454.us1902.i.i = fadd double %extra.3.3.i.i, %.1452.us1901.i.i
-  %.1476.us1903.i.i = select i1 %.1431.us1897.i.i, i64 %w29, i64 0
-  %90 = getelementptr i64, ptr %w28, i64 %.1412.us1896.i.i
-  %.1490.us1904.i.i = getelementptr i64, ptr %90, i64 %.1476.us1903.i.i
-  %.1491.us1905.i.i = load i64, ptr %.1490.us1904.i.i, align 8
-  %.1493.us1906.i.i = icmp eq i64 %.1491.us1905.i.i, %longest.3.4.lcssa.i
-  %.1497.us1907.i.i = fcmp ogt double %.1454.us1902.i.i, %area.4.4.lcssa.i
-  %or.cond1793.us1908.i.i = select i1 %.1493.us1906.i.i, i1 true, i1 %.1497.us1907.i.i
-  br i1 %or.cond1793.us1908.i.i, label %B728.endif.i.i, label %B816.endif.endif.us.i.i
+B660.endif.endif.us.preheader.i.i:                ; preds = %B540.endif.i.i
+  %.1534.us.peel.i.i = icmp slt i64 %.1370.i.i, 0
+  %.1535.us.peel.i.i = select i1 %.1534.us.peel.i.i, i64 %w11, i64 0
+  %92 = getelementptr i64, ptr %w10, i64 %.1370.i.i
+  %.1549.us.peel.i.i = getelementptr i64, ptr %92, i64 %.1535.us.peel.i.i
+  %.1550.us.peel.i.i = load i64, ptr %.1549.us.peel.i.i, align 8
+  %.1725.us.peel.i.i = icmp slt i64 %.1550.us.peel.i.i, 0
+  %.1726.us.peel.i.i = select i1 %.1725.us.peel.i.i, i64 %w13, i64 0
+  %.1727.us.peel.i.i = add i64 %.1726.us.peel.i.i, %.1550.us.peel.i.i
+  %.1747.us.peel.i.i = mul i64 %.1727.us.peel.i.i, %w14
+  %93 = getelementptr double, ptr %w12, i64 %.1747.us.peel.i.i
+  %.1700.us.peel.i.i = load double, ptr %.451.i, align 8
+  %.1752.us.peel.i.i = load double, ptr %93, align 8
+  %.1757.us.peel.i.i = fdiv double %.1752.us.peel.i.i, 3.000000e+00
+  %.1758.us.peel.i.i = fadd double %.1700.us.peel.i.i, %.1757.us.peel.i.i
+  store double %.1758.us.peel.i.i, ptr %.451.i, align 8
+  %.1700.us.1.peel.i.i = load double, ptr %sunkaddr83.i.i, align 8
+  %94 = getelementptr i8, ptr %93, i64 8
+  %.1752.us.1.peel.i.i = load double, ptr %94, align 8
+  %.1757.us.1.peel.i.i = fdiv double %.1752.us.1.peel.i.i, 3.000000e+00
+  %.1758.us.1.peel.i.i = fadd double %.1700.us.1.peel.i.i, %.1757.us.1.peel.i.i
+  store double %.1758.us.1.peel.i.i, ptr %sunkaddr83.i.i, align 8
+  %.1700.us.2.peel.i.i = load double, ptr %sunkaddr84.i.i, align 8
+  %95 = getelementptr i8, ptr %93, i64 16
+  %.1752.us.2.peel.i.i = load double, ptr %95, align 8
+  %.1757.us.2.peel.i.i = fdiv double %.1752.us.2.peel.i.i, 3.000000e+00
+  %.1758.us.2.peel.i.i = fadd double %.1700.us.2.peel.i.i, %.1757.us.2.peel.i.i
+  store double %.1758.us.2.peel.i.i, ptr %sunkaddr84.i.i, align 8
+  %.1700.us.3.peel.i.i = load double, ptr %sunkaddr85.i.i, align 8
+  %96 = getelementptr i8, ptr %93, i64 24
+  %.1752.us.3.peel.i.i = load double, ptr %96, align 8
+  %.1757.us.3.peel.i.i = fdiv double %.1752.us.3.peel.i.i, 3.000000e+00
+  %.1758.us.3.peel.i.i = fadd double %.1700.us.3.peel.i.i, %.1757.us.3.peel.i.i
+  store double %.1758.us.3.peel.i.i, ptr %sunkaddr85.i.i, align 8
+  %.1700.us.4.peel.i.i = load double, ptr %sunkaddr86.i.i, align 8
+  %97 = getelementptr i8, ptr %93, i64 32
+  %.1752.us.4.peel.i.i = load double, ptr %97, align 8
+  %.1757.us.4.peel.i.i = fdiv double %.1752.us.4.peel.i.i, 3.000000e+00
+  %.1758.us.4.peel.i.i = fadd double %.1700.us.4.peel.i.i, %.1757.us.4.peel.i.i
+  store double %.1758.us.4.peel.i.i, ptr %sunkaddr86.i.i, align 8
+  %.1810.us.peel.i.i = select i1 %.1725.us.peel.i.i, i64 %w30, i64 0
+  %98 = getelementptr i64, ptr %w29, i64 %.1550.us.peel.i.i
+  %.1824.us.peel.i.i = getelementptr i64, ptr %98, i64 %.1810.us.peel.i.i
+  %.1825.us.peel.i.i = load i64, ptr %.1824.us.peel.i.i, align 8
+  %.1827.us.peel.i.i = icmp eq i64 %.1825.us.peel.i.i, %longest.3.4.lcssa.i
+  %.1860.us.peel.i.i = fcmp ogt double %.1758.us.peel.i.i, %.2776.i
+  %or.cond2364.i.i = select i1 %.1827.us.peel.i.i, i1 true, i1 %.1860.us.peel.i.i
+  br i1 %or.cond2364.i.i, label %B846.endif.split.us.i.i, label %B934.endif.endif.us.peel.i.i
 
-B616.endif.us.i.i:                                ; preds = %B1042.us.2.i.i
-  %.1396.us.i.i = icmp slt i64 %lsr.iv56.i.i, 0
-  %91 = select i1 %.1396.us.i.i, i64 %3, i64 0
-  %scevgep53.i.i = getelementptr i8, ptr %w10, i64 %91
-  %92 = shl i64 %lsr.iv56.i.i, 3
-  %scevgep57.i.i = getelementptr i8, ptr %scevgep53.i.i, i64 %92
-  %.1412.us.i.i = load i64, ptr %scevgep57.i.i, align 8
-  %.1431.us.i.i = icmp slt i64 %.1412.us.i.i, 0
-  %.1432.us.i.i = select i1 %.1431.us.i.i, i64 %w13, i64 0
-  %93 = getelementptr double, ptr %w12, i64 %.1412.us.i.i
-  %.1446.us.i.i = getelementptr double, ptr %93, i64 %.1432.us.i.i
-  %.1447.us.i.i = load double, ptr %.1446.us.i.i, align 8
-  %.1452.us.i.i = fdiv double %.1447.us.i.i, 3.000000e+00
-  %.1454.us.i.i = fadd double %.1454.us1915.i.i, %.1452.us.i.i
-  %.1476.us.i.i = select i1 %.1431.us.i.i, i64 %w29, i64 0
-  %94 = getelementptr i64, ptr %w28, i64 %.1412.us.i.i
-  %.1490.us.i.i = getelementptr i64, ptr %94, i64 %.1476.us.i.i
-  %.1491.us.i.i = load i64, ptr %.1490.us.i.i, align 8
-  %.1493.us.i.i = icmp eq i64 %.1491.us.i.i, %longest.3.4.lcssa.i
-  %.1497.us.i.i = fcmp ogt double %.1454.us.i.i, %area.4.4.lcssa.i
-  %or.cond1793.us.i.i = select i1 %.1493.us.i.i, i1 true, i1 %.1497.us.i.i
-  %.1353.us1911.i.i = add nsw i64 %.1353.us1911.in.i.i, -1
-  br i1 %or.cond1793.us.i.i, label %B728.endif.i.i, label %B816.endif.endif.us.i.i
+B934.endif.endif.us.peel.i.i:                     ; preds = %B660.endif.endif.us.preheader.i.i
+  %.2239.us.peel.i.i = select i1 %.1725.us.peel.i.i, i64 %w4, i64 0
+  %.2240.us.peel.i.i = add i64 %.2239.us.peel.i.i, %.1550.us.peel.i.i
+  %.2260.us.peel.i.i = mul i64 %.2240.us.peel.i.i, %w5
+  %99 = getelementptr i64, ptr %w3, i64 %.2260.us.peel.i.i
+  %.2265.us.peel.i.i = load i64, ptr %99, align 8
+  %.2278.us.peel.i.i = icmp slt i64 %.2265.us.peel.i.i, 0
+  %.2279.us.peel.i.i = select i1 %.2278.us.peel.i.i, i64 %w18, i64 0
+  %100 = getelementptr i64, ptr %w17, i64 %.2265.us.peel.i.i
+  %.2293.us.peel.i.i = getelementptr i64, ptr %100, i64 %.2279.us.peel.i.i
+  %.2294.us.peel.i.i = load i64, ptr %.2293.us.peel.i.i, align 8
+  %.2295.us.peel.i.i = icmp eq i64 %.2294.us.peel.i.i, 0
+  br i1 %.2295.us.peel.i.i, label %B1028.us.peel.i.i, label %B934.endif.endif.us.peel.B1160.us.peel_crit_edge.i.i
 
-B816.endif.endif.us.i.i:                          ; preds = %B616.endif.lr.ph.split.us.i.i, %B616.endif.us.i.i
-  %lsr.iv56.in.i.i = phi i64 [ %lsr.iv56.i.i, %B616.endif.us.i.i ], [ %.1232.i.i, %B616.endif.lr.ph.split.us.i.i ]
-  %.1454.us1915.i.i = phi double [ %.1454.us.i.i, %B616.endif.us.i.i ], [ %.1454.us1902.i.i, %B616.endif.lr.ph.split.us.i.i ]
-  %.1431.us1914.i.i = phi i1 [ %.1431.us.i.i, %B616.endif.us.i.i ], [ %.1431.us1897.i.i, %B616.endif.lr.ph.split.us.i.i ]
-  %.1412.us1913.i.i = phi i64 [ %.1412.us.i.i, %B616.endif.us.i.i ], [ %.1412.us1896.i.i, %B616.endif.lr.ph.split.us.i.i ]
-  %.1353.us1911.in.i.i = phi i64 [ %.1353.us1911.i.i, %B616.endif.us.i.i ], [ %.1301.i.i, %B616.endif.lr.ph.split.us.i.i ]
-  %num.9.51840.us1910.i.i = phi i64 [ %num.12.7.us.2.i.i, %B616.endif.us.i.i ], [ %num.10.3.i.i, %B616.endif.lr.ph.split.us.i.i ]
-  %top.10.51841.us1909.i.i = phi i64 [ %top.12.7.us.2.i.i, %B616.endif.us.i.i ], [ %.1165.i.i, %B616.endif.lr.ph.split.us.i.i ]
-  %lsr.iv56.i.i = add i64 %lsr.iv56.in.i.i, 1
-  %.1878.us.i.i = select i1 %.1431.us1914.i.i, i64 %w4, i64 0
-  %.1879.us.i.i = add i64 %.1878.us.i.i, %.1412.us1913.i.i
-  %.1899.us.i.i = mul i64 %.1879.us.i.i, %w5
-  %95 = getelementptr i64, ptr %w3, i64 %.1899.us.i.i
-  %.1904.us.i.i = load i64, ptr %95, align 8
-  %.1917.us.i.i = icmp slt i64 %.1904.us.i.i, 0
-  %.1918.us.i.i = select i1 %.1917.us.i.i, i64 %w17, i64 0
-  %96 = getelementptr i64, ptr %w16, i64 %.1904.us.i.i
-  %.1932.us.i.i = getelementptr i64, ptr %96, i64 %.1918.us.i.i
-  %.1933.us.i.i = load i64, ptr %.1932.us.i.i, align 8
-  %.1934.us.i.i = icmp eq i64 %.1933.us.i.i, 0
-  br i1 %.1934.us.i.i, label %B910.us.i.i, label %B816.endif.endif.us.B1042.us_crit_edge.i.i
+B934.endif.endif.us.peel.B1160.us.peel_crit_edge.i.i: ; preds = %B934.endif.endif.us.peel.i.i
+  %.pre19.i.i = shl i64 %.2260.us.peel.i.i, 3
+  br label %B1160.us.peel.i.i
 
-B816.endif.endif.us.B1042.us_crit_edge.i.i:       ; preds = %B816.endif.endif.us.i.i
-  %.pre19.i.i = shl i64 %.1899.us.i.i, 3
-  br label %B1042.us.i.i
+B1028.us.peel.i.i:                                ; preds = %B934.endif.endif.us.peel.i.i
+  %sunkaddr97.i.i = shl i64 %.2279.us.peel.i.i, 3
+  %sunkaddr98.i.i = getelementptr inbounds i8, ptr %100, i64 %sunkaddr97.i.i
+  store i64 2, ptr %sunkaddr98.i.i, align 8
+  %sunkaddr99.i.i = shl i64 %.2260.us.peel.i.i, 3
+  %sunkaddr100.i.i = getelementptr i8, ptr %w3, i64 %sunkaddr99.i.i
+  %.2435.us.peel.i.i = load i64, ptr %sunkaddr100.i.i, align 8
+  %.2451.us.peel.i.i = icmp slt i64 %num.10.3.i.i, 0
+  %.2452.us.peel.i.i = select i1 %.2451.us.peel.i.i, i64 %w22, i64 0
+  %101 = getelementptr i64, ptr %w21, i64 %num.10.3.i.i
+  %.2466.us.peel.i.i = getelementptr i64, ptr %101, i64 %.2452.us.peel.i.i
+  store i64 %.2435.us.peel.i.i, ptr %.2466.us.peel.i.i, align 8
+  %sunkaddr101.i.i = shl i64 %.1324.i.i, 3
+  %sunkaddr102.i.i = getelementptr inbounds i8, ptr %89, i64 %sunkaddr101.i.i
+  store i64 %.2435.us.peel.i.i, ptr %sunkaddr102.i.i, align 8
+  %.2501.us.peel.i.i = add nsw i64 %num.10.3.i.i, 1
+  br label %B1160.us.peel.i.i
 
-B910.us.i.i:                                      ; preds = %B816.endif.endif.us.i.i
-  %sunkaddr85.i.i = shl i64 %.1918.us.i.i, 3
-  %sunkaddr86.i.i = getelementptr inbounds i8, ptr %96, i64 %sunkaddr85.i.i
-  store i64 2, ptr %sunkaddr86.i.i, align 8
-  %sunkaddr87.i.i = shl i64 %.1899.us.i.i, 3
-  %sunkaddr88.i.i = getelementptr i8, ptr %w3, i64 %sunkaddr87.i.i
-  %.2074.us.i.i = load i64, ptr %sunkaddr88.i.i, align 8
-  %.2090.us.i.i = icmp slt i64 %num.9.51840.us1910.i.i, 0
-  %.2091.us.i.i = select i1 %.2090.us.i.i, i64 %w21, i64 0
-  %97 = getelementptr i64, ptr %w20, i64 %num.9.51840.us1910.i.i
-  %.2105.us.i.i = getelementptr i64, ptr %97, i64 %.2091.us.i.i
-  store i64 %.2074.us.i.i, ptr %.2105.us.i.i, align 8
-  %.2122.us.i.i = icmp slt i64 %top.10.51841.us1909.i.i, 0
-  %.2123.us.i.i = select i1 %.2122.us.i.i, i64 %w23, i64 0
-  %98 = getelementptr i64, ptr %w22, i64 %top.10.51841.us1909.i.i
-  %.2137.us.i.i = getelementptr i64, ptr %98, i64 %.2123.us.i.i
-  store i64 %.2074.us.i.i, ptr %.2137.us.i.i, align 8
-  %.2140.us.i.i = add nsw i64 %num.9.51840.us1910.i.i, 1
-  %.2144.us.i.i = add nsw i64 %top.10.51841.us1909.i.i, 1
-  br label %B1042.us.i.i
+B1160.us.peel.i.i:                                ; preds = %B1028.us.peel.i.i, %B934.endif.endif.us.peel.B1160.us.peel_crit_edge.i.i
+  %sunkaddr103.pre-phi.i.i = phi i64 [ %.pre19.i.i, %B934.endif.endif.us.peel.B1160.us.peel_crit_edge.i.i ], [ %sunkaddr99.i.i, %B1028.us.peel.i.i ]
+  %num.9.7.us.peel.i.i = phi i64 [ %num.10.3.i.i, %B934.endif.endif.us.peel.B1160.us.peel_crit_edge.i.i ], [ %.2501.us.peel.i.i, %B1028.us.peel.i.i ]
+  %top.10.7.us.peel.i.i = phi i64 [ %.1303.i.i, %B934.endif.endif.us.peel.B1160.us.peel_crit_edge.i.i ], [ %top.13.3.i.i, %B1028.us.peel.i.i ]
+  %sunkaddr104.i.i = getelementptr i8, ptr %w3, i64 %sunkaddr103.pre-phi.i.i
+  %sunkaddr105.i.i = getelementptr i8, ptr %sunkaddr104.i.i, i64 8
+  %.2265.us.1.peel.i.i = load i64, ptr %sunkaddr105.i.i, align 8
+  %.2278.us.1.peel.i.i = icmp slt i64 %.2265.us.1.peel.i.i, 0
+  %.2279.us.1.peel.i.i = select i1 %.2278.us.1.peel.i.i, i64 %w18, i64 0
+  %102 = getelementptr i64, ptr %w17, i64 %.2265.us.1.peel.i.i
+  %.2293.us.1.peel.i.i = getelementptr i64, ptr %102, i64 %.2279.us.1.peel.i.i
+  %.2294.us.1.peel.i.i = load i64, ptr %.2293.us.1.peel.i.i, align 8
+  %.2295.us.1.peel.i.i = icmp eq i64 %.2294.us.1.peel.i.i, 0
+  br i1 %.2295.us.1.peel.i.i, label %B1028.us.1.peel.i.i, label %B1160.us.1.peel.i.i
 
-B1042.us.i.i:                                     ; preds = %B910.us.i.i, %B816.endif.endif.us.B1042.us_crit_edge.i.i
-  %sunkaddr89.pre-phi.i.i = phi i64 [ %.pre19.i.i, %B816.endif.endif.us.B1042.us_crit_edge.i.i ], [ %sunkaddr87.i.i, %B910.us.i.i ]
-  %num.12.7.us.i.i = phi i64 [ %num.9.51840.us1910.i.i, %B816.endif.endif.us.B1042.us_crit_edge.i.i ], [ %.2140.us.i.i, %B910.us.i.i ]
-  %top.12.7.us.i.i = phi i64 [ %top.10.51841.us1909.i.i, %B816.endif.endif.us.B1042.us_crit_edge.i.i ], [ %.2144.us.i.i, %B910.us.i.i ]
-  %sunkaddr90.i.i = getelementptr i8, ptr %w3, i64 %sunkaddr89.pre-phi.i.i
-  %sunkaddr91.i.i = getelementptr i8, ptr %sunkaddr90.i.i, i64 8
-  %.1904.us.1.i.i = load i64, ptr %sunkaddr91.i.i, align 8
-  %.1917.us.1.i.i = icmp slt i64 %.1904.us.1.i.i, 0
-  %.1918.us.1.i.i = select i1 %.1917.us.1.i.i, i64 %w17, i64 0
-  %99 = getelementptr i64, ptr %w16, i64 %.1904.us.1.i.i
-  %.1932.us.1.i.i = getelementptr i64, ptr %99, i64 %.1918.us.1.i.i
-  %.1933.us.1.i.i = load i64, ptr %.1932.us.1.i.i, align 8
-  %.1934.us.1.i.i = icmp eq i64 %.1933.us.1.i.i, 0
-  br i1 %.1934.us.1.i.i, label %B910.us.1.i.i, label %B1042.us.1.i.i
+B1028.us.1.peel.i.i:                              ; preds = %B1160.us.peel.i.i
+  %sunkaddr106.i.i = shl i64 %.2279.us.1.peel.i.i, 3
+  %sunkaddr107.i.i = getelementptr inbounds i8, ptr %102, i64 %sunkaddr106.i.i
+  store i64 2, ptr %sunkaddr107.i.i, align 8
+  %.2435.us.1.peel.i.i = load i64, ptr %sunkaddr105.i.i, align 8
+  %.2451.us.1.peel.i.i = icmp slt i64 %num.9.7.us.peel.i.i, 0
+  %.2452.us.1.peel.i.i = select i1 %.2451.us.1.peel.i.i, i64 %w22, i64 0
+  %103 = getelementptr i64, ptr %w21, i64 %num.9.7.us.peel.i.i
+  %.2466.us.1.peel.i.i = getelementptr i64, ptr %103, i64 %.2452.us.1.peel.i.i
+  store i64 %.2435.us.1.peel.i.i, ptr %.2466.us.1.peel.i.i, align 8
+  %.2483.us.1.peel.i.i = icmp slt i64 %top.10.7.us.peel.i.i, 0
+  %.2484.us.1.peel.i.i = select i1 %.2483.us.1.peel.i.i, i64 %w24, i64 0
+  %104 = getelementptr i64, ptr %w23, i64 %top.10.7.us.peel.i.i
+  %.2498.us.1.peel.i.i = getelementptr i64, ptr %104, i64 %.2484.us.1.peel.i.i
+  store i64 %.2435.us.1.peel.i.i, ptr %.2498.us.1.peel.i.i, align 8
+  %.2501.us.1.peel.i.i = add nsw i64 %num.9.7.us.peel.i.i, 1
+  %.2505.us.1.peel.i.i = add nsw i64 %top.10.7.us.peel.i.i, 1
+  br label %B1160.us.1.peel.i.i
 
-B910.us.1.i.i:                                    ; preds = %B1042.us.i.i
-  %sunkaddr92.i.i = shl i64 %.1918.us.1.i.i, 3
-  %sunkaddr93.i.i = getelementptr inbounds i8, ptr %99, i64 %sunkaddr92.i.i
-  store i64 2, ptr %sunkaddr93.i.i, align 8
-  %.2074.us.1.i.i = load i64, ptr %sunkaddr91.i.i, align 8
-  %.2090.us.1.i.i = icmp slt i64 %num.12.7.us.i.i, 0
-  %.2091.us.1.i.i = select i1 %.2090.us.1.i.i, i64 %w21, i64 0
-  %100 = getelementptr i64, ptr %w20, i64 %num.12.7.us.i.i
-  %.2105.us.1.i.i = getelementptr i64, ptr %100, i64 %.2091.us.1.i.i
-  store i64 %.2074.us.1.i.i, ptr %.2105.us.1.i.i, align 8
-  %.2122.us.1.i.i = icmp slt i64 %top.12.7.us.i.i, 0
-  %.2123.us.1.i.i = select i1 %.2122.us.1.i.i, i64 %w23, i64 0
-  %101 = getelementptr i64, ptr %w22, i64 %top.12.7.us.i.i
-  %.2137.us.1.i.i = getelementptr i64, ptr %101, i64 %.2123.us.1.i.i
-  store i64 %.2074.us.1.i.i, ptr %.2137.us.1.i.i, align 8
-  %.2140.us.1.i.i = add nsw i64 %num.12.7.us.i.i, 1
-  %.2144.us.1.i.i = add nsw i64 %top.12.7.us.i.i, 1
-  br label %B1042.us.1.i.i
+B1160.us.1.peel.i.i:                              ; preds = %B1028.us.1.peel.i.i, %B1160.us.peel.i.i
+  %num.9.7.us.1.peel.i.i = phi i64 [ %.2501.us.1.peel.i.i, %B1028.us.1.peel.i.i ], [ %num.9.7.us.peel.i.i, %B1160.us.peel.i.i ]
+  %top.10.7.us.1.peel.i.i = phi i64 [ %.2505.us.1.peel.i.i, %B1028.us.1.peel.i.i ], [ %top.10.7.us.peel.i.i, %B1160.us.peel.i.i ]
+  %sunkaddr90.i.i = getelementptr i8, ptr %sunkaddr104.i.i, i64 16
+  %.2265.us.2.peel.i.i = load i64, ptr %sunkaddr90.i.i, align 8
+  %.2278.us.2.peel.i.i = icmp slt i64 %.2265.us.2.peel.i.i, 0
+  %.2279.us.2.peel.i.i = select i1 %.2278.us.2.peel.i.i, i64 %w18, i64 0
+  %105 = getelementptr i64, ptr %w17, i64 %.2265.us.2.peel.i.i
+  %.2293.us.2.peel.i.i = getelementptr i64, ptr %105, i64 %.2279.us.2.peel.i.i
+  %.2294.us.2.peel.i.i = load i64, ptr %.2293.us.2.peel.i.i, align 8
+  %.2295.us.2.peel.i.i = icmp eq i64 %.2294.us.2.peel.i.i, 0
+  br i1 %.2295.us.2.peel.i.i, label %B1028.us.2.peel.i.i, label %B1160.us.2.peel.i.i
 
-B1042.us.1.i.i:                                   ; preds = %B910.us.1.i.i, %B1042.us.i.i
-  %num.12.7.us.1.i.i = phi i64 [ %.2140.us.1.i.i, %B910.us.1.i.i ], [ %num.12.7.us.i.i, %B1042.us.i.i ]
-  %top.12.7.us.1.i.i = phi i64 [ %.2144.us.1.i.i, %B910.us.1.i.i ], [ %top.12.7.us.i.i, %B1042.us.i.i ]
-  %sunkaddr84.i.i = getelementptr i8, ptr %sunkaddr90.i.i, i64 16
-  %.1904.us.2.i.i = load i64, ptr %sunkaddr84.i.i, align 8
-  %.1917.us.2.i.i = icmp slt i64 %.1904.us.2.i.i, 0
-  %.1918.us.2.i.i = select i1 %.1917.us.2.i.i, i64 %w17, i64 0
-  %102 = getelementptr i64, ptr %w16, i64 %.1904.us.2.i.i
-  %.1932.us.2.i.i = getelementptr i64, ptr %102, i64 %.1918.us.2.i.i
-  %.1933.us.2.i.i = load i64, ptr %.1932.us.2.i.i, align 8
-  %.1934.us.2.i.i = icmp eq i64 %.1933.us.2.i.i, 0
-  br i1 %.1934.us.2.i.i, label %B910.us.2.i.i, label %B1042.us.2.i.i
+B1028.us.2.peel.i.i:                              ; preds = %B1160.us.1.peel.i.i
+  %sunkaddr114.i.i = shl i64 %.2279.us.2.peel.i.i, 3
+  %sunkaddr115.i.i = getelementptr inbounds i8, ptr %105, i64 %sunkaddr114.i.i
+  store i64 2, ptr %sunkaddr115.i.i, align 8
+  %.2435.us.2.peel.i.i = load i64, ptr %sunkaddr90.i.i, align 8
+  %.2451.us.2.peel.i.i = icmp slt i64 %num.9.7.us.1.peel.i.i, 0
+  %.2452.us.2.peel.i.i = select i1 %.2451.us.2.peel.i.i, i64 %w22, i64 0
+  %106 = getelementptr i64, ptr %w21, i64 %num.9.7.us.1.peel.i.i
+  %.2466.us.2.peel.i.i = getelementptr i64, ptr %106, i64 %.2452.us.2.peel.i.i
+  store i64 %.2435.us.2.peel.i.i, ptr %.2466.us.2.peel.i.i, align 8
+  %.2483.us.2.peel.i.i = icmp slt i64 %top.10.7.us.1.peel.i.i, 0
+  %.2484.us.2.peel.i.i = select i1 %.2483.us.2.peel.i.i, i64 %w24, i64 0
+  %107 = getelementptr i64, ptr %w23, i64 %top.10.7.us.1.peel.i.i
+  %.2498.us.2.peel.i.i = getelementptr i64, ptr %107, i64 %.2484.us.2.peel.i.i
+  store i64 %.2435.us.2.peel.i.i, ptr %.2498.us.2.peel.i.i, align 8
+  %.2501.us.2.peel.i.i = add nsw i64 %num.9.7.us.1.peel.i.i, 1
+  %.2505.us.2.peel.i.i = add nsw i64 %top.10.7.us.1.peel.i.i, 1
+  br label %B1160.us.2.peel.i.i
 
-B910.us.2.i.i:                                    ; preds = %B1042.us.1.i.i
-  %sunkaddr100.i.i = shl i64 %.1918.us.2.i.i, 3
-  %sunkaddr101.i.i = getelementptr inbounds i8, ptr %102, i64 %sunkaddr100.i.i
-  store i64 2, ptr %sunkaddr101.i.i, align 8
-  %.2074.us.2.i.i = load i64, ptr %sunkaddr84.i.i, align 8
-  %.2090.us.2.i.i = icmp slt i64 %num.12.7.us.1.i.i, 0
-  %.2091.us.2.i.i = select i1 %.2090.us.2.i.i, i64 %w21, i64 0
-  %103 = getelementptr i64, ptr %w20, i64 %num.12.7.us.1.i.i
-  %.2105.us.2.i.i = getelementptr i64, ptr %103, i64 %.2091.us.2.i.i
-  store i64 %.2074.us.2.i.i, ptr %.2105.us.2.i.i, align 8
-  %.2122.us.2.i.i = icmp slt i64 %top.12.7.us.1.i.i, 0
-  %.2123.us.2.i.i = select i1 %.2122.us.2.i.i, i64 %w23, i64 0
-  %104 = getelementptr i64, ptr %w22, i64 %top.12.7.us.1.i.i
-  %.2137.us.2.i.i = getelementptr i64, ptr %104, i64 %.2123.us.2.i.i
-  store i64 %.2074.us.2.i.i, ptr %.2137.us.2.i.i, align 8
-  %.2140.us.2.i.i = add nsw i64 %num.12.7.us.1.i.i, 1
-  %.2144.us.2.i.i = add nsw i64 %top.12.7.us.1.i.i, 1
-  br label %B1042.us.2.i.i
+B1160.us.2.peel.i.i:                              ; preds = %B1028.us.2.peel.i.i, %B1160.us.1.peel.i.i
+  %num.9.7.us.2.peel.i.i = phi i64 [ %.2501.us.2.peel.i.i, %B1028.us.2.peel.i.i ], [ %num.9.7.us.1.peel.i.i, %B1160.us.1.peel.i.i ]
+  %top.10.7.us.2.peel.i.i = phi i64 [ %.2505.us.2.peel.i.i, %B1028.us.2.peel.i.i ], [ %top.10.7.us.1.peel.i.i, %B1160.us.1.peel.i.i ]
+  %.1482.us.peel.not.i.i = icmp eq i64 %.1439.i.i, 1
+  br i1 %.1482.us.peel.not.i.i, label %B1164.i.i, label %B660.endif.endif.us.preheader47.i.i
 
-B1042.us.2.i.i:                                   ; preds = %B910.us.2.i.i, %B1042.us.1.i.i
-  %num.12.7.us.2.i.i = phi i64 [ %.2140.us.2.i.i, %B910.us.2.i.i ], [ %num.12.7.us.1.i.i, %B1042.us.1.i.i ]
-  %top.12.7.us.2.i.i = phi i64 [ %.2144.us.2.i.i, %B910.us.2.i.i ], [ %top.12.7.us.1.i.i, %B1042.us.1.i.i ]
-  %.1344.us.i.i = icmp samesign ugt i64 %.1353.us1911.in.i.i, 1
-  br i1 %.1344.us.i.i, label %B616.endif.us.i.i, label %B1046.i.i
+B660.endif.endif.us.preheader47.i.i:              ; preds = %B1160.us.2.peel.i.i
+  %108 = add nuw i64 %.1439.i.i, 1
+  br label %B660.endif.endif.us.i.i
 
-B728.endif.i.i:                                   ; preds = %B616.endif.lr.ph.split.us.i.i, %B616.endif.us.i.i
-  %num.9.5.lcssa1799.us.i.i = phi i64 [ %num.12.7.us.2.i.i, %B616.endif.us.i.i ], [ %num.10.3.i.i, %B616.endif.lr.ph.split.us.i.i ]
-  %.16012084.not.i.i = icmp slt i64 %num.9.5.lcssa1799.us.i.i, 1
-  br i1 %.16012084.not.i.i, label %B1258.endif.i, label %B760.preheader.i.i
+B660.endif.endif.us.i.i:                          ; preds = %B1160.us.2.i.i, %B660.endif.endif.us.preheader47.i.i
+  %lsr.iv54.in.i.i = phi i64 [ %lsr.iv54.i.i, %B1160.us.2.i.i ], [ %.1370.i.i, %B660.endif.endif.us.preheader47.i.i ]
+  %lsr.iv.i.i = phi i64 [ %lsr.iv.next.i.i, %B1160.us.2.i.i ], [ %108, %B660.endif.endif.us.preheader47.i.i ]
+  %top.8.52008.us.i.i = phi i64 [ %top.10.7.us.2.i.i, %B1160.us.2.i.i ], [ %top.10.7.us.2.peel.i.i, %B660.endif.endif.us.preheader47.i.i ]
+  %num.7.52007.us.i.i = phi i64 [ %num.9.7.us.2.i.i, %B1160.us.2.i.i ], [ %num.9.7.us.2.peel.i.i, %B660.endif.endif.us.preheader47.i.i ]
+  %lsr.iv54.i.i = add i64 %lsr.iv54.in.i.i, 1
+  %.1534.us.i.i = icmp slt i64 %lsr.iv54.i.i, 0
+  %109 = select i1 %.1534.us.i.i, i64 %3, i64 0
+  %scevgep61.i.i = getelementptr i8, ptr %w10, i64 %109
+  %110 = shl i64 %lsr.iv54.i.i, 3
+  %scevgep56.i.i = getelementptr i8, ptr %scevgep61.i.i, i64 %110
+  %.1550.us.i.i = load i64, ptr %scevgep56.i.i, align 8
+  %.1725.us.i.i = icmp slt i64 %.1550.us.i.i, 0
+  %.1726.us.i.i = select i1 %.1725.us.i.i, i64 %w13, i64 0
+  %.1727.us.i.i = add i64 %.1726.us.i.i, %.1550.us.i.i
+  %.1747.us.i.i = mul i64 %.1727.us.i.i, %w14
+  %111 = getelementptr double, ptr %w12, i64 %.1747.us.i.i
+  %.1700.us.i.i = load double, ptr %.451.i, align 8
+  %.1752.us.i.i = load double, ptr %111, align 8
+  %.1757.us.i.i = fdiv double %.1752.us.i.i, 3.000000e+00
+  %.1758.us.i.i = fadd double %.1700.us.i.i, %.1757.us.i.i
+  store double %.1758.us.i.i, ptr %.451.i, align 8
+  %.1700.us.1.i.i = load double, ptr %sunkaddr83.i.i, align 8
+  %112 = getelementptr i8, ptr %111, i64 8
+  %.1752.us.1.i.i = load double, ptr %112, align 8
+  %.1757.us.1.i.i = fdiv double %.1752.us.1.i.i, 3.000000e+00
+  %.1758.us.1.i.i = fadd double %.1700.us.1.i.i, %.1757.us.1.i.i
+  store double %.1758.us.1.i.i, ptr %sunkaddr83.i.i, align 8
+  %.1700.us.2.i.i = load double, ptr %sunkaddr84.i.i, align 8
+  %113 = getelementptr i8, ptr %111, i64 16
+  %.1752.us.2.i.i = load double, ptr %113, align 8
+  %.1757.us.2.i.i = fdiv double %.1752.us.2.i.i, 3.000000e+00
+  %.1758.us.2.i.i = fadd double %.1700.us.2.i.i, %.1757.us.2.i.i
+  store double %.1758.us.2.i.i, ptr %sunkaddr84.i.i, align 8
+  %.1700.us.3.i.i = load double, ptr %sunkaddr85.i.i, align 8
+  %114 = getelementptr i8, ptr %111, i64 24
+  %.1752.us.3.i.i = load double, ptr %114, align 8
+  %.1757.us.3.i.i = fdiv double %.1752.us.3.i.i, 3.000000e+00
+  %.1758.us.3.i.i = fadd double %.1700.us.3.i.i, %.1757.us.3.i.i
+  store double %.1758.us.3.i.i, ptr %sunkaddr85.i.i, align 8
+  %.1700.us.4.i.i = load double, ptr %sunkaddr86.i.i, align 8
+  %115 = getelementptr i8, ptr %111, i64 32
+  %.1752.us.4.i.i = load double, ptr %115, align 8
+  %.1757.us.4.i.i = fdiv double %.1752.us.4.i.i, 3.000000e+00
+  %.1758.us.4.i.i = fadd double %.1700.us.4.i.i, %.1757.us.4.i.i
+  store double %.1758.us.4.i.i, ptr %sunkaddr86.i.i, align 8
+  %.1810.us.i.i = select i1 %.1725.us.i.i, i64 %w30, i64 0
+  %116 = getelementptr i64, ptr %w29, i64 %.1550.us.i.i
+  %.1824.us.i.i = getelementptr i64, ptr %116, i64 %.1810.us.i.i
+  %.1825.us.i.i = load i64, ptr %.1824.us.i.i, align 8
+  %.1827.us.i.i = icmp eq i64 %.1825.us.i.i, %longest.3.4.lcssa.i
+  %.1860.us.i.i = fcmp ogt double %.1758.us.i.i, %.2776.i
+  %or.cond2365.i.i = select i1 %.1827.us.i.i, i1 true, i1 %.1860.us.i.i
+  br i1 %or.cond2365.i.i, label %B846.endif.split.us.i.i, label %B934.endif.endif.us.i.i
 
-B760.preheader.i.i:                               ; preds = %B728.endif.i.i
-  %xtraiter.i.i = and i64 %num.9.5.lcssa1799.us.i.i, 3
-  %105 = icmp samesign ult i64 %num.9.5.lcssa1799.us.i.i, 4
-  br i1 %105, label %B760.epil.preheader.i.i, label %B760.preheader.new.i.i
+B934.endif.endif.us.i.i:                          ; preds = %B660.endif.endif.us.i.i
+  %.2239.us.i.i = select i1 %.1725.us.i.i, i64 %w4, i64 0
+  %.2240.us.i.i = add i64 %.2239.us.i.i, %.1550.us.i.i
+  %.2260.us.i.i = mul i64 %.2240.us.i.i, %w5
+  %117 = getelementptr i64, ptr %w3, i64 %.2260.us.i.i
+  %.2265.us.i.i = load i64, ptr %117, align 8
+  %.2278.us.i.i = icmp slt i64 %.2265.us.i.i, 0
+  %.2279.us.i.i = select i1 %.2278.us.i.i, i64 %w18, i64 0
+  %118 = getelementptr i64, ptr %w17, i64 %.2265.us.i.i
+  %.2293.us.i.i = getelementptr i64, ptr %118, i64 %.2279.us.i.i
+  %.2294.us.i.i = load i64, ptr %.2293.us.i.i, align 8
+  %.2295.us.i.i = icmp eq i64 %.2294.us.i.i, 0
+  br i1 %.2295.us.i.i, label %B1028.us.i.i, label %B934.endif.endif.us.B1160.us_crit_edge.i.i
 
-B760.preheader.new.i.i:                           ; preds = %B760.preheader.i.i
-  %unroll_iter.i.i = and i64 %num.9.5.lcssa1799.us.i.i, 9223372036854775804
-  br label %B760.i.i
+B934.endif.endif.us.B1160.us_crit_edge.i.i:       ; preds = %B934.endif.endif.us.i.i
+  %.pre20.i.i = shl i64 %.2260.us.i.i, 3
+  br label %B1160.us.i.i
 
-_ZN7msf_jax4host4thin6fronts7islandsB3v39B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xxd5ArrayIdLi1E1C7mutable7alignedE.exit.i: ; preds = %B48.loopexit.i.i
-  store double %.2253.i, ptr %.441.i, align 8
-  %.2222.i = icmp sgt i64 %num.5.1.lcssa.i.i, 0
-  br i1 %.2222.i, label %B1204.preheader.i, label %B1258.endif.i
+B1028.us.i.i:                                     ; preds = %B934.endif.endif.us.i.i
+  %sunkaddr123.i.i = shl i64 %.2279.us.i.i, 3
+  %sunkaddr124.i.i = getelementptr inbounds i8, ptr %118, i64 %sunkaddr123.i.i
+  store i64 2, ptr %sunkaddr124.i.i, align 8
+  %sunkaddr125.i.i = shl i64 %.2260.us.i.i, 3
+  %sunkaddr126.i.i = getelementptr i8, ptr %w3, i64 %sunkaddr125.i.i
+  %.2435.us.i.i = load i64, ptr %sunkaddr126.i.i, align 8
+  %.2451.us.i.i = icmp slt i64 %num.7.52007.us.i.i, 0
+  %.2452.us.i.i = select i1 %.2451.us.i.i, i64 %w22, i64 0
+  %119 = getelementptr i64, ptr %w21, i64 %num.7.52007.us.i.i
+  %.2466.us.i.i = getelementptr i64, ptr %119, i64 %.2452.us.i.i
+  store i64 %.2435.us.i.i, ptr %.2466.us.i.i, align 8
+  %.2483.us.i.i = icmp slt i64 %top.8.52008.us.i.i, 0
+  %.2484.us.i.i = select i1 %.2483.us.i.i, i64 %w24, i64 0
+  %120 = getelementptr i64, ptr %w23, i64 %top.8.52008.us.i.i
+  %.2498.us.i.i = getelementptr i64, ptr %120, i64 %.2484.us.i.i
+  store i64 %.2435.us.i.i, ptr %.2498.us.i.i, align 8
+  %.2501.us.i.i = add nsw i64 %num.7.52007.us.i.i, 1
+  %.2505.us.i.i = add nsw i64 %top.8.52008.us.i.i, 1
+  br label %B1160.us.i.i
 
-B1204.i:                                          ; preds = %B1204.preheader.new.i, %B1254.1.i
-  %goes_on.11.42828.i = phi i1 [ true, %B1204.preheader.new.i ], [ %"$phi1254.1.2.5.1.i", %B1254.1.i ]
-  %.236428242826.i = phi i64 [ 0, %B1204.preheader.new.i ], [ %.2371.151.i, %B1254.1.i ]
-  br i1 %goes_on.11.42828.i, label %B1254.i, label %B1254.1.i
+B1160.us.i.i:                                     ; preds = %B1028.us.i.i, %B934.endif.endif.us.B1160.us_crit_edge.i.i
+  %sunkaddr127.pre-phi.i.i = phi i64 [ %.pre20.i.i, %B934.endif.endif.us.B1160.us_crit_edge.i.i ], [ %sunkaddr125.i.i, %B1028.us.i.i ]
+  %num.9.7.us.i.i = phi i64 [ %num.7.52007.us.i.i, %B934.endif.endif.us.B1160.us_crit_edge.i.i ], [ %.2501.us.i.i, %B1028.us.i.i ]
+  %top.10.7.us.i.i = phi i64 [ %top.8.52008.us.i.i, %B934.endif.endif.us.B1160.us_crit_edge.i.i ], [ %.2505.us.i.i, %B1028.us.i.i ]
+  %sunkaddr128.i.i = getelementptr i8, ptr %w3, i64 %sunkaddr127.pre-phi.i.i
+  %sunkaddr129.i.i = getelementptr i8, ptr %sunkaddr128.i.i, i64 8
+  %.2265.us.1.i.i = load i64, ptr %sunkaddr129.i.i, align 8
+  %.2278.us.1.i.i = icmp slt i64 %.2265.us.1.i.i, 0
+  %.2279.us.1.i.i = select i1 %.2278.us.1.i.i, i64 %w18, i64 0
+  %121 = getelementptr i64, ptr %w17, i64 %.2265.us.1.i.i
+  %.2293.us.1.i.i = getelementptr i64, ptr %121, i64 %.2279.us.1.i.i
+  %.2294.us.1.i.i = load i64, ptr %.2293.us.1.i.i, align 8
+  %.2295.us.1.i.i = icmp eq i64 %.2294.us.1.i.i, 0
+  br i1 %.2295.us.1.i.i, label %B1028.us.1.i.i, label %B1160.us.1.i.i
 
-B1254.i:                                          ; preds = %B1204.i
-  %sunkaddr285.i = shl i64 %.236428242826.i, 3
-  %sunkaddr286.i = getelementptr i8, ptr %w20, i64 %sunkaddr285.i
-  %.2444.i = load i64, ptr %sunkaddr286.i, align 8
-  %.2460.i = icmp slt i64 %.2444.i, 0
-  %.2461.i = select i1 %.2460.i, i64 %w37, i64 0
-  %106 = getelementptr i64, ptr %w36, i64 %.2444.i
-  %.2475.i = getelementptr i64, ptr %106, i64 %.2461.i
-  %.2476.i = load i64, ptr %.2475.i, align 8
-  %.2477.i = icmp eq i64 %.2476.i, 0
-  br i1 %.2477.i, label %B1210.1.i, label %B1254.1.i
+B1028.us.1.i.i:                                   ; preds = %B1160.us.i.i
+  %sunkaddr130.i.i = shl i64 %.2279.us.1.i.i, 3
+  %sunkaddr131.i.i = getelementptr inbounds i8, ptr %121, i64 %sunkaddr130.i.i
+  store i64 2, ptr %sunkaddr131.i.i, align 8
+  %.2435.us.1.i.i = load i64, ptr %sunkaddr129.i.i, align 8
+  %.2451.us.1.i.i = icmp slt i64 %num.9.7.us.i.i, 0
+  %.2452.us.1.i.i = select i1 %.2451.us.1.i.i, i64 %w22, i64 0
+  %122 = getelementptr i64, ptr %w21, i64 %num.9.7.us.i.i
+  %.2466.us.1.i.i = getelementptr i64, ptr %122, i64 %.2452.us.1.i.i
+  store i64 %.2435.us.1.i.i, ptr %.2466.us.1.i.i, align 8
+  %.2483.us.1.i.i = icmp slt i64 %top.10.7.us.i.i, 0
+  %.2484.us.1.i.i = select i1 %.2483.us.1.i.i, i64 %w24, i64 0
+  %123 = getelementptr i64, ptr %w23, i64 %top.10.7.us.i.i
+  %.2498.us.1.i.i = getelementptr i64, ptr %123, i64 %.2484.us.1.i.i
+  store i64 %.2435.us.1.i.i, ptr %.2498.us.1.i.i, align 8
+  %.2501.us.1.i.i = add nsw i64 %num.9.7.us.i.i, 1
+  %.2505.us.1.i.i = add nsw i64 %top.10.7.us.i.i, 1
+  br label %B1160.us.1.i.i
 
-B1210.1.i:                                        ; preds = %B1254.i
-  %sunkaddr289.i = getelementptr i8, ptr %sunkaddr286.i, i64 8
-  %.2444.1.i = load i64, ptr %sunkaddr289.i, align 8
-  %.2460.1.i = icmp slt i64 %.2444.1.i, 0
-  %.2461.1.i = select i1 %.2460.1.i, i64 %w37, i64 0
-  %107 = getelementptr i64, ptr %w36, i64 %.2444.1.i
-  %.2475.1.i = getelementptr i64, ptr %107, i64 %.2461.1.i
-  %.2476.1.i = load i64, ptr %.2475.1.i, align 8
-  %.2477.1.i = icmp eq i64 %.2476.1.i, 0
-  br label %B1254.1.i
+B1160.us.1.i.i:                                   ; preds = %B1028.us.1.i.i, %B1160.us.i.i
+  %num.9.7.us.1.i.i = phi i64 [ %.2501.us.1.i.i, %B1028.us.1.i.i ], [ %num.9.7.us.i.i, %B1160.us.i.i ]
+  %top.10.7.us.1.i.i = phi i64 [ %.2505.us.1.i.i, %B1028.us.1.i.i ], [ %top.10.7.us.i.i, %B1160.us.i.i ]
+  %sunkaddr116.i.i = getelementptr i8, ptr %sunkaddr128.i.i, i64 16
+  %.2265.us.2.i.i = load i64, ptr %sunkaddr116.i.i, align 8
+  %.2278.us.2.i.i = icmp slt i64 %.2265.us.2.i.i, 0
+  %.2279.us.2.i.i = select i1 %.2278.us.2.i.i, i64 %w18, i64 0
+  %124 = getelementptr i64, ptr %w17, i64 %.2265.us.2.i.i
+  %.2293.us.2.i.i = getelementptr i64, ptr %124, i64 %.2279.us.2.i.i
+  %.2294.us.2.i.i = load i64, ptr %.2293.us.2.i.i, align 8
+  %.2295.us.2.i.i = icmp eq i64 %.2294.us.2.i.i, 0
+  br i1 %.2295.us.2.i.i, label %B1028.us.2.i.i, label %B1160.us.2.i.i
 
-B1254.1.i:                                        ; preds = %B1210.1.i, %B1254.i, %B1204.i
-  %"$phi1254.1.2.5.1.i" = phi i1 [ %.2477.1.i, %B1210.1.i ], [ false, %B1254.i ], [ false, %B1204.i ]
-  %.2371.151.i = add nuw i64 %.236428242826.i, 2
-  %niter.ncmp.1.i = icmp eq i64 %unroll_iter.i, %.2371.151.i
-  br i1 %niter.ncmp.1.i, label %B1258.endif.loopexit.unr-lcssa.i, label %B1204.i
+B1028.us.2.i.i:                                   ; preds = %B1160.us.1.i.i
+  %sunkaddr138.i.i = shl i64 %.2279.us.2.i.i, 3
+  %sunkaddr139.i.i = getelementptr inbounds i8, ptr %124, i64 %sunkaddr138.i.i
+  store i64 2, ptr %sunkaddr139.i.i, align 8
+  %.2435.us.2.i.i = load i64, ptr %sunkaddr116.i.i, align 8
+  %.2451.us.2.i.i = icmp slt i64 %num.9.7.us.1.i.i, 0
+  %.2452.us.2.i.i = select i1 %.2451.us.2.i.i, i64 %w22, i64 0
+  %125 = getelementptr i64, ptr %w21, i64 %num.9.7.us.1.i.i
+  %.2466.us.2.i.i = getelementptr i64, ptr %125, i64 %.2452.us.2.i.i
+  store i64 %.2435.us.2.i.i, ptr %.2466.us.2.i.i, align 8
+  %.2483.us.2.i.i = icmp slt i64 %top.10.7.us.1.i.i, 0
+  %.2484.us.2.i.i = select i1 %.2483.us.2.i.i, i64 %w24, i64 0
+  %126 = getelementptr i64, ptr %w23, i64 %top.10.7.us.1.i.i
+  %.2498.us.2.i.i = getelementptr i64, ptr %126, i64 %.2484.us.2.i.i
+  store i64 %.2435.us.2.i.i, ptr %.2498.us.2.i.i, align 8
+  %.2501.us.2.i.i = add nsw i64 %num.9.7.us.1.i.i, 1
+  %.2505.us.2.i.i = add nsw i64 %top.10.7.us.1.i.i, 1
+  br label %B1160.us.2.i.i
 
-B1288.loopexit.i:                                 ; preds = %B1420.i, %B1420.prol.loopexit.i, %B1290.endif.i
-  %exitcond3589.not.i = icmp eq i64 %.2598.i, %count.2.03240.i
-  br i1 %exitcond3589.not.i, label %B1468.loopexit.i, label %B1290.endif.i
+B1160.us.2.i.i:                                   ; preds = %B1028.us.2.i.i, %B1160.us.1.i.i
+  %num.9.7.us.2.i.i = phi i64 [ %.2501.us.2.i.i, %B1028.us.2.i.i ], [ %num.9.7.us.1.i.i, %B1160.us.1.i.i ]
+  %top.10.7.us.2.i.i = phi i64 [ %.2505.us.2.i.i, %B1028.us.2.i.i ], [ %top.10.7.us.1.i.i, %B1160.us.1.i.i ]
+  %lsr.iv.next.i.i = add i64 %lsr.iv.i.i, -1
+  %.1482.us.i.i = icmp samesign ugt i64 %lsr.iv.next.i.i, 2
+  br i1 %.1482.us.i.i, label %B660.endif.endif.us.i.i, label %B1164.i.i
 
-B1420.i:                                          ; preds = %B1420.preheader184.i, %B1420.i
-  %lsr.iv212.i = phi i64 [ %149, %B1420.preheader184.i ], [ %lsr.iv.next213.i, %B1420.i ]
-  %.283328332835.i = phi i64 [ %.283328332835.unr.i, %B1420.preheader184.i ], [ %114, %B1420.i ]
-  %.2881.i = icmp slt i64 %.283328332835.i, 0
-  %108 = select i1 %.2881.i, i64 %3, i64 0
-  %scevgep214.i = getelementptr i8, ptr %w10, i64 %108
-  %109 = shl i64 %.283328332835.i, 3
-  %scevgep215.i = getelementptr i8, ptr %scevgep214.i, i64 %109
-  %.2897.i = load i64, ptr %scevgep215.i, align 8
-  %.2910.i = icmp slt i64 %.2897.i, 0
-  %.2911.i = select i1 %.2910.i, i64 %w29, i64 0
-  %110 = getelementptr i64, ptr %w28, i64 %.2897.i
-  %.2925.i = getelementptr i64, ptr %110, i64 %.2911.i
-  store i64 -1, ptr %.2925.i, align 8
-  %111 = add i64 %.283328332835.i, 1
-  %.2881.1.i = icmp slt i64 %111, 0
-  %112 = select i1 %.2881.1.i, i64 %3, i64 0
-  %scevgep216.i = getelementptr i8, ptr %w10, i64 %112
-  %scevgep217.i = getelementptr i8, ptr %scevgep216.i, i64 %109
-  %scevgep218.i = getelementptr i8, ptr %scevgep217.i, i64 8
-  %.2897.1.i = load i64, ptr %scevgep218.i, align 8
-  %.2910.1.i = icmp slt i64 %.2897.1.i, 0
-  %.2911.1.i = select i1 %.2910.1.i, i64 %w29, i64 0
-  %113 = getelementptr i64, ptr %w28, i64 %.2897.1.i
-  %.2925.1.i = getelementptr i64, ptr %113, i64 %.2911.1.i
-  store i64 -1, ptr %.2925.1.i, align 8
-  %lsr.iv.next213.i = add i64 %lsr.iv212.i, -2
-  %.2827.1.i = icmp samesign ugt i64 %lsr.iv.next213.i, 2
-  %114 = add i64 %.283328332835.i, 2
-  br i1 %.2827.1.i, label %B1420.i, label %B1288.loopexit.i
+B846.endif.split.us.i.i:                          ; preds = %B660.endif.endif.us.preheader.i.i, %B660.endif.endif.us.i.i
+  %num.7.52007.us.lcssa.i.i = phi i64 [ %num.7.52007.us.i.i, %B660.endif.endif.us.i.i ], [ %num.10.3.i.i, %B660.endif.endif.us.preheader.i.i ]
+  %.19622281.not.i.i = icmp slt i64 %num.7.52007.us.lcssa.i.i, 1
+  br i1 %.19622281.not.i.i, label %B1550.endif.i, label %B878.preheader.i.i
 
-B1468.loopexit.i:                                 ; preds = %B1288.loopexit.i
-  %.2939.i = fcmp ogt double %area.8.3.i, %w35
-  %.2942.i = fmul double %last.2.2.i, 1.500000e+00
-  %.2944.i = fcmp ogt double %level.2.2.i, %.2942.i
-  %or.cond2694.i = select i1 %.2939.i, i1 true, i1 %.2944.i
-  br i1 %or.cond2694.i, label %B2036.endif.i, label %B1516.i
+B878.preheader.i.i:                               ; preds = %B846.endif.split.us.i.i
+  %xtraiter.i.i = and i64 %num.7.52007.us.lcssa.i.i, 3
+  %127 = icmp samesign ult i64 %num.7.52007.us.lcssa.i.i, 4
+  br i1 %127, label %B878.epil.preheader.i.i, label %B878.preheader.new.i.i
 
-B1516.i:                                          ; preds = %B1468.loopexit.i
-  br i1 %goes_on.10.3.i, label %B1522.i, label %B2036.endif.i
+B878.preheader.new.i.i:                           ; preds = %B878.preheader.i.i
+  %unroll_iter.i.i = and i64 %num.7.52007.us.lcssa.i.i, 9223372036854775804
+  br label %B878.i.i
 
-B1522.i:                                          ; preds = %B1516.i
-  %.3011.i = icmp sgt i64 %num.2.3.i, -1
-  br i1 %.3011.i, label %B1534.i, label %B2128.i
+_ZN7msf_jax4host4thin6fronts7islandsB3v39B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xxd5ArrayIdLi1E1C7mutable7alignedE.exit.i: ; preds = %B92.loopexit.i.i
+  %.2848.i = icmp sgt i64 %num.4.1.lcssa.i.i, 0
+  br i1 %.2848.i, label %B1496.preheader.i, label %B1550.endif.i
 
-B1534.i:                                          ; preds = %B1522.i
-  %.3061.i = load double, ptr %sunkaddr370.i, align 8
-  %.3063.i = fcmp ogt double %.3061.i, 0.000000e+00
-  br i1 %.3063.i, label %B1558.i, label %B2036.endif.i
+B1496.i:                                          ; preds = %B1496.preheader.new.i, %B1546.1.i
+  %goes_on.11.43358.i = phi i1 [ true, %B1496.preheader.new.i ], [ %"$phi1546.1.2.5.1.i", %B1546.1.i ]
+  %.316133543356.i = phi i64 [ 0, %B1496.preheader.new.i ], [ %.3168.147.i, %B1546.1.i ]
+  br i1 %goes_on.11.43358.i, label %B1546.i, label %B1546.1.i
 
-B1558.i:                                          ; preds = %B1534.i
-  %.3078.i = fmul double %area.8.3.i, 0x401921FB54442D18
-  %.3139.i = fmul double %.3061.i, %.3061.i
-  %.3143.i = fdiv double %.3078.i, %.3139.i
-  %.3144.i = fadd double %.3143.i, -5.000000e-01
-  %.3150.i = fcmp oge double %area.8.3.i, %w34
-  %.3160.i = fmul double %.3144.i, 5.000000e-01
-  %"$phi1660.0.2.4.i" = select i1 %.3150.i, double %.3144.i, double %.3160.i
-  %.3194.i = icmp slt i64 %rows.2.2.i, 0
-  %.3195.i = select i1 %.3194.i, i64 %w39, i64 0
-  %.3196.i = add i64 %.3195.i, %rows.2.2.i
-  %.3216.i = mul i64 %.3196.i, %w40
-  %.3220.i = getelementptr double, ptr %w38, i64 %.3216.i
-  store double %"$phi1660.0.2.4.i", ptr %.3220.i, align 8
-  %.3278.i = getelementptr i8, ptr %.3220.i, i64 8
-  store double %level.2.2.i, ptr %.3278.i, align 8
-  %.3334.i = getelementptr i8, ptr %.3220.i, i64 16
-  store double %area.8.3.i, ptr %.3334.i, align 8
-  %.3485.i = load double, ptr %sunkaddr379.i, align 8
-  %.3515.i = load double, ptr %sunkaddr370.i, align 8
-  %.3519.i = fdiv double %.3485.i, %.3515.i
-  %115 = getelementptr i8, ptr %.3220.i, i64 24
-  store double %.3519.i, ptr %115, align 8
-  %.3485.1.i = load double, ptr %sunkaddr383.i, align 8
-  %.3515.1.i = load double, ptr %sunkaddr370.i, align 8
-  %.3519.1.i = fdiv double %.3485.1.i, %.3515.1.i
-  %116 = getelementptr i8, ptr %.3220.i, i64 32
-  store double %.3519.1.i, ptr %116, align 8
-  %.3485.2.i = load double, ptr %sunkaddr387.i, align 8
-  %.3515.2.i = load double, ptr %sunkaddr370.i, align 8
-  %.3519.2.i = fdiv double %.3485.2.i, %.3515.2.i
-  %117 = getelementptr i8, ptr %.3220.i, i64 40
-  store double %.3519.2.i, ptr %117, align 8
-  %.3643.i = fcmp olt double %"$phi1660.0.2.4.i", %w33
-  %.3703.i = fcmp ogt double %"$phi1660.0.2.4.i", %slenderest.2.2.i
-  br i1 %.3703.i, label %B1912.i, label %B2022.i
+B1546.i:                                          ; preds = %B1496.i
+  %sunkaddr284.i = shl i64 %.316133543356.i, 3
+  %sunkaddr285.i = getelementptr i8, ptr %w21, i64 %sunkaddr284.i
+  %.3239.i = load i64, ptr %sunkaddr285.i, align 8
+  %.3255.i = icmp slt i64 %.3239.i, 0
+  %.3256.i = select i1 %.3255.i, i64 %w38, i64 0
+  %128 = getelementptr i64, ptr %w37, i64 %.3239.i
+  %.3270.i = getelementptr i64, ptr %128, i64 %.3256.i
+  %.3271.i = load i64, ptr %.3270.i, align 8
+  %.3272.i = icmp eq i64 %.3271.i, 0
+  br i1 %.3272.i, label %B1502.1.i, label %B1546.1.i
 
-B1912.i:                                          ; preds = %B1558.i, %B1912.i
-  %lsr.iv235.i = phi i64 [ %lsr.iv.next236.i, %B1912.i ], [ 32, %B1558.i ]
-  %.386128602862.i = phi i64 [ %.3868.3.i, %B1912.i ], [ 0, %B1558.i ]
-  %sunkaddr303.i = shl i64 %.386128602862.i, 3
-  %sunkaddr304.i = getelementptr i8, ptr %w18, i64 %sunkaddr303.i
-  %.3923.i = load i64, ptr %sunkaddr304.i, align 8
-  %sunkaddr306.i = getelementptr i8, ptr %w41, i64 %sunkaddr303.i
-  store i64 %.3923.i, ptr %sunkaddr306.i, align 8
-  %sunkaddr309.i = getelementptr i8, ptr %sunkaddr304.i, i64 8
-  %.3923.1.i = load i64, ptr %sunkaddr309.i, align 8
-  %sunkaddr312.i = getelementptr i8, ptr %sunkaddr306.i, i64 8
-  store i64 %.3923.1.i, ptr %sunkaddr312.i, align 8
-  %sunkaddr315.i = getelementptr i8, ptr %sunkaddr304.i, i64 16
-  %.3923.2.i = load i64, ptr %sunkaddr315.i, align 8
-  %sunkaddr318.i = getelementptr i8, ptr %sunkaddr306.i, i64 16
-  store i64 %.3923.2.i, ptr %sunkaddr318.i, align 8
-  %.3868.3.i = add nuw nsw i64 %.386128602862.i, 4
-  %sunkaddr321.i = getelementptr i8, ptr %sunkaddr304.i, i64 24
-  %.3923.3.i = load i64, ptr %sunkaddr321.i, align 8
-  %sunkaddr324.i = getelementptr i8, ptr %sunkaddr306.i, i64 24
-  store i64 %.3923.3.i, ptr %sunkaddr324.i, align 8
-  %niter148.ncmp.3.i = icmp eq i64 %unroll_iter147.i, %.3868.3.i
-  %lsr.iv.next236.i = add i64 %lsr.iv235.i, 32
-  br i1 %niter148.ncmp.3.i, label %B1948.endif.unr-lcssa.i, label %B1912.i
+B1502.1.i:                                        ; preds = %B1546.i
+  %sunkaddr288.i = getelementptr i8, ptr %sunkaddr285.i, i64 8
+  %.3239.1.i = load i64, ptr %sunkaddr288.i, align 8
+  %.3255.1.i = icmp slt i64 %.3239.1.i, 0
+  %.3256.1.i = select i1 %.3255.1.i, i64 %w38, i64 0
+  %129 = getelementptr i64, ptr %w37, i64 %.3239.1.i
+  %.3270.1.i = getelementptr i64, ptr %129, i64 %.3256.1.i
+  %.3271.1.i = load i64, ptr %.3270.1.i, align 8
+  %.3272.1.i = icmp eq i64 %.3271.1.i, 0
+  br label %B1546.1.i
 
-B1980.i:                                          ; preds = %B1980.preheader.new.i, %B1980.i
-  %.405128672869.i = phi i64 [ 0, %B1980.preheader.new.i ], [ %.4058.3.i, %B1980.i ]
-  %118 = shl i64 %.405128672869.i, 3
-  %sunkaddr326.i = getelementptr i8, ptr %w20, i64 %118
-  %.4117.i = load i64, ptr %sunkaddr326.i, align 8
-  %scevgep258.i = getelementptr i8, ptr %scevgep252.i, i64 %118
-  %scevgep259.i = getelementptr i8, ptr %scevgep258.i, i64 -24
-  store i64 %.4117.i, ptr %scevgep259.i, align 8
-  %sunkaddr329.i = getelementptr i8, ptr %sunkaddr326.i, i64 8
-  %.4117.1.i = load i64, ptr %sunkaddr329.i, align 8
-  %scevgep257.i = getelementptr i8, ptr %scevgep258.i, i64 -16
-  store i64 %.4117.1.i, ptr %scevgep257.i, align 8
-  %sunkaddr332.i = getelementptr i8, ptr %sunkaddr326.i, i64 16
-  %.4117.2.i = load i64, ptr %sunkaddr332.i, align 8
-  %scevgep255.i = getelementptr i8, ptr %scevgep258.i, i64 -8
-  store i64 %.4117.2.i, ptr %scevgep255.i, align 8
-  %.4058.3.i = add i64 %.405128672869.i, 4
-  %sunkaddr333.i = shl i64 %.4058.3.i, 3
-  %sunkaddr334.i = getelementptr i8, ptr %w20, i64 %sunkaddr333.i
-  %sunkaddr335.i = getelementptr i8, ptr %sunkaddr334.i, i64 -8
-  %.4117.3.i = load i64, ptr %sunkaddr335.i, align 8
-  store i64 %.4117.3.i, ptr %scevgep258.i, align 8
-  %niter154.ncmp.3.i = icmp eq i64 %unroll_iter153.i, %.4058.3.i
-  br i1 %niter154.ncmp.3.i, label %B2022.loopexit.unr-lcssa.i, label %B1980.i
+B1546.1.i:                                        ; preds = %B1502.1.i, %B1546.i, %B1496.i
+  %"$phi1546.1.2.5.1.i" = phi i1 [ %.3272.1.i, %B1502.1.i ], [ false, %B1546.i ], [ false, %B1496.i ]
+  %.3168.147.i = add nuw i64 %.316133543356.i, 2
+  %niter.ncmp.1.i = icmp eq i64 %unroll_iter.i, %.3168.147.i
+  br i1 %niter.ncmp.1.i, label %B1550.endif.loopexit.unr-lcssa.i, label %B1496.i
 
-B2022.loopexit.unr-lcssa.i:                       ; preds = %B1980.i
-  %lcmp.mod151.not.i = icmp eq i64 %xtraiter149.i, 0
-  br i1 %lcmp.mod151.not.i, label %B2022.i, label %B1980.epil.preheader.i
+B1580.loopexit.i:                                 ; preds = %B1712.i, %B1712.prol.loopexit.i, %B1582.endif.i
+  %exitcond4388.not.i = icmp eq i64 %.3389.i, %count.2.03906.i
+  br i1 %exitcond4388.not.i, label %B1760.loopexit.i, label %B1582.endif.i
 
-B1980.epil.preheader.i:                           ; preds = %B1980.preheader.i, %B2022.loopexit.unr-lcssa.i
-  %.405128672869.epil.init.i = phi i64 [ 0, %B1980.preheader.i ], [ %unroll_iter153.i, %B2022.loopexit.unr-lcssa.i ]
-  %119 = shl i64 %.405128672869.epil.init.i, 3
-  %scevgep261.i = getelementptr i8, ptr %scevgep260.i, i64 %119
-  %scevgep263.i = getelementptr i8, ptr %w20, i64 %119
-  br label %B1980.epil.i
+B1712.i:                                          ; preds = %B1712.preheader183.i, %B1712.i
+  %lsr.iv211.i = phi i64 [ %178, %B1712.preheader183.i ], [ %lsr.iv.next212.i, %B1712.i ]
+  %.362433633365.i = phi i64 [ %.362433633365.unr.i, %B1712.preheader183.i ], [ %136, %B1712.i ]
+  %.3672.i = icmp slt i64 %.362433633365.i, 0
+  %130 = select i1 %.3672.i, i64 %3, i64 0
+  %scevgep213.i = getelementptr i8, ptr %w10, i64 %130
+  %131 = shl i64 %.362433633365.i, 3
+  %scevgep214.i = getelementptr i8, ptr %scevgep213.i, i64 %131
+  %.3688.i = load i64, ptr %scevgep214.i, align 8
+  %.3701.i = icmp slt i64 %.3688.i, 0
+  %.3702.i = select i1 %.3701.i, i64 %w30, i64 0
+  %132 = getelementptr i64, ptr %w29, i64 %.3688.i
+  %.3716.i = getelementptr i64, ptr %132, i64 %.3702.i
+  store i64 -1, ptr %.3716.i, align 8
+  %133 = add i64 %.362433633365.i, 1
+  %.3672.1.i = icmp slt i64 %133, 0
+  %134 = select i1 %.3672.1.i, i64 %3, i64 0
+  %scevgep215.i = getelementptr i8, ptr %w10, i64 %134
+  %scevgep216.i = getelementptr i8, ptr %scevgep215.i, i64 %131
+  %scevgep217.i = getelementptr i8, ptr %scevgep216.i, i64 8
+  %.3688.1.i = load i64, ptr %scevgep217.i, align 8
+  %.3701.1.i = icmp slt i64 %.3688.1.i, 0
+  %.3702.1.i = select i1 %.3701.1.i, i64 %w30, i64 0
+  %135 = getelementptr i64, ptr %w29, i64 %.3688.1.i
+  %.3716.1.i = getelementptr i64, ptr %135, i64 %.3702.1.i
+  store i64 -1, ptr %.3716.1.i, align 8
+  %lsr.iv.next212.i = add i64 %lsr.iv211.i, -2
+  %.3618.1.i = icmp samesign ugt i64 %lsr.iv.next212.i, 2
+  %136 = add i64 %.362433633365.i, 2
+  br i1 %.3618.1.i, label %B1712.i, label %B1580.loopexit.i
 
-B1980.epil.i:                                     ; preds = %B1980.epil.i, %B1980.epil.preheader.i
-  %epil.iter150.i = phi i64 [ %epil.iter150.next.i, %B1980.epil.i ], [ 0, %B1980.epil.preheader.i ]
-  %120 = shl nuw nsw i64 %epil.iter150.i, 3
-  %scevgep264.i = getelementptr i8, ptr %scevgep263.i, i64 %120
-  %.4117.epil.i = load i64, ptr %scevgep264.i, align 8
-  %scevgep262.i = getelementptr i8, ptr %scevgep261.i, i64 %120
-  store i64 %.4117.epil.i, ptr %scevgep262.i, align 8
-  %epil.iter150.next.i = add i64 %epil.iter150.i, 1
-  %epil.iter150.cmp.not.i = icmp eq i64 %xtraiter149.i, %epil.iter150.next.i
-  br i1 %epil.iter150.cmp.not.i, label %B2022.i, label %B1980.epil.i
+B1760.loopexit.i:                                 ; preds = %B1580.loopexit.i
+  %.3757.i = load double, ptr %.533.i, align 8
+  %.3759.i = fcmp ogt double %.3757.i, %w36
+  %.3762.i = fmul double %last.2.2.i, 1.500000e+00
+  %.3764.i = fcmp ogt double %level.2.2.i, %.3762.i
+  %or.cond3156.i = select i1 %.3759.i, i1 true, i1 %.3764.i
+  br i1 %or.cond3156.i, label %B2492.endif.i, label %B1820.i
 
-B2022.i:                                          ; preds = %B1980.epil.i, %B1948.endif.i, %B2022.loopexit.unr-lcssa.i, %B1558.i
-  %size_of_region.7.4.i = phi i64 [ %size_of_region.4.2.i, %B1558.i ], [ %.3768.i, %B1948.endif.i ], [ %.3768.i, %B2022.loopexit.unr-lcssa.i ], [ %.3768.i, %B1980.epil.i ]
-  %slenderest.5.4.i = phi double [ %slenderest.2.2.i, %B1558.i ], [ %"$phi1660.0.2.4.i", %B1948.endif.i ], [ %"$phi1660.0.2.4.i", %B2022.loopexit.unr-lcssa.i ], [ %"$phi1660.0.2.4.i", %B1980.epil.i ]
-  %.4175.i = add nsw i64 %rows.2.2.i, 1
-  br label %B2036.endif.i
+B1820.i:                                          ; preds = %B1760.loopexit.i
+  br i1 %goes_on.10.3.i, label %B1826.i, label %B2492.endif.i
 
-B2068.i:                                          ; preds = %B2068.preheader.new.i, %B2068.i
-  %.429928742876.i = phi i64 [ 0, %B2068.preheader.new.i ], [ %.4306.3.i, %B2068.i ]
-  %sunkaddr336.i = shl i64 %.429928742876.i, 3
-  %sunkaddr337.i = getelementptr i8, ptr %w20, i64 %sunkaddr336.i
-  %.4373.i = load i64, ptr %sunkaddr337.i, align 8
-  %.4386.i = icmp slt i64 %.4373.i, 0
-  %.4387.i = select i1 %.4386.i, i64 %w17, i64 0
-  %121 = getelementptr i64, ptr %w16, i64 %.4373.i
-  %.4401.i = getelementptr i64, ptr %121, i64 %.4387.i
-  store i64 0, ptr %.4401.i, align 8
-  %sunkaddr340.i = getelementptr i8, ptr %sunkaddr337.i, i64 8
-  %.4373.1.i = load i64, ptr %sunkaddr340.i, align 8
-  %.4386.1.i = icmp slt i64 %.4373.1.i, 0
-  %.4387.1.i = select i1 %.4386.1.i, i64 %w17, i64 0
-  %122 = getelementptr i64, ptr %w16, i64 %.4373.1.i
-  %.4401.1.i = getelementptr i64, ptr %122, i64 %.4387.1.i
-  store i64 0, ptr %.4401.1.i, align 8
-  %sunkaddr343.i = getelementptr i8, ptr %sunkaddr337.i, i64 16
-  %.4373.2.i = load i64, ptr %sunkaddr343.i, align 8
-  %.4386.2.i = icmp slt i64 %.4373.2.i, 0
-  %.4387.2.i = select i1 %.4386.2.i, i64 %w17, i64 0
-  %123 = getelementptr i64, ptr %w16, i64 %.4373.2.i
-  %.4401.2.i = getelementptr i64, ptr %123, i64 %.4387.2.i
-  store i64 0, ptr %.4401.2.i, align 8
-  %.4306.3.i = add nuw nsw i64 %.429928742876.i, 4
-  %sunkaddr346.i = getelementptr i8, ptr %sunkaddr337.i, i64 24
-  %.4373.3.i = load i64, ptr %sunkaddr346.i, align 8
-  %.4386.3.i = icmp slt i64 %.4373.3.i, 0
-  %.4387.3.i = select i1 %.4386.3.i, i64 %w17, i64 0
-  %124 = getelementptr i64, ptr %w16, i64 %.4373.3.i
-  %.4401.3.i = getelementptr i64, ptr %124, i64 %.4387.3.i
-  store i64 0, ptr %.4401.3.i, align 8
-  %niter160.ncmp.3.i = icmp eq i64 %unroll_iter159.i, %.4306.3.i
-  br i1 %niter160.ncmp.3.i, label %B2128.loopexit.unr-lcssa.i, label %B2068.i
+B1826.i:                                          ; preds = %B1820.i
+  %.3829.i = icmp sgt i64 %num.2.3.i, -1
+  br i1 %.3829.i, label %B1840.i, label %B2584.i
 
-B2128.loopexit.unr-lcssa.i:                       ; preds = %B2068.i
-  %lcmp.mod157.not.i = icmp eq i64 %xtraiter155.i, 0
-  br i1 %lcmp.mod157.not.i, label %B2128.i, label %B2068.epil.preheader.i
+B1840.i:                                          ; preds = %B1826.i
+  %.3879.i = load double, ptr %sunkaddr373.i, align 8
+  %.3881.i = fcmp ogt double %.3879.i, 0.000000e+00
+  br i1 %.3881.i, label %B1866.i, label %B2492.endif.i
 
-B2068.epil.preheader.i:                           ; preds = %B2068.preheader.i, %B2128.loopexit.unr-lcssa.i
-  %.429928742876.epil.init.i = phi i64 [ 0, %B2068.preheader.i ], [ %unroll_iter159.i, %B2128.loopexit.unr-lcssa.i ]
-  %125 = shl i64 %.429928742876.epil.init.i, 3
-  %scevgep272.i = getelementptr i8, ptr %w20, i64 %125
-  br label %B2068.epil.i
+B1866.i:                                          ; preds = %B1840.i
+  %.4021.i = load double, ptr %sunkaddr377.i, align 8
+  %.4234.i = icmp slt i64 %rows.2.2.i, 0
+  %.4235.i = select i1 %.4234.i, i64 %w40, i64 0
+  %.4236.i = add i64 %.4235.i, %rows.2.2.i
+  %.4256.i = mul i64 %.4236.i, %w41
+  %137 = getelementptr double, ptr %w39, i64 %.4256.i
+  %.4175.i = load double, ptr %sunkaddr385.i, align 8
+  %.4209.i = fdiv double %.4175.i, %.3879.i
+  %138 = getelementptr i8, ptr %137, i64 24
+  store double %.4209.i, ptr %138, align 8
+  %.4344.i = load double, ptr %sunkaddr374.i, align 8
+  %.4345.i = fmul double %.4209.i, %.4344.i
+  %.4350.i = fdiv double %.4345.i, 3.000000e+00
+  %.4352.i = fsub double %.4021.i, %.4350.i
+  %.4175.1.i = load double, ptr %sunkaddr389.i, align 8
+  %.4205.1.i = load double, ptr %sunkaddr373.i, align 8
+  %.4209.1.i = fdiv double %.4175.1.i, %.4205.1.i
+  %139 = getelementptr i8, ptr %137, i64 8
+  %140 = getelementptr i8, ptr %137, i64 32
+  store double %.4209.1.i, ptr %140, align 8
+  %.4344.1.i = load double, ptr %sunkaddr375.i, align 8
+  %.4345.1.i = fmul double %.4209.1.i, %.4344.1.i
+  %.4350.1.i = fdiv double %.4345.1.i, 3.000000e+00
+  %.4352.1.i = fsub double %.4352.i, %.4350.1.i
+  %.4175.2.i = load double, ptr %sunkaddr393.i, align 8
+  %.4205.2.i = load double, ptr %sunkaddr373.i, align 8
+  %.4209.2.i = fdiv double %.4175.2.i, %.4205.2.i
+  %141 = getelementptr i8, ptr %137, i64 16
+  %142 = getelementptr i8, ptr %137, i64 40
+  store double %.4209.2.i, ptr %142, align 8
+  %.4344.2.i = load double, ptr %sunkaddr376.i, align 8
+  %.4345.2.i = fmul double %.4209.2.i, %.4344.2.i
+  %.4350.2.i = fdiv double %.4345.2.i, 3.000000e+00
+  %.4352.2.i = fsub double %.4352.1.i, %.4350.2.i
+  %.3925.i = fmul double %.3757.i, 0x401921FB54442D18
+  %.3986.i = fmul double %.3879.i, %.3879.i
+  %.3990.i = fdiv double %.3925.i, %.3986.i
+  %.3991.i = fadd double %.3990.i, -5.000000e-01
+  %.4362.i = fcmp ogt double %.4352.2.i, 0.000000e+00
+  %"$phi2134.0.2.4.i" = select i1 %.4362.i, double %.3991.i, double 0.000000e+00
+  %.4411.i = load double, ptr %.533.i, align 8
+  %.4413.i = fcmp oge double %.4411.i, %w35
+  %.4423.i = fmul double %"$phi2134.0.2.4.i", 5.000000e-01
+  %"$phi2182.0.2.4.i" = select i1 %.4413.i, double %"$phi2134.0.2.4.i", double %.4423.i
+  store double %"$phi2182.0.2.4.i", ptr %137, align 8
+  %.4526.i = load double, ptr %.533.i, align 8
+  store double %level.2.2.i, ptr %139, align 8
+  store double %.4526.i, ptr %141, align 8
+  %.4692.i = getelementptr i8, ptr %137, i64 48
+  store double %.4352.2.i, ptr %.4692.i, align 8
+  %.4752.i = fcmp olt double %"$phi2182.0.2.4.i", %w34
+  %.4812.i = fcmp ogt double %"$phi2182.0.2.4.i", %slenderest.2.2.i
+  br i1 %.4812.i, label %B2368.i, label %B2478.i
 
-B2068.epil.i:                                     ; preds = %B2068.epil.i, %B2068.epil.preheader.i
-  %epil.iter156.i = phi i64 [ %epil.iter156.next.i, %B2068.epil.i ], [ 0, %B2068.epil.preheader.i ]
-  %126 = shl nuw nsw i64 %epil.iter156.i, 3
-  %scevgep273.i = getelementptr i8, ptr %scevgep272.i, i64 %126
-  %.4373.epil.i = load i64, ptr %scevgep273.i, align 8
-  %.4386.epil.i = icmp slt i64 %.4373.epil.i, 0
-  %.4387.epil.i = select i1 %.4386.epil.i, i64 %w17, i64 0
-  %127 = getelementptr i64, ptr %w16, i64 %.4373.epil.i
-  %.4401.epil.i = getelementptr i64, ptr %127, i64 %.4387.epil.i
-  store i64 0, ptr %.4401.epil.i, align 8
-  %epil.iter156.next.i = add i64 %epil.iter156.i, 1
-  %epil.iter156.cmp.not.i = icmp eq i64 %xtraiter155.i, %epil.iter156.next.i
-  br i1 %epil.iter156.cmp.not.i, label %B2128.i, label %B2068.epil.i
+B2368.i:                                          ; preds = %B1866.i, %B2368.i
+  %lsr.iv234.i = phi i64 [ %lsr.iv.next235.i, %B2368.i ], [ 32, %B1866.i ]
+  %.497033923394.i = phi i64 [ %.4977.3.i, %B2368.i ], [ 0, %B1866.i ]
+  %sunkaddr306.i = shl i64 %.497033923394.i, 3
+  %sunkaddr307.i = getelementptr i8, ptr %w19, i64 %sunkaddr306.i
+  %.5032.i = load i64, ptr %sunkaddr307.i, align 8
+  %sunkaddr309.i = getelementptr i8, ptr %w42, i64 %sunkaddr306.i
+  store i64 %.5032.i, ptr %sunkaddr309.i, align 8
+  %sunkaddr312.i = getelementptr i8, ptr %sunkaddr307.i, i64 8
+  %.5032.1.i = load i64, ptr %sunkaddr312.i, align 8
+  %sunkaddr315.i = getelementptr i8, ptr %sunkaddr309.i, i64 8
+  store i64 %.5032.1.i, ptr %sunkaddr315.i, align 8
+  %sunkaddr318.i = getelementptr i8, ptr %sunkaddr307.i, i64 16
+  %.5032.2.i = load i64, ptr %sunkaddr318.i, align 8
+  %sunkaddr321.i = getelementptr i8, ptr %sunkaddr309.i, i64 16
+  store i64 %.5032.2.i, ptr %sunkaddr321.i, align 8
+  %.4977.3.i = add nuw nsw i64 %.497033923394.i, 4
+  %sunkaddr324.i = getelementptr i8, ptr %sunkaddr307.i, i64 24
+  %.5032.3.i = load i64, ptr %sunkaddr324.i, align 8
+  %sunkaddr327.i = getelementptr i8, ptr %sunkaddr309.i, i64 24
+  store i64 %.5032.3.i, ptr %sunkaddr327.i, align 8
+  %niter147.ncmp.3.i = icmp eq i64 %unroll_iter146.i, %.4977.3.i
+  %lsr.iv.next235.i = add i64 %lsr.iv234.i, 32
+  br i1 %niter147.ncmp.3.i, label %B2404.endif.unr-lcssa.i, label %B2368.i
 
-B2128.i:                                          ; preds = %B2068.epil.i, %B2036.endif.i, %B2128.loopexit.unr-lcssa.i, %B1522.i, %B522.i
-  %rows.3.3.i = phi i64 [ %rows.2.2.i, %B522.i ], [ %rows.4.3.i, %B2036.endif.i ], [ %rows.2.2.i, %B1522.i ], [ %rows.4.3.i, %B2128.loopexit.unr-lcssa.i ], [ %rows.4.3.i, %B2068.epil.i ]
-  %size_of_region.5.3.i = phi i64 [ %size_of_region.4.2.i, %B522.i ], [ %size_of_region.6.3.i, %B2036.endif.i ], [ %size_of_region.4.2.i, %B1522.i ], [ %size_of_region.6.3.i, %B2128.loopexit.unr-lcssa.i ], [ %size_of_region.6.3.i, %B2068.epil.i ]
-  %last.3.3.i = phi double [ %last.2.2.i, %B522.i ], [ %last.4.3.i, %B2036.endif.i ], [ %last.2.2.i, %B1522.i ], [ %last.4.3.i, %B2128.loopexit.unr-lcssa.i ], [ %last.4.3.i, %B2068.epil.i ]
-  %slenderest.3.3.i = phi double [ %slenderest.2.2.i, %B522.i ], [ %slenderest.4.3.i, %B2036.endif.i ], [ %slenderest.2.2.i, %B1522.i ], [ %slenderest.4.3.i, %B2128.loopexit.unr-lcssa.i ], [ %slenderest.4.3.i, %B2068.epil.i ]
-  %goes_on.8.3.i = phi i1 [ true, %B522.i ], [ %goes_on.9.3.i, %B2036.endif.i ], [ true, %B1522.i ], [ %goes_on.9.3.i, %B2128.loopexit.unr-lcssa.i ], [ %goes_on.9.3.i, %B2068.epil.i ]
-  %.4436.i = fmul double %w32, %level.2.2.i
-  br i1 %goes_on.8.3.i, label %B268.i, label %B2134.i
+B2436.i:                                          ; preds = %B2436.preheader.new.i, %B2436.i
+  %.516033993401.i = phi i64 [ 0, %B2436.preheader.new.i ], [ %.5167.3.i, %B2436.i ]
+  %143 = shl i64 %.516033993401.i, 3
+  %sunkaddr329.i = getelementptr i8, ptr %w21, i64 %143
+  %.5226.i = load i64, ptr %sunkaddr329.i, align 8
+  %scevgep257.i = getelementptr i8, ptr %scevgep251.i, i64 %143
+  %scevgep258.i = getelementptr i8, ptr %scevgep257.i, i64 -24
+  store i64 %.5226.i, ptr %scevgep258.i, align 8
+  %sunkaddr332.i = getelementptr i8, ptr %sunkaddr329.i, i64 8
+  %.5226.1.i = load i64, ptr %sunkaddr332.i, align 8
+  %scevgep256.i = getelementptr i8, ptr %scevgep257.i, i64 -16
+  store i64 %.5226.1.i, ptr %scevgep256.i, align 8
+  %sunkaddr335.i = getelementptr i8, ptr %sunkaddr329.i, i64 16
+  %.5226.2.i = load i64, ptr %sunkaddr335.i, align 8
+  %scevgep254.i = getelementptr i8, ptr %scevgep257.i, i64 -8
+  store i64 %.5226.2.i, ptr %scevgep254.i, align 8
+  %.5167.3.i = add i64 %.516033993401.i, 4
+  %sunkaddr336.i = shl i64 %.5167.3.i, 3
+  %sunkaddr337.i = getelementptr i8, ptr %w21, i64 %sunkaddr336.i
+  %sunkaddr338.i = getelementptr i8, ptr %sunkaddr337.i, i64 -8
+  %.5226.3.i = load i64, ptr %sunkaddr338.i, align 8
+  store i64 %.5226.3.i, ptr %scevgep257.i, align 8
+  %niter153.ncmp.3.i = icmp eq i64 %unroll_iter152.i, %.5167.3.i
+  br i1 %niter153.ncmp.3.i, label %B2478.loopexit.unr-lcssa.i, label %B2436.i
 
-B2134.i:                                          ; preds = %B520.i, %B2128.i
-  %rows.6.1.i = phi i64 [ %rows.3.3.i, %B2128.i ], [ %.us-phi3019.i, %B520.i ]
-  %size_of_region.2.1.i = phi i64 [ %size_of_region.5.3.i, %B2128.i ], [ %.us-phi3020.i, %B520.i ]
-  %.4561.i = icmp slt i64 %size_of_region.2.1.i, %w42
-  br i1 %.4561.i, label %B2172.i, label %B2182.endif.i
+B2478.loopexit.unr-lcssa.i:                       ; preds = %B2436.i
+  %lcmp.mod150.not.i = icmp eq i64 %xtraiter148.i, 0
+  br i1 %lcmp.mod150.not.i, label %B2478.i, label %B2436.epil.preheader.i
 
-B2172.i:                                          ; preds = %B2134.i
-  %128 = getelementptr i64, ptr %w41, i64 %size_of_region.2.1.i
-  store i64 -1, ptr %128, align 8
-  br label %B2182.endif.i
+B2436.epil.preheader.i:                           ; preds = %B2436.preheader.i, %B2478.loopexit.unr-lcssa.i
+  %.516033993401.epil.init.i = phi i64 [ 0, %B2436.preheader.i ], [ %unroll_iter152.i, %B2478.loopexit.unr-lcssa.i ]
+  %144 = shl i64 %.516033993401.epil.init.i, 3
+  %scevgep260.i = getelementptr i8, ptr %scevgep259.i, i64 %144
+  %scevgep262.i = getelementptr i8, ptr %w21, i64 %144
+  br label %B2436.epil.i
 
-B2250.i:                                          ; preds = %B2250.preheader.new.i, %B2250.i
-  %.469932683270.i = phi i64 [ 0, %B2250.preheader.new.i ], [ %.4706.3.i, %B2250.i ]
-  %sunkaddr347.i = shl i64 %.469932683270.i, 3
-  %sunkaddr348.i = getelementptr i8, ptr %w14, i64 %sunkaddr347.i
-  store double 0x7FF0000000000000, ptr %sunkaddr348.i, align 8
-  %sunkaddr350.i = getelementptr i8, ptr %w16, i64 %sunkaddr347.i
-  store i64 0, ptr %sunkaddr350.i, align 8
-  %sunkaddr353.i = getelementptr i8, ptr %sunkaddr348.i, i64 8
-  store double 0x7FF0000000000000, ptr %sunkaddr353.i, align 8
-  %sunkaddr356.i = getelementptr i8, ptr %sunkaddr350.i, i64 8
-  store i64 0, ptr %sunkaddr356.i, align 8
-  %sunkaddr359.i = getelementptr i8, ptr %sunkaddr348.i, i64 16
-  store double 0x7FF0000000000000, ptr %sunkaddr359.i, align 8
-  %sunkaddr362.i = getelementptr i8, ptr %sunkaddr350.i, i64 16
-  store i64 0, ptr %sunkaddr362.i, align 8
-  %.4706.3.i = add nuw nsw i64 %.469932683270.i, 4
-  %sunkaddr365.i = getelementptr i8, ptr %sunkaddr348.i, i64 24
-  store double 0x7FF0000000000000, ptr %sunkaddr365.i, align 8
-  %sunkaddr368.i = getelementptr i8, ptr %sunkaddr350.i, i64 24
-  store i64 0, ptr %sunkaddr368.i, align 8
-  %niter166.ncmp.3.i = icmp eq i64 %unroll_iter165.i, %.4706.3.i
-  br i1 %niter166.ncmp.3.i, label %B2306.loopexit.unr-lcssa.i, label %B2250.i
+B2436.epil.i:                                     ; preds = %B2436.epil.i, %B2436.epil.preheader.i
+  %epil.iter149.i = phi i64 [ %epil.iter149.next.i, %B2436.epil.i ], [ 0, %B2436.epil.preheader.i ]
+  %145 = shl nuw nsw i64 %epil.iter149.i, 3
+  %scevgep263.i = getelementptr i8, ptr %scevgep262.i, i64 %145
+  %.5226.epil.i = load i64, ptr %scevgep263.i, align 8
+  %scevgep261.i = getelementptr i8, ptr %scevgep260.i, i64 %145
+  store i64 %.5226.epil.i, ptr %scevgep261.i, align 8
+  %epil.iter149.next.i = add i64 %epil.iter149.i, 1
+  %epil.iter149.cmp.not.i = icmp eq i64 %xtraiter148.i, %epil.iter149.next.i
+  br i1 %epil.iter149.cmp.not.i, label %B2478.i, label %B2436.epil.i
 
-B2306.loopexit.unr-lcssa.i:                       ; preds = %B2250.i
-  %lcmp.mod163.not.i = icmp eq i64 %xtraiter161.i, 0
-  br i1 %lcmp.mod163.not.i, label %_ZN7msf_jax4host4thin6fronts3capB3v33B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xddddd5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE.exit, label %B2250.epil.preheader.i
+B2478.i:                                          ; preds = %B2436.epil.i, %B2404.endif.i, %B2478.loopexit.unr-lcssa.i, %B1866.i
+  %size_of_region.7.4.i = phi i64 [ %size_of_region.4.2.i, %B1866.i ], [ %.4877.i, %B2404.endif.i ], [ %.4877.i, %B2478.loopexit.unr-lcssa.i ], [ %.4877.i, %B2436.epil.i ]
+  %slenderest.5.4.i = phi double [ %slenderest.2.2.i, %B1866.i ], [ %"$phi2182.0.2.4.i", %B2404.endif.i ], [ %"$phi2182.0.2.4.i", %B2478.loopexit.unr-lcssa.i ], [ %"$phi2182.0.2.4.i", %B2436.epil.i ]
+  %.5284.i = add nsw i64 %rows.2.2.i, 1
+  br label %B2492.endif.i
 
-B2250.epil.preheader.i:                           ; preds = %B2250.preheader.i, %B2306.loopexit.unr-lcssa.i
-  %.469932683270.epil.init.i = phi i64 [ 0, %B2250.preheader.i ], [ %unroll_iter165.i, %B2306.loopexit.unr-lcssa.i ]
-  %129 = shl i64 %.469932683270.epil.init.i, 3
-  %scevgep.i = getelementptr i8, ptr %w16, i64 %129
-  %scevgep188.i = getelementptr i8, ptr %w14, i64 %129
-  br label %B2250.epil.i
+B2524.i:                                          ; preds = %B2524.preheader.new.i, %B2524.i
+  %.540634063408.i = phi i64 [ 0, %B2524.preheader.new.i ], [ %.5413.3.i, %B2524.i ]
+  %sunkaddr339.i = shl i64 %.540634063408.i, 3
+  %sunkaddr340.i = getelementptr i8, ptr %w21, i64 %sunkaddr339.i
+  %.5480.i = load i64, ptr %sunkaddr340.i, align 8
+  %.5493.i = icmp slt i64 %.5480.i, 0
+  %.5494.i = select i1 %.5493.i, i64 %w18, i64 0
+  %146 = getelementptr i64, ptr %w17, i64 %.5480.i
+  %.5508.i = getelementptr i64, ptr %146, i64 %.5494.i
+  store i64 0, ptr %.5508.i, align 8
+  %sunkaddr343.i = getelementptr i8, ptr %sunkaddr340.i, i64 8
+  %.5480.1.i = load i64, ptr %sunkaddr343.i, align 8
+  %.5493.1.i = icmp slt i64 %.5480.1.i, 0
+  %.5494.1.i = select i1 %.5493.1.i, i64 %w18, i64 0
+  %147 = getelementptr i64, ptr %w17, i64 %.5480.1.i
+  %.5508.1.i = getelementptr i64, ptr %147, i64 %.5494.1.i
+  store i64 0, ptr %.5508.1.i, align 8
+  %sunkaddr346.i = getelementptr i8, ptr %sunkaddr340.i, i64 16
+  %.5480.2.i = load i64, ptr %sunkaddr346.i, align 8
+  %.5493.2.i = icmp slt i64 %.5480.2.i, 0
+  %.5494.2.i = select i1 %.5493.2.i, i64 %w18, i64 0
+  %148 = getelementptr i64, ptr %w17, i64 %.5480.2.i
+  %.5508.2.i = getelementptr i64, ptr %148, i64 %.5494.2.i
+  store i64 0, ptr %.5508.2.i, align 8
+  %.5413.3.i = add nuw nsw i64 %.540634063408.i, 4
+  %sunkaddr349.i = getelementptr i8, ptr %sunkaddr340.i, i64 24
+  %.5480.3.i = load i64, ptr %sunkaddr349.i, align 8
+  %.5493.3.i = icmp slt i64 %.5480.3.i, 0
+  %.5494.3.i = select i1 %.5493.3.i, i64 %w18, i64 0
+  %149 = getelementptr i64, ptr %w17, i64 %.5480.3.i
+  %.5508.3.i = getelementptr i64, ptr %149, i64 %.5494.3.i
+  store i64 0, ptr %.5508.3.i, align 8
+  %niter159.ncmp.3.i = icmp eq i64 %unroll_iter158.i, %.5413.3.i
+  br i1 %niter159.ncmp.3.i, label %B2584.loopexit.unr-lcssa.i, label %B2524.i
 
-B2250.epil.i:                                     ; preds = %B2250.epil.i, %B2250.epil.preheader.i
-  %epil.iter162.i = phi i64 [ %epil.iter162.next.i, %B2250.epil.i ], [ 0, %B2250.epil.preheader.i ]
-  %130 = shl nuw nsw i64 %epil.iter162.i, 3
-  %scevgep189.i = getelementptr i8, ptr %scevgep188.i, i64 %130
-  store double 0x7FF0000000000000, ptr %scevgep189.i, align 8
-  %scevgep187.i = getelementptr i8, ptr %scevgep.i, i64 %130
-  store i64 0, ptr %scevgep187.i, align 8
-  %epil.iter162.next.i = add i64 %epil.iter162.i, 1
-  %epil.iter162.cmp.not.i = icmp eq i64 %xtraiter161.i, %epil.iter162.next.i
-  br i1 %epil.iter162.cmp.not.i, label %_ZN7msf_jax4host4thin6fronts3capB3v33B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xddddd5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE.exit, label %B2250.epil.i
+B2584.loopexit.unr-lcssa.i:                       ; preds = %B2524.i
+  %lcmp.mod156.not.i = icmp eq i64 %xtraiter154.i, 0
+  br i1 %lcmp.mod156.not.i, label %B2584.i, label %B2524.epil.preheader.i
 
-B2307.i:                                          ; preds = %B850.endif.i, %B1046.i, %B890.i
-  %rings.3.5.i = phi i64 [ %rings.2.42781.i, %B850.endif.i ], [ %.2071.i, %B1046.i ], [ %rings.2.42781.i, %B890.i ]
-  %longest.4.5.i = phi i64 [ %longest.3.42782.i, %B850.endif.i ], [ %longest.6.7.i, %B1046.i ], [ %longest.3.42782.i, %B890.i ]
-  %area.5.5.i = phi double [ %.1670.i, %B850.endif.i ], [ %.2065.i, %B1046.i ], [ %area.4.42780.i, %B890.i ]
+B2524.epil.preheader.i:                           ; preds = %B2524.preheader.i, %B2584.loopexit.unr-lcssa.i
+  %.540634063408.epil.init.i = phi i64 [ 0, %B2524.preheader.i ], [ %unroll_iter158.i, %B2584.loopexit.unr-lcssa.i ]
+  %150 = shl i64 %.540634063408.epil.init.i, 3
+  %scevgep271.i = getelementptr i8, ptr %w21, i64 %150
+  br label %B2524.epil.i
+
+B2524.epil.i:                                     ; preds = %B2524.epil.i, %B2524.epil.preheader.i
+  %epil.iter155.i = phi i64 [ %epil.iter155.next.i, %B2524.epil.i ], [ 0, %B2524.epil.preheader.i ]
+  %151 = shl nuw nsw i64 %epil.iter155.i, 3
+  %scevgep272.i = getelementptr i8, ptr %scevgep271.i, i64 %151
+  %.5480.epil.i = load i64, ptr %scevgep272.i, align 8
+  %.5493.epil.i = icmp slt i64 %.5480.epil.i, 0
+  %.5494.epil.i = select i1 %.5493.epil.i, i64 %w18, i64 0
+  %152 = getelementptr i64, ptr %w17, i64 %.5480.epil.i
+  %.5508.epil.i = getelementptr i64, ptr %152, i64 %.5494.epil.i
+  store i64 0, ptr %.5508.epil.i, align 8
+  %epil.iter155.next.i = add i64 %epil.iter155.i, 1
+  %epil.iter155.cmp.not.i = icmp eq i64 %xtraiter154.i, %epil.iter155.next.i
+  br i1 %epil.iter155.cmp.not.i, label %B2584.i, label %B2524.epil.i
+
+B2584.i:                                          ; preds = %B2524.epil.i, %B2492.endif.i, %B2584.loopexit.unr-lcssa.i, %B1826.i, %B570.i
+  %rows.3.3.i = phi i64 [ %rows.2.2.i, %B570.i ], [ %rows.4.3.i, %B2492.endif.i ], [ %rows.2.2.i, %B1826.i ], [ %rows.4.3.i, %B2584.loopexit.unr-lcssa.i ], [ %rows.4.3.i, %B2524.epil.i ]
+  %size_of_region.5.3.i = phi i64 [ %size_of_region.4.2.i, %B570.i ], [ %size_of_region.6.3.i, %B2492.endif.i ], [ %size_of_region.4.2.i, %B1826.i ], [ %size_of_region.6.3.i, %B2584.loopexit.unr-lcssa.i ], [ %size_of_region.6.3.i, %B2524.epil.i ]
+  %last.3.3.i = phi double [ %last.2.2.i, %B570.i ], [ %last.4.3.i, %B2492.endif.i ], [ %last.2.2.i, %B1826.i ], [ %last.4.3.i, %B2584.loopexit.unr-lcssa.i ], [ %last.4.3.i, %B2524.epil.i ]
+  %slenderest.3.3.i = phi double [ %slenderest.2.2.i, %B570.i ], [ %slenderest.4.3.i, %B2492.endif.i ], [ %slenderest.2.2.i, %B1826.i ], [ %slenderest.4.3.i, %B2584.loopexit.unr-lcssa.i ], [ %slenderest.4.3.i, %B2524.epil.i ]
+  %goes_on.8.3.i = phi i1 [ true, %B570.i ], [ %goes_on.9.3.i, %B2492.endif.i ], [ true, %B1826.i ], [ %goes_on.9.3.i, %B2584.loopexit.unr-lcssa.i ], [ %goes_on.9.3.i, %B2524.epil.i ]
+  %.5543.i = fmul double %w33, %level.2.2.i
+  br i1 %goes_on.8.3.i, label %B316.i, label %B2590.i
+
+B2590.i:                                          ; preds = %B568.i, %B2584.i
+  %rows.6.1.i = phi i64 [ %rows.3.3.i, %B2584.i ], [ %.us-phi3605.i, %B568.i ]
+  %size_of_region.2.1.i = phi i64 [ %size_of_region.5.3.i, %B2584.i ], [ %.us-phi3606.i, %B568.i ]
+  %.5670.i = icmp slt i64 %size_of_region.2.1.i, %w43
+  br i1 %.5670.i, label %B2628.i, label %B2638.endif.i
+
+B2628.i:                                          ; preds = %B2590.i
+  %153 = getelementptr i64, ptr %w42, i64 %size_of_region.2.1.i
+  store i64 -1, ptr %153, align 8
+  br label %B2638.endif.i
+
+B2706.i:                                          ; preds = %B2706.preheader.new.i, %B2706.i
+  %.580839423944.i = phi i64 [ 0, %B2706.preheader.new.i ], [ %.5815.3.i, %B2706.i ]
+  %sunkaddr350.i = shl i64 %.580839423944.i, 3
+  %sunkaddr351.i = getelementptr i8, ptr %w15, i64 %sunkaddr350.i
+  store double 0x7FF0000000000000, ptr %sunkaddr351.i, align 8
+  %sunkaddr353.i = getelementptr i8, ptr %w17, i64 %sunkaddr350.i
+  store i64 0, ptr %sunkaddr353.i, align 8
+  %sunkaddr356.i = getelementptr i8, ptr %sunkaddr351.i, i64 8
+  store double 0x7FF0000000000000, ptr %sunkaddr356.i, align 8
+  %sunkaddr359.i = getelementptr i8, ptr %sunkaddr353.i, i64 8
+  store i64 0, ptr %sunkaddr359.i, align 8
+  %sunkaddr362.i = getelementptr i8, ptr %sunkaddr351.i, i64 16
+  store double 0x7FF0000000000000, ptr %sunkaddr362.i, align 8
+  %sunkaddr365.i = getelementptr i8, ptr %sunkaddr353.i, i64 16
+  store i64 0, ptr %sunkaddr365.i, align 8
+  %.5815.3.i = add nuw nsw i64 %.580839423944.i, 4
+  %sunkaddr368.i = getelementptr i8, ptr %sunkaddr351.i, i64 24
+  store double 0x7FF0000000000000, ptr %sunkaddr368.i, align 8
+  %sunkaddr371.i = getelementptr i8, ptr %sunkaddr353.i, i64 24
+  store i64 0, ptr %sunkaddr371.i, align 8
+  %niter165.ncmp.3.i = icmp eq i64 %unroll_iter164.i, %.5815.3.i
+  br i1 %niter165.ncmp.3.i, label %B2762.loopexit.unr-lcssa.i, label %B2706.i
+
+B2762.loopexit.unr-lcssa.i:                       ; preds = %B2706.i
+  %lcmp.mod162.not.i = icmp eq i64 %xtraiter160.i, 0
+  br i1 %lcmp.mod162.not.i, label %_ZN7msf_jax4host4thin6fronts3capB3v33B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xddddd5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE.exit, label %B2706.epil.preheader.i
+
+B2706.epil.preheader.i:                           ; preds = %B2706.preheader.i, %B2762.loopexit.unr-lcssa.i
+  %.580839423944.epil.init.i = phi i64 [ 0, %B2706.preheader.i ], [ %unroll_iter164.i, %B2762.loopexit.unr-lcssa.i ]
+  %154 = shl i64 %.580839423944.epil.init.i, 3
+  %scevgep.i = getelementptr i8, ptr %w17, i64 %154
+  %scevgep187.i = getelementptr i8, ptr %w15, i64 %154
+  br label %B2706.epil.i
+
+B2706.epil.i:                                     ; preds = %B2706.epil.i, %B2706.epil.preheader.i
+  %epil.iter161.i = phi i64 [ %epil.iter161.next.i, %B2706.epil.i ], [ 0, %B2706.epil.preheader.i ]
+  %155 = shl nuw nsw i64 %epil.iter161.i, 3
+  %scevgep188.i = getelementptr i8, ptr %scevgep187.i, i64 %155
+  store double 0x7FF0000000000000, ptr %scevgep188.i, align 8
+  %scevgep186.i = getelementptr i8, ptr %scevgep.i, i64 %155
+  store i64 0, ptr %scevgep186.i, align 8
+  %epil.iter161.next.i = add i64 %epil.iter161.i, 1
+  %epil.iter161.cmp.not.i = icmp eq i64 %xtraiter160.i, %epil.iter161.next.i
+  br i1 %epil.iter161.cmp.not.i, label %_ZN7msf_jax4host4thin6fronts3capB3v33B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xddddd5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE.exit, label %B2706.epil.i
+
+B2763.i:                                          ; preds = %B1234.lr.ph.i, %B976.endif.lr.ph.i, %B1046.i
+  %rings.3.5.i = phi i64 [ %rings.2.43283.i, %B1046.i ], [ %.2688.i, %B1234.lr.ph.i ], [ %rings.2.43283.i, %B976.endif.lr.ph.i ]
+  %longest.4.5.i = phi i64 [ %longest.3.43284.i, %B1046.i ], [ %longest.6.8.i, %B1234.lr.ph.i ], [ %longest.3.43284.i, %B976.endif.lr.ph.i ]
   %lsr.iv.next.i = add i64 %lsr.iv.i, -1
-  %.1497.i = add i64 %.149027612778.i, 1
-  %.1484.i = icmp samesign ugt i64 %lsr.iv.next.i, 1
-  br i1 %.1484.i, label %B776.i, label %B644.loopexit.i
+  %.1742.i = add i64 %.173532403281.i, 1
+  %.1729.i = icmp samesign ugt i64 %lsr.iv.next.i, 1
+  br i1 %.1729.i, label %B870.i, label %B738.loopexit.i
 
-B332.endif.i:                                     ; preds = %B236.i.i, %B200.i.i, %B332.i
-  %at.3.1.i.i = phi i64 [ 0, %B332.i ], [ %child.2.1.i.i, %B236.i.i ], [ %at.2.0.i.i, %B200.i.i ]
+B380.endif.i:                                     ; preds = %B236.i.i, %B200.i.i, %B380.i
+  %at.3.1.i.i = phi i64 [ 0, %B380.i ], [ %child.2.1.i.i, %B236.i.i ], [ %at.2.0.i.i, %B200.i.i ]
   %.469.i.i = icmp slt i64 %at.3.1.i.i, 0
-  %.470.i.i = select i1 %.469.i.i, i64 %w25, i64 0
-  %131 = getelementptr double, ptr %w24, i64 %at.3.1.i.i
-  %.484.i.i = getelementptr double, ptr %131, i64 %.470.i.i
+  %.470.i.i = select i1 %.469.i.i, i64 %w26, i64 0
+  %156 = getelementptr double, ptr %w25, i64 %at.3.1.i.i
+  %.484.i.i = getelementptr double, ptr %156, i64 %.470.i.i
   store double %.114.i.i, ptr %.484.i.i, align 8
-  %.507.i.i = select i1 %.469.i.i, i64 %w27, i64 0
-  %132 = getelementptr i64, ptr %w26, i64 %at.3.1.i.i
-  %.521.i.i = getelementptr i64, ptr %132, i64 %.507.i.i
+  %.507.i.i = select i1 %.469.i.i, i64 %w28, i64 0
+  %157 = getelementptr i64, ptr %w27, i64 %at.3.1.i.i
+  %.521.i.i = getelementptr i64, ptr %157, i64 %.507.i.i
   store i64 %.146.i.i, ptr %.521.i.i, align 8
-  %.770.i = icmp slt i64 %.us-phi3023.i, 0
-  %.771.i = select i1 %.770.i, i64 %w17, i64 0
-  %133 = getelementptr i64, ptr %w16, i64 %.us-phi3023.i
-  %.785.i = getelementptr i64, ptr %133, i64 %.771.i
-  %.786.i = load i64, ptr %.785.i, align 8
-  %.787.not.i = icmp eq i64 %.786.i, 1
-  br i1 %.787.not.i, label %B520.i, label %B398.i
+  %.859.i = icmp slt i64 %.us-phi3609.i, 0
+  %.860.i = select i1 %.859.i, i64 %w18, i64 0
+  %158 = getelementptr i64, ptr %w17, i64 %.us-phi3609.i
+  %.874.i = getelementptr i64, ptr %158, i64 %.860.i
+  %.875.i = load i64, ptr %.874.i, align 8
+  %.876.not.i = icmp eq i64 %.875.i, 1
+  br i1 %.876.not.i, label %B568.i, label %B446.i
 
-B646.endif.preheader.i:                           ; preds = %B522.i
-  store double 0.000000e+00, ptr %sunkaddr370.i, align 8
-  br label %B646.endif.i
+B740.endif.preheader.i:                           ; preds = %B570.i
+  tail call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(40) %.533.i, i8 0, i64 40, i1 false)
+  store double 0.000000e+00, ptr %sunkaddr373.i, align 8
+  br label %B740.endif.i
 
-B646.endif.i:                                     ; preds = %B646.endif.preheader.i, %B644.loopexit.i
-  %longest.2.32813.i = phi i64 [ %longest.3.4.lcssa.i, %B644.loopexit.i ], [ 0, %B646.endif.preheader.i ]
-  %rings.5.32812.i = phi i64 [ %rings.2.4.lcssa.i, %B644.loopexit.i ], [ 0, %B646.endif.preheader.i ]
-  %area.7.32811.i = phi double [ %area.4.4.lcssa.i, %B644.loopexit.i ], [ 0.000000e+00, %B646.endif.preheader.i ]
-  %.123027922809.i = phi i64 [ %.1237.i, %B644.loopexit.i ], [ 0, %B646.endif.preheader.i ]
-  %.1237.i = add nuw nsw i64 %.123027922809.i, 1
-  %134 = getelementptr i64, ptr %w18, i64 %.123027922809.i
-  %.1312.i = load i64, ptr %134, align 8
-  %.1325.i = icmp slt i64 %.1312.i, 0
-  %.1326.i = select i1 %.1325.i, i64 %w9, i64 0
-  %135 = getelementptr i64, ptr %w8, i64 %.1312.i
-  %.1340.i = getelementptr i64, ptr %135, i64 %.1326.i
-  %.1341.i = load i64, ptr %.1340.i, align 8
-  %.1388.i = icmp slt i64 %.1312.i, -1
-  %.1389.i = select i1 %.1388.i, i64 %w9, i64 0
-  %136 = getelementptr i8, ptr %135, i64 8
-  %.1403.i = getelementptr i64, ptr %136, i64 %.1389.i
-  %.1404.i = load i64, ptr %.1403.i, align 8
-  %.1441.i = sub i64 %.1404.i, %.1341.i
-  %.14842775.not.i = icmp slt i64 %.1441.i, 1
-  br i1 %.14842775.not.i, label %B644.loopexit.i, label %B776.preheader.i
+B740.endif.i:                                     ; preds = %B740.endif.preheader.i, %B738.loopexit.i
+  %longest.2.33333.i = phi i64 [ %longest.3.4.lcssa.i, %B738.loopexit.i ], [ 0, %B740.endif.preheader.i ]
+  %rings.5.33332.i = phi i64 [ %rings.2.4.lcssa.i, %B738.loopexit.i ], [ 0, %B740.endif.preheader.i ]
+  %.148132973330.i = phi i64 [ %.1488.i, %B738.loopexit.i ], [ 0, %B740.endif.preheader.i ]
+  %.1488.i = add nuw nsw i64 %.148132973330.i, 1
+  %159 = getelementptr i64, ptr %w19, i64 %.148132973330.i
+  %.1557.i = load i64, ptr %159, align 8
+  %.1570.i = icmp slt i64 %.1557.i, 0
+  %.1571.i = select i1 %.1570.i, i64 %w9, i64 0
+  %160 = getelementptr i64, ptr %w8, i64 %.1557.i
+  %.1585.i = getelementptr i64, ptr %160, i64 %.1571.i
+  %.1586.i = load i64, ptr %.1585.i, align 8
+  %.1633.i = icmp slt i64 %.1557.i, -1
+  %.1634.i = select i1 %.1633.i, i64 %w9, i64 0
+  %161 = getelementptr i8, ptr %160, i64 8
+  %.1648.i = getelementptr i64, ptr %161, i64 %.1634.i
+  %.1649.i = load i64, ptr %.1648.i, align 8
+  %.1686.i = sub i64 %.1649.i, %.1586.i
+  %.17293274.not.i = icmp slt i64 %.1686.i, 1
+  br i1 %.17293274.not.i, label %B738.loopexit.i, label %B870.preheader.i
 
-B776.preheader.i:                                 ; preds = %B646.endif.i
-  %137 = add nuw i64 %.1441.i, 1
-  br label %B776.i
+B870.preheader.i:                                 ; preds = %B740.endif.i
+  %162 = add nuw i64 %.1686.i, 1
+  br label %B870.i
 
-B850.endif.i:                                     ; preds = %B140.endif.i.i
-  %.1646.i = select i1 %.300.i.i, i64 %w13, i64 0
-  %138 = getelementptr double, ptr %w12, i64 %.1552.i
-  %.1660.i = getelementptr double, ptr %138, i64 %.1646.i
-  %.1661.i = load double, ptr %.1660.i, align 8
-  %.1668.i = fdiv double %.1661.i, 3.000000e+00
-  %.1670.i = fadd double %area.4.42780.i, %.1668.i
-  br label %B2307.i
+B976.endif.lr.ph.i:                               ; preds = %B140.endif.i.i
+  %.2037.i = select i1 %.304.i.i, i64 %w13, i64 0
+  %.2038.i = add i64 %.2037.i, %.1797.i
+  %.2058.i = mul i64 %.2038.i, %w14
+  %163 = getelementptr double, ptr %w12, i64 %.2058.i
+  %.2011.i = load double, ptr %.533.i, align 8
+  %.2063.i = load double, ptr %163, align 8
+  %.2068.i = fdiv double %.2063.i, 3.000000e+00
+  %.2069.i = fadd double %.2011.i, %.2068.i
+  store double %.2069.i, ptr %.533.i, align 8
+  %.2011.1.i = load double, ptr %sunkaddr374.i, align 8
+  %164 = getelementptr i8, ptr %163, i64 8
+  %.2063.1.i = load double, ptr %164, align 8
+  %.2068.1.i = fdiv double %.2063.1.i, 3.000000e+00
+  %.2069.1.i = fadd double %.2011.1.i, %.2068.1.i
+  store double %.2069.1.i, ptr %sunkaddr374.i, align 8
+  %.2011.2.i = load double, ptr %sunkaddr375.i, align 8
+  %165 = getelementptr i8, ptr %163, i64 16
+  %.2063.2.i = load double, ptr %165, align 8
+  %.2068.2.i = fdiv double %.2063.2.i, 3.000000e+00
+  %.2069.2.i = fadd double %.2011.2.i, %.2068.2.i
+  store double %.2069.2.i, ptr %sunkaddr375.i, align 8
+  %.2011.3.i = load double, ptr %sunkaddr376.i, align 8
+  %166 = getelementptr i8, ptr %163, i64 24
+  %.2063.3.i = load double, ptr %166, align 8
+  %.2068.3.i = fdiv double %.2063.3.i, 3.000000e+00
+  %.2069.3.i = fadd double %.2011.3.i, %.2068.3.i
+  store double %.2069.3.i, ptr %sunkaddr376.i, align 8
+  %.2011.4.i = load double, ptr %sunkaddr377.i, align 8
+  %167 = getelementptr i8, ptr %163, i64 32
+  %.2063.4.i = load double, ptr %167, align 8
+  %.2068.4.i = fdiv double %.2063.4.i, 3.000000e+00
+  %.2069.4.i = fadd double %.2011.4.i, %.2068.4.i
+  store double %.2069.4.i, ptr %sunkaddr377.i, align 8
+  br label %B2763.i
 
-B1020.preheader.i:                                ; preds = %_ZN7msf_jax4host4thin6fronts12ring_throughB3v37B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx5ArrayIdLi1E1C7mutable7alignedE.exit.i
-  store double %.1991.i, ptr %sunkaddr370.i, align 8
-  %.1991.1.i = load double, ptr %sunkaddr1.i.i, align 8
-  store double %.1991.1.i, ptr %sunkaddr379.i, align 8
-  %.1991.2.i = load double, ptr %sunkaddr.i34.i, align 8
-  store double %.1991.2.i, ptr %sunkaddr383.i, align 8
-  %.1991.3.i = load double, ptr %sunkaddr2.i.i, align 8
-  store double %.1991.3.i, ptr %sunkaddr387.i, align 8
-  %.1991.4.i = load double, ptr %sunkaddr3.i.i, align 8
-  store double %.1991.4.i, ptr %sunkaddr391.i, align 8
-  br label %B1046.i
+B1176.preheader.i:                                ; preds = %_ZN7msf_jax4host4thin6fronts12ring_throughB3v37B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx5ArrayIdLi1E1C7mutable7alignedE.exit.i
+  store double %.2430.i, ptr %sunkaddr373.i, align 8
+  %.2430.1.i = load double, ptr %sunkaddr1.i.i, align 8
+  store double %.2430.1.i, ptr %sunkaddr385.i, align 8
+  %.2430.2.i = load double, ptr %sunkaddr.i36.i, align 8
+  store double %.2430.2.i, ptr %sunkaddr389.i, align 8
+  %.2430.3.i = load double, ptr %sunkaddr2.i.i, align 8
+  store double %.2430.3.i, ptr %sunkaddr393.i, align 8
+  %.2645.pre.i = load double, ptr %sunkaddr3.i.i, align 8
+  br label %B1234.lr.ph.i
 
-B1204.preheader.i:                                ; preds = %_ZN7msf_jax4host4thin6fronts7islandsB3v39B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xxd5ArrayIdLi1E1C7mutable7alignedE.exit.i
-  %139 = icmp eq i64 %num.5.1.lcssa.i.i, 1
-  br i1 %139, label %B1210.epil.i, label %B1204.preheader.new.i
+B1234.lr.ph.i:                                    ; preds = %B1176.preheader.i, %_ZN7msf_jax4host4thin6fronts12ring_throughB3v37B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx5ArrayIdLi1E1C7mutable7alignedE.exit.i
+  %.2645.i = phi double [ %.264578.i, %_ZN7msf_jax4host4thin6fronts12ring_throughB3v37B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx5ArrayIdLi1E1C7mutable7alignedE.exit.i ], [ %.2645.pre.i, %B1176.preheader.i ]
+  %longest.6.8.i = phi i64 [ %longest.3.43284.i, %_ZN7msf_jax4host4thin6fronts12ring_throughB3v37B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx5ArrayIdLi1E1C7mutable7alignedE.exit.i ], [ %rings.2.43283.i, %B1176.preheader.i ]
+  %.2614.i = load double, ptr %.533.i, align 8
+  %.2646.i = fadd double %.2645.i, %.2614.i
+  store double %.2646.i, ptr %.533.i, align 8
+  %.2614.1.i = load double, ptr %sunkaddr374.i, align 8
+  %.2645.1.i = load double, ptr %sunkaddr4.i.i, align 8
+  %.2646.1.i = fadd double %.2614.1.i, %.2645.1.i
+  store double %.2646.1.i, ptr %sunkaddr374.i, align 8
+  %.2614.2.i = load double, ptr %sunkaddr375.i, align 8
+  %.2645.2.i = load double, ptr %sunkaddr5.i.i, align 8
+  %.2646.2.i = fadd double %.2614.2.i, %.2645.2.i
+  store double %.2646.2.i, ptr %sunkaddr375.i, align 8
+  %.2614.3.i = load double, ptr %sunkaddr376.i, align 8
+  %.2645.3.i = load double, ptr %sunkaddr6.i.i, align 8
+  %.2646.3.i = fadd double %.2614.3.i, %.2645.3.i
+  store double %.2646.3.i, ptr %sunkaddr376.i, align 8
+  %.2614.4.i = load double, ptr %sunkaddr377.i, align 8
+  %.2645.4.i = load double, ptr %sunkaddr7.i.i, align 8
+  %.2646.4.i = fadd double %.2614.4.i, %.2645.4.i
+  store double %.2646.4.i, ptr %sunkaddr377.i, align 8
+  %.2688.i = add nsw i64 %rings.2.43283.i, 1
+  br label %B2763.i
 
-B1204.preheader.new.i:                            ; preds = %B1204.preheader.i
-  %unroll_iter.i = and i64 %num.5.1.lcssa.i.i, 9223372036854775806
-  br label %B1204.i
+B1496.preheader.i:                                ; preds = %_ZN7msf_jax4host4thin6fronts7islandsB3v39B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xxd5ArrayIdLi1E1C7mutable7alignedE.exit.i
+  %.2996.i = load double, ptr %.533.i, align 8
+  %.3026.i = load double, ptr %.451.i, align 8
+  %.3027.i = fadd double %.2996.i, %.3026.i
+  store double %.3027.i, ptr %.533.i, align 8
+  %.2996.1.i = load double, ptr %sunkaddr374.i, align 8
+  %.3026.1.i = load double, ptr %sunkaddr83.i.i, align 8
+  %.3027.1.i = fadd double %.2996.1.i, %.3026.1.i
+  store double %.3027.1.i, ptr %sunkaddr374.i, align 8
+  %.2996.2.i = load double, ptr %sunkaddr375.i, align 8
+  %.3026.2.i = load double, ptr %sunkaddr84.i.i, align 8
+  %.3027.2.i = fadd double %.2996.2.i, %.3026.2.i
+  store double %.3027.2.i, ptr %sunkaddr375.i, align 8
+  %.2996.3.i = load double, ptr %sunkaddr376.i, align 8
+  %.3026.3.i = load double, ptr %sunkaddr85.i.i, align 8
+  %.3027.3.i = fadd double %.2996.3.i, %.3026.3.i
+  store double %.3027.3.i, ptr %sunkaddr376.i, align 8
+  %.2996.4.i = load double, ptr %sunkaddr377.i, align 8
+  %.3026.4.i = load double, ptr %sunkaddr86.i.i, align 8
+  %.3027.4.i = fadd double %.2996.4.i, %.3026.4.i
+  store double %.3027.4.i, ptr %sunkaddr377.i, align 8
+  %168 = icmp eq i64 %num.4.1.lcssa.i.i, 1
+  br i1 %168, label %B1502.epil.i, label %B1496.preheader.new.i
 
-B1258.endif.loopexit.unr-lcssa.i:                 ; preds = %B1254.1.i
-  %140 = and i64 %num.5.1.lcssa.i.i, 1
-  %lcmp.mod.not.i = icmp eq i64 %140, 0
-  %"$phi1254.1.2.5.1.not.i" = xor i1 %"$phi1254.1.2.5.1.i", true
-  %brmerge.i = select i1 %lcmp.mod.not.i, i1 true, i1 %"$phi1254.1.2.5.1.not.i"
-  %"$phi1254.1.2.5.1.mux.i" = select i1 %lcmp.mod.not.i, i1 %"$phi1254.1.2.5.1.i", i1 false
-  br i1 %brmerge.i, label %B1258.endif.loopexit.i, label %B1210.epil.i
+B1496.preheader.new.i:                            ; preds = %B1496.preheader.i
+  %unroll_iter.i = and i64 %num.4.1.lcssa.i.i, 9223372036854775806
+  br label %B1496.i
 
-B1210.epil.i:                                     ; preds = %B1258.endif.loopexit.unr-lcssa.i, %B1204.preheader.i
-  %.236428242826.epil.init54.i = phi i64 [ %unroll_iter.i, %B1258.endif.loopexit.unr-lcssa.i ], [ 0, %B1204.preheader.i ]
-  %141 = getelementptr i64, ptr %w20, i64 %.236428242826.epil.init54.i
-  %.2444.epil.i = load i64, ptr %141, align 8
-  %.2460.epil.i = icmp slt i64 %.2444.epil.i, 0
-  %.2461.epil.i = select i1 %.2460.epil.i, i64 %w37, i64 0
-  %142 = getelementptr i64, ptr %w36, i64 %.2444.epil.i
-  %.2475.epil.i = getelementptr i64, ptr %142, i64 %.2461.epil.i
-  %.2476.epil.i = load i64, ptr %.2475.epil.i, align 8
-  %.2477.epil.i = icmp eq i64 %.2476.epil.i, 0
-  br label %B1258.endif.loopexit.i
+B1550.endif.loopexit.unr-lcssa.i:                 ; preds = %B1546.1.i
+  %169 = and i64 %num.4.1.lcssa.i.i, 1
+  %lcmp.mod.not.i = icmp eq i64 %169, 0
+  %"$phi1546.1.2.5.1.not.i" = xor i1 %"$phi1546.1.2.5.1.i", true
+  %brmerge.i = select i1 %lcmp.mod.not.i, i1 true, i1 %"$phi1546.1.2.5.1.not.i"
+  %"$phi1546.1.2.5.1.mux.i" = select i1 %lcmp.mod.not.i, i1 %"$phi1546.1.2.5.1.i", i1 false
+  br i1 %brmerge.i, label %B1550.endif.i, label %B1502.epil.i
 
-B1258.endif.loopexit.i:                           ; preds = %B1210.epil.i, %B1258.endif.loopexit.unr-lcssa.i
-  %"$phi1254.1.2.5.lcssa.i" = phi i1 [ %"$phi1254.1.2.5.1.mux.i", %B1258.endif.loopexit.unr-lcssa.i ], [ %.2477.epil.i, %B1210.epil.i ]
-  %.2255.i = fadd double %area.4.4.lcssa.i, %.2253.i
-  br label %B1258.endif.i
+B1502.epil.i:                                     ; preds = %B1550.endif.loopexit.unr-lcssa.i, %B1496.preheader.i
+  %.316133543356.epil.init50.i = phi i64 [ %unroll_iter.i, %B1550.endif.loopexit.unr-lcssa.i ], [ 0, %B1496.preheader.i ]
+  %170 = getelementptr i64, ptr %w21, i64 %.316133543356.epil.init50.i
+  %.3239.epil.i = load i64, ptr %170, align 8
+  %.3255.epil.i = icmp slt i64 %.3239.epil.i, 0
+  %.3256.epil.i = select i1 %.3255.epil.i, i64 %w38, i64 0
+  %171 = getelementptr i64, ptr %w37, i64 %.3239.epil.i
+  %.3270.epil.i = getelementptr i64, ptr %171, i64 %.3256.epil.i
+  %.3271.epil.i = load i64, ptr %.3270.epil.i, align 8
+  %.3272.epil.i = icmp eq i64 %.3271.epil.i, 0
+  br label %B1550.endif.i
 
-B1258.endif.i:                                    ; preds = %B760.epil.i.i, %B1258.endif.loopexit.i, %_ZN7msf_jax4host4thin6fronts7islandsB3v39B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xxd5ArrayIdLi1E1C7mutable7alignedE.exit.i, %B728.endif.i.i, %common.ret.loopexit.unr-lcssa.i.i, %B1082.i
-  %goes_on.10.3.i = phi i1 [ true, %B1082.i ], [ true, %_ZN7msf_jax4host4thin6fronts7islandsB3v39B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xxd5ArrayIdLi1E1C7mutable7alignedE.exit.i ], [ %"$phi1254.1.2.5.lcssa.i", %B1258.endif.loopexit.i ], [ true, %B728.endif.i.i ], [ true, %common.ret.loopexit.unr-lcssa.i.i ], [ true, %B760.epil.i.i ]
-  %area.8.3.i = phi double [ %area.4.4.lcssa.i, %B1082.i ], [ %area.4.4.lcssa.i, %_ZN7msf_jax4host4thin6fronts7islandsB3v39B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xxd5ArrayIdLi1E1C7mutable7alignedE.exit.i ], [ %.2255.i, %B1258.endif.loopexit.i ], [ %area.4.4.lcssa.i, %B728.endif.i.i ], [ %area.4.4.lcssa.i, %common.ret.loopexit.unr-lcssa.i.i ], [ %area.4.4.lcssa.i, %B760.epil.i.i ]
-  %num.2.3.i = phi i64 [ 0, %B1082.i ], [ %num.5.1.lcssa.i.i, %_ZN7msf_jax4host4thin6fronts7islandsB3v39B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xxd5ArrayIdLi1E1C7mutable7alignedE.exit.i ], [ %num.5.1.lcssa.i.i, %B1258.endif.loopexit.i ], [ -1, %B728.endif.i.i ], [ -1, %common.ret.loopexit.unr-lcssa.i.i ], [ -1, %B760.epil.i.i ]
-  br label %B1290.endif.i
+B1550.endif.i:                                    ; preds = %B878.epil.i.i, %B1502.epil.i, %B1550.endif.loopexit.unr-lcssa.i, %_ZN7msf_jax4host4thin6fronts7islandsB3v39B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xxd5ArrayIdLi1E1C7mutable7alignedE.exit.i, %B846.endif.split.us.i.i, %common.ret.loopexit.unr-lcssa.i.i, %B1304.i
+  %goes_on.10.3.i = phi i1 [ true, %B1304.i ], [ %"$phi1546.1.2.5.1.mux.i", %B1550.endif.loopexit.unr-lcssa.i ], [ true, %_ZN7msf_jax4host4thin6fronts7islandsB3v39B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xxd5ArrayIdLi1E1C7mutable7alignedE.exit.i ], [ %.3272.epil.i, %B1502.epil.i ], [ true, %common.ret.loopexit.unr-lcssa.i.i ], [ true, %B846.endif.split.us.i.i ], [ true, %B878.epil.i.i ]
+  %num.2.3.i = phi i64 [ 0, %B1304.i ], [ %num.4.1.lcssa.i.i, %B1550.endif.loopexit.unr-lcssa.i ], [ %num.4.1.lcssa.i.i, %_ZN7msf_jax4host4thin6fronts7islandsB3v39B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xxd5ArrayIdLi1E1C7mutable7alignedE.exit.i ], [ %num.4.1.lcssa.i.i, %B1502.epil.i ], [ -1, %common.ret.loopexit.unr-lcssa.i.i ], [ -1, %B846.endif.split.us.i.i ], [ -1, %B878.epil.i.i ]
+  br label %B1582.endif.i
 
-B1290.endif.i:                                    ; preds = %B1258.endif.i, %B1288.loopexit.i
-  %.259128402846.i = phi i64 [ %.2598.i, %B1288.loopexit.i ], [ 0, %B1258.endif.i ]
-  %.2598.i = add nuw nsw i64 %.259128402846.i, 1
-  %143 = getelementptr i64, ptr %w18, i64 %.259128402846.i
-  %.2655.i = load i64, ptr %143, align 8
-  %.2668.i = icmp slt i64 %.2655.i, 0
-  %.2669.i = select i1 %.2668.i, i64 %w9, i64 0
-  %144 = getelementptr i64, ptr %w8, i64 %.2655.i
-  %.2683.i = getelementptr i64, ptr %144, i64 %.2669.i
-  %.2684.i = load i64, ptr %.2683.i, align 8
-  %.2731.i = icmp slt i64 %.2655.i, -1
-  %.2732.i = select i1 %.2731.i, i64 %w9, i64 0
-  %145 = getelementptr i8, ptr %144, i64 8
-  %.2746.i = getelementptr i64, ptr %145, i64 %.2732.i
-  %.2747.i = load i64, ptr %.2746.i, align 8
-  %.2784.i = sub i64 %.2747.i, %.2684.i
-  %.28272834.not.i = icmp slt i64 %.2784.i, 1
-  br i1 %.28272834.not.i, label %B1288.loopexit.i, label %B1420.preheader.i
+B1582.endif.i:                                    ; preds = %B1550.endif.i, %B1580.loopexit.i
+  %.338233703376.i = phi i64 [ %.3389.i, %B1580.loopexit.i ], [ 0, %B1550.endif.i ]
+  %.3389.i = add nuw nsw i64 %.338233703376.i, 1
+  %172 = getelementptr i64, ptr %w19, i64 %.338233703376.i
+  %.3446.i = load i64, ptr %172, align 8
+  %.3459.i = icmp slt i64 %.3446.i, 0
+  %.3460.i = select i1 %.3459.i, i64 %w9, i64 0
+  %173 = getelementptr i64, ptr %w8, i64 %.3446.i
+  %.3474.i = getelementptr i64, ptr %173, i64 %.3460.i
+  %.3475.i = load i64, ptr %.3474.i, align 8
+  %.3522.i = icmp slt i64 %.3446.i, -1
+  %.3523.i = select i1 %.3522.i, i64 %w9, i64 0
+  %174 = getelementptr i8, ptr %173, i64 8
+  %.3537.i = getelementptr i64, ptr %174, i64 %.3523.i
+  %.3538.i = load i64, ptr %.3537.i, align 8
+  %.3575.i = sub i64 %.3538.i, %.3475.i
+  %.36183364.not.i = icmp slt i64 %.3575.i, 1
+  br i1 %.36183364.not.i, label %B1580.loopexit.i, label %B1712.preheader.i
 
-B1420.preheader.i:                                ; preds = %B1290.endif.i
-  %.neg.i = add i64 %.2684.i, 1
-  %xtraiter142.i = and i64 %.2784.i, 1
-  %lcmp.mod143.not.i = icmp eq i64 %xtraiter142.i, 0
-  br i1 %lcmp.mod143.not.i, label %B1420.prol.loopexit.i, label %B1420.prol.i
+B1712.preheader.i:                                ; preds = %B1582.endif.i
+  %.neg.i = add i64 %.3475.i, 1
+  %xtraiter141.i = and i64 %.3575.i, 1
+  %lcmp.mod142.not.i = icmp eq i64 %xtraiter141.i, 0
+  br i1 %lcmp.mod142.not.i, label %B1712.prol.loopexit.i, label %B1712.prol.i
 
-B1420.prol.i:                                     ; preds = %B1420.preheader.i
-  %.2836.prol.i = add nsw i64 %.2784.i, -1
-  %.2881.prol.i = icmp slt i64 %.2684.i, 0
-  %.2882.prol.i = select i1 %.2881.prol.i, i64 %w11, i64 0
-  %146 = getelementptr i64, ptr %w10, i64 %.2684.i
-  %.2896.prol.i = getelementptr i64, ptr %146, i64 %.2882.prol.i
-  %.2897.prol.i = load i64, ptr %.2896.prol.i, align 8
-  %.2910.prol.i = icmp slt i64 %.2897.prol.i, 0
-  %.2911.prol.i = select i1 %.2910.prol.i, i64 %w29, i64 0
-  %147 = getelementptr i64, ptr %w28, i64 %.2897.prol.i
-  %.2925.prol.i = getelementptr i64, ptr %147, i64 %.2911.prol.i
-  store i64 -1, ptr %.2925.prol.i, align 8
-  br label %B1420.prol.loopexit.i
+B1712.prol.i:                                     ; preds = %B1712.preheader.i
+  %.3627.prol.i = add nsw i64 %.3575.i, -1
+  %.3672.prol.i = icmp slt i64 %.3475.i, 0
+  %.3673.prol.i = select i1 %.3672.prol.i, i64 %w11, i64 0
+  %175 = getelementptr i64, ptr %w10, i64 %.3475.i
+  %.3687.prol.i = getelementptr i64, ptr %175, i64 %.3673.prol.i
+  %.3688.prol.i = load i64, ptr %.3687.prol.i, align 8
+  %.3701.prol.i = icmp slt i64 %.3688.prol.i, 0
+  %.3702.prol.i = select i1 %.3701.prol.i, i64 %w30, i64 0
+  %176 = getelementptr i64, ptr %w29, i64 %.3688.prol.i
+  %.3716.prol.i = getelementptr i64, ptr %176, i64 %.3702.prol.i
+  store i64 -1, ptr %.3716.prol.i, align 8
+  br label %B1712.prol.loopexit.i
 
-B1420.prol.loopexit.i:                            ; preds = %B1420.prol.i, %B1420.preheader.i
-  %.282628322836.unr.i = phi i64 [ %.2784.i, %B1420.preheader.i ], [ %.2836.prol.i, %B1420.prol.i ]
-  %.283328332835.unr.i = phi i64 [ %.2684.i, %B1420.preheader.i ], [ %.neg.i, %B1420.prol.i ]
-  %148 = icmp eq i64 %.2747.i, %.neg.i
-  br i1 %148, label %B1288.loopexit.i, label %B1420.preheader184.i
+B1712.prol.loopexit.i:                            ; preds = %B1712.prol.i, %B1712.preheader.i
+  %.361733623366.unr.i = phi i64 [ %.3575.i, %B1712.preheader.i ], [ %.3627.prol.i, %B1712.prol.i ]
+  %.362433633365.unr.i = phi i64 [ %.3475.i, %B1712.preheader.i ], [ %.neg.i, %B1712.prol.i ]
+  %177 = icmp eq i64 %.3538.i, %.neg.i
+  br i1 %177, label %B1580.loopexit.i, label %B1712.preheader183.i
 
-B1420.preheader184.i:                             ; preds = %B1420.prol.loopexit.i
-  %149 = add nuw i64 %.282628322836.unr.i, 2
-  br label %B1420.i
+B1712.preheader183.i:                             ; preds = %B1712.prol.loopexit.i
+  %178 = add nuw i64 %.361733623366.unr.i, 2
+  br label %B1712.i
 
-B1948.endif.unr-lcssa.i:                          ; preds = %B1912.i
-  br i1 %5, label %B1948.endif.i, label %B1912.epil.i
+B2404.endif.unr-lcssa.i:                          ; preds = %B2368.i
+  br i1 %5, label %B2404.endif.i, label %B2368.epil.i
 
-B1912.epil.i:                                     ; preds = %B1948.endif.unr-lcssa.i, %B1912.epil.i
-  %lsr.iv241.i = phi i64 [ %lsr.iv.next242.i, %B1912.epil.i ], [ %xtraiter144.i, %B1948.endif.unr-lcssa.i ]
-  %lsr.iv237.i = phi i64 [ %lsr.iv.next238.i, %B1912.epil.i ], [ %lsr.iv235.i, %B1948.endif.unr-lcssa.i ]
-  %scevgep240.i = getelementptr i8, ptr %w18, i64 %lsr.iv237.i
-  %.3923.epil.i = load i64, ptr %scevgep240.i, align 8
-  %scevgep239.i = getelementptr i8, ptr %w41, i64 %lsr.iv237.i
-  store i64 %.3923.epil.i, ptr %scevgep239.i, align 8
-  %lsr.iv.next238.i = add nuw nsw i64 %lsr.iv237.i, 8
-  %lsr.iv.next242.i = add nsw i64 %lsr.iv241.i, -1
-  %epil.iter.cmp.not.i = icmp eq i64 %lsr.iv.next242.i, 0
-  br i1 %epil.iter.cmp.not.i, label %B1948.endif.i, label %B1912.epil.i
+B2368.epil.i:                                     ; preds = %B2404.endif.unr-lcssa.i, %B2368.epil.i
+  %lsr.iv240.i = phi i64 [ %lsr.iv.next241.i, %B2368.epil.i ], [ %xtraiter143.i, %B2404.endif.unr-lcssa.i ]
+  %lsr.iv236.i = phi i64 [ %lsr.iv.next237.i, %B2368.epil.i ], [ %lsr.iv234.i, %B2404.endif.unr-lcssa.i ]
+  %scevgep239.i = getelementptr i8, ptr %w19, i64 %lsr.iv236.i
+  %.5032.epil.i = load i64, ptr %scevgep239.i, align 8
+  %scevgep238.i = getelementptr i8, ptr %w42, i64 %lsr.iv236.i
+  store i64 %.5032.epil.i, ptr %scevgep238.i, align 8
+  %lsr.iv.next237.i = add nuw nsw i64 %lsr.iv236.i, 8
+  %lsr.iv.next241.i = add nsw i64 %lsr.iv240.i, -1
+  %epil.iter.cmp.not.i = icmp eq i64 %lsr.iv.next241.i, 0
+  br i1 %epil.iter.cmp.not.i, label %B2404.endif.i, label %B2368.epil.i
 
-B1948.endif.i:                                    ; preds = %B1912.epil.i, %B1948.endif.unr-lcssa.i
-  %.3768.i = add nuw nsw i64 %num.2.3.i, %count.2.03240.i
-  %.40452868.not.i = icmp eq i64 %num.2.3.i, 0
-  br i1 %.40452868.not.i, label %B2022.i, label %B1980.preheader.i
+B2404.endif.i:                                    ; preds = %B2368.epil.i, %B2404.endif.unr-lcssa.i
+  %.4877.i = add nuw nsw i64 %num.2.3.i, %count.2.03906.i
+  %.51543400.not.i = icmp eq i64 %num.2.3.i, 0
+  br i1 %.51543400.not.i, label %B2478.i, label %B2436.preheader.i
 
-B1980.preheader.i:                                ; preds = %B1948.endif.i
-  %xtraiter149.i = and i64 %num.2.3.i, 3
-  %150 = icmp samesign ult i64 %num.2.3.i, 4
-  br i1 %150, label %B1980.epil.preheader.i, label %B1980.preheader.new.i
+B2436.preheader.i:                                ; preds = %B2404.endif.i
+  %xtraiter148.i = and i64 %num.2.3.i, 3
+  %179 = icmp samesign ult i64 %num.2.3.i, 4
+  br i1 %179, label %B2436.epil.preheader.i, label %B2436.preheader.new.i
 
-B1980.preheader.new.i:                            ; preds = %B1980.preheader.i
-  %unroll_iter153.i = and i64 %num.2.3.i, 9223372036854775804
-  br label %B1980.i
+B2436.preheader.new.i:                            ; preds = %B2436.preheader.i
+  %unroll_iter152.i = and i64 %num.2.3.i, 9223372036854775804
+  br label %B2436.i
 
-B2036.endif.i:                                    ; preds = %B2022.i, %B1534.i, %B1516.i, %B1468.loopexit.i
-  %rows.4.3.i = phi i64 [ %rows.2.2.i, %B1516.i ], [ %.4175.i, %B2022.i ], [ %rows.2.2.i, %B1534.i ], [ %rows.2.2.i, %B1468.loopexit.i ]
-  %size_of_region.6.3.i = phi i64 [ %size_of_region.4.2.i, %B1516.i ], [ %size_of_region.7.4.i, %B2022.i ], [ %size_of_region.4.2.i, %B1534.i ], [ %size_of_region.4.2.i, %B1468.loopexit.i ]
-  %last.4.3.i = phi double [ %last.2.2.i, %B1516.i ], [ %level.2.2.i, %B2022.i ], [ %last.2.2.i, %B1534.i ], [ %last.2.2.i, %B1468.loopexit.i ]
-  %slenderest.4.3.i = phi double [ %slenderest.2.2.i, %B1516.i ], [ %slenderest.5.4.i, %B2022.i ], [ %slenderest.2.2.i, %B1534.i ], [ %slenderest.2.2.i, %B1468.loopexit.i ]
-  %goes_on.9.3.i = phi i1 [ false, %B1516.i ], [ %.3643.i, %B2022.i ], [ true, %B1534.i ], [ false, %B1468.loopexit.i ]
-  %.42932875.not.i = icmp slt i64 %num.2.3.i, 1
-  br i1 %.42932875.not.i, label %B2128.i, label %B2068.preheader.i
+B2492.endif.i:                                    ; preds = %B2478.i, %B1840.i, %B1820.i, %B1760.loopexit.i
+  %rows.4.3.i = phi i64 [ %rows.2.2.i, %B1820.i ], [ %.5284.i, %B2478.i ], [ %rows.2.2.i, %B1840.i ], [ %rows.2.2.i, %B1760.loopexit.i ]
+  %size_of_region.6.3.i = phi i64 [ %size_of_region.4.2.i, %B1820.i ], [ %size_of_region.7.4.i, %B2478.i ], [ %size_of_region.4.2.i, %B1840.i ], [ %size_of_region.4.2.i, %B1760.loopexit.i ]
+  %last.4.3.i = phi double [ %last.2.2.i, %B1820.i ], [ %level.2.2.i, %B2478.i ], [ %last.2.2.i, %B1840.i ], [ %last.2.2.i, %B1760.loopexit.i ]
+  %slenderest.4.3.i = phi double [ %slenderest.2.2.i, %B1820.i ], [ %slenderest.5.4.i, %B2478.i ], [ %slenderest.2.2.i, %B1840.i ], [ %slenderest.2.2.i, %B1760.loopexit.i ]
+  %goes_on.9.3.i = phi i1 [ false, %B1820.i ], [ %.4752.i, %B2478.i ], [ true, %B1840.i ], [ false, %B1760.loopexit.i ]
+  %.54003407.not.i = icmp slt i64 %num.2.3.i, 1
+  br i1 %.54003407.not.i, label %B2584.i, label %B2524.preheader.i
 
-B2068.preheader.i:                                ; preds = %B2036.endif.i
-  %xtraiter155.i = and i64 %num.2.3.i, 3
-  %151 = icmp samesign ult i64 %num.2.3.i, 4
-  br i1 %151, label %B2068.epil.preheader.i, label %B2068.preheader.new.i
+B2524.preheader.i:                                ; preds = %B2492.endif.i
+  %xtraiter154.i = and i64 %num.2.3.i, 3
+  %180 = icmp samesign ult i64 %num.2.3.i, 4
+  br i1 %180, label %B2524.epil.preheader.i, label %B2524.preheader.new.i
 
-B2068.preheader.new.i:                            ; preds = %B2068.preheader.i
-  %unroll_iter159.i = and i64 %num.2.3.i, 9223372036854775804
-  br label %B2068.i
+B2524.preheader.new.i:                            ; preds = %B2524.preheader.i
+  %unroll_iter158.i = and i64 %num.2.3.i, 9223372036854775804
+  br label %B2524.i
 
-B2182.endif.i:                                    ; preds = %B2172.i, %B2134.i
-  %.46933269.not.i = icmp slt i64 %w15, 1
-  br i1 %.46933269.not.i, label %_ZN7msf_jax4host4thin6fronts3capB3v33B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xddddd5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE.exit, label %B2250.preheader.i
+B2638.endif.i:                                    ; preds = %B2628.i, %B2590.i
+  %.58023943.not.i = icmp slt i64 %w16, 1
+  br i1 %.58023943.not.i, label %_ZN7msf_jax4host4thin6fronts3capB3v33B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xddddd5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE.exit, label %B2706.preheader.i
 
-B2250.preheader.i:                                ; preds = %B2182.endif.i
-  %xtraiter161.i = and i64 %w15, 3
-  %152 = icmp samesign ult i64 %w15, 4
-  br i1 %152, label %B2250.epil.preheader.i, label %B2250.preheader.new.i
+B2706.preheader.i:                                ; preds = %B2638.endif.i
+  %xtraiter160.i = and i64 %w16, 3
+  %181 = icmp samesign ult i64 %w16, 4
+  br i1 %181, label %B2706.epil.preheader.i, label %B2706.preheader.new.i
 
-B2250.preheader.new.i:                            ; preds = %B2250.preheader.i
-  %unroll_iter165.i = and i64 %w15, 9223372036854775804
-  br label %B2250.i
+B2706.preheader.new.i:                            ; preds = %B2706.preheader.i
+  %unroll_iter164.i = and i64 %w16, 9223372036854775804
+  br label %B2706.i
 
-_ZN7msf_jax4host4thin6fronts3capB3v33B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xddddd5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE.exit: ; preds = %B2250.epil.i, %B2306.loopexit.unr-lcssa.i, %B2182.endif.i
+_ZN7msf_jax4host4thin6fronts3capB3v33B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xddddd5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE.exit: ; preds = %B2706.epil.i, %B2762.loopexit.unr-lcssa.i, %B2638.endif.i
   ret i64 %rows.6.1.i
 }
 

@@ -12,7 +12,7 @@ from typing import NamedTuple
 import numpy as np
 from scipy import spatial
 
-from msf_jax.host.curve import branches, centring, containment, leaf_extension, loops, pruning, resampling
+from msf_jax.host.curve import branches, centring, containment, loops, pruning, resampling
 from msf_jax.host.poles.roadmap import Roadmap
 from msf_jax.host.solid.enclosure import Enclosure
 from msf_jax.host.thin import one_branch, reeb_curve
@@ -115,18 +115,11 @@ def passes(centre: bool, extend: bool) -> list[Callable[[Draft, Job], Draft]]:
     return [
         contained,
         looped,
-        *([placed, partial(centred, rounds=FIRST_ROUNDS, is_far=True)] if centre else []),
+        partial(limbed, extend=extend),
+        *([placed, partial(centred, hold_leaves=extend, rounds=FIRST_ROUNDS, is_far=True)] if centre else []),
         merged,
-        *([refined] if centre else []),
-        *([cut_back, extended] if extend else []),
-        partial(limbed, grows=extend),
-        *([partial(centred, hold_leaves=extend, rounds=FIRST_ROUNDS)] if centre else []),
-        merged,
-        *([partial(centred, hold_leaves=extend)] if centre else []),
-        contained,
-        *([straightened, contained] if centre else []),
-        coincident_merged,
-        looped,
+        *([refined, partial(centred, hold_leaves=extend), straightened] if centre else []),
+        checked,
         *([corners_rounded] if centre else []),
     ]
 
@@ -333,37 +326,36 @@ def refined(draft: Draft, job: Job) -> Draft:
     return draft.changed(x, edges)._replace(is_sparse=is_sparse)
 
 
-def cut_back(draft: Draft, job: Job) -> Draft:
-    """No end runs back beside its own branch."""
-    return _left(draft, *leaf_extension.cut_back(job.coarse, draft.vertices, draft.edges, draft.is_held))
-
-
-def extended(draft: Draft, job: Job) -> Draft:
-    """Leaves are at the ends of their limbs."""
-    return draft.changed(*leaf_extension.extend(job.shape, draft.vertices, draft.edges, draft.is_held))
-
-
-def limbed(draft: Draft, job: Job, grows: bool) -> Draft:
+def limbed(draft: Draft, job: Job, extend: bool) -> Draft:
     """Every limb of the solid has one branch, and no other branch ends in a leaf, but for held nodes.
 
-    ``grows``: whether limbs without a branch get one.
+    ``extend``: whether branches are laid to the ends of their limbs, and limbs without a branch get one.
     """
-    if not job.prune:
+    if not (job.prune or extend):
         return draft
-    curve = draft.vertices, draft.edges, draft.is_held
-    choice = one_branch.choose(job.caps(), *curve, job.prune)
+    choice = one_branch.choose(job.caps(), draft.vertices, draft.edges, draft.is_held, job.prune)
     job.budget.was_hit |= choice.was_hit
-    more, worth, missing = draft, choice.worth, choice.missing if grows else []
-    if missing:
-        more = draft.changed(*one_branch.grown(job.coarse, draft.vertices, draft.edges, missing))
-        new = (0, len(more.vertices) - len(draft.vertices))
+    num_leaves, missing = int(draft.is_leaf().sum()), choice.leaf.count(-1) if extend and job.prune else 0
+    worth = choice.worth
+    if extend:
+        places = one_branch.laid(job.caps(), job.coarse, draft.vertices, draft.edges, draft.is_held, choice, job.prune)
+        worth = np.pad(worth, (0, len(places[0]) - len(worth)), constant_values=np.inf)
+        is_junction = draft.degree() > 2
+        draft = draft.changed(*places)
         # The flow has no place for a junction that is new.
-        is_new = (more.degree() > 2) & (np.pad(draft.degree(), new) < 3)
-        more = more._replace(place=np.where(is_new[:, None], more.vertices, more.place))
-        worth = np.pad(worth, new, constant_values=np.inf)
-    left = _left(more, *one_branch.kept(more.vertices, more.edges, worth, more.is_held))
-    num_pruned = int(draft.is_leaf().sum()) + len(missing) - int(left.is_leaf().sum())
-    return left._replace(num_pruned=num_pruned, num_grown=len(missing))
+        is_new = (draft.degree() > 2) & ~np.pad(is_junction, (0, len(draft.vertices) - len(is_junction)))
+        draft = draft._replace(place=np.where(is_new[:, None], draft.vertices, draft.place))
+    if job.prune:
+        kept = one_branch.kept(draft.vertices, draft.edges, worth, draft.is_held)
+        draft = _left(draft, *kept)
+    num_pruned = num_leaves + missing - int(draft.is_leaf().sum())
+    draft = contained(draft, job) if extend else draft
+    return draft._replace(num_pruned=num_pruned, num_grown=missing)
+
+
+def checked(draft: Draft, job: Job) -> Draft:
+    """What was promised holds: all is inside, and each cycle is one in space, around a handle of its own."""
+    return looped(coincident_merged(contained(draft, job), job), job)
 
 
 def coincident_merged(draft: Draft, job: Job) -> Draft:

@@ -16,7 +16,6 @@ A tip is a vertex whose average geodesic distance from the surface is larger tha
 Shinagawa, Kohmura, Kunii 2001).
 """
 
-from collections.abc import Hashable
 from functools import cached_property
 from typing import NamedTuple
 
@@ -26,8 +25,9 @@ from scipy import sparse
 from scipy.sparse import csgraph
 
 from msf_jax.host.solid.enclosure import Enclosure
-from msf_jax.host.solid.geometry import largest_of_each
-from msf_jax.host.thin import fronts
+from msf_jax.host.solid.geometry import cross, largest_of_each
+from msf_jax.host.thin import ends, fronts
+from msf_jax.host.thin.levels import levels
 
 SOURCES = 16  # points, far from each other, whose distances are averaged
 SMOOTHINGS = 5  # of the average distance, each a mean with the neighbours: so noise makes few tips
@@ -37,7 +37,6 @@ SMALL = 0.0012  # of the surface, 24 triangles of 20,000: a smaller cap counts h
 BLUNT = 0.6  # of the least slenderness: enough for blunt ends, see `Caps.limbs`; more than corners of a box have
 NEARLY = 0.7  # of the least slenderness: then the neighbours of a tip are tried, too
 ROUND_END = 0.5  # least slenderness of a limb's end, before a disc goes around a handle or a larger part: half a ball
-GAP = 0.3  # radii of the limb between the end of its curve and the tip
 MOST_DISCS = 200  # radii: more than from the first one to the whole of a surface
 FEWEST = 1_000  # vertices of a surface: of one with fewer, triangles are split, so that discs follow its limbs
 MOST_TIPS = 100  # places of a component, besides the curve's leaves, those with the largest average distance first
@@ -45,15 +44,26 @@ MOST_AREA = 100.0  # surfaces of a component: area of all its discs together; th
 
 
 class Cap(NamedTuple):
-    """tip: a vertex. slenderness, area: of the cap. middles: (k, 3) of the curves of the tip's discs, from the tip on,
-    up to the one that cuts the cap off. step: half the mean radius of these curves. region: (r,) the cap's vertices."""
+    """tip: a vertex. slenderness, area: of the cap. region: (r,) the cap's vertices."""
 
     tip: int
     slenderness: float
     area: float
-    middles: np.ndarray
-    step: float
     region: np.ndarray
+
+
+class Limbs(NamedTuple):
+    """The limbs of a surface, see `Caps.limbs`.
+
+    caps: of the limbs. owner: (V,) the number of the limb of each vertex, from 1; 0 for none. time: (V,) the mean exit
+    time from the limb (see `ends`): how far a vertex is from the limb's base. slenderness: (V,) at each tip, the
+    largest of its caps, infinite for a tip that was not tried; 0 elsewhere.
+    """
+
+    caps: list[Cap]
+    owner: np.ndarray
+    time: np.ndarray
+    slenderness: np.ndarray
 
 
 class Caps:
@@ -71,8 +81,10 @@ class Caps:
         around = np.argsort(faces.ravel(), kind="stable") // 3
         first = np.concatenate([[0], np.cumsum(np.bincount(faces.ravel(), minlength=len(x)))])
         a, b, c = shape.triangles[:, 0], shape.triangles[:, 1], shape.triangles[:, 2]
-        area = np.linalg.norm(np.cross(b - a, c - a), axis=1) / 2
-        self.surface = fronts.Surface(x, faces, shape.mesh.twins, first, around, area)
+        vector = cross(b - a, c - a) / 2
+        area, volume = np.linalg.norm(vector, axis=1), np.einsum("fi,fi->f", a, vector) / 3
+        size = np.concatenate([area[:, None], vector, volume[:, None]], axis=1)
+        self.surface, self.area = fronts.Surface(x, faces, shape.mesh.twins, first, around, size), area
         pairs = np.ones(2 * len(faces)), (np.tile(faces[:, 0], 2), faces[:, 1:].T.ravel())
         component = csgraph.connected_components(sparse.coo_matrix(pairs, (len(x),) * 2), directed=False)[1]
         self._component = component.astype(np.int64)
@@ -86,9 +98,9 @@ class Caps:
         ring = np.full(len(faces), -1)
         self._front = fronts.Scratch(np.full(num, np.inf), state, order, filled, stack, key, value, ring)
         self._left, self.was_hit = np.full(component.max() + 1, MOST_AREA), False
-        self._rows = np.empty((MOST_DISCS + 3, 6))
+        self._rows = np.empty((MOST_DISCS + 4, 9))
         self._region = np.empty(len(x) + 1, dtype=np.int64)
-        self._found: dict[Hashable, tuple[list[Cap], np.ndarray]] = {}
+        self._found: dict[float, Limbs] = {}
 
     def grown(
         self, tip: int, others: np.ndarray, enough: float = np.inf, share: float = 0.5
@@ -112,7 +124,7 @@ class Caps:
     def height(self) -> np.ndarray:
         """(V,) the average geodesic distance of each vertex from its component, smoothed against noise."""
         x, faces, component = self.surface.points, self.surface.faces, self._component
-        share = np.bincount(faces.ravel(), np.repeat(self.surface.area / 3, 3), len(x))
+        share = np.bincount(faces.ravel(), np.repeat(self.area / 3, 3), len(x))
         whole = np.bincount(component, share)
         middle = np.stack([np.bincount(component, share * axis) / whole for axis in x.T], axis=1)
         source = largest_of_each(component, -np.linalg.norm(x - middle[component], axis=1))
@@ -157,38 +169,68 @@ class Caps:
         self._front.distance[:], self._front.state[:] = np.inf, 0
         return found
 
-    def limbs(self, least: float, tips: np.ndarray, with_blunt: bool = False) -> tuple[list[Cap], np.ndarray]:
-        """The limbs of at least that slenderness, but `ROUND_END`, with their tips among the vertices ``tips`` (t,).
+    def limbs(self, least: float) -> Limbs:
+        """The limbs of at least that slenderness, but `ROUND_END`.
 
         First come caps below half of the surface. Then the rest may be a limb, too, up to the first ones: the body of a
         bunny is the other end of its ears. Last come blunt ends of parts with limbs, such as the nose of a head with
-        ears. With ``with_blunt``, a component without limbs and handles has its blunt ends instead. Also returns the
-        largest slenderness (t,) of the caps around ``tips``, infinite for vertices that were not tried. A search that
-        was made before is not repeated.
+        ears. A component without limbs and handles has its blunt ends instead. If a component without handles has one
+        or two limbs, it has one branch, and its halves are the limbs (see `ends.halves`): in a sheet, discs around tips
+        find its corners.
         """
-        asked = least, tips.tobytes(), with_blunt
-        if asked not in self._found:
-            self._found[asked] = self._search(max(least, ROUND_END), tips, with_blunt)
-        return self._found[asked]
+        if least not in self._found:
+            self._found[least] = self._search(max(least, ROUND_END))
+        return self._found[least]
 
-    def _search(self, least: float, tips: np.ndarray, with_blunt: bool) -> tuple[list[Cap], np.ndarray]:
-        self._left[:] = MOST_AREA
+    def _search(self, least: float) -> Limbs:
+        tips = self.tips()
         most = np.full(len(self.surface.points), np.inf)
-        owner = np.zeros(len(most), dtype=np.int64)  # the number of the limb of each vertex, from 1; 0 for none
+        owner = np.zeros(len(most), dtype=np.int64)
         # Of each limb, its tip and the slenderness of its cap: below half of the surface, the largest one.
         limbs = [(tip, np.inf) for tip in self._slender(tips, owner, most, least, 0.5)]
         if limbs:
             limbs += [(tip, least) for tip in self._slender(tips[owner[tips] == 0], owner, most, least, 1.0)]
             limbs += self._blunt(tips[owner[tips] == 0], owner, least)
-        if with_blunt:
-            is_whole = (np.bincount(self._component, owner) == 0) & self._is_ball
-            rest = tips[is_whole[self._component[tips]]]
-            limbs += [(tip, np.inf) for tip in self._slender(rest, owner, most, max(BLUNT * least, ROUND_END), 0.5)]
+        blunt = max(BLUNT * least, ROUND_END)
+        is_whole = (np.bincount(self._component, owner) == 0) & self._is_ball
+        rest = tips[is_whole[self._component[tips]]]
+        limbs += [(tip, np.inf) for tip in self._slender(rest, owner, most, blunt, 0.5)]
         caps = [
             self._of(tip, ((owner > 0) & (owner != number)).astype(np.int64), enough)
             for number, (tip, enough) in enumerate(limbs, 1)
         ]
-        return caps, most[tips]
+        count = np.bincount(self._component[[cap.tip for cap in caps]], minlength=len(self._is_ball))
+        for number in np.flatnonzero((count > 0) & (count < 3) & self._is_ball).tolist():
+            two = self._halves(number)
+            if two and min(cap.slenderness for cap in two) >= blunt:
+                caps = [cap for cap in caps if self._component[cap.tip] != number] + two
+        owner[:] = 0
+        for number, cap in sorted(enumerate(caps, 1), key=lambda each: -each[1].area):  # the smaller one last
+            owner[cap.region] = number
+        at_tips = np.zeros(len(most))
+        at_tips[tips] = most[tips]
+        return Limbs(caps, owner, ends.exit_times(self.surface.points, self.surface.faces, owner), at_tips)
+
+    def _halves(self, number: int) -> list[Cap]:
+        """The halves of a component that has a direction in which it is long, as caps; else none."""
+        of_face = self._component[self.surface.faces[:, 0]] == number
+        member = np.flatnonzero(self._component == number)
+        x, faces = self.surface.points[member], np.searchsorted(member, self.surface.faces[of_face])
+        value = ends.halves(x, faces)
+        if value is None:
+            return []
+        perimeter = float(levels(x, faces, value / np.ptp(value) + 2.0, 2.0).perimeter.sum())  # of the line at 0
+        share = np.bincount(faces.ravel(), np.repeat(self.area[of_face] / 3, 3), len(x))
+        found = []
+        for side in (value, -value):
+            area = float(share[side > 0].sum())
+            slenderness = 2 * np.pi * area / perimeter**2 - 0.5
+            found.append(Cap(int(member[side.argmax()]), slenderness, area, member[side > 0]))
+        return found
+
+    def axis(self, shape: Enclosure, limbs: Limbs, number: int) -> ends.Axis:
+        """The curve of one of the limbs in the solid ``shape``."""
+        return ends.axis(shape, self.surface.points, self.surface.faces, limbs.time, limbs.caps[number].region)
 
     def _slender(self, tips: np.ndarray, owner: np.ndarray, most: np.ndarray, least: float, share: float) -> list[int]:
         """The tips of limbs with caps of at most that ``share`` of the surface, up to the limbs in ``owner`` (V,).
@@ -247,12 +289,6 @@ class Caps:
                     most, best, rows, region = other[:, 0].max(), near, other, other_region
         return best, rows, region
 
-    def from_base(self, cap: Cap) -> np.ndarray:
-        """(V,) the geodesic distance of each vertex from the vertices just outside of ``cap``."""
-        is_in = np.isin(np.arange(len(self._total)), cap.region)[self.surface.faces]
-        is_rim = is_in.any(axis=1) & ~is_in.all(axis=1)
-        return self._distances(np.unique(self.surface.faces[is_rim][~is_in[is_rim]]))
-
     def slenderness(self, foot: np.ndarray, tip: np.ndarray, enough: float = np.inf) -> np.ndarray:
         """The largest slenderness (l,) of the caps around each of the vertices ``tip`` (l,), without another one of
         them or another ``foot`` (l,), or some value of at least ``enough``. One tip of several feet stands for none."""
@@ -269,14 +305,8 @@ class Caps:
         """The slenderest cap around ``tip`` below half of the surface without a vertex of ``others`` (V,), or the first
         cap of any size that is slender ``enough``."""
         rows, region = self.grown(tip, others, enough, 0.5 if enough == np.inf else 1.0)
-        rows = rows[: rows[:, 0].argmax() + 1]
-        factor = np.where(rows[:, 2] < SMALL * self._total[tip], fronts.SMALLER, 1.0)
-        radius = np.sqrt(rows[:, 2] / (2 * np.pi * (rows[:, 0] / factor + 0.5)))  # the curve's length over 2 pi
-        size = float(np.median(radius[len(rows) // 2 :]))
-        depth = np.linalg.norm(rows[:, 3:] - self.surface.points[tip], axis=1)
-        is_in = depth > GAP * size
-        rows = rows[int(is_in.argmax()) if is_in.any() else -1 :]
-        return Cap(tip, float(rows[-1, 0]), float(rows[-1, 2]), rows[:, 3:], size / 2, region)
+        best = int(rows[:, 0].argmax())
+        return Cap(tip, float(rows[best, 0]), float(rows[best, 2]), region)
 
 
 def _own(rows: np.ndarray) -> float:

@@ -12,14 +12,15 @@ AROUND = 1.5  # a disc that cuts off no cap while its radius grows by this facto
 
 class Surface(NamedTuple):
     """points: (V, 3). faces: (F, 3), closed and oriented. twins: (3F,) of half-edges. first: (V + 1,) of each vertex'
-    part of ``around``, the faces around it, one after another. area: (F,) of the faces."""
+    part of ``around``, the faces around it, one after another. size: (F, 5) of a face its area, its area vector, and
+    the signed volume of its tetrahedron with the origin; a part of a face has the same share of all five."""
 
     points: Points
     faces: Rows
     twins: Ints
     first: Ints
     around: Ints
-    area: Reals
+    size: Points
 
 
 class Scratch(NamedTuple):
@@ -145,11 +146,11 @@ def odd_corner(surface: Surface, front: Scratch, face: int) -> int:
 def ring_through(surface: Surface, front: Scratch, start: int, level: float, number: int, middle: Reals) -> float:
     """Follow the curve at distance ``level`` from the face ``start`` on, and mark its faces with its ``number``.
 
-    Sets ``middle`` (5,) to the curve's length, its first moment, and the area inside it on its faces. Returns the
-    length.
+    Sets ``middle`` (9,) to the curve's length, its first moment, and the size of what is inside it on its faces.
+    Returns the length.
     """
     x = surface.points
-    for i in range(5):
+    for i in range(9):
         middle[i] = 0.0
     face = start
     while front.ring[face] < 0:
@@ -171,18 +172,21 @@ def ring_through(surface: Surface, front: Scratch, start: int, level: float, num
         middle[0] += length
         for i in range(3):
             middle[1 + i] += length * (x[p, i] + (s * (x[a, i] - x[p, i]) + t * (x[b, i] - x[p, i])) / 2)
-        middle[4] += surface.area[face] * (s * t if k < 3 else 1 - s * t)
+        for i in range(5):
+            middle[4 + i] += surface.size[face, i] * (s * t if k < 3 else 1 - s * t)
         # On through the edge that has the disc on its left: from the corner before, or from the corner that is out.
         face = surface.twins[3 * face + ((corner + 2) % 3 if k < 3 else corner)] // 3
     return middle[0]
 
 
 @part
-def islands(surface: Surface, front: Scratch, count: int, longest: int, inside: float, most: Reals) -> int:
+def islands(surface: Surface, front: Scratch, count: int, longest: int, inside: float, extra: Reals) -> int:
     """Fill what smaller rings cut off besides the disc. Returns the number of filled vertices, -1 if one of these parts
-    is larger than the disc of area ``inside``, or ends at the ring ``longest`` too. ``most`` (1,) gets their area.
+    is larger than the disc of area ``inside``, or ends at the ring ``longest`` too. ``extra`` (5,) gets their size.
     """
-    extra, num, top = 0.0, 0, 0
+    num, top = 0, 0
+    for i in range(5):
+        extra[i] = 0.0
     for number in range(count):
         vertex = front.order[number]
         for at in range(surface.first[vertex], surface.first[vertex + 1]):
@@ -199,8 +203,9 @@ def islands(surface: Surface, front: Scratch, count: int, longest: int, inside: 
                 here = front.stack[top]
                 for beside in range(surface.first[here], surface.first[here + 1]):
                     other = surface.around[beside]
-                    extra += surface.area[other] / 3
-                    if front.ring[other] == longest or extra > inside:
+                    for i in range(5):
+                        extra[i] += surface.size[other, i] / 3
+                    if front.ring[other] == longest or extra[0] > inside:
                         for each in range(num):
                             front.state[front.filled[each]] = 0
                         return -1
@@ -209,7 +214,6 @@ def islands(surface: Surface, front: Scratch, count: int, longest: int, inside: 
                             front.state[surface.faces[other, k]] = 2
                             front.filled[num] = front.stack[top] = surface.faces[other, k]
                             num, top = num + 1, top + 1
-    most[0] = extra
     return num
 
 
@@ -229,14 +233,16 @@ def cap(
 ) -> int:
     """Grow a disc around the vertex ``tip``, and measure the caps that it cuts off (see `caps`).
 
-    Rows of ``found``: slenderness, radius, area and middle of each cap. That of a cap below the area ``small`` is
-    multiplied by `SMALLER`. Radii grow from ``level`` by the factor ``ratio``, until a cap has ``enough`` slenderness,
-    or more than the area ``most``, or holds a vertex of ``is_other`` (V,) besides the tip. The last three rows are
+    Rows of ``found`` (k, 9): slenderness, radius, area and middle of each cap; the rest is scratch space. That of a cap
+    below the area ``small`` is multiplied by `SMALLER`. That of a cap without volume, when a fan over its curve closes
+    it, is 0: it is a pocket. Radii grow from ``level`` by the factor ``ratio``, until a cap has ``enough`` slenderness,
+    or more than the area ``most``, or holds a vertex of ``is_other`` (V,) besides the tip. The last four rows are
     scratch space. ``region`` (V + 1,) gets the vertices of the slenderest cap, and -1 after them. Returns the number of
     rows.
     """
     rows, count, size_of_region, last, slenderest = 0, 0, 0, inf, -inf
-    middle, best, islets = found[len(found) - 1], found[len(found) - 2], found[len(found) - 3]
+    middle, best = found[len(found) - 1], found[len(found) - 2]
+    extra, whole = found[len(found) - 3], found[len(found) - 4]
     front.distance[tip] = 0.0
     size = push(front, 0, 0.0, tip)
     goes_on = True
@@ -251,40 +257,47 @@ def cap(
                 goes_on = vertex == tip or is_other[vertex] == 0
                 size = settle(surface, front, vertex, size)
             continue
-        if count >= LEAST_COUNT and rows < len(found) - 3:
-            area, rings, longest = 0.0, 0, 0
+        if count >= LEAST_COUNT and rows < len(found) - 4:
+            rings, longest = 0, 0
+            for i in range(5):
+                whole[i] = 0.0
             best[0] = 0.0
             for number in range(count):
                 for at in range(surface.first[front.order[number]], surface.first[front.order[number] + 1]):
                     face = surface.around[at]
                     kind = odd_corner(surface, front, face)
                     if kind == 7:
-                        area += surface.area[face] / 3
+                        for i in range(5):
+                            whole[i] += surface.size[face, i] / 3
                     elif front.ring[face] < 0:
                         if ring_through(surface, front, face, level, rings, middle) > best[0]:
                             longest = rings
-                            for i in range(5):
+                            for i in range(4):
                                 best[i] = middle[i]
-                        area += middle[4]
+                        for i in range(5):
+                            whole[i] += middle[4 + i]
                         rings += 1
             num = 0
             if rings > 1:
-                num = islands(surface, front, count, longest, area, islets)
+                num = islands(surface, front, count, longest, whole[0], extra)
                 if num > 0:
-                    area += islets[0]
+                    for i in range(5):
+                        whole[i] += extra[i]
                 for number in range(num):
                     goes_on = goes_on and is_other[front.filled[number]] == 0
             for number in range(count):
                 for at in range(surface.first[front.order[number]], surface.first[front.order[number] + 1]):
                     front.ring[surface.around[at]] = -1
-            if area > most or level > AROUND * last:
+            if whole[0] > most or level > AROUND * last:
                 goes_on = False
             elif goes_on and num >= 0 and best[0] > 0:
-                slenderness = 2 * pi * area / (best[0] * best[0]) - 0.5
-                found[rows, 0] = slenderness if area >= small else SMALLER * slenderness
-                found[rows, 1], found[rows, 2] = level, area
+                slenderness, volume = 2 * pi * whole[0] / (best[0] * best[0]) - 0.5, whole[4]
                 for i in range(3):
                     found[rows, 3 + i] = best[1 + i] / best[0]
+                    volume -= found[rows, 3 + i] * whole[1 + i] / 3
+                slenderness = slenderness if volume > 0 else 0.0
+                found[rows, 0] = slenderness if whole[0] >= small else SMALLER * slenderness
+                found[rows, 1], found[rows, 2], found[rows, 6] = level, whole[0], volume
                 goes_on = found[rows, 0] < enough
                 if found[rows, 0] > slenderest:
                     slenderest, size_of_region = found[rows, 0], count + num

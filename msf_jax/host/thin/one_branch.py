@@ -5,7 +5,7 @@ base stays. A limb without a leaf can get a branch, through the middles of the c
 are removed. A component without loops keeps two leaves: the ends of its longest path, from its limb if it has one.
 """
 
-from collections.abc import Callable
+import itertools
 from typing import NamedTuple
 
 import numpy as np
@@ -13,40 +13,48 @@ from scipy import sparse
 from scipy.sparse import csgraph
 
 from msf_jax.host.curve import pruning
+from msf_jax.host.curve.branches import trace
 from msf_jax.host.curve.containment import is_inside
 from msf_jax.host.solid.enclosure import Enclosure
 from msf_jax.host.solid.geometry import arc_length, at, largest_of_each
-from msf_jax.host.thin.caps import Cap, Caps
+from msf_jax.host.thin.caps import Caps
+from msf_jax.host.thin.ends import STEP
 
+LAST = 3.0  # widths of a limb: the last stretch of its branch, which is laid on its rings
 TRIED = 64  # nodes, those with the nearest balls first, that a new branch may begin at; else it is the nearest node
 
 
 class Choice(NamedTuple):
     """worth: (N,) of each leaf: infinite for one that stays, else the slenderness of its cap, 0 in a limb that has a
-    better leaf. missing: the limbs without a leaf. was_hit: whether the search ended early."""
+    better leaf. leaf: of each limb, the leaf that stays, or -1. was_hit: whether the search ended early."""
 
     worth: np.ndarray
-    missing: list[Cap]
+    leaf: list[int]
     was_hit: bool
 
 
 def choose(caps: Caps, vertices: np.ndarray, edges: np.ndarray, is_held: np.ndarray, least: float) -> Choice:
     """The leaves of a curve ``(vertices (N, 3), edges (E, 2))`` for the limbs of slenderness ``least`` of a surface.
 
-    Of several leaves in a limb, the one farthest from the limb's base stays, or a held one of ``is_held`` (N,) near it.
-    Other held ones stay, too, beside it.
+    Of several leaves in a limb, the one farthest from the limb's base stays: a middle finger and not a thumb, on the
+    left as on the right. A held one of ``is_held`` (N,) within a width of the limb's end stays instead.
     """
-    leaves = leaves_of(edges)
+    leaves, limbs = leaves_of(edges), caps.limbs(least)
     foot = feet(caps.shape, vertices[leaves])
-    tips = caps.tips()
-    tips = np.concatenate([tips, np.setdiff1d(caps.tip_of[foot], tips)])
-    found, slenderness = caps.limbs(least, tips, with_blunt=True)
-    rank, missing = matched(foot, is_held[leaves], found, len(caps.tip_of), caps.from_base)
-    of_tip = np.zeros(len(caps.tip_of))
-    of_tip[tips] = slenderness
-    worth = np.zeros(len(vertices))
-    worth[leaves] = np.where(rank == 0, np.inf, np.where(rank > 0, 0.0, of_tip[caps.tip_of[foot]]))
-    return Choice(worth, missing, caps.was_hit)
+    own = limbs.owner[foot]
+    worth, leaf = np.zeros(len(vertices)), []
+    worth[leaves] = np.where(own > 0, 0.0, limbs.slenderness[caps.tip_of[foot]])
+    for number, cap in enumerate(limbs.caps, 1):
+        mine = np.flatnonzero(own == number)
+        longest, away = (
+            np.sqrt(2 * value)
+            for value in (limbs.time[cap.region].max(), limbs.time[cap.region].max() - limbs.time[foot[mine]])
+        )
+        is_end = is_held[leaves[mine]] & (away <= cap.area / (2 * np.pi * longest))
+        first = mine[np.lexsort((away, ~is_end))[:1]]
+        worth[leaves[first]] = np.inf
+        leaf.append(int(leaves[first[0]]) if len(first) else -1)
+    return Choice(worth, leaf, caps.was_hit)
 
 
 def slenderness(caps: Caps, vertices: np.ndarray, edges: np.ndarray, enough: float = np.inf) -> np.ndarray:
@@ -70,30 +78,6 @@ def feet(shape: Enclosure, points: np.ndarray) -> np.ndarray:
     near = shape.faces[shape.approximate_closest(points)[1]]
     away = np.linalg.norm(shape.vertices[near] - points[:, None], axis=2)
     return near[np.arange(len(near)), away.argmin(axis=1)]
-
-
-def matched(
-    foot: np.ndarray, is_held: np.ndarray, caps: list[Cap], num_vertices: int, from_base: Callable[[Cap], np.ndarray]
-) -> tuple[np.ndarray, list[Cap]]:
-    """The rank of each leaf in its limb, -1 outside of limbs: 0 for the one farthest from the limb's base: a middle
-    finger and not a thumb, on the left as on the right. A held one within a limb's radius of it goes before.
-
-    ``foot`` (l,) are the leaves' nearest vertices, ``is_held`` (l,) says which are held, and ``from_base`` gives the
-    distance (V,) of vertices from a limb's base. Also returns the limbs without a leaf, the largest first.
-    """
-    rank = np.full(len(foot), -1)
-    own = np.full(num_vertices, -1)
-    order = sorted(range(len(caps)), key=lambda k: -caps[k].area)
-    for k in order:
-        own[caps[k].region] = k
-    missing = []
-    for k in order:
-        mine = np.flatnonzero(own[foot] == k)
-        away = from_base(caps[k])[foot[mine]] if len(mine) > 1 else np.zeros(len(mine))
-        is_end = is_held[mine] & (away >= away.max(initial=0.0) - 2 * caps[k].step)
-        rank[mine[np.lexsort((-away, ~is_end))]] = range(len(mine))
-        missing += [] if len(mine) else [caps[k]]
-    return rank, missing
 
 
 def kept(
@@ -128,24 +112,60 @@ def ends(vertices: np.ndarray, edges: np.ndarray, stays: np.ndarray) -> np.ndarr
     return found
 
 
-def grown(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray, caps: list[Cap]) -> tuple[np.ndarray, np.ndarray]:
-    """The curve in the solid ``shape`` with a branch in each of ``caps``: nodes, new ones last, and edges.
+def laid(
+    caps: Caps,
+    shape: Enclosure,
+    vertices: np.ndarray,
+    edges: np.ndarray,
+    is_held: np.ndarray,
+    choice: Choice,
+    least: float,
+) -> tuple[np.ndarray, np.ndarray]:
+    """The curve in the solid ``shape`` with its ends laid on the rings of the limbs: nodes, new ones last, and edges.
 
-    A branch begins at the node whose ball is nearest to the limb's base, so a finger begins in the palm and not at the
-    finger beside it. The way there must be inside: a hand at the hip does not begin in the body. Leaves are left out.
+    The end of a branch in a limb is replaced within `LAST` widths of the limb's end, but no held node. A limb without a
+    leaf gets a branch. It begins at the node whose ball is nearest to the limb's base, so a finger begins in the palm
+    and not at the finger beside it. The way there must be inside: a hand at the hip does not begin in the body.
     """
-    old, radius = vertices, shape.approximate_clearance(vertices)[0]
+    limbs, x = caps.limbs(least), vertices.copy()
+    radius = shape.approximate_clearance(vertices)[0]
     radius[leaves_of(edges)] = -np.inf
-    for cap in caps:
-        places = cap.middles[::-1]
-        away = np.linalg.norm(old - places[0], axis=1)
-        near = np.argsort(away - radius, kind="stable")[:TRIED]
-        is_open = is_inside(shape, old[near], np.repeat(places[:1], len(near), axis=0))
-        first = near[is_open.argmax()] if is_open.any() else away.argmin()
+    path_of = {path[0]: path for each in trace(len(x), edges) for path in (each, each[::-1])}
+    is_end = np.bincount(edges.ravel(), minlength=len(x)) == 1
+    gone, added, joined, count = [], [], [], len(x)
+    for number, leaf in enumerate(choice.leaf):
+        if leaf >= 0 and is_held[leaf]:
+            continue
+        places, width = caps.axis(shape, limbs, number)
+        if leaf < 0:
+            old, stop = [], _beginning(shape, vertices, radius, places[-1])
+        else:
+            path = np.array(path_of[leaf])
+            along, away = arc_length(vertices[path]), np.linalg.norm(vertices[path] - places[0], axis=1)
+            # Of a branch with two ends, each has a half.
+            is_out = (away > LAST * width) | (is_end[path[-1]] & (along >= along[-1] / 2))
+            first = max(1, int(np.argmax(np.append(is_out | is_held[path], True))))
+            first = min(first, len(path) - 1)
+            old, stop = path[:first].tolist(), int(path[first])
+            places = places[: max(1, int(np.linalg.norm(places - vertices[stop], axis=1).argmin()))]
+        places = np.concatenate([places, vertices[[stop]]])
         along = arc_length(places)
-        num = max(2, int(np.ceil(along[-1] / cap.step)) + 1) if along[-1] else 1
-        places = at(places, along, np.linspace(0, along[-1], num))
-        new = np.arange(len(vertices), len(vertices) + num)
-        edges = np.concatenate([edges, np.stack([np.append(first, new[:-1]), new], axis=1)])
-        vertices = np.concatenate([vertices, places])
-    return vertices, edges
+        num = max(len(old), int(np.ceil(along[-1] / (STEP * width))), 1)
+        places = at(places, along, np.linspace(0.0, along[-1], num + 1))[:-1]
+        x[old] = places[: len(old)]
+        new = list(range(count, count + num - len(old)))
+        gone += [{old[-1], stop}] if old else []
+        chain = [*old[-1:], *new, stop]
+        joined += list(itertools.pairwise(chain))
+        added.append(places[len(old) :])
+        count += len(new)
+    stays = [set(edge) not in gone for edge in edges.tolist()]
+    return np.concatenate([x, *added]), np.concatenate([edges[stays], np.array(joined, dtype=np.int64).reshape(-1, 2)])
+
+
+def _beginning(shape: Enclosure, vertices: np.ndarray, radius: np.ndarray, place: np.ndarray) -> int:
+    """The node of ``vertices`` (N, 3), with balls of ``radius`` (N,), at which a branch to ``place`` (3,) begins."""
+    away = np.linalg.norm(vertices - place, axis=1)
+    near = np.argsort(away - radius, kind="stable")[:TRIED]
+    is_open = is_inside(shape, vertices[near], np.repeat(place[None], len(near), axis=0))
+    return int(near[is_open.argmax()] if is_open.any() else away.argmin())

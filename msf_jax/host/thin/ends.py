@@ -1,0 +1,133 @@
+"""Where the curve of a limb ends, and the rings of its surface that lead there.
+
+On a limb, let u be the mean exit time: -Laplacian u = 1 on its surface, and u = 0 beyond its base. The level lines of u
+run across the limb, and u is largest in the middle of its end. That also holds in a sheet, where the points at the
+largest distance are corners. In a limb of constant size, u falls with the square of the distance d from the end, so
+
+    d = sqrt(2 (u_max - u))
+
+measures along the limb. The middles of the rings of equal d, half a limb's radius apart, are the limb's curve.
+
+A solid with one branch has no base. There the first eigenfunction of the surface's Laplacian decides: it is positive at
+one end and negative at the other, and its zero line runs across. If the second eigenvalue is hardly larger, as for a
+ball, a cube or a square plate, the solid has no direction in which it is long.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+from scipy import sparse
+from scipy.sparse import linalg
+
+from msf_jax.host.solid.enclosure import Enclosure
+from msf_jax.host.solid.geometry import triangle_areas, unit
+from msf_jax.host.thin.levels import levels
+
+STEP = 0.5  # widths of a limb between its rings
+NEAR_END = 2  # rings: so many can lie on the end itself
+HALF = 0.5  # of a ring's length: another one of that length goes around another part of the limb, and not a bump
+GAP = 0.3  # radii of the limb's end: the ball around the end of the curve, which is as far from the surface ahead
+WIDEST = 1.5  # of a ball's radius: a ball whose middle is within that distance of the limb's end fills the end
+LEAST = 0.25  # of the radius a width from the end: the least radius of an end, which may be a point
+SAMPLES = 65  # points of the curve's last stretch at which the ball that fills the end is looked for
+LONG = 0.9  # largest ratio of the first two eigenvalues of a solid with a direction; 0.25 for a rectangle of 2 : 1
+
+
+class Axis(NamedTuple):
+    """The curve of a limb. places: (k, 3) from its end to its base, the middles of rings. width: the radius of a tube of
+    the limb's area and length."""
+
+    places: np.ndarray
+    width: float
+
+
+def laplacian(vertices: np.ndarray, faces: np.ndarray) -> tuple[sparse.csr_matrix, np.ndarray]:
+    """The Laplacian (V, V) with cotangent weights, positive semidefinite, and a third of the area (V,) around each
+    vertex."""
+    corners = vertices[faces]
+    area = triangle_areas(corners)
+    i, j, value = [], [], []
+    for k in range(3):
+        one, other = corners[:, (k + 1) % 3] - corners[:, k], corners[:, (k + 2) % 3] - corners[:, k]
+        i.append(faces[:, (k + 1) % 3])
+        j.append(faces[:, (k + 2) % 3])
+        value.append(np.einsum("fi,fi->f", one, other) / np.maximum(4 * area, 1e-300))
+    num = len(vertices)
+    entries = np.tile(np.concatenate(value), 2), (np.concatenate([*i, *j]), np.concatenate([*j, *i]))
+    weight = sparse.coo_matrix(entries, (num, num)).tocsr()
+    degree = np.asarray(weight.sum(axis=1)).ravel()
+    return (sparse.diags_array(degree) - weight).tocsr(), np.bincount(faces.ravel(), np.repeat(area / 3, 3), num)
+
+
+def exit_times(vertices: np.ndarray, faces: np.ndarray, owner: np.ndarray) -> np.ndarray:
+    """(V,) the mean exit time from the part of the surface that has the same ``owner`` (V,); 0 where that is 0."""
+    matrix, share = laplacian(vertices, faces)
+    inner = np.flatnonzero(owner)
+    if not len(inner):
+        return np.zeros(len(vertices))
+    own = matrix[inner][:, inner].tocoo()
+    # A weight between two parts stays on the diagonal only: each sees the other as its base.
+    is_same = owner[inner[own.row]] == owner[inner[own.col]]
+    own = sparse.coo_matrix((own.data[is_same], (own.row[is_same], own.col[is_same])), own.shape).tocsc()
+    found = np.zeros(len(vertices))
+    found[inner] = linalg.splu(own, permc_spec="MMD_AT_PLUS_A", options={"SymmetricMode": True}).solve(share[inner])
+    return found
+
+
+def halves(vertices: np.ndarray, faces: np.ndarray) -> np.ndarray | None:
+    """The first eigenfunction (V,) of a connected surface; None if it has no direction in which it is `LONG`."""
+    matrix, share = laplacian(vertices, faces)
+    mass, whole = sparse.diags_array(share).tocsc(), float(share.sum())
+    start = np.cos(np.arange(len(vertices)))
+    # Shifted by a part of 1 / area, the order of the first eigenvalues, so that the matrix is not singular.
+    value, vector = linalg.eigsh(matrix.tocsc(), 3, mass, sigma=-0.1 / whole, v0=start)
+    order = np.argsort(value)
+    return vector[:, order[1]] if value[order[1]] < LONG * value[order[2]] else None
+
+
+def axis(shape: Enclosure, vertices: np.ndarray, faces: np.ndarray, time: np.ndarray, region: np.ndarray) -> Axis:
+    """The curve of the limb ``region`` (r,), vertices of a surface ``(vertices (V, 3), faces (F, 3))`` of the solid
+    ``shape``. ``time`` (V,) is the mean exit time."""
+    is_in = np.zeros(len(vertices), dtype=bool)
+    is_in[region] = True
+    own = faces[is_in[faces].any(axis=1)]
+    near, local = np.unique(own, return_inverse=True)
+    u = np.where(is_in[near], time[near], 0.0)
+    away = np.sqrt(2 * np.maximum(u.max() - u, 0.0))
+    # The radius of a tube of that area and length; a limb that is shorter than three rings has narrower ones.
+    longest = max(float(away.max()), 1e-300)
+    width = float(triangle_areas(vertices[own]).sum()) / (2 * np.pi * longest)
+    step = min(STEP * width, longest / 3)
+    found = levels(vertices[near], local.reshape(-1, 3), away + step / 2, step)
+    # From the piece with the end on, over the longest ring of each piece. Near the end, the rings in parts of it, such
+    # as the flanges of a beam, are left out.
+    piece, rings, whole = int(found.piece[u.argmax()]), [], NEAR_END
+    while len(above := np.flatnonzero(found.below == piece)):
+        rings.append(int(above[found.perimeter[above].argmax()]))
+        piece = int(found.above[rings[-1]])
+        beside = np.setdiff1d(np.flatnonzero(found.above == piece), rings)
+        is_part = found.perimeter[beside].max(initial=0.0) > HALF * found.perimeter[rings[-1]]
+        whole = len(rings) if is_part and len(rings) <= 2 * NEAR_END else whole
+    rings = rings[:-1] if len(rings) > 3 else rings  # the last one is at the base
+    return Axis(_to_end(shape, found.centre[rings], whole, step), width)
+
+
+def _to_end(shape: Enclosure, middles: np.ndarray, whole: int, step: float) -> np.ndarray:
+    """The curve (m, 3) over ``middles`` (k, 3) of rings, ``step`` apart, that ends `GAP` before the surface.
+
+    From the ring ``whole`` on, they go around the whole limb: before, they can lie on the end itself."""
+    first = min(whole, len(middles) - 1)
+    first += int(shape.contains(middles[first:]).argmax())  # a hole in the end has rings outside
+    first = min(first, max(len(middles) - 2, 0))
+    away = np.linalg.norm(middles - middles[first], axis=1)
+    base = min(first + int(np.argmax(np.append(away[first:] >= step / STEP, True))), len(middles) - 1)
+    heading = unit(middles[first] - middles[base])
+    if not heading.any():
+        return middles[base:]
+    reach = away[[base]] + 2 * (whole + 1) * step
+    ahead = float(shape.ray_lengths(middles[[base]], heading[None], reach)[0])
+    depth = np.linspace(0.0, ahead, SAMPLES)
+    ball = shape.approximate_clearance(middles[base] + (ahead - depth)[:, None] * heading)[0]
+    radius = max(float(ball[depth <= WIDEST * ball].max(initial=0.0)), LEAST * float(ball[-1]))
+    end = middles[base] + (ahead - depth[(ball >= GAP * radius).argmax()]) * heading
+    return np.concatenate([end[None], middles[base:]])
