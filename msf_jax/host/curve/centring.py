@@ -100,6 +100,8 @@ def centre(
     is_former_junction = (degree == 2) & (False if former_junctions is None else former_junctions)
     junction = np.flatnonzero((degree > 2) | is_former_junction)
     rings = [path.nodes[:-1] for path in paths if path.is_loop and not is_held[path.nodes].any()]
+    is_ring = np.zeros(num, dtype=bool)
+    is_ring[np.concatenate([*rings, np.empty(0, dtype=np.int64)])] = True
     is_lost = ~shape.contains(y[junction])  # a place outside holds nothing
     y[junction[is_lost]] = x[junction[is_lost]]
     clearance_at_place = np.where(is_lost, 0.0, shape.distances(y[junction]))
@@ -145,7 +147,8 @@ def centre(
         anchor[is_held] = HELD
         system = _System(x, paths, span, limb, found, tangent, ahead, chord, anchor, y)
         is_blind = is_far and number == 0
-        away = np.zeros(len(limb)) if is_blind else np.linalg.norm(system.off, axis=1)
+        # A ring that hugs a small hole has sections through both of its sides, whose middle is in the hole.
+        away = np.where(is_blind & ~is_ring[limb], 0.0, np.linalg.norm(system.off, axis=1))
         step = system.step(weight / (1 + (away / (STRAY * found.radius)) ** 2) ** 2)
         if is_blind:
             away = np.linalg.norm(system.off + system.moved(step), axis=1)

@@ -333,24 +333,31 @@ def limbed(draft: Draft, job: Job, extend: bool) -> Draft:
     """
     if not (job.prune or extend):
         return draft
-    choice = one_branch.choose(job.caps(), draft.vertices, draft.edges, draft.is_held, job.prune)
+    caps = job.caps()
+    choice = one_branch.choose(caps, draft.vertices, draft.edges, draft.is_held, job.prune)
     job.budget.was_hit |= choice.was_hit
-    num_leaves, missing = int(draft.is_leaf().sum()), choice.leaf.count(-1) if extend and job.prune else 0
-    worth = choice.worth
-    if extend:
-        places = one_branch.laid(job.caps(), job.coarse, draft.vertices, draft.edges, draft.is_held, choice, job.prune)
-        worth = np.pad(worth, (0, len(places[0]) - len(worth)), constant_values=np.inf)
-        is_junction = draft.degree() > 2
-        draft = draft.changed(*places)
-        # The flow has no place for a junction that is new.
-        is_new = (draft.degree() > 2) & ~np.pad(is_junction, (0, len(draft.vertices) - len(is_junction)))
-        draft = draft._replace(place=np.where(is_new[:, None], draft.vertices, draft.place))
+    num_leaves, worth, leaf, missing = int(draft.is_leaf().sum()), choice.worth, np.array(choice.leaf, np.int64), 0
     if job.prune:
-        kept = one_branch.kept(draft.vertices, draft.edges, worth, draft.is_held)
-        draft = _left(draft, *kept)
+        if extend:
+            missing = choice.leaf.count(-1)
+            draft = _moved(draft, *one_branch.grown(caps, job.coarse, draft.vertices, draft.edges, choice, job.prune))
+            worth = np.pad(worth, (0, len(draft.vertices) - len(worth)), constant_values=np.inf)
+        stays, target = one_branch.kept(draft.vertices, draft.edges, worth, draft.is_held)
+        draft, leaf = _left(draft, stays, target), np.where(leaf < 0, -1, np.cumsum(stays)[leaf] - 1)
     num_pruned = num_leaves + missing - int(draft.is_leaf().sum())
-    draft = contained(draft, job) if extend else draft
+    if extend:
+        curve = draft.vertices, draft.edges, draft.is_held
+        draft = contained(_moved(draft, *one_branch.laid(caps, job.coarse, *curve, leaf.tolist(), job.prune)), job)
     return draft._replace(num_pruned=num_pruned, num_grown=missing)
+
+
+def _moved(draft: Draft, vertices: np.ndarray, edges: np.ndarray) -> Draft:
+    """The draft with moved nodes and new edges: the flow has no place for a node that moved, or a new junction."""
+    old, degree = draft.vertices, draft.degree()
+    draft = draft.changed(vertices, edges)
+    is_new = (vertices[: len(old)] != old).any(axis=1) | ((draft.degree()[: len(old)] > 2) & (degree < 3))
+    draft.place[: len(old)][is_new] = vertices[: len(old)][is_new]
+    return draft
 
 
 def checked(draft: Draft, job: Job) -> Draft:

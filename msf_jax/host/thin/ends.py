@@ -24,7 +24,7 @@ from msf_jax.host.solid.geometry import triangle_areas, unit
 from msf_jax.host.thin.levels import levels
 
 STEP = 0.5  # widths of a limb between its rings
-NEAR_END = 2  # rings: so many can lie on the end itself
+NEAR_END = 1  # rings: so many can lie on the end itself
 HALF = 0.5  # of a ring's length: another one of that length goes around another part of the limb, and not a bump
 GAP = 0.3  # radii of the limb's end: the ball around the end of the curve, which is as far from the surface ahead
 WIDEST = 1.5  # of a ball's radius: a ball whose middle is within that distance of the limb's end fills the end
@@ -34,7 +34,7 @@ LONG = 0.9  # largest ratio of the first two eigenvalues of a solid with a direc
 
 
 class Axis(NamedTuple):
-    """The curve of a limb. places: (k, 3) from its end to its base, the middles of rings. width: the radius of a tube of
+    """The curve of a limb. places: (k, 3) from its end to its base. width: the radius of a tube of
     the limb's area and length."""
 
     places: np.ndarray
@@ -107,7 +107,7 @@ def axis(shape: Enclosure, vertices: np.ndarray, faces: np.ndarray, time: np.nda
         piece = int(found.above[rings[-1]])
         beside = np.setdiff1d(np.flatnonzero(found.above == piece), rings)
         is_part = found.perimeter[beside].max(initial=0.0) > HALF * found.perimeter[rings[-1]]
-        whole = len(rings) if is_part and len(rings) <= 2 * NEAR_END else whole
+        whole = len(rings) if is_part and len(rings) <= 4 * NEAR_END else whole
     rings = rings[:-1] if len(rings) > 3 else rings  # the last one is at the base
     return Axis(_to_end(shape, found.centre[rings], whole, step), width)
 
@@ -119,12 +119,11 @@ def _to_end(shape: Enclosure, middles: np.ndarray, whole: int, step: float) -> n
     first = min(whole, len(middles) - 1)
     first += int(shape.contains(middles[first:]).argmax())  # a hole in the end has rings outside
     first = min(first, max(len(middles) - 2, 0))
-    away = np.linalg.norm(middles - middles[first], axis=1)
-    base = min(first + int(np.argmax(np.append(away[first:] >= step / STEP, True))), len(middles) - 1)
+    base = min(first + 1, len(middles) - 1)
     heading = unit(middles[first] - middles[base])
     if not heading.any():
         return middles[base:]
-    reach = away[[base]] + 2 * (whole + 1) * step
+    reach = np.array([(2 * whole + 3) * step])
     ahead = float(shape.ray_lengths(middles[[base]], heading[None], reach)[0])
     depth = np.linspace(0.0, ahead, SAMPLES)
     ball = shape.approximate_clearance(middles[base] + (ahead - depth)[:, None] * heading)[0]

@@ -18,7 +18,7 @@ from msf_jax.host.curve.containment import is_inside
 from msf_jax.host.solid.enclosure import Enclosure
 from msf_jax.host.solid.geometry import arc_length, at, largest_of_each
 from msf_jax.host.thin.caps import Caps
-from msf_jax.host.thin.ends import STEP
+from msf_jax.host.thin.ends import STEP, Axis
 
 LAST = 3.0  # widths of a limb: the last stretch of its branch, which is laid on its rings
 TRIED = 64  # nodes, those with the nearest balls first, that a new branch may begin at; else it is the nearest node
@@ -112,54 +112,94 @@ def ends(vertices: np.ndarray, edges: np.ndarray, stays: np.ndarray) -> np.ndarr
     return found
 
 
+def grown(
+    caps: Caps, shape: Enclosure, vertices: np.ndarray, edges: np.ndarray, choice: Choice, least: float
+) -> tuple[np.ndarray, np.ndarray]:
+    """The curve in the solid ``shape`` with a branch in each limb without a leaf: nodes, new ones last, and edges.
+
+    A branch begins at the node whose ball is nearest to the limb's base, so a finger begins in the palm and not at the
+    finger beside it. The way there must be inside: a hand at the hip does not begin in the body.
+    """
+    limbs, chains = caps.limbs(least), []
+    radius = shape.approximate_clearance(vertices)[0]
+    radius[leaves_of(edges)] = -np.inf
+    for number, leaf in enumerate(choice.leaf):
+        if leaf < 0:
+            axis = caps.axis(shape, limbs, number)
+            first = _beginning(shape, vertices, radius, axis.places[-1])
+            places = np.concatenate([axis.places, vertices[[first]]])
+            chains.append(_Chain(np.empty(0, dtype=np.int64), first, places, axis.width))
+    return _replaced(vertices, edges, chains)
+
+
 def laid(
     caps: Caps,
     shape: Enclosure,
     vertices: np.ndarray,
     edges: np.ndarray,
     is_held: np.ndarray,
-    choice: Choice,
+    leaf: list[int],
     least: float,
 ) -> tuple[np.ndarray, np.ndarray]:
     """The curve in the solid ``shape`` with its ends laid on the rings of the limbs: nodes, new ones last, and edges.
 
-    The end of a branch in a limb is replaced within `LAST` widths of the limb's end, but no held node. A limb without a
-    leaf gets a branch. It begins at the node whose ball is nearest to the limb's base, so a finger begins in the palm
-    and not at the finger beside it. The way there must be inside: a hand at the hip does not begin in the body.
+    ``leaf`` is the leaf of each limb, or -1. The last stretch of its branch, `LAST` widths of the limb, is replaced,
+    but no held node. A branch with two ends that has no other stretch is replaced as a whole.
     """
-    limbs, x = caps.limbs(least), vertices.copy()
-    radius = shape.approximate_clearance(vertices)[0]
-    radius[leaves_of(edges)] = -np.inf
-    path_of = {path[0]: path for each in trace(len(x), edges) for path in (each, each[::-1])}
-    is_end = np.bincount(edges.ravel(), minlength=len(x)) == 1
-    gone, added, joined, count = [], [], [], len(x)
-    for number, leaf in enumerate(choice.leaf):
-        if leaf >= 0 and is_held[leaf]:
+    limbs, chains = caps.limbs(least), []
+    number_of = {node: number for number, node in enumerate(leaf) if node >= 0 and not is_held[node]}
+    axis_of = {node: caps.axis(shape, limbs, number) for node, number in number_of.items()}
+    for nodes in trace(len(vertices), edges):
+        path = np.array(nodes)
+        sides = [
+            (part, axis_of[int(part[0])], _stretch(vertices[part], is_held[part], axis_of[int(part[0])]))
+            for part in (path, path[::-1])
+            if int(part[0]) in axis_of and len(part) > 1
+        ]
+        if len(sides) == 2 and sides[0][2] + sides[1][2] >= len(path):
+            places = np.concatenate([sides[0][1].places, sides[1][1].places[::-1]])
+            chains.append(_Chain(path[:-1], int(path[-1]), places, min(sides[0][1].width, sides[1][1].width)))
             continue
-        places, width = caps.axis(shape, limbs, number)
-        if leaf < 0:
-            old, stop = [], _beginning(shape, vertices, radius, places[-1])
-        else:
-            path = np.array(path_of[leaf])
-            along, away = arc_length(vertices[path]), np.linalg.norm(vertices[path] - places[0], axis=1)
-            # Of a branch with two ends, each has a half.
-            is_out = (away > LAST * width) | (is_end[path[-1]] & (along >= along[-1] / 2))
-            first = max(1, int(np.argmax(np.append(is_out | is_held[path], True))))
-            first = min(first, len(path) - 1)
-            old, stop = path[:first].tolist(), int(path[first])
-            places = places[: max(1, int(np.linalg.norm(places - vertices[stop], axis=1).argmin()))]
-        places = np.concatenate([places, vertices[[stop]]])
+        for part, axis, number in sides:
+            stop = vertices[part[number]]
+            near = max(1, int(np.linalg.norm(axis.places - stop, axis=1).argmin()))
+            places = np.concatenate([axis.places[:near], stop[None]])
+            chains.append(_Chain(part[:number], int(part[number]), places, axis.width))
+    return _replaced(vertices, edges, chains)
+
+
+class _Chain(NamedTuple):
+    """The nodes ``old`` (k,), from a leaf on, and the node ``last`` after them, are to lie on the polyline ``places``,
+    with new nodes before the last one for a spacing of `STEP` ``width``."""
+
+    old: np.ndarray
+    last: int
+    places: np.ndarray
+    width: float
+
+
+def _stretch(points: np.ndarray, is_held: np.ndarray, axis: Axis) -> int:
+    """How many of the ``points`` (k, 3) of a branch are within `LAST` widths of the limb's end, before a held one."""
+    away = np.linalg.norm(points - axis.places[0], axis=1)
+    is_out = (away > LAST * axis.width) | is_held
+    return min(max(1, int(np.argmax(np.append(is_out, True)))), len(points) - 1)
+
+
+def _replaced(vertices: np.ndarray, edges: np.ndarray, chains: list[_Chain]) -> tuple[np.ndarray, np.ndarray]:
+    """The curve with its ``chains`` laid on their polylines: nodes, new ones last, and edges."""
+    x, added, joined, gone, count = vertices.copy(), [], [], set(), len(vertices)
+    for old, last, places, width in chains:
         along = arc_length(places)
         num = max(len(old), int(np.ceil(along[-1] / (STEP * width))), 1)
-        places = at(places, along, np.linspace(0.0, along[-1], num + 1))[:-1]
-        x[old] = places[: len(old)]
-        new = list(range(count, count + num - len(old)))
-        gone += [{old[-1], stop}] if old else []
-        chain = [*old[-1:], *new, stop]
-        joined += list(itertools.pairwise(chain))
-        added.append(places[len(old) :])
+        spread = at(places, along, np.linspace(0.0, along[-1], num + 1))
+        x[old], x[last] = spread[: len(old)], spread[-1]
+        new = np.arange(count, count + num - len(old))
+        gone |= {(int(min(old[-1], last)), int(max(old[-1], last)))} if len(old) and len(new) else set()
+        stops = np.concatenate([old[-1:], new, [last]])
+        joined += list(itertools.pairwise(stops.tolist())) if len(new) else []
+        added.append(spread[len(old) : -1])
         count += len(new)
-    stays = [set(edge) not in gone for edge in edges.tolist()]
+    stays = [(min(edge), max(edge)) not in gone for edge in edges.tolist()]
     return np.concatenate([x, *added]), np.concatenate([edges[stays], np.array(joined, dtype=np.int64).reshape(-1, 2)])
 
 
