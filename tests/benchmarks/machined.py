@@ -1,10 +1,11 @@
 """Machined solids with a known right curve: are ends where they belong, on the axis, and is nothing too long?
 
     python -m tests.benchmarks.machined [--seed N] [--only NAME,..] [--forms FORM,..] [--jobs N] [--limit SECONDS]
-        [--pictures FOLDER] [--output FILE]
+        [--pictures FOLDER] [--cases FOLDER] [--output FILE]
 
 Run from the project's root. Solids are those of `tests.benchmarks.solids`, each coarse, fine, as made and turned. A
-name may have wildcards. ``--pictures`` draws each miss from two sides.
+name may have wildcards. ``--cases`` scores the files of that folder instead, see `tests.benchmarks.cases`;
+``--pictures`` draws each miss from two sides.
 
 - ends: leaves found, matched and asked. One is matched that is within one half width of its place along the axis, the
   documented 0.3 radii before the end face, and within two half widths sideways.
@@ -35,7 +36,7 @@ import numpy as np
 from scipy import spatial
 from scipy.optimize import linear_sum_assignment
 
-from tests.benchmarks import solids
+from tests.benchmarks import cases, solids
 from tests.benchmarks.curves import configure_jax, line, opening, publish
 from tests.benchmarks.solids import Solid
 
@@ -216,6 +217,19 @@ def report(wanted: argparse.Namespace) -> Iterator[str]:
             yield summary(done, what) + f"{whole} of {len(chosen)} are right in all their forms.\n"
 
 
+def report_on_cases(wanted: argparse.Namespace) -> Iterator[str]:
+    yield opening("Small cases", [], []) + "\n" + line(cases.COLUMNS) + line(["---"] * len(cases.COLUMNS))
+    right = asked = 0
+    chosen = [name for name in cases.CASES if any(fnmatch.fnmatch(name, pattern) for pattern in wanted.only)]
+    for name, cells, wrong, shown in in_turn(partial(cases.row_of, folder=wanted.cases), chosen, wanted.jobs):
+        yield line(cells)
+        is_asked = cases.CASES[name].is_asked
+        asked, right = asked + is_asked, right + (is_asked and not wrong)
+        if wanted.pictures and wrong and shown is not None:
+            drawn(shown[:2], shown[2:], None, f"{name}: {'; '.join(wrong)}", wanted.pictures, Path(name).stem)
+    yield f"\n{right} of {asked} are right.\n"
+
+
 def main() -> None:
     parser = argparse.ArgumentParser(prog="python -m tests.benchmarks.machined", description=__doc__.splitlines()[0])
 
@@ -228,9 +242,10 @@ def main() -> None:
     parser.add_argument("--jobs", type=int, default=1, help="processes at a time")
     parser.add_argument("--limit", type=float, default=60, help="seconds for one solid")
     parser.add_argument("--pictures", type=Path, help="folder for a picture of each miss")
+    parser.add_argument("--cases", type=Path, help="folder of small cases, which are scored instead")
     parser.add_argument("--output", type=Path, help="file for the tables")
     wanted = parser.parse_args()
-    publish(report(wanted), wanted.output)
+    publish(report_on_cases(wanted) if wanted.cases else report(wanted), wanted.output)
 
 
 if __name__ == "__main__":
