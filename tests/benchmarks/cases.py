@@ -2,7 +2,8 @@
 
 `tests.benchmarks.machined` runs them: ``python -m tests.benchmarks.machined --cases FOLDER``. Ends are right within
 0.15 radii of their limb (0.3 at openings and at the flat end of an elliptic limb), lengths within 3 %, radii within
-5 %, angles within 3 degrees. A leaf of a closed limb belongs 0.3 radii before its end face, one of an opening at its rim.
+5 %, angles within 3 degrees. A leaf of a closed limb belongs 0.3 radii before its end face, one of an opening
+at its rim.
 Figures, of which another program asks a rig, are shown and not counted.
 """
 
