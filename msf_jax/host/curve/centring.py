@@ -25,13 +25,13 @@ from scipy import sparse
 from scipy.sparse import linalg
 
 from msf_jax.host.curve import branch_paths as measures
+from msf_jax.host.curve import moves
 from msf_jax.host.curve.branch_paths import BranchPath
 from msf_jax.host.curve.branches import core
-from msf_jax.host.curve.containment import is_inside
-from msf_jax.host.poles.roadmap import TOUCHING
 from msf_jax.host.solid import sections
-from msf_jax.host.solid.enclosure import SURE, Enclosure
+from msf_jax.host.solid.enclosure import Enclosure
 from msf_jax.host.solid.geometry import unit
+from msf_jax.host.solid.handles import Handles
 
 # These give the least mean errors on the ground-truth shapes and the research meshes: see `tests.benchmarks.curves`.
 ROUNDS = 12  # limit on the rounds of a centring
@@ -52,11 +52,7 @@ LONGEST_STEP = 0.5  # clearances: limit on a node's step in a round
 FARTHEST = 20.0  # limit on the derivative of a centroid by a node; it counts where a wall has slivers
 HELD = 1e9  # a of a node that does not move
 MOST_CORNERS = 5_000_000  # corners of all sections that are cut for a curve; then each centring ends after one round
-THINNEST = 0.25  # least share of its first clearance that a step must leave to a node: the coarse surface is not exact
 BACK = 0.5  # part of a step that is taken by a node that goes back, against its step of the round before
-HALVINGS = 2  # times that a step that goes too far is halved, before none is taken
-SLIGHT = 0.05  # clearances: a shorter step is taken without a test
-CLOSE = 0.005  # diagonals: clearances below are measured exactly
 NEARBY, DETOUR = 0.5, 1.5  # clearances: largest distance from a point to its deepest point; factor on it in the search
 CLIMBS, FINEST = 30, 0.004  # limit on the steps of the search; clearances: step length at which it ends
 DIRECTIONS = unit(np.array([each for each in itertools.product((-1.0, 0.0, 1.0), repeat=3) if any(each)]))
@@ -80,14 +76,15 @@ def centre(
     former_junctions: np.ndarray | None = None,
     is_far: bool = True,
     budget: Budget | None = None,
+    handles: Handles | None = None,
 ) -> np.ndarray:
     """Centre the nodes ``vertices`` (N, 3) of the curve; those of ``is_held`` (N,) do not move.
 
     ``places`` (N, 3) are the flow's places y; default ``vertices``. ``former_junctions`` (N,) are nodes that were
     junctions; they, too, are held where the clearance is larger; default none. ``is_far`` says that the curve is not
-    near the middle yet: the first round then ignores distances to centroids. A step that would leave the solid is
-    shortened, and a node outside stays there. When ``budget``, which other calls may share, is spent, there is one
-    round only.
+    near the middle yet: the first round then ignores distances to centroids. Steps keep the rule of `moves`, with the
+    ``handles`` of the solid, default those of ``shape``. When ``budget``, which other calls may share, is spent, there is
+    one round only.
     """
     budget = Budget() if budget is None else budget
     x, num = vertices.copy(), len(vertices)
@@ -105,14 +102,14 @@ def centre(
     is_lost = ~shape.contains(y[junction])  # a place outside holds nothing
     y[junction[is_lost]] = x[junction[is_lost]]
     clearance_at_place = np.where(is_lost, 0.0, shape.distances(y[junction]))
-    clearance, near = shape.approximate_clearance(x)
-    least = np.maximum(THINNEST * clearance, 2 * TOUCHING)
-    size = clearance.copy()
+    at = moves.places_of(shape, x)
+    size = at.clearance.copy()
     known, before = _Known(x, budget), np.zeros_like(x)
     for number in range(-1, rounds):  # round -1 only measures the limbs' sizes
         if number > 0 and budget.left < 0:
             budget.was_hit = True
             break
+        x, clearance, near, _ = at
         clearance[junction] = shape.distances(x[junction])
         chord = measures.chords(x, paths, size)
         ahead = chord @ x
@@ -161,12 +158,11 @@ def centre(
         part = np.linalg.norm(step, axis=1) / np.maximum(np.maximum(clearance, 0.3 * size), 1e-300)
         is_last = float(np.sqrt(np.mean(np.minimum(part, 1.0) ** 2))) < TOLERANCE
         step *= np.minimum(1.0, LONGEST_STEP / np.maximum(part, 1e-300))[:, None]
-        start, is_free = x, ~is_held & (clearance > 0)
-        x, clearance, near = _taken(shape, x, step, clearance, near, edges, is_free, least)
-        before = x - start
+        at = moves.taken(shape, handles or shape.handles, at, step, edges)
+        before = at.x - x
         if is_last:
             break
-    return x
+    return at.x
 
 
 def deepest_points(shape: Enclosure, points: np.ndarray) -> np.ndarray:
@@ -192,60 +188,6 @@ def deepest_points(shape: Enclosure, points: np.ndarray) -> np.ndarray:
         away = np.linalg.norm(x - points, axis=1)
         is_near = away < DETOUR * NEARBY * clearance
     return np.where(((away < NEARBY * clearance) & (step <= FINEST * clearance))[:, None], x, points)
-
-
-def _taken(
-    shape: Enclosure,
-    x: np.ndarray,
-    step: np.ndarray,
-    clearance: np.ndarray,
-    near: np.ndarray,
-    edges: np.ndarray,
-    is_free: np.ndarray,
-    least: np.ndarray,
-) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """The nodes (N, 3) after as much of their ``step`` as stays inside, with their clearance and a near triangle.
-
-    A node that would come too near to the surface, or cross it, takes a half or a quarter of its step, or none. So do
-    both ends of an edge that was inside and would leave. This way a loop around a hole cannot slip off it.
-    """
-    part = is_free.astype(float)
-    goal, new_clearance, triangle = x.copy(), clearance.copy(), near.copy()
-    length = np.linalg.norm(step, axis=1)
-    is_slight = is_free & (length < SLIGHT * clearance) & (clearance - length > least)  # needs no test
-    goal[is_slight] += step[is_slight]
-    new_clearance[is_slight] -= length[is_slight]
-    changed = np.flatnonzero(is_free & ~is_slight)
-    edges = edges[np.isin(edges, changed).any(axis=1)]
-    edges = edges[_is_open(shape, x, x, clearance, clearance, edges)]
-    trial = 0
-    while True:
-        goal[changed] = x[changed] + part[changed, None] * step[changed]
-        new_clearance[changed], triangle[changed] = shape.approximate_closest(goal[changed])
-        close = changed[new_clearance[changed] < CLOSE]
-        new_clearance[close] = shape.distances(goal[close])
-        moved = changed[part[changed] > 0]
-        is_bad = np.zeros(len(x), dtype=bool)
-        is_bad[moved] = ~shape.contains(goal[moved]) | (new_clearance[moved] < np.minimum(least, clearance)[moved])
-        moved = moved[~is_bad[moved]]
-        paths = np.stack([moved, moved], axis=1)
-        is_bad[moved] = ~_is_open(shape, x, goal, clearance, new_clearance, paths)
-        at_stake = edges[~is_bad[edges].any(axis=1) & np.isin(edges, changed).any(axis=1)]
-        is_bad[at_stake[~_is_open(shape, goal, goal, new_clearance, new_clearance, at_stake)]] = True
-        changed = np.flatnonzero(is_bad & (part > 0))
-        if not len(changed):
-            return goal, new_clearance, triangle
-        part[changed] *= 0.5 if trial < HALVINGS else 0.0
-        trial += 1
-
-
-def _is_open(
-    shape: Enclosure, x: np.ndarray, y: np.ndarray, clearance: np.ndarray, its_clearance: np.ndarray, paths: np.ndarray
-) -> np.ndarray:
-    """(W,) whether the segments from x[a] to y[b] for (a, b) of ``paths`` (W, 2) are inside; clearances are
-    approximate."""
-    a, b = paths.T
-    return is_inside(shape, x[a], y[b], SURE * (clearance[a] + its_clearance[b]))
 
 
 class _Known:

@@ -16,9 +16,7 @@ from msf_jax.host.solid import sections
 from msf_jax.host.solid.enclosure import Enclosure
 from msf_jax.host.solid.geometry import arc_length, barycentric, cross, unit
 
-STRAIGHTENINGS = 20  # rounds of `straighten`
 HALVINGS = 2  # times that an edge outside is bisected, before the roadmap is searched
-FAN = 6  # points on each side of a corner that would be cut off; rays to the inner ones test that it is inside
 SHALLOWER = 10  # candidates for the ball behind the surface, each with half the radius of the one before
 
 
@@ -115,43 +113,6 @@ def is_inside(
     left = rows[is_in[rows]]
     is_in[left] = shape.contains(b[left])  # a ray along a face, or from the surface, may miss its exit
     return is_in
-
-
-def straighten(
-    shape: Enclosure, vertices: np.ndarray, edges: np.ndarray, is_held: np.ndarray, most: float
-) -> np.ndarray:
-    """Cut sharp corners: a node where its branch turns by more than ``most`` degrees moves to the middle of its
-    neighbours, or half of the distance. Returns the nodes (N, 3).
-
-    The new edges and the triangle that is cut off must be inside: else a loop around a hole could be folded flat beside
-    the hole. Sharp corners are spikes at nodes that came in from outside or lie in a fold of the surface.
-    """
-    x = vertices.copy()
-    found = between(len(x), edges)
-    inner, before, after = found[:, ~is_held[found[0]]]
-    has_moved = np.ones(len(x), dtype=bool)
-    for _ in range(STRAIGHTENINGS):
-        cosine = np.einsum("ni,ni->n", unit(x[inner] - x[before]), unit(x[after] - x[inner]))
-        is_new = has_moved[inner] | has_moved[before] | has_moved[after]
-        left = np.flatnonzero((cosine < np.cos(np.radians(most))) & is_new)
-        has_moved[:] = False
-        for share in (1.0, 0.5):
-            if not len(left):
-                break
-            node, a, b = inner[left], x[before[left]], x[after[left]]
-            goal = (1 - share) * x[node] + share * (a + b) / 2
-            is_open = is_inside(shape, np.concatenate([a, goal]), np.concatenate([goal, b]))
-            is_free = np.logical_and(*is_open.reshape(2, len(node)))
-            centre, rim, target = x[node[is_free]], (a[is_free], b[is_free]), goal[is_free]
-            fan = [(1 - t) * side + t * target for side in rim for t in np.linspace(0, 1, FAN)[1:-1]]
-            is_open = is_inside(shape, np.tile(centre, (len(fan), 1)), np.concatenate(fan))
-            is_free[is_free] = is_open.reshape(len(fan), len(centre)).all(axis=0)
-            x[node[is_free]] = goal[is_free]
-            has_moved[node[is_free]] = True
-            left = left[~is_free]
-        if not has_moved.any():  # no corner is sharp, or none can be cut
-            break
-    return x
 
 
 def between(num_nodes: int, edges: np.ndarray) -> np.ndarray:

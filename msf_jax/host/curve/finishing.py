@@ -116,9 +116,8 @@ def passes(centre: bool, extend: bool) -> list[Callable[[Draft, Job], Draft]]:
         contained,
         looped,
         partial(limbed, extend=extend),
-        *([placed, partial(centred, hold_leaves=extend, rounds=FIRST_ROUNDS, is_far=True)] if centre else []),
-        merged,
-        *([refined, partial(centred, hold_leaves=extend), straightened] if centre else []),
+        partial(joined, centre=centre, hold_leaves=extend),
+        *([partial(splined, hold_leaves=extend), straightened] if centre else []),
         checked,
         *([corners_rounded] if centre else []),
     ]
@@ -240,8 +239,7 @@ def looped(draft: Draft, job: Job) -> Draft:
 
 def straightened(draft: Draft, job: Job) -> Draft:
     """Branches turn by at most ``SHARPEST`` degrees at a node, where possible."""
-    x = containment.straighten(job.shape, draft.vertices, draft.edges, draft.is_held, SHARPEST)
-    return draft.changed(loops.around(job.shape, draft.edges, draft.vertices, x))
+    return draft.changed(resampling.straighten(job.shape, draft.vertices, draft.edges, draft.is_held, SHARPEST))
 
 
 def placed(draft: Draft, job: Job) -> Draft:
@@ -262,9 +260,7 @@ def placed(draft: Draft, job: Job) -> Draft:
     return draft._replace(place=place, is_former_junction=is_former_junction)
 
 
-def centred(
-    draft: Draft, job: Job, rounds: int = centring.ROUNDS, hold_leaves: bool = False, is_far: bool = False
-) -> Draft:
+def centred(draft: Draft, job: Job, hold_leaves: bool, rounds: int = centring.ROUNDS, is_far: bool = False) -> Draft:
     """Nodes are in the middle of the solid."""
     is_held = draft.is_held | draft.is_leaf() if hold_leaves else draft.is_held
     x = centring.centre(
@@ -277,8 +273,9 @@ def centred(
         draft.is_former_junction,
         is_far,
         job.budget,
+        job.shape.handles,
     )
-    return draft.changed(loops.around(job.shape, draft.edges, draft.vertices, x))
+    return draft.changed(x)
 
 
 def merged(draft: Draft, job: Job) -> Draft:
@@ -290,6 +287,18 @@ def merged(draft: Draft, job: Job) -> Draft:
         x, draft.edges, job.shape.approximate_closest(x)[0], draft.is_held, job.shape.handles
     )
     return _left(draft._replace(edges=edges), stays, target)
+
+
+def joined(draft: Draft, job: Job, centre: bool, hold_leaves: bool) -> Draft:
+    """Junctions are where the axes of their branches meet, and none is inside the ball of another one."""
+    if centre:
+        draft = centred(placed(draft, job), job, hold_leaves, FIRST_ROUNDS, is_far=True)
+    return merged(draft, job)
+
+
+def splined(draft: Draft, job: Job, hold_leaves: bool) -> Draft:
+    """Nodes are about ``SPACING`` radii apart, in the middle of the solid."""
+    return centred(refined(draft, job), job, hold_leaves)
 
 
 def pruned(draft: Draft, job: Job) -> Draft:

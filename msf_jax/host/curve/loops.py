@@ -9,14 +9,12 @@ that for the shortest loops of a surface (Erickson, Whittlesey 2005). Every edge
 numbers are independent of those of the present loops.
 """
 
-from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
 from scipy import sparse
 from scipy.sparse import csgraph
 
-from msf_jax.host.curve import branches
 from msf_jax.host.curve.containment import is_inside
 from msf_jax.host.poles.roadmap import Roadmap
 from msf_jax.host.solid.enclosure import Enclosure
@@ -162,33 +160,6 @@ def independent(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray) -> np
     for cycle in np.argsort(length[closing], kind="stable").tolist():
         stays[closing[cycle]] = span.adds(windings[cycle])
     return stays
-
-
-def around(shape: Enclosure, edges: np.ndarray, before: np.ndarray, x: np.ndarray) -> np.ndarray:
-    """Nodes ``x`` (N, 3) that have moved from ``before``; branches that would then go around other handles stay.
-
-    An edge goes around the same handles exactly if its class changes by the classes of its ends' moves. It does if both
-    places of its ends are within one ball around an end, which is convex and inside.
-    """
-    handles, x = shape.handles, x.copy()
-    if not handles.genus:
-        return x
-    every = np.concatenate([edges, edges[:, ::-1]])
-    places = np.stack([before[every[:, 1]], x[every[:, 0]], x[every[:, 1]]], axis=1)
-    is_in = np.linalg.norm(places - before[every[:, :1]], axis=2).max(axis=1) < shape.clearance(before)[every[:, 0]]
-    a, b = edges[~is_in.reshape(2, -1).any(axis=0)].T
-    if not len(a):
-        return x
-    own, paths = handles.classes(before[a], before[b]), branches.trace(len(x), edges)
-    while True:
-        moved = handles.classes(before, x)
-        is_bad = handles.classes(x[a], x[b]) != own + moved[b] - moved[a]
-        if not is_bad.any():
-            return x
-        bad = {frozenset(edge) for edge in np.stack([a, b], axis=1)[is_bad].tolist()}
-        for nodes in paths:
-            if not bad.isdisjoint(map(frozenset, pairwise(nodes))):
-                x[nodes] = before[nodes]
 
 
 def completed(roadmap: Roadmap, vertices: np.ndarray, edges: np.ndarray, missing: int) -> tuple[np.ndarray, np.ndarray]:

@@ -6,11 +6,12 @@ from math import comb
 
 import numpy as np
 
-from msf_jax.host.curve import branches, containment
+from msf_jax.host.curve import branches, containment, moves
 from msf_jax.host.solid.enclosure import Enclosure
 from msf_jax.host.solid.geometry import arc_length, at, unit
 from msf_jax.host.solid.solid import Solid
 
+STRAIGHTENINGS = 20  # rounds of `straighten`
 ROUNDINGS = 4  # rounds, each over all corners that are left
 REACH = 0.9  # clearances of a corner: the curve is replaced within this arc length of it
 LEGS = 3  # control points of the Bezier curve on each side of the corner, with the corner itself
@@ -120,6 +121,31 @@ def smooth(
         return x, edges
     entered, edges = containment.contain(solid.shape, solid.enter(x), edges, np.ones(len(x), dtype=bool))
     return np.concatenate([x, solid.leave(entered[len(x) :])]), edges
+
+
+def straighten(
+    shape: Enclosure, vertices: np.ndarray, edges: np.ndarray, is_held: np.ndarray, most: float
+) -> np.ndarray:
+    """Cut sharp corners: a node where its branch turns by more than ``most`` degrees moves to the middle of its
+    neighbours, or as near as the rule of `moves` allows. Returns the nodes (N, 3).
+
+    Sharp corners are spikes at nodes that came in from outside or lie in a fold of the surface.
+    """
+    at = moves.places_of(shape, vertices)
+    inner, before, after = containment.between(len(vertices), edges)
+    for _ in range(STRAIGHTENINGS):
+        turn = np.where(is_held, 0.0, turns(at.x, edges))[inner]
+        # Of two neighbours, the sharper one moves: both would swap the corner.
+        beside = np.zeros(len(vertices))
+        beside[inner] = turn
+        is_sharp = (turn > most) & (turn >= np.maximum(beside[before], beside[after]))
+        step = np.zeros_like(vertices)
+        step[inner[is_sharp]] = ((at.x[before] + at.x[after]) / 2 - at.x[inner])[is_sharp]
+        found = moves.taken(shape, shape.handles, at, step, edges)
+        if (found.x == at.x).all():  # no corner is sharp, or none can be cut
+            break
+        at = found
+    return at.x
 
 
 def round_corners(
