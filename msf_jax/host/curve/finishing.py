@@ -140,8 +140,8 @@ def finish(
 ) -> Finished:
     """Finish the curve ``(nodes (n, 3), edges)`` of a solid of diagonal 1; nodes of ``is_held`` (n,) do not move.
 
-    A solid that is too coarse for the flow gets a Reeb curve instead (see `thin.reeb_curve`), if ``centre`` and
-    ``extend`` are True and no node is held.
+    A solid that is too coarse for the flow gets a Reeb curve instead (see `thin.reeb_curve`), if no more of that
+    is outside, ``centre`` and ``extend`` are True, and no node is held.
 
     ``prune`` is the least slenderness of a limb, 0 for no pruning; ``centre`` and ``extend`` switch those steps.
     ``is_thin`` says that the solid has thin limbs, and may get a Reeb curve. ``is_tangle`` says that the flow ended in
@@ -154,7 +154,7 @@ def finish(
     job = Job(shape, coarse, prune, is_thin, roadmap, centring.Budget(), caps or partial(Caps, coarse))
     if is_thin and centre and extend and not is_held.any():
         laid = reeb_curve.reeb_curve(shape, containment.is_inside)
-        if laid is not None:
+        if laid is not None and (is_tangle or _outside(job, *laid[:2]) <= _outside(job, nodes, edges)):
             return _of_reeb_curve(laid, nodes, job)
     if is_tangle:
         return Finished(nodes, edges, np.ones(len(nodes), dtype=bool), np.arange(len(nodes)))
@@ -176,6 +176,13 @@ def finish(
         draft.num_pruned,
         draft.num_grown,
     )
+
+
+def _outside(job: Job, nodes: np.ndarray, edges: np.ndarray) -> float:
+    """The share of a curve's length in edges that are not inside: rings of a body with arms are no sections of it."""
+    a, b = nodes[edges[:, 0]], nodes[edges[:, 1]]
+    length = np.linalg.norm(a - b, axis=1)
+    return float(length[~containment.is_inside(job.shape, a, b)].sum() / max(length.sum(), 1e-300))
 
 
 def _of_reeb_curve(laid: reeb_curve.ReebCurve, nodes: np.ndarray, job: Job) -> Finished:
