@@ -124,8 +124,14 @@ def _to_end(shape: Enclosure, middles: np.ndarray, whole: int, step: float) -> n
     heading = unit(middles[first] - middles[base])
     if not heading.any():
         return middles[base:]
+    # From the outermost ring on: a blind hole may lie across the line behind it. What touches the surface is on the end.
+    along = (middles[: first + 1] - middles[base]) @ heading
+    line = middles[base] + along[:, None] * heading
+    ball = shape.approximate_clearance(line)[0]
+    is_in = shape.contains(line) & (ball > GAP * LEAST * ball.max())
+    start = float(along[is_in].max(initial=along[first]))
     reach = away[[base]] + 2 * (whole + 1) * step
-    ahead = float(shape.ray_lengths(middles[[base]], heading[None], reach)[0])
+    ahead = start + float(shape.ray_lengths(middles[[base]] + start * heading, heading[None], reach)[0])
     depth = np.linspace(0.0, ahead, SAMPLES)
     ball = shape.approximate_clearance(middles[base] + (ahead - depth)[:, None] * heading)[0]
     radius = max(float(ball[depth <= WIDEST * ball].max(initial=0.0)), LEAST * float(ball[-1]))
