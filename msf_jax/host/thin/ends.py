@@ -132,7 +132,8 @@ def _to_end(shape: Enclosure, middles: np.ndarray, whole: int, step: float) -> n
     start = float(along[is_in].max(initial=along[first]))
     reach = away[[base]] + 2 * (whole + 1) * step
     ahead = start + float(shape.ray_lengths(middles[[base]] + start * heading, heading[None], reach)[0])
-    depth = ahead * np.linspace(0.0, 1.0, SAMPLES) ** 2  # denser near the end: in a sheet, its ball is small
+    # At least to a width from the end, also in a shorter limb. Denser near the end: in a sheet, its ball is small.
+    depth = max(ahead, step / STEP) * np.linspace(0.0, 1.0, SAMPLES) ** 2
     ball = shape.approximate_clearance(middles[base] + (ahead - depth)[:, None] * heading)[0]
     radius = max(float(ball[depth <= WIDEST * ball].max(initial=0.0)), LEAST * float(ball[-1]))
     end = middles[base] + (ahead - depth[(ball >= GAP * radius).argmax()]) * heading
