@@ -127,7 +127,12 @@ def laid(
     leaf gets a branch. It begins at the node whose ball is nearest to the limb's base, so a finger begins in the palm
     and not at the finger beside it. The way there must be inside: a hand at the hip does not begin in the body.
     """
-    limbs, x = caps.limbs(least), vertices.copy()
+    # An edge between two ends gets a node in its middle, which neither of them moves.
+    is_alone = (np.bincount(edges.ravel(), minlength=len(vertices))[edges] == 1).all(axis=1)
+    (a, b), middle = edges[is_alone].T, len(vertices) + np.arange(is_alone.sum())
+    edges = np.concatenate([edges[~is_alone], np.stack([a, middle], axis=1), np.stack([middle, b], axis=1)])
+    vertices = np.concatenate([vertices, (vertices[a] + vertices[b]) / 2])
+    limbs, x, stays = caps.limbs(least), vertices.copy(), np.pad(is_held, (0, len(middle)))
     radius = shape.approximate_clearance(vertices)[0]
     radius[leaves_of(edges)] = -np.inf
     path_of = {path[0]: path for each in trace(len(x), edges) for path in (each, each[::-1])}
@@ -142,11 +147,13 @@ def laid(
         else:
             path = np.array(path_of[leaf])
             along, away = arc_length(vertices[path]), np.linalg.norm(vertices[path] - places[0], axis=1)
-            # Of a branch with two ends, each has a half.
-            is_out = (away > LAST * width) | (is_end[path[-1]] & (along >= along[-1] / 2))
-            first = max(1, int(np.argmax(np.append(is_out | is_held[path], True))))
-            first = min(first, len(path) - 1)
+            # Of a branch with two ends, each has a half. One that runs back is replaced from its nearest node on.
+            is_fixed = stays[path] | (is_end[path[-1]] & (along >= along[-1] / 2))
+            last = min(max(1, int(np.argmax(np.append(is_fixed, True)))), len(path) - 1 - int(is_end[path[-1]]))
+            near = int(away[:last].argmin())
+            first = min(max(1, near + int(np.argmax(np.append(away[near:] > LAST * width, True)))), last)
             old, stop = path[:first].tolist(), int(path[first])
+            stays[stop] = True
             places = places[: max(1, int(np.linalg.norm(places - vertices[stop], axis=1).argmin()))]
         places = np.concatenate([places, vertices[[stop]]])
         along = arc_length(places)
@@ -159,8 +166,10 @@ def laid(
         joined += list(itertools.pairwise(chain))
         added.append(places[len(old) :])
         count += len(new)
-    stays = [set(edge) not in gone for edge in edges.tolist()]
-    return np.concatenate([x, *added]), np.concatenate([edges[stays], np.array(joined, dtype=np.int64).reshape(-1, 2)])
+    is_left = [set(edge) not in gone for edge in edges.tolist()]
+    return np.concatenate([x, *added]), np.concatenate(
+        [edges[is_left], np.array(joined, dtype=np.int64).reshape(-1, 2)]
+    )
 
 
 def _beginning(shape: Enclosure, vertices: np.ndarray, radius: np.ndarray, place: np.ndarray) -> int:
