@@ -3,7 +3,6 @@
 import pickle
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
-from functools import partial
 from itertools import pairwise
 
 import manifold3d
@@ -14,11 +13,8 @@ from scipy.spatial.transform import Rotation
 from test_branches import as_edges, chain
 
 import msf_jax
-from msf_jax import ground_truth
-from msf_jax.host.curve import branches, centring, containment, finishing
-from msf_jax.host.poles.roadmap import Roadmap
 from msf_jax.host.solid.enclosure import Enclosure
-from msf_jax.host.thin import caps, one_branch
+from msf_jax.host.thin import caps
 from msf_jax.host.thin.caps import RATIO, Cap, Caps
 
 RADIUS = 0.3
@@ -64,9 +60,8 @@ def legs(*polylines: list, step: float = 0.05) -> Curve:
     return np.array(vertices), as_edges(pairs)
 
 
-def limbs(shape: Enclosure, least: float, *more: int) -> list[Cap]:
-    found = Caps(shape)
-    return found.limbs(least, np.concatenate([found.tips(), np.array(more, dtype=np.int64)]))[0]
+def limbs(shape: Enclosure, least: float) -> list[Cap]:
+    return Caps(shape).limbs(least).caps
 
 
 def nearest(shape: Enclosure, point) -> int:
@@ -96,7 +91,7 @@ def test_a_flat_disc_has_none_and_the_middle_of_its_curve_is_its_tip():
     flat = rows[rows[:, 1] < 1.8]
     assert len(flat) > 10 and np.abs(flat[:, 0]).max() < 0.06
     np.testing.assert_allclose(flat[:, 2], np.pi * flat[:, 1] ** 2, rtol=0.15)
-    np.testing.assert_allclose(flat[:, 3:], np.broadcast_to(shape.vertices[tip], (len(flat), 3)), atol=0.05)
+    np.testing.assert_allclose(flat[:, 3:6], np.broadcast_to(shape.vertices[tip], (len(flat), 3)), atol=0.05)
     assert tip in region and rows[-1, 2] < shape.mesh.triangles.size
 
 
@@ -130,10 +125,7 @@ def test_a_ring_a_ball_and_the_middle_of_a_tube_are_no_limbs():
     ball = trimesh.creation.icosphere(4)
     assert not limbs(Enclosure(ball.vertices, ball.faces), 0.9)
     tube = solid(manifold3d.Manifold.cylinder(6.0, 0.3, 0.3, 32), 0.1)
-    side = nearest(tube, (0.3, 0, 3.0))
-    found = limbs(tube, 1.2, side)
-    assert sorted(round(tube.vertices[cap.tip, 2]) for cap in found) == [0, 6]
-    assert side not in [cap.tip for cap in found]
+    assert sorted(round(tube.vertices[cap.tip, 2]) for cap in limbs(tube, 1.2)) == [0, 6]
 
 
 def test_a_small_island_belongs_to_the_cap_and_a_large_one_does_not():
@@ -147,108 +139,6 @@ def test_a_small_island_belongs_to_the_cap_and_a_large_one_does_not():
     stopped, region = Caps(shape).grown(tip, others)
     assert 0 < len(stopped) < len(rows) and top not in region
     np.testing.assert_array_equal(stopped, rows[: len(stopped)])
-
-
-def test_a_limb_keeps_the_leaf_farthest_from_its_base_and_others_are_missing():
-    points = np.array([[0, 0, 1.0], [0, 0, 0.5], [3, 0, 1.0], [9, 9, 9]])
-    limbs = [Cap(0, 2.0, 1.0, points[:1], 0.1, np.array([0, 1])), Cap(2, 3.0, 2.0, points[2:3], 0.1, np.array([2]))]
-    foot = np.array([1, 0, 3])
-
-    def from_base(_: Cap) -> np.ndarray:
-        return points[:, 2]
-
-    rank, missing = one_branch.matched(foot, NOT_HELD, limbs, 4, from_base)
-    assert rank.tolist() == [1, 0, -1] and [cap.tip for cap in missing] == [2]
-    for size, expected in ((0.24, [1, 0, -1]), (0.26, [0, 1, -1])):  # a held one is 0.5 lower: by a radius, or less
-        near = [limbs[0]._replace(step=size), limbs[1]]
-        rank, _ = one_branch.matched(foot, np.array([True, False, False]), near, 4, from_base)
-        assert rank.tolist() == expected
-
-
-@pytest.mark.parametrize("at", [2.0, 7.5])
-def test_a_pin_on_the_side_of_a_bar_leaves_both_its_ends(at):
-    mesh = ground_truth.swept_tube(np.linspace([0, 0, 0], [10, 0, 0], 100), np.full(100, 0.6), 16)
-    pin = int(np.linalg.norm(np.asarray(mesh.vertices) - [at, 0.6, 0], axis=1).argmin())
-    skeleton = msf_jax.skeletonize(mesh, pins=[pin])
-    assert skeleton.vertices[:, 0].min() < 0.4 and skeleton.vertices[:, 0].max() > 9.6
-    assert np.isclose(skeleton.vertices, np.asarray(mesh.vertices)[pin]).all(axis=1).any()
-
-
-def test_distances_from_the_base_of_a_finger_are_its_length():
-    shape = solid(block() + LIMB["long cylinder"][0], 0.1)
-    (cap,) = [cap for cap in limbs(shape, 2.0) if shape.vertices[cap.tip, 2] > 1]
-    away = Caps(shape).from_base(cap)
-    side = (np.abs(np.hypot(*shape.vertices[:, :2].T) - RADIUS) < 1e-6) & (shape.vertices[:, 2] > 0.5)
-    base = (shape.vertices[side, 2] - away[side]).mean()  # below it, near the block's top
-    assert abs(base) < 0.2 and np.ptp(shape.vertices[side, 2] - away[side]) < 0.15
-
-
-def test_a_limb_keeps_its_leaf_and_the_one_farthest_from_it():
-    x, edges = legs(
-        [(0, 0, 0), (1, 0, 0)], [(0, 0, 0), (-1, 0, 0)], [(0, 0, 0), (0, 1, 0)], [(0, 0, 0), (0, 0, 2)], step=0.5
-    )
-    leaf = np.flatnonzero(np.bincount(edges.ravel()) == 1)
-    worth = np.zeros(len(x))
-    worth[leaf] = [np.inf, 0.4, 0.2, 0.3]
-    stays, target = one_branch.kept(x, edges, worth, np.zeros(len(x), dtype=bool))
-    left = np.flatnonzero(np.bincount(edges[stays[edges].all(axis=1)].ravel(), minlength=len(x)) == 1)
-    assert left.tolist() == [leaf[0], leaf[3]]
-    assert set(target[~stays].tolist()) == {0} and (target[stays] == np.flatnonzero(stays)).all()
-    held = np.isin(np.arange(len(x)), leaf[1])
-    stays, _ = one_branch.kept(x, edges, worth, held)
-    assert stays[leaf].tolist() == [True, True, False, False]
-
-
-def test_components_keep_their_longest_path_unless_they_have_a_loop_or_two_limbs():
-    tree = legs([(0, 0, 0), (1, 0, 0)], [(0, 0, 0), (-2, 0, 0)], [(0, 0, 0), (0, 3, 0)], step=1.0)
-    ring = np.array([(0.0, 0, 9), (1, 0, 9), (0, 1, 9), (-4, 0, 9)]), as_edges([(0, 1), (1, 2), (2, 0), (0, 3)])
-    parts = [tree, (tree[0] + (0, 0, 5), tree[1]), ring]
-    first = np.cumsum([0] + [len(x) for x, _ in parts])
-    x = np.concatenate([part[0] for part in parts])
-    edges = np.concatenate([part[1] + at for part, at in zip(parts, first, strict=False)])
-    leaf = one_branch.leaves_of(tree[1])
-    stays = np.zeros(len(x), dtype=bool)
-    stays[leaf[:2] + first[1]] = True
-    assert np.flatnonzero(one_branch.ends(x, edges, stays)).tolist() == leaf[1:].tolist()
-    stays[:] = False
-    stays[leaf[0]] = True
-    found = np.flatnonzero(one_branch.ends(x, edges, stays))
-    assert found.tolist() == [leaf[0], leaf[2], *(leaf[1:] + first[1])]
-
-
-def test_a_lost_limb_gets_a_branch_through_its_middle():
-    shape = solid(block() + LIMB["long cylinder"][0], 0.1)
-    trunk = legs([(0, 0, -1.02), (1.4, 0, -1)], [(0, 0, -1.02), (-1.4, 0, -1)])
-    found = [cap for cap in limbs(shape, 1.2) if shape.vertices[cap.tip, 2] > 1]
-    assert len(found) == 1
-    x, edges = one_branch.grown(shape, *trunk, found)
-    assert branches.cycle_count(len(x), edges) == (1, 0)
-    np.testing.assert_array_equal(x[: len(trunk[0])], trunk[0])
-    new = x[len(trunk[0]) :]
-    assert np.hypot(*new[:, :2].T).max() < 0.5 * RADIUS
-    assert new[:, 2].max() == pytest.approx(1.5 - 0.3 * RADIUS, abs=0.03)
-
-
-def test_a_finger_begins_in_the_palm_and_not_at_the_finger_beside_it_nor_in_a_body_nearby():
-    """The nearest node is of the other finger, and the nearest ball is the body's, across a gap."""
-    palm = manifold3d.Manifold.cube((2, 0.6, 2), True)
-    finger = manifold3d.Manifold.cylinder(1.5, 0.2, 0.2, 24)
-    body = manifold3d.Manifold.sphere(3.0, 64).translate((0, 3.35, 1.2))
-    bridge = manifold3d.Manifold.cylinder(1.5, 0.25, 0.25, 24).rotate((-90, 0, 0)).translate((0, 0, -0.8))
-    parts = [palm, finger.translate((0.3, 0, 0.8)), finger.translate((-0.3, 0, 0.8)), body, bridge]
-    shape = solid(manifold3d.Manifold.batch_boolean(parts, manifold3d.OpType.Add), 0.3)
-    x, edges = legs(
-        [(0, 0, -0.4), (0.3, 0, 0.6), (0.3, 0, 2.1)],
-        [(0, 0, -0.4), (0, 0, -0.8), (0, 3.35, -0.8), (0, 3.35, 2.0)],
-        step=0.1,
-    )
-    base = np.array([-0.3, 0, 1.2])
-    found = Cap(0, 4.0, 0.1, np.array([(-0.3, 0, 2.1), base]), 0.1, np.empty(0, dtype=np.int64))
-    radius, away = shape.approximate_clearance(x)[0], np.linalg.norm(x - base, axis=1)
-    assert x[away.argmin(), 2] > 1.0 and x[(away - radius).argmin(), 1] > 0.5
-    _, grown = one_branch.grown(shape, x, edges, [found])
-    begin = x[grown[len(edges)].min()]
-    assert grown[len(edges)].max() == len(x) and abs(begin[1]) < 0.1 and begin[2] < 1.0
 
 
 def test_the_body_is_a_limb_beyond_half_of_the_surface():
@@ -266,21 +156,6 @@ def test_a_part_with_a_handle_is_no_limb():
     ring = manifold3d.Manifold.revolve(manifold3d.CrossSection.circle(0.2, 24).translate((0.8, 0)), 64)
     shape = solid(manifold3d.Manifold.sphere(1.0, 64) + ring.rotate((90, 0, 0)).translate((1.5, 0, 0)), 0.1)
     assert not limbs(shape, 1.2)
-
-
-def test_limbs_without_a_leaf_get_one_and_leaves_in_the_body_go():
-    """Three leaves in a block with four fingers: a component keeps two until fingers have theirs."""
-    shape = solid(fingers(), 0.15)
-    x, edges = legs(*[[(0, 0, -1.02), (a, b, -1)] for a, b in ((1.4, 1.4), (-1.4, -1.4), (-1.4, 1.4))])
-    number, none = np.arange(len(x)), np.zeros(len(x), dtype=bool)
-    draft = finishing.Draft(x, edges, none, number, number, x, none)
-    job = finishing.Job(
-        shape, shape, 1.2, False, Roadmap(shape, containment.is_inside), centring.Budget(), partial(Caps, shape)
-    )
-    found = finishing.limbed(draft, job, grows=True)
-    leaves = found.vertices[found.is_leaf()]
-    assert len(leaves) == 4 and (leaves[:, 2] > 0.8).all() and (found.num_grown, found.num_pruned) == (4, 3)
-    assert branches.cycle_count(len(found.vertices), found.edges) == (1, 0)
 
 
 def test_a_small_limb_counts_half():
@@ -366,7 +241,7 @@ def test_a_solid_with_neither_limbs_nor_handles_keeps_its_blunt_ends():
     drill = manifold3d.Manifold.cylinder(4, 0.2, 0.2, 24, True).rotate((35, 35, 0))
     whole = solid(ball, 0.12)
     for shape, leaves in ((whole, 6), (solid(ball - drill, 0.12), 0)):
-        assert not limbs(shape, 1.0) and len(limbs(shape, caps.BLUNT)) == 6
+        assert len(limbs(shape, 1.0)) == leaves and len(limbs(shape, caps.BLUNT)) == 6
         skeleton = msf_jax.skeletonize((shape.vertices, shape.faces))
         assert skeleton.num_leaves == leaves and skeleton.report.loops == (leaves == 0)
         assert skeleton.prune().num_leaves == leaves
@@ -420,7 +295,7 @@ def test_many_components_have_a_budget_each():
     num, size = 150, len(one.vertices)
     x = np.concatenate([one.vertices + [5.0 * k, 0, 0] for k in range(num)])
     many = Caps(Enclosure(x, np.concatenate([one.faces + k * size for k in range(num)])))
-    found = many.limbs(2.0, many.tips())[0]
+    found = many.limbs(2.0).caps
     assert sorted(cap.tip // size for cap in found) == list(range(num)) and not many.was_hit
 
 
@@ -438,10 +313,10 @@ def test_a_skeleton_is_pruned_by_several_threads_and_pickled():
 
 def test_beyond_its_budget_no_tip_is_tried_and_that_is_said(monkeypatch):
     shape = solid(block() + LIMB["long cylinder"][0], 0.15)
-    top = np.array([nearest(shape, (0, 0, 1.5))])
     monkeypatch.setattr(caps, "MOST_AREA", -1.0)
     none = Caps(shape)
-    assert none.limbs(1.2, top)[0] == [] and none.was_hit and none.limbs(1.2, top)[1].tolist() == [np.inf]
+    found = none.limbs(1.2)
+    assert found.caps == [] and none.was_hit and (found.slenderness[none.tips()] == np.inf).all()
     monkeypatch.setattr(caps, "MOST_TIPS", 2)
     few = Caps(shape)
     assert len(few.tips()) == 2 and few.was_hit

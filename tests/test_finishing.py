@@ -17,7 +17,6 @@ from msf_jax.host.curve import (
     centring,
     containment,
     finishing,
-    leaf_extension,
     loops,
     resampling,
 )
@@ -426,51 +425,6 @@ def test_a_long_curve_has_no_more_nodes_than_it_may(monkeypatch):
     assert report.is_sound and any("far apart" in note for note in report.notes)
 
 
-@pytest.mark.parametrize(("back", "held", "num_left"), [(0.5, [], 17), (1.5, [], 15), (1.5, [16], 17)])
-def test_an_end_that_runs_back_beside_its_branch_is_removed(back, held, num_left):
-    """On a straight tube, by so many radii; a short hook stays, and so does one with a held node."""
-    shape, scale = unit_shape(tube(np.linspace([-1, 0, 0], [1, 0, 0], 41), 0.2))
-    ahead = np.linspace(-0.5, 0.5, 14)
-    nodes, edges = path(scale * np.array([[x, 0, 0] for x in [*ahead, 0.505, *(0.5 - 0.1 * back * np.arange(1, 3))]]))
-    for order in (np.arange(17), np.arange(17)[::-1]):
-        is_held = np.isin(order, held)
-        stays, target = leaf_extension.cut_back(shape, nodes[order], edges, is_held)
-        assert stays.sum() == num_left and stays[target].all()
-        assert sorted(order[target[~stays]]) == [14] * (17 - num_left)
-
-
-def test_a_curve_that_runs_to_and_fro_in_a_ball_keeps_an_edge():
-    """Its last node, the only one that far along the curve, is the farthest one, too."""
-    shape, scale = unit_shape(trimesh.creation.icosphere(3))
-    nodes, edges = path(scale * np.array([[0.01 * (k // 2) + 0.3 * (k % 2), 0, 0] for k in range(10)]))
-    stays, target = leaf_extension.cut_back(shape, nodes, edges, none_held(nodes))
-    assert np.flatnonzero(stays).tolist() == [8, 9] and stays[target].all()
-
-
-@pytest.mark.parametrize("turn", [0.02, 0.3])
-def test_a_short_curve_is_carried_to_both_ends(turn):
-    line = bow(turn) * (5 if turn < 0.1 else 1)
-    shape, scale = unit_shape(tube(line))
-    x, edges = leaf_extension.extend(shape, *path(scale * line[20:-20]), none_held(line[20:-20]))
-    leaves = x[np.bincount(edges.ravel()) == 1]
-    gap = spatial.KDTree(leaves).query(scale * line[[0, -1]])[0] / (0.15 * scale)
-    assert (gap < 0.5).all()
-    assert (gap > 0.1).all()
-    assert is_inside(shape, x, edges)
-    assert cycle_count(len(x), edges) == (1, 0)
-
-
-def test_a_held_leaf_is_not_carried_on():
-    line = bow(0.3)
-    shape, scale = unit_shape(tube(line))
-    short = scale * line[20:-20]
-    x, edges = leaf_extension.extend(shape, *path(short), np.arange(len(short)) == 0)
-    leaves = np.flatnonzero(np.bincount(edges.ravel()) == 1)
-    assert 0 in leaves
-    np.testing.assert_array_equal(x[0], short[0])
-    assert (leaves >= len(short)).sum() == 1
-
-
 def test_points_go_to_the_nearest_node_of_their_own_branch():
     # A Y: branches 0-1-2, 0-3-4 and 0-5-6.
     nodes = np.array([[0.0, 0, 0], [2, 0, 0], [4, 0, 0], [0, 2, 0], [0, 4, 0], [-2, 0, 0], [-4, 0, 0]])
@@ -609,18 +563,6 @@ def test_a_pin_that_no_face_uses_is_refused():
         msf_jax.skeletonize((vertices, mesh.faces), pins=[640])
 
 
-def test_both_ends_of_a_short_branch_are_carried_on():
-    """Taken back from both ends, they must not be taken back past each other."""
-    shape, scale = unit_shape(tube(np.stack([np.linspace(-1, 1, 40), np.zeros(40), np.zeros(40)], axis=1), 0.3))
-    for num in (2, 3, 4):
-        line = np.stack([np.linspace(-0.1, 0.1, num), np.zeros(num), np.zeros(num)], axis=1) * scale
-        x, edges = leaf_extension.extend(shape, *path(line), none_held(line))
-        leaves = x[np.bincount(edges.ravel()) == 1]
-        assert len(leaves) == 2
-        assert np.abs(np.sort(leaves[:, 0] / scale) - [-0.9, 0.9]).max() < 0.05
-        assert length_of(x, edges) < 1.9 * scale
-
-
 def test_an_end_in_a_bubble_goes_and_one_in_another_piece_stays():
     along = np.stack([np.linspace(-1, 1, 40), np.zeros(40), np.zeros(40)], axis=1)
     for place, is_bubble in ((1.1, True), (1.6, False)):
@@ -640,42 +582,6 @@ def test_the_curve_of_a_noisy_surface_that_crosses_itself_is_inside():
     wavy = ground_truth.noisy(ground_truth.make("y"), 0.005, 1)
     report = msf_jax.skeletonize(wavy.mesh).report
     assert report.inside == 1 and not report.notes and report.is_sound
-
-
-def test_a_march_goes_on_as_long_as_there_is_a_limb(monkeypatch):
-    """A mesh with edges of a hundred radii leaves that much of a limb; what is no limb has a bound."""
-    along = np.stack([np.linspace(-1, 1, 40), np.zeros(40), np.zeros(40)], axis=1)
-    shape, scale = unit_shape(tube(along, 0.01))
-    line = along[15:25] * scale
-    x, edges = leaf_extension.extend(shape, *path(line), none_held(line))
-    assert np.abs(x[np.bincount(edges.ravel()) == 1][:, 0] / scale).min() > 0.98
-    monkeypatch.setattr(leaf_extension, "MOST_STEPS_IN_A_LIMB", leaf_extension.MOST_STEPS)
-    x, edges = leaf_extension.extend(shape, *path(line), none_held(line))
-    reach = np.abs(x[np.bincount(edges.ravel()) == 1][:, 0] / scale).max()
-    assert 0.23 < reach < np.abs(line[:, 0]).max() / scale + leaf_extension.MOST_STEPS * leaf_extension.STEP * 0.0101
-
-
-def test_a_long_march_ends_where_there_is_a_curve():
-    """A ring that is cut open is not gone round many times, and a spur in a long limb does not double all of it."""
-    num = 240
-    shape, scale = unit_shape(torus(1, 0.1, num, 12))
-    x, edges = path(scale * bow(1.0, num + 1)[5:-5])
-    x, edges = leaf_extension.extend(shape, x, edges, none_held(x))
-    assert length_of(x, edges) < scale * (2 * np.pi + 2 * leaf_extension.MOST_STEPS * leaf_extension.STEP * 0.1)
-    line = np.stack([np.linspace(-1, 1, 120), np.zeros(120), np.zeros(120)], axis=1)
-    shape, scale = unit_shape(tube(line, 0.01))
-    x, edges = path(np.concatenate([line[2:-2], [[-0.45, 0.003, 0], [-0.44, 0.004, 0]]]) * scale)
-    edges[len(edges) - 2, 0] = 31
-    x, edges = leaf_extension.extend(shape, x, edges, none_held(x))
-    assert 2.0 < length_of(x, edges) / scale < 2.0 + 1.2 * leaf_extension.MOST_STEPS * leaf_extension.STEP * 0.01
-
-
-def test_a_held_node_behind_a_leaf_is_not_moved():
-    line = bow(0.3)[20:-20]
-    shape, scale = unit_shape(tube(bow(0.3)))
-    held = np.arange(len(line)) == 1
-    x, _ = leaf_extension.extend(shape, *path(scale * line), held)
-    np.testing.assert_array_equal(x[1], scale * line[1])
 
 
 @pytest.mark.slow

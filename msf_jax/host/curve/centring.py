@@ -83,8 +83,8 @@ def centre(
     ``places`` (N, 3) are the flow's places y; default ``vertices``. ``former_junctions`` (N,) are nodes that were
     junctions; they, too, are held where the clearance is larger; default none. ``is_far`` says that the curve is not
     near the middle yet: the first round then ignores distances to centroids. Steps keep the rule of `moves`, with the
-    ``handles`` of the solid, default those of ``shape``. When ``budget``, which other calls may share, is spent, there is
-    one round only.
+    ``handles`` of the solid, default those of ``shape``. When ``budget``, which other calls may share, is spent, there
+    is one round only.
     """
     budget = Budget() if budget is None else budget
     x, num = vertices.copy(), len(vertices)

@@ -105,9 +105,9 @@ class Caps:
     def grown(
         self, tip: int, others: np.ndarray, enough: float = np.inf, share: float = 0.5
     ) -> tuple[np.ndarray, np.ndarray]:
-        """The caps around ``tip``, one in each row (k, 6), and the vertices (r,) of the slenderest cap.
+        """The caps around ``tip``, one in each row (k, 7), and the vertices (r,) of the slenderest cap.
 
-        A row is slenderness, radius of the disc, area and middle of the curve. The last cap is the first one of
+        A row is slenderness, radius of the disc, area, middle of the curve and volume. The last cap is the first one of
         ``enough`` slenderness, or the last one below that ``share`` of the surface and without a vertex of ``others``
         (V,).
         """
@@ -118,7 +118,7 @@ class Caps:
         )
         end = int(np.argmax(self._region == -1))
         self._left[self._component[tip]] -= self._rows[count - 1, 2] / total if count else 0.0
-        return self._rows[:count].copy(), self._region[:end].copy()
+        return self._rows[:count, :7].copy(), self._region[:end].copy()
 
     @cached_property
     def height(self) -> np.ndarray:

@@ -123,9 +123,17 @@ def _to_end(shape: Enclosure, middles: np.ndarray, whole: int, step: float) -> n
     heading = unit(middles[first] - middles[base])
     if not heading.any():
         return middles[base:]
+    # From the outermost ring on: a blind hole may lie across the line behind it. What touches the surface is on the end
+    # itself.
+    along = (middles[: first + 1] - middles[base]) @ heading
+    line = middles[base] + along[:, None] * heading
+    ball = shape.approximate_clearance(line)[0]
+    is_in = shape.contains(line) & (ball > GAP * LEAST * ball.max())
+    start = float(along[is_in].max(initial=along[first]))
     reach = np.array([(2 * whole + 3) * step])
-    ahead = float(shape.ray_lengths(middles[[base]], heading[None], reach)[0])
-    depth = np.linspace(0.0, ahead, SAMPLES)
+    ahead = start + float(shape.ray_lengths(middles[[base]] + start * heading, heading[None], reach)[0])
+    # At least to a width from the end, also in a shorter limb. Denser near the end: in a sheet, its ball is small.
+    depth = max(ahead, step / STEP) * np.linspace(0.0, 1.0, SAMPLES) ** 2
     ball = shape.approximate_clearance(middles[base] + (ahead - depth)[:, None] * heading)[0]
     radius = max(float(ball[depth <= WIDEST * ball].max(initial=0.0)), LEAST * float(ball[-1]))
     end = middles[base] + (ahead - depth[(ball >= GAP * radius).argmax()]) * heading

@@ -179,10 +179,13 @@ class _Chain(NamedTuple):
 
 
 def _stretch(points: np.ndarray, is_held: np.ndarray, axis: Axis) -> int:
-    """How many of the ``points`` (k, 3) of a branch are within `LAST` widths of the limb's end, before a held one."""
+    """How many of the ``points`` (k, 3) of a branch are within `LAST` widths of the limb's end, before a held one. A
+    branch that runs back is replaced from its nearest point on."""
     away = np.linalg.norm(points - axis.places[0], axis=1)
-    is_out = (away > LAST * axis.width) | is_held
-    return min(max(1, int(np.argmax(np.append(is_out, True)))), len(points) - 1)
+    last = int(np.argmax(np.append(is_held[1:], True))) + 1
+    near = int(away[:last].argmin())
+    first = near + int(np.argmax(np.append(away[near:] > LAST * axis.width, True)))
+    return min(max(1, first), last, len(points) - 1)
 
 
 def _replaced(vertices: np.ndarray, edges: np.ndarray, chains: list[_Chain]) -> tuple[np.ndarray, np.ndarray]:

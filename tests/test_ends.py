@@ -1,0 +1,277 @@
+"""Ends of limbs: closed forms of the mean exit time, axes of solids with one branch, and blind holes, which are none."""
+
+import itertools
+
+import manifold3d
+import numpy as np
+import pytest
+import trimesh
+from scipy.spatial.transform import Rotation
+
+from msf_jax.host.solid.enclosure import Enclosure
+from msf_jax.host.solid.geometry import triangle_areas
+from msf_jax.host.thin import ends
+from msf_jax.host.thin.caps import Caps
+
+Solid = manifold3d.Manifold
+
+
+def as_shape(solid: Solid, edge: float | None = None) -> Enclosure:
+    """The solid's surface as made, or with edges of at most ``edge``."""
+    mesh = (solid if edge is None else solid.refine_to_length(edge)).to_mesh()
+    return Enclosure(np.array(mesh.vert_properties[:, :3], dtype=float), np.array(mesh.tri_verts, dtype=np.int64))
+
+
+def box(*size: float) -> Solid:
+    return Solid.cube(size, True)
+
+
+def round_bar(length: float, low: float = 1.0, high: float = 1.0) -> Solid:
+    """Along x, with one radius at its low end and another one at its high end."""
+    return Solid.cylinder(length, low, high, 32, True).rotate((0, 90, 0))
+
+
+def i_beam(length: float) -> Solid:
+    flanges = [box(length, 3, 0.5).translate((0, 0, z)) for z in (-2, 2)]
+    return Solid.batch_boolean([box(length, 0.5, 4), *flanges], manifold3d.OpType.Add)
+
+
+def ends_of(shape: Enclosure) -> np.ndarray:
+    """(n, 3) the ends of its limbs, the one with the least x first."""
+    caps = Caps(shape)
+    limbs = caps.limbs(0.9)
+    found = [caps.axis(shape, limbs, number).places[0] for number in range(len(limbs.caps))]
+    return np.array(sorted(found, key=tuple)).reshape(-1, 3)
+
+
+def lathed(profile: list, step: float = 0.05, sections: int = 48) -> Enclosure:
+    """The solid of revolution of a profile of (radius, height) from the axis to the axis, with a ring every ``step``,
+    and another one at each corner; the axis is z."""
+    points = [np.array(profile[:1], dtype=float)]
+    for a, b in itertools.pairwise(profile):
+        num = max(1, round(float(np.linalg.norm(np.subtract(b, a))) / step))
+        points.append(np.linspace(a, b, num + 1)[1:])
+    mesh = trimesh.creation.revolve(np.concatenate(points), sections=sections)
+    return Enclosure(np.array(mesh.vertices), np.array(mesh.faces))
+
+
+def exit_time(shape: Enclosure, owner: np.ndarray) -> np.ndarray:
+    return ends.exit_times(shape.vertices, shape.faces, owner.astype(np.int64))
+
+
+def axis_of(shape: Enclosure, is_limb: np.ndarray) -> ends.Axis:
+    """The axis of the vertices of ``is_limb`` (V,)."""
+    time = exit_time(shape, is_limb)
+    return ends.axis(shape, shape.vertices, shape.faces, time, np.flatnonzero(is_limb))
+
+
+def test_a_laplacian_has_the_cotangents_of_a_triangle():
+    """Half of a square of side 2: the cotangents are 0 at the right angle and 1 at the others."""
+    matrix, share = ends.laplacian(np.array([[0.0, 0, 0], [2, 0, 0], [0, 2, 0]]), np.array([[0, 1, 2]]))
+    np.testing.assert_allclose(matrix.toarray(), [[1, -0.5, -0.5], [-0.5, 0.5, 0], [-0.5, 0, 0.5]], atol=1e-15)
+    np.testing.assert_allclose(share, 2 / 3)
+
+
+def test_a_laplacian_is_the_energy_of_gradients():
+    """x^T L x is the integral of the squared gradient of x, which is linear on each triangle."""
+    rng = np.random.default_rng(2)
+    mesh = trimesh.creation.icosphere(2)
+    x = np.array(mesh.vertices) + rng.normal(0, 0.03, mesh.vertices.shape)
+    matrix, share = ends.laplacian(x, mesh.faces)
+    value, energy = rng.normal(size=len(x)), 0.0
+    for corners, own in zip(x[mesh.faces], value[mesh.faces], strict=True):
+        sides = corners[1:] - corners[0]
+        gradient = np.linalg.pinv(sides) @ (own[1:] - own[0])
+        energy += np.linalg.norm(np.cross(*sides)) / 2 * gradient @ gradient
+    assert value @ (matrix @ value) == pytest.approx(energy, rel=1e-12)
+    assert np.abs(matrix.sum(axis=1)).max() < 1e-12 and abs(matrix - matrix.T).max() == 0
+    assert share.sum() == pytest.approx(triangle_areas(x[mesh.faces]).sum())
+
+
+def test_the_mean_exit_time_of_a_wall_is_a_parabola():
+    """-u'' = 1 between two bases at a distance of 2 L: (L^2 - z^2) / 2, exactly at the vertices of a regular mesh."""
+    shape = lathed([(0, -2), (1, -2), (1, 2), (0, 2)], 0.25)
+    z, wall = shape.vertices[:, 2], np.hypot(*shape.vertices[:, :2].T) > 0.99
+    found = exit_time(shape, wall & (np.abs(z) < 1.99))
+    np.testing.assert_allclose(found[wall], (4 - z[wall] ** 2) / 2, atol=1e-9)
+    assert not found[~wall].any()
+
+
+def test_each_part_sees_the_others_as_its_base():
+    """Two halves of the wall: of one, the first ring of the other is the base."""
+    shape = lathed([(0, -2), (1, -2), (1, 2), (0, 2)], 0.25)
+    z, wall = shape.vertices[:, 2], np.hypot(*shape.vertices[:, :2].T) > 0.99
+    found = exit_time(shape, np.where(wall & (np.abs(z) < 1.99), np.where(z > 0.01, 1, 2), 0))
+    upper = wall & (z > 0.01)
+    np.testing.assert_allclose(found[upper], (z * (2 - z) / 2)[upper], atol=1e-9)
+    lower = wall & (z < 0.01)
+    np.testing.assert_allclose(found[lower], ((z + 2) * (0.25 - z) / 2)[lower], atol=1e-9)
+    assert not exit_time(shape, np.zeros(len(z))).any()
+
+
+def test_the_mean_exit_time_of_a_tube_with_a_round_end():
+    """What flows through a ring is the area beyond it. On the tube u' = R + s, with s from the half ball on; on that,
+    u falls by -2 R^2 ln cos(angle / 2) from its top."""
+    angle = np.linspace(np.pi / 2, 0, 33)
+    shape = lathed([(0, -3), (1, -3), *zip(np.sin(angle), np.cos(angle), strict=True)], sections=96)
+    z, top = shape.vertices[:, 2], shape.vertices[:, 2].argmax()
+    found = exit_time(shape, z > -2.99)
+    assert found[top] == pytest.approx(np.log(2) + 3 + 4.5, rel=5e-3)
+    tube, ball = (z > -2.9) & (z < 0), z >= 0
+    np.testing.assert_allclose(found[tube], 3 + z[tube] + (9 - z[tube] ** 2) / 2, rtol=5e-3)
+    polar = np.arccos(np.clip(z[ball], -1, 1))
+    np.testing.assert_allclose(found[top] - found[ball], -2 * np.log(np.cos(polar / 2)), atol=5e-3)
+
+
+LONG = {
+    "bar": (box(10, 4, 4), 2.0),
+    "short bar": (box(7, 4, 4), 2.0),
+    "short cylinder": (round_bar(3), 1.0),
+    "beam": (box(16, 2, 1), 0.5),
+    "cylinder": (round_bar(8), 1.0),
+    "I-beam": (i_beam(12), 0.25),
+    "slab": (box(8, 4, 0.4), 0.2),
+}
+
+
+@pytest.mark.parametrize("edge", [None, 0.4])
+@pytest.mark.parametrize("name", LONG)
+def test_an_end_is_on_the_axis_and_0_3_radii_before_the_surface(name, edge):
+    """Whatever its triangles, of the solid as made and with short edges; in a sheet, too."""
+    solid, radius = LONG[name]
+    shape = as_shape(solid, edge)
+    found = ends_of(shape)
+    assert len(found) == 2
+    half = shape.vertices[:, 0].max()
+    assert np.abs(found[:, 1:]).max() < 0.03 * radius
+    assert ((half - np.abs(found[:, 0])) / radius > 0.29).all()
+    assert ((half - np.abs(found[:, 0])) / radius < 0.38).all()
+
+
+TURN = Rotation.random(random_state=3)
+
+
+@pytest.mark.parametrize("name", ["bar", "frustum", "I-beam"])
+def test_ends_turn_and_are_mirrored_with_the_solid(name):
+    shape = as_shape(round_bar(6, 1.0, 0.5) if name == "frustum" else LONG[name][0], 0.4)
+    x, faces, found = shape.vertices, shape.faces, ends_of(shape)
+    turned = ends_of(Enclosure(7.0 * TURN.apply(x), faces))
+    np.testing.assert_allclose(np.array(sorted(TURN.inv().apply(turned) / 7.0, key=tuple)), found, atol=0.02)
+    mirrored = ends_of(Enclosure(-x, faces[:, ::-1]))
+    np.testing.assert_allclose(-mirrored[::-1], found, atol=0.02)
+
+
+@pytest.mark.parametrize("name", ["frustum", "cone"])
+def test_a_limb_that_narrows_ends_on_its_axis(name):
+    """`WIDEST`, `LEAST`: no ball fills the end of a cone, which is a point, and its curve goes near it, not to it."""
+    low, high = 1.0, 0.5 if name == "frustum" else 0.0
+    for edge in (None, 0.4):
+        found = ends_of(as_shape(round_bar(6, low, high), edge))
+        assert len(found) == 2 and np.abs(found[:, 1:]).max() < 0.03
+        gap = 3.0 - np.abs(found[:, 0])
+        assert 0.28 < gap[0] < 0.36
+        assert (0.14 < gap[1] < 0.25) if name == "frustum" else (0.05 < gap[1] < 0.4)
+
+
+@pytest.mark.parametrize("solid", [box(2, 2, 2), Solid.sphere(1.0, 32), box(4, 4, 0.4), box(1.03, 1, 0.1)])
+def test_a_cube_a_ball_and_a_square_plate_have_no_direction(solid):
+    shape = as_shape(solid, 0.2)
+    assert ends.halves(shape.vertices, shape.faces) is None
+
+
+@pytest.mark.parametrize(("solid", "turn"), [(box(3, 1, 1), 0.0), (round_bar(4), 30.0), (box(1.2, 1, 0.1), 70.0)])
+def test_the_halves_of_a_long_solid_are_on_both_sides_of_its_middle(solid, turn):
+    """`LONG`: a plate of 1.2 : 1, too."""
+    shape = as_shape(solid, 0.1)
+    x = Rotation.from_euler("xyz", [turn] * 3, degrees=True).apply(shape.vertices)
+    value = ends.halves(x, shape.faces)
+    assert value is not None
+    along = shape.vertices[:, 0] * np.sign(value @ shape.vertices[:, 0])
+    far = np.abs(along) > 0.1
+    assert (np.sign(value) == np.sign(along))[far].all()
+
+
+def test_rings_are_half_a_radius_apart():
+    """`STEP`: of a long tube, whose width is its radius."""
+    shape = as_shape(round_bar(20), 0.3)
+    found = axis_of(shape, shape.vertices[:, 0] > -5)
+    assert found.width == pytest.approx(1.0, rel=0.05)
+    np.testing.assert_allclose(-np.diff(found.places[3:, 0]), 0.5, atol=0.05)
+
+
+def test_a_flange_does_not_attract_the_end():
+    """`HALF`: the cap's rings are in both flanges before they are around the beam."""
+    shape = as_shape(i_beam(12), 0.3)
+    for sign in (-1, 1):
+        places = axis_of(shape, sign * shape.vertices[:, 0] > 0.2).places
+        assert np.abs(places[:, 1:]).max() < 0.05
+
+
+def cone_in_a_block(height: float) -> Enclosure:
+    """A round block whose top is at 0, with a cone of radius 0.5 that sticks out, or goes in if it is negative."""
+    return lathed([(0, -2), (2, -2), (2, 0), (0.5, 0), (0, height)])
+
+
+@pytest.mark.parametrize("height", [1.0, -1.0])
+def test_the_volume_of_a_cap_is_that_of_its_solid(height):
+    """Closed by a fan, against a cone that is cut by a plane; negative for one that goes in, which is no limb."""
+    shape = cone_in_a_block(height)
+    tip = int(np.linalg.norm(shape.vertices - [0, 0, height], axis=1).argmin())
+    rows, _ = Caps(shape).grown(tip, np.zeros(len(shape.vertices), dtype=np.int64))
+    slant = np.hypot(0.5, 1.0)
+    on_cone = rows[(rows[:, 1] > 0.3 * slant) & (rows[:, 1] < slant)]
+    assert len(on_cone) > 10
+    for slenderness, radius, *_, volume in on_cone:
+        level = height * (1 - radius / slant)
+        cone = trimesh.creation.revolve([(0, level), (0.5 * radius / slant, level), (0, height)], sections=48)
+        assert volume == pytest.approx(np.sign(height) * abs(cone.volume), rel=1e-6)
+        assert slenderness > 0.3 if height > 0 else slenderness == 0
+
+
+def drilled(solid: Solid, at: tuple, radius: float, depth: float) -> Solid:
+    """With a blind hole from the top."""
+    top = solid.bounding_box()[5]
+    mesh = [trimesh.Trimesh(m.vert_properties[:, :3], m.tri_verts) for m in (solid.to_mesh(),)][0]
+    drill = trimesh.creation.cylinder(radius, 2 * depth, sections=24).apply_translation([*at, top])
+    found = trimesh.boolean.difference([mesh, drill], engine="manifold")
+    return Solid(manifold3d.Mesh(np.array(found.vertices, dtype=np.float32), np.array(found.faces, dtype=np.uint32)))
+
+
+HOLE = {
+    "bar": (box(10, 3, 3), (0.7, 0.14), 0.77, 2.27),
+    "bar, beside its end": (box(10, 3, 3), (3.4, 0.4), 0.64, 1.48),
+    "cylinder": (round_bar(6), (1.94, 0.04), 0.3, 1.03),
+    "plate": (box(4, 4, 1), (0.5, -0.7), 0.4, 0.6),
+    "ring": (Solid.revolve(manifold3d.CrossSection.circle(0.6, 24).translate((2.0, 0)), 48), (2.0, 0.0), 0.25, 0.8),
+}
+
+
+@pytest.mark.parametrize("name", HOLE)
+def test_a_blind_hole_is_no_limb_and_changes_no_end(name):
+    """Wherever it crosses the axis; only the ball of an end beside it is smaller."""
+    solid, at, radius, depth = HOLE[name]
+    plain, other = as_shape(solid, 0.4), as_shape(drilled(solid, at, radius, depth), 0.4)
+    found = [ends_of(shape) for shape in (plain, other)]
+    assert len(found[0]) == len(found[1]) == (0 if name in ("plate", "ring") else 2)
+    half = plain.vertices[:, 2].max()
+    for one, changed in zip(*found, strict=True):
+        assert np.linalg.norm(changed - one) < 0.3 * half
+
+
+@settings(max_examples=8, deadline=None)
+@given(st.floats(-0.7, 0.7), st.floats(-0.5, 0.5), st.floats(0.15, 0.55), st.floats(0.2, 0.8))
+def test_a_blind_hole_anywhere_in_a_bar_is_no_limb(x, y, radius, depth):
+    solid = box(10, 3, 3)
+    found = ends_of(as_shape(drilled(solid, (5 * x, 1.5 * y), 0.8 * radius, 3 * depth), 0.4))
+    assert len(found) == 2
+    np.testing.assert_allclose(found, [[-4.55, 0, 0], [4.55, 0, 0]], atol=0.3 * 1.5)
+
+
+@settings(max_examples=6, deadline=None)
+@given(st.integers(0, 1000), st.floats(1e-3, 1e3), st.booleans(), st.sampled_from(["short bar", "cylinder"]))
+def test_a_solid_turned_scaled_and_mirrored_has_the_ends_of_the_solid(seed, scale, is_mirrored, name):
+    shape = as_shape(LONG[name][0], 0.6)
+    turn = scale * Rotation.random(random_state=seed).as_matrix() * (-1 if is_mirrored else 1)
+    faces = shape.faces[:, ::-1] if is_mirrored else shape.faces
+    found = ends_of(Enclosure(shape.vertices @ turn.T, faces)) @ np.linalg.inv(turn).T
+    np.testing.assert_allclose(np.array(sorted(found, key=tuple)), ends_of(shape), atol=0.03)

@@ -1,0 +1,231 @@
+"""One branch for each limb: which leaves stay, ends that are laid on the rings of their limbs, and lost limbs."""
+
+import manifold3d
+import numpy as np
+import pytest
+import trimesh
+from conftest import torus
+from scipy import spatial
+from test_branches import as_edges
+from test_caps import LIMB, RADIUS, block, fingers, legs, solid
+from test_finishing import bow, draft_of, is_inside, job_of, length_of, none_held, path, tube, unit_shape
+
+import msf_jax
+from msf_jax import ground_truth
+from msf_jax.host.curve import finishing
+from msf_jax.host.curve.branches import cycle_count
+from msf_jax.host.thin import one_branch
+from msf_jax.host.thin.caps import Caps
+
+LINE = np.linspace([-1.0, 0, 0], [1, 0, 0], 41)
+
+
+def limbed(shape, x, edges, is_held=None):
+    """The curve with one branch to the end of each limb, as (vertices, edges)."""
+    draft = draft_of(x, edges)
+    found = finishing.limbed(draft if is_held is None else draft._replace(is_held=is_held), job_of(shape), extend=True)
+    return found.vertices, found.edges
+
+
+def leaves_at(x, edges):
+    return x[one_branch.leaves_of(edges)]
+
+
+def test_a_limb_keeps_the_leaf_farthest_from_its_base_and_others_are_missing():
+    """Two leaves in the first of four fingers, four radii long, and one in the block below them."""
+    shape = solid(fingers(), 0.15)
+    caps = Caps(shape)
+    limbs = caps.limbs(1.2)
+    at = [[-1.2, 0, 0.7], [-1.15, 0, 0.5], [1.2, 1, -1.0]]
+    x, edges = np.array([[0, 0, -1.0], *at]), as_edges([(0, 1), (0, 2), (0, 3)])
+    number = [int(np.argmin([abs(caps.shape.vertices[cap.tip, 0] - x) for cap in limbs.caps])) for x in (-1.2, 1.2)]
+    found = one_branch.choose(caps, x, edges, none_held(x), 1.2)
+    assert found.leaf[number[0]] == 1 and found.leaf[number[1]] == -1 and sorted(found.leaf) == [-1, -1, -1, 1]
+    assert found.worth[1] == np.inf and found.worth[2] == 0 and found.worth[3] < np.inf
+    # The limb's width is its radius, and the finger ends at 1.0.
+    for height, stays in ((0.9, 2), (0.5, 1)):
+        x[2, 2] = height
+        x[1, 2] = 0.95
+        assert one_branch.choose(caps, x, edges, np.arange(4) == 2, 1.2).leaf[number[0]] == stays
+
+
+@pytest.mark.parametrize("back", [0.5, 1.5])
+@pytest.mark.parametrize("is_turned", [False, True])
+def test_an_end_that_runs_back_beside_its_branch_is_laid_straight(back, is_turned):
+    """On a straight tube, by so many radii: two leaves, and no second strand."""
+    shape, scale = unit_shape(tube(LINE, 0.2))
+    ahead = [*np.linspace(-0.5, 0.5, 14), 0.505, *(0.5 - 0.1 * back * np.arange(1, 3))]
+    nodes, edges = path(scale * np.array([[x, 0.02 * (k > 14), 0] for k, x in enumerate(ahead)]))
+    x, edges = limbed(shape, nodes[::-1] if is_turned else nodes, edges)
+    leaves = leaves_at(x, edges)
+    np.testing.assert_allclose(np.sort(leaves[:, 0]) / scale, [-0.94, 0.94], atol=0.02)
+    assert length_of(x, edges) < 1.02 * 1.88 * scale
+
+
+def test_a_curve_that_runs_to_and_fro_in_a_ball_keeps_an_edge():
+    shape, scale = unit_shape(trimesh.creation.icosphere(3))
+    nodes, edges = path(scale * np.array([[0.01 * (k // 2) + 0.3 * (k % 2), 0, 0] for k in range(10)]))
+    assert len(limbed(shape, nodes, edges)[1])
+
+
+@pytest.mark.parametrize("turn", [0.02, 0.3])
+def test_a_short_curve_is_carried_to_both_ends(turn):
+    line = bow(turn) * (5 if turn < 0.1 else 1)
+    shape, scale = unit_shape(tube(line))
+    x, edges = limbed(shape, *path(scale * line[20:-20]))
+    gap = spatial.KDTree(leaves_at(x, edges)).query(scale * line[[0, -1]])[0] / (0.15 * scale)
+    assert (gap < 0.5).all()
+    assert (gap > 0.1).all()
+    assert is_inside(shape, x, edges)
+    assert cycle_count(len(x), edges) == (1, 0)
+
+
+def test_a_held_leaf_is_not_carried_on():
+    line = bow(0.3)
+    shape, scale = unit_shape(tube(line))
+    short = scale * line[20:-20]
+    x, edges = limbed(shape, *path(short), np.arange(len(short)) == 0)
+    leaves = one_branch.leaves_of(edges)
+    assert 0 in leaves and len(leaves) == 2
+    np.testing.assert_array_equal(x[0], short[0])
+    (other,) = leaves[leaves != 0]
+    assert np.linalg.norm(x[other] - scale * line[-1]) < 0.5 * 0.15 * scale
+
+
+def test_a_held_node_behind_a_leaf_is_not_moved():
+    line = bow(0.3)[20:-20]
+    shape, scale = unit_shape(tube(bow(0.3)))
+    x, _ = limbed(shape, *path(scale * line), np.arange(len(line)) == 1)
+    np.testing.assert_array_equal(x[1], scale * line[1])
+
+
+@pytest.mark.parametrize("at", [[-0.1, 0.1], [-0.1, 0, 0.1], [-0.1, -0.03, 0.03, 0.1], [-0.1, -0.09, 0.1]])
+def test_both_ends_of_a_short_branch_are_carried_on(at):
+    """Neither takes the other's half."""
+    shape, scale = unit_shape(tube(LINE, 0.3))
+    line = np.array(at)[:, None] * [scale, 0, 0]
+    x, edges = limbed(shape, *path(line))
+    leaves = leaves_at(x, edges)
+    assert len(leaves) == 2
+    assert np.abs(np.sort(leaves[:, 0] / scale) - [-0.9, 0.9]).max() < 0.05
+    assert length_of(x, edges) < 1.9 * scale
+
+
+def test_an_end_is_found_however_far_it_is():
+    """A mesh with edges of a hundred radii leaves that much of a limb."""
+    shape, scale = unit_shape(tube(LINE, 0.01))
+    x, edges = limbed(shape, *path(LINE[15:25] * scale))
+    leaves = leaves_at(x, edges)
+    assert len(leaves) == 2 and np.abs(leaves[:, 0] / scale).min() > 0.98
+    assert length_of(x, edges) < 2.0 * scale
+
+
+def test_a_ring_that_is_open_is_not_gone_round_and_a_spur_in_a_limb_goes():
+    num = 240
+    shape, scale = unit_shape(torus(1, 0.1, num, 12))
+    x, edges = limbed(shape, *path(scale * bow(1.0, num + 1)[5:-5]))
+    assert length_of(x, edges) < 2 * np.pi * scale
+    line = np.linspace([-1.0, 0, 0], [1, 0, 0], 120)
+    shape, scale = unit_shape(tube(line, 0.01))
+    x, edges = path(np.concatenate([line[2:-2], [[-0.45, 0.003, 0], [-0.44, 0.004, 0]]]) * scale)
+    edges[len(edges) - 2, 0] = 31
+    x, edges = limbed(shape, x, edges)
+    assert len(leaves_at(x, edges)) == 2 and 1.97 < length_of(x, edges) / scale < 2.01
+
+
+def test_the_last_three_widths_of_a_branch_are_laid():
+    """`LAST`: a curve beside the axis of a tube is on it near the ends only."""
+    shape, scale = unit_shape(tube(LINE, 0.1))
+    nodes, edges = path(scale * (LINE[1:-1] + [0, 0.03, 0]))
+    x, _ = limbed(shape, nodes, edges)
+    from_end, off = 0.97 - np.abs(nodes[:, 0]) / scale, np.abs(x[: len(nodes), 1]) / scale
+    assert off[from_end < 0.2].max() < 0.02
+    np.testing.assert_array_equal(x[: len(nodes)][from_end > 0.35], nodes[from_end > 0.35])
+
+
+@pytest.mark.parametrize("at", [2.0, 7.5])
+def test_a_pin_on_the_side_of_a_bar_leaves_both_its_ends(at):
+    mesh = ground_truth.swept_tube(np.linspace([0, 0, 0], [10, 0, 0], 100), np.full(100, 0.6), 16)
+    pin = int(np.linalg.norm(np.asarray(mesh.vertices) - [at, 0.6, 0], axis=1).argmin())
+    skeleton = msf_jax.skeletonize(mesh, pins=[pin])
+    assert skeleton.vertices[:, 0].min() < 0.4 and skeleton.vertices[:, 0].max() > 9.6
+    assert np.isclose(skeleton.vertices, np.asarray(mesh.vertices)[pin]).all(axis=1).any()
+
+
+def test_a_limb_keeps_its_leaf_and_the_one_farthest_from_it():
+    x, edges = legs(
+        [(0, 0, 0), (1, 0, 0)], [(0, 0, 0), (-1, 0, 0)], [(0, 0, 0), (0, 1, 0)], [(0, 0, 0), (0, 0, 2)], step=0.5
+    )
+    leaf = np.flatnonzero(np.bincount(edges.ravel()) == 1)
+    worth = np.zeros(len(x))
+    worth[leaf] = [np.inf, 0.4, 0.2, 0.3]
+    stays, target = one_branch.kept(x, edges, worth, np.zeros(len(x), dtype=bool))
+    left = np.flatnonzero(np.bincount(edges[stays[edges].all(axis=1)].ravel(), minlength=len(x)) == 1)
+    assert left.tolist() == [leaf[0], leaf[3]]
+    assert set(target[~stays].tolist()) == {0} and (target[stays] == np.flatnonzero(stays)).all()
+    held = np.isin(np.arange(len(x)), leaf[1])
+    stays, _ = one_branch.kept(x, edges, worth, held)
+    assert stays[leaf].tolist() == [True, True, False, False]
+
+
+def test_components_keep_their_longest_path_unless_they_have_a_loop_or_two_limbs():
+    tree = legs([(0, 0, 0), (1, 0, 0)], [(0, 0, 0), (-2, 0, 0)], [(0, 0, 0), (0, 3, 0)], step=1.0)
+    ring = np.array([(0.0, 0, 9), (1, 0, 9), (0, 1, 9), (-4, 0, 9)]), as_edges([(0, 1), (1, 2), (2, 0), (0, 3)])
+    parts = [tree, (tree[0] + (0, 0, 5), tree[1]), ring]
+    first = np.cumsum([0] + [len(x) for x, _ in parts])
+    x = np.concatenate([part[0] for part in parts])
+    edges = np.concatenate([part[1] + at for part, at in zip(parts, first, strict=False)])
+    leaf = one_branch.leaves_of(tree[1])
+    stays = np.zeros(len(x), dtype=bool)
+    stays[leaf[:2] + first[1]] = True
+    assert np.flatnonzero(one_branch.ends(x, edges, stays)).tolist() == leaf[1:].tolist()
+    stays[:] = False
+    stays[leaf[0]] = True
+    found = np.flatnonzero(one_branch.ends(x, edges, stays))
+    assert found.tolist() == [leaf[0], leaf[2], *(leaf[1:] + first[1])]
+
+
+def test_a_lost_limb_gets_a_branch_through_its_middle():
+    shape = solid(block() + LIMB["long cylinder"][0], 0.1)
+    x, edges = trunk = legs([(0, 0, -1.02), (1.4, 0, -1)], [(0, 0, -1.02), (-1.4, 0, -1)])
+    caps, held = Caps(shape), none_held(trunk[0])
+    choice = one_branch.choose(caps, x, edges, held, 1.2)
+    tops = [shape.vertices[cap.tip, 2] > 1 for cap in caps.limbs(1.2).caps]
+    (number,) = np.flatnonzero(tops)
+    assert choice.leaf[number] == -1
+    x, edges = one_branch.laid(caps, shape, *trunk, ~held, choice, 1.2)  # what is held is not laid
+    assert cycle_count(len(x), edges) == (1, 0)
+    np.testing.assert_array_equal(x[: len(held)], trunk[0])
+    new = x[len(held) :]
+    assert np.hypot(*new[:, :2].T).max() < 0.5 * RADIUS
+    assert new[:, 2].max() == pytest.approx(1.5 - 0.3 * RADIUS, abs=0.03)
+
+
+def test_a_finger_begins_in_the_palm_and_not_at_the_finger_beside_it_nor_in_a_body_nearby():
+    """The nearest node is of the other finger, and the nearest ball is the body's, across a gap."""
+    palm = manifold3d.Manifold.cube((2, 0.6, 2), True)
+    finger = manifold3d.Manifold.cylinder(1.5, 0.2, 0.2, 24)
+    body = manifold3d.Manifold.sphere(3.0, 64).translate((0, 3.35, 1.2))
+    bridge = manifold3d.Manifold.cylinder(1.5, 0.25, 0.25, 24).rotate((-90, 0, 0)).translate((0, 0, -0.8))
+    parts = [palm, finger.translate((0.3, 0, 0.8)), finger.translate((-0.3, 0, 0.8)), body, bridge]
+    shape = solid(manifold3d.Manifold.batch_boolean(parts, manifold3d.OpType.Add), 0.3)
+    x, edges = legs(
+        [(0, 0, -0.4), (0.3, 0, 0.6), (0.3, 0, 2.1)],
+        [(0, 0, -0.4), (0, 0, -0.8), (0, 3.35, -0.8), (0, 3.35, 2.0)],
+        step=0.1,
+    )
+    base = np.array([-0.3, 0, 1.2])
+    radius, away = shape.approximate_clearance(x)[0], np.linalg.norm(x - base, axis=1)
+    assert x[away.argmin(), 2] > 1.0 and x[(away - radius).argmin(), 1] > 0.5
+    begin = x[one_branch._beginning(shape, x, radius, base)]
+    assert abs(begin[1]) < 0.1 and begin[2] < 1.0
+
+
+def test_limbs_without_a_leaf_get_one_and_leaves_in_the_body_go():
+    """Three leaves in a block with four fingers: a component keeps two until fingers have theirs."""
+    shape = solid(fingers(), 0.15)
+    x, edges = legs(*[[(0, 0, -1.02), (a, b, -1)] for a, b in ((1.4, 1.4), (-1.4, -1.4), (-1.4, 1.4))])
+    found = finishing.limbed(draft_of(x, edges), job_of(shape)._replace(prune=1.2), extend=True)
+    leaves = found.vertices[found.is_leaf()]
+    assert len(leaves) == 4 and (leaves[:, 2] > 0.8).all() and (found.num_grown, found.num_pruned) == (4, 3)
+    assert cycle_count(len(found.vertices), found.edges) == (1, 0)
