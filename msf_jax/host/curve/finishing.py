@@ -304,8 +304,13 @@ def joined(draft: Draft, job: Job, centre: bool, hold_leaves: bool) -> Draft:
 
 
 def splined(draft: Draft, job: Job, hold_leaves: bool) -> Draft:
-    """Nodes are about ``SPACING`` radii apart, in the middle of the solid."""
-    return centred(refined(draft, job), job, hold_leaves)
+    """Nodes are about ``SPACING`` radii apart, in the middle of the solid, and no two strands run in one limb."""
+    draft = centred(refined(draft, job), job, hold_leaves)
+    radii = job.coarse.approximate_clearance(draft.vertices)[0]
+    stays, target, edges = branches.zip_strands(draft.vertices, draft.edges, radii, draft.is_held)
+    if stays.all():
+        return draft
+    return centred(_left(draft._replace(edges=edges), stays, target), job, hold_leaves, FIRST_ROUNDS)
 
 
 def pruned(draft: Draft, job: Job) -> Draft:
