@@ -1,4 +1,4 @@
-"""Ends of limbs: closed forms of the mean exit time, axes of solids with one branch, and blind holes, which are none."""
+"""Ends of limbs: closed forms of the mean exit time, axes of solids with one branch, and blind holes."""
 
 import itertools
 
@@ -6,6 +6,8 @@ import manifold3d
 import numpy as np
 import pytest
 import trimesh
+from hypothesis import given, settings
+from hypothesis import strategies as st
 from scipy.spatial.transform import Rotation
 
 from msf_jax.host.solid.enclosure import Enclosure
@@ -169,7 +171,7 @@ def test_a_limb_that_narrows_ends_on_its_axis(name):
         found = ends_of(as_shape(round_bar(6, low, high), edge))
         assert len(found) == 2 and np.abs(found[:, 1:]).max() < 0.03
         gap = 3.0 - np.abs(found[:, 0])
-        assert 0.28 < gap[0] < 0.36
+        assert 0.25 < gap[0] < 0.36  # the largest ball that fills the wide end of the cone has 0.85 of its radius
         assert (0.14 < gap[1] < 0.25) if name == "frustum" else (0.05 < gap[1] < 0.4)
 
 
@@ -231,7 +233,8 @@ def test_the_volume_of_a_cap_is_that_of_its_solid(height):
 def drilled(solid: Solid, at: tuple, radius: float, depth: float) -> Solid:
     """With a blind hole from the top."""
     top = solid.bounding_box()[5]
-    mesh = [trimesh.Trimesh(m.vert_properties[:, :3], m.tri_verts) for m in (solid.to_mesh(),)][0]
+    whole = solid.to_mesh()
+    mesh = trimesh.Trimesh(whole.vert_properties[:, :3], whole.tri_verts)
     drill = trimesh.creation.cylinder(radius, 2 * depth, sections=24).apply_translation([*at, top])
     found = trimesh.boolean.difference([mesh, drill], engine="manifold")
     return Solid(manifold3d.Mesh(np.array(found.vertices, dtype=np.float32), np.array(found.faces, dtype=np.uint32)))

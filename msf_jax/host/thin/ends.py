@@ -34,8 +34,8 @@ LONG = 0.9  # largest ratio of the first two eigenvalues of a solid with a direc
 
 
 class Axis(NamedTuple):
-    """The curve of a limb. places: (k, 3) from its end to its base, the middles of rings. width: the radius of a tube of
-    the limb's area and length."""
+    """The curve of a limb. places: (k, 3) from its end to its base, the middles of rings. width: the radius of a tube
+    of the limb's area and length."""
 
     places: np.ndarray
     width: float
@@ -124,17 +124,16 @@ def _to_end(shape: Enclosure, middles: np.ndarray, whole: int, step: float) -> n
     heading = unit(middles[first] - middles[base])
     if not heading.any():
         return middles[base:]
-    # From the outermost ring on: a blind hole may lie across the line behind it. What touches the surface is on the end.
+    # From the outermost ring on: a blind hole may lie across the line behind it. What touches the surface is the end.
     along = (middles[: first + 1] - middles[base]) @ heading
     line = middles[base] + along[:, None] * heading
-    ball = shape.approximate_clearance(line)[0]
-    is_in = shape.contains(line) & (ball > GAP * LEAST * ball.max())
-    start = float(along[is_in].max(initial=along[first]))
+    ball = shape.clearance(line)
+    start = float(along[ball > GAP * LEAST * ball.max()].max(initial=along[first]))
     reach = away[[base]] + 2 * (whole + 1) * step
     ahead = start + float(shape.ray_lengths(middles[[base]] + start * heading, heading[None], reach)[0])
     # At least to a width from the end, also in a shorter limb. Denser near the end: in a sheet, its ball is small.
     depth = max(ahead, step / STEP) * np.linspace(0.0, 1.0, SAMPLES) ** 2
-    ball = shape.approximate_clearance(middles[base] + (ahead - depth)[:, None] * heading)[0]
+    ball = shape.clearance(middles[base] + (ahead - depth)[:, None] * heading)
     radius = max(float(ball[depth <= WIDEST * ball].max(initial=0.0)), LEAST * float(ball[-1]))
     end = middles[base] + (ahead - depth[(ball >= GAP * radius).argmax()]) * heading
     return np.concatenate([end[None], middles[base:]])
