@@ -278,3 +278,21 @@ def test_a_solid_turned_scaled_and_mirrored_has_the_ends_of_the_solid(seed, scal
     faces = shape.faces[:, ::-1] if is_mirrored else shape.faces
     found = ends_of(Enclosure(shape.vertices @ turn.T, faces)) @ np.linalg.inv(turn).T
     np.testing.assert_allclose(np.array(sorted(found, key=tuple)), ends_of(shape), atol=0.03)
+
+
+def test_no_ball_fills_the_point_of_a_cone():
+    """`WIDEST`, `LEAST`: its balls are half as large as they are far from it. It ends where the ball is 0.3 * 0.25 of
+    the one at the base, 1.5 from the point at 0."""
+    radius = 2 * np.tan(np.pi / 6)
+    shape = as_shape(Solid.cylinder(2, radius, 0, 96).translate((0, 0, -2)), 0.1)
+    middles = np.array([[0, 0, z] for z in (-0.3, -0.6, -0.9, -1.2, -1.5)])
+    found = ends._to_end(shape, middles, 2, 0.3)
+    assert found[1].tolist() == [0, 0, -1.5] and -found[0, 2] == pytest.approx(0.075 * 1.5, rel=0.25)
+
+
+def test_the_end_of_a_channel_is_not_beyond_it():
+    """The middles of its rings are outside, and no line through them meets its end."""
+    shape = as_shape(box(10, 3, 3) - box(12, 2.4, 3).translate((0, 0, 0.3)), 0.3)
+    for sign in (-1, 1):
+        places = axis_of(shape, sign * shape.vertices[:, 0] > 0.05).places
+        assert 4 < sign * places[0, 0] <= 5 and np.abs(places[:, 1]).max() < 0.05

@@ -128,6 +128,8 @@ def _to_end(shape: Enclosure, middles: np.ndarray, whole: int, step: float) -> n
     along = (middles[: first + 1] - middles[base]) @ heading
     line = middles[base] + along[:, None] * heading
     ball = shape.clearance(line)
+    if not ball.any():  # the middles of a channel are outside
+        return middles
     start = float(along[ball > GAP * LEAST * ball.max()].max(initial=along[first]))
     reach = away[[base]] + 2 * (whole + 1) * step
     ahead = start + float(shape.ray_lengths(middles[[base]] + start * heading, heading[None], reach)[0])
