@@ -283,8 +283,8 @@ def test_a_solid_turned_scaled_and_mirrored_has_the_ends_of_the_solid(seed, scal
 def test_no_ball_fills_the_point_of_a_cone():
     """`WIDEST`, `LEAST`: its balls are half as large as they are far from it. It ends where the ball is 0.3 * 0.25 of
     the one at the base, 1.5 from the point at 0."""
-    radius = 2 * np.tan(np.pi / 6)
-    shape = as_shape(Solid.cylinder(2, radius, 0, 96).translate((0, 0, -2)), 0.1)
+    radius = 4 * np.tan(np.pi / 6)
+    shape = as_shape(Solid.cylinder(4, radius, 0, 96).translate((0, 0, -4)), 0.2)
     middles = np.array([[0, 0, z] for z in (-0.3, -0.6, -0.9, -1.2, -1.5)])
     found = ends._to_end(shape, middles, 2, 0.3)
     assert found[1].tolist() == [0, 0, -1.5] and -found[0, 2] == pytest.approx(0.075 * 1.5, rel=0.25)
