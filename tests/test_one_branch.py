@@ -209,7 +209,7 @@ def test_a_finger_begins_in_the_palm_and_not_at_the_finger_beside_it_nor_in_a_bo
     bridge = manifold3d.Manifold.cylinder(1.5, 0.25, 0.25, 24).rotate((-90, 0, 0)).translate((0, 0, -0.8))
     parts = [palm, finger.translate((0.3, 0, 0.8)), finger.translate((-0.3, 0, 0.8)), body, bridge]
     shape = solid(manifold3d.Manifold.batch_boolean(parts, manifold3d.OpType.Add), 0.3)
-    x, edges = legs(
+    x, _ = legs(
         [(0, 0, -0.4), (0.3, 0, 0.6), (0.3, 0, 2.1)],
         [(0, 0, -0.4), (0, 0, -0.8), (0, 3.35, -0.8), (0, 3.35, 2.0)],
         step=0.1,

@@ -34,14 +34,14 @@ LONG = 0.9  # largest ratio of the first two eigenvalues of a solid with a direc
 
 
 class Axis(NamedTuple):
-    """The curve of a limb. places: (k, 3) from its end to its base. width: the radius of a tube of
-    the limb's area and length."""
+    """The curve of a limb. places: (k, 3) from its end to its base, the middles of rings. width: the radius of a tube
+    of the limb's area and length."""
 
     places: np.ndarray
     width: float
 
 
-def laplacian(vertices: np.ndarray, faces: np.ndarray) -> tuple[sparse.csr_matrix, np.ndarray]:
+def laplacian(vertices: np.ndarray, faces: np.ndarray) -> tuple[sparse.csr_array, np.ndarray]:
     """The Laplacian (V, V) with cotangent weights, positive semidefinite, and a third of the area (V,) around each
     vertex."""
     corners = vertices[faces]
@@ -54,7 +54,7 @@ def laplacian(vertices: np.ndarray, faces: np.ndarray) -> tuple[sparse.csr_matri
         value.append(np.einsum("fi,fi->f", one, other) / np.maximum(4 * area, 1e-300))
     num = len(vertices)
     entries = np.tile(np.concatenate(value), 2), (np.concatenate([*i, *j]), np.concatenate([*j, *i]))
-    weight = sparse.coo_matrix(entries, (num, num)).tocsr()
+    weight = sparse.coo_array(entries, (num, num)).tocsr()
     degree = np.asarray(weight.sum(axis=1)).ravel()
     return (sparse.diags_array(degree) - weight).tocsr(), np.bincount(faces.ravel(), np.repeat(area / 3, 3), num)
 
@@ -123,18 +123,18 @@ def _to_end(shape: Enclosure, middles: np.ndarray, whole: int, step: float) -> n
     heading = unit(middles[first] - middles[base])
     if not heading.any():
         return middles[base:]
-    # From the outermost ring on: a blind hole may lie across the line behind it. What touches the surface is on the end
-    # itself.
+    # From the outermost ring on: a blind hole may lie across the line behind it. What touches the surface is the end.
     along = (middles[: first + 1] - middles[base]) @ heading
     line = middles[base] + along[:, None] * heading
-    ball = shape.approximate_clearance(line)[0]
-    is_in = shape.contains(line) & (ball > GAP * LEAST * ball.max())
-    start = float(along[is_in].max(initial=along[first]))
+    ball = shape.clearance(line)
+    if not ball.any():  # the middles of a channel are outside
+        return middles
+    start = float(along[ball > GAP * LEAST * ball.max()].max(initial=along[first]))
     reach = np.array([(2 * whole + 3) * step])
     ahead = start + float(shape.ray_lengths(middles[[base]] + start * heading, heading[None], reach)[0])
     # At least to a width from the end, also in a shorter limb. Denser near the end: in a sheet, its ball is small.
     depth = max(ahead, step / STEP) * np.linspace(0.0, 1.0, SAMPLES) ** 2
-    ball = shape.approximate_clearance(middles[base] + (ahead - depth)[:, None] * heading)[0]
+    ball = shape.clearance(middles[base] + (ahead - depth)[:, None] * heading)
     radius = max(float(ball[depth <= WIDEST * ball].max(initial=0.0)), LEAST * float(ball[-1]))
     end = middles[base] + (ahead - depth[(ball >= GAP * radius).argmax()]) * heading
     return np.concatenate([end[None], middles[base:]])
