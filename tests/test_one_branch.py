@@ -193,7 +193,7 @@ def test_a_lost_limb_gets_a_branch_through_its_middle():
     tops = [shape.vertices[cap.tip, 2] > 1 for cap in caps.limbs(1.2).caps]
     (number,) = np.flatnonzero(tops)
     assert choice.leaf[number] == -1
-    x, edges = one_branch.laid(caps, shape, *trunk, ~held, choice, 1.2)  # what is held is not laid
+    x, edges = one_branch.grown(caps, shape, *trunk, choice, 1.2)
     assert cycle_count(len(x), edges) == (1, 0)
     np.testing.assert_array_equal(x[: len(held)], trunk[0])
     new = x[len(held) :]

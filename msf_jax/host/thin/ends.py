@@ -116,8 +116,8 @@ def _to_end(shape: Enclosure, middles: np.ndarray, whole: int, step: float) -> n
     """The curve (m, 3) over ``middles`` (k, 3) of rings, ``step`` apart, that ends `GAP` before the surface.
 
     From the ring ``whole`` on, they go around the whole limb: before, they can lie on the end itself."""
-    first = min(whole, len(middles) - 1)
-    first += int(shape.contains(middles[first:]).argmax())  # a hole in the end has rings outside
+    first, ball = min(whole, len(middles) - 1), shape.clearance(middles)
+    first += int((ball > LEAST * np.append(ball[1:], 0.0))[first:].argmax())  # a hole in the end has rings outside
     first = min(first, max(len(middles) - 2, 0))
     base = min(first + 1, len(middles) - 1)
     heading = unit(middles[first] - middles[base])
