@@ -127,18 +127,17 @@ def laid(
     leaf gets a branch. It begins at the node whose ball is nearest to the limb's base, so a finger begins in the palm
     and not at the finger beside it. The way there must be inside: a hand at the hip does not begin in the body.
     """
-    limbs, x = caps.limbs(least), vertices.copy()
+    limbs, x = caps.limbs(least), vertices
     radius = shape.approximate_clearance(vertices)[0]
     radius[leaves_of(edges)] = -np.inf
     path_of = {path[0]: path for each in trace(len(x), edges) for path in (each, each[::-1])}
     is_end = np.bincount(edges.ravel(), minlength=len(x)) == 1
-    gone, added, joined, count = [], [], [], len(x)
     for number, leaf in enumerate(choice.leaf):
         if leaf >= 0 and is_held[leaf]:
             continue
         places, width = caps.axis(shape, limbs, number)
         if leaf < 0:
-            old, stop = [], _beginning(shape, vertices, radius, places[-1])
+            old, stop = [], beginning(shape, vertices, radius, places[-1])
         else:
             path = np.array(path_of[leaf])
             along, away = arc_length(vertices[path]), np.linalg.norm(vertices[path] - places[0], axis=1)
@@ -149,21 +148,28 @@ def laid(
             old, stop = path[:first].tolist(), int(path[first])
             places = places[: max(1, int(np.linalg.norm(places - vertices[stop], axis=1).argmin()))]
         places = np.concatenate([places, vertices[[stop]]])
-        along = arc_length(places)
-        num = max(len(old), int(np.ceil(along[-1] / (STEP * width))), 1)
-        places = at(places, along, np.linspace(0.0, along[-1], num + 1))[:-1]
-        x[old] = places[: len(old)]
-        new = list(range(count, count + num - len(old)))
-        gone += [{old[-1], stop}] if old else []
-        chain = [*old[-1:], *new, stop]
-        joined += list(itertools.pairwise(chain))
-        added.append(places[len(old) :])
-        count += len(new)
-    stays = [set(edge) not in gone for edge in edges.tolist()]
-    return np.concatenate([x, *added]), np.concatenate([edges[stays], np.array(joined, dtype=np.int64).reshape(-1, 2)])
+        x, edges = relaid(x, edges, old, stop, places, STEP * width)
+    return x, edges
 
 
-def _beginning(shape: Enclosure, vertices: np.ndarray, radius: np.ndarray, place: np.ndarray) -> int:
+def relaid(
+    x: np.ndarray, edges: np.ndarray, old: list[int], stop: int, places: np.ndarray, spacing: float
+) -> tuple[np.ndarray, np.ndarray]:
+    """The curve ``(x (N, 3), edges (E, 2))`` with an end laid on ``places`` (k, 3), from the end to the node ``stop``.
+
+    ``old`` are the nodes from a leaf to that one, without it; none for a new branch. Nodes ``spacing`` apart are added.
+    """
+    along = arc_length(places)
+    num = max(len(old), int(np.ceil(along[-1] / spacing)), 1)
+    places = at(places, along, np.linspace(0.0, along[-1], num + 1))[:-1]
+    chain = [*old[-1:], *range(len(x), len(x) + num - len(old)), stop]
+    is_left = (np.sort(edges, axis=1) != sorted(chain[:1] + [stop])).any(axis=1)
+    x = np.concatenate([x, places[len(old) :]])
+    x[old] = places[: len(old)]
+    return x, np.concatenate([edges[is_left], np.array(list(itertools.pairwise(chain)), dtype=np.int64)])
+
+
+def beginning(shape: Enclosure, vertices: np.ndarray, radius: np.ndarray, place: np.ndarray) -> int:
     """The node of ``vertices`` (N, 3), with balls of ``radius`` (N,), at which a branch to ``place`` (3,) begins."""
     away = np.linalg.norm(vertices - place, axis=1)
     near = np.argsort(away - radius, kind="stable")[:TRIED]
