@@ -120,17 +120,20 @@ def _to_openings(stitched: Stitched, checked: Surface, report: Report, source: S
         return _skeleton(stitched, checked, report, source)
     is_held = np.zeros(len(stitched.vertices), dtype=bool)
     is_held[stitched.node_of_vertex[checked.vertex_of_input[source.pins]]] = True
-    found = outlets.opened(source.solid, stitched.vertices, stitched.edges, is_held, _lids(checked))
+    found = outlets.opened(source.solid, stitched.vertices, stitched.edges, is_held, lids_of_repair(checked))
     if not len(found.ends):
         return _skeleton(stitched, checked, report, source)
     source = source._replace(solid=Solid(checked.vertices, checked.faces, found.lids))
-    led = stitched._replace(vertices=found.nodes, edges=finishing.in_order(found.edges))
+    near = np.asarray(spatial.KDTree(found.nodes).query(checked.vertices)[1])
+    node = np.where(near >= len(stitched.vertices), near, stitched.node_of_vertex)
+    node = branches.nearest_on_branch(found.nodes, found.edges, checked.vertices, node)
+    led = stitched._replace(vertices=found.nodes, edges=finishing.in_order(found.edges), node_of_vertex=node)
     num = f"{len(found.ends)} opening{'' if len(found.ends) == 1 else 's'}"
     report = replace(report, notes=(*report.notes, f"the curve ends in the centre of {num} that repair has closed"))
     return replace(_skeleton(led, checked, report, source), openings=tuple(found.ends.tolist()))
 
 
-def _lids(checked: Surface) -> np.ndarray:
+def lids_of_repair(checked: Surface) -> np.ndarray:
     """The faces that close the rims of holes: all corners are on one, and no face of the caller's mesh has them."""
     number = np.zeros(len(checked.vertices) + 1, dtype=np.int64)  # the last one is for vertices that are not there
     for count, rim in enumerate(checked.rims, 1):

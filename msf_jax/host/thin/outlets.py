@@ -27,9 +27,9 @@ def opened(solid: Solid, nodes: np.ndarray, edges: np.ndarray, is_held: np.ndarr
     """Lead the curve ``(nodes (N, 3), edges (E, 2))`` to the middles of those of the faces ``lids`` (L,) where a limb
     ends. Nodes of ``is_held`` (N,) do not move.
 
-    A leaf that is no farther from the middle than the rim is the limb's. Within this distance a lid cuts off a part of
-    the limb's sections, which drew the curve to one side, so the branch goes straight there. A limb without a leaf,
-    which is short, gets a straight branch.
+    A leaf that is no farther from a middle than the rim is a limb's end there. Within this distance a lid cuts off a
+    part of the limb's sections, which drew the curve to one side, so the branch goes straight there. A limb without a
+    leaf, which is short, gets a straight branch.
     """
     shape, start, num = solid.shape, solid.enter(nodes), len(nodes)
     wanted = [lid for lid in lids_of(shape.vertices, shape.faces, lids) if is_end(shape, lid)]
@@ -40,7 +40,8 @@ def opened(solid: Solid, nodes: np.ndarray, edges: np.ndarray, is_held: np.ndarr
         if number in leaf_of:
             paths = (path for each in trace(len(x), edges) for path in (each, each[::-1]))
             path = np.array(next(path for path in paths if path[0] == leaf_of[number]))
-            stays = (np.linalg.norm(x[path] - lid.middle, axis=1) > lid.reach) | np.isin(path, np.flatnonzero(is_held))
+            away = np.array([np.linalg.norm(x[path] - each.middle, axis=1) - each.reach for each in wanted])
+            stays = (away > 0).all(axis=0) | np.isin(path, np.flatnonzero(is_held))
             first = min(int(np.append(stays, True).argmax()), len(path) - 1)
             first = int(np.flatnonzero(_is_open(shape, x[path[: first + 1]], lid))[-1])
             old, stop = path[:first].tolist(), int(path[first])
@@ -59,12 +60,15 @@ def opened(solid: Solid, nodes: np.ndarray, edges: np.ndarray, is_held: np.ndarr
 
 
 def _leaves(shape: Enclosure, x: np.ndarray, leaves: np.ndarray, lids: list[Lid]) -> dict[int, int]:
-    """The leaf of each of the ``lids`` by its number, if there is one of ``leaves`` (l,): the nearest pairs first."""
+    """The leaf of each of the ``lids`` by its number, if there is one: of ``leaves`` (l,) near lids, the nearest pairs
+    first. In a tube that is shorter than wide, both ends of the curve may be near the same lid."""
     away = np.array([np.linalg.norm(x[leaves] - lid.middle, axis=1) for lid in lids]).reshape(len(lids), len(leaves))
+    is_near = (away <= np.array([lid.reach for lid in lids])[:, None]).any(axis=0)
     found: dict[int, int] = {}
     for pair in np.argsort(away, axis=None, kind="stable").tolist():
-        number, leaf = pair // len(leaves), int(leaves[pair % len(leaves)])
-        is_free = number not in found and leaf not in found.values() and away.flat[pair] <= lids[number].reach
+        number, column = pair // len(leaves), pair % len(leaves)
+        leaf = int(leaves[column])
+        is_free = is_near[column] and number not in found and leaf not in found.values()
         if is_free and _is_open(shape, x[[leaf]], lids[number])[0]:
             found[number] = leaf
     return found
