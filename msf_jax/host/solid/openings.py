@@ -53,7 +53,7 @@ def _lid(vertices: np.ndarray, faces: np.ndarray, own: np.ndarray) -> Lid:
     corner, rim = vertices[faces[own]], vertices[np.unique(faces[own])]
     twice = cross(corner[:, 1] - corner[:, 0], corner[:, 2] - corner[:, 0])
     normal = unit(twice.sum(axis=0))
-    seen = twice @ normal
+    seen = np.maximum(twice @ normal, 0.0)  # a lid that is folded over still has its middle between its corners
     middle = seen @ corner.mean(axis=1) / max(float(seen.sum()), 1e-300)
     middle += (rim.mean(axis=0) - middle) @ normal * normal
     uneven = float(np.abs((rim - middle) @ normal).max())
