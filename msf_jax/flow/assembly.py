@@ -124,9 +124,7 @@ def _to_openings(stitched: Stitched, checked: Surface, report: Report, source: S
     if not len(found.ends):
         return _skeleton(stitched, checked, report, source)
     source = source._replace(solid=Solid(checked.vertices, checked.faces, found.lids))
-    near = np.asarray(spatial.KDTree(found.nodes).query(checked.vertices)[1])
-    node = np.where(near >= len(stitched.vertices), near, stitched.node_of_vertex)
-    node = branches.nearest_on_branch(found.nodes, found.edges, checked.vertices, node)
+    node = branches.nearest_on_branch(found.nodes, found.edges, checked.vertices, stitched.node_of_vertex)
     led = stitched._replace(vertices=found.nodes, edges=finishing.in_order(found.edges), node_of_vertex=node)
     num = f"{len(found.ends)} opening{'' if len(found.ends) == 1 else 's'}"
     report = replace(report, notes=(*report.notes, f"the curve ends in the centre of {num} that repair has closed"))

@@ -63,7 +63,7 @@ def _leaves(shape: Enclosure, x: np.ndarray, leaves: np.ndarray, lids: list[Lid]
     """The leaf of each of the ``lids`` by its number, if there is one: of ``leaves`` (l,) near lids, the nearest pairs
     first. In a tube that is shorter than wide, both ends of the curve may be near the same lid."""
     away = np.array([np.linalg.norm(x[leaves] - lid.middle, axis=1) for lid in lids]).reshape(len(lids), len(leaves))
-    is_near = (away <= np.array([lid.reach for lid in lids])[:, None]).any(axis=0)
+    is_near = np.any(away <= np.array([lid.reach for lid in lids])[:, None], axis=0)
     found: dict[int, int] = {}
     for pair in np.argsort(away, axis=None, kind="stable").tolist():
         number, column = pair // len(leaves), pair % len(leaves)
