@@ -12,7 +12,6 @@ from scipy import spatial
 
 import msf_jax
 from msf_jax import ConfigError, ground_truth
-from msf_jax.host.solid import openings
 from msf_jax.host.solid.solid import Solid
 from msf_jax.skeleton.centrelines.frames import frames_of
 from msf_jax.skeleton.centrelines.profiles import profiles_of, swept_volumes
@@ -217,21 +216,3 @@ def test_a_vessel_that_was_cut_open_keeps_its_length_and_its_radius_to_the_openi
     again = skeleton.resample(0.4)
     np.testing.assert_allclose(again.vertices[list(again.openings)], ends)
     assert again.radii.min() > 0.8 * wall
-
-
-def test_a_hole_in_the_side_of_a_limb_is_no_opening(monkeypatch):
-    """Its lid is not where a tip goes, and it is narrower than the limb. Walls are measured only near tips."""
-    walls = []
-    monkeypatch.setattr(openings, "Solid", lambda *parts: walls.append(parts) or Solid(*parts))
-    shape = ground_truth.make("straight")
-    solid = Solid(np.array(shape.mesh.vertices), np.array(shape.mesh.faces))
-    nodes = shape.points[0] + np.linspace(0.05, 0.95, 20)[:, None] * (shape.points[-1] - shape.points[0])
-    middle = (shape.points[0] + shape.points[-1]) / 2
-    side = np.linalg.norm(shape.mesh.triangles_center - middle, axis=1).argmin()
-    ring = shape.mesh.faces[side]
-    found = openings.opened(solid, nodes, chain(20), [ring])
-    assert len(found.ends) == 0 and len(found.nodes) == 20 and not walls
-    rim = np.flatnonzero(np.abs((shape.mesh.vertices - shape.points[0]) @ (middle - shape.points[0])) < 1e-6)
-    found = openings.opened(solid, nodes, chain(20), [ring, rim])
-    assert len(found.ends) == 1 and len(walls) == 1
-    np.testing.assert_allclose(found.nodes[-1], shape.points[0], atol=1e-9)

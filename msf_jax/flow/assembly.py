@@ -14,8 +14,8 @@ from msf_jax.host.curve import branches, finishing
 from msf_jax.host.mesh.checking import Surface
 from msf_jax.host.meso import ring_tables
 from msf_jax.host.recording.records import ComponentRecord, Recording
-from msf_jax.host.solid import openings
 from msf_jax.host.solid.solid import Solid
+from msf_jax.host.thin import outlets
 from msf_jax.skeleton.report import Report, assessed, loops_of
 from msf_jax.skeleton.skeleton import Skeleton
 from msf_jax.skeleton.source import Source, Stage
@@ -118,15 +118,32 @@ def _to_openings(stitched: Stitched, checked: Surface, report: Report, source: S
     """The finished curve, extended to the centres of the openings that repair has closed."""
     if not checked.rims:
         return _skeleton(stitched, checked, report, source)
-    vertex = [checked.vertex_of_input[rim] for rim in checked.rims]
-    found = openings.opened(source.solid, stitched.vertices, stitched.edges, [rim[rim >= 0] for rim in vertex])
+    is_held = np.zeros(len(stitched.vertices), dtype=bool)
+    is_held[stitched.node_of_vertex[checked.vertex_of_input[source.pins]]] = True
+    found = outlets.opened(source.solid, stitched.vertices, stitched.edges, is_held, lids_of_repair(checked))
     if not len(found.ends):
         return _skeleton(stitched, checked, report, source)
     source = source._replace(solid=Solid(checked.vertices, checked.faces, found.lids))
-    led = stitched._replace(vertices=found.nodes, edges=finishing.in_order(found.edges))
+    node = branches.nearest_on_branch(found.nodes, found.edges, checked.vertices, stitched.node_of_vertex)
+    led = stitched._replace(vertices=found.nodes, edges=finishing.in_order(found.edges), node_of_vertex=node)
     num = f"{len(found.ends)} opening{'' if len(found.ends) == 1 else 's'}"
     report = replace(report, notes=(*report.notes, f"the curve ends in the centre of {num} that repair has closed"))
     return replace(_skeleton(led, checked, report, source), openings=tuple(found.ends.tolist()))
+
+
+def lids_of_repair(checked: Surface) -> np.ndarray:
+    """The faces that close the rims of holes: all corners are on one, and no face of the caller's mesh has them."""
+    number = np.zeros(len(checked.vertices) + 1, dtype=np.int64)  # the last one is for vertices that are not there
+    for count, rim in enumerate(checked.rims, 1):
+        number[checked.vertex_of_input[rim]] = count
+    number[-1] = 0
+    of_corner = number[checked.faces]
+    lids = np.flatnonzero((of_corner[:, 0] > 0) & (of_corner == of_corner[:, :1]).all(axis=1))
+    given = np.sort(checked.vertex_of_input[checked.given[1]], axis=1)
+    both = np.unique(np.concatenate([given, np.sort(checked.faces[lids], axis=1)]), axis=0, return_inverse=True)[
+        1
+    ].ravel()
+    return lids[~np.isin(both[len(given) :], both[: len(given)])]
 
 
 def _records(checked: Surface, states: list[State], parts: list[Part]) -> tuple[ComponentRecord, ...]:

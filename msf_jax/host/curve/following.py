@@ -29,7 +29,7 @@ from msf_jax.base.binding import FACES_TOGETHER, Binding, Sizes
 from msf_jax.host.curve import branch_paths as measures
 from msf_jax.host.curve import branches, centring
 from msf_jax.host.curve.branch_paths import BranchPath
-from msf_jax.host.solid import sections
+from msf_jax.host.solid import openings, sections
 from msf_jax.host.solid.enclosure import Enclosure
 from msf_jax.host.solid.geometry import cross, together, unit, vertex_normals
 from msf_jax.host.solid.solid import Solid
@@ -95,8 +95,8 @@ def record(
     is_held[list(pins_of_node)] = True
     is_free = np.where(is_held, 0.0, 1.0)
     paths = measures.paths_of(x, edges, is_held)
-    size = _sections(shape, x, edges, paths, radii, radii, nearest, is_held)[1]
-    found, size = _sections(shape, x, edges, paths, radii, size, nearest, is_held)
+    size = _sections(surface.solid, x, edges, paths, radii, radii, nearest, is_held)[1]
+    found, size = _sections(surface.solid, x, edges, paths, radii, size, nearest, is_held)
 
     def matrices(is_lost: np.ndarray) -> tuple[Corners, Any, Any]:
         corners = _with_clouds(surface, edges, found, is_lost)
@@ -168,7 +168,7 @@ def record(
 
 
 def _sections(
-    shape: Enclosure,
+    solid: Solid,
     x: np.ndarray,
     edges: np.ndarray,
     paths: list[BranchPath],
@@ -179,12 +179,14 @@ def _sections(
 ) -> tuple[Corners, np.ndarray]:
     """The sections that go around nodes, with weights as in `centring`, and the size (N,) of the nodes' limbs.
 
-    ``size`` (N,) is an estimate of the latter.
+    ``size`` (N,) is an estimate of the latter. Sections that the lid of an opening cuts off are left out.
     """
+    shape = solid.shape
     degree = np.bincount(edges.ravel(), minlength=len(x))
     tangent = unit(measures.chords(x, paths, size) @ x) if paths else np.zeros_like(x)
     clear = measures.clear_of_junctions(x, paths, degree, size, centring.ZONE, centring.MARGIN)
-    limb = np.flatnonzero((degree > 0) & (clear > 0) & ~is_held & (radii > 0) & tangent.any(axis=1))
+    is_whole = (openings.moved_inside(x, tangent, solid.openings) == x).all(axis=1)
+    limb = np.flatnonzero((degree > 0) & (clear > 0) & ~is_held & (radii > 0) & tangent.any(axis=1) & is_whole)
     corners = sections.corners(shape, x[limb], tangent[limb], size[limb], nearest[limb])
     found = sections.measured(shape, x[limb], tangent[limb], corners)
     is_good = found.is_around
@@ -203,18 +205,8 @@ def _sections(
     kept = is_good[corners.loop]
     section = (np.cumsum(is_good) - 1)[corners.loop[kept]]
     tail, head, part = corners.tail[kept], corners.head[kept], corners.part[kept]
-    place = shape.vertices[tail] + part[:, None] * (shape.vertices[head] - shape.vertices[tail])
-    area = _areas(place - centroid[section], section, tangent[node])
+    area = sections.areas(shape, corners, tangent[limb])[is_good]
     return Corners(section, tail, head, part, np.ones(len(node), dtype=bool), centroid, area, node, weight), size
-
-
-def _areas(place: np.ndarray, section: np.ndarray, normals: np.ndarray) -> np.ndarray:
-    """(S,) the area inside each section's corners at ``place`` (C, 3), relative to the section's centroid."""
-    first = np.searchsorted(section, section)
-    is_last = np.r_[section[1:] != section[:-1], True]
-    onward = place[np.where(is_last, first, np.arange(len(section)) + 1)] if len(section) else place
-    twice = np.einsum("ci,ci->c", cross(place, onward), normals[section])
-    return np.bincount(section, weights=twice, minlength=len(normals)) / 2
 
 
 def _far(x: np.ndarray, edges: np.ndarray, size: np.ndarray, node: np.ndarray) -> np.ndarray:

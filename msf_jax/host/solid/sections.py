@@ -10,6 +10,7 @@ import numpy as np
 
 from msf_jax.host.solid import loops
 from msf_jax.host.solid.enclosure import Enclosure
+from msf_jax.host.solid.geometry import cross
 
 SEARCHES = 3  # searches for the nearest loop, each three times as far as the one before
 NEAREST, FARTHEST = 1.5, 1.5 * 3 ** (SEARCHES - 1)  # radii: reach of the first and of the last search
@@ -32,6 +33,11 @@ class Corners(NamedTuple):
     part: np.ndarray
     triangle: np.ndarray
     is_closed: np.ndarray
+
+    def places(self, shape: Enclosure) -> np.ndarray:
+        """(C, 3) the corners on ``shape``."""
+        t = self.part[:, None]
+        return (1 - t) * shape.vertices[self.tail] + t * shape.vertices[self.head]
 
 
 class Sections(NamedTuple):
@@ -96,10 +102,23 @@ def nowhere(points: np.ndarray) -> Sections:
     return Sections(points.copy(), zero, zero.copy(), none, none.copy(), slide, turn)
 
 
+def areas(shape: Enclosure, corners: Corners, normals: np.ndarray) -> np.ndarray:
+    """(P,) the area inside each loop of ``corners``, in planes across ``normals`` (P, 3); 0 without a loop."""
+    place, loop = corners.places(shape), corners.loop
+    if not len(loop):
+        return np.zeros(len(normals))
+    first = np.searchsorted(loop, loop)
+    is_last = np.append(loop[1:] != loop[:-1], True)
+    place = place - place[first]
+    onward = place[np.where(is_last, first, np.arange(len(loop)) + 1)]
+    twice = np.einsum("ci,ci->c", cross(place, onward), normals[loop])
+    return np.bincount(loop, weights=twice, minlength=len(normals)) / 2
+
+
 def measured(shape: Enclosure, points: np.ndarray, normals: np.ndarray, corners: Corners) -> Sections:
     """Measure the loops with these ``corners``, in planes through ``points`` (P, 3) with ``normals`` (P, 3)."""
-    loop, t = corners.loop, corners.part[:, None]
-    places = (1 - t) * shape.vertices[corners.tail] + t * shape.vertices[corners.head] - points[loop]
+    loop = corners.loop
+    places = corners.places(shape) - points[loop]
     leans = -np.einsum("ci,ci->c", shape.normals[corners.triangle], normals[loop])
     sums = np.zeros((len(points), 19))
     ends = np.flatnonzero(np.diff(loop, append=-1)) + 1

@@ -3,8 +3,9 @@
 import numpy as np
 
 from msf_jax.host.solid.enclosure import Enclosure
+from msf_jax.host.solid.openings import lids_of
 
-ON_LID = 1e-9  # diagonals from a lid within which a point is on it and counts as inside
+ON_LID = 1e-9  # diagonals from a flat lid within which a point is on it and counts as inside
 
 
 class Solid:
@@ -26,6 +27,7 @@ class Solid:
         self.diagonal = unit * float(np.linalg.norm((high - low) / unit))
         self.shape = Enclosure((vertices - self.centre) / self.diagonal, faces)
         self.lids = np.empty(0, dtype=np.int64) if lids is None else lids
+        self.openings = lids_of(self.shape.vertices, faces, self.lids) if len(self.lids) else []
         self._wall = None
         if len(self.lids):  # the wall has no vertices that only lids use
             used, corners = np.unique(np.delete(faces, self.lids, axis=0), return_inverse=True)
@@ -42,13 +44,17 @@ class Solid:
     def radii(self, points: np.ndarray) -> np.ndarray:
         """Radius (P,) of the largest ball inside around each point; 0 for a point outside.
 
-        With lids, only the wall bounds a ball.
+        With lids, only the wall bounds a ball. A point that is no farther in front of a lid than the lid's rim is
+        uneven counts as inside.
         """
         entered = self.enter(points)
         clearance = self.shape.clearance(entered)
         if self._wall is not None:
             distance, face = self.shape.nearest(entered)
-            is_in = (clearance > 0) | ((distance < ON_LID) & np.isin(face, self.lids))
+            slack = np.zeros(len(self.shape.faces))
+            for lid in self.openings:
+                slack[lid.faces] = lid.uneven + ON_LID
+            is_in = (clearance > 0) | (distance < slack[face])
             clearance[is_in] = self._wall.distances(entered[is_in])
         return self.diagonal * clearance
 

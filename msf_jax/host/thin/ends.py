@@ -30,6 +30,7 @@ GAP = 0.3  # radii of the limb's end: the ball around the end of the curve, whic
 WIDEST = 1.5  # of a ball's radius: a ball whose middle is within that distance of the limb's end fills the end
 LEAST = 0.25  # of the radius a width from the end: the least radius of an end, which may be a point
 SAMPLES = 65  # points of the curve's last stretch at which the ball that fills the end is looked for
+SLIVER = 1e-6  # squares of its longest edge: least area, times 4, of a triangle, such as one of a lid's in a line
 LONG = 0.9  # largest ratio of the first two eigenvalues of a solid with a direction; 0.25 for a rectangle of 2 : 1
 
 
@@ -46,12 +47,13 @@ def laplacian(vertices: np.ndarray, faces: np.ndarray) -> tuple[sparse.csr_array
     vertex."""
     corners = vertices[faces]
     area = triangle_areas(corners)
+    longest = ((corners - np.roll(corners, 1, axis=1)) ** 2).sum(axis=2).max(axis=1)
     i, j, value = [], [], []
     for k in range(3):
         one, other = corners[:, (k + 1) % 3] - corners[:, k], corners[:, (k + 2) % 3] - corners[:, k]
         i.append(faces[:, (k + 1) % 3])
         j.append(faces[:, (k + 2) % 3])
-        value.append(np.einsum("fi,fi->f", one, other) / np.maximum(4 * area, 1e-300))
+        value.append(np.einsum("fi,fi->f", one, other) / np.maximum(4 * area, SLIVER * longest))
     num = len(vertices)
     entries = np.tile(np.concatenate(value), 2), (np.concatenate([*i, *j]), np.concatenate([*j, *i]))
     weight = sparse.coo_array(entries, (num, num)).tocsr()

@@ -120,16 +120,16 @@ def grown(
     A branch begins at the node whose ball is nearest to the limb's base, so a finger begins in the palm and not at the
     finger beside it. The way there must be inside: a hand at the hip does not begin in the body.
     """
-    limbs, chains = caps.limbs(least), []
+    limbs, x = caps.limbs(least), vertices
     radius = shape.approximate_clearance(vertices)[0]
     radius[leaves_of(edges)] = -np.inf
     for number, leaf in enumerate(choice.leaf):
         if leaf < 0:
             axis = caps.axis(shape, limbs, number)
-            first = _beginning(shape, vertices, radius, axis.places[-1])
+            first = beginning(shape, vertices, radius, axis.places[-1])
             places = np.concatenate([axis.places, vertices[[first]]])
-            chains.append(_Chain(np.empty(0, dtype=np.int64), first, places, axis.width))
-    return _replaced(vertices, edges, chains)
+            x, edges = relaid(x, edges, [], first, places, STEP * axis.width)
+    return x, edges
 
 
 def laid(
@@ -146,7 +146,7 @@ def laid(
     ``leaf`` is the leaf of each limb, or -1. The last stretch of its branch, `LAST` widths of the limb, is replaced,
     but no held node. A branch with two ends that has no other stretch is replaced as a whole.
     """
-    limbs, chains = caps.limbs(least), []
+    limbs, x = caps.limbs(least), vertices.copy()
     number_of = {node: number for number, node in enumerate(leaf) if node >= 0 and not is_held[node]}
     axis_of = {node: caps.axis(shape, limbs, number) for node, number in number_of.items()}
     for nodes in trace(len(vertices), edges):
@@ -157,25 +157,17 @@ def laid(
             if int(part[0]) in axis_of and len(part) > 1
         ]
         if len(sides) == 2 and sides[0][2] + sides[1][2] >= len(path):
-            places = np.concatenate([sides[0][1].places, sides[1][1].places[::-1]])
-            chains.append(_Chain(path[:-1], int(path[-1]), places, min(sides[0][1].width, sides[1][1].width)))
+            one, other = sides[0][1], sides[1][1]
+            places = np.concatenate([one.places, other.places[::-1]])
+            x[path[-1]] = places[-1]
+            x, edges = relaid(x, edges, nodes[:-1], nodes[-1], places, STEP * min(one.width, other.width))
             continue
         for part, axis, number in sides:
             stop = vertices[part[number]]
             near = max(1, int(np.linalg.norm(axis.places - stop, axis=1).argmin()))
             places = np.concatenate([axis.places[:near], stop[None]])
-            chains.append(_Chain(part[:number], int(part[number]), places, axis.width))
-    return _replaced(vertices, edges, chains)
-
-
-class _Chain(NamedTuple):
-    """The nodes ``old`` (k,), from a leaf on, and the node ``last`` after them, are to lie on the polyline ``places``,
-    with new nodes before the last one for a spacing of `STEP` ``width``."""
-
-    old: np.ndarray
-    last: int
-    places: np.ndarray
-    width: float
+            x, edges = relaid(x, edges, part[:number].tolist(), int(part[number]), places, STEP * axis.width)
+    return x, edges
 
 
 def _stretch(points: np.ndarray, is_held: np.ndarray, axis: Axis) -> int:
@@ -188,25 +180,24 @@ def _stretch(points: np.ndarray, is_held: np.ndarray, axis: Axis) -> int:
     return min(max(1, first), last, len(points) - 1)
 
 
-def _replaced(vertices: np.ndarray, edges: np.ndarray, chains: list[_Chain]) -> tuple[np.ndarray, np.ndarray]:
-    """The curve with its ``chains`` laid on their polylines: nodes, new ones last, and edges."""
-    x, added, joined, gone, count = vertices.copy(), [], [], set(), len(vertices)
-    for old, last, places, width in chains:
-        along = arc_length(places)
-        num = max(len(old), int(np.ceil(along[-1] / (STEP * width))), 1)
-        spread = at(places, along, np.linspace(0.0, along[-1], num + 1))
-        x[old], x[last] = spread[: len(old)], spread[-1]
-        new = np.arange(count, count + num - len(old))
-        gone |= {(int(min(old[-1], last)), int(max(old[-1], last)))} if len(old) and len(new) else set()
-        stops = np.concatenate([old[-1:], new, [last]])
-        joined += list(itertools.pairwise(stops.tolist())) if len(new) else []
-        added.append(spread[len(old) : -1])
-        count += len(new)
-    stays = [(min(edge), max(edge)) not in gone for edge in edges.tolist()]
-    return np.concatenate([x, *added]), np.concatenate([edges[stays], np.array(joined, dtype=np.int64).reshape(-1, 2)])
+def relaid(
+    x: np.ndarray, edges: np.ndarray, old: list[int], stop: int, places: np.ndarray, spacing: float
+) -> tuple[np.ndarray, np.ndarray]:
+    """The curve ``(x (N, 3), edges (E, 2))`` with an end laid on ``places`` (k, 3), from the end to the node ``stop``.
+
+    ``old`` are the nodes from a leaf to that one, without it; none for a new branch. Nodes ``spacing`` apart are added.
+    """
+    along = arc_length(places)
+    num = max(len(old), int(np.ceil(along[-1] / spacing)), 1)
+    places = at(places, along, np.linspace(0.0, along[-1], num + 1))[:-1]
+    chain = [*old[-1:], *range(len(x), len(x) + num - len(old)), stop]
+    is_left = (np.sort(edges, axis=1) != sorted(chain[:1] + [stop])).any(axis=1)
+    x = np.concatenate([x, places[len(old) :]])
+    x[old] = places[: len(old)]
+    return x, np.concatenate([edges[is_left], np.array(list(itertools.pairwise(chain)), dtype=np.int64)])
 
 
-def _beginning(shape: Enclosure, vertices: np.ndarray, radius: np.ndarray, place: np.ndarray) -> int:
+def beginning(shape: Enclosure, vertices: np.ndarray, radius: np.ndarray, place: np.ndarray) -> int:
     """The node of ``vertices`` (N, 3), with balls of ``radius`` (N,), at which a branch to ``place`` (3,) begins."""
     away = np.linalg.norm(vertices - place, axis=1)
     near = np.argsort(away - radius, kind="stable")[:TRIED]

@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from msf_jax.host.solid import sections
+from msf_jax.host.solid import openings, sections
 from msf_jax.host.solid.geometry import cross, unit
 from msf_jax.host.solid.solid import Solid
 
@@ -23,19 +23,22 @@ class Profiles(NamedTuple):
 
 def profiles_of(solid: Solid, nodes: np.ndarray, tangents: np.ndarray, radii: np.ndarray) -> Profiles:
     """The sections of ``solid`` through ``nodes`` (N, 3), normal to ``tangents`` (N, 3), with radii of about ``radii``
-    (N,)."""
-    num, points = len(nodes), solid.enter(nodes)
+    (N,).
+
+    A node at an opening, or so near an oblique or uneven one that the plane cuts its lid, has the section just inside
+    the rim, across the limb: of a tube that was cut off obliquely the tube's, and not the larger one of the rim.
+    """
+    num, points = len(nodes), openings.moved_inside(solid.enter(nodes), tangents, solid.openings)
     found = sections.corners(solid.shape, points, tangents, radii / solid.diagonal)
     unknown = np.full(num, np.nan)
     if not len(found.loop):
         return Profiles(unknown, unknown, unknown, unknown)
-    t = found.part[:, None]
-    place = (1 - t) * solid.shape.vertices[found.tail] + t * solid.shape.vertices[found.head] - points[found.loop]
+    place = found.places(solid.shape) - points[found.loop]
     first = np.flatnonzero(np.r_[True, found.loop[1:] != found.loop[:-1]])
     row = found.loop[first]
     onward = np.r_[place[1:], place[:1]]
     onward[np.r_[first[1:] - 1, len(place) - 1]] = place[first]
-    area = np.add.reduceat(np.einsum("ci,ci->c", cross(place, onward), tangents[found.loop]), first) / 2
+    area = sections.areas(solid.shape, found, tangents)[row]
     perimeter = np.add.reduceat(np.linalg.norm(onward - place, axis=1), first)
     across = unit(cross(tangents, np.eye(3)[np.abs(tangents).argmin(axis=1)]))
     beside = cross(tangents, across)

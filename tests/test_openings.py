@@ -1,0 +1,179 @@
+"""Openings: ends, lengths, areas and radii of tubes that were cut off, beside closed forms."""
+
+import numpy as np
+import pytest
+import trimesh
+
+import msf_jax
+from msf_jax.flow import assembly
+from msf_jax.host.mesh.checking import prepare
+from msf_jax.host.solid.openings import is_end
+from msf_jax.host.solid.solid import Solid
+from msf_jax.host.thin import ends, outlets
+
+AROUND = 48  # corners of a tube: its area is 0.3 % below a circle's, and its inner radius 0.2 %
+R = 1.5
+JAGGED = R * np.random.default_rng(5).uniform(-0.3, 0.3, AROUND)
+
+
+def tube(length, low=0.0, flat=1.0, rows=50):
+    """An open tube of radius R along z from ``low``, at each corner, to ``length``; ``flat`` times as wide as high."""
+    angle = 2 * np.pi * np.arange(AROUND) / AROUND
+    z = low + (length - low) * np.linspace(0, 1, rows + 1)[:, None] + np.zeros(AROUND)
+    vertices = np.stack([R * np.cos(angle) + 0 * z, R / flat * np.sin(angle) + 0 * z, z], axis=-1).reshape(-1, 3)
+    here = (AROUND * np.arange(rows)[:, None] + np.arange(AROUND)).ravel()
+    beside = (AROUND * np.arange(rows)[:, None] + (np.arange(AROUND) + 1) % AROUND).ravel()
+    faces = np.concatenate(
+        [np.stack([here, beside, beside + AROUND], axis=1), np.stack([here, beside + AROUND, here + AROUND], axis=1)]
+    )
+    return trimesh.Trimesh(vertices, faces, process=False)
+
+
+def with_outlet(radius, height, length=12.0):
+    """An open tube of radius R along z with an open outlet of ``radius`` along x that sticks out by ``height``."""
+    trunk = trimesh.creation.cylinder(R, length, sections=AROUND)
+    outlet = trimesh.creation.cylinder(radius, R + height, sections=AROUND)
+    outlet.apply_translation([0, 0, (R + height) / 2])
+    outlet.apply_transform(trimesh.transformations.rotation_matrix(np.pi / 2, [0, 1, 0]))
+    mesh = trimesh.boolean.union([trunk, outlet], engine="manifold").subdivide_to_size(0.5)
+    middle = mesh.triangles_center
+    is_lid = np.isclose(np.abs(middle[:, 2]), length / 2) | np.isclose(middle[:, 0], R + height)
+    return trimesh.Trimesh(mesh.vertices, mesh.faces[~is_lid])
+
+
+def length_of(skeleton):
+    return np.linalg.norm(np.diff(skeleton.vertices[skeleton.edges], axis=1), axis=2).sum()
+
+
+def at(skeleton, place, tolerance=1e-6):
+    """The node of the opening at ``place``."""
+    (node,) = [n for n in skeleton.openings if np.linalg.norm(skeleton.vertices[n] - place) < tolerance]
+    return node
+
+
+slope = R * np.cos(2 * np.pi * np.arange(AROUND) / AROUND)
+
+
+@pytest.mark.parametrize(
+    ("mesh", "length", "flat"),
+    [
+        (tube(15.0), 15.0, 1.0),
+        (tube(15.0, low=slope), 15.0, 1.0),  # cut off at 45 degrees
+        (tube(15.0, low=np.tan(np.radians(70)) * slope), 15.0, 1.0),
+        (tube(15.0, flat=3.0), 15.0, 3.0),
+        (tube(15.0, low=slope, flat=5.0), 15.0, 5.0),
+        (tube(15.0, low=JAGGED), 15.0, 1.0),
+        (tube(2.2, rows=12), 2.2, 1.0),  # shorter than wide: its curve would lie across
+    ],
+    ids=["round", "oblique45", "oblique70", "flattened3", "flattened5_oblique45", "jagged", "short"],
+)
+def test_a_tube_that_was_cut_off_is_whole_up_to_its_openings(mesh, length, flat):
+    skeleton = msf_jax.skeletonize(mesh, repair=True)
+    low = round(float(mesh.vertices[:AROUND, 2].mean()), 9)
+    degree = np.bincount(skeleton.edges.ravel())
+    assert len(skeleton.openings) == 2 and (degree == 1).sum() == 2 and (degree > 2).sum() == 0
+    # An uneven rim is seen along its area vector, which leans by a few degrees; a flat one has an exact middle.
+    nodes = [at(skeleton, [0, 0, low], 0.01 * R if low else 1e-6), at(skeleton, [0, 0, length])]
+    assert length_of(skeleton) == pytest.approx(length - low, rel=0.003)
+    rows = skeleton.table("nodes").iloc[nodes]
+    np.testing.assert_allclose(rows["area"], np.pi * R**2 / flat, rtol=0.01)
+    np.testing.assert_allclose(rows["radius"], R / flat, rtol=0.03)
+    np.testing.assert_allclose(rows["least_diameter"], 2 * R / flat, rtol=0.01)
+    np.testing.assert_allclose(rows["largest_diameter"], 2 * R, rtol=0.01)
+    everywhere = skeleton.table("nodes")
+    np.testing.assert_allclose(everywhere["area"], np.pi * R**2 / flat, rtol=0.02)
+    assert skeleton.radii.min() > 0.97 * R / flat
+    assert skeleton.table()["least_radius"].min() > 0.97 * R / flat
+
+
+@pytest.mark.parametrize(("radius", "height"), [(0.9, 1.8), (0.6, 0.1), (0.9, 0.1)])
+def test_a_short_outlet_ends_in_its_opening(radius, height):
+    """However short: without a limb on the surface, too, and though its radius is below half of the trunk's."""
+    skeleton = msf_jax.skeletonize(with_outlet(radius, height), repair=True)
+    nodes = [at(skeleton, place) for place in ([0, 0, -6], [0, 0, 6], [R + height, 0, 0])]
+    degree = np.bincount(skeleton.edges.ravel())
+    assert len(skeleton.openings) == 3 == (degree == 1).sum() and (degree > 2).sum() == 1
+    assert length_of(skeleton) == pytest.approx(12 + R + height, rel=0.03)
+    rows = skeleton.table("nodes").iloc[nodes]
+    np.testing.assert_allclose(rows["area"], np.pi * np.array([R, R, radius]) ** 2, rtol=0.01)
+    np.testing.assert_allclose(rows["radius"], [R, R, radius], rtol=0.03)
+    (branch,) = skeleton.table().query("is_tip and mean_radius < 1.2").to_dict("records")
+    assert branch["volume"] > np.pi * radius**2 * height  # its vertices are the branch's
+
+
+def test_holes_in_a_wall_are_no_openings():
+    mesh = tube(15.0)
+    for radius in (0.4, 1.0):
+        is_far = np.linalg.norm(mesh.triangles_center - [R, 0, 7.5], axis=1) > radius
+        skeleton = msf_jax.skeletonize(trimesh.Trimesh(mesh.vertices, mesh.faces[is_far]), repair=True)
+        assert len(skeleton.openings) == 2 == (np.bincount(skeleton.edges.ravel()) == 1).sum()
+
+
+@pytest.mark.parametrize(("angle", "expected"), [(52, False), (68, True)])
+def test_a_lid_that_goes_on_as_the_wall_does_is_a_hole(angle, expected):
+    """The rim of a cap of a ball is at this angle from the pole, and so are the lid and the walls there."""
+    ball = trimesh.creation.icosphere(4)
+    cap = np.flatnonzero(ball.triangles_center[:, 2] > np.cos(np.radians(angle)))
+    # Flat, as repair closes it.
+    vertices = np.array(ball.vertices)
+    inner = np.setdiff1d(ball.faces[cap], np.delete(ball.faces, cap, axis=0))
+    vertices[inner, 2] = np.cos(np.radians(angle))
+    (lid,) = Solid(vertices, ball.faces, cap).openings
+    assert is_end(Solid(vertices, ball.faces).shape, lid) == expected
+
+
+@pytest.mark.parametrize(("length", "expected"), [(3.0, True), (5.0, False)])
+def test_a_hole_in_a_ridge_beside_which_the_limb_goes_on_is_no_opening(length, expected):
+    """A wedge, whose ridge of 4 or more holes' lengths is no limb's end."""
+    low = np.array([[-0.3, 0, 0], [0.3, 0, 0], [0, 0, 3.0]])
+    wedge = trimesh.convex.convex_hull(np.concatenate([low, low + [0, length, 0]])).subdivide_to_size(0.12)
+    wedge.merge_vertices()
+    middle = wedge.triangles_center
+    hole = np.flatnonzero((middle[:, 2] > 2.7) & (np.abs(middle[:, 1] - length / 2) < 0.5))
+    (lid,) = Solid(wedge.vertices, wedge.faces, hole).openings
+    assert is_end(Solid(wedge.vertices, wedge.faces).shape, lid) == expected
+
+
+def test_teeth_of_a_rim_are_wall():
+    """All corners of a tooth are on the rim, but the caller's mesh has the tooth."""
+    whole = tube(15.0)
+    num = AROUND * 50
+    last = np.arange(num - AROUND, num)  # the first triangles of the last row: the others stand on its lower side
+    mesh = trimesh.Trimesh(whole.vertices, np.delete(whole.faces, last + num, axis=0), process=False)
+    checked = prepare(mesh, repair=True)
+    lids = assembly.lids_of_repair(checked)
+    assert len(checked.faces) - len(lids) == len(mesh.faces) and len(lids) == AROUND - 2 + 2 * AROUND - 2
+
+
+def test_a_point_in_front_of_an_uneven_lid_has_a_radius():
+    checked = prepare(tube(15.0, low=JAGGED), repair=True)
+    solid = Solid(checked.vertices, checked.faces, assembly.lids_of_repair(checked))
+    low = JAGGED.min()
+    points = np.array([[0, 0, low + 0.05], [0, 0, 0], [0, 0, 2 * low], [0, 2 * R, 5]])
+    radii = solid.radii(points)
+    np.testing.assert_allclose(radii[1], R, rtol=0.03)
+    assert radii[0] > 0.97 * R and (radii[2:] == 0).all()
+
+
+def test_a_pin_near_an_opening_stays():
+    checked = prepare(tube(15.0), repair=True)
+    solid, lids = Solid(checked.vertices, checked.faces), assembly.lids_of_repair(checked)
+    nodes = np.stack([np.full(12, 0.3), np.zeros(12), np.linspace(0.4, 14.6, 12)], axis=1)
+    edges = np.stack([np.arange(11), np.arange(1, 12)], axis=1)
+    is_held = np.arange(12) == 0
+    found = outlets.opened(solid, nodes, edges, is_held, lids)
+    np.testing.assert_array_equal(found.nodes[:11], nodes[:11])
+    np.testing.assert_allclose(found.nodes[found.ends], [[0, 0, 0], [0, 0, 15]], atol=1e-9)
+    assert set(found.ends) == {11, 12} and [0, 12] in np.sort(found.edges, axis=1).tolist()
+
+
+def test_triangles_of_a_lid_in_a_line_have_exit_times():
+    """Of a tetrahedron, an edge has a vertex in its middle on one side only, and a triangle without area between."""
+    vertices = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1], [0.5, 0, 0]])
+    faces = np.array([[0, 2, 1], [0, 1, 4], [0, 4, 3], [4, 1, 3], [0, 3, 2], [1, 2, 3]])
+    assert trimesh.Trimesh(vertices, faces, process=False).is_watertight
+    time = ends.exit_times(vertices, faces, np.array([1, 1, 1, 0, 1]))
+    plain = ends.exit_times(
+        vertices[:4], np.array([[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]]), np.array([1, 1, 1, 0])
+    )
+    np.testing.assert_allclose(time[:3], plain[:3], rtol=0.2)  # other triangles, so another discretisation
