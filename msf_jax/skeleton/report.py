@@ -5,11 +5,13 @@ from dataclasses import asdict, dataclass, field
 from typing import Any
 
 import numpy as np
+from scipy import spatial
 
 from msf_jax.host.curve import branch_paths, loops, pruning
-from msf_jax.host.solid import sections
+from msf_jax.host.solid import crossings, sections
 from msf_jax.host.solid.enclosure import Enclosure
 from msf_jax.host.solid.geometry import unit
+from msf_jax.host.solid.nesting import bodies, without_cavities
 from msf_jax.host.thin import one_branch
 from msf_jax.host.thin.caps import Caps
 
@@ -202,7 +204,9 @@ def assessed(
     found = sections.cut(shape, vertices[asked], normal, radius[asked], near[asked])
     wide = float(own[asked[found.radius > SHEET * radius[asked]]].sum() / max(own.sum(), 1e-300))
     slenderness = (
-        pruning.by_balls(vertices, radius) if is_tubular else one_branch.slenderness(Caps(shape), vertices, edges, STUB)
+        pruning.by_balls(vertices, radius)
+        if is_tubular
+        else one_branch.slenderness(Caps(without_cavities(shape)), vertices, edges, STUB)
     )
     slender = [branch.slenderness for branch in pruning.measure(vertices, edges, slenderness)]
     ending = sum(np.isfinite(slender))
@@ -210,4 +214,26 @@ def assessed(
     doubts = []
     if stubs >= MANY and stubs > MOST_STUBS * ending:
         doubts.append(f"{stubs} of {ending} limbs are hardly longer than wide: the surface may be rough")
-    return about | {"in_sheets": wide, "doubts": (*about["doubts"], *doubts)}
+    return about | {
+        "in_sheets": wide,
+        "doubts": (*about["doubts"], *doubts, *_overlaps(shape, vertices, edges, node_of_vertex)),
+    }
+
+
+def _overlaps(
+    shape: Enclosure, vertices: np.ndarray, edges: np.ndarray, node_of_vertex: np.ndarray | None
+) -> list[str]:
+    """The doubts about a surface whose solid it does not bound everywhere: parts of it are inside."""
+    node = spatial.KDTree(vertices).query(shape.vertices)[1] if node_of_vertex is None else node_of_vertex
+    length = np.linalg.norm(vertices[edges[:, 0]] - vertices[edges[:, 1]], axis=1)
+    doubts = []
+    if num := len(crossings.apart_pairs(shape, node, shape.clearance(vertices), edges, length)):
+        least = "at least " if shape.crossed.num > len(shape.crossed.pairs) or shape.crossed.is_cut else ""
+        doubts.append(
+            f"the surface crosses itself, in {least}{num} pair{'' if num == 1 else 's'} of triangles: radii count walls "
+            'inside the solid, and loops may be missing; repair="join" makes one solid'
+        )
+    if num := sum(body.is_within for body in bodies(shape)):
+        which = "a solid is inside another" if num == 1 else f"{num} solids are inside others"
+        doubts.append(f"{which} and wound outwards, too: it is taken as full; a cavity is wound inwards")
+    return doubts

@@ -19,6 +19,7 @@ from scipy.sparse import csgraph
 from msf_jax.host.curve import branches
 from msf_jax.host.curve.containment import is_inside
 from msf_jax.host.poles.roadmap import Roadmap
+from msf_jax.host.solid import nesting
 from msf_jax.host.solid.enclosure import Enclosure
 from msf_jax.host.solid.frame import RESOLUTION
 from msf_jax.host.solid.geometry import signed_volume
@@ -107,15 +108,15 @@ def _solids(
     """
     if not is_asked.any():
         return []
-    label = _parts(len(shape.vertices), shape.faces[:, :2], shape.faces[:, 1:])
-    used = np.unique(label[shape.faces[:, 0]])
-    if len(used) == 1:
+    parts = nesting.bodies(shape)
+    if len(parts) == 1:
         return [(shape, is_asked)]
     solids: list[Enclosure] = []
-    for number in used:
-        member = np.flatnonzero(label == number)
-        faces = shape.faces[label[shape.faces[:, 0]] == number]
-        solids.append(Enclosure(shape.vertices[member], np.searchsorted(member, faces)))
+    label = np.full(len(shape.vertices), -1)
+    for number, body in enumerate(parts):
+        label[body.vertices] = number
+        faces = np.searchsorted(body.vertices, shape.faces[body.faces])
+        solids.append(Enclosure(shape.vertices[body.vertices], faces))
     asked = np.flatnonzero(is_asked)
     count = np.zeros((len(asked), len(solids)))
     rows = np.flatnonzero(is_asked[part])
@@ -125,9 +126,8 @@ def _solids(
             is_in = solid.contains(x[rows])
             count[:, column] = np.bincount(row_of_part[part[rows]], weights=is_in, minlength=len(asked))
     else:
-        column = np.searchsorted(used, label)
-        is_used = np.isin(label, used) & is_asked[part[node_of_vertex]]
-        np.add.at(count, (row_of_part[part[node_of_vertex[is_used]]], column[is_used]), 1)
+        is_used = (label >= 0) & is_asked[part[node_of_vertex]]
+        np.add.at(count, (row_of_part[part[node_of_vertex[is_used]]], label[is_used]), 1)
     size = np.array([abs(signed_volume(solid.vertices, solid.faces)) for solid in solids])
     order = np.argsort(size, kind="stable")
     owner = order[count[:, order].argmax(axis=1)]

@@ -1,8 +1,11 @@
 """A solid in the caller's units, and the radius of the largest ball inside it around a point."""
 
+from functools import cached_property
+
 import numpy as np
 
 from msf_jax.host.solid.enclosure import Enclosure
+from msf_jax.host.solid.nesting import without_cavities
 
 ON_LID = 1e-9  # diagonals from a lid within which a point is on it and counts as inside
 
@@ -30,6 +33,11 @@ class Solid:
         if len(self.lids):  # the wall has no vertices that only lids use
             used, corners = np.unique(np.delete(faces, self.lids, axis=0), return_inverse=True)
             self._wall = Enclosure(self.shape.vertices[used], corners.reshape(-1, 3))
+
+    @cached_property
+    def outside(self) -> Enclosure:
+        """The surface without that of cavities: it has the limbs."""
+        return without_cavities(self.shape)
 
     def enter(self, points: np.ndarray) -> np.ndarray:
         """``points`` (P, 3) in units of the diagonal, around the centre."""
