@@ -23,6 +23,7 @@ STUB = 1.5  # slenderness below which a limb is a stub, hardly longer than wide
 MANY = 25  # stubs: more than fingers and toes
 MOST_STUBS = 1 / 3  # share of all limbs
 WORTH_SAYING = 1 / 3  # share of the curve's length: the report mentions sheets above it
+MOSTLY = 1 / 2  # the same share, above which most of the curve could as well be elsewhere, and the report doubts it
 SENTENCES = ("doubts", "repairs", "notes")  # attributes of a `Report` that are tuples of sentences
 
 
@@ -137,7 +138,7 @@ class Report:
             f"{self.fixed} of {self.live} meso-skeleton vertices fixed, {self.solve_steps} CG steps"
             + (f", {self.coarsened} vertices coarsened away before" if self.coarsened else ""),
         ]
-        if (self.in_sheets or 0.0) > WORTH_SAYING:
+        if MOSTLY >= (self.in_sheets or 0.0) > WORTH_SAYING:
             lines.append(f"{self.in_sheets:.0%} of the curve's length is in sheets, where its path is arbitrary")
         if self.pruned or self.grown:
             lines.append(f"branches: {self.pruned} pruned as no limbs, {self.grown} grown where the flow had lost them")
@@ -201,8 +202,13 @@ def assessed(
     own[np.bincount(edges.ravel(), minlength=len(vertices)) != 2] = 0.0
     asked = np.flatnonzero(own * radius > 0)
     normal = unit(branch_paths.chords(vertices, paths, radius) @ vertices)[asked] if paths else vertices[asked]
-    found = sections.cut(shape, vertices[asked], normal, radius[asked], near[asked])
-    wide = float(own[asked[found.radius > SHEET * radius[asked]]].sum() / max(own.sum(), 1e-300))
+    places = vertices[asked], normal
+    corners = sections.corners(shape, *places, radius[asked], near[asked])
+    found = sections.measured(shape, *places, corners)
+    # Next to the inner wall of a section, a void is beside the curve, and the section is a wall around it.
+    is_wide = (found.radius > SHEET * radius[asked]) | ~found.is_found
+    known = own[asked] * corners.is_closed
+    wide = float(known[is_wide].sum() / max(known.sum(), 1e-300))
     slenderness = (
         pruning.by_balls(vertices, radius)
         if is_tubular
@@ -214,24 +220,24 @@ def assessed(
     doubts = []
     if stubs >= MANY and stubs > MOST_STUBS * ending:
         doubts.append(f"{stubs} of {ending} limbs are hardly longer than wide: the surface may be rough")
-    return about | {
-        "in_sheets": wide,
-        "doubts": (*about["doubts"], *doubts, *_overlaps(shape, vertices, edges, node_of_vertex)),
-    }
+    if wide > MOSTLY:
+        doubts.append(f"{wide:.0%} of the curve's length is in sheets, where its path is arbitrary")
+    doubts += _overlaps(shape, vertices, edges, node_of_vertex)
+    return about | {"in_sheets": wide, "doubts": (*about["doubts"], *doubts)}
 
 
 def _overlaps(
     shape: Enclosure, vertices: np.ndarray, edges: np.ndarray, node_of_vertex: np.ndarray | None
 ) -> list[str]:
     """The doubts about a surface whose solid it does not bound everywhere: parts of it are inside."""
-    node = spatial.KDTree(vertices).query(shape.vertices)[1] if node_of_vertex is None else node_of_vertex
+    node = np.asarray(spatial.KDTree(vertices).query(shape.vertices)[1]) if node_of_vertex is None else node_of_vertex
     length = np.linalg.norm(vertices[edges[:, 0]] - vertices[edges[:, 1]], axis=1)
     doubts = []
     if num := len(crossings.apart_pairs(shape, node, shape.clearance(vertices), edges, length)):
         least = "at least " if shape.crossed.num > len(shape.crossed.pairs) or shape.crossed.is_cut else ""
         doubts.append(
-            f"the surface crosses itself, in {least}{num} pair{'' if num == 1 else 's'} of triangles: radii count walls "
-            'inside the solid, and loops may be missing; repair="join" makes one solid'
+            f"the surface crosses itself, in {least}{num} pair{'' if num == 1 else 's'} of triangles: radii count "
+            'walls inside the solid, and loops may be missing; repair="join" makes one solid'
         )
     if num := sum(body.is_within for body in bodies(shape)):
         which = "a solid is inside another" if num == 1 else f"{num} solids are inside others"

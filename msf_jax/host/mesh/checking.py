@@ -215,17 +215,15 @@ def _checked(vertices: np.ndarray, faces: np.ndarray, is_joined: bool = True) ->
     nesting = nested([Enclosure(part.vertices, part.faces) for part, _ in parts], volume)
     is_cavity = nesting.is_cavity
     is_flipped = (volume < 0) != is_cavity
-    for number in np.flatnonzero(is_flipped):
+    for number in np.flatnonzero(is_flipped).tolist():
         faces[faces_of[number]] = faces[faces_of[number]][:, ::-1]
-        if is_joined:
-            repairs.append(f"flipped {names[number]}, which was inside out")
-    repairs += [
-        f"{names[number]} is a cavity in another component: it has no curve of its own"
-        for number in np.flatnonzero(is_cavity)
-    ]
-    if is_flipped.any() and not is_joined:
-        of = "part that was" if is_flipped.sum() == 1 else "parts that were"
-        repairs.append(f"flipped {is_flipped.sum()} {of} inside out")
+    if is_joined:
+        repairs += [f"flipped {names[k]}, which was inside out" for k in np.flatnonzero(is_flipped).tolist()]
+        hollow = "is a cavity in another component: it has no curve of its own"
+        repairs += [f"{names[k]} {hollow}" for k in np.flatnonzero(is_cavity).tolist()]
+    elif is_flipped.any():
+        flipped = "part that was" if is_flipped.sum() == 1 else "parts that were"
+        repairs.append(f"flipped {is_flipped.sum()} {flipped} inside out")
     components, linings = [], []
     for number in np.flatnonzero(~is_cavity).tolist():
         within = np.flatnonzero(is_cavity & (nesting.owner == number)).tolist()

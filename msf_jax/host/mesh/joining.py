@@ -144,7 +144,7 @@ def joined(parts: Sequence[Mesh], reach: float) -> Joined:
 
 
 def _identities(given: list[np.ndarray], simple: list[Untangled]) -> tuple[np.ndarray, np.ndarray]:
-    """The vertex of the ``given`` parts for each of the ``simple`` ones, counted through all, or -1, and the reverse."""
+    """The vertex of the ``given`` parts for each of the ``simple`` ones, through all, or -1; and the reverse."""
     origin, image, first, last = [], [], 0, 0
     for before, after in zip(given, simple, strict=True):
         if after.num:

@@ -136,9 +136,9 @@ def apart_pairs(
         return pairs
     near = np.zeros(len(shape.vertices), dtype=bool)
     near[shape.faces[pairs]] = True
-    for _ in range(RINGS // 2 + 1):  # a way from one face to the other is near one of them
-        rows = np.flatnonzero(near[shape.faces].any(axis=1))
-        near[shape.faces[rows]] = True
+    for _ in range(RINGS // 2):  # a way from one face to the other is near one of them
+        near[shape.faces[near[shape.faces].any(axis=1)]] = True
+    rows = np.flatnonzero(near[shape.faces].any(axis=1))
     number = np.full(len(shape.faces), -1)
     number[rows] = np.arange(len(rows))
     one, other = number[pairs].T
