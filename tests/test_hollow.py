@@ -8,7 +8,7 @@ from conftest import torus
 import msf_jax
 from msf_jax import Config, ConfigError, metrics
 from msf_jax.host.mesh import checking
-from msf_jax.host.solid import crossings, nesting
+from msf_jax.host.solid import crossings, solid
 from msf_jax.host.solid.enclosure import Enclosure
 from msf_jax.skeleton.report import assessed
 
@@ -130,7 +130,7 @@ def test_cavities_are_known_by_nesting_and_winding():
         volumes = [np.linalg.det(part.vertices[part.faces]).sum() for part in found.components]
         assert min(volumes) > 0 and len(found.components) == len(mesh.split()) - 1
         assert len(found.linings[0]) == 162 and found.components[0].cavities is not None
-        bodies = nesting.bodies(Enclosure(found.vertices, found.faces))
+        bodies = solid.bodies(Enclosure(found.vertices, found.faces))
         assert len(bodies[0].vertices) == 324 and not any(body.is_within for body in bodies)
 
 

@@ -11,7 +11,7 @@ from msf_jax.host.curve import branch_paths, loops, pruning
 from msf_jax.host.solid import crossings, sections
 from msf_jax.host.solid.enclosure import Enclosure
 from msf_jax.host.solid.geometry import unit
-from msf_jax.host.solid.nesting import bodies, without_cavities
+from msf_jax.host.solid.solid import bodies, without_cavities
 from msf_jax.host.thin import one_branch
 from msf_jax.host.thin.caps import Caps
 

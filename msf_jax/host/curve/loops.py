@@ -19,11 +19,11 @@ from scipy.sparse import csgraph
 from msf_jax.host.curve import branches
 from msf_jax.host.curve.containment import is_inside
 from msf_jax.host.poles.roadmap import Roadmap
-from msf_jax.host.solid import nesting
 from msf_jax.host.solid.enclosure import Enclosure
 from msf_jax.host.solid.frame import RESOLUTION
 from msf_jax.host.solid.geometry import signed_volume
 from msf_jax.host.solid.handles import along_forest, shortest_forest
+from msf_jax.host.solid.solid import bodies
 
 PRIME = 2**31 - 1  # modulus of linear algebra: a rank is too small only if it divides a minor, which is unlikely
 FACTORS = (2, 3)  # moduli with a smaller rank if loops go around handles several times
@@ -108,7 +108,7 @@ def _solids(
     """
     if not is_asked.any():
         return []
-    parts = nesting.bodies(shape)
+    parts = bodies(shape)
     if len(parts) == 1:
         return [(shape, is_asked)]
     solids: list[Enclosure] = []

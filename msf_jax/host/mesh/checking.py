@@ -19,7 +19,7 @@ from msf_jax.host.mesh.reading import OR_REPAIR, count, read
 from msf_jax.host.mesh.repair import FEWEST_TO_JOIN, FEWEST_VERTICES, FLATTEST, Repair, as_repair, repaired, with_volume
 from msf_jax.host.solid.enclosure import Enclosure
 from msf_jax.host.solid.geometry import signed_volume
-from msf_jax.host.solid.nesting import nested
+from msf_jax.host.solid.solid import nested
 
 
 @dataclass(frozen=True)
