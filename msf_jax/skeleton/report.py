@@ -38,8 +38,8 @@ class Report:
         cycles: independent cycles of the curve; should equal ``genus``.
         loops: handles of the solid that these cycles go around, from linking numbers with loops of its surface; should
             equal ``genus`` and ``cycles``. None for a curve without its mesh.
-        in_sheets: fraction of the curve's length in limbs some four times as wide as thick or more, where the curve's
-            path is arbitrary; None if not known.
+        in_sheets: fraction of the curve's length in limbs some four times as wide as thick or more, or in the wall
+            around a void, where the curve's path is arbitrary; None if not known. Over half is a doubt.
         cut: cycles that `Skeleton.to_tree` cut.
         inside: fraction of the curve's length that is inside the mesh.
         converged: whether the flow converged.
@@ -55,8 +55,8 @@ class Report:
         volume: fraction of the coarsened surface's volume that is left, the largest over components.
         unsolved: iterations in which a linear solve ran out of steps before it reached its tolerance.
         solve_steps: CG steps of all solves.
-        doubts: reasons not to trust the curve, a sentence each: for example a loop that goes around no handle, or limbs
-            that are roughness of the surface.
+        doubts: reasons not to trust the curve, a sentence each: for example a loop that goes around no handle, or
+            a surface that crosses itself.
         repairs: changes of the input mesh, a sentence each.
         notes: other unusual events, a sentence each: repeated steps, a checkpoint that was not written.
         figures: `metrics.evaluate` of the finished curve, with ``Config(evaluate=True)``.
