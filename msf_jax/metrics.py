@@ -66,7 +66,7 @@ def evaluate(mesh: Any, skeleton: Any, truth: Any = None) -> dict[str, float]:
     vertices, edges = _curve_of(skeleton)
     figures = {
         "mesh_components": len(checked.components),
-        "genus": sum(component.genus for component in checked.components),
+        "genus": checked.genus,
     }
     figures |= figures_of(solid.shape, solid.enter(vertices), edges)
     if truth is not None:

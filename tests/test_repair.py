@@ -9,7 +9,7 @@ from conftest import blob, torus
 
 import msf_jax
 from msf_jax import Config, ConfigError, MeshError, Repair
-from msf_jax.host.mesh import checking, internal_walls, rim_extrusion
+from msf_jax.host.mesh import checking, rim_extrusion, sheets
 from tests.benchmarks import faults
 
 BALL = trimesh.creation.icosphere(3)
@@ -179,10 +179,10 @@ def test_walls_that_a_hole_leads_to_stay():
     """What is seen from outside is no internal wall: a cell with a hole in its own outer face is open."""
     vertices, faces = faults.welded(faults.joined(faults.box(), faults.box((1, 0, 0))))
     faces = faces[np.sort(np.unique(np.sort(faces, axis=1), axis=0, return_index=True)[1])]
-    hidden = internal_walls.is_wall(vertices, faces)
+    hidden = sheets.is_wall(vertices, faces)
     assert (vertices[faces[hidden]][:, :, 0] == 0.5).all() and hidden.any()
     is_far = (vertices[faces][:, :, 0] == 1.5).all(axis=1)
-    assert not internal_walls.is_wall(vertices, faces[np.arange(len(faces)) != np.flatnonzero(is_far)[0]]).any()
+    assert not sheets.is_wall(vertices, faces[np.arange(len(faces)) != np.flatnonzero(is_far)[0]]).any()
 
 
 def test_ribs_and_a_flange_go_and_the_solid_stays():

@@ -29,7 +29,7 @@ def comb(teeth: int, length: float) -> tuple[np.ndarray, np.ndarray]:
 @pytest.mark.parametrize(("teeth", "is_doubted"), [(22, False), (24, True)])
 def test_many_limbs_that_are_hardly_longer_than_wide_are_in_doubt(teeth, is_doubted):
     """Side branches in a block: none of them is a limb of it."""
-    doubts = assessed(box(2.0, 1.0, 1.0), *comb(teeth, 0.3))["doubts"]
+    doubts = tuple(each for each in assessed(box(2.0, 1.0, 1.0), *comb(teeth, 0.3))["doubts"] if "limbs" in each)
     expected = (f"{teeth + 2} of {teeth + 2} limbs are hardly longer than wide: the surface may be rough",)
     assert doubts == (expected if is_doubted else ())
 
@@ -48,7 +48,7 @@ def test_a_report_says_what_it_weighs():
     skeleton = msf_jax.skeletonize(trimesh.creation.capsule(height=3.0, radius=0.4, count=[12, 12]))
     report = skeleton.report
     assert report.is_sound and report.in_sheets == 0.0 and report.doubts == ()
-    assert "52% of the curve's length is in sheets" in str(replace(report, in_sheets=0.52))
+    assert "42% of the curve's length is in sheets" in str(replace(report, in_sheets=0.42))
     assert "sheets" not in str(report)
     doubted = replace(report, doubts=("the surface may be rough",))
     assert not doubted.is_sound and "in doubt: the surface may be rough" in str(doubted)

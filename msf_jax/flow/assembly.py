@@ -60,8 +60,8 @@ def assemble(
         config=config,
         meso_skeleton=_meso_skeleton(states),
         is_fixed=np.concatenate([state.meso.is_fixed for state in states]),
-        poles=_by_vertex([state.frame.leave(state.poles) for state in states], states, checked),
-        has_pole=_by_vertex([state.has_pole for state in states], states, checked),
+        poles=_by_vertex([state.frame.leave(state.poles) for state in states], states, checked, checked.vertices),
+        has_pole=_by_vertex([state.has_pole for state in states], states, checked, checked.is_made & False),
         history=history,
         curve=curve,
         skeleton=skeleton,
@@ -203,12 +203,11 @@ def _stages(states: list[State]) -> tuple[Stage, ...]:
     return tuple(stages)
 
 
-def _by_vertex(parts: list[np.ndarray], states: list[State], checked: Surface) -> np.ndarray:
-    """One array for the whole surface from one for each component."""
-    joined = np.concatenate(parts)
-    whole = np.empty_like(joined)
-    orders = [member[state.order] for member, state in zip(checked.members, states, strict=True)]
-    whole[np.concatenate(orders)] = joined
+def _by_vertex(parts: list[np.ndarray], states: list[State], checked: Surface, others: np.ndarray) -> np.ndarray:
+    """One array for the whole surface from one for each component; vertices of cavities have those of ``others``."""
+    whole = others.copy()
+    for part, member, state in zip(parts, checked.members, states, strict=True):
+        whole[member[state.order]] = part
     return whole
 
 
@@ -245,7 +244,7 @@ def report_of(
     return Report(
         components=0,
         mesh_components=len(reasons),  # including those that an interrupted run did not begin
-        genus=sum(component.genus for component in checked.components),
+        genus=checked.genus,
         cycles=0,
         inside=np.nan,
         converged=all(is_converged for is_converged, _ in reasons),

@@ -4,6 +4,7 @@ from functools import partial
 from typing import NamedTuple
 
 import numpy as np
+from scipy import spatial
 
 from msf_jax.base.options import Config
 from msf_jax.flow.state import State, Stopwatch
@@ -51,7 +52,7 @@ def curve_of(state: State, meso: Meso, config: Config, watch: Stopwatch) -> Part
         nodes[is_held] = means(state.shape.vertices[state.pins], node_of_pin, len(nodes))[is_held]
     with watch.stage("finishing"):
         done = finishing.finish(
-            state.shape,
+            state.solid,
             nodes,
             found.edges,
             is_held,
@@ -60,7 +61,8 @@ def curve_of(state: State, meso: Meso, config: Config, watch: Stopwatch) -> Part
             extend=config.extend_tips,
             is_thin=meso.scale is not None,
             is_tangle=is_tangle(state),
-            coarse=state.coarse,
+            coarse=state.coarse if state.solid is state.shape else state.solid,  # with the cavities
+            outside=state.shape,
             caps=None if state.caps is None else state.caps.result,
             first=partial(_recentred, meso, found) if config.surgery else None,
         )
@@ -119,10 +121,11 @@ def as_left(checked: Surface, states: list[State], parts: list[Part]) -> Stitche
     """The flow's curves, component by component."""
     nodes, edges, num = [], [], 0
     node_of_vertex = np.empty(len(checked.vertices), dtype=np.int64)
-    for state, part, member in zip(states, parts, checked.members, strict=True):
+    for state, part, member, lining in zip(states, parts, checked.members, checked.linings, strict=True):
         nodes.append(_placed(checked, state, part, member, part.curve.nodes))
         edges.append(part.curve.edges + num)
         node_of_vertex[member[state.order]] = node_of_input(part) + num
+        node_of_vertex[lining] = _nearest(part.curve.nodes, state, checked.vertices[lining]) + num
         num += len(part.curve.nodes)
     return Stitched(np.concatenate(nodes), np.concatenate(edges), node_of_vertex)
 
@@ -133,7 +136,7 @@ def finished(checked: Surface, states: list[State], parts: list[Part]) -> Stitch
     num_flow = sum(len(part.curve.nodes) for part in parts)
     num_old = num_new = 0
     node_of_vertex = np.empty(len(checked.vertices), dtype=np.int64)
-    for state, part, member in zip(states, parts, checked.members, strict=True):
+    for state, part, member, lining in zip(states, parts, checked.members, checked.linings, strict=True):
         done, count = part.finished, len(part.curve.nodes)
         old.append(_placed(checked, state, part, member, done.vertices[:count]))
         new.append(state.frame.leave(done.vertices[count:]))
@@ -144,9 +147,15 @@ def finished(checked: Surface, states: list[State], parts: list[Part]) -> Stitch
         if not is_left(state, part):
             node = branches.nearest_on_branch(done.vertices, done.edges, state.shape.vertices, node)
         node_of_vertex[member[state.order]] = number[node]
+        node_of_vertex[lining] = number[_nearest(done.vertices, state, checked.vertices[lining])]
         num_old += count
         num_new += len(done.vertices) - count
     return Stitched(np.concatenate([*old, *new]), finishing.in_order(np.concatenate(edges)), node_of_vertex)
+
+
+def _nearest(nodes: np.ndarray, state: State, points: np.ndarray) -> np.ndarray:
+    """(P,) the node of a component's curve that is nearest to each of ``points`` (P, 3) of its cavities."""
+    return np.asarray(spatial.KDTree(nodes).query(state.frame.enter(points))[1], dtype=np.int64)
 
 
 def node_of_input(part: Part) -> np.ndarray:

@@ -54,4 +54,7 @@ def checked_pins(pins: Any, checked: Surface) -> tuple[np.ndarray, np.ndarray]:
     rows = checked.vertex_of_input[given]
     if (rows < 0).any():
         raise ConfigError(f"pins has vertex {given[rows < 0][0]}, which no face uses: expected vertices of the surface")
+    is_lining = np.isin(rows, np.concatenate(checked.linings))
+    if is_lining.any():
+        raise ConfigError(f"pins has vertex {given[is_lining][0]} of a cavity: expected vertices of the outer surface")
     return np.unique(given).astype(np.int64), np.unique(rows)

@@ -54,6 +54,12 @@ def init(
     entered = frame.enter(component.vertices)
     order, faces = sort_mesh(entered, component.faces)
     shape = Enclosure(entered[order], faces)
+    solid = shape
+    if component.cavities is not None:
+        lining, hollow = component.cavities
+        solid = Enclosure(
+            np.concatenate([shape.vertices, frame.enter(lining)]), np.concatenate([faces, hollow + len(order)])
+        )
     pins = np.flatnonzero(np.isin(order, [] if pins is None else pins))
     meso, mesh_filter = _surface(shape, pins, config, watch)
     meso.weights = None if weights is None else weights[order]
@@ -100,6 +106,7 @@ def init(
         frame=frame,
         order=order,
         shape=shape,
+        solid=solid,
         coarse=coarse,
         pins=pins,
         first_volume=meso.volume(),

@@ -67,6 +67,7 @@ class State:
     frame: Frame
     order: np.ndarray  # (V,) the component's vertex for each sorted vertex
     shape: Enclosure  # the input's surface, in the frame
+    solid: Enclosure  # the same with the solid's cavities, if it has any
     coarse: Enclosure  # the coarsened surface, if coarsening removed most vertices; else ``shape``
     pins: np.ndarray  # ids of sorted vertices that are held in place
     first_volume: float

@@ -1,4 +1,4 @@
-; cc0038b83f9d14fa80959a8b3ce98a2bb333a3c1dc446a1ae8ecb1ac4574065d
+; 1bd0252a3b3bbc328e33665fa03f83b5118dcf46439ac40a2b1fd21ed756bfc3
 ; Made of the kernels by `python -m tests.translate`: edit those.
 
 define internal fastcc void @_ZN7msf_jax4host5solid7kernels18triangle_distance2B2v2B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAEddd5ArrayIdLi3E1C7mutable7alignedEx(ptr noalias nonnull writeonly %retptr, double %arg.x, double %arg.y, double %arg.z, ptr readonly %arg.triangles.4, i64 %arg.triangles.5.0, i64 %arg.triangles.5.1, i64 %arg.triangles.5.2, i64 %arg.row) unnamed_addr {
@@ -1281,9 +1281,755 @@ _ZN7msf_jax4host5solid7kernels4hitsB3v14B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ
   ret i64 %count.4.0.lcssa.i
 }
 
-declare { i64, i1 } @llvm.usub.with.overflow.i64(i64, i64)
+define internal fastcc void @_ZN7msf_jax4host5solid7kernels9straddlesB3v19B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi3E1C7mutable7alignedExxd(ptr noalias nonnull writeonly %retptr, ptr readonly %arg.triangles.4, i64 %arg.triangles.5.0, i64 %arg.triangles.5.1, i64 %arg.triangles.5.2, i64 %arg.row, i64 %arg.other, double %arg.least) unnamed_addr {
+B0:
+  %.58.i = icmp slt i64 %arg.row, 0
+  %.59.i = select i1 %.58.i, i64 %arg.triangles.5.0, i64 0
+  %.60.i = add i64 %.59.i, %arg.row
+  %.88.i = mul i64 %arg.triangles.5.2, %arg.triangles.5.1
+  %.90.i = mul i64 %.60.i, %.88.i
+  %.96.i = getelementptr double, ptr %arg.triangles.4, i64 %.90.i
+  %.97.i = load double, ptr %.96.i, align 8
+  %.170.i = getelementptr i8, ptr %.96.i, i64 8
+  %.171.i = load double, ptr %.170.i, align 8
+  %.244.i = getelementptr i8, ptr %.96.i, i64 16
+  %.245.i = load double, ptr %.244.i, align 8
+  %.318.i = getelementptr double, ptr %.96.i, i64 %arg.triangles.5.2
+  %.319.i = load double, ptr %.318.i, align 8
+  %.320.i = fsub double %.319.i, %.97.i
+  %.393.i = getelementptr i8, ptr %.318.i, i64 8
+  %.394.i = load double, ptr %.393.i, align 8
+  %.395.i = fsub double %.394.i, %.171.i
+  %.468.i = getelementptr i8, ptr %.318.i, i64 16
+  %.469.i = load double, ptr %.468.i, align 8
+  %.470.i = fsub double %.469.i, %.245.i
+  %.543.idx.i = shl i64 %arg.triangles.5.2, 4
+  %.543.i = getelementptr i8, ptr %.96.i, i64 %.543.idx.i
+  %.544.i = load double, ptr %.543.i, align 8
+  %.545.i = fsub double %.544.i, %.97.i
+  %.618.i = getelementptr i8, ptr %.543.i, i64 8
+  %.619.i = load double, ptr %.618.i, align 8
+  %.620.i = fsub double %.619.i, %.171.i
+  %.693.i = getelementptr i8, ptr %.543.i, i64 16
+  %.694.i = load double, ptr %.693.i, align 8
+  %.695.i = fsub double %.694.i, %.245.i
+  %.696.i = fmul double %.395.i, %.695.i
+  %.697.i = fmul double %.470.i, %.620.i
+  %.698.i = fsub double %.696.i, %.697.i
+  %.699.i = fmul double %.470.i, %.545.i
+  %.700.i = fmul double %.320.i, %.695.i
+  %.701.i = fsub double %.699.i, %.700.i
+  %.702.i = fmul double %.320.i, %.620.i
+  %.703.i = fmul double %.395.i, %.545.i
+  %.704.i = fsub double %.702.i, %.703.i
+  %.7.i.i = fmul double %.698.i, %.698.i
+  %.8.i.i = fmul double %.701.i, %.701.i
+  %.9.i.i = fadd double %.7.i.i, %.8.i.i
+  %.10.i.i = fmul double %.704.i, %.704.i
+  %.11.i.i = fadd double %.10.i.i, %.9.i.i
+  %.983.i = fcmp ogt double %.11.i.i, 0.000000e+00
+  br i1 %.983.i, label %B434.endif.endif.i47, label %B0.endif.endif
+
+common.ret:                                       ; preds = %B156.endif, %B0.endif.endif.endif.endif
+  %"$phi196.0.2.0" = phi i8 [ %4, %B156.endif ], [ 0, %B0.endif.endif.endif.endif ]
+  store i8 %"$phi196.0.2.0", ptr %retptr, align 1
+  ret void
+
+B434.endif.endif.i47:                             ; preds = %B0
+  %sqrt.i.i = tail call double @llvm.sqrt.f64(double %.11.i.i)
+  %.781.i = icmp slt i64 %arg.other, 0
+  %.782.i = select i1 %.781.i, i64 %arg.triangles.5.0, i64 0
+  %.783.i = add i64 %.782.i, %arg.other
+  %.813.i = mul i64 %.783.i, %.88.i
+  %0 = getelementptr double, ptr %arg.triangles.4, i64 %.813.i
+  %.969.i = getelementptr i8, ptr %0, i64 16
+  %.970.i = load double, ptr %.969.i, align 8
+  %.971.i = fsub double %.970.i, %.245.i
+  %.894.i = getelementptr i8, ptr %0, i64 8
+  %.895.i = load double, ptr %.894.i, align 8
+  %.896.i = fsub double %.895.i, %.171.i
+  %.820.i = load double, ptr %0, align 8
+  %.821.i = fsub double %.820.i, %.97.i
+  %.10.i1.i = fmul double %.698.i, %.821.i
+  %.11.i2.i = fmul double %.704.i, %.971.i
+  %.12.i.i = fadd double %.11.i2.i, %.10.i1.i
+  %.13.i.i = fmul double %.701.i, %.896.i
+  %.14.i.i = fadd double %.13.i.i, %.12.i.i
+  %.1032.i = fdiv double %.14.i.i, %sqrt.i.i
+  %1 = getelementptr double, ptr %0, i64 %arg.triangles.5.2
+  %.969.i53 = getelementptr i8, ptr %1, i64 16
+  %.970.i54 = load double, ptr %.969.i53, align 8
+  %.971.i55 = fsub double %.970.i54, %.245.i
+  %.894.i56 = getelementptr i8, ptr %1, i64 8
+  %.895.i57 = load double, ptr %.894.i56, align 8
+  %.896.i58 = fsub double %.895.i57, %.171.i
+  %.820.i59 = load double, ptr %1, align 8
+  %.821.i60 = fsub double %.820.i59, %.97.i
+  %.10.i1.i61 = fmul double %.698.i, %.821.i60
+  %.11.i2.i62 = fmul double %.704.i, %.971.i55
+  %.12.i.i63 = fadd double %.11.i2.i62, %.10.i1.i61
+  %.13.i.i64 = fmul double %.701.i, %.896.i58
+  %.14.i.i65 = fadd double %.13.i.i64, %.12.i.i63
+  %.1032.i66 = fdiv double %.14.i.i65, %sqrt.i.i
+  br label %B0.endif.endif
+
+B0.endif.endif:                                   ; preds = %B434.endif.endif.i47, %B0
+  %"$phi482.0.2.0.i137" = phi double [ %.1032.i, %B434.endif.endif.i47 ], [ 0.000000e+00, %B0 ]
+  %"$phi482.0.2.0.i46" = phi double [ %.1032.i66, %B434.endif.endif.i47 ], [ 0.000000e+00, %B0 ]
+  %.539.i = shl i64 %arg.triangles.5.2, 1
+  %.543.i87 = getelementptr double, ptr %.96.i, i64 %.539.i
+  %.544.i88 = load double, ptr %.543.i87, align 8
+  %.545.i89 = fsub double %.544.i88, %.97.i
+  %.618.i90 = getelementptr i8, ptr %.543.i87, i64 8
+  %.619.i91 = load double, ptr %.618.i90, align 8
+  %.620.i92 = fsub double %.619.i91, %.171.i
+  %.693.i93 = getelementptr i8, ptr %.543.i87, i64 16
+  %.694.i94 = load double, ptr %.693.i93, align 8
+  %.695.i95 = fsub double %.694.i94, %.245.i
+  %.696.i96 = fmul double %.395.i, %.695.i95
+  %.697.i97 = fmul double %.470.i, %.620.i92
+  %.698.i98 = fsub double %.696.i96, %.697.i97
+  %.699.i99 = fmul double %.470.i, %.545.i89
+  %.700.i100 = fmul double %.320.i, %.695.i95
+  %.701.i101 = fsub double %.699.i99, %.700.i100
+  %.702.i102 = fmul double %.320.i, %.620.i92
+  %.703.i103 = fmul double %.395.i, %.545.i89
+  %.704.i104 = fsub double %.702.i102, %.703.i103
+  %.7.i.i105 = fmul double %.698.i98, %.698.i98
+  %.8.i.i106 = fmul double %.701.i101, %.701.i101
+  %.9.i.i107 = fadd double %.7.i.i105, %.8.i.i106
+  %.10.i.i108 = fmul double %.704.i104, %.704.i104
+  %.11.i.i109 = fadd double %.10.i.i108, %.9.i.i107
+  %.983.i110 = fcmp ogt double %.11.i.i109, 0.000000e+00
+  br i1 %.983.i110, label %B434.endif.endif.i112, label %B0.endif.endif.endif.endif
+
+B434.endif.endif.i112:                            ; preds = %B0.endif.endif
+  %sqrt.i.i113 = tail call double @llvm.sqrt.f64(double %.11.i.i109)
+  %.781.i114 = icmp slt i64 %arg.other, 0
+  %.782.i115 = select i1 %.781.i114, i64 %arg.triangles.5.0, i64 0
+  %.783.i116 = add i64 %.782.i115, %arg.other
+  %.813.i117 = mul i64 %.783.i116, %.88.i
+  %2 = getelementptr double, ptr %arg.triangles.4, i64 %.813.i117
+  %3 = getelementptr double, ptr %2, i64 %.539.i
+  %.969.i118 = getelementptr i8, ptr %3, i64 16
+  %.970.i119 = load double, ptr %.969.i118, align 8
+  %.971.i120 = fsub double %.970.i119, %.245.i
+  %.894.i121 = getelementptr i8, ptr %3, i64 8
+  %.895.i122 = load double, ptr %.894.i121, align 8
+  %.896.i123 = fsub double %.895.i122, %.171.i
+  %.820.i124 = load double, ptr %3, align 8
+  %.821.i125 = fsub double %.820.i124, %.97.i
+  %.10.i1.i126 = fmul double %.698.i98, %.821.i125
+  %.11.i2.i127 = fmul double %.704.i104, %.971.i120
+  %.12.i.i128 = fadd double %.11.i2.i127, %.10.i1.i126
+  %.13.i.i129 = fmul double %.701.i101, %.896.i123
+  %.14.i.i130 = fadd double %.13.i.i129, %.12.i.i128
+  %.1032.i131 = fdiv double %.14.i.i130, %sqrt.i.i113
+  br label %B0.endif.endif.endif.endif
+
+B0.endif.endif.endif.endif:                       ; preds = %B434.endif.endif.i112, %B0.endif.endif
+  %"$phi482.0.2.0.i111" = phi double [ %.1032.i131, %B434.endif.endif.i112 ], [ 0.000000e+00, %B0.endif.endif ]
+  %.13.i132 = fcmp olt double %"$phi482.0.2.0.i46", %"$phi482.0.2.0.i137"
+  %.14.i133 = select i1 %.13.i132, double %"$phi482.0.2.0.i46", double %"$phi482.0.2.0.i137"
+  %.15.i134 = fcmp olt double %"$phi482.0.2.0.i111", %.14.i133
+  %.16.i135 = select i1 %.15.i134, double %"$phi482.0.2.0.i111", double %.14.i133
+  %.164 = fneg double %arg.least
+  %.165 = fcmp olt double %.16.i135, %.164
+  br i1 %.165, label %B156.endif, label %common.ret
+
+B156.endif:                                       ; preds = %B0.endif.endif.endif.endif
+  %.13.i = fcmp ogt double %"$phi482.0.2.0.i46", %"$phi482.0.2.0.i137"
+  %.14.i = select i1 %.13.i, double %"$phi482.0.2.0.i46", double %"$phi482.0.2.0.i137"
+  %.15.i = fcmp ogt double %"$phi482.0.2.0.i111", %.14.i
+  %.16.i = select i1 %.15.i, double %"$phi482.0.2.0.i111", double %.14.i
+  %.210 = fcmp ogt double %.16.i, %arg.least
+  %4 = zext i1 %.210 to i8
+  br label %common.ret
+}
+
+define internal fastcc void @_ZN7msf_jax4host5solid7kernels6passesB3v24B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi3E1C7mutable7alignedExxxd(ptr noalias nonnull writeonly %retptr, ptr readonly %arg.triangles.4, i64 %arg.triangles.5.0, i64 %arg.triangles.5.1, i64 %arg.triangles.5.2, i64 %arg.row, i64 %arg.k, i64 %arg.other, double %arg.least) unnamed_addr {
+B0.else.if:
+  %arg.k.fr = freeze i64 %arg.k
+  %.36 = add i64 %arg.k.fr, 1
+  %0 = icmp eq i64 %.36, 3
+  %.56 = select i1 %0, i64 0, i64 %.36
+  %.58.i = icmp slt i64 %arg.other, 0
+  %.59.i = select i1 %.58.i, i64 %arg.triangles.5.0, i64 0
+  %.60.i = add i64 %.59.i, %arg.other
+  %.88.i = mul i64 %arg.triangles.5.2, %arg.triangles.5.1
+  %.90.i = mul i64 %.60.i, %.88.i
+  %.96.i = getelementptr double, ptr %arg.triangles.4, i64 %.90.i
+  %.97.i = load double, ptr %.96.i, align 8
+  %.170.i = getelementptr i8, ptr %.96.i, i64 8
+  %.171.i = load double, ptr %.170.i, align 8
+  %.244.i = getelementptr i8, ptr %.96.i, i64 16
+  %.245.i = load double, ptr %.244.i, align 8
+  %.318.i = getelementptr double, ptr %.96.i, i64 %arg.triangles.5.2
+  %.319.i = load double, ptr %.318.i, align 8
+  %.320.i = fsub double %.319.i, %.97.i
+  %.393.i = getelementptr i8, ptr %.318.i, i64 8
+  %.394.i = load double, ptr %.393.i, align 8
+  %.395.i = fsub double %.394.i, %.171.i
+  %.468.i = getelementptr i8, ptr %.318.i, i64 16
+  %.469.i = load double, ptr %.468.i, align 8
+  %.470.i = fsub double %.469.i, %.245.i
+  %.543.idx.i = shl i64 %arg.triangles.5.2, 4
+  %.543.i = getelementptr i8, ptr %.96.i, i64 %.543.idx.i
+  %.544.i = load double, ptr %.543.i, align 8
+  %.545.i = fsub double %.544.i, %.97.i
+  %.618.i = getelementptr i8, ptr %.543.i, i64 8
+  %.619.i = load double, ptr %.618.i, align 8
+  %.620.i = fsub double %.619.i, %.171.i
+  %.693.i = getelementptr i8, ptr %.543.i, i64 16
+  %.694.i = load double, ptr %.693.i, align 8
+  %.695.i = fsub double %.694.i, %.245.i
+  %.696.i = fmul double %.395.i, %.695.i
+  %.697.i = fmul double %.470.i, %.620.i
+  %.698.i = fsub double %.696.i, %.697.i
+  %.699.i = fmul double %.470.i, %.545.i
+  %.700.i = fmul double %.320.i, %.695.i
+  %.701.i = fsub double %.699.i, %.700.i
+  %.702.i = fmul double %.320.i, %.620.i
+  %.703.i = fmul double %.395.i, %.545.i
+  %.704.i = fsub double %.702.i, %.703.i
+  %.7.i.i = fmul double %.698.i, %.698.i
+  %.8.i.i = fmul double %.701.i, %.701.i
+  %.9.i.i = fadd double %.7.i.i, %.8.i.i
+  %.10.i.i = fmul double %.704.i, %.704.i
+  %.11.i.i = fadd double %.10.i.i, %.9.i.i
+  %.983.i = fcmp ogt double %.11.i.i, 0.000000e+00
+  br i1 %.983.i, label %B434.endif.endif.i47, label %B0.endif.endif.endif.endif
+
+common.ret:                                       ; preds = %B368.endif.endif.2, %B134.endif, %B0.endif.endif.endif.endif
+  %storemerge = phi i8 [ %.1468, %B368.endif.endif.2 ], [ 0, %B134.endif ], [ 0, %B0.endif.endif.endif.endif ]
+  store i8 %storemerge, ptr %retptr, align 1
+  ret void
+
+B434.endif.endif.i47:                             ; preds = %B0.else.if
+  %sqrt.i.i = tail call double @llvm.sqrt.f64(double %.11.i.i)
+  %.781.i = icmp slt i64 %arg.row, 0
+  %.782.i = select i1 %.781.i, i64 %arg.triangles.5.0, i64 0
+  %.783.i = add i64 %.782.i, %arg.row
+  %.813.i = mul i64 %.783.i, %.88.i
+  %.815.i = mul i64 %arg.k.fr, %arg.triangles.5.2
+  %1 = getelementptr double, ptr %arg.triangles.4, i64 %.815.i
+  %2 = getelementptr double, ptr %1, i64 %.813.i
+  %.969.i = getelementptr i8, ptr %2, i64 16
+  %.970.i = load double, ptr %.969.i, align 8
+  %.971.i = fsub double %.970.i, %.245.i
+  %.894.i = getelementptr i8, ptr %2, i64 8
+  %.895.i = load double, ptr %.894.i, align 8
+  %.896.i = fsub double %.895.i, %.171.i
+  %.820.i = load double, ptr %2, align 8
+  %.821.i = fsub double %.820.i, %.97.i
+  %.10.i1.i = fmul double %.698.i, %.821.i
+  %.11.i2.i = fmul double %.704.i, %.971.i
+  %.12.i.i = fadd double %.11.i2.i, %.10.i1.i
+  %.13.i.i = fmul double %.701.i, %.896.i
+  %.14.i.i = fadd double %.13.i.i, %.12.i.i
+  %.1032.i = fdiv double %.14.i.i, %sqrt.i.i
+  %.815.i56 = mul i64 %.56, %arg.triangles.5.2
+  %3 = getelementptr double, ptr %arg.triangles.4, i64 %.815.i56
+  %4 = getelementptr double, ptr %3, i64 %.813.i
+  %.969.i57 = getelementptr i8, ptr %4, i64 16
+  %.970.i58 = load double, ptr %.969.i57, align 8
+  %.971.i59 = fsub double %.970.i58, %.245.i
+  %.894.i60 = getelementptr i8, ptr %4, i64 8
+  %.895.i61 = load double, ptr %.894.i60, align 8
+  %.896.i62 = fsub double %.895.i61, %.171.i
+  %.820.i63 = load double, ptr %4, align 8
+  %.821.i64 = fsub double %.820.i63, %.97.i
+  %.10.i1.i65 = fmul double %.698.i, %.821.i64
+  %.11.i2.i66 = fmul double %.704.i, %.971.i59
+  %.12.i.i67 = fadd double %.11.i2.i66, %.10.i1.i65
+  %.13.i.i68 = fmul double %.701.i, %.896.i62
+  %.14.i.i69 = fadd double %.13.i.i68, %.12.i.i67
+  %.1032.i70 = fdiv double %.14.i.i69, %sqrt.i.i
+  br label %B0.endif.endif.endif.endif
+
+B0.endif.endif.endif.endif:                       ; preds = %B434.endif.endif.i47, %B0.else.if
+  %"$phi482.0.2.0.i87" = phi double [ %.1032.i, %B434.endif.endif.i47 ], [ 0.000000e+00, %B0.else.if ]
+  %"$phi482.0.2.0.i46" = phi double [ %.1032.i70, %B434.endif.endif.i47 ], [ 0.000000e+00, %B0.else.if ]
+  %.10.i72 = fcmp olt double %"$phi482.0.2.0.i46", %"$phi482.0.2.0.i87"
+  %.11.i73 = select i1 %.10.i72, double %"$phi482.0.2.0.i46", double %"$phi482.0.2.0.i87"
+  %.189 = fneg double %arg.least
+  %.190 = fcmp olt double %.11.i73, %.189
+  br i1 %.190, label %B134.endif, label %common.ret
+
+B134.endif:                                       ; preds = %B0.endif.endif.endif.endif
+  %.10.i = fcmp ogt double %"$phi482.0.2.0.i46", %"$phi482.0.2.0.i87"
+  %.11.i = select i1 %.10.i, double %"$phi482.0.2.0.i46", double %"$phi482.0.2.0.i87"
+  %.227 = fcmp ogt double %.11.i, %arg.least
+  br i1 %.227, label %B368.endif.endif.2, label %common.ret
+
+B368.endif.endif.2:                               ; preds = %B134.endif
+  %.287 = icmp slt i64 %arg.row, 0
+  %.288 = select i1 %.287, i64 %arg.triangles.5.0, i64 0
+  %.289 = add i64 %.288, %arg.row
+  %.319 = mul i64 %.289, %.88.i
+  %.321 = mul i64 %arg.k.fr, %arg.triangles.5.2
+  %5 = getelementptr double, ptr %arg.triangles.4, i64 %.321
+  %.325 = getelementptr double, ptr %5, i64 %.319
+  %.326 = load double, ptr %.325, align 8
+  %.402 = getelementptr i8, ptr %.325, i64 8
+  %.403 = load double, ptr %.402, align 8
+  %.481 = getelementptr i8, ptr %.325, i64 16
+  %.482 = load double, ptr %.481, align 8
+  %.563 = mul i64 %.56, %arg.triangles.5.2
+  %6 = getelementptr double, ptr %arg.triangles.4, i64 %.563
+  %.567 = getelementptr double, ptr %6, i64 %.319
+  %.568 = load double, ptr %.567, align 8
+  %.570 = fsub double %.568, %.326
+  %.646 = getelementptr i8, ptr %.567, i64 8
+  %.647 = load double, ptr %.646, align 8
+  %.649 = fsub double %.647, %.403
+  %.729 = getelementptr i8, ptr %.567, i64 16
+  %.730 = load double, ptr %.729, align 8
+  %.732 = fsub double %.730, %.482
+  %.983 = fsub double %.97.i, %.326
+  %.1061 = fsub double %.171.i, %.403
+  %.1139 = fsub double %.245.i, %.482
+  %.1217 = fsub double %.319.i, %.326
+  %.1295 = fsub double %.394.i, %.403
+  %.1373 = fsub double %.469.i, %.482
+  %.1375 = fmul double %.1061, %.1373
+  %.1376 = fmul double %.1295, %.1139
+  %.1377 = fsub double %.1375, %.1376
+  %.1378 = fmul double %.1217, %.1139
+  %.1379 = fmul double %.983, %.1373
+  %.1380 = fsub double %.1378, %.1379
+  %.1381 = fmul double %.983, %.1295
+  %.1382 = fmul double %.1217, %.1061
+  %.1383 = fsub double %.1381, %.1382
+  %.10.i74 = fmul double %.570, %.1377
+  %.11.i75 = fmul double %.1383, %.732
+  %.12.i = fadd double %.10.i74, %.11.i75
+  %.13.i = fmul double %.649, %.1380
+  %.14.i = fadd double %.13.i, %.12.i
+  %.1217.1 = fsub double %.544.i, %.326
+  %.1295.1 = fsub double %.619.i, %.403
+  %.1373.1 = fsub double %.694.i, %.482
+  %.1375.1 = fmul double %.1295, %.1373.1
+  %.1376.1 = fmul double %.1295.1, %.1373
+  %.1377.1 = fsub double %.1375.1, %.1376.1
+  %.1378.1 = fmul double %.1217.1, %.1373
+  %.1379.1 = fmul double %.1217, %.1373.1
+  %.1380.1 = fsub double %.1378.1, %.1379.1
+  %.1381.1 = fmul double %.1217, %.1295.1
+  %.1382.1 = fmul double %.1217.1, %.1295
+  %.1383.1 = fsub double %.1381.1, %.1382.1
+  %.10.i76 = fmul double %.570, %.1377.1
+  %.11.i77 = fmul double %.1383.1, %.732
+  %.12.i78 = fadd double %.10.i76, %.11.i77
+  %.13.i79 = fmul double %.649, %.1380.1
+  %.14.i80 = fadd double %.13.i79, %.12.i78
+  %.1375.2 = fmul double %.1295.1, %.1139
+  %.1376.2 = fmul double %.1061, %.1373.1
+  %.1377.2 = fsub double %.1375.2, %.1376.2
+  %.1378.2 = fmul double %.983, %.1373.1
+  %.1379.2 = fmul double %.1217.1, %.1139
+  %.1380.2 = fsub double %.1378.2, %.1379.2
+  %.1381.2 = fmul double %.1217.1, %.1061
+  %.1382.2 = fmul double %.983, %.1295.1
+  %.1383.2 = fsub double %.1381.2, %.1382.2
+  %.10.i81 = fmul double %.570, %.1377.2
+  %.11.i82 = fmul double %.1383.2, %.732
+  %.12.i83 = fadd double %.10.i81, %.11.i82
+  %.13.i84 = fmul double %.649, %.1380.2
+  %.14.i85 = fadd double %.13.i84, %.12.i83
+  %.1420 = fcmp ole double %.14.i, 0.000000e+00
+  %.1423 = zext i1 %.1420 to i64
+  %.1420.1 = fcmp ole double %.14.i80, 0.000000e+00
+  %.1423.1 = zext i1 %.1420.1 to i64
+  %.1424.1 = add nuw nsw i64 %.1423.1, %.1423
+  %.1412 = fcmp oge double %.14.i, 0.000000e+00
+  %.1415 = zext i1 %.1412 to i64
+  %.1412.1 = fcmp oge double %.14.i80, 0.000000e+00
+  %.1415.1 = zext i1 %.1412.1 to i64
+  %.1416.1 = add nuw nsw i64 %.1415.1, %.1415
+  %.1412.2 = fcmp oge double %.14.i85, 0.000000e+00
+  %.1415.2 = zext i1 %.1412.2 to i64
+  %.1416.2 = add nuw nsw i64 %.1416.1, %.1415.2
+  %.1420.2 = fcmp ole double %.14.i85, 0.000000e+00
+  %.1423.2 = zext i1 %.1420.2 to i64
+  %.1424.2 = add nuw nsw i64 %.1424.1, %.1423.2
+  %.1449 = icmp eq i64 %.1416.2, 3
+  %.1457 = icmp eq i64 %.1424.2, 3
+  %spec.select = select i1 %.1449, i1 true, i1 %.1457
+  %.1468 = zext i1 %spec.select to i8
+  br label %common.ret
+}
 
 declare double @llvm.sqrt.f64(double)
+
+define i64 @msf_jax.host.solid.kernels.crossed(ptr readonly %words) local_unnamed_addr {
+  %.1242.i = alloca i8, align 1
+  %.1290.i = alloca i8, align 1
+  %.1489.i = alloca i8, align 1
+  %.1543.i = alloca i8, align 1
+  %w0 = load ptr, ptr %words, align 8
+  %p1 = getelementptr i8, ptr %words, i64 8
+  %w1 = load i64, ptr %p1, align 8
+  %p7 = getelementptr i8, ptr %words, i64 56
+  %w7 = load ptr, ptr %p7, align 8
+  %p8 = getelementptr i8, ptr %words, i64 64
+  %w8 = load i64, ptr %p8, align 8
+  %p9 = getelementptr i8, ptr %words, i64 72
+  %w9 = load i64, ptr %p9, align 8
+  %p10 = getelementptr i8, ptr %words, i64 80
+  %w10 = load i64, ptr %p10, align 8
+  %p13 = getelementptr i8, ptr %words, i64 104
+  %w13 = load ptr, ptr %p13, align 8
+  %p14 = getelementptr i8, ptr %words, i64 112
+  %w14 = load i64, ptr %p14, align 8
+  %p15 = getelementptr i8, ptr %words, i64 120
+  %w15 = load i64, ptr %p15, align 8
+  %s24 = shl i64 %w15, 3
+  %p16 = getelementptr i8, ptr %words, i64 128
+  %w16 = load ptr, ptr %p16, align 8
+  %p17 = getelementptr i8, ptr %words, i64 136
+  %w17 = load i64, ptr %p17, align 8
+  %p18 = getelementptr i8, ptr %words, i64 144
+  %w18 = load double, ptr %p18, align 8
+  %p19 = getelementptr i8, ptr %words, i64 152
+  %w19 = load i64, ptr %p19, align 8
+  %p20 = getelementptr i8, ptr %words, i64 160
+  %w20 = load ptr, ptr %p20, align 8
+  %p22 = getelementptr i8, ptr %words, i64 176
+  %w22 = load ptr, ptr %p22, align 8
+  %p23 = getelementptr i8, ptr %words, i64 184
+  %w23 = load i64, ptr %p23, align 8
+  %p24 = getelementptr i8, ptr %words, i64 192
+  %w24 = load ptr, ptr %p24, align 8
+  %p25 = getelementptr i8, ptr %words, i64 200
+  %w25 = load i64, ptr %p25, align 8
+  call void @llvm.lifetime.start.p0(ptr nonnull %.1242.i)
+  call void @llvm.lifetime.start.p0(ptr nonnull %.1290.i)
+  call void @llvm.lifetime.start.p0(ptr nonnull %.1489.i)
+  call void @llvm.lifetime.start.p0(ptr nonnull %.1543.i)
+  store i64 0, ptr %w20, align 8
+  %.276961.not.i = icmp slt i64 %w17, 1
+  br i1 %.276961.not.i, label %_ZN7msf_jax4host5solid7kernels7crossedB3v17B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi1E1C7mutable7alignedE232Mesh_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29dx5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE.exit, label %B134.preheader.i
+
+B134.preheader.i:                                 ; preds = %0
+  %1 = shl i64 %w1, 3
+  br label %B134.i
+
+B134.i:                                           ; preds = %B900.i, %B134.preheader.i
+  %count.5.0968.i = phi i64 [ %count.6.2.i, %B900.i ], [ 0, %B134.preheader.i ]
+  %.275911967.i = phi i64 [ %.285.i, %B900.i ], [ %w17, %B134.preheader.i ]
+  %.282918966.i = phi i64 [ %.289.i, %B900.i ], [ %w17, %B134.preheader.i ]
+  %.285.i = add nsw i64 %.275911967.i, -1
+  %.289.i = add i64 %.282918966.i, 1
+  %.325.i = sub nsw i64 %.282918966.i, %w17
+  %.353.i = getelementptr i64, ptr %w16, i64 %.325.i
+  %.354.i = load i64, ptr %.353.i, align 8
+  %2 = and i64 %.282918966.i, 1
+  %.46.not.not.i.i = icmp eq i64 %2, 0
+  br i1 %.46.not.not.i.i, label %B134.endif.i, label %B50.i.i
+
+B50.i.i:                                          ; preds = %B134.i, %B50.i.i
+  %node.3.1.i.i = phi i64 [ %.49.i.i, %B50.i.i ], [ %.289.i, %B134.i ]
+  %.49.i.i = ashr i64 %node.3.1.i.i, 1
+  %3 = and i64 %node.3.1.i.i, 2
+  %.55.not.i.i = icmp eq i64 %3, 0
+  br i1 %.55.not.i.i, label %B50.i.i, label %B134.endif.i
+
+B208.i:                                           ; preds = %B134.endif.i
+  %.436.i = load i64, ptr %w20, align 8
+  %.438.i = icmp slt i64 %.436.i, %w19
+  br i1 %.438.i, label %B234.preheader.i, label %B900.i
+
+B234.preheader.i:                                 ; preds = %B208.i
+  %.477.i = icmp slt i64 %.282918966.i, 0
+  %.478.i = select i1 %.477.i, i64 %w14, i64 0
+  %.479.i = add i64 %.478.i, %.282918966.i
+  %.1002.i = mul nsw i64 %.354.i, 3
+  %4 = getelementptr i64, ptr %w0, i64 %.1002.i
+  %.1058.i = icmp slt i64 %.354.i, 0
+  %.1011.1.3.i = add i64 %.1002.i, 1
+  %.1058.3.i = icmp slt i64 %.1011.1.3.i, 0
+  %5 = getelementptr i64, ptr %w0, i64 %.1011.1.3.i
+  %.1011.1.6.i = add i64 %.1002.i, 2
+  %.1058.6.i = icmp slt i64 %.1011.1.6.i, 0
+  %6 = getelementptr i64, ptr %w0, i64 %.1011.1.6.i
+  %sunkaddr.i = mul i64 %s24, %.479.i
+  %sunkaddr109.i = getelementptr i8, ptr %w13, i64 %sunkaddr.i
+  %sunkaddr112.i = getelementptr i8, ptr %sunkaddr109.i, i64 8
+  %sunkaddr115.i = getelementptr i8, ptr %sunkaddr109.i, i64 16
+  %sunkaddr118.i = getelementptr i8, ptr %sunkaddr109.i, i64 24
+  %sunkaddr121.i = getelementptr i8, ptr %sunkaddr109.i, i64 40
+  %sunkaddr124.i = getelementptr i8, ptr %sunkaddr109.i, i64 32
+  %sunkaddr137.i = select i1 %.1058.i, i64 %1, i64 0
+  %sunkaddr138.i = getelementptr inbounds i8, ptr %4, i64 %sunkaddr137.i
+  %sunkaddr139.i = select i1 %.1058.3.i, i64 %1, i64 0
+  %sunkaddr140.i = getelementptr inbounds i8, ptr %5, i64 %sunkaddr139.i
+  %sunkaddr141.i = select i1 %.1058.6.i, i64 %1, i64 0
+  %sunkaddr142.i = getelementptr inbounds i8, ptr %6, i64 %sunkaddr141.i
+  br label %B234.i
+
+B234.i:                                           ; preds = %B874.i, %B234.preheader.i
+  %.17953.i = phi i64 [ %.1795.i, %B874.i ], [ %.436.i, %B234.preheader.i ]
+  %count.4.1.i = phi i64 [ %count.7.35059.i, %B874.i ], [ %count.5.0968.i, %B234.preheader.i ]
+  %node.2.1.i = phi i64 [ %storemerge.i60.i, %B874.i ], [ %node.4.0.i.i, %B234.preheader.i ]
+  %.504.i = load double, ptr %sunkaddr109.i, align 8
+  %.559.i = load double, ptr %sunkaddr112.i, align 8
+  %.614.i = load double, ptr %sunkaddr115.i, align 8
+  %.669.i = load double, ptr %sunkaddr118.i, align 8
+  %.779.i = load double, ptr %sunkaddr121.i, align 8
+  %.87.i.i = mul i64 %node.2.1.i, %w15
+  %.91.i.i = getelementptr double, ptr %w13, i64 %.87.i.i
+  %.92.i.i = load double, ptr %.91.i.i, align 8
+  %.93.i.i = fcmp ogt double %.92.i.i, %.669.i
+  br i1 %.93.i.i, label %B30.i.i, label %B32.i.i
+
+B32.i.i:                                          ; preds = %B234.i
+  %.724.i = load double, ptr %sunkaddr124.i, align 8
+  %sunkaddr.i.i = shl i64 %.87.i.i, 3
+  %sunkaddr1.i.i = getelementptr i8, ptr %w13, i64 %sunkaddr.i.i
+  %sunkaddr2.i.i = getelementptr i8, ptr %sunkaddr1.i.i, i64 8
+  %.152.i.i = load double, ptr %sunkaddr2.i.i, align 8
+  %.154.i.i = fcmp ogt double %.152.i.i, %.724.i
+  br i1 %.154.i.i, label %B30.i.i, label %B86.i.i
+
+B86.i.i:                                          ; preds = %B32.i.i
+  %sunkaddr127.i = getelementptr i8, ptr %sunkaddr1.i.i, i64 16
+  %.214.i.i = load double, ptr %sunkaddr127.i, align 8
+  %.216.i.i = fcmp ogt double %.214.i.i, %.779.i
+  br i1 %.216.i.i, label %B30.i.i, label %B92.i.i
+
+B92.i.i:                                          ; preds = %B86.i.i
+  %sunkaddr130.i = getelementptr i8, ptr %sunkaddr1.i.i, i64 24
+  %.287.i.i = load double, ptr %sunkaddr130.i, align 8
+  %.289.i.i = fcmp olt double %.287.i.i, %.504.i
+  br i1 %.289.i.i, label %B30.i.i, label %B120.i.i
+
+B120.i.i:                                         ; preds = %B92.i.i
+  %sunkaddr133.i = getelementptr i8, ptr %sunkaddr1.i.i, i64 32
+  %.349.i.i = load double, ptr %sunkaddr133.i, align 8
+  %.351.i.i = fcmp olt double %.349.i.i, %.559.i
+  br i1 %.351.i.i, label %B30.i.i, label %_ZN7msf_jax4host5solid7kernels8overlapsB3v13B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedExdddddd.exit.i
+
+_ZN7msf_jax4host5solid7kernels8overlapsB3v13B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedExdddddd.exit.i: ; preds = %B120.i.i
+  %sunkaddr136.i = getelementptr i8, ptr %sunkaddr1.i.i, i64 40
+  %.413.i.i = load double, ptr %sunkaddr136.i, align 8
+  %.417.i.i = fcmp uge double %.413.i.i, %.614.i
+  br i1 %.417.i.i, label %B378.i, label %B30.i.i
+
+B378.i:                                           ; preds = %_ZN7msf_jax4host5solid7kernels8overlapsB3v13B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedExdddddd.exit.i
+  %.829.not.i = icmp slt i64 %node.2.1.i, %w17
+  br i1 %.829.not.i, label %B836.endif.i, label %B534.i
+
+B534.i:                                           ; preds = %B378.i
+  %.837.i = sub nsw i64 %node.2.1.i, %w17
+  %.865.i = getelementptr i64, ptr %w16, i64 %.837.i
+  %.866.i = load i64, ptr %.865.i, align 8
+  %.1074.i = load i64, ptr %sunkaddr138.i, align 8
+  %.idx.i = mul i64 %.866.i, 24
+  %7 = getelementptr i8, ptr %w0, i64 %.idx.i
+  %.1134.i = icmp slt i64 %.866.i, 0
+  %.1135.i = select i1 %.1134.i, i64 %w1, i64 0
+  %.1149.i = getelementptr i64, ptr %7, i64 %.1135.i
+  %.1150.i = load i64, ptr %.1149.i, align 8
+  %.1151.not.i = icmp eq i64 %.1074.i, %.1150.i
+  br i1 %.1151.not.i, label %B30.i.i, label %B534.1.i
+
+B534.1.i:                                         ; preds = %B534.i
+  %8 = getelementptr i8, ptr %7, i64 8
+  %.1149.1.i = getelementptr i64, ptr %8, i64 %.1135.i
+  %.1150.1.i = load i64, ptr %.1149.1.i, align 8
+  %.1151.1.not.i = icmp eq i64 %.1074.i, %.1150.1.i
+  br i1 %.1151.1.not.i, label %B30.i.i, label %B534.2.i
+
+B534.2.i:                                         ; preds = %B534.1.i
+  %9 = getelementptr i8, ptr %7, i64 16
+  %.1149.2.i = getelementptr i64, ptr %9, i64 %.1135.i
+  %.1150.2.i = load i64, ptr %.1149.2.i, align 8
+  %.1151.2.not.i = icmp eq i64 %.1074.i, %.1150.2.i
+  br i1 %.1151.2.not.i, label %B30.i.i, label %B534.3.i
+
+B534.3.i:                                         ; preds = %B534.2.i
+  %.1074.3.i = load i64, ptr %sunkaddr140.i, align 8
+  %.1151.3.not.i = icmp eq i64 %.1074.3.i, %.1150.i
+  %.1151.4.not.i = icmp eq i64 %.1074.3.i, %.1150.1.i
+  %or.cond.i = or i1 %.1151.3.not.i, %.1151.4.not.i
+  %.1151.5.not.i = icmp eq i64 %.1074.3.i, %.1150.2.i
+  %or.cond30.i = or i1 %.1151.5.not.i, %or.cond.i
+  br i1 %or.cond30.i, label %B30.i.i, label %B534.6.i
+
+B534.6.i:                                         ; preds = %B534.3.i
+  %.1074.6.i = load i64, ptr %sunkaddr142.i, align 8
+  %.1151.6.not.i = icmp eq i64 %.1074.6.i, %.1150.i
+  %.1151.7.not.i = icmp eq i64 %.1074.6.i, %.1150.1.i
+  %or.cond31.i = or i1 %.1151.6.not.i, %.1151.7.not.i
+  %.1151.8.not.i = icmp eq i64 %.1074.6.i, %.1150.2.i
+  %or.cond32.i = or i1 %.1151.8.not.i, %or.cond31.i
+  br i1 %or.cond32.i, label %B30.i.i, label %B542.i
+
+B542.i:                                           ; preds = %B534.6.i
+  %.1206.i = add nsw i64 %.17953.i, 1
+  store i64 %.1206.i, ptr %w20, align 8
+  call fastcc void @_ZN7msf_jax4host5solid7kernels9straddlesB3v19B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi3E1C7mutable7alignedExxd(ptr nonnull %.1242.i, ptr readonly %w7, i64 %w8, i64 %w9, i64 %w10, i64 %.354.i, i64 %.866.i, double %w18)
+  %.1262.i = load i8, ptr %.1242.i, align 1
+  %.1265.i = icmp eq i8 %.1262.i, 0
+  br i1 %.1265.i, label %B30.i.i, label %B542.endif.i
+
+B684.i:                                           ; preds = %B542.endif.i
+  call fastcc void @_ZN7msf_jax4host5solid7kernels6passesB3v24B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi3E1C7mutable7alignedExxxd(ptr nonnull %.1489.i, ptr readonly %w7, i64 %w8, i64 %w9, i64 %w10, i64 %.354.i, i64 0, i64 %.866.i, double %w18)
+  %.1509.i = load i8, ptr %.1489.i, align 1
+  %.1512.i = icmp eq i8 %.1509.i, 0
+  br i1 %.1512.i, label %B684.endif.thread.i, label %B760.i
+
+B760.i:                                           ; preds = %B684.endif.thread.i, %B684.i
+  %.1607.i = icmp slt i64 %count.4.1.i, %w23
+  br i1 %.1607.i, label %B802.i, label %B824.i
+
+B802.i:                                           ; preds = %B760.i
+  %.1624.i = icmp slt i64 %count.4.1.i, 0
+  %.1625.i = select i1 %.1624.i, i64 %w23, i64 0
+  %10 = getelementptr i64, ptr %w22, i64 %count.4.1.i
+  %.1639.i = getelementptr i64, ptr %10, i64 %.1625.i
+  store i64 %.354.i, ptr %.1639.i, align 8
+  %.1657.i = select i1 %.1624.i, i64 %w25, i64 0
+  %11 = getelementptr i64, ptr %w24, i64 %count.4.1.i
+  %.1671.i = getelementptr i64, ptr %11, i64 %.1657.i
+  store i64 %.866.i, ptr %.1671.i, align 8
+  br label %B824.i
+
+B824.i:                                           ; preds = %B802.i, %B760.i
+  %.1680.i = add nsw i64 %count.4.1.i, 1
+  br label %B30.i.i
+
+B722.1.i:                                         ; preds = %B722.endif.thread.i
+  call fastcc void @_ZN7msf_jax4host5solid7kernels6passesB3v24B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi3E1C7mutable7alignedExxxd(ptr nonnull %.1543.i, ptr readonly %w7, i64 %w8, i64 %w9, i64 %w10, i64 %.866.i, i64 1, i64 %.354.i, double %w18)
+  %.1563.1.i = load i8, ptr %.1543.i, align 1
+  %.1566.1.i = icmp eq i8 %.1563.1.i, 0
+  br i1 %.1566.1.i, label %B684.2.i, label %B760.1.i
+
+B760.1.i:                                         ; preds = %B722.endif.thread.i, %B722.1.i
+  %.1607.1.i = icmp slt i64 %count.4.1.i, %w23
+  br i1 %.1607.1.i, label %B802.1.i, label %B824.1.i
+
+B802.1.i:                                         ; preds = %B760.1.i
+  %.1624.1.i = icmp slt i64 %count.4.1.i, 0
+  %.1625.1.i = select i1 %.1624.1.i, i64 %w23, i64 0
+  %12 = getelementptr i64, ptr %w22, i64 %count.4.1.i
+  %.1639.1.i = getelementptr i64, ptr %12, i64 %.1625.1.i
+  store i64 %.354.i, ptr %.1639.1.i, align 8
+  %.1657.1.i = select i1 %.1624.1.i, i64 %w25, i64 0
+  %13 = getelementptr i64, ptr %w24, i64 %count.4.1.i
+  %.1671.1.i = getelementptr i64, ptr %13, i64 %.1657.1.i
+  store i64 %.866.i, ptr %.1671.1.i, align 8
+  br label %B824.1.i
+
+B824.1.i:                                         ; preds = %B802.1.i, %B760.1.i
+  %.1680.1.i = add nsw i64 %count.4.1.i, 1
+  br label %B30.i.i
+
+B684.2.i:                                         ; preds = %B722.1.i
+  call fastcc void @_ZN7msf_jax4host5solid7kernels6passesB3v24B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi3E1C7mutable7alignedExxxd(ptr nonnull %.1489.i, ptr readonly %w7, i64 %w8, i64 %w9, i64 %w10, i64 %.354.i, i64 2, i64 %.866.i, double %w18)
+  %.1509.2.i = load i8, ptr %.1489.i, align 1
+  %.1512.2.i = icmp eq i8 %.1509.2.i, 0
+  br i1 %.1512.2.i, label %B722.2.i, label %B760.2.i
+
+B722.2.i:                                         ; preds = %B684.2.i
+  call fastcc void @_ZN7msf_jax4host5solid7kernels6passesB3v24B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi3E1C7mutable7alignedExxxd(ptr nonnull %.1543.i, ptr readonly %w7, i64 %w8, i64 %w9, i64 %w10, i64 %.866.i, i64 2, i64 %.354.i, double %w18)
+  %.1563.2.i = load i8, ptr %.1543.i, align 1
+  %.1566.2.i = icmp eq i8 %.1563.2.i, 0
+  br i1 %.1566.2.i, label %B30.i.i, label %B760.2.i
+
+B760.2.i:                                         ; preds = %B722.2.i, %B684.2.i
+  %.1607.2.i = icmp slt i64 %count.4.1.i, %w23
+  br i1 %.1607.2.i, label %B802.2.i, label %B824.2.i
+
+B802.2.i:                                         ; preds = %B760.2.i
+  %.1624.2.i = icmp slt i64 %count.4.1.i, 0
+  %.1625.2.i = select i1 %.1624.2.i, i64 %w23, i64 0
+  %14 = getelementptr i64, ptr %w22, i64 %count.4.1.i
+  %.1639.2.i = getelementptr i64, ptr %14, i64 %.1625.2.i
+  store i64 %.354.i, ptr %.1639.2.i, align 8
+  %.1657.2.i = select i1 %.1624.2.i, i64 %w25, i64 0
+  %15 = getelementptr i64, ptr %w24, i64 %count.4.1.i
+  %.1671.2.i = getelementptr i64, ptr %15, i64 %.1657.2.i
+  store i64 %.866.i, ptr %.1671.2.i, align 8
+  br label %B824.2.i
+
+B824.2.i:                                         ; preds = %B802.2.i, %B760.2.i
+  %.1680.2.i = add nsw i64 %count.4.1.i, 1
+  br label %B30.i.i
+
+B30.i.i:                                          ; preds = %B542.endif.i, %B824.2.i, %B722.2.i, %B824.1.i, %B824.i, %B542.i, %B534.6.i, %B534.3.i, %B534.2.i, %B534.1.i, %B534.i, %_ZN7msf_jax4host5solid7kernels8overlapsB3v13B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedExdddddd.exit.i, %B120.i.i, %B92.i.i, %B86.i.i, %B32.i.i, %B234.i
+  %count.7.351.i = phi i64 [ %count.4.1.i, %B234.i ], [ %count.4.1.i, %_ZN7msf_jax4host5solid7kernels8overlapsB3v13B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedExdddddd.exit.i ], [ %count.4.1.i, %B86.i.i ], [ %count.4.1.i, %B92.i.i ], [ %count.4.1.i, %B120.i.i ], [ %count.4.1.i, %B32.i.i ], [ %count.4.1.i, %B722.2.i ], [ %count.4.1.i, %B534.2.i ], [ %count.4.1.i, %B534.6.i ], [ %.1680.i, %B824.i ], [ %count.4.1.i, %B534.1.i ], [ %count.4.1.i, %B534.i ], [ %.1680.2.i, %B824.2.i ], [ %count.4.1.i, %B534.3.i ], [ %.1680.1.i, %B824.1.i ], [ %count.4.1.i, %B542.endif.i ], [ %count.4.1.i, %B542.i ]
+  %.36.i33.i = add nuw nsw i64 %node.2.1.i, 1
+  %16 = and i64 %node.2.1.i, 1
+  %.46.not.not.i34.i = icmp eq i64 %16, 0
+  br i1 %.46.not.not.i34.i, label %B70.i.i, label %B50.i35.i
+
+B50.i35.i:                                        ; preds = %B30.i.i, %B50.i35.i
+  %node.3.1.i36.i = phi i64 [ %.49.i37.i, %B50.i35.i ], [ %.36.i33.i, %B30.i.i ]
+  %.49.i37.i = lshr i64 %node.3.1.i36.i, 1
+  %17 = and i64 %node.3.1.i36.i, 2
+  %.55.not.i38.i = icmp eq i64 %17, 0
+  br i1 %.55.not.i38.i, label %B50.i35.i, label %B70.i.i
+
+B70.i.i:                                          ; preds = %B50.i35.i, %B30.i.i
+  %node.4.0.i39.i = phi i64 [ %.36.i33.i, %B30.i.i ], [ %.49.i37.i, %B50.i35.i ]
+  %.60.i40.i = icmp sgt i64 %node.4.0.i39.i, 1
+  br i1 %.60.i40.i, label %B70.i.B874_crit_edge.i, label %B900.i
+
+B70.i.B874_crit_edge.i:                           ; preds = %B70.i.i
+  %.1795.pre.i = load i64, ptr %w20, align 8
+  br label %B874.i
+
+B874.i:                                           ; preds = %B836.endif.i, %B70.i.B874_crit_edge.i
+  %.1795.i = phi i64 [ %.17953.i, %B836.endif.i ], [ %.1795.pre.i, %B70.i.B874_crit_edge.i ]
+  %storemerge.i60.i = phi i64 [ %.28.i.i, %B836.endif.i ], [ %node.4.0.i39.i, %B70.i.B874_crit_edge.i ]
+  %count.7.35059.i = phi i64 [ %count.4.1.i, %B836.endif.i ], [ %count.7.351.i, %B70.i.B874_crit_edge.i ]
+  %.1797.i = icmp slt i64 %.1795.i, %w19
+  br i1 %.1797.i, label %B234.i, label %B900.i
+
+B900.i:                                           ; preds = %B874.i, %B70.i.i, %B134.endif.i, %B208.i
+  %count.6.2.i = phi i64 [ %count.5.0968.i, %B208.i ], [ %count.5.0968.i, %B134.endif.i ], [ %count.7.35059.i, %B874.i ], [ %count.7.351.i, %B70.i.i ]
+  %.276.i = icmp sgt i64 %.275911967.i, 1
+  br i1 %.276.i, label %B134.i, label %_ZN7msf_jax4host5solid7kernels7crossedB3v17B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi1E1C7mutable7alignedE232Mesh_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29dx5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE.exit
+
+B134.endif.i:                                     ; preds = %B50.i.i, %B134.i
+  %node.4.0.i.i = phi i64 [ %.289.i, %B134.i ], [ %.49.i.i, %B50.i.i ]
+  %.60.i.i = icmp slt i64 %node.4.0.i.i, 2
+  br i1 %.60.i.i, label %B900.i, label %B208.i
+
+B542.endif.i:                                     ; preds = %B542.i
+  call fastcc void @_ZN7msf_jax4host5solid7kernels9straddlesB3v19B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi3E1C7mutable7alignedExxd(ptr nonnull %.1290.i, ptr readonly %w7, i64 %w8, i64 %w9, i64 %w10, i64 %.866.i, i64 %.354.i, double %w18)
+  %.1310.i = load i8, ptr %.1290.i, align 1
+  %.1313.not.i = icmp eq i8 %.1310.i, 0
+  br i1 %.1313.not.i, label %B30.i.i, label %B684.i
+
+B684.endif.thread.i:                              ; preds = %B684.i
+  call fastcc void @_ZN7msf_jax4host5solid7kernels6passesB3v24B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi3E1C7mutable7alignedExxxd(ptr nonnull %.1543.i, ptr readonly %w7, i64 %w8, i64 %w9, i64 %w10, i64 %.866.i, i64 0, i64 %.354.i, double %w18)
+  %.1563.i = load i8, ptr %.1543.i, align 1
+  %.1566.i = icmp eq i8 %.1563.i, 0
+  br i1 %.1566.i, label %B722.endif.thread.i, label %B760.i
+
+B722.endif.thread.i:                              ; preds = %B684.endif.thread.i
+  call fastcc void @_ZN7msf_jax4host5solid7kernels6passesB3v24B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi3E1C7mutable7alignedExxxd(ptr nonnull %.1489.i, ptr readonly %w7, i64 %w8, i64 %w9, i64 %w10, i64 %.354.i, i64 1, i64 %.866.i, double %w18)
+  %.1509.1.i = load i8, ptr %.1489.i, align 1
+  %.1512.1.i = icmp eq i8 %.1509.1.i, 0
+  br i1 %.1512.1.i, label %B722.1.i, label %B760.1.i
+
+B836.endif.i:                                     ; preds = %B378.i
+  %.28.i.i = shl nuw nsw i64 %node.2.1.i, 1
+  br label %B874.i
+
+_ZN7msf_jax4host5solid7kernels7crossedB3v17B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi1E1C7mutable7alignedE232Mesh_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29dx5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE.exit: ; preds = %B900.i, %0
+  %count.5.0.lcssa.i = phi i64 [ 0, %0 ], [ %count.6.2.i, %B900.i ]
+  call void @llvm.lifetime.end.p0(ptr nonnull %.1242.i)
+  call void @llvm.lifetime.end.p0(ptr nonnull %.1290.i)
+  call void @llvm.lifetime.end.p0(ptr nonnull %.1489.i)
+  call void @llvm.lifetime.end.p0(ptr nonnull %.1543.i)
+  ret i64 %count.5.0.lcssa.i
+}
+
+declare { i64, i1 } @llvm.usub.with.overflow.i64(i64, i64)
 
 define i64 @msf_jax.host.solid.loops.loops(ptr readonly %words) local_unnamed_addr {
   %w0 = load ptr, ptr %words, align 8
@@ -1340,7 +2086,7 @@ define i64 @msf_jax.host.solid.loops.loops(ptr readonly %words) local_unnamed_ad
   %p35 = getelementptr i8, ptr %words, i64 280
   %w35 = load ptr, ptr %p35, align 8
   %.2941365.not.i = icmp slt i64 %w1, 1
-  br i1 %.2941365.not.i, label %_ZN7msf_jax4host5solid5loops5loopsB3v17B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE232Mesh_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xx5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, label %B108.preheader.i
+  br i1 %.2941365.not.i, label %_ZN7msf_jax4host5solid5loops5loopsB3v26B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE232Mesh_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xx5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, label %B108.preheader.i
 
 B108.preheader.i:                                 ; preds = %0
   %p36 = getelementptr i8, ptr %words, i64 288
@@ -2094,7 +2840,7 @@ B408.2.i.i:                                       ; preds = %B230.2.i.i, %B408.1
   %.13.i.i7.i = fmul double %.1429.i.i, %.1429.i.i
   %.14.i.i8.i = fadd double %.13.i.i7.i, %.12.i.i.i
   %.1586.i.i = fcmp ogt double %.14.i.i8.i, 0.000000e+00
-  br i1 %.1586.i.i, label %B678.endif.endif.endif.i.i, label %_ZN7msf_jax4host5solid5loops16segment_distanceB3v22B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE232Mesh_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_295ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedExx5ArrayIdLi2E1C7mutable7alignedE.exit.i
+  br i1 %.1586.i.i, label %B678.endif.endif.endif.i.i, label %_ZN7msf_jax4host5solid5loops16segment_distanceB3v31B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE232Mesh_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_295ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedExx5ArrayIdLi2E1C7mutable7alignedE.exit.i
 
 B678.endif.endif.endif.i.i:                       ; preds = %B408.2.i.i
   %.10.i4.i.i = fmul double %.978.i.i, %.1320.i.i
@@ -2107,9 +2853,9 @@ B678.endif.endif.endif.i.i:                       ; preds = %B408.2.i.i
   %.11.i49.i.i = select i1 %.10.i48.i.i, double 0.000000e+00, double %.1623.i.i
   %.10.i50.i.i = fcmp ogt double %.11.i49.i.i, 1.000000e+00
   %.11.i51.i.i = select i1 %.10.i50.i.i, double 1.000000e+00, double %.11.i49.i.i
-  br label %_ZN7msf_jax4host5solid5loops16segment_distanceB3v22B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE232Mesh_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_295ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedExx5ArrayIdLi2E1C7mutable7alignedE.exit.i
+  br label %_ZN7msf_jax4host5solid5loops16segment_distanceB3v31B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE232Mesh_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_295ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedExx5ArrayIdLi2E1C7mutable7alignedE.exit.i
 
-_ZN7msf_jax4host5solid5loops16segment_distanceB3v22B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE232Mesh_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_295ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedExx5ArrayIdLi2E1C7mutable7alignedE.exit.i: ; preds = %B678.endif.endif.endif.i.i, %B408.2.i.i
+_ZN7msf_jax4host5solid5loops16segment_distanceB3v31B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE232Mesh_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_295ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedExx5ArrayIdLi2E1C7mutable7alignedE.exit.i: ; preds = %B678.endif.endif.endif.i.i, %B408.2.i.i
   %"$phi782.0.2.0.i.i" = phi double [ 0.000000e+00, %B408.2.i.i ], [ %.11.i51.i.i, %B678.endif.endif.endif.i.i ]
   %.1695.i.i = fmul double %.1320.i.i, %"$phi782.0.2.0.i.i"
   %.1699.i.i = fsub double %.978.i.i, %.1695.i.i
@@ -2126,13 +2872,13 @@ _ZN7msf_jax4host5solid5loops16segment_distanceB3v22B54c8tJTIeFIjxB2IKSgI4CrvQCk0
   %.1081.i = fcmp olt double %sqrt.i.i.i, %best.3.2.ph.i
   br i1 %.1081.i, label %B544.i, label %B520.i
 
-B520.i:                                           ; preds = %_ZN7msf_jax4host5solid5loops16segment_distanceB3v22B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE232Mesh_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_295ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedExx5ArrayIdLi2E1C7mutable7alignedE.exit.i
+B520.i:                                           ; preds = %_ZN7msf_jax4host5solid5loops16segment_distanceB3v31B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE232Mesh_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_295ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedExx5ArrayIdLi2E1C7mutable7alignedE.exit.i
   %.1094.i = fcmp oeq double %sqrt.i.i.i, %best.3.2.ph.i
   %.1111.i = icmp slt i64 %.939.i, %which.2.2.ph.i
   %or.cond.i = select i1 %.1094.i, i1 %.1111.i, i1 false
   br i1 %or.cond.i, label %B544.i, label %B30.i.i
 
-B544.i:                                           ; preds = %B520.i, %_ZN7msf_jax4host5solid5loops16segment_distanceB3v22B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE232Mesh_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_295ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedExx5ArrayIdLi2E1C7mutable7alignedE.exit.i
+B544.i:                                           ; preds = %B520.i, %_ZN7msf_jax4host5solid5loops16segment_distanceB3v31B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE232Mesh_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_295ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedExx5ArrayIdLi2E1C7mutable7alignedE.exit.i
   br label %B30.i.i
 
 B20.i.i:                                          ; preds = %B374.i
@@ -2203,14 +2949,14 @@ B626.i:                                           ; preds = %B694.endif.endif.en
 
 B650.i:                                           ; preds = %B626.i
   %.1275.i = icmp eq i64 %w34, %count.5.1.i
-  br i1 %.1275.i, label %_ZN7msf_jax4host5solid5loops5loopsB3v17B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE232Mesh_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xx5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, label %B694.endif.endif.endif.endif.endif.endif.endif.endif.i
+  br i1 %.1275.i, label %_ZN7msf_jax4host5solid5loops5loopsB3v26B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE232Mesh_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xx5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, label %B694.endif.endif.endif.endif.endif.endif.endif.endif.i
 
 B1094.i:                                          ; preds = %B694.endif.endif.endif.endif.endif.endif.endif.endif.i, %B626.i, %B606.i
   %count.4.2.i = phi i64 [ %count.3.01371.i, %B606.i ], [ %count.3.01371.i, %B626.i ], [ %.1697.i, %B694.endif.endif.endif.endif.endif.endif.endif.endif.i ]
   %25 = getelementptr i64, ptr %w31, i64 %.30013411368.i
   store i64 %count.4.2.i, ptr %25, align 8
   %exitcond1425.not.i = icmp eq i64 %.307.i, %w1
-  br i1 %exitcond1425.not.i, label %_ZN7msf_jax4host5solid5loops5loopsB3v17B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE232Mesh_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xx5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, label %B108.i
+  br i1 %exitcond1425.not.i, label %_ZN7msf_jax4host5solid5loops5loopsB3v26B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE232Mesh_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xx5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, label %B108.i
 
 B204.endif.i:                                     ; preds = %B148.endif.2.i.i, %B46.endif.i.i, %B108.i
   %first.7.1.i = phi i64 [ -1, %B108.i ], [ %storemerge.i.i.i, %B46.endif.i.i ], [ -1, %B148.endif.2.i.i ]
@@ -2346,7 +3092,7 @@ B694.endif.endif.endif.endif.endif.endif.endif.endif.i: ; preds = %B650.i
   %or.cond1290.i = and i1 %.1956.i, %.1982.i
   br i1 %or.cond1290.i, label %B626.i, label %B1094.i
 
-_ZN7msf_jax4host5solid5loops5loopsB3v17B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE232Mesh_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xx5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit: ; preds = %B1094.i, %B650.i, %0
+_ZN7msf_jax4host5solid5loops5loopsB3v26B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE232Mesh_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xx5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit: ; preds = %B1094.i, %B650.i, %0
   %storemerge.i = phi i64 [ 1, %0 ], [ 0, %B650.i ], [ 1, %B1094.i ]
   ret i64 %storemerge.i
 }
@@ -2380,7 +3126,7 @@ define noundef i64 @msf_jax.host.solid.loops.measures(ptr readonly %words) local
   %p14 = getelementptr i8, ptr %words, i64 112
   %w14 = load i64, ptr %p14, align 8
   %.1801245.not.i = icmp slt i64 %w9, 1
-  br i1 %.1801245.not.i, label %_ZN7msf_jax4host5solid5loops8measuresB3v24B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi2E1C7mutable7alignedE.exit, label %B68.endif.lr.ph.i
+  br i1 %.1801245.not.i, label %_ZN7msf_jax4host5solid5loops8measuresB3v32B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi2E1C7mutable7alignedE.exit, label %B68.endif.lr.ph.i
 
 B68.endif.lr.ph.i:                                ; preds = %0
   %p15 = getelementptr i8, ptr %words, i64 120
@@ -2542,7 +3288,7 @@ B1696.2.i:                                        ; preds = %B986.lr.ph.i, %B169
 
 B1896.i:                                          ; preds = %B1696.2.i, %B950.endif.i, %B838.i
   %exitcond.not.i = icmp eq i64 %.193.i, %w9
-  br i1 %exitcond.not.i, label %_ZN7msf_jax4host5solid5loops8measuresB3v24B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi2E1C7mutable7alignedE.exit, label %B68.endif.i
+  br i1 %exitcond.not.i, label %_ZN7msf_jax4host5solid5loops8measuresB3v32B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi2E1C7mutable7alignedE.exit, label %B68.endif.i
 
 B68.endif.i:                                      ; preds = %B1896.i, %B68.endif.lr.ph.i
   %first.2.01254.i = phi i64 [ 0, %B68.endif.lr.ph.i ], [ %.247.i, %B1896.i ]
@@ -2720,7 +3466,7 @@ B986.lr.ph.i:                                     ; preds = %B950.endif.i
   %7 = add nuw i64 %..651.i, 1
   br label %B1696.2.i
 
-_ZN7msf_jax4host5solid5loops8measuresB3v24B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi2E1C7mutable7alignedE.exit: ; preds = %B1896.i, %0
+_ZN7msf_jax4host5solid5loops8measuresB3v32B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi2E1C7mutable7alignedE.exit: ; preds = %B1896.i, %0
   ret i64 0
 }
 
@@ -2767,7 +3513,7 @@ define noundef i64 @msf_jax.host.thin.fronts.spread(ptr readonly %words) local_u
   %p32 = getelementptr i8, ptr %words, i64 256
   %w32 = load i64, ptr %p32, align 8
   %.195645.i = icmp sgt i64 %w32, 0
-  br i1 %.195645.i, label %B14.i, label %_ZN7msf_jax4host4thin6fronts6spreadB3v25B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedE.exit
+  br i1 %.195645.i, label %B14.i, label %_ZN7msf_jax4host4thin6fronts6spreadB3v33B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedE.exit
 
 B14.i:                                            ; preds = %0, %B12.backedge.i
   %size.4.0647.i = phi i64 [ %.619.i.i, %B12.backedge.i ], [ 0, %0 ]
@@ -3113,7 +3859,7 @@ B548.us.i.i:                                      ; preds = %B524.us.i.i
   %sunkaddr18.i.i = getelementptr inbounds i8, ptr %26, i64 %sunkaddr17.i.i
   store double %away.2.3.us.i.i, ptr %sunkaddr18.i.i, align 8
   %.96.i.i.i = icmp sgt i64 %size.2.1772.us.i.i, 0
-  br i1 %.96.i.i.i, label %B20.else.if.i.i.i, label %_ZN7msf_jax4host4thin6fronts4pushB3v31B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx.exit.i.i
+  br i1 %.96.i.i.i, label %B20.else.if.i.i.i, label %_ZN7msf_jax4host4thin6fronts4pushB3v39B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx.exit.i.i
 
 B20.else.if.i.i.i:                                ; preds = %B548.us.i.i
   %.108.i.i.i = add nsw i64 %size.2.1772.us.i.i, -1
@@ -3121,7 +3867,7 @@ B20.else.if.i.i.i:                                ; preds = %B548.us.i.i
   %.178.i1.i.i = getelementptr double, ptr %w25, i64 %.129416426.i.i.i
   %.179.i2.i.i = load double, ptr %.178.i1.i.i, align 8
   %.181.i.i.i = fcmp ogt double %.179.i2.i.i, %away.2.3.us.i.i
-  br i1 %.181.i.i.i, label %B66.else.if.i.i.i, label %_ZN7msf_jax4host4thin6fronts4pushB3v31B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx.exit.i.i
+  br i1 %.181.i.i.i, label %B66.else.if.i.i.i, label %_ZN7msf_jax4host4thin6fronts4pushB3v39B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx.exit.i.i
 
 B66.else.if.i.i.i:                                ; preds = %B20.else.if.i.i.i, %B204.else.if.i.i.i
   %at.2.1.i.i.i = phi i64 [ %.208418427.i.i.i, %B204.else.if.i.i.i ], [ %size.2.1772.us.i.i, %B20.else.if.i.i.i ]
@@ -3136,7 +3882,7 @@ B66.else.if.i.i.i:                                ; preds = %B20.else.if.i.i.i, 
   %.394.i3.i.i = getelementptr i64, ptr %w27, i64 %at.2.1.i.i.i
   store i64 %.331.i.i.i, ptr %.394.i3.i.i, align 8
   %.447.not.i.i.i = icmp eq i64 %.208418427.i.i.i, 0
-  br i1 %.447.not.i.i.i, label %_ZN7msf_jax4host4thin6fronts4pushB3v31B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx.exit.i.i, label %B204.else.if.i.i.i
+  br i1 %.447.not.i.i.i, label %_ZN7msf_jax4host4thin6fronts4pushB3v39B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx.exit.i.i, label %B204.else.if.i.i.i
 
 B204.else.if.i.i.i:                               ; preds = %B66.else.if.i.i.i
   %.458.i.i.i = add nsw i64 %.208418427.i.i.i, -1
@@ -3144,9 +3890,9 @@ B204.else.if.i.i.i:                               ; preds = %B66.else.if.i.i.i
   %.528.i.i.i = getelementptr double, ptr %w25, i64 %.479424430.i.i.i
   %.529.i.i.i = load double, ptr %.528.i.i.i, align 8
   %.531.i.i.i = fcmp ogt double %.529.i.i.i, %away.2.3.us.i.i
-  br i1 %.531.i.i.i, label %B66.else.if.i.i.i, label %_ZN7msf_jax4host4thin6fronts4pushB3v31B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx.exit.i.i
+  br i1 %.531.i.i.i, label %B66.else.if.i.i.i, label %_ZN7msf_jax4host4thin6fronts4pushB3v39B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx.exit.i.i
 
-_ZN7msf_jax4host4thin6fronts4pushB3v31B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx.exit.i.i: ; preds = %B204.else.if.i.i.i, %B66.else.if.i.i.i, %B20.else.if.i.i.i, %B548.us.i.i
+_ZN7msf_jax4host4thin6fronts4pushB3v39B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx.exit.i.i: ; preds = %B204.else.if.i.i.i, %B66.else.if.i.i.i, %B20.else.if.i.i.i, %B548.us.i.i
   %at.3.0.i.i.i = phi i64 [ %size.2.1772.us.i.i, %B20.else.if.i.i.i ], [ %size.2.1772.us.i.i, %B548.us.i.i ], [ 0, %B66.else.if.i.i.i ], [ %.208418427.i.i.i, %B204.else.if.i.i.i ]
   %.560.i.i.i = icmp slt i64 %at.3.0.i.i.i, 0
   %.561.i.i.i = select i1 %.560.i.i.i, i64 %w26, i64 0
@@ -3160,8 +3906,8 @@ _ZN7msf_jax4host4thin6fronts4pushB3v31B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s
   %.619.i.i.i = add nsw i64 %size.2.1772.us.i.i, 1
   br label %B599.us.i.i
 
-B599.us.i.i:                                      ; preds = %_ZN7msf_jax4host4thin6fronts4pushB3v31B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx.exit.i.i, %B524.us.i.i, %B490.us.i.i, %B190.us.i.i
-  %size.4.2.us.i.i = phi i64 [ %size.2.1772.us.i.i, %B190.us.i.i ], [ %size.2.1772.us.i.i, %B490.us.i.i ], [ %size.2.1772.us.i.i, %B524.us.i.i ], [ %.619.i.i.i, %_ZN7msf_jax4host4thin6fronts4pushB3v31B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx.exit.i.i ]
+B599.us.i.i:                                      ; preds = %_ZN7msf_jax4host4thin6fronts4pushB3v39B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx.exit.i.i, %B524.us.i.i, %B490.us.i.i, %B190.us.i.i
+  %size.4.2.us.i.i = phi i64 [ %size.2.1772.us.i.i, %B190.us.i.i ], [ %size.2.1772.us.i.i, %B490.us.i.i ], [ %size.2.1772.us.i.i, %B524.us.i.i ], [ %.619.i.i.i, %_ZN7msf_jax4host4thin6fronts4pushB3v39B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx.exit.i.i ]
   %exitcond.not.i.i = icmp eq i64 %.484.us.i.i, 3
   br i1 %exitcond.not.i.i, label %B188.B128.loopexit_crit_edge.us.i.i, label %B190.us.i.i
 
@@ -3174,7 +3920,7 @@ B188.B128.loopexit_crit_edge.us.i.i:              ; preds = %B599.us.i.i
 B226.i:                                           ; preds = %B188.B128.loopexit_crit_edge.us.i.i, %B78.endif.i, %B170.i
   %size.6.1.i = phi i64 [ %.79.i.i, %B78.endif.i ], [ %.79.i.i, %B170.i ], [ %size.4.2.us.i.i, %B188.B128.loopexit_crit_edge.us.i.i ]
   %.566.not.i = icmp eq i64 %size.6.1.i, 0
-  br i1 %.566.not.i, label %_ZN7msf_jax4host4thin6fronts6spreadB3v25B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedE.exit, label %B78.i
+  br i1 %.566.not.i, label %_ZN7msf_jax4host4thin6fronts6spreadB3v33B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedE.exit, label %B78.i
 
 B78.endif.i:                                      ; preds = %B236.i.i, %B200.i.i, %B78.i
   %at.3.1.i.i = phi i64 [ 0, %B78.i ], [ %child.2.1.i.i, %B236.i.i ], [ %at.2.0.i.i, %B200.i.i ]
@@ -3195,7 +3941,7 @@ B78.endif.i:                                      ; preds = %B236.i.i, %B200.i.i
   %.454.not.i = icmp eq i64 %.453.i, 1
   br i1 %.454.not.i, label %B226.i, label %B170.i
 
-_ZN7msf_jax4host4thin6fronts6spreadB3v25B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedE.exit: ; preds = %B226.i, %0
+_ZN7msf_jax4host4thin6fronts6spreadB3v33B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedE.exit: ; preds = %B226.i, %0
   ret i64 0
 }
 
@@ -3707,7 +4453,7 @@ B548.us.i.i:                                      ; preds = %B524.us.i.i
   %sunkaddr18.i.i = getelementptr inbounds i8, ptr %30, i64 %sunkaddr17.i.i
   store double %away.2.3.us.i.i, ptr %sunkaddr18.i.i, align 8
   %.96.i.i.i = icmp sgt i64 %size.2.1772.us.i.i, 0
-  br i1 %.96.i.i.i, label %B20.else.if.i.i.i, label %_ZN7msf_jax4host4thin6fronts4pushB3v31B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx.exit.i.i
+  br i1 %.96.i.i.i, label %B20.else.if.i.i.i, label %_ZN7msf_jax4host4thin6fronts4pushB3v39B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx.exit.i.i
 
 B20.else.if.i.i.i:                                ; preds = %B548.us.i.i
   %.108.i.i.i = add nsw i64 %size.2.1772.us.i.i, -1
@@ -3715,7 +4461,7 @@ B20.else.if.i.i.i:                                ; preds = %B548.us.i.i
   %.178.i1.i.i = getelementptr double, ptr %w25, i64 %.129416426.i.i.i
   %.179.i2.i.i = load double, ptr %.178.i1.i.i, align 8
   %.181.i.i.i = fcmp ogt double %.179.i2.i.i, %away.2.3.us.i.i
-  br i1 %.181.i.i.i, label %B66.else.if.i.i.i, label %_ZN7msf_jax4host4thin6fronts4pushB3v31B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx.exit.i.i
+  br i1 %.181.i.i.i, label %B66.else.if.i.i.i, label %_ZN7msf_jax4host4thin6fronts4pushB3v39B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx.exit.i.i
 
 B66.else.if.i.i.i:                                ; preds = %B20.else.if.i.i.i, %B204.else.if.i.i.i
   %at.2.1.i.i.i = phi i64 [ %.208418427.i.i.i, %B204.else.if.i.i.i ], [ %size.2.1772.us.i.i, %B20.else.if.i.i.i ]
@@ -3730,7 +4476,7 @@ B66.else.if.i.i.i:                                ; preds = %B20.else.if.i.i.i, 
   %.394.i3.i.i = getelementptr i64, ptr %w27, i64 %at.2.1.i.i.i
   store i64 %.331.i.i.i, ptr %.394.i3.i.i, align 8
   %.447.not.i.i.i = icmp eq i64 %.208418427.i.i.i, 0
-  br i1 %.447.not.i.i.i, label %_ZN7msf_jax4host4thin6fronts4pushB3v31B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx.exit.i.i, label %B204.else.if.i.i.i
+  br i1 %.447.not.i.i.i, label %_ZN7msf_jax4host4thin6fronts4pushB3v39B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx.exit.i.i, label %B204.else.if.i.i.i
 
 B204.else.if.i.i.i:                               ; preds = %B66.else.if.i.i.i
   %.458.i.i.i = add nsw i64 %.208418427.i.i.i, -1
@@ -3738,9 +4484,9 @@ B204.else.if.i.i.i:                               ; preds = %B66.else.if.i.i.i
   %.528.i.i.i = getelementptr double, ptr %w25, i64 %.479424430.i.i.i
   %.529.i.i.i = load double, ptr %.528.i.i.i, align 8
   %.531.i.i.i = fcmp ogt double %.529.i.i.i, %away.2.3.us.i.i
-  br i1 %.531.i.i.i, label %B66.else.if.i.i.i, label %_ZN7msf_jax4host4thin6fronts4pushB3v31B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx.exit.i.i
+  br i1 %.531.i.i.i, label %B66.else.if.i.i.i, label %_ZN7msf_jax4host4thin6fronts4pushB3v39B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx.exit.i.i
 
-_ZN7msf_jax4host4thin6fronts4pushB3v31B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx.exit.i.i: ; preds = %B204.else.if.i.i.i, %B66.else.if.i.i.i, %B20.else.if.i.i.i, %B548.us.i.i
+_ZN7msf_jax4host4thin6fronts4pushB3v39B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx.exit.i.i: ; preds = %B204.else.if.i.i.i, %B66.else.if.i.i.i, %B20.else.if.i.i.i, %B548.us.i.i
   %at.3.0.i.i.i = phi i64 [ %size.2.1772.us.i.i, %B20.else.if.i.i.i ], [ %size.2.1772.us.i.i, %B548.us.i.i ], [ 0, %B66.else.if.i.i.i ], [ %.208418427.i.i.i, %B204.else.if.i.i.i ]
   %.560.i.i.i = icmp slt i64 %at.3.0.i.i.i, 0
   %.561.i.i.i = select i1 %.560.i.i.i, i64 %w26, i64 0
@@ -3754,8 +4500,8 @@ _ZN7msf_jax4host4thin6fronts4pushB3v31B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s
   %.619.i.i.i = add nsw i64 %size.2.1772.us.i.i, 1
   br label %B599.us.i.i
 
-B599.us.i.i:                                      ; preds = %_ZN7msf_jax4host4thin6fronts4pushB3v31B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx.exit.i.i, %B524.us.i.i, %B490.us.i.i, %B190.us.i.i
-  %size.4.2.us.i.i = phi i64 [ %size.2.1772.us.i.i, %B190.us.i.i ], [ %size.2.1772.us.i.i, %B490.us.i.i ], [ %size.2.1772.us.i.i, %B524.us.i.i ], [ %.619.i.i.i, %_ZN7msf_jax4host4thin6fronts4pushB3v31B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx.exit.i.i ]
+B599.us.i.i:                                      ; preds = %_ZN7msf_jax4host4thin6fronts4pushB3v39B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx.exit.i.i, %B524.us.i.i, %B490.us.i.i, %B190.us.i.i
+  %size.4.2.us.i.i = phi i64 [ %size.2.1772.us.i.i, %B190.us.i.i ], [ %size.2.1772.us.i.i, %B490.us.i.i ], [ %size.2.1772.us.i.i, %B524.us.i.i ], [ %.619.i.i.i, %_ZN7msf_jax4host4thin6fronts4pushB3v39B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx.exit.i.i ]
   %exitcond.not.i.i = icmp eq i64 %.484.us.i.i, 3
   br i1 %exitcond.not.i.i, label %B188.B128.loopexit_crit_edge.us.i.i, label %B190.us.i.i
 
@@ -3848,7 +4594,7 @@ B1080.i:                                          ; preds = %B1046.i
   tail call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(72) %.281.i, i8 0, i64 72, i1 false)
   %.361.i35.i = load i64, ptr %.2158.i, align 8
   %.362.i.i = icmp slt i64 %.361.i35.i, 0
-  br i1 %.362.i.i, label %B104.i.i, label %_ZN7msf_jax4host4thin6fronts12ring_throughB3v37B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx5ArrayIdLi1E1C7mutable7alignedE.exit.i
+  br i1 %.362.i.i, label %B104.i.i, label %_ZN7msf_jax4host4thin6fronts12ring_throughB3v45B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx5ArrayIdLi1E1C7mutable7alignedE.exit.i
 
 B104.i.i:                                         ; preds = %B1080.i, %B1016.i.i
   %face.2.0.i.i = phi i64 [ %.2246.1.i.i, %B1016.i.i ], [ %.1797.i, %B1080.i ]
@@ -4099,9 +4845,9 @@ B1016.i.i:                                        ; preds = %B156.endif.endif.i.
   %.2310.i.i = getelementptr i64, ptr %67, i64 %.2296.i.i
   %.2311.i.i = load i64, ptr %.2310.i.i, align 8
   %.2312.i.i = icmp slt i64 %.2311.i.i, 0
-  br i1 %.2312.i.i, label %B104.i.i, label %_ZN7msf_jax4host4thin6fronts12ring_throughB3v37B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx5ArrayIdLi1E1C7mutable7alignedE.exit.i
+  br i1 %.2312.i.i, label %B104.i.i, label %_ZN7msf_jax4host4thin6fronts12ring_throughB3v45B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx5ArrayIdLi1E1C7mutable7alignedE.exit.i
 
-_ZN7msf_jax4host4thin6fronts12ring_throughB3v37B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx5ArrayIdLi1E1C7mutable7alignedE.exit.i: ; preds = %B1016.i.i, %B1080.i
+_ZN7msf_jax4host4thin6fronts12ring_throughB3v45B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx5ArrayIdLi1E1C7mutable7alignedE.exit.i: ; preds = %B1016.i.i, %B1080.i
   %.264578.i = phi double [ 0.000000e+00, %B1080.i ], [ %.2082.i.i, %B1016.i.i ]
   %.2430.i = phi double [ 0.000000e+00, %B1080.i ], [ %.1350.i.i, %B1016.i.i ]
   %.2270.i = load double, ptr %sunkaddr373.i, align 8
@@ -4120,7 +4866,7 @@ B1320.i:                                          ; preds = %B1304.i
 B92.loopexit.i.i:                                 ; preds = %B1179.i.i, %B94.endif.i.i
   %num.4.1.lcssa.i.i = phi i64 [ %num.11.02265.i.i, %B94.endif.i.i ], [ %num.5.2.i.i, %B1179.i.i ]
   %exitcond.not.i41.i = icmp eq i64 %count.2.03906.i, %.438.i.i
-  br i1 %exitcond.not.i41.i, label %_ZN7msf_jax4host4thin6fronts7islandsB3v39B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xxd5ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B94.endif.i.i
+  br i1 %exitcond.not.i41.i, label %_ZN7msf_jax4host4thin6fronts7islandsB3v47B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xxd5ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B94.endif.i.i
 
 B208.i.i:                                         ; preds = %B94.endif.i.i, %B1179.i.i
   %num.4.12218.i.i = phi i64 [ %num.5.2.i.i, %B1179.i.i ], [ %num.11.02265.i.i, %B94.endif.i.i ]
@@ -4701,7 +5447,7 @@ B878.preheader.new.i.i:                           ; preds = %B878.preheader.i.i
   %unroll_iter.i.i = and i64 %num.7.52007.us.lcssa.i.i, 9223372036854775804
   br label %B878.i.i
 
-_ZN7msf_jax4host4thin6fronts7islandsB3v39B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xxd5ArrayIdLi1E1C7mutable7alignedE.exit.i: ; preds = %B92.loopexit.i.i
+_ZN7msf_jax4host4thin6fronts7islandsB3v47B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xxd5ArrayIdLi1E1C7mutable7alignedE.exit.i: ; preds = %B92.loopexit.i.i
   %.2848.i = icmp sgt i64 %num.4.1.lcssa.i.i, 0
   br i1 %.2848.i, label %B1496.preheader.i, label %B1550.endif.i
 
@@ -5031,7 +5777,7 @@ B2706.i:                                          ; preds = %B2706.preheader.new
 
 B2762.loopexit.unr-lcssa.i:                       ; preds = %B2706.i
   %lcmp.mod162.not.i = icmp eq i64 %xtraiter160.i, 0
-  br i1 %lcmp.mod162.not.i, label %_ZN7msf_jax4host4thin6fronts3capB3v33B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xddddd5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE.exit, label %B2706.epil.preheader.i
+  br i1 %lcmp.mod162.not.i, label %_ZN7msf_jax4host4thin6fronts3capB3v41B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xddddd5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE.exit, label %B2706.epil.preheader.i
 
 B2706.epil.preheader.i:                           ; preds = %B2706.preheader.i, %B2762.loopexit.unr-lcssa.i
   %.580839423944.epil.init.i = phi i64 [ 0, %B2706.preheader.i ], [ %unroll_iter164.i, %B2762.loopexit.unr-lcssa.i ]
@@ -5049,7 +5795,7 @@ B2706.epil.i:                                     ; preds = %B2706.epil.i, %B270
   store i64 0, ptr %scevgep186.i, align 8
   %epil.iter161.next.i = add i64 %epil.iter161.i, 1
   %epil.iter161.cmp.not.i = icmp eq i64 %xtraiter160.i, %epil.iter161.next.i
-  br i1 %epil.iter161.cmp.not.i, label %_ZN7msf_jax4host4thin6fronts3capB3v33B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xddddd5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE.exit, label %B2706.epil.i
+  br i1 %epil.iter161.cmp.not.i, label %_ZN7msf_jax4host4thin6fronts3capB3v41B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xddddd5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE.exit, label %B2706.epil.i
 
 B2763.i:                                          ; preds = %B1234.lr.ph.i, %B976.endif.lr.ph.i, %B1046.i
   %rings.3.5.i = phi i64 [ %rings.2.43283.i, %B1046.i ], [ %.2688.i, %B1234.lr.ph.i ], [ %rings.2.43283.i, %B976.endif.lr.ph.i ]
@@ -5144,7 +5890,7 @@ B976.endif.lr.ph.i:                               ; preds = %B140.endif.i.i
   store double %.2069.4.i, ptr %sunkaddr377.i, align 8
   br label %B2763.i
 
-B1176.preheader.i:                                ; preds = %_ZN7msf_jax4host4thin6fronts12ring_throughB3v37B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx5ArrayIdLi1E1C7mutable7alignedE.exit.i
+B1176.preheader.i:                                ; preds = %_ZN7msf_jax4host4thin6fronts12ring_throughB3v45B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx5ArrayIdLi1E1C7mutable7alignedE.exit.i
   store double %.2430.i, ptr %sunkaddr373.i, align 8
   %.2430.1.i = load double, ptr %sunkaddr1.i.i, align 8
   store double %.2430.1.i, ptr %sunkaddr385.i, align 8
@@ -5155,9 +5901,9 @@ B1176.preheader.i:                                ; preds = %_ZN7msf_jax4host4th
   %.2645.pre.i = load double, ptr %sunkaddr3.i.i, align 8
   br label %B1234.lr.ph.i
 
-B1234.lr.ph.i:                                    ; preds = %B1176.preheader.i, %_ZN7msf_jax4host4thin6fronts12ring_throughB3v37B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx5ArrayIdLi1E1C7mutable7alignedE.exit.i
-  %.2645.i = phi double [ %.264578.i, %_ZN7msf_jax4host4thin6fronts12ring_throughB3v37B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx5ArrayIdLi1E1C7mutable7alignedE.exit.i ], [ %.2645.pre.i, %B1176.preheader.i ]
-  %longest.6.8.i = phi i64 [ %longest.3.43284.i, %_ZN7msf_jax4host4thin6fronts12ring_throughB3v37B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx5ArrayIdLi1E1C7mutable7alignedE.exit.i ], [ %rings.2.43283.i, %B1176.preheader.i ]
+B1234.lr.ph.i:                                    ; preds = %B1176.preheader.i, %_ZN7msf_jax4host4thin6fronts12ring_throughB3v45B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx5ArrayIdLi1E1C7mutable7alignedE.exit.i
+  %.2645.i = phi double [ %.264578.i, %_ZN7msf_jax4host4thin6fronts12ring_throughB3v45B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx5ArrayIdLi1E1C7mutable7alignedE.exit.i ], [ %.2645.pre.i, %B1176.preheader.i ]
+  %longest.6.8.i = phi i64 [ %longest.3.43284.i, %_ZN7msf_jax4host4thin6fronts12ring_throughB3v45B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx5ArrayIdLi1E1C7mutable7alignedE.exit.i ], [ %rings.2.43283.i, %B1176.preheader.i ]
   %.2614.i = load double, ptr %.533.i, align 8
   %.2646.i = fadd double %.2645.i, %.2614.i
   store double %.2646.i, ptr %.533.i, align 8
@@ -5180,7 +5926,7 @@ B1234.lr.ph.i:                                    ; preds = %B1176.preheader.i, 
   %.2688.i = add nsw i64 %rings.2.43283.i, 1
   br label %B2763.i
 
-B1496.preheader.i:                                ; preds = %_ZN7msf_jax4host4thin6fronts7islandsB3v39B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xxd5ArrayIdLi1E1C7mutable7alignedE.exit.i
+B1496.preheader.i:                                ; preds = %_ZN7msf_jax4host4thin6fronts7islandsB3v47B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xxd5ArrayIdLi1E1C7mutable7alignedE.exit.i
   %.2996.i = load double, ptr %.533.i, align 8
   %.3026.i = load double, ptr %.451.i, align 8
   %.3027.i = fadd double %.2996.i, %.3026.i
@@ -5228,9 +5974,9 @@ B1502.epil.i:                                     ; preds = %B1550.endif.loopexi
   %.3272.epil.i = icmp eq i64 %.3271.epil.i, 0
   br label %B1550.endif.i
 
-B1550.endif.i:                                    ; preds = %B878.epil.i.i, %B1502.epil.i, %B1550.endif.loopexit.unr-lcssa.i, %_ZN7msf_jax4host4thin6fronts7islandsB3v39B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xxd5ArrayIdLi1E1C7mutable7alignedE.exit.i, %B846.endif.split.us.i.i, %common.ret.loopexit.unr-lcssa.i.i, %B1304.i
-  %goes_on.10.3.i = phi i1 [ true, %B1304.i ], [ %"$phi1546.1.2.5.1.mux.i", %B1550.endif.loopexit.unr-lcssa.i ], [ true, %_ZN7msf_jax4host4thin6fronts7islandsB3v39B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xxd5ArrayIdLi1E1C7mutable7alignedE.exit.i ], [ %.3272.epil.i, %B1502.epil.i ], [ true, %common.ret.loopexit.unr-lcssa.i.i ], [ true, %B846.endif.split.us.i.i ], [ true, %B878.epil.i.i ]
-  %num.2.3.i = phi i64 [ 0, %B1304.i ], [ %num.4.1.lcssa.i.i, %B1550.endif.loopexit.unr-lcssa.i ], [ %num.4.1.lcssa.i.i, %_ZN7msf_jax4host4thin6fronts7islandsB3v39B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xxd5ArrayIdLi1E1C7mutable7alignedE.exit.i ], [ %num.4.1.lcssa.i.i, %B1502.epil.i ], [ -1, %common.ret.loopexit.unr-lcssa.i.i ], [ -1, %B846.endif.split.us.i.i ], [ -1, %B878.epil.i.i ]
+B1550.endif.i:                                    ; preds = %B878.epil.i.i, %B1502.epil.i, %B1550.endif.loopexit.unr-lcssa.i, %_ZN7msf_jax4host4thin6fronts7islandsB3v47B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xxd5ArrayIdLi1E1C7mutable7alignedE.exit.i, %B846.endif.split.us.i.i, %common.ret.loopexit.unr-lcssa.i.i, %B1304.i
+  %goes_on.10.3.i = phi i1 [ true, %B1304.i ], [ %"$phi1546.1.2.5.1.mux.i", %B1550.endif.loopexit.unr-lcssa.i ], [ true, %_ZN7msf_jax4host4thin6fronts7islandsB3v47B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xxd5ArrayIdLi1E1C7mutable7alignedE.exit.i ], [ %.3272.epil.i, %B1502.epil.i ], [ true, %common.ret.loopexit.unr-lcssa.i.i ], [ true, %B846.endif.split.us.i.i ], [ true, %B878.epil.i.i ]
+  %num.2.3.i = phi i64 [ 0, %B1304.i ], [ %num.4.1.lcssa.i.i, %B1550.endif.loopexit.unr-lcssa.i ], [ %num.4.1.lcssa.i.i, %_ZN7msf_jax4host4thin6fronts7islandsB3v47B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xxd5ArrayIdLi1E1C7mutable7alignedE.exit.i ], [ %num.4.1.lcssa.i.i, %B1502.epil.i ], [ -1, %common.ret.loopexit.unr-lcssa.i.i ], [ -1, %B846.endif.split.us.i.i ], [ -1, %B878.epil.i.i ]
   br label %B1582.endif.i
 
 B1582.endif.i:                                    ; preds = %B1550.endif.i, %B1580.loopexit.i
@@ -5331,7 +6077,7 @@ B2524.preheader.new.i:                            ; preds = %B2524.preheader.i
 
 B2638.endif.i:                                    ; preds = %B2628.i, %B2590.i
   %.58023943.not.i = icmp slt i64 %w16, 1
-  br i1 %.58023943.not.i, label %_ZN7msf_jax4host4thin6fronts3capB3v33B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xddddd5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE.exit, label %B2706.preheader.i
+  br i1 %.58023943.not.i, label %_ZN7msf_jax4host4thin6fronts3capB3v41B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xddddd5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE.exit, label %B2706.preheader.i
 
 B2706.preheader.i:                                ; preds = %B2638.endif.i
   %xtraiter160.i = and i64 %w16, 3
@@ -5342,7 +6088,7 @@ B2706.preheader.new.i:                            ; preds = %B2706.preheader.i
   %unroll_iter164.i = and i64 %w16, 9223372036854775804
   br label %B2706.i
 
-_ZN7msf_jax4host4thin6fronts3capB3v33B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xddddd5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE.exit: ; preds = %B2706.epil.i, %B2762.loopexit.unr-lcssa.i, %B2638.endif.i
+_ZN7msf_jax4host4thin6fronts3capB3v41B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xddddd5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE.exit: ; preds = %B2706.epil.i, %B2762.loopexit.unr-lcssa.i, %B2638.endif.i
   ret i64 %rows.6.1.i
 }
 
@@ -5463,7 +6209,7 @@ B272.us.i.i:                                      ; preds = %B134.endif.endif.us
 B98.loopexit.i:                                   ; preds = %B825.i, %B148.endif.i, %B100.i
   %count.2.1.lcssa.i = phi i64 [ %count.4.0884.i, %B148.endif.i ], [ %count.4.0884.i, %B100.i ], [ %count.3.2.i, %B825.i ]
   %exitcond985.not.i = icmp eq i64 %w4, %.250.i
-  br i1 %exitcond985.not.i, label %_ZN7msf_jax4host4meso7kernels11short_edgesB3v40B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIbLi1E1C7mutable7alignedEx5ArrayIxLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE.exit, label %B100.i
+  br i1 %exitcond985.not.i, label %_ZN7msf_jax4host4meso7kernels11short_edgesB3v48B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIbLi1E1C7mutable7alignedEx5ArrayIxLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE.exit, label %B100.i
 
 B100.i:                                           ; preds = %B100.preheader.i, %B98.loopexit.i
   %count.4.0884.i = phi i64 [ %count.2.1.lcssa.i, %B98.loopexit.i ], [ %count.2.0.lcssa.i.i, %B100.preheader.i ]
@@ -5485,9 +6231,9 @@ B168.i:                                           ; preds = %B168.lr.ph.i, %B825
 
 B48.i.i:                                          ; preds = %B168.i
   %.96.i.i = icmp slt i64 %.81.i.i, %.243832882.i
-  br i1 %.96.i.i, label %_ZN7msf_jax4host4meso7kernels12is_met_laterB3v42B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedExx.exit.i, label %B208.endif.endif.endif.endif.i
+  br i1 %.96.i.i, label %_ZN7msf_jax4host4meso7kernels12is_met_laterB3v50B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedExx.exit.i, label %B208.endif.endif.endif.endif.i
 
-_ZN7msf_jax4host4meso7kernels12is_met_laterB3v42B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedExx.exit.i: ; preds = %B48.i.i
+_ZN7msf_jax4host4meso7kernels12is_met_laterB3v50B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedExx.exit.i: ; preds = %B48.i.i
   %.131.i.i = getelementptr i8, ptr %w11, i64 %.81.i.i
   %.132.i.i = load i8, ptr %.131.i.i, align 1
   %.135.i.not.i = icmp eq i8 %.132.i.i, 0
@@ -5515,15 +6261,15 @@ B36.i.i:                                          ; preds = %B36.i.i, %B36.prehe
   %.147.not.i.i = icmp eq i64 %.145.i.i, %.11.i25.i
   br i1 %.147.not.i.i, label %B590.endif.i, label %B36.i.i
 
-B825.i:                                           ; preds = %B590.endif.endif.endif.thread.i, %B208.endif.endif.endif.endif.i, %_ZN7msf_jax4host4meso7kernels12is_met_laterB3v42B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedExx.exit.i, %B168.i
-  %count.3.2.i = phi i64 [ %.1972.i, %B590.endif.endif.endif.thread.i ], [ %count.2.1819.i, %B208.endif.endif.endif.endif.i ], [ %count.2.1819.i, %_ZN7msf_jax4host4meso7kernels12is_met_laterB3v42B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedExx.exit.i ], [ %count.2.1819.i, %B168.i ]
+B825.i:                                           ; preds = %B590.endif.endif.endif.thread.i, %B208.endif.endif.endif.endif.i, %_ZN7msf_jax4host4meso7kernels12is_met_laterB3v50B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedExx.exit.i, %B168.i
+  %count.3.2.i = phi i64 [ %.1972.i, %B590.endif.endif.endif.thread.i ], [ %count.2.1819.i, %B208.endif.endif.endif.endif.i ], [ %count.2.1819.i, %_ZN7msf_jax4host4meso7kernels12is_met_laterB3v50B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedExx.exit.i ], [ %count.2.1819.i, %B168.i ]
   %exitcond984.not.i = icmp eq i64 %.352.i, %.464.i
   br i1 %exitcond984.not.i, label %B98.loopexit.i, label %B168.i
 
 B0.endif.endif.i:                                 ; preds = %B272.us.i.i, %0
   %count.2.0.lcssa.i.i = phi i64 [ 0, %0 ], [ %count.3.1.us.i.i, %B272.us.i.i ]
   %.237877.not.i = icmp slt i64 %w4, 1
-  br i1 %.237877.not.i, label %_ZN7msf_jax4host4meso7kernels11short_edgesB3v40B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIbLi1E1C7mutable7alignedEx5ArrayIxLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE.exit, label %B100.preheader.i
+  br i1 %.237877.not.i, label %_ZN7msf_jax4host4meso7kernels11short_edgesB3v48B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIbLi1E1C7mutable7alignedEx5ArrayIxLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE.exit, label %B100.preheader.i
 
 B100.preheader.i:                                 ; preds = %B0.endif.endif.i
   %scevgep.i = getelementptr i8, ptr %w3, i64 24
@@ -5541,7 +6287,7 @@ B168.lr.ph.i:                                     ; preds = %B148.endif.i
   %8 = getelementptr i64, ptr %w3, i64 %.592.i
   br label %B168.i
 
-B208.endif.endif.endif.endif.i:                   ; preds = %_ZN7msf_jax4host4meso7kernels12is_met_laterB3v42B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedExx.exit.i, %B48.i.i
+B208.endif.endif.endif.endif.i:                   ; preds = %_ZN7msf_jax4host4meso7kernels12is_met_laterB3v50B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedExx.exit.i, %B48.i.i
   %.11.i.i = tail call i64 @llvm.smin.i64(i64 %.81.i.i, i64 %.243832882.i)
   %.11.i25.i = tail call i64 @llvm.smax.i64(i64 %.81.i.i, i64 %.243832882.i)
   %.68.i.i = mul i64 %.11.i.i, %w2
@@ -5784,7 +6530,7 @@ B590.endif.endif.else.if.i:                       ; preds = %B590.endif.endif.el
   %spec.select703.i = add i64 %.1779.i, %spec.select704.fr.i
   br label %B590.endif.endif.endif.thread.i
 
-_ZN7msf_jax4host4meso7kernels11short_edgesB3v40B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIbLi1E1C7mutable7alignedEx5ArrayIxLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE.exit: ; preds = %B98.loopexit.i, %B0.endif.endif.i
+_ZN7msf_jax4host4meso7kernels11short_edgesB3v48B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIbLi1E1C7mutable7alignedEx5ArrayIxLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE.exit: ; preds = %B98.loopexit.i, %B0.endif.endif.i
   %count.4.0.lcssa.i = phi i64 [ %count.2.0.lcssa.i.i, %B0.endif.endif.i ], [ %count.2.1.lcssa.i, %B98.loopexit.i ]
   ret i64 %count.4.0.lcssa.i
 }
@@ -5910,7 +6656,7 @@ B272.us.i.i:                                      ; preds = %B134.endif.endif.us
 B98.loopexit.i:                                   ; preds = %B869.i, %B148.endif.i, %B100.i
   %count.2.1.lcssa.i = phi i64 [ %count.3.0722.i, %B148.endif.i ], [ %count.3.0722.i, %B100.i ], [ %count.4.2.i, %B869.i ]
   %exitcond792.not.i = icmp eq i64 %w4, %.253.i
-  br i1 %exitcond792.not.i, label %_ZN7msf_jax4host4meso7kernels10wide_edgesB3v47B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEdd5ArrayIbLi1E1C7mutable7alignedEx5ArrayIxLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE.exit, label %B100.i
+  br i1 %exitcond792.not.i, label %_ZN7msf_jax4host4meso7kernels10wide_edgesB3v55B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEdd5ArrayIbLi1E1C7mutable7alignedEx5ArrayIxLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE.exit, label %B100.i
 
 B100.i:                                           ; preds = %B100.preheader.i, %B98.loopexit.i
   %count.3.0722.i = phi i64 [ %count.2.1.lcssa.i, %B98.loopexit.i ], [ %count.2.0.lcssa.i.i, %B100.preheader.i ]
@@ -5932,9 +6678,9 @@ B168.i:                                           ; preds = %B168.lr.ph.i, %B869
 
 B48.i.i:                                          ; preds = %B168.i
   %.96.i.i = icmp slt i64 %.81.i.i, %.246698720.i
-  br i1 %.96.i.i, label %_ZN7msf_jax4host4meso7kernels12is_met_laterB3v42B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedExx.exit.i, label %B208.endif.endif.endif.endif.i
+  br i1 %.96.i.i, label %_ZN7msf_jax4host4meso7kernels12is_met_laterB3v50B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedExx.exit.i, label %B208.endif.endif.endif.endif.i
 
-_ZN7msf_jax4host4meso7kernels12is_met_laterB3v42B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedExx.exit.i: ; preds = %B48.i.i
+_ZN7msf_jax4host4meso7kernels12is_met_laterB3v50B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedExx.exit.i: ; preds = %B48.i.i
   %.131.i.i = getelementptr i8, ptr %w12, i64 %.81.i.i
   %.132.i.i = load i8, ptr %.131.i.i, align 1
   %.135.i.not.i = icmp eq i8 %.132.i.i, 0
@@ -5961,15 +6707,15 @@ B36.i.i:                                          ; preds = %B36.i.i, %B36.prehe
   %.147.not.i.i = icmp eq i64 %.145.i.i, %.11.i49.i
   br i1 %.147.not.i.i, label %B440.endif.i, label %B36.i.i
 
-B869.i:                                           ; preds = %B676.endif.endif.i, %B440.endif.endif.endif.endif.endif.i, %B208.endif.endif.endif.endif.i, %_ZN7msf_jax4host4meso7kernels12is_met_laterB3v42B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedExx.exit.i, %B168.i
-  %count.4.2.i = phi i64 [ %count.2.1686.i, %B208.endif.endif.endif.endif.i ], [ %count.2.1686.i, %B440.endif.endif.endif.endif.endif.i ], [ %.1705.i, %B676.endif.endif.i ], [ %count.2.1686.i, %_ZN7msf_jax4host4meso7kernels12is_met_laterB3v42B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedExx.exit.i ], [ %count.2.1686.i, %B168.i ]
+B869.i:                                           ; preds = %B676.endif.endif.i, %B440.endif.endif.endif.endif.endif.i, %B208.endif.endif.endif.endif.i, %_ZN7msf_jax4host4meso7kernels12is_met_laterB3v50B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedExx.exit.i, %B168.i
+  %count.4.2.i = phi i64 [ %count.2.1686.i, %B208.endif.endif.endif.endif.i ], [ %count.2.1686.i, %B440.endif.endif.endif.endif.endif.i ], [ %.1705.i, %B676.endif.endif.i ], [ %count.2.1686.i, %_ZN7msf_jax4host4meso7kernels12is_met_laterB3v50B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedExx.exit.i ], [ %count.2.1686.i, %B168.i ]
   %exitcond.not.i = icmp eq i64 %.355.i, %.467.i
   br i1 %exitcond.not.i, label %B98.loopexit.i, label %B168.i
 
 B0.endif.endif.i:                                 ; preds = %B272.us.i.i, %0
   %count.2.0.lcssa.i.i = phi i64 [ 0, %0 ], [ %count.3.1.us.i.i, %B272.us.i.i ]
   %.240719.not.i = icmp slt i64 %w4, 1
-  br i1 %.240719.not.i, label %_ZN7msf_jax4host4meso7kernels10wide_edgesB3v47B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEdd5ArrayIbLi1E1C7mutable7alignedEx5ArrayIxLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE.exit, label %B100.preheader.i
+  br i1 %.240719.not.i, label %_ZN7msf_jax4host4meso7kernels10wide_edgesB3v55B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEdd5ArrayIbLi1E1C7mutable7alignedEx5ArrayIxLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE.exit, label %B100.preheader.i
 
 B100.preheader.i:                                 ; preds = %B0.endif.endif.i
   %scevgep.i = getelementptr i8, ptr %w3, i64 8
@@ -5986,7 +6732,7 @@ B168.lr.ph.i:                                     ; preds = %B148.endif.i
   %8 = getelementptr i64, ptr %w3, i64 %.595.i
   br label %B168.i
 
-B208.endif.endif.endif.endif.i:                   ; preds = %_ZN7msf_jax4host4meso7kernels12is_met_laterB3v42B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedExx.exit.i, %B48.i.i
+B208.endif.endif.endif.endif.i:                   ; preds = %_ZN7msf_jax4host4meso7kernels12is_met_laterB3v50B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedExx.exit.i, %B48.i.i
   %.11.i.i = tail call i64 @llvm.smin.i64(i64 %.81.i.i, i64 %.246698720.i)
   %.11.i49.i = tail call i64 @llvm.smax.i64(i64 %.81.i.i, i64 %.246698720.i)
   %.68.i53.i = mul i64 %.11.i49.i, %w2
@@ -6253,7 +6999,7 @@ B676.endif.endif.i:                               ; preds = %B440.endif.endif.en
   %.1705.i = add nsw i64 %count.2.1686.i, 1
   br label %B869.i
 
-_ZN7msf_jax4host4meso7kernels10wide_edgesB3v47B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEdd5ArrayIbLi1E1C7mutable7alignedEx5ArrayIxLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE.exit: ; preds = %B98.loopexit.i, %B0.endif.endif.i
+_ZN7msf_jax4host4meso7kernels10wide_edgesB3v55B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEdd5ArrayIbLi1E1C7mutable7alignedEx5ArrayIxLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE.exit: ; preds = %B98.loopexit.i, %B0.endif.endif.i
   %count.3.0.lcssa.i = phi i64 [ %count.2.0.lcssa.i.i, %B0.endif.endif.i ], [ %count.2.1.lcssa.i, %B98.loopexit.i ]
   ret i64 %count.3.0.lcssa.i
 }
@@ -6278,7 +7024,7 @@ define noundef i64 @msf_jax.host.meso.kernels.apart(ptr readonly %words) local_u
   %p8 = getelementptr i8, ptr %words, i64 64
   %w8 = load i64, ptr %p8, align 8
   %.87297.i = icmp sgt i64 %w4, 0
-  br i1 %.87297.i, label %B10.endif.lr.ph.i, label %_ZN7msf_jax4host4meso7kernels5apartB3v49B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE.exit
+  br i1 %.87297.i, label %B10.endif.lr.ph.i, label %_ZN7msf_jax4host4meso7kernels5apartB3v57B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE.exit
 
 B10.endif.lr.ph.i:                                ; preds = %0
   %.233275.not.i = icmp slt i64 %w2, 1
@@ -6345,7 +7091,7 @@ B204.us.i:                                        ; preds = %B108.us.thread.i, %
   %.655.us.i = getelementptr i8, ptr %10, i64 %.641.us.i
   store i8 %"$phi108.2.2.2.us359362.i", ptr %.655.us.i, align 1
   %exitcond355.not.i = icmp eq i64 %.108.us363.i, %w4
-  br i1 %exitcond355.not.i, label %_ZN7msf_jax4host4meso7kernels5apartB3v49B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE.exit, label %B10.endif.us.i
+  br i1 %exitcond355.not.i, label %_ZN7msf_jax4host4meso7kernels5apartB3v57B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE.exit, label %B10.endif.us.i
 
 B174.us.i:                                        ; preds = %B174.us.preheader19.i, %B174.us.i
   %.506282284.us.i = phi i64 [ %.513.us.3.i, %B174.us.i ], [ 0, %B174.us.preheader19.i ]
@@ -6423,7 +7169,7 @@ B174.us.preheader19.i:                            ; preds = %B174.us.preheader.i
 B216.loopexit.unr-lcssa.i:                        ; preds = %B10.endif.i
   %18 = and i64 %w4, 1
   %lcmp.mod15.not.i = icmp eq i64 %18, 0
-  br i1 %lcmp.mod15.not.i, label %_ZN7msf_jax4host4meso7kernels5apartB3v49B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE.exit, label %B10.endif.epil.preheader.i
+  br i1 %lcmp.mod15.not.i, label %_ZN7msf_jax4host4meso7kernels5apartB3v57B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE.exit, label %B10.endif.epil.preheader.i
 
 B10.endif.epil.preheader.i:                       ; preds = %B216.loopexit.unr-lcssa.i, %B10.endif.preheader.i
   %.86288298.epil.init.i = phi i64 [ 0, %B10.endif.preheader.i ], [ %unroll_iter17.i, %B216.loopexit.unr-lcssa.i ]
@@ -6435,7 +7181,7 @@ B10.endif.epil.preheader.i:                       ; preds = %B216.loopexit.unr-l
   %19 = getelementptr i8, ptr %w7, i64 %.105.epil.i
   %.655.epil.i = getelementptr i8, ptr %19, i64 %.641.epil.i
   store i8 1, ptr %.655.epil.i, align 1
-  br label %_ZN7msf_jax4host4meso7kernels5apartB3v49B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE.exit
+  br label %_ZN7msf_jax4host4meso7kernels5apartB3v57B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE.exit
 
 B10.endif.i:                                      ; preds = %B10.endif.i, %B10.endif.preheader.new.i
   %lsr.iv.i = phi ptr [ %scevgep.i, %B10.endif.i ], [ %w3, %B10.endif.preheader.new.i ]
@@ -6458,7 +7204,7 @@ B10.endif.i:                                      ; preds = %B10.endif.i, %B10.e
   %niter18.ncmp.1.i = icmp eq i64 %unroll_iter17.i, %.108.1.i
   br i1 %niter18.ncmp.1.i, label %B216.loopexit.unr-lcssa.i, label %B10.endif.i
 
-_ZN7msf_jax4host4meso7kernels5apartB3v49B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE.exit: ; preds = %B204.us.i, %0, %B216.loopexit.unr-lcssa.i, %B10.endif.epil.preheader.i
+_ZN7msf_jax4host4meso7kernels5apartB3v57B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE.exit: ; preds = %B204.us.i, %0, %B216.loopexit.unr-lcssa.i, %B10.endif.epil.preheader.i
   ret i64 0
 }
 
@@ -6546,7 +7292,7 @@ define i64 @msf_jax.host.meso.kernels.collapse(ptr readonly %words) local_unname
   %p42 = getelementptr i8, ptr %words, i64 336
   %w42 = load i64, ptr %p42, align 8
   %.2711082.i = icmp sgt i64 %w26, 0
-  br i1 %.2711082.i, label %B58.preheader.i, label %_ZN7msf_jax4host4meso7kernels8collapseB3v50B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE385Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28bool_2c_201d_2c_20C_29_2c_20array_28bool_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEb5ArrayIbLi1E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit
+  br i1 %.2711082.i, label %B58.preheader.i, label %_ZN7msf_jax4host4meso7kernels8collapseB3v58B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE385Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28bool_2c_201d_2c_20C_29_2c_20array_28bool_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEb5ArrayIbLi1E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit
 
 B58.preheader.i:                                  ; preds = %0
   %p37 = getelementptr i8, ptr %words, i64 296
@@ -7257,7 +8003,7 @@ B956.i.i:                                         ; preds = %B956.lr.ph.new.i.i,
   br i1 %niter.ncmp.1.i.i, label %common.ret.loopexit.unr-lcssa.i10.i, label %B956.i.i
 
 common.ret.loopexit.unr-lcssa.i10.i:              ; preds = %B956.i.i
-  br i1 %lcmp.mod38.not.i.i, label %_ZN7msf_jax4host4meso7kernels11merge_ringsB3v54B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedExx5ArrayIxLi2E1C7mutable7alignedE.exit.i, label %B956.epil.preheader.i.i
+  br i1 %lcmp.mod38.not.i.i, label %_ZN7msf_jax4host4meso7kernels11merge_ringsB3v62B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedExx5ArrayIxLi2E1C7mutable7alignedE.exit.i, label %B956.epil.preheader.i.i
 
 B956.epil.preheader.i.i:                          ; preds = %B956.lr.ph.i.i, %common.ret.loopexit.unr-lcssa.i10.i
   %.2369.epil.i.i = load i64, ptr %.2368.epil.i.i, align 8
@@ -7268,7 +8014,7 @@ B956.epil.preheader.i.i:                          ; preds = %B956.lr.ph.i.i, %co
   %.2525.epil.i.i = load i64, ptr %.2524.epil.i.i, align 8
   %82 = getelementptr i64, ptr %109, i64 %unroll_iter.i7.i
   store i64 %.2525.epil.i.i, ptr %82, align 8
-  br label %_ZN7msf_jax4host4meso7kernels11merge_ringsB3v54B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedExx5ArrayIxLi2E1C7mutable7alignedE.exit.i
+  br label %_ZN7msf_jax4host4meso7kernels11merge_ringsB3v62B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedExx5ArrayIxLi2E1C7mutable7alignedE.exit.i
 
 B1037.i.i:                                        ; preds = %B874.i.i, %B666.i.i, %B572.i.i
   %exitcond1018.not.i.i = icmp eq i64 %.1377.i.i, %.1284.i.i
@@ -7525,7 +8271,7 @@ B796.prol.loopexit.i.i:                           ; preds = %B796.prol.i.i, %B79
   br i1 %143, label %B874.loopexit.i.i, label %B796.i.i
 
 B902.endif.i.i:                                   ; preds = %B1037.i.i, %B528.endif.i.i
-  br i1 %.22781011.not.i.i, label %_ZN7msf_jax4host4meso7kernels11merge_ringsB3v54B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedExx5ArrayIxLi2E1C7mutable7alignedE.exit.i, label %B956.lr.ph.i.i
+  br i1 %.22781011.not.i.i, label %_ZN7msf_jax4host4meso7kernels11merge_ringsB3v62B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedExx5ArrayIxLi2E1C7mutable7alignedE.exit.i, label %B956.lr.ph.i.i
 
 B956.lr.ph.i.i:                                   ; preds = %B902.endif.i.i
   br i1 %10, label %B956.epil.preheader.i.i, label %B956.lr.ph.new.i.i
@@ -7542,7 +8288,7 @@ B956.lr.ph.new.i.i:                               ; preds = %B956.lr.ph.i.i
   %scevgep55.i.i = getelementptr i8, ptr %149, i64 8
   br label %B956.i.i
 
-_ZN7msf_jax4host4meso7kernels11merge_ringsB3v54B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedExx5ArrayIxLi2E1C7mutable7alignedE.exit.i: ; preds = %B902.endif.i.i, %B956.epil.preheader.i.i, %common.ret.loopexit.unr-lcssa.i10.i
+_ZN7msf_jax4host4meso7kernels11merge_ringsB3v62B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedExx5ArrayIxLi2E1C7mutable7alignedE.exit.i: ; preds = %B902.endif.i.i, %B956.epil.preheader.i.i, %common.ret.loopexit.unr-lcssa.i10.i
   %sunkaddr100.i.i = shl i64 %.155.i.i, 3
   %sunkaddr101.i.i = getelementptr i8, ptr %84, i64 %sunkaddr100.i.i
   store i64 %.510.i.i, ptr %sunkaddr101.i.i, align 8
@@ -7601,7 +8347,7 @@ _ZN7msf_jax4host4meso7kernels11merge_ringsB3v54B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yR
 B733.i:                                           ; preds = %B536.endif.endif.endif.endif.i, %B520.i, %B302.i, %B286.i, %B270.i
   %count.3.1.i = phi i64 [ %count.2.01084.i, %B270.i ], [ %.1759.i, %B536.endif.endif.endif.endif.i ], [ %count.2.01084.i, %B520.i ], [ %count.2.01084.i, %B286.i ], [ %count.2.01084.i, %B302.i ]
   %exitcond.not.i = icmp eq i64 %.292.i, %w26
-  br i1 %exitcond.not.i, label %_ZN7msf_jax4host4meso7kernels8collapseB3v50B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE385Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28bool_2c_201d_2c_20C_29_2c_20array_28bool_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEb5ArrayIbLi1E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, label %B58.i
+  br i1 %exitcond.not.i, label %_ZN7msf_jax4host4meso7kernels8collapseB3v58B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE385Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28bool_2c_201d_2c_20C_29_2c_20array_28bool_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEb5ArrayIbLi1E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, label %B58.i
 
 B206.endif.i:                                     ; preds = %B190.i, %B174.i
   %.713.i = icmp slt i64 %.484.i, 0
@@ -7725,7 +8471,7 @@ B444.endif.endif.i:                               ; preds = %B644.i.i
 B482.endif.endif.i:                               ; preds = %B644.i118.i
   br i1 %.1388.i163.i, label %B520.i, label %B536.i
 
-B156.i.i.i:                                       ; preds = %_ZN7msf_jax4host4meso7kernels11merge_ringsB3v54B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedExx5ArrayIxLi2E1C7mutable7alignedE.exit.i
+B156.i.i.i:                                       ; preds = %_ZN7msf_jax4host4meso7kernels11merge_ringsB3v62B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedExx5ArrayIxLi2E1C7mutable7alignedE.exit.i
   %.156.i.i.i = select i1 %.58.i18.i.i, i64 %w12, i64 0
   %.157.i.i.i = add i64 %.156.i.i.i, %two.2.2.i
   %.177.i.i.i = mul i64 %.157.i.i.i, %w13
@@ -7781,8 +8527,8 @@ B532.endif.epil.preheader.i.i:                    ; preds = %B532.endif.lr.ph.i.
   store double %.1267.epil.i.i, ptr %gep.i, align 8
   br label %B536.endif.endif.endif.i
 
-B150.endif.i.i:                                   ; preds = %B156.i.i.i, %_ZN7msf_jax4host4meso7kernels11merge_ringsB3v54B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedExx5ArrayIxLi2E1C7mutable7alignedE.exit.i
-  %"$phi248.0.2.0.i.i.i" = phi double [ %sqrt.i.i.i, %B156.i.i.i ], [ 0x7FF0000000000000, %_ZN7msf_jax4host4meso7kernels11merge_ringsB3v54B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedExx5ArrayIxLi2E1C7mutable7alignedE.exit.i ]
+B150.endif.i.i:                                   ; preds = %B156.i.i.i, %_ZN7msf_jax4host4meso7kernels11merge_ringsB3v62B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedExx5ArrayIxLi2E1C7mutable7alignedE.exit.i
+  %"$phi248.0.2.0.i.i.i" = phi double [ %sqrt.i.i.i, %B156.i.i.i ], [ 0x7FF0000000000000, %_ZN7msf_jax4host4meso7kernels11merge_ringsB3v62B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedExx5ArrayIxLi2E1C7mutable7alignedE.exit.i ]
   %.419.i3.i.i = select i1 %.1115.i, i64 %w15, i64 0
   %173 = getelementptr i8, ptr %w14, i64 %one.2.2.i
   %.433.i4.i.i = getelementptr i8, ptr %173, i64 %.419.i3.i.i
@@ -8014,7 +8760,7 @@ B536.endif.endif.endif.endif.i:                   ; preds = %B58.epil.i270.i, %B
   %.1759.i = add nsw i64 %count.2.01084.i, 1
   br label %B733.i
 
-_ZN7msf_jax4host4meso7kernels8collapseB3v50B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE385Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28bool_2c_201d_2c_20C_29_2c_20array_28bool_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEb5ArrayIbLi1E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit: ; preds = %B733.i, %0
+_ZN7msf_jax4host4meso7kernels8collapseB3v58B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE385Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28bool_2c_201d_2c_20C_29_2c_20array_28bool_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEb5ArrayIbLi1E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit: ; preds = %B733.i, %0
   %count.2.0.lcssa.i = phi i64 [ 0, %0 ], [ %count.3.1.i, %B733.i ]
   ret i64 %count.2.0.lcssa.i
 }
@@ -8067,7 +8813,7 @@ define noundef i64 @msf_jax.host.meso.kernels.cut(ptr readonly %words) local_unn
   %p29 = getelementptr i8, ptr %words, i64 232
   %w29 = load ptr, ptr %p29, align 8
   %.2562017.not.i = icmp slt i64 %w26, 1
-  br i1 %.2562017.not.i, label %_ZN7msf_jax4host4meso7kernels3cutB3v57B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE385Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28bool_2c_201d_2c_20C_29_2c_20array_28bool_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, label %B106.lr.ph.i
+  br i1 %.2562017.not.i, label %_ZN7msf_jax4host4meso7kernels3cutB3v65B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE385Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28bool_2c_201d_2c_20C_29_2c_20array_28bool_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, label %B106.lr.ph.i
 
 B106.lr.ph.i:                                     ; preds = %0
   %p22 = getelementptr i8, ptr %words, i64 176
@@ -8100,7 +8846,7 @@ B1298.epil.preheader.i:                           ; preds = %B1298.lr.ph.i, %B10
 B104.loopexit.i:                                  ; preds = %B900.endif.endif.i, %B1298.epil.preheader.i, %B104.loopexit.loopexit.unr-lcssa.i
   %lsr.iv.next133.i = add i64 %lsr.iv132.i, 1
   %exitcond2088.not.i = icmp eq i64 %.269.i, %w26
-  br i1 %exitcond2088.not.i, label %_ZN7msf_jax4host4meso7kernels3cutB3v57B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE385Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28bool_2c_201d_2c_20C_29_2c_20array_28bool_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, label %B106.i
+  br i1 %exitcond2088.not.i, label %_ZN7msf_jax4host4meso7kernels3cutB3v65B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE385Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28bool_2c_201d_2c_20C_29_2c_20array_28bool_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, label %B106.i
 
 B106.i:                                           ; preds = %B104.loopexit.i, %B106.lr.ph.i
   %lsr.iv132.i = phi i64 [ %.317.i, %B106.lr.ph.i ], [ %lsr.iv.next133.i, %B104.loopexit.i ]
@@ -8614,7 +9360,7 @@ B1298.preheader.i:                                ; preds = %B1298.lr.ph.i
   %scevgep134.i = getelementptr i8, ptr %scevgep121.i, i64 %89
   br label %B1298.i
 
-_ZN7msf_jax4host4meso7kernels3cutB3v57B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE385Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28bool_2c_201d_2c_20C_29_2c_20array_28bool_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit: ; preds = %B104.loopexit.i, %0
+_ZN7msf_jax4host4meso7kernels3cutB3v65B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE385Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28bool_2c_201d_2c_20C_29_2c_20array_28bool_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit: ; preds = %B104.loopexit.i, %0
   ret i64 0
 }
 

@@ -55,7 +55,7 @@ def pruned(skeleton: "Skeleton", slenderness: float, is_held: np.ndarray) -> "Sk
         stays, target = pruning.prune(len(x), edges, pruning.by_balls(x, skeleton.radii), least, is_held)
     else:
         solid = skeleton.source.solid
-        choice = one_branch.choose(Caps(solid.shape), solid.enter(x), edges, is_held, least)
+        choice = one_branch.choose(Caps(solid.outside), solid.enter(x), edges, is_held, least)
         stays, target = one_branch.kept(x, edges, choice.worth, is_held)
         notes += ("the search for limbs ended early; branches that it did not try are kept",) * choice.was_hit
     rank = np.cumsum(stays) - 1

@@ -5,11 +5,13 @@ from dataclasses import asdict, dataclass, field
 from typing import Any
 
 import numpy as np
+from scipy import spatial
 
 from msf_jax.host.curve import branch_paths, loops, pruning
-from msf_jax.host.solid import sections
+from msf_jax.host.solid import crossings, sections
 from msf_jax.host.solid.enclosure import Enclosure
 from msf_jax.host.solid.geometry import unit
+from msf_jax.host.solid.solid import bodies, without_cavities
 from msf_jax.host.thin import one_branch
 from msf_jax.host.thin.caps import Caps
 
@@ -21,6 +23,7 @@ STUB = 1.5  # slenderness below which a limb is a stub, hardly longer than wide
 MANY = 25  # stubs: more than fingers and toes
 MOST_STUBS = 1 / 3  # share of all limbs
 WORTH_SAYING = 1 / 3  # share of the curve's length: the report mentions sheets above it
+MOSTLY = 1 / 2  # the same share, above which most of the curve could as well be elsewhere, and the report doubts it
 SENTENCES = ("doubts", "repairs", "notes")  # attributes of a `Report` that are tuples of sentences
 
 
@@ -35,8 +38,8 @@ class Report:
         cycles: independent cycles of the curve; should equal ``genus``.
         loops: handles of the solid that these cycles go around, from linking numbers with loops of its surface; should
             equal ``genus`` and ``cycles``. None for a curve without its mesh.
-        in_sheets: fraction of the curve's length in limbs some four times as wide as thick or more, where the curve's
-            path is arbitrary; None if not known.
+        in_sheets: fraction of the curve's length in limbs some four times as wide as thick or more, or in the wall
+            around a void, where the curve's path is arbitrary; None if not known. Over half is a doubt.
         cut: cycles that `Skeleton.to_tree` cut.
         inside: fraction of the curve's length that is inside the mesh.
         converged: whether the flow converged.
@@ -52,8 +55,8 @@ class Report:
         volume: fraction of the coarsened surface's volume that is left, the largest over components.
         unsolved: iterations in which a linear solve ran out of steps before it reached its tolerance.
         solve_steps: CG steps of all solves.
-        doubts: reasons not to trust the curve, a sentence each: for example a loop that goes around no handle, or limbs
-            that are roughness of the surface.
+        doubts: reasons not to trust the curve, a sentence each: for example a loop that goes around no handle, or
+            a surface that crosses itself.
         repairs: changes of the input mesh, a sentence each.
         notes: other unusual events, a sentence each: repeated steps, a checkpoint that was not written.
         figures: `metrics.evaluate` of the finished curve, with ``Config(evaluate=True)``.
@@ -135,7 +138,7 @@ class Report:
             f"{self.fixed} of {self.live} meso-skeleton vertices fixed, {self.solve_steps} CG steps"
             + (f", {self.coarsened} vertices coarsened away before" if self.coarsened else ""),
         ]
-        if (self.in_sheets or 0.0) > WORTH_SAYING:
+        if MOSTLY >= (self.in_sheets or 0.0) > WORTH_SAYING:
             lines.append(f"{self.in_sheets:.0%} of the curve's length is in sheets, where its path is arbitrary")
         if self.pruned or self.grown:
             lines.append(f"branches: {self.pruned} pruned as no limbs, {self.grown} grown where the flow had lost them")
@@ -199,10 +202,17 @@ def assessed(
     own[np.bincount(edges.ravel(), minlength=len(vertices)) != 2] = 0.0
     asked = np.flatnonzero(own * radius > 0)
     normal = unit(branch_paths.chords(vertices, paths, radius) @ vertices)[asked] if paths else vertices[asked]
-    found = sections.cut(shape, vertices[asked], normal, radius[asked], near[asked])
-    wide = float(own[asked[found.radius > SHEET * radius[asked]]].sum() / max(own.sum(), 1e-300))
+    places = vertices[asked], normal
+    corners = sections.corners(shape, *places, radius[asked], near[asked])
+    found = sections.measured(shape, *places, corners)
+    # Next to the inner wall of a section, a void is beside the curve, and the section is a wall around it.
+    is_wide = (found.radius > SHEET * radius[asked]) | ~found.is_found
+    known = own[asked] * corners.is_closed
+    wide = float(known[is_wide].sum() / max(known.sum(), 1e-300))
     slenderness = (
-        pruning.by_balls(vertices, radius) if is_tubular else one_branch.slenderness(Caps(shape), vertices, edges, STUB)
+        pruning.by_balls(vertices, radius)
+        if is_tubular
+        else one_branch.slenderness(Caps(without_cavities(shape)), vertices, edges, STUB)
     )
     slender = [branch.slenderness for branch in pruning.measure(vertices, edges, slenderness)]
     ending = sum(np.isfinite(slender))
@@ -210,4 +220,26 @@ def assessed(
     doubts = []
     if stubs >= MANY and stubs > MOST_STUBS * ending:
         doubts.append(f"{stubs} of {ending} limbs are hardly longer than wide: the surface may be rough")
+    if wide > MOSTLY:
+        doubts.append(f"{wide:.0%} of the curve's length is in sheets, where its path is arbitrary")
+    doubts += _overlaps(shape, vertices, edges, node_of_vertex)
     return about | {"in_sheets": wide, "doubts": (*about["doubts"], *doubts)}
+
+
+def _overlaps(
+    shape: Enclosure, vertices: np.ndarray, edges: np.ndarray, node_of_vertex: np.ndarray | None
+) -> list[str]:
+    """The doubts about a surface whose solid it does not bound everywhere: parts of it are inside."""
+    node = np.asarray(spatial.KDTree(vertices).query(shape.vertices)[1]) if node_of_vertex is None else node_of_vertex
+    length = np.linalg.norm(vertices[edges[:, 0]] - vertices[edges[:, 1]], axis=1)
+    doubts = []
+    if num := len(crossings.apart_pairs(shape, node, shape.clearance(vertices), edges, length)):
+        least = "at least " if shape.crossed.num > len(shape.crossed.pairs) or shape.crossed.is_cut else ""
+        doubts.append(
+            f"the surface crosses itself, in {least}{num} pair{'' if num == 1 else 's'} of triangles: radii count "
+            'walls inside the solid, and loops may be missing; repair="join" makes one solid'
+        )
+    if num := sum(body.is_within for body in bodies(shape)):
+        which = "a solid is inside another" if num == 1 else f"{num} solids are inside others"
+        doubts.append(f"{which} and wound outwards, too: it is taken as full; a cavity is wound inwards")
+    return doubts

@@ -88,7 +88,7 @@ class Skeleton:
         if self.source is None or self.report.wavefronts:
             return None
         solid = self.source.solid
-        return one_branch.slenderness(Caps(solid.shape), solid.enter(self.vertices), self.edges)
+        return one_branch.slenderness(Caps(solid.outside), solid.enter(self.vertices), self.edges)
 
     def prune(self, slenderness: float = 1.0) -> "Skeleton":
         """A new skeleton with one branch for each limb of at least that ``slenderness`` that has any; see `Branch`.

@@ -135,6 +135,7 @@ def finish(
     is_thin: bool = False,
     is_tangle: bool = False,
     coarse: Enclosure | None = None,
+    outside: Enclosure | None = None,
     caps: Callable[[], Caps] | None = None,
     first: Callable[[Draft, Job], Draft] | None = None,
 ) -> Finished:
@@ -146,14 +147,14 @@ def finish(
     ``prune`` is the least slenderness of a limb, 0 for no pruning; ``centre`` and ``extend`` switch those steps.
     ``is_thin`` says that the solid has thin limbs, and may get a Reeb curve. ``is_tangle`` says that the flow ended in
     a tangle that no pass can repair: it stays as it is, unless there is a Reeb curve. ``coarse`` is about the same
-    surface with fewer triangles, fine enough for centring, and ``caps`` returns its caps. ``first`` is a pass that
-    comes before all others, and may set the places of the flow's nodes.
+    surface with fewer triangles, fine enough for centring, ``outside`` the surface without cavities, and ``caps``
+    returns its caps. ``first`` is a pass that comes before all others, and may set the places of the flow's nodes.
     """
     coarse = shape if coarse is None else coarse
     roadmap = Roadmap(shape, containment.is_inside)
-    job = Job(shape, coarse, prune, is_thin, roadmap, centring.Budget(), caps or partial(Caps, coarse))
+    job = Job(shape, coarse, prune, is_thin, roadmap, centring.Budget(), caps or partial(Caps, outside or coarse))
     if is_thin and centre and extend and not is_held.any():
-        laid = reeb_curve.reeb_curve(shape, containment.is_inside)
+        laid = reeb_curve.reeb_curve(outside or shape, containment.is_inside)
         if laid is not None and (is_tangle or _outside(job, *laid[:2]) <= _outside(job, nodes, edges)):
             return _of_reeb_curve(laid, nodes, job)
     if is_tangle:

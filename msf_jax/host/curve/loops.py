@@ -21,6 +21,7 @@ from msf_jax.host.solid.enclosure import Enclosure
 from msf_jax.host.solid.frame import RESOLUTION
 from msf_jax.host.solid.geometry import signed_volume
 from msf_jax.host.solid.handles import along_forest, shortest_forest
+from msf_jax.host.solid.solid import bodies
 
 PRIME = 2**31 - 1  # modulus of linear algebra: a rank is too small only if it divides a minor, which is unlikely
 FACTORS = (2, 3)  # moduli with a smaller rank if loops go around handles several times
@@ -105,15 +106,15 @@ def _solids(
     """
     if not is_asked.any():
         return []
-    label = _parts(len(shape.vertices), shape.faces[:, :2], shape.faces[:, 1:])
-    used = np.unique(label[shape.faces[:, 0]])
-    if len(used) == 1:
+    parts = bodies(shape)
+    if len(parts) == 1:
         return [(shape, is_asked)]
     solids: list[Enclosure] = []
-    for number in used:
-        member = np.flatnonzero(label == number)
-        faces = shape.faces[label[shape.faces[:, 0]] == number]
-        solids.append(Enclosure(shape.vertices[member], np.searchsorted(member, faces)))
+    label = np.full(len(shape.vertices), -1)
+    for number, body in enumerate(parts):
+        label[body.vertices] = number
+        faces = np.searchsorted(body.vertices, shape.faces[body.faces])
+        solids.append(Enclosure(shape.vertices[body.vertices], faces))
     asked = np.flatnonzero(is_asked)
     count = np.zeros((len(asked), len(solids)))
     rows = np.flatnonzero(is_asked[part])
@@ -123,9 +124,8 @@ def _solids(
             is_in = solid.contains(x[rows])
             count[:, column] = np.bincount(row_of_part[part[rows]], weights=is_in, minlength=len(asked))
     else:
-        column = np.searchsorted(used, label)
-        is_used = np.isin(label, used) & is_asked[part[node_of_vertex]]
-        np.add.at(count, (row_of_part[part[node_of_vertex[is_used]]], column[is_used]), 1)
+        is_used = (label >= 0) & is_asked[part[node_of_vertex]]
+        np.add.at(count, (row_of_part[part[node_of_vertex[is_used]]], label[is_used]), 1)
     size = np.array([abs(signed_volume(solid.vertices, solid.faces)) for solid in solids])
     order = np.argsort(size, kind="stable")
     owner = order[count[:, order].argmax(axis=1)]

@@ -19,18 +19,22 @@ from msf_jax.host.mesh.reading import OR_REPAIR, count, read
 from msf_jax.host.mesh.repair import FEWEST_TO_JOIN, FEWEST_VERTICES, FLATTEST, Repair, as_repair, repaired, with_volume
 from msf_jax.host.solid.enclosure import Enclosure
 from msf_jax.host.solid.geometry import signed_volume
+from msf_jax.host.solid.solid import nested
 
 
 @dataclass(frozen=True)
 class Component:
     """One closed connected surface.
 
-    vertices: (V, 3) float64, the caller's units. faces: (F, 3). genus: handles.
+    vertices: (V, 3) float64, the caller's units. faces: (F, 3). genus: handles. cavities: vertices (W, 3) and faces of
+    those inside it, wound inwards. cavity_genus: their handles, around which a curve of the solid has loops, too.
     """
 
     vertices: np.ndarray
     faces: np.ndarray
     genus: int
+    cavities: tuple[np.ndarray, np.ndarray] | None = None
+    cavity_genus: int = 0
 
 
 @dataclass(frozen=True)
@@ -38,7 +42,7 @@ class Surface:
     """A checked input.
 
     vertices: (V, 3) and faces: (F, 3) of the whole repaired surface, in the caller's units.
-    components: its parts, whose vertices are ``vertices[members[c]]``.
+    components: its parts, whose vertices are ``vertices[members[c]]``, and their cavities' ``vertices[linings[c]]``.
     vertex_of_input: (V_in,) the vertex for each vertex of the caller's mesh; -1 if it is in no face, or was inside
         after parts were joined.
     input_of_vertex: (V,) the caller's vertex for each vertex; the first of several welded ones. For a vertex made where
@@ -54,6 +58,7 @@ class Surface:
     faces: np.ndarray
     components: tuple[Component, ...]
     members: tuple[np.ndarray, ...]
+    linings: tuple[np.ndarray, ...]
     vertex_of_input: np.ndarray
     input_of_vertex: np.ndarray
     is_made: np.ndarray
@@ -62,9 +67,14 @@ class Surface:
     given: tuple[np.ndarray, np.ndarray]
     rims: tuple[np.ndarray, ...] = ()
 
+    @property
+    def genus(self) -> int:
+        """Handles of all solids, those of their cavities included."""
+        return sum(component.genus + component.cavity_genus for component in self.components)
+
     def first(self, num: int) -> "Surface":
         """The surface of the first ``num`` components only."""
-        rows = np.sort(np.concatenate(self.members[:num]))
+        rows = np.sort(np.concatenate([*self.members[:num], *self.linings[:num]]))
         number = np.full(len(self.vertices) + 1, -1)
         number[rows] = np.arange(len(rows))
         vertex_of_input = number[self.vertex_of_input]
@@ -74,6 +84,7 @@ class Surface:
             faces=number[self.faces[number[self.faces[:, 0]] >= 0]],
             components=self.components[:num],
             members=tuple(number[member] for member in self.members[:num]),
+            linings=tuple(number[lining] for lining in self.linings[:num]),
             vertex_of_input=vertex_of_input,
             input_of_vertex=self.input_of_vertex[rows],
             is_made=self.is_made[rows],
@@ -121,13 +132,14 @@ def prepare(mesh: Any, repair: bool | str | Repair = False) -> Surface:
 def _joined(vertices: np.ndarray, faces: np.ndarray, reach: float) -> Surface:
     """The checked surface after joining closed parts; see `joining`."""
     parts = _checked(vertices, faces, is_joined=False)
-    done = joining.joined([(part.vertices, part.faces) for part in parts.components], reach)
+    done = joining.joined([_with_cavities(part) for part in parts.components], reach)
     faces, num_few, num_flat, _, _ = with_volume(done.vertices, done.faces, 0.0)
     if len(faces) == 0:
         raise MeshError(f"no part has the {FEWEST_VERTICES} vertices and the volume that a solid needs")
     used, corners = np.unique(faces, return_inverse=True)
     checked = _checked(done.vertices[used], corners.reshape(-1, 3))
-    member = np.concatenate(parts.members)  # the parts' vertices, in the order in which `joining` counts them
+    every = [each for pair in zip(parts.members, parts.linings, strict=True) for each in pair]
+    member = np.concatenate(every)  # the parts' vertices, in the order in which `joining` counts them
     source = done.source[used][checked.input_of_vertex]
     is_made = source < 0
     source[is_made] = source[~is_made][spatial.KDTree(checked.vertices[~is_made]).query(checked.vertices[is_made])[1]]
@@ -145,10 +157,18 @@ def _joined(vertices: np.ndarray, faces: np.ndarray, reach: float) -> Surface:
     )
 
 
+def _with_cavities(part: Component) -> tuple[np.ndarray, np.ndarray]:
+    """Vertices and faces of a part and its cavities."""
+    if part.cavities is None:
+        return part.vertices, part.faces
+    vertices, faces = part.cavities
+    return np.concatenate([part.vertices, vertices]), np.concatenate([part.faces, faces + len(part.vertices)])
+
+
 def _checked(vertices: np.ndarray, faces: np.ndarray, is_joined: bool = True) -> Surface:
     """The surface of a valid mesh, after the repairs that are never in doubt.
 
-    If not ``is_joined``, its parts will be joined later: then they may be smaller, and a cavity counts as a solid.
+    If not ``is_joined``, its parts will be joined later: then they may be smaller.
     """
     given = vertices, faces
     repairs: list[str] = []
@@ -182,35 +202,43 @@ def _checked(vertices: np.ndarray, faces: np.ndarray, is_joined: bool = True) ->
         repairs.append(f"split {pinches} pinched {'vertex' if pinches == 1 else 'vertices'} into one per fan")
 
     label = _component_labels(faces, len(vertices))
-    components, members, num_flipped = [], [], 0
+    members, faces_of = by_label(label), by_label(label[faces[:, 0]])
     fewest = FEWEST_VERTICES if is_joined else FEWEST_TO_JOIN
-    members_of, faces_of = by_label(label), by_label(label[faces[:, 0]])
     local = np.empty(len(vertices), dtype=np.int64)
-    for number, (member, mine) in enumerate(zip(members_of, faces_of, strict=True)):
+    parts, names = [], []
+    for number, (member, mine) in enumerate(zip(members, faces_of, strict=True)):
         local[member] = np.arange(len(member))
         first = caller_number[min(member[0], len(caller_number) - 1)]
-        name = "the mesh" if label.max() == 0 else f"component {number} (the one with vertex {first})"
-        component, is_flipped = _component(vertices[member], local[faces[mine]], name, fewest)
-        num_flipped += is_flipped
-        if is_flipped and is_joined:
-            others = np.delete(faces, mine, axis=0)
-            is_cavity = len(others) > 0 and Enclosure(vertices, others).contains(vertices[member[:1]])[0]
-            faces[mine] = faces[mine][:, ::-1]
-            repairs.append(
-                f"flipped {name}, a cavity in another component: it is skeletonised as a solid of its own"
-                if is_cavity
-                else f"flipped {name}, which was inside out"
-            )
-        components.append(component)
-        members.append(member)
-    if num_flipped and not is_joined:
-        parts = "part that was" if num_flipped == 1 else "parts that were"
-        repairs.append(f"flipped {num_flipped} {parts} inside out")
+        names.append("the mesh" if len(members) == 1 else f"component {number} (the one with vertex {first})")
+        parts.append(_component(vertices[member], local[faces[mine]], names[-1], fewest))
+    volume = np.array([size for _, size in parts])
+    nesting = nested([Enclosure(part.vertices, part.faces) for part, _ in parts], volume)
+    is_cavity = nesting.is_cavity
+    is_flipped = (volume < 0) != is_cavity
+    for number in np.flatnonzero(is_flipped).tolist():
+        faces[faces_of[number]] = faces[faces_of[number]][:, ::-1]
+    if is_joined:
+        repairs += [f"flipped {names[k]}, which was inside out" for k in np.flatnonzero(is_flipped).tolist()]
+        hollow = "is a cavity in another component: it has no curve of its own"
+        repairs += [f"{names[k]} {hollow}" for k in np.flatnonzero(is_cavity).tolist()]
+    elif is_flipped.any():
+        flipped = "part that was" if is_flipped.sum() == 1 else "parts that were"
+        repairs.append(f"flipped {is_flipped.sum()} {flipped} inside out")
+    components, linings = [], []
+    for number in np.flatnonzero(~is_cavity).tolist():
+        within = np.flatnonzero(is_cavity & (nesting.owner == number)).tolist()
+        linings.append(np.concatenate([members[k] for k in within]) if within else np.empty(0, dtype=np.int64))
+        local[linings[-1]] = np.arange(len(linings[-1]))
+        hollow = local[np.concatenate([faces[faces_of[k]] for k in within])] if within else None
+        genus = sum(parts[k][0].genus for k in within)
+        cavities = None if hollow is None else (vertices[linings[-1]], hollow)
+        components.append(replace(parts[number][0], cavities=cavities, cavity_genus=genus))
     return Surface(
         vertices=vertices,
         faces=faces,
         components=tuple(components),
-        members=tuple(members),
+        members=tuple(members[number] for number in np.flatnonzero(~is_cavity)),
+        linings=tuple(linings),
         vertex_of_input=vertex_of_input,
         input_of_vertex=input_of_vertex,
         is_made=np.zeros(len(vertices), dtype=bool),
@@ -302,7 +330,8 @@ def _component_labels(faces: np.ndarray, num_vertices: int) -> np.ndarray:
     return csgraph.connected_components(graph, directed=False)[1]
 
 
-def _component(vertices: np.ndarray, faces: np.ndarray, name: str, fewest: int) -> tuple[Component, bool]:
+def _component(vertices: np.ndarray, faces: np.ndarray, name: str, fewest: int) -> tuple[Component, float]:
+    """The part as a solid, wound outwards, and its signed volume as given."""
     if len(vertices) < fewest:
         what = "is a tetrahedron" if len(vertices) == 4 else f"has {len(vertices)} vertices"
         raise MeshError(
@@ -318,4 +347,4 @@ def _component(vertices: np.ndarray, faces: np.ndarray, name: str, fewest: int) 
     if volume < 0:
         faces = faces[:, ::-1]
     euler = len(vertices) - len(faces) // 2
-    return Component(vertices, faces, (2 - euler) // 2), volume < 0
+    return Component(vertices, faces, (2 - euler) // 2), volume * size**3

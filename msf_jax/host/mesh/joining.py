@@ -1,9 +1,11 @@
 """Joining of closed parts that overlap, touch or nearly touch to one solid, on request.
 
-The library Manifold (Apache-2.0) computes the union. Parts are first swollen by a hundredth of their thickness, because
+The library Manifold (Apache-2.0) computes the union. Where a part crosses itself, it is resolved before (see
+`untangling`). Parts are swollen by a hundredth of their thickness, because
 coincident faces, as of a pin in its hole, would leave many slits. Afterwards vertices return to their positions. Solids
 that are still apart are bridged where they are nearest, along a spanning tree, so that no loops are made: a capsule at
-each gap, half as thick as the solids there, and another union. Voids between parts, closed from outside, are filled.
+each gap, half as thick as the solids there, and another union. Voids between parts, closed from outside, are filled; a
+part's own cavities are left.
 """
 
 from collections.abc import Sequence
@@ -14,6 +16,7 @@ import numpy as np
 from scipy import spatial
 from scipy.cluster.hierarchy import DisjointSet
 
+from msf_jax.host.mesh.untangling import Mesh, Untangled, arrays_of, solid_of, untangled
 from msf_jax.host.solid.enclosure import Enclosure
 from msf_jax.host.solid.geometry import signed_volume, unit, vertex_normals
 
@@ -29,8 +32,6 @@ ROUNDS = 4  # alternating projections between two surfaces that find the ends of
 GLUE, THINNEST = 0.5, 0.1  # a capsule's radius: ratio to the thickness at its ends; least ratio to the smaller radius
 SECTIONS = 8  # sides of a capsule's circles
 SAME = 1e-12  # diagonals: distance between a vertex of the union and the same vertex of a part, at most
-
-Mesh = tuple[np.ndarray, np.ndarray]
 
 
 class Joined(NamedTuple):
@@ -68,7 +69,7 @@ class Body:
     """
 
     def __init__(self, solid: "Manifold") -> None:
-        self.vertices, self.faces = _arrays(solid)
+        self.vertices, self.faces = arrays_of(solid)
         self.radius = 3 * solid.volume() / solid.surface_area()
         self.size = float(np.linalg.norm(np.ptp(self.vertices, axis=0)))
 
@@ -91,21 +92,27 @@ class Body:
 def joined(parts: Sequence[Mesh], reach: float) -> Joined:
     """Join ``parts``, closed surfaces oriented outwards: ``(vertices (n, 3), faces (m, 3))`` each.
 
-    Parts that overlap become one. Gaps are bridged up to ``reach``, in diagonals of the whole mesh, or up to the radius
-    of the smaller solid if that is larger. With a ``reach`` of 0, only solids that touch are bridged.
+    Parts that overlap become one; their cavities, wound inwards, stay. Gaps are bridged up to ``reach``, in diagonals
+    of the whole mesh, or up to the radius of the smaller solid if that is larger. With a ``reach`` of 0, only solids
+    that touch are bridged.
     """
     from manifold3d import Manifold, OpType  # imported here, because most runs do not need it
 
     every = np.concatenate([vertices for vertices, _ in parts])
     low, high = every.min(axis=0), every.max(axis=0)
     centre, diagonal = low + (high - low) / 2, float(np.linalg.norm(high - low))
-    given = (every - centre) / diagonal
-    start = np.cumsum([len(vertices) for vertices, _ in parts])[:-1]
-    swollen = [_swollen(*part) for part in zip(np.split(given, start), [faces for _, faces in parts], strict=True)]
-    solids = [_solid(*part) for part in zip(swollen, [faces for _, faces in parts], strict=True)]
-    whole, num_voids = _filled(Manifold.batch_boolean(solids, OpType.Add))
+    simple = [untangled((vertices - centre) / diagonal, faces) for vertices, faces in parts]
+    swollen = [_swollen(part.vertices, part.faces) for part in simple]
+    solids = [solid_of(moved, part.faces) for moved, part in zip(swollen, simple, strict=True)]
+    united = Manifold.batch_boolean(solids, OpType.Add)
+    whole, voids = _filled(united), _given(solids, united)
+    num_voids = len(_parted(united)[1]) - len(voids)
     pieces = whole.decompose()
-    repairs = [_overlapped(len(parts), len(pieces))]
+    repairs = [_overlapped(len(parts), len(pieces))] if len(parts) > 1 or not any(part.num for part in simple) else []
+    if num := sum(part.num for part in simple):
+        repairs.append(f"resolved {_count(num, 'place')} where a part crossed itself")
+    if num := sum(part.num_left for part in simple):
+        repairs.append(f"left {_count(num, 'place')} where a part crosses itself, as a fold")
     if num_voids:
         repairs.append(f"filled {_count(num_voids, 'void')} between parts")
     bodies, bridged, num_unmeasured = [Body(piece) for piece in pieces], [], 0
@@ -117,7 +124,7 @@ def joined(parts: Sequence[Mesh], reach: float) -> Joined:
             break
         bridged += [(gap, min(bodies[gap.one].radius, bodies[gap.other].radius)) for gap in gaps]
         capsules = [_capsule(bodies, gap, 2**tries) for gap in gaps]
-        whole = _filled(Manifold.batch_boolean([whole, *capsules], OpType.Add))[0]
+        whole = _filled(Manifold.batch_boolean([whole, *capsules], OpType.Add))
         bodies = [Body(piece) for piece in whole.decompose()]
     if bridged:
         repairs.append(_joined_over(len(pieces), len(bodies), bridged, diagonal))
@@ -125,11 +132,29 @@ def joined(parts: Sequence[Mesh], reach: float) -> Joined:
         repairs.append(_apart(bodies, diagonal))
     if num_unmeasured:
         repairs.append(f"left {_count(num_unmeasured, 'pair')} of solids unmeasured: over {MOST_PAIRS} are near")
-    vertices, faces = _arrays(whole)
+    vertices, faces = arrays_of(_hollowed(whole, voids, united) if voids else whole)
     larger = np.concatenate(swollen)
-    source, vertex_of_part = _same_place(larger, vertices), _same_place(vertices, larger)
-    placed = np.where(source[:, None] < 0, centre + diagonal * vertices, every[source])
+    of_simple, vertex = _same_place(larger, vertices), _same_place(vertices, larger)
+    back = np.where(of_simple[:, None] < 0, vertices, np.concatenate([part.vertices for part in simple])[of_simple])
+    origin, image = _identities([(x - centre) / diagonal for x, _ in parts], simple)
+    source = np.where(of_simple < 0, -1, origin[of_simple])
+    vertex_of_part = np.where(image < 0, -1, vertex[image])
+    placed = np.where(source[:, None] < 0, centre + diagonal * back, every[source])
     return Joined(placed, faces, source, vertex_of_part, tuple(repairs))
+
+
+def _identities(given: list[np.ndarray], simple: list[Untangled]) -> tuple[np.ndarray, np.ndarray]:
+    """The vertex of the ``given`` parts for each of the ``simple`` ones, through all, or -1; and the reverse."""
+    origin, image, first, last = [], [], 0, 0
+    for before, after in zip(given, simple, strict=True):
+        if after.num:
+            there, here = _same_place(before, after.vertices), _same_place(after.vertices, before)
+        else:
+            there = here = np.arange(len(before))
+        origin.append(np.where(there < 0, -1, there + first))
+        image.append(np.where(here < 0, -1, here + last))
+        first, last = first + len(before), last + len(after.vertices)
+    return np.concatenate(origin), np.concatenate(image)
 
 
 def _same_place(known: np.ndarray, points: np.ndarray) -> np.ndarray:
@@ -174,26 +199,36 @@ def _swollen(vertices: np.ndarray, faces: np.ndarray) -> np.ndarray:
     return vertices + SWELL * 3 * signed_volume(vertices, faces) / area * unit(vertex_normals(vertices, faces))
 
 
-def _solid(vertices: np.ndarray, faces: np.ndarray) -> "Manifold":
-    from manifold3d import Manifold, Mesh64
-
-    return Manifold(Mesh64(np.ascontiguousarray(vertices), np.ascontiguousarray(faces, dtype=np.uint64)))
-
-
-def _arrays(solid: "Manifold") -> Mesh:
-    mesh = solid.to_mesh64()
-    return np.array(mesh.vert_properties)[:, :3], np.array(mesh.tri_verts).astype(np.int64)
+def _parted(whole: "Manifold") -> tuple[list["Manifold"], list["Manifold"]]:
+    """The surfaces of a solid: those around solids, and those around voids, wound inwards."""
+    pieces = whole.decompose()
+    return [piece for piece in pieces if piece.volume() > 0], [piece for piece in pieces if piece.volume() <= 0]
 
 
-def _filled(whole: "Manifold") -> tuple["Manifold", int]:
-    """The solid without its voids (surfaces oriented inwards), and their number."""
+def _filled(whole: "Manifold") -> "Manifold":
+    """The solid without its voids."""
     from manifold3d import Manifold, OpType
 
-    pieces = whole.decompose()
-    outer = [piece for piece in pieces if piece.volume() > 0]
-    if len(outer) == len(pieces):
-        return whole, 0
-    return Manifold.batch_boolean(outer, OpType.Add), len(pieces) - len(outer)
+    outer, voids = _parted(whole)
+    return Manifold.batch_boolean(outer, OpType.Add) if voids else whole
+
+
+def _given(parts: list["Manifold"], united: "Manifold") -> list["Manifold"]:
+    """The voids of ``united`` that are what is left of cavities of ``parts``, as solids."""
+    cavities = [arrays_of(piece)[0] for part in parts for piece in _parted(part)[1]]
+    if not cavities:
+        return []
+    known, found = np.concatenate(cavities), [arrays_of(piece) for piece in _parted(united)[1]]
+    return [solid_of(x, faces[:, ::-1]) for x, faces in found if (_same_place(known, x) >= 0).any()]
+
+
+def _hollowed(whole: "Manifold", voids: list["Manifold"], united: "Manifold") -> "Manifold":
+    """The solid ``whole`` without ``voids``, but with the solids of ``united`` in them."""
+    from manifold3d import Manifold, OpType
+
+    shapes = [Enclosure(*arrays_of(void)) for void in voids]
+    within = [piece for piece in _parted(united)[0] if any(one.contains(arrays_of(piece)[0][:1])[0] for one in shapes)]
+    return Manifold.batch_boolean([Manifold.batch_boolean([whole, *voids], OpType.Subtract), *within], OpType.Add)
 
 
 def _spanning(bodies: list[Body], reach: float) -> tuple[list[Gap], int]:
@@ -278,7 +313,7 @@ def _capsule(bodies: list[Body], gap: Gap, factor: float) -> "Manifold":
     smaller = min(body.radius for body in pair)
     thickness = min(body.thickness(end, face) for body, end, face in zip(pair, gap.ends, gap.faces, strict=True))
     radius = factor * float(np.clip(GLUE * thickness, THINNEST * smaller, smaller))
-    ball = _arrays(Manifold.sphere(radius, SECTIONS))[0]
+    ball = arrays_of(Manifold.sphere(radius, SECTIONS))[0]
     return Manifold.hull_points(np.concatenate([ball + end for end in gap.ends]))
 
 

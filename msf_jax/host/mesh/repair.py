@@ -19,9 +19,8 @@ from scipy.sparse import csgraph
 from msf_jax.base.errors import ConfigError, MeshError
 from msf_jax.host.mesh.filling import filled
 from msf_jax.host.mesh.half_edges import by_label, edge_codes
-from msf_jax.host.mesh.internal_walls import is_wall
 from msf_jax.host.mesh.rim_extrusion import extruded
-from msf_jax.host.mesh.sheets import cut_apart, is_double, left_alone, oriented, twins
+from msf_jax.host.mesh.sheets import cut_apart, is_double, is_wall, left_alone, oriented, twins
 from msf_jax.host.solid.geometry import signed_volume
 
 FEWEST_VERTICES = 5  # vertices of a piece, at least, to have a skeleton

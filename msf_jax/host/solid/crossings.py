@@ -13,6 +13,7 @@ import numpy as np
 from scipy import sparse
 from scipy.sparse import csgraph
 
+from msf_jax.host.solid.enclosure import Enclosure
 from msf_jax.host.solid.geometry import cross, repeated
 from msf_jax.host.solid.triangles import boxes, middles
 
@@ -124,6 +125,24 @@ class Crossings:
         )
         is_near &= _among(here * len(self.radii) + there, self._close)
         return np.logical_and.reduceat(is_near, start)
+
+
+def apart_pairs(
+    shape: Enclosure, node: np.ndarray, radii: np.ndarray, edges: np.ndarray, length: np.ndarray
+) -> np.ndarray:
+    """(P, 2) the pairs of faces of ``shape`` that are apart and cross, see `Crossings`, among those of `Crossed`."""
+    pairs = shape.crossed.pairs
+    if not len(pairs):
+        return pairs
+    near = np.zeros(len(shape.vertices), dtype=bool)
+    near[shape.faces[pairs]] = True
+    for _ in range(RINGS // 2):  # a way from one face to the other is near one of them
+        near[shape.faces[near[shape.faces].any(axis=1)]] = True
+    rows = np.flatnonzero(near[shape.faces].any(axis=1))
+    number = np.full(len(shape.faces), -1)
+    number[rows] = np.arange(len(rows))
+    one, other = number[pairs].T
+    return pairs[Crossings(shape.vertices, shape.faces[rows], node, radii, edges, length).apart(one, other)]
 
 
 class _Grid(NamedTuple):

@@ -6,6 +6,7 @@ everywhere off the surface, also where the mesh crosses itself.
 """
 
 from functools import cached_property
+from typing import NamedTuple
 
 import numpy as np
 from scipy import spatial
@@ -18,7 +19,18 @@ from msf_jax.host.solid.triangles import Samples, boxes, middles, reaches, sampl
 
 SURE = 0.5  # share of an approximate clearance that counts as certain
 HITS_AT_FIRST = 8  # hits a ray for which memory is allocated first; few rays have more
+MOST_CROSSED = 10_000  # pairs of triangles that cross that are listed; the rest is counted
+MOST_TESTED = 200  # pairs of triangles for each triangle that are tested for a crossing; limbs of a fan have many more
+APART = 1e-9  # extents: triangles that pass through each other by less only touch
 ROUNDING = 1e-9  # extents by which the box around a ray is enlarged, against rounding
+
+
+class Crossed(NamedTuple):
+    """Pairs (P, 2) of triangles that cross, at most ``MOST_CROSSED``; the number of all; whether the search was cut."""
+
+    pairs: np.ndarray
+    num: int
+    is_cut: bool
 
 
 class Enclosure:
@@ -63,6 +75,15 @@ class Enclosure:
     @cached_property
     def _samples(self) -> Samples:
         return sampled(self.vertices, self.faces, self.reaches)
+
+    @cached_property
+    def crossed(self) -> "Crossed":
+        """Where the surface crosses itself: pairs of triangles that have no corner in common."""
+        corners = np.unique(self.vertices, axis=0, return_inverse=True)[1].ravel()[self.faces.ravel()]
+        pairs, tested = np.empty((2, MOST_CROSSED), dtype=np.int64), np.zeros(1, dtype=np.int64)
+        most, least = MOST_TESTED * len(self.faces), APART * float(np.ptp(self.vertices, axis=0).max())
+        num = kernels.crossed(corners, self.mesh, least, most, tested, pairs[0], pairs[1])
+        return Crossed(pairs[:, :num].T, num, bool(tested[0] >= most))
 
     def prepare(self) -> None:
         """Make the trees of triangles and samples now, and not at the first query."""

@@ -1,4 +1,4 @@
-"""The compiled loops of a solid: nearest triangles, winding numbers and ray hits.
+"""The compiled loops of a solid: nearest triangles, winding numbers, ray hits, and pairs of triangles that cross.
 
 They search a tree of bounding boxes of n triangles. The tree is a heap: the children of node k are 2 k and 2 k + 1, and
 node n + i is the box of triangle ``order[i]``: its lowest and its highest x, y and z. The search needs no stack. After
@@ -213,5 +213,87 @@ def hits(
                         if count < len(ray):
                             ray[count], distance[count] = row, t
                         count += 1
+            node = onward(node, num, is_met)
+    return count
+
+
+@part
+def height(triangles: Triangles, row: int, other: int, k: int) -> float:
+    """Height of corner ``k`` of triangle ``other`` above the plane of triangle ``row``; 0 if that has no area."""
+    ax, ay, az = triangles[row, 0, 0], triangles[row, 0, 1], triangles[row, 0, 2]
+    ux, uy, uz = triangles[row, 1, 0] - ax, triangles[row, 1, 1] - ay, triangles[row, 1, 2] - az
+    vx, vy, vz = triangles[row, 2, 0] - ax, triangles[row, 2, 1] - ay, triangles[row, 2, 2] - az
+    nx, ny, nz = uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx
+    size = norm(nx, ny, nz)
+    ox, oy, oz = triangles[other, k, 0] - ax, triangles[other, k, 1] - ay, triangles[other, k, 2] - az
+    return dot(ox, oy, oz, nx, ny, nz) / size if size > 0 else 0.0
+
+
+@part
+def straddles(triangles: Triangles, row: int, other: int, least: float) -> bool:
+    """Whether triangle ``other`` has corners on both sides of the plane of triangle ``row``, ``least`` off it."""
+    first = height(triangles, row, other, 0)
+    second, third = height(triangles, row, other, 1), height(triangles, row, other, 2)
+    return min(first, second, third) < -least and max(first, second, third) > least
+
+
+@part
+def passes(triangles: Triangles, row: int, k: int, other: int, least: float) -> bool:
+    """Whether side ``k`` of triangle ``row`` passes through triangle ``other``, its ends ``least`` off its plane."""
+    j = (k + 1) % 3
+    above, below = height(triangles, other, row, k), height(triangles, other, row, j)
+    if not (min(above, below) < -least and max(above, below) > least):
+        return False
+    sx, sy, sz = triangles[row, k, 0], triangles[row, k, 1], triangles[row, k, 2]
+    dx, dy, dz = triangles[row, j, 0] - sx, triangles[row, j, 1] - sy, triangles[row, j, 2] - sz
+    num_left = num_right = 0
+    for i in range(3):
+        m = (i + 1) % 3
+        ux, uy, uz = triangles[other, i, 0] - sx, triangles[other, i, 1] - sy, triangles[other, i, 2] - sz
+        vx, vy, vz = triangles[other, m, 0] - sx, triangles[other, m, 1] - sy, triangles[other, m, 2] - sz
+        turn = dot(dx, dy, dz, uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx)
+        num_left += turn >= 0
+        num_right += turn <= 0
+    return num_left == 3 or num_right == 3
+
+
+@kernel
+def crossed(corners: Ints, mesh: Mesh, least: float, most: int, tested: Ints, one: Ints, other: Ints) -> int:
+    """Pairs of triangles that cross: a side of one passes through the other, its ends ``least`` off the other's plane.
+
+    Triangles that share one of ``corners`` (3F,) do not count. Returns the number of pairs; ``one`` and ``other`` hold
+    the first of them, up to their length. The search ends after ``most`` pairs; ``tested`` (1,) counts them.
+    """
+    triangles, boxes, num, count = mesh.triangles, mesh.boxes, len(mesh.order), 0
+    tested[0] = 0
+    for leaf in range(num, 2 * num):
+        row, node = mesh.order[leaf - num], onward(leaf, num, False)  # each pair is met from its first leaf
+        while node and tested[0] < most:
+            is_met = overlaps(
+                boxes,
+                node,
+                boxes[leaf, 0],
+                boxes[leaf, 1],
+                boxes[leaf, 2],
+                boxes[leaf, 3],
+                boxes[leaf, 4],
+                boxes[leaf, 5],
+            )
+            if is_met and node >= num:
+                found = mesh.order[node - num]
+                is_pair = True
+                for k in range(9):
+                    is_pair = is_pair and corners[3 * row + k // 3] != corners[3 * found + k % 3]
+                if is_pair:
+                    tested[0] += 1
+                    is_pair = straddles(triangles, row, found, least) and straddles(triangles, found, row, least)
+                    for k in range(3):
+                        if is_pair and (
+                            passes(triangles, row, k, found, least) or passes(triangles, found, k, row, least)
+                        ):
+                            is_pair = False
+                            if count < len(one):
+                                one[count], other[count] = row, found
+                            count += 1
             node = onward(node, num, is_met)
     return count

@@ -1,0 +1,184 @@
+"""What is no simple solid: cavities, parts that cross themselves or are inside of others, walls."""
+
+import numpy as np
+import pytest
+import trimesh
+from conftest import torus
+
+import msf_jax
+from msf_jax import Config, ConfigError, metrics
+from msf_jax.host.mesh import checking
+from msf_jax.host.solid import crossings, solid
+from msf_jax.host.solid.enclosure import Enclosure
+from msf_jax.skeleton.report import assessed
+
+SEEDS = [seed if seed < 2 else pytest.param(seed, marks=pytest.mark.slow) for seed in range(12)]
+
+
+def inverted(mesh: trimesh.Trimesh) -> trimesh.Trimesh:
+    found = mesh.copy()
+    found.invert()
+    return found
+
+
+def together(*parts: trimesh.Trimesh) -> trimesh.Trimesh:
+    return trimesh.util.concatenate(list(parts))
+
+
+def shell(inner: float = 0.5) -> trimesh.Trimesh:
+    """A ball with a ball-shaped cavity."""
+    return together(trimesh.creation.icosphere(2), inverted(trimesh.creation.icosphere(2, inner)))
+
+
+def enclosure(mesh: trimesh.Trimesh) -> Enclosure:
+    return Enclosure(np.array(mesh.vertices), np.array(mesh.faces))
+
+
+def share_inside(mesh: trimesh.Trimesh, skeleton: msf_jax.Skeleton) -> float:
+    """Of the curve's length, by points on it and the winding number of the mesh as it was given."""
+    a, b = skeleton.vertices[skeleton.edges[:, 0]], skeleton.vertices[skeleton.edges[:, 1]]
+    t = (np.arange(20) + 0.5)[:, None, None] / 20
+    is_in = enclosure(mesh).contains(((1 - t) * a + t * b).reshape(-1, 3)).reshape(20, -1)
+    return float(np.average(is_in.mean(axis=0), weights=np.linalg.norm(b - a, axis=1) + 1e-12))
+
+
+def hollow(seed: int) -> tuple[trimesh.Trimesh, int]:
+    """A bar, turned at random, with one to three cavities in a row, balls or rings; and how many of these are rings."""
+    random = np.random.default_rng(seed)
+    num = int(random.integers(1, 4))
+    size = random.uniform(1.6, 2.4, 2)
+    parts = [trimesh.creation.box((2.0 * num, *size)).subdivide_to_size(0.5)]
+    is_ring = random.random(num) < 0.4
+    for place in range(num):
+        cavity = torus(minor=0.35) if is_ring[place] else trimesh.creation.icosphere(2)
+        cavity.apply_scale(random.uniform(0.3, 0.5))
+        cavity.apply_transform(trimesh.transformations.random_rotation_matrix(random.random(3)))
+        parts.append(inverted(cavity.apply_translation([2.0 * place - num + 1, *random.uniform(-0.1, 0.1, 2)])))
+    turn = trimesh.transformations.random_rotation_matrix(random.random(3))
+    return together(*parts).apply_transform(turn), int(is_ring.sum())
+
+
+def knotted(seed: int) -> tuple[trimesh.Trimesh, int, float, np.ndarray]:
+    """A closed tube that crosses itself once or three times in a plane; the genus of its union; its radius; its axis.
+
+    The radius is that of the ball in the tube, which has twelve sides.
+    """
+    random = np.random.default_rng(seed)
+    t, radius = 2 * np.pi * np.arange(96) / 96, random.uniform(0.2, 0.3)
+    if random.random() < 0.6:
+        path, genus = np.stack([2 * np.sin(t), random.uniform(1.0, 1.5) * np.sin(2 * t)], axis=1), 2
+    else:
+        path, genus = np.stack([np.sin(t) + 2 * np.sin(2 * t), np.cos(t) - 2 * np.cos(2 * t)], axis=1), 4
+    ahead = np.roll(path, -1, axis=0) - np.roll(path, 1, axis=0)
+    across = np.stack([-ahead[:, 1], ahead[:, 0]], axis=1) / np.linalg.norm(ahead, axis=1, keepdims=True)
+    angle = 2 * np.pi * np.arange(12) / 12
+    rings = path[:, None] + radius * np.cos(angle)[:, None] * across[:, None]
+    height = np.broadcast_to(radius * np.sin(angle), rings.shape[:2])
+    i, j = (each.ravel() for each in np.indices((96, 12)))
+    a, b, c, d = (((i + k) % 96) * 12 + (j + m) % 12 for k, m in ((0, 0), (1, 0), (1, 1), (0, 1)))
+    faces = np.concatenate([np.stack([a, b, c], axis=1), np.stack([a, c, d], axis=1)])
+    mesh = trimesh.Trimesh(np.concatenate([rings, height[..., None]], axis=2).reshape(-1, 3), faces, process=False)
+    turn = trimesh.transformations.random_rotation_matrix(random.random(3))
+    axis = trimesh.transform_points(np.pad(path, ((0, 0), (0, 1))), turn)
+    mesh = (mesh if mesh.volume > 0 else inverted(mesh)).apply_transform(turn)
+    return mesh, genus, radius * np.cos(np.pi / 12), axis
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+def test_no_curve_is_in_a_cavity(seed):
+    """The curve goes around it, and has a loop through every ring-shaped one."""
+    mesh, num_rings = hollow(seed)
+    skeleton = msf_jax.skeletonize(mesh)
+    report = skeleton.report
+    assert share_inside(mesh, skeleton) == report.inside == 1.0
+    assert report.components == report.mesh_components == 1 and report.genus == num_rings
+    assert report.loops == report.cycles == num_rings
+    assert len(skeleton.mesh_map) == len(mesh.vertices) and skeleton.mesh_map.min() >= 0
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+def test_a_part_that_crosses_itself_is_doubted_or_resolved(seed):
+    mesh, genus, radius, axis = knotted(seed)
+    first = msf_jax.skeletonize(mesh)
+    (doubt,) = [each for each in first.report.doubts if "crosses itself" in each]
+    assert "radii count walls" in doubt and 'repair="join"' in doubt
+    skeleton = msf_jax.skeletonize(mesh, repair="join")
+    assert skeleton.report.cycles == skeleton.report.loops == genus and skeleton.report.is_sound
+    assert share_inside(mesh, skeleton) == 1.0
+    # No ball is smaller than in its own strand of the tube; at bends, strips of the surface cut a little off that.
+    loop = np.stack([np.arange(96), (np.arange(96) + 1) % 96], axis=1)
+    away = metrics.curve_distance(skeleton.vertices, axis, loop)
+    assert (skeleton.radii >= 0.98 * radius - away).all()
+    assert (first.radii < 0.98 * radius - metrics.curve_distance(first.vertices, axis, loop)).any()
+
+
+def test_a_part_that_crosses_itself_keeps_its_vertices():
+    mesh, genus, _, _ = knotted(0)
+    found = checking.prepare(mesh, "join")
+    own = ~found.is_made
+    assert own.mean() > 0.8 and [part.genus for part in found.components] == [genus]
+    np.testing.assert_array_equal(found.vertices[own], mesh.vertices[found.input_of_vertex[own]])
+    (line,) = found.repairs
+    assert line.startswith("resolved ") and line.endswith("where a part crossed itself")
+    assert not enclosure(trimesh.Trimesh(found.vertices, found.faces, process=False)).crossed.num
+
+
+def test_cavities_are_known_by_nesting_and_winding():
+    """Also in a file that is inside out as a whole, and with a solid in the cavity."""
+    for mesh in (shell(), inverted(shell()), together(shell(), trimesh.creation.icosphere(1, 0.2))):
+        found = checking.prepare(mesh)
+        volumes = [np.linalg.det(part.vertices[part.faces]).sum() for part in found.components]
+        assert min(volumes) > 0 and len(found.components) == len(mesh.split()) - 1
+        assert len(found.linings[0]) == 162 and found.components[0].cavities is not None
+        bodies = solid.bodies(Enclosure(found.vertices, found.faces))
+        assert len(bodies[0].vertices) == 324 and not any(body.is_within for body in bodies)
+
+
+def test_a_solid_that_is_wound_outwards_in_another_is_doubted():
+    mesh = together(trimesh.creation.icosphere(2), trimesh.creation.icosphere(2, 0.5))
+    report = msf_jax.skeletonize(mesh, config=Config(max_iterations=1)).report
+    assert report.mesh_components == 2
+    assert any("inside another" in doubt and "a cavity is wound inwards" in doubt for doubt in report.doubts)
+
+
+def test_joining_leaves_cavities_and_solids_in_them():
+    found = checking.prepare(together(shell(), trimesh.creation.icosphere(2, 0.2)), "join")
+    volume = np.linalg.det(found.vertices[found.faces]).sum() / 6
+    ball = trimesh.creation.icosphere(2).volume
+    assert volume == pytest.approx(ball * (1 - 0.5**3 + 0.2**3), rel=1e-3)
+    assert len(found.components) == 2
+
+
+def test_a_cavity_has_no_pins():
+    with pytest.raises(ConfigError, match="vertex 200 of a cavity"):
+        msf_jax.skeletonize(shell(), pins=[3, 200])
+
+
+def test_crossing_triangles_are_those_of_all_pairs():
+    random = np.random.default_rng(7)
+    corners = random.random((60, 1, 3)) + random.normal(0, 0.15, (60, 3, 3))
+    shape = Enclosure(corners.reshape(-1, 3), np.arange(180).reshape(-1, 3))
+    one, other = np.triu_indices(60, 1)
+    is_crossed = crossings._cross(corners[one], corners[other])
+    expected = set(zip(one[is_crossed].tolist(), other[is_crossed].tolist(), strict=True))
+    assert len(expected) > 10 and {tuple(sorted(pair)) for pair in shape.crossed.pairs.tolist()} == expected
+
+
+def test_solids_that_touch_do_not_cross():
+    boxes = [trimesh.creation.box().subdivide().apply_translation([k, 0.1 * k, 0]) for k in range(2)]
+    assert not enclosure(together(*boxes)).crossed.num
+    assert enclosure(together(boxes[0], boxes[1].apply_translation([-0.1, 0, 0]))).crossed.num
+
+
+@pytest.mark.parametrize("size", [None, 1.0, 0.3])
+def test_the_wall_of_a_pipe_is_a_sheet_whatever_its_triangles(size):
+    """A closed pipe, and one with open ends: a curve that is anywhere in the wall is in a sheet."""
+    pipe = trimesh.creation.annulus(0.9, 1.0, 4.0, sections=24)
+    inner = inverted(trimesh.creation.cylinder(0.85, 4.7, sections=24))
+    for mesh in (pipe, together(trimesh.creation.cylinder(1.0, 5.0, sections=24), inner)):
+        shape = enclosure(mesh if size is None else mesh.subdivide_to_size(size))
+        angle = 0.3 + 0.02 * np.arange(200)
+        x = np.stack([0.93 * np.cos(angle), 0.93 * np.sin(angle), 0.01 * np.arange(200) - 1.0], axis=1)
+        about = assessed(shape, x, np.stack([np.arange(199), np.arange(1, 200)], axis=1))
+        assert about["in_sheets"] == 1.0
+        assert "100% of the curve's length is in sheets, where its path is arbitrary" in about["doubts"]
