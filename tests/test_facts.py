@@ -124,3 +124,11 @@ def test_two_pages_say_what_the_table_of_tuning_shows():
             r"is the best on three(?: shapes)?, and within ([\d.]+) % of the best on all", text_of(page)
         )
         assert max(row[0] / min(row) for row in medians) <= 1 + float(most) / 100
+
+
+def test_the_workflow_has_the_oldest_and_the_newest_python_of_the_classifiers():
+    project = text_of("pyproject.toml")
+    minors = sorted(int(minor) for minor in re.findall(r"Python :: 3\.(\d+)", project))
+    assert f'requires-python = ">=3.{minors[0]}"' in project and minors == [*range(minors[0], minors[-1] + 1)]
+    assert f'python: ["3.{minors[0]}", "3.{minors[-1]}"]' in text_of(".github/workflows/ci.yml")
+    assert f"with Python 3.{minors[0]} or newer" in text_of("README.md")
