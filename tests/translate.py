@@ -2,10 +2,10 @@
 
     python -m tests.translate
 
-Run from the project's root after a kernel, or a number that it names, has changed. The text depends on the versions of
-Numba, which `pyproject.toml` pins, and of Python, whose byte code Numba reads. Numba translates each kernel for the types
-that its annotations give. Each gets an entry that takes its arguments as one row of 8-byte words, in the order of
-`msf_jax.host.compiled.words`. The text is for no processor in particular: no vectors, no sum in another order.
+Run from the project's root after a kernel, or a number that it names, has changed. Numba translates each kernel for the
+types that its annotations give. Each gets an entry that takes its arguments as one row of 8-byte words, in the order of
+`msf_jax.host.compiled._words`. The text is for no processor in particular: no vectors, no sum in another order. It
+depends on the versions of Numba, which `pyproject.toml` pins, and of Python, whose byte code Numba reads.
 """
 
 import importlib
@@ -34,12 +34,12 @@ OPTIONS: dict[str, Any] = {
     "no_cfunc_wrapper": True,
     "no_cpython_wrapper": True,
 }
-PYTHON = (3, 11)
+PYTHON = (3, 11)  # whose byte code is read
 HEAD = "; Made of the kernels by `python -m tests.translate`: edit those.\n"
 # Hints that only help passes, which have been run, and that older LLVMs lack; and comments.
 HINTS = re.compile(r" (captures\(none\)|range\([^)]*\)|initializes\(\(.*?\)\)|#\d+)|, ![a-z.]+ !\d+| *;.*")
-# LLVM 20 aborts the process on the `lifetime` of LLVM 22. C's square root is not called: see `portable`.
-LEFT_OUT = re.compile(r"target |source_|attributes|!|$|.*@llvm\.lifetime\.|declare double @llvm\.sqrt\..*")
+# LLVM 20 aborts the process on the `lifetime` of LLVM 22, and adds declarations of its own functions itself.
+LEFT_OUT = re.compile(r"target |source_|attributes|!|$|.*@llvm\.lifetime\.|declare double @llvm\.sqrt\.")
 SCALARS = {float: "float64", int: "int64", bool: "boolean", type(None): "void"}
 
 
