@@ -60,6 +60,18 @@ def test_modules_import_in_no_circle():
     assert not [part for part in nx.strongly_connected_components(graph) if len(part) > 1]
 
 
+def test_the_page_of_the_source_has_every_module_once_in_the_order_of_imports():
+    """In the first column of its table, on its own or within a folder."""
+    rows = re.findall(r"^\| (`.*?) \|", (ROOT / "guide" / "architecture.md").read_text("utf-8"), flags=re.MULTILINE)
+    named = [name for row in rows for name in re.findall(r"`([^`]+)`", row)]
+    assert list(dict.fromkeys(re.split(r"[/.]", name)[0] for name in named)) == ORDER[:-1]
+    assert all((ROOT / name).exists() for name in named)
+    for path in ROOT.rglob("*.py"):
+        file = path.relative_to(ROOT).as_posix()
+        if path.stem not in ("__init__", "__main__"):
+            assert sum(file == name or (name[-1] == "/" and file.startswith(name)) for name in named) == 1, file
+
+
 def test_host_and_device_do_not_mix():
     for file, name, _ in imports():
         assert name.split(".")[0] not in FOREIGN.get(file.split("/")[0], ()), f"{file} imports {name}"

@@ -226,39 +226,6 @@ def test_arrays_of_another_kind_are_taken_as_copies():
         np.testing.assert_array_equal(shape.winding_numbers(other), plain[1])
 
 
-def test_the_text_is_of_the_kernels_as_they_are(monkeypatch):
-    """And one that is not is refused."""
-    assert compiled.TEXT.read_text().startswith(f"; {compiled.digest()}\n")
-    monkeypatch.setattr(compiled, "MODULES", compiled.MODULES[:-1])
-    with pytest.raises(RuntimeError, match=r"python -m tests\.translate"):
-        compiled._compiled()
-
-
-def test_words_of_a_docstring_are_no_part_of_the_digest(tmp_path, monkeypatch):
-    def of(text):
-        (tmp_path / "some.py").write_text(text)
-        return compiled.digest()
-
-    monkeypatch.setattr(compiled, "__file__", str(tmp_path / "a" / "b" / "compiled.py"))
-    monkeypatch.setattr(compiled, "MODULES", ("some",))
-    plain = of("def f(x):\n    return 2 * x\n")
-    assert of('"""Says."""\ndef f(x):\n    """More."""\n    return 2 * x  # what\n') == plain
-    assert of("def f(x):\n    return 3 * x\n") != plain
-
-
-@pytest.mark.slow
-def test_the_text_is_what_numba_makes_of_the_kernels():
-    """Translated again: the same numbers, whatever Numba and LLVM call them."""
-    from tests import translate
-
-    text = translate.translated()
-    engine, names = (
-        compiled._compiled(text),
-        [compiled.entry_of(one) for one in compiled.kernels_of(translate.modules())],
-    )
-    assert len(names) == 13 and all(engine.get_function_address(name) for name in names)
-
-
 PROGRAM = """
 import sys
 import msf_jax

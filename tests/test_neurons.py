@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from scipy.sparse.csgraph import minimum_spanning_tree
-from scipy.spatial import distance_matrix
+from scipy.spatial.distance import cdist
 
 import msf_jax
 from msf_jax import ConfigError
@@ -75,7 +75,7 @@ def test_pieces_are_joined_by_the_least_length(seed):
     points = np.random.default_rng(seed).random((12, 3))
     healed = curve_of(points, np.empty((0, 2), dtype=int), np.full(12, 0.01)).heal()
     assert healed.report.components == 1 and len(healed.edges) == 11
-    assert healed.length == pytest.approx(minimum_spanning_tree(distance_matrix(points, points)).sum())
+    assert healed.length == pytest.approx(minimum_spanning_tree(cdist(points, points)).sum())
 
 
 def test_pieces_farther_apart_than_the_reach_stay_apart():

@@ -4,6 +4,7 @@ import os
 import subprocess
 import sys
 import threading
+import warnings
 from pathlib import Path
 
 import pytest
@@ -76,3 +77,16 @@ msf_jax.skeletonize(ground_truth.make("straight_coarse").mesh)
         )
         assert (done.returncode, done.stderr, done.stdout) == (0, b"", b"")
     assert any((tmp_path / "cache").rglob("*"))
+
+
+@pytest.mark.parametrize("kind", [DeprecationWarning, FutureWarning])
+def test_what_others_deprecate_among_themselves_fails_no_test(kind):
+    """By the filters of `pyproject.toml`: a call from this project's code does."""
+    for module in ("msf_jax.flow.loop", "tests.pages", "test_quiet", "conftest", "block"):
+        with pytest.raises(kind):
+            warnings.warn_explicit("old", kind, "file.py", 1, module)
+    with warnings.catch_warnings(record=True) as shown:
+        warnings.warn_explicit("old", kind, "file.py", 1, "scipy.spatial")
+    assert [str(each.message) for each in shown] == ["old"]
+    with pytest.raises(RuntimeWarning):
+        warnings.warn_explicit("overflow", RuntimeWarning, "file.py", 1, "scipy.spatial")

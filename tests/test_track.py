@@ -49,7 +49,9 @@ def test_every_frame_is_followed_and_compiled_for_once(tube):
     assert str(done) == "6 frames, 0 of them need a fresh run"
     mixed = msf_jax.track(skeleton, iter([frames[1], (frames[1], faces), trimesh.Trimesh(frames[1], faces)]))
     np.testing.assert_array_equal(mixed.nodes[1:], mixed.nodes[:1].repeat(2, axis=0))
-    np.testing.assert_array_equal(mixed.nodes, msf_jax.follow(skeleton, frames[1]).nodes[None].repeat(3, axis=0))
+    # `follow` is another program, and a compiler may sum in another order: a few units in the last place of the size.
+    alone, size = msf_jax.follow(skeleton, frames[1]).nodes, np.ptp(vertices, axis=0).max()
+    np.testing.assert_allclose(mixed.nodes, alone[None].repeat(3, axis=0), rtol=0, atol=8 * np.spacing(size))
 
 
 def test_frames_that_no_longer_hold_say_which_nodes(tube):

@@ -4,26 +4,29 @@
 
 Run from the project's root after a kernel, or a number that it names, has changed. Numba translates each kernel for the
 types that its annotations give. Each gets an entry that takes its arguments as one row of 8-byte words, in the order of
-`msf_jax.host.compiled.words`. The text is for no processor in particular: no vectors, no sum in another order.
+`msf_jax.host.compiled._words`. The text is for no processor in particular: no vectors, no sum in another order. It
+depends on the versions of Numba, which `pyproject.toml` pins, and of Python, whose byte code Numba reads.
 """
 
 import importlib
 import os
 import re
+import sys
 import types
 from typing import Any, get_type_hints
 
-# For any processor: settings of Numba that it reads when it is imported.
+# For any processor: settings that Numba reads when it is imported, and again below.
 os.environ |= {"NUMBA_CPU_NAME": "generic", "NUMBA_CPU_FEATURES": "", "NUMBA_LOOP_VECTORIZE": "0"}
 os.environ |= {"NUMBA_SLP_VECTORIZE": "0"}
 
 from llvmlite import binding as llvm
-from numba import njit
+from numba import config, njit
 from numba import types as numba_types
 
 from msf_jax.host import compiled
 from msf_jax.host.compiled import Kernel
 
+config.reload_config()
 # Division by zero is no exception, and nothing is allocated: a kernel then needs nothing of Numba when it runs.
 OPTIONS: dict[str, Any] = {
     "error_model": "numpy",
@@ -31,6 +34,12 @@ OPTIONS: dict[str, Any] = {
     "no_cfunc_wrapper": True,
     "no_cpython_wrapper": True,
 }
+PYTHON = (3, 11)  # whose byte code is read
+HEAD = "; Made of the kernels by `python -m tests.translate`: edit those.\n"
+# Hints that only help passes, which have been run, and that older LLVMs lack; and comments.
+HINTS = re.compile(r" (captures\(none\)|range\([^)]*\)|initializes\(\(.*?\)\)|#\d+)|, ![a-z.]+ !\d+| *;.*")
+# LLVM 20 aborts the process on the `lifetime` of LLVM 22, and adds declarations of its own functions itself.
+LEFT_OUT = re.compile(r"target |source_|attributes|!|$|.*@llvm\.lifetime\.|declare double @llvm\.sqrt\.")
 SCALARS = {float: "float64", int: "int64", bool: "boolean", type(None): "void"}
 
 
@@ -132,15 +141,20 @@ def translated() -> str:
     options = llvm.create_pipeline_tuning_options(speed_level=2)
     options.loop_vectorization = options.slp_vectorization = options.loop_unrolling = False
     builder = llvm.create_pass_builder(machine, options)
-    builder.getModulePassManager().run(whole, builder)
-    # Without hints that only help passes, which have been run, and that older LLVMs lack.
-    text = re.sub(r" (captures\(none\)|range\([^)]*\)|initializes\(\(.*?\)\)|#\d+)|, ![a-z.]+ !\d+", "", str(whole))
-    kept = [line for line in text.splitlines() if not line.startswith(("target ", "source_", "attributes", ";", "!"))]
-    return f"; {compiled.digest()}\n; Made of the kernels by `python -m tests.translate`: edit those.\n" + "\n".join(
-        kept
-    )
+    passes = builder.getModulePassManager()
+    passes.add_strip_symbols_pass()  # names hold a count of what Numba has translated before in this process
+    passes.run(whole, builder)
+    return HEAD + portable(str(whole))
+
+
+def portable(text: str) -> str:
+    """``text`` for every LLVM since 20, and with square roots as instructions instead of calls of C's function."""
+    lines = HINTS.sub("", text).replace("@sqrt(", "@llvm.sqrt.f64(").splitlines()
+    return "".join(f"{line}\n" for line in lines if not LEFT_OUT.match(line))
 
 
 if __name__ == "__main__":
-    compiled.TEXT.write_text(translated() + "\n")
+    if sys.version_info[:2] != PYTHON:
+        raise SystemExit(f"The text of Python {sys.version} would differ: run this with {'.'.join(map(str, PYTHON))}.")
+    compiled.TEXT.write_text(translated(), newline="\n")
     print(f"{compiled.TEXT}: {compiled.TEXT.stat().st_size / 1000:.0f} kB")

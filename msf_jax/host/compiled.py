@@ -8,9 +8,7 @@ package needs neither Numba nor a compiler, and nothing is stored on disk.
 Sums are not reordered: the same source gives the same bits in every process.
 """
 
-import ast
 import ctypes
-import hashlib
 import struct
 import sys
 import threading
@@ -37,6 +35,8 @@ MODULES = (
     "msf_jax.host.meso.kernels",
 )  # that have kernels
 TEXT = Path(__file__).with_name("kernels.ll")
+# C's functions that the text needs, or that some LLVM makes of its loops: another release, or for another processor.
+SYMBOLS = ("atan2", "memset")
 
 
 class Kernel:
@@ -65,6 +65,8 @@ class Kernel:
     @cached_property
     def _entry(self) -> Callable[[Any], int]:
         address = _engine().get_function_address(entry_of(self))
+        if not address:
+            raise RuntimeError(f"{TEXT.name} has no {entry_of(self)}: it was made before this kernel")
         return ctypes.CFUNCTYPE(ctypes.c_int64, ctypes.c_void_p)(address)  # releases Python's lock
 
 
@@ -93,11 +95,7 @@ def _words(kind: Any, value: Any, row: list[int]) -> Any:
 
 
 def kernel(function: Callable) -> Kernel:
-    """Compile ``function``, over arrays, numbers and named tuples of arrays as annotated; it returns None or an int.
-
-    Raises:
-        RuntimeError: on a call, if `kernels.ll` was made from other kernels than the current ones.
-    """
+    """Compile ``function``, over arrays, numbers and named tuples of arrays as annotated; it returns None or an int."""
     return Kernel(function, is_part=False)
 
 
@@ -117,22 +115,6 @@ def kernels_of(modules: Iterable[ModuleType]) -> list[Kernel]:
     return [each for name, each in found if isinstance(each, Kernel) and not each.is_part and each.__module__ == name]
 
 
-def digest() -> str:
-    """A hash of the statements of all modules with kernels, without comments and docstrings."""
-    found = hashlib.sha256()
-    for name in MODULES:
-        tree = ast.parse((Path(__file__).parents[2] / name.replace(".", "/")).with_suffix(".py").read_bytes())
-        for node in ast.walk(tree):
-            if isinstance(node, ast.Module | ast.FunctionDef | ast.ClassDef):
-                node.body = [each for each in node.body if not _is_text(each)] or [ast.Pass()]
-        found.update(ast.unparse(tree).encode())
-    return found.hexdigest()
-
-
-def _is_text(node: ast.stmt) -> bool:
-    return isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant)
-
-
 _LOADED: list[Any] = []  # the engine with the compiled code, once there is one
 _LOADING = threading.Lock()
 
@@ -145,19 +127,17 @@ def _engine() -> Any:
         return _LOADED[0]
 
 
-def _compiled(text: str | None = None) -> Any:
+def _compiled() -> Any:
     from llvmlite import binding as llvm
 
-    text = TEXT.read_text() if text is None else text
-    if not text.startswith(f"; {digest()}\n"):
-        raise RuntimeError(f"{TEXT.name} was made from other kernels: run `python -m tests.translate`")
     llvm.initialize_native_target()
     llvm.initialize_native_asmprinter()
     machine = llvm.Target.from_default_triple().create_target_machine(opt=2, jit=True)
-    module = llvm.parse_assembly(text)
+    module = llvm.parse_assembly(TEXT.read_text())
     module.triple, module.data_layout = machine.triple, str(machine.target_data)
-    if sys.platform == "win32":  # elsewhere the process has C's mathematical functions
-        llvm.add_symbol("atan2", ctypes.cast(ctypes.cdll.msvcrt.atan2, ctypes.c_void_p).value)
+    library = ctypes.cdll.msvcrt if sys.platform == "win32" else ctypes.CDLL(None)
+    for name in SYMBOLS:  # not every process has them where LLVM looks: those of Windows do not
+        llvm.add_symbol(name, ctypes.cast(library[name], ctypes.c_void_p).value)
     engine = llvm.create_mcjit_compiler(module, machine)
     engine.finalize_object()
     return engine

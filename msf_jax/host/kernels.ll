@@ -1,9367 +1,8676 @@
-; 1bd0252a3b3bbc328e33665fa03f83b5118dcf46439ac40a2b1fd21ed756bfc3
 ; Made of the kernels by `python -m tests.translate`: edit those.
-
-define internal fastcc void @_ZN7msf_jax4host5solid7kernels18triangle_distance2B2v2B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAEddd5ArrayIdLi3E1C7mutable7alignedEx(ptr noalias nonnull writeonly %retptr, double %arg.x, double %arg.y, double %arg.z, ptr readonly %arg.triangles.4, i64 %arg.triangles.5.0, i64 %arg.triangles.5.1, i64 %arg.triangles.5.2, i64 %arg.row) unnamed_addr {
-B60.endif.endif:
-  %.234 = icmp slt i64 %arg.row, 0
-  %.235 = select i1 %.234, i64 %arg.triangles.5.0, i64 0
-  %.236 = add i64 %.235, %arg.row
-  %.264 = mul i64 %arg.triangles.5.2, %arg.triangles.5.1
-  %.266 = mul i64 %.264, %.236
-  %.272 = getelementptr double, ptr %arg.triangles.4, i64 %.266
-  %.273 = load double, ptr %.272, align 8
-  %.348 = getelementptr i8, ptr %.272, i64 8
-  %.349 = load double, ptr %.348, align 8
-  %.424 = getelementptr i8, ptr %.272, i64 16
-  %.425 = load double, ptr %.424, align 8
-  %0 = getelementptr double, ptr %arg.triangles.4, i64 %arg.triangles.5.2
-  %.500 = getelementptr double, ptr %0, i64 %.266
-  %.501 = load double, ptr %.500, align 8
-  %.502 = fsub double %.501, %.273
-  %.577 = getelementptr i8, ptr %.500, i64 8
-  %.578 = load double, ptr %.577, align 8
-  %.579 = fsub double %.578, %.349
-  %.654 = getelementptr i8, ptr %.500, i64 16
-  %.655 = load double, ptr %.654, align 8
-  %.656 = fsub double %.655, %.425
-  %.667 = fsub double %arg.x, %.273
-  %.669 = fsub double %arg.y, %.349
-  %.671 = fsub double %arg.z, %.425
-  %.10.i = fmul double %.502, %.502
-  %.11.i = fmul double %.656, %.656
-  %.12.i = fadd double %.10.i, %.11.i
-  %.13.i = fmul double %.579, %.579
-  %.14.i = fadd double %.13.i, %.12.i
-  %.717 = fcmp ogt double %.14.i, 0.000000e+00
-  br i1 %.717, label %B310.endif.endif.endif, label %B60.endif.endif.1
-
-common.ret:                                       ; preds = %B1158.endif, %B916.endif.endif.endif.endif, %B534.endif
-  %best.4.0 = phi double [ %.11.i68, %B534.endif ], [ %.11.i68, %B916.endif.endif.endif.endif ], [ %.11.i80, %B1158.endif ]
-  store double %best.4.0, ptr %retptr, align 8
+define internal fastcc void @0(ptr noalias nonnull writeonly %0, double %1, double %2, double %3, ptr readonly %4, i64 %5, i64 %6, i64 %7, i64 %8) unnamed_addr {
+  %10 = icmp slt i64 %8, 0
+  %11 = select i1 %10, i64 %5, i64 0
+  %12 = add i64 %11, %8
+  %13 = mul i64 %7, %6
+  %14 = mul i64 %13, %12
+  %15 = getelementptr double, ptr %4, i64 %14
+  %16 = load double, ptr %15, align 8
+  %17 = getelementptr i8, ptr %15, i64 8
+  %18 = load double, ptr %17, align 8
+  %19 = getelementptr i8, ptr %15, i64 16
+  %20 = load double, ptr %19, align 8
+  %21 = getelementptr double, ptr %4, i64 %7
+  %22 = getelementptr double, ptr %21, i64 %14
+  %23 = load double, ptr %22, align 8
+  %24 = fsub double %23, %16
+  %25 = getelementptr i8, ptr %22, i64 8
+  %26 = load double, ptr %25, align 8
+  %27 = fsub double %26, %18
+  %28 = getelementptr i8, ptr %22, i64 16
+  %29 = load double, ptr %28, align 8
+  %30 = fsub double %29, %20
+  %31 = fsub double %1, %16
+  %32 = fsub double %2, %18
+  %33 = fsub double %3, %20
+  %34 = fmul double %24, %24
+  %35 = fmul double %30, %30
+  %36 = fadd double %34, %35
+  %37 = fmul double %27, %27
+  %38 = fadd double %37, %36
+  %39 = fcmp ogt double %38, 0.000000e+00
+  br i1 %39, label %42, label %53
+40:
+  %41 = phi double [ %151, %137 ], [ %151, %170 ], [ %216, %207 ]
+  store double %41, ptr %0, align 8
   ret void
-
-B310.endif.endif.endif:                           ; preds = %B60.endif.endif
-  %.10.i1 = fmul double %.667, %.502
-  %.11.i2 = fmul double %.671, %.656
-  %.12.i3 = fadd double %.10.i1, %.11.i2
-  %.13.i4 = fmul double %.669, %.579
-  %.14.i5 = fadd double %.13.i4, %.12.i3
-  %.754 = fdiv double %.14.i5, %.14.i
-  %.10.i21 = fcmp olt double %.754, 0.000000e+00
-  %.11.i22 = select i1 %.10.i21, double 0.000000e+00, double %.754
-  %.10.i23 = fcmp ogt double %.11.i22, 1.000000e+00
-  %.11.i24 = select i1 %.10.i23, double 1.000000e+00, double %.11.i22
-  br label %B60.endif.endif.1
-
-B60.endif.endif.1:                                ; preds = %B310.endif.endif.endif, %B60.endif.endif
-  %"$phi414.1.2.1" = phi double [ 0.000000e+00, %B60.endif.endif ], [ %.11.i24, %B310.endif.endif.endif ]
-  %.826 = fmul double %.502, %"$phi414.1.2.1"
-  %.830 = fsub double %.667, %.826
-  %.834 = fmul double %.579, %"$phi414.1.2.1"
-  %.838 = fsub double %.669, %.834
-  %.842 = fmul double %.656, %"$phi414.1.2.1"
-  %.846 = fsub double %.671, %.842
-  %.10.i6 = fmul double %.830, %.830
-  %.11.i7 = fmul double %.846, %.846
-  %.12.i8 = fadd double %.10.i6, %.11.i7
-  %.13.i9 = fmul double %.838, %.838
-  %.14.i10 = fadd double %.13.i9, %.12.i8
-  %.10.i25 = fcmp olt double %.14.i10, 0x7FF0000000000000
-  %.11.i26 = select i1 %.10.i25, double %.14.i10, double 0x7FF0000000000000
-  %.idx = shl i64 %arg.triangles.5.2, 4
-  %1 = getelementptr i8, ptr %arg.triangles.4, i64 %.idx
-  %.500.1 = getelementptr double, ptr %1, i64 %.266
-  %.501.1 = load double, ptr %.500.1, align 8
-  %.502.1 = fsub double %.501.1, %.501
-  %.577.1 = getelementptr i8, ptr %.500.1, i64 8
-  %.578.1 = load double, ptr %.577.1, align 8
-  %.579.1 = fsub double %.578.1, %.578
-  %.654.1 = getelementptr i8, ptr %.500.1, i64 16
-  %.655.1 = load double, ptr %.654.1, align 8
-  %.656.1 = fsub double %.655.1, %.655
-  %.667.1 = fsub double %arg.x, %.501
-  %.669.1 = fsub double %arg.y, %.578
-  %.671.1 = fsub double %arg.z, %.655
-  %.10.i27 = fmul double %.502.1, %.502.1
-  %.11.i28 = fmul double %.656.1, %.656.1
-  %.12.i29 = fadd double %.10.i27, %.11.i28
-  %.13.i30 = fmul double %.579.1, %.579.1
-  %.14.i31 = fadd double %.13.i30, %.12.i29
-  %.717.1 = fcmp ogt double %.14.i31, 0.000000e+00
-  br i1 %.717.1, label %B310.endif.endif.endif.1, label %B60.endif.endif.2
-
-B310.endif.endif.endif.1:                         ; preds = %B60.endif.endif.1
-  %.10.i32 = fmul double %.667.1, %.502.1
-  %.11.i33 = fmul double %.671.1, %.656.1
-  %.12.i34 = fadd double %.10.i32, %.11.i33
-  %.13.i35 = fmul double %.669.1, %.579.1
-  %.14.i36 = fadd double %.13.i35, %.12.i34
-  %.754.1 = fdiv double %.14.i36, %.14.i31
-  %.10.i37 = fcmp olt double %.754.1, 0.000000e+00
-  %.11.i38 = select i1 %.10.i37, double 0.000000e+00, double %.754.1
-  %.10.i39 = fcmp ogt double %.11.i38, 1.000000e+00
-  %.11.i40 = select i1 %.10.i39, double 1.000000e+00, double %.11.i38
-  br label %B60.endif.endif.2
-
-B60.endif.endif.2:                                ; preds = %B310.endif.endif.endif.1, %B60.endif.endif.1
-  %"$phi414.1.2.1.1" = phi double [ 0.000000e+00, %B60.endif.endif.1 ], [ %.11.i40, %B310.endif.endif.endif.1 ]
-  %.826.1 = fmul double %.502.1, %"$phi414.1.2.1.1"
-  %.830.1 = fsub double %.667.1, %.826.1
-  %.834.1 = fmul double %.579.1, %"$phi414.1.2.1.1"
-  %.838.1 = fsub double %.669.1, %.834.1
-  %.842.1 = fmul double %.656.1, %"$phi414.1.2.1.1"
-  %.846.1 = fsub double %.671.1, %.842.1
-  %.10.i41 = fmul double %.830.1, %.830.1
-  %.11.i42 = fmul double %.846.1, %.846.1
-  %.12.i43 = fadd double %.10.i41, %.11.i42
-  %.13.i44 = fmul double %.838.1, %.838.1
-  %.14.i45 = fadd double %.13.i44, %.12.i43
-  %.10.i46 = fcmp olt double %.14.i45, %.11.i26
-  %.11.i47 = select i1 %.10.i46, double %.14.i45, double %.11.i26
-  %.502.2 = fsub double %.273, %.501.1
-  %.579.2 = fsub double %.349, %.578.1
-  %.656.2 = fsub double %.425, %.655.1
-  %.667.2 = fsub double %arg.x, %.501.1
-  %.669.2 = fsub double %arg.y, %.578.1
-  %.671.2 = fsub double %arg.z, %.655.1
-  %.10.i48 = fmul double %.502.2, %.502.2
-  %.11.i49 = fmul double %.656.2, %.656.2
-  %.12.i50 = fadd double %.10.i48, %.11.i49
-  %.13.i51 = fmul double %.579.2, %.579.2
-  %.14.i52 = fadd double %.13.i51, %.12.i50
-  %.717.2 = fcmp ogt double %.14.i52, 0.000000e+00
-  br i1 %.717.2, label %B310.endif.endif.endif.2, label %B534.endif
-
-B310.endif.endif.endif.2:                         ; preds = %B60.endif.endif.2
-  %.10.i53 = fmul double %.667.2, %.502.2
-  %.11.i54 = fmul double %.671.2, %.656.2
-  %.12.i55 = fadd double %.10.i53, %.11.i54
-  %.13.i56 = fmul double %.669.2, %.579.2
-  %.14.i57 = fadd double %.13.i56, %.12.i55
-  %.754.2 = fdiv double %.14.i57, %.14.i52
-  %.10.i58 = fcmp olt double %.754.2, 0.000000e+00
-  %.11.i59 = select i1 %.10.i58, double 0.000000e+00, double %.754.2
-  %.10.i60 = fcmp ogt double %.11.i59, 1.000000e+00
-  %.11.i61 = select i1 %.10.i60, double 1.000000e+00, double %.11.i59
-  br label %B534.endif
-
-B534.endif:                                       ; preds = %B310.endif.endif.endif.2, %B60.endif.endif.2
-  %"$phi414.1.2.1.2" = phi double [ 0.000000e+00, %B60.endif.endif.2 ], [ %.11.i61, %B310.endif.endif.endif.2 ]
-  %.826.2 = fmul double %.502.2, %"$phi414.1.2.1.2"
-  %.830.2 = fsub double %.667.2, %.826.2
-  %.834.2 = fmul double %.579.2, %"$phi414.1.2.1.2"
-  %.838.2 = fsub double %.669.2, %.834.2
-  %.842.2 = fmul double %.656.2, %"$phi414.1.2.1.2"
-  %.846.2 = fsub double %.671.2, %.842.2
-  %.10.i62 = fmul double %.830.2, %.830.2
-  %.11.i63 = fmul double %.846.2, %.846.2
-  %.12.i64 = fadd double %.10.i62, %.11.i63
-  %.13.i65 = fmul double %.838.2, %.838.2
-  %.14.i66 = fadd double %.13.i65, %.12.i64
-  %.10.i67 = fcmp olt double %.14.i66, %.11.i47
-  %.11.i68 = select i1 %.10.i67, double %.14.i66, double %.11.i47
-  %.1458 = fsub double %.501.1, %.273
-  %.1535 = fsub double %.578.1, %.349
-  %.1616 = fsub double %.655.1, %.425
-  %.1649 = fmul double %.579, %.1616
-  %.1652 = fmul double %.656, %.1535
-  %.1653 = fsub double %.1649, %.1652
-  %.1656 = fmul double %.656, %.1458
-  %.1659 = fmul double %.502, %.1616
-  %.1660 = fsub double %.1656, %.1659
-  %.1663 = fmul double %.502, %.1535
-  %.1666 = fmul double %.579, %.1458
-  %.1667 = fsub double %.1663, %.1666
-  %.10.i69 = fmul double %.1653, %.1653
-  %.11.i70 = fmul double %.1667, %.1667
-  %.12.i71 = fadd double %.11.i70, %.10.i69
-  %.13.i72 = fmul double %.1660, %.1660
-  %.14.i73 = fadd double %.13.i72, %.12.i71
-  %.1713 = fcmp ogt double %.14.i73, 0.000000e+00
-  br i1 %.1713, label %B916.endif.endif.endif.endif, label %common.ret
-
-B916.endif.endif.endif.endif:                     ; preds = %B534.endif
-  %.1721 = fmul double %.669, %.1616
-  %.1724 = fmul double %.671, %.1535
-  %.1725 = fsub double %.1721, %.1724
-  %.1728 = fmul double %.671, %.1458
-  %.1731 = fmul double %.667, %.1616
-  %.1734 = fsub double %.1728, %.1731
-  %.1737 = fmul double %.667, %.1535
-  %.1742 = fmul double %.669, %.1458
-  %.1745 = fsub double %.1737, %.1742
-  %.10.i11 = fmul double %.1725, %.1653
-  %.11.i12 = fmul double %.1745, %.1667
-  %.12.i13 = fadd double %.11.i12, %.10.i11
-  %.13.i14 = fmul double %.1734, %.1660
-  %.14.i15 = fadd double %.13.i14, %.12.i13
-  %.1784 = fmul double %.671, %.579
-  %.1787 = fmul double %.669, %.656
-  %.1788 = fsub double %.1784, %.1787
-  %.1791 = fmul double %.667, %.656
-  %.1796 = fmul double %.671, %.502
-  %.1797 = fsub double %.1791, %.1796
-  %.1800 = fmul double %.669, %.502
-  %.1805 = fmul double %.667, %.579
-  %.1808 = fsub double %.1800, %.1805
-  %.10.i74 = fmul double %.1788, %.1653
-  %.11.i75 = fmul double %.1808, %.1667
-  %.12.i76 = fadd double %.11.i75, %.10.i74
-  %.13.i77 = fmul double %.1797, %.1660
-  %.14.i78 = fadd double %.13.i77, %.12.i76
-  %.1777 = fdiv double %.14.i15, %.14.i73
-  %.1840 = fdiv double %.14.i78, %.14.i73
-  %.1846 = fcmp oge double %.1777, 0.000000e+00
-  %.1853 = fcmp oge double %.1840, 0.000000e+00
-  %.1860 = fadd double %.1777, %.1840
-  %.1866 = fcmp ole double %.1860, 1.000000e+00
-  %2 = and i1 %.1853, %.1866
-  %or.cond451 = select i1 %.1846, i1 %2, i1 false
-  br i1 %or.cond451, label %B1158.endif, label %common.ret
-
-B1158.endif:                                      ; preds = %B916.endif.endif.endif.endif
-  %.10.i16 = fmul double %.667, %.1653
-  %.11.i17 = fmul double %.671, %.1667
-  %.12.i18 = fadd double %.11.i17, %.10.i16
-  %.13.i19 = fmul double %.669, %.1660
-  %.14.i20 = fadd double %.13.i19, %.12.i18
-  %.1911 = fmul double %.14.i20, %.14.i20
-  %.1916 = fdiv double %.1911, %.14.i73
-  %.10.i79 = fcmp olt double %.1916, %.11.i68
-  %.11.i80 = select i1 %.10.i79, double %.1916, double %.11.i68
-  br label %common.ret
+42:
+  %43 = fmul double %31, %24
+  %44 = fmul double %33, %30
+  %45 = fadd double %43, %44
+  %46 = fmul double %32, %27
+  %47 = fadd double %46, %45
+  %48 = fdiv double %47, %38
+  %49 = fcmp olt double %48, 0.000000e+00
+  %50 = select i1 %49, double 0.000000e+00, double %48
+  %51 = fcmp ogt double %50, 1.000000e+00
+  %52 = select i1 %51, double 1.000000e+00, double %50
+  br label %53
+53:
+  %54 = phi double [ 0.000000e+00, %9 ], [ %52, %42 ]
+  %55 = fmul double %24, %54
+  %56 = fsub double %31, %55
+  %57 = fmul double %27, %54
+  %58 = fsub double %32, %57
+  %59 = fmul double %30, %54
+  %60 = fsub double %33, %59
+  %61 = fmul double %56, %56
+  %62 = fmul double %60, %60
+  %63 = fadd double %61, %62
+  %64 = fmul double %58, %58
+  %65 = fadd double %64, %63
+  %66 = fcmp olt double %65, 0x7FF0000000000000
+  %67 = select i1 %66, double %65, double 0x7FF0000000000000
+  %68 = shl i64 %7, 4
+  %69 = getelementptr i8, ptr %4, i64 %68
+  %70 = getelementptr double, ptr %69, i64 %14
+  %71 = load double, ptr %70, align 8
+  %72 = fsub double %71, %23
+  %73 = getelementptr i8, ptr %70, i64 8
+  %74 = load double, ptr %73, align 8
+  %75 = fsub double %74, %26
+  %76 = getelementptr i8, ptr %70, i64 16
+  %77 = load double, ptr %76, align 8
+  %78 = fsub double %77, %29
+  %79 = fsub double %1, %23
+  %80 = fsub double %2, %26
+  %81 = fsub double %3, %29
+  %82 = fmul double %72, %72
+  %83 = fmul double %78, %78
+  %84 = fadd double %82, %83
+  %85 = fmul double %75, %75
+  %86 = fadd double %85, %84
+  %87 = fcmp ogt double %86, 0.000000e+00
+  br i1 %87, label %88, label %99
+88:
+  %89 = fmul double %79, %72
+  %90 = fmul double %81, %78
+  %91 = fadd double %89, %90
+  %92 = fmul double %80, %75
+  %93 = fadd double %92, %91
+  %94 = fdiv double %93, %86
+  %95 = fcmp olt double %94, 0.000000e+00
+  %96 = select i1 %95, double 0.000000e+00, double %94
+  %97 = fcmp ogt double %96, 1.000000e+00
+  %98 = select i1 %97, double 1.000000e+00, double %96
+  br label %99
+99:
+  %100 = phi double [ 0.000000e+00, %53 ], [ %98, %88 ]
+  %101 = fmul double %72, %100
+  %102 = fsub double %79, %101
+  %103 = fmul double %75, %100
+  %104 = fsub double %80, %103
+  %105 = fmul double %78, %100
+  %106 = fsub double %81, %105
+  %107 = fmul double %102, %102
+  %108 = fmul double %106, %106
+  %109 = fadd double %107, %108
+  %110 = fmul double %104, %104
+  %111 = fadd double %110, %109
+  %112 = fcmp olt double %111, %67
+  %113 = select i1 %112, double %111, double %67
+  %114 = fsub double %16, %71
+  %115 = fsub double %18, %74
+  %116 = fsub double %20, %77
+  %117 = fsub double %1, %71
+  %118 = fsub double %2, %74
+  %119 = fsub double %3, %77
+  %120 = fmul double %114, %114
+  %121 = fmul double %116, %116
+  %122 = fadd double %120, %121
+  %123 = fmul double %115, %115
+  %124 = fadd double %123, %122
+  %125 = fcmp ogt double %124, 0.000000e+00
+  br i1 %125, label %126, label %137
+126:
+  %127 = fmul double %117, %114
+  %128 = fmul double %119, %116
+  %129 = fadd double %127, %128
+  %130 = fmul double %118, %115
+  %131 = fadd double %130, %129
+  %132 = fdiv double %131, %124
+  %133 = fcmp olt double %132, 0.000000e+00
+  %134 = select i1 %133, double 0.000000e+00, double %132
+  %135 = fcmp ogt double %134, 1.000000e+00
+  %136 = select i1 %135, double 1.000000e+00, double %134
+  br label %137
+137:
+  %138 = phi double [ 0.000000e+00, %99 ], [ %136, %126 ]
+  %139 = fmul double %114, %138
+  %140 = fsub double %117, %139
+  %141 = fmul double %115, %138
+  %142 = fsub double %118, %141
+  %143 = fmul double %116, %138
+  %144 = fsub double %119, %143
+  %145 = fmul double %140, %140
+  %146 = fmul double %144, %144
+  %147 = fadd double %145, %146
+  %148 = fmul double %142, %142
+  %149 = fadd double %148, %147
+  %150 = fcmp olt double %149, %113
+  %151 = select i1 %150, double %149, double %113
+  %152 = fsub double %71, %16
+  %153 = fsub double %74, %18
+  %154 = fsub double %77, %20
+  %155 = fmul double %27, %154
+  %156 = fmul double %30, %153
+  %157 = fsub double %155, %156
+  %158 = fmul double %30, %152
+  %159 = fmul double %24, %154
+  %160 = fsub double %158, %159
+  %161 = fmul double %24, %153
+  %162 = fmul double %27, %152
+  %163 = fsub double %161, %162
+  %164 = fmul double %157, %157
+  %165 = fmul double %163, %163
+  %166 = fadd double %165, %164
+  %167 = fmul double %160, %160
+  %168 = fadd double %167, %166
+  %169 = fcmp ogt double %168, 0.000000e+00
+  br i1 %169, label %170, label %40
+170:
+  %171 = fmul double %32, %154
+  %172 = fmul double %33, %153
+  %173 = fsub double %171, %172
+  %174 = fmul double %33, %152
+  %175 = fmul double %31, %154
+  %176 = fsub double %174, %175
+  %177 = fmul double %31, %153
+  %178 = fmul double %32, %152
+  %179 = fsub double %177, %178
+  %180 = fmul double %173, %157
+  %181 = fmul double %179, %163
+  %182 = fadd double %181, %180
+  %183 = fmul double %176, %160
+  %184 = fadd double %183, %182
+  %185 = fmul double %33, %27
+  %186 = fmul double %32, %30
+  %187 = fsub double %185, %186
+  %188 = fmul double %31, %30
+  %189 = fmul double %33, %24
+  %190 = fsub double %188, %189
+  %191 = fmul double %32, %24
+  %192 = fmul double %31, %27
+  %193 = fsub double %191, %192
+  %194 = fmul double %187, %157
+  %195 = fmul double %193, %163
+  %196 = fadd double %195, %194
+  %197 = fmul double %190, %160
+  %198 = fadd double %197, %196
+  %199 = fdiv double %184, %168
+  %200 = fdiv double %198, %168
+  %201 = fcmp oge double %199, 0.000000e+00
+  %202 = fcmp oge double %200, 0.000000e+00
+  %203 = fadd double %199, %200
+  %204 = fcmp ole double %203, 1.000000e+00
+  %205 = and i1 %202, %204
+  %206 = select i1 %201, i1 %205, i1 false
+  br i1 %206, label %207, label %40
+207:
+  %208 = fmul double %31, %157
+  %209 = fmul double %33, %163
+  %210 = fadd double %209, %208
+  %211 = fmul double %32, %160
+  %212 = fadd double %211, %210
+  %213 = fmul double %212, %212
+  %214 = fdiv double %213, %168
+  %215 = fcmp olt double %214, %151
+  %216 = select i1 %215, double %214, double %151
+  br label %40
 }
-
-define noundef i64 @msf_jax.host.solid.kernels.distances2(ptr readonly %words) local_unnamed_addr {
-  %.345.i = alloca double, align 8
-  %w0 = load ptr, ptr %words, align 8
-  %p1 = getelementptr i8, ptr %words, i64 8
-  %w1 = load i64, ptr %p1, align 8
-  %p2 = getelementptr i8, ptr %words, i64 16
-  %w2 = load i64, ptr %p2, align 8
-  %s3 = shl i64 %w2, 3
-  %p3 = getelementptr i8, ptr %words, i64 24
-  %w3 = load ptr, ptr %p3, align 8
-  %p4 = getelementptr i8, ptr %words, i64 32
-  %w4 = load i64, ptr %p4, align 8
-  %p5 = getelementptr i8, ptr %words, i64 40
-  %w5 = load i64, ptr %p5, align 8
-  %p6 = getelementptr i8, ptr %words, i64 48
-  %w6 = load i64, ptr %p6, align 8
-  %p7 = getelementptr i8, ptr %words, i64 56
-  %w7 = load ptr, ptr %p7, align 8
-  call void @llvm.lifetime.start.p0(ptr nonnull %.345.i)
-  %.143161.not.i = icmp slt i64 %w1, 1
-  br i1 %.143161.not.i, label %_ZN7msf_jax4host5solid7kernels10distances2B2v1B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi3E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, label %B62.preheader.i
-
-B62.preheader.i:                                  ; preds = %0
-  %scevgep.i = getelementptr i8, ptr %w0, i64 16
-  br label %B62.i
-
-B62.i:                                            ; preds = %B62.i, %B62.preheader.i
-  %lsr.iv.i = phi ptr [ %scevgep.i, %B62.preheader.i ], [ %scevgep5.i, %B62.i ]
-  %.149160162.i = phi i64 [ 0, %B62.preheader.i ], [ %.156.i, %B62.i ]
-  %scevgep7.i = getelementptr i8, ptr %lsr.iv.i, i64 -16
-  %.235.i = load double, ptr %scevgep7.i, align 8
-  %scevgep6.i = getelementptr i8, ptr %lsr.iv.i, i64 -8
-  %.289.i = load double, ptr %scevgep6.i, align 8
-  %.343.i = load double, ptr %lsr.iv.i, align 8
-  call fastcc void @_ZN7msf_jax4host5solid7kernels18triangle_distance2B2v2B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAEddd5ArrayIdLi3E1C7mutable7alignedEx(ptr nonnull %.345.i, double %.235.i, double %.289.i, double %.343.i, ptr readonly %w3, i64 %w4, i64 %w5, i64 %w6, i64 %.149160162.i)
-  %.156.i = add nuw nsw i64 %.149160162.i, 1
-  %.365.i = load double, ptr %.345.i, align 8
-  %1 = shl i64 %.149160162.i, 3
-  %scevgep8.i = getelementptr i8, ptr %w7, i64 %1
-  store double %.365.i, ptr %scevgep8.i, align 8
-  %scevgep5.i = getelementptr i8, ptr %lsr.iv.i, i64 %s3
-  %exitcond.not.i = icmp eq i64 %w1, %.156.i
-  br i1 %exitcond.not.i, label %_ZN7msf_jax4host5solid7kernels10distances2B2v1B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi3E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, label %B62.i
-
-_ZN7msf_jax4host5solid7kernels10distances2B2v1B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi3E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit: ; preds = %B62.i, %0
-  call void @llvm.lifetime.end.p0(ptr nonnull %.345.i)
+define noundef i64 @msf_jax.host.solid.kernels.distances2(ptr readonly %0) local_unnamed_addr {
+  %2 = alloca double, align 8
+  %3 = load ptr, ptr %0, align 8
+  %4 = getelementptr i8, ptr %0, i64 8
+  %5 = load i64, ptr %4, align 8
+  %6 = getelementptr i8, ptr %0, i64 16
+  %7 = load i64, ptr %6, align 8
+  %8 = shl i64 %7, 3
+  %9 = getelementptr i8, ptr %0, i64 24
+  %10 = load ptr, ptr %9, align 8
+  %11 = getelementptr i8, ptr %0, i64 32
+  %12 = load i64, ptr %11, align 8
+  %13 = getelementptr i8, ptr %0, i64 40
+  %14 = load i64, ptr %13, align 8
+  %15 = getelementptr i8, ptr %0, i64 48
+  %16 = load i64, ptr %15, align 8
+  %17 = getelementptr i8, ptr %0, i64 56
+  %18 = load ptr, ptr %17, align 8
+  %19 = icmp slt i64 %5, 1
+  br i1 %19, label %36, label %20
+20:
+  %21 = getelementptr i8, ptr %3, i64 16
+  br label %22
+22:
+  %23 = phi ptr [ %21, %20 ], [ %34, %22 ]
+  %24 = phi i64 [ 0, %20 ], [ %30, %22 ]
+  %25 = getelementptr i8, ptr %23, i64 -16
+  %26 = load double, ptr %25, align 8
+  %27 = getelementptr i8, ptr %23, i64 -8
+  %28 = load double, ptr %27, align 8
+  %29 = load double, ptr %23, align 8
+  call fastcc void @0(ptr nonnull %2, double %26, double %28, double %29, ptr readonly %10, i64 %12, i64 %14, i64 %16, i64 %24)
+  %30 = add nuw nsw i64 %24, 1
+  %31 = load double, ptr %2, align 8
+  %32 = shl i64 %24, 3
+  %33 = getelementptr i8, ptr %18, i64 %32
+  store double %31, ptr %33, align 8
+  %34 = getelementptr i8, ptr %23, i64 %8
+  %35 = icmp eq i64 %5, %30
+  br i1 %35, label %36, label %22
+36:
   ret i64 0
 }
-
-define noundef i64 @msf_jax.host.solid.kernels.nearest(ptr readonly %words) local_unnamed_addr {
-  %.978.i = alloca double, align 8
-  %w0 = load ptr, ptr %words, align 8
-  %p1 = getelementptr i8, ptr %words, i64 8
-  %w1 = load i64, ptr %p1, align 8
-  %p2 = getelementptr i8, ptr %words, i64 16
-  %w2 = load i64, ptr %p2, align 8
-  %p8 = getelementptr i8, ptr %words, i64 64
-  %w8 = load ptr, ptr %p8, align 8
-  %p9 = getelementptr i8, ptr %words, i64 72
-  %w9 = load i64, ptr %p9, align 8
-  %p10 = getelementptr i8, ptr %words, i64 80
-  %w10 = load i64, ptr %p10, align 8
-  %p11 = getelementptr i8, ptr %words, i64 88
-  %w11 = load i64, ptr %p11, align 8
-  %p14 = getelementptr i8, ptr %words, i64 112
-  %w14 = load ptr, ptr %p14, align 8
-  %p15 = getelementptr i8, ptr %words, i64 120
-  %w15 = load i64, ptr %p15, align 8
-  %p16 = getelementptr i8, ptr %words, i64 128
-  %w16 = load i64, ptr %p16, align 8
-  %p17 = getelementptr i8, ptr %words, i64 136
-  %w17 = load ptr, ptr %p17, align 8
-  %p18 = getelementptr i8, ptr %words, i64 144
-  %w18 = load i64, ptr %p18, align 8
-  %p19 = getelementptr i8, ptr %words, i64 152
-  %w19 = load ptr, ptr %p19, align 8
-  %p21 = getelementptr i8, ptr %words, i64 168
-  %w21 = load ptr, ptr %p21, align 8
-  %p22 = getelementptr i8, ptr %words, i64 176
-  %w22 = load i64, ptr %p22, align 8
-  %p23 = getelementptr i8, ptr %words, i64 184
-  %w23 = load ptr, ptr %p23, align 8
-  %p24 = getelementptr i8, ptr %words, i64 192
-  %w24 = load i64, ptr %p24, align 8
-  %p25 = getelementptr i8, ptr %words, i64 200
-  %w25 = load i8, ptr %p25, align 8
-  %p26 = getelementptr i8, ptr %words, i64 208
-  %w26 = load ptr, ptr %p26, align 8
-  %p28 = getelementptr i8, ptr %words, i64 224
-  %w28 = load ptr, ptr %p28, align 8
-  call void @llvm.lifetime.start.p0(ptr nonnull %.978.i)
-  %.272638.not.i = icmp slt i64 %w1, 1
-  br i1 %.272638.not.i, label %_ZN7msf_jax4host5solid7kernels7nearestB2v6B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE232Mesh_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEb5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE.exit, label %B118.preheader.i
-
-B118.preheader.i:                                 ; preds = %0
-  %1 = icmp eq i8 %w25, 0
-  br label %B118.i
-
-B118.i:                                           ; preds = %B640.i, %B118.preheader.i
-  %.278635639.i = phi i64 [ %.285.i, %B640.i ], [ 0, %B118.preheader.i ]
-  %.285.i = add nuw nsw i64 %.278635639.i, 1
-  %.362.i = mul i64 %.278635639.i, %w2
-  %.366.i = getelementptr double, ptr %w0, i64 %.362.i
-  %.367.i = load double, ptr %.366.i, align 8
-  %.421.i = getelementptr i8, ptr %.366.i, i64 8
-  %.422.i = load double, ptr %.421.i, align 8
-  %.476.i = getelementptr i8, ptr %.366.i, i64 16
-  %.477.i = load double, ptr %.476.i, align 8
-  %2 = getelementptr i64, ptr %w19, i64 %.278635639.i
-  %.524.i = load i64, ptr %2, align 8
-  %.538.i = icmp slt i64 %.524.i, 0
-  %.539.i = select i1 %.538.i, i64 %w22, i64 0
-  %3 = getelementptr i64, ptr %w21, i64 %.524.i
-  %.553.i = getelementptr i64, ptr %3, i64 %.539.i
-  %.554.i = load i64, ptr %.553.i, align 8
-  br i1 %1, label %B252.i, label %B294.preheader.i
-
-B252.i:                                           ; preds = %B118.i
-  %.669.i = icmp slt i64 %.524.i, -1
-  %.670.i = select i1 %.669.i, i64 %w22, i64 0
-  %4 = getelementptr i8, ptr %3, i64 8
-  %.684.i = getelementptr i64, ptr %4, i64 %.670.i
-  %.685.i = load i64, ptr %.684.i, align 8
-  %.687.i = icmp slt i64 %.554.i, %.685.i
-  br i1 %.687.i, label %B294.preheader.i, label %B640.i
-
-B294.preheader.i:                                 ; preds = %B118.i, %B252.i
-  %node.2.1.ph.i = phi i64 [ 0, %B252.i ], [ 1, %B118.i ]
-  %.748.i = icmp slt i64 %.524.i, -1
-  %.749.i = select i1 %.748.i, i64 %w22, i64 0
-  %5 = getelementptr i8, ptr %3, i64 8
-  %.763.i = getelementptr i64, ptr %5, i64 %.749.i
-  %.764.i = load i64, ptr %.763.i, align 8
-  br label %B294.i
-
-B294.i:                                           ; preds = %B594.i, %B294.preheader.i
-  %which.2.1.i = phi i64 [ %w18, %B294.preheader.i ], [ %which.3.3.i, %B594.i ]
-  %best.2.1.i = phi double [ 0x7FF0000000000000, %B294.preheader.i ], [ %best.3.3.i, %B594.i ]
-  %node.2.1.i = phi i64 [ %node.2.1.ph.i, %B294.preheader.i ], [ %node.3.315.i, %B594.i ]
-  %place.2.1.i = phi i64 [ %.554.i, %B294.preheader.i ], [ %place.3.316.i, %B594.i ]
-  %.766.i = icmp slt i64 %place.2.1.i, %.764.i
-  br i1 %.766.i, label %B336.i, label %B364.i
-
-B336.i:                                           ; preds = %B294.i
-  %.788.i = icmp slt i64 %place.2.1.i, 0
-  %.789.i = select i1 %.788.i, i64 %w24, i64 0
-  %6 = getelementptr i64, ptr %w23, i64 %place.2.1.i
-  %.803.i = getelementptr i64, ptr %6, i64 %.789.i
-  %.804.i = load i64, ptr %.803.i, align 8
-  %.809.i = add nsw i64 %place.2.1.i, 1
-  br label %B500.i
-
-B364.i:                                           ; preds = %B294.i
-  %.47.i.i = icmp slt i64 %node.2.1.i, 0
-  %.48.i.i = select i1 %.47.i.i, i64 %w15, i64 0
-  %.49.i.i = add i64 %.48.i.i, %node.2.1.i
-  %.69.i.i = mul i64 %.49.i.i, %w16
-  %.73.i.i = getelementptr double, ptr %w14, i64 %.69.i.i
-  %.74.i.i = load double, ptr %.73.i.i, align 8
-  %.75.i.i = fsub double %.74.i.i, %.367.i
-  %.127.i.i = getelementptr i8, ptr %.73.i.i, i64 24
-  %.128.i.i = load double, ptr %.127.i.i, align 8
-  %.129.i.i = fsub double %.367.i, %.128.i.i
-  %.13.i.i.i = fcmp ogt double %.129.i.i, %.75.i.i
-  %.14.i.i.i = select i1 %.13.i.i.i, double %.129.i.i, double %.75.i.i
-  %.15.i.i.i = fcmp olt double %.14.i.i.i, 0.000000e+00
-  %.16.i.i.i = select i1 %.15.i.i.i, double 0.000000e+00, double %.14.i.i.i
-  %.213.i.i = getelementptr i8, ptr %.73.i.i, i64 8
-  %.214.i.i = load double, ptr %.213.i.i, align 8
-  %.215.i.i = fsub double %.214.i.i, %.422.i
-  %.267.i.i = getelementptr i8, ptr %.73.i.i, i64 32
-  %.268.i.i = load double, ptr %.267.i.i, align 8
-  %.269.i.i = fsub double %.422.i, %.268.i.i
-  %.13.i1.i.i = fcmp ogt double %.269.i.i, %.215.i.i
-  %.14.i2.i.i = select i1 %.13.i1.i.i, double %.269.i.i, double %.215.i.i
-  %.15.i3.i.i = fcmp olt double %.14.i2.i.i, 0.000000e+00
-  %.16.i4.i.i = select i1 %.15.i3.i.i, double 0.000000e+00, double %.14.i2.i.i
-  %.351.i.i = getelementptr i8, ptr %.73.i.i, i64 16
-  %.352.i.i = load double, ptr %.351.i.i, align 8
-  %.353.i.i = fsub double %.352.i.i, %.477.i
-  %.405.i.i = getelementptr i8, ptr %.73.i.i, i64 40
-  %.406.i.i = load double, ptr %.405.i.i, align 8
-  %.407.i.i = fsub double %.477.i, %.406.i.i
-  %.13.i5.i.i = fcmp ogt double %.407.i.i, %.353.i.i
-  %.14.i6.i.i = select i1 %.13.i5.i.i, double %.407.i.i, double %.353.i.i
-  %.15.i7.i.i = fcmp olt double %.14.i6.i.i, 0.000000e+00
-  %.16.i8.i.i = select i1 %.15.i7.i.i, double 0.000000e+00, double %.14.i6.i.i
-  %.438.i.i = fmul double %.16.i.i.i, %.16.i.i.i
-  %.439.i.i = fmul double %.16.i4.i.i, %.16.i4.i.i
-  %.440.i.i = fadd double %.438.i.i, %.439.i.i
-  %.441.i.i = fmul double %.16.i8.i.i, %.16.i8.i.i
-  %.442.i.i = fadd double %.440.i.i, %.441.i.i
-  %.443.i.i = fmul double %best.2.1.i, 0x3FF0000000001198
-  %.444.i.i = fcmp ugt double %.442.i.i, %.443.i.i
-  br i1 %.444.i.i, label %B30.i.i, label %B418.i
-
-B418.i:                                           ; preds = %B364.i
-  %.868.not.i = icmp slt i64 %node.2.1.i, %w18
-  br i1 %.868.not.i, label %B500.thread.i, label %B464.i
-
-B464.i:                                           ; preds = %B418.i
-  %.874.i = sub nsw i64 %node.2.1.i, %w18
-  %.902.i = getelementptr i64, ptr %w17, i64 %.874.i
-  %.903.i = load i64, ptr %.902.i, align 8
-  br label %B30.i.i
-
-B500.thread.i:                                    ; preds = %B418.i
-  %.28.i.i = shl nsw i64 %node.2.1.i, 1
-  br label %B594.i
-
-B30.i.i:                                          ; preds = %B464.i, %B364.i
-  %"$phi464.1.2.48.i" = phi i64 [ %.903.i, %B464.i ], [ -1, %B364.i ]
-  %.36.i.i = add nsw i64 %node.2.1.i, 1
-  %7 = and i64 %node.2.1.i, 1
-  %.46.not.not.i.i = icmp eq i64 %7, 0
-  br i1 %.46.not.not.i.i, label %B70.i.i, label %B50.i.i
-
-B50.i.i:                                          ; preds = %B30.i.i, %B50.i.i
-  %node.3.1.i.i = phi i64 [ %.49.i3.i, %B50.i.i ], [ %.36.i.i, %B30.i.i ]
-  %.49.i3.i = ashr i64 %node.3.1.i.i, 1
-  %8 = and i64 %node.3.1.i.i, 2
-  %.55.not.i.i = icmp eq i64 %8, 0
-  br i1 %.55.not.i.i, label %B50.i.i, label %B70.i.i
-
-B70.i.i:                                          ; preds = %B50.i.i, %B30.i.i
-  %node.4.0.i.i = phi i64 [ %.36.i.i, %B30.i.i ], [ %.49.i3.i, %B50.i.i ]
-  %.60.i.i = icmp sgt i64 %node.4.0.i.i, 1
-  %spec.select.i.i = select i1 %.60.i.i, i64 %node.4.0.i.i, i64 0
-  br label %B500.i
-
-B500.i:                                           ; preds = %B70.i.i, %B336.i
-  %node.3.3.i = phi i64 [ %node.2.1.i, %B336.i ], [ %spec.select.i.i, %B70.i.i ]
-  %triangle.2.3.i = phi i64 [ %.804.i, %B336.i ], [ %"$phi464.1.2.48.i", %B70.i.i ]
-  %place.3.3.i = phi i64 [ %.809.i, %B336.i ], [ %place.2.1.i, %B70.i.i ]
-  %.966.i = icmp sgt i64 %triangle.2.3.i, -1
-  br i1 %.966.i, label %B512.i, label %B594.i
-
-B512.i:                                           ; preds = %B500.i
-  call fastcc void @_ZN7msf_jax4host5solid7kernels18triangle_distance2B2v2B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAEddd5ArrayIdLi3E1C7mutable7alignedEx(ptr nonnull %.978.i, double %.367.i, double %.422.i, double %.477.i, ptr readonly %w8, i64 %w9, i64 %w10, i64 %w11, i64 %triangle.2.3.i)
-  %.998.i = load double, ptr %.978.i, align 8
-  %.1013.i = fcmp olt double %.998.i, %best.2.1.i
-  br i1 %.1013.i, label %B586.i, label %B562.i
-
-B562.i:                                           ; preds = %B512.i
-  %.1023.i = fcmp oeq double %.998.i, %best.2.1.i
-  %.1035.i = icmp slt i64 %triangle.2.3.i, %which.2.1.i
-  %or.cond.i = select i1 %.1023.i, i1 %.1035.i, i1 false
-  br i1 %or.cond.i, label %B586.i, label %B594.i
-
-B586.i:                                           ; preds = %B562.i, %B512.i
-  br label %B594.i
-
-B594.i:                                           ; preds = %B586.i, %B562.i, %B500.i, %B500.thread.i
-  %place.3.316.i = phi i64 [ %place.3.3.i, %B586.i ], [ %place.3.3.i, %B500.i ], [ %place.3.3.i, %B562.i ], [ %place.2.1.i, %B500.thread.i ]
-  %node.3.315.i = phi i64 [ %node.3.3.i, %B586.i ], [ %node.3.3.i, %B500.i ], [ %node.3.3.i, %B562.i ], [ %.28.i.i, %B500.thread.i ]
-  %which.3.3.i = phi i64 [ %triangle.2.3.i, %B586.i ], [ %which.2.1.i, %B500.i ], [ %which.2.1.i, %B562.i ], [ %which.2.1.i, %B500.thread.i ]
-  %best.3.3.i = phi double [ %.998.i, %B586.i ], [ %best.2.1.i, %B500.i ], [ %best.2.1.i, %B562.i ], [ %best.2.1.i, %B500.thread.i ]
-  %.1063.not.i = icmp ne i64 %node.3.315.i, 0
-  %.1134.i = icmp slt i64 %place.3.316.i, %.764.i
-  %or.cond17.i = select i1 %.1063.not.i, i1 true, i1 %.1134.i
-  br i1 %or.cond17.i, label %B294.i, label %B640.i
-
-B640.i:                                           ; preds = %B594.i, %B252.i
-  %which.4.2.i = phi i64 [ %w18, %B252.i ], [ %which.3.3.i, %B594.i ]
-  %best.4.2.i = phi double [ 0x7FF0000000000000, %B252.i ], [ %best.3.3.i, %B594.i ]
-  %9 = getelementptr double, ptr %w26, i64 %.278635639.i
-  store double %best.4.2.i, ptr %9, align 8
-  %10 = getelementptr i64, ptr %w28, i64 %.278635639.i
-  store i64 %which.4.2.i, ptr %10, align 8
-  %exitcond.not.i = icmp eq i64 %w1, %.285.i
-  br i1 %exitcond.not.i, label %_ZN7msf_jax4host5solid7kernels7nearestB2v6B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE232Mesh_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEb5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE.exit, label %B118.i
-
-_ZN7msf_jax4host5solid7kernels7nearestB2v6B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE232Mesh_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEb5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE.exit: ; preds = %B640.i, %0
-  call void @llvm.lifetime.end.p0(ptr nonnull %.978.i)
+define noundef i64 @msf_jax.host.solid.kernels.nearest(ptr readonly %0) local_unnamed_addr {
+  %2 = alloca double, align 8
+  %3 = load ptr, ptr %0, align 8
+  %4 = getelementptr i8, ptr %0, i64 8
+  %5 = load i64, ptr %4, align 8
+  %6 = getelementptr i8, ptr %0, i64 16
+  %7 = load i64, ptr %6, align 8
+  %8 = getelementptr i8, ptr %0, i64 64
+  %9 = load ptr, ptr %8, align 8
+  %10 = getelementptr i8, ptr %0, i64 72
+  %11 = load i64, ptr %10, align 8
+  %12 = getelementptr i8, ptr %0, i64 80
+  %13 = load i64, ptr %12, align 8
+  %14 = getelementptr i8, ptr %0, i64 88
+  %15 = load i64, ptr %14, align 8
+  %16 = getelementptr i8, ptr %0, i64 112
+  %17 = load ptr, ptr %16, align 8
+  %18 = getelementptr i8, ptr %0, i64 120
+  %19 = load i64, ptr %18, align 8
+  %20 = getelementptr i8, ptr %0, i64 128
+  %21 = load i64, ptr %20, align 8
+  %22 = getelementptr i8, ptr %0, i64 136
+  %23 = load ptr, ptr %22, align 8
+  %24 = getelementptr i8, ptr %0, i64 144
+  %25 = load i64, ptr %24, align 8
+  %26 = getelementptr i8, ptr %0, i64 152
+  %27 = load ptr, ptr %26, align 8
+  %28 = getelementptr i8, ptr %0, i64 168
+  %29 = load ptr, ptr %28, align 8
+  %30 = getelementptr i8, ptr %0, i64 176
+  %31 = load i64, ptr %30, align 8
+  %32 = getelementptr i8, ptr %0, i64 184
+  %33 = load ptr, ptr %32, align 8
+  %34 = getelementptr i8, ptr %0, i64 192
+  %35 = load i64, ptr %34, align 8
+  %36 = getelementptr i8, ptr %0, i64 200
+  %37 = load i8, ptr %36, align 8
+  %38 = getelementptr i8, ptr %0, i64 208
+  %39 = load ptr, ptr %38, align 8
+  %40 = getelementptr i8, ptr %0, i64 224
+  %41 = load ptr, ptr %40, align 8
+  %42 = icmp slt i64 %5, 1
+  br i1 %42, label %180, label %43
+43:
+  %44 = icmp eq i8 %37, 0
+  br label %45
+45:
+  %46 = phi i64 [ %47, %174 ], [ 0, %43 ]
+  %47 = add nuw nsw i64 %46, 1
+  %48 = mul i64 %46, %7
+  %49 = getelementptr double, ptr %3, i64 %48
+  %50 = load double, ptr %49, align 8
+  %51 = getelementptr i8, ptr %49, i64 8
+  %52 = load double, ptr %51, align 8
+  %53 = getelementptr i8, ptr %49, i64 16
+  %54 = load double, ptr %53, align 8
+  %55 = getelementptr i64, ptr %27, i64 %46
+  %56 = load i64, ptr %55, align 8
+  %57 = icmp slt i64 %56, 0
+  %58 = select i1 %57, i64 %31, i64 0
+  %59 = getelementptr i64, ptr %29, i64 %56
+  %60 = getelementptr i64, ptr %59, i64 %58
+  %61 = load i64, ptr %60, align 8
+  br i1 %44, label %62, label %69
+62:
+  %63 = icmp slt i64 %56, -1
+  %64 = select i1 %63, i64 %31, i64 0
+  %65 = getelementptr i8, ptr %59, i64 8
+  %66 = getelementptr i64, ptr %65, i64 %64
+  %67 = load i64, ptr %66, align 8
+  %68 = icmp slt i64 %61, %67
+  br i1 %68, label %69, label %174
+69:
+  %70 = phi i64 [ 0, %62 ], [ 1, %45 ]
+  %71 = icmp slt i64 %56, -1
+  %72 = select i1 %71, i64 %31, i64 0
+  %73 = getelementptr i8, ptr %59, i64 8
+  %74 = getelementptr i64, ptr %73, i64 %72
+  %75 = load i64, ptr %74, align 8
+  br label %76
+76:
+  %77 = phi i64 [ %25, %69 ], [ %169, %166 ]
+  %78 = phi double [ 0x7FF0000000000000, %69 ], [ %170, %166 ]
+  %79 = phi i64 [ %70, %69 ], [ %168, %166 ]
+  %80 = phi i64 [ %61, %69 ], [ %167, %166 ]
+  %81 = icmp slt i64 %80, %75
+  br i1 %81, label %82, label %89
+82:
+  %83 = icmp slt i64 %80, 0
+  %84 = select i1 %83, i64 %35, i64 0
+  %85 = getelementptr i64, ptr %33, i64 %80
+  %86 = getelementptr i64, ptr %85, i64 %84
+  %87 = load i64, ptr %86, align 8
+  %88 = add nsw i64 %80, 1
+  br label %153
+89:
+  %90 = icmp slt i64 %79, 0
+  %91 = select i1 %90, i64 %19, i64 0
+  %92 = add i64 %91, %79
+  %93 = mul i64 %92, %21
+  %94 = getelementptr double, ptr %17, i64 %93
+  %95 = load double, ptr %94, align 8
+  %96 = fsub double %95, %50
+  %97 = getelementptr i8, ptr %94, i64 24
+  %98 = load double, ptr %97, align 8
+  %99 = fsub double %50, %98
+  %100 = fcmp ogt double %99, %96
+  %101 = select i1 %100, double %99, double %96
+  %102 = fcmp olt double %101, 0.000000e+00
+  %103 = select i1 %102, double 0.000000e+00, double %101
+  %104 = getelementptr i8, ptr %94, i64 8
+  %105 = load double, ptr %104, align 8
+  %106 = fsub double %105, %52
+  %107 = getelementptr i8, ptr %94, i64 32
+  %108 = load double, ptr %107, align 8
+  %109 = fsub double %52, %108
+  %110 = fcmp ogt double %109, %106
+  %111 = select i1 %110, double %109, double %106
+  %112 = fcmp olt double %111, 0.000000e+00
+  %113 = select i1 %112, double 0.000000e+00, double %111
+  %114 = getelementptr i8, ptr %94, i64 16
+  %115 = load double, ptr %114, align 8
+  %116 = fsub double %115, %54
+  %117 = getelementptr i8, ptr %94, i64 40
+  %118 = load double, ptr %117, align 8
+  %119 = fsub double %54, %118
+  %120 = fcmp ogt double %119, %116
+  %121 = select i1 %120, double %119, double %116
+  %122 = fcmp olt double %121, 0.000000e+00
+  %123 = select i1 %122, double 0.000000e+00, double %121
+  %124 = fmul double %103, %103
+  %125 = fmul double %113, %113
+  %126 = fadd double %124, %125
+  %127 = fmul double %123, %123
+  %128 = fadd double %126, %127
+  %129 = fmul double %78, 0x3FF0000000001198
+  %130 = fcmp ugt double %128, %129
+  br i1 %130, label %139, label %131
+131:
+  %132 = icmp slt i64 %79, %25
+  br i1 %132, label %137, label %133
+133:
+  %134 = sub nsw i64 %79, %25
+  %135 = getelementptr i64, ptr %23, i64 %134
+  %136 = load i64, ptr %135, align 8
+  br label %139
+137:
+  %138 = shl nsw i64 %79, 1
+  br label %166
+139:
+  %140 = phi i64 [ %136, %133 ], [ -1, %89 ]
+  %141 = add nsw i64 %79, 1
+  %142 = and i64 %79, 1
+  %143 = icmp eq i64 %142, 0
+  br i1 %143, label %149, label %144
+144:
+  %145 = phi i64 [ %146, %144 ], [ %141, %139 ]
+  %146 = ashr i64 %145, 1
+  %147 = and i64 %145, 2
+  %148 = icmp eq i64 %147, 0
+  br i1 %148, label %144, label %149
+149:
+  %150 = phi i64 [ %141, %139 ], [ %146, %144 ]
+  %151 = icmp sgt i64 %150, 1
+  %152 = select i1 %151, i64 %150, i64 0
+  br label %153
+153:
+  %154 = phi i64 [ %79, %82 ], [ %152, %149 ]
+  %155 = phi i64 [ %87, %82 ], [ %140, %149 ]
+  %156 = phi i64 [ %88, %82 ], [ %80, %149 ]
+  %157 = icmp sgt i64 %155, -1
+  br i1 %157, label %158, label %166
+158:
+  call fastcc void @0(ptr nonnull %2, double %50, double %52, double %54, ptr readonly %9, i64 %11, i64 %13, i64 %15, i64 %155)
+  %159 = load double, ptr %2, align 8
+  %160 = fcmp olt double %159, %78
+  br i1 %160, label %165, label %161
+161:
+  %162 = fcmp oeq double %159, %78
+  %163 = icmp slt i64 %155, %77
+  %164 = select i1 %162, i1 %163, i1 false
+  br i1 %164, label %165, label %166
+165:
+  br label %166
+166:
+  %167 = phi i64 [ %156, %165 ], [ %156, %153 ], [ %156, %161 ], [ %80, %137 ]
+  %168 = phi i64 [ %154, %165 ], [ %154, %153 ], [ %154, %161 ], [ %138, %137 ]
+  %169 = phi i64 [ %155, %165 ], [ %77, %153 ], [ %77, %161 ], [ %77, %137 ]
+  %170 = phi double [ %159, %165 ], [ %78, %153 ], [ %78, %161 ], [ %78, %137 ]
+  %171 = icmp ne i64 %168, 0
+  %172 = icmp slt i64 %167, %75
+  %173 = select i1 %171, i1 true, i1 %172
+  br i1 %173, label %76, label %174
+174:
+  %175 = phi i64 [ %25, %62 ], [ %169, %166 ]
+  %176 = phi double [ 0x7FF0000000000000, %62 ], [ %170, %166 ]
+  %177 = getelementptr double, ptr %39, i64 %46
+  store double %176, ptr %177, align 8
+  %178 = getelementptr i64, ptr %41, i64 %46
+  store i64 %175, ptr %178, align 8
+  %179 = icmp eq i64 %5, %47
+  br i1 %179, label %180, label %45
+180:
   ret i64 0
 }
-
-define noundef i64 @msf_jax.host.solid.kernels.windings(ptr readonly %words) local_unnamed_addr {
-  %w0 = load ptr, ptr %words, align 8
-  %p1 = getelementptr i8, ptr %words, i64 8
-  %w1 = load i64, ptr %p1, align 8
-  %p2 = getelementptr i8, ptr %words, i64 16
-  %w2 = load i64, ptr %p2, align 8
-  %p6 = getelementptr i8, ptr %words, i64 48
-  %w6 = load ptr, ptr %p6, align 8
-  %p7 = getelementptr i8, ptr %words, i64 56
-  %w7 = load i64, ptr %p7, align 8
-  %p8 = getelementptr i8, ptr %words, i64 64
-  %w8 = load ptr, ptr %p8, align 8
-  %p9 = getelementptr i8, ptr %words, i64 72
-  %w9 = load i64, ptr %p9, align 8
-  %p11 = getelementptr i8, ptr %words, i64 88
-  %w11 = load i64, ptr %p11, align 8
-  %p14 = getelementptr i8, ptr %words, i64 112
-  %w14 = load ptr, ptr %p14, align 8
-  %p15 = getelementptr i8, ptr %words, i64 120
-  %w15 = load i64, ptr %p15, align 8
-  %p16 = getelementptr i8, ptr %words, i64 128
-  %w16 = load i64, ptr %p16, align 8
-  %p17 = getelementptr i8, ptr %words, i64 136
-  %w17 = load ptr, ptr %p17, align 8
-  %p18 = getelementptr i8, ptr %words, i64 144
-  %w18 = load i64, ptr %p18, align 8
-  %p19 = getelementptr i8, ptr %words, i64 152
-  %w19 = load ptr, ptr %p19, align 8
-  %.234836.not.i = icmp slt i64 %w1, 1
-  br i1 %.234836.not.i, label %_ZN7msf_jax4host5solid7kernels8windingsB3v10B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE232Mesh_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedE.exit, label %B152.lr.ph.i
-
-B152.lr.ph.i:                                     ; preds = %0
-  %p10 = getelementptr i8, ptr %words, i64 80
-  %w10 = load i64, ptr %p10, align 8
-  %.962.i = mul i64 %w10, %w11
-  %.idx.i = shl i64 %w11, 4
-  br label %B152.i
-
-B152.i:                                           ; preds = %B1008.i, %B152.lr.ph.i
-  %.240822839.i = phi i64 [ 0, %B152.lr.ph.i ], [ %.247.i, %B1008.i ]
-  %.324.i = mul i64 %.240822839.i, %w2
-  %.328.i = getelementptr double, ptr %w0, i64 %.324.i
-  %.329.i = load double, ptr %.328.i, align 8
-  %.383.i = getelementptr i8, ptr %.328.i, i64 8
-  %.384.i = load double, ptr %.383.i, align 8
-  %.438.i = getelementptr i8, ptr %.328.i, i64 16
-  %.439.i = load double, ptr %.438.i, align 8
-  br label %B230.outer.i
-
-B230.outer.i:                                     ; preds = %B70.i.i, %B152.i
-  %winding.2.1.ph.i = phi i64 [ %winding.3.324.i, %B70.i.i ], [ 0, %B152.i ]
-  %node.2.1.ph.i = phi i64 [ %node.4.0.i.i, %B70.i.i ], [ 1, %B152.i ]
-  %.87.i3.i = mul i64 %node.2.1.ph.i, %w16
-  %.91.i4.i = getelementptr double, ptr %w14, i64 %.87.i3.i
-  %.92.i5.i = load double, ptr %.91.i4.i, align 8
-  %.93.i6.i = fcmp ogt double %.92.i5.i, %.329.i
-  br i1 %.93.i6.i, label %B30.i.i, label %B32.i.i
-
-B32.i.i:                                          ; preds = %B230.outer.i, %B20.i.i
-  %.87.i8.i = phi i64 [ %.87.i.i, %B20.i.i ], [ %.87.i3.i, %B230.outer.i ]
-  %node.2.17.i = phi i64 [ %.28.i.i, %B20.i.i ], [ %node.2.1.ph.i, %B230.outer.i ]
-  %sunkaddr.i.i = shl i64 %.87.i8.i, 3
-  %sunkaddr1.i.i = getelementptr i8, ptr %w14, i64 %sunkaddr.i.i
-  %sunkaddr2.i.i = getelementptr i8, ptr %sunkaddr1.i.i, i64 8
-  %.152.i.i = load double, ptr %sunkaddr2.i.i, align 8
-  %.154.i.i = fcmp ogt double %.152.i.i, %.384.i
-  br i1 %.154.i.i, label %B30.i.i, label %B86.i.i
-
-B86.i.i:                                          ; preds = %B32.i.i
-  %sunkaddr37.i = getelementptr i8, ptr %sunkaddr1.i.i, i64 24
-  %.287.i.i = load double, ptr %sunkaddr37.i, align 8
-  %.289.i.i = fcmp olt double %.287.i.i, %.329.i
-  br i1 %.289.i.i, label %B30.i.i, label %B120.i.i
-
-B120.i.i:                                         ; preds = %B86.i.i
-  %sunkaddr40.i = getelementptr i8, ptr %sunkaddr1.i.i, i64 32
-  %.349.i.i = load double, ptr %sunkaddr40.i, align 8
-  %.351.i.i = fcmp olt double %.349.i.i, %.384.i
-  br i1 %.351.i.i, label %B30.i.i, label %_ZN7msf_jax4host5solid7kernels8overlapsB3v13B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedExdddddd.exit.i
-
-_ZN7msf_jax4host5solid7kernels8overlapsB3v13B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedExdddddd.exit.i: ; preds = %B120.i.i
-  %sunkaddr43.i = getelementptr i8, ptr %sunkaddr1.i.i, i64 40
-  %.413.i.i = load double, ptr %sunkaddr43.i, align 8
-  %.417.i.i = fcmp uge double %.413.i.i, %.439.i
-  br i1 %.417.i.i, label %B300.i, label %B30.i.i
-
-B300.i:                                           ; preds = %_ZN7msf_jax4host5solid7kernels8overlapsB3v13B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedExdddddd.exit.i
-  %.528.not.i = icmp slt i64 %node.2.17.i, %w18
-  br i1 %.528.not.i, label %B20.i.i, label %B314.endif.endif.i
-
-B684.i:                                           ; preds = %B314.endif.endif.i
-  %.1381.i = fcmp oeq double %.1368.i, 0.000000e+00
-  br i1 %.1381.i, label %B696.i, label %B730.i
-
-B696.i:                                           ; preds = %B684.i
-  %.1387.i = fcmp olt double %.1204.i, 0.000000e+00
-  br i1 %.1387.i, label %B730.i, label %B708.i
-
-B708.i:                                           ; preds = %B696.i
-  %.1393.i = fcmp oeq double %.1204.i, 0.000000e+00
-  br i1 %.1393.i, label %B720.i, label %B730.i
-
-B720.i:                                           ; preds = %B708.i
-  %.1401.i = fcmp ogt double %.1048.i, 0.000000e+00
-  br label %B730.i
-
-B730.i:                                           ; preds = %B314.endif.endif.i, %B720.i, %B708.i, %B696.i, %B684.i
-  %"$phi730.2.5.5.i" = phi i1 [ true, %B314.endif.endif.i ], [ true, %B696.i ], [ %.1401.i, %B720.i ], [ false, %B708.i ], [ false, %B684.i ]
-  %1 = xor i1 %.862.i, %"$phi730.2.5.5.i"
-  %.1415.i = xor i1 %1, true
-  %.1418.i = zext i1 %.1415.i to i64
-  %.1437.i = fneg double %.1368.i
-  %"$phi762.2.2.5.i" = select i1 %.862.i, double %.1368.i, double %.1437.i
-  %.1452.i = fadd double %"$phi762.2.2.5.i", 0.000000e+00
-  %sunkaddr44.i = shl i64 %.964.i, 3
-  %sunkaddr45.i = getelementptr i8, ptr %w8, i64 %sunkaddr44.i
-  %sunkaddr46.i = getelementptr i8, ptr %sunkaddr45.i, i64 16
-  %.1533.i = load double, ptr %sunkaddr46.i, align 8
-  %.1534.i = fmul double %"$phi762.2.2.5.i", %.1533.i
-  %.1536.i = fadd double %.1534.i, 0.000000e+00
-  %.860.1.i = getelementptr i64, ptr %13, i64 %.812.i
-  %.861.1.i = load i64, ptr %.860.1.i, align 8
-  %.862.1.i = icmp slt i64 %.861.i, %.861.1.i
-  %"$phi502.2.2.sroa.8.5.1.i" = select i1 %.862.1.i, i64 0, i64 2
-  %"$phi502.2.2.sroa.0.5.1.i" = select i1 %.862.1.i, i64 2, i64 0
-  %.966.1.i = mul i64 %"$phi502.2.2.sroa.8.5.1.i", %w11
-  %2 = getelementptr double, ptr %w8, i64 %.966.1.i
-  %.970.1.i = getelementptr double, ptr %2, i64 %.964.i
-  %.971.1.i = load double, ptr %.970.1.i, align 8
-  %.1042.1.i = mul i64 %"$phi502.2.2.sroa.0.5.1.i", %w11
-  %3 = getelementptr double, ptr %w8, i64 %.1042.1.i
-  %.1046.1.i = getelementptr double, ptr %3, i64 %.964.i
-  %.1047.1.i = load double, ptr %.1046.1.i, align 8
-  %.1048.1.i = fsub double %.971.1.i, %.1047.1.i
-  %.1126.1.i = getelementptr i8, ptr %.970.1.i, i64 8
-  %.1127.1.i = load double, ptr %.1126.1.i, align 8
-  %.1202.1.i = getelementptr i8, ptr %.1046.1.i, i64 8
-  %.1203.1.i = load double, ptr %.1202.1.i, align 8
-  %.1204.1.i = fsub double %.1127.1.i, %.1203.1.i
-  %.1285.1.i = fsub double %.384.i, %.1203.1.i
-  %.1287.1.i = fmul double %.1048.1.i, %.1285.1.i
-  %.1365.1.i = fsub double %.329.i, %.1047.1.i
-  %.1367.1.i = fmul double %.1365.1.i, %.1204.1.i
-  %.1368.1.i = fsub double %.1287.1.i, %.1367.1.i
-  %.1374.1.i = fcmp ogt double %.1368.1.i, 0.000000e+00
-  br i1 %.1374.1.i, label %B730.1.i, label %B684.1.i
-
-B684.1.i:                                         ; preds = %B730.i
-  %.1381.1.i = fcmp oeq double %.1368.1.i, 0.000000e+00
-  br i1 %.1381.1.i, label %B696.1.i, label %B730.1.i
-
-B696.1.i:                                         ; preds = %B684.1.i
-  %.1387.1.i = fcmp olt double %.1204.1.i, 0.000000e+00
-  br i1 %.1387.1.i, label %B730.1.i, label %B708.1.i
-
-B708.1.i:                                         ; preds = %B696.1.i
-  %.1393.1.i = fcmp oeq double %.1204.1.i, 0.000000e+00
-  br i1 %.1393.1.i, label %B720.1.i, label %B730.1.i
-
-B720.1.i:                                         ; preds = %B708.1.i
-  %.1401.1.i = fcmp ogt double %.1048.1.i, 0.000000e+00
-  br label %B730.1.i
-
-B730.1.i:                                         ; preds = %B720.1.i, %B708.1.i, %B696.1.i, %B684.1.i, %B730.i
-  %"$phi730.2.5.5.1.i" = phi i1 [ true, %B730.i ], [ true, %B696.1.i ], [ %.1401.1.i, %B720.1.i ], [ false, %B708.1.i ], [ false, %B684.1.i ]
-  %4 = xor i1 %.862.1.i, %"$phi730.2.5.5.1.i"
-  %.1415.1.i = xor i1 %4, true
-  %.1418.1.i = zext i1 %.1415.1.i to i64
-  %.1419.1.i = add nuw nsw i64 %.1418.1.i, %.1418.i
-  %.1437.1.i = fneg double %.1368.1.i
-  %"$phi762.2.2.5.1.i" = select i1 %.862.1.i, double %.1368.1.i, double %.1437.1.i
-  %.1452.1.i = fadd double %.1452.i, %"$phi762.2.2.5.1.i"
-  %5 = getelementptr double, ptr %12, i64 %w11
-  %.1532.1.i = getelementptr i8, ptr %5, i64 16
-  %.1533.1.i = load double, ptr %.1532.1.i, align 8
-  %.1534.1.i = fmul double %"$phi762.2.2.5.1.i", %.1533.1.i
-  %.1536.1.i = fadd double %.1536.i, %.1534.1.i
-  %.862.2.i = icmp slt i64 %.861.1.i, %.827.i
-  %.966.2.i = select i1 %.862.2.i, i64 %w11, i64 0
-  %6 = getelementptr double, ptr %w8, i64 %.966.2.i
-  %.970.2.i = getelementptr double, ptr %6, i64 %.964.i
-  %.971.2.i = load double, ptr %.970.2.i, align 8
-  %.1042.2.i = select i1 %.862.2.i, i64 0, i64 %w11
-  %7 = getelementptr double, ptr %w8, i64 %.1042.2.i
-  %.1046.2.i = getelementptr double, ptr %7, i64 %.964.i
-  %.1047.2.i = load double, ptr %.1046.2.i, align 8
-  %.1048.2.i = fsub double %.971.2.i, %.1047.2.i
-  %.1126.2.i = getelementptr i8, ptr %.970.2.i, i64 8
-  %.1127.2.i = load double, ptr %.1126.2.i, align 8
-  %.1202.2.i = getelementptr i8, ptr %.1046.2.i, i64 8
-  %.1203.2.i = load double, ptr %.1202.2.i, align 8
-  %.1204.2.i = fsub double %.1127.2.i, %.1203.2.i
-  %.1285.2.i = fsub double %.384.i, %.1203.2.i
-  %.1287.2.i = fmul double %.1048.2.i, %.1285.2.i
-  %.1365.2.i = fsub double %.329.i, %.1047.2.i
-  %.1367.2.i = fmul double %.1365.2.i, %.1204.2.i
-  %.1368.2.i = fsub double %.1287.2.i, %.1367.2.i
-  %.1374.2.i = fcmp ogt double %.1368.2.i, 0.000000e+00
-  br i1 %.1374.2.i, label %B834.endif.endif.i, label %B684.2.i
-
-B684.2.i:                                         ; preds = %B730.1.i
-  %.1381.2.i = fcmp oeq double %.1368.2.i, 0.000000e+00
-  br i1 %.1381.2.i, label %B696.2.i, label %B834.endif.endif.i
-
-B696.2.i:                                         ; preds = %B684.2.i
-  %.1387.2.i = fcmp olt double %.1204.2.i, 0.000000e+00
-  br i1 %.1387.2.i, label %B834.endif.endif.i, label %B708.2.i
-
-B708.2.i:                                         ; preds = %B696.2.i
-  %.1393.2.i = fcmp oeq double %.1204.2.i, 0.000000e+00
-  br i1 %.1393.2.i, label %B720.2.i, label %B834.endif.endif.i
-
-B720.2.i:                                         ; preds = %B708.2.i
-  %.1401.2.i = fcmp ogt double %.1048.2.i, 0.000000e+00
-  br label %B834.endif.endif.i
-
-B936.i:                                           ; preds = %B834.endif.endif.i
-  %8 = xor i1 %.862.2.i, %"$phi730.2.5.5.2.i"
-  %.1415.2.i = xor i1 %8, true
-  %.1418.2.i = zext i1 %.1415.2.i to i64
-  %.1419.2.i = add nuw nsw i64 %.1419.1.i, %.1418.2.i
-  %.1748.i = icmp eq i64 %.1419.2.i, 3
-  %.1750.i = icmp eq i64 %.1419.2.i, 0
-  %.1754.i = zext i1 %.1748.i to i64
-  %.1756.neg.i = sext i1 %.1750.i to i64
-  %.1757.i = add i64 %winding.2.1.ph.i, %.1754.i
-  %.1759.i = add i64 %.1757.i, %.1756.neg.i
-  br label %B30.i.i
-
-B20.i.i:                                          ; preds = %B300.i
-  %.28.i.i = shl nsw i64 %node.2.17.i, 1
-  %.65.i.i = icmp slt i64 %node.2.17.i, 0
-  %.66.i.i = select i1 %.65.i.i, i64 %w15, i64 0
-  %.67.i.i = add i64 %.66.i.i, %.28.i.i
-  %.87.i.i = mul i64 %.67.i.i, %w16
-  %.91.i.i = getelementptr double, ptr %w14, i64 %.87.i.i
-  %.92.i.i = load double, ptr %.91.i.i, align 8
-  %.93.i.i = fcmp ogt double %.92.i.i, %.329.i
-  br i1 %.93.i.i, label %B30.i.i, label %B32.i.i
-
-B30.i.i:                                          ; preds = %B20.i.i, %_ZN7msf_jax4host5solid7kernels8overlapsB3v13B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedExdddddd.exit.i, %B120.i.i, %B86.i.i, %B32.i.i, %B834.endif.endif.i, %B936.i, %B230.outer.i
-  %node.2.12.i = phi i64 [ %node.2.17.i, %B936.i ], [ %node.2.17.i, %B834.endif.endif.i ], [ %node.2.1.ph.i, %B230.outer.i ], [ %node.2.17.i, %_ZN7msf_jax4host5solid7kernels8overlapsB3v13B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedExdddddd.exit.i ], [ %node.2.17.i, %B120.i.i ], [ %node.2.17.i, %B86.i.i ], [ %node.2.17.i, %B32.i.i ], [ %.28.i.i, %B20.i.i ]
-  %winding.3.324.i = phi i64 [ %.1759.i, %B936.i ], [ %winding.2.1.ph.i, %B834.endif.endif.i ], [ %winding.2.1.ph.i, %B230.outer.i ], [ %winding.2.1.ph.i, %B32.i.i ], [ %winding.2.1.ph.i, %B86.i.i ], [ %winding.2.1.ph.i, %B120.i.i ], [ %winding.2.1.ph.i, %_ZN7msf_jax4host5solid7kernels8overlapsB3v13B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedExdddddd.exit.i ], [ %winding.2.1.ph.i, %B20.i.i ]
-  %.36.i.i = add nsw i64 %node.2.12.i, 1
-  %9 = and i64 %node.2.12.i, 1
-  %.46.not.not.i.i = icmp eq i64 %9, 0
-  br i1 %.46.not.not.i.i, label %B70.i.i, label %B50.i.i
-
-B50.i.i:                                          ; preds = %B30.i.i, %B50.i.i
-  %node.3.1.i.i = phi i64 [ %.49.i.i, %B50.i.i ], [ %.36.i.i, %B30.i.i ]
-  %.49.i.i = ashr i64 %node.3.1.i.i, 1
-  %10 = and i64 %node.3.1.i.i, 2
-  %.55.not.i.i = icmp eq i64 %10, 0
-  br i1 %.55.not.i.i, label %B50.i.i, label %B70.i.i
-
-B70.i.i:                                          ; preds = %B50.i.i, %B30.i.i
-  %node.4.0.i.i = phi i64 [ %.36.i.i, %B30.i.i ], [ %.49.i.i, %B50.i.i ]
-  %.60.i.i = icmp sgt i64 %node.4.0.i.i, 1
-  br i1 %.60.i.i, label %B230.outer.i, label %B1008.i
-
-B1008.i:                                          ; preds = %B70.i.i
-  %.247.i = add nuw nsw i64 %.240822839.i, 1
-  %11 = getelementptr i64, ptr %w19, i64 %.240822839.i
-  store i64 %winding.3.324.i, ptr %11, align 8
-  %exitcond.not.i = icmp eq i64 %.247.i, %w1
-  br i1 %exitcond.not.i, label %_ZN7msf_jax4host5solid7kernels8windingsB3v10B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE232Mesh_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedE.exit, label %B152.i
-
-B314.endif.endif.i:                               ; preds = %B300.i
-  %.536.i = sub nsw i64 %node.2.17.i, %w18
-  %.564.i = getelementptr i64, ptr %w17, i64 %.536.i
-  %.565.i = load i64, ptr %.564.i, align 8
-  %.932.i = icmp slt i64 %.565.i, 0
-  %.933.i = select i1 %.932.i, i64 %w9, i64 0
-  %.934.i = add i64 %.933.i, %.565.i
-  %.964.i = mul i64 %.962.i, %.934.i
-  %12 = getelementptr double, ptr %w8, i64 %.964.i
-  %.812.i = select i1 %.932.i, i64 %w7, i64 0
-  %.idx12.i = mul i64 %.565.i, 24
-  %13 = getelementptr i8, ptr %w6, i64 %.idx12.i
-  %14 = getelementptr i8, ptr %13, i64 8
-  %.826.i = getelementptr i64, ptr %14, i64 %.812.i
-  %.827.i = load i64, ptr %.826.i, align 8
-  %15 = getelementptr i8, ptr %13, i64 16
-  %.860.i = getelementptr i64, ptr %15, i64 %.812.i
-  %.861.i = load i64, ptr %.860.i, align 8
-  %.862.i = icmp slt i64 %.827.i, %.861.i
-  %16 = zext i1 %.862.i to i64
-  %.966.i = shl i64 %w11, %16
-  %17 = getelementptr double, ptr %w8, i64 %.966.i
-  %.970.i = getelementptr double, ptr %17, i64 %.964.i
-  %.971.i = load double, ptr %.970.i, align 8
-  %not..862.i = xor i1 %.862.i, true
-  %18 = zext i1 %not..862.i to i64
-  %.1042.i = shl i64 %w11, %18
-  %19 = getelementptr double, ptr %w8, i64 %.1042.i
-  %.1046.i = getelementptr double, ptr %19, i64 %.964.i
-  %.1047.i = load double, ptr %.1046.i, align 8
-  %.1048.i = fsub double %.971.i, %.1047.i
-  %.1126.i = getelementptr i8, ptr %.970.i, i64 8
-  %.1127.i = load double, ptr %.1126.i, align 8
-  %.1202.i = getelementptr i8, ptr %.1046.i, i64 8
-  %.1203.i = load double, ptr %.1202.i, align 8
-  %.1204.i = fsub double %.1127.i, %.1203.i
-  %.1285.i = fsub double %.384.i, %.1203.i
-  %.1287.i = fmul double %.1048.i, %.1285.i
-  %.1365.i = fsub double %.329.i, %.1047.i
-  %.1367.i = fmul double %.1365.i, %.1204.i
-  %.1368.i = fsub double %.1287.i, %.1367.i
-  %.1374.i = fcmp ogt double %.1368.i, 0.000000e+00
-  br i1 %.1374.i, label %B730.i, label %B684.i
-
-B834.endif.endif.i:                               ; preds = %B720.2.i, %B708.2.i, %B696.2.i, %B684.2.i, %B730.1.i
-  %"$phi730.2.5.5.2.i" = phi i1 [ true, %B730.1.i ], [ true, %B696.2.i ], [ %.1401.2.i, %B720.2.i ], [ false, %B708.2.i ], [ false, %B684.2.i ]
-  %.1437.2.i = fneg double %.1368.2.i
-  %"$phi762.2.2.5.2.i" = select i1 %.862.2.i, double %.1368.2.i, double %.1437.2.i
-  %.1452.2.i = fadd double %.1452.1.i, %"$phi762.2.2.5.2.i"
-  %"$phi834.1.2.4.frozen.i" = freeze double %.1452.2.i
-  %20 = getelementptr i8, ptr %12, i64 %.idx.i
-  %.1532.2.i = getelementptr i8, ptr %20, i64 16
-  %.1533.2.i = load double, ptr %.1532.2.i, align 8
-  %.1534.2.i = fmul double %"$phi762.2.2.5.2.i", %.1533.2.i
-  %.1536.2.i = fadd double %.1536.1.i, %.1534.2.i
-  %.1548.i = fcmp une double %"$phi834.1.2.4.frozen.i", 0.000000e+00
-  %.1555.i = fdiv double %.1536.2.i, %"$phi834.1.2.4.frozen.i"
-  %"$phi834.1.2.4.i" = select i1 %.1548.i, double %.1555.i, double %.1536.2.i
-  %sunkaddr49.i = getelementptr i8, ptr %sunkaddr1.i.i, i64 16
-  %.1632.i = load double, ptr %sunkaddr49.i, align 8
-  %.10.i.i = fcmp ogt double %.1632.i, %"$phi834.1.2.4.i"
-  %.11.i.i = select i1 %.10.i.i, double %.1632.i, double %"$phi834.1.2.4.i"
-  %.10.i13.i = fcmp olt double %.413.i.i, %.11.i.i
-  %.11.i14.i = select i1 %.10.i13.i, double %.413.i.i, double %.11.i.i
-  %.1745.i = fcmp ogt double %.11.i14.i, %.439.i
-  br i1 %.1745.i, label %B936.i, label %B30.i.i
-
-_ZN7msf_jax4host5solid7kernels8windingsB3v10B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE232Mesh_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedE.exit: ; preds = %B1008.i, %0
+define noundef i64 @msf_jax.host.solid.kernels.windings(ptr readonly %0) local_unnamed_addr {
+  %2 = load ptr, ptr %0, align 8
+  %3 = getelementptr i8, ptr %0, i64 8
+  %4 = load i64, ptr %3, align 8
+  %5 = getelementptr i8, ptr %0, i64 16
+  %6 = load i64, ptr %5, align 8
+  %7 = getelementptr i8, ptr %0, i64 48
+  %8 = load ptr, ptr %7, align 8
+  %9 = getelementptr i8, ptr %0, i64 56
+  %10 = load i64, ptr %9, align 8
+  %11 = getelementptr i8, ptr %0, i64 64
+  %12 = load ptr, ptr %11, align 8
+  %13 = getelementptr i8, ptr %0, i64 72
+  %14 = load i64, ptr %13, align 8
+  %15 = getelementptr i8, ptr %0, i64 88
+  %16 = load i64, ptr %15, align 8
+  %17 = getelementptr i8, ptr %0, i64 112
+  %18 = load ptr, ptr %17, align 8
+  %19 = getelementptr i8, ptr %0, i64 120
+  %20 = load i64, ptr %19, align 8
+  %21 = getelementptr i8, ptr %0, i64 128
+  %22 = load i64, ptr %21, align 8
+  %23 = getelementptr i8, ptr %0, i64 136
+  %24 = load ptr, ptr %23, align 8
+  %25 = getelementptr i8, ptr %0, i64 144
+  %26 = load i64, ptr %25, align 8
+  %27 = getelementptr i8, ptr %0, i64 152
+  %28 = load ptr, ptr %27, align 8
+  %29 = icmp slt i64 %4, 1
+  br i1 %29, label %272, label %30
+30:
+  %31 = getelementptr i8, ptr %0, i64 80
+  %32 = load i64, ptr %31, align 8
+  %33 = mul i64 %32, %16
+  %34 = shl i64 %16, 4
+  br label %35
+35:
+  %36 = phi i64 [ 0, %30 ], [ %206, %205 ]
+  %37 = mul i64 %36, %6
+  %38 = getelementptr double, ptr %2, i64 %37
+  %39 = load double, ptr %38, align 8
+  %40 = getelementptr i8, ptr %38, i64 8
+  %41 = load double, ptr %40, align 8
+  %42 = getelementptr i8, ptr %38, i64 16
+  %43 = load double, ptr %42, align 8
+  br label %44
+44:
+  %45 = phi i64 [ %193, %202 ], [ 0, %35 ]
+  %46 = phi i64 [ %203, %202 ], [ 1, %35 ]
+  %47 = mul i64 %46, %22
+  %48 = getelementptr double, ptr %18, i64 %47
+  %49 = load double, ptr %48, align 8
+  %50 = fcmp ogt double %49, %39
+  br i1 %50, label %191, label %51
+51:
+  %52 = phi i64 [ %187, %182 ], [ %47, %44 ]
+  %53 = phi i64 [ %183, %182 ], [ %46, %44 ]
+  %54 = shl i64 %52, 3
+  %55 = getelementptr i8, ptr %18, i64 %54
+  %56 = getelementptr i8, ptr %55, i64 8
+  %57 = load double, ptr %56, align 8
+  %58 = fcmp ogt double %57, %41
+  br i1 %58, label %191, label %59
+59:
+  %60 = getelementptr i8, ptr %55, i64 24
+  %61 = load double, ptr %60, align 8
+  %62 = fcmp olt double %61, %39
+  br i1 %62, label %191, label %63
+63:
+  %64 = getelementptr i8, ptr %55, i64 32
+  %65 = load double, ptr %64, align 8
+  %66 = fcmp olt double %65, %41
+  br i1 %66, label %191, label %67
+67:
+  %68 = getelementptr i8, ptr %55, i64 40
+  %69 = load double, ptr %68, align 8
+  %70 = fcmp uge double %69, %43
+  br i1 %70, label %71, label %191
+71:
+  %72 = icmp slt i64 %53, %26
+  br i1 %72, label %182, label %209
+73:
+  %74 = fcmp oeq double %249, 0.000000e+00
+  br i1 %74, label %75, label %81
+75:
+  %76 = fcmp olt double %244, 0.000000e+00
+  br i1 %76, label %81, label %77
+77:
+  %78 = fcmp oeq double %244, 0.000000e+00
+  br i1 %78, label %79, label %81
+79:
+  %80 = fcmp ogt double %239, 0.000000e+00
+  br label %81
+81:
+  %82 = phi i1 [ true, %209 ], [ true, %75 ], [ %80, %79 ], [ false, %77 ], [ false, %73 ]
+  %83 = xor i1 %227, %82
+  %84 = xor i1 %83, true
+  %85 = zext i1 %84 to i64
+  %86 = fneg double %249
+  %87 = select i1 %227, double %249, double %86
+  %88 = fadd double %87, 0.000000e+00
+  %89 = shl i64 %216, 3
+  %90 = getelementptr i8, ptr %12, i64 %89
+  %91 = getelementptr i8, ptr %90, i64 16
+  %92 = load double, ptr %91, align 8
+  %93 = fmul double %87, %92
+  %94 = fadd double %93, 0.000000e+00
+  %95 = getelementptr i64, ptr %220, i64 %218
+  %96 = load i64, ptr %95, align 8
+  %97 = icmp slt i64 %226, %96
+  %98 = select i1 %97, i64 0, i64 2
+  %99 = select i1 %97, i64 2, i64 0
+  %100 = mul i64 %98, %16
+  %101 = getelementptr double, ptr %12, i64 %100
+  %102 = getelementptr double, ptr %101, i64 %216
+  %103 = load double, ptr %102, align 8
+  %104 = mul i64 %99, %16
+  %105 = getelementptr double, ptr %12, i64 %104
+  %106 = getelementptr double, ptr %105, i64 %216
+  %107 = load double, ptr %106, align 8
+  %108 = fsub double %103, %107
+  %109 = getelementptr i8, ptr %102, i64 8
+  %110 = load double, ptr %109, align 8
+  %111 = getelementptr i8, ptr %106, i64 8
+  %112 = load double, ptr %111, align 8
+  %113 = fsub double %110, %112
+  %114 = fsub double %41, %112
+  %115 = fmul double %108, %114
+  %116 = fsub double %39, %107
+  %117 = fmul double %116, %113
+  %118 = fsub double %115, %117
+  %119 = fcmp ogt double %118, 0.000000e+00
+  br i1 %119, label %128, label %120
+120:
+  %121 = fcmp oeq double %118, 0.000000e+00
+  br i1 %121, label %122, label %128
+122:
+  %123 = fcmp olt double %113, 0.000000e+00
+  br i1 %123, label %128, label %124
+124:
+  %125 = fcmp oeq double %113, 0.000000e+00
+  br i1 %125, label %126, label %128
+126:
+  %127 = fcmp ogt double %108, 0.000000e+00
+  br label %128
+128:
+  %129 = phi i1 [ true, %81 ], [ true, %122 ], [ %127, %126 ], [ false, %124 ], [ false, %120 ]
+  %130 = xor i1 %97, %129
+  %131 = xor i1 %130, true
+  %132 = zext i1 %131 to i64
+  %133 = add nuw nsw i64 %132, %85
+  %134 = fneg double %118
+  %135 = select i1 %97, double %118, double %134
+  %136 = fadd double %88, %135
+  %137 = getelementptr double, ptr %217, i64 %16
+  %138 = getelementptr i8, ptr %137, i64 16
+  %139 = load double, ptr %138, align 8
+  %140 = fmul double %135, %139
+  %141 = fadd double %94, %140
+  %142 = icmp slt i64 %96, %223
+  %143 = select i1 %142, i64 %16, i64 0
+  %144 = getelementptr double, ptr %12, i64 %143
+  %145 = getelementptr double, ptr %144, i64 %216
+  %146 = load double, ptr %145, align 8
+  %147 = select i1 %142, i64 0, i64 %16
+  %148 = getelementptr double, ptr %12, i64 %147
+  %149 = getelementptr double, ptr %148, i64 %216
+  %150 = load double, ptr %149, align 8
+  %151 = fsub double %146, %150
+  %152 = getelementptr i8, ptr %145, i64 8
+  %153 = load double, ptr %152, align 8
+  %154 = getelementptr i8, ptr %149, i64 8
+  %155 = load double, ptr %154, align 8
+  %156 = fsub double %153, %155
+  %157 = fsub double %41, %155
+  %158 = fmul double %151, %157
+  %159 = fsub double %39, %150
+  %160 = fmul double %159, %156
+  %161 = fsub double %158, %160
+  %162 = fcmp ogt double %161, 0.000000e+00
+  br i1 %162, label %251, label %163
+163:
+  %164 = fcmp oeq double %161, 0.000000e+00
+  br i1 %164, label %165, label %251
+165:
+  %166 = fcmp olt double %156, 0.000000e+00
+  br i1 %166, label %251, label %167
+167:
+  %168 = fcmp oeq double %156, 0.000000e+00
+  br i1 %168, label %169, label %251
+169:
+  %170 = fcmp ogt double %151, 0.000000e+00
+  br label %251
+171:
+  %172 = xor i1 %142, %252
+  %173 = xor i1 %172, true
+  %174 = zext i1 %173 to i64
+  %175 = add nuw nsw i64 %133, %174
+  %176 = icmp eq i64 %175, 3
+  %177 = icmp eq i64 %175, 0
+  %178 = zext i1 %176 to i64
+  %179 = sext i1 %177 to i64
+  %180 = add i64 %45, %178
+  %181 = add i64 %180, %179
+  br label %191
+182:
+  %183 = shl nsw i64 %53, 1
+  %184 = icmp slt i64 %53, 0
+  %185 = select i1 %184, i64 %20, i64 0
+  %186 = add i64 %185, %183
+  %187 = mul i64 %186, %22
+  %188 = getelementptr double, ptr %18, i64 %187
+  %189 = load double, ptr %188, align 8
+  %190 = fcmp ogt double %189, %39
+  br i1 %190, label %191, label %51
+191:
+  %192 = phi i64 [ %53, %171 ], [ %53, %251 ], [ %46, %44 ], [ %53, %67 ], [ %53, %63 ], [ %53, %59 ], [ %53, %51 ], [ %183, %182 ]
+  %193 = phi i64 [ %181, %171 ], [ %45, %251 ], [ %45, %44 ], [ %45, %51 ], [ %45, %59 ], [ %45, %63 ], [ %45, %67 ], [ %45, %182 ]
+  %194 = add nsw i64 %192, 1
+  %195 = and i64 %192, 1
+  %196 = icmp eq i64 %195, 0
+  br i1 %196, label %202, label %197
+197:
+  %198 = phi i64 [ %199, %197 ], [ %194, %191 ]
+  %199 = ashr i64 %198, 1
+  %200 = and i64 %198, 2
+  %201 = icmp eq i64 %200, 0
+  br i1 %201, label %197, label %202
+202:
+  %203 = phi i64 [ %194, %191 ], [ %199, %197 ]
+  %204 = icmp sgt i64 %203, 1
+  br i1 %204, label %44, label %205
+205:
+  %206 = add nuw nsw i64 %36, 1
+  %207 = getelementptr i64, ptr %28, i64 %36
+  store i64 %193, ptr %207, align 8
+  %208 = icmp eq i64 %206, %4
+  br i1 %208, label %272, label %35
+209:
+  %210 = sub nsw i64 %53, %26
+  %211 = getelementptr i64, ptr %24, i64 %210
+  %212 = load i64, ptr %211, align 8
+  %213 = icmp slt i64 %212, 0
+  %214 = select i1 %213, i64 %14, i64 0
+  %215 = add i64 %214, %212
+  %216 = mul i64 %33, %215
+  %217 = getelementptr double, ptr %12, i64 %216
+  %218 = select i1 %213, i64 %10, i64 0
+  %219 = mul i64 %212, 24
+  %220 = getelementptr i8, ptr %8, i64 %219
+  %221 = getelementptr i8, ptr %220, i64 8
+  %222 = getelementptr i64, ptr %221, i64 %218
+  %223 = load i64, ptr %222, align 8
+  %224 = getelementptr i8, ptr %220, i64 16
+  %225 = getelementptr i64, ptr %224, i64 %218
+  %226 = load i64, ptr %225, align 8
+  %227 = icmp slt i64 %223, %226
+  %228 = zext i1 %227 to i64
+  %229 = shl i64 %16, %228
+  %230 = getelementptr double, ptr %12, i64 %229
+  %231 = getelementptr double, ptr %230, i64 %216
+  %232 = load double, ptr %231, align 8
+  %233 = xor i1 %227, true
+  %234 = zext i1 %233 to i64
+  %235 = shl i64 %16, %234
+  %236 = getelementptr double, ptr %12, i64 %235
+  %237 = getelementptr double, ptr %236, i64 %216
+  %238 = load double, ptr %237, align 8
+  %239 = fsub double %232, %238
+  %240 = getelementptr i8, ptr %231, i64 8
+  %241 = load double, ptr %240, align 8
+  %242 = getelementptr i8, ptr %237, i64 8
+  %243 = load double, ptr %242, align 8
+  %244 = fsub double %241, %243
+  %245 = fsub double %41, %243
+  %246 = fmul double %239, %245
+  %247 = fsub double %39, %238
+  %248 = fmul double %247, %244
+  %249 = fsub double %246, %248
+  %250 = fcmp ogt double %249, 0.000000e+00
+  br i1 %250, label %81, label %73
+251:
+  %252 = phi i1 [ true, %128 ], [ true, %165 ], [ %170, %169 ], [ false, %167 ], [ false, %163 ]
+  %253 = fneg double %161
+  %254 = select i1 %142, double %161, double %253
+  %255 = fadd double %136, %254
+  %256 = freeze double %255
+  %257 = getelementptr i8, ptr %217, i64 %34
+  %258 = getelementptr i8, ptr %257, i64 16
+  %259 = load double, ptr %258, align 8
+  %260 = fmul double %254, %259
+  %261 = fadd double %141, %260
+  %262 = fcmp une double %256, 0.000000e+00
+  %263 = fdiv double %261, %256
+  %264 = select i1 %262, double %263, double %261
+  %265 = getelementptr i8, ptr %55, i64 16
+  %266 = load double, ptr %265, align 8
+  %267 = fcmp ogt double %266, %264
+  %268 = select i1 %267, double %266, double %264
+  %269 = fcmp olt double %69, %268
+  %270 = select i1 %269, double %69, double %268
+  %271 = fcmp ogt double %270, %43
+  br i1 %271, label %171, label %191
+272:
   ret i64 0
 }
-
 declare double @llvm.fabs.f64(double)
-
-define i64 @msf_jax.host.solid.kernels.hits(ptr readonly %words) local_unnamed_addr {
-  %w0 = load ptr, ptr %words, align 8
-  %p1 = getelementptr i8, ptr %words, i64 8
-  %w1 = load i64, ptr %p1, align 8
-  %p2 = getelementptr i8, ptr %words, i64 16
-  %w2 = load i64, ptr %p2, align 8
-  %p3 = getelementptr i8, ptr %words, i64 24
-  %w3 = load ptr, ptr %p3, align 8
-  %p7 = getelementptr i8, ptr %words, i64 56
-  %w7 = load ptr, ptr %p7, align 8
-  %p9 = getelementptr i8, ptr %words, i64 72
-  %w9 = load double, ptr %p9, align 8
-  %p15 = getelementptr i8, ptr %words, i64 120
-  %w15 = load ptr, ptr %p15, align 8
-  %p16 = getelementptr i8, ptr %words, i64 128
-  %w16 = load i64, ptr %p16, align 8
-  %p17 = getelementptr i8, ptr %words, i64 136
-  %w17 = load i64, ptr %p17, align 8
-  %p18 = getelementptr i8, ptr %words, i64 144
-  %w18 = load i64, ptr %p18, align 8
-  %p21 = getelementptr i8, ptr %words, i64 168
-  %w21 = load ptr, ptr %p21, align 8
-  %p22 = getelementptr i8, ptr %words, i64 176
-  %w22 = load i64, ptr %p22, align 8
-  %p23 = getelementptr i8, ptr %words, i64 184
-  %w23 = load i64, ptr %p23, align 8
-  %p24 = getelementptr i8, ptr %words, i64 192
-  %w24 = load ptr, ptr %p24, align 8
-  %p25 = getelementptr i8, ptr %words, i64 200
-  %w25 = load i64, ptr %p25, align 8
-  %p26 = getelementptr i8, ptr %words, i64 208
-  %w26 = load ptr, ptr %p26, align 8
-  %p29 = getelementptr i8, ptr %words, i64 232
-  %w29 = load ptr, ptr %p29, align 8
-  %p30 = getelementptr i8, ptr %words, i64 240
-  %w30 = load i64, ptr %p30, align 8
-  %p31 = getelementptr i8, ptr %words, i64 248
-  %w31 = load ptr, ptr %p31, align 8
-  %p32 = getelementptr i8, ptr %words, i64 256
-  %w32 = load i64, ptr %p32, align 8
-  %.2781694.not.i = icmp slt i64 %w1, 1
-  br i1 %.2781694.not.i, label %_ZN7msf_jax4host5solid7kernels4hitsB3v14B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi3E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd232Mesh_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_295ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, label %B122.lr.ph.i
-
-B122.lr.ph.i:                                     ; preds = %0
-  %p28 = getelementptr i8, ptr %words, i64 224
-  %w28 = load i64, ptr %p28, align 8
-  %s45 = shl i64 %w28, 3
-  %p6 = getelementptr i8, ptr %words, i64 48
-  %w6 = load i64, ptr %p6, align 8
-  %p5 = getelementptr i8, ptr %words, i64 40
-  %w5 = load i64, ptr %p5, align 8
-  %.596.i = mul i64 %w5, %w6
-  %.idx.i = shl i64 %w28, 4
-  %.604.idx.i = shl i64 %w6, 4
-  %invariant.gep.i = getelementptr i8, ptr %w3, i64 %.604.idx.i
-  %1 = getelementptr double, ptr %w3, i64 %w6
-  %sunkaddr344.i = getelementptr i8, ptr %w26, i64 8
-  %sunkaddr353.i = getelementptr i8, ptr %w26, i64 16
-  %sunkaddr355.i = getelementptr i8, ptr %w26, i64 %s45
-  %sunkaddr358.i = getelementptr i8, ptr %sunkaddr355.i, i64 8
-  %sunkaddr361.i = getelementptr i8, ptr %sunkaddr355.i, i64 16
-  %sunkaddr362.i = getelementptr i8, ptr %w26, i64 %.idx.i
-  %sunkaddr364.i = getelementptr i8, ptr %sunkaddr362.i, i64 8
-  %sunkaddr366.i = getelementptr i8, ptr %sunkaddr362.i, i64 16
-  br label %B122.endif.endif.endif.endif.endif.endif.i
-
-B120.loopexit.i:                                  ; preds = %B70.i.i
-  %.291.i = add nuw nsw i64 %.28415931699.i, 1
-  %exitcond.not.i = icmp eq i64 %.291.i, %w1
-  br i1 %exitcond.not.i, label %_ZN7msf_jax4host5solid7kernels4hitsB3v14B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi3E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd232Mesh_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_295ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, label %B122.endif.endif.endif.endif.endif.endif.i
-
-B32.i.i:                                          ; preds = %B560.outer.i, %B20.i.i
-  %.87.i8.i = phi i64 [ %.87.i.i, %B20.i.i ], [ %.87.i3.i, %B560.outer.i ]
-  %node.2.17.i = phi i64 [ %.28.i.i, %B20.i.i ], [ %node.2.1.ph.i, %B560.outer.i ]
-  %sunkaddr.i.i = shl i64 %.87.i8.i, 3
-  %sunkaddr1.i.i = getelementptr i8, ptr %w21, i64 %sunkaddr.i.i
-  %sunkaddr2.i.i = getelementptr i8, ptr %sunkaddr1.i.i, i64 8
-  %.152.i.i = load double, ptr %sunkaddr2.i.i, align 8
-  %.154.i.i = fcmp ogt double %.152.i.i, %.992.i
-  br i1 %.154.i.i, label %B30.i.i, label %B86.i.i
-
-B86.i.i:                                          ; preds = %B32.i.i
-  %sunkaddr316.i = getelementptr i8, ptr %sunkaddr1.i.i, i64 16
-  %.214.i.i = load double, ptr %sunkaddr316.i, align 8
-  %.216.i.i = fcmp ogt double %.214.i.i, %.1023.i
-  br i1 %.216.i.i, label %B30.i.i, label %B92.i.i
-
-B92.i.i:                                          ; preds = %B86.i.i
-  %sunkaddr319.i = getelementptr i8, ptr %sunkaddr1.i.i, i64 24
-  %.287.i.i = load double, ptr %sunkaddr319.i, align 8
-  %.289.i.i = fcmp olt double %.287.i.i, %.859.i
-  br i1 %.289.i.i, label %B30.i.i, label %B120.i.i
-
-B120.i.i:                                         ; preds = %B92.i.i
-  %sunkaddr322.i = getelementptr i8, ptr %sunkaddr1.i.i, i64 32
-  %.349.i.i = load double, ptr %sunkaddr322.i, align 8
-  %.351.i.i = fcmp olt double %.349.i.i, %.890.i
-  br i1 %.351.i.i, label %B30.i.i, label %_ZN7msf_jax4host5solid7kernels8overlapsB3v13B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedExdddddd.exit.i
-
-_ZN7msf_jax4host5solid7kernels8overlapsB3v13B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedExdddddd.exit.i: ; preds = %B120.i.i
-  %sunkaddr325.i = getelementptr i8, ptr %sunkaddr1.i.i, i64 40
-  %.413.i.i = load double, ptr %sunkaddr325.i, align 8
-  %.417.i.i = fcmp uge double %.413.i.i, %.921.i
-  br i1 %.417.i.i, label %B620.i, label %B30.i.i
-
-B620.i:                                           ; preds = %_ZN7msf_jax4host5solid7kernels8overlapsB3v13B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedExdddddd.exit.i
-  %.1102.not.i = icmp slt i64 %node.2.17.i, %w25
-  br i1 %.1102.not.i, label %B20.i.i, label %B820.endif.us.2.i
-
-B1322.i:                                          ; preds = %B1280.endif.i, %B820.endif.us.2.i
-  %.2899.i = tail call double @llvm.fabs.f64(double %.2816.i)
-  %.2901.i = fmul double %.11.i279.i, 0x3D06849B86A12B9B
-  %.2904.i = fcmp ogt double %.2899.i, %.2901.i
-  br i1 %.2904.i, label %B1376.endif.endif.endif.endif.endif.endif.i, label %B30.i.i
-
-B1670.i:                                          ; preds = %B1376.endif.endif.endif.endif.endif.endif.i
-  %.3595.i = load double, ptr %sunkaddr327.i, align 8
-  %.3597.i = fcmp ugt double %.11.i295.i, %.3595.i
-  br i1 %.3597.i, label %B30.i.i, label %B1698.i
-
-B1698.i:                                          ; preds = %B1670.i
-  %.3625.i = icmp slt i64 %count.2.1.ph.i, %w30
-  br i1 %.3625.i, label %B1736.i, label %B1758.i
-
-B1736.i:                                          ; preds = %B1698.i
-  %.3642.i = icmp slt i64 %count.2.1.ph.i, 0
-  %.3643.i = select i1 %.3642.i, i64 %w30, i64 0
-  %2 = getelementptr i64, ptr %w29, i64 %count.2.1.ph.i
-  %.3657.i = getelementptr i64, ptr %2, i64 %.3643.i
-  store i64 %.28415931699.i, ptr %.3657.i, align 8
-  %.3675.i = select i1 %.3642.i, i64 %w32, i64 0
-  %3 = getelementptr double, ptr %w31, i64 %count.2.1.ph.i
-  %.3689.i = getelementptr double, ptr %3, i64 %.3675.i
-  store double %.11.i295.i, ptr %.3689.i, align 8
-  br label %B1758.i
-
-B1758.i:                                          ; preds = %B1736.i, %B1698.i
-  %.3697.i = add nsw i64 %count.2.1.ph.i, 1
-  br label %B30.i.i
-
-B20.i.i:                                          ; preds = %B620.i
-  %.28.i.i = shl nsw i64 %node.2.17.i, 1
-  %.65.i.i = icmp slt i64 %node.2.17.i, 0
-  %.66.i.i = select i1 %.65.i.i, i64 %w22, i64 0
-  %.67.i.i = add i64 %.66.i.i, %.28.i.i
-  %.87.i.i = mul i64 %.67.i.i, %w23
-  %.91.i.i = getelementptr double, ptr %w21, i64 %.87.i.i
-  %.92.i.i = load double, ptr %.91.i.i, align 8
-  %.93.i.i = fcmp ogt double %.92.i.i, %.961.i
-  br i1 %.93.i.i, label %B30.i.i, label %B32.i.i
-
-B30.i.i:                                          ; preds = %B20.i.i, %_ZN7msf_jax4host5solid7kernels8overlapsB3v13B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedExdddddd.exit.i, %B120.i.i, %B92.i.i, %B86.i.i, %B32.i.i, %B1376.endif.endif.endif.endif.endif.endif.i, %B1280.endif.i, %B560.outer.i, %B1758.i, %B1670.i, %B1322.i
-  %node.2.12.i = phi i64 [ %node.2.17.i, %B1758.i ], [ %node.2.17.i, %B1280.endif.i ], [ %node.2.17.i, %B1322.i ], [ %node.2.17.i, %B1376.endif.endif.endif.endif.endif.endif.i ], [ %node.2.17.i, %B1670.i ], [ %node.2.1.ph.i, %B560.outer.i ], [ %node.2.17.i, %_ZN7msf_jax4host5solid7kernels8overlapsB3v13B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedExdddddd.exit.i ], [ %node.2.17.i, %B120.i.i ], [ %node.2.17.i, %B92.i.i ], [ %node.2.17.i, %B86.i.i ], [ %node.2.17.i, %B32.i.i ], [ %.28.i.i, %B20.i.i ]
-  %count.3.2305.i = phi i64 [ %.3697.i, %B1758.i ], [ %count.2.1.ph.i, %B1280.endif.i ], [ %count.2.1.ph.i, %B1322.i ], [ %count.2.1.ph.i, %B1376.endif.endif.endif.endif.endif.endif.i ], [ %count.2.1.ph.i, %B1670.i ], [ %count.2.1.ph.i, %B560.outer.i ], [ %count.2.1.ph.i, %B32.i.i ], [ %count.2.1.ph.i, %B86.i.i ], [ %count.2.1.ph.i, %B92.i.i ], [ %count.2.1.ph.i, %B120.i.i ], [ %count.2.1.ph.i, %_ZN7msf_jax4host5solid7kernels8overlapsB3v13B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedExdddddd.exit.i ], [ %count.2.1.ph.i, %B20.i.i ]
-  %.36.i.i = add nsw i64 %node.2.12.i, 1
-  %4 = and i64 %node.2.12.i, 1
-  %.46.not.not.i.i = icmp eq i64 %4, 0
-  br i1 %.46.not.not.i.i, label %B70.i.i, label %B50.i.i
-
-B50.i.i:                                          ; preds = %B30.i.i, %B50.i.i
-  %node.3.1.i.i = phi i64 [ %.49.i.i, %B50.i.i ], [ %.36.i.i, %B30.i.i ]
-  %.49.i.i = ashr i64 %node.3.1.i.i, 1
-  %5 = and i64 %node.3.1.i.i, 2
-  %.55.not.i.i = icmp eq i64 %5, 0
-  br i1 %.55.not.i.i, label %B50.i.i, label %B70.i.i
-
-B70.i.i:                                          ; preds = %B50.i.i, %B30.i.i
-  %node.4.0.i.i = phi i64 [ %.36.i.i, %B30.i.i ], [ %.49.i.i, %B50.i.i ]
-  %.60.i.i = icmp sgt i64 %node.4.0.i.i, 1
-  br i1 %.60.i.i, label %B560.outer.i, label %B120.loopexit.i
-
-B122.endif.endif.endif.endif.endif.endif.i:       ; preds = %B120.loopexit.i, %B122.lr.ph.i
-  %count.4.01701.i = phi i64 [ 0, %B122.lr.ph.i ], [ %count.3.2305.i, %B120.loopexit.i ]
-  %.28415931699.i = phi i64 [ 0, %B122.lr.ph.i ], [ %.291.i, %B120.loopexit.i ]
-  %.374.i = mul i64 %.28415931699.i, %w2
-  %.378.i = getelementptr double, ptr %w0, i64 %.374.i
-  %.379.i = load double, ptr %.378.i, align 8
-  %.433.i = getelementptr i8, ptr %.378.i, i64 8
-  %.434.i = load double, ptr %.433.i, align 8
-  %.488.i = getelementptr i8, ptr %.378.i, i64 16
-  %.489.i = load double, ptr %.488.i, align 8
-  %6 = getelementptr double, ptr %w7, i64 %.28415931699.i
-  %.529.i = load double, ptr %6, align 8
-  %.598.i = mul i64 %.596.i, %.28415931699.i
-  %gep.i = getelementptr double, ptr %invariant.gep.i, i64 %.598.i
-  %.605.i = load double, ptr %gep.i, align 8
-  %.606.i = fmul double %.529.i, %.605.i
-  %.608.i = fadd double %.379.i, %.606.i
-  %.714.i = getelementptr i8, ptr %gep.i, i64 8
-  %.715.i = load double, ptr %.714.i, align 8
-  %.716.i = fmul double %.529.i, %.715.i
-  %.718.i = fadd double %.434.i, %.716.i
-  %.824.i = getelementptr i8, ptr %gep.i, i64 16
-  %.825.i = load double, ptr %.824.i, align 8
-  %.826.i = fmul double %.529.i, %.825.i
-  %.828.i = fadd double %.489.i, %.826.i
-  %.10.i.i = fcmp olt double %.608.i, %.379.i
-  %.11.i.i = select i1 %.10.i.i, double %.608.i, double %.379.i
-  %.859.i = fsub double %.11.i.i, %w9
-  %.10.i153.i = fcmp olt double %.718.i, %.434.i
-  %.11.i154.i = select i1 %.10.i153.i, double %.718.i, double %.434.i
-  %.890.i = fsub double %.11.i154.i, %w9
-  %.10.i155.i = fcmp olt double %.828.i, %.489.i
-  %.11.i156.i = select i1 %.10.i155.i, double %.828.i, double %.489.i
-  %.921.i = fsub double %.11.i156.i, %w9
-  %.10.i157.i = fcmp ogt double %.608.i, %.379.i
-  %.11.i158.i = select i1 %.10.i157.i, double %.608.i, double %.379.i
-  %.961.i = fadd double %w9, %.11.i158.i
-  %.10.i159.i = fcmp ogt double %.718.i, %.434.i
-  %.11.i160.i = select i1 %.10.i159.i, double %.718.i, double %.434.i
-  %.992.i = fadd double %w9, %.11.i160.i
-  %.10.i161.i = fcmp ogt double %.828.i, %.489.i
-  %.11.i162.i = select i1 %.10.i161.i, double %.828.i, double %.489.i
-  %.1023.i = fadd double %w9, %.11.i162.i
-  %sunkaddr328.i = shl i64 %.598.i, 3
-  %sunkaddr329.i = getelementptr i8, ptr %w3, i64 %sunkaddr328.i
-  %sunkaddr332.i = getelementptr i8, ptr %sunkaddr329.i, i64 8
-  %sunkaddr335.i = getelementptr i8, ptr %sunkaddr329.i, i64 16
-  %sunkaddr337.i = getelementptr inbounds i8, ptr %1, i64 %sunkaddr328.i
-  %sunkaddr340.i = getelementptr i8, ptr %sunkaddr337.i, i64 8
-  %sunkaddr343.i = getelementptr i8, ptr %sunkaddr337.i, i64 16
-  %sunkaddr346.i = getelementptr inbounds i8, ptr %invariant.gep.i, i64 %sunkaddr328.i
-  %sunkaddr349.i = getelementptr i8, ptr %sunkaddr346.i, i64 8
-  %sunkaddr352.i = getelementptr i8, ptr %sunkaddr346.i, i64 16
-  %sunkaddr326.i = shl i64 %.28415931699.i, 3
-  %sunkaddr327.i = getelementptr i8, ptr %w7, i64 %sunkaddr326.i
-  br label %B560.outer.i
-
-B560.outer.i:                                     ; preds = %B122.endif.endif.endif.endif.endif.endif.i, %B70.i.i
-  %count.2.1.ph.i = phi i64 [ %count.3.2305.i, %B70.i.i ], [ %count.4.01701.i, %B122.endif.endif.endif.endif.endif.endif.i ]
-  %node.2.1.ph.i = phi i64 [ %node.4.0.i.i, %B70.i.i ], [ 1, %B122.endif.endif.endif.endif.endif.endif.i ]
-  %.87.i3.i = mul i64 %node.2.1.ph.i, %w23
-  %.91.i4.i = getelementptr double, ptr %w21, i64 %.87.i3.i
-  %.92.i5.i = load double, ptr %.91.i4.i, align 8
-  %.93.i6.i = fcmp ogt double %.92.i5.i, %.961.i
-  br i1 %.93.i6.i, label %B30.i.i, label %B32.i.i
-
-B820.endif.us.2.i:                                ; preds = %B620.i
-  %.1110.i = sub nsw i64 %node.2.17.i, %w25
-  %.1138.i = getelementptr i64, ptr %w24, i64 %.1110.i
-  %.1139.i = load i64, ptr %.1138.i, align 8
-  %.1303.i = icmp slt i64 %.1139.i, 0
-  %.1304.i = select i1 %.1303.i, i64 %w16, i64 0
-  %.1305.i = add i64 %.1304.i, %.1139.i
-  %.1335.i = mul i64 %.1305.i, %w17
-  %reass.mul.us.i = mul i64 %.1335.i, %w18
-  %.1341.us.i = getelementptr double, ptr %w15, i64 %reass.mul.us.i
-  %.1342.us.i = load double, ptr %.1341.us.i, align 8
-  %.1344.us.i = fsub double %.1342.us.i, %.379.i
-  %.1420.us.i = getelementptr i8, ptr %.1341.us.i, i64 8
-  %.1421.us.i = load double, ptr %.1420.us.i, align 8
-  %.1423.us.i = fsub double %.1421.us.i, %.434.i
-  %.1499.us.i = getelementptr i8, ptr %.1341.us.i, i64 16
-  %.1500.us.i = load double, ptr %.1499.us.i, align 8
-  %.1502.us.i = fsub double %.1500.us.i, %.489.i
-  %.1705.us.i = load double, ptr %sunkaddr329.i, align 8
-  %.1781.us.i = load double, ptr %sunkaddr332.i, align 8
-  %.1857.us.i = load double, ptr %sunkaddr335.i, align 8
-  %.10.i163.i = fmul double %.1344.us.i, %.1705.us.i
-  %.11.i164.i = fmul double %.1502.us.i, %.1857.us.i
-  %.12.i165.i = fadd double %.10.i163.i, %.11.i164.i
-  %.13.i166.i = fmul double %.1423.us.i, %.1781.us.i
-  %.14.i167.i = fadd double %.13.i166.i, %.12.i165.i
-  store double %.14.i167.i, ptr %w26, align 8
-  %.1705.us.1.i = load double, ptr %sunkaddr337.i, align 8
-  %.1781.us.1.i = load double, ptr %sunkaddr340.i, align 8
-  %.1857.us.1.i = load double, ptr %sunkaddr343.i, align 8
-  %.10.i171.i = fmul double %.1344.us.i, %.1705.us.1.i
-  %.11.i172.i = fmul double %.1502.us.i, %.1857.us.1.i
-  %.12.i173.i = fadd double %.10.i171.i, %.11.i172.i
-  %.13.i174.i = fmul double %.1423.us.i, %.1781.us.1.i
-  %.14.i175.i = fadd double %.13.i174.i, %.12.i173.i
-  store double %.14.i175.i, ptr %sunkaddr344.i, align 8
-  %.1705.us.2.i = load double, ptr %sunkaddr346.i, align 8
-  %.1781.us.2.i = load double, ptr %sunkaddr349.i, align 8
-  %.1857.us.2.i = load double, ptr %sunkaddr352.i, align 8
-  %.10.i176.i = fmul double %.1344.us.i, %.1705.us.2.i
-  %.11.i177.i = fmul double %.1502.us.i, %.1857.us.2.i
-  %.12.i178.i = fadd double %.10.i176.i, %.11.i177.i
-  %.13.i179.i = fmul double %.1423.us.i, %.1781.us.2.i
-  %.14.i180.i = fadd double %.13.i179.i, %.12.i178.i
-  store double %.14.i180.i, ptr %sunkaddr353.i, align 8
-  %.1308.us.1.i = add i64 %.1335.i, 1
-  %reass.mul.us.1.i = mul i64 %.1308.us.1.i, %w18
-  %.1341.us.1.i = getelementptr double, ptr %w15, i64 %reass.mul.us.1.i
-  %.1342.us.1.i = load double, ptr %.1341.us.1.i, align 8
-  %.1344.us.1.i = fsub double %.1342.us.1.i, %.379.i
-  %.1420.us.1.i = getelementptr i8, ptr %.1341.us.1.i, i64 8
-  %.1421.us.1.i = load double, ptr %.1420.us.1.i, align 8
-  %.1423.us.1.i = fsub double %.1421.us.1.i, %.434.i
-  %.1499.us.1.i = getelementptr i8, ptr %.1341.us.1.i, i64 16
-  %.1500.us.1.i = load double, ptr %.1499.us.1.i, align 8
-  %.1502.us.1.i = fsub double %.1500.us.1.i, %.489.i
-  %.1705.us.12031.i = load double, ptr %sunkaddr329.i, align 8
-  %.1781.us.12033.i = load double, ptr %sunkaddr332.i, align 8
-  %.1857.us.12035.i = load double, ptr %sunkaddr335.i, align 8
-  %.10.i194.i = fmul double %.1344.us.1.i, %.1705.us.12031.i
-  %.11.i195.i = fmul double %.1502.us.1.i, %.1857.us.12035.i
-  %.12.i196.i = fadd double %.10.i194.i, %.11.i195.i
-  %.13.i197.i = fmul double %.1423.us.1.i, %.1781.us.12033.i
-  %.14.i198.i = fadd double %.13.i197.i, %.12.i196.i
-  store double %.14.i198.i, ptr %sunkaddr355.i, align 8
-  %.1705.us.1.1.i = load double, ptr %sunkaddr337.i, align 8
-  %.1781.us.1.1.i = load double, ptr %sunkaddr340.i, align 8
-  %.1857.us.1.1.i = load double, ptr %sunkaddr343.i, align 8
-  %.10.i199.i = fmul double %.1344.us.1.i, %.1705.us.1.1.i
-  %.11.i200.i = fmul double %.1502.us.1.i, %.1857.us.1.1.i
-  %.12.i201.i = fadd double %.10.i199.i, %.11.i200.i
-  %.13.i202.i = fmul double %.1423.us.1.i, %.1781.us.1.1.i
-  %.14.i203.i = fadd double %.13.i202.i, %.12.i201.i
-  store double %.14.i203.i, ptr %sunkaddr358.i, align 8
-  %.1705.us.2.1.i = load double, ptr %sunkaddr346.i, align 8
-  %.1781.us.2.1.i = load double, ptr %sunkaddr349.i, align 8
-  %.1857.us.2.1.i = load double, ptr %sunkaddr352.i, align 8
-  %.10.i204.i = fmul double %.1344.us.1.i, %.1705.us.2.1.i
-  %.11.i205.i = fmul double %.1502.us.1.i, %.1857.us.2.1.i
-  %.12.i206.i = fadd double %.10.i204.i, %.11.i205.i
-  %.13.i207.i = fmul double %.1423.us.1.i, %.1781.us.2.1.i
-  %.14.i208.i = fadd double %.13.i207.i, %.12.i206.i
-  store double %.14.i208.i, ptr %sunkaddr361.i, align 8
-  %.1308.us.2.i = add i64 %.1335.i, 2
-  %reass.mul.us.2.i = mul i64 %.1308.us.2.i, %w18
-  %.1341.us.2.i = getelementptr double, ptr %w15, i64 %reass.mul.us.2.i
-  %.1342.us.2.i = load double, ptr %.1341.us.2.i, align 8
-  %.1344.us.2.i = fsub double %.1342.us.2.i, %.379.i
-  %.1420.us.2.i = getelementptr i8, ptr %.1341.us.2.i, i64 8
-  %.1421.us.2.i = load double, ptr %.1420.us.2.i, align 8
-  %.1423.us.2.i = fsub double %.1421.us.2.i, %.434.i
-  %.1499.us.2.i = getelementptr i8, ptr %.1341.us.2.i, i64 16
-  %.1500.us.2.i = load double, ptr %.1499.us.2.i, align 8
-  %.1502.us.2.i = fsub double %.1500.us.2.i, %.489.i
-  %.1705.us.22040.i = load double, ptr %sunkaddr329.i, align 8
-  %.1781.us.22042.i = load double, ptr %sunkaddr332.i, align 8
-  %.1857.us.22044.i = load double, ptr %sunkaddr335.i, align 8
-  %.10.i237.i = fmul double %.1344.us.2.i, %.1705.us.22040.i
-  %.11.i238.i = fmul double %.1502.us.2.i, %.1857.us.22044.i
-  %.12.i239.i = fadd double %.10.i237.i, %.11.i238.i
-  %.13.i240.i = fmul double %.1423.us.2.i, %.1781.us.22042.i
-  %.14.i241.i = fadd double %.13.i240.i, %.12.i239.i
-  store double %.14.i241.i, ptr %sunkaddr362.i, align 8
-  %.1705.us.1.2.i = load double, ptr %sunkaddr337.i, align 8
-  %.1781.us.1.2.i = load double, ptr %sunkaddr340.i, align 8
-  %.1857.us.1.2.i = load double, ptr %sunkaddr343.i, align 8
-  %.10.i242.i = fmul double %.1344.us.2.i, %.1705.us.1.2.i
-  %.11.i243.i = fmul double %.1502.us.2.i, %.1857.us.1.2.i
-  %.12.i244.i = fadd double %.10.i242.i, %.11.i243.i
-  %.13.i245.i = fmul double %.1423.us.2.i, %.1781.us.1.2.i
-  %.14.i246.i = fadd double %.13.i245.i, %.12.i244.i
-  store double %.14.i246.i, ptr %sunkaddr364.i, align 8
-  %.1705.us.2.2.i = load double, ptr %sunkaddr346.i, align 8
-  %.1781.us.2.2.i = load double, ptr %sunkaddr349.i, align 8
-  %.1857.us.2.2.i = load double, ptr %sunkaddr352.i, align 8
-  %.10.i247.i = fmul double %.1344.us.2.i, %.1705.us.2.2.i
-  %.11.i248.i = fmul double %.1502.us.2.i, %.1857.us.2.2.i
-  %.12.i249.i = fadd double %.10.i247.i, %.11.i248.i
-  %.13.i250.i = fmul double %.1423.us.2.i, %.1781.us.2.2.i
-  %.14.i251.i = fadd double %.13.i250.i, %.12.i249.i
-  store double %.14.i251.i, ptr %sunkaddr366.i, align 8
-  %.147.i275.i = fmul double %.14.i246.i, %.14.i246.i
-  %.147.i262.i = fmul double %.14.i241.i, %.14.i241.i
-  %.147.i232.i = fmul double %.14.i203.i, %.14.i203.i
-  %.147.i219.i = fmul double %.14.i198.i, %.14.i198.i
-  %.147.i.i = fmul double %.14.i175.i, %.14.i175.i
-  %.147.i191.i = fmul double %.14.i167.i, %.14.i167.i
-  %.2107.us.i = fadd double %.147.i191.i, %.147.i.i
-  %.10.i169.i = fcmp ogt double %.2107.us.i, 0.000000e+00
-  %.11.i170.i = select i1 %.10.i169.i, double %.2107.us.i, double 0.000000e+00
-  %.2107.us.1.i = fadd double %.147.i219.i, %.147.i232.i
-  %.10.i235.i = fcmp ogt double %.2107.us.1.i, %.11.i170.i
-  %.11.i236.i = select i1 %.10.i235.i, double %.2107.us.1.i, double %.11.i170.i
-  %.2107.us.2.i = fadd double %.147.i262.i, %.147.i275.i
-  %.10.i278.i = fcmp ogt double %.2107.us.2.i, %.11.i236.i
-  %.11.i279.i = select i1 %.10.i278.i, double %.2107.us.2.i, double %.11.i236.i
-  %.2199.i = load double, ptr %w26, align 8
-  %.2253.i = load double, ptr %sunkaddr358.i, align 8
-  %.2254.i = fmul double %.2199.i, %.2253.i
-  %.2308.i = load double, ptr %sunkaddr355.i, align 8
-  %.2362.i = load double, ptr %sunkaddr344.i, align 8
-  %.2363.i = fmul double %.2308.i, %.2362.i
-  %.2364.i = fsub double %.2254.i, %.2363.i
-  %.2476.i = fmul double %.14.i246.i, %.2308.i
-  %.2585.i = fmul double %.14.i241.i, %.2253.i
-  %.2586.i = fsub double %.2476.i, %.2585.i
-  %.2698.i = fmul double %.14.i241.i, %.2362.i
-  %.2807.i = fmul double %.14.i246.i, %.2199.i
-  %.2808.i = fsub double %.2698.i, %.2807.i
-  %.2814.i = fadd double %.2586.i, %.2364.i
-  %.2816.i = fadd double %.2808.i, %.2814.i
-  %.13.i280.i = fcmp olt double %.2586.i, %.2364.i
-  %.14.i281.i = select i1 %.13.i280.i, double %.2586.i, double %.2364.i
-  %.15.i282.i = fcmp olt double %.2808.i, %.14.i281.i
-  %.16.i283.i = select i1 %.15.i282.i, double %.2808.i, double %.14.i281.i
-  %.2854.i = fcmp ult double %.16.i283.i, 0.000000e+00
-  br i1 %.2854.i, label %B1280.endif.i, label %B1322.i
-
-B1280.endif.i:                                    ; preds = %B820.endif.us.2.i
-  %.13.i.i = fcmp ogt double %.2586.i, %.2364.i
-  %.14.i.i = select i1 %.13.i.i, double %.2586.i, double %.2364.i
-  %.15.i.i = fcmp ogt double %.2808.i, %.14.i.i
-  %.16.i.i = select i1 %.15.i.i, double %.2808.i, double %.14.i.i
-  %.2893.i = fcmp ugt double %.16.i.i, 0.000000e+00
-  br i1 %.2893.i, label %B30.i.i, label %B1322.i
-
-B1376.endif.endif.endif.endif.endif.endif.i:      ; preds = %B1322.i
-  %.3016.i = load double, ptr %sunkaddr353.i, align 8
-  %.3070.i = load double, ptr %sunkaddr361.i, align 8
-  %.10.i149.i = fmul double %.14.i251.i, %.2364.i
-  %.11.i150.i = fmul double %.2808.i, %.3070.i
-  %.12.i.i = fadd double %.10.i149.i, %.11.i150.i
-  %.13.i151.i = fmul double %.2586.i, %.3016.i
-  %.14.i152.i = fadd double %.13.i151.i, %.12.i.i
-  %.13.i284.i = fcmp olt double %.3070.i, %.3016.i
-  %.14.i285.i = select i1 %.13.i284.i, double %.3070.i, double %.3016.i
-  %.15.i286.i = fcmp olt double %.14.i251.i, %.14.i285.i
-  %.16.i287.i = select i1 %.15.i286.i, double %.14.i251.i, double %.14.i285.i
-  %.3108.i = fdiv double %.14.i152.i, %.2816.i
-  %.10.i288.i = fcmp ogt double %.16.i287.i, %.3108.i
-  %.11.i289.i = select i1 %.10.i288.i, double %.16.i287.i, double %.3108.i
-  %.13.i290.i = fcmp ogt double %.3070.i, %.3016.i
-  %.14.i291.i = select i1 %.13.i290.i, double %.3070.i, double %.3016.i
-  %.15.i292.i = fcmp ogt double %.14.i251.i, %.14.i291.i
-  %.16.i293.i = select i1 %.15.i292.i, double %.14.i251.i, double %.14.i291.i
-  %.10.i294.i = fcmp olt double %.16.i293.i, %.11.i289.i
-  %.11.i295.i = select i1 %.10.i294.i, double %.16.i293.i, double %.11.i289.i
-  %.3556.i = fcmp ult double %.11.i295.i, 0.000000e+00
-  br i1 %.3556.i, label %B30.i.i, label %B1670.i
-
-_ZN7msf_jax4host5solid7kernels4hitsB3v14B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi3E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd232Mesh_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_295ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit: ; preds = %B120.loopexit.i, %0
-  %count.4.0.lcssa.i = phi i64 [ 0, %0 ], [ %count.3.2305.i, %B120.loopexit.i ]
-  ret i64 %count.4.0.lcssa.i
+define i64 @msf_jax.host.solid.kernels.hits(ptr readonly %0) local_unnamed_addr {
+  %2 = load ptr, ptr %0, align 8
+  %3 = getelementptr i8, ptr %0, i64 8
+  %4 = load i64, ptr %3, align 8
+  %5 = getelementptr i8, ptr %0, i64 16
+  %6 = load i64, ptr %5, align 8
+  %7 = getelementptr i8, ptr %0, i64 24
+  %8 = load ptr, ptr %7, align 8
+  %9 = getelementptr i8, ptr %0, i64 56
+  %10 = load ptr, ptr %9, align 8
+  %11 = getelementptr i8, ptr %0, i64 72
+  %12 = load double, ptr %11, align 8
+  %13 = getelementptr i8, ptr %0, i64 120
+  %14 = load ptr, ptr %13, align 8
+  %15 = getelementptr i8, ptr %0, i64 128
+  %16 = load i64, ptr %15, align 8
+  %17 = getelementptr i8, ptr %0, i64 136
+  %18 = load i64, ptr %17, align 8
+  %19 = getelementptr i8, ptr %0, i64 144
+  %20 = load i64, ptr %19, align 8
+  %21 = getelementptr i8, ptr %0, i64 168
+  %22 = load ptr, ptr %21, align 8
+  %23 = getelementptr i8, ptr %0, i64 176
+  %24 = load i64, ptr %23, align 8
+  %25 = getelementptr i8, ptr %0, i64 184
+  %26 = load i64, ptr %25, align 8
+  %27 = getelementptr i8, ptr %0, i64 192
+  %28 = load ptr, ptr %27, align 8
+  %29 = getelementptr i8, ptr %0, i64 200
+  %30 = load i64, ptr %29, align 8
+  %31 = getelementptr i8, ptr %0, i64 208
+  %32 = load ptr, ptr %31, align 8
+  %33 = getelementptr i8, ptr %0, i64 232
+  %34 = load ptr, ptr %33, align 8
+  %35 = getelementptr i8, ptr %0, i64 240
+  %36 = load i64, ptr %35, align 8
+  %37 = getelementptr i8, ptr %0, i64 248
+  %38 = load ptr, ptr %37, align 8
+  %39 = getelementptr i8, ptr %0, i64 256
+  %40 = load i64, ptr %39, align 8
+  %41 = icmp slt i64 %4, 1
+  br i1 %41, label %371, label %42
+42:
+  %43 = getelementptr i8, ptr %0, i64 224
+  %44 = load i64, ptr %43, align 8
+  %45 = shl i64 %44, 3
+  %46 = getelementptr i8, ptr %0, i64 48
+  %47 = load i64, ptr %46, align 8
+  %48 = getelementptr i8, ptr %0, i64 40
+  %49 = load i64, ptr %48, align 8
+  %50 = mul i64 %49, %47
+  %51 = shl i64 %44, 4
+  %52 = shl i64 %47, 4
+  %53 = getelementptr i8, ptr %8, i64 %52
+  %54 = getelementptr double, ptr %8, i64 %47
+  %55 = getelementptr i8, ptr %32, i64 8
+  %56 = getelementptr i8, ptr %32, i64 16
+  %57 = getelementptr i8, ptr %32, i64 %45
+  %58 = getelementptr i8, ptr %57, i64 8
+  %59 = getelementptr i8, ptr %57, i64 16
+  %60 = getelementptr i8, ptr %32, i64 %51
+  %61 = getelementptr i8, ptr %60, i64 8
+  %62 = getelementptr i8, ptr %60, i64 16
+  br label %134
+63:
+  %64 = add nuw nsw i64 %136, 1
+  %65 = icmp eq i64 %64, %4
+  br i1 %65, label %371, label %134
+66:
+  %67 = phi i64 [ %116, %111 ], [ %192, %189 ]
+  %68 = phi i64 [ %112, %111 ], [ %191, %189 ]
+  %69 = shl i64 %67, 3
+  %70 = getelementptr i8, ptr %22, i64 %69
+  %71 = getelementptr i8, ptr %70, i64 8
+  %72 = load double, ptr %71, align 8
+  %73 = fcmp ogt double %72, %173
+  br i1 %73, label %120, label %74
+74:
+  %75 = getelementptr i8, ptr %70, i64 16
+  %76 = load double, ptr %75, align 8
+  %77 = fcmp ogt double %76, %176
+  br i1 %77, label %120, label %78
+78:
+  %79 = getelementptr i8, ptr %70, i64 24
+  %80 = load double, ptr %79, align 8
+  %81 = fcmp olt double %80, %161
+  br i1 %81, label %120, label %82
+82:
+  %83 = getelementptr i8, ptr %70, i64 32
+  %84 = load double, ptr %83, align 8
+  %85 = fcmp olt double %84, %164
+  br i1 %85, label %120, label %86
+86:
+  %87 = getelementptr i8, ptr %70, i64 40
+  %88 = load double, ptr %87, align 8
+  %89 = fcmp uge double %88, %167
+  br i1 %89, label %90, label %120
+90:
+  %91 = icmp slt i64 %68, %30
+  br i1 %91, label %111, label %196
+92:
+  %93 = tail call double @llvm.fabs.f64(double %337)
+  %94 = fmul double %322, 0x3D06849B86A12B9B
+  %95 = fcmp ogt double %93, %94
+  br i1 %95, label %349, label %120
+96:
+  %97 = load double, ptr %188, align 8
+  %98 = fcmp ugt double %369, %97
+  br i1 %98, label %120, label %99
+99:
+  %100 = icmp slt i64 %190, %36
+  br i1 %100, label %101, label %109
+101:
+  %102 = icmp slt i64 %190, 0
+  %103 = select i1 %102, i64 %36, i64 0
+  %104 = getelementptr i64, ptr %34, i64 %190
+  %105 = getelementptr i64, ptr %104, i64 %103
+  store i64 %136, ptr %105, align 8
+  %106 = select i1 %102, i64 %40, i64 0
+  %107 = getelementptr double, ptr %38, i64 %190
+  %108 = getelementptr double, ptr %107, i64 %106
+  store double %369, ptr %108, align 8
+  br label %109
+109:
+  %110 = add nsw i64 %190, 1
+  br label %120
+111:
+  %112 = shl nsw i64 %68, 1
+  %113 = icmp slt i64 %68, 0
+  %114 = select i1 %113, i64 %24, i64 0
+  %115 = add i64 %114, %112
+  %116 = mul i64 %115, %26
+  %117 = getelementptr double, ptr %22, i64 %116
+  %118 = load double, ptr %117, align 8
+  %119 = fcmp ogt double %118, %170
+  br i1 %119, label %120, label %66
+120:
+  %121 = phi i64 [ %68, %109 ], [ %68, %343 ], [ %68, %92 ], [ %68, %349 ], [ %68, %96 ], [ %191, %189 ], [ %68, %86 ], [ %68, %82 ], [ %68, %78 ], [ %68, %74 ], [ %68, %66 ], [ %112, %111 ]
+  %122 = phi i64 [ %110, %109 ], [ %190, %343 ], [ %190, %92 ], [ %190, %349 ], [ %190, %96 ], [ %190, %189 ], [ %190, %66 ], [ %190, %74 ], [ %190, %78 ], [ %190, %82 ], [ %190, %86 ], [ %190, %111 ]
+  %123 = add nsw i64 %121, 1
+  %124 = and i64 %121, 1
+  %125 = icmp eq i64 %124, 0
+  br i1 %125, label %131, label %126
+126:
+  %127 = phi i64 [ %128, %126 ], [ %123, %120 ]
+  %128 = ashr i64 %127, 1
+  %129 = and i64 %127, 2
+  %130 = icmp eq i64 %129, 0
+  br i1 %130, label %126, label %131
+131:
+  %132 = phi i64 [ %123, %120 ], [ %128, %126 ]
+  %133 = icmp sgt i64 %132, 1
+  br i1 %133, label %189, label %63
+134:
+  %135 = phi i64 [ 0, %42 ], [ %122, %63 ]
+  %136 = phi i64 [ 0, %42 ], [ %64, %63 ]
+  %137 = mul i64 %136, %6
+  %138 = getelementptr double, ptr %2, i64 %137
+  %139 = load double, ptr %138, align 8
+  %140 = getelementptr i8, ptr %138, i64 8
+  %141 = load double, ptr %140, align 8
+  %142 = getelementptr i8, ptr %138, i64 16
+  %143 = load double, ptr %142, align 8
+  %144 = getelementptr double, ptr %10, i64 %136
+  %145 = load double, ptr %144, align 8
+  %146 = mul i64 %50, %136
+  %147 = getelementptr double, ptr %53, i64 %146
+  %148 = load double, ptr %147, align 8
+  %149 = fmul double %145, %148
+  %150 = fadd double %139, %149
+  %151 = getelementptr i8, ptr %147, i64 8
+  %152 = load double, ptr %151, align 8
+  %153 = fmul double %145, %152
+  %154 = fadd double %141, %153
+  %155 = getelementptr i8, ptr %147, i64 16
+  %156 = load double, ptr %155, align 8
+  %157 = fmul double %145, %156
+  %158 = fadd double %143, %157
+  %159 = fcmp olt double %150, %139
+  %160 = select i1 %159, double %150, double %139
+  %161 = fsub double %160, %12
+  %162 = fcmp olt double %154, %141
+  %163 = select i1 %162, double %154, double %141
+  %164 = fsub double %163, %12
+  %165 = fcmp olt double %158, %143
+  %166 = select i1 %165, double %158, double %143
+  %167 = fsub double %166, %12
+  %168 = fcmp ogt double %150, %139
+  %169 = select i1 %168, double %150, double %139
+  %170 = fadd double %12, %169
+  %171 = fcmp ogt double %154, %141
+  %172 = select i1 %171, double %154, double %141
+  %173 = fadd double %12, %172
+  %174 = fcmp ogt double %158, %143
+  %175 = select i1 %174, double %158, double %143
+  %176 = fadd double %12, %175
+  %177 = shl i64 %146, 3
+  %178 = getelementptr i8, ptr %8, i64 %177
+  %179 = getelementptr i8, ptr %178, i64 8
+  %180 = getelementptr i8, ptr %178, i64 16
+  %181 = getelementptr inbounds i8, ptr %54, i64 %177
+  %182 = getelementptr i8, ptr %181, i64 8
+  %183 = getelementptr i8, ptr %181, i64 16
+  %184 = getelementptr inbounds i8, ptr %53, i64 %177
+  %185 = getelementptr i8, ptr %184, i64 8
+  %186 = getelementptr i8, ptr %184, i64 16
+  %187 = shl i64 %136, 3
+  %188 = getelementptr i8, ptr %10, i64 %187
+  br label %189
+189:
+  %190 = phi i64 [ %122, %131 ], [ %135, %134 ]
+  %191 = phi i64 [ %132, %131 ], [ 1, %134 ]
+  %192 = mul i64 %191, %26
+  %193 = getelementptr double, ptr %22, i64 %192
+  %194 = load double, ptr %193, align 8
+  %195 = fcmp ogt double %194, %170
+  br i1 %195, label %120, label %66
+196:
+  %197 = sub nsw i64 %68, %30
+  %198 = getelementptr i64, ptr %28, i64 %197
+  %199 = load i64, ptr %198, align 8
+  %200 = icmp slt i64 %199, 0
+  %201 = select i1 %200, i64 %16, i64 0
+  %202 = add i64 %201, %199
+  %203 = mul i64 %202, %18
+  %204 = mul i64 %203, %20
+  %205 = getelementptr double, ptr %14, i64 %204
+  %206 = load double, ptr %205, align 8
+  %207 = fsub double %206, %139
+  %208 = getelementptr i8, ptr %205, i64 8
+  %209 = load double, ptr %208, align 8
+  %210 = fsub double %209, %141
+  %211 = getelementptr i8, ptr %205, i64 16
+  %212 = load double, ptr %211, align 8
+  %213 = fsub double %212, %143
+  %214 = load double, ptr %178, align 8
+  %215 = load double, ptr %179, align 8
+  %216 = load double, ptr %180, align 8
+  %217 = fmul double %207, %214
+  %218 = fmul double %213, %216
+  %219 = fadd double %217, %218
+  %220 = fmul double %210, %215
+  %221 = fadd double %220, %219
+  store double %221, ptr %32, align 8
+  %222 = load double, ptr %181, align 8
+  %223 = load double, ptr %182, align 8
+  %224 = load double, ptr %183, align 8
+  %225 = fmul double %207, %222
+  %226 = fmul double %213, %224
+  %227 = fadd double %225, %226
+  %228 = fmul double %210, %223
+  %229 = fadd double %228, %227
+  store double %229, ptr %55, align 8
+  %230 = load double, ptr %184, align 8
+  %231 = load double, ptr %185, align 8
+  %232 = load double, ptr %186, align 8
+  %233 = fmul double %207, %230
+  %234 = fmul double %213, %232
+  %235 = fadd double %233, %234
+  %236 = fmul double %210, %231
+  %237 = fadd double %236, %235
+  store double %237, ptr %56, align 8
+  %238 = add i64 %203, 1
+  %239 = mul i64 %238, %20
+  %240 = getelementptr double, ptr %14, i64 %239
+  %241 = load double, ptr %240, align 8
+  %242 = fsub double %241, %139
+  %243 = getelementptr i8, ptr %240, i64 8
+  %244 = load double, ptr %243, align 8
+  %245 = fsub double %244, %141
+  %246 = getelementptr i8, ptr %240, i64 16
+  %247 = load double, ptr %246, align 8
+  %248 = fsub double %247, %143
+  %249 = load double, ptr %178, align 8
+  %250 = load double, ptr %179, align 8
+  %251 = load double, ptr %180, align 8
+  %252 = fmul double %242, %249
+  %253 = fmul double %248, %251
+  %254 = fadd double %252, %253
+  %255 = fmul double %245, %250
+  %256 = fadd double %255, %254
+  store double %256, ptr %57, align 8
+  %257 = load double, ptr %181, align 8
+  %258 = load double, ptr %182, align 8
+  %259 = load double, ptr %183, align 8
+  %260 = fmul double %242, %257
+  %261 = fmul double %248, %259
+  %262 = fadd double %260, %261
+  %263 = fmul double %245, %258
+  %264 = fadd double %263, %262
+  store double %264, ptr %58, align 8
+  %265 = load double, ptr %184, align 8
+  %266 = load double, ptr %185, align 8
+  %267 = load double, ptr %186, align 8
+  %268 = fmul double %242, %265
+  %269 = fmul double %248, %267
+  %270 = fadd double %268, %269
+  %271 = fmul double %245, %266
+  %272 = fadd double %271, %270
+  store double %272, ptr %59, align 8
+  %273 = add i64 %203, 2
+  %274 = mul i64 %273, %20
+  %275 = getelementptr double, ptr %14, i64 %274
+  %276 = load double, ptr %275, align 8
+  %277 = fsub double %276, %139
+  %278 = getelementptr i8, ptr %275, i64 8
+  %279 = load double, ptr %278, align 8
+  %280 = fsub double %279, %141
+  %281 = getelementptr i8, ptr %275, i64 16
+  %282 = load double, ptr %281, align 8
+  %283 = fsub double %282, %143
+  %284 = load double, ptr %178, align 8
+  %285 = load double, ptr %179, align 8
+  %286 = load double, ptr %180, align 8
+  %287 = fmul double %277, %284
+  %288 = fmul double %283, %286
+  %289 = fadd double %287, %288
+  %290 = fmul double %280, %285
+  %291 = fadd double %290, %289
+  store double %291, ptr %60, align 8
+  %292 = load double, ptr %181, align 8
+  %293 = load double, ptr %182, align 8
+  %294 = load double, ptr %183, align 8
+  %295 = fmul double %277, %292
+  %296 = fmul double %283, %294
+  %297 = fadd double %295, %296
+  %298 = fmul double %280, %293
+  %299 = fadd double %298, %297
+  store double %299, ptr %61, align 8
+  %300 = load double, ptr %184, align 8
+  %301 = load double, ptr %185, align 8
+  %302 = load double, ptr %186, align 8
+  %303 = fmul double %277, %300
+  %304 = fmul double %283, %302
+  %305 = fadd double %303, %304
+  %306 = fmul double %280, %301
+  %307 = fadd double %306, %305
+  store double %307, ptr %62, align 8
+  %308 = fmul double %299, %299
+  %309 = fmul double %291, %291
+  %310 = fmul double %264, %264
+  %311 = fmul double %256, %256
+  %312 = fmul double %229, %229
+  %313 = fmul double %221, %221
+  %314 = fadd double %313, %312
+  %315 = fcmp ogt double %314, 0.000000e+00
+  %316 = select i1 %315, double %314, double 0.000000e+00
+  %317 = fadd double %311, %310
+  %318 = fcmp ogt double %317, %316
+  %319 = select i1 %318, double %317, double %316
+  %320 = fadd double %309, %308
+  %321 = fcmp ogt double %320, %319
+  %322 = select i1 %321, double %320, double %319
+  %323 = load double, ptr %32, align 8
+  %324 = load double, ptr %58, align 8
+  %325 = fmul double %323, %324
+  %326 = load double, ptr %57, align 8
+  %327 = load double, ptr %55, align 8
+  %328 = fmul double %326, %327
+  %329 = fsub double %325, %328
+  %330 = fmul double %299, %326
+  %331 = fmul double %291, %324
+  %332 = fsub double %330, %331
+  %333 = fmul double %291, %327
+  %334 = fmul double %299, %323
+  %335 = fsub double %333, %334
+  %336 = fadd double %332, %329
+  %337 = fadd double %335, %336
+  %338 = fcmp olt double %332, %329
+  %339 = select i1 %338, double %332, double %329
+  %340 = fcmp olt double %335, %339
+  %341 = select i1 %340, double %335, double %339
+  %342 = fcmp ult double %341, 0.000000e+00
+  br i1 %342, label %343, label %92
+343:
+  %344 = fcmp ogt double %332, %329
+  %345 = select i1 %344, double %332, double %329
+  %346 = fcmp ogt double %335, %345
+  %347 = select i1 %346, double %335, double %345
+  %348 = fcmp ugt double %347, 0.000000e+00
+  br i1 %348, label %120, label %92
+349:
+  %350 = load double, ptr %56, align 8
+  %351 = load double, ptr %59, align 8
+  %352 = fmul double %307, %329
+  %353 = fmul double %335, %351
+  %354 = fadd double %352, %353
+  %355 = fmul double %332, %350
+  %356 = fadd double %355, %354
+  %357 = fcmp olt double %351, %350
+  %358 = select i1 %357, double %351, double %350
+  %359 = fcmp olt double %307, %358
+  %360 = select i1 %359, double %307, double %358
+  %361 = fdiv double %356, %337
+  %362 = fcmp ogt double %360, %361
+  %363 = select i1 %362, double %360, double %361
+  %364 = fcmp ogt double %351, %350
+  %365 = select i1 %364, double %351, double %350
+  %366 = fcmp ogt double %307, %365
+  %367 = select i1 %366, double %307, double %365
+  %368 = fcmp olt double %367, %363
+  %369 = select i1 %368, double %367, double %363
+  %370 = fcmp ult double %369, 0.000000e+00
+  br i1 %370, label %120, label %96
+371:
+  %372 = phi i64 [ 0, %1 ], [ %122, %63 ]
+  ret i64 %372
 }
-
-define internal fastcc void @_ZN7msf_jax4host5solid7kernels9straddlesB3v19B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi3E1C7mutable7alignedExxd(ptr noalias nonnull writeonly %retptr, ptr readonly %arg.triangles.4, i64 %arg.triangles.5.0, i64 %arg.triangles.5.1, i64 %arg.triangles.5.2, i64 %arg.row, i64 %arg.other, double %arg.least) unnamed_addr {
-B0:
-  %.58.i = icmp slt i64 %arg.row, 0
-  %.59.i = select i1 %.58.i, i64 %arg.triangles.5.0, i64 0
-  %.60.i = add i64 %.59.i, %arg.row
-  %.88.i = mul i64 %arg.triangles.5.2, %arg.triangles.5.1
-  %.90.i = mul i64 %.60.i, %.88.i
-  %.96.i = getelementptr double, ptr %arg.triangles.4, i64 %.90.i
-  %.97.i = load double, ptr %.96.i, align 8
-  %.170.i = getelementptr i8, ptr %.96.i, i64 8
-  %.171.i = load double, ptr %.170.i, align 8
-  %.244.i = getelementptr i8, ptr %.96.i, i64 16
-  %.245.i = load double, ptr %.244.i, align 8
-  %.318.i = getelementptr double, ptr %.96.i, i64 %arg.triangles.5.2
-  %.319.i = load double, ptr %.318.i, align 8
-  %.320.i = fsub double %.319.i, %.97.i
-  %.393.i = getelementptr i8, ptr %.318.i, i64 8
-  %.394.i = load double, ptr %.393.i, align 8
-  %.395.i = fsub double %.394.i, %.171.i
-  %.468.i = getelementptr i8, ptr %.318.i, i64 16
-  %.469.i = load double, ptr %.468.i, align 8
-  %.470.i = fsub double %.469.i, %.245.i
-  %.543.idx.i = shl i64 %arg.triangles.5.2, 4
-  %.543.i = getelementptr i8, ptr %.96.i, i64 %.543.idx.i
-  %.544.i = load double, ptr %.543.i, align 8
-  %.545.i = fsub double %.544.i, %.97.i
-  %.618.i = getelementptr i8, ptr %.543.i, i64 8
-  %.619.i = load double, ptr %.618.i, align 8
-  %.620.i = fsub double %.619.i, %.171.i
-  %.693.i = getelementptr i8, ptr %.543.i, i64 16
-  %.694.i = load double, ptr %.693.i, align 8
-  %.695.i = fsub double %.694.i, %.245.i
-  %.696.i = fmul double %.395.i, %.695.i
-  %.697.i = fmul double %.470.i, %.620.i
-  %.698.i = fsub double %.696.i, %.697.i
-  %.699.i = fmul double %.470.i, %.545.i
-  %.700.i = fmul double %.320.i, %.695.i
-  %.701.i = fsub double %.699.i, %.700.i
-  %.702.i = fmul double %.320.i, %.620.i
-  %.703.i = fmul double %.395.i, %.545.i
-  %.704.i = fsub double %.702.i, %.703.i
-  %.7.i.i = fmul double %.698.i, %.698.i
-  %.8.i.i = fmul double %.701.i, %.701.i
-  %.9.i.i = fadd double %.7.i.i, %.8.i.i
-  %.10.i.i = fmul double %.704.i, %.704.i
-  %.11.i.i = fadd double %.10.i.i, %.9.i.i
-  %.983.i = fcmp ogt double %.11.i.i, 0.000000e+00
-  br i1 %.983.i, label %B434.endif.endif.i47, label %B0.endif.endif
-
-common.ret:                                       ; preds = %B156.endif, %B0.endif.endif.endif.endif
-  %"$phi196.0.2.0" = phi i8 [ %4, %B156.endif ], [ 0, %B0.endif.endif.endif.endif ]
-  store i8 %"$phi196.0.2.0", ptr %retptr, align 1
+define internal fastcc void @1(ptr noalias nonnull writeonly %0, ptr readonly %1, i64 %2, i64 %3, i64 %4, i64 %5, i64 %6, double %7) unnamed_addr {
+  %9 = icmp slt i64 %5, 0
+  %10 = select i1 %9, i64 %2, i64 0
+  %11 = add i64 %10, %5
+  %12 = mul i64 %4, %3
+  %13 = mul i64 %11, %12
+  %14 = getelementptr double, ptr %1, i64 %13
+  %15 = load double, ptr %14, align 8
+  %16 = getelementptr i8, ptr %14, i64 8
+  %17 = load double, ptr %16, align 8
+  %18 = getelementptr i8, ptr %14, i64 16
+  %19 = load double, ptr %18, align 8
+  %20 = getelementptr double, ptr %14, i64 %4
+  %21 = load double, ptr %20, align 8
+  %22 = fsub double %21, %15
+  %23 = getelementptr i8, ptr %20, i64 8
+  %24 = load double, ptr %23, align 8
+  %25 = fsub double %24, %17
+  %26 = getelementptr i8, ptr %20, i64 16
+  %27 = load double, ptr %26, align 8
+  %28 = fsub double %27, %19
+  %29 = shl i64 %4, 4
+  %30 = getelementptr i8, ptr %14, i64 %29
+  %31 = load double, ptr %30, align 8
+  %32 = fsub double %31, %15
+  %33 = getelementptr i8, ptr %30, i64 8
+  %34 = load double, ptr %33, align 8
+  %35 = fsub double %34, %17
+  %36 = getelementptr i8, ptr %30, i64 16
+  %37 = load double, ptr %36, align 8
+  %38 = fsub double %37, %19
+  %39 = fmul double %25, %38
+  %40 = fmul double %28, %35
+  %41 = fsub double %39, %40
+  %42 = fmul double %28, %32
+  %43 = fmul double %22, %38
+  %44 = fsub double %42, %43
+  %45 = fmul double %22, %35
+  %46 = fmul double %25, %32
+  %47 = fsub double %45, %46
+  %48 = fmul double %41, %41
+  %49 = fmul double %44, %44
+  %50 = fadd double %48, %49
+  %51 = fmul double %47, %47
+  %52 = fadd double %51, %50
+  %53 = fcmp ogt double %52, 0.000000e+00
+  br i1 %53, label %56, label %92
+54:
+  %55 = phi i8 [ %156, %150 ], [ 0, %142 ]
+  store i8 %55, ptr %0, align 1
   ret void
-
-B434.endif.endif.i47:                             ; preds = %B0
-  %sqrt.i.i = tail call double @llvm.sqrt.f64(double %.11.i.i)
-  %.781.i = icmp slt i64 %arg.other, 0
-  %.782.i = select i1 %.781.i, i64 %arg.triangles.5.0, i64 0
-  %.783.i = add i64 %.782.i, %arg.other
-  %.813.i = mul i64 %.783.i, %.88.i
-  %0 = getelementptr double, ptr %arg.triangles.4, i64 %.813.i
-  %.969.i = getelementptr i8, ptr %0, i64 16
-  %.970.i = load double, ptr %.969.i, align 8
-  %.971.i = fsub double %.970.i, %.245.i
-  %.894.i = getelementptr i8, ptr %0, i64 8
-  %.895.i = load double, ptr %.894.i, align 8
-  %.896.i = fsub double %.895.i, %.171.i
-  %.820.i = load double, ptr %0, align 8
-  %.821.i = fsub double %.820.i, %.97.i
-  %.10.i1.i = fmul double %.698.i, %.821.i
-  %.11.i2.i = fmul double %.704.i, %.971.i
-  %.12.i.i = fadd double %.11.i2.i, %.10.i1.i
-  %.13.i.i = fmul double %.701.i, %.896.i
-  %.14.i.i = fadd double %.13.i.i, %.12.i.i
-  %.1032.i = fdiv double %.14.i.i, %sqrt.i.i
-  %1 = getelementptr double, ptr %0, i64 %arg.triangles.5.2
-  %.969.i53 = getelementptr i8, ptr %1, i64 16
-  %.970.i54 = load double, ptr %.969.i53, align 8
-  %.971.i55 = fsub double %.970.i54, %.245.i
-  %.894.i56 = getelementptr i8, ptr %1, i64 8
-  %.895.i57 = load double, ptr %.894.i56, align 8
-  %.896.i58 = fsub double %.895.i57, %.171.i
-  %.820.i59 = load double, ptr %1, align 8
-  %.821.i60 = fsub double %.820.i59, %.97.i
-  %.10.i1.i61 = fmul double %.698.i, %.821.i60
-  %.11.i2.i62 = fmul double %.704.i, %.971.i55
-  %.12.i.i63 = fadd double %.11.i2.i62, %.10.i1.i61
-  %.13.i.i64 = fmul double %.701.i, %.896.i58
-  %.14.i.i65 = fadd double %.13.i.i64, %.12.i.i63
-  %.1032.i66 = fdiv double %.14.i.i65, %sqrt.i.i
-  br label %B0.endif.endif
-
-B0.endif.endif:                                   ; preds = %B434.endif.endif.i47, %B0
-  %"$phi482.0.2.0.i137" = phi double [ %.1032.i, %B434.endif.endif.i47 ], [ 0.000000e+00, %B0 ]
-  %"$phi482.0.2.0.i46" = phi double [ %.1032.i66, %B434.endif.endif.i47 ], [ 0.000000e+00, %B0 ]
-  %.539.i = shl i64 %arg.triangles.5.2, 1
-  %.543.i87 = getelementptr double, ptr %.96.i, i64 %.539.i
-  %.544.i88 = load double, ptr %.543.i87, align 8
-  %.545.i89 = fsub double %.544.i88, %.97.i
-  %.618.i90 = getelementptr i8, ptr %.543.i87, i64 8
-  %.619.i91 = load double, ptr %.618.i90, align 8
-  %.620.i92 = fsub double %.619.i91, %.171.i
-  %.693.i93 = getelementptr i8, ptr %.543.i87, i64 16
-  %.694.i94 = load double, ptr %.693.i93, align 8
-  %.695.i95 = fsub double %.694.i94, %.245.i
-  %.696.i96 = fmul double %.395.i, %.695.i95
-  %.697.i97 = fmul double %.470.i, %.620.i92
-  %.698.i98 = fsub double %.696.i96, %.697.i97
-  %.699.i99 = fmul double %.470.i, %.545.i89
-  %.700.i100 = fmul double %.320.i, %.695.i95
-  %.701.i101 = fsub double %.699.i99, %.700.i100
-  %.702.i102 = fmul double %.320.i, %.620.i92
-  %.703.i103 = fmul double %.395.i, %.545.i89
-  %.704.i104 = fsub double %.702.i102, %.703.i103
-  %.7.i.i105 = fmul double %.698.i98, %.698.i98
-  %.8.i.i106 = fmul double %.701.i101, %.701.i101
-  %.9.i.i107 = fadd double %.7.i.i105, %.8.i.i106
-  %.10.i.i108 = fmul double %.704.i104, %.704.i104
-  %.11.i.i109 = fadd double %.10.i.i108, %.9.i.i107
-  %.983.i110 = fcmp ogt double %.11.i.i109, 0.000000e+00
-  br i1 %.983.i110, label %B434.endif.endif.i112, label %B0.endif.endif.endif.endif
-
-B434.endif.endif.i112:                            ; preds = %B0.endif.endif
-  %sqrt.i.i113 = tail call double @llvm.sqrt.f64(double %.11.i.i109)
-  %.781.i114 = icmp slt i64 %arg.other, 0
-  %.782.i115 = select i1 %.781.i114, i64 %arg.triangles.5.0, i64 0
-  %.783.i116 = add i64 %.782.i115, %arg.other
-  %.813.i117 = mul i64 %.783.i116, %.88.i
-  %2 = getelementptr double, ptr %arg.triangles.4, i64 %.813.i117
-  %3 = getelementptr double, ptr %2, i64 %.539.i
-  %.969.i118 = getelementptr i8, ptr %3, i64 16
-  %.970.i119 = load double, ptr %.969.i118, align 8
-  %.971.i120 = fsub double %.970.i119, %.245.i
-  %.894.i121 = getelementptr i8, ptr %3, i64 8
-  %.895.i122 = load double, ptr %.894.i121, align 8
-  %.896.i123 = fsub double %.895.i122, %.171.i
-  %.820.i124 = load double, ptr %3, align 8
-  %.821.i125 = fsub double %.820.i124, %.97.i
-  %.10.i1.i126 = fmul double %.698.i98, %.821.i125
-  %.11.i2.i127 = fmul double %.704.i104, %.971.i120
-  %.12.i.i128 = fadd double %.11.i2.i127, %.10.i1.i126
-  %.13.i.i129 = fmul double %.701.i101, %.896.i123
-  %.14.i.i130 = fadd double %.13.i.i129, %.12.i.i128
-  %.1032.i131 = fdiv double %.14.i.i130, %sqrt.i.i113
-  br label %B0.endif.endif.endif.endif
-
-B0.endif.endif.endif.endif:                       ; preds = %B434.endif.endif.i112, %B0.endif.endif
-  %"$phi482.0.2.0.i111" = phi double [ %.1032.i131, %B434.endif.endif.i112 ], [ 0.000000e+00, %B0.endif.endif ]
-  %.13.i132 = fcmp olt double %"$phi482.0.2.0.i46", %"$phi482.0.2.0.i137"
-  %.14.i133 = select i1 %.13.i132, double %"$phi482.0.2.0.i46", double %"$phi482.0.2.0.i137"
-  %.15.i134 = fcmp olt double %"$phi482.0.2.0.i111", %.14.i133
-  %.16.i135 = select i1 %.15.i134, double %"$phi482.0.2.0.i111", double %.14.i133
-  %.164 = fneg double %arg.least
-  %.165 = fcmp olt double %.16.i135, %.164
-  br i1 %.165, label %B156.endif, label %common.ret
-
-B156.endif:                                       ; preds = %B0.endif.endif.endif.endif
-  %.13.i = fcmp ogt double %"$phi482.0.2.0.i46", %"$phi482.0.2.0.i137"
-  %.14.i = select i1 %.13.i, double %"$phi482.0.2.0.i46", double %"$phi482.0.2.0.i137"
-  %.15.i = fcmp ogt double %"$phi482.0.2.0.i111", %.14.i
-  %.16.i = select i1 %.15.i, double %"$phi482.0.2.0.i111", double %.14.i
-  %.210 = fcmp ogt double %.16.i, %arg.least
-  %4 = zext i1 %.210 to i8
-  br label %common.ret
+56:
+  %57 = tail call double @llvm.sqrt.f64(double %52)
+  %58 = icmp slt i64 %6, 0
+  %59 = select i1 %58, i64 %2, i64 0
+  %60 = add i64 %59, %6
+  %61 = mul i64 %60, %12
+  %62 = getelementptr double, ptr %1, i64 %61
+  %63 = getelementptr i8, ptr %62, i64 16
+  %64 = load double, ptr %63, align 8
+  %65 = fsub double %64, %19
+  %66 = getelementptr i8, ptr %62, i64 8
+  %67 = load double, ptr %66, align 8
+  %68 = fsub double %67, %17
+  %69 = load double, ptr %62, align 8
+  %70 = fsub double %69, %15
+  %71 = fmul double %41, %70
+  %72 = fmul double %47, %65
+  %73 = fadd double %72, %71
+  %74 = fmul double %44, %68
+  %75 = fadd double %74, %73
+  %76 = fdiv double %75, %57
+  %77 = getelementptr double, ptr %62, i64 %4
+  %78 = getelementptr i8, ptr %77, i64 16
+  %79 = load double, ptr %78, align 8
+  %80 = fsub double %79, %19
+  %81 = getelementptr i8, ptr %77, i64 8
+  %82 = load double, ptr %81, align 8
+  %83 = fsub double %82, %17
+  %84 = load double, ptr %77, align 8
+  %85 = fsub double %84, %15
+  %86 = fmul double %41, %85
+  %87 = fmul double %47, %80
+  %88 = fadd double %87, %86
+  %89 = fmul double %44, %83
+  %90 = fadd double %89, %88
+  %91 = fdiv double %90, %57
+  br label %92
+92:
+  %93 = phi double [ %76, %56 ], [ 0.000000e+00, %8 ]
+  %94 = phi double [ %91, %56 ], [ 0.000000e+00, %8 ]
+  %95 = shl i64 %4, 1
+  %96 = getelementptr double, ptr %14, i64 %95
+  %97 = load double, ptr %96, align 8
+  %98 = fsub double %97, %15
+  %99 = getelementptr i8, ptr %96, i64 8
+  %100 = load double, ptr %99, align 8
+  %101 = fsub double %100, %17
+  %102 = getelementptr i8, ptr %96, i64 16
+  %103 = load double, ptr %102, align 8
+  %104 = fsub double %103, %19
+  %105 = fmul double %25, %104
+  %106 = fmul double %28, %101
+  %107 = fsub double %105, %106
+  %108 = fmul double %28, %98
+  %109 = fmul double %22, %104
+  %110 = fsub double %108, %109
+  %111 = fmul double %22, %101
+  %112 = fmul double %25, %98
+  %113 = fsub double %111, %112
+  %114 = fmul double %107, %107
+  %115 = fmul double %110, %110
+  %116 = fadd double %114, %115
+  %117 = fmul double %113, %113
+  %118 = fadd double %117, %116
+  %119 = fcmp ogt double %118, 0.000000e+00
+  br i1 %119, label %120, label %142
+120:
+  %121 = tail call double @llvm.sqrt.f64(double %118)
+  %122 = icmp slt i64 %6, 0
+  %123 = select i1 %122, i64 %2, i64 0
+  %124 = add i64 %123, %6
+  %125 = mul i64 %124, %12
+  %126 = getelementptr double, ptr %1, i64 %125
+  %127 = getelementptr double, ptr %126, i64 %95
+  %128 = getelementptr i8, ptr %127, i64 16
+  %129 = load double, ptr %128, align 8
+  %130 = fsub double %129, %19
+  %131 = getelementptr i8, ptr %127, i64 8
+  %132 = load double, ptr %131, align 8
+  %133 = fsub double %132, %17
+  %134 = load double, ptr %127, align 8
+  %135 = fsub double %134, %15
+  %136 = fmul double %107, %135
+  %137 = fmul double %113, %130
+  %138 = fadd double %137, %136
+  %139 = fmul double %110, %133
+  %140 = fadd double %139, %138
+  %141 = fdiv double %140, %121
+  br label %142
+142:
+  %143 = phi double [ %141, %120 ], [ 0.000000e+00, %92 ]
+  %144 = fcmp olt double %94, %93
+  %145 = select i1 %144, double %94, double %93
+  %146 = fcmp olt double %143, %145
+  %147 = select i1 %146, double %143, double %145
+  %148 = fneg double %7
+  %149 = fcmp olt double %147, %148
+  br i1 %149, label %150, label %54
+150:
+  %151 = fcmp ogt double %94, %93
+  %152 = select i1 %151, double %94, double %93
+  %153 = fcmp ogt double %143, %152
+  %154 = select i1 %153, double %143, double %152
+  %155 = fcmp ogt double %154, %7
+  %156 = zext i1 %155 to i8
+  br label %54
 }
-
-define internal fastcc void @_ZN7msf_jax4host5solid7kernels6passesB3v24B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi3E1C7mutable7alignedExxxd(ptr noalias nonnull writeonly %retptr, ptr readonly %arg.triangles.4, i64 %arg.triangles.5.0, i64 %arg.triangles.5.1, i64 %arg.triangles.5.2, i64 %arg.row, i64 %arg.k, i64 %arg.other, double %arg.least) unnamed_addr {
-B0.else.if:
-  %arg.k.fr = freeze i64 %arg.k
-  %.36 = add i64 %arg.k.fr, 1
-  %0 = icmp eq i64 %.36, 3
-  %.56 = select i1 %0, i64 0, i64 %.36
-  %.58.i = icmp slt i64 %arg.other, 0
-  %.59.i = select i1 %.58.i, i64 %arg.triangles.5.0, i64 0
-  %.60.i = add i64 %.59.i, %arg.other
-  %.88.i = mul i64 %arg.triangles.5.2, %arg.triangles.5.1
-  %.90.i = mul i64 %.60.i, %.88.i
-  %.96.i = getelementptr double, ptr %arg.triangles.4, i64 %.90.i
-  %.97.i = load double, ptr %.96.i, align 8
-  %.170.i = getelementptr i8, ptr %.96.i, i64 8
-  %.171.i = load double, ptr %.170.i, align 8
-  %.244.i = getelementptr i8, ptr %.96.i, i64 16
-  %.245.i = load double, ptr %.244.i, align 8
-  %.318.i = getelementptr double, ptr %.96.i, i64 %arg.triangles.5.2
-  %.319.i = load double, ptr %.318.i, align 8
-  %.320.i = fsub double %.319.i, %.97.i
-  %.393.i = getelementptr i8, ptr %.318.i, i64 8
-  %.394.i = load double, ptr %.393.i, align 8
-  %.395.i = fsub double %.394.i, %.171.i
-  %.468.i = getelementptr i8, ptr %.318.i, i64 16
-  %.469.i = load double, ptr %.468.i, align 8
-  %.470.i = fsub double %.469.i, %.245.i
-  %.543.idx.i = shl i64 %arg.triangles.5.2, 4
-  %.543.i = getelementptr i8, ptr %.96.i, i64 %.543.idx.i
-  %.544.i = load double, ptr %.543.i, align 8
-  %.545.i = fsub double %.544.i, %.97.i
-  %.618.i = getelementptr i8, ptr %.543.i, i64 8
-  %.619.i = load double, ptr %.618.i, align 8
-  %.620.i = fsub double %.619.i, %.171.i
-  %.693.i = getelementptr i8, ptr %.543.i, i64 16
-  %.694.i = load double, ptr %.693.i, align 8
-  %.695.i = fsub double %.694.i, %.245.i
-  %.696.i = fmul double %.395.i, %.695.i
-  %.697.i = fmul double %.470.i, %.620.i
-  %.698.i = fsub double %.696.i, %.697.i
-  %.699.i = fmul double %.470.i, %.545.i
-  %.700.i = fmul double %.320.i, %.695.i
-  %.701.i = fsub double %.699.i, %.700.i
-  %.702.i = fmul double %.320.i, %.620.i
-  %.703.i = fmul double %.395.i, %.545.i
-  %.704.i = fsub double %.702.i, %.703.i
-  %.7.i.i = fmul double %.698.i, %.698.i
-  %.8.i.i = fmul double %.701.i, %.701.i
-  %.9.i.i = fadd double %.7.i.i, %.8.i.i
-  %.10.i.i = fmul double %.704.i, %.704.i
-  %.11.i.i = fadd double %.10.i.i, %.9.i.i
-  %.983.i = fcmp ogt double %.11.i.i, 0.000000e+00
-  br i1 %.983.i, label %B434.endif.endif.i47, label %B0.endif.endif.endif.endif
-
-common.ret:                                       ; preds = %B368.endif.endif.2, %B134.endif, %B0.endif.endif.endif.endif
-  %storemerge = phi i8 [ %.1468, %B368.endif.endif.2 ], [ 0, %B134.endif ], [ 0, %B0.endif.endif.endif.endif ]
-  store i8 %storemerge, ptr %retptr, align 1
+define internal fastcc void @2(ptr noalias nonnull writeonly %0, ptr readonly %1, i64 %2, i64 %3, i64 %4, i64 %5, i64 %6, i64 %7, double %8) unnamed_addr {
+  %10 = freeze i64 %6
+  %11 = add i64 %10, 1
+  %12 = icmp eq i64 %11, 3
+  %13 = select i1 %12, i64 0, i64 %11
+  %14 = icmp slt i64 %7, 0
+  %15 = select i1 %14, i64 %2, i64 0
+  %16 = add i64 %15, %7
+  %17 = mul i64 %4, %3
+  %18 = mul i64 %16, %17
+  %19 = getelementptr double, ptr %1, i64 %18
+  %20 = load double, ptr %19, align 8
+  %21 = getelementptr i8, ptr %19, i64 8
+  %22 = load double, ptr %21, align 8
+  %23 = getelementptr i8, ptr %19, i64 16
+  %24 = load double, ptr %23, align 8
+  %25 = getelementptr double, ptr %19, i64 %4
+  %26 = load double, ptr %25, align 8
+  %27 = fsub double %26, %20
+  %28 = getelementptr i8, ptr %25, i64 8
+  %29 = load double, ptr %28, align 8
+  %30 = fsub double %29, %22
+  %31 = getelementptr i8, ptr %25, i64 16
+  %32 = load double, ptr %31, align 8
+  %33 = fsub double %32, %24
+  %34 = shl i64 %4, 4
+  %35 = getelementptr i8, ptr %19, i64 %34
+  %36 = load double, ptr %35, align 8
+  %37 = fsub double %36, %20
+  %38 = getelementptr i8, ptr %35, i64 8
+  %39 = load double, ptr %38, align 8
+  %40 = fsub double %39, %22
+  %41 = getelementptr i8, ptr %35, i64 16
+  %42 = load double, ptr %41, align 8
+  %43 = fsub double %42, %24
+  %44 = fmul double %30, %43
+  %45 = fmul double %33, %40
+  %46 = fsub double %44, %45
+  %47 = fmul double %33, %37
+  %48 = fmul double %27, %43
+  %49 = fsub double %47, %48
+  %50 = fmul double %27, %40
+  %51 = fmul double %30, %37
+  %52 = fsub double %50, %51
+  %53 = fmul double %46, %46
+  %54 = fmul double %49, %49
+  %55 = fadd double %53, %54
+  %56 = fmul double %52, %52
+  %57 = fadd double %56, %55
+  %58 = fcmp ogt double %57, 0.000000e+00
+  br i1 %58, label %61, label %101
+59:
+  %60 = phi i8 [ %206, %112 ], [ 0, %108 ], [ 0, %101 ]
+  store i8 %60, ptr %0, align 1
   ret void
-
-B434.endif.endif.i47:                             ; preds = %B0.else.if
-  %sqrt.i.i = tail call double @llvm.sqrt.f64(double %.11.i.i)
-  %.781.i = icmp slt i64 %arg.row, 0
-  %.782.i = select i1 %.781.i, i64 %arg.triangles.5.0, i64 0
-  %.783.i = add i64 %.782.i, %arg.row
-  %.813.i = mul i64 %.783.i, %.88.i
-  %.815.i = mul i64 %arg.k.fr, %arg.triangles.5.2
-  %1 = getelementptr double, ptr %arg.triangles.4, i64 %.815.i
-  %2 = getelementptr double, ptr %1, i64 %.813.i
-  %.969.i = getelementptr i8, ptr %2, i64 16
-  %.970.i = load double, ptr %.969.i, align 8
-  %.971.i = fsub double %.970.i, %.245.i
-  %.894.i = getelementptr i8, ptr %2, i64 8
-  %.895.i = load double, ptr %.894.i, align 8
-  %.896.i = fsub double %.895.i, %.171.i
-  %.820.i = load double, ptr %2, align 8
-  %.821.i = fsub double %.820.i, %.97.i
-  %.10.i1.i = fmul double %.698.i, %.821.i
-  %.11.i2.i = fmul double %.704.i, %.971.i
-  %.12.i.i = fadd double %.11.i2.i, %.10.i1.i
-  %.13.i.i = fmul double %.701.i, %.896.i
-  %.14.i.i = fadd double %.13.i.i, %.12.i.i
-  %.1032.i = fdiv double %.14.i.i, %sqrt.i.i
-  %.815.i56 = mul i64 %.56, %arg.triangles.5.2
-  %3 = getelementptr double, ptr %arg.triangles.4, i64 %.815.i56
-  %4 = getelementptr double, ptr %3, i64 %.813.i
-  %.969.i57 = getelementptr i8, ptr %4, i64 16
-  %.970.i58 = load double, ptr %.969.i57, align 8
-  %.971.i59 = fsub double %.970.i58, %.245.i
-  %.894.i60 = getelementptr i8, ptr %4, i64 8
-  %.895.i61 = load double, ptr %.894.i60, align 8
-  %.896.i62 = fsub double %.895.i61, %.171.i
-  %.820.i63 = load double, ptr %4, align 8
-  %.821.i64 = fsub double %.820.i63, %.97.i
-  %.10.i1.i65 = fmul double %.698.i, %.821.i64
-  %.11.i2.i66 = fmul double %.704.i, %.971.i59
-  %.12.i.i67 = fadd double %.11.i2.i66, %.10.i1.i65
-  %.13.i.i68 = fmul double %.701.i, %.896.i62
-  %.14.i.i69 = fadd double %.13.i.i68, %.12.i.i67
-  %.1032.i70 = fdiv double %.14.i.i69, %sqrt.i.i
-  br label %B0.endif.endif.endif.endif
-
-B0.endif.endif.endif.endif:                       ; preds = %B434.endif.endif.i47, %B0.else.if
-  %"$phi482.0.2.0.i87" = phi double [ %.1032.i, %B434.endif.endif.i47 ], [ 0.000000e+00, %B0.else.if ]
-  %"$phi482.0.2.0.i46" = phi double [ %.1032.i70, %B434.endif.endif.i47 ], [ 0.000000e+00, %B0.else.if ]
-  %.10.i72 = fcmp olt double %"$phi482.0.2.0.i46", %"$phi482.0.2.0.i87"
-  %.11.i73 = select i1 %.10.i72, double %"$phi482.0.2.0.i46", double %"$phi482.0.2.0.i87"
-  %.189 = fneg double %arg.least
-  %.190 = fcmp olt double %.11.i73, %.189
-  br i1 %.190, label %B134.endif, label %common.ret
-
-B134.endif:                                       ; preds = %B0.endif.endif.endif.endif
-  %.10.i = fcmp ogt double %"$phi482.0.2.0.i46", %"$phi482.0.2.0.i87"
-  %.11.i = select i1 %.10.i, double %"$phi482.0.2.0.i46", double %"$phi482.0.2.0.i87"
-  %.227 = fcmp ogt double %.11.i, %arg.least
-  br i1 %.227, label %B368.endif.endif.2, label %common.ret
-
-B368.endif.endif.2:                               ; preds = %B134.endif
-  %.287 = icmp slt i64 %arg.row, 0
-  %.288 = select i1 %.287, i64 %arg.triangles.5.0, i64 0
-  %.289 = add i64 %.288, %arg.row
-  %.319 = mul i64 %.289, %.88.i
-  %.321 = mul i64 %arg.k.fr, %arg.triangles.5.2
-  %5 = getelementptr double, ptr %arg.triangles.4, i64 %.321
-  %.325 = getelementptr double, ptr %5, i64 %.319
-  %.326 = load double, ptr %.325, align 8
-  %.402 = getelementptr i8, ptr %.325, i64 8
-  %.403 = load double, ptr %.402, align 8
-  %.481 = getelementptr i8, ptr %.325, i64 16
-  %.482 = load double, ptr %.481, align 8
-  %.563 = mul i64 %.56, %arg.triangles.5.2
-  %6 = getelementptr double, ptr %arg.triangles.4, i64 %.563
-  %.567 = getelementptr double, ptr %6, i64 %.319
-  %.568 = load double, ptr %.567, align 8
-  %.570 = fsub double %.568, %.326
-  %.646 = getelementptr i8, ptr %.567, i64 8
-  %.647 = load double, ptr %.646, align 8
-  %.649 = fsub double %.647, %.403
-  %.729 = getelementptr i8, ptr %.567, i64 16
-  %.730 = load double, ptr %.729, align 8
-  %.732 = fsub double %.730, %.482
-  %.983 = fsub double %.97.i, %.326
-  %.1061 = fsub double %.171.i, %.403
-  %.1139 = fsub double %.245.i, %.482
-  %.1217 = fsub double %.319.i, %.326
-  %.1295 = fsub double %.394.i, %.403
-  %.1373 = fsub double %.469.i, %.482
-  %.1375 = fmul double %.1061, %.1373
-  %.1376 = fmul double %.1295, %.1139
-  %.1377 = fsub double %.1375, %.1376
-  %.1378 = fmul double %.1217, %.1139
-  %.1379 = fmul double %.983, %.1373
-  %.1380 = fsub double %.1378, %.1379
-  %.1381 = fmul double %.983, %.1295
-  %.1382 = fmul double %.1217, %.1061
-  %.1383 = fsub double %.1381, %.1382
-  %.10.i74 = fmul double %.570, %.1377
-  %.11.i75 = fmul double %.1383, %.732
-  %.12.i = fadd double %.10.i74, %.11.i75
-  %.13.i = fmul double %.649, %.1380
-  %.14.i = fadd double %.13.i, %.12.i
-  %.1217.1 = fsub double %.544.i, %.326
-  %.1295.1 = fsub double %.619.i, %.403
-  %.1373.1 = fsub double %.694.i, %.482
-  %.1375.1 = fmul double %.1295, %.1373.1
-  %.1376.1 = fmul double %.1295.1, %.1373
-  %.1377.1 = fsub double %.1375.1, %.1376.1
-  %.1378.1 = fmul double %.1217.1, %.1373
-  %.1379.1 = fmul double %.1217, %.1373.1
-  %.1380.1 = fsub double %.1378.1, %.1379.1
-  %.1381.1 = fmul double %.1217, %.1295.1
-  %.1382.1 = fmul double %.1217.1, %.1295
-  %.1383.1 = fsub double %.1381.1, %.1382.1
-  %.10.i76 = fmul double %.570, %.1377.1
-  %.11.i77 = fmul double %.1383.1, %.732
-  %.12.i78 = fadd double %.10.i76, %.11.i77
-  %.13.i79 = fmul double %.649, %.1380.1
-  %.14.i80 = fadd double %.13.i79, %.12.i78
-  %.1375.2 = fmul double %.1295.1, %.1139
-  %.1376.2 = fmul double %.1061, %.1373.1
-  %.1377.2 = fsub double %.1375.2, %.1376.2
-  %.1378.2 = fmul double %.983, %.1373.1
-  %.1379.2 = fmul double %.1217.1, %.1139
-  %.1380.2 = fsub double %.1378.2, %.1379.2
-  %.1381.2 = fmul double %.1217.1, %.1061
-  %.1382.2 = fmul double %.983, %.1295.1
-  %.1383.2 = fsub double %.1381.2, %.1382.2
-  %.10.i81 = fmul double %.570, %.1377.2
-  %.11.i82 = fmul double %.1383.2, %.732
-  %.12.i83 = fadd double %.10.i81, %.11.i82
-  %.13.i84 = fmul double %.649, %.1380.2
-  %.14.i85 = fadd double %.13.i84, %.12.i83
-  %.1420 = fcmp ole double %.14.i, 0.000000e+00
-  %.1423 = zext i1 %.1420 to i64
-  %.1420.1 = fcmp ole double %.14.i80, 0.000000e+00
-  %.1423.1 = zext i1 %.1420.1 to i64
-  %.1424.1 = add nuw nsw i64 %.1423.1, %.1423
-  %.1412 = fcmp oge double %.14.i, 0.000000e+00
-  %.1415 = zext i1 %.1412 to i64
-  %.1412.1 = fcmp oge double %.14.i80, 0.000000e+00
-  %.1415.1 = zext i1 %.1412.1 to i64
-  %.1416.1 = add nuw nsw i64 %.1415.1, %.1415
-  %.1412.2 = fcmp oge double %.14.i85, 0.000000e+00
-  %.1415.2 = zext i1 %.1412.2 to i64
-  %.1416.2 = add nuw nsw i64 %.1416.1, %.1415.2
-  %.1420.2 = fcmp ole double %.14.i85, 0.000000e+00
-  %.1423.2 = zext i1 %.1420.2 to i64
-  %.1424.2 = add nuw nsw i64 %.1424.1, %.1423.2
-  %.1449 = icmp eq i64 %.1416.2, 3
-  %.1457 = icmp eq i64 %.1424.2, 3
-  %spec.select = select i1 %.1449, i1 true, i1 %.1457
-  %.1468 = zext i1 %spec.select to i8
-  br label %common.ret
+61:
+  %62 = tail call double @llvm.sqrt.f64(double %57)
+  %63 = icmp slt i64 %5, 0
+  %64 = select i1 %63, i64 %2, i64 0
+  %65 = add i64 %64, %5
+  %66 = mul i64 %65, %17
+  %67 = mul i64 %10, %4
+  %68 = getelementptr double, ptr %1, i64 %67
+  %69 = getelementptr double, ptr %68, i64 %66
+  %70 = getelementptr i8, ptr %69, i64 16
+  %71 = load double, ptr %70, align 8
+  %72 = fsub double %71, %24
+  %73 = getelementptr i8, ptr %69, i64 8
+  %74 = load double, ptr %73, align 8
+  %75 = fsub double %74, %22
+  %76 = load double, ptr %69, align 8
+  %77 = fsub double %76, %20
+  %78 = fmul double %46, %77
+  %79 = fmul double %52, %72
+  %80 = fadd double %79, %78
+  %81 = fmul double %49, %75
+  %82 = fadd double %81, %80
+  %83 = fdiv double %82, %62
+  %84 = mul i64 %13, %4
+  %85 = getelementptr double, ptr %1, i64 %84
+  %86 = getelementptr double, ptr %85, i64 %66
+  %87 = getelementptr i8, ptr %86, i64 16
+  %88 = load double, ptr %87, align 8
+  %89 = fsub double %88, %24
+  %90 = getelementptr i8, ptr %86, i64 8
+  %91 = load double, ptr %90, align 8
+  %92 = fsub double %91, %22
+  %93 = load double, ptr %86, align 8
+  %94 = fsub double %93, %20
+  %95 = fmul double %46, %94
+  %96 = fmul double %52, %89
+  %97 = fadd double %96, %95
+  %98 = fmul double %49, %92
+  %99 = fadd double %98, %97
+  %100 = fdiv double %99, %62
+  br label %101
+101:
+  %102 = phi double [ %83, %61 ], [ 0.000000e+00, %9 ]
+  %103 = phi double [ %100, %61 ], [ 0.000000e+00, %9 ]
+  %104 = fcmp olt double %103, %102
+  %105 = select i1 %104, double %103, double %102
+  %106 = fneg double %8
+  %107 = fcmp olt double %105, %106
+  br i1 %107, label %108, label %59
+108:
+  %109 = fcmp ogt double %103, %102
+  %110 = select i1 %109, double %103, double %102
+  %111 = fcmp ogt double %110, %8
+  br i1 %111, label %112, label %59
+112:
+  %113 = icmp slt i64 %5, 0
+  %114 = select i1 %113, i64 %2, i64 0
+  %115 = add i64 %114, %5
+  %116 = mul i64 %115, %17
+  %117 = mul i64 %10, %4
+  %118 = getelementptr double, ptr %1, i64 %117
+  %119 = getelementptr double, ptr %118, i64 %116
+  %120 = load double, ptr %119, align 8
+  %121 = getelementptr i8, ptr %119, i64 8
+  %122 = load double, ptr %121, align 8
+  %123 = getelementptr i8, ptr %119, i64 16
+  %124 = load double, ptr %123, align 8
+  %125 = mul i64 %13, %4
+  %126 = getelementptr double, ptr %1, i64 %125
+  %127 = getelementptr double, ptr %126, i64 %116
+  %128 = load double, ptr %127, align 8
+  %129 = fsub double %128, %120
+  %130 = getelementptr i8, ptr %127, i64 8
+  %131 = load double, ptr %130, align 8
+  %132 = fsub double %131, %122
+  %133 = getelementptr i8, ptr %127, i64 16
+  %134 = load double, ptr %133, align 8
+  %135 = fsub double %134, %124
+  %136 = fsub double %20, %120
+  %137 = fsub double %22, %122
+  %138 = fsub double %24, %124
+  %139 = fsub double %26, %120
+  %140 = fsub double %29, %122
+  %141 = fsub double %32, %124
+  %142 = fmul double %137, %141
+  %143 = fmul double %140, %138
+  %144 = fsub double %142, %143
+  %145 = fmul double %139, %138
+  %146 = fmul double %136, %141
+  %147 = fsub double %145, %146
+  %148 = fmul double %136, %140
+  %149 = fmul double %139, %137
+  %150 = fsub double %148, %149
+  %151 = fmul double %129, %144
+  %152 = fmul double %150, %135
+  %153 = fadd double %151, %152
+  %154 = fmul double %132, %147
+  %155 = fadd double %154, %153
+  %156 = fsub double %36, %120
+  %157 = fsub double %39, %122
+  %158 = fsub double %42, %124
+  %159 = fmul double %140, %158
+  %160 = fmul double %157, %141
+  %161 = fsub double %159, %160
+  %162 = fmul double %156, %141
+  %163 = fmul double %139, %158
+  %164 = fsub double %162, %163
+  %165 = fmul double %139, %157
+  %166 = fmul double %156, %140
+  %167 = fsub double %165, %166
+  %168 = fmul double %129, %161
+  %169 = fmul double %167, %135
+  %170 = fadd double %168, %169
+  %171 = fmul double %132, %164
+  %172 = fadd double %171, %170
+  %173 = fmul double %157, %138
+  %174 = fmul double %137, %158
+  %175 = fsub double %173, %174
+  %176 = fmul double %136, %158
+  %177 = fmul double %156, %138
+  %178 = fsub double %176, %177
+  %179 = fmul double %156, %137
+  %180 = fmul double %136, %157
+  %181 = fsub double %179, %180
+  %182 = fmul double %129, %175
+  %183 = fmul double %181, %135
+  %184 = fadd double %182, %183
+  %185 = fmul double %132, %178
+  %186 = fadd double %185, %184
+  %187 = fcmp ole double %155, 0.000000e+00
+  %188 = zext i1 %187 to i64
+  %189 = fcmp ole double %172, 0.000000e+00
+  %190 = zext i1 %189 to i64
+  %191 = add nuw nsw i64 %190, %188
+  %192 = fcmp oge double %155, 0.000000e+00
+  %193 = zext i1 %192 to i64
+  %194 = fcmp oge double %172, 0.000000e+00
+  %195 = zext i1 %194 to i64
+  %196 = add nuw nsw i64 %195, %193
+  %197 = fcmp oge double %186, 0.000000e+00
+  %198 = zext i1 %197 to i64
+  %199 = add nuw nsw i64 %196, %198
+  %200 = fcmp ole double %186, 0.000000e+00
+  %201 = zext i1 %200 to i64
+  %202 = add nuw nsw i64 %191, %201
+  %203 = icmp eq i64 %199, 3
+  %204 = icmp eq i64 %202, 3
+  %205 = select i1 %203, i1 true, i1 %204
+  %206 = zext i1 %205 to i8
+  br label %59
 }
-
-declare double @llvm.sqrt.f64(double)
-
-define i64 @msf_jax.host.solid.kernels.crossed(ptr readonly %words) local_unnamed_addr {
-  %.1242.i = alloca i8, align 1
-  %.1290.i = alloca i8, align 1
-  %.1489.i = alloca i8, align 1
-  %.1543.i = alloca i8, align 1
-  %w0 = load ptr, ptr %words, align 8
-  %p1 = getelementptr i8, ptr %words, i64 8
-  %w1 = load i64, ptr %p1, align 8
-  %p7 = getelementptr i8, ptr %words, i64 56
-  %w7 = load ptr, ptr %p7, align 8
-  %p8 = getelementptr i8, ptr %words, i64 64
-  %w8 = load i64, ptr %p8, align 8
-  %p9 = getelementptr i8, ptr %words, i64 72
-  %w9 = load i64, ptr %p9, align 8
-  %p10 = getelementptr i8, ptr %words, i64 80
-  %w10 = load i64, ptr %p10, align 8
-  %p13 = getelementptr i8, ptr %words, i64 104
-  %w13 = load ptr, ptr %p13, align 8
-  %p14 = getelementptr i8, ptr %words, i64 112
-  %w14 = load i64, ptr %p14, align 8
-  %p15 = getelementptr i8, ptr %words, i64 120
-  %w15 = load i64, ptr %p15, align 8
-  %s24 = shl i64 %w15, 3
-  %p16 = getelementptr i8, ptr %words, i64 128
-  %w16 = load ptr, ptr %p16, align 8
-  %p17 = getelementptr i8, ptr %words, i64 136
-  %w17 = load i64, ptr %p17, align 8
-  %p18 = getelementptr i8, ptr %words, i64 144
-  %w18 = load double, ptr %p18, align 8
-  %p19 = getelementptr i8, ptr %words, i64 152
-  %w19 = load i64, ptr %p19, align 8
-  %p20 = getelementptr i8, ptr %words, i64 160
-  %w20 = load ptr, ptr %p20, align 8
-  %p22 = getelementptr i8, ptr %words, i64 176
-  %w22 = load ptr, ptr %p22, align 8
-  %p23 = getelementptr i8, ptr %words, i64 184
-  %w23 = load i64, ptr %p23, align 8
-  %p24 = getelementptr i8, ptr %words, i64 192
-  %w24 = load ptr, ptr %p24, align 8
-  %p25 = getelementptr i8, ptr %words, i64 200
-  %w25 = load i64, ptr %p25, align 8
-  call void @llvm.lifetime.start.p0(ptr nonnull %.1242.i)
-  call void @llvm.lifetime.start.p0(ptr nonnull %.1290.i)
-  call void @llvm.lifetime.start.p0(ptr nonnull %.1489.i)
-  call void @llvm.lifetime.start.p0(ptr nonnull %.1543.i)
-  store i64 0, ptr %w20, align 8
-  %.276961.not.i = icmp slt i64 %w17, 1
-  br i1 %.276961.not.i, label %_ZN7msf_jax4host5solid7kernels7crossedB3v17B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi1E1C7mutable7alignedE232Mesh_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29dx5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE.exit, label %B134.preheader.i
-
-B134.preheader.i:                                 ; preds = %0
-  %1 = shl i64 %w1, 3
-  br label %B134.i
-
-B134.i:                                           ; preds = %B900.i, %B134.preheader.i
-  %count.5.0968.i = phi i64 [ %count.6.2.i, %B900.i ], [ 0, %B134.preheader.i ]
-  %.275911967.i = phi i64 [ %.285.i, %B900.i ], [ %w17, %B134.preheader.i ]
-  %.282918966.i = phi i64 [ %.289.i, %B900.i ], [ %w17, %B134.preheader.i ]
-  %.285.i = add nsw i64 %.275911967.i, -1
-  %.289.i = add i64 %.282918966.i, 1
-  %.325.i = sub nsw i64 %.282918966.i, %w17
-  %.353.i = getelementptr i64, ptr %w16, i64 %.325.i
-  %.354.i = load i64, ptr %.353.i, align 8
-  %2 = and i64 %.282918966.i, 1
-  %.46.not.not.i.i = icmp eq i64 %2, 0
-  br i1 %.46.not.not.i.i, label %B134.endif.i, label %B50.i.i
-
-B50.i.i:                                          ; preds = %B134.i, %B50.i.i
-  %node.3.1.i.i = phi i64 [ %.49.i.i, %B50.i.i ], [ %.289.i, %B134.i ]
-  %.49.i.i = ashr i64 %node.3.1.i.i, 1
-  %3 = and i64 %node.3.1.i.i, 2
-  %.55.not.i.i = icmp eq i64 %3, 0
-  br i1 %.55.not.i.i, label %B50.i.i, label %B134.endif.i
-
-B208.i:                                           ; preds = %B134.endif.i
-  %.436.i = load i64, ptr %w20, align 8
-  %.438.i = icmp slt i64 %.436.i, %w19
-  br i1 %.438.i, label %B234.preheader.i, label %B900.i
-
-B234.preheader.i:                                 ; preds = %B208.i
-  %.477.i = icmp slt i64 %.282918966.i, 0
-  %.478.i = select i1 %.477.i, i64 %w14, i64 0
-  %.479.i = add i64 %.478.i, %.282918966.i
-  %.1002.i = mul nsw i64 %.354.i, 3
-  %4 = getelementptr i64, ptr %w0, i64 %.1002.i
-  %.1058.i = icmp slt i64 %.354.i, 0
-  %.1011.1.3.i = add i64 %.1002.i, 1
-  %.1058.3.i = icmp slt i64 %.1011.1.3.i, 0
-  %5 = getelementptr i64, ptr %w0, i64 %.1011.1.3.i
-  %.1011.1.6.i = add i64 %.1002.i, 2
-  %.1058.6.i = icmp slt i64 %.1011.1.6.i, 0
-  %6 = getelementptr i64, ptr %w0, i64 %.1011.1.6.i
-  %sunkaddr.i = mul i64 %s24, %.479.i
-  %sunkaddr109.i = getelementptr i8, ptr %w13, i64 %sunkaddr.i
-  %sunkaddr112.i = getelementptr i8, ptr %sunkaddr109.i, i64 8
-  %sunkaddr115.i = getelementptr i8, ptr %sunkaddr109.i, i64 16
-  %sunkaddr118.i = getelementptr i8, ptr %sunkaddr109.i, i64 24
-  %sunkaddr121.i = getelementptr i8, ptr %sunkaddr109.i, i64 40
-  %sunkaddr124.i = getelementptr i8, ptr %sunkaddr109.i, i64 32
-  %sunkaddr137.i = select i1 %.1058.i, i64 %1, i64 0
-  %sunkaddr138.i = getelementptr inbounds i8, ptr %4, i64 %sunkaddr137.i
-  %sunkaddr139.i = select i1 %.1058.3.i, i64 %1, i64 0
-  %sunkaddr140.i = getelementptr inbounds i8, ptr %5, i64 %sunkaddr139.i
-  %sunkaddr141.i = select i1 %.1058.6.i, i64 %1, i64 0
-  %sunkaddr142.i = getelementptr inbounds i8, ptr %6, i64 %sunkaddr141.i
-  br label %B234.i
-
-B234.i:                                           ; preds = %B874.i, %B234.preheader.i
-  %.17953.i = phi i64 [ %.1795.i, %B874.i ], [ %.436.i, %B234.preheader.i ]
-  %count.4.1.i = phi i64 [ %count.7.35059.i, %B874.i ], [ %count.5.0968.i, %B234.preheader.i ]
-  %node.2.1.i = phi i64 [ %storemerge.i60.i, %B874.i ], [ %node.4.0.i.i, %B234.preheader.i ]
-  %.504.i = load double, ptr %sunkaddr109.i, align 8
-  %.559.i = load double, ptr %sunkaddr112.i, align 8
-  %.614.i = load double, ptr %sunkaddr115.i, align 8
-  %.669.i = load double, ptr %sunkaddr118.i, align 8
-  %.779.i = load double, ptr %sunkaddr121.i, align 8
-  %.87.i.i = mul i64 %node.2.1.i, %w15
-  %.91.i.i = getelementptr double, ptr %w13, i64 %.87.i.i
-  %.92.i.i = load double, ptr %.91.i.i, align 8
-  %.93.i.i = fcmp ogt double %.92.i.i, %.669.i
-  br i1 %.93.i.i, label %B30.i.i, label %B32.i.i
-
-B32.i.i:                                          ; preds = %B234.i
-  %.724.i = load double, ptr %sunkaddr124.i, align 8
-  %sunkaddr.i.i = shl i64 %.87.i.i, 3
-  %sunkaddr1.i.i = getelementptr i8, ptr %w13, i64 %sunkaddr.i.i
-  %sunkaddr2.i.i = getelementptr i8, ptr %sunkaddr1.i.i, i64 8
-  %.152.i.i = load double, ptr %sunkaddr2.i.i, align 8
-  %.154.i.i = fcmp ogt double %.152.i.i, %.724.i
-  br i1 %.154.i.i, label %B30.i.i, label %B86.i.i
-
-B86.i.i:                                          ; preds = %B32.i.i
-  %sunkaddr127.i = getelementptr i8, ptr %sunkaddr1.i.i, i64 16
-  %.214.i.i = load double, ptr %sunkaddr127.i, align 8
-  %.216.i.i = fcmp ogt double %.214.i.i, %.779.i
-  br i1 %.216.i.i, label %B30.i.i, label %B92.i.i
-
-B92.i.i:                                          ; preds = %B86.i.i
-  %sunkaddr130.i = getelementptr i8, ptr %sunkaddr1.i.i, i64 24
-  %.287.i.i = load double, ptr %sunkaddr130.i, align 8
-  %.289.i.i = fcmp olt double %.287.i.i, %.504.i
-  br i1 %.289.i.i, label %B30.i.i, label %B120.i.i
-
-B120.i.i:                                         ; preds = %B92.i.i
-  %sunkaddr133.i = getelementptr i8, ptr %sunkaddr1.i.i, i64 32
-  %.349.i.i = load double, ptr %sunkaddr133.i, align 8
-  %.351.i.i = fcmp olt double %.349.i.i, %.559.i
-  br i1 %.351.i.i, label %B30.i.i, label %_ZN7msf_jax4host5solid7kernels8overlapsB3v13B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedExdddddd.exit.i
-
-_ZN7msf_jax4host5solid7kernels8overlapsB3v13B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedExdddddd.exit.i: ; preds = %B120.i.i
-  %sunkaddr136.i = getelementptr i8, ptr %sunkaddr1.i.i, i64 40
-  %.413.i.i = load double, ptr %sunkaddr136.i, align 8
-  %.417.i.i = fcmp uge double %.413.i.i, %.614.i
-  br i1 %.417.i.i, label %B378.i, label %B30.i.i
-
-B378.i:                                           ; preds = %_ZN7msf_jax4host5solid7kernels8overlapsB3v13B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedExdddddd.exit.i
-  %.829.not.i = icmp slt i64 %node.2.1.i, %w17
-  br i1 %.829.not.i, label %B836.endif.i, label %B534.i
-
-B534.i:                                           ; preds = %B378.i
-  %.837.i = sub nsw i64 %node.2.1.i, %w17
-  %.865.i = getelementptr i64, ptr %w16, i64 %.837.i
-  %.866.i = load i64, ptr %.865.i, align 8
-  %.1074.i = load i64, ptr %sunkaddr138.i, align 8
-  %.idx.i = mul i64 %.866.i, 24
-  %7 = getelementptr i8, ptr %w0, i64 %.idx.i
-  %.1134.i = icmp slt i64 %.866.i, 0
-  %.1135.i = select i1 %.1134.i, i64 %w1, i64 0
-  %.1149.i = getelementptr i64, ptr %7, i64 %.1135.i
-  %.1150.i = load i64, ptr %.1149.i, align 8
-  %.1151.not.i = icmp eq i64 %.1074.i, %.1150.i
-  br i1 %.1151.not.i, label %B30.i.i, label %B534.1.i
-
-B534.1.i:                                         ; preds = %B534.i
-  %8 = getelementptr i8, ptr %7, i64 8
-  %.1149.1.i = getelementptr i64, ptr %8, i64 %.1135.i
-  %.1150.1.i = load i64, ptr %.1149.1.i, align 8
-  %.1151.1.not.i = icmp eq i64 %.1074.i, %.1150.1.i
-  br i1 %.1151.1.not.i, label %B30.i.i, label %B534.2.i
-
-B534.2.i:                                         ; preds = %B534.1.i
-  %9 = getelementptr i8, ptr %7, i64 16
-  %.1149.2.i = getelementptr i64, ptr %9, i64 %.1135.i
-  %.1150.2.i = load i64, ptr %.1149.2.i, align 8
-  %.1151.2.not.i = icmp eq i64 %.1074.i, %.1150.2.i
-  br i1 %.1151.2.not.i, label %B30.i.i, label %B534.3.i
-
-B534.3.i:                                         ; preds = %B534.2.i
-  %.1074.3.i = load i64, ptr %sunkaddr140.i, align 8
-  %.1151.3.not.i = icmp eq i64 %.1074.3.i, %.1150.i
-  %.1151.4.not.i = icmp eq i64 %.1074.3.i, %.1150.1.i
-  %or.cond.i = or i1 %.1151.3.not.i, %.1151.4.not.i
-  %.1151.5.not.i = icmp eq i64 %.1074.3.i, %.1150.2.i
-  %or.cond30.i = or i1 %.1151.5.not.i, %or.cond.i
-  br i1 %or.cond30.i, label %B30.i.i, label %B534.6.i
-
-B534.6.i:                                         ; preds = %B534.3.i
-  %.1074.6.i = load i64, ptr %sunkaddr142.i, align 8
-  %.1151.6.not.i = icmp eq i64 %.1074.6.i, %.1150.i
-  %.1151.7.not.i = icmp eq i64 %.1074.6.i, %.1150.1.i
-  %or.cond31.i = or i1 %.1151.6.not.i, %.1151.7.not.i
-  %.1151.8.not.i = icmp eq i64 %.1074.6.i, %.1150.2.i
-  %or.cond32.i = or i1 %.1151.8.not.i, %or.cond31.i
-  br i1 %or.cond32.i, label %B30.i.i, label %B542.i
-
-B542.i:                                           ; preds = %B534.6.i
-  %.1206.i = add nsw i64 %.17953.i, 1
-  store i64 %.1206.i, ptr %w20, align 8
-  call fastcc void @_ZN7msf_jax4host5solid7kernels9straddlesB3v19B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi3E1C7mutable7alignedExxd(ptr nonnull %.1242.i, ptr readonly %w7, i64 %w8, i64 %w9, i64 %w10, i64 %.354.i, i64 %.866.i, double %w18)
-  %.1262.i = load i8, ptr %.1242.i, align 1
-  %.1265.i = icmp eq i8 %.1262.i, 0
-  br i1 %.1265.i, label %B30.i.i, label %B542.endif.i
-
-B684.i:                                           ; preds = %B542.endif.i
-  call fastcc void @_ZN7msf_jax4host5solid7kernels6passesB3v24B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi3E1C7mutable7alignedExxxd(ptr nonnull %.1489.i, ptr readonly %w7, i64 %w8, i64 %w9, i64 %w10, i64 %.354.i, i64 0, i64 %.866.i, double %w18)
-  %.1509.i = load i8, ptr %.1489.i, align 1
-  %.1512.i = icmp eq i8 %.1509.i, 0
-  br i1 %.1512.i, label %B684.endif.thread.i, label %B760.i
-
-B760.i:                                           ; preds = %B684.endif.thread.i, %B684.i
-  %.1607.i = icmp slt i64 %count.4.1.i, %w23
-  br i1 %.1607.i, label %B802.i, label %B824.i
-
-B802.i:                                           ; preds = %B760.i
-  %.1624.i = icmp slt i64 %count.4.1.i, 0
-  %.1625.i = select i1 %.1624.i, i64 %w23, i64 0
-  %10 = getelementptr i64, ptr %w22, i64 %count.4.1.i
-  %.1639.i = getelementptr i64, ptr %10, i64 %.1625.i
-  store i64 %.354.i, ptr %.1639.i, align 8
-  %.1657.i = select i1 %.1624.i, i64 %w25, i64 0
-  %11 = getelementptr i64, ptr %w24, i64 %count.4.1.i
-  %.1671.i = getelementptr i64, ptr %11, i64 %.1657.i
-  store i64 %.866.i, ptr %.1671.i, align 8
-  br label %B824.i
-
-B824.i:                                           ; preds = %B802.i, %B760.i
-  %.1680.i = add nsw i64 %count.4.1.i, 1
-  br label %B30.i.i
-
-B722.1.i:                                         ; preds = %B722.endif.thread.i
-  call fastcc void @_ZN7msf_jax4host5solid7kernels6passesB3v24B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi3E1C7mutable7alignedExxxd(ptr nonnull %.1543.i, ptr readonly %w7, i64 %w8, i64 %w9, i64 %w10, i64 %.866.i, i64 1, i64 %.354.i, double %w18)
-  %.1563.1.i = load i8, ptr %.1543.i, align 1
-  %.1566.1.i = icmp eq i8 %.1563.1.i, 0
-  br i1 %.1566.1.i, label %B684.2.i, label %B760.1.i
-
-B760.1.i:                                         ; preds = %B722.endif.thread.i, %B722.1.i
-  %.1607.1.i = icmp slt i64 %count.4.1.i, %w23
-  br i1 %.1607.1.i, label %B802.1.i, label %B824.1.i
-
-B802.1.i:                                         ; preds = %B760.1.i
-  %.1624.1.i = icmp slt i64 %count.4.1.i, 0
-  %.1625.1.i = select i1 %.1624.1.i, i64 %w23, i64 0
-  %12 = getelementptr i64, ptr %w22, i64 %count.4.1.i
-  %.1639.1.i = getelementptr i64, ptr %12, i64 %.1625.1.i
-  store i64 %.354.i, ptr %.1639.1.i, align 8
-  %.1657.1.i = select i1 %.1624.1.i, i64 %w25, i64 0
-  %13 = getelementptr i64, ptr %w24, i64 %count.4.1.i
-  %.1671.1.i = getelementptr i64, ptr %13, i64 %.1657.1.i
-  store i64 %.866.i, ptr %.1671.1.i, align 8
-  br label %B824.1.i
-
-B824.1.i:                                         ; preds = %B802.1.i, %B760.1.i
-  %.1680.1.i = add nsw i64 %count.4.1.i, 1
-  br label %B30.i.i
-
-B684.2.i:                                         ; preds = %B722.1.i
-  call fastcc void @_ZN7msf_jax4host5solid7kernels6passesB3v24B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi3E1C7mutable7alignedExxxd(ptr nonnull %.1489.i, ptr readonly %w7, i64 %w8, i64 %w9, i64 %w10, i64 %.354.i, i64 2, i64 %.866.i, double %w18)
-  %.1509.2.i = load i8, ptr %.1489.i, align 1
-  %.1512.2.i = icmp eq i8 %.1509.2.i, 0
-  br i1 %.1512.2.i, label %B722.2.i, label %B760.2.i
-
-B722.2.i:                                         ; preds = %B684.2.i
-  call fastcc void @_ZN7msf_jax4host5solid7kernels6passesB3v24B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi3E1C7mutable7alignedExxxd(ptr nonnull %.1543.i, ptr readonly %w7, i64 %w8, i64 %w9, i64 %w10, i64 %.866.i, i64 2, i64 %.354.i, double %w18)
-  %.1563.2.i = load i8, ptr %.1543.i, align 1
-  %.1566.2.i = icmp eq i8 %.1563.2.i, 0
-  br i1 %.1566.2.i, label %B30.i.i, label %B760.2.i
-
-B760.2.i:                                         ; preds = %B722.2.i, %B684.2.i
-  %.1607.2.i = icmp slt i64 %count.4.1.i, %w23
-  br i1 %.1607.2.i, label %B802.2.i, label %B824.2.i
-
-B802.2.i:                                         ; preds = %B760.2.i
-  %.1624.2.i = icmp slt i64 %count.4.1.i, 0
-  %.1625.2.i = select i1 %.1624.2.i, i64 %w23, i64 0
-  %14 = getelementptr i64, ptr %w22, i64 %count.4.1.i
-  %.1639.2.i = getelementptr i64, ptr %14, i64 %.1625.2.i
-  store i64 %.354.i, ptr %.1639.2.i, align 8
-  %.1657.2.i = select i1 %.1624.2.i, i64 %w25, i64 0
-  %15 = getelementptr i64, ptr %w24, i64 %count.4.1.i
-  %.1671.2.i = getelementptr i64, ptr %15, i64 %.1657.2.i
-  store i64 %.866.i, ptr %.1671.2.i, align 8
-  br label %B824.2.i
-
-B824.2.i:                                         ; preds = %B802.2.i, %B760.2.i
-  %.1680.2.i = add nsw i64 %count.4.1.i, 1
-  br label %B30.i.i
-
-B30.i.i:                                          ; preds = %B542.endif.i, %B824.2.i, %B722.2.i, %B824.1.i, %B824.i, %B542.i, %B534.6.i, %B534.3.i, %B534.2.i, %B534.1.i, %B534.i, %_ZN7msf_jax4host5solid7kernels8overlapsB3v13B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedExdddddd.exit.i, %B120.i.i, %B92.i.i, %B86.i.i, %B32.i.i, %B234.i
-  %count.7.351.i = phi i64 [ %count.4.1.i, %B234.i ], [ %count.4.1.i, %_ZN7msf_jax4host5solid7kernels8overlapsB3v13B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedExdddddd.exit.i ], [ %count.4.1.i, %B86.i.i ], [ %count.4.1.i, %B92.i.i ], [ %count.4.1.i, %B120.i.i ], [ %count.4.1.i, %B32.i.i ], [ %count.4.1.i, %B722.2.i ], [ %count.4.1.i, %B534.2.i ], [ %count.4.1.i, %B534.6.i ], [ %.1680.i, %B824.i ], [ %count.4.1.i, %B534.1.i ], [ %count.4.1.i, %B534.i ], [ %.1680.2.i, %B824.2.i ], [ %count.4.1.i, %B534.3.i ], [ %.1680.1.i, %B824.1.i ], [ %count.4.1.i, %B542.endif.i ], [ %count.4.1.i, %B542.i ]
-  %.36.i33.i = add nuw nsw i64 %node.2.1.i, 1
-  %16 = and i64 %node.2.1.i, 1
-  %.46.not.not.i34.i = icmp eq i64 %16, 0
-  br i1 %.46.not.not.i34.i, label %B70.i.i, label %B50.i35.i
-
-B50.i35.i:                                        ; preds = %B30.i.i, %B50.i35.i
-  %node.3.1.i36.i = phi i64 [ %.49.i37.i, %B50.i35.i ], [ %.36.i33.i, %B30.i.i ]
-  %.49.i37.i = lshr i64 %node.3.1.i36.i, 1
-  %17 = and i64 %node.3.1.i36.i, 2
-  %.55.not.i38.i = icmp eq i64 %17, 0
-  br i1 %.55.not.i38.i, label %B50.i35.i, label %B70.i.i
-
-B70.i.i:                                          ; preds = %B50.i35.i, %B30.i.i
-  %node.4.0.i39.i = phi i64 [ %.36.i33.i, %B30.i.i ], [ %.49.i37.i, %B50.i35.i ]
-  %.60.i40.i = icmp sgt i64 %node.4.0.i39.i, 1
-  br i1 %.60.i40.i, label %B70.i.B874_crit_edge.i, label %B900.i
-
-B70.i.B874_crit_edge.i:                           ; preds = %B70.i.i
-  %.1795.pre.i = load i64, ptr %w20, align 8
-  br label %B874.i
-
-B874.i:                                           ; preds = %B836.endif.i, %B70.i.B874_crit_edge.i
-  %.1795.i = phi i64 [ %.17953.i, %B836.endif.i ], [ %.1795.pre.i, %B70.i.B874_crit_edge.i ]
-  %storemerge.i60.i = phi i64 [ %.28.i.i, %B836.endif.i ], [ %node.4.0.i39.i, %B70.i.B874_crit_edge.i ]
-  %count.7.35059.i = phi i64 [ %count.4.1.i, %B836.endif.i ], [ %count.7.351.i, %B70.i.B874_crit_edge.i ]
-  %.1797.i = icmp slt i64 %.1795.i, %w19
-  br i1 %.1797.i, label %B234.i, label %B900.i
-
-B900.i:                                           ; preds = %B874.i, %B70.i.i, %B134.endif.i, %B208.i
-  %count.6.2.i = phi i64 [ %count.5.0968.i, %B208.i ], [ %count.5.0968.i, %B134.endif.i ], [ %count.7.35059.i, %B874.i ], [ %count.7.351.i, %B70.i.i ]
-  %.276.i = icmp sgt i64 %.275911967.i, 1
-  br i1 %.276.i, label %B134.i, label %_ZN7msf_jax4host5solid7kernels7crossedB3v17B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi1E1C7mutable7alignedE232Mesh_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29dx5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE.exit
-
-B134.endif.i:                                     ; preds = %B50.i.i, %B134.i
-  %node.4.0.i.i = phi i64 [ %.289.i, %B134.i ], [ %.49.i.i, %B50.i.i ]
-  %.60.i.i = icmp slt i64 %node.4.0.i.i, 2
-  br i1 %.60.i.i, label %B900.i, label %B208.i
-
-B542.endif.i:                                     ; preds = %B542.i
-  call fastcc void @_ZN7msf_jax4host5solid7kernels9straddlesB3v19B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi3E1C7mutable7alignedExxd(ptr nonnull %.1290.i, ptr readonly %w7, i64 %w8, i64 %w9, i64 %w10, i64 %.866.i, i64 %.354.i, double %w18)
-  %.1310.i = load i8, ptr %.1290.i, align 1
-  %.1313.not.i = icmp eq i8 %.1310.i, 0
-  br i1 %.1313.not.i, label %B30.i.i, label %B684.i
-
-B684.endif.thread.i:                              ; preds = %B684.i
-  call fastcc void @_ZN7msf_jax4host5solid7kernels6passesB3v24B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi3E1C7mutable7alignedExxxd(ptr nonnull %.1543.i, ptr readonly %w7, i64 %w8, i64 %w9, i64 %w10, i64 %.866.i, i64 0, i64 %.354.i, double %w18)
-  %.1563.i = load i8, ptr %.1543.i, align 1
-  %.1566.i = icmp eq i8 %.1563.i, 0
-  br i1 %.1566.i, label %B722.endif.thread.i, label %B760.i
-
-B722.endif.thread.i:                              ; preds = %B684.endif.thread.i
-  call fastcc void @_ZN7msf_jax4host5solid7kernels6passesB3v24B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi3E1C7mutable7alignedExxxd(ptr nonnull %.1489.i, ptr readonly %w7, i64 %w8, i64 %w9, i64 %w10, i64 %.354.i, i64 1, i64 %.866.i, double %w18)
-  %.1509.1.i = load i8, ptr %.1489.i, align 1
-  %.1512.1.i = icmp eq i8 %.1509.1.i, 0
-  br i1 %.1512.1.i, label %B722.1.i, label %B760.1.i
-
-B836.endif.i:                                     ; preds = %B378.i
-  %.28.i.i = shl nuw nsw i64 %node.2.1.i, 1
-  br label %B874.i
-
-_ZN7msf_jax4host5solid7kernels7crossedB3v17B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi1E1C7mutable7alignedE232Mesh_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29dx5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE.exit: ; preds = %B900.i, %0
-  %count.5.0.lcssa.i = phi i64 [ 0, %0 ], [ %count.6.2.i, %B900.i ]
-  call void @llvm.lifetime.end.p0(ptr nonnull %.1242.i)
-  call void @llvm.lifetime.end.p0(ptr nonnull %.1290.i)
-  call void @llvm.lifetime.end.p0(ptr nonnull %.1489.i)
-  call void @llvm.lifetime.end.p0(ptr nonnull %.1543.i)
-  ret i64 %count.5.0.lcssa.i
+define i64 @msf_jax.host.solid.kernels.crossed(ptr readonly %0) local_unnamed_addr {
+  %2 = alloca i8, align 1
+  %3 = alloca i8, align 1
+  %4 = alloca i8, align 1
+  %5 = alloca i8, align 1
+  %6 = load ptr, ptr %0, align 8
+  %7 = getelementptr i8, ptr %0, i64 8
+  %8 = load i64, ptr %7, align 8
+  %9 = getelementptr i8, ptr %0, i64 56
+  %10 = load ptr, ptr %9, align 8
+  %11 = getelementptr i8, ptr %0, i64 64
+  %12 = load i64, ptr %11, align 8
+  %13 = getelementptr i8, ptr %0, i64 72
+  %14 = load i64, ptr %13, align 8
+  %15 = getelementptr i8, ptr %0, i64 80
+  %16 = load i64, ptr %15, align 8
+  %17 = getelementptr i8, ptr %0, i64 104
+  %18 = load ptr, ptr %17, align 8
+  %19 = getelementptr i8, ptr %0, i64 112
+  %20 = load i64, ptr %19, align 8
+  %21 = getelementptr i8, ptr %0, i64 120
+  %22 = load i64, ptr %21, align 8
+  %23 = shl i64 %22, 3
+  %24 = getelementptr i8, ptr %0, i64 128
+  %25 = load ptr, ptr %24, align 8
+  %26 = getelementptr i8, ptr %0, i64 136
+  %27 = load i64, ptr %26, align 8
+  %28 = getelementptr i8, ptr %0, i64 144
+  %29 = load double, ptr %28, align 8
+  %30 = getelementptr i8, ptr %0, i64 152
+  %31 = load i64, ptr %30, align 8
+  %32 = getelementptr i8, ptr %0, i64 160
+  %33 = load ptr, ptr %32, align 8
+  %34 = getelementptr i8, ptr %0, i64 176
+  %35 = load ptr, ptr %34, align 8
+  %36 = getelementptr i8, ptr %0, i64 184
+  %37 = load i64, ptr %36, align 8
+  %38 = getelementptr i8, ptr %0, i64 192
+  %39 = load ptr, ptr %38, align 8
+  %40 = getelementptr i8, ptr %0, i64 200
+  %41 = load i64, ptr %40, align 8
+  store i64 0, ptr %33, align 8
+  %42 = icmp slt i64 %27, 1
+  br i1 %42, label %253, label %43
+43:
+  %44 = shl i64 %8, 3
+  br label %45
+45:
+  %46 = phi i64 [ %237, %236 ], [ 0, %43 ]
+  %47 = phi i64 [ %49, %236 ], [ %27, %43 ]
+  %48 = phi i64 [ %50, %236 ], [ %27, %43 ]
+  %49 = add nsw i64 %47, -1
+  %50 = add i64 %48, 1
+  %51 = sub nsw i64 %48, %27
+  %52 = getelementptr i64, ptr %25, i64 %51
+  %53 = load i64, ptr %52, align 8
+  %54 = and i64 %48, 1
+  %55 = icmp eq i64 %54, 0
+  br i1 %55, label %239, label %56
+56:
+  %57 = phi i64 [ %58, %56 ], [ %50, %45 ]
+  %58 = ashr i64 %57, 1
+  %59 = and i64 %57, 2
+  %60 = icmp eq i64 %59, 0
+  br i1 %60, label %56, label %239
+61:
+  %62 = load i64, ptr %33, align 8
+  %63 = icmp slt i64 %62, %31
+  br i1 %63, label %64, label %236
+64:
+  %65 = icmp slt i64 %48, 0
+  %66 = select i1 %65, i64 %20, i64 0
+  %67 = add i64 %66, %48
+  %68 = mul nsw i64 %53, 3
+  %69 = getelementptr i64, ptr %6, i64 %68
+  %70 = icmp slt i64 %53, 0
+  %71 = add i64 %68, 1
+  %72 = icmp slt i64 %71, 0
+  %73 = getelementptr i64, ptr %6, i64 %71
+  %74 = add i64 %68, 2
+  %75 = icmp slt i64 %74, 0
+  %76 = getelementptr i64, ptr %6, i64 %74
+  %77 = mul i64 %23, %67
+  %78 = getelementptr i8, ptr %18, i64 %77
+  %79 = getelementptr i8, ptr %78, i64 8
+  %80 = getelementptr i8, ptr %78, i64 16
+  %81 = getelementptr i8, ptr %78, i64 24
+  %82 = getelementptr i8, ptr %78, i64 40
+  %83 = getelementptr i8, ptr %78, i64 32
+  %84 = select i1 %70, i64 %44, i64 0
+  %85 = getelementptr inbounds i8, ptr %69, i64 %84
+  %86 = select i1 %72, i64 %44, i64 0
+  %87 = getelementptr inbounds i8, ptr %73, i64 %86
+  %88 = select i1 %75, i64 %44, i64 0
+  %89 = getelementptr inbounds i8, ptr %76, i64 %88
+  br label %90
+90:
+  %91 = phi i64 [ %232, %231 ], [ %62, %64 ]
+  %92 = phi i64 [ %234, %231 ], [ %46, %64 ]
+  %93 = phi i64 [ %233, %231 ], [ %240, %64 ]
+  %94 = load double, ptr %78, align 8
+  %95 = load double, ptr %79, align 8
+  %96 = load double, ptr %80, align 8
+  %97 = load double, ptr %81, align 8
+  %98 = load double, ptr %82, align 8
+  %99 = mul i64 %93, %22
+  %100 = getelementptr double, ptr %18, i64 %99
+  %101 = load double, ptr %100, align 8
+  %102 = fcmp ogt double %101, %97
+  br i1 %102, label %216, label %103
+103:
+  %104 = load double, ptr %83, align 8
+  %105 = shl i64 %99, 3
+  %106 = getelementptr i8, ptr %18, i64 %105
+  %107 = getelementptr i8, ptr %106, i64 8
+  %108 = load double, ptr %107, align 8
+  %109 = fcmp ogt double %108, %104
+  br i1 %109, label %216, label %110
+110:
+  %111 = getelementptr i8, ptr %106, i64 16
+  %112 = load double, ptr %111, align 8
+  %113 = fcmp ogt double %112, %98
+  br i1 %113, label %216, label %114
+114:
+  %115 = getelementptr i8, ptr %106, i64 24
+  %116 = load double, ptr %115, align 8
+  %117 = fcmp olt double %116, %94
+  br i1 %117, label %216, label %118
+118:
+  %119 = getelementptr i8, ptr %106, i64 32
+  %120 = load double, ptr %119, align 8
+  %121 = fcmp olt double %120, %95
+  br i1 %121, label %216, label %122
+122:
+  %123 = getelementptr i8, ptr %106, i64 40
+  %124 = load double, ptr %123, align 8
+  %125 = fcmp uge double %124, %96
+  br i1 %125, label %126, label %216
+126:
+  %127 = icmp slt i64 %93, %27
+  br i1 %127, label %251, label %128
+128:
+  %129 = sub nsw i64 %93, %27
+  %130 = getelementptr i64, ptr %25, i64 %129
+  %131 = load i64, ptr %130, align 8
+  %132 = load i64, ptr %85, align 8
+  %133 = mul i64 %131, 24
+  %134 = getelementptr i8, ptr %6, i64 %133
+  %135 = icmp slt i64 %131, 0
+  %136 = select i1 %135, i64 %8, i64 0
+  %137 = getelementptr i64, ptr %134, i64 %136
+  %138 = load i64, ptr %137, align 8
+  %139 = icmp eq i64 %132, %138
+  br i1 %139, label %216, label %140
+140:
+  %141 = getelementptr i8, ptr %134, i64 8
+  %142 = getelementptr i64, ptr %141, i64 %136
+  %143 = load i64, ptr %142, align 8
+  %144 = icmp eq i64 %132, %143
+  br i1 %144, label %216, label %145
+145:
+  %146 = getelementptr i8, ptr %134, i64 16
+  %147 = getelementptr i64, ptr %146, i64 %136
+  %148 = load i64, ptr %147, align 8
+  %149 = icmp eq i64 %132, %148
+  br i1 %149, label %216, label %150
+150:
+  %151 = load i64, ptr %87, align 8
+  %152 = icmp eq i64 %151, %138
+  %153 = icmp eq i64 %151, %143
+  %154 = or i1 %152, %153
+  %155 = icmp eq i64 %151, %148
+  %156 = or i1 %155, %154
+  br i1 %156, label %216, label %157
+157:
+  %158 = load i64, ptr %89, align 8
+  %159 = icmp eq i64 %158, %138
+  %160 = icmp eq i64 %158, %143
+  %161 = or i1 %159, %160
+  %162 = icmp eq i64 %158, %148
+  %163 = or i1 %162, %161
+  br i1 %163, label %216, label %164
+164:
+  %165 = add nsw i64 %91, 1
+  store i64 %165, ptr %33, align 8
+  call fastcc void @1(ptr nonnull %2, ptr readonly %10, i64 %12, i64 %14, i64 %16, i64 %53, i64 %131, double %29)
+  %166 = load i8, ptr %2, align 1
+  %167 = icmp eq i8 %166, 0
+  br i1 %167, label %216, label %242
+168:
+  call fastcc void @2(ptr nonnull %4, ptr readonly %10, i64 %12, i64 %14, i64 %16, i64 %53, i64 0, i64 %131, double %29)
+  %169 = load i8, ptr %4, align 1
+  %170 = icmp eq i8 %169, 0
+  br i1 %170, label %245, label %171
+171:
+  %172 = icmp slt i64 %92, %37
+  br i1 %172, label %173, label %181
+173:
+  %174 = icmp slt i64 %92, 0
+  %175 = select i1 %174, i64 %37, i64 0
+  %176 = getelementptr i64, ptr %35, i64 %92
+  %177 = getelementptr i64, ptr %176, i64 %175
+  store i64 %53, ptr %177, align 8
+  %178 = select i1 %174, i64 %41, i64 0
+  %179 = getelementptr i64, ptr %39, i64 %92
+  %180 = getelementptr i64, ptr %179, i64 %178
+  store i64 %131, ptr %180, align 8
+  br label %181
+181:
+  %182 = add nsw i64 %92, 1
+  br label %216
+183:
+  call fastcc void @2(ptr nonnull %5, ptr readonly %10, i64 %12, i64 %14, i64 %16, i64 %131, i64 1, i64 %53, double %29)
+  %184 = load i8, ptr %5, align 1
+  %185 = icmp eq i8 %184, 0
+  br i1 %185, label %198, label %186
+186:
+  %187 = icmp slt i64 %92, %37
+  br i1 %187, label %188, label %196
+188:
+  %189 = icmp slt i64 %92, 0
+  %190 = select i1 %189, i64 %37, i64 0
+  %191 = getelementptr i64, ptr %35, i64 %92
+  %192 = getelementptr i64, ptr %191, i64 %190
+  store i64 %53, ptr %192, align 8
+  %193 = select i1 %189, i64 %41, i64 0
+  %194 = getelementptr i64, ptr %39, i64 %92
+  %195 = getelementptr i64, ptr %194, i64 %193
+  store i64 %131, ptr %195, align 8
+  br label %196
+196:
+  %197 = add nsw i64 %92, 1
+  br label %216
+198:
+  call fastcc void @2(ptr nonnull %4, ptr readonly %10, i64 %12, i64 %14, i64 %16, i64 %53, i64 2, i64 %131, double %29)
+  %199 = load i8, ptr %4, align 1
+  %200 = icmp eq i8 %199, 0
+  br i1 %200, label %201, label %204
+201:
+  call fastcc void @2(ptr nonnull %5, ptr readonly %10, i64 %12, i64 %14, i64 %16, i64 %131, i64 2, i64 %53, double %29)
+  %202 = load i8, ptr %5, align 1
+  %203 = icmp eq i8 %202, 0
+  br i1 %203, label %216, label %204
+204:
+  %205 = icmp slt i64 %92, %37
+  br i1 %205, label %206, label %214
+206:
+  %207 = icmp slt i64 %92, 0
+  %208 = select i1 %207, i64 %37, i64 0
+  %209 = getelementptr i64, ptr %35, i64 %92
+  %210 = getelementptr i64, ptr %209, i64 %208
+  store i64 %53, ptr %210, align 8
+  %211 = select i1 %207, i64 %41, i64 0
+  %212 = getelementptr i64, ptr %39, i64 %92
+  %213 = getelementptr i64, ptr %212, i64 %211
+  store i64 %131, ptr %213, align 8
+  br label %214
+214:
+  %215 = add nsw i64 %92, 1
+  br label %216
+216:
+  %217 = phi i64 [ %92, %90 ], [ %92, %122 ], [ %92, %110 ], [ %92, %114 ], [ %92, %118 ], [ %92, %103 ], [ %92, %201 ], [ %92, %145 ], [ %92, %157 ], [ %182, %181 ], [ %92, %140 ], [ %92, %128 ], [ %215, %214 ], [ %92, %150 ], [ %197, %196 ], [ %92, %242 ], [ %92, %164 ]
+  %218 = add nuw nsw i64 %93, 1
+  %219 = and i64 %93, 1
+  %220 = icmp eq i64 %219, 0
+  br i1 %220, label %226, label %221
+221:
+  %222 = phi i64 [ %223, %221 ], [ %218, %216 ]
+  %223 = lshr i64 %222, 1
+  %224 = and i64 %222, 2
+  %225 = icmp eq i64 %224, 0
+  br i1 %225, label %221, label %226
+226:
+  %227 = phi i64 [ %218, %216 ], [ %223, %221 ]
+  %228 = icmp sgt i64 %227, 1
+  br i1 %228, label %229, label %236
+229:
+  %230 = load i64, ptr %33, align 8
+  br label %231
+231:
+  %232 = phi i64 [ %91, %251 ], [ %230, %229 ]
+  %233 = phi i64 [ %252, %251 ], [ %227, %229 ]
+  %234 = phi i64 [ %92, %251 ], [ %217, %229 ]
+  %235 = icmp slt i64 %232, %31
+  br i1 %235, label %90, label %236
+236:
+  %237 = phi i64 [ %46, %61 ], [ %46, %239 ], [ %234, %231 ], [ %217, %226 ]
+  %238 = icmp sgt i64 %47, 1
+  br i1 %238, label %45, label %253
+239:
+  %240 = phi i64 [ %50, %45 ], [ %58, %56 ]
+  %241 = icmp slt i64 %240, 2
+  br i1 %241, label %236, label %61
+242:
+  call fastcc void @1(ptr nonnull %3, ptr readonly %10, i64 %12, i64 %14, i64 %16, i64 %131, i64 %53, double %29)
+  %243 = load i8, ptr %3, align 1
+  %244 = icmp eq i8 %243, 0
+  br i1 %244, label %216, label %168
+245:
+  call fastcc void @2(ptr nonnull %5, ptr readonly %10, i64 %12, i64 %14, i64 %16, i64 %131, i64 0, i64 %53, double %29)
+  %246 = load i8, ptr %5, align 1
+  %247 = icmp eq i8 %246, 0
+  br i1 %247, label %248, label %171
+248:
+  call fastcc void @2(ptr nonnull %4, ptr readonly %10, i64 %12, i64 %14, i64 %16, i64 %53, i64 1, i64 %131, double %29)
+  %249 = load i8, ptr %4, align 1
+  %250 = icmp eq i8 %249, 0
+  br i1 %250, label %183, label %186
+251:
+  %252 = shl nuw nsw i64 %93, 1
+  br label %231
+253:
+  %254 = phi i64 [ 0, %1 ], [ %237, %236 ]
+  ret i64 %254
 }
-
 declare { i64, i1 } @llvm.usub.with.overflow.i64(i64, i64)
-
-define i64 @msf_jax.host.solid.loops.loops(ptr readonly %words) local_unnamed_addr {
-  %w0 = load ptr, ptr %words, align 8
-  %p1 = getelementptr i8, ptr %words, i64 8
-  %w1 = load i64, ptr %p1, align 8
-  %p2 = getelementptr i8, ptr %words, i64 16
-  %w2 = load i64, ptr %p2, align 8
-  %p3 = getelementptr i8, ptr %words, i64 24
-  %w3 = load ptr, ptr %p3, align 8
-  %p5 = getelementptr i8, ptr %words, i64 40
-  %w5 = load i64, ptr %p5, align 8
-  %p6 = getelementptr i8, ptr %words, i64 48
-  %w6 = load ptr, ptr %p6, align 8
-  %p8 = getelementptr i8, ptr %words, i64 64
-  %w8 = load ptr, ptr %p8, align 8
-  %p10 = getelementptr i8, ptr %words, i64 80
-  %w10 = load ptr, ptr %p10, align 8
-  %p11 = getelementptr i8, ptr %words, i64 88
-  %w11 = load i64, ptr %p11, align 8
-  %p12 = getelementptr i8, ptr %words, i64 96
-  %w12 = load i64, ptr %p12, align 8
-  %p13 = getelementptr i8, ptr %words, i64 104
-  %w13 = load ptr, ptr %p13, align 8
-  %p14 = getelementptr i8, ptr %words, i64 112
-  %w14 = load i64, ptr %p14, align 8
-  %p19 = getelementptr i8, ptr %words, i64 152
-  %w19 = load ptr, ptr %p19, align 8
-  %p20 = getelementptr i8, ptr %words, i64 160
-  %w20 = load i64, ptr %p20, align 8
-  %p21 = getelementptr i8, ptr %words, i64 168
-  %w21 = load ptr, ptr %p21, align 8
-  %p22 = getelementptr i8, ptr %words, i64 176
-  %w22 = load i64, ptr %p22, align 8
-  %p23 = getelementptr i8, ptr %words, i64 184
-  %w23 = load i64, ptr %p23, align 8
-  %p24 = getelementptr i8, ptr %words, i64 192
-  %w24 = load ptr, ptr %p24, align 8
-  %p25 = getelementptr i8, ptr %words, i64 200
-  %w25 = load i64, ptr %p25, align 8
-  %p26 = getelementptr i8, ptr %words, i64 208
-  %w26 = load i64, ptr %p26, align 8
-  %p27 = getelementptr i8, ptr %words, i64 216
-  %w27 = load i64, ptr %p27, align 8
-  %p28 = getelementptr i8, ptr %words, i64 224
-  %w28 = load ptr, ptr %p28, align 8
-  %p30 = getelementptr i8, ptr %words, i64 240
-  %w30 = load i64, ptr %p30, align 8
-  %p31 = getelementptr i8, ptr %words, i64 248
-  %w31 = load ptr, ptr %p31, align 8
-  %p33 = getelementptr i8, ptr %words, i64 264
-  %w33 = load ptr, ptr %p33, align 8
-  %p34 = getelementptr i8, ptr %words, i64 272
-  %w34 = load i64, ptr %p34, align 8
-  %p35 = getelementptr i8, ptr %words, i64 280
-  %w35 = load ptr, ptr %p35, align 8
-  %.2941365.not.i = icmp slt i64 %w1, 1
-  br i1 %.2941365.not.i, label %_ZN7msf_jax4host5solid5loops5loopsB3v26B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE232Mesh_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xx5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, label %B108.preheader.i
-
-B108.preheader.i:                                 ; preds = %0
-  %p36 = getelementptr i8, ptr %words, i64 288
-  %w36 = load i64, ptr %p36, align 8
-  %1 = icmp slt i64 %w26, 1
-  %.1086.i.i = getelementptr i8, ptr %w28, i64 8
-  %.1200.i.i = getelementptr i8, ptr %w28, i64 16
-  %.1264.i.i = getelementptr double, ptr %w28, i64 %w30
-  %.1373.i.i = getelementptr i8, ptr %.1264.i.i, i64 8
-  %.1482.i.i = getelementptr i8, ptr %.1264.i.i, i64 16
-  %2 = shl i64 %w34, 3
-  %3 = shl i64 %w36, 3
-  %.720.i = shl i64 %w2, 3
-  %.257.i23.i.i = shl i64 %w5, 3
-  br label %B108.i
-
-B108.i:                                           ; preds = %B1094.i, %B108.preheader.i
-  %count.3.01371.i = phi i64 [ %count.4.2.i, %B1094.i ], [ 0, %B108.preheader.i ]
-  %.30013411368.i = phi i64 [ %.307.i, %B1094.i ], [ 0, %B108.preheader.i ]
-  %.307.i = add nuw nsw i64 %.30013411368.i, 1
-  %4 = getelementptr double, ptr %w6, i64 %.30013411368.i
-  %.365.i = load double, ptr %4, align 8
-  %5 = getelementptr i64, ptr %w8, i64 %.30013411368.i
-  %.402.i = load i64, ptr %5, align 8
-  %.403.i = icmp sgt i64 %.402.i, -1
-  br i1 %.403.i, label %B154.i, label %B204.endif.i
-
-B154.i:                                           ; preds = %B108.i
-  %.203.i17.i.i.i = mul i64 %.30013411368.i, %w2
-  %.207.i18.i.i.i = getelementptr double, ptr %w0, i64 %.203.i17.i.i.i
-  %.208.i19.i.i.i = load double, ptr %.207.i18.i.i.i, align 8
-  %.257.i23.i.i.i = mul i64 %.30013411368.i, %w5
-  %.261.i24.i.i.i = getelementptr double, ptr %w3, i64 %.257.i23.i.i.i
-  %.262.i25.i.i.i = load double, ptr %.261.i24.i.i.i, align 8
-  %.369.i29.i.i.i = getelementptr i8, ptr %.207.i18.i.i.i, i64 8
-  %.370.i30.i.i.i = load double, ptr %.369.i29.i.i.i, align 8
-  %.423.i32.i.i.i = getelementptr i8, ptr %.261.i24.i.i.i, i64 8
-  %.424.i33.i.i.i = load double, ptr %.423.i32.i.i.i, align 8
-  %.532.i38.i.i.i = getelementptr i8, ptr %.207.i18.i.i.i, i64 16
-  %.533.i39.i.i.i = load double, ptr %.532.i38.i.i.i, align 8
-  %.586.i41.i.i.i = getelementptr i8, ptr %.261.i24.i.i.i, i64 16
-  %.587.i42.i.i.i = load double, ptr %.586.i41.i.i.i, align 8
-  br label %B46.i.i
-
-B46.i.i:                                          ; preds = %B148.endif.2.i.i, %B154.i
-  %lsr.iv1.i.i = phi i64 [ %lsr.iv.next2.i.i, %B148.endif.2.i.i ], [ 32, %B154.i ]
-  %face.2.0486.i.i = phi i64 [ %.674.1.i.i, %B148.endif.2.i.i ], [ %.402.i, %B154.i ]
-  %.237.i.i.i = mul nsw i64 %face.2.0486.i.i, 3
-  %.252.peel.i.i.i = icmp slt i64 %face.2.0486.i.i, 0
-  %.253.peel.i.i.i = select i1 %.252.peel.i.i.i, i64 %w14, i64 0
-  %6 = getelementptr i64, ptr %w13, i64 %.237.i.i.i
-  %.267.peel.i.i.i = getelementptr i64, ptr %6, i64 %.253.peel.i.i.i
-  %.268.peel.i.i.i = load i64, ptr %.267.peel.i.i.i, align 8
-  %.128.i8.peel.i.i.i = icmp slt i64 %.268.peel.i.i.i, 0
-  %.129.i9.peel.i.i.i = select i1 %.128.i8.peel.i.i.i, i64 %w11, i64 0
-  %.130.i10.peel.i.i.i = add i64 %.129.i9.peel.i.i.i, %.268.peel.i.i.i
-  %.150.i11.peel.i.i.i = mul i64 %.130.i10.peel.i.i.i, %w12
-  %.154.i12.peel.i.i.i = getelementptr double, ptr %w10, i64 %.150.i11.peel.i.i.i
-  %.155.i13.peel.i.i.i = load double, ptr %.154.i12.peel.i.i.i, align 8
-  %.209.i20.peel.i.i.i = fsub double %.155.i13.peel.i.i.i, %.208.i19.i.i.i
-  %.263.i26.peel.i.i.i = fmul double %.262.i25.i.i.i, %.209.i20.peel.i.i.i
-  %.316.i27.peel.i.i.i = getelementptr i8, ptr %.154.i12.peel.i.i.i, i64 8
-  %.317.i28.peel.i.i.i = load double, ptr %.316.i27.peel.i.i.i, align 8
-  %.371.i31.peel.i.i.i = fsub double %.317.i28.peel.i.i.i, %.370.i30.i.i.i
-  %.425.i34.peel.i.i.i = fmul double %.424.i33.i.i.i, %.371.i31.peel.i.i.i
-  %.426.i35.peel.i.i.i = fadd double %.263.i26.peel.i.i.i, %.425.i34.peel.i.i.i
-  %.479.i36.peel.i.i.i = getelementptr i8, ptr %.154.i12.peel.i.i.i, i64 16
-  %.480.i37.peel.i.i.i = load double, ptr %.479.i36.peel.i.i.i, align 8
-  %.534.i40.peel.i.i.i = fsub double %.480.i37.peel.i.i.i, %.533.i39.i.i.i
-  %.588.i43.peel.i.i.i = fmul double %.587.i42.i.i.i, %.534.i40.peel.i.i.i
-  %.589.i44.peel.i.i.i = fadd double %.426.i35.peel.i.i.i, %.588.i43.peel.i.i.i
-  %.406.peel.i.i.i = fcmp ult double %.589.i44.peel.i.i.i, 0.000000e+00
-  %.pre.i.i.i = add nsw i64 %.237.i.i.i, 1
-  %.phi.trans.insert.i.i.i = getelementptr i64, ptr %w13, i64 %.pre.i.i.i
-  %.267.peel54.phi.trans.insert.i.i.i = getelementptr i64, ptr %.phi.trans.insert.i.i.i, i64 %.253.peel.i.i.i
-  %.268.peel55.pre.i.i.i = load i64, ptr %.267.peel54.phi.trans.insert.i.i.i, align 8
-  br i1 %.406.peel.i.i.i, label %B36.endif.endif.backedge.peel.i.i.i, label %B176.endif.peel.i.i.i
-
-B176.endif.peel.i.i.i:                            ; preds = %B46.i.i
-  %.128.i.peel.i.i.i = icmp slt i64 %.268.peel55.pre.i.i.i, 0
-  %.129.i.peel.i.i.i = select i1 %.128.i.peel.i.i.i, i64 %w11, i64 0
-  %.130.i.peel.i.i.i = add i64 %.129.i.peel.i.i.i, %.268.peel55.pre.i.i.i
-  %.150.i.peel.i.i.i = mul i64 %.130.i.peel.i.i.i, %w12
-  %.154.i.peel.i.i.i = getelementptr double, ptr %w10, i64 %.150.i.peel.i.i.i
-  %.155.i.peel.i.i.i = load double, ptr %.154.i.peel.i.i.i, align 8
-  %.209.i.peel.i.i.i = fsub double %.155.i.peel.i.i.i, %.208.i19.i.i.i
-  %.263.i.peel.i.i.i = fmul double %.262.i25.i.i.i, %.209.i.peel.i.i.i
-  %.316.i.peel.i.i.i = getelementptr i8, ptr %.154.i.peel.i.i.i, i64 8
-  %.317.i.peel.i.i.i = load double, ptr %.316.i.peel.i.i.i, align 8
-  %.371.i.peel.i.i.i = fsub double %.317.i.peel.i.i.i, %.370.i30.i.i.i
-  %.425.i.peel.i.i.i = fmul double %.424.i33.i.i.i, %.371.i.peel.i.i.i
-  %.426.i.peel.i.i.i = fadd double %.263.i.peel.i.i.i, %.425.i.peel.i.i.i
-  %.479.i.peel.i.i.i = getelementptr i8, ptr %.154.i.peel.i.i.i, i64 16
-  %.480.i.peel.i.i.i = load double, ptr %.479.i.peel.i.i.i, align 8
-  %.534.i.peel.i.i.i = fsub double %.480.i.peel.i.i.i, %.533.i39.i.i.i
-  %.588.i.peel.i.i.i = fmul double %.587.i42.i.i.i, %.534.i.peel.i.i.i
-  %.589.i.peel.i.i.i = fadd double %.426.i.peel.i.i.i, %.588.i.peel.i.i.i
-  %.473.peel.i.i.i = fcmp olt double %.589.i.peel.i.i.i, 0.000000e+00
-  br i1 %.473.peel.i.i.i, label %B46.endif.i.i, label %B36.endif.endif.backedge.peel.i.i.i
-
-B36.endif.endif.backedge.peel.i.i.i:              ; preds = %B46.i.i, %B176.endif.peel.i.i.i
-  %.128.i8.peel56.i.i.i = icmp slt i64 %.268.peel55.pre.i.i.i, 0
-  %.129.i9.peel57.i.i.i = select i1 %.128.i8.peel56.i.i.i, i64 %w11, i64 0
-  %.130.i10.peel58.i.i.i = add i64 %.129.i9.peel57.i.i.i, %.268.peel55.pre.i.i.i
-  %.150.i11.peel59.i.i.i = mul i64 %.130.i10.peel58.i.i.i, %w12
-  %.154.i12.peel60.i.i.i = getelementptr double, ptr %w10, i64 %.150.i11.peel59.i.i.i
-  %.155.i13.peel61.i.i.i = load double, ptr %.154.i12.peel60.i.i.i, align 8
-  %.209.i20.peel62.i.i.i = fsub double %.155.i13.peel61.i.i.i, %.208.i19.i.i.i
-  %.263.i26.peel63.i.i.i = fmul double %.262.i25.i.i.i, %.209.i20.peel62.i.i.i
-  %.316.i27.peel64.i.i.i = getelementptr i8, ptr %.154.i12.peel60.i.i.i, i64 8
-  %.317.i28.peel65.i.i.i = load double, ptr %.316.i27.peel64.i.i.i, align 8
-  %.371.i31.peel66.i.i.i = fsub double %.317.i28.peel65.i.i.i, %.370.i30.i.i.i
-  %.425.i34.peel67.i.i.i = fmul double %.424.i33.i.i.i, %.371.i31.peel66.i.i.i
-  %.426.i35.peel68.i.i.i = fadd double %.263.i26.peel63.i.i.i, %.425.i34.peel67.i.i.i
-  %.479.i36.peel69.i.i.i = getelementptr i8, ptr %.154.i12.peel60.i.i.i, i64 16
-  %.480.i37.peel70.i.i.i = load double, ptr %.479.i36.peel69.i.i.i, align 8
-  %.534.i40.peel71.i.i.i = fsub double %.480.i37.peel70.i.i.i, %.533.i39.i.i.i
-  %.588.i43.peel72.i.i.i = fmul double %.587.i42.i.i.i, %.534.i40.peel71.i.i.i
-  %.589.i44.peel73.i.i.i = fadd double %.426.i35.peel68.i.i.i, %.588.i43.peel72.i.i.i
-  %.406.peel74.i.i.i = fcmp ult double %.589.i44.peel73.i.i.i, 0.000000e+00
-  %.pre161.i.i.i = add nsw i64 %.237.i.i.i, 2
-  %.phi.trans.insert2.i.i.i = getelementptr i64, ptr %w13, i64 %.pre161.i.i.i
-  %.267.peel110.phi.trans.insert.i.i.i = getelementptr i64, ptr %.phi.trans.insert2.i.i.i, i64 %.253.peel.i.i.i
-  %.268.peel111.pre.i.i.i = load i64, ptr %.267.peel110.phi.trans.insert.i.i.i, align 8
-  br i1 %.406.peel74.i.i.i, label %B36.endif.endif.backedge.peel103.i.i.i, label %B176.endif.peel75.i.i.i
-
-B176.endif.peel75.i.i.i:                          ; preds = %B36.endif.endif.backedge.peel.i.i.i
-  %.128.i.peel82.i.i.i = icmp slt i64 %.268.peel111.pre.i.i.i, 0
-  %.129.i.peel83.i.i.i = select i1 %.128.i.peel82.i.i.i, i64 %w11, i64 0
-  %.130.i.peel84.i.i.i = add i64 %.129.i.peel83.i.i.i, %.268.peel111.pre.i.i.i
-  %.150.i.peel85.i.i.i = mul i64 %.130.i.peel84.i.i.i, %w12
-  %.154.i.peel86.i.i.i = getelementptr double, ptr %w10, i64 %.150.i.peel85.i.i.i
-  %.155.i.peel87.i.i.i = load double, ptr %.154.i.peel86.i.i.i, align 8
-  %.209.i.peel88.i.i.i = fsub double %.155.i.peel87.i.i.i, %.208.i19.i.i.i
-  %.263.i.peel89.i.i.i = fmul double %.262.i25.i.i.i, %.209.i.peel88.i.i.i
-  %.316.i.peel90.i.i.i = getelementptr i8, ptr %.154.i.peel86.i.i.i, i64 8
-  %.317.i.peel91.i.i.i = load double, ptr %.316.i.peel90.i.i.i, align 8
-  %.371.i.peel92.i.i.i = fsub double %.317.i.peel91.i.i.i, %.370.i30.i.i.i
-  %.425.i.peel93.i.i.i = fmul double %.424.i33.i.i.i, %.371.i.peel92.i.i.i
-  %.426.i.peel94.i.i.i = fadd double %.263.i.peel89.i.i.i, %.425.i.peel93.i.i.i
-  %.479.i.peel95.i.i.i = getelementptr i8, ptr %.154.i.peel86.i.i.i, i64 16
-  %.480.i.peel96.i.i.i = load double, ptr %.479.i.peel95.i.i.i, align 8
-  %.534.i.peel97.i.i.i = fsub double %.480.i.peel96.i.i.i, %.533.i39.i.i.i
-  %.588.i.peel98.i.i.i = fmul double %.587.i42.i.i.i, %.534.i.peel97.i.i.i
-  %.589.i.peel99.i.i.i = fadd double %.426.i.peel94.i.i.i, %.588.i.peel98.i.i.i
-  %.473.peel100.i.i.i = fcmp olt double %.589.i.peel99.i.i.i, 0.000000e+00
-  br i1 %.473.peel100.i.i.i, label %B46.endif.i.i, label %B36.endif.endif.backedge.peel103.i.i.i
-
-B36.endif.endif.backedge.peel103.i.i.i:           ; preds = %B36.endif.endif.backedge.peel.i.i.i, %B176.endif.peel75.i.i.i
-  %.128.i8.peel112.i.i.i = icmp slt i64 %.268.peel111.pre.i.i.i, 0
-  %.129.i9.peel113.i.i.i = select i1 %.128.i8.peel112.i.i.i, i64 %w11, i64 0
-  %.130.i10.peel114.i.i.i = add i64 %.129.i9.peel113.i.i.i, %.268.peel111.pre.i.i.i
-  %.150.i11.peel115.i.i.i = mul i64 %.130.i10.peel114.i.i.i, %w12
-  %.154.i12.peel116.i.i.i = getelementptr double, ptr %w10, i64 %.150.i11.peel115.i.i.i
-  %.155.i13.peel117.i.i.i = load double, ptr %.154.i12.peel116.i.i.i, align 8
-  %.209.i20.peel118.i.i.i = fsub double %.155.i13.peel117.i.i.i, %.208.i19.i.i.i
-  %.263.i26.peel119.i.i.i = fmul double %.262.i25.i.i.i, %.209.i20.peel118.i.i.i
-  %.316.i27.peel120.i.i.i = getelementptr i8, ptr %.154.i12.peel116.i.i.i, i64 8
-  %.317.i28.peel121.i.i.i = load double, ptr %.316.i27.peel120.i.i.i, align 8
-  %.371.i31.peel122.i.i.i = fsub double %.317.i28.peel121.i.i.i, %.370.i30.i.i.i
-  %.425.i34.peel123.i.i.i = fmul double %.424.i33.i.i.i, %.371.i31.peel122.i.i.i
-  %.426.i35.peel124.i.i.i = fadd double %.263.i26.peel119.i.i.i, %.425.i34.peel123.i.i.i
-  %.479.i36.peel125.i.i.i = getelementptr i8, ptr %.154.i12.peel116.i.i.i, i64 16
-  %.480.i37.peel126.i.i.i = load double, ptr %.479.i36.peel125.i.i.i, align 8
-  %.534.i40.peel127.i.i.i = fsub double %.480.i37.peel126.i.i.i, %.533.i39.i.i.i
-  %.588.i43.peel128.i.i.i = fmul double %.587.i42.i.i.i, %.534.i40.peel127.i.i.i
-  %.589.i44.peel129.i.i.i = fadd double %.426.i35.peel124.i.i.i, %.588.i43.peel128.i.i.i
-  %.406.peel130.i.i.i = fcmp oge double %.589.i44.peel129.i.i.i, 0.000000e+00
-  %.473.peel156.i.i.i = fcmp olt double %.589.i44.peel.i.i.i, 0.000000e+00
-  %or.cond.i.i = and i1 %.473.peel156.i.i.i, %.406.peel130.i.i.i
-  br i1 %or.cond.i.i, label %B46.endif.i.i, label %B148.endif.2.i.i
-
-B46.endif.i.i:                                    ; preds = %B36.endif.endif.backedge.peel103.i.i.i, %B176.endif.peel75.i.i.i, %B176.endif.peel.i.i.i
-  %storemerge.i.i.i = phi i64 [ %.pre.i.i.i, %B176.endif.peel75.i.i.i ], [ %.237.i.i.i, %B176.endif.peel.i.i.i ], [ %.pre161.i.i.i, %B36.endif.endif.backedge.peel103.i.i.i ]
-  %.294.i.i = icmp sgt i64 %storemerge.i.i.i, -1
-  br i1 %.294.i.i, label %B204.endif.i, label %B46.endif.B148.endif.2_crit_edge.i.i
-
-B46.endif.B148.endif.2_crit_edge.i.i:             ; preds = %B46.endif.i.i
-  %.phi.trans.insert.i2.i = getelementptr i8, ptr %6, i64 16
-  %.489.2.phi.trans.insert.i.i = getelementptr i64, ptr %.phi.trans.insert.i2.i, i64 %.253.peel.i.i.i
-  %.490.2.pre.i.i = load i64, ptr %.489.2.phi.trans.insert.i.i, align 8
-  br label %B148.endif.2.i.i
-
-B148.endif.2.i.i:                                 ; preds = %B46.endif.B148.endif.2_crit_edge.i.i, %B36.endif.endif.backedge.peel103.i.i.i
-  %.490.2.i.i = phi i64 [ %.490.2.pre.i.i, %B46.endif.B148.endif.2_crit_edge.i.i ], [ %.268.peel111.pre.i.i.i, %B36.endif.endif.backedge.peel103.i.i.i ]
-  %.128.i7.i.i = icmp slt i64 %.268.peel55.pre.i.i.i, 0
-  %.129.i8.i.i = select i1 %.128.i7.i.i, i64 %w11, i64 0
-  %.130.i9.i.i = add i64 %.129.i8.i.i, %.268.peel55.pre.i.i.i
-  %.150.i10.i.i = mul i64 %.130.i9.i.i, %w12
-  %.154.i11.i.i = getelementptr double, ptr %w10, i64 %.150.i10.i.i
-  %.155.i12.i.i = load double, ptr %.154.i11.i.i, align 8
-  %.209.i19.i.i = fsub double %.155.i12.i.i, %.208.i19.i.i.i
-  %.263.i25.i.i = fmul double %.262.i25.i.i.i, %.209.i19.i.i
-  %.316.i26.i.i = getelementptr i8, ptr %.154.i11.i.i, i64 8
-  %.317.i27.i.i = load double, ptr %.316.i26.i.i, align 8
-  %.371.i30.i.i = fsub double %.317.i27.i.i, %.370.i30.i.i.i
-  %.425.i33.i.i = fmul double %.424.i33.i.i.i, %.371.i30.i.i
-  %.426.i34.i.i = fadd double %.263.i25.i.i, %.425.i33.i.i
-  %.479.i35.i.i = getelementptr i8, ptr %.154.i11.i.i, i64 16
-  %.480.i36.i.i = load double, ptr %.479.i35.i.i, align 8
-  %.534.i39.i.i = fsub double %.480.i36.i.i, %.533.i39.i.i.i
-  %.588.i42.i.i = fmul double %.587.i42.i.i.i, %.534.i39.i.i
-  %.589.i43.i.i = fadd double %.426.i34.i.i, %.588.i42.i.i
-  %.128.i44.i.i = icmp slt i64 %.490.2.i.i, 0
-  %.129.i45.i.i = select i1 %.128.i44.i.i, i64 %w11, i64 0
-  %.130.i46.i.i = add i64 %.129.i45.i.i, %.490.2.i.i
-  %.150.i47.i.i = mul i64 %.130.i46.i.i, %w12
-  %.154.i48.i.i = getelementptr double, ptr %w10, i64 %.150.i47.i.i
-  %.155.i49.i.i = load double, ptr %.154.i48.i.i, align 8
-  %.209.i56.i.i = fsub double %.155.i49.i.i, %.208.i19.i.i.i
-  %.263.i62.i.i = fmul double %.262.i25.i.i.i, %.209.i56.i.i
-  %.316.i63.i.i = getelementptr i8, ptr %.154.i48.i.i, i64 8
-  %.317.i64.i.i = load double, ptr %.316.i63.i.i, align 8
-  %.371.i67.i.i = fsub double %.317.i64.i.i, %.370.i30.i.i.i
-  %.425.i70.i.i = fmul double %.424.i33.i.i.i, %.371.i67.i.i
-  %.426.i71.i.i = fadd double %.263.i62.i.i, %.425.i70.i.i
-  %.479.i72.i.i = getelementptr i8, ptr %.154.i48.i.i, i64 16
-  %.480.i73.i.i = load double, ptr %.479.i72.i.i, align 8
-  %.534.i76.i.i = fsub double %.480.i73.i.i, %.533.i39.i.i.i
-  %.588.i79.i.i = fmul double %.587.i42.i.i.i, %.534.i76.i.i
-  %.589.i80.i.i = fadd double %.426.i71.i.i, %.588.i79.i.i
-  %.547.1.i.i = tail call double @llvm.fabs.f64(double %.589.i43.i.i)
-  %.547.i.i = tail call double @llvm.fabs.f64(double %.589.i44.peel.i.i.i)
-  %.553.i.i = fcmp ogt double %.547.i.i, -1.000000e+00
-  %most.3.2.i.i = select i1 %.553.i.i, double %.547.i.i, double -1.000000e+00
-  %.553.1.i.i = fcmp ogt double %.547.1.i.i, %most.3.2.i.i
-  %most.3.2.1.i.i = select i1 %.553.1.i.i, double %.547.1.i.i, double %most.3.2.i.i
-  %.547.2.i.i = tail call double @llvm.fabs.f64(double %.589.i80.i.i)
-  %.553.2.i.i = fcmp ogt double %.547.2.i.i, %most.3.2.1.i.i
-  %7 = select i1 %.553.1.i.i, i64 2, i64 1
-  %.616.i.i = select i1 %.553.2.i.i, i64 0, i64 %7
-  %.637.i.i = add nsw i64 %.616.i.i, %.237.i.i.i
-  %.650.i.i = icmp slt i64 %.637.i.i, 0
-  %.651.i.i = select i1 %.650.i.i, i64 %w20, i64 0
-  %8 = getelementptr i64, ptr %w19, i64 %.637.i.i
-  %.665.i.i = getelementptr i64, ptr %8, i64 %.651.i.i
-  %.666.i.i = load i64, ptr %.665.i.i, align 8
-  %.685.i.i = sdiv i64 %.666.i.i, 3
-  %.686.i.i = srem i64 %.666.i.i, 3
-  %.686.lobit.i.i = ashr i64 %.686.i.i, 63
-  %.674.1.i.i = add nsw i64 %.686.lobit.i.i, %.685.i.i
-  %lsr.iv.next2.i.i = add nsw i64 %lsr.iv1.i.i, -1
-  %.194.i.i = icmp samesign ugt i64 %lsr.iv1.i.i, 3
-  br i1 %.194.i.i, label %B46.i.i, label %B204.endif.i
-
-B236.i:                                           ; preds = %B236.lr.ph.i, %B594.i
-  %first.3.11326.i = phi i64 [ %first.7.1.i, %B236.lr.ph.i ], [ %first.5.3100.i, %B594.i ]
-  %best.5.11325.i = phi double [ %.365.i, %B236.lr.ph.i ], [ %.1211.i, %B594.i ]
-  %.59413171323.i = phi i64 [ 0, %B236.lr.ph.i ], [ %.601.i, %B594.i ]
-  %.601.i = add nuw nsw i64 %.59413171323.i, 1
-  %.627.i = icmp sgt i64 %first.3.11326.i, -1
-  br i1 %.627.i, label %B626.preheader.i, label %B266.outer.preheader.i
-
-B266.outer.preheader.i:                           ; preds = %B236.i
-  %.725.pre.i = load double, ptr %sunkaddr144.i, align 8
-  %.780.pre.i = load double, ptr %sunkaddr147.i, align 8
-  %.835.pre.i = load double, ptr %sunkaddr150.i, align 8
-  br label %B266.outer.i
-
-B266.outer.i:                                     ; preds = %B70.i.i, %B266.outer.preheader.i
-  %.533.i.i.i = phi double [ %.533.i.i33.i, %B70.i.i ], [ %.835.pre.i, %B266.outer.preheader.i ]
-  %.370.i.i.i = phi double [ %.370.i.i28.i, %B70.i.i ], [ %.780.pre.i, %B266.outer.preheader.i ]
-  %.208.i.i.i = phi double [ %.208.i.i23.i, %B70.i.i ], [ %.725.pre.i, %B266.outer.preheader.i ]
-  %.835.i = phi double [ %.83521.i, %B70.i.i ], [ %.835.pre.i, %B266.outer.preheader.i ]
-  %.780.i = phi double [ %.78019.i, %B70.i.i ], [ %.780.pre.i, %B266.outer.preheader.i ]
-  %.725.i = phi double [ %.72517.i, %B70.i.i ], [ %.725.pre.i, %B266.outer.preheader.i ]
-  %best.3.2.ph.i = phi double [ %best.4.398.i, %B70.i.i ], [ %best.5.11325.i, %B266.outer.preheader.i ]
-  %first.6.2.ph.i = phi i64 [ %first.5.3100.i, %B70.i.i ], [ -1, %B266.outer.preheader.i ]
-  %which.2.2.ph.i = phi i64 [ %which.3.3102.i, %B70.i.i ], [ %w25, %B266.outer.preheader.i ]
-  %node.2.2.ph.i = phi i64 [ %node.4.0.i.i, %B70.i.i ], [ 1, %B266.outer.preheader.i ]
-  %.840.i = fmul double %best.3.2.ph.i, %best.3.2.ph.i
-  %.443.i.i = fmul double %.840.i, 0x3FF0000000001198
-  br label %B266.i
-
-B266.i:                                           ; preds = %B20.i.i, %B266.outer.i
-  %node.2.2.i = phi i64 [ %.28.i.i, %B20.i.i ], [ %node.2.2.ph.i, %B266.outer.i ]
-  %.47.i.i = icmp slt i64 %node.2.2.i, 0
-  %.48.i.i = select i1 %.47.i.i, i64 %w22, i64 0
-  %.49.i.i = add i64 %.48.i.i, %node.2.2.i
-  %.69.i.i = mul i64 %.49.i.i, %w23
-  %.73.i.i = getelementptr double, ptr %w21, i64 %.69.i.i
-  %.74.i.i = load double, ptr %.73.i.i, align 8
-  %.75.i.i = fsub double %.74.i.i, %.725.i
-  %.127.i.i = getelementptr i8, ptr %.73.i.i, i64 24
-  %.128.i.i = load double, ptr %.127.i.i, align 8
-  %.129.i.i = fsub double %.725.i, %.128.i.i
-  %.13.i.i.i = fcmp ogt double %.129.i.i, %.75.i.i
-  %.14.i.i.i = select i1 %.13.i.i.i, double %.129.i.i, double %.75.i.i
-  %.15.i.i.i = fcmp olt double %.14.i.i.i, 0.000000e+00
-  %.16.i.i.i = select i1 %.15.i.i.i, double 0.000000e+00, double %.14.i.i.i
-  %.213.i.i = getelementptr i8, ptr %.73.i.i, i64 8
-  %.214.i.i = load double, ptr %.213.i.i, align 8
-  %.215.i.i = fsub double %.214.i.i, %.780.i
-  %.267.i.i = getelementptr i8, ptr %.73.i.i, i64 32
-  %.268.i.i = load double, ptr %.267.i.i, align 8
-  %.269.i.i = fsub double %.780.i, %.268.i.i
-  %.13.i1.i.i = fcmp ogt double %.269.i.i, %.215.i.i
-  %.14.i2.i.i = select i1 %.13.i1.i.i, double %.269.i.i, double %.215.i.i
-  %.15.i3.i.i = fcmp olt double %.14.i2.i.i, 0.000000e+00
-  %.16.i4.i.i = select i1 %.15.i3.i.i, double 0.000000e+00, double %.14.i2.i.i
-  %.351.i.i = getelementptr i8, ptr %.73.i.i, i64 16
-  %.352.i.i = load double, ptr %.351.i.i, align 8
-  %.353.i.i = fsub double %.352.i.i, %.835.i
-  %.405.i.i = getelementptr i8, ptr %.73.i.i, i64 40
-  %.406.i.i = load double, ptr %.405.i.i, align 8
-  %.407.i.i = fsub double %.835.i, %.406.i.i
-  %.13.i5.i.i = fcmp ogt double %.407.i.i, %.353.i.i
-  %.14.i6.i.i = select i1 %.13.i5.i.i, double %.407.i.i, double %.353.i.i
-  %.15.i7.i.i = fcmp olt double %.14.i6.i.i, 0.000000e+00
-  %.16.i8.i.i = select i1 %.15.i7.i.i, double 0.000000e+00, double %.14.i6.i.i
-  %.438.i.i = fmul double %.16.i.i.i, %.16.i.i.i
-  %.439.i.i = fmul double %.16.i4.i.i, %.16.i4.i.i
-  %.440.i.i = fadd double %.438.i.i, %.439.i.i
-  %.441.i.i = fmul double %.16.i8.i.i, %.16.i8.i.i
-  %.442.i.i = fadd double %.440.i.i, %.441.i.i
-  %.444.i.i = fcmp ugt double %.442.i.i, %.443.i.i
-  br i1 %.444.i.i, label %B30.i.i, label %B374.i
-
-B374.i:                                           ; preds = %B266.i
-  %.895.not.i = icmp slt i64 %node.2.2.i, %w25
-  br i1 %.895.not.i, label %B20.i.i, label %B386.i
-
-B386.i:                                           ; preds = %B374.i
-  %.910.i = sub nsw i64 %node.2.2.i, %w25
-  %.938.i = getelementptr i64, ptr %w24, i64 %.910.i
-  %.939.i = load i64, ptr %.938.i, align 8
-  %.237.i.i = mul nsw i64 %.939.i, 3
-  %.262.i25.i.i = load double, ptr %sunkaddr152.i, align 8
-  %.424.i33.i.i = load double, ptr %sunkaddr155.i, align 8
-  %.587.i42.i.i = load double, ptr %sunkaddr158.i, align 8
-  %.252.peel.i.i = icmp slt i64 %.939.i, 0
-  %.253.peel.i.i = select i1 %.252.peel.i.i, i64 %w14, i64 0
-  %9 = getelementptr i64, ptr %w13, i64 %.237.i.i
-  %.267.peel.i.i = getelementptr i64, ptr %9, i64 %.253.peel.i.i
-  %.268.peel.i.i = load i64, ptr %.267.peel.i.i, align 8
-  %.128.i8.peel.i.i = icmp slt i64 %.268.peel.i.i, 0
-  %.129.i9.peel.i.i = select i1 %.128.i8.peel.i.i, i64 %w11, i64 0
-  %.130.i10.peel.i.i = add i64 %.129.i9.peel.i.i, %.268.peel.i.i
-  %.150.i11.peel.i.i = mul i64 %.130.i10.peel.i.i, %w12
-  %.154.i12.peel.i.i = getelementptr double, ptr %w10, i64 %.150.i11.peel.i.i
-  %.155.i13.peel.i.i = load double, ptr %.154.i12.peel.i.i, align 8
-  %.209.i20.peel.i.i = fsub double %.155.i13.peel.i.i, %.725.i
-  %.263.i26.peel.i.i = fmul double %.262.i25.i.i, %.209.i20.peel.i.i
-  %.316.i27.peel.i.i = getelementptr i8, ptr %.154.i12.peel.i.i, i64 8
-  %.317.i28.peel.i.i = load double, ptr %.316.i27.peel.i.i, align 8
-  %.371.i31.peel.i.i = fsub double %.317.i28.peel.i.i, %.780.i
-  %.425.i34.peel.i.i = fmul double %.424.i33.i.i, %.371.i31.peel.i.i
-  %.426.i35.peel.i.i = fadd double %.263.i26.peel.i.i, %.425.i34.peel.i.i
-  %.479.i36.peel.i.i = getelementptr i8, ptr %.154.i12.peel.i.i, i64 16
-  %.480.i37.peel.i.i = load double, ptr %.479.i36.peel.i.i, align 8
-  %.534.i40.peel.i.i = fsub double %.480.i37.peel.i.i, %.835.i
-  %.588.i43.peel.i.i = fmul double %.587.i42.i.i, %.534.i40.peel.i.i
-  %.589.i44.peel.i.i = fadd double %.426.i35.peel.i.i, %.588.i43.peel.i.i
-  %.406.peel.i.i = fcmp ult double %.589.i44.peel.i.i, 0.000000e+00
-  %.pre.i.i = add nsw i64 %.237.i.i, 1
-  %.phi.trans.insert.i.i = getelementptr i64, ptr %w13, i64 %.pre.i.i
-  %.267.peel54.phi.trans.insert.i.i = getelementptr i64, ptr %.phi.trans.insert.i.i, i64 %.253.peel.i.i
-  %.268.peel55.pre.i.i = load i64, ptr %.267.peel54.phi.trans.insert.i.i, align 8
-  br i1 %.406.peel.i.i, label %B36.endif.endif.backedge.peel.i.i, label %B176.endif.peel.i.i
-
-B176.endif.peel.i.i:                              ; preds = %B386.i
-  %.128.i.peel.i.i = icmp slt i64 %.268.peel55.pre.i.i, 0
-  %.129.i.peel.i.i = select i1 %.128.i.peel.i.i, i64 %w11, i64 0
-  %.130.i.peel.i.i = add i64 %.129.i.peel.i.i, %.268.peel55.pre.i.i
-  %.150.i.peel.i.i = mul i64 %.130.i.peel.i.i, %w12
-  %.154.i.peel.i.i = getelementptr double, ptr %w10, i64 %.150.i.peel.i.i
-  %.155.i.peel.i.i = load double, ptr %.154.i.peel.i.i, align 8
-  %.209.i.peel.i.i = fsub double %.155.i.peel.i.i, %.725.i
-  %.263.i.peel.i.i = fmul double %.262.i25.i.i, %.209.i.peel.i.i
-  %.316.i.peel.i.i = getelementptr i8, ptr %.154.i.peel.i.i, i64 8
-  %.317.i.peel.i.i = load double, ptr %.316.i.peel.i.i, align 8
-  %.371.i.peel.i.i = fsub double %.317.i.peel.i.i, %.780.i
-  %.425.i.peel.i.i = fmul double %.424.i33.i.i, %.371.i.peel.i.i
-  %.426.i.peel.i.i = fadd double %.263.i.peel.i.i, %.425.i.peel.i.i
-  %.479.i.peel.i.i = getelementptr i8, ptr %.154.i.peel.i.i, i64 16
-  %.480.i.peel.i.i = load double, ptr %.479.i.peel.i.i, align 8
-  %.534.i.peel.i.i = fsub double %.480.i.peel.i.i, %.835.i
-  %.588.i.peel.i.i = fmul double %.587.i42.i.i, %.534.i.peel.i.i
-  %.589.i.peel.i.i = fadd double %.426.i.peel.i.i, %.588.i.peel.i.i
-  %.473.peel.i.i = fcmp olt double %.589.i.peel.i.i, 0.000000e+00
-  br i1 %.473.peel.i.i, label %B386.endif.i, label %B36.endif.endif.backedge.peel.i.i
-
-B36.endif.endif.backedge.peel.i.i:                ; preds = %B386.i, %B176.endif.peel.i.i
-  %.128.i8.peel56.i.i = icmp slt i64 %.268.peel55.pre.i.i, 0
-  %.129.i9.peel57.i.i = select i1 %.128.i8.peel56.i.i, i64 %w11, i64 0
-  %.130.i10.peel58.i.i = add i64 %.129.i9.peel57.i.i, %.268.peel55.pre.i.i
-  %.150.i11.peel59.i.i = mul i64 %.130.i10.peel58.i.i, %w12
-  %.154.i12.peel60.i.i = getelementptr double, ptr %w10, i64 %.150.i11.peel59.i.i
-  %.155.i13.peel61.i.i = load double, ptr %.154.i12.peel60.i.i, align 8
-  %.209.i20.peel62.i.i = fsub double %.155.i13.peel61.i.i, %.725.i
-  %.263.i26.peel63.i.i = fmul double %.262.i25.i.i, %.209.i20.peel62.i.i
-  %.316.i27.peel64.i.i = getelementptr i8, ptr %.154.i12.peel60.i.i, i64 8
-  %.317.i28.peel65.i.i = load double, ptr %.316.i27.peel64.i.i, align 8
-  %.371.i31.peel66.i.i = fsub double %.317.i28.peel65.i.i, %.780.i
-  %.425.i34.peel67.i.i = fmul double %.424.i33.i.i, %.371.i31.peel66.i.i
-  %.426.i35.peel68.i.i = fadd double %.263.i26.peel63.i.i, %.425.i34.peel67.i.i
-  %.479.i36.peel69.i.i = getelementptr i8, ptr %.154.i12.peel60.i.i, i64 16
-  %.480.i37.peel70.i.i = load double, ptr %.479.i36.peel69.i.i, align 8
-  %.534.i40.peel71.i.i = fsub double %.480.i37.peel70.i.i, %.835.i
-  %.588.i43.peel72.i.i = fmul double %.587.i42.i.i, %.534.i40.peel71.i.i
-  %.589.i44.peel73.i.i = fadd double %.426.i35.peel68.i.i, %.588.i43.peel72.i.i
-  %.406.peel74.i.i = fcmp ult double %.589.i44.peel73.i.i, 0.000000e+00
-  %.pre161.i.i = add nsw i64 %.237.i.i, 2
-  %.phi.trans.insert2.i.i = getelementptr i64, ptr %w13, i64 %.pre161.i.i
-  %.267.peel110.phi.trans.insert.i.i = getelementptr i64, ptr %.phi.trans.insert2.i.i, i64 %.253.peel.i.i
-  %.268.peel111.pre.i.i = load i64, ptr %.267.peel110.phi.trans.insert.i.i, align 8
-  br i1 %.406.peel74.i.i, label %B36.endif.endif.backedge.peel103.i.i, label %B176.endif.peel75.i.i
-
-B176.endif.peel75.i.i:                            ; preds = %B36.endif.endif.backedge.peel.i.i
-  %.128.i.peel82.i.i = icmp slt i64 %.268.peel111.pre.i.i, 0
-  %.129.i.peel83.i.i = select i1 %.128.i.peel82.i.i, i64 %w11, i64 0
-  %.130.i.peel84.i.i = add i64 %.129.i.peel83.i.i, %.268.peel111.pre.i.i
-  %.150.i.peel85.i.i = mul i64 %.130.i.peel84.i.i, %w12
-  %.154.i.peel86.i.i = getelementptr double, ptr %w10, i64 %.150.i.peel85.i.i
-  %.155.i.peel87.i.i = load double, ptr %.154.i.peel86.i.i, align 8
-  %.209.i.peel88.i.i = fsub double %.155.i.peel87.i.i, %.725.i
-  %.263.i.peel89.i.i = fmul double %.262.i25.i.i, %.209.i.peel88.i.i
-  %.316.i.peel90.i.i = getelementptr i8, ptr %.154.i.peel86.i.i, i64 8
-  %.317.i.peel91.i.i = load double, ptr %.316.i.peel90.i.i, align 8
-  %.371.i.peel92.i.i = fsub double %.317.i.peel91.i.i, %.780.i
-  %.425.i.peel93.i.i = fmul double %.424.i33.i.i, %.371.i.peel92.i.i
-  %.426.i.peel94.i.i = fadd double %.263.i.peel89.i.i, %.425.i.peel93.i.i
-  %.479.i.peel95.i.i = getelementptr i8, ptr %.154.i.peel86.i.i, i64 16
-  %.480.i.peel96.i.i = load double, ptr %.479.i.peel95.i.i, align 8
-  %.534.i.peel97.i.i = fsub double %.480.i.peel96.i.i, %.835.i
-  %.588.i.peel98.i.i = fmul double %.587.i42.i.i, %.534.i.peel97.i.i
-  %.589.i.peel99.i.i = fadd double %.426.i.peel94.i.i, %.588.i.peel98.i.i
-  %.473.peel100.i.i = fcmp olt double %.589.i.peel99.i.i, 0.000000e+00
-  br i1 %.473.peel100.i.i, label %B386.endif.i, label %B36.endif.endif.backedge.peel103.i.i
-
-B36.endif.endif.backedge.peel103.i.i:             ; preds = %B36.endif.endif.backedge.peel.i.i, %B176.endif.peel75.i.i
-  %.128.i8.peel112.i.i = icmp slt i64 %.268.peel111.pre.i.i, 0
-  %.129.i9.peel113.i.i = select i1 %.128.i8.peel112.i.i, i64 %w11, i64 0
-  %.130.i10.peel114.i.i = add i64 %.129.i9.peel113.i.i, %.268.peel111.pre.i.i
-  %.150.i11.peel115.i.i = mul i64 %.130.i10.peel114.i.i, %w12
-  %.154.i12.peel116.i.i = getelementptr double, ptr %w10, i64 %.150.i11.peel115.i.i
-  %.155.i13.peel117.i.i = load double, ptr %.154.i12.peel116.i.i, align 8
-  %.209.i20.peel118.i.i = fsub double %.155.i13.peel117.i.i, %.725.i
-  %.263.i26.peel119.i.i = fmul double %.262.i25.i.i, %.209.i20.peel118.i.i
-  %.316.i27.peel120.i.i = getelementptr i8, ptr %.154.i12.peel116.i.i, i64 8
-  %.317.i28.peel121.i.i = load double, ptr %.316.i27.peel120.i.i, align 8
-  %.371.i31.peel122.i.i = fsub double %.317.i28.peel121.i.i, %.780.i
-  %.425.i34.peel123.i.i = fmul double %.424.i33.i.i, %.371.i31.peel122.i.i
-  %.426.i35.peel124.i.i = fadd double %.263.i26.peel119.i.i, %.425.i34.peel123.i.i
-  %.479.i36.peel125.i.i = getelementptr i8, ptr %.154.i12.peel116.i.i, i64 16
-  %.480.i37.peel126.i.i = load double, ptr %.479.i36.peel125.i.i, align 8
-  %.534.i40.peel127.i.i = fsub double %.480.i37.peel126.i.i, %.835.i
-  %.588.i43.peel128.i.i = fmul double %.587.i42.i.i, %.534.i40.peel127.i.i
-  %.589.i44.peel129.i.i = fadd double %.426.i35.peel124.i.i, %.588.i43.peel128.i.i
-  %.406.peel130.i.i = fcmp oge double %.589.i44.peel129.i.i, 0.000000e+00
-  %.473.peel156.i.i = fcmp olt double %.589.i44.peel.i.i, 0.000000e+00
-  %or.cond114.i = and i1 %.473.peel156.i.i, %.406.peel130.i.i
-  br i1 %or.cond114.i, label %B386.endif.i, label %B30.i.i
-
-B468.i:                                           ; preds = %B386.endif.i
-  %.idx.i.i = mul i64 %.939.i, 24
-  %10 = getelementptr i8, ptr %w13, i64 %.idx.i.i
-  %.278.i.i = getelementptr i64, ptr %10, i64 %.253.peel.i.i
-  %.279.i.i = load i64, ptr %.278.i.i, align 8
-  %11 = getelementptr i8, ptr %10, i64 8
-  %.353.i5.i = getelementptr i64, ptr %11, i64 %.253.peel.i.i
-  %.354.i.i = load i64, ptr %.353.i5.i, align 8
-  %.128.i.i.i = icmp slt i64 %.279.i.i, 0
-  %.129.i.i.i = select i1 %.128.i.i.i, i64 %w11, i64 0
-  %.130.i.i.i = add i64 %.129.i.i.i, %.279.i.i
-  %.150.i.i.i = mul i64 %.130.i.i.i, %w12
-  %.154.i.i.i = getelementptr double, ptr %w10, i64 %.150.i.i.i
-  %.155.i.i.i = load double, ptr %.154.i.i.i, align 8
-  %.209.i.i.i = fsub double %.155.i.i.i, %.208.i.i.i
-  %.263.i.i.i = fmul double %.262.i25.i.i, %.209.i.i.i
-  %.316.i.i.i = getelementptr i8, ptr %.154.i.i.i, i64 8
-  %.317.i.i.i = load double, ptr %.316.i.i.i, align 8
-  %.371.i.i.i = fsub double %.317.i.i.i, %.370.i.i.i
-  %.425.i.i.i = fmul double %.424.i33.i.i, %.371.i.i.i
-  %.426.i.i.i = fadd double %.263.i.i.i, %.425.i.i.i
-  %.479.i.i.i = getelementptr i8, ptr %.154.i.i.i, i64 16
-  %.480.i.i.i = load double, ptr %.479.i.i.i, align 8
-  %.534.i.i.i = fsub double %.480.i.i.i, %.533.i.i.i
-  %.588.i.i.i = fmul double %.587.i42.i.i, %.534.i.i.i
-  %.589.i.i.i = fadd double %.426.i.i.i, %.588.i.i.i
-  %.128.i11.i.i = icmp slt i64 %.354.i.i, 0
-  %.129.i12.i.i = select i1 %.128.i11.i.i, i64 %w11, i64 0
-  %.130.i13.i.i = add i64 %.129.i12.i.i, %.354.i.i
-  %.150.i14.i.i = mul i64 %.130.i13.i.i, %w12
-  %.154.i15.i.i = getelementptr double, ptr %w10, i64 %.150.i14.i.i
-  %.155.i16.i.i = load double, ptr %.154.i15.i.i, align 8
-  %.209.i23.i.i = fsub double %.155.i16.i.i, %.208.i.i.i
-  %.263.i29.i.i = fmul double %.262.i25.i.i, %.209.i23.i.i
-  %.316.i30.i.i = getelementptr i8, ptr %.154.i15.i.i, i64 8
-  %.317.i31.i.i = load double, ptr %.316.i30.i.i, align 8
-  %.371.i34.i.i = fsub double %.317.i31.i.i, %.370.i.i.i
-  %.425.i37.i.i = fmul double %.424.i33.i.i, %.371.i34.i.i
-  %.426.i38.i.i = fadd double %.263.i29.i.i, %.425.i37.i.i
-  %.479.i39.i.i = getelementptr i8, ptr %.154.i15.i.i, i64 16
-  %.480.i40.i.i = load double, ptr %.479.i39.i.i, align 8
-  %.534.i43.i.i = fsub double %.480.i40.i.i, %.533.i.i.i
-  %.588.i46.i.i = fmul double %.587.i42.i.i, %.534.i43.i.i
-  %.589.i47.i.i = fadd double %.426.i38.i.i, %.588.i46.i.i
-  %.485.i.i = fcmp oge double %.589.i.i.i, 0.000000e+00
-  %.488.i.i = fcmp oge double %.589.i47.i.i, 0.000000e+00
-  %.489.i.i = xor i1 %.485.i.i, %.488.i.i
-  br i1 %.489.i.i, label %B230.i.i, label %B408.i.i
-
-B230.i.i:                                         ; preds = %B468.i
-  %.679.i.i = fsub double %.589.i.i.i, %.589.i47.i.i
-  %.684.i.i = fdiv double %.589.i.i.i, %.679.i.i
-  %.837.i.i = select i1 %.485.i.i, i64 0, i64 %w30
-  %12 = getelementptr double, ptr %w28, i64 %.837.i.i
-  %.789.i.i = fsub double %.155.i16.i.i, %.155.i.i.i
-  %.790.i.i = fmul double %.789.i.i, %.684.i.i
-  %.791.i.i = fadd double %.155.i.i.i, %.790.i.i
-  store double %.791.i.i, ptr %12, align 8
-  %sunkaddr.i.i = shl i64 %.150.i.i.i, 3
-  %sunkaddr77.i.i = getelementptr i8, ptr %w10, i64 %sunkaddr.i.i
-  %sunkaddr78.i.i = getelementptr i8, ptr %sunkaddr77.i.i, i64 8
-  %.676.1.i.i = load double, ptr %sunkaddr78.i.i, align 8
-  %sunkaddr79.i.i = shl i64 %.150.i14.i.i, 3
-  %sunkaddr80.i.i = getelementptr i8, ptr %w10, i64 %sunkaddr79.i.i
-  %sunkaddr81.i.i = getelementptr i8, ptr %sunkaddr80.i.i, i64 8
-  %.736.1.i.i = load double, ptr %sunkaddr81.i.i, align 8
-  %.789.1.i.i = fsub double %.736.1.i.i, %.676.1.i.i
-  %.790.1.i.i = fmul double %.684.i.i, %.789.1.i.i
-  %.791.1.i.i = fadd double %.676.1.i.i, %.790.1.i.i
-  %13 = getelementptr i8, ptr %12, i64 8
-  store double %.791.1.i.i, ptr %13, align 8
-  %sunkaddr84.i.i = getelementptr i8, ptr %sunkaddr77.i.i, i64 16
-  %.676.2.i.i = load double, ptr %sunkaddr84.i.i, align 8
-  %sunkaddr87.i.i = getelementptr i8, ptr %sunkaddr80.i.i, i64 16
-  %.736.2.i.i = load double, ptr %sunkaddr87.i.i, align 8
-  %.789.2.i.i = fsub double %.736.2.i.i, %.676.2.i.i
-  %.790.2.i.i = fmul double %.684.i.i, %.789.2.i.i
-  %.791.2.i.i = fadd double %.676.2.i.i, %.790.2.i.i
-  %14 = getelementptr i8, ptr %12, i64 16
-  store double %.791.2.i.i, ptr %14, align 8
-  %sunkaddr88.i.i = shl i64 %.253.peel.i.i, 3
-  %sunkaddr89.i.i = getelementptr inbounds i8, ptr %11, i64 %sunkaddr88.i.i
-  %.279.1.pre.i.i = load i64, ptr %sunkaddr89.i.i, align 8
-  %.208.i.1.pre.i.i = load double, ptr %sunkaddr144.i, align 8
-  %.262.i.1.pre.i.i = load double, ptr %sunkaddr152.i, align 8
-  %.370.i.1.pre.i.i = load double, ptr %sunkaddr147.i, align 8
-  %.424.i.1.pre.i.i = load double, ptr %sunkaddr155.i, align 8
-  %.533.i.1.pre.i.i = load double, ptr %sunkaddr150.i, align 8
-  %.587.i.1.pre.i.i = load double, ptr %sunkaddr158.i, align 8
-  br label %B408.i.i
-
-B408.i.i:                                         ; preds = %B230.i.i, %B468.i
-  %.533.i.i36.i = phi double [ %.533.i.1.pre.i.i, %B230.i.i ], [ %.533.i.i.i, %B468.i ]
-  %.370.i.i31.i = phi double [ %.370.i.1.pre.i.i, %B230.i.i ], [ %.370.i.i.i, %B468.i ]
-  %.208.i.i26.i = phi double [ %.208.i.1.pre.i.i, %B230.i.i ], [ %.208.i.i.i, %B468.i ]
-  %.587.i.1.i.i = phi double [ %.587.i.1.pre.i.i, %B230.i.i ], [ %.587.i42.i.i, %B468.i ]
-  %.424.i.1.i.i = phi double [ %.424.i.1.pre.i.i, %B230.i.i ], [ %.424.i33.i.i, %B468.i ]
-  %.262.i.1.i.i = phi double [ %.262.i.1.pre.i.i, %B230.i.i ], [ %.262.i25.i.i, %B468.i ]
-  %.279.1.i.i = phi i64 [ %.279.1.pre.i.i, %B230.i.i ], [ %.354.i.i, %B468.i ]
-  %15 = getelementptr i8, ptr %10, i64 16
-  %.353.1.i.i = getelementptr i64, ptr %15, i64 %.253.peel.i.i
-  %.354.1.i.i = load i64, ptr %.353.1.i.i, align 8
-  %.128.i.1.i.i = icmp slt i64 %.279.1.i.i, 0
-  %.129.i.1.i.i = select i1 %.128.i.1.i.i, i64 %w11, i64 0
-  %.130.i.1.i.i = add i64 %.129.i.1.i.i, %.279.1.i.i
-  %.150.i.1.i.i = mul i64 %.130.i.1.i.i, %w12
-  %.154.i.1.i.i = getelementptr double, ptr %w10, i64 %.150.i.1.i.i
-  %.155.i.1.i.i = load double, ptr %.154.i.1.i.i, align 8
-  %.209.i.1.i.i = fsub double %.155.i.1.i.i, %.208.i.i26.i
-  %.263.i.1.i.i = fmul double %.262.i.1.i.i, %.209.i.1.i.i
-  %.316.i.1.i.i = getelementptr i8, ptr %.154.i.1.i.i, i64 8
-  %.317.i.1.i.i = load double, ptr %.316.i.1.i.i, align 8
-  %.371.i.1.i.i = fsub double %.317.i.1.i.i, %.370.i.i31.i
-  %.425.i.1.i.i = fmul double %.424.i.1.i.i, %.371.i.1.i.i
-  %.426.i.1.i.i = fadd double %.263.i.1.i.i, %.425.i.1.i.i
-  %.479.i.1.i.i = getelementptr i8, ptr %.154.i.1.i.i, i64 16
-  %.480.i.1.i.i = load double, ptr %.479.i.1.i.i, align 8
-  %.534.i.1.i.i = fsub double %.480.i.1.i.i, %.533.i.i36.i
-  %.588.i.1.i.i = fmul double %.587.i.1.i.i, %.534.i.1.i.i
-  %.589.i.1.i.i = fadd double %.426.i.1.i.i, %.588.i.1.i.i
-  %.128.i11.1.i.i = icmp slt i64 %.354.1.i.i, 0
-  %.129.i12.1.i.i = select i1 %.128.i11.1.i.i, i64 %w11, i64 0
-  %.130.i13.1.i.i = add i64 %.129.i12.1.i.i, %.354.1.i.i
-  %.150.i14.1.i.i = mul i64 %.130.i13.1.i.i, %w12
-  %.154.i15.1.i.i = getelementptr double, ptr %w10, i64 %.150.i14.1.i.i
-  %.155.i16.1.i.i = load double, ptr %.154.i15.1.i.i, align 8
-  %.209.i23.1.i.i = fsub double %.155.i16.1.i.i, %.208.i.i26.i
-  %.263.i29.1.i.i = fmul double %.262.i.1.i.i, %.209.i23.1.i.i
-  %.316.i30.1.i.i = getelementptr i8, ptr %.154.i15.1.i.i, i64 8
-  %.317.i31.1.i.i = load double, ptr %.316.i30.1.i.i, align 8
-  %.371.i34.1.i.i = fsub double %.317.i31.1.i.i, %.370.i.i31.i
-  %.425.i37.1.i.i = fmul double %.424.i.1.i.i, %.371.i34.1.i.i
-  %.426.i38.1.i.i = fadd double %.263.i29.1.i.i, %.425.i37.1.i.i
-  %.479.i39.1.i.i = getelementptr i8, ptr %.154.i15.1.i.i, i64 16
-  %.480.i40.1.i.i = load double, ptr %.479.i39.1.i.i, align 8
-  %.534.i43.1.i.i = fsub double %.480.i40.1.i.i, %.533.i.i36.i
-  %.588.i46.1.i.i = fmul double %.587.i.1.i.i, %.534.i43.1.i.i
-  %.589.i47.1.i.i = fadd double %.426.i38.1.i.i, %.588.i46.1.i.i
-  %.485.1.i.i = fcmp oge double %.589.i.1.i.i, 0.000000e+00
-  %.488.1.i.i = fcmp oge double %.589.i47.1.i.i, 0.000000e+00
-  %.489.1.i.i = xor i1 %.485.1.i.i, %.488.1.i.i
-  br i1 %.489.1.i.i, label %B230.1.i.i, label %B408.B408.1_crit_edge.i.i
-
-B408.B408.1_crit_edge.i.i:                        ; preds = %B408.i.i
-  %.pre.i6.i = shl i64 %.253.peel.i.i, 3
-  br label %B408.1.i.i
-
-B230.1.i.i:                                       ; preds = %B408.i.i
-  %.679.1.i.i = fsub double %.589.i.1.i.i, %.589.i47.1.i.i
-  %.684.1.i.i = fdiv double %.589.i.1.i.i, %.679.1.i.i
-  %.837.1.i.i = select i1 %.485.1.i.i, i64 0, i64 %w30
-  %16 = getelementptr double, ptr %w28, i64 %.837.1.i.i
-  %.789.154.i.i = fsub double %.155.i16.1.i.i, %.155.i.1.i.i
-  %.790.155.i.i = fmul double %.789.154.i.i, %.684.1.i.i
-  %.791.156.i.i = fadd double %.155.i.1.i.i, %.790.155.i.i
-  store double %.791.156.i.i, ptr %16, align 8
-  %sunkaddr106.i.i = shl i64 %.150.i.1.i.i, 3
-  %sunkaddr107.i.i = getelementptr i8, ptr %w10, i64 %sunkaddr106.i.i
-  %sunkaddr108.i.i = getelementptr i8, ptr %sunkaddr107.i.i, i64 8
-  %.676.1.1.i.i = load double, ptr %sunkaddr108.i.i, align 8
-  %sunkaddr109.i.i = shl i64 %.150.i14.1.i.i, 3
-  %sunkaddr110.i.i = getelementptr i8, ptr %w10, i64 %sunkaddr109.i.i
-  %sunkaddr111.i.i = getelementptr i8, ptr %sunkaddr110.i.i, i64 8
-  %.736.1.1.i.i = load double, ptr %sunkaddr111.i.i, align 8
-  %.789.1.1.i.i = fsub double %.736.1.1.i.i, %.676.1.1.i.i
-  %.790.1.1.i.i = fmul double %.684.1.i.i, %.789.1.1.i.i
-  %.791.1.1.i.i = fadd double %.676.1.1.i.i, %.790.1.1.i.i
-  %17 = getelementptr i8, ptr %16, i64 8
-  store double %.791.1.1.i.i, ptr %17, align 8
-  %sunkaddr114.i.i = getelementptr i8, ptr %sunkaddr107.i.i, i64 16
-  %.676.2.1.i.i = load double, ptr %sunkaddr114.i.i, align 8
-  %sunkaddr117.i.i = getelementptr i8, ptr %sunkaddr110.i.i, i64 16
-  %.736.2.1.i.i = load double, ptr %sunkaddr117.i.i, align 8
-  %.789.2.1.i.i = fsub double %.736.2.1.i.i, %.676.2.1.i.i
-  %.790.2.1.i.i = fmul double %.684.1.i.i, %.789.2.1.i.i
-  %.791.2.1.i.i = fadd double %.676.2.1.i.i, %.790.2.1.i.i
-  %18 = getelementptr i8, ptr %16, i64 16
-  store double %.791.2.1.i.i, ptr %18, align 8
-  %sunkaddr118.i.i = shl i64 %.253.peel.i.i, 3
-  %sunkaddr119.i.i = getelementptr inbounds i8, ptr %15, i64 %sunkaddr118.i.i
-  %.279.2.pre.i.i = load i64, ptr %sunkaddr119.i.i, align 8
-  %.208.i.2.pre.i.i = load double, ptr %sunkaddr144.i, align 8
-  %.262.i.2.pre.i.i = load double, ptr %sunkaddr152.i, align 8
-  %.370.i.2.pre.i.i = load double, ptr %sunkaddr147.i, align 8
-  %.424.i.2.pre.i.i = load double, ptr %sunkaddr155.i, align 8
-  %.533.i.2.pre.i.i = load double, ptr %sunkaddr150.i, align 8
-  %.587.i.2.pre.i.i = load double, ptr %sunkaddr158.i, align 8
-  br label %B408.1.i.i
-
-B408.1.i.i:                                       ; preds = %B230.1.i.i, %B408.B408.1_crit_edge.i.i
-  %.533.i.i35.i = phi double [ %.533.i.i36.i, %B408.B408.1_crit_edge.i.i ], [ %.533.i.2.pre.i.i, %B230.1.i.i ]
-  %.370.i.i30.i = phi double [ %.370.i.i31.i, %B408.B408.1_crit_edge.i.i ], [ %.370.i.2.pre.i.i, %B230.1.i.i ]
-  %.208.i.i25.i = phi double [ %.208.i.i26.i, %B408.B408.1_crit_edge.i.i ], [ %.208.i.2.pre.i.i, %B230.1.i.i ]
-  %sunkaddr136.pre-phi.i.i = phi i64 [ %.pre.i6.i, %B408.B408.1_crit_edge.i.i ], [ %sunkaddr118.i.i, %B230.1.i.i ]
-  %.587.i.2.i.i = phi double [ %.587.i.1.i.i, %B408.B408.1_crit_edge.i.i ], [ %.587.i.2.pre.i.i, %B230.1.i.i ]
-  %.424.i.2.i.i = phi double [ %.424.i.1.i.i, %B408.B408.1_crit_edge.i.i ], [ %.424.i.2.pre.i.i, %B230.1.i.i ]
-  %.262.i.2.i.i = phi double [ %.262.i.1.i.i, %B408.B408.1_crit_edge.i.i ], [ %.262.i.2.pre.i.i, %B230.1.i.i ]
-  %.279.2.i.i = phi i64 [ %.354.1.i.i, %B408.B408.1_crit_edge.i.i ], [ %.279.2.pre.i.i, %B230.1.i.i ]
-  %sunkaddr137.i.i = getelementptr inbounds i8, ptr %10, i64 %sunkaddr136.pre-phi.i.i
-  %.354.2.i.i = load i64, ptr %sunkaddr137.i.i, align 8
-  %.128.i.2.i.i = icmp slt i64 %.279.2.i.i, 0
-  %.129.i.2.i.i = select i1 %.128.i.2.i.i, i64 %w11, i64 0
-  %.130.i.2.i.i = add i64 %.129.i.2.i.i, %.279.2.i.i
-  %.150.i.2.i.i = mul i64 %.130.i.2.i.i, %w12
-  %.154.i.2.i.i = getelementptr double, ptr %w10, i64 %.150.i.2.i.i
-  %.155.i.2.i.i = load double, ptr %.154.i.2.i.i, align 8
-  %.209.i.2.i.i = fsub double %.155.i.2.i.i, %.208.i.i25.i
-  %.263.i.2.i.i = fmul double %.262.i.2.i.i, %.209.i.2.i.i
-  %.316.i.2.i.i = getelementptr i8, ptr %.154.i.2.i.i, i64 8
-  %.317.i.2.i.i = load double, ptr %.316.i.2.i.i, align 8
-  %.371.i.2.i.i = fsub double %.317.i.2.i.i, %.370.i.i30.i
-  %.425.i.2.i.i = fmul double %.424.i.2.i.i, %.371.i.2.i.i
-  %.426.i.2.i.i = fadd double %.263.i.2.i.i, %.425.i.2.i.i
-  %.479.i.2.i.i = getelementptr i8, ptr %.154.i.2.i.i, i64 16
-  %.480.i.2.i.i = load double, ptr %.479.i.2.i.i, align 8
-  %.534.i.2.i.i = fsub double %.480.i.2.i.i, %.533.i.i35.i
-  %.588.i.2.i.i = fmul double %.587.i.2.i.i, %.534.i.2.i.i
-  %.589.i.2.i.i = fadd double %.426.i.2.i.i, %.588.i.2.i.i
-  %.128.i11.2.i.i = icmp slt i64 %.354.2.i.i, 0
-  %.129.i12.2.i.i = select i1 %.128.i11.2.i.i, i64 %w11, i64 0
-  %.130.i13.2.i.i = add i64 %.129.i12.2.i.i, %.354.2.i.i
-  %.150.i14.2.i.i = mul i64 %.130.i13.2.i.i, %w12
-  %.154.i15.2.i.i = getelementptr double, ptr %w10, i64 %.150.i14.2.i.i
-  %.155.i16.2.i.i = load double, ptr %.154.i15.2.i.i, align 8
-  %.209.i23.2.i.i = fsub double %.155.i16.2.i.i, %.208.i.i25.i
-  %.263.i29.2.i.i = fmul double %.262.i.2.i.i, %.209.i23.2.i.i
-  %.316.i30.2.i.i = getelementptr i8, ptr %.154.i15.2.i.i, i64 8
-  %.317.i31.2.i.i = load double, ptr %.316.i30.2.i.i, align 8
-  %.371.i34.2.i.i = fsub double %.317.i31.2.i.i, %.370.i.i30.i
-  %.425.i37.2.i.i = fmul double %.424.i.2.i.i, %.371.i34.2.i.i
-  %.426.i38.2.i.i = fadd double %.263.i29.2.i.i, %.425.i37.2.i.i
-  %.479.i39.2.i.i = getelementptr i8, ptr %.154.i15.2.i.i, i64 16
-  %.480.i40.2.i.i = load double, ptr %.479.i39.2.i.i, align 8
-  %.534.i43.2.i.i = fsub double %.480.i40.2.i.i, %.533.i.i35.i
-  %.588.i46.2.i.i = fmul double %.587.i.2.i.i, %.534.i43.2.i.i
-  %.589.i47.2.i.i = fadd double %.426.i38.2.i.i, %.588.i46.2.i.i
-  %.485.2.i.i = fcmp oge double %.589.i.2.i.i, 0.000000e+00
-  %.488.2.i.i = fcmp oge double %.589.i47.2.i.i, 0.000000e+00
-  %.489.2.i.i = xor i1 %.485.2.i.i, %.488.2.i.i
-  br i1 %.489.2.i.i, label %B230.2.i.i, label %B408.2.i.i
-
-B230.2.i.i:                                       ; preds = %B408.1.i.i
-  %.679.2.i.i = fsub double %.589.i.2.i.i, %.589.i47.2.i.i
-  %.684.2.i.i = fdiv double %.589.i.2.i.i, %.679.2.i.i
-  %.837.2.i.i = select i1 %.485.2.i.i, i64 0, i64 %w30
-  %19 = getelementptr double, ptr %w28, i64 %.837.2.i.i
-  %.789.257.i.i = fsub double %.155.i16.2.i.i, %.155.i.2.i.i
-  %.790.258.i.i = fmul double %.789.257.i.i, %.684.2.i.i
-  %.791.259.i.i = fadd double %.155.i.2.i.i, %.790.258.i.i
-  store double %.791.259.i.i, ptr %19, align 8
-  %sunkaddr138.i.i = shl i64 %.150.i.2.i.i, 3
-  %sunkaddr139.i.i = getelementptr i8, ptr %w10, i64 %sunkaddr138.i.i
-  %sunkaddr140.i.i = getelementptr i8, ptr %sunkaddr139.i.i, i64 8
-  %.676.1.2.i.i = load double, ptr %sunkaddr140.i.i, align 8
-  %sunkaddr141.i.i = shl i64 %.150.i14.2.i.i, 3
-  %sunkaddr142.i.i = getelementptr i8, ptr %w10, i64 %sunkaddr141.i.i
-  %sunkaddr143.i.i = getelementptr i8, ptr %sunkaddr142.i.i, i64 8
-  %.736.1.2.i.i = load double, ptr %sunkaddr143.i.i, align 8
-  %.789.1.2.i.i = fsub double %.736.1.2.i.i, %.676.1.2.i.i
-  %.790.1.2.i.i = fmul double %.684.2.i.i, %.789.1.2.i.i
-  %.791.1.2.i.i = fadd double %.676.1.2.i.i, %.790.1.2.i.i
-  %20 = getelementptr i8, ptr %19, i64 8
-  store double %.791.1.2.i.i, ptr %20, align 8
-  %sunkaddr146.i.i = getelementptr i8, ptr %sunkaddr139.i.i, i64 16
-  %.676.2.2.i.i = load double, ptr %sunkaddr146.i.i, align 8
-  %sunkaddr149.i.i = getelementptr i8, ptr %sunkaddr142.i.i, i64 16
-  %.736.2.2.i.i = load double, ptr %sunkaddr149.i.i, align 8
-  %.789.2.2.i.i = fsub double %.736.2.2.i.i, %.676.2.2.i.i
-  %.790.2.2.i.i = fmul double %.684.2.i.i, %.789.2.2.i.i
-  %.791.2.2.i.i = fadd double %.676.2.2.i.i, %.790.2.2.i.i
-  %21 = getelementptr i8, ptr %19, i64 16
-  store double %.791.2.2.i.i, ptr %21, align 8
-  %.923.pre.i.i = load double, ptr %sunkaddr144.i, align 8
-  %.1033.pre.i.i = load double, ptr %sunkaddr147.i, align 8
-  %.1145.pre.i.i = load double, ptr %sunkaddr150.i, align 8
-  br label %B408.2.i.i
-
-B408.2.i.i:                                       ; preds = %B230.2.i.i, %B408.1.i.i
-  %.533.i.i34.i = phi double [ %.1145.pre.i.i, %B230.2.i.i ], [ %.533.i.i35.i, %B408.1.i.i ]
-  %.370.i.i29.i = phi double [ %.1033.pre.i.i, %B230.2.i.i ], [ %.370.i.i30.i, %B408.1.i.i ]
-  %.208.i.i24.i = phi double [ %.923.pre.i.i, %B230.2.i.i ], [ %.208.i.i25.i, %B408.1.i.i ]
-  %.977.i.i = load double, ptr %w28, align 8
-  %.978.i.i = fsub double %.208.i.i24.i, %.977.i.i
-  %.1087.i.i = load double, ptr %.1086.i.i, align 8
-  %.1088.i.i = fsub double %.370.i.i29.i, %.1087.i.i
-  %.1201.i.i = load double, ptr %.1200.i.i, align 8
-  %.1202.i.i = fsub double %.533.i.i34.i, %.1201.i.i
-  %.1265.i.i = load double, ptr %.1264.i.i, align 8
-  %.1320.i.i = fsub double %.1265.i.i, %.977.i.i
-  %.1374.i.i = load double, ptr %.1373.i.i, align 8
-  %.1429.i.i = fsub double %.1374.i.i, %.1087.i.i
-  %.1483.i.i = load double, ptr %.1482.i.i, align 8
-  %.1540.i.i = fsub double %.1483.i.i, %.1201.i.i
-  %.10.i.i.i = fmul double %.1320.i.i, %.1320.i.i
-  %.11.i.i.i = fmul double %.1540.i.i, %.1540.i.i
-  %.12.i.i.i = fadd double %.10.i.i.i, %.11.i.i.i
-  %.13.i.i7.i = fmul double %.1429.i.i, %.1429.i.i
-  %.14.i.i8.i = fadd double %.13.i.i7.i, %.12.i.i.i
-  %.1586.i.i = fcmp ogt double %.14.i.i8.i, 0.000000e+00
-  br i1 %.1586.i.i, label %B678.endif.endif.endif.i.i, label %_ZN7msf_jax4host5solid5loops16segment_distanceB3v31B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE232Mesh_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_295ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedExx5ArrayIdLi2E1C7mutable7alignedE.exit.i
-
-B678.endif.endif.endif.i.i:                       ; preds = %B408.2.i.i
-  %.10.i4.i.i = fmul double %.978.i.i, %.1320.i.i
-  %.11.i5.i.i = fmul double %.1202.i.i, %.1540.i.i
-  %.12.i6.i.i = fadd double %.10.i4.i.i, %.11.i5.i.i
-  %.13.i7.i.i = fmul double %.1088.i.i, %.1429.i.i
-  %.14.i8.i.i = fadd double %.13.i7.i.i, %.12.i6.i.i
-  %.1623.i.i = fdiv double %.14.i8.i.i, %.14.i.i8.i
-  %.10.i48.i.i = fcmp olt double %.1623.i.i, 0.000000e+00
-  %.11.i49.i.i = select i1 %.10.i48.i.i, double 0.000000e+00, double %.1623.i.i
-  %.10.i50.i.i = fcmp ogt double %.11.i49.i.i, 1.000000e+00
-  %.11.i51.i.i = select i1 %.10.i50.i.i, double 1.000000e+00, double %.11.i49.i.i
-  br label %_ZN7msf_jax4host5solid5loops16segment_distanceB3v31B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE232Mesh_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_295ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedExx5ArrayIdLi2E1C7mutable7alignedE.exit.i
-
-_ZN7msf_jax4host5solid5loops16segment_distanceB3v31B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE232Mesh_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_295ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedExx5ArrayIdLi2E1C7mutable7alignedE.exit.i: ; preds = %B678.endif.endif.endif.i.i, %B408.2.i.i
-  %"$phi782.0.2.0.i.i" = phi double [ 0.000000e+00, %B408.2.i.i ], [ %.11.i51.i.i, %B678.endif.endif.endif.i.i ]
-  %.1695.i.i = fmul double %.1320.i.i, %"$phi782.0.2.0.i.i"
-  %.1699.i.i = fsub double %.978.i.i, %.1695.i.i
-  %.1703.i.i = fmul double %.1429.i.i, %"$phi782.0.2.0.i.i"
-  %.1707.i.i = fsub double %.1088.i.i, %.1703.i.i
-  %.1711.i.i = fmul double %.1540.i.i, %"$phi782.0.2.0.i.i"
-  %.1715.i.i = fsub double %.1202.i.i, %.1711.i.i
-  %.7.i.i.i = fmul double %.1699.i.i, %.1699.i.i
-  %.8.i.i.i = fmul double %.1707.i.i, %.1707.i.i
-  %.9.i.i.i = fadd double %.7.i.i.i, %.8.i.i.i
-  %.10.i9.i.i = fmul double %.1715.i.i, %.1715.i.i
-  %.11.i10.i.i = fadd double %.10.i9.i.i, %.9.i.i.i
-  %sqrt.i.i.i = tail call double @llvm.sqrt.f64(double %.11.i10.i.i)
-  %.1081.i = fcmp olt double %sqrt.i.i.i, %best.3.2.ph.i
-  br i1 %.1081.i, label %B544.i, label %B520.i
-
-B520.i:                                           ; preds = %_ZN7msf_jax4host5solid5loops16segment_distanceB3v31B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE232Mesh_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_295ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedExx5ArrayIdLi2E1C7mutable7alignedE.exit.i
-  %.1094.i = fcmp oeq double %sqrt.i.i.i, %best.3.2.ph.i
-  %.1111.i = icmp slt i64 %.939.i, %which.2.2.ph.i
-  %or.cond.i = select i1 %.1094.i, i1 %.1111.i, i1 false
-  br i1 %or.cond.i, label %B544.i, label %B30.i.i
-
-B544.i:                                           ; preds = %B520.i, %_ZN7msf_jax4host5solid5loops16segment_distanceB3v31B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE232Mesh_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_295ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedExx5ArrayIdLi2E1C7mutable7alignedE.exit.i
-  br label %B30.i.i
-
-B20.i.i:                                          ; preds = %B374.i
-  %.28.i.i = shl nsw i64 %node.2.2.i, 1
-  br label %B266.i
-
-B30.i.i:                                          ; preds = %B266.i, %B386.endif.i, %B544.i, %B520.i, %B36.endif.endif.backedge.peel103.i.i
-  %.533.i.i33.i = phi double [ %.533.i.i34.i, %B544.i ], [ %.533.i.i.i, %B36.endif.endif.backedge.peel103.i.i ], [ %.533.i.i.i, %B386.endif.i ], [ %.533.i.i34.i, %B520.i ], [ %.533.i.i.i, %B266.i ]
-  %.370.i.i28.i = phi double [ %.370.i.i29.i, %B544.i ], [ %.370.i.i.i, %B36.endif.endif.backedge.peel103.i.i ], [ %.370.i.i.i, %B386.endif.i ], [ %.370.i.i29.i, %B520.i ], [ %.370.i.i.i, %B266.i ]
-  %.208.i.i23.i = phi double [ %.208.i.i24.i, %B544.i ], [ %.208.i.i.i, %B36.endif.endif.backedge.peel103.i.i ], [ %.208.i.i.i, %B386.endif.i ], [ %.208.i.i24.i, %B520.i ], [ %.208.i.i.i, %B266.i ]
-  %.83521.i = phi double [ %.533.i.i34.i, %B544.i ], [ %.835.i, %B36.endif.endif.backedge.peel103.i.i ], [ %.835.i, %B386.endif.i ], [ %.533.i.i34.i, %B520.i ], [ %.835.i, %B266.i ]
-  %.78019.i = phi double [ %.370.i.i29.i, %B544.i ], [ %.780.i, %B36.endif.endif.backedge.peel103.i.i ], [ %.780.i, %B386.endif.i ], [ %.370.i.i29.i, %B520.i ], [ %.780.i, %B266.i ]
-  %.72517.i = phi double [ %.208.i.i24.i, %B544.i ], [ %.725.i, %B36.endif.endif.backedge.peel103.i.i ], [ %.725.i, %B386.endif.i ], [ %.208.i.i24.i, %B520.i ], [ %.725.i, %B266.i ]
-  %which.3.3102.i = phi i64 [ %.939.i, %B544.i ], [ %which.2.2.ph.i, %B36.endif.endif.backedge.peel103.i.i ], [ %which.2.2.ph.i, %B386.endif.i ], [ %which.2.2.ph.i, %B520.i ], [ %which.2.2.ph.i, %B266.i ]
-  %first.5.3100.i = phi i64 [ %storemerge.i.i, %B544.i ], [ %first.6.2.ph.i, %B36.endif.endif.backedge.peel103.i.i ], [ %first.6.2.ph.i, %B386.endif.i ], [ %first.6.2.ph.i, %B520.i ], [ %first.6.2.ph.i, %B266.i ]
-  %best.4.398.i = phi double [ %sqrt.i.i.i, %B544.i ], [ %best.3.2.ph.i, %B36.endif.endif.backedge.peel103.i.i ], [ %best.3.2.ph.i, %B386.endif.i ], [ %best.3.2.ph.i, %B520.i ], [ %best.3.2.ph.i, %B266.i ]
-  %.36.i.i = add nsw i64 %node.2.2.i, 1
-  %22 = and i64 %node.2.2.i, 1
-  %.46.not.not.i.i = icmp eq i64 %22, 0
-  br i1 %.46.not.not.i.i, label %B70.i.i, label %B50.i.i
-
-B50.i.i:                                          ; preds = %B30.i.i, %B50.i.i
-  %node.3.1.i.i = phi i64 [ %.49.i21.i, %B50.i.i ], [ %.36.i.i, %B30.i.i ]
-  %.49.i21.i = ashr i64 %node.3.1.i.i, 1
-  %23 = and i64 %node.3.1.i.i, 2
-  %.55.not.i.i = icmp eq i64 %23, 0
-  br i1 %.55.not.i.i, label %B50.i.i, label %B70.i.i
-
-B70.i.i:                                          ; preds = %B50.i.i, %B30.i.i
-  %node.4.0.i.i = phi i64 [ %.36.i.i, %B30.i.i ], [ %.49.i21.i, %B50.i.i ]
-  %.60.i.i = icmp sgt i64 %node.4.0.i.i, 1
-  br i1 %.60.i.i, label %B266.outer.i, label %B594.i
-
-B594.i:                                           ; preds = %B70.i.i
-  %.1211.i = fmul double %best.4.398.i, 3.000000e+00
-  %exitcond.not.i = icmp eq i64 %w26, %.601.i
-  br i1 %exitcond.not.i, label %B606.i, label %B236.i
-
-B606.i:                                           ; preds = %B594.i, %B204.endif.i
-  %first.3.1.lcssa.i = phi i64 [ %first.7.1.i, %B204.endif.i ], [ %first.5.3100.i, %B594.i ]
-  %.1239.i = icmp sgt i64 %first.3.1.lcssa.i, -1
-  br i1 %.1239.i, label %B606.B626.preheader_crit_edge.i, label %B1094.i
-
-B606.B626.preheader_crit_edge.i:                  ; preds = %B606.i
-  %.pre38.i = mul i64 %.720.i, %.30013411368.i
-  %.pre39.i = mul i64 %.257.i23.i.i, %.30013411368.i
-  br label %B626.preheader.i
-
-B626.preheader.i:                                 ; preds = %B236.i, %B606.B626.preheader_crit_edge.i
-  %sunkaddr161.pre-phi.i = phi i64 [ %.pre39.i, %B606.B626.preheader_crit_edge.i ], [ %sunkaddr151.i, %B236.i ]
-  %sunkaddr159.pre-phi.i = phi i64 [ %.pre38.i, %B606.B626.preheader_crit_edge.i ], [ %sunkaddr.i, %B236.i ]
-  %first.3.1.lcssa1428.i = phi i64 [ %first.3.1.lcssa.i, %B606.B626.preheader_crit_edge.i ], [ %first.3.11326.i, %B236.i ]
-  %sunkaddr160.i = getelementptr i8, ptr %w0, i64 %sunkaddr159.pre-phi.i
-  %sunkaddr162.i = getelementptr i8, ptr %w3, i64 %sunkaddr161.pre-phi.i
-  %sunkaddr165.i = getelementptr i8, ptr %sunkaddr160.i, i64 8
-  %sunkaddr168.i = getelementptr i8, ptr %sunkaddr162.i, i64 8
-  %sunkaddr171.i = getelementptr i8, ptr %sunkaddr160.i, i64 16
-  %sunkaddr174.i = getelementptr i8, ptr %sunkaddr162.i, i64 16
-  %24 = add i64 %count.3.01371.i, %w27
-  br label %B626.i
-
-B626.i:                                           ; preds = %B694.endif.endif.endif.endif.endif.endif.endif.endif.i, %B626.preheader.i
-  %count.5.1.i = phi i64 [ %count.3.01371.i, %B626.preheader.i ], [ %.1697.i, %B694.endif.endif.endif.endif.endif.endif.endif.endif.i ]
-  %edge.3.1.i = phi i64 [ %first.3.1.lcssa1428.i, %B626.preheader.i ], [ %.1946.i, %B694.endif.endif.endif.endif.endif.endif.endif.endif.i ]
-  %edge.3.1.fr.i = freeze i64 %edge.3.1.i
-  %exitcond.i = icmp eq i64 %count.5.1.i, %24
-  br i1 %exitcond.i, label %B1094.i, label %B650.i
-
-B650.i:                                           ; preds = %B626.i
-  %.1275.i = icmp eq i64 %w34, %count.5.1.i
-  br i1 %.1275.i, label %_ZN7msf_jax4host5solid5loops5loopsB3v26B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE232Mesh_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xx5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, label %B694.endif.endif.endif.endif.endif.endif.endif.endif.i
-
-B1094.i:                                          ; preds = %B694.endif.endif.endif.endif.endif.endif.endif.endif.i, %B626.i, %B606.i
-  %count.4.2.i = phi i64 [ %count.3.01371.i, %B606.i ], [ %count.3.01371.i, %B626.i ], [ %.1697.i, %B694.endif.endif.endif.endif.endif.endif.endif.endif.i ]
-  %25 = getelementptr i64, ptr %w31, i64 %.30013411368.i
-  store i64 %count.4.2.i, ptr %25, align 8
-  %exitcond1425.not.i = icmp eq i64 %.307.i, %w1
-  br i1 %exitcond1425.not.i, label %_ZN7msf_jax4host5solid5loops5loopsB3v26B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE232Mesh_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xx5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, label %B108.i
-
-B204.endif.i:                                     ; preds = %B148.endif.2.i.i, %B46.endif.i.i, %B108.i
-  %first.7.1.i = phi i64 [ -1, %B108.i ], [ %storemerge.i.i.i, %B46.endif.i.i ], [ -1, %B148.endif.2.i.i ]
-  br i1 %1, label %B606.i, label %B236.lr.ph.i
-
-B236.lr.ph.i:                                     ; preds = %B204.endif.i
-  %sunkaddr.i = mul i64 %.720.i, %.30013411368.i
-  %sunkaddr144.i = getelementptr i8, ptr %w0, i64 %sunkaddr.i
-  %sunkaddr147.i = getelementptr i8, ptr %sunkaddr144.i, i64 8
-  %sunkaddr150.i = getelementptr i8, ptr %sunkaddr144.i, i64 16
-  %sunkaddr151.i = mul i64 %.257.i23.i.i, %.30013411368.i
-  %sunkaddr152.i = getelementptr i8, ptr %w3, i64 %sunkaddr151.i
-  %sunkaddr155.i = getelementptr i8, ptr %sunkaddr152.i, i64 8
-  %sunkaddr158.i = getelementptr i8, ptr %sunkaddr152.i, i64 16
-  br label %B236.i
-
-B386.endif.i:                                     ; preds = %B36.endif.endif.backedge.peel103.i.i, %B176.endif.peel75.i.i, %B176.endif.peel.i.i
-  %storemerge.i.i = phi i64 [ %.pre.i.i, %B176.endif.peel75.i.i ], [ %.237.i.i, %B176.endif.peel.i.i ], [ %.pre161.i.i, %B36.endif.endif.backedge.peel103.i.i ]
-  %.1005.i = icmp sgt i64 %storemerge.i.i, -1
-  br i1 %.1005.i, label %B468.i, label %B30.i.i
-
-B694.endif.endif.endif.endif.endif.endif.endif.endif.i: ; preds = %B650.i
-  %.13771282.i = urem i64 %edge.3.1.fr.i, 3
-  %.1435.i = getelementptr i64, ptr %w13, i64 %edge.3.1.fr.i
-  %.1436.i = load i64, ptr %.1435.i, align 8
-  %.128.i23.i = icmp slt i64 %.1436.i, 0
-  %.129.i24.i = select i1 %.128.i23.i, i64 %w11, i64 0
-  %.130.i.i = add i64 %.129.i24.i, %.1436.i
-  %.150.i.i = mul i64 %.130.i.i, %w12
-  %.154.i.i = getelementptr double, ptr %w10, i64 %.150.i.i
-  %.155.i.i = load double, ptr %.154.i.i, align 8
-  %.208.i.i = load double, ptr %sunkaddr160.i, align 8
-  %.209.i.i = fsub double %.155.i.i, %.208.i.i
-  %.262.i.i = load double, ptr %sunkaddr162.i, align 8
-  %.263.i.i = fmul double %.209.i.i, %.262.i.i
-  %.316.i.i = getelementptr i8, ptr %.154.i.i, i64 8
-  %.317.i.i = load double, ptr %.316.i.i, align 8
-  %.370.i.i = load double, ptr %sunkaddr165.i, align 8
-  %.371.i.i = fsub double %.317.i.i, %.370.i.i
-  %.424.i.i = load double, ptr %sunkaddr168.i, align 8
-  %.425.i.i = fmul double %.371.i.i, %.424.i.i
-  %.426.i.i = fadd double %.263.i.i, %.425.i.i
-  %.479.i.i = getelementptr i8, ptr %.154.i.i, i64 16
-  %.480.i.i = load double, ptr %.479.i.i, align 8
-  %.533.i.i = load double, ptr %sunkaddr171.i, align 8
-  %.534.i.i = fsub double %.480.i.i, %.533.i.i
-  %.587.i.i = load double, ptr %sunkaddr174.i, align 8
-  %.588.i.i = fmul double %.534.i.i, %.587.i.i
-  %.589.i.i = fadd double %.426.i.i, %.588.i.i
-  %.15191284.cmp.inv.i = icmp samesign ugt i64 %.13771282.i, 1
-  %.15191284.v.i = select i1 %.15191284.cmp.inv.i, i64 -2, i64 1
-  %.1540.i = add i64 %.15191284.v.i, %edge.3.1.fr.i
-  %.1553.i = icmp slt i64 %.1540.i, 0
-  %.1554.i = select i1 %.1553.i, i64 %w14, i64 0
-  %26 = getelementptr i64, ptr %w13, i64 %.1540.i
-  %.1568.i = getelementptr i64, ptr %26, i64 %.1554.i
-  %.1569.i = load i64, ptr %.1568.i, align 8
-  %.128.i26.i = icmp slt i64 %.1569.i, 0
-  %.129.i27.i = select i1 %.128.i26.i, i64 %w11, i64 0
-  %.130.i28.i = add i64 %.129.i27.i, %.1569.i
-  %.150.i29.i = mul i64 %.130.i28.i, %w12
-  %.154.i30.i = getelementptr double, ptr %w10, i64 %.150.i29.i
-  %.155.i31.i = load double, ptr %.154.i30.i, align 8
-  %.209.i35.i = fsub double %.155.i31.i, %.208.i.i
-  %.263.i40.i = fmul double %.262.i.i, %.209.i35.i
-  %.316.i41.i = getelementptr i8, ptr %.154.i30.i, i64 8
-  %.317.i42.i = load double, ptr %.316.i41.i, align 8
-  %.371.i45.i = fsub double %.317.i42.i, %.370.i.i
-  %.425.i48.i = fmul double %.424.i.i, %.371.i45.i
-  %.426.i49.i = fadd double %.263.i40.i, %.425.i48.i
-  %.479.i50.i = getelementptr i8, ptr %.154.i30.i, i64 16
-  %.480.i51.i = load double, ptr %.479.i50.i, align 8
-  %.534.i54.i = fsub double %.480.i51.i, %.533.i.i
-  %.588.i57.i = fmul double %.587.i.i, %.534.i54.i
-  %.589.i58.i = fadd double %.426.i49.i, %.588.i57.i
-  %.1497.i = sub nuw i64 %edge.3.1.fr.i, %.13771282.i
-  %.1626.i = fsub double %.589.i.i, %.589.i58.i
-  %.1630.i = fdiv double %.589.i.i, %.1626.i
-  %.1646.i = icmp slt i64 %count.5.1.i, 0
-  %27 = select i1 %.1646.i, i64 %2, i64 0
-  %scevgep.i = getelementptr i8, ptr %w33, i64 %27
-  %28 = shl i64 %count.5.1.i, 3
-  %scevgep141.i = getelementptr i8, ptr %scevgep.i, i64 %28
-  store i64 %edge.3.1.fr.i, ptr %scevgep141.i, align 8
-  %29 = select i1 %.1646.i, i64 %3, i64 0
-  %scevgep142.i = getelementptr i8, ptr %w35, i64 %29
-  %scevgep143.i = getelementptr i8, ptr %scevgep142.i, i64 %28
-  store double %.1630.i, ptr %scevgep143.i, align 8
-  %30 = tail call { i64, i1 } @llvm.usub.with.overflow.i64(i64 %.13771282.i, i64 1)
-  %math175.i = extractvalue { i64, i1 } %30, 0
-  %ov176.i = extractvalue { i64, i1 } %30, 1
-  %.17241286.i = select i1 %ov176.i, i64 2, i64 %math175.i
-  %.1754.i = add nsw i64 %.17241286.i, %.1497.i
-  %.1767.i = icmp slt i64 %.1754.i, 0
-  %.1768.i = select i1 %.1767.i, i64 %w14, i64 0
-  %31 = getelementptr i64, ptr %w13, i64 %.1754.i
-  %.1782.i = getelementptr i64, ptr %31, i64 %.1768.i
-  %.1783.i = load i64, ptr %.1782.i, align 8
-  %.128.i59.i = icmp slt i64 %.1783.i, 0
-  %.129.i60.i = select i1 %.128.i59.i, i64 %w11, i64 0
-  %.130.i61.i = add i64 %.129.i60.i, %.1783.i
-  %.150.i62.i = mul i64 %.130.i61.i, %w12
-  %.154.i63.i = getelementptr double, ptr %w10, i64 %.150.i62.i
-  %.155.i64.i = load double, ptr %.154.i63.i, align 8
-  %.208.i67.i = load double, ptr %sunkaddr160.i, align 8
-  %.209.i68.i = fsub double %.155.i64.i, %.208.i67.i
-  %.262.i72.i = load double, ptr %sunkaddr162.i, align 8
-  %.263.i73.i = fmul double %.209.i68.i, %.262.i72.i
-  %.316.i74.i = getelementptr i8, ptr %.154.i63.i, i64 8
-  %.317.i75.i = load double, ptr %.316.i74.i, align 8
-  %.370.i77.i = load double, ptr %sunkaddr165.i, align 8
-  %.371.i78.i = fsub double %.317.i75.i, %.370.i77.i
-  %.424.i80.i = load double, ptr %sunkaddr168.i, align 8
-  %.425.i81.i = fmul double %.371.i78.i, %.424.i80.i
-  %.426.i82.i = fadd double %.263.i73.i, %.425.i81.i
-  %.479.i83.i = getelementptr i8, ptr %.154.i63.i, i64 16
-  %.480.i84.i = load double, ptr %.479.i83.i, align 8
-  %.533.i86.i = load double, ptr %sunkaddr171.i, align 8
-  %.534.i87.i = fsub double %.480.i84.i, %.533.i86.i
-  %.587.i89.i = load double, ptr %sunkaddr174.i, align 8
-  %.588.i90.i = fmul double %.534.i87.i, %.587.i89.i
-  %.589.i91.i = fadd double %.426.i82.i, %.588.i90.i
-  %.1697.i = add i64 %count.5.1.i, 1
-  %.1841.i = fcmp ult double %.589.i91.i, 0.000000e+00
-  %"$phi1056.2.2.3.i" = select i1 %.1841.i, i64 %.1754.i, i64 %.1540.i
-  %.1930.i = icmp slt i64 %"$phi1056.2.2.3.i", 0
-  %.1931.i = select i1 %.1930.i, i64 %w20, i64 0
-  %32 = getelementptr i64, ptr %w19, i64 %"$phi1056.2.2.3.i"
-  %.1945.i = getelementptr i64, ptr %32, i64 %.1931.i
-  %.1946.i = load i64, ptr %.1945.i, align 8
-  %.1956.i = icmp ne i64 %.1946.i, %first.3.1.lcssa1428.i
-  %.1982.i = icmp sgt i64 %.1946.i, -1
-  %or.cond1290.i = and i1 %.1956.i, %.1982.i
-  br i1 %or.cond1290.i, label %B626.i, label %B1094.i
-
-_ZN7msf_jax4host5solid5loops5loopsB3v26B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE232Mesh_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xx5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit: ; preds = %B1094.i, %B650.i, %0
-  %storemerge.i = phi i64 [ 1, %0 ], [ 0, %B650.i ], [ 1, %B1094.i ]
-  ret i64 %storemerge.i
+define i64 @msf_jax.host.solid.loops.loops(ptr readonly %0) local_unnamed_addr {
+  %2 = load ptr, ptr %0, align 8
+  %3 = getelementptr i8, ptr %0, i64 8
+  %4 = load i64, ptr %3, align 8
+  %5 = getelementptr i8, ptr %0, i64 16
+  %6 = load i64, ptr %5, align 8
+  %7 = getelementptr i8, ptr %0, i64 24
+  %8 = load ptr, ptr %7, align 8
+  %9 = getelementptr i8, ptr %0, i64 40
+  %10 = load i64, ptr %9, align 8
+  %11 = getelementptr i8, ptr %0, i64 48
+  %12 = load ptr, ptr %11, align 8
+  %13 = getelementptr i8, ptr %0, i64 64
+  %14 = load ptr, ptr %13, align 8
+  %15 = getelementptr i8, ptr %0, i64 80
+  %16 = load ptr, ptr %15, align 8
+  %17 = getelementptr i8, ptr %0, i64 88
+  %18 = load i64, ptr %17, align 8
+  %19 = getelementptr i8, ptr %0, i64 96
+  %20 = load i64, ptr %19, align 8
+  %21 = getelementptr i8, ptr %0, i64 104
+  %22 = load ptr, ptr %21, align 8
+  %23 = getelementptr i8, ptr %0, i64 112
+  %24 = load i64, ptr %23, align 8
+  %25 = getelementptr i8, ptr %0, i64 152
+  %26 = load ptr, ptr %25, align 8
+  %27 = getelementptr i8, ptr %0, i64 160
+  %28 = load i64, ptr %27, align 8
+  %29 = getelementptr i8, ptr %0, i64 168
+  %30 = load ptr, ptr %29, align 8
+  %31 = getelementptr i8, ptr %0, i64 176
+  %32 = load i64, ptr %31, align 8
+  %33 = getelementptr i8, ptr %0, i64 184
+  %34 = load i64, ptr %33, align 8
+  %35 = getelementptr i8, ptr %0, i64 192
+  %36 = load ptr, ptr %35, align 8
+  %37 = getelementptr i8, ptr %0, i64 200
+  %38 = load i64, ptr %37, align 8
+  %39 = getelementptr i8, ptr %0, i64 208
+  %40 = load i64, ptr %39, align 8
+  %41 = getelementptr i8, ptr %0, i64 216
+  %42 = load i64, ptr %41, align 8
+  %43 = getelementptr i8, ptr %0, i64 224
+  %44 = load ptr, ptr %43, align 8
+  %45 = getelementptr i8, ptr %0, i64 240
+  %46 = load i64, ptr %45, align 8
+  %47 = getelementptr i8, ptr %0, i64 248
+  %48 = load ptr, ptr %47, align 8
+  %49 = getelementptr i8, ptr %0, i64 264
+  %50 = load ptr, ptr %49, align 8
+  %51 = getelementptr i8, ptr %0, i64 272
+  %52 = load i64, ptr %51, align 8
+  %53 = getelementptr i8, ptr %0, i64 280
+  %54 = load ptr, ptr %53, align 8
+  %55 = icmp slt i64 %4, 1
+  br i1 %55, label %952, label %56
+56:
+  %57 = getelementptr i8, ptr %0, i64 288
+  %58 = load i64, ptr %57, align 8
+  %59 = icmp slt i64 %40, 1
+  %60 = getelementptr i8, ptr %44, i64 8
+  %61 = getelementptr i8, ptr %44, i64 16
+  %62 = getelementptr double, ptr %44, i64 %46
+  %63 = getelementptr i8, ptr %62, i64 8
+  %64 = getelementptr i8, ptr %62, i64 16
+  %65 = shl i64 %52, 3
+  %66 = shl i64 %58, 3
+  %67 = shl i64 %6, 3
+  %68 = shl i64 %10, 3
+  br label %69
+69:
+  %70 = phi i64 [ %825, %824 ], [ 0, %56 ]
+  %71 = phi i64 [ %72, %824 ], [ 0, %56 ]
+  %72 = add nuw nsw i64 %71, 1
+  %73 = getelementptr double, ptr %12, i64 %71
+  %74 = load double, ptr %73, align 8
+  %75 = getelementptr i64, ptr %14, i64 %71
+  %76 = load i64, ptr %75, align 8
+  %77 = icmp sgt i64 %76, -1
+  br i1 %77, label %78, label %828
+78:
+  %79 = mul i64 %71, %6
+  %80 = getelementptr double, ptr %2, i64 %79
+  %81 = load double, ptr %80, align 8
+  %82 = mul i64 %71, %10
+  %83 = getelementptr double, ptr %8, i64 %82
+  %84 = load double, ptr %83, align 8
+  %85 = getelementptr i8, ptr %80, i64 8
+  %86 = load double, ptr %85, align 8
+  %87 = getelementptr i8, ptr %83, i64 8
+  %88 = load double, ptr %87, align 8
+  %89 = getelementptr i8, ptr %80, i64 16
+  %90 = load double, ptr %89, align 8
+  %91 = getelementptr i8, ptr %83, i64 16
+  %92 = load double, ptr %91, align 8
+  br label %93
+93:
+  %94 = phi i64 [ %276, %218 ], [ 32, %78 ]
+  %95 = phi i64 [ %275, %218 ], [ %76, %78 ]
+  %96 = mul nsw i64 %95, 3
+  %97 = icmp slt i64 %95, 0
+  %98 = select i1 %97, i64 %24, i64 0
+  %99 = getelementptr i64, ptr %22, i64 %96
+  %100 = getelementptr i64, ptr %99, i64 %98
+  %101 = load i64, ptr %100, align 8
+  %102 = icmp slt i64 %101, 0
+  %103 = select i1 %102, i64 %18, i64 0
+  %104 = add i64 %103, %101
+  %105 = mul i64 %104, %20
+  %106 = getelementptr double, ptr %16, i64 %105
+  %107 = load double, ptr %106, align 8
+  %108 = fsub double %107, %81
+  %109 = fmul double %84, %108
+  %110 = getelementptr i8, ptr %106, i64 8
+  %111 = load double, ptr %110, align 8
+  %112 = fsub double %111, %86
+  %113 = fmul double %88, %112
+  %114 = fadd double %109, %113
+  %115 = getelementptr i8, ptr %106, i64 16
+  %116 = load double, ptr %115, align 8
+  %117 = fsub double %116, %90
+  %118 = fmul double %92, %117
+  %119 = fadd double %114, %118
+  %120 = fcmp ult double %119, 0.000000e+00
+  %121 = add nsw i64 %96, 1
+  %122 = getelementptr i64, ptr %22, i64 %121
+  %123 = getelementptr i64, ptr %122, i64 %98
+  %124 = load i64, ptr %123, align 8
+  br i1 %120, label %145, label %125
+125:
+  %126 = icmp slt i64 %124, 0
+  %127 = select i1 %126, i64 %18, i64 0
+  %128 = add i64 %127, %124
+  %129 = mul i64 %128, %20
+  %130 = getelementptr double, ptr %16, i64 %129
+  %131 = load double, ptr %130, align 8
+  %132 = fsub double %131, %81
+  %133 = fmul double %84, %132
+  %134 = getelementptr i8, ptr %130, i64 8
+  %135 = load double, ptr %134, align 8
+  %136 = fsub double %135, %86
+  %137 = fmul double %88, %136
+  %138 = fadd double %133, %137
+  %139 = getelementptr i8, ptr %130, i64 16
+  %140 = load double, ptr %139, align 8
+  %141 = fsub double %140, %90
+  %142 = fmul double %92, %141
+  %143 = fadd double %138, %142
+  %144 = fcmp olt double %143, 0.000000e+00
+  br i1 %144, label %211, label %145
+145:
+  %146 = icmp slt i64 %124, 0
+  %147 = select i1 %146, i64 %18, i64 0
+  %148 = add i64 %147, %124
+  %149 = mul i64 %148, %20
+  %150 = getelementptr double, ptr %16, i64 %149
+  %151 = load double, ptr %150, align 8
+  %152 = fsub double %151, %81
+  %153 = fmul double %84, %152
+  %154 = getelementptr i8, ptr %150, i64 8
+  %155 = load double, ptr %154, align 8
+  %156 = fsub double %155, %86
+  %157 = fmul double %88, %156
+  %158 = fadd double %153, %157
+  %159 = getelementptr i8, ptr %150, i64 16
+  %160 = load double, ptr %159, align 8
+  %161 = fsub double %160, %90
+  %162 = fmul double %92, %161
+  %163 = fadd double %158, %162
+  %164 = fcmp ult double %163, 0.000000e+00
+  %165 = add nsw i64 %96, 2
+  %166 = getelementptr i64, ptr %22, i64 %165
+  %167 = getelementptr i64, ptr %166, i64 %98
+  %168 = load i64, ptr %167, align 8
+  br i1 %164, label %189, label %169
+169:
+  %170 = icmp slt i64 %168, 0
+  %171 = select i1 %170, i64 %18, i64 0
+  %172 = add i64 %171, %168
+  %173 = mul i64 %172, %20
+  %174 = getelementptr double, ptr %16, i64 %173
+  %175 = load double, ptr %174, align 8
+  %176 = fsub double %175, %81
+  %177 = fmul double %84, %176
+  %178 = getelementptr i8, ptr %174, i64 8
+  %179 = load double, ptr %178, align 8
+  %180 = fsub double %179, %86
+  %181 = fmul double %88, %180
+  %182 = fadd double %177, %181
+  %183 = getelementptr i8, ptr %174, i64 16
+  %184 = load double, ptr %183, align 8
+  %185 = fsub double %184, %90
+  %186 = fmul double %92, %185
+  %187 = fadd double %182, %186
+  %188 = fcmp olt double %187, 0.000000e+00
+  br i1 %188, label %211, label %189
+189:
+  %190 = icmp slt i64 %168, 0
+  %191 = select i1 %190, i64 %18, i64 0
+  %192 = add i64 %191, %168
+  %193 = mul i64 %192, %20
+  %194 = getelementptr double, ptr %16, i64 %193
+  %195 = load double, ptr %194, align 8
+  %196 = fsub double %195, %81
+  %197 = fmul double %84, %196
+  %198 = getelementptr i8, ptr %194, i64 8
+  %199 = load double, ptr %198, align 8
+  %200 = fsub double %199, %86
+  %201 = fmul double %88, %200
+  %202 = fadd double %197, %201
+  %203 = getelementptr i8, ptr %194, i64 16
+  %204 = load double, ptr %203, align 8
+  %205 = fsub double %204, %90
+  %206 = fmul double %92, %205
+  %207 = fadd double %202, %206
+  %208 = fcmp oge double %207, 0.000000e+00
+  %209 = fcmp olt double %119, 0.000000e+00
+  %210 = and i1 %209, %208
+  br i1 %210, label %211, label %218
+211:
+  %212 = phi i64 [ %121, %169 ], [ %96, %125 ], [ %165, %189 ]
+  %213 = icmp sgt i64 %212, -1
+  br i1 %213, label %828, label %214
+214:
+  %215 = getelementptr i8, ptr %99, i64 16
+  %216 = getelementptr i64, ptr %215, i64 %98
+  %217 = load i64, ptr %216, align 8
+  br label %218
+218:
+  %219 = phi i64 [ %217, %214 ], [ %168, %189 ]
+  %220 = icmp slt i64 %124, 0
+  %221 = select i1 %220, i64 %18, i64 0
+  %222 = add i64 %221, %124
+  %223 = mul i64 %222, %20
+  %224 = getelementptr double, ptr %16, i64 %223
+  %225 = load double, ptr %224, align 8
+  %226 = fsub double %225, %81
+  %227 = fmul double %84, %226
+  %228 = getelementptr i8, ptr %224, i64 8
+  %229 = load double, ptr %228, align 8
+  %230 = fsub double %229, %86
+  %231 = fmul double %88, %230
+  %232 = fadd double %227, %231
+  %233 = getelementptr i8, ptr %224, i64 16
+  %234 = load double, ptr %233, align 8
+  %235 = fsub double %234, %90
+  %236 = fmul double %92, %235
+  %237 = fadd double %232, %236
+  %238 = icmp slt i64 %219, 0
+  %239 = select i1 %238, i64 %18, i64 0
+  %240 = add i64 %239, %219
+  %241 = mul i64 %240, %20
+  %242 = getelementptr double, ptr %16, i64 %241
+  %243 = load double, ptr %242, align 8
+  %244 = fsub double %243, %81
+  %245 = fmul double %84, %244
+  %246 = getelementptr i8, ptr %242, i64 8
+  %247 = load double, ptr %246, align 8
+  %248 = fsub double %247, %86
+  %249 = fmul double %88, %248
+  %250 = fadd double %245, %249
+  %251 = getelementptr i8, ptr %242, i64 16
+  %252 = load double, ptr %251, align 8
+  %253 = fsub double %252, %90
+  %254 = fmul double %92, %253
+  %255 = fadd double %250, %254
+  %256 = tail call double @llvm.fabs.f64(double %237)
+  %257 = tail call double @llvm.fabs.f64(double %119)
+  %258 = fcmp ogt double %257, -1.000000e+00
+  %259 = select i1 %258, double %257, double -1.000000e+00
+  %260 = fcmp ogt double %256, %259
+  %261 = select i1 %260, double %256, double %259
+  %262 = tail call double @llvm.fabs.f64(double %255)
+  %263 = fcmp ogt double %262, %261
+  %264 = select i1 %260, i64 2, i64 1
+  %265 = select i1 %263, i64 0, i64 %264
+  %266 = add nsw i64 %265, %96
+  %267 = icmp slt i64 %266, 0
+  %268 = select i1 %267, i64 %28, i64 0
+  %269 = getelementptr i64, ptr %26, i64 %266
+  %270 = getelementptr i64, ptr %269, i64 %268
+  %271 = load i64, ptr %270, align 8
+  %272 = sdiv i64 %271, 3
+  %273 = srem i64 %271, 3
+  %274 = ashr i64 %273, 63
+  %275 = add nsw i64 %274, %272
+  %276 = add nsw i64 %94, -1
+  %277 = icmp samesign ugt i64 %94, 3
+  br i1 %277, label %93, label %828
+278:
+  %279 = phi i64 [ %829, %830 ], [ %784, %797 ]
+  %280 = phi double [ %74, %830 ], [ %798, %797 ]
+  %281 = phi i64 [ 0, %830 ], [ %282, %797 ]
+  %282 = add nuw nsw i64 %281, 1
+  %283 = icmp sgt i64 %279, -1
+  br i1 %283, label %806, label %284
+284:
+  %285 = load double, ptr %832, align 8
+  %286 = load double, ptr %833, align 8
+  %287 = load double, ptr %834, align 8
+  br label %288
+288:
+  %289 = phi double [ %777, %794 ], [ %287, %284 ]
+  %290 = phi double [ %778, %794 ], [ %286, %284 ]
+  %291 = phi double [ %779, %794 ], [ %285, %284 ]
+  %292 = phi double [ %780, %794 ], [ %287, %284 ]
+  %293 = phi double [ %781, %794 ], [ %286, %284 ]
+  %294 = phi double [ %782, %794 ], [ %285, %284 ]
+  %295 = phi double [ %785, %794 ], [ %280, %284 ]
+  %296 = phi i64 [ %784, %794 ], [ -1, %284 ]
+  %297 = phi i64 [ %783, %794 ], [ %38, %284 ]
+  %298 = phi i64 [ %795, %794 ], [ 1, %284 ]
+  %299 = fmul double %295, %295
+  %300 = fmul double %299, 0x3FF0000000001198
+  br label %301
+301:
+  %302 = phi i64 [ %775, %774 ], [ %298, %288 ]
+  %303 = icmp slt i64 %302, 0
+  %304 = select i1 %303, i64 %32, i64 0
+  %305 = add i64 %304, %302
+  %306 = mul i64 %305, %34
+  %307 = getelementptr double, ptr %30, i64 %306
+  %308 = load double, ptr %307, align 8
+  %309 = fsub double %308, %294
+  %310 = getelementptr i8, ptr %307, i64 24
+  %311 = load double, ptr %310, align 8
+  %312 = fsub double %294, %311
+  %313 = fcmp ogt double %312, %309
+  %314 = select i1 %313, double %312, double %309
+  %315 = fcmp olt double %314, 0.000000e+00
+  %316 = select i1 %315, double 0.000000e+00, double %314
+  %317 = getelementptr i8, ptr %307, i64 8
+  %318 = load double, ptr %317, align 8
+  %319 = fsub double %318, %293
+  %320 = getelementptr i8, ptr %307, i64 32
+  %321 = load double, ptr %320, align 8
+  %322 = fsub double %293, %321
+  %323 = fcmp ogt double %322, %319
+  %324 = select i1 %323, double %322, double %319
+  %325 = fcmp olt double %324, 0.000000e+00
+  %326 = select i1 %325, double 0.000000e+00, double %324
+  %327 = getelementptr i8, ptr %307, i64 16
+  %328 = load double, ptr %327, align 8
+  %329 = fsub double %328, %292
+  %330 = getelementptr i8, ptr %307, i64 40
+  %331 = load double, ptr %330, align 8
+  %332 = fsub double %292, %331
+  %333 = fcmp ogt double %332, %329
+  %334 = select i1 %333, double %332, double %329
+  %335 = fcmp olt double %334, 0.000000e+00
+  %336 = select i1 %335, double 0.000000e+00, double %334
+  %337 = fmul double %316, %316
+  %338 = fmul double %326, %326
+  %339 = fadd double %337, %338
+  %340 = fmul double %336, %336
+  %341 = fadd double %339, %340
+  %342 = fcmp ugt double %341, %300
+  br i1 %342, label %776, label %343
+343:
+  %344 = icmp slt i64 %302, %38
+  br i1 %344, label %774, label %345
+345:
+  %346 = sub nsw i64 %302, %38
+  %347 = getelementptr i64, ptr %36, i64 %346
+  %348 = load i64, ptr %347, align 8
+  %349 = mul nsw i64 %348, 3
+  %350 = load double, ptr %836, align 8
+  %351 = load double, ptr %837, align 8
+  %352 = load double, ptr %838, align 8
+  %353 = icmp slt i64 %348, 0
+  %354 = select i1 %353, i64 %24, i64 0
+  %355 = getelementptr i64, ptr %22, i64 %349
+  %356 = getelementptr i64, ptr %355, i64 %354
+  %357 = load i64, ptr %356, align 8
+  %358 = icmp slt i64 %357, 0
+  %359 = select i1 %358, i64 %18, i64 0
+  %360 = add i64 %359, %357
+  %361 = mul i64 %360, %20
+  %362 = getelementptr double, ptr %16, i64 %361
+  %363 = load double, ptr %362, align 8
+  %364 = fsub double %363, %294
+  %365 = fmul double %350, %364
+  %366 = getelementptr i8, ptr %362, i64 8
+  %367 = load double, ptr %366, align 8
+  %368 = fsub double %367, %293
+  %369 = fmul double %351, %368
+  %370 = fadd double %365, %369
+  %371 = getelementptr i8, ptr %362, i64 16
+  %372 = load double, ptr %371, align 8
+  %373 = fsub double %372, %292
+  %374 = fmul double %352, %373
+  %375 = fadd double %370, %374
+  %376 = fcmp ult double %375, 0.000000e+00
+  %377 = add nsw i64 %349, 1
+  %378 = getelementptr i64, ptr %22, i64 %377
+  %379 = getelementptr i64, ptr %378, i64 %354
+  %380 = load i64, ptr %379, align 8
+  br i1 %376, label %401, label %381
+381:
+  %382 = icmp slt i64 %380, 0
+  %383 = select i1 %382, i64 %18, i64 0
+  %384 = add i64 %383, %380
+  %385 = mul i64 %384, %20
+  %386 = getelementptr double, ptr %16, i64 %385
+  %387 = load double, ptr %386, align 8
+  %388 = fsub double %387, %294
+  %389 = fmul double %350, %388
+  %390 = getelementptr i8, ptr %386, i64 8
+  %391 = load double, ptr %390, align 8
+  %392 = fsub double %391, %293
+  %393 = fmul double %351, %392
+  %394 = fadd double %389, %393
+  %395 = getelementptr i8, ptr %386, i64 16
+  %396 = load double, ptr %395, align 8
+  %397 = fsub double %396, %292
+  %398 = fmul double %352, %397
+  %399 = fadd double %394, %398
+  %400 = fcmp olt double %399, 0.000000e+00
+  br i1 %400, label %839, label %401
+401:
+  %402 = icmp slt i64 %380, 0
+  %403 = select i1 %402, i64 %18, i64 0
+  %404 = add i64 %403, %380
+  %405 = mul i64 %404, %20
+  %406 = getelementptr double, ptr %16, i64 %405
+  %407 = load double, ptr %406, align 8
+  %408 = fsub double %407, %294
+  %409 = fmul double %350, %408
+  %410 = getelementptr i8, ptr %406, i64 8
+  %411 = load double, ptr %410, align 8
+  %412 = fsub double %411, %293
+  %413 = fmul double %351, %412
+  %414 = fadd double %409, %413
+  %415 = getelementptr i8, ptr %406, i64 16
+  %416 = load double, ptr %415, align 8
+  %417 = fsub double %416, %292
+  %418 = fmul double %352, %417
+  %419 = fadd double %414, %418
+  %420 = fcmp ult double %419, 0.000000e+00
+  %421 = add nsw i64 %349, 2
+  %422 = getelementptr i64, ptr %22, i64 %421
+  %423 = getelementptr i64, ptr %422, i64 %354
+  %424 = load i64, ptr %423, align 8
+  br i1 %420, label %445, label %425
+425:
+  %426 = icmp slt i64 %424, 0
+  %427 = select i1 %426, i64 %18, i64 0
+  %428 = add i64 %427, %424
+  %429 = mul i64 %428, %20
+  %430 = getelementptr double, ptr %16, i64 %429
+  %431 = load double, ptr %430, align 8
+  %432 = fsub double %431, %294
+  %433 = fmul double %350, %432
+  %434 = getelementptr i8, ptr %430, i64 8
+  %435 = load double, ptr %434, align 8
+  %436 = fsub double %435, %293
+  %437 = fmul double %351, %436
+  %438 = fadd double %433, %437
+  %439 = getelementptr i8, ptr %430, i64 16
+  %440 = load double, ptr %439, align 8
+  %441 = fsub double %440, %292
+  %442 = fmul double %352, %441
+  %443 = fadd double %438, %442
+  %444 = fcmp olt double %443, 0.000000e+00
+  br i1 %444, label %839, label %445
+445:
+  %446 = icmp slt i64 %424, 0
+  %447 = select i1 %446, i64 %18, i64 0
+  %448 = add i64 %447, %424
+  %449 = mul i64 %448, %20
+  %450 = getelementptr double, ptr %16, i64 %449
+  %451 = load double, ptr %450, align 8
+  %452 = fsub double %451, %294
+  %453 = fmul double %350, %452
+  %454 = getelementptr i8, ptr %450, i64 8
+  %455 = load double, ptr %454, align 8
+  %456 = fsub double %455, %293
+  %457 = fmul double %351, %456
+  %458 = fadd double %453, %457
+  %459 = getelementptr i8, ptr %450, i64 16
+  %460 = load double, ptr %459, align 8
+  %461 = fsub double %460, %292
+  %462 = fmul double %352, %461
+  %463 = fadd double %458, %462
+  %464 = fcmp oge double %463, 0.000000e+00
+  %465 = fcmp olt double %375, 0.000000e+00
+  %466 = and i1 %465, %464
+  br i1 %466, label %839, label %776
+467:
+  %468 = mul i64 %348, 24
+  %469 = getelementptr i8, ptr %22, i64 %468
+  %470 = getelementptr i64, ptr %469, i64 %354
+  %471 = load i64, ptr %470, align 8
+  %472 = getelementptr i8, ptr %469, i64 8
+  %473 = getelementptr i64, ptr %472, i64 %354
+  %474 = load i64, ptr %473, align 8
+  %475 = icmp slt i64 %471, 0
+  %476 = select i1 %475, i64 %18, i64 0
+  %477 = add i64 %476, %471
+  %478 = mul i64 %477, %20
+  %479 = getelementptr double, ptr %16, i64 %478
+  %480 = load double, ptr %479, align 8
+  %481 = fsub double %480, %291
+  %482 = fmul double %350, %481
+  %483 = getelementptr i8, ptr %479, i64 8
+  %484 = load double, ptr %483, align 8
+  %485 = fsub double %484, %290
+  %486 = fmul double %351, %485
+  %487 = fadd double %482, %486
+  %488 = getelementptr i8, ptr %479, i64 16
+  %489 = load double, ptr %488, align 8
+  %490 = fsub double %489, %289
+  %491 = fmul double %352, %490
+  %492 = fadd double %487, %491
+  %493 = icmp slt i64 %474, 0
+  %494 = select i1 %493, i64 %18, i64 0
+  %495 = add i64 %494, %474
+  %496 = mul i64 %495, %20
+  %497 = getelementptr double, ptr %16, i64 %496
+  %498 = load double, ptr %497, align 8
+  %499 = fsub double %498, %291
+  %500 = fmul double %350, %499
+  %501 = getelementptr i8, ptr %497, i64 8
+  %502 = load double, ptr %501, align 8
+  %503 = fsub double %502, %290
+  %504 = fmul double %351, %503
+  %505 = fadd double %500, %504
+  %506 = getelementptr i8, ptr %497, i64 16
+  %507 = load double, ptr %506, align 8
+  %508 = fsub double %507, %289
+  %509 = fmul double %352, %508
+  %510 = fadd double %505, %509
+  %511 = fcmp oge double %492, 0.000000e+00
+  %512 = fcmp oge double %510, 0.000000e+00
+  %513 = xor i1 %511, %512
+  br i1 %513, label %514, label %551
+514:
+  %515 = fsub double %492, %510
+  %516 = fdiv double %492, %515
+  %517 = select i1 %511, i64 0, i64 %46
+  %518 = getelementptr double, ptr %44, i64 %517
+  %519 = fsub double %498, %480
+  %520 = fmul double %519, %516
+  %521 = fadd double %480, %520
+  store double %521, ptr %518, align 8
+  %522 = shl i64 %478, 3
+  %523 = getelementptr i8, ptr %16, i64 %522
+  %524 = getelementptr i8, ptr %523, i64 8
+  %525 = load double, ptr %524, align 8
+  %526 = shl i64 %496, 3
+  %527 = getelementptr i8, ptr %16, i64 %526
+  %528 = getelementptr i8, ptr %527, i64 8
+  %529 = load double, ptr %528, align 8
+  %530 = fsub double %529, %525
+  %531 = fmul double %516, %530
+  %532 = fadd double %525, %531
+  %533 = getelementptr i8, ptr %518, i64 8
+  store double %532, ptr %533, align 8
+  %534 = getelementptr i8, ptr %523, i64 16
+  %535 = load double, ptr %534, align 8
+  %536 = getelementptr i8, ptr %527, i64 16
+  %537 = load double, ptr %536, align 8
+  %538 = fsub double %537, %535
+  %539 = fmul double %516, %538
+  %540 = fadd double %535, %539
+  %541 = getelementptr i8, ptr %518, i64 16
+  store double %540, ptr %541, align 8
+  %542 = shl i64 %354, 3
+  %543 = getelementptr inbounds i8, ptr %472, i64 %542
+  %544 = load i64, ptr %543, align 8
+  %545 = load double, ptr %832, align 8
+  %546 = load double, ptr %836, align 8
+  %547 = load double, ptr %833, align 8
+  %548 = load double, ptr %837, align 8
+  %549 = load double, ptr %834, align 8
+  %550 = load double, ptr %838, align 8
+  br label %551
+551:
+  %552 = phi double [ %549, %514 ], [ %289, %467 ]
+  %553 = phi double [ %547, %514 ], [ %290, %467 ]
+  %554 = phi double [ %545, %514 ], [ %291, %467 ]
+  %555 = phi double [ %550, %514 ], [ %352, %467 ]
+  %556 = phi double [ %548, %514 ], [ %351, %467 ]
+  %557 = phi double [ %546, %514 ], [ %350, %467 ]
+  %558 = phi i64 [ %544, %514 ], [ %474, %467 ]
+  %559 = getelementptr i8, ptr %469, i64 16
+  %560 = getelementptr i64, ptr %559, i64 %354
+  %561 = load i64, ptr %560, align 8
+  %562 = icmp slt i64 %558, 0
+  %563 = select i1 %562, i64 %18, i64 0
+  %564 = add i64 %563, %558
+  %565 = mul i64 %564, %20
+  %566 = getelementptr double, ptr %16, i64 %565
+  %567 = load double, ptr %566, align 8
+  %568 = fsub double %567, %554
+  %569 = fmul double %557, %568
+  %570 = getelementptr i8, ptr %566, i64 8
+  %571 = load double, ptr %570, align 8
+  %572 = fsub double %571, %553
+  %573 = fmul double %556, %572
+  %574 = fadd double %569, %573
+  %575 = getelementptr i8, ptr %566, i64 16
+  %576 = load double, ptr %575, align 8
+  %577 = fsub double %576, %552
+  %578 = fmul double %555, %577
+  %579 = fadd double %574, %578
+  %580 = icmp slt i64 %561, 0
+  %581 = select i1 %580, i64 %18, i64 0
+  %582 = add i64 %581, %561
+  %583 = mul i64 %582, %20
+  %584 = getelementptr double, ptr %16, i64 %583
+  %585 = load double, ptr %584, align 8
+  %586 = fsub double %585, %554
+  %587 = fmul double %557, %586
+  %588 = getelementptr i8, ptr %584, i64 8
+  %589 = load double, ptr %588, align 8
+  %590 = fsub double %589, %553
+  %591 = fmul double %556, %590
+  %592 = fadd double %587, %591
+  %593 = getelementptr i8, ptr %584, i64 16
+  %594 = load double, ptr %593, align 8
+  %595 = fsub double %594, %552
+  %596 = fmul double %555, %595
+  %597 = fadd double %592, %596
+  %598 = fcmp oge double %579, 0.000000e+00
+  %599 = fcmp oge double %597, 0.000000e+00
+  %600 = xor i1 %598, %599
+  br i1 %600, label %603, label %601
+601:
+  %602 = shl i64 %354, 3
+  br label %640
+603:
+  %604 = fsub double %579, %597
+  %605 = fdiv double %579, %604
+  %606 = select i1 %598, i64 0, i64 %46
+  %607 = getelementptr double, ptr %44, i64 %606
+  %608 = fsub double %585, %567
+  %609 = fmul double %608, %605
+  %610 = fadd double %567, %609
+  store double %610, ptr %607, align 8
+  %611 = shl i64 %565, 3
+  %612 = getelementptr i8, ptr %16, i64 %611
+  %613 = getelementptr i8, ptr %612, i64 8
+  %614 = load double, ptr %613, align 8
+  %615 = shl i64 %583, 3
+  %616 = getelementptr i8, ptr %16, i64 %615
+  %617 = getelementptr i8, ptr %616, i64 8
+  %618 = load double, ptr %617, align 8
+  %619 = fsub double %618, %614
+  %620 = fmul double %605, %619
+  %621 = fadd double %614, %620
+  %622 = getelementptr i8, ptr %607, i64 8
+  store double %621, ptr %622, align 8
+  %623 = getelementptr i8, ptr %612, i64 16
+  %624 = load double, ptr %623, align 8
+  %625 = getelementptr i8, ptr %616, i64 16
+  %626 = load double, ptr %625, align 8
+  %627 = fsub double %626, %624
+  %628 = fmul double %605, %627
+  %629 = fadd double %624, %628
+  %630 = getelementptr i8, ptr %607, i64 16
+  store double %629, ptr %630, align 8
+  %631 = shl i64 %354, 3
+  %632 = getelementptr inbounds i8, ptr %559, i64 %631
+  %633 = load i64, ptr %632, align 8
+  %634 = load double, ptr %832, align 8
+  %635 = load double, ptr %836, align 8
+  %636 = load double, ptr %833, align 8
+  %637 = load double, ptr %837, align 8
+  %638 = load double, ptr %834, align 8
+  %639 = load double, ptr %838, align 8
+  br label %640
+640:
+  %641 = phi double [ %552, %601 ], [ %638, %603 ]
+  %642 = phi double [ %553, %601 ], [ %636, %603 ]
+  %643 = phi double [ %554, %601 ], [ %634, %603 ]
+  %644 = phi i64 [ %602, %601 ], [ %631, %603 ]
+  %645 = phi double [ %555, %601 ], [ %639, %603 ]
+  %646 = phi double [ %556, %601 ], [ %637, %603 ]
+  %647 = phi double [ %557, %601 ], [ %635, %603 ]
+  %648 = phi i64 [ %561, %601 ], [ %633, %603 ]
+  %649 = getelementptr inbounds i8, ptr %469, i64 %644
+  %650 = load i64, ptr %649, align 8
+  %651 = icmp slt i64 %648, 0
+  %652 = select i1 %651, i64 %18, i64 0
+  %653 = add i64 %652, %648
+  %654 = mul i64 %653, %20
+  %655 = getelementptr double, ptr %16, i64 %654
+  %656 = load double, ptr %655, align 8
+  %657 = fsub double %656, %643
+  %658 = fmul double %647, %657
+  %659 = getelementptr i8, ptr %655, i64 8
+  %660 = load double, ptr %659, align 8
+  %661 = fsub double %660, %642
+  %662 = fmul double %646, %661
+  %663 = fadd double %658, %662
+  %664 = getelementptr i8, ptr %655, i64 16
+  %665 = load double, ptr %664, align 8
+  %666 = fsub double %665, %641
+  %667 = fmul double %645, %666
+  %668 = fadd double %663, %667
+  %669 = icmp slt i64 %650, 0
+  %670 = select i1 %669, i64 %18, i64 0
+  %671 = add i64 %670, %650
+  %672 = mul i64 %671, %20
+  %673 = getelementptr double, ptr %16, i64 %672
+  %674 = load double, ptr %673, align 8
+  %675 = fsub double %674, %643
+  %676 = fmul double %647, %675
+  %677 = getelementptr i8, ptr %673, i64 8
+  %678 = load double, ptr %677, align 8
+  %679 = fsub double %678, %642
+  %680 = fmul double %646, %679
+  %681 = fadd double %676, %680
+  %682 = getelementptr i8, ptr %673, i64 16
+  %683 = load double, ptr %682, align 8
+  %684 = fsub double %683, %641
+  %685 = fmul double %645, %684
+  %686 = fadd double %681, %685
+  %687 = fcmp oge double %668, 0.000000e+00
+  %688 = fcmp oge double %686, 0.000000e+00
+  %689 = xor i1 %687, %688
+  br i1 %689, label %690, label %721
+690:
+  %691 = fsub double %668, %686
+  %692 = fdiv double %668, %691
+  %693 = select i1 %687, i64 0, i64 %46
+  %694 = getelementptr double, ptr %44, i64 %693
+  %695 = fsub double %674, %656
+  %696 = fmul double %695, %692
+  %697 = fadd double %656, %696
+  store double %697, ptr %694, align 8
+  %698 = shl i64 %654, 3
+  %699 = getelementptr i8, ptr %16, i64 %698
+  %700 = getelementptr i8, ptr %699, i64 8
+  %701 = load double, ptr %700, align 8
+  %702 = shl i64 %672, 3
+  %703 = getelementptr i8, ptr %16, i64 %702
+  %704 = getelementptr i8, ptr %703, i64 8
+  %705 = load double, ptr %704, align 8
+  %706 = fsub double %705, %701
+  %707 = fmul double %692, %706
+  %708 = fadd double %701, %707
+  %709 = getelementptr i8, ptr %694, i64 8
+  store double %708, ptr %709, align 8
+  %710 = getelementptr i8, ptr %699, i64 16
+  %711 = load double, ptr %710, align 8
+  %712 = getelementptr i8, ptr %703, i64 16
+  %713 = load double, ptr %712, align 8
+  %714 = fsub double %713, %711
+  %715 = fmul double %692, %714
+  %716 = fadd double %711, %715
+  %717 = getelementptr i8, ptr %694, i64 16
+  store double %716, ptr %717, align 8
+  %718 = load double, ptr %832, align 8
+  %719 = load double, ptr %833, align 8
+  %720 = load double, ptr %834, align 8
+  br label %721
+721:
+  %722 = phi double [ %720, %690 ], [ %641, %640 ]
+  %723 = phi double [ %719, %690 ], [ %642, %640 ]
+  %724 = phi double [ %718, %690 ], [ %643, %640 ]
+  %725 = load double, ptr %44, align 8
+  %726 = fsub double %724, %725
+  %727 = load double, ptr %60, align 8
+  %728 = fsub double %723, %727
+  %729 = load double, ptr %61, align 8
+  %730 = fsub double %722, %729
+  %731 = load double, ptr %62, align 8
+  %732 = fsub double %731, %725
+  %733 = load double, ptr %63, align 8
+  %734 = fsub double %733, %727
+  %735 = load double, ptr %64, align 8
+  %736 = fsub double %735, %729
+  %737 = fmul double %732, %732
+  %738 = fmul double %736, %736
+  %739 = fadd double %737, %738
+  %740 = fmul double %734, %734
+  %741 = fadd double %740, %739
+  %742 = fcmp ogt double %741, 0.000000e+00
+  br i1 %742, label %743, label %754
+743:
+  %744 = fmul double %726, %732
+  %745 = fmul double %730, %736
+  %746 = fadd double %744, %745
+  %747 = fmul double %728, %734
+  %748 = fadd double %747, %746
+  %749 = fdiv double %748, %741
+  %750 = fcmp olt double %749, 0.000000e+00
+  %751 = select i1 %750, double 0.000000e+00, double %749
+  %752 = fcmp ogt double %751, 1.000000e+00
+  %753 = select i1 %752, double 1.000000e+00, double %751
+  br label %754
+754:
+  %755 = phi double [ 0.000000e+00, %721 ], [ %753, %743 ]
+  %756 = fmul double %732, %755
+  %757 = fsub double %726, %756
+  %758 = fmul double %734, %755
+  %759 = fsub double %728, %758
+  %760 = fmul double %736, %755
+  %761 = fsub double %730, %760
+  %762 = fmul double %757, %757
+  %763 = fmul double %759, %759
+  %764 = fadd double %762, %763
+  %765 = fmul double %761, %761
+  %766 = fadd double %765, %764
+  %767 = tail call double @llvm.sqrt.f64(double %766)
+  %768 = fcmp olt double %767, %295
+  br i1 %768, label %773, label %769
+769:
+  %770 = fcmp oeq double %767, %295
+  %771 = icmp slt i64 %348, %297
+  %772 = select i1 %770, i1 %771, i1 false
+  br i1 %772, label %773, label %776
+773:
+  br label %776
+774:
+  %775 = shl nsw i64 %302, 1
+  br label %301
+776:
+  %777 = phi double [ %722, %773 ], [ %289, %445 ], [ %289, %839 ], [ %722, %769 ], [ %289, %301 ]
+  %778 = phi double [ %723, %773 ], [ %290, %445 ], [ %290, %839 ], [ %723, %769 ], [ %290, %301 ]
+  %779 = phi double [ %724, %773 ], [ %291, %445 ], [ %291, %839 ], [ %724, %769 ], [ %291, %301 ]
+  %780 = phi double [ %722, %773 ], [ %292, %445 ], [ %292, %839 ], [ %722, %769 ], [ %292, %301 ]
+  %781 = phi double [ %723, %773 ], [ %293, %445 ], [ %293, %839 ], [ %723, %769 ], [ %293, %301 ]
+  %782 = phi double [ %724, %773 ], [ %294, %445 ], [ %294, %839 ], [ %724, %769 ], [ %294, %301 ]
+  %783 = phi i64 [ %348, %773 ], [ %297, %445 ], [ %297, %839 ], [ %297, %769 ], [ %297, %301 ]
+  %784 = phi i64 [ %840, %773 ], [ %296, %445 ], [ %296, %839 ], [ %296, %769 ], [ %296, %301 ]
+  %785 = phi double [ %767, %773 ], [ %295, %445 ], [ %295, %839 ], [ %295, %769 ], [ %295, %301 ]
+  %786 = add nsw i64 %302, 1
+  %787 = and i64 %302, 1
+  %788 = icmp eq i64 %787, 0
+  br i1 %788, label %794, label %789
+789:
+  %790 = phi i64 [ %791, %789 ], [ %786, %776 ]
+  %791 = ashr i64 %790, 1
+  %792 = and i64 %790, 2
+  %793 = icmp eq i64 %792, 0
+  br i1 %793, label %789, label %794
+794:
+  %795 = phi i64 [ %786, %776 ], [ %791, %789 ]
+  %796 = icmp sgt i64 %795, 1
+  br i1 %796, label %288, label %797
+797:
+  %798 = fmul double %785, 3.000000e+00
+  %799 = icmp eq i64 %40, %282
+  br i1 %799, label %800, label %278
+800:
+  %801 = phi i64 [ %829, %828 ], [ %784, %797 ]
+  %802 = icmp sgt i64 %801, -1
+  br i1 %802, label %803, label %824
+803:
+  %804 = mul i64 %67, %71
+  %805 = mul i64 %68, %71
+  br label %806
+806:
+  %807 = phi i64 [ %805, %803 ], [ %835, %278 ]
+  %808 = phi i64 [ %804, %803 ], [ %831, %278 ]
+  %809 = phi i64 [ %801, %803 ], [ %279, %278 ]
+  %810 = getelementptr i8, ptr %2, i64 %808
+  %811 = getelementptr i8, ptr %8, i64 %807
+  %812 = getelementptr i8, ptr %810, i64 8
+  %813 = getelementptr i8, ptr %811, i64 8
+  %814 = getelementptr i8, ptr %810, i64 16
+  %815 = getelementptr i8, ptr %811, i64 16
+  %816 = add i64 %70, %42
+  br label %817
+817:
+  %818 = phi i64 [ %70, %806 ], [ %941, %842 ]
+  %819 = phi i64 [ %809, %806 ], [ %948, %842 ]
+  %820 = freeze i64 %819
+  %821 = icmp eq i64 %818, %816
+  br i1 %821, label %824, label %822
+822:
+  %823 = icmp eq i64 %52, %818
+  br i1 %823, label %952, label %842
+824:
+  %825 = phi i64 [ %70, %800 ], [ %70, %817 ], [ %941, %842 ]
+  %826 = getelementptr i64, ptr %48, i64 %71
+  store i64 %825, ptr %826, align 8
+  %827 = icmp eq i64 %72, %4
+  br i1 %827, label %952, label %69
+828:
+  %829 = phi i64 [ -1, %69 ], [ %212, %211 ], [ -1, %218 ]
+  br i1 %59, label %800, label %830
+830:
+  %831 = mul i64 %67, %71
+  %832 = getelementptr i8, ptr %2, i64 %831
+  %833 = getelementptr i8, ptr %832, i64 8
+  %834 = getelementptr i8, ptr %832, i64 16
+  %835 = mul i64 %68, %71
+  %836 = getelementptr i8, ptr %8, i64 %835
+  %837 = getelementptr i8, ptr %836, i64 8
+  %838 = getelementptr i8, ptr %836, i64 16
+  br label %278
+839:
+  %840 = phi i64 [ %377, %425 ], [ %349, %381 ], [ %421, %445 ]
+  %841 = icmp sgt i64 %840, -1
+  br i1 %841, label %467, label %776
+842:
+  %843 = urem i64 %820, 3
+  %844 = getelementptr i64, ptr %22, i64 %820
+  %845 = load i64, ptr %844, align 8
+  %846 = icmp slt i64 %845, 0
+  %847 = select i1 %846, i64 %18, i64 0
+  %848 = add i64 %847, %845
+  %849 = mul i64 %848, %20
+  %850 = getelementptr double, ptr %16, i64 %849
+  %851 = load double, ptr %850, align 8
+  %852 = load double, ptr %810, align 8
+  %853 = fsub double %851, %852
+  %854 = load double, ptr %811, align 8
+  %855 = fmul double %853, %854
+  %856 = getelementptr i8, ptr %850, i64 8
+  %857 = load double, ptr %856, align 8
+  %858 = load double, ptr %812, align 8
+  %859 = fsub double %857, %858
+  %860 = load double, ptr %813, align 8
+  %861 = fmul double %859, %860
+  %862 = fadd double %855, %861
+  %863 = getelementptr i8, ptr %850, i64 16
+  %864 = load double, ptr %863, align 8
+  %865 = load double, ptr %814, align 8
+  %866 = fsub double %864, %865
+  %867 = load double, ptr %815, align 8
+  %868 = fmul double %866, %867
+  %869 = fadd double %862, %868
+  %870 = icmp samesign ugt i64 %843, 1
+  %871 = select i1 %870, i64 -2, i64 1
+  %872 = add i64 %871, %820
+  %873 = icmp slt i64 %872, 0
+  %874 = select i1 %873, i64 %24, i64 0
+  %875 = getelementptr i64, ptr %22, i64 %872
+  %876 = getelementptr i64, ptr %875, i64 %874
+  %877 = load i64, ptr %876, align 8
+  %878 = icmp slt i64 %877, 0
+  %879 = select i1 %878, i64 %18, i64 0
+  %880 = add i64 %879, %877
+  %881 = mul i64 %880, %20
+  %882 = getelementptr double, ptr %16, i64 %881
+  %883 = load double, ptr %882, align 8
+  %884 = fsub double %883, %852
+  %885 = fmul double %854, %884
+  %886 = getelementptr i8, ptr %882, i64 8
+  %887 = load double, ptr %886, align 8
+  %888 = fsub double %887, %858
+  %889 = fmul double %860, %888
+  %890 = fadd double %885, %889
+  %891 = getelementptr i8, ptr %882, i64 16
+  %892 = load double, ptr %891, align 8
+  %893 = fsub double %892, %865
+  %894 = fmul double %867, %893
+  %895 = fadd double %890, %894
+  %896 = sub nuw i64 %820, %843
+  %897 = fsub double %869, %895
+  %898 = fdiv double %869, %897
+  %899 = icmp slt i64 %818, 0
+  %900 = select i1 %899, i64 %65, i64 0
+  %901 = getelementptr i8, ptr %50, i64 %900
+  %902 = shl i64 %818, 3
+  %903 = getelementptr i8, ptr %901, i64 %902
+  store i64 %820, ptr %903, align 8
+  %904 = select i1 %899, i64 %66, i64 0
+  %905 = getelementptr i8, ptr %54, i64 %904
+  %906 = getelementptr i8, ptr %905, i64 %902
+  store double %898, ptr %906, align 8
+  %907 = tail call { i64, i1 } @llvm.usub.with.overflow.i64(i64 %843, i64 1)
+  %908 = extractvalue { i64, i1 } %907, 0
+  %909 = extractvalue { i64, i1 } %907, 1
+  %910 = select i1 %909, i64 2, i64 %908
+  %911 = add nsw i64 %910, %896
+  %912 = icmp slt i64 %911, 0
+  %913 = select i1 %912, i64 %24, i64 0
+  %914 = getelementptr i64, ptr %22, i64 %911
+  %915 = getelementptr i64, ptr %914, i64 %913
+  %916 = load i64, ptr %915, align 8
+  %917 = icmp slt i64 %916, 0
+  %918 = select i1 %917, i64 %18, i64 0
+  %919 = add i64 %918, %916
+  %920 = mul i64 %919, %20
+  %921 = getelementptr double, ptr %16, i64 %920
+  %922 = load double, ptr %921, align 8
+  %923 = load double, ptr %810, align 8
+  %924 = fsub double %922, %923
+  %925 = load double, ptr %811, align 8
+  %926 = fmul double %924, %925
+  %927 = getelementptr i8, ptr %921, i64 8
+  %928 = load double, ptr %927, align 8
+  %929 = load double, ptr %812, align 8
+  %930 = fsub double %928, %929
+  %931 = load double, ptr %813, align 8
+  %932 = fmul double %930, %931
+  %933 = fadd double %926, %932
+  %934 = getelementptr i8, ptr %921, i64 16
+  %935 = load double, ptr %934, align 8
+  %936 = load double, ptr %814, align 8
+  %937 = fsub double %935, %936
+  %938 = load double, ptr %815, align 8
+  %939 = fmul double %937, %938
+  %940 = fadd double %933, %939
+  %941 = add i64 %818, 1
+  %942 = fcmp ult double %940, 0.000000e+00
+  %943 = select i1 %942, i64 %911, i64 %872
+  %944 = icmp slt i64 %943, 0
+  %945 = select i1 %944, i64 %28, i64 0
+  %946 = getelementptr i64, ptr %26, i64 %943
+  %947 = getelementptr i64, ptr %946, i64 %945
+  %948 = load i64, ptr %947, align 8
+  %949 = icmp ne i64 %948, %809
+  %950 = icmp sgt i64 %948, -1
+  %951 = and i1 %949, %950
+  br i1 %951, label %817, label %824
+952:
+  %953 = phi i64 [ 1, %1 ], [ 0, %822 ], [ 1, %824 ]
+  ret i64 %953
 }
-
 declare i64 @llvm.smax.i64(i64, i64)
-
 declare double @atan2(double, double) local_unnamed_addr
-
-define noundef i64 @msf_jax.host.solid.loops.measures(ptr readonly %words) local_unnamed_addr {
-  %w0 = load ptr, ptr %words, align 8
-  %p1 = getelementptr i8, ptr %words, i64 8
-  %w1 = load i64, ptr %p1, align 8
-  %p2 = getelementptr i8, ptr %words, i64 16
-  %w2 = load i64, ptr %p2, align 8
-  %p3 = getelementptr i8, ptr %words, i64 24
-  %w3 = load ptr, ptr %p3, align 8
-  %p5 = getelementptr i8, ptr %words, i64 40
-  %w5 = load ptr, ptr %p5, align 8
-  %p6 = getelementptr i8, ptr %words, i64 48
-  %w6 = load i64, ptr %p6, align 8
-  %p7 = getelementptr i8, ptr %words, i64 56
-  %w7 = load i64, ptr %p7, align 8
-  %p8 = getelementptr i8, ptr %words, i64 64
-  %w8 = load ptr, ptr %p8, align 8
-  %p9 = getelementptr i8, ptr %words, i64 72
-  %w9 = load i64, ptr %p9, align 8
-  %p10 = getelementptr i8, ptr %words, i64 80
-  %w10 = load ptr, ptr %p10, align 8
-  %p13 = getelementptr i8, ptr %words, i64 104
-  %w13 = load ptr, ptr %p13, align 8
-  %p14 = getelementptr i8, ptr %words, i64 112
-  %w14 = load i64, ptr %p14, align 8
-  %.1801245.not.i = icmp slt i64 %w9, 1
-  br i1 %.1801245.not.i, label %_ZN7msf_jax4host5solid5loops8measuresB3v32B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi2E1C7mutable7alignedE.exit, label %B68.endif.lr.ph.i
-
-B68.endif.lr.ph.i:                                ; preds = %0
-  %p15 = getelementptr i8, ptr %words, i64 120
-  %w15 = load i64, ptr %p15, align 8
-  %p12 = getelementptr i8, ptr %words, i64 96
-  %w12 = load double, ptr %p12, align 8
-  %p4 = getelementptr i8, ptr %words, i64 32
-  %w4 = load i64, ptr %p4, align 8
-  %.2663.i = fmul double %w12, %w12
-  %1 = shl i64 %w4, 3
-  %.315.i = shl i64 %w15, 3
-  br label %B68.endif.i
-
-B838.i:                                           ; preds = %B278.endif.endif.endif.i, %B68.endif.B838_crit_edge.i
-  %.1586.i = phi double [ %.1586.pre.i, %B68.endif.B838_crit_edge.i ], [ %.1339.i, %B278.endif.endif.endif.i ]
-  %.1588.i = fcmp ogt double %.1586.i, 0.000000e+00
-  br i1 %.1588.i, label %B950.endif.i, label %B1896.i
-
-B1696.2.i:                                        ; preds = %B986.lr.ph.i, %B1696.2.i
-  %lsr.iv86.i = phi i64 [ %lsr.iv.next87.i, %B1696.2.i ], [ %7, %B986.lr.ph.i ]
-  %.3062.284.i = phi double [ %.3062.2.i, %B1696.2.i ], [ %.promoted83.i, %B986.lr.ph.i ]
-  %.2994.282.i = phi double [ %.2994.2.i, %B1696.2.i ], [ %.promoted81.i, %B986.lr.ph.i ]
-  %.2928.280.i = phi double [ %.2928.2.i, %B1696.2.i ], [ %.promoted79.i, %B986.lr.ph.i ]
-  %.2861.278.i = phi double [ %.2862.2.i, %B1696.2.i ], [ %.promoted77.i, %B986.lr.ph.i ]
-  %.3062.176.i = phi double [ %.3062.1.i, %B1696.2.i ], [ %.promoted75.i, %B986.lr.ph.i ]
-  %.2994.174.i = phi double [ %.2994.1.i, %B1696.2.i ], [ %.promoted73.i, %B986.lr.ph.i ]
-  %.2928.172.i = phi double [ %.2928.1.i, %B1696.2.i ], [ %.promoted71.i, %B986.lr.ph.i ]
-  %.2861.170.i = phi double [ %.2862.1.i, %B1696.2.i ], [ %.promoted69.i, %B986.lr.ph.i ]
-  %.306268.i = phi double [ %.3062.i, %B1696.2.i ], [ %.promoted67.i, %B986.lr.ph.i ]
-  %.299466.i = phi double [ %.2994.i, %B1696.2.i ], [ %.promoted65.i, %B986.lr.ph.i ]
-  %.292864.i = phi double [ %.2928.i, %B1696.2.i ], [ %.promoted63.i, %B986.lr.ph.i ]
-  %.286262.i = phi double [ %.2862.i, %B1696.2.i ], [ %.promoted.i, %B986.lr.ph.i ]
-  %.256061.i = phi double [ %.2599.i, %B1696.2.i ], [ %.2559.promoted.i, %B986.lr.ph.i ]
-  %.189611241146.i = phi i64 [ %.1903.i, %B1696.2.i ], [ %first.2.01254.i, %B986.lr.ph.i ]
-  %.1903.i = add i64 %.189611241146.i, 1
-  %.1934.i = icmp slt i64 %.1903.i, %.247.i
-  %spec.select1078.i = select i1 %.1934.i, i64 %.1903.i, i64 %first.2.01254.i
-  %.1976.i = icmp slt i64 %.189611241146.i, 0
-  %.1977.i = select i1 %.1976.i, i64 %w1, i64 0
-  %.1978.i = add i64 %.1977.i, %.189611241146.i
-  %.1998.i = mul i64 %.1978.i, %w2
-  %.2002.i = getelementptr double, ptr %w0, i64 %.1998.i
-  %.2003.i = load double, ptr %.2002.i, align 8
-  %.2057.i = getelementptr i8, ptr %.2002.i, i64 8
-  %.2058.i = load double, ptr %.2057.i, align 8
-  %.2112.i = getelementptr i8, ptr %.2002.i, i64 16
-  %.2113.i = load double, ptr %.2112.i, align 8
-  %.2140.i = icmp slt i64 %spec.select1078.i, 0
-  %.2141.i = select i1 %.2140.i, i64 %w1, i64 0
-  %.2142.i = add i64 %.2141.i, %spec.select1078.i
-  %.2162.i = mul i64 %.2142.i, %w2
-  %.2166.i = getelementptr double, ptr %w0, i64 %.2162.i
-  %.2167.i = load double, ptr %.2166.i, align 8
-  %.2220.i = getelementptr i8, ptr %.2166.i, i64 8
-  %.2221.i = load double, ptr %.2220.i, align 8
-  %.2274.i = getelementptr i8, ptr %.2166.i, i64 16
-  %.2275.i = load double, ptr %.2274.i, align 8
-  %.2276.i = fadd double %.2003.i, %.2167.i
-  %.2281.i = fmul double %.2276.i, 5.000000e-01
-  %.2282.i = fadd double %.2058.i, %.2221.i
-  %.2287.i = fmul double %.2282.i, 5.000000e-01
-  %.2288.i = fadd double %.2113.i, %.2275.i
-  %.2293.i = fmul double %.2288.i, 5.000000e-01
-  %.2403.i = fsub double %.2167.i, %.2003.i
-  %.2404.i = fsub double %.2221.i, %.2058.i
-  %.2405.i = fsub double %.2275.i, %.2113.i
-  %.7.i.i = fmul double %.2403.i, %.2403.i
-  %.8.i.i = fmul double %.2404.i, %.2404.i
-  %.9.i.i = fadd double %.7.i.i, %.8.i.i
-  %.10.i22.i = fmul double %.2405.i, %.2405.i
-  %.11.i23.i = fadd double %.9.i.i, %.10.i22.i
-  %sqrt.i.i = tail call double @llvm.sqrt.f64(double %.11.i23.i)
-  %2 = select i1 %.1976.i, i64 %1, i64 0
-  %scevgep.i = getelementptr i8, ptr %w3, i64 %2
-  %3 = shl i64 %.189611241146.i, 3
-  %scevgep88.i = getelementptr i8, ptr %scevgep.i, i64 %3
-  %.2460.i = load double, ptr %scevgep88.i, align 8
-  %.2465.i = fsub double %.2003.i, %.1772.i
-  %.2467.i = fsub double %.2058.i, %.1772.1.i
-  %.2469.i = fsub double %.2113.i, %.1772.2.i
-  %.7.i35.i = fmul double %.2465.i, %.2465.i
-  %.8.i36.i = fmul double %.2467.i, %.2467.i
-  %.9.i37.i = fadd double %.7.i35.i, %.8.i36.i
-  %.10.i38.i = fmul double %.2469.i, %.2469.i
-  %.11.i39.i = fadd double %.9.i37.i, %.10.i38.i
-  %sqrt.i40.i = tail call double @llvm.sqrt.f64(double %.11.i39.i)
-  %.2497.i = fsub double %.2281.i, %.1772.i
-  %.2500.i = fsub double %.2287.i, %.1772.1.i
-  %.2503.i = fsub double %.2293.i, %.1772.2.i
-  %.7.i41.i = fmul double %.2497.i, %.2497.i
-  %.8.i42.i = fmul double %.2500.i, %.2500.i
-  %.9.i43.i = fadd double %.7.i41.i, %.8.i42.i
-  %.10.i44.i = fmul double %.2503.i, %.2503.i
-  %.11.i45.i = fadd double %.9.i43.i, %.10.i44.i
-  %sqrt.i46.i = tail call double @llvm.sqrt.f64(double %.11.i45.i)
-  %.2563.i = fsub double %.2167.i, %.1772.i
-  %.2565.i = fsub double %.2221.i, %.1772.1.i
-  %.2567.i = fsub double %.2275.i, %.1772.2.i
-  %.7.i47.i = fmul double %.2563.i, %.2563.i
-  %.8.i48.i = fmul double %.2565.i, %.2565.i
-  %.9.i49.i = fadd double %.7.i47.i, %.8.i48.i
-  %.10.i50.i = fmul double %.2567.i, %.2567.i
-  %.11.i51.i = fadd double %.9.i49.i, %.10.i50.i
-  %sqrt.i52.i = tail call double @llvm.sqrt.f64(double %.11.i51.i)
-  %.2529.i = fmul double %sqrt.i46.i, 4.000000e+00
-  %.2530.i = fadd double %sqrt.i40.i, %.2529.i
-  %.2592.i = fadd double %sqrt.i52.i, %.2530.i
-  %.2597.i = fdiv double %.2592.i, 6.000000e+00
-  %.2598.i = fmul double %sqrt.i.i, %.2597.i
-  %.2599.i = fadd double %.256061.i, %.2598.i
-  store double %.2599.i, ptr %sunkaddr174.i, align 8
-  %.2630.i = fmul double %.2460.i, %.2460.i
-  %.2632.i = fsub double 1.000000e+00, %.2630.i
-  %.10.i53.i = fcmp olt double %.2632.i, 0.000000e+00
-  %.11.i54.i = select i1 %.10.i53.i, double 0.000000e+00, double %.2632.i
-  %.2664.i = fadd double %.2663.i, %.11.i54.i
-  %sqrt.i = tail call double @llvm.sqrt.f64(double %.2664.i)
-  %.2669.i = fdiv double %sqrt.i.i, %sqrt.i
-  %.2670.i = fmul double %.2460.i, %.2669.i
-  %.2825.i = fmul double %.2497.i, %.2670.i
-  %.2862.i = fadd double %.286262.i, %.2825.i
-  store double %.2862.i, ptr %sunkaddr177.i, align 8
-  %.2927.i = fmul double %.2281.i, %.2825.i
-  %.2928.i = fadd double %.292864.i, %.2927.i
-  store double %.2928.i, ptr %sunkaddr180.i, align 8
-  %.2993.i = fmul double %.2287.i, %.2825.i
-  %.2994.i = fadd double %.299466.i, %.2993.i
-  store double %.2994.i, ptr %sunkaddr183.i, align 8
-  %.3061.i = fmul double %.2293.i, %.2825.i
-  %.3062.i = fadd double %.306268.i, %.3061.i
-  store double %.3062.i, ptr %sunkaddr186.i, align 8
-  %.2825.1.i = fmul double %.2500.i, %.2670.i
-  %.2862.1.i = fadd double %.2861.170.i, %.2825.1.i
-  store double %.2862.1.i, ptr %sunkaddr189.i, align 8
-  %.2927.1.i = fmul double %.2281.i, %.2825.1.i
-  %.2928.1.i = fadd double %.2928.172.i, %.2927.1.i
-  store double %.2928.1.i, ptr %sunkaddr192.i, align 8
-  %.2993.1.i = fmul double %.2287.i, %.2825.1.i
-  %.2994.1.i = fadd double %.2994.174.i, %.2993.1.i
-  store double %.2994.1.i, ptr %sunkaddr195.i, align 8
-  %.3061.1.i = fmul double %.2293.i, %.2825.1.i
-  %.3062.1.i = fadd double %.3062.176.i, %.3061.1.i
-  store double %.3062.1.i, ptr %sunkaddr198.i, align 8
-  %.2825.2.i = fmul double %.2503.i, %.2670.i
-  %.2862.2.i = fadd double %.2861.278.i, %.2825.2.i
-  store double %.2862.2.i, ptr %sunkaddr201.i, align 8
-  %.2927.2.i = fmul double %.2281.i, %.2825.2.i
-  %.2928.2.i = fadd double %.2928.280.i, %.2927.2.i
-  store double %.2928.2.i, ptr %sunkaddr204.i, align 8
-  %.2993.2.i = fmul double %.2287.i, %.2825.2.i
-  %.2994.2.i = fadd double %.2994.282.i, %.2993.2.i
-  store double %.2994.2.i, ptr %sunkaddr207.i, align 8
-  %.3061.2.i = fmul double %.2293.i, %.2825.2.i
-  %.3062.2.i = fadd double %.3062.284.i, %.3061.2.i
-  store double %.3062.2.i, ptr %sunkaddr210.i, align 8
-  %lsr.iv.next87.i = add i64 %lsr.iv86.i, -1
-  %.1890.i = icmp samesign ugt i64 %lsr.iv.next87.i, 1
-  br i1 %.1890.i, label %B1696.2.i, label %B1896.i
-
-B1896.i:                                          ; preds = %B1696.2.i, %B950.endif.i, %B838.i
-  %exitcond.not.i = icmp eq i64 %.193.i, %w9
-  br i1 %exitcond.not.i, label %_ZN7msf_jax4host5solid5loops8measuresB3v32B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi2E1C7mutable7alignedE.exit, label %B68.endif.i
-
-B68.endif.i:                                      ; preds = %B1896.i, %B68.endif.lr.ph.i
-  %first.2.01254.i = phi i64 [ 0, %B68.endif.lr.ph.i ], [ %.247.i, %B1896.i ]
-  %.18611601252.i = phi i64 [ 0, %B68.endif.lr.ph.i ], [ %.193.i, %B1896.i ]
-  %.193.i = add nuw nsw i64 %.18611601252.i, 1
-  %4 = getelementptr i64, ptr %w8, i64 %.18611601252.i
-  %.247.i = load i64, ptr %4, align 8
-  %5 = getelementptr i64, ptr %w10, i64 %.18611601252.i
-  %.277.i = load i64, ptr %5, align 8
-  %.296.i = icmp slt i64 %.277.i, 0
-  %.297.i = select i1 %.296.i, i64 %w14, i64 0
-  %.298.i = add i64 %.297.i, %.277.i
-  %.409.i = select i1 %.296.i, i64 %w6, i64 0
-  %.410.i = add i64 %.409.i, %.277.i
-  %.430.i = mul i64 %.410.i, %w7
-  %.434.i = getelementptr double, ptr %w5, i64 %.430.i
-  %.435.i = load double, ptr %.434.i, align 8
-  %.518.i = getelementptr i8, ptr %.434.i, i64 8
-  %.519.i = load double, ptr %.518.i, align 8
-  %.602.i = getelementptr i8, ptr %.434.i, i64 16
-  %.603.i = load double, ptr %.602.i, align 8
-  %.651.i = sub i64 %.247.i, %first.2.01254.i
-  %.652.i = icmp sgt i64 %.651.i, 0
-  %..651.i = tail call i64 @llvm.smax.i64(i64 %.651.i, i64 0)
-  %sunkaddr130.i = mul i64 %.315.i, %.298.i
-  %sunkaddr131.i = getelementptr i8, ptr %w13, i64 %sunkaddr130.i
-  br i1 %.652.i, label %B246.lr.ph.i, label %B68.endif.B838_crit_edge.i
-
-B68.endif.B838_crit_edge.i:                       ; preds = %B68.endif.i
-  %sunkaddr129.i = getelementptr i8, ptr %sunkaddr131.i, i64 24
-  %.1586.pre.i = load double, ptr %sunkaddr129.i, align 8
-  br label %B838.i
-
-B246.lr.ph.i:                                     ; preds = %B68.endif.i
-  %.317.promoted.i = load double, ptr %sunkaddr131.i, align 8
-  %sunkaddr134.i = getelementptr i8, ptr %sunkaddr131.i, i64 8
-  %.1211.promoted.i = load double, ptr %sunkaddr134.i, align 8
-  %sunkaddr137.i = getelementptr i8, ptr %sunkaddr131.i, i64 16
-  %.1274.promoted.i = load double, ptr %sunkaddr137.i, align 8
-  %sunkaddr140.i = getelementptr i8, ptr %sunkaddr131.i, i64 24
-  %.1337.promoted.i = load double, ptr %sunkaddr140.i, align 8
-  %sunkaddr143.i = getelementptr i8, ptr %sunkaddr131.i, i64 32
-  %.1398.promoted.i = load double, ptr %sunkaddr143.i, align 8
-  %sunkaddr146.i = getelementptr i8, ptr %sunkaddr131.i, i64 40
-  %.1485.promoted.i = load double, ptr %sunkaddr146.i, align 8
-  %6 = add nuw i64 %..651.i, 1
-  br label %B278.endif.endif.endif.i
-
-B278.endif.endif.endif.i:                         ; preds = %B278.endif.endif.endif.i, %B246.lr.ph.i
-  %lsr.iv.i = phi i64 [ %lsr.iv.next.i, %B278.endif.endif.endif.i ], [ %6, %B246.lr.ph.i ]
-  %.148660.i = phi double [ %.1515.i, %B278.endif.endif.endif.i ], [ %.1485.promoted.i, %B246.lr.ph.i ]
-  %.139959.i = phi double [ %.1426.i, %B278.endif.endif.endif.i ], [ %.1398.promoted.i, %B246.lr.ph.i ]
-  %.133858.i = phi double [ %.1339.i, %B278.endif.endif.endif.i ], [ %.1337.promoted.i, %B246.lr.ph.i ]
-  %.127557.i = phi double [ %.1278.i, %B278.endif.endif.endif.i ], [ %.1274.promoted.i, %B246.lr.ph.i ]
-  %.121256.i = phi double [ %.1215.i, %B278.endif.endif.endif.i ], [ %.1211.promoted.i, %B246.lr.ph.i ]
-  %.115255.i = phi double [ %.1152.i, %B278.endif.endif.endif.i ], [ %.317.promoted.i, %B246.lr.ph.i ]
-  %.70110981102.i = phi i64 [ %.708.i, %B278.endif.endif.endif.i ], [ %first.2.01254.i, %B246.lr.ph.i ]
-  %.708.i = add i64 %.70110981102.i, 1
-  %.739.i = icmp slt i64 %.708.i, %.247.i
-  %spec.select.i = select i1 %.739.i, i64 %.708.i, i64 %first.2.01254.i
-  %.781.i = icmp slt i64 %.70110981102.i, 0
-  %.782.i = select i1 %.781.i, i64 %w1, i64 0
-  %.783.i = add i64 %.782.i, %.70110981102.i
-  %.803.i = mul i64 %.783.i, %w2
-  %.807.i = getelementptr double, ptr %w0, i64 %.803.i
-  %.808.i = load double, ptr %.807.i, align 8
-  %.862.i = getelementptr i8, ptr %.807.i, i64 8
-  %.863.i = load double, ptr %.862.i, align 8
-  %.919.i = getelementptr i8, ptr %.807.i, i64 16
-  %.920.i = load double, ptr %.919.i, align 8
-  %.947.i = icmp slt i64 %spec.select.i, 0
-  %.948.i = select i1 %.947.i, i64 %w1, i64 0
-  %.949.i = add i64 %.948.i, %spec.select.i
-  %.969.i = mul i64 %.949.i, %w2
-  %.973.i = getelementptr double, ptr %w0, i64 %.969.i
-  %.974.i = load double, ptr %.973.i, align 8
-  %.1027.i = getelementptr i8, ptr %.973.i, i64 8
-  %.1028.i = load double, ptr %.1027.i, align 8
-  %.1081.i = getelementptr i8, ptr %.973.i, i64 16
-  %.1082.i = load double, ptr %.1081.i, align 8
-  %.1084.i = fmul double %.863.i, %.1082.i
-  %.1085.i = fmul double %.920.i, %.1028.i
-  %.1086.i = fsub double %.1084.i, %.1085.i
-  %.1087.i = fmul double %.920.i, %.974.i
-  %.1088.i = fmul double %.808.i, %.1082.i
-  %.1089.i = fsub double %.1087.i, %.1088.i
-  %.1090.i = fmul double %.808.i, %.1028.i
-  %.1091.i = fmul double %.863.i, %.974.i
-  %.1092.i = fsub double %.1090.i, %.1091.i
-  %.10.i.i = fmul double %.435.i, %.1086.i
-  %.11.i.i = fmul double %.603.i, %.1092.i
-  %.12.i.i = fadd double %.11.i.i, %.10.i.i
-  %.13.i.i = fmul double %.519.i, %.1089.i
-  %.14.i.i = fadd double %.13.i.i, %.12.i.i
-  %.1150.i = fadd double %.808.i, %.974.i
-  %.1151.i = fmul double %.1150.i, %.14.i.i
-  %.1152.i = fadd double %.115255.i, %.1151.i
-  store double %.1152.i, ptr %sunkaddr131.i, align 8
-  %.1213.i = fadd double %.863.i, %.1028.i
-  %.1214.i = fmul double %.1213.i, %.14.i.i
-  %.1215.i = fadd double %.121256.i, %.1214.i
-  store double %.1215.i, ptr %sunkaddr134.i, align 8
-  %.1276.i = fadd double %.920.i, %.1082.i
-  %.1277.i = fmul double %.1276.i, %.14.i.i
-  %.1278.i = fadd double %.127557.i, %.1277.i
-  store double %.1278.i, ptr %sunkaddr137.i, align 8
-  %.1339.i = fadd double %.133858.i, %.14.i.i
-  store double %.1339.i, ptr %sunkaddr140.i, align 8
-  %.10.i24.i = fmul double %.808.i, %.974.i
-  %.11.i25.i = fmul double %.920.i, %.1082.i
-  %.12.i26.i = fadd double %.10.i24.i, %.11.i25.i
-  %.13.i27.i = fmul double %.863.i, %.1028.i
-  %.14.i28.i = fadd double %.13.i27.i, %.12.i26.i
-  %.1425.i = tail call double @atan2(double %.14.i.i, double %.14.i28.i)
-  %.1426.i = fadd double %.139959.i, %.1425.i
-  store double %.1426.i, ptr %sunkaddr143.i, align 8
-  %.1488.i = fsub double %.974.i, %.808.i
-  %.1489.i = fsub double %.1028.i, %.863.i
-  %.1490.i = fsub double %.1082.i, %.920.i
-  %.7.i29.i = fmul double %.1488.i, %.1488.i
-  %.8.i30.i = fmul double %.1489.i, %.1489.i
-  %.9.i31.i = fadd double %.7.i29.i, %.8.i30.i
-  %.10.i32.i = fmul double %.1490.i, %.1490.i
-  %.11.i33.i = fadd double %.9.i31.i, %.10.i32.i
-  %sqrt.i34.i = tail call double @llvm.sqrt.f64(double %.11.i33.i)
-  %.1515.i = fadd double %.148660.i, %sqrt.i34.i
-  store double %.1515.i, ptr %sunkaddr146.i, align 8
-  %lsr.iv.next.i = add i64 %lsr.iv.i, -1
-  %.695.i = icmp samesign ugt i64 %lsr.iv.next.i, 1
-  br i1 %.695.i, label %B278.endif.endif.endif.i, label %B838.i
-
-B950.endif.i:                                     ; preds = %B838.i
-  %.1736.i = load double, ptr %sunkaddr131.i, align 8
-  %.1768.i = fmul double %.1586.i, 3.000000e+00
-  %.1772.i = fdiv double %.1736.i, %.1768.i
-  store double %.1772.i, ptr %sunkaddr131.i, align 8
-  %sunkaddr168.i = getelementptr i8, ptr %sunkaddr131.i, i64 8
-  %.1736.1.i = load double, ptr %sunkaddr168.i, align 8
-  %.1772.1.i = fdiv double %.1736.1.i, %.1768.i
-  store double %.1772.1.i, ptr %sunkaddr168.i, align 8
-  %sunkaddr171.i = getelementptr i8, ptr %sunkaddr131.i, i64 16
-  %.1736.2.i = load double, ptr %sunkaddr171.i, align 8
-  %.1772.2.i = fdiv double %.1736.2.i, %.1768.i
-  store double %.1772.2.i, ptr %sunkaddr171.i, align 8
-  %.18901143.not.i = icmp slt i64 %.651.i, 1
-  br i1 %.18901143.not.i, label %B1896.i, label %B986.lr.ph.i
-
-B986.lr.ph.i:                                     ; preds = %B950.endif.i
-  %sunkaddr174.i = getelementptr i8, ptr %sunkaddr131.i, i64 48
-  %.2559.promoted.i = load double, ptr %sunkaddr174.i, align 8
-  %sunkaddr177.i = getelementptr i8, ptr %sunkaddr131.i, i64 56
-  %.promoted.i = load double, ptr %sunkaddr177.i, align 8
-  %sunkaddr180.i = getelementptr i8, ptr %sunkaddr131.i, i64 80
-  %.promoted63.i = load double, ptr %sunkaddr180.i, align 8
-  %sunkaddr183.i = getelementptr i8, ptr %sunkaddr131.i, i64 88
-  %.promoted65.i = load double, ptr %sunkaddr183.i, align 8
-  %sunkaddr186.i = getelementptr i8, ptr %sunkaddr131.i, i64 96
-  %.promoted67.i = load double, ptr %sunkaddr186.i, align 8
-  %sunkaddr189.i = getelementptr i8, ptr %sunkaddr131.i, i64 64
-  %.promoted69.i = load double, ptr %sunkaddr189.i, align 8
-  %sunkaddr192.i = getelementptr i8, ptr %sunkaddr131.i, i64 104
-  %.promoted71.i = load double, ptr %sunkaddr192.i, align 8
-  %sunkaddr195.i = getelementptr i8, ptr %sunkaddr131.i, i64 112
-  %.promoted73.i = load double, ptr %sunkaddr195.i, align 8
-  %sunkaddr198.i = getelementptr i8, ptr %sunkaddr131.i, i64 120
-  %.promoted75.i = load double, ptr %sunkaddr198.i, align 8
-  %sunkaddr201.i = getelementptr i8, ptr %sunkaddr131.i, i64 72
-  %.promoted77.i = load double, ptr %sunkaddr201.i, align 8
-  %sunkaddr204.i = getelementptr i8, ptr %sunkaddr131.i, i64 128
-  %.promoted79.i = load double, ptr %sunkaddr204.i, align 8
-  %sunkaddr207.i = getelementptr i8, ptr %sunkaddr131.i, i64 136
-  %.promoted81.i = load double, ptr %sunkaddr207.i, align 8
-  %sunkaddr210.i = getelementptr i8, ptr %sunkaddr131.i, i64 144
-  %.promoted83.i = load double, ptr %sunkaddr210.i, align 8
-  %7 = add nuw i64 %..651.i, 1
-  br label %B1696.2.i
-
-_ZN7msf_jax4host5solid5loops8measuresB3v32B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi2E1C7mutable7alignedE.exit: ; preds = %B1896.i, %0
+define noundef i64 @msf_jax.host.solid.loops.measures(ptr readonly %0) local_unnamed_addr {
+  %2 = load ptr, ptr %0, align 8
+  %3 = getelementptr i8, ptr %0, i64 8
+  %4 = load i64, ptr %3, align 8
+  %5 = getelementptr i8, ptr %0, i64 16
+  %6 = load i64, ptr %5, align 8
+  %7 = getelementptr i8, ptr %0, i64 24
+  %8 = load ptr, ptr %7, align 8
+  %9 = getelementptr i8, ptr %0, i64 40
+  %10 = load ptr, ptr %9, align 8
+  %11 = getelementptr i8, ptr %0, i64 48
+  %12 = load i64, ptr %11, align 8
+  %13 = getelementptr i8, ptr %0, i64 56
+  %14 = load i64, ptr %13, align 8
+  %15 = getelementptr i8, ptr %0, i64 64
+  %16 = load ptr, ptr %15, align 8
+  %17 = getelementptr i8, ptr %0, i64 72
+  %18 = load i64, ptr %17, align 8
+  %19 = getelementptr i8, ptr %0, i64 80
+  %20 = load ptr, ptr %19, align 8
+  %21 = getelementptr i8, ptr %0, i64 104
+  %22 = load ptr, ptr %21, align 8
+  %23 = getelementptr i8, ptr %0, i64 112
+  %24 = load i64, ptr %23, align 8
+  %25 = icmp slt i64 %18, 1
+  br i1 %25, label %322, label %26
+26:
+  %27 = getelementptr i8, ptr %0, i64 120
+  %28 = load i64, ptr %27, align 8
+  %29 = getelementptr i8, ptr %0, i64 96
+  %30 = load double, ptr %29, align 8
+  %31 = getelementptr i8, ptr %0, i64 32
+  %32 = load i64, ptr %31, align 8
+  %33 = fmul double %30, %30
+  %34 = shl i64 %32, 3
+  %35 = shl i64 %28, 3
+  br label %167
+36:
+  %37 = phi double [ %194, %192 ], [ %263, %208 ]
+  %38 = fcmp ogt double %37, 0.000000e+00
+  br i1 %38, label %283, label %165
+39:
+  %40 = phi i64 [ %163, %39 ], [ %321, %294 ]
+  %41 = phi double [ %162, %39 ], [ %320, %294 ]
+  %42 = phi double [ %160, %39 ], [ %318, %294 ]
+  %43 = phi double [ %158, %39 ], [ %316, %294 ]
+  %44 = phi double [ %156, %39 ], [ %314, %294 ]
+  %45 = phi double [ %154, %39 ], [ %312, %294 ]
+  %46 = phi double [ %152, %39 ], [ %310, %294 ]
+  %47 = phi double [ %150, %39 ], [ %308, %294 ]
+  %48 = phi double [ %148, %39 ], [ %306, %294 ]
+  %49 = phi double [ %146, %39 ], [ %304, %294 ]
+  %50 = phi double [ %144, %39 ], [ %302, %294 ]
+  %51 = phi double [ %142, %39 ], [ %300, %294 ]
+  %52 = phi double [ %140, %39 ], [ %298, %294 ]
+  %53 = phi double [ %130, %39 ], [ %296, %294 ]
+  %54 = phi i64 [ %55, %39 ], [ %168, %294 ]
+  %55 = add i64 %54, 1
+  %56 = icmp slt i64 %55, %172
+  %57 = select i1 %56, i64 %55, i64 %168
+  %58 = icmp slt i64 %54, 0
+  %59 = select i1 %58, i64 %4, i64 0
+  %60 = add i64 %59, %54
+  %61 = mul i64 %60, %6
+  %62 = getelementptr double, ptr %2, i64 %61
+  %63 = load double, ptr %62, align 8
+  %64 = getelementptr i8, ptr %62, i64 8
+  %65 = load double, ptr %64, align 8
+  %66 = getelementptr i8, ptr %62, i64 16
+  %67 = load double, ptr %66, align 8
+  %68 = icmp slt i64 %57, 0
+  %69 = select i1 %68, i64 %4, i64 0
+  %70 = add i64 %69, %57
+  %71 = mul i64 %70, %6
+  %72 = getelementptr double, ptr %2, i64 %71
+  %73 = load double, ptr %72, align 8
+  %74 = getelementptr i8, ptr %72, i64 8
+  %75 = load double, ptr %74, align 8
+  %76 = getelementptr i8, ptr %72, i64 16
+  %77 = load double, ptr %76, align 8
+  %78 = fadd double %63, %73
+  %79 = fmul double %78, 5.000000e-01
+  %80 = fadd double %65, %75
+  %81 = fmul double %80, 5.000000e-01
+  %82 = fadd double %67, %77
+  %83 = fmul double %82, 5.000000e-01
+  %84 = fsub double %73, %63
+  %85 = fsub double %75, %65
+  %86 = fsub double %77, %67
+  %87 = fmul double %84, %84
+  %88 = fmul double %85, %85
+  %89 = fadd double %87, %88
+  %90 = fmul double %86, %86
+  %91 = fadd double %89, %90
+  %92 = tail call double @llvm.sqrt.f64(double %91)
+  %93 = select i1 %58, i64 %34, i64 0
+  %94 = getelementptr i8, ptr %8, i64 %93
+  %95 = shl i64 %54, 3
+  %96 = getelementptr i8, ptr %94, i64 %95
+  %97 = load double, ptr %96, align 8
+  %98 = fsub double %63, %286
+  %99 = fsub double %65, %289
+  %100 = fsub double %67, %292
+  %101 = fmul double %98, %98
+  %102 = fmul double %99, %99
+  %103 = fadd double %101, %102
+  %104 = fmul double %100, %100
+  %105 = fadd double %103, %104
+  %106 = tail call double @llvm.sqrt.f64(double %105)
+  %107 = fsub double %79, %286
+  %108 = fsub double %81, %289
+  %109 = fsub double %83, %292
+  %110 = fmul double %107, %107
+  %111 = fmul double %108, %108
+  %112 = fadd double %110, %111
+  %113 = fmul double %109, %109
+  %114 = fadd double %112, %113
+  %115 = tail call double @llvm.sqrt.f64(double %114)
+  %116 = fsub double %73, %286
+  %117 = fsub double %75, %289
+  %118 = fsub double %77, %292
+  %119 = fmul double %116, %116
+  %120 = fmul double %117, %117
+  %121 = fadd double %119, %120
+  %122 = fmul double %118, %118
+  %123 = fadd double %121, %122
+  %124 = tail call double @llvm.sqrt.f64(double %123)
+  %125 = fmul double %115, 4.000000e+00
+  %126 = fadd double %106, %125
+  %127 = fadd double %124, %126
+  %128 = fdiv double %127, 6.000000e+00
+  %129 = fmul double %92, %128
+  %130 = fadd double %53, %129
+  store double %130, ptr %295, align 8
+  %131 = fmul double %97, %97
+  %132 = fsub double 1.000000e+00, %131
+  %133 = fcmp olt double %132, 0.000000e+00
+  %134 = select i1 %133, double 0.000000e+00, double %132
+  %135 = fadd double %33, %134
+  %136 = tail call double @llvm.sqrt.f64(double %135)
+  %137 = fdiv double %92, %136
+  %138 = fmul double %97, %137
+  %139 = fmul double %107, %138
+  %140 = fadd double %52, %139
+  store double %140, ptr %297, align 8
+  %141 = fmul double %79, %139
+  %142 = fadd double %51, %141
+  store double %142, ptr %299, align 8
+  %143 = fmul double %81, %139
+  %144 = fadd double %50, %143
+  store double %144, ptr %301, align 8
+  %145 = fmul double %83, %139
+  %146 = fadd double %49, %145
+  store double %146, ptr %303, align 8
+  %147 = fmul double %108, %138
+  %148 = fadd double %48, %147
+  store double %148, ptr %305, align 8
+  %149 = fmul double %79, %147
+  %150 = fadd double %47, %149
+  store double %150, ptr %307, align 8
+  %151 = fmul double %81, %147
+  %152 = fadd double %46, %151
+  store double %152, ptr %309, align 8
+  %153 = fmul double %83, %147
+  %154 = fadd double %45, %153
+  store double %154, ptr %311, align 8
+  %155 = fmul double %109, %138
+  %156 = fadd double %44, %155
+  store double %156, ptr %313, align 8
+  %157 = fmul double %79, %155
+  %158 = fadd double %43, %157
+  store double %158, ptr %315, align 8
+  %159 = fmul double %81, %155
+  %160 = fadd double %42, %159
+  store double %160, ptr %317, align 8
+  %161 = fmul double %83, %155
+  %162 = fadd double %41, %161
+  store double %162, ptr %319, align 8
+  %163 = add i64 %40, -1
+  %164 = icmp samesign ugt i64 %163, 1
+  br i1 %164, label %39, label %165
+165:
+  %166 = icmp eq i64 %170, %18
+  br i1 %166, label %322, label %167
+167:
+  %168 = phi i64 [ 0, %26 ], [ %172, %165 ]
+  %169 = phi i64 [ 0, %26 ], [ %170, %165 ]
+  %170 = add nuw nsw i64 %169, 1
+  %171 = getelementptr i64, ptr %16, i64 %169
+  %172 = load i64, ptr %171, align 8
+  %173 = getelementptr i64, ptr %20, i64 %169
+  %174 = load i64, ptr %173, align 8
+  %175 = icmp slt i64 %174, 0
+  %176 = select i1 %175, i64 %24, i64 0
+  %177 = add i64 %176, %174
+  %178 = select i1 %175, i64 %12, i64 0
+  %179 = add i64 %178, %174
+  %180 = mul i64 %179, %14
+  %181 = getelementptr double, ptr %10, i64 %180
+  %182 = load double, ptr %181, align 8
+  %183 = getelementptr i8, ptr %181, i64 8
+  %184 = load double, ptr %183, align 8
+  %185 = getelementptr i8, ptr %181, i64 16
+  %186 = load double, ptr %185, align 8
+  %187 = sub i64 %172, %168
+  %188 = icmp sgt i64 %187, 0
+  %189 = tail call i64 @llvm.smax.i64(i64 %187, i64 0)
+  %190 = mul i64 %35, %177
+  %191 = getelementptr i8, ptr %22, i64 %190
+  br i1 %188, label %195, label %192
+192:
+  %193 = getelementptr i8, ptr %191, i64 24
+  %194 = load double, ptr %193, align 8
+  br label %36
+195:
+  %196 = load double, ptr %191, align 8
+  %197 = getelementptr i8, ptr %191, i64 8
+  %198 = load double, ptr %197, align 8
+  %199 = getelementptr i8, ptr %191, i64 16
+  %200 = load double, ptr %199, align 8
+  %201 = getelementptr i8, ptr %191, i64 24
+  %202 = load double, ptr %201, align 8
+  %203 = getelementptr i8, ptr %191, i64 32
+  %204 = load double, ptr %203, align 8
+  %205 = getelementptr i8, ptr %191, i64 40
+  %206 = load double, ptr %205, align 8
+  %207 = add nuw i64 %189, 1
+  br label %208
+208:
+  %209 = phi i64 [ %281, %208 ], [ %207, %195 ]
+  %210 = phi double [ %280, %208 ], [ %206, %195 ]
+  %211 = phi double [ %270, %208 ], [ %204, %195 ]
+  %212 = phi double [ %263, %208 ], [ %202, %195 ]
+  %213 = phi double [ %262, %208 ], [ %200, %195 ]
+  %214 = phi double [ %259, %208 ], [ %198, %195 ]
+  %215 = phi double [ %256, %208 ], [ %196, %195 ]
+  %216 = phi i64 [ %217, %208 ], [ %168, %195 ]
+  %217 = add i64 %216, 1
+  %218 = icmp slt i64 %217, %172
+  %219 = select i1 %218, i64 %217, i64 %168
+  %220 = icmp slt i64 %216, 0
+  %221 = select i1 %220, i64 %4, i64 0
+  %222 = add i64 %221, %216
+  %223 = mul i64 %222, %6
+  %224 = getelementptr double, ptr %2, i64 %223
+  %225 = load double, ptr %224, align 8
+  %226 = getelementptr i8, ptr %224, i64 8
+  %227 = load double, ptr %226, align 8
+  %228 = getelementptr i8, ptr %224, i64 16
+  %229 = load double, ptr %228, align 8
+  %230 = icmp slt i64 %219, 0
+  %231 = select i1 %230, i64 %4, i64 0
+  %232 = add i64 %231, %219
+  %233 = mul i64 %232, %6
+  %234 = getelementptr double, ptr %2, i64 %233
+  %235 = load double, ptr %234, align 8
+  %236 = getelementptr i8, ptr %234, i64 8
+  %237 = load double, ptr %236, align 8
+  %238 = getelementptr i8, ptr %234, i64 16
+  %239 = load double, ptr %238, align 8
+  %240 = fmul double %227, %239
+  %241 = fmul double %229, %237
+  %242 = fsub double %240, %241
+  %243 = fmul double %229, %235
+  %244 = fmul double %225, %239
+  %245 = fsub double %243, %244
+  %246 = fmul double %225, %237
+  %247 = fmul double %227, %235
+  %248 = fsub double %246, %247
+  %249 = fmul double %182, %242
+  %250 = fmul double %186, %248
+  %251 = fadd double %250, %249
+  %252 = fmul double %184, %245
+  %253 = fadd double %252, %251
+  %254 = fadd double %225, %235
+  %255 = fmul double %254, %253
+  %256 = fadd double %215, %255
+  store double %256, ptr %191, align 8
+  %257 = fadd double %227, %237
+  %258 = fmul double %257, %253
+  %259 = fadd double %214, %258
+  store double %259, ptr %197, align 8
+  %260 = fadd double %229, %239
+  %261 = fmul double %260, %253
+  %262 = fadd double %213, %261
+  store double %262, ptr %199, align 8
+  %263 = fadd double %212, %253
+  store double %263, ptr %201, align 8
+  %264 = fmul double %225, %235
+  %265 = fmul double %229, %239
+  %266 = fadd double %264, %265
+  %267 = fmul double %227, %237
+  %268 = fadd double %267, %266
+  %269 = tail call double @atan2(double %253, double %268)
+  %270 = fadd double %211, %269
+  store double %270, ptr %203, align 8
+  %271 = fsub double %235, %225
+  %272 = fsub double %237, %227
+  %273 = fsub double %239, %229
+  %274 = fmul double %271, %271
+  %275 = fmul double %272, %272
+  %276 = fadd double %274, %275
+  %277 = fmul double %273, %273
+  %278 = fadd double %276, %277
+  %279 = tail call double @llvm.sqrt.f64(double %278)
+  %280 = fadd double %210, %279
+  store double %280, ptr %205, align 8
+  %281 = add i64 %209, -1
+  %282 = icmp samesign ugt i64 %281, 1
+  br i1 %282, label %208, label %36
+283:
+  %284 = load double, ptr %191, align 8
+  %285 = fmul double %37, 3.000000e+00
+  %286 = fdiv double %284, %285
+  store double %286, ptr %191, align 8
+  %287 = getelementptr i8, ptr %191, i64 8
+  %288 = load double, ptr %287, align 8
+  %289 = fdiv double %288, %285
+  store double %289, ptr %287, align 8
+  %290 = getelementptr i8, ptr %191, i64 16
+  %291 = load double, ptr %290, align 8
+  %292 = fdiv double %291, %285
+  store double %292, ptr %290, align 8
+  %293 = icmp slt i64 %187, 1
+  br i1 %293, label %165, label %294
+294:
+  %295 = getelementptr i8, ptr %191, i64 48
+  %296 = load double, ptr %295, align 8
+  %297 = getelementptr i8, ptr %191, i64 56
+  %298 = load double, ptr %297, align 8
+  %299 = getelementptr i8, ptr %191, i64 80
+  %300 = load double, ptr %299, align 8
+  %301 = getelementptr i8, ptr %191, i64 88
+  %302 = load double, ptr %301, align 8
+  %303 = getelementptr i8, ptr %191, i64 96
+  %304 = load double, ptr %303, align 8
+  %305 = getelementptr i8, ptr %191, i64 64
+  %306 = load double, ptr %305, align 8
+  %307 = getelementptr i8, ptr %191, i64 104
+  %308 = load double, ptr %307, align 8
+  %309 = getelementptr i8, ptr %191, i64 112
+  %310 = load double, ptr %309, align 8
+  %311 = getelementptr i8, ptr %191, i64 120
+  %312 = load double, ptr %311, align 8
+  %313 = getelementptr i8, ptr %191, i64 72
+  %314 = load double, ptr %313, align 8
+  %315 = getelementptr i8, ptr %191, i64 128
+  %316 = load double, ptr %315, align 8
+  %317 = getelementptr i8, ptr %191, i64 136
+  %318 = load double, ptr %317, align 8
+  %319 = getelementptr i8, ptr %191, i64 144
+  %320 = load double, ptr %319, align 8
+  %321 = add nuw i64 %189, 1
+  br label %39
+322:
   ret i64 0
 }
-
-declare double @sqrt(double) local_unnamed_addr
-
-define noundef i64 @msf_jax.host.thin.fronts.spread(ptr readonly %words) local_unnamed_addr {
-  %w0 = load ptr, ptr %words, align 8
-  %p1 = getelementptr i8, ptr %words, i64 8
-  %w1 = load i64, ptr %p1, align 8
-  %p2 = getelementptr i8, ptr %words, i64 16
-  %w2 = load i64, ptr %p2, align 8
-  %p3 = getelementptr i8, ptr %words, i64 24
-  %w3 = load ptr, ptr %p3, align 8
-  %p4 = getelementptr i8, ptr %words, i64 32
-  %w4 = load i64, ptr %p4, align 8
-  %p5 = getelementptr i8, ptr %words, i64 40
-  %w5 = load i64, ptr %p5, align 8
-  %p8 = getelementptr i8, ptr %words, i64 64
-  %w8 = load ptr, ptr %p8, align 8
-  %p9 = getelementptr i8, ptr %words, i64 72
-  %w9 = load i64, ptr %p9, align 8
-  %p10 = getelementptr i8, ptr %words, i64 80
-  %w10 = load ptr, ptr %p10, align 8
-  %p11 = getelementptr i8, ptr %words, i64 88
-  %w11 = load i64, ptr %p11, align 8
-  %p15 = getelementptr i8, ptr %words, i64 120
-  %w15 = load ptr, ptr %p15, align 8
-  %p16 = getelementptr i8, ptr %words, i64 128
-  %w16 = load i64, ptr %p16, align 8
-  %p17 = getelementptr i8, ptr %words, i64 136
-  %w17 = load ptr, ptr %p17, align 8
-  %p18 = getelementptr i8, ptr %words, i64 144
-  %w18 = load i64, ptr %p18, align 8
-  %p25 = getelementptr i8, ptr %words, i64 200
-  %w25 = load ptr, ptr %p25, align 8
-  %p26 = getelementptr i8, ptr %words, i64 208
-  %w26 = load i64, ptr %p26, align 8
-  %p27 = getelementptr i8, ptr %words, i64 216
-  %w27 = load ptr, ptr %p27, align 8
-  %p28 = getelementptr i8, ptr %words, i64 224
-  %w28 = load i64, ptr %p28, align 8
-  %p31 = getelementptr i8, ptr %words, i64 248
-  %w31 = load ptr, ptr %p31, align 8
-  %p32 = getelementptr i8, ptr %words, i64 256
-  %w32 = load i64, ptr %p32, align 8
-  %.195645.i = icmp sgt i64 %w32, 0
-  br i1 %.195645.i, label %B14.i, label %_ZN7msf_jax4host4thin6fronts6spreadB3v33B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedE.exit
-
-B14.i:                                            ; preds = %0, %B12.backedge.i
-  %size.4.0647.i = phi i64 [ %.619.i.i, %B12.backedge.i ], [ 0, %0 ]
-  %.207.i = shl i64 %size.4.0647.i, 3
-  %.211.i = getelementptr i8, ptr %w31, i64 %.207.i
-  %.213.i = load i64, ptr %.211.i, align 8
-  %.255.i = icmp slt i64 %.213.i, 0
-  %.256.i = select i1 %.255.i, i64 %w16, i64 0
-  %1 = getelementptr double, ptr %w15, i64 %.213.i
-  %.270.i = getelementptr double, ptr %1, i64 %.256.i
-  store double 0.000000e+00, ptr %.270.i, align 8
-  %.96.i.not.i = icmp eq i64 %size.4.0647.i, 0
-  br i1 %.96.i.not.i, label %B12.backedge.i, label %B20.else.if.i.i
-
-B20.else.if.i.i:                                  ; preds = %B14.i
-  %.108.i.i = add nsw i64 %size.4.0647.i, -1
-  %.129416426.i.i = lshr i64 %.108.i.i, 1
-  %.178.i.i = getelementptr double, ptr %w25, i64 %.129416426.i.i
-  %.179.i.i = load double, ptr %.178.i.i, align 8
-  %.181.i.i = fcmp ogt double %.179.i.i, 0.000000e+00
-  br i1 %.181.i.i, label %B66.else.if.i.i, label %B12.backedge.i
-
-B66.else.if.i.i:                                  ; preds = %B20.else.if.i.i, %B204.else.if.i.i
-  %at.2.1.i.i = phi i64 [ %.208418427.i.i, %B204.else.if.i.i ], [ %size.4.0647.i, %B20.else.if.i.i ]
-  %.189.i.i = add nsw i64 %at.2.1.i.i, -1
-  %.208418427.i.i = lshr i64 %.189.i.i, 1
-  %.257.i.i = getelementptr double, ptr %w25, i64 %.208418427.i.i
-  %.258.i.i = load double, ptr %.257.i.i, align 8
-  %.330.i.i = getelementptr i64, ptr %w27, i64 %.208418427.i.i
-  %.331.i.i = load i64, ptr %.330.i.i, align 8
-  %.362.i.i = getelementptr double, ptr %w25, i64 %at.2.1.i.i
-  store double %.258.i.i, ptr %.362.i.i, align 8
-  %.394.i.i = getelementptr i64, ptr %w27, i64 %at.2.1.i.i
-  store i64 %.331.i.i, ptr %.394.i.i, align 8
-  %.447.not.i.i = icmp eq i64 %.208418427.i.i, 0
-  br i1 %.447.not.i.i, label %B12.backedge.i, label %B204.else.if.i.i
-
-B204.else.if.i.i:                                 ; preds = %B66.else.if.i.i
-  %.458.i.i = add nsw i64 %.208418427.i.i, -1
-  %.479424430.i.i = lshr i64 %.458.i.i, 1
-  %.528.i.i = getelementptr double, ptr %w25, i64 %.479424430.i.i
-  %.529.i.i = load double, ptr %.528.i.i, align 8
-  %.531.i.i = fcmp ogt double %.529.i.i, 0.000000e+00
-  br i1 %.531.i.i, label %B66.else.if.i.i, label %B12.backedge.i
-
-B12.backedge.i:                                   ; preds = %B204.else.if.i.i, %B66.else.if.i.i, %B20.else.if.i.i, %B14.i
-  %at.3.0.i.i = phi i64 [ %size.4.0647.i, %B20.else.if.i.i ], [ 0, %B14.i ], [ 0, %B66.else.if.i.i ], [ %.208418427.i.i, %B204.else.if.i.i ]
-  %2 = getelementptr double, ptr %w25, i64 %at.3.0.i.i
-  store double 0.000000e+00, ptr %2, align 8
-  %3 = getelementptr i64, ptr %w27, i64 %at.3.0.i.i
-  store i64 %.213.i, ptr %3, align 8
-  %.619.i.i = add nuw nsw i64 %size.4.0647.i, 1
-  %exitcond.not.i = icmp eq i64 %.619.i.i, %w32
-  br i1 %exitcond.not.i, label %B78.preheader.i, label %B14.i
-
-B78.preheader.i:                                  ; preds = %B12.backedge.i
-  %4 = shl i64 %w16, 3
-  %factor.op.mul.i.i = shl i64 %w2, 3
-  br label %B78.i
-
-B78.i:                                            ; preds = %B226.i, %B78.preheader.i
-  %size.5.0.i = phi i64 [ %size.6.1.i, %B226.i ], [ %w32, %B78.preheader.i ]
-  %.366.i = load i64, ptr %w27, align 8
-  %.79.i.i = add nsw i64 %size.5.0.i, -1
-  %.98.i.i = icmp slt i64 %size.5.0.i, 1
-  %.99.i.i = select i1 %.98.i.i, i64 %w26, i64 0
-  %5 = getelementptr double, ptr %w25, i64 %.79.i.i
-  %.113.i.i = getelementptr double, ptr %5, i64 %.99.i.i
-  %.114.i.i = load double, ptr %.113.i.i, align 8
-  %.131.i.i = select i1 %.98.i.i, i64 %w28, i64 0
-  %6 = getelementptr i64, ptr %w27, i64 %.79.i.i
-  %.145.i.i = getelementptr i64, ptr %6, i64 %.131.i.i
-  %.146.i.i = load i64, ptr %.145.i.i, align 8
-  %.162.i.i = icmp sgt i64 %size.5.0.i, 2
-  br i1 %.162.i.i, label %B94.i.i, label %B78.endif.i
-
-B94.i.i:                                          ; preds = %B78.i, %B236.i.i
-  %at.2.0.i.i = phi i64 [ %child.2.1.i.i, %B236.i.i ], [ 0, %B78.i ]
-  %.170.i.i = shl nsw i64 %at.2.0.i.i, 1
-  %.171.i.i = or disjoint i64 %.170.i.i, 1
-  %.180.i.i = add nsw i64 %.170.i.i, 2
-  %.182.i.i = icmp slt i64 %.180.i.i, %.79.i.i
-  br i1 %.182.i.i, label %B128.i.i, label %B200.i.i
-
-B128.i.i:                                         ; preds = %B94.i.i
-  %.203.i.i = icmp slt i64 %at.2.0.i.i, -1
-  %.204.i.i = select i1 %.203.i.i, i64 %w26, i64 0
-  %7 = getelementptr double, ptr %w25, i64 %.180.i.i
-  %.218.i.i = getelementptr double, ptr %7, i64 %.204.i.i
-  %.219.i.i = load double, ptr %.218.i.i, align 8
-  %.235.i.i = icmp slt i64 %at.2.0.i.i, 0
-  %.236.i.i = select i1 %.235.i.i, i64 %w26, i64 0
-  %8 = getelementptr double, ptr %w25, i64 %.171.i.i
-  %.250.i.i = getelementptr double, ptr %8, i64 %.236.i.i
-  %.251.i.i = load double, ptr %.250.i.i, align 8
-  %.252.i.i = fcmp olt double %.219.i.i, %.251.i.i
-  br i1 %.252.i.i, label %B190.i.i, label %B200.i.i
-
-B190.i.i:                                         ; preds = %B128.i.i
-  br label %B200.i.i
-
-B200.i.i:                                         ; preds = %B190.i.i, %B128.i.i, %B94.i.i
-  %child.2.1.i.i = phi i64 [ %.180.i.i, %B190.i.i ], [ %.171.i.i, %B128.i.i ], [ %.171.i.i, %B94.i.i ]
-  %.278.i.i = icmp slt i64 %child.2.1.i.i, 0
-  %.279.i.i = select i1 %.278.i.i, i64 %w26, i64 0
-  %9 = getelementptr double, ptr %w25, i64 %child.2.1.i.i
-  %.293.i.i = getelementptr double, ptr %9, i64 %.279.i.i
-  %.294.i.i = load double, ptr %.293.i.i, align 8
-  %.296.i.i = fcmp ult double %.294.i.i, %.114.i.i
-  br i1 %.296.i.i, label %B236.i.i, label %B78.endif.i
-
-B236.i.i:                                         ; preds = %B200.i.i
-  %.354.i.i = select i1 %.278.i.i, i64 %w28, i64 0
-  %10 = getelementptr i64, ptr %w27, i64 %child.2.1.i.i
-  %.368.i.i = getelementptr i64, ptr %10, i64 %.354.i.i
-  %.369.i.i = load i64, ptr %.368.i.i, align 8
-  %.385.i.i = icmp slt i64 %at.2.0.i.i, 0
-  %.386.i.i = select i1 %.385.i.i, i64 %w26, i64 0
-  %11 = getelementptr double, ptr %w25, i64 %at.2.0.i.i
-  %.400.i.i = getelementptr double, ptr %11, i64 %.386.i.i
-  store double %.294.i.i, ptr %.400.i.i, align 8
-  %.418.i.i = select i1 %.385.i.i, i64 %w28, i64 0
-  %12 = getelementptr i64, ptr %w27, i64 %at.2.0.i.i
-  %.432.i.i = getelementptr i64, ptr %12, i64 %.418.i.i
-  store i64 %.369.i.i, ptr %.432.i.i, align 8
-  %.441.i.i = shl nsw i64 %child.2.1.i.i, 1
-  %.442.i.i = or disjoint i64 %.441.i.i, 1
-  %.444.i.i = icmp slt i64 %.442.i.i, %.79.i.i
-  br i1 %.444.i.i, label %B94.i.i, label %B78.endif.i
-
-B170.i:                                           ; preds = %B78.endif.i
-  %sunkaddr.i = shl i64 %.438.i, 3
-  %sunkaddr36.i = getelementptr inbounds i8, ptr %31, i64 %sunkaddr.i
-  store i64 1, ptr %sunkaddr36.i, align 8
-  %.184.i.i = select i1 %.437.i, i64 %w9, i64 0
-  %13 = getelementptr i64, ptr %w8, i64 %.366.i
-  %.198.i.i = getelementptr i64, ptr %13, i64 %.184.i.i
-  %.199.i.i = load i64, ptr %.198.i.i, align 8
-  %.216.i.i = icmp slt i64 %.366.i, -1
-  %.217.i.i = select i1 %.216.i.i, i64 %w9, i64 0
-  %14 = getelementptr i8, ptr %13, i64 8
-  %.231.i.i = getelementptr i64, ptr %14, i64 %.217.i.i
-  %.232.i.i = load i64, ptr %.231.i.i, align 8
-  %.269.i.i = sub i64 %.232.i.i, %.199.i.i
-  %.314785.not.i.i = icmp slt i64 %.269.i.i, 1
-  br i1 %.314785.not.i.i, label %B226.i, label %B130.endif.endif.us.preheader.i.i
-
-B130.endif.endif.us.preheader.i.i:                ; preds = %B170.i
-  %15 = getelementptr double, ptr %w15, i64 %.366.i
-  %.99.i.i.i = select i1 %.437.i, i64 %w1, i64 0
-  %.100.i.i.i = add i64 %.99.i.i.i, %.366.i
-  %sunkaddr.i.i = select i1 %.437.i, i64 %4, i64 0
-  %sunkaddr37.i = getelementptr inbounds i8, ptr %15, i64 %sunkaddr.i.i
-  %sunkaddr38.i = mul i64 %factor.op.mul.i.i, %.100.i.i.i
-  %sunkaddr39.i = getelementptr i8, ptr %w0, i64 %sunkaddr38.i
-  %sunkaddr40.i = getelementptr i8, ptr %sunkaddr39.i, i64 16
-  %sunkaddr45.i = getelementptr i8, ptr %sunkaddr39.i, i64 8
-  br label %B130.endif.endif.us.i.i
-
-B130.endif.endif.us.i.i:                          ; preds = %B188.B128.loopexit_crit_edge.us.i.i, %B130.endif.endif.us.preheader.i.i
-  %size.3.0788.us.i.i = phi i64 [ %size.4.2.us.i.i, %B188.B128.loopexit_crit_edge.us.i.i ], [ %.79.i.i, %B130.endif.endif.us.preheader.i.i ]
-  %.313775787.us.i.i = phi i64 [ %.323.us.i.i, %B188.B128.loopexit_crit_edge.us.i.i ], [ %.269.i.i, %B130.endif.endif.us.preheader.i.i ]
-  %.320778786.us.i.i = phi i64 [ %.327.us.i.i, %B188.B128.loopexit_crit_edge.us.i.i ], [ %.199.i.i, %B130.endif.endif.us.preheader.i.i ]
-  %.372.us.i.i = icmp slt i64 %.320778786.us.i.i, 0
-  %.373.us.i.i = select i1 %.372.us.i.i, i64 %w11, i64 0
-  %16 = getelementptr i64, ptr %w10, i64 %.320778786.us.i.i
-  %.387.us.i.i = getelementptr i64, ptr %16, i64 %.373.us.i.i
-  %.388.us.i.i = load i64, ptr %.387.us.i.i, align 8
-  %.532.us.i.i = icmp slt i64 %.388.us.i.i, 0
-  %.533.us.i.i = select i1 %.532.us.i.i, i64 %w4, i64 0
-  %.534.us.i.i = add i64 %.533.us.i.i, %.388.us.i.i
-  %.554.us.i.i = mul i64 %.534.us.i.i, %w5
-  %17 = getelementptr i64, ptr %w3, i64 %.554.us.i.i
-  %sunkaddr46.i = getelementptr i8, ptr %17, i64 8
-  %sunkaddr47.i = getelementptr i8, ptr %17, i64 16
-  br label %B190.us.i.i
-
-B190.us.i.i:                                      ; preds = %B599.us.i.i, %B130.endif.endif.us.i.i
-  %size.2.1772.us.i.i = phi i64 [ %size.3.0788.us.i.i, %B130.endif.endif.us.i.i ], [ %size.4.2.us.i.i, %B599.us.i.i ]
-  %.477766770.us.i.i = phi i64 [ 0, %B130.endif.endif.us.i.i ], [ %.484.us.i.i, %B599.us.i.i ]
-  %.484.us.i.i = add nuw nsw i64 %.477766770.us.i.i, 1
-  %18 = getelementptr i64, ptr %17, i64 %.477766770.us.i.i
-  %.559.us.i.i = load i64, ptr %18, align 8
-  %.565.us.i.i = icmp eq i64 %.559.us.i.i, %.366.i
-  br i1 %.565.us.i.i, label %B599.us.i.i, label %B226.us.i.i
-
-B226.us.i.i:                                      ; preds = %B190.us.i.i
-  %.765.us.i.i = icmp slt i64 %.559.us.i.i, 0
-  %.766.us.i.i = select i1 %.765.us.i.i, i64 %w18, i64 0
-  %19 = getelementptr i64, ptr %w17, i64 %.559.us.i.i
-  %.780.us.i.i = getelementptr i64, ptr %19, i64 %.766.us.i.i
-  %.781.us.i.i = load i64, ptr %.780.us.i.i, align 8
-  %.782.us.i.i = icmp eq i64 %.781.us.i.i, 1
-  %.72.i.i8.i = load double, ptr %sunkaddr40.i, align 8
-  br i1 %.782.us.i.i, label %B336.us.i.i, label %B406.endif.us.i.i
-
-B406.endif.us.i.i:                                ; preds = %B226.us.i.i
-  %.923.us.i.i = load double, ptr %sunkaddr37.i, align 8
-  %.46.i.i.i = select i1 %.765.us.i.i, i64 %w1, i64 0
-  %.47.i.i.i = add i64 %.46.i.i.i, %.559.us.i.i
-  %.67.i.i.i = mul i64 %.47.i.i.i, %w2
-  %20 = getelementptr double, ptr %w0, i64 %.67.i.i.i
-  %.71.i.i.i = getelementptr i8, ptr %20, i64 16
-  %.72.i.i.i = load double, ptr %.71.i.i.i, align 8
-  %.126.i.i.i = fsub double %.72.i.i.i, %.72.i.i8.i
-  %.234.i.i.i = fmul double %.126.i.i.i, %.126.i.i.i
-  %.287.i.i.i = load double, ptr %20, align 8
-  %.340.i.i.i = load double, ptr %sunkaddr39.i, align 8
-  %.341.i.i.i = fsub double %.287.i.i.i, %.340.i.i.i
-  %.449.i.i.i = fmul double %.341.i.i.i, %.341.i.i.i
-  %.501.i.i.i = getelementptr i8, ptr %20, i64 8
-  %.502.i.i.i = load double, ptr %.501.i.i.i, align 8
-  %.555.i.i.i = load double, ptr %sunkaddr45.i, align 8
-  %.556.i.i.i = fsub double %.502.i.i.i, %.555.i.i.i
-  %.664.i.i.i = fmul double %.556.i.i.i, %.556.i.i.i
-  %.665.i.i.i = fadd double %.449.i.i.i, %.664.i.i.i
-  %.666.i.i.i = fadd double %.234.i.i.i, %.665.i.i.i
-  %sqrt.i.i = tail call double @llvm.sqrt.f64(double %.666.i.i.i)
-  %.958.us.i.i = fadd double %.923.us.i.i, %sqrt.i.i
-  br label %B490.us.i.i
-
-B336.us.i.i:                                      ; preds = %B226.us.i.i
-  %.630.us.i.i = load i64, ptr %17, align 8
-  %.685.us.i.i = load i64, ptr %sunkaddr46.i, align 8
-  %.741.us.i.i = load i64, ptr %sunkaddr47.i, align 8
-  %21 = add i64 %.559.us.i.i, %.366.i
-  %.686.us.i.i = sub i64 %.630.us.i.i, %21
-  %.742.us.i.i = add i64 %.686.us.i.i, %.685.us.i.i
-  %.746.us.i.i = add i64 %.742.us.i.i, %.741.us.i.i
-  %.99.i.i9.i = select i1 %.765.us.i.i, i64 %w1, i64 0
-  %.100.i.i10.i = add i64 %.99.i.i9.i, %.559.us.i.i
-  %.120.i.i.i = mul i64 %.100.i.i10.i, %w2
-  %22 = getelementptr double, ptr %w0, i64 %.120.i.i.i
-  %.124.i.i.i = getelementptr i8, ptr %22, i64 16
-  %.125.i.i11.i = load double, ptr %.124.i.i.i, align 8
-  %.126.i.i12.i = fsub double %.72.i.i8.i, %.125.i.i11.i
-  %.234.i.i13.i = fmul double %.126.i.i12.i, %.126.i.i12.i
-  %.287.i.i14.i = load double, ptr %sunkaddr39.i, align 8
-  %.340.i.i15.i = load double, ptr %22, align 8
-  %.341.i.i16.i = fsub double %.287.i.i14.i, %.340.i.i15.i
-  %.449.i.i17.i = fmul double %.341.i.i16.i, %.341.i.i16.i
-  %.502.i.i19.i = load double, ptr %sunkaddr45.i, align 8
-  %.554.i.i.i = getelementptr i8, ptr %22, i64 8
-  %.555.i.i20.i = load double, ptr %.554.i.i.i, align 8
-  %.556.i.i21.i = fsub double %.502.i.i19.i, %.555.i.i20.i
-  %.664.i.i22.i = fmul double %.556.i.i21.i, %.556.i.i21.i
-  %.665.i.i23.i = fadd double %.449.i.i17.i, %.664.i.i22.i
-  %.666.i.i24.i = fadd double %.234.i.i13.i, %.665.i.i23.i
-  %sqrt77.i.i = tail call double @llvm.sqrt.f64(double %.666.i.i24.i)
-  %.79.i25.i = fcmp une double %.666.i.i24.i, 0.000000e+00
-  br i1 %.79.i25.i, label %B96.endif.endif.endif.endif.i.i, label %B490.us.i.i
-
-B328.i.i:                                         ; preds = %B96.endif.endif.endif.endif.i.i
-  %.234.i59.i.i = fmul double %.233.i20.i.i, %.233.i20.i.i
-  %.449.i65.i.i = fmul double %.448.i26.i.i, %.448.i26.i.i
-  %.664.i74.i.i = fmul double %.663.i35.i.i, %.663.i35.i.i
-  %.665.i75.i.i = fadd double %.449.i65.i.i, %.664.i74.i.i
-  %.666.i76.i.i = fadd double %.234.i59.i.i, %.665.i75.i.i
-  %.183.i29.i = fmul double %.138.i.i, %.138.i.i
-  %.184.i30.i = fsub double %.666.i76.i.i, %.183.i29.i
-  %.10.i.i.i = fcmp olt double %.184.i30.i, 0.000000e+00
-  %.11.i.i.i = select i1 %.10.i.i.i, double 0.000000e+00, double %.184.i30.i
-  %sqrt78.i.i = tail call double @llvm.sqrt.f64(double %.11.i.i.i)
-  %.269.i31.i = tail call double @sqrt(double %.248.i.i)
-  %.277.i.i = fadd double %sqrt78.i.i, %.269.i31.i
-  %.279.i32.i = fcmp ogt double %.277.i.i, 0.000000e+00
-  br i1 %.279.i32.i, label %B412.i.i, label %B490.us.i.i
-
-B412.i.i:                                         ; preds = %B328.i.i
-  %.283.i.i = fsub double %.138.i.i, %.236.i28.i
-  %.285.i.i = fmul double %.283.i.i, %.269.i31.i
-  %.292.i.i = fdiv double %.285.i.i, %.277.i.i
-  %.294.i33.i = fadd double %.236.i28.i, %.292.i.i
-  %.306.i.i = fcmp oge double %.294.i33.i, 0.000000e+00
-  %.313.i.i = fcmp ole double %.294.i33.i, %sqrt77.i.i
-  %or.cond.i.i = and i1 %.306.i.i, %.313.i.i
-  br i1 %or.cond.i.i, label %B446.i.i, label %B490.us.i.i
-
-B446.i.i:                                         ; preds = %B412.i.i
-  %.343.i.i = fmul double %.283.i.i, %.283.i.i
-  %.354.i34.i = fmul double %.277.i.i, %.277.i.i
-  %.355.i.i = fadd double %.343.i.i, %.354.i34.i
-  %sqrt.i35.i = tail call double @llvm.sqrt.f64(double %.355.i.i)
-  br label %B490.us.i.i
-
-B96.endif.endif.endif.endif.i.i:                  ; preds = %B336.us.i.i
-  %.846.us.i.i = load double, ptr %sunkaddr37.i, align 8
-  %23 = getelementptr double, ptr %w15, i64 %.559.us.i.i
-  %.800.us.i.i = select i1 %.765.us.i.i, i64 %w16, i64 0
-  %.814.us.i.i = getelementptr double, ptr %23, i64 %.800.us.i.i
-  %.815.us.i.i = load double, ptr %.814.us.i.i, align 8
-  %.152.i14.i.i = icmp slt i64 %.746.us.i.i, 0
-  %.153.i15.i.i = select i1 %.152.i14.i.i, i64 %w1, i64 0
-  %.154.i16.i.i = add i64 %.153.i15.i.i, %.746.us.i.i
-  %.174.i17.i.i = mul i64 %.154.i16.i.i, %w2
-  %24 = getelementptr double, ptr %w0, i64 %.174.i17.i.i
-  %.178.i18.i.i = getelementptr i8, ptr %24, i64 16
-  %.179.i19.i.i = load double, ptr %.178.i18.i.i, align 8
-  %.233.i20.i.i = fsub double %.179.i19.i.i, %.125.i.i11.i
-  %.234.i21.i.i = fmul double %.126.i.i12.i, %.233.i20.i.i
-  %.394.i25.i.i = load double, ptr %24, align 8
-  %.448.i26.i.i = fsub double %.394.i25.i.i, %.340.i.i15.i
-  %.449.i27.i.i = fmul double %.341.i.i16.i, %.448.i26.i.i
-  %.608.i33.i.i = getelementptr i8, ptr %24, i64 8
-  %.609.i34.i.i = load double, ptr %.608.i33.i.i, align 8
-  %.663.i35.i.i = fsub double %.609.i34.i.i, %.555.i.i20.i
-  %.664.i36.i.i = fmul double %.556.i.i21.i, %.663.i35.i.i
-  %.665.i37.i.i = fadd double %.449.i27.i.i, %.664.i36.i.i
-  %.666.i38.i.i = fadd double %.234.i21.i.i, %.665.i37.i.i
-  %.138.i.i = fdiv double %.666.i38.i.i, %sqrt77.i.i
-  %.219.i26.i = fmul double %.815.us.i.i, %.815.us.i.i
-  %.222.i.i = fmul double %.846.us.i.i, %.846.us.i.i
-  %.225.i.i = fsub double %.219.i26.i, %.222.i.i
-  %.227.i.i = fadd double %.666.i.i24.i, %.225.i.i
-  %.232.i27.i = fmul double %sqrt77.i.i, 2.000000e+00
-  %.236.i28.i = fdiv double %.227.i.i, %.232.i27.i
-  %.247.i.i = fmul double %.236.i28.i, %.236.i28.i
-  %.248.i.i = fsub double %.219.i26.i, %.247.i.i
-  %.254.i.i = fcmp olt double %.248.i.i, 0.000000e+00
-  br i1 %.254.i.i, label %B490.us.i.i, label %B328.i.i
-
-B490.us.i.i:                                      ; preds = %B96.endif.endif.endif.endif.i.i, %B446.i.i, %B412.i.i, %B328.i.i, %B336.us.i.i, %B406.endif.us.i.i
-  %away.2.3.us.i.i = phi double [ %.958.us.i.i, %B406.endif.us.i.i ], [ 0x7FF0000000000000, %B96.endif.endif.endif.endif.i.i ], [ 0x7FF0000000000000, %B336.us.i.i ], [ %sqrt.i35.i, %B446.i.i ], [ 0x7FF0000000000000, %B412.i.i ], [ 0x7FF0000000000000, %B328.i.i ]
-  %target.2.3.us.i.i = phi i64 [ %.559.us.i.i, %B406.endif.us.i.i ], [ %.746.us.i.i, %B96.endif.endif.endif.endif.i.i ], [ %.746.us.i.i, %B336.us.i.i ], [ %.746.us.i.i, %B446.i.i ], [ %.746.us.i.i, %B412.i.i ], [ %.746.us.i.i, %B328.i.i ]
-  %.986.us.i.i = icmp slt i64 %target.2.3.us.i.i, 0
-  %.987.us.i.i = select i1 %.986.us.i.i, i64 %w18, i64 0
-  %25 = getelementptr i64, ptr %w17, i64 %target.2.3.us.i.i
-  %.1001.us.i.i = getelementptr i64, ptr %25, i64 %.987.us.i.i
-  %.1002.us.i.i = load i64, ptr %.1001.us.i.i, align 8
-  %.1003.not.us.i.i = icmp eq i64 %.1002.us.i.i, 1
-  br i1 %.1003.not.us.i.i, label %B599.us.i.i, label %B524.us.i.i
-
-B524.us.i.i:                                      ; preds = %B490.us.i.i
-  %.1023.us.i.i = select i1 %.986.us.i.i, i64 %w16, i64 0
-  %26 = getelementptr double, ptr %w15, i64 %target.2.3.us.i.i
-  %.1037.us.i.i = getelementptr double, ptr %26, i64 %.1023.us.i.i
-  %.1038.us.i.i = load double, ptr %.1037.us.i.i, align 8
-  %.1040.us.i.i = fcmp olt double %away.2.3.us.i.i, %.1038.us.i.i
-  br i1 %.1040.us.i.i, label %B548.us.i.i, label %B599.us.i.i
-
-B548.us.i.i:                                      ; preds = %B524.us.i.i
-  %sunkaddr17.i.i = shl i64 %.1023.us.i.i, 3
-  %sunkaddr18.i.i = getelementptr inbounds i8, ptr %26, i64 %sunkaddr17.i.i
-  store double %away.2.3.us.i.i, ptr %sunkaddr18.i.i, align 8
-  %.96.i.i.i = icmp sgt i64 %size.2.1772.us.i.i, 0
-  br i1 %.96.i.i.i, label %B20.else.if.i.i.i, label %_ZN7msf_jax4host4thin6fronts4pushB3v39B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx.exit.i.i
-
-B20.else.if.i.i.i:                                ; preds = %B548.us.i.i
-  %.108.i.i.i = add nsw i64 %size.2.1772.us.i.i, -1
-  %.129416426.i.i.i = lshr i64 %.108.i.i.i, 1
-  %.178.i1.i.i = getelementptr double, ptr %w25, i64 %.129416426.i.i.i
-  %.179.i2.i.i = load double, ptr %.178.i1.i.i, align 8
-  %.181.i.i.i = fcmp ogt double %.179.i2.i.i, %away.2.3.us.i.i
-  br i1 %.181.i.i.i, label %B66.else.if.i.i.i, label %_ZN7msf_jax4host4thin6fronts4pushB3v39B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx.exit.i.i
-
-B66.else.if.i.i.i:                                ; preds = %B20.else.if.i.i.i, %B204.else.if.i.i.i
-  %at.2.1.i.i.i = phi i64 [ %.208418427.i.i.i, %B204.else.if.i.i.i ], [ %size.2.1772.us.i.i, %B20.else.if.i.i.i ]
-  %.189.i.i.i = add nsw i64 %at.2.1.i.i.i, -1
-  %.208418427.i.i.i = lshr i64 %.189.i.i.i, 1
-  %.257.i.i.i = getelementptr double, ptr %w25, i64 %.208418427.i.i.i
-  %.258.i.i.i = load double, ptr %.257.i.i.i, align 8
-  %.330.i.i.i = getelementptr i64, ptr %w27, i64 %.208418427.i.i.i
-  %.331.i.i.i = load i64, ptr %.330.i.i.i, align 8
-  %.362.i.i.i = getelementptr double, ptr %w25, i64 %at.2.1.i.i.i
-  store double %.258.i.i.i, ptr %.362.i.i.i, align 8
-  %.394.i3.i.i = getelementptr i64, ptr %w27, i64 %at.2.1.i.i.i
-  store i64 %.331.i.i.i, ptr %.394.i3.i.i, align 8
-  %.447.not.i.i.i = icmp eq i64 %.208418427.i.i.i, 0
-  br i1 %.447.not.i.i.i, label %_ZN7msf_jax4host4thin6fronts4pushB3v39B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx.exit.i.i, label %B204.else.if.i.i.i
-
-B204.else.if.i.i.i:                               ; preds = %B66.else.if.i.i.i
-  %.458.i.i.i = add nsw i64 %.208418427.i.i.i, -1
-  %.479424430.i.i.i = lshr i64 %.458.i.i.i, 1
-  %.528.i.i.i = getelementptr double, ptr %w25, i64 %.479424430.i.i.i
-  %.529.i.i.i = load double, ptr %.528.i.i.i, align 8
-  %.531.i.i.i = fcmp ogt double %.529.i.i.i, %away.2.3.us.i.i
-  br i1 %.531.i.i.i, label %B66.else.if.i.i.i, label %_ZN7msf_jax4host4thin6fronts4pushB3v39B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx.exit.i.i
-
-_ZN7msf_jax4host4thin6fronts4pushB3v39B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx.exit.i.i: ; preds = %B204.else.if.i.i.i, %B66.else.if.i.i.i, %B20.else.if.i.i.i, %B548.us.i.i
-  %at.3.0.i.i.i = phi i64 [ %size.2.1772.us.i.i, %B20.else.if.i.i.i ], [ %size.2.1772.us.i.i, %B548.us.i.i ], [ 0, %B66.else.if.i.i.i ], [ %.208418427.i.i.i, %B204.else.if.i.i.i ]
-  %.560.i.i.i = icmp slt i64 %at.3.0.i.i.i, 0
-  %.561.i.i.i = select i1 %.560.i.i.i, i64 %w26, i64 0
-  %27 = getelementptr double, ptr %w25, i64 %at.3.0.i.i.i
-  %.575.i.i.i = getelementptr double, ptr %27, i64 %.561.i.i.i
-  store double %away.2.3.us.i.i, ptr %.575.i.i.i, align 8
-  %.598.i.i.i = select i1 %.560.i.i.i, i64 %w28, i64 0
-  %28 = getelementptr i64, ptr %w27, i64 %at.3.0.i.i.i
-  %.612.i.i.i = getelementptr i64, ptr %28, i64 %.598.i.i.i
-  store i64 %target.2.3.us.i.i, ptr %.612.i.i.i, align 8
-  %.619.i.i.i = add nsw i64 %size.2.1772.us.i.i, 1
-  br label %B599.us.i.i
-
-B599.us.i.i:                                      ; preds = %_ZN7msf_jax4host4thin6fronts4pushB3v39B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx.exit.i.i, %B524.us.i.i, %B490.us.i.i, %B190.us.i.i
-  %size.4.2.us.i.i = phi i64 [ %size.2.1772.us.i.i, %B190.us.i.i ], [ %size.2.1772.us.i.i, %B490.us.i.i ], [ %size.2.1772.us.i.i, %B524.us.i.i ], [ %.619.i.i.i, %_ZN7msf_jax4host4thin6fronts4pushB3v39B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx.exit.i.i ]
-  %exitcond.not.i.i = icmp eq i64 %.484.us.i.i, 3
-  br i1 %exitcond.not.i.i, label %B188.B128.loopexit_crit_edge.us.i.i, label %B190.us.i.i
-
-B188.B128.loopexit_crit_edge.us.i.i:              ; preds = %B599.us.i.i
-  %.323.us.i.i = add nsw i64 %.313775787.us.i.i, -1
-  %.327.us.i.i = add i64 %.320778786.us.i.i, 1
-  %.314.us.i.i = icmp sgt i64 %.313775787.us.i.i, 1
-  br i1 %.314.us.i.i, label %B130.endif.endif.us.i.i, label %B226.i
-
-B226.i:                                           ; preds = %B188.B128.loopexit_crit_edge.us.i.i, %B78.endif.i, %B170.i
-  %size.6.1.i = phi i64 [ %.79.i.i, %B78.endif.i ], [ %.79.i.i, %B170.i ], [ %size.4.2.us.i.i, %B188.B128.loopexit_crit_edge.us.i.i ]
-  %.566.not.i = icmp eq i64 %size.6.1.i, 0
-  br i1 %.566.not.i, label %_ZN7msf_jax4host4thin6fronts6spreadB3v33B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedE.exit, label %B78.i
-
-B78.endif.i:                                      ; preds = %B236.i.i, %B200.i.i, %B78.i
-  %at.3.1.i.i = phi i64 [ 0, %B78.i ], [ %child.2.1.i.i, %B236.i.i ], [ %at.2.0.i.i, %B200.i.i ]
-  %.469.i.i = icmp slt i64 %at.3.1.i.i, 0
-  %.470.i.i = select i1 %.469.i.i, i64 %w26, i64 0
-  %29 = getelementptr double, ptr %w25, i64 %at.3.1.i.i
-  %.484.i.i = getelementptr double, ptr %29, i64 %.470.i.i
-  store double %.114.i.i, ptr %.484.i.i, align 8
-  %.507.i.i = select i1 %.469.i.i, i64 %w28, i64 0
-  %30 = getelementptr i64, ptr %w27, i64 %at.3.1.i.i
-  %.521.i.i = getelementptr i64, ptr %30, i64 %.507.i.i
-  store i64 %.146.i.i, ptr %.521.i.i, align 8
-  %.437.i = icmp slt i64 %.366.i, 0
-  %.438.i = select i1 %.437.i, i64 %w18, i64 0
-  %31 = getelementptr i64, ptr %w17, i64 %.366.i
-  %.452.i = getelementptr i64, ptr %31, i64 %.438.i
-  %.453.i = load i64, ptr %.452.i, align 8
-  %.454.not.i = icmp eq i64 %.453.i, 1
-  br i1 %.454.not.i, label %B226.i, label %B170.i
-
-_ZN7msf_jax4host4thin6fronts6spreadB3v33B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedE.exit: ; preds = %B226.i, %0
+define noundef i64 @msf_jax.host.thin.fronts.spread(ptr readonly %0) local_unnamed_addr {
+  %2 = load ptr, ptr %0, align 8
+  %3 = getelementptr i8, ptr %0, i64 8
+  %4 = load i64, ptr %3, align 8
+  %5 = getelementptr i8, ptr %0, i64 16
+  %6 = load i64, ptr %5, align 8
+  %7 = getelementptr i8, ptr %0, i64 24
+  %8 = load ptr, ptr %7, align 8
+  %9 = getelementptr i8, ptr %0, i64 32
+  %10 = load i64, ptr %9, align 8
+  %11 = getelementptr i8, ptr %0, i64 40
+  %12 = load i64, ptr %11, align 8
+  %13 = getelementptr i8, ptr %0, i64 64
+  %14 = load ptr, ptr %13, align 8
+  %15 = getelementptr i8, ptr %0, i64 72
+  %16 = load i64, ptr %15, align 8
+  %17 = getelementptr i8, ptr %0, i64 80
+  %18 = load ptr, ptr %17, align 8
+  %19 = getelementptr i8, ptr %0, i64 88
+  %20 = load i64, ptr %19, align 8
+  %21 = getelementptr i8, ptr %0, i64 120
+  %22 = load ptr, ptr %21, align 8
+  %23 = getelementptr i8, ptr %0, i64 128
+  %24 = load i64, ptr %23, align 8
+  %25 = getelementptr i8, ptr %0, i64 136
+  %26 = load ptr, ptr %25, align 8
+  %27 = getelementptr i8, ptr %0, i64 144
+  %28 = load i64, ptr %27, align 8
+  %29 = getelementptr i8, ptr %0, i64 200
+  %30 = load ptr, ptr %29, align 8
+  %31 = getelementptr i8, ptr %0, i64 208
+  %32 = load i64, ptr %31, align 8
+  %33 = getelementptr i8, ptr %0, i64 216
+  %34 = load ptr, ptr %33, align 8
+  %35 = getelementptr i8, ptr %0, i64 224
+  %36 = load i64, ptr %35, align 8
+  %37 = getelementptr i8, ptr %0, i64 248
+  %38 = load ptr, ptr %37, align 8
+  %39 = getelementptr i8, ptr %0, i64 256
+  %40 = load i64, ptr %39, align 8
+  %41 = icmp sgt i64 %40, 0
+  br i1 %41, label %42, label %385
+42:
+  %43 = phi i64 [ %79, %75 ], [ 0, %1 ]
+  %44 = shl i64 %43, 3
+  %45 = getelementptr i8, ptr %38, i64 %44
+  %46 = load i64, ptr %45, align 8
+  %47 = icmp slt i64 %46, 0
+  %48 = select i1 %47, i64 %24, i64 0
+  %49 = getelementptr double, ptr %22, i64 %46
+  %50 = getelementptr double, ptr %49, i64 %48
+  store double 0.000000e+00, ptr %50, align 8
+  %51 = icmp eq i64 %43, 0
+  br i1 %51, label %75, label %52
+52:
+  %53 = add nsw i64 %43, -1
+  %54 = lshr i64 %53, 1
+  %55 = getelementptr double, ptr %30, i64 %54
+  %56 = load double, ptr %55, align 8
+  %57 = fcmp ogt double %56, 0.000000e+00
+  br i1 %57, label %58, label %75
+58:
+  %59 = phi i64 [ %61, %69 ], [ %43, %52 ]
+  %60 = add nsw i64 %59, -1
+  %61 = lshr i64 %60, 1
+  %62 = getelementptr double, ptr %30, i64 %61
+  %63 = load double, ptr %62, align 8
+  %64 = getelementptr i64, ptr %34, i64 %61
+  %65 = load i64, ptr %64, align 8
+  %66 = getelementptr double, ptr %30, i64 %59
+  store double %63, ptr %66, align 8
+  %67 = getelementptr i64, ptr %34, i64 %59
+  store i64 %65, ptr %67, align 8
+  %68 = icmp eq i64 %61, 0
+  br i1 %68, label %75, label %69
+69:
+  %70 = add nsw i64 %61, -1
+  %71 = lshr i64 %70, 1
+  %72 = getelementptr double, ptr %30, i64 %71
+  %73 = load double, ptr %72, align 8
+  %74 = fcmp ogt double %73, 0.000000e+00
+  br i1 %74, label %58, label %75
+75:
+  %76 = phi i64 [ %43, %52 ], [ 0, %42 ], [ 0, %58 ], [ %61, %69 ]
+  %77 = getelementptr double, ptr %30, i64 %76
+  store double 0.000000e+00, ptr %77, align 8
+  %78 = getelementptr i64, ptr %34, i64 %76
+  store i64 %46, ptr %78, align 8
+  %79 = add nuw nsw i64 %43, 1
+  %80 = icmp eq i64 %79, %40
+  br i1 %80, label %81, label %42
+81:
+  %82 = shl i64 %24, 3
+  %83 = shl i64 %6, 3
+  br label %84
+84:
+  %85 = phi i64 [ %368, %367 ], [ %40, %81 ]
+  %86 = load i64, ptr %34, align 8
+  %87 = add nsw i64 %85, -1
+  %88 = icmp slt i64 %85, 1
+  %89 = select i1 %88, i64 %32, i64 0
+  %90 = getelementptr double, ptr %30, i64 %87
+  %91 = getelementptr double, ptr %90, i64 %89
+  %92 = load double, ptr %91, align 8
+  %93 = select i1 %88, i64 %36, i64 0
+  %94 = getelementptr i64, ptr %34, i64 %87
+  %95 = getelementptr i64, ptr %94, i64 %93
+  %96 = load i64, ptr %95, align 8
+  %97 = icmp sgt i64 %85, 2
+  br i1 %97, label %98, label %370
+98:
+  %99 = phi i64 [ %118, %125 ], [ 0, %84 ]
+  %100 = shl nsw i64 %99, 1
+  %101 = or disjoint i64 %100, 1
+  %102 = add nsw i64 %100, 2
+  %103 = icmp slt i64 %102, %87
+  br i1 %103, label %104, label %117
+104:
+  %105 = icmp slt i64 %99, -1
+  %106 = select i1 %105, i64 %32, i64 0
+  %107 = getelementptr double, ptr %30, i64 %102
+  %108 = getelementptr double, ptr %107, i64 %106
+  %109 = load double, ptr %108, align 8
+  %110 = icmp slt i64 %99, 0
+  %111 = select i1 %110, i64 %32, i64 0
+  %112 = getelementptr double, ptr %30, i64 %101
+  %113 = getelementptr double, ptr %112, i64 %111
+  %114 = load double, ptr %113, align 8
+  %115 = fcmp olt double %109, %114
+  br i1 %115, label %116, label %117
+116:
+  br label %117
+117:
+  %118 = phi i64 [ %102, %116 ], [ %101, %104 ], [ %101, %98 ]
+  %119 = icmp slt i64 %118, 0
+  %120 = select i1 %119, i64 %32, i64 0
+  %121 = getelementptr double, ptr %30, i64 %118
+  %122 = getelementptr double, ptr %121, i64 %120
+  %123 = load double, ptr %122, align 8
+  %124 = fcmp ult double %123, %92
+  br i1 %124, label %125, label %370
+125:
+  %126 = select i1 %119, i64 %36, i64 0
+  %127 = getelementptr i64, ptr %34, i64 %118
+  %128 = getelementptr i64, ptr %127, i64 %126
+  %129 = load i64, ptr %128, align 8
+  %130 = icmp slt i64 %99, 0
+  %131 = select i1 %130, i64 %32, i64 0
+  %132 = getelementptr double, ptr %30, i64 %99
+  %133 = getelementptr double, ptr %132, i64 %131
+  store double %123, ptr %133, align 8
+  %134 = select i1 %130, i64 %36, i64 0
+  %135 = getelementptr i64, ptr %34, i64 %99
+  %136 = getelementptr i64, ptr %135, i64 %134
+  store i64 %129, ptr %136, align 8
+  %137 = shl nsw i64 %118, 1
+  %138 = or disjoint i64 %137, 1
+  %139 = icmp slt i64 %138, %87
+  br i1 %139, label %98, label %370
+140:
+  %141 = shl i64 %380, 3
+  %142 = getelementptr inbounds i8, ptr %381, i64 %141
+  store i64 1, ptr %142, align 8
+  %143 = select i1 %379, i64 %16, i64 0
+  %144 = getelementptr i64, ptr %14, i64 %86
+  %145 = getelementptr i64, ptr %144, i64 %143
+  %146 = load i64, ptr %145, align 8
+  %147 = icmp slt i64 %86, -1
+  %148 = select i1 %147, i64 %16, i64 0
+  %149 = getelementptr i8, ptr %144, i64 8
+  %150 = getelementptr i64, ptr %149, i64 %148
+  %151 = load i64, ptr %150, align 8
+  %152 = sub i64 %151, %146
+  %153 = icmp slt i64 %152, 1
+  br i1 %153, label %367, label %154
+154:
+  %155 = getelementptr double, ptr %22, i64 %86
+  %156 = select i1 %379, i64 %4, i64 0
+  %157 = add i64 %156, %86
+  %158 = select i1 %379, i64 %82, i64 0
+  %159 = getelementptr inbounds i8, ptr %155, i64 %158
+  %160 = mul i64 %83, %157
+  %161 = getelementptr i8, ptr %2, i64 %160
+  %162 = getelementptr i8, ptr %161, i64 16
+  %163 = getelementptr i8, ptr %161, i64 8
+  br label %164
+164:
+  %165 = phi i64 [ %361, %363 ], [ %87, %154 ]
+  %166 = phi i64 [ %364, %363 ], [ %152, %154 ]
+  %167 = phi i64 [ %365, %363 ], [ %146, %154 ]
+  %168 = icmp slt i64 %167, 0
+  %169 = select i1 %168, i64 %20, i64 0
+  %170 = getelementptr i64, ptr %18, i64 %167
+  %171 = getelementptr i64, ptr %170, i64 %169
+  %172 = load i64, ptr %171, align 8
+  %173 = icmp slt i64 %172, 0
+  %174 = select i1 %173, i64 %10, i64 0
+  %175 = add i64 %174, %172
+  %176 = mul i64 %175, %12
+  %177 = getelementptr i64, ptr %8, i64 %176
+  %178 = getelementptr i8, ptr %177, i64 8
+  %179 = getelementptr i8, ptr %177, i64 16
+  br label %180
+180:
+  %181 = phi i64 [ %165, %164 ], [ %361, %360 ]
+  %182 = phi i64 [ 0, %164 ], [ %183, %360 ]
+  %183 = add nuw nsw i64 %182, 1
+  %184 = getelementptr i64, ptr %177, i64 %182
+  %185 = load i64, ptr %184, align 8
+  %186 = icmp eq i64 %185, %86
+  br i1 %186, label %360, label %187
+187:
+  %188 = icmp slt i64 %185, 0
+  %189 = select i1 %188, i64 %28, i64 0
+  %190 = getelementptr i64, ptr %26, i64 %185
+  %191 = getelementptr i64, ptr %190, i64 %189
+  %192 = load i64, ptr %191, align 8
+  %193 = icmp eq i64 %192, 1
+  %194 = load double, ptr %162, align 8
+  br i1 %193, label %218, label %195
+195:
+  %196 = load double, ptr %159, align 8
+  %197 = select i1 %188, i64 %4, i64 0
+  %198 = add i64 %197, %185
+  %199 = mul i64 %198, %6
+  %200 = getelementptr double, ptr %2, i64 %199
+  %201 = getelementptr i8, ptr %200, i64 16
+  %202 = load double, ptr %201, align 8
+  %203 = fsub double %202, %194
+  %204 = fmul double %203, %203
+  %205 = load double, ptr %200, align 8
+  %206 = load double, ptr %161, align 8
+  %207 = fsub double %205, %206
+  %208 = fmul double %207, %207
+  %209 = getelementptr i8, ptr %200, i64 8
+  %210 = load double, ptr %209, align 8
+  %211 = load double, ptr %163, align 8
+  %212 = fsub double %210, %211
+  %213 = fmul double %212, %212
+  %214 = fadd double %208, %213
+  %215 = fadd double %204, %214
+  %216 = tail call double @llvm.sqrt.f64(double %215)
+  %217 = fadd double %196, %216
+  br label %308
+218:
+  %219 = load i64, ptr %177, align 8
+  %220 = load i64, ptr %178, align 8
+  %221 = load i64, ptr %179, align 8
+  %222 = add i64 %185, %86
+  %223 = sub i64 %219, %222
+  %224 = add i64 %223, %220
+  %225 = add i64 %224, %221
+  %226 = select i1 %188, i64 %4, i64 0
+  %227 = add i64 %226, %185
+  %228 = mul i64 %227, %6
+  %229 = getelementptr double, ptr %2, i64 %228
+  %230 = getelementptr i8, ptr %229, i64 16
+  %231 = load double, ptr %230, align 8
+  %232 = fsub double %194, %231
+  %233 = fmul double %232, %232
+  %234 = load double, ptr %161, align 8
+  %235 = load double, ptr %229, align 8
+  %236 = fsub double %234, %235
+  %237 = fmul double %236, %236
+  %238 = load double, ptr %163, align 8
+  %239 = getelementptr i8, ptr %229, i64 8
+  %240 = load double, ptr %239, align 8
+  %241 = fsub double %238, %240
+  %242 = fmul double %241, %241
+  %243 = fadd double %237, %242
+  %244 = fadd double %233, %243
+  %245 = tail call double @llvm.sqrt.f64(double %244)
+  %246 = fcmp une double %244, 0.000000e+00
+  br i1 %246, label %274, label %308
+247:
+  %248 = fmul double %287, %287
+  %249 = fmul double %290, %290
+  %250 = fmul double %294, %294
+  %251 = fadd double %249, %250
+  %252 = fadd double %248, %251
+  %253 = fmul double %298, %298
+  %254 = fsub double %252, %253
+  %255 = fcmp olt double %254, 0.000000e+00
+  %256 = select i1 %255, double 0.000000e+00, double %254
+  %257 = tail call double @llvm.sqrt.f64(double %256)
+  %258 = tail call double @llvm.sqrt.f64(double %306)
+  %259 = fadd double %257, %258
+  %260 = fcmp ogt double %259, 0.000000e+00
+  br i1 %260, label %261, label %308
+261:
+  %262 = fsub double %298, %304
+  %263 = fmul double %262, %258
+  %264 = fdiv double %263, %259
+  %265 = fadd double %304, %264
+  %266 = fcmp oge double %265, 0.000000e+00
+  %267 = fcmp ole double %265, %245
+  %268 = and i1 %266, %267
+  br i1 %268, label %269, label %308
+269:
+  %270 = fmul double %262, %262
+  %271 = fmul double %259, %259
+  %272 = fadd double %270, %271
+  %273 = tail call double @llvm.sqrt.f64(double %272)
+  br label %308
+274:
+  %275 = load double, ptr %159, align 8
+  %276 = getelementptr double, ptr %22, i64 %185
+  %277 = select i1 %188, i64 %24, i64 0
+  %278 = getelementptr double, ptr %276, i64 %277
+  %279 = load double, ptr %278, align 8
+  %280 = icmp slt i64 %225, 0
+  %281 = select i1 %280, i64 %4, i64 0
+  %282 = add i64 %281, %225
+  %283 = mul i64 %282, %6
+  %284 = getelementptr double, ptr %2, i64 %283
+  %285 = getelementptr i8, ptr %284, i64 16
+  %286 = load double, ptr %285, align 8
+  %287 = fsub double %286, %231
+  %288 = fmul double %232, %287
+  %289 = load double, ptr %284, align 8
+  %290 = fsub double %289, %235
+  %291 = fmul double %236, %290
+  %292 = getelementptr i8, ptr %284, i64 8
+  %293 = load double, ptr %292, align 8
+  %294 = fsub double %293, %240
+  %295 = fmul double %241, %294
+  %296 = fadd double %291, %295
+  %297 = fadd double %288, %296
+  %298 = fdiv double %297, %245
+  %299 = fmul double %279, %279
+  %300 = fmul double %275, %275
+  %301 = fsub double %299, %300
+  %302 = fadd double %244, %301
+  %303 = fmul double %245, 2.000000e+00
+  %304 = fdiv double %302, %303
+  %305 = fmul double %304, %304
+  %306 = fsub double %299, %305
+  %307 = fcmp olt double %306, 0.000000e+00
+  br i1 %307, label %308, label %247
+308:
+  %309 = phi double [ %217, %195 ], [ 0x7FF0000000000000, %274 ], [ 0x7FF0000000000000, %218 ], [ %273, %269 ], [ 0x7FF0000000000000, %261 ], [ 0x7FF0000000000000, %247 ]
+  %310 = phi i64 [ %185, %195 ], [ %225, %274 ], [ %225, %218 ], [ %225, %269 ], [ %225, %261 ], [ %225, %247 ]
+  %311 = icmp slt i64 %310, 0
+  %312 = select i1 %311, i64 %28, i64 0
+  %313 = getelementptr i64, ptr %26, i64 %310
+  %314 = getelementptr i64, ptr %313, i64 %312
+  %315 = load i64, ptr %314, align 8
+  %316 = icmp eq i64 %315, 1
+  br i1 %316, label %360, label %317
+317:
+  %318 = select i1 %311, i64 %24, i64 0
+  %319 = getelementptr double, ptr %22, i64 %310
+  %320 = getelementptr double, ptr %319, i64 %318
+  %321 = load double, ptr %320, align 8
+  %322 = fcmp olt double %309, %321
+  br i1 %322, label %323, label %360
+323:
+  %324 = shl i64 %318, 3
+  %325 = getelementptr inbounds i8, ptr %319, i64 %324
+  store double %309, ptr %325, align 8
+  %326 = icmp sgt i64 %181, 0
+  br i1 %326, label %327, label %350
+327:
+  %328 = add nsw i64 %181, -1
+  %329 = lshr i64 %328, 1
+  %330 = getelementptr double, ptr %30, i64 %329
+  %331 = load double, ptr %330, align 8
+  %332 = fcmp ogt double %331, %309
+  br i1 %332, label %333, label %350
+333:
+  %334 = phi i64 [ %336, %344 ], [ %181, %327 ]
+  %335 = add nsw i64 %334, -1
+  %336 = lshr i64 %335, 1
+  %337 = getelementptr double, ptr %30, i64 %336
+  %338 = load double, ptr %337, align 8
+  %339 = getelementptr i64, ptr %34, i64 %336
+  %340 = load i64, ptr %339, align 8
+  %341 = getelementptr double, ptr %30, i64 %334
+  store double %338, ptr %341, align 8
+  %342 = getelementptr i64, ptr %34, i64 %334
+  store i64 %340, ptr %342, align 8
+  %343 = icmp eq i64 %336, 0
+  br i1 %343, label %350, label %344
+344:
+  %345 = add nsw i64 %336, -1
+  %346 = lshr i64 %345, 1
+  %347 = getelementptr double, ptr %30, i64 %346
+  %348 = load double, ptr %347, align 8
+  %349 = fcmp ogt double %348, %309
+  br i1 %349, label %333, label %350
+350:
+  %351 = phi i64 [ %181, %327 ], [ %181, %323 ], [ 0, %333 ], [ %336, %344 ]
+  %352 = icmp slt i64 %351, 0
+  %353 = select i1 %352, i64 %32, i64 0
+  %354 = getelementptr double, ptr %30, i64 %351
+  %355 = getelementptr double, ptr %354, i64 %353
+  store double %309, ptr %355, align 8
+  %356 = select i1 %352, i64 %36, i64 0
+  %357 = getelementptr i64, ptr %34, i64 %351
+  %358 = getelementptr i64, ptr %357, i64 %356
+  store i64 %310, ptr %358, align 8
+  %359 = add nsw i64 %181, 1
+  br label %360
+360:
+  %361 = phi i64 [ %181, %180 ], [ %181, %308 ], [ %181, %317 ], [ %359, %350 ]
+  %362 = icmp eq i64 %183, 3
+  br i1 %362, label %363, label %180
+363:
+  %364 = add nsw i64 %166, -1
+  %365 = add i64 %167, 1
+  %366 = icmp sgt i64 %166, 1
+  br i1 %366, label %164, label %367
+367:
+  %368 = phi i64 [ %87, %370 ], [ %87, %140 ], [ %361, %363 ]
+  %369 = icmp eq i64 %368, 0
+  br i1 %369, label %385, label %84
+370:
+  %371 = phi i64 [ 0, %84 ], [ %118, %125 ], [ %99, %117 ]
+  %372 = icmp slt i64 %371, 0
+  %373 = select i1 %372, i64 %32, i64 0
+  %374 = getelementptr double, ptr %30, i64 %371
+  %375 = getelementptr double, ptr %374, i64 %373
+  store double %92, ptr %375, align 8
+  %376 = select i1 %372, i64 %36, i64 0
+  %377 = getelementptr i64, ptr %34, i64 %371
+  %378 = getelementptr i64, ptr %377, i64 %376
+  store i64 %96, ptr %378, align 8
+  %379 = icmp slt i64 %86, 0
+  %380 = select i1 %379, i64 %28, i64 0
+  %381 = getelementptr i64, ptr %26, i64 %86
+  %382 = getelementptr i64, ptr %381, i64 %380
+  %383 = load i64, ptr %382, align 8
+  %384 = icmp eq i64 %383, 1
+  br i1 %384, label %367, label %140
+385:
   ret i64 0
 }
-
 declare i64 @llvm.smin.i64(i64, i64)
-
-declare void @llvm.lifetime.start.p0(ptr)
-
-declare void @llvm.lifetime.end.p0(ptr)
-
 declare void @llvm.memset.p0.i64(ptr writeonly, i8, i64, i1 immarg)
-
 declare { i8, i1 } @llvm.usub.with.overflow.i8(i8, i8)
-
-define i64 @msf_jax.host.thin.fronts.cap(ptr readonly %words) local_unnamed_addr {
-  %w0 = load ptr, ptr %words, align 8
-  %p1 = getelementptr i8, ptr %words, i64 8
-  %w1 = load i64, ptr %p1, align 8
-  %p2 = getelementptr i8, ptr %words, i64 16
-  %w2 = load i64, ptr %p2, align 8
-  %s3 = shl i64 %w2, 3
-  %p3 = getelementptr i8, ptr %words, i64 24
-  %w3 = load ptr, ptr %p3, align 8
-  %p4 = getelementptr i8, ptr %words, i64 32
-  %w4 = load i64, ptr %p4, align 8
-  %p5 = getelementptr i8, ptr %words, i64 40
-  %w5 = load i64, ptr %p5, align 8
-  %p6 = getelementptr i8, ptr %words, i64 48
-  %w6 = load ptr, ptr %p6, align 8
-  %p7 = getelementptr i8, ptr %words, i64 56
-  %w7 = load i64, ptr %p7, align 8
-  %p8 = getelementptr i8, ptr %words, i64 64
-  %w8 = load ptr, ptr %p8, align 8
-  %p9 = getelementptr i8, ptr %words, i64 72
-  %w9 = load i64, ptr %p9, align 8
-  %p10 = getelementptr i8, ptr %words, i64 80
-  %w10 = load ptr, ptr %p10, align 8
-  %p11 = getelementptr i8, ptr %words, i64 88
-  %w11 = load i64, ptr %p11, align 8
-  %p12 = getelementptr i8, ptr %words, i64 96
-  %w12 = load ptr, ptr %p12, align 8
-  %p13 = getelementptr i8, ptr %words, i64 104
-  %w13 = load i64, ptr %p13, align 8
-  %p14 = getelementptr i8, ptr %words, i64 112
-  %w14 = load i64, ptr %p14, align 8
-  %p15 = getelementptr i8, ptr %words, i64 120
-  %w15 = load ptr, ptr %p15, align 8
-  %p16 = getelementptr i8, ptr %words, i64 128
-  %w16 = load i64, ptr %p16, align 8
-  %p17 = getelementptr i8, ptr %words, i64 136
-  %w17 = load ptr, ptr %p17, align 8
-  %p18 = getelementptr i8, ptr %words, i64 144
-  %w18 = load i64, ptr %p18, align 8
-  %p19 = getelementptr i8, ptr %words, i64 152
-  %w19 = load ptr, ptr %p19, align 8
-  %p20 = getelementptr i8, ptr %words, i64 160
-  %w20 = load i64, ptr %p20, align 8
-  %p21 = getelementptr i8, ptr %words, i64 168
-  %w21 = load ptr, ptr %p21, align 8
-  %p22 = getelementptr i8, ptr %words, i64 176
-  %w22 = load i64, ptr %p22, align 8
-  %p23 = getelementptr i8, ptr %words, i64 184
-  %w23 = load ptr, ptr %p23, align 8
-  %p24 = getelementptr i8, ptr %words, i64 192
-  %w24 = load i64, ptr %p24, align 8
-  %p25 = getelementptr i8, ptr %words, i64 200
-  %w25 = load ptr, ptr %p25, align 8
-  %p26 = getelementptr i8, ptr %words, i64 208
-  %w26 = load i64, ptr %p26, align 8
-  %p27 = getelementptr i8, ptr %words, i64 216
-  %w27 = load ptr, ptr %p27, align 8
-  %p28 = getelementptr i8, ptr %words, i64 224
-  %w28 = load i64, ptr %p28, align 8
-  %p29 = getelementptr i8, ptr %words, i64 232
-  %w29 = load ptr, ptr %p29, align 8
-  %p30 = getelementptr i8, ptr %words, i64 240
-  %w30 = load i64, ptr %p30, align 8
-  %p31 = getelementptr i8, ptr %words, i64 248
-  %w31 = load i64, ptr %p31, align 8
-  %p32 = getelementptr i8, ptr %words, i64 256
-  %w32 = load double, ptr %p32, align 8
-  %p33 = getelementptr i8, ptr %words, i64 264
-  %w33 = load double, ptr %p33, align 8
-  %p34 = getelementptr i8, ptr %words, i64 272
-  %w34 = load double, ptr %p34, align 8
-  %p35 = getelementptr i8, ptr %words, i64 280
-  %w35 = load double, ptr %p35, align 8
-  %p36 = getelementptr i8, ptr %words, i64 288
-  %w36 = load double, ptr %p36, align 8
-  %p37 = getelementptr i8, ptr %words, i64 296
-  %w37 = load ptr, ptr %p37, align 8
-  %p38 = getelementptr i8, ptr %words, i64 304
-  %w38 = load i64, ptr %p38, align 8
-  %p39 = getelementptr i8, ptr %words, i64 312
-  %w39 = load ptr, ptr %p39, align 8
-  %p40 = getelementptr i8, ptr %words, i64 320
-  %w40 = load i64, ptr %p40, align 8
-  %p41 = getelementptr i8, ptr %words, i64 328
-  %w41 = load i64, ptr %p41, align 8
-  %s60 = shl i64 %w41, 3
-  %p42 = getelementptr i8, ptr %words, i64 336
-  %w42 = load ptr, ptr %p42, align 8
-  %p43 = getelementptr i8, ptr %words, i64 344
-  %w43 = load i64, ptr %p43, align 8
-  %.241.i = add nsw i64 %w40, -1
-  %.261.i = tail call i64 @llvm.smin.i64(i64 %w40, i64 0)
-  %.262.i = add i64 %.241.i, %.261.i
-  %.279.i = mul i64 %.262.i, %w41
-  %.281.i = getelementptr double, ptr %w39, i64 %.279.i
-  %.323.i = add i64 %w40, 2305843009213693950
-  %.342.i = icmp slt i64 %w40, 2
-  %.343.i = select i1 %.342.i, i64 %w40, i64 0
-  %.344.i = add i64 %.323.i, %.343.i
-  %.411.i = add nsw i64 %w40, -3
-  %.430.i = icmp slt i64 %w40, 3
-  %.431.i = select i1 %.430.i, i64 %w40, i64 0
-  %.432.i = add i64 %.411.i, %.431.i
-  %.449.i = mul i64 %.432.i, %w41
-  %.451.i = getelementptr double, ptr %w39, i64 %.449.i
-  %.493.i = add nsw i64 %w40, -4
-  %.512.i = icmp slt i64 %w40, 4
-  %.513.i = select i1 %.512.i, i64 %w40, i64 0
-  %.514.i = add i64 %.513.i, %.493.i
-  %.531.i = mul i64 %.514.i, %w41
-  %.533.i = getelementptr double, ptr %w39, i64 %.531.i
-  %.583.i = icmp slt i64 %w31, 0
-  %.584.i = select i1 %.583.i, i64 %w16, i64 0
-  %1 = getelementptr double, ptr %w15, i64 %w31
-  %.598.i = getelementptr double, ptr %1, i64 %.584.i
-  store double 0.000000e+00, ptr %.598.i, align 8
-  store double 0.000000e+00, ptr %w25, align 8
-  store i64 %w31, ptr %w27, align 8
-  %2 = shl i64 %w16, 3
-  %scevgep250.i = getelementptr i8, ptr %w42, i64 24
-  %factor.op.mul.reass.i = mul i64 %s60, %.344.i
-  %sunkaddr373.i = getelementptr i8, ptr %w39, i64 %factor.op.mul.reass.i
-  %3 = shl i64 %w11, 3
-  %sunkaddr374.i = getelementptr i8, ptr %.533.i, i64 8
-  %sunkaddr375.i = getelementptr i8, ptr %.533.i, i64 16
-  %sunkaddr376.i = getelementptr i8, ptr %.533.i, i64 24
-  %sunkaddr377.i = getelementptr i8, ptr %.533.i, i64 32
-  %sunkaddr1.i.i = getelementptr i8, ptr %.281.i, i64 8
-  %sunkaddr.i36.i = getelementptr i8, ptr %.281.i, i64 16
-  %sunkaddr2.i.i = getelementptr i8, ptr %.281.i, i64 24
-  %sunkaddr3.i.i = getelementptr i8, ptr %.281.i, i64 32
-  %sunkaddr4.i.i = getelementptr i8, ptr %.281.i, i64 40
-  %sunkaddr5.i.i = getelementptr i8, ptr %.281.i, i64 48
-  %sunkaddr6.i.i = getelementptr i8, ptr %.281.i, i64 56
-  %sunkaddr7.i.i = getelementptr i8, ptr %.281.i, i64 64
-  %sunkaddr385.i = getelementptr i8, ptr %sunkaddr373.i, i64 8
-  %sunkaddr389.i = getelementptr i8, ptr %sunkaddr373.i, i64 16
-  %sunkaddr393.i = getelementptr i8, ptr %sunkaddr373.i, i64 24
-  %sunkaddr83.i.i = getelementptr i8, ptr %.451.i, i64 8
-  %sunkaddr84.i.i = getelementptr i8, ptr %.451.i, i64 16
-  %sunkaddr85.i.i = getelementptr i8, ptr %.451.i, i64 24
-  %sunkaddr86.i.i = getelementptr i8, ptr %.451.i, i64 32
-  br label %B316.preheader.i
-
-B316.preheader.i:                                 ; preds = %B568.i, %0
-  %size.3.03910.i = phi i64 [ 1, %0 ], [ %size.4.1.i, %B568.i ]
-  %slenderest.6.03909.i = phi double [ 0xFFF0000000000000, %0 ], [ %.us-phi3608.i, %B568.i ]
-  %last.5.03908.i = phi double [ 0x7FF0000000000000, %0 ], [ %.us-phi3607.i, %B568.i ]
-  %size_of_region.3.03907.i = phi i64 [ 0, %0 ], [ %.us-phi3606.i, %B568.i ]
-  %count.2.03906.i = phi i64 [ 0, %0 ], [ %count.3.1.i, %B568.i ]
-  %rows.5.03905.i = phi i64 [ 0, %0 ], [ %.us-phi3605.i, %B568.i ]
-  %level.3.03904.i = phi double [ %w32, %0 ], [ %.us-phi3604.i, %B568.i ]
-  %.1146.i = icmp sgt i64 %count.2.03906.i, 5
-  br i1 %.1146.i, label %B316.preheader3975.i, label %B316.preheader.split.us.split.i
-
-B316.preheader3975.i:                             ; preds = %B316.preheader.i
-  %xtraiter143.i = and i64 %count.2.03906.i, 3
-  %unroll_iter146.i = and i64 %count.2.03906.i, 9223372036854775804
-  %4 = shl i64 %count.2.03906.i, 3
-  %scevgep251.i = getelementptr i8, ptr %scevgep250.i, i64 %4
-  %scevgep259.i = getelementptr i8, ptr %w42, i64 %4
-  %5 = icmp eq i64 %xtraiter143.i, 0
-  br label %B316.i
-
-B316.preheader.split.us.split.i:                  ; preds = %B316.preheader.i
-  %.775.us.i = load double, ptr %w25, align 8
-  %.780.us3640.i = fcmp olt double %.775.us.i, %level.3.03904.i
-  br i1 %.780.us3640.i, label %B380.i, label %B570.us.i
-
-B570.us.i:                                        ; preds = %B316.preheader.split.us.split.i, %B570.us.i
-  %level.2.2.us3641.i = phi double [ %.5543.us.i, %B570.us.i ], [ %level.3.03904.i, %B316.preheader.split.us.split.i ]
-  %.5543.us.i = fmul double %w33, %level.2.2.us3641.i
-  %.780.us.i = fcmp olt double %.775.us.i, %.5543.us.i
-  br i1 %.780.us.i, label %B380.i, label %B570.us.i
-
-B316.i:                                           ; preds = %B2584.i, %B316.preheader3975.i
-  %level.2.2.i = phi double [ %.5543.i, %B2584.i ], [ %level.3.03904.i, %B316.preheader3975.i ]
-  %rows.2.2.i = phi i64 [ %rows.3.3.i, %B2584.i ], [ %rows.5.03905.i, %B316.preheader3975.i ]
-  %size_of_region.4.2.i = phi i64 [ %size_of_region.5.3.i, %B2584.i ], [ %size_of_region.3.03907.i, %B316.preheader3975.i ]
-  %last.2.2.i = phi double [ %last.3.3.i, %B2584.i ], [ %last.5.03908.i, %B316.preheader3975.i ]
-  %slenderest.2.2.i = phi double [ %slenderest.3.3.i, %B2584.i ], [ %slenderest.6.03909.i, %B316.preheader3975.i ]
-  %.775.i = load double, ptr %w25, align 8
-  %.780.i = fcmp olt double %.775.i, %level.2.2.i
-  br i1 %.780.i, label %B380.i, label %B570.i
-
-B380.i:                                           ; preds = %B570.us.i, %B316.i, %B316.preheader.split.us.split.i
-  %.us-phi3604.i = phi double [ %level.2.2.i, %B316.i ], [ %level.3.03904.i, %B316.preheader.split.us.split.i ], [ %.5543.us.i, %B570.us.i ]
-  %.us-phi3605.i = phi i64 [ %rows.2.2.i, %B316.i ], [ %rows.5.03905.i, %B316.preheader.split.us.split.i ], [ %rows.5.03905.i, %B570.us.i ]
-  %.us-phi3606.i = phi i64 [ %size_of_region.4.2.i, %B316.i ], [ %size_of_region.3.03907.i, %B316.preheader.split.us.split.i ], [ %size_of_region.3.03907.i, %B570.us.i ]
-  %.us-phi3607.i = phi double [ %last.2.2.i, %B316.i ], [ %last.5.03908.i, %B316.preheader.split.us.split.i ], [ %last.5.03908.i, %B570.us.i ]
-  %.us-phi3608.i = phi double [ %slenderest.2.2.i, %B316.i ], [ %slenderest.6.03909.i, %B316.preheader.split.us.split.i ], [ %slenderest.6.03909.i, %B570.us.i ]
-  %.us-phi3609.i = load i64, ptr %w27, align 8
-  %.79.i.i = add nsw i64 %size.3.03910.i, -1
-  %.98.i.i = icmp slt i64 %size.3.03910.i, 1
-  %.99.i.i = select i1 %.98.i.i, i64 %w26, i64 0
-  %6 = getelementptr double, ptr %w25, i64 %.79.i.i
-  %.113.i.i = getelementptr double, ptr %6, i64 %.99.i.i
-  %.114.i.i = load double, ptr %.113.i.i, align 8
-  %.131.i.i = select i1 %.98.i.i, i64 %w28, i64 0
-  %7 = getelementptr i64, ptr %w27, i64 %.79.i.i
-  %.145.i.i = getelementptr i64, ptr %7, i64 %.131.i.i
-  %.146.i.i = load i64, ptr %.145.i.i, align 8
-  %.162.i.i = icmp sgt i64 %size.3.03910.i, 2
-  br i1 %.162.i.i, label %B94.i.i, label %B380.endif.i
-
-B94.i.i:                                          ; preds = %B380.i, %B236.i.i
-  %at.2.0.i.i = phi i64 [ %child.2.1.i.i, %B236.i.i ], [ 0, %B380.i ]
-  %.170.i.i = shl nsw i64 %at.2.0.i.i, 1
-  %.171.i.i = or disjoint i64 %.170.i.i, 1
-  %.180.i.i = add nsw i64 %.170.i.i, 2
-  %.182.i.i = icmp slt i64 %.180.i.i, %.79.i.i
-  br i1 %.182.i.i, label %B128.i.i, label %B200.i.i
-
-B128.i.i:                                         ; preds = %B94.i.i
-  %.203.i.i = icmp slt i64 %at.2.0.i.i, -1
-  %.204.i.i = select i1 %.203.i.i, i64 %w26, i64 0
-  %8 = getelementptr double, ptr %w25, i64 %.180.i.i
-  %.218.i.i = getelementptr double, ptr %8, i64 %.204.i.i
-  %.219.i.i = load double, ptr %.218.i.i, align 8
-  %.235.i.i = icmp slt i64 %at.2.0.i.i, 0
-  %.236.i.i = select i1 %.235.i.i, i64 %w26, i64 0
-  %9 = getelementptr double, ptr %w25, i64 %.171.i.i
-  %.250.i.i = getelementptr double, ptr %9, i64 %.236.i.i
-  %.251.i.i = load double, ptr %.250.i.i, align 8
-  %.252.i.i = fcmp olt double %.219.i.i, %.251.i.i
-  br i1 %.252.i.i, label %B190.i.i, label %B200.i.i
-
-B190.i.i:                                         ; preds = %B128.i.i
-  br label %B200.i.i
-
-B200.i.i:                                         ; preds = %B190.i.i, %B128.i.i, %B94.i.i
-  %child.2.1.i.i = phi i64 [ %.180.i.i, %B190.i.i ], [ %.171.i.i, %B128.i.i ], [ %.171.i.i, %B94.i.i ]
-  %.278.i.i = icmp slt i64 %child.2.1.i.i, 0
-  %.279.i.i = select i1 %.278.i.i, i64 %w26, i64 0
-  %10 = getelementptr double, ptr %w25, i64 %child.2.1.i.i
-  %.293.i.i = getelementptr double, ptr %10, i64 %.279.i.i
-  %.294.i.i = load double, ptr %.293.i.i, align 8
-  %.296.i.i = fcmp ult double %.294.i.i, %.114.i.i
-  br i1 %.296.i.i, label %B236.i.i, label %B380.endif.i
-
-B236.i.i:                                         ; preds = %B200.i.i
-  %.354.i.i = select i1 %.278.i.i, i64 %w28, i64 0
-  %11 = getelementptr i64, ptr %w27, i64 %child.2.1.i.i
-  %.368.i.i = getelementptr i64, ptr %11, i64 %.354.i.i
-  %.369.i.i = load i64, ptr %.368.i.i, align 8
-  %.385.i.i = icmp slt i64 %at.2.0.i.i, 0
-  %.386.i.i = select i1 %.385.i.i, i64 %w26, i64 0
-  %12 = getelementptr double, ptr %w25, i64 %at.2.0.i.i
-  %.400.i.i = getelementptr double, ptr %12, i64 %.386.i.i
-  store double %.294.i.i, ptr %.400.i.i, align 8
-  %.418.i.i = select i1 %.385.i.i, i64 %w28, i64 0
-  %13 = getelementptr i64, ptr %w27, i64 %at.2.0.i.i
-  %.432.i.i = getelementptr i64, ptr %13, i64 %.418.i.i
-  store i64 %.369.i.i, ptr %.432.i.i, align 8
-  %.441.i.i = shl nsw i64 %child.2.1.i.i, 1
-  %.442.i.i = or disjoint i64 %.441.i.i, 1
-  %.444.i.i = icmp slt i64 %.442.i.i, %.79.i.i
-  br i1 %.444.i.i, label %B94.i.i, label %B380.endif.i
-
-B446.i:                                           ; preds = %B380.endif.i
-  %sunkaddr.i = shl i64 %.860.i, 3
-  %sunkaddr274.i = getelementptr inbounds i8, ptr %158, i64 %sunkaddr.i
-  store i64 1, ptr %sunkaddr274.i, align 8
-  %.932.i = icmp slt i64 %count.2.03906.i, 0
-  %.933.i = select i1 %.932.i, i64 %w20, i64 0
-  %14 = getelementptr i64, ptr %w19, i64 %count.2.03906.i
-  %.947.i = getelementptr i64, ptr %14, i64 %.933.i
-  store i64 %.us-phi3609.i, ptr %.947.i, align 8
-  %.950.i = add i64 %count.2.03906.i, 1
-  %.958.i = icmp eq i64 %.us-phi3609.i, %w31
-  br i1 %.958.i, label %B530.i, label %B508.i
-
-B508.i:                                           ; preds = %B446.i
-  %.978.i = select i1 %.859.i, i64 %w38, i64 0
-  %15 = getelementptr i64, ptr %w37, i64 %.us-phi3609.i
-  %.992.i = getelementptr i64, ptr %15, i64 %.978.i
-  %.993.i = load i64, ptr %.992.i, align 8
-  %.994.i = icmp eq i64 %.993.i, 0
-  br label %B530.i
-
-B530.i:                                           ; preds = %B508.i, %B446.i
-  %"$phi530.0.2.1.i" = phi i1 [ true, %B446.i ], [ %.994.i, %B508.i ]
-  %.184.i.i = select i1 %.859.i, i64 %w9, i64 0
-  %16 = getelementptr i64, ptr %w8, i64 %.us-phi3609.i
-  %.198.i.i = getelementptr i64, ptr %16, i64 %.184.i.i
-  %.199.i.i = load i64, ptr %.198.i.i, align 8
-  %.216.i.i = icmp slt i64 %.us-phi3609.i, -1
-  %.217.i.i = select i1 %.216.i.i, i64 %w9, i64 0
-  %17 = getelementptr i8, ptr %16, i64 8
-  %.231.i.i = getelementptr i64, ptr %17, i64 %.217.i.i
-  %.232.i.i = load i64, ptr %.231.i.i, align 8
-  %.269.i.i = sub i64 %.232.i.i, %.199.i.i
-  %.314785.not.i.i = icmp slt i64 %.269.i.i, 1
-  br i1 %.314785.not.i.i, label %B568.i, label %B130.endif.endif.us.preheader.i.i
-
-B130.endif.endif.us.preheader.i.i:                ; preds = %B530.i
-  %18 = getelementptr double, ptr %w15, i64 %.us-phi3609.i
-  %.99.i.i.i = select i1 %.859.i, i64 %w1, i64 0
-  %.100.i.i.i = add i64 %.99.i.i.i, %.us-phi3609.i
-  %sunkaddr.i.i = select i1 %.859.i, i64 %2, i64 0
-  %.120.i.reass.i.i = mul i64 %s3, %.100.i.i.i
-  %sunkaddr275.i = getelementptr inbounds i8, ptr %18, i64 %sunkaddr.i.i
-  %sunkaddr276.i = getelementptr i8, ptr %w0, i64 %.120.i.reass.i.i
-  %sunkaddr277.i = getelementptr i8, ptr %sunkaddr276.i, i64 16
-  %sunkaddr280.i = getelementptr i8, ptr %sunkaddr276.i, i64 8
-  %.67.i.i3.i = mul i64 %.100.i.i.i, %w2
-  %19 = getelementptr double, ptr %w0, i64 %.67.i.i3.i
-  %.71.i.i4.i = getelementptr i8, ptr %19, i64 16
-  %.501.i.i15.i = getelementptr i8, ptr %19, i64 8
-  br label %B130.endif.endif.us.i.i
-
-B130.endif.endif.us.i.i:                          ; preds = %B188.B128.loopexit_crit_edge.us.i.i, %B130.endif.endif.us.preheader.i.i
-  %size.3.0788.us.i.i = phi i64 [ %size.4.2.us.i.i, %B188.B128.loopexit_crit_edge.us.i.i ], [ %.79.i.i, %B130.endif.endif.us.preheader.i.i ]
-  %.313775787.us.i.i = phi i64 [ %.323.us.i.i, %B188.B128.loopexit_crit_edge.us.i.i ], [ %.269.i.i, %B130.endif.endif.us.preheader.i.i ]
-  %.320778786.us.i.i = phi i64 [ %.327.us.i.i, %B188.B128.loopexit_crit_edge.us.i.i ], [ %.199.i.i, %B130.endif.endif.us.preheader.i.i ]
-  %.372.us.i.i = icmp slt i64 %.320778786.us.i.i, 0
-  %.373.us.i.i = select i1 %.372.us.i.i, i64 %w11, i64 0
-  %20 = getelementptr i64, ptr %w10, i64 %.320778786.us.i.i
-  %.387.us.i.i = getelementptr i64, ptr %20, i64 %.373.us.i.i
-  %.388.us.i.i = load i64, ptr %.387.us.i.i, align 8
-  %.532.us.i.i = icmp slt i64 %.388.us.i.i, 0
-  %.533.us.i.i = select i1 %.532.us.i.i, i64 %w4, i64 0
-  %.534.us.i.i = add i64 %.533.us.i.i, %.388.us.i.i
-  %.554.us.i.i = mul i64 %.534.us.i.i, %w5
-  %21 = getelementptr i64, ptr %w3, i64 %.554.us.i.i
-  %sunkaddr281.i = getelementptr i8, ptr %21, i64 8
-  %sunkaddr282.i = getelementptr i8, ptr %21, i64 16
-  br label %B190.us.i.i
-
-B190.us.i.i:                                      ; preds = %B599.us.i.i, %B130.endif.endif.us.i.i
-  %size.2.1772.us.i.i = phi i64 [ %size.3.0788.us.i.i, %B130.endif.endif.us.i.i ], [ %size.4.2.us.i.i, %B599.us.i.i ]
-  %.477766770.us.i.i = phi i64 [ 0, %B130.endif.endif.us.i.i ], [ %.484.us.i.i, %B599.us.i.i ]
-  %.484.us.i.i = add nuw nsw i64 %.477766770.us.i.i, 1
-  %22 = getelementptr i64, ptr %21, i64 %.477766770.us.i.i
-  %.559.us.i.i = load i64, ptr %22, align 8
-  %.565.us.i.i = icmp eq i64 %.559.us.i.i, %.us-phi3609.i
-  br i1 %.565.us.i.i, label %B599.us.i.i, label %B226.us.i.i
-
-B226.us.i.i:                                      ; preds = %B190.us.i.i
-  %.765.us.i.i = icmp slt i64 %.559.us.i.i, 0
-  %.766.us.i.i = select i1 %.765.us.i.i, i64 %w18, i64 0
-  %23 = getelementptr i64, ptr %w17, i64 %.559.us.i.i
-  %.780.us.i.i = getelementptr i64, ptr %23, i64 %.766.us.i.i
-  %.781.us.i.i = load i64, ptr %.780.us.i.i, align 8
-  %.782.us.i.i = icmp eq i64 %.781.us.i.i, 1
-  br i1 %.782.us.i.i, label %B336.us.i.i, label %B406.endif.us.i.i
-
-B406.endif.us.i.i:                                ; preds = %B226.us.i.i
-  %.923.us.i.i = load double, ptr %sunkaddr275.i, align 8
-  %.46.i.i.i = select i1 %.765.us.i.i, i64 %w1, i64 0
-  %.47.i.i.i = add i64 %.46.i.i.i, %.559.us.i.i
-  %.67.i.i.i = mul i64 %.47.i.i.i, %w2
-  %24 = getelementptr double, ptr %w0, i64 %.67.i.i.i
-  %.71.i.i.i = getelementptr i8, ptr %24, i64 16
-  %.72.i.i.i = load double, ptr %.71.i.i.i, align 8
-  %.125.i.i.i = load double, ptr %sunkaddr277.i, align 8
-  %.126.i.i.i = fsub double %.72.i.i.i, %.125.i.i.i
-  %.234.i.i.i = fmul double %.126.i.i.i, %.126.i.i.i
-  %.287.i.i.i = load double, ptr %24, align 8
-  %.340.i.i.i = load double, ptr %sunkaddr276.i, align 8
-  %.341.i.i.i = fsub double %.287.i.i.i, %.340.i.i.i
-  %.449.i.i.i = fmul double %.341.i.i.i, %.341.i.i.i
-  %.501.i.i.i = getelementptr i8, ptr %24, i64 8
-  %.502.i.i.i = load double, ptr %.501.i.i.i, align 8
-  %.555.i.i.i = load double, ptr %sunkaddr280.i, align 8
-  %.556.i.i.i = fsub double %.502.i.i.i, %.555.i.i.i
-  %.664.i.i.i = fmul double %.556.i.i.i, %.556.i.i.i
-  %.665.i.i.i = fadd double %.449.i.i.i, %.664.i.i.i
-  %.666.i.i.i = fadd double %.234.i.i.i, %.665.i.i.i
-  %sqrt.i.i = tail call double @llvm.sqrt.f64(double %.666.i.i.i)
-  %.958.us.i.i = fadd double %.923.us.i.i, %sqrt.i.i
-  br label %B490.us.i.i
-
-B336.us.i.i:                                      ; preds = %B226.us.i.i
-  %.630.us.i.i = load i64, ptr %21, align 8
-  %.685.us.i.i = load i64, ptr %sunkaddr281.i, align 8
-  %.741.us.i.i = load i64, ptr %sunkaddr282.i, align 8
-  %25 = add i64 %.559.us.i.i, %.us-phi3609.i
-  %.686.us.i.i = sub i64 %.630.us.i.i, %25
-  %.742.us.i.i = add i64 %.686.us.i.i, %.685.us.i.i
-  %.746.us.i.i = add i64 %.742.us.i.i, %.741.us.i.i
-  %.72.i.i5.i = load double, ptr %.71.i.i4.i, align 8
-  %.99.i.i6.i = select i1 %.765.us.i.i, i64 %w1, i64 0
-  %.100.i.i7.i = add i64 %.99.i.i6.i, %.559.us.i.i
-  %.120.i.i.i = mul i64 %.100.i.i7.i, %w2
-  %26 = getelementptr double, ptr %w0, i64 %.120.i.i.i
-  %.124.i.i.i = getelementptr i8, ptr %26, i64 16
-  %.125.i.i8.i = load double, ptr %.124.i.i.i, align 8
-  %.126.i.i9.i = fsub double %.72.i.i5.i, %.125.i.i8.i
-  %.234.i.i10.i = fmul double %.126.i.i9.i, %.126.i.i9.i
-  %.287.i.i11.i = load double, ptr %19, align 8
-  %.340.i.i12.i = load double, ptr %26, align 8
-  %.341.i.i13.i = fsub double %.287.i.i11.i, %.340.i.i12.i
-  %.449.i.i14.i = fmul double %.341.i.i13.i, %.341.i.i13.i
-  %.502.i.i16.i = load double, ptr %.501.i.i15.i, align 8
-  %.554.i.i.i = getelementptr i8, ptr %26, i64 8
-  %.555.i.i17.i = load double, ptr %.554.i.i.i, align 8
-  %.556.i.i18.i = fsub double %.502.i.i16.i, %.555.i.i17.i
-  %.664.i.i19.i = fmul double %.556.i.i18.i, %.556.i.i18.i
-  %.665.i.i20.i = fadd double %.449.i.i14.i, %.664.i.i19.i
-  %.666.i.i21.i = fadd double %.234.i.i10.i, %.665.i.i20.i
-  %sqrt77.i.i = tail call double @llvm.sqrt.f64(double %.666.i.i21.i)
-  %.79.i22.i = fcmp une double %.666.i.i21.i, 0.000000e+00
-  br i1 %.79.i22.i, label %B96.endif.endif.endif.endif.i.i, label %B490.us.i.i
-
-B328.i.i:                                         ; preds = %B96.endif.endif.endif.endif.i.i
-  %.234.i59.i.i = fmul double %.233.i20.i.i, %.233.i20.i.i
-  %.449.i65.i.i = fmul double %.448.i26.i.i, %.448.i26.i.i
-  %.664.i74.i.i = fmul double %.663.i35.i.i, %.663.i35.i.i
-  %.665.i75.i.i = fadd double %.449.i65.i.i, %.664.i74.i.i
-  %.666.i76.i.i = fadd double %.234.i59.i.i, %.665.i75.i.i
-  %.183.i.i = fmul double %.138.i.i, %.138.i.i
-  %.184.i26.i = fsub double %.666.i76.i.i, %.183.i.i
-  %.10.i.i.i = fcmp olt double %.184.i26.i, 0.000000e+00
-  %.11.i.i.i = select i1 %.10.i.i.i, double 0.000000e+00, double %.184.i26.i
-  %sqrt78.i.i = tail call double @llvm.sqrt.f64(double %.11.i.i.i)
-  %.269.i27.i = tail call double @sqrt(double %.248.i.i)
-  %.277.i.i = fadd double %sqrt78.i.i, %.269.i27.i
-  %.279.i28.i = fcmp ogt double %.277.i.i, 0.000000e+00
-  br i1 %.279.i28.i, label %B412.i.i, label %B490.us.i.i
-
-B412.i.i:                                         ; preds = %B328.i.i
-  %.283.i.i = fsub double %.138.i.i, %.236.i25.i
-  %.285.i.i = fmul double %.283.i.i, %.269.i27.i
-  %.292.i.i = fdiv double %.285.i.i, %.277.i.i
-  %.294.i29.i = fadd double %.236.i25.i, %.292.i.i
-  %.306.i30.i = fcmp oge double %.294.i29.i, 0.000000e+00
-  %.313.i.i = fcmp ole double %.294.i29.i, %sqrt77.i.i
-  %or.cond.i.i = and i1 %.306.i30.i, %.313.i.i
-  br i1 %or.cond.i.i, label %B446.i.i, label %B490.us.i.i
-
-B446.i.i:                                         ; preds = %B412.i.i
-  %.343.i.i = fmul double %.283.i.i, %.283.i.i
-  %.354.i31.i = fmul double %.277.i.i, %.277.i.i
-  %.355.i.i = fadd double %.343.i.i, %.354.i31.i
-  %sqrt.i32.i = tail call double @llvm.sqrt.f64(double %.355.i.i)
-  br label %B490.us.i.i
-
-B96.endif.endif.endif.endif.i.i:                  ; preds = %B336.us.i.i
-  %.846.us.i.i = load double, ptr %sunkaddr275.i, align 8
-  %27 = getelementptr double, ptr %w15, i64 %.559.us.i.i
-  %.800.us.i.i = select i1 %.765.us.i.i, i64 %w16, i64 0
-  %.814.us.i.i = getelementptr double, ptr %27, i64 %.800.us.i.i
-  %.815.us.i.i = load double, ptr %.814.us.i.i, align 8
-  %.152.i14.i.i = icmp slt i64 %.746.us.i.i, 0
-  %.153.i15.i.i = select i1 %.152.i14.i.i, i64 %w1, i64 0
-  %.154.i16.i.i = add i64 %.153.i15.i.i, %.746.us.i.i
-  %.174.i17.i.i = mul i64 %.154.i16.i.i, %w2
-  %28 = getelementptr double, ptr %w0, i64 %.174.i17.i.i
-  %.178.i18.i.i = getelementptr i8, ptr %28, i64 16
-  %.179.i19.i.i = load double, ptr %.178.i18.i.i, align 8
-  %.233.i20.i.i = fsub double %.179.i19.i.i, %.125.i.i8.i
-  %.234.i21.i.i = fmul double %.126.i.i9.i, %.233.i20.i.i
-  %.394.i25.i.i = load double, ptr %28, align 8
-  %.448.i26.i.i = fsub double %.394.i25.i.i, %.340.i.i12.i
-  %.449.i27.i.i = fmul double %.341.i.i13.i, %.448.i26.i.i
-  %.608.i33.i.i = getelementptr i8, ptr %28, i64 8
-  %.609.i34.i.i = load double, ptr %.608.i33.i.i, align 8
-  %.663.i35.i.i = fsub double %.609.i34.i.i, %.555.i.i17.i
-  %.664.i36.i.i = fmul double %.556.i.i18.i, %.663.i35.i.i
-  %.665.i37.i.i = fadd double %.449.i27.i.i, %.664.i36.i.i
-  %.666.i38.i.i = fadd double %.234.i21.i.i, %.665.i37.i.i
-  %.138.i.i = fdiv double %.666.i38.i.i, %sqrt77.i.i
-  %.219.i23.i = fmul double %.815.us.i.i, %.815.us.i.i
-  %.222.i.i = fmul double %.846.us.i.i, %.846.us.i.i
-  %.225.i.i = fsub double %.219.i23.i, %.222.i.i
-  %.227.i.i = fadd double %.666.i.i21.i, %.225.i.i
-  %.232.i24.i = fmul double %sqrt77.i.i, 2.000000e+00
-  %.236.i25.i = fdiv double %.227.i.i, %.232.i24.i
-  %.247.i.i = fmul double %.236.i25.i, %.236.i25.i
-  %.248.i.i = fsub double %.219.i23.i, %.247.i.i
-  %.254.i.i = fcmp olt double %.248.i.i, 0.000000e+00
-  br i1 %.254.i.i, label %B490.us.i.i, label %B328.i.i
-
-B490.us.i.i:                                      ; preds = %B96.endif.endif.endif.endif.i.i, %B446.i.i, %B412.i.i, %B328.i.i, %B336.us.i.i, %B406.endif.us.i.i
-  %away.2.3.us.i.i = phi double [ %.958.us.i.i, %B406.endif.us.i.i ], [ 0x7FF0000000000000, %B96.endif.endif.endif.endif.i.i ], [ 0x7FF0000000000000, %B336.us.i.i ], [ %sqrt.i32.i, %B446.i.i ], [ 0x7FF0000000000000, %B412.i.i ], [ 0x7FF0000000000000, %B328.i.i ]
-  %target.2.3.us.i.i = phi i64 [ %.559.us.i.i, %B406.endif.us.i.i ], [ %.746.us.i.i, %B96.endif.endif.endif.endif.i.i ], [ %.746.us.i.i, %B336.us.i.i ], [ %.746.us.i.i, %B446.i.i ], [ %.746.us.i.i, %B412.i.i ], [ %.746.us.i.i, %B328.i.i ]
-  %.986.us.i.i = icmp slt i64 %target.2.3.us.i.i, 0
-  %.987.us.i.i = select i1 %.986.us.i.i, i64 %w18, i64 0
-  %29 = getelementptr i64, ptr %w17, i64 %target.2.3.us.i.i
-  %.1001.us.i.i = getelementptr i64, ptr %29, i64 %.987.us.i.i
-  %.1002.us.i.i = load i64, ptr %.1001.us.i.i, align 8
-  %.1003.not.us.i.i = icmp eq i64 %.1002.us.i.i, 1
-  br i1 %.1003.not.us.i.i, label %B599.us.i.i, label %B524.us.i.i
-
-B524.us.i.i:                                      ; preds = %B490.us.i.i
-  %.1023.us.i.i = select i1 %.986.us.i.i, i64 %w16, i64 0
-  %30 = getelementptr double, ptr %w15, i64 %target.2.3.us.i.i
-  %.1037.us.i.i = getelementptr double, ptr %30, i64 %.1023.us.i.i
-  %.1038.us.i.i = load double, ptr %.1037.us.i.i, align 8
-  %.1040.us.i.i = fcmp olt double %away.2.3.us.i.i, %.1038.us.i.i
-  br i1 %.1040.us.i.i, label %B548.us.i.i, label %B599.us.i.i
-
-B548.us.i.i:                                      ; preds = %B524.us.i.i
-  %sunkaddr17.i.i = shl i64 %.1023.us.i.i, 3
-  %sunkaddr18.i.i = getelementptr inbounds i8, ptr %30, i64 %sunkaddr17.i.i
-  store double %away.2.3.us.i.i, ptr %sunkaddr18.i.i, align 8
-  %.96.i.i.i = icmp sgt i64 %size.2.1772.us.i.i, 0
-  br i1 %.96.i.i.i, label %B20.else.if.i.i.i, label %_ZN7msf_jax4host4thin6fronts4pushB3v39B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx.exit.i.i
-
-B20.else.if.i.i.i:                                ; preds = %B548.us.i.i
-  %.108.i.i.i = add nsw i64 %size.2.1772.us.i.i, -1
-  %.129416426.i.i.i = lshr i64 %.108.i.i.i, 1
-  %.178.i1.i.i = getelementptr double, ptr %w25, i64 %.129416426.i.i.i
-  %.179.i2.i.i = load double, ptr %.178.i1.i.i, align 8
-  %.181.i.i.i = fcmp ogt double %.179.i2.i.i, %away.2.3.us.i.i
-  br i1 %.181.i.i.i, label %B66.else.if.i.i.i, label %_ZN7msf_jax4host4thin6fronts4pushB3v39B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx.exit.i.i
-
-B66.else.if.i.i.i:                                ; preds = %B20.else.if.i.i.i, %B204.else.if.i.i.i
-  %at.2.1.i.i.i = phi i64 [ %.208418427.i.i.i, %B204.else.if.i.i.i ], [ %size.2.1772.us.i.i, %B20.else.if.i.i.i ]
-  %.189.i.i.i = add nsw i64 %at.2.1.i.i.i, -1
-  %.208418427.i.i.i = lshr i64 %.189.i.i.i, 1
-  %.257.i.i.i = getelementptr double, ptr %w25, i64 %.208418427.i.i.i
-  %.258.i.i.i = load double, ptr %.257.i.i.i, align 8
-  %.330.i.i.i = getelementptr i64, ptr %w27, i64 %.208418427.i.i.i
-  %.331.i.i.i = load i64, ptr %.330.i.i.i, align 8
-  %.362.i.i.i = getelementptr double, ptr %w25, i64 %at.2.1.i.i.i
-  store double %.258.i.i.i, ptr %.362.i.i.i, align 8
-  %.394.i3.i.i = getelementptr i64, ptr %w27, i64 %at.2.1.i.i.i
-  store i64 %.331.i.i.i, ptr %.394.i3.i.i, align 8
-  %.447.not.i.i.i = icmp eq i64 %.208418427.i.i.i, 0
-  br i1 %.447.not.i.i.i, label %_ZN7msf_jax4host4thin6fronts4pushB3v39B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx.exit.i.i, label %B204.else.if.i.i.i
-
-B204.else.if.i.i.i:                               ; preds = %B66.else.if.i.i.i
-  %.458.i.i.i = add nsw i64 %.208418427.i.i.i, -1
-  %.479424430.i.i.i = lshr i64 %.458.i.i.i, 1
-  %.528.i.i.i = getelementptr double, ptr %w25, i64 %.479424430.i.i.i
-  %.529.i.i.i = load double, ptr %.528.i.i.i, align 8
-  %.531.i.i.i = fcmp ogt double %.529.i.i.i, %away.2.3.us.i.i
-  br i1 %.531.i.i.i, label %B66.else.if.i.i.i, label %_ZN7msf_jax4host4thin6fronts4pushB3v39B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx.exit.i.i
-
-_ZN7msf_jax4host4thin6fronts4pushB3v39B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx.exit.i.i: ; preds = %B204.else.if.i.i.i, %B66.else.if.i.i.i, %B20.else.if.i.i.i, %B548.us.i.i
-  %at.3.0.i.i.i = phi i64 [ %size.2.1772.us.i.i, %B20.else.if.i.i.i ], [ %size.2.1772.us.i.i, %B548.us.i.i ], [ 0, %B66.else.if.i.i.i ], [ %.208418427.i.i.i, %B204.else.if.i.i.i ]
-  %.560.i.i.i = icmp slt i64 %at.3.0.i.i.i, 0
-  %.561.i.i.i = select i1 %.560.i.i.i, i64 %w26, i64 0
-  %31 = getelementptr double, ptr %w25, i64 %at.3.0.i.i.i
-  %.575.i.i.i = getelementptr double, ptr %31, i64 %.561.i.i.i
-  store double %away.2.3.us.i.i, ptr %.575.i.i.i, align 8
-  %.598.i.i.i = select i1 %.560.i.i.i, i64 %w28, i64 0
-  %32 = getelementptr i64, ptr %w27, i64 %at.3.0.i.i.i
-  %.612.i.i.i = getelementptr i64, ptr %32, i64 %.598.i.i.i
-  store i64 %target.2.3.us.i.i, ptr %.612.i.i.i, align 8
-  %.619.i.i.i = add nsw i64 %size.2.1772.us.i.i, 1
-  br label %B599.us.i.i
-
-B599.us.i.i:                                      ; preds = %_ZN7msf_jax4host4thin6fronts4pushB3v39B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx.exit.i.i, %B524.us.i.i, %B490.us.i.i, %B190.us.i.i
-  %size.4.2.us.i.i = phi i64 [ %size.2.1772.us.i.i, %B190.us.i.i ], [ %size.2.1772.us.i.i, %B490.us.i.i ], [ %size.2.1772.us.i.i, %B524.us.i.i ], [ %.619.i.i.i, %_ZN7msf_jax4host4thin6fronts4pushB3v39B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx.exit.i.i ]
-  %exitcond.not.i.i = icmp eq i64 %.484.us.i.i, 3
-  br i1 %exitcond.not.i.i, label %B188.B128.loopexit_crit_edge.us.i.i, label %B190.us.i.i
-
-B188.B128.loopexit_crit_edge.us.i.i:              ; preds = %B599.us.i.i
-  %.323.us.i.i = add nsw i64 %.313775787.us.i.i, -1
-  %.327.us.i.i = add i64 %.320778786.us.i.i, 1
-  %.314.us.i.i = icmp sgt i64 %.313775787.us.i.i, 1
-  br i1 %.314.us.i.i, label %B130.endif.endif.us.i.i, label %B568.i
-
-B568.i:                                           ; preds = %B188.B128.loopexit_crit_edge.us.i.i, %B380.endif.i, %B530.i
-  %count.3.1.i = phi i64 [ %count.2.03906.i, %B380.endif.i ], [ %.950.i, %B530.i ], [ %.950.i, %B188.B128.loopexit_crit_edge.us.i.i ]
-  %goes_on.6.1.i = phi i1 [ true, %B380.endif.i ], [ %"$phi530.0.2.1.i", %B530.i ], [ %"$phi530.0.2.1.i", %B188.B128.loopexit_crit_edge.us.i.i ]
-  %size.4.1.i = phi i64 [ %.79.i.i, %B380.endif.i ], [ %.79.i.i, %B530.i ], [ %size.4.2.us.i.i, %B188.B128.loopexit_crit_edge.us.i.i ]
-  %.661.not3157.i = icmp ne i64 %size.4.1.i, 0
-  %brmerge.not.i = select i1 %.661.not3157.i, i1 %goes_on.6.1.i, i1 false
-  br i1 %brmerge.not.i, label %B316.preheader.i, label %B2590.i
-
-B570.i:                                           ; preds = %B316.i
-  %.1178.i = icmp slt i64 %rows.2.2.i, %.493.i
-  br i1 %.1178.i, label %B740.endif.preheader.i, label %B2584.i
-
-B738.loopexit.i:                                  ; preds = %B2763.i, %B740.endif.i
-  %rings.2.4.lcssa.i = phi i64 [ %rings.5.33332.i, %B740.endif.i ], [ %rings.3.5.i, %B2763.i ]
-  %longest.3.4.lcssa.i = phi i64 [ %longest.2.33333.i, %B740.endif.i ], [ %longest.4.5.i, %B2763.i ]
-  %exitcond.not.i = icmp eq i64 %.1488.i, %count.2.03906.i
-  br i1 %exitcond.not.i, label %B1304.i, label %B740.endif.i
-
-B870.i:                                           ; preds = %B870.preheader.i, %B2763.i
-  %lsr.iv.i = phi i64 [ %162, %B870.preheader.i ], [ %lsr.iv.next.i, %B2763.i ]
-  %longest.3.43284.i = phi i64 [ %longest.2.33333.i, %B870.preheader.i ], [ %longest.4.5.i, %B2763.i ]
-  %rings.2.43283.i = phi i64 [ %rings.5.33332.i, %B870.preheader.i ], [ %rings.3.5.i, %B2763.i ]
-  %.173532403281.i = phi i64 [ %.1586.i, %B870.preheader.i ], [ %.1742.i, %B2763.i ]
-  %.1781.i = icmp slt i64 %.173532403281.i, 0
-  %33 = select i1 %.1781.i, i64 %3, i64 0
-  %scevgep205.i = getelementptr i8, ptr %w10, i64 %33
-  %34 = shl i64 %.173532403281.i, 3
-  %scevgep206.i = getelementptr i8, ptr %scevgep205.i, i64 %34
-  %.1797.i = load i64, ptr %scevgep206.i, align 8
-  %.304.i.i = icmp slt i64 %.1797.i, 0
-  %.305.i.i = select i1 %.304.i.i, i64 %w4, i64 0
-  %.306.i.i = add i64 %.305.i.i, %.1797.i
-  %.326.i.i = mul i64 %.306.i.i, %w5
-  %35 = getelementptr i64, ptr %w3, i64 %.326.i.i
-  %.331.i.i = load i64, ptr %35, align 8
-  %.344.i.i = icmp slt i64 %.331.i.i, 0
-  %.345.i.i = select i1 %.344.i.i, i64 %w18, i64 0
-  %36 = getelementptr i64, ptr %w17, i64 %.331.i.i
-  %.359.i.i = getelementptr i64, ptr %36, i64 %.345.i.i
-  %.360.i.i = load i64, ptr %.359.i.i, align 8
-  %.361.i.i = icmp eq i64 %.360.i.i, 1
-  %.364.i.i = zext i1 %.361.i.i to i64
-  %37 = getelementptr i8, ptr %35, i64 8
-  %.331.1.i.i = load i64, ptr %37, align 8
-  %.344.1.i.i = icmp slt i64 %.331.1.i.i, 0
-  %.345.1.i.i = select i1 %.344.1.i.i, i64 %w18, i64 0
-  %38 = getelementptr i64, ptr %w17, i64 %.331.1.i.i
-  %.359.1.i.i = getelementptr i64, ptr %38, i64 %.345.1.i.i
-  %.360.1.i.i = load i64, ptr %.359.1.i.i, align 8
-  %.361.1.i.i = icmp eq i64 %.360.1.i.i, 1
-  %.364.1.i.i = zext i1 %.361.1.i.i to i64
-  %.365.1.i.i = add nuw nsw i64 %.364.1.i.i, %.364.i.i
-  %39 = getelementptr i8, ptr %35, i64 16
-  %.331.2.i.i = load i64, ptr %39, align 8
-  %.344.2.i.i = icmp slt i64 %.331.2.i.i, 0
-  %.345.2.i.i = select i1 %.344.2.i.i, i64 %w18, i64 0
-  %40 = getelementptr i64, ptr %w17, i64 %.331.2.i.i
-  %.359.2.i.i = getelementptr i64, ptr %40, i64 %.345.2.i.i
-  %.360.2.i.i = load i64, ptr %.359.2.i.i, align 8
-  %.361.2.i.i = icmp eq i64 %.360.2.i.i, 1
-  %.364.2.i.i = zext i1 %.361.2.i.i to i64
-  %.365.2.i.i = add nuw nsw i64 %.365.1.i.i, %.364.2.i.i
-  switch i64 %.365.2.i.i, label %B1046.i [
-    i64 0, label %B140.endif.i.i
-    i64 3, label %B140.endif.i.i
+define i64 @msf_jax.host.thin.fronts.cap(ptr readonly %0) local_unnamed_addr {
+  %2 = load ptr, ptr %0, align 8
+  %3 = getelementptr i8, ptr %0, i64 8
+  %4 = load i64, ptr %3, align 8
+  %5 = getelementptr i8, ptr %0, i64 16
+  %6 = load i64, ptr %5, align 8
+  %7 = shl i64 %6, 3
+  %8 = getelementptr i8, ptr %0, i64 24
+  %9 = load ptr, ptr %8, align 8
+  %10 = getelementptr i8, ptr %0, i64 32
+  %11 = load i64, ptr %10, align 8
+  %12 = getelementptr i8, ptr %0, i64 40
+  %13 = load i64, ptr %12, align 8
+  %14 = getelementptr i8, ptr %0, i64 48
+  %15 = load ptr, ptr %14, align 8
+  %16 = getelementptr i8, ptr %0, i64 56
+  %17 = load i64, ptr %16, align 8
+  %18 = getelementptr i8, ptr %0, i64 64
+  %19 = load ptr, ptr %18, align 8
+  %20 = getelementptr i8, ptr %0, i64 72
+  %21 = load i64, ptr %20, align 8
+  %22 = getelementptr i8, ptr %0, i64 80
+  %23 = load ptr, ptr %22, align 8
+  %24 = getelementptr i8, ptr %0, i64 88
+  %25 = load i64, ptr %24, align 8
+  %26 = getelementptr i8, ptr %0, i64 96
+  %27 = load ptr, ptr %26, align 8
+  %28 = getelementptr i8, ptr %0, i64 104
+  %29 = load i64, ptr %28, align 8
+  %30 = getelementptr i8, ptr %0, i64 112
+  %31 = load i64, ptr %30, align 8
+  %32 = getelementptr i8, ptr %0, i64 120
+  %33 = load ptr, ptr %32, align 8
+  %34 = getelementptr i8, ptr %0, i64 128
+  %35 = load i64, ptr %34, align 8
+  %36 = getelementptr i8, ptr %0, i64 136
+  %37 = load ptr, ptr %36, align 8
+  %38 = getelementptr i8, ptr %0, i64 144
+  %39 = load i64, ptr %38, align 8
+  %40 = getelementptr i8, ptr %0, i64 152
+  %41 = load ptr, ptr %40, align 8
+  %42 = getelementptr i8, ptr %0, i64 160
+  %43 = load i64, ptr %42, align 8
+  %44 = getelementptr i8, ptr %0, i64 168
+  %45 = load ptr, ptr %44, align 8
+  %46 = getelementptr i8, ptr %0, i64 176
+  %47 = load i64, ptr %46, align 8
+  %48 = getelementptr i8, ptr %0, i64 184
+  %49 = load ptr, ptr %48, align 8
+  %50 = getelementptr i8, ptr %0, i64 192
+  %51 = load i64, ptr %50, align 8
+  %52 = getelementptr i8, ptr %0, i64 200
+  %53 = load ptr, ptr %52, align 8
+  %54 = getelementptr i8, ptr %0, i64 208
+  %55 = load i64, ptr %54, align 8
+  %56 = getelementptr i8, ptr %0, i64 216
+  %57 = load ptr, ptr %56, align 8
+  %58 = getelementptr i8, ptr %0, i64 224
+  %59 = load i64, ptr %58, align 8
+  %60 = getelementptr i8, ptr %0, i64 232
+  %61 = load ptr, ptr %60, align 8
+  %62 = getelementptr i8, ptr %0, i64 240
+  %63 = load i64, ptr %62, align 8
+  %64 = getelementptr i8, ptr %0, i64 248
+  %65 = load i64, ptr %64, align 8
+  %66 = getelementptr i8, ptr %0, i64 256
+  %67 = load double, ptr %66, align 8
+  %68 = getelementptr i8, ptr %0, i64 264
+  %69 = load double, ptr %68, align 8
+  %70 = getelementptr i8, ptr %0, i64 272
+  %71 = load double, ptr %70, align 8
+  %72 = getelementptr i8, ptr %0, i64 280
+  %73 = load double, ptr %72, align 8
+  %74 = getelementptr i8, ptr %0, i64 288
+  %75 = load double, ptr %74, align 8
+  %76 = getelementptr i8, ptr %0, i64 296
+  %77 = load ptr, ptr %76, align 8
+  %78 = getelementptr i8, ptr %0, i64 304
+  %79 = load i64, ptr %78, align 8
+  %80 = getelementptr i8, ptr %0, i64 312
+  %81 = load ptr, ptr %80, align 8
+  %82 = getelementptr i8, ptr %0, i64 320
+  %83 = load i64, ptr %82, align 8
+  %84 = getelementptr i8, ptr %0, i64 328
+  %85 = load i64, ptr %84, align 8
+  %86 = shl i64 %85, 3
+  %87 = getelementptr i8, ptr %0, i64 336
+  %88 = load ptr, ptr %87, align 8
+  %89 = getelementptr i8, ptr %0, i64 344
+  %90 = load i64, ptr %89, align 8
+  %91 = add nsw i64 %83, -1
+  %92 = tail call i64 @llvm.smin.i64(i64 %83, i64 0)
+  %93 = add i64 %91, %92
+  %94 = mul i64 %93, %85
+  %95 = getelementptr double, ptr %81, i64 %94
+  %96 = add i64 %83, 2305843009213693950
+  %97 = icmp slt i64 %83, 2
+  %98 = select i1 %97, i64 %83, i64 0
+  %99 = add i64 %96, %98
+  %100 = add nsw i64 %83, -3
+  %101 = icmp slt i64 %83, 3
+  %102 = select i1 %101, i64 %83, i64 0
+  %103 = add i64 %100, %102
+  %104 = mul i64 %103, %85
+  %105 = getelementptr double, ptr %81, i64 %104
+  %106 = add nsw i64 %83, -4
+  %107 = icmp slt i64 %83, 4
+  %108 = select i1 %107, i64 %83, i64 0
+  %109 = add i64 %108, %106
+  %110 = mul i64 %109, %85
+  %111 = getelementptr double, ptr %81, i64 %110
+  %112 = icmp slt i64 %65, 0
+  %113 = select i1 %112, i64 %35, i64 0
+  %114 = getelementptr double, ptr %33, i64 %65
+  %115 = getelementptr double, ptr %114, i64 %113
+  store double 0.000000e+00, ptr %115, align 8
+  store double 0.000000e+00, ptr %53, align 8
+  store i64 %65, ptr %57, align 8
+  %116 = shl i64 %35, 3
+  %117 = getelementptr i8, ptr %88, i64 24
+  %118 = mul i64 %86, %99
+  %119 = getelementptr i8, ptr %81, i64 %118
+  %120 = shl i64 %25, 3
+  %121 = getelementptr i8, ptr %111, i64 8
+  %122 = getelementptr i8, ptr %111, i64 16
+  %123 = getelementptr i8, ptr %111, i64 24
+  %124 = getelementptr i8, ptr %111, i64 32
+  %125 = getelementptr i8, ptr %95, i64 8
+  %126 = getelementptr i8, ptr %95, i64 16
+  %127 = getelementptr i8, ptr %95, i64 24
+  %128 = getelementptr i8, ptr %95, i64 32
+  %129 = getelementptr i8, ptr %95, i64 40
+  %130 = getelementptr i8, ptr %95, i64 48
+  %131 = getelementptr i8, ptr %95, i64 56
+  %132 = getelementptr i8, ptr %95, i64 64
+  %133 = getelementptr i8, ptr %119, i64 8
+  %134 = getelementptr i8, ptr %119, i64 16
+  %135 = getelementptr i8, ptr %119, i64 24
+  %136 = getelementptr i8, ptr %105, i64 8
+  %137 = getelementptr i8, ptr %105, i64 16
+  %138 = getelementptr i8, ptr %105, i64 24
+  %139 = getelementptr i8, ptr %105, i64 32
+  br label %140
+140:
+  %141 = phi i64 [ 1, %1 ], [ %480, %477 ]
+  %142 = phi double [ 0xFFF0000000000000, %1 ], [ %176, %477 ]
+  %143 = phi double [ 0x7FF0000000000000, %1 ], [ %175, %477 ]
+  %144 = phi i64 [ 0, %1 ], [ %174, %477 ]
+  %145 = phi i64 [ 0, %1 ], [ %478, %477 ]
+  %146 = phi i64 [ 0, %1 ], [ %173, %477 ]
+  %147 = phi double [ %67, %1 ], [ %172, %477 ]
+  %148 = icmp sgt i64 %145, 5
+  br i1 %148, label %149, label %156
+149:
+  %150 = and i64 %145, 3
+  %151 = and i64 %145, 9223372036854775804
+  %152 = shl i64 %145, 3
+  %153 = getelementptr i8, ptr %117, i64 %152
+  %154 = getelementptr i8, ptr %88, i64 %152
+  %155 = icmp eq i64 %150, 0
+  br label %163
+156:
+  %157 = load double, ptr %53, align 8
+  %158 = fcmp olt double %157, %147
+  br i1 %158, label %171, label %159
+159:
+  %160 = phi double [ %161, %159 ], [ %147, %156 ]
+  %161 = fmul double %69, %160
+  %162 = fcmp olt double %157, %161
+  br i1 %162, label %171, label %159
+163:
+  %164 = phi double [ %1467, %1461 ], [ %147, %149 ]
+  %165 = phi i64 [ %1462, %1461 ], [ %146, %149 ]
+  %166 = phi i64 [ %1463, %1461 ], [ %144, %149 ]
+  %167 = phi double [ %1464, %1461 ], [ %143, %149 ]
+  %168 = phi double [ %1465, %1461 ], [ %142, %149 ]
+  %169 = load double, ptr %53, align 8
+  %170 = fcmp olt double %169, %164
+  br i1 %170, label %171, label %483
+171:
+  %172 = phi double [ %164, %163 ], [ %147, %156 ], [ %161, %159 ]
+  %173 = phi i64 [ %165, %163 ], [ %146, %156 ], [ %146, %159 ]
+  %174 = phi i64 [ %166, %163 ], [ %144, %156 ], [ %144, %159 ]
+  %175 = phi double [ %167, %163 ], [ %143, %156 ], [ %143, %159 ]
+  %176 = phi double [ %168, %163 ], [ %142, %156 ], [ %142, %159 ]
+  %177 = load i64, ptr %57, align 8
+  %178 = add nsw i64 %141, -1
+  %179 = icmp slt i64 %141, 1
+  %180 = select i1 %179, i64 %55, i64 0
+  %181 = getelementptr double, ptr %53, i64 %178
+  %182 = getelementptr double, ptr %181, i64 %180
+  %183 = load double, ptr %182, align 8
+  %184 = select i1 %179, i64 %59, i64 0
+  %185 = getelementptr i64, ptr %57, i64 %178
+  %186 = getelementptr i64, ptr %185, i64 %184
+  %187 = load i64, ptr %186, align 8
+  %188 = icmp sgt i64 %141, 2
+  br i1 %188, label %189, label %1507
+189:
+  %190 = phi i64 [ %209, %216 ], [ 0, %171 ]
+  %191 = shl nsw i64 %190, 1
+  %192 = or disjoint i64 %191, 1
+  %193 = add nsw i64 %191, 2
+  %194 = icmp slt i64 %193, %178
+  br i1 %194, label %195, label %208
+195:
+  %196 = icmp slt i64 %190, -1
+  %197 = select i1 %196, i64 %55, i64 0
+  %198 = getelementptr double, ptr %53, i64 %193
+  %199 = getelementptr double, ptr %198, i64 %197
+  %200 = load double, ptr %199, align 8
+  %201 = icmp slt i64 %190, 0
+  %202 = select i1 %201, i64 %55, i64 0
+  %203 = getelementptr double, ptr %53, i64 %192
+  %204 = getelementptr double, ptr %203, i64 %202
+  %205 = load double, ptr %204, align 8
+  %206 = fcmp olt double %200, %205
+  br i1 %206, label %207, label %208
+207:
+  br label %208
+208:
+  %209 = phi i64 [ %193, %207 ], [ %192, %195 ], [ %192, %189 ]
+  %210 = icmp slt i64 %209, 0
+  %211 = select i1 %210, i64 %55, i64 0
+  %212 = getelementptr double, ptr %53, i64 %209
+  %213 = getelementptr double, ptr %212, i64 %211
+  %214 = load double, ptr %213, align 8
+  %215 = fcmp ult double %214, %183
+  br i1 %215, label %216, label %1507
+216:
+  %217 = select i1 %210, i64 %59, i64 0
+  %218 = getelementptr i64, ptr %57, i64 %209
+  %219 = getelementptr i64, ptr %218, i64 %217
+  %220 = load i64, ptr %219, align 8
+  %221 = icmp slt i64 %190, 0
+  %222 = select i1 %221, i64 %55, i64 0
+  %223 = getelementptr double, ptr %53, i64 %190
+  %224 = getelementptr double, ptr %223, i64 %222
+  store double %214, ptr %224, align 8
+  %225 = select i1 %221, i64 %59, i64 0
+  %226 = getelementptr i64, ptr %57, i64 %190
+  %227 = getelementptr i64, ptr %226, i64 %225
+  store i64 %220, ptr %227, align 8
+  %228 = shl nsw i64 %209, 1
+  %229 = or disjoint i64 %228, 1
+  %230 = icmp slt i64 %229, %178
+  br i1 %230, label %189, label %1507
+231:
+  %232 = shl i64 %1517, 3
+  %233 = getelementptr inbounds i8, ptr %1518, i64 %232
+  store i64 1, ptr %233, align 8
+  %234 = icmp slt i64 %145, 0
+  %235 = select i1 %234, i64 %43, i64 0
+  %236 = getelementptr i64, ptr %41, i64 %145
+  %237 = getelementptr i64, ptr %236, i64 %235
+  store i64 %177, ptr %237, align 8
+  %238 = add i64 %145, 1
+  %239 = icmp eq i64 %177, %65
+  br i1 %239, label %246, label %240
+240:
+  %241 = select i1 %1516, i64 %79, i64 0
+  %242 = getelementptr i64, ptr %77, i64 %177
+  %243 = getelementptr i64, ptr %242, i64 %241
+  %244 = load i64, ptr %243, align 8
+  %245 = icmp eq i64 %244, 0
+  br label %246
+246:
+  %247 = phi i1 [ true, %231 ], [ %245, %240 ]
+  %248 = select i1 %1516, i64 %21, i64 0
+  %249 = getelementptr i64, ptr %19, i64 %177
+  %250 = getelementptr i64, ptr %249, i64 %248
+  %251 = load i64, ptr %250, align 8
+  %252 = icmp slt i64 %177, -1
+  %253 = select i1 %252, i64 %21, i64 0
+  %254 = getelementptr i8, ptr %249, i64 8
+  %255 = getelementptr i64, ptr %254, i64 %253
+  %256 = load i64, ptr %255, align 8
+  %257 = sub i64 %256, %251
+  %258 = icmp slt i64 %257, 1
+  br i1 %258, label %477, label %259
+259:
+  %260 = getelementptr double, ptr %33, i64 %177
+  %261 = select i1 %1516, i64 %4, i64 0
+  %262 = add i64 %261, %177
+  %263 = select i1 %1516, i64 %116, i64 0
+  %264 = mul i64 %7, %262
+  %265 = getelementptr inbounds i8, ptr %260, i64 %263
+  %266 = getelementptr i8, ptr %2, i64 %264
+  %267 = getelementptr i8, ptr %266, i64 16
+  %268 = getelementptr i8, ptr %266, i64 8
+  %269 = mul i64 %262, %6
+  %270 = getelementptr double, ptr %2, i64 %269
+  %271 = getelementptr i8, ptr %270, i64 16
+  %272 = getelementptr i8, ptr %270, i64 8
+  br label %273
+273:
+  %274 = phi i64 [ %471, %473 ], [ %178, %259 ]
+  %275 = phi i64 [ %474, %473 ], [ %257, %259 ]
+  %276 = phi i64 [ %475, %473 ], [ %251, %259 ]
+  %277 = icmp slt i64 %276, 0
+  %278 = select i1 %277, i64 %25, i64 0
+  %279 = getelementptr i64, ptr %23, i64 %276
+  %280 = getelementptr i64, ptr %279, i64 %278
+  %281 = load i64, ptr %280, align 8
+  %282 = icmp slt i64 %281, 0
+  %283 = select i1 %282, i64 %11, i64 0
+  %284 = add i64 %283, %281
+  %285 = mul i64 %284, %13
+  %286 = getelementptr i64, ptr %9, i64 %285
+  %287 = getelementptr i8, ptr %286, i64 8
+  %288 = getelementptr i8, ptr %286, i64 16
+  br label %289
+289:
+  %290 = phi i64 [ %274, %273 ], [ %471, %470 ]
+  %291 = phi i64 [ 0, %273 ], [ %292, %470 ]
+  %292 = add nuw nsw i64 %291, 1
+  %293 = getelementptr i64, ptr %286, i64 %291
+  %294 = load i64, ptr %293, align 8
+  %295 = icmp eq i64 %294, %177
+  br i1 %295, label %470, label %296
+296:
+  %297 = icmp slt i64 %294, 0
+  %298 = select i1 %297, i64 %39, i64 0
+  %299 = getelementptr i64, ptr %37, i64 %294
+  %300 = getelementptr i64, ptr %299, i64 %298
+  %301 = load i64, ptr %300, align 8
+  %302 = icmp eq i64 %301, 1
+  br i1 %302, label %327, label %303
+303:
+  %304 = load double, ptr %265, align 8
+  %305 = select i1 %297, i64 %4, i64 0
+  %306 = add i64 %305, %294
+  %307 = mul i64 %306, %6
+  %308 = getelementptr double, ptr %2, i64 %307
+  %309 = getelementptr i8, ptr %308, i64 16
+  %310 = load double, ptr %309, align 8
+  %311 = load double, ptr %267, align 8
+  %312 = fsub double %310, %311
+  %313 = fmul double %312, %312
+  %314 = load double, ptr %308, align 8
+  %315 = load double, ptr %266, align 8
+  %316 = fsub double %314, %315
+  %317 = fmul double %316, %316
+  %318 = getelementptr i8, ptr %308, i64 8
+  %319 = load double, ptr %318, align 8
+  %320 = load double, ptr %268, align 8
+  %321 = fsub double %319, %320
+  %322 = fmul double %321, %321
+  %323 = fadd double %317, %322
+  %324 = fadd double %313, %323
+  %325 = tail call double @llvm.sqrt.f64(double %324)
+  %326 = fadd double %304, %325
+  br label %418
+327:
+  %328 = load i64, ptr %286, align 8
+  %329 = load i64, ptr %287, align 8
+  %330 = load i64, ptr %288, align 8
+  %331 = add i64 %294, %177
+  %332 = sub i64 %328, %331
+  %333 = add i64 %332, %329
+  %334 = add i64 %333, %330
+  %335 = load double, ptr %271, align 8
+  %336 = select i1 %297, i64 %4, i64 0
+  %337 = add i64 %336, %294
+  %338 = mul i64 %337, %6
+  %339 = getelementptr double, ptr %2, i64 %338
+  %340 = getelementptr i8, ptr %339, i64 16
+  %341 = load double, ptr %340, align 8
+  %342 = fsub double %335, %341
+  %343 = fmul double %342, %342
+  %344 = load double, ptr %270, align 8
+  %345 = load double, ptr %339, align 8
+  %346 = fsub double %344, %345
+  %347 = fmul double %346, %346
+  %348 = load double, ptr %272, align 8
+  %349 = getelementptr i8, ptr %339, i64 8
+  %350 = load double, ptr %349, align 8
+  %351 = fsub double %348, %350
+  %352 = fmul double %351, %351
+  %353 = fadd double %347, %352
+  %354 = fadd double %343, %353
+  %355 = tail call double @llvm.sqrt.f64(double %354)
+  %356 = fcmp une double %354, 0.000000e+00
+  br i1 %356, label %384, label %418
+357:
+  %358 = fmul double %397, %397
+  %359 = fmul double %400, %400
+  %360 = fmul double %404, %404
+  %361 = fadd double %359, %360
+  %362 = fadd double %358, %361
+  %363 = fmul double %408, %408
+  %364 = fsub double %362, %363
+  %365 = fcmp olt double %364, 0.000000e+00
+  %366 = select i1 %365, double 0.000000e+00, double %364
+  %367 = tail call double @llvm.sqrt.f64(double %366)
+  %368 = tail call double @llvm.sqrt.f64(double %416)
+  %369 = fadd double %367, %368
+  %370 = fcmp ogt double %369, 0.000000e+00
+  br i1 %370, label %371, label %418
+371:
+  %372 = fsub double %408, %414
+  %373 = fmul double %372, %368
+  %374 = fdiv double %373, %369
+  %375 = fadd double %414, %374
+  %376 = fcmp oge double %375, 0.000000e+00
+  %377 = fcmp ole double %375, %355
+  %378 = and i1 %376, %377
+  br i1 %378, label %379, label %418
+379:
+  %380 = fmul double %372, %372
+  %381 = fmul double %369, %369
+  %382 = fadd double %380, %381
+  %383 = tail call double @llvm.sqrt.f64(double %382)
+  br label %418
+384:
+  %385 = load double, ptr %265, align 8
+  %386 = getelementptr double, ptr %33, i64 %294
+  %387 = select i1 %297, i64 %35, i64 0
+  %388 = getelementptr double, ptr %386, i64 %387
+  %389 = load double, ptr %388, align 8
+  %390 = icmp slt i64 %334, 0
+  %391 = select i1 %390, i64 %4, i64 0
+  %392 = add i64 %391, %334
+  %393 = mul i64 %392, %6
+  %394 = getelementptr double, ptr %2, i64 %393
+  %395 = getelementptr i8, ptr %394, i64 16
+  %396 = load double, ptr %395, align 8
+  %397 = fsub double %396, %341
+  %398 = fmul double %342, %397
+  %399 = load double, ptr %394, align 8
+  %400 = fsub double %399, %345
+  %401 = fmul double %346, %400
+  %402 = getelementptr i8, ptr %394, i64 8
+  %403 = load double, ptr %402, align 8
+  %404 = fsub double %403, %350
+  %405 = fmul double %351, %404
+  %406 = fadd double %401, %405
+  %407 = fadd double %398, %406
+  %408 = fdiv double %407, %355
+  %409 = fmul double %389, %389
+  %410 = fmul double %385, %385
+  %411 = fsub double %409, %410
+  %412 = fadd double %354, %411
+  %413 = fmul double %355, 2.000000e+00
+  %414 = fdiv double %412, %413
+  %415 = fmul double %414, %414
+  %416 = fsub double %409, %415
+  %417 = fcmp olt double %416, 0.000000e+00
+  br i1 %417, label %418, label %357
+418:
+  %419 = phi double [ %326, %303 ], [ 0x7FF0000000000000, %384 ], [ 0x7FF0000000000000, %327 ], [ %383, %379 ], [ 0x7FF0000000000000, %371 ], [ 0x7FF0000000000000, %357 ]
+  %420 = phi i64 [ %294, %303 ], [ %334, %384 ], [ %334, %327 ], [ %334, %379 ], [ %334, %371 ], [ %334, %357 ]
+  %421 = icmp slt i64 %420, 0
+  %422 = select i1 %421, i64 %39, i64 0
+  %423 = getelementptr i64, ptr %37, i64 %420
+  %424 = getelementptr i64, ptr %423, i64 %422
+  %425 = load i64, ptr %424, align 8
+  %426 = icmp eq i64 %425, 1
+  br i1 %426, label %470, label %427
+427:
+  %428 = select i1 %421, i64 %35, i64 0
+  %429 = getelementptr double, ptr %33, i64 %420
+  %430 = getelementptr double, ptr %429, i64 %428
+  %431 = load double, ptr %430, align 8
+  %432 = fcmp olt double %419, %431
+  br i1 %432, label %433, label %470
+433:
+  %434 = shl i64 %428, 3
+  %435 = getelementptr inbounds i8, ptr %429, i64 %434
+  store double %419, ptr %435, align 8
+  %436 = icmp sgt i64 %290, 0
+  br i1 %436, label %437, label %460
+437:
+  %438 = add nsw i64 %290, -1
+  %439 = lshr i64 %438, 1
+  %440 = getelementptr double, ptr %53, i64 %439
+  %441 = load double, ptr %440, align 8
+  %442 = fcmp ogt double %441, %419
+  br i1 %442, label %443, label %460
+443:
+  %444 = phi i64 [ %446, %454 ], [ %290, %437 ]
+  %445 = add nsw i64 %444, -1
+  %446 = lshr i64 %445, 1
+  %447 = getelementptr double, ptr %53, i64 %446
+  %448 = load double, ptr %447, align 8
+  %449 = getelementptr i64, ptr %57, i64 %446
+  %450 = load i64, ptr %449, align 8
+  %451 = getelementptr double, ptr %53, i64 %444
+  store double %448, ptr %451, align 8
+  %452 = getelementptr i64, ptr %57, i64 %444
+  store i64 %450, ptr %452, align 8
+  %453 = icmp eq i64 %446, 0
+  br i1 %453, label %460, label %454
+454:
+  %455 = add nsw i64 %446, -1
+  %456 = lshr i64 %455, 1
+  %457 = getelementptr double, ptr %53, i64 %456
+  %458 = load double, ptr %457, align 8
+  %459 = fcmp ogt double %458, %419
+  br i1 %459, label %443, label %460
+460:
+  %461 = phi i64 [ %290, %437 ], [ %290, %433 ], [ 0, %443 ], [ %446, %454 ]
+  %462 = icmp slt i64 %461, 0
+  %463 = select i1 %462, i64 %55, i64 0
+  %464 = getelementptr double, ptr %53, i64 %461
+  %465 = getelementptr double, ptr %464, i64 %463
+  store double %419, ptr %465, align 8
+  %466 = select i1 %462, i64 %59, i64 0
+  %467 = getelementptr i64, ptr %57, i64 %461
+  %468 = getelementptr i64, ptr %467, i64 %466
+  store i64 %420, ptr %468, align 8
+  %469 = add nsw i64 %290, 1
+  br label %470
+470:
+  %471 = phi i64 [ %290, %289 ], [ %290, %418 ], [ %290, %427 ], [ %469, %460 ]
+  %472 = icmp eq i64 %292, 3
+  br i1 %472, label %473, label %289
+473:
+  %474 = add nsw i64 %275, -1
+  %475 = add i64 %276, 1
+  %476 = icmp sgt i64 %275, 1
+  br i1 %476, label %273, label %477
+477:
+  %478 = phi i64 [ %145, %1507 ], [ %238, %246 ], [ %238, %473 ]
+  %479 = phi i1 [ true, %1507 ], [ %247, %246 ], [ %247, %473 ]
+  %480 = phi i64 [ %178, %1507 ], [ %178, %246 ], [ %471, %473 ]
+  %481 = icmp ne i64 %480, 0
+  %482 = select i1 %481, i1 %479, i1 false
+  br i1 %482, label %140, label %1468
+483:
+  %484 = icmp slt i64 %165, %106
+  br i1 %484, label %1522, label %1461
+485:
+  %486 = phi i64 [ %1525, %1523 ], [ %1502, %1501 ]
+  %487 = phi i64 [ %1524, %1523 ], [ %1503, %1501 ]
+  %488 = icmp eq i64 %1527, %145
+  br i1 %488, label %779, label %1523
+489:
+  %490 = phi i64 [ %1543, %1542 ], [ %1504, %1501 ]
+  %491 = phi i64 [ %1524, %1542 ], [ %1503, %1501 ]
+  %492 = phi i64 [ %1525, %1542 ], [ %1502, %1501 ]
+  %493 = phi i64 [ %1534, %1542 ], [ %1505, %1501 ]
+  %494 = icmp slt i64 %493, 0
+  %495 = select i1 %494, i64 %120, i64 0
+  %496 = getelementptr i8, ptr %23, i64 %495
+  %497 = shl i64 %493, 3
+  %498 = getelementptr i8, ptr %496, i64 %497
+  %499 = load i64, ptr %498, align 8
+  %500 = icmp slt i64 %499, 0
+  %501 = select i1 %500, i64 %11, i64 0
+  %502 = add i64 %501, %499
+  %503 = mul i64 %502, %13
+  %504 = getelementptr i64, ptr %9, i64 %503
+  %505 = load i64, ptr %504, align 8
+  %506 = icmp slt i64 %505, 0
+  %507 = select i1 %506, i64 %39, i64 0
+  %508 = getelementptr i64, ptr %37, i64 %505
+  %509 = getelementptr i64, ptr %508, i64 %507
+  %510 = load i64, ptr %509, align 8
+  %511 = icmp eq i64 %510, 1
+  %512 = zext i1 %511 to i64
+  %513 = getelementptr i8, ptr %504, i64 8
+  %514 = load i64, ptr %513, align 8
+  %515 = icmp slt i64 %514, 0
+  %516 = select i1 %515, i64 %39, i64 0
+  %517 = getelementptr i64, ptr %37, i64 %514
+  %518 = getelementptr i64, ptr %517, i64 %516
+  %519 = load i64, ptr %518, align 8
+  %520 = icmp eq i64 %519, 1
+  %521 = zext i1 %520 to i64
+  %522 = add nuw nsw i64 %521, %512
+  %523 = getelementptr i8, ptr %504, i64 16
+  %524 = load i64, ptr %523, align 8
+  %525 = icmp slt i64 %524, 0
+  %526 = select i1 %525, i64 %39, i64 0
+  %527 = getelementptr i64, ptr %37, i64 %524
+  %528 = getelementptr i64, ptr %527, i64 %526
+  %529 = load i64, ptr %528, align 8
+  %530 = icmp eq i64 %529, 1
+  %531 = zext i1 %530 to i64
+  %532 = add nuw nsw i64 %522, %531
+  switch i64 %532, label %535 [
+    i64 0, label %533
+    i64 3, label %533
   ]
-
-B140.endif.i.i:                                   ; preds = %B870.i, %B870.i
-  %.406546.cmp.i.i = icmp samesign ugt i64 %.365.2.i.i, 2
-  br i1 %.406546.cmp.i.i, label %B976.endif.lr.ph.i, label %B1046.i
-
-B1046.i:                                          ; preds = %B140.endif.i.i, %B870.i
-  %.2144.i = select i1 %.304.i.i, i64 %w30, i64 0
-  %41 = getelementptr i64, ptr %w29, i64 %.1797.i
-  %.2158.i = getelementptr i64, ptr %41, i64 %.2144.i
-  %.2159.i = load i64, ptr %.2158.i, align 8
-  %.2160.i = icmp slt i64 %.2159.i, 0
-  br i1 %.2160.i, label %B1080.i, label %B2763.i
-
-B1080.i:                                          ; preds = %B1046.i
-  tail call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(72) %.281.i, i8 0, i64 72, i1 false)
-  %.361.i35.i = load i64, ptr %.2158.i, align 8
-  %.362.i.i = icmp slt i64 %.361.i35.i, 0
-  br i1 %.362.i.i, label %B104.i.i, label %_ZN7msf_jax4host4thin6fronts12ring_throughB3v45B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx5ArrayIdLi1E1C7mutable7alignedE.exit.i
-
-B104.i.i:                                         ; preds = %B1080.i, %B1016.i.i
-  %face.2.0.i.i = phi i64 [ %.2246.1.i.i, %B1016.i.i ], [ %.1797.i, %B1080.i ]
-  %.383.i.i = icmp slt i64 %face.2.0.i.i, 0
-  %.384.i.i = select i1 %.383.i.i, i64 %w30, i64 0
-  %42 = getelementptr i64, ptr %w29, i64 %face.2.0.i.i
-  %.398.i.i = getelementptr i64, ptr %42, i64 %.384.i.i
-  store i64 %rings.2.43283.i, ptr %.398.i.i, align 8
-  %.305.i.i.i = select i1 %.383.i.i, i64 %w4, i64 0
-  %.306.i.i.i = add i64 %.305.i.i.i, %face.2.0.i.i
-  %.326.i.i.i = mul i64 %.306.i.i.i, %w5
-  %43 = getelementptr i64, ptr %w3, i64 %.326.i.i.i
-  %.331.i.i37.i = load i64, ptr %43, align 8
-  %.344.i.i.i = icmp slt i64 %.331.i.i37.i, 0
-  %.345.i.i.i = select i1 %.344.i.i.i, i64 %w18, i64 0
-  %44 = getelementptr i64, ptr %w17, i64 %.331.i.i37.i
-  %.359.i.i.i = getelementptr i64, ptr %44, i64 %.345.i.i.i
-  %.360.i.i.i = load i64, ptr %.359.i.i.i, align 8
-  %.361.i.i.i = icmp eq i64 %.360.i.i.i, 1
-  %.364.i.i.i = zext i1 %.361.i.i.i to i64
-  %45 = getelementptr i8, ptr %43, i64 8
-  %.331.1.i.i.i = load i64, ptr %45, align 8
-  %.344.1.i.i.i = icmp slt i64 %.331.1.i.i.i, 0
-  %.345.1.i.i.i = select i1 %.344.1.i.i.i, i64 %w18, i64 0
-  %46 = getelementptr i64, ptr %w17, i64 %.331.1.i.i.i
-  %.359.1.i.i.i = getelementptr i64, ptr %46, i64 %.345.1.i.i.i
-  %.360.1.i.i.i = load i64, ptr %.359.1.i.i.i, align 8
-  %.361.1.i.i.i = icmp eq i64 %.360.1.i.i.i, 1
-  %.364.1.i.i.i = zext i1 %.361.1.i.i.i to i64
-  %.365.1.i.i.i = add nuw nsw i64 %.364.1.i.i.i, %.364.i.i.i
-  %47 = getelementptr i8, ptr %43, i64 16
-  %.331.2.i.i.i = load i64, ptr %47, align 8
-  %.344.2.i.i.i = icmp slt i64 %.331.2.i.i.i, 0
-  %.345.2.i.i.i = select i1 %.344.2.i.i.i, i64 %w18, i64 0
-  %48 = getelementptr i64, ptr %w17, i64 %.331.2.i.i.i
-  %.359.2.i.i.i = getelementptr i64, ptr %48, i64 %.345.2.i.i.i
-  %.360.2.i.i.i = load i64, ptr %.359.2.i.i.i, align 8
-  %.361.2.i.i.i = icmp eq i64 %.360.2.i.i.i, 1
-  %.364.2.i.i.i = zext i1 %.361.2.i.i.i to i64
-  %.365.2.i.i.i = add nuw nsw i64 %.365.1.i.i.i, %.364.2.i.i.i
-  switch i64 %.365.2.i.i.i, label %B156.endif.endif.i.i.i [
-    i64 0, label %B140.endif.i.i.i
-    i64 3, label %B140.endif.i.i.i
+533:
+  %534 = icmp samesign ugt i64 %532, 2
+  br i1 %534, label %1544, label %535
+535:
+  %536 = select i1 %500, i64 %63, i64 0
+  %537 = getelementptr i64, ptr %61, i64 %499
+  %538 = getelementptr i64, ptr %537, i64 %536
+  %539 = load i64, ptr %538, align 8
+  %540 = icmp slt i64 %539, 0
+  br i1 %540, label %541, label %1501
+541:
+  tail call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(72) %95, i8 0, i64 72, i1 false)
+  %542 = load i64, ptr %538, align 8
+  %543 = icmp slt i64 %542, 0
+  br i1 %543, label %544, label %774
+544:
+  %545 = phi i64 [ %767, %594 ], [ %499, %541 ]
+  %546 = icmp slt i64 %545, 0
+  %547 = select i1 %546, i64 %63, i64 0
+  %548 = getelementptr i64, ptr %61, i64 %545
+  %549 = getelementptr i64, ptr %548, i64 %547
+  store i64 %492, ptr %549, align 8
+  %550 = select i1 %546, i64 %11, i64 0
+  %551 = add i64 %550, %545
+  %552 = mul i64 %551, %13
+  %553 = getelementptr i64, ptr %9, i64 %552
+  %554 = load i64, ptr %553, align 8
+  %555 = icmp slt i64 %554, 0
+  %556 = select i1 %555, i64 %39, i64 0
+  %557 = getelementptr i64, ptr %37, i64 %554
+  %558 = getelementptr i64, ptr %557, i64 %556
+  %559 = load i64, ptr %558, align 8
+  %560 = icmp eq i64 %559, 1
+  %561 = zext i1 %560 to i64
+  %562 = getelementptr i8, ptr %553, i64 8
+  %563 = load i64, ptr %562, align 8
+  %564 = icmp slt i64 %563, 0
+  %565 = select i1 %564, i64 %39, i64 0
+  %566 = getelementptr i64, ptr %37, i64 %563
+  %567 = getelementptr i64, ptr %566, i64 %565
+  %568 = load i64, ptr %567, align 8
+  %569 = icmp eq i64 %568, 1
+  %570 = zext i1 %569 to i64
+  %571 = add nuw nsw i64 %570, %561
+  %572 = getelementptr i8, ptr %553, i64 16
+  %573 = load i64, ptr %572, align 8
+  %574 = icmp slt i64 %573, 0
+  %575 = select i1 %574, i64 %39, i64 0
+  %576 = getelementptr i64, ptr %37, i64 %573
+  %577 = getelementptr i64, ptr %576, i64 %575
+  %578 = load i64, ptr %577, align 8
+  %579 = icmp eq i64 %578, 1
+  %580 = zext i1 %579 to i64
+  %581 = add nuw nsw i64 %571, %580
+  switch i64 %581, label %585 [
+    i64 0, label %582
+    i64 3, label %582
   ]
-
-B140.endif.i.i.i:                                 ; preds = %B104.i.i, %B104.i.i
-  %.406546.cmp.i.i.i = icmp samesign ugt i64 %.365.2.i.i.i, 2
-  %.430.i.i.i = select i1 %.406546.cmp.i.i.i, i64 7, i64 6
-  br label %B1016.i.i
-
-B156.endif.endif.i.i.i:                           ; preds = %B104.i.i
-  %49 = icmp ne i64 %.365.2.i.i.i, 1
-  %.652.1.i.i.i = xor i1 %.361.1.i.i.i, %49
-  %spec.select.1.i.i.i = zext i1 %.652.1.i.i.i to i64
-  %.652.2.i.i.i = xor i1 %.361.2.i.i.i, %49
-  %spec.select.2.i.i.i = select i1 %.652.2.i.i.i, i64 2, i64 %spec.select.1.i.i.i
-  %.679.i.i.i = icmp eq i64 %.365.2.i.i.i, 1
-  %.691.i.i.i = add nuw nsw i64 %spec.select.2.i.i.i, 3
-  %spec.select548.i.i.i = select i1 %.679.i.i.i, i64 %spec.select.2.i.i.i, i64 %.691.i.i.i
-  br label %B1016.i.i
-
-B1016.i.i:                                        ; preds = %B156.endif.endif.i.i.i, %B140.endif.i.i.i
-  %storemerge.i.i.i = phi i64 [ %.430.i.i.i, %B140.endif.i.i.i ], [ %spec.select548.i.i.i, %B156.endif.endif.i.i.i ]
-  %storemerge.i.fr.i.i = freeze i64 %storemerge.i.i.i
-  %.4852.lhs.trunc.i.i = trunc i64 %storemerge.i.fr.i.i to i8
-  %.48523.i.i = urem i8 %.4852.lhs.trunc.i.i, 3
-  %.4852.zext.i.i = zext nneg i8 %.48523.i.i to i64
-  %50 = getelementptr i64, ptr %43, i64 %.4852.zext.i.i
-  %.561.i.i = load i64, ptr %50, align 8
-  %.585.lhs.trunc.i.i = add nuw nsw i8 %.48523.i.i, 1
-  %51 = icmp eq i8 %.585.lhs.trunc.i.i, 3
-  %.58513054.i.i = select i1 %51, i8 0, i8 %.585.lhs.trunc.i.i
-  %.585.sext.i.i = zext nneg i8 %.58513054.i.i to i64
-  %52 = getelementptr i64, ptr %43, i64 %.585.sext.i.i
-  %.655.i.i = load i64, ptr %52, align 8
-  %53 = tail call { i8, i1 } @llvm.usub.with.overflow.i8(i8 %.48523.i.i, i8 1)
-  %math.i.i = extractvalue { i8, i1 } %53, 0
-  %ov.i.i = extractvalue { i8, i1 } %53, 1
-  %54 = zext nneg i8 %math.i.i to i64
-  %.6791308.zext.i.i = select i1 %ov.i.i, i64 2, i64 %54
-  %.748.i.i = getelementptr i64, ptr %43, i64 %.6791308.zext.i.i
-  %.749.i.i = load i64, ptr %.748.i.i, align 8
-  %.774.i.i = icmp slt i64 %.561.i.i, 0
-  %.775.i.i = select i1 %.774.i.i, i64 %w16, i64 0
-  %55 = getelementptr double, ptr %w15, i64 %.561.i.i
-  %.789.i.i = getelementptr double, ptr %55, i64 %.775.i.i
-  %.790.i.i = load double, ptr %.789.i.i, align 8
-  %.792.i.i = fsub double %level.2.2.i, %.790.i.i
-  %.808.i.i = icmp slt i64 %.655.i.i, 0
-  %.809.i.i = select i1 %.808.i.i, i64 %w16, i64 0
-  %56 = getelementptr double, ptr %w15, i64 %.655.i.i
-  %.823.i.i = getelementptr double, ptr %56, i64 %.809.i.i
-  %.824.i.i = load double, ptr %.823.i.i, align 8
-  %.857.i.i = fsub double %.824.i.i, %.790.i.i
-  %.861.i.i = fdiv double %.792.i.i, %.857.i.i
-  %.914.i.i = icmp slt i64 %.749.i.i, 0
-  %.915.i.i = select i1 %.914.i.i, i64 %w16, i64 0
-  %57 = getelementptr double, ptr %w15, i64 %.749.i.i
-  %.929.i.i = getelementptr double, ptr %57, i64 %.915.i.i
-  %.930.i.i = load double, ptr %.929.i.i, align 8
-  %.963.i.i = fsub double %.930.i.i, %.790.i.i
-  %.967.i.i = fdiv double %.792.i.i, %.963.i.i
-  %.1115.i.i = select i1 %.808.i.i, i64 %w1, i64 0
-  %.1116.i.i = add i64 %.1115.i.i, %.655.i.i
-  %.1136.i.i = mul i64 %.1116.i.i, %w2
-  %58 = getelementptr double, ptr %w0, i64 %.1136.i.i
-  %.1166.i.i = select i1 %.774.i.i, i64 %w1, i64 0
-  %.1167.i.i = add i64 %.1166.i.i, %.561.i.i
-  %.1187.i.i = mul i64 %.1167.i.i, %w2
-  %59 = getelementptr double, ptr %w0, i64 %.1187.i.i
-  %.1220.i.i = select i1 %.914.i.i, i64 %w1, i64 0
-  %.1221.i.i = add i64 %.1220.i.i, %.749.i.i
-  %.1241.i.i = mul i64 %.1221.i.i, %w2
-  %60 = getelementptr double, ptr %w0, i64 %.1241.i.i
-  %.1141.i.i = load double, ptr %58, align 8
-  %.1192.i.i = load double, ptr %59, align 8
-  %.1193.i.i = fsub double %.1141.i.i, %.1192.i.i
-  %.1195.i.i = fmul double %.861.i.i, %.1193.i.i
-  %.1246.i.i = load double, ptr %60, align 8
-  %.1298.i.i = fsub double %.1246.i.i, %.1192.i.i
-  %.1300.i.i = fmul double %.967.i.i, %.1298.i.i
-  %.1301.i.i = fsub double %.1195.i.i, %.1300.i.i
-  %.1302.i.i = fmul double %.1301.i.i, %.1301.i.i
-  %.1140.1.i.i = getelementptr i8, ptr %58, i64 8
-  %.1141.1.i.i = load double, ptr %.1140.1.i.i, align 8
-  %.1191.1.i.i = getelementptr i8, ptr %59, i64 8
-  %.1192.1.i.i = load double, ptr %.1191.1.i.i, align 8
-  %.1193.1.i.i = fsub double %.1141.1.i.i, %.1192.1.i.i
-  %.1195.1.i.i = fmul double %.861.i.i, %.1193.1.i.i
-  %.1245.1.i.i = getelementptr i8, ptr %60, i64 8
-  %.1246.1.i.i = load double, ptr %.1245.1.i.i, align 8
-  %.1298.1.i.i = fsub double %.1246.1.i.i, %.1192.1.i.i
-  %.1300.1.i.i = fmul double %.967.i.i, %.1298.1.i.i
-  %.1301.1.i.i = fsub double %.1195.1.i.i, %.1300.1.i.i
-  %.1302.1.i.i = fmul double %.1301.1.i.i, %.1301.1.i.i
-  %.1304.1.i.i = fadd double %.1302.i.i, %.1302.1.i.i
-  %.1140.2.i.i = getelementptr i8, ptr %58, i64 16
-  %.1141.2.i.i = load double, ptr %.1140.2.i.i, align 8
-  %.1191.2.i.i = getelementptr i8, ptr %59, i64 16
-  %.1192.2.i.i = load double, ptr %.1191.2.i.i, align 8
-  %.1193.2.i.i = fsub double %.1141.2.i.i, %.1192.2.i.i
-  %.1195.2.i.i = fmul double %.861.i.i, %.1193.2.i.i
-  %.1245.2.i.i = getelementptr i8, ptr %60, i64 16
-  %.1246.2.i.i = load double, ptr %.1245.2.i.i, align 8
-  %.1298.2.i.i = fsub double %.1246.2.i.i, %.1192.2.i.i
-  %.1300.2.i.i = fmul double %.967.i.i, %.1298.2.i.i
-  %.1301.2.i.i = fsub double %.1195.2.i.i, %.1300.2.i.i
-  %.1302.2.i.i = fmul double %.1301.2.i.i, %.1301.2.i.i
-  %.1304.2.i.i = fadd double %.1304.1.i.i, %.1302.2.i.i
-  %sqrt.i38.i = tail call double @llvm.sqrt.f64(double %.1304.2.i.i)
-  %.1348.i.i = load double, ptr %.281.i, align 8
-  %.1350.i.i = fadd double %.1348.i.i, %sqrt.i38.i
-  store double %.1350.i.i, ptr %.281.i, align 8
-  %.1528.i.i = load double, ptr %sunkaddr1.i.i, align 8
-  %.1579.i.i = load double, ptr %59, align 8
-  %.1630.i.i = load double, ptr %58, align 8
-  %.1682.i.i = fsub double %.1630.i.i, %.1579.i.i
-  %.1684.i.i = fmul double %.861.i.i, %.1682.i.i
-  %.1735.i.i = load double, ptr %60, align 8
-  %.1787.i.i = fsub double %.1735.i.i, %.1579.i.i
-  %.1789.i.i = fmul double %.967.i.i, %.1787.i.i
-  %.1790.i.i = fadd double %.1684.i.i, %.1789.i.i
-  %.1795.i.i = fmul double %.1790.i.i, 5.000000e-01
-  %.1796.i.i = fadd double %.1579.i.i, %.1795.i.i
-  %.1798.i.i = fmul double %sqrt.i38.i, %.1796.i.i
-  %.1799.i.i = fadd double %.1528.i.i, %.1798.i.i
-  store double %.1799.i.i, ptr %sunkaddr1.i.i, align 8
-  %.1528.1.i.i = load double, ptr %sunkaddr.i36.i, align 8
-  %.1579.1.i.i = load double, ptr %.1191.1.i.i, align 8
-  %.1630.1.i.i = load double, ptr %.1140.1.i.i, align 8
-  %.1682.1.i.i = fsub double %.1630.1.i.i, %.1579.1.i.i
-  %.1684.1.i.i = fmul double %.861.i.i, %.1682.1.i.i
-  %.1735.1.i.i = load double, ptr %.1245.1.i.i, align 8
-  %.1787.1.i.i = fsub double %.1735.1.i.i, %.1579.1.i.i
-  %.1789.1.i.i = fmul double %.967.i.i, %.1787.1.i.i
-  %.1790.1.i.i = fadd double %.1684.1.i.i, %.1789.1.i.i
-  %.1795.1.i.i = fmul double %.1790.1.i.i, 5.000000e-01
-  %.1796.1.i.i = fadd double %.1579.1.i.i, %.1795.1.i.i
-  %.1798.1.i.i = fmul double %sqrt.i38.i, %.1796.1.i.i
-  %.1799.1.i.i = fadd double %.1528.1.i.i, %.1798.1.i.i
-  store double %.1799.1.i.i, ptr %sunkaddr.i36.i, align 8
-  %.1528.2.i.i = load double, ptr %sunkaddr2.i.i, align 8
-  %.1579.2.i.i = load double, ptr %.1191.2.i.i, align 8
-  %.1630.2.i.i = load double, ptr %.1140.2.i.i, align 8
-  %.1682.2.i.i = fsub double %.1630.2.i.i, %.1579.2.i.i
-  %.1684.2.i.i = fmul double %.861.i.i, %.1682.2.i.i
-  %.1735.2.i.i = load double, ptr %.1245.2.i.i, align 8
-  %.1787.2.i.i = fsub double %.1735.2.i.i, %.1579.2.i.i
-  %.1789.2.i.i = fmul double %.967.i.i, %.1787.2.i.i
-  %.1790.2.i.i = fadd double %.1684.2.i.i, %.1789.2.i.i
-  %.1795.2.i.i = fmul double %.1790.2.i.i, 5.000000e-01
-  %.1796.2.i.i = fadd double %.1579.2.i.i, %.1795.2.i.i
-  %.1798.2.i.i = fmul double %sqrt.i38.i, %.1796.2.i.i
-  %.1799.2.i.i = fadd double %.1528.2.i.i, %.1798.2.i.i
-  store double %.1799.2.i.i, ptr %sunkaddr2.i.i, align 8
-  %.2016.i.i = select i1 %.383.i.i, i64 %w13, i64 0
-  %.2017.i.i = add i64 %.2016.i.i, %face.2.0.i.i
-  %.2037.i.i = mul i64 %.2017.i.i, %w14
-  %61 = getelementptr double, ptr %w12, i64 %.2037.i.i
-  %.2044.i.i = icmp samesign ult i64 %storemerge.i.fr.i.i, 3
-  %.2061.i.i = fmul double %.861.i.i, %.967.i.i
-  %.2070.i.i = fsub double 1.000000e+00, %.2061.i.i
-  %"$phi998.5.2.2.i.i" = select i1 %.2044.i.i, double %.2061.i.i, double %.2070.i.i
-  %.1990.i.i = load double, ptr %sunkaddr3.i.i, align 8
-  %.2042.i.i = load double, ptr %61, align 8
-  %.2076.i.i = fmul double %"$phi998.5.2.2.i.i", %.2042.i.i
-  %.2082.i.i = fadd double %.1990.i.i, %.2076.i.i
-  store double %.2082.i.i, ptr %sunkaddr3.i.i, align 8
-  %.1990.1.i.i = load double, ptr %sunkaddr4.i.i, align 8
-  %62 = getelementptr i8, ptr %61, i64 8
-  %.2042.1.i.i = load double, ptr %62, align 8
-  %.2076.1.i.i = fmul double %"$phi998.5.2.2.i.i", %.2042.1.i.i
-  %.2082.1.i.i = fadd double %.1990.1.i.i, %.2076.1.i.i
-  store double %.2082.1.i.i, ptr %sunkaddr4.i.i, align 8
-  %.1990.2.i.i = load double, ptr %sunkaddr5.i.i, align 8
-  %63 = getelementptr i8, ptr %61, i64 16
-  %.2042.2.i.i = load double, ptr %63, align 8
-  %.2076.2.i.i = fmul double %"$phi998.5.2.2.i.i", %.2042.2.i.i
-  %.2082.2.i.i = fadd double %.1990.2.i.i, %.2076.2.i.i
-  store double %.2082.2.i.i, ptr %sunkaddr5.i.i, align 8
-  %.1990.3.i.i = load double, ptr %sunkaddr6.i.i, align 8
-  %64 = getelementptr i8, ptr %61, i64 24
-  %.2042.3.i.i = load double, ptr %64, align 8
-  %.2076.3.i.i = fmul double %"$phi998.5.2.2.i.i", %.2042.3.i.i
-  %.2082.3.i.i = fadd double %.1990.3.i.i, %.2076.3.i.i
-  store double %.2082.3.i.i, ptr %sunkaddr6.i.i, align 8
-  %.1990.4.i.i = load double, ptr %sunkaddr7.i.i, align 8
-  %65 = getelementptr i8, ptr %61, i64 32
-  %.2042.4.i.i = load double, ptr %65, align 8
-  %.2076.4.i.i = fmul double %"$phi998.5.2.2.i.i", %.2042.4.i.i
-  %.2082.4.i.i = fadd double %.1990.4.i.i, %.2076.4.i.i
-  store double %.2082.4.i.i, ptr %sunkaddr7.i.i, align 8
-  %.2132.i.i = mul nsw i64 %face.2.0.i.i, 3
-  %spec.select.i.i = select i1 %.2044.i.i, i64 %.6791308.zext.i.i, i64 %.4852.zext.i.i
-  %.2202.i.i = add nsw i64 %spec.select.i.i, %.2132.i.i
-  %.2220.i.i = icmp slt i64 %.2202.i.i, 0
-  %.2221.i.i = select i1 %.2220.i.i, i64 %w7, i64 0
-  %66 = getelementptr i64, ptr %w6, i64 %.2202.i.i
-  %.2235.i.i = getelementptr i64, ptr %66, i64 %.2221.i.i
-  %.2236.i.i = load i64, ptr %.2235.i.i, align 8
-  %.2257.i.i = sdiv i64 %.2236.i.i, 3
-  %.2258.i.i = srem i64 %.2236.i.i, 3
-  %.2258.lobit.i.i = ashr i64 %.2258.i.i, 63
-  %.2246.1.i.i = add nsw i64 %.2258.lobit.i.i, %.2257.i.i
-  %.2295.i.i = icmp slt i64 %.2246.1.i.i, 0
-  %.2296.i.i = select i1 %.2295.i.i, i64 %w30, i64 0
-  %67 = getelementptr i64, ptr %w29, i64 %.2246.1.i.i
-  %.2310.i.i = getelementptr i64, ptr %67, i64 %.2296.i.i
-  %.2311.i.i = load i64, ptr %.2310.i.i, align 8
-  %.2312.i.i = icmp slt i64 %.2311.i.i, 0
-  br i1 %.2312.i.i, label %B104.i.i, label %_ZN7msf_jax4host4thin6fronts12ring_throughB3v45B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx5ArrayIdLi1E1C7mutable7alignedE.exit.i
-
-_ZN7msf_jax4host4thin6fronts12ring_throughB3v45B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx5ArrayIdLi1E1C7mutable7alignedE.exit.i: ; preds = %B1016.i.i, %B1080.i
-  %.264578.i = phi double [ 0.000000e+00, %B1080.i ], [ %.2082.i.i, %B1016.i.i ]
-  %.2430.i = phi double [ 0.000000e+00, %B1080.i ], [ %.1350.i.i, %B1016.i.i ]
-  %.2270.i = load double, ptr %sunkaddr373.i, align 8
-  %.2271.i = fcmp ogt double %.2430.i, %.2270.i
-  br i1 %.2271.i, label %B1176.preheader.i, label %B1234.lr.ph.i
-
-B1304.i:                                          ; preds = %B738.loopexit.i
-  %.2738.i = icmp sgt i64 %rings.2.4.lcssa.i, 1
-  br i1 %.2738.i, label %B1320.i, label %B1550.endif.i
-
-B1320.i:                                          ; preds = %B1304.i
-  %.2776.i = load double, ptr %.533.i, align 8
-  tail call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(40) %.451.i, i8 0, i64 40, i1 false)
-  br label %B94.endif.i.i
-
-B92.loopexit.i.i:                                 ; preds = %B1179.i.i, %B94.endif.i.i
-  %num.4.1.lcssa.i.i = phi i64 [ %num.11.02265.i.i, %B94.endif.i.i ], [ %num.5.2.i.i, %B1179.i.i ]
-  %exitcond.not.i41.i = icmp eq i64 %count.2.03906.i, %.438.i.i
-  br i1 %exitcond.not.i41.i, label %_ZN7msf_jax4host4thin6fronts7islandsB3v47B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xxd5ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B94.endif.i.i
-
-B208.i.i:                                         ; preds = %B94.endif.i.i, %B1179.i.i
-  %num.4.12218.i.i = phi i64 [ %num.5.2.i.i, %B1179.i.i ], [ %num.11.02265.i.i, %B94.endif.i.i ]
-  %.64821772217.i.i = phi i64 [ %.658.i.i, %B1179.i.i ], [ %.605.i.i, %B94.endif.i.i ]
-  %.65521782216.i.i = phi i64 [ %.662.i.i, %B1179.i.i ], [ %.536.i.i, %B94.endif.i.i ]
-  %.658.i.i = add nsw i64 %.64821772217.i.i, -1
-  %.662.i.i = add i64 %.65521782216.i.i, 1
-  %.701.i.i = icmp slt i64 %.65521782216.i.i, 0
-  %.702.i.i = select i1 %.701.i.i, i64 %w11, i64 0
-  %68 = getelementptr i64, ptr %w10, i64 %.65521782216.i.i
-  %.716.i.i = getelementptr i64, ptr %68, i64 %.702.i.i
-  %.717.i.i = load i64, ptr %.716.i.i, align 8
-  %.736.i.i = icmp slt i64 %.717.i.i, 0
-  %.737.i.i = select i1 %.736.i.i, i64 %w30, i64 0
-  %69 = getelementptr i64, ptr %w29, i64 %.717.i.i
-  %.751.i.i = getelementptr i64, ptr %69, i64 %.737.i.i
-  %.752.i.i = load i64, ptr %.751.i.i, align 8
-  %.753.i.i = icmp slt i64 %.752.i.i, 0
-  %.788.i.i = icmp eq i64 %.752.i.i, %longest.3.4.lcssa.i
-  %or.cond.i40.i = select i1 %.753.i.i, i1 true, i1 %.788.i.i
-  br i1 %or.cond.i40.i, label %B1179.i.i, label %B338.lr.ph.i.i
-
-B400.i.i:                                         ; preds = %B338.lr.ph.i.i
-  %sunkaddr.i42.i = shl i64 %.1013.i.i, 3
-  %sunkaddr63.i.i = getelementptr inbounds i8, ptr %88, i64 %sunkaddr.i42.i
-  store i64 2, ptr %sunkaddr63.i.i, align 8
-  %sunkaddr64.i.i = shl i64 %.994.i.i, 3
-  %sunkaddr65.i.i = getelementptr i8, ptr %w3, i64 %sunkaddr64.i.i
-  %.1169.i.i = load i64, ptr %sunkaddr65.i.i, align 8
-  %.1185.i.i = icmp slt i64 %num.4.12218.i.i, 0
-  %.1186.i.i = select i1 %.1185.i.i, i64 %w22, i64 0
-  %70 = getelementptr i64, ptr %w21, i64 %num.4.12218.i.i
-  %.1200.i.i = getelementptr i64, ptr %70, i64 %.1186.i.i
-  store i64 %.1169.i.i, ptr %.1200.i.i, align 8
-  store i64 %.1169.i.i, ptr %w23, align 8
-  %.1235.i.i = add nsw i64 %num.4.12218.i.i, 1
-  br label %B532.i.i
-
-B532.i.i:                                         ; preds = %B338.lr.ph.B532_crit_edge.i.i, %B400.i.i
-  %sunkaddr66.pre-phi.i.i = phi i64 [ %.pre.i.i, %B338.lr.ph.B532_crit_edge.i.i ], [ %sunkaddr64.i.i, %B400.i.i ]
-  %num.12.4.i.i = phi i64 [ %num.4.12218.i.i, %B338.lr.ph.B532_crit_edge.i.i ], [ %.1235.i.i, %B400.i.i ]
-  %top.12.4.i.i = phi i64 [ 0, %B338.lr.ph.B532_crit_edge.i.i ], [ 1, %B400.i.i ]
-  %sunkaddr67.i.i = getelementptr i8, ptr %w3, i64 %sunkaddr66.pre-phi.i.i
-  %sunkaddr68.i.i = getelementptr i8, ptr %sunkaddr67.i.i, i64 8
-  %.999.1.i.i = load i64, ptr %sunkaddr68.i.i, align 8
-  %.1012.1.i.i = icmp slt i64 %.999.1.i.i, 0
-  %.1013.1.i.i = select i1 %.1012.1.i.i, i64 %w18, i64 0
-  %71 = getelementptr i64, ptr %w17, i64 %.999.1.i.i
-  %.1027.1.i.i = getelementptr i64, ptr %71, i64 %.1013.1.i.i
-  %.1028.1.i.i = load i64, ptr %.1027.1.i.i, align 8
-  %.1029.1.i.i = icmp eq i64 %.1028.1.i.i, 0
-  br i1 %.1029.1.i.i, label %B400.1.i.i, label %B532.1.i.i
-
-B400.1.i.i:                                       ; preds = %B532.i.i
-  %sunkaddr69.i.i = shl i64 %.1013.1.i.i, 3
-  %sunkaddr70.i.i = getelementptr inbounds i8, ptr %71, i64 %sunkaddr69.i.i
-  store i64 2, ptr %sunkaddr70.i.i, align 8
-  %.1169.1.i.i = load i64, ptr %sunkaddr68.i.i, align 8
-  %.1185.1.i.i = icmp slt i64 %num.12.4.i.i, 0
-  %.1186.1.i.i = select i1 %.1185.1.i.i, i64 %w22, i64 0
-  %72 = getelementptr i64, ptr %w21, i64 %num.12.4.i.i
-  %.1200.1.i.i = getelementptr i64, ptr %72, i64 %.1186.1.i.i
-  store i64 %.1169.1.i.i, ptr %.1200.1.i.i, align 8
-  %73 = getelementptr i64, ptr %w23, i64 %top.12.4.i.i
-  store i64 %.1169.1.i.i, ptr %73, align 8
-  %.1235.1.i.i = add nsw i64 %num.12.4.i.i, 1
-  %.1239.1.i.i = add nuw nsw i64 %top.12.4.i.i, 1
-  br label %B532.1.i.i
-
-B532.1.i.i:                                       ; preds = %B400.1.i.i, %B532.i.i
-  %num.12.4.1.i.i = phi i64 [ %.1235.1.i.i, %B400.1.i.i ], [ %num.12.4.i.i, %B532.i.i ]
-  %top.12.4.1.i.i = phi i64 [ %.1239.1.i.i, %B400.1.i.i ], [ %top.12.4.i.i, %B532.i.i ]
-  %sunkaddr60.i.i = getelementptr i8, ptr %sunkaddr67.i.i, i64 16
-  %.999.2.i.i = load i64, ptr %sunkaddr60.i.i, align 8
-  %.1012.2.i.i = icmp slt i64 %.999.2.i.i, 0
-  %.1013.2.i.i = select i1 %.1012.2.i.i, i64 %w18, i64 0
-  %74 = getelementptr i64, ptr %w17, i64 %.999.2.i.i
-  %.1027.2.i.i = getelementptr i64, ptr %74, i64 %.1013.2.i.i
-  %.1028.2.i.i = load i64, ptr %.1027.2.i.i, align 8
-  %.1029.2.i.i = icmp eq i64 %.1028.2.i.i, 0
-  br i1 %.1029.2.i.i, label %B532.2.thread.i.i, label %B532.2.i.i
-
-B532.2.thread.i.i:                                ; preds = %B532.1.i.i
-  %sunkaddr77.i.i = shl i64 %.1013.2.i.i, 3
-  %sunkaddr78.i.i = getelementptr inbounds i8, ptr %74, i64 %sunkaddr77.i.i
-  store i64 2, ptr %sunkaddr78.i.i, align 8
-  %.1169.2.i.i = load i64, ptr %sunkaddr60.i.i, align 8
-  %.1185.2.i.i = icmp slt i64 %num.12.4.1.i.i, 0
-  %.1186.2.i.i = select i1 %.1185.2.i.i, i64 %w22, i64 0
-  %75 = getelementptr i64, ptr %w21, i64 %num.12.4.1.i.i
-  %.1200.2.i.i = getelementptr i64, ptr %75, i64 %.1186.2.i.i
-  store i64 %.1169.2.i.i, ptr %.1200.2.i.i, align 8
-  %76 = getelementptr i64, ptr %w23, i64 %top.12.4.1.i.i
-  store i64 %.1169.2.i.i, ptr %76, align 8
-  %.1235.2.i.i = add nsw i64 %num.12.4.1.i.i, 1
-  %.1239.2.i.i = add nuw nsw i64 %top.12.4.1.i.i, 1
-  br label %B540.endif.i.i.preheader
-
-B540.endif.i.i.preheader:                         ; preds = %B532.2.i.i, %B532.2.thread.i.i
-  %num.10.3.i.i.ph = phi i64 [ %num.12.4.1.i.i, %B532.2.i.i ], [ %.1235.2.i.i, %B532.2.thread.i.i ]
-  %top.13.3.i.i.ph = phi i64 [ %top.12.4.1.i.i, %B532.2.i.i ], [ %.1239.2.i.i, %B532.2.thread.i.i ]
-  br label %B540.endif.i.i
-
-B532.2.i.i:                                       ; preds = %B532.1.i.i
-  %.1285.not.i.i = icmp eq i64 %top.12.4.1.i.i, 0
-  br i1 %.1285.not.i.i, label %B1179.i.i, label %B540.endif.i.i.preheader
-
-B878.i.i:                                         ; preds = %B878.preheader.new.i.i, %B878.i.i
-  %.196822802282.i.i = phi i64 [ 0, %B878.preheader.new.i.i ], [ %.1975.3.i.i, %B878.i.i ]
-  %sunkaddr66.i.i = shl i64 %.196822802282.i.i, 3
-  %sunkaddr71.i.i = getelementptr i8, ptr %w21, i64 %sunkaddr66.i.i
-  %.2032.i.i = load i64, ptr %sunkaddr71.i.i, align 8
-  %.2045.i.i = icmp slt i64 %.2032.i.i, 0
-  %.2046.i.i = select i1 %.2045.i.i, i64 %w18, i64 0
-  %77 = getelementptr i64, ptr %w17, i64 %.2032.i.i
-  %.2060.i.i = getelementptr i64, ptr %77, i64 %.2046.i.i
-  store i64 0, ptr %.2060.i.i, align 8
-  %sunkaddr74.i.i = getelementptr i8, ptr %sunkaddr71.i.i, i64 8
-  %.2032.1.i.i = load i64, ptr %sunkaddr74.i.i, align 8
-  %.2045.1.i.i = icmp slt i64 %.2032.1.i.i, 0
-  %.2046.1.i.i = select i1 %.2045.1.i.i, i64 %w18, i64 0
-  %78 = getelementptr i64, ptr %w17, i64 %.2032.1.i.i
-  %.2060.1.i.i = getelementptr i64, ptr %78, i64 %.2046.1.i.i
-  store i64 0, ptr %.2060.1.i.i, align 8
-  %sunkaddr79.i.i = getelementptr i8, ptr %sunkaddr71.i.i, i64 16
-  %.2032.2.i.i = load i64, ptr %sunkaddr79.i.i, align 8
-  %.2045.2.i.i = icmp slt i64 %.2032.2.i.i, 0
-  %.2046.2.i.i = select i1 %.2045.2.i.i, i64 %w18, i64 0
-  %79 = getelementptr i64, ptr %w17, i64 %.2032.2.i.i
-  %.2060.2.i.i = getelementptr i64, ptr %79, i64 %.2046.2.i.i
-  store i64 0, ptr %.2060.2.i.i, align 8
-  %.1975.3.i.i = add nuw nsw i64 %.196822802282.i.i, 4
-  %sunkaddr82.i.i = getelementptr i8, ptr %sunkaddr71.i.i, i64 24
-  %.2032.3.i.i = load i64, ptr %sunkaddr82.i.i, align 8
-  %.2045.3.i.i = icmp slt i64 %.2032.3.i.i, 0
-  %.2046.3.i.i = select i1 %.2045.3.i.i, i64 %w18, i64 0
-  %80 = getelementptr i64, ptr %w17, i64 %.2032.3.i.i
-  %.2060.3.i.i = getelementptr i64, ptr %80, i64 %.2046.3.i.i
-  store i64 0, ptr %.2060.3.i.i, align 8
-  %niter.ncmp.3.i.i = icmp eq i64 %unroll_iter.i.i, %.1975.3.i.i
-  br i1 %niter.ncmp.3.i.i, label %common.ret.loopexit.unr-lcssa.i.i, label %B878.i.i
-
-common.ret.loopexit.unr-lcssa.i.i:                ; preds = %B878.i.i
-  %lcmp.mod.not.i.i = icmp eq i64 %xtraiter.i.i, 0
-  br i1 %lcmp.mod.not.i.i, label %B1550.endif.i, label %B878.epil.preheader.i.i
-
-B878.epil.preheader.i.i:                          ; preds = %B878.preheader.i.i, %common.ret.loopexit.unr-lcssa.i.i
-  %.196822802282.epil.init.i.i = phi i64 [ 0, %B878.preheader.i.i ], [ %unroll_iter.i.i, %common.ret.loopexit.unr-lcssa.i.i ]
-  %81 = shl i64 %.196822802282.epil.init.i.i, 3
-  %scevgep.i.i = getelementptr i8, ptr %w21, i64 %81
-  br label %B878.epil.i.i
-
-B878.epil.i.i:                                    ; preds = %B878.epil.i.i, %B878.epil.preheader.i.i
-  %epil.iter.i.i = phi i64 [ %epil.iter.next.i.i, %B878.epil.i.i ], [ 0, %B878.epil.preheader.i.i ]
-  %82 = shl i64 %epil.iter.i.i, 3
-  %scevgep45.i.i = getelementptr i8, ptr %scevgep.i.i, i64 %82
-  %.2032.epil.i.i = load i64, ptr %scevgep45.i.i, align 8
-  %.2045.epil.i.i = icmp slt i64 %.2032.epil.i.i, 0
-  %.2046.epil.i.i = select i1 %.2045.epil.i.i, i64 %w18, i64 0
-  %83 = getelementptr i64, ptr %w17, i64 %.2032.epil.i.i
-  %.2060.epil.i.i = getelementptr i64, ptr %83, i64 %.2046.epil.i.i
-  store i64 0, ptr %.2060.epil.i.i, align 8
-  %epil.iter.next.i.i = add i64 %epil.iter.i.i, 1
-  %epil.iter.cmp.not.i.i = icmp eq i64 %xtraiter.i.i, %epil.iter.next.i.i
-  br i1 %epil.iter.cmp.not.i.i, label %B1550.endif.i, label %B878.epil.i.i
-
-B1164.i.i:                                        ; preds = %B1160.us.2.i.i, %B1160.us.2.peel.i.i, %B540.endif.i.i
-  %num.7.5.lcssa.i.i = phi i64 [ %num.10.3.i.i, %B540.endif.i.i ], [ %num.9.7.us.2.peel.i.i, %B1160.us.2.peel.i.i ], [ %num.9.7.us.2.i.i, %B1160.us.2.i.i ]
-  %top.8.5.lcssa.i.i = phi i64 [ %.1303.i.i, %B540.endif.i.i ], [ %top.10.7.us.2.peel.i.i, %B1160.us.2.peel.i.i ], [ %top.10.7.us.2.i.i, %B1160.us.2.i.i ]
-  %.2562.not.i.i = icmp eq i64 %top.8.5.lcssa.i.i, 0
-  br i1 %.2562.not.i.i, label %B1179.i.i, label %B540.endif.i.i
-
-B1179.i.i:                                        ; preds = %B1164.i.i, %B532.2.i.i, %B208.i.i
-  %num.5.2.i.i = phi i64 [ %num.4.12218.i.i, %B208.i.i ], [ %num.12.4.1.i.i, %B532.2.i.i ], [ %num.7.5.lcssa.i.i, %B1164.i.i ]
-  %.649.i.i = icmp sgt i64 %.64821772217.i.i, 1
-  br i1 %.649.i.i, label %B208.i.i, label %B92.loopexit.i.i
-
-B94.endif.i.i:                                    ; preds = %B92.loopexit.i.i, %B1320.i
-  %num.11.02265.i.i = phi i64 [ %num.4.1.lcssa.i.i, %B92.loopexit.i.i ], [ 0, %B1320.i ]
-  %.43122312263.i.i = phi i64 [ %.438.i.i, %B92.loopexit.i.i ], [ 0, %B1320.i ]
-  %.438.i.i = add nuw nsw i64 %.43122312263.i.i, 1
-  %84 = getelementptr i64, ptr %w19, i64 %.43122312263.i.i
-  %.505.i.i = load i64, ptr %84, align 8
-  %.520.i.i = icmp slt i64 %.505.i.i, 0
-  %.521.i39.i = select i1 %.520.i.i, i64 %w9, i64 0
-  %85 = getelementptr i64, ptr %w8, i64 %.505.i.i
-  %.535.i.i = getelementptr i64, ptr %85, i64 %.521.i39.i
-  %.536.i.i = load i64, ptr %.535.i.i, align 8
-  %.552.i.i = icmp slt i64 %.505.i.i, -1
-  %.553.i.i = select i1 %.552.i.i, i64 %w9, i64 0
+582:
+  %583 = icmp samesign ugt i64 %581, 2
+  %584 = select i1 %583, i64 7, i64 6
+  br label %594
+585:
+  %586 = icmp ne i64 %581, 1
+  %587 = xor i1 %569, %586
+  %588 = zext i1 %587 to i64
+  %589 = xor i1 %579, %586
+  %590 = select i1 %589, i64 2, i64 %588
+  %591 = icmp eq i64 %581, 1
+  %592 = add nuw nsw i64 %590, 3
+  %593 = select i1 %591, i64 %590, i64 %592
+  br label %594
+594:
+  %595 = phi i64 [ %584, %582 ], [ %593, %585 ]
+  %596 = freeze i64 %595
+  %597 = trunc i64 %596 to i8
+  %598 = urem i8 %597, 3
+  %599 = zext nneg i8 %598 to i64
+  %600 = getelementptr i64, ptr %553, i64 %599
+  %601 = load i64, ptr %600, align 8
+  %602 = add nuw nsw i8 %598, 1
+  %603 = icmp eq i8 %602, 3
+  %604 = select i1 %603, i8 0, i8 %602
+  %605 = zext nneg i8 %604 to i64
+  %606 = getelementptr i64, ptr %553, i64 %605
+  %607 = load i64, ptr %606, align 8
+  %608 = tail call { i8, i1 } @llvm.usub.with.overflow.i8(i8 %598, i8 1)
+  %609 = extractvalue { i8, i1 } %608, 0
+  %610 = extractvalue { i8, i1 } %608, 1
+  %611 = zext nneg i8 %609 to i64
+  %612 = select i1 %610, i64 2, i64 %611
+  %613 = getelementptr i64, ptr %553, i64 %612
+  %614 = load i64, ptr %613, align 8
+  %615 = icmp slt i64 %601, 0
+  %616 = select i1 %615, i64 %35, i64 0
+  %617 = getelementptr double, ptr %33, i64 %601
+  %618 = getelementptr double, ptr %617, i64 %616
+  %619 = load double, ptr %618, align 8
+  %620 = fsub double %164, %619
+  %621 = icmp slt i64 %607, 0
+  %622 = select i1 %621, i64 %35, i64 0
+  %623 = getelementptr double, ptr %33, i64 %607
+  %624 = getelementptr double, ptr %623, i64 %622
+  %625 = load double, ptr %624, align 8
+  %626 = fsub double %625, %619
+  %627 = fdiv double %620, %626
+  %628 = icmp slt i64 %614, 0
+  %629 = select i1 %628, i64 %35, i64 0
+  %630 = getelementptr double, ptr %33, i64 %614
+  %631 = getelementptr double, ptr %630, i64 %629
+  %632 = load double, ptr %631, align 8
+  %633 = fsub double %632, %619
+  %634 = fdiv double %620, %633
+  %635 = select i1 %621, i64 %4, i64 0
+  %636 = add i64 %635, %607
+  %637 = mul i64 %636, %6
+  %638 = getelementptr double, ptr %2, i64 %637
+  %639 = select i1 %615, i64 %4, i64 0
+  %640 = add i64 %639, %601
+  %641 = mul i64 %640, %6
+  %642 = getelementptr double, ptr %2, i64 %641
+  %643 = select i1 %628, i64 %4, i64 0
+  %644 = add i64 %643, %614
+  %645 = mul i64 %644, %6
+  %646 = getelementptr double, ptr %2, i64 %645
+  %647 = load double, ptr %638, align 8
+  %648 = load double, ptr %642, align 8
+  %649 = fsub double %647, %648
+  %650 = fmul double %627, %649
+  %651 = load double, ptr %646, align 8
+  %652 = fsub double %651, %648
+  %653 = fmul double %634, %652
+  %654 = fsub double %650, %653
+  %655 = fmul double %654, %654
+  %656 = getelementptr i8, ptr %638, i64 8
+  %657 = load double, ptr %656, align 8
+  %658 = getelementptr i8, ptr %642, i64 8
+  %659 = load double, ptr %658, align 8
+  %660 = fsub double %657, %659
+  %661 = fmul double %627, %660
+  %662 = getelementptr i8, ptr %646, i64 8
+  %663 = load double, ptr %662, align 8
+  %664 = fsub double %663, %659
+  %665 = fmul double %634, %664
+  %666 = fsub double %661, %665
+  %667 = fmul double %666, %666
+  %668 = fadd double %655, %667
+  %669 = getelementptr i8, ptr %638, i64 16
+  %670 = load double, ptr %669, align 8
+  %671 = getelementptr i8, ptr %642, i64 16
+  %672 = load double, ptr %671, align 8
+  %673 = fsub double %670, %672
+  %674 = fmul double %627, %673
+  %675 = getelementptr i8, ptr %646, i64 16
+  %676 = load double, ptr %675, align 8
+  %677 = fsub double %676, %672
+  %678 = fmul double %634, %677
+  %679 = fsub double %674, %678
+  %680 = fmul double %679, %679
+  %681 = fadd double %668, %680
+  %682 = tail call double @llvm.sqrt.f64(double %681)
+  %683 = load double, ptr %95, align 8
+  %684 = fadd double %683, %682
+  store double %684, ptr %95, align 8
+  %685 = load double, ptr %125, align 8
+  %686 = load double, ptr %642, align 8
+  %687 = load double, ptr %638, align 8
+  %688 = fsub double %687, %686
+  %689 = fmul double %627, %688
+  %690 = load double, ptr %646, align 8
+  %691 = fsub double %690, %686
+  %692 = fmul double %634, %691
+  %693 = fadd double %689, %692
+  %694 = fmul double %693, 5.000000e-01
+  %695 = fadd double %686, %694
+  %696 = fmul double %682, %695
+  %697 = fadd double %685, %696
+  store double %697, ptr %125, align 8
+  %698 = load double, ptr %126, align 8
+  %699 = load double, ptr %658, align 8
+  %700 = load double, ptr %656, align 8
+  %701 = fsub double %700, %699
+  %702 = fmul double %627, %701
+  %703 = load double, ptr %662, align 8
+  %704 = fsub double %703, %699
+  %705 = fmul double %634, %704
+  %706 = fadd double %702, %705
+  %707 = fmul double %706, 5.000000e-01
+  %708 = fadd double %699, %707
+  %709 = fmul double %682, %708
+  %710 = fadd double %698, %709
+  store double %710, ptr %126, align 8
+  %711 = load double, ptr %127, align 8
+  %712 = load double, ptr %671, align 8
+  %713 = load double, ptr %669, align 8
+  %714 = fsub double %713, %712
+  %715 = fmul double %627, %714
+  %716 = load double, ptr %675, align 8
+  %717 = fsub double %716, %712
+  %718 = fmul double %634, %717
+  %719 = fadd double %715, %718
+  %720 = fmul double %719, 5.000000e-01
+  %721 = fadd double %712, %720
+  %722 = fmul double %682, %721
+  %723 = fadd double %711, %722
+  store double %723, ptr %127, align 8
+  %724 = select i1 %546, i64 %29, i64 0
+  %725 = add i64 %724, %545
+  %726 = mul i64 %725, %31
+  %727 = getelementptr double, ptr %27, i64 %726
+  %728 = icmp samesign ult i64 %596, 3
+  %729 = fmul double %627, %634
+  %730 = fsub double 1.000000e+00, %729
+  %731 = select i1 %728, double %729, double %730
+  %732 = load double, ptr %128, align 8
+  %733 = load double, ptr %727, align 8
+  %734 = fmul double %731, %733
+  %735 = fadd double %732, %734
+  store double %735, ptr %128, align 8
+  %736 = load double, ptr %129, align 8
+  %737 = getelementptr i8, ptr %727, i64 8
+  %738 = load double, ptr %737, align 8
+  %739 = fmul double %731, %738
+  %740 = fadd double %736, %739
+  store double %740, ptr %129, align 8
+  %741 = load double, ptr %130, align 8
+  %742 = getelementptr i8, ptr %727, i64 16
+  %743 = load double, ptr %742, align 8
+  %744 = fmul double %731, %743
+  %745 = fadd double %741, %744
+  store double %745, ptr %130, align 8
+  %746 = load double, ptr %131, align 8
+  %747 = getelementptr i8, ptr %727, i64 24
+  %748 = load double, ptr %747, align 8
+  %749 = fmul double %731, %748
+  %750 = fadd double %746, %749
+  store double %750, ptr %131, align 8
+  %751 = load double, ptr %132, align 8
+  %752 = getelementptr i8, ptr %727, i64 32
+  %753 = load double, ptr %752, align 8
+  %754 = fmul double %731, %753
+  %755 = fadd double %751, %754
+  store double %755, ptr %132, align 8
+  %756 = mul nsw i64 %545, 3
+  %757 = select i1 %728, i64 %612, i64 %599
+  %758 = add nsw i64 %757, %756
+  %759 = icmp slt i64 %758, 0
+  %760 = select i1 %759, i64 %17, i64 0
+  %761 = getelementptr i64, ptr %15, i64 %758
+  %762 = getelementptr i64, ptr %761, i64 %760
+  %763 = load i64, ptr %762, align 8
+  %764 = sdiv i64 %763, 3
+  %765 = srem i64 %763, 3
+  %766 = ashr i64 %765, 63
+  %767 = add nsw i64 %766, %764
+  %768 = icmp slt i64 %767, 0
+  %769 = select i1 %768, i64 %63, i64 0
+  %770 = getelementptr i64, ptr %61, i64 %767
+  %771 = getelementptr i64, ptr %770, i64 %769
+  %772 = load i64, ptr %771, align 8
+  %773 = icmp slt i64 %772, 0
+  br i1 %773, label %544, label %774
+774:
+  %775 = phi double [ 0.000000e+00, %541 ], [ %735, %594 ]
+  %776 = phi double [ 0.000000e+00, %541 ], [ %684, %594 ]
+  %777 = load double, ptr %119, align 8
+  %778 = fcmp ogt double %776, %777
+  br i1 %778, label %1573, label %1578
+779:
+  %780 = icmp sgt i64 %486, 1
+  br i1 %780, label %781, label %1631
+781:
+  %782 = load double, ptr %111, align 8
+  tail call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(40) %105, i8 0, i64 40, i1 false)
+  br label %920
+783:
+  %784 = phi i64 [ %921, %920 ], [ %918, %917 ]
+  %785 = icmp eq i64 %145, %923
+  br i1 %785, label %1243, label %920
+786:
+  %787 = phi i64 [ %918, %917 ], [ %921, %920 ]
+  %788 = phi i64 [ %790, %917 ], [ %936, %920 ]
+  %789 = phi i64 [ %791, %917 ], [ %930, %920 ]
+  %790 = add nsw i64 %788, -1
+  %791 = add i64 %789, 1
+  %792 = icmp slt i64 %789, 0
+  %793 = select i1 %792, i64 %25, i64 0
+  %794 = getelementptr i64, ptr %23, i64 %789
+  %795 = getelementptr i64, ptr %794, i64 %793
+  %796 = load i64, ptr %795, align 8
+  %797 = icmp slt i64 %796, 0
+  %798 = select i1 %797, i64 %63, i64 0
+  %799 = getelementptr i64, ptr %61, i64 %796
+  %800 = getelementptr i64, ptr %799, i64 %798
+  %801 = load i64, ptr %800, align 8
+  %802 = icmp slt i64 %801, 0
+  %803 = icmp eq i64 %801, %487
+  %804 = select i1 %802, i1 true, i1 %803
+  br i1 %804, label %917, label %938
+805:
+  %806 = shl i64 %945, 3
+  %807 = getelementptr inbounds i8, ptr %946, i64 %806
+  store i64 2, ptr %807, align 8
+  %808 = shl i64 %941, 3
+  %809 = getelementptr i8, ptr %9, i64 %808
+  %810 = load i64, ptr %809, align 8
+  %811 = icmp slt i64 %787, 0
+  %812 = select i1 %811, i64 %47, i64 0
+  %813 = getelementptr i64, ptr %45, i64 %787
+  %814 = getelementptr i64, ptr %813, i64 %812
+  store i64 %810, ptr %814, align 8
+  store i64 %810, ptr %49, align 8
+  %815 = add nsw i64 %787, 1
+  br label %816
+816:
+  %817 = phi i64 [ %951, %950 ], [ %808, %805 ]
+  %818 = phi i64 [ %787, %950 ], [ %815, %805 ]
+  %819 = phi i64 [ 0, %950 ], [ 1, %805 ]
+  %820 = getelementptr i8, ptr %9, i64 %817
+  %821 = getelementptr i8, ptr %820, i64 8
+  %822 = load i64, ptr %821, align 8
+  %823 = icmp slt i64 %822, 0
+  %824 = select i1 %823, i64 %39, i64 0
+  %825 = getelementptr i64, ptr %37, i64 %822
+  %826 = getelementptr i64, ptr %825, i64 %824
+  %827 = load i64, ptr %826, align 8
+  %828 = icmp eq i64 %827, 0
+  br i1 %828, label %829, label %840
+829:
+  %830 = shl i64 %824, 3
+  %831 = getelementptr inbounds i8, ptr %825, i64 %830
+  store i64 2, ptr %831, align 8
+  %832 = load i64, ptr %821, align 8
+  %833 = icmp slt i64 %818, 0
+  %834 = select i1 %833, i64 %47, i64 0
+  %835 = getelementptr i64, ptr %45, i64 %818
+  %836 = getelementptr i64, ptr %835, i64 %834
+  store i64 %832, ptr %836, align 8
+  %837 = getelementptr i64, ptr %49, i64 %819
+  store i64 %832, ptr %837, align 8
+  %838 = add nsw i64 %818, 1
+  %839 = add nuw nsw i64 %819, 1
+  br label %840
+840:
+  %841 = phi i64 [ %838, %829 ], [ %818, %816 ]
+  %842 = phi i64 [ %839, %829 ], [ %819, %816 ]
+  %843 = getelementptr i8, ptr %820, i64 16
+  %844 = load i64, ptr %843, align 8
+  %845 = icmp slt i64 %844, 0
+  %846 = select i1 %845, i64 %39, i64 0
+  %847 = getelementptr i64, ptr %37, i64 %844
+  %848 = getelementptr i64, ptr %847, i64 %846
+  %849 = load i64, ptr %848, align 8
+  %850 = icmp eq i64 %849, 0
+  br i1 %850, label %851, label %865
+851:
+  %852 = shl i64 %846, 3
+  %853 = getelementptr inbounds i8, ptr %847, i64 %852
+  store i64 2, ptr %853, align 8
+  %854 = load i64, ptr %843, align 8
+  %855 = icmp slt i64 %841, 0
+  %856 = select i1 %855, i64 %47, i64 0
+  %857 = getelementptr i64, ptr %45, i64 %841
+  %858 = getelementptr i64, ptr %857, i64 %856
+  store i64 %854, ptr %858, align 8
+  %859 = getelementptr i64, ptr %49, i64 %842
+  store i64 %854, ptr %859, align 8
+  %860 = add nsw i64 %841, 1
+  %861 = add nuw nsw i64 %842, 1
+  br label %862
+862:
+  %863 = phi i64 [ %841, %865 ], [ %860, %851 ]
+  %864 = phi i64 [ %842, %865 ], [ %861, %851 ]
+  br label %952
+865:
+  %866 = icmp eq i64 %842, 0
+  br i1 %866, label %917, label %862
+867:
+  %868 = phi i64 [ 0, %1241 ], [ %888, %867 ]
+  %869 = shl i64 %868, 3
+  %870 = getelementptr i8, ptr %45, i64 %869
+  %871 = load i64, ptr %870, align 8
+  %872 = icmp slt i64 %871, 0
+  %873 = select i1 %872, i64 %39, i64 0
+  %874 = getelementptr i64, ptr %37, i64 %871
+  %875 = getelementptr i64, ptr %874, i64 %873
+  store i64 0, ptr %875, align 8
+  %876 = getelementptr i8, ptr %870, i64 8
+  %877 = load i64, ptr %876, align 8
+  %878 = icmp slt i64 %877, 0
+  %879 = select i1 %878, i64 %39, i64 0
+  %880 = getelementptr i64, ptr %37, i64 %877
+  %881 = getelementptr i64, ptr %880, i64 %879
+  store i64 0, ptr %881, align 8
+  %882 = getelementptr i8, ptr %870, i64 16
+  %883 = load i64, ptr %882, align 8
+  %884 = icmp slt i64 %883, 0
+  %885 = select i1 %884, i64 %39, i64 0
+  %886 = getelementptr i64, ptr %37, i64 %883
+  %887 = getelementptr i64, ptr %886, i64 %885
+  store i64 0, ptr %887, align 8
+  %888 = add nuw nsw i64 %868, 4
+  %889 = getelementptr i8, ptr %870, i64 24
+  %890 = load i64, ptr %889, align 8
+  %891 = icmp slt i64 %890, 0
+  %892 = select i1 %891, i64 %39, i64 0
+  %893 = getelementptr i64, ptr %37, i64 %890
+  %894 = getelementptr i64, ptr %893, i64 %892
+  store i64 0, ptr %894, align 8
+  %895 = icmp eq i64 %1242, %888
+  br i1 %895, label %896, label %867
+896:
+  %897 = icmp eq i64 %1239, 0
+  br i1 %897, label %1631, label %898
+898:
+  %899 = phi i64 [ 0, %1238 ], [ %1242, %896 ]
+  %900 = shl i64 %899, 3
+  %901 = getelementptr i8, ptr %45, i64 %900
+  br label %902
+902:
+  %903 = phi i64 [ %911, %902 ], [ 0, %898 ]
+  %904 = shl i64 %903, 3
+  %905 = getelementptr i8, ptr %901, i64 %904
+  %906 = load i64, ptr %905, align 8
+  %907 = icmp slt i64 %906, 0
+  %908 = select i1 %907, i64 %39, i64 0
+  %909 = getelementptr i64, ptr %37, i64 %906
+  %910 = getelementptr i64, ptr %909, i64 %908
+  store i64 0, ptr %910, align 8
+  %911 = add i64 %903, 1
+  %912 = icmp eq i64 %1239, %911
+  br i1 %912, label %1631, label %902
+913:
+  %914 = phi i64 [ %953, %952 ], [ %1095, %1094 ], [ %1231, %1230 ]
+  %915 = phi i64 [ %955, %952 ], [ %1096, %1094 ], [ %1232, %1230 ]
+  %916 = icmp eq i64 %915, 0
+  br i1 %916, label %917, label %952
+917:
+  %918 = phi i64 [ %787, %786 ], [ %841, %865 ], [ %914, %913 ]
+  %919 = icmp sgt i64 %788, 1
+  br i1 %919, label %786, label %783
+920:
+  %921 = phi i64 [ %784, %783 ], [ 0, %781 ]
+  %922 = phi i64 [ %923, %783 ], [ 0, %781 ]
+  %923 = add nuw nsw i64 %922, 1
+  %924 = getelementptr i64, ptr %41, i64 %922
+  %925 = load i64, ptr %924, align 8
+  %926 = icmp slt i64 %925, 0
+  %927 = select i1 %926, i64 %21, i64 0
+  %928 = getelementptr i64, ptr %19, i64 %925
+  %929 = getelementptr i64, ptr %928, i64 %927
+  %930 = load i64, ptr %929, align 8
+  %931 = icmp slt i64 %925, -1
+  %932 = select i1 %931, i64 %21, i64 0
+  %933 = getelementptr i8, ptr %928, i64 8
+  %934 = getelementptr i64, ptr %933, i64 %932
+  %935 = load i64, ptr %934, align 8
+  %936 = sub i64 %935, %930
+  %937 = icmp slt i64 %936, 1
+  br i1 %937, label %783, label %786
+938:
+  %939 = select i1 %797, i64 %11, i64 0
+  %940 = add i64 %939, %796
+  %941 = mul i64 %940, %13
+  %942 = getelementptr i64, ptr %9, i64 %941
+  %943 = load i64, ptr %942, align 8
+  %944 = icmp slt i64 %943, 0
+  %945 = select i1 %944, i64 %39, i64 0
+  %946 = getelementptr i64, ptr %37, i64 %943
+  %947 = getelementptr i64, ptr %946, i64 %945
+  %948 = load i64, ptr %947, align 8
+  %949 = icmp eq i64 %948, 0
+  br i1 %949, label %805, label %950
+950:
+  %951 = shl i64 %941, 3
+  br label %816
+952:
+  %953 = phi i64 [ %914, %913 ], [ %863, %862 ]
+  %954 = phi i64 [ %915, %913 ], [ %864, %862 ]
+  %955 = add nsw i64 %954, -1
+  %956 = icmp sgt i64 %954, 0
+  %957 = select i1 %956, i64 0, i64 %51
+  %958 = getelementptr i64, ptr %49, i64 %955
+  %959 = getelementptr i64, ptr %958, i64 %957
+  %960 = load i64, ptr %959, align 8
+  %961 = icmp slt i64 %960, 0
+  %962 = select i1 %961, i64 %21, i64 0
+  %963 = getelementptr i64, ptr %19, i64 %960
+  %964 = getelementptr i64, ptr %963, i64 %962
+  %965 = load i64, ptr %964, align 8
+  %966 = icmp slt i64 %960, -1
+  %967 = select i1 %966, i64 %21, i64 0
+  %968 = getelementptr i8, ptr %963, i64 8
+  %969 = getelementptr i64, ptr %968, i64 %967
+  %970 = load i64, ptr %969, align 8
+  %971 = sub i64 %970, %965
+  %972 = icmp slt i64 %971, 1
+  br i1 %972, label %913, label %973
+973:
+  %974 = icmp slt i64 %965, 0
+  %975 = select i1 %974, i64 %25, i64 0
+  %976 = getelementptr i64, ptr %23, i64 %965
+  %977 = getelementptr i64, ptr %976, i64 %975
+  %978 = load i64, ptr %977, align 8
+  %979 = icmp slt i64 %978, 0
+  %980 = select i1 %979, i64 %29, i64 0
+  %981 = add i64 %980, %978
+  %982 = mul i64 %981, %31
+  %983 = getelementptr double, ptr %27, i64 %982
+  %984 = load double, ptr %105, align 8
+  %985 = load double, ptr %983, align 8
+  %986 = fdiv double %985, 3.000000e+00
+  %987 = fadd double %984, %986
+  store double %987, ptr %105, align 8
+  %988 = load double, ptr %136, align 8
+  %989 = getelementptr i8, ptr %983, i64 8
+  %990 = load double, ptr %989, align 8
+  %991 = fdiv double %990, 3.000000e+00
+  %992 = fadd double %988, %991
+  store double %992, ptr %136, align 8
+  %993 = load double, ptr %137, align 8
+  %994 = getelementptr i8, ptr %983, i64 16
+  %995 = load double, ptr %994, align 8
+  %996 = fdiv double %995, 3.000000e+00
+  %997 = fadd double %993, %996
+  store double %997, ptr %137, align 8
+  %998 = load double, ptr %138, align 8
+  %999 = getelementptr i8, ptr %983, i64 24
+  %1000 = load double, ptr %999, align 8
+  %1001 = fdiv double %1000, 3.000000e+00
+  %1002 = fadd double %998, %1001
+  store double %1002, ptr %138, align 8
+  %1003 = load double, ptr %139, align 8
+  %1004 = getelementptr i8, ptr %983, i64 32
+  %1005 = load double, ptr %1004, align 8
+  %1006 = fdiv double %1005, 3.000000e+00
+  %1007 = fadd double %1003, %1006
+  store double %1007, ptr %139, align 8
+  %1008 = select i1 %979, i64 %63, i64 0
+  %1009 = getelementptr i64, ptr %61, i64 %978
+  %1010 = getelementptr i64, ptr %1009, i64 %1008
+  %1011 = load i64, ptr %1010, align 8
+  %1012 = icmp eq i64 %1011, %487
+  %1013 = fcmp ogt double %987, %782
+  %1014 = select i1 %1012, i1 true, i1 %1013
+  br i1 %1014, label %1235, label %1015
+1015:
+  %1016 = select i1 %979, i64 %11, i64 0
+  %1017 = add i64 %1016, %978
+  %1018 = mul i64 %1017, %13
+  %1019 = getelementptr i64, ptr %9, i64 %1018
+  %1020 = load i64, ptr %1019, align 8
+  %1021 = icmp slt i64 %1020, 0
+  %1022 = select i1 %1021, i64 %39, i64 0
+  %1023 = getelementptr i64, ptr %37, i64 %1020
+  %1024 = getelementptr i64, ptr %1023, i64 %1022
+  %1025 = load i64, ptr %1024, align 8
+  %1026 = icmp eq i64 %1025, 0
+  br i1 %1026, label %1029, label %1027
+1027:
+  %1028 = shl i64 %1018, 3
+  br label %1042
+1029:
+  %1030 = shl i64 %1022, 3
+  %1031 = getelementptr inbounds i8, ptr %1023, i64 %1030
+  store i64 2, ptr %1031, align 8
+  %1032 = shl i64 %1018, 3
+  %1033 = getelementptr i8, ptr %9, i64 %1032
+  %1034 = load i64, ptr %1033, align 8
+  %1035 = icmp slt i64 %953, 0
+  %1036 = select i1 %1035, i64 %47, i64 0
+  %1037 = getelementptr i64, ptr %45, i64 %953
+  %1038 = getelementptr i64, ptr %1037, i64 %1036
+  store i64 %1034, ptr %1038, align 8
+  %1039 = shl i64 %957, 3
+  %1040 = getelementptr inbounds i8, ptr %958, i64 %1039
+  store i64 %1034, ptr %1040, align 8
+  %1041 = add nsw i64 %953, 1
+  br label %1042
+1042:
+  %1043 = phi i64 [ %1028, %1027 ], [ %1032, %1029 ]
+  %1044 = phi i64 [ %953, %1027 ], [ %1041, %1029 ]
+  %1045 = phi i64 [ %955, %1027 ], [ %954, %1029 ]
+  %1046 = getelementptr i8, ptr %9, i64 %1043
+  %1047 = getelementptr i8, ptr %1046, i64 8
+  %1048 = load i64, ptr %1047, align 8
+  %1049 = icmp slt i64 %1048, 0
+  %1050 = select i1 %1049, i64 %39, i64 0
+  %1051 = getelementptr i64, ptr %37, i64 %1048
+  %1052 = getelementptr i64, ptr %1051, i64 %1050
+  %1053 = load i64, ptr %1052, align 8
+  %1054 = icmp eq i64 %1053, 0
+  br i1 %1054, label %1055, label %1069
+1055:
+  %1056 = shl i64 %1050, 3
+  %1057 = getelementptr inbounds i8, ptr %1051, i64 %1056
+  store i64 2, ptr %1057, align 8
+  %1058 = load i64, ptr %1047, align 8
+  %1059 = icmp slt i64 %1044, 0
+  %1060 = select i1 %1059, i64 %47, i64 0
+  %1061 = getelementptr i64, ptr %45, i64 %1044
+  %1062 = getelementptr i64, ptr %1061, i64 %1060
+  store i64 %1058, ptr %1062, align 8
+  %1063 = icmp slt i64 %1045, 0
+  %1064 = select i1 %1063, i64 %51, i64 0
+  %1065 = getelementptr i64, ptr %49, i64 %1045
+  %1066 = getelementptr i64, ptr %1065, i64 %1064
+  store i64 %1058, ptr %1066, align 8
+  %1067 = add nsw i64 %1044, 1
+  %1068 = add nsw i64 %1045, 1
+  br label %1069
+1069:
+  %1070 = phi i64 [ %1067, %1055 ], [ %1044, %1042 ]
+  %1071 = phi i64 [ %1068, %1055 ], [ %1045, %1042 ]
+  %1072 = getelementptr i8, ptr %1046, i64 16
+  %1073 = load i64, ptr %1072, align 8
+  %1074 = icmp slt i64 %1073, 0
+  %1075 = select i1 %1074, i64 %39, i64 0
+  %1076 = getelementptr i64, ptr %37, i64 %1073
+  %1077 = getelementptr i64, ptr %1076, i64 %1075
+  %1078 = load i64, ptr %1077, align 8
+  %1079 = icmp eq i64 %1078, 0
+  br i1 %1079, label %1080, label %1094
+1080:
+  %1081 = shl i64 %1075, 3
+  %1082 = getelementptr inbounds i8, ptr %1076, i64 %1081
+  store i64 2, ptr %1082, align 8
+  %1083 = load i64, ptr %1072, align 8
+  %1084 = icmp slt i64 %1070, 0
+  %1085 = select i1 %1084, i64 %47, i64 0
+  %1086 = getelementptr i64, ptr %45, i64 %1070
+  %1087 = getelementptr i64, ptr %1086, i64 %1085
+  store i64 %1083, ptr %1087, align 8
+  %1088 = icmp slt i64 %1071, 0
+  %1089 = select i1 %1088, i64 %51, i64 0
+  %1090 = getelementptr i64, ptr %49, i64 %1071
+  %1091 = getelementptr i64, ptr %1090, i64 %1089
+  store i64 %1083, ptr %1091, align 8
+  %1092 = add nsw i64 %1070, 1
+  %1093 = add nsw i64 %1071, 1
+  br label %1094
+1094:
+  %1095 = phi i64 [ %1092, %1080 ], [ %1070, %1069 ]
+  %1096 = phi i64 [ %1093, %1080 ], [ %1071, %1069 ]
+  %1097 = icmp eq i64 %971, 1
+  br i1 %1097, label %913, label %1098
+1098:
+  %1099 = add nuw i64 %971, 1
+  br label %1100
+1100:
+  %1101 = phi i64 [ %1105, %1230 ], [ %965, %1098 ]
+  %1102 = phi i64 [ %1233, %1230 ], [ %1099, %1098 ]
+  %1103 = phi i64 [ %1232, %1230 ], [ %1096, %1098 ]
+  %1104 = phi i64 [ %1231, %1230 ], [ %1095, %1098 ]
+  %1105 = add i64 %1101, 1
+  %1106 = icmp slt i64 %1105, 0
+  %1107 = select i1 %1106, i64 %120, i64 0
+  %1108 = getelementptr i8, ptr %23, i64 %1107
+  %1109 = shl i64 %1105, 3
+  %1110 = getelementptr i8, ptr %1108, i64 %1109
+  %1111 = load i64, ptr %1110, align 8
+  %1112 = icmp slt i64 %1111, 0
+  %1113 = select i1 %1112, i64 %29, i64 0
+  %1114 = add i64 %1113, %1111
+  %1115 = mul i64 %1114, %31
+  %1116 = getelementptr double, ptr %27, i64 %1115
+  %1117 = load double, ptr %105, align 8
+  %1118 = load double, ptr %1116, align 8
+  %1119 = fdiv double %1118, 3.000000e+00
+  %1120 = fadd double %1117, %1119
+  store double %1120, ptr %105, align 8
+  %1121 = load double, ptr %136, align 8
+  %1122 = getelementptr i8, ptr %1116, i64 8
+  %1123 = load double, ptr %1122, align 8
+  %1124 = fdiv double %1123, 3.000000e+00
+  %1125 = fadd double %1121, %1124
+  store double %1125, ptr %136, align 8
+  %1126 = load double, ptr %137, align 8
+  %1127 = getelementptr i8, ptr %1116, i64 16
+  %1128 = load double, ptr %1127, align 8
+  %1129 = fdiv double %1128, 3.000000e+00
+  %1130 = fadd double %1126, %1129
+  store double %1130, ptr %137, align 8
+  %1131 = load double, ptr %138, align 8
+  %1132 = getelementptr i8, ptr %1116, i64 24
+  %1133 = load double, ptr %1132, align 8
+  %1134 = fdiv double %1133, 3.000000e+00
+  %1135 = fadd double %1131, %1134
+  store double %1135, ptr %138, align 8
+  %1136 = load double, ptr %139, align 8
+  %1137 = getelementptr i8, ptr %1116, i64 32
+  %1138 = load double, ptr %1137, align 8
+  %1139 = fdiv double %1138, 3.000000e+00
+  %1140 = fadd double %1136, %1139
+  store double %1140, ptr %139, align 8
+  %1141 = select i1 %1112, i64 %63, i64 0
+  %1142 = getelementptr i64, ptr %61, i64 %1111
+  %1143 = getelementptr i64, ptr %1142, i64 %1141
+  %1144 = load i64, ptr %1143, align 8
+  %1145 = icmp eq i64 %1144, %487
+  %1146 = fcmp ogt double %1120, %782
+  %1147 = select i1 %1145, i1 true, i1 %1146
+  br i1 %1147, label %1235, label %1148
+1148:
+  %1149 = select i1 %1112, i64 %11, i64 0
+  %1150 = add i64 %1149, %1111
+  %1151 = mul i64 %1150, %13
+  %1152 = getelementptr i64, ptr %9, i64 %1151
+  %1153 = load i64, ptr %1152, align 8
+  %1154 = icmp slt i64 %1153, 0
+  %1155 = select i1 %1154, i64 %39, i64 0
+  %1156 = getelementptr i64, ptr %37, i64 %1153
+  %1157 = getelementptr i64, ptr %1156, i64 %1155
+  %1158 = load i64, ptr %1157, align 8
+  %1159 = icmp eq i64 %1158, 0
+  br i1 %1159, label %1162, label %1160
+1160:
+  %1161 = shl i64 %1151, 3
+  br label %1178
+1162:
+  %1163 = shl i64 %1155, 3
+  %1164 = getelementptr inbounds i8, ptr %1156, i64 %1163
+  store i64 2, ptr %1164, align 8
+  %1165 = shl i64 %1151, 3
+  %1166 = getelementptr i8, ptr %9, i64 %1165
+  %1167 = load i64, ptr %1166, align 8
+  %1168 = icmp slt i64 %1104, 0
+  %1169 = select i1 %1168, i64 %47, i64 0
+  %1170 = getelementptr i64, ptr %45, i64 %1104
+  %1171 = getelementptr i64, ptr %1170, i64 %1169
+  store i64 %1167, ptr %1171, align 8
+  %1172 = icmp slt i64 %1103, 0
+  %1173 = select i1 %1172, i64 %51, i64 0
+  %1174 = getelementptr i64, ptr %49, i64 %1103
+  %1175 = getelementptr i64, ptr %1174, i64 %1173
+  store i64 %1167, ptr %1175, align 8
+  %1176 = add nsw i64 %1104, 1
+  %1177 = add nsw i64 %1103, 1
+  br label %1178
+1178:
+  %1179 = phi i64 [ %1161, %1160 ], [ %1165, %1162 ]
+  %1180 = phi i64 [ %1104, %1160 ], [ %1176, %1162 ]
+  %1181 = phi i64 [ %1103, %1160 ], [ %1177, %1162 ]
+  %1182 = getelementptr i8, ptr %9, i64 %1179
+  %1183 = getelementptr i8, ptr %1182, i64 8
+  %1184 = load i64, ptr %1183, align 8
+  %1185 = icmp slt i64 %1184, 0
+  %1186 = select i1 %1185, i64 %39, i64 0
+  %1187 = getelementptr i64, ptr %37, i64 %1184
+  %1188 = getelementptr i64, ptr %1187, i64 %1186
+  %1189 = load i64, ptr %1188, align 8
+  %1190 = icmp eq i64 %1189, 0
+  br i1 %1190, label %1191, label %1205
+1191:
+  %1192 = shl i64 %1186, 3
+  %1193 = getelementptr inbounds i8, ptr %1187, i64 %1192
+  store i64 2, ptr %1193, align 8
+  %1194 = load i64, ptr %1183, align 8
+  %1195 = icmp slt i64 %1180, 0
+  %1196 = select i1 %1195, i64 %47, i64 0
+  %1197 = getelementptr i64, ptr %45, i64 %1180
+  %1198 = getelementptr i64, ptr %1197, i64 %1196
+  store i64 %1194, ptr %1198, align 8
+  %1199 = icmp slt i64 %1181, 0
+  %1200 = select i1 %1199, i64 %51, i64 0
+  %1201 = getelementptr i64, ptr %49, i64 %1181
+  %1202 = getelementptr i64, ptr %1201, i64 %1200
+  store i64 %1194, ptr %1202, align 8
+  %1203 = add nsw i64 %1180, 1
+  %1204 = add nsw i64 %1181, 1
+  br label %1205
+1205:
+  %1206 = phi i64 [ %1203, %1191 ], [ %1180, %1178 ]
+  %1207 = phi i64 [ %1204, %1191 ], [ %1181, %1178 ]
+  %1208 = getelementptr i8, ptr %1182, i64 16
+  %1209 = load i64, ptr %1208, align 8
+  %1210 = icmp slt i64 %1209, 0
+  %1211 = select i1 %1210, i64 %39, i64 0
+  %1212 = getelementptr i64, ptr %37, i64 %1209
+  %1213 = getelementptr i64, ptr %1212, i64 %1211
+  %1214 = load i64, ptr %1213, align 8
+  %1215 = icmp eq i64 %1214, 0
+  br i1 %1215, label %1216, label %1230
+1216:
+  %1217 = shl i64 %1211, 3
+  %1218 = getelementptr inbounds i8, ptr %1212, i64 %1217
+  store i64 2, ptr %1218, align 8
+  %1219 = load i64, ptr %1208, align 8
+  %1220 = icmp slt i64 %1206, 0
+  %1221 = select i1 %1220, i64 %47, i64 0
+  %1222 = getelementptr i64, ptr %45, i64 %1206
+  %1223 = getelementptr i64, ptr %1222, i64 %1221
+  store i64 %1219, ptr %1223, align 8
+  %1224 = icmp slt i64 %1207, 0
+  %1225 = select i1 %1224, i64 %51, i64 0
+  %1226 = getelementptr i64, ptr %49, i64 %1207
+  %1227 = getelementptr i64, ptr %1226, i64 %1225
+  store i64 %1219, ptr %1227, align 8
+  %1228 = add nsw i64 %1206, 1
+  %1229 = add nsw i64 %1207, 1
+  br label %1230
+1230:
+  %1231 = phi i64 [ %1228, %1216 ], [ %1206, %1205 ]
+  %1232 = phi i64 [ %1229, %1216 ], [ %1207, %1205 ]
+  %1233 = add i64 %1102, -1
+  %1234 = icmp samesign ugt i64 %1233, 2
+  br i1 %1234, label %1100, label %913
+1235:
+  %1236 = phi i64 [ %1104, %1100 ], [ %953, %973 ]
+  %1237 = icmp slt i64 %1236, 1
+  br i1 %1237, label %1631, label %1238
+1238:
+  %1239 = and i64 %1236, 3
+  %1240 = icmp samesign ult i64 %1236, 4
+  br i1 %1240, label %898, label %1241
+1241:
+  %1242 = and i64 %1236, 9223372036854775804
+  br label %867
+1243:
+  %1244 = icmp sgt i64 %784, 0
+  br i1 %1244, label %1596, label %1631
+1245:
+  %1246 = phi i1 [ true, %1613 ], [ %1268, %1267 ]
+  %1247 = phi i64 [ 0, %1613 ], [ %1269, %1267 ]
+  br i1 %1246, label %1248, label %1267
+1248:
+  %1249 = shl i64 %1247, 3
+  %1250 = getelementptr i8, ptr %45, i64 %1249
+  %1251 = load i64, ptr %1250, align 8
+  %1252 = icmp slt i64 %1251, 0
+  %1253 = select i1 %1252, i64 %79, i64 0
+  %1254 = getelementptr i64, ptr %77, i64 %1251
+  %1255 = getelementptr i64, ptr %1254, i64 %1253
+  %1256 = load i64, ptr %1255, align 8
+  %1257 = icmp eq i64 %1256, 0
+  br i1 %1257, label %1258, label %1267
+1258:
+  %1259 = getelementptr i8, ptr %1250, i64 8
+  %1260 = load i64, ptr %1259, align 8
+  %1261 = icmp slt i64 %1260, 0
+  %1262 = select i1 %1261, i64 %79, i64 0
+  %1263 = getelementptr i64, ptr %77, i64 %1260
+  %1264 = getelementptr i64, ptr %1263, i64 %1262
+  %1265 = load i64, ptr %1264, align 8
+  %1266 = icmp eq i64 %1265, 0
+  br label %1267
+1267:
+  %1268 = phi i1 [ %1266, %1258 ], [ false, %1248 ], [ false, %1245 ]
+  %1269 = add nuw i64 %1247, 2
+  %1270 = icmp eq i64 %1614, %1269
+  br i1 %1270, label %1615, label %1245
+1271:
+  %1272 = icmp eq i64 %1636, %145
+  br i1 %1272, label %1300, label %1634
+1273:
+  %1274 = phi i64 [ %1671, %1670 ], [ %1297, %1273 ]
+  %1275 = phi i64 [ %1668, %1670 ], [ %1299, %1273 ]
+  %1276 = icmp slt i64 %1275, 0
+  %1277 = select i1 %1276, i64 %120, i64 0
+  %1278 = getelementptr i8, ptr %23, i64 %1277
+  %1279 = shl i64 %1275, 3
+  %1280 = getelementptr i8, ptr %1278, i64 %1279
+  %1281 = load i64, ptr %1280, align 8
+  %1282 = icmp slt i64 %1281, 0
+  %1283 = select i1 %1282, i64 %63, i64 0
+  %1284 = getelementptr i64, ptr %61, i64 %1281
+  %1285 = getelementptr i64, ptr %1284, i64 %1283
+  store i64 -1, ptr %1285, align 8
+  %1286 = add i64 %1275, 1
+  %1287 = icmp slt i64 %1286, 0
+  %1288 = select i1 %1287, i64 %120, i64 0
+  %1289 = getelementptr i8, ptr %23, i64 %1288
+  %1290 = getelementptr i8, ptr %1289, i64 %1279
+  %1291 = getelementptr i8, ptr %1290, i64 8
+  %1292 = load i64, ptr %1291, align 8
+  %1293 = icmp slt i64 %1292, 0
+  %1294 = select i1 %1293, i64 %63, i64 0
+  %1295 = getelementptr i64, ptr %61, i64 %1292
+  %1296 = getelementptr i64, ptr %1295, i64 %1294
+  store i64 -1, ptr %1296, align 8
+  %1297 = add i64 %1274, -2
+  %1298 = icmp samesign ugt i64 %1297, 2
+  %1299 = add i64 %1275, 2
+  br i1 %1298, label %1273, label %1271
+1300:
+  %1301 = load double, ptr %111, align 8
+  %1302 = fcmp ogt double %1301, %75
+  %1303 = fmul double %167, 1.500000e+00
+  %1304 = fcmp ogt double %164, %1303
+  %1305 = select i1 %1302, i1 true, i1 %1304
+  br i1 %1305, label %1690, label %1306
+1306:
+  br i1 %1632, label %1307, label %1690
+1307:
+  %1308 = icmp sgt i64 %1633, -1
+  br i1 %1308, label %1309, label %1461
+1309:
+  %1310 = load double, ptr %119, align 8
+  %1311 = fcmp ogt double %1310, 0.000000e+00
+  br i1 %1311, label %1312, label %1690
+1312:
+  %1313 = load double, ptr %124, align 8
+  %1314 = icmp slt i64 %165, 0
+  %1315 = select i1 %1314, i64 %83, i64 0
+  %1316 = add i64 %1315, %165
+  %1317 = mul i64 %1316, %85
+  %1318 = getelementptr double, ptr %81, i64 %1317
+  %1319 = load double, ptr %133, align 8
+  %1320 = fdiv double %1319, %1310
+  %1321 = getelementptr i8, ptr %1318, i64 24
+  store double %1320, ptr %1321, align 8
+  %1322 = load double, ptr %121, align 8
+  %1323 = fmul double %1320, %1322
+  %1324 = fdiv double %1323, 3.000000e+00
+  %1325 = fsub double %1313, %1324
+  %1326 = load double, ptr %134, align 8
+  %1327 = load double, ptr %119, align 8
+  %1328 = fdiv double %1326, %1327
+  %1329 = getelementptr i8, ptr %1318, i64 8
+  %1330 = getelementptr i8, ptr %1318, i64 32
+  store double %1328, ptr %1330, align 8
+  %1331 = load double, ptr %122, align 8
+  %1332 = fmul double %1328, %1331
+  %1333 = fdiv double %1332, 3.000000e+00
+  %1334 = fsub double %1325, %1333
+  %1335 = load double, ptr %135, align 8
+  %1336 = load double, ptr %119, align 8
+  %1337 = fdiv double %1335, %1336
+  %1338 = getelementptr i8, ptr %1318, i64 16
+  %1339 = getelementptr i8, ptr %1318, i64 40
+  store double %1337, ptr %1339, align 8
+  %1340 = load double, ptr %123, align 8
+  %1341 = fmul double %1337, %1340
+  %1342 = fdiv double %1341, 3.000000e+00
+  %1343 = fsub double %1334, %1342
+  %1344 = fmul double %1301, 0x401921FB54442D18
+  %1345 = fmul double %1310, %1310
+  %1346 = fdiv double %1344, %1345
+  %1347 = fadd double %1346, -5.000000e-01
+  %1348 = fcmp ogt double %1343, 0.000000e+00
+  %1349 = select i1 %1348, double %1347, double 0.000000e+00
+  %1350 = load double, ptr %111, align 8
+  %1351 = fcmp oge double %1350, %73
+  %1352 = fmul double %1349, 5.000000e-01
+  %1353 = select i1 %1351, double %1349, double %1352
+  store double %1353, ptr %1318, align 8
+  %1354 = load double, ptr %111, align 8
+  store double %164, ptr %1329, align 8
+  store double %1354, ptr %1338, align 8
+  %1355 = getelementptr i8, ptr %1318, i64 48
+  store double %1343, ptr %1355, align 8
+  %1356 = fcmp olt double %1353, %71
+  %1357 = fcmp ogt double %1353, %168
+  br i1 %1357, label %1358, label %1411
+1358:
+  %1359 = phi i64 [ %1376, %1358 ], [ 32, %1312 ]
+  %1360 = phi i64 [ %1371, %1358 ], [ 0, %1312 ]
+  %1361 = shl i64 %1360, 3
+  %1362 = getelementptr i8, ptr %41, i64 %1361
+  %1363 = load i64, ptr %1362, align 8
+  %1364 = getelementptr i8, ptr %88, i64 %1361
+  store i64 %1363, ptr %1364, align 8
+  %1365 = getelementptr i8, ptr %1362, i64 8
+  %1366 = load i64, ptr %1365, align 8
+  %1367 = getelementptr i8, ptr %1364, i64 8
+  store i64 %1366, ptr %1367, align 8
+  %1368 = getelementptr i8, ptr %1362, i64 16
+  %1369 = load i64, ptr %1368, align 8
+  %1370 = getelementptr i8, ptr %1364, i64 16
+  store i64 %1369, ptr %1370, align 8
+  %1371 = add nuw nsw i64 %1360, 4
+  %1372 = getelementptr i8, ptr %1362, i64 24
+  %1373 = load i64, ptr %1372, align 8
+  %1374 = getelementptr i8, ptr %1364, i64 24
+  store i64 %1373, ptr %1374, align 8
+  %1375 = icmp eq i64 %151, %1371
+  %1376 = add i64 %1359, 32
+  br i1 %1375, label %1672, label %1358
+1377:
+  %1378 = phi i64 [ 0, %1688 ], [ %1390, %1377 ]
+  %1379 = shl i64 %1378, 3
+  %1380 = getelementptr i8, ptr %45, i64 %1379
+  %1381 = load i64, ptr %1380, align 8
+  %1382 = getelementptr i8, ptr %153, i64 %1379
+  %1383 = getelementptr i8, ptr %1382, i64 -24
+  store i64 %1381, ptr %1383, align 8
+  %1384 = getelementptr i8, ptr %1380, i64 8
+  %1385 = load i64, ptr %1384, align 8
+  %1386 = getelementptr i8, ptr %1382, i64 -16
+  store i64 %1385, ptr %1386, align 8
+  %1387 = getelementptr i8, ptr %1380, i64 16
+  %1388 = load i64, ptr %1387, align 8
+  %1389 = getelementptr i8, ptr %1382, i64 -8
+  store i64 %1388, ptr %1389, align 8
+  %1390 = add i64 %1378, 4
+  %1391 = shl i64 %1390, 3
+  %1392 = getelementptr i8, ptr %45, i64 %1391
+  %1393 = getelementptr i8, ptr %1392, i64 -8
+  %1394 = load i64, ptr %1393, align 8
+  store i64 %1394, ptr %1382, align 8
+  %1395 = icmp eq i64 %1689, %1390
+  br i1 %1395, label %1396, label %1377
+1396:
+  %1397 = icmp eq i64 %1686, 0
+  br i1 %1397, label %1411, label %1398
+1398:
+  %1399 = phi i64 [ 0, %1685 ], [ %1689, %1396 ]
+  %1400 = shl i64 %1399, 3
+  %1401 = getelementptr i8, ptr %154, i64 %1400
+  %1402 = getelementptr i8, ptr %45, i64 %1400
+  br label %1403
+1403:
+  %1404 = phi i64 [ %1409, %1403 ], [ 0, %1398 ]
+  %1405 = shl nuw nsw i64 %1404, 3
+  %1406 = getelementptr i8, ptr %1402, i64 %1405
+  %1407 = load i64, ptr %1406, align 8
+  %1408 = getelementptr i8, ptr %1401, i64 %1405
+  store i64 %1407, ptr %1408, align 8
+  %1409 = add i64 %1404, 1
+  %1410 = icmp eq i64 %1686, %1409
+  br i1 %1410, label %1411, label %1403
+1411:
+  %1412 = phi i64 [ %166, %1312 ], [ %1683, %1682 ], [ %1683, %1396 ], [ %1683, %1403 ]
+  %1413 = phi double [ %168, %1312 ], [ %1353, %1682 ], [ %1353, %1396 ], [ %1353, %1403 ]
+  %1414 = add nsw i64 %165, 1
+  br label %1690
+1415:
+  %1416 = phi i64 [ 0, %1700 ], [ %1436, %1415 ]
+  %1417 = shl i64 %1416, 3
+  %1418 = getelementptr i8, ptr %45, i64 %1417
+  %1419 = load i64, ptr %1418, align 8
+  %1420 = icmp slt i64 %1419, 0
+  %1421 = select i1 %1420, i64 %39, i64 0
+  %1422 = getelementptr i64, ptr %37, i64 %1419
+  %1423 = getelementptr i64, ptr %1422, i64 %1421
+  store i64 0, ptr %1423, align 8
+  %1424 = getelementptr i8, ptr %1418, i64 8
+  %1425 = load i64, ptr %1424, align 8
+  %1426 = icmp slt i64 %1425, 0
+  %1427 = select i1 %1426, i64 %39, i64 0
+  %1428 = getelementptr i64, ptr %37, i64 %1425
+  %1429 = getelementptr i64, ptr %1428, i64 %1427
+  store i64 0, ptr %1429, align 8
+  %1430 = getelementptr i8, ptr %1418, i64 16
+  %1431 = load i64, ptr %1430, align 8
+  %1432 = icmp slt i64 %1431, 0
+  %1433 = select i1 %1432, i64 %39, i64 0
+  %1434 = getelementptr i64, ptr %37, i64 %1431
+  %1435 = getelementptr i64, ptr %1434, i64 %1433
+  store i64 0, ptr %1435, align 8
+  %1436 = add nuw nsw i64 %1416, 4
+  %1437 = getelementptr i8, ptr %1418, i64 24
+  %1438 = load i64, ptr %1437, align 8
+  %1439 = icmp slt i64 %1438, 0
+  %1440 = select i1 %1439, i64 %39, i64 0
+  %1441 = getelementptr i64, ptr %37, i64 %1438
+  %1442 = getelementptr i64, ptr %1441, i64 %1440
+  store i64 0, ptr %1442, align 8
+  %1443 = icmp eq i64 %1701, %1436
+  br i1 %1443, label %1444, label %1415
+1444:
+  %1445 = icmp eq i64 %1698, 0
+  br i1 %1445, label %1461, label %1446
+1446:
+  %1447 = phi i64 [ 0, %1697 ], [ %1701, %1444 ]
+  %1448 = shl i64 %1447, 3
+  %1449 = getelementptr i8, ptr %45, i64 %1448
+  br label %1450
+1450:
+  %1451 = phi i64 [ %1459, %1450 ], [ 0, %1446 ]
+  %1452 = shl nuw nsw i64 %1451, 3
+  %1453 = getelementptr i8, ptr %1449, i64 %1452
+  %1454 = load i64, ptr %1453, align 8
+  %1455 = icmp slt i64 %1454, 0
+  %1456 = select i1 %1455, i64 %39, i64 0
+  %1457 = getelementptr i64, ptr %37, i64 %1454
+  %1458 = getelementptr i64, ptr %1457, i64 %1456
+  store i64 0, ptr %1458, align 8
+  %1459 = add i64 %1451, 1
+  %1460 = icmp eq i64 %1698, %1459
+  br i1 %1460, label %1461, label %1450
+1461:
+  %1462 = phi i64 [ %165, %483 ], [ %1691, %1690 ], [ %165, %1307 ], [ %1691, %1444 ], [ %1691, %1450 ]
+  %1463 = phi i64 [ %166, %483 ], [ %1692, %1690 ], [ %166, %1307 ], [ %1692, %1444 ], [ %1692, %1450 ]
+  %1464 = phi double [ %167, %483 ], [ %1693, %1690 ], [ %167, %1307 ], [ %1693, %1444 ], [ %1693, %1450 ]
+  %1465 = phi double [ %168, %483 ], [ %1694, %1690 ], [ %168, %1307 ], [ %1694, %1444 ], [ %1694, %1450 ]
+  %1466 = phi i1 [ true, %483 ], [ %1695, %1690 ], [ true, %1307 ], [ %1695, %1444 ], [ %1695, %1450 ]
+  %1467 = fmul double %69, %164
+  br i1 %1466, label %163, label %1468
+1468:
+  %1469 = phi i64 [ %1462, %1461 ], [ %173, %477 ]
+  %1470 = phi i64 [ %1463, %1461 ], [ %174, %477 ]
+  %1471 = icmp slt i64 %1470, %90
+  br i1 %1471, label %1472, label %1702
+1472:
+  %1473 = getelementptr i64, ptr %88, i64 %1470
+  store i64 -1, ptr %1473, align 8
+  br label %1702
+1474:
+  %1475 = phi i64 [ 0, %1707 ], [ %1483, %1474 ]
+  %1476 = shl i64 %1475, 3
+  %1477 = getelementptr i8, ptr %33, i64 %1476
+  store double 0x7FF0000000000000, ptr %1477, align 8
+  %1478 = getelementptr i8, ptr %37, i64 %1476
+  store i64 0, ptr %1478, align 8
+  %1479 = getelementptr i8, ptr %1477, i64 8
+  store double 0x7FF0000000000000, ptr %1479, align 8
+  %1480 = getelementptr i8, ptr %1478, i64 8
+  store i64 0, ptr %1480, align 8
+  %1481 = getelementptr i8, ptr %1477, i64 16
+  store double 0x7FF0000000000000, ptr %1481, align 8
+  %1482 = getelementptr i8, ptr %1478, i64 16
+  store i64 0, ptr %1482, align 8
+  %1483 = add nuw nsw i64 %1475, 4
+  %1484 = getelementptr i8, ptr %1477, i64 24
+  store double 0x7FF0000000000000, ptr %1484, align 8
+  %1485 = getelementptr i8, ptr %1478, i64 24
+  store i64 0, ptr %1485, align 8
+  %1486 = icmp eq i64 %1708, %1483
+  br i1 %1486, label %1487, label %1474
+1487:
+  %1488 = icmp eq i64 %1705, 0
+  br i1 %1488, label %1709, label %1489
+1489:
+  %1490 = phi i64 [ 0, %1704 ], [ %1708, %1487 ]
+  %1491 = shl i64 %1490, 3
+  %1492 = getelementptr i8, ptr %37, i64 %1491
+  %1493 = getelementptr i8, ptr %33, i64 %1491
+  br label %1494
+1494:
+  %1495 = phi i64 [ %1499, %1494 ], [ 0, %1489 ]
+  %1496 = shl nuw nsw i64 %1495, 3
+  %1497 = getelementptr i8, ptr %1493, i64 %1496
+  store double 0x7FF0000000000000, ptr %1497, align 8
+  %1498 = getelementptr i8, ptr %1492, i64 %1496
+  store i64 0, ptr %1498, align 8
+  %1499 = add i64 %1495, 1
+  %1500 = icmp eq i64 %1705, %1499
+  br i1 %1500, label %1709, label %1494
+1501:
+  %1502 = phi i64 [ %492, %535 ], [ %1595, %1578 ], [ %492, %1544 ]
+  %1503 = phi i64 [ %491, %535 ], [ %1580, %1578 ], [ %491, %1544 ]
+  %1504 = add i64 %490, -1
+  %1505 = add i64 %493, 1
+  %1506 = icmp samesign ugt i64 %1504, 1
+  br i1 %1506, label %489, label %485
+1507:
+  %1508 = phi i64 [ 0, %171 ], [ %209, %216 ], [ %190, %208 ]
+  %1509 = icmp slt i64 %1508, 0
+  %1510 = select i1 %1509, i64 %55, i64 0
+  %1511 = getelementptr double, ptr %53, i64 %1508
+  %1512 = getelementptr double, ptr %1511, i64 %1510
+  store double %183, ptr %1512, align 8
+  %1513 = select i1 %1509, i64 %59, i64 0
+  %1514 = getelementptr i64, ptr %57, i64 %1508
+  %1515 = getelementptr i64, ptr %1514, i64 %1513
+  store i64 %187, ptr %1515, align 8
+  %1516 = icmp slt i64 %177, 0
+  %1517 = select i1 %1516, i64 %39, i64 0
+  %1518 = getelementptr i64, ptr %37, i64 %177
+  %1519 = getelementptr i64, ptr %1518, i64 %1517
+  %1520 = load i64, ptr %1519, align 8
+  %1521 = icmp eq i64 %1520, 1
+  br i1 %1521, label %477, label %231
+1522:
+  tail call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(40) %111, i8 0, i64 40, i1 false)
+  store double 0.000000e+00, ptr %119, align 8
+  br label %1523
+1523:
+  %1524 = phi i64 [ %487, %485 ], [ 0, %1522 ]
+  %1525 = phi i64 [ %486, %485 ], [ 0, %1522 ]
+  %1526 = phi i64 [ %1527, %485 ], [ 0, %1522 ]
+  %1527 = add nuw nsw i64 %1526, 1
+  %1528 = getelementptr i64, ptr %41, i64 %1526
+  %1529 = load i64, ptr %1528, align 8
+  %1530 = icmp slt i64 %1529, 0
+  %1531 = select i1 %1530, i64 %21, i64 0
+  %1532 = getelementptr i64, ptr %19, i64 %1529
+  %1533 = getelementptr i64, ptr %1532, i64 %1531
+  %1534 = load i64, ptr %1533, align 8
+  %1535 = icmp slt i64 %1529, -1
+  %1536 = select i1 %1535, i64 %21, i64 0
+  %1537 = getelementptr i8, ptr %1532, i64 8
+  %1538 = getelementptr i64, ptr %1537, i64 %1536
+  %1539 = load i64, ptr %1538, align 8
+  %1540 = sub i64 %1539, %1534
+  %1541 = icmp slt i64 %1540, 1
+  br i1 %1541, label %485, label %1542
+1542:
+  %1543 = add nuw i64 %1540, 1
+  br label %489
+1544:
+  %1545 = select i1 %500, i64 %29, i64 0
+  %1546 = add i64 %1545, %499
+  %1547 = mul i64 %1546, %31
+  %1548 = getelementptr double, ptr %27, i64 %1547
+  %1549 = load double, ptr %111, align 8
+  %1550 = load double, ptr %1548, align 8
+  %1551 = fdiv double %1550, 3.000000e+00
+  %1552 = fadd double %1549, %1551
+  store double %1552, ptr %111, align 8
+  %1553 = load double, ptr %121, align 8
+  %1554 = getelementptr i8, ptr %1548, i64 8
+  %1555 = load double, ptr %1554, align 8
+  %1556 = fdiv double %1555, 3.000000e+00
+  %1557 = fadd double %1553, %1556
+  store double %1557, ptr %121, align 8
+  %1558 = load double, ptr %122, align 8
+  %1559 = getelementptr i8, ptr %1548, i64 16
+  %1560 = load double, ptr %1559, align 8
+  %1561 = fdiv double %1560, 3.000000e+00
+  %1562 = fadd double %1558, %1561
+  store double %1562, ptr %122, align 8
+  %1563 = load double, ptr %123, align 8
+  %1564 = getelementptr i8, ptr %1548, i64 24
+  %1565 = load double, ptr %1564, align 8
+  %1566 = fdiv double %1565, 3.000000e+00
+  %1567 = fadd double %1563, %1566
+  store double %1567, ptr %123, align 8
+  %1568 = load double, ptr %124, align 8
+  %1569 = getelementptr i8, ptr %1548, i64 32
+  %1570 = load double, ptr %1569, align 8
+  %1571 = fdiv double %1570, 3.000000e+00
+  %1572 = fadd double %1568, %1571
+  store double %1572, ptr %124, align 8
+  br label %1501
+1573:
+  store double %776, ptr %119, align 8
+  %1574 = load double, ptr %125, align 8
+  store double %1574, ptr %133, align 8
+  %1575 = load double, ptr %126, align 8
+  store double %1575, ptr %134, align 8
+  %1576 = load double, ptr %127, align 8
+  store double %1576, ptr %135, align 8
+  %1577 = load double, ptr %128, align 8
+  br label %1578
+1578:
+  %1579 = phi double [ %775, %774 ], [ %1577, %1573 ]
+  %1580 = phi i64 [ %491, %774 ], [ %492, %1573 ]
+  %1581 = load double, ptr %111, align 8
+  %1582 = fadd double %1579, %1581
+  store double %1582, ptr %111, align 8
+  %1583 = load double, ptr %121, align 8
+  %1584 = load double, ptr %129, align 8
+  %1585 = fadd double %1583, %1584
+  store double %1585, ptr %121, align 8
+  %1586 = load double, ptr %122, align 8
+  %1587 = load double, ptr %130, align 8
+  %1588 = fadd double %1586, %1587
+  store double %1588, ptr %122, align 8
+  %1589 = load double, ptr %123, align 8
+  %1590 = load double, ptr %131, align 8
+  %1591 = fadd double %1589, %1590
+  store double %1591, ptr %123, align 8
+  %1592 = load double, ptr %124, align 8
+  %1593 = load double, ptr %132, align 8
+  %1594 = fadd double %1592, %1593
+  store double %1594, ptr %124, align 8
+  %1595 = add nsw i64 %492, 1
+  br label %1501
+1596:
+  %1597 = load double, ptr %111, align 8
+  %1598 = load double, ptr %105, align 8
+  %1599 = fadd double %1597, %1598
+  store double %1599, ptr %111, align 8
+  %1600 = load double, ptr %121, align 8
+  %1601 = load double, ptr %136, align 8
+  %1602 = fadd double %1600, %1601
+  store double %1602, ptr %121, align 8
+  %1603 = load double, ptr %122, align 8
+  %1604 = load double, ptr %137, align 8
+  %1605 = fadd double %1603, %1604
+  store double %1605, ptr %122, align 8
+  %1606 = load double, ptr %123, align 8
+  %1607 = load double, ptr %138, align 8
+  %1608 = fadd double %1606, %1607
+  store double %1608, ptr %123, align 8
+  %1609 = load double, ptr %124, align 8
+  %1610 = load double, ptr %139, align 8
+  %1611 = fadd double %1609, %1610
+  store double %1611, ptr %124, align 8
+  %1612 = icmp eq i64 %784, 1
+  br i1 %1612, label %1621, label %1613
+1613:
+  %1614 = and i64 %784, 9223372036854775806
+  br label %1245
+1615:
+  %1616 = and i64 %784, 1
+  %1617 = icmp eq i64 %1616, 0
+  %1618 = xor i1 %1268, true
+  %1619 = select i1 %1617, i1 true, i1 %1618
+  %1620 = select i1 %1617, i1 %1268, i1 false
+  br i1 %1619, label %1631, label %1621
+1621:
+  %1622 = phi i64 [ %1614, %1615 ], [ 0, %1596 ]
+  %1623 = getelementptr i64, ptr %45, i64 %1622
+  %1624 = load i64, ptr %1623, align 8
+  %1625 = icmp slt i64 %1624, 0
+  %1626 = select i1 %1625, i64 %79, i64 0
+  %1627 = getelementptr i64, ptr %77, i64 %1624
+  %1628 = getelementptr i64, ptr %1627, i64 %1626
+  %1629 = load i64, ptr %1628, align 8
+  %1630 = icmp eq i64 %1629, 0
+  br label %1631
+1631:
+  %1632 = phi i1 [ true, %779 ], [ %1620, %1615 ], [ true, %1243 ], [ %1630, %1621 ], [ true, %896 ], [ true, %1235 ], [ true, %902 ]
+  %1633 = phi i64 [ 0, %779 ], [ %784, %1615 ], [ %784, %1243 ], [ %784, %1621 ], [ -1, %896 ], [ -1, %1235 ], [ -1, %902 ]
+  br label %1634
+1634:
+  %1635 = phi i64 [ %1636, %1271 ], [ 0, %1631 ]
+  %1636 = add nuw nsw i64 %1635, 1
+  %1637 = getelementptr i64, ptr %41, i64 %1635
+  %1638 = load i64, ptr %1637, align 8
+  %1639 = icmp slt i64 %1638, 0
+  %1640 = select i1 %1639, i64 %21, i64 0
+  %1641 = getelementptr i64, ptr %19, i64 %1638
+  %1642 = getelementptr i64, ptr %1641, i64 %1640
+  %1643 = load i64, ptr %1642, align 8
+  %1644 = icmp slt i64 %1638, -1
+  %1645 = select i1 %1644, i64 %21, i64 0
+  %1646 = getelementptr i8, ptr %1641, i64 8
+  %1647 = getelementptr i64, ptr %1646, i64 %1645
+  %1648 = load i64, ptr %1647, align 8
+  %1649 = sub i64 %1648, %1643
+  %1650 = icmp slt i64 %1649, 1
+  br i1 %1650, label %1271, label %1651
+1651:
+  %1652 = add i64 %1643, 1
+  %1653 = and i64 %1649, 1
+  %1654 = icmp eq i64 %1653, 0
+  br i1 %1654, label %1666, label %1655
+1655:
+  %1656 = add nsw i64 %1649, -1
+  %1657 = icmp slt i64 %1643, 0
+  %1658 = select i1 %1657, i64 %25, i64 0
+  %1659 = getelementptr i64, ptr %23, i64 %1643
+  %1660 = getelementptr i64, ptr %1659, i64 %1658
+  %1661 = load i64, ptr %1660, align 8
+  %1662 = icmp slt i64 %1661, 0
+  %1663 = select i1 %1662, i64 %63, i64 0
+  %1664 = getelementptr i64, ptr %61, i64 %1661
+  %1665 = getelementptr i64, ptr %1664, i64 %1663
+  store i64 -1, ptr %1665, align 8
+  br label %1666
+1666:
+  %1667 = phi i64 [ %1649, %1651 ], [ %1656, %1655 ]
+  %1668 = phi i64 [ %1643, %1651 ], [ %1652, %1655 ]
+  %1669 = icmp eq i64 %1648, %1652
+  br i1 %1669, label %1271, label %1670
+1670:
+  %1671 = add nuw i64 %1667, 2
+  br label %1273
+1672:
+  br i1 %155, label %1682, label %1673
+1673:
+  %1674 = phi i64 [ %1680, %1673 ], [ %150, %1672 ]
+  %1675 = phi i64 [ %1679, %1673 ], [ %1359, %1672 ]
+  %1676 = getelementptr i8, ptr %41, i64 %1675
+  %1677 = load i64, ptr %1676, align 8
+  %1678 = getelementptr i8, ptr %88, i64 %1675
+  store i64 %1677, ptr %1678, align 8
+  %1679 = add nuw nsw i64 %1675, 8
+  %1680 = add nsw i64 %1674, -1
+  %1681 = icmp eq i64 %1680, 0
+  br i1 %1681, label %1682, label %1673
+1682:
+  %1683 = add nuw nsw i64 %1633, %145
+  %1684 = icmp eq i64 %1633, 0
+  br i1 %1684, label %1411, label %1685
+1685:
+  %1686 = and i64 %1633, 3
+  %1687 = icmp samesign ult i64 %1633, 4
+  br i1 %1687, label %1398, label %1688
+1688:
+  %1689 = and i64 %1633, 9223372036854775804
+  br label %1377
+1690:
+  %1691 = phi i64 [ %165, %1306 ], [ %1414, %1411 ], [ %165, %1309 ], [ %165, %1300 ]
+  %1692 = phi i64 [ %166, %1306 ], [ %1412, %1411 ], [ %166, %1309 ], [ %166, %1300 ]
+  %1693 = phi double [ %167, %1306 ], [ %164, %1411 ], [ %167, %1309 ], [ %167, %1300 ]
+  %1694 = phi double [ %168, %1306 ], [ %1413, %1411 ], [ %168, %1309 ], [ %168, %1300 ]
+  %1695 = phi i1 [ false, %1306 ], [ %1356, %1411 ], [ true, %1309 ], [ false, %1300 ]
+  %1696 = icmp slt i64 %1633, 1
+  br i1 %1696, label %1461, label %1697
+1697:
+  %1698 = and i64 %1633, 3
+  %1699 = icmp samesign ult i64 %1633, 4
+  br i1 %1699, label %1446, label %1700
+1700:
+  %1701 = and i64 %1633, 9223372036854775804
+  br label %1415
+1702:
+  %1703 = icmp slt i64 %35, 1
+  br i1 %1703, label %1709, label %1704
+1704:
+  %1705 = and i64 %35, 3
+  %1706 = icmp samesign ult i64 %35, 4
+  br i1 %1706, label %1489, label %1707
+1707:
+  %1708 = and i64 %35, 9223372036854775804
+  br label %1474
+1709:
+  ret i64 %1469
+}
+define i64 @msf_jax.host.meso.kernels.short_edges(ptr readonly %0) local_unnamed_addr {
+  %2 = load ptr, ptr %0, align 8
+  %3 = getelementptr i8, ptr %0, i64 16
+  %4 = load i64, ptr %3, align 8
+  %5 = getelementptr i8, ptr %0, i64 24
+  %6 = load ptr, ptr %5, align 8
+  %7 = getelementptr i8, ptr %0, i64 32
+  %8 = load i64, ptr %7, align 8
+  %9 = getelementptr i8, ptr %0, i64 40
+  %10 = load i64, ptr %9, align 8
+  %11 = shl i64 %10, 3
+  %12 = getelementptr i8, ptr %0, i64 48
+  %13 = load ptr, ptr %12, align 8
+  %14 = getelementptr i8, ptr %0, i64 64
+  %15 = load ptr, ptr %14, align 8
+  %16 = getelementptr i8, ptr %0, i64 80
+  %17 = load double, ptr %16, align 8
+  %18 = getelementptr i8, ptr %0, i64 88
+  %19 = load ptr, ptr %18, align 8
+  %20 = getelementptr i8, ptr %0, i64 96
+  %21 = load i64, ptr %20, align 8
+  %22 = getelementptr i8, ptr %0, i64 104
+  %23 = load i64, ptr %22, align 8
+  %24 = getelementptr i8, ptr %0, i64 112
+  %25 = load ptr, ptr %24, align 8
+  %26 = getelementptr i8, ptr %0, i64 120
+  %27 = load i64, ptr %26, align 8
+  %28 = getelementptr i8, ptr %0, i64 128
+  %29 = load i64, ptr %28, align 8
+  %30 = shl i64 %29, 3
+  %31 = getelementptr i8, ptr %0, i64 136
+  %32 = load ptr, ptr %31, align 8
+  %33 = getelementptr i8, ptr %0, i64 144
+  %34 = load i64, ptr %33, align 8
+  %35 = getelementptr i8, ptr %0, i64 152
+  %36 = load i64, ptr %35, align 8
+  %37 = shl i64 %36, 3
+  %38 = icmp slt i64 %23, 1
+  br i1 %38, label %136, label %39
+39:
+  %40 = getelementptr i8, ptr %32, i64 8
+  %41 = getelementptr i8, ptr %25, i64 32
+  br label %42
+42:
+  %43 = phi i64 [ %23, %39 ], [ %92, %88 ]
+  %44 = phi ptr [ %41, %39 ], [ %91, %88 ]
+  %45 = phi ptr [ %40, %39 ], [ %90, %88 ]
+  %46 = phi i64 [ 0, %39 ], [ %89, %88 ]
+  %47 = getelementptr i8, ptr %44, i64 -32
+  %48 = load i64, ptr %47, align 8
+  %49 = icmp sgt i64 %48, -1
+  br i1 %49, label %50, label %88
+50:
+  %51 = getelementptr i8, ptr %19, i64 %48
+  %52 = load i8, ptr %51, align 1
+  %53 = icmp eq i8 %52, 0
+  br i1 %53, label %54, label %88
+54:
+  %55 = getelementptr i8, ptr %44, i64 -24
+  %56 = load i64, ptr %55, align 8
+  %57 = icmp slt i64 %56, 0
+  %58 = select i1 %57, i64 %21, i64 0
+  %59 = getelementptr i8, ptr %19, i64 %56
+  %60 = getelementptr i8, ptr %59, i64 %58
+  %61 = load i8, ptr %60, align 1
+  %62 = icmp eq i8 %61, 0
+  br i1 %62, label %63, label %88
+63:
+  %64 = icmp slt i64 %46, 0
+  %65 = select i1 %64, i64 %27, i64 0
+  %66 = add i64 %65, %46
+  %67 = mul i64 %66, %29
+  %68 = getelementptr i64, ptr %25, i64 %67
+  store i64 %48, ptr %68, align 8
+  %69 = load i64, ptr %55, align 8
+  %70 = getelementptr i8, ptr %68, i64 8
+  store i64 %69, ptr %70, align 8
+  %71 = getelementptr i8, ptr %44, i64 -16
+  %72 = load i64, ptr %71, align 8
+  %73 = getelementptr i8, ptr %68, i64 16
+  store i64 %72, ptr %73, align 8
+  %74 = getelementptr i8, ptr %44, i64 -8
+  %75 = load i64, ptr %74, align 8
+  %76 = getelementptr i8, ptr %68, i64 24
+  store i64 %75, ptr %76, align 8
+  %77 = load i64, ptr %44, align 8
+  %78 = getelementptr i8, ptr %68, i64 32
+  store i64 %77, ptr %78, align 8
+  %79 = getelementptr i8, ptr %45, i64 -8
+  %80 = load double, ptr %79, align 8
+  %81 = load double, ptr %45, align 8
+  %82 = select i1 %64, i64 %34, i64 0
+  %83 = add i64 %82, %46
+  %84 = mul i64 %83, %36
+  %85 = getelementptr double, ptr %32, i64 %84
+  store double %80, ptr %85, align 8
   %86 = getelementptr i8, ptr %85, i64 8
-  %.567.i.i = getelementptr i64, ptr %86, i64 %.553.i.i
-  %.568.i.i = load i64, ptr %.567.i.i, align 8
-  %.605.i.i = sub i64 %.568.i.i, %.536.i.i
-  %.6492207.not.i.i = icmp slt i64 %.605.i.i, 1
-  br i1 %.6492207.not.i.i, label %B92.loopexit.i.i, label %B208.i.i
-
-B338.lr.ph.i.i:                                   ; preds = %B208.i.i
-  %.973.i.i = select i1 %.736.i.i, i64 %w4, i64 0
-  %.974.i.i = add i64 %.973.i.i, %.717.i.i
-  %.994.i.i = mul i64 %.974.i.i, %w5
-  %87 = getelementptr i64, ptr %w3, i64 %.994.i.i
-  %.999.i.i = load i64, ptr %87, align 8
-  %.1012.i.i = icmp slt i64 %.999.i.i, 0
-  %.1013.i.i = select i1 %.1012.i.i, i64 %w18, i64 0
-  %88 = getelementptr i64, ptr %w17, i64 %.999.i.i
-  %.1027.i.i = getelementptr i64, ptr %88, i64 %.1013.i.i
-  %.1028.i.i = load i64, ptr %.1027.i.i, align 8
-  %.1029.i.i = icmp eq i64 %.1028.i.i, 0
-  br i1 %.1029.i.i, label %B400.i.i, label %B338.lr.ph.B532_crit_edge.i.i
-
-B338.lr.ph.B532_crit_edge.i.i:                    ; preds = %B338.lr.ph.i.i
-  %.pre.i.i = shl i64 %.994.i.i, 3
-  br label %B532.i.i
-
-B540.endif.i.i:                                   ; preds = %B540.endif.i.i.preheader, %B1164.i.i
-  %num.10.3.i.i = phi i64 [ %num.7.5.lcssa.i.i, %B1164.i.i ], [ %num.10.3.i.i.ph, %B540.endif.i.i.preheader ]
-  %top.13.3.i.i = phi i64 [ %top.8.5.lcssa.i.i, %B1164.i.i ], [ %top.13.3.i.i.ph, %B540.endif.i.i.preheader ]
-  %.1303.i.i = add nsw i64 %top.13.3.i.i, -1
-  %.1323.inv.i.i = icmp sgt i64 %top.13.3.i.i, 0
-  %.1324.i.i = select i1 %.1323.inv.i.i, i64 0, i64 %w24
-  %89 = getelementptr i64, ptr %w23, i64 %.1303.i.i
-  %.1338.i.i = getelementptr i64, ptr %89, i64 %.1324.i.i
-  %.1339.i.i = load i64, ptr %.1338.i.i, align 8
-  %.1354.i.i = icmp slt i64 %.1339.i.i, 0
-  %.1355.i.i = select i1 %.1354.i.i, i64 %w9, i64 0
-  %90 = getelementptr i64, ptr %w8, i64 %.1339.i.i
-  %.1369.i.i = getelementptr i64, ptr %90, i64 %.1355.i.i
-  %.1370.i.i = load i64, ptr %.1369.i.i, align 8
-  %.1386.i.i = icmp slt i64 %.1339.i.i, -1
-  %.1387.i.i = select i1 %.1386.i.i, i64 %w9, i64 0
-  %91 = getelementptr i8, ptr %90, i64 8
-  %.1401.i.i = getelementptr i64, ptr %91, i64 %.1387.i.i
-  %.1402.i.i = load i64, ptr %.1401.i.i, align 8
-  %.1439.i.i = sub i64 %.1402.i.i, %.1370.i.i
-  %.14822002.not.i.i = icmp slt i64 %.1439.i.i, 1
-  br i1 %.14822002.not.i.i, label %B1164.i.i, label %B660.endif.endif.us.preheader.i.i
-
-B660.endif.endif.us.preheader.i.i:                ; preds = %B540.endif.i.i
-  %.1534.us.peel.i.i = icmp slt i64 %.1370.i.i, 0
-  %.1535.us.peel.i.i = select i1 %.1534.us.peel.i.i, i64 %w11, i64 0
-  %92 = getelementptr i64, ptr %w10, i64 %.1370.i.i
-  %.1549.us.peel.i.i = getelementptr i64, ptr %92, i64 %.1535.us.peel.i.i
-  %.1550.us.peel.i.i = load i64, ptr %.1549.us.peel.i.i, align 8
-  %.1725.us.peel.i.i = icmp slt i64 %.1550.us.peel.i.i, 0
-  %.1726.us.peel.i.i = select i1 %.1725.us.peel.i.i, i64 %w13, i64 0
-  %.1727.us.peel.i.i = add i64 %.1726.us.peel.i.i, %.1550.us.peel.i.i
-  %.1747.us.peel.i.i = mul i64 %.1727.us.peel.i.i, %w14
-  %93 = getelementptr double, ptr %w12, i64 %.1747.us.peel.i.i
-  %.1700.us.peel.i.i = load double, ptr %.451.i, align 8
-  %.1752.us.peel.i.i = load double, ptr %93, align 8
-  %.1757.us.peel.i.i = fdiv double %.1752.us.peel.i.i, 3.000000e+00
-  %.1758.us.peel.i.i = fadd double %.1700.us.peel.i.i, %.1757.us.peel.i.i
-  store double %.1758.us.peel.i.i, ptr %.451.i, align 8
-  %.1700.us.1.peel.i.i = load double, ptr %sunkaddr83.i.i, align 8
-  %94 = getelementptr i8, ptr %93, i64 8
-  %.1752.us.1.peel.i.i = load double, ptr %94, align 8
-  %.1757.us.1.peel.i.i = fdiv double %.1752.us.1.peel.i.i, 3.000000e+00
-  %.1758.us.1.peel.i.i = fadd double %.1700.us.1.peel.i.i, %.1757.us.1.peel.i.i
-  store double %.1758.us.1.peel.i.i, ptr %sunkaddr83.i.i, align 8
-  %.1700.us.2.peel.i.i = load double, ptr %sunkaddr84.i.i, align 8
-  %95 = getelementptr i8, ptr %93, i64 16
-  %.1752.us.2.peel.i.i = load double, ptr %95, align 8
-  %.1757.us.2.peel.i.i = fdiv double %.1752.us.2.peel.i.i, 3.000000e+00
-  %.1758.us.2.peel.i.i = fadd double %.1700.us.2.peel.i.i, %.1757.us.2.peel.i.i
-  store double %.1758.us.2.peel.i.i, ptr %sunkaddr84.i.i, align 8
-  %.1700.us.3.peel.i.i = load double, ptr %sunkaddr85.i.i, align 8
-  %96 = getelementptr i8, ptr %93, i64 24
-  %.1752.us.3.peel.i.i = load double, ptr %96, align 8
-  %.1757.us.3.peel.i.i = fdiv double %.1752.us.3.peel.i.i, 3.000000e+00
-  %.1758.us.3.peel.i.i = fadd double %.1700.us.3.peel.i.i, %.1757.us.3.peel.i.i
-  store double %.1758.us.3.peel.i.i, ptr %sunkaddr85.i.i, align 8
-  %.1700.us.4.peel.i.i = load double, ptr %sunkaddr86.i.i, align 8
-  %97 = getelementptr i8, ptr %93, i64 32
-  %.1752.us.4.peel.i.i = load double, ptr %97, align 8
-  %.1757.us.4.peel.i.i = fdiv double %.1752.us.4.peel.i.i, 3.000000e+00
-  %.1758.us.4.peel.i.i = fadd double %.1700.us.4.peel.i.i, %.1757.us.4.peel.i.i
-  store double %.1758.us.4.peel.i.i, ptr %sunkaddr86.i.i, align 8
-  %.1810.us.peel.i.i = select i1 %.1725.us.peel.i.i, i64 %w30, i64 0
-  %98 = getelementptr i64, ptr %w29, i64 %.1550.us.peel.i.i
-  %.1824.us.peel.i.i = getelementptr i64, ptr %98, i64 %.1810.us.peel.i.i
-  %.1825.us.peel.i.i = load i64, ptr %.1824.us.peel.i.i, align 8
-  %.1827.us.peel.i.i = icmp eq i64 %.1825.us.peel.i.i, %longest.3.4.lcssa.i
-  %.1860.us.peel.i.i = fcmp ogt double %.1758.us.peel.i.i, %.2776.i
-  %or.cond2364.i.i = select i1 %.1827.us.peel.i.i, i1 true, i1 %.1860.us.peel.i.i
-  br i1 %or.cond2364.i.i, label %B846.endif.split.us.i.i, label %B934.endif.endif.us.peel.i.i
-
-B934.endif.endif.us.peel.i.i:                     ; preds = %B660.endif.endif.us.preheader.i.i
-  %.2239.us.peel.i.i = select i1 %.1725.us.peel.i.i, i64 %w4, i64 0
-  %.2240.us.peel.i.i = add i64 %.2239.us.peel.i.i, %.1550.us.peel.i.i
-  %.2260.us.peel.i.i = mul i64 %.2240.us.peel.i.i, %w5
-  %99 = getelementptr i64, ptr %w3, i64 %.2260.us.peel.i.i
-  %.2265.us.peel.i.i = load i64, ptr %99, align 8
-  %.2278.us.peel.i.i = icmp slt i64 %.2265.us.peel.i.i, 0
-  %.2279.us.peel.i.i = select i1 %.2278.us.peel.i.i, i64 %w18, i64 0
-  %100 = getelementptr i64, ptr %w17, i64 %.2265.us.peel.i.i
-  %.2293.us.peel.i.i = getelementptr i64, ptr %100, i64 %.2279.us.peel.i.i
-  %.2294.us.peel.i.i = load i64, ptr %.2293.us.peel.i.i, align 8
-  %.2295.us.peel.i.i = icmp eq i64 %.2294.us.peel.i.i, 0
-  br i1 %.2295.us.peel.i.i, label %B1028.us.peel.i.i, label %B934.endif.endif.us.peel.B1160.us.peel_crit_edge.i.i
-
-B934.endif.endif.us.peel.B1160.us.peel_crit_edge.i.i: ; preds = %B934.endif.endif.us.peel.i.i
-  %.pre19.i.i = shl i64 %.2260.us.peel.i.i, 3
-  br label %B1160.us.peel.i.i
-
-B1028.us.peel.i.i:                                ; preds = %B934.endif.endif.us.peel.i.i
-  %sunkaddr97.i.i = shl i64 %.2279.us.peel.i.i, 3
-  %sunkaddr98.i.i = getelementptr inbounds i8, ptr %100, i64 %sunkaddr97.i.i
-  store i64 2, ptr %sunkaddr98.i.i, align 8
-  %sunkaddr99.i.i = shl i64 %.2260.us.peel.i.i, 3
-  %sunkaddr100.i.i = getelementptr i8, ptr %w3, i64 %sunkaddr99.i.i
-  %.2435.us.peel.i.i = load i64, ptr %sunkaddr100.i.i, align 8
-  %.2451.us.peel.i.i = icmp slt i64 %num.10.3.i.i, 0
-  %.2452.us.peel.i.i = select i1 %.2451.us.peel.i.i, i64 %w22, i64 0
-  %101 = getelementptr i64, ptr %w21, i64 %num.10.3.i.i
-  %.2466.us.peel.i.i = getelementptr i64, ptr %101, i64 %.2452.us.peel.i.i
-  store i64 %.2435.us.peel.i.i, ptr %.2466.us.peel.i.i, align 8
-  %sunkaddr101.i.i = shl i64 %.1324.i.i, 3
-  %sunkaddr102.i.i = getelementptr inbounds i8, ptr %89, i64 %sunkaddr101.i.i
-  store i64 %.2435.us.peel.i.i, ptr %sunkaddr102.i.i, align 8
-  %.2501.us.peel.i.i = add nsw i64 %num.10.3.i.i, 1
-  br label %B1160.us.peel.i.i
-
-B1160.us.peel.i.i:                                ; preds = %B1028.us.peel.i.i, %B934.endif.endif.us.peel.B1160.us.peel_crit_edge.i.i
-  %sunkaddr103.pre-phi.i.i = phi i64 [ %.pre19.i.i, %B934.endif.endif.us.peel.B1160.us.peel_crit_edge.i.i ], [ %sunkaddr99.i.i, %B1028.us.peel.i.i ]
-  %num.9.7.us.peel.i.i = phi i64 [ %num.10.3.i.i, %B934.endif.endif.us.peel.B1160.us.peel_crit_edge.i.i ], [ %.2501.us.peel.i.i, %B1028.us.peel.i.i ]
-  %top.10.7.us.peel.i.i = phi i64 [ %.1303.i.i, %B934.endif.endif.us.peel.B1160.us.peel_crit_edge.i.i ], [ %top.13.3.i.i, %B1028.us.peel.i.i ]
-  %sunkaddr104.i.i = getelementptr i8, ptr %w3, i64 %sunkaddr103.pre-phi.i.i
-  %sunkaddr105.i.i = getelementptr i8, ptr %sunkaddr104.i.i, i64 8
-  %.2265.us.1.peel.i.i = load i64, ptr %sunkaddr105.i.i, align 8
-  %.2278.us.1.peel.i.i = icmp slt i64 %.2265.us.1.peel.i.i, 0
-  %.2279.us.1.peel.i.i = select i1 %.2278.us.1.peel.i.i, i64 %w18, i64 0
-  %102 = getelementptr i64, ptr %w17, i64 %.2265.us.1.peel.i.i
-  %.2293.us.1.peel.i.i = getelementptr i64, ptr %102, i64 %.2279.us.1.peel.i.i
-  %.2294.us.1.peel.i.i = load i64, ptr %.2293.us.1.peel.i.i, align 8
-  %.2295.us.1.peel.i.i = icmp eq i64 %.2294.us.1.peel.i.i, 0
-  br i1 %.2295.us.1.peel.i.i, label %B1028.us.1.peel.i.i, label %B1160.us.1.peel.i.i
-
-B1028.us.1.peel.i.i:                              ; preds = %B1160.us.peel.i.i
-  %sunkaddr106.i.i = shl i64 %.2279.us.1.peel.i.i, 3
-  %sunkaddr107.i.i = getelementptr inbounds i8, ptr %102, i64 %sunkaddr106.i.i
-  store i64 2, ptr %sunkaddr107.i.i, align 8
-  %.2435.us.1.peel.i.i = load i64, ptr %sunkaddr105.i.i, align 8
-  %.2451.us.1.peel.i.i = icmp slt i64 %num.9.7.us.peel.i.i, 0
-  %.2452.us.1.peel.i.i = select i1 %.2451.us.1.peel.i.i, i64 %w22, i64 0
-  %103 = getelementptr i64, ptr %w21, i64 %num.9.7.us.peel.i.i
-  %.2466.us.1.peel.i.i = getelementptr i64, ptr %103, i64 %.2452.us.1.peel.i.i
-  store i64 %.2435.us.1.peel.i.i, ptr %.2466.us.1.peel.i.i, align 8
-  %.2483.us.1.peel.i.i = icmp slt i64 %top.10.7.us.peel.i.i, 0
-  %.2484.us.1.peel.i.i = select i1 %.2483.us.1.peel.i.i, i64 %w24, i64 0
-  %104 = getelementptr i64, ptr %w23, i64 %top.10.7.us.peel.i.i
-  %.2498.us.1.peel.i.i = getelementptr i64, ptr %104, i64 %.2484.us.1.peel.i.i
-  store i64 %.2435.us.1.peel.i.i, ptr %.2498.us.1.peel.i.i, align 8
-  %.2501.us.1.peel.i.i = add nsw i64 %num.9.7.us.peel.i.i, 1
-  %.2505.us.1.peel.i.i = add nsw i64 %top.10.7.us.peel.i.i, 1
-  br label %B1160.us.1.peel.i.i
-
-B1160.us.1.peel.i.i:                              ; preds = %B1028.us.1.peel.i.i, %B1160.us.peel.i.i
-  %num.9.7.us.1.peel.i.i = phi i64 [ %.2501.us.1.peel.i.i, %B1028.us.1.peel.i.i ], [ %num.9.7.us.peel.i.i, %B1160.us.peel.i.i ]
-  %top.10.7.us.1.peel.i.i = phi i64 [ %.2505.us.1.peel.i.i, %B1028.us.1.peel.i.i ], [ %top.10.7.us.peel.i.i, %B1160.us.peel.i.i ]
-  %sunkaddr90.i.i = getelementptr i8, ptr %sunkaddr104.i.i, i64 16
-  %.2265.us.2.peel.i.i = load i64, ptr %sunkaddr90.i.i, align 8
-  %.2278.us.2.peel.i.i = icmp slt i64 %.2265.us.2.peel.i.i, 0
-  %.2279.us.2.peel.i.i = select i1 %.2278.us.2.peel.i.i, i64 %w18, i64 0
-  %105 = getelementptr i64, ptr %w17, i64 %.2265.us.2.peel.i.i
-  %.2293.us.2.peel.i.i = getelementptr i64, ptr %105, i64 %.2279.us.2.peel.i.i
-  %.2294.us.2.peel.i.i = load i64, ptr %.2293.us.2.peel.i.i, align 8
-  %.2295.us.2.peel.i.i = icmp eq i64 %.2294.us.2.peel.i.i, 0
-  br i1 %.2295.us.2.peel.i.i, label %B1028.us.2.peel.i.i, label %B1160.us.2.peel.i.i
-
-B1028.us.2.peel.i.i:                              ; preds = %B1160.us.1.peel.i.i
-  %sunkaddr114.i.i = shl i64 %.2279.us.2.peel.i.i, 3
-  %sunkaddr115.i.i = getelementptr inbounds i8, ptr %105, i64 %sunkaddr114.i.i
-  store i64 2, ptr %sunkaddr115.i.i, align 8
-  %.2435.us.2.peel.i.i = load i64, ptr %sunkaddr90.i.i, align 8
-  %.2451.us.2.peel.i.i = icmp slt i64 %num.9.7.us.1.peel.i.i, 0
-  %.2452.us.2.peel.i.i = select i1 %.2451.us.2.peel.i.i, i64 %w22, i64 0
-  %106 = getelementptr i64, ptr %w21, i64 %num.9.7.us.1.peel.i.i
-  %.2466.us.2.peel.i.i = getelementptr i64, ptr %106, i64 %.2452.us.2.peel.i.i
-  store i64 %.2435.us.2.peel.i.i, ptr %.2466.us.2.peel.i.i, align 8
-  %.2483.us.2.peel.i.i = icmp slt i64 %top.10.7.us.1.peel.i.i, 0
-  %.2484.us.2.peel.i.i = select i1 %.2483.us.2.peel.i.i, i64 %w24, i64 0
-  %107 = getelementptr i64, ptr %w23, i64 %top.10.7.us.1.peel.i.i
-  %.2498.us.2.peel.i.i = getelementptr i64, ptr %107, i64 %.2484.us.2.peel.i.i
-  store i64 %.2435.us.2.peel.i.i, ptr %.2498.us.2.peel.i.i, align 8
-  %.2501.us.2.peel.i.i = add nsw i64 %num.9.7.us.1.peel.i.i, 1
-  %.2505.us.2.peel.i.i = add nsw i64 %top.10.7.us.1.peel.i.i, 1
-  br label %B1160.us.2.peel.i.i
-
-B1160.us.2.peel.i.i:                              ; preds = %B1028.us.2.peel.i.i, %B1160.us.1.peel.i.i
-  %num.9.7.us.2.peel.i.i = phi i64 [ %.2501.us.2.peel.i.i, %B1028.us.2.peel.i.i ], [ %num.9.7.us.1.peel.i.i, %B1160.us.1.peel.i.i ]
-  %top.10.7.us.2.peel.i.i = phi i64 [ %.2505.us.2.peel.i.i, %B1028.us.2.peel.i.i ], [ %top.10.7.us.1.peel.i.i, %B1160.us.1.peel.i.i ]
-  %.1482.us.peel.not.i.i = icmp eq i64 %.1439.i.i, 1
-  br i1 %.1482.us.peel.not.i.i, label %B1164.i.i, label %B660.endif.endif.us.preheader47.i.i
-
-B660.endif.endif.us.preheader47.i.i:              ; preds = %B1160.us.2.peel.i.i
-  %108 = add nuw i64 %.1439.i.i, 1
-  br label %B660.endif.endif.us.i.i
-
-B660.endif.endif.us.i.i:                          ; preds = %B1160.us.2.i.i, %B660.endif.endif.us.preheader47.i.i
-  %lsr.iv54.in.i.i = phi i64 [ %lsr.iv54.i.i, %B1160.us.2.i.i ], [ %.1370.i.i, %B660.endif.endif.us.preheader47.i.i ]
-  %lsr.iv.i.i = phi i64 [ %lsr.iv.next.i.i, %B1160.us.2.i.i ], [ %108, %B660.endif.endif.us.preheader47.i.i ]
-  %top.8.52008.us.i.i = phi i64 [ %top.10.7.us.2.i.i, %B1160.us.2.i.i ], [ %top.10.7.us.2.peel.i.i, %B660.endif.endif.us.preheader47.i.i ]
-  %num.7.52007.us.i.i = phi i64 [ %num.9.7.us.2.i.i, %B1160.us.2.i.i ], [ %num.9.7.us.2.peel.i.i, %B660.endif.endif.us.preheader47.i.i ]
-  %lsr.iv54.i.i = add i64 %lsr.iv54.in.i.i, 1
-  %.1534.us.i.i = icmp slt i64 %lsr.iv54.i.i, 0
-  %109 = select i1 %.1534.us.i.i, i64 %3, i64 0
-  %scevgep61.i.i = getelementptr i8, ptr %w10, i64 %109
-  %110 = shl i64 %lsr.iv54.i.i, 3
-  %scevgep56.i.i = getelementptr i8, ptr %scevgep61.i.i, i64 %110
-  %.1550.us.i.i = load i64, ptr %scevgep56.i.i, align 8
-  %.1725.us.i.i = icmp slt i64 %.1550.us.i.i, 0
-  %.1726.us.i.i = select i1 %.1725.us.i.i, i64 %w13, i64 0
-  %.1727.us.i.i = add i64 %.1726.us.i.i, %.1550.us.i.i
-  %.1747.us.i.i = mul i64 %.1727.us.i.i, %w14
-  %111 = getelementptr double, ptr %w12, i64 %.1747.us.i.i
-  %.1700.us.i.i = load double, ptr %.451.i, align 8
-  %.1752.us.i.i = load double, ptr %111, align 8
-  %.1757.us.i.i = fdiv double %.1752.us.i.i, 3.000000e+00
-  %.1758.us.i.i = fadd double %.1700.us.i.i, %.1757.us.i.i
-  store double %.1758.us.i.i, ptr %.451.i, align 8
-  %.1700.us.1.i.i = load double, ptr %sunkaddr83.i.i, align 8
-  %112 = getelementptr i8, ptr %111, i64 8
-  %.1752.us.1.i.i = load double, ptr %112, align 8
-  %.1757.us.1.i.i = fdiv double %.1752.us.1.i.i, 3.000000e+00
-  %.1758.us.1.i.i = fadd double %.1700.us.1.i.i, %.1757.us.1.i.i
-  store double %.1758.us.1.i.i, ptr %sunkaddr83.i.i, align 8
-  %.1700.us.2.i.i = load double, ptr %sunkaddr84.i.i, align 8
-  %113 = getelementptr i8, ptr %111, i64 16
-  %.1752.us.2.i.i = load double, ptr %113, align 8
-  %.1757.us.2.i.i = fdiv double %.1752.us.2.i.i, 3.000000e+00
-  %.1758.us.2.i.i = fadd double %.1700.us.2.i.i, %.1757.us.2.i.i
-  store double %.1758.us.2.i.i, ptr %sunkaddr84.i.i, align 8
-  %.1700.us.3.i.i = load double, ptr %sunkaddr85.i.i, align 8
-  %114 = getelementptr i8, ptr %111, i64 24
-  %.1752.us.3.i.i = load double, ptr %114, align 8
-  %.1757.us.3.i.i = fdiv double %.1752.us.3.i.i, 3.000000e+00
-  %.1758.us.3.i.i = fadd double %.1700.us.3.i.i, %.1757.us.3.i.i
-  store double %.1758.us.3.i.i, ptr %sunkaddr85.i.i, align 8
-  %.1700.us.4.i.i = load double, ptr %sunkaddr86.i.i, align 8
-  %115 = getelementptr i8, ptr %111, i64 32
-  %.1752.us.4.i.i = load double, ptr %115, align 8
-  %.1757.us.4.i.i = fdiv double %.1752.us.4.i.i, 3.000000e+00
-  %.1758.us.4.i.i = fadd double %.1700.us.4.i.i, %.1757.us.4.i.i
-  store double %.1758.us.4.i.i, ptr %sunkaddr86.i.i, align 8
-  %.1810.us.i.i = select i1 %.1725.us.i.i, i64 %w30, i64 0
-  %116 = getelementptr i64, ptr %w29, i64 %.1550.us.i.i
-  %.1824.us.i.i = getelementptr i64, ptr %116, i64 %.1810.us.i.i
-  %.1825.us.i.i = load i64, ptr %.1824.us.i.i, align 8
-  %.1827.us.i.i = icmp eq i64 %.1825.us.i.i, %longest.3.4.lcssa.i
-  %.1860.us.i.i = fcmp ogt double %.1758.us.i.i, %.2776.i
-  %or.cond2365.i.i = select i1 %.1827.us.i.i, i1 true, i1 %.1860.us.i.i
-  br i1 %or.cond2365.i.i, label %B846.endif.split.us.i.i, label %B934.endif.endif.us.i.i
-
-B934.endif.endif.us.i.i:                          ; preds = %B660.endif.endif.us.i.i
-  %.2239.us.i.i = select i1 %.1725.us.i.i, i64 %w4, i64 0
-  %.2240.us.i.i = add i64 %.2239.us.i.i, %.1550.us.i.i
-  %.2260.us.i.i = mul i64 %.2240.us.i.i, %w5
-  %117 = getelementptr i64, ptr %w3, i64 %.2260.us.i.i
-  %.2265.us.i.i = load i64, ptr %117, align 8
-  %.2278.us.i.i = icmp slt i64 %.2265.us.i.i, 0
-  %.2279.us.i.i = select i1 %.2278.us.i.i, i64 %w18, i64 0
-  %118 = getelementptr i64, ptr %w17, i64 %.2265.us.i.i
-  %.2293.us.i.i = getelementptr i64, ptr %118, i64 %.2279.us.i.i
-  %.2294.us.i.i = load i64, ptr %.2293.us.i.i, align 8
-  %.2295.us.i.i = icmp eq i64 %.2294.us.i.i, 0
-  br i1 %.2295.us.i.i, label %B1028.us.i.i, label %B934.endif.endif.us.B1160.us_crit_edge.i.i
-
-B934.endif.endif.us.B1160.us_crit_edge.i.i:       ; preds = %B934.endif.endif.us.i.i
-  %.pre20.i.i = shl i64 %.2260.us.i.i, 3
-  br label %B1160.us.i.i
-
-B1028.us.i.i:                                     ; preds = %B934.endif.endif.us.i.i
-  %sunkaddr123.i.i = shl i64 %.2279.us.i.i, 3
-  %sunkaddr124.i.i = getelementptr inbounds i8, ptr %118, i64 %sunkaddr123.i.i
-  store i64 2, ptr %sunkaddr124.i.i, align 8
-  %sunkaddr125.i.i = shl i64 %.2260.us.i.i, 3
-  %sunkaddr126.i.i = getelementptr i8, ptr %w3, i64 %sunkaddr125.i.i
-  %.2435.us.i.i = load i64, ptr %sunkaddr126.i.i, align 8
-  %.2451.us.i.i = icmp slt i64 %num.7.52007.us.i.i, 0
-  %.2452.us.i.i = select i1 %.2451.us.i.i, i64 %w22, i64 0
-  %119 = getelementptr i64, ptr %w21, i64 %num.7.52007.us.i.i
-  %.2466.us.i.i = getelementptr i64, ptr %119, i64 %.2452.us.i.i
-  store i64 %.2435.us.i.i, ptr %.2466.us.i.i, align 8
-  %.2483.us.i.i = icmp slt i64 %top.8.52008.us.i.i, 0
-  %.2484.us.i.i = select i1 %.2483.us.i.i, i64 %w24, i64 0
-  %120 = getelementptr i64, ptr %w23, i64 %top.8.52008.us.i.i
-  %.2498.us.i.i = getelementptr i64, ptr %120, i64 %.2484.us.i.i
-  store i64 %.2435.us.i.i, ptr %.2498.us.i.i, align 8
-  %.2501.us.i.i = add nsw i64 %num.7.52007.us.i.i, 1
-  %.2505.us.i.i = add nsw i64 %top.8.52008.us.i.i, 1
-  br label %B1160.us.i.i
-
-B1160.us.i.i:                                     ; preds = %B1028.us.i.i, %B934.endif.endif.us.B1160.us_crit_edge.i.i
-  %sunkaddr127.pre-phi.i.i = phi i64 [ %.pre20.i.i, %B934.endif.endif.us.B1160.us_crit_edge.i.i ], [ %sunkaddr125.i.i, %B1028.us.i.i ]
-  %num.9.7.us.i.i = phi i64 [ %num.7.52007.us.i.i, %B934.endif.endif.us.B1160.us_crit_edge.i.i ], [ %.2501.us.i.i, %B1028.us.i.i ]
-  %top.10.7.us.i.i = phi i64 [ %top.8.52008.us.i.i, %B934.endif.endif.us.B1160.us_crit_edge.i.i ], [ %.2505.us.i.i, %B1028.us.i.i ]
-  %sunkaddr128.i.i = getelementptr i8, ptr %w3, i64 %sunkaddr127.pre-phi.i.i
-  %sunkaddr129.i.i = getelementptr i8, ptr %sunkaddr128.i.i, i64 8
-  %.2265.us.1.i.i = load i64, ptr %sunkaddr129.i.i, align 8
-  %.2278.us.1.i.i = icmp slt i64 %.2265.us.1.i.i, 0
-  %.2279.us.1.i.i = select i1 %.2278.us.1.i.i, i64 %w18, i64 0
-  %121 = getelementptr i64, ptr %w17, i64 %.2265.us.1.i.i
-  %.2293.us.1.i.i = getelementptr i64, ptr %121, i64 %.2279.us.1.i.i
-  %.2294.us.1.i.i = load i64, ptr %.2293.us.1.i.i, align 8
-  %.2295.us.1.i.i = icmp eq i64 %.2294.us.1.i.i, 0
-  br i1 %.2295.us.1.i.i, label %B1028.us.1.i.i, label %B1160.us.1.i.i
-
-B1028.us.1.i.i:                                   ; preds = %B1160.us.i.i
-  %sunkaddr130.i.i = shl i64 %.2279.us.1.i.i, 3
-  %sunkaddr131.i.i = getelementptr inbounds i8, ptr %121, i64 %sunkaddr130.i.i
-  store i64 2, ptr %sunkaddr131.i.i, align 8
-  %.2435.us.1.i.i = load i64, ptr %sunkaddr129.i.i, align 8
-  %.2451.us.1.i.i = icmp slt i64 %num.9.7.us.i.i, 0
-  %.2452.us.1.i.i = select i1 %.2451.us.1.i.i, i64 %w22, i64 0
-  %122 = getelementptr i64, ptr %w21, i64 %num.9.7.us.i.i
-  %.2466.us.1.i.i = getelementptr i64, ptr %122, i64 %.2452.us.1.i.i
-  store i64 %.2435.us.1.i.i, ptr %.2466.us.1.i.i, align 8
-  %.2483.us.1.i.i = icmp slt i64 %top.10.7.us.i.i, 0
-  %.2484.us.1.i.i = select i1 %.2483.us.1.i.i, i64 %w24, i64 0
-  %123 = getelementptr i64, ptr %w23, i64 %top.10.7.us.i.i
-  %.2498.us.1.i.i = getelementptr i64, ptr %123, i64 %.2484.us.1.i.i
-  store i64 %.2435.us.1.i.i, ptr %.2498.us.1.i.i, align 8
-  %.2501.us.1.i.i = add nsw i64 %num.9.7.us.i.i, 1
-  %.2505.us.1.i.i = add nsw i64 %top.10.7.us.i.i, 1
-  br label %B1160.us.1.i.i
-
-B1160.us.1.i.i:                                   ; preds = %B1028.us.1.i.i, %B1160.us.i.i
-  %num.9.7.us.1.i.i = phi i64 [ %.2501.us.1.i.i, %B1028.us.1.i.i ], [ %num.9.7.us.i.i, %B1160.us.i.i ]
-  %top.10.7.us.1.i.i = phi i64 [ %.2505.us.1.i.i, %B1028.us.1.i.i ], [ %top.10.7.us.i.i, %B1160.us.i.i ]
-  %sunkaddr116.i.i = getelementptr i8, ptr %sunkaddr128.i.i, i64 16
-  %.2265.us.2.i.i = load i64, ptr %sunkaddr116.i.i, align 8
-  %.2278.us.2.i.i = icmp slt i64 %.2265.us.2.i.i, 0
-  %.2279.us.2.i.i = select i1 %.2278.us.2.i.i, i64 %w18, i64 0
-  %124 = getelementptr i64, ptr %w17, i64 %.2265.us.2.i.i
-  %.2293.us.2.i.i = getelementptr i64, ptr %124, i64 %.2279.us.2.i.i
-  %.2294.us.2.i.i = load i64, ptr %.2293.us.2.i.i, align 8
-  %.2295.us.2.i.i = icmp eq i64 %.2294.us.2.i.i, 0
-  br i1 %.2295.us.2.i.i, label %B1028.us.2.i.i, label %B1160.us.2.i.i
-
-B1028.us.2.i.i:                                   ; preds = %B1160.us.1.i.i
-  %sunkaddr138.i.i = shl i64 %.2279.us.2.i.i, 3
-  %sunkaddr139.i.i = getelementptr inbounds i8, ptr %124, i64 %sunkaddr138.i.i
-  store i64 2, ptr %sunkaddr139.i.i, align 8
-  %.2435.us.2.i.i = load i64, ptr %sunkaddr116.i.i, align 8
-  %.2451.us.2.i.i = icmp slt i64 %num.9.7.us.1.i.i, 0
-  %.2452.us.2.i.i = select i1 %.2451.us.2.i.i, i64 %w22, i64 0
-  %125 = getelementptr i64, ptr %w21, i64 %num.9.7.us.1.i.i
-  %.2466.us.2.i.i = getelementptr i64, ptr %125, i64 %.2452.us.2.i.i
-  store i64 %.2435.us.2.i.i, ptr %.2466.us.2.i.i, align 8
-  %.2483.us.2.i.i = icmp slt i64 %top.10.7.us.1.i.i, 0
-  %.2484.us.2.i.i = select i1 %.2483.us.2.i.i, i64 %w24, i64 0
-  %126 = getelementptr i64, ptr %w23, i64 %top.10.7.us.1.i.i
-  %.2498.us.2.i.i = getelementptr i64, ptr %126, i64 %.2484.us.2.i.i
-  store i64 %.2435.us.2.i.i, ptr %.2498.us.2.i.i, align 8
-  %.2501.us.2.i.i = add nsw i64 %num.9.7.us.1.i.i, 1
-  %.2505.us.2.i.i = add nsw i64 %top.10.7.us.1.i.i, 1
-  br label %B1160.us.2.i.i
-
-B1160.us.2.i.i:                                   ; preds = %B1028.us.2.i.i, %B1160.us.1.i.i
-  %num.9.7.us.2.i.i = phi i64 [ %.2501.us.2.i.i, %B1028.us.2.i.i ], [ %num.9.7.us.1.i.i, %B1160.us.1.i.i ]
-  %top.10.7.us.2.i.i = phi i64 [ %.2505.us.2.i.i, %B1028.us.2.i.i ], [ %top.10.7.us.1.i.i, %B1160.us.1.i.i ]
-  %lsr.iv.next.i.i = add i64 %lsr.iv.i.i, -1
-  %.1482.us.i.i = icmp samesign ugt i64 %lsr.iv.next.i.i, 2
-  br i1 %.1482.us.i.i, label %B660.endif.endif.us.i.i, label %B1164.i.i
-
-B846.endif.split.us.i.i:                          ; preds = %B660.endif.endif.us.preheader.i.i, %B660.endif.endif.us.i.i
-  %num.7.52007.us.lcssa.i.i = phi i64 [ %num.7.52007.us.i.i, %B660.endif.endif.us.i.i ], [ %num.10.3.i.i, %B660.endif.endif.us.preheader.i.i ]
-  %.19622281.not.i.i = icmp slt i64 %num.7.52007.us.lcssa.i.i, 1
-  br i1 %.19622281.not.i.i, label %B1550.endif.i, label %B878.preheader.i.i
-
-B878.preheader.i.i:                               ; preds = %B846.endif.split.us.i.i
-  %xtraiter.i.i = and i64 %num.7.52007.us.lcssa.i.i, 3
-  %127 = icmp samesign ult i64 %num.7.52007.us.lcssa.i.i, 4
-  br i1 %127, label %B878.epil.preheader.i.i, label %B878.preheader.new.i.i
-
-B878.preheader.new.i.i:                           ; preds = %B878.preheader.i.i
-  %unroll_iter.i.i = and i64 %num.7.52007.us.lcssa.i.i, 9223372036854775804
-  br label %B878.i.i
-
-_ZN7msf_jax4host4thin6fronts7islandsB3v47B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xxd5ArrayIdLi1E1C7mutable7alignedE.exit.i: ; preds = %B92.loopexit.i.i
-  %.2848.i = icmp sgt i64 %num.4.1.lcssa.i.i, 0
-  br i1 %.2848.i, label %B1496.preheader.i, label %B1550.endif.i
-
-B1496.i:                                          ; preds = %B1496.preheader.new.i, %B1546.1.i
-  %goes_on.11.43358.i = phi i1 [ true, %B1496.preheader.new.i ], [ %"$phi1546.1.2.5.1.i", %B1546.1.i ]
-  %.316133543356.i = phi i64 [ 0, %B1496.preheader.new.i ], [ %.3168.147.i, %B1546.1.i ]
-  br i1 %goes_on.11.43358.i, label %B1546.i, label %B1546.1.i
-
-B1546.i:                                          ; preds = %B1496.i
-  %sunkaddr284.i = shl i64 %.316133543356.i, 3
-  %sunkaddr285.i = getelementptr i8, ptr %w21, i64 %sunkaddr284.i
-  %.3239.i = load i64, ptr %sunkaddr285.i, align 8
-  %.3255.i = icmp slt i64 %.3239.i, 0
-  %.3256.i = select i1 %.3255.i, i64 %w38, i64 0
-  %128 = getelementptr i64, ptr %w37, i64 %.3239.i
-  %.3270.i = getelementptr i64, ptr %128, i64 %.3256.i
-  %.3271.i = load i64, ptr %.3270.i, align 8
-  %.3272.i = icmp eq i64 %.3271.i, 0
-  br i1 %.3272.i, label %B1502.1.i, label %B1546.1.i
-
-B1502.1.i:                                        ; preds = %B1546.i
-  %sunkaddr288.i = getelementptr i8, ptr %sunkaddr285.i, i64 8
-  %.3239.1.i = load i64, ptr %sunkaddr288.i, align 8
-  %.3255.1.i = icmp slt i64 %.3239.1.i, 0
-  %.3256.1.i = select i1 %.3255.1.i, i64 %w38, i64 0
-  %129 = getelementptr i64, ptr %w37, i64 %.3239.1.i
-  %.3270.1.i = getelementptr i64, ptr %129, i64 %.3256.1.i
-  %.3271.1.i = load i64, ptr %.3270.1.i, align 8
-  %.3272.1.i = icmp eq i64 %.3271.1.i, 0
-  br label %B1546.1.i
-
-B1546.1.i:                                        ; preds = %B1502.1.i, %B1546.i, %B1496.i
-  %"$phi1546.1.2.5.1.i" = phi i1 [ %.3272.1.i, %B1502.1.i ], [ false, %B1546.i ], [ false, %B1496.i ]
-  %.3168.147.i = add nuw i64 %.316133543356.i, 2
-  %niter.ncmp.1.i = icmp eq i64 %unroll_iter.i, %.3168.147.i
-  br i1 %niter.ncmp.1.i, label %B1550.endif.loopexit.unr-lcssa.i, label %B1496.i
-
-B1580.loopexit.i:                                 ; preds = %B1712.i, %B1712.prol.loopexit.i, %B1582.endif.i
-  %exitcond4388.not.i = icmp eq i64 %.3389.i, %count.2.03906.i
-  br i1 %exitcond4388.not.i, label %B1760.loopexit.i, label %B1582.endif.i
-
-B1712.i:                                          ; preds = %B1712.preheader183.i, %B1712.i
-  %lsr.iv211.i = phi i64 [ %178, %B1712.preheader183.i ], [ %lsr.iv.next212.i, %B1712.i ]
-  %.362433633365.i = phi i64 [ %.362433633365.unr.i, %B1712.preheader183.i ], [ %136, %B1712.i ]
-  %.3672.i = icmp slt i64 %.362433633365.i, 0
-  %130 = select i1 %.3672.i, i64 %3, i64 0
-  %scevgep213.i = getelementptr i8, ptr %w10, i64 %130
-  %131 = shl i64 %.362433633365.i, 3
-  %scevgep214.i = getelementptr i8, ptr %scevgep213.i, i64 %131
-  %.3688.i = load i64, ptr %scevgep214.i, align 8
-  %.3701.i = icmp slt i64 %.3688.i, 0
-  %.3702.i = select i1 %.3701.i, i64 %w30, i64 0
-  %132 = getelementptr i64, ptr %w29, i64 %.3688.i
-  %.3716.i = getelementptr i64, ptr %132, i64 %.3702.i
-  store i64 -1, ptr %.3716.i, align 8
-  %133 = add i64 %.362433633365.i, 1
-  %.3672.1.i = icmp slt i64 %133, 0
-  %134 = select i1 %.3672.1.i, i64 %3, i64 0
-  %scevgep215.i = getelementptr i8, ptr %w10, i64 %134
-  %scevgep216.i = getelementptr i8, ptr %scevgep215.i, i64 %131
-  %scevgep217.i = getelementptr i8, ptr %scevgep216.i, i64 8
-  %.3688.1.i = load i64, ptr %scevgep217.i, align 8
-  %.3701.1.i = icmp slt i64 %.3688.1.i, 0
-  %.3702.1.i = select i1 %.3701.1.i, i64 %w30, i64 0
-  %135 = getelementptr i64, ptr %w29, i64 %.3688.1.i
-  %.3716.1.i = getelementptr i64, ptr %135, i64 %.3702.1.i
-  store i64 -1, ptr %.3716.1.i, align 8
-  %lsr.iv.next212.i = add i64 %lsr.iv211.i, -2
-  %.3618.1.i = icmp samesign ugt i64 %lsr.iv.next212.i, 2
-  %136 = add i64 %.362433633365.i, 2
-  br i1 %.3618.1.i, label %B1712.i, label %B1580.loopexit.i
-
-B1760.loopexit.i:                                 ; preds = %B1580.loopexit.i
-  %.3757.i = load double, ptr %.533.i, align 8
-  %.3759.i = fcmp ogt double %.3757.i, %w36
-  %.3762.i = fmul double %last.2.2.i, 1.500000e+00
-  %.3764.i = fcmp ogt double %level.2.2.i, %.3762.i
-  %or.cond3156.i = select i1 %.3759.i, i1 true, i1 %.3764.i
-  br i1 %or.cond3156.i, label %B2492.endif.i, label %B1820.i
-
-B1820.i:                                          ; preds = %B1760.loopexit.i
-  br i1 %goes_on.10.3.i, label %B1826.i, label %B2492.endif.i
-
-B1826.i:                                          ; preds = %B1820.i
-  %.3829.i = icmp sgt i64 %num.2.3.i, -1
-  br i1 %.3829.i, label %B1840.i, label %B2584.i
-
-B1840.i:                                          ; preds = %B1826.i
-  %.3879.i = load double, ptr %sunkaddr373.i, align 8
-  %.3881.i = fcmp ogt double %.3879.i, 0.000000e+00
-  br i1 %.3881.i, label %B1866.i, label %B2492.endif.i
-
-B1866.i:                                          ; preds = %B1840.i
-  %.4021.i = load double, ptr %sunkaddr377.i, align 8
-  %.4234.i = icmp slt i64 %rows.2.2.i, 0
-  %.4235.i = select i1 %.4234.i, i64 %w40, i64 0
-  %.4236.i = add i64 %.4235.i, %rows.2.2.i
-  %.4256.i = mul i64 %.4236.i, %w41
-  %137 = getelementptr double, ptr %w39, i64 %.4256.i
-  %.4175.i = load double, ptr %sunkaddr385.i, align 8
-  %.4209.i = fdiv double %.4175.i, %.3879.i
-  %138 = getelementptr i8, ptr %137, i64 24
-  store double %.4209.i, ptr %138, align 8
-  %.4344.i = load double, ptr %sunkaddr374.i, align 8
-  %.4345.i = fmul double %.4209.i, %.4344.i
-  %.4350.i = fdiv double %.4345.i, 3.000000e+00
-  %.4352.i = fsub double %.4021.i, %.4350.i
-  %.4175.1.i = load double, ptr %sunkaddr389.i, align 8
-  %.4205.1.i = load double, ptr %sunkaddr373.i, align 8
-  %.4209.1.i = fdiv double %.4175.1.i, %.4205.1.i
-  %139 = getelementptr i8, ptr %137, i64 8
-  %140 = getelementptr i8, ptr %137, i64 32
-  store double %.4209.1.i, ptr %140, align 8
-  %.4344.1.i = load double, ptr %sunkaddr375.i, align 8
-  %.4345.1.i = fmul double %.4209.1.i, %.4344.1.i
-  %.4350.1.i = fdiv double %.4345.1.i, 3.000000e+00
-  %.4352.1.i = fsub double %.4352.i, %.4350.1.i
-  %.4175.2.i = load double, ptr %sunkaddr393.i, align 8
-  %.4205.2.i = load double, ptr %sunkaddr373.i, align 8
-  %.4209.2.i = fdiv double %.4175.2.i, %.4205.2.i
-  %141 = getelementptr i8, ptr %137, i64 16
-  %142 = getelementptr i8, ptr %137, i64 40
-  store double %.4209.2.i, ptr %142, align 8
-  %.4344.2.i = load double, ptr %sunkaddr376.i, align 8
-  %.4345.2.i = fmul double %.4209.2.i, %.4344.2.i
-  %.4350.2.i = fdiv double %.4345.2.i, 3.000000e+00
-  %.4352.2.i = fsub double %.4352.1.i, %.4350.2.i
-  %.3925.i = fmul double %.3757.i, 0x401921FB54442D18
-  %.3986.i = fmul double %.3879.i, %.3879.i
-  %.3990.i = fdiv double %.3925.i, %.3986.i
-  %.3991.i = fadd double %.3990.i, -5.000000e-01
-  %.4362.i = fcmp ogt double %.4352.2.i, 0.000000e+00
-  %"$phi2134.0.2.4.i" = select i1 %.4362.i, double %.3991.i, double 0.000000e+00
-  %.4411.i = load double, ptr %.533.i, align 8
-  %.4413.i = fcmp oge double %.4411.i, %w35
-  %.4423.i = fmul double %"$phi2134.0.2.4.i", 5.000000e-01
-  %"$phi2182.0.2.4.i" = select i1 %.4413.i, double %"$phi2134.0.2.4.i", double %.4423.i
-  store double %"$phi2182.0.2.4.i", ptr %137, align 8
-  %.4526.i = load double, ptr %.533.i, align 8
-  store double %level.2.2.i, ptr %139, align 8
-  store double %.4526.i, ptr %141, align 8
-  %.4692.i = getelementptr i8, ptr %137, i64 48
-  store double %.4352.2.i, ptr %.4692.i, align 8
-  %.4752.i = fcmp olt double %"$phi2182.0.2.4.i", %w34
-  %.4812.i = fcmp ogt double %"$phi2182.0.2.4.i", %slenderest.2.2.i
-  br i1 %.4812.i, label %B2368.i, label %B2478.i
-
-B2368.i:                                          ; preds = %B1866.i, %B2368.i
-  %lsr.iv234.i = phi i64 [ %lsr.iv.next235.i, %B2368.i ], [ 32, %B1866.i ]
-  %.497033923394.i = phi i64 [ %.4977.3.i, %B2368.i ], [ 0, %B1866.i ]
-  %sunkaddr306.i = shl i64 %.497033923394.i, 3
-  %sunkaddr307.i = getelementptr i8, ptr %w19, i64 %sunkaddr306.i
-  %.5032.i = load i64, ptr %sunkaddr307.i, align 8
-  %sunkaddr309.i = getelementptr i8, ptr %w42, i64 %sunkaddr306.i
-  store i64 %.5032.i, ptr %sunkaddr309.i, align 8
-  %sunkaddr312.i = getelementptr i8, ptr %sunkaddr307.i, i64 8
-  %.5032.1.i = load i64, ptr %sunkaddr312.i, align 8
-  %sunkaddr315.i = getelementptr i8, ptr %sunkaddr309.i, i64 8
-  store i64 %.5032.1.i, ptr %sunkaddr315.i, align 8
-  %sunkaddr318.i = getelementptr i8, ptr %sunkaddr307.i, i64 16
-  %.5032.2.i = load i64, ptr %sunkaddr318.i, align 8
-  %sunkaddr321.i = getelementptr i8, ptr %sunkaddr309.i, i64 16
-  store i64 %.5032.2.i, ptr %sunkaddr321.i, align 8
-  %.4977.3.i = add nuw nsw i64 %.497033923394.i, 4
-  %sunkaddr324.i = getelementptr i8, ptr %sunkaddr307.i, i64 24
-  %.5032.3.i = load i64, ptr %sunkaddr324.i, align 8
-  %sunkaddr327.i = getelementptr i8, ptr %sunkaddr309.i, i64 24
-  store i64 %.5032.3.i, ptr %sunkaddr327.i, align 8
-  %niter147.ncmp.3.i = icmp eq i64 %unroll_iter146.i, %.4977.3.i
-  %lsr.iv.next235.i = add i64 %lsr.iv234.i, 32
-  br i1 %niter147.ncmp.3.i, label %B2404.endif.unr-lcssa.i, label %B2368.i
-
-B2436.i:                                          ; preds = %B2436.preheader.new.i, %B2436.i
-  %.516033993401.i = phi i64 [ 0, %B2436.preheader.new.i ], [ %.5167.3.i, %B2436.i ]
-  %143 = shl i64 %.516033993401.i, 3
-  %sunkaddr329.i = getelementptr i8, ptr %w21, i64 %143
-  %.5226.i = load i64, ptr %sunkaddr329.i, align 8
-  %scevgep257.i = getelementptr i8, ptr %scevgep251.i, i64 %143
-  %scevgep258.i = getelementptr i8, ptr %scevgep257.i, i64 -24
-  store i64 %.5226.i, ptr %scevgep258.i, align 8
-  %sunkaddr332.i = getelementptr i8, ptr %sunkaddr329.i, i64 8
-  %.5226.1.i = load i64, ptr %sunkaddr332.i, align 8
-  %scevgep256.i = getelementptr i8, ptr %scevgep257.i, i64 -16
-  store i64 %.5226.1.i, ptr %scevgep256.i, align 8
-  %sunkaddr335.i = getelementptr i8, ptr %sunkaddr329.i, i64 16
-  %.5226.2.i = load i64, ptr %sunkaddr335.i, align 8
-  %scevgep254.i = getelementptr i8, ptr %scevgep257.i, i64 -8
-  store i64 %.5226.2.i, ptr %scevgep254.i, align 8
-  %.5167.3.i = add i64 %.516033993401.i, 4
-  %sunkaddr336.i = shl i64 %.5167.3.i, 3
-  %sunkaddr337.i = getelementptr i8, ptr %w21, i64 %sunkaddr336.i
-  %sunkaddr338.i = getelementptr i8, ptr %sunkaddr337.i, i64 -8
-  %.5226.3.i = load i64, ptr %sunkaddr338.i, align 8
-  store i64 %.5226.3.i, ptr %scevgep257.i, align 8
-  %niter153.ncmp.3.i = icmp eq i64 %unroll_iter152.i, %.5167.3.i
-  br i1 %niter153.ncmp.3.i, label %B2478.loopexit.unr-lcssa.i, label %B2436.i
-
-B2478.loopexit.unr-lcssa.i:                       ; preds = %B2436.i
-  %lcmp.mod150.not.i = icmp eq i64 %xtraiter148.i, 0
-  br i1 %lcmp.mod150.not.i, label %B2478.i, label %B2436.epil.preheader.i
-
-B2436.epil.preheader.i:                           ; preds = %B2436.preheader.i, %B2478.loopexit.unr-lcssa.i
-  %.516033993401.epil.init.i = phi i64 [ 0, %B2436.preheader.i ], [ %unroll_iter152.i, %B2478.loopexit.unr-lcssa.i ]
-  %144 = shl i64 %.516033993401.epil.init.i, 3
-  %scevgep260.i = getelementptr i8, ptr %scevgep259.i, i64 %144
-  %scevgep262.i = getelementptr i8, ptr %w21, i64 %144
-  br label %B2436.epil.i
-
-B2436.epil.i:                                     ; preds = %B2436.epil.i, %B2436.epil.preheader.i
-  %epil.iter149.i = phi i64 [ %epil.iter149.next.i, %B2436.epil.i ], [ 0, %B2436.epil.preheader.i ]
-  %145 = shl nuw nsw i64 %epil.iter149.i, 3
-  %scevgep263.i = getelementptr i8, ptr %scevgep262.i, i64 %145
-  %.5226.epil.i = load i64, ptr %scevgep263.i, align 8
-  %scevgep261.i = getelementptr i8, ptr %scevgep260.i, i64 %145
-  store i64 %.5226.epil.i, ptr %scevgep261.i, align 8
-  %epil.iter149.next.i = add i64 %epil.iter149.i, 1
-  %epil.iter149.cmp.not.i = icmp eq i64 %xtraiter148.i, %epil.iter149.next.i
-  br i1 %epil.iter149.cmp.not.i, label %B2478.i, label %B2436.epil.i
-
-B2478.i:                                          ; preds = %B2436.epil.i, %B2404.endif.i, %B2478.loopexit.unr-lcssa.i, %B1866.i
-  %size_of_region.7.4.i = phi i64 [ %size_of_region.4.2.i, %B1866.i ], [ %.4877.i, %B2404.endif.i ], [ %.4877.i, %B2478.loopexit.unr-lcssa.i ], [ %.4877.i, %B2436.epil.i ]
-  %slenderest.5.4.i = phi double [ %slenderest.2.2.i, %B1866.i ], [ %"$phi2182.0.2.4.i", %B2404.endif.i ], [ %"$phi2182.0.2.4.i", %B2478.loopexit.unr-lcssa.i ], [ %"$phi2182.0.2.4.i", %B2436.epil.i ]
-  %.5284.i = add nsw i64 %rows.2.2.i, 1
-  br label %B2492.endif.i
-
-B2524.i:                                          ; preds = %B2524.preheader.new.i, %B2524.i
-  %.540634063408.i = phi i64 [ 0, %B2524.preheader.new.i ], [ %.5413.3.i, %B2524.i ]
-  %sunkaddr339.i = shl i64 %.540634063408.i, 3
-  %sunkaddr340.i = getelementptr i8, ptr %w21, i64 %sunkaddr339.i
-  %.5480.i = load i64, ptr %sunkaddr340.i, align 8
-  %.5493.i = icmp slt i64 %.5480.i, 0
-  %.5494.i = select i1 %.5493.i, i64 %w18, i64 0
-  %146 = getelementptr i64, ptr %w17, i64 %.5480.i
-  %.5508.i = getelementptr i64, ptr %146, i64 %.5494.i
-  store i64 0, ptr %.5508.i, align 8
-  %sunkaddr343.i = getelementptr i8, ptr %sunkaddr340.i, i64 8
-  %.5480.1.i = load i64, ptr %sunkaddr343.i, align 8
-  %.5493.1.i = icmp slt i64 %.5480.1.i, 0
-  %.5494.1.i = select i1 %.5493.1.i, i64 %w18, i64 0
-  %147 = getelementptr i64, ptr %w17, i64 %.5480.1.i
-  %.5508.1.i = getelementptr i64, ptr %147, i64 %.5494.1.i
-  store i64 0, ptr %.5508.1.i, align 8
-  %sunkaddr346.i = getelementptr i8, ptr %sunkaddr340.i, i64 16
-  %.5480.2.i = load i64, ptr %sunkaddr346.i, align 8
-  %.5493.2.i = icmp slt i64 %.5480.2.i, 0
-  %.5494.2.i = select i1 %.5493.2.i, i64 %w18, i64 0
-  %148 = getelementptr i64, ptr %w17, i64 %.5480.2.i
-  %.5508.2.i = getelementptr i64, ptr %148, i64 %.5494.2.i
-  store i64 0, ptr %.5508.2.i, align 8
-  %.5413.3.i = add nuw nsw i64 %.540634063408.i, 4
-  %sunkaddr349.i = getelementptr i8, ptr %sunkaddr340.i, i64 24
-  %.5480.3.i = load i64, ptr %sunkaddr349.i, align 8
-  %.5493.3.i = icmp slt i64 %.5480.3.i, 0
-  %.5494.3.i = select i1 %.5493.3.i, i64 %w18, i64 0
-  %149 = getelementptr i64, ptr %w17, i64 %.5480.3.i
-  %.5508.3.i = getelementptr i64, ptr %149, i64 %.5494.3.i
-  store i64 0, ptr %.5508.3.i, align 8
-  %niter159.ncmp.3.i = icmp eq i64 %unroll_iter158.i, %.5413.3.i
-  br i1 %niter159.ncmp.3.i, label %B2584.loopexit.unr-lcssa.i, label %B2524.i
-
-B2584.loopexit.unr-lcssa.i:                       ; preds = %B2524.i
-  %lcmp.mod156.not.i = icmp eq i64 %xtraiter154.i, 0
-  br i1 %lcmp.mod156.not.i, label %B2584.i, label %B2524.epil.preheader.i
-
-B2524.epil.preheader.i:                           ; preds = %B2524.preheader.i, %B2584.loopexit.unr-lcssa.i
-  %.540634063408.epil.init.i = phi i64 [ 0, %B2524.preheader.i ], [ %unroll_iter158.i, %B2584.loopexit.unr-lcssa.i ]
-  %150 = shl i64 %.540634063408.epil.init.i, 3
-  %scevgep271.i = getelementptr i8, ptr %w21, i64 %150
-  br label %B2524.epil.i
-
-B2524.epil.i:                                     ; preds = %B2524.epil.i, %B2524.epil.preheader.i
-  %epil.iter155.i = phi i64 [ %epil.iter155.next.i, %B2524.epil.i ], [ 0, %B2524.epil.preheader.i ]
-  %151 = shl nuw nsw i64 %epil.iter155.i, 3
-  %scevgep272.i = getelementptr i8, ptr %scevgep271.i, i64 %151
-  %.5480.epil.i = load i64, ptr %scevgep272.i, align 8
-  %.5493.epil.i = icmp slt i64 %.5480.epil.i, 0
-  %.5494.epil.i = select i1 %.5493.epil.i, i64 %w18, i64 0
-  %152 = getelementptr i64, ptr %w17, i64 %.5480.epil.i
-  %.5508.epil.i = getelementptr i64, ptr %152, i64 %.5494.epil.i
-  store i64 0, ptr %.5508.epil.i, align 8
-  %epil.iter155.next.i = add i64 %epil.iter155.i, 1
-  %epil.iter155.cmp.not.i = icmp eq i64 %xtraiter154.i, %epil.iter155.next.i
-  br i1 %epil.iter155.cmp.not.i, label %B2584.i, label %B2524.epil.i
-
-B2584.i:                                          ; preds = %B2524.epil.i, %B2492.endif.i, %B2584.loopexit.unr-lcssa.i, %B1826.i, %B570.i
-  %rows.3.3.i = phi i64 [ %rows.2.2.i, %B570.i ], [ %rows.4.3.i, %B2492.endif.i ], [ %rows.2.2.i, %B1826.i ], [ %rows.4.3.i, %B2584.loopexit.unr-lcssa.i ], [ %rows.4.3.i, %B2524.epil.i ]
-  %size_of_region.5.3.i = phi i64 [ %size_of_region.4.2.i, %B570.i ], [ %size_of_region.6.3.i, %B2492.endif.i ], [ %size_of_region.4.2.i, %B1826.i ], [ %size_of_region.6.3.i, %B2584.loopexit.unr-lcssa.i ], [ %size_of_region.6.3.i, %B2524.epil.i ]
-  %last.3.3.i = phi double [ %last.2.2.i, %B570.i ], [ %last.4.3.i, %B2492.endif.i ], [ %last.2.2.i, %B1826.i ], [ %last.4.3.i, %B2584.loopexit.unr-lcssa.i ], [ %last.4.3.i, %B2524.epil.i ]
-  %slenderest.3.3.i = phi double [ %slenderest.2.2.i, %B570.i ], [ %slenderest.4.3.i, %B2492.endif.i ], [ %slenderest.2.2.i, %B1826.i ], [ %slenderest.4.3.i, %B2584.loopexit.unr-lcssa.i ], [ %slenderest.4.3.i, %B2524.epil.i ]
-  %goes_on.8.3.i = phi i1 [ true, %B570.i ], [ %goes_on.9.3.i, %B2492.endif.i ], [ true, %B1826.i ], [ %goes_on.9.3.i, %B2584.loopexit.unr-lcssa.i ], [ %goes_on.9.3.i, %B2524.epil.i ]
-  %.5543.i = fmul double %w33, %level.2.2.i
-  br i1 %goes_on.8.3.i, label %B316.i, label %B2590.i
-
-B2590.i:                                          ; preds = %B568.i, %B2584.i
-  %rows.6.1.i = phi i64 [ %rows.3.3.i, %B2584.i ], [ %.us-phi3605.i, %B568.i ]
-  %size_of_region.2.1.i = phi i64 [ %size_of_region.5.3.i, %B2584.i ], [ %.us-phi3606.i, %B568.i ]
-  %.5670.i = icmp slt i64 %size_of_region.2.1.i, %w43
-  br i1 %.5670.i, label %B2628.i, label %B2638.endif.i
-
-B2628.i:                                          ; preds = %B2590.i
-  %153 = getelementptr i64, ptr %w42, i64 %size_of_region.2.1.i
-  store i64 -1, ptr %153, align 8
-  br label %B2638.endif.i
-
-B2706.i:                                          ; preds = %B2706.preheader.new.i, %B2706.i
-  %.580839423944.i = phi i64 [ 0, %B2706.preheader.new.i ], [ %.5815.3.i, %B2706.i ]
-  %sunkaddr350.i = shl i64 %.580839423944.i, 3
-  %sunkaddr351.i = getelementptr i8, ptr %w15, i64 %sunkaddr350.i
-  store double 0x7FF0000000000000, ptr %sunkaddr351.i, align 8
-  %sunkaddr353.i = getelementptr i8, ptr %w17, i64 %sunkaddr350.i
-  store i64 0, ptr %sunkaddr353.i, align 8
-  %sunkaddr356.i = getelementptr i8, ptr %sunkaddr351.i, i64 8
-  store double 0x7FF0000000000000, ptr %sunkaddr356.i, align 8
-  %sunkaddr359.i = getelementptr i8, ptr %sunkaddr353.i, i64 8
-  store i64 0, ptr %sunkaddr359.i, align 8
-  %sunkaddr362.i = getelementptr i8, ptr %sunkaddr351.i, i64 16
-  store double 0x7FF0000000000000, ptr %sunkaddr362.i, align 8
-  %sunkaddr365.i = getelementptr i8, ptr %sunkaddr353.i, i64 16
-  store i64 0, ptr %sunkaddr365.i, align 8
-  %.5815.3.i = add nuw nsw i64 %.580839423944.i, 4
-  %sunkaddr368.i = getelementptr i8, ptr %sunkaddr351.i, i64 24
-  store double 0x7FF0000000000000, ptr %sunkaddr368.i, align 8
-  %sunkaddr371.i = getelementptr i8, ptr %sunkaddr353.i, i64 24
-  store i64 0, ptr %sunkaddr371.i, align 8
-  %niter165.ncmp.3.i = icmp eq i64 %unroll_iter164.i, %.5815.3.i
-  br i1 %niter165.ncmp.3.i, label %B2762.loopexit.unr-lcssa.i, label %B2706.i
-
-B2762.loopexit.unr-lcssa.i:                       ; preds = %B2706.i
-  %lcmp.mod162.not.i = icmp eq i64 %xtraiter160.i, 0
-  br i1 %lcmp.mod162.not.i, label %_ZN7msf_jax4host4thin6fronts3capB3v41B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xddddd5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE.exit, label %B2706.epil.preheader.i
-
-B2706.epil.preheader.i:                           ; preds = %B2706.preheader.i, %B2762.loopexit.unr-lcssa.i
-  %.580839423944.epil.init.i = phi i64 [ 0, %B2706.preheader.i ], [ %unroll_iter164.i, %B2762.loopexit.unr-lcssa.i ]
-  %154 = shl i64 %.580839423944.epil.init.i, 3
-  %scevgep.i = getelementptr i8, ptr %w17, i64 %154
-  %scevgep187.i = getelementptr i8, ptr %w15, i64 %154
-  br label %B2706.epil.i
-
-B2706.epil.i:                                     ; preds = %B2706.epil.i, %B2706.epil.preheader.i
-  %epil.iter161.i = phi i64 [ %epil.iter161.next.i, %B2706.epil.i ], [ 0, %B2706.epil.preheader.i ]
-  %155 = shl nuw nsw i64 %epil.iter161.i, 3
-  %scevgep188.i = getelementptr i8, ptr %scevgep187.i, i64 %155
-  store double 0x7FF0000000000000, ptr %scevgep188.i, align 8
-  %scevgep186.i = getelementptr i8, ptr %scevgep.i, i64 %155
-  store i64 0, ptr %scevgep186.i, align 8
-  %epil.iter161.next.i = add i64 %epil.iter161.i, 1
-  %epil.iter161.cmp.not.i = icmp eq i64 %xtraiter160.i, %epil.iter161.next.i
-  br i1 %epil.iter161.cmp.not.i, label %_ZN7msf_jax4host4thin6fronts3capB3v41B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xddddd5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE.exit, label %B2706.epil.i
-
-B2763.i:                                          ; preds = %B1234.lr.ph.i, %B976.endif.lr.ph.i, %B1046.i
-  %rings.3.5.i = phi i64 [ %rings.2.43283.i, %B1046.i ], [ %.2688.i, %B1234.lr.ph.i ], [ %rings.2.43283.i, %B976.endif.lr.ph.i ]
-  %longest.4.5.i = phi i64 [ %longest.3.43284.i, %B1046.i ], [ %longest.6.8.i, %B1234.lr.ph.i ], [ %longest.3.43284.i, %B976.endif.lr.ph.i ]
-  %lsr.iv.next.i = add i64 %lsr.iv.i, -1
-  %.1742.i = add i64 %.173532403281.i, 1
-  %.1729.i = icmp samesign ugt i64 %lsr.iv.next.i, 1
-  br i1 %.1729.i, label %B870.i, label %B738.loopexit.i
-
-B380.endif.i:                                     ; preds = %B236.i.i, %B200.i.i, %B380.i
-  %at.3.1.i.i = phi i64 [ 0, %B380.i ], [ %child.2.1.i.i, %B236.i.i ], [ %at.2.0.i.i, %B200.i.i ]
-  %.469.i.i = icmp slt i64 %at.3.1.i.i, 0
-  %.470.i.i = select i1 %.469.i.i, i64 %w26, i64 0
-  %156 = getelementptr double, ptr %w25, i64 %at.3.1.i.i
-  %.484.i.i = getelementptr double, ptr %156, i64 %.470.i.i
-  store double %.114.i.i, ptr %.484.i.i, align 8
-  %.507.i.i = select i1 %.469.i.i, i64 %w28, i64 0
-  %157 = getelementptr i64, ptr %w27, i64 %at.3.1.i.i
-  %.521.i.i = getelementptr i64, ptr %157, i64 %.507.i.i
-  store i64 %.146.i.i, ptr %.521.i.i, align 8
-  %.859.i = icmp slt i64 %.us-phi3609.i, 0
-  %.860.i = select i1 %.859.i, i64 %w18, i64 0
-  %158 = getelementptr i64, ptr %w17, i64 %.us-phi3609.i
-  %.874.i = getelementptr i64, ptr %158, i64 %.860.i
-  %.875.i = load i64, ptr %.874.i, align 8
-  %.876.not.i = icmp eq i64 %.875.i, 1
-  br i1 %.876.not.i, label %B568.i, label %B446.i
-
-B740.endif.preheader.i:                           ; preds = %B570.i
-  tail call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(40) %.533.i, i8 0, i64 40, i1 false)
-  store double 0.000000e+00, ptr %sunkaddr373.i, align 8
-  br label %B740.endif.i
-
-B740.endif.i:                                     ; preds = %B740.endif.preheader.i, %B738.loopexit.i
-  %longest.2.33333.i = phi i64 [ %longest.3.4.lcssa.i, %B738.loopexit.i ], [ 0, %B740.endif.preheader.i ]
-  %rings.5.33332.i = phi i64 [ %rings.2.4.lcssa.i, %B738.loopexit.i ], [ 0, %B740.endif.preheader.i ]
-  %.148132973330.i = phi i64 [ %.1488.i, %B738.loopexit.i ], [ 0, %B740.endif.preheader.i ]
-  %.1488.i = add nuw nsw i64 %.148132973330.i, 1
-  %159 = getelementptr i64, ptr %w19, i64 %.148132973330.i
-  %.1557.i = load i64, ptr %159, align 8
-  %.1570.i = icmp slt i64 %.1557.i, 0
-  %.1571.i = select i1 %.1570.i, i64 %w9, i64 0
-  %160 = getelementptr i64, ptr %w8, i64 %.1557.i
-  %.1585.i = getelementptr i64, ptr %160, i64 %.1571.i
-  %.1586.i = load i64, ptr %.1585.i, align 8
-  %.1633.i = icmp slt i64 %.1557.i, -1
-  %.1634.i = select i1 %.1633.i, i64 %w9, i64 0
-  %161 = getelementptr i8, ptr %160, i64 8
-  %.1648.i = getelementptr i64, ptr %161, i64 %.1634.i
-  %.1649.i = load i64, ptr %.1648.i, align 8
-  %.1686.i = sub i64 %.1649.i, %.1586.i
-  %.17293274.not.i = icmp slt i64 %.1686.i, 1
-  br i1 %.17293274.not.i, label %B738.loopexit.i, label %B870.preheader.i
-
-B870.preheader.i:                                 ; preds = %B740.endif.i
-  %162 = add nuw i64 %.1686.i, 1
-  br label %B870.i
-
-B976.endif.lr.ph.i:                               ; preds = %B140.endif.i.i
-  %.2037.i = select i1 %.304.i.i, i64 %w13, i64 0
-  %.2038.i = add i64 %.2037.i, %.1797.i
-  %.2058.i = mul i64 %.2038.i, %w14
-  %163 = getelementptr double, ptr %w12, i64 %.2058.i
-  %.2011.i = load double, ptr %.533.i, align 8
-  %.2063.i = load double, ptr %163, align 8
-  %.2068.i = fdiv double %.2063.i, 3.000000e+00
-  %.2069.i = fadd double %.2011.i, %.2068.i
-  store double %.2069.i, ptr %.533.i, align 8
-  %.2011.1.i = load double, ptr %sunkaddr374.i, align 8
-  %164 = getelementptr i8, ptr %163, i64 8
-  %.2063.1.i = load double, ptr %164, align 8
-  %.2068.1.i = fdiv double %.2063.1.i, 3.000000e+00
-  %.2069.1.i = fadd double %.2011.1.i, %.2068.1.i
-  store double %.2069.1.i, ptr %sunkaddr374.i, align 8
-  %.2011.2.i = load double, ptr %sunkaddr375.i, align 8
-  %165 = getelementptr i8, ptr %163, i64 16
-  %.2063.2.i = load double, ptr %165, align 8
-  %.2068.2.i = fdiv double %.2063.2.i, 3.000000e+00
-  %.2069.2.i = fadd double %.2011.2.i, %.2068.2.i
-  store double %.2069.2.i, ptr %sunkaddr375.i, align 8
-  %.2011.3.i = load double, ptr %sunkaddr376.i, align 8
-  %166 = getelementptr i8, ptr %163, i64 24
-  %.2063.3.i = load double, ptr %166, align 8
-  %.2068.3.i = fdiv double %.2063.3.i, 3.000000e+00
-  %.2069.3.i = fadd double %.2011.3.i, %.2068.3.i
-  store double %.2069.3.i, ptr %sunkaddr376.i, align 8
-  %.2011.4.i = load double, ptr %sunkaddr377.i, align 8
-  %167 = getelementptr i8, ptr %163, i64 32
-  %.2063.4.i = load double, ptr %167, align 8
-  %.2068.4.i = fdiv double %.2063.4.i, 3.000000e+00
-  %.2069.4.i = fadd double %.2011.4.i, %.2068.4.i
-  store double %.2069.4.i, ptr %sunkaddr377.i, align 8
-  br label %B2763.i
-
-B1176.preheader.i:                                ; preds = %_ZN7msf_jax4host4thin6fronts12ring_throughB3v45B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx5ArrayIdLi1E1C7mutable7alignedE.exit.i
-  store double %.2430.i, ptr %sunkaddr373.i, align 8
-  %.2430.1.i = load double, ptr %sunkaddr1.i.i, align 8
-  store double %.2430.1.i, ptr %sunkaddr385.i, align 8
-  %.2430.2.i = load double, ptr %sunkaddr.i36.i, align 8
-  store double %.2430.2.i, ptr %sunkaddr389.i, align 8
-  %.2430.3.i = load double, ptr %sunkaddr2.i.i, align 8
-  store double %.2430.3.i, ptr %sunkaddr393.i, align 8
-  %.2645.pre.i = load double, ptr %sunkaddr3.i.i, align 8
-  br label %B1234.lr.ph.i
-
-B1234.lr.ph.i:                                    ; preds = %B1176.preheader.i, %_ZN7msf_jax4host4thin6fronts12ring_throughB3v45B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx5ArrayIdLi1E1C7mutable7alignedE.exit.i
-  %.2645.i = phi double [ %.264578.i, %_ZN7msf_jax4host4thin6fronts12ring_throughB3v45B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx5ArrayIdLi1E1C7mutable7alignedE.exit.i ], [ %.2645.pre.i, %B1176.preheader.i ]
-  %longest.6.8.i = phi i64 [ %longest.3.43284.i, %_ZN7msf_jax4host4thin6fronts12ring_throughB3v45B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xdx5ArrayIdLi1E1C7mutable7alignedE.exit.i ], [ %rings.2.43283.i, %B1176.preheader.i ]
-  %.2614.i = load double, ptr %.533.i, align 8
-  %.2646.i = fadd double %.2645.i, %.2614.i
-  store double %.2646.i, ptr %.533.i, align 8
-  %.2614.1.i = load double, ptr %sunkaddr374.i, align 8
-  %.2645.1.i = load double, ptr %sunkaddr4.i.i, align 8
-  %.2646.1.i = fadd double %.2614.1.i, %.2645.1.i
-  store double %.2646.1.i, ptr %sunkaddr374.i, align 8
-  %.2614.2.i = load double, ptr %sunkaddr375.i, align 8
-  %.2645.2.i = load double, ptr %sunkaddr5.i.i, align 8
-  %.2646.2.i = fadd double %.2614.2.i, %.2645.2.i
-  store double %.2646.2.i, ptr %sunkaddr375.i, align 8
-  %.2614.3.i = load double, ptr %sunkaddr376.i, align 8
-  %.2645.3.i = load double, ptr %sunkaddr6.i.i, align 8
-  %.2646.3.i = fadd double %.2614.3.i, %.2645.3.i
-  store double %.2646.3.i, ptr %sunkaddr376.i, align 8
-  %.2614.4.i = load double, ptr %sunkaddr377.i, align 8
-  %.2645.4.i = load double, ptr %sunkaddr7.i.i, align 8
-  %.2646.4.i = fadd double %.2614.4.i, %.2645.4.i
-  store double %.2646.4.i, ptr %sunkaddr377.i, align 8
-  %.2688.i = add nsw i64 %rings.2.43283.i, 1
-  br label %B2763.i
-
-B1496.preheader.i:                                ; preds = %_ZN7msf_jax4host4thin6fronts7islandsB3v47B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xxd5ArrayIdLi1E1C7mutable7alignedE.exit.i
-  %.2996.i = load double, ptr %.533.i, align 8
-  %.3026.i = load double, ptr %.451.i, align 8
-  %.3027.i = fadd double %.2996.i, %.3026.i
-  store double %.3027.i, ptr %.533.i, align 8
-  %.2996.1.i = load double, ptr %sunkaddr374.i, align 8
-  %.3026.1.i = load double, ptr %sunkaddr83.i.i, align 8
-  %.3027.1.i = fadd double %.2996.1.i, %.3026.1.i
-  store double %.3027.1.i, ptr %sunkaddr374.i, align 8
-  %.2996.2.i = load double, ptr %sunkaddr375.i, align 8
-  %.3026.2.i = load double, ptr %sunkaddr84.i.i, align 8
-  %.3027.2.i = fadd double %.2996.2.i, %.3026.2.i
-  store double %.3027.2.i, ptr %sunkaddr375.i, align 8
-  %.2996.3.i = load double, ptr %sunkaddr376.i, align 8
-  %.3026.3.i = load double, ptr %sunkaddr85.i.i, align 8
-  %.3027.3.i = fadd double %.2996.3.i, %.3026.3.i
-  store double %.3027.3.i, ptr %sunkaddr376.i, align 8
-  %.2996.4.i = load double, ptr %sunkaddr377.i, align 8
-  %.3026.4.i = load double, ptr %sunkaddr86.i.i, align 8
-  %.3027.4.i = fadd double %.2996.4.i, %.3026.4.i
-  store double %.3027.4.i, ptr %sunkaddr377.i, align 8
-  %168 = icmp eq i64 %num.4.1.lcssa.i.i, 1
-  br i1 %168, label %B1502.epil.i, label %B1496.preheader.new.i
-
-B1496.preheader.new.i:                            ; preds = %B1496.preheader.i
-  %unroll_iter.i = and i64 %num.4.1.lcssa.i.i, 9223372036854775806
-  br label %B1496.i
-
-B1550.endif.loopexit.unr-lcssa.i:                 ; preds = %B1546.1.i
-  %169 = and i64 %num.4.1.lcssa.i.i, 1
-  %lcmp.mod.not.i = icmp eq i64 %169, 0
-  %"$phi1546.1.2.5.1.not.i" = xor i1 %"$phi1546.1.2.5.1.i", true
-  %brmerge.i = select i1 %lcmp.mod.not.i, i1 true, i1 %"$phi1546.1.2.5.1.not.i"
-  %"$phi1546.1.2.5.1.mux.i" = select i1 %lcmp.mod.not.i, i1 %"$phi1546.1.2.5.1.i", i1 false
-  br i1 %brmerge.i, label %B1550.endif.i, label %B1502.epil.i
-
-B1502.epil.i:                                     ; preds = %B1550.endif.loopexit.unr-lcssa.i, %B1496.preheader.i
-  %.316133543356.epil.init50.i = phi i64 [ %unroll_iter.i, %B1550.endif.loopexit.unr-lcssa.i ], [ 0, %B1496.preheader.i ]
-  %170 = getelementptr i64, ptr %w21, i64 %.316133543356.epil.init50.i
-  %.3239.epil.i = load i64, ptr %170, align 8
-  %.3255.epil.i = icmp slt i64 %.3239.epil.i, 0
-  %.3256.epil.i = select i1 %.3255.epil.i, i64 %w38, i64 0
-  %171 = getelementptr i64, ptr %w37, i64 %.3239.epil.i
-  %.3270.epil.i = getelementptr i64, ptr %171, i64 %.3256.epil.i
-  %.3271.epil.i = load i64, ptr %.3270.epil.i, align 8
-  %.3272.epil.i = icmp eq i64 %.3271.epil.i, 0
-  br label %B1550.endif.i
-
-B1550.endif.i:                                    ; preds = %B878.epil.i.i, %B1502.epil.i, %B1550.endif.loopexit.unr-lcssa.i, %_ZN7msf_jax4host4thin6fronts7islandsB3v47B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xxd5ArrayIdLi1E1C7mutable7alignedE.exit.i, %B846.endif.split.us.i.i, %common.ret.loopexit.unr-lcssa.i.i, %B1304.i
-  %goes_on.10.3.i = phi i1 [ true, %B1304.i ], [ %"$phi1546.1.2.5.1.mux.i", %B1550.endif.loopexit.unr-lcssa.i ], [ true, %_ZN7msf_jax4host4thin6fronts7islandsB3v47B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xxd5ArrayIdLi1E1C7mutable7alignedE.exit.i ], [ %.3272.epil.i, %B1502.epil.i ], [ true, %common.ret.loopexit.unr-lcssa.i.i ], [ true, %B846.endif.split.us.i.i ], [ true, %B878.epil.i.i ]
-  %num.2.3.i = phi i64 [ 0, %B1304.i ], [ %num.4.1.lcssa.i.i, %B1550.endif.loopexit.unr-lcssa.i ], [ %num.4.1.lcssa.i.i, %_ZN7msf_jax4host4thin6fronts7islandsB3v47B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xxd5ArrayIdLi1E1C7mutable7alignedE.exit.i ], [ %num.4.1.lcssa.i.i, %B1502.epil.i ], [ -1, %common.ret.loopexit.unr-lcssa.i.i ], [ -1, %B846.endif.split.us.i.i ], [ -1, %B878.epil.i.i ]
-  br label %B1582.endif.i
-
-B1582.endif.i:                                    ; preds = %B1550.endif.i, %B1580.loopexit.i
-  %.338233703376.i = phi i64 [ %.3389.i, %B1580.loopexit.i ], [ 0, %B1550.endif.i ]
-  %.3389.i = add nuw nsw i64 %.338233703376.i, 1
-  %172 = getelementptr i64, ptr %w19, i64 %.338233703376.i
-  %.3446.i = load i64, ptr %172, align 8
-  %.3459.i = icmp slt i64 %.3446.i, 0
-  %.3460.i = select i1 %.3459.i, i64 %w9, i64 0
-  %173 = getelementptr i64, ptr %w8, i64 %.3446.i
-  %.3474.i = getelementptr i64, ptr %173, i64 %.3460.i
-  %.3475.i = load i64, ptr %.3474.i, align 8
-  %.3522.i = icmp slt i64 %.3446.i, -1
-  %.3523.i = select i1 %.3522.i, i64 %w9, i64 0
-  %174 = getelementptr i8, ptr %173, i64 8
-  %.3537.i = getelementptr i64, ptr %174, i64 %.3523.i
-  %.3538.i = load i64, ptr %.3537.i, align 8
-  %.3575.i = sub i64 %.3538.i, %.3475.i
-  %.36183364.not.i = icmp slt i64 %.3575.i, 1
-  br i1 %.36183364.not.i, label %B1580.loopexit.i, label %B1712.preheader.i
-
-B1712.preheader.i:                                ; preds = %B1582.endif.i
-  %.neg.i = add i64 %.3475.i, 1
-  %xtraiter141.i = and i64 %.3575.i, 1
-  %lcmp.mod142.not.i = icmp eq i64 %xtraiter141.i, 0
-  br i1 %lcmp.mod142.not.i, label %B1712.prol.loopexit.i, label %B1712.prol.i
-
-B1712.prol.i:                                     ; preds = %B1712.preheader.i
-  %.3627.prol.i = add nsw i64 %.3575.i, -1
-  %.3672.prol.i = icmp slt i64 %.3475.i, 0
-  %.3673.prol.i = select i1 %.3672.prol.i, i64 %w11, i64 0
-  %175 = getelementptr i64, ptr %w10, i64 %.3475.i
-  %.3687.prol.i = getelementptr i64, ptr %175, i64 %.3673.prol.i
-  %.3688.prol.i = load i64, ptr %.3687.prol.i, align 8
-  %.3701.prol.i = icmp slt i64 %.3688.prol.i, 0
-  %.3702.prol.i = select i1 %.3701.prol.i, i64 %w30, i64 0
-  %176 = getelementptr i64, ptr %w29, i64 %.3688.prol.i
-  %.3716.prol.i = getelementptr i64, ptr %176, i64 %.3702.prol.i
-  store i64 -1, ptr %.3716.prol.i, align 8
-  br label %B1712.prol.loopexit.i
-
-B1712.prol.loopexit.i:                            ; preds = %B1712.prol.i, %B1712.preheader.i
-  %.361733623366.unr.i = phi i64 [ %.3575.i, %B1712.preheader.i ], [ %.3627.prol.i, %B1712.prol.i ]
-  %.362433633365.unr.i = phi i64 [ %.3475.i, %B1712.preheader.i ], [ %.neg.i, %B1712.prol.i ]
-  %177 = icmp eq i64 %.3538.i, %.neg.i
-  br i1 %177, label %B1580.loopexit.i, label %B1712.preheader183.i
-
-B1712.preheader183.i:                             ; preds = %B1712.prol.loopexit.i
-  %178 = add nuw i64 %.361733623366.unr.i, 2
-  br label %B1712.i
-
-B2404.endif.unr-lcssa.i:                          ; preds = %B2368.i
-  br i1 %5, label %B2404.endif.i, label %B2368.epil.i
-
-B2368.epil.i:                                     ; preds = %B2404.endif.unr-lcssa.i, %B2368.epil.i
-  %lsr.iv240.i = phi i64 [ %lsr.iv.next241.i, %B2368.epil.i ], [ %xtraiter143.i, %B2404.endif.unr-lcssa.i ]
-  %lsr.iv236.i = phi i64 [ %lsr.iv.next237.i, %B2368.epil.i ], [ %lsr.iv234.i, %B2404.endif.unr-lcssa.i ]
-  %scevgep239.i = getelementptr i8, ptr %w19, i64 %lsr.iv236.i
-  %.5032.epil.i = load i64, ptr %scevgep239.i, align 8
-  %scevgep238.i = getelementptr i8, ptr %w42, i64 %lsr.iv236.i
-  store i64 %.5032.epil.i, ptr %scevgep238.i, align 8
-  %lsr.iv.next237.i = add nuw nsw i64 %lsr.iv236.i, 8
-  %lsr.iv.next241.i = add nsw i64 %lsr.iv240.i, -1
-  %epil.iter.cmp.not.i = icmp eq i64 %lsr.iv.next241.i, 0
-  br i1 %epil.iter.cmp.not.i, label %B2404.endif.i, label %B2368.epil.i
-
-B2404.endif.i:                                    ; preds = %B2368.epil.i, %B2404.endif.unr-lcssa.i
-  %.4877.i = add nuw nsw i64 %num.2.3.i, %count.2.03906.i
-  %.51543400.not.i = icmp eq i64 %num.2.3.i, 0
-  br i1 %.51543400.not.i, label %B2478.i, label %B2436.preheader.i
-
-B2436.preheader.i:                                ; preds = %B2404.endif.i
-  %xtraiter148.i = and i64 %num.2.3.i, 3
-  %179 = icmp samesign ult i64 %num.2.3.i, 4
-  br i1 %179, label %B2436.epil.preheader.i, label %B2436.preheader.new.i
-
-B2436.preheader.new.i:                            ; preds = %B2436.preheader.i
-  %unroll_iter152.i = and i64 %num.2.3.i, 9223372036854775804
-  br label %B2436.i
-
-B2492.endif.i:                                    ; preds = %B2478.i, %B1840.i, %B1820.i, %B1760.loopexit.i
-  %rows.4.3.i = phi i64 [ %rows.2.2.i, %B1820.i ], [ %.5284.i, %B2478.i ], [ %rows.2.2.i, %B1840.i ], [ %rows.2.2.i, %B1760.loopexit.i ]
-  %size_of_region.6.3.i = phi i64 [ %size_of_region.4.2.i, %B1820.i ], [ %size_of_region.7.4.i, %B2478.i ], [ %size_of_region.4.2.i, %B1840.i ], [ %size_of_region.4.2.i, %B1760.loopexit.i ]
-  %last.4.3.i = phi double [ %last.2.2.i, %B1820.i ], [ %level.2.2.i, %B2478.i ], [ %last.2.2.i, %B1840.i ], [ %last.2.2.i, %B1760.loopexit.i ]
-  %slenderest.4.3.i = phi double [ %slenderest.2.2.i, %B1820.i ], [ %slenderest.5.4.i, %B2478.i ], [ %slenderest.2.2.i, %B1840.i ], [ %slenderest.2.2.i, %B1760.loopexit.i ]
-  %goes_on.9.3.i = phi i1 [ false, %B1820.i ], [ %.4752.i, %B2478.i ], [ true, %B1840.i ], [ false, %B1760.loopexit.i ]
-  %.54003407.not.i = icmp slt i64 %num.2.3.i, 1
-  br i1 %.54003407.not.i, label %B2584.i, label %B2524.preheader.i
-
-B2524.preheader.i:                                ; preds = %B2492.endif.i
-  %xtraiter154.i = and i64 %num.2.3.i, 3
-  %180 = icmp samesign ult i64 %num.2.3.i, 4
-  br i1 %180, label %B2524.epil.preheader.i, label %B2524.preheader.new.i
-
-B2524.preheader.new.i:                            ; preds = %B2524.preheader.i
-  %unroll_iter158.i = and i64 %num.2.3.i, 9223372036854775804
-  br label %B2524.i
-
-B2638.endif.i:                                    ; preds = %B2628.i, %B2590.i
-  %.58023943.not.i = icmp slt i64 %w16, 1
-  br i1 %.58023943.not.i, label %_ZN7msf_jax4host4thin6fronts3capB3v41B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xddddd5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE.exit, label %B2706.preheader.i
-
-B2706.preheader.i:                                ; preds = %B2638.endif.i
-  %xtraiter160.i = and i64 %w16, 3
-  %181 = icmp samesign ult i64 %w16, 4
-  br i1 %181, label %B2706.epil.preheader.i, label %B2706.preheader.new.i
-
-B2706.preheader.new.i:                            ; preds = %B2706.preheader.i
-  %unroll_iter164.i = and i64 %w16, 9223372036854775804
-  br label %B2706.i
-
-_ZN7msf_jax4host4thin6fronts3capB3v41B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE233Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29307Scratch_28array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29xddddd5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE.exit: ; preds = %B2706.epil.i, %B2762.loopexit.unr-lcssa.i, %B2638.endif.i
-  ret i64 %rows.6.1.i
+  store double %81, ptr %86, align 8
+  %87 = add nsw i64 %46, 1
+  br label %88
+88:
+  %89 = phi i64 [ %46, %42 ], [ %46, %50 ], [ %87, %63 ], [ %46, %54 ]
+  %90 = getelementptr i8, ptr %45, i64 %37
+  %91 = getelementptr i8, ptr %44, i64 %30
+  %92 = add nsw i64 %43, -1
+  %93 = icmp eq i64 %92, 0
+  br i1 %93, label %136, label %42
+94:
+  %95 = phi i64 [ %98, %142 ], [ %98, %97 ], [ %134, %133 ]
+  %96 = icmp eq i64 %8, %100
+  br i1 %96, label %339, label %97
+97:
+  %98 = phi i64 [ %95, %94 ], [ %137, %139 ]
+  %99 = phi i64 [ %100, %94 ], [ 0, %139 ]
+  %100 = add nuw nsw i64 %99, 1
+  %101 = getelementptr i8, ptr %19, i64 %99
+  %102 = load i8, ptr %101, align 1
+  %103 = icmp eq i8 %102, 0
+  br i1 %103, label %94, label %142
+104:
+  %105 = phi i64 [ %98, %146 ], [ %134, %133 ]
+  %106 = phi i64 [ 0, %146 ], [ %107, %133 ]
+  %107 = add nuw nsw i64 %106, 1
+  %108 = getelementptr i64, ptr %148, i64 %106
+  %109 = load i64, ptr %108, align 8
+  %110 = icmp slt i64 %109, 0
+  br i1 %110, label %133, label %111
+111:
+  %112 = icmp slt i64 %109, %99
+  br i1 %112, label %113, label %149
+113:
+  %114 = getelementptr i8, ptr %19, i64 %109
+  %115 = load i8, ptr %114, align 1
+  %116 = icmp eq i8 %115, 0
+  br i1 %116, label %149, label %133
+117:
+  %118 = phi i64 [ %188, %187 ], [ %193, %189 ], [ %193, %251 ]
+  %119 = phi i64 [ 0, %187 ], [ 0, %189 ], [ %252, %251 ]
+  %120 = getelementptr i64, ptr %6, i64 %118
+  %121 = load i64, ptr %120, align 8
+  %122 = icmp eq i64 %121, %151
+  br i1 %122, label %255, label %123
+123:
+  %124 = mul i64 %150, %11
+  %125 = getelementptr i8, ptr %141, i64 %124
+  br label %126
+126:
+  %127 = phi i64 [ %128, %126 ], [ 0, %123 ]
+  %128 = add nuw i64 %127, 1
+  %129 = shl i64 %127, 3
+  %130 = getelementptr i8, ptr %125, i64 %129
+  %131 = load i64, ptr %130, align 8
+  %132 = icmp eq i64 %131, %151
+  br i1 %132, label %255, label %126
+133:
+  %134 = phi i64 [ %316, %306 ], [ %105, %149 ], [ %105, %113 ], [ %105, %104 ]
+  %135 = icmp eq i64 %144, %107
+  br i1 %135, label %94, label %104
+136:
+  %137 = phi i64 [ 0, %1 ], [ %89, %88 ]
+  %138 = icmp slt i64 %8, 1
+  br i1 %138, label %339, label %139
+139:
+  %140 = getelementptr i8, ptr %6, i64 24
+  %141 = getelementptr i8, ptr %6, i64 8
+  br label %97
+142:
+  %143 = getelementptr i64, ptr %13, i64 %99
+  %144 = load i64, ptr %143, align 8
+  %145 = icmp slt i64 %144, 1
+  br i1 %145, label %94, label %146
+146:
+  %147 = mul i64 %99, %10
+  %148 = getelementptr i64, ptr %6, i64 %147
+  br label %104
+149:
+  %150 = tail call i64 @llvm.smin.i64(i64 %109, i64 %99)
+  %151 = tail call i64 @llvm.smax.i64(i64 %109, i64 %99)
+  %152 = mul i64 %150, %4
+  %153 = getelementptr double, ptr %2, i64 %152
+  %154 = getelementptr i8, ptr %153, i64 16
+  %155 = load double, ptr %154, align 8
+  %156 = mul i64 %151, %4
+  %157 = getelementptr double, ptr %2, i64 %156
+  %158 = getelementptr i8, ptr %157, i64 16
+  %159 = load double, ptr %158, align 8
+  %160 = fsub double %155, %159
+  %161 = fmul double %160, %160
+  %162 = load double, ptr %153, align 8
+  %163 = load double, ptr %157, align 8
+  %164 = fsub double %162, %163
+  %165 = fmul double %164, %164
+  %166 = fadd double %161, %165
+  %167 = getelementptr i8, ptr %153, i64 8
+  %168 = load double, ptr %167, align 8
+  %169 = getelementptr i8, ptr %157, i64 8
+  %170 = load double, ptr %169, align 8
+  %171 = fsub double %168, %170
+  %172 = fmul double %171, %171
+  %173 = fadd double %166, %172
+  %174 = tail call double @llvm.sqrt.f64(double %173)
+  %175 = getelementptr double, ptr %15, i64 %150
+  %176 = load double, ptr %175, align 8
+  %177 = getelementptr double, ptr %15, i64 %151
+  %178 = load double, ptr %177, align 8
+  %179 = fcmp olt double %178, %176
+  %180 = select i1 %179, double %178, double %176
+  %181 = fmul double %17, %180
+  %182 = fcmp ult double %174, %181
+  br i1 %182, label %183, label %133
+183:
+  %184 = getelementptr i64, ptr %13, i64 %150
+  %185 = load i64, ptr %184, align 8
+  %186 = icmp slt i64 %185, 1
+  br i1 %186, label %187, label %189
+187:
+  %188 = mul i64 %150, %10
+  br label %117
+189:
+  %190 = getelementptr i64, ptr %13, i64 %151
+  %191 = load i64, ptr %190, align 8
+  %192 = icmp slt i64 %191, 1
+  %193 = mul i64 %150, %10
+  %194 = getelementptr i64, ptr %6, i64 %193
+  br i1 %192, label %117, label %195
+195:
+  %196 = and i64 %191, 3
+  %197 = and i64 %191, 9223372036854775804
+  %198 = mul i64 %151, %11
+  %199 = getelementptr i8, ptr %140, i64 %198
+  %200 = getelementptr i8, ptr %6, i64 %198
+  %201 = icmp samesign ult i64 %191, 4
+  %202 = icmp eq i64 %196, 0
+  br label %203
+203:
+  %204 = phi i64 [ %252, %251 ], [ 0, %195 ]
+  %205 = phi i64 [ %253, %251 ], [ 0, %195 ]
+  %206 = getelementptr i64, ptr %194, i64 %205
+  %207 = load i64, ptr %206, align 8
+  br i1 %201, label %235, label %208
+208:
+  %209 = phi i64 [ %232, %208 ], [ %204, %203 ]
+  %210 = phi i64 [ %228, %208 ], [ 0, %203 ]
+  %211 = shl i64 %210, 3
+  %212 = getelementptr i8, ptr %199, i64 %211
+  %213 = getelementptr i8, ptr %212, i64 -24
+  %214 = load i64, ptr %213, align 8
+  %215 = icmp eq i64 %207, %214
+  %216 = zext i1 %215 to i64
+  %217 = add nsw i64 %209, %216
+  %218 = getelementptr i8, ptr %212, i64 -16
+  %219 = load i64, ptr %218, align 8
+  %220 = icmp eq i64 %207, %219
+  %221 = zext i1 %220 to i64
+  %222 = add nsw i64 %217, %221
+  %223 = getelementptr i8, ptr %212, i64 -8
+  %224 = load i64, ptr %223, align 8
+  %225 = icmp eq i64 %207, %224
+  %226 = zext i1 %225 to i64
+  %227 = add nsw i64 %222, %226
+  %228 = add nuw nsw i64 %210, 4
+  %229 = load i64, ptr %212, align 8
+  %230 = icmp eq i64 %207, %229
+  %231 = zext i1 %230 to i64
+  %232 = add nsw i64 %227, %231
+  %233 = icmp eq i64 %197, %228
+  br i1 %233, label %234, label %208
+234:
+  br i1 %202, label %251, label %235
+235:
+  %236 = phi i64 [ %204, %203 ], [ %232, %234 ]
+  %237 = phi i64 [ 0, %203 ], [ %197, %234 ]
+  %238 = shl i64 %237, 3
+  %239 = getelementptr i8, ptr %200, i64 %238
+  br label %240
+240:
+  %241 = phi i64 [ %236, %235 ], [ %248, %240 ]
+  %242 = phi i64 [ 0, %235 ], [ %249, %240 ]
+  %243 = shl nuw nsw i64 %242, 3
+  %244 = getelementptr i8, ptr %239, i64 %243
+  %245 = load i64, ptr %244, align 8
+  %246 = icmp eq i64 %207, %245
+  %247 = zext i1 %246 to i64
+  %248 = add nsw i64 %241, %247
+  %249 = add i64 %242, 1
+  %250 = icmp eq i64 %196, %249
+  br i1 %250, label %251, label %240
+251:
+  %252 = phi i64 [ %232, %234 ], [ %248, %240 ]
+  %253 = add nuw nsw i64 %205, 1
+  %254 = icmp eq i64 %185, %253
+  br i1 %254, label %117, label %203
+255:
+  %256 = phi i64 [ 0, %117 ], [ %128, %126 ]
+  %257 = icmp slt i64 %105, 0
+  %258 = select i1 %257, i64 %27, i64 0
+  %259 = add i64 %258, %105
+  %260 = mul i64 %259, %29
+  %261 = getelementptr i64, ptr %25, i64 %260
+  store i64 %150, ptr %261, align 8
+  %262 = getelementptr i8, ptr %261, i64 8
+  store i64 %151, ptr %262, align 8
+  %263 = getelementptr i8, ptr %261, i64 32
+  store i64 %119, ptr %263, align 8
+  %264 = shl i64 %150, 3
+  %265 = getelementptr i8, ptr %13, i64 %264
+  %266 = load i64, ptr %265, align 8
+  %267 = icmp eq i64 %266, 0
+  br i1 %267, label %290, label %268
+268:
+  %269 = add nsw i64 %256, 1
+  %270 = or i64 %266, %269
+  %271 = icmp ult i64 %270, 4294967296
+  br i1 %271, label %272, label %277
+272:
+  %273 = trunc nuw i64 %266 to i32
+  %274 = trunc nuw i64 %269 to i32
+  %275 = urem i32 %274, %273
+  %276 = zext i32 %275 to i64
+  br label %279
+277:
+  %278 = srem i64 %269, %266
+  br label %279
+279:
+  %280 = phi i64 [ %276, %272 ], [ %278, %277 ]
+  %281 = xor i64 %280, %266
+  %282 = icmp slt i64 %281, 0
+  %283 = icmp ne i64 %280, 0
+  %284 = and i1 %283, %282
+  %285 = select i1 %284, i64 %266, i64 0
+  %286 = add i64 %285, %280
+  %287 = freeze i64 %286
+  %288 = icmp slt i64 %287, 0
+  %289 = select i1 %288, i64 %10, i64 0
+  br label %290
+290:
+  %291 = phi i64 [ %287, %279 ], [ 0, %255 ]
+  %292 = phi i64 [ %289, %279 ], [ 0, %255 ]
+  %293 = getelementptr i64, ptr %120, i64 %291
+  %294 = getelementptr i64, ptr %293, i64 %292
+  %295 = load i64, ptr %294, align 8
+  %296 = shl i64 %260, 3
+  %297 = getelementptr i8, ptr %25, i64 %296
+  %298 = getelementptr i8, ptr %297, i64 16
+  store i64 %295, ptr %298, align 8
+  %299 = add nsw i64 %256, -1
+  %300 = load i64, ptr %265, align 8
+  %301 = icmp eq i64 %300, 0
+  br i1 %301, label %306, label %302
+302:
+  %303 = icmp ne i64 %299, -9223372036854775808
+  %304 = icmp ne i64 %300, -1
+  %305 = or i1 %303, %304
+  br i1 %305, label %317, label %306
+306:
+  %307 = phi i64 [ 0, %290 ], [ %338, %327 ], [ 0, %302 ]
+  %308 = getelementptr i64, ptr %120, i64 %307
+  %309 = load i64, ptr %308, align 8
+  %310 = getelementptr i8, ptr %297, i64 24
+  store i64 %309, ptr %310, align 8
+  %311 = select i1 %257, i64 %34, i64 0
+  %312 = add i64 %311, %105
+  %313 = mul i64 %312, %36
+  %314 = getelementptr double, ptr %32, i64 %313
+  store double %174, ptr %314, align 8
+  %315 = getelementptr i8, ptr %314, i64 8
+  store double 0.000000e+00, ptr %315, align 8
+  %316 = add nsw i64 %105, 1
+  br label %133
+317:
+  %318 = or i64 %300, %299
+  %319 = icmp ult i64 %318, 4294967296
+  br i1 %319, label %320, label %325
+320:
+  %321 = trunc nuw i64 %300 to i32
+  %322 = trunc nuw i64 %299 to i32
+  %323 = urem i32 %322, %321
+  %324 = zext i32 %323 to i64
+  br label %327
+325:
+  %326 = srem i64 %299, %300
+  br label %327
+327:
+  %328 = phi i64 [ %324, %320 ], [ %326, %325 ]
+  %329 = xor i64 %328, %300
+  %330 = icmp slt i64 %329, 0
+  %331 = icmp ne i64 %328, 0
+  %332 = and i1 %331, %330
+  %333 = select i1 %332, i64 %300, i64 0
+  %334 = add i64 %333, %328
+  %335 = freeze i64 %334
+  %336 = icmp slt i64 %335, 0
+  %337 = select i1 %336, i64 %10, i64 0
+  %338 = add i64 %337, %335
+  br label %306
+339:
+  %340 = phi i64 [ %137, %136 ], [ %95, %94 ]
+  ret i64 %340
 }
-
-define i64 @msf_jax.host.meso.kernels.short_edges(ptr readonly %words) local_unnamed_addr {
-  %w0 = load ptr, ptr %words, align 8
-  %p2 = getelementptr i8, ptr %words, i64 16
-  %w2 = load i64, ptr %p2, align 8
-  %p3 = getelementptr i8, ptr %words, i64 24
-  %w3 = load ptr, ptr %p3, align 8
-  %p4 = getelementptr i8, ptr %words, i64 32
-  %w4 = load i64, ptr %p4, align 8
-  %p5 = getelementptr i8, ptr %words, i64 40
-  %w5 = load i64, ptr %p5, align 8
-  %s8 = shl i64 %w5, 3
-  %p6 = getelementptr i8, ptr %words, i64 48
-  %w6 = load ptr, ptr %p6, align 8
-  %p8 = getelementptr i8, ptr %words, i64 64
-  %w8 = load ptr, ptr %p8, align 8
-  %p10 = getelementptr i8, ptr %words, i64 80
-  %w10 = load double, ptr %p10, align 8
-  %p11 = getelementptr i8, ptr %words, i64 88
-  %w11 = load ptr, ptr %p11, align 8
-  %p12 = getelementptr i8, ptr %words, i64 96
-  %w12 = load i64, ptr %p12, align 8
-  %p13 = getelementptr i8, ptr %words, i64 104
-  %w13 = load i64, ptr %p13, align 8
-  %p14 = getelementptr i8, ptr %words, i64 112
-  %w14 = load ptr, ptr %p14, align 8
-  %p15 = getelementptr i8, ptr %words, i64 120
-  %w15 = load i64, ptr %p15, align 8
-  %p16 = getelementptr i8, ptr %words, i64 128
-  %w16 = load i64, ptr %p16, align 8
-  %s24 = shl i64 %w16, 3
-  %p17 = getelementptr i8, ptr %words, i64 136
-  %w17 = load ptr, ptr %p17, align 8
-  %p18 = getelementptr i8, ptr %words, i64 144
-  %w18 = load i64, ptr %p18, align 8
-  %p19 = getelementptr i8, ptr %words, i64 152
-  %w19 = load i64, ptr %p19, align 8
-  %s29 = shl i64 %w19, 3
-  %.130339.not.i.i = icmp slt i64 %w13, 1
-  br i1 %.130339.not.i.i, label %B0.endif.endif.i, label %B40.us.preheader.i.i
-
-B40.us.preheader.i.i:                             ; preds = %0
-  %scevgep.i.i = getelementptr i8, ptr %w17, i64 8
-  %scevgep3.i.i = getelementptr i8, ptr %w14, i64 32
-  br label %B40.us.i.i
-
-B40.us.i.i:                                       ; preds = %B272.us.i.i, %B40.us.preheader.i.i
-  %lsr.iv10.i.i = phi i64 [ %w13, %B40.us.preheader.i.i ], [ %lsr.iv.next.i.i, %B272.us.i.i ]
-  %lsr.iv4.i.i = phi ptr [ %scevgep3.i.i, %B40.us.preheader.i.i ], [ %scevgep5.i.i, %B272.us.i.i ]
-  %lsr.iv.i.i = phi ptr [ %scevgep.i.i, %B40.us.preheader.i.i ], [ %scevgep1.i.i, %B272.us.i.i ]
-  %count.2.0344.us.i.i = phi i64 [ 0, %B40.us.preheader.i.i ], [ %count.3.1.us.i.i, %B272.us.i.i ]
-  %scevgep9.i.i = getelementptr i8, ptr %lsr.iv4.i.i, i64 -32
-  %.229.us.i.i = load i64, ptr %scevgep9.i.i, align 8
-  %.230.us.i.i = icmp sgt i64 %.229.us.i.i, -1
-  br i1 %.230.us.i.i, label %B70.us.i.i, label %B272.us.i.i
-
-B70.us.i.i:                                       ; preds = %B40.us.i.i
-  %.318.us.i.i = getelementptr i8, ptr %w11, i64 %.229.us.i.i
-  %.319.us.i.i = load i8, ptr %.318.us.i.i, align 1
-  %.322.us.i.i = icmp eq i8 %.319.us.i.i, 0
-  br i1 %.322.us.i.i, label %B102.us.i.i, label %B272.us.i.i
-
-B102.us.i.i:                                      ; preds = %B70.us.i.i
-  %scevgep8.i.i = getelementptr i8, ptr %lsr.iv4.i.i, i64 -24
-  %.387.us.i.i = load i64, ptr %scevgep8.i.i, align 8
-  %.401.us.i.i = icmp slt i64 %.387.us.i.i, 0
-  %.402.us.i.i = select i1 %.401.us.i.i, i64 %w12, i64 0
-  %1 = getelementptr i8, ptr %w11, i64 %.387.us.i.i
-  %.416.us.i.i = getelementptr i8, ptr %1, i64 %.402.us.i.i
-  %.417.us.i.i = load i8, ptr %.416.us.i.i, align 1
-  %.420.us.i.i = icmp eq i8 %.417.us.i.i, 0
-  br i1 %.420.us.i.i, label %B134.endif.endif.us.i.i, label %B272.us.i.i
-
-B134.endif.endif.us.i.i:                          ; preds = %B102.us.i.i
-  %.621.us.i.i = icmp slt i64 %count.2.0344.us.i.i, 0
-  %.622.us.i.i = select i1 %.621.us.i.i, i64 %w15, i64 0
-  %.623.us.i.i = add i64 %.622.us.i.i, %count.2.0344.us.i.i
-  %.643.us.i.i = mul i64 %.623.us.i.i, %w16
-  %2 = getelementptr i64, ptr %w14, i64 %.643.us.i.i
-  store i64 %.229.us.i.i, ptr %2, align 8
-  %.597.us.1.i.i = load i64, ptr %scevgep8.i.i, align 8
-  %.647.us.1.i.i = getelementptr i8, ptr %2, i64 8
-  store i64 %.597.us.1.i.i, ptr %.647.us.1.i.i, align 8
-  %scevgep7.i.i = getelementptr i8, ptr %lsr.iv4.i.i, i64 -16
-  %.597.us.2.i.i = load i64, ptr %scevgep7.i.i, align 8
-  %.647.us.2.i.i = getelementptr i8, ptr %2, i64 16
-  store i64 %.597.us.2.i.i, ptr %.647.us.2.i.i, align 8
-  %scevgep6.i.i = getelementptr i8, ptr %lsr.iv4.i.i, i64 -8
-  %.597.us.3.i.i = load i64, ptr %scevgep6.i.i, align 8
-  %.647.us.3.i.i = getelementptr i8, ptr %2, i64 24
-  store i64 %.597.us.3.i.i, ptr %.647.us.3.i.i, align 8
-  %.597.us.4.i.i = load i64, ptr %lsr.iv4.i.i, align 8
-  %.647.us.4.i.i = getelementptr i8, ptr %2, i64 32
-  store i64 %.597.us.4.i.i, ptr %.647.us.4.i.i, align 8
-  %scevgep2.i.i = getelementptr i8, ptr %lsr.iv.i.i, i64 -8
-  %.708.us.i.i = load double, ptr %scevgep2.i.i, align 8
-  %.765.us.i.i = load double, ptr %lsr.iv.i.i, align 8
-  %.794.us.i.i = select i1 %.621.us.i.i, i64 %w18, i64 0
-  %.795.us.i.i = add i64 %.794.us.i.i, %count.2.0344.us.i.i
-  %.815.us.i.i = mul i64 %.795.us.i.i, %w19
-  %.819.us.i.i = getelementptr double, ptr %w17, i64 %.815.us.i.i
-  store double %.708.us.i.i, ptr %.819.us.i.i, align 8
-  %.874.us.i.i = getelementptr i8, ptr %.819.us.i.i, i64 8
-  store double %.765.us.i.i, ptr %.874.us.i.i, align 8
-  %.877.us.i.i = add nsw i64 %count.2.0344.us.i.i, 1
-  br label %B272.us.i.i
-
-B272.us.i.i:                                      ; preds = %B134.endif.endif.us.i.i, %B102.us.i.i, %B70.us.i.i, %B40.us.i.i
-  %count.3.1.us.i.i = phi i64 [ %count.2.0344.us.i.i, %B40.us.i.i ], [ %count.2.0344.us.i.i, %B70.us.i.i ], [ %.877.us.i.i, %B134.endif.endif.us.i.i ], [ %count.2.0344.us.i.i, %B102.us.i.i ]
-  %scevgep1.i.i = getelementptr i8, ptr %lsr.iv.i.i, i64 %s29
-  %scevgep5.i.i = getelementptr i8, ptr %lsr.iv4.i.i, i64 %s24
-  %lsr.iv.next.i.i = add nsw i64 %lsr.iv10.i.i, -1
-  %exitcond.not.i.i = icmp eq i64 %lsr.iv.next.i.i, 0
-  br i1 %exitcond.not.i.i, label %B0.endif.endif.i, label %B40.us.i.i
-
-B98.loopexit.i:                                   ; preds = %B825.i, %B148.endif.i, %B100.i
-  %count.2.1.lcssa.i = phi i64 [ %count.4.0884.i, %B148.endif.i ], [ %count.4.0884.i, %B100.i ], [ %count.3.2.i, %B825.i ]
-  %exitcond985.not.i = icmp eq i64 %w4, %.250.i
-  br i1 %exitcond985.not.i, label %_ZN7msf_jax4host4meso7kernels11short_edgesB3v48B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIbLi1E1C7mutable7alignedEx5ArrayIxLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE.exit, label %B100.i
-
-B100.i:                                           ; preds = %B100.preheader.i, %B98.loopexit.i
-  %count.4.0884.i = phi i64 [ %count.2.1.lcssa.i, %B98.loopexit.i ], [ %count.2.0.lcssa.i.i, %B100.preheader.i ]
-  %.243832882.i = phi i64 [ %.250.i, %B98.loopexit.i ], [ 0, %B100.preheader.i ]
-  %.250.i = add nuw nsw i64 %.243832882.i, 1
-  %3 = getelementptr i8, ptr %w11, i64 %.243832882.i
-  %.308.i = load i8, ptr %3, align 1
-  %.311.i = icmp eq i8 %.308.i, 0
-  br i1 %.311.i, label %B98.loopexit.i, label %B148.endif.i
-
-B168.i:                                           ; preds = %B168.lr.ph.i, %B825.i
-  %count.2.1819.i = phi i64 [ %count.4.0884.i, %B168.lr.ph.i ], [ %count.3.2.i, %B825.i ]
-  %.457776817.i = phi i64 [ 0, %B168.lr.ph.i ], [ %.464.i, %B825.i ]
-  %.464.i = add nuw nsw i64 %.457776817.i, 1
-  %4 = getelementptr i64, ptr %8, i64 %.457776817.i
-  %.81.i.i = load i64, ptr %4, align 8
-  %.86.i.i = icmp slt i64 %.81.i.i, 0
-  br i1 %.86.i.i, label %B825.i, label %B48.i.i
-
-B48.i.i:                                          ; preds = %B168.i
-  %.96.i.i = icmp slt i64 %.81.i.i, %.243832882.i
-  br i1 %.96.i.i, label %_ZN7msf_jax4host4meso7kernels12is_met_laterB3v50B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedExx.exit.i, label %B208.endif.endif.endif.endif.i
-
-_ZN7msf_jax4host4meso7kernels12is_met_laterB3v50B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedExx.exit.i: ; preds = %B48.i.i
-  %.131.i.i = getelementptr i8, ptr %w11, i64 %.81.i.i
-  %.132.i.i = load i8, ptr %.131.i.i, align 1
-  %.135.i.not.i = icmp eq i8 %.132.i.i, 0
-  br i1 %.135.i.not.i, label %B208.endif.endif.endif.endif.i, label %B825.i
-
-B590.i:                                           ; preds = %B532.B486.loopexit_crit_edge.us.i, %B488.endif.lr.ph.i, %B440.endif.B590_crit_edge.i
-  %.80.i.pre-phi.i = phi i64 [ %.pre.i, %B440.endif.B590_crit_edge.i ], [ %.1215.i, %B488.endif.lr.ph.i ], [ %.1215.i, %B532.B486.loopexit_crit_edge.us.i ]
-  %common.3.3.lcssa.i = phi i64 [ 0, %B440.endif.B590_crit_edge.i ], [ 0, %B488.endif.lr.ph.i ], [ %.1276.us.lcssa.i, %B532.B486.loopexit_crit_edge.us.i ]
-  %.84.i.i = getelementptr i64, ptr %w3, i64 %.80.i.pre-phi.i
-  %.85.i.i = load i64, ptr %.84.i.i, align 8
-  %.87.not.i.i = icmp eq i64 %.85.i.i, %.11.i25.i
-  br i1 %.87.not.i.i, label %B590.endif.i, label %B36.preheader.i.i
-
-B36.preheader.i.i:                                ; preds = %B590.i
-  %5 = mul i64 %.11.i.i, %s8
-  %scevgep47.i = getelementptr i8, ptr %scevgep46.i, i64 %5
-  br label %B36.i.i
-
-B36.i.i:                                          ; preds = %B36.i.i, %B36.preheader.i.i
-  %slot.2.0.i.i = phi i64 [ %.90.i.i, %B36.i.i ], [ 0, %B36.preheader.i.i ]
-  %.90.i.i = add nuw i64 %slot.2.0.i.i, 1
-  %6 = shl i64 %slot.2.0.i.i, 3
-  %scevgep48.i = getelementptr i8, ptr %scevgep47.i, i64 %6
-  %.145.i.i = load i64, ptr %scevgep48.i, align 8
-  %.147.not.i.i = icmp eq i64 %.145.i.i, %.11.i25.i
-  br i1 %.147.not.i.i, label %B590.endif.i, label %B36.i.i
-
-B825.i:                                           ; preds = %B590.endif.endif.endif.thread.i, %B208.endif.endif.endif.endif.i, %_ZN7msf_jax4host4meso7kernels12is_met_laterB3v50B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedExx.exit.i, %B168.i
-  %count.3.2.i = phi i64 [ %.1972.i, %B590.endif.endif.endif.thread.i ], [ %count.2.1819.i, %B208.endif.endif.endif.endif.i ], [ %count.2.1819.i, %_ZN7msf_jax4host4meso7kernels12is_met_laterB3v50B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedExx.exit.i ], [ %count.2.1819.i, %B168.i ]
-  %exitcond984.not.i = icmp eq i64 %.352.i, %.464.i
-  br i1 %exitcond984.not.i, label %B98.loopexit.i, label %B168.i
-
-B0.endif.endif.i:                                 ; preds = %B272.us.i.i, %0
-  %count.2.0.lcssa.i.i = phi i64 [ 0, %0 ], [ %count.3.1.us.i.i, %B272.us.i.i ]
-  %.237877.not.i = icmp slt i64 %w4, 1
-  br i1 %.237877.not.i, label %_ZN7msf_jax4host4meso7kernels11short_edgesB3v48B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIbLi1E1C7mutable7alignedEx5ArrayIxLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE.exit, label %B100.preheader.i
-
-B100.preheader.i:                                 ; preds = %B0.endif.endif.i
-  %scevgep.i = getelementptr i8, ptr %w3, i64 24
-  %scevgep46.i = getelementptr i8, ptr %w3, i64 8
-  br label %B100.i
-
-B148.endif.i:                                     ; preds = %B100.i
-  %7 = getelementptr i64, ptr %w6, i64 %.243832882.i
-  %.352.i = load i64, ptr %7, align 8
-  %.451812.not.i = icmp slt i64 %.352.i, 1
-  br i1 %.451812.not.i, label %B98.loopexit.i, label %B168.lr.ph.i
-
-B168.lr.ph.i:                                     ; preds = %B148.endif.i
-  %.592.i = mul i64 %.243832882.i, %w5
-  %8 = getelementptr i64, ptr %w3, i64 %.592.i
-  br label %B168.i
-
-B208.endif.endif.endif.endif.i:                   ; preds = %_ZN7msf_jax4host4meso7kernels12is_met_laterB3v50B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedExx.exit.i, %B48.i.i
-  %.11.i.i = tail call i64 @llvm.smin.i64(i64 %.81.i.i, i64 %.243832882.i)
-  %.11.i25.i = tail call i64 @llvm.smax.i64(i64 %.81.i.i, i64 %.243832882.i)
-  %.68.i.i = mul i64 %.11.i.i, %w2
-  %9 = getelementptr double, ptr %w0, i64 %.68.i.i
-  %.72.i.i = getelementptr i8, ptr %9, i64 16
-  %.73.i.i = load double, ptr %.72.i.i, align 8
-  %.121.i.i = mul i64 %.11.i25.i, %w2
-  %10 = getelementptr double, ptr %w0, i64 %.121.i.i
-  %.125.i.i = getelementptr i8, ptr %10, i64 16
-  %.126.i.i = load double, ptr %.125.i.i, align 8
-  %.127.i.i = fsub double %.73.i.i, %.126.i.i
-  %.235.i.i = fmul double %.127.i.i, %.127.i.i
-  %.288.i.i = load double, ptr %9, align 8
-  %.341.i.i = load double, ptr %10, align 8
-  %.342.i.i = fsub double %.288.i.i, %.341.i.i
-  %.450.i.i = fmul double %.342.i.i, %.342.i.i
-  %.451.i.i = fadd double %.235.i.i, %.450.i.i
-  %.503.i.i = getelementptr i8, ptr %9, i64 8
-  %.504.i.i = load double, ptr %.503.i.i, align 8
-  %.556.i.i = getelementptr i8, ptr %10, i64 8
-  %.557.i.i = load double, ptr %.556.i.i, align 8
-  %.558.i.i = fsub double %.504.i.i, %.557.i.i
-  %.666.i.i = fmul double %.558.i.i, %.558.i.i
-  %.667.i.i = fadd double %.451.i.i, %.666.i.i
-  %sqrt.i = tail call double @llvm.sqrt.f64(double %.667.i.i)
-  %11 = getelementptr double, ptr %w8, i64 %.11.i.i
-  %.784.i = load double, ptr %11, align 8
-  %12 = getelementptr double, ptr %w8, i64 %.11.i25.i
-  %.815.i = load double, ptr %12, align 8
-  %.10.i.i = fcmp olt double %.815.i, %.784.i
-  %.11.i26.i = select i1 %.10.i.i, double %.815.i, double %.784.i
-  %.845.i = fmul double %w10, %.11.i26.i
-  %.847.i = fcmp ult double %sqrt.i, %.845.i
-  br i1 %.847.i, label %B440.endif.i, label %B825.i
-
-B440.endif.i:                                     ; preds = %B208.endif.endif.endif.endif.i
-  %13 = getelementptr i64, ptr %w6, i64 %.11.i.i
-  %.894.i = load i64, ptr %13, align 8
-  %.974754.not.i = icmp slt i64 %.894.i, 1
-  br i1 %.974754.not.i, label %B440.endif.B590_crit_edge.i, label %B488.endif.lr.ph.i
-
-B440.endif.B590_crit_edge.i:                      ; preds = %B440.endif.i
-  %.pre.i = mul i64 %.11.i.i, %w5
-  br label %B590.i
-
-B488.endif.lr.ph.i:                               ; preds = %B440.endif.i
-  %14 = getelementptr i64, ptr %w6, i64 %.11.i25.i
-  %.1051.i = load i64, ptr %14, align 8
-  %.1131742.not.i = icmp slt i64 %.1051.i, 1
-  %.1215.i = mul i64 %.11.i.i, %w5
-  %invariant.gep763.i = getelementptr i64, ptr %w3, i64 %.1215.i
-  br i1 %.1131742.not.i, label %B590.i, label %B488.endif.us.preheader.i
-
-B488.endif.us.preheader.i:                        ; preds = %B488.endif.lr.ph.i
-  %xtraiter.i = and i64 %.1051.i, 3
-  %unroll_iter.i = and i64 %.1051.i, 9223372036854775804
-  %15 = mul i64 %.11.i25.i, %s8
-  %scevgep34.i = getelementptr i8, ptr %scevgep.i, i64 %15
-  %scevgep43.i = getelementptr i8, ptr %w3, i64 %15
-  %16 = icmp samesign ult i64 %.1051.i, 4
-  %17 = icmp eq i64 %xtraiter.i, 0
-  br label %B488.endif.us.i
-
-B488.endif.us.i:                                  ; preds = %B532.B486.loopexit_crit_edge.us.i, %B488.endif.us.preheader.i
-  %common.3.3757.us.i = phi i64 [ %.1276.us.lcssa.i, %B532.B486.loopexit_crit_edge.us.i ], [ 0, %B488.endif.us.preheader.i ]
-  %.980749755.us.i = phi i64 [ %.987.us.i, %B532.B486.loopexit_crit_edge.us.i ], [ 0, %B488.endif.us.preheader.i ]
-  %gep764.us.i = getelementptr i64, ptr %invariant.gep763.i, i64 %.980749755.us.i
-  %.1220.us.i = load i64, ptr %gep764.us.i, align 8
-  br i1 %16, label %B534.us.epil.preheader.i, label %B534.us.i
-
-B534.us.i:                                        ; preds = %B488.endif.us.i, %B534.us.i
-  %common.2.4745.us.i = phi i64 [ %.1276.us.3.i, %B534.us.i ], [ %common.3.3757.us.i, %B488.endif.us.i ]
-  %.1137741743.us.i = phi i64 [ %.1144.us.3.i, %B534.us.i ], [ 0, %B488.endif.us.i ]
-  %18 = shl i64 %.1137741743.us.i, 3
-  %scevgep40.i = getelementptr i8, ptr %scevgep34.i, i64 %18
-  %scevgep41.i = getelementptr i8, ptr %scevgep40.i, i64 -24
-  %.1271.us.i = load i64, ptr %scevgep41.i, align 8
-  %.1272.us.i = icmp eq i64 %.1220.us.i, %.1271.us.i
-  %.1275.us.i = zext i1 %.1272.us.i to i64
-  %.1276.us.i = add nsw i64 %common.2.4745.us.i, %.1275.us.i
-  %scevgep39.i = getelementptr i8, ptr %scevgep40.i, i64 -16
-  %.1271.us.1.i = load i64, ptr %scevgep39.i, align 8
-  %.1272.us.1.i = icmp eq i64 %.1220.us.i, %.1271.us.1.i
-  %.1275.us.1.i = zext i1 %.1272.us.1.i to i64
-  %.1276.us.1.i = add nsw i64 %.1276.us.i, %.1275.us.1.i
-  %scevgep37.i = getelementptr i8, ptr %scevgep40.i, i64 -8
-  %.1271.us.2.i = load i64, ptr %scevgep37.i, align 8
-  %.1272.us.2.i = icmp eq i64 %.1220.us.i, %.1271.us.2.i
-  %.1275.us.2.i = zext i1 %.1272.us.2.i to i64
-  %.1276.us.2.i = add nsw i64 %.1276.us.1.i, %.1275.us.2.i
-  %.1144.us.3.i = add nuw nsw i64 %.1137741743.us.i, 4
-  %.1271.us.3.i = load i64, ptr %scevgep40.i, align 8
-  %.1272.us.3.i = icmp eq i64 %.1220.us.i, %.1271.us.3.i
-  %.1275.us.3.i = zext i1 %.1272.us.3.i to i64
-  %.1276.us.3.i = add nsw i64 %.1276.us.2.i, %.1275.us.3.i
-  %niter.ncmp.3.i = icmp eq i64 %unroll_iter.i, %.1144.us.3.i
-  br i1 %niter.ncmp.3.i, label %B532.B486.loopexit_crit_edge.us.unr-lcssa.i, label %B534.us.i
-
-B532.B486.loopexit_crit_edge.us.unr-lcssa.i:      ; preds = %B534.us.i
-  br i1 %17, label %B532.B486.loopexit_crit_edge.us.i, label %B534.us.epil.preheader.i
-
-B534.us.epil.preheader.i:                         ; preds = %B532.B486.loopexit_crit_edge.us.unr-lcssa.i, %B488.endif.us.i
-  %common.2.4745.us.epil.init.i = phi i64 [ %common.3.3757.us.i, %B488.endif.us.i ], [ %.1276.us.3.i, %B532.B486.loopexit_crit_edge.us.unr-lcssa.i ]
-  %.1137741743.us.epil.init.i = phi i64 [ 0, %B488.endif.us.i ], [ %unroll_iter.i, %B532.B486.loopexit_crit_edge.us.unr-lcssa.i ]
-  %19 = shl i64 %.1137741743.us.epil.init.i, 3
-  %scevgep44.i = getelementptr i8, ptr %scevgep43.i, i64 %19
-  br label %B534.us.epil.i
-
-B534.us.epil.i:                                   ; preds = %B534.us.epil.i, %B534.us.epil.preheader.i
-  %common.2.4745.us.epil.i = phi i64 [ %common.2.4745.us.epil.init.i, %B534.us.epil.preheader.i ], [ %.1276.us.epil.i, %B534.us.epil.i ]
-  %epil.iter.i = phi i64 [ 0, %B534.us.epil.preheader.i ], [ %epil.iter.next.i, %B534.us.epil.i ]
-  %20 = shl nuw nsw i64 %epil.iter.i, 3
-  %scevgep45.i = getelementptr i8, ptr %scevgep44.i, i64 %20
-  %.1271.us.epil.i = load i64, ptr %scevgep45.i, align 8
-  %.1272.us.epil.i = icmp eq i64 %.1220.us.i, %.1271.us.epil.i
-  %.1275.us.epil.i = zext i1 %.1272.us.epil.i to i64
-  %.1276.us.epil.i = add nsw i64 %common.2.4745.us.epil.i, %.1275.us.epil.i
-  %epil.iter.next.i = add i64 %epil.iter.i, 1
-  %epil.iter.cmp.not.i = icmp eq i64 %xtraiter.i, %epil.iter.next.i
-  br i1 %epil.iter.cmp.not.i, label %B532.B486.loopexit_crit_edge.us.i, label %B534.us.epil.i
-
-B532.B486.loopexit_crit_edge.us.i:                ; preds = %B534.us.epil.i, %B532.B486.loopexit_crit_edge.us.unr-lcssa.i
-  %.1276.us.lcssa.i = phi i64 [ %.1276.us.3.i, %B532.B486.loopexit_crit_edge.us.unr-lcssa.i ], [ %.1276.us.epil.i, %B534.us.epil.i ]
-  %.987.us.i = add nuw nsw i64 %.980749755.us.i, 1
-  %exitcond983.not.i = icmp eq i64 %.894.i, %.987.us.i
-  br i1 %exitcond983.not.i, label %B590.i, label %B488.endif.us.i
-
-B590.endif.i:                                     ; preds = %B36.i.i, %B590.i
-  %slot.3.1.i.i = phi i64 [ 0, %B590.i ], [ %.90.i.i, %B36.i.i ]
-  %.1356.i = icmp slt i64 %count.2.1819.i, 0
-  %.1357.i = select i1 %.1356.i, i64 %w15, i64 0
-  %.1358.i = add i64 %.1357.i, %count.2.1819.i
-  %.1378.i = mul i64 %.1358.i, %w16
-  %.1382.i = getelementptr i64, ptr %w14, i64 %.1378.i
-  store i64 %.11.i.i, ptr %.1382.i, align 8
-  %.1438.i = getelementptr i8, ptr %.1382.i, i64 8
-  store i64 %.11.i25.i, ptr %.1438.i, align 8
-  %.1496.i = getelementptr i8, ptr %.1382.i, i64 32
-  store i64 %common.3.3.lcssa.i, ptr %.1496.i, align 8
-  %sunkaddr49.i = shl i64 %.11.i.i, 3
-  %sunkaddr50.i = getelementptr i8, ptr %w6, i64 %sunkaddr49.i
-  %.1531.i = load i64, ptr %sunkaddr50.i, align 8
-  %.1534.i = icmp eq i64 %.1531.i, 0
-  br i1 %.1534.i, label %B590.endif.endif.thread.i, label %B590.endif.endif.i
-
-B590.endif.endif.i:                               ; preds = %B590.endif.i
-  %.1500.i = add nsw i64 %slot.3.1.i.i, 1
-  %21 = or i64 %.1531.i, %.1500.i
-  %22 = icmp ult i64 %21, 4294967296
-  br i1 %22, label %23, label %28
-
-23:                                               ; preds = %B590.endif.endif.i
-  %24 = trunc nuw i64 %.1531.i to i32
-  %25 = trunc nuw i64 %.1500.i to i32
-  %26 = urem i32 %25, %24
-  %27 = zext i32 %26 to i64
-  br label %30
-
-28:                                               ; preds = %B590.endif.endif.i
-  %29 = srem i64 %.1500.i, %.1531.i
-  br label %30
-
-30:                                               ; preds = %28, %23
-  %31 = phi i64 [ %27, %23 ], [ %29, %28 ]
-  %.1552.i = xor i64 %31, %.1531.i
-  %.1553.i = icmp slt i64 %.1552.i, 0
-  %.1554.i = icmp ne i64 %31, 0
-  %.1555.i = and i1 %.1554.i, %.1553.i
-  %.1562.i = select i1 %.1555.i, i64 %.1531.i, i64 0
-  %spec.select.i = add i64 %.1562.i, %31
-  %spec.select.fr.i = freeze i64 %spec.select.i
-  %.1598.i = icmp slt i64 %spec.select.fr.i, 0
-  %spec.select1017.i = select i1 %.1598.i, i64 %w5, i64 0
-  br label %B590.endif.endif.thread.i
-
-B590.endif.endif.thread.i:                        ; preds = %30, %B590.endif.i
-  %rem.0993.i = phi i64 [ %spec.select.fr.i, %30 ], [ 0, %B590.endif.i ]
-  %32 = phi i64 [ %spec.select1017.i, %30 ], [ 0, %B590.endif.i ]
-  %33 = getelementptr i64, ptr %.84.i.i, i64 %rem.0993.i
-  %.1621.i = getelementptr i64, ptr %33, i64 %32
-  %.1622.i = load i64, ptr %.1621.i, align 8
-  %sunkaddr51.i = shl i64 %.1378.i, 3
-  %sunkaddr52.i = getelementptr i8, ptr %w14, i64 %sunkaddr51.i
-  %sunkaddr53.i = getelementptr i8, ptr %sunkaddr52.i, i64 16
-  store i64 %.1622.i, ptr %sunkaddr53.i, align 8
-  %.1678.i = add nsw i64 %slot.3.1.i.i, -1
-  %.1709.i = load i64, ptr %sunkaddr50.i, align 8
-  %.1712.i = icmp eq i64 %.1709.i, 0
-  br i1 %.1712.i, label %B590.endif.endif.endif.thread.i, label %B590.endif.endif.else.i
-
-B590.endif.endif.else.i:                          ; preds = %B590.endif.endif.thread.i
-  %.1723.i = icmp ne i64 %.1678.i, -9223372036854775808
-  %.1724.i = icmp ne i64 %.1709.i, -1
-  %.1725.not.i = or i1 %.1723.i, %.1724.i
-  br i1 %.1725.not.i, label %B590.endif.endif.else.if.i, label %B590.endif.endif.endif.thread.i
-
-B590.endif.endif.endif.thread.i:                  ; preds = %44, %B590.endif.endif.else.i, %B590.endif.endif.thread.i
-  %34 = phi i64 [ 0, %B590.endif.endif.thread.i ], [ %spec.select703.i, %44 ], [ 0, %B590.endif.endif.else.i ]
-  %.1801.i = getelementptr i64, ptr %.84.i.i, i64 %34
-  %.1802.i = load i64, ptr %.1801.i, align 8
-  %sunkaddr58.i = getelementptr i8, ptr %sunkaddr52.i, i64 24
-  store i64 %.1802.i, ptr %sunkaddr58.i, align 8
-  %.1887.i = select i1 %.1356.i, i64 %w18, i64 0
-  %.1888.i = add i64 %.1887.i, %count.2.1819.i
-  %.1908.i = mul i64 %.1888.i, %w19
-  %.1912.i = getelementptr double, ptr %w17, i64 %.1908.i
-  store double %sqrt.i, ptr %.1912.i, align 8
-  %.1969.i = getelementptr i8, ptr %.1912.i, i64 8
-  store double 0.000000e+00, ptr %.1969.i, align 8
-  %.1972.i = add nsw i64 %count.2.1819.i, 1
-  br label %B825.i
-
-B590.endif.endif.else.if.i:                       ; preds = %B590.endif.endif.else.i
-  %35 = or i64 %.1709.i, %.1678.i
-  %36 = icmp ult i64 %35, 4294967296
-  br i1 %36, label %37, label %42
-
-37:                                               ; preds = %B590.endif.endif.else.if.i
-  %38 = trunc nuw i64 %.1709.i to i32
-  %39 = trunc nuw i64 %.1678.i to i32
-  %40 = urem i32 %39, %38
-  %41 = zext i32 %40 to i64
-  br label %44
-
-42:                                               ; preds = %B590.endif.endif.else.if.i
-  %43 = srem i64 %.1678.i, %.1709.i
-  br label %44
-
-44:                                               ; preds = %42, %37
-  %45 = phi i64 [ %41, %37 ], [ %43, %42 ]
-  %.1730.i = xor i64 %45, %.1709.i
-  %.1731.i = icmp slt i64 %.1730.i, 0
-  %.1732.i = icmp ne i64 %45, 0
-  %.1733.i = and i1 %.1732.i, %.1731.i
-  %.1740.i = select i1 %.1733.i, i64 %.1709.i, i64 0
-  %spec.select704.i = add i64 %.1740.i, %45
-  %spec.select704.fr.i = freeze i64 %spec.select704.i
-  %.1778.i = icmp slt i64 %spec.select704.fr.i, 0
-  %.1779.i = select i1 %.1778.i, i64 %w5, i64 0
-  %spec.select703.i = add i64 %.1779.i, %spec.select704.fr.i
-  br label %B590.endif.endif.endif.thread.i
-
-_ZN7msf_jax4host4meso7kernels11short_edgesB3v48B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIbLi1E1C7mutable7alignedEx5ArrayIxLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE.exit: ; preds = %B98.loopexit.i, %B0.endif.endif.i
-  %count.4.0.lcssa.i = phi i64 [ %count.2.0.lcssa.i.i, %B0.endif.endif.i ], [ %count.2.1.lcssa.i, %B98.loopexit.i ]
-  ret i64 %count.4.0.lcssa.i
-}
-
-define i64 @msf_jax.host.meso.kernels.wide_edges(ptr readonly %words) local_unnamed_addr {
-  %w0 = load ptr, ptr %words, align 8
-  %p1 = getelementptr i8, ptr %words, i64 8
-  %w1 = load i64, ptr %p1, align 8
-  %p2 = getelementptr i8, ptr %words, i64 16
-  %w2 = load i64, ptr %p2, align 8
-  %p3 = getelementptr i8, ptr %words, i64 24
-  %w3 = load ptr, ptr %p3, align 8
-  %p4 = getelementptr i8, ptr %words, i64 32
-  %w4 = load i64, ptr %p4, align 8
-  %p5 = getelementptr i8, ptr %words, i64 40
-  %w5 = load i64, ptr %p5, align 8
-  %s8 = shl i64 %w5, 3
-  %p6 = getelementptr i8, ptr %words, i64 48
-  %w6 = load ptr, ptr %p6, align 8
-  %p8 = getelementptr i8, ptr %words, i64 64
-  %w8 = load ptr, ptr %p8, align 8
-  %p10 = getelementptr i8, ptr %words, i64 80
-  %w10 = load double, ptr %p10, align 8
-  %p11 = getelementptr i8, ptr %words, i64 88
-  %w11 = load double, ptr %p11, align 8
-  %p12 = getelementptr i8, ptr %words, i64 96
-  %w12 = load ptr, ptr %p12, align 8
-  %p13 = getelementptr i8, ptr %words, i64 104
-  %w13 = load i64, ptr %p13, align 8
-  %p14 = getelementptr i8, ptr %words, i64 112
-  %w14 = load i64, ptr %p14, align 8
-  %p15 = getelementptr i8, ptr %words, i64 120
-  %w15 = load ptr, ptr %p15, align 8
-  %p16 = getelementptr i8, ptr %words, i64 128
-  %w16 = load i64, ptr %p16, align 8
-  %p17 = getelementptr i8, ptr %words, i64 136
-  %w17 = load i64, ptr %p17, align 8
-  %s25 = shl i64 %w17, 3
-  %p18 = getelementptr i8, ptr %words, i64 144
-  %w18 = load ptr, ptr %p18, align 8
-  %p19 = getelementptr i8, ptr %words, i64 152
-  %w19 = load i64, ptr %p19, align 8
-  %p20 = getelementptr i8, ptr %words, i64 160
-  %w20 = load i64, ptr %p20, align 8
-  %s30 = shl i64 %w20, 3
-  %.130339.not.i.i = icmp slt i64 %w14, 1
-  br i1 %.130339.not.i.i, label %B0.endif.endif.i, label %B40.us.preheader.i.i
-
-B40.us.preheader.i.i:                             ; preds = %0
-  %scevgep.i.i = getelementptr i8, ptr %w18, i64 8
-  %scevgep3.i.i = getelementptr i8, ptr %w15, i64 32
-  br label %B40.us.i.i
-
-B40.us.i.i:                                       ; preds = %B272.us.i.i, %B40.us.preheader.i.i
-  %lsr.iv10.i.i = phi i64 [ %w14, %B40.us.preheader.i.i ], [ %lsr.iv.next.i.i, %B272.us.i.i ]
-  %lsr.iv4.i.i = phi ptr [ %scevgep3.i.i, %B40.us.preheader.i.i ], [ %scevgep5.i.i, %B272.us.i.i ]
-  %lsr.iv.i.i = phi ptr [ %scevgep.i.i, %B40.us.preheader.i.i ], [ %scevgep1.i.i, %B272.us.i.i ]
-  %count.2.0344.us.i.i = phi i64 [ 0, %B40.us.preheader.i.i ], [ %count.3.1.us.i.i, %B272.us.i.i ]
-  %scevgep9.i.i = getelementptr i8, ptr %lsr.iv4.i.i, i64 -32
-  %.229.us.i.i = load i64, ptr %scevgep9.i.i, align 8
-  %.230.us.i.i = icmp sgt i64 %.229.us.i.i, -1
-  br i1 %.230.us.i.i, label %B70.us.i.i, label %B272.us.i.i
-
-B70.us.i.i:                                       ; preds = %B40.us.i.i
-  %.318.us.i.i = getelementptr i8, ptr %w12, i64 %.229.us.i.i
-  %.319.us.i.i = load i8, ptr %.318.us.i.i, align 1
-  %.322.us.i.i = icmp eq i8 %.319.us.i.i, 0
-  br i1 %.322.us.i.i, label %B102.us.i.i, label %B272.us.i.i
-
-B102.us.i.i:                                      ; preds = %B70.us.i.i
-  %scevgep8.i.i = getelementptr i8, ptr %lsr.iv4.i.i, i64 -24
-  %.387.us.i.i = load i64, ptr %scevgep8.i.i, align 8
-  %.401.us.i.i = icmp slt i64 %.387.us.i.i, 0
-  %.402.us.i.i = select i1 %.401.us.i.i, i64 %w13, i64 0
-  %1 = getelementptr i8, ptr %w12, i64 %.387.us.i.i
-  %.416.us.i.i = getelementptr i8, ptr %1, i64 %.402.us.i.i
-  %.417.us.i.i = load i8, ptr %.416.us.i.i, align 1
-  %.420.us.i.i = icmp eq i8 %.417.us.i.i, 0
-  br i1 %.420.us.i.i, label %B134.endif.endif.us.i.i, label %B272.us.i.i
-
-B134.endif.endif.us.i.i:                          ; preds = %B102.us.i.i
-  %.621.us.i.i = icmp slt i64 %count.2.0344.us.i.i, 0
-  %.622.us.i.i = select i1 %.621.us.i.i, i64 %w16, i64 0
-  %.623.us.i.i = add i64 %.622.us.i.i, %count.2.0344.us.i.i
-  %.643.us.i.i = mul i64 %.623.us.i.i, %w17
-  %2 = getelementptr i64, ptr %w15, i64 %.643.us.i.i
-  store i64 %.229.us.i.i, ptr %2, align 8
-  %.597.us.1.i.i = load i64, ptr %scevgep8.i.i, align 8
-  %.647.us.1.i.i = getelementptr i8, ptr %2, i64 8
-  store i64 %.597.us.1.i.i, ptr %.647.us.1.i.i, align 8
-  %scevgep7.i.i = getelementptr i8, ptr %lsr.iv4.i.i, i64 -16
-  %.597.us.2.i.i = load i64, ptr %scevgep7.i.i, align 8
-  %.647.us.2.i.i = getelementptr i8, ptr %2, i64 16
-  store i64 %.597.us.2.i.i, ptr %.647.us.2.i.i, align 8
-  %scevgep6.i.i = getelementptr i8, ptr %lsr.iv4.i.i, i64 -8
-  %.597.us.3.i.i = load i64, ptr %scevgep6.i.i, align 8
-  %.647.us.3.i.i = getelementptr i8, ptr %2, i64 24
-  store i64 %.597.us.3.i.i, ptr %.647.us.3.i.i, align 8
-  %.597.us.4.i.i = load i64, ptr %lsr.iv4.i.i, align 8
-  %.647.us.4.i.i = getelementptr i8, ptr %2, i64 32
-  store i64 %.597.us.4.i.i, ptr %.647.us.4.i.i, align 8
-  %scevgep2.i.i = getelementptr i8, ptr %lsr.iv.i.i, i64 -8
-  %.708.us.i.i = load double, ptr %scevgep2.i.i, align 8
-  %.765.us.i.i = load double, ptr %lsr.iv.i.i, align 8
-  %.794.us.i.i = select i1 %.621.us.i.i, i64 %w19, i64 0
-  %.795.us.i.i = add i64 %.794.us.i.i, %count.2.0344.us.i.i
-  %.815.us.i.i = mul i64 %.795.us.i.i, %w20
-  %.819.us.i.i = getelementptr double, ptr %w18, i64 %.815.us.i.i
-  store double %.708.us.i.i, ptr %.819.us.i.i, align 8
-  %.874.us.i.i = getelementptr i8, ptr %.819.us.i.i, i64 8
-  store double %.765.us.i.i, ptr %.874.us.i.i, align 8
-  %.877.us.i.i = add nsw i64 %count.2.0344.us.i.i, 1
-  br label %B272.us.i.i
-
-B272.us.i.i:                                      ; preds = %B134.endif.endif.us.i.i, %B102.us.i.i, %B70.us.i.i, %B40.us.i.i
-  %count.3.1.us.i.i = phi i64 [ %count.2.0344.us.i.i, %B40.us.i.i ], [ %count.2.0344.us.i.i, %B70.us.i.i ], [ %.877.us.i.i, %B134.endif.endif.us.i.i ], [ %count.2.0344.us.i.i, %B102.us.i.i ]
-  %scevgep1.i.i = getelementptr i8, ptr %lsr.iv.i.i, i64 %s30
-  %scevgep5.i.i = getelementptr i8, ptr %lsr.iv4.i.i, i64 %s25
-  %lsr.iv.next.i.i = add nsw i64 %lsr.iv10.i.i, -1
-  %exitcond.not.i.i = icmp eq i64 %lsr.iv.next.i.i, 0
-  br i1 %exitcond.not.i.i, label %B0.endif.endif.i, label %B40.us.i.i
-
-B98.loopexit.i:                                   ; preds = %B869.i, %B148.endif.i, %B100.i
-  %count.2.1.lcssa.i = phi i64 [ %count.3.0722.i, %B148.endif.i ], [ %count.3.0722.i, %B100.i ], [ %count.4.2.i, %B869.i ]
-  %exitcond792.not.i = icmp eq i64 %w4, %.253.i
-  br i1 %exitcond792.not.i, label %_ZN7msf_jax4host4meso7kernels10wide_edgesB3v55B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEdd5ArrayIbLi1E1C7mutable7alignedEx5ArrayIxLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE.exit, label %B100.i
-
-B100.i:                                           ; preds = %B100.preheader.i, %B98.loopexit.i
-  %count.3.0722.i = phi i64 [ %count.2.1.lcssa.i, %B98.loopexit.i ], [ %count.2.0.lcssa.i.i, %B100.preheader.i ]
-  %.246698720.i = phi i64 [ %.253.i, %B98.loopexit.i ], [ 0, %B100.preheader.i ]
-  %.253.i = add nuw nsw i64 %.246698720.i, 1
-  %3 = getelementptr i8, ptr %w12, i64 %.246698720.i
-  %.311.i = load i8, ptr %3, align 1
-  %.314.i = icmp eq i8 %.311.i, 0
-  br i1 %.314.i, label %B98.loopexit.i, label %B148.endif.i
-
-B168.i:                                           ; preds = %B168.lr.ph.i, %B869.i
-  %count.2.1686.i = phi i64 [ %count.3.0722.i, %B168.lr.ph.i ], [ %count.4.2.i, %B869.i ]
-  %.460674684.i = phi i64 [ 0, %B168.lr.ph.i ], [ %.467.i, %B869.i ]
-  %.467.i = add nuw nsw i64 %.460674684.i, 1
-  %4 = getelementptr i64, ptr %8, i64 %.460674684.i
-  %.81.i.i = load i64, ptr %4, align 8
-  %.86.i.i = icmp slt i64 %.81.i.i, 0
-  br i1 %.86.i.i, label %B869.i, label %B48.i.i
-
-B48.i.i:                                          ; preds = %B168.i
-  %.96.i.i = icmp slt i64 %.81.i.i, %.246698720.i
-  br i1 %.96.i.i, label %_ZN7msf_jax4host4meso7kernels12is_met_laterB3v50B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedExx.exit.i, label %B208.endif.endif.endif.endif.i
-
-_ZN7msf_jax4host4meso7kernels12is_met_laterB3v50B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedExx.exit.i: ; preds = %B48.i.i
-  %.131.i.i = getelementptr i8, ptr %w12, i64 %.81.i.i
-  %.132.i.i = load i8, ptr %.131.i.i, align 1
-  %.135.i.not.i = icmp eq i8 %.132.i.i, 0
-  br i1 %.135.i.not.i, label %B208.endif.endif.endif.endif.i, label %B869.i
-
-B440.i:                                           ; preds = %B208.endif.endif.endif.endif.i
-  %.80.i.i = mul i64 %.11.i.i, %w5
-  %.84.i.i = getelementptr i64, ptr %w3, i64 %.80.i.i
-  %.85.i.i = load i64, ptr %.84.i.i, align 8
-  %.87.not.i.i = icmp eq i64 %.85.i.i, %.11.i49.i
-  br i1 %.87.not.i.i, label %B440.endif.i, label %B36.preheader.i.i
-
-B36.preheader.i.i:                                ; preds = %B440.i
-  %5 = mul i64 %s8, %.11.i.i
-  %scevgep160.i = getelementptr i8, ptr %scevgep.i, i64 %5
-  br label %B36.i.i
-
-B36.i.i:                                          ; preds = %B36.i.i, %B36.preheader.i.i
-  %slot.2.0.i.i = phi i64 [ %.90.i.i, %B36.i.i ], [ 0, %B36.preheader.i.i ]
-  %.90.i.i = add nuw i64 %slot.2.0.i.i, 1
-  %6 = shl i64 %slot.2.0.i.i, 3
-  %scevgep161.i = getelementptr i8, ptr %scevgep160.i, i64 %6
-  %.145.i.i = load i64, ptr %scevgep161.i, align 8
-  %.147.not.i.i = icmp eq i64 %.145.i.i, %.11.i49.i
-  br i1 %.147.not.i.i, label %B440.endif.i, label %B36.i.i
-
-B869.i:                                           ; preds = %B676.endif.endif.i, %B440.endif.endif.endif.endif.endif.i, %B208.endif.endif.endif.endif.i, %_ZN7msf_jax4host4meso7kernels12is_met_laterB3v50B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedExx.exit.i, %B168.i
-  %count.4.2.i = phi i64 [ %count.2.1686.i, %B208.endif.endif.endif.endif.i ], [ %count.2.1686.i, %B440.endif.endif.endif.endif.endif.i ], [ %.1705.i, %B676.endif.endif.i ], [ %count.2.1686.i, %_ZN7msf_jax4host4meso7kernels12is_met_laterB3v50B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedExx.exit.i ], [ %count.2.1686.i, %B168.i ]
-  %exitcond.not.i = icmp eq i64 %.355.i, %.467.i
-  br i1 %exitcond.not.i, label %B98.loopexit.i, label %B168.i
-
-B0.endif.endif.i:                                 ; preds = %B272.us.i.i, %0
-  %count.2.0.lcssa.i.i = phi i64 [ 0, %0 ], [ %count.3.1.us.i.i, %B272.us.i.i ]
-  %.240719.not.i = icmp slt i64 %w4, 1
-  br i1 %.240719.not.i, label %_ZN7msf_jax4host4meso7kernels10wide_edgesB3v55B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEdd5ArrayIbLi1E1C7mutable7alignedEx5ArrayIxLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE.exit, label %B100.preheader.i
-
-B100.preheader.i:                                 ; preds = %B0.endif.endif.i
-  %scevgep.i = getelementptr i8, ptr %w3, i64 8
-  br label %B100.i
-
-B148.endif.i:                                     ; preds = %B100.i
-  %7 = getelementptr i64, ptr %w6, i64 %.246698720.i
-  %.355.i = load i64, ptr %7, align 8
-  %.454683.not.i = icmp slt i64 %.355.i, 1
-  br i1 %.454683.not.i, label %B98.loopexit.i, label %B168.lr.ph.i
-
-B168.lr.ph.i:                                     ; preds = %B148.endif.i
-  %.595.i = mul i64 %.246698720.i, %w5
-  %8 = getelementptr i64, ptr %w3, i64 %.595.i
-  br label %B168.i
-
-B208.endif.endif.endif.endif.i:                   ; preds = %_ZN7msf_jax4host4meso7kernels12is_met_laterB3v50B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedExx.exit.i, %B48.i.i
-  %.11.i.i = tail call i64 @llvm.smin.i64(i64 %.81.i.i, i64 %.246698720.i)
-  %.11.i49.i = tail call i64 @llvm.smax.i64(i64 %.81.i.i, i64 %.246698720.i)
-  %.68.i53.i = mul i64 %.11.i49.i, %w2
-  %9 = getelementptr double, ptr %w0, i64 %.68.i53.i
-  %.72.i54.i = getelementptr i8, ptr %9, i64 16
-  %.73.i55.i = load double, ptr %.72.i54.i, align 8
-  %.121.i59.i = mul i64 %.11.i.i, %w2
-  %10 = getelementptr double, ptr %w0, i64 %.121.i59.i
-  %.125.i60.i = getelementptr i8, ptr %10, i64 16
-  %.126.i61.i = load double, ptr %.125.i60.i, align 8
-  %.127.i62.i = fsub double %.73.i55.i, %.126.i61.i
-  %.235.i76.i = fmul double %.127.i62.i, %.127.i62.i
-  %.288.i77.i = load double, ptr %9, align 8
-  %.341.i78.i = load double, ptr %10, align 8
-  %.342.i79.i = fsub double %.288.i77.i, %.341.i78.i
-  %.450.i83.i = fmul double %.342.i79.i, %.342.i79.i
-  %.451.i84.i = fadd double %.235.i76.i, %.450.i83.i
-  %.503.i85.i = getelementptr i8, ptr %9, i64 8
-  %.504.i86.i = load double, ptr %.503.i85.i, align 8
-  %.556.i87.i = getelementptr i8, ptr %10, i64 8
-  %.557.i88.i = load double, ptr %.556.i87.i, align 8
-  %.558.i89.i = fsub double %.504.i86.i, %.557.i88.i
-  %.666.i95.i = fmul double %.558.i89.i, %.558.i89.i
-  %.667.i96.i = fadd double %.451.i84.i, %.666.i95.i
-  %sqrt.i = tail call double @llvm.sqrt.f64(double %.667.i96.i)
-  %11 = getelementptr double, ptr %w8, i64 %.11.i.i
-  %.788.i = load double, ptr %11, align 8
-  %12 = getelementptr double, ptr %w8, i64 %.11.i49.i
-  %.819.i = load double, ptr %12, align 8
-  %.10.i.i = fcmp olt double %.819.i, %.788.i
-  %.11.i97.i = select i1 %.10.i.i, double %.819.i, double %.788.i
-  %.849.i = fmul double %w10, %.11.i97.i
-  %.850.i = fcmp ugt double %sqrt.i, %.849.i
-  br i1 %.850.i, label %B440.i, label %B869.i
-
-B440.endif.i:                                     ; preds = %B36.i.i, %B440.i
-  %slot.3.1.i.i = phi i64 [ 0, %B440.i ], [ %.90.i.i, %B36.i.i ]
-  %13 = getelementptr i64, ptr %w6, i64 %.11.i.i
-  %.931.i = load i64, ptr %13, align 8
-  %.934.i = icmp eq i64 %.931.i, 0
-  br i1 %.934.i, label %B440.endif.endif.endif.thread.i, label %B440.endif.endif.i
-
-B440.endif.endif.i:                               ; preds = %B440.endif.i
-  %.900.i = add nsw i64 %slot.3.1.i.i, 1
-  %14 = or i64 %.900.i, %.931.i
-  %15 = icmp ult i64 %14, 4294967296
-  br i1 %15, label %16, label %21
-
-16:                                               ; preds = %B440.endif.endif.i
-  %17 = trunc nuw i64 %.931.i to i32
-  %18 = trunc nuw i64 %.900.i to i32
-  %19 = urem i32 %18, %17
-  %20 = zext i32 %19 to i64
-  br label %23
-
-21:                                               ; preds = %B440.endif.endif.i
-  %22 = srem i64 %.900.i, %.931.i
-  br label %23
-
-23:                                               ; preds = %21, %16
-  %24 = phi i64 [ %20, %16 ], [ %22, %21 ]
-  %.952.i = xor i64 %24, %.931.i
-  %.953.i = icmp slt i64 %.952.i, 0
-  %.954.i = icmp ne i64 %24, 0
-  %.955.i = and i1 %.954.i, %.953.i
-  %.962.i = select i1 %.955.i, i64 %.931.i, i64 0
-  %spec.select.i = add i64 %.962.i, %24
-  %spec.select.fr.i = freeze i64 %spec.select.i
-  %.998.i = icmp slt i64 %spec.select.fr.i, 0
-  %spec.select857.i = select i1 %.998.i, i64 %w5, i64 0
-  %25 = getelementptr i64, ptr %.84.i.i, i64 %spec.select.fr.i
-  %.1021805.i = getelementptr i64, ptr %25, i64 %spec.select857.i
-  %.1022806.i = load i64, ptr %.1021805.i, align 8
-  %.1023807.i = add nsw i64 %slot.3.1.i.i, -1
-  %.1068.i = icmp ne i64 %.1023807.i, -9223372036854775808
-  %.1069.i = icmp ne i64 %.931.i, -1
-  %.1070.not.i = or i1 %.1068.i, %.1069.i
-  br i1 %.1070.not.i, label %B440.endif.endif.else.if.i, label %B440.endif.endif.endif.thread.i
-
-B440.endif.endif.endif.thread.i:                  ; preds = %36, %23, %B440.endif.i
-  %.1145.i = phi i64 [ %.85.i.i, %23 ], [ %.1145.pre.i, %36 ], [ %.85.i.i, %B440.endif.i ]
-  %.1022809.i = phi i64 [ %.1022806.i, %23 ], [ %.1022806.i, %36 ], [ %.85.i.i, %B440.endif.i ]
-  %.99.i.i.i = icmp slt i64 %.1022809.i, 0
-  %.100.i.i.i = select i1 %.99.i.i.i, i64 %w1, i64 0
-  %.101.i.i.i = add i64 %.100.i.i.i, %.1022809.i
-  %.121.i.i.i = mul i64 %.101.i.i.i, %w2
-  %26 = getelementptr double, ptr %w0, i64 %.121.i.i.i
-  %.125.i.i.i = getelementptr i8, ptr %26, i64 16
-  %.126.i.i.i = load double, ptr %.125.i.i.i, align 8
-  %.127.i.i.i = fsub double %.126.i61.i, %.126.i.i.i
-  %.235.i.i.i = fmul double %.127.i.i.i, %.127.i.i.i
-  %.341.i.i.i = load double, ptr %26, align 8
-  %.342.i.i.i = fsub double %.341.i78.i, %.341.i.i.i
-  %.450.i.i.i = fmul double %.342.i.i.i, %.342.i.i.i
-  %.451.i.i.i = fadd double %.235.i.i.i, %.450.i.i.i
-  %.556.i.i.i = getelementptr i8, ptr %26, i64 8
-  %.557.i.i.i = load double, ptr %.556.i.i.i, align 8
-  %.558.i.i.i = fsub double %.557.i88.i, %.557.i.i.i
-  %.666.i.i.i = fmul double %.558.i.i.i, %.558.i.i.i
-  %.667.i.i.i = fadd double %.451.i.i.i, %.666.i.i.i
-  %.127.i60.i.i = fsub double %.73.i55.i, %.126.i.i.i
-  %.235.i74.i.i = fmul double %.127.i60.i.i, %.127.i60.i.i
-  %.342.i77.i.i = fsub double %.288.i77.i, %.341.i.i.i
-  %.450.i81.i.i = fmul double %.342.i77.i.i, %.342.i77.i.i
-  %.451.i82.i.i = fadd double %.235.i74.i.i, %.450.i81.i.i
-  %.558.i87.i.i = fsub double %.504.i86.i, %.557.i.i.i
-  %.666.i93.i.i = fmul double %.558.i87.i.i, %.558.i87.i.i
-  %.667.i94.i.i = fadd double %.451.i82.i.i, %.666.i93.i.i
-  %.98.i.i = fmul double %.667.i.i.i, %.667.i94.i.i
-  %.105.i.i = fcmp ogt double %.98.i.i, 0.000000e+00
-  br i1 %.105.i.i, label %B120.endif.endif.i.i, label %B440.endif.endif.endif.endif.i
-
-B120.endif.endif.i.i:                             ; preds = %B440.endif.endif.endif.thread.i
-  %sqrt.i.i = tail call double @llvm.sqrt.f64(double %.98.i.i)
-  %.235.i27.i.i = fmul double %.127.i.i.i, %.127.i60.i.i
-  %.450.i34.i.i = fmul double %.342.i.i.i, %.342.i77.i.i
-  %.451.i35.i.i = fadd double %.235.i27.i.i, %.450.i34.i.i
-  %.666.i46.i.i = fmul double %.558.i.i.i, %.558.i87.i.i
-  %.667.i47.i.i = fadd double %.451.i35.i.i, %.666.i46.i.i
-  %.153.i98.i = fdiv double %.667.i47.i.i, %sqrt.i.i
-  br label %B440.endif.endif.endif.endif.i
-
-B440.endif.endif.else.if.i:                       ; preds = %23
-  %27 = or i64 %.1023807.i, %.931.i
-  %28 = icmp ult i64 %27, 4294967296
-  br i1 %28, label %29, label %34
-
-29:                                               ; preds = %B440.endif.endif.else.if.i
-  %30 = trunc nuw i64 %.931.i to i32
-  %31 = trunc nuw i64 %.1023807.i to i32
-  %32 = urem i32 %31, %30
-  %33 = zext i32 %32 to i64
-  br label %36
-
-34:                                               ; preds = %B440.endif.endif.else.if.i
-  %35 = srem i64 %.1023807.i, %.931.i
-  br label %36
-
-36:                                               ; preds = %34, %29
-  %37 = phi i64 [ %33, %29 ], [ %35, %34 ]
-  %.1075.i = xor i64 %37, %.931.i
-  %.1076.i = icmp slt i64 %.1075.i, 0
-  %.1077.i = icmp ne i64 %37, 0
-  %.1078.i = and i1 %.1077.i, %.1076.i
-  %.1085.i = select i1 %.1078.i, i64 %.931.i, i64 0
-  %spec.select600.i = add i64 %.1085.i, %37
-  %spec.select600.fr.i = freeze i64 %spec.select600.i
-  %.1121.i = icmp slt i64 %spec.select600.fr.i, 0
-  %.1122.i = select i1 %.1121.i, i64 %w5, i64 0
-  %38 = getelementptr i64, ptr %.84.i.i, i64 %.1122.i
-  %.1144.phi.trans.insert.i = getelementptr i64, ptr %38, i64 %spec.select600.fr.i
-  %.1145.pre.i = load i64, ptr %.1144.phi.trans.insert.i, align 8
-  br label %B440.endif.endif.endif.thread.i
-
-B440.endif.endif.endif.endif.i:                   ; preds = %B120.endif.endif.i.i, %B440.endif.endif.endif.thread.i
-  %"$phi166.0.2.0.i.i" = phi double [ %.153.i98.i, %B120.endif.endif.i.i ], [ 1.000000e+00, %B440.endif.endif.endif.thread.i ]
-  %.99.i.i105.i = icmp slt i64 %.1145.i, 0
-  %.100.i.i106.i = select i1 %.99.i.i105.i, i64 %w1, i64 0
-  %.101.i.i107.i = add i64 %.100.i.i106.i, %.1145.i
-  %.121.i.i108.i = mul i64 %.101.i.i107.i, %w2
-  %39 = getelementptr double, ptr %w0, i64 %.121.i.i108.i
-  %.125.i.i109.i = getelementptr i8, ptr %39, i64 16
-  %.126.i.i110.i = load double, ptr %.125.i.i109.i, align 8
-  %.127.i.i111.i = fsub double %.126.i61.i, %.126.i.i110.i
-  %.235.i.i112.i = fmul double %.127.i.i111.i, %.127.i.i111.i
-  %.341.i.i114.i = load double, ptr %39, align 8
-  %.342.i.i115.i = fsub double %.341.i78.i, %.341.i.i114.i
-  %.450.i.i116.i = fmul double %.342.i.i115.i, %.342.i.i115.i
-  %.451.i.i117.i = fadd double %.235.i.i112.i, %.450.i.i116.i
-  %.556.i.i120.i = getelementptr i8, ptr %39, i64 8
-  %.557.i.i121.i = load double, ptr %.556.i.i120.i, align 8
-  %.558.i.i122.i = fsub double %.557.i88.i, %.557.i.i121.i
-  %.666.i.i123.i = fmul double %.558.i.i122.i, %.558.i.i122.i
-  %.667.i.i124.i = fadd double %.451.i.i117.i, %.666.i.i123.i
-  %.127.i60.i131.i = fsub double %.73.i55.i, %.126.i.i110.i
-  %.235.i74.i132.i = fmul double %.127.i60.i131.i, %.127.i60.i131.i
-  %.342.i77.i134.i = fsub double %.288.i77.i, %.341.i.i114.i
-  %.450.i81.i135.i = fmul double %.342.i77.i134.i, %.342.i77.i134.i
-  %.451.i82.i136.i = fadd double %.235.i74.i132.i, %.450.i81.i135.i
-  %.558.i87.i139.i = fsub double %.504.i86.i, %.557.i.i121.i
-  %.666.i93.i140.i = fmul double %.558.i87.i139.i, %.558.i87.i139.i
-  %.667.i94.i141.i = fadd double %.451.i82.i136.i, %.666.i93.i140.i
-  %.98.i142.i = fmul double %.667.i.i124.i, %.667.i94.i141.i
-  %.105.i143.i = fcmp ogt double %.98.i142.i, 0.000000e+00
-  br i1 %.105.i143.i, label %B120.endif.endif.i145.i, label %B440.endif.endif.endif.endif.endif.i
-
-B120.endif.endif.i145.i:                          ; preds = %B440.endif.endif.endif.endif.i
-  %sqrt.i146.i = tail call double @llvm.sqrt.f64(double %.98.i142.i)
-  %.235.i27.i147.i = fmul double %.127.i.i111.i, %.127.i60.i131.i
-  %.450.i34.i148.i = fmul double %.342.i.i115.i, %.342.i77.i134.i
-  %.451.i35.i149.i = fadd double %.235.i27.i147.i, %.450.i34.i148.i
-  %.666.i46.i150.i = fmul double %.558.i.i122.i, %.558.i87.i139.i
-  %.667.i47.i151.i = fadd double %.451.i35.i149.i, %.666.i46.i150.i
-  %.153.i152.i = fdiv double %.667.i47.i151.i, %sqrt.i146.i
-  br label %B440.endif.endif.endif.endif.endif.i
-
-B440.endif.endif.endif.endif.endif.i:             ; preds = %B120.endif.endif.i145.i, %B440.endif.endif.endif.endif.i
-  %"$phi166.0.2.0.i144.i" = phi double [ %.153.i152.i, %B120.endif.endif.i145.i ], [ 1.000000e+00, %B440.endif.endif.endif.endif.i ]
-  %.1226.i = fcmp olt double %"$phi166.0.2.0.i.i", %w11
-  %.1233.i = fcmp olt double %"$phi166.0.2.0.i144.i", %w11
-  %or.cond.i = and i1 %.1226.i, %.1233.i
-  br i1 %or.cond.i, label %B676.endif.endif.i, label %B869.i
-
-B676.endif.endif.i:                               ; preds = %B440.endif.endif.endif.endif.endif.i
-  %.1239.i = fcmp ole double %"$phi166.0.2.0.i.i", %"$phi166.0.2.0.i144.i"
-  %"$phi676.2.2.4.i" = select i1 %.1239.i, i64 %.1022809.i, i64 %.1145.i
-  %.1300.i = icmp slt i64 %count.2.1686.i, 0
-  %.1301.i = select i1 %.1300.i, i64 %w16, i64 0
-  %.1302.i = add i64 %.1301.i, %count.2.1686.i
-  %.1322.i = mul i64 %.1302.i, %w17
-  %.1326.i = getelementptr i64, ptr %w15, i64 %.1322.i
-  store i64 %.11.i.i, ptr %.1326.i, align 8
-  %.1381.i = getelementptr i8, ptr %.1326.i, i64 8
-  store i64 %.11.i49.i, ptr %.1381.i, align 8
-  %.1436.i = getelementptr i8, ptr %.1326.i, i64 16
-  store i64 %.1022809.i, ptr %.1436.i, align 8
-  %.1491.i = getelementptr i8, ptr %.1326.i, i64 24
-  store i64 %.1145.i, ptr %.1491.i, align 8
-  %.1546.i = getelementptr i8, ptr %.1326.i, i64 32
-  store i64 %"$phi676.2.2.4.i", ptr %.1546.i, align 8
-  %.46.i.i = icmp slt i64 %"$phi676.2.2.4.i", 0
-  %.47.i.i = select i1 %.46.i.i, i64 %w1, i64 0
-  %.48.i.i = add i64 %.47.i.i, %"$phi676.2.2.4.i"
-  %.68.i.i = mul i64 %.48.i.i, %w2
-  %40 = getelementptr double, ptr %w0, i64 %.68.i.i
-  %.72.i.i = getelementptr i8, ptr %40, i64 16
-  %.73.i.i = load double, ptr %.72.i.i, align 8
-  %sunkaddr162.i = shl i64 %.121.i59.i, 3
-  %sunkaddr163.i = getelementptr i8, ptr %w0, i64 %sunkaddr162.i
-  %sunkaddr164.i = getelementptr i8, ptr %sunkaddr163.i, i64 16
-  %.126.i.i = load double, ptr %sunkaddr164.i, align 8
-  %.127.i.i = fsub double %.73.i.i, %.126.i.i
-  %sunkaddr165.i = shl i64 %.68.i53.i, 3
-  %sunkaddr166.i = getelementptr i8, ptr %w0, i64 %sunkaddr165.i
-  %sunkaddr167.i = getelementptr i8, ptr %sunkaddr166.i, i64 16
-  %.180.i.i = load double, ptr %sunkaddr167.i, align 8
-  %.234.i.i = fsub double %.180.i.i, %.126.i.i
-  %.235.i.i = fmul double %.127.i.i, %.234.i.i
-  %.288.i.i = load double, ptr %40, align 8
-  %.341.i.i = load double, ptr %sunkaddr163.i, align 8
-  %.342.i.i = fsub double %.288.i.i, %.341.i.i
-  %.395.i.i = load double, ptr %sunkaddr166.i, align 8
-  %.449.i.i = fsub double %.395.i.i, %.341.i.i
-  %.450.i.i = fmul double %.342.i.i, %.449.i.i
-  %.451.i.i = fadd double %.235.i.i, %.450.i.i
-  %.503.i.i = getelementptr i8, ptr %40, i64 8
-  %.504.i.i = load double, ptr %.503.i.i, align 8
-  %sunkaddr174.i = getelementptr i8, ptr %sunkaddr163.i, i64 8
-  %.557.i.i = load double, ptr %sunkaddr174.i, align 8
-  %.558.i.i = fsub double %.504.i.i, %.557.i.i
-  %sunkaddr177.i = getelementptr i8, ptr %sunkaddr166.i, i64 8
-  %.611.i.i = load double, ptr %sunkaddr177.i, align 8
-  %.665.i.i = fsub double %.611.i.i, %.557.i.i
-  %.666.i.i = fmul double %.558.i.i, %.665.i.i
-  %.667.i.i = fadd double %.451.i.i, %.666.i.i
-  %.1591.i = fdiv double %.667.i.i, %.667.i96.i
-  %.1622.i = select i1 %.1300.i, i64 %w19, i64 0
-  %.1623.i = add i64 %.1622.i, %count.2.1686.i
-  %.1643.i = mul i64 %.1623.i, %w20
-  %.1647.i = getelementptr double, ptr %w18, i64 %.1643.i
-  store double %sqrt.i, ptr %.1647.i, align 8
-  %.1702.i = getelementptr i8, ptr %.1647.i, i64 8
-  store double %.1591.i, ptr %.1702.i, align 8
-  %.1705.i = add nsw i64 %count.2.1686.i, 1
-  br label %B869.i
-
-_ZN7msf_jax4host4meso7kernels10wide_edgesB3v55B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEdd5ArrayIbLi1E1C7mutable7alignedEx5ArrayIxLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE.exit: ; preds = %B98.loopexit.i, %B0.endif.endif.i
-  %count.3.0.lcssa.i = phi i64 [ %count.2.0.lcssa.i.i, %B0.endif.endif.i ], [ %count.2.1.lcssa.i, %B98.loopexit.i ]
-  ret i64 %count.3.0.lcssa.i
-}
-
-define noundef i64 @msf_jax.host.meso.kernels.apart(ptr readonly %words) local_unnamed_addr {
-  %w0 = load ptr, ptr %words, align 8
-  %p1 = getelementptr i8, ptr %words, i64 8
-  %w1 = load i64, ptr %p1, align 8
-  %p2 = getelementptr i8, ptr %words, i64 16
-  %w2 = load i64, ptr %p2, align 8
-  %s3 = shl i64 %w2, 3
-  %p3 = getelementptr i8, ptr %words, i64 24
-  %w3 = load ptr, ptr %p3, align 8
-  %p4 = getelementptr i8, ptr %words, i64 32
-  %w4 = load i64, ptr %p4, align 8
-  %p5 = getelementptr i8, ptr %words, i64 40
-  %w5 = load ptr, ptr %p5, align 8
-  %p6 = getelementptr i8, ptr %words, i64 48
-  %w6 = load i64, ptr %p6, align 8
-  %p7 = getelementptr i8, ptr %words, i64 56
-  %w7 = load ptr, ptr %p7, align 8
-  %p8 = getelementptr i8, ptr %words, i64 64
-  %w8 = load i64, ptr %p8, align 8
-  %.87297.i = icmp sgt i64 %w4, 0
-  br i1 %.87297.i, label %B10.endif.lr.ph.i, label %_ZN7msf_jax4host4meso7kernels5apartB3v57B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE.exit
-
-B10.endif.lr.ph.i:                                ; preds = %0
-  %.233275.not.i = icmp slt i64 %w2, 1
-  br i1 %.233275.not.i, label %B10.endif.preheader.i, label %B10.endif.us.preheader.i
-
-B10.endif.us.preheader.i:                         ; preds = %B10.endif.lr.ph.i
-  %xtraiter.i = and i64 %w2, 3
-  %unroll_iter.i = and i64 %w2, 9223372036854775804
-  %1 = add nsw i64 %w2, -1
-  %scevgep23.i = getelementptr i8, ptr %w0, i64 24
-  %2 = icmp samesign ult i64 %w2, 4
-  %3 = icmp eq i64 %xtraiter.i, 0
-  br label %B10.endif.us.i
-
-B10.endif.preheader.i:                            ; preds = %B10.endif.lr.ph.i
-  %4 = icmp eq i64 %w4, 1
-  br i1 %4, label %B10.endif.epil.preheader.i, label %B10.endif.preheader.new.i
-
-B10.endif.preheader.new.i:                        ; preds = %B10.endif.preheader.i
-  %unroll_iter17.i = and i64 %w4, 9223372036854775806
-  br label %B10.endif.i
-
-B10.endif.us.i:                                   ; preds = %B204.us.i, %B10.endif.us.preheader.i
-  %.86288298.us.i = phi i64 [ %.108.us363.i, %B204.us.i ], [ 0, %B10.endif.us.preheader.i ]
-  %.99.us.i = shl i64 %.86288298.us.i, 3
-  %.103.us.i = getelementptr i8, ptr %w3, i64 %.99.us.i
-  %.105.us.i = load i64, ptr %.103.us.i, align 8
-  %.308.us.i = icmp slt i64 %.105.us.i, 0
-  %.309.us.i = select i1 %.308.us.i, i64 %w1, i64 0
-  %.310.us.i = add i64 %.309.us.i, %.105.us.i
-  %.330.us.i = mul i64 %.310.us.i, %w2
-  %5 = getelementptr i64, ptr %w0, i64 %.330.us.i
-  br label %B70.us.i
-
-B204.us.loopexit.unr-lcssa.i:                     ; preds = %B174.us.i
-  br i1 %3, label %B204.us.i, label %B174.us.epil.preheader.i
-
-B174.us.epil.preheader.i:                         ; preds = %B174.us.preheader.i, %B204.us.loopexit.unr-lcssa.i
-  %.506282284.us.epil.init.i = phi i64 [ %unroll_iter.i, %B204.us.loopexit.unr-lcssa.i ], [ 0, %B174.us.preheader.i ]
-  %6 = shl i64 %.506282284.us.epil.init.i, 3
-  %7 = getelementptr i8, ptr %w0, i64 %.pre.i
-  %scevgep32.i = getelementptr i8, ptr %7, i64 %6
-  br label %B174.us.epil.i
-
-B174.us.epil.i:                                   ; preds = %B174.us.epil.i, %B174.us.epil.preheader.i
-  %epil.iter.i = phi i64 [ %epil.iter.next.i, %B174.us.epil.i ], [ 0, %B174.us.epil.preheader.i ]
-  %8 = shl nuw nsw i64 %epil.iter.i, 3
-  %scevgep33.i = getelementptr i8, ptr %scevgep32.i, i64 %8
-  %.588.us.epil.i = load i64, ptr %scevgep33.i, align 8
-  %.602.us.epil.i = icmp slt i64 %.588.us.epil.i, 0
-  %.603.us.epil.i = select i1 %.602.us.epil.i, i64 %w6, i64 0
-  %9 = getelementptr i8, ptr %w5, i64 %.588.us.epil.i
-  %.617.us.epil.i = getelementptr i8, ptr %9, i64 %.603.us.epil.i
-  store i8 1, ptr %.617.us.epil.i, align 1
-  %epil.iter.next.i = add i64 %epil.iter.i, 1
-  %epil.iter.cmp.not.i = icmp eq i64 %xtraiter.i, %epil.iter.next.i
-  br i1 %epil.iter.cmp.not.i, label %B204.us.i, label %B174.us.epil.i
-
-B204.us.i:                                        ; preds = %B108.us.thread.i, %B174.us.epil.i, %B68.B112_crit_edge.us.i, %B204.us.loopexit.unr-lcssa.i
-  %"$phi108.2.2.2.us359362.i" = phi i8 [ 1, %B204.us.loopexit.unr-lcssa.i ], [ 0, %B68.B112_crit_edge.us.i ], [ 1, %B174.us.epil.i ], [ 0, %B108.us.thread.i ]
-  %.108.us363.i = add nuw nsw i64 %.86288298.us.i, 1
-  %.641.us.i = select i1 %.308.us.i, i64 %w8, i64 0
-  %10 = getelementptr i8, ptr %w7, i64 %.105.us.i
-  %.655.us.i = getelementptr i8, ptr %10, i64 %.641.us.i
-  store i8 %"$phi108.2.2.2.us359362.i", ptr %.655.us.i, align 1
-  %exitcond355.not.i = icmp eq i64 %.108.us363.i, %w4
-  br i1 %exitcond355.not.i, label %_ZN7msf_jax4host4meso7kernels5apartB3v57B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE.exit, label %B10.endif.us.i
-
-B174.us.i:                                        ; preds = %B174.us.preheader19.i, %B174.us.i
-  %.506282284.us.i = phi i64 [ %.513.us.3.i, %B174.us.i ], [ 0, %B174.us.preheader19.i ]
-  %11 = shl i64 %.506282284.us.i, 3
-  %scevgep30.i = getelementptr i8, ptr %scevgep24.i, i64 %11
-  %scevgep31.i = getelementptr i8, ptr %scevgep30.i, i64 -24
-  %.588.us.i = load i64, ptr %scevgep31.i, align 8
-  %.602.us.i = icmp slt i64 %.588.us.i, 0
-  %.603.us.i = select i1 %.602.us.i, i64 %w6, i64 0
-  %12 = getelementptr i8, ptr %w5, i64 %.588.us.i
-  %.617.us.i = getelementptr i8, ptr %12, i64 %.603.us.i
-  store i8 1, ptr %.617.us.i, align 1
-  %scevgep29.i = getelementptr i8, ptr %scevgep30.i, i64 -16
-  %.588.us.1.i = load i64, ptr %scevgep29.i, align 8
-  %.602.us.1.i = icmp slt i64 %.588.us.1.i, 0
-  %.603.us.1.i = select i1 %.602.us.1.i, i64 %w6, i64 0
-  %13 = getelementptr i8, ptr %w5, i64 %.588.us.1.i
-  %.617.us.1.i = getelementptr i8, ptr %13, i64 %.603.us.1.i
-  store i8 1, ptr %.617.us.1.i, align 1
-  %scevgep27.i = getelementptr i8, ptr %scevgep30.i, i64 -8
-  %.588.us.2.i = load i64, ptr %scevgep27.i, align 8
-  %.602.us.2.i = icmp slt i64 %.588.us.2.i, 0
-  %.603.us.2.i = select i1 %.602.us.2.i, i64 %w6, i64 0
-  %14 = getelementptr i8, ptr %w5, i64 %.588.us.2.i
-  %.617.us.2.i = getelementptr i8, ptr %14, i64 %.603.us.2.i
-  store i8 1, ptr %.617.us.2.i, align 1
-  %.513.us.3.i = add nuw nsw i64 %.506282284.us.i, 4
-  %.588.us.3.i = load i64, ptr %scevgep30.i, align 8
-  %.602.us.3.i = icmp slt i64 %.588.us.3.i, 0
-  %.603.us.3.i = select i1 %.602.us.3.i, i64 %w6, i64 0
-  %15 = getelementptr i8, ptr %w5, i64 %.588.us.3.i
-  %.617.us.3.i = getelementptr i8, ptr %15, i64 %.603.us.3.i
-  store i8 1, ptr %.617.us.3.i, align 1
-  %niter.ncmp.3.i = icmp eq i64 %unroll_iter.i, %.513.us.3.i
-  br i1 %niter.ncmp.3.i, label %B204.us.loopexit.unr-lcssa.i, label %B174.us.i
-
-B70.us.i:                                         ; preds = %B70.us.backedge.i, %B10.endif.us.i
-  %is_free.2.1278.us.i = phi i1 [ true, %B10.endif.us.i ], [ %is_free.2.1278.us.be.i, %B70.us.backedge.i ]
-  %.239274276.us.i = phi i64 [ 0, %B10.endif.us.i ], [ %.246.us.i, %B70.us.backedge.i ]
-  br i1 %is_free.2.1278.us.i, label %B108.us.i, label %B108.us.thread.i
-
-B108.us.i:                                        ; preds = %B70.us.i
-  %16 = shl i64 %.239274276.us.i, 3
-  %scevgep22.i = getelementptr i8, ptr %5, i64 %16
-  %.335.us.i = load i64, ptr %scevgep22.i, align 8
-  %.349.us.i = icmp slt i64 %.335.us.i, 0
-  %.350.us.i = select i1 %.349.us.i, i64 %w6, i64 0
-  %17 = getelementptr i8, ptr %w5, i64 %.335.us.i
-  %.364.us.i = getelementptr i8, ptr %17, i64 %.350.us.i
-  %.365.us.i = load i8, ptr %.364.us.i, align 1
-  %.368.not.us.i = icmp eq i8 %.365.us.i, 0
-  %exitcond.not.i = icmp eq i64 %1, %.239274276.us.i
-  br i1 %exitcond.not.i, label %B68.B112_crit_edge.us.i, label %B70.us.backedge.i
-
-B70.us.backedge.i:                                ; preds = %B108.us.thread.i, %B108.us.i
-  %is_free.2.1278.us.be.i = phi i1 [ %.368.not.us.i, %B108.us.i ], [ false, %B108.us.thread.i ]
-  %.246.us.i = add nuw nsw i64 %.239274276.us.i, 1
-  br label %B70.us.i
-
-B108.us.thread.i:                                 ; preds = %B70.us.i
-  %exitcond.not358.i = icmp eq i64 %1, %.239274276.us.i
-  br i1 %exitcond.not358.i, label %B204.us.i, label %B70.us.backedge.i
-
-B68.B112_crit_edge.us.i:                          ; preds = %B108.us.i
-  br i1 %.368.not.us.i, label %B174.us.preheader.i, label %B204.us.i
-
-B174.us.preheader.i:                              ; preds = %B68.B112_crit_edge.us.i
-  %.pre.i = mul i64 %.310.us.i, %s3
-  br i1 %2, label %B174.us.epil.preheader.i, label %B174.us.preheader19.i
-
-B174.us.preheader19.i:                            ; preds = %B174.us.preheader.i
-  %scevgep24.i = getelementptr i8, ptr %scevgep23.i, i64 %.pre.i
-  br label %B174.us.i
-
-B216.loopexit.unr-lcssa.i:                        ; preds = %B10.endif.i
-  %18 = and i64 %w4, 1
-  %lcmp.mod15.not.i = icmp eq i64 %18, 0
-  br i1 %lcmp.mod15.not.i, label %_ZN7msf_jax4host4meso7kernels5apartB3v57B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE.exit, label %B10.endif.epil.preheader.i
-
-B10.endif.epil.preheader.i:                       ; preds = %B216.loopexit.unr-lcssa.i, %B10.endif.preheader.i
-  %.86288298.epil.init.i = phi i64 [ 0, %B10.endif.preheader.i ], [ %unroll_iter17.i, %B216.loopexit.unr-lcssa.i ]
-  %.99.epil.i = shl i64 %.86288298.epil.init.i, 3
-  %.103.epil.i = getelementptr i8, ptr %w3, i64 %.99.epil.i
-  %.105.epil.i = load i64, ptr %.103.epil.i, align 8
-  %.640.epil.i = icmp slt i64 %.105.epil.i, 0
-  %.641.epil.i = select i1 %.640.epil.i, i64 %w8, i64 0
-  %19 = getelementptr i8, ptr %w7, i64 %.105.epil.i
-  %.655.epil.i = getelementptr i8, ptr %19, i64 %.641.epil.i
-  store i8 1, ptr %.655.epil.i, align 1
-  br label %_ZN7msf_jax4host4meso7kernels5apartB3v57B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE.exit
-
-B10.endif.i:                                      ; preds = %B10.endif.i, %B10.endif.preheader.new.i
-  %lsr.iv.i = phi ptr [ %scevgep.i, %B10.endif.i ], [ %w3, %B10.endif.preheader.new.i ]
-  %.86288298.i = phi i64 [ %.108.1.i, %B10.endif.i ], [ 0, %B10.endif.preheader.new.i ]
-  %.105.i = load i64, ptr %lsr.iv.i, align 8
-  %.640.i = icmp slt i64 %.105.i, 0
-  %.641.i = select i1 %.640.i, i64 %w8, i64 0
-  %20 = getelementptr i8, ptr %w7, i64 %.105.i
-  %.655.i = getelementptr i8, ptr %20, i64 %.641.i
-  store i8 1, ptr %.655.i, align 1
-  %scevgep21.i = getelementptr i8, ptr %lsr.iv.i, i64 8
-  %.105.1.i = load i64, ptr %scevgep21.i, align 8
-  %.108.1.i = add nuw i64 %.86288298.i, 2
-  %.640.1.i = icmp slt i64 %.105.1.i, 0
-  %.641.1.i = select i1 %.640.1.i, i64 %w8, i64 0
-  %21 = getelementptr i8, ptr %w7, i64 %.105.1.i
-  %.655.1.i = getelementptr i8, ptr %21, i64 %.641.1.i
-  store i8 1, ptr %.655.1.i, align 1
-  %scevgep.i = getelementptr i8, ptr %lsr.iv.i, i64 16
-  %niter18.ncmp.1.i = icmp eq i64 %unroll_iter17.i, %.108.1.i
-  br i1 %niter18.ncmp.1.i, label %B216.loopexit.unr-lcssa.i, label %B10.endif.i
-
-_ZN7msf_jax4host4meso7kernels5apartB3v57B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE.exit: ; preds = %B204.us.i, %0, %B216.loopexit.unr-lcssa.i, %B10.endif.epil.preheader.i
-  ret i64 0
-}
-
-define i64 @msf_jax.host.meso.kernels.collapse(ptr readonly %words) local_unnamed_addr {
-  %w0 = load ptr, ptr %words, align 8
-  %p1 = getelementptr i8, ptr %words, i64 8
-  %w1 = load i64, ptr %p1, align 8
-  %p2 = getelementptr i8, ptr %words, i64 16
-  %w2 = load i64, ptr %p2, align 8
-  %s3 = shl i64 %w2, 3
-  %p3 = getelementptr i8, ptr %words, i64 24
-  %w3 = load ptr, ptr %p3, align 8
-  %p4 = getelementptr i8, ptr %words, i64 32
-  %w4 = load i64, ptr %p4, align 8
-  %p5 = getelementptr i8, ptr %words, i64 40
-  %w5 = load i64, ptr %p5, align 8
-  %s8 = shl i64 %w5, 3
-  %p6 = getelementptr i8, ptr %words, i64 48
-  %w6 = load ptr, ptr %p6, align 8
-  %p7 = getelementptr i8, ptr %words, i64 56
-  %w7 = load i64, ptr %p7, align 8
-  %p8 = getelementptr i8, ptr %words, i64 64
-  %w8 = load ptr, ptr %p8, align 8
-  %p9 = getelementptr i8, ptr %words, i64 72
-  %w9 = load i64, ptr %p9, align 8
-  %p10 = getelementptr i8, ptr %words, i64 80
-  %w10 = load i64, ptr %p10, align 8
-  %s16 = shl i64 %w10, 3
-  %p11 = getelementptr i8, ptr %words, i64 88
-  %w11 = load ptr, ptr %p11, align 8
-  %p12 = getelementptr i8, ptr %words, i64 96
-  %w12 = load i64, ptr %p12, align 8
-  %p13 = getelementptr i8, ptr %words, i64 104
-  %w13 = load i64, ptr %p13, align 8
-  %p14 = getelementptr i8, ptr %words, i64 112
-  %w14 = load ptr, ptr %p14, align 8
-  %p15 = getelementptr i8, ptr %words, i64 120
-  %w15 = load i64, ptr %p15, align 8
-  %p16 = getelementptr i8, ptr %words, i64 128
-  %w16 = load ptr, ptr %p16, align 8
-  %p17 = getelementptr i8, ptr %words, i64 136
-  %w17 = load i64, ptr %p17, align 8
-  %p18 = getelementptr i8, ptr %words, i64 144
-  %w18 = load ptr, ptr %p18, align 8
-  %p19 = getelementptr i8, ptr %words, i64 152
-  %w19 = load i64, ptr %p19, align 8
-  %p20 = getelementptr i8, ptr %words, i64 160
-  %w20 = load ptr, ptr %p20, align 8
-  %p21 = getelementptr i8, ptr %words, i64 168
-  %w21 = load i64, ptr %p21, align 8
-  %p22 = getelementptr i8, ptr %words, i64 176
-  %w22 = load ptr, ptr %p22, align 8
-  %p23 = getelementptr i8, ptr %words, i64 184
-  %w23 = load i64, ptr %p23, align 8
-  %p24 = getelementptr i8, ptr %words, i64 192
-  %w24 = load i64, ptr %p24, align 8
-  %p25 = getelementptr i8, ptr %words, i64 200
-  %w25 = load ptr, ptr %p25, align 8
-  %p26 = getelementptr i8, ptr %words, i64 208
-  %w26 = load i64, ptr %p26, align 8
-  %p27 = getelementptr i8, ptr %words, i64 216
-  %w27 = load ptr, ptr %p27, align 8
-  %p28 = getelementptr i8, ptr %words, i64 224
-  %w28 = load i64, ptr %p28, align 8
-  %p29 = getelementptr i8, ptr %words, i64 232
-  %w29 = load i64, ptr %p29, align 8
-  %p31 = getelementptr i8, ptr %words, i64 248
-  %w31 = load ptr, ptr %p31, align 8
-  %p32 = getelementptr i8, ptr %words, i64 256
-  %w32 = load i64, ptr %p32, align 8
-  %p33 = getelementptr i8, ptr %words, i64 264
-  %w33 = load ptr, ptr %p33, align 8
-  %p34 = getelementptr i8, ptr %words, i64 272
-  %w34 = load i64, ptr %p34, align 8
-  %p35 = getelementptr i8, ptr %words, i64 280
-  %w35 = load ptr, ptr %p35, align 8
-  %p38 = getelementptr i8, ptr %words, i64 304
-  %w38 = load ptr, ptr %p38, align 8
-  %p39 = getelementptr i8, ptr %words, i64 312
-  %w39 = load i64, ptr %p39, align 8
-  %p40 = getelementptr i8, ptr %words, i64 320
-  %w40 = load i64, ptr %p40, align 8
-  %p41 = getelementptr i8, ptr %words, i64 328
-  %w41 = load ptr, ptr %p41, align 8
-  %p42 = getelementptr i8, ptr %words, i64 336
-  %w42 = load i64, ptr %p42, align 8
-  %.2711082.i = icmp sgt i64 %w26, 0
-  br i1 %.2711082.i, label %B58.preheader.i, label %_ZN7msf_jax4host4meso7kernels8collapseB3v58B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE385Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28bool_2c_201d_2c_20C_29_2c_20array_28bool_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEb5ArrayIbLi1E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit
-
-B58.preheader.i:                                  ; preds = %0
-  %p37 = getelementptr i8, ptr %words, i64 296
-  %w37 = load i64, ptr %p37, align 8
-  %s58 = shl i64 %w37, 3
-  %p30 = getelementptr i8, ptr %words, i64 240
-  %w30 = load i8, ptr %p30, align 8
-  %unroll_iter.i224.i = and i64 %w24, 9223372036854775806
-  %invariant.gep.i = getelementptr double, ptr %w22, i64 %unroll_iter.i224.i
-  %1 = add nsw i64 %unroll_iter.i224.i, -2
-  %2 = lshr exact i64 %1, 1
-  %3 = add nuw i64 %2, 1
-  %unroll_iter.i = and i64 %3, -2
-  %scevgep296.i = getelementptr i8, ptr %w22, i64 24
-  %4 = icmp eq i8 %w30, 0
-  %.564.i.i = icmp sgt i64 %w5, 0
-  %5 = getelementptr i64, ptr %w35, i64 %w37
-  %6 = add i64 %s8, 8
-  %7 = add i64 %s16, 8
-  %8 = add i64 %s8, 16
-  %9 = add i64 %s16, 16
-  %.22781011.not.i.i = icmp slt i64 %w5, 1
-  %10 = icmp eq i64 %w5, 1
-  %unroll_iter.i7.i = and i64 %w5, 9223372036854775806
-  %11 = getelementptr i8, ptr %w35, i64 %s58
-  %scevgep51.i.i = getelementptr i8, ptr %11, i64 8
-  %12 = and i64 %w5, 1
-  %lcmp.mod38.not.i.i = icmp eq i64 %12, 0
-  %13 = icmp slt i64 %w24, 1
-  %14 = icmp eq i64 %w24, 1
-  %15 = icmp eq i64 %1, 0
-  %16 = and i64 %1, 2
-  %.not.i = icmp eq i64 %16, 0
-  %17 = and i64 %w24, 1
-  %18 = icmp eq i64 %17, 0
-  %.2368.epil.i.i = getelementptr i64, ptr %w35, i64 %unroll_iter.i7.i
-  %.2524.epil.i.i = getelementptr i64, ptr %5, i64 %unroll_iter.i7.i
-  br label %B58.i
-
-B58.i:                                            ; preds = %B733.i, %B58.preheader.i
-  %count.2.01084.i = phi i64 [ %count.3.1.i, %B733.i ], [ 0, %B58.preheader.i ]
-  %.27010741083.i = phi i64 [ %.292.i, %B733.i ], [ 0, %B58.preheader.i ]
-  %.283.i = shl i64 %.27010741083.i, 3
-  %.287.i = getelementptr i8, ptr %w25, i64 %.283.i
-  %.289.i = load i64, ptr %.287.i, align 8
-  %.292.i = add nuw nsw i64 %.27010741083.i, 1
-  %.347.i = icmp slt i64 %.289.i, 0
-  %.348.i = select i1 %.347.i, i64 %w28, i64 0
-  %.349.i = add i64 %.348.i, %.289.i
-  %.369.i = mul i64 %.349.i, %w29
-  %.373.i = getelementptr i64, ptr %w27, i64 %.369.i
-  %.374.i = load i64, ptr %.373.i, align 8
-  %.428.i = getelementptr i8, ptr %.373.i, i64 8
-  %.429.i = load i64, ptr %.428.i, align 8
-  %.483.i = getelementptr i8, ptr %.373.i, i64 16
-  %.484.i = load i64, ptr %.483.i, align 8
-  %.538.i = getelementptr i8, ptr %.373.i, i64 24
-  %.539.i = load i64, ptr %.538.i, align 8
-  %.613.i = getelementptr i8, ptr %.373.i, i64 32
-  %.614.i = load i64, ptr %.613.i, align 8
-  %.615.not.i = icmp eq i64 %.614.i, 2
-  br i1 %.615.not.i, label %B174.i, label %B270.i
-
-B174.i:                                           ; preds = %B58.i
-  %.631.i = icmp slt i64 %.374.i, 0
-  %.632.i = select i1 %.631.i, i64 %w17, i64 0
-  %19 = getelementptr i8, ptr %w16, i64 %.374.i
-  %.646.i = getelementptr i8, ptr %19, i64 %.632.i
-  %.647.i = load i8, ptr %.646.i, align 1
-  %.650.i = icmp eq i8 %.647.i, 0
-  br i1 %.650.i, label %B206.endif.i, label %B190.i
-
-B190.i:                                           ; preds = %B174.i
-  %.672.i = icmp slt i64 %.429.i, 0
-  %.673.i = select i1 %.672.i, i64 %w17, i64 0
-  %20 = getelementptr i8, ptr %w16, i64 %.429.i
-  %.687.i = getelementptr i8, ptr %20, i64 %.673.i
-  %.688.i = load i8, ptr %.687.i, align 1
-  %.691.i = icmp eq i8 %.688.i, 0
-  br i1 %.691.i, label %B206.endif.i, label %B270.i
-
-B270.i:                                           ; preds = %B206.endif.i, %B190.i, %B58.i
-  %sunkaddr.i = shl i64 %.369.i, 3
-  %sunkaddr315.i = getelementptr i8, ptr %w27, i64 %sunkaddr.i
-  store i64 -1, ptr %sunkaddr315.i, align 8
-  br label %B733.i
-
-B286.i:                                           ; preds = %B206.endif.i
-  %.884.i = select i1 %.631.i, i64 %w32, i64 0
-  %21 = getelementptr i8, ptr %w31, i64 %.374.i
-  %.898.i = getelementptr i8, ptr %21, i64 %.884.i
-  %.899.i = load i8, ptr %.898.i, align 1
-  %.902.i = icmp eq i8 %.899.i, 0
-  br i1 %.902.i, label %B302.i, label %B733.i
-
-B302.i:                                           ; preds = %B286.i
-  %.924.i = icmp slt i64 %.429.i, 0
-  %.925.i = select i1 %.924.i, i64 %w32, i64 0
-  %22 = getelementptr i8, ptr %w31, i64 %.429.i
-  %.939.i = getelementptr i8, ptr %22, i64 %.925.i
-  %.940.i = load i8, ptr %.939.i, align 1
-  %.943.i = icmp eq i8 %.940.i, 0
-  br i1 %.943.i, label %B320.i, label %B733.i
-
-B320.i:                                           ; preds = %B302.i
-  store i8 1, ptr %.898.i, align 1
-  %.88.i.i = select i1 %.631.i, i64 %w7, i64 0
-  %23 = getelementptr i64, ptr %w6, i64 %.374.i
-  %.102.i.i = getelementptr i64, ptr %23, i64 %.88.i.i
-  %.103.i.i = load i64, ptr %.102.i.i, align 8
-  %.185113.not.i.i = icmp slt i64 %.103.i.i, 1
-  br i1 %.185113.not.i.i, label %B320.endif.i, label %B58.lr.ph.i.i
-
-B58.lr.ph.i.i:                                    ; preds = %B320.i
-  %.247.i.i = select i1 %.631.i, i64 %w4, i64 0
-  %.248.i.i = add i64 %.247.i.i, %.374.i
-  %xtraiter.i.i = and i64 %.103.i.i, 3
-  %24 = icmp samesign ult i64 %.103.i.i, 4
-  br i1 %24, label %B58.epil.preheader.i.i, label %B58.lr.ph.new.i.i
-
-B58.lr.ph.new.i.i:                                ; preds = %B58.lr.ph.i.i
-  %unroll_iter.i.i = and i64 %.103.i.i, 9223372036854775804
-  %25 = mul i64 %.248.i.i, %s8
-  %26 = getelementptr i8, ptr %w3, i64 %25
-  %scevgep3.i.i = getelementptr i8, ptr %26, i64 24
-  br label %B58.i.i
-
-B58.i.i:                                          ; preds = %B58.i.i, %B58.lr.ph.new.i.i
-  %.191112114.i.i = phi i64 [ 0, %B58.lr.ph.new.i.i ], [ %.198.3.i.i, %B58.i.i ]
-  %27 = shl i64 %.191112114.i.i, 3
-  %scevgep9.i.i = getelementptr i8, ptr %scevgep3.i.i, i64 %27
-  %scevgep10.i.i = getelementptr i8, ptr %scevgep9.i.i, i64 -24
-  %.273.i.i = load i64, ptr %scevgep10.i.i, align 8
-  %.287.i.i = icmp slt i64 %.273.i.i, 0
-  %.288.i.i = select i1 %.287.i.i, i64 %w32, i64 0
-  %28 = getelementptr i8, ptr %w31, i64 %.273.i.i
-  %.302.i.i = getelementptr i8, ptr %28, i64 %.288.i.i
-  store i8 1, ptr %.302.i.i, align 1
-  %scevgep289.i = getelementptr i8, ptr %scevgep9.i.i, i64 -16
-  %.273.1.i.i = load i64, ptr %scevgep289.i, align 8
-  %.287.1.i.i = icmp slt i64 %.273.1.i.i, 0
-  %.288.1.i.i = select i1 %.287.1.i.i, i64 %w32, i64 0
-  %29 = getelementptr i8, ptr %w31, i64 %.273.1.i.i
-  %.302.1.i.i = getelementptr i8, ptr %29, i64 %.288.1.i.i
-  store i8 1, ptr %.302.1.i.i, align 1
-  %scevgep287.i = getelementptr i8, ptr %scevgep9.i.i, i64 -8
-  %.273.2.i.i = load i64, ptr %scevgep287.i, align 8
-  %.287.2.i.i = icmp slt i64 %.273.2.i.i, 0
-  %.288.2.i.i = select i1 %.287.2.i.i, i64 %w32, i64 0
-  %30 = getelementptr i8, ptr %w31, i64 %.273.2.i.i
-  %.302.2.i.i = getelementptr i8, ptr %30, i64 %.288.2.i.i
-  store i8 1, ptr %.302.2.i.i, align 1
-  %.198.3.i.i = add nuw nsw i64 %.191112114.i.i, 4
-  %.273.3.i.i = load i64, ptr %scevgep9.i.i, align 8
-  %.287.3.i.i = icmp slt i64 %.273.3.i.i, 0
-  %.288.3.i.i = select i1 %.287.3.i.i, i64 %w32, i64 0
-  %31 = getelementptr i8, ptr %w31, i64 %.273.3.i.i
-  %.302.3.i.i = getelementptr i8, ptr %31, i64 %.288.3.i.i
-  store i8 1, ptr %.302.3.i.i, align 1
-  %niter.ncmp.3.i.i = icmp eq i64 %unroll_iter.i.i, %.198.3.i.i
-  br i1 %niter.ncmp.3.i.i, label %B88.loopexit.unr-lcssa.i.i, label %B58.i.i
-
-B88.loopexit.unr-lcssa.i.i:                       ; preds = %B58.i.i
-  %lcmp.mod.not.i.i = icmp eq i64 %xtraiter.i.i, 0
-  br i1 %lcmp.mod.not.i.i, label %B320.endif.i, label %B58.epil.preheader.i.i
-
-B58.epil.preheader.i.i:                           ; preds = %B88.loopexit.unr-lcssa.i.i, %B58.lr.ph.i.i
-  %.191112114.epil.init.i.i = phi i64 [ 0, %B58.lr.ph.i.i ], [ %unroll_iter.i.i, %B88.loopexit.unr-lcssa.i.i ]
-  %32 = mul i64 %.248.i.i, %w5
-  %33 = add i64 %.191112114.epil.init.i.i, %32
+define i64 @msf_jax.host.meso.kernels.wide_edges(ptr readonly %0) local_unnamed_addr {
+  %2 = load ptr, ptr %0, align 8
+  %3 = getelementptr i8, ptr %0, i64 8
+  %4 = load i64, ptr %3, align 8
+  %5 = getelementptr i8, ptr %0, i64 16
+  %6 = load i64, ptr %5, align 8
+  %7 = getelementptr i8, ptr %0, i64 24
+  %8 = load ptr, ptr %7, align 8
+  %9 = getelementptr i8, ptr %0, i64 32
+  %10 = load i64, ptr %9, align 8
+  %11 = getelementptr i8, ptr %0, i64 40
+  %12 = load i64, ptr %11, align 8
+  %13 = shl i64 %12, 3
+  %14 = getelementptr i8, ptr %0, i64 48
+  %15 = load ptr, ptr %14, align 8
+  %16 = getelementptr i8, ptr %0, i64 64
+  %17 = load ptr, ptr %16, align 8
+  %18 = getelementptr i8, ptr %0, i64 80
+  %19 = load double, ptr %18, align 8
+  %20 = getelementptr i8, ptr %0, i64 88
+  %21 = load double, ptr %20, align 8
+  %22 = getelementptr i8, ptr %0, i64 96
+  %23 = load ptr, ptr %22, align 8
+  %24 = getelementptr i8, ptr %0, i64 104
+  %25 = load i64, ptr %24, align 8
+  %26 = getelementptr i8, ptr %0, i64 112
+  %27 = load i64, ptr %26, align 8
+  %28 = getelementptr i8, ptr %0, i64 120
+  %29 = load ptr, ptr %28, align 8
+  %30 = getelementptr i8, ptr %0, i64 128
+  %31 = load i64, ptr %30, align 8
+  %32 = getelementptr i8, ptr %0, i64 136
+  %33 = load i64, ptr %32, align 8
   %34 = shl i64 %33, 3
-  %scevgep.i.i = getelementptr i8, ptr %w3, i64 %34
-  br label %B58.epil.i.i
-
-B58.epil.i.i:                                     ; preds = %B58.epil.i.i, %B58.epil.preheader.i.i
-  %epil.iter.i.i = phi i64 [ 0, %B58.epil.preheader.i.i ], [ %epil.iter.next.i.i, %B58.epil.i.i ]
-  %35 = shl i64 %epil.iter.i.i, 3
-  %scevgep290.i = getelementptr i8, ptr %scevgep.i.i, i64 %35
-  %.273.epil.i.i = load i64, ptr %scevgep290.i, align 8
-  %.287.epil.i.i = icmp slt i64 %.273.epil.i.i, 0
-  %.288.epil.i.i = select i1 %.287.epil.i.i, i64 %w32, i64 0
-  %36 = getelementptr i8, ptr %w31, i64 %.273.epil.i.i
-  %.302.epil.i.i = getelementptr i8, ptr %36, i64 %.288.epil.i.i
-  store i8 1, ptr %.302.epil.i.i, align 1
-  %epil.iter.next.i.i = add i64 %epil.iter.i.i, 1
-  %epil.iter.cmp.not.i.i = icmp eq i64 %xtraiter.i.i, %epil.iter.next.i.i
-  br i1 %epil.iter.cmp.not.i.i, label %B320.endif.i, label %B58.epil.i.i
-
-B444.i:                                           ; preds = %B320.endif.endif.i
-  %.143.i.i = select i1 %.1115.i, i64 %w7, i64 0
-  %37 = getelementptr i64, ptr %w6, i64 %one.2.2.i
-  %.157.i.i = getelementptr i64, ptr %37, i64 %.143.i.i
-  %.158.i.i = load i64, ptr %.157.i.i, align 8
-  %.251496.not.i.i = icmp slt i64 %.158.i.i, 1
-  br i1 %.251496.not.i.i, label %B482.i, label %B92.lr.ph.i.i
-
-B92.lr.ph.i.i:                                    ; preds = %B444.i
-  %.313.i.i = select i1 %.1115.i, i64 %w4, i64 0
-  %.314.i.i = add i64 %.313.i.i, %one.2.2.i
-  %.334.i.i = mul i64 %.314.i.i, %w5
-  %38 = getelementptr i64, ptr %w3, i64 %.334.i.i
-  %.932.i.i = select i1 %.1115.i, i64 %w1, i64 0
-  %.933.i.i = add i64 %.932.i.i, %one.2.2.i
-  %.1103.i.i = icmp slt i64 %two.2.2.i, 0
-  %.1104.i.i = select i1 %.1103.i.i, i64 %w1, i64 0
-  %.1105.i.i = add i64 %.1104.i.i, %two.2.2.i
-  %.953.reass.i.i = mul i64 %.933.i.i, %s3
-  %.1125.reass.i.i = mul i64 %.1105.i.i, %s3
-  %sunkaddr317.i = getelementptr i8, ptr %w0, i64 %.953.reass.i.i
-  %sunkaddr318.i = getelementptr i8, ptr %sunkaddr317.i, i64 8
-  %sunkaddr320.i = getelementptr i8, ptr %sunkaddr317.i, i64 16
-  %sunkaddr322.i = getelementptr i8, ptr %w0, i64 %.1125.reass.i.i
-  %sunkaddr323.i = getelementptr i8, ptr %sunkaddr322.i, i64 8
-  %sunkaddr325.i = getelementptr i8, ptr %sunkaddr322.i, i64 16
-  br label %B92.endif.i.i
-
-B158.i.i:                                         ; preds = %B92.endif.i.i
-  %.84.i.i.i = icmp ne i64 %one.2.2.i, %.432.i.i
-  %.84.1.i.i.i = icmp ne i64 %two.2.2.i, %.432.i.i
-  %or.cond.i.not.i.i = select i1 %.84.i.i.i, i1 %.84.1.i.i.i, i1 false
-  br i1 %or.cond.i.not.i.i, label %B632.i.i, label %B705.i.i
-
-B632.i.i:                                         ; preds = %B158.i.i
-  %.727.i.i = icmp slt i64 %.339.i.i, 0
-  %.728.i.i = select i1 %.727.i.i, i64 %w1, i64 0
-  %.729.i.i = add i64 %.728.i.i, %.339.i.i
-  %.749.i.i = mul i64 %.729.i.i, %w2
-  %39 = getelementptr double, ptr %w0, i64 %.749.i.i
-  %.829.i.i = icmp slt i64 %.432.i.i, 0
-  %.830.i.i = select i1 %.829.i.i, i64 %w1, i64 0
-  %.831.i.i = add i64 %.830.i.i, %.432.i.i
-  %.851.i.i = mul i64 %.831.i.i, %w2
-  %40 = getelementptr double, ptr %w0, i64 %.851.i.i
-  %.753.i.i = getelementptr i8, ptr %39, i64 8
-  %.754.i.i = load double, ptr %.753.i.i, align 8
-  %.804.i.i = getelementptr i8, ptr %39, i64 16
-  %.805.i.i = load double, ptr %.804.i.i, align 8
-  %.855.i.i = getelementptr i8, ptr %40, i64 8
-  %.856.i.i = load double, ptr %.855.i.i, align 8
-  %.906.i.i = getelementptr i8, ptr %40, i64 16
-  %.907.i.i = load double, ptr %.906.i.i, align 8
-  %.958.i.i = load double, ptr %sunkaddr318.i, align 8
-  %.1009.i.i = load double, ptr %sunkaddr320.i, align 8
-  %.1022.i.i = fsub double %.754.i.i, %.958.i.i
-  %.1023.i.i = fsub double %.907.i.i, %.1009.i.i
-  %.1024.i.i = fmul double %.1022.i.i, %.1023.i.i
-  %.1025.i.i = fsub double %.805.i.i, %.1009.i.i
-  %.1026.i.i = fsub double %.856.i.i, %.958.i.i
-  %.1027.i.i = fmul double %.1026.i.i, %.1025.i.i
-  %.1028.i.i = fsub double %.1024.i.i, %.1027.i.i
-  %.1353.i.i = fmul double %.1028.i.i, %.1028.i.i
-  %.754.1.i.i = load double, ptr %39, align 8
-  %.856.1.i.i = load double, ptr %40, align 8
-  %.958.1.i.i = load double, ptr %sunkaddr317.i, align 8
-  %.1022.1.i.i = fsub double %.754.1.i.i, %.958.1.i.i
-  %.1024.1.i.i = fmul double %.1026.i.i, %.1022.1.i.i
-  %.1026.1.i.i = fsub double %.856.1.i.i, %.958.1.i.i
-  %.1027.1.i.i = fmul double %.1022.i.i, %.1026.1.i.i
-  %.1028.1.i.i = fsub double %.1024.1.i.i, %.1027.1.i.i
-  %.1353.1.i.i = fmul double %.1028.1.i.i, %.1028.1.i.i
-  %.1355.1.i.i = fadd double %.1353.i.i, %.1353.1.i.i
-  %.1024.2.i.i = fmul double %.1025.i.i, %.1026.1.i.i
-  %.1027.2.i.i = fmul double %.1023.i.i, %.1022.1.i.i
-  %.1028.2.i.i = fsub double %.1024.2.i.i, %.1027.2.i.i
-  %.1353.2.i.i = fmul double %.1028.2.i.i, %.1028.2.i.i
-  %.1355.2.i.i = fadd double %.1353.2.i.i, %.1355.1.i.i
-  %.1376.i.i = fcmp ogt double %.1355.2.i.i, 0.000000e+00
-  br i1 %.1376.i.i, label %B644.i.i, label %B705.i.i
-
-B644.i.i:                                         ; preds = %B632.i.i
-  %.1130.i.i = load double, ptr %sunkaddr323.i, align 8
-  %.1182.i.i = fsub double %.1130.i.i, %.958.i.i
-  %.1184.i.i = fmul double %"$phi438.1.2.2.i", %.1182.i.i
-  %.1185.i.i = fadd double %.958.i.i, %.1184.i.i
-  %.1343.i.i = fsub double %.754.i.i, %.1185.i.i
-  %.1287.i.i = load double, ptr %sunkaddr325.i, align 8
-  %.1339.i.i = fsub double %.1287.i.i, %.1009.i.i
-  %.1341.i.i = fmul double %"$phi438.1.2.2.i", %.1339.i.i
-  %.1342.i.i = fadd double %.1009.i.i, %.1341.i.i
-  %.1344.i.i = fsub double %.907.i.i, %.1342.i.i
-  %.1345.i.i = fmul double %.1343.i.i, %.1344.i.i
-  %.1347.i.i = fsub double %.856.i.i, %.1185.i.i
-  %.1346.i.i = fsub double %.805.i.i, %.1342.i.i
-  %.1348.i.i = fmul double %.1347.i.i, %.1346.i.i
-  %.1349.i.i = fsub double %.1345.i.i, %.1348.i.i
-  %.1356.i.i = fmul double %.1349.i.i, %.1349.i.i
-  %.1130.1.i.i = load double, ptr %sunkaddr322.i, align 8
-  %.1182.1.i.i = fsub double %.1130.1.i.i, %.958.1.i.i
-  %.1184.1.i.i = fmul double %"$phi438.1.2.2.i", %.1182.1.i.i
-  %.1185.1.i.i = fadd double %.958.1.i.i, %.1184.1.i.i
-  %.1343.1.i.i = fsub double %.754.1.i.i, %.1185.1.i.i
-  %.1345.1.i.i = fmul double %.1347.i.i, %.1343.1.i.i
-  %.1347.1.i.i = fsub double %.856.1.i.i, %.1185.1.i.i
-  %.1348.1.i.i = fmul double %.1343.i.i, %.1347.1.i.i
-  %.1349.1.i.i = fsub double %.1345.1.i.i, %.1348.1.i.i
-  %.1356.1.i.i = fmul double %.1349.1.i.i, %.1349.1.i.i
-  %.1358.1.i.i = fadd double %.1356.i.i, %.1356.1.i.i
-  %.1345.2.i.i = fmul double %.1346.i.i, %.1347.1.i.i
-  %.1348.2.i.i = fmul double %.1344.i.i, %.1343.1.i.i
-  %.1349.2.i.i = fsub double %.1345.2.i.i, %.1348.2.i.i
-  %.1356.2.i.i = fmul double %.1349.2.i.i, %.1349.2.i.i
-  %.1358.2.i.i = fadd double %.1356.2.i.i, %.1358.1.i.i
-  %.1350.i.i = fmul double %.1028.i.i, %.1349.i.i
-  %.1352.i.i = fadd double %.1350.i.i, 0.000000e+00
-  %.1350.1.i.i = fmul double %.1028.1.i.i, %.1349.1.i.i
-  %.1352.1.i.i = fadd double %.1352.i.i, %.1350.1.i.i
-  %.1350.2.i.i = fmul double %.1028.2.i.i, %.1349.2.i.i
-  %.1352.2.i.i = fadd double %.1350.2.i.i, %.1352.1.i.i
-  %.1380.i.i = fmul double %.1355.2.i.i, %.1358.2.i.i
-  %sqrt.i.i = tail call double @llvm.sqrt.f64(double %.1380.i.i)
-  %.1386.i.i = fmul double %sqrt.i.i, 5.000000e-01
-  %.1388.i.i = fcmp ole double %.1352.2.i.i, %.1386.i.i
-  %brmerge.i.i = or i1 %42, %.1388.i.i
-  br i1 %brmerge.i.i, label %B444.endif.endif.i, label %B92.endif.backedge.i.i
-
-B705.i.i:                                         ; preds = %B92.endif.i.i, %B632.i.i, %B158.i.i
-  br i1 %42, label %B482.i, label %B92.endif.backedge.i.i
-
-B92.endif.backedge.i.i:                           ; preds = %B705.i.i, %B644.i.i
-  %lsr.iv.next.i.i = add nuw i64 %lsr.iv.i.i, 1
-  br label %B92.endif.i.i
-
-B92.endif.i.i:                                    ; preds = %B92.endif.backedge.i.i, %B92.lr.ph.i.i
-  %lsr.iv.i.i = phi i64 [ %lsr.iv.next.i.i, %B92.endif.backedge.i.i ], [ 1, %B92.lr.ph.i.i ]
-  %41 = shl i64 %lsr.iv.i.i, 3
-  %scevgep.i24.i = getelementptr i8, ptr %38, i64 %41
-  %scevgep18.i.i = getelementptr i8, ptr %scevgep.i24.i, i64 -8
-  %.339.i.i = load i64, ptr %scevgep18.i.i, align 8
-  %42 = icmp eq i64 %.158.i.i, %lsr.iv.i.i
-  %iv.rem.i.i = select i1 %42, i64 0, i64 %lsr.iv.i.i
-  %43 = getelementptr i64, ptr %38, i64 %iv.rem.i.i
-  %.432.i.i = load i64, ptr %43, align 8
-  %.84.i12.i.i = icmp ne i64 %one.2.2.i, %.339.i.i
-  %.84.1.i13.i.i = icmp ne i64 %two.2.2.i, %.339.i.i
-  %or.cond.i14.not.i.i = select i1 %.84.i12.i.i, i1 %.84.1.i13.i.i, i1 false
-  br i1 %or.cond.i14.not.i.i, label %B158.i.i, label %B705.i.i
-
-B482.i:                                           ; preds = %B705.i.i, %B444.endif.endif.i, %B444.i
-  %.142.i25.i = icmp slt i64 %two.2.2.i, 0
-  %.143.i26.i = select i1 %.142.i25.i, i64 %w7, i64 0
-  %44 = getelementptr i64, ptr %w6, i64 %two.2.2.i
-  %.157.i27.i = getelementptr i64, ptr %44, i64 %.143.i26.i
-  %.158.i28.i = load i64, ptr %.157.i27.i, align 8
-  %.251496.not.i29.i = icmp slt i64 %.158.i28.i, 1
-  br i1 %.251496.not.i29.i, label %B536.i, label %B92.lr.ph.i30.i
-
-B92.lr.ph.i30.i:                                  ; preds = %B482.i
-  %.313.i31.i = select i1 %.142.i25.i, i64 %w4, i64 0
-  %.314.i32.i = add i64 %.313.i31.i, %two.2.2.i
-  %.334.i33.i = mul i64 %.314.i32.i, %w5
-  %45 = getelementptr i64, ptr %w3, i64 %.334.i33.i
-  %.932.i34.i = select i1 %.142.i25.i, i64 %w1, i64 0
-  %.933.i35.i = add i64 %.932.i34.i, %two.2.2.i
-  %.1053.i37.i = select i1 %.1115.i, i64 %w1, i64 0
-  %.1054.i38.i = add i64 %.1053.i37.i, %one.2.2.i
-  %.953.reass.i45.i = mul i64 %.933.i35.i, %s3
-  %.1074.reass.i49.i = mul i64 %.1054.i38.i, %s3
-  %sunkaddr327.i = getelementptr i8, ptr %w0, i64 %.953.reass.i45.i
-  %sunkaddr328.i = getelementptr i8, ptr %sunkaddr327.i, i64 8
-  %sunkaddr330.i = getelementptr i8, ptr %sunkaddr327.i, i64 16
-  %sunkaddr332.i = getelementptr i8, ptr %w0, i64 %.1074.reass.i49.i
-  %sunkaddr333.i = getelementptr i8, ptr %sunkaddr332.i, i64 8
-  %sunkaddr335.i = getelementptr i8, ptr %sunkaddr332.i, i64 16
-  br label %B92.endif.i57.i
-
-B158.i71.i:                                       ; preds = %B92.endif.i57.i
-  %.84.i.i72.i = icmp ne i64 %one.2.2.i, %.432.i63.i
-  %.84.1.i.i73.i = icmp ne i64 %two.2.2.i, %.432.i63.i
-  %or.cond.i.not.i74.i = select i1 %.84.i.i72.i, i1 %.84.1.i.i73.i, i1 false
-  br i1 %or.cond.i.not.i74.i, label %B632.i75.i, label %B705.i67.i
-
-B632.i75.i:                                       ; preds = %B158.i71.i
-  %.727.i76.i = icmp slt i64 %.339.i61.i, 0
-  %.728.i77.i = select i1 %.727.i76.i, i64 %w1, i64 0
-  %.729.i78.i = add i64 %.728.i77.i, %.339.i61.i
-  %.749.i79.i = mul i64 %.729.i78.i, %w2
-  %46 = getelementptr double, ptr %w0, i64 %.749.i79.i
-  %.829.i80.i = icmp slt i64 %.432.i63.i, 0
-  %.830.i81.i = select i1 %.829.i80.i, i64 %w1, i64 0
-  %.831.i82.i = add i64 %.830.i81.i, %.432.i63.i
-  %.851.i83.i = mul i64 %.831.i82.i, %w2
-  %47 = getelementptr double, ptr %w0, i64 %.851.i83.i
-  %.753.i84.i = getelementptr i8, ptr %46, i64 8
-  %.754.i85.i = load double, ptr %.753.i84.i, align 8
-  %.804.i86.i = getelementptr i8, ptr %46, i64 16
-  %.805.i87.i = load double, ptr %.804.i86.i, align 8
-  %.855.i88.i = getelementptr i8, ptr %47, i64 8
-  %.856.i89.i = load double, ptr %.855.i88.i, align 8
-  %.906.i90.i = getelementptr i8, ptr %47, i64 16
-  %.907.i91.i = load double, ptr %.906.i90.i, align 8
-  %.958.i92.i = load double, ptr %sunkaddr328.i, align 8
-  %.1009.i93.i = load double, ptr %sunkaddr330.i, align 8
-  %.1022.i94.i = fsub double %.754.i85.i, %.958.i92.i
-  %.1023.i95.i = fsub double %.907.i91.i, %.1009.i93.i
-  %.1024.i96.i = fmul double %.1022.i94.i, %.1023.i95.i
-  %.1025.i97.i = fsub double %.805.i87.i, %.1009.i93.i
-  %.1026.i98.i = fsub double %.856.i89.i, %.958.i92.i
-  %.1027.i99.i = fmul double %.1026.i98.i, %.1025.i97.i
-  %.1028.i100.i = fsub double %.1024.i96.i, %.1027.i99.i
-  %.1353.i101.i = fmul double %.1028.i100.i, %.1028.i100.i
-  %.754.1.i102.i = load double, ptr %46, align 8
-  %.856.1.i103.i = load double, ptr %47, align 8
-  %.958.1.i104.i = load double, ptr %sunkaddr327.i, align 8
-  %.1022.1.i105.i = fsub double %.754.1.i102.i, %.958.1.i104.i
-  %.1024.1.i106.i = fmul double %.1026.i98.i, %.1022.1.i105.i
-  %.1026.1.i107.i = fsub double %.856.1.i103.i, %.958.1.i104.i
-  %.1027.1.i108.i = fmul double %.1022.i94.i, %.1026.1.i107.i
-  %.1028.1.i109.i = fsub double %.1024.1.i106.i, %.1027.1.i108.i
-  %.1353.1.i110.i = fmul double %.1028.1.i109.i, %.1028.1.i109.i
-  %.1355.1.i111.i = fadd double %.1353.i101.i, %.1353.1.i110.i
-  %.1024.2.i112.i = fmul double %.1025.i97.i, %.1026.1.i107.i
-  %.1027.2.i113.i = fmul double %.1023.i95.i, %.1022.1.i105.i
-  %.1028.2.i114.i = fsub double %.1024.2.i112.i, %.1027.2.i113.i
-  %.1353.2.i115.i = fmul double %.1028.2.i114.i, %.1028.2.i114.i
-  %.1355.2.i116.i = fadd double %.1353.2.i115.i, %.1355.1.i111.i
-  %.1376.i117.i = fcmp ogt double %.1355.2.i116.i, 0.000000e+00
-  br i1 %.1376.i117.i, label %B644.i118.i, label %B705.i67.i
-
-B644.i118.i:                                      ; preds = %B632.i75.i
-  %.1079.i119.i = load double, ptr %sunkaddr333.i, align 8
-  %.1182.i121.i = fsub double %.958.i92.i, %.1079.i119.i
-  %.1184.i122.i = fmul double %"$phi438.1.2.2.i", %.1182.i121.i
-  %.1185.i123.i = fadd double %.1079.i119.i, %.1184.i122.i
-  %.1343.i124.i = fsub double %.754.i85.i, %.1185.i123.i
-  %.1236.i125.i = load double, ptr %sunkaddr335.i, align 8
-  %.1339.i127.i = fsub double %.1009.i93.i, %.1236.i125.i
-  %.1341.i128.i = fmul double %"$phi438.1.2.2.i", %.1339.i127.i
-  %.1342.i129.i = fadd double %.1236.i125.i, %.1341.i128.i
-  %.1344.i130.i = fsub double %.907.i91.i, %.1342.i129.i
-  %.1345.i131.i = fmul double %.1343.i124.i, %.1344.i130.i
-  %.1347.i132.i = fsub double %.856.i89.i, %.1185.i123.i
-  %.1346.i133.i = fsub double %.805.i87.i, %.1342.i129.i
-  %.1348.i134.i = fmul double %.1347.i132.i, %.1346.i133.i
-  %.1349.i135.i = fsub double %.1345.i131.i, %.1348.i134.i
-  %.1356.i136.i = fmul double %.1349.i135.i, %.1349.i135.i
-  %.1079.1.i137.i = load double, ptr %sunkaddr332.i, align 8
-  %.1182.1.i139.i = fsub double %.958.1.i104.i, %.1079.1.i137.i
-  %.1184.1.i140.i = fmul double %"$phi438.1.2.2.i", %.1182.1.i139.i
-  %.1185.1.i141.i = fadd double %.1079.1.i137.i, %.1184.1.i140.i
-  %.1343.1.i142.i = fsub double %.754.1.i102.i, %.1185.1.i141.i
-  %.1345.1.i143.i = fmul double %.1347.i132.i, %.1343.1.i142.i
-  %.1347.1.i144.i = fsub double %.856.1.i103.i, %.1185.1.i141.i
-  %.1348.1.i145.i = fmul double %.1343.i124.i, %.1347.1.i144.i
-  %.1349.1.i146.i = fsub double %.1345.1.i143.i, %.1348.1.i145.i
-  %.1356.1.i147.i = fmul double %.1349.1.i146.i, %.1349.1.i146.i
-  %.1358.1.i148.i = fadd double %.1356.i136.i, %.1356.1.i147.i
-  %.1345.2.i149.i = fmul double %.1346.i133.i, %.1347.1.i144.i
-  %.1348.2.i150.i = fmul double %.1344.i130.i, %.1343.1.i142.i
-  %.1349.2.i151.i = fsub double %.1345.2.i149.i, %.1348.2.i150.i
-  %.1356.2.i152.i = fmul double %.1349.2.i151.i, %.1349.2.i151.i
-  %.1358.2.i153.i = fadd double %.1356.2.i152.i, %.1358.1.i148.i
-  %.1350.i154.i = fmul double %.1028.i100.i, %.1349.i135.i
-  %.1352.i155.i = fadd double %.1350.i154.i, 0.000000e+00
-  %.1350.1.i156.i = fmul double %.1028.1.i109.i, %.1349.1.i146.i
-  %.1352.1.i157.i = fadd double %.1352.i155.i, %.1350.1.i156.i
-  %.1350.2.i158.i = fmul double %.1028.2.i114.i, %.1349.2.i151.i
-  %.1352.2.i159.i = fadd double %.1350.2.i158.i, %.1352.1.i157.i
-  %.1380.i160.i = fmul double %.1355.2.i116.i, %.1358.2.i153.i
-  %sqrt.i161.i = tail call double @llvm.sqrt.f64(double %.1380.i160.i)
-  %.1386.i162.i = fmul double %sqrt.i161.i, 5.000000e-01
-  %.1388.i163.i = fcmp ole double %.1352.2.i159.i, %.1386.i162.i
-  %brmerge.i164.i = or i1 %49, %.1388.i163.i
-  br i1 %brmerge.i164.i, label %B482.endif.endif.i, label %B92.endif.backedge.i68.i
-
-B705.i67.i:                                       ; preds = %B92.endif.i57.i, %B632.i75.i, %B158.i71.i
-  br i1 %49, label %B536.i, label %B92.endif.backedge.i68.i
-
-B92.endif.backedge.i68.i:                         ; preds = %B705.i67.i, %B644.i118.i
-  %lsr.iv.next.i69.i = add nuw i64 %lsr.iv.i58.i, 1
-  br label %B92.endif.i57.i
-
-B92.endif.i57.i:                                  ; preds = %B92.endif.backedge.i68.i, %B92.lr.ph.i30.i
-  %lsr.iv.i58.i = phi i64 [ %lsr.iv.next.i69.i, %B92.endif.backedge.i68.i ], [ 1, %B92.lr.ph.i30.i ]
-  %48 = shl i64 %lsr.iv.i58.i, 3
-  %scevgep.i59.i = getelementptr i8, ptr %45, i64 %48
-  %scevgep18.i60.i = getelementptr i8, ptr %scevgep.i59.i, i64 -8
-  %.339.i61.i = load i64, ptr %scevgep18.i60.i, align 8
-  %49 = icmp eq i64 %.158.i28.i, %lsr.iv.i58.i
-  %iv.rem.i62.i = select i1 %49, i64 0, i64 %lsr.iv.i58.i
-  %50 = getelementptr i64, ptr %45, i64 %iv.rem.i62.i
-  %.432.i63.i = load i64, ptr %50, align 8
-  %.84.i12.i64.i = icmp ne i64 %one.2.2.i, %.339.i61.i
-  %.84.1.i13.i65.i = icmp ne i64 %two.2.2.i, %.339.i61.i
-  %or.cond.i14.not.i66.i = select i1 %.84.i12.i64.i, i1 %.84.1.i13.i65.i, i1 false
-  br i1 %or.cond.i14.not.i66.i, label %B158.i71.i, label %B705.i67.i
-
-B520.i:                                           ; preds = %B482.endif.endif.i, %B444.endif.endif.i
-  %sunkaddr337.i = shl i64 %.369.i, 3
-  %sunkaddr338.i = getelementptr i8, ptr %w27, i64 %sunkaddr337.i
-  store i64 -1, ptr %sunkaddr338.i, align 8
-  br label %B733.i
-
-B536.i:                                           ; preds = %B705.i67.i, %B482.endif.endif.i, %B320.endif.endif.i, %B482.i
-  %.59.i.i.i = select i1 %.1115.i, i64 %w4, i64 0
-  %.60.i.i.i = add i64 %.59.i.i.i, %one.2.2.i
-  %.80.i.i.i = mul i64 %.60.i.i.i, %w5
-  %.84.i.i1.i = getelementptr i64, ptr %w3, i64 %.80.i.i.i
-  %.85.i.i.i = load i64, ptr %.84.i.i1.i, align 8
-  %.87.not.i.i.i = icmp eq i64 %.85.i.i.i, %two.2.2.i
-  br i1 %.87.not.i.i.i, label %B0.endif.i.i, label %B36.preheader.i.i.i
-
-B36.preheader.i.i.i:                              ; preds = %B536.i
-  %51 = shl i64 %.80.i.i.i, 3
-  %52 = getelementptr i8, ptr %w3, i64 %51
-  %scevgep.i.i.i = getelementptr i8, ptr %52, i64 8
-  br label %B36.i.i.i
-
-B36.i.i.i:                                        ; preds = %B36.i.i.i, %B36.preheader.i.i.i
-  %slot.2.0.i.i.i = phi i64 [ %.90.i.i.i, %B36.i.i.i ], [ 0, %B36.preheader.i.i.i ]
-  %.90.i.i.i = add i64 %slot.2.0.i.i.i, 1
-  %53 = shl i64 %slot.2.0.i.i.i, 3
-  %scevgep1.i.i.i = getelementptr i8, ptr %scevgep.i.i.i, i64 %53
-  %.145.i.i.i = load i64, ptr %scevgep1.i.i.i, align 8
-  %.147.not.i.i.i = icmp eq i64 %.145.i.i.i, %two.2.2.i
-  br i1 %.147.not.i.i.i, label %B0.endif.i.i, label %B36.i.i.i
-
-B274.i.i:                                         ; preds = %B274.lr.ph.i.i, %B526.i.i
-  %.612978980.i.i = phi i64 [ 0, %B274.lr.ph.i.i ], [ %.619.i.i, %B526.i.i ]
-  %.619.i.i = add nuw nsw i64 %.612978980.i.i, 1
-  %54 = shl i64 %.612978980.i.i, 3
-  %scevgep81.i.i = getelementptr i8, ptr %w35, i64 %54
-  store i64 -1, ptr %scevgep81.i.i, align 8
-  %scevgep82.i.i = getelementptr i8, ptr %5, i64 %54
-  store i64 0, ptr %scevgep82.i.i, align 8
-  %.791.i.i = load i64, ptr %sunkaddr30.i.i, align 8
-  %.792.i.i = add nsw i64 %.791.i.i, -1
-  %.794.i.i = icmp slt i64 %.612978980.i.i, %.792.i.i
-  br i1 %.794.i.i, label %B336.i.i, label %B376.i.i
-
-B336.i.i:                                         ; preds = %B274.i.i
-  %55 = add i64 %.612978980.i.i, %.139.i.i
-  %.833.i.i = icmp eq i64 %.791.i.i, 0
-  br i1 %.833.i.i, label %B432.i.i, label %B336.else.i.i
-
-B376.i.i:                                         ; preds = %B274.i.i
-  %56 = add i64 %.612978980.i.i, %slot.3.1.i33.i.i
-  %57 = sub i64 %56, %.791.i.i
-  %.945.i.i = load i64, ptr %sunkaddr31.i.i, align 8
-  %.948.i.i = icmp eq i64 %.945.i.i, 0
-  br i1 %.948.i.i, label %B432.i.i, label %B376.else.i.i
-
-B432.i.i:                                         ; preds = %134, %B376.else.i.i, %123, %B336.else.i.i, %B376.i.i, %B336.i.i
-  %at.3.1.i.i = phi i64 [ %spec.select970.i.i, %123 ], [ 0, %B336.i.i ], [ 0, %B336.else.i.i ], [ %spec.select971.i.i, %134 ], [ 0, %B376.i.i ], [ 0, %B376.else.i.i ]
-  %source.2.1.i.i = phi i64 [ %one.2.2.i, %123 ], [ %one.2.2.i, %B336.i.i ], [ %one.2.2.i, %B336.else.i.i ], [ %two.2.2.i, %134 ], [ %two.2.2.i, %B376.i.i ], [ %two.2.2.i, %B376.else.i.i ]
-  %.994.i.i = icmp slt i64 %.612978980.i.i, %.510.i.i
-  br i1 %.994.i.i, label %B444.i.i, label %B526.i.i
-
-B444.i.i:                                         ; preds = %B432.i.i
-  %.1020.i.i = icmp slt i64 %source.2.1.i.i, 0
-  %.1021.i.i = select i1 %.1020.i.i, i64 %w4, i64 0
-  %.1022.i11.i = add i64 %.1021.i.i, %source.2.1.i.i
-  %.1023.i12.i = icmp slt i64 %at.3.1.i.i, 0
-  %.1024.i13.i = select i1 %.1023.i12.i, i64 %w5, i64 0
-  %.1042.i.i = mul i64 %.1022.i11.i, %w5
-  %58 = getelementptr i64, ptr %w3, i64 %.1042.i.i
-  %59 = getelementptr i64, ptr %58, i64 %at.3.1.i.i
-  %.1046.i.i = getelementptr i64, ptr %59, i64 %.1024.i13.i
-  %.1047.i.i = load i64, ptr %.1046.i.i, align 8
-  store i64 %.1047.i.i, ptr %scevgep81.i.i, align 8
-  %.1130.i14.i = select i1 %.1020.i.i, i64 %w9, i64 0
-  %.1131.i.i = add i64 %.1130.i14.i, %source.2.1.i.i
-  %.1133.i.i = select i1 %.1023.i12.i, i64 %w10, i64 0
-  %.1151.i.i = mul i64 %.1131.i.i, %w10
-  %60 = getelementptr i64, ptr %w8, i64 %.1151.i.i
-  %61 = getelementptr i64, ptr %60, i64 %at.3.1.i.i
-  %.1155.i.i = getelementptr i64, ptr %61, i64 %.1133.i.i
-  %.1156.i.i = load i64, ptr %.1155.i.i, align 8
-  %.1159.i.i = icmp eq i64 %source.2.1.i.i, %two.2.2.i
-  %spec.select.i.i = select i1 %.1159.i.i, i64 %.443.i.i, i64 0
-  %.1176.i.i = add nsw i64 %.1156.i.i, %spec.select.i.i
-  store i64 %.1176.i.i, ptr %scevgep82.i.i, align 8
-  br label %B526.i.i
-
-B526.i.i:                                         ; preds = %B444.i.i, %B432.i.i
-  %exitcond.not.i.i = icmp eq i64 %w5, %.619.i.i
-  br i1 %exitcond.not.i.i, label %B528.endif.loopexit.i.i, label %B274.i.i
-
-B572.i.i:                                         ; preds = %B528.endif.i.i, %B1037.i.i
-  %.13709911003.i.i = phi i64 [ %.1377.i.i, %B1037.i.i ], [ 0, %B528.endif.i.i ]
-  %.1377.i.i = add nuw nsw i64 %.13709911003.i.i, 1
-  %62 = getelementptr i64, ptr %.84.i22.i.i, i64 %.13709911003.i.i
-  %.1452.i.i = load i64, ptr %62, align 8
-  %.1458.i.i = icmp eq i64 %.1452.i.i, %one.2.2.i
-  br i1 %.1458.i.i, label %B1037.i.i, label %B608.i.i
-
-B608.i.i:                                         ; preds = %B572.i.i
-  %.58.i1.i.i = icmp slt i64 %.1452.i.i, 0
-  %.59.i2.i.i = select i1 %.58.i1.i.i, i64 %w4, i64 0
-  %.60.i3.i.i = add i64 %.59.i2.i.i, %.1452.i.i
-  %.80.i4.i.i = mul i64 %.60.i3.i.i, %w5
-  %.84.i5.i.i = getelementptr i64, ptr %w3, i64 %.80.i4.i.i
-  %.85.i6.i.i = load i64, ptr %.84.i5.i.i, align 8
-  %.87.not.i7.i.i = icmp eq i64 %.85.i6.i.i, %two.2.2.i
-  br i1 %.87.not.i7.i.i, label %B608.endif.i.i, label %B36.preheader.i8.i.i
-
-B36.preheader.i8.i.i:                             ; preds = %B608.i.i
-  %63 = shl i64 %.80.i4.i.i, 3
-  %64 = getelementptr i8, ptr %w3, i64 %63
-  %scevgep.i9.i.i = getelementptr i8, ptr %64, i64 8
-  br label %B36.i10.i.i
-
-B36.i10.i.i:                                      ; preds = %B36.i10.i.i, %B36.preheader.i8.i.i
-  %slot.2.0.i11.i.i = phi i64 [ %.90.i12.i.i, %B36.i10.i.i ], [ 0, %B36.preheader.i8.i.i ]
-  %.90.i12.i.i = add i64 %slot.2.0.i11.i.i, 1
-  %65 = shl i64 %slot.2.0.i11.i.i, 3
-  %scevgep1.i13.i.i = getelementptr i8, ptr %scevgep.i9.i.i, i64 %65
-  %.145.i14.i.i = load i64, ptr %scevgep1.i13.i.i, align 8
-  %.147.not.i15.i.i = icmp eq i64 %.145.i14.i.i, %two.2.2.i
-  br i1 %.147.not.i15.i.i, label %B608.endif.i.i, label %B36.i10.i.i
-
-B666.i.i:                                         ; preds = %B608.endif.i.i
-  %66 = getelementptr i64, ptr %.84.i5.i.i, i64 %slot.3.1.i16.i.i
-  store i64 %one.2.2.i, ptr %66, align 8
-  %.1588.i.i = select i1 %.58.i1.i.i, i64 %w9, i64 0
-  %.1589.i.i = add i64 %.1588.i.i, %.1452.i.i
-  %.1609.i.i = mul i64 %.1589.i.i, %w10
-  %67 = getelementptr i64, ptr %w8, i64 %.1609.i.i
-  %68 = getelementptr i64, ptr %67, i64 %slot.3.1.i16.i.i
-  %.1614.i.i = load i64, ptr %68, align 8
-  %.1616.i.i = sub nsw i64 %.1614.i.i, %.443.i.i
-  store i64 %.1616.i.i, ptr %68, align 8
-  br label %B1037.i.i
-
-B796.i.i:                                         ; preds = %B796.prol.loopexit.i.i, %B796.i.i
-  %.1848984986.i.i = phi i64 [ %79, %B796.i.i ], [ %.1848984986.unr.i.i, %B796.prol.loopexit.i.i ]
-  %.1907.i.i = icmp slt i64 %.1848984986.i.i, -1
-  %69 = shl i64 %.1848984986.i.i, 3
-  %70 = select i1 %.1907.i.i, i64 %6, i64 8
-  %scevgep25.i.i = getelementptr i8, ptr %.84.i5.i.i, i64 %70
-  %scevgep26.i.i = getelementptr i8, ptr %scevgep25.i.i, i64 %69
-  %.1931.i.i = load i64, ptr %scevgep26.i.i, align 8
-  %71 = select i1 %.1907.i.i, i64 %7, i64 8
-  %scevgep23.i.i = getelementptr i8, ptr %137, i64 %71
-  %scevgep24.i.i = getelementptr i8, ptr %scevgep23.i.i, i64 %69
-  %.1983.i.i = load i64, ptr %scevgep24.i.i, align 8
-  %.2010.i.i = icmp slt i64 %.1848984986.i.i, 0
-  %72 = select i1 %.2010.i.i, i64 %s8, i64 0
-  %scevgep67.i.i = getelementptr i8, ptr %.84.i5.i.i, i64 %72
-  %scevgep22.i.i = getelementptr i8, ptr %scevgep67.i.i, i64 %69
-  store i64 %.1931.i.i, ptr %scevgep22.i.i, align 8
-  %73 = select i1 %.2010.i.i, i64 %s16, i64 0
-  %scevgep65.i.i = getelementptr i8, ptr %137, i64 %73
-  %scevgep21.i.i = getelementptr i8, ptr %scevgep65.i.i, i64 %69
-  store i64 %.1983.i.i, ptr %scevgep21.i.i, align 8
-  %74 = add i64 %.1848984986.i.i, 1
-  %.1907.1.i.i = icmp slt i64 %74, -1
-  %75 = select i1 %.1907.1.i.i, i64 %8, i64 16
-  %scevgep19.i.i = getelementptr i8, ptr %.84.i5.i.i, i64 %75
-  %scevgep20.i.i = getelementptr i8, ptr %scevgep19.i.i, i64 %69
-  %.1931.1.i.i = load i64, ptr %scevgep20.i.i, align 8
-  %76 = select i1 %.1907.1.i.i, i64 %9, i64 16
-  %scevgep17.i.i = getelementptr i8, ptr %137, i64 %76
-  %scevgep18.i6.i = getelementptr i8, ptr %scevgep17.i.i, i64 %69
-  %.1983.1.i.i = load i64, ptr %scevgep18.i6.i, align 8
-  %.2010.1.i.i = icmp slt i64 %74, 0
-  %77 = select i1 %.2010.1.i.i, i64 %6, i64 8
-  %scevgep15.i.i = getelementptr i8, ptr %.84.i5.i.i, i64 %77
-  %scevgep16.i.i = getelementptr i8, ptr %scevgep15.i.i, i64 %69
-  store i64 %.1931.1.i.i, ptr %scevgep16.i.i, align 8
-  %78 = select i1 %.2010.1.i.i, i64 %7, i64 8
-  %scevgep13.i.i = getelementptr i8, ptr %137, i64 %78
-  %scevgep14.i.i = getelementptr i8, ptr %scevgep13.i.i, i64 %69
-  store i64 %.1983.1.i.i, ptr %scevgep14.i.i, align 8
-  %79 = add i64 %.1848984986.i.i, 2
-  %exitcond.not36.1.i.i = icmp eq i64 %79, %.1697.i.i
-  br i1 %exitcond.not36.1.i.i, label %B874.loopexit.i.i, label %B796.i.i
-
-B874.loopexit.i.i:                                ; preds = %B796.i.i, %B796.prol.loopexit.i.i
-  %sunkaddr93.i.i = shl i64 %.1681.i.i, 3
-  %sunkaddr94.i.i = getelementptr inbounds i8, ptr %136, i64 %sunkaddr93.i.i
-  %.2121.pre.i.i = load i64, ptr %sunkaddr94.i.i, align 8
-  br label %B874.i.i
-
-B874.i.i:                                         ; preds = %B718.endif.i.i, %B874.loopexit.i.i
-  %.2121.i.i = phi i64 [ %.2121.pre.i.i, %B874.loopexit.i.i ], [ %.1697.i.i, %B718.endif.i.i ]
-  %.2150.i.i = icmp slt i64 %.2121.i.i, 0
-  %.2151.i.i = select i1 %.2150.i.i, i64 %w5, i64 0
-  %80 = getelementptr i64, ptr %.84.i5.i.i, i64 %.2121.i.i
-  %.2173.i.i = getelementptr i64, ptr %80, i64 %.2151.i.i
-  store i64 -1, ptr %.2173.i.i, align 8
-  br label %B1037.i.i
-
-B956.i.i:                                         ; preds = %B956.lr.ph.new.i.i, %B956.i.i
-  %.228410101012.i.i = phi i64 [ 0, %B956.lr.ph.new.i.i ], [ %.2291.1.i.i, %B956.i.i ]
-  %81 = shl i64 %.228410101012.i.i, 3
-  %sunkaddr37.i.i = getelementptr i8, ptr %w35, i64 %81
-  %.2369.i.i = load i64, ptr %sunkaddr37.i.i, align 8
-  %scevgep45.i.i = getelementptr i8, ptr %scevgep43.i.i, i64 %81
-  %scevgep12.i.i = getelementptr i8, ptr %scevgep45.i.i, i64 -8
-  store i64 %.2369.i.i, ptr %scevgep12.i.i, align 8
-  %scevgep2.i.i = getelementptr i8, ptr %scevgep47.i.i, i64 %81
-  %scevgep3.i8.i = getelementptr i8, ptr %scevgep2.i.i, i64 -8
-  store i64 -1, ptr %scevgep3.i8.i, align 8
-  %scevgep4.i.i = getelementptr i8, ptr %scevgep51.i.i, i64 %81
-  %scevgep6.i.i = getelementptr i8, ptr %scevgep4.i.i, i64 -8
-  %.2525.i.i = load i64, ptr %scevgep6.i.i, align 8
-  %scevgep.i9.i = getelementptr i8, ptr %scevgep55.i.i, i64 %81
-  %scevgep1.i.i = getelementptr i8, ptr %scevgep.i9.i, i64 -8
-  store i64 %.2525.i.i, ptr %scevgep1.i.i, align 8
-  %.2291.1.i.i = add nuw i64 %.228410101012.i.i, 2
-  %sunkaddr40.i.i = getelementptr i8, ptr %sunkaddr37.i.i, i64 8
-  %.2369.1.i.i = load i64, ptr %sunkaddr40.i.i, align 8
-  store i64 %.2369.1.i.i, ptr %scevgep45.i.i, align 8
-  store i64 -1, ptr %scevgep2.i.i, align 8
-  %.2525.1.i.i = load i64, ptr %scevgep4.i.i, align 8
-  store i64 %.2525.1.i.i, ptr %scevgep.i9.i, align 8
-  %niter.ncmp.1.i.i = icmp eq i64 %unroll_iter.i7.i, %.2291.1.i.i
-  br i1 %niter.ncmp.1.i.i, label %common.ret.loopexit.unr-lcssa.i10.i, label %B956.i.i
-
-common.ret.loopexit.unr-lcssa.i10.i:              ; preds = %B956.i.i
-  br i1 %lcmp.mod38.not.i.i, label %_ZN7msf_jax4host4meso7kernels11merge_ringsB3v62B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedExx5ArrayIxLi2E1C7mutable7alignedE.exit.i, label %B956.epil.preheader.i.i
-
-B956.epil.preheader.i.i:                          ; preds = %B956.lr.ph.i.i, %common.ret.loopexit.unr-lcssa.i10.i
-  %.2369.epil.i.i = load i64, ptr %.2368.epil.i.i, align 8
-  %.2419.epil.i.i = getelementptr i64, ptr %.84.i.i1.i, i64 %unroll_iter.i7.i
-  store i64 %.2369.epil.i.i, ptr %.2419.epil.i.i, align 8
-  %.2470.epil.i.i = getelementptr i64, ptr %.84.i22.i.i, i64 %unroll_iter.i7.i
-  store i64 -1, ptr %.2470.epil.i.i, align 8
-  %.2525.epil.i.i = load i64, ptr %.2524.epil.i.i, align 8
-  %82 = getelementptr i64, ptr %109, i64 %unroll_iter.i7.i
-  store i64 %.2525.epil.i.i, ptr %82, align 8
-  br label %_ZN7msf_jax4host4meso7kernels11merge_ringsB3v62B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedExx5ArrayIxLi2E1C7mutable7alignedE.exit.i
-
-B1037.i.i:                                        ; preds = %B874.i.i, %B666.i.i, %B572.i.i
-  %exitcond1018.not.i.i = icmp eq i64 %.1377.i.i, %.1284.i.i
-  br i1 %exitcond1018.not.i.i, label %B902.endif.i.i, label %B572.i.i
-
-B0.endif.i.i:                                     ; preds = %B36.i.i.i, %B536.i
-  %slot.3.1.i.i.i = phi i64 [ 0, %B536.i ], [ %.90.i.i.i, %B36.i.i.i ]
-  %.58.i18.i.i = icmp slt i64 %two.2.2.i, 0
-  %.59.i19.i.i = select i1 %.58.i18.i.i, i64 %w4, i64 0
-  %.60.i20.i.i = add i64 %.59.i19.i.i, %two.2.2.i
-  %.80.i21.i.i = mul i64 %.60.i20.i.i, %w5
-  %.84.i22.i.i = getelementptr i64, ptr %w3, i64 %.80.i21.i.i
-  %.85.i23.i.i = load i64, ptr %.84.i22.i.i, align 8
-  %.87.not.i24.i.i = icmp eq i64 %.85.i23.i.i, %one.2.2.i
-  br i1 %.87.not.i24.i.i, label %B0.endif.endif.i.i, label %B36.i27.i.i
-
-B36.i27.i.i:                                      ; preds = %B0.endif.i.i, %B36.i27.i.i
-  %lsr.iv.i2.i = phi i64 [ %lsr.iv.next.i3.i, %B36.i27.i.i ], [ 3, %B0.endif.i.i ]
-  %83 = shl i64 %lsr.iv.i2.i, 3
-  %scevgep83.i.i = getelementptr i8, ptr %.84.i22.i.i, i64 %83
-  %scevgep84.i.i = getelementptr i8, ptr %scevgep83.i.i, i64 -16
-  %.145.i31.i.i = load i64, ptr %scevgep84.i.i, align 8
-  %.147.not.i32.i.i = icmp eq i64 %.145.i31.i.i, %one.2.2.i
-  %lsr.iv.next.i3.i = add i64 %lsr.iv.i2.i, 1
-  br i1 %.147.not.i32.i.i, label %B0.endif.endif.i.i, label %B36.i27.i.i
-
-B0.endif.endif.i.i:                               ; preds = %B36.i27.i.i, %B0.endif.i.i
-  %slot.3.1.i33.i.i = phi i64 [ 3, %B0.endif.i.i ], [ %lsr.iv.next.i3.i, %B36.i27.i.i ]
-  %.139.i.i = add i64 %slot.3.1.i.i.i, 1
-  %.155.i.i = select i1 %.1115.i, i64 %w7, i64 0
-  %84 = getelementptr i64, ptr %w6, i64 %one.2.2.i
-  %.169.i.i = getelementptr i64, ptr %84, i64 %.155.i.i
-  %.170.i.i = load i64, ptr %.169.i.i, align 8
-  %.173.i.i = icmp eq i64 %.170.i.i, 0
-  br i1 %.173.i.i, label %B0.endif.endif.endif.endif.endif.thread.i.i, label %B0.endif.endif.endif.i.i
-
-B0.endif.endif.endif.i.i:                         ; preds = %B0.endif.endif.i.i
-  %85 = or i64 %.170.i.i, %.139.i.i
-  %86 = icmp ult i64 %85, 4294967296
-  br i1 %86, label %87, label %92
-
-87:                                               ; preds = %B0.endif.endif.endif.i.i
-  %88 = trunc nuw i64 %.170.i.i to i32
-  %89 = trunc nuw i64 %.139.i.i to i32
-  %90 = urem i32 %89, %88
-  %91 = zext i32 %90 to i64
-  br label %94
-
-92:                                               ; preds = %B0.endif.endif.endif.i.i
-  %93 = srem i64 %.139.i.i, %.170.i.i
-  br label %94
-
-94:                                               ; preds = %92, %87
-  %95 = phi i64 [ %91, %87 ], [ %93, %92 ]
-  %.191.i.i = xor i64 %95, %.170.i.i
-  %.192.i.i = icmp slt i64 %.191.i.i, 0
-  %.193.i.i = icmp ne i64 %95, 0
-  %.194.i.i = and i1 %.193.i.i, %.192.i.i
-  %.201.i.i = select i1 %.194.i.i, i64 %.170.i.i, i64 0
-  %spec.select968.i.i = add i64 %.201.i.i, %95
-  %spec.select968.fr.i.i = freeze i64 %spec.select968.i.i
-  %.237.i.i = icmp slt i64 %spec.select968.fr.i.i, 0
-  %spec.select1040.i.i = select i1 %.237.i.i, i64 %w5, i64 0
-  %96 = getelementptr i64, ptr %.84.i.i1.i, i64 %spec.select968.fr.i.i
-  %.2601034.i.i = getelementptr i64, ptr %96, i64 %spec.select1040.i.i
-  %.2611035.i.i = load i64, ptr %.2601034.i.i, align 8
-  %.2631036.i.i = add nsw i64 %slot.3.1.i.i.i, -1
-  %.308.i.i = icmp ne i64 %.2631036.i.i, -9223372036854775808
-  %.309.i.i = icmp ne i64 %.170.i.i, -1
-  %.310.not.i.i = or i1 %.308.i.i, %.309.i.i
-  br i1 %.310.not.i.i, label %B0.endif.endif.endif.else.if.i.i, label %B0.endif.endif.endif.endif.endif.thread.i.i
-
-B0.endif.endif.endif.else.if.i.i:                 ; preds = %94
-  %97 = or i64 %.170.i.i, %.2631036.i.i
-  %98 = icmp ult i64 %97, 4294967296
-  br i1 %98, label %99, label %104
-
-99:                                               ; preds = %B0.endif.endif.endif.else.if.i.i
-  %100 = trunc nuw i64 %.170.i.i to i32
-  %101 = trunc nuw i64 %.2631036.i.i to i32
-  %102 = urem i32 %101, %100
-  %103 = zext i32 %102 to i64
-  br label %106
-
-104:                                              ; preds = %B0.endif.endif.endif.else.if.i.i
-  %105 = srem i64 %.2631036.i.i, %.170.i.i
-  br label %106
-
-106:                                              ; preds = %104, %99
-  %107 = phi i64 [ %103, %99 ], [ %105, %104 ]
-  %.315.i.i = xor i64 %107, %.170.i.i
-  %.316.i.i = icmp slt i64 %.315.i.i, 0
-  %.317.i.i = icmp ne i64 %107, 0
-  %.318.i.i = and i1 %.317.i.i, %.316.i.i
-  %.325.i.i = select i1 %.318.i.i, i64 %.170.i.i, i64 0
-  %spec.select969.i.i = add i64 %.325.i.i, %107
-  %spec.select969.fr.i.i = freeze i64 %spec.select969.i.i
-  %.361.i.i = icmp slt i64 %spec.select969.fr.i.i, 0
-  %.362.i.i = select i1 %.361.i.i, i64 %w5, i64 0
-  %108 = getelementptr i64, ptr %.84.i.i1.i, i64 %.362.i.i
-  %.384.phi.trans.insert.i.i = getelementptr i64, ptr %108, i64 %spec.select969.fr.i.i
-  %.385.pre.i.i = load i64, ptr %.384.phi.trans.insert.i.i, align 8
-  br label %B0.endif.endif.endif.endif.endif.thread.i.i
-
-B0.endif.endif.endif.endif.endif.thread.i.i:      ; preds = %106, %94, %B0.endif.endif.i.i
-  %.385.i.i = phi i64 [ %.85.i.i.i, %94 ], [ %.385.pre.i.i, %106 ], [ %.85.i.i.i, %B0.endif.endif.i.i ]
-  %.2611038.i.i = phi i64 [ %.2611035.i.i, %94 ], [ %.2611035.i.i, %106 ], [ %.85.i.i.i, %B0.endif.endif.i.i ]
-  %.417.i.i = select i1 %.1115.i, i64 %w9, i64 0
-  %.418.i.i = add i64 %.417.i.i, %one.2.2.i
-  %.438.i.i = mul i64 %.418.i.i, %w10
-  %109 = getelementptr i64, ptr %w8, i64 %.438.i.i
-  %110 = getelementptr i64, ptr %109, i64 %slot.3.1.i.i.i
-  %.443.i.i = load i64, ptr %110, align 8
-  %.493.i.i = select i1 %.58.i18.i.i, i64 %w7, i64 0
-  %111 = getelementptr i64, ptr %w6, i64 %two.2.2.i
-  %.507.i.i = getelementptr i64, ptr %111, i64 %.493.i.i
-  %.508.i.i = load i64, ptr %.507.i.i, align 8
-  %.509.i.i = add i64 %.170.i.i, -4
-  %.510.i.i = add i64 %.509.i.i, %.508.i.i
-  br i1 %.564.i.i, label %B274.lr.ph.i.i, label %B528.endif.i.i
-
-B274.lr.ph.i.i:                                   ; preds = %B0.endif.endif.endif.endif.endif.thread.i.i
-  %112 = xor i64 %slot.3.1.i33.i.i, -9223372036854775808
-  %113 = add i64 %slot.3.1.i.i.i, 9223372036854775807
-  %sunkaddr29.i.i = shl i64 %.155.i.i, 3
-  %sunkaddr30.i.i = getelementptr i8, ptr %84, i64 %sunkaddr29.i.i
-  %sunkaddr.i.i = shl i64 %.493.i.i, 3
-  %sunkaddr31.i.i = getelementptr i8, ptr %111, i64 %sunkaddr.i.i
-  br label %B274.i.i
-
-B336.else.i.i:                                    ; preds = %B336.i.i
-  %114 = add i64 %113, %.612978980.i.i
-  %.844.i.i = icmp ne i64 %114, -2
-  %.845.i16.i = icmp ne i64 %.791.i.i, -1
-  %.846.not.i.i = or i1 %.844.i.i, %.845.i16.i
-  br i1 %.846.not.i.i, label %B336.else.if.i.i, label %B432.i.i
-
-B336.else.if.i.i:                                 ; preds = %B336.else.i.i
-  %115 = or i64 %.791.i.i, %55
-  %116 = icmp ult i64 %115, 4294967296
-  br i1 %116, label %117, label %121
-
-117:                                              ; preds = %B336.else.if.i.i
-  %118 = trunc nuw i64 %.791.i.i to i32
-  %tmp27.i.i = trunc nuw i64 %55 to i32
-  %119 = urem i32 %tmp27.i.i, %118
-  %120 = zext i32 %119 to i64
-  br label %123
-
-121:                                              ; preds = %B336.else.if.i.i
-  %122 = srem i64 %55, %.791.i.i
-  br label %123
-
-123:                                              ; preds = %121, %117
-  %124 = phi i64 [ %120, %117 ], [ %122, %121 ]
-  %.851.i17.i = xor i64 %124, %.791.i.i
-  %.852.i.i = icmp slt i64 %.851.i17.i, 0
-  %.853.i.i = icmp ne i64 %124, 0
-  %.854.i.i = and i1 %.853.i.i, %.852.i.i
-  %.861.i.i = select i1 %.854.i.i, i64 %.791.i.i, i64 0
-  %spec.select970.i.i = add i64 %.861.i.i, %124
-  br label %B432.i.i
-
-B376.else.i.i:                                    ; preds = %B376.i.i
-  %125 = add i64 %.612978980.i.i, %112
-  %.959.i.i = icmp ne i64 %125, %.791.i.i
-  %.960.i.i = icmp ne i64 %.945.i.i, -1
-  %.961.not.i.i = or i1 %.959.i.i, %.960.i.i
-  br i1 %.961.not.i.i, label %B376.else.if.i.i, label %B432.i.i
-
-B376.else.if.i.i:                                 ; preds = %B376.else.i.i
-  %126 = or i64 %.945.i.i, %57
-  %127 = icmp ult i64 %126, 4294967296
-  br i1 %127, label %128, label %132
-
-128:                                              ; preds = %B376.else.if.i.i
-  %129 = trunc nuw i64 %.945.i.i to i32
-  %tmp.i.i = trunc nuw i64 %57 to i32
-  %130 = urem i32 %tmp.i.i, %129
-  %131 = zext i32 %130 to i64
-  br label %134
-
-132:                                              ; preds = %B376.else.if.i.i
-  %133 = srem i64 %57, %.945.i.i
-  br label %134
-
-134:                                              ; preds = %132, %128
-  %135 = phi i64 [ %131, %128 ], [ %133, %132 ]
-  %.966.i15.i = xor i64 %135, %.945.i.i
-  %.967.i.i = icmp slt i64 %.966.i15.i, 0
-  %.968.i.i = icmp ne i64 %135, 0
-  %.969.i.i = and i1 %.968.i.i, %.967.i.i
-  %.976.i.i = select i1 %.969.i.i, i64 %.945.i.i, i64 0
-  %spec.select971.i.i = add i64 %.976.i.i, %135
-  br label %B432.i.i
-
-B528.endif.loopexit.i.i:                          ; preds = %B526.i.i
-  %.1284.pre.i.i = load i64, ptr %sunkaddr31.i.i, align 8
-  br label %B528.endif.i.i
-
-B528.endif.i.i:                                   ; preds = %B528.endif.loopexit.i.i, %B0.endif.endif.endif.endif.endif.thread.i.i
-  %.1284.i.i = phi i64 [ %.1284.pre.i.i, %B528.endif.loopexit.i.i ], [ %.508.i.i, %B0.endif.endif.endif.endif.endif.thread.i.i ]
-  %.13641000.not.i.i = icmp slt i64 %.1284.i.i, 1
-  br i1 %.13641000.not.i.i, label %B902.endif.i.i, label %B572.i.i
-
-B608.endif.i.i:                                   ; preds = %B36.i10.i.i, %B608.i.i
-  %slot.3.1.i16.i.i = phi i64 [ 0, %B608.i.i ], [ %.90.i12.i.i, %B36.i10.i.i ]
-  %.1500.i.i = icmp ne i64 %.1452.i.i, %.2611038.i.i
-  %.1504.i.i = icmp ne i64 %.1452.i.i, %.385.i.i
-  %or.cond.i.i = select i1 %.1500.i.i, i1 %.1504.i.i, i1 false
-  br i1 %or.cond.i.i, label %B666.i.i, label %B718.endif.i.i
-
-B718.endif.i.i:                                   ; preds = %B608.endif.i.i
-  %.1681.i.i = select i1 %.58.i1.i.i, i64 %w7, i64 0
-  %136 = getelementptr i64, ptr %w6, i64 %.1452.i.i
-  %.1695.i.i = getelementptr i64, ptr %136, i64 %.1681.i.i
-  %.1696.i.i = load i64, ptr %.1695.i.i, align 8
-  %.1697.i.i = add nsw i64 %.1696.i.i, -1
-  store i64 %.1697.i.i, ptr %.1695.i.i, align 8
-  %.1799.i.i = sub i64 %.1697.i.i, %slot.3.1.i16.i.i
-  %.1842985.not.i.i = icmp slt i64 %.1799.i.i, 1
-  br i1 %.1842985.not.i.i, label %B874.i.i, label %B796.lr.ph.i.i
-
-B796.lr.ph.i.i:                                   ; preds = %B718.endif.i.i
-  %.1957.i.i = select i1 %.58.i1.i.i, i64 %w9, i64 0
-  %.1958.i.i = add i64 %.1957.i.i, %.1452.i.i
-  %.1978.i.i = mul i64 %.1958.i.i, %w10
-  %137 = getelementptr i64, ptr %w8, i64 %.1978.i.i
-  %138 = add i64 %.1696.i.i, -2
-  %xtraiter.i4.i = and i64 %.1799.i.i, 1
-  %lcmp.mod.not.i5.i = icmp eq i64 %xtraiter.i4.i, 0
-  br i1 %lcmp.mod.not.i5.i, label %B796.prol.loopexit.i.i, label %B796.prol.i.i
-
-B796.prol.i.i:                                    ; preds = %B796.lr.ph.i.i
-  %.1855.prol.i.i = add i64 %slot.3.1.i16.i.i, 1
-  %.1907.prol.i.i = icmp slt i64 %slot.3.1.i16.i.i, -1
-  %.1908.prol.i.i = select i1 %.1907.prol.i.i, i64 %w5, i64 0
-  %139 = getelementptr i64, ptr %.84.i5.i.i, i64 %.1855.prol.i.i
-  %.1930.prol.i.i = getelementptr i64, ptr %139, i64 %.1908.prol.i.i
-  %.1931.prol.i.i = load i64, ptr %.1930.prol.i.i, align 8
-  %.1960.prol.i.i = select i1 %.1907.prol.i.i, i64 %w10, i64 0
-  %140 = getelementptr i64, ptr %137, i64 %.1855.prol.i.i
-  %.1982.prol.i.i = getelementptr i64, ptr %140, i64 %.1960.prol.i.i
-  %.1983.prol.i.i = load i64, ptr %.1982.prol.i.i, align 8
-  %141 = getelementptr i64, ptr %.84.i5.i.i, i64 %slot.3.1.i16.i.i
-  store i64 %.1931.prol.i.i, ptr %141, align 8
-  %142 = getelementptr i64, ptr %137, i64 %slot.3.1.i16.i.i
-  store i64 %.1983.prol.i.i, ptr %142, align 8
-  br label %B796.prol.loopexit.i.i
-
-B796.prol.loopexit.i.i:                           ; preds = %B796.prol.i.i, %B796.lr.ph.i.i
-  %.1848984986.unr.i.i = phi i64 [ %slot.3.1.i16.i.i, %B796.lr.ph.i.i ], [ %.1855.prol.i.i, %B796.prol.i.i ]
-  %143 = icmp eq i64 %138, %slot.3.1.i16.i.i
-  br i1 %143, label %B874.loopexit.i.i, label %B796.i.i
-
-B902.endif.i.i:                                   ; preds = %B1037.i.i, %B528.endif.i.i
-  br i1 %.22781011.not.i.i, label %_ZN7msf_jax4host4meso7kernels11merge_ringsB3v62B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedExx5ArrayIxLi2E1C7mutable7alignedE.exit.i, label %B956.lr.ph.i.i
-
-B956.lr.ph.i.i:                                   ; preds = %B902.endif.i.i
-  br i1 %10, label %B956.epil.preheader.i.i, label %B956.lr.ph.new.i.i
-
-B956.lr.ph.new.i.i:                               ; preds = %B956.lr.ph.i.i
-  %144 = shl i64 %.80.i.i.i, 3
-  %145 = getelementptr i8, ptr %w3, i64 %144
-  %scevgep43.i.i = getelementptr i8, ptr %145, i64 8
-  %146 = shl i64 %.80.i21.i.i, 3
-  %147 = getelementptr i8, ptr %w3, i64 %146
-  %scevgep47.i.i = getelementptr i8, ptr %147, i64 8
-  %148 = shl i64 %.438.i.i, 3
-  %149 = getelementptr i8, ptr %w8, i64 %148
-  %scevgep55.i.i = getelementptr i8, ptr %149, i64 8
-  br label %B956.i.i
-
-_ZN7msf_jax4host4meso7kernels11merge_ringsB3v62B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedExx5ArrayIxLi2E1C7mutable7alignedE.exit.i: ; preds = %B902.endif.i.i, %B956.epil.preheader.i.i, %common.ret.loopexit.unr-lcssa.i10.i
-  %sunkaddr100.i.i = shl i64 %.155.i.i, 3
-  %sunkaddr101.i.i = getelementptr i8, ptr %84, i64 %sunkaddr100.i.i
-  store i64 %.510.i.i, ptr %sunkaddr101.i.i, align 8
-  %sunkaddr102.i.i = shl i64 %.493.i.i, 3
-  %sunkaddr103.i.i = getelementptr i8, ptr %111, i64 %sunkaddr102.i.i
-  store i64 0, ptr %sunkaddr103.i.i, align 8
-  %.1442.i = icmp slt i64 %count.2.01084.i, 0
-  %.1443.i = select i1 %.1442.i, i64 %w39, i64 0
-  %.1444.i = add i64 %.1443.i, %count.2.01084.i
-  %.1464.i = mul i64 %.1444.i, %w40
-  %.1468.i = getelementptr i64, ptr %w38, i64 %.1464.i
-  store i64 %one.2.2.i, ptr %.1468.i, align 8
-  %.1524.i = getelementptr i8, ptr %.1468.i, i64 8
-  store i64 %two.2.2.i, ptr %.1524.i, align 8
-  %.1542.i = select i1 %.1442.i, i64 %w42, i64 0
-  %150 = getelementptr double, ptr %w41, i64 %count.2.01084.i
-  %.1556.i = getelementptr double, ptr %150, i64 %.1542.i
-  store double %"$phi438.1.2.2.i", ptr %.1556.i, align 8
-  %.269.i.i = select i1 %.1115.i, i64 %w1, i64 0
-  %.270.i.i = add i64 %.269.i.i, %one.2.2.i
-  %.290.i.i = mul i64 %.270.i.i, %w2
-  %151 = getelementptr double, ptr %w0, i64 %.290.i.i
-  %.321.i.i = select i1 %.58.i18.i.i, i64 %w1, i64 0
-  %.322.i.i = add i64 %.321.i.i, %two.2.2.i
-  %.342.i.i = mul i64 %.322.i.i, %w2
-  %152 = getelementptr double, ptr %w0, i64 %.342.i.i
-  %.295.i.i = load double, ptr %151, align 8
-  %.347.i.i = load double, ptr %152, align 8
-  %.400.i.i = fsub double %.347.i.i, %.295.i.i
-  %.402.i.i = fmul double %"$phi438.1.2.2.i", %.400.i.i
-  %.403.i.i = fadd double %.295.i.i, %.402.i.i
-  store double %.403.i.i, ptr %151, align 8
-  %.294.1.i.i = getelementptr i8, ptr %151, i64 8
-  %.295.1.i.i = load double, ptr %.294.1.i.i, align 8
-  %.346.1.i.i = getelementptr i8, ptr %152, i64 8
-  %.347.1.i.i = load double, ptr %.346.1.i.i, align 8
-  %.400.1.i.i = fsub double %.347.1.i.i, %.295.1.i.i
-  %.402.1.i.i = fmul double %"$phi438.1.2.2.i", %.400.1.i.i
-  %.403.1.i.i = fadd double %.295.1.i.i, %.402.1.i.i
-  store double %.403.1.i.i, ptr %.294.1.i.i, align 8
-  %.294.2.i.i = getelementptr i8, ptr %151, i64 16
-  %.295.2.i.i = load double, ptr %.294.2.i.i, align 8
-  %.346.2.i.i = getelementptr i8, ptr %152, i64 16
-  %.347.2.i.i = load double, ptr %.346.2.i.i, align 8
-  %.400.2.i.i = fsub double %.347.2.i.i, %.295.2.i.i
-  %.402.2.i.i = fmul double %"$phi438.1.2.2.i", %.400.2.i.i
-  %.403.2.i.i = fadd double %.295.2.i.i, %.402.2.i.i
-  store double %.403.2.i.i, ptr %.294.2.i.i, align 8
-  %.419.i.i.i = select i1 %.58.i18.i.i, i64 %w15, i64 0
-  %153 = getelementptr i8, ptr %w14, i64 %two.2.2.i
-  %.433.i.i.i = getelementptr i8, ptr %153, i64 %.419.i.i.i
-  %.434.i.i.i = load i8, ptr %.433.i.i.i, align 1
-  %.437.i.i.i = icmp eq i8 %.434.i.i.i, 0
-  br i1 %.437.i.i.i, label %B150.endif.i.i, label %B156.i.i.i
-
-B733.i:                                           ; preds = %B536.endif.endif.endif.endif.i, %B520.i, %B302.i, %B286.i, %B270.i
-  %count.3.1.i = phi i64 [ %count.2.01084.i, %B270.i ], [ %.1759.i, %B536.endif.endif.endif.endif.i ], [ %count.2.01084.i, %B520.i ], [ %count.2.01084.i, %B286.i ], [ %count.2.01084.i, %B302.i ]
-  %exitcond.not.i = icmp eq i64 %.292.i, %w26
-  br i1 %exitcond.not.i, label %_ZN7msf_jax4host4meso7kernels8collapseB3v58B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE385Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28bool_2c_201d_2c_20C_29_2c_20array_28bool_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEb5ArrayIbLi1E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, label %B58.i
-
-B206.endif.i:                                     ; preds = %B190.i, %B174.i
-  %.713.i = icmp slt i64 %.484.i, 0
-  %.714.i = select i1 %.713.i, i64 %w7, i64 0
-  %154 = getelementptr i64, ptr %w6, i64 %.484.i
-  %.728.i = getelementptr i64, ptr %154, i64 %.714.i
-  %.729.i = load i64, ptr %.728.i, align 8
-  %.746.i = icmp slt i64 %.539.i, 0
-  %.747.i = select i1 %.746.i, i64 %w7, i64 0
-  %155 = getelementptr i64, ptr %w6, i64 %.539.i
-  %.761.i = getelementptr i64, ptr %155, i64 %.747.i
-  %.762.i = load i64, ptr %.761.i, align 8
-  %.11.i.i = tail call i64 @llvm.smin.i64(i64 %.762.i, i64 %.729.i)
-  %.795.i = icmp slt i64 %.11.i.i, 4
-  br i1 %.795.i, label %B270.i, label %B286.i
-
-B320.endif.i:                                     ; preds = %B58.epil.i.i, %B88.loopexit.unr-lcssa.i.i, %B320.i
-  store i8 1, ptr %.939.i, align 1
-  %.88.i171.i = select i1 %.924.i, i64 %w7, i64 0
-  %156 = getelementptr i64, ptr %w6, i64 %.429.i
-  %.102.i172.i = getelementptr i64, ptr %156, i64 %.88.i171.i
-  %.103.i173.i = load i64, ptr %.102.i172.i, align 8
-  %.185113.not.i174.i = icmp slt i64 %.103.i173.i, 1
-  br i1 %.185113.not.i174.i, label %B320.endif.endif.i, label %B58.lr.ph.i175.i
-
-B58.lr.ph.i175.i:                                 ; preds = %B320.endif.i
-  %.247.i176.i = select i1 %.924.i, i64 %w4, i64 0
-  %.248.i177.i = add i64 %.247.i176.i, %.429.i
-  %xtraiter.i178.i = and i64 %.103.i173.i, 3
-  %157 = icmp samesign ult i64 %.103.i173.i, 4
-  br i1 %157, label %B58.epil.preheader.i208.i, label %B58.lr.ph.new.i179.i
-
-B58.lr.ph.new.i179.i:                             ; preds = %B58.lr.ph.i175.i
-  %unroll_iter.i180.i = and i64 %.103.i173.i, 9223372036854775804
-  %158 = mul i64 %.248.i177.i, %s8
-  %159 = getelementptr i8, ptr %w3, i64 %158
-  %scevgep3.i181.i = getelementptr i8, ptr %159, i64 24
-  br label %B58.i182.i
-
-B58.i182.i:                                       ; preds = %B58.i182.i, %B58.lr.ph.new.i179.i
-  %.191112114.i183.i = phi i64 [ 0, %B58.lr.ph.new.i179.i ], [ %.198.3.i200.i, %B58.i182.i ]
-  %160 = shl i64 %.191112114.i183.i, 3
-  %scevgep9.i184.i = getelementptr i8, ptr %scevgep3.i181.i, i64 %160
-  %scevgep10.i185.i = getelementptr i8, ptr %scevgep9.i184.i, i64 -24
-  %.273.i186.i = load i64, ptr %scevgep10.i185.i, align 8
-  %.287.i187.i = icmp slt i64 %.273.i186.i, 0
-  %.288.i188.i = select i1 %.287.i187.i, i64 %w32, i64 0
-  %161 = getelementptr i8, ptr %w31, i64 %.273.i186.i
-  %.302.i189.i = getelementptr i8, ptr %161, i64 %.288.i188.i
-  store i8 1, ptr %.302.i189.i, align 1
-  %scevgep294.i = getelementptr i8, ptr %scevgep9.i184.i, i64 -16
-  %.273.1.i191.i = load i64, ptr %scevgep294.i, align 8
-  %.287.1.i192.i = icmp slt i64 %.273.1.i191.i, 0
-  %.288.1.i193.i = select i1 %.287.1.i192.i, i64 %w32, i64 0
-  %162 = getelementptr i8, ptr %w31, i64 %.273.1.i191.i
-  %.302.1.i194.i = getelementptr i8, ptr %162, i64 %.288.1.i193.i
-  store i8 1, ptr %.302.1.i194.i, align 1
-  %scevgep292.i = getelementptr i8, ptr %scevgep9.i184.i, i64 -8
-  %.273.2.i196.i = load i64, ptr %scevgep292.i, align 8
-  %.287.2.i197.i = icmp slt i64 %.273.2.i196.i, 0
-  %.288.2.i198.i = select i1 %.287.2.i197.i, i64 %w32, i64 0
-  %163 = getelementptr i8, ptr %w31, i64 %.273.2.i196.i
-  %.302.2.i199.i = getelementptr i8, ptr %163, i64 %.288.2.i198.i
-  store i8 1, ptr %.302.2.i199.i, align 1
-  %.198.3.i200.i = add nuw nsw i64 %.191112114.i183.i, 4
-  %.273.3.i201.i = load i64, ptr %scevgep9.i184.i, align 8
-  %.287.3.i202.i = icmp slt i64 %.273.3.i201.i, 0
-  %.288.3.i203.i = select i1 %.287.3.i202.i, i64 %w32, i64 0
-  %164 = getelementptr i8, ptr %w31, i64 %.273.3.i201.i
-  %.302.3.i204.i = getelementptr i8, ptr %164, i64 %.288.3.i203.i
-  store i8 1, ptr %.302.3.i204.i, align 1
-  %niter.ncmp.3.i205.i = icmp eq i64 %unroll_iter.i180.i, %.198.3.i200.i
-  br i1 %niter.ncmp.3.i205.i, label %B88.loopexit.unr-lcssa.i206.i, label %B58.i182.i
-
-B88.loopexit.unr-lcssa.i206.i:                    ; preds = %B58.i182.i
-  %lcmp.mod.not.i207.i = icmp eq i64 %xtraiter.i178.i, 0
-  br i1 %lcmp.mod.not.i207.i, label %B320.endif.endif.i, label %B58.epil.preheader.i208.i
-
-B58.epil.preheader.i208.i:                        ; preds = %B88.loopexit.unr-lcssa.i206.i, %B58.lr.ph.i175.i
-  %.191112114.epil.init.i209.i = phi i64 [ 0, %B58.lr.ph.i175.i ], [ %unroll_iter.i180.i, %B88.loopexit.unr-lcssa.i206.i ]
-  %165 = mul i64 %.248.i177.i, %w5
-  %166 = add i64 %.191112114.epil.init.i209.i, %165
-  %167 = shl i64 %166, 3
-  %scevgep.i210.i = getelementptr i8, ptr %w3, i64 %167
-  br label %B58.epil.i211.i
-
-B58.epil.i211.i:                                  ; preds = %B58.epil.i211.i, %B58.epil.preheader.i208.i
-  %epil.iter.i212.i = phi i64 [ 0, %B58.epil.preheader.i208.i ], [ %epil.iter.next.i218.i, %B58.epil.i211.i ]
-  %168 = shl i64 %epil.iter.i212.i, 3
-  %scevgep295.i = getelementptr i8, ptr %scevgep.i210.i, i64 %168
-  %.273.epil.i214.i = load i64, ptr %scevgep295.i, align 8
-  %.287.epil.i215.i = icmp slt i64 %.273.epil.i214.i, 0
-  %.288.epil.i216.i = select i1 %.287.epil.i215.i, i64 %w32, i64 0
-  %169 = getelementptr i8, ptr %w31, i64 %.273.epil.i214.i
-  %.302.epil.i217.i = getelementptr i8, ptr %169, i64 %.288.epil.i216.i
-  store i8 1, ptr %.302.epil.i217.i, align 1
-  %epil.iter.next.i218.i = add i64 %epil.iter.i212.i, 1
-  %epil.iter.cmp.not.i219.i = icmp eq i64 %xtraiter.i178.i, %epil.iter.next.i218.i
-  br i1 %epil.iter.cmp.not.i219.i, label %B320.endif.endif.i, label %B58.epil.i211.i
-
-B320.endif.endif.i:                               ; preds = %B58.epil.i211.i, %B88.loopexit.unr-lcssa.i206.i, %B320.endif.i
-  %.1060.i = select i1 %.924.i, i64 %w17, i64 0
-  %170 = getelementptr i8, ptr %w16, i64 %.429.i
-  %.1074.i = getelementptr i8, ptr %170, i64 %.1060.i
-  %.1075.i = load i8, ptr %.1074.i, align 1
-  %.1078.i = icmp eq i8 %.1075.i, 0
-  %one.2.2.i = select i1 %.1078.i, i64 %.374.i, i64 %.429.i
-  %two.2.2.i = select i1 %.1078.i, i64 %.429.i, i64 %.374.i
-  %.1115.i = icmp slt i64 %one.2.2.i, 0
-  %.1116.i = select i1 %.1115.i, i64 %w17, i64 0
-  %171 = getelementptr i8, ptr %w16, i64 %one.2.2.i
-  %.1130.i = getelementptr i8, ptr %171, i64 %.1116.i
-  %.1131.i = load i8, ptr %.1130.i, align 1
-  %.1134.i = icmp eq i8 %.1131.i, 0
-  %"$phi438.1.2.2.i" = select i1 %.1134.i, double 5.000000e-01, double 0.000000e+00
-  br i1 %4, label %B536.i, label %B444.i
-
-B444.endif.endif.i:                               ; preds = %B644.i.i
-  br i1 %.1388.i.i, label %B520.i, label %B482.i
-
-B482.endif.endif.i:                               ; preds = %B644.i118.i
-  br i1 %.1388.i163.i, label %B520.i, label %B536.i
-
-B156.i.i.i:                                       ; preds = %_ZN7msf_jax4host4meso7kernels11merge_ringsB3v62B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedExx5ArrayIxLi2E1C7mutable7alignedE.exit.i
-  %.156.i.i.i = select i1 %.58.i18.i.i, i64 %w12, i64 0
-  %.157.i.i.i = add i64 %.156.i.i.i, %two.2.2.i
-  %.177.i.i.i = mul i64 %.157.i.i.i, %w13
-  %.181.i.i.i = getelementptr double, ptr %w11, i64 %.177.i.i.i
-  %.182.i.i.i = load double, ptr %.181.i.i.i, align 8
-  %.238.i.i.i = fsub double %.182.i.i.i, %.403.i.i
-  %.147.i.i.i.i = fmul double %.238.i.i.i, %.238.i.i.i
-  %.318.i.i.i = getelementptr i8, ptr %.181.i.i.i, i64 8
-  %.319.i.i.i = load double, ptr %.318.i.i.i, align 8
-  %.375.i.i.i = fsub double %.319.i.i.i, %.403.1.i.i
-  %.147.i24.i.i.i = fmul double %.375.i.i.i, %.375.i.i.i
-  %.400.i.i.i = fadd double %.147.i.i.i.i, %.147.i24.i.i.i
-  %.500.i.i.i = getelementptr i8, ptr %.181.i.i.i, i64 16
-  %.501.i.i.i = load double, ptr %.500.i.i.i, align 8
-  %.563.i.i.i = fsub double %.501.i.i.i, %.403.2.i.i
-  %.147.i12.i.i.i = fmul double %.563.i.i.i, %.563.i.i.i
-  %.589.i.i.i = fadd double %.400.i.i.i, %.147.i12.i.i.i
-  %sqrt.i.i.i = tail call double @llvm.sqrt.f64(double %.589.i.i.i)
-  br label %B150.endif.i.i
-
-common.ret.loopexit.unr-lcssa.i.unr-lcssa.i:      ; preds = %B532.endif.i.i
-  br i1 %.not.i, label %B532.endif.i.epil.preheader.i, label %common.ret.loopexit.unr-lcssa.i.i
-
-B532.endif.i.epil.preheader.i:                    ; preds = %B532.endif.lr.ph.new.i.i, %common.ret.loopexit.unr-lcssa.i.unr-lcssa.i
-  %.112612631265.i.epil.init.i = phi i64 [ 0, %B532.endif.lr.ph.new.i.i ], [ %.1133.1.i.1.i, %common.ret.loopexit.unr-lcssa.i.unr-lcssa.i ]
-  %172 = shl i64 %.112612631265.i.epil.init.i, 3
-  %scevgep40.i.epil.i = getelementptr i8, ptr %scevgep.i225.i, i64 %172
-  %scevgep41.i.epil.i = getelementptr i8, ptr %scevgep40.i.epil.i, i64 -8
-  %.1209.i.epil.i = load double, ptr %scevgep41.i.epil.i, align 8
-  %scevgep44.i.epil.i = getelementptr i8, ptr %scevgep42.i.i, i64 %172
-  %scevgep45.i.epil.i = getelementptr i8, ptr %scevgep44.i.epil.i, i64 -8
-  %.1261.i.epil.i = load double, ptr %scevgep45.i.epil.i, align 8
-  %.1262.i.epil.i = fadd double %.1209.i.epil.i, %.1261.i.epil.i
-  %.1267.i.epil.i = fmul double %.1262.i.epil.i, 5.000000e-01
-  store double %.1267.i.epil.i, ptr %scevgep41.i.epil.i, align 8
-  %.1209.1.i.epil.i = load double, ptr %scevgep40.i.epil.i, align 8
-  %.1261.1.i.epil.i = load double, ptr %scevgep44.i.epil.i, align 8
-  %.1262.1.i.epil.i = fadd double %.1209.1.i.epil.i, %.1261.1.i.epil.i
-  %.1267.1.i.epil.i = fmul double %.1262.1.i.epil.i, 5.000000e-01
-  store double %.1267.1.i.epil.i, ptr %scevgep40.i.epil.i, align 8
-  br label %common.ret.loopexit.unr-lcssa.i.i
-
-common.ret.loopexit.unr-lcssa.i.i:                ; preds = %B532.endif.i.epil.preheader.i, %common.ret.loopexit.unr-lcssa.i.unr-lcssa.i
-  br i1 %18, label %B536.endif.endif.endif.i, label %B532.endif.epil.preheader.i.i
-
-B532.endif.epil.preheader.i.i:                    ; preds = %B532.endif.lr.ph.i.i, %common.ret.loopexit.unr-lcssa.i.i
-  %gep.i = getelementptr double, ptr %invariant.gep.i, i64 %.1204.i.i
-  %.1209.epil.i.i = load double, ptr %gep.i, align 8
-  %gep285.i = getelementptr double, ptr %invariant.gep.i, i64 %.1256.i.i
-  %.1261.epil.i.i = load double, ptr %gep285.i, align 8
-  %.1262.epil.i.i = fadd double %.1209.epil.i.i, %.1261.epil.i.i
-  %.1267.epil.i.i = fmul double %.1262.epil.i.i, 5.000000e-01
-  store double %.1267.epil.i.i, ptr %gep.i, align 8
-  br label %B536.endif.endif.endif.i
-
-B150.endif.i.i:                                   ; preds = %B156.i.i.i, %_ZN7msf_jax4host4meso7kernels11merge_ringsB3v62B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedExx5ArrayIxLi2E1C7mutable7alignedE.exit.i
-  %"$phi248.0.2.0.i.i.i" = phi double [ %sqrt.i.i.i, %B156.i.i.i ], [ 0x7FF0000000000000, %_ZN7msf_jax4host4meso7kernels11merge_ringsB3v62B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedExx5ArrayIxLi2E1C7mutable7alignedE.exit.i ]
-  %.419.i3.i.i = select i1 %.1115.i, i64 %w15, i64 0
-  %173 = getelementptr i8, ptr %w14, i64 %one.2.2.i
-  %.433.i4.i.i = getelementptr i8, ptr %173, i64 %.419.i3.i.i
-  %.434.i5.i.i = load i8, ptr %.433.i4.i.i, align 1
-  %.437.i6.i.i = icmp eq i8 %.434.i5.i.i, 0
-  br i1 %.437.i6.i.i, label %B150.endif.endif.i.i, label %B156.i7.i.i
-
-B156.i7.i.i:                                      ; preds = %B150.endif.i.i
-  %.156.i8.i.i = select i1 %.1115.i, i64 %w12, i64 0
-  %.157.i9.i.i = add i64 %.156.i8.i.i, %one.2.2.i
-  %.177.i10.i.i = mul i64 %.157.i9.i.i, %w13
-  %.181.i11.i.i = getelementptr double, ptr %w11, i64 %.177.i10.i.i
-  %.182.i12.i.i = load double, ptr %.181.i11.i.i, align 8
-  %.238.i19.i.i = fsub double %.182.i12.i.i, %.403.i.i
-  %.147.i.i20.i.i = fmul double %.238.i19.i.i, %.238.i19.i.i
-  %.318.i21.i.i = getelementptr i8, ptr %.181.i11.i.i, i64 8
-  %.319.i22.i.i = load double, ptr %.318.i21.i.i, align 8
-  %.375.i25.i.i = fsub double %.319.i22.i.i, %.403.1.i.i
-  %.147.i24.i26.i.i = fmul double %.375.i25.i.i, %.375.i25.i.i
-  %.400.i27.i.i = fadd double %.147.i.i20.i.i, %.147.i24.i26.i.i
-  %.500.i28.i.i = getelementptr i8, ptr %.181.i11.i.i, i64 16
-  %.501.i29.i.i = load double, ptr %.500.i28.i.i, align 8
-  %.563.i32.i.i = fsub double %.501.i29.i.i, %.403.2.i.i
-  %.147.i12.i33.i.i = fmul double %.563.i32.i.i, %.563.i32.i.i
-  %.589.i34.i.i = fadd double %.400.i27.i.i, %.147.i12.i33.i.i
-  %sqrt.i35.i.i = tail call double @llvm.sqrt.f64(double %.589.i34.i.i)
-  br label %B150.endif.endif.i.i
-
-B150.endif.endif.i.i:                             ; preds = %B156.i7.i.i, %B150.endif.i.i
-  %"$phi248.0.2.0.i36.i.i" = phi double [ %sqrt.i35.i.i, %B156.i7.i.i ], [ 0x7FF0000000000000, %B150.endif.i.i ]
-  %.574.i.i = fcmp olt double %"$phi248.0.2.0.i.i.i", %"$phi248.0.2.0.i36.i.i"
-  br i1 %.574.i.i, label %B226.endif.endif.i.i, label %B376.endif.endif.i.i
-
-B226.endif.endif.i.i:                             ; preds = %B150.endif.endif.i.i
-  %.596.i.i = select i1 %.58.i18.i.i, i64 %w19, i64 0
-  %174 = getelementptr double, ptr %w18, i64 %two.2.2.i
-  %.610.i.i = getelementptr double, ptr %174, i64 %.596.i.i
-  %.611.i.i = load double, ptr %.610.i.i, align 8
-  store i8 1, ptr %.433.i4.i.i, align 1
-  %.661.i.i = select i1 %.1115.i, i64 %w19, i64 0
-  %175 = getelementptr double, ptr %w18, i64 %one.2.2.i
-  %.675.i.i = getelementptr double, ptr %175, i64 %.661.i.i
-  store double %.611.i.i, ptr %.675.i.i, align 8
-  %.819.i.i = select i1 %.58.i18.i.i, i64 %w12, i64 0
-  %.820.i.i = add i64 %.819.i.i, %two.2.2.i
-  %.840.i.i = mul i64 %.820.i.i, %w13
-  %176 = getelementptr double, ptr %w11, i64 %.840.i.i
-  %.871.i.i = select i1 %.1115.i, i64 %w12, i64 0
-  %.872.i.i = add i64 %.871.i.i, %one.2.2.i
-  %.892.i.i = mul i64 %.872.i.i, %w13
-  %177 = getelementptr double, ptr %w11, i64 %.892.i.i
-  %.845.i.i = load double, ptr %176, align 8
-  store double %.845.i.i, ptr %177, align 8
-  %.844.1.i.i = getelementptr i8, ptr %176, i64 8
-  %.845.1.i.i = load double, ptr %.844.1.i.i, align 8
-  %.896.1.i.i = getelementptr i8, ptr %177, i64 8
-  store double %.845.1.i.i, ptr %.896.1.i.i, align 8
-  %.844.2.i.i = getelementptr i8, ptr %176, i64 16
-  %.845.2.i.i = load double, ptr %.844.2.i.i, align 8
-  %.896.2.i.i = getelementptr i8, ptr %177, i64 16
-  store double %.845.2.i.i, ptr %.896.2.i.i, align 8
-  br label %B376.endif.endif.i.i
-
-B376.endif.endif.i.i:                             ; preds = %B226.endif.endif.i.i, %B150.endif.endif.i.i
-  %.919.i.i = select i1 %.1115.i, i64 %w21, i64 0
-  %178 = getelementptr double, ptr %w20, i64 %one.2.2.i
-  %.933.i221.i = getelementptr double, ptr %178, i64 %.919.i.i
-  %.934.i.i = load double, ptr %.933.i221.i, align 8
-  %.951.i.i = select i1 %.58.i18.i.i, i64 %w21, i64 0
-  %179 = getelementptr double, ptr %w20, i64 %two.2.2.i
-  %.965.i.i = getelementptr double, ptr %179, i64 %.951.i.i
-  %.966.i.i = load double, ptr %.965.i.i, align 8
-  %.10.i.i.i = fcmp olt double %.966.i.i, %.934.i.i
-  %.11.i.i.i = select i1 %.10.i.i.i, double %.966.i.i, double %.934.i.i
-  store double %.11.i.i.i, ptr %.933.i221.i, align 8
-  br i1 %13, label %B536.endif.endif.endif.i, label %B532.endif.lr.ph.i.i
-
-B532.endif.lr.ph.i.i:                             ; preds = %B376.endif.endif.i.i
-  %.1183.i.i = select i1 %.1115.i, i64 %w23, i64 0
-  %.1184.i222.i = add i64 %.1183.i.i, %one.2.2.i
-  %.1204.i.i = mul i64 %.1184.i222.i, %w24
-  %.1235.i.i = select i1 %.58.i18.i.i, i64 %w23, i64 0
-  %.1236.i223.i = add i64 %.1235.i.i, %two.2.2.i
-  %.1256.i.i = mul i64 %.1236.i223.i, %w24
-  br i1 %14, label %B532.endif.epil.preheader.i.i, label %B532.endif.lr.ph.new.i.i
-
-B532.endif.lr.ph.new.i.i:                         ; preds = %B532.endif.lr.ph.i.i
-  %180 = shl i64 %.1204.i.i, 3
-  %181 = getelementptr i8, ptr %w22, i64 %180
-  %scevgep.i225.i = getelementptr i8, ptr %181, i64 8
-  %182 = shl i64 %.1256.i.i, 3
-  %183 = getelementptr i8, ptr %w22, i64 %182
-  %scevgep42.i.i = getelementptr i8, ptr %183, i64 8
-  br i1 %15, label %B532.endif.i.epil.preheader.i, label %B532.endif.i.preheader.i
-
-B532.endif.i.preheader.i:                         ; preds = %B532.endif.lr.ph.new.i.i
-  %scevgep297.i = getelementptr i8, ptr %scevgep296.i, i64 %180
-  %scevgep304.i = getelementptr i8, ptr %scevgep296.i, i64 %182
-  br label %B532.endif.i.i
-
-B532.endif.i.i:                                   ; preds = %B532.endif.i.i, %B532.endif.i.preheader.i
-  %lsr.iv.i = phi i64 [ %unroll_iter.i, %B532.endif.i.preheader.i ], [ %lsr.iv.next.i, %B532.endif.i.i ]
-  %.112612631265.i.i = phi i64 [ 0, %B532.endif.i.preheader.i ], [ %.1133.1.i.1.i, %B532.endif.i.i ]
-  %184 = shl i64 %.112612631265.i.i, 3
-  %scevgep300.i = getelementptr i8, ptr %scevgep297.i, i64 %184
-  %scevgep301.i = getelementptr i8, ptr %scevgep300.i, i64 -16
-  %scevgep302.i = getelementptr i8, ptr %scevgep300.i, i64 -24
-  %.1209.i.i = load double, ptr %scevgep302.i, align 8
-  %scevgep307.i = getelementptr i8, ptr %scevgep304.i, i64 %184
-  %scevgep308.i = getelementptr i8, ptr %scevgep307.i, i64 -16
-  %scevgep309.i = getelementptr i8, ptr %scevgep307.i, i64 -24
-  %.1261.i.i = load double, ptr %scevgep309.i, align 8
-  %.1262.i.i = fadd double %.1209.i.i, %.1261.i.i
-  %.1267.i.i = fmul double %.1262.i.i, 5.000000e-01
-  store double %.1267.i.i, ptr %scevgep302.i, align 8
-  %.1209.1.i.i = load double, ptr %scevgep301.i, align 8
-  %.1261.1.i.i = load double, ptr %scevgep308.i, align 8
-  %.1262.1.i.i = fadd double %.1209.1.i.i, %.1261.1.i.i
-  %.1267.1.i.i = fmul double %.1262.1.i.i, 5.000000e-01
-  store double %.1267.1.i.i, ptr %scevgep301.i, align 8
-  %scevgep299.i = getelementptr i8, ptr %scevgep300.i, i64 -8
-  %.1209.i.1.i = load double, ptr %scevgep299.i, align 8
-  %scevgep306.i = getelementptr i8, ptr %scevgep307.i, i64 -8
-  %.1261.i.1.i = load double, ptr %scevgep306.i, align 8
-  %.1262.i.1.i = fadd double %.1209.i.1.i, %.1261.i.1.i
-  %.1267.i.1.i = fmul double %.1262.i.1.i, 5.000000e-01
-  store double %.1267.i.1.i, ptr %scevgep299.i, align 8
-  %.1133.1.i.1.i = add i64 %.112612631265.i.i, 4
-  %.1209.1.i.1.i = load double, ptr %scevgep300.i, align 8
-  %.1261.1.i.1.i = load double, ptr %scevgep307.i, align 8
-  %.1262.1.i.1.i = fadd double %.1209.1.i.1.i, %.1261.1.i.1.i
-  %.1267.1.i.1.i = fmul double %.1262.1.i.1.i, 5.000000e-01
-  store double %.1267.1.i.1.i, ptr %scevgep300.i, align 8
-  %lsr.iv.next.i = add i64 %lsr.iv.i, -2
-  %niter.ncmp.1.i = icmp eq i64 %lsr.iv.next.i, 0
-  br i1 %niter.ncmp.1.i, label %common.ret.loopexit.unr-lcssa.i.unr-lcssa.i, label %B532.endif.i.i
-
-B536.endif.endif.endif.i:                         ; preds = %B376.endif.endif.i.i, %B532.endif.epil.preheader.i.i, %common.ret.loopexit.unr-lcssa.i.i
-  %.1683.i = zext i1 %.574.i.i to i64
-  %sunkaddr341.i = shl i64 %.1464.i, 3
-  %sunkaddr342.i = getelementptr i8, ptr %w38, i64 %sunkaddr341.i
-  %sunkaddr343.i = getelementptr i8, ptr %sunkaddr342.i, i64 16
-  store i64 %.1683.i, ptr %sunkaddr343.i, align 8
-  %.1700.i = select i1 %.58.i18.i.i, i64 %w34, i64 0
-  %185 = getelementptr i8, ptr %w33, i64 %two.2.2.i
-  %.1714.i = getelementptr i8, ptr %185, i64 %.1700.i
-  store i8 1, ptr %.1714.i, align 1
-  %.57.i228.i = select i1 %.1115.i, i64 %w34, i64 0
-  %186 = getelementptr i8, ptr %w33, i64 %one.2.2.i
-  %.71.i229.i = getelementptr i8, ptr %186, i64 %.57.i228.i
-  store i8 1, ptr %.71.i229.i, align 1
-  %.103.i232.i = load i64, ptr %.169.i.i, align 8
-  %.185113.not.i233.i = icmp slt i64 %.103.i232.i, 1
-  br i1 %.185113.not.i233.i, label %B536.endif.endif.endif.endif.i, label %B58.lr.ph.i234.i
-
-B58.lr.ph.i234.i:                                 ; preds = %B536.endif.endif.endif.i
-  %xtraiter.i237.i = and i64 %.103.i232.i, 3
-  %187 = icmp samesign ult i64 %.103.i232.i, 4
-  br i1 %187, label %B58.epil.preheader.i267.i, label %B58.lr.ph.new.i238.i
-
-B58.lr.ph.new.i238.i:                             ; preds = %B58.lr.ph.i234.i
-  %unroll_iter.i239.i = and i64 %.103.i232.i, 9223372036854775804
-  %188 = mul i64 %.60.i.i.i, %s8
-  %189 = getelementptr i8, ptr %w3, i64 %188
-  %scevgep3.i240.i = getelementptr i8, ptr %189, i64 24
-  br label %B58.i241.i
-
-B58.i241.i:                                       ; preds = %B58.i241.i, %B58.lr.ph.new.i238.i
-  %.191112114.i242.i = phi i64 [ 0, %B58.lr.ph.new.i238.i ], [ %.198.3.i259.i, %B58.i241.i ]
-  %190 = shl i64 %.191112114.i242.i, 3
-  %scevgep9.i243.i = getelementptr i8, ptr %scevgep3.i240.i, i64 %190
-  %scevgep10.i244.i = getelementptr i8, ptr %scevgep9.i243.i, i64 -24
-  %.273.i245.i = load i64, ptr %scevgep10.i244.i, align 8
-  %.287.i246.i = icmp slt i64 %.273.i245.i, 0
-  %.288.i247.i = select i1 %.287.i246.i, i64 %w34, i64 0
-  %191 = getelementptr i8, ptr %w33, i64 %.273.i245.i
-  %.302.i248.i = getelementptr i8, ptr %191, i64 %.288.i247.i
-  store i8 1, ptr %.302.i248.i, align 1
-  %scevgep313.i = getelementptr i8, ptr %scevgep9.i243.i, i64 -16
-  %.273.1.i250.i = load i64, ptr %scevgep313.i, align 8
-  %.287.1.i251.i = icmp slt i64 %.273.1.i250.i, 0
-  %.288.1.i252.i = select i1 %.287.1.i251.i, i64 %w34, i64 0
-  %192 = getelementptr i8, ptr %w33, i64 %.273.1.i250.i
-  %.302.1.i253.i = getelementptr i8, ptr %192, i64 %.288.1.i252.i
-  store i8 1, ptr %.302.1.i253.i, align 1
-  %scevgep311.i = getelementptr i8, ptr %scevgep9.i243.i, i64 -8
-  %.273.2.i255.i = load i64, ptr %scevgep311.i, align 8
-  %.287.2.i256.i = icmp slt i64 %.273.2.i255.i, 0
-  %.288.2.i257.i = select i1 %.287.2.i256.i, i64 %w34, i64 0
-  %193 = getelementptr i8, ptr %w33, i64 %.273.2.i255.i
-  %.302.2.i258.i = getelementptr i8, ptr %193, i64 %.288.2.i257.i
-  store i8 1, ptr %.302.2.i258.i, align 1
-  %.198.3.i259.i = add nuw nsw i64 %.191112114.i242.i, 4
-  %.273.3.i260.i = load i64, ptr %scevgep9.i243.i, align 8
-  %.287.3.i261.i = icmp slt i64 %.273.3.i260.i, 0
-  %.288.3.i262.i = select i1 %.287.3.i261.i, i64 %w34, i64 0
-  %194 = getelementptr i8, ptr %w33, i64 %.273.3.i260.i
-  %.302.3.i263.i = getelementptr i8, ptr %194, i64 %.288.3.i262.i
-  store i8 1, ptr %.302.3.i263.i, align 1
-  %niter.ncmp.3.i264.i = icmp eq i64 %unroll_iter.i239.i, %.198.3.i259.i
-  br i1 %niter.ncmp.3.i264.i, label %B88.loopexit.unr-lcssa.i265.i, label %B58.i241.i
-
-B88.loopexit.unr-lcssa.i265.i:                    ; preds = %B58.i241.i
-  %lcmp.mod.not.i266.i = icmp eq i64 %xtraiter.i237.i, 0
-  br i1 %lcmp.mod.not.i266.i, label %B536.endif.endif.endif.endif.i, label %B58.epil.preheader.i267.i
-
-B58.epil.preheader.i267.i:                        ; preds = %B88.loopexit.unr-lcssa.i265.i, %B58.lr.ph.i234.i
-  %.191112114.epil.init.i268.i = phi i64 [ 0, %B58.lr.ph.i234.i ], [ %unroll_iter.i239.i, %B88.loopexit.unr-lcssa.i265.i ]
-  %195 = add i64 %.191112114.epil.init.i268.i, %.80.i.i.i
-  %196 = shl i64 %195, 3
-  %scevgep.i269.i = getelementptr i8, ptr %w3, i64 %196
-  br label %B58.epil.i270.i
-
-B58.epil.i270.i:                                  ; preds = %B58.epil.i270.i, %B58.epil.preheader.i267.i
-  %epil.iter.i271.i = phi i64 [ 0, %B58.epil.preheader.i267.i ], [ %epil.iter.next.i277.i, %B58.epil.i270.i ]
-  %197 = shl i64 %epil.iter.i271.i, 3
-  %scevgep314.i = getelementptr i8, ptr %scevgep.i269.i, i64 %197
-  %.273.epil.i273.i = load i64, ptr %scevgep314.i, align 8
-  %.287.epil.i274.i = icmp slt i64 %.273.epil.i273.i, 0
-  %.288.epil.i275.i = select i1 %.287.epil.i274.i, i64 %w34, i64 0
-  %198 = getelementptr i8, ptr %w33, i64 %.273.epil.i273.i
-  %.302.epil.i276.i = getelementptr i8, ptr %198, i64 %.288.epil.i275.i
-  store i8 1, ptr %.302.epil.i276.i, align 1
-  %epil.iter.next.i277.i = add i64 %epil.iter.i271.i, 1
-  %epil.iter.cmp.not.i278.i = icmp eq i64 %xtraiter.i237.i, %epil.iter.next.i277.i
-  br i1 %epil.iter.cmp.not.i278.i, label %B536.endif.endif.endif.endif.i, label %B58.epil.i270.i
-
-B536.endif.endif.endif.endif.i:                   ; preds = %B58.epil.i270.i, %B88.loopexit.unr-lcssa.i265.i, %B536.endif.endif.endif.i
-  %.1759.i = add nsw i64 %count.2.01084.i, 1
-  br label %B733.i
-
-_ZN7msf_jax4host4meso7kernels8collapseB3v58B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE385Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28bool_2c_201d_2c_20C_29_2c_20array_28bool_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEb5ArrayIbLi1E1C7mutable7alignedE5ArrayIbLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit: ; preds = %B733.i, %0
-  %count.2.0.lcssa.i = phi i64 [ 0, %0 ], [ %count.3.1.i, %B733.i ]
-  ret i64 %count.2.0.lcssa.i
+  %35 = getelementptr i8, ptr %0, i64 144
+  %36 = load ptr, ptr %35, align 8
+  %37 = getelementptr i8, ptr %0, i64 152
+  %38 = load i64, ptr %37, align 8
+  %39 = getelementptr i8, ptr %0, i64 160
+  %40 = load i64, ptr %39, align 8
+  %41 = shl i64 %40, 3
+  %42 = icmp slt i64 %27, 1
+  br i1 %42, label %139, label %43
+43:
+  %44 = getelementptr i8, ptr %36, i64 8
+  %45 = getelementptr i8, ptr %29, i64 32
+  br label %46
+46:
+  %47 = phi i64 [ %27, %43 ], [ %96, %92 ]
+  %48 = phi ptr [ %45, %43 ], [ %95, %92 ]
+  %49 = phi ptr [ %44, %43 ], [ %94, %92 ]
+  %50 = phi i64 [ 0, %43 ], [ %93, %92 ]
+  %51 = getelementptr i8, ptr %48, i64 -32
+  %52 = load i64, ptr %51, align 8
+  %53 = icmp sgt i64 %52, -1
+  br i1 %53, label %54, label %92
+54:
+  %55 = getelementptr i8, ptr %23, i64 %52
+  %56 = load i8, ptr %55, align 1
+  %57 = icmp eq i8 %56, 0
+  br i1 %57, label %58, label %92
+58:
+  %59 = getelementptr i8, ptr %48, i64 -24
+  %60 = load i64, ptr %59, align 8
+  %61 = icmp slt i64 %60, 0
+  %62 = select i1 %61, i64 %25, i64 0
+  %63 = getelementptr i8, ptr %23, i64 %60
+  %64 = getelementptr i8, ptr %63, i64 %62
+  %65 = load i8, ptr %64, align 1
+  %66 = icmp eq i8 %65, 0
+  br i1 %66, label %67, label %92
+67:
+  %68 = icmp slt i64 %50, 0
+  %69 = select i1 %68, i64 %31, i64 0
+  %70 = add i64 %69, %50
+  %71 = mul i64 %70, %33
+  %72 = getelementptr i64, ptr %29, i64 %71
+  store i64 %52, ptr %72, align 8
+  %73 = load i64, ptr %59, align 8
+  %74 = getelementptr i8, ptr %72, i64 8
+  store i64 %73, ptr %74, align 8
+  %75 = getelementptr i8, ptr %48, i64 -16
+  %76 = load i64, ptr %75, align 8
+  %77 = getelementptr i8, ptr %72, i64 16
+  store i64 %76, ptr %77, align 8
+  %78 = getelementptr i8, ptr %48, i64 -8
+  %79 = load i64, ptr %78, align 8
+  %80 = getelementptr i8, ptr %72, i64 24
+  store i64 %79, ptr %80, align 8
+  %81 = load i64, ptr %48, align 8
+  %82 = getelementptr i8, ptr %72, i64 32
+  store i64 %81, ptr %82, align 8
+  %83 = getelementptr i8, ptr %49, i64 -8
+  %84 = load double, ptr %83, align 8
+  %85 = load double, ptr %49, align 8
+  %86 = select i1 %68, i64 %38, i64 0
+  %87 = add i64 %86, %50
+  %88 = mul i64 %87, %40
+  %89 = getelementptr double, ptr %36, i64 %88
+  store double %84, ptr %89, align 8
+  %90 = getelementptr i8, ptr %89, i64 8
+  store double %85, ptr %90, align 8
+  %91 = add nsw i64 %50, 1
+  br label %92
+92:
+  %93 = phi i64 [ %50, %46 ], [ %50, %54 ], [ %91, %67 ], [ %50, %58 ]
+  %94 = getelementptr i8, ptr %49, i64 %41
+  %95 = getelementptr i8, ptr %48, i64 %34
+  %96 = add nsw i64 %47, -1
+  %97 = icmp eq i64 %96, 0
+  br i1 %97, label %139, label %46
+98:
+  %99 = phi i64 [ %102, %144 ], [ %102, %101 ], [ %137, %136 ]
+  %100 = icmp eq i64 %10, %104
+  br i1 %100, label %379, label %101
+101:
+  %102 = phi i64 [ %99, %98 ], [ %140, %142 ]
+  %103 = phi i64 [ %104, %98 ], [ 0, %142 ]
+  %104 = add nuw nsw i64 %103, 1
+  %105 = getelementptr i8, ptr %23, i64 %103
+  %106 = load i8, ptr %105, align 1
+  %107 = icmp eq i8 %106, 0
+  br i1 %107, label %98, label %144
+108:
+  %109 = phi i64 [ %102, %148 ], [ %137, %136 ]
+  %110 = phi i64 [ 0, %148 ], [ %111, %136 ]
+  %111 = add nuw nsw i64 %110, 1
+  %112 = getelementptr i64, ptr %150, i64 %110
+  %113 = load i64, ptr %112, align 8
+  %114 = icmp slt i64 %113, 0
+  br i1 %114, label %136, label %115
+115:
+  %116 = icmp slt i64 %113, %103
+  br i1 %116, label %117, label %151
+117:
+  %118 = getelementptr i8, ptr %23, i64 %113
+  %119 = load i8, ptr %118, align 1
+  %120 = icmp eq i8 %119, 0
+  br i1 %120, label %151, label %136
+121:
+  %122 = mul i64 %152, %12
+  %123 = getelementptr i64, ptr %8, i64 %122
+  %124 = load i64, ptr %123, align 8
+  %125 = icmp eq i64 %124, %153
+  br i1 %125, label %185, label %126
+126:
+  %127 = mul i64 %13, %152
+  %128 = getelementptr i8, ptr %143, i64 %127
+  br label %129
+129:
+  %130 = phi i64 [ %131, %129 ], [ 0, %126 ]
+  %131 = add nuw i64 %130, 1
+  %132 = shl i64 %130, 3
+  %133 = getelementptr i8, ptr %128, i64 %132
+  %134 = load i64, ptr %133, align 8
+  %135 = icmp eq i64 %134, %153
+  br i1 %135, label %185, label %129
+136:
+  %137 = phi i64 [ %109, %151 ], [ %109, %320 ], [ %378, %325 ], [ %109, %117 ], [ %109, %108 ]
+  %138 = icmp eq i64 %146, %111
+  br i1 %138, label %98, label %108
+139:
+  %140 = phi i64 [ 0, %1 ], [ %93, %92 ]
+  %141 = icmp slt i64 %10, 1
+  br i1 %141, label %379, label %142
+142:
+  %143 = getelementptr i8, ptr %8, i64 8
+  br label %101
+144:
+  %145 = getelementptr i64, ptr %15, i64 %103
+  %146 = load i64, ptr %145, align 8
+  %147 = icmp slt i64 %146, 1
+  br i1 %147, label %98, label %148
+148:
+  %149 = mul i64 %103, %12
+  %150 = getelementptr i64, ptr %8, i64 %149
+  br label %108
+151:
+  %152 = tail call i64 @llvm.smin.i64(i64 %113, i64 %103)
+  %153 = tail call i64 @llvm.smax.i64(i64 %113, i64 %103)
+  %154 = mul i64 %153, %6
+  %155 = getelementptr double, ptr %2, i64 %154
+  %156 = getelementptr i8, ptr %155, i64 16
+  %157 = load double, ptr %156, align 8
+  %158 = mul i64 %152, %6
+  %159 = getelementptr double, ptr %2, i64 %158
+  %160 = getelementptr i8, ptr %159, i64 16
+  %161 = load double, ptr %160, align 8
+  %162 = fsub double %157, %161
+  %163 = fmul double %162, %162
+  %164 = load double, ptr %155, align 8
+  %165 = load double, ptr %159, align 8
+  %166 = fsub double %164, %165
+  %167 = fmul double %166, %166
+  %168 = fadd double %163, %167
+  %169 = getelementptr i8, ptr %155, i64 8
+  %170 = load double, ptr %169, align 8
+  %171 = getelementptr i8, ptr %159, i64 8
+  %172 = load double, ptr %171, align 8
+  %173 = fsub double %170, %172
+  %174 = fmul double %173, %173
+  %175 = fadd double %168, %174
+  %176 = tail call double @llvm.sqrt.f64(double %175)
+  %177 = getelementptr double, ptr %17, i64 %152
+  %178 = load double, ptr %177, align 8
+  %179 = getelementptr double, ptr %17, i64 %153
+  %180 = load double, ptr %179, align 8
+  %181 = fcmp olt double %180, %178
+  %182 = select i1 %181, double %180, double %178
+  %183 = fmul double %19, %182
+  %184 = fcmp ugt double %176, %183
+  br i1 %184, label %121, label %136
+185:
+  %186 = phi i64 [ 0, %121 ], [ %131, %129 ]
+  %187 = getelementptr i64, ptr %15, i64 %152
+  %188 = load i64, ptr %187, align 8
+  %189 = icmp eq i64 %188, 0
+  br i1 %189, label %219, label %190
+190:
+  %191 = add nsw i64 %186, 1
+  %192 = or i64 %191, %188
+  %193 = icmp ult i64 %192, 4294967296
+  br i1 %193, label %194, label %199
+194:
+  %195 = trunc nuw i64 %188 to i32
+  %196 = trunc nuw i64 %191 to i32
+  %197 = urem i32 %196, %195
+  %198 = zext i32 %197 to i64
+  br label %201
+199:
+  %200 = srem i64 %191, %188
+  br label %201
+201:
+  %202 = phi i64 [ %198, %194 ], [ %200, %199 ]
+  %203 = xor i64 %202, %188
+  %204 = icmp slt i64 %203, 0
+  %205 = icmp ne i64 %202, 0
+  %206 = and i1 %205, %204
+  %207 = select i1 %206, i64 %188, i64 0
+  %208 = add i64 %207, %202
+  %209 = freeze i64 %208
+  %210 = icmp slt i64 %209, 0
+  %211 = select i1 %210, i64 %12, i64 0
+  %212 = getelementptr i64, ptr %123, i64 %209
+  %213 = getelementptr i64, ptr %212, i64 %211
+  %214 = load i64, ptr %213, align 8
+  %215 = add nsw i64 %186, -1
+  %216 = icmp ne i64 %215, -9223372036854775808
+  %217 = icmp ne i64 %188, -1
+  %218 = or i1 %216, %217
+  br i1 %218, label %258, label %219
+219:
+  %220 = phi i64 [ %124, %201 ], [ %281, %268 ], [ %124, %185 ]
+  %221 = phi i64 [ %214, %201 ], [ %214, %268 ], [ %124, %185 ]
+  %222 = icmp slt i64 %221, 0
+  %223 = select i1 %222, i64 %4, i64 0
+  %224 = add i64 %223, %221
+  %225 = mul i64 %224, %6
+  %226 = getelementptr double, ptr %2, i64 %225
+  %227 = getelementptr i8, ptr %226, i64 16
+  %228 = load double, ptr %227, align 8
+  %229 = fsub double %161, %228
+  %230 = fmul double %229, %229
+  %231 = load double, ptr %226, align 8
+  %232 = fsub double %165, %231
+  %233 = fmul double %232, %232
+  %234 = fadd double %230, %233
+  %235 = getelementptr i8, ptr %226, i64 8
+  %236 = load double, ptr %235, align 8
+  %237 = fsub double %172, %236
+  %238 = fmul double %237, %237
+  %239 = fadd double %234, %238
+  %240 = fsub double %157, %228
+  %241 = fmul double %240, %240
+  %242 = fsub double %164, %231
+  %243 = fmul double %242, %242
+  %244 = fadd double %241, %243
+  %245 = fsub double %170, %236
+  %246 = fmul double %245, %245
+  %247 = fadd double %244, %246
+  %248 = fmul double %239, %247
+  %249 = fcmp ogt double %248, 0.000000e+00
+  br i1 %249, label %250, label %282
+250:
+  %251 = tail call double @llvm.sqrt.f64(double %248)
+  %252 = fmul double %229, %240
+  %253 = fmul double %232, %242
+  %254 = fadd double %252, %253
+  %255 = fmul double %237, %245
+  %256 = fadd double %254, %255
+  %257 = fdiv double %256, %251
+  br label %282
+258:
+  %259 = or i64 %215, %188
+  %260 = icmp ult i64 %259, 4294967296
+  br i1 %260, label %261, label %266
+261:
+  %262 = trunc nuw i64 %188 to i32
+  %263 = trunc nuw i64 %215 to i32
+  %264 = urem i32 %263, %262
+  %265 = zext i32 %264 to i64
+  br label %268
+266:
+  %267 = srem i64 %215, %188
+  br label %268
+268:
+  %269 = phi i64 [ %265, %261 ], [ %267, %266 ]
+  %270 = xor i64 %269, %188
+  %271 = icmp slt i64 %270, 0
+  %272 = icmp ne i64 %269, 0
+  %273 = and i1 %272, %271
+  %274 = select i1 %273, i64 %188, i64 0
+  %275 = add i64 %274, %269
+  %276 = freeze i64 %275
+  %277 = icmp slt i64 %276, 0
+  %278 = select i1 %277, i64 %12, i64 0
+  %279 = getelementptr i64, ptr %123, i64 %278
+  %280 = getelementptr i64, ptr %279, i64 %276
+  %281 = load i64, ptr %280, align 8
+  br label %219
+282:
+  %283 = phi double [ %257, %250 ], [ 1.000000e+00, %219 ]
+  %284 = icmp slt i64 %220, 0
+  %285 = select i1 %284, i64 %4, i64 0
+  %286 = add i64 %285, %220
+  %287 = mul i64 %286, %6
+  %288 = getelementptr double, ptr %2, i64 %287
+  %289 = getelementptr i8, ptr %288, i64 16
+  %290 = load double, ptr %289, align 8
+  %291 = fsub double %161, %290
+  %292 = fmul double %291, %291
+  %293 = load double, ptr %288, align 8
+  %294 = fsub double %165, %293
+  %295 = fmul double %294, %294
+  %296 = fadd double %292, %295
+  %297 = getelementptr i8, ptr %288, i64 8
+  %298 = load double, ptr %297, align 8
+  %299 = fsub double %172, %298
+  %300 = fmul double %299, %299
+  %301 = fadd double %296, %300
+  %302 = fsub double %157, %290
+  %303 = fmul double %302, %302
+  %304 = fsub double %164, %293
+  %305 = fmul double %304, %304
+  %306 = fadd double %303, %305
+  %307 = fsub double %170, %298
+  %308 = fmul double %307, %307
+  %309 = fadd double %306, %308
+  %310 = fmul double %301, %309
+  %311 = fcmp ogt double %310, 0.000000e+00
+  br i1 %311, label %312, label %320
+312:
+  %313 = tail call double @llvm.sqrt.f64(double %310)
+  %314 = fmul double %291, %302
+  %315 = fmul double %294, %304
+  %316 = fadd double %314, %315
+  %317 = fmul double %299, %307
+  %318 = fadd double %316, %317
+  %319 = fdiv double %318, %313
+  br label %320
+320:
+  %321 = phi double [ %319, %312 ], [ 1.000000e+00, %282 ]
+  %322 = fcmp olt double %283, %21
+  %323 = fcmp olt double %321, %21
+  %324 = and i1 %322, %323
+  br i1 %324, label %325, label %136
+325:
+  %326 = fcmp ole double %283, %321
+  %327 = select i1 %326, i64 %221, i64 %220
+  %328 = icmp slt i64 %109, 0
+  %329 = select i1 %328, i64 %31, i64 0
+  %330 = add i64 %329, %109
+  %331 = mul i64 %330, %33
+  %332 = getelementptr i64, ptr %29, i64 %331
+  store i64 %152, ptr %332, align 8
+  %333 = getelementptr i8, ptr %332, i64 8
+  store i64 %153, ptr %333, align 8
+  %334 = getelementptr i8, ptr %332, i64 16
+  store i64 %221, ptr %334, align 8
+  %335 = getelementptr i8, ptr %332, i64 24
+  store i64 %220, ptr %335, align 8
+  %336 = getelementptr i8, ptr %332, i64 32
+  store i64 %327, ptr %336, align 8
+  %337 = icmp slt i64 %327, 0
+  %338 = select i1 %337, i64 %4, i64 0
+  %339 = add i64 %338, %327
+  %340 = mul i64 %339, %6
+  %341 = getelementptr double, ptr %2, i64 %340
+  %342 = getelementptr i8, ptr %341, i64 16
+  %343 = load double, ptr %342, align 8
+  %344 = shl i64 %158, 3
+  %345 = getelementptr i8, ptr %2, i64 %344
+  %346 = getelementptr i8, ptr %345, i64 16
+  %347 = load double, ptr %346, align 8
+  %348 = fsub double %343, %347
+  %349 = shl i64 %154, 3
+  %350 = getelementptr i8, ptr %2, i64 %349
+  %351 = getelementptr i8, ptr %350, i64 16
+  %352 = load double, ptr %351, align 8
+  %353 = fsub double %352, %347
+  %354 = fmul double %348, %353
+  %355 = load double, ptr %341, align 8
+  %356 = load double, ptr %345, align 8
+  %357 = fsub double %355, %356
+  %358 = load double, ptr %350, align 8
+  %359 = fsub double %358, %356
+  %360 = fmul double %357, %359
+  %361 = fadd double %354, %360
+  %362 = getelementptr i8, ptr %341, i64 8
+  %363 = load double, ptr %362, align 8
+  %364 = getelementptr i8, ptr %345, i64 8
+  %365 = load double, ptr %364, align 8
+  %366 = fsub double %363, %365
+  %367 = getelementptr i8, ptr %350, i64 8
+  %368 = load double, ptr %367, align 8
+  %369 = fsub double %368, %365
+  %370 = fmul double %366, %369
+  %371 = fadd double %361, %370
+  %372 = fdiv double %371, %175
+  %373 = select i1 %328, i64 %38, i64 0
+  %374 = add i64 %373, %109
+  %375 = mul i64 %374, %40
+  %376 = getelementptr double, ptr %36, i64 %375
+  store double %176, ptr %376, align 8
+  %377 = getelementptr i8, ptr %376, i64 8
+  store double %372, ptr %377, align 8
+  %378 = add nsw i64 %109, 1
+  br label %136
+379:
+  %380 = phi i64 [ %140, %139 ], [ %99, %98 ]
+  ret i64 %380
 }
-
-define noundef i64 @msf_jax.host.meso.kernels.cut(ptr readonly %words) local_unnamed_addr {
-  %w0 = load ptr, ptr %words, align 8
-  %p1 = getelementptr i8, ptr %words, i64 8
-  %w1 = load i64, ptr %p1, align 8
-  %p2 = getelementptr i8, ptr %words, i64 16
-  %w2 = load i64, ptr %p2, align 8
-  %p3 = getelementptr i8, ptr %words, i64 24
-  %w3 = load ptr, ptr %p3, align 8
-  %p4 = getelementptr i8, ptr %words, i64 32
-  %w4 = load i64, ptr %p4, align 8
-  %p5 = getelementptr i8, ptr %words, i64 40
-  %w5 = load i64, ptr %p5, align 8
-  %s8 = shl i64 %w5, 3
-  %p6 = getelementptr i8, ptr %words, i64 48
-  %w6 = load ptr, ptr %p6, align 8
-  %p7 = getelementptr i8, ptr %words, i64 56
-  %w7 = load i64, ptr %p7, align 8
-  %p8 = getelementptr i8, ptr %words, i64 64
-  %w8 = load ptr, ptr %p8, align 8
-  %p9 = getelementptr i8, ptr %words, i64 72
-  %w9 = load i64, ptr %p9, align 8
-  %p10 = getelementptr i8, ptr %words, i64 80
-  %w10 = load i64, ptr %p10, align 8
-  %s16 = shl i64 %w10, 3
-  %p11 = getelementptr i8, ptr %words, i64 88
-  %w11 = load ptr, ptr %p11, align 8
-  %p12 = getelementptr i8, ptr %words, i64 96
-  %w12 = load i64, ptr %p12, align 8
-  %p13 = getelementptr i8, ptr %words, i64 104
-  %w13 = load i64, ptr %p13, align 8
-  %p20 = getelementptr i8, ptr %words, i64 160
-  %w20 = load ptr, ptr %p20, align 8
-  %p21 = getelementptr i8, ptr %words, i64 168
-  %w21 = load i64, ptr %p21, align 8
-  %p23 = getelementptr i8, ptr %words, i64 184
-  %w23 = load i64, ptr %p23, align 8
-  %p24 = getelementptr i8, ptr %words, i64 192
-  %w24 = load i64, ptr %p24, align 8
-  %s38 = shl i64 %w24, 3
-  %p25 = getelementptr i8, ptr %words, i64 200
-  %w25 = load ptr, ptr %p25, align 8
-  %p26 = getelementptr i8, ptr %words, i64 208
-  %w26 = load i64, ptr %p26, align 8
-  %p27 = getelementptr i8, ptr %words, i64 216
-  %w27 = load ptr, ptr %p27, align 8
-  %p29 = getelementptr i8, ptr %words, i64 232
-  %w29 = load ptr, ptr %p29, align 8
-  %.2562017.not.i = icmp slt i64 %w26, 1
-  br i1 %.2562017.not.i, label %_ZN7msf_jax4host4meso7kernels3cutB3v65B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE385Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28bool_2c_201d_2c_20C_29_2c_20array_28bool_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, label %B106.lr.ph.i
-
-B106.lr.ph.i:                                     ; preds = %0
-  %p22 = getelementptr i8, ptr %words, i64 176
-  %w22 = load ptr, ptr %p22, align 8
-  %.317.i = sub i64 %w4, %w26
-  %unroll_iter.i = and i64 %w24, 9223372036854775806
-  %scevgep121.i = getelementptr i8, ptr %w22, i64 8
-  %1 = icmp slt i64 %w24, 1
-  %2 = icmp eq i64 %w24, 1
-  %3 = and i64 %w24, 1
-  %4 = icmp eq i64 %3, 0
-  %invariant.gep.i = getelementptr double, ptr %w22, i64 %unroll_iter.i
-  br label %B106.i
-
-B104.loopexit.loopexit.unr-lcssa.i:               ; preds = %B1298.i
-  br i1 %4, label %B104.loopexit.i, label %B1298.epil.preheader.i
-
-B1298.epil.preheader.i:                           ; preds = %B1298.lr.ph.i, %B104.loopexit.loopexit.unr-lcssa.i
-  %gep.i = getelementptr double, ptr %invariant.gep.i, i64 %.2869.i
-  %.2874.epil.i = load double, ptr %gep.i, align 8
-  %.2875.epil.i = fmul double %.2257.i, %.2874.epil.i
-  %gep2.i = getelementptr double, ptr %invariant.gep.i, i64 %.2922.i
-  %.2927.epil.i = load double, ptr %gep2.i, align 8
-  %.2929.epil.i = fmul double %.408.i, %.2927.epil.i
-  %.2930.epil.i = fadd double %.2875.epil.i, %.2929.epil.i
-  %gep4.i = getelementptr double, ptr %invariant.gep.i, i64 %.2977.i
-  store double %.2930.epil.i, ptr %gep4.i, align 8
-  br label %B104.loopexit.i
-
-B104.loopexit.i:                                  ; preds = %B900.endif.endif.i, %B1298.epil.preheader.i, %B104.loopexit.loopexit.unr-lcssa.i
-  %lsr.iv.next133.i = add i64 %lsr.iv132.i, 1
-  %exitcond2088.not.i = icmp eq i64 %.269.i, %w26
-  br i1 %exitcond2088.not.i, label %_ZN7msf_jax4host4meso7kernels3cutB3v65B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE385Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28bool_2c_201d_2c_20C_29_2c_20array_28bool_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, label %B106.i
-
-B106.i:                                           ; preds = %B104.loopexit.i, %B106.lr.ph.i
-  %lsr.iv132.i = phi i64 [ %.317.i, %B106.lr.ph.i ], [ %lsr.iv.next133.i, %B104.loopexit.i ]
-  %.26219722026.i = phi i64 [ 0, %B106.lr.ph.i ], [ %.269.i, %B104.loopexit.i ]
-  %.269.i = add nuw nsw i64 %.26219722026.i, 1
-  %.318.i = add nsw i64 %.26219722026.i, %.317.i
-  %5 = getelementptr i64, ptr %w25, i64 %.26219722026.i
-  %.348.i = load i64, ptr %5, align 8
-  %6 = getelementptr i64, ptr %w27, i64 %.26219722026.i
-  %.378.i = load i64, ptr %6, align 8
-  %7 = getelementptr double, ptr %w29, i64 %.26219722026.i
-  %.408.i = load double, ptr %7, align 8
-  %.58.i.i = icmp slt i64 %.348.i, 0
-  %.59.i.i = select i1 %.58.i.i, i64 %w4, i64 0
-  %.60.i.i = add i64 %.59.i.i, %.348.i
-  %.80.i.i = mul i64 %.60.i.i, %w5
-  %.84.i.i = getelementptr i64, ptr %w3, i64 %.80.i.i
-  %.85.i.i = load i64, ptr %.84.i.i, align 8
-  %.87.not.i.i = icmp eq i64 %.85.i.i, %.378.i
-  br i1 %.87.not.i.i, label %B106.endif.i, label %B36.preheader.i.i
-
-B36.preheader.i.i:                                ; preds = %B106.i
-  %8 = shl i64 %.80.i.i, 3
-  %9 = getelementptr i8, ptr %w3, i64 %8
-  %scevgep.i.i = getelementptr i8, ptr %9, i64 8
-  br label %B36.i.i
-
-B36.i.i:                                          ; preds = %B36.i.i, %B36.preheader.i.i
-  %slot.2.0.i.i = phi i64 [ %.90.i.i, %B36.i.i ], [ 0, %B36.preheader.i.i ]
-  %.90.i.i = add nuw i64 %slot.2.0.i.i, 1
-  %10 = shl i64 %slot.2.0.i.i, 3
-  %scevgep1.i.i = getelementptr i8, ptr %scevgep.i.i, i64 %10
-  %.145.i.i = load i64, ptr %scevgep1.i.i, align 8
-  %.147.not.i.i = icmp eq i64 %.145.i.i, %.378.i
-  br i1 %.147.not.i.i, label %B106.endif.i, label %B36.i.i
-
-B730.i:                                           ; preds = %B584.endif.endif.endif.i, %B730.i
-  %.162219311933.i = phi i64 [ %.1629.i, %B730.i ], [ %.1535.i, %B584.endif.endif.endif.i ]
-  %.1629.i = add i64 %.162219311933.i, -1
-  %.1681.i = icmp slt i64 %.162219311933.i, 1
-  %11 = select i1 %.1681.i, i64 %s8, i64 0
-  %scevgep104.i = getelementptr i8, ptr %.84.i63.i, i64 %11
-  %12 = shl i64 %.162219311933.i, 3
-  %scevgep105.i = getelementptr i8, ptr %scevgep104.i, i64 %12
-  %scevgep106.i = getelementptr i8, ptr %scevgep105.i, i64 -8
-  %.1705.i = load i64, ptr %scevgep106.i, align 8
-  %13 = select i1 %.1681.i, i64 %s16, i64 0
-  %scevgep107.i = getelementptr i8, ptr %71, i64 %13
-  %scevgep108.i = getelementptr i8, ptr %scevgep107.i, i64 %12
-  %scevgep109.i = getelementptr i8, ptr %scevgep108.i, i64 -8
-  %.1757.i = load i64, ptr %scevgep109.i, align 8
-  %.1784.i = icmp slt i64 %.162219311933.i, 0
-  %14 = select i1 %.1784.i, i64 %s8, i64 0
-  %scevgep102.i = getelementptr i8, ptr %.84.i63.i, i64 %14
-  %scevgep103.i = getelementptr i8, ptr %scevgep102.i, i64 %12
-  store i64 %.1705.i, ptr %scevgep103.i, align 8
-  %15 = select i1 %.1784.i, i64 %s16, i64 0
-  %scevgep.i = getelementptr i8, ptr %71, i64 %15
-  %scevgep101.i = getelementptr i8, ptr %scevgep.i, i64 %12
-  store i64 %.1757.i, ptr %scevgep101.i, align 8
-  %16 = sub i64 %.1629.i, %slot.3.1.i74.i
-  %.1616.i = icmp samesign ugt i64 %16, 1
-  br i1 %.1616.i, label %B730.i, label %B808.i
-
-B808.i:                                           ; preds = %B730.i, %B584.endif.endif.endif.i
-  %.1866.i = sub i64 0, %.1501.i
-  %.1895.i = icmp slt i64 %slot.3.1.i74.i, -1
-  %.1896.i = select i1 %.1895.i, i64 %w5, i64 0
-  %17 = getelementptr i64, ptr %.84.i63.i, i64 %.1415.i
-  %.1918.i = getelementptr i64, ptr %17, i64 %.1896.i
-  store i64 %.318.i, ptr %.1918.i, align 8
-  %.1951.i = select i1 %.1895.i, i64 %w10, i64 0
-  %18 = getelementptr i64, ptr %71, i64 %.1415.i
-  %.1973.i = getelementptr i64, ptr %18, i64 %.1951.i
-  store i64 %.1501.i, ptr %.1973.i, align 8
-  %sunkaddr.i = shl i64 %.1077.i, 3
-  %sunkaddr138.i = getelementptr i8, ptr %w8, i64 %sunkaddr.i
-  %sunkaddr139.i = getelementptr i8, ptr %sunkaddr138.i, i64 8
-  store i64 %.1866.i, ptr %sunkaddr139.i, align 8
-  %sunkaddr140.i = shl i64 %.1520.i, 3
-  %sunkaddr141.i = getelementptr inbounds i8, ptr %73, i64 %sunkaddr140.i
-  %.2063.i = load i64, ptr %sunkaddr141.i, align 8
-  %.2064.i = add nsw i64 %.2063.i, 1
-  store i64 %.2064.i, ptr %sunkaddr141.i, align 8
-  %.58.i8.i = icmp slt i64 %.738.i, 0
-  %.59.i9.i = select i1 %.58.i8.i, i64 %w4, i64 0
-  %.60.i10.i = add i64 %.59.i9.i, %.738.i
-  %.80.i11.i = mul i64 %.60.i10.i, %w5
-  %.84.i12.i = getelementptr i64, ptr %w3, i64 %.80.i11.i
-  %.85.i13.i = load i64, ptr %.84.i12.i, align 8
-  %.87.not.i14.i = icmp eq i64 %.85.i13.i, %.378.i
-  br i1 %.87.not.i14.i, label %B584.endif.endif.endif.1.i, label %B36.preheader.i15.i
-
-B36.preheader.i15.i:                              ; preds = %B808.i
-  %19 = shl i64 %.80.i11.i, 3
-  %20 = getelementptr i8, ptr %w3, i64 %19
-  br label %B36.i17.i
-
-B36.i17.i:                                        ; preds = %B36.i17.i, %B36.preheader.i15.i
-  %lsr.iv.i = phi i64 [ %lsr.iv.next.i, %B36.i17.i ], [ 1, %B36.preheader.i15.i ]
-  %21 = shl i64 %lsr.iv.i, 3
-  %scevgep110.i = getelementptr i8, ptr %20, i64 %21
-  %.145.i21.i = load i64, ptr %scevgep110.i, align 8
-  %.147.not.i22.i = icmp eq i64 %.145.i21.i, %.378.i
-  %lsr.iv.next.i = add nuw i64 %lsr.iv.i, 1
-  br i1 %.147.not.i22.i, label %B36.i34.i, label %B36.i17.i
-
-B36.i34.i:                                        ; preds = %B36.i17.i, %B36.i34.i
-  %slot.2.0.i35.i = phi i64 [ %.90.i36.i, %B36.i34.i ], [ 0, %B36.i17.i ]
-  %.90.i36.i = add nuw i64 %slot.2.0.i35.i, 1
-  %sunkaddr142.i = shl i64 %slot.2.0.i35.i, 3
-  %sunkaddr143.i = getelementptr i8, ptr %20, i64 %sunkaddr142.i
-  %sunkaddr144.i = getelementptr i8, ptr %sunkaddr143.i, i64 8
-  %.145.i38.i = load i64, ptr %sunkaddr144.i, align 8
-  %.147.not.i39.i = icmp eq i64 %.145.i38.i, %.378.i
-  br i1 %.147.not.i39.i, label %B584.endif.endif.endif.1.i, label %B36.i34.i
-
-B584.endif.endif.endif.1.i:                       ; preds = %B36.i34.i, %B808.i
-  %.1415.198.i = phi i64 [ 1, %B808.i ], [ %lsr.iv.next.i, %B36.i34.i ]
-  %slot.3.1.i40.i = phi i64 [ 0, %B808.i ], [ %.90.i36.i, %B36.i34.i ]
-  %.1475.1.i = select i1 %.58.i8.i, i64 %w9, i64 0
-  %.1476.1.i = add i64 %.1475.1.i, %.738.i
-  %.1496.1.i = mul i64 %.1476.1.i, %w10
-  %22 = getelementptr i64, ptr %w8, i64 %.1496.1.i
-  %23 = getelementptr i64, ptr %22, i64 %slot.3.1.i40.i
-  %.1501.1.i = load i64, ptr %23, align 8
-  %.1520.1.i = select i1 %.58.i8.i, i64 %w7, i64 0
-  %24 = getelementptr i64, ptr %w6, i64 %.738.i
-  %.1534.1.i = getelementptr i64, ptr %24, i64 %.1520.1.i
-  %.1535.1.i = load i64, ptr %.1534.1.i, align 8
-  %.1573.1.i = sub i64 %.1415.198.i, %.1535.1.i
-  %.16161932.12120.i = icmp ugt i64 %.1573.1.i, -9223372036854775808
-  br i1 %.16161932.12120.i, label %B730.1.i, label %B900.endif.endif.i
-
-B730.1.i:                                         ; preds = %B584.endif.endif.endif.1.i, %B730.1.i
-  %.162219311933.1.i = phi i64 [ %.1629.1.i, %B730.1.i ], [ %.1535.1.i, %B584.endif.endif.endif.1.i ]
-  %.1629.1.i = add i64 %.162219311933.1.i, -1
-  %.1681.1.i = icmp slt i64 %.162219311933.1.i, 1
-  %25 = select i1 %.1681.1.i, i64 %s8, i64 0
-  %scevgep115.i = getelementptr i8, ptr %.84.i12.i, i64 %25
-  %26 = shl i64 %.162219311933.1.i, 3
-  %scevgep116.i = getelementptr i8, ptr %scevgep115.i, i64 %26
-  %scevgep117.i = getelementptr i8, ptr %scevgep116.i, i64 -8
-  %.1705.1.i = load i64, ptr %scevgep117.i, align 8
-  %27 = select i1 %.1681.1.i, i64 %s16, i64 0
-  %scevgep118.i = getelementptr i8, ptr %22, i64 %27
-  %scevgep119.i = getelementptr i8, ptr %scevgep118.i, i64 %26
-  %scevgep120.i = getelementptr i8, ptr %scevgep119.i, i64 -8
-  %.1757.1.i = load i64, ptr %scevgep120.i, align 8
-  %.1784.1.i = icmp slt i64 %.162219311933.1.i, 0
-  %28 = select i1 %.1784.1.i, i64 %s8, i64 0
-  %scevgep113.i = getelementptr i8, ptr %.84.i12.i, i64 %28
-  %scevgep114.i = getelementptr i8, ptr %scevgep113.i, i64 %26
-  store i64 %.1705.1.i, ptr %scevgep114.i, align 8
-  %29 = select i1 %.1784.1.i, i64 %s16, i64 0
-  %scevgep111.i = getelementptr i8, ptr %22, i64 %29
-  %scevgep112.i = getelementptr i8, ptr %scevgep111.i, i64 %26
-  store i64 %.1757.1.i, ptr %scevgep112.i, align 8
-  %30 = sub i64 %.162219311933.1.i, %.1415.198.i
-  %.1616.1.i = icmp samesign ugt i64 %30, 1
-  br i1 %.1616.1.i, label %B730.1.i, label %B900.endif.endif.i
-
-B1298.i:                                          ; preds = %B1298.preheader.i, %B1298.i
-  %.278819621964.i = phi i64 [ %.2795.1.i, %B1298.i ], [ 0, %B1298.preheader.i ]
-  %31 = shl i64 %.278819621964.i, 3
-  %scevgep124.i = getelementptr i8, ptr %scevgep122.i, i64 %31
-  %scevgep125.i = getelementptr i8, ptr %scevgep124.i, i64 -8
-  %.2874.i = load double, ptr %scevgep125.i, align 8
-  %.2875.i = fmul double %.2257.i, %.2874.i
-  %scevgep129.i = getelementptr i8, ptr %scevgep127.i, i64 %31
-  %scevgep130.i = getelementptr i8, ptr %scevgep129.i, i64 -8
-  %.2927.i = load double, ptr %scevgep130.i, align 8
-  %.2929.i = fmul double %.408.i, %.2927.i
-  %.2930.i = fadd double %.2875.i, %.2929.i
-  %scevgep136.i = getelementptr i8, ptr %scevgep134.i, i64 %31
-  %scevgep137.i = getelementptr i8, ptr %scevgep136.i, i64 -8
-  store double %.2930.i, ptr %scevgep137.i, align 8
-  %.2795.1.i = add nuw i64 %.278819621964.i, 2
-  %.2874.1.i = load double, ptr %scevgep124.i, align 8
-  %.2875.1.i = fmul double %.2257.i, %.2874.1.i
-  %.2927.1.i = load double, ptr %scevgep129.i, align 8
-  %.2929.1.i = fmul double %.408.i, %.2927.1.i
-  %.2930.1.i = fadd double %.2875.1.i, %.2929.1.i
-  store double %.2930.1.i, ptr %scevgep136.i, align 8
-  %niter.ncmp.1.i = icmp eq i64 %unroll_iter.i, %.2795.1.i
-  br i1 %niter.ncmp.1.i, label %B104.loopexit.loopexit.unr-lcssa.i, label %B1298.i
-
-B106.endif.i:                                     ; preds = %B36.i.i, %B106.i
-  %slot.3.1.i.i = phi i64 [ 0, %B106.i ], [ %.90.i.i, %B36.i.i ]
-  %.58.i42.i = icmp slt i64 %.378.i, 0
-  %.59.i43.i = select i1 %.58.i42.i, i64 %w4, i64 0
-  %.60.i44.i = add i64 %.59.i43.i, %.378.i
-  %.80.i45.i = mul i64 %.60.i44.i, %w5
-  %.84.i46.i = getelementptr i64, ptr %w3, i64 %.80.i45.i
-  %.85.i47.i = load i64, ptr %.84.i46.i, align 8
-  %.87.not.i48.i = icmp eq i64 %.85.i47.i, %.348.i
-  br i1 %.87.not.i48.i, label %B106.endif.endif.i, label %B36.preheader.i49.i
-
-B36.preheader.i49.i:                              ; preds = %B106.endif.i
-  %32 = shl i64 %.80.i45.i, 3
-  %33 = getelementptr i8, ptr %w3, i64 %32
-  %scevgep.i50.i = getelementptr i8, ptr %33, i64 8
-  br label %B36.i51.i
-
-B36.i51.i:                                        ; preds = %B36.i51.i, %B36.preheader.i49.i
-  %slot.2.0.i52.i = phi i64 [ %.90.i53.i, %B36.i51.i ], [ 0, %B36.preheader.i49.i ]
-  %.90.i53.i = add nuw i64 %slot.2.0.i52.i, 1
-  %34 = shl i64 %slot.2.0.i52.i, 3
-  %scevgep1.i54.i = getelementptr i8, ptr %scevgep.i50.i, i64 %34
-  %.145.i55.i = load i64, ptr %scevgep1.i54.i, align 8
-  %.147.not.i56.i = icmp eq i64 %.145.i55.i, %.348.i
-  br i1 %.147.not.i56.i, label %B106.endif.endif.i, label %B36.i51.i
-
-B106.endif.endif.i:                               ; preds = %B36.i51.i, %B106.endif.i
-  %slot.3.1.i57.i = phi i64 [ 0, %B106.endif.i ], [ %.90.i53.i, %B36.i51.i ]
-  %.509.i = select i1 %.58.i.i, i64 %w7, i64 0
-  %35 = getelementptr i64, ptr %w6, i64 %.348.i
-  %.523.i = getelementptr i64, ptr %35, i64 %.509.i
-  %.524.i = load i64, ptr %.523.i, align 8
-  %.527.i = icmp eq i64 %.524.i, 0
-  br i1 %.527.i, label %B556.lr.ph.i, label %B106.endif.endif.endif.i
-
-B106.endif.endif.endif.i:                         ; preds = %B106.endif.endif.i
-  %.493.i = add nsw i64 %slot.3.1.i.i, 1
-  %36 = or i64 %.524.i, %.493.i
-  %37 = icmp ult i64 %36, 4294967296
-  br i1 %37, label %38, label %43
-
-38:                                               ; preds = %B106.endif.endif.endif.i
-  %39 = trunc nuw i64 %.524.i to i32
-  %40 = trunc nuw i64 %.493.i to i32
-  %41 = urem i32 %40, %39
-  %42 = zext i32 %41 to i64
-  br label %45
-
-43:                                               ; preds = %B106.endif.endif.endif.i
-  %44 = srem i64 %.493.i, %.524.i
-  br label %45
-
-45:                                               ; preds = %43, %38
-  %46 = phi i64 [ %42, %38 ], [ %44, %43 ]
-  %.545.i = xor i64 %46, %.524.i
-  %.546.i = icmp slt i64 %.545.i, 0
-  %.547.i = icmp ne i64 %46, 0
-  %.548.i = and i1 %.547.i, %.546.i
-  %.555.i = select i1 %.548.i, i64 %.524.i, i64 0
-  %spec.select.i = add i64 %.555.i, %46
-  %spec.select.fr.i = freeze i64 %spec.select.i
-  %.591.i = icmp slt i64 %spec.select.fr.i, 0
-  %spec.select2118.i = select i1 %.591.i, i64 %w5, i64 0
-  %47 = getelementptr i64, ptr %.84.i.i, i64 %spec.select.fr.i
-  %.6142105.i = getelementptr i64, ptr %47, i64 %spec.select2118.i
-  %.6152106.i = load i64, ptr %.6142105.i, align 8
-  %.6162107.i = add nsw i64 %slot.3.1.i.i, -1
-  %.661.i = icmp ne i64 %.6162107.i, -9223372036854775808
-  %.662.i = icmp ne i64 %.524.i, -1
-  %.663.not.i = or i1 %.661.i, %.662.i
-  br i1 %.663.not.i, label %B106.endif.endif.endif.else.if.i, label %B556.lr.ph.i
-
-B106.endif.endif.endif.else.if.i:                 ; preds = %45
-  %48 = or i64 %.524.i, %.6162107.i
-  %49 = icmp ult i64 %48, 4294967296
-  br i1 %49, label %50, label %55
-
-50:                                               ; preds = %B106.endif.endif.endif.else.if.i
-  %51 = trunc nuw i64 %.524.i to i32
-  %52 = trunc nuw i64 %.6162107.i to i32
-  %53 = urem i32 %52, %51
-  %54 = zext i32 %53 to i64
-  br label %57
-
-55:                                               ; preds = %B106.endif.endif.endif.else.if.i
-  %56 = srem i64 %.6162107.i, %.524.i
-  br label %57
-
-57:                                               ; preds = %55, %50
-  %58 = phi i64 [ %54, %50 ], [ %56, %55 ]
-  %.668.i = xor i64 %58, %.524.i
-  %.669.i = icmp slt i64 %.668.i, 0
-  %.670.i = icmp ne i64 %58, 0
-  %.671.i = and i1 %.670.i, %.669.i
-  %.678.i = select i1 %.671.i, i64 %.524.i, i64 0
-  %spec.select1920.i = add i64 %.678.i, %58
-  %spec.select1920.fr.i = freeze i64 %spec.select1920.i
-  %.714.i = icmp slt i64 %spec.select1920.fr.i, 0
-  %.715.i = select i1 %.714.i, i64 %w5, i64 0
-  %59 = getelementptr i64, ptr %.84.i.i, i64 %.715.i
-  %.737.phi.trans.insert.i = getelementptr i64, ptr %59, i64 %spec.select1920.fr.i
-  %.738.pre.i = load i64, ptr %.737.phi.trans.insert.i, align 8
-  br label %B556.lr.ph.i
-
-B556.lr.ph.i:                                     ; preds = %57, %45, %B106.endif.endif.i
-  %.738.i = phi i64 [ %.85.i.i, %45 ], [ %.738.pre.i, %57 ], [ %.85.i.i, %B106.endif.endif.i ]
-  %.6152109.i = phi i64 [ %.6152106.i, %45 ], [ %.6152106.i, %57 ], [ %.85.i.i, %B106.endif.endif.i ]
-  %.784.i = icmp slt i64 %.318.i, 0
-  %.785.i = select i1 %.784.i, i64 %w4, i64 0
-  %.786.i = add i64 %.785.i, %.318.i
-  %.806.i = mul i64 %.786.i, %w5
-  %.810.i = getelementptr i64, ptr %w3, i64 %.806.i
-  store i64 %.378.i, ptr %.810.i, align 8
-  %.865.i = getelementptr i8, ptr %.810.i, i64 8
-  store i64 %.6152109.i, ptr %.865.i, align 8
-  %.920.i = getelementptr i8, ptr %.810.i, i64 16
-  store i64 %.348.i, ptr %.920.i, align 8
-  %.975.i = getelementptr i8, ptr %.810.i, i64 24
-  store i64 %.738.i, ptr %.975.i, align 8
-  %.1001.i = select i1 %.58.i42.i, i64 %w9, i64 0
-  %.1002.i = add i64 %.1001.i, %.378.i
-  %.1022.i = mul i64 %.1002.i, %w10
-  %60 = getelementptr i64, ptr %w8, i64 %.1022.i
-  %61 = getelementptr i64, ptr %60, i64 %slot.3.1.i57.i
-  %.1027.i = load i64, ptr %61, align 8
-  %.1056.i = select i1 %.784.i, i64 %w9, i64 0
-  %.1057.i = add i64 %.1056.i, %.318.i
-  %.1077.i = mul i64 %.1057.i, %w10
-  %62 = getelementptr i64, ptr %w8, i64 %.1077.i
-  %.1081.i = getelementptr i8, ptr %62, i64 16
-  store i64 %.1027.i, ptr %.1081.i, align 8
-  store i64 0, ptr %61, align 8
-  %63 = getelementptr i64, ptr %.84.i.i, i64 %slot.3.1.i.i
-  store i64 %.318.i, ptr %63, align 8
-  %64 = getelementptr i64, ptr %.84.i46.i, i64 %slot.3.1.i57.i
-  store i64 %.318.i, ptr %64, align 8
-  %.58.i59.i = icmp slt i64 %.6152109.i, 0
-  %.59.i60.i = select i1 %.58.i59.i, i64 %w4, i64 0
-  %.60.i61.i = add i64 %.59.i60.i, %.6152109.i
-  %.80.i62.i = mul i64 %.60.i61.i, %w5
-  %.84.i63.i = getelementptr i64, ptr %w3, i64 %.80.i62.i
-  %.85.i64.i = load i64, ptr %.84.i63.i, align 8
-  %.87.not.i65.i = icmp eq i64 %.85.i64.i, %.348.i
-  br i1 %.87.not.i65.i, label %B584.endif.i, label %B36.preheader.i66.i
-
-B36.preheader.i66.i:                              ; preds = %B556.lr.ph.i
-  %65 = shl i64 %.80.i62.i, 3
-  %66 = getelementptr i8, ptr %w3, i64 %65
-  %scevgep.i67.i = getelementptr i8, ptr %66, i64 8
-  br label %B36.i68.i
-
-B36.i68.i:                                        ; preds = %B36.i68.i, %B36.preheader.i66.i
-  %slot.2.0.i69.i = phi i64 [ %.90.i70.i, %B36.i68.i ], [ 0, %B36.preheader.i66.i ]
-  %.90.i70.i = add nuw i64 %slot.2.0.i69.i, 1
-  %67 = shl i64 %slot.2.0.i69.i, 3
-  %scevgep1.i71.i = getelementptr i8, ptr %scevgep.i67.i, i64 %67
-  %.145.i72.i = load i64, ptr %scevgep1.i71.i, align 8
-  %.147.not.i73.i = icmp eq i64 %.145.i72.i, %.348.i
-  br i1 %.147.not.i73.i, label %B584.endif.i, label %B36.i68.i
-
-B584.endif.i:                                     ; preds = %B36.i68.i, %B556.lr.ph.i
-  %slot.3.1.i74.i = phi i64 [ 0, %B556.lr.ph.i ], [ %.90.i70.i, %B36.i68.i ]
-  %.1415.i = add nsw i64 %slot.3.1.i74.i, 1
-  %.87.not.i82.i = icmp eq i64 %.85.i64.i, %.378.i
-  br i1 %.87.not.i82.i, label %B584.endif.endif.endif.i, label %B36.preheader.i83.i
-
-B36.preheader.i83.i:                              ; preds = %B584.endif.i
-  %68 = shl i64 %.80.i62.i, 3
-  %69 = getelementptr i8, ptr %w3, i64 %68
-  %scevgep.i84.i = getelementptr i8, ptr %69, i64 8
-  br label %B36.i85.i
-
-B36.i85.i:                                        ; preds = %B36.i85.i, %B36.preheader.i83.i
-  %slot.2.0.i86.i = phi i64 [ %.90.i87.i, %B36.i85.i ], [ 0, %B36.preheader.i83.i ]
-  %.90.i87.i = add nuw i64 %slot.2.0.i86.i, 1
-  %70 = shl i64 %slot.2.0.i86.i, 3
-  %scevgep1.i88.i = getelementptr i8, ptr %scevgep.i84.i, i64 %70
-  %.145.i89.i = load i64, ptr %scevgep1.i88.i, align 8
-  %.147.not.i90.i = icmp eq i64 %.145.i89.i, %.378.i
-  br i1 %.147.not.i90.i, label %B584.endif.endif.endif.i, label %B36.i85.i
-
-B584.endif.endif.endif.i:                         ; preds = %B36.i85.i, %B584.endif.i
-  %slot.3.1.i91.i = phi i64 [ 0, %B584.endif.i ], [ %.90.i87.i, %B36.i85.i ]
-  %.1475.i = select i1 %.58.i59.i, i64 %w9, i64 0
-  %.1476.i = add i64 %.1475.i, %.6152109.i
-  %.1496.i = mul i64 %.1476.i, %w10
-  %71 = getelementptr i64, ptr %w8, i64 %.1496.i
-  %72 = getelementptr i64, ptr %71, i64 %slot.3.1.i91.i
-  %.1501.i = load i64, ptr %72, align 8
-  %.1520.i = select i1 %.58.i59.i, i64 %w7, i64 0
-  %73 = getelementptr i64, ptr %w6, i64 %.6152109.i
-  %.1534.i = getelementptr i64, ptr %73, i64 %.1520.i
-  %.1535.i = load i64, ptr %.1534.i, align 8
-  %.1573.i = sub i64 %.1415.i, %.1535.i
-  %.161619322119.i = icmp ugt i64 %.1573.i, -9223372036854775808
-  br i1 %.161619322119.i, label %B730.i, label %B808.i
-
-B900.endif.endif.i:                               ; preds = %B730.1.i, %B584.endif.endif.endif.1.i
-  %.1866.1.i = sub i64 0, %.1501.1.i
-  %74 = getelementptr i64, ptr %.84.i12.i, i64 %.1415.198.i
-  store i64 %.318.i, ptr %74, align 8
-  %75 = getelementptr i64, ptr %22, i64 %.1415.198.i
-  store i64 %.1501.1.i, ptr %75, align 8
-  %sunkaddr147.i = getelementptr i8, ptr %sunkaddr138.i, i64 24
-  store i64 %.1866.1.i, ptr %sunkaddr147.i, align 8
-  %sunkaddr148.i = shl i64 %.1520.1.i, 3
-  %sunkaddr149.i = getelementptr inbounds i8, ptr %24, i64 %sunkaddr148.i
-  %.2063.1.i = load i64, ptr %sunkaddr149.i, align 8
-  %.2064.1.i = add nsw i64 %.2063.1.i, 1
-  store i64 %.2064.1.i, ptr %sunkaddr149.i, align 8
-  %.2122.i = select i1 %.784.i, i64 %w7, i64 0
-  %76 = getelementptr i64, ptr %w6, i64 %.318.i
-  %.2136.i = getelementptr i64, ptr %76, i64 %.2122.i
-  store i64 4, ptr %.2136.i, align 8
-  %.2257.i = fsub double 1.000000e+00, %.408.i
-  %.2283.i = select i1 %.58.i.i, i64 %w1, i64 0
-  %.2284.i = add i64 %.2283.i, %.348.i
-  %.2304.i = mul i64 %.2284.i, %w2
-  %77 = getelementptr double, ptr %w0, i64 %.2304.i
-  %.2336.i = select i1 %.58.i42.i, i64 %w1, i64 0
-  %.2337.i = add i64 %.2336.i, %.378.i
-  %.2357.i = mul i64 %.2337.i, %w2
-  %78 = getelementptr double, ptr %w0, i64 %.2357.i
-  %.2391.i = select i1 %.784.i, i64 %w1, i64 0
-  %.2392.i = add i64 %.2391.i, %.318.i
-  %.2412.i = mul i64 %.2392.i, %w2
-  %79 = getelementptr double, ptr %w0, i64 %.2412.i
-  %.2446.i = select i1 %.58.i.i, i64 %w12, i64 0
-  %.2447.i = add i64 %.2446.i, %.348.i
-  %.2467.i = mul i64 %.2447.i, %w13
-  %80 = getelementptr double, ptr %w11, i64 %.2467.i
-  %.2499.i = select i1 %.58.i42.i, i64 %w12, i64 0
-  %.2500.i = add i64 %.2499.i, %.378.i
-  %.2520.i = mul i64 %.2500.i, %w13
-  %81 = getelementptr double, ptr %w11, i64 %.2520.i
-  %.2554.i = select i1 %.784.i, i64 %w12, i64 0
-  %.2555.i = add i64 %.2554.i, %.318.i
-  %.2575.i = mul i64 %.2555.i, %w13
-  %82 = getelementptr double, ptr %w11, i64 %.2575.i
-  %.2309.i = load double, ptr %77, align 8
-  %.2310.i = fmul double %.2257.i, %.2309.i
-  %.2362.i = load double, ptr %78, align 8
-  %.2364.i = fmul double %.408.i, %.2362.i
-  %.2365.i = fadd double %.2310.i, %.2364.i
-  store double %.2365.i, ptr %79, align 8
-  %.2472.i = load double, ptr %80, align 8
-  %.2473.i = fmul double %.2257.i, %.2472.i
-  %.2525.i = load double, ptr %81, align 8
-  %.2527.i = fmul double %.408.i, %.2525.i
-  %.2528.i = fadd double %.2473.i, %.2527.i
-  store double %.2528.i, ptr %82, align 8
-  %.2308.1.i = getelementptr i8, ptr %77, i64 8
-  %.2309.1.i = load double, ptr %.2308.1.i, align 8
-  %.2310.1.i = fmul double %.2257.i, %.2309.1.i
-  %.2361.1.i = getelementptr i8, ptr %78, i64 8
-  %.2362.1.i = load double, ptr %.2361.1.i, align 8
-  %.2364.1.i = fmul double %.408.i, %.2362.1.i
-  %.2365.1.i = fadd double %.2310.1.i, %.2364.1.i
-  %.2416.1.i = getelementptr i8, ptr %79, i64 8
-  store double %.2365.1.i, ptr %.2416.1.i, align 8
-  %.2471.1.i = getelementptr i8, ptr %80, i64 8
-  %.2472.1.i = load double, ptr %.2471.1.i, align 8
-  %.2473.1.i = fmul double %.2257.i, %.2472.1.i
-  %.2524.1.i = getelementptr i8, ptr %81, i64 8
-  %.2525.1.i = load double, ptr %.2524.1.i, align 8
-  %.2527.1.i = fmul double %.408.i, %.2525.1.i
-  %.2528.1.i = fadd double %.2473.1.i, %.2527.1.i
-  %.2579.1.i = getelementptr i8, ptr %82, i64 8
-  store double %.2528.1.i, ptr %.2579.1.i, align 8
-  %.2308.2.i = getelementptr i8, ptr %77, i64 16
-  %.2309.2.i = load double, ptr %.2308.2.i, align 8
-  %.2310.2.i = fmul double %.2257.i, %.2309.2.i
-  %.2361.2.i = getelementptr i8, ptr %78, i64 16
-  %.2362.2.i = load double, ptr %.2361.2.i, align 8
-  %.2364.2.i = fmul double %.408.i, %.2362.2.i
-  %.2365.2.i = fadd double %.2310.2.i, %.2364.2.i
-  %.2416.2.i = getelementptr i8, ptr %79, i64 16
-  store double %.2365.2.i, ptr %.2416.2.i, align 8
-  %.2471.2.i = getelementptr i8, ptr %80, i64 16
-  %.2472.2.i = load double, ptr %.2471.2.i, align 8
-  %.2473.2.i = fmul double %.2257.i, %.2472.2.i
-  %.2524.2.i = getelementptr i8, ptr %81, i64 16
-  %.2525.2.i = load double, ptr %.2524.2.i, align 8
-  %.2527.2.i = fmul double %.408.i, %.2525.2.i
-  %.2528.2.i = fadd double %.2473.2.i, %.2527.2.i
-  %.2579.2.i = getelementptr i8, ptr %82, i64 16
-  store double %.2528.2.i, ptr %.2579.2.i, align 8
-  %.2605.i = select i1 %.58.i.i, i64 %w21, i64 0
-  %83 = getelementptr double, ptr %w20, i64 %.348.i
-  %.2619.i = getelementptr double, ptr %83, i64 %.2605.i
-  %.2620.i = load double, ptr %.2619.i, align 8
-  %.2621.i = fmul double %.2257.i, %.2620.i
-  %.2638.i = select i1 %.58.i42.i, i64 %w21, i64 0
-  %84 = getelementptr double, ptr %w20, i64 %.378.i
-  %.2652.i = getelementptr double, ptr %84, i64 %.2638.i
-  %.2653.i = load double, ptr %.2652.i, align 8
-  %.2655.i = fmul double %.408.i, %.2653.i
-  %.2656.i = fadd double %.2621.i, %.2655.i
-  %.2673.i = select i1 %.784.i, i64 %w21, i64 0
-  %85 = getelementptr double, ptr %w20, i64 %.318.i
-  %.2687.i = getelementptr double, ptr %85, i64 %.2673.i
-  store double %.2656.i, ptr %.2687.i, align 8
-  br i1 %1, label %B104.loopexit.i, label %B1298.lr.ph.i
-
-B1298.lr.ph.i:                                    ; preds = %B900.endif.endif.i
-  %.2848.i = select i1 %.58.i.i, i64 %w23, i64 0
-  %.2849.i = add i64 %.2848.i, %.348.i
-  %.2869.i = mul i64 %.2849.i, %w24
-  %.2901.i = select i1 %.58.i42.i, i64 %w23, i64 0
-  %.2902.i = add i64 %.2901.i, %.378.i
-  %.2922.i = mul i64 %.2902.i, %w24
-  %.2956.i = select i1 %.784.i, i64 %w23, i64 0
-  %.2957.i = add i64 %.2956.i, %.318.i
-  %.2977.i = mul i64 %.2957.i, %w24
-  br i1 %2, label %B1298.epil.preheader.i, label %B1298.preheader.i
-
-B1298.preheader.i:                                ; preds = %B1298.lr.ph.i
-  %86 = mul i64 %.2849.i, %s38
-  %scevgep122.i = getelementptr i8, ptr %scevgep121.i, i64 %86
-  %87 = mul i64 %.2902.i, %s38
-  %scevgep127.i = getelementptr i8, ptr %scevgep121.i, i64 %87
-  %88 = add i64 %.2956.i, %lsr.iv132.i
-  %89 = mul i64 %88, %s38
-  %scevgep134.i = getelementptr i8, ptr %scevgep121.i, i64 %89
-  br label %B1298.i
-
-_ZN7msf_jax4host4meso7kernels3cutB3v65B54c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2AZLaAIAE385Surface_28array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28bool_2c_201d_2c_20C_29_2c_20array_28bool_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit: ; preds = %B104.loopexit.i, %0
+define noundef i64 @msf_jax.host.meso.kernels.apart(ptr readonly %0) local_unnamed_addr {
+  %2 = load ptr, ptr %0, align 8
+  %3 = getelementptr i8, ptr %0, i64 8
+  %4 = load i64, ptr %3, align 8
+  %5 = getelementptr i8, ptr %0, i64 16
+  %6 = load i64, ptr %5, align 8
+  %7 = shl i64 %6, 3
+  %8 = getelementptr i8, ptr %0, i64 24
+  %9 = load ptr, ptr %8, align 8
+  %10 = getelementptr i8, ptr %0, i64 32
+  %11 = load i64, ptr %10, align 8
+  %12 = getelementptr i8, ptr %0, i64 40
+  %13 = load ptr, ptr %12, align 8
+  %14 = getelementptr i8, ptr %0, i64 48
+  %15 = load i64, ptr %14, align 8
+  %16 = getelementptr i8, ptr %0, i64 56
+  %17 = load ptr, ptr %16, align 8
+  %18 = getelementptr i8, ptr %0, i64 64
+  %19 = load i64, ptr %18, align 8
+  %20 = icmp sgt i64 %11, 0
+  br i1 %20, label %21, label %150
+21:
+  %22 = icmp slt i64 %6, 1
+  br i1 %22, label %30, label %23
+23:
+  %24 = and i64 %6, 3
+  %25 = and i64 %6, 9223372036854775804
+  %26 = add nsw i64 %6, -1
+  %27 = getelementptr i8, ptr %2, i64 24
+  %28 = icmp samesign ult i64 %6, 4
+  %29 = icmp eq i64 %24, 0
+  br label %34
+30:
+  %31 = icmp eq i64 %11, 1
+  br i1 %31, label %124, label %32
+32:
+  %33 = and i64 %11, 9223372036854775806
+  br label %133
+34:
+  %35 = phi i64 [ %63, %61 ], [ 0, %23 ]
+  %36 = shl i64 %35, 3
+  %37 = getelementptr i8, ptr %9, i64 %36
+  %38 = load i64, ptr %37, align 8
+  %39 = icmp slt i64 %38, 0
+  %40 = select i1 %39, i64 %4, i64 0
+  %41 = add i64 %40, %38
+  %42 = mul i64 %41, %6
+  %43 = getelementptr i64, ptr %2, i64 %42
+  br label %97
+44:
+  br i1 %29, label %61, label %45
+45:
+  %46 = phi i64 [ %25, %44 ], [ 0, %117 ]
+  %47 = shl i64 %46, 3
+  %48 = getelementptr i8, ptr %2, i64 %118
+  %49 = getelementptr i8, ptr %48, i64 %47
+  br label %50
+50:
+  %51 = phi i64 [ %59, %50 ], [ 0, %45 ]
+  %52 = shl nuw nsw i64 %51, 3
+  %53 = getelementptr i8, ptr %49, i64 %52
+  %54 = load i64, ptr %53, align 8
+  %55 = icmp slt i64 %54, 0
+  %56 = select i1 %55, i64 %15, i64 0
+  %57 = getelementptr i8, ptr %13, i64 %54
+  %58 = getelementptr i8, ptr %57, i64 %56
+  store i8 1, ptr %58, align 1
+  %59 = add i64 %51, 1
+  %60 = icmp eq i64 %24, %59
+  br i1 %60, label %61, label %50
+61:
+  %62 = phi i8 [ 1, %44 ], [ 0, %116 ], [ 1, %50 ], [ 0, %114 ]
+  %63 = add nuw nsw i64 %35, 1
+  %64 = select i1 %39, i64 %19, i64 0
+  %65 = getelementptr i8, ptr %17, i64 %38
+  %66 = getelementptr i8, ptr %65, i64 %64
+  store i8 %62, ptr %66, align 1
+  %67 = icmp eq i64 %63, %11
+  br i1 %67, label %150, label %34
+68:
+  %69 = phi i64 [ %90, %68 ], [ 0, %119 ]
+  %70 = shl i64 %69, 3
+  %71 = getelementptr i8, ptr %120, i64 %70
+  %72 = getelementptr i8, ptr %71, i64 -24
+  %73 = load i64, ptr %72, align 8
+  %74 = icmp slt i64 %73, 0
+  %75 = select i1 %74, i64 %15, i64 0
+  %76 = getelementptr i8, ptr %13, i64 %73
+  %77 = getelementptr i8, ptr %76, i64 %75
+  store i8 1, ptr %77, align 1
+  %78 = getelementptr i8, ptr %71, i64 -16
+  %79 = load i64, ptr %78, align 8
+  %80 = icmp slt i64 %79, 0
+  %81 = select i1 %80, i64 %15, i64 0
+  %82 = getelementptr i8, ptr %13, i64 %79
+  %83 = getelementptr i8, ptr %82, i64 %81
+  store i8 1, ptr %83, align 1
+  %84 = getelementptr i8, ptr %71, i64 -8
+  %85 = load i64, ptr %84, align 8
+  %86 = icmp slt i64 %85, 0
+  %87 = select i1 %86, i64 %15, i64 0
+  %88 = getelementptr i8, ptr %13, i64 %85
+  %89 = getelementptr i8, ptr %88, i64 %87
+  store i8 1, ptr %89, align 1
+  %90 = add nuw nsw i64 %69, 4
+  %91 = load i64, ptr %71, align 8
+  %92 = icmp slt i64 %91, 0
+  %93 = select i1 %92, i64 %15, i64 0
+  %94 = getelementptr i8, ptr %13, i64 %91
+  %95 = getelementptr i8, ptr %94, i64 %93
+  store i8 1, ptr %95, align 1
+  %96 = icmp eq i64 %25, %90
+  br i1 %96, label %44, label %68
+97:
+  %98 = phi i1 [ true, %34 ], [ %112, %111 ]
+  %99 = phi i64 [ 0, %34 ], [ %113, %111 ]
+  br i1 %98, label %100, label %114
+100:
+  %101 = shl i64 %99, 3
+  %102 = getelementptr i8, ptr %43, i64 %101
+  %103 = load i64, ptr %102, align 8
+  %104 = icmp slt i64 %103, 0
+  %105 = select i1 %104, i64 %15, i64 0
+  %106 = getelementptr i8, ptr %13, i64 %103
+  %107 = getelementptr i8, ptr %106, i64 %105
+  %108 = load i8, ptr %107, align 1
+  %109 = icmp eq i8 %108, 0
+  %110 = icmp eq i64 %26, %99
+  br i1 %110, label %116, label %111
+111:
+  %112 = phi i1 [ %109, %100 ], [ false, %114 ]
+  %113 = add nuw nsw i64 %99, 1
+  br label %97
+114:
+  %115 = icmp eq i64 %26, %99
+  br i1 %115, label %61, label %111
+116:
+  br i1 %109, label %117, label %61
+117:
+  %118 = mul i64 %41, %7
+  br i1 %28, label %45, label %119
+119:
+  %120 = getelementptr i8, ptr %27, i64 %118
+  br label %68
+121:
+  %122 = and i64 %11, 1
+  %123 = icmp eq i64 %122, 0
+  br i1 %123, label %150, label %124
+124:
+  %125 = phi i64 [ 0, %30 ], [ %33, %121 ]
+  %126 = shl i64 %125, 3
+  %127 = getelementptr i8, ptr %9, i64 %126
+  %128 = load i64, ptr %127, align 8
+  %129 = icmp slt i64 %128, 0
+  %130 = select i1 %129, i64 %19, i64 0
+  %131 = getelementptr i8, ptr %17, i64 %128
+  %132 = getelementptr i8, ptr %131, i64 %130
+  store i8 1, ptr %132, align 1
+  br label %150
+133:
+  %134 = phi ptr [ %148, %133 ], [ %9, %32 ]
+  %135 = phi i64 [ %143, %133 ], [ 0, %32 ]
+  %136 = load i64, ptr %134, align 8
+  %137 = icmp slt i64 %136, 0
+  %138 = select i1 %137, i64 %19, i64 0
+  %139 = getelementptr i8, ptr %17, i64 %136
+  %140 = getelementptr i8, ptr %139, i64 %138
+  store i8 1, ptr %140, align 1
+  %141 = getelementptr i8, ptr %134, i64 8
+  %142 = load i64, ptr %141, align 8
+  %143 = add nuw i64 %135, 2
+  %144 = icmp slt i64 %142, 0
+  %145 = select i1 %144, i64 %19, i64 0
+  %146 = getelementptr i8, ptr %17, i64 %142
+  %147 = getelementptr i8, ptr %146, i64 %145
+  store i8 1, ptr %147, align 1
+  %148 = getelementptr i8, ptr %134, i64 16
+  %149 = icmp eq i64 %33, %143
+  br i1 %149, label %121, label %133
+150:
   ret i64 0
 }
-
-
+define i64 @msf_jax.host.meso.kernels.collapse(ptr readonly %0) local_unnamed_addr {
+  %2 = load ptr, ptr %0, align 8
+  %3 = getelementptr i8, ptr %0, i64 8
+  %4 = load i64, ptr %3, align 8
+  %5 = getelementptr i8, ptr %0, i64 16
+  %6 = load i64, ptr %5, align 8
+  %7 = shl i64 %6, 3
+  %8 = getelementptr i8, ptr %0, i64 24
+  %9 = load ptr, ptr %8, align 8
+  %10 = getelementptr i8, ptr %0, i64 32
+  %11 = load i64, ptr %10, align 8
+  %12 = getelementptr i8, ptr %0, i64 40
+  %13 = load i64, ptr %12, align 8
+  %14 = shl i64 %13, 3
+  %15 = getelementptr i8, ptr %0, i64 48
+  %16 = load ptr, ptr %15, align 8
+  %17 = getelementptr i8, ptr %0, i64 56
+  %18 = load i64, ptr %17, align 8
+  %19 = getelementptr i8, ptr %0, i64 64
+  %20 = load ptr, ptr %19, align 8
+  %21 = getelementptr i8, ptr %0, i64 72
+  %22 = load i64, ptr %21, align 8
+  %23 = getelementptr i8, ptr %0, i64 80
+  %24 = load i64, ptr %23, align 8
+  %25 = shl i64 %24, 3
+  %26 = getelementptr i8, ptr %0, i64 88
+  %27 = load ptr, ptr %26, align 8
+  %28 = getelementptr i8, ptr %0, i64 96
+  %29 = load i64, ptr %28, align 8
+  %30 = getelementptr i8, ptr %0, i64 104
+  %31 = load i64, ptr %30, align 8
+  %32 = getelementptr i8, ptr %0, i64 112
+  %33 = load ptr, ptr %32, align 8
+  %34 = getelementptr i8, ptr %0, i64 120
+  %35 = load i64, ptr %34, align 8
+  %36 = getelementptr i8, ptr %0, i64 128
+  %37 = load ptr, ptr %36, align 8
+  %38 = getelementptr i8, ptr %0, i64 136
+  %39 = load i64, ptr %38, align 8
+  %40 = getelementptr i8, ptr %0, i64 144
+  %41 = load ptr, ptr %40, align 8
+  %42 = getelementptr i8, ptr %0, i64 152
+  %43 = load i64, ptr %42, align 8
+  %44 = getelementptr i8, ptr %0, i64 160
+  %45 = load ptr, ptr %44, align 8
+  %46 = getelementptr i8, ptr %0, i64 168
+  %47 = load i64, ptr %46, align 8
+  %48 = getelementptr i8, ptr %0, i64 176
+  %49 = load ptr, ptr %48, align 8
+  %50 = getelementptr i8, ptr %0, i64 184
+  %51 = load i64, ptr %50, align 8
+  %52 = getelementptr i8, ptr %0, i64 192
+  %53 = load i64, ptr %52, align 8
+  %54 = getelementptr i8, ptr %0, i64 200
+  %55 = load ptr, ptr %54, align 8
+  %56 = getelementptr i8, ptr %0, i64 208
+  %57 = load i64, ptr %56, align 8
+  %58 = getelementptr i8, ptr %0, i64 216
+  %59 = load ptr, ptr %58, align 8
+  %60 = getelementptr i8, ptr %0, i64 224
+  %61 = load i64, ptr %60, align 8
+  %62 = getelementptr i8, ptr %0, i64 232
+  %63 = load i64, ptr %62, align 8
+  %64 = getelementptr i8, ptr %0, i64 248
+  %65 = load ptr, ptr %64, align 8
+  %66 = getelementptr i8, ptr %0, i64 256
+  %67 = load i64, ptr %66, align 8
+  %68 = getelementptr i8, ptr %0, i64 264
+  %69 = load ptr, ptr %68, align 8
+  %70 = getelementptr i8, ptr %0, i64 272
+  %71 = load i64, ptr %70, align 8
+  %72 = getelementptr i8, ptr %0, i64 280
+  %73 = load ptr, ptr %72, align 8
+  %74 = getelementptr i8, ptr %0, i64 304
+  %75 = load ptr, ptr %74, align 8
+  %76 = getelementptr i8, ptr %0, i64 312
+  %77 = load i64, ptr %76, align 8
+  %78 = getelementptr i8, ptr %0, i64 320
+  %79 = load i64, ptr %78, align 8
+  %80 = getelementptr i8, ptr %0, i64 328
+  %81 = load ptr, ptr %80, align 8
+  %82 = getelementptr i8, ptr %0, i64 336
+  %83 = load i64, ptr %82, align 8
+  %84 = icmp sgt i64 %57, 0
+  br i1 %84, label %85, label %1245
+85:
+  %86 = getelementptr i8, ptr %0, i64 296
+  %87 = load i64, ptr %86, align 8
+  %88 = shl i64 %87, 3
+  %89 = getelementptr i8, ptr %0, i64 240
+  %90 = load i8, ptr %89, align 8
+  %91 = and i64 %53, 9223372036854775806
+  %92 = getelementptr double, ptr %49, i64 %91
+  %93 = add nsw i64 %91, -2
+  %94 = lshr exact i64 %93, 1
+  %95 = add nuw i64 %94, 1
+  %96 = and i64 %95, -2
+  %97 = getelementptr i8, ptr %49, i64 24
+  %98 = icmp eq i8 %90, 0
+  %99 = icmp sgt i64 %13, 0
+  %100 = getelementptr i64, ptr %73, i64 %87
+  %101 = add i64 %14, 8
+  %102 = add i64 %25, 8
+  %103 = add i64 %14, 16
+  %104 = add i64 %25, 16
+  %105 = icmp slt i64 %13, 1
+  %106 = icmp eq i64 %13, 1
+  %107 = and i64 %13, 9223372036854775806
+  %108 = getelementptr i8, ptr %73, i64 %88
+  %109 = getelementptr i8, ptr %108, i64 8
+  %110 = and i64 %13, 1
+  %111 = icmp eq i64 %110, 0
+  %112 = icmp slt i64 %53, 1
+  %113 = icmp eq i64 %53, 1
+  %114 = icmp eq i64 %93, 0
+  %115 = and i64 %93, 2
+  %116 = icmp eq i64 %115, 0
+  %117 = and i64 %53, 1
+  %118 = icmp eq i64 %117, 0
+  %119 = getelementptr i64, ptr %73, i64 %107
+  %120 = getelementptr i64, ptr %100, i64 %107
+  br label %121
+121:
+  %122 = phi i64 [ %925, %924 ], [ 0, %85 ]
+  %123 = phi i64 [ %127, %924 ], [ 0, %85 ]
+  %124 = shl i64 %123, 3
+  %125 = getelementptr i8, ptr %55, i64 %124
+  %126 = load i64, ptr %125, align 8
+  %127 = add nuw nsw i64 %123, 1
+  %128 = icmp slt i64 %126, 0
+  %129 = select i1 %128, i64 %61, i64 0
+  %130 = add i64 %129, %126
+  %131 = mul i64 %130, %63
+  %132 = getelementptr i64, ptr %59, i64 %131
+  %133 = load i64, ptr %132, align 8
+  %134 = getelementptr i8, ptr %132, i64 8
+  %135 = load i64, ptr %134, align 8
+  %136 = getelementptr i8, ptr %132, i64 16
+  %137 = load i64, ptr %136, align 8
+  %138 = getelementptr i8, ptr %132, i64 24
+  %139 = load i64, ptr %138, align 8
+  %140 = getelementptr i8, ptr %132, i64 32
+  %141 = load i64, ptr %140, align 8
+  %142 = icmp eq i64 %141, 2
+  br i1 %142, label %143, label %157
+143:
+  %144 = icmp slt i64 %133, 0
+  %145 = select i1 %144, i64 %39, i64 0
+  %146 = getelementptr i8, ptr %37, i64 %133
+  %147 = getelementptr i8, ptr %146, i64 %145
+  %148 = load i8, ptr %147, align 1
+  %149 = icmp eq i8 %148, 0
+  br i1 %149, label %927, label %150
+150:
+  %151 = icmp slt i64 %135, 0
+  %152 = select i1 %151, i64 %39, i64 0
+  %153 = getelementptr i8, ptr %37, i64 %135
+  %154 = getelementptr i8, ptr %153, i64 %152
+  %155 = load i8, ptr %154, align 1
+  %156 = icmp eq i8 %155, 0
+  br i1 %156, label %927, label %157
+157:
+  %158 = shl i64 %131, 3
+  %159 = getelementptr i8, ptr %59, i64 %158
+  store i64 -1, ptr %159, align 8
+  br label %924
+160:
+  %161 = select i1 %144, i64 %67, i64 0
+  %162 = getelementptr i8, ptr %65, i64 %133
+  %163 = getelementptr i8, ptr %162, i64 %161
+  %164 = load i8, ptr %163, align 1
+  %165 = icmp eq i8 %164, 0
+  br i1 %165, label %166, label %924
+166:
+  %167 = icmp slt i64 %135, 0
+  %168 = select i1 %167, i64 %67, i64 0
+  %169 = getelementptr i8, ptr %65, i64 %135
+  %170 = getelementptr i8, ptr %169, i64 %168
+  %171 = load i8, ptr %170, align 1
+  %172 = icmp eq i8 %171, 0
+  br i1 %172, label %173, label %924
+173:
+  store i8 1, ptr %163, align 1
+  %174 = select i1 %144, i64 %18, i64 0
+  %175 = getelementptr i64, ptr %16, i64 %133
+  %176 = getelementptr i64, ptr %175, i64 %174
+  %177 = load i64, ptr %176, align 8
+  %178 = icmp slt i64 %177, 1
+  br i1 %178, label %940, label %179
+179:
+  %180 = select i1 %144, i64 %11, i64 0
+  %181 = add i64 %180, %133
+  %182 = and i64 %177, 3
+  %183 = icmp samesign ult i64 %177, 4
+  br i1 %183, label %220, label %184
+184:
+  %185 = and i64 %177, 9223372036854775804
+  %186 = mul i64 %181, %14
+  %187 = getelementptr i8, ptr %9, i64 %186
+  %188 = getelementptr i8, ptr %187, i64 24
+  br label %189
+189:
+  %190 = phi i64 [ 0, %184 ], [ %211, %189 ]
+  %191 = shl i64 %190, 3
+  %192 = getelementptr i8, ptr %188, i64 %191
+  %193 = getelementptr i8, ptr %192, i64 -24
+  %194 = load i64, ptr %193, align 8
+  %195 = icmp slt i64 %194, 0
+  %196 = select i1 %195, i64 %67, i64 0
+  %197 = getelementptr i8, ptr %65, i64 %194
+  %198 = getelementptr i8, ptr %197, i64 %196
+  store i8 1, ptr %198, align 1
+  %199 = getelementptr i8, ptr %192, i64 -16
+  %200 = load i64, ptr %199, align 8
+  %201 = icmp slt i64 %200, 0
+  %202 = select i1 %201, i64 %67, i64 0
+  %203 = getelementptr i8, ptr %65, i64 %200
+  %204 = getelementptr i8, ptr %203, i64 %202
+  store i8 1, ptr %204, align 1
+  %205 = getelementptr i8, ptr %192, i64 -8
+  %206 = load i64, ptr %205, align 8
+  %207 = icmp slt i64 %206, 0
+  %208 = select i1 %207, i64 %67, i64 0
+  %209 = getelementptr i8, ptr %65, i64 %206
+  %210 = getelementptr i8, ptr %209, i64 %208
+  store i8 1, ptr %210, align 1
+  %211 = add nuw nsw i64 %190, 4
+  %212 = load i64, ptr %192, align 8
+  %213 = icmp slt i64 %212, 0
+  %214 = select i1 %213, i64 %67, i64 0
+  %215 = getelementptr i8, ptr %65, i64 %212
+  %216 = getelementptr i8, ptr %215, i64 %214
+  store i8 1, ptr %216, align 1
+  %217 = icmp eq i64 %185, %211
+  br i1 %217, label %218, label %189
+218:
+  %219 = icmp eq i64 %182, 0
+  br i1 %219, label %940, label %220
+220:
+  %221 = phi i64 [ 0, %179 ], [ %185, %218 ]
+  %222 = mul i64 %181, %13
+  %223 = add i64 %221, %222
+  %224 = shl i64 %223, 3
+  %225 = getelementptr i8, ptr %9, i64 %224
+  br label %226
+226:
+  %227 = phi i64 [ 0, %220 ], [ %235, %226 ]
+  %228 = shl i64 %227, 3
+  %229 = getelementptr i8, ptr %225, i64 %228
+  %230 = load i64, ptr %229, align 8
+  %231 = icmp slt i64 %230, 0
+  %232 = select i1 %231, i64 %67, i64 0
+  %233 = getelementptr i8, ptr %65, i64 %230
+  %234 = getelementptr i8, ptr %233, i64 %232
+  store i8 1, ptr %234, align 1
+  %235 = add i64 %227, 1
+  %236 = icmp eq i64 %182, %235
+  br i1 %236, label %940, label %226
+237:
+  %238 = select i1 %1012, i64 %18, i64 0
+  %239 = getelementptr i64, ptr %16, i64 %1010
+  %240 = getelementptr i64, ptr %239, i64 %238
+  %241 = load i64, ptr %240, align 8
+  %242 = icmp slt i64 %241, 1
+  br i1 %242, label %370, label %243
+243:
+  %244 = select i1 %1012, i64 %11, i64 0
+  %245 = add i64 %244, %1010
+  %246 = mul i64 %245, %13
+  %247 = getelementptr i64, ptr %9, i64 %246
+  %248 = select i1 %1012, i64 %4, i64 0
+  %249 = add i64 %248, %1010
+  %250 = icmp slt i64 %1011, 0
+  %251 = select i1 %250, i64 %4, i64 0
+  %252 = add i64 %251, %1011
+  %253 = mul i64 %249, %7
+  %254 = mul i64 %252, %7
+  %255 = getelementptr i8, ptr %2, i64 %253
+  %256 = getelementptr i8, ptr %255, i64 8
+  %257 = getelementptr i8, ptr %255, i64 16
+  %258 = getelementptr i8, ptr %2, i64 %254
+  %259 = getelementptr i8, ptr %258, i64 8
+  %260 = getelementptr i8, ptr %258, i64 16
+  br label %357
+261:
+  %262 = icmp ne i64 %1010, %366
+  %263 = icmp ne i64 %1011, %366
+  %264 = select i1 %262, i1 %263, i1 false
+  br i1 %264, label %265, label %354
+265:
+  %266 = icmp slt i64 %362, 0
+  %267 = select i1 %266, i64 %4, i64 0
+  %268 = add i64 %267, %362
+  %269 = mul i64 %268, %6
+  %270 = getelementptr double, ptr %2, i64 %269
+  %271 = icmp slt i64 %366, 0
+  %272 = select i1 %271, i64 %4, i64 0
+  %273 = add i64 %272, %366
+  %274 = mul i64 %273, %6
+  %275 = getelementptr double, ptr %2, i64 %274
+  %276 = getelementptr i8, ptr %270, i64 8
+  %277 = load double, ptr %276, align 8
+  %278 = getelementptr i8, ptr %270, i64 16
+  %279 = load double, ptr %278, align 8
+  %280 = getelementptr i8, ptr %275, i64 8
+  %281 = load double, ptr %280, align 8
+  %282 = getelementptr i8, ptr %275, i64 16
+  %283 = load double, ptr %282, align 8
+  %284 = load double, ptr %256, align 8
+  %285 = load double, ptr %257, align 8
+  %286 = fsub double %277, %284
+  %287 = fsub double %283, %285
+  %288 = fmul double %286, %287
+  %289 = fsub double %279, %285
+  %290 = fsub double %281, %284
+  %291 = fmul double %290, %289
+  %292 = fsub double %288, %291
+  %293 = fmul double %292, %292
+  %294 = load double, ptr %270, align 8
+  %295 = load double, ptr %275, align 8
+  %296 = load double, ptr %255, align 8
+  %297 = fsub double %294, %296
+  %298 = fmul double %290, %297
+  %299 = fsub double %295, %296
+  %300 = fmul double %286, %299
+  %301 = fsub double %298, %300
+  %302 = fmul double %301, %301
+  %303 = fadd double %293, %302
+  %304 = fmul double %289, %299
+  %305 = fmul double %287, %297
+  %306 = fsub double %304, %305
+  %307 = fmul double %306, %306
+  %308 = fadd double %307, %303
+  %309 = fcmp ogt double %308, 0.000000e+00
+  br i1 %309, label %310, label %354
+310:
+  %311 = load double, ptr %259, align 8
+  %312 = fsub double %311, %284
+  %313 = fmul double %1018, %312
+  %314 = fadd double %284, %313
+  %315 = fsub double %277, %314
+  %316 = load double, ptr %260, align 8
+  %317 = fsub double %316, %285
+  %318 = fmul double %1018, %317
+  %319 = fadd double %285, %318
+  %320 = fsub double %283, %319
+  %321 = fmul double %315, %320
+  %322 = fsub double %281, %314
+  %323 = fsub double %279, %319
+  %324 = fmul double %322, %323
+  %325 = fsub double %321, %324
+  %326 = fmul double %325, %325
+  %327 = load double, ptr %258, align 8
+  %328 = fsub double %327, %296
+  %329 = fmul double %1018, %328
+  %330 = fadd double %296, %329
+  %331 = fsub double %294, %330
+  %332 = fmul double %322, %331
+  %333 = fsub double %295, %330
+  %334 = fmul double %315, %333
+  %335 = fsub double %332, %334
+  %336 = fmul double %335, %335
+  %337 = fadd double %326, %336
+  %338 = fmul double %323, %333
+  %339 = fmul double %320, %331
+  %340 = fsub double %338, %339
+  %341 = fmul double %340, %340
+  %342 = fadd double %341, %337
+  %343 = fmul double %292, %325
+  %344 = fadd double %343, 0.000000e+00
+  %345 = fmul double %301, %335
+  %346 = fadd double %344, %345
+  %347 = fmul double %306, %340
+  %348 = fadd double %347, %346
+  %349 = fmul double %308, %342
+  %350 = tail call double @llvm.sqrt.f64(double %349)
+  %351 = fmul double %350, 5.000000e-01
+  %352 = fcmp ole double %348, %351
+  %353 = or i1 %363, %352
+  br i1 %353, label %1019, label %355
+354:
+  br i1 %363, label %370, label %355
+355:
+  %356 = add nuw i64 %358, 1
+  br label %357
+357:
+  %358 = phi i64 [ %356, %355 ], [ 1, %243 ]
+  %359 = shl i64 %358, 3
+  %360 = getelementptr i8, ptr %247, i64 %359
+  %361 = getelementptr i8, ptr %360, i64 -8
+  %362 = load i64, ptr %361, align 8
+  %363 = icmp eq i64 %241, %358
+  %364 = select i1 %363, i64 0, i64 %358
+  %365 = getelementptr i64, ptr %247, i64 %364
+  %366 = load i64, ptr %365, align 8
+  %367 = icmp ne i64 %1010, %362
+  %368 = icmp ne i64 %1011, %362
+  %369 = select i1 %367, i1 %368, i1 false
+  br i1 %369, label %261, label %354
+370:
+  %371 = icmp slt i64 %1011, 0
+  %372 = select i1 %371, i64 %18, i64 0
+  %373 = getelementptr i64, ptr %16, i64 %1011
+  %374 = getelementptr i64, ptr %373, i64 %372
+  %375 = load i64, ptr %374, align 8
+  %376 = icmp slt i64 %375, 1
+  br i1 %376, label %506, label %377
+377:
+  %378 = select i1 %371, i64 %11, i64 0
+  %379 = add i64 %378, %1011
+  %380 = mul i64 %379, %13
+  %381 = getelementptr i64, ptr %9, i64 %380
+  %382 = select i1 %371, i64 %4, i64 0
+  %383 = add i64 %382, %1011
+  %384 = select i1 %1012, i64 %4, i64 0
+  %385 = add i64 %384, %1010
+  %386 = mul i64 %383, %7
+  %387 = mul i64 %385, %7
+  %388 = getelementptr i8, ptr %2, i64 %386
+  %389 = getelementptr i8, ptr %388, i64 8
+  %390 = getelementptr i8, ptr %388, i64 16
+  %391 = getelementptr i8, ptr %2, i64 %387
+  %392 = getelementptr i8, ptr %391, i64 8
+  %393 = getelementptr i8, ptr %391, i64 16
+  br label %490
+394:
+  %395 = icmp ne i64 %1010, %499
+  %396 = icmp ne i64 %1011, %499
+  %397 = select i1 %395, i1 %396, i1 false
+  br i1 %397, label %398, label %487
+398:
+  %399 = icmp slt i64 %495, 0
+  %400 = select i1 %399, i64 %4, i64 0
+  %401 = add i64 %400, %495
+  %402 = mul i64 %401, %6
+  %403 = getelementptr double, ptr %2, i64 %402
+  %404 = icmp slt i64 %499, 0
+  %405 = select i1 %404, i64 %4, i64 0
+  %406 = add i64 %405, %499
+  %407 = mul i64 %406, %6
+  %408 = getelementptr double, ptr %2, i64 %407
+  %409 = getelementptr i8, ptr %403, i64 8
+  %410 = load double, ptr %409, align 8
+  %411 = getelementptr i8, ptr %403, i64 16
+  %412 = load double, ptr %411, align 8
+  %413 = getelementptr i8, ptr %408, i64 8
+  %414 = load double, ptr %413, align 8
+  %415 = getelementptr i8, ptr %408, i64 16
+  %416 = load double, ptr %415, align 8
+  %417 = load double, ptr %389, align 8
+  %418 = load double, ptr %390, align 8
+  %419 = fsub double %410, %417
+  %420 = fsub double %416, %418
+  %421 = fmul double %419, %420
+  %422 = fsub double %412, %418
+  %423 = fsub double %414, %417
+  %424 = fmul double %423, %422
+  %425 = fsub double %421, %424
+  %426 = fmul double %425, %425
+  %427 = load double, ptr %403, align 8
+  %428 = load double, ptr %408, align 8
+  %429 = load double, ptr %388, align 8
+  %430 = fsub double %427, %429
+  %431 = fmul double %423, %430
+  %432 = fsub double %428, %429
+  %433 = fmul double %419, %432
+  %434 = fsub double %431, %433
+  %435 = fmul double %434, %434
+  %436 = fadd double %426, %435
+  %437 = fmul double %422, %432
+  %438 = fmul double %420, %430
+  %439 = fsub double %437, %438
+  %440 = fmul double %439, %439
+  %441 = fadd double %440, %436
+  %442 = fcmp ogt double %441, 0.000000e+00
+  br i1 %442, label %443, label %487
+443:
+  %444 = load double, ptr %392, align 8
+  %445 = fsub double %417, %444
+  %446 = fmul double %1018, %445
+  %447 = fadd double %444, %446
+  %448 = fsub double %410, %447
+  %449 = load double, ptr %393, align 8
+  %450 = fsub double %418, %449
+  %451 = fmul double %1018, %450
+  %452 = fadd double %449, %451
+  %453 = fsub double %416, %452
+  %454 = fmul double %448, %453
+  %455 = fsub double %414, %447
+  %456 = fsub double %412, %452
+  %457 = fmul double %455, %456
+  %458 = fsub double %454, %457
+  %459 = fmul double %458, %458
+  %460 = load double, ptr %391, align 8
+  %461 = fsub double %429, %460
+  %462 = fmul double %1018, %461
+  %463 = fadd double %460, %462
+  %464 = fsub double %427, %463
+  %465 = fmul double %455, %464
+  %466 = fsub double %428, %463
+  %467 = fmul double %448, %466
+  %468 = fsub double %465, %467
+  %469 = fmul double %468, %468
+  %470 = fadd double %459, %469
+  %471 = fmul double %456, %466
+  %472 = fmul double %453, %464
+  %473 = fsub double %471, %472
+  %474 = fmul double %473, %473
+  %475 = fadd double %474, %470
+  %476 = fmul double %425, %458
+  %477 = fadd double %476, 0.000000e+00
+  %478 = fmul double %434, %468
+  %479 = fadd double %477, %478
+  %480 = fmul double %439, %473
+  %481 = fadd double %480, %479
+  %482 = fmul double %441, %475
+  %483 = tail call double @llvm.sqrt.f64(double %482)
+  %484 = fmul double %483, 5.000000e-01
+  %485 = fcmp ole double %481, %484
+  %486 = or i1 %496, %485
+  br i1 %486, label %1020, label %488
+487:
+  br i1 %496, label %506, label %488
+488:
+  %489 = add nuw i64 %491, 1
+  br label %490
+490:
+  %491 = phi i64 [ %489, %488 ], [ 1, %377 ]
+  %492 = shl i64 %491, 3
+  %493 = getelementptr i8, ptr %381, i64 %492
+  %494 = getelementptr i8, ptr %493, i64 -8
+  %495 = load i64, ptr %494, align 8
+  %496 = icmp eq i64 %375, %491
+  %497 = select i1 %496, i64 0, i64 %491
+  %498 = getelementptr i64, ptr %381, i64 %497
+  %499 = load i64, ptr %498, align 8
+  %500 = icmp ne i64 %1010, %495
+  %501 = icmp ne i64 %1011, %495
+  %502 = select i1 %500, i1 %501, i1 false
+  br i1 %502, label %394, label %487
+503:
+  %504 = shl i64 %131, 3
+  %505 = getelementptr i8, ptr %59, i64 %504
+  store i64 -1, ptr %505, align 8
+  br label %924
+506:
+  %507 = select i1 %1012, i64 %11, i64 0
+  %508 = add i64 %507, %1010
+  %509 = mul i64 %508, %13
+  %510 = getelementptr i64, ptr %9, i64 %509
+  %511 = load i64, ptr %510, align 8
+  %512 = icmp eq i64 %511, %1011
+  br i1 %512, label %679, label %513
+513:
+  %514 = shl i64 %509, 3
+  %515 = getelementptr i8, ptr %9, i64 %514
+  %516 = getelementptr i8, ptr %515, i64 8
+  br label %517
+517:
+  %518 = phi i64 [ %519, %517 ], [ 0, %513 ]
+  %519 = add i64 %518, 1
+  %520 = shl i64 %518, 3
+  %521 = getelementptr i8, ptr %516, i64 %520
+  %522 = load i64, ptr %521, align 8
+  %523 = icmp eq i64 %522, %1011
+  br i1 %523, label %679, label %517
+524:
+  %525 = phi i64 [ 0, %771 ], [ %526, %567 ]
+  %526 = add nuw nsw i64 %525, 1
+  %527 = shl i64 %525, 3
+  %528 = getelementptr i8, ptr %73, i64 %527
+  store i64 -1, ptr %528, align 8
+  %529 = getelementptr i8, ptr %100, i64 %527
+  store i64 0, ptr %529, align 8
+  %530 = load i64, ptr %775, align 8
+  %531 = add nsw i64 %530, -1
+  %532 = icmp slt i64 %525, %531
+  br i1 %532, label %533, label %536
+533:
+  %534 = add i64 %525, %698
+  %535 = icmp eq i64 %530, 0
+  br i1 %535, label %541, label %778
+536:
+  %537 = add i64 %525, %697
+  %538 = sub i64 %537, %530
+  %539 = load i64, ptr %777, align 8
+  %540 = icmp eq i64 %539, 0
+  br i1 %540, label %541, label %801
+541:
+  %542 = phi i64 [ %800, %793 ], [ 0, %533 ], [ 0, %778 ], [ %823, %816 ], [ 0, %536 ], [ 0, %801 ]
+  %543 = phi i64 [ %1010, %793 ], [ %1010, %533 ], [ %1010, %778 ], [ %1011, %816 ], [ %1011, %536 ], [ %1011, %801 ]
+  %544 = icmp slt i64 %525, %770
+  br i1 %544, label %545, label %567
+545:
+  %546 = icmp slt i64 %543, 0
+  %547 = select i1 %546, i64 %11, i64 0
+  %548 = add i64 %547, %543
+  %549 = icmp slt i64 %542, 0
+  %550 = select i1 %549, i64 %13, i64 0
+  %551 = mul i64 %548, %13
+  %552 = getelementptr i64, ptr %9, i64 %551
+  %553 = getelementptr i64, ptr %552, i64 %542
+  %554 = getelementptr i64, ptr %553, i64 %550
+  %555 = load i64, ptr %554, align 8
+  store i64 %555, ptr %528, align 8
+  %556 = select i1 %546, i64 %22, i64 0
+  %557 = add i64 %556, %543
+  %558 = select i1 %549, i64 %24, i64 0
+  %559 = mul i64 %557, %24
+  %560 = getelementptr i64, ptr %20, i64 %559
+  %561 = getelementptr i64, ptr %560, i64 %542
+  %562 = getelementptr i64, ptr %561, i64 %558
+  %563 = load i64, ptr %562, align 8
+  %564 = icmp eq i64 %543, %1011
+  %565 = select i1 %564, i64 %764, i64 0
+  %566 = add nsw i64 %563, %565
+  store i64 %566, ptr %529, align 8
+  br label %567
+567:
+  %568 = icmp eq i64 %13, %526
+  br i1 %568, label %824, label %524
+569:
+  %570 = phi i64 [ %571, %677 ], [ 0, %826 ]
+  %571 = add nuw nsw i64 %570, 1
+  %572 = getelementptr i64, ptr %685, i64 %570
+  %573 = load i64, ptr %572, align 8
+  %574 = icmp eq i64 %573, %1010
+  br i1 %574, label %677, label %575
+575:
+  %576 = icmp slt i64 %573, 0
+  %577 = select i1 %576, i64 %11, i64 0
+  %578 = add i64 %577, %573
+  %579 = mul i64 %578, %13
+  %580 = getelementptr i64, ptr %9, i64 %579
+  %581 = load i64, ptr %580, align 8
+  %582 = icmp eq i64 %581, %1011
+  br i1 %582, label %829, label %583
+583:
+  %584 = shl i64 %579, 3
+  %585 = getelementptr i8, ptr %9, i64 %584
+  %586 = getelementptr i8, ptr %585, i64 8
+  br label %587
+587:
+  %588 = phi i64 [ %589, %587 ], [ 0, %583 ]
+  %589 = add i64 %588, 1
+  %590 = shl i64 %588, 3
+  %591 = getelementptr i8, ptr %586, i64 %590
+  %592 = load i64, ptr %591, align 8
+  %593 = icmp eq i64 %592, %1011
+  br i1 %593, label %829, label %587
+594:
+  %595 = getelementptr i64, ptr %580, i64 %830
+  store i64 %1010, ptr %595, align 8
+  %596 = select i1 %576, i64 %22, i64 0
+  %597 = add i64 %596, %573
+  %598 = mul i64 %597, %24
+  %599 = getelementptr i64, ptr %20, i64 %598
+  %600 = getelementptr i64, ptr %599, i64 %830
+  %601 = load i64, ptr %600, align 8
+  %602 = sub nsw i64 %601, %764
+  store i64 %602, ptr %600, align 8
+  br label %677
+603:
+  %604 = phi i64 [ %639, %603 ], [ %864, %863 ]
+  %605 = icmp slt i64 %604, -1
+  %606 = shl i64 %604, 3
+  %607 = select i1 %605, i64 %101, i64 8
+  %608 = getelementptr i8, ptr %580, i64 %607
+  %609 = getelementptr i8, ptr %608, i64 %606
+  %610 = load i64, ptr %609, align 8
+  %611 = select i1 %605, i64 %102, i64 8
+  %612 = getelementptr i8, ptr %846, i64 %611
+  %613 = getelementptr i8, ptr %612, i64 %606
+  %614 = load i64, ptr %613, align 8
+  %615 = icmp slt i64 %604, 0
+  %616 = select i1 %615, i64 %14, i64 0
+  %617 = getelementptr i8, ptr %580, i64 %616
+  %618 = getelementptr i8, ptr %617, i64 %606
+  store i64 %610, ptr %618, align 8
+  %619 = select i1 %615, i64 %25, i64 0
+  %620 = getelementptr i8, ptr %846, i64 %619
+  %621 = getelementptr i8, ptr %620, i64 %606
+  store i64 %614, ptr %621, align 8
+  %622 = add i64 %604, 1
+  %623 = icmp slt i64 %622, -1
+  %624 = select i1 %623, i64 %103, i64 16
+  %625 = getelementptr i8, ptr %580, i64 %624
+  %626 = getelementptr i8, ptr %625, i64 %606
+  %627 = load i64, ptr %626, align 8
+  %628 = select i1 %623, i64 %104, i64 16
+  %629 = getelementptr i8, ptr %846, i64 %628
+  %630 = getelementptr i8, ptr %629, i64 %606
+  %631 = load i64, ptr %630, align 8
+  %632 = icmp slt i64 %622, 0
+  %633 = select i1 %632, i64 %101, i64 8
+  %634 = getelementptr i8, ptr %580, i64 %633
+  %635 = getelementptr i8, ptr %634, i64 %606
+  store i64 %627, ptr %635, align 8
+  %636 = select i1 %632, i64 %102, i64 8
+  %637 = getelementptr i8, ptr %846, i64 %636
+  %638 = getelementptr i8, ptr %637, i64 %606
+  store i64 %631, ptr %638, align 8
+  %639 = add i64 %604, 2
+  %640 = icmp eq i64 %639, %839
+  br i1 %640, label %641, label %603
+641:
+  %642 = shl i64 %835, 3
+  %643 = getelementptr inbounds i8, ptr %836, i64 %642
+  %644 = load i64, ptr %643, align 8
+  br label %645
+645:
+  %646 = phi i64 [ %644, %641 ], [ %839, %834 ]
+  %647 = icmp slt i64 %646, 0
+  %648 = select i1 %647, i64 %13, i64 0
+  %649 = getelementptr i64, ptr %580, i64 %646
+  %650 = getelementptr i64, ptr %649, i64 %648
+  store i64 -1, ptr %650, align 8
+  br label %677
+651:
+  %652 = phi i64 [ 0, %868 ], [ %665, %651 ]
+  %653 = shl i64 %652, 3
+  %654 = getelementptr i8, ptr %73, i64 %653
+  %655 = load i64, ptr %654, align 8
+  %656 = getelementptr i8, ptr %871, i64 %653
+  %657 = getelementptr i8, ptr %656, i64 -8
+  store i64 %655, ptr %657, align 8
+  %658 = getelementptr i8, ptr %874, i64 %653
+  %659 = getelementptr i8, ptr %658, i64 -8
+  store i64 -1, ptr %659, align 8
+  %660 = getelementptr i8, ptr %109, i64 %653
+  %661 = getelementptr i8, ptr %660, i64 -8
+  %662 = load i64, ptr %661, align 8
+  %663 = getelementptr i8, ptr %877, i64 %653
+  %664 = getelementptr i8, ptr %663, i64 -8
+  store i64 %662, ptr %664, align 8
+  %665 = add nuw i64 %652, 2
+  %666 = getelementptr i8, ptr %654, i64 8
+  %667 = load i64, ptr %666, align 8
+  store i64 %667, ptr %656, align 8
+  store i64 -1, ptr %658, align 8
+  %668 = load i64, ptr %660, align 8
+  store i64 %668, ptr %663, align 8
+  %669 = icmp eq i64 %107, %665
+  br i1 %669, label %670, label %651
+670:
+  br i1 %111, label %878, label %671
+671:
+  %672 = load i64, ptr %119, align 8
+  %673 = getelementptr i64, ptr %510, i64 %107
+  store i64 %672, ptr %673, align 8
+  %674 = getelementptr i64, ptr %685, i64 %107
+  store i64 -1, ptr %674, align 8
+  %675 = load i64, ptr %120, align 8
+  %676 = getelementptr i64, ptr %762, i64 %107
+  store i64 %675, ptr %676, align 8
+  br label %878
+677:
+  %678 = icmp eq i64 %571, %827
+  br i1 %678, label %866, label %569
+679:
+  %680 = phi i64 [ 0, %506 ], [ %519, %517 ]
+  %681 = icmp slt i64 %1011, 0
+  %682 = select i1 %681, i64 %11, i64 0
+  %683 = add i64 %682, %1011
+  %684 = mul i64 %683, %13
+  %685 = getelementptr i64, ptr %9, i64 %684
+  %686 = load i64, ptr %685, align 8
+  %687 = icmp eq i64 %686, %1010
+  br i1 %687, label %696, label %688
+688:
+  %689 = phi i64 [ %695, %688 ], [ 3, %679 ]
+  %690 = shl i64 %689, 3
+  %691 = getelementptr i8, ptr %685, i64 %690
+  %692 = getelementptr i8, ptr %691, i64 -16
+  %693 = load i64, ptr %692, align 8
+  %694 = icmp eq i64 %693, %1010
+  %695 = add i64 %689, 1
+  br i1 %694, label %696, label %688
+696:
+  %697 = phi i64 [ 3, %679 ], [ %695, %688 ]
+  %698 = add i64 %680, 1
+  %699 = select i1 %1012, i64 %18, i64 0
+  %700 = getelementptr i64, ptr %16, i64 %1010
+  %701 = getelementptr i64, ptr %700, i64 %699
+  %702 = load i64, ptr %701, align 8
+  %703 = icmp eq i64 %702, 0
+  br i1 %703, label %756, label %704
+704:
+  %705 = or i64 %702, %698
+  %706 = icmp ult i64 %705, 4294967296
+  br i1 %706, label %707, label %712
+707:
+  %708 = trunc nuw i64 %702 to i32
+  %709 = trunc nuw i64 %698 to i32
+  %710 = urem i32 %709, %708
+  %711 = zext i32 %710 to i64
+  br label %714
+712:
+  %713 = srem i64 %698, %702
+  br label %714
+714:
+  %715 = phi i64 [ %711, %707 ], [ %713, %712 ]
+  %716 = xor i64 %715, %702
+  %717 = icmp slt i64 %716, 0
+  %718 = icmp ne i64 %715, 0
+  %719 = and i1 %718, %717
+  %720 = select i1 %719, i64 %702, i64 0
+  %721 = add i64 %720, %715
+  %722 = freeze i64 %721
+  %723 = icmp slt i64 %722, 0
+  %724 = select i1 %723, i64 %13, i64 0
+  %725 = getelementptr i64, ptr %510, i64 %722
+  %726 = getelementptr i64, ptr %725, i64 %724
+  %727 = load i64, ptr %726, align 8
+  %728 = add nsw i64 %680, -1
+  %729 = icmp ne i64 %728, -9223372036854775808
+  %730 = icmp ne i64 %702, -1
+  %731 = or i1 %729, %730
+  br i1 %731, label %732, label %756
+732:
+  %733 = or i64 %702, %728
+  %734 = icmp ult i64 %733, 4294967296
+  br i1 %734, label %735, label %740
+735:
+  %736 = trunc nuw i64 %702 to i32
+  %737 = trunc nuw i64 %728 to i32
+  %738 = urem i32 %737, %736
+  %739 = zext i32 %738 to i64
+  br label %742
+740:
+  %741 = srem i64 %728, %702
+  br label %742
+742:
+  %743 = phi i64 [ %739, %735 ], [ %741, %740 ]
+  %744 = xor i64 %743, %702
+  %745 = icmp slt i64 %744, 0
+  %746 = icmp ne i64 %743, 0
+  %747 = and i1 %746, %745
+  %748 = select i1 %747, i64 %702, i64 0
+  %749 = add i64 %748, %743
+  %750 = freeze i64 %749
+  %751 = icmp slt i64 %750, 0
+  %752 = select i1 %751, i64 %13, i64 0
+  %753 = getelementptr i64, ptr %510, i64 %752
+  %754 = getelementptr i64, ptr %753, i64 %750
+  %755 = load i64, ptr %754, align 8
+  br label %756
+756:
+  %757 = phi i64 [ %511, %714 ], [ %755, %742 ], [ %511, %696 ]
+  %758 = phi i64 [ %727, %714 ], [ %727, %742 ], [ %511, %696 ]
+  %759 = select i1 %1012, i64 %22, i64 0
+  %760 = add i64 %759, %1010
+  %761 = mul i64 %760, %24
+  %762 = getelementptr i64, ptr %20, i64 %761
+  %763 = getelementptr i64, ptr %762, i64 %680
+  %764 = load i64, ptr %763, align 8
+  %765 = select i1 %681, i64 %18, i64 0
+  %766 = getelementptr i64, ptr %16, i64 %1011
+  %767 = getelementptr i64, ptr %766, i64 %765
+  %768 = load i64, ptr %767, align 8
+  %769 = add i64 %702, -4
+  %770 = add i64 %769, %768
+  br i1 %99, label %771, label %826
+771:
+  %772 = xor i64 %697, -9223372036854775808
+  %773 = add i64 %680, 9223372036854775807
+  %774 = shl i64 %699, 3
+  %775 = getelementptr i8, ptr %700, i64 %774
+  %776 = shl i64 %765, 3
+  %777 = getelementptr i8, ptr %766, i64 %776
+  br label %524
+778:
+  %779 = add i64 %773, %525
+  %780 = icmp ne i64 %779, -2
+  %781 = icmp ne i64 %530, -1
+  %782 = or i1 %780, %781
+  br i1 %782, label %783, label %541
+783:
+  %784 = or i64 %530, %534
+  %785 = icmp ult i64 %784, 4294967296
+  br i1 %785, label %786, label %791
+786:
+  %787 = trunc nuw i64 %530 to i32
+  %788 = trunc nuw i64 %534 to i32
+  %789 = urem i32 %788, %787
+  %790 = zext i32 %789 to i64
+  br label %793
+791:
+  %792 = srem i64 %534, %530
+  br label %793
+793:
+  %794 = phi i64 [ %790, %786 ], [ %792, %791 ]
+  %795 = xor i64 %794, %530
+  %796 = icmp slt i64 %795, 0
+  %797 = icmp ne i64 %794, 0
+  %798 = and i1 %797, %796
+  %799 = select i1 %798, i64 %530, i64 0
+  %800 = add i64 %799, %794
+  br label %541
+801:
+  %802 = add i64 %525, %772
+  %803 = icmp ne i64 %802, %530
+  %804 = icmp ne i64 %539, -1
+  %805 = or i1 %803, %804
+  br i1 %805, label %806, label %541
+806:
+  %807 = or i64 %539, %538
+  %808 = icmp ult i64 %807, 4294967296
+  br i1 %808, label %809, label %814
+809:
+  %810 = trunc nuw i64 %539 to i32
+  %811 = trunc nuw i64 %538 to i32
+  %812 = urem i32 %811, %810
+  %813 = zext i32 %812 to i64
+  br label %816
+814:
+  %815 = srem i64 %538, %539
+  br label %816
+816:
+  %817 = phi i64 [ %813, %809 ], [ %815, %814 ]
+  %818 = xor i64 %817, %539
+  %819 = icmp slt i64 %818, 0
+  %820 = icmp ne i64 %817, 0
+  %821 = and i1 %820, %819
+  %822 = select i1 %821, i64 %539, i64 0
+  %823 = add i64 %822, %817
+  br label %541
+824:
+  %825 = load i64, ptr %777, align 8
+  br label %826
+826:
+  %827 = phi i64 [ %825, %824 ], [ %768, %756 ]
+  %828 = icmp slt i64 %827, 1
+  br i1 %828, label %866, label %569
+829:
+  %830 = phi i64 [ 0, %575 ], [ %589, %587 ]
+  %831 = icmp ne i64 %573, %758
+  %832 = icmp ne i64 %573, %757
+  %833 = select i1 %831, i1 %832, i1 false
+  br i1 %833, label %594, label %834
+834:
+  %835 = select i1 %576, i64 %18, i64 0
+  %836 = getelementptr i64, ptr %16, i64 %573
+  %837 = getelementptr i64, ptr %836, i64 %835
+  %838 = load i64, ptr %837, align 8
+  %839 = add nsw i64 %838, -1
+  store i64 %839, ptr %837, align 8
+  %840 = sub i64 %839, %830
+  %841 = icmp slt i64 %840, 1
+  br i1 %841, label %645, label %842
+842:
+  %843 = select i1 %576, i64 %22, i64 0
+  %844 = add i64 %843, %573
+  %845 = mul i64 %844, %24
+  %846 = getelementptr i64, ptr %20, i64 %845
+  %847 = add i64 %838, -2
+  %848 = and i64 %840, 1
+  %849 = icmp eq i64 %848, 0
+  br i1 %849, label %863, label %850
+850:
+  %851 = add i64 %830, 1
+  %852 = icmp slt i64 %830, -1
+  %853 = select i1 %852, i64 %13, i64 0
+  %854 = getelementptr i64, ptr %580, i64 %851
+  %855 = getelementptr i64, ptr %854, i64 %853
+  %856 = load i64, ptr %855, align 8
+  %857 = select i1 %852, i64 %24, i64 0
+  %858 = getelementptr i64, ptr %846, i64 %851
+  %859 = getelementptr i64, ptr %858, i64 %857
+  %860 = load i64, ptr %859, align 8
+  %861 = getelementptr i64, ptr %580, i64 %830
+  store i64 %856, ptr %861, align 8
+  %862 = getelementptr i64, ptr %846, i64 %830
+  store i64 %860, ptr %862, align 8
+  br label %863
+863:
+  %864 = phi i64 [ %830, %842 ], [ %851, %850 ]
+  %865 = icmp eq i64 %847, %830
+  br i1 %865, label %641, label %603
+866:
+  br i1 %105, label %878, label %867
+867:
+  br i1 %106, label %671, label %868
+868:
+  %869 = shl i64 %509, 3
+  %870 = getelementptr i8, ptr %9, i64 %869
+  %871 = getelementptr i8, ptr %870, i64 8
+  %872 = shl i64 %684, 3
+  %873 = getelementptr i8, ptr %9, i64 %872
+  %874 = getelementptr i8, ptr %873, i64 8
+  %875 = shl i64 %761, 3
+  %876 = getelementptr i8, ptr %20, i64 %875
+  %877 = getelementptr i8, ptr %876, i64 8
+  br label %651
+878:
+  %879 = shl i64 %699, 3
+  %880 = getelementptr i8, ptr %700, i64 %879
+  store i64 %770, ptr %880, align 8
+  %881 = shl i64 %765, 3
+  %882 = getelementptr i8, ptr %766, i64 %881
+  store i64 0, ptr %882, align 8
+  %883 = icmp slt i64 %122, 0
+  %884 = select i1 %883, i64 %77, i64 0
+  %885 = add i64 %884, %122
+  %886 = mul i64 %885, %79
+  %887 = getelementptr i64, ptr %75, i64 %886
+  store i64 %1010, ptr %887, align 8
+  %888 = getelementptr i8, ptr %887, i64 8
+  store i64 %1011, ptr %888, align 8
+  %889 = select i1 %883, i64 %83, i64 0
+  %890 = getelementptr double, ptr %81, i64 %122
+  %891 = getelementptr double, ptr %890, i64 %889
+  store double %1018, ptr %891, align 8
+  %892 = select i1 %1012, i64 %4, i64 0
+  %893 = add i64 %892, %1010
+  %894 = mul i64 %893, %6
+  %895 = getelementptr double, ptr %2, i64 %894
+  %896 = select i1 %681, i64 %4, i64 0
+  %897 = add i64 %896, %1011
+  %898 = mul i64 %897, %6
+  %899 = getelementptr double, ptr %2, i64 %898
+  %900 = load double, ptr %895, align 8
+  %901 = load double, ptr %899, align 8
+  %902 = fsub double %901, %900
+  %903 = fmul double %1018, %902
+  %904 = fadd double %900, %903
+  store double %904, ptr %895, align 8
+  %905 = getelementptr i8, ptr %895, i64 8
+  %906 = load double, ptr %905, align 8
+  %907 = getelementptr i8, ptr %899, i64 8
+  %908 = load double, ptr %907, align 8
+  %909 = fsub double %908, %906
+  %910 = fmul double %1018, %909
+  %911 = fadd double %906, %910
+  store double %911, ptr %905, align 8
+  %912 = getelementptr i8, ptr %895, i64 16
+  %913 = load double, ptr %912, align 8
+  %914 = getelementptr i8, ptr %899, i64 16
+  %915 = load double, ptr %914, align 8
+  %916 = fsub double %915, %913
+  %917 = fmul double %1018, %916
+  %918 = fadd double %913, %917
+  store double %918, ptr %912, align 8
+  %919 = select i1 %681, i64 %35, i64 0
+  %920 = getelementptr i8, ptr %33, i64 %1011
+  %921 = getelementptr i8, ptr %920, i64 %919
+  %922 = load i8, ptr %921, align 1
+  %923 = icmp eq i8 %922, 0
+  br i1 %923, label %1064, label %1021
+924:
+  %925 = phi i64 [ %122, %157 ], [ %1244, %1243 ], [ %122, %503 ], [ %122, %160 ], [ %122, %166 ]
+  %926 = icmp eq i64 %127, %57
+  br i1 %926, label %1245, label %121
+927:
+  %928 = icmp slt i64 %137, 0
+  %929 = select i1 %928, i64 %18, i64 0
+  %930 = getelementptr i64, ptr %16, i64 %137
+  %931 = getelementptr i64, ptr %930, i64 %929
+  %932 = load i64, ptr %931, align 8
+  %933 = icmp slt i64 %139, 0
+  %934 = select i1 %933, i64 %18, i64 0
+  %935 = getelementptr i64, ptr %16, i64 %139
+  %936 = getelementptr i64, ptr %935, i64 %934
+  %937 = load i64, ptr %936, align 8
+  %938 = tail call i64 @llvm.smin.i64(i64 %937, i64 %932)
+  %939 = icmp slt i64 %938, 4
+  br i1 %939, label %157, label %160
+940:
+  store i8 1, ptr %170, align 1
+  %941 = select i1 %167, i64 %18, i64 0
+  %942 = getelementptr i64, ptr %16, i64 %135
+  %943 = getelementptr i64, ptr %942, i64 %941
+  %944 = load i64, ptr %943, align 8
+  %945 = icmp slt i64 %944, 1
+  br i1 %945, label %1004, label %946
+946:
+  %947 = select i1 %167, i64 %11, i64 0
+  %948 = add i64 %947, %135
+  %949 = and i64 %944, 3
+  %950 = icmp samesign ult i64 %944, 4
+  br i1 %950, label %987, label %951
+951:
+  %952 = and i64 %944, 9223372036854775804
+  %953 = mul i64 %948, %14
+  %954 = getelementptr i8, ptr %9, i64 %953
+  %955 = getelementptr i8, ptr %954, i64 24
+  br label %956
+956:
+  %957 = phi i64 [ 0, %951 ], [ %978, %956 ]
+  %958 = shl i64 %957, 3
+  %959 = getelementptr i8, ptr %955, i64 %958
+  %960 = getelementptr i8, ptr %959, i64 -24
+  %961 = load i64, ptr %960, align 8
+  %962 = icmp slt i64 %961, 0
+  %963 = select i1 %962, i64 %67, i64 0
+  %964 = getelementptr i8, ptr %65, i64 %961
+  %965 = getelementptr i8, ptr %964, i64 %963
+  store i8 1, ptr %965, align 1
+  %966 = getelementptr i8, ptr %959, i64 -16
+  %967 = load i64, ptr %966, align 8
+  %968 = icmp slt i64 %967, 0
+  %969 = select i1 %968, i64 %67, i64 0
+  %970 = getelementptr i8, ptr %65, i64 %967
+  %971 = getelementptr i8, ptr %970, i64 %969
+  store i8 1, ptr %971, align 1
+  %972 = getelementptr i8, ptr %959, i64 -8
+  %973 = load i64, ptr %972, align 8
+  %974 = icmp slt i64 %973, 0
+  %975 = select i1 %974, i64 %67, i64 0
+  %976 = getelementptr i8, ptr %65, i64 %973
+  %977 = getelementptr i8, ptr %976, i64 %975
+  store i8 1, ptr %977, align 1
+  %978 = add nuw nsw i64 %957, 4
+  %979 = load i64, ptr %959, align 8
+  %980 = icmp slt i64 %979, 0
+  %981 = select i1 %980, i64 %67, i64 0
+  %982 = getelementptr i8, ptr %65, i64 %979
+  %983 = getelementptr i8, ptr %982, i64 %981
+  store i8 1, ptr %983, align 1
+  %984 = icmp eq i64 %952, %978
+  br i1 %984, label %985, label %956
+985:
+  %986 = icmp eq i64 %949, 0
+  br i1 %986, label %1004, label %987
+987:
+  %988 = phi i64 [ 0, %946 ], [ %952, %985 ]
+  %989 = mul i64 %948, %13
+  %990 = add i64 %988, %989
+  %991 = shl i64 %990, 3
+  %992 = getelementptr i8, ptr %9, i64 %991
+  br label %993
+993:
+  %994 = phi i64 [ 0, %987 ], [ %1002, %993 ]
+  %995 = shl i64 %994, 3
+  %996 = getelementptr i8, ptr %992, i64 %995
+  %997 = load i64, ptr %996, align 8
+  %998 = icmp slt i64 %997, 0
+  %999 = select i1 %998, i64 %67, i64 0
+  %1000 = getelementptr i8, ptr %65, i64 %997
+  %1001 = getelementptr i8, ptr %1000, i64 %999
+  store i8 1, ptr %1001, align 1
+  %1002 = add i64 %994, 1
+  %1003 = icmp eq i64 %949, %1002
+  br i1 %1003, label %1004, label %993
+1004:
+  %1005 = select i1 %167, i64 %39, i64 0
+  %1006 = getelementptr i8, ptr %37, i64 %135
+  %1007 = getelementptr i8, ptr %1006, i64 %1005
+  %1008 = load i8, ptr %1007, align 1
+  %1009 = icmp eq i8 %1008, 0
+  %1010 = select i1 %1009, i64 %133, i64 %135
+  %1011 = select i1 %1009, i64 %135, i64 %133
+  %1012 = icmp slt i64 %1010, 0
+  %1013 = select i1 %1012, i64 %39, i64 0
+  %1014 = getelementptr i8, ptr %37, i64 %1010
+  %1015 = getelementptr i8, ptr %1014, i64 %1013
+  %1016 = load i8, ptr %1015, align 1
+  %1017 = icmp eq i8 %1016, 0
+  %1018 = select i1 %1017, double 5.000000e-01, double 0.000000e+00
+  br i1 %98, label %506, label %237
+1019:
+  br i1 %352, label %503, label %370
+1020:
+  br i1 %485, label %503, label %506
+1021:
+  %1022 = select i1 %681, i64 %29, i64 0
+  %1023 = add i64 %1022, %1011
+  %1024 = mul i64 %1023, %31
+  %1025 = getelementptr double, ptr %27, i64 %1024
+  %1026 = load double, ptr %1025, align 8
+  %1027 = fsub double %1026, %904
+  %1028 = fmul double %1027, %1027
+  %1029 = getelementptr i8, ptr %1025, i64 8
+  %1030 = load double, ptr %1029, align 8
+  %1031 = fsub double %1030, %911
+  %1032 = fmul double %1031, %1031
+  %1033 = fadd double %1028, %1032
+  %1034 = getelementptr i8, ptr %1025, i64 16
+  %1035 = load double, ptr %1034, align 8
+  %1036 = fsub double %1035, %918
+  %1037 = fmul double %1036, %1036
+  %1038 = fadd double %1033, %1037
+  %1039 = tail call double @llvm.sqrt.f64(double %1038)
+  br label %1064
+1040:
+  br i1 %116, label %1041, label %1056
+1041:
+  %1042 = phi i64 [ 0, %1134 ], [ %1168, %1040 ]
+  %1043 = shl i64 %1042, 3
+  %1044 = getelementptr i8, ptr %1137, i64 %1043
+  %1045 = getelementptr i8, ptr %1044, i64 -8
+  %1046 = load double, ptr %1045, align 8
+  %1047 = getelementptr i8, ptr %1140, i64 %1043
+  %1048 = getelementptr i8, ptr %1047, i64 -8
+  %1049 = load double, ptr %1048, align 8
+  %1050 = fadd double %1046, %1049
+  %1051 = fmul double %1050, 5.000000e-01
+  store double %1051, ptr %1045, align 8
+  %1052 = load double, ptr %1044, align 8
+  %1053 = load double, ptr %1047, align 8
+  %1054 = fadd double %1052, %1053
+  %1055 = fmul double %1054, 5.000000e-01
+  store double %1055, ptr %1044, align 8
+  br label %1056
+1056:
+  br i1 %118, label %1175, label %1057
+1057:
+  %1058 = getelementptr double, ptr %92, i64 %1130
+  %1059 = load double, ptr %1058, align 8
+  %1060 = getelementptr double, ptr %92, i64 %1133
+  %1061 = load double, ptr %1060, align 8
+  %1062 = fadd double %1059, %1061
+  %1063 = fmul double %1062, 5.000000e-01
+  store double %1063, ptr %1058, align 8
+  br label %1175
+1064:
+  %1065 = phi double [ %1039, %1021 ], [ 0x7FF0000000000000, %878 ]
+  %1066 = select i1 %1012, i64 %35, i64 0
+  %1067 = getelementptr i8, ptr %33, i64 %1010
+  %1068 = getelementptr i8, ptr %1067, i64 %1066
+  %1069 = load i8, ptr %1068, align 1
+  %1070 = icmp eq i8 %1069, 0
+  br i1 %1070, label %1090, label %1071
+1071:
+  %1072 = select i1 %1012, i64 %29, i64 0
+  %1073 = add i64 %1072, %1010
+  %1074 = mul i64 %1073, %31
+  %1075 = getelementptr double, ptr %27, i64 %1074
+  %1076 = load double, ptr %1075, align 8
+  %1077 = fsub double %1076, %904
+  %1078 = fmul double %1077, %1077
+  %1079 = getelementptr i8, ptr %1075, i64 8
+  %1080 = load double, ptr %1079, align 8
+  %1081 = fsub double %1080, %911
+  %1082 = fmul double %1081, %1081
+  %1083 = fadd double %1078, %1082
+  %1084 = getelementptr i8, ptr %1075, i64 16
+  %1085 = load double, ptr %1084, align 8
+  %1086 = fsub double %1085, %918
+  %1087 = fmul double %1086, %1086
+  %1088 = fadd double %1083, %1087
+  %1089 = tail call double @llvm.sqrt.f64(double %1088)
+  br label %1090
+1090:
+  %1091 = phi double [ %1089, %1071 ], [ 0x7FF0000000000000, %1064 ]
+  %1092 = fcmp olt double %1065, %1091
+  br i1 %1092, label %1093, label %1116
+1093:
+  %1094 = select i1 %681, i64 %43, i64 0
+  %1095 = getelementptr double, ptr %41, i64 %1011
+  %1096 = getelementptr double, ptr %1095, i64 %1094
+  %1097 = load double, ptr %1096, align 8
+  store i8 1, ptr %1068, align 1
+  %1098 = select i1 %1012, i64 %43, i64 0
+  %1099 = getelementptr double, ptr %41, i64 %1010
+  %1100 = getelementptr double, ptr %1099, i64 %1098
+  store double %1097, ptr %1100, align 8
+  %1101 = select i1 %681, i64 %29, i64 0
+  %1102 = add i64 %1101, %1011
+  %1103 = mul i64 %1102, %31
+  %1104 = getelementptr double, ptr %27, i64 %1103
+  %1105 = select i1 %1012, i64 %29, i64 0
+  %1106 = add i64 %1105, %1010
+  %1107 = mul i64 %1106, %31
+  %1108 = getelementptr double, ptr %27, i64 %1107
+  %1109 = load double, ptr %1104, align 8
+  store double %1109, ptr %1108, align 8
+  %1110 = getelementptr i8, ptr %1104, i64 8
+  %1111 = load double, ptr %1110, align 8
+  %1112 = getelementptr i8, ptr %1108, i64 8
+  store double %1111, ptr %1112, align 8
+  %1113 = getelementptr i8, ptr %1104, i64 16
+  %1114 = load double, ptr %1113, align 8
+  %1115 = getelementptr i8, ptr %1108, i64 16
+  store double %1114, ptr %1115, align 8
+  br label %1116
+1116:
+  %1117 = select i1 %1012, i64 %47, i64 0
+  %1118 = getelementptr double, ptr %45, i64 %1010
+  %1119 = getelementptr double, ptr %1118, i64 %1117
+  %1120 = load double, ptr %1119, align 8
+  %1121 = select i1 %681, i64 %47, i64 0
+  %1122 = getelementptr double, ptr %45, i64 %1011
+  %1123 = getelementptr double, ptr %1122, i64 %1121
+  %1124 = load double, ptr %1123, align 8
+  %1125 = fcmp olt double %1124, %1120
+  %1126 = select i1 %1125, double %1124, double %1120
+  store double %1126, ptr %1119, align 8
+  br i1 %112, label %1175, label %1127
+1127:
+  %1128 = select i1 %1012, i64 %51, i64 0
+  %1129 = add i64 %1128, %1010
+  %1130 = mul i64 %1129, %53
+  %1131 = select i1 %681, i64 %51, i64 0
+  %1132 = add i64 %1131, %1011
+  %1133 = mul i64 %1132, %53
+  br i1 %113, label %1057, label %1134
+1134:
+  %1135 = shl i64 %1130, 3
+  %1136 = getelementptr i8, ptr %49, i64 %1135
+  %1137 = getelementptr i8, ptr %1136, i64 8
+  %1138 = shl i64 %1133, 3
+  %1139 = getelementptr i8, ptr %49, i64 %1138
+  %1140 = getelementptr i8, ptr %1139, i64 8
+  br i1 %114, label %1041, label %1141
+1141:
+  %1142 = getelementptr i8, ptr %97, i64 %1135
+  %1143 = getelementptr i8, ptr %97, i64 %1138
+  br label %1144
+1144:
+  %1145 = phi i64 [ %96, %1141 ], [ %1173, %1144 ]
+  %1146 = phi i64 [ 0, %1141 ], [ %1168, %1144 ]
+  %1147 = shl i64 %1146, 3
+  %1148 = getelementptr i8, ptr %1142, i64 %1147
+  %1149 = getelementptr i8, ptr %1148, i64 -16
+  %1150 = getelementptr i8, ptr %1148, i64 -24
+  %1151 = load double, ptr %1150, align 8
+  %1152 = getelementptr i8, ptr %1143, i64 %1147
+  %1153 = getelementptr i8, ptr %1152, i64 -16
+  %1154 = getelementptr i8, ptr %1152, i64 -24
+  %1155 = load double, ptr %1154, align 8
+  %1156 = fadd double %1151, %1155
+  %1157 = fmul double %1156, 5.000000e-01
+  store double %1157, ptr %1150, align 8
+  %1158 = load double, ptr %1149, align 8
+  %1159 = load double, ptr %1153, align 8
+  %1160 = fadd double %1158, %1159
+  %1161 = fmul double %1160, 5.000000e-01
+  store double %1161, ptr %1149, align 8
+  %1162 = getelementptr i8, ptr %1148, i64 -8
+  %1163 = load double, ptr %1162, align 8
+  %1164 = getelementptr i8, ptr %1152, i64 -8
+  %1165 = load double, ptr %1164, align 8
+  %1166 = fadd double %1163, %1165
+  %1167 = fmul double %1166, 5.000000e-01
+  store double %1167, ptr %1162, align 8
+  %1168 = add i64 %1146, 4
+  %1169 = load double, ptr %1148, align 8
+  %1170 = load double, ptr %1152, align 8
+  %1171 = fadd double %1169, %1170
+  %1172 = fmul double %1171, 5.000000e-01
+  store double %1172, ptr %1148, align 8
+  %1173 = add i64 %1145, -2
+  %1174 = icmp eq i64 %1173, 0
+  br i1 %1174, label %1040, label %1144
+1175:
+  %1176 = zext i1 %1092 to i64
+  %1177 = shl i64 %886, 3
+  %1178 = getelementptr i8, ptr %75, i64 %1177
+  %1179 = getelementptr i8, ptr %1178, i64 16
+  store i64 %1176, ptr %1179, align 8
+  %1180 = select i1 %681, i64 %71, i64 0
+  %1181 = getelementptr i8, ptr %69, i64 %1011
+  %1182 = getelementptr i8, ptr %1181, i64 %1180
+  store i8 1, ptr %1182, align 1
+  %1183 = select i1 %1012, i64 %71, i64 0
+  %1184 = getelementptr i8, ptr %69, i64 %1010
+  %1185 = getelementptr i8, ptr %1184, i64 %1183
+  store i8 1, ptr %1185, align 1
+  %1186 = load i64, ptr %701, align 8
+  %1187 = icmp slt i64 %1186, 1
+  br i1 %1187, label %1243, label %1188
+1188:
+  %1189 = and i64 %1186, 3
+  %1190 = icmp samesign ult i64 %1186, 4
+  br i1 %1190, label %1227, label %1191
+1191:
+  %1192 = and i64 %1186, 9223372036854775804
+  %1193 = mul i64 %508, %14
+  %1194 = getelementptr i8, ptr %9, i64 %1193
+  %1195 = getelementptr i8, ptr %1194, i64 24
+  br label %1196
+1196:
+  %1197 = phi i64 [ 0, %1191 ], [ %1218, %1196 ]
+  %1198 = shl i64 %1197, 3
+  %1199 = getelementptr i8, ptr %1195, i64 %1198
+  %1200 = getelementptr i8, ptr %1199, i64 -24
+  %1201 = load i64, ptr %1200, align 8
+  %1202 = icmp slt i64 %1201, 0
+  %1203 = select i1 %1202, i64 %71, i64 0
+  %1204 = getelementptr i8, ptr %69, i64 %1201
+  %1205 = getelementptr i8, ptr %1204, i64 %1203
+  store i8 1, ptr %1205, align 1
+  %1206 = getelementptr i8, ptr %1199, i64 -16
+  %1207 = load i64, ptr %1206, align 8
+  %1208 = icmp slt i64 %1207, 0
+  %1209 = select i1 %1208, i64 %71, i64 0
+  %1210 = getelementptr i8, ptr %69, i64 %1207
+  %1211 = getelementptr i8, ptr %1210, i64 %1209
+  store i8 1, ptr %1211, align 1
+  %1212 = getelementptr i8, ptr %1199, i64 -8
+  %1213 = load i64, ptr %1212, align 8
+  %1214 = icmp slt i64 %1213, 0
+  %1215 = select i1 %1214, i64 %71, i64 0
+  %1216 = getelementptr i8, ptr %69, i64 %1213
+  %1217 = getelementptr i8, ptr %1216, i64 %1215
+  store i8 1, ptr %1217, align 1
+  %1218 = add nuw nsw i64 %1197, 4
+  %1219 = load i64, ptr %1199, align 8
+  %1220 = icmp slt i64 %1219, 0
+  %1221 = select i1 %1220, i64 %71, i64 0
+  %1222 = getelementptr i8, ptr %69, i64 %1219
+  %1223 = getelementptr i8, ptr %1222, i64 %1221
+  store i8 1, ptr %1223, align 1
+  %1224 = icmp eq i64 %1192, %1218
+  br i1 %1224, label %1225, label %1196
+1225:
+  %1226 = icmp eq i64 %1189, 0
+  br i1 %1226, label %1243, label %1227
+1227:
+  %1228 = phi i64 [ 0, %1188 ], [ %1192, %1225 ]
+  %1229 = add i64 %1228, %509
+  %1230 = shl i64 %1229, 3
+  %1231 = getelementptr i8, ptr %9, i64 %1230
+  br label %1232
+1232:
+  %1233 = phi i64 [ 0, %1227 ], [ %1241, %1232 ]
+  %1234 = shl i64 %1233, 3
+  %1235 = getelementptr i8, ptr %1231, i64 %1234
+  %1236 = load i64, ptr %1235, align 8
+  %1237 = icmp slt i64 %1236, 0
+  %1238 = select i1 %1237, i64 %71, i64 0
+  %1239 = getelementptr i8, ptr %69, i64 %1236
+  %1240 = getelementptr i8, ptr %1239, i64 %1238
+  store i8 1, ptr %1240, align 1
+  %1241 = add i64 %1233, 1
+  %1242 = icmp eq i64 %1189, %1241
+  br i1 %1242, label %1243, label %1232
+1243:
+  %1244 = add nsw i64 %122, 1
+  br label %924
+1245:
+  %1246 = phi i64 [ 0, %1 ], [ %925, %924 ]
+  ret i64 %1246
+}
+define noundef i64 @msf_jax.host.meso.kernels.cut(ptr readonly %0) local_unnamed_addr {
+  %2 = load ptr, ptr %0, align 8
+  %3 = getelementptr i8, ptr %0, i64 8
+  %4 = load i64, ptr %3, align 8
+  %5 = getelementptr i8, ptr %0, i64 16
+  %6 = load i64, ptr %5, align 8
+  %7 = getelementptr i8, ptr %0, i64 24
+  %8 = load ptr, ptr %7, align 8
+  %9 = getelementptr i8, ptr %0, i64 32
+  %10 = load i64, ptr %9, align 8
+  %11 = getelementptr i8, ptr %0, i64 40
+  %12 = load i64, ptr %11, align 8
+  %13 = shl i64 %12, 3
+  %14 = getelementptr i8, ptr %0, i64 48
+  %15 = load ptr, ptr %14, align 8
+  %16 = getelementptr i8, ptr %0, i64 56
+  %17 = load i64, ptr %16, align 8
+  %18 = getelementptr i8, ptr %0, i64 64
+  %19 = load ptr, ptr %18, align 8
+  %20 = getelementptr i8, ptr %0, i64 72
+  %21 = load i64, ptr %20, align 8
+  %22 = getelementptr i8, ptr %0, i64 80
+  %23 = load i64, ptr %22, align 8
+  %24 = shl i64 %23, 3
+  %25 = getelementptr i8, ptr %0, i64 88
+  %26 = load ptr, ptr %25, align 8
+  %27 = getelementptr i8, ptr %0, i64 96
+  %28 = load i64, ptr %27, align 8
+  %29 = getelementptr i8, ptr %0, i64 104
+  %30 = load i64, ptr %29, align 8
+  %31 = getelementptr i8, ptr %0, i64 160
+  %32 = load ptr, ptr %31, align 8
+  %33 = getelementptr i8, ptr %0, i64 168
+  %34 = load i64, ptr %33, align 8
+  %35 = getelementptr i8, ptr %0, i64 184
+  %36 = load i64, ptr %35, align 8
+  %37 = getelementptr i8, ptr %0, i64 192
+  %38 = load i64, ptr %37, align 8
+  %39 = shl i64 %38, 3
+  %40 = getelementptr i8, ptr %0, i64 200
+  %41 = load ptr, ptr %40, align 8
+  %42 = getelementptr i8, ptr %0, i64 208
+  %43 = load i64, ptr %42, align 8
+  %44 = getelementptr i8, ptr %0, i64 216
+  %45 = load ptr, ptr %44, align 8
+  %46 = getelementptr i8, ptr %0, i64 232
+  %47 = load ptr, ptr %46, align 8
+  %48 = icmp slt i64 %43, 1
+  br i1 %48, label %489, label %49
+49:
+  %50 = getelementptr i8, ptr %0, i64 176
+  %51 = load ptr, ptr %50, align 8
+  %52 = sub i64 %10, %43
+  %53 = and i64 %38, 9223372036854775806
+  %54 = getelementptr i8, ptr %51, i64 8
+  %55 = icmp slt i64 %38, 1
+  %56 = icmp eq i64 %38, 1
+  %57 = and i64 %38, 1
+  %58 = icmp eq i64 %57, 0
+  %59 = getelementptr double, ptr %51, i64 %53
+  br label %73
+60:
+  br i1 %58, label %70, label %61
+61:
+  %62 = getelementptr double, ptr %59, i64 %474
+  %63 = load double, ptr %62, align 8
+  %64 = fmul double %390, %63
+  %65 = getelementptr double, ptr %59, i64 %477
+  %66 = load double, ptr %65, align 8
+  %67 = fmul double %83, %66
+  %68 = fadd double %64, %67
+  %69 = getelementptr double, ptr %59, i64 %480
+  store double %68, ptr %69, align 8
+  br label %70
+70:
+  %71 = add i64 %74, 1
+  %72 = icmp eq i64 %76, %43
+  br i1 %72, label %489, label %73
+73:
+  %74 = phi i64 [ %52, %49 ], [ %71, %70 ]
+  %75 = phi i64 [ 0, %49 ], [ %76, %70 ]
+  %76 = add nuw nsw i64 %75, 1
+  %77 = add nsw i64 %75, %52
+  %78 = getelementptr i64, ptr %41, i64 %75
+  %79 = load i64, ptr %78, align 8
+  %80 = getelementptr i64, ptr %45, i64 %75
+  %81 = load i64, ptr %80, align 8
+  %82 = getelementptr double, ptr %47, i64 %75
+  %83 = load double, ptr %82, align 8
+  %84 = icmp slt i64 %79, 0
+  %85 = select i1 %84, i64 %10, i64 0
+  %86 = add i64 %85, %79
+  %87 = mul i64 %86, %12
+  %88 = getelementptr i64, ptr %8, i64 %87
+  %89 = load i64, ptr %88, align 8
+  %90 = icmp eq i64 %89, %81
+  br i1 %90, label %227, label %91
+91:
+  %92 = shl i64 %87, 3
+  %93 = getelementptr i8, ptr %8, i64 %92
+  %94 = getelementptr i8, ptr %93, i64 8
+  br label %95
+95:
+  %96 = phi i64 [ %97, %95 ], [ 0, %91 ]
+  %97 = add nuw i64 %96, 1
+  %98 = shl i64 %96, 3
+  %99 = getelementptr i8, ptr %94, i64 %98
+  %100 = load i64, ptr %99, align 8
+  %101 = icmp eq i64 %100, %81
+  br i1 %101, label %227, label %95
+102:
+  %103 = phi i64 [ %104, %102 ], [ %375, %364 ]
+  %104 = add i64 %103, -1
+  %105 = icmp slt i64 %103, 1
+  %106 = select i1 %105, i64 %13, i64 0
+  %107 = getelementptr i8, ptr %335, i64 %106
+  %108 = shl i64 %103, 3
+  %109 = getelementptr i8, ptr %107, i64 %108
+  %110 = getelementptr i8, ptr %109, i64 -8
+  %111 = load i64, ptr %110, align 8
+  %112 = select i1 %105, i64 %24, i64 0
+  %113 = getelementptr i8, ptr %369, i64 %112
+  %114 = getelementptr i8, ptr %113, i64 %108
+  %115 = getelementptr i8, ptr %114, i64 -8
+  %116 = load i64, ptr %115, align 8
+  %117 = icmp slt i64 %103, 0
+  %118 = select i1 %117, i64 %13, i64 0
+  %119 = getelementptr i8, ptr %335, i64 %118
+  %120 = getelementptr i8, ptr %119, i64 %108
+  store i64 %111, ptr %120, align 8
+  %121 = select i1 %117, i64 %24, i64 0
+  %122 = getelementptr i8, ptr %369, i64 %121
+  %123 = getelementptr i8, ptr %122, i64 %108
+  store i64 %116, ptr %123, align 8
+  %124 = sub i64 %104, %350
+  %125 = icmp samesign ugt i64 %124, 1
+  br i1 %125, label %102, label %126
+126:
+  %127 = sub i64 0, %371
+  %128 = icmp slt i64 %350, -1
+  %129 = select i1 %128, i64 %12, i64 0
+  %130 = getelementptr i64, ptr %335, i64 %351
+  %131 = getelementptr i64, ptr %130, i64 %129
+  store i64 %77, ptr %131, align 8
+  %132 = select i1 %128, i64 %23, i64 0
+  %133 = getelementptr i64, ptr %369, i64 %351
+  %134 = getelementptr i64, ptr %133, i64 %132
+  store i64 %371, ptr %134, align 8
+  %135 = shl i64 %326, 3
+  %136 = getelementptr i8, ptr %19, i64 %135
+  %137 = getelementptr i8, ptr %136, i64 8
+  store i64 %127, ptr %137, align 8
+  %138 = shl i64 %372, 3
+  %139 = getelementptr inbounds i8, ptr %373, i64 %138
+  %140 = load i64, ptr %139, align 8
+  %141 = add nsw i64 %140, 1
+  store i64 %141, ptr %139, align 8
+  %142 = icmp slt i64 %308, 0
+  %143 = select i1 %142, i64 %10, i64 0
+  %144 = add i64 %143, %308
+  %145 = mul i64 %144, %12
+  %146 = getelementptr i64, ptr %8, i64 %145
+  %147 = load i64, ptr %146, align 8
+  %148 = icmp eq i64 %147, %81
+  br i1 %148, label %167, label %149
+149:
+  %150 = shl i64 %145, 3
+  %151 = getelementptr i8, ptr %8, i64 %150
+  br label %152
+152:
+  %153 = phi i64 [ %158, %152 ], [ 1, %149 ]
+  %154 = shl i64 %153, 3
+  %155 = getelementptr i8, ptr %151, i64 %154
+  %156 = load i64, ptr %155, align 8
+  %157 = icmp eq i64 %156, %81
+  %158 = add nuw i64 %153, 1
+  br i1 %157, label %159, label %152
+159:
+  %160 = phi i64 [ %161, %159 ], [ 0, %152 ]
+  %161 = add nuw i64 %160, 1
+  %162 = shl i64 %160, 3
+  %163 = getelementptr i8, ptr %151, i64 %162
+  %164 = getelementptr i8, ptr %163, i64 8
+  %165 = load i64, ptr %164, align 8
+  %166 = icmp eq i64 %165, %81
+  br i1 %166, label %167, label %159
+167:
+  %168 = phi i64 [ 1, %126 ], [ %158, %159 ]
+  %169 = phi i64 [ 0, %126 ], [ %161, %159 ]
+  %170 = select i1 %142, i64 %21, i64 0
+  %171 = add i64 %170, %308
+  %172 = mul i64 %171, %23
+  %173 = getelementptr i64, ptr %19, i64 %172
+  %174 = getelementptr i64, ptr %173, i64 %169
+  %175 = load i64, ptr %174, align 8
+  %176 = select i1 %142, i64 %17, i64 0
+  %177 = getelementptr i64, ptr %15, i64 %308
+  %178 = getelementptr i64, ptr %177, i64 %176
+  %179 = load i64, ptr %178, align 8
+  %180 = sub i64 %168, %179
+  %181 = icmp ugt i64 %180, -9223372036854775808
+  br i1 %181, label %182, label %378
+182:
+  %183 = phi i64 [ %184, %182 ], [ %179, %167 ]
+  %184 = add i64 %183, -1
+  %185 = icmp slt i64 %183, 1
+  %186 = select i1 %185, i64 %13, i64 0
+  %187 = getelementptr i8, ptr %146, i64 %186
+  %188 = shl i64 %183, 3
+  %189 = getelementptr i8, ptr %187, i64 %188
+  %190 = getelementptr i8, ptr %189, i64 -8
+  %191 = load i64, ptr %190, align 8
+  %192 = select i1 %185, i64 %24, i64 0
+  %193 = getelementptr i8, ptr %173, i64 %192
+  %194 = getelementptr i8, ptr %193, i64 %188
+  %195 = getelementptr i8, ptr %194, i64 -8
+  %196 = load i64, ptr %195, align 8
+  %197 = icmp slt i64 %183, 0
+  %198 = select i1 %197, i64 %13, i64 0
+  %199 = getelementptr i8, ptr %146, i64 %198
+  %200 = getelementptr i8, ptr %199, i64 %188
+  store i64 %191, ptr %200, align 8
+  %201 = select i1 %197, i64 %24, i64 0
+  %202 = getelementptr i8, ptr %173, i64 %201
+  %203 = getelementptr i8, ptr %202, i64 %188
+  store i64 %196, ptr %203, align 8
+  %204 = sub i64 %183, %168
+  %205 = icmp samesign ugt i64 %204, 1
+  br i1 %205, label %182, label %378
+206:
+  %207 = phi i64 [ %220, %206 ], [ 0, %481 ]
+  %208 = shl i64 %207, 3
+  %209 = getelementptr i8, ptr %483, i64 %208
+  %210 = getelementptr i8, ptr %209, i64 -8
+  %211 = load double, ptr %210, align 8
+  %212 = fmul double %390, %211
+  %213 = getelementptr i8, ptr %485, i64 %208
+  %214 = getelementptr i8, ptr %213, i64 -8
+  %215 = load double, ptr %214, align 8
+  %216 = fmul double %83, %215
+  %217 = fadd double %212, %216
+  %218 = getelementptr i8, ptr %488, i64 %208
+  %219 = getelementptr i8, ptr %218, i64 -8
+  store double %217, ptr %219, align 8
+  %220 = add nuw i64 %207, 2
+  %221 = load double, ptr %209, align 8
+  %222 = fmul double %390, %221
+  %223 = load double, ptr %213, align 8
+  %224 = fmul double %83, %223
+  %225 = fadd double %222, %224
+  store double %225, ptr %218, align 8
+  %226 = icmp eq i64 %53, %220
+  br i1 %226, label %60, label %206
+227:
+  %228 = phi i64 [ 0, %73 ], [ %97, %95 ]
+  %229 = icmp slt i64 %81, 0
+  %230 = select i1 %229, i64 %10, i64 0
+  %231 = add i64 %230, %81
+  %232 = mul i64 %231, %12
+  %233 = getelementptr i64, ptr %8, i64 %232
+  %234 = load i64, ptr %233, align 8
+  %235 = icmp eq i64 %234, %79
+  br i1 %235, label %247, label %236
+236:
+  %237 = shl i64 %232, 3
+  %238 = getelementptr i8, ptr %8, i64 %237
+  %239 = getelementptr i8, ptr %238, i64 8
+  br label %240
+240:
+  %241 = phi i64 [ %242, %240 ], [ 0, %236 ]
+  %242 = add nuw i64 %241, 1
+  %243 = shl i64 %241, 3
+  %244 = getelementptr i8, ptr %239, i64 %243
+  %245 = load i64, ptr %244, align 8
+  %246 = icmp eq i64 %245, %79
+  br i1 %246, label %247, label %240
+247:
+  %248 = phi i64 [ 0, %227 ], [ %242, %240 ]
+  %249 = select i1 %84, i64 %17, i64 0
+  %250 = getelementptr i64, ptr %15, i64 %79
+  %251 = getelementptr i64, ptr %250, i64 %249
+  %252 = load i64, ptr %251, align 8
+  %253 = icmp eq i64 %252, 0
+  br i1 %253, label %307, label %254
+254:
+  %255 = add nsw i64 %228, 1
+  %256 = or i64 %252, %255
+  %257 = icmp ult i64 %256, 4294967296
+  br i1 %257, label %258, label %263
+258:
+  %259 = trunc nuw i64 %252 to i32
+  %260 = trunc nuw i64 %255 to i32
+  %261 = urem i32 %260, %259
+  %262 = zext i32 %261 to i64
+  br label %265
+263:
+  %264 = srem i64 %255, %252
+  br label %265
+265:
+  %266 = phi i64 [ %262, %258 ], [ %264, %263 ]
+  %267 = xor i64 %266, %252
+  %268 = icmp slt i64 %267, 0
+  %269 = icmp ne i64 %266, 0
+  %270 = and i1 %269, %268
+  %271 = select i1 %270, i64 %252, i64 0
+  %272 = add i64 %271, %266
+  %273 = freeze i64 %272
+  %274 = icmp slt i64 %273, 0
+  %275 = select i1 %274, i64 %12, i64 0
+  %276 = getelementptr i64, ptr %88, i64 %273
+  %277 = getelementptr i64, ptr %276, i64 %275
+  %278 = load i64, ptr %277, align 8
+  %279 = add nsw i64 %228, -1
+  %280 = icmp ne i64 %279, -9223372036854775808
+  %281 = icmp ne i64 %252, -1
+  %282 = or i1 %280, %281
+  br i1 %282, label %283, label %307
+283:
+  %284 = or i64 %252, %279
+  %285 = icmp ult i64 %284, 4294967296
+  br i1 %285, label %286, label %291
+286:
+  %287 = trunc nuw i64 %252 to i32
+  %288 = trunc nuw i64 %279 to i32
+  %289 = urem i32 %288, %287
+  %290 = zext i32 %289 to i64
+  br label %293
+291:
+  %292 = srem i64 %279, %252
+  br label %293
+293:
+  %294 = phi i64 [ %290, %286 ], [ %292, %291 ]
+  %295 = xor i64 %294, %252
+  %296 = icmp slt i64 %295, 0
+  %297 = icmp ne i64 %294, 0
+  %298 = and i1 %297, %296
+  %299 = select i1 %298, i64 %252, i64 0
+  %300 = add i64 %299, %294
+  %301 = freeze i64 %300
+  %302 = icmp slt i64 %301, 0
+  %303 = select i1 %302, i64 %12, i64 0
+  %304 = getelementptr i64, ptr %88, i64 %303
+  %305 = getelementptr i64, ptr %304, i64 %301
+  %306 = load i64, ptr %305, align 8
+  br label %307
+307:
+  %308 = phi i64 [ %89, %265 ], [ %306, %293 ], [ %89, %247 ]
+  %309 = phi i64 [ %278, %265 ], [ %278, %293 ], [ %89, %247 ]
+  %310 = icmp slt i64 %77, 0
+  %311 = select i1 %310, i64 %10, i64 0
+  %312 = add i64 %311, %77
+  %313 = mul i64 %312, %12
+  %314 = getelementptr i64, ptr %8, i64 %313
+  store i64 %81, ptr %314, align 8
+  %315 = getelementptr i8, ptr %314, i64 8
+  store i64 %309, ptr %315, align 8
+  %316 = getelementptr i8, ptr %314, i64 16
+  store i64 %79, ptr %316, align 8
+  %317 = getelementptr i8, ptr %314, i64 24
+  store i64 %308, ptr %317, align 8
+  %318 = select i1 %229, i64 %21, i64 0
+  %319 = add i64 %318, %81
+  %320 = mul i64 %319, %23
+  %321 = getelementptr i64, ptr %19, i64 %320
+  %322 = getelementptr i64, ptr %321, i64 %248
+  %323 = load i64, ptr %322, align 8
+  %324 = select i1 %310, i64 %21, i64 0
+  %325 = add i64 %324, %77
+  %326 = mul i64 %325, %23
+  %327 = getelementptr i64, ptr %19, i64 %326
+  %328 = getelementptr i8, ptr %327, i64 16
+  store i64 %323, ptr %328, align 8
+  store i64 0, ptr %322, align 8
+  %329 = getelementptr i64, ptr %88, i64 %228
+  store i64 %77, ptr %329, align 8
+  %330 = getelementptr i64, ptr %233, i64 %248
+  store i64 %77, ptr %330, align 8
+  %331 = icmp slt i64 %309, 0
+  %332 = select i1 %331, i64 %10, i64 0
+  %333 = add i64 %332, %309
+  %334 = mul i64 %333, %12
+  %335 = getelementptr i64, ptr %8, i64 %334
+  %336 = load i64, ptr %335, align 8
+  %337 = icmp eq i64 %336, %79
+  br i1 %337, label %349, label %338
+338:
+  %339 = shl i64 %334, 3
+  %340 = getelementptr i8, ptr %8, i64 %339
+  %341 = getelementptr i8, ptr %340, i64 8
+  br label %342
+342:
+  %343 = phi i64 [ %344, %342 ], [ 0, %338 ]
+  %344 = add nuw i64 %343, 1
+  %345 = shl i64 %343, 3
+  %346 = getelementptr i8, ptr %341, i64 %345
+  %347 = load i64, ptr %346, align 8
+  %348 = icmp eq i64 %347, %79
+  br i1 %348, label %349, label %342
+349:
+  %350 = phi i64 [ 0, %307 ], [ %344, %342 ]
+  %351 = add nsw i64 %350, 1
+  %352 = icmp eq i64 %336, %81
+  br i1 %352, label %364, label %353
+353:
+  %354 = shl i64 %334, 3
+  %355 = getelementptr i8, ptr %8, i64 %354
+  %356 = getelementptr i8, ptr %355, i64 8
+  br label %357
+357:
+  %358 = phi i64 [ %359, %357 ], [ 0, %353 ]
+  %359 = add nuw i64 %358, 1
+  %360 = shl i64 %358, 3
+  %361 = getelementptr i8, ptr %356, i64 %360
+  %362 = load i64, ptr %361, align 8
+  %363 = icmp eq i64 %362, %81
+  br i1 %363, label %364, label %357
+364:
+  %365 = phi i64 [ 0, %349 ], [ %359, %357 ]
+  %366 = select i1 %331, i64 %21, i64 0
+  %367 = add i64 %366, %309
+  %368 = mul i64 %367, %23
+  %369 = getelementptr i64, ptr %19, i64 %368
+  %370 = getelementptr i64, ptr %369, i64 %365
+  %371 = load i64, ptr %370, align 8
+  %372 = select i1 %331, i64 %17, i64 0
+  %373 = getelementptr i64, ptr %15, i64 %309
+  %374 = getelementptr i64, ptr %373, i64 %372
+  %375 = load i64, ptr %374, align 8
+  %376 = sub i64 %351, %375
+  %377 = icmp ugt i64 %376, -9223372036854775808
+  br i1 %377, label %102, label %126
+378:
+  %379 = sub i64 0, %175
+  %380 = getelementptr i64, ptr %146, i64 %168
+  store i64 %77, ptr %380, align 8
+  %381 = getelementptr i64, ptr %173, i64 %168
+  store i64 %175, ptr %381, align 8
+  %382 = getelementptr i8, ptr %136, i64 24
+  store i64 %379, ptr %382, align 8
+  %383 = shl i64 %176, 3
+  %384 = getelementptr inbounds i8, ptr %177, i64 %383
+  %385 = load i64, ptr %384, align 8
+  %386 = add nsw i64 %385, 1
+  store i64 %386, ptr %384, align 8
+  %387 = select i1 %310, i64 %17, i64 0
+  %388 = getelementptr i64, ptr %15, i64 %77
+  %389 = getelementptr i64, ptr %388, i64 %387
+  store i64 4, ptr %389, align 8
+  %390 = fsub double 1.000000e+00, %83
+  %391 = select i1 %84, i64 %4, i64 0
+  %392 = add i64 %391, %79
+  %393 = mul i64 %392, %6
+  %394 = getelementptr double, ptr %2, i64 %393
+  %395 = select i1 %229, i64 %4, i64 0
+  %396 = add i64 %395, %81
+  %397 = mul i64 %396, %6
+  %398 = getelementptr double, ptr %2, i64 %397
+  %399 = select i1 %310, i64 %4, i64 0
+  %400 = add i64 %399, %77
+  %401 = mul i64 %400, %6
+  %402 = getelementptr double, ptr %2, i64 %401
+  %403 = select i1 %84, i64 %28, i64 0
+  %404 = add i64 %403, %79
+  %405 = mul i64 %404, %30
+  %406 = getelementptr double, ptr %26, i64 %405
+  %407 = select i1 %229, i64 %28, i64 0
+  %408 = add i64 %407, %81
+  %409 = mul i64 %408, %30
+  %410 = getelementptr double, ptr %26, i64 %409
+  %411 = select i1 %310, i64 %28, i64 0
+  %412 = add i64 %411, %77
+  %413 = mul i64 %412, %30
+  %414 = getelementptr double, ptr %26, i64 %413
+  %415 = load double, ptr %394, align 8
+  %416 = fmul double %390, %415
+  %417 = load double, ptr %398, align 8
+  %418 = fmul double %83, %417
+  %419 = fadd double %416, %418
+  store double %419, ptr %402, align 8
+  %420 = load double, ptr %406, align 8
+  %421 = fmul double %390, %420
+  %422 = load double, ptr %410, align 8
+  %423 = fmul double %83, %422
+  %424 = fadd double %421, %423
+  store double %424, ptr %414, align 8
+  %425 = getelementptr i8, ptr %394, i64 8
+  %426 = load double, ptr %425, align 8
+  %427 = fmul double %390, %426
+  %428 = getelementptr i8, ptr %398, i64 8
+  %429 = load double, ptr %428, align 8
+  %430 = fmul double %83, %429
+  %431 = fadd double %427, %430
+  %432 = getelementptr i8, ptr %402, i64 8
+  store double %431, ptr %432, align 8
+  %433 = getelementptr i8, ptr %406, i64 8
+  %434 = load double, ptr %433, align 8
+  %435 = fmul double %390, %434
+  %436 = getelementptr i8, ptr %410, i64 8
+  %437 = load double, ptr %436, align 8
+  %438 = fmul double %83, %437
+  %439 = fadd double %435, %438
+  %440 = getelementptr i8, ptr %414, i64 8
+  store double %439, ptr %440, align 8
+  %441 = getelementptr i8, ptr %394, i64 16
+  %442 = load double, ptr %441, align 8
+  %443 = fmul double %390, %442
+  %444 = getelementptr i8, ptr %398, i64 16
+  %445 = load double, ptr %444, align 8
+  %446 = fmul double %83, %445
+  %447 = fadd double %443, %446
+  %448 = getelementptr i8, ptr %402, i64 16
+  store double %447, ptr %448, align 8
+  %449 = getelementptr i8, ptr %406, i64 16
+  %450 = load double, ptr %449, align 8
+  %451 = fmul double %390, %450
+  %452 = getelementptr i8, ptr %410, i64 16
+  %453 = load double, ptr %452, align 8
+  %454 = fmul double %83, %453
+  %455 = fadd double %451, %454
+  %456 = getelementptr i8, ptr %414, i64 16
+  store double %455, ptr %456, align 8
+  %457 = select i1 %84, i64 %34, i64 0
+  %458 = getelementptr double, ptr %32, i64 %79
+  %459 = getelementptr double, ptr %458, i64 %457
+  %460 = load double, ptr %459, align 8
+  %461 = fmul double %390, %460
+  %462 = select i1 %229, i64 %34, i64 0
+  %463 = getelementptr double, ptr %32, i64 %81
+  %464 = getelementptr double, ptr %463, i64 %462
+  %465 = load double, ptr %464, align 8
+  %466 = fmul double %83, %465
+  %467 = fadd double %461, %466
+  %468 = select i1 %310, i64 %34, i64 0
+  %469 = getelementptr double, ptr %32, i64 %77
+  %470 = getelementptr double, ptr %469, i64 %468
+  store double %467, ptr %470, align 8
+  br i1 %55, label %70, label %471
+471:
+  %472 = select i1 %84, i64 %36, i64 0
+  %473 = add i64 %472, %79
+  %474 = mul i64 %473, %38
+  %475 = select i1 %229, i64 %36, i64 0
+  %476 = add i64 %475, %81
+  %477 = mul i64 %476, %38
+  %478 = select i1 %310, i64 %36, i64 0
+  %479 = add i64 %478, %77
+  %480 = mul i64 %479, %38
+  br i1 %56, label %61, label %481
+481:
+  %482 = mul i64 %473, %39
+  %483 = getelementptr i8, ptr %54, i64 %482
+  %484 = mul i64 %476, %39
+  %485 = getelementptr i8, ptr %54, i64 %484
+  %486 = add i64 %478, %74
+  %487 = mul i64 %486, %39
+  %488 = getelementptr i8, ptr %54, i64 %487
+  br label %206
+489:
+  ret i64 0
+}

@@ -16,7 +16,7 @@ from msf_jax.host.thin import one_branch
 from msf_jax.host.thin.caps import Caps
 
 MOST_NAMED = 5  # loops of one kind that a report names; it counts the rest
-SHEET = 2.0  # balls' radii: mean radius of a sheet's cross-section; that of a rectangle four times as wide as thick
+SHEET = 2.0  # balls' radii: mean radius of a sheet's cross-section; that of a rectangle 2.6 times as wide as thick
 STUB = 1.5  # slenderness below which a limb is a stub, hardly longer than wide
 # With this many stubs, and this share of all limbs, the limbs are probably roughness of the surface. Armadillo has 10
 # stubs of 18 limbs, its fingers and toes; a statue in a robe with noise of 0.005 diagonals has 439 of 448.
@@ -38,8 +38,8 @@ class Report:
         cycles: independent cycles of the curve; should equal ``genus``.
         loops: handles of the solid that these cycles go around, from linking numbers with loops of its surface; should
             equal ``genus`` and ``cycles``. None for a curve without its mesh.
-        in_sheets: fraction of the curve's length in limbs some four times as wide as thick or more, or in the wall
-            around a void, where the curve's path is arbitrary; None if not known. Over half is a doubt.
+        in_sheets: fraction of the curve's length in limbs over 2.6 times as wide as thick, or in the wall around a void,
+            where the curve's path is arbitrary; None if not known. Over half is a doubt.
         cut: cycles that `Skeleton.to_tree` cut.
         inside: fraction of the curve's length that is inside the mesh.
         converged: whether the flow converged.

@@ -1,0 +1,134 @@
+"""Numbers that texts repeat are those of the code or of the page that has them, and every file they name is there."""
+
+import re
+from pathlib import Path
+
+import pytest
+from test_architecture import MOST_FILES
+
+import msf_jax
+from msf_jax import Config, Repair, Weights
+from msf_jax.app import batch
+from msf_jax.device import cg, laplacian
+from msf_jax.flow import curves, loop, stepping
+from msf_jax.flow import skeletonize as running
+from msf_jax.gradients import holding, replay
+from msf_jax.host.curve import finishing
+from msf_jax.host.mesh import repair
+from msf_jax.host.poles import thickness
+from msf_jax.host.thin import caps, fronts
+from msf_jax.skeleton import report
+from msf_jax.skeleton.formats import swc
+
+ROOT = Path(__file__).parents[1]
+PACKAGE = Path(msf_jax.__file__).parent
+GUIDE = PACKAGE / "guide"
+TEXTS = [ROOT / "README.md", ROOT / ".github" / "CONTRIBUTING.md", *sorted(GUIDE.glob("*.md"))]
+WORDS = {
+    1 / 3: "a third",
+    1 / 10: "a tenth",
+    1 / 2: "half",
+    2: "twice",
+    12: "twelve",
+    30: "thirty",
+    0.3: "three tenths",
+}
+CONFIG, WEIGHTS = Config(), Weights()
+
+
+def text_of(page: str) -> str:
+    """On one line, so that a phrase may be wrapped anywhere."""
+    return " ".join((GUIDE / page if (GUIDE / page).exists() else ROOT / page).read_text("utf-8").split())
+
+
+def percent(share: float) -> str:
+    return f"{100 * share:g} %"
+
+
+def found(page: str, pattern: str) -> str:
+    """The group of the only match of the pattern in a page."""
+    (number,) = re.findall(pattern, text_of(page))
+    return number
+
+
+FIRST = found("speed.md", r"A new process skeletonises homer in (\S+) s with an empty")
+MILLION = found("speed.md", r"\| hand \| 1,004,192 \| (\S+) \|")
+
+# Of each page a phrase, written with the number's owner: who changes the number changes the phrase.
+FACTS = [
+    ("README.md", f"a new process takes {FIRST} s, because it compiles"),
+    ("README.md", f"a million vertices take {MILLION} s"),
+    (".github/CONTRIBUTING.md", f"A folder holds at most {WORDS[MOST_FILES]} modules"),
+    ("speed.md", f"Of the {MILLION} s,"),
+    ("speed.md", f"solves stop at a residual of {CONFIG.solve_tolerance:.0e}".replace("e-0", "e-")),
+    ("speed.md", f"Tighter solves (below {cg.LOOSE:.0e})".replace("e-0", "e-")),
+    ("differences.md", f"limited** to {laplacian.LARGEST:g} times their row's unit"),
+    ("differences.md", f"threshold starts at {CONFIG.t_min:g} and rises by {CONFIG.t_step:g}.**"),
+    ("differences.md", f"the projection on {CONFIG.reconstruct_poles} eigenvectors"),
+    ("differences.md", f"Edges below {CONFIG.coarsen:g} of the diagonal are collapsed"),
+    ("differences.md", f"At most {percent(loop.SETTLED)} of the volume is left; or up to {percent(loop.MEMBRANES)} is"),
+    ("differences.md", f"at most {WORDS[loop.THINNED]} as thick as the solid was"),
+    ("report.md", f"neither volume nor area fell over {WORDS[loop.STALL_ITERATIONS]} iterations"),
+    ("report.md", f"with more than {WORDS[curves.MOST_VOLUME]} left, the curve is coarse"),
+    ("report.md", f"over {WORDS[report.MOST_STUBS]} of the limbs, and at least {report.MANY}, are stubs"),
+    ("weights.md", f"`w_L` ({WEIGHTS.w_L})"),
+    ("weights.md", f"`w_H` ({WEIGHTS.w_H})"),
+    ("weights.md", f"`w_M` ({WEIGHTS.w_M})"),
+    ("weights.md", f"`smoothing` ({WEIGHTS.smoothing})"),
+    ("branches.md", f"has at least `Config(prune={CONFIG.prune})` is a limb"),
+    ("branches.md", f"less than {percent(caps.SMALL)} of the surface"),
+    ("branches.md", f"must be {WORDS[1 / fronts.SMALLER]} as slender"),
+    ("branches.md", f"from {caps.BLUNT} of `prune` on, of a part that is slender"),
+    ("branches.md", f"keeps the parts from {caps.BLUNT} of `prune` on"),
+    ("branches.md", f"a `prune` below {caps.ROUND_END} acts as {caps.ROUND_END}"),
+    ("branches.md", f"a mesh with fewer than {caps.FEWEST:,} vertices are split"),
+    ("branches.md", f"Edges are refined to {WORDS[finishing.SPACING]} a radius"),
+    ("branches.md", f"a distance of {WORDS[caps.GAP]} of the limb's radius from the surface"),
+    ("repair.md", f"keeps the largest {Repair().most_parts} pieces"),
+    ("repair.md", f"gaps up to {repair.REACH} of the diagonal"),
+    ("repair.md", f"limbs thinner than {thickness.THIN} of the diagonal"),
+    ("repair.md", f"is repeated with {WORDS[stepping.SHORTER]} of `w_L`"),
+    ("batches.md", f"A worker is replaced after {batch.TASKS:,} meshes"),
+    ("gradients.md", "relative residual of {:.0e} where only the value".format(replay.TOLERANCE["float64"][0])),
+    ("gradients.md", "They end at {:.0e}".format(replay.TOLERANCE["float64"][1]).replace("e-0", "e-")),
+    ("following.md", f"more runs with noise of {running.JITTER:.0e} diagonals".replace("e-0", "e-")),
+    ("following.md", f"whether a ball has shrunk by {WORDS[1 - holding.PINCHED]}"),
+    ("cookbook.md", f"the curve stops {caps.GAP} radii before its end"),
+    ("cookbook.md", f"labels {swc.SOMA} soma, {swc.FORK} fork, {swc.END} end, {swc.OTHER} other"),
+]
+
+
+@pytest.mark.parametrize(("page", "phrase"), FACTS)
+def test_a_number_in_a_text_is_its_owners(page, phrase):
+    assert phrase in text_of(page)
+
+
+@pytest.mark.parametrize("path", TEXTS, ids=lambda path: path.stem)
+def test_files_that_a_text_names_are_there(path):
+    """In the repository, the package or beside the text: modules, pages, and what `python -m` runs."""
+    text = path.read_text("utf-8")
+    names = re.findall(r"(?<![\w./*-])([\w.-]+(?:/[\w.-]+)*\.(?:py|md|ll))\b", text)
+    assert not [name for name in names if not any((at / name).exists() for at in (ROOT, PACKAGE, path.parent))]
+    programs = [ROOT / name.replace(".", "/") for name in re.findall(r"python -m (tests\.[\w.]*\w)", text)]
+    assert not [name for name in programs if not (name.is_dir() or name.with_suffix(".py").exists())]
+
+
+def test_two_pages_say_what_the_table_of_tuning_shows():
+    rows = re.findall(r"^\| \w+ \| [\d.]+ \|(.*)\|$", (GUIDE / "tuning.md").read_text("utf-8"), flags=re.MULTILINE)
+    medians = [[float(cell.strip(" *").split(",")[0].strip("*")) for cell in row.split("|")] for row in rows]
+    assert len(medians) == 6 and {len(row) for row in medians} == {4}
+    num_best = sum(row[0] == min(row) < min(row[1:]) for row in medians)
+    assert num_best == 3
+    for page in ("tuning.md", "claims.md"):
+        (most,) = re.findall(
+            r"is the best on three(?: shapes)?, and within ([\d.]+) % of the best on all", text_of(page)
+        )
+        assert max(row[0] / min(row) for row in medians) <= 1 + float(most) / 100
+
+
+def test_the_workflow_has_the_oldest_and_the_newest_python_of_the_classifiers():
+    project = text_of("pyproject.toml")
+    minors = sorted(int(minor) for minor in re.findall(r"Python :: 3\.(\d+)", project))
+    assert f'requires-python = ">=3.{minors[0]}"' in project and minors == [*range(minors[0], minors[-1] + 1)]
+    assert f'python: ["3.{minors[0]}", "3.{minors[-1]}"]' in text_of(".github/workflows/ci.yml")
+    assert f"with Python 3.{minors[0]} or newer" in text_of("README.md")
