@@ -38,8 +38,8 @@ class Report:
         cycles: independent cycles of the curve; should equal ``genus``.
         loops: handles of the solid that these cycles go around, from linking numbers with loops of its surface; should
             equal ``genus`` and ``cycles``. None for a curve without its mesh.
-        in_sheets: fraction of the curve's length in limbs over 2.6 times as wide as thick, or in the wall around a void,
-            where the curve's path is arbitrary; None if not known. Over half is a doubt.
+        in_sheets: fraction of the curve's length in limbs over 2.6 times as wide as thick, or in the wall around a
+            void, where the curve's path is arbitrary; None if not known. Over half is a doubt.
         cut: cycles that `Skeleton.to_tree` cut.
         inside: fraction of the curve's length that is inside the mesh.
         converged: whether the flow converged.
