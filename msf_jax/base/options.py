@@ -150,7 +150,8 @@ class Config:
             become one; 0 keeps the flow's branches. The default is above the slenderness of a half ball on a wall,
             0.5, and of the corner of a box, up to 0.6.
         centre: whether nodes are finally moved to the middle of their limb's cross-section, and edges refined.
-        extend_tips: whether leaves are extended to the ends of their limbs.
+        extend_tips: whether branches end on the axes of their limbs' ends (see `host.thin.ends`), and limbs that the
+            flow has missed get one.
         evaluate: whether the report gets the figures of `metrics.evaluate`.
         check: whether to verify after every round of edits that the surface is a closed manifold of the same genus.
 
