@@ -22,6 +22,7 @@ from msf_jax.host.curve import (
     resampling,
 )
 from msf_jax.host.curve.branches import cycle_count
+from msf_jax.host.curve.draft import Draft, Job
 from msf_jax.host.poles.roadmap import Roadmap
 from msf_jax.host.solid.enclosure import Enclosure
 from msf_jax.host.solid.frame import RESOLUTION
@@ -151,15 +152,13 @@ def test_a_loop_around_a_hole_is_not_folded_flat():
 
 def job_of(shape):
     """What a pass may ask of the solid ``shape``."""
-    return finishing.Job(
-        shape, shape, 1.5, False, Roadmap(shape, containment.is_inside), centring.Budget(), partial(Caps, shape)
-    )
+    return Job(shape, shape, 1.5, False, Roadmap(shape, containment.is_inside), centring.Budget(), partial(Caps, shape))
 
 
 def draft_of(x, edges):
     """A curve as the flow leaves it, of which nothing is held."""
     every = np.arange(len(x))
-    return finishing.Draft(x, edges, none_held(x), every, every, x, none_held(x))
+    return Draft(x, edges, none_held(x), every, every, x, none_held(x))
 
 
 def loops_and_rank(shape, draft, job):
@@ -324,7 +323,7 @@ def test_junctions_go_to_the_middle_of_a_blob_but_not_along_a_trunk():
     edges = np.array([[0, 3], [0, 4], [0, 5]])
     job = job_of(shape)
     for is_held in (none_held(x), np.arange(6) == 0):
-        draft = finishing.Draft(x, edges, is_held, np.arange(6), np.arange(6), x, none_held(x))
+        draft = Draft(x, edges, is_held, np.arange(6), np.arange(6), x, none_held(x))
         place, is_former_junction = finishing.placed(draft, job)[5:7]
         assert is_former_junction.tolist() == [not is_held[0]] + 5 * [False]
         np.testing.assert_array_equal(place[1:], x[1:])
@@ -682,9 +681,9 @@ def test_a_junction_goes_to_the_node_whose_ball_holds_its_own():
     x = scale * np.array([[0, 0, -0.75], [0, 0, -0.3], [0, 0, 0.05], [0, 0, 1.6], [0, 0.3, 1.6], [0, 0, 2.5], *legs])
     edges = np.array([[0, 1], [1, 2], [2, 3], [3, 4], [3, 5], [0, 6], [0, 7]])
     roadmap = Roadmap(shape, containment.is_inside)
-    job = finishing.Job(shape, shape, 0.75, False, roadmap, centring.Budget(), partial(Caps, shape))
+    job = draft.Job(shape, shape, 0.75, False, roadmap, centring.Budget(), partial(Caps, shape))
     every = np.arange(len(x))
-    draft = finishing.Draft(x, edges, none_held(x), every, every, x, none_held(x))
+    draft = Draft(x, edges, none_held(x), every, every, x, none_held(x))
     place = finishing.placed(draft, job).place / scale
     assert np.linalg.norm(place[0]) < 0.1
     assert np.linalg.norm(place[3] - [0, 0, 1.6]) < 0.35

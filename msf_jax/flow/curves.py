@@ -9,8 +9,9 @@ from scipy import spatial
 from msf_jax.base.options import Config
 from msf_jax.flow.state import State, Stopwatch
 from msf_jax.host.curve import branches, extraction, finishing
+from msf_jax.host.curve.draft import Draft, Job
 from msf_jax.host.curve.extraction import Curve
-from msf_jax.host.curve.finishing import Draft, Finished, Job
+from msf_jax.host.curve.finishing import Finished
 from msf_jax.host.mesh.checking import Surface
 from msf_jax.host.meso import short_loops, surgery
 from msf_jax.host.meso.meso import Meso

@@ -12,7 +12,8 @@ from typing import NamedTuple
 import numpy as np
 from scipy import spatial
 
-from msf_jax.host.curve import branches, centring, containment, loops, pruning, resampling
+from msf_jax.host.curve import branches, centring, containment, junctions, loops, pruning, resampling
+from msf_jax.host.curve.draft import Draft, Job
 from msf_jax.host.poles.roadmap import Roadmap
 from msf_jax.host.solid.enclosure import Enclosure
 from msf_jax.host.thin import one_branch, reeb_curve
@@ -23,67 +24,6 @@ MOST_NODES = 5_000  # nodes of a finished curve; if `SPACING` needs more, nodes 
 SHARPEST = 40.0  # degrees: largest turn of a finished branch at a node, where possible
 HOLDS = 1.1  # radii of a node: a junction whose ball is within this distance takes the place of the node
 FIRST_ROUNDS = 2  # rounds of a centring before junctions are merged
-
-
-class Draft(NamedTuple):
-    """A curve on its way to being finished.
-
-    vertices: (N, 3). edges: (E, 2). is_held: (N,) nodes that do not move. origin: (N,) the number of each node in the
-    flow's curve, ascending; -1 for new nodes, which come last. node_of_flow: (n,) the node for each of the flow's
-    nodes: itself, or the junction that its branch was pruned from. place: (N, 3) the first place of each node, or the
-    place wanted for a junction. is_former_junction: (N,) those junctions, also after their branches are pruned.
-    is_sparse: whether nodes are farther apart than `SPACING`, because of `MOST_NODES`. num_pruned, num_grown: branches
-    that were removed because they are no limbs, and that were added because the flow had missed them, counted by ends.
-    """
-
-    vertices: np.ndarray
-    edges: np.ndarray
-    is_held: np.ndarray
-    origin: np.ndarray
-    node_of_flow: np.ndarray
-    place: np.ndarray
-    is_former_junction: np.ndarray
-    is_sparse: bool = False
-    num_pruned: int = 0
-    num_grown: int = 0
-
-    def changed(self, vertices: np.ndarray, edges: np.ndarray | None = None) -> "Draft":
-        """The draft with moved nodes, new ones last, and with other edges if they are given."""
-        new = (0, len(vertices) - len(self.vertices))
-        return self._replace(
-            vertices=vertices,
-            edges=self.edges if edges is None else edges,
-            is_held=np.pad(self.is_held, new),
-            is_former_junction=np.pad(self.is_former_junction, new),
-            origin=np.pad(self.origin, new, constant_values=-1),
-            place=np.concatenate([self.place, vertices[len(self.vertices) :]]),
-        )
-
-    def degree(self) -> np.ndarray:
-        """(N,) number of edges at each node."""
-        return np.bincount(self.edges.ravel(), minlength=len(self.vertices))
-
-    def is_leaf(self) -> np.ndarray:
-        """(N,) True for a node with one edge."""
-        return self.degree() == 1
-
-
-class Job(NamedTuple):
-    """The inputs of all passes.
-
-    shape: the solid, of diagonal 1. coarse: about the same surface with fewer triangles, fine enough for centring.
-    prune: least slenderness of a limb, 0 for no pruning (see `thin.caps`). is_thin: whether the solid has thin
-    limbs (see `poles.thickness`). roadmap: paths through the solid. budget: of all centring together. caps: returns
-    those of the coarse surface.
-    """
-
-    shape: Enclosure
-    coarse: Enclosure
-    prune: float
-    is_thin: bool
-    roadmap: Roadmap
-    budget: centring.Budget
-    caps: Callable[[], Caps]
 
 
 class Finished(NamedTuple):
@@ -305,13 +245,15 @@ def joined(draft: Draft, job: Job, centre: bool, hold_leaves: bool) -> Draft:
 
 
 def splined(draft: Draft, job: Job, hold_leaves: bool) -> Draft:
-    """Nodes are about ``SPACING`` radii apart, in the middle of the solid, and no two strands run in one limb."""
+    """Nodes are about ``SPACING`` radii apart, in the middle of the solid. No two strands run in one limb, and the
+    junctions of narrow forks are where the axes of their branches meet."""
     draft = centred(refined(draft, job), job, hold_leaves)
     radii = job.coarse.approximate_clearance(draft.vertices)[0]
     stays, target, edges = branches.zip_strands(draft.vertices, draft.edges, radii, draft.is_held)
-    if stays.all():
-        return draft
-    return centred(_left(draft._replace(edges=edges), stays, target), job, hold_leaves, FIRST_ROUNDS)
+    if not stays.all():
+        draft = centred(_left(draft._replace(edges=edges), stays, target), job, hold_leaves, FIRST_ROUNDS)
+        radii = job.coarse.approximate_clearance(draft.vertices)[0]
+    return draft.changed(junctions.met(job.shape, draft.vertices, draft.edges, draft.is_held, radii))
 
 
 def pruned(draft: Draft, job: Job) -> Draft:

@@ -53,7 +53,7 @@ def laplacian(vertices: np.ndarray, faces: np.ndarray) -> tuple[sparse.csr_array
         one, other = corners[:, (k + 1) % 3] - corners[:, k], corners[:, (k + 2) % 3] - corners[:, k]
         i.append(faces[:, (k + 1) % 3])
         j.append(faces[:, (k + 2) % 3])
-        value.append(np.einsum("fi,fi->f", one, other) / np.maximum(4 * area, SLIVER * longest))
+        value.append(np.einsum("fi,fi->f", one, other) / np.maximum(4 * area, SLIVER * longest + 1e-300))
     num = len(vertices)
     entries = np.tile(np.concatenate(value), 2), (np.concatenate([*i, *j]), np.concatenate([*j, *i]))
     weight = sparse.coo_array(entries, (num, num)).tocsr()

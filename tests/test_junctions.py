@@ -1,0 +1,63 @@
+"""Junctions of narrow forks are where the axes of their branches meet."""
+
+import numpy as np
+import pytest
+
+from msf_jax import shapes
+from msf_jax.host.curve import junctions
+from msf_jax.host.solid.enclosure import Enclosure
+
+
+def fork(degrees, first, num=40):
+    """A solid of a trunk and two daughters that meet at 0, and a curve whose junction is ``first`` above it."""
+    angle = np.radians(degrees / 2)
+    way = np.array([[np.sin(angle), 0, np.cos(angle)], [-np.sin(angle), 0, np.cos(angle)]])
+    points = np.concatenate([[[0, 0, 0], [0, 0, -8]], 10 * way])
+    mesh = shapes.solid_around(points, np.array([[0, 1], [0, 2], [0, 3]]), np.array([1.0, 1.0, 0.8, 0.8]), 0.3)
+    line = np.linspace(0, 1, num)[1:, None]
+    crotch = np.array([0, 0, first])
+    trunk = crotch + line * ([0, 0, -7.7] - crotch)
+    clear = first + 0.7  # from there on, a leg is on its axis
+    legs = [
+        np.where(9.7 * line < clear, crotch + 9.7 * line / clear * (clear * each - crotch), 9.7 * line * each)
+        for each in way
+    ]
+    x = np.concatenate([[crotch], trunk, *legs])
+    chains = [np.r_[0, 1 + k * (num - 1) + np.arange(num - 1)] for k in range(3)]
+    edges = np.concatenate([np.stack([chain[:-1], chain[1:]], axis=1) for chain in chains])
+    return Enclosure(np.asarray(mesh.vertices), np.asarray(mesh.faces)), x, edges, chains
+
+
+def moved(shape, x, edges, is_held=None):
+    radii = shape.clearance(x)
+    return junctions.met(shape, x, edges, np.zeros(len(x), dtype=bool) if is_held is None else is_held, radii)
+
+
+def test_the_junction_of_a_narrow_fork_is_where_its_axes_meet():
+    """`NARROW`, `USUAL`, `AXIS`: it was in front of the crotch, where the ball is half as large."""
+    shape, x, edges, chains = fork(30, 2.9)
+    assert shape.clearance(x[:1])[0] < 0.6
+    found = moved(shape, x, edges)
+    assert np.linalg.norm(found[0]) < 0.5
+    assert shape.clearance(found[[0, *chains[1][:20], *chains[2][:20]]]).min() > 0.75
+    for chain, sign in zip(chains[1:], (1, -1), strict=True):
+        axis = np.array([sign * np.sin(np.radians(15)), 0, np.cos(np.radians(15))])
+        off = np.linalg.norm(np.cross(found[chain], axis), axis=1)
+        assert off.max() < 0.3
+
+
+@pytest.mark.parametrize("degrees", [60, 120])
+def test_a_junction_in_the_middle_of_a_fork_stays(degrees):
+    shape, x, edges, _ = fork(degrees, 0.1)
+    np.testing.assert_array_equal(moved(shape, x, edges), x)
+
+
+def test_a_held_junction_stays():
+    shape, x, edges, _ = fork(30, 2.9)
+    np.testing.assert_array_equal(moved(shape, x, edges, np.arange(len(x)) == 0), x)
+
+
+def test_axes_that_are_nearly_parallel_meet_nowhere():
+    """`SPREAD`: legs of a person, 12 degrees apart."""
+    shape, x, edges, _ = fork(12, 6.0)
+    np.testing.assert_array_equal(moved(shape, x, edges), x)

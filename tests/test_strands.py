@@ -1,0 +1,56 @@
+"""Branches that run beside each other in one limb become one."""
+
+import itertools
+
+import numpy as np
+
+from msf_jax.host.curve.branches import cycle_count, trace, zip_strands
+
+
+def chain(*points, step=0.2):
+    """Points about ``step`` apart along a polyline."""
+    found = [np.array(points[:1], dtype=float)]
+    for a, b in itertools.pairwise(points):
+        num = round(np.linalg.norm(np.subtract(b, a)) / step)
+        found.append(a + np.linspace(0, 1, num + 1)[1:, None] * np.subtract(b, a))
+    return np.concatenate(found)
+
+
+def joined(first, *chains):
+    """A curve of chains that all begin at the point ``first``."""
+    x, edges = [np.array([first], dtype=float)], []
+    for each in chains:
+        ids = [0, *range(sum(map(len, x)), sum(map(len, x)) + len(each) - 1)]
+        x.append(each[1:])
+        edges += itertools.pairwise(ids)
+    return np.concatenate(x), np.array(edges)
+
+
+def test_a_stem_does_not_run_out_along_its_lateral_and_back():
+    """The junction is out on the lateral: both halves of the stem come to it along the lateral."""
+    out = (0, 2, 0)
+    x, edges = joined(
+        out, chain(out, (0, 0.05, 0), (5, 0, 0)), chain(out, (0.02, 0, 0.02), (-5, 0, 0)), chain(out, (0, 5, 0))
+    )
+    stays, target, found = zip_strands(x, edges, np.full(len(x), 0.5), np.zeros(len(x), dtype=bool))
+    assert cycle_count(int(stays.sum()), (np.cumsum(stays) - 1)[found]) == (1, 0)
+    degree = np.bincount(found.ravel(), minlength=len(x))
+    (junction,) = np.flatnonzero(degree == 3)
+    assert np.linalg.norm(x[junction]) < 0.5 and (degree[stays] == 1).sum() == 3
+    length = np.linalg.norm(x[found[:, 0]] - x[found[:, 1]], axis=1).sum()
+    assert 14.5 < length < 15.5  # it was 19
+    assert stays[target].all() and (np.linalg.norm(x[target] - x, axis=1) < 0.5).all()
+
+
+def test_branches_that_part_at_once_stay():
+    """`STRAND`: of a fork of 40 degrees, too, and those that a held node is on."""
+    way = [(5 * np.cos(a), 5 * np.sin(a), 0) for a in np.radians([0, 40, 180])]
+    x, edges = joined((0, 0, 0), *(chain((0, 0, 0), each) for each in way))
+    stays, _, found = zip_strands(x, edges, np.full(len(x), 0.5), np.zeros(len(x), dtype=bool))
+    assert stays.all() and len(trace(len(x), found)) == 3
+    x, edges = joined(
+        (0, 0, 0), chain((0, 0, 0), (5, 0, 0)), chain((0, 0, 0), (5, 0.1, 0)), chain((0, 0, 0), (-5, 0, 0))
+    )
+    held = np.ones(len(x), dtype=bool)
+    assert zip_strands(x, edges, np.full(len(x), 0.5), held)[0].all()
+    assert not zip_strands(x, edges, np.full(len(x), 0.5), ~held)[0].all()
