@@ -14,7 +14,7 @@ import numpy as np
 from scipy import spatial
 
 from msf_jax.host.curve import branches
-from msf_jax.host.curve.following import Surface
+from msf_jax.host.recording.following import Surface
 from msf_jax.host.solid.crossings import Crossings
 from msf_jax.host.solid.enclosure import Enclosure
 from msf_jax.host.solid.geometry import repeated

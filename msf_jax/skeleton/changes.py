@@ -8,8 +8,8 @@ import numpy as np
 from scipy import spatial
 
 from msf_jax.base.errors import ConfigError
-from msf_jax.host.curve import branches, finishing, pruning, resampling
-from msf_jax.host.thin import one_branch
+from msf_jax.host.curve import branches, finishing, resampling
+from msf_jax.host.thin import one_branch, pruning
 from msf_jax.host.thin.caps import Caps
 from msf_jax.skeleton.centrelines import table
 from msf_jax.skeleton.report import assessed

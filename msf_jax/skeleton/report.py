@@ -7,12 +7,12 @@ from typing import Any
 import numpy as np
 from scipy import spatial
 
-from msf_jax.host.curve import branch_paths, loops, pruning
+from msf_jax.host.curve import branch_paths, loops
 from msf_jax.host.solid import crossings, sections
 from msf_jax.host.solid.enclosure import Enclosure
 from msf_jax.host.solid.geometry import unit
 from msf_jax.host.solid.solid import bodies, without_cavities
-from msf_jax.host.thin import one_branch
+from msf_jax.host.thin import one_branch, pruning
 from msf_jax.host.thin.caps import Caps
 
 MOST_NAMED = 5  # loops of one kind that a report names; it counts the rest

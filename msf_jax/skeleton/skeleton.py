@@ -13,9 +13,10 @@ from msf_jax import metrics
 from msf_jax.base import binding as bindings
 from msf_jax.base.binding import Binding
 from msf_jax.base.errors import ConfigError
-from msf_jax.host.curve import branches, following, pruning
+from msf_jax.host.curve import branches
 from msf_jax.host.curve.branches import Branch
-from msf_jax.host.thin import one_branch
+from msf_jax.host.recording import following
+from msf_jax.host.thin import one_branch, pruning
 from msf_jax.host.thin.caps import Caps
 from msf_jax.skeleton import changes, pytree, slopes, trees
 from msf_jax.skeleton.centrelines import table

@@ -12,11 +12,11 @@ from typing import NamedTuple
 import numpy as np
 from scipy import spatial
 
-from msf_jax.host.curve import branches, centring, containment, junctions, loops, pruning, resampling
+from msf_jax.host.curve import branches, centring, containment, junctions, loops, resampling
 from msf_jax.host.curve.draft import Draft, Job
 from msf_jax.host.poles.roadmap import Roadmap
 from msf_jax.host.solid.enclosure import Enclosure
-from msf_jax.host.thin import one_branch, reeb_curve
+from msf_jax.host.thin import one_branch, pruning, reeb_curve
 from msf_jax.host.thin.caps import Caps
 
 SPACING = 0.5  # radii between the nodes of a finished curve

@@ -12,11 +12,11 @@ import numpy as np
 from scipy import sparse
 from scipy.sparse import csgraph
 
-from msf_jax.host.curve import pruning
 from msf_jax.host.curve.branches import trace
 from msf_jax.host.curve.containment import is_inside
 from msf_jax.host.solid.enclosure import Enclosure
 from msf_jax.host.solid.geometry import arc_length, at, largest_of_each
+from msf_jax.host.thin import pruning
 from msf_jax.host.thin.caps import Caps
 from msf_jax.host.thin.ends import STEP, Axis
 
