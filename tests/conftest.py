@@ -24,6 +24,8 @@ import numpy as np
 import pytest
 import trimesh
 
+from msf_jax.gradients import compiler
+
 hypothesis.settings.register_profile("same", derandomize=True)  # the same examples in every run
 hypothesis.settings.load_profile("same")
 jax.config.update("jax_enable_x64", True)
@@ -76,6 +78,7 @@ def research_mesh():
 @pytest.fixture
 def compilations():
     """A list that gets an entry for everything that XLA compiles."""
+    compiler.check()  # it compiles once in a process
     seen = []
 
     def listen(event: str, _: float, **__) -> None:

@@ -70,7 +70,8 @@ def contract(
             make it one.
         ConfigError: a weight or an option is out of range, a pin is no vertex of the surface, or the checkpoint is of
             another run or cannot be written.
-        FlowError: the mesh has no Voronoi diagram, or this process was forked after a run.
+        FlowError: the mesh has no Voronoi diagram, this process was forked after a run, or the installed compiler
+            computes wrong sums.
         Interrupted: Ctrl-C, raised after the current iteration; a KeyboardInterrupt with the unfinished flow.
     """
     weights, config = checked_options(weights, config)

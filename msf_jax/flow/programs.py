@@ -30,6 +30,7 @@ from msf_jax.device.buffers import Buffers, Rings, real_dtype
 from msf_jax.device.cg import SolveReport
 from msf_jax.device.iteration import Moved, jitted_move, move, move_factored
 from msf_jax.device.quiet import without_alarm
+from msf_jax.gradients import compiler
 from msf_jax.host.factors import factored
 
 Program = Callable[[Buffers, Weights], Moved]
@@ -37,6 +38,10 @@ Program = Callable[[Buffers, Weights], Moved]
 KEPT = "steps"  # folder of the programs, in the folder of JAX's cache
 # Options of JAX that a program depends on.
 SAME_FOR_ALL = ("jax_enable_x64", "jax_default_matmul_precision", "jax_debug_nans", "jax_numpy_dtype_promotion")
+
+# Since jaxlib 0.10.2, XLA on the CPU hands reductions to a library, where those of a step take several times as long. A
+# function that is traced in a user's program cannot have options, so the sums of a solve are written as additions, too.
+OPTIONS: dict[str, str | bool] = {"xla_cpu_experimental_ynn_fusion_type": ""}
 
 _programs: dict[Hashable, "Future[Program]"] = {}
 _lock = threading.Lock()
@@ -47,7 +52,11 @@ def compiled_move(settings: StepSettings, layout: Layout, of_vertices: bool) -> 
     """`iteration.move` compiled for these settings and layout, as a function of buffers and weights.
 
     Weights are scalars, or one value for each row (``of_vertices``). The first call waits seconds for the compiler.
+
+    Raises:
+        FlowError: the installed compiler computes wrong sums.
     """
+    compiler.check()
     if settings.solver.preconditioner == FACTORED:
         return lambda buffers, weights: move_factored(buffers, weights, settings, layout, factored)
     if jax.config.jax_disable_jit:  # pyright: ignore[reportAttributeAccessIssue]
@@ -60,6 +69,7 @@ def compiled_move(settings: StepSettings, layout: Layout, of_vertices: bool) -> 
 
 def announce(settings: StepSettings, layout: Layout, of_vertices: bool) -> None:
     """Start to compile the program that `compiled_move` will return, without waiting for it."""
+    _workers.submit(compiler.check)  # `compiled_move` calls it again, and gets the error if there is one
     is_jitted = not jax.config.jax_disable_jit  # pyright: ignore[reportAttributeAccessIssue]
     if is_jitted and settings.solver.preconditioner != FACTORED:
         _announced(settings, layout, of_vertices)
@@ -86,7 +96,10 @@ def _begun(file: Path | None, settings: StepSettings, layout: Layout, of_vertice
     lowered = jitted_move.lower(*_arguments(layout, of_vertices), settings, layout)
 
     def compiled() -> Program:
-        program = lowered.compile()
+        try:
+            program = lowered.compile(compiler_options=OPTIONS)
+        except jax.errors.JaxRuntimeError:  # this version has no such option
+            program = lowered.compile()
         if file is not None:
             _workers.submit(_keep, file, program, layout, of_vertices)
         return program

@@ -56,7 +56,8 @@ def skeletonize(
             make it one.
         ConfigError: a weight or an option is out of range, or a pin is no vertex of the surface; or ``spread`` was
             given with pins or with arrays of weights.
-        FlowError: the mesh has no Voronoi diagram, or this process was forked after a run.
+        FlowError: the mesh has no Voronoi diagram, this process was forked after a run, or the installed compiler
+            computes wrong sums.
         Interrupted: Ctrl-C; a KeyboardInterrupt with the unfinished flow, whose curve is ``flow.skeleton``.
     """
     if isinstance(spread, bool) or not isinstance(spread, int | np.integer) or spread < 0:

@@ -19,6 +19,7 @@ from msf_jax.base.errors import ConfigError, MeshError
 from msf_jax.base.options import Solver, StepSettings, Weights, is_traced
 from msf_jax.device.buffers import real_dtype
 from msf_jax.device.playback import Shape, clearance, replay_part
+from msf_jax.gradients import compiler
 from msf_jax.gradients.tape import Tape
 
 # Relative residuals of the linear solves, by type: where only the value is computed, and where a derivative is, too.
@@ -62,7 +63,7 @@ def replay(tape: Tape, weights: Weights, vertices: Any = None, *, tolerance: flo
         ConfigError: ``tape`` or ``weights`` has a wrong type, or a weight is out of range or of the wrong shape.
         MeshError: ``vertices`` has another shape than those of the tape, or is not finite; or repair made vertices of
             the surface, so that it cannot follow the mesh.
-        FlowError: this process was forked after a run.
+        FlowError: this process was forked after a run, or the installed compiler computes wrong sums.
     """
     return _replayed(tape, weights, vertices, tolerance)[1]
 
@@ -148,6 +149,7 @@ _replayed_part.defjvp(_derivative, symbolic_zeros=True)
 
 def _check_tape(tape: Any) -> None:
     forking.check()
+    compiler.check()
     if not isinstance(tape, Tape):
         raise ConfigError(f"tape is a {type(tape).__name__}: expected a Tape, such as flow.tape of a contract call")
 
