@@ -8,7 +8,8 @@ from typing import Any
 import numpy as np
 
 from msf_jax.base.errors import MeshError
-from msf_jax.host.curve import branches, loops
+from msf_jax.host import graphs
+from msf_jax.host.curve import loops
 from msf_jax.host.mesh import checking
 from msf_jax.host.solid import sections
 from msf_jax.host.solid.enclosure import Enclosure
@@ -134,9 +135,9 @@ def figures_of(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray) -> dic
     """The figures of `evaluate` that need only the curve and a surface of diagonal 1."""
     is_inside = shape.contains(vertices)
     radii = np.where(is_inside, shape.distances(vertices), 0.0)
-    components, cycles = branches.cycle_count(len(vertices), edges)
+    components, cycles = graphs.cycle_count(len(vertices), edges)
     missed, _, area = _missed(shape, vertices, radii)
-    paths = branches.trace(len(vertices), edges)
+    paths = graphs.trace(len(vertices), edges)
     length = np.linalg.norm(vertices[edges[:, 0]] - vertices[edges[:, 1]], axis=1)
     return {
         "components": components,

@@ -12,7 +12,8 @@ from msf_jax.base.layout import layout_for
 from msf_jax.base.options import Weights
 from msf_jax.device.buffers import Buffers, Rings
 from msf_jax.device.iteration import _equations, _jitted_energies
-from msf_jax.host.curve import branches, extraction
+from msf_jax.host import graphs
+from msf_jax.host.curve import extraction
 from msf_jax.host.factors import factored
 from msf_jax.host.meso import packing, surgery
 from msf_jax.host.meso.meso import Meso
@@ -102,7 +103,7 @@ def test_surgery_keeps_the_cycle_and_a_vertex_for_a_node(seed):
     classes = ring_classes(meso.positions, meso.faces(), meso.rings)
     x = np.random.default_rng(seed).normal(size=meso.positions.shape)
     found = extraction.operated_curve(x, meso.rings, classes)
-    assert branches.cycle_count(len(found.nodes), found.edges) == (1, 1)
+    assert graphs.cycle_count(len(found.nodes), found.edges) == (1, 1)
     assert found.is_counted is not None
     assert np.array_equal(np.sort(found.node_of_meso[found.is_counted]), np.arange(len(found.nodes)))
     assert np.array_equal(found.nodes[found.node_of_meso[found.is_counted]], x[found.is_counted])
@@ -117,7 +118,7 @@ def test_a_straight_thin_tube_keeps_its_ends():
     thin = centre + along + 1e-3 * (vertices - centre - along)
     meso = Meso.from_mesh(thin, np.array(mesh.faces))
     found = extraction.operated_curve(thin, meso.rings)
-    assert branches.cycle_count(len(found.nodes), found.edges) == (1, 0)
+    assert graphs.cycle_count(len(found.nodes), found.edges) == (1, 0)
     assert len(found.nodes) > 20
     assert np.ptp(found.nodes @ axis) > 0.9 * np.ptp(vertices @ axis)
 

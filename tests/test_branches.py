@@ -8,7 +8,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from msf_jax.host.curve.branches import core, cycle_count, merge_coincident, merge_junctions, nearest_along, trace
+from msf_jax.host.curve.branches import merge_coincident, merge_junctions
+from msf_jax.host.graphs import core, cycle_count, nearest_along, trace
 from msf_jax.host.solid.handles import Handles
 
 NONE = np.empty((0, 2), dtype=np.int64)

@@ -21,8 +21,8 @@ from msf_jax.host.curve import (
     moves,
     resampling,
 )
-from msf_jax.host.curve.branches import cycle_count
 from msf_jax.host.curve.draft import Draft, Job
+from msf_jax.host.graphs import cycle_count
 from msf_jax.host.poles.roadmap import Roadmap
 from msf_jax.host.solid.enclosure import Enclosure
 from msf_jax.host.solid.frame import RESOLUTION

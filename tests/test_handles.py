@@ -13,13 +13,13 @@ from conftest import torus
 import msf_jax
 from msf_jax import Config, ground_truth, metrics, shapes
 from msf_jax.host.curve import loops
-from msf_jax.host.curve.branches import cycle_count
 from msf_jax.host.curve.containment import is_inside
+from msf_jax.host.graphs import along_forest, cycle_count, shortest_forest
 from msf_jax.host.meso import homology
 from msf_jax.host.poles.roadmap import Roadmap
 from msf_jax.host.solid import handles as handles_module
 from msf_jax.host.solid.enclosure import Enclosure
-from msf_jax.host.solid.handles import Handles, along_forest, shortest_forest, surface_loops
+from msf_jax.host.solid.handles import Handles, surface_loops
 from msf_jax.skeleton.report import loops_of
 
 TURN = np.linspace(0, 2 * np.pi, 120, endpoint=False)

@@ -6,7 +6,8 @@ from conftest import torus
 
 import msf_jax
 from msf_jax import Config, shapes
-from msf_jax.host.curve import branches, extraction
+from msf_jax.host import graphs
+from msf_jax.host.curve import extraction
 from msf_jax.host.meso import collapse, homology, short_loops, split
 from msf_jax.host.meso.meso import Meso
 
@@ -81,7 +82,7 @@ def test_the_curve_keeps_its_cycle_in_whatever_order_edges_go(seed):
     meso = with_classes(torus(around=12, across=6))
     noise = np.random.default_rng(seed).normal(size=meso.positions.shape)
     found = extraction.extract_curve(noise, meso.rings, meso.classes)
-    assert branches.cycle_count(len(found.nodes), found.edges) == (1, 1)
+    assert graphs.cycle_count(len(found.nodes), found.edges) == (1, 1)
 
 
 @pytest.mark.parametrize("turn", [1, 5, 17])
@@ -108,7 +109,7 @@ def test_a_chain_of_rings_keeps_its_cycles_by_lengths_alone():
     genus = 1 - (len(mesh.vertices) - len(mesh.faces) // 2) // 2
     classes = short_loops.short_classes(meso.positions, meso.rings)
     found = extraction.extract_curve(meso.positions, meso.rings, classes)
-    assert branches.cycle_count(len(found.nodes), found.edges) == (1, genus) and genus >= 3
+    assert graphs.cycle_count(len(found.nodes), found.edges) == (1, genus) and genus >= 3
 
 
 def crossings_of(handles: int, num_sums: int, seed: int) -> np.ndarray:
@@ -144,7 +145,7 @@ def test_without_classes_some_order_loses_or_adds_a_cycle():
     for seed in range(6):
         noise = np.random.default_rng(seed).normal(size=meso.positions.shape)
         found = extraction.extract_curve(noise, meso.rings)
-        cycles.append(branches.cycle_count(len(found.nodes), found.edges)[1])
+        cycles.append(graphs.cycle_count(len(found.nodes), found.edges)[1])
     assert any(count != 1 for count in cycles)
 
 

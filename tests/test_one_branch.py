@@ -13,7 +13,7 @@ from test_finishing import bow, draft_of, is_inside, job_of, length_of, none_hel
 import msf_jax
 from msf_jax import ground_truth
 from msf_jax.host.curve import finishing
-from msf_jax.host.curve.branches import cycle_count
+from msf_jax.host.graphs import cycle_count
 from msf_jax.host.thin import one_branch
 from msf_jax.host.thin.caps import Caps
 

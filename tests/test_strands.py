@@ -4,7 +4,8 @@ import itertools
 
 import numpy as np
 
-from msf_jax.host.curve.branches import cycle_count, trace, zip_strands
+from msf_jax.host.curve.branches import zip_strands
+from msf_jax.host.graphs import cycle_count, trace
 
 
 def chain(*points, step=0.2):

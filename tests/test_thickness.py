@@ -12,7 +12,7 @@ from msf_jax.base.errors import ConfigError
 from msf_jax.flow import loop
 from msf_jax.flow.state import Iteration
 from msf_jax.host.curve import containment
-from msf_jax.host.curve.branches import cycle_count
+from msf_jax.host.graphs import cycle_count
 from msf_jax.host.meso import collapse, split
 from msf_jax.host.meso.meso import Meso
 from msf_jax.host.poles import balls, thickness

@@ -6,7 +6,8 @@ import trimesh
 
 import msf_jax
 from msf_jax.flow import curves
-from msf_jax.host.curve import branches, containment
+from msf_jax.host import graphs
+from msf_jax.host.curve import containment
 from msf_jax.host.mesh import checking
 from msf_jax.host.solid.solid import Solid
 from msf_jax.host.thin.levels import levels
@@ -126,7 +127,7 @@ def test_joined_wires_are_one_tree():
     found = laid(joined.vertices, joined.faces)
     assert found is not None
     vertices, edges = found
-    assert branches.cycle_count(len(vertices), edges) == (1, 0)
+    assert graphs.cycle_count(len(vertices), edges) == (1, 0)
     leaves = vertices[np.bincount(edges.ravel()) == 1]
     for end in ([-1, 0, 0], [1, 0, 0], [0.3, -0.9, 0], [0.3, 1.1, 0]):
         assert np.linalg.norm(leaves - end, axis=1).min() < 0.02

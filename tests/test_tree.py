@@ -9,7 +9,7 @@ from conftest import torus
 
 import msf_jax
 from msf_jax import Config, ConfigError
-from msf_jax.host.curve import branches
+from msf_jax.host import graphs
 from msf_jax.skeleton.skeleton import curve_of
 
 
@@ -32,7 +32,7 @@ def test_a_loop_is_cut_where_it_is_thinnest():
     assert tree.report.notes[-1] == (
         "a tree: 1 loop cut where thinnest, at radii of 0.1 to 0.1; root at node 10, of radius 0.6"
     )
-    assert branches.cycle_count(len(tree.vertices), tree.edges) == (2, 0)
+    assert graphs.cycle_count(len(tree.vertices), tree.edges) == (2, 0)
 
 
 @pytest.mark.parametrize("root", [None, 7, 12])

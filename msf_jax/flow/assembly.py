@@ -10,6 +10,7 @@ from msf_jax.base.options import Config, Weights
 from msf_jax.flow import curves
 from msf_jax.flow.curves import MOST_VOLUME, Part, Stitched, is_left, lacks_classes
 from msf_jax.flow.state import Flow, Iteration, State, Stopwatch
+from msf_jax.host import graphs
 from msf_jax.host.curve import branches, finishing
 from msf_jax.host.mesh.checking import Surface
 from msf_jax.host.meso import ring_tables
@@ -105,7 +106,7 @@ def _skeleton(
 ) -> Skeleton:
     vertices, edges, node_of_vertex = stitched
     solid = source.solid
-    components, cycles = branches.cycle_count(len(vertices), edges)
+    components, cycles = graphs.cycle_count(len(vertices), edges)
     radii = solid.radii(vertices)
     inside = metrics.inside_fraction(solid.shape, solid.enter(vertices), edges, radii / solid.diagonal)
     asked = solid.shape, solid.enter(vertices), edges, node_of_vertex

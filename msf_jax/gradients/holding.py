@@ -13,7 +13,7 @@ from typing import NamedTuple
 import numpy as np
 from scipy import spatial
 
-from msf_jax.host.curve import branches
+from msf_jax.host import graphs
 from msf_jax.host.recording.following import Surface
 from msf_jax.host.solid.crossings import Crossings
 from msf_jax.host.solid.enclosure import Enclosure
@@ -195,7 +195,7 @@ def _stretches(num: int, edges: np.ndarray, length: np.ndarray, thick: np.ndarra
 
     A stretch ends at the end of its branch. If it is then shorter than half of that radius, it is left out.
     """
-    paths = [np.asarray(path) for path in branches.trace(num, edges) if len(path) > 1]
+    paths = [np.asarray(path) for path in graphs.trace(num, edges) if len(path) > 1]
     empty = np.zeros(0, dtype=np.int64)
     pairs = np.concatenate([np.empty((0, 2), np.int64), *(np.stack([path[:-1], path[1:]], axis=1) for path in paths)])
     code = np.sort(edges, axis=1) @ [num, 1]

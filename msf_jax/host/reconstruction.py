@@ -13,6 +13,8 @@ import numpy as np
 from scipy import fft, sparse, special
 from scipy.sparse import linalg
 
+from msf_jax.host import graphs
+
 SHIFT = -1e-4  # eigenvalue: the shift of shift-invert, slightly below 0 because D - A is singular
 
 SOFTNESS = 0.15  # width of the filter's step, as a share of the wave number there
@@ -23,7 +25,7 @@ MOST_TERMS = 3000  # terms of the polynomial; if it needs more, as on a long thi
 def graph_laplacian(faces: np.ndarray, num_vertices: int) -> sparse.csc_matrix:
     """The uniform graph Laplacian D - A (V, V) of the triangles' edges."""
     a, b = faces.ravel(), faces[:, [1, 2, 0]].ravel()
-    once = sparse.coo_matrix((np.ones(len(a)), (a, b)), shape=(num_vertices, num_vertices)).tocsr()
+    once = graphs.weighted(num_vertices, a, b)
     adjacency = (once + once.T).sign()
     degree = np.asarray(adjacency.sum(axis=1)).ravel()
     return sparse.csc_matrix(sparse.diags(degree) - adjacency)

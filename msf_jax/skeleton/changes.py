@@ -8,7 +8,8 @@ import numpy as np
 from scipy import spatial
 
 from msf_jax.base.errors import ConfigError
-from msf_jax.host.curve import branches, finishing, resampling
+from msf_jax.host import graphs
+from msf_jax.host.curve import finishing, resampling
 from msf_jax.host.thin import one_branch, pruning
 from msf_jax.host.thin.caps import Caps
 from msf_jax.skeleton.centrelines import table
@@ -25,7 +26,7 @@ MOST_NODES = 10_000_000  # most nodes of a resampled curve; a spacing that gives
 def changed(skeleton: "Skeleton", vertices: np.ndarray, edges: np.ndarray, node_of_old: np.ndarray) -> "Skeleton":
     """See `Skeleton.changed`."""
     edges = finishing.in_order(edges)
-    components, cycles = branches.cycle_count(len(vertices), edges)
+    components, cycles = graphs.cycle_count(len(vertices), edges)
     report = replace(skeleton.report, components=components, cycles=cycles, loops=None, figures={})
     if skeleton.source is not None:
         solid = skeleton.source.solid
@@ -108,7 +109,7 @@ def simplified(skeleton: "Skeleton", tolerance: float, is_held: np.ndarray) -> "
     stays = is_held | (np.bincount(skeleton.edges.ravel(), minlength=num) != 2)
     stays[list(skeleton.roots) + list(skeleton.openings)] = True
     chains, node_of_old = [], np.arange(num)
-    for path in branches.trace(num, skeleton.edges):
+    for path in graphs.trace(num, skeleton.edges):
         nodes = np.array(path)
         is_kept = stays[nodes]
         is_kept[[0, -1]] = True

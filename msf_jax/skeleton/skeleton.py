@@ -13,7 +13,7 @@ from msf_jax import metrics
 from msf_jax.base import binding as bindings
 from msf_jax.base.binding import Binding
 from msf_jax.base.errors import ConfigError
-from msf_jax.host.curve import branches
+from msf_jax.host import graphs
 from msf_jax.host.curve.branches import Branch
 from msf_jax.host.recording import following
 from msf_jax.host.thin import one_branch, pruning
@@ -367,7 +367,7 @@ class Skeleton:
         from trimesh.path.entities import Line
 
         return Path3D(
-            entities=[Line(branch) for branch in branches.trace(len(self.vertices), self.edges)],
+            entities=[Line(branch) for branch in graphs.trace(len(self.vertices), self.edges)],
             vertices=self.vertices.copy(),
             process=False,
         )
@@ -378,7 +378,7 @@ pytree.register(Skeleton)
 
 def curve_of(vertices: np.ndarray, edges: np.ndarray, radii: np.ndarray) -> Skeleton:
     """A skeleton of a curve from a file, without a map; its report has only the counts."""
-    components, cycles = branches.cycle_count(len(vertices), edges)
+    components, cycles = graphs.cycle_count(len(vertices), edges)
     report = Report(
         components=components,
         mesh_components=components,

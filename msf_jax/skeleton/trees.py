@@ -5,10 +5,10 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
-from scipy import sparse, spatial
-from scipy.sparse import csgraph
+from scipy import spatial
 
 from msf_jax.base.errors import ConfigError
+from msf_jax.host import graphs
 from msf_jax.host.curve import branches, finishing
 
 if TYPE_CHECKING:
@@ -79,7 +79,7 @@ def healed(skeleton: "Skeleton", reach: float) -> "Skeleton":
         return skeleton
     edges = finishing.in_order(np.concatenate([skeleton.edges, links]))
     gap = np.linalg.norm(skeleton.vertices[links[:, 0]] - skeleton.vertices[links[:, 1]], axis=1)
-    components, cycles = branches.cycle_count(len(skeleton.vertices), edges)
+    components, cycles = graphs.cycle_count(len(skeleton.vertices), edges)
     count = f"{len(links)} {'piece was' if len(links) == 1 else 'pieces were'} joined to the rest"
     report = replace(
         skeleton.report,
@@ -97,8 +97,7 @@ def _links(vertices: np.ndarray, edges: np.ndarray, reach: float) -> np.ndarray:
     """(K, 2) shortest edges that join pieces within ``reach`` of each other, by Prim's algorithm from the piece with
     most nodes."""
     num = len(vertices)
-    graph = sparse.coo_matrix((np.ones(len(edges)), edges.T), shape=(num, num))
-    label = csgraph.connected_components(graph, directed=False)[1]
+    label = graphs.labels(num, *edges.T)
     left = np.ones(label.max() + 1, dtype=bool)
     away, nearest = np.full(num, np.inf), np.full(num, -1)
     links, piece = [], int(np.bincount(label).argmax())

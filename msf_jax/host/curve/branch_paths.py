@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 from scipy import sparse
 
-from msf_jax.host.curve import branches
+from msf_jax.host import graphs
 from msf_jax.host.solid.geometry import arc_length, at, repeated
 
 WIDE = 3.0  # sizes: a limb whose half width is larger is a sheet
@@ -30,7 +30,7 @@ def paths_of(vertices: np.ndarray, edges: np.ndarray, is_held: np.ndarray) -> li
     """The branches of a curve that have at least one edge."""
     degree = np.bincount(edges.ravel(), minlength=len(vertices))
     found = []
-    for branch in branches.trace(len(vertices), edges):
+    for branch in graphs.trace(len(vertices), edges):
         nodes = np.array(branch)
         if len(nodes) > 1:
             along = arc_length(vertices[nodes])

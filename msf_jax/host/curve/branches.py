@@ -3,11 +3,11 @@
 import itertools
 from typing import NamedTuple
 
-import networkx as nx
 import numpy as np
-from scipy import sparse, spatial
-from scipy.sparse import csgraph
+from scipy import spatial
 
+from msf_jax.host import graphs
+from msf_jax.host.graphs import shortest_forest
 from msf_jax.host.solid.handles import Handles
 
 NEAR = 1.0  # radii: a junction inside the ball of another one, with the path between them, is merged with it
@@ -38,66 +38,6 @@ class Branch(NamedTuple):
         return f"Branch({len(self.nodes)} nodes from {ends}, {numbers})"
 
 
-def trace(num_nodes: int, edges: np.ndarray) -> list[list[int]]:
-    """The node list of each branch, between nodes that do not have two edges; a loop repeats its first node.
-
-    An isolated node is a branch of one node.
-    """
-    near: list[list[int]] = [[] for _ in range(num_nodes)]  # neighbours of each node, ascending
-    for a, b in np.unique(np.sort(edges, axis=1), axis=0).tolist():
-        near[a].append(b)
-        near[b].append(a)
-    ends = [node for node in range(num_nodes) if len(near[node]) != 2]
-    branches = [[node] for node in ends if not near[node]]
-    seen: set[tuple[int, int]] = set()
-
-    def follow(start: int, onward: int) -> list[int]:
-        branch = [start, onward]
-        while len(near[branch[-1]]) == 2 and branch[-1] != start:
-            a, b = near[branch[-1]]
-            branch.append(b if a == branch[-2] else a)
-        seen.add((branch[0], branch[1]))
-        seen.add((branch[-1], branch[-2]))
-        return branch
-
-    for node in ends:
-        branches += [follow(node, onward) for onward in near[node] if (node, onward) not in seen]
-    covered = {node for branch in branches for node in branch}
-    for node in range(num_nodes):
-        if node not in covered:
-            branches.append(follow(node, near[node][0]))
-            covered.update(branches[-1])
-    return branches
-
-
-def cycle_count(num_nodes: int, edges: np.ndarray) -> tuple[int, int]:
-    """The numbers of components and of independent cycles of a graph."""
-    graph = sparse.coo_matrix((np.ones(len(edges)), (edges[:, 0], edges[:, 1])), shape=(num_nodes, num_nodes))
-    components = int(csgraph.connected_components(graph, directed=False)[0])
-    return components, len(edges) - num_nodes + components
-
-
-def core(num_nodes: int, edges: np.ndarray) -> np.ndarray:
-    """(N,) which nodes are left when leaves are removed until there are none: of loops, and of paths between loops. An
-    edge from a node to itself is no loop."""
-    is_left = np.zeros(num_nodes, dtype=bool)
-    if cycle_count(num_nodes, edges)[1]:
-        graph = nx.Graph(edges[edges[:, 0] != edges[:, 1]].tolist())
-        is_left[list(nx.k_core(graph, 2))] = True
-    return is_left
-
-
-def nearest_along(vertices: np.ndarray, edges: np.ndarray, is_source: np.ndarray) -> np.ndarray:
-    """(N,) the nearest node along the curve with ``is_source`` (N,), which each component has: the node itself if it is
-    one."""
-    num, (a, b) = len(vertices), edges.T
-    length = np.maximum(np.linalg.norm(vertices[a] - vertices[b], axis=1), 1e-300)
-    graph = sparse.coo_matrix((length, (a, b)), shape=(num, num)).tocsr()
-    return csgraph.dijkstra(
-        graph, directed=False, indices=np.flatnonzero(is_source), min_only=True, return_predecessors=True
-    )[2]
-
-
 def nearest_on_branch(
     nodes: np.ndarray, edges: np.ndarray, points: np.ndarray, node_of_point: np.ndarray
 ) -> np.ndarray:
@@ -109,7 +49,7 @@ def nearest_on_branch(
     least = np.full(len(points), np.inf)
     order = np.argsort(node_of_point, kind="stable")
     bounds = np.searchsorted(node_of_point[order], np.arange(len(nodes) + 1))
-    for path in trace(len(nodes), edges):
+    for path in graphs.trace(len(nodes), edges):
         own = np.concatenate([order[bounds[node] : bounds[node + 1]] for node in dict.fromkeys(path)])
         if len(own):
             on_path = np.array(path)
@@ -126,47 +66,17 @@ def cut_loops(num_nodes: int, edges: np.ndarray, radii: np.ndarray) -> np.ndarra
     The thickness of an edge is the smaller radius at its ends; the larger radius breaks ties.
     """
     order = np.lexsort((-radii[edges].max(axis=1), -radii[edges].min(axis=1)))
-    rank = np.empty(len(edges))
-    rank[order] = np.arange(1, len(edges) + 1)  # distinct weights, none 0
-    graph = sparse.coo_matrix((rank, (edges[:, 0], edges[:, 1])), shape=(num_nodes, num_nodes))
-    left = np.rint(csgraph.minimum_spanning_tree(graph).data).astype(np.int64) - 1
-    return np.isin(np.arange(len(edges)), order[left])
+    return shortest_forest(num_nodes, edges, np.argsort(order))
 
 
 def roots_of(num_nodes: int, edges: np.ndarray, radii: np.ndarray, root: int | None) -> tuple[int, ...]:
     """The node with the largest ball in each component, largest first; ``root``, if given, is first instead."""
-    graph = sparse.coo_matrix((np.ones(len(edges)), (edges[:, 0], edges[:, 1])), shape=(num_nodes, num_nodes))
-    label = csgraph.connected_components(graph, directed=False)[1]
+    label = graphs.labels(num_nodes, *edges.T)
     size = radii.copy()
     if root is not None:
         size[root] = np.inf
     order = np.argsort(-size, kind="stable")
     return tuple(order[np.sort(np.unique(label[order], return_index=True)[1])].tolist())
-
-
-def tree(num_nodes: int, edges: np.ndarray, roots: tuple[int, ...] = ()) -> dict[int, int]:
-    """The parent of every node, -1 for a root. Parents come before their children, and loops are cut.
-
-    Components of the ``roots`` come first, in that order. The root of any other component is a leaf if it has one.
-    """
-    graph = nx.Graph()
-    graph.add_nodes_from(range(num_nodes))
-    graph.add_edges_from(edges.tolist())
-    parent: dict[int, int] = {}
-
-    def grow(root: int) -> None:
-        parent[root] = -1
-        parent.update({child: above for above, child in nx.bfs_edges(graph, root, sort_neighbors=sorted)})
-
-    for root in roots:
-        if root not in parent:
-            grow(root)
-    for component in nx.connected_components(graph):
-        if not component.isdisjoint(roots):
-            continue
-        leaves = [node for node in component if graph.degree[node] == 1]
-        grow(min(leaves or component))
-    return parent
 
 
 def merge_junctions(
@@ -179,9 +89,9 @@ def merge_junctions(
     degree = np.bincount(edges.ravel(), minlength=len(vertices))
     target = every = np.arange(len(vertices))
     moved = np.zeros(len(vertices), dtype=np.int64)  # class of the path from each node to its target
-    cycles = cycle_count(len(vertices), edges)[1]
+    cycles = graphs.cycle_count(len(vertices), edges)[1]
     own = handles.classes(vertices[edges[:, 0]], vertices[edges[:, 1]])
-    for path in trace(len(vertices), edges):
+    for path in graphs.trace(len(vertices), edges):
         if min(degree[path[0]], degree[path[-1]]) < 3 or is_held[path[1:-1]].any():
             continue
         path = path if radii[target[path[0]]] >= radii[target[path[-1]]] else path[::-1]
@@ -197,7 +107,7 @@ def merge_junctions(
             added[gone] += moved[path[0]] - steps.sum() - moved[path[-1]]
             after = handles.classes(vertices[tried[edges[:, 0]]], vertices[tried[edges[:, 1]]])
             is_kept = after == own - added[edges[:, 0]] + added[edges[:, 1]]
-            if is_kept.all() and cycle_count(len(vertices), _relabelled(edges, tried))[1] == cycles:
+            if is_kept.all() and graphs.cycle_count(len(vertices), _relabelled(edges, tried))[1] == cycles:
                 target, moved = tried, added
     return target == every, target, _relabelled(edges, target)
 
@@ -214,7 +124,7 @@ def zip_strands(
     stays, target = np.ones(len(vertices), dtype=bool), np.arange(len(vertices))
     left = {(min(edge), max(edge)) for edge in edges.tolist()}
     for _ in range(len(vertices)):
-        paths = [path for each in trace(len(vertices), np.array(sorted(left))) for path in (each, each[::-1])]
+        paths = [path for each in graphs.trace(len(vertices), np.array(sorted(left))) for path in (each, each[::-1])]
         of_node: dict[int, list[np.ndarray]] = {}
         for path in paths:
             if len(path) > 2 and path[0] != path[-1]:
@@ -271,13 +181,12 @@ def merge_coincident(
     num, every = len(vertices), np.arange(len(vertices))
     places = _places(vertices, edges, is_held)
     doubled = _doubled(_laid(edges, places, np.ones(num, dtype=bool))[1])
-    graph = sparse.coo_matrix((np.ones(len(doubled)), (doubled[:, 0], doubled[:, 1])), (num, num))
-    group = csgraph.connected_components(graph, directed=False)[1]
-    is_glued, cycles = np.zeros(num, dtype=bool), cycle_count(num, edges)[1]
+    group = graphs.labels(num, *doubled.T)
+    is_glued, cycles = np.zeros(num, dtype=bool), graphs.cycle_count(num, edges)[1]
     for number in np.unique(group[doubled[:, 0]]):
         tried = is_glued | (group == number)
         goal, pieces = _laid(edges, places, tried)
-        found = cycle_count(num, _relabelled(pieces, every))[1]
+        found = graphs.cycle_count(num, _relabelled(pieces, every))[1]
         if found <= cycles:
             is_glued, cycles = tried, found
     goal, pieces = _laid(edges, places, is_glued)
@@ -297,8 +206,7 @@ def _places(vertices: np.ndarray, edges: np.ndarray, is_held: np.ndarray) -> _Pl
     """Which nodes coincide, those of ``is_held`` (N,) before others, and which nodes are on edges."""
     num, tree = len(vertices), spatial.KDTree(vertices)
     pairs = tree.query_pairs(TOGETHER, output_type="ndarray")
-    graph = sparse.coo_matrix((np.ones(len(pairs)), (pairs[:, 0], pairs[:, 1])), (num, num))
-    place = csgraph.connected_components(graph, directed=False)[1]
+    place = graphs.labels(num, *pairs.T)
     held_first = np.lexsort((np.arange(num), ~is_held))
     target = held_first[np.unique(place[held_first], return_index=True)[1]][place]
     return _Places(target, *_nodes_on(vertices, edges, tree))

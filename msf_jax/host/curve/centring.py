@@ -27,7 +27,7 @@ from scipy.sparse import linalg
 from msf_jax.host.curve import branch_paths as measures
 from msf_jax.host.curve import moves
 from msf_jax.host.curve.branch_paths import BranchPath
-from msf_jax.host.curve.branches import core
+from msf_jax.host.graphs import core
 from msf_jax.host.solid import sections
 from msf_jax.host.solid.enclosure import Enclosure
 from msf_jax.host.solid.geometry import unit

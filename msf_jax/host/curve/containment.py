@@ -9,7 +9,7 @@ import itertools
 
 import numpy as np
 
-from msf_jax.host.curve import branches
+from msf_jax.host import graphs
 from msf_jax.host.poles import balls
 from msf_jax.host.poles.roadmap import TOUCHING, Roadmap
 from msf_jax.host.solid import sections
@@ -70,7 +70,7 @@ def cut_off(
     stays, target = np.ones(len(vertices), dtype=bool), np.arange(len(vertices))
     degree = np.bincount(edges.ravel(), minlength=len(vertices))
     radii = shape.clearance(vertices)
-    for path in branches.trace(len(vertices), edges):
+    for path in graphs.trace(len(vertices), edges):
         for nodes in (np.array(path), np.array(path[::-1])):
             if degree[nodes[0]] != 1 or not stays[nodes].all():
                 continue

@@ -12,6 +12,7 @@ from typing import NamedTuple
 import numpy as np
 from scipy import spatial
 
+from msf_jax.host import graphs
 from msf_jax.host.curve import branches, centring, containment, junctions, loops, resampling
 from msf_jax.host.curve.draft import Draft, Job
 from msf_jax.host.poles.roadmap import Roadmap
@@ -109,7 +110,7 @@ def finish(
         draft.vertices,
         in_order(draft.edges),
         is_kept,
-        draft.origin[branches.nearest_along(draft.vertices, draft.edges, draft.origin >= 0)[draft.node_of_flow]],
+        draft.origin[graphs.nearest_along(draft.vertices, draft.edges, draft.origin >= 0)[draft.node_of_flow]],
         job.roadmap.num_refused,
         job.roadmap.num_closed,
         job.budget.was_hit,
@@ -178,7 +179,7 @@ def looped(draft: Draft, job: Job) -> Draft:
     """There is one loop around every handle of the solid, and no other loop."""
     draft = opened(draft, job)
     x, edges = draft.vertices, draft.edges
-    missing = job.shape.handles.genus - branches.cycle_count(len(x), edges)[1]
+    missing = job.shape.handles.genus - graphs.cycle_count(len(x), edges)[1]
     if missing:
         x, edges, _ = containment.refine(job.shape, x, edges, SPACING, MOST_NODES)
         x, edges = loops.completed(job.roadmap, x, edges, missing)

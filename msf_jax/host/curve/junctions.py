@@ -10,7 +10,7 @@ is the junction, if it is nearly on each axis, has a larger ball, and sees each 
 
 import numpy as np
 
-from msf_jax.host.curve import branches
+from msf_jax.host import graphs
 from msf_jax.host.curve.containment import is_inside
 from msf_jax.host.solid.enclosure import Enclosure
 from msf_jax.host.solid.geometry import arc_length, at, unit
@@ -29,7 +29,7 @@ def met(shape: Enclosure, x: np.ndarray, edges: np.ndarray, is_held: np.ndarray,
     to each branch's own section on a straight line."""
     x = x.copy()
     at_node: dict[int, list[np.ndarray]] = {}
-    for each in branches.trace(len(x), edges):
+    for each in graphs.trace(len(x), edges):
         for path in (each, each[::-1]):
             at_node.setdefault(path[0], []).append(np.array(path))
     for node, paths in at_node.items():

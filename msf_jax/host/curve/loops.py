@@ -12,15 +12,14 @@ numbers are independent of those of the present loops.
 from typing import NamedTuple
 
 import numpy as np
-from scipy import sparse
-from scipy.sparse import csgraph
 
+from msf_jax.host import graphs
 from msf_jax.host.curve.containment import is_inside
+from msf_jax.host.graphs import along_forest, shortest_forest
 from msf_jax.host.poles.roadmap import Roadmap
 from msf_jax.host.solid.enclosure import Enclosure
 from msf_jax.host.solid.frame import RESOLUTION
 from msf_jax.host.solid.geometry import signed_volume
-from msf_jax.host.solid.handles import along_forest, shortest_forest
 from msf_jax.host.solid.solid import bodies
 
 PRIME = 2**31 - 1  # modulus of linear algebra: a rank is too small only if it divides a minor, which is unlikely
@@ -72,7 +71,7 @@ def proof(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray, node_of_ver
     of the vertices that ``node_of_vertex`` (V,) maps to its nodes, or else the smallest that contains it.
     """
     closing = np.flatnonzero(~shortest_forest(len(vertices), edges, np.zeros(len(edges))))
-    part = _parts(len(vertices), edges)
+    part = graphs.labels(len(vertices), *edges.T)
     has_cycle = np.zeros(len(vertices), dtype=bool)
     has_cycle[part[edges[closing, 0]]] = True
     rank, found = 0, {name: [np.empty(0, dtype=np.int64)] for name in Proof._fields[1:]}
@@ -132,13 +131,6 @@ def _solids(
     return [(solids[own], np.isin(np.arange(len(part)), asked[owner == own])) for own in np.unique(owner)]
 
 
-def _parts(num: int, *pairs: np.ndarray) -> np.ndarray:
-    """(num,) the connected component of each node of a graph with edges ``pairs`` (E, 2)."""
-    a, b = np.concatenate(pairs).T
-    graph = sparse.coo_matrix((np.ones(len(a)), (a, b)), shape=(num, num))
-    return csgraph.connected_components(graph, directed=False)[1]
-
-
 def _lengths(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """(E,) the length of each edge, plus the total length for an edge outside, and which edges are outside.
 
@@ -167,7 +159,7 @@ def completed(roadmap: Roadmap, vertices: np.ndarray, edges: np.ndarray, missing
     Fewer are added if the roadmap has no more such loops."""
     handles, is_complete = roadmap.shape.handles, False
     while missing:
-        part = _parts(len(vertices), edges)
+        part = graphs.labels(len(vertices), *edges.T)
         closing, windings = handles.windings(vertices, edges)
         span = Span(windings.shape[1])
         for winding in windings:

@@ -6,7 +6,8 @@ from math import comb
 
 import numpy as np
 
-from msf_jax.host.curve import branches, containment, moves
+from msf_jax.host import graphs
+from msf_jax.host.curve import containment, moves
 from msf_jax.host.solid.enclosure import Enclosure
 from msf_jax.host.solid.geometry import arc_length, at, unit
 from msf_jax.host.solid.solid import Solid
@@ -36,7 +37,7 @@ def resample(
     is_end = (degree != 2) | is_held
     polylines, stops = [], []
     joined_ends: set[tuple[int, int]] = set()
-    for path in branches.trace(len(vertices), edges):
+    for path in graphs.trace(len(vertices), edges):
         cuts = [0, *(np.flatnonzero(is_end[path[1:-1]]) + 1).tolist(), len(path) - 1]
         for first, last in itertools.pairwise(cuts) if len(path) > 1 else ():
             nodes = np.array(path[first : last + 1])
@@ -107,7 +108,7 @@ def smooth(
     """
     x = vertices.copy()
     degree = np.bincount(edges.ravel(), minlength=len(x))
-    paths = branches.trace(len(x), edges)
+    paths = graphs.trace(len(x), edges)
     for _ in range(rounds):
         goal = x.copy()
         for path in paths:
@@ -167,7 +168,7 @@ def round_corners(
         clearance = np.zeros(len(x))
         clearance[sharp] = shape.clearance(x[sharp])
         before, polylines = x, []
-        for path in branches.trace(len(x), edges):
+        for path in graphs.trace(len(x), edges):
             nodes = np.array(path)
             corners = nodes[clearance[nodes] > 0]
             if len(corners) and nodes[0] == nodes[-1] and turn[nodes[0]] > 0:  # a ring begins at its straightest node

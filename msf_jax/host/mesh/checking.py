@@ -9,10 +9,10 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
-from scipy import sparse, spatial
-from scipy.sparse import csgraph
+from scipy import spatial
 
 from msf_jax.base.errors import MeshError
+from msf_jax.host import graphs
 from msf_jax.host.mesh import joining
 from msf_jax.host.mesh.half_edges import by_label, half_edges, next_in_ring
 from msf_jax.host.mesh.reading import OR_REPAIR, count, read
@@ -201,7 +201,7 @@ def _checked(vertices: np.ndarray, faces: np.ndarray, is_joined: bool = True) ->
     if pinches:
         repairs.append(f"split {pinches} pinched {'vertex' if pinches == 1 else 'vertices'} into one per fan")
 
-    label = _component_labels(faces, len(vertices))
+    label = graphs.labels_of_faces(faces, len(vertices))
     members, faces_of = by_label(label), by_label(label[faces[:, 0]])
     fewest = FEWEST_VERTICES if is_joined else FEWEST_TO_JOIN
     local = np.empty(len(vertices), dtype=np.int64)
@@ -312,8 +312,7 @@ def _split_pinches(vertices: np.ndarray, faces: np.ndarray) -> tuple[np.ndarray,
     edges = half_edges(faces)
     num = len(edges.origin)
     step = next_in_ring(edges)
-    graph = sparse.coo_matrix((np.ones(num), (np.arange(num), step)), shape=(num, num))
-    fan = csgraph.connected_components(graph, directed=False)[1]
+    fan = graphs.labels(num, np.arange(num), step)
     _, first = np.unique(fan, return_index=True)  # fans are numbered in the order in which they first occur
     owner = edges.origin[first]
     is_extra = np.ones(len(owner), dtype=bool)
@@ -322,12 +321,6 @@ def _split_pinches(vertices: np.ndarray, faces: np.ndarray) -> tuple[np.ndarray,
     number[is_extra] = len(vertices) + np.arange(int(is_extra.sum()))
     extra = owner[is_extra]
     return np.concatenate([vertices, vertices[extra]]), number[fan].reshape(-1, 3), extra
-
-
-def _component_labels(faces: np.ndarray, num_vertices: int) -> np.ndarray:
-    a, b = faces.ravel(), faces[:, [1, 2, 0]].ravel()
-    graph = sparse.coo_matrix((np.ones(len(a)), (a, b)), shape=(num_vertices, num_vertices))
-    return csgraph.connected_components(graph, directed=False)[1]
 
 
 def _component(vertices: np.ndarray, faces: np.ndarray, name: str, fewest: int) -> tuple[Component, float]:

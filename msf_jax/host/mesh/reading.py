@@ -16,10 +16,10 @@ from typing import Any
 
 import numpy as np
 import trimesh
-from scipy import sparse, spatial
-from scipy.sparse import csgraph
+from scipy import spatial
 
 from msf_jax.base.errors import MeshError
+from msf_jax.host import graphs
 from msf_jax.host.mesh import off, unpacking
 
 SMALLEST = 1e-150  # the mesh's units: smallest extent allowed; its inverse is the largest coordinate allowed
@@ -100,8 +100,7 @@ def _without_doubles(loaded: trimesh.Trimesh) -> trimesh.Trimesh:
         return loaded
     places, first, inverse = np.unique(corners, axis=0, return_index=True, return_inverse=True)
     pairs = spatial.KDTree(places).query_pairs(SAME_CORNER * float(np.abs(places).max()), output_type="ndarray")
-    graph = sparse.coo_matrix((np.ones(len(pairs)), pairs.T), shape=(len(places), len(places)))
-    label = csgraph.connected_components(graph, directed=False)[1]
+    label = graphs.labels(len(places), *pairs.T)
     earliest = np.full(label.max() + 1, len(corners))
     np.minimum.at(earliest, label, first)
     order = np.argsort(earliest)

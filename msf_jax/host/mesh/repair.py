@@ -13,10 +13,10 @@ from dataclasses import dataclass, fields
 from typing import Any, NamedTuple
 
 import numpy as np
-from scipy import sparse, spatial
-from scipy.sparse import csgraph
+from scipy import spatial
 
 from msf_jax.base.errors import ConfigError, MeshError
+from msf_jax.host import graphs
 from msf_jax.host.mesh.filling import filled
 from msf_jax.host.mesh.half_edges import by_label, edge_codes
 from msf_jax.host.mesh.rim_extrusion import extruded
@@ -183,11 +183,8 @@ def placed_between_neighbours(vertices: np.ndarray, faces: np.ndarray) -> tuple[
     if is_bad.all():
         raise MeshError("no vertex is finite: expected coordinates")
     vertices, is_left, num = vertices.copy(), is_bad.copy(), len(vertices)
-    ends = (
-        np.concatenate([faces, faces[:, [1, 2, 0]]]).T.ravel(),
-        np.concatenate([faces[:, [1, 2, 0]], faces]).T.ravel(),
-    )
-    beside = sparse.csr_matrix((np.ones(len(ends[0])), ends), shape=(num, num))
+    onward = faces[:, [1, 2, 0]]
+    beside = graphs.weighted(num, np.concatenate([faces, onward]).T.ravel(), np.concatenate([onward, faces]).T.ravel())
     vertices[is_left] = 0.0
     while is_left.any():
         known = (~is_left).astype(float)
@@ -227,8 +224,7 @@ def _welded(vertices: np.ndarray, rim: np.ndarray, radius: float) -> np.ndarray:
     if radius > 0 and tree.count_neighbors(tree, radius) > MOST_NEIGHBOURS * num:
         raise MeshError(f"Repair.weld would merge too many vertices (within {radius:.3g}): expected a smaller one")
     pairs = tree.query_pairs(radius, output_type="ndarray") if radius > 0 else np.empty((0, 2), dtype=np.int64)
-    graph = sparse.coo_matrix((np.ones(len(pairs)), pairs.T), shape=(num, num))
-    label = csgraph.connected_components(graph, directed=False)[1][place.ravel()]
+    label = graphs.labels(num, *pairs.T)[place.ravel()]
     first = np.unique(label, return_index=True)[1]
     target[rim] = rim[first[label]]
     return target
@@ -245,10 +241,7 @@ def with_volume(
     if len(faces) == 0:
         return faces, 0, 0, 0, 0
     edge, _, count = edge_codes(faces)
-    ends = faces.ravel(), faces[:, [1, 2, 0]].ravel()
-    num = len(vertices)
-    graph = sparse.coo_matrix((np.ones(len(ends[0])), ends), shape=(num, num))
-    label = np.unique(csgraph.connected_components(graph, directed=False)[1][faces[:, 0]], return_inverse=True)[1]
+    label = graphs.pieces(faces, len(vertices))
     is_open = np.bincount(label, weights=(count[edge] == 1).reshape(-1, 3).any(axis=1)) > 0
     keep, diagonal = np.ones(len(is_open), dtype=bool), np.zeros(len(is_open))
     num_few = num_flat = num_small = 0

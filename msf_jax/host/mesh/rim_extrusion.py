@@ -10,9 +10,8 @@ a relief; or forwards, if that is better. The extrusion has a new vertex for eac
 from typing import NamedTuple
 
 import numpy as np
-from scipy import sparse
-from scipy.sparse import csgraph
 
+from msf_jax.host import graphs
 from msf_jax.host.mesh.filling import Hole, cap
 from msf_jax.host.mesh.half_edges import by_label
 from msf_jax.host.solid.enclosure import Enclosure
@@ -105,9 +104,7 @@ def _uneven(vertices: np.ndarray, faces: np.ndarray, holes: list[Hole]) -> list[
     """
     if not holes:
         return []
-    ends, num = (faces.ravel(), faces[:, [1, 2, 0]].ravel()), len(vertices)
-    graph = sparse.coo_matrix((np.ones(len(ends[0])), ends), (num, num))
-    label = csgraph.connected_components(graph, directed=False)[1]
+    label = graphs.labels_of_faces(faces, len(vertices))
     holes_of: dict[int, list[int]] = {}
     for number, hole in enumerate(holes):
         holes_of.setdefault(int(label[hole.loop[0]]), []).append(number)

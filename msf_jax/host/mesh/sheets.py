@@ -7,9 +7,8 @@ side in the outer shell is a wall. (Shells of cells around an edge: Zhou et al. 
 """
 
 import numpy as np
-from scipy import sparse
-from scipy.sparse import csgraph
 
+from msf_jax.host import graphs
 from msf_jax.host.mesh.half_edges import edge_codes
 
 
@@ -39,9 +38,7 @@ def _patches(edge: np.ndarray, count: np.ndarray) -> tuple[np.ndarray, np.ndarra
     """For each face its patch, connected across edges of two faces; for each patch its size, and whether it is open."""
     order = np.argsort(edge, kind="stable")
     pair = order[(count[edge] == 2)[order]].reshape(-1, 2) // 3
-    num = len(edge) // 3
-    graph = sparse.coo_matrix((np.ones(len(pair)), pair.T), shape=(num, num))
-    patch = csgraph.connected_components(graph, directed=False)[1]
+    patch = graphs.labels(len(edge) // 3, *pair.T)
     on_rim = (count[edge] == 1).reshape(-1, 3).any(axis=1)
     return patch, np.bincount(patch), np.bincount(patch, weights=on_rim) > 0
 
@@ -62,8 +59,7 @@ def oriented(faces: np.ndarray, alone: np.ndarray) -> tuple[np.ndarray, int]:
     num = len(faces)
     a = np.concatenate([face[:, 0], face[:, 0] + num])
     b = np.concatenate([face[:, 1] + num * is_same, face[:, 1] + num * (1 - is_same)])
-    graph = sparse.coo_matrix((np.ones(len(a)), (a, b)), shape=(2 * num, 2 * num))
-    as_is, turned = csgraph.connected_components(graph, directed=False)[1].reshape(2, -1)
+    as_is, turned = graphs.labels(2 * num, a, b).reshape(2, -1)
     is_turned = as_is > turned
     patch = np.minimum(as_is, turned)
     share = np.bincount(patch, weights=is_turned) / np.maximum(np.bincount(patch), 1)
@@ -126,8 +122,7 @@ def cut_apart(faces: np.ndarray, twin: np.ndarray) -> tuple[np.ndarray, np.ndarr
     num = len(twin)
     half = np.flatnonzero(twin >= 0)
     after = twin - twin % 3 + (twin + 1) % 3  # the corner at the end of the twin
-    graph = sparse.coo_matrix((np.ones(len(half)), (half, after[half])), shape=(num, num))
-    fan = csgraph.connected_components(graph, directed=False)[1]
+    fan = graphs.labels(num, half, after[half])
     owner = faces.ravel()[np.unique(fan, return_index=True)[1]]
     order = np.argsort(owner, kind="stable")
     number = np.empty(len(order), dtype=np.int64)
@@ -156,10 +151,8 @@ def is_wall(vertices: np.ndarray, faces: np.ndarray) -> np.ndarray:
     is_forward = origin == low
     ahead = order // 3 + num * ~is_forward[order]
     back = following // 3 + num * is_forward[following]
-    graph = sparse.coo_matrix((np.ones(3 * num), (ahead, back)), shape=(2 * num, 2 * num))
-    shell = csgraph.connected_components(graph, directed=False)[1]
-    both = sparse.coo_matrix((np.ones(num), (shell[:num], shell[num:])), shape=(shell.max() + 1,) * 2)
-    chunk = csgraph.connected_components(both, directed=False)[1]
+    shell = graphs.labels(2 * num, ahead, back)
+    chunk = graphs.labels(shell.max() + 1, shell[:num], shell[num:])
     a, b, c = (vertices[corner] - vertices[faces].mean(axis=(0, 1)) for corner in faces.T)
     volume = np.einsum("fi,fi->f", a, np.cross(b, c)) / 6
     enclosed = np.bincount(shell[num:], weights=volume, minlength=len(chunk))

@@ -8,9 +8,8 @@ are united. A place where a piece still crosses itself, a fold of the surface fo
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
-from scipy import sparse
-from scipy.sparse import csgraph
 
+from msf_jax.host import graphs
 from msf_jax.host.solid.enclosure import Enclosure
 
 if TYPE_CHECKING:
@@ -81,7 +80,7 @@ def _places(shape: Enclosure, pairs: np.ndarray) -> list[tuple[np.ndarray, np.nd
     corner, of_face = shape.faces[face].ravel(), np.repeat(np.arange(len(face)), 3)
     ends = np.concatenate([one, of_face]), np.concatenate([other, len(face) + corner])
     num = len(face) + len(shape.vertices)
-    label = csgraph.connected_components(sparse.coo_matrix((np.ones(len(ends[0])), ends), (num, num)), False)[1]
+    label = graphs.labels(num, *ends)
     corners = shape.triangles[face]
     boxes = []
     for number in np.unique(label[: len(face)]):
@@ -92,7 +91,7 @@ def _places(shape: Enclosure, pairs: np.ndarray) -> list[tuple[np.ndarray, np.nd
         reach = MARGINS[0] * (high - low)
         meet = ((low - reach)[:, None] <= (high + reach)[None]).all(axis=2)
         meet &= meet.T
-        group = csgraph.connected_components(sparse.csr_matrix(meet), directed=False)[1]
+        group = graphs.labels(len(low), *np.nonzero(meet))
         boxes = [(low[group == number].min(axis=0), high[group == number].max(axis=0)) for number in np.unique(group)]
         if len(boxes) == len(low):
             return sorted(boxes, key=lambda box: -float(np.prod(box[1] - box[0])))

@@ -14,8 +14,8 @@ computed from signed crossings in a projection.
 """
 
 import numpy as np
-from scipy import sparse
 
+from msf_jax.host import graphs
 from msf_jax.host.mesh.half_edges import half_edges
 from msf_jax.host.meso import ring_tables
 from msf_jax.host.solid.geometry import vertex_normals
@@ -68,7 +68,7 @@ def ring_classes(positions: np.ndarray, faces: np.ndarray, rings: np.ndarray) ->
     edges = half_edges(faces)
     count = np.bincount(edges.origin)[:, None]
     ends = edges.origin, edges.target
-    neighbours = sparse.csr_matrix((np.ones(len(edges.origin)), ends), shape=(len(rings), len(rings)))
+    neighbours = graphs.weighted(len(rings), *ends)
     values = half_edge_classes(positions, faces)
     handles = 1 - (np.count_nonzero(count) - len(faces) // 2) // 2
     for rounds in SMOOTHINGS[: 1 if handles > MANY_HANDLES else None]:

@@ -11,9 +11,10 @@ import numpy as np
 from scipy import sparse
 from scipy.sparse import csgraph
 
+from msf_jax.host import graphs
+from msf_jax.host.graphs import loop_along, shortest_forest
 from msf_jax.host.mesh.half_edges import HalfEdges, half_edges
 from msf_jax.host.meso import ring_tables
-from msf_jax.host.solid.handles import loop_along
 
 MOST_HANDLES = 400  # handles: with more, the table of crossings would be too large
 MOST_TIMES = 2**14  # largest coefficient of a loop in a sum, so that classes of edges do not overflow 64 bits
@@ -34,7 +35,7 @@ def short_classes(positions: np.ndarray, rings: np.ndarray) -> np.ndarray | None
         return None
     length = np.maximum(np.linalg.norm(positions[tail] - positions[head], axis=1), 1e-12)
     away, parent = csgraph.dijkstra(
-        sparse.csr_matrix((length, (tail, head)), (num, num)), indices=int(tail[0]), return_predecessors=True
+        graphs.weighted(num, tail, head, length), indices=int(tail[0]), return_predecessors=True
     )
     generator = _generators(edges, away[tail] + away[head] + length, (parent[tail] == head) | (parent[head] == tail))
     loops = [loop_along(int(tail[half]), int(head[half]), parent) for half in generator]
@@ -83,18 +84,8 @@ def _generators(edges: HalfEdges, around: np.ndarray, in_tree: np.ndarray) -> np
     num_half, twin = len(edges.origin), edges.twin
     face = np.arange(num_half) // 3
     free = np.flatnonzero((np.arange(num_half) < twin) & ~in_tree)
-    one, other = np.sort(np.stack([face[free], face[twin[free]]]), axis=0)
-    longest_first = np.lexsort((free, -around[free], other, one))
-    first = np.unique(np.stack([one, other])[:, longest_first], axis=1, return_index=True)[1]
-    single = longest_first[first]  # of edges between the same two faces, the one with the longest loop
-    cost = 1.0 + around[free].max(initial=0.0) - around[free]
-    num_faces = num_half // 3
-    dual = sparse.csr_matrix((cost[single], (one[single], other[single])), (num_faces, num_faces))
-    tree = csgraph.minimum_spanning_tree(dual).tocoo()
-    pair = np.sort(np.stack([tree.row, tree.col]), axis=0).astype(np.int64)
-    in_cotree = np.zeros(len(free), dtype=bool)
-    in_cotree[single] = np.isin(one[single] * np.int64(num_faces) + other[single], pair[0] * num_faces + pair[1])
-    return free[~in_cotree]
+    pairs = np.stack([face[free], face[twin[free]]], axis=1)
+    return free[~shortest_forest(num_half // 3, pairs, -around[free])]
 
 
 def _apart(crossings: np.ndarray, length: np.ndarray) -> np.ndarray | None:

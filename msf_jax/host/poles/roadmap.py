@@ -16,9 +16,10 @@ import numpy as np
 from scipy import sparse, spatial
 from scipy.sparse import csgraph
 
+from msf_jax.host import graphs
+from msf_jax.host.graphs import along_forest, down_forest, shortest_forest
 from msf_jax.host.poles import balls
 from msf_jax.host.solid.enclosure import Enclosure
-from msf_jax.host.solid.handles import along_forest, down_forest, shortest_forest
 
 TOUCHING = 1e-5  # diagonals: a point of less clearance counts as outside
 MOST_SEEDS = 20_000  # points of the surface at which balls start
@@ -123,7 +124,7 @@ class Roadmap:
         value = handles.classes(graph.centre[tail], graph.centre[head])
         tail, head = np.r_[tail, head], np.r_[head, tail]
         cost, value = np.tile(cost, 2), np.r_[value, -value]
-        matrix = sparse.csr_matrix((cost, (tail, head)), (len(graph.centre),) * 2)
+        matrix = graphs.weighted(len(graph.centre), tail, head, cost)
         ends = np.arange(first, len(graph.centre))
         away, before, source = csgraph.dijkstra(matrix, indices=ends, return_predecessors=True, min_only=True)
         in_forest = shortest_forest(len(x), edges, np.linalg.norm(x[edges[:, 0]] - x[edges[:, 1]], axis=1))
@@ -189,8 +190,8 @@ class _Graph:
         self.shape, self.test, self.centre, self.first_end, self.links = shape, test, centre, first_end, links
         self.num_visits = self.num_tests = 0
         self.tree = spatial.KDTree(centre)
-        every, both = np.arange(1, len(links.tail) + 1), (np.r_[links.tail, links.head], np.r_[links.head, links.tail])
-        self.number: Any = sparse.csr_matrix((np.tile(every, 2), both), (len(centre),) * 2)  # of each edge, from 1 on
+        both, every = (np.r_[links.tail, links.head], np.r_[links.head, links.tail]), np.arange(1, len(links.tail) + 1)
+        self.number: Any = graphs.weighted(len(centre), *both, np.tile(every, 2))  # of each edge, from 1 on
         self.part = np.empty(0, dtype=np.int64)  # of each ball: the component by edges known to be inside
 
     def links_of_balls(self) -> _Links:
@@ -204,8 +205,7 @@ class _Graph:
         tail, head, gap, _, is_tested, is_open = self.links
         most = JOINING
         while True:
-            known = sparse.coo_matrix((is_open[is_open], (tail[is_open], head[is_open])), (len(self.centre),) * 2)
-            self.part = np.asarray(csgraph.connected_components(known, directed=False)[1])
+            self.part = graphs.labels(len(self.centre), tail[is_open], head[is_open])
             both = self.part[pairs[self.part[pairs[:, 0]] != self.part[pairs[:, 1]]]]
             count = np.bincount(self.part)
             is_asked = np.isin(np.arange(len(count)), np.where(count[both[:, 0]] < count[both[:, 1]], *both.T))

@@ -6,9 +6,10 @@ thickness comes from the largest nearby ball: at a distance d from a ball of rad
 """
 
 import numpy as np
-from scipy import sparse, spatial
+from scipy import spatial
 from scipy.sparse import csgraph
 
+from msf_jax.host import graphs
 from msf_jax.host.poles.balls import shrinking_balls
 from msf_jax.host.solid.enclosure import Enclosure
 from msf_jax.host.solid.geometry import unit, vertex_normals
@@ -73,8 +74,6 @@ def limb_radii(points: np.ndarray, pairs: np.ndarray, some: np.ndarray, radius: 
     """
     (tail, head), num = pairs.T, len(points)
     length = SLOPE * np.linalg.norm(points[tail] - points[head], axis=1)
-    paths = sparse.coo_matrix(
-        (np.maximum(np.r_[length, most - radius], 1e-12), (np.r_[tail, np.full(len(some), num)], np.r_[head, some])),
-        shape=(num + 1, num + 1),
-    )
-    return most - csgraph.dijkstra(paths.tocsr(), directed=False, indices=num)[:num]
+    cost = np.maximum(np.r_[length, most - radius], 1e-12)
+    paths = graphs.weighted(num + 1, np.r_[tail, np.full(len(some), num)], np.r_[head, some], cost)
+    return most - csgraph.dijkstra(paths, directed=False, indices=num)[:num]

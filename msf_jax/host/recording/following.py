@@ -26,8 +26,9 @@ from scipy import sparse
 from scipy.sparse import csgraph, linalg
 
 from msf_jax.base.binding import FACES_TOGETHER, Binding, Sizes
+from msf_jax.host import graphs
 from msf_jax.host.curve import branch_paths as measures
-from msf_jax.host.curve import branches, centring
+from msf_jax.host.curve import centring
 from msf_jax.host.curve.branch_paths import BranchPath
 from msf_jax.host.solid import openings, sections
 from msf_jax.host.solid.enclosure import Enclosure
@@ -213,8 +214,7 @@ def _far(x: np.ndarray, edges: np.ndarray, size: np.ndarray, node: np.ndarray) -
     """(N,) whether each node is far along the curve from every ``node`` (S,) that has a section."""
     if not len(node):
         return np.ones(len(x), dtype=bool)
-    length = np.maximum(np.linalg.norm(x[edges[:, 0]] - x[edges[:, 1]], axis=1), 1e-300)
-    graph = sparse.coo_matrix((length, (edges[:, 0], edges[:, 1])), shape=(len(x), len(x))).tocsr()
+    graph = graphs.weighted(len(x), *edges.T, weight=graphs.lengths(x, edges))
     return csgraph.dijkstra(graph, directed=False, indices=node, min_only=True) > FAR * size
 
 
@@ -223,8 +223,8 @@ def _with_clouds(surface: Surface, edges: np.ndarray, found: Corners, is_lost: n
 
     A component of the curve with fewer than two sections and clouds gets a cloud of all its vertices."""
     num, many = len(is_lost), len(surface.node)
-    graph: Any = sparse.coo_matrix((np.ones(len(edges)), (edges[:, 0], edges[:, 1])), shape=(num, num)).tocsr()
-    component = csgraph.connected_components(graph, directed=False)[1]
+    graph: Any = graphs.weighted(num, *edges.T)
+    component = graphs.labels(num, *edges.T)
     went = sparse.csr_matrix((np.ones(many), (surface.node, np.arange(many))), shape=(num, many))
     went = sparse.csr_matrix((graph + graph.T + sparse.eye(num)) @ went)
     lost = np.flatnonzero(is_lost & (np.diff(went.indptr) >= FEWEST))
@@ -371,11 +371,11 @@ def _is_behind(shape: Enclosure, x: np.ndarray, nearest: np.ndarray) -> np.ndarr
 
 
 def _branches(num: int, edges: np.ndarray) -> np.ndarray:
-    """(E,) the number of each edge's branch, among the branches of `branches.trace` that have edges."""
+    """(E,) the number of each edge's branch, among the branches of `graphs.trace` that have edges."""
     if not len(edges):
         return np.zeros(0, dtype=np.int64)
     pairs = [
-        np.stack([path[:-1], path[1:]], axis=1) for path in map(np.array, branches.trace(num, edges)) if len(path) > 1
+        np.stack([path[:-1], path[1:]], axis=1) for path in map(np.array, graphs.trace(num, edges)) if len(path) > 1
     ]
     branch = np.repeat(np.arange(len(pairs)), [len(pair) for pair in pairs])
     code = np.sort(np.concatenate(pairs), axis=1) @ [num, 1]

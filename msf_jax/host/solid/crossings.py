@@ -13,6 +13,7 @@ import numpy as np
 from scipy import sparse
 from scipy.sparse import csgraph
 
+from msf_jax.host import graphs
 from msf_jax.host.solid.enclosure import Enclosure
 from msf_jax.host.solid.geometry import cross, repeated
 from msf_jax.host.solid.triangles import boxes, middles
@@ -179,7 +180,7 @@ def _codes_beside(faces: np.ndarray, num: int) -> np.ndarray:
     """u V + v of all pairs of vertices that at most ``RINGS`` edges join, ascending."""
     ends = np.concatenate([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]])
     ones = np.ones(len(ends), dtype=bool)
-    table = sparse.coo_matrix((ones, (ends[:, 0], ends[:, 1])), shape=(num, num)).tocsr()
+    table = graphs.weighted(num, *ends.T, weight=ones)
     step = sparse.csr_matrix(table + table.T + sparse.eye(num, dtype=bool, format="csr"))
     found = step
     for _ in range(RINGS - 1):
@@ -195,7 +196,7 @@ def _codes_near(edges: np.ndarray, length: np.ndarray, radii: np.ndarray) -> tup
     num = len(radii)
     near, close = ([np.arange(num) * (num + 1)] for _ in range(2))
     weight = np.maximum(length, 1e-300)  # SciPy takes an entry of 0 for a missing edge
-    graph = sparse.coo_matrix((weight, (edges[:, 0], edges[:, 1])), shape=(num, num)).tocsr()
+    graph = graphs.weighted(num, *edges.T, weight=weight)
     for first in range(0, num, 256):
         rows = np.arange(first, min(first + 256, num))
         away = csgraph.dijkstra(graph, directed=False, indices=rows, limit=ALONG * float(radii.max()))

@@ -17,8 +17,9 @@ from typing import Any, NamedTuple
 
 import numpy as np
 from scipy import sparse
-from scipy.sparse import csgraph
 
+from msf_jax.host import graphs
+from msf_jax.host.graphs import along_forest, forest, loop_along, shortest_forest
 from msf_jax.host.mesh.half_edges import HalfEdges, half_edges
 from msf_jax.host.solid.geometry import PAIRS_AT_ONCE, repeated, unit, vertex_normals
 
@@ -50,10 +51,10 @@ def surface_loops(faces: np.ndarray) -> SurfaceLoops:
     num_half, num_faces = len(edges.origin), len(faces)
     is_first = np.arange(num_half) < edges.twin
     face = np.arange(num_half) // 3
-    parent, _ = _forest(edges.origin[is_first], edges.target[is_first], int(faces.max()) + 1)
+    parent, _ = forest(edges.origin[is_first], edges.target[is_first], int(faces.max()) + 1)
     in_tree = (parent[edges.origin] == edges.target) | (parent[edges.target] == edges.origin)
     crossed = is_first & ~in_tree
-    face_parent, depth = _forest(face[crossed], face[edges.twin[crossed]], num_faces)
+    face_parent, depth = forest(face[crossed], face[edges.twin[crossed]], num_faces)
     # Two faces can share several edges outside the tree; the cotree crosses the first of them.
     to_parent = np.full(num_faces, -1)
     leads_up = np.flatnonzero(~in_tree & (face_parent[face] == face[edges.twin]))
@@ -68,38 +69,9 @@ def surface_loops(faces: np.ndarray) -> SurfaceLoops:
 
 def _has_handles(faces: np.ndarray) -> bool:
     """Whether V - E + F of the closed surface is below 2 for a component: quicker than its loops."""
-    (a, b, c), num = faces.T, int(faces.max()) + 1
-    pairs = sparse.coo_matrix((np.ones(2 * len(faces)), (np.r_[a, b], np.r_[b, c])), (num, num))
-    num_components = csgraph.connected_components(pairs, directed=False)[0]  # vertices without a face are components
+    num = int(faces.max()) + 1
+    num_components = graphs.labels_of_faces(faces, num).max() + 1  # vertices without a face are components
     return num - len(faces) // 2 < 2 * num_components - np.count_nonzero(np.bincount(faces.ravel()) == 0)
-
-
-def _forest(a: np.ndarray, b: np.ndarray, num: int) -> tuple[np.ndarray, np.ndarray]:
-    """The parent (num,) of each node in a breadth-first tree of its component, -1 at the root, and its depth (num,)."""
-    graph = sparse.coo_matrix((np.ones(len(a)), (a, b)), shape=(num, num))
-    roots = np.unique(csgraph.connected_components(graph, directed=False)[1], return_index=True)[1]
-    tail, head = np.concatenate([a, np.full(len(roots), num)]), np.concatenate([b, roots])  # one root above them all
-    both = np.concatenate([tail, head]), np.concatenate([head, tail])
-    joined = sparse.csr_matrix((np.ones(2 * len(tail)), both), shape=(num + 1, num + 1))
-    depth, parent = csgraph.dijkstra(joined, unweighted=True, indices=num, return_predecessors=True)
-    parent = parent[:num].astype(np.int64)
-    return np.where(parent == num, -1, parent), depth[:num].astype(np.int64) - 1
-
-
-def loop_along(start: int, end: int, parent: np.ndarray) -> list[int]:
-    """The loop start -> end -> ... -> start along the tree, without the stretch to the root that both paths share."""
-
-    def to_root(vertex: int) -> list[int]:
-        path = [vertex]
-        while parent[path[-1]] >= 0:
-            path.append(int(parent[path[-1]]))
-        return path
-
-    one, other = to_root(start), to_root(end)
-    while len(one) > 1 and len(other) > 1 and one[-2] == other[-2]:
-        one.pop()
-        other.pop()
-    return [start, *other, *one[-2:0:-1]]
 
 
 class Handles:
@@ -196,44 +168,6 @@ def _turned(points: np.ndarray) -> np.ndarray:
     this is written out."""
     x, y, z = points.T
     return np.stack([x * axis[0] + y * axis[1] + z * axis[2] for axis in TURN], axis=1)
-
-
-def shortest_forest(num_nodes: int, edges: np.ndarray, length: np.ndarray) -> np.ndarray:
-    """(E,) which edges are in the minimum spanning forest by ``length`` (E,), ties by number."""
-    order = np.argsort(length, kind="stable")
-    # Only the shortest edge between two nodes: a sparse matrix would add parallel edges up.
-    order = order[np.sort(np.unique(np.sort(edges[order], axis=1), axis=0, return_index=True)[1])]
-    rank = np.arange(1, len(order) + 1)  # distinct, and never 0
-    ends = np.sort(edges[order], axis=1).T
-    graph = sparse.coo_matrix((rank, (ends[0], ends[1])), shape=(num_nodes, num_nodes))
-    is_in = np.zeros(len(edges), dtype=bool)
-    is_in[order[np.rint(csgraph.minimum_spanning_tree(graph).data).astype(np.int64) - 1]] = True
-    return is_in & (edges[:, 0] != edges[:, 1])
-
-
-def along_forest(num_nodes: int, edges: np.ndarray, values: np.ndarray) -> np.ndarray:
-    """(N, ...) the sum of the ``values`` (E, ...) of a forest's edges (E, 2) along the path from a root to each node.
-
-    An edge that the path takes from its second node to its first counts with the opposite sign.
-    """
-    a, b = edges.T
-    parent, _ = _forest(a, b, num_nodes)
-    last = np.zeros((num_nodes, *values.shape[1:]), dtype=values.dtype)
-    for tail, head, sign in ((a, b, 1), (b, a, -1)):
-        leads = parent[head] == tail
-        last[head[leads]] = sign * values[leads]
-    return down_forest(parent, last)
-
-
-def down_forest(parent: np.ndarray, last: np.ndarray) -> np.ndarray:
-    """(N, ...) sums along the paths from a root to each node. ``last`` (N, ...) are values of last steps, 0 at a root.
-
-    ``parent`` (N,) is negative at a root.
-    """
-    above, total = np.where(parent < 0, np.arange(len(parent)), parent), last
-    while (above != above[above]).any():  # pointer doubling: the summed paths double in length
-        total, above = total + total[above], above[above]
-    return total
 
 
 def _pairs_in_cells(

@@ -7,9 +7,9 @@ near an oblique one, a part of the limb is missing.
 from typing import NamedTuple
 
 import numpy as np
-from scipy import sparse
-from scipy.sparse import csgraph
 
+from msf_jax.host import graphs
+from msf_jax.host.mesh.half_edges import by_label
 from msf_jax.host.solid import sections
 from msf_jax.host.solid.enclosure import Enclosure
 from msf_jax.host.solid.geometry import cross, unit
@@ -43,10 +43,7 @@ class Lid(NamedTuple):
 
 def lids_of(vertices: np.ndarray, faces: np.ndarray, lids: np.ndarray) -> list[Lid]:
     """The lids that the faces ``lids`` (L,) of a surface ``(vertices (V, 3), faces (F, 3))`` make: a piece each."""
-    tail, head = faces[lids].ravel(), np.roll(faces[lids], -1, axis=1).ravel()
-    graph = sparse.coo_matrix((np.ones(len(tail)), (tail, head)), (len(vertices),) * 2)
-    piece = csgraph.connected_components(graph, directed=False)[1][faces[lids, 0]]
-    return [_lid(vertices, faces, lids[piece == number]) for number in np.unique(piece)]
+    return [_lid(vertices, faces, lids[own]) for own in by_label(graphs.pieces(faces[lids], len(vertices)))]
 
 
 def _lid(vertices: np.ndarray, faces: np.ndarray, own: np.ndarray) -> Lid:

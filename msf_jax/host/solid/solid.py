@@ -9,9 +9,8 @@ from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
-from scipy import sparse
-from scipy.sparse import csgraph
 
+from msf_jax.host import graphs
 from msf_jax.host.mesh.half_edges import by_label
 from msf_jax.host.solid.enclosure import Enclosure
 from msf_jax.host.solid.geometry import signed_volume
@@ -72,9 +71,8 @@ class Body(NamedTuple):
 
 def bodies(shape: Enclosure) -> list[Body]:
     """The solids of a closed surface."""
-    faces, num = shape.faces, len(shape.vertices)
-    graph = sparse.coo_matrix((np.ones(2 * len(faces)), faces[:, [0, 1, 1, 2]].reshape(-1, 2).T), shape=(num, num))
-    label = np.unique(csgraph.connected_components(graph, directed=False)[1][faces[:, 0]], return_inverse=True)[1]
+    faces = shape.faces
+    label = graphs.pieces(faces, len(shape.vertices))
     if not label.any():
         every = np.arange(len(faces))
         return [Body(np.unique(faces), every, every, False)]

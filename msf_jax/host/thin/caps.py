@@ -21,9 +21,8 @@ from typing import NamedTuple
 
 import numpy as np
 import trimesh
-from scipy import sparse
-from scipy.sparse import csgraph
 
+from msf_jax.host import graphs
 from msf_jax.host.solid.enclosure import Enclosure
 from msf_jax.host.solid.geometry import cross, largest_of_each
 from msf_jax.host.thin import ends, fronts
@@ -85,9 +84,8 @@ class Caps:
         area, volume = np.linalg.norm(vector, axis=1), np.einsum("fi,fi->f", a, vector) / 3
         size = np.concatenate([area[:, None], vector, volume[:, None]], axis=1)
         self.surface, self.area = fronts.Surface(x, faces, shape.mesh.twins, first, around, size), area
-        pairs = np.ones(2 * len(faces)), (np.tile(faces[:, 0], 2), faces[:, 1:].T.ravel())
-        component = csgraph.connected_components(sparse.coo_matrix(pairs, (len(x),) * 2), directed=False)[1]
-        self._component = component.astype(np.int64)
+        component = graphs.labels_of_faces(faces, len(x)).astype(np.int64)
+        self._component = component
         count, of_face = np.bincount(component), component[faces[:, 0]]
         self._total = np.bincount(of_face, area, len(count))[component]
         # Two vertices more than half of the faces: Euler's formula for a component without handles.

@@ -8,9 +8,8 @@ set diagrams). The graph has a cycle for each handle that is larger than the ste
 from typing import NamedTuple
 
 import numpy as np
-from scipy import sparse
-from scipy.sparse import csgraph
 
+from msf_jax.host import graphs
 from msf_jax.host.solid.geometry import repeated
 
 MOST_POINTS = 2_000_000  # intersections of levels and edges: if there are more, the step is doubled
@@ -61,9 +60,11 @@ def levels(vertices: np.ndarray, faces: np.ndarray, height: np.ndarray, step: fl
         joined.append(np.stack([stretch[e[face]] + bottom[face] + up - low[e[face]] for e in (one, other)]))
         face, up = repeated(np.maximum(top - bottom, 0))
         beside.append(np.stack([first[e[face]] + bottom[face] + up - low[e[face]] for e in (one, other)]))
-    num_pieces, piece = _parts(len(vertices) + int((count + 1).sum()), np.concatenate(joined, axis=1))
+    piece = graphs.labels(len(vertices) + int((count + 1).sum()), *np.concatenate(joined, axis=1))
+    num_pieces = int(piece.max(initial=-1)) + 1
     pairs = np.concatenate(beside, axis=1)
-    num, ring = _parts(len(points), pairs)
+    ring = graphs.labels(len(points), *pairs)
+    num = int(ring.max(initial=-1)) + 1
     below, above = np.zeros((2, num), dtype=np.int64)
     below[ring], above[ring] = piece[stretch[edge] + place], piece[stretch[edge] + place + 1]
     centre, perimeter = _centroids(points[pairs[0]], points[pairs[1]], ring[pairs[0]], num)
@@ -91,9 +92,3 @@ def _centroids(a: np.ndarray, b: np.ndarray, ring: np.ndarray, num: int) -> tupl
     point[ring] = a
     centre = np.where(is_flat[:, None], middle, centre)
     return np.where(perimeter[:, None] > 0, centre, point), perimeter
-
-
-def _parts(num: int, pairs: np.ndarray) -> tuple[int, np.ndarray]:
-    """The number of components of a graph with ``num`` nodes and edges ``pairs`` (2, P), and each node's component."""
-    graph = sparse.coo_matrix((np.ones(pairs.shape[1]), tuple(pairs)), shape=(num, num))
-    return csgraph.connected_components(graph, directed=False)

@@ -9,11 +9,11 @@ import itertools
 from typing import NamedTuple
 
 import numpy as np
-from scipy import sparse
 from scipy.sparse import csgraph
 
-from msf_jax.host.curve.branches import trace
+from msf_jax.host import graphs
 from msf_jax.host.curve.containment import is_inside
+from msf_jax.host.graphs import trace
 from msf_jax.host.solid.enclosure import Enclosure
 from msf_jax.host.solid.geometry import arc_length, at, largest_of_each
 from msf_jax.host.thin import pruning
@@ -94,9 +94,8 @@ def ends(vertices: np.ndarray, edges: np.ndarray, stays: np.ndarray) -> np.ndarr
     """(N,) True for the ends of the longest path of each component without loops that has fewer than two leaves of
     ``stays`` (N,): from the one that it has, or else between any two."""
     num = len(vertices)
-    length = np.linalg.norm(vertices[edges[:, 0]] - vertices[edges[:, 1]], axis=1)
-    graph = sparse.coo_matrix((length, (edges[:, 0], edges[:, 1])), (num, num)).tocsr()
-    component = csgraph.connected_components(graph, directed=False)[1]
+    graph = graphs.weighted(num, *edges.T, weight=graphs.lengths(vertices, edges))
+    component = graphs.labels(num, *edges.T)
 
     def farthest(sources: np.ndarray) -> np.ndarray:
         return largest_of_each(component, csgraph.dijkstra(graph, directed=False, indices=sources, min_only=True))

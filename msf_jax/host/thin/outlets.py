@@ -4,8 +4,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from msf_jax.host.curve.branches import trace
 from msf_jax.host.curve.containment import is_inside
+from msf_jax.host.graphs import trace
 from msf_jax.host.solid.enclosure import Enclosure
 from msf_jax.host.solid.openings import JUST_INSIDE, Lid, is_end, lids_of
 from msf_jax.host.solid.solid import Solid

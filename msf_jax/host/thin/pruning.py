@@ -14,7 +14,8 @@ from collections.abc import Callable, Iterator
 
 import numpy as np
 
-from msf_jax.host.curve.branches import Branch, trace
+from msf_jax.host.curve.branches import Branch
+from msf_jax.host.graphs import trace
 from msf_jax.host.solid.geometry import arc_length
 
 TOUCHES = 0.9  # of the depth of a node: least radius of a ball that touches the tip of its limb

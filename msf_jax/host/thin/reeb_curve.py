@@ -10,9 +10,10 @@ from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
-from scipy import sparse, spatial
+from scipy import spatial
 from scipy.sparse import csgraph
 
+from msf_jax.host import graphs
 from msf_jax.host.poles import balls, thickness
 from msf_jax.host.solid.enclosure import Enclosure
 from msf_jax.host.solid.geometry import repeated, unit, vertex_normals
@@ -51,7 +52,7 @@ def reeb_curve(shape: Enclosure, is_inside: Test) -> ReebCurve | None:
     length = np.linalg.norm(x[tail] - x[head], axis=1)
     if np.median(length / np.minimum(radius[tail], radius[head])) <= COARSE:
         return None
-    graph = sparse.csr_matrix((np.maximum(length, 1e-12), (tail, head)), shape=(len(x),) * 2)
+    graph = graphs.weighted(len(x), tail, head, np.maximum(length, 1e-12))
     thickest = np.argsort(-radius, kind="stable")[:CANDIDATES]
     clearance = shape.approximate_clearance(x[thickest] - radius[thickest, None] * normals[thickest])[0]
     seed = int(thickest[clearance.argmax()])
@@ -96,7 +97,6 @@ def _joined(
     cost = np.linalg.norm(a - b, axis=1) + 1e-12
     is_choice = count[row] > 2
     cost[is_choice] *= np.where(is_inside(shape, a[is_choice], b[is_choice]), 1.0, OUTSIDE)
-    graph = sparse.coo_matrix((cost, (row, other)), shape=(len(node),) * 2)
-    tree = csgraph.minimum_spanning_tree(graph.tocsr()).tocoo()
+    tree = csgraph.minimum_spanning_tree(graphs.weighted(len(node), row, other, cost)).tocoo()
     edges = np.stack([node[tree.row], node[tree.col]], axis=1)
     return vertices, edges[edges[:, 0] != edges[:, 1]]

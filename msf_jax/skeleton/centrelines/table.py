@@ -7,6 +7,7 @@ import numpy as np
 from scipy import spatial
 
 from msf_jax.base.errors import ConfigError
+from msf_jax.host import graphs
 from msf_jax.host.curve import branches
 from msf_jax.host.solid.geometry import arc_length, at, unit
 from msf_jax.skeleton.centrelines.frames import frames_of
@@ -46,7 +47,7 @@ def oriented(skeleton: "Skeleton") -> Oriented:
     """The branches of ``skeleton``, in the order of its ``branches``, from its roots, or from the tips of its
     thickest limbs."""
     num = len(skeleton.vertices)
-    paths = [np.array(nodes) for nodes in branches.trace(num, skeleton.edges)]
+    paths = [np.array(nodes) for nodes in graphs.trace(num, skeleton.edges)]
     roots = skeleton.roots or _inlets(skeleton, paths)
     at_node: dict[int, list[int]] = {}
     for number, nodes in enumerate(paths):
@@ -213,7 +214,7 @@ def _volumes(skeleton: "Skeleton", num: int) -> np.ndarray:
     else:
         node = np.asarray(spatial.KDTree(skeleton.vertices).query(solid.leave(solid.shape.vertices))[1])
     branch = np.full(len(skeleton.vertices), -1)
-    for number, nodes in reversed(list(enumerate(branches.trace(len(branch), skeleton.edges)))):
+    for number, nodes in reversed(list(enumerate(graphs.trace(len(branch), skeleton.edges)))):
         branch[nodes] = number
     faces = solid.shape.faces
     feet = solid.enter(skeleton.vertices)[node[faces]]

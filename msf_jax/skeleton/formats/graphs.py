@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 import networkx as nx
 import numpy as np
 
-from msf_jax.host.curve import branches
+from msf_jax.host import graphs
 from msf_jax.skeleton.centrelines.table import branch_columns, node_columns
 from msf_jax.skeleton.formats.text import number, point
 
@@ -44,7 +44,7 @@ def vtp(skeleton: "Skeleton") -> str:
 
     Point data are the columns of nodes, cell data those of branches. A column without a known value is left out.
     """
-    paths = branches.trace(len(skeleton.vertices), skeleton.edges)
+    paths = graphs.trace(len(skeleton.vertices), skeleton.edges)
     order = sorted(range(len(paths)), key=lambda number: len(paths[number]) > 1)  # VTK has vertices before lines
     lines, lone = [path for path in paths if len(path) > 1], [path for path in paths if len(path) == 1]
 

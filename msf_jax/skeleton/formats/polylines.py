@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from msf_jax.base.errors import ConfigError
-from msf_jax.host.curve import branches
+from msf_jax.host import graphs
 from msf_jax.skeleton.formats.text import point
 
 if TYPE_CHECKING:
@@ -16,7 +16,7 @@ def written(skeleton: "Skeleton") -> str:
     """A line for each branch: the number of points, and their coordinates."""
     return "".join(
         f"{len(branch)} {' '.join(point(skeleton.vertices[node]) for node in branch)}\n"
-        for branch in branches.trace(len(skeleton.vertices), skeleton.edges)
+        for branch in graphs.trace(len(skeleton.vertices), skeleton.edges)
     )
 
 

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from msf_jax.base.errors import ConfigError
-from msf_jax.host.curve import branches
+from msf_jax.host import graphs
 from msf_jax.skeleton.formats.text import number, point
 
 if TYPE_CHECKING:
@@ -23,7 +23,7 @@ def written(skeleton: "Skeleton") -> str:
 
     Labels are those of CNIC: 1 soma, 5 fork, 6 end, 0 other. The root is labelled as soma only if that is sure.
     """
-    parent = branches.tree(len(skeleton.vertices), skeleton.edges, skeleton.roots)
+    parent = graphs.tree(len(skeleton.vertices), skeleton.edges, skeleton.roots)
     row_of = {node: index + 1 for index, node in enumerate(parent)}
     cut = [f"{CUT} {row_of[a]} {row_of[b]}" for a, b in skeleton.edges.tolist() if parent[a] != b and parent[b] != a]
     is_known = not np.isnan(skeleton.report.inside)  # a curve that was read from a file has no report

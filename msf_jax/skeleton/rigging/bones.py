@@ -11,9 +11,8 @@ from typing import NamedTuple
 
 import networkx as nx
 import numpy as np
-from scipy import sparse
-from scipy.sparse import csgraph
 
+from msf_jax.host import graphs
 from msf_jax.host.curve import branches
 from msf_jax.host.solid.geometry import arc_length, at
 
@@ -133,7 +132,7 @@ def _limbs(vertices: np.ndarray, edges: np.ndarray, radii: np.ndarray, most: int
     """Remove limbs that are too short for a bone, then the shortest limbs until there are ``most`` branches. A limb's
     length counts from the ball at its junction. Returns which nodes stay (N,), and the node that replaces each (N,)."""
     target = np.arange(len(vertices))
-    paths = dict(enumerate(branches.trace(len(vertices), edges)))
+    paths = dict(enumerate(graphs.trace(len(vertices), edges)))
     at_end: dict[int, set[int]] = {}
     for number, nodes in paths.items():
         for end in {nodes[0], nodes[-1]}:
@@ -181,8 +180,7 @@ def _paths(
     """The root of each component, and the branches directed away from it, those nearer to it first."""
     num = len(vertices)
     degree = np.bincount(edges.ravel(), minlength=num)
-    graph = sparse.coo_matrix((np.ones(len(edges)), edges.T), shape=(num, num))
-    label = csgraph.connected_components(graph, directed=False)[1]
+    label = graphs.labels(num, *edges.T)
     size = np.where(stays, radii, -1.0)
     order = np.lexsort((-size, -(degree > 2).astype(int)))  # junctions before others, the thickest first
     order = order[stays[order]]

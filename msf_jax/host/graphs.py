@@ -1,0 +1,186 @@
+"""Graphs whose edges are pairs of nodes: components, forests, paths between ends.
+
+A sparse matrix adds up the weights of edges that occur several times, and takes a weight of 0 for no edge.
+"""
+
+import networkx as nx
+import numpy as np
+from scipy import sparse
+from scipy.sparse import csgraph
+
+
+def weighted(num: int, tail: np.ndarray, head: np.ndarray, weight: np.ndarray | None = None) -> sparse.csr_matrix:
+    """The sparse matrix (num, num) with the ``weight`` (E,) of each edge from ``tail`` to ``head``, default 1."""
+    weight = np.ones(len(tail)) if weight is None else weight
+    return sparse.csr_matrix((weight, (tail, head)), shape=(num, num))
+
+
+def labels(num: int, tail: np.ndarray, head: np.ndarray) -> np.ndarray:
+    """(num,) the connected component of each node. Components are numbered in the order of their first nodes."""
+    return csgraph.connected_components(weighted(num, tail, head), directed=False)[1]
+
+
+def labels_of_faces(faces: np.ndarray, num: int) -> np.ndarray:
+    """(num,) the connected component of each vertex of a surface ``faces`` (F, 3)."""
+    return labels(num, faces[:, [0, 1]].ravel(), faces[:, [1, 2]].ravel())
+
+
+def pieces(faces: np.ndarray, num: int) -> np.ndarray:
+    """(F,) the connected piece of each of ``faces`` (F, 3) of ``num`` vertices, by number from 0 on."""
+    return np.unique(labels_of_faces(faces, num)[faces[:, 0]], return_inverse=True)[1]
+
+
+def lengths(vertices: np.ndarray, edges: np.ndarray) -> np.ndarray:
+    """(E,) the length of each edge, which is not 0."""
+    return np.maximum(np.linalg.norm(vertices[edges[:, 0]] - vertices[edges[:, 1]], axis=1), 1e-300)
+
+
+def degrees(num: int, edges: np.ndarray) -> np.ndarray:
+    """(num,) the number of edges at each node."""
+    return np.bincount(edges.ravel(), minlength=num)
+
+
+def trace(num_nodes: int, edges: np.ndarray) -> list[list[int]]:
+    """The node list of each branch, between nodes that do not have two edges; a loop repeats its first node.
+
+    An isolated node is a branch of one node.
+    """
+    near: list[list[int]] = [[] for _ in range(num_nodes)]  # neighbours of each node, ascending
+    for a, b in np.unique(np.sort(edges, axis=1), axis=0).tolist():
+        near[a].append(b)
+        near[b].append(a)
+    ends = [node for node in range(num_nodes) if len(near[node]) != 2]
+    branches = [[node] for node in ends if not near[node]]
+    seen: set[tuple[int, int]] = set()
+
+    def follow(start: int, onward: int) -> list[int]:
+        branch = [start, onward]
+        while len(near[branch[-1]]) == 2 and branch[-1] != start:
+            a, b = near[branch[-1]]
+            branch.append(b if a == branch[-2] else a)
+        seen.add((branch[0], branch[1]))
+        seen.add((branch[-1], branch[-2]))
+        return branch
+
+    for node in ends:
+        branches += [follow(node, onward) for onward in near[node] if (node, onward) not in seen]
+    covered = {node for branch in branches for node in branch}
+    for node in range(num_nodes):
+        if node not in covered:
+            branches.append(follow(node, near[node][0]))
+            covered.update(branches[-1])
+    return branches
+
+
+def cycle_count(num_nodes: int, edges: np.ndarray) -> tuple[int, int]:
+    """The numbers of components and of independent cycles of a graph."""
+    components = int(labels(num_nodes, *edges.T).max(initial=-1)) + 1
+    return components, len(edges) - num_nodes + components
+
+
+def core(num_nodes: int, edges: np.ndarray) -> np.ndarray:
+    """(N,) which nodes are left when leaves are removed until there are none: of loops, and of paths between loops. An
+    edge from a node to itself is no loop."""
+    is_left = np.zeros(num_nodes, dtype=bool)
+    if cycle_count(num_nodes, edges)[1]:
+        graph = nx.Graph(edges[edges[:, 0] != edges[:, 1]].tolist())
+        is_left[list(nx.k_core(graph, 2))] = True
+    return is_left
+
+
+def nearest_along(vertices: np.ndarray, edges: np.ndarray, is_source: np.ndarray) -> np.ndarray:
+    """(N,) the nearest node along the curve with ``is_source`` (N,), which each component has: the node itself if it is
+    one."""
+    graph = weighted(len(vertices), *edges.T, weight=lengths(vertices, edges))
+    return csgraph.dijkstra(
+        graph, directed=False, indices=np.flatnonzero(is_source), min_only=True, return_predecessors=True
+    )[2]
+
+
+def tree(num_nodes: int, edges: np.ndarray, roots: tuple[int, ...] = ()) -> dict[int, int]:
+    """The parent of every node, -1 for a root. Parents come before their children, and loops are cut.
+
+    Components of the ``roots`` come first, in that order. The root of any other component is a leaf if it has one.
+    """
+    graph = nx.Graph()
+    graph.add_nodes_from(range(num_nodes))
+    graph.add_edges_from(edges.tolist())
+    parent: dict[int, int] = {}
+
+    def grow(root: int) -> None:
+        parent[root] = -1
+        parent.update({child: above for above, child in nx.bfs_edges(graph, root, sort_neighbors=sorted)})
+
+    for root in roots:
+        if root not in parent:
+            grow(root)
+    for component in nx.connected_components(graph):
+        if not component.isdisjoint(roots):
+            continue
+        leaves = [node for node in component if graph.degree[node] == 1]
+        grow(min(leaves or component))
+    return parent
+
+
+def shortest_forest(num_nodes: int, edges: np.ndarray, length: np.ndarray) -> np.ndarray:
+    """(E,) which edges are in the minimum spanning forest by ``length`` (E,), ties by number."""
+    order = np.argsort(length, kind="stable")
+    # Only the shortest edge between two nodes: a sparse matrix would add parallel edges up.
+    order = order[np.sort(np.unique(np.sort(edges[order], axis=1), axis=0, return_index=True)[1])]
+    rank = np.arange(1, len(order) + 1)  # distinct, and never 0
+    ends = np.sort(edges[order], axis=1).T
+    graph = weighted(num_nodes, *ends, weight=rank)
+    is_in = np.zeros(len(edges), dtype=bool)
+    is_in[order[np.rint(csgraph.minimum_spanning_tree(graph).data).astype(np.int64) - 1]] = True
+    return is_in & (edges[:, 0] != edges[:, 1])
+
+
+def forest(a: np.ndarray, b: np.ndarray, num: int) -> tuple[np.ndarray, np.ndarray]:
+    """The parent (num,) of each node in a breadth-first tree of its component, -1 at the root, and its depth (num,)."""
+    roots = np.unique(labels(num, a, b), return_index=True)[1]
+    tail, head = np.concatenate([a, np.full(len(roots), num)]), np.concatenate([b, roots])  # one root above them all
+    joined = weighted(num + 1, np.concatenate([tail, head]), np.concatenate([head, tail]))
+    depth, parent = csgraph.dijkstra(joined, unweighted=True, indices=num, return_predecessors=True)
+    parent = parent[:num].astype(np.int64)
+    return np.where(parent == num, -1, parent), depth[:num].astype(np.int64) - 1
+
+
+def along_forest(num_nodes: int, edges: np.ndarray, values: np.ndarray) -> np.ndarray:
+    """(N, ...) the sum of the ``values`` (E, ...) of a forest's edges (E, 2) along the path from a root to each node.
+
+    An edge that the path takes from its second node to its first counts with the opposite sign.
+    """
+    a, b = edges.T
+    parent, _ = forest(a, b, num_nodes)
+    last = np.zeros((num_nodes, *values.shape[1:]), dtype=values.dtype)
+    for tail, head, sign in ((a, b, 1), (b, a, -1)):
+        leads = parent[head] == tail
+        last[head[leads]] = sign * values[leads]
+    return down_forest(parent, last)
+
+
+def down_forest(parent: np.ndarray, last: np.ndarray) -> np.ndarray:
+    """(N, ...) sums along the paths from a root to each node. ``last`` (N, ...) are values of last steps, 0 at a root.
+
+    ``parent`` (N,) is negative at a root.
+    """
+    above, total = np.where(parent < 0, np.arange(len(parent)), parent), last
+    while (above != above[above]).any():  # pointer doubling: the summed paths double in length
+        total, above = total + total[above], above[above]
+    return total
+
+
+def loop_along(start: int, end: int, parent: np.ndarray) -> list[int]:
+    """The loop start -> end -> ... -> start along the tree, without the stretch to the root that both paths share."""
+
+    def to_root(vertex: int) -> list[int]:
+        path = [vertex]
+        while parent[path[-1]] >= 0:
+            path.append(int(parent[path[-1]]))
+        return path
+
+    one, other = to_root(start), to_root(end)
+    while len(one) > 1 and len(other) > 1 and one[-2] == other[-2]:
+        one.pop()
+        other.pop()
+    return [start, *other, *one[-2:0:-1]]
