@@ -19,7 +19,8 @@ import msf_jax
 from msf_jax import Config, ConfigError, MeshError, Tape
 from msf_jax.app.cli import main
 from msf_jax.base import archive
-from msf_jax.host.mesh import reading, unpacking
+from msf_jax.host.mesh import reading
+from msf_jax.host.mesh.files import unpacking
 from tests.benchmarks import tampering
 
 ONCE = Config(max_iterations=3)
@@ -209,8 +210,8 @@ def test_ids_of_3mf_are_those_of_one_model(tmp_path, monkeypatch):
 def test_a_scene_that_shows_too_much_is_refused(tmp_path, monkeypatch):
     (tmp_path / "scene.gltf").write_bytes(tampering._gltf({}, nodes=30))
     assert len(reading.read(tmp_path / "scene.gltf")[1]) == 30
-    monkeypatch.setattr(reading, "MOST_SHOWN", 20)
-    with pytest.raises(MeshError, match="its scene has 30 meshes"):
+    monkeypatch.setattr(unpacking, "MOST_INSTANCES", 20)
+    with pytest.raises(MeshError, match="30 instances"):
         reading.read(tmp_path / "scene.gltf")
 
 
