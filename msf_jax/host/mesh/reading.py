@@ -22,8 +22,8 @@ from scipy import sparse, spatial
 from scipy.sparse import csgraph
 from trimesh.resolvers import FilePathResolver
 
-from msf_jax.base.decoding import decoded
 from msf_jax.base.errors import MeshError
+from msf_jax.host.decoding import decoded
 from msf_jax.host.mesh.files import gltf, obj, off, ply, stl, unpacking
 
 SMALLEST = 1e-150  # the mesh's units: smallest extent allowed; its inverse is the largest coordinate allowed
@@ -256,7 +256,8 @@ def _as_vertices(vertices: Any, finite: bool) -> np.ndarray:
     if len(bad) and finite:
         raise MeshError(f"{count(bad, 'vertex', 'vertices')} not finite (NaN or infinite): correct them{OR_REPAIR}")
     sound = array[np.isfinite(array).all(axis=1)]
-    extent = float(np.ptp(sound, axis=0).max()) if len(sound) else 0.0
+    with np.errstate(over="ignore"):
+        extent = float(np.ptp(sound, axis=0).max()) if len(sound) else 0.0
     largest = float(np.abs(sound).max(initial=0.0))
     if 0 < extent < SMALLEST or largest > 1 / SMALLEST:
         raise MeshError(

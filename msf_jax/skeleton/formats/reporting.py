@@ -5,7 +5,9 @@ import os
 from pathlib import Path
 
 from msf_jax.base.errors import ConfigError
+from msf_jax.host.decoding import decoded
 from msf_jax.skeleton.formats import export, swc, text, whole
+from msf_jax.skeleton.formats.checking import checked_report
 
 
 def lines_of(path: str | os.PathLike[str]) -> list[str]:
@@ -25,7 +27,7 @@ def lines_of(path: str | os.PathLike[str]) -> list[str]:
         if suffix == ".npz":
             found = str(whole.read_npz(path)[1]).splitlines()
         else:
-            content = Path(path).read_text(errors="replace")
+            content = decoded(Path(path).read_bytes())
             found = swc.report_lines(content) if suffix == ".swc" else _of_json(content)
     except (ValueError, KeyError, TypeError, RecursionError, MemoryError) as error:
         if isinstance(error, ConfigError):
@@ -40,4 +42,4 @@ def _of_json(content: str) -> list[str]:
     values = json.loads(content)
     if not isinstance(values, dict):
         raise TypeError("no skeleton")
-    return str(whole.checked_report(values["report"])).splitlines()
+    return str(checked_report(values["report"])).splitlines()

@@ -2,14 +2,14 @@
 
 import json
 import os
-from types import NoneType, UnionType
-from typing import TYPE_CHECKING, Any, get_args, get_origin, get_type_hints
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from msf_jax.base import archive
 from msf_jax.base.errors import ConfigError
 from msf_jax.host.solid.solid import Solid
+from msf_jax.skeleton.formats.checking import checked_curve, checked_report
 from msf_jax.skeleton.report import Report
 from msf_jax.skeleton.source import Source
 
@@ -51,24 +51,9 @@ def read_npz(path: str | os.PathLike[str]) -> "tuple[dict[str, Any], Report, Sou
     """
     advice = "save the skeleton anew"
     with archive.reading(path, KIND, VERSION, advice, without_digest=WITHOUT_DIGEST) as (_, held):
-        curve: dict[str, Any] = {name: held[name] for name in ("vertices", "edges", "radii", "mesh_map")}
-        num, (_, edges, radii, mesh_map) = len(curve["vertices"]), curve.values()
-        is_right = curve["vertices"].shape == (num, 3) and radii.shape == (num,) and edges.shape[1:] == (2,)
-        is_right &= all(((index >= 0) & (index < num)).all() for index in (edges, mesh_map)) and mesh_map.ndim == 1
-        is_right &= all(index.dtype.kind in "iu" for index in (edges, mesh_map))
-        is_right &= all(value.dtype.kind == "f" for value in (curve["vertices"], radii)) and bool((radii >= 0).all())
-        if not (num and is_right and all(np.isfinite(value).all() for value in curve.values())):
-            raise ValueError("arrays do not fit together")
-        curve |= {name: np.array(curve[name], dtype=np.float64) for name in ("vertices", "radii")}
-        curve |= {name: np.array(curve[name], dtype=np.int64) for name in ("edges", "mesh_map")}
-        for name in ("roots", "openings"):  # files of version 0.3.0 have no openings
-            numbers = held.get(name, np.empty(0, dtype=np.int64))
-            if numbers.ndim != 1 or numbers.dtype.kind not in "iu" or not ((numbers >= 0) & (numbers < num)).all():
-                raise ValueError(f"the {name} are not ids of nodes")
-            curve[name] = tuple(numbers.tolist())
-        curve["radius_of"], curve["units"] = (str(held.get(*pair)) for pair in (("radius_of", "ball"), ("units", "")))
-        if curve["radius_of"] not in ("ball", "section"):
-            raise ValueError("the radii are of nothing that is known")
+        texts = {name: str(held[name]) for name in ("radius_of", "units") if name in held}
+        curve = checked_curve({**held, **texts})
+        mesh_map = curve["mesh_map"]
         report = checked_report(json.loads(str(held["report"])))
         source = None
         if "surface_vertices" in held:
@@ -89,33 +74,6 @@ def read_npz(path: str | os.PathLike[str]) -> "tuple[dict[str, Any], Report, Sou
                 raise ValueError("the lids are not ids of faces")
             source = Source(Solid(vertices, faces, lids.astype(np.int64)), areas, pins, (), origin)
     return curve, report, source
-
-
-def checked_report(values: Any) -> Report:
-    """The report from ``values`` of `Report.to_dict`; raises a KeyError, a TypeError or a ValueError for others."""
-    if not isinstance(values, dict) or not isinstance(values["figures"], dict):
-        raise TypeError("no report")
-    report = Report.from_dict(values)
-    for name, hint in get_type_hints(Report).items():
-        if not _is_a(getattr(report, name), hint):
-            raise TypeError(f"{name} of the report is {getattr(report, name)!r:.60}")
-    return report
-
-
-def _is_a(value: Any, hint: Any) -> bool:
-    """Whether ``value`` has the type ``hint``: a plain type, or a tuple, dictionary or union of plain types."""
-    kind, parts = get_origin(hint) or hint, get_args(hint)
-    if kind is UnionType:
-        return any(_is_a(value, part) for part in parts)
-    if kind is tuple:
-        return isinstance(value, tuple) and all(_is_a(one, parts[0]) for one in value)
-    if kind is dict:
-        return isinstance(value, dict) and all(_is_a(one, parts[1]) for one in value.values())
-    if kind is float:
-        return isinstance(value, int | float) and not isinstance(value, bool)
-    if kind is int:
-        return isinstance(value, int) and not isinstance(value, bool)
-    return isinstance(value, kind) if kind in (bool, str, NoneType) else True
 
 
 def plain_json(skeleton: "Skeleton") -> str:
@@ -142,22 +100,17 @@ def read_json(name: str, text: str) -> tuple[dict[str, Any], Report]:
         content = json.loads(text)
         if content["format"] != f"msf_jax {KIND}" or content["version"] != VERSION:
             raise ValueError(f"it is a {content['format']!r} of version {content['version']!r}")
-        whole = {key: np.array(content[key], dtype=np.int64) for key in ("edges", "mesh_map")}
-        curve: dict[str, Any] = {key: np.array(content[key], dtype=np.float64) for key in ("vertices", "radii")} | whole
-        curve["edges"] = curve["edges"].reshape(-1, 2)
-        num = len(curve["vertices"])
-        is_right = curve["vertices"].shape == (num, 3) and curve["radii"].shape == (num,) and num > 0
-        for key in ("roots", "openings"):
-            curve[key] = tuple(int(node) for node in content.get(key, ()))
-        nodes = (curve["edges"].ravel(), curve["mesh_map"].ravel(), np.array(curve["roots"] + curve["openings"]))
-        is_right &= all(((index >= 0) & (index < num)).all() for index in nodes)
-        if not (is_right and np.isfinite(curve["vertices"]).all() and np.isfinite(curve["radii"]).all()):
-            raise ValueError("arrays do not fit together")
-        curve["radius_of"], curve["units"] = str(content.get("radius_of", "ball")), str(content.get("units", ""))
-        if curve["radius_of"] not in ("ball", "section"):
-            raise ValueError("the radii are of nothing that is known")
-        return curve, Report.from_dict(content["report"])
-    except (ValueError, KeyError, TypeError, AttributeError) as error:
+        held = content | {key: _array(content[key], (int, float), np.float64) for key in ("vertices", "radii")}
+        held |= {key: _array(held.get(key, []), (int,), np.int64) for key in ("edges", "mesh_map", "roots", "openings")}
+        return checked_curve(held), checked_report(content["report"])
+    except (ValueError, KeyError, TypeError, AttributeError, OverflowError, RecursionError, MemoryError) as error:
         raise ConfigError(
             f"{name!r} has no curve ({type(error).__name__}: {error}): expected a file of msf_jax"
         ) from error
+
+
+def _array(values: Any, kinds: tuple[type, ...], dtype: Any) -> np.ndarray:
+    """``values`` as an array, if all are of ``kinds``: NumPy would take a boolean for a number."""
+    if not set(map(type, np.array(values, dtype=object).ravel().tolist())) <= set(kinds):
+        raise TypeError(f"{str(values)[:40]} is no array of numbers")
+    return np.array(values, dtype=dtype)

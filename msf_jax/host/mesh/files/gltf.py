@@ -9,7 +9,7 @@ import math
 from pathlib import Path
 from typing import Any
 
-from msf_jax.base.decoding import decoded
+from msf_jax.host.decoding import decoded
 from msf_jax.host.mesh.files.unpacking import MOST_INSTANCES, SMALL, check_shown
 
 JSON, BINARY = b"JSON", b"BIN\0"  # types of chunks

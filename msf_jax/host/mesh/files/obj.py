@@ -8,7 +8,7 @@ import re
 
 import numpy as np
 
-from msf_jax.base.decoding import lines_of
+from msf_jax.host.decoding import lines_of
 from msf_jax.host.mesh.files.off import triangulated
 
 NUMBER, INDEX = r"(?: [-+.\deE]+)", r"[1-9]\d*"

@@ -8,7 +8,7 @@ import re
 
 import numpy as np
 
-from msf_jax.base.decoding import lines_of
+from msf_jax.host.decoding import lines_of
 from msf_jax.host.mesh.filling import cap
 
 PLAIN = re.compile(r"\s*OFF\s+(\d+)[ \t]+(\d+)[ \t]+\d+[ \t]*[\r\n]", re.IGNORECASE)  # all three counts on a line
@@ -87,6 +87,7 @@ def _by_word(words: list[str], num: int, num_faces: int) -> tuple[list[list[str]
     return rows, sides
 
 
+@np.errstate(all="ignore")  # coordinates may be too large, which their reader says, or not finite, which repair corrects
 def triangulated(vertices: np.ndarray, polygons: list[list[int]]) -> np.ndarray:
     """(F, 3) triangles of ``polygons``, lists of corners. Polygons of fewer than three corners are dropped.
 

@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from msf_jax.base.decoding import decoded, has_mark, lines_of
+from msf_jax.host.decoding import decoded, has_mark, lines_of
 from msf_jax.host.mesh.files.off import triangulated
 
 HEADER = re.compile(rb"\A(ply\b.*?[\r\n])end_header[ \t]*(?:\r\n|\n|\r)", re.DOTALL)

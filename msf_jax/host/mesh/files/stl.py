@@ -4,7 +4,7 @@ import re
 
 import numpy as np
 
-from msf_jax.base.decoding import decoded
+from msf_jax.host.decoding import decoded
 
 HEADER, ROW = 84, np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attribute", "<u2")])
 WORDS, VERTICES = 21, (7, 11, 15)  # of a facet in text: how many, and where "vertex" is
