@@ -8,7 +8,6 @@ import numpy as np
 from msf_jax.base.errors import ConfigError
 from msf_jax.host.decoding import decoded, lines_of
 from msf_jax.skeleton.formats import parsing, polylines, swc, whole
-from msf_jax.skeleton.formats.checking import checked_curve
 from msf_jax.skeleton.skeleton import Skeleton, curve_of
 
 
@@ -48,8 +47,8 @@ def read_curve(path: str | os.PathLike[str]) -> Skeleton:
     try:
         pairs = np.unique(np.sort(np.array(edges, dtype=np.int64).reshape(-1, 2), axis=1), axis=0)
         pairs = pairs[pairs[:, 0] != pairs[:, 1]]
-        checked = checked_curve({"vertices": vertices, "edges": pairs, "radii": radii})
-    except OverflowError:  # the array has no room for such an id
+        checked = whole.checked_curve({"vertices": vertices, "edges": pairs, "radii": radii})
+    except OverflowError:  # an id is too large for the array
         raise ConfigError(f"{name!r} has edges to nodes that it does not have: its ids have too many digits") from None
     except ValueError as error:
         raise ConfigError(f"{name!r} is no curve: {error}") from None

@@ -7,7 +7,6 @@ from pathlib import Path
 from msf_jax.base.errors import ConfigError
 from msf_jax.host.decoding import decoded
 from msf_jax.skeleton.formats import export, swc, text, whole
-from msf_jax.skeleton.formats.checking import checked_report
 
 
 def lines_of(path: str | os.PathLike[str]) -> list[str]:
@@ -42,4 +41,4 @@ def _of_json(content: str) -> list[str]:
     values = json.loads(content)
     if not isinstance(values, dict):
         raise TypeError("no skeleton")
-    return str(checked_report(values["report"])).splitlines()
+    return str(whole.checked_report(values["report"])).splitlines()

@@ -87,7 +87,7 @@ def _by_word(words: list[str], num: int, num_faces: int) -> tuple[list[list[str]
     return rows, sides
 
 
-@np.errstate(all="ignore")  # coordinates may be too large, which their reader says, or not finite, which repair corrects
+@np.errstate(all="ignore")  # coordinates may not be finite, or their squares: whoever asked for them checks that
 def triangulated(vertices: np.ndarray, polygons: list[list[int]]) -> np.ndarray:
     """(F, 3) triangles of ``polygons``, lists of corners. Polygons of fewer than three corners are dropped.
 
