@@ -248,7 +248,7 @@ def file_variants(folder: Path) -> dict[str, Any]:
         "wide.obj": "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n".encode("utf-16-le"),
         "cut off.stl": limb().export(file_type="stl")[:-7],
         "cut off too.stl": limb().export(file_type="stl_ascii")[:-30],
-        "far.ply": limb().apply_scale(1e300).export(file_type="ply", encoding="ascii"),
+        "far.obj": "v 1e308 0 0\nv -1e308 0 0\nv 0 1e308 0\nf 1 2 3\n",
         "false list.ply": limb().export(file_type="ply", encoding="ascii").replace(b"\n3 ", b"\n4 ", 1),
         "nested.gltf": '{"a":' * 100_000,
         "archive.zip": "PK",
