@@ -1,11 +1,13 @@
 """Many meshes: the same table from processes and from a cluster, errors alone, nothing done twice."""
 
 import csv
+import json
 import os
 import re
 import signal
 import subprocess
 import sys
+import threading
 import time
 import warnings
 from contextlib import nullcontext
@@ -107,6 +109,31 @@ def test_a_cluster_gives_the_same_table(folder, tmp_path):
         if row["output"]:
             other = tmp_path / "there" / Path(row["output"]).relative_to(tmp_path / "here")
             assert other.read_bytes() == Path(row["output"]).read_bytes()
+
+
+@pytest.mark.system
+def test_a_scheduler_that_dies_is_named(folder, tmp_path):
+    """It has no workers, so that it is in the middle of the batch whenever it is killed."""
+    pytest.importorskip("distributed")
+    file = tmp_path / "scheduler.json"
+    command = [sys.executable, "-m", "distributed.cli.dask_scheduler", "--port", "0", "--no-dashboard"]
+    scheduler = subprocess.Popen([*command, "--scheduler-file", str(file)], stderr=subprocess.DEVNULL)
+    while not (file.exists() and file.stat().st_size):
+        assert scheduler.poll() is None
+        time.sleep(0.05)
+    address = json.loads(file.read_text())["address"]
+    threading.Timer(2.0, scheduler.kill).start()
+    try:
+        with (
+            warnings.catch_warnings(),
+            pytest.raises(ConnectionError, match=f"the Dask scheduler at '{address}' has ended"),
+        ):
+            warnings.simplefilter("ignore")  # its own, on closing
+            batch.run(paths_in(folder), tmp_path / "out", scheduler=address)
+    finally:
+        scheduler.kill()
+        scheduler.wait()
+    assert (tmp_path / "out" / batch.MANIFEST).exists()
 
 
 @pytest.mark.system

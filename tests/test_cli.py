@@ -1,5 +1,6 @@
 """The command line as a user meets it: files, exit codes, one clear line for what is wrong."""
 
+import os
 import re
 import subprocess
 import sys
@@ -136,6 +137,44 @@ def test_bad_options_are_one_clear_line_and_exit_2(options, message, ball, tmp_p
 def test_a_bad_target_is_found_before_the_flow(out, message, ball, tmp_path, capsys):
     assert main(["skeletonize", str(ball), "-o", str(tmp_path / out)]) == 2
     assert message in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("option", ["-o", "--picture", "--checkpoint"])
+def test_a_link_to_nowhere_is_found_before_the_flow(option, ball, tmp_path, capsys, monkeypatch):
+    monkeypatch.setattr("msf_jax.flow.skeletonize.skeletonize", pytest.fail)
+    (tmp_path / "link.swc").symlink_to(tmp_path / "nowhere" / "out.swc")
+    (tmp_path / "link.png").symlink_to(tmp_path / "nowhere" / "out.png")
+    link = tmp_path / ("link.png" if option == "--picture" else "link.swc")
+    assert (
+        main(
+            ["skeletonize", str(ball), *([] if option == "-o" else ["-o", str(tmp_path / "a.swc")]), option, str(link)]
+        )
+        == 2
+    )
+    assert f"no folder '{tmp_path / 'nowhere'}'" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("name", ["ball\ud800.off", "\udcff.off"])
+def test_a_name_that_is_no_text_is_one_clear_line(name, ball, tmp_path, capsys):
+    assert main(["skeletonize", str(tmp_path / name), "-o", str(tmp_path / "a.swc")]) == 2
+    assert main(["skeletonize", str(ball), "-o", str(tmp_path / "\ud800.swc")]) == 2
+    assert main(["skeletonize", str(ball), "-o", str(tmp_path / "a.swc"), "--units", "\ud800"]) == 2
+    assert capsys.readouterr().err.count("\n") == 3
+
+
+@pytest.mark.system
+def test_bytes_that_the_locale_has_no_letters_for(ball, tmp_path):
+    """A mesh and a page with a byte in their names that is no UTF-8, and a unit, with and without UTF-8."""
+    command = [os.fsencode(sys.executable), b"-m", b"msf_jax"]
+    folder = os.fsencode(tmp_path)
+    mesh = folder + b"/\xff.off"
+    os.rename(ball, mesh)
+    for locale in ({"PYTHONUTF8": "1"}, {"PYTHONUTF8": "0", "PYTHONCOERCECLOCALE": "0", "LC_ALL": "C"}):
+        given = {"check": True, "capture_output": True, "env": os.environ | locale}
+        subprocess.run([*command, b"skeletonize", mesh, b"-o", folder + b"/a.swc", "--units", "µm".encode()], **given)
+        assert "# units: µm" in (tmp_path / "a.swc").read_text("utf-8")
+        done = subprocess.run([*command, b"view", mesh, b"-o", folder + b"/\xff.html"], **given)
+        assert b"udcff" in done.stdout and os.path.exists(folder + b"/\xff.html")
 
 
 @pytest.mark.system

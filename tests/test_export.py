@@ -308,3 +308,38 @@ def test_wrong_swc_is_an_error_that_names_the_line(tmp_path, name):
     (tmp_path / "a.swc").write_bytes(WRONG_SWC[name])
     with pytest.raises(ConfigError, match="line 2"):
         msf_jax.read_curve(tmp_path / "a.swc")
+
+
+@pytest.mark.parametrize("suffix", [".swc", ".ply", ".graphml", ".json", ".npz"])
+@pytest.mark.parametrize(("value", "says"), [(-5.0, "negative radius, -5"), (1e308, "choose another unit")])
+def test_a_radius_that_is_none_is_refused_in_every_format(lollipop, tmp_path, suffix, value, says):
+    lollipop.radii[3] = value
+    lollipop.save(tmp_path / f"a{suffix}")
+    with pytest.raises(ConfigError, match=says):
+        msf_jax.read_curve(tmp_path / f"a{suffix}")
+
+
+@pytest.mark.parametrize(
+    ("name", "content"),
+    [
+        ("a.obj", f"v 0 0 0\nv 1 0 0\nl 1 {2**70}\n"),
+        ("a.cg", f"v 0 0 0\nv 1 0 0\ne 1 {2**70}\n"),
+        ("a.obj", "v 0 0 0\nv 1e308 0 0\nl 1 2\n"),
+        ("a.swc", "1 1 0 0 0 1 -1\n2 1 -1e308 0 0 1 1\n"),
+        ("a.polylines.txt", f"{2**70} 0 0 0 1 1 1\n"),
+        ("a.ply", "ply\nformat ascii 1.0\nelement vertex 99999999999999999999\nproperty float x\nend_header\n"),
+        ("a.json", "[" * 100_000),
+    ],
+)
+def test_numbers_that_are_too_large_are_errors(tmp_path, name, content):
+    (tmp_path / name).write_text(content)
+    with pytest.raises(ConfigError, match=f"'{name}'"):
+        msf_jax.read_curve(tmp_path / name)
+
+
+@pytest.mark.parametrize("between", ["\u0085", "\u2028", "\u2029", "\x1c", "\x0b", "\x0c"])
+@pytest.mark.parametrize("encoding", ["utf-8", "utf-8-sig", "utf-16", "latin-1"])
+def test_what_splits_lines_only_in_python_may_be_in_a_comment(tmp_path, between, encoding):
+    text = f"# a{between}comment\n1 1 0 0 0 1 -1\r\n2 1 1 0 0 1 1\r3 1 2 0 0 1 2\n"
+    (tmp_path / "a.swc").write_bytes(text.encode(encoding, "replace"))
+    assert msf_jax.read_curve(tmp_path / "a.swc").edges.tolist() == [[0, 1], [1, 2]]

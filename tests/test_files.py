@@ -1,5 +1,7 @@
 """Files as found: OFF of quads and polygons, 3MF, scenes with transforms; each is read, or the reason is true."""
 
+import json
+import struct
 from pathlib import Path
 
 import numpy as np
@@ -9,7 +11,8 @@ import trimesh
 
 import msf_jax
 from msf_jax.base.errors import MeshError
-from msf_jax.host.mesh import checking, off, reading, unpacking
+from msf_jax.host.mesh import checking, reading
+from msf_jax.host.mesh.files import off, unpacking
 
 L_SHAPE = np.array([[0, 0], [2, 0], [2, 1], [1, 1], [1, 2], [0, 2]], dtype=float)
 
@@ -183,3 +186,181 @@ def test_read_mesh_is_public_and_reads_as_skeletonize_does(tmp_path: Path):
     path = written(tmp_path / "prism.off", " ")
     for mine, ours in zip(msf_jax.read_mesh(path), reading.read(path), strict=True):
         np.testing.assert_array_equal(mine, ours)
+
+
+CUBE = trimesh.creation.box([1.0, 2.0, 3.0])
+
+
+def obj_of(vertices, faces) -> str:
+    return "".join(f"v {x} {y} {z}\n" for x, y, z in vertices) + "".join(
+        f"f {' '.join(str(corner + 1) for corner in face)}\n" for face in faces
+    )
+
+
+def relative(text: str, num: int) -> str:
+    """With the same corners counted back from where they are, and a cube after them that moves no index."""
+    lines = text.splitlines()
+    for row, line in enumerate(lines):
+        if line[0] == "f":
+            lines[row] = "f " + " ".join(str(int(word) - 1 - num) for word in line.split()[1:])
+    return "\n".join([*lines, *(f"v 9 9 {k}" for k in range(5))]) + "\n"
+
+
+TEXT = obj_of(*prism())
+ODD_OBJ = {
+    "byte-order mark": TEXT.encode("utf-8-sig"),
+    "UTF-16": TEXT.encode("utf-16"),
+    "carriage returns": TEXT.replace("\n", "\r\n").encode(),
+    "tabs": TEXT.replace(" ", "\t").encode(),
+    "indented": TEXT.replace("\n", "\n  ").encode(),
+    "continued": TEXT.replace("f 6 5", "f 6 \\\n5").encode(),
+    "comments": TEXT.replace("\n", " # 0\n").encode(),
+    "counted back": relative(TEXT, 12).encode(),
+}
+
+
+@pytest.mark.parametrize("name", ODD_OBJ)
+def test_an_obj_is_read_as_it_is_meant(tmp_path: Path, name):
+    """And its faces of six corners, an L, are cut as those of an OFF file are."""
+    (tmp_path / "a.obj").write_bytes(ODD_OBJ[name])
+    vertices, faces = reading.read(tmp_path / "a.obj")
+    np.testing.assert_array_equal(vertices[:12], prism()[0])
+    assert faces.shape == (20, 3) and volume(vertices, faces) == pytest.approx(3 * 0.7)
+    area = np.linalg.norm(np.cross(*np.moveaxis(np.diff(vertices[faces], axis=1), 1, 0)), axis=1).sum() / 2
+    assert area == pytest.approx(2 * 3 + 8 * 0.7)
+
+
+def test_materials_of_an_obj_with_odd_lines_are_kept(tmp_path: Path):
+    (tmp_path / "a.mtl").write_text("newmtl red\nKd 1 0 0\n")
+    (tmp_path / "a.obj").write_text("mtllib a.mtl\nusemtl red\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nf -3/1 -2/1 -1/1\n")
+    (part,) = reading.parts(tmp_path / "a.obj")
+    assert part.visual.material.main_color.tolist()[:3] == [255, 0, 0]
+
+
+@pytest.mark.parametrize(
+    ("name", "content", "says"),
+    [
+        ("a.obj", obj_of(*prism()).replace("f 6", "f 0"), "line 13 has index 0: OBJ counts from 1"),
+        ("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf -1 -2 -4\n", "line 4 has index -4, out of range: 3 are before it"),
+        ("a.obj", "v 0 0 0\nv 1 0 0\nf -1 -2 3\n", "index 3, out of range: expected 1 to 2"),
+        ("a.obj", "v 0 0 0\nv 1 0\n", "line 2 is 'v 1 0': expected at least three after v"),
+        ("a.obj", "v 0 0 0\n".encode("utf-16-le"), "UTF-16 without a byte-order mark: save it as UTF-8"),
+        ("a.stl", trimesh.creation.box().export(file_type="stl_ascii")[:900], "cut off: a solid has no endsolid"),
+        ("a.stl", 2 * CUBE.export(file_type="stl_ascii")[:-60] + "\n", "cut off: a solid has no endsolid"),
+        (
+            "a.stl",
+            trimesh.creation.box().export(file_type="stl")[:-9],
+            "cut off, or no STL: 12 triangles need 684 bytes",
+        ),
+        ("a.ply", CUBE.export(file_type="ply", encoding="ascii").replace(b"\n3 1 3 0", b"\n4 1 3 0"), "a list|cut off"),
+        ("a.ply", CUBE.export(file_type="ply", encoding="ascii").replace(b"\n3 1 3 0", b"\n3 1 3.5 0"), "whole number"),
+    ],
+)
+def test_a_file_that_would_be_read_as_another_mesh_is_refused(tmp_path: Path, name, content, says):
+    (tmp_path / name).write_bytes(content if isinstance(content, bytes) else content.encode())
+    with pytest.raises(MeshError, match=says):
+        reading.read(tmp_path / name)
+
+
+@pytest.mark.parametrize("form", ["ascii", "binary_little_endian", "binary_big_endian"])
+def test_polygons_of_a_ply_file_become_triangles(tmp_path: Path, form):
+    vertices, faces = prism()
+    order = {"ascii": "", "binary_little_endian": "<", "binary_big_endian": ">"}[form]
+    if order:
+        rows = [struct.pack(f"{order}3d", *vertex) for vertex in vertices]
+        rows += [struct.pack(f"{order}B{len(face)}i", len(face), *face) for face in faces]
+    else:
+        rows = [
+            " ".join(map(str, row)).encode() + b"\n" for row in [*vertices, *([len(face), *face] for face in faces)]
+        ]
+    header = ["ply", f"format {form} 1.0", "element vertex 12", *(f"property double {axis}" for axis in "xyz")]
+    header += ["element face 8", "property list uchar int vertex_index", "end_header\n"]
+    (tmp_path / "a.ply").write_bytes("\n".join(header).encode() + b"".join(rows))
+    assert volume(*reading.read(tmp_path / "a.ply")) == pytest.approx(3 * 0.7)
+
+
+@pytest.mark.parametrize("encoding", ["ascii", "binary"])
+def test_colours_of_a_ply_file_are_kept_for_other_formats(tmp_path: Path, encoding):
+    box = trimesh.creation.box()
+    box.visual.vertex_colors = np.arange(32, dtype=np.uint8).reshape(8, 4)
+    (tmp_path / "a.ply").write_bytes(box.export(file_type="ply", encoding=encoding))
+    (part,) = reading.parts(tmp_path / "a.ply")
+    np.testing.assert_array_equal(part.visual.vertex_colors, box.visual.vertex_colors)
+
+
+def glb(path: Path, change=lambda _: None) -> Path:
+    """A ball as a binary glTF, its JSON changed."""
+    content = trimesh.Scene(trimesh.creation.icosphere(1)).export(file_type="glb")
+    size = struct.unpack("<I", content[12:16])[0]
+    document = json.loads(content[20 : 20 + size])
+    change(document)
+    text = json.dumps(document).encode()
+    text += b" " * (-len(text) % 4)
+    rest = struct.pack("<I", len(text)) + b"JSON" + text + content[20 + size :]
+    path.write_bytes(b"glTF" + struct.pack("<II", 2, 12 + len(rest)) + rest)
+    return path
+
+
+def primitive(document):
+    return document["meshes"][0]["primitives"][0]
+
+
+def accessor(document, name="POSITION"):
+    found = primitive(document)
+    return document["accessors"][found["attributes"].get(name, found["indices"])]
+
+
+def instanced(document):
+    node = next(node for node in document["nodes"] if "mesh" in node)
+    node["extensions"] = {"EXT_mesh_gpu_instancing": {"attributes": {"TRANSLATION": 0}}}
+
+
+NOT_READ = {
+    "a sparse accessor": lambda d: accessor(d).update(sparse={"count": 1}),
+    "its indices is a sparse accessor": lambda d: accessor(d, "indices").update(sparse={"count": 1}),
+    "needs EXT_mesh_gpu_instancing, .*export its instances as nodes": instanced,
+    "needs KHR_draco_mesh_compression, .*without Draco": lambda d: d.update(
+        extensionsRequired=["KHR_draco_mesh_compression"]
+    ),
+    "needs EXT_meshopt_compression, .*without meshopt": lambda d: d.update(
+        extensionsRequired=["EXT_meshopt_compression"]
+    ),
+    "needs ACME_bend, which is not supported": lambda d: d.update(extensionsRequired=["ACME_bend"]),
+    "morph targets": lambda d: (primitive(d).update(targets=[{"POSITION": 0}]), d["meshes"][0].update(weights=[0.5])),
+    "triangle fan": lambda d: primitive(d).update(mode=6),
+    "normalized integers": lambda d: accessor(d).update(normalized=True),
+}
+
+
+@pytest.mark.parametrize("says", NOT_READ)
+def test_what_is_not_supported_in_gltf_is_refused_by_its_name(tmp_path: Path, says):
+    assert len(reading.read(glb(tmp_path / "a.glb"))[1]) == 80
+    with pytest.raises(MeshError, match=says):
+        reading.read(glb(tmp_path / "a.glb", NOT_READ[says]))
+
+
+def test_morph_targets_without_weights_do_not_move_the_mesh(tmp_path: Path):
+    path = glb(tmp_path / "a.glb", lambda d: primitive(d).update(targets=[{"POSITION": 0}]))
+    assert len(reading.read(path)[1]) == 80
+
+
+HUGE = [(1e308, 0, 0), (-1e308, 1e308, 0), (0, 0, 1e308), (0, 0, -1e308), (1e308, 1e308, 0)]
+PENTAGONS = [[0, 1, 2, 3, 4], [4, 3, 2, 1, 0], [0, 1, 2, 3]]
+
+
+@pytest.mark.parametrize("suffix", ["off", "obj", "ply", "stl"])
+def test_coordinates_whose_squares_overflow_are_refused(tmp_path: Path, suffix):
+    """Also in polygons, which are cut before coordinates are checked."""
+    rows = [" ".join(map(str, row)) for row in [*HUGE, *([len(face), *face] for face in PENTAGONS)]]
+    header = "ply\nformat ascii 1.0\nelement vertex 5\nproperty double x\nproperty double y\nproperty double z\n"
+    header += "element face 3\nproperty list uchar int vertex_index\nend_header\n"
+    text = {
+        "off": "\n".join(["OFF", "5 3 0", *rows]),
+        "obj": obj_of(HUGE, PENTAGONS),
+        "ply": header + "\n".join(rows),
+        "stl": trimesh.creation.box().export(file_type="stl_ascii").replace("0.5", "1e308"),
+    }
+    (tmp_path / f"a.{suffix}").write_text(text[suffix])
+    for finite in (True, False):
+        with pytest.raises(MeshError, match=r"choose another unit|cannot be cut"):
+            reading.read(tmp_path / f"a.{suffix}", finite=finite)

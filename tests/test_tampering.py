@@ -19,7 +19,9 @@ import msf_jax
 from msf_jax import Config, ConfigError, MeshError, Tape
 from msf_jax.app.cli import main
 from msf_jax.base import archive
-from msf_jax.host.mesh import reading, unpacking
+from msf_jax.host.mesh import reading
+from msf_jax.host.mesh.files import unpacking
+from msf_jax.skeleton.skeleton import curve_of
 from tests.benchmarks import tampering
 
 ONCE = Config(max_iterations=3)
@@ -209,9 +211,85 @@ def test_ids_of_3mf_are_those_of_one_model(tmp_path, monkeypatch):
 def test_a_scene_that_shows_too_much_is_refused(tmp_path, monkeypatch):
     (tmp_path / "scene.gltf").write_bytes(tampering._gltf({}, nodes=30))
     assert len(reading.read(tmp_path / "scene.gltf")[1]) == 30
-    monkeypatch.setattr(reading, "MOST_SHOWN", 20)
-    with pytest.raises(MeshError, match="its scene has 30 meshes"):
+    monkeypatch.setattr(unpacking, "MOST_INSTANCES", 20)
+    with pytest.raises(MeshError, match="30 instances"):
         reading.read(tmp_path / "scene.gltf")
+
+
+def changed_gltf(path, **changes):
+    """A triangle as glTF, with members of its JSON changed: of the first accessor, buffer view, buffer or mesh."""
+    document = json.loads(tampering._gltf({}))
+    for place, change in changes.items():
+        document[place][0] |= change
+        document[place][0] = {key: value for key, value in document[place][0].items() if value is not None}
+    path.write_text(json.dumps(document))
+    return path
+
+
+@pytest.mark.parametrize(
+    ("says", "changes"),
+    [
+        ("POSITION has no bufferView, and so no data", {"accessors": {"bufferView": None}}),
+        ("accessors have 2400000012 bytes", {"accessors": {"bufferView": None, "count": 200_000_000}}),
+        ("accessor 0 has 36 bytes: expected 2400000000", {"accessors": {"count": 200_000_000}}),
+        ("accessor 0 has 36 bytes: expected 40", {"accessors": {"byteOffset": 4}}),
+        ("buffer view 0 ends after its buffer", {"bufferViews": {"byteLength": 49}}),
+        (r"buffer 0 has \d+ bytes: expected 4000000000", {"buffers": {"byteLength": 4_000_000_000}}),
+        ("-1' for a count", {"accessors": {"count": -1}}),
+    ],
+)
+def test_gltf_has_bytes_behind_its_numbers_before_it_is_loaded(tmp_path, monkeypatch, says, changes):
+    assert len(reading.read(changed_gltf(tmp_path / "a.gltf"))[1]) == 1
+    monkeypatch.setattr(trimesh, "load", None)
+    with pytest.raises(MeshError, match=says):
+        reading.read(changed_gltf(tmp_path / "a.gltf", **changes))
+
+
+def test_what_gltf_repeats_is_counted_before_it_is_loaded(tmp_path, monkeypatch):
+    """A primitive, a node, and the bytes of a buffer."""
+    monkeypatch.setattr(trimesh, "load", None)
+    document = json.loads(tampering._gltf({}))
+    repeated = {
+        "30000 primitives": lambda d: d["meshes"][0].update(primitives=30_000 * d["meshes"][0]["primitives"]),
+        "30000 instances and 90000 triangles": lambda d: d.update(nodes=30_000 * d["nodes"]),
+        "views have 14400012 bytes": lambda d: d["bufferViews"].extend(399_999 * d["bufferViews"][:1]),
+    }
+    for says, change in repeated.items():
+        copy = json.loads(json.dumps(document))
+        change(copy)
+        (tmp_path / "a.gltf").write_text(json.dumps(copy))
+        with pytest.raises(MeshError, match=says):
+            reading.read(tmp_path / "a.gltf")
+
+
+@pytest.mark.parametrize("place", ["_load", "_as_vertices", "_as_faces"])
+def test_a_lack_of_memory_is_an_error_of_the_mesh(tmp_path, monkeypatch, place):
+    def fail(*_, **__):
+        raise MemoryError
+
+    monkeypatch.setattr(reading, place, fail)
+    with pytest.raises(MeshError, match="needs more memory than there is"):
+        reading.read(changed_gltf(tmp_path / "a.gltf"))
+
+
+PEAK = """
+import resource, sys
+from msf_jax.host.mesh import reading
+before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+try: reading.read(sys.argv[1])
+except reading.MeshError: pass
+print((resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - before) // 1000)
+"""
+
+
+@pytest.mark.system
+def test_a_large_3mf_needs_little_more_memory_than_its_numbers(tmp_path):
+    """40 MB of XML, in MB: a million vertices are 24 MB, and a parsed tree of them 400 MB."""
+    places = np.random.default_rng(0).integers(0, 10**6, (10**6, 3)).tolist()
+    more = b"".join(b'<vertex x="%d" y="%d" z="%d"/>' % tuple(place) for place in places)
+    path = written_3mf(tmp_path / "large.3mf", inside=tampering._mesh(1, more))
+    done = subprocess.run([sys.executable, "-c", PEAK, str(path)], capture_output=True, text=True, check=True)
+    assert int(done.stdout) < 200
 
 
 @pytest.mark.system
@@ -289,3 +367,47 @@ def test_weights_are_no_pipe_and_no_deep_list(tmp_path):
     for name, says in (("pipe.json", "is not a regular file"), ("deep.json", "has no weights")):
         with pytest.raises(ConfigError, match=says):
             msf_jax.read_weights(tmp_path / name)
+
+
+def curve_json(tmp_path, **changes):
+    """The file of a curve of two nodes, with members changed, and those of its report."""
+    skeleton = curve_of(np.array([[0.0, 0, 0], [1, 0, 0]]), np.array([[0, 1]]), np.ones(2))
+    skeleton.save(tmp_path / "a.json")
+    content = json.loads((tmp_path / "a.json").read_text())
+    content |= changes | {"report": content["report"] | changes.get("report", {})}
+    (tmp_path / "a.json").write_text(json.dumps(content))
+    return tmp_path / "a.json"
+
+
+@pytest.mark.parametrize(
+    "changes",
+    [
+        {"radii": [1.0, -5.0]},
+        {"radii": [1.0]},
+        {"radii": [True, 1.0]},
+        {"edges": [[0.7, 1.9]]},
+        {"edges": [[0, 2]]},
+        {"edges": [[0, 2**70]]},
+        {"edges": [0, 1]},
+        {"edges": [[False, True]]},
+        {"mesh_map": [0.0]},
+        {"mesh_map": [[0]]},
+        {"roots": [0.5]},
+        {"openings": [2]},
+        {"vertices": [[0.0, 0, 0], [1e308, 0, 0]]},
+        {"vertices": [["0", 0, 0], [1, 0, 0]]},
+        {"units": "\ud800"},
+        {"units": 3},
+        {"report": {"inside": 1e9}},
+        {"report": {"inside": -0.1}},
+        {"report": {"in_sheets": 2}},
+        {"report": {"converged": "no"}},
+        {"report": {"genus": -1}},
+        {"report": {"loops": True}},
+        {"report": {"doubts": "no"}},
+    ],
+)
+def test_an_altered_json_is_no_curve(tmp_path, changes):
+    msf_jax.read_curve(curve_json(tmp_path))
+    with pytest.raises(ConfigError, match=r"'a\.json' has no curve"):
+        msf_jax.read_curve(curve_json(tmp_path, **changes))

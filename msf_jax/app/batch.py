@@ -120,7 +120,7 @@ def run(
     Raises:
         ConfigError: an option is out of range, a path is given twice, there are no paths, or an earlier batch wrote the
             curve of another mesh to the same file.
-        OSError: the folder cannot be written.
+        OSError: the folder cannot be written, or the scheduler has ended.
     """
     weights, config = checked_options(weights, config)
     if suffix not in export.WRITERS:
@@ -154,11 +154,11 @@ def run(
                 bar.update(1, Path(row["path"]).name)
                 done[row["path"]] = row
                 if time.monotonic() - written > TABLE_EVERY:
-                    write_whole(folder / MANIFEST, os.fsencode(_table(tuple(done.values()))))
+                    write_whole(folder / MANIFEST, _table(tuple(done.values())))
                     written = time.monotonic()
     finally:  # the table is written after Ctrl-C, too
         rows = tuple(filter(None, map(_known, planned)))
-        write_whole(folder / MANIFEST, os.fsencode(_table(rows)))
+        write_whole(folder / MANIFEST, _table(rows))
     return Batch(rows, folder / MANIFEST, len(missing))
 
 
@@ -325,6 +325,11 @@ def _on_cluster(scheduler: str) -> Iterator[Results]:
             if future.status == "error" and isinstance(future.exception(), distributed.KilledWorker):
                 job = futures[future]
                 yield _noted(job, {"path": job.source, "output": "", "error": DIED, "key": job.key})
+            elif future.status == "cancelled":  # by nobody here
+                raise ConnectionError(
+                    f"the Dask scheduler at {scheduler!r} has ended: the curves so far and their rows are written; "
+                    "start it again and repeat the batch, which does the rest"
+                )
             else:
                 yield future.result()
 

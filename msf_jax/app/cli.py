@@ -8,6 +8,7 @@ Help and errors appear without delay: commands import modules on demand, and JAX
 """
 
 import argparse
+import io
 import os
 import sys
 from collections.abc import Sequence
@@ -33,10 +34,15 @@ LISTED = 10  # failed meshes of a batch, or doubtful frames, that are printed
 def main(argv: Sequence[str] | None = None) -> int:
     """Run the command line with ``argv`` (the process's own if not given); returns the exit code."""
     arguments = parsed(_parser(), sys.argv[1:] if argv is None else list(argv))
+    for stream in (sys.stdout, sys.stderr):
+        if isinstance(stream, io.TextIOWrapper):  # a name may have characters that the terminal's encoding has not
+            stream.reconfigure(errors="backslashreplace")
     try:
         return arguments.run(arguments)
     except (MeshError, ConfigError, FlowError) as error:
         return _fail(str(error), 2)
+    except UnicodeEncodeError as error:
+        return _fail(f"the system has no bytes for the name {error.object!r}: choose another one", 2)
     except OSError as error:
         return _fail(f"{error.strerror or error}: {error.filename}" if error.filename else str(error), 2)
     except KeyboardInterrupt:
@@ -223,7 +229,7 @@ def _target(arguments: argparse.Namespace, suffix: str) -> Path:
 def _checked_target(path: str, *others: str) -> Path:
     """``path``, if it can be written to and is not one of ``others``."""
     target = Path(path)
-    folder = target.absolute().parent
+    folder = Path(os.path.realpath(path)).parent  # of the target, if it is a link
     if not path or target.is_dir():
         raise ConfigError(f"{path!r} is no file name: expected the name of a file to write")
     if not folder.is_dir():

@@ -2,6 +2,7 @@
 
 import argparse
 import math
+import os
 from typing import TYPE_CHECKING, NamedTuple
 
 from msf_jax.base.errors import ConfigError
@@ -61,7 +62,17 @@ def asked_for(arguments: argparse.Namespace) -> Shaping:
         root = arguments.root if arguments.root in ("soma", "thickest") else _place(arguments.root)
     scale = 1.0 if arguments.scale is None else arguments.scale
     lengths = arguments.resample, arguments.simplify, arguments.heal
-    return Shaping(scale, arguments.units or "", *lengths, root, arguments.radius)
+    return Shaping(scale, _text(arguments.units or ""), *lengths, root, arguments.radius)
+
+
+def _text(units: str) -> str:
+    """``units``, read as UTF-8 where the locale has another encoding."""
+    try:
+        if any("\ud800" <= letter <= "\udfff" for letter in units):  # bytes that the locale has no letter for
+            units = os.fsencode(units).decode()
+    except UnicodeError:
+        raise ConfigError(f"--units is {units!a}: expected text in UTF-8") from None
+    return units
 
 
 def _place(text: str) -> tuple[float, ...]:

@@ -9,10 +9,11 @@ from pathlib import Path
 def write_whole(path: str | os.PathLike[str], content: str | bytes) -> None:
     """Write ``content`` to a new file and rename that to ``path``. So ``path`` is never a partly written file.
 
-    If ``path`` is a link, its target is replaced. The new file has the permissions of the old one.
+    If ``path`` is a link, its target is replaced. The new file has the permissions of the old one. Text is UTF-8.
+    Bytes of a name that are not, which Python keeps as halves of surrogate pairs, are written as they are.
     """
     target = Path(os.path.realpath(path))
-    data = content.encode() if isinstance(content, str) else content
+    data = content.encode("utf-8", "surrogateescape") if isinstance(content, str) else content
     beside = target.with_name(f".msf_jax-{secrets.token_hex(8)}.tmp")
     try:
         with open(beside, "xb") as file:

@@ -1,26 +1,32 @@
-"""Mutated mesh files at validation: each is a mesh or a `MeshError`, in little time and memory, and nothing else.
+"""Mutated mesh files at validation: each is its mesh or a `MeshError`, in little time and memory, and nothing else.
 
     python -m tests.benchmarks.fuzz [--files N] [--seed N] [--seconds S] [--memory GB]
 
-Prints, for each format, how many files were tried, read, refused, and the longest time that one took.
+Prints, for each format, how many files were tried, read, refused, and the longest time that one took. A file of OBJ,
+PLY, OFF or GLB that is read must be the mesh that `parsers` finds in it; "lenient" are files that those do not allow.
 """
 
 import argparse
 import io
+import json
 import resource
 import signal
+import struct
 import sys
 import tempfile
 import time
 import traceback
 from collections import Counter
+from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import trimesh
 
 from msf_jax import MeshError
-from msf_jax.host.mesh import checking
+from msf_jax.host.mesh import checking, reading
+from tests.benchmarks import parsers
 
 HOSTILE = [
     *("nan", "inf", "-inf", "1e999", "-1", "0", "", "1000000000", "99999999999999999999", "0x10", "1/2/3", "é"),
@@ -44,7 +50,53 @@ def originals() -> dict[str, bytes]:
         "ascii ply": exported("ply", encoding="ascii"),
         "stl": exported("stl"),
         "ascii stl": exported("stl_ascii"),
+        "glb": exported("glb"),
+        "3mf": exported("3mf"),
+        "marked obj": exported("obj").decode().encode("utf-8-sig"),
+        "wide obj": exported("obj").decode().encode("utf-16"),
+        "backward obj": backward(exported("obj").decode(), len(mesh.vertices)).encode(),
     }
+
+
+def backward(text: str, num: int) -> str:
+    """An OBJ file whose faces count back from their line, with vertices after them."""
+    lines = [
+        " ".join(["f", *(str(int(word.split("/")[0]) - 1 - num) for word in line.split()[1:])])
+        if line.startswith("f ")
+        else line
+        for line in text.splitlines()
+    ]
+    return "\n".join([*lines, "v 9 9 9", "v 8 8 8"]) + "\n"
+
+
+# Changes of a GLB's JSON that a reader must see, or that ask for too much.
+LIES: list[Callable[[dict[str, Any]], Any]] = [
+    lambda d: d["accessors"][0].pop("bufferView", None),
+    lambda d: d["accessors"][0].update(count=200_000_000),
+    lambda d: d["accessors"][0].update(count=d["accessors"][0]["count"] - 3),
+    lambda d: (d["accessors"][0].pop("bufferView", None), d["accessors"][0].update(count=200_000_000)),
+    lambda d: d["accessors"][1].update(sparse={"count": 1}),
+    lambda d: d["accessors"][1].update(byteOffset=12),
+    lambda d: d["bufferViews"][-1].update(byteLength=2**40),
+    lambda d: d["bufferViews"][-1].update(byteStride=4),
+    lambda d: d["meshes"][0].update(primitives=300 * d["meshes"][0]["primitives"]),
+    lambda d: d["meshes"][0].update(weights=[1.0]),
+    lambda d: d["meshes"][0]["primitives"][0].update(mode=6),
+    lambda d: d["nodes"][-1].update(extensions={"EXT_mesh_gpu_instancing": {}}),
+    lambda d: d["nodes"][-1].update(translation=[1, 2, 3]),
+    lambda d: d.update(extensionsRequired=["ACME_bend"]),
+]
+
+
+def with_lies(content: bytes, random: np.random.Generator) -> bytes:
+    """A GLB with one of `LIES`."""
+    size = struct.unpack("<I", content[12:16])[0]
+    document = json.loads(content[20 : 20 + size])
+    LIES[random.integers(len(LIES))](document)
+    text = json.dumps(document).encode()
+    text += b" " * (-len(text) % 4)
+    rest = struct.pack("<I", len(text)) + b"JSON" + text + content[20 + size :]
+    return b"glTF" + struct.pack("<II", 2, 12 + len(rest)) + rest
 
 
 def mutated(content: bytes, others: list[bytes], random: np.random.Generator) -> bytes:
@@ -74,6 +126,18 @@ def mutated(content: bytes, others: list[bytes], random: np.random.Generator) ->
     return content
 
 
+def judged(path: Path, content: bytes) -> str:
+    """Whether what is read is what `parsers` finds; a `MeshError` if it is not read."""
+    vertices, faces = reading.read(path, finite=False)
+    suffix = path.suffix[1:]
+    if suffix not in parsers.PARSERS:
+        return "read"
+    found = parsers.corners(suffix, content)
+    if found is None:
+        return "lenient"
+    return "read" if parsers.are_same(vertices[faces], found) else "ANOTHER MESH"
+
+
 class TooSlow(BaseException):
     """A file took longer than it may."""
 
@@ -93,17 +157,22 @@ def fuzz(num: int, seed: int, seconds: int, *, show: bool = False) -> tuple[list
         with tempfile.TemporaryDirectory() as folder:
             for number in range(num):
                 name = list(files)[number % len(files)]
-                content = mutated(files[name], list(files.values()), random)
+                is_lie = name == "glb" and random.random() < 0.5
+                content = (
+                    with_lies(files[name], random) if is_lie else mutated(files[name], list(files.values()), random)
+                )
                 path = Path(folder) / f"mesh.{name.split()[-1]}"
                 path.write_bytes(content)
-                start = time.perf_counter()
+                start, outcome = time.perf_counter(), ""
                 signal.alarm(seconds)
                 sys.stdout = io.StringIO()
                 try:
+                    outcome = judged(path, content)
+                    if outcome == "ANOTHER MESH":
+                        wrong.append(f"file {number}, {name}: it is another mesh than {content[:300]!r} says")
                     checking.prepare(path, repair=number % 3 == 0)
-                    outcome = "read"
                 except MeshError:
-                    outcome = "refused"
+                    outcome = outcome or "refused"  # else it was read, and is no solid
                 except BaseException as error:
                     outcome = "FAILED"
                     wrong.append(f"file {number}, {name}, {content[:300]!r}\n{traceback.format_exc()}")
@@ -118,9 +187,10 @@ def fuzz(num: int, seed: int, seconds: int, *, show: bool = False) -> tuple[list
                     print(f"{number} of {num}, {len(wrong)} failed", file=sys.stderr)
     finally:
         signal.signal(signal.SIGALRM, previous)
-    lines = ["| format | files | read | refused | failed | longest, s |", "| --- | --- | --- | --- | --- | --- |"]
+    kinds = ("read", "lenient", "refused", "ANOTHER MESH", "FAILED")
+    lines = [f"| format | files | {' | '.join(kinds)} | longest, s |", "| --- " * 8 + "|"]
     for name in files:
-        counts = [outcomes[name, outcome] for outcome in ("read", "refused", "FAILED")]
+        counts = [outcomes[name, outcome] for outcome in kinds]
         lines.append(f"| {name} | {sum(counts)} | {' | '.join(map(str, counts))} | {longest[name]:.2f} |")
     return lines, wrong
 

@@ -228,12 +228,29 @@ def _gltf(accessor: dict[str, Any], uri: str | None = None, nodes: int = 1) -> b
     return json.dumps(content).encode()
 
 
+def _repeated(what: str, num: int) -> bytes:
+    """A glTF with its primitive, or its first buffer view, so many times."""
+    document = json.loads(_gltf({}))
+    if what == "meshes":
+        document["meshes"][0]["primitives"] *= num
+    else:
+        document[what] += num * document[what][:1]
+    return json.dumps(document).encode()
+
+
+def _vertices(num: int) -> bytes:
+    """Elements that do not compress to nothing: 40 bytes each."""
+    places = np.random.default_rng(0).integers(0, 10**6, (num, 3)).tolist()
+    return b"".join(b'<vertex x="%d" y="%d" z="%d"/>' % tuple(place) for place in places)
+
+
 DECLARED = b'<?xml version="1.0"?><!DOCTYPE model [<!ENTITY a "ha">' + b"".join(
     b'<!ENTITY %c "%s">' % (98 + k, b"&%c;" % (97 + k) * 30) for k in range(8)
 ) + b"]>"  # fmt: skip
 
 BOMBS: dict[str, Callable[[], bytes]] = {
     "empty elements.3mf": lambda: _model(_mesh(1, b"<a/>" * 50_000_000)),
+    "100 MB.3mf": lambda: _model(_mesh(1, _vertices(2_500_000))),
     "vertices.3mf": lambda: _model(_mesh(1, b'<vertex x="0" y="0" z="0"/>' * 8_000_000)),
     "zeros.3mf": lambda: _zipped("3D/3dmodel.model", b"<model>" + b"\0" * 2**30),
     "parts of parts.3mf": lambda: _of_itself(12),
@@ -241,12 +258,20 @@ BOMBS: dict[str, Callable[[], bytes]] = {
     "deep.3mf": lambda: _model(b"<a>" * 100_000 + b"</a>" * 100_000),
     "count.gltf": lambda: _gltf({"count": 3_000_000_000}),
     "without a view.gltf": lambda: _gltf({"count": 3_000_000_000, "bufferView": None}),
+    "zeros.gltf": lambda: _gltf({"count": 200_000_000, "bufferView": None}),
+    "primitives.gltf": lambda: _repeated("meshes", 300_000),
+    "views.gltf": lambda: _repeated("bufferViews", 500_000),
+    "strides.gltf": lambda: _gltf({"type": "MAT4", "count": 3_000_000}),
     "endless.gltf": lambda: _gltf({}, "../../../../../../../../dev/zero"),
     "instances.gltf": lambda: _gltf({}, nodes=200_000),
+    "wide.gltf": lambda: b'{"a":[' + b"{}," * 3_000_000 + b"{}]}",
     "nested.gltf": lambda: b'{"a":' * 1_000_000,
     "endless.obj": lambda: b"mtllib ../../../../../../../../dev/zero\nusemtl a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n",
     "counts.off": lambda: b"OFF\n2000000000 2000000000 0\n0 0 0\n",
     "polygon.off": lambda: b"OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n2000000000 0 1 2\n",
+    "count.ply": lambda: (
+        b"ply\nformat ascii 1.0\nelement vertex 1\nproperty list uint double x\nend_header\n4000000000 1 2 3\n"
+    ),
     "counts.ply": lambda: (
         b"ply\nformat binary_little_endian 1.0\nelement vertex 2000000000\nproperty float x\n"
         b"property float y\nproperty float z\nelement face 2000000000\nproperty list uchar int vertex_indices\n"
@@ -259,6 +284,7 @@ BOMBS: dict[str, Callable[[], bytes]] = {
     "deep.json": lambda: b"[" * 1_000_000,
     "deep too.json": lambda: b'{"report": ' + b'{"a": ' * 1_000_000,
     "text for numbers.json": lambda: json.dumps({"report": _report() | {"volume": "much"}}).encode(),
+    "huge.obj": lambda: b"v 1e308 0 0\nv -1e308 0 0\nv 0 1e308 0\nf 1 2 3\n",
     "escapes.swc": lambda: b"# report: \x1b]0;owned\x07\x1b[2Jhello\n1 0 0 0 0 1 -1\n",
 }
 

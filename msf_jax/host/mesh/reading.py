@@ -1,12 +1,14 @@
 """Reading of a mesh from a path, an object or arrays: triangles, or an error that says what was found.
 
-trimesh reads files, except OFF, whose polygons it does not always read, and VTK's formats, which pyvista reads. The
+The formats are in `files`: OFF, PLY, STL and 3MF are read there. OBJ and glTF are checked there, and then read by
+trimesh, as others are, except VTK's formats, which pyvista reads. Sizes are checked before memory is allocated. The
 meshes of a scene become one list of triangles, placed as in the scene. STL has no indices, so corners that differ only
 in the last bits of a float32 become one vertex.
 """
 
 import importlib.util
 import inspect
+import io
 import logging
 import os
 from collections.abc import Iterator
@@ -17,17 +19,17 @@ from typing import Any
 import numpy as np
 import trimesh
 from scipy import spatial
+from trimesh.resolvers import FilePathResolver
 
 from msf_jax.base.errors import MeshError
 from msf_jax.host import graphs
-from msf_jax.host.mesh import off, unpacking
+from msf_jax.host.decoding import decoded
+from msf_jax.host.mesh.files import gltf, obj, off, ply, stl, unpacking
 
 SMALLEST = 1e-150  # the mesh's units: smallest extent allowed; its inverse is the largest coordinate allowed
 ARCHIVES = {"zip", "bz2", "gz", "tar", "tar.gz", "tar.bz2", "tgz"}  # refused: they can unpack to more than memory
 VTK = {"vtp", "vtk", "vtu", "vti", "vtr", "vts"}  # formats that need pyvista
-WITHOUT_INDICES = {"stl", "stl_ascii"}  # formats whose faces have corners, not vertex ids
 SAME_CORNER = 2.0**-22  # ratio to the largest coordinate: corners within a few of float32's last bits are one vertex
-MOST_SHOWN, MOST_FACES = 50_000, 20_000_000  # the largest numbers of meshes in a scene, and of their faces in all
 OR_REPAIR = ", or use repair=True (--repair)"  # ends the message of an error that repair can correct
 
 
@@ -56,21 +58,22 @@ def read(mesh: Any, *, finite: bool = True) -> tuple[np.ndarray, np.ndarray]:
     Raises:
         MeshError: there is no such file, it has no triangle mesh, or the arrays have the wrong shape or values.
     """
-    if isinstance(mesh, str | os.PathLike):
-        found = _load(Path(mesh))
-        mesh = found[0] if len(found) == 1 else trimesh.util.concatenate(found)
-    if hasattr(mesh, "extract_surface"):
-        mesh = _of_pyvista(mesh, type(mesh).__name__)
-    if hasattr(mesh, "vertices") and hasattr(mesh, "faces"):
-        vertices, faces = mesh.vertices, mesh.faces
-    elif isinstance(mesh, tuple | list) and len(mesh) == 2:
-        vertices, faces = mesh
-    else:
-        raise MeshError(
-            f"cannot take a mesh from {type(mesh).__name__}: expected a path, an object with vertices and faces "
-            "(a trimesh.Trimesh), a pyvista mesh, or a pair (vertices, faces)"
-        )
-    return _as_vertices(vertices, finite), _as_faces(faces, len(vertices))
+    with _enough_memory("the mesh"):
+        if isinstance(mesh, str | os.PathLike):
+            found = _load(mesh)
+            mesh = found[0] if len(found) == 1 else trimesh.util.concatenate(found)
+        if hasattr(mesh, "extract_surface"):
+            mesh = _of_pyvista(mesh, type(mesh).__name__)
+        if hasattr(mesh, "vertices") and hasattr(mesh, "faces"):
+            vertices, faces = mesh.vertices, mesh.faces
+        elif isinstance(mesh, tuple | list) and len(mesh) == 2:
+            vertices, faces = mesh
+        else:
+            raise MeshError(
+                f"cannot take a mesh from {type(mesh).__name__}: expected a path, an object with vertices and faces "
+                "(a trimesh.Trimesh), a pyvista mesh, or a pair (vertices, faces)"
+            )
+        return _as_vertices(vertices, finite), _as_faces(faces, len(vertices))
 
 
 def readable_suffixes() -> list[str]:
@@ -93,20 +96,21 @@ def _of_pyvista(mesh: Any, name: str) -> trimesh.Trimesh:
     return trimesh.Trimesh(np.asarray(surface.points, dtype=np.float64), faces, process=False)
 
 
-def _without_doubles(loaded: trimesh.Trimesh) -> trimesh.Trimesh:
-    """A mesh of a format without indices with coincident corners merged to one vertex, in the order of the file."""
-    corners = np.asarray(loaded.vertices, dtype=np.float64)
-    if not np.isfinite(corners).all() or len(corners) == 0:
-        return loaded
+def _without_doubles(triangles: np.ndarray) -> trimesh.Trimesh:
+    """The mesh of ``triangles`` (T, 3, 3) with coincident corners merged to one vertex, in the order of the file."""
+    corners, faces = triangles.reshape(-1, 3), np.arange(3 * len(triangles)).reshape(-1, 3)
+    largest = float(np.abs(corners).max())
+    if not largest <= 1 / SMALLEST:  # or not finite
+        return trimesh.Trimesh(corners, faces, process=False)
     places, first, inverse = np.unique(corners, axis=0, return_index=True, return_inverse=True)
-    pairs = spatial.KDTree(places).query_pairs(SAME_CORNER * float(np.abs(places).max()), output_type="ndarray")
+    pairs = spatial.KDTree(places).query_pairs(SAME_CORNER * largest, output_type="ndarray")
     label = graphs.labels(len(places), *pairs.T)
     earliest = np.full(label.max() + 1, len(corners))
     np.minimum.at(earliest, label, first)
     order = np.argsort(earliest)
     rank = np.empty(len(order), dtype=np.int64)
     rank[order] = np.arange(len(order))
-    faces = rank[label[inverse.ravel()]][loaded.faces]
+    faces = rank[label[inverse.ravel()]][faces]
     return trimesh.Trimesh(corners[earliest[order]], faces, process=False)
 
 
@@ -114,7 +118,7 @@ def parts(mesh: Any) -> list[trimesh.Trimesh]:
     """The meshes that ``mesh`` consists of, each where the scene places it, with all attributes of its file. Their
     concatenated vertices and faces are those of `read`. The caller's object is not changed."""
     if isinstance(mesh, str | os.PathLike):
-        return _load(Path(mesh))
+        return _load(mesh, with_attributes=True)
     if isinstance(mesh, trimesh.Trimesh):
         return [mesh.copy(include_cache=True)]
     return [trimesh.Trimesh(*read(mesh, finite=False), process=False)]
@@ -124,15 +128,19 @@ def _placed(scene: trimesh.Scene) -> list[trimesh.Trimesh]:
     """The meshes of a scene; unlike `trimesh.Scene.dump`, it keeps their normals."""
     size = {name: len(mesh.faces) for name, mesh in scene.geometry.items() if isinstance(mesh, trimesh.Trimesh)}
     shown = [(name, transform) for transform, name in (scene.graph[node] for node in scene.graph.nodes_geometry)]
-    if len(shown) > MOST_SHOWN or sum(size.get(name, 0) for name, _ in shown) > MOST_FACES:
-        raise ValueError(f"its scene has {len(shown)} meshes, or too many triangles in all")
+    unpacking.check_shown(len(shown), sum(size.get(name, 0) for name, _ in shown), sum(size.values()))
     copies = [(scene.geometry[name].copy(include_cache=True), transform) for name, transform in shown if name in size]
     return [part.apply_transform(transform) for part, transform in copies]
 
 
-def _load(path: Path) -> list[trimesh.Trimesh]:
-    """The meshes in a file, as in `parts`; at least one."""
-    if not path.exists():
+def _load(given: str | os.PathLike[str], *, with_attributes: bool = False) -> list[trimesh.Trimesh]:
+    """The meshes in a file, as in `parts`; at least one. Without attributes, some formats have no colours."""
+    path = Path(given)
+    try:
+        is_there = path.exists()
+    except UnicodeEncodeError:  # half of a surrogate pair is no character of any system's names
+        is_there = False
+    if not is_there:
         raise MeshError(f"no file {str(path)!r}: check the path")
     if path.is_dir():
         raise MeshError(f"{str(path)!r} is a folder: expected one mesh file")
@@ -150,33 +158,56 @@ def _load(path: Path) -> list[trimesh.Trimesh]:
             "export it to one of these"
         )
     try:
-        if suffix == "off":
-            vertices, faces = off.parsed(path.read_text(encoding="utf-8", errors="replace"))
-            return [trimesh.Trimesh(vertices, faces, process=False)]
-        if suffix in VTK:
-            return [_of_pyvista(importlib.import_module("pyvista").read(path), repr(path.name))]
-        has_paths = suffix in unpacking.IN_XML and unpacking.check(path)
-        with _quiet_loader():
-            source: Any = {"file_obj": unpacking.merged(path), "file_type": suffix} if has_paths else {"file_obj": path}
-            loaded = trimesh.load(**source, process=False, maintain_order=True)
-            found = _placed(loaded) if isinstance(loaded, trimesh.Scene) else [loaded]
-        if suffix in WITHOUT_INDICES and isinstance(loaded, trimesh.Trimesh):
-            found = [_without_doubles(loaded)]
+        with _enough_memory(repr(path.name)), _quiet_loader():
+            found = _meshes_of(path, suffix, with_attributes)
     except MeshError:
         raise
-    except MemoryError as error:
-        raise MeshError(f"{path.name!r} needs more memory than there is: it is damaged or too large") from error
-    except Exception as error:  # for a damaged file trimesh's readers raise exceptions of many types
+    except Exception as error:  # for a damaged file the readers raise exceptions of many types
         reason = str(error).strip().splitlines()[0] if str(error).strip() else type(error).__name__
         raise MeshError(
             f"cannot read {path.name!r} as {suffix}: it is damaged, or its suffix is wrong ({reason[:200]})"
         ) from error
     meshes = [part for part in found if isinstance(part, trimesh.Trimesh)]
     if len(meshes) < len(found):
-        raise MeshError(f"{path.name!r} has a {type(loaded).__name__} without triangles: expected a triangle mesh")
+        kind = next(type(part).__name__ for part in found if not isinstance(part, trimesh.Trimesh))
+        raise MeshError(f"{path.name!r} has a {kind} without triangles: expected a triangle mesh")
     if not meshes:
         raise MeshError(f"{path.name!r} has no triangles: expected a triangle mesh")
     return meshes
+
+
+def _meshes_of(path: Path, suffix: str, with_attributes: bool) -> list[Any]:
+    """What a file of a known format has."""
+    if suffix in VTK:
+        return [_of_pyvista(importlib.import_module("pyvista").read(path), repr(path.name))]
+    if suffix == "3mf":
+        return [trimesh.Trimesh(*mesh, process=False) for mesh in unpacking.meshes_of_3mf(path)]
+    if suffix == "off":
+        return [trimesh.Trimesh(*off.parsed(decoded(path.read_bytes())), process=False)]
+    if suffix in ("stl", "stl_ascii"):
+        return [_without_doubles(corners) for corners in stl.solids(path.read_bytes())]
+    if suffix == "ply":
+        content = path.read_bytes()
+        vertices, faces = ply.mesh(content)
+        if with_attributes and len(loaded := _by_trimesh(io.BytesIO(content), suffix, path)) == 1:
+            corners = loaded[0].vertices[loaded[0].faces]
+            if np.array_equal(corners, vertices[faces], equal_nan=True):
+                return loaded
+        return [trimesh.Trimesh(vertices, faces, process=False) if len(faces) else trimesh.PointCloud(vertices)]
+    if suffix == "obj":
+        return _by_trimesh(io.BytesIO(obj.plain(decoded(path.read_bytes())).encode()), suffix, path)
+    if suffix in ("gltf", "glb"):
+        gltf.check(path)
+    elif suffix in unpacking.IN_XML:
+        unpacking.check(path)
+    return _by_trimesh(path, suffix, path)
+
+
+def _by_trimesh(source: Any, suffix: str, path: Path) -> list[Any]:
+    """What trimesh reads from ``source``, a path or a stream of the content of the file at ``path``."""
+    given = {} if source is path else {"file_type": suffix, "resolver": FilePathResolver(str(path))}
+    loaded: Any = trimesh.load(source, process=False, maintain_order=True, **given)
+    return _placed(loaded) if isinstance(loaded, trimesh.Scene) else [loaded]
 
 
 def check_map(mesh_map: np.ndarray, num_vertices: int) -> None:
@@ -186,6 +217,15 @@ def check_map(mesh_map: np.ndarray, num_vertices: int) -> None:
             f"the mesh has {num_vertices} vertices, but the skeleton was made from one of {len(mesh_map)}: expected "
             "the same mesh, with its vertices in the same order"
         )
+
+
+@contextmanager
+def _enough_memory(what: str) -> Iterator[None]:
+    """Turn a lack of memory into a `MeshError`."""
+    try:
+        yield
+    except MemoryError as error:
+        raise MeshError(f"{what} needs more memory than there is: it is damaged or too large") from error
 
 
 @contextmanager
@@ -215,7 +255,8 @@ def _as_vertices(vertices: Any, finite: bool) -> np.ndarray:
     if len(bad) and finite:
         raise MeshError(f"{count(bad, 'vertex', 'vertices')} not finite (NaN or infinite): correct them{OR_REPAIR}")
     sound = array[np.isfinite(array).all(axis=1)]
-    extent = float(np.ptp(sound, axis=0).max()) if len(sound) else 0.0
+    with np.errstate(over="ignore"):
+        extent = float(np.ptp(sound, axis=0).max()) if len(sound) else 0.0
     largest = float(np.abs(sound).max(initial=0.0))
     if 0 < extent < SMALLEST or largest > 1 / SMALLEST:
         raise MeshError(

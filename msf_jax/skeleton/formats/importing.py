@@ -6,6 +6,7 @@ from pathlib import Path
 import numpy as np
 
 from msf_jax.base.errors import ConfigError
+from msf_jax.host.decoding import decoded, lines_of
 from msf_jax.skeleton.formats import parsing, polylines, swc, whole
 from msf_jax.skeleton.skeleton import Skeleton, curve_of
 
@@ -35,26 +36,23 @@ def read_curve(path: str | os.PathLike[str]) -> Skeleton:
     suffix = next((suffix for suffix in [".json", *READERS] if name.lower().endswith(suffix)), None)
     if suffix is None:
         raise ConfigError(f"cannot read {name!r}: expected one of {', '.join(['.npz', '.json', *READERS])}")
-    if b"\0" in content:
-        raise ConfigError(f"{name!r} is no text: expected a {suffix} file as text")
     try:
-        text = content.decode("utf-8-sig")
-    except UnicodeDecodeError:
-        text = content.decode("latin-1")  # only comments can differ: numbers are ASCII
+        text = decoded(content)
+    except ValueError as error:
+        raise ConfigError(f"{name!r} is no text: expected a {suffix} file as text ({error})") from None
     if suffix == ".json":
         arrays, report = whole.read_json(name, text)
         return Skeleton(**arrays, report=report)
-    return _checked(name, *READERS[suffix](name, text.splitlines()))
-
-
-def _checked(name: str, vertices: np.ndarray, edges: object, radii: np.ndarray) -> Skeleton:
-    pairs = np.unique(np.sort(np.array(edges, dtype=np.int64).reshape(-1, 2), axis=1), axis=0)
-    pairs = pairs[pairs[:, 0] != pairs[:, 1]]
-    if len(pairs) and not (pairs.min() >= 0 and pairs.max() < len(vertices)):
-        raise ConfigError(f"{name!r} has edges to nodes that it does not have: expected ids below {len(vertices)}")
-    if len(vertices) == 0 or not np.isfinite(vertices).all() or not np.isfinite(radii).all():
-        raise ConfigError(f"{name!r} has {len(vertices)} nodes, not all finite: expected at least one, with numbers")
-    return curve_of(vertices, pairs, radii)
+    vertices, edges, radii = READERS[suffix](name, lines_of(text))
+    try:
+        pairs = np.unique(np.sort(np.array(edges, dtype=np.int64).reshape(-1, 2), axis=1), axis=0)
+        pairs = pairs[pairs[:, 0] != pairs[:, 1]]
+        checked = whole.checked_curve({"vertices": vertices, "edges": pairs, "radii": radii})
+    except OverflowError:  # an id is too large for the array
+        raise ConfigError(f"{name!r} has edges to nodes that it does not have: its ids have too many digits") from None
+    except ValueError as error:
+        raise ConfigError(f"{name!r} is no curve: {error}") from None
+    return curve_of(checked["vertices"], checked["edges"], checked["radii"])
 
 
 READERS = {

@@ -6,6 +6,7 @@ import networkx as nx
 import numpy as np
 
 from msf_jax.base.errors import ConfigError
+from msf_jax.host.mesh.files.ply import tables
 
 Parsed = tuple[np.ndarray, list[tuple[int, int]], np.ndarray]
 
@@ -43,35 +44,14 @@ def _listed(name: str, lines: list[str], kind: str) -> Parsed:
 
 def ply(name: str, lines: list[str]) -> Parsed:
     """PLY as text, with elements vertex (x, y, z, and radius if there is one) and edge (vertex1, vertex2)."""
-    elements: list[tuple[str, int, list[str]]] = []
-    rows = iter(lines)
     try:
-        if next(rows).strip() != "ply":
-            raise ValueError("it does not begin with ply")
-        for line in rows:
-            words = line.split()
-            if words[:1] == ["format"] and words[1] != "ascii":
-                raise ValueError(f"it is {words[1]}: expected ascii")
-            if words[:1] == ["element"]:
-                elements.append((words[1], int(words[2]), []))
-            elif words[:1] == ["property"]:
-                elements[-1][2].append(words[-1])
-            elif words[:1] == ["end_header"]:
-                break
-        held = {
-            element: np.array([next(rows).split()[: len(columns)] for _ in range(count)], dtype=np.float64).reshape(
-                -1, max(len(columns), 1)
-            )
-            for element, count, columns in elements
-        }
-        columns = {element: names for element, _, names in elements}
-        at = [columns["vertex"].index(axis) for axis in "xyz"]
-        ends = [columns["edge"].index(end) for end in ("vertex1", "vertex2")]
-        nodes, table = held["vertex"][:, at], held["vertex"]
-        radii = table[:, columns["vertex"].index("radius")] if "radius" in columns["vertex"] else np.zeros(len(table))
-        return nodes, [(int(a), int(b)) for a, b in held["edge"][:, ends]], radii
-    except (ValueError, KeyError, IndexError, StopIteration) as error:
-        reason = f"there is no element {error}" if isinstance(error, KeyError) else str(error) or "it is truncated"
+        held = tables("\n".join(lines).encode(), only_text=True)
+        nodes = np.stack([held["vertex"][axis] for axis in "xyz"], axis=1).astype(np.float64)
+        radii = np.asarray(held["vertex"].get("radius", np.zeros(len(nodes))), dtype=np.float64)
+        ends = [held["edge"][end] for end in ("vertex1", "vertex2")]
+        return nodes, [(int(a), int(b)) for a, b in zip(*ends, strict=True)], radii
+    except (ValueError, KeyError, OverflowError) as error:
+        reason = f"there is no {error}" if isinstance(error, KeyError) else str(error)
         raise ConfigError(
             f"{name!r} is no PLY of a curve ({reason}): expected elements vertex, with x, y and z, and edge, with "
             "vertex1 and vertex2, as text"

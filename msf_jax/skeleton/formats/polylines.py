@@ -29,7 +29,7 @@ def parsed(name: str, lines: list[str]) -> tuple[np.ndarray, np.ndarray, np.ndar
         try:
             count, *values = line.split()
             path = np.array(values, dtype=np.float64).reshape(max(int(count), 0), 3)
-        except ValueError:
+        except (ValueError, OverflowError):
             raise ConfigError(
                 f"line {number} of {name!r} is no polyline: expected a count, and as many points of three numbers"
             ) from None

@@ -5,6 +5,7 @@ import os
 from pathlib import Path
 
 from msf_jax.base.errors import ConfigError
+from msf_jax.host.decoding import decoded
 from msf_jax.skeleton.formats import export, swc, text, whole
 
 
@@ -25,7 +26,7 @@ def lines_of(path: str | os.PathLike[str]) -> list[str]:
         if suffix == ".npz":
             found = str(whole.read_npz(path)[1]).splitlines()
         else:
-            content = Path(path).read_text(errors="replace")
+            content = decoded(Path(path).read_bytes())
             found = swc.report_lines(content) if suffix == ".swc" else _of_json(content)
     except (ValueError, KeyError, TypeError, RecursionError, MemoryError) as error:
         if isinstance(error, ConfigError):

@@ -7,6 +7,7 @@ import numpy as np
 
 from msf_jax.base.errors import ConfigError
 from msf_jax.host import graphs
+from msf_jax.host.decoding import lines_of
 from msf_jax.skeleton.formats.text import number, point
 
 if TYPE_CHECKING:
@@ -56,7 +57,7 @@ def _labels(skeleton: "Skeleton", parent: dict[int, int]) -> np.ndarray:
 
 def report_lines(text: str) -> list[str]:
     """The lines of the report in the comments of a file that `written` made; empty for a file of another program."""
-    return [line.removeprefix(REPORT) for line in text.splitlines() if line.startswith(REPORT)]
+    return [line.removeprefix(REPORT) for line in lines_of(text) if line.startswith(REPORT)]
 
 
 def parsed(name: str, lines: list[str]) -> tuple[np.ndarray, list[tuple[int, int]], np.ndarray]:

@@ -1,7 +1,11 @@
-"""Formats for all of a skeleton, with its report: NumPy arrays (``.npz``) and JSON."""
+"""Formats for all of a skeleton, with its report: NumPy arrays (``.npz``) and JSON; and the checks of what is read.
+
+Curves of all formats go through `checked_curve`: types, shapes, ranges and indices.
+"""
 
 import json
 import os
+from collections.abc import Mapping
 from types import NoneType, UnionType
 from typing import TYPE_CHECKING, Any, get_args, get_origin, get_type_hints
 
@@ -10,7 +14,7 @@ import numpy as np
 from msf_jax.base import archive
 from msf_jax.base.errors import ConfigError
 from msf_jax.host.solid.solid import Solid
-from msf_jax.skeleton.report import Report
+from msf_jax.skeleton.report import SENTENCES, Report
 from msf_jax.skeleton.source import Source
 
 if TYPE_CHECKING:
@@ -20,6 +24,10 @@ if TYPE_CHECKING:
 KIND = "skeleton"  # of the file, see `archive`
 VERSION = 2  # of the format
 WITHOUT_DIGEST = 1  # older version of the format that can be read, too
+
+LARGEST = 1e150  # coordinate or radius: squares of larger ones overflow
+ROUNDED = 1e-9  # over 1 that a fraction may be
+FRACTIONS = ("inside", "in_sheets")  # of a report
 
 
 def npz(skeleton: "Skeleton") -> bytes:
@@ -51,24 +59,9 @@ def read_npz(path: str | os.PathLike[str]) -> "tuple[dict[str, Any], Report, Sou
     """
     advice = "save the skeleton anew"
     with archive.reading(path, KIND, VERSION, advice, without_digest=WITHOUT_DIGEST) as (_, held):
-        curve: dict[str, Any] = {name: held[name] for name in ("vertices", "edges", "radii", "mesh_map")}
-        num, (_, edges, radii, mesh_map) = len(curve["vertices"]), curve.values()
-        is_right = curve["vertices"].shape == (num, 3) and radii.shape == (num,) and edges.shape[1:] == (2,)
-        is_right &= all(((index >= 0) & (index < num)).all() for index in (edges, mesh_map)) and mesh_map.ndim == 1
-        is_right &= all(index.dtype.kind in "iu" for index in (edges, mesh_map))
-        is_right &= all(value.dtype.kind == "f" for value in (curve["vertices"], radii)) and bool((radii >= 0).all())
-        if not (num and is_right and all(np.isfinite(value).all() for value in curve.values())):
-            raise ValueError("arrays do not fit together")
-        curve |= {name: np.array(curve[name], dtype=np.float64) for name in ("vertices", "radii")}
-        curve |= {name: np.array(curve[name], dtype=np.int64) for name in ("edges", "mesh_map")}
-        for name in ("roots", "openings"):  # files of version 0.3.0 have no openings
-            numbers = held.get(name, np.empty(0, dtype=np.int64))
-            if numbers.ndim != 1 or numbers.dtype.kind not in "iu" or not ((numbers >= 0) & (numbers < num)).all():
-                raise ValueError(f"the {name} are not ids of nodes")
-            curve[name] = tuple(numbers.tolist())
-        curve["radius_of"], curve["units"] = (str(held.get(*pair)) for pair in (("radius_of", "ball"), ("units", "")))
-        if curve["radius_of"] not in ("ball", "section"):
-            raise ValueError("the radii are of nothing that is known")
+        texts = {name: str(held[name]) for name in ("radius_of", "units") if name in held}
+        curve = checked_curve({**held, **texts})
+        mesh_map = curve["mesh_map"]
         report = checked_report(json.loads(str(held["report"])))
         source = None
         if "surface_vertices" in held:
@@ -91,14 +84,63 @@ def read_npz(path: str | os.PathLike[str]) -> "tuple[dict[str, Any], Report, Sou
     return curve, report, source
 
 
+def checked_curve(held: Mapping[str, Any]) -> dict[str, Any]:
+    """The members of a `Skeleton` but its report and source, from arrays by name, which may lack all but three.
+
+    Raises:
+        ValueError, KeyError, OverflowError: they are no curve; the message says why.
+    """
+    found: dict[str, Any] = {name: np.asarray(held[name]) for name in ("vertices", "radii")}
+    num = len(found["vertices"])
+    for name, shape in (("vertices", (num, 3)), ("radii", (num,))):
+        if found[name].dtype.kind != "f" or found[name].shape != shape:
+            raise ValueError(
+                f"the {name} are {found[name].dtype} of shape {found[name].shape}: expected float, {shape}"
+            )
+        found[name] = np.array(found[name], dtype=np.float64)
+    if not num or not all(np.isfinite(values).all() for values in found.values()):
+        raise ValueError(f"it has {num} nodes, not all finite: expected at least one, with numbers")
+    if (largest := max(float(np.abs(values).max()) for values in found.values())) > LARGEST:
+        raise ValueError(f"it has numbers up to {largest:.3g}: expected none over {LARGEST:g}; choose another unit")
+    if (found["radii"] < 0).any():
+        node = int(found["radii"].argmin())
+        raise ValueError(f"node {node} has a negative radius, {found['radii'][node]:.6g}: expected 0 or more")
+    for name in ("edges", "mesh_map", "roots", "openings"):  # files of other programs, and old ones, lack some
+        index = np.asarray(held[name] if name == "edges" else held.get(name, ()))
+        index = index.astype(np.int64) if index.size == 0 else index
+        if (
+            index.dtype.kind not in "iu"
+            or (name == "edges" and index.shape[1:] != (2,) and index.size)
+            or (name != "edges" and index.ndim != 1)
+        ):
+            raise ValueError(f"the {name} are {index.dtype} of shape {index.shape}: expected ids of nodes")
+        if index.size and not (index.min() >= 0 and index.max() < num):
+            raise ValueError(f"it has {name} to nodes that it does not have: expected ids below {num}")
+        found[name] = index.astype(np.int64)
+    found["edges"] = found["edges"].reshape(-1, 2)
+    found |= {name: tuple(found[name].tolist()) for name in ("roots", "openings")}
+    found |= {name: held.get(name, other) for name, other in (("radius_of", "ball"), ("units", ""))}
+    if found["radius_of"] not in ("ball", "section"):
+        raise ValueError("the radii are of nothing that is known")
+    if not isinstance(found["units"], str) or not found["units"].encode(errors="replace").decode() == found["units"]:
+        raise ValueError("the units are no text")
+    return found
+
+
 def checked_report(values: Any) -> Report:
     """The report from ``values`` of `Report.to_dict`; raises a KeyError, a TypeError or a ValueError for others."""
     if not isinstance(values, dict) or not isinstance(values["figures"], dict):
         raise TypeError("no report")
+    if not all(isinstance(values.get(key, []), list) for key in SENTENCES):
+        raise TypeError(f"{', '.join(SENTENCES)} of the report are no lists")
     report = Report.from_dict(values)
     for name, hint in get_type_hints(Report).items():
-        if not _is_a(getattr(report, name), hint):
-            raise TypeError(f"{name} of the report is {getattr(report, name)!r:.60}")
+        value = getattr(report, name)
+        is_right = _is_a(value, hint)
+        if is_right and isinstance(value, int | float):
+            is_right = not value < 0 and not (name in FRACTIONS and value > 1 + ROUNDED)  # NaN is not known
+        if not is_right:
+            raise TypeError(f"{name} of the report is {value!r:.60}")
     return report
 
 
@@ -142,22 +184,17 @@ def read_json(name: str, text: str) -> tuple[dict[str, Any], Report]:
         content = json.loads(text)
         if content["format"] != f"msf_jax {KIND}" or content["version"] != VERSION:
             raise ValueError(f"it is a {content['format']!r} of version {content['version']!r}")
-        whole = {key: np.array(content[key], dtype=np.int64) for key in ("edges", "mesh_map")}
-        curve: dict[str, Any] = {key: np.array(content[key], dtype=np.float64) for key in ("vertices", "radii")} | whole
-        curve["edges"] = curve["edges"].reshape(-1, 2)
-        num = len(curve["vertices"])
-        is_right = curve["vertices"].shape == (num, 3) and curve["radii"].shape == (num,) and num > 0
-        for key in ("roots", "openings"):
-            curve[key] = tuple(int(node) for node in content.get(key, ()))
-        nodes = (curve["edges"].ravel(), curve["mesh_map"].ravel(), np.array(curve["roots"] + curve["openings"]))
-        is_right &= all(((index >= 0) & (index < num)).all() for index in nodes)
-        if not (is_right and np.isfinite(curve["vertices"]).all() and np.isfinite(curve["radii"]).all()):
-            raise ValueError("arrays do not fit together")
-        curve["radius_of"], curve["units"] = str(content.get("radius_of", "ball")), str(content.get("units", ""))
-        if curve["radius_of"] not in ("ball", "section"):
-            raise ValueError("the radii are of nothing that is known")
-        return curve, Report.from_dict(content["report"])
-    except (ValueError, KeyError, TypeError, AttributeError) as error:
+        held = content | {key: _array(content[key], (int, float), np.float64) for key in ("vertices", "radii")}
+        held |= {key: _array(held.get(key, []), (int,), np.int64) for key in ("edges", "mesh_map", "roots", "openings")}
+        return checked_curve(held), checked_report(content["report"])
+    except (ValueError, KeyError, TypeError, AttributeError, OverflowError, RecursionError, MemoryError) as error:
         raise ConfigError(
             f"{name!r} has no curve ({type(error).__name__}: {error}): expected a file of msf_jax"
         ) from error
+
+
+def _array(values: Any, kinds: tuple[type, ...], dtype: Any) -> np.ndarray:
+    """``values`` as an array, if all are of ``kinds``: NumPy would take a boolean for a number."""
+    if not set(map(type, np.array(values, dtype=object).ravel().tolist())) <= set(kinds):
+        raise TypeError(f"{str(values)[:40]} is no array of numbers")
+    return np.array(values, dtype=dtype)

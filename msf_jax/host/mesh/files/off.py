@@ -8,6 +8,7 @@ import re
 
 import numpy as np
 
+from msf_jax.host.decoding import lines_of
 from msf_jax.host.mesh.filling import cap
 
 PLAIN = re.compile(r"\s*OFF\s+(\d+)[ \t]+(\d+)[ \t]+\d+[ \t]*[\r\n]", re.IGNORECASE)  # all three counts on a line
@@ -22,7 +23,7 @@ def parsed(text: str) -> tuple[np.ndarray, np.ndarray]:
     """
     if (found := _plain(text)) is not None:
         return found
-    lines = [words for words in (line.split("#")[0].split() for line in text.splitlines()) if words]
+    lines = [words for words in (line.split("#")[0].split() for line in lines_of(text)) if words]
     found = HEADER.match(" ".join(lines[0])) if lines else None
     if found is None:
         raise ValueError("it does not begin with OFF")
@@ -86,6 +87,7 @@ def _by_word(words: list[str], num: int, num_faces: int) -> tuple[list[list[str]
     return rows, sides
 
 
+@np.errstate(all="ignore")  # coordinates may not be finite, or their squares: whoever asked for them checks that
 def triangulated(vertices: np.ndarray, polygons: list[list[int]]) -> np.ndarray:
     """(F, 3) triangles of ``polygons``, lists of corners. Polygons of fewer than three corners are dropped.
 
