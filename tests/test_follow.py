@@ -360,16 +360,34 @@ def test_noise_that_is_none_is_refused(limbs, sigma, says):
 
 
 @pytest.mark.slow
-def test_programs_that_are_kept_have_a_bound(limbs, monkeypatch):
-    """One for each capacity; beyond the bound they are made again, and say the same."""
+def test_programs_that_are_kept_have_a_bound(limbs, monkeypatch, compilations):
+    """One for each capacity. Beyond the bound the one that was used longest ago is made again, and says the same."""
     module = importlib.import_module("msf_jax.gradients.follow")
-    monkeypatch.setattr(module, "MOST_PROGRAMS", 1)
-    module._follow.clear_cache()
-    module._kept.clear()
+    monkeypatch.setattr(module, "_program", functools.lru_cache(2)(module._program.__wrapped__))
     vertices, _, skeleton = limbs
     binding, capacity = bindings.unpadded(skeleton.binding), skeleton.binding.capacity
-    sizes = [capacity._replace(nodes=capacity.nodes + 64 * more) for more in range(2)]
-    for capacity in (*sizes, sizes[0]):
-        nodes = np.asarray(msf_jax.follow(bindings.padded(binding, capacity), vertices).nodes)
+    sizes = [capacity._replace(nodes=capacity.nodes + 64 * more) for more in range(3)]
+    for number, is_new in ((0, True), (1, True), (0, False), (2, True), (0, False), (1, True)):
+        compilations.clear()
+        nodes = np.asarray(msf_jax.follow(bindings.padded(binding, sizes[number]), vertices).nodes)
         np.testing.assert_allclose(nodes[: len(skeleton.vertices)], skeleton.vertices, atol=1e-5)
-        assert module._follow._cache_size() <= 1
+        assert bool(compilations) == is_new
+
+
+@pytest.mark.parametrize("mode", ["dtypes", "ranks", "transfers"])
+def test_it_works_in_the_strict_modes_of_jax(limbs, mode):
+    """With the type of the vertices, float32, and without implicit copies to the device."""
+    vertices, _, skeleton = limbs
+    array = jax.device_put(vertices.astype(np.float32))
+    modes = {
+        "dtypes": jax.numpy_dtype_promotion("strict"),
+        "ranks": jax.numpy_rank_promotion("raise"),
+        "transfers": jax.transfer_guard("disallow"),
+    }
+    slope = jax.jit(jax.grad(lambda array: msf_jax.follow(skeleton, array).nodes.sum()))
+    with modes[mode]:
+        for given in (array, vertices.astype(np.float32)):
+            assert msf_jax.follow(skeleton, given).nodes.dtype == np.float32
+        if mode != "transfers":  # compiling copies constants
+            slope(array)
+

@@ -171,3 +171,29 @@ def test_a_batch_of_them():
     alone = [near(filled(), bound(), targets[0]), near(filled(LINE + UNEVEN), bound(3.0), targets[1])]
     np.testing.assert_allclose(found, alone, rtol=1e-12)
     assert msf_jax.losses is losses
+
+
+def test_near_needs_memory_for_a_part_of_the_pairs_only():
+    """Of 10,000 targets and 32 curves, with slopes: all pairs would take 66 GB in float64."""
+    num, many = 6000, jax.ShapeDtypeStruct((32, 10_000, 3), jnp.float64)
+    sizes = CAPACITY._replace(nodes=num, edges=num - 1)
+    every = jax.tree.map(lambda part: jnp.stack([part] * 32), padded(bound(), sizes))
+    found = Followed(jnp.zeros((32, num, 3)), jnp.zeros((32, num)))
+    program = jax.jit(jax.vmap(jax.value_and_grad(losses.near))).lower(found, every, many).compile()
+    assert program.memory_analysis().temp_size_in_bytes < 1e9
+
+
+@pytest.mark.parametrize("count", [1, 31, 32, 100])
+def test_near_in_blocks_is_that_of_all_pairs(count):
+    """Value and slopes, to rounding."""
+    random = np.random.default_rng(count)
+    one, other, counts = random.normal(size=(count, 3)), random.normal(size=(57, 3)), random.random(57) < 0.5
+
+    def pairs(one, other):
+        return jnp.where(counts, ((one[:, None] - other) ** 2).sum(-1), jnp.inf).min(axis=1).sum()
+
+    def blocks(one, other):
+        return losses._to_nearest(one, other, counts).sum()
+
+    for found, expected in zip(*(jax.tree.leaves(jax.jit(jax.value_and_grad(f, (0, 1)))(one, other)) for f in (blocks, pairs)), strict=True):
+        np.testing.assert_allclose(found, expected, rtol=1e-14, atol=1e-14)

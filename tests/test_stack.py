@@ -211,11 +211,15 @@ vertices = jax.numpy.asarray(cases.moved(batch.vertices))
 along = PartitionSpec("meshes")
 spread = jax.shard_map(
     jax.vmap(jax.value_and_grad(cases.weighed, argnums=1)),
-    mesh=Mesh(np.array(jax.devices()), ("meshes",)), in_specs=(along, along), out_specs=(along, along), check_vma=False,
+    mesh=Mesh(np.array(jax.devices()), ("meshes",)), in_specs=(along, along), out_specs=(along, along),
 )
 for one, other in zip(jax.jit(spread)(batch.bindings, vertices), cases.slopes(batch.bindings, vertices)):
     assert len(one.sharding.device_set) == 4
     np.testing.assert_allclose(one, other, rtol=1e-12, atol=1e-12)
+there = jax.devices()[2]
+vertices, skeleton = curves[0]
+for followed in (skeleton, skeleton.binding):
+    assert msf_jax.follow(followed, jax.device_put(vertices, there)).nodes.devices() == {there}
 print("spread over", jax.device_count())
 """
 

@@ -1,9 +1,9 @@
 """Conjugate gradients for A x = b with a symmetric positive definite operator A, differentiated implicitly.
 
 jaxopt's `solve_cg` reports neither its steps nor its residual. So the loop is a jaxopt `IterativeSolver`, whose state
-has both. Derivatives are those of the solution, A dx = db - dA x, in forward and reverse mode. Each derivative costs
-one more solve. With a `jax.checkpoint` whose policy saves the name "solution", the backward pass does not repeat the
-solve for x. The functions in `PRECONDITIONERS` use JAX; `host/factors.py` has a preconditioner on the host.
+has both. It is the solve of a `lax.custom_linear_solve`. So derivatives of any order, in every transformation, are
+those of the solution, A dx = db - dA x. Each derivative costs one more solve. With a `jax.checkpoint` whose policy is
+`keeps_solutions`, the backward pass does not repeat the solve for x. The functions in `PRECONDITIONERS` use JAX; `host/factors.py` has a preconditioner on the host.
 """
 
 import warnings
@@ -15,7 +15,6 @@ from typing import Any, NamedTuple, Protocol
 import jax
 import jax.numpy as jnp
 from jax import lax
-from jax.ad_checkpoint import checkpoint_name
 
 with warnings.catch_warnings():
     warnings.simplefilter("ignore", DeprecationWarning)  # jaxopt announces on import that it is no longer maintained
@@ -26,7 +25,6 @@ from msf_jax.base.options import Solver
 LOOSE = 1e-3  # relative residual: tolerances from here on are reached in float32, whose rounding is 6e-8
 LONG = 4096  # entries: XLA on the CPU has a library for longer reductions
 MOST_HALVINGS = 6  # so that the compiled code does not grow with the mesh
-SOLUTION = "solution"  # name of a solve's result, for the policy of a `jax.checkpoint`
 
 
 class Operator(Protocol):
@@ -164,13 +162,59 @@ def solve(
 
     Stops when the norm of the residual is at most the solver's tolerance times |b|, or when a step changes every entry
     of x by less than ``smallest``.
-    Differentiable in: operator, b; implicitly, in forward and reverse mode, by a solve to the tolerance.
+    If the tolerance is loose, it runs in float32, where a step takes two thirds of the time. The entries of A must then
+    be in float32's range. Under differentiation it runs in the type of b.
+    Differentiable in: operator, b; implicitly, to any order, by solves to the tolerance. A derivative whose solve does
+    not reach the tolerance is NaN.
+    """
+    # A traced tolerance may be tight.
+    if isinstance(solver.tolerance, float) and solver.tolerance >= LOOSE:
+        return _rounded(solver, operator, b, smallest, left)
+    return _solved(solver, operator, b, smallest, left)
+
+
+def keeps_solutions(primitive: Any, *_: Any, **__: Any) -> bool:
+    """A policy for `jax.checkpoint` that stores the results of solves, and recomputes the rest."""
+    return primitive is lax.linear_solve_p
+
+
+def _solved(
+    solver: Solver, operator: Any, b: jax.Array, smallest: Any, left: Any, is_short: bool = False
+) -> tuple[jax.Array, SolveReport]:
+    """`solve` in the type of b, or in float32 if ``is_short``.
+
+    The limits of the solve, |b| and ``smallest``, are two further rows of the unknown and of the right-hand side. JAX
+    calls the same function for derivatives, whose limits are 0: they are solved to the tolerance, and are NaN if not.
+    (As a second array they would be refused, because JAX transposes only what depends on the tangents altogether.)
     """
     size = norm(b)
-    b = b if left is None else b - size * left
-    x, report = _run(*lax.stop_gradient((operator, b, size)), solver, lax.stop_gradient(smallest), may_round=True)
-    report = report._replace(is_solved=checkpoint_name(report.is_solved, SOLUTION))
-    return _solution(solver, operator, b, checkpoint_name(x, SOLUTION)), report
+    right = b if left is None else b - size * left
+    limits = lax.stop_gradient(jnp.stack([size, jnp.asarray(smallest, b.dtype)]))
+    limits = jnp.broadcast_to(limits[:, None], (2, b.shape[1]))
+
+    def product(unknown: jax.Array) -> jax.Array:
+        return jnp.concatenate([operator(unknown[:-2]), unknown[-2:]])
+
+    def solved(_: Any, given: jax.Array) -> Any:
+        rhs, size, smallest = given[:-2], given[-2, 0], given[-1, 0]
+        is_first = size > 0
+        x, report = _run(operator, rhs, jnp.where(is_first, size, norm(rhs)), solver, smallest, is_short)
+        return jnp.concatenate([jnp.where(is_first | report.is_solved, x, jnp.nan), given[-2:]]), report
+
+    given = jnp.concatenate([right, limits])
+    x, report = lax.custom_linear_solve(product, given, solved, symmetric=True, has_aux=True)
+    return x[:-2], report
+
+
+@partial(jax.custom_jvp, nondiff_argnums=(0,))
+def _rounded(solver: Solver, operator: Any, b: jax.Array, smallest: Any, left: Any) -> tuple[jax.Array, SolveReport]:
+    """`solve` in float32. Partial evaluation may drop the rule below: then derivatives are computed in float32, too."""
+    return _solved(solver, operator, b, smallest, left, is_short=True)
+
+
+@_rounded.defjvp
+def _rounded_jvp(solver: Solver, primals: Any, tangents: Any) -> Any:
+    return jax.jvp(partial(_solved, solver), primals, tangents)
 
 
 def solve_outside(
@@ -198,16 +242,13 @@ def _scale(size: jax.Array) -> jax.Array:
 
 
 def _run(
-    operator: Any, b: jax.Array, size: jax.Array, solver: Solver, smallest: Any = 0.0, may_round: bool = False
+    operator: Any, b: jax.Array, size: jax.Array, solver: Solver, smallest: Any, is_short: bool
 ) -> tuple[jax.Array, SolveReport]:
     """Solve for b; residuals are relative to ``size``.
 
-    If the tolerance is loose and it ``may_round``, it runs in float32, where a step takes two thirds of the time. The
-    entries of A must then be in float32's range. The residual is computed from x, so that what the solve leaves is as
-    exact as b, and the solve counts as solved if rounding has at most doubled it.
+    If it ``is_short``, it runs in float32. The residual is computed from x, so that what the solve leaves is as exact
+    as b, and the solve counts as solved if rounding has at most doubled it.
     """
-    # A traced tolerance may be tight.
-    is_short = may_round and isinstance(solver.tolerance, float) and solver.tolerance >= LOOSE
 
     def short(values: Any) -> jax.Array:
         is_real = jnp.issubdtype(jnp.result_type(values), jnp.floating)
@@ -234,22 +275,3 @@ def _iterated(
     x, state = solving.run(jnp.zeros_like(b), b)
     residual = jnp.sqrt(dot(state.residual, state.residual))
     return x, SolveReport(state.iter_num, residual, state.error <= solver.tolerance, state.residual)
-
-
-@partial(jax.custom_jvp, nondiff_argnums=(0,))
-def _solution(solver: Solver, operator: Any, b: jax.Array, x: jax.Array) -> Any:
-    """x, which solves A x = b. Its derivative is that of the solution: A dx = db - dA x."""
-    del solver, operator, b
-    return x
-
-
-@_solution.defjvp
-def _solution_jvp(solver: Solver, primals: Any, tangents: Any) -> Any:
-    (operator, b, x), (d_operator, db, _) = primals, tangents
-    x = _solution(solver, operator, b, x)  # so that second derivatives see that x depends on A and b
-    _, right = jax.jvp(lambda A, rhs: rhs - A(x), (operator, b), (d_operator, db))
-
-    def solved(_: Any, rhs: jax.Array) -> jax.Array:
-        return _run(operator, rhs, norm(rhs), solver)[0]
-
-    return x, lax.custom_linear_solve(operator, right, solved, symmetric=True)

@@ -85,7 +85,8 @@ def nearest_faces(binding: Binding, points: jax.Array, vertices: jax.Array) -> j
         first = jax.ops.segment_min(which.astype(jnp.int32), point, num, indices_are_sorted=True)
         return done + together, least, jnp.where(least < best, first, face)
 
-    start = (jnp.zeros((), jnp.int32), jnp.full(num, jnp.inf, dtype), jnp.zeros(num, jnp.int32))
+    none = 0 * pair[-1]  # not a constant: in a `jax.shard_map` the state must vary from device to device
+    start = (none, jnp.where(some < 0, 0.0, jnp.inf).astype(dtype), jnp.zeros(num, jnp.int32) + none)
     found = lax.while_loop(lambda state: state[0] < pair[-1], test_pairs, start)[2]
     return jnp.minimum(found, binding.live.faces - 1)  # padding repeats the last face
 
@@ -123,7 +124,8 @@ def _is_inside(binding: Binding, points: jax.Array, vertices: jax.Array, face: j
         following = twin[3 * of + (corner + 2) % 3]
         return following.astype(jnp.int32), total, is_done | (following == foot.half_edge), steps + 1
 
-    start = (foot.half_edge, jnp.zeros_like(points), ~foot.is_corner, jnp.zeros((), jnp.int32))
+    none = 0 * foot.half_edge[0]  # not a constant, as above
+    start = (foot.half_edge, jnp.zeros_like(points) + none, ~foot.is_corner, none)
     around = lax.while_loop(lambda state: ~state[2].all() & (state[3] < len(twin)), step, start)[1]
     normal = jnp.where(foot.is_corner[:, None], around, across)
     return ((points - foot.place) * normal).sum(-1) <= 0

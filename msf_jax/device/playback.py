@@ -18,7 +18,7 @@ from msf_jax.base.layout import Layout
 from msf_jax.base.options import StepSettings, Weights
 from msf_jax.device import laplacian
 from msf_jax.device.buffers import Buffers, Rings, slot_product
-from msf_jax.device.cg import SOLUTION
+from msf_jax.device.cg import keeps_solutions
 from msf_jax.device.iteration import move
 
 CUT_AT_ENDS = 1e-30  # diagonals squared: an edge with a smaller squared length is split in the middle
@@ -233,8 +233,7 @@ def _replay_stretch(
 
     lines = stretch._replace(handover=None)
     # Reverse mode stores the workspace and the two solutions of every iteration, and recomputes the rest.
-    kept = jax.checkpoint_policies.save_only_these_names(SOLUTION)
-    return lax.scan(jax.checkpoint(iteration, policy=kept), jnp.concatenate([rows, fresh]), lines)[0]
+    return lax.scan(jax.checkpoint(iteration, policy=keeps_solutions), jnp.concatenate([rows, fresh]), lines)[0]
 
 
 def _cut(workspace: jax.Array, cut: jax.Array, first: int) -> jax.Array:

@@ -4,6 +4,8 @@ Unlike `replay` it depends on no decisions of a run. It averages cross-sections 
 moderate. See `msf_jax.base.binding`.
 """
 
+from collections.abc import Callable, Hashable
+from functools import lru_cache
 from typing import Any, NamedTuple
 
 import jax
@@ -67,15 +69,22 @@ def follow(skeleton: Skeleton | Binding, vertices: Any) -> Followed:
     """
     forking.check()
     binding = binding_of(skeleton)
-    array = checked_vertices(skeleton, vertices)
-    capacity, num = binding.num_vertices, len(array)
-    if isinstance(array, Tracer) or isinstance(binding.faces, Tracer):
-        found = Followed(*_follow(binding, jnp.pad(array, ((0, capacity - num), (0, 0)))))
-        return found if isinstance(skeleton, Binding) else Followed(*(part[: len(skeleton.vertices)] for part in found))
-    _limit_programs(binding, array.dtype)
-    # NumPy pads and cuts, because JAX would compile this for every size.
-    found = _follow(_in_dtype(binding, array.dtype), np.pad(np.asarray(array), ((0, capacity - num), (0, 0))))
-    nodes, radii = (np.asarray(part) for part in found)
+    # The body needs neither of JAX's strict modes, which a caller may have set.
+    with jax.numpy_dtype_promotion("standard"), jax.numpy_rank_promotion("allow"):
+        array = checked_vertices(skeleton, vertices)
+        rest = ((0, binding.num_vertices - len(array)), (0, 0))
+        if isinstance(array, Tracer) or isinstance(binding.faces, Tracer):
+            found = Followed(*_follow(binding, jnp.pad(array, rest)))
+            if isinstance(skeleton, Binding):
+                return found
+            return Followed(*(part[: len(skeleton.vertices)] for part in found))
+        devices = array.devices() if isinstance(array, jax.Array) else ()
+        device = next(iter(devices)) if len(devices) == 1 else None
+        # NumPy pads and cuts, because JAX would compile this for every size.
+        arguments = _in_dtype(binding, array.dtype), np.pad(jax.device_get(array), rest)
+        program = _program((*binding.capacity, np.shape(binding.diagonal), str(array.dtype), device))
+        found = program(*jax.device_put(arguments, device))
+    nodes, radii = jax.device_get(found)
     gone = np.flatnonzero(np.isnan(nodes).any(axis=1))
     if len(gone):
         raise MeshError(
@@ -85,20 +94,17 @@ def follow(skeleton: Skeleton | Binding, vertices: Any) -> Followed:
     if isinstance(skeleton, Binding):
         return Followed(*found)
     num = len(skeleton.vertices)
-    return Followed(jax.device_put(nodes[:num].copy()), jax.device_put(radii[:num].copy()))
+    return Followed(*(jax.device_put(part[:num].copy(), device) for part in (nodes, radii)))
 
 
 _follow = jax.jit(following.follow)
-_kept: set[tuple[Any, ...]] = set()  # capacities and types whose programs are kept
 
 
-def _limit_programs(binding: Binding, dtype: Any) -> None:
-    """Delete all compiled programs before there are more than ``MOST_PROGRAMS``."""
-    key = *binding.capacity, np.shape(binding.diagonal), str(dtype)
-    if key not in _kept and len(_kept) >= MOST_PROGRAMS:
-        _follow.clear_cache()  # pyright: ignore[reportAttributeAccessIssue]
-        _kept.clear()
-    _kept.add(key)
+@lru_cache(MOST_PROGRAMS)
+def _program(key: Hashable) -> Callable[..., Any]:
+    """A function of its own for each capacity, type and device, so that the least recently used can be dropped."""
+    del key
+    return jax.jit(lambda binding, vertices: following.follow(binding, vertices))
 
 
 def binding_of(skeleton: Any) -> Binding:
@@ -141,7 +147,7 @@ def checked_vertices(skeleton: Skeleton | Binding, vertices: Any) -> Any:
             f"vertices has shape {array.shape}: expected ({int(binding.live.vertices)}, 3), as in the mesh of the "
             "skeleton"
         )
-    bad = np.flatnonzero(~np.isfinite(np.asarray(array)).all(axis=1) & used[: len(array)])
+    bad = np.flatnonzero(~np.isfinite(jax.device_get(array)).all(axis=1) & used[: len(array)])
     if len(bad):
         raise MeshError(f"{len(bad)} of the vertices, the first {bad[0]}, are not finite: expected finite positions")
     return array

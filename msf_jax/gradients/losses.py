@@ -13,12 +13,14 @@ from typing import Any
 
 import jax
 import jax.numpy as jnp
+from jax import lax
 
 from msf_jax.base.binding import Binding
 from msf_jax.base.errors import ConfigError
 
 SAMPLES = 4  # points along each edge of a curve
 SHORTEST = 1e-4  # diagonals: shorter edges count less in the turning, in proportion to their length
+BLOCK = 32  # points whose nearest ones are found in one step
 TINY = 1e-24  # diagonals squared: below this squared length, the gradient of a length is 0
 
 
@@ -48,9 +50,8 @@ def near(found: Any, binding: Binding, target: Any, mask: Any = None, *, samples
     is_lone = binding.node_mask & ~at_edge
     points, is_sample = jnp.concatenate([points, nodes]), jnp.concatenate([is_sample, is_lone])
     weight = jnp.concatenate([weight, (is_lone & ~binding.edge_mask.any()).astype(weight.dtype)])
-    away = ((points[:, None] - target) ** 2).sum(-1)
-    there = jnp.where(is_point | ~is_point.any(), away, jnp.inf).min(axis=1) * is_point.any()
-    back = jnp.where(is_sample[:, None], away, jnp.inf).min(axis=0)
+    there = _to_nearest(points, target, is_point | ~is_point.any()) * is_point.any()
+    back = _to_nearest(target, points, is_sample)
     return (_mean(there, jnp.where(is_sample, weight, 0.0)) + _mean(back, is_point)) / 2
 
 
@@ -132,6 +133,21 @@ def turning(nodes: jax.Array, edges: Any, is_edge: Any, is_node: Any) -> jax.Arr
     is_passed = is_node & (jax.ops.segment_sum(one, a, num) + jax.ops.segment_sum(one, b, num) == 2)
     # Unit vectors u, v to both neighbours cancel where the curve is straight: |u + v|^2 = 2 (1 - cos turn).
     return _mean((total * total).sum(1) / 2, is_passed)
+
+
+def _to_nearest(points: jax.Array, others: jax.Array, counts: jax.Array) -> jax.Array:
+    """(P,) squared distance from each of ``points`` (P, 3) to the nearest of ``others`` (Q, 3) that ``counts`` (Q,);
+    inf if none does. Memory is for BLOCK points and all others. NaN passes through."""
+    if not len(others):
+        return jnp.full(len(points), jnp.inf, points.dtype)
+    held = lax.stop_gradient(others)
+
+    def nearest(point: jax.Array) -> jax.Array:
+        return jnp.where(counts, ((point - held) ** 2).sum(-1), jnp.inf).argmin()
+
+    found = lax.map(nearest, lax.stop_gradient(points), batch_size=BLOCK)
+    away = ((points - others[found]) ** 2).sum(-1)
+    return jnp.where(counts.any(), away, jnp.inf)
 
 
 def _checked(found: Any, binding: Binding) -> Any:

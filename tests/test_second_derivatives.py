@@ -1,0 +1,170 @@
+"""Second derivatives through solves, in every transformation and mode, and derivatives whose solve fails."""
+
+from functools import partial
+from typing import NamedTuple
+
+import jax
+import jax.numpy as jnp
+import numpy as np
+import pytest
+from conftest import blob
+from device_cases import bipyramid, build, one_level, quick_jit
+
+import msf_jax
+from msf_jax import Config, Weights
+from msf_jax.base.options import Solver, StepSettings
+from msf_jax.device import cg, iteration
+
+FIRST = {"forward": jax.jacfwd, "reverse": jax.jacrev}
+MODES = {f"{inner}, then {outer}": (FIRST[outer], FIRST[inner]) for outer in FIRST for inner in FIRST}
+AT = 4.0 ** (1 / 3)  # 1 / x has there the second derivative 0.5
+
+
+class Diagonal(NamedTuple):
+    """A diagonal matrix; CG needs a step for each different entry."""
+
+    entries: jax.Array
+
+    def __call__(self, x):
+        return self.entries[:, None] * x
+
+    def diagonal(self):
+        return jnp.ones_like(self.entries)
+
+
+def solved(a, tolerance=1e-12):
+    return cg.solve(Diagonal(jnp.stack([a, 2 * a])), jnp.ones((2, 1)), Solver(tolerance, 10))[0][0, 0]
+
+
+def scanned(function, a):
+    return jax.lax.scan(lambda total, _: (total + function(a), None), 0 * a, length=2)[0] / 2
+
+
+checkpointed = jax.checkpoint(solved, policy=cg.keeps_solutions)
+ROUTES = {
+    "plain": solved,
+    "loose": partial(solved, tolerance=3e-3),
+    "checkpoint": checkpointed,
+    "cond": lambda a: jax.lax.cond(a > 0, solved, lambda a: a, a),
+    "scan": partial(scanned, solved),
+    "scan of a loose one": partial(scanned, partial(solved, tolerance=3e-3)),
+    "scan of checkpoint": partial(scanned, checkpointed),
+    "vmap of scan": lambda a: jax.vmap(partial(scanned, solved))(a[None])[0],
+}
+
+
+@pytest.mark.parametrize("route", ROUTES)
+def test_a_scalar_solve_has_its_second_derivative_in_every_mode(route):
+    function = ROUTES[route]
+    both = quick_jit(lambda a: [outer(inner(function))(a) for outer, inner in MODES.values()])
+    np.testing.assert_allclose(both(jnp.asarray(AT)), 0.5, rtol=1e-6)
+
+
+@pytest.mark.parametrize("tolerance", [1e-12, 3e-3])
+@pytest.mark.parametrize("direction", FIRST)
+def test_a_derivative_whose_solve_fails_is_nan(direction, tolerance):
+    """In eager and in compiled code alike. Three eigenvalues need three steps."""
+    entries, b = jnp.asarray([1.0, 10.0, 100.0]), jnp.ones((3, 1))
+
+    def total(a, steps):
+        x, report = cg.solve(Diagonal(a * entries), b, Solver(tolerance, steps), smallest=1e3)
+        return x.sum(), report.is_solved
+
+    for steps, is_nan in ((1, True), (50, False)):
+        # The value ends by the length of its first step; the derivative does not.
+        assert bool(total(1.0, steps)[1])
+        slope = FIRST[direction](lambda a, steps=steps: total(a, steps)[0])
+        assert np.isnan(slope(1.0)) == np.isnan(jax.jit(slope)(1.0)) == is_nan
+
+
+def loops_of(jaxpr):
+    """How many `while` loops, those inside other equations included."""
+    total = 0
+    for equation in jaxpr.eqns:
+        total += equation.primitive.name == "while"
+        if equation.primitive is jax.lax.linear_solve_p:
+            total += 1
+            continue
+        for value in jax.tree.leaves(equation.params, is_leaf=lambda x: hasattr(x, "eqns") or hasattr(x, "jaxpr")):
+            inner = getattr(value, "jaxpr", value)
+            total += loops_of(inner) if hasattr(inner, "eqns") else 0
+    return total
+
+
+def test_the_backward_pass_does_not_repeat_the_solve():
+    """One solve forward and one backward, and one more without the policy."""
+    for function, expected in ((checkpointed, 2), (jax.checkpoint(solved), 3)):
+        program = jax.make_jaxpr(jax.grad(partial(scanned, lambda a, f=function: f(a) ** 2)))(AT)
+        assert loops_of(program.jaxpr) == expected
+
+
+def differences(slope, at, h=1e-4):
+    """The Hessian by central differences of ``slope``."""
+    rows = [(slope(at + step) - slope(at - step)) / (2 * h) for step in h * np.eye(len(at))]
+    return np.stack(rows)
+
+
+def check(hessian, measured, rtol=1e-5):
+    hessian, largest = np.asarray(hessian), np.abs(measured).max()
+    np.testing.assert_allclose(hessian, hessian.T, atol=1e-8 * largest)
+    np.testing.assert_allclose(hessian, measured, atol=rtol * largest)
+
+
+def at_weights(logarithms):
+    return Weights(*jnp.exp(logarithms))
+
+
+START = np.log([1.3, 0.2, 0.35, 0.05])
+
+
+@pytest.mark.slow
+def test_the_hessian_of_an_iteration():
+    """Two solves, in a scan."""
+    vertices, faces = bipyramid(6, 0.4, 0.5, 0.3)
+    vertices = vertices + 0.03 * np.random.default_rng(1).normal(size=vertices.shape)
+    case = build(vertices, faces, is_fixed=np.arange(8) == 2, poles=0.1 * vertices, layout=one_level(8, 8))
+    settings = StepSettings("mean_value", Solver(1e-14, 500), 0.0, False)
+
+    def value(logarithms):
+        new = iteration.move(case.buffers, at_weights(logarithms), settings, case.layout).positions
+        return (jnp.sin(jnp.arange(new.size)).reshape(new.shape) * new).sum()
+
+    measured = differences(quick_jit(jax.grad(value)), START)
+    for hessian in quick_jit(lambda at: [outer(inner(value))(at) for outer, inner in MODES.values()])(START):
+        check(hessian, measured)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("inner", FIRST)
+def test_the_hessian_of_a_replay(inner):
+    """Iterations with collapses and splits in a scan, with a checkpoint."""
+    mesh = blob(3, 2)
+    mesh.apply_scale([1.0, 0.5, 0.4])
+    flow = msf_jax.contract(mesh, config=Config(max_iterations=3))
+    pull = np.random.default_rng(2).normal(size=flow.curve.vertices.shape)
+
+    def value(logarithms):
+        return (pull * msf_jax.replay(flow.tape, at_weights(logarithms), tolerance=1e-13)).sum()
+
+    start = np.log([getattr(flow.weights, name) for name in vars(flow.weights)])
+    measured = differences(quick_jit(jax.grad(value)), start)
+    check(quick_jit(jax.jacfwd(FIRST[inner](value)))(start), measured)
+
+
+@pytest.mark.slow
+def test_the_hessian_of_a_followed_curve():
+    """In the coefficients of a smooth deformation."""
+    mesh = blob(3, 2)
+    mesh.apply_scale([1.0, 0.5, 0.4])
+    skeleton = msf_jax.skeletonize(mesh)
+    vertices = np.asarray(mesh.vertices)
+    pull = np.random.default_rng(3).normal(size=skeleton.vertices.shape)
+
+    def value(shape):
+        bent = vertices * jnp.exp(shape) + jnp.sin(vertices[:, ::-1] @ jnp.diag(shape))
+        return (pull * msf_jax.follow(skeleton, bent).nodes).sum()
+
+    at = np.array([0.1, -0.2, 0.3])
+    measured = differences(jax.jit(jax.grad(value)), at)
+    for hessian in jax.jit(lambda at: [outer(inner(value))(at) for outer, inner in MODES.values()])(at):
+        check(hessian, measured)
