@@ -13,7 +13,7 @@ import numpy as np
 from scipy import spatial
 
 from msf_jax.host import graphs
-from msf_jax.host.curve import branches, centring, containment, junctions, loops, resampling
+from msf_jax.host.curve import branches, centring, containment, junctions, loops, moves, resampling
 from msf_jax.host.curve.draft import Draft, Job
 from msf_jax.host.poles.roadmap import Roadmap
 from msf_jax.host.solid.enclosure import Enclosure
@@ -254,7 +254,9 @@ def splined(draft: Draft, job: Job, hold_leaves: bool) -> Draft:
     if not stays.all():
         draft = centred(_left(draft._replace(edges=edges), stays, target), job, hold_leaves, FIRST_ROUNDS)
         radii = job.coarse.approximate_clearance(draft.vertices)[0]
-    return draft.changed(junctions.met(job.shape, draft.vertices, draft.edges, draft.is_held, radii))
+    step = junctions.met(job.shape, draft.vertices, draft.edges, draft.is_held, radii) - draft.vertices
+    at = moves.places_of(job.shape, draft.vertices)
+    return draft.changed(moves.taken(job.shape, job.shape.handles, at, step, draft.edges).x)
 
 
 def pruned(draft: Draft, job: Job) -> Draft:
