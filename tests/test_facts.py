@@ -16,7 +16,7 @@ from msf_jax.gradients import holding, replay
 from msf_jax.host.curve import finishing
 from msf_jax.host.mesh import repair
 from msf_jax.host.poles import thickness
-from msf_jax.host.thin import caps, fronts
+from msf_jax.host.thin import caps, ends, fronts
 from msf_jax.skeleton import report
 from msf_jax.skeleton.formats import swc
 
@@ -83,7 +83,7 @@ FACTS = [
     ("branches.md", f"a `prune` below {caps.ROUND_END} acts as {caps.ROUND_END}"),
     ("branches.md", f"a mesh with fewer than {caps.FEWEST:,} vertices are split"),
     ("branches.md", f"Edges are refined to {WORDS[finishing.SPACING]} a radius"),
-    ("branches.md", f"a distance of {WORDS[caps.GAP]} of the limb's radius from the surface"),
+    ("branches.md", f"a distance of {WORDS[ends.GAP]} of the limb's radius from the surface"),
     ("repair.md", f"keeps the largest {Repair().most_parts} pieces"),
     ("repair.md", f"gaps up to {repair.REACH} of the diagonal"),
     ("repair.md", f"limbs thinner than {thickness.THIN} of the diagonal"),
@@ -93,7 +93,7 @@ FACTS = [
     ("gradients.md", "They end at {:.0e}".format(replay.TOLERANCE["float64"][1]).replace("e-0", "e-")),
     ("following.md", f"more runs with noise of {running.JITTER:.0e} diagonals".replace("e-0", "e-")),
     ("following.md", f"whether a ball has shrunk by {WORDS[1 - holding.PINCHED]}"),
-    ("cookbook.md", f"the curve stops {caps.GAP} radii before its end"),
+    ("cookbook.md", f"the curve stops {ends.GAP} radii before its end"),
     ("cookbook.md", f"labels {swc.SOMA} soma, {swc.FORK} fork, {swc.END} end, {swc.OTHER} other"),
 ]
 

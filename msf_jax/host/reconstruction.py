@@ -1,9 +1,10 @@
 """Spectral reconstruction: the surface without its small details, V' = Phi Phi^T V (article 3.1.1).
 
 Phi has the eigenvectors of the k smallest eigenvalues of the symmetric uniform graph Laplacian L = D - A. `reconstruct`
-computes them. `filtered` does not: Phi Phi^T is the function of L that is 1 up to the k-th eigenvalue and 0 above, and
-is replaced by a polynomial p(L) with a smooth step. This takes some hundred products with a sparse matrix, a twentieth
-of the time for eigenvectors or less (Chebyshev filtering; Hammond et al. 2011, Di Napoli et al. 2016).
+computes them. A `LowPass` without a basis does not: Phi Phi^T is the function of L that is 1 up to the k-th eigenvalue
+and 0 above, and is replaced by a polynomial p(L) with a smooth step. This takes some hundred products with a sparse
+matrix, a twentieth of the time for eigenvectors or less (Chebyshev filtering; Hammond et al. 2011, Di Napoli et al.
+2016).
 """
 
 from collections.abc import Iterator
@@ -72,7 +73,11 @@ class LowPass(NamedTuple):
 
 
 def low_pass(faces: np.ndarray, num_vertices: int, k: int, *, exact: bool) -> LowPass | None:
-    """The filter that keeps ``k`` eigenvectors, exactly or about, see ``exact``; None if ``k`` is V or more."""
+    """The filter that keeps ``k`` eigenvectors, exactly or about, see ``exact``; None if ``k`` is V or more.
+
+    With cos(theta) = 1 - 2 L / top, the polynomial is erfc((theta - edge) / width) / 2, scaled to be 1 at 0, so that
+    constants are kept.
+    """
     if k >= num_vertices:
         return None
     if not exact:
@@ -97,7 +102,7 @@ def apply(kept: LowPass | None, vertices: np.ndarray, faces: np.ndarray) -> np.n
     if kept is None:
         return np.array(vertices, dtype=np.float64)
     if kept.basis is not None:
-        return project(vertices, kept.basis)
+        return kept.basis @ (kept.basis.T @ vertices)
     total = np.zeros(vertices.shape)
     cosine = _cosine(graph_laplacian(faces, len(vertices)), kept.top)
     for term, share in zip(_chebyshev(cosine, vertices, len(kept.share)), kept.share, strict=True):
@@ -105,23 +110,9 @@ def apply(kept: LowPass | None, vertices: np.ndarray, faces: np.ndarray) -> np.n
     return total
 
 
-def project(vertices: np.ndarray, basis: np.ndarray) -> np.ndarray:
-    """V' = Phi Phi^T V (V, 3)."""
-    return basis @ (basis.T @ vertices)
-
-
 def reconstruct(vertices: np.ndarray, faces: np.ndarray, k: int) -> np.ndarray:
     """Vertex positions (V, 3) of the mesh rebuilt from ``k`` eigenvectors; ``k`` of V or more returns a copy."""
     return apply(low_pass(faces, len(vertices), k, exact=True), vertices, faces)
-
-
-def filtered(vertices: np.ndarray, faces: np.ndarray, k: int) -> np.ndarray:
-    """Vertex positions (V, 3) of the mesh rebuilt from about ``k`` eigenvectors; ``k`` of V or more returns a copy.
-
-    With cos(theta) = 1 - 2 L / top, the filter is erfc((theta - edge) / width) / 2, scaled to be 1 at 0, so that
-    constants are kept. It is linear in ``vertices``, and symmetric as a matrix.
-    """
-    return apply(low_pass(faces, len(vertices), k, exact=False), vertices, faces)
 
 
 def _cosine(laplacian: sparse.csc_matrix, top: float) -> sparse.csr_matrix:

@@ -73,15 +73,13 @@ class Job(NamedTuple):
     """The inputs of all passes.
 
     shape: the solid, of diagonal 1. coarse: about the same surface with fewer triangles, fine enough for centring.
-    prune: least slenderness of a limb, 0 for no pruning (see `thin.caps`). is_thin: whether the solid has thin
-    limbs (see `poles.thickness`). roadmap: paths through the solid. budget: of all centring together. caps: returns
-    those of the coarse surface.
+    prune: least slenderness of a limb, 0 for no pruning (see `thin.caps`). roadmap: paths through the solid. budget: of
+    all centring together. caps: returns those of the coarse surface.
     """
 
     shape: Enclosure
     coarse: Enclosure
     prune: float
-    is_thin: bool
     roadmap: Roadmap
     budget: centring.Budget
     caps: Callable[[], Caps]
@@ -153,7 +151,7 @@ def finish(
     """
     coarse = shape if coarse is None else coarse
     roadmap = Roadmap(shape, containment.is_inside)
-    job = Job(shape, coarse, prune, is_thin, roadmap, centring.Budget(), caps or partial(Caps, outside or coarse))
+    job = Job(shape, coarse, prune, roadmap, centring.Budget(), caps or partial(Caps, outside or coarse))
     if is_thin and centre and extend and not is_held.any():
         laid = reeb_curve.reeb_curve(outside or shape, containment.is_inside)
         if laid is not None and (is_tangle or _outside(job, *laid[:2]) <= _outside(job, nodes, edges)):
@@ -199,10 +197,8 @@ def _of_reeb_curve(laid: reeb_curve.ReebCurve, nodes: np.ndarray, job: Job) -> F
     near = np.asarray(spatial.KDTree(draft.vertices).query(nodes)[1])
     taken, first, place = np.unique(near, return_index=True, return_inverse=True)
     is_kept = np.isin(np.arange(len(nodes)), first)
-    every = np.arange(len(draft.vertices))
-    source = np.concatenate([near[is_kept], np.setdiff1d(every, taken)])
-    rank = np.empty_like(every)
-    rank[source] = every
+    source = np.concatenate([near[is_kept], np.setdiff1d(np.arange(len(draft.vertices)), taken)])
+    rank = np.argsort(source)
     return Finished(
         draft.vertices[source],
         in_order(rank[draft.edges]),
