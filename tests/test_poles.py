@@ -43,11 +43,6 @@ def jittered(mesh: trimesh.Trimesh, scale) -> trimesh.Trimesh:
 # Poles
 
 
-def filtered(vertices: np.ndarray, faces: np.ndarray, k: int) -> np.ndarray:
-    """The mesh rebuilt from about ``k`` eigenvectors."""
-    return reconstruction.apply(reconstruction.low_pass(faces, len(vertices), k, exact=False), vertices, faces)
-
-
 def test_circumcentres_are_equidistant_from_their_corners():
     vertices = np.random.default_rng(0).normal(size=(400, 3))
     diagram = spatial.Delaunay(vertices)
@@ -291,7 +286,7 @@ def test_the_filter_keeps_about_k_eigenvectors_and_loses_the_others(name, k):
     num = len(mesh.vertices)
     laplacian = reconstruction.graph_laplacian(mesh.faces, num).toarray()
     values, vectors = np.linalg.eigh(laplacian)
-    matrix = filtered(np.eye(num), mesh.faces, k)
+    matrix = reconstruction.filtered(np.eye(num), mesh.faces, k)
     np.testing.assert_allclose(matrix, matrix.T, atol=1e-10)
     response = (vectors * (matrix @ vectors)).sum(axis=0)
     assert np.abs(matrix @ vectors - vectors * response).max() < 1e-8  # it has the Laplacian's own eigenvectors
@@ -306,14 +301,14 @@ def test_the_filter_keeps_about_k_eigenvectors_and_loses_the_others(name, k):
 def test_the_filter_commutes_with_moving_the_mesh():
     vertices, faces = arrays(blob(4))
     turn = Rotation.from_rotvec([0.3, -1, 0.5]).as_matrix()
-    moved = filtered(2.5 * vertices @ turn.T + [3, -1, 0.5], faces, 100)
-    expected = 2.5 * filtered(vertices, faces, 100) @ turn.T + [3, -1, 0.5]
+    moved = reconstruction.filtered(2.5 * vertices @ turn.T + [3, -1, 0.5], faces, 100)
+    expected = 2.5 * reconstruction.filtered(vertices, faces, 100) @ turn.T + [3, -1, 0.5]
     np.testing.assert_allclose(moved, expected, atol=1e-10)
 
 
 def test_the_filter_keeps_everything_when_asked_for_as_many_eigenvectors_as_vertices():
     vertices, faces = arrays(blob(4, 1))
-    kept = filtered(vertices, faces, len(vertices))
+    kept = reconstruction.filtered(vertices, faces, len(vertices))
     np.testing.assert_array_equal(kept, vertices)
     assert kept is not vertices
 
@@ -321,7 +316,7 @@ def test_the_filter_keeps_everything_when_asked_for_as_many_eigenvectors_as_vert
 def test_poles_of_the_filtered_surface_are_those_of_the_reconstructed_one():
     """On a torus, whose poles are known: on the circle in its middle."""
     mesh = torus(around=120, across=40)
-    for rebuild in (filtered, reconstruction.reconstruct):
+    for rebuild in (reconstruction.filtered, reconstruction.reconstruct):
         sites = rebuild(mesh.vertices, mesh.faces, 200)
         found = voronoi.voronoi_poles(sites, mesh.faces).position
         off = np.hypot(np.hypot(found[:, 0], found[:, 1]) - 1.0, found[:, 2])
