@@ -72,7 +72,11 @@ class LowPass(NamedTuple):
 
 
 def low_pass(faces: np.ndarray, num_vertices: int, k: int, *, exact: bool) -> LowPass | None:
-    """The filter that keeps ``k`` eigenvectors, exactly or about, see ``exact``; None if ``k`` is V or more."""
+    """The filter that keeps ``k`` eigenvectors, exactly or about, see ``exact``; None if ``k`` is V or more.
+
+    With cos(theta) = 1 - 2 L / top, the polynomial is erfc((theta - edge) / width) / 2, scaled to be 1 at 0, so that
+    constants are kept.
+    """
     if k >= num_vertices:
         return None
     if not exact:
@@ -97,17 +101,12 @@ def apply(kept: LowPass | None, vertices: np.ndarray, faces: np.ndarray) -> np.n
     if kept is None:
         return np.array(vertices, dtype=np.float64)
     if kept.basis is not None:
-        return project(vertices, kept.basis)
+        return kept.basis @ (kept.basis.T @ vertices)
     total = np.zeros(vertices.shape)
     cosine = _cosine(graph_laplacian(faces, len(vertices)), kept.top)
     for term, share in zip(_chebyshev(cosine, vertices, len(kept.share)), kept.share, strict=True):
         total += share * term
     return total
-
-
-def project(vertices: np.ndarray, basis: np.ndarray) -> np.ndarray:
-    """V' = Phi Phi^T V (V, 3)."""
-    return basis @ (basis.T @ vertices)
 
 
 def reconstruct(vertices: np.ndarray, faces: np.ndarray, k: int) -> np.ndarray:
@@ -116,11 +115,7 @@ def reconstruct(vertices: np.ndarray, faces: np.ndarray, k: int) -> np.ndarray:
 
 
 def filtered(vertices: np.ndarray, faces: np.ndarray, k: int) -> np.ndarray:
-    """Vertex positions (V, 3) of the mesh rebuilt from about ``k`` eigenvectors; ``k`` of V or more returns a copy.
-
-    With cos(theta) = 1 - 2 L / top, the filter is erfc((theta - edge) / width) / 2, scaled to be 1 at 0, so that
-    constants are kept. It is linear in ``vertices``, and symmetric as a matrix.
-    """
+    """Vertex positions (V, 3) of the mesh rebuilt from about ``k`` eigenvectors; ``k`` of V or more returns a copy."""
     return apply(low_pass(faces, len(vertices), k, exact=False), vertices, faces)
 
 

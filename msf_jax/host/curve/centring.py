@@ -119,13 +119,8 @@ def centre(
         found = known.at(shape, x, tangent, size, near, limb)
         limb = limb[found.is_around]
         found = sections.Sections(*(field[found.is_around] for field in found))
-        weight = clear[limb] / (1 + (found.radius / (LOPSIDED * found.size)) ** STEEP)
-        width = np.full(num, np.nan)
-        width[limb[weight > 1e-6]] = found.radius[weight > 1e-6]
-        weight *= np.minimum(1.0, np.nan_to_num(measures.usual(paths, width)[limb] / found.radius)) ** ROUNDNESS
-        everywhere = np.zeros((2, num))
-        everywhere[:, limb] = found.size, weight
-        size = measures.sizes(x, paths, everywhere[0], everywhere[1], clearance)
+        weight, everywhere = weighed(paths, clear, limb, found, 1e-6)
+        size = measures.sizes(x, paths, *everywhere, clearance=clearance)
         wide = np.full(num, np.nan)
         wide[limb] = found.radius
         wide = measures.usual(paths, wide)
@@ -133,7 +128,7 @@ def centre(
         if number < 0:
             continue
         anchor = np.full(num, ANCHOR)
-        usual = np.where(is_former_junction, size, measures.second_sizes(paths, everywhere[0], everywhere[1]))[junction]
+        usual = np.where(is_former_junction, size, measures.second_sizes(paths, *everywhere))[junction]
         deeper = np.clip(
             (clearance_at_place / usual - 1) / np.where(is_former_junction, FORMER_JUNCTION_DEEPER, DEEPER)[junction],
             0,
@@ -163,6 +158,24 @@ def centre(
         if is_last:
             break
     return at.x
+
+
+def weighed(
+    paths: list[BranchPath], clear: np.ndarray, limb: np.ndarray, found: sections.Sections, slight: float
+) -> tuple[np.ndarray, np.ndarray]:
+    """The weights (L,) of the sections ``found`` of the nodes ``limb`` (L,), before their distances from nodes count;
+    and the size and the weight (2, N) of every node's section, 0 without one.
+
+    The usual radius of a branch is that of its sections of more than ``slight`` weight. ``clear`` (N,): see
+    `branch_paths.clear_of_junctions`.
+    """
+    weight = clear[limb] / (1 + (found.radius / (LOPSIDED * found.size)) ** STEEP)
+    width = np.full(len(clear), np.nan)
+    width[limb[weight > slight]] = found.radius[weight > slight]
+    weight *= np.minimum(1.0, np.nan_to_num(measures.usual(paths, width)[limb] / found.radius)) ** ROUNDNESS
+    everywhere = np.zeros((2, len(clear)))
+    everywhere[:, limb] = found.size, weight
+    return weight, everywhere
 
 
 def deepest_points(shape: Enclosure, points: np.ndarray) -> np.ndarray:

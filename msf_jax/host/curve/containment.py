@@ -14,7 +14,7 @@ from msf_jax.host.poles import balls
 from msf_jax.host.poles.roadmap import TOUCHING, Roadmap
 from msf_jax.host.solid import sections
 from msf_jax.host.solid.enclosure import Enclosure
-from msf_jax.host.solid.geometry import arc_length, barycentric, cross, unit
+from msf_jax.host.solid.geometry import arc_length, barycentric, unit
 
 HALVINGS = 2  # times that an edge outside is bisected, before the roadmap is searched
 SHALLOWER = 10  # candidates for the ball behind the surface, each with half the radius of the one before
@@ -181,8 +181,7 @@ def _inward(shape: Enclosure, points: np.ndarray) -> np.ndarray:
     The ball is found among samples of the surface. If a triangle between samples is nearer, a smaller ball is taken.
     """
     _, triangle = shape.nearest(points)
-    corner = shape.triangles[triangle]
-    normal = unit(cross(corner[:, 1] - corner[:, 0], corner[:, 2] - corner[:, 0]))
+    corner, normal = shape.triangles[triangle], shape.normals[triangle]
     entry = np.einsum("pk,pki->pi", barycentric(points, corner, 0.05), corner) - TOUCHING / 2 * normal
     depth = balls.shrinking_balls(entry, normal, shape.sample_tree(), balls.FIRST, balls.LARGEST).radius
     shallower = 0.5 ** np.arange(SHALLOWER)

@@ -58,15 +58,13 @@ class Job(NamedTuple):
     """The inputs of all passes.
 
     shape: the solid, of diagonal 1. coarse: about the same surface with fewer triangles, fine enough for centring.
-    prune: least slenderness of a limb, 0 for no pruning (see `thin.caps`). is_thin: whether the solid has thin
-    limbs (see `poles.thickness`). roadmap: paths through the solid. budget: of all centring together. caps: returns
-    those of the coarse surface.
+    prune: least slenderness of a limb, 0 for no pruning (see `thin.caps`). roadmap: paths through the solid. budget: of
+    all centring together. caps: returns those of the coarse surface.
     """
 
     shape: Enclosure
     coarse: Enclosure
     prune: float
-    is_thin: bool
     roadmap: Roadmap
     budget: centring.Budget
     caps: Callable[[], Caps]

@@ -93,7 +93,7 @@ def finish(
     """
     coarse = shape if coarse is None else coarse
     roadmap = Roadmap(shape, containment.is_inside)
-    job = Job(shape, coarse, prune, is_thin, roadmap, centring.Budget(), caps or partial(Caps, outside or coarse))
+    job = Job(shape, coarse, prune, roadmap, centring.Budget(), caps or partial(Caps, outside or coarse))
     if is_thin and centre and extend and not is_held.any():
         laid = reeb_curve.reeb_curve(outside or shape, containment.is_inside)
         if laid is not None and (is_tangle or _outside(job, *laid[:2]) <= _outside(job, nodes, edges)):
@@ -139,10 +139,8 @@ def _of_reeb_curve(laid: reeb_curve.ReebCurve, nodes: np.ndarray, job: Job) -> F
     near = np.asarray(spatial.KDTree(draft.vertices).query(nodes)[1])
     taken, first, place = np.unique(near, return_index=True, return_inverse=True)
     is_kept = np.isin(np.arange(len(nodes)), first)
-    every = np.arange(len(draft.vertices))
-    source = np.concatenate([near[is_kept], np.setdiff1d(every, taken)])
-    rank = np.empty_like(every)
-    rank[source] = every
+    source = np.concatenate([near[is_kept], np.setdiff1d(np.arange(len(draft.vertices)), taken)])
+    rank = np.argsort(source)
     return Finished(
         draft.vertices[source],
         in_order(rank[draft.edges]),

@@ -15,7 +15,7 @@ import numpy as np
 
 from msf_jax.host import graphs
 from msf_jax.host.curve.containment import is_inside
-from msf_jax.host.graphs import along_forest, shortest_forest
+from msf_jax.host.graphs import shortest_forest
 from msf_jax.host.poles.roadmap import Roadmap
 from msf_jax.host.solid.enclosure import Enclosure
 from msf_jax.host.solid.frame import RESOLUTION
@@ -78,7 +78,7 @@ def proof(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray, node_of_ver
     for solid, of_part in _solids(shape, vertices, part, has_cycle, node_of_vertex):
         own = np.flatnonzero((has_cycle & of_part)[part[edges[:, 0]]])
         length, is_out = _lengths(solid, vertices, edges[own])
-        closing, windings = solid.handles.windings(vertices, edges[own], length)
+        closing, windings, _ = solid.handles.windings(vertices, edges[own], length)
         span, factors = Span(windings.shape[1]), [Span(windings.shape[1], factor) for factor in FACTORS]
         for cycle in np.argsort(length[closing], kind="stable").tolist():
             edge, winding = closing[cycle], windings[cycle]
@@ -147,7 +147,7 @@ def independent(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray) -> np
     An edge outside counts as longer than all edges inside.
     """
     length, _ = _lengths(shape, vertices, edges)
-    closing, windings = shape.handles.windings(vertices, edges, length)
+    closing, windings, _ = shape.handles.windings(vertices, edges, length)
     stays, span = np.ones(len(edges), dtype=bool), Span(windings.shape[1])
     for cycle in np.argsort(length[closing], kind="stable").tolist():
         stays[closing[cycle]] = span.adds(windings[cycle])
@@ -160,16 +160,10 @@ def completed(roadmap: Roadmap, vertices: np.ndarray, edges: np.ndarray, missing
     handles, is_complete = roadmap.shape.handles, False
     while missing:
         part = graphs.labels(len(vertices), *edges.T)
-        closing, windings = handles.windings(vertices, edges)
+        _, windings, potential = handles.windings(vertices, edges)
         span = Span(windings.shape[1])
         for winding in windings:
             span.adds(winding)
-        in_forest = np.ones(len(edges), dtype=bool)
-        in_forest[closing] = False
-        forest = edges[in_forest]
-        potential = along_forest(
-            len(vertices), forest, handles.linking(*(vertices[forest[:, side]] for side in (0, 1)))
-        )
         laid, most = 0, max(AT_ONCE, missing // 4)
         for start, end, path in roadmap.loops_from(vertices, edges, is_complete):
             if part[start] != part[end]:  # it joins two parts of the curve, and closes no loop

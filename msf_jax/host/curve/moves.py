@@ -4,7 +4,7 @@ Each node takes its step, or a half or a quarter of it, or none, so that afterwa
 
     the node is inside, no nearer to the surface than it may be, and so is the way to its new place;
     an edge that was inside is inside;
-    an edge is of the class of its old place, changed by the classes of the paths of its two ends (see `Handles`).
+    an edge is of the class of its old place, changed by the classes of the steps of its two ends (see `Handles`).
 
 So a loop around a hole cannot slip off it.
 """
@@ -67,8 +67,8 @@ def taken(shape: Enclosure, handles: Handles, places: Places, step: np.ndarray, 
         is_bad = np.zeros(len(x), dtype=bool)
         is_bad[moved] = ~shape.contains(goal[moved]) | (new_clearance[moved] < np.minimum(least, clearance)[moved])
         moved = moved[~is_bad[moved]]
-        paths = np.stack([moved, moved], axis=1)
-        is_bad[moved] = ~_is_open(shape, x, goal, clearance, new_clearance, paths)
+        pairs = np.stack([moved, moved], axis=1)
+        is_bad[moved] = ~_is_open(shape, x, goal, clearance, new_clearance, pairs)
         rows = np.flatnonzero(~is_bad[edges].any(axis=1) & np.isin(edges, changed).any(axis=1))
         at_stake = edges[rows]
         is_kept = _is_open(shape, goal, goal, new_clearance, new_clearance, at_stake)
@@ -102,9 +102,14 @@ def _keeps_class(
 
 
 def _is_open(
-    shape: Enclosure, x: np.ndarray, y: np.ndarray, clearance: np.ndarray, its_clearance: np.ndarray, paths: np.ndarray
+    shape: Enclosure,
+    x: np.ndarray,
+    y: np.ndarray,
+    clearance: np.ndarray,
+    its_clearance: np.ndarray,
+    pairs: np.ndarray,
 ) -> np.ndarray:
-    """(W,) whether the segments from x[a] to y[b] for (a, b) of ``paths`` (W, 2) are inside; clearances are
+    """(W,) whether the segments from x[a] to y[b] for (a, b) of ``pairs`` (W, 2) are inside; clearances are
     approximate."""
-    a, b = paths.T
+    a, b = pairs.T
     return is_inside(shape, x[a], y[b], SURE * (clearance[a] + its_clearance[b]))

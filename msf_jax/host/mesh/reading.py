@@ -108,8 +108,7 @@ def _without_doubles(triangles: np.ndarray) -> trimesh.Trimesh:
     earliest = np.full(label.max() + 1, len(corners))
     np.minimum.at(earliest, label, first)
     order = np.argsort(earliest)
-    rank = np.empty(len(order), dtype=np.int64)
-    rank[order] = np.arange(len(order))
+    rank = np.argsort(order)
     faces = rank[label[inverse.ravel()]][faces]
     return trimesh.Trimesh(corners[earliest[order]], faces, process=False)
 

@@ -125,8 +125,7 @@ def cut_apart(faces: np.ndarray, twin: np.ndarray) -> tuple[np.ndarray, np.ndarr
     fan = graphs.labels(num, half, after[half])
     owner = faces.ravel()[np.unique(fan, return_index=True)[1]]
     order = np.argsort(owner, kind="stable")
-    number = np.empty(len(order), dtype=np.int64)
-    number[order] = np.arange(len(order))
+    number = np.argsort(order)
     return number[fan].reshape(-1, 3), owner[order]
 
 

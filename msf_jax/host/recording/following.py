@@ -127,8 +127,7 @@ def record(
     unit_of_length = 2.0 ** np.round(np.log2(surface.solid.diagonal))
     scale = surface.solid.diagonal / unit_of_length
     order_of_faces = together(shape.centroids, FACES_TOGETHER)
-    rank = np.empty(len(order_of_faces), dtype=np.int64)
-    rank[order_of_faces] = np.arange(len(rank))
+    rank = np.argsort(order_of_faces)
     twin = shape.mesh.twins.reshape(-1, 3)[order_of_faces]
     return Binding(
         live=Sizes(
@@ -191,14 +190,10 @@ def _sections(
     corners = sections.corners(shape, x[limb], tangent[limb], size[limb], nearest[limb])
     found = sections.measured(shape, x[limb], tangent[limb], corners)
     is_good = found.is_around
-    node, centroid, radius = limb[is_good], found.centroid[is_good], found.radius[is_good]
-    weight = clear[node] / (1 + (radius / (centring.LOPSIDED * found.size[is_good])) ** centring.STEEP)
-    width = np.full(len(x), np.nan)
-    width[node[weight > SLIGHT]] = radius[weight > SLIGHT]
-    weight *= np.minimum(1.0, np.nan_to_num(measures.usual(paths, width)[node] / radius)) ** centring.ROUNDNESS
-    everywhere = np.zeros((2, len(x)))
-    everywhere[:, node] = found.size[is_good], weight
-    size = measures.sizes(x, paths, everywhere[0], everywhere[1], radii)
+    node, found = limb[is_good], sections.Sections(*(field[is_good] for field in found))
+    weight, everywhere = centring.weighed(paths, clear, node, found, SLIGHT)
+    size = measures.sizes(x, paths, *everywhere, clearance=radii)
+    centroid, radius = found.centroid, found.radius
     weight /= (1 + (np.linalg.norm(x[node] - centroid, axis=1) / (centring.STRAY * radius)) ** 2) ** 2
     is_one = weight > SLIGHT
     node, centroid, weight = node[is_one], centroid[is_one], weight[is_one]
@@ -359,10 +354,9 @@ def _is_behind(shape: Enclosure, x: np.ndarray, nearest: np.ndarray) -> np.ndarr
     edge = np.linalg.norm(x[:, None] - foot, axis=2).argmin(axis=1)
     rows = np.arange(len(x))
     t, foot = t[rows, edge], foot[rows, edge]
-    normals = unit(cross(shape.triangles[:, 1] - shape.triangles[:, 0], shape.triangles[:, 2] - shape.triangles[:, 0]))
-    on_face = normals[nearest]
+    on_face = shape.normals[nearest]
     is_over = (np.einsum("nki,ni->nk", cross(along, offset), on_face) > 0).all(axis=1)
-    on_edge = on_face + normals[shape.mesh.twins[3 * nearest + edge] // 3]
+    on_edge = on_face + shape.normals[shape.mesh.twins[3 * nearest + edge] // 3]
     corner = shape.faces[nearest, np.where(t == 1, (edge + 1) % 3, edge)]
     at_corner = vertex_normals(shape.vertices, shape.faces)[corner]
     normal = np.where(((t == 0) | (t == 1))[:, None], at_corner, on_edge)

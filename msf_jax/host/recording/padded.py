@@ -143,8 +143,7 @@ def record_mesh_filter(
     meso = Meso.from_mesh(vertices, faces)
     layout = layout_for(meso.num_rows, packing.rows_beyond(meso))
     order, _, fields = packing.pack(meso, layout, np.empty(0), np.dtype(np.float64))
-    row = np.empty(len(order), dtype=np.int64)
-    row[order] = np.arange(len(order))
+    row = np.argsort(order)
     vertex = packing.pad(order, layout.capacity, 0, order.dtype)
     return _polynomial(kept, fields["rings"], fields["degree"], vertex, row), layout
 
@@ -173,8 +172,7 @@ def record_poles(found: FoundPoles | None, order: np.ndarray, capacity: int) -> 
     if found is None:
         empty = np.zeros((capacity, 4), dtype=np.int32), np.zeros(capacity, dtype=bool), np.zeros((capacity, 3))
         return dict(zip(("tetrahedron", "is_firm", "offset"), empty, strict=True))
-    rank = np.empty(len(order), dtype=np.int64)
-    rank[order] = np.arange(len(order))
+    rank = np.argsort(order)
     corner = found.sites[found.tetrahedron]
     a, b, c = (corner[:, k] - corner[:, 0] for k in (1, 2, 3))
     square = [np.einsum("ij,ij->i", edge, edge) for edge in (a, b, c)]

@@ -103,8 +103,7 @@ def record_steps(
     meso-skeleton in the last workspace."""
     if not steps:
         return [], np.arange(num_meso)
-    first = np.empty(len(steps[0].order), dtype=np.int64)
-    first[steps[0].order] = np.arange(len(first))
+    first = np.argsort(steps[0].order)
     at = Row(first, first)
     stretches = []
     for number, (start, end, layout) in enumerate(plan):

@@ -144,12 +144,11 @@ class Enclosure:
         tree, first, fan = self._samples
         sample = np.arange(0, len(first) - 1, -(-(len(first) - 1) // most))
         triangle = fan[first[sample]]
-        corners = self.triangles[triangle]
-        normal = cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
-        size = np.linalg.norm(normal, axis=1)
+        normal = self.normals[triangle]
+        has_area = normal.any(axis=1)
         # A vertex has no normal of its own, so each sample is moved towards the middle of its triangle.
         points = 0.75 * np.asarray(tree.data)[sample] + 0.25 * self.centroids[triangle]
-        return points[size > 0], normal[size > 0] / size[size > 0, None]
+        return points[has_area], normal[has_area]
 
     def feet(self, points: np.ndarray) -> np.ndarray:
         """The foot (P, 3) of each point's perpendicular on its triangle of `approximate_closest`, or nearest point."""

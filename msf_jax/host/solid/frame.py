@@ -56,8 +56,7 @@ def frame_of(vertices: np.ndarray) -> Frame:
 def sort_mesh(vertices: np.ndarray, faces: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """The order (V,) of ``vertices`` by x, then y, then z, and the sorted faces of the sorted vertices."""
     order = np.lexsort(vertices.T[::-1])
-    rank = np.empty(len(order), dtype=np.int64)
-    rank[order] = np.arange(len(order))
+    rank = np.argsort(order)
     renamed = rank[faces]
     first = renamed.argmin(axis=1)[:, None]
     turned = np.take_along_axis(renamed, (first + np.arange(3)) % 3, axis=1)  # the smallest corner first

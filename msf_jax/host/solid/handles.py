@@ -116,16 +116,17 @@ class Handles:
 
     def windings(
         self, vertices: np.ndarray, edges: np.ndarray, length: np.ndarray | None = None
-    ) -> tuple[np.ndarray, np.ndarray]:
+    ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """A basis of the curve's cycles: the edge (C,) that closes each cycle of a shortest spanning forest, and the
-        cycles' linking numbers (C, 2g) with the surface's loops. ``length`` (E,) replaces the edges' own, if given."""
+        cycles' linking numbers (C, 2g) with the surface's loops; and their parts (N, 2g) along the forest, from a root
+        to each node. ``length`` (E,) replaces the edges' own, if given."""
         num, (a, b) = len(vertices), edges.T
         size = np.linalg.norm(vertices[a] - vertices[b], axis=1) if length is None else length
         in_forest = shortest_forest(num, edges, size)
         linking = self.linking(vertices[a], vertices[b])
         potential = along_forest(num, edges[in_forest], linking[in_forest])
         closing = np.flatnonzero(~in_forest)
-        return closing, linking[closing] + potential[a[closing]] - potential[b[closing]]
+        return closing, linking[closing] + potential[a[closing]] - potential[b[closing]], potential
 
     def linking(self, a: np.ndarray, b: np.ndarray) -> np.ndarray:
         """The parts (E, 2g) of segments from a (E, 3) to b (E, 3) in the linking numbers with the surface's loops."""

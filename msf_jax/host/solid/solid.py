@@ -13,7 +13,7 @@ import numpy as np
 from msf_jax.host import graphs
 from msf_jax.host.mesh.half_edges import by_label
 from msf_jax.host.solid.enclosure import Enclosure
-from msf_jax.host.solid.geometry import signed_volume
+from msf_jax.host.solid.geometry import signed_volume, triangle_areas
 from msf_jax.host.solid.openings import lids_of
 
 ON_LID = 1e-9  # diagonals from a flat lid within which a point is on it and counts as inside
@@ -151,7 +151,6 @@ class Solid:
 
     def vertex_areas(self) -> np.ndarray:
         """(V,) a third of the area of the faces around each vertex, as a fraction of the whole area."""
-        a, b, c = np.moveaxis(self.shape.triangles, 1, 0)
-        area = np.linalg.norm(np.cross(b - a, c - a), axis=1)
+        area = triangle_areas(self.shape.triangles)
         corners = self.shape.faces.T.ravel()
         return np.bincount(corners, weights=np.tile(area, 3), minlength=len(self.shape.vertices)) / (3 * area.sum())

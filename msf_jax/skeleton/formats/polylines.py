@@ -39,7 +39,6 @@ def parsed(name: str, lines: list[str]) -> tuple[np.ndarray, np.ndarray, np.ndar
     given = np.array(points).reshape(-1, 3)
     first, inverse = np.unique(given, axis=0, return_index=True, return_inverse=True)[1:]
     order = np.argsort(first)  # the order of the file
-    rank = np.empty(len(order), dtype=np.int64)
-    rank[order] = np.arange(len(order))
+    rank = np.argsort(order)
     joined = rank[inverse.ravel()][np.array(edges, dtype=np.int64).reshape(-1, 2)]
     return given[first[order]], joined, np.zeros(len(order))
