@@ -390,4 +390,3 @@ def test_it_works_in_the_strict_modes_of_jax(limbs, mode):
             assert msf_jax.follow(skeleton, given).nodes.dtype == np.float32
         if mode != "transfers":  # compiling copies constants
             slope(array)
-

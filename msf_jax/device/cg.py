@@ -54,7 +54,7 @@ class SolveReport(NamedTuple):
     """The result of a solve of A x = b, or of A x = b - |b| left, besides x.
 
     steps: of CG. residual: the norm of ``left``. is_solved: whether it reached its tolerance, or ended by its last step
-    with an ``error`` below the norm of x. left: (n, c) the residual over |b|; CG's recursive one, which differs from
+    with an ``error`` below the norm of x and a residual below 1. left: (n, c) the residual over |b|; CG's recursive one, which differs from
     the right-hand side minus A x by rounding, or that difference. error: an estimate of the norm of x minus the
     solution, see `_distance_left`.
     """
@@ -297,6 +297,6 @@ def _iterated(
     x, state = solving.run(jnp.zeros_like(b), b)
     residual = jnp.sqrt(dot(state.residual, state.residual))
     error = _distance_left(state)
-    is_close = error <= jnp.maximum(jnp.sqrt(dot(x, x)), smallest * x.size**0.5)
+    is_close = (residual < 1) & (error <= jnp.maximum(jnp.sqrt(dot(x, x)), smallest * x.size**0.5))
     is_solved = (state.error <= solver.tolerance) & (is_close | (residual <= solver.tolerance))
     return x, SolveReport(state.iter_num, residual, is_solved, state.residual, error)
