@@ -284,6 +284,20 @@ def test_a_loose_solve_that_float32_cannot_do_is_not_solved():
     assert float(report.residual) > 6e-3 and not bool(report.is_solved)
 
 
+def test_a_solve_knows_how_far_it_is_from_its_solution():
+    """A short step is no solution: many follow it."""
+    entries = jnp.asarray(np.logspace(-4, 0, 400))
+    b = jnp.asarray(np.random.default_rng(0).normal(size=(400, 1)))
+    ran = quick_jit(lambda smallest: cg.solve(Diagonal(entries), b, Solver(1e-9, 5000), smallest))
+    for smallest in (0.0, 1e-3, 0.1, 1.0, 10.0):
+        x, report = ran(smallest)
+        error = np.linalg.norm(x - b / entries[:, None])
+        assert error / 3 < float(report.error) < 3 * error
+        assert bool(report.is_solved)
+    x, report = ran(100.0)  # ends with its first step, far away
+    assert int(report.steps) == 1 and not bool(report.is_solved)
+
+
 def test_derivatives_of_a_loose_solve_are_in_the_precision_of_its_input():
     entries = jnp.tile(jnp.asarray([1.0, 4.0]), 10)  # CG is exact after two steps, and far off after one
     b = jnp.asarray(np.random.default_rng(8).normal(size=(20, 1)))

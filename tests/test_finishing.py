@@ -152,7 +152,7 @@ def test_a_loop_around_a_hole_is_not_folded_flat():
 
 def job_of(shape):
     """What a pass may ask of the solid ``shape``."""
-    return Job(shape, shape, 1.5, False, Roadmap(shape, containment.is_inside), centring.Budget(), partial(Caps, shape))
+    return Job(shape, shape, 1.5, Roadmap(shape, containment.is_inside), centring.Budget(), partial(Caps, shape))
 
 
 def draft_of(x, edges):
@@ -681,7 +681,7 @@ def test_a_junction_goes_to_the_node_whose_ball_holds_its_own():
     x = scale * np.array([[0, 0, -0.75], [0, 0, -0.3], [0, 0, 0.05], [0, 0, 1.6], [0, 0.3, 1.6], [0, 0, 2.5], *legs])
     edges = np.array([[0, 1], [1, 2], [2, 3], [3, 4], [3, 5], [0, 6], [0, 7]])
     roadmap = Roadmap(shape, containment.is_inside)
-    job = Job(shape, shape, 0.75, False, roadmap, centring.Budget(), partial(Caps, shape))
+    job = Job(shape, shape, 0.75, roadmap, centring.Budget(), partial(Caps, shape))
     every = np.arange(len(x))
     draft = Draft(x, edges, none_held(x), every, every, x, none_held(x))
     place = finishing.placed(draft, job).place / scale

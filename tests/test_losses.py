@@ -195,7 +195,6 @@ def test_near_in_blocks_is_that_of_all_pairs(count):
     def blocks(one, other):
         return losses._to_nearest(one, other, counts).sum()
 
-    for found, expected in zip(
-        *(jax.tree.leaves(jax.jit(jax.value_and_grad(f, (0, 1)))(one, other)) for f in (blocks, pairs)), strict=True
-    ):
+    both = [jax.tree.leaves(jax.jit(jax.value_and_grad(f, (0, 1)))(one, other)) for f in (blocks, pairs)]
+    for found, expected in zip(*both, strict=True):
         np.testing.assert_allclose(found, expected, rtol=1e-14, atol=1e-14)

@@ -64,7 +64,7 @@ def test_a_scalar_solve_has_its_second_derivative_in_every_mode(route):
 @pytest.mark.parametrize("direction", FIRST)
 def test_a_derivative_whose_solve_fails_is_nan(direction, tolerance):
     """In eager and in compiled code alike. Three eigenvalues need three steps."""
-    entries, b = jnp.asarray([1.0, 10.0, 100.0]), jnp.ones((3, 1))
+    entries, b = jnp.asarray([1.0, 2.0, 3.0]), jnp.ones((3, 1))
 
     def total(a, steps):
         x, report = cg.solve(Diagonal(a * entries), b, Solver(tolerance, steps), smallest=1e3)

@@ -96,7 +96,7 @@ def move_factored(
         operator, b = _equations(moved, energy, settings, layout)
         if bool((b == 0).all()):  # as for a smoothing of strength 0: no factorisation, no solve
             zero = jnp.zeros((), b.dtype)
-            reports.append(SolveReport(jnp.asarray(0), zero, jnp.asarray(True), jnp.zeros_like(b)))
+            reports.append(SolveReport(jnp.asarray(0), zero, jnp.asarray(True), jnp.zeros_like(b), zero))
             continue
         arrays = operator.neighbour, operator.weights[0], operator.own, operator.shift, operator.free
         precondition = factoring(*jax.device_get(arrays), layout)

@@ -36,11 +36,12 @@ class Iteration(NamedTuple):
     area: float  # fraction of the first surface area that is left
     steps: int  # CG steps of the contraction
     residual: float  # relative residual at the end of it
-    is_solved: bool  # whether it and the smoothing reached their tolerance
+    is_solved: bool  # whether it and the smoothing were solved, see `cg.SolveReport`
     smoothing_steps: int
     smoothing_residual: float
     moved: float  # largest displacement
     redone: int = 0  # times that the step was repeated with a smaller w_L, because its coordinates diverged
+    error: float = 0.0  # estimate of the contraction's RMS distance from the solution, in t_c
 
 
 class Limits(NamedTuple):

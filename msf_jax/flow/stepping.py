@@ -73,6 +73,7 @@ def step(state: State, weights: Weights, config: Config, watch: Stopwatch, limit
             smoothing_residual=float(solves.residual[1]),
             moved=displacement,
             redone=moved.retries,
+            error=float(solves.error[0]) / max(float(free.sum()), 1.0) ** 0.5 / state.t_c,
         )
     )
     state.t_c = fixing.threshold(len(state.history), config.t_min, config.t_step, config.t_max)

@@ -49,7 +49,7 @@ def replay(tape: Tape, weights: Weights, vertices: Any = None, *, tolerance: flo
 
     Returns:
         (N, 3), in the caller's units. NaN if a linear solve does not converge in 20,000 steps: then the weights are
-        too extreme (w_H and w_M almost 0, for example).
+        too extreme (w_H and w_M almost 0, for example). A derivative whose solve does not converge is NaN.
 
     Differentiable in: weights, vertices. The derivative includes a pole's dependence on its four sites, and the filter
     of the sites. Held constant are all decisions, the frame (the flow does not depend on it), the trust in a pole, and

@@ -53,7 +53,11 @@ class Report:
         wavefronts: curves of components that geodesic wavefronts made, as edges are longer than their limbs are thick.
             Branches are then measured by their balls, see `Branch`.
         volume: fraction of the coarsened surface's volume that is left, the largest over components.
-        unsolved: iterations in which a linear solve ran out of steps before it reached its tolerance.
+        unsolved: iterations in which a linear solve ran out of steps before it reached its tolerance, or was ended by a
+            short step although the estimated error is larger than the motion.
+        solve_error: the largest estimated RMS error of a contraction's solve, in collapse thresholds t_c. With the
+            default tolerances it is about 0.5. So a run follows the equation only that closely, see the guide
+            *gradients*.
         solve_steps: CG steps of all solves.
         doubts: reasons not to trust the curve, a sentence each: for example a loop that goes around no handle, or
             a surface that crosses itself.
@@ -81,6 +85,7 @@ class Report:
     grown: int = 0
     wavefronts: int = 0
     cut: int = 0
+    solve_error: float = 0.0
     loops: int | None = None
     in_sheets: float | None = None
     doubts: tuple[str, ...] = ()
@@ -143,7 +148,7 @@ class Report:
         if self.pruned or self.grown:
             lines.append(f"branches: {self.pruned} pruned as no limbs, {self.grown} grown where the flow had lost them")
         if self.unsolved:
-            lines.append(f"in {self.unsolved} iterations a linear solve stopped before it reached its tolerance")
+            lines.append(f"in {self.unsolved} iterations a linear solve stopped far from its solution")
         if self.figures:
             lines.append(", ".join(f"{name} {value:.4g}" for name, value in self.figures.items()))
         lines += [f"in doubt: {doubt}" for doubt in self.doubts]
