@@ -36,6 +36,12 @@ def solved(a, tolerance=1e-12):
     return cg.solve(Diagonal(jnp.stack([a, 2 * a])), jnp.ones((2, 1)), Solver(tolerance, 10))[0][0, 0]
 
 
+def checked(a):
+    """As in a replay. The report must not become a batch where the value is none."""
+    x, report = cg.solve(Diagonal(jnp.stack([a, 2 * a])), jnp.ones((2, 1)), Solver(1e-12, 10))
+    return jnp.where(report.is_solved, x[0, 0], jnp.nan)
+
+
 def scanned(function, a):
     return jax.lax.scan(lambda total, _: (total + function(a), None), 0 * a, length=2)[0] / 2
 
@@ -48,6 +54,7 @@ ROUTES = {
     "cond": lambda a: jax.lax.cond(a > 0, solved, lambda a: a, a),
     "scan": partial(scanned, solved),
     "scan of a loose one": partial(scanned, partial(solved, tolerance=3e-3)),
+    "scan of a checked one": partial(scanned, checked),
     "scan of checkpoint": partial(scanned, checkpointed),
     "vmap of scan": lambda a: jax.vmap(partial(scanned, solved))(a[None])[0],
 }

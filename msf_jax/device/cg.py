@@ -3,7 +3,8 @@
 jaxopt's `solve_cg` reports neither its steps nor its residual. So the loop is a jaxopt `IterativeSolver`, whose state
 has both. It is the solve of a `lax.custom_linear_solve`. So derivatives of any order, in every transformation, are
 those of the solution, A dx = db - dA x. Each derivative costs one more solve. With a `jax.checkpoint` whose policy is
-`keeps_solutions`, the backward pass does not repeat the solve for x. The functions in `PRECONDITIONERS` use JAX; `host/factors.py` has a preconditioner on the host.
+`keeps_solutions`, the backward pass does not repeat the solve for x. The functions in `PRECONDITIONERS` use JAX;
+`host/factors.py` has a preconditioner on the host.
 """
 
 import warnings
@@ -54,9 +55,9 @@ class SolveReport(NamedTuple):
     """The result of a solve of A x = b, or of A x = b - |b| left, besides x.
 
     steps: of CG. residual: the norm of ``left``. is_solved: whether it reached its tolerance, or ended by its last step
-    with an ``error`` below the norm of x and a residual below 1. left: (n, c) the residual over |b|; CG's recursive one, which differs from
-    the right-hand side minus A x by rounding, or that difference. error: an estimate of the norm of x minus the
-    solution, see `_distance_left`.
+    with an ``error`` below the norm of x and a residual below 1. left: (n, c) the
+    residual over |b|: the right-hand side minus A x; of `solve_outside`, CG's recursive one, which differs by rounding.
+    error: an estimate of the norm of x minus the solution, see `_distance_left`.
     """
 
     steps: jax.Array
@@ -191,27 +192,39 @@ def _solved(
 ) -> tuple[jax.Array, SolveReport]:
     """`solve` in the type of b, or in float32 if ``is_short``.
 
-    The limits of the solve, |b| and ``smallest``, are two further rows of the unknown and of the right-hand side. JAX
-    calls the same function for derivatives, whose limits are 0: they are solved to the tolerance, and are NaN if not.
-    (As a second array they would be refused, because JAX transposes only what depends on the tangents altogether.)
+    Four further rows of the right-hand side have the limits of the solve, |b| and ``smallest``; those of the unknown
+    have its report. JAX calls the same function for derivatives, whose limits are 0: they are solved to the tolerance,
+    and are NaN if not. (Limits as a second array are refused, because JAX transposes only what depends on the tangents
+    altogether. A report as auxiliary data becomes a batch under `jax.jacfwd`, which is refused, too.)
     """
     size = norm(b)
     right = b if left is None else b - size * left
-    limits = lax.stop_gradient(jnp.stack([size, jnp.asarray(smallest, b.dtype)]))
-    limits = jnp.broadcast_to(limits[:, None], (2, b.shape[1]))
+    zero = jnp.zeros((), b.dtype)
+    limits = lax.stop_gradient(jnp.stack([size, jnp.asarray(smallest, b.dtype), zero, zero]))
+
+    def columns(rows: jax.Array) -> jax.Array:
+        return jnp.broadcast_to(rows[:, None], (4, b.shape[1]))
 
     def product(unknown: jax.Array) -> jax.Array:
-        return jnp.concatenate([operator(unknown[:-2]), unknown[-2:]])
+        return jnp.concatenate([operator(unknown[:-4]), unknown[-4:]])
 
-    def solved(_: Any, given: jax.Array) -> Any:
-        rhs, size, smallest = given[:-2], given[-2, 0], given[-1, 0]
-        is_first = size > 0
+    def solved(_: Any, given: jax.Array) -> jax.Array:
+        rhs, size, smallest = given[:-4], given[-4, 0], given[-3, 0]
+        is_first = ~(size == 0)
         x, report = _run(operator, rhs, jnp.where(is_first, size, norm(rhs)), solver, smallest, is_short)
-        return jnp.concatenate([jnp.where(is_first | report.is_solved, x, jnp.nan), given[-2:]]), report
+        said = (report.steps, report.residual, report.is_solved, report.error)
+        said = columns(jnp.stack([jnp.asarray(value, b.dtype) for value in said]))
+        is_given = is_first | (rhs == 0).all()  # a first solve for 0, too
+        x = jnp.where(is_given | report.is_solved, x, jnp.nan)
+        return jnp.concatenate([x, jnp.where(is_first, said, given[-4:])])
 
-    given = jnp.concatenate([right, limits])
-    x, report = lax.custom_linear_solve(product, given, solved, symmetric=True, has_aux=True)
-    return x[:-2], report
+    given = jnp.concatenate([right, columns(limits)])
+    found = lax.custom_linear_solve(product, given, solved, symmetric=True)
+    steps, residual, is_solved, error = lax.stop_gradient(found[-4:, 0])
+    x, given, operator = lax.stop_gradient((found[:-4], right, operator))
+    rest = (given - operator(x)) / lax.stop_gradient(_scale(size))
+    is_solved = (is_solved > 0) | (lax.stop_gradient(size) == 0)
+    return found[:-4], SolveReport(steps.astype(int), residual, is_solved, rest, error)
 
 
 @partial(jax.custom_jvp, nondiff_argnums=(0,))
