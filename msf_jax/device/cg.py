@@ -55,9 +55,9 @@ class SolveReport(NamedTuple):
     """The result of a solve of A x = b, or of A x = b - |b| left, besides x.
 
     steps: of CG. residual: the norm of ``left``. is_solved: whether it reached its tolerance, or ended by its last step
-    with an ``error`` below the norm of x and a residual below 1. left: (n, c) the
-    residual over |b|: the right-hand side minus A x; of `solve_outside`, CG's recursive one, which differs by rounding.
-    error: an estimate of the norm of x minus the solution, see `_distance_left`.
+    with an ``error`` below the norm of x and a residual below 1. left: (n, c) the residual over |b|; CG's recursive
+    one, which differs from the right-hand side minus A x by rounding, or that difference. error: an estimate of the
+    norm of x minus the solution, see `_distance_left`.
     """
 
     steps: jax.Array
