@@ -217,7 +217,7 @@ def test_a_finger_begins_in_the_palm_and_not_at_the_finger_beside_it_nor_in_a_bo
     base = np.array([-0.3, 0, 1.2])
     radius, away = shape.approximate_clearance(x)[0], np.linalg.norm(x - base, axis=1)
     assert x[away.argmin(), 2] > 1.0 and x[(away - radius).argmin(), 1] > 0.5
-    begin = x[one_branch._beginning(shape, x, radius, base)]
+    begin = x[one_branch.beginning(shape, x, radius, base)]
     assert abs(begin[1]) < 0.1 and begin[2] < 1.0
 
 

@@ -43,6 +43,8 @@ class Lid(NamedTuple):
 
 def lids_of(vertices: np.ndarray, faces: np.ndarray, lids: np.ndarray) -> list[Lid]:
     """The lids that the faces ``lids`` (L,) of a surface ``(vertices (V, 3), faces (F, 3))`` make: a piece each."""
+    if not len(lids):
+        return []
     return [_lid(vertices, faces, lids[own]) for own in by_label(graphs.pieces(faces[lids], len(vertices)))]
 
 
