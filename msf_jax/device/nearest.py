@@ -86,7 +86,8 @@ def nearest_faces(binding: Binding, points: jax.Array, vertices: jax.Array) -> j
         return done + together, least, jnp.where(least < best, first, face)
 
     none = 0 * pair[-1]  # not a constant: in a `jax.shard_map` the state must vary from device to device
-    start = (none, jnp.where(some < 0, jnp.zeros((), dtype), jnp.full((), jnp.inf, dtype)), jnp.zeros(num, jnp.int32) + none)
+    far = jnp.full(num, jnp.inf, dtype) + none
+    start = (none, far, jnp.zeros(num, jnp.int32) + none)
     found = lax.while_loop(lambda state: state[0] < pair[-1], test_pairs, start)[2]
     return jnp.minimum(found, binding.live.faces - 1)  # padding repeats the last face
 
