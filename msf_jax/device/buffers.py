@@ -4,7 +4,7 @@
 row. Neither adds to any sum, so values and gradients do not depend on padding.
 """
 
-from functools import partial, reduce
+from functools import partial
 from typing import NamedTuple
 
 import jax
@@ -59,22 +59,13 @@ def _raised(rows: int, lower: jax.Array) -> jax.Array:
     return jnp.pad(lower, [(0, rows - lower.shape[0])] + [(0, 0)] * (lower.ndim - 1))
 
 
-def added(values: jax.Array) -> jax.Array:
-    """Sum of ``values`` (k, ...) over the first axis, for a small k: k - 1 additions, not a reduction.
-
-    Since jaxlib 0.10.2, XLA on the CPU hands reductions of 4096 entries and more to a library, where a sum over slots
-    takes up to fifteen times as long.
-    """
-    return reduce(jnp.add, values)
-
-
 @traced_once
 def slot_sum(layout: Layout, values: jax.Array) -> jax.Array:
     """Sum (n,) of ``values`` (S,) over the slots of each row."""
     total = jnp.zeros(layout.levels[-1].rows, values.dtype)
     for level in reversed(layout.levels):
         block = values[level.offset : level.end].reshape(level.slots, level.rows)
-        total = added(block) + _raised(level.rows, total)
+        total = block.sum(0) + _raised(level.rows, total)
     return total
 
 
@@ -95,4 +86,4 @@ def slot_product(layout: Layout, weights: jax.Array, neighbour: jax.Array, x: ja
 def _level_product(level: Level, weights: jax.Array, neighbour: jax.Array, x: jax.Array) -> jax.Array:
     w = weights[level.offset : level.end].reshape(level.slots, level.rows)
     j = neighbour[level.offset : level.end].reshape(level.slots, level.rows)
-    return added(w[:, :, None] * x.at[j].get(mode="promise_in_bounds", wrap_negative_indices=False))
+    return (w[:, :, None] * x[j]).sum(0)

@@ -141,7 +141,7 @@ def dot(x: jax.Array, y: jax.Array) -> jax.Array:
     """Sum of x y over all entries.
 
     One half of the rows is added to the other until few entries are left: additions are fast on the CPU in all versions
-    of XLA, unlike a long reduction (see `buffers.added`), and they round less.
+    of XLA, unlike a long reduction, and they round less.
     """
     products = x * y
     for _ in range(MOST_HALVINGS):
