@@ -40,7 +40,7 @@ KEPT = "steps"  # folder of the programs, in the folder of JAX's cache
 SAME_FOR_ALL = ("jax_enable_x64", "jax_default_matmul_precision", "jax_debug_nans", "jax_numpy_dtype_promotion")
 
 # Since jaxlib 0.10.2, XLA on the CPU hands reductions to a library, where those of a step take several times as long. A
-# function that is traced in a user's program cannot have options, so a replay there stays slower. Slots written as k - 1
+# function that is traced in a user's program cannot have options, so a replay there stays slower. Slots written as
 # additions need no option, but then jaxlib 0.10.1 computes other bits with two threads than with one.
 OPTIONS: dict[str, str | bool] = {"xla_cpu_experimental_ynn_fusion_type": ""}
 
