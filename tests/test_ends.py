@@ -280,14 +280,29 @@ def test_a_solid_turned_scaled_and_mirrored_has_the_ends_of_the_solid(seed, scal
     np.testing.assert_allclose(np.array(sorted(found, key=tuple)), ends_of(shape), atol=0.03)
 
 
+@pytest.mark.parametrize(("length", "sections", "rows"), [(60, 16, 6), (60, 8, 6), (200, 12, 8)])
+@pytest.mark.parametrize("seed", [0, 1])
+def test_a_limb_of_long_triangles_ends_on_its_axis(length, sections, rows, seed):
+    """`AROUND`, `BEHIND`, `ROUNDS`: where triangles are longer than the limb is wide, rings are bent, and some that are
+    near its end lie on its side."""
+    half = length / 2
+    rings = [(1, z) for z in np.linspace(-half, half, rows)]
+    mesh = trimesh.creation.revolve([(0, -half), *rings, (0, half)], sections=sections)
+    x = np.array(mesh.vertices)[:, [2, 0, 1]]
+    is_between = np.abs(x[:, 0]) < half - 1e-9
+    x[is_between, 0] += 0.3 * length / (rows - 1) * np.random.default_rng(seed).uniform(-1, 1, is_between.sum())
+    found = ends_of(Enclosure(x, np.array(mesh.faces)))
+    np.testing.assert_allclose(found, [[0.3 - half, 0, 0], [half - 0.3, 0, 0]], atol=0.1)
+
+
 def test_no_ball_fills_the_point_of_a_cone():
     """`WIDEST`, `LEAST`: its balls are half as large as they are far from it. It ends where the ball is 0.3 * 0.25 of
     the one a ring farther from the point at 0."""
     radius = 4 * np.tan(np.pi / 6)
     shape = as_shape(Solid.cylinder(4, radius, 0, 96).translate((0, 0, -4)), 0.2)
     middles = np.array([[0, 0, z] for z in (-0.3, -0.6, -0.9, -1.2, -1.5)])
-    found = ends._to_end(shape, middles, 2, 0.3)
-    assert found[1].tolist() == [0, 0, -1.2] and -found[0, 2] == pytest.approx(0.075 * 1.2, rel=0.25)
+    found = ends._to_end(shape, middles, -middles[:, 2] * np.tan(np.pi / 6), 2, 0.3)
+    assert found[1] == pytest.approx([0, 0, -1.2], abs=1e-12) and -found[0, 2] == pytest.approx(0.075 * 1.2, rel=0.25)
 
 
 def test_the_end_of_a_channel_is_not_beyond_it():

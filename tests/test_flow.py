@@ -254,8 +254,7 @@ def test_a_solid_thinner_than_the_shortest_edge_keeps_its_length(name):
     skeleton = msf_jax.skeletonize(mesh)
     assert skeleton.report.coarsened == 0
     assert skeleton.report.converged
-    # 500 nodes that are off the axis of the bar by a tenth of its radius make it longer by a thousandth.
-    assert 0.98 < length_of(skeleton) < 1.002 and skeleton.num_leaves == 2
+    assert 0.98 < length_of(skeleton) < 1.0 and skeleton.num_leaves == 2
 
 
 @pytest.mark.parametrize("extents", [pytest.param((1, 1, 0.002), marks=SLOW), (1, 0.5, 0.004), (1, 1, 1e-5)])

@@ -19,12 +19,16 @@ import numpy as np
 from scipy import sparse
 from scipy.sparse import linalg
 
+from msf_jax.host.solid import sections
 from msf_jax.host.solid.enclosure import Enclosure
 from msf_jax.host.solid.geometry import triangle_areas, unit
 from msf_jax.host.thin.levels import levels
 
 STEP = 0.5  # widths of a limb between its rings
 NEAR_END = 1  # rings: so many can lie on the end itself
+AROUND = 0.8  # of the rings behind: least distance of a ring's middle from the surface, for the ring's size
+BEHIND = 2.0  # widths of a limb: so far behind; more than rings on the end or beside it are apart
+ROUNDS = 3  # of moving two rings to the middles of the sections across their line; the line changes each time
 HALF = 0.5  # of a ring's length: another one of that length goes around another part of the limb, and not a bump
 GAP = 0.3  # radii of the limb's end: the ball around the end of the curve, which is as far from the surface ahead
 WIDEST = 1.5  # of a ball's radius: a ball whose middle is within that distance of the limb's end fills the end
@@ -111,20 +115,45 @@ def axis(shape: Enclosure, vertices: np.ndarray, faces: np.ndarray, time: np.nda
         is_part = found.perimeter[beside].max(initial=0.0) > HALF * found.perimeter[rings[-1]]
         whole = len(rings) if is_part and len(rings) <= 4 * NEAR_END else whole
     rings = rings[:-1] if len(rings) > 3 else rings  # the last one is at the base
-    return Axis(_to_end(shape, found.centre[rings], whole, step), width)
+    return Axis(_to_end(shape, found.centre[rings], found.size[rings], whole, step), width)
 
 
-def _to_end(shape: Enclosure, middles: np.ndarray, whole: int, step: float) -> np.ndarray:
-    """The curve (m, 3) over ``middles`` (k, 3) of rings, ``step`` apart, that ends `GAP` before the surface.
+def _centred(shape: Enclosure, places: np.ndarray, heading: np.ndarray, size: np.ndarray) -> np.ndarray:
+    """The ``places`` (p, 3) in the middle of the sections across ``heading`` (3,), where that is no nearer to the
+    surface: a ring on triangles that are longer than the limb is wide is bent."""
+    found = sections.cut(shape, places, np.tile(heading, (len(places), 1)), size)
+    is_better = found.is_around & (shape.clearance(found.centroid) >= shape.clearance(places))
+    return np.where(is_better[:, None], found.centroid, places)
+
+
+def _to_end(shape: Enclosure, middles: np.ndarray, size: np.ndarray, whole: int, step: float) -> np.ndarray:
+    """The curve (m, 3) over ``middles`` (k, 3) of rings of that ``size`` (k,), ``step`` apart, that ends `GAP` before
+    the surface.
 
     From the ring ``whole`` on, they go around the whole limb: before, they can lie on the end itself."""
-    first, ball = min(whole, len(middles) - 1), shape.clearance(middles)
-    first += int((ball > LEAST * np.append(ball[1:], 0.0))[first:].argmax())  # a hole in the end has rings outside
+    first = min(whole, len(middles) - 1)
+    # A ring on the end or beside it, or around a hole in it, has its middle near the surface or outside. One around the
+    # limb has it as far from the surface, for its size, as the rings behind it.
+    width = step / STEP
+    near = middles[: 1 + int((np.linalg.norm(middles - middles[0], axis=1) <= 2 * BEHIND * width).nonzero()[0][-1])]
+    ratio = np.minimum(shape.clearance(near) / np.maximum(size[: len(near)], 1e-300), 1.0)
+    is_behind = np.linalg.norm(near - near[:, None], axis=2) <= BEHIND * width
+    most = np.where(np.triu(is_behind, 1), ratio, 0.0).max(axis=1)
+    first += int(((ratio > 0) & (ratio >= AROUND * most))[first:].argmax())
     first = min(first, max(len(middles) - 2, 0))
-    base = min(first + 1, len(middles) - 1)
+    is_base = np.linalg.norm(middles - middles[first], axis=1)[first + 1 :] >= step / 2
+    base = min(first + 1 + int(np.append(is_base, True).argmax()), len(middles) - 1)
     heading = unit(middles[first] - middles[base])
     if not heading.any():
         return middles[base:]
+    # On triangles that are longer than the limb is wide, rings are bent, and their middles are off. The sections across
+    # the limb, at first across a width of it, are not.
+    middles, both = middles.copy(), [first, base]
+    is_far = np.linalg.norm(middles - middles[first], axis=1)[base:] >= width
+    heading = unit(middles[first] - middles[base + int(is_far.argmax())])
+    for _ in range(ROUNDS):
+        middles[both] = _centred(shape, middles[both], heading, size[both])
+        heading = unit(middles[first] - middles[base])
     # From the outermost ring on: a blind hole may lie across the line behind it. What touches the surface is the end.
     along = (middles[: first + 1] - middles[base]) @ heading
     line = middles[base] + along[:, None] * heading

@@ -18,12 +18,14 @@ MOST_POINTS = 2_000_000  # intersections of levels and edges: if there are more,
 class Levels(NamedTuple):
     """Rings between pieces of the surface.
 
-    centre: (R, 3) centroid of the area inside a ring. perimeter: (R,) of a ring. below, above: (R,) the pieces that
+    centre: (R, 3) centroid of the area inside a ring. perimeter: (R,) of a ring. size: (R,) twice its
+    area over its perimeter, the radius of a disc. below, above: (R,) the pieces that
     meet there. piece: (V,) the piece of each vertex. num_pieces: of all pieces, also those without a vertex.
     """
 
     centre: np.ndarray
     perimeter: np.ndarray
+    size: np.ndarray
     below: np.ndarray
     above: np.ndarray
     piece: np.ndarray
@@ -67,12 +69,12 @@ def levels(vertices: np.ndarray, faces: np.ndarray, height: np.ndarray, step: fl
     num = int(ring.max(initial=-1)) + 1
     below, above = np.zeros((2, num), dtype=np.int64)
     below[ring], above[ring] = piece[stretch[edge] + place], piece[stretch[edge] + place + 1]
-    centre, perimeter = _centroids(points[pairs[0]], points[pairs[1]], ring[pairs[0]], num)
-    return Levels(centre, perimeter, below, above, piece[: len(vertices)], num_pieces)
+    centre, perimeter, size = _centroids(points[pairs[0]], points[pairs[1]], ring[pairs[0]], num)
+    return Levels(centre, perimeter, size, below, above, piece[: len(vertices)], num_pieces)
 
 
-def _centroids(a: np.ndarray, b: np.ndarray, ring: np.ndarray, num: int) -> tuple[np.ndarray, np.ndarray]:
-    """The centroid (num, 3) of each ring's area and its perimeter (num,).
+def _centroids(a: np.ndarray, b: np.ndarray, ring: np.ndarray, num: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """The centroid (num, 3) of each ring's area, its perimeter (num,), and twice the area over it (num,).
 
     ``a`` and ``b`` (S, 3) are the ends of the segments, which belong to each ``ring`` (S,).
     """
@@ -91,4 +93,4 @@ def _centroids(a: np.ndarray, b: np.ndarray, ring: np.ndarray, num: int) -> tupl
     point = np.zeros((num, 3))
     point[ring] = a
     centre = np.where(is_flat[:, None], middle, centre)
-    return np.where(perimeter[:, None] > 0, centre, point), perimeter
+    return np.where(perimeter[:, None] > 0, centre, point), perimeter, total / np.maximum(perimeter, 1e-300)
