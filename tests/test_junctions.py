@@ -1,19 +1,28 @@
-"""Junctions of narrow forks are where the axes of their branches meet."""
+"""Junctions of tubes are where the axes of their branches meet."""
 
 import numpy as np
 import pytest
+import trimesh
 
 from msf_jax import shapes
 from msf_jax.host.curve import junctions
 from msf_jax.host.solid.enclosure import Enclosure
 
 
+def ways(degrees):
+    """(2, 3) the directions of the daughters of a fork."""
+    angle = np.radians(degrees / 2)
+    return np.array([[np.sin(angle), 0, np.cos(angle)], [-np.sin(angle), 0, np.cos(angle)]])
+
+
+def fork_mesh(degrees):
+    points = np.concatenate([[[0, 0, 0], [0, 0, -8]], 10 * ways(degrees)])
+    return shapes.solid_around(points, np.array([[0, 1], [0, 2], [0, 3]]), np.array([1.0, 1.0, 0.8, 0.8]), 0.3)
+
+
 def fork(degrees, first, num=40):
     """A solid of a trunk and two daughters that meet at 0, and a curve whose junction is ``first`` above it."""
-    angle = np.radians(degrees / 2)
-    way = np.array([[np.sin(angle), 0, np.cos(angle)], [-np.sin(angle), 0, np.cos(angle)]])
-    points = np.concatenate([[[0, 0, 0], [0, 0, -8]], 10 * way])
-    mesh = shapes.solid_around(points, np.array([[0, 1], [0, 2], [0, 3]]), np.array([1.0, 1.0, 0.8, 0.8]), 0.3)
+    way, mesh = ways(degrees), fork_mesh(degrees)
     line = np.linspace(0, 1, num)[1:, None]
     crotch = np.array([0, 0, first])
     trunk = crotch + line * ([0, 0, -7.7] - crotch)
@@ -34,7 +43,7 @@ def moved(shape, x, edges, is_held=None):
 
 
 def test_the_junction_of_a_narrow_fork_is_where_its_axes_meet():
-    """`NARROW`, `USUAL`, `AXIS`: it was in front of the crotch, where the ball is half as large."""
+    """`USUAL`, `AXIS`: it was in front of the crotch, where the ball is half as large."""
     shape, x, edges, chains = fork(30, 2.9)
     assert shape.clearance(x[:1])[0] < 0.6
     found = moved(shape, x, edges)
@@ -46,10 +55,23 @@ def test_the_junction_of_a_narrow_fork_is_where_its_axes_meet():
         assert off.max() < 0.3
 
 
-@pytest.mark.parametrize("degrees", [60, 120])
-def test_a_junction_in_the_middle_of_a_fork_stays(degrees):
-    shape, x, edges, _ = fork(degrees, 0.1)
-    np.testing.assert_array_equal(moved(shape, x, edges), x)
+@pytest.mark.parametrize("degrees", [60, 120, 180])
+@pytest.mark.parametrize("off", [0.2, 0.3])
+def test_the_junction_of_a_wide_fork_is_where_its_axes_meet(degrees, off):
+    """`TUBES`: the ball beside the axes is larger; in a T of equal tubes by 5 / 4, at 1 / 4 of the radius."""
+    shape, x, edges, _ = fork(degrees, -off if degrees == 180 else off)
+    found = moved(shape, x, edges)
+    assert np.linalg.norm(found[0]) < 0.05
+    np.testing.assert_array_equal(found[[20, 60, 100]], x[[20, 60, 100]])  # farther on, branches stay
+
+
+def test_a_junction_in_the_middle_of_a_blob_stays():
+    """`TUBES`: a ball of 1.5 radii around the fork, whose middle is beside the axes."""
+    _, x, edges, _ = fork(120, 0.3)
+    blob = trimesh.creation.icosphere(subdivisions=3, radius=1.5).apply_translation(x[0])
+    mesh = trimesh.boolean.union([fork_mesh(120), blob], engine="manifold")
+    shape = Enclosure(np.asarray(mesh.vertices), np.asarray(mesh.faces))
+    np.testing.assert_array_equal(moved(shape, x, edges)[0], x[0])
 
 
 def test_a_held_junction_stays():

@@ -245,7 +245,7 @@ def joined(draft: Draft, job: Job, centre: bool, hold_leaves: bool) -> Draft:
 
 def splined(draft: Draft, job: Job, hold_leaves: bool) -> Draft:
     """Nodes are about ``SPACING`` radii apart, in the middle of the solid. No two strands run in one limb, and the
-    junctions of narrow forks are where the axes of their branches meet."""
+    junctions of tubes are where the axes of their branches meet."""
     draft = centred(refined(draft, job), job, hold_leaves)
     radii = job.coarse.approximate_clearance(draft.vertices)[0]
     stays, target, edges = branches.zip_strands(draft.vertices, draft.edges, radii, draft.is_held)

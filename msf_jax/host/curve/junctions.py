@@ -1,11 +1,14 @@
-"""Junctions of narrow forks: where the axes of their branches meet.
+"""Junctions of tubes: where the axes of their branches meet.
 
-The flow's junction of a narrow fork is in front of the crotch, where its ball is small, and its branches bend around
-the crotch. Their axes p + t d are known farther on, where each has its usual radius. The point m nearest to all axes,
+Near a junction sections are no guide, and the nodes there follow what is wide: a side branch pulls the curve of its
+trunk towards it, and the flow's junction of a narrow fork is in front of the crotch, where its branches bend around it.
+Farther on, where each branch has its usual radius, it is on its axis, and a line continues that, or a parabola if it is bent, with the tangent
+p + t d at the place of the junction. The point m nearest to all tangents,
 
     minimise  sum over the branches |(I - d d^T) (m - p)|^2,
 
-is the junction, if it is nearly on each axis, has a larger ball, and sees each p.
+is the junction, if it is nearly on each, and sees the places where the branches are on their axes. A blob
+where limbs meet, such as a rump, has a larger ball than tubes have, and its junction stays in its middle.
 """
 
 import numpy as np
@@ -15,18 +18,21 @@ from msf_jax.host.curve.containment import is_inside
 from msf_jax.host.solid.enclosure import Enclosure
 from msf_jax.host.solid.geometry import arc_length, at, unit
 
-NARROW = 0.75  # of the least usual radius of the branches: a junction whose ball is smaller is in front of a crotch
+TUBES = 1.3  # of the largest usual radius: largest ball of a junction of tubes; 5 / 4 where three equal ones form a T
+BENT = 0.05  # radii: a stretch whose middle is nearer to its chord is straight; 0.08 for an arc of 6 radii
+OFF = 0.25  # radii: largest distance of the meeting point from an axis
 USUAL = 0.9  # of the usual radius of a branch: a radius beyond the place where it has as much, its axis begins
+BEGIN = 1.5  # radii from the place where it has its usual radius: there a branch is on its axis
+MIDDLE = 0.4  # of a branch between two junctions: there at the latest
 AXIS = 2.0  # radii: length of the stretch that gives a branch's axis
-OFF = 0.5  # radii: largest distance of the meeting point from an axis
 SPREAD = (
     0.05  # least eigenvalue of the sum: 0.13 for a fork of 30 degrees; below it, axes are parallel and meet nowhere
 )
 
 
 def met(shape: Enclosure, x: np.ndarray, edges: np.ndarray, is_held: np.ndarray, radii: np.ndarray) -> np.ndarray:
-    """The nodes (N, 3) with junctions of narrow forks where the axes of their branches meet, and the nodes on the way
-    to each branch's own section on a straight line."""
+    """The nodes (N, 3) with junctions of tubes where the axes of their branches meet, and the nodes on the way to each
+    branch's own stretch on its line."""
     x = x.copy()
     at_node: dict[int, list[np.ndarray]] = {}
     for each in graphs.trace(len(x), edges):
@@ -34,30 +40,39 @@ def met(shape: Enclosure, x: np.ndarray, edges: np.ndarray, is_held: np.ndarray,
             at_node.setdefault(path[0], []).append(np.array(path))
     for node, paths in at_node.items():
         usual = np.array([float(np.median(radii[path[1:]])) for path in paths if len(path) > 1])
-        if len(paths) < 3 or is_held[node] or radii[node] > NARROW * usual.min():
+        if len(paths) < 3 or is_held[node] or radii[node] > TUBES * usual.max(initial=0.0):
             continue
-        begins, points, headings = [], [], []
+        begins, ways = [], []
         for path, size in zip(paths, usual, strict=True):
             along, is_own = arc_length(x[path]), radii[path] >= USUAL * size
-            begin = int(np.searchsorted(along, along[is_own.argmax()] + size))
-            end = along[min(begin, len(path) - 1)] + AXIS * size
-            if end > along[-1] or is_held[path[:begin]].any():
+            margin, is_link = BEGIN * size, len(at_node[path[-1]]) > 2
+            if is_link:
+                margin = min(margin, MIDDLE * along[-1])
+            start = along[is_own.argmax()] + margin
+            length = min(AXIS * size, along[-1] - is_link * margin - start)
+            begin = int(np.searchsorted(along, start))
+            if margin < size or length <= 0 or is_held[path[: begin + 1]].any():
                 break
+            # Through three points of the branch's own stretch, or two if it is straight.
+            place = start + length * np.array([0.0, 0.5, 1.0])
+            three = at(x[path], along, place)
+            is_bent = np.linalg.norm(three[1] - (three[0] + three[2]) / 2) > BENT * size
+            step = slice(None, None, 1 if is_bent else 2)
             begins.append(begin)
-            points.append(x[path[begin]])
-            headings.append(at(x[path], along, np.array([end]))[0] - x[path[begin]])
+            ways.append(np.pad(np.polyfit(place[step], three[step], 1 + is_bent), ((1 - is_bent, 0), (0, 0))))
         if len(begins) < len(paths):
             continue
-        p, d = np.array(points), unit(np.array(headings))
+        p, d = np.array([way[2] for way in ways]), unit(np.array([way[1] for way in ways]))
         flat = np.eye(3) - d[:, :, None] * d[:, None, :]
         total = flat.sum(axis=0)
         if np.linalg.eigvalsh(total)[0] < SPREAD:
             continue
         meet = np.linalg.solve(total, np.einsum("bij,bj->i", flat, p))
         off = np.linalg.norm(np.einsum("bij,bj->bi", flat, meet - p), axis=1)
-        is_nearer = (off > OFF * usual).any() or shape.clearance(meet[None])[0] < radii[node]
-        if is_nearer or not is_inside(shape, np.repeat(meet[None], len(p), axis=0), p).all():
+        begun = x[[path[begin] for path, begin in zip(paths, begins, strict=True)]]
+        if (off > OFF * usual).any() or not is_inside(shape, np.repeat(meet[None], len(p), axis=0), begun).all():
             continue
-        for path, begin in zip(paths, begins, strict=True):
-            x[path[: begin + 1]] = meet + np.linspace(0, 1, begin + 1)[:, None] * (x[path[begin]] - meet)
+        for path, begin, (square, slope, start) in zip(paths, begins, ways, strict=True):
+            along = arc_length(x[path[: begin + 1]])[:, None]
+            x[path[: begin + 1]] = start + along * (slope + along * square) + (1 - along / along[-1]) * (meet - start)
     return x

@@ -29,6 +29,7 @@ NEAR_END = 1  # rings: so many can lie on the end itself
 AROUND = 0.8  # of the rings behind: least distance of a ring's middle from the surface, for the ring's size
 BEHIND = 2.0  # widths of a limb: so far behind; more than rings on the end or beside it are apart
 ROUNDS = 3  # of moving two rings to the middles of the sections across their line; the line changes each time
+WHOLE = 0.8  # of a ring's size: least size of a section beside it; a bent ring is a sixth larger than its section
 HALF = 0.5  # of a ring's length: another one of that length goes around another part of the limb, and not a bump
 GAP = 0.3  # radii of the limb's end: the ball around the end of the curve, which is as far from the surface ahead
 WIDEST = 1.5  # of a ball's radius: a ball whose middle is within that distance of the limb's end fills the end
@@ -120,9 +121,9 @@ def axis(shape: Enclosure, vertices: np.ndarray, faces: np.ndarray, time: np.nda
 
 def _centred(shape: Enclosure, places: np.ndarray, heading: np.ndarray, size: np.ndarray) -> np.ndarray:
     """The ``places`` (p, 3) in the middle of the sections across ``heading`` (3,), where that is no nearer to the
-    surface: a ring on triangles that are longer than the limb is wide is bent."""
+    surface, and the section is no smaller than a ring of ``size`` (p,): one through a blind hole is."""
     found = sections.cut(shape, places, np.tile(heading, (len(places), 1)), size)
-    is_better = found.is_around & (shape.clearance(found.centroid) >= shape.clearance(places))
+    is_better = found.is_around & (found.size >= WHOLE * size) & (shape.clearance(found.centroid) >= shape.clearance(places))
     return np.where(is_better[:, None], found.centroid, places)
 
 
