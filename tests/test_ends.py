@@ -301,8 +301,8 @@ def test_no_ball_fills_the_point_of_a_cone():
     radius = 4 * np.tan(np.pi / 6)
     shape = as_shape(Solid.cylinder(4, radius, 0, 96).translate((0, 0, -4)), 0.2)
     middles = np.array([[0, 0, z] for z in (-0.3, -0.6, -0.9, -1.2, -1.5)])
-    found = ends._to_end(shape, middles, -middles[:, 2] * np.tan(np.pi / 6), 2, 0.3)
-    assert found[1] == pytest.approx([0, 0, -1.2], abs=1e-12) and -found[0, 2] == pytest.approx(0.075 * 1.2, rel=0.25)
+    found = ends._to_end(shape, middles, -middles[:, 2] * np.tan(np.pi / 6), 2, 0.3, False)
+    assert found[1].tolist() == [0, 0, -1.2] and -found[0, 2] == pytest.approx(0.075 * 1.2, rel=0.25)
 
 
 def test_the_end_of_a_channel_is_not_beyond_it():

@@ -450,6 +450,15 @@ def score(shape, skeleton):
     return figures["to_truth_mean"] / radius, figures["from_truth_mean"] / radius, gap, figures["leaves"]
 
 
+def junctions_off(shape, skeleton):
+    """The largest distance of a true junction from one of the curve, over its own radius; 0 without junctions."""
+    places = shape.points[np.bincount(shape.edges.ravel()) > 2]
+    radii = shape.radii[np.bincount(shape.edges.ravel()) > 2]
+    found = skeleton.vertices[np.bincount(skeleton.edges.ravel()) > 2]
+    assert len(found) == len(places)
+    return (spatial.KDTree(found).query(places)[0] / radii).max() if len(places) else 0.0
+
+
 @pytest.mark.parametrize(
     "name",
     [
@@ -467,6 +476,7 @@ def test_a_tube_gives_its_curve_back(name):
     assert to_truth < 0.04
     assert from_truth < 0.05
     assert gap < 0.5
+    assert junctions_off(shape, skeleton) < 0.1
 
 
 @pytest.mark.parametrize("name", ["octopus_low", "pawn_low", "helix_coarse"])

@@ -2,8 +2,8 @@
 
 Near a junction sections are no guide, and the nodes there follow what is wide: a side branch pulls the curve of its
 trunk towards it, and the flow's junction of a narrow fork is in front of the crotch, where its branches bend around it.
-Farther on, where each branch has its usual radius, it is on its axis, and a line continues that, or a parabola if it is bent, with the tangent
-p + t d at the place of the junction. The point m nearest to all tangents,
+Farther on, where each branch has its usual radius, it is on its axis. A line continues that, or a parabola if it is
+bent, with the tangent p + t d at the place of the junction. The point m nearest to all tangents,
 
     minimise  sum over the branches |(I - d d^T) (m - p)|^2,
 
@@ -25,9 +25,8 @@ USUAL = 0.9  # of the usual radius of a branch: a radius beyond the place where 
 BEGIN = 1.5  # radii from the place where it has its usual radius: there a branch is on its axis
 MIDDLE = 0.4  # of a branch between two junctions: there at the latest
 AXIS = 2.0  # radii: length of the stretch that gives a branch's axis
-SPREAD = (
-    0.05  # least eigenvalue of the sum: 0.13 for a fork of 30 degrees; below it, axes are parallel and meet nowhere
-)
+# least eigenvalue of the sum: 0.13 for a fork of 30 degrees; below it, axes are parallel and meet nowhere
+SPREAD = 0.05
 
 
 def met(shape: Enclosure, x: np.ndarray, edges: np.ndarray, is_held: np.ndarray, radii: np.ndarray) -> np.ndarray:

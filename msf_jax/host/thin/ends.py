@@ -116,45 +116,62 @@ def axis(shape: Enclosure, vertices: np.ndarray, faces: np.ndarray, time: np.nda
         is_part = found.perimeter[beside].max(initial=0.0) > HALF * found.perimeter[rings[-1]]
         whole = len(rings) if is_part and len(rings) <= 4 * NEAR_END else whole
     rings = rings[:-1] if len(rings) > 3 else rings  # the last one is at the base
-    return Axis(_to_end(shape, found.centre[rings], found.size[rings], whole, step), width)
+    # Where triangles are longer than the limb is wide, u is not linear on them, and its rings are bent.
+    corners = vertices[own]
+    is_near = np.linalg.norm(corners - vertices[near[u.argmax()]], axis=2).min(axis=1) <= width
+    is_bent = bool(np.linalg.norm(corners - np.roll(corners, 1, axis=1), axis=2)[is_near].max() > width)
+    return Axis(_to_end(shape, found.centre[rings], found.size[rings], whole, step, is_bent), width)
 
 
 def _centred(shape: Enclosure, places: np.ndarray, heading: np.ndarray, size: np.ndarray) -> np.ndarray:
     """The ``places`` (p, 3) in the middle of the sections across ``heading`` (3,), where that is no nearer to the
     surface, and the section is no smaller than a ring of ``size`` (p,): one through a blind hole is."""
     found = sections.cut(shape, places, np.tile(heading, (len(places), 1)), size)
-    is_better = found.is_around & (found.size >= WHOLE * size) & (shape.clearance(found.centroid) >= shape.clearance(places))
+    is_better = (
+        found.is_around & (found.size >= WHOLE * size) & (shape.clearance(found.centroid) >= shape.clearance(places))
+    )
     return np.where(is_better[:, None], found.centroid, places)
 
 
-def _to_end(shape: Enclosure, middles: np.ndarray, size: np.ndarray, whole: int, step: float) -> np.ndarray:
-    """The curve (m, 3) over ``middles`` (k, 3) of rings of that ``size`` (k,), ``step`` apart, that ends `GAP` before
-    the surface.
-
-    From the ring ``whole`` on, they go around the whole limb: before, they can lie on the end itself."""
-    first = min(whole, len(middles) - 1)
-    # A ring on the end or beside it, or around a hole in it, has its middle near the surface or outside. One around the
-    # limb has it as far from the surface, for its size, as the rings behind it.
-    width = step / STEP
-    near = middles[: 1 + int((np.linalg.norm(middles - middles[0], axis=1) <= 2 * BEHIND * width).nonzero()[0][-1])]
+def _around(shape: Enclosure, middles: np.ndarray, size: np.ndarray, width: float) -> np.ndarray:
+    """(k,) which rings, with those ``middles`` (k, 3) and that ``size`` (k,), go around the limb, though they are bent:
+    their middles are as far from the surface, for their size, as those of the rings behind them. Others are False."""
+    is_near = np.linalg.norm(middles - middles[0], axis=1) <= 2 * BEHIND * width
+    near = middles[: 1 + int(is_near.nonzero()[0][-1])]
     ratio = np.minimum(shape.clearance(near) / np.maximum(size[: len(near)], 1e-300), 1.0)
     is_behind = np.linalg.norm(near - near[:, None], axis=2) <= BEHIND * width
     most = np.where(np.triu(is_behind, 1), ratio, 0.0).max(axis=1)
-    first += int(((ratio > 0) & (ratio >= AROUND * most))[first:].argmax())
+    return np.pad((ratio > 0) & (ratio >= AROUND * most), (0, len(middles) - len(near)))
+
+
+def _to_end(
+    shape: Enclosure, middles: np.ndarray, size: np.ndarray, whole: int, step: float, is_bent: bool
+) -> np.ndarray:
+    """The curve (m, 3) over ``middles`` (k, 3) of rings of that ``size`` (k,), ``step`` apart, that ends `GAP` before
+    the surface.
+
+    From the ring ``whole`` on, they go around the whole limb: before, they can lie on the end itself. Rings that are
+    bent give way to sections."""
+    first, ball = min(whole, len(middles) - 1), shape.clearance(middles)
+    is_around = ball > LEAST * np.append(ball[1:], 0.0)  # a hole in the end has rings outside
+    if is_bent:
+        is_around = _around(shape, middles, size, step / STEP)
+    first += int(is_around[first:].argmax())
     first = min(first, max(len(middles) - 2, 0))
-    is_base = np.linalg.norm(middles - middles[first], axis=1)[first + 1 :] >= step / 2
-    base = min(first + 1 + int(np.append(is_base, True).argmax()), len(middles) - 1)
+    base = first + 1
+    if is_bent:
+        base += int((np.linalg.norm(middles - middles[first], axis=1)[first + 1 :] >= step / 2).argmax())
+    base = min(base, len(middles) - 1)
     heading = unit(middles[first] - middles[base])
     if not heading.any():
         return middles[base:]
-    # On triangles that are longer than the limb is wide, rings are bent, and their middles are off. The sections across
-    # the limb, at first across a width of it, are not.
-    middles, both = middles.copy(), [first, base]
-    is_far = np.linalg.norm(middles - middles[first], axis=1)[base:] >= width
-    heading = unit(middles[first] - middles[base + int(is_far.argmax())])
-    for _ in range(ROUNDS):
-        middles[both] = _centred(shape, middles[both], heading, size[both])
-        heading = unit(middles[first] - middles[base])
+    if is_bent:
+        middles, both = middles.copy(), [first, base]
+        is_far = np.linalg.norm(middles - middles[first], axis=1)[base:] >= step / STEP
+        heading = unit(middles[first] - middles[base + int(is_far.argmax())])
+        for _ in range(ROUNDS):
+            middles[both] = _centred(shape, middles[both], heading, size[both])
+            heading = unit(middles[first] - middles[base])
     # From the outermost ring on: a blind hole may lie across the line behind it. What touches the surface is the end.
     along = (middles[: first + 1] - middles[base]) @ heading
     line = middles[base] + along[:, None] * heading
