@@ -182,6 +182,12 @@ def _settings(parser: argparse.ArgumentParser) -> None:
         f"0 removes none (default: {defaults.prune})",
     )
     curve.add_argument(
+        "--detail",
+        type=float,
+        metavar="X",
+        help=f"which short limbs that stand out have a branch: 0 none, 1 any (default: {defaults.detail})",
+    )
+    curve.add_argument(
         "--coarsen",
         type=float,
         metavar="X",
@@ -205,7 +211,7 @@ def _settings(parser: argparse.ArgumentParser) -> None:
 
 def configured(arguments: argparse.Namespace, **others: Any) -> tuple[Weights, Config]:
     """Weights and `Config` from the options of `_settings`; others have the system's values."""
-    changes = {name: getattr(arguments, name) for name in ("max_iterations", "coarsen", "prune")}
+    changes = {name: getattr(arguments, name) for name in ("max_iterations", "coarsen", "prune", "detail")}
     changes = {name: value for name, value in changes.items() if value is not None}
     config = Config.named(arguments.system, **others, **changes)
     given = {name: getattr(arguments, name) for name in WEIGHTS if getattr(arguments, name) is not None}

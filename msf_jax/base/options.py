@@ -149,6 +149,9 @@ class Config:
             0.12 % of the surface. Each limb gets one branch, others are removed, and junctions within one ball
             become one; 0 keeps the flow's branches. The default is above the slenderness of a half ball on a wall,
             0.5, and of the corner of a box, up to 0.6.
+        detail: which limbs that are shorter than ``prune`` asks have a branch, because they stand out (see
+            `host.thin.protrusion`): from 0, none, to 1, any that might be a limb. Nested: a finer detail only adds
+            limbs. At the default, 0.5, they are those that people draw; the report names the next ones.
         centre: whether nodes are finally moved to the middle of their limb's cross-section, and edges refined.
         extend_tips: whether branches end on the axes of their limbs' ends (see `host.thin.ends`), and limbs that the
             flow has missed get one.
@@ -187,6 +190,7 @@ class Config:
     preconditioner: str = "jacobi"
     surgery: bool = False
     prune: float = 1.0
+    detail: float = 0.5
     centre: bool = True
     extend_tips: bool = True
     evaluate: bool = False
@@ -220,6 +224,7 @@ class Config:
             "step_tolerance": (0, 1),
             "solve_steps": (1, math.inf),
             "prune": (0, math.inf),
+            "detail": (0, 1),
         }
         for name, (low, high) in ranges.items():
             value = getattr(self, name)

@@ -1,5 +1,6 @@
 """Make one `Flow` of all components, in the caller's units: curves, report, and the data for a tape."""
 
+import math
 from dataclasses import replace
 
 import numpy as np
@@ -21,6 +22,7 @@ from msf_jax.skeleton.report import Report, assessed, loops_of
 from msf_jax.skeleton.skeleton import Skeleton
 from msf_jax.skeleton.source import Source, Stage
 
+NAMED = 4  # ends of limbs of a finer detail that a note names
 MOST_STAGES = 12  # surfaces of the contraction that are kept for pictures
 
 
@@ -90,7 +92,24 @@ def _notes_of_finishing(states: list[State], parts: list[Part]) -> list[str]:
         (sparse, f"nodes of {sparse} {of} are far apart: the curves are long for their thickness"),
         (tangles, f"{tangles} {of} not finished: over {MOST_VOLUME:.0%} of the volume is left"),
     )
-    return [note for count, note in found if count]
+    return [note for count, note in found if count] + _finer(states, done)
+
+
+def _finer(states: list[State], done: list[finishing.Finished]) -> list[str]:
+    """What the next finer detail would add."""
+    limbs = sorted(
+        (detail, state.frame.leave(place).tolist())
+        for state, one in zip(states, done, strict=True)
+        for detail, place in one.finer
+    )
+    if not limbs:
+        return []
+    detail = math.ceil(20 * limbs[0][0]) / 20
+    places = [place for least, place in limbs if least <= detail]
+    ends = ", ".join("({:.4g}, {:.4g}, {:.4g})".format(*place) for place in places[:NAMED]) + ", ..." * (
+        len(places) > NAMED
+    )
+    return [f"{len(places)} more limb{'' if len(places) == 1 else 's'} at detail {detail:g}: ends at {ends}"]
 
 
 def _edges(count: int) -> str:

@@ -60,6 +60,7 @@ def curve_of(state: State, meso: Meso, config: Config, watch: Stopwatch) -> Part
             prune=config.prune,
             centre=config.centre,
             extend=config.extend_tips,
+            detail=config.detail,
             is_thin=meso.scale is not None,
             is_tangle=is_tangle(state),
             coarse=state.coarse if state.solid is state.shape else state.solid,  # with the cavities

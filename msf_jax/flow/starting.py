@@ -89,7 +89,7 @@ def init(
     # Split edges follow the limbs of a solid of few triangles better; filtered or resampled surfaces are others.
     is_same = len(meso.positions) > len(shape.vertices) and not (config.reconstruct_mesh or config.resample)
     of_limbs = Enclosure(meso.positions, meso.faces()) if is_same else coarse
-    caps = meanwhile(_with_limbs, of_limbs, config.prune) if config.prune or config.extend_tips else None
+    caps = meanwhile(_with_limbs, of_limbs, config.prune, config.detail) if config.prune or config.extend_tips else None
     with watch.stage("compile"):
         compile_ahead(meso, config)
     found = None
@@ -124,9 +124,9 @@ def init(
     )
 
 
-def _with_limbs(shape: Enclosure, least: float) -> Caps:
+def _with_limbs(shape: Enclosure, least: float, detail: float) -> Caps:
     """The caps of a surface, whose limbs are known then, see `Caps.limbs`."""
-    caps = Caps(shape)
+    caps = Caps(shape, detail)
     caps.limbs(least)
     return caps
 

@@ -20,6 +20,7 @@ class Draft(NamedTuple):
     place wanted for a junction. is_former_junction: (N,) those junctions, also after their branches are pruned.
     is_sparse: whether nodes are farther apart than `SPACING`, because of `MOST_NODES`. num_pruned, num_grown: branches
     that were removed because they are no limbs, and that were added because the flow had missed them, counted by ends.
+    finer: limbs of a finer detail, as the least detail and the place (3,) of the end of each.
     """
 
     vertices: np.ndarray
@@ -32,6 +33,7 @@ class Draft(NamedTuple):
     is_sparse: bool = False
     num_pruned: int = 0
     num_grown: int = 0
+    finer: tuple[tuple[float, np.ndarray], ...] = ()
 
     def changed(self, vertices: np.ndarray, edges: np.ndarray | None = None) -> "Draft":
         """The draft with moved nodes, new ones last, and with other edges if they are given."""

@@ -34,7 +34,7 @@ class Finished(NamedTuple):
     target: (n,) the flow's node that represents each: itself, or the junction that its branch was pruned from.
     num_refused: edges left outside because a limit was reached. num_closed: edges without a path inside.
     is_cut_short: whether centring, or the search for limbs, ended early because of its budget. is_sparse, num_pruned,
-    num_grown: see `Draft`.
+    num_grown, finer: see `Draft`.
     node_of_vertex: (V,) for a Reeb curve, the node of each vertex of the solid; else None.
     """
 
@@ -48,6 +48,7 @@ class Finished(NamedTuple):
     is_sparse: bool = False
     num_pruned: int = 0
     num_grown: int = 0
+    finer: tuple[tuple[float, np.ndarray], ...] = ()
     node_of_vertex: np.ndarray | None = None
 
 
@@ -73,6 +74,7 @@ def finish(
     prune: float,
     centre: bool,
     extend: bool,
+    detail: float = 0.5,
     is_thin: bool = False,
     is_tangle: bool = False,
     coarse: Enclosure | None = None,
@@ -85,7 +87,8 @@ def finish(
     A solid that is too coarse for the flow gets a Reeb curve instead (see `thin.reeb_curve`), if no more of that
     is outside, ``centre`` and ``extend`` are True, and no node is held.
 
-    ``prune`` is the least slenderness of a limb, 0 for no pruning; ``centre`` and ``extend`` switch those steps.
+    ``prune`` is the least slenderness of a limb, 0 for no pruning, and ``detail`` of those that only stand out
+    (see `Caps`); ``centre`` and ``extend`` switch those steps.
     ``is_thin`` says that the solid has thin limbs, and may get a Reeb curve. ``is_tangle`` says that the flow ended in
     a tangle that no pass can repair: it stays as it is, unless there is a Reeb curve. ``coarse`` is about the same
     surface with fewer triangles, fine enough for centring, ``outside`` the surface without cavities, and ``caps``
@@ -93,7 +96,7 @@ def finish(
     """
     coarse = shape if coarse is None else coarse
     roadmap = Roadmap(shape, containment.is_inside)
-    job = Job(shape, coarse, prune, roadmap, centring.Budget(), caps or partial(Caps, outside or coarse))
+    job = Job(shape, coarse, prune, roadmap, centring.Budget(), caps or partial(Caps, outside or coarse, detail))
     if is_thin and centre and extend and not is_held.any():
         laid = reeb_curve.reeb_curve(outside or shape, containment.is_inside)
         if laid is not None and (is_tangle or _outside(job, *laid[:2]) <= _outside(job, nodes, edges)):
@@ -117,6 +120,7 @@ def finish(
         draft.is_sparse,
         draft.num_pruned,
         draft.num_grown,
+        draft.finer,
     )
 
 
@@ -313,7 +317,8 @@ def limbed(draft: Draft, job: Job, extend: bool) -> Draft:
     if extend:
         curve = draft.vertices, draft.edges, draft.is_held
         draft = contained(_moved(draft, *one_branch.laid(caps, job.coarse, *curve, leaf.tolist(), job.prune)), job)
-    return draft._replace(num_pruned=num_pruned, num_grown=missing)
+    finer = tuple((each.detail, caps.surface.points[each.cap.tip]) for each in caps.limbs(job.prune).finer)
+    return draft._replace(num_pruned=num_pruned, num_grown=missing, finer=finer)
 
 
 def _moved(draft: Draft, vertices: np.ndarray, edges: np.ndarray) -> Draft:

@@ -25,7 +25,7 @@ import trimesh
 from msf_jax.host import graphs
 from msf_jax.host.solid.enclosure import Enclosure
 from msf_jax.host.solid.geometry import cross, largest_of_each
-from msf_jax.host.thin import ends, fronts
+from msf_jax.host.thin import ends, fronts, protrusion
 from msf_jax.host.thin.levels import levels
 
 SOURCES = 16  # points, far from each other, whose distances are averaged
@@ -36,6 +36,13 @@ SMALL = 0.0012  # of the surface, 24 triangles of 20,000: a smaller cap counts h
 BLUNT = 0.6  # of the least slenderness: enough for blunt ends, see `Caps.limbs`; more than corners of a box have
 NEARLY = 0.7  # of the least slenderness: then the neighbours of a tip are tried, too
 ROUND_END = 0.5  # least slenderness of a limb's end, before a disc goes around a handle or a larger part: half a ball
+RAISED = 0.43  # protrusion of a limb's tip: more than a ball has, less than the end of a rod; see `protrusion`
+LEAST_RAISED = 0.7  # of what a limb needs: less is none at any detail
+LARGEST = 0.25  # of the surface: caps of limbs that only stand out
+DROP = 0.6  # of a limb's slenderness: a larger cap, of what it stands on, has less
+CUBE, PLATE = 0.2, 0.6  # of the least slenderness: more than the corner of a cube, 1 / 6, and of a thin plate, 1 / 2
+ROUND = 0.09  # volume of a cap that is about as thick as wide, over area to the 3 / 2: half a ball 0.13, a plate less
+TRIANGLES = 48  # fewest of a limb that only stands out
 MOST_DISCS = 200  # radii: more than from the first one to the whole of a surface
 FEWEST = 1_000  # vertices of a surface: of one with fewer, triangles are split, so that discs follow its limbs
 MOST_TIPS = 100  # places of a component, besides the curve's leaves, those with the largest average distance first
@@ -51,27 +58,37 @@ class Cap(NamedTuple):
     region: np.ndarray
 
 
+class Raised(NamedTuple):
+    """A limb that stands out only: ``detail`` is the least detail (see `Config`) at which it is one."""
+
+    detail: float
+    cap: Cap
+
+
 class Limbs(NamedTuple):
     """The limbs of a surface, see `Caps.limbs`.
 
     caps: of the limbs. owner: (V,) the number of the limb of each vertex, from 1; 0 for none. time: (V,) the mean exit
     time from the limb (see `ends`): how far a vertex is from the limb's base. slenderness: (V,) at each tip, the
-    largest of its caps, infinite for a tip that was not tried; 0 elsewhere.
+    largest of its caps, infinite for a tip that was not tried; 0 elsewhere. finer: the limbs of a finer detail.
     """
 
     caps: list[Cap]
     owner: np.ndarray
     time: np.ndarray
     slenderness: np.ndarray
+    finer: list[Raised]
 
 
 class Caps:
     """The caps of the closed surface ``shape``, whose triangles are split if they are few.
 
-    ``was_hit``: whether `MOST_TIPS` or `MOST_AREA` was reached. Not for several threads at once.
+    Of the limbs that only stand out, those of ``detail`` are found. ``was_hit``: whether `MOST_TIPS` or `MOST_AREA` was
+    reached. Not for several threads at once.
     """
 
-    def __init__(self, shape: Enclosure):
+    def __init__(self, shape: Enclosure, detail: float = 0.5):
+        self.detail = detail
         while len(shape.vertices) < FEWEST:
             split = trimesh.remesh.subdivide(shape.vertices, shape.faces)
             shape = Enclosure(split[0], split[1])
@@ -101,16 +118,16 @@ class Caps:
         self._found: dict[float, Limbs] = {}
 
     def grown(
-        self, tip: int, others: np.ndarray, enough: float = np.inf, share: float = 0.5
+        self, tip: int, others: np.ndarray, enough: float = np.inf, share: float = 0.5, least: float = SMALL
     ) -> tuple[np.ndarray, np.ndarray]:
         """The caps around ``tip``, one in each row (k, 7), and the vertices (r,) of the slenderest cap.
 
         A row is slenderness, radius of the disc, area, middle of the curve and volume. The last cap is the first one of
         ``enough`` slenderness, or the last one below that ``share`` of the surface and without a vertex of ``others``
-        (V,).
+        (V,). A cap of less than the share ``least`` counts half.
         """
         total = float(self._total[tip])
-        first, small, most = FIRST_RADIUS * np.sqrt(total), SMALL * total, share * total
+        first, small, most = FIRST_RADIUS * np.sqrt(total), least * total, share * total
         count = fronts.cap(
             self.surface, self._front, int(tip), first, RATIO, enough, small, most, others, self._rows, self._region
         )
@@ -202,12 +219,63 @@ class Caps:
             two = self._halves(number)
             if two and min(cap.slenderness for cap in two) >= blunt:
                 caps = [cap for cap in caps if self._component[cap.tip] != number] + two
+        time = self._owned(caps, owner)
+        raised = self._raised(caps, owner, time, least)
+        added = [each.cap for each in raised if each.detail <= self.detail]
+        if added:
+            caps += added
+            time = self._owned(caps, owner)
+        at_tips = np.zeros(len(most))
+        at_tips[tips] = most[tips]
+        finer = [each for each in raised if each.detail > self.detail]
+        return Limbs(caps, owner, time, at_tips, finer)
+
+    def _owned(self, caps: list[Cap], owner: np.ndarray) -> np.ndarray:
+        """(V,) the mean exit times from the limbs ``caps``, which are numbered in ``owner`` (V,)."""
         owner[:] = 0
         for number, cap in sorted(enumerate(caps, 1), key=lambda each: -each[1].area):  # the smaller one last
             owner[cap.region] = number
-        at_tips = np.zeros(len(most))
-        at_tips[tips] = most[tips]
-        return Limbs(caps, owner, ends.exit_times(self.surface.points, self.surface.faces, owner), at_tips)
+        return ends.exit_times(self.surface.points, self.surface.faces, owner)
+
+    def _raised(self, caps: list[Cap], owner: np.ndarray, time: np.ndarray, least: float) -> list[Raised]:
+        """Limbs around tips where the surface stands out (see `protrusion`), besides the limbs ``caps``, and beyond
+        their ends, by their numbers ``owner`` (V,) and exit times (V,).
+
+        Of the caps around such a tip, up to the next tip of a limb, the slenderest one counts that is followed by a
+        much less slender one: a foot ends where the body begins. It is more slender than the corner of a cube, if it is
+        about as thick as it is wide, or than the corner of a plate.
+        """
+        x, raised = self.surface.points, []
+        others = np.zeros(len(x), dtype=np.int64)
+        others[[cap.tip for cap in caps]] = 1
+        for tip, height, scale in zip(*protrusion.tips(x, self.surface.faces, LEAST_RAISED * RAISED), strict=True):
+            near = np.flatnonzero(others)
+            if self._left[self._component[tip]] < 0:
+                self.was_hit = True
+                break
+            is_end = (np.linalg.norm(x[near] - x[tip], axis=1) <= protrusion.APART * scale).any()
+            if is_end or (owner[tip] and self._is_end(caps[owner[tip] - 1], time, tip)):
+                continue
+            rows, _ = self.grown(tip, others, np.inf, LARGEST, 0.0)
+            if not len(rows):
+                continue
+            value, after = rows[:, 0], np.minimum.accumulate(rows[::-1, 0])[::-1]
+            is_last = rows[-1, 2] < LARGEST * self._total[tip] / RATIO**2  # it ends at another tip, or around a handle
+            is_counted = np.append(after[1:], -np.inf if is_last else np.inf) <= DROP * value
+            best = int(np.where(is_counted, value, -1.0).argmax())
+            need = (CUBE if rows[best, 6] > ROUND * rows[best, 2] ** 1.5 else PLATE) * least
+            score = min(height / RAISED, value[best] / need)
+            region = self.grown(tip, others, float(value[best]), LARGEST, 0.0)[1]
+            if is_counted[best] and score >= LEAST_RAISED and 2 * len(region) >= TRIANGLES:
+                cap = Cap(int(tip), float(value[best]), float(rows[best, 2]), region)
+                raised.append(Raised(1.0 - score / 2, cap))
+                others[tip] = 1
+        return raised
+
+    def _is_end(self, cap: Cap, time: np.ndarray, vertex: int) -> bool:
+        """Whether a vertex of a limb is within a width of its end."""
+        last = float(time[cap.region].max())
+        return np.sqrt(2 * (last - time[vertex])) <= cap.area / (2 * np.pi * np.sqrt(2 * last))
 
     def _halves(self, number: int) -> list[Cap]:
         """The halves of a component that has a direction in which it is long, as caps; else none."""

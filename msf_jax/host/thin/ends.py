@@ -77,8 +77,13 @@ def exit_times(vertices: np.ndarray, faces: np.ndarray, owner: np.ndarray) -> np
     is_same = owner[inner[own.row]] == owner[inner[own.col]]
     own = sparse.coo_matrix((own.data[is_same], (own.row[is_same], own.col[is_same])), own.shape).tocsc()
     found = np.zeros(len(vertices))
-    found[inner] = linalg.splu(own, permc_spec="MMD_AT_PLUS_A", options={"SymmetricMode": True}).solve(share[inner])
+    found[inner] = factored(own).solve(share[inner])
     return found
+
+
+def factored(matrix: sparse.csc_matrix | sparse.csc_array) -> linalg.SuperLU:
+    """The factors of a symmetric matrix (V, V) with the pattern of a surface's edges."""
+    return linalg.splu(matrix, permc_spec="MMD_AT_PLUS_A", options={"SymmetricMode": True})
 
 
 def halves(vertices: np.ndarray, faces: np.ndarray) -> np.ndarray | None:
