@@ -41,7 +41,7 @@ def met(shape: Enclosure, x: np.ndarray, edges: np.ndarray, is_held: np.ndarray,
         usual = np.array([float(np.median(radii[path[1:]])) for path in paths if len(path) > 1])
         if len(paths) < 3 or is_held[node] or radii[node] > TUBES * usual.max(initial=0.0):
             continue
-        begins, ways = [], []
+        begins, lines = [], []
         for path, size in zip(paths, usual, strict=True):
             along, is_own = arc_length(x[path]), radii[path] >= USUAL * size
             margin, is_link = BEGIN * size, len(at_node[path[-1]]) > 2
@@ -58,10 +58,10 @@ def met(shape: Enclosure, x: np.ndarray, edges: np.ndarray, is_held: np.ndarray,
             is_bent = np.linalg.norm(three[1] - (three[0] + three[2]) / 2) > BENT * size
             step = slice(None, None, 1 if is_bent else 2)
             begins.append(begin)
-            ways.append(np.pad(np.polyfit(place[step], three[step], 1 + is_bent), ((1 - is_bent, 0), (0, 0))))
+            lines.append(np.pad(np.polyfit(place[step], three[step], 1 + is_bent), ((1 - is_bent, 0), (0, 0))))
         if len(begins) < len(paths):
             continue
-        p, d = np.array([way[2] for way in ways]), unit(np.array([way[1] for way in ways]))
+        p, d = np.array([way[2] for way in lines]), unit(np.array([way[1] for way in lines]))
         flat = np.eye(3) - d[:, :, None] * d[:, None, :]
         total = flat.sum(axis=0)
         if np.linalg.eigvalsh(total)[0] < SPREAD:
@@ -71,7 +71,7 @@ def met(shape: Enclosure, x: np.ndarray, edges: np.ndarray, is_held: np.ndarray,
         begun = x[[path[begin] for path, begin in zip(paths, begins, strict=True)]]
         if (off > OFF * usual).any() or not is_inside(shape, np.repeat(meet[None], len(p), axis=0), begun).all():
             continue
-        for path, begin, (square, slope, start) in zip(paths, begins, ways, strict=True):
+        for path, begin, (square, slope, start) in zip(paths, begins, lines, strict=True):
             along = arc_length(x[path[: begin + 1]])[:, None]
             x[path[: begin + 1]] = start + along * (slope + along * square) + (1 - along / along[-1]) * (meet - start)
     return x

@@ -5,7 +5,7 @@ After a heat flow of scale s, a point x of the surface has come to x_s, the mean
     (M + s^2 / 4 L) x_s = M x,    protrusion h = n . (x - x_s) / s,
 
 with cotangent weights L and areas M. It is s / (4 R) on a long cylinder, at most 0.36 on a ball, 1 / 2 at the end of a
-thin rod, more where that narrows, and 1 / sqrt(2) at the corner of a thin plate. Tips are the points where h is largest
+thin rod, and more where that narrows. Tips are the points where h is largest
 among their neighbours, and around them, for some s.
 """
 
