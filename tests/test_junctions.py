@@ -85,6 +85,43 @@ def test_axes_that_are_nearly_parallel_meet_nowhere():
     np.testing.assert_array_equal(moved(shape, x, edges), x)
 
 
+def twig(astray, num=60):
+    """A solid of a trunk of radius 3 along z and a twig of radius 1 from 0, 45 degrees up, and a curve whose twig runs
+    along the trunk for ``astray`` before it leaves it."""
+    top = np.array([0, 30, 30])
+    points = np.array([[0, 0, -30], [0, 0, 40], [0, 0, 0], top], dtype=float)
+    mesh = shapes.solid_around(points, np.array([[0, 1], [2, 3]]), np.array([3.0, 3.0, 1.0, 1.0]), 1.0)
+    line = np.linspace(0, 1, num)[:, None]
+    trunk = points[0] + line * (points[1] - points[0])
+    first = int(np.abs(trunk[:, 2] - astray).argmin())
+    leaves = np.array([0, 0.5, 0.5])  # on the twig's axis, in the trunk
+    legs = np.concatenate(
+        [trunk[first] + line[1:10] / line[9] * (leaves - trunk[first]), leaves + line * (top - leaves)]
+    )
+    chain = np.r_[first, num + np.arange(len(legs))]
+    edges = np.concatenate([np.stack([c[:-1], c[1:]], axis=1) for c in (np.arange(num), chain)])
+    return Enclosure(np.asarray(mesh.vertices), np.asarray(mesh.faces)), np.concatenate([trunk, legs]), edges, first
+
+
+@pytest.mark.parametrize("astray", [-8.0, 8.0])
+def test_a_twig_begins_where_its_axis_meets_the_trunk(astray):
+    """`THIN`, `THICK`, `CLEAR`, `STRETCH`, `FAR`: wherever it ran along the trunk."""
+    shape, x, edges, first = twig(astray)
+    held = np.zeros(len(x), dtype=bool)
+    found, found_edges = junctions.attached(shape, x, edges, held, shape.clearance(x))
+    degree = np.bincount(found_edges.ravel())
+    assert (degree > 2).sum() == 1 and degree[first] == 2
+    assert np.linalg.norm(found[degree > 2]) < 0.1
+    assert len(found) == len(x) + 1 and len(found_edges) == len(edges) + 1
+    np.testing.assert_array_equal(found[:60], x[:60])  # the trunk stays
+
+
+def test_a_limb_that_is_nearly_as_thick_as_its_trunk_stays():
+    """`THIN`: a T of equal tubes is no twig."""
+    shape, x, edges, _ = fork(120, 0.3)
+    assert len(junctions.attached(shape, x, edges, np.zeros(len(x), dtype=bool), shape.clearance(x))[0]) == len(x)
+
+
 @pytest.mark.parametrize(("aside", "is_met"), [(0.15, True), (0.25, False)])
 def test_axes_that_pass_each_other_far_off_do_not_meet(aside, is_met):
     """`OFF`: one branch beside the plane of the others, which leaves it a smaller ball."""

@@ -138,7 +138,7 @@ def _of_reeb_curve(laid: reeb_curve.ReebCurve, nodes: np.ndarray, job: Job) -> F
     x, num = laid.vertices, len(laid.vertices)
     none = np.zeros(num, dtype=bool)
     draft = Draft(x, laid.edges, none, np.arange(num), laid.node_of_vertex, x, none)
-    for each in (contained, opened, straightened, contained, coincident_merged, looped, pruned, corners_rounded):
+    for each in (contained, opened, straightened, contained, coincident_merged, looped, pruned, met, corners_rounded):
         draft = each(draft, job)
     near = np.asarray(spatial.KDTree(draft.vertices).query(nodes)[1])
     taken, first, place = np.unique(near, return_index=True, return_inverse=True)
@@ -255,7 +255,17 @@ def splined(draft: Draft, job: Job, hold_leaves: bool) -> Draft:
     stays, target, edges = branches.zip_strands(draft.vertices, draft.edges, radii, draft.is_held)
     if not stays.all():
         draft = centred(_left(draft._replace(edges=edges), stays, target), job, hold_leaves, FIRST_ROUNDS)
-        radii = job.coarse.approximate_clearance(draft.vertices)[0]
+    return met(draft, job)
+
+
+def met(draft: Draft, job: Job) -> Draft:
+    """The junctions of tubes are where the axes of their branches meet, and no others are left."""
+    radii = job.coarse.approximate_clearance(draft.vertices)[0]
+    is_leaf = draft.is_leaf()
+    draft = draft.changed(*junctions.attached(job.shape, draft.vertices, draft.edges, draft.is_held, radii))
+    worth = np.where(np.pad(is_leaf, (0, len(draft.vertices) - len(is_leaf))), np.inf, 0.0)
+    draft = _left(draft, *one_branch.kept(draft.vertices, draft.edges, worth, draft.is_held))
+    radii = job.coarse.approximate_clearance(draft.vertices)[0]
     step = junctions.met(job.shape, draft.vertices, draft.edges, draft.is_held, radii) - draft.vertices
     at = moves.places_of(job.shape, draft.vertices)
     return draft.changed(moves.taken(job.shape, job.shape.handles, at, step, draft.edges).x)

@@ -21,6 +21,10 @@ from msf_jax.host.solid.geometry import arc_length, at, unit
 TUBES = 1.3  # of the largest usual radius: largest ball of a junction of tubes; 5 / 4 where three equal ones form a T
 BENT = 0.05  # radii: a stretch whose middle is nearer to its chord is straight; 0.08 for an arc of 6 radii
 OFF = 0.25  # radii: largest distance of the meeting point from an axis
+THIN = 0.6  # of the trunk's radius: largest usual radius of a side branch that is attached anew
+THICK = 2.0  # of the usual radius of a side branch: where it has more, it is in its trunk; a cone has 1.3 to 1.6 there
+CLEAR, STRETCH = 3.0, 6.0  # radii of a side branch from its trunk, where its axis begins, and the length that gives it
+FAR = 4.0  # of the trunk's radius: largest distance to it from where a side branch is on its axis, 15 degrees from it
 USUAL = 0.9  # of the usual radius of a branch: a radius beyond the place where it has as much, its axis begins
 BEGIN = 1.5  # radii from the place where it has its usual radius: there a branch is on its axis
 MIDDLE = 0.4  # of a branch between two junctions: there at the latest
@@ -29,8 +33,71 @@ AXIS = 2.0  # radii: length of the stretch that gives a branch's axis
 SPREAD = 0.05
 
 
+def attached(
+    shape: Enclosure, x: np.ndarray, edges: np.ndarray, is_held: np.ndarray, radii: np.ndarray
+) -> tuple[np.ndarray, np.ndarray]:
+    """The curve with each thin side branch on a straight line to the place of its trunk that its axis meets: nodes
+    (M, 3), new ones last, and edges (E, 2).
+
+    The flow leaves a twig's junction anywhere in the trunk, whose ball is larger, and its branch runs along the trunk
+    until there. A new node of the trunk takes the twig; the old junction stays, and may be a leaf then.
+    """
+    x, radii, twigs = x.copy(), radii.copy(), []
+    degree = np.bincount(edges.ravel(), minlength=len(x))
+    for each in graphs.trace(len(x), edges):
+        path = np.array(each if degree[each[-1]] == 1 else each[::-1])
+        size = float(np.median(radii[path[len(path) // 2 :]]))
+        if degree[path[-1]] == 1 and degree[path[0]] > 2 and size < THIN * radii[path[0]]:
+            twigs.append((path, size))
+    in_twig = np.zeros(len(x), dtype=bool)
+    in_twig[[node for path, _ in twigs for node in path[1:]]] = True
+    is_trunk = ~in_twig[edges].any(axis=1)
+    for path, size in twigs:
+        along, thick = arc_length(x[path]), np.flatnonzero(radii[path[: len(path) // 2]] > THICK * size)
+        begin = int(np.searchsorted(along, along[thick[-1] if len(thick) else 0] + CLEAR * size))
+        if begin >= len(path) or along[begin] + STRETCH * size > along[-1] or is_held[path[: begin + 1]].any():
+            continue
+        place = x[path[begin]]
+        heading = unit(at(x[path], along, along[begin : begin + 1] + STRETCH * size)[0] - place)
+        trunk = edges[is_trunk]
+        share, meet, off, back = _nearest_on(x[trunk], place, -heading)
+        ball = (1 - share) * radii[trunk[:, 0]] + share * radii[trunk[:, 1]]
+        is_near = (size < THIN * ball) & (off < OFF * ball) & (back < FAR * ball)
+        best = int(np.where(is_near, off / np.maximum(ball, 1e-300), np.inf).argmin())
+        if not is_near.any() or not is_inside(shape, meet[best : best + 1], place[None])[0]:
+            continue
+        x[path[1 : begin + 1]] = meet[best] + np.linspace(0, 1, begin + 1)[1:, None] * (place - meet[best])
+        x, radii, new, (a, b) = (
+            np.append(x, meet[best : best + 1], axis=0),
+            np.append(radii, ball[best]),
+            len(x),
+            trunk[best],
+        )
+        is_left = (np.sort(edges, axis=1) != np.sort(path[:2])).any(axis=1)
+        is_left[np.flatnonzero(is_trunk)[best]] = False
+        edges = np.concatenate([edges[is_left], [[a, new], [new, b], [new, path[1]]]])
+        is_trunk = np.append(is_trunk[is_left], [True, True, False])
+    return x, edges
+
+
+def _nearest_on(
+    segment: np.ndarray, place: np.ndarray, heading: np.ndarray
+) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
+    """Of each ``segment`` (S, 2, 3), where it is nearest to the ray from ``place`` (3,) along the unit vector
+    ``heading`` (3,): the share (S,) of its length, the point (S, 3), its distance (S,) from the ray, and from
+    ``place`` along the ray (S,)."""
+    start, span = segment[:, 0] - place, segment[:, 1] - segment[:, 0]
+    # Without the component along the ray, the nearest point of the segment to the origin.
+    flat, flat_span = (each - np.outer(each @ heading, heading) for each in (start, span))
+    share = np.clip(-np.einsum("si,si->s", flat, flat_span) / np.maximum((flat_span**2).sum(axis=1), 1e-300), 0.0, 1.0)
+    meet = segment[:, 0] + share[:, None] * span
+    back = (meet - place) @ heading
+    off = np.linalg.norm(meet - place - np.maximum(back, 0.0)[:, None] * heading, axis=1)
+    return share, meet, off, back
+
+
 def met(shape: Enclosure, x: np.ndarray, edges: np.ndarray, is_held: np.ndarray, radii: np.ndarray) -> np.ndarray:
-    """The nodes (N, 3) with junctions of tubes where the axes of their branches meet, and the nodes on the way to each
+    """The nodes (N, 3) with junctions of tubes where the axes of their branches meet, and the nodes on the line to each
     branch's own stretch on its line."""
     x = x.copy()
     at_node: dict[int, list[np.ndarray]] = {}
@@ -61,7 +128,7 @@ def met(shape: Enclosure, x: np.ndarray, edges: np.ndarray, is_held: np.ndarray,
             lines.append(np.pad(np.polyfit(place[step], three[step], 1 + is_bent), ((1 - is_bent, 0), (0, 0))))
         if len(begins) < len(paths):
             continue
-        p, d = np.array([way[2] for way in lines]), unit(np.array([way[1] for way in lines]))
+        p, d = np.array([line[2] for line in lines]), unit(np.array([line[1] for line in lines]))
         flat = np.eye(3) - d[:, :, None] * d[:, None, :]
         total = flat.sum(axis=0)
         if np.linalg.eigvalsh(total)[0] < SPREAD:

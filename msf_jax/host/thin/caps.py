@@ -40,8 +40,9 @@ RAISED = 0.43  # protrusion of a limb's tip: more than a ball has, less than the
 LEAST_RAISED = 0.7  # of what a limb needs: less is none at any detail
 LARGEST = 0.25  # of the surface: caps of limbs that only stand out
 DROP = 0.6  # of a limb's slenderness: a larger cap, of what it stands on, has less
-CUBE, PLATE = 0.2, 0.6  # of the least slenderness: more than the corner of a cube, 1 / 6, and of a thin plate, 1 / 2
-ROUND = 0.09  # volume of a cap that is about as thick as wide, over area to the 3 / 2: half a ball 0.13, a plate less
+# Volume over area to the 3 / 2, and least slenderness, for that of a limb: 1.2 times that of the corner of a thin plate,
+# of a plate half as thick as the disc is wide, and of a cube.
+CORNER = (0.0, 0.083, 0.145), (0.6, 0.5, 0.2)
 TRIANGLES = 48  # fewest of a limb that only stands out
 MOST_DISCS = 200  # radii: more than from the first one to the whole of a surface
 FEWEST = 1_000  # vertices of a surface: of one with fewer, triangles are split, so that discs follow its limbs
@@ -242,8 +243,8 @@ class Caps:
         their ends, by their numbers ``owner`` (V,) and exit times (V,).
 
         Of the caps around such a tip, up to the next tip of a limb, the slenderest one counts that is followed by a
-        much less slender one: a foot ends where the body begins. It is more slender than the corner of a cube, if it is
-        about as thick as it is wide, or than the corner of a plate.
+        much less slender one: a foot ends where the body begins. It is more slender than the corner of a plate with as
+        much volume for its area.
         """
         x, raised = self.surface.points, []
         others = np.zeros(len(x), dtype=np.int64)
@@ -263,7 +264,7 @@ class Caps:
             is_last = rows[-1, 2] < LARGEST * self._total[tip] / RATIO**2  # it ends at another tip, or around a handle
             is_counted = np.append(after[1:], -np.inf if is_last else np.inf) <= DROP * value
             best = int(np.where(is_counted, value, -1.0).argmax())
-            need = (CUBE if rows[best, 6] > ROUND * rows[best, 2] ** 1.5 else PLATE) * least
+            need = least * float(np.interp(rows[best, 6] / rows[best, 2] ** 1.5, *CORNER))
             score = min(height / RAISED, value[best] / need)
             region = self.grown(tip, others, float(value[best]), LARGEST, 0.0)[1]
             if is_counted[best] and score >= LEAST_RAISED and 2 * len(region) >= TRIANGLES:
