@@ -81,7 +81,7 @@ def _notes_of_finishing(states: list[State], parts: list[Part]) -> list[str]:
     refused, closed = sum(one.num_refused for one in done), sum(one.num_closed for one in done)
     laid = sum(one.node_of_vertex is not None for one in done)
     short, sparse = sum(one.is_cut_short for one in done), sum(one.is_sparse for one in done)
-    cut = sum(one.is_cut for one in done)
+    cut, unsought = sum(one.is_cut for one in done), sum(one.num_unsought for one in done)
     tangles = sum(map(is_left, states, parts))
     found = (
         (refused, f"{_edges(refused)} of the curve may be outside: the search for paths inside reached its limit"),
@@ -93,6 +93,7 @@ def _notes_of_finishing(states: list[State], parts: list[Part]) -> list[str]:
         ),
         (short, f"centring of {short} {of}, or the search for limbs, ended early: there are too many cross-sections"),
         (sparse, f"nodes of {sparse} {of} are far apart: the curves are long for their thickness"),
+        (unsought, f"the search for loops around {unsought} handles reached its limit"),
         (cut, f"the run had to end before {cut} {of} had been finished"),
         (tangles, f"{tangles} {of} not finished: over {MOST_VOLUME:.0%} of the volume is left"),
     )

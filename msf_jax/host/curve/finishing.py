@@ -34,6 +34,7 @@ class Finished(NamedTuple):
     is_kept: (n,) which of the flow's nodes are in it. They come first, in their order.
     target: (n,) the flow's node that represents each: itself, or the junction that its branch was pruned from.
     num_refused: edges left outside because a limit was reached. num_closed: edges without a path inside.
+    num_unsought: handles without a loop because the search for it reached a limit.
     is_cut: whether the run had to end before all passes were done. is_cut_short: whether centring, or the search for
     limbs, ended early because of its budget. is_sparse, num_pruned, num_grown: see `Draft`.
     node_of_vertex: (V,) for a Reeb curve, the node of each vertex of the solid; else None.
@@ -51,6 +52,7 @@ class Finished(NamedTuple):
     num_grown: int = 0
     node_of_vertex: np.ndarray | None = None
     is_cut: bool = False
+    num_unsought: int = 0
 
 
 def passes(centre: bool, extend: bool) -> list[Callable[[Draft, Job], Draft]]:
@@ -127,6 +129,7 @@ def finish(
         draft.num_pruned,
         draft.num_grown,
         is_cut=is_cut,
+        num_unsought=job.roadmap.num_unsought,
     )
 
 
@@ -170,6 +173,7 @@ def _of_reeb_curve(laid: reeb_curve.ReebCurve, nodes: np.ndarray, job: Job) -> F
         job.roadmap.num_closed,
         num_pruned=draft.num_pruned,
         node_of_vertex=rank[draft.node_of_flow],
+        num_unsought=job.roadmap.num_unsought,
     )
 
 
@@ -198,6 +202,7 @@ def looped(draft: Draft, job: Job) -> Draft:
     draft = opened(draft, job)
     x, edges = draft.vertices, draft.edges
     missing = job.shape.handles.genus - graphs.cycle_count(len(x), edges)[1]
+    job.roadmap.num_unsought = 0
     if missing:
         x, edges, _ = containment.refine(job.shape, x, edges, SPACING, MOST_NODES)
         x, edges = loops.completed(job.roadmap, x, edges, missing)
