@@ -20,6 +20,7 @@ from msf_jax.host.poles.roadmap import Roadmap
 from msf_jax.host.solid import handles as handles_module
 from msf_jax.host.solid.enclosure import Enclosure
 from msf_jax.host.solid.handles import Handles, surface_loops
+from msf_jax.host.solid.solid import Solid
 from msf_jax.skeleton.report import loops_of
 
 TURN = np.linspace(0, 2 * np.pi, 120, endpoint=False)
@@ -360,6 +361,37 @@ def test_too_many_handles_are_not_proved_and_the_report_says_so(monkeypatch):
     monkeypatch.setattr(loops, "MOST_LINKING", 0)
     report = msf_jax.skeletonize(mesh).report
     assert report.loops is None and not report.is_sound and "too many for a curve" in str(report)
+
+
+def test_loops_that_are_laid_in_several_rounds_are_around_handles_of_their_own(monkeypatch):
+    """One in each round; the linking numbers of the curve are computed once for all rounds, and every ball's edge has
+    its class computed once."""
+    mesh = shapes.plate(4)
+    skeleton = msf_jax.skeletonize(mesh)
+    is_in_tree = shortest_forest(len(skeleton.vertices), skeleton.edges, np.zeros(len(skeleton.edges)))
+    solid, asked = Solid(np.array(mesh.vertices), np.array(mesh.faces)), []
+    nodes, edges = solid.enter(skeleton.vertices), skeleton.edges[is_in_tree]
+    windings, classes = Handles.windings, Handles.classes
+
+    def counted(self, *given):
+        asked.append("windings")
+        return windings(self, *given)
+
+    def seen(self, a, b):
+        asked.extend(zip(map(tuple, a.tolist()), map(tuple, b.tolist()), strict=True))
+        return classes(self, a, b)
+
+    monkeypatch.setattr(Handles, "windings", counted)
+    monkeypatch.setattr(Handles, "classes", seen)
+    monkeypatch.setattr(loops, "AT_ONCE", 1)
+    roadmap = Roadmap(solid.shape, is_inside)
+    x, e = loops.completed(roadmap, nodes, edges, 4)
+    assert asked.count("windings") == 1
+    of_curve = set(map(tuple, x.tolist()))
+    of_balls = [ends for ends in asked if ends != "windings" and not of_curve & set(ends)]
+    assert len(of_balls) == len(set(of_balls)) > 100
+    monkeypatch.undo()
+    assert cycle_count(len(x), e) == (1, 4) and counts(loops.proof(solid.shape, x, e)) == (4, 0, 0, 0, 0)
 
 
 def test_a_search_that_reaches_its_limit_says_so(monkeypatch):
