@@ -41,21 +41,27 @@ class Work(Future):
         def compute() -> None:
             with suppress(Stopped):  # also if it comes late
                 try:
-                    result = context.run(function, *arguments)
-                except BaseException as error:
-                    self.set_exception(error)
-                else:
-                    self.set_result(result)
+                    try:
+                        result = context.run(function, *arguments)
+                    except BaseException as error:
+                        self.set_exception(error)
+                    else:
+                        self.set_result(result)
+                finally:
+                    with self._lock:
+                        self._is_over = True
 
+        self._lock, self._is_over = threading.Lock(), False
         self._thread = threading.Thread(target=compute, name="msf_jax", daemon=True)
         self._thread.start()
 
     def end(self) -> None:
         """Raise `Stopped` in the thread, at its next step in Python."""
-        if not self.done():
-            ctypes.pythonapi.PyThreadState_SetAsyncExc(
-                ctypes.c_ulong(self._thread.ident or 0), ctypes.py_object(Stopped)
-            )
+        with self._lock:  # the number of a thread that has ended can be another thread's
+            if not self._is_over:
+                self._is_over = True
+                number = ctypes.c_ulong(self._thread.ident or 0)
+                ctypes.pythonapi.PyThreadState_SetAsyncExc(number, ctypes.py_object(Stopped))
 
 
 class Presses:
