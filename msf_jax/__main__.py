@@ -1,8 +1,6 @@
 """``python -m msf_jax``: the command line."""
 
-import sys
-
-from msf_jax.app.cli import main
+from msf_jax.app.cli import command
 
 if __name__ == "__main__":
-    sys.exit(main())
+    command()

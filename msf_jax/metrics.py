@@ -137,12 +137,13 @@ def figures_of(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray) -> dic
     radii = np.where(is_inside, shape.distances(vertices), 0.0)
     components, cycles = graphs.cycle_count(len(vertices), edges)
     missed, _, area = _missed(shape, vertices, radii)
+    proof = loops.proof(shape, vertices, edges)
     paths = graphs.trace(len(vertices), edges)
     length = np.linalg.norm(vertices[edges[:, 0]] - vertices[edges[:, 1]], axis=1)
     return {
         "components": components,
         "cycles": cycles,
-        "loops": loops.proof(shape, vertices, edges).rank,
+        "loops": np.nan if proof.unproved else proof.rank,
         "leaves": int((np.bincount(edges.ravel(), minlength=len(vertices)) == 1).sum()),
         "inside": inside_fraction(shape, vertices, edges, radii),
         "boundedness": float(is_inside.mean()),

@@ -20,6 +20,7 @@ import pytest
 import trimesh
 
 from msf_jax import Config, ConfigError, Weights, batch
+from msf_jax.app import manifest
 from msf_jax.app.cli import main
 
 NUM, BROKEN = 6, 2
@@ -74,6 +75,28 @@ def test_what_failed_is_done_again_when_asked_for(folder, here, tmp_path):
     assert batch.run(paths, tmp_path).num_done == 1
     changed = batch.run(paths, tmp_path, weights=Weights(w_M=0.3))
     assert changed.num_done == 2
+
+
+def test_two_batches_at_once_have_all_rows_in_one_table(folder, here, tmp_path, monkeypatch):
+    """The second one begins while the first computes, and ends just before the first writes its table."""
+    first, second = [folder / "0.off", folder / "2.off"], [folder / "4.off", folder / "broken.off"]
+    write, begun = manifest.write_whole, []
+
+    def late(path, content):
+        if not begun:
+            begun.append(path)
+            batch.run(second, tmp_path)
+        write(path, content)
+
+    monkeypatch.setattr(manifest, "write_whole", late)
+    done = batch.run(first, tmp_path)
+    assert len(done.rows) == 2 and done.num_failed == 0
+    names = [Path(row["path"]).name for row in table(done.manifest)]
+    assert names == ["0.off", "2.off", "4.off", "broken.off"]
+    (tmp_path / "4.off.swc").unlink()  # a row without its curve is not in the table, nor one of other settings
+    changed = batch.run(first[:1], tmp_path, weights=Weights(w_M=0.3))
+    assert [Path(row["path"]).name for row in table(changed.manifest)] == ["0.off", "2.off", "broken.off"]
+    assert len(changed.rows) == 1
 
 
 @pytest.mark.system

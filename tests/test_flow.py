@@ -13,8 +13,8 @@ from conftest import blob, torus
 import msf_jax
 from msf_jax import Config, ConfigError, FlowError, Weights, shapes
 from msf_jax.base import layout
+from msf_jax.base.clock import Clock
 from msf_jax.flow import loop, programs
-from msf_jax.flow.state import Stopwatch
 from msf_jax.host.mesh import checking
 
 SLOW = pytest.mark.slow  # more of the same
@@ -113,7 +113,7 @@ def test_the_volume_is_gone_by_an_independent_measure(y_flow):
 
 
 def test_fixed_vertices_do_not_move():
-    config, watch = Config(reconstruct_poles=0, edit_connectivity=False), Stopwatch()
+    config, watch = Config(reconstruct_poles=0, edit_connectivity=False), Clock()
     state = loop.init(checking.prepare(blob(3)).components[0], 0, config, watch)
     held = np.arange(0, state.meso.num_rows, 5)
     state.meso.is_fixed[held] = True
@@ -229,9 +229,9 @@ def test_a_solve_that_runs_out_of_steps_is_said():
 
 
 def test_weights_that_blow_up_are_said():
-    state = loop.init(checking.prepare(blob(1)).components[0], 0, Config(), Stopwatch())
+    state = loop.init(checking.prepare(blob(1)).components[0], 0, Config(), Clock())
     state.meso.poles[:] = 1e9
-    loop.step(state, Weights(w_M=1e3), Config(), Stopwatch())
+    loop.step(state, Weights(w_M=1e3), Config(), Clock())
     ended = loop.done(state, Config())
     assert ended is not None
     assert not ended[0]
@@ -268,7 +268,7 @@ def test_coarsening_takes_short_edges_and_leaves_the_shape():
     """A fine torus: no short edge that could go is left, no volume lost, and poles are still those of the vertices."""
     mesh = torus(around=80, across=28)
     config = Config(check=True, max_iterations=1, coarsen=0.03)
-    state = loop.init(checking.prepare(mesh).components[0], 0, config, Stopwatch())
+    state = loop.init(checking.prepare(mesh).components[0], 0, config, Clock())
     coarse = trimesh.Trimesh(state.meso.positions, state.meso.faces(), process=False)
     assert state.num_coarsened > 0.5 * len(mesh.vertices)
     assert state.num_coarsened + len(coarse.vertices) == len(mesh.vertices)
@@ -308,11 +308,11 @@ def test_a_run_compiles_once_for_each_capacity_and_another_compiles_nothing(comp
     config = Config(solve_tolerance=0.00123)  # one that no other test compiles for
     states = []
     for number, mesh in enumerate((blob(11), torus())):
-        states.append(loop.init(checking.prepare(mesh).components[0], number, config, Stopwatch()))
+        states.append(loop.init(checking.prepare(mesh).components[0], number, config, Clock()))
     capacities = set()
     for state in states:
         while loop.done(state, config) is None:
-            loop.step(state, Weights(), config, Stopwatch())
+            loop.step(state, Weights(), config, Clock())
             capacities.add(state.capacity)
     assert len(capacities) > 1
     assert len(compilations) == len(capacities)

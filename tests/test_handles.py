@@ -20,6 +20,7 @@ from msf_jax.host.poles.roadmap import Roadmap
 from msf_jax.host.solid import handles as handles_module
 from msf_jax.host.solid.enclosure import Enclosure
 from msf_jax.host.solid.handles import Handles, surface_loops
+from msf_jax.host.solid.solid import Solid
 from msf_jax.skeleton.report import loops_of
 
 TURN = np.linspace(0, 2 * np.pi, 120, endpoint=False)
@@ -213,7 +214,7 @@ def test_pairs_of_segments_are_all_that_cross():
     """Against every pair, in general position and on a line."""
     random = np.random.default_rng(3)
     ones, others = (tuple(random.uniform(-1, 1, (2, num, 2)) * [1.0, high]) for num, high in ((300, 1.0), (200, 1e-3)))
-    found = [np.stack(pair) for pair in handles_module._pairs_in_cells(ones, others)]
+    found = [np.stack(pair) for pair in handles_module._Grid(others).pairs(ones)]
     pairs = set(map(tuple, np.concatenate(found, axis=1).T.tolist()))
     assert len(pairs) == sum(batch.shape[1] for batch in found)
 
@@ -316,6 +317,96 @@ def test_the_rank_modulo_a_prime_is_that_of_fractions(seed):
     for k, row in enumerate(matrix):
         before, after = (rank_by_fractions(matrix[:num]) for num in (k, k + 1))
         assert span.adds(row) == (after > before)
+
+
+def rank_modulo(matrix, prime):
+    """Which rows (k,) of a matrix are outside the span of those before, by Python's integers."""
+    basis, is_new = [], []
+    for row in (matrix % prime).tolist():
+        for pivot, other in basis:
+            row = [(one - row[pivot] * two) % prime for one, two in zip(row, other, strict=True)]
+        pivot = next((k for k, one in enumerate(row) if one), None)
+        is_new.append(pivot is not None)
+        if pivot is not None:
+            basis.append((pivot, [one * pow(row[pivot], -1, prime) % prime for one in row]))
+    return is_new
+
+
+@pytest.mark.parametrize("prime", [loops.PRIME, *loops.FACTORS])
+def test_many_vectors_at_once_are_added_as_one_by_one(prime):
+    """More than a block holds, with entries of all sizes; a rank by halves of numbers is exact."""
+    random, num = np.random.default_rng(5), 2 * loops.BLOCK + 10
+    few = random.integers(0, loops.PRIME, (num, num + 5))
+    mixed = random.integers(-3, 4, (num, num)) @ few % loops.PRIME
+    matrix = np.concatenate([few[:50], few[:20] + few[10:30], few[40:], mixed[:30]])
+    expected = rank_modulo(matrix, prime)
+    span = loops.Span(matrix.shape[1], prime)
+    assert span.adds_all(matrix[:70]).tolist() + [span.adds(row) for row in matrix[70:]] == expected
+    assert sum(expected) == num or prime in loops.FACTORS
+    assert not span.adds_all(matrix).any()
+
+
+def test_too_many_handles_are_not_proved_and_the_report_says_so(monkeypatch):
+    """A limit on linking numbers just below, and far below, what the curve of a plate needs."""
+    mesh = shapes.plate(4)
+    skeleton = msf_jax.skeletonize(mesh)
+    curve, num = (skeleton.vertices, skeleton.edges), len(skeleton.edges)
+    assert skeleton.report.is_sound and skeleton.report.loops == 4
+    monkeypatch.setattr(loops, "MOST_LINKING", 8 * num)
+    assert loops_of(shape_of(mesh), *curve)["loops"] == 4
+    monkeypatch.setattr(loops, "MOST_LINKING", 8 * num - 1)
+    doubt = f"the loops were not proved: 4 handles are too many for a curve of {num} edges"
+    assert loops_of(shape_of(mesh), *curve) == {"loops": None, "doubts": (doubt,)}
+    assert np.isnan(metrics.evaluate(mesh, skeleton)["loops"])
+    monkeypatch.setattr(loops, "MOST_LINKING", 0)
+    report = msf_jax.skeletonize(mesh).report
+    assert report.loops is None and not report.is_sound and "too many for a curve" in str(report)
+
+
+def test_loops_that_are_laid_in_several_rounds_are_around_handles_of_their_own(monkeypatch):
+    """From a lone node, one in each round, so that loops begin at loops before them. The linking numbers of the curve
+    are computed once for all rounds, and the class of each edge between balls, too."""
+    mesh = shapes.plate(4)
+    solid, asked = Solid(np.array(mesh.vertices), np.array(mesh.faces)), []
+    nodes = Roadmap(solid.shape, is_inside).nearest(solid.shape.vertices[:1], np.ones(1))[0]
+    windings, classes = Handles.windings, Handles.classes
+
+    def counted(self, *given):
+        asked.append("windings")
+        return windings(self, *given)
+
+    def seen(self, a, b):
+        asked.extend(zip(map(tuple, a.tolist()), map(tuple, b.tolist()), strict=True))
+        return classes(self, a, b)
+
+    monkeypatch.setattr(Handles, "windings", counted)
+    monkeypatch.setattr(Handles, "classes", seen)
+    monkeypatch.setattr(loops, "AT_ONCE", 1)
+    roadmap = Roadmap(solid.shape, is_inside)
+    x, e = loops.completed(roadmap, nodes, NO_EDGES, 4)
+    assert asked.count("windings") == 1
+    of_curve = set(map(tuple, x.tolist()))
+    of_balls = [ends for ends in asked if ends != "windings" and not of_curve & set(ends)]
+    assert len(of_balls) == len(set(of_balls)) > 100
+    monkeypatch.undo()
+    assert cycle_count(len(x), e) == (1, 4) and counts(loops.proof(solid.shape, x, e)) == (4, 0, 0, 0, 0)
+
+
+def test_a_search_that_reaches_its_limit_says_so(monkeypatch):
+    """Of a curve without loops in a plate with four holes, before the first path is tried."""
+    mesh = shapes.plate(4)
+    skeleton = msf_jax.skeletonize(mesh)
+    is_in_tree = shortest_forest(len(skeleton.vertices), skeleton.edges, np.zeros(len(skeleton.edges)))
+    curve = skeleton.vertices, skeleton.edges[is_in_tree]
+    whole, cut = (Roadmap(shape_of(mesh), is_inside) for _ in range(2))
+    assert len(loops.completed(whole, *curve, 4)[1]) > len(curve[1])
+    assert whole.num_unsought == 0 and whole.num_linked > 0
+    monkeypatch.setattr(loops, "MOST_LINKING", 8 * len(curve[1]))
+    cut.num_linked = loops.MOST_LINKING
+    assert len(loops.completed(cut, *curve, 4)[1]) == len(curve[1]) and cut.num_unsought == 4
+    monkeypatch.setattr(loops, "MOST_LINKING", 0)
+    cut.num_unsought = 0
+    assert loops.completed(cut, *curve, 4)[1] is curve[1] and cut.num_unsought == 4
 
 
 # Solids of several components

@@ -85,8 +85,8 @@ def test_axes_that_are_nearly_parallel_meet_nowhere():
     np.testing.assert_array_equal(moved(shape, x, edges), x)
 
 
-def twig(astray, num=60):
-    """A solid of a trunk of radius 3 along z and a twig of radius 1 from 0, 45 degrees up, and a curve whose twig runs
+def side_branch(astray, num=60):
+    """A solid of a trunk of radius 3 along z and a side_branch of radius 1 from 0, 45 degrees up, and a curve whose side_branch runs
     along the trunk for ``astray`` before it leaves it."""
     top = np.array([0, 30, 30])
     points = np.array([[0, 0, -30], [0, 0, 40], [0, 0, 0], top], dtype=float)
@@ -94,7 +94,7 @@ def twig(astray, num=60):
     line = np.linspace(0, 1, num)[:, None]
     trunk = points[0] + line * (points[1] - points[0])
     first = int(np.abs(trunk[:, 2] - astray).argmin())
-    leaves = np.array([0, 0.5, 0.5])  # on the twig's axis, in the trunk
+    leaves = np.array([0, 0.5, 0.5])  # on the side_branch's axis, in the trunk
     legs = np.concatenate(
         [trunk[first] + line[1:10] / line[9] * (leaves - trunk[first]), leaves + line * (top - leaves)]
     )
@@ -104,9 +104,9 @@ def twig(astray, num=60):
 
 
 @pytest.mark.parametrize("astray", [-8.0, 8.0])
-def test_a_twig_begins_where_its_axis_meets_the_trunk(astray):
+def test_a_side_branch_begins_where_its_axis_meets_the_trunk(astray):
     """`THIN`, `THICK`, `CLEAR`, `STRETCH`, `FAR`: wherever it ran along the trunk."""
-    shape, x, edges, first = twig(astray)
+    shape, x, edges, first = side_branch(astray)
     held = np.zeros(len(x), dtype=bool)
     found, found_edges = junctions.attached(shape, x, edges, held, shape.clearance(x))
     degree = np.bincount(found_edges.ravel())
@@ -117,7 +117,7 @@ def test_a_twig_begins_where_its_axis_meets_the_trunk(astray):
 
 
 def test_a_limb_that_is_nearly_as_thick_as_its_trunk_stays():
-    """`THIN`: a T of equal tubes is no twig."""
+    """`THIN`: a T of equal tubes is no side_branch."""
     shape, x, edges, _ = fork(120, 0.3)
     assert len(junctions.attached(shape, x, edges, np.zeros(len(x), dtype=bool), shape.clearance(x))[0]) == len(x)
 

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from msf_jax.device.quiet import quieten_cache, without_alarm
+from msf_jax.device.quiet import pass_on, quieten_cache, without_alarm
 
 ALARM = b"E1123 1 cpu_aot_loader.cc:195] Loading XLA:CPU AOT result. Target machine feature is not supported.\n"
 
@@ -21,6 +21,15 @@ def test_the_alarm_is_kept_back_and_all_else_is_passed_on_right_after(capfd):
     assert capfd.readouterr().err == "before\nafter, without an end of line"
     os.write(2, ALARM)
     assert capfd.readouterr().err == ALARM.decode()
+
+
+def test_what_is_held_back_can_be_passed_on_before(capfd):
+    with without_alarm():
+        os.write(2, b"the last words\n" + ALARM)
+        pass_on()
+        assert capfd.readouterr().err == "the last words\n"
+    os.write(2, b"open\n")
+    assert capfd.readouterr().err == "open\n"
 
 
 def test_threads_that_overlap_restore_standard_error_once(capfd):

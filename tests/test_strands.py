@@ -4,6 +4,7 @@ import itertools
 
 import numpy as np
 
+from msf_jax.host.curve import branches
 from msf_jax.host.curve.branches import zip_strands
 from msf_jax.host.graphs import cycle_count, trace
 
@@ -55,3 +56,22 @@ def test_branches_that_part_at_once_stay():
     held = np.ones(len(x), dtype=bool)
     assert zip_strands(x, edges, np.full(len(x), 0.5), held)[0].all()
     assert not zip_strands(x, edges, np.full(len(x), 0.5), ~held)[0].all()
+
+
+def test_two_branches_are_compared_once(monkeypatch):
+    """Of several places where strands become one, each is a round; branches that it does not change are known."""
+    x, edges, asked = np.empty((0, 3)), [], []
+    for number in range(4):
+        at, up = (20.0 * number, 0, 0), (20.0 * number + 4, 0, 0)
+        places, pairs = joined(at, chain(at, up), chain(at, (up[0], 0.1, 0)), chain(at, (at[0] - 4, 0, 0)))
+        edges.append(pairs + len(x))
+        x = np.concatenate([x, places])
+
+    def counted(vertices, radii, one, other):
+        asked.append((one.tobytes(), other.tobytes()))
+        return beside(vertices, radii, one, other)
+
+    beside = branches._beside
+    monkeypatch.setattr(branches, "_beside", counted)
+    stays, _, _ = zip_strands(x, np.concatenate(edges), np.full(len(x), 0.5), np.zeros(len(x), dtype=bool))
+    assert not stays.all() and len(asked) == len(set(asked)) == 4 * 6

@@ -2,15 +2,13 @@
 
 For each mesh a batch writes the curve, and then a row with the report or the error, both atomically. So a batch that
 was killed continues with the meshes that have no row. An error of one mesh does not affect others. The table of all
-rows is written every few seconds, and at the end. Meshes are sorted by file size, so that successive meshes use the
-same compiled capacities.
+rows is written every few seconds, and at the end; see `manifest`. Meshes are sorted by file size, so that successive
+meshes use the same compiled capacities.
 """
 
 import concurrent.futures
-import csv
 import errno
 import hashlib
-import io
 import json
 import multiprocessing
 import os
@@ -27,6 +25,7 @@ from typing import Any
 import jax
 
 import msf_jax
+from msf_jax.app.manifest import Manifest
 from msf_jax.app.shaping import Shaping, scaled, shaped
 from msf_jax.base.errors import ConfigError, FlowError, MeshError
 from msf_jax.base.options import Config, Weights
@@ -68,8 +67,8 @@ class Job:
 class Batch:
     """The result of a batch.
 
-    rows: one dictionary for each mesh, as in the table. manifest: the table's file. num_done: meshes computed by this
-    call; the others had a row already.
+    rows: one dictionary for each mesh of this call, as in the table. manifest: the table's file, which has the rows of
+    other batches into the same folder, too. num_done: meshes computed by this call; the others had a row already.
     """
 
     rows: tuple[dict[str, Any], ...]
@@ -105,7 +104,7 @@ def run(
     Args:
         paths: mesh files, in any format that trimesh reads.
         out: a folder, created if missing. The curve of ``a/b.off`` is ``a/b.off.swc`` in it; all reports are in
-            ``manifest.csv``.
+            ``manifest.csv``. Several batches may write to one folder, also at the same time: the table has all rows.
         weights, config, repair: as `skeletonize` takes them; weights are numbers.
         suffix: the format of the curves; see `Skeleton.save`.
         jobs: processes; by default one for each core.
@@ -147,19 +146,20 @@ def run(
     known = {job.source: _known(job) for job in planned}
     missing = [job for job in planned if (row := known[job.source]) is None or (retry and row["error"])]
     started = _on_cluster(scheduler) if scheduler else _in_processes(jobs or os.cpu_count() or 1)
-    done, written = {name: row for name, row in known.items() if row is not None}, time.monotonic()
+    manifest = Manifest(
+        folder / MANIFEST, folder / ROWS, {Path(job.row).name: (job.key, job.target) for job in planned}
+    )
+    written = time.monotonic()
     try:
         with started as results, showing(len(missing), "batch", "meshes", progress) as bar:
             for row in results(missing):
                 bar.update(1, Path(row["path"]).name)
-                done[row["path"]] = row
                 if time.monotonic() - written > TABLE_EVERY:
-                    write_whole(folder / MANIFEST, _table(tuple(done.values())))
+                    manifest.write()
                     written = time.monotonic()
     finally:  # the table is written after Ctrl-C, too
-        rows = tuple(filter(None, map(_known, planned)))
-        write_whole(folder / MANIFEST, _table(rows))
-    return Batch(rows, folder / MANIFEST, len(missing))
+        manifest.complete()
+    return Batch(tuple(filter(None, map(_known, planned))), manifest.file, len(missing))
 
 
 def _names(
@@ -335,19 +335,3 @@ def _on_cluster(scheduler: str) -> Iterator[Results]:
 
     with client:
         yield results
-
-
-def _table(rows: tuple[dict[str, Any], ...]) -> str:
-    """The rows as comma-separated text, sorted by path; lists are joined by semicolons."""
-    ordered = sorted(rows, key=lambda row: row["path"])
-    columns = list(dict.fromkeys(name for row in ordered for name in row if name not in ("key", "figures")))
-    figures = list(dict.fromkeys(name for row in ordered for name in row.get("figures") or {}))
-    buffer = io.StringIO()
-    table = csv.writer(buffer, lineterminator="\n")
-    table.writerow([*columns, *figures])
-    for row in ordered:
-        values = [row.get(name, "") for name in columns] + [
-            (row.get("figures") or {}).get(name, "") for name in figures
-        ]
-        table.writerow(["; ".join(value) if isinstance(value, list) else value for value in values])
-    return buffer.getvalue()

@@ -1,8 +1,8 @@
 """The command line: ``msf-jax skeletonize``, ``view``, ``batch`` and the others, also as ``python -m msf_jax``.
 
 Exit codes: 0 if all files are written, 1 if a mesh of a batch failed or a frame has no curve, 2 for bad input or
-options, 130 for Ctrl-C, after which the curve so far is written. A curve whose report is not sound is written with a
-warning. An existing file whose name was not given is not overwritten without ``--force``.
+options, 130 for Ctrl-C, after which the curve so far is written, if an iteration has ended. A curve whose report is not
+sound is written with a warning. An existing file whose name was not given is not overwritten without ``--force``.
 
 Help and errors appear without delay: commands import modules on demand, and JAX only after the mesh was accepted.
 """
@@ -17,6 +17,7 @@ from typing import TYPE_CHECKING, Any
 
 from msf_jax.app import shaping
 from msf_jax.app.parser import configured, parsed, parser_of, repair_of
+from msf_jax.base.clock import counted
 from msf_jax.base.errors import ConfigError, FlowError, Interrupted, MeshError
 from msf_jax.base.writing import write_whole
 from msf_jax.skeleton.formats import export
@@ -28,6 +29,7 @@ if TYPE_CHECKING:
     from msf_jax.skeleton.skeleton import Skeleton
 
 UNCHANGED = shaping.Shaping()
+INTERRUPTED = 130  # the exit code after Ctrl-C, as of other programs
 LISTED = 10  # failed meshes of a batch, or doubtful frames, that are printed
 
 
@@ -38,15 +40,28 @@ def main(argv: Sequence[str] | None = None) -> int:
         if isinstance(stream, io.TextIOWrapper):  # a name may have characters that the terminal's encoding has not
             stream.reconfigure(errors="backslashreplace")
     try:
-        return arguments.run(arguments)
+        with counted():
+            return arguments.run(arguments)
     except (MeshError, ConfigError, FlowError) as error:
         return _fail(str(error), 2)
     except UnicodeEncodeError as error:
         return _fail(f"the system has no bytes for the name {error.object!r}: choose another one", 2)
     except OSError as error:
         return _fail(f"{error.strerror or error}: {error.filename}" if error.filename else str(error), 2)
-    except KeyboardInterrupt:
-        return _fail("interrupted", 130)
+    except KeyboardInterrupt as interruption:
+        return _fail(str(interruption) or "interrupted", INTERRUPTED)
+
+
+def command() -> None:
+    """The command as a process. After Ctrl-C it ends without waiting for threads that still compile or compute."""
+    code = main()
+    if code == INTERRUPTED:
+        if quiet := sys.modules.get("msf_jax.device.quiet"):  # it may hold back what was just printed
+            quiet.pass_on()
+        for stream in filter(None, (sys.stdout, sys.stderr)):
+            stream.flush()
+        os._exit(code)
+    sys.exit(code)
 
 
 def _fail(message: str, code: int) -> int:
@@ -203,8 +218,10 @@ def _skeletonize(arguments: argparse.Namespace) -> int:
         files[picture] = panels.picture(skeleton, mesh)
     code = _finish(skeleton, files, arguments.quiet)
     if stopped:
-        return _fail(stopped, 130)
-    if arguments.checkpoint:  # the curve is written, so the checkpoint is no longer needed
+        return _fail(stopped, INTERRUPTED)
+    if arguments.checkpoint and "max_seconds" in skeleton.report.reason:
+        _fail(f"max_seconds reached: the same command continues from {arguments.checkpoint}", code)
+    elif arguments.checkpoint:  # the curve is written, so the checkpoint is no longer needed
         Path(arguments.checkpoint).unlink(missing_ok=True)
     return code
 

@@ -14,7 +14,7 @@ first steps:
   msf-jax COMMAND --help                            options and more examples
 
 exit codes: 0 all files are written (warnings name doubtful curves), 1 a mesh of a batch failed, or
-a frame has no curve, 2 bad input or options, 130 Ctrl-C (the curve so far is written)""",
+a frame has no curve, 2 bad input or options, 130 Ctrl-C (the curve so far is written, if there is one)""",
     ),
     "SKELETONIZE": (
         """\
@@ -31,7 +31,8 @@ examples:
   msf-jax skeletonize neuron.ply -o neuron.swc --repair join --root soma --radius section --units nm
   msf-jax skeletonize vessel.vtp -o vessel.csv --repair     a table of branches; of nodes: -o vessel.nodes.csv
   msf-jax skeletonize person.obj -o person.glb              a rig, for Blender
-  msf-jax skeletonize big.ply -o big.npz --checkpoint big.run.npz""",
+  msf-jax skeletonize big.ply -o big.npz --checkpoint big.run.npz
+  msf-jax skeletonize big.ply -o big.npz --max-seconds 600  the curve so far after ten minutes""",
     ),
     "DEMO": (
         "Skeletonise a hand with five fingers and a handle. Writes hand.off, hand.swc and hand.png.",

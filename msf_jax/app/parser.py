@@ -207,11 +207,18 @@ def _settings(parser: argparse.ArgumentParser) -> None:
         metavar="N",
         help=f"largest number of iterations (default: {defaults.max_iterations})",
     )
+    flow.add_argument(
+        "--max-seconds",
+        type=float,
+        metavar="X",
+        help="end each run after this many seconds, with the curve so far (default: no limit)",
+    )
 
 
 def configured(arguments: argparse.Namespace, **others: Any) -> tuple[Weights, Config]:
     """Weights and `Config` from the options of `_settings`; others have the system's values."""
-    changes = {name: getattr(arguments, name) for name in ("max_iterations", "coarsen", "prune", "detail")}
+    names = ("max_iterations", "max_seconds", "coarsen", "prune", "detail")
+    changes = {name: getattr(arguments, name) for name in names}
     changes = {name: value for name, value in changes.items() if value is not None}
     config = Config.named(arguments.system, **others, **changes)
     given = {name: getattr(arguments, name) for name in WEIGHTS if getattr(arguments, name) is not None}

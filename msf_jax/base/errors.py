@@ -19,7 +19,8 @@ class Interrupted(KeyboardInterrupt):
     """Ctrl-C in the middle of a run.
 
     Attributes:
-        flow: the unfinished `Flow`. Its curve is that of the surface so far; its report says that it was interrupted.
+        flow: the unfinished `Flow`. Its curve is that of the surface so far, finished as far as the time sufficed; its
+            report says that it was interrupted.
     """
 
     def __init__(self, message: str, flow: Any) -> None:

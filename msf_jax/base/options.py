@@ -134,6 +134,8 @@ class Config:
         w_H_follows_area: whether w_H grows as a vertex's one-ring area shrinks, and w_L starts at 400 times the square
             root of the mean area of a face (Au et al. 2008).
         max_iterations: the flow gives up after this many iterations.
+        max_seconds: the run ends after this many seconds, and about two more, with the curve so far; None for no limit.
+            How far the curve is then depends on the machine. If no iteration has ended, a `FlowError` is raised.
         volume_tolerance, area_tolerance: the flow has converged when this fraction of the volume is left, and this
             fraction of the area, or the area has stopped shrinking. The area counts because a sheet has no volume.
         free_tolerance: the flow has also converged when at most this fraction of the vertices is not fixed.
@@ -181,6 +183,7 @@ class Config:
     growth: float = 1.0
     w_H_follows_area: bool = False
     max_iterations: int = 200
+    max_seconds: float | None = None
     volume_tolerance: float = 1e-4
     area_tolerance: float = 0.01
     free_tolerance: float = 0.01
@@ -205,7 +208,7 @@ class Config:
             raise ConfigError(f"unknown poles {self.poles!r}: expected one of {', '.join(POLES)}")
         if self.preconditioner not in SOLVED_BY:
             raise ConfigError(f"unknown preconditioner {self.preconditioner!r}: expected one of {', '.join(SOLVED_BY)}")
-        ranges = {
+        ranges: dict[str, tuple[float, float]] = {
             "reconstruct_poles": (0, math.inf),
             "reconstruct_mesh": (0, math.inf),
             "resample": (0, 0.5),
@@ -226,6 +229,8 @@ class Config:
             "prune": (0, math.inf),
             "detail": (0, 1),
         }
+        if self.max_seconds is not None:
+            ranges["max_seconds"] = (0, math.inf)
         for name, (low, high) in ranges.items():
             value = getattr(self, name)
             kind, what = (numbers.Integral, "whole number") if name in WHOLE else (numbers.Real, "number")

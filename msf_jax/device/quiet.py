@@ -57,8 +57,21 @@ def without_alarm() -> Iterator[None]:
     finally:
         with _lock:
             _num_loading -= 1
-            if _num_loading == 0 and _restore is not None:
-                _restore()
+            if _num_loading == 0:
+                _pass_on()
+
+
+def pass_on() -> None:
+    """Pass on what is held back, for a process that ends while another thread loads a program."""
+    with _lock:
+        _pass_on()
+
+
+def _pass_on() -> None:
+    global _restore
+    if _restore is not None:
+        _restore()
+    _restore = None
 
 
 def _held_back() -> Callable[[], None] | None:

@@ -2,15 +2,17 @@
 
 import math
 from dataclasses import replace
+from functools import partial
 
 import numpy as np
 from scipy import spatial
 
 from msf_jax import metrics
+from msf_jax.base.clock import Clock
 from msf_jax.base.options import Config, Weights
 from msf_jax.flow import curves
 from msf_jax.flow.curves import MOST_VOLUME, Part, Stitched, is_left, lacks_classes
-from msf_jax.flow.state import Flow, Iteration, State, Stopwatch
+from msf_jax.flow.state import Flow, Iteration, State
 from msf_jax.host import graphs
 from msf_jax.host.curve import branches, finishing
 from msf_jax.host.mesh.checking import Surface
@@ -23,6 +25,7 @@ from msf_jax.skeleton.skeleton import Skeleton
 from msf_jax.skeleton.source import Source, Stage
 
 NAMED = 4  # ends of limbs of a finer detail that a note names
+UNCHECKED = "the run ended before the curve was checked: its loops are not proved"
 MOST_STAGES = 12  # surfaces of the contraction that are kept for pictures
 
 
@@ -35,29 +38,30 @@ def assemble(
     parts: list[Part],
     weights: Weights,
     config: Config,
-    watch: Stopwatch,
+    clock: Clock,
     notes: list[str],
 ) -> Flow:
     """The `Flow` of a run. ``solid`` has the surface, ``pins`` are the caller's, ``notes`` go into the report."""
-    stitched = curves.as_left(checked, states, parts), curves.finished(checked, states, parts)
+    stitched = curves.as_left(checked, states, parts), curves.finished(checked, states, parts, clock)
     history = tuple(line for state in states for line in state.history)
-    with watch.stage("report"):
+    with clock.stage("report"):
         followed = None if checked.is_made.any() else checked.input_of_vertex
         if followed is not None:  # the first of several welded vertices represents all of them
             pins = np.unique(followed[checked.vertex_of_input[pins]])
         source = Source(solid, _areas_of_input(checked, solid), pins, _stages(states), followed)
         figures = {}
         if config.evaluate:
-            figures = metrics.figures_of(solid.shape, solid.enter(stitched[1].vertices), stitched[1].edges)
+            asked = solid.shape, solid.enter(stitched[1].vertices), stitched[1].edges
+            figures = clock.attempt({}, metrics.figures_of, *asked)
         notes = [*notes, *_notes_of_finishing(states, parts)]
         report = replace(
-            report_of(checked, states, reasons, history, notes, figures, watch),
+            report_of(checked, states, reasons, history, notes, figures, clock),
             pruned=sum(part.finished.num_pruned for part in parts),
             grown=sum(part.finished.num_grown for part in parts),
             wavefronts=sum(part.finished.node_of_vertex is not None for part in parts),
         )
-        curve = _skeleton(stitched[0], checked, report, source, is_finished=False)
-        skeleton = _to_openings(stitched[1], checked, report, source)
+        curve = _skeleton(stitched[0], checked, report, source, clock, is_finished=False)
+        skeleton = _to_openings(stitched[1], checked, report, source, clock)
     return Flow(
         weights=weights,
         config=config,
@@ -79,6 +83,7 @@ def _notes_of_finishing(states: list[State], parts: list[Part]) -> list[str]:
     refused, closed = sum(one.num_refused for one in done), sum(one.num_closed for one in done)
     laid = sum(one.node_of_vertex is not None for one in done)
     short, sparse = sum(one.is_cut_short for one in done), sum(one.is_sparse for one in done)
+    cut, unsought = sum(one.is_cut for one in done), sum(one.num_unsought for one in done)
     tangles = sum(map(is_left, states, parts))
     found = (
         (refused, f"{_edges(refused)} of the curve may be outside: the search for paths inside reached its limit"),
@@ -90,6 +95,8 @@ def _notes_of_finishing(states: list[State], parts: list[Part]) -> list[str]:
         ),
         (short, f"centring of {short} {of}, or the search for limbs, ended early: there are too many cross-sections"),
         (sparse, f"nodes of {sparse} {of} are far apart: the curves are long for their thickness"),
+        (unsought, f"the search for loops around {unsought} handles reached its limit"),
+        (cut, f"the run had to end before {cut} {of} had been finished"),
         (tangles, f"{tangles} {of} not finished: over {MOST_VOLUME:.0%} of the volume is left"),
     )
     return [note for count, note in found if count] + _finer(states, done)
@@ -121,6 +128,7 @@ def _skeleton(
     checked: Surface,
     report: Report,
     source: Source,
+    clock: Clock,
     is_finished: bool = True,
 ) -> Skeleton:
     vertices, edges, node_of_vertex = stitched
@@ -129,26 +137,27 @@ def _skeleton(
     radii = solid.radii(vertices)
     inside = metrics.inside_fraction(solid.shape, solid.enter(vertices), edges, radii / solid.diagonal)
     asked = solid.shape, solid.enter(vertices), edges, node_of_vertex
-    found = assessed(*asked, report.wavefronts > 0) if is_finished else loops_of(*asked)
+    measure = partial(assessed, is_tubular=report.wavefronts > 0) if is_finished else loops_of
+    found = clock.attempt({"doubts": (UNCHECKED,)}, measure, *asked)
     report = replace(report, components=components, cycles=cycles, inside=inside, **found)
     return Skeleton(vertices, edges, radii, _map_of_input(checked, vertices, node_of_vertex), report, source)
 
 
-def _to_openings(stitched: Stitched, checked: Surface, report: Report, source: Source) -> Skeleton:
+def _to_openings(stitched: Stitched, checked: Surface, report: Report, source: Source, clock: Clock) -> Skeleton:
     """The finished curve, extended to the centres of the openings that repair has closed."""
     if not checked.rims:
-        return _skeleton(stitched, checked, report, source)
+        return _skeleton(stitched, checked, report, source, clock)
     is_held = np.zeros(len(stitched.vertices), dtype=bool)
     is_held[stitched.node_of_vertex[checked.vertex_of_input[source.pins]]] = True
     found = outlets.opened(source.solid, stitched.vertices, stitched.edges, is_held, lids_of_repair(checked))
     if not len(found.ends):
-        return _skeleton(stitched, checked, report, source)
+        return _skeleton(stitched, checked, report, source, clock)
     source = source._replace(solid=Solid(checked.vertices, checked.faces, found.lids))
     node = branches.nearest_on_branch(found.nodes, found.edges, checked.vertices, stitched.node_of_vertex)
     led = stitched._replace(vertices=found.nodes, edges=finishing.in_order(found.edges), node_of_vertex=node)
     num = f"{len(found.ends)} opening{'' if len(found.ends) == 1 else 's'}"
     report = replace(report, notes=(*report.notes, f"the curve ends in the centre of {num} that repair has closed"))
-    return replace(_skeleton(led, checked, report, source), openings=tuple(found.ends.tolist()))
+    return replace(_skeleton(led, checked, report, source, clock), openings=tuple(found.ends.tolist()))
 
 
 def lids_of_repair(checked: Surface) -> np.ndarray:
@@ -258,7 +267,7 @@ def report_of(
     history: tuple[Iteration, ...],
     notes: list[str],
     figures: dict[str, float],
-    watch: Stopwatch,
+    clock: Clock,
 ) -> Report:
     """The report without the figures of a curve: `_skeleton` fills in components, cycles and inside."""
     return Report(
@@ -280,7 +289,7 @@ def report_of(
         repairs=checked.repairs,
         notes=(*notes, *_notes(states, history)),
         figures=figures,
-        seconds=watch.seconds,
+        seconds=clock.seconds,
     )
 
 

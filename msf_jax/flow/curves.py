@@ -6,8 +6,9 @@ from typing import NamedTuple
 import numpy as np
 from scipy import spatial
 
+from msf_jax.base.clock import Clock
 from msf_jax.base.options import Config
-from msf_jax.flow.state import State, Stopwatch
+from msf_jax.flow.state import State
 from msf_jax.host.curve import branches, extraction, finishing
 from msf_jax.host.curve.draft import Draft, Job
 from msf_jax.host.curve.extraction import Curve
@@ -33,13 +34,13 @@ class Part(NamedTuple):
     is_held: np.ndarray
 
 
-def curve_of(state: State, meso: Meso, config: Config, watch: Stopwatch) -> Part:
+def curve_of(state: State, meso: Meso, config: Config, clock: Clock) -> Part:
     """The curve of a contracted surface ``meso``, as extracted and finished.
 
     If more than ``MOST_VOLUME`` is left, the curve is a tangle that no pass can correct. It is not finished, unless
     geodesic wavefronts over the surface make the curve.
     """
-    with watch.stage("curve"):
+    with clock.stage("curve"):
         pinned = meso.node_of_input[state.pins]
         extract = extraction.operated_curve if config.surgery else extraction.extract_curve
         classes = meso.classes
@@ -51,7 +52,7 @@ def curve_of(state: State, meso: Meso, config: Config, watch: Stopwatch) -> Part
         is_held = np.zeros(len(nodes), dtype=bool)
         is_held[node_of_pin] = True
         nodes[is_held] = means(state.shape.vertices[state.pins], node_of_pin, len(nodes))[is_held]
-    with watch.stage("finishing"):
+    with clock.stage("finishing"):
         done = finishing.finish(
             state.solid,
             nodes,
@@ -67,9 +68,10 @@ def curve_of(state: State, meso: Meso, config: Config, watch: Stopwatch) -> Part
             outside=state.shape,
             caps=None if state.caps is None else state.caps.result,
             first=partial(_recentred, meso, found) if config.surgery else None,
+            clock=clock,
         )
     if state.caps is not None:
-        state.caps.cancel()  # if nobody asked for it, and it has not begun
+        state.caps.end()  # if nobody asked for it
         state.caps = None  # as large as the surface
     # The edges of a removed node go to the node that replaces it, so that the curve stays connected.
     stands_for = (np.cumsum(done.is_kept) - 1)[done.target]
@@ -132,7 +134,7 @@ def as_left(checked: Surface, states: list[State], parts: list[Part]) -> Stitche
     return Stitched(np.concatenate(nodes), np.concatenate(edges), node_of_vertex)
 
 
-def finished(checked: Surface, states: list[State], parts: list[Part]) -> Stitched:
+def finished(checked: Surface, states: list[State], parts: list[Part], clock: Clock) -> Stitched:
     """The finished curves: the nodes of `as_left` come first, with the same ids, then the new nodes."""
     old, new, edges = [], [], []
     num_flow = sum(len(part.curve.nodes) for part in parts)
@@ -146,8 +148,9 @@ def finished(checked: Surface, states: list[State], parts: list[Part]) -> Stitch
         number = np.where(number < count, num_old + number, num_flow + num_new + number - count)
         edges.append(number[done.edges])
         node = node_of_input(part) if done.node_of_vertex is None else done.node_of_vertex
-        if not is_left(state, part):
-            node = branches.nearest_on_branch(done.vertices, done.edges, state.shape.vertices, node)
+        if not (is_left(state, part) or done.is_cut):
+            asked = done.vertices, done.edges, state.shape.vertices, node
+            node = clock.attempt(node, branches.nearest_on_branch, *asked)
         node_of_vertex[member[state.order]] = number[node]
         node_of_vertex[lining] = number[_nearest(done.vertices, state, checked.vertices[lining])]
         num_old += count

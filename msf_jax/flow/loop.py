@@ -5,21 +5,22 @@ to stop, and says why. `curves` extracts and finishes the curves. `assembly` mak
 """
 
 import os
+from contextlib import suppress
 from typing import Any
 
 import numpy as np
 from tqdm import tqdm
 
 from msf_jax.base import forking
-from msf_jax.base.errors import Interrupted
-from msf_jax.base.interruption import held_back
+from msf_jax.base.clock import Clock, Stopped, counted
+from msf_jax.base.errors import FlowError, Interrupted
 from msf_jax.base.options import Config, Weights
 from msf_jax.flow import assembly
 from msf_jax.flow.checkpoint import Checkpoint, run_of
 from msf_jax.flow.curves import curve_of
 from msf_jax.flow.request import checked_options, checked_pins, weights_of_vertices
-from msf_jax.flow.starting import init, meanwhile
-from msf_jax.flow.state import LIMITS, Flow, Iteration, Limits, State, Stopwatch
+from msf_jax.flow.starting import init
+from msf_jax.flow.state import LIMITS, Flow, Iteration, Limits, State
 from msf_jax.flow.stepping import step
 from msf_jax.host.mesh import checking
 from msf_jax.host.mesh.checking import Surface
@@ -28,7 +29,6 @@ from msf_jax.host.meso import collapse, fixing
 from msf_jax.host.meso.meso import Meso
 from msf_jax.host.solid.solid import Solid
 
-INTERRUPTED = "interrupted"
 SETTLED = 0.02  # share of the first volume: a flow that has settled may leave this much, of any shape
 MEMBRANES = 0.1  # share of the first volume: it may leave this much in thin membranes between fixed vertices
 THINNED = 1 / 3  # membranes are at most this part as thick as the solid was (ratio of volume share to area share)
@@ -70,60 +70,75 @@ def contract(
             make it one.
         ConfigError: a weight or an option is out of range, a pin is no vertex of the surface, or the checkpoint is of
             another run or cannot be written.
-        FlowError: the mesh has no Voronoi diagram, this process was forked after a run, or the installed compiler
-            computes wrong sums.
-        Interrupted: Ctrl-C, raised after the current iteration; a KeyboardInterrupt with the unfinished flow.
+        FlowError: the mesh has no Voronoi diagram, this process was forked after a run, the installed compiler
+            computes wrong sums, or ``config.max_seconds`` had passed before the first iteration had ended.
+        Interrupted: Ctrl-C; a KeyboardInterrupt with the unfinished flow. Before the first iteration has ended there is
+            none, and a plain KeyboardInterrupt is raised.
     """
     weights, config = checked_options(weights, config)
     forking.check()
-    watch = Stopwatch()
-    with watch.stage("validation"):
-        checked = mesh if isinstance(mesh, Surface) else checking.prepare(mesh, repair)
-    held, pinned = checked_pins(pins, checked)
-    of_vertices = weights_of_vertices(weights, checked)
-    identity = run_of(checked.given, weights, config, held, as_repair(repair)) if checkpoint is not None else {}
-    keeper = Checkpoint(checkpoint, identity)
-    solid = Solid(checked.vertices, checked.faces)
-    prepared = meanwhile(solid.shape.prepare)
-    states, reasons, parts = [], [], []
-    with tqdm(desc="msf_jax", unit="it", disable=None if progress else True) as bar, held_back() as interruption:
-        for number, component in enumerate(checked.components):
-            if interruption and parts:
-                break
-            pins_here = np.flatnonzero(np.isin(checked.members[number], pinned))
-            of_members = None if of_vertices is None else of_vertices[checked.members[number]]
-            state = init(component, number, config, watch, pins_here, of_members, limits)
-            keeper.restore(state, config)
-            states.append(state)
-            while (end := done(state, config)) is None:
-                if interruption:
-                    end = False, INTERRUPTED
-                    break
-                step(state, weights, config, watch, limits)
-                if state.history:
-                    bar.set_postfix(vertices=state.history[-1].live, volume=f"{state.history[-1].volume:.1e}")
-                    if len(state.history) % limits.checkpoint_every == 0:
-                        keeper.save(states)
-                bar.update()
-            keeper.save(states)
-            reasons.append(end)
-            parts.append(curve_of(state, _thinned(state.meso, config), config, watch))
-        notes = [keeper.failure] if keeper.failure else []
-        if len(parts) < len(checked.components):
-            reasons += [(False, "not begun")] * (len(checked.components) - len(parts))
-            checked = checked.first(len(parts))
-            held = held[checked.vertex_of_input[held] >= 0]
+    with counted() as presses:
+        clock = Clock(config.max_seconds, presses)
+        with clock.stage("validation"):
+            checked = mesh if isinstance(mesh, Surface) else checking.prepare(mesh, repair)
+        held, pinned = checked_pins(pins, checked)
+        of_vertices = weights_of_vertices(weights, checked)
+        identity = run_of(checked.given, weights, config, held, as_repair(repair)) if checkpoint is not None else {}
+        keeper = Checkpoint(checkpoint, identity)
+        with clock.holding(), tqdm(desc="msf_jax", unit="it", disable=None if progress else True) as bar:
             solid = Solid(checked.vertices, checked.faces)
-        else:
-            with watch.stage("report"):
-                prepared.result()
-        run = assembly.assemble(checked, solid, held, states, reasons, parts, weights, config, watch, notes)
-    if interruption:
+            prepared = clock.begin(solid.shape.prepare)
+            states, reasons, parts = [], [], []
+            for number, component in enumerate(checked.components):
+                pins_here = np.flatnonzero(np.isin(checked.members[number], pinned))
+                of_members = None if of_vertices is None else of_vertices[checked.members[number]]
+                state = None
+                try:
+                    state = init(component, number, config, clock, pins_here, of_members, limits)
+                    keeper.restore(state, config)
+                    while (end := done(state, config)) is None:
+                        clock.check()
+                        step(state, weights, config, clock, limits)
+                        if state.history:
+                            bar.set_postfix(vertices=state.history[-1].live, volume=f"{state.history[-1].volume:.1e}")
+                            if len(state.history) % limits.checkpoint_every == 0:
+                                keeper.save([*states, state])
+                        bar.update()
+                except Stopped:
+                    end = False, clock.reason
+                    if state is None or not state.history:  # then there is no curve of it yet
+                        break
+                states.append(state)
+                keeper.save(states)
+                parts.append(curve_of(state, _thinned(state.meso, config), config, clock))
+                reasons.append((False, clock.reason) if parts[-1].finished.is_cut else end)
+                if clock.reason:  # the time that is left is for the curve so far
+                    break
+            if not parts:
+                raise _nothing(clock)
+            notes = [keeper.failure] if keeper.failure else []
+            if len(parts) < len(checked.components):
+                reasons += [(False, "not begun")] * (len(checked.components) - len(parts))
+                checked = checked.first(len(parts))
+                held = held[checked.vertex_of_input[held] >= 0]
+                solid = Solid(checked.vertices, checked.faces)
+            else:
+                with clock.stage("report"), suppress(Stopped):
+                    clock.wait(prepared)
+            run = assembly.assemble(checked, solid, held, states, reasons, parts, weights, config, clock, notes)
+    if clock.was_pressed:
         kept = f"; run it again with checkpoint={str(checkpoint)!r} to go on" if checkpoint and not notes else ""
         raise Interrupted(
             f"interrupted after {len(run.history)} iterations: the curve so far is in this exception's flow{kept}", run
         )
     return run
+
+
+def _nothing(clock: Clock) -> BaseException:
+    """The exception of a run that had to end before its first iteration."""
+    if clock.was_pressed:
+        return KeyboardInterrupt("interrupted before the first iteration has ended: there is no curve yet")
+    return FlowError(f"{clock.reason} before the first iteration has ended: there is no curve; expected more seconds")
 
 
 def _thinned(meso: Meso, config: Config) -> Meso:

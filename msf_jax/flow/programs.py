@@ -49,10 +49,13 @@ _lock = threading.Lock()
 _workers = ThreadPoolExecutor(2, "msf_jax-compile")
 
 
-def compiled_move(settings: StepSettings, layout: Layout, of_vertices: bool) -> Program:
+def compiled_move(
+    settings: StepSettings, layout: Layout, of_vertices: bool, wait: Callable[[Future], Any] = Future.exception
+) -> Program:
     """`iteration.move` compiled for these settings and layout, as a function of buffers and weights.
 
-    Weights are scalars, or one value for each row (``of_vertices``). The first call waits seconds for the compiler.
+    Weights are scalars, or one value for each row (``of_vertices``). The first call waits seconds for the compiler, by
+    ``wait``, which returns when a future is done.
 
     Raises:
         FlowError: the installed compiler computes wrong sums.
@@ -63,8 +66,10 @@ def compiled_move(settings: StepSettings, layout: Layout, of_vertices: bool) -> 
     if jax.config.jax_disable_jit:  # pyright: ignore[reportAttributeAccessIssue]
         return lambda buffers, weights: move(buffers, weights, settings, layout)
     program = _announced(settings, layout, of_vertices)
+    wait(program)
     if program.exception() is not None:  # probably a damaged file: compile it
         program = _announced(settings, layout, of_vertices)
+        wait(program)
     return program.result()
 
 

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from msf_jax import metrics
-from msf_jax.base.errors import ConfigError
+from msf_jax.base.errors import ConfigError, Interrupted
 from msf_jax.base.options import Config, Weights
 from msf_jax.flow import loop
 from msf_jax.flow.request import checked_options
@@ -56,9 +56,10 @@ def skeletonize(
             make it one.
         ConfigError: a weight or an option is out of range, or a pin is no vertex of the surface; or ``spread`` was
             given with pins or with arrays of weights.
-        FlowError: the mesh has no Voronoi diagram, this process was forked after a run, or the installed compiler
-            computes wrong sums.
-        Interrupted: Ctrl-C; a KeyboardInterrupt with the unfinished flow, whose curve is ``flow.skeleton``.
+        FlowError: the mesh has no Voronoi diagram, this process was forked after a run, the installed compiler
+            computes wrong sums, or ``config.max_seconds`` had passed before the first iteration had ended.
+        Interrupted: Ctrl-C; a KeyboardInterrupt with the unfinished flow, whose curve is ``flow.skeleton``. Before the
+            first iteration has ended there is none, and a plain KeyboardInterrupt is raised.
     """
     if isinstance(spread, bool) or not isinstance(spread, int | np.integer) or spread < 0:
         raise ConfigError(f"spread is {spread!r}: expected a number of runs, 0 or more")
@@ -68,7 +69,13 @@ def skeletonize(
     run = loop.contract(mesh, weights, config, pins=pins, repair=repair, checkpoint=checkpoint, progress=progress)
     if not spread:
         return run.skeleton
-    figures = run.skeleton.report.figures | _spread(run.skeleton, weights, config, int(spread))
+    try:
+        spreads = _spread(run.skeleton, weights, config, int(spread))
+    except KeyboardInterrupt:
+        raise Interrupted(
+            "interrupted in a run for the spread: the whole curve is in this exception's flow", run
+        ) from None
+    figures = run.skeleton.report.figures | spreads
     return replace(run.skeleton, report=replace(run.skeleton.report, figures=figures))
 
 

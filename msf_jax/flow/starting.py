@@ -1,14 +1,11 @@
 """The start of a component's flow: its frame, the filter, coarsening or resampling, handles and poles."""
 
-from collections.abc import Callable
-from concurrent.futures import Future, ThreadPoolExecutor
-from typing import Any
-
 import numpy as np
 
+from msf_jax.base.clock import Clock
 from msf_jax.base.errors import MeshError
 from msf_jax.base.options import Config
-from msf_jax.flow.state import LIMITS, Limits, State, Stopwatch
+from msf_jax.flow.state import LIMITS, Limits, State
 from msf_jax.flow.stepping import compile_ahead
 from msf_jax.host import reconstruction
 from msf_jax.host.mesh.checking import Component
@@ -29,19 +26,12 @@ LEAST_REFINED = 0.05  # share of the area that must be at long edges; below it, 
 MOST_COARSENED = 0.05  # share of the volume that coarsening may change; above it, the surface is not coarsened
 MOST_FILTERED = 0.25  # share of the volume that the filter for poles may remove; above it, the filter is left out
 
-_workers = ThreadPoolExecutor(1, "msf_jax-meanwhile")  # one thread: there is little to do beside the flow
-
-
-def meanwhile(function: Callable[..., Any], *arguments: Any) -> "Future[Any]":
-    """Begin to compute what does not depend on the flow. Poles, compiled loops and XLA release Python's lock."""
-    return _workers.submit(function, *arguments)
-
 
 def init(
     component: Component,
     number: int,
     config: Config,
-    watch: Stopwatch,
+    clock: Clock,
     pins: np.ndarray | None = None,
     weights: np.ndarray | None = None,
     limits: Limits = LIMITS,
@@ -61,40 +51,42 @@ def init(
             np.concatenate([shape.vertices, frame.enter(lining)]), np.concatenate([faces, hollow + len(order)])
         )
     pins = np.flatnonzero(np.isin(order, [] if pins is None else pins))
-    meso, mesh_filter = _surface(shape, pins, config, watch)
+    meso, mesh_filter = clock.call(_surface, shape, pins, config, clock)
     meso.weights = None if weights is None else weights[order]
-    with watch.stage("thickness"):
-        meso.scale = thickness.scales(meso.positions, faces)
+    with clock.stage("thickness"):
+        meso.scale = clock.call(thickness.scales, meso.positions, faces)
     if abs(meso.volume()) < FLATTEST:
         raise MeshError(
             f"component {number} is too thin: no volume is left of it at the flow's resolution, "
             f"{RESOLUTION:.0e} of its diagonal; expected a solid"
         )
     if 0 < component.genus <= homology.LARGEST_GENUS:
-        with watch.stage("homology"):
-            meso.classes = homology.ring_classes(shape.vertices, faces, meso.rings)
+        with clock.stage("homology"):
+            meso.classes = clock.call(homology.ring_classes, shape.vertices, faces, meso.rings)
     max_rows = limits.growth * meso.num_rows + limits.growth_margin
     if config.resample:
-        with watch.stage("resampling"):
-            meso = _resampled(meso, config.resample, check=config.check)
+        with clock.stage("resampling"):
+            meso = clock.call(_resampled, meso, config.resample, config.check)
             max_rows = max(max_rows, limits.growth * meso.num_rows)
     else:
-        meso = _refined(meso, shape, config, watch)
+        meso = clock.call(_refined, meso, shape, config, clock)
         max_rows = max(max_rows, limits.growth * meso.num_rows)
-    meso, num_coarsened = _coarsened(meso, config, watch)
+    meso, num_coarsened = clock.call(_coarsened, meso, config, clock)
     is_coarsened = num_coarsened > meso.num_rows and not (config.reconstruct_mesh or config.resample)
     coarse = Enclosure(meso.positions, meso.faces()) if is_coarsened else shape
-    with watch.stage("poles"):
-        _ = coarse.mesh  # made here, before two threads ask for it
+    with clock.stage("poles"):
+        clock.call(lambda: coarse.mesh)  # made here, before two threads ask for it
     # Split edges follow the limbs of a solid of few triangles better; filtered or resampled surfaces are others.
     is_same = len(meso.positions) > len(shape.vertices) and not (config.reconstruct_mesh or config.resample)
     of_limbs = Enclosure(meso.positions, meso.faces()) if is_same else coarse
-    caps = meanwhile(_with_limbs, of_limbs, config.prune, config.detail) if config.prune or config.extend_tips else None
-    with watch.stage("compile"):
+    caps = None
+    if config.prune or config.extend_tips:
+        caps = clock.begin(_with_limbs, of_limbs, config.prune, config.detail)
+    with clock.stage("compile"):
         compile_ahead(meso, config)
     found = None
     if config.use_poles:
-        found = _poles(meso, shape, config, watch)
+        found = clock.call(_poles, meso, shape, config, clock)
         meso.poles = np.where(found.is_inside[:, None], found.poles, meso.positions)
         meso.has_pole = found.is_inside.copy()  # edits change the surface, not what was found
         meso.trust = found.trust.copy() if config.pole_confidence else None
@@ -131,11 +123,11 @@ def _with_limbs(shape: Enclosure, least: float, detail: float) -> Caps:
     return caps
 
 
-def _surface(shape: Enclosure, pins: np.ndarray, config: Config, watch: Stopwatch) -> tuple[Meso, LowPass | None]:
+def _surface(shape: Enclosure, pins: np.ndarray, config: Config, clock: Clock) -> tuple[Meso, LowPass | None]:
     """The surface to contract, with its pins fixed, and the filter that was applied to it, if any."""
     vertices, kept = shape.vertices, None
     if config.reconstruct_mesh:
-        with watch.stage("reconstruction"):
+        with clock.stage("reconstruction"):
             vertices, kept = _rebuilt(vertices, shape.faces, config.reconstruct_mesh, config)
             vertices[pins] = shape.vertices[pins]
     meso = Meso.from_mesh(vertices, shape.faces)
@@ -143,14 +135,14 @@ def _surface(shape: Enclosure, pins: np.ndarray, config: Config, watch: Stopwatc
     return meso, kept
 
 
-def _coarsened(meso: Meso, config: Config, watch: Stopwatch) -> tuple[Meso, int]:
+def _coarsened(meso: Meso, config: Config, clock: Clock) -> tuple[Meso, int]:
     """The surface with its short edges collapsed, and the number of vertices removed.
 
     The surface is returned unchanged if coarsening would change its volume by more than ``MOST_COARSENED``.
     """
     if not config.coarsen:
         return meso, 0
-    with watch.stage("coarsening"):
+    with clock.stage("coarsening"):
         coarsened = meso.copied()
         collapse.collapse_short_edges(coarsened, config.coarsen, keep_faces=True, check=config.check)
         if abs(coarsened.volume() - meso.volume()) > MOST_COARSENED * abs(meso.volume()):
@@ -158,14 +150,14 @@ def _coarsened(meso: Meso, config: Config, watch: Stopwatch) -> tuple[Meso, int]
         return coarsened.compacted(), coarsened.num_rows - coarsened.num_live
 
 
-def _refined(meso: Meso, shape: Enclosure, config: Config, watch: Stopwatch) -> Meso:
+def _refined(meso: Meso, shape: Enclosure, config: Config, clock: Clock) -> Meso:
     """The surface with edges split that are long compared with the limb's thickness: else patches slide across holes.
 
     A surface whose long edges bound little area is returned unchanged.
     """
     if not config.refine:
         return meso
-    with watch.stage("refining"):
+    with clock.stage("refining"):
         a, b = ring_tables.edges_from_rings(meso.rings)
         length = collapse.edge_lengths(meso.positions, a, b)
         is_long = length > config.refine
@@ -189,7 +181,7 @@ def _rebuilt(vertices: np.ndarray, faces: np.ndarray, k: int, config: Config) ->
     return reconstruction.apply(kept, vertices, faces), kept
 
 
-def _resampled(meso: Meso, length: float, *, check: bool) -> Meso:
+def _resampled(meso: Meso, length: float, check: bool) -> Meso:
     """The surface with edges between 4/5 and 4/3 of ``length``, except where topology forbids a collapse."""
     for _ in range(3):
         split.split_long_edges(meso, 4 / 3 * length, check=check)
@@ -198,7 +190,7 @@ def _resampled(meso: Meso, length: float, *, check: bool) -> Meso:
     return meso
 
 
-def _poles(meso: Meso, shape: Enclosure, config: Config, watch: Stopwatch) -> FoundPoles:
+def _poles(meso: Meso, shape: Enclosure, config: Config, clock: Clock) -> FoundPoles:
     """Poles of the (reconstructed) surface, whether each pulls (only inside the input's surface), and their trust.
 
     The trust in a pole is (1 - cos(spoke angle)) / 2. On a thin solid the reconstruction is left out: it keeps too few
@@ -207,12 +199,12 @@ def _poles(meso: Meso, shape: Enclosure, config: Config, watch: Stopwatch) -> Fo
     sites, faces, kept = meso.positions, meso.faces(), None
     is_thin = meso.scale is not None and bool(np.median(meso.scale) < 1)
     if config.reconstruct_poles and not is_thin:
-        with watch.stage("reconstruction"):
+        with clock.stage("reconstruction"):
             sites, kept = _rebuilt(sites, faces, config.reconstruct_poles, config)
         is_thin = signed_volume(sites, faces) < (1 - MOST_FILTERED) * meso.volume()
     if is_thin:
         sites, kept = meso.positions, None
-    with watch.stage("poles"):
+    with clock.stage("poles"):
         seek = balls.ball_poles if config.poles == "balls" or (config.poles == "auto" and is_thin) else None
         found = (seek or voronoi.voronoi_poles)(sites, faces, box=shape.vertices)
         has_pole = found.is_found.copy()

@@ -1,15 +1,12 @@
 """The records of a run: `Iteration`, a line of its history; `State`, while it goes on; `Flow`, when it has ended."""
 
-import time
-from collections.abc import Iterator
-from concurrent.futures import Future
-from contextlib import contextmanager
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
 
+from msf_jax.base.clock import Work
 from msf_jax.base.options import Config, Weights
 from msf_jax.gradients.tape import Tape, record
 from msf_jax.host.mesh.checking import Component
@@ -17,7 +14,6 @@ from msf_jax.host.meso.meso import Meso
 from msf_jax.host.recording.records import Recording, Start, Step
 from msf_jax.host.solid.enclosure import Enclosure
 from msf_jax.host.solid.frame import Frame
-from msf_jax.host.thin.caps import Caps
 from msf_jax.skeleton.skeleton import Skeleton
 from msf_jax.skeleton.source import Source
 
@@ -83,7 +79,7 @@ class State:
     meso: Meso
     t_c: float
     w_L_factor: float
-    caps: Future[Caps] | None  # of ``coarse``, measured on another thread; None if limbs are not asked for, or known
+    caps: Work | None  # of ``coarse``, measured on another thread; None if limbs are not asked for, or known
     capacity: int = 0  # of the last buffers, see `layout.layout_after`
     history: list[Iteration] = field(default_factory=list)
     steps: list[Step] = field(default_factory=list)  # for the tape
@@ -136,19 +132,3 @@ class Flow:
 
     def __repr__(self) -> str:
         return f"Flow({len(self.history)} iterations, {self.skeleton!r})"
-
-
-class Stopwatch:
-    """Seconds by stage, added up."""
-
-    def __init__(self) -> None:
-        self.seconds: dict[str, float] = {}
-
-    @contextmanager
-    def stage(self, name: str) -> Iterator[None]:
-        """Add the time spent inside to stage ``name``."""
-        start = time.perf_counter()
-        try:
-            yield
-        finally:
-            self.seconds[name] = self.seconds.get(name, 0.0) + time.perf_counter() - start

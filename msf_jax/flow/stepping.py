@@ -2,16 +2,18 @@
 
 from contextlib import nullcontext
 from dataclasses import replace
+from functools import partial
 from typing import Any, NamedTuple
 
 import jax
 import numpy as np
 
+from msf_jax.base.clock import PATIENCE, Clock
 from msf_jax.base.layout import Layout, layout_after, layout_for
 from msf_jax.base.options import FACTORED, Config, Weights
 from msf_jax.device.buffers import Buffers, Rings, real_dtype
 from msf_jax.flow.programs import announce, compiled_move
-from msf_jax.flow.state import LIMITS, Iteration, Limits, State, Stopwatch
+from msf_jax.flow.state import LIMITS, Iteration, Limits, State
 from msf_jax.host.meso import collapse, fixing, packing, split
 from msf_jax.host.meso.meso import Meso
 from msf_jax.host.recording.records import Step
@@ -31,12 +33,13 @@ def compile_ahead(meso: Meso, config: Config) -> None:
         announce(config.on_device, layout, meso.weights is not None)
 
 
-def step(state: State, weights: Weights, config: Config, watch: Stopwatch, limits: Limits = LIMITS) -> State:
+def step(state: State, weights: Weights, config: Config, clock: Clock, limits: Limits = LIMITS) -> State:
     """Run one iteration in place. If coordinates are not finite or diverge, set ``state.failure`` instead."""
     is_double = config.preconditioner == FACTORED
     with jax.enable_x64(True) if is_double else nullcontext():
-        packed = _pack(state, weights, watch)
-        moved = _moved(state, packed, config, watch, limits)
+        packed = _pack(state, weights, clock)
+        moved = _moved(state, packed, config, clock, limits)
+    state.capacity = packed.layout.capacity
     if moved is None:
         state.failure = (
             f"non-finite: a step gave coordinates that are not finite or diverge, also when it was repeated "
@@ -47,7 +50,7 @@ def step(state: State, weights: Weights, config: Config, watch: Stopwatch, limit
     before = meso.positions[order].astype(np.float32)
     displacement = float(np.sqrt(((moved.positions - meso.positions) ** 2).sum(axis=1).max()))
     meso.positions = moved.positions
-    num_collapses, num_splits = _edited(state, config, watch) if config.edit_connectivity else (0, 0)
+    num_collapses, num_splits = _edited(state, config, clock) if config.edit_connectivity else (0, 0)
     meso = state.meso
 
     solves, num = moved.solves, len(order)
@@ -101,11 +104,10 @@ class _Moved(NamedTuple):
     retries: int
 
 
-def _pack(state: State, weights: Weights, watch: Stopwatch) -> _Packed:
+def _pack(state: State, weights: Weights, clock: Clock) -> _Packed:
     meso = state.meso
-    with watch.stage("solve"):
+    with clock.stage("solve"):
         layout = layout_after(state.capacity, meso.num_rows, packing.rows_beyond(meso))
-        state.capacity = layout.capacity
         order, rings, fields = packing.pack(
             meso, layout, state.first_ring_area, np.dtype(real_dtype()), _smallest(state)
         )
@@ -120,18 +122,20 @@ def _smallest(state: State) -> float:
     return state.t_c if scale is None else state.t_c * float(scale[state.meso.degree > 0].min())
 
 
-def _moved(state: State, packed: _Packed, config: Config, watch: Stopwatch, limits: Limits) -> _Moved | None:
+def _moved(state: State, packed: _Packed, config: Config, clock: Clock, limits: Limits) -> _Moved | None:
     """The device's step, repeated with a tenth of w_L while coordinates diverge; None if they always do."""
-    dtype = np.dtype(real_dtype())
+    dtype, patience = np.dtype(real_dtype()), PATIENCE if state.history else 0.0
     for retries in range(limits.retries + 1):
         factor = state.w_L_factor * SHORTER**retries
         scaled = replace(packed.weights, w_L=packed.weights.w_L * factor)
         scaled = jax.tree_util.tree_map(lambda weight: np.asarray(weight, dtype), scaled)
         buffers, scaled = jax.device_put((packed.buffers, scaled))
-        with watch.stage("compile"):
-            move = compiled_move(config.on_device, packed.layout, np.ndim(scaled.w_L) > 0)
-        with watch.stage("solve"):
-            moved = jax.device_get(move(buffers, scaled))
+        with clock.stage("compile"):
+            move = compiled_move(
+                config.on_device, packed.layout, np.ndim(scaled.w_L) > 0, partial(clock.wait, patience=patience)
+            )
+        with clock.stage("solve"):
+            moved = clock.call(jax.device_get, move(buffers, scaled), patience=patience)
         positions = packing.unpack(moved.positions, packed.order)
         is_finite = np.isfinite(moved.solves.residual).all()
         if is_finite and np.isfinite(positions).all() and np.abs(positions).max() <= BLOW_UP:
@@ -139,17 +143,17 @@ def _moved(state: State, packed: _Packed, config: Config, watch: Stopwatch, limi
     return None
 
 
-def _edited(state: State, config: Config, watch: Stopwatch) -> tuple[int, int]:
+def _edited(state: State, config: Config, clock: Clock) -> tuple[int, int]:
     """Collapse, split and fix. Returns how many edges were collapsed, and how many were split."""
     meso = state.meso
-    with watch.stage("collapse"):
+    with clock.stage("collapse"):
         rounds = collapse.collapse_short_edges(meso, state.t_c, check=config.check)
-    with watch.stage("split"):
+    with clock.stage("split"):
         t_f = fixing.degenerate_length(state.t_c)
         cuts, is_full = split.split_obtuse_edges(meso, config.split_angle, t_f, state.max_rows, check=config.check)
     if is_full:
         state.failure = f"out of vertices: the next split would give the surface more than {state.max_rows} vertices"
-    with watch.stage("fix"):
+    with clock.stage("fix"):
         fixing.fix_degenerate_vertices(meso, t_f)
         state.meso = meso.compacted()
     return sum(len(done.removed) for done in rounds), sum(len(done.new) for done in cuts)

@@ -37,7 +37,8 @@ class Report:
         genus: sum of the genera of the mesh's components.
         cycles: independent cycles of the curve; should equal ``genus``.
         loops: handles of the solid that these cycles go around, from linking numbers with loops of its surface; should
-            equal ``genus`` and ``cycles``. None for a curve without its mesh.
+            equal ``genus`` and ``cycles``. None for a curve without its mesh, or if there are too many handles to prove
+            them, which is a doubt.
         in_sheets: fraction of the curve's length in limbs over 2.6 times as wide as thick, or in the wall around a
             void, where the curve's path is arbitrary; None if not known. Over half is a doubt.
         cut: cycles that `Skeleton.to_tree` cut.
@@ -184,7 +185,11 @@ def loops_of(
             doubts.append(f"the loop through nodes {a} and {b} {what}")
         if len(closing) > MOST_NAMED:
             doubts.append(f"so do {len(closing) - MOST_NAMED} more")
-    return {"loops": found.rank, "doubts": tuple(doubts)}
+    if found.unproved:
+        doubts.append(
+            f"the loops were not proved: {found.unproved} handles are too many for a curve of {len(edges)} edges"
+        )
+    return {"loops": None if found.unproved else found.rank, "doubts": tuple(doubts)}
 
 
 def assessed(

@@ -123,6 +123,7 @@ def zip_strands(
     """
     stays, target = np.ones(len(vertices), dtype=bool), np.arange(len(vertices))
     left = {(min(edge), max(edge)) for edge in edges.tolist()}
+    known: dict[tuple[bytes, bytes], tuple[int, float]] = {}  # each round changes few of the branches
     for _ in range(len(vertices)):
         paths = [path for each in graphs.trace(len(vertices), np.array(sorted(left))) for path in (each, each[::-1])]
         of_node: dict[int, list[np.ndarray]] = {}
@@ -134,7 +135,10 @@ def zip_strands(
             for one, other in itertools.permutations(strands, 2):
                 if len(strands) < 3:
                     continue
-                count, length = _beside(vertices, radii, one, other)
+                key = one.tobytes(), other.tobytes()
+                if key not in known:
+                    known[key] = _beside(vertices, radii, one, other)
+                count, length = known[key]
                 if (
                     length > radii[node]
                     and not is_held[one[1 : count + 1]].any()

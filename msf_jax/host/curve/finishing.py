@@ -12,6 +12,7 @@ from typing import NamedTuple
 import numpy as np
 from scipy import spatial
 
+from msf_jax.base.clock import Clock, Stopped
 from msf_jax.host import graphs
 from msf_jax.host.curve import branches, centring, containment, junctions, loops, moves, resampling
 from msf_jax.host.curve.draft import Draft, Job
@@ -33,8 +34,9 @@ class Finished(NamedTuple):
     is_kept: (n,) which of the flow's nodes are in it. They come first, in their order.
     target: (n,) the flow's node that represents each: itself, or the junction that its branch was pruned from.
     num_refused: edges left outside because a limit was reached. num_closed: edges without a path inside.
-    is_cut_short: whether centring, or the search for limbs, ended early because of its budget. is_sparse, num_pruned,
-    num_grown, finer: see `Draft`.
+    num_unsought: handles without a loop because the search for it reached a limit.
+    is_cut: whether the run had to end before all passes were done. is_cut_short: whether centring, or the search for
+    limbs, ended early because of its budget. is_sparse, num_pruned, num_grown, finer: see `Draft`.
     node_of_vertex: (V,) for a Reeb curve, the node of each vertex of the solid; else None.
     """
 
@@ -50,6 +52,8 @@ class Finished(NamedTuple):
     num_grown: int = 0
     finer: tuple[tuple[float, np.ndarray], ...] = ()
     node_of_vertex: np.ndarray | None = None
+    is_cut: bool = False
+    num_unsought: int = 0
 
 
 def passes(centre: bool, extend: bool) -> list[Callable[[Draft, Job], Draft]]:
@@ -81,6 +85,7 @@ def finish(
     outside: Enclosure | None = None,
     caps: Callable[[], Caps] | None = None,
     first: Callable[[Draft, Job], Draft] | None = None,
+    clock: Clock | None = None,
 ) -> Finished:
     """Finish the curve ``(nodes (n, 3), edges)`` of a solid of diagonal 1; nodes of ``is_held`` (n,) do not move.
 
@@ -92,20 +97,26 @@ def finish(
     ``is_thin`` says that the solid has thin limbs, and may get a Reeb curve. ``is_tangle`` says that the flow ended in
     a tangle that no pass can repair: it stays as it is, unless there is a Reeb curve. ``coarse`` is about the same
     surface with fewer triangles, fine enough for centring, ``outside`` the surface without cavities, and ``caps``
-    returns its caps. ``first`` is a pass that comes before all others, and may set the places of the flow's nodes.
+    returns its caps. ``first`` is a pass that comes before all others, and may set the places of the flow's nodes. If
+    ``clock`` says that the run has to end, the curve is the one after the last pass that was done.
     """
     coarse = shape if coarse is None else coarse
     roadmap = Roadmap(shape, containment.is_inside)
     job = Job(shape, coarse, prune, roadmap, centring.Budget(), caps or partial(Caps, outside or coarse, detail))
-    if is_thin and centre and extend and not is_held.any():
-        laid = reeb_curve.reeb_curve(outside or shape, containment.is_inside)
-        if laid is not None and (is_tangle or _outside(job, *laid[:2]) <= _outside(job, nodes, edges)):
-            return _of_reeb_curve(laid, nodes, job)
-    if is_tangle:
-        return Finished(nodes, edges, np.ones(len(nodes), dtype=bool), np.arange(len(nodes)))
+    clock, is_cut = clock or Clock(), False
     draft = Draft(nodes, edges, is_held, np.arange(len(nodes)), np.arange(len(nodes)), nodes, np.zeros_like(is_held))
-    for each in [*([] if first is None else [first]), *passes(centre, extend)]:
-        draft = each(draft, job)
+    try:
+        if is_thin and centre and extend and not is_held.any():
+            done = clock.call(_by_wavefronts, outside or shape, nodes, edges, job, is_tangle)
+            if done is not None:
+                return done
+        wanted = [] if is_tangle else [*([] if first is None else [first]), *passes(centre, extend)]
+        for each in wanted:
+            draft = clock.call(each, draft, job)
+    except Stopped:
+        is_cut = True
+    if is_tangle:
+        return Finished(nodes, edges, np.ones(len(nodes), dtype=bool), np.arange(len(nodes)), is_cut=is_cut)
     if (draft.origin < 0).all():  # every node is new, so the first one stands for the flow's nearest node
         draft.origin[0] = np.linalg.norm(nodes - draft.vertices[0], axis=1).argmin()
     is_kept = np.isin(np.arange(len(nodes)), draft.origin)
@@ -121,7 +132,19 @@ def finish(
         draft.num_pruned,
         draft.num_grown,
         draft.finer,
+        is_cut=is_cut,
+        num_unsought=job.roadmap.num_unsought,
     )
+
+
+def _by_wavefronts(
+    outside: Enclosure, nodes: np.ndarray, edges: np.ndarray, job: Job, is_tangle: bool
+) -> Finished | None:
+    """The finished Reeb curve of a solid, if it has one that is no more outside than the flow's curve."""
+    laid = reeb_curve.reeb_curve(outside, containment.is_inside)
+    if laid is None or not (is_tangle or _outside(job, *laid[:2]) <= _outside(job, nodes, edges)):
+        return None
+    return _of_reeb_curve(laid, nodes, job)
 
 
 def _outside(job: Job, nodes: np.ndarray, edges: np.ndarray) -> float:
@@ -154,6 +177,7 @@ def _of_reeb_curve(laid: reeb_curve.ReebCurve, nodes: np.ndarray, job: Job) -> F
         job.roadmap.num_closed,
         num_pruned=draft.num_pruned,
         node_of_vertex=rank[draft.node_of_flow],
+        num_unsought=job.roadmap.num_unsought,
     )
 
 
@@ -182,6 +206,7 @@ def looped(draft: Draft, job: Job) -> Draft:
     draft = opened(draft, job)
     x, edges = draft.vertices, draft.edges
     missing = job.shape.handles.genus - graphs.cycle_count(len(x), edges)[1]
+    job.roadmap.num_unsought = 0
     if missing:
         x, edges, _ = containment.refine(job.shape, x, edges, SPACING, MOST_NODES)
         x, edges = loops.completed(job.roadmap, x, edges, missing)

@@ -39,20 +39,20 @@ def attached(
     """The curve with each thin side branch on a straight line to the place of its trunk that its axis meets: nodes
     (M, 3), new ones last, and edges (E, 2).
 
-    The flow leaves a twig's junction anywhere in the trunk, whose ball is larger, and its branch runs along the trunk
-    until there. A new node of the trunk takes the twig; the old junction stays, and may be a leaf then.
+    The flow leaves the junction of a thin branch anywhere in the trunk, whose ball is larger, and its branch runs along the trunk
+    until there. A new node of the trunk takes it; the old junction stays, and may be a leaf then.
     """
-    x, radii, twigs = x.copy(), radii.copy(), []
+    x, radii, sides = x.copy(), radii.copy(), []
     degree = np.bincount(edges.ravel(), minlength=len(x))
     for each in graphs.trace(len(x), edges):
         path = np.array(each if degree[each[-1]] == 1 else each[::-1])
         size = float(np.median(radii[path[len(path) // 2 :]]))
         if degree[path[-1]] == 1 and degree[path[0]] > 2 and size < THIN * radii[path[0]]:
-            twigs.append((path, size))
-    in_twig = np.zeros(len(x), dtype=bool)
-    in_twig[[node for path, _ in twigs for node in path[1:]]] = True
-    is_trunk = ~in_twig[edges].any(axis=1)
-    for path, size in twigs:
+            sides.append((path, size))
+    in_side = np.zeros(len(x), dtype=bool)
+    in_side[[node for path, _ in sides for node in path[1:]]] = True
+    is_trunk = ~in_side[edges].any(axis=1)
+    for path, size in sides:
         along, thick = arc_length(x[path]), np.flatnonzero(radii[path[: len(path) // 2]] > THICK * size)
         begin = int(np.searchsorted(along, along[thick[-1] if len(thick) else 0] + CLEAR * size))
         if begin >= len(path) or along[begin] + STRETCH * size > along[-1] or is_held[path[: begin + 1]].any():

@@ -53,8 +53,13 @@ class Roadmap:
         # Results of the last call of `paths`:
         self.num_refused = 0  # edges without a search, because a bound was reached
         self.num_closed = 0  # edges between points inside for which there is no path
+        # Results of the search for loops, see `loops.completed`:
+        self.num_linked = 0  # linking numbers of the paths that were tried
+        self.is_cut_short = False  # whether a bound was reached
+        self.num_unsought = 0  # handles left without a loop because of that
         self._balls: tuple[np.ndarray, np.ndarray] | None = None
         self._links: _Links | None = None
+        self._known = np.zeros(0, dtype=bool), np.zeros(0, dtype=np.int64)  # classes of edges between balls
 
     def paths(self, x: np.ndarray, pairs: np.ndarray) -> list[np.ndarray]:
         """Points (k, 3) of a path inside from x[a] to x[b] for each of ``pairs`` (E, 2), without its ends; empty if
@@ -117,11 +122,11 @@ class Roadmap:
             return
         graph = self._graph(x[node_of_end])
         if is_complete:
-            graph.test_all(MOST_TESTS_FOR_LOOPS)
+            self.is_cut_short |= not graph.test_all(MOST_TESTS_FOR_LOOPS)
             self._links = graph.links_of_balls()
         is_open, first, handles = graph.links.is_open, graph.first_end, self.shape.handles
         tail, head, cost = (field[is_open] for field in (graph.links.tail, graph.links.head, graph.links.cost))
-        value = handles.classes(graph.centre[tail], graph.centre[head])
+        value = self._classes_of(graph, is_open)
         tail, head = np.r_[tail, head], np.r_[head, tail]
         cost, value = np.tile(cost, 2), np.r_[value, -value]
         matrix = graphs.weighted(len(graph.centre), tail, head, cost)
@@ -143,6 +148,19 @@ class Roadmap:
             there, back = (_ascent(before, int(ball[row])) for ball in (tail, head))
             start, end = (int(node_of_end[path[-1] - first]) for path in (there, back))
             yield start, end, graph.centre[[*there[-2::-1], *back[:-1]]]
+
+    def _classes_of(self, graph: "_Graph", is_open: np.ndarray) -> np.ndarray:
+        """The class of each open edge of a graph of all balls; those between balls are computed once."""
+        tail, head = graph.links.tail, graph.links.head
+        is_known = np.zeros(len(tail), dtype=bool)
+        found = np.zeros(len(tail), dtype=np.int64)
+        num = len(self._known[0])
+        is_known[:num], found[:num] = self._known
+        asked = np.flatnonzero(is_open & ~is_known)
+        found[asked] = self.shape.handles.classes(graph.centre[tail[asked]], graph.centre[head[asked]])
+        num = np.count_nonzero(head < graph.first_end)  # the edges between balls come first
+        self._known = (is_known | is_open)[:num], found[:num]
+        return found[is_open]
 
     def nearest(self, points: np.ndarray, radii: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Centre (P, 3) and radius (P,) of the ball nearest to each point; the arguments if there are no balls."""
@@ -222,10 +240,11 @@ class _Graph:
             self.num_tests += len(chosen)
             most *= 2
 
-    def test_all(self, most: int) -> None:
-        """Test at most ``most`` edges, those between the nearest balls first."""
+    def test_all(self, most: int) -> bool:
+        """Test at most ``most`` edges, those between the nearest balls first. Returns whether these are all."""
         untested = np.flatnonzero(~self.links.is_tested)
         self._test_edges(untested[np.argsort(self.links.gap[untested], kind="stable")[:most]])
+        return len(untested) <= most
 
     def _test_edges(self, edge: np.ndarray) -> bool:
         """Test the edges ``edge``. Returns whether all are inside."""

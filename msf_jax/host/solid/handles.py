@@ -13,6 +13,7 @@ The surface's loops come from a tree and a cotree (Eppstein 2003).
 """
 
 from collections.abc import Iterator
+from functools import cached_property
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -103,6 +104,10 @@ class Handles:
             placed += PUSH * unit(vertex_normals(placed, faces))
         self._tail, self._head = (_turned(placed[ends[:, side]]) for side in (0, 1))
 
+    @cached_property
+    def _grid(self) -> "_Grid":
+        return _Grid((self._tail[:, :2], self._head[:, :2]))
+
     def classes(self, a: np.ndarray, b: np.ndarray) -> np.ndarray:
         """The class (E,) of each segment from a (E, 3) to b (E, 3): a fixed random combination of its crossings.
 
@@ -128,11 +133,13 @@ class Handles:
         closing = np.flatnonzero(~in_forest)
         return closing, linking[closing] + potential[a[closing]] - potential[b[closing]], potential
 
-    def linking(self, a: np.ndarray, b: np.ndarray) -> np.ndarray:
-        """The parts (E, 2g) of segments from a (E, 3) to b (E, 3) in the linking numbers with the surface's loops."""
+    def linking(self, a: np.ndarray, b: np.ndarray, path: np.ndarray | None = None) -> np.ndarray:
+        """The parts (E, 2g) of segments from a (E, 3) to b (E, 3) in the linking numbers with the surface's loops, or,
+        if ``path`` (E,) is the number of the path that each belongs to, of each path."""
         segment, edge, sign = self._crossings(a, b)
-        crossed: Any = sparse.csr_matrix((sign, (segment, edge)), shape=(len(a), len(self._tail)))
-        return (crossed @ self._times).toarray()
+        row, num = (segment, len(a)) if path is None else (path[segment], int(path.max()) + 1)
+        crossed: Any = sparse.csr_matrix((sign, (row, edge)), shape=(num, len(self._tail)))
+        return (crossed @ self._times).astype(np.int32).toarray()
 
     def _crossings(self, a: np.ndarray, b: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """Crossings of segments from a (E, 3) to b (E, 3) with curtains: the segment, the edge that sweeps the curtain,
@@ -149,7 +156,7 @@ class Handles:
             along, away = end - start, point - start
             return along[:, 0] * away[:, 1] - along[:, 1] * away[:, 0]
 
-        for one, other in _pairs_in_cells((p[:, :2], p_end[:, :2]), (q[:, :2], q_end[:, :2])):
+        for one, other in self._grid.pairs((p[:, :2], p_end[:, :2])) if len(a) and len(q) else ():
             s, s_end = (side(x[one], q[other], q_end[other]) for x in (p, p_end))
             is_across = (s >= 0) != (s_end >= 0)
             one, other, s, s_end = one[is_across], other[is_across], s[is_across], s_end[is_across]
@@ -171,33 +178,40 @@ def _turned(points: np.ndarray) -> np.ndarray:
     return np.stack([x * axis[0] + y * axis[1] + z * axis[2] for axis in TURN], axis=1)
 
 
-def _pairs_in_cells(
-    ones: tuple[np.ndarray, np.ndarray], others: tuple[np.ndarray, np.ndarray]
-) -> Iterator[tuple[np.ndarray, np.ndarray]]:
-    """Batches (k,) of pairs of segments of the plane that may cross; ``ones`` and ``others`` are their ends (n, 2)."""
-    if not len(ones[0]) or not len(others[0]):
-        return
-    boxes = [(np.minimum(*ends), np.maximum(*ends)) for ends in (ones, others)]
-    low = np.minimum(boxes[0][0].min(axis=0), boxes[1][0].min(axis=0))
-    size = np.maximum(np.maximum(boxes[0][1].max(axis=0), boxes[1][1].max(axis=0)) - low, 1e-300) / CELLS
-    listed = []
-    for least, most in boxes:
-        first, last = (np.minimum(((corner - low) / size).astype(np.int64), CELLS - 1) for corner in (least, most))
+class _Grid:
+    """Segments of the plane with ends (n, 2), in the cells of a grid that their boxes touch. It is made once for all
+    queries; what is beyond it counts as in its outermost cells."""
+
+    def __init__(self, ends: tuple[np.ndarray, np.ndarray]):
+        least, most = np.minimum(*ends), np.maximum(*ends)
+        self._low = least.min(axis=0)
+        self._size = np.maximum(most.max(axis=0) - self._low, 1e-300) / CELLS
+        row, cell, self._first = self._listed(ends)
+        order = np.argsort(cell, kind="stable")
+        self._row, self._start = row[order], np.searchsorted(cell[order], np.arange(CELLS**2 + 1))
+
+    def _listed(self, ends: tuple[np.ndarray, np.ndarray]) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """The row (k,) of each segment, once for each of its cells (k,), and its first cell (n, 2)."""
+        first, last = (
+            np.clip((corner(*ends) - self._low) / self._size, 0, CELLS - 1).astype(np.int64)
+            for corner in (np.minimum, np.maximum)
+        )
         span = last - first + 1
         row, place = repeated(span[:, 0] * span[:, 1])
         cell = first[row] + np.stack([place // span[row, 1], place % span[row, 1]], axis=1)
-        listed.append((row, cell[:, 0] * CELLS + cell[:, 1], first))
-    (one, cell_of_one, first_of_one), (other, cell_of_other, first_of_other) = listed
-    order = np.argsort(cell_of_other, kind="stable")
-    start = np.searchsorted(cell_of_other[order], np.arange(CELLS**2 + 1))
-    count = (start[1:] - start[:-1])[cell_of_one]
-    batch = np.cumsum(count) // PAIRS_AT_ONCE
-    for number in np.unique(batch[count > 0]):
-        rows = np.flatnonzero(batch == number)
-        row, place = repeated(count[rows])
-        row = rows[row]
-        a, b = one[row], other[order[start[cell_of_one[row]] + place]]
-        # A pair whose boxes share several cells counts in the first of them only.
-        shared = np.maximum(first_of_one[a], first_of_other[b])
-        is_first = shared[:, 0] * CELLS + shared[:, 1] == cell_of_one[row]
-        yield a[is_first], b[is_first]
+        return row, cell[:, 0] * CELLS + cell[:, 1], first
+
+    def pairs(self, ends: tuple[np.ndarray, np.ndarray]) -> Iterator[tuple[np.ndarray, np.ndarray]]:
+        """Batches (k,) of pairs that may cross: of segments with ``ends`` (m, 2), and of the grid's."""
+        one, cell, first = self._listed(ends)
+        count = (self._start[1:] - self._start[:-1])[cell]
+        batch = np.cumsum(count) // PAIRS_AT_ONCE
+        for number in np.unique(batch[count > 0]):
+            rows = np.flatnonzero(batch == number)
+            row, place = repeated(count[rows])
+            row = rows[row]
+            a, b = one[row], self._row[self._start[cell[row]] + place]
+            # A pair whose boxes share several cells counts in the first of them only.
+            shared = np.maximum(first[a], self._first[b])
+            is_first = shared[:, 0] * CELLS + shared[:, 1] == cell[row]
+            yield a[is_first], b[is_first]

@@ -1,0 +1,276 @@
+"""Ctrl-C and ``max_seconds`` in every stage of a run: an answer at once, and what there is so far."""
+
+import signal
+import subprocess
+import sys
+import threading
+import time
+from concurrent.futures import Future
+from contextlib import suppress
+
+import numpy as np
+import pytest
+from conftest import torus
+from test_checkpoint import SLOW, assert_same_bits
+
+import msf_jax
+from msf_jax import Config, ConfigError, FlowError, Interrupted
+from msf_jax.app.cli import main
+from msf_jax.base import clock as clocks
+from msf_jax.base.clock import Clock, Stopped, counted
+from msf_jax.flow import assembly, loop, programs, starting, stepping
+from msf_jax.host.curve import finishing
+
+PATIENT = 60  # seconds after which a test gives up that waits for a thread
+
+
+@pytest.fixture(scope="module")
+def mesh():
+    return torus()
+
+
+@pytest.fixture
+def endless(monkeypatch, ctrl_c):
+    """A function that makes another one press Ctrl-C when it is called, and then not return for a minute.
+
+    Its event is set when the call was ended by an exception.
+    """
+
+    def arrange(module, name):
+        ended = threading.Event()
+
+        def hang(*_, **__):
+            try:
+                signal.raise_signal(signal.SIGINT)
+                for _ in range(100 * PATIENT):
+                    time.sleep(0.01)
+            except BaseException:
+                ended.set()
+                raise
+            raise AssertionError("nobody has ended it")
+
+        monkeypatch.setattr(module, name, hang)
+        return ended
+
+    return arrange
+
+
+@pytest.mark.parametrize(
+    ("module", "name"),
+    [
+        (starting, "_surface"),
+        (starting.thickness, "scales"),
+        (starting.homology, "ring_classes"),
+        (starting, "_refined"),
+        (starting, "_coarsened"),
+        (starting, "_poles"),
+    ],
+)
+def test_a_stage_before_the_first_iteration_is_ended_and_nothing_is_kept(mesh, endless, module, name):
+    ended = endless(module, name)
+    with pytest.raises(KeyboardInterrupt, match="before the first iteration has ended: there is no curve yet") as at:
+        loop.contract(mesh)
+    assert not isinstance(at.value, Interrupted)
+    assert ended.wait(PATIENT)  # the abandoned thread does not go on
+    assert signal.getsignal(signal.SIGINT) is signal.default_int_handler
+
+
+def test_a_compiler_is_not_waited_for(mesh, monkeypatch, ctrl_c):
+    program = Future()
+    timer = threading.Timer(PATIENT, program.set_exception, [AssertionError("it was waited for")])
+    timer.start()
+
+    def announced(*_):
+        signal.raise_signal(signal.SIGINT)
+        monkeypatch.setattr(programs, "_announced", lambda *_: program)
+        return program
+
+    monkeypatch.setattr(programs, "_announced", announced)
+    with pytest.raises(KeyboardInterrupt, match="there is no curve yet"):
+        loop.contract(mesh)
+    timer.cancel()
+
+
+def test_the_command_writes_nothing_before_the_first_iteration(mesh, endless, tmp_path, capsys):
+    mesh.export(tmp_path / "torus.off")
+    endless(starting, "_coarsened")
+    assert main(["skeletonize", str(tmp_path / "torus.off"), "-q", "--checkpoint", str(tmp_path / "run.npz")]) == 130
+    assert "there is no curve yet" in capsys.readouterr().err
+    assert [path.name for path in tmp_path.iterdir()] == ["torus.off"]
+
+
+def test_an_iteration_that_does_not_end_is_left_out(mesh, endless, monkeypatch):
+    step, whole = loop.step, loop.contract(mesh, config=SLOW)
+
+    def third(state, *arguments):
+        if len(state.history) == 2:
+            endless(stepping.jax, "device_get")
+        return step(state, *arguments)
+
+    monkeypatch.setattr(loop, "step", third)
+    with pytest.raises(Interrupted, match="interrupted after 2 iterations") as at:
+        loop.contract(mesh, config=SLOW)
+    assert at.value.flow.history == whole.history[:2]
+    assert at.value.flow.skeleton.report.reason == "interrupted"
+
+
+@pytest.mark.parametrize("name", ["limbed", "checked"])
+def test_finishing_that_does_not_end_leaves_the_curve_so_far(mesh, endless, name):
+    ended = endless(finishing, name)
+    with pytest.raises(Interrupted) as at:
+        loop.contract(mesh)
+    skeleton = at.value.flow.skeleton
+    report = skeleton.report
+    assert ended.wait(PATIENT)
+    assert not report.is_sound and not report.converged and report.reason == "interrupted"
+    assert "the run had to end before 1 of 1 curves had been finished" in report.notes
+    assert (report.cycles, report.components) == (1, 1)
+    assert len(skeleton.mesh_map) == len(mesh.vertices) and skeleton.mesh_map.max() < len(skeleton.vertices)
+
+
+def test_a_curve_that_could_not_be_checked_is_not_sound(mesh, endless):
+    endless(assembly, "assessed")
+    with pytest.raises(Interrupted) as at:
+        loop.contract(mesh)
+    report = at.value.flow.skeleton.report
+    assert report.doubts == (assembly.UNCHECKED,) and report.loops is None and not report.is_sound
+
+
+@pytest.fixture
+def a_second_each(monkeypatch):
+    """A clock on which an iteration takes a second, and all the rest no time."""
+    now, step = [100.0], loop.step
+
+    class Time:
+        perf_counter = staticmethod(time.perf_counter)
+
+        @staticmethod
+        def monotonic():
+            return now[0]
+
+    def counting(*arguments):
+        state = step(*arguments)
+        now[0] += 1.0
+        return state
+
+    monkeypatch.setattr(clocks, "time", Time)
+    monkeypatch.setattr(loop, "step", counting)
+
+
+def test_max_seconds_ends_a_run_with_the_curve_so_far(mesh, a_second_each, tmp_path):
+    whole, path = loop.contract(mesh, config=SLOW), tmp_path / "run.npz"
+    short = Config(max_iterations=7, step_tolerance=0.1, max_seconds=2.5)
+    run = loop.contract(mesh, config=short, checkpoint=path)
+    report = run.skeleton.report
+    assert run.history == whole.history[:3]
+    assert report.reason == "max_seconds (2.5) reached" and not report.converged and not report.is_sound
+    assert report.cycles == report.loops == 1
+    assert_same_bits(loop.contract(mesh, config=SLOW, checkpoint=path), whole)  # with more time it goes on
+
+
+def test_max_seconds_before_the_first_iteration_is_an_error(mesh):
+    with pytest.raises(FlowError, match=r"max_seconds \(1e-09\) reached before the first iteration has ended"):
+        msf_jax.skeletonize(mesh, config=Config(max_seconds=1e-9))
+
+
+def test_the_command_keeps_the_checkpoint_of_a_run_out_of_time(mesh, a_second_each, tmp_path, capsys):
+    mesh.export(tmp_path / "torus.off")
+    asked = ["skeletonize", str(tmp_path / "torus.off"), "-o", str(tmp_path / "a.swc"), "--max-seconds", "1.5"]
+    asked += ["--checkpoint", str(tmp_path / "run.npz")]
+    assert main(asked) == 0
+    shown = capsys.readouterr()
+    assert "NOT converged: max_seconds (1.5) reached, after 2 iterations" in shown.out
+    assert "the same command continues from" in shown.err and (tmp_path / "run.npz").exists()
+    assert main(asked) == 0
+    assert "after 4 iterations" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize("seconds", [-1.0, True, "60", float("nan")])
+def test_max_seconds_is_a_number_or_none(seconds):
+    with pytest.raises(ConfigError, match="max_seconds"):
+        Config(max_seconds=seconds)
+
+
+def test_a_press_that_other_code_swallows_is_kept(mesh, ctrl_c):
+    with counted() as presses:
+        assert presses is not None
+        with suppress(BaseException):  # as in an import of an optional module
+            signal.raise_signal(signal.SIGINT)
+        with pytest.raises(KeyboardInterrupt, match="before the first iteration"):
+            loop.contract(mesh)
+    assert signal.getsignal(signal.SIGINT) is signal.default_int_handler
+
+
+def test_ctrl_c_in_a_run_for_the_spread_gives_the_curve(mesh, monkeypatch, ctrl_c):
+    scales, calls = starting.thickness.scales, []
+
+    def second(*arguments):
+        calls.append(arguments)
+        if len(calls) == 2:
+            signal.raise_signal(signal.SIGINT)
+        return scales(*arguments)
+
+    monkeypatch.setattr(starting.thickness, "scales", second)
+    with pytest.raises(Interrupted, match="the whole curve is in this exception's flow") as at:
+        msf_jax.skeletonize(mesh, spread=1)
+    assert at.value.flow.skeleton.report.is_sound
+
+
+def test_another_thread_than_the_main_one_computes_all_itself(mesh, monkeypatch, ctrl_c):
+    """There, no Ctrl-C arrives. On the main one, the same stage is on a thread of its own, with the same bits."""
+    scales, seen, found = starting.thickness.scales, [], []
+
+    def seeing(*arguments):
+        seen.append(threading.current_thread())
+        return scales(*arguments)
+
+    monkeypatch.setattr(starting.thickness, "scales", seeing)
+    thread = threading.Thread(target=lambda: found.append(loop.contract(mesh, config=SLOW)))
+    thread.start()
+    thread.join()
+    assert seen == [thread]
+    assert_same_bits(loop.contract(mesh, config=SLOW), found[0])
+    assert seen[1] not in (thread, threading.current_thread())
+
+
+def test_a_call_has_the_callers_context_and_its_errors():
+    clock = Clock(max_seconds=PATIENT)
+    with np.errstate(divide="raise"), pytest.raises(FloatingPointError):
+        clock.call(np.divide, 1.0, 0.0)
+    assert clock.call(divmod, 7, 2) == (3, 1)
+    over = Clock(max_seconds=0.0)
+    with pytest.raises(Stopped):
+        over.check()
+    over.check()  # the time after it, in which the curve so far is finished
+    assert over.reason == "max_seconds (0) reached"
+
+
+PRESSED = """
+import signal, sys, threading, time
+signal.signal(signal.SIGINT, signal.default_int_handler)
+from msf_jax.app import cli
+from msf_jax.device.quiet import without_alarm
+from msf_jax.flow import starting
+
+def loading():  # as a program is loaded: standard error is held back
+    with without_alarm():
+        time.sleep(60)
+
+def hang(*_):
+    threading.Thread(target=loading).start()
+    time.sleep(0.2)
+    signal.raise_signal(signal.SIGINT)
+    time.sleep(60)
+
+starting._coarsened = hang
+sys.argv = ["msf-jax", "skeletonize", "torus.off", "-q"]
+cli.command()
+"""
+
+
+@pytest.mark.system
+def test_the_process_ends_with_its_message_and_waits_for_no_thread(mesh, tmp_path):
+    mesh.export(tmp_path / "torus.off")
+    done = subprocess.run([sys.executable, "-c", PRESSED], cwd=tmp_path, capture_output=True, text=True, timeout=50)
+    assert done.returncode == 130 and "there is no curve yet" in done.stderr
+    assert [path.name for path in tmp_path.iterdir()] == ["torus.off"]

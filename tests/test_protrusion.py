@@ -1,0 +1,88 @@
+"""Where a surface stands out: closed forms of the protrusion, and limbs that only stand out."""
+
+import numpy as np
+import pytest
+import trimesh
+
+from msf_jax.host.solid.enclosure import Enclosure
+from msf_jax.host.thin import protrusion
+from msf_jax.host.thin.caps import Caps, Limbs
+from tests.test_ends import Solid, as_shape, box, i_beam, round_bar
+
+
+def protrusions_and_scales(shape: Enclosure) -> tuple[np.ndarray, np.ndarray]:
+    """(S, V) protrusions, and (S, 1) their scales as lengths."""
+    area = trimesh.Trimesh(shape.vertices, shape.faces, process=False).area
+    return protrusion.protrusions(shape.vertices, shape.faces), np.sort(protrusion.SCALES)[:, None] * np.sqrt(area)
+
+
+def test_the_protrusion_of_a_ball_is_that_of_the_closed_form():
+    """x is an eigenfunction of the Laplacian on a ball, to the eigenvalue 2 / R^2: so h = u / (2 + u^2), u = s / R."""
+    ball = trimesh.creation.icosphere(subdivisions=4, radius=2.0)
+    found, scale = protrusions_and_scales(Enclosure(np.array(ball.vertices), np.array(ball.faces)))
+    u = scale / 2.0
+    np.testing.assert_allclose(np.median(found, axis=1), (u / (2 + u**2))[:, 0], rtol=0.01)
+
+
+def test_the_protrusion_in_the_middle_of_a_cylinder_is_that_of_the_closed_form():
+    """Across it, x is an eigenfunction to the eigenvalue 1 / R^2: h = u / (4 + u^2)."""
+    shape = as_shape(round_bar(30), 0.3)
+    found, scale = protrusions_and_scales(shape)
+    middle = np.abs(shape.vertices[:, 0]) < 1
+    expected = scale / (4 + scale**2)
+    np.testing.assert_allclose(found[1:3, middle].mean(axis=1), expected[1:3, 0], rtol=0.05)
+
+
+def test_the_end_of_a_rod_stands_out_by_half_the_scale():
+    """On a half line, x_s is the mean of x with the weight exp(-2 x / s): s / 2 from the end.
+    A rod is 0.5 wide: a sixth of the scale."""
+    shape = as_shape(box(120, 0.5, 0.5), 0.25)
+    found, scale = protrusions_and_scales(shape)
+    end = np.linalg.norm(shape.vertices - [60, 0, 0], axis=1).argmin()
+    assert scale[-1] > 3
+    assert found[-1, end] == pytest.approx(0.5, rel=0.1)
+
+
+def ball_with_feet(height: float, radius: float = 0.3) -> Solid:
+    """A ball of radius 1 with two feet, round rods that end ``height`` above it, at a right angle."""
+    foot = Solid.cylinder(1 + height - radius, radius, radius, 24) + Solid.sphere(radius, 24).translate(
+        (0, 0, 1 + height - radius)
+    )
+    return Solid.sphere(1.0, 64) + foot + foot.rotate((90, 0, 0))
+
+
+def limbs_of(solid: Solid, edge: float, detail: float) -> Limbs:
+    shape = as_shape(solid, edge)
+    return Caps(Enclosure(shape.vertices / np.linalg.norm(np.ptp(shape.vertices, axis=0)), shape.faces), detail).limbs(
+        1.0
+    )
+
+
+def test_finer_details_only_add_limbs():
+    """`RAISED`, `LEAST_RAISED`: feet that are too short for a slenderness of 1; the next ones are named."""
+    found = {detail: limbs_of(ball_with_feet(0.28), 0.08, detail) for detail in (0.0, 0.5, 0.65)}
+    regions = {detail: {cap.tip for cap in limbs.caps} for detail, limbs in found.items()}
+    assert regions[0.0] <= regions[0.5] <= regions[0.65]
+    assert len(regions[0.0]) == 0 and len(regions[0.65]) == 2
+    named = {each.cap.tip for each in found[0.0].finer}
+    assert regions[0.65] == regions[0.0] | named
+    assert all(each.detail > 0.5 for each in found[0.5].finer)
+
+
+@pytest.mark.parametrize("solid", [box(3, 3, 3), box(6, 6, 0.4), i_beam(9), round_bar(3), Solid.sphere(1, 48)])
+@pytest.mark.parametrize("edge", [0.4, 0.15])
+def test_corners_and_rims_are_no_limbs_at_the_default(solid, edge):
+    """`CORNER`: of a cube 1 / 6, of a thin plate 1 / 2; rims are within a width of a limb's end."""
+    plain, fine = limbs_of(solid, edge, 0.0), limbs_of(solid, edge, 0.5)
+    assert [cap.tip for cap in fine.caps] == [cap.tip for cap in plain.caps]
+
+
+def test_half_a_ball_on_a_wall_is_no_limb_and_a_longer_one_is():
+    """At the border, the height is 1.4 to 1.6 radii: see the guide."""
+    wall = box(12, 12, 8).translate((0, 0, -4))
+    for height, num in ((1.0, 0), (1.7, 1)):
+        stub = Solid.cylinder(height + 1, 1, 1, 32).translate((0, 0, -2)) + Solid.sphere(1, 32).translate(
+            (0, 0, height - 1)
+        )
+        tips = [cap.tip for cap in limbs_of(wall + stub, 0.35, 0.5).caps]
+        assert len(tips) == num
