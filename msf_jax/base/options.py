@@ -135,7 +135,8 @@ class Config:
             root of the mean area of a face (Au et al. 2008).
         max_iterations: the flow gives up after this many iterations.
         volume_tolerance, area_tolerance: the flow has converged when this fraction of the volume is left, and this
-            fraction of the area, or the area has stopped shrinking. The area counts because a sheet has no volume.
+            fraction of the area, or the area has stopped shrinking. The area counts because a sheet has no volume. With
+            a volume_tolerance of 0 a run makes all of its max_iterations.
         free_tolerance: the flow has also converged when at most this fraction of the vertices is not fixed.
         solve_tolerance: residual of the linear solves, relative to the right-hand side.
         step_tolerance: a contraction is also solved when a CG step moves no vertex by more than this part of t_c.
@@ -315,6 +316,26 @@ class Config:
             surgery=True,
             centre=False,
             extend_tips=False,
+        )
+        return replace(base, **changes)
+
+    @classmethod
+    def smooth(cls, iterations: int = 6, **changes: Any) -> "Config":
+        """The default system without decisions: ``iterations`` steps of the mesh as it is, with tight solves.
+
+        Before the curve is extracted no edge is collapsed or split and no vertex is fixed, and only their number ends
+        the iterations. So the contracted surface is a smooth function of the weights and of the vertices, and the
+        replay of one tape is a fresh run at any weights. This is what `tune` needs for weights per vertex. A run with
+        this preset takes several times the CG steps.
+        """
+        base = cls(
+            coarsen=0.0,
+            refine=0.0,
+            edit_connectivity=False,
+            max_iterations=iterations,
+            volume_tolerance=0.0,
+            solve_tolerance=1e-6,
+            step_tolerance=0.0,
         )
         return replace(base, **changes)
 
