@@ -73,7 +73,7 @@ def test_a_weight_for_every_vertex_is_tuned_on_one_tape():
     for name, (low, high) in held.items():
         assert (low <= getattr(found.weights, name)).all() and (getattr(found.weights, name) <= high).all()
     assert found.reason.startswith("all steps made; fresh runs have the tape's value to ") and found.model is None
-    assert str(found).count("\n") == 4 and "nan" not in str(found)
+    assert str(found).count("\n") == 5 and "nan" not in str(found)
 
 
 @pytest.mark.slow

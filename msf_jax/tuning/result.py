@@ -43,6 +43,7 @@ class Tuned:
         flows: those runs, one for each mesh.
         trajectory: every proposal, in order.
         reason: why it stopped.
+        of_defaults: the objective at the system's default weights, within the bounds; NaN if they were not tried.
         model: for several meshes with of="surface", the weights as a function of the surface: ``model.of(mesh)``.
     """
 
@@ -51,6 +52,7 @@ class Tuned:
     flows: tuple[Flow, ...]
     trajectory: tuple[TuningStep, ...]
     reason: str
+    of_defaults: float = np.nan
     model: FeatureWeights | None = None
 
     def save(self, path: str | os.PathLike[str]) -> None:
@@ -70,7 +72,10 @@ class Tuned:
         return f"Tuned({self.value:.6g} at {weights}, after {len(self.trajectory) - 1} steps, {self.reason})"
 
     def __str__(self) -> str:
-        lines = [f"{len(self.trajectory) - 1} steps, {self.reason}", "objective   expected   box    decisions changed"]
+        beats = f"{self.of_defaults:.6g}" + ("" if self.value < self.of_defaults else ": nothing beats them")
+        lines = [f"{len(self.trajectory) - 1} steps, {self.reason}"]
+        lines += [] if np.isnan(self.of_defaults) else [f"default weights: {beats}"]
+        lines += ["objective   expected   box    decisions changed"]
         for step in self.trajectory:
             weights = ", ".join(f"{name} {shown(weight)}" for name, weight in vars(step.weights).items())
             changed = f"{step.changed.different} of {step.changed.total}" if step.changed else "-"

@@ -34,7 +34,7 @@ from msf_jax.tuning.search import FIRST_SPREAD, Search
 FIELDS = ("w_H", "w_M")  # only their ratios to w_L matter, and smoothing has little effect
 FIELD_BOUNDS = (0.01, 100.0)  # with w_H at 1e-5 of w_L, tape and fresh run differed by 2e-3 at a tolerance of 1e-6
 TRIES = 24  # pairs of numbers that are tried first, at most
-RATE = 0.2  # natural logarithms: Adam's first step; steps fall to 0 along a cosine
+RATE = 0.2  # natural logarithms: how much Adam's first step changes a weight; steps fall to 0 along a cosine
 MEAN, SQUARE, LEAST = 0.9, 0.999, 1e-8  # Adam's decay of the mean slope and of the mean square, and its least root
 AGREEMENT = 1e-3  # relative difference of the objective between tape and fresh run, above which they disagree
 
@@ -127,9 +127,9 @@ def tuned_on_tapes(
     ]
     problem = _OnTapes(members, weights, free, low, high)
     first, reason = TuningStep(weights, before, before, True, FIRST_SPREAD, _converge(flows), None), "all steps made"
-    tried = []
+    tried, of_defaults = [], np.nan
     try:
-        _searched(problem, given, min(steps, TRIES), bar)
+        of_defaults = _searched(problem, given, min(steps, TRIES), bar)
         number = problem.best
         scalars = with_logarithms(weights, dict(zip(free, number.base.tolist(), strict=True)))
         tried.append(TuningStep(scalars, number.value, np.nan, False, FIRST_SPREAD, _converge(flows), None))
@@ -150,27 +150,29 @@ def tuned_on_tapes(
     last = TuningStep(each[0] if is_one else number, best.value, after, is_taken, RATE, _converge(fresh), None)
     trajectory = (first, *tried, last)
     if not is_taken:
-        return Tuned(weights, before, flows, trajectory, f"{reason}; nothing beats the start")
+        return Tuned(weights, before, flows, trajectory, f"{reason}; nothing beats the start", of_defaults)
     if is_one:
-        return Tuned(each[0], after, fresh, trajectory, reason)
+        return Tuned(each[0], after, fresh, trajectory, reason, of_defaults)
     theta = dict(zip(free, best.theta, strict=True))
     bounds = {name: (float(np.exp(a)), float(np.exp(b))) for name, a, b in zip(free, low, high, strict=True)}
-    return Tuned(number, after, fresh, trajectory, reason, FeatureWeights(number, theta, bounds))
+    return Tuned(number, after, fresh, trajectory, reason, of_defaults, FeatureWeights(number, theta, bounds))
 
 
-def _searched(problem: _OnTapes, given: list[np.ndarray], tries: int, bar: Any) -> None:
-    """Try ``tries`` numbers."""
+def _searched(problem: _OnTapes, given: list[np.ndarray], tries: int, bar: Any) -> float:
+    """Try ``tries`` pairs of numbers. Returns the value of the last one of ``given``, the default weights."""
     search = Search(given, problem.low, problem.high)
     for _ in range(tries):
         (base,) = search.ask()
         found, _ = problem.at(problem.start._replace(base=base))
         search.tell(base[None], np.array([found.value if np.isfinite(found.value) else np.inf]))
         bar.update(1, f"objective {problem.best.value:.4g}")
+    return float(search.values[len(given) - 1]) if tries >= len(given) else np.nan
 
 
 def _descended(problem: _OnTapes, steps: int, bar: Any) -> None:
     """``steps`` steps of Adam from the best numbers; fewer if the slope is 0, or a solve fails."""
     point, scale = problem.best, 0.0
+    first = RATE if problem.members[0].features is None else RATE / problem.size  # all features act on each weight
     mean = square = np.zeros_like(point.theta)
     for number in range(steps + 1):
         found, slope = problem.at(point)
@@ -180,7 +182,7 @@ def _descended(problem: _OnTapes, steps: int, bar: Any) -> None:
         slope = slope / scale
         mean, square = MEAN * mean + (1 - MEAN) * slope, SQUARE * square + (1 - SQUARE) * slope**2
         root = np.sqrt(square / (1 - SQUARE ** (number + 1))) + LEAST
-        rate = RATE * (1 + np.cos(np.pi * number / steps)) / 2
+        rate = first * (1 + np.cos(np.pi * number / steps)) / 2
         point = point._replace(theta=point.theta - rate * mean / (1 - MEAN ** (number + 1)) / root)
         bar.update(1, f"objective {problem.best.value:.4g}")
 

@@ -61,12 +61,12 @@ def tune(
         progress: show a progress bar on standard error, or plain lines if that is no terminal.
 
     Returns:
-        The best weights, their runs, every proposal, and why the tuning stopped.
+        The best weights, their runs, every proposal, the value of the default weights, and why the tuning stopped.
 
     Scalar weights are searched by fresh runs, see `tuning.search`. Only the ratios of w_L, w_H and w_M matter, so w_L
     is held constant if all three may change. Weights per vertex, and any weights for the flow's curve, are moved by the
-    tapes' gradients and confirmed by fresh runs, see `tuning.gradient`; ``jobs`` and ``checkpoint`` are not supported
-    there.
+    tapes' gradients and confirmed by fresh runs, see `tuning.gradient`. These have tight solves (`Config.tight`): use
+    ``tuned.flows[0].config`` with the weights. ``jobs`` and ``checkpoint`` are not supported there.
 
     With of="surface" nothing is decided in a run, and one tape of each mesh is enough: numbers w_H and w_M are searched
     on it, then made fields by Adam, a weight for every vertex of one mesh. For several meshes the fields are a function
@@ -103,6 +103,8 @@ def tune(
     if of == "surface" and (config.edit_connectivity or not is_plain):
         what = "edits edges" if config.edit_connectivity else "has weights per vertex already"
         raise ConfigError(f"of='surface' was given, and the run {what}: expected numbers, and Config.smooth()")
+    if not by_search:
+        config = config.tight()
     runs = Runs(meshes, objectives[0], config, of, jobs, checkpoint)
     with showing(int(steps), "tune", "runs", progress) as bar:
         if of == "surface":
@@ -158,7 +160,9 @@ def _searched(
         reason = "interrupted"
     finally:
         runs.close()
-    return Tuned(found_at, best.value, runs.flows(found_at), tuple(trajectory), reason)
+    usual = [step.found for step in trajectory if step.weights is list(given.values())[-1]]
+    of_defaults = usual[0] if usual else np.nan
+    return Tuned(found_at, best.value, runs.flows(found_at), tuple(trajectory), reason, of_defaults=of_defaults)
 
 
 def _given(
