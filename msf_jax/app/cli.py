@@ -57,6 +57,7 @@ def _fail(message: str, code: int) -> int:
 
 def _start_jax(arguments: argparse.Namespace) -> None:
     """Import JAX, which is slow, and set the precision and the cache."""
+    os.environ.setdefault("TF_CPP_MIN_LOG_LEVEL", "3")  # hides a false alarm of XLA, see `cache_compilations`
     import jax
 
     from msf_jax.device.caching import cache_compilations

@@ -15,6 +15,9 @@ from msf_jax.base.errors import ConfigError
 
 LAPLACIANS = ("mean_value", "cotangent", "signed_cotangent", "uniform")  # values of ``Config.laplacian``
 WHOLE = ("reconstruct_poles", "reconstruct_mesh", "max_iterations", "solve_steps")  # options that are integers
+SMOOTH = (
+    1e-8  # relative residual of solves in `Config.smooth`: at 1e-6 tape and run differed by up to 2e-3 of an objective
+)
 TIGHT = 1e-6  # relative residual of solves whose runs derivatives predict: to 3e-3 of an objective, for 2e-2 of a step
 SYSTEMS = ("msf", "tagliasacchi2012", "au2008")  # values of ``Config.weights_of``
 POLES = ("auto", "voronoi", "balls")  # values of ``Config.poles``
@@ -326,8 +329,9 @@ class Config:
 
         Before the curve is extracted no edge is collapsed or split and no vertex is fixed, and only their number ends
         the iterations. So the contracted surface is a smooth function of the weights and of the vertices, and the
-        replay of one tape is a fresh run at any weights. This is what `tune` needs for weights per vertex. A run with
-        this preset takes several times the CG steps.
+        replay of one tape is a fresh run at any weights, in float64. This is what `tune` needs for weights per vertex.
+        A run with this preset takes several times the CG steps. A surface that is not edited also contracts along its
+        limbs, so that a curved limb may leave its axis with the default weights.
         """
         base = cls(
             coarsen=0.0,
@@ -335,8 +339,10 @@ class Config:
             edit_connectivity=False,
             max_iterations=iterations,
             volume_tolerance=0.0,
+            solve_tolerance=SMOOTH,
+            step_tolerance=0.0,
         )
-        return replace(base.tight(), **changes)
+        return replace(base, **changes)
 
     def tight(self) -> "Config":
         """This configuration with solves to a residual of 1e-6 at least, none of which ends by the length of a step.
