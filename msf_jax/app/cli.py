@@ -28,6 +28,7 @@ if TYPE_CHECKING:
     from msf_jax.skeleton.skeleton import Skeleton
 
 UNCHANGED = shaping.Shaping()
+LEVEL = "TF_CPP_MIN_LOG_LEVEL"  # the variable by which XLA chooses what to print
 LISTED = 10  # failed meshes of a batch, or doubtful frames, that are printed
 
 
@@ -57,7 +58,8 @@ def _fail(message: str, code: int) -> int:
 
 def _start_jax(arguments: argparse.Namespace) -> None:
     """Import JAX, which is slow, and set the precision and the cache."""
-    os.environ.setdefault("TF_CPP_MIN_LOG_LEVEL", "3")  # hides a false alarm of XLA, see `cache_compilations`
+    if os.environ.get(LEVEL, "1") == "1":  # JAX sets 1 on import, so a parent process may have done so
+        os.environ[LEVEL] = "3"  # hides a false alarm of XLA, see `cache_compilations`
     import jax
 
     from msf_jax.device.caching import cache_compilations
