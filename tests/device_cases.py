@@ -71,6 +71,21 @@ def one_level(capacity: int, slots: int) -> Layout:
     return Layout(capacity, (Level(slots, capacity, 0),))
 
 
+# Operators of `cg.solve`
+
+
+class Diagonal(NamedTuple):
+    """A diagonal matrix (n, n). Its preconditioner is 1, so CG needs a step for each different entry."""
+
+    entries: jax.Array
+
+    def __call__(self, x):
+        return self.entries[:, None] * x
+
+    def diagonal(self):
+        return jnp.ones_like(self.entries)
+
+
 # Surfaces
 
 

@@ -79,6 +79,12 @@ def test_host_and_device_do_not_mix():
     assert {file.split("/")[0] for file in with_jaxopt} == {"device", "tuning"} and len(with_jaxopt) == 2
 
 
+def test_nothing_private_of_jax_is_used():
+    """Not even by name, as a string."""
+    for path in ROOT.rglob("*.py"):
+        assert "jax._src" not in path.read_text("utf-8"), path.name
+
+
 def test_a_folder_fits_on_a_page():
     entries = [path for path in ROOT.iterdir() if path.name not in ("__init__.py", "__pycache__", "py.typed")]
     assert sorted(path.stem for path in entries) == sorted(ORDER) and len(entries) <= MOST_ENTRIES

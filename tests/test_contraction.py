@@ -10,6 +10,7 @@ import pytest
 from device_cases import (
     TIGHT,
     Case,
+    Diagonal,
     bipyramid,
     build,
     case_with_everything,
@@ -210,18 +211,6 @@ def test_what_is_no_number_stays_none(case, slopes):
     assert np.isnan(new).any() and not bool(report.is_solved)
     factors = np.full(case.buffers.positions.shape, np.nan)
     assert np.isnan(slopes(factors, W_L, W_H, W_M, case.buffers.positions)[0])
-
-
-class Diagonal(NamedTuple):
-    """A diagonal matrix (n, n)."""
-
-    entries: jax.Array
-
-    def __call__(self, x):
-        return self.entries[:, None] * x
-
-    def diagonal(self):
-        return jnp.ones_like(self.entries)
 
 
 class Dense(NamedTuple):

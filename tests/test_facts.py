@@ -1,6 +1,7 @@
 """Numbers that texts repeat are those of the code or of the page that has them, and every file they name is there."""
 
 import re
+import warnings
 from pathlib import Path
 
 import pytest
@@ -132,3 +133,16 @@ def test_the_workflow_has_the_oldest_and_the_newest_python_of_the_classifiers():
     assert f'requires-python = ">=3.{minors[0]}"' in project and minors == [*range(minors[0], minors[-1] + 1)]
     assert f'python: ["3.{minors[0]}", "3.{minors[-1]}"]' in text_of(".github/workflows/ci.yml")
     assert f"with Python 3.{minors[0]} or newer" in text_of("README.md")
+
+
+@pytest.mark.parametrize("kind", [DeprecationWarning, FutureWarning])
+def test_what_others_deprecate_among_themselves_fails_no_test(kind):
+    """By the filters of `pyproject.toml`: a call from this project's code does."""
+    for module in ("msf_jax.flow.loop", "tests.pages", "test_facts", "conftest", "block"):
+        with pytest.raises(kind):
+            warnings.warn_explicit("old", kind, "file.py", 1, module)
+    with warnings.catch_warnings(record=True) as shown:
+        warnings.warn_explicit("old", kind, "file.py", 1, "scipy.spatial")
+    assert [str(each.message) for each in shown] == ["old"]
+    with pytest.raises(RuntimeWarning):
+        warnings.warn_explicit("overflow", RuntimeWarning, "file.py", 1, "scipy.spatial")

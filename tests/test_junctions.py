@@ -86,15 +86,15 @@ def test_axes_that_are_nearly_parallel_meet_nowhere():
 
 
 def side_branch(astray, num=60):
-    """A solid of a trunk of radius 3 along z and a side_branch of radius 1 from 0, 45 degrees up, and a curve whose side_branch runs
-    along the trunk for ``astray`` before it leaves it."""
+    """A solid of a trunk of radius 3 along z and a side branch of radius 1 from 0, 45 degrees up, and a curve whose side
+    branch runs along the trunk for ``astray`` before it leaves it."""
     top = np.array([0, 30, 30])
     points = np.array([[0, 0, -30], [0, 0, 40], [0, 0, 0], top], dtype=float)
     mesh = shapes.solid_around(points, np.array([[0, 1], [2, 3]]), np.array([3.0, 3.0, 1.0, 1.0]), 1.0)
     line = np.linspace(0, 1, num)[:, None]
     trunk = points[0] + line * (points[1] - points[0])
     first = int(np.abs(trunk[:, 2] - astray).argmin())
-    leaves = np.array([0, 0.5, 0.5])  # on the side_branch's axis, in the trunk
+    leaves = np.array([0, 0.5, 0.5])  # on the side branch's axis, in the trunk
     legs = np.concatenate(
         [trunk[first] + line[1:10] / line[9] * (leaves - trunk[first]), leaves + line * (top - leaves)]
     )
@@ -117,7 +117,7 @@ def test_a_side_branch_begins_where_its_axis_meets_the_trunk(astray):
 
 
 def test_a_limb_that_is_nearly_as_thick_as_its_trunk_stays():
-    """`THIN`: a T of equal tubes is no side_branch."""
+    """`THIN`: a T of equal tubes has no thin branch."""
     shape, x, edges, _ = fork(120, 0.3)
     assert len(junctions.attached(shape, x, edges, np.zeros(len(x), dtype=bool), shape.clearance(x))[0]) == len(x)
 

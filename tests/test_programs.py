@@ -1,6 +1,10 @@
 """Compiled steps in a folder: found without compiling, whatever happens to the files."""
 
 import importlib.metadata
+import os
+import subprocess
+import sys
+from pathlib import Path
 
 import jax
 import numpy as np
@@ -84,3 +88,22 @@ def test_another_version_of_what_is_compiled_has_files_of_its_own(package, monke
     before, version = programs._machine(), importlib.metadata.version
     monkeypatch.setattr(importlib.metadata, "version", lambda name: "0.0" if name == package else version(name))
     assert programs._machine.__wrapped__() != before
+
+
+@pytest.mark.system
+def test_a_library_call_prints_nothing_with_an_empty_and_with_a_full_cache(tmp_path):
+    """With the setting that hides a false alarm of XLA in some versions; see `cache_compilations`."""
+    program = f"""
+import jax, msf_jax
+from msf_jax import ground_truth
+jax.config.update("jax_enable_x64", True)
+msf_jax.cache_compilations({str(tmp_path / "cache")!r})
+msf_jax.skeletonize(ground_truth.make("straight_coarse").mesh)
+"""
+    names = {"PYTHONPATH": str(Path(__file__).parents[1]), "TF_CPP_MIN_LOG_LEVEL": "3"}
+    inherited = {name: value for name, value in os.environ.items() if name != "XLA_FLAGS"}
+    for _ in range(2):
+        command = [sys.executable, "-c", program]
+        done = subprocess.run(command, capture_output=True, timeout=300, env=inherited | names, cwd=tmp_path)
+        assert (done.returncode, done.stderr, done.stdout) == (0, b"", b"")
+    assert any((tmp_path / "cache").rglob("*"))

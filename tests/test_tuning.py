@@ -34,31 +34,43 @@ OBJECTIVE = objectives.explained() + 0.02 * objectives.centred()
 def test_poor_weights_get_better(steps):
     """Every value is a fresh run's, the best is kept, and no weight leaves its bounds."""
     poor = Weights(10.0, 0.05, 0.1, 0.001)
-    found = msf_jax.tune(bone(), OBJECTIVE, poor, of="flow", steps=steps, bounds={"w_L": (0.01, 12.0)})
+    found = msf_jax.tune(bone(), OBJECTIVE, poor, of="flow", steps=steps, inner_steps=1, bounds={"w_L": (0.01, 12.0)})
     values = [step.found for step in found.trajectory]
     taken = [step.found for step in found.trajectory if step.is_taken]
     assert found.value == min(taken) < values[0]
     assert taken == sorted(taken, reverse=True)
-    again = msf_jax.contract(bone(), found.weights)
+    config = found.flows[0].config
+    assert (config.solve_tolerance, config.step_tolerance) == (1e-6, 0.0)  # else tapes do not predict runs
+    again = msf_jax.contract(bone(), found.weights, config)
     assert objectives.value(OBJECTIVE, again.tape, again.weights) == pytest.approx(found.value, rel=1e-6)
     assert all(0.01 <= float(step.weights.w_L) <= 12.0 for step in found.trajectory)
-    assert len(found.trajectory) <= steps + 1 and found.reason
+    assert len(found.trajectory) <= steps + 2 and found.reason
+    assert found.trajectory[1].weights == Weights() and found.of_defaults == values[1]  # they are tried first
+    assert ("nothing beats them" in str(found)) == (found.value == found.of_defaults)
     last = found.trajectory[-1]
     assert 0 < last.changed.different <= last.changed.total
-    assert str(found).count("\n") == len(found.trajectory) + 1
+    assert str(found).count("\n") == len(found.trajectory) + 2
 
 
 @pytest.mark.slow
-def test_from_a_run_that_does_not_converge_it_goes_to_the_defaults():
-    """Half-way in logarithms, for the weights that are not zero, until a run converges."""
-    config = Config(max_iterations=12)
+def test_a_run_that_does_not_converge_has_no_use():
+    """The defaults are tried; where they do not converge either, nothing is proposed."""
     stuck = Weights(0.01, 1.0, 4.0, 0.0)
-    assert not msf_jax.contract(bone(), stuck, config).skeleton.report.converged
-    found = msf_jax.tune(bone(), OBJECTIVE, stuck, config=config, of="flow", steps=1)
-    proposed = found.trajectory[1].weights
-    assert not np.isfinite(found.trajectory[1].expected)
-    assert proposed.w_L == pytest.approx(0.1) and proposed.w_H == pytest.approx(0.1**0.5)
-    assert proposed.smoothing == 0.0
+    found = msf_jax.tune(bone(), OBJECTIVE, stuck, config=Config(max_iterations=1), of="flow", steps=1)
+    assert found.reason == "runs do not converge (max_iterations (1) reached)" and len(found.trajectory) == 2
+    tried = found.trajectory[1].weights
+    assert tried.w_L == pytest.approx(1.0) and tried.w_M == pytest.approx(0.4) and tried.smoothing == 0.0
+
+
+@pytest.mark.slow
+def test_tapes_of_one_mesh_share_programs(compilations):
+    """A tape in the buffers of the one before: of two more steps, the objective alone is compiled again."""
+    numbers = []
+    for steps in (1, 3):
+        compilations.clear()
+        msf_jax.tune(bone(), OBJECTIVE, Weights(w_H=0.2), of="flow", steps=steps, inner_steps=1)
+        numbers.append(len(compilations))
+    assert numbers[1] <= 6
 
 
 def test_the_finished_curve_by_fresh_runs(tmp_path):
@@ -67,6 +79,7 @@ def test_the_finished_curve_by_fresh_runs(tmp_path):
     arguments = {"steps": 3, "bounds": {"smoothing": (0.001, 0.001)}, "checkpoint": path}
     found = msf_jax.tune(bone(), OBJECTIVE, poor, **arguments)
     assert found.value == min(step.found for step in found.trajectory) <= found.trajectory[0].found
+    assert found.of_defaults == found.trajectory[1].found and f"default weights: {found.of_defaults:.6g}" in str(found)
     assert all(step.weights.smoothing == 0.001 and step.weights.w_L == 10.0 for step in found.trajectory)
     again = msf_jax.skeletonize(bone(), found.weights)
     np.testing.assert_array_equal(again.vertices, found.flows[0].skeleton.vertices)

@@ -30,6 +30,7 @@ if TYPE_CHECKING:
 
 UNCHANGED = shaping.Shaping()
 INTERRUPTED = 130  # the exit code after Ctrl-C, as of other programs
+LEVEL = "TF_CPP_MIN_LOG_LEVEL"  # the variable by which XLA chooses what to print
 LISTED = 10  # failed meshes of a batch, or doubtful frames, that are printed
 
 
@@ -56,8 +57,6 @@ def command() -> None:
     """The command as a process. After Ctrl-C it ends without waiting for threads that still compile or compute."""
     code = main()
     if code == INTERRUPTED:
-        if quiet := sys.modules.get("msf_jax.device.quiet"):  # it may hold back what was just printed
-            quiet.pass_on()
         for stream in filter(None, (sys.stdout, sys.stderr)):
             stream.flush()
         os._exit(code)
@@ -72,6 +71,8 @@ def _fail(message: str, code: int) -> int:
 
 def _start_jax(arguments: argparse.Namespace) -> None:
     """Import JAX, which is slow, and set the precision and the cache."""
+    if os.environ.get(LEVEL, "1") == "1":  # JAX sets 1 on import, so a parent process may have done so
+        os.environ[LEVEL] = "3"  # hides a false alarm of XLA, see `cache_compilations`
     import jax
 
     from msf_jax.device.caching import cache_compilations

@@ -15,6 +15,10 @@ from msf_jax.base.errors import ConfigError
 
 LAPLACIANS = ("mean_value", "cotangent", "signed_cotangent", "uniform")  # values of ``Config.laplacian``
 WHOLE = ("reconstruct_poles", "reconstruct_mesh", "max_iterations", "solve_steps")  # options that are integers
+SMOOTH = (
+    1e-8  # relative residual of solves in `Config.smooth`: at 1e-6 tape and run differed by up to 2e-3 of an objective
+)
+TIGHT = 1e-6  # relative residual of solves whose runs derivatives predict: to 3e-3 of an objective, for 2e-2 of a step
 SYSTEMS = ("msf", "tagliasacchi2012", "au2008")  # values of ``Config.weights_of``
 POLES = ("auto", "voronoi", "balls")  # values of ``Config.poles``
 FACTORED = "factored"  # the preconditioner that the host factorises
@@ -137,7 +141,8 @@ class Config:
         max_seconds: the run ends after this many seconds, and about two more, with the curve so far; None for no limit.
             How far the curve is then depends on the machine. If no iteration has ended, a `FlowError` is raised.
         volume_tolerance, area_tolerance: the flow has converged when this fraction of the volume is left, and this
-            fraction of the area, or the area has stopped shrinking. The area counts because a sheet has no volume.
+            fraction of the area, or the area has stopped shrinking. The area counts because a sheet has no volume. With
+            a volume_tolerance of 0 a run makes all of its max_iterations.
         free_tolerance: the flow has also converged when at most this fraction of the vertices is not fixed.
         solve_tolerance: residual of the linear solves, relative to the right-hand side.
         step_tolerance: a contraction is also solved when a CG step moves no vertex by more than this part of t_c.
@@ -327,6 +332,39 @@ class Config:
             extend_tips=False,
         )
         return replace(base, **changes)
+
+    @classmethod
+    def smooth(cls, iterations: int = 6, **changes: Any) -> "Config":
+        """The default system without decisions: ``iterations`` steps of the mesh as it is, with tight solves.
+
+        Before the curve is extracted no edge is collapsed or split and no vertex is fixed, and only their number ends
+        the iterations. So the contracted surface is a smooth function of the weights and of the vertices, and the
+        replay of one tape is a fresh run at any weights, in float64. This is what `tune` needs for weights per vertex.
+        A run with this preset takes several times the CG steps. A surface that is not edited also contracts along its
+        limbs, so that a curved limb may leave its axis with the default weights.
+        """
+        base = cls(
+            coarsen=0.0,
+            refine=0.0,
+            edit_connectivity=False,
+            max_iterations=iterations,
+            volume_tolerance=0.0,
+            solve_tolerance=SMOOTH,
+            step_tolerance=0.0,
+        )
+        return replace(base, **changes)
+
+    def tight(self) -> "Config":
+        """This configuration with solves to a residual of 1e-6 at least, none of which ends by the length of a step.
+
+        With loose solves a derivative does not predict a fresh run, even where no decision changes: each run stops
+        elsewhere. A tight run takes several times the CG steps. A "factored" system is solved tightly as it is.
+        """
+        return (
+            self
+            if self.preconditioner == FACTORED
+            else replace(self, solve_tolerance=min(self.solve_tolerance, TIGHT), step_tolerance=0.0)
+        )
 
     @classmethod
     def named(cls, system: str, **changes: Any) -> "Config":

@@ -8,7 +8,6 @@ import platformdirs
 from jax.experimental.compilation_cache import compilation_cache
 
 from msf_jax.base.errors import ConfigError
-from msf_jax.device.quiet import quieten_cache
 
 WORTH_KEEPING = 0.2  # seconds: programs that compile faster are not stored
 
@@ -16,7 +15,9 @@ WORTH_KEEPING = 0.2  # seconds: programs that compile faster are not stored
 def cache_compilations(folder: str | os.PathLike[str] | None = None) -> Path | None:
     """Store compiled programs in ``folder``, so that only the first run on a machine compiles. Call it once, early.
 
-    It also removes a false alarm from standard error, which XLA prints for every stored program that it loads.
+    For every stored program that it loads, JAX 0.10 prints two long lines on standard error, about features that are
+    "not supported on the host machine". It is a false alarm (jax issue 38445), which JAX 0.12 does not print. Set
+    ``TF_CPP_MIN_LOG_LEVEL=3`` in the environment before JAX is imported to suppress it, as the command line does.
 
     Args:
         folder: created if missing. The default is the folder that JAX is configured to use, by
@@ -29,7 +30,6 @@ def cache_compilations(folder: str | os.PathLike[str] | None = None) -> Path | N
     Raises:
         ConfigError: ``folder`` cannot be created or written to.
     """
-    quieten_cache()
     configured = getattr(jax.config, "jax_compilation_cache_dir", None)
     if folder is None and configured is not None:
         return Path(configured)

@@ -183,6 +183,9 @@ def done(state: State, config: Config) -> tuple[bool, str] | None:
     if not state.history:
         return None
     last = state.history[-1]
+    if config.volume_tolerance == 0:  # nothing but the number of iterations ends the run
+        is_last = len(state.history) >= config.max_iterations
+        return (abs(last.volume) <= SETTLED, f"all of {config.max_iterations} iterations made") if is_last else None
     if not has_volume(state, config):
         return True, "no volume left"
     if last.live - last.fixed <= config.free_tolerance * last.live:

@@ -29,7 +29,6 @@ from msf_jax.base.writing import write_whole
 from msf_jax.device.buffers import Buffers, Rings, real_dtype
 from msf_jax.device.cg import SolveReport
 from msf_jax.device.iteration import Moved, jitted_move, move, move_factored
-from msf_jax.device.quiet import without_alarm
 from msf_jax.gradients import compiler
 from msf_jax.host.factors import factored
 
@@ -140,8 +139,7 @@ def _checked(data: bytes, layout: Layout, of_vertices: bool) -> Program:
     nothing = jax.device_put((ones[0]._replace(free=np.zeros_like(ones[0].free), rings=rings), ones[1]))
     in_tree = jax.tree_util.tree_structure((nothing, {}))
     out_tree = jax.tree_util.tree_structure(Moved(0, SolveReport(0, 0, 0, 0, 0)))  # type: ignore[arg-type]
-    with without_alarm():
-        program = serialize_executable.deserialize_and_load(data, in_tree, out_tree)
+    program = serialize_executable.deserialize_and_load(data, in_tree, out_tree)
     moved = program(*nothing)
     if not np.array_equal(jax.device_get(moved.positions), ones[0].positions):
         raise ValueError("the loaded program moves fixed vertices: the file is damaged")

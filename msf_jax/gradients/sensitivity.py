@@ -70,7 +70,9 @@ def sensitivity(tape: Tape, weights: Weights | None = None, *, tolerance: float 
         weights: numbers at which to differentiate; those of the run if not given.
         tolerance: of the solves, see `msf_jax.replay`.
 
-    Decisions are held fixed, see `msf_jax.replay`.
+    Decisions are held fixed, see `msf_jax.replay`. The tape should be of a run with tight solves,
+    ``contract(mesh, config=Config().tight())``: else the derivatives do not predict fresh runs, even where no decision
+    changes.
 
     Raises:
         ConfigError: see `msf_jax.replay`; or a weight is an array.

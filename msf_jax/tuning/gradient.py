@@ -3,8 +3,8 @@
 A run is recorded, and the objective of its replay is minimised in the logarithms of the weights, within a trust region,
 the box. Then a fresh run, with its own decisions, gives the value of the new weights. If it is better, the weights are
 accepted, and the box grows. If not, a full step down the slope is tried, then one up the slope; then the box shrinks,
-and the old tape is minimised again. The gradient of a run that did not converge is of no use; then the weights move
-half of the way to the system's default weights.
+and the old tape is minimised again. The system's default weights are tried first. The gradient of a run that did not
+converge is of no use. Runs have tight solves: else a tape does not predict them, even where no decision changes.
 """
 
 import warnings
@@ -33,8 +33,6 @@ LARGEST_BOX = 2.5  # natural logarithms: its largest value
 SMALLEST_BOX = 0.02  # natural logarithms: the tuning ends below it
 GROWTH = 1.6  # factor on the box after an accepted proposal
 SHRINKAGE = 0.35  # factor on the box after rejected ones
-HALVED = 0.5  # share of the distance to the default weights, in logarithms: the first step if runs do not converge
-NEARLY_THERE = 0.99  # the same share, above which the tuning ends
 SEARCH_TOLERANCE = 1e-8  # relative residual of the solves in a replay, sufficient for a direction
 TIMID = 0.1  # share of the box: a minimum closer to the start is not proposed
 SIDES = (-1, 1)  # the lower and the upper side of the box
@@ -55,42 +53,35 @@ def descend(
 ) -> Tuned:
     """Make at most ``steps`` proposals by the tapes, from ``weights``. Fresh runs confirm a proposal."""
     search = _Descent(runs, weights)
-    config = runs.config
-    box, part, kind, reason = FIRST_BOX, HALVED, MINIMUM, "all steps made"
+    box, kind, reason = FIRST_BOX, MINIMUM, "all steps made"
     try:
+        search.try_defaults(low, high)
         for _ in range(steps):
-            here = logarithms(search.weights)
-            if search.is_converged:
-                tapes = [run.tape for run in search.flows]
-                there, expected, kind = proposal(
-                    runs.objective, search.weights, tapes, here, box, low, high, kind, inner_steps
-                )
-                nowhere = f"{runs.objective.name} does not depend on the weights, by the tapes"
-            else:  # the gradient of such a run is that of the few vertices where it is stuck
-                goal = logarithms(config.default_weights())
-                there = {name: here[name] + part * (goal.get(name, here[name]) - here[name]) for name in here}
-                there, expected = {name: np.clip(there[name], low[name], high[name]) for name in here}, np.nan
-                nowhere = f"runs do not converge ({search.why}), and the weights are those of the system already"
-            if not distance(here, there) > 0:
-                reason = nowhere
+            if not search.is_converged:
+                reason = f"runs do not converge ({search.why})"
                 break
-            is_taken = search.propose(with_logarithms(search.weights, there), expected, box)
-            if search.is_converged:
-                if is_taken:
-                    box, kind = min(box * GROWTH, LARGEST_BOX), MINIMUM
-                elif kind == UP:
-                    box, kind = box * SHRINKAGE, MINIMUM
-                else:
-                    kind += 1
+            here = logarithms(search.weights)
+            there, expected, kind = proposal(
+                runs.objective, search.weights, search.tapes(), here, box, low, high, kind, inner_steps
+            )
+            if not distance(here, there) > 0:
+                reason = f"{runs.objective.name} does not depend on the weights, by the tapes"
+                break
+            if search.propose(with_logarithms(search.weights, there), expected, box):
+                box, kind = min(box * GROWTH, LARGEST_BOX), MINIMUM
+            elif kind == UP:
+                box, kind = box * SHRINKAGE, MINIMUM
             else:
-                part = HALVED if is_taken else (part + 1) / 2
+                kind += 1
             bar.update(1, f"objective {search.value:.4g}, box {box:.2f}")
-            if box < SMALLEST_BOX or part > NEARLY_THERE:
+            if box < SMALLEST_BOX:
                 reason = "no better weights nearby"
                 break
     except KeyboardInterrupt:
         reason = "interrupted"
-    return Tuned(search.weights, search.value, search.flows, tuple(search.trajectory), reason)
+    return Tuned(
+        search.weights, search.value, search.flows, tuple(search.trajectory), reason, of_defaults=search.of_defaults
+    )
 
 
 class _Descent:
@@ -99,10 +90,31 @@ class _Descent:
     def __init__(self, runs: Runs, weights: Weights):
         self.runs, self.weights, self.flows = runs, weights, runs.flows(weights)
         self.value = runs.value(self.flows)
+        self.of_defaults = np.nan
+        self.padded: list[Tape] = []
         if not np.isfinite(self.value):
             raise ConfigError(f"objective {runs.objective.name} is {self.value} at the start: expected a finite number")
         none = Comparison(0, sum(len(run.tape.decisions) for run in self.flows))
         self.trajectory = [TuningStep(weights, self.value, self.value, True, FIRST_BOX, self.is_converged, none)]
+
+    def try_defaults(self, low: dict[str, float], high: dict[str, float]) -> None:
+        """Propose the system's default weights, within the bounds, where weights may change."""
+        here, usual = logarithms(self.weights), vars(self.runs.config.default_weights())
+        there = {  # numbers as they are: a logarithm and back changes last bits, and those can change a curve
+            name: np.full_like(value, np.clip(usual[name], np.exp(low[name]), np.exp(high[name])))
+            for name, value in here.items()
+            if usual[name] > 0
+        }
+        self.of_defaults = self.value
+        if any((vars(self.weights)[name] != value).any() for name, value in there.items()):
+            self.propose(Weights(**(vars(self.weights) | there)), np.nan, FIRST_BOX)
+            self.of_defaults = self.trajectory[-1].found
+
+    def tapes(self) -> list[tuple[Tape, Tape]]:
+        """The tape of each of the best runs, and the same in the buffers of the one before, to compile few programs."""
+        held = self.padded or [run.tape.padded() for run in self.flows]
+        self.padded = [run.tape_like(one) for run, one in zip(self.flows, held, strict=True)]
+        return [(run.tape, one) for run, one in zip(self.flows, self.padded, strict=True)]
 
     @property
     def is_converged(self) -> bool:
@@ -134,7 +146,7 @@ class _Descent:
 def proposal(
     objective: Objective,
     weights: Weights,
-    tapes: list[Tape],
+    tapes: list[tuple[Tape, Tape]],
     here: dict[str, Any],
     box: float,
     low: dict[str, float],
@@ -144,7 +156,8 @@ def proposal(
 ) -> tuple[dict[str, Any], float, int]:
     """A proposal: logarithms within ``box`` of ``here``, the objective there by the tapes, and the kind of proposal.
 
-    A minimum is replaced by the point at the end of the box, down the slope, if the search for it fails.
+    ``tapes``: of each mesh, and the same padded. A minimum is replaced by the point at the end of the box, down the
+    slope, if the search for it fails.
     """
 
     def clipped(point: dict[str, Any]) -> dict[str, Any]:
@@ -183,22 +196,38 @@ def proposal(
     return clipped({name: here[name] + length * np.asarray(slope[name]) for name in here}), np.nan, kind
 
 
-def _mean_value(objective: Objective, logarithms: dict[str, Any], weights: Weights, tapes: list[Tape]) -> Any:
+def _mean_value(
+    objective: Objective, logarithms: dict[str, Any], weights: Weights, tapes: list[tuple[Tape, Tape]]
+) -> Any:
     """The objective's mean over the tapes, and its gradient in the logarithms."""
-    results = [_value_and_grad(objective, logarithms, weights, tape) for tape in tapes]
+    results = [_value_and_grad(objective, logarithms, weights, *pair) for pair in tapes]
     mean, gradient = jax.tree_util.tree_map(lambda *parts: sum(parts) / len(parts), *results)
     return mean, gradient
 
 
-def _value_and_grad(objective: Objective, logarithms: dict[str, Any], weights: Weights, tape: Tape) -> Any:
-    """The objective and its gradient, in two programs: a new number of nodes does not recompile the slow replay."""
+def _value_and_grad(
+    objective: Objective, logarithms: dict[str, Any], weights: Weights, tape: Tape, padded: Tape
+) -> Any:
+    """The objective and its gradient. Only the objective's own program depends on the number of nodes."""
+    nodes, pull_back = _replayed(logarithms, weights, padded)
+    found, slope = _at_nodes(objective, np.asarray(nodes)[: tape.num_nodes], tape)
+    rest = ((0, len(nodes) - tape.num_nodes), (0, 0))
+    return found, _pulled(pull_back, np.pad(np.asarray(slope), rest))
+
+
+@jax.jit
+def _replayed(logarithms: dict[str, Any], weights: Weights, tape: Tape) -> Any:
+    """The nodes, and the function that pulls their derivative back, which is a pytree."""
 
     def nodes_at(logarithms: dict[str, Any]) -> jax.Array:
         return replay(tape, with_logarithms(weights, logarithms), tolerance=SEARCH_TOLERANCE)
 
-    nodes, pull_back = jax.vjp(nodes_at, logarithms)
-    found, slope = _at_nodes(objective, nodes, tape)
-    return found, pull_back(slope)[0]
+    return jax.vjp(nodes_at, logarithms)
+
+
+@jax.jit
+def _pulled(pull_back: Any, slope: jax.Array) -> dict[str, jax.Array]:
+    return pull_back(slope)[0]
 
 
 def distance(one: dict[str, np.ndarray], other: dict[str, np.ndarray]) -> float:

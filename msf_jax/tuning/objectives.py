@@ -146,6 +146,36 @@ def of_skeleton(objective: Any, skeleton: Skeleton, mesh: Any) -> float:
     return of_arrays(objective, *curve, surface, source.areas)
 
 
+def of_surface(objective: Any, tape: Tape, vertices: Any) -> jax.Array:
+    """The ``objective`` of a contracted surface: its ``vertices`` (n, 3) count as nodes.
+
+    ``vertices`` are ``flow.meso_skeleton[0]``, or `msf_jax.replay_meso` of ``tape``. They have no radii and no edges:
+    only objectives of positions are possible, such as ``near(target)``. Differentiable in: vertices.
+
+    Raises:
+        ConfigError: the objective needs radii or edges, or its value is not one number.
+    """
+    objective = as_objective(objective)
+    nothing: Any = None
+    curve = Replayed(
+        nodes=jnp.asarray(vertices),
+        radii=nothing,
+        edges=nothing,
+        surface=jnp.asarray(tape.vertices),
+        areas=jnp.asarray(tape.areas),
+        node_of_vertex=nothing,
+        diagonal=jnp.asarray(tape.diagonal),
+        is_node=jnp.ones(len(vertices), bool),
+    )
+    try:
+        return _number(objective, curve)
+    except (TypeError, AttributeError) as error:
+        raise ConfigError(
+            f"objective {objective.name} cannot be computed for a contracted surface, which has no radii and no edges: "
+            "expected one of positions only, such as objectives.near(target)"
+        ) from error
+
+
 def of_arrays(
     objective: Any,
     nodes: np.ndarray,

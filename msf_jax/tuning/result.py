@@ -6,20 +6,22 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from msf_jax.base.errors import ConfigError
 from msf_jax.base.options import Weights
 from msf_jax.base.weights import save_weights
 from msf_jax.flow.state import Flow
 from msf_jax.gradients.tape import Comparison
+from msf_jax.tuning.features import FeatureWeights
 
 
 class TuningStep(NamedTuple):
     """One proposal. The first is the start.
 
     weights: proposed. expected: the objective predicted by the tapes or by the model of past runs; NaN if there was no
-    prediction. found: the objective of fresh runs; inf if one failed. is_taken: whether the weights were accepted. box:
-    half the width of the trust region, or the standard deviation of candidates, in natural logarithms. converges:
-    whether all of the fresh runs did. changed: decisions of the fresh runs that are not those of the runs with the
-    weights before; None if no tapes were compared.
+    prediction. found: the objective of fresh runs; inf if one failed, NaN if none was made. is_taken: whether the
+    weights were accepted. box: half the width of the trust region, or the standard deviation of candidates, in natural
+    logarithms. converges: whether all of the fresh runs did. changed: decisions of the fresh runs that are not those of
+    the runs with the weights before; None if no tapes were compared.
     """
 
     weights: Weights
@@ -41,6 +43,8 @@ class Tuned:
         flows: those runs, one for each mesh.
         trajectory: every proposal, in order.
         reason: why it stopped.
+        of_defaults: the objective at the system's default weights, within the bounds; NaN if they were not tried.
+        model: for several meshes with of="surface", the weights as a function of the surface: ``model.of(mesh)``.
     """
 
     weights: Weights
@@ -48,9 +52,19 @@ class Tuned:
     flows: tuple[Flow, ...]
     trajectory: tuple[TuningStep, ...]
     reason: str
+    of_defaults: float = np.nan
+    model: FeatureWeights | None = None
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Write the best weights to a JSON file, for ``msf-jax skeletonize --weights`` and `msf_jax.read_weights`."""
+        """Write the best weights to a JSON file, for ``msf-jax skeletonize --weights`` and `msf_jax.read_weights`.
+
+        Raises:
+            ConfigError: the weights depend on the mesh.
+        """
+        if self.model is not None:
+            raise ConfigError(
+                "the weights depend on the mesh: expected one mesh, or msf_jax.save_weights(tuned.model.of(mesh), path)"
+            )
         save_weights(self.weights, path)
 
     def __repr__(self) -> str:
@@ -58,13 +72,17 @@ class Tuned:
         return f"Tuned({self.value:.6g} at {weights}, after {len(self.trajectory) - 1} steps, {self.reason})"
 
     def __str__(self) -> str:
-        lines = [f"{len(self.trajectory) - 1} steps, {self.reason}", "objective   expected   box    decisions changed"]
+        beats = f"{self.of_defaults:.6g}" + ("" if self.value < self.of_defaults else ": nothing beats them")
+        lines = [f"{len(self.trajectory) - 1} steps, {self.reason}"]
+        lines += [] if np.isnan(self.of_defaults) else [f"default weights: {beats}"]
+        lines += ["objective   expected   box    decisions changed"]
         for step in self.trajectory:
             weights = ", ".join(f"{name} {shown(weight)}" for name, weight in vars(step.weights).items())
             changed = f"{step.changed.different} of {step.changed.total}" if step.changed else "-"
             mark = "taken" if step.is_taken else "     "
             expected = "-" if np.isnan(step.expected) else f"{step.expected:.6g}"  # NaN: there was no prediction
-            lines.append(f"{step.found:<11.6g} {expected:<10} {step.box:.3f}  {changed:<16} {mark}  {weights}")
+            found = "-" if np.isnan(step.found) else f"{step.found:.6g}"  # NaN: there was no fresh run
+            lines.append(f"{found:<11} {expected:<10} {step.box:.3f}  {changed:<16} {mark}  {weights}")
         return "\n".join(lines)
 
 

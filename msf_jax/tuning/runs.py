@@ -25,7 +25,7 @@ from msf_jax.host.mesh import checking, reading
 from msf_jax.host.mesh.checking import Surface
 from msf_jax.tuning.objectives import Objective, of_arrays, value_at
 
-OF = ("skeleton", "flow")  # the curves that an objective can be of
+OF = ("skeleton", "flow", "surface")  # what an objective can be of: the finished curve, the flow's, its surface
 
 
 class Found(NamedTuple):

@@ -1,12 +1,12 @@
 """`tune`: tuning of the flow's weights, for one mesh or for several jointly.
 
-Scalar weights are searched by fresh runs and a model of them (`search`), weights per vertex by gradient (`gradient`).
-`runs` computes the objective.
+Scalar weights are searched by fresh runs and a model of them (`search`), weights per vertex by gradient: of the
+contracted surface without decisions (`surface`), or of the flow's curve (`gradient`). `runs` computes the objective.
 """
 
 import numbers
 import os
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import fields
 from typing import Any
 
@@ -21,13 +21,14 @@ from msf_jax.tuning.objectives import Objective, as_objective
 from msf_jax.tuning.result import Tuned, TuningStep, shown
 from msf_jax.tuning.runs import OF, Runs
 from msf_jax.tuning.search import FIRST_SPREAD, Search
+from msf_jax.tuning.surface import FIELD_BOUNDS, FIELDS, tuned_on_tapes
 
 WIDEST = (1e-6, 1e4)  # default bounds of a weight, without unit
 
 
 def tune(
     meshes: Any,
-    objective: Objective | Callable[..., Any],
+    objective: Objective | Callable[..., Any] | Sequence[Objective | Callable[..., Any]],
     weights: Weights | None = None,
     *,
     config: Config | None = None,
@@ -44,13 +45,15 @@ def tune(
     Args:
         meshes: one mesh, as `contract` takes it, or a list of them; for a list the mean of the objective is reduced.
         objective: one of `msf_jax.objectives`, a sum of them, or a JAX function of ``(nodes (N, 3), radii (N,))`` that
-            returns a number; lower is better.
+            returns a number; lower is better. For of="surface" also a list with one for each mesh.
         weights: the start; those of ``config``'s system if not given. A weight that is 0, or an array that contains 0,
             is not changed. Arrays, with one value for each vertex, are possible for a single mesh.
-        config: of the runs.
-        bounds: lowest and highest value of every weight, or by name. A weight with equal bounds is not changed.
-        of: "skeleton" for the objective of the finished curve, "flow" for that of the flow's curve.
-        steps: the number of fresh runs on each mesh, after the first.
+        config: of the runs. For of="surface" the default is `Config.smooth`, else ``Config()``.
+        bounds: lowest and highest value of every weight, or by name. A weight with equal bounds is not changed. For
+            of="surface" the default is 0.01 to 100 for w_H and w_M: beyond, the solves are no longer tight.
+        of: "skeleton" for the objective of the finished curve, "flow" for that of the flow's curve, or "surface" for
+            that of the contracted surface, whose vertices count as nodes, see `objectives.of_surface`.
+        steps: the number of fresh runs on each mesh, after the first. For of="surface" that of steps of Adam.
         inner_steps: steps of L-BFGS on the tapes before each fresh run, if gradients are used.
         jobs: processes that make fresh runs in parallel; more than one needs ``if __name__ == "__main__":``.
         checkpoint: a file that stores the values of runs. An interrupted tuning continues from it, with the same
@@ -58,12 +61,19 @@ def tune(
         progress: show a progress bar on standard error, or plain lines if that is no terminal.
 
     Returns:
-        The best weights, their runs, every proposal, and why the tuning stopped.
+        The best weights, their runs, every proposal, the value of the default weights, and why the tuning stopped.
 
     Scalar weights are searched by fresh runs, see `tuning.search`. Only the ratios of w_L, w_H and w_M matter, so w_L
     is held constant if all three may change. Weights per vertex, and any weights for the flow's curve, are moved by the
-    tapes' gradients and confirmed by fresh runs, see `tuning.gradient`; ``jobs`` and ``checkpoint`` are not supported
-    there. Weights whose runs converge are preferred to others, whatever the objective. The result is the best of the
+    tapes' gradients and confirmed by fresh runs, see `tuning.gradient`. These have tight solves (`Config.tight`): use
+    ``tuned.flows[0].config`` with the weights. ``jobs`` and ``checkpoint`` are not supported there.
+
+    With of="surface" nothing is decided in a run, and one tape of each mesh is enough: numbers w_H and w_M are searched
+    on it, then made fields by Adam, a weight for every vertex of one mesh. For several meshes the fields are a function
+    of features of the surface, ``model``, which applies to other meshes, too. One fresh run of each mesh ends the
+    tuning. ``reason`` says how far its value is from the tape's. See `tuning.surface`.
+
+    Weights whose runs converge are preferred to others, whatever the objective. The result is the best of the
     tried weights, not a global minimum. After Ctrl-C it is the best so far.
 
     Raises:
@@ -71,9 +81,15 @@ def tune(
             value or gradient is not finite.
         MeshError, FlowError: see `contract`.
     """
-    objective = as_objective(objective)
-    weights, config = checked_options(weights, config)
+    weights, config = checked_options(weights, Config.smooth() if of == "surface" and config is None else config)
     meshes = _listed(meshes)
+    is_several = of == "surface" and isinstance(objective, list | tuple)
+    listed: Sequence[Any] = objective if is_several else [objective] * len(meshes)  # type: ignore[assignment]
+    objectives = [as_objective(one) for one in listed]
+    if len(objectives) != len(meshes):
+        raise ConfigError(f"objective has {len(objectives)} entries: expected one, or {len(meshes)}, one for each mesh")
+    if of == "surface" and bounds is WIDEST:
+        bounds = dict.fromkeys(FIELDS, FIELD_BOUNDS)
     low, high = _checked_bounds(weights, bounds)
     for name, number in (("steps", steps), ("inner_steps", inner_steps), ("jobs", jobs)):
         if isinstance(number, bool) or not isinstance(number, numbers.Integral) or number < 1:
@@ -83,9 +99,22 @@ def tune(
     is_plain = all(np.ndim(weight) == 0 for weight in vars(weights).values())
     by_search = of == "skeleton" and is_plain
     if not by_search and (jobs > 1 or checkpoint is not None):
-        raise ConfigError("jobs or checkpoint was given with arrays of weights or of='flow': expected neither there")
-    runs = Runs(meshes, objective, config, of, jobs, checkpoint)
+        raise ConfigError(f"jobs or checkpoint was given with arrays of weights or of={of!r}: expected neither there")
+    if of == "surface" and (config.edit_connectivity or not is_plain):
+        what = "edits edges" if config.edit_connectivity else "has weights per vertex already"
+        raise ConfigError(f"of='surface' was given, and the run {what}: expected numbers, and Config.smooth()")
+    if not by_search:
+        config = config.tight()
+    runs = Runs(meshes, objectives[0], config, of, jobs, checkpoint)
     with showing(int(steps), "tune", "runs", progress) as bar:
+        if of == "surface":
+            here = logarithms(weights)
+            free = [name for name in FIELDS if name in here and low[name] < high[name]]
+            if not free:
+                raise ConfigError("w_H and w_M are 0 or held by their bounds: expected one that is free to change")
+            given = [np.frombuffer(point) for point in _given(weights, config, free, low, high)]
+            ends = _ends(low, free), _ends(high, free)
+            return tuned_on_tapes(runs, objectives, weights, free, given, *ends, int(steps), bar)
         if by_search:
             return _searched(runs, weights, low, high, int(steps), bar)
         return descend(runs, weights, low, high, int(steps), int(inner_steps), bar)
@@ -131,7 +160,9 @@ def _searched(
         reason = "interrupted"
     finally:
         runs.close()
-    return Tuned(found_at, best.value, runs.flows(found_at), tuple(trajectory), reason)
+    usual = [step.found for step in trajectory if step.weights is list(given.values())[-1]]
+    of_defaults = usual[0] if usual else np.nan
+    return Tuned(found_at, best.value, runs.flows(found_at), tuple(trajectory), reason, of_defaults=of_defaults)
 
 
 def _given(

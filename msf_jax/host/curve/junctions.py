@@ -39,8 +39,8 @@ def attached(
     """The curve with each thin side branch on a straight line to the place of its trunk that its axis meets: nodes
     (M, 3), new ones last, and edges (E, 2).
 
-    The flow leaves the junction of a thin branch anywhere in the trunk, whose ball is larger, and its branch runs along the trunk
-    until there. A new node of the trunk takes it; the old junction stays, and may be a leaf then.
+    The flow leaves the junction of a thin branch anywhere in the trunk, whose ball is larger, and the branch runs along
+    the trunk until there. A new node of the trunk takes it; the old junction stays, and may be a leaf then.
     """
     x, radii, sides = x.copy(), radii.copy(), []
     degree = np.bincount(edges.ravel(), minlength=len(x))

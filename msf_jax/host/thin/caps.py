@@ -40,8 +40,8 @@ RAISED = 0.43  # protrusion of a limb's tip: more than a ball has, less than the
 LEAST_RAISED = 0.7  # of what a limb needs: less is none at any detail
 LARGEST = 0.25  # of the surface: caps of limbs that only stand out
 DROP = 0.6  # of a limb's slenderness: a larger cap, of what it stands on, has less
-# Volume over area to the 3 / 2, and least slenderness, for that of a limb: 1.2 times that of the corner of a thin plate,
-# of a plate half as thick as the disc is wide, and of a cube.
+# Volume over area to the 3 / 2, and least slenderness, for that of a limb: 1.2 times that of the corner of a thin
+# plate, of a plate half as thick as the disc is wide, and of a cube.
 CORNER = (0.0, 0.083, 0.145), (0.6, 0.5, 0.2)
 TRIANGLES = 48  # fewest of a limb that only stands out
 MOST_DISCS = 200  # radii: more than from the first one to the whole of a surface

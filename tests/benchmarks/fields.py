@@ -1,0 +1,103 @@
+"""Weights per vertex, and weights by features of the surface: what they gain on the surface and on the finished curve.
+
+``python -m tests.benchmarks.fields`` tunes a weight for every vertex of some shapes, each on its own, and prints the
+mean distance between the contracted surface and the true curve, then that of the finished curve, in thousandths of the
+diagonal: with the default weights, with the best of random numbers at the same cost, with the best numbers of `tune`,
+and with fields. ``--features`` tunes weights by features on the shapes of ``--shapes`` together, and shows those of
+``--held``, which it has not seen, too.
+"""
+
+import argparse
+import time
+from dataclasses import replace
+
+import jax
+import numpy as np
+
+import msf_jax
+from msf_jax import Config, Weights, ground_truth, metrics, objectives
+from msf_jax.gradients.replay import replay_meso
+from msf_jax.ground_truth import KnownShape
+from msf_jax.tuning.objectives import Objective
+from msf_jax.tuning.surface import FIELD_BOUNDS, TRIES
+
+SPACING = 0.005  # diagonals: between points of the true curve
+LINE = np.linspace(0, 1, 401)
+SWEPT = {  # line, radius, ends: tubes of eight sides, so that a run is short
+    "s_curve_8": ("s_curve", 0.12, "flat"),
+    "taper_8": ("straight", 0.21 - 0.14 * LINE, "round"),
+    "wavy_8": ("straight", 0.13 + 0.03 * np.sin(5 * np.pi * LINE), "round"),
+    "ring_8": ("ring", 0.14, "none"),
+}
+
+
+def made(name: str) -> KnownShape:
+    if name not in SWEPT:
+        return ground_truth.make(name)
+    line, radius, ends = SWEPT[name]
+    return replace(ground_truth._swept(line, radius, 8, ends), name=name)
+
+
+def target(shape: KnownShape) -> Objective:
+    return objectives.near(metrics.sample_curve(shape.points, shape.edges, SPACING * shape.mesh.scale)[0])
+
+
+def found(shape: KnownShape, weights: Weights, config: Config) -> str:
+    """Of the surface, and of the finished curve."""
+    run, objective = msf_jax.contract(shape.mesh, weights, config), target(shape)
+    surface = float(objectives.of_surface(objective, run.tape, run.meso_skeleton[0]))
+    curve = objectives.of_skeleton(objective, run.skeleton, shape.mesh)
+    return f"{1e3 * surface:.2f}, {1e3 * curve:.2f}"
+
+
+def by_chance(shape: KnownShape, config: Config, num: int) -> Weights:
+    """The best of ``num`` random pairs of numbers, by the tape."""
+    tape, objective = msf_jax.contract(shape.mesh, config=config).tape, target(shape)
+    value = jax.jit(
+        lambda tape, w_H, w_M: objectives.of_surface(objective, tape, replay_meso(tape, Weights(1.0, w_H, w_M, 0.001)))
+    )
+    low, high = np.log(FIELD_BOUNDS)
+    tried = np.exp(np.random.default_rng(0).uniform(low, high, (num, 2)))
+    return Weights(1.0, *tried[int(np.nanargmin([float(value(tape, *pair)) for pair in tried]))].tolist(), 0.001)
+
+
+def main() -> None:
+    """Print the table."""
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--shapes", default="straight_coarse,arc_coarse,helix_coarse,y_coarse", help="to tune on")
+    parser.add_argument("--held", default="s_curve_8,wavy_8,ring_8,taper_8", help="shown with --features")
+    parser.add_argument("--features", action="store_true", help="weights by features, in place of one for every vertex")
+    parser.add_argument("--steps", type=int, default=60, help="of Adam")
+    parser.add_argument("--iterations", type=int, default=6, help="of the flow")
+    arguments = parser.parse_args()
+    jax.config.update("jax_enable_x64", True)
+    config, names = Config.smooth(arguments.iterations), arguments.shapes.split(",")
+    shapes = {name: made(name) for name in names}
+    options = {"of": "surface", "steps": arguments.steps, "config": config}
+    if arguments.features:
+        begin = time.perf_counter()
+        meshes, targets = zip(*((shape.mesh, target(shape)) for shape in shapes.values()), strict=True)
+        tuned = msf_jax.tune(list(meshes), list(targets), **options)
+        print(f"{tuned}\n{time.perf_counter() - begin:.0f} s\n")
+        print("| shape | default weights | numbers | by features | Config() |\n| --- | --- | --- | --- | --- |")
+        for name in (*names, *arguments.held.split(",")):
+            shape = made(name)
+            by_features = tuned.weights if tuned.model is None else tuned.model.of(shape.mesh)
+            cells = [found(shape, each, config) for each in (Weights(), tuned.trajectory[1].weights, by_features)]
+            held = "" if name in names else ", held out"
+            print(f"| {name}{held} | {' | '.join([*cells, found(shape, Weights(), Config())])} |", flush=True)
+        return
+    print("| shape | default weights | random numbers | numbers | fields | tape and run | Config() | s |")
+    print("| --- | --- | --- | --- | --- | --- | --- | --- |")
+    for name, shape in shapes.items():
+        begin = time.perf_counter()
+        tuned = msf_jax.tune(shape.mesh, target(shape), **options)
+        spent, last = time.perf_counter() - begin, tuned.trajectory[-1]
+        chance = by_chance(shape, config, TRIES + arguments.steps)
+        cells = [found(shape, each, config) for each in (Weights(), chance, tuned.trajectory[1].weights, last.weights)]
+        cells += [f"{abs(last.found / last.expected - 1):.0e}", found(shape, Weights(), Config()), f"{spent:.0f}"]
+        print(f"| {name} | {' | '.join(cells)} |", flush=True)
+
+
+if __name__ == "__main__":
+    main()
