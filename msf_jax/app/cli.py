@@ -1,8 +1,9 @@
 """The command line: ``msf-jax skeletonize``, ``view``, ``batch`` and the others, also as ``python -m msf_jax``.
 
 Exit codes: 0 if all files are written, 1 if a mesh of a batch failed or a frame has no curve, 2 for bad input or
-options, 130 for Ctrl-C, after which the curve so far is written. A curve whose report is not sound is written with a
-warning. An existing file whose name was not given is not overwritten without ``--force``.
+options, 130 for Ctrl-C, after which the curve so far is written. A curve whose report is not sound, or says that these
+are no limbs, is written with a warning. An existing file whose name was not given is not overwritten without
+``--force``.
 
 Help and errors appear without delay: commands import modules on demand, and JAX only after the mesh was accepted.
 """
@@ -287,6 +288,8 @@ def _tell(skeleton: "Skeleton", written: list[Path], quiet: bool) -> None:
         print("wrote " + ", ".join(map(str, written)))
     if not skeleton.report.is_sound and sys.stderr is not None:
         print("msf-jax: warning: look at this curve before you use it: its report is not sound", file=sys.stderr)
+    elif not skeleton.report.are_limbs:
+        _fail(f"warning: the topology is right, but these are no limbs: {'; '.join(skeleton.report.not_limbs)}", 0)
 
 
 def _parser() -> argparse.ArgumentParser:

@@ -4,7 +4,9 @@ from typing import NamedTuple
 
 import numpy as np
 
+from msf_jax.host import graphs
 from msf_jax.host.solid import openings, sections
+from msf_jax.host.solid.enclosure import Enclosure
 from msf_jax.host.solid.geometry import cross, unit
 from msf_jax.host.solid.solid import Solid
 
@@ -76,3 +78,16 @@ def swept_volumes(corners: np.ndarray, feet: np.ndarray, group: np.ndarray, num:
         other = under(a[q], a[p], b[q]) + under(a[p], b[p], b[q])
         volume = volume + (one + other) / 2
     return np.bincount(group, weights=volume, minlength=num)
+
+
+def volumes_of(shape: Enclosure, nodes: np.ndarray, edges: np.ndarray, node_of_vertex: np.ndarray) -> np.ndarray:
+    """(B,) the volume between each branch of a curve ``(nodes (N, 3), edges (E, 2))`` and the faces that belong to it.
+
+    A face belongs to the branch of its first corner's node: ``node_of_vertex`` (V,), for the vertices of ``shape``.
+    """
+    branches = graphs.trace(len(nodes), edges)
+    branch = np.full(len(nodes), -1)
+    for number, path in reversed(list(enumerate(branches))):
+        branch[path] = number
+    node = node_of_vertex[shape.faces]
+    return swept_volumes(shape.triangles, nodes[node], branch[node[:, 0]], len(branches))

@@ -11,7 +11,7 @@ from msf_jax.host import graphs
 from msf_jax.host.curve import branches
 from msf_jax.host.solid.geometry import arc_length, at, unit
 from msf_jax.skeleton.centrelines.frames import frames_of
-from msf_jax.skeleton.centrelines.profiles import Profiles, profiles_of, swept_volumes
+from msf_jax.skeleton.centrelines.profiles import Profiles, profiles_of, volumes_of
 
 if TYPE_CHECKING:
     from msf_jax.skeleton.skeleton import Skeleton
@@ -213,9 +213,5 @@ def _volumes(skeleton: "Skeleton", num: int) -> np.ndarray:
         node = skeleton.mesh_map[skeleton.source.input_of_vertex]
     else:
         node = np.asarray(spatial.KDTree(skeleton.vertices).query(solid.leave(solid.shape.vertices))[1])
-    branch = np.full(len(skeleton.vertices), -1)
-    for number, nodes in reversed(list(enumerate(graphs.trace(len(branch), skeleton.edges)))):
-        branch[nodes] = number
-    faces = solid.shape.faces
-    feet = solid.enter(skeleton.vertices)[node[faces]]
-    return swept_volumes(solid.shape.triangles, feet, branch[node[faces[:, 0]]], num) * solid.diagonal**3
+    nodes = solid.enter(skeleton.vertices)
+    return volumes_of(solid.shape, nodes, skeleton.edges, node) * solid.diagonal**3
