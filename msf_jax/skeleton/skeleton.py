@@ -18,9 +18,8 @@ from msf_jax.host.curve.branches import Branch
 from msf_jax.host.recording import following
 from msf_jax.host.thin import one_branch, pruning
 from msf_jax.host.thin.caps import Caps
-from msf_jax.skeleton import changes, pytree, slopes, trees
-from msf_jax.skeleton.centrelines import table
-from msf_jax.skeleton.formats import export
+from msf_jax.skeleton import changes, converting, pytree, slopes, trees
+from msf_jax.skeleton.formats import export, tables
 from msf_jax.skeleton.pictures import page, panels, segmentation
 from msf_jax.skeleton.report import Report
 from msf_jax.skeleton.rigging import rig
@@ -262,11 +261,12 @@ class Skeleton:
         return changes.with_radii(self, of)
 
     def table(self, of: str = "branches") -> Any:
-        """Measurements with a row for each of ``branches``, in their order, or for each node.
+        """Measurements with a row for each of ``branches``, in their order, or for each node, axis or cylinder.
 
         It is a pandas.DataFrame, or a dictionary of arrays if pandas is not installed. ``save("x.csv")`` and
-        ``save("x.nodes.csv")`` write the same tables. Lengths are in the caller's units, angles in degrees; unknown
-        values are NaN. Branches are directed away from the root of `to_tree`, or from the tip of the thickest limb.
+        ``save("x.nodes.csv")``, ``.axes.csv`` and ``.cylinders.csv`` write the same tables. Lengths are in the caller's
+        units, angles in degrees; unknown values are NaN. Branches are directed away from the root of `to_tree`, or from
+        the tip of the thickest limb.
 
         - "branches": start and end nodes; parent, the branch before it, or -1; is_tip; length, chord, tortuosity
           (length over chord); mean_radius, least_radius and largest_radius, without the ends, where balls touch the end
@@ -274,11 +274,15 @@ class Skeleton:
           slenderness and surface, as in `Branch`.
         - "nodes": x, y, z, radius, branch, along (the length from the branch's start), tangent, curvature, torsion;
           area, perimeter, largest_diameter and least_diameter of the cross-section.
+        - "axes": of a plant: an axis goes on through forks with the thickest and straightest branch. parent axis, or
+          -1; order, 0 of the main axis; strahler order; start and end nodes; position on the parent; internode, the
+          length of the parent since the axis before; angle to the parent; length, chord, radii and volume.
+        - "cylinders": along each edge, by the names of TreeQSM and rTwig, numbered from 1.
 
         Raises:
             ConfigError: ``of`` is neither.
         """
-        return table.table_of(self, of)
+        return tables.table_of(self, of)
 
     def save(self, path: str | os.PathLike[str], mesh: Any = None) -> None:
         """Write the curve, atomically, in the format of the suffix.
@@ -287,7 +291,8 @@ class Skeleton:
           the cut edges and the report.
         - ``.obj`` (line elements), ``.cg`` (vertices and edges), ``.polylines.txt`` (CGAL's), ``.ply`` (vertices with
           radius, edges), ``.graphml`` and ``.gml`` (NetworkX's).
-        - ``.vtp``: VTK PolyData, with the columns of both tables of `table`. ``.csv``, ``.nodes.csv``: these tables.
+        - ``.vtp``: VTK PolyData, with the columns of branches and nodes of `table`. ``.csv``, ``.nodes.csv``,
+          ``.axes.csv``, ``.cylinders.csv``: its tables.
         - ``.npz``: everything, with the surface. ``.json``: everything, without the surface.
         - ``.glb``: glTF of ``mesh``, as `skeletonize` took it, with its materials, on the bones of ``rig()``. For
           another rig use ``rig(...).save(path, mesh)``.
@@ -353,24 +358,11 @@ class Skeleton:
 
     def to_networkx(self) -> nx.Graph:
         """A graph with ``position`` (3,) and ``radius`` at its nodes, and ``length`` at its edges."""
-        graph = nx.Graph()
-        for number, (position, radius) in enumerate(zip(self.vertices, self.radii, strict=True)):
-            graph.add_node(number, position=tuple(position.tolist()), radius=float(radius))
-        length = np.linalg.norm(self.vertices[self.edges[:, 0]] - self.vertices[self.edges[:, 1]], axis=1)
-        for (a, b), size in zip(self.edges.tolist(), length.tolist(), strict=True):
-            graph.add_edge(a, b, length=size)
-        return graph
+        return converting.networkx_of(self)
 
     def to_path3d(self) -> "Path3D":
         """The edges as a `trimesh.path.Path3D`, one line entity for each branch."""
-        from trimesh.path import Path3D
-        from trimesh.path.entities import Line
-
-        return Path3D(
-            entities=[Line(branch) for branch in graphs.trace(len(self.vertices), self.edges)],
-            vertices=self.vertices.copy(),
-            process=False,
-        )
+        return converting.path3d_of(self)
 
 
 pytree.register(Skeleton)
