@@ -9,7 +9,8 @@ from scipy import spatial
 
 import msf_jax
 from msf_jax import shapes
-from msf_jax.skeleton.skeleton import Skeleton, curve_of
+from msf_jax.skeleton.bare import curve_of
+from msf_jax.skeleton.skeleton import Skeleton
 
 
 class Plant:

@@ -63,7 +63,7 @@ def shares_of(
     area[asked] = np.where(corners.is_closed & found.is_found, sections.areas(shape, corners, normal), np.nan)
     if node_of_vertex is None:
         node_of_vertex = np.asarray(spatial.KDTree(vertices).query(shape.vertices)[1])
-    volume = volumes_of(shape, vertices, edges, node_of_vertex)
+    volume = volumes_of(shape, vertices, edges, radius, node_of_vertex)
     unexplained, jumping, elongation = _of_branches(vertices, edges, radius, area, volume)
     total = max(float(length.sum()), 1e-300)
     return Shares(in_sheets, unexplained / total, jumping / total, elongation)

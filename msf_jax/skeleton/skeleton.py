@@ -13,13 +13,14 @@ from msf_jax import metrics
 from msf_jax.base import binding as bindings
 from msf_jax.base.binding import Binding
 from msf_jax.base.errors import ConfigError
-from msf_jax.host import graphs
 from msf_jax.host.curve.branches import Branch
 from msf_jax.host.recording import following
 from msf_jax.host.thin import one_branch, pruning
 from msf_jax.host.thin.caps import Caps
 from msf_jax.skeleton import changes, converting, pytree, slopes, trees
 from msf_jax.skeleton.formats import export, tables
+from msf_jax.skeleton.framing import fitting
+from msf_jax.skeleton.framing.frame import Frame
 from msf_jax.skeleton.pictures import page, panels, segmentation
 from msf_jax.skeleton.report import Report
 from msf_jax.skeleton.rigging import rig
@@ -324,6 +325,21 @@ class Skeleton:
         """
         return rig.rigged(self, bones, influences, mesh)
 
+    def frame(self, tolerance: float | None = None) -> Frame:
+        """Beams of a solid of bars: straight members between joints, with areas and second moments of their sections.
+
+        Joints whose balls are nearer than ``tolerance`` become one. Branches are cut where they bend by more than it.
+        Ends without a joint are carried to the end face.
+
+        Args:
+            tolerance: a length in the mesh's units; the median radius of the curve if not given.
+
+        Raises:
+            ConfigError: ``tolerance`` is not above 0, no branch is longer, a member has no cross-section, or the
+                surface that the curve was made from is not known.
+        """
+        return fitting.frame_of(self, tolerance)
+
     def view(self, mesh: Any = None, path: str | os.PathLike[str] | None = None) -> "PlotlyFigure":
         """An interactive page: the curve in its surface, with sliders for the flow's iterations and for pruning.
 
@@ -366,24 +382,3 @@ class Skeleton:
 
 
 pytree.register(Skeleton)
-
-
-def curve_of(vertices: np.ndarray, edges: np.ndarray, radii: np.ndarray) -> Skeleton:
-    """A skeleton of a curve from a file, without a map; its report has only the counts."""
-    components, cycles = graphs.cycle_count(len(vertices), edges)
-    report = Report(
-        components=components,
-        mesh_components=components,
-        genus=cycles,
-        cycles=cycles,
-        inside=float("nan"),
-        converged=True,
-        reason="read from a file",
-        iterations=0,
-        fixed=0,
-        live=0,
-        volume=0.0,
-        unsolved=0,
-        solve_steps=0,
-    )
-    return Skeleton(vertices, edges, radii, np.empty(0, dtype=np.int64), report)

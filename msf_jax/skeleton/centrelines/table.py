@@ -200,4 +200,5 @@ def branch_volumes(skeleton: "Skeleton", num: int) -> np.ndarray:
     else:
         node = np.asarray(spatial.KDTree(skeleton.vertices).query(solid.leave(solid.shape.vertices))[1])
     nodes = solid.enter(skeleton.vertices)
-    return volumes_of(solid.shape, nodes, skeleton.edges, node) * solid.diagonal**3
+    radii = skeleton.radii / solid.diagonal
+    return volumes_of(solid.shape, nodes, skeleton.edges, radii, node) * solid.diagonal**3
