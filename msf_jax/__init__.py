@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from msf_jax.flow.loop import contract
     from msf_jax.flow.skeletonize import skeletonize
     from msf_jax.flow.state import Flow
-    from msf_jax.gradients import losses
+    from msf_jax.gradients import losses, torch
     from msf_jax.gradients.batch import Batch, stack
     from msf_jax.gradients.follow import Followed, follow
     from msf_jax.gradients.replay import replay, replay_meso, replay_radii
@@ -51,6 +51,7 @@ _MODULES = {
     "metrics": "metrics",
     "objectives": "tuning.objectives",
     "shapes": "shapes",
+    "torch": "gradients.torch",
     "view": "view",
 }
 _HOMES = {
@@ -133,6 +134,7 @@ __all__ = [
     "shapes",
     "skeletonize",
     "stack",
+    "torch",
     "track",
     "tune",
     "view",
