@@ -33,6 +33,7 @@ MOST_JUMPING = 0.1  # the same for radii that jump: 0.04 where limbs begin at a 
 IN_SHEETS = "{:.0%} of the curve's length is in sheets, where its path is arbitrary"
 EXCESS = "is more than the solid explains: it winds, or two strands are in one limb"
 UNMEASURED = "not measured, as the mesh or the finished curve is not known"
+NOT_SURE = "NOT SURE"  # in a note that is printed first: a root that may be in no soma
 SENTENCES = ("doubts", "repairs", "notes")  # attributes of a `Report` that are tuples of sentences
 
 
@@ -56,6 +57,7 @@ class Report:
         left_out: parts without a curve, because there were more than ``Repair.most_parts``.
         joined_handles: handles that `repair="join"` made, where parts touch or overlap in several places.
         cut: cycles that `Skeleton.to_tree` cut.
+        is_tree: whether a curve without cycles was asked for, by `Skeleton.to_tree`.
         inside: fraction of the curve's length that is inside the mesh.
         converged: whether the flow converged.
         reason: why the flow stopped: one clause for each distinct reason of a component.
@@ -100,6 +102,7 @@ class Report:
     grown: int = 0
     wavefronts: int = 0
     cut: int = 0
+    is_tree: bool = False
     solve_error: float = 0.0
     loops: int | None = None
     in_sheets: float | None = None
@@ -164,11 +167,21 @@ class Report:
 
     def __repr__(self) -> str:
         how = "converged" if self.converged else f"NOT converged, {self.reason}"
-        cycles = _compare(self.cycles, "cycle", self.genus - self.cut, f"for genus {self.genus}")
+        cycles = self._cycles()
         if self.loops is not None and self.loops != self.cycles:
             cycles += f", {_around(self.loops, self.cycles)}"
         kind = "" if self.elongation is None or self.are_limbs else ", NOT limbs"
         return f"Report({how}, {cycles}, {100 * self.inside:.2f} % inside{kind})"
+
+    @property
+    def _is_cut_tree(self) -> bool:
+        """Whether cycles are missing that would have been cut anyway."""
+        return self.is_tree and not self.cycles and self.cut != self.genus
+
+    def _cycles(self) -> str:
+        if self._is_cut_tree:
+            return f"a tree, as asked for: {_count(self.cut, 'cycle')} cut, of genus {self.genus}"
+        return _compare(self.cycles, "cycle", self.genus - self.cut, f"for genus {self.genus}")
 
     def __str__(self) -> str:
         seconds = ", ".join(f"{stage} {seconds:.2f} s" for stage, seconds in self.seconds.items())
@@ -176,13 +189,15 @@ class Report:
 
     def lines(self) -> list[str]:
         """The printed lines without the seconds, which differ from run to run."""
+        unsure = [note for note in self.notes if NOT_SURE in note]
         lines = [
+            *unsure,
             f"{'converged' if self.converged else 'NOT converged'}: {self.reason}, "
             f"after {self.iterations} iterations ({self.volume:.1e} of the volume left)",
             _compare(self.components, "component", self.mesh_components, "as in the mesh")
             + ", "
-            + _compare(self.cycles, "cycle", self.genus - self.cut, f"for genus {self.genus}")
-            + (f", {self.cut} more cut" if self.cut else "")
+            + self._cycles()
+            + (f", {self.cut} more cut" if self.cut and not self._is_cut_tree else "")
             + ("" if self.loops is None or not self.cycles else f", {_around(self.loops, self.cycles)}"),
             f"{100 * self.inside:.2f} % of the curve's length is inside the mesh",
             f"{self.fixed} of {self.live} meso-skeleton vertices fixed, {self.solve_steps} CG steps"
@@ -200,7 +215,7 @@ class Report:
             lines.append(", ".join(f"{name} {value:.4g}" for name, value in self.figures.items()))
         lines += [f"in doubt: {doubt}" for doubt in self.doubts if doubt not in self.not_limbs]
         lines += [f"repaired: {repair}" for repair in self.repairs]
-        return lines + list(self.notes)
+        return lines + [note for note in self.notes if note not in unsure]
 
 
 def _compare(found: int, what: str, expected: int, why: str) -> str:

@@ -17,7 +17,7 @@ from msf_jax.host.curve.branches import Branch
 from msf_jax.host.recording import following
 from msf_jax.host.thin import one_branch, pruning
 from msf_jax.host.thin.caps import Caps
-from msf_jax.skeleton import changes, converting, pytree, slopes, trees
+from msf_jax.skeleton import changes, converting, precomputed, pytree, slopes, trees
 from msf_jax.skeleton.formats import export, tables
 from msf_jax.skeleton.framing import fitting
 from msf_jax.skeleton.framing.frame import Frame
@@ -140,12 +140,12 @@ class Skeleton:
         """
         return changes.simplified(self, tolerance, self._is_held())
 
-    def to_tree(self, root: int | str | None = None) -> "Skeleton":
+    def to_tree(self, root: Any = None) -> "Skeleton":
         """A new skeleton without loops: each loop is cut at its thinnest edge. An SWC file of it has the root first.
 
         Args:
-            root: id of the node that is the root of its component, or "soma" (see `soma`). The default is the thickest
-                node, and so are the roots of the other components. See ``roots``.
+            root: id of the node that is the root of its component, a point (x, y, z) for the node nearest to it, or
+                "soma" (see `soma`). The default is the thickest node, as in the other components. See ``roots``.
 
         Returns:
             The same nodes and map, with fewer edges. ``report.cut`` counts the loops; ``report.notes`` says where they
@@ -307,6 +307,15 @@ class Skeleton:
         """
         export.save(self, path, mesh)
 
+    def save_precomputed(self, folder: str | os.PathLike[str], segment: int = 1) -> None:
+        """Write the curve as ``segment`` of Neuroglancer's precomputed skeletons: ``info``, radii, and SWC's labels
+        as ``vertex_types``. ``units`` must be nm, um, mm or m; "" are nanometres.
+
+        Raises:
+            ConfigError: the id or the units are none, or the folder has skeletons of other units.
+        """
+        precomputed.save(self, folder, segment)
+
     def rig(self, bones: int = 50, influences: int = 4, mesh: Any = None) -> Rig:
         """Bones for the mesh, with smooth skinning weights; ``save("x.glb", mesh)`` writes one.
 
@@ -375,6 +384,10 @@ class Skeleton:
     def to_networkx(self) -> nx.Graph:
         """A graph with ``position`` (3,) and ``radius`` at its nodes, and ``length`` at its edges."""
         return converting.networkx_of(self)
+
+    def to_navis(self) -> Any:
+        """A `navis.TreeNeuron` with radii, labels and units, without loops; a ConfigError if there is no navis."""
+        return converting.navis_of(self)
 
     def to_path3d(self) -> "Path3D":
         """The edges as a `trimesh.path.Path3D`, one line entity for each branch."""
