@@ -35,6 +35,7 @@ if TYPE_CHECKING:
     from msf_jax.host.mesh.repair import Repair
     from msf_jax.host.preprocessing import reconstruct, voronoi_poles
     from msf_jax.skeleton.formats.importing import read_curve
+    from msf_jax.skeleton.framing.frame import Frame
     from msf_jax.skeleton.report import Report
     from msf_jax.skeleton.rigging.rig import Rig
     from msf_jax.skeleton.skeleton import Skeleton
@@ -63,6 +64,7 @@ _HOMES = {
     "Flow": "flow.state",
     "FlowError": "base.errors",
     "Followed": "gradients.follow",
+    "Frame": "skeleton.framing.frame",
     "Interrupted": "base.errors",
     "MeshError": "base.errors",
     "Repair": "host.mesh.repair",
@@ -103,6 +105,7 @@ __all__ = [
     "Flow",
     "FlowError",
     "Followed",
+    "Frame",
     "Interrupted",
     "MeshError",
     "Repair",
