@@ -12,6 +12,7 @@ from scipy import spatial
 import msf_jax
 from msf_jax import ConfigError, ground_truth, shapes
 from msf_jax.skeleton.framing.frame import Frame
+from msf_jax.skeleton.framing.joints import wires_of
 from msf_jax.skeleton.framing.section_properties import section_of, torsion_of
 from msf_jax.skeleton.skeleton import Skeleton
 
@@ -214,6 +215,24 @@ def test_meshio_reads_the_elements(cantilever, tmp_path):
     read = meshio.read(tmp_path / "frame.inp")
     np.testing.assert_allclose(read.points, frame.joints)
     np.testing.assert_array_equal(np.concatenate([cells.data for cells in read.cells]), frame.members)
+
+
+def test_a_bend_near_an_end_is_a_joint_and_a_rounded_one_is_one():
+    """Columns of four radii; and bends that are rounded over a radius and a half."""
+    for rounding in (0.0, 0.45):
+        corners = [[0.0, 0, 0], [0, 0, 1.2], [5, 0, 1.2], [5, 0, 0]]
+        path = [corners[0]]
+        for before, here, after in zip(corners[:-2], corners[1:-1], corners[2:], strict=True):
+            ends = [np.add(here, rounding * np.sign(np.subtract(other, here))) for other in (before, after)]
+            t = np.linspace(0, 1, 9)[:, None]
+            path += [*((1 - t) ** 2 * ends[0] + 2 * t * (1 - t) * here + t**2 * ends[1])] if rounding else [here]
+        path = np.array([*path, corners[-1]])
+        along = np.append(0.0, np.cumsum(np.linalg.norm(np.diff(path, axis=0), axis=1)))
+        stops = np.linspace(0, along[-1], 75)
+        points = np.stack([np.interp(stops, along, path[:, axis]) for axis in range(3)], axis=1)
+        edges = np.stack([np.arange(74), np.arange(1, 75)], axis=1)
+        found = wires_of(points, edges, np.full(75, 0.3), 0.3)
+        assert len(found.wires) == 3 and found.is_end.sum() == 2
 
 
 def test_joints_nearer_than_the_tolerance_are_one_and_others_are_not(cantilever):

@@ -1,10 +1,12 @@
 """The second verdict of a report, `are_limbs`: false where lengths, radii and angles of the curve mean nothing."""
 
 from dataclasses import replace
+from itertools import pairwise
 
 import numpy as np
 import pytest
 import trimesh
+from test_frame import bars, cube
 
 import msf_jax
 from msf_jax import Repair
@@ -58,20 +60,16 @@ def test_where_the_radii_of_a_cone_jump(half_angle, share):
 
 
 def test_long_triangles_explain_a_frame():
-    """A cross of two bars in few triangles: their corners are at the ends and in the middle, far from most nodes."""
-    bars = [trimesh.creation.box(sides) for sides in ((8.0, 0.5, 0.5), (0.5, 8.0, 0.5))]
-    mesh = trimesh.boolean.union(bars)
-    assert len(mesh.vertices) < 40
-    t = np.linspace(-3.9, 3.9, 157)
-    points = np.concatenate([np.stack([t, 0 * t, 0 * t], axis=1), np.stack([0 * t, t, 0 * t], axis=1)])
-    other = np.delete(np.arange(157, 314), 78)  # the middle is that of the first bar
-    across = np.r_[np.arange(157, 235), 78, np.arange(236, 314)]
-    edges = np.concatenate([chain(points[:157])[1], np.stack([across[:-1], across[1:]], axis=1)])
-    number = np.full(314, -1)
-    number[np.r_[np.arange(157), other]] = np.arange(313)
-    found = shares_of(
-        Enclosure(np.array(mesh.vertices), np.array(mesh.faces)), points[number >= 0], np.sort(number[edges], axis=1)
-    )
+    """The bars of a cube have vertices only at their ends, so that a face's corners are far from most nodes."""
+    points, members = cube()
+    mesh = bars(points, members, 0.3)
+    t = np.arange(1, 40)[:, None] / 40
+    inner = [(1 - t) * points[a] + t * points[b] for a, b in members]
+    edges = []
+    for k, (a, b) in enumerate(members.tolist()):
+        edges += pairwise([a, *range(8 + 39 * k, 8 + 39 * (k + 1)), b])
+    nodes = np.concatenate([points, *inner])
+    found = shares_of(Enclosure(mesh.vertices, mesh.faces), nodes, np.sort(np.array(edges), axis=1))
     assert found.unexplained < 0.02
 
 
