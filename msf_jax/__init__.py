@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from msf_jax.flow.loop import contract
     from msf_jax.flow.skeletonize import skeletonize
     from msf_jax.flow.state import Flow
-    from msf_jax.gradients import losses
+    from msf_jax.gradients import losses, torch
     from msf_jax.gradients.batch import Batch, stack
     from msf_jax.gradients.follow import Followed, follow
     from msf_jax.gradients.replay import replay, replay_meso, replay_radii
@@ -35,6 +35,7 @@ if TYPE_CHECKING:
     from msf_jax.host.mesh.repair import Repair
     from msf_jax.host.preprocessing import reconstruct, voronoi_poles
     from msf_jax.skeleton.formats.importing import read_curve
+    from msf_jax.skeleton.framing.frame import Frame
     from msf_jax.skeleton.report import Report
     from msf_jax.skeleton.rigging.rig import Rig
     from msf_jax.skeleton.skeleton import Skeleton
@@ -51,6 +52,7 @@ _MODULES = {
     "metrics": "metrics",
     "objectives": "tuning.objectives",
     "shapes": "shapes",
+    "torch": "gradients.torch",
     "view": "view",
 }
 _HOMES = {
@@ -62,6 +64,7 @@ _HOMES = {
     "Flow": "flow.state",
     "FlowError": "base.errors",
     "Followed": "gradients.follow",
+    "Frame": "skeleton.framing.frame",
     "Interrupted": "base.errors",
     "MeshError": "base.errors",
     "Repair": "host.mesh.repair",
@@ -102,6 +105,7 @@ __all__ = [
     "Flow",
     "FlowError",
     "Followed",
+    "Frame",
     "Interrupted",
     "MeshError",
     "Repair",
@@ -133,6 +137,7 @@ __all__ = [
     "shapes",
     "skeletonize",
     "stack",
+    "torch",
     "track",
     "tune",
     "view",

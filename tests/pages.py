@@ -32,6 +32,7 @@ MODULES = [
     "msf_jax",
     "msf_jax.app.batch",
     "msf_jax.gradients.losses",
+    "msf_jax.gradients.torch",
     "msf_jax.tuning.objectives",
     "!msf_jax.guide",
 ]  # its pages stand for it

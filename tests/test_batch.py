@@ -67,6 +67,10 @@ def test_what_failed_is_done_again_when_asked_for(folder, here, tmp_path):
     paths = [folder / "0.off", folder / "broken.off"]
     done = batch.run(paths, tmp_path)
     assert [Path(row["path"]).name for row in done.rows if row["error"]] == ["broken.off"]
+    assert [(row["is_sound"], row["are_limbs"], row["not_limbs"]) for row in table(done.manifest)] == [
+        ("True", "True", ""),
+        ("", "", ""),
+    ]
     assert (tmp_path / "0.off.swc").read_text().startswith("# curve skeleton")
     again = batch.run(paths, tmp_path)
     assert again.num_done == 0 and table(again.manifest) == table(done.manifest)

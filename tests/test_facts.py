@@ -18,7 +18,7 @@ from msf_jax.host.curve import finishing
 from msf_jax.host.mesh import repair
 from msf_jax.host.poles import thickness
 from msf_jax.host.thin import caps, ends, fronts
-from msf_jax.skeleton import report
+from msf_jax.skeleton import limbs, report
 from msf_jax.skeleton.formats import swc
 
 ROOT = Path(__file__).parents[1]
@@ -72,6 +72,11 @@ FACTS = [
     ("report.md", f"neither volume nor area fell over {WORDS[loop.STALL_ITERATIONS]} iterations"),
     ("report.md", f"with more than {WORDS[curves.MOST_VOLUME]} left, the curve is coarse"),
     ("report.md", f"over {WORDS[report.MOST_STUBS]} of the limbs, and at least {report.MANY}, are stubs"),
+    ("report.md", f"{report.MOST_UNEXPLAINED} of the length (`unexplained`)"),
+    ("report.md", f"{WORDS[report.MOST_JUMPING]} of the length (`jumping`)"),
+    ("report.md", f"the radius changes by {limbs.STEEP} of the length"),
+    ("report.md", f"{report.MOST_IN_SHEETS} of the length (`in_sheets`)"),
+    ("report.md", f"at least {report.LEAST_ELONGATION:g} median diameter (`elongation`)"),
     ("weights.md", f"`w_L` ({WEIGHTS.w_L})"),
     ("weights.md", f"`w_H` ({WEIGHTS.w_H})"),
     ("weights.md", f"`w_M` ({WEIGHTS.w_M})"),

@@ -86,8 +86,8 @@ def test_axes_that_are_nearly_parallel_meet_nowhere():
 
 
 def side_branch(astray, num=60):
-    """A solid of a trunk of radius 3 along z and a side branch of radius 1 from 0, 45 degrees up, and a curve whose side
-    branch runs along the trunk for ``astray`` before it leaves it."""
+    """A solid of a trunk of radius 3 along z and a side branch of radius 1 from 0, 45 degrees up, and a curve whose
+    side branch runs along the trunk for ``astray`` before it leaves it."""
     top = np.array([0, 30, 30])
     points = np.array([[0, 0, -30], [0, 0, 40], [0, 0, 0], top], dtype=float)
     mesh = shapes.solid_around(points, np.array([[0, 1], [2, 3]]), np.array([3.0, 3.0, 1.0, 1.0]), 1.0)

@@ -1,5 +1,7 @@
 """What neurons are saved with: a root that is a soma or is not sure to be, labels, pieces joined, what radii are."""
 
+import json
+import sys
 from dataclasses import replace
 
 import numpy as np
@@ -9,7 +11,7 @@ from scipy.spatial.distance import cdist
 
 import msf_jax
 from msf_jax import ConfigError
-from msf_jax.skeleton.skeleton import curve_of
+from msf_jax.skeleton.bare import curve_of
 
 
 def neuron(soma: float):
@@ -110,3 +112,86 @@ def test_fewer_nodes_keep_the_curve_within_the_tolerance(tolerance):
     assert not ((found.vertices[:, 0] > 6.05) & (found.vertices[:, 0] < 8.85)).any()
     with pytest.raises(ConfigError, match="tolerance is 0: expected a length above 0"):
         curve.simplify(0)
+
+
+def test_the_root_of_a_tree_may_be_given_by_a_point():
+    curve = neuron(0.1)
+    assert curve.to_tree((38.6, 0.3, 0.0)).roots == curve.to_tree(np.array([40, 0, 0])).roots == (39,)
+    for wrong in ((0.0, 1.0), (0.0, np.nan, 1.0), "x", True):
+        with pytest.raises(ConfigError, match="a point"):
+            curve.to_tree(wrong)
+
+
+def test_a_root_in_no_soma_is_told_first_and_cut_loops_are_as_asked_for():
+    curve = neuron(0.3)
+    report = replace(curve.report, genus=24, cycles=11)
+    assert "EXPECTED 24" in str(report)
+    tree = replace(curve, report=replace(report, notes=("another",))).to_tree("soma").report
+    tree = replace(tree, cut=11)
+    assert tree.lines()[0] == tree.notes[-1] and "NOT SURE" in tree.lines()[0] and tree.lines()[-1] == "another"
+    assert "a tree, as asked for: 11 cycles cut, of genus 24" in str(tree) and "EXPECTED" not in str(tree) + repr(tree)
+    assert not tree.is_sound  # thirteen loops were missing before
+    assert "NOT SURE" not in neuron(2.0).to_tree("soma").report.lines()[0]
+
+
+def test_navis_knows_the_units_and_the_labels(tmp_path):
+    navis = pytest.importorskip("navis")
+    curve = replace(neuron(2.0).to_tree("soma"), units="um")
+    curve.save(tmp_path / "a.swc")
+    for read in (navis.read_swc(str(tmp_path / "a.swc"), read_meta=True), curve.to_navis()):
+        assert str(read.units) in ("1 micrometer", "micrometer") and read.n_nodes == 50
+        assert read.cable_length == pytest.approx(curve.length, rel=1e-5)
+        nodes = read.nodes
+        soma = nodes[nodes["label"] == 1]
+        assert len(soma) == 1 and soma[["x", "y", "z"]].to_numpy().tolist() == [[3.0, 0.0, 0.0]]
+    assert msf_jax.read_curve(tmp_path / "a.swc").length == pytest.approx(curve.length)
+
+
+def test_without_navis_it_says_what_to_install(monkeypatch):
+    monkeypatch.setitem(sys.modules, "navis", None)
+    with pytest.raises(ConfigError, match="pip install navis"):
+        neuron(2.0).to_navis()
+
+
+def test_neuroglancers_skeletons_hold_radii_labels_and_units(tmp_path):
+    """Read as its specification says: counts, positions, edges, and the attributes in the order of ``info``."""
+    curve = replace(neuron(2.0).to_tree("soma"), units="um")
+    curve.save_precomputed(tmp_path / "neurons", 17)
+    curve.save_precomputed(tmp_path / "neurons", 18)
+    info = json.loads((tmp_path / "neurons" / "info").read_text())
+    assert info["@type"] == "neuroglancer_skeletons"
+    data = (tmp_path / "neurons" / "17").read_bytes()
+    num, num_edges = np.frombuffer(data, "<u4", 2)
+    points = np.frombuffer(data, "<f4", 3 * num, 8).reshape(-1, 3)
+    edges = np.frombuffer(data, "<u4", 2 * num_edges, 8 + 12 * num).reshape(-1, 2)
+    place, values = 8 + 12 * num + 8 * num_edges, {}
+    for each in info["vertex_attributes"]:
+        kind = np.dtype(each["data_type"])
+        values[each["id"]] = np.frombuffer(data, kind, num, place)
+        place += kind.itemsize * num
+    assert place == len(data)
+    np.testing.assert_array_equal(edges, curve.edges)
+    np.testing.assert_allclose(points, curve.vertices, rtol=1e-6)
+    np.testing.assert_allclose(values["radius"], curve.radii, rtol=1e-6)
+    assert values["vertex_types"].tolist().count(1) == 1 and values["vertex_types"][3] == 1
+    matrix = np.array(info["transform"]).reshape(3, 4)
+    np.testing.assert_array_equal(matrix, np.c_[1000 * np.eye(3), np.zeros(3)])
+    for wrong, words in ((replace(curve, units="nm"), "other units"), (replace(curve, units="inch"), "nanometres")):
+        with pytest.raises(ConfigError, match=words):
+            wrong.save_precomputed(tmp_path / "neurons", 19)
+    with pytest.raises(ConfigError, match="segment is -1"):
+        curve.save_precomputed(tmp_path / "neurons", -1)
+
+
+def test_cloud_volume_reads_neuroglancers_skeletons(tmp_path):
+    cloudvolume = pytest.importorskip("cloudvolume")
+    curve = neuron(2.0).to_tree("soma")
+    curve.save_precomputed(tmp_path, 5)
+    info = json.loads((tmp_path / "info").read_text())
+    read = cloudvolume.Skeleton.from_precomputed(
+        (tmp_path / "5").read_bytes(), vertex_attributes=info["vertex_attributes"]
+    )
+    np.testing.assert_allclose(read.vertices, curve.vertices, rtol=1e-6)
+    np.testing.assert_array_equal(read.edges, curve.edges)
+    np.testing.assert_allclose(read.radius, curve.radii, rtol=1e-6)
+    assert read.cable_length() == pytest.approx(curve.length, rel=1e-5) and (read.vertex_types == 5).sum() == 2

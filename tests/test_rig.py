@@ -12,9 +12,10 @@ from scipy import spatial
 
 from msf_jax import ConfigError, MeshError, ground_truth
 from msf_jax.host.mesh import reading
+from msf_jax.skeleton.bare import curve_of
 from msf_jax.skeleton.formats import gltf
 from msf_jax.skeleton.rigging import binding, bones, naming, rig
-from msf_jax.skeleton.skeleton import Skeleton, curve_of
+from msf_jax.skeleton.skeleton import Skeleton
 
 SHAPES = ["y", "comb", "octopus_low", "sheet_and_limb", "s_curve", "pawn_low"]
 

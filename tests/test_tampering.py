@@ -21,7 +21,7 @@ from msf_jax.app.cli import main
 from msf_jax.base import archive
 from msf_jax.host.mesh import reading
 from msf_jax.host.mesh.files import unpacking
-from msf_jax.skeleton.skeleton import curve_of
+from msf_jax.skeleton.bare import curve_of
 from tests.benchmarks import tampering
 
 ONCE = Config(max_iterations=3)

@@ -10,7 +10,7 @@ from conftest import torus
 import msf_jax
 from msf_jax import Config, ConfigError
 from msf_jax.host import graphs
-from msf_jax.skeleton.skeleton import curve_of
+from msf_jax.skeleton.bare import curve_of
 
 
 def ring_with_a_tail() -> msf_jax.Skeleton:

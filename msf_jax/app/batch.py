@@ -227,7 +227,9 @@ def work(job: Job) -> dict[str, Any]:
         skeleton = msf_jax.skeletonize(mesh, Weights(*job.weights), job.config, repair=job.repair or False)
         skeleton = shaped(skeleton, job.shaping)
         row |= {"nodes": len(skeleton.vertices), "edges": len(skeleton.edges), "length": skeleton.length}
-        row |= skeleton.report.to_dict() | {"is_sound": skeleton.report.is_sound}
+        report = skeleton.report
+        row |= report.to_dict() | {"is_sound": report.is_sound, "are_limbs": report.are_limbs}
+        row["not_limbs"] = list(report.not_limbs)
         content = export.writer_for(job.target)(skeleton, mesh)
         Path(job.target).parent.mkdir(parents=True, exist_ok=True)
         write_whole(job.target, content)

@@ -2,7 +2,8 @@
 
 Exit codes: 0 if all files are written, 1 if a mesh of a batch failed or a frame has no curve, 2 for bad input or
 options, 130 for Ctrl-C, after which the curve so far is written, if an iteration has ended. A curve whose report is not
-sound is written with a warning. An existing file whose name was not given is not overwritten without ``--force``.
+sound, or says that these are no limbs, is written with a warning. An existing file whose name was not given is not
+overwritten without ``--force``.
 
 Help and errors appear without delay: commands import modules on demand, and JAX only after the mesh was accepted.
 """
@@ -305,6 +306,8 @@ def _tell(skeleton: "Skeleton", written: list[Path], quiet: bool) -> None:
         print("wrote " + ", ".join(map(str, written)))
     if not skeleton.report.is_sound and sys.stderr is not None:
         print("msf-jax: warning: look at this curve before you use it: its report is not sound", file=sys.stderr)
+    elif not skeleton.report.are_limbs:
+        _fail(f"warning: the topology is right, but these are no limbs: {'; '.join(skeleton.report.not_limbs)}", 0)
 
 
 def _parser() -> argparse.ArgumentParser:

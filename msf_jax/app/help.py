@@ -30,6 +30,7 @@ examples:
   msf-jax skeletonize hand.off -o hand.swc --w-M 0.8        better centred, more side branches
   msf-jax skeletonize neuron.ply -o neuron.swc --repair join --root soma --radius section --units nm
   msf-jax skeletonize vessel.vtp -o vessel.csv --repair     a table of branches; of nodes: -o vessel.nodes.csv
+  msf-jax skeletonize plant.ply -o plant.axes.csv --repair join --root 0,0,0   a table of a plant's axes
   msf-jax skeletonize person.obj -o person.glb              a rig, for Blender
   msf-jax skeletonize big.ply -o big.npz --checkpoint big.run.npz
   msf-jax skeletonize big.ply -o big.npz --max-seconds 600  the curve so far after ten minutes""",

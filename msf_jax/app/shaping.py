@@ -94,19 +94,10 @@ def shaped(skeleton: "Skeleton", asked: Shaping) -> "Skeleton":
     """The curve after the changes ``asked``: gaps, loops and root, nodes, radii, then the name of the unit."""
     from dataclasses import replace
 
-    import numpy as np
-
     if asked.heal is not None:
         skeleton = skeleton.heal(asked.heal)
     if asked.root is not None:
-        root: int | str | None
-        if isinstance(asked.root, tuple):
-            root = int(np.linalg.norm(skeleton.vertices - np.array(asked.root), axis=1).argmin())
-        elif asked.root == "thickest":
-            root = None
-        else:
-            root = "soma"
-        skeleton = skeleton.to_tree(root)
+        skeleton = skeleton.to_tree(None if asked.root == "thickest" else asked.root)
     if asked.resample is not None:
         skeleton = skeleton.resample(asked.resample)
     if asked.simplify is not None:

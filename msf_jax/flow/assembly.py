@@ -286,6 +286,8 @@ def report_of(
         solve_error=max((line.error for line in history), default=0.0),
         solve_steps=sum(line.steps + line.smoothing_steps for line in history),
         coarsened=sum(state.num_coarsened for state in states),
+        left_out=checked.num_left_out,
+        joined_handles=checked.joined_handles,
         repairs=checked.repairs,
         notes=(*notes, *_notes(states, history)),
         figures=figures,

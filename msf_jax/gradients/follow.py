@@ -138,7 +138,7 @@ def checked_vertices(skeleton: Skeleton | Binding, vertices: Any) -> Any:
             )
     elif array.shape != (num := len(skeleton.mesh_map), 3):
         raise MeshError(f"vertices has shape {array.shape}: expected ({num}, 3), as in the mesh of the skeleton")
-    if isinstance(array, Tracer) or isinstance(binding.faces, Tracer):
+    if isinstance(binding.faces, Tracer):
         return array
     used = np.zeros(binding.num_vertices, dtype=bool)
     used[np.asarray(binding.faces)] = True
@@ -147,6 +147,8 @@ def checked_vertices(skeleton: Skeleton | Binding, vertices: Any) -> Any:
             f"vertices has shape {array.shape}: expected ({int(binding.live.vertices)}, 3), as in the mesh of the "
             "skeleton"
         )
+    if isinstance(array, Tracer):
+        return array
     bad = np.flatnonzero(~np.isfinite(jax.device_get(array)).all(axis=1) & used[: len(array)])
     if len(bad):
         raise MeshError(f"{len(bad)} of the vertices, the first {bad[0]}, are not finite: expected finite positions")

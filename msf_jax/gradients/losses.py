@@ -152,6 +152,11 @@ def _to_nearest(points: jax.Array, others: jax.Array, counts: jax.Array) -> jax.
 
 def _checked(found: Any, binding: Binding) -> Any:
     """``found``, if it is of one curve with as many rows as ``binding``; else a `ConfigError`."""
+    if not isinstance(binding, Binding) or not hasattr(found, "nodes"):
+        raise ConfigError(
+            f"found is a {type(found).__name__}, and binding a {type(binding).__name__}: expected what msf_jax.follow "
+            "returned, and then the binding"
+        )
     rows, shape = jnp.shape(binding.rest)[-2], jnp.shape(found.nodes)
     if shape != (rows, 3) or jnp.ndim(binding.diagonal):
         raise ConfigError(

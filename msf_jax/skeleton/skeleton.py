@@ -13,14 +13,14 @@ from msf_jax import metrics
 from msf_jax.base import binding as bindings
 from msf_jax.base.binding import Binding
 from msf_jax.base.errors import ConfigError
-from msf_jax.host import graphs
 from msf_jax.host.curve.branches import Branch
 from msf_jax.host.recording import following
 from msf_jax.host.thin import one_branch, pruning
 from msf_jax.host.thin.caps import Caps
-from msf_jax.skeleton import changes, pytree, slopes, trees
-from msf_jax.skeleton.centrelines import table
-from msf_jax.skeleton.formats import export
+from msf_jax.skeleton import changes, converting, precomputed, pytree, slopes, trees
+from msf_jax.skeleton.formats import export, tables
+from msf_jax.skeleton.framing import fitting
+from msf_jax.skeleton.framing.frame import Frame
 from msf_jax.skeleton.pictures import page, panels, segmentation
 from msf_jax.skeleton.report import Report
 from msf_jax.skeleton.rigging import rig
@@ -140,12 +140,12 @@ class Skeleton:
         """
         return changes.simplified(self, tolerance, self._is_held())
 
-    def to_tree(self, root: int | str | None = None) -> "Skeleton":
+    def to_tree(self, root: Any = None) -> "Skeleton":
         """A new skeleton without loops: each loop is cut at its thinnest edge. An SWC file of it has the root first.
 
         Args:
-            root: id of the node that is the root of its component, or "soma" (see `soma`). The default is the thickest
-                node, and so are the roots of the other components. See ``roots``.
+            root: id of the node that is the root of its component, a point (x, y, z) for the node nearest to it, or
+                "soma" (see `soma`). The default is the thickest node, as in the other components. See ``roots``.
 
         Returns:
             The same nodes and map, with fewer edges. ``report.cut`` counts the loops; ``report.notes`` says where they
@@ -262,11 +262,12 @@ class Skeleton:
         return changes.with_radii(self, of)
 
     def table(self, of: str = "branches") -> Any:
-        """Measurements with a row for each of ``branches``, in their order, or for each node.
+        """Measurements with a row for each of ``branches``, in their order, or for each node, axis or cylinder.
 
         It is a pandas.DataFrame, or a dictionary of arrays if pandas is not installed. ``save("x.csv")`` and
-        ``save("x.nodes.csv")`` write the same tables. Lengths are in the caller's units, angles in degrees; unknown
-        values are NaN. Branches are directed away from the root of `to_tree`, or from the tip of the thickest limb.
+        ``save("x.nodes.csv")``, ``.axes.csv`` and ``.cylinders.csv`` write the same tables. Lengths are in the caller's
+        units, angles in degrees; unknown values are NaN. Branches are directed away from the root of `to_tree`, or from
+        the tip of the thickest limb.
 
         - "branches": start and end nodes; parent, the branch before it, or -1; is_tip; length, chord, tortuosity
           (length over chord); mean_radius, least_radius and largest_radius, without the ends, where balls touch the end
@@ -274,11 +275,15 @@ class Skeleton:
           slenderness and surface, as in `Branch`.
         - "nodes": x, y, z, radius, branch, along (the length from the branch's start), tangent, curvature, torsion;
           area, perimeter, largest_diameter and least_diameter of the cross-section.
+        - "axes": of a plant: an axis goes on through forks with the thickest and straightest branch. parent axis, or
+          -1; order, 0 of the main axis; strahler order; start and end nodes; position on the parent; internode, the
+          length of the parent since the axis before; angle to the parent; length, chord, radii and volume.
+        - "cylinders": along each edge, by the names of TreeQSM and rTwig, numbered from 1.
 
         Raises:
             ConfigError: ``of`` is neither.
         """
-        return table.table_of(self, of)
+        return tables.table_of(self, of)
 
     def save(self, path: str | os.PathLike[str], mesh: Any = None) -> None:
         """Write the curve, atomically, in the format of the suffix.
@@ -287,7 +292,8 @@ class Skeleton:
           the cut edges and the report.
         - ``.obj`` (line elements), ``.cg`` (vertices and edges), ``.polylines.txt`` (CGAL's), ``.ply`` (vertices with
           radius, edges), ``.graphml`` and ``.gml`` (NetworkX's).
-        - ``.vtp``: VTK PolyData, with the columns of both tables of `table`. ``.csv``, ``.nodes.csv``: these tables.
+        - ``.vtp``: VTK PolyData, with the columns of branches and nodes of `table`. ``.csv``, ``.nodes.csv``,
+          ``.axes.csv``, ``.cylinders.csv``: its tables.
         - ``.npz``: everything, with the surface. ``.json``: everything, without the surface.
         - ``.glb``: glTF of ``mesh``, as `skeletonize` took it, with its materials, on the bones of ``rig()``. For
           another rig use ``rig(...).save(path, mesh)``.
@@ -300,6 +306,15 @@ class Skeleton:
             OSError: the file cannot be written; what was there before is untouched.
         """
         export.save(self, path, mesh)
+
+    def save_precomputed(self, folder: str | os.PathLike[str], segment: int = 1) -> None:
+        """Write the curve as ``segment`` of Neuroglancer's precomputed skeletons: ``info``, radii, and SWC's labels
+        as ``vertex_types``. ``units`` must be nm, um, mm or m; "" are nanometres.
+
+        Raises:
+            ConfigError: the id or the units are none, or the folder has skeletons of other units.
+        """
+        precomputed.save(self, folder, segment)
 
     def rig(self, bones: int = 50, influences: int = 4, mesh: Any = None) -> Rig:
         """Bones for the mesh, with smooth skinning weights; ``save("x.glb", mesh)`` writes one.
@@ -318,6 +333,21 @@ class Skeleton:
             MeshError: ``mesh`` is not the one that the curve was made from.
         """
         return rig.rigged(self, bones, influences, mesh)
+
+    def frame(self, tolerance: float | None = None) -> Frame:
+        """Beams of a solid of bars: straight members between joints, with areas and second moments of their sections.
+
+        Joints whose balls are nearer than ``tolerance`` become one. Branches are cut where they bend by more than it.
+        Ends without a joint are carried to the end face.
+
+        Args:
+            tolerance: a length in the mesh's units; the median radius of the curve if not given.
+
+        Raises:
+            ConfigError: ``tolerance`` is not above 0, no branch is longer, a member has no cross-section, or the
+                surface that the curve was made from is not known.
+        """
+        return fitting.frame_of(self, tolerance)
 
     def view(self, mesh: Any = None, path: str | os.PathLike[str] | None = None) -> "PlotlyFigure":
         """An interactive page: the curve in its surface, with sliders for the flow's iterations and for pruning.
@@ -353,45 +383,15 @@ class Skeleton:
 
     def to_networkx(self) -> nx.Graph:
         """A graph with ``position`` (3,) and ``radius`` at its nodes, and ``length`` at its edges."""
-        graph = nx.Graph()
-        for number, (position, radius) in enumerate(zip(self.vertices, self.radii, strict=True)):
-            graph.add_node(number, position=tuple(position.tolist()), radius=float(radius))
-        length = np.linalg.norm(self.vertices[self.edges[:, 0]] - self.vertices[self.edges[:, 1]], axis=1)
-        for (a, b), size in zip(self.edges.tolist(), length.tolist(), strict=True):
-            graph.add_edge(a, b, length=size)
-        return graph
+        return converting.networkx_of(self)
+
+    def to_navis(self) -> Any:
+        """A `navis.TreeNeuron` with radii, labels and units, without loops; a ConfigError if there is no navis."""
+        return converting.navis_of(self)
 
     def to_path3d(self) -> "Path3D":
         """The edges as a `trimesh.path.Path3D`, one line entity for each branch."""
-        from trimesh.path import Path3D
-        from trimesh.path.entities import Line
-
-        return Path3D(
-            entities=[Line(branch) for branch in graphs.trace(len(self.vertices), self.edges)],
-            vertices=self.vertices.copy(),
-            process=False,
-        )
+        return converting.path3d_of(self)
 
 
 pytree.register(Skeleton)
-
-
-def curve_of(vertices: np.ndarray, edges: np.ndarray, radii: np.ndarray) -> Skeleton:
-    """A skeleton of a curve from a file, without a map; its report has only the counts."""
-    components, cycles = graphs.cycle_count(len(vertices), edges)
-    report = Report(
-        components=components,
-        mesh_components=components,
-        genus=cycles,
-        cycles=cycles,
-        inside=float("nan"),
-        converged=True,
-        reason="read from a file",
-        iterations=0,
-        fixed=0,
-        live=0,
-        volume=0.0,
-        unsolved=0,
-        solve_steps=0,
-    )
-    return Skeleton(vertices, edges, radii, np.empty(0, dtype=np.int64), report)

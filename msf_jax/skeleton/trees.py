@@ -47,10 +47,13 @@ def tree_of(skeleton: "Skeleton", root: Any) -> "Skeleton":
         root = soma.node
         stands = f"{soma.contrast:.3g} times as thick as the thickest elsewhere"
         why = f" (the soma: {stands})" if soma.is_sure else f" (the thickest; NOT SURE to be the soma: {stands})"
+    if np.shape(root) == (3,) and np.asarray(root).dtype.kind in "fiu" and np.isfinite(root).all():
+        root = int(np.linalg.norm(skeleton.vertices - np.asarray(root), axis=1).argmin())
     is_node = isinstance(root, numbers.Integral) and not isinstance(root, bool) and 0 <= int(root) < num
     if root is not None and not is_node:
         raise ConfigError(
-            f'root is {root!r}: expected a node from 0 to {num - 1}, "soma", or None for the thickest node'
+            f'root is {root!r}: expected a node from 0 to {num - 1}, "soma", or None for the thickest node, or '
+            "a point (x, y, z)"
         )
     stays = branches.cut_loops(num, skeleton.edges, skeleton.radii)
     edges, gone = skeleton.edges[stays], skeleton.radii[skeleton.edges[~stays]].min(axis=1)
@@ -63,6 +66,7 @@ def tree_of(skeleton: "Skeleton", root: Any) -> "Skeleton":
         cycles=0,
         loops=None if skeleton.report.loops is None else 0,
         cut=skeleton.report.cut + len(gone),
+        is_tree=True,
         inside=skeleton.inside_of(skeleton.vertices, edges, skeleton.radii),
         notes=(*skeleton.report.notes, f"a tree: {loops} cut where thinnest{where}; {place}"),
         figures={},

@@ -306,7 +306,7 @@ print(int(open("/proc/self/status").read().split("VmHWM:")[1].split()[0]) // 100
 
 
 def _report() -> dict[str, Any]:
-    from msf_jax.skeleton.skeleton import curve_of as bare
+    from msf_jax.skeleton.bare import curve_of as bare
 
     return bare(np.zeros((1, 3)), np.zeros((0, 2), dtype=np.int64), np.ones(1)).report.to_dict()
 

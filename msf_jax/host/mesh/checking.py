@@ -52,6 +52,8 @@ class Surface:
     repairs: the changes, one sentence each.
     given: vertices and faces of the caller's mesh.
     rims: the caller's vertices around each filled hole.
+    num_left_out: pieces beyond ``Repair.most_parts``.
+    joined_handles: handles that the solid has and the parts that were joined had not.
     """
 
     vertices: np.ndarray
@@ -66,6 +68,8 @@ class Surface:
     repairs: tuple[str, ...]
     given: tuple[np.ndarray, np.ndarray]
     rims: tuple[np.ndarray, ...] = ()
+    num_left_out: int = 0
+    joined_handles: int = 0
 
     @property
     def genus(self) -> int:
@@ -126,6 +130,7 @@ def prepare(mesh: Any, repair: bool | str | Repair = False) -> Surface:
         repairs=done.repairs + checked.repairs,
         given=(done.given, faces),
         rims=done.rims,
+        num_left_out=done.num_left_out,
     )
 
 
@@ -154,6 +159,7 @@ def _joined(vertices: np.ndarray, faces: np.ndarray, reach: float) -> Surface:
         input_of_vertex=parts.input_of_vertex[member[source]],
         is_made=is_made,
         repairs=(*parts.repairs, *done.repairs, *crumbs, *checked.repairs),
+        joined_handles=max(checked.genus - parts.genus, 0),
     )
 
 

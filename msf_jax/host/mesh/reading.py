@@ -22,6 +22,7 @@ from scipy import spatial
 from trimesh.resolvers import FilePathResolver
 
 from msf_jax.base.errors import MeshError
+from msf_jax.base.options import is_traced
 from msf_jax.host import graphs
 from msf_jax.host.decoding import decoded
 from msf_jax.host.mesh.files import gltf, obj, off, ply, stl, unpacking
@@ -239,6 +240,11 @@ def _quiet_loader() -> Iterator[None]:
 
 
 def _as_vertices(vertices: Any, finite: bool) -> np.ndarray:
+    if is_traced(vertices):
+        raise MeshError(
+            "the vertices are traced by JAX, and a run makes decisions that it cannot trace: make the run outside of "
+            "jax.jit, jax.grad and jax.vmap, and use msf_jax.follow inside"
+        )
     try:
         is_complex = np.iscomplexobj(vertices)
         array = np.empty((0, 3)) if is_complex else np.array(vertices, dtype=np.float64)

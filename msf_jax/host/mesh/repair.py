@@ -89,7 +89,8 @@ class Repaired(NamedTuple):
     vertices: (V, 3). faces: (F, 3). source: (V,) the given vertex of each. is_made: (V,) new vertices of an extruded
     rim, whose source is the vertex of the rim. vertex_of_given: (V_in,) the new vertex for each given one, or -1.
     given: (V_in, 3) the given vertices, all finite. repairs: the changes, a sentence each. rims: the given vertices
-    around each filled hole.
+    around each filled hole. num_left_out: pieces beyond
+    ``most_parts``.
     """
 
     vertices: np.ndarray
@@ -100,6 +101,7 @@ class Repaired(NamedTuple):
     given: np.ndarray
     repairs: tuple[str, ...]
     rims: tuple[np.ndarray, ...] = ()
+    num_left_out: int = 0
 
 
 def repaired(vertices: np.ndarray, faces: np.ndarray, options: Repair) -> Repaired:
@@ -163,7 +165,8 @@ def repaired(vertices: np.ndarray, faces: np.ndarray, options: Repair) -> Repair
     first = np.full(len(given), -1)
     first[source[::-1]] = np.arange(len(source))[::-1]
     target = first[welded]
-    return Repaired(vertices[used], flat.reshape(-1, 3), source, is_made[used], target, given, tuple(repairs), rims)
+    faces = flat.reshape(-1, 3)
+    return Repaired(vertices[used], faces, source, is_made[used], target, given, tuple(repairs), rims, num_beyond)
 
 
 def _note(repairs: list[str], sentence: str, count: int, one: str, many: str) -> None:

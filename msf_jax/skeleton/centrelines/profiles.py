@@ -3,11 +3,17 @@
 from typing import NamedTuple
 
 import numpy as np
+from scipy import spatial
 
+from msf_jax.host import graphs
 from msf_jax.host.solid import openings, sections
+from msf_jax.host.solid.enclosure import Enclosure
 from msf_jax.host.solid.geometry import cross, unit
 from msf_jax.host.solid.solid import Solid
 
+LONG = 2.0  # radii: length of a face that is split before its volume is given to branches; a limb is as thick
+MOST_PARTS = 64  # parts along a side of a face, at most
+MOST_FACES = 300_000  # faces after splitting, about; bounds memory
 DIRECTIONS = 48  # directions in half a turn in which a section's width is measured, to an error of 0.1 %
 
 
@@ -76,3 +82,40 @@ def swept_volumes(corners: np.ndarray, feet: np.ndarray, group: np.ndarray, num:
         other = under(a[q], a[p], b[q]) + under(a[p], b[p], b[q])
         volume = volume + (one + other) / 2
     return np.bincount(group, weights=volume, minlength=num)
+
+
+def volumes_of(
+    shape: Enclosure, nodes: np.ndarray, edges: np.ndarray, radii: np.ndarray, node_of_vertex: np.ndarray
+) -> np.ndarray:
+    """(B,) the volume between each branch of a curve ``(nodes (N, 3), edges (E, 2))`` and the faces that belong to it.
+
+    A face belongs to the branch of its first corner's node: ``node_of_vertex`` (V,), for the vertices of ``shape``. A
+    face longer than the limb is thick, by the ``radii`` (N,), is split, and its new corners belong to the nearest node.
+    """
+    branches = graphs.trace(len(nodes), edges)
+    branch = np.full(len(nodes), -1)
+    for number, path in reversed(list(enumerate(branches))):
+        branch[path] = number
+    corners, node = shape.triangles, node_of_vertex[shape.faces]
+    longest = np.linalg.norm(corners - np.roll(corners, 1, axis=1), axis=2).max(axis=1)
+    with np.errstate(divide="ignore"):
+        parts = np.minimum(np.ceil(longest / (LONG * radii[node].max(axis=1))), MOST_PARTS)
+    parts = np.maximum(np.floor(parts / max(np.sqrt((parts**2).sum() / MOST_FACES), 1.0)), 1).astype(int)
+    found, tree = np.zeros(len(branches)), spatial.KDTree(nodes)
+    for num in np.unique(parts).tolist():
+        own, feet = corners[parts == num], node[parts == num]
+        if num > 1:
+            own = np.einsum("sck,fkx->fscx", _split(num), own).reshape(-1, 3, 3)
+            feet = np.asarray(tree.query(own)[1])
+        found += swept_volumes(own, nodes[feet], branch[feet[:, 0]], len(branches))
+    return found
+
+
+def _split(num: int) -> np.ndarray:
+    """(num^2, 3, 3) the barycentric coordinates of the corners of the parts of a triangle, ``num`` along each side."""
+    i, j = (each.ravel() for each in np.meshgrid(np.arange(num), np.arange(num), indexing="ij"))
+    parts = []
+    for steps, is_in in ((((0, 0), (1, 0), (0, 1)), i + j < num), (((1, 1), (0, 1), (1, 0)), i + j < num - 1)):
+        at = np.stack([np.stack([i + a, j + b], axis=1) for a, b in steps], axis=1)[is_in]
+        parts.append(np.concatenate([num - at.sum(axis=2, keepdims=True), at], axis=2) / num)
+    return np.concatenate(parts)

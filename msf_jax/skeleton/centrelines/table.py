@@ -1,17 +1,16 @@
 """Tables of measurements: a row for each branch, or for each node."""
 
 from collections import deque
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 from scipy import spatial
 
-from msf_jax.base.errors import ConfigError
 from msf_jax.host import graphs
 from msf_jax.host.curve import branches
 from msf_jax.host.solid.geometry import arc_length, at, unit
 from msf_jax.skeleton.centrelines.frames import frames_of
-from msf_jax.skeleton.centrelines.profiles import Profiles, profiles_of, swept_volumes
+from msf_jax.skeleton.centrelines.profiles import Profiles, profiles_of, volumes_of
 
 if TYPE_CHECKING:
     from msf_jax.skeleton.skeleton import Skeleton
@@ -28,19 +27,6 @@ class Oriented(NamedTuple):
 
     nodes: list[np.ndarray]
     parent: np.ndarray
-
-
-def table_of(skeleton: "Skeleton", of: str) -> Any:
-    """See `Skeleton.table`."""
-    kinds = {"branches": branch_columns, "nodes": node_columns}
-    if of not in kinds:
-        raise ConfigError(f"there is no table of {of!r}: expected one of {', '.join(map(repr, kinds))}")
-    columns = kinds[of](skeleton)
-    try:
-        import pandas
-    except ImportError:
-        return columns
-    return pandas.DataFrame(columns)
 
 
 def oriented(skeleton: "Skeleton") -> Oriented:
@@ -91,7 +77,7 @@ def branch_columns(skeleton: "Skeleton") -> Columns:
     points = [skeleton.vertices[nodes] for nodes in paths]
     length = np.array([arc_length(path)[-1] for path in points])
     chord = np.array([np.linalg.norm(path[-1] - path[0]) for path in points])
-    size = np.array([_radii_without_ends(skeleton, nodes, degree) for nodes in paths]).reshape(num, 3)
+    size = np.array([radii_without_ends(skeleton, nodes, degree) for nodes in paths]).reshape(num, 3)
     measured = skeleton.branches
     with np.errstate(divide="ignore", invalid="ignore"):
         tortuosity = np.where(chord > 0, length / chord, np.where(length > 0, np.inf, np.nan))
@@ -107,8 +93,8 @@ def branch_columns(skeleton: "Skeleton") -> Columns:
         "mean_radius": size[:, 0],
         "least_radius": size[:, 1],
         "largest_radius": size[:, 2],
-        "volume": _volumes(skeleton, num),
-        "angle": _angles(skeleton, paths, parent),
+        "volume": branch_volumes(skeleton, num),
+        "angle": fork_angles(skeleton, paths, parent),
         "slenderness": np.array([branch.slenderness for branch in measured], dtype=float),
         "surface": np.array([branch.surface for branch in measured], dtype=float),
     }
@@ -154,7 +140,7 @@ def node_columns(skeleton: "Skeleton") -> Columns:
     }
 
 
-def _radii_without_ends(skeleton: "Skeleton", nodes: np.ndarray, degree: np.ndarray) -> tuple[float, float, float]:
+def radii_without_ends(skeleton: "Skeleton", nodes: np.ndarray, degree: np.ndarray) -> tuple[float, float, float]:
     """Mean, least and largest radius of a branch without its ends: within a radius of a tip balls are smaller, and
     within the ball of a junction larger, than along the branch."""
     radii, along = skeleton.radii[nodes], arc_length(skeleton.vertices[nodes])
@@ -171,7 +157,7 @@ def _radii_without_ends(skeleton: "Skeleton", nodes: np.ndarray, degree: np.ndar
     return float(mean), float(own.min()), float(own.max())
 
 
-def _angles(skeleton: "Skeleton", paths: list[np.ndarray], parent: np.ndarray) -> np.ndarray:
+def fork_angles(skeleton: "Skeleton", paths: list[np.ndarray], parent: np.ndarray) -> np.ndarray:
     """(B,) the angle in degrees between the directions of each branch and its parent at their junction, 0 if straight;
     NaN at a root."""
     found = np.full(len(paths), np.nan)
@@ -181,12 +167,12 @@ def _angles(skeleton: "Skeleton", paths: list[np.ndarray], parent: np.ndarray) -
             continue
         junction = paths[number][0]
         mother = paths[above] if paths[above][-1] != junction else paths[above][::-1]
-        ahead, back = (_direction(skeleton, nodes, degree) for nodes in (paths[number], mother))
+        ahead, back = (direction_from(skeleton, nodes, degree) for nodes in (paths[number], mother))
         found[number] = np.degrees(np.arccos(np.clip(-(ahead @ back), -1.0, 1.0)))
     return found
 
 
-def _direction(skeleton: "Skeleton", nodes: np.ndarray, degree: np.ndarray) -> np.ndarray:
+def direction_from(skeleton: "Skeleton", nodes: np.ndarray, degree: np.ndarray) -> np.ndarray:
     """(3,) the direction of a branch away from the junction at its first node.
 
     It leaves out the part that bends towards this junction, and the part that bends towards one at the last node.
@@ -204,7 +190,7 @@ def _direction(skeleton: "Skeleton", nodes: np.ndarray, degree: np.ndarray) -> n
     return unit(far - near)
 
 
-def _volumes(skeleton: "Skeleton", num: int) -> np.ndarray:
+def branch_volumes(skeleton: "Skeleton", num: int) -> np.ndarray:
     """(B,) the volume between each branch and the faces that belong to it; NaN if the surface is not known."""
     if skeleton.source is None:
         return np.full(num, np.nan)
@@ -213,9 +199,6 @@ def _volumes(skeleton: "Skeleton", num: int) -> np.ndarray:
         node = skeleton.mesh_map[skeleton.source.input_of_vertex]
     else:
         node = np.asarray(spatial.KDTree(skeleton.vertices).query(solid.leave(solid.shape.vertices))[1])
-    branch = np.full(len(skeleton.vertices), -1)
-    for number, nodes in reversed(list(enumerate(graphs.trace(len(branch), skeleton.edges)))):
-        branch[nodes] = number
-    faces = solid.shape.faces
-    feet = solid.enter(skeleton.vertices)[node[faces]]
-    return swept_volumes(solid.shape.triangles, feet, branch[node[faces[:, 0]]], num) * solid.diagonal**3
+    nodes = solid.enter(skeleton.vertices)
+    radii = skeleton.radii / solid.diagonal
+    return volumes_of(solid.shape, nodes, skeleton.edges, radii, node) * solid.diagonal**3

@@ -57,6 +57,8 @@ WRITERS = {
     ".graphml": "graphs.graphml",
     ".gml": "graphs.gml",
     ".nodes.csv": "tables.node_rows",
+    ".axes.csv": "tables.axis_rows",
+    ".cylinders.csv": "tables.cylinder_rows",
     ".csv": "tables.branch_rows",
     ".npz": "whole.npz",
     ".json": "whole.plain_json",

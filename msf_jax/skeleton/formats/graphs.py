@@ -47,6 +47,23 @@ def vtp(skeleton: "Skeleton") -> str:
     paths = graphs.trace(len(skeleton.vertices), skeleton.edges)
     order = sorted(range(len(paths)), key=lambda number: len(paths[number]) > 1)  # VTK has vertices before lines
     lines, lone = [path for path in paths if len(path) > 1], [path for path in paths if len(path) == 1]
+    of_node = node_columns(skeleton)
+    of_node = {"tangent": np.stack([of_node.pop(f"tangent_{axis}") for axis in "xyz"], axis=1)} | of_node
+    of_node = {name: values for name, values in of_node.items() if name not in ("node", "x", "y", "z", "radius")}
+    of_branch = {name: values[order] for name, values in branch_columns(skeleton).items()}
+    return polydata(skeleton.vertices, lone, lines, {"radius": skeleton.radii} | of_node, of_branch)
+
+
+def polydata(
+    points: np.ndarray,
+    lone: list[list[int]],
+    lines: list[list[int]],
+    of_point: dict[str, np.ndarray],
+    of_cell: dict[str, np.ndarray],
+) -> str:
+    """VTK's XML PolyData of vertices ``lone`` and ``lines`` between ``points`` (N, 3), with columns of data.
+
+    The first column of points is shown first. Columns of cells have the vertices before the lines."""
 
     def array(kind: str, name: str, values: str, components: int = 1, form: str = "ascii") -> str:
         head = f'type="{kind}" Name="{name}" NumberOfComponents="{components}" format="{form}"'
@@ -64,19 +81,15 @@ def vtp(skeleton: "Skeleton") -> str:
         ends = array("Int64", "offsets", " ".join(map(str, np.cumsum([len(path) for path in paths], dtype=int))))
         return f"<{name}>{numbers}{ends}</{name}>"
 
-    of_node = node_columns(skeleton)
-    of_node = {"tangent": np.stack([of_node.pop(f"tangent_{axis}") for axis in "xyz"], axis=1)} | of_node
-    of_node = {name: values for name, values in of_node.items() if name not in ("node", "x", "y", "z", "radius")}
-    of_branch = {name: values[order] for name, values in branch_columns(skeleton).items()}
     point_data, cell_data = (
         "".join(column(name, values) for name, values in columns.items() if not np.isnan(values.astype(float)).all())
-        for columns in (of_node, of_branch)
+        for columns in (of_point, of_cell)
     )
-    points = array("Float64", "points", " ".join(map(point, skeleton.vertices)), 3)
-    radii = array("Float64", "radius", " ".join(map(number, skeleton.radii)))
-    counts = f'NumberOfPoints="{len(skeleton.vertices)}" NumberOfLines="{len(lines)}" NumberOfVerts="{len(lone)}"'
-    piece = f'<PointData Scalars="radius">{radii}{point_data}</PointData><CellData>{cell_data}</CellData>'
-    piece += f"<Points>{points}</Points>" + cells("Verts", lone) + cells("Lines", lines)
+    places = array("Float64", "points", " ".join(map(point, points)), 3)
+    counts = f'NumberOfPoints="{len(points)}" NumberOfLines="{len(lines)}" NumberOfVerts="{len(lone)}"'
+    first = next(iter(of_point))
+    piece = f'<PointData Scalars="{first}">{point_data}</PointData><CellData>{cell_data}</CellData>'
+    piece += f"<Points>{places}</Points>" + cells("Verts", lone) + cells("Lines", lines)
     return (
         '<?xml version="1.0"?>\n<VTKFile type="PolyData" version="1.0" byte_order="LittleEndian" '
         f'header_type="UInt64"><PolyData><Piece {counts}>{piece}</Piece></PolyData></VTKFile>\n'

@@ -7,8 +7,9 @@ import numpy as np
 
 from msf_jax.base.errors import ConfigError
 from msf_jax.host.decoding import decoded, lines_of
+from msf_jax.skeleton.bare import curve_of
 from msf_jax.skeleton.formats import parsing, polylines, swc, whole
-from msf_jax.skeleton.skeleton import Skeleton, curve_of
+from msf_jax.skeleton.skeleton import Skeleton
 
 
 def read_curve(path: str | os.PathLike[str]) -> Skeleton:

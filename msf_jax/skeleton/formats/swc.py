@@ -1,5 +1,6 @@
 """SWC, the format of trees in neuroscience (id, type, x, y, z, radius, parent): writing and reading."""
 
+import json
 import re
 from typing import TYPE_CHECKING
 
@@ -32,9 +33,11 @@ def written(skeleton: "Skeleton") -> str:
     header = ["# curve skeleton written by msf_jax", *report]
     header.append("# labels: 1 soma, 5 fork, 6 end, 0 other")
     header.append(f"# radius: {RADII[skeleton.radius_of]}")
-    header += [f"# units: {' '.join(skeleton.units.split())}"] if skeleton.units else []
+    if skeleton.units:
+        header.append(f"# units: {' '.join(skeleton.units.split())}")
+        header.append(f"# Meta: {json.dumps({'units': ' '.join(skeleton.units.split())})}")  # navis reads this line
     header.append(f"# loops cut: {len(cut)}; each cut edge is listed by its two ids")
-    label = _labels(skeleton, parent)
+    label = labels(skeleton, parent)
     rows = [
         f"{row_of[node]} {label[node]} {point(skeleton.vertices[node])} {number(skeleton.radii[node])} "
         f"{row_of[above] if above >= 0 else -1}"
@@ -43,7 +46,7 @@ def written(skeleton: "Skeleton") -> str:
     return "\n".join([*header, *cut, *rows]) + "\n"
 
 
-def _labels(skeleton: "Skeleton", parent: dict[int, int]) -> np.ndarray:
+def labels(skeleton: "Skeleton", parent: dict[int, int]) -> np.ndarray:
     """(N,) the label of each node in the tree of ``parent``."""
     above = np.array([value for value in parent.values() if value >= 0], dtype=np.int64)
     children = np.bincount(above, minlength=len(skeleton.vertices))

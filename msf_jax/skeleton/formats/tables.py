@@ -1,31 +1,43 @@
-"""Tables as comma-separated text: ``.csv`` has a row for each branch, ``.nodes.csv`` for each node."""
+"""Tables of measurements, as data frames and as comma-separated text: a row for each branch, node, axis or cylinder."""
 
 import csv
 import io
-from typing import TYPE_CHECKING
+from functools import partial
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from msf_jax.skeleton.centrelines.table import Columns, branch_columns, node_columns
+from msf_jax.base.errors import ConfigError
+from msf_jax.skeleton.centrelines.axes import axis_columns, cylinder_columns
+from msf_jax.skeleton.centrelines.table import branch_columns, node_columns
 
 if TYPE_CHECKING:
     from msf_jax.skeleton.skeleton import Skeleton
 
-
-def branch_rows(skeleton: "Skeleton") -> str:
-    """The table of branches; unknown values are empty."""
-    return _text(branch_columns(skeleton))
+TABLES = {"branches": branch_columns, "nodes": node_columns, "axes": axis_columns, "cylinders": cylinder_columns}
 
 
-def node_rows(skeleton: "Skeleton") -> str:
-    """The table of nodes; unknown values are empty."""
-    return _text(node_columns(skeleton))
+def table_of(skeleton: "Skeleton", of: str) -> Any:
+    """See `Skeleton.table`."""
+    if of not in TABLES:
+        raise ConfigError(f"there is no table of {of!r}: expected one of {', '.join(map(repr, TABLES))}")
+    columns = TABLES[of](skeleton)
+    try:
+        import pandas
+    except ImportError:
+        return columns
+    return pandas.DataFrame(columns)
 
 
-def _text(columns: Columns) -> str:
+def rows(of: str, skeleton: "Skeleton") -> str:
+    """One of the `TABLES` as text; unknown values are empty."""
+    columns = TABLES[of](skeleton)
     buffer = io.StringIO()
     table = csv.writer(buffer, lineterminator="\n")
     table.writerow(columns)
     for row in zip(*(values.tolist() for values in columns.values()), strict=True):
         table.writerow(["" if isinstance(value, float) and np.isnan(value) else value for value in row])
     return buffer.getvalue()
+
+
+branch_rows, node_rows, axis_rows, cylinder_rows = (partial(rows, of) for of in TABLES)

@@ -1,0 +1,64 @@
+"""Neuroglancer's precomputed skeletons: a folder with ``info``, and a binary file for each segment.
+
+https://github.com/google/neuroglancer/blob/master/src/datasource/precomputed/skeletons.md. A file has the numbers of
+vertices and edges (uint32), positions (float32), edges (uint32), and each attribute of ``info`` in its order.
+Neuroglancer has nanometres: ``transform`` in ``info`` leads to them from the skeleton's units.
+"""
+
+import json
+import numbers
+import os
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from msf_jax.base.errors import ConfigError
+from msf_jax.base.writing import write_whole
+from msf_jax.host import graphs
+from msf_jax.skeleton.formats import swc
+
+if TYPE_CHECKING:
+    from msf_jax.skeleton.skeleton import Skeleton
+
+NANOMETRES = {"": 1.0, "nm": 1.0, "um": 1e3, "µm": 1e3, "μm": 1e3, "micron": 1e3, "microns": 1e3, "mm": 1e6, "m": 1e9}
+ATTRIBUTES = (("radius", "float32"), ("vertex_types", "uint8"))  # cloud-volume reads both by these names
+
+
+def save(skeleton: "Skeleton", folder: str | os.PathLike[str], segment: Any) -> None:
+    """See `Skeleton.save_precomputed`."""
+    if isinstance(segment, bool) or not isinstance(segment, numbers.Integral) or not 0 <= int(segment) < 2**64:
+        raise ConfigError(f"segment is {segment!r}: expected the id of a segment, a whole number of 0 or more")
+    place = Path(folder)
+    info = _info(skeleton.units)
+    known = place / "info"
+    if known.exists() and json.loads(known.read_text()) != info:
+        raise ConfigError(f"{str(known)!r} is of other skeletons, or other units: expected a folder of its own")
+    place.mkdir(parents=True, exist_ok=True)
+    write_whole(known, json.dumps(info) + "\n")
+    write_whole(place / str(int(segment)), content(skeleton))
+
+
+def _info(units: str) -> dict[str, Any]:
+    if units not in NANOMETRES:
+        raise ConfigError(f"the units are {units!r}: Neuroglancer has nanometres, expected one of {list(NANOMETRES)}")
+    scale = NANOMETRES[units]
+    return {
+        "@type": "neuroglancer_skeletons",
+        "transform": [scale, 0, 0, 0, 0, scale, 0, 0, 0, 0, scale, 0],
+        "vertex_attributes": [{"id": name, "data_type": kind, "num_components": 1} for name, kind in ATTRIBUTES],
+    }
+
+
+def content(skeleton: "Skeleton") -> bytes:
+    """The file of a segment. ``vertex_types`` are the labels of an SWC file."""
+    num = len(skeleton.vertices)
+    label = swc.labels(skeleton, graphs.tree(num, skeleton.edges, skeleton.roots))
+    parts = (
+        np.array([num, len(skeleton.edges)], dtype="<u4"),
+        skeleton.vertices.astype("<f4"),
+        skeleton.edges.astype("<u4"),
+        skeleton.radii.astype("<f4"),
+        label.astype("u1"),
+    )
+    return b"".join(np.ascontiguousarray(part).tobytes() for part in parts)

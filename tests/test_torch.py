@@ -1,0 +1,132 @@
+"""`follow` in PyTorch: its values and slopes are JAX's; and what misuse of runs, losses and `follow` is told."""
+
+import re
+import sys
+from pathlib import Path
+
+import jax
+import jax.numpy as jnp
+import numpy as np
+import pytest
+
+import msf_jax
+from msf_jax import ConfigError, MeshError, ground_truth, losses
+
+
+@pytest.fixture(scope="module")
+def tube():
+    mesh = ground_truth.make("straight_coarse").mesh
+    return msf_jax.skeletonize(mesh), np.array(mesh.vertices)
+
+
+@pytest.fixture(scope="module")
+def torch():
+    return pytest.importorskip("torch")
+
+
+def test_values_and_slopes_are_those_of_jax(tube, torch):
+    skeleton, vertices = tube
+    tensor = torch.tensor(vertices, requires_grad=True)
+    found = msf_jax.torch.follow(skeleton, tensor)
+    expected = msf_jax.follow(skeleton, vertices)
+    np.testing.assert_allclose(found.nodes.detach().numpy(), expected.nodes, atol=1e-12)
+    np.testing.assert_allclose(found.radii.detach().numpy(), expected.radii, atol=1e-12)
+    (found.nodes[:, 2] ** 2).sum().add(found.radii.sum()).backward()
+
+    def loss(moved):
+        nodes, radii = msf_jax.follow(skeleton, moved)
+        return (nodes[:, 2] ** 2).sum() + radii.sum()
+
+    np.testing.assert_allclose(tensor.grad.numpy(), jax.grad(loss)(jnp.asarray(vertices)), atol=1e-12)
+
+
+def test_pytorchs_own_check_of_gradients(tube, torch):
+    """`gradcheck` compares with differences in random directions."""
+    skeleton, vertices = tube
+    moved = torch.tensor(vertices + 1e-3 * np.random.default_rng(0).normal(size=vertices.shape), requires_grad=True)
+    assert torch.autograd.gradcheck(
+        lambda x: tuple(msf_jax.torch.follow(skeleton, x)), moved, fast_mode=True, atol=1e-5
+    )
+
+
+@pytest.mark.slow
+def test_a_batch_and_a_binding_have_rows_of_padding(tube, torch):
+    skeleton, vertices = tube
+    batch = msf_jax.stack([skeleton, skeleton])
+    tensor = torch.tensor(np.array(batch.vertices), requires_grad=True)
+    nodes, _ = msf_jax.torch.follow(batch, tensor)
+    assert nodes.shape == (2, *skeleton.binding.rest.shape)
+    np.testing.assert_allclose(nodes[1, : len(skeleton.vertices)].detach().numpy(), skeleton.vertices, atol=1e-9)
+    nodes.sum().backward()
+    slope = tensor.grad.numpy()
+    assert not slope[~np.array(batch.vertex_mask)].any() and not nodes[~torch.tensor(np.array(batch.node_mask))].any()
+    alone = torch.tensor(vertices, requires_grad=True)
+    msf_jax.torch.follow(skeleton.binding, alone).nodes.sum().backward()
+    np.testing.assert_allclose(alone.grad.numpy(), slope[0, : len(vertices)], atol=1e-9)
+    with pytest.raises(MeshError, match="as the batch"):
+        msf_jax.torch.follow(batch, tensor[:, :5])
+
+
+@pytest.mark.slow
+def test_a_step_of_descent_in_float32(tube, torch):
+    skeleton, vertices = tube
+    shift = torch.zeros(3, requires_grad=True)
+    optimiser = torch.optim.SGD([shift], lr=0.3)
+    for _ in range(12):
+        optimiser.zero_grad()
+        nodes, _ = msf_jax.torch.follow(skeleton, torch.tensor(vertices, dtype=torch.float32) + shift)
+        loss = ((nodes - torch.tensor(skeleton.vertices + [0, 0, 0.1], dtype=torch.float32)) ** 2).sum(1).mean()
+        loss.backward()
+        optimiser.step()
+    assert nodes.dtype == torch.float32
+    np.testing.assert_allclose(shift.detach().numpy(), [0, 0, 0.1], atol=1e-3)
+
+
+def test_what_is_no_tensor_of_real_numbers_is_refused(tube, torch):
+    skeleton, vertices = tube
+    with pytest.raises(MeshError, match=r"expected a torch\.Tensor"):
+        msf_jax.torch.follow(skeleton, vertices)
+    with pytest.raises(MeshError, match=r"torch\.int64"):
+        msf_jax.torch.follow(skeleton, torch.zeros((3, 3), dtype=torch.int64))
+    jax.config.update("jax_enable_x64", False)
+    try:
+        with pytest.raises(ConfigError, match=r"would compute in float32: expected vertices.float\(\)"):
+            msf_jax.torch.follow(skeleton, torch.tensor(vertices))
+    finally:
+        jax.config.update("jax_enable_x64", True)
+
+
+def test_without_pytorch_it_says_what_to_install(tube, monkeypatch):
+    monkeypatch.setitem(sys.modules, "torch", None)
+    with pytest.raises(ConfigError, match="pip install torch"):
+        msf_jax.torch.follow(*tube)
+
+
+def test_a_run_in_a_trace_leads_to_follow(tube):
+    vertices, faces = tube[1], ground_truth.make("straight_coarse").mesh.faces
+    with pytest.raises(MeshError, match=r"use msf_jax\.follow inside"):
+        jax.jit(lambda moved: msf_jax.skeletonize((moved, faces)).vertices)(vertices)
+    with pytest.raises(MeshError, match=r"use msf_jax\.follow inside"):
+        jax.grad(lambda moved: msf_jax.skeletonize((moved, faces)).radii.sum())(vertices)
+
+
+def test_swapped_arguments_of_a_loss_are_told(tube):
+    binding = tube[0].binding
+    found = msf_jax.follow(binding, tube[1])
+    with pytest.raises(ConfigError, match=r"found is a Binding, and binding a Followed: expected what msf_jax\.follow"):
+        losses.radii(binding, found, 0.1)
+
+
+def test_too_few_vertices_for_a_binding_are_told_in_a_trace(tube):
+    binding = tube[0].binding
+    with pytest.raises(MeshError, match="as in the mesh of the skeleton"):
+        jax.jit(lambda moved: msf_jax.follow(binding, moved).nodes)(tube[1][:5])
+
+
+@pytest.mark.slow
+def test_the_recipe_runs(tube, torch, tmp_path, monkeypatch):
+    page = (Path(msf_jax.__file__).parent / "guide" / "cookbook.md").read_text("utf-8")
+    (block,) = re.findall(r"```py\n(.*?)```", page, flags=re.DOTALL)
+    ground_truth.make("straight_coarse").mesh.export(tmp_path / "hand.off")
+    monkeypatch.chdir(tmp_path)
+    exec(compile(block, "recipe", "exec"), {})
