@@ -73,7 +73,7 @@ def attached(
             len(x),
             trunk[best],
         )
-        is_left = np.any(np.sort(edges, axis=1) != np.sort(path[:2]), axis=1)
+        is_left: np.ndarray = np.any(np.sort(edges, axis=1) != np.sort(path[:2]), axis=1)
         is_left[np.flatnonzero(is_trunk)[best]] = False
         edges = np.concatenate([edges[is_left], [[a, new], [new, b], [new, path[1]]]])
         is_trunk = np.append(is_trunk[is_left], [True, True, False])
