@@ -73,10 +73,10 @@ def attached(
             len(x),
             trunk[best],
         )
-        is_left: np.ndarray = np.any(np.sort(edges, axis=1) != np.sort(path[:2]), axis=1)
-        is_left[np.flatnonzero(is_trunk)[best]] = False
-        edges = np.concatenate([edges[is_left], [[a, new], [new, b], [new, path[1]]]])
-        is_trunk = np.append(is_trunk[is_left], [True, True, False])
+        is_first = (np.sort(edges, axis=1) == np.sort(path[:2])).all(axis=1)
+        gone = [np.flatnonzero(is_trunk)[best], *np.flatnonzero(is_first)]
+        edges = np.concatenate([np.delete(edges, gone, axis=0), [[a, new], [new, b], [new, path[1]]]])
+        is_trunk = np.append(np.delete(is_trunk, gone), [True, True, False])
     return x, edges
 
 
