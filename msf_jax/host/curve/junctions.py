@@ -60,6 +60,8 @@ def attached(
         place = x[path[begin]]
         heading = unit(at(x[path], along, along[begin : begin + 1] + STRETCH * size)[0] - place)
         trunk = edges[is_trunk]
+        if not len(trunk):
+            break
         share, meet, off, back = _nearest_on(x[trunk], place, -heading)
         ball = (1 - share) * radii[trunk[:, 0]] + share * radii[trunk[:, 1]]
         is_near = (size < THIN * ball) & (off < OFF * ball) & (back < FAR * ball)
