@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 import trimesh
 
+import msf_jax
 from msf_jax.host.solid.enclosure import Enclosure
 from msf_jax.host.thin import protrusion
 from msf_jax.host.thin.caps import Caps, Limbs
@@ -86,3 +87,17 @@ def test_half_a_ball_on_a_wall_is_no_limb_and_a_longer_one_is():
         )
         tips = [cap.tip for cap in limbs_of(wall + stub, 0.35, 0.5).caps]
         assert len(tips) == num
+
+
+def test_a_curve_is_pruned_to_a_coarser_detail():
+    """A bar with a short rod on its side, which is a limb at a finer detail than the default."""
+    rod = Solid.cylinder(1.3, 0.6, 0.6, 32) + Solid.sphere(0.6, 32).translate((0, 0, 1.3))
+    shape = as_shape(box(12, 2, 2) + rod, 0.3)
+    mesh = trimesh.Trimesh(shape.vertices, shape.faces)
+    fine = msf_jax.skeletonize(mesh, config=msf_jax.Config(detail=0.65))
+    assert fine.num_leaves == 3
+    assert fine.prune(1.0, detail=0.65).num_leaves == 3
+    assert fine.prune(1.0, detail=0.0).num_leaves == 2
+    assert msf_jax.skeletonize(mesh, config=msf_jax.Config(detail=0.0)).num_leaves == 2
+    with pytest.raises(msf_jax.ConfigError, match="detail is 2"):
+        fine.prune(1.0, detail=2)

@@ -46,17 +46,19 @@ def changed(skeleton: "Skeleton", vertices: np.ndarray, edges: np.ndarray, node_
     return found if of == "ball" or skeleton.source is None else with_radii(found, of)
 
 
-def pruned(skeleton: "Skeleton", slenderness: float, is_held: np.ndarray) -> "Skeleton":
+def pruned(skeleton: "Skeleton", slenderness: float, detail: float, is_held: np.ndarray) -> "Skeleton":
     """See `Skeleton.prune`."""
     if not (isinstance(slenderness, numbers.Real) and float(slenderness) >= 0):
         raise ConfigError(f"slenderness is {slenderness!r}: expected a number of 0 or more")
+    if not (isinstance(detail, numbers.Real) and 0 <= float(detail) <= 1):
+        raise ConfigError(f"detail is {detail!r}: expected a number from 0 to 1")
     x, edges, least = skeleton.vertices, skeleton.edges, float(slenderness)
     notes = skeleton.report.notes
     if skeleton.source is None or skeleton.report.wavefronts or not least:
         stays, target = pruning.prune(len(x), edges, pruning.by_balls(x, skeleton.radii), least, is_held)
     else:
         solid = skeleton.source.solid
-        choice = one_branch.choose(Caps(solid.outside), solid.enter(x), edges, is_held, least)
+        choice = one_branch.choose(Caps(solid.outside, float(detail)), solid.enter(x), edges, is_held, least)
         stays, target = one_branch.kept(x, edges, choice.worth, is_held)
         notes += ("the search for limbs ended early; branches that it did not try are kept",) * choice.was_hit
     rank = np.cumsum(stays) - 1

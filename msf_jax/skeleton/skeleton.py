@@ -91,19 +91,20 @@ class Skeleton:
         solid = self.source.solid
         return one_branch.slenderness(Caps(solid.outside), solid.enter(self.vertices), self.edges)
 
-    def prune(self, slenderness: float = 1.0) -> "Skeleton":
+    def prune(self, slenderness: float = 1.0, detail: float = 0.5) -> "Skeleton":
         """A new skeleton with one branch for each limb of at least that ``slenderness`` that has any; see `Branch`.
 
-        Nothing less slender than half a ball, 0.5, is a limb, but 0 keeps all branches.
+        Nothing less slender than half a ball, 0.5, is a limb, unless it stands out; 0 keeps all branches. ``detail``,
+        from 0 to 1, says which limbs that only stand out count, as in `Config`.
 
-        A run with ``Config(prune=slenderness)`` chooses limbs in the same way, and adds those that have no branch.
+        A run with ``Config(prune=slenderness, detail=detail)`` chooses limbs in the same way, and adds those that have no branch.
         Components, cycles and branches with a pin are kept. The mesh's vertices of a pruned branch go to its junction.
         Without its mesh, or if wavefronts made the curve, branches are pruned by their balls, the least slender first.
 
         Raises:
-            ConfigError: ``slenderness`` is negative or not a number.
+            ConfigError: ``slenderness`` is negative or not a number, or ``detail`` not from 0 to 1.
         """
-        return changes.pruned(self, slenderness, self._is_held())
+        return changes.pruned(self, slenderness, detail, self._is_held())
 
     @property
     def num_leaves(self) -> int:
