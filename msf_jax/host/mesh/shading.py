@@ -9,9 +9,8 @@ import numpy as np
 
 from msf_jax.host import graphs
 
-CREASE = (
-    75.0  # degrees between normals across an edge: a limb of six sides (60) is round, the edge of a box (90) is sharp
-)
+# Degrees between normals across an edge: a limb of six sides (60) is round, the edge of a box (90) is sharp.
+CREASE = 75.0
 
 
 def corner_normals(vertices: np.ndarray, faces: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
