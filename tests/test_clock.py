@@ -114,7 +114,7 @@ def test_an_iteration_that_does_not_end_is_left_out(mesh, endless, monkeypatch):
     assert at.value.flow.skeleton.report.reason == "interrupted"
 
 
-@pytest.mark.parametrize("name", ["limbed", "checked"])
+@pytest.mark.parametrize("name", ["prune_and_extend", "enforce_topology"])
 def test_finishing_that_does_not_end_leaves_the_curve_so_far(mesh, endless, name):
     ended = endless(finishing, name)
     with pytest.raises(Interrupted) as at:

@@ -5,11 +5,13 @@ import warnings
 from pathlib import Path
 
 import pytest
+import yaml
 from test_architecture import MOST_FILES
 
 import msf_jax
 from msf_jax import Config, Repair, Weights
 from msf_jax.app import batch
+from msf_jax.base.version import VERSION
 from msf_jax.device import cg, laplacian
 from msf_jax.flow import curves, loop, stepping
 from msf_jax.flow import skeletonize as running
@@ -138,6 +140,40 @@ def test_the_workflow_has_the_oldest_and_the_newest_python_of_the_classifiers():
     assert f'requires-python = ">=3.{minors[0]}"' in project and minors == [*range(minors[0], minors[-1] + 1)]
     assert f'python: ["3.{minors[0]}", "3.{minors[-1]}"]' in text_of(".github/workflows/ci.yml")
     assert f"with Python 3.{minors[0]} or newer" in text_of("README.md")
+
+
+def test_the_citation_is_of_this_version():
+    cited = yaml.safe_load((ROOT / ".github" / "CITATION.cff").read_text("utf-8"))
+    assert (cited["title"], cited["version"], cited["license"]) == ("msf_jax", VERSION, "Apache-2.0")
+    links = {f"https://doi.org/{one['doi']}" for one in cited["references"] if "doi" in one}
+    assert len(links) == 2 and all(link in text_of("README.md") and link in text_of("pyproject.toml") for link in links)
+
+
+@pytest.mark.parametrize("path", sorted((ROOT / ".github" / "workflows").glob("*.yml")), ids=lambda path: path.stem)
+def test_what_a_workflow_names_is_there(path):
+    """Jobs, files, programs of the tests, and what one job uploads for another."""
+    jobs = yaml.safe_load(path.read_text("utf-8"))["jobs"]
+    steps = [step for job in jobs.values() for step in job.get("steps", [])]
+    needs = [name for job in jobs.values() for name in [job.get("needs", [])]]
+    assert {name for each in needs for name in ([each] if isinstance(each, str) else each)} <= set(jobs)
+    assert all((ROOT / job["uses"]).exists() for job in jobs.values() if "uses" in job)
+    runs = " ".join(step.get("run", "") for step in steps)
+    assert all((ROOT / name).exists() for name in re.findall(r"bash (\S+)", runs))
+    assert all((ROOT / f"{name.replace('.', '/')}.py").exists() for name in re.findall(r"-m (tests\.\S+)", runs))
+    kept = {
+        kind: [step["with"]["name"] for step in steps if f"/{kind}-artifact@" in step.get("uses", "")]
+        for kind in ("upload", "download")
+    }
+    assert set(kept["download"]) <= set(kept["upload"])
+
+
+def test_a_release_is_tested_and_its_tag_is_the_version():
+    jobs = yaml.safe_load((ROOT / ".github" / "workflows" / "release.yml").read_text("utf-8"))["jobs"]
+    assert jobs["tests"] == {"uses": "./.github/workflows/ci.yml"} and jobs["publish"]["needs"] == ["tests", "build"]
+    assert [name for name, job in jobs.items() if "permissions" in job] == ["publish"]
+    (check,) = [step["run"] for step in jobs["build"]["steps"] if "GITHUB_REF_NAME" in step.get("run", "")]
+    name = check.partition("#v}")[0].partition("dist/")[2].partition("-$")[0]
+    assert check.startswith("test -f") and f'name = "{name}"' in text_of("pyproject.toml")
 
 
 @pytest.mark.parametrize("kind", [DeprecationWarning, FutureWarning])

@@ -163,7 +163,7 @@ def draft_of(x, edges):
 
 def loops_and_rank(shape, draft, job):
     """How many cycles there are in space, and how many handles they go around."""
-    done = finishing.coincident_merged(draft, job)
+    done = finishing.merge_coincident(draft, job)
     return cycle_count(len(done.vertices), done.edges)[1], loops.proof(shape, done.vertices, done.edges).rank
 
 
@@ -179,7 +179,7 @@ def bored(solid, at, radius):
     return trimesh.Trimesh(found.vert_properties[:, :3].astype(float), found.tri_verts)
 
 
-@pytest.mark.parametrize("step", [finishing.straightened, partial(finishing.centred, hold_leaves=False)])
+@pytest.mark.parametrize("step", [finishing.straighten, partial(finishing.centre_nodes, hold_leaves=False)])
 @pytest.mark.parametrize("genus", [1, 0])
 def test_no_pass_folds_a_loop_flat(step, genus):
     """One that is nearly inside a single ball, too, around a bore that is far finer than the limb; what goes around
@@ -324,7 +324,7 @@ def test_junctions_go_to_the_middle_of_a_blob_but_not_along_a_trunk():
     job = job_of(shape)
     for is_held in (none_held(x), np.arange(6) == 0):
         draft = Draft(x, edges, is_held, np.arange(6), np.arange(6), x, none_held(x))
-        place, is_former_junction = finishing.placed(draft, job)[5:7]
+        place, is_former_junction = finishing.place_junctions(draft, job)[5:7]
         assert is_former_junction.tolist() == [not is_held[0]] + 5 * [False]
         np.testing.assert_array_equal(place[1:], x[1:])
         assert (place[0] == x[0]).all() == is_held[0]
@@ -694,7 +694,7 @@ def test_a_junction_goes_to_the_node_whose_ball_holds_its_own():
     job = Job(shape, shape, 0.75, roadmap, centring.Budget(), partial(Caps, shape))
     every = np.arange(len(x))
     draft = Draft(x, edges, none_held(x), every, every, x, none_held(x))
-    place = finishing.placed(draft, job).place / scale
+    place = finishing.place_junctions(draft, job).place / scale
     assert np.linalg.norm(place[0]) < 0.1
     assert np.linalg.norm(place[3] - [0, 0, 1.6]) < 0.35
 

@@ -23,7 +23,9 @@ LINE = np.linspace([-1.0, 0, 0], [1, 0, 0], 41)
 def limbed(shape, x, edges, is_held=None):
     """The curve with one branch to the end of each limb, as (vertices, edges)."""
     draft = draft_of(x, edges)
-    found = finishing.limbed(draft if is_held is None else draft._replace(is_held=is_held), job_of(shape), extend=True)
+    found = finishing.prune_and_extend(
+        draft if is_held is None else draft._replace(is_held=is_held), job_of(shape), extend=True
+    )
     return found.vertices, found.edges
 
 
@@ -225,7 +227,7 @@ def test_limbs_without_a_leaf_get_one_and_leaves_in_the_body_go():
     """Three leaves in a block with four fingers: a component keeps two until fingers have theirs."""
     shape = solid(fingers(), 0.15)
     x, edges = legs(*[[(0, 0, -1.02), (a, b, -1)] for a, b in ((1.4, 1.4), (-1.4, -1.4), (-1.4, 1.4))])
-    found = finishing.limbed(draft_of(x, edges), job_of(shape)._replace(prune=1.2), extend=True)
+    found = finishing.prune_and_extend(draft_of(x, edges), job_of(shape)._replace(prune=1.2), extend=True)
     leaves = found.vertices[found.is_leaf()]
     assert len(leaves) == 4 and (leaves[:, 2] > 0.8).all() and (found.num_grown, found.num_pruned) == (4, 3)
     assert cycle_count(len(found.vertices), found.edges) == (1, 0)

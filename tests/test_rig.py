@@ -11,7 +11,7 @@ from PIL import Image
 from scipy import spatial
 
 from msf_jax import ConfigError, MeshError, ground_truth
-from msf_jax.host.mesh import reading
+from msf_jax.host.mesh import reading, shading
 from msf_jax.skeleton.bare import curve_of
 from msf_jax.skeleton.formats import gltf
 from msf_jax.skeleton.rigging import binding, bones, naming, rig
@@ -220,11 +220,14 @@ def test_a_glb_bends_as_the_rig_does(tmp_path):
     skeleton, mesh = known("y")
     made = skeleton.rig(mesh=mesh)
     skeleton.save(tmp_path / "y.glb", mesh)
-    np.testing.assert_allclose(skinned(tmp_path / "y.glb", {}), mesh.vertices, atol=1e-6)
+    at_rest = skinned(tmp_path / "y.glb", {})
+    row = spatial.KDTree(mesh.vertices).query(at_rest)[1]  # a vertex at a crease is there more than once
+    assert set(row.tolist()) == set(range(len(mesh.vertices)))
+    np.testing.assert_allclose(at_rest, mesh.vertices[row], atol=1e-6)
     turns = {made.names[1]: turned(0.7, 0), made.names[2]: turned(-0.4, 1), made.names[0]: turned(0.3, 2)}
     bent = made.posed(mesh.vertices, turns)
     assert np.linalg.norm(bent - mesh.vertices, axis=1).max() > 0.2
-    np.testing.assert_allclose(skinned(tmp_path / "y.glb", turns), bent, atol=1e-5)
+    np.testing.assert_allclose(skinned(tmp_path / "y.glb", turns), bent[row], atol=1e-5)
     document, arrays = document_of(tmp_path / "y.glb")
     assert [document["nodes"][joint]["name"] for joint in document["skins"][0]["joints"]] == list(made.names)
     attributes = document["meshes"][0]["primitives"][0]["attributes"]
@@ -277,6 +280,91 @@ def test_materials_uvs_and_normals_of_all_parts_are_kept(tmp_path):
     document, _ = document_of(tmp_path / "out.glb")
     assert all("NORMAL" in mesh["primitives"][0]["attributes"] for mesh in document["meshes"])
     np.testing.assert_allclose(skinned(tmp_path / "out.glb", {}), vertices, atol=1e-6)
+
+
+def seamed_obj(path, mesh: trimesh.Trimesh, has_normals: bool) -> np.ndarray:
+    """Write ``mesh`` with two materials, and texture coordinates of which each corner's are its face's alone where the
+    face is above z = 0.3, at seams. Returns those of the corners (F, 3, 2), in the order of the file."""
+    order = np.argsort(mesh.triangles_center[:, 2] > 0.3, kind="stable")
+    faces, is_apart = mesh.faces[order], mesh.triangles_center[order, 2] > 0.3
+    corner = np.arange(faces.size).reshape(-1, 3)
+    random = np.random.default_rng(7).uniform(0, 1, (len(mesh.vertices) + faces.size, 2)).round(6)
+    index = np.where(is_apart[:, None], len(mesh.vertices) + corner, faces)
+    path.with_suffix(".mtl").write_text("newmtl red\nKd 1 0 0\nnewmtl blue\nKd 0 0 1\n")
+    lines = [f"mtllib {path.stem}.mtl", *(f"v {x!r} {y!r} {z!r}" for x, y, z in mesh.vertices.tolist())]
+    lines += [f"vt {u} {v}" for u, v in random.tolist()]
+    lines += [f"vn {x!r} {y!r} {z!r}" for x, y, z in mesh.face_normals[order].tolist()] if has_normals else []
+    for number, (face, of_texture) in enumerate(zip((faces + 1).tolist(), (index + 1).tolist(), strict=True)):
+        lines += ["usemtl red"] if number == 0 else ["usemtl blue"] if number == (~is_apart).sum() else []
+        normal = f"/{number + 1}" if has_normals else ""
+        lines.append("f " + " ".join(f"{v}/{vt}{normal}" for v, vt in zip(face, of_texture, strict=True)))
+    path.write_text("\n".join(lines) + "\n")
+    return random[index]
+
+
+@pytest.mark.parametrize("has_normals", [False, True])
+def test_corners_of_a_textured_obj_are_those_of_the_file(tmp_path, has_normals):
+    """Texture coordinates, materials, positions and normals of every corner, as trimesh reads them from the rig."""
+    skeleton, mesh = known("s_curve")
+    expected = seamed_obj(tmp_path / "a.obj", mesh, has_normals)
+    order = np.argsort(mesh.triangles_center[:, 2] > 0.3, kind="stable")
+    num = int((mesh.triangles_center[:, 2] <= 0.3).sum())
+    assert 0 < num < len(order)
+    vertices, _ = reading.read(tmp_path / "a.obj")  # those of both materials
+    nearest = spatial.KDTree(skeleton.vertices).query(vertices)[1]
+    whole = Skeleton(skeleton.vertices, skeleton.edges, skeleton.radii, nearest, skeleton.report)
+    whole.save(tmp_path / "a.glb", tmp_path / "a.obj")
+    found = {
+        tuple(part.visual.material.baseColorFactor[:3]): part
+        for part in trimesh.load(tmp_path / "a.glb", process=False).geometry.values()
+    }
+    spans = {(255, 0, 0): slice(0, num), (0, 0, 255): slice(num, None)}
+    assert set(found) == set(spans)
+    for colour, span in spans.items():
+        part = found[colour]
+        np.testing.assert_allclose(part.visual.uv[part.faces], expected[span], atol=1e-6)
+        np.testing.assert_allclose(part.vertices[part.faces], mesh.vertices[mesh.faces[order[span]]], atol=1e-6)
+        if has_normals:
+            normals = np.repeat(mesh.face_normals[order[span]][:, None], 3, axis=1)
+            np.testing.assert_allclose(part.vertex_normals[part.faces], normals, atol=1e-5)
+    document, _ = document_of(tmp_path / "a.glb")
+    assert all("NORMAL" in one["primitives"][0]["attributes"] for one in document["meshes"])
+    made = whole.rig(mesh=tmp_path / "a.obj")
+    place = spatial.KDTree(vertices).query(at_rest := skinned(tmp_path / "a.glb", {}))[1]
+    np.testing.assert_allclose(at_rest, vertices[place], atol=1e-6)
+    turns = {made.names[1]: turned(0.7, 0)}
+    np.testing.assert_allclose(skinned(tmp_path / "a.glb", turns), made.posed(vertices, turns)[place], atol=1e-5)
+
+
+def test_a_mesh_without_normals_gets_smooth_ones_and_sharp_creases():
+    """Of a ball those of its radii, also across a seam; of a box those of its faces; of a prism of six sides, with
+    creases of 60 degrees, those of its cylinder; of one of four sides those of its faces."""
+    ball = trimesh.creation.icosphere(subdivisions=3)
+    halves = [
+        ball.submesh([np.flatnonzero(side)], append=True)
+        for side in (ball.triangles_center[:, 0] > 0, ball.triangles_center[:, 0] <= 0)
+    ]
+    apart = trimesh.util.concatenate(halves)
+    assert len(apart.vertices) > len(ball.vertices)
+    normals, fans = shading.corner_normals(apart.vertices, apart.faces)
+    assert np.linalg.norm(normals - apart.vertices[apart.faces], axis=2).max() < 0.02
+    assert fans.max() + 1 == len(ball.vertices)
+    box = trimesh.creation.box()
+    normals, fans = shading.corner_normals(box.vertices, box.faces)
+    np.testing.assert_allclose(normals, np.repeat(box.face_normals[:, None], 3, axis=1), atol=1e-12)
+    assert fans.max() + 1 == 24
+    for sides, num in ((6, 12), (4, 16)):
+        angle = 2 * np.pi * np.arange(sides) / sides
+        low, high = (np.c_[np.cos(angle), np.sin(angle), np.full(sides, z)] for z in (0.0, 1.0))
+        a, b = np.arange(sides), (np.arange(sides) + 1) % sides
+        wall = np.concatenate([np.c_[a, b, b + sides], np.c_[a, b + sides, a + sides]])
+        normals, fans = shading.corner_normals(np.concatenate([low, high]), wall)
+        assert fans.max() + 1 == num
+        if sides == 6:
+            outward = np.concatenate([low, high])[wall] * [1, 1, 0]
+            assert np.einsum("fcx,fcx->fc", normals, outward).min() > 1 - 1e-9
+    flat = shading.corner_normals(np.array([[0.0, 0, 0], [1, 0, 0], [2, 0, 0]]), np.array([[0, 1, 2]]))[0]
+    np.testing.assert_array_equal(flat[0], np.tile([0.0, 0, 1], (3, 1)))
 
 
 def test_vertices_in_one_place_stay_together():

@@ -14,5 +14,6 @@
 .. include:: differences.md
 .. include:: claims.md
 .. include:: speed.md
+.. include:: glossary.md
 .. include:: architecture.md
 """

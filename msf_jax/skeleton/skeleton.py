@@ -296,8 +296,8 @@ class Skeleton:
         - ``.vtp``: VTK PolyData, with the columns of branches and nodes of `table`. ``.csv``, ``.nodes.csv``,
           ``.axes.csv``, ``.cylinders.csv``: its tables.
         - ``.npz``: everything, with the surface. ``.json``: everything, without the surface.
-        - ``.glb``: glTF of ``mesh``, as `skeletonize` took it, with its materials, on the bones of ``rig()``. For
-          another rig use ``rig(...).save(path, mesh)``.
+        - ``.glb``: glTF of ``mesh``, as `skeletonize` took it, with its materials, texture seams and normals (smooth
+          where it has none), on the bones of ``rig()``. For another rig use ``rig(...).save(path, mesh)``.
 
         `msf_jax.read_curve` reads all of these but ``.gml``, ``.vtp``, ``.csv`` and ``.glb``.
 

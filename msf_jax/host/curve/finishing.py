@@ -59,13 +59,13 @@ class Finished(NamedTuple):
 def passes(centre: bool, extend: bool) -> list[Callable[[Draft, Job], Draft]]:
     """The passes in their order; ``centre`` and ``extend`` switch the passes for these steps."""
     return [
-        contained,
-        looped,
-        partial(limbed, extend=extend),
-        partial(joined, centre=centre, hold_leaves=extend),
-        *([partial(splined, hold_leaves=extend), straightened] if centre else []),
-        checked,
-        *([corners_rounded] if centre else []),
+        contain,
+        complete_cycles,
+        partial(prune_and_extend, extend=extend),
+        partial(centre_and_merge, centre=centre, hold_leaves=extend),
+        *([partial(resample, hold_leaves=extend), straighten] if centre else []),
+        enforce_topology,
+        *([round_corners] if centre else []),
     ]
 
 
@@ -161,7 +161,17 @@ def _of_reeb_curve(laid: reeb_curve.ReebCurve, nodes: np.ndarray, job: Job) -> F
     x, num = laid.vertices, len(laid.vertices)
     none = np.zeros(num, dtype=bool)
     draft = Draft(x, laid.edges, none, np.arange(num), laid.node_of_vertex, x, none)
-    for each in (contained, opened, straightened, contained, coincident_merged, looped, pruned, met, corners_rounded):
+    for each in (
+        contain,
+        remove_excess_cycles,
+        straighten,
+        contain,
+        merge_coincident,
+        complete_cycles,
+        prune_by_balls,
+        intersect_axes,
+        round_corners,
+    ):
         draft = each(draft, job)
     near = np.asarray(spatial.KDTree(draft.vertices).query(nodes)[1])
     taken, first, place = np.unique(near, return_index=True, return_inverse=True)
@@ -181,7 +191,7 @@ def _of_reeb_curve(laid: reeb_curve.ReebCurve, nodes: np.ndarray, job: Job) -> F
     )
 
 
-def contained(draft: Draft, job: Job) -> Draft:
+def contain(draft: Draft, job: Job) -> Draft:
     """Nodes and edges are inside; ends that no path inside leads to are removed."""
 
     def inside(draft: Draft) -> Draft:
@@ -194,16 +204,16 @@ def contained(draft: Draft, job: Job) -> Draft:
     return draft
 
 
-def opened(draft: Draft, job: Job) -> Draft:
+def remove_excess_cycles(draft: Draft, job: Job) -> Draft:
     """All loops go around handles of the solid, at most one around each."""
     if not job.shape.handles.genus:
         return draft
     return draft._replace(edges=draft.edges[loops.independent(job.shape, draft.vertices, draft.edges)])
 
 
-def looped(draft: Draft, job: Job) -> Draft:
+def complete_cycles(draft: Draft, job: Job) -> Draft:
     """There is one loop around every handle of the solid, and no other loop."""
-    draft = opened(draft, job)
+    draft = remove_excess_cycles(draft, job)
     x, edges = draft.vertices, draft.edges
     missing = job.shape.handles.genus - graphs.cycle_count(len(x), edges)[1]
     job.roadmap.num_unsought = 0
@@ -213,12 +223,12 @@ def looped(draft: Draft, job: Job) -> Draft:
     return draft.changed(x, edges)
 
 
-def straightened(draft: Draft, job: Job) -> Draft:
+def straighten(draft: Draft, job: Job) -> Draft:
     """Branches turn by at most ``SHARPEST`` degrees at a node, where possible."""
     return draft.changed(resampling.straighten(job.shape, draft.vertices, draft.edges, draft.is_held, SHARPEST))
 
 
-def placed(draft: Draft, job: Job) -> Draft:
+def place_junctions(draft: Draft, job: Job) -> Draft:
     """Junctions get places: nearby points of largest clearance, or first a node whose ball contains theirs."""
     is_former_junction = (draft.degree() > 2) & ~draft.is_held
     is_former_junction[is_former_junction] = job.coarse.contains(draft.place[is_former_junction])
@@ -236,7 +246,9 @@ def placed(draft: Draft, job: Job) -> Draft:
     return draft._replace(place=place, is_former_junction=is_former_junction)
 
 
-def centred(draft: Draft, job: Job, hold_leaves: bool, rounds: int = centring.ROUNDS, is_far: bool = False) -> Draft:
+def centre_nodes(
+    draft: Draft, job: Job, hold_leaves: bool, rounds: int = centring.ROUNDS, is_far: bool = False
+) -> Draft:
     """Nodes are in the middle of the solid."""
     is_held = draft.is_held | draft.is_leaf() if hold_leaves else draft.is_held
     x = centring.centre(
@@ -254,7 +266,7 @@ def centred(draft: Draft, job: Job, hold_leaves: bool, rounds: int = centring.RO
     return draft.changed(x)
 
 
-def merged(draft: Draft, job: Job) -> Draft:
+def merge_junctions(draft: Draft, job: Job) -> Draft:
     """Junctions inside the ball of another one are merged."""
     if not job.prune:
         return draft
@@ -265,25 +277,25 @@ def merged(draft: Draft, job: Job) -> Draft:
     return _left(draft._replace(edges=edges), stays, target)
 
 
-def joined(draft: Draft, job: Job, centre: bool, hold_leaves: bool) -> Draft:
+def centre_and_merge(draft: Draft, job: Job, centre: bool, hold_leaves: bool) -> Draft:
     """Junctions are where the axes of their branches meet, and none is inside the ball of another one."""
     if centre:
-        draft = centred(placed(draft, job), job, hold_leaves, FIRST_ROUNDS, is_far=True)
-    return merged(draft, job)
+        draft = centre_nodes(place_junctions(draft, job), job, hold_leaves, FIRST_ROUNDS, is_far=True)
+    return merge_junctions(draft, job)
 
 
-def splined(draft: Draft, job: Job, hold_leaves: bool) -> Draft:
+def resample(draft: Draft, job: Job, hold_leaves: bool) -> Draft:
     """Nodes are about ``SPACING`` radii apart, in the middle of the solid. No two strands run in one limb, and the
     junctions of tubes are where the axes of their branches meet."""
-    draft = centred(refined(draft, job), job, hold_leaves)
+    draft = centre_nodes(refine(draft, job), job, hold_leaves)
     radii = job.coarse.approximate_clearance(draft.vertices)[0]
     stays, target, edges = branches.zip_strands(draft.vertices, draft.edges, radii, draft.is_held)
     if not stays.all():
-        draft = centred(_left(draft._replace(edges=edges), stays, target), job, hold_leaves, FIRST_ROUNDS)
-    return met(draft, job)
+        draft = centre_nodes(_left(draft._replace(edges=edges), stays, target), job, hold_leaves, FIRST_ROUNDS)
+    return intersect_axes(draft, job)
 
 
-def met(draft: Draft, job: Job) -> Draft:
+def intersect_axes(draft: Draft, job: Job) -> Draft:
     """The junctions of tubes are where the axes of their branches meet, and no others are left."""
     radii = job.coarse.approximate_clearance(draft.vertices)[0]
     is_leaf = draft.is_leaf()
@@ -296,7 +308,7 @@ def met(draft: Draft, job: Job) -> Draft:
     return draft.changed(moves.taken(job.shape, job.shape.handles, at, step, draft.edges).x)
 
 
-def pruned(draft: Draft, job: Job) -> Draft:
+def prune_by_balls(draft: Draft, job: Job) -> Draft:
     """Branches of a Reeb curve that are no limbs by their balls are removed: its limbs are tubes, and have too few
     triangles for caps."""
     if not job.prune:
@@ -324,13 +336,13 @@ def _left(draft: Draft, stays: np.ndarray, target: np.ndarray) -> Draft:
     )
 
 
-def refined(draft: Draft, job: Job) -> Draft:
+def refine(draft: Draft, job: Job) -> Draft:
     """Nodes are about ``SPACING`` radii apart."""
     x, edges, is_sparse = containment.refine(job.shape, draft.vertices, draft.edges, SPACING, MOST_NODES)
     return draft.changed(x, edges)._replace(is_sparse=is_sparse)
 
 
-def limbed(draft: Draft, job: Job, extend: bool) -> Draft:
+def prune_and_extend(draft: Draft, job: Job, extend: bool) -> Draft:
     """Every limb of the solid has one branch, and no other branch ends in a leaf, but for held nodes.
 
     ``extend``: whether branches are laid to the ends of their limbs, and limbs without a branch get one.
@@ -351,7 +363,7 @@ def limbed(draft: Draft, job: Job, extend: bool) -> Draft:
     num_pruned = num_leaves + missing - int(draft.is_leaf().sum())
     if extend:
         curve = draft.vertices, draft.edges, draft.is_held
-        draft = contained(_moved(draft, *one_branch.laid(caps, job.coarse, *curve, leaf.tolist(), job.prune)), job)
+        draft = contain(_moved(draft, *one_branch.laid(caps, job.coarse, *curve, leaf.tolist(), job.prune)), job)
     finer = tuple((each.detail, caps.surface.points[each.cap.tip]) for each in caps.limbs(job.prune).finer)
     return draft._replace(num_pruned=num_pruned, num_grown=missing, finer=finer)
 
@@ -365,18 +377,18 @@ def _moved(draft: Draft, vertices: np.ndarray, edges: np.ndarray) -> Draft:
     return draft
 
 
-def checked(draft: Draft, job: Job) -> Draft:
+def enforce_topology(draft: Draft, job: Job) -> Draft:
     """What was promised holds: all is inside, and each cycle is one in space, around a handle of its own."""
-    return looped(coincident_merged(contained(draft, job), job), job)
+    return complete_cycles(merge_coincident(contain(draft, job), job), job)
 
 
-def coincident_merged(draft: Draft, job: Job) -> Draft:
+def merge_coincident(draft: Draft, job: Job) -> Draft:
     """Coincident edges are merged, so every cycle is one in space."""
     stays, target, edges = branches.merge_coincident(draft.vertices, draft.edges, draft.is_held)
     return _left(draft._replace(edges=edges), stays, target)
 
 
-def corners_rounded(draft: Draft, job: Job) -> Draft:
+def round_corners(draft: Draft, job: Job) -> Draft:
     """Corners that could not be cut are rounded within their balls."""
     return draft.changed(*resampling.round_corners(job.shape, draft.vertices, draft.edges, draft.is_held, SHARPEST))
 

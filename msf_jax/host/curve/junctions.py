@@ -65,8 +65,10 @@ def attached(
         share, meet, off, back = _nearest_on(x[trunk], place, -heading)
         ball = (1 - share) * radii[trunk[:, 0]] + share * radii[trunk[:, 1]]
         is_near = (size < THIN * ball) & (off < OFF * ball) & (back < FAR * ball)
+        if not is_near.any():  # also where all branches end here, and there is no trunk
+            continue
         best = int(np.where(is_near, off / np.maximum(ball, 1e-300), np.inf).argmin())
-        if not is_near.any() or not is_inside(shape, meet[best : best + 1], place[None])[0]:
+        if not is_inside(shape, meet[best : best + 1], place[None])[0]:
             continue
         x[path[1 : begin + 1]] = meet[best] + np.linspace(0, 1, begin + 1)[1:, None] * (place - meet[best])
         x, radii, new, (a, b) = (

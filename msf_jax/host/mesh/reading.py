@@ -11,8 +11,10 @@ import inspect
 import io
 import logging
 import os
+import warnings
 from collections.abc import Iterator
 from contextlib import contextmanager
+from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
@@ -124,6 +126,36 @@ def parts(mesh: Any) -> list[trimesh.Trimesh]:
     return [trimesh.Trimesh(*read(mesh, finite=False), process=False)]
 
 
+def parts_with_seams(mesh: Any) -> tuple[list[trimesh.Trimesh], list[np.ndarray], int]:
+    """The `parts` of ``mesh`` with corners as its file has them, for each part the row in `read` of each vertex, and
+    the number of those rows.
+
+    An OBJ file has indices of its own for texture coordinates and normals. A vertex with several, at a seam, is here
+    several vertices in one row.
+    """
+    found = parts(mesh)
+    first = np.cumsum([0, *(len(part.vertices) for part in found)])
+    rows = [np.arange(start, end) for start, end in pairwise(first.tolist())]
+    if not (isinstance(mesh, str | os.PathLike) and Path(mesh).suffix.lower() == ".obj"):
+        return found, rows, int(first[-1])
+    # trimesh splits vertices at seams, and does not say which; so it reads their indices in place of their positions.
+    with _enough_memory(repr(Path(mesh).name)), _quiet_loader():
+        text = obj.numbered(obj.plain(decoded(Path(mesh).read_bytes())))
+        split = _by_trimesh(io.BytesIO(text.encode()), "obj", Path(mesh), keeps_vertices=False)
+    for number, (part, seamed) in enumerate(zip(found, split, strict=True)):
+        index = seamed.vertices[:, 0].astype(np.int64)
+        normals = seamed.vertex_normals if has_normals(seamed) else None
+        seamed.vertices = part.vertices[index]
+        seamed.vertex_normals = normals  # new vertices have none
+        rows[number] = first[number] + index
+    return split, rows, int(first[-1])
+
+
+def has_normals(mesh: trimesh.Trimesh) -> bool:
+    """Whether the file or the caller has given normals of vertices, or trimesh has computed them."""
+    return "vertex_normals" in mesh._cache.cache
+
+
 def _placed(scene: trimesh.Scene) -> list[trimesh.Trimesh]:
     """The meshes of a scene; unlike `trimesh.Scene.dump`, it keeps their normals."""
     size = {name: len(mesh.faces) for name, mesh in scene.geometry.items() if isinstance(mesh, trimesh.Trimesh)}
@@ -203,10 +235,13 @@ def _meshes_of(path: Path, suffix: str, with_attributes: bool) -> list[Any]:
     return _by_trimesh(path, suffix, path)
 
 
-def _by_trimesh(source: Any, suffix: str, path: Path) -> list[Any]:
+def _by_trimesh(source: Any, suffix: str, path: Path, *, keeps_vertices: bool = True) -> list[Any]:
     """What trimesh reads from ``source``, a path or a stream of the content of the file at ``path``."""
     given = {} if source is path else {"file_type": suffix, "resolver": FilePathResolver(str(path))}
-    loaded: Any = trimesh.load(source, process=False, maintain_order=True, **given)
+    with warnings.catch_warnings():
+        # It takes medians of texture indices: of a vertex that no face of a material has, of none.
+        warnings.filterwarnings("ignore", message="All-NaN slice|invalid value", category=RuntimeWarning)
+        loaded: Any = trimesh.load(source, process=False, maintain_order=keeps_vertices, **given)
     return _placed(loaded) if isinstance(loaded, trimesh.Scene) else [loaded]
 
 

@@ -1,8 +1,9 @@
 """A mesh on the bones of a rig, as one binary glTF 2.0 file, with its materials, UVs, normals and colours.
 
-trimesh writes the mesh, and this module adds the skin: joints and weights. A joint has the name of its bone, and the
-end of the bone in its "extras". Numbers in the format are float32. So coordinates of a mesh far from the origin are
-relative to its centre.
+trimesh writes the mesh, and this module adds the skin: joints and weights. A vertex of the format has one of each
+attribute, so a vertex with several, at a seam or a crease, is written several times. A joint has the name of its bone,
+and the end of the bone in its "extras". Numbers in the format are float32. So coordinates of a mesh far from the origin
+are relative to its centre.
 """
 
 import json
@@ -15,7 +16,7 @@ from trimesh.exchange.gltf import export_glb
 
 from msf_jax.base.errors import ConfigError
 from msf_jax.base.version import VERSION
-from msf_jax.host.mesh import reading
+from msf_jax.host.mesh import reading, shading
 
 if TYPE_CHECKING:
     from msf_jax.skeleton.rigging.rig import Rig
@@ -47,26 +48,48 @@ def of_rig(rig: "Rig", mesh: Any) -> bytes:
     """
     if len(rig.joints) > MOST_JOINTS:
         raise ConfigError(f"the rig has {len(rig.joints)} bones: glTF can number at most {MOST_JOINTS}")
-    parts = [part for part in reading.parts(mesh) if len(part.vertices)]
-    reading.check_map(np.empty(rig.num_vertices), sum(len(part.vertices) for part in parts))
+    parts, rows, num = reading.parts_with_seams(mesh)
+    reading.check_map(np.empty(rig.num_vertices), num)
     points = np.concatenate([part.vertices for part in parts])
     points = points[np.isfinite(points).all(axis=1)]
     low, high = points.min(axis=0), points.max(axis=0)
     is_far = np.linalg.norm(low + high) / 2 > FAR * np.linalg.norm(high - low)
     middle = (low + high) / 2 if is_far else np.zeros(3)
+    for part in parts:
+        part.vertices = np.where(np.isfinite(part.vertices), part.vertices, middle)
+    rows = _shaded(parts, rows)
     document, content = _plain(parts, middle)
     start = _add_joints(document, rig, middle)
-    _add_skin(document, content, rig, parts, start, middle)
+    _add_skin(document, content, rig, rows, start, middle)
     return _packed(document, bytes(content))
+
+
+def _shaded(parts: list[trimesh.Trimesh], rows: list[np.ndarray]) -> list[np.ndarray]:
+    """Give normals to those of ``parts`` that have none: without them, viewers show every face flat. Returns ``rows``
+    with those of the vertices that are new, at creases."""
+    first = np.cumsum([0, *(len(part.vertices) for part in parts)])
+    faces = np.concatenate([part.faces + start for part, start in zip(parts, first[:-1], strict=True)])
+    normals, fans = shading.corner_normals(np.concatenate([part.vertices for part in parts]), faces)
+    found, last = [], 0
+    for part, row in zip(parts, rows, strict=True):
+        span = slice(last, last + len(part.faces))
+        last = span.stop
+        if not len(part.faces) or reading.has_normals(part):
+            found.append(row)
+            continue
+        corners = np.stack([part.faces.ravel(), fans[span].ravel()], axis=1)
+        pairs, at, inverse = np.unique(corners, axis=0, return_index=True, return_inverse=True)
+        part.update_vertices(pairs[:, 0], np.arange(len(part.vertices)))  # this keeps colours and UVs
+        part.faces = inverse.reshape(-1, 3)
+        part.vertex_normals = normals[span].reshape(-1, 3)[at]
+        found.append(row[pairs[:, 0]])
+    return found
 
 
 def _plain(parts: list[trimesh.Trimesh], middle: np.ndarray) -> tuple[dict[str, Any], bytearray]:
     """The JSON document and the binary content of a file with only the ``parts``, in their order."""
     scene = trimesh.Scene()
     for number, part in enumerate(parts):
-        is_finite = np.isfinite(part.vertices)
-        if not is_finite.all():
-            part.vertices = np.where(is_finite, part.vertices, middle)
         if middle.any():
             part.apply_translation(-middle)  # this keeps normals
         part.metadata.clear()
@@ -91,25 +114,24 @@ def _add_joints(document: dict[str, Any], rig: "Rig", middle: np.ndarray) -> int
 
 
 def _add_skin(
-    document: dict[str, Any], content: bytearray, rig: "Rig", parts: list[trimesh.Trimesh], start: int, middle: Any
+    document: dict[str, Any], content: bytearray, rig: "Rig", rows: list[np.ndarray], start: int, middle: Any
 ) -> None:
-    """Bind the nodes of ``parts`` to the joints, whose nodes begin at index ``start``."""
+    """Bind the nodes of parts to the joints, whose nodes begin at index ``start``. ``rows`` are those of the rig's
+    weights, for the vertices of each part."""
     num = len(rig.joints)
     placed = {"translation": middle.tolist()} if middle.any() else {}
     meshes = {mesh["name"]: number for number, mesh in enumerate(document["meshes"])}
-    shown, first = [], 0
-    for number, part in enumerate(parts):
-        rows = rig.weights[first : first + len(part.vertices)]
-        first += len(part.vertices)
+    shown = []
+    for number, row in enumerate(rows):
         mesh = meshes.get(f"mesh {number}")
         if mesh is None:  # a part without faces
             continue
         attributes = document["meshes"][mesh]["primitives"][0]["attributes"]
-        for which, (bound, weights) in enumerate(_sets(rows)):
+        for which, (bound, weights) in enumerate(_sets(rig.weights[row])):
             attributes[f"JOINTS_{which}"] = _add(document, content, bound, "VEC4", USHORT, ARRAY_BUFFER)
             attributes[f"WEIGHTS_{which}"] = _add(document, content, weights, "VEC4", FLOAT, ARRAY_BUFFER)
         shown.append(start + num + len(shown))
-        document["nodes"].append({"name": f"mesh {number}" if len(parts) > 1 else "mesh", "mesh": mesh, "skin": 0})
+        document["nodes"].append({"name": f"mesh {number}" if len(rows) > 1 else "mesh", "mesh": mesh, "skin": 0})
         document["nodes"][-1] |= placed
     inverse = np.tile(np.eye(4, dtype=np.float32), (num, 1, 1))
     inverse[:, 3, :3] = -(rig.joints - middle).astype(np.float32)  # matrices of the format are column-major

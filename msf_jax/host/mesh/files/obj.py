@@ -4,6 +4,7 @@ Trimesh takes index 0 for the first vertex, a negative index from the end of the
 polygons into fans. It does not see lines that begin with white space or have a tab after the first word.
 """
 
+import itertools
 import re
 
 import numpy as np
@@ -58,6 +59,12 @@ def plain(text: str) -> str:
         raise ValueError(f"a face has index {max(ids)}, out of range: expected 1 to {num['v']}")
     _cut(found, rows, corners, np.array(ids, dtype=np.int64) - 1, places)
     return "\n".join(found) + "\n"
+
+
+def numbered(text: str) -> str:
+    """The OBJ file `plain` ``text`` with the index of each vertex, from 0, in place of its x; y and z are 0."""
+    index = itertools.count()
+    return re.sub(r"^v \S+ \S+ \S+", lambda _: f"v {next(index)} 0 0", text, flags=re.MULTILINE)
 
 
 def _resolved(word: str, num: dict[str, int], line: int) -> str:
