@@ -400,3 +400,70 @@ def test_what_cannot_be_rigged_is_named(tmp_path):
     with pytest.raises(ConfigError, match="vertices has shape"):
         made.posed(mesh.vertices[1:], {})
     assert gltf.MOST_JOINTS == rig.MOST_BONES and list(tmp_path.iterdir()) == []
+
+
+def figure(shift: float, head: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """A biped as a curve with radii; its legs meet ``shift`` beside the middle, as an uneven curve has it."""
+    chains = [
+        [(shift, 5.0, 0), (0, 8.0, 0)],  # from the pelvis to the arms
+        [(0, 8.0, 0), (0, 10.5, 0)],
+        [(shift, 5.0, 0), (1.0, 3.0, 0), (1.0, 0, 0)],
+        [(shift, 5.0, 0), (-1.0, 3.0, 0), (-1.0, 0, 0)],
+        [(0, 8.0, 0), (4.0, 8.0, 0)],
+        [(0, 8.0, 0), (-4.0, 8.0, 0)],
+    ]
+    points = np.unique(
+        np.concatenate([np.linspace(a, b, 26) for chain in chains for a, b in pairwise(np.array(chain))]).round(9),
+        axis=0,
+    )
+    tree = spatial.KDTree(points)
+    edges = np.concatenate(
+        [
+            np.stack([line[:-1], line[1:]], axis=1)
+            for chain in chains
+            for a, b in pairwise(np.array(chain))
+            for line in [tree.query(np.linspace(a, b, 26))[1]]
+        ]
+    )
+    radii = np.where(np.abs(points[:, 0]) > 1.5, 0.3, np.where(points[:, 1] < 4, 0.4, 0.9))
+    radii[points[:, 1] > 9.5] = head
+    return points, np.unique(np.sort(edges, axis=1), axis=0), radii
+
+
+@pytest.mark.parametrize("shift", [0.0, 0.4, -0.4])
+def test_a_biped_stands_on_its_pelvis_and_is_the_same_on_both_sides(shift):
+    """The head is the thickest part, and the chest as thick as the pelvis."""
+    points, edges, radii = figure(shift, head=2.0)
+    found = bones.bones_of(points, edges, radii, 50)
+    names = naming.names_of(found)
+    assert len(set(names)) == len(names) and found.joints[0, 1] < 6 and abs(found.joints[0, 0]) < 1e-9
+    spine = [k for k, name in enumerate(names) if name.startswith("trunk")]
+    assert len(spine) == 3 and found.parents[spine].tolist() == [0, *spine[:2]]
+    left = [name for name in names if name.endswith(".L")]
+    assert len(left) == sum(name.endswith(".R") for name in names) == 4  # two arms, two legs, of two bones each
+    for name in left:
+        one, other = names.index(name), names.index(name[:-1] + "R")
+        np.testing.assert_allclose(found.joints[one] * [-1, 1, 1], found.joints[other], atol=1e-9)
+    arm = [name for name in left if found.joints[names.index(name), 1] > 7]
+    begin, elbow = sorted(found.joints[names.index(name), 0] for name in arm)
+    assert abs(elbow - (begin + 4) / 2) < 1e-9  # straight: at the half
+
+
+def test_a_bone_with_few_vertices_is_joined_to_the_next_so_that_a_limb_begins_at_its_root():
+    nodes = np.linspace(0, 4, 41)[:, None] * [1.0, 0, 0]
+    edges = np.stack([np.arange(40), np.arange(1, 41)], axis=1)
+    found = bones.bones_of(nodes, edges, np.full(41, 0.12), 5)
+    assert found.place.tolist() == [0, 0, 1, 2, 3]
+    node = np.flatnonzero(found.of_node != 1).repeat(4)  # no vertex at the limb's first bone
+    left = rig._without_empty(found, node)
+    assert left.place.tolist() == [0, 0, 1, 2] and left.parents.tolist() == [-1, 0, 1, 2]
+    np.testing.assert_array_equal(left.joints[1], found.joints[1])
+    np.testing.assert_array_equal(left.tails[1], found.tails[2])
+
+
+def test_as_many_bones_as_asked_for_where_there_is_length():
+    nodes = np.linspace(0, 4, 81)[:, None] * [1.0, 0, 0]
+    edges = np.stack([np.arange(80), np.arange(1, 81)], axis=1)
+    assert len(bones.bones_of(nodes, edges, np.full(81, 0.3), 7).joints) < 7
+    assert len(bones.bones_of(nodes, edges, np.full(81, 0.3), 7, is_met=True).joints) == 7
+    assert len(bones.bones_of(nodes, edges, np.full(81, 0.3), 90, is_met=True).joints) < 20

@@ -3,26 +3,23 @@
 A bone begins at its joint, about which it turns. The root's joint is at the thickest junction; its part of the curve is
 inside the ball there. Each branch at a junction begins with its own joint, where it leaves the junction's ball, as an
 arm leaves a shoulder. So each limb turns on its own. A branch has more bones where it bends most, or where it is long.
+
+In a shape with a mirror plane both sides have the same joints and cuts: those of the mean of a branch and its mirror
+image. The root is then where limbs come in pairs, see `rooting`.
 """
 
-import heapq
-import itertools
 from typing import NamedTuple
 
-import networkx as nx
 import numpy as np
 
 from msf_jax.host import graphs
 from msf_jax.host.curve import branches
 from msf_jax.host.solid.geometry import arc_length, at
+from msf_jax.skeleton.rigging import cutting, mirror, rooting
+from msf_jax.skeleton.rigging.rooting import BonePath
 
 LEAST_LIMB = 0.6  # radii of the junction's ball: a limb that sticks out of the ball by less has no bone
 FOR_LIMBS = 0.6  # share of all bones for the first bones of branches, at most; the rest is for bends
-BENT = 0.35  # radii: a bone's part of the curve is cut if it is farther than this from a straight line
-LONG = 6.0  # radii: a longer bone is cut
-SHORTEST = 1.0  # radii: the least length of a bone after a cut, and of one between two junctions
-USUAL = 75  # percentile of the radii along a bone that counts as the bone's radius
-LEAVES = 0.6  # share of a branch's length that the ball at its start may cover, at most
 
 
 class Bones(NamedTuple):
@@ -30,7 +27,8 @@ class Bones(NamedTuple):
 
     joints: (B, 3) the start of each, about which it turns. tails: (B, 3) the end. parents: (B,) -1 for a root. branch:
     (B,) the branch of the curve, -1 for a root. place: (B,) the position along the branch, from 0. is_limb: (B,)
-    whether the branch ends in a tip. of_node: (N,) the bone of every node of the curve.
+    whether the branch ends in a tip. twin: (B,) the bone that is the mirror image, -1 without one. side: (B,) 1 on the
+    left, -1 on the right, and 0 without a twin. is_spine: (B,) whether it is of a biped's spine. of_node: (N,) the bone of every node of the curve.
     """
 
     joints: np.ndarray
@@ -39,98 +37,102 @@ class Bones(NamedTuple):
     branch: np.ndarray
     place: np.ndarray
     is_limb: np.ndarray
+    twin: np.ndarray
+    side: np.ndarray
+    is_spine: np.ndarray
     of_node: np.ndarray
 
 
-class _BonePath(NamedTuple):
-    """A branch directed away from the root. along: (n,) arc length of its nodes. start: that of its first joint. above:
-    the branch before it, -1 at the root's junction."""
-
-    nodes: np.ndarray
-    along: np.ndarray
-    start: float
-    above: int
-    is_limb: bool
-
-
-def bones_of(vertices: np.ndarray, edges: np.ndarray, radii: np.ndarray, most: int) -> Bones:
+def bones_of(vertices: np.ndarray, edges: np.ndarray, radii: np.ndarray, most: int, is_met: bool = False) -> Bones:
     """At most ``most`` bones for a curve ``(vertices (N, 3), edges (E, 2))`` in limbs of ``radii`` (N,). If there are
-    too many components, the longest have bones."""
+    too many components, the longest have bones. With ``is_met`` there are as many if the curve is long enough."""
     edges = edges[branches.cut_loops(len(vertices), edges, radii)]
-    stays, target = _limbs(vertices, edges, radii, max(1, int(FOR_LIMBS * most)))
-    roots, paths = _paths(vertices, edges[stays[edges].all(axis=1)], radii, stays, most)
-    cuts = _cuts(vertices, radii, paths, most - len(roots))
-    joints, tails, parents, branch, place, is_limb = [], [], [], [], [], []
-    of_node, last = np.full(len(vertices), -1), {}
+    plane = mirror.mirror_of(vertices, edges, np.flatnonzero(graphs.degrees(len(vertices), edges) == 1))
+    stays, target = _limbs(vertices, edges, radii, max(1, int(FOR_LIMBS * most)), plane)
+    roots, paths = rooting.paths_of(vertices, edges[stays[edges].all(axis=1)], radii, stays, most, plane)
+    cuts = cutting.cuts_of(paths, most - len(roots), is_met)
+    joints, tails, parents, branch, place, is_limb, side, is_spine = [], [], [], [], [], [], [], []
+    of_node, last, first_of = np.full(len(vertices), -1), {}, {}
     for number, root in enumerate(roots):
-        joints.append(vertices[root])
-        first = [path for path in paths if path.nodes[0] == root]
-        longest = max(first, key=lambda path: path.along[-1]) if first else None
-        tails.append(vertices[root] if longest is None else _at(vertices, longest, longest.start))
+        joints.append(root.joint)
+        tails.append(root.tail)
         parents.append(-1)
         branch.append(-1)
         place.append(0)
         is_limb.append(False)
-        of_node[root] = number
-        last[int(root)] = number  # maps the last node of a branch to its last bone
+        side.append(0)
+        is_spine.append(False)
+        of_node[root.node] = number
+        last[root.node] = number  # maps the last node of a branch to its last bone
     for number, (path, stops) in enumerate(zip(paths, cuts, strict=True)):
         above = last[int(path.nodes[0])]
-        first = len(joints)
-        for k, (begin, end) in enumerate(itertools.pairwise(stops)):
-            joints.append(_at(vertices, path, begin))
-            tails.append(_at(vertices, path, end))
+        first_of[number] = first = len(joints)
+        ends = at(path.line, path.stops, stops)
+        for k in range(len(stops) - 1):
+            joints.append(ends[k])
+            tails.append(ends[k + 1])
             parents.append(above if k == 0 else len(joints) - 2)
             branch.append(number)
             place.append(k)
             is_limb.append(path.is_limb)
-        piece = np.minimum(np.searchsorted(stops, path.along, side="right") - 1, len(stops) - 2)
+            side.append(path.side)
+            is_spine.append(path.is_spine)
+        piece = np.minimum(np.searchsorted(stops, path.part, side="right") - 1, len(stops) - 2)
         own = np.where(piece < 0, above, first + piece)
         of_node[path.nodes[1:]] = own[1:]
-        last[int(path.nodes[-1])] = own[-1]
+        last[int(path.nodes[-1])] = int(own[-1])
+    twin = np.full(len(joints), -1)
+    for bone in range(len(roots), len(joints)):
+        if side[bone]:
+            twin[bone] = first_of[paths[branch[bone]].image] + place[bone]
     known = np.flatnonzero(of_node >= 0)
     lost = np.flatnonzero((of_node < 0) & stays)  # nodes of components without a bone
     if len(lost):
         away = np.linalg.norm(vertices[lost][:, None] - vertices[known], axis=2)
         of_node[lost] = of_node[known[away.argmin(axis=1)]]
-    columns = np.array(joints), np.array(tails), np.array(parents), np.array(branch), np.array(place), np.array(is_limb)
+    columns = [np.array(column) for column in (joints, tails, parents, branch, place, is_limb, twin, side, is_spine)]
     found = Bones(*columns, of_node[target])
     while len(found.joints) > most:  # a junction of more limbs than that
         length = np.linalg.norm(found.tails - found.joints, axis=1)
-        found = without(found, np.arange(len(length)) == np.where(found.parents < 0, np.inf, length).argmin())
+        found = without(found, int(np.where(found.parents < 0, np.inf, length).argmin()))[0]
     return found
 
 
-def _at(vertices: np.ndarray, path: _BonePath, stop: float) -> np.ndarray:
-    """The point (3,) of a branch at the arc length ``stop``."""
-    return at(vertices[path.nodes], path.along, np.array([stop]))[0]
+def without(bones: Bones, bone: int) -> tuple[Bones, np.ndarray]:
+    """The bones without ``bone``, which is no root, and the new number (B,) of every old bone; that of ``bone`` is the
+    number of its heir.
 
-
-def without(bones: Bones, is_left_out: np.ndarray) -> Bones:
-    """The bones without those of ``is_left_out`` (B,), none of them roots. Their nodes go to their parents."""
-    heir = np.arange(len(bones.parents))
-    for bone in np.flatnonzero(is_left_out):
-        heir[bone] = heir[bones.parents[bone]]
-    stays = ~is_left_out
+    The first bone of a branch is joined to the next one of the branch, so that the branch still begins at its root.
+    Another one is joined to its parent.
+    """
+    columns = bones._replace(**{name: value.copy() for name, value in bones._asdict().items()})
+    joints, tails, parents, branch, place = columns[:5]
+    is_next = (branch == branch[bone]) & (place == place[bone] + 1)
+    if place[bone] == 0 and is_next.any():
+        heir = int(is_next.argmax())
+        joints[heir], parents[heir] = joints[bone], parents[bone]
+    else:
+        heir = int(parents[bone])
+        if branch[heir] == branch[bone]:
+            tails[heir] = tails[bone]
+    place[(branch == branch[bone]) & (place > place[bone])] -= 1
+    if columns.twin[bone] >= 0:  # the other side has its twin taken away
+        columns.twin[columns.twin[bone]] = -1
+    stays = np.arange(len(parents)) != bone
     rank = np.cumsum(stays) - 1
-    parents = bones.parents[stays]
-    parents = np.where(parents < 0, -1, rank[heir[parents]])
-    place = bones.place.copy()
-    for bone in np.flatnonzero(is_left_out):
-        place[(bones.branch == bones.branch[bone]) & (bones.place > bones.place[bone])] -= 1
-    return Bones(
-        bones.joints[stays],
-        bones.tails[stays],
-        parents,
-        bones.branch[stays],
-        place[stays],
-        bones.is_limb[stays],
-        rank[heir[bones.of_node]],
-    )
+    rank[bone] = rank[heir]
+    moved = [np.where(values < 0, -1, rank[values]) for values in (parents, columns.twin)]
+    columns = columns._replace(parents=moved[0], twin=moved[1])
+    kept = [values[stays] for values in columns[:-1]]
+    return Bones(*kept, rank[columns.of_node]), rank
 
 
-def _limbs(vertices: np.ndarray, edges: np.ndarray, radii: np.ndarray, most: int) -> tuple[np.ndarray, np.ndarray]:
+def _limbs(
+    vertices: np.ndarray, edges: np.ndarray, radii: np.ndarray, most: int, plane: mirror.Mirror | None
+) -> tuple[np.ndarray, np.ndarray]:
     """Remove limbs that are too short for a bone, then the shortest limbs until there are ``most`` branches. A limb's
-    length counts from the ball at its junction. Returns which nodes stay (N,), and the node that replaces each (N,)."""
+    length counts from the ball at its junction; mirror images stay or go together. Returns which nodes stay (N,), and
+    the node that replaces each (N,)."""
     target = np.arange(len(vertices))
     paths = dict(enumerate(graphs.trace(len(vertices), edges)))
     at_end: dict[int, set[int]] = {}
@@ -139,27 +141,21 @@ def _limbs(vertices: np.ndarray, edges: np.ndarray, radii: np.ndarray, most: int
             at_end.setdefault(end, set()).add(number)
     length = {number: arc_length(vertices[nodes])[-1] for number, nodes in paths.items()}
 
-    def reach(number: int) -> tuple[float, int, int]:
-        """How far a limb sticks out, its junction and its tip; infinite for a branch that is no limb."""
-        first, last = paths[number][0], paths[number][-1]
-        degrees = len(at_end[first]), len(at_end[last])
-        if sorted(degrees)[0] != 1 or sorted(degrees)[1] < 3:
-            return np.inf, first, last
-        junction, tip = (first, last) if degrees[1] == 1 else (last, first)
-        return length[number] - radii[junction], junction, tip
+    def reach(tip: int) -> tuple[float, float]:
+        """How far the limb of a tip sticks out of the ball at its junction, and the radius of that ball; infinite for a
+        branch without a junction."""
+        number = next(iter(at_end[tip]))
+        junction = paths[number][0] if paths[number][-1] == tip else paths[number][-1]
+        if len(at_end[junction]) < 3:
+            return np.inf, 0.0
+        return length[number] - radii[junction], radii[junction]
 
-    while True:
-        limbs = [(*reach(number), number) for number in paths]
-        far, junction, tip, number = min(limbs, default=(np.inf, 0, 0, 0))
-        short = [(*limb[:3], limb[3]) for limb in limbs if limb[0] < LEAST_LIMB * radii[limb[1]]]
-        if short:
-            far, junction, tip, number = min(short)
-        elif len(paths) <= most or far == np.inf:
-            break
-        gone = [node for node in paths.pop(number) if node != junction]
-        target[gone] = junction
+    def remove(tip: int) -> None:
+        number = at_end.pop(tip).pop()
+        nodes = paths.pop(number)
+        junction = nodes[0] if nodes[-1] == tip else nodes[-1]
+        target[[node for node in nodes if node != junction]] = junction
         at_end[junction].discard(number)
-        del at_end[tip]
         if len(at_end[junction]) == 2:  # it is no longer a junction: its two branches become one
             a, b = sorted(at_end.pop(junction))
             one = paths[a] if paths[a][-1] == junction else paths[a][::-1]
@@ -169,94 +165,22 @@ def _limbs(vertices: np.ndarray, edges: np.ndarray, radii: np.ndarray, most: int
             del paths[b]
             for end in {paths[a][0], paths[a][-1]}:
                 at_end[end] = (at_end[end] - {b}) | {a}
+
+    tips = np.flatnonzero(graphs.degrees(len(vertices), edges) == 1)
+    image = np.arange(len(tips)) if plane is None else mirror.images(plane, vertices[tips])
+    pair = {int(tip): {int(tip), int(tips[k])} if k >= 0 else {int(tip)} for tip, k in zip(tips, image, strict=True)}
+    while True:
+        far = {tip: reach(tip) for tip in pair if tip in at_end}
+        mean = {tip: np.mean([far[each] for each in pair[tip] if each in far], axis=0) for tip in far}
+        short = {tip: each for tip, each in mean.items() if each[0] < LEAST_LIMB * each[1]}
+        if not short and len(paths) <= most:
+            break
+        least, tip = min(((float(each[0]), tip) for tip, each in (short or mean).items()), default=(np.inf, 0))
+        if least == np.inf:
+            break
+        for each in pair[tip]:
+            if each in at_end and reach(each)[0] < np.inf:
+                remove(each)
     while (target[target] != target).any():
         target = target[target]
     return target == np.arange(len(vertices)), target
-
-
-def _paths(
-    vertices: np.ndarray, edges: np.ndarray, radii: np.ndarray, stays: np.ndarray, most: int
-) -> tuple[list[int], list[_BonePath]]:
-    """The root of each component, and the branches directed away from it, those nearer to it first."""
-    num = len(vertices)
-    degree = np.bincount(edges.ravel(), minlength=num)
-    label = graphs.labels(num, *edges.T)
-    size = np.where(stays, radii, -1.0)
-    order = np.lexsort((-size, -(degree > 2).astype(int)))  # junctions before others, the thickest first
-    order = order[stays[order]]
-    roots = order[np.sort(np.unique(label[order], return_index=True)[1])]
-    length = np.bincount(label[edges[:, 0]], np.linalg.norm(np.diff(vertices[edges], axis=1)[:, 0], axis=1), num)
-    roots = roots[np.argsort(-length[label[roots]], kind="stable")]
-    beside = nx.Graph()
-    beside.add_nodes_from(np.flatnonzero(stays).tolist())
-    beside.add_edges_from(edges.tolist())
-    is_end = (degree != 2) & stays
-    is_end[roots] = True
-    chosen: list[int] = []
-    paths: list[_BonePath] = []
-    for root in roots.tolist():
-        if len(chosen) + len(paths) + 1 + beside.degree[root] > most and chosen:
-            break
-        chosen.append(root)
-        queue = [(root, -1, -1)]
-        for node, before, above in queue:
-            for onward in sorted(beside[node]):
-                if onward == before:
-                    continue
-                nodes = [node, onward]
-                while not is_end[nodes[-1]]:
-                    nodes.append(next(other for other in sorted(beside[nodes[-1]]) if other != nodes[-2]))
-                along = arc_length(vertices[nodes])
-                is_limb = degree[nodes[-1]] == 1
-                start = min(radii[node], LEAVES * along[-1])
-                if not is_limb and along[-1] - start < SHORTEST * np.percentile(radii[nodes], USUAL):
-                    start = along[-1]  # the junctions are too close for a bone between them
-                paths.append(_BonePath(np.array(nodes), along, float(start), above, is_limb))
-                queue.append((nodes[-1], nodes[-2], len(paths) - 1))
-    return chosen, paths
-
-
-def _cuts(vertices: np.ndarray, radii: np.ndarray, paths: list[_BonePath], most: int) -> list[np.ndarray]:
-    """For each branch the arc lengths where its bones begin, and where the last ends.
-
-    The longest bone that is too bent or too long is cut, until there is none or there are ``most`` bones.
-    """
-    cuts = [[path.start, path.along[-1]] if path.start < path.along[-1] else [path.along[-1]] for path in paths]
-    left = most - sum(len(stops) - 1 for stops in cuts)
-    heap: list[tuple[float, int, float, float, float]] = []
-
-    def consider(number: int, begin: float, end: float) -> None:
-        badness, where = _bend(vertices, radii, paths[number], begin, end)
-        if badness > 1:
-            heapq.heappush(heap, (begin - end, number, begin, end, where))
-
-    for number, stops in enumerate(cuts):
-        if len(stops) > 1:
-            consider(number, *stops)
-    while heap and left > 0:
-        _, number, begin, end, where = heapq.heappop(heap)
-        cuts[number] = sorted([*cuts[number], where])
-        left -= 1
-        consider(number, begin, where)
-        consider(number, where, end)
-    return [np.array(stops) for stops in cuts]
-
-
-def _bend(vertices: np.ndarray, radii: np.ndarray, path: _BonePath, begin: float, end: float) -> tuple[float, float]:
-    """The badness of one bone for a piece of a branch, which should be at most 1, and the arc length to cut it at."""
-    inner = (path.along > begin) & (path.along < end)
-    stops = np.r_[begin, path.along[inner], end]
-    points = at(vertices[path.nodes], path.along, stops)
-    size = np.interp(stops, path.along, radii[path.nodes])
-    radius = max(float(np.percentile(size, USUAL)), 1e-12)
-    is_free = (stops - begin >= SHORTEST * radius) & (end - stops >= SHORTEST * radius)
-    if not is_free.any():
-        return 0.0, 0.0
-    chord = points[-1] - points[0]
-    t = np.clip((points - points[0]) @ chord / max(float(chord @ chord), 1e-300), 0, 1)
-    off = np.where(is_free, np.linalg.norm(points - points[0] - t[:, None] * chord, axis=1), -1.0)
-    worst = int(off.argmax())
-    bend, length = off[worst] / (BENT * radius), (end - begin) / (LONG * radius)
-    if bend >= min(length, 1.0):
-        return float(max(bend, length)), float(stops[worst])
-    return float(length), (begin + end) / 2

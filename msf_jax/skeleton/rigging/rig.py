@@ -20,10 +20,11 @@ if TYPE_CHECKING:
     from msf_jax.skeleton.skeleton import Skeleton
 
 MOST_BONES = 65535  # bones that glTF can number
+USUAL_BONES = 50  # most bones where no number is asked for
 NEIGHBOURS = 3  # edges along the curve: the size of a limb at a node is averaged over nodes within this distance
 THINNEST = 0.003  # diagonals: the least distance from the curve for heat, so that smaller details move together
-HELD = 0.25  # a bone whose largest weight at any vertex is below this is merged into its parent
-FEWEST = 4  # vertices of a bone, at least; a bone with fewer is merged into its parent
+HELD = 0.25  # a bone whose largest weight at any vertex is below this is joined to another
+FEWEST = 4  # vertices of a bone, at least; one with fewer is joined to the next of its limb, or its parent
 
 
 @dataclass(frozen=True, eq=False)
@@ -97,8 +98,9 @@ class Rig:
         return found
 
 
-def rigged(skeleton: "Skeleton", bones: int, influences: int, mesh: Any) -> Rig:
+def rigged(skeleton: "Skeleton", bones: int | None, influences: int, mesh: Any) -> Rig:
     """See `Skeleton.rig`."""
+    is_met, bones = bones is not None, USUAL_BONES if bones is None else bones
     for name, value, most in (("bones", bones, MOST_BONES), ("influences", influences, MOST_BONES)):
         if isinstance(value, bool) or not isinstance(value, numbers.Integral) or not 1 <= value <= most:
             raise ConfigError(f"{name} is {value!r}: expected a whole number from 1 to {most}")
@@ -110,7 +112,7 @@ def rigged(skeleton: "Skeleton", bones: int, influences: int, mesh: Any) -> Rig:
     node = binding.walked(vertices, skeleton.vertices, skeleton.edges, node)
     away = np.linalg.norm(vertices - skeleton.vertices[node], axis=1)
     size = _sizes(skeleton, node, away)
-    found = _without_empty(bones_of(skeleton.vertices, skeleton.edges, size, int(bones)), node)
+    found = _without_empty(bones_of(skeleton.vertices, skeleton.edges, size, int(bones), is_met), node)
     thinnest = THINNEST * float(np.linalg.norm(np.ptp(vertices, axis=0)))
     heat = binding.Heat(vertices, faces, np.maximum(np.maximum(away, size[node]), thinnest))
     weights = binding.bound(heat, found.of_node[node], found.joints, found.parents, int(influences))
@@ -142,25 +144,42 @@ def _sizes(skeleton: "Skeleton", node: np.ndarray, away: np.ndarray) -> np.ndarr
 
 
 def _without_empty(bones: Bones, node: np.ndarray) -> Bones:
-    """The bones without those that have few vertices, which go to the parent. ``node`` (V,) is that of each vertex."""
+    """The bones without those that have few vertices. ``node`` (V,) is that of each vertex.
+
+    The only bone of a branch may have few, but not none: a limb of few triangles is still a limb. A spine keeps its
+    joints, which animations expect.
+    """
     while True:
         count = np.bincount(bones.of_node[node], minlength=len(bones.parents))
-        is_few = (count < FEWEST) & (bones.parents >= 0)
+        is_only = np.bincount(bones.branch + 1)[bones.branch + 1] == 1
+        is_few = (count < np.where(is_only, 1, FEWEST)) & (bones.parents >= 0) & ~bones.is_spine
         if not is_few.any():
             return bones
-        bones = without(bones, is_few)
+        bones = _without_pair(bones, int(is_few.argmax()))[0]
+
+
+def _without_pair(bones: Bones, bone: int) -> tuple[Bones, np.ndarray]:
+    """The bones without ``bone`` and its mirror image, and the new number (B,) of each."""
+    twin = int(bones.twin[bone])
+    bones, moved = without(bones, bone)
+    if twin >= 0:
+        bones, again = without(bones, int(moved[twin]))
+        moved = again[moved]
+    return bones, moved
 
 
 def _without_idle(bones: Bones, weights: np.ndarray) -> tuple[Bones, np.ndarray]:
-    """Merge each bone with small ``weights`` (V, B) at all vertices into its parent; other bones keep their weights.
+    """Join each bone with small ``weights`` (V, B) at all vertices to another, see `without`; other bones keep theirs.
 
     Such bones occur where heat had to spread far.
     """
     while True:
-        most = np.where(bones.parents < 0, np.inf, weights.max(axis=0))
+        most = np.where((bones.parents < 0) | bones.is_spine, np.inf, weights.max(axis=0))
         bone = int(most.argmin())
         if most[bone] >= HELD:
             return bones, weights
-        weights[:, bones.parents[bone]] += weights[:, bone]
-        is_idle = np.arange(len(most)) == bone
-        bones, weights = without(bones, is_idle), weights[:, ~is_idle]
+        bones, moved = _without_pair(bones, bone)
+        joined = np.zeros((len(weights), len(bones.parents)))
+        for old, new in enumerate(moved):
+            joined[:, new] += weights[:, old]
+        weights = joined

@@ -1,0 +1,74 @@
+"""Where a branch is cut into bones: at its bends, or in halves if it is straight and long."""
+
+import heapq
+
+import numpy as np
+
+from msf_jax.host.solid.geometry import arc_length, at
+from msf_jax.skeleton.rigging.rooting import SHORTEST, USUAL, BonePath
+
+BENT = 0.35  # radii: a bone's part of the curve is cut if it is farther than this from a straight line
+LONG = 6.0  # radii: a longer bone is cut
+LIMB = 3.0  # radii: a longer limb of a pair has a knee or an elbow
+STRAIGHT = np.radians(15.0)  # a limb that turns by less is cut at the half of its length, where anatomy has the joint
+STEP = 0.2  # share of the way from the hips to the arms between two joints of a spine
+SPINE_JOINTS = 3
+
+
+def cuts_of(paths: list[BonePath], most: int, is_met: bool) -> list[np.ndarray]:
+    """For each branch the places where its bones begin, and where the last ends.
+
+    A spine is cut first. Then the longest bone that is too bent or too long is cut, until there is none or there are
+    ``most`` bones. With ``is_met`` the longest ones are cut on until there are as many. Mirror images are cut together.
+    """
+    cuts = [[path.begin, 1.0] if path.begin < 1 else [1.0] for path in paths]
+    left = most - sum(len(stops) - 1 for stops in cuts)
+    heap: list[tuple[int, float, int, float, float, float]] = []
+
+    def consider(number: int, begin: float, end: float, long: float = LONG) -> None:
+        badness, where, length = _bend(paths[number], begin, end, long)
+        if badness > 1 or (is_met and badness > 0):
+            heapq.heappush(heap, (int(badness <= 1), -length, number, begin, end, where))
+
+    for number, (path, stops) in enumerate(zip(paths, cuts, strict=True)):
+        if len(stops) < 2 or -1 < path.image < number:  # its image is cut with it
+            continue
+        if path.is_spine and left >= SPINE_JOINTS - 1:
+            cuts[number] = [path.begin + STEP * k for k in range(SPINE_JOINTS)] + [1.0]
+            left -= SPINE_JOINTS - 1
+        else:
+            consider(number, *stops, long=LIMB if path.side else LONG)
+    while heap and left > 0:
+        _, _, number, begin, end, where = heapq.heappop(heap)
+        both = [number] if paths[number].image < 0 else [number, paths[number].image]
+        if len(both) <= left:
+            for each in both:
+                cuts[each] = sorted([*cuts[each], where])
+            left -= len(both)
+            consider(number, begin, where)
+            consider(number, where, end)
+    return [np.array(stops) for stops in cuts]
+
+
+def _bend(path: BonePath, begin: float, end: float, long: float) -> tuple[float, float, float]:
+    """The badness of one bone for a piece of a branch, which should be at most 1 and is 0 for one that is too short to
+    be cut; the place to cut it at; and its length."""
+    inner = (path.stops > begin) & (path.stops < end)
+    stops = np.r_[begin, path.stops[inner], end]
+    points = at(path.line, path.stops, stops)
+    along = arc_length(points)
+    length = float(along[-1])
+    radius = max(float(np.percentile(np.interp(stops, path.stops, path.size), USUAL)), 1e-12)
+    if length < 2 * SHORTEST * radius:
+        return 0.0, 0.0, length
+    is_free = (along >= SHORTEST * radius) & (length - along >= SHORTEST * radius)
+    chord = points[-1] - points[0]
+    t = np.clip((points - points[0]) @ chord / max(float(chord @ chord), 1e-300), 0, 1)
+    off = np.where(is_free, np.linalg.norm(points - points[0] - t[:, None] * chord, axis=1), -1.0)
+    worst = int(off.argmax())
+    bend, excess = float(off[worst]) / (BENT * radius), length / (long * radius)
+    # A chain of two equal bones that turns by an angle a is half its length times sin(a / 2) off its chord.
+    is_bent = off[worst] > length / 2 * np.sin(STRAIGHT / 2)
+    if is_bent and bend >= min(excess, 1.0):
+        return max(bend, excess), float(stops[worst]), length
+    return max(bend, excess), float(np.interp(length / 2, along, stops)), length
