@@ -321,8 +321,8 @@ class Skeleton:
         """Bones for the mesh, with smooth skinning weights; ``save("x.glb", mesh)`` writes one.
 
         Joints are where limbs leave the balls of junctions, where the curve bends most, and at regular distances along
-        a long limb. The root is at the pelvis of a biped, or at the thickest junction. Loops are cut where they are thinnest. Weights are computed
-        by heat diffusion over the surface.
+        a long limb. The root is at the pelvis of a biped, or at the thickest junction. Loops are cut where they are
+        thinnest. Weights are computed by heat diffusion over the surface.
 
         Args:
             bones: the number of bones, fewer only where limbs are too short; by default as needed, at most 50.

@@ -16,7 +16,6 @@ from msf_jax.host import graphs
 from msf_jax.host.curve import branches
 from msf_jax.host.solid.geometry import arc_length, at
 from msf_jax.skeleton.rigging import cutting, mirror, rooting
-from msf_jax.skeleton.rigging.rooting import BonePath
 
 LEAST_LIMB = 0.6  # radii of the junction's ball: a limb that sticks out of the ball by less has no bone
 FOR_LIMBS = 0.6  # share of all bones for the first bones of branches, at most; the rest is for bends
@@ -28,7 +27,8 @@ class Bones(NamedTuple):
     joints: (B, 3) the start of each, about which it turns. tails: (B, 3) the end. parents: (B,) -1 for a root. branch:
     (B,) the branch of the curve, -1 for a root. place: (B,) the position along the branch, from 0. is_limb: (B,)
     whether the branch ends in a tip. twin: (B,) the bone that is the mirror image, -1 without one. side: (B,) 1 on the
-    left, -1 on the right, and 0 without a twin. is_spine: (B,) whether it is of a biped's spine. of_node: (N,) the bone of every node of the curve.
+    left, -1 on the right, and 0 without a twin. is_spine: (B,) whether it is of a biped's spine. of_node: (N,) the bone
+    of every node of the curve.
     """
 
     joints: np.ndarray
@@ -91,7 +91,7 @@ def bones_of(vertices: np.ndarray, edges: np.ndarray, radii: np.ndarray, most: i
         away = np.linalg.norm(vertices[lost][:, None] - vertices[known], axis=2)
         of_node[lost] = of_node[known[away.argmin(axis=1)]]
     columns = [np.array(column) for column in (joints, tails, parents, branch, place, is_limb, twin, side, is_spine)]
-    found = Bones(*columns, of_node[target])
+    found = Bones._make([*columns, of_node[target]])
     while len(found.joints) > most:  # a junction of more limbs than that
         length = np.linalg.norm(found.tails - found.joints, axis=1)
         found = without(found, int(np.where(found.parents < 0, np.inf, length).argmin()))[0]
@@ -124,7 +124,7 @@ def without(bones: Bones, bone: int) -> tuple[Bones, np.ndarray]:
     moved = [np.where(values < 0, -1, rank[values]) for values in (parents, columns.twin)]
     columns = columns._replace(parents=moved[0], twin=moved[1])
     kept = [values[stays] for values in columns[:-1]]
-    return Bones(*kept, rank[columns.of_node]), rank
+    return Bones._make([*kept, rank[columns.of_node]]), rank
 
 
 def _limbs(
