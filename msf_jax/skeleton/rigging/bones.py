@@ -43,14 +43,14 @@ class Bones(NamedTuple):
     of_node: np.ndarray
 
 
-def bones_of(vertices: np.ndarray, edges: np.ndarray, radii: np.ndarray, most: int, is_met: bool = False) -> Bones:
+def bones_of(vertices: np.ndarray, edges: np.ndarray, radii: np.ndarray, most: int) -> Bones:
     """At most ``most`` bones for a curve ``(vertices (N, 3), edges (E, 2))`` in limbs of ``radii`` (N,). If there are
-    too many components, the longest have bones. With ``is_met`` there are as many if the curve is long enough."""
+    too many components, the longest have bones."""
     edges = edges[branches.cut_loops(len(vertices), edges, radii)]
     plane = mirror.mirror_of(vertices, edges, np.flatnonzero(graphs.degrees(len(vertices), edges) == 1))
     stays, target = _limbs(vertices, edges, radii, max(1, int(FOR_LIMBS * most)), plane)
     roots, paths = rooting.paths_of(vertices, edges[stays[edges].all(axis=1)], radii, stays, most, plane)
-    cuts = cutting.cuts_of(paths, most - len(roots), is_met)
+    cuts = cutting.cuts_of(paths, most - len(roots))
     joints, tails, parents, branch, place, is_limb, side, is_spine = [], [], [], [], [], [], [], []
     of_node, last, first_of = np.full(len(vertices), -1), {}, {}
     for number, root in enumerate(roots):

@@ -15,20 +15,20 @@ STEP = 0.2  # share of the way from the hips to the arms between two joints of a
 SPINE_JOINTS = 3
 
 
-def cuts_of(paths: list[BonePath], most: int, is_met: bool) -> list[np.ndarray]:
+def cuts_of(paths: list[BonePath], most: int) -> list[np.ndarray]:
     """For each branch the places where its bones begin, and where the last ends.
 
     A spine is cut first. Then the longest bone that is too bent or too long is cut, until there is none or there are
-    ``most`` bones. With ``is_met`` the longest ones are cut on until there are as many. Mirror images are cut together.
+    ``most`` bones. Mirror images are cut together.
     """
     cuts = [[path.begin, 1.0] if path.begin < 1 else [1.0] for path in paths]
     left = most - sum(len(stops) - 1 for stops in cuts)
-    heap: list[tuple[int, float, int, float, float, float]] = []
+    heap: list[tuple[float, int, float, float, float]] = []
 
     def consider(number: int, begin: float, end: float, long: float = LONG) -> None:
         badness, where, length = _bend(paths[number], begin, end, long)
-        if badness > 1 or (is_met and badness > 0):
-            heapq.heappush(heap, (int(badness <= 1), -length, number, begin, end, where))
+        if badness > 1:
+            heapq.heappush(heap, (-length, number, begin, end, where))
 
     for number, (path, stops) in enumerate(zip(paths, cuts, strict=True)):
         if len(stops) < 2 or -1 < path.image < number:  # its image is cut with it
@@ -39,7 +39,7 @@ def cuts_of(paths: list[BonePath], most: int, is_met: bool) -> list[np.ndarray]:
         else:
             consider(number, *stops, long=LIMB if path.side else LONG)
     while heap and left > 0:
-        _, _, number, begin, end, where = heapq.heappop(heap)
+        _, number, begin, end, where = heapq.heappop(heap)
         both = [number] if paths[number].image < 0 else [number, paths[number].image]
         if len(both) <= left:
             for each in both:

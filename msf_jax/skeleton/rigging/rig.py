@@ -20,7 +20,6 @@ if TYPE_CHECKING:
     from msf_jax.skeleton.skeleton import Skeleton
 
 MOST_BONES = 65535  # bones that glTF can number
-USUAL_BONES = 50  # most bones where no number is asked for
 NEIGHBOURS = 3  # edges along the curve: the size of a limb at a node is averaged over nodes within this distance
 THINNEST = 0.003  # diagonals: the least distance from the curve for heat, so that smaller details move together
 HELD = 0.25  # a bone whose largest weight at any vertex is below this is joined to another
@@ -98,9 +97,8 @@ class Rig:
         return found
 
 
-def rigged(skeleton: "Skeleton", bones: int | None, influences: int, mesh: Any) -> Rig:
+def rigged(skeleton: "Skeleton", bones: int, influences: int, mesh: Any) -> Rig:
     """See `Skeleton.rig`."""
-    is_met, bones = bones is not None, USUAL_BONES if bones is None else bones
     for name, value, most in (("bones", bones, MOST_BONES), ("influences", influences, MOST_BONES)):
         if isinstance(value, bool) or not isinstance(value, numbers.Integral) or not 1 <= value <= most:
             raise ConfigError(f"{name} is {value!r}: expected a whole number from 1 to {most}")
@@ -112,7 +110,7 @@ def rigged(skeleton: "Skeleton", bones: int | None, influences: int, mesh: Any) 
     node = binding.walked(vertices, skeleton.vertices, skeleton.edges, node)
     away = np.linalg.norm(vertices - skeleton.vertices[node], axis=1)
     size = _sizes(skeleton, node, away)
-    found = _without_empty(bones_of(skeleton.vertices, skeleton.edges, size, int(bones), is_met), node)
+    found = _without_empty(bones_of(skeleton.vertices, skeleton.edges, size, int(bones)), node)
     thinnest = THINNEST * float(np.linalg.norm(np.ptp(vertices, axis=0)))
     heat = binding.Heat(vertices, faces, np.maximum(np.maximum(away, size[node]), thinnest))
     weights = binding.bound(heat, found.of_node[node], found.joints, found.parents, int(influences))

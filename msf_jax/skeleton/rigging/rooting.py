@@ -17,7 +17,7 @@ from msf_jax.skeleton.rigging.mirror import Mirror, images
 SHORTEST = 1.0  # radii: the least length of a bone after a cut, and of one between two junctions
 USUAL = 75  # percentile of the radii along a bone that counts as the bone's radius
 LEAVES = 0.6  # share of a branch's length that the ball at its start may cover, at most
-EXACT = 0.02  # diagonals: median distance of a tip from its image, at most, if joints are moved to be symmetric
+EXACT = 0.006  # diagonals: median distance of a tip from its image, at most, if joints are moved to be symmetric
 MAIN_LIMB = 0.5  # of the longest pair of limbs: shorter pairs, such as ears, make no girdle
 SPINE = 0.4  # share of the way from the hips to the arms where the spine's first joint is: the second of five steps
 PELVIS = 0.2  # the same for the root's joint
@@ -28,8 +28,8 @@ class BonePath(NamedTuple):
 
     nodes: (n,) from the junction on. part: (n,) the place of each node on the line: 0 at its start, 1 at its end, and
     negative within the ball of the junction. stops: (m,) places from 0 to 1, line: (m, 3) its points there, and size:
-    (m,) the radii. begin: the place of the first joint; 1 if there is no bone. is_limb: whether it ends in a tip.
-    image: the path that is its mirror image, -1 without one. side: 1 on the left, -1 on the right, 0 else. is_spine: from the
+    (m,) the radii. begin: the place of the first joint; 1 if there is no bone. is_limb: whether it ends in a tip. image:
+    the path that is its mirror image, -1 without one. side: 1 on the left, -1 on the right, 0 else. is_spine: from the
     pelvis of a biped on.
     """
 
@@ -179,7 +179,7 @@ def _paired(vertices: np.ndarray, paths: list[BonePath], plane: Mirror) -> list[
 def _rooted(
     vertices: np.ndarray, radii: np.ndarray, paths: list[BonePath], node: int, plane: Mirror | None, is_pelvis: bool
 ) -> Root:
-    """The bone of a root, which points along the spine, or along the longest branch. The spine goes into ``paths``."""
+    """The bone of a root, along the spine or the longest branch. The spine is put into ``paths``."""
     first = [number for number, path in enumerate(paths) if path.nodes[0] == node]
     joint = vertices[node]
     trunks = [number for number in first if not (paths[number].is_limb or paths[number].side)]
