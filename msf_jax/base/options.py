@@ -157,8 +157,8 @@ class Config:
             become one; 0 keeps the flow's branches. The default is above the slenderness of a half ball on a wall,
             0.5, and of the corner of a box, up to 0.6.
         detail: which limbs that are shorter than ``prune`` asks have a branch, because they stand out (see
-            `host.thin.protrusion`): from 0, none, to 1, any that might be a limb. Nested: a finer detail only adds
-            limbs. At the default, 0.5, they are those that people draw; the report names the next ones.
+            `host.thin.protrusion`): none at 0, and any that might be a limb from 0.65 on. Nested: a finer detail
+            only adds limbs. At the default, 0.5, they are those that people draw; the report names the next ones.
         centre: whether nodes are finally moved to the middle of their limb's cross-section, and edges refined.
         extend_tips: whether branches end on the axes of their limbs' ends (see `host.thin.ends`), and limbs that the
             flow has missed get one.

@@ -317,15 +317,15 @@ class Skeleton:
         """
         precomputed.save(self, folder, segment)
 
-    def rig(self, bones: int | None = None, influences: int = 4, mesh: Any = None) -> Rig:
+    def rig(self, bones: int = 50, influences: int = 4, mesh: Any = None) -> Rig:
         """Bones for the mesh, with smooth skinning weights; ``save("x.glb", mesh)`` writes one.
 
         Joints are where limbs leave the balls of junctions, where the curve bends most, and at regular distances along
-        a long limb. The root is at the pelvis of a biped, or at the thickest junction. Loops are cut where they are
-        thinnest. Weights are computed by heat diffusion over the surface.
+        a long limb. The root is the pelvis of a biped, or the thickest junction. Both sides of a symmetric shape have
+        the same joints. Loops are cut where they are thinnest. Weights are computed by heat diffusion over the surface.
 
         Args:
-            bones: the number of bones, fewer only where limbs are too short; by default as needed, at most 50.
+            bones: the largest number of bones; a simple shape gets fewer.
             influences: the largest number of bones for a vertex.
             mesh: the mesh that the curve was made from, as `skeletonize` took it; only needed if repair made vertices.
 

@@ -24,6 +24,7 @@ OFF = 0.25  # radii: largest distance of the meeting point from an axis
 THIN = 0.6  # of the trunk's radius: largest usual radius of a side branch that is attached anew
 THICK = 2.0  # of the usual radius of a side branch: where it has more, it is in its trunk; a cone has 1.3 to 1.6 there
 CLEAR, STRETCH = 3.0, 6.0  # radii of a side branch from its trunk, where its axis begins, and the length that gives it
+SHARED = 0.5  # radii of a side branch: it begins at a junction of the trunk that is nearer than that
 FAR = 4.0  # of the trunk's radius: largest distance to it from where a side branch is on its axis, 15 degrees from it
 USUAL = 0.9  # of the usual radius of a branch: a radius beyond the place where it has as much, its axis begins
 BEGIN = 1.5  # radii from the place where it has its usual radius: there a branch is on its axis
@@ -44,10 +45,13 @@ def attached(
     """
     x, radii, sides = x.copy(), radii.copy(), []
     degree = np.bincount(edges.ravel(), minlength=len(x))
-    for each in graphs.trace(len(x), edges):
+    paths, thickest = graphs.trace(len(x), edges), radii.copy()  # of each junction, also in front of a crotch
+    for path in paths:
+        thickest[[path[0], path[-1]]] = np.maximum(thickest[[path[0], path[-1]]], np.median(radii[path]))
+    for each in paths:
         path = np.array(each if degree[each[-1]] == 1 else each[::-1])
         size = float(np.median(radii[path[len(path) // 2 :]]))
-        if degree[path[-1]] == 1 and degree[path[0]] > 2 and size < THIN * radii[path[0]]:
+        if degree[path[-1]] == 1 and degree[path[0]] > 2 and size < THIN * thickest[path[0]]:
             sides.append((path, size))
     in_side = np.zeros(len(x), dtype=bool)
     in_side[[node for path, _ in sides for node in path[1:]]] = True
@@ -70,17 +74,24 @@ def attached(
         best = int(np.where(is_near, off / np.maximum(ball, 1e-300), np.inf).argmin())
         if not is_inside(shape, meet[best : best + 1], place[None])[0]:
             continue
+        # Branches that begin at one place share its node.
+        nodes = np.intersect1d(trunk, np.flatnonzero(np.bincount(edges.ravel()) > 2))
+        away = np.linalg.norm(x[nodes] - meet[best], axis=1)
+        is_shared, new = bool((away < SHARED * size).any()), len(x)
+        if is_shared:
+            new = int(nodes[away.argmin()])
+            meet[best] = x[new]
         x[path[1 : begin + 1]] = meet[best] + np.linspace(0, 1, begin + 1)[1:, None] * (place - meet[best])
-        x, radii, new, (a, b) = (
-            np.append(x, meet[best : best + 1], axis=0),
-            np.append(radii, ball[best]),
-            len(x),
-            trunk[best],
-        )
         is_first = (np.sort(edges, axis=1) == np.sort(path[:2])).all(axis=1)
-        gone = [np.flatnonzero(is_trunk)[best], *np.flatnonzero(is_first)]
-        edges = np.concatenate([np.delete(edges, gone, axis=0), [[a, new], [new, b], [new, path[1]]]])
-        is_trunk = np.append(np.delete(is_trunk, gone), [True, True, False])
+        gone = np.flatnonzero(is_first).tolist()
+        added, is_added = [[new, int(path[1])]], [False]
+        if not is_shared:
+            x, radii = np.append(x, meet[best : best + 1], axis=0), np.append(radii, ball[best])
+            gone.append(int(np.flatnonzero(is_trunk)[best]))
+            added += [[int(trunk[best, 0]), new], [new, int(trunk[best, 1])]]
+            is_added += [True, True]
+        edges = np.concatenate([np.delete(edges, gone, axis=0), added])
+        is_trunk = np.append(np.delete(is_trunk, gone), is_added)
     return x, edges
 
 

@@ -249,11 +249,8 @@ class Caps:
         x, raised = self.surface.points, []
         others = np.zeros(len(x), dtype=np.int64)
         others[[cap.tip for cap in caps]] = 1
-        for tip, height, scale in zip(*protrusion.tips(x, self.surface.faces, LEAST_RAISED * RAISED), strict=True):
+        for tip, height, scale in zip(*protrusion.tips(x, self.surface.faces, protrusion.BALL), strict=True):
             near = np.flatnonzero(others)
-            if self._left[self._component[tip]] < 0:
-                self.was_hit = True
-                break
             is_end = (np.linalg.norm(x[near] - x[tip], axis=1) <= protrusion.APART * scale).any()
             if is_end or (owner[tip] and self._is_end(caps[owner[tip] - 1], time, tip)):
                 continue
@@ -269,7 +266,7 @@ class Caps:
             region = self.grown(tip, others, float(value[best]), LARGEST, 0.0)[1]
             if is_counted[best] and score >= LEAST_RAISED and 2 * len(region) >= TRIANGLES:
                 cap = Cap(int(tip), float(value[best]), float(rows[best, 2]), region)
-                raised.append(Raised(1.0 - score / 2, cap))
+                raised.append(Raised(max(1.0 - score / 2, 0.01), cap))
                 others[tip] = 1
         return raised
 

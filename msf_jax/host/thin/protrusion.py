@@ -4,7 +4,7 @@ After a heat flow of scale s, a point x of the surface has come to x_s, the mean
 
     (M + s^2 / 4 L) x_s = M x,    protrusion h = n . (x - x_s) / s,
 
-with cotangent weights L and areas M. It is s / (4 R) on a long cylinder, at most 0.36 on a ball, 1 / 2 at the end of a
+with cotangent weights L and areas M. It is at most 1 / 4 on a long cylinder and `BALL` on a ball, 1 / 2 at the end of a
 thin rod, and more where that narrows. Tips are the points where h is largest
 among their neighbours, and around them, for some s.
 """
@@ -16,6 +16,7 @@ from msf_jax.host.solid.geometry import cross, unit
 from msf_jax.host.thin import ends
 
 SCALES = 0.2 * 1.8 ** -np.arange(5)  # square roots of the area: from a head's to a toe's; between two, h falls by 4 %
+BALL = 0.36  # the largest protrusion of a ball, 1 / sqrt(8) for s = sqrt(2) R, and a little more
 APART = 0.6  # of the larger scale: tips are that far from one with more protrusion
 MOST = 200  # tips, those with the largest protrusion
 

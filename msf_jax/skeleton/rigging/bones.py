@@ -26,9 +26,9 @@ class Bones(NamedTuple):
 
     joints: (B, 3) the start of each, about which it turns. tails: (B, 3) the end. parents: (B,) -1 for a root. branch:
     (B,) the branch of the curve, -1 for a root. place: (B,) the position along the branch, from 0. is_limb: (B,)
-    whether the branch ends in a tip. twin: (B,) the bone that is the mirror image, -1 without one. side: (B,) 1 on the
-    left, -1 on the right, and 0 without a twin. is_spine: (B,) whether it is of a biped's spine. of_node: (N,) the bone
-    of every node of the curve.
+    whether the branch ends in a tip.
+    twin: (B,) the bone that is the mirror image, -1 without one. side: (B,) 1 on the left, -1 on the right, and 0
+    without a twin. is_spine: (B,) whether it is of a biped's spine. of_node: (N,) the bone of every node of the curve.
     """
 
     joints: np.ndarray

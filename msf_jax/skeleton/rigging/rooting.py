@@ -28,8 +28,9 @@ class BonePath(NamedTuple):
 
     nodes: (n,) from the junction on. part: (n,) the place of each node on the line: 0 at its start, 1 at its end, and
     negative within the ball of the junction. stops: (m,) places from 0 to 1, line: (m, 3) its points there, and size:
-    (m,) the radii. begin: the place of the first joint; 1 if there is no bone. is_limb: whether it ends in a tip. image:
-    the path that is its mirror image, -1 without one. side: 1 on the left, -1 on the right, 0 else. is_spine: from the
+    (m,) the radii. begin: the place of the first joint; 1 if there is no bone. is_limb: whether it ends in a tip.
+    image: the path that is its mirror image, -1 without one.
+    side: 1 on the left, -1 on the right, 0 else. is_spine: from the
     pelvis of a biped on.
     """
 
