@@ -41,8 +41,8 @@ LEAST_RAISED = 0.7  # of what a limb needs: less is none at any detail
 LARGEST = 0.25  # of the surface: caps of limbs that only stand out
 DROP = 0.6  # of a limb's slenderness: a larger cap, of what it stands on, has less
 # Volume over area to the 3 / 2, and least slenderness, for that of a limb: 1.2 times that of the corner of a thin
-# plate, of a plate half as thick as the disc is wide, and of a cube.
-CORNER = (0.0, 0.083, 0.145), (0.6, 0.5, 0.2)
+# plate, and of thicker ones; and more than half a ball, 0.5, which is the corner of a frame of rods.
+CORNER = (0.0, 0.083, 0.105, 0.13), (0.6, 0.5, 0.39, 0.6)
 TRIANGLES = 48  # fewest of a limb that only stands out
 MOST_DISCS = 200  # radii: more than from the first one to the whole of a surface
 FEWEST = 1_000  # vertices of a surface: of one with fewer, triangles are split, so that discs follow its limbs
@@ -243,8 +243,8 @@ class Caps:
         their ends, by their numbers ``owner`` (V,) and exit times (V,).
 
         Of the caps around such a tip, up to the next tip of a limb, the slenderest one counts that is followed by a
-        much less slender one: a foot ends where the body begins. It is more slender than the corner of a plate with as
-        much volume for its area.
+        much less slender one: a foot ends where the body begins. It is more slender than the corner of a plate, or half
+        a ball, with as much volume for its area.
         """
         x, raised = self.surface.points, []
         others = np.zeros(len(x), dtype=np.int64)
