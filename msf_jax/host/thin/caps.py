@@ -249,14 +249,19 @@ class Caps:
         x, raised = self.surface.points, []
         others = np.zeros(len(x), dtype=np.int64)
         others[[cap.tip for cap in caps]] = 1
+        left = np.full_like(self._left, MOST_AREA)  # a budget of its own
         for tip, height, scale in zip(*protrusion.tips(x, self.surface.faces, protrusion.BALL), strict=True):
             near = np.flatnonzero(others)
             is_end = (np.linalg.norm(x[near] - x[tip], axis=1) <= protrusion.APART * scale).any()
             if is_end or (owner[tip] and self._is_end(caps[owner[tip] - 1], time, tip)):
                 continue
+            if left[self._component[tip]] <= 0:
+                self.was_hit = True
+                continue
             rows, _ = self.grown(tip, others, np.inf, LARGEST, 0.0)
             if not len(rows):
                 continue
+            left[self._component[tip]] -= 2 * rows[-1, 2] / self._total[tip]
             value, after = rows[:, 0], np.minimum.accumulate(rows[::-1, 0])[::-1]
             is_last = rows[-1, 2] < LARGEST * self._total[tip] / RATIO**2  # it ends at another tip, or around a handle
             is_counted = np.append(after[1:], -np.inf if is_last else np.inf) <= DROP * value
