@@ -81,7 +81,7 @@ def read(mesh: Any, *, finite: bool = True) -> tuple[np.ndarray, np.ndarray]:
 
 def readable_suffixes() -> list[str]:
     """The suffixes of mesh files that can be read, without the dot."""
-    known = set(trimesh.available_formats()) - ARCHIVES
+    known = set(trimesh.available_formats()) - ARCHIVES - VTK  # VTK's are read by pyvista alone, also beside meshio
     return sorted((known | VTK) if importlib.util.find_spec("pyvista") else known)
 
 
