@@ -13,6 +13,9 @@ from msf_jax.host.solid.geometry import arc_length, at, repeated
 
 WIDE = 3.0  # sizes: a limb whose half width is larger is a sheet
 BEYOND = 7.0  # limb sizes along the branch: farther nodes have only the weight `FLOOR` in a mean
+CHUNK = 500  # nodes of a loop at a time that are held against all of its edges
+UNEVEN = 10.0  # limit on the ratio of the mean of two gaps to one of them
+STIFFEST = 1e5  # limit on the stiffness
 FLOOR = 1e-9  # least weight of every node of the branch in a mean, relative to a node at distance 0
 
 
@@ -70,15 +73,31 @@ def chords(x: np.ndarray, paths: list[BranchPath], reach: np.ndarray) -> sparse.
     return sparse.csr_matrix(entries, (len(x), len(x)))
 
 
-def triples(x: np.ndarray, paths: list[BranchPath]) -> tuple[np.ndarray, np.ndarray]:
-    """(T, 3) each inner node of a branch between its two neighbours, and the mean length (T,) of its two edges."""
-    found, spacing = [np.empty((0, 3), dtype=np.int64)], [np.empty(0)]
+def bending(
+    x: np.ndarray, paths: list[BranchPath], reach: np.ndarray
+) -> tuple[sparse.csr_matrix, np.ndarray, np.ndarray]:
+    """How branches bend at the nodes within them, as a matrix (T, N): h times the change of direction, which is the
+    second difference where nodes are h apart; its stiffness (T,), which acts over a length ``reach`` (N,) for any h;
+    and what it is at rest (T, 3): 0, and in a loop that of a circle, or stiffness would draw it to its hole."""
+    found, gaps, rest = [np.empty((0, 3), dtype=np.int64)], [np.empty((0, 2))], [np.empty((0, 3))]
     for nodes, is_loop, _, _ in paths:
         polyline = np.r_[nodes, nodes[1]] if is_loop else nodes
-        along = arc_length(x[polyline])
+        gap = np.diff(arc_length(x[polyline]))
         found.append(np.stack([polyline[:-2], polyline[1:-1], polyline[2:]], axis=1))
-        spacing.append((along[2:] - along[:-2]) / 2)
-    return np.concatenate(found), np.concatenate(spacing)
+        gaps.append(np.stack([gap[:-1], gap[1:]], axis=1))
+        turn = (
+            np.pi * gaps[-1].sum(axis=1) / max(gap[: len(nodes) - 1].sum(), 1e-300)
+            if is_loop
+            else np.zeros(len(gap) - 1)
+        )
+        rest.append((2 * np.cos(turn) - 2)[:, None] * (x[polyline[1:-1]] - x[nodes[1:]].mean(axis=0)))
+    triple, gap = np.concatenate(found), np.maximum(np.concatenate(gaps), 1e-12)
+    spacing = gap.mean(axis=1)
+    stiffness = np.minimum((reach[triple[:, 1]] / spacing) ** 4, STIFFEST)
+    before, after = spacing / np.maximum(gap.T, spacing / UNEVEN)
+    rows, values = np.repeat(np.arange(len(triple)), 3), np.stack([before, -before - after, after], axis=1)
+    matrix = sparse.csr_matrix((values.ravel(), (rows, triple.ravel())), shape=(len(triple), len(x)))
+    return matrix, stiffness, np.concatenate(rest)
 
 
 def sizes(
@@ -123,6 +142,29 @@ def clear_of_junctions(
                 t = np.clip((distance / max(size[end], 1e-300) - zone) / margin + 0.5, 0, 1)
                 clear[nodes[1:-1]] *= (t * t * (3 - 2 * t))[1:-1]
     return clear
+
+
+def crossed_again(
+    x: np.ndarray, paths: list[BranchPath], tangent: np.ndarray, centroid: np.ndarray, radius: np.ndarray
+) -> np.ndarray:
+    """(N,) whether the branch of a loop comes back through the section of a node, within ``radius`` (N,) of its
+    ``centroid`` (N, 3), in the plane across ``tangent`` (N, 3). So it does if the section goes through both sides."""
+    found = np.zeros(len(x), dtype=bool)
+    for nodes, is_loop, _, _ in paths:
+        if is_loop:
+            place = x[nodes]
+            for part in np.array_split(np.arange(len(nodes) - 1), len(nodes) // CHUNK + 1):
+                own = nodes[part]
+                height = tangent[own] @ place.T - np.einsum("ni,ni->n", tangent[own], x[own])[:, None]
+                height[np.arange(len(own)), part] = 0.0
+                here, there = np.nonzero((height[:, :-1] > 0) != (height[:, 1:] > 0))
+                is_other = (there != part[here]) & ((there + 1) % (len(nodes) - 1) != part[here])
+                here, there = here[is_other], there[is_other]
+                low, high = height[here, there], height[here, there + 1]
+                t = (low / (low - high))[:, None]
+                away = np.linalg.norm((1 - t) * place[there] + t * place[there + 1] - centroid[own[here]], axis=1)
+                found[own[here[away < radius[own[here]]]]] = True
+    return found
 
 
 def usual(paths: list[BranchPath], known: np.ndarray) -> np.ndarray:

@@ -5,11 +5,12 @@ The middle of a limb is the centroid c of its cross-section. The nodes x of a cu
     sum_i w_i |P_i (x_i - c_i)|^2  +  sum_i (l_i / h_i)^4 |x_{i-1} - 2 x_i + x_{i+1}|^2  +  sum_j a_j |x_j - y_j|^2,
 
 where P_i removes the component along the branch. This is a smoothing spline: its stiffness acts over a length
-l, a part of the limb's size, or of a sheet's half width, for any spacing h of the nodes. Nodes keep their shares of
-their branch's length, so they move across it only. Near a junction a cross-section cuts several limbs and is no guide,
-so w falls to 0 there. The branches then continue straight, and the junction comes to where the axes of its limbs meet.
-That is right for tubes. If the clearance at y, the flow's place for a junction, is larger than that of its limbs (the
-rump of a horse, a shell on a back), a holds the junction at y.
+l, a part of the limb's size, or of a sheet's half width, for any spacing h of the nodes. In a loop of n nodes
+(2 - 2 cos(2 pi / n)) (x_i - mean x) is added to the second difference, which is then 0 for a circle. Nodes keep their
+shares of their branch's length, so they move across it only; those of a loop get equal shares. Near a junction a
+cross-section cuts several limbs and is no guide, so w falls to 0 there. The branches then continue straight, and the
+junction comes to where the axes of its limbs meet. That is right for tubes. If the clearance at y, the flow's place for
+a junction, is larger than that of its limbs (the rump of a horse, a shell on a back), a holds the junction at y.
 
 A section turns with the curve. In a wide section the centroid then moves much farther than the nodes, and an iteration
 with c held fixed does not converge. So each round is a Gauss-Newton step with the derivative of c by the plane
@@ -27,7 +28,6 @@ from scipy.sparse import linalg
 from msf_jax.host.curve import branch_paths as measures
 from msf_jax.host.curve import moves
 from msf_jax.host.curve.branch_paths import BranchPath
-from msf_jax.host.graphs import core
 from msf_jax.host.solid import sections
 from msf_jax.host.solid.enclosure import Enclosure
 from msf_jax.host.solid.geometry import unit
@@ -38,7 +38,6 @@ ROUNDS = 12  # limit on the rounds of a centring
 TOLERANCE = 0.02  # clearances: a round in which the root mean square of all steps is less is the last
 AFRESH = 0.01  # limb sizes moved or radians turned: then a section is cut again; before, it is extrapolated
 STIFFNESS = 0.35  # limb sizes, or half widths of a sheet: the length l
-STIFFEST = 1e5  # limit on (l / h)^4
 ZONE, MARGIN = 0.7, 0.4  # junction sizes: within which sections do not count; over which their weight rises to 1
 LOPSIDED, STEEP = 1.6, 8  # section radius over section size at which a section counts half; exponent of that ratio
 ROUNDNESS = 4  # exponent of (median radius of the branch / radius of the section) in the weight, if below 1
@@ -93,12 +92,9 @@ def centre(
     paths = measures.paths_of(x, edges, is_held)
     if not paths:
         return x
-    is_core = core(num, edges)
     is_former_junction = (degree == 2) & (False if former_junctions is None else former_junctions)
     junction = np.flatnonzero((degree > 2) | is_former_junction)
     rings = [path.nodes[:-1] for path in paths if path.is_loop and not is_held[path.nodes].any()]
-    is_ring = np.zeros(num, dtype=bool)
-    is_ring[np.concatenate([*rings, np.empty(0, dtype=np.int64)])] = True
     is_lost = ~shape.contains(y[junction])  # a place outside holds nothing
     y[junction[is_lost]] = x[junction[is_lost]]
     clearance_at_place = np.where(is_lost, 0.0, shape.distances(y[junction]))
@@ -117,14 +113,17 @@ def centre(
         clear = measures.clear_of_junctions(x, paths, degree, size, ZONE, MARGIN)
         limb = np.flatnonzero((degree > 0) & (clear > 0) & ~is_held & (clearance > 0))
         found = known.at(shape, x, tangent, size, near, limb)
-        limb = limb[found.is_around]
-        found = sections.Sections(*(field[found.is_around] for field in found))
+        middle, reach = np.zeros_like(x), np.zeros(num)
+        middle[limb], reach[limb] = found.centroid, found.radius
+        is_own = found.is_around & ~measures.crossed_again(x, paths, tangent, middle, reach)[limb]
+        limb = limb[is_own]
+        found = sections.Sections(*(field[is_own] for field in found))
         weight, everywhere = weighed(paths, clear, limb, found, 1e-6)
         size = measures.sizes(x, paths, *everywhere, clearance=clearance)
         wide = np.full(num, np.nan)
         wide[limb] = found.radius
         wide = measures.usual(paths, wide)
-        span = np.where((wide > measures.WIDE * size) & ~is_core, wide, size)  # a loop is not to be drawn to its hole
+        span = np.where(wide > measures.WIDE * size, wide, size)
         if number < 0:
             continue
         anchor = np.full(num, ANCHOR)
@@ -139,8 +138,7 @@ def centre(
         anchor[is_held] = HELD
         system = _System(x, paths, span, limb, found, tangent, ahead, chord, anchor, y)
         is_blind = is_far and number == 0
-        # A ring that hugs a small hole has sections through both of its sides, whose middle is in the hole.
-        away = np.where(is_blind & ~is_ring[limb], 0.0, np.linalg.norm(system.off, axis=1))
+        away = np.where(is_blind, 0.0, np.linalg.norm(system.off, axis=1))
         step = system.step(weight / (1 + (away / (STRAY * found.radius)) ** 2) ** 2)
         if is_blind:
             away = np.linalg.norm(system.off + system.moved(step), axis=1)
@@ -269,19 +267,13 @@ class _System:
         row = np.concatenate([np.arange(len(limb)), reach.row])
         column = np.concatenate([limb, reach.col])
         block = np.concatenate([own, turn[reach.row] * reach.data[:, None, None]])
-        triple, spacing = measures.triples(x, paths)
-        stiff = np.minimum((STIFFNESS * size[triple[:, 1]] / np.maximum(spacing, 1e-12)) ** 4, STIFFEST)
-        self.stiff = np.repeat(stiff, 3)
-        bent = x[triple[:, 0]] - 2 * x[triple[:, 1]] + x[triple[:, 2]]
-        bend = np.tile([1.0, -2.0, 1.0], len(triple))[:, None, None] * np.eye(3)
-        row = np.concatenate([row, len(limb) + np.repeat(np.arange(len(triple)), 3)])
-        column, block = np.concatenate([column, triple.ravel()]), np.concatenate([block, bend])
         i = 3 * row[:, None, None] + np.arange(3)[:, None] + np.zeros((3, 3), dtype=np.int64)
         j = 3 * column[:, None, None] + np.arange(3) + np.zeros((3, 3), dtype=np.int64)
-        self.rows = sparse.coo_matrix(
-            (block.ravel(), (i.ravel(), j.ravel())), (3 * (len(limb) + len(triple)), 3 * num)
-        ).tocsr()
-        self.value = np.concatenate([self.off.ravel(), bent.ravel()])
+        aside = sparse.csr_matrix((block.ravel(), (i.ravel(), j.ravel())), (3 * len(limb), 3 * num))
+        bend, stiffness, rest = measures.bending(x, paths, STIFFNESS * size)
+        self.stiff = np.repeat(stiffness, 3)
+        self.rows = sparse.vstack([aside, sparse.kron(bend, sparse.eye(3))], format="csr")
+        self.value = np.concatenate([self.off.ravel(), (bend @ x - rest).ravel()])
         held = (DAMPING + anchor)[:, None, None] * np.eye(3)
         held = held + DAMPING_ALONG * tangent[:, :, None] * tangent[:, None, :]
         self.held = sparse.bsr_matrix((held, np.arange(num), np.arange(num + 1)), shape=(3 * num, 3 * num)).tocsc()

@@ -280,14 +280,8 @@ def _smoothing(
     along_edge = sparse.coo_matrix((np.tile([1.0, -1.0], len(edges)), (rows, edges.ravel())), shape=(len(edges), num))
     matrix = matrix + along_edge.T @ sparse.diags(mu) @ along_edge
     if stiffness:
-        triple, spacing = measures.triples(x, paths)
-        reach = stiffness * size[triple[:, 1]]
-        alpha = np.minimum((reach / np.maximum(spacing, 1e-12)) ** 4, centring.STIFFEST)
-        rows = np.repeat(np.arange(len(triple)), 3)
-        bending = sparse.coo_matrix(
-            (np.tile([1.0, -2.0, 1.0], len(triple)), (rows, triple.ravel())), shape=(len(triple), num)
-        )
-        matrix = matrix + bending.T @ sparse.diags(alpha) @ bending
+        bend, alpha, _ = measures.bending(x, paths, stiffness * size)
+        matrix = matrix + bend.T @ sparse.diags(alpha) @ bend
     solve = linalg.splu((matrix + 1e-12 * sparse.eye(num)).tocsc())
     # Blocks of sections save memory: entries of nodes far from a section are tiny, and are left out at once.
     blocks = []
