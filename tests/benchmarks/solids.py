@@ -297,9 +297,10 @@ def _with_holes(solid: Solid, body: Manifold, symmetries: Sequence[np.ndarray]) 
 
 
 def _no_way(body: Manifold, size: float, thin: float) -> Solid:
-    """No way is better than others: at most one branch, from face to face with the gaps of a limb of this ``size``."""
+    """No way is better than others: at most one branch over the ``size``, from face to face with the gaps of a ball
+    of radius ``thin``."""
     none = np.zeros((0, 3))
-    return Solid(body, none, none, none[:, 0], none[:, 0], (1 - GAP) * size, size / 2, SPACING * thin)
+    return Solid(body, none, none, none[:, 0], none[:, 0], size - 2 * GAP * thin, size / 2, SPACING * thin)
 
 
 def _four(x: float, y: float) -> list[tuple[float, float]]:

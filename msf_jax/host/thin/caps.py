@@ -26,7 +26,6 @@ from msf_jax.host import graphs
 from msf_jax.host.solid.enclosure import Enclosure
 from msf_jax.host.solid.geometry import cross, largest_of_each
 from msf_jax.host.thin import ends, fronts, protrusion
-from msf_jax.host.thin.levels import levels
 
 SOURCES = 16  # points, far from each other, whose distances are averaged
 SMOOTHINGS = 5  # of the average distance, each a mean with the neighbours: so noise makes few tips
@@ -216,9 +215,9 @@ class Caps:
             for number, (tip, enough) in enumerate(limbs, 1)
         ]
         count = np.bincount(self._component[[cap.tip for cap in caps]], minlength=len(self._is_ball))
-        for number in np.flatnonzero((count > 0) & (count < 3) & self._is_ball).tolist():
+        for number in np.flatnonzero((count < 3) & self._is_ball).tolist():
             two = self._halves(number)
-            if two and min(cap.slenderness for cap in two) >= blunt:
+            if min(cap.slenderness for cap in two) >= blunt:
                 caps = [cap for cap in caps if self._component[cap.tip] != number] + two
         time = self._owned(caps, owner)
         raised = self._raised(caps, owner, time, least)
@@ -281,14 +280,12 @@ class Caps:
         return np.sqrt(2 * (last - time[vertex])) <= cap.area / (2 * np.pi * np.sqrt(2 * last))
 
     def _halves(self, number: int) -> list[Cap]:
-        """The halves of a component that has a direction in which it is long, as caps; else none."""
+        """The halves of a component, as caps (see `ends.halves`)."""
         of_face = self._component[self.surface.faces[:, 0]] == number
         member = np.flatnonzero(self._component == number)
         x, faces = self.surface.points[member], np.searchsorted(member, self.surface.faces[of_face])
         value = ends.halves(x, faces)
-        if value is None:
-            return []
-        perimeter = float(levels(x, faces, value / np.ptp(value) + 2.0, 2.0).perimeter.sum())  # of the line at 0
+        perimeter = ends.zero_line(x, faces, value)
         share = np.bincount(faces.ravel(), np.repeat(self.area[of_face] / 3, 3), len(x))
         found = []
         for side in (value, -value):

@@ -9,14 +9,16 @@ largest distance are corners. In a limb of constant size, u falls with the squar
 measures along the limb. The middles of the rings of equal d, half a limb's radius apart, are the limb's curve.
 
 A solid with one branch has no base. There the first eigenfunction of the surface's Laplacian decides: it is positive at
-one end and negative at the other, and its zero line runs across. If the second eigenvalue is hardly larger, as for a
-ball, a cube or a square plate, the solid has no direction in which it is long.
+one end and negative at the other, and its zero line runs across. A ball, a cube or a square plate has several, and no
+direction in which it is long. Of their sums, the one with the shortest zero line decides: the ends of a cube are in the
+middle of two faces.
 """
 
+import itertools
 from typing import NamedTuple
 
 import numpy as np
-from scipy import sparse
+from scipy import optimize, sparse
 from scipy.sparse import linalg
 
 from msf_jax.host.solid import sections
@@ -36,7 +38,8 @@ WIDEST = 1.5  # of a ball's radius: a ball whose middle is within that distance 
 LEAST = 0.25  # of the radius a width from the end: the least radius of an end, which may be a point
 SAMPLES = 65  # points of the curve's last stretch at which the ball that fills the end is looked for
 SLIVER = 1e-6  # squares of its longest edge: least area, times 4, of a triangle, such as one of a lid's in a line
-LONG = 0.9  # largest ratio of the first two eigenvalues of a solid with a direction; 0.25 for a rectangle of 2 : 1
+LONG = 0.9  # of two eigenvalues: above it they are one, as in a ball, a cube, a square plate; 0.25 for a plate of 2 : 1
+MOST_LINES = 200  # that are tried of a solid without a direction
 
 
 class Axis(NamedTuple):
@@ -86,15 +89,32 @@ def factored(matrix: sparse.csc_matrix | sparse.csc_array) -> linalg.SuperLU:
     return linalg.splu(matrix, permc_spec="MMD_AT_PLUS_A", options={"SymmetricMode": True})
 
 
-def halves(vertices: np.ndarray, faces: np.ndarray) -> np.ndarray | None:
-    """The first eigenfunction (V,) of a connected surface; None if it has no direction in which it is `LONG`."""
+def halves(vertices: np.ndarray, faces: np.ndarray) -> np.ndarray:
+    """The first eigenfunction (V,) of a connected surface; of several, the sum of them with the shortest zero line."""
     matrix, share = laplacian(vertices, faces)
     mass, whole = sparse.diags_array(share).tocsc(), float(share.sum())
     start = np.cos(np.arange(len(vertices)))
     # Shifted by a part of 1 / area, the order of the first eigenvalues, so that the matrix is not singular.
-    value, vector = linalg.eigsh(matrix.tocsc(), 3, mass, sigma=-0.1 / whole, v0=start)
-    order = np.argsort(value)
-    return vector[:, order[1]] if value[order[1]] < LONG * value[order[2]] else None
+    value, vector = linalg.eigsh(matrix.tocsc(), 4, mass, sigma=-0.1 / whole, v0=start)
+    order = np.argsort(value)[1:]
+    vector = vector[:, order[value[order] * LONG <= value[order[0]]]]
+
+    def length(parts: np.ndarray) -> float:
+        return zero_line(vertices, faces, vector @ parts)
+
+    start = min(itertools.product((-1.0, 0.0, 1.0), repeat=vector.shape[1]), key=lambda each: length(np.array(each)))
+    found = optimize.minimize(length, start, method="Nelder-Mead", options={"xatol": 1e-3, "maxfev": MOST_LINES})
+    return vector @ found.x
+
+
+def zero_line(vertices: np.ndarray, faces: np.ndarray, value: np.ndarray) -> float:
+    """The length of the line on which ``value`` (V,) is 0; infinite where it is 0 all over."""
+    corners, height = vertices[faces], value[faces]
+    share = height / np.where(height == np.roll(height, -1, axis=1), 1.0, height - np.roll(height, -1, axis=1))
+    points = corners + share[:, :, None] * (np.roll(corners, -1, axis=1) - corners)
+    is_cut = (height > 0) != (np.roll(height, -1, axis=1) > 0)
+    points = points[is_cut.any(axis=1)][is_cut[is_cut.any(axis=1)]].reshape(-1, 2, 3)
+    return float(np.linalg.norm(points[:, 1] - points[:, 0], axis=1).sum()) or np.inf
 
 
 def axis(shape: Enclosure, vertices: np.ndarray, faces: np.ndarray, time: np.ndarray, region: np.ndarray) -> Axis:
