@@ -329,3 +329,11 @@ def test_the_end_of_a_channel_is_not_beyond_it():
     for sign in (-1, 1):
         places = axis_of(shape, sign * shape.vertices[:, 0] > 0.05).places
         assert 4 < sign * places[0, 0] <= 5 and np.abs(places[:, 1]).max() < 0.05
+
+
+def test_a_bolt_with_a_socket_ends_on_its_axis():
+    """Two rings of the underside of its head have one middle, and no line leads through them."""
+    profile = [(0, -6.3), (0.63, -6.3), (0.63, 0), (1.25, 0), (1.25, 1), (0.52, 1), (0.52, 0.5), (0, 0.5)]
+    found = ends_of(lathed(profile, 0.1))
+    assert len(found) == 2 and np.abs(found[:, :2]).max() < 0.03
+    assert sorted(found[:, 2]) == pytest.approx([-6.3 + 0.3 * 0.63, 0.3], abs=0.15)

@@ -183,10 +183,9 @@ def _to_end(
         is_around = _around(shape, middles, size, step / STEP)
     first += int(is_around[first:].argmax())
     first = min(first, max(len(middles) - 2, 0))
-    base = first + 1
-    if is_bent:
-        base += int((np.linalg.norm(middles - middles[first], axis=1)[first + 1 :] >= step / 2).argmax())
-    base = min(base, len(middles) - 1)
+    # Half a step on at least: two rings of the underside of a bolt's head have one middle.
+    is_on = np.linalg.norm(middles - middles[first], axis=1)[first + 1 :] >= step / 2
+    base = min(first + 1 + int(is_on.argmax()), len(middles) - 1) if len(is_on) else first
     heading = unit(middles[first] - middles[base])
     if not heading.any():
         return middles[base:]
