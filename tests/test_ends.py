@@ -146,7 +146,8 @@ def test_an_end_is_on_the_axis_and_0_3_radii_before_the_surface(name, edge):
     found = ends_of(shape)
     assert len(found) == 2
     half = shape.vertices[:, 0].max()
-    assert np.abs(found[:, 1:]).max() < 0.05 * radius
+    # The slab as made is 1.5 thousandths of its width off: its half thickness is a fifteenth of that.
+    assert np.abs(found[:, 1:]).max() < (0.05 if name == "slab" and edge is None else 0.03) * radius
     assert ((half - np.abs(found[:, 0])) / radius > 0.29).all()
     assert ((half - np.abs(found[:, 0])) / radius < 0.38).all()
 
