@@ -30,10 +30,10 @@ if TYPE_CHECKING:
     from msf_jax.gradients.sensitivity import sensitivity
     from msf_jax.gradients.tape import Tape
     from msf_jax.gradients.track import Track, track
-    from msf_jax.host.curve.branches import Branch
     from msf_jax.host.mesh.reading import read_mesh
     from msf_jax.host.mesh.repair import Repair
     from msf_jax.host.preprocessing import reconstruct, voronoi_poles
+    from msf_jax.host.thin.pruning import Branch
     from msf_jax.skeleton.formats.importing import read_curve
     from msf_jax.skeleton.framing.frame import Frame
     from msf_jax.skeleton.report import Report

@@ -15,29 +15,6 @@ STRAND = 0.5  # radii: two branches of a junction that are nearer run in the sam
 TOGETHER = 1e-6  # diagonals: two nodes, or a node and an edge, that are no farther apart coincide
 
 
-class Branch(NamedTuple):
-    """nodes: along the branch; a closed branch repeats its first node at its end. length: of the branch.
-
-    slenderness: of the limb of a branch that ends in a leaf, as large as it can be without another leaf (see
-    `host.thin.caps`): a cylinder that sticks out by h has h / radius, and half of that if it is less than 0.12 %
-    of the surface. Without the mesh, and for thin limbs in coarse triangles, it is measured by the nodes' balls (see
-    `host.thin.pruning`). Infinite for a branch without a junction or between junctions: its removal would change the
-    curve's components or cycles.
-
-    surface: share of the mesh's area that belongs to the branch's nodes, without its junctions; NaN if unknown.
-    """
-
-    nodes: list[int]
-    length: float
-    slenderness: float
-    surface: float
-
-    def __repr__(self) -> str:
-        ends = f"{self.nodes[0]} to {self.nodes[-1]}"
-        numbers = f"length {self.length:.4g}, slenderness {self.slenderness:.3g}"
-        return f"Branch({len(self.nodes)} nodes from {ends}, {numbers})"
-
-
 def nearest_on_branch(
     nodes: np.ndarray, edges: np.ndarray, points: np.ndarray, node_of_point: np.ndarray
 ) -> np.ndarray:

@@ -11,16 +11,39 @@ with a round end that sticks out by h.
 
 import heapq
 from collections.abc import Callable, Iterator
+from typing import NamedTuple
 
 import numpy as np
 
-from msf_jax.host.curve.branches import Branch
 from msf_jax.host.graphs import trace
 from msf_jax.host.solid.geometry import arc_length
 
 TOUCHES = 0.9  # of the depth of a node: least radius of a ball that touches the tip of its limb
 
 Worth = Callable[[Iterator[int]], float]  # of the branch with these nodes, its leaf first
+
+
+class Branch(NamedTuple):
+    """nodes: along the branch; a closed branch repeats its first node at its end. length: of the branch.
+
+    slenderness: of the limb of a branch that ends in a leaf, as large as it can be without another leaf (see
+    `host.thin.caps`): a cylinder that sticks out by h has h / radius, and half of that if it is less than 0.12 %
+    of the surface. Without the mesh, and for thin limbs in coarse triangles, it is measured by the nodes' balls (see
+    `by_balls`). Infinite for a branch without a junction or between junctions: its removal would change the
+    curve's components or cycles.
+
+    surface: share of the mesh's area that belongs to the branch's nodes, without its junctions; NaN if unknown.
+    """
+
+    nodes: list[int]
+    length: float
+    slenderness: float
+    surface: float
+
+    def __repr__(self) -> str:
+        ends = f"{self.nodes[0]} to {self.nodes[-1]}"
+        numbers = f"length {self.length:.4g}, slenderness {self.slenderness:.3g}"
+        return f"Branch({len(self.nodes)} nodes from {ends}, {numbers})"
 
 
 def prune(
