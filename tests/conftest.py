@@ -1,15 +1,20 @@
 """Shared by all tests: float64, meshes made in code, and the research meshes where they are at hand."""
 
+import gc
 import os
 import shutil
 import signal
 import sys
 import tempfile
+from importlib.metadata import version
 from pathlib import Path
 
-# Compiling is most of the time of the tests, and runs are short: half of it goes without XLA's optimisations. Those
-# that compare bits, in test_determinism, are compiled as a user's programs are.
-os.environ.setdefault("XLA_FLAGS", "--xla_backend_optimization_level=0")
+# Compiling is most of the time of the tests, and runs are short: half of it goes without XLA's optimisations, and two
+# thirds of the rest with its older emitters, which jaxlib 0.10 still has; later ones refuse the flag. Those that compare
+# bits, in test_determinism, are compiled as a user's programs are, and so are the smoke's.
+HAS_OLDER_EMITTERS = version("jaxlib").startswith("0.10.")
+FLAGS = ["--xla_backend_optimization_level=0", *["--xla_cpu_use_fusion_emitters=false"] * HAS_OLDER_EMITTERS]
+os.environ.setdefault("XLA_FLAGS", " ".join(FLAGS))
 
 # There is a process for each core: threads of dense algebra beside it wait for each other: 40 s for 4.
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
@@ -30,6 +35,7 @@ hypothesis.settings.register_profile("same", derandomize=True)  # the same examp
 hypothesis.settings.load_profile("same")
 jax.config.update("jax_enable_x64", True)
 matplotlib.use("Agg")
+gc.set_threshold(100_000, 50, 100)  # a sixth of the time of tracing was the search for cycles among JAX's objects
 
 # What one process has compiled the others need not, nor the next run: most of the time of the tests is compiling.
 CACHE = "MSF_JAX_TEST_CACHE"
