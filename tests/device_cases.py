@@ -9,7 +9,7 @@ import numpy as np
 import scipy.sparse as sp
 from scipy.spatial import ConvexHull
 
-from msf_jax.base.layout import Layout, Level, layout_for
+from msf_jax.base.layout import Layout, Level, fits, layout_for, staircase
 from msf_jax.base.options import Solver
 from msf_jax.device import laplacian
 from msf_jax.device.buffers import Buffers, Rings
@@ -59,11 +59,17 @@ def build(vertices, faces, *, is_fixed=None, poles=None, has_pole=None, layout=N
         meso.poles, meso.has_pole = np.array(poles), np.ones(len(vertices), dtype=bool)
     if has_pole is not None:
         meso.has_pole = np.array(has_pole, dtype=bool)
-    layout = layout_for(len(vertices), packing.rows_beyond(meso)) if layout is None else layout
+    layout = small_layout(len(vertices), packing.rows_beyond(meso)) if layout is None else layout
     order, _, fields = packing.pack(meso, layout, ring_areas(vertices, faces), np.dtype(dtype))
     fields["rings"] = Rings(*fields["rings"])
     buffers = jax.tree_util.tree_map(jnp.asarray, Buffers(**fields))
     return Case(vertices, faces, meso.is_fixed, meso.poles, meso.has_pole, layout, order, buffers)
+
+
+def small_layout(count: int, rows_beyond: list[int]) -> Layout:
+    """A staircase with fewer padded rows than the flow's smallest: a program takes time for each row."""
+    layouts = [staircase(capacity, len(rows_beyond)) for capacity in (256, 512)]
+    return next((each for each in layouts if fits(each, count, rows_beyond)), layout_for(count, rows_beyond))
 
 
 def one_level(capacity: int, slots: int) -> Layout:
