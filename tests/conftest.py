@@ -10,11 +10,13 @@ from importlib.metadata import version
 from pathlib import Path
 
 # Compiling is most of the time of the tests, and runs are short: half of it goes without XLA's optimisations, and two
-# thirds of the rest with its older emitters, which jaxlib 0.10 still has; later ones refuse the flag. Those that compare
-# bits, in test_determinism, are compiled as a user's programs are, and so are the smoke's.
-HAS_OLDER_EMITTERS = version("jaxlib").startswith("0.10.")
-FLAGS = ["--xla_backend_optimization_level=0", *["--xla_cpu_use_fusion_emitters=false"] * HAS_OLDER_EMITTERS]
-os.environ.setdefault("XLA_FLAGS", " ".join(FLAGS))
+# thirds of the rest with its older emitters, which jaxlib 0.10 has; later ones refuse the flag. Tests that compare
+# bits, in test_determinism, are compiled as a user's programs are, and so are those of the smoke.
+os.environ.setdefault(
+    "XLA_FLAGS",
+    "--xla_backend_optimization_level=0"
+    + " --xla_cpu_use_fusion_emitters=false" * version("jaxlib").startswith("0.10."),
+)
 
 # There is a process for each core: threads of dense algebra beside it wait for each other: 40 s for 4.
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
@@ -29,12 +31,14 @@ import numpy as np
 import pytest
 import trimesh
 
+from msf_jax.flow import programs
 from msf_jax.gradients import compiler
 
 hypothesis.settings.register_profile("same", derandomize=True)  # the same examples in every run
 hypothesis.settings.load_profile("same")
 jax.config.update("jax_enable_x64", True)
 matplotlib.use("Agg")
+programs.OPTIONS["xla_backend_optimization_level"] = 3  # few programs, and most of a run's time without
 gc.set_threshold(100_000, 50, 100)  # a sixth of the time of tracing was the search for cycles among JAX's objects
 
 # What one process has compiled the others need not, nor the next run: most of the time of the tests is compiling.

@@ -24,6 +24,14 @@ def hand():
     return msf_jax.skeletonize(mesh, config=Config(prune=0.0)), mesh
 
 
+@pytest.fixture(scope="module")
+def drawn(hand, tmp_path_factory):
+    """Plotly's figure of the hand, and the text of its page."""
+    skeleton, mesh = hand
+    path = tmp_path_factory.mktemp("drawn") / "hand.html"
+    return skeleton.view(mesh, path), path.read_text()
+
+
 def test_stages_lead_from_the_mesh_to_the_meso_skeleton(hand):
     skeleton, mesh = hand
     stages = skeleton.source.stages
@@ -37,9 +45,8 @@ def test_stages_lead_from_the_mesh_to_the_meso_skeleton(hand):
     assert not stages[0].is_fixed.any() and stages[-1].is_fixed.sum() == skeleton.report.fixed
 
 
-def test_each_stop_of_a_slider_shows_its_own_traces(hand):
-    skeleton, mesh = hand
-    drawing = skeleton.view(mesh)
+def test_each_stop_of_a_slider_shows_its_own_traces(hand, drawn):
+    skeleton, drawing = hand[0], drawn[0]
     names = [trace.name for trace in drawing.data]
     contraction, pruning = drawing.layout.sliders
     for stage, step in zip(skeleton.source.stages, contraction.steps[1:], strict=True):
@@ -59,10 +66,8 @@ def test_each_stop_of_a_slider_shows_its_own_traces(hand):
     assert touched | {0, 1} == set(range(len(names)))
 
 
-def test_the_page_is_one_file_that_needs_no_network(hand, tmp_path):
-    skeleton, mesh = hand
-    skeleton.view(mesh, tmp_path / "hand.html")
-    text = (tmp_path / "hand.html").read_text()
+def test_the_page_is_one_file_that_needs_no_network(hand, drawn, tmp_path):
+    (skeleton, mesh), text = hand, drawn[1]
     assert not re.search(r"<(script|link|img)[^>]+(src|href)=(?!.data:,)", text)
     assert text.startswith("<!doctype html>") and "Plotly.newPlot" in text and "@" not in text.split("<body>")[1][:200]
     assert f"<h1>hand</h1><p>{len(skeleton.vertices)} nodes, 1 cycle for genus 1, " in text
@@ -78,11 +83,9 @@ def unpacked(text, name):
     return gzip.decompress(base64.b64decode(re.search(f'<script id="{name}"[^>]*>(.*?)</script>', text)[1]))
 
 
-def test_what_is_packed_is_what_was_drawn(hand, tmp_path):
+def test_what_is_packed_is_what_was_drawn(drawn):
     """Arrays begin where their items may, are there once, and come out as they went in."""
-    skeleton, mesh = hand
-    drawing = skeleton.view(mesh, tmp_path / "hand.html")
-    text = (tmp_path / "hand.html").read_text()
+    drawing, text = drawn
     assert b"Plotly" in unpacked(text, "plotly")[: 10**6]
     blob = unpacked(text, "data")
     length = int.from_bytes(blob[:4], "little")
@@ -140,15 +143,13 @@ def test_all_is_in_view_and_stays_where_it_is(hand):
         assert max(np.abs(height).max(), np.abs(width).max() / 1.3) > 0.75
 
 
-def test_the_pointer_tells_the_radius_on_the_surface_too(hand):
-    skeleton, mesh = hand
-    for drawing in (skeleton.view(mesh), skeleton.view()):
+def test_the_pointer_tells_the_radius_on_the_surface_too(hand, drawn):
+    skeleton = hand[0]
+    for drawing in (drawn[0], skeleton.view()):
         surface = drawing.data[0]
         assert "customdata" in surface.hovertemplate and surface.hoverinfo is None
         assert set(surface.customdata) <= set(skeleton.radii.astype(np.float32))
-    np.testing.assert_array_equal(
-        skeleton.view(mesh).data[1].customdata, skeleton.radii.astype(np.float32)[skeleton.mesh_map]
-    )
+    np.testing.assert_array_equal(drawn[0].data[1].customdata, skeleton.radii.astype(np.float32)[skeleton.mesh_map])
 
 
 def test_a_curve_of_a_file_and_one_of_a_single_node_can_be_viewed(tmp_path):
@@ -228,8 +229,7 @@ def test_view_and_completion_on_the_command_line(tmp_path, capsys):
 def test_a_page_far_from_the_origin_keeps_its_shape():
     """Coordinates go into the page as float32: a million away, nothing else would be left of a unit."""
     ball = blob(3)
-    skeleton = msf_jax.skeletonize(ball)
-    far = curve_of(skeleton.vertices + 1e7, skeleton.edges, skeleton.radii)
+    far = curve_of(1e7 + np.array([[0, 0, 0], [0, 0, 0.1]]), np.array([[0, 1]]), np.ones(2))
     drawing = far.view((ball.vertices + 1e7, ball.faces))
     shown = np.stack([np.asarray(drawing.data[0][axis], dtype=np.float64) for axis in "xyz"], axis=1)
     assert np.allclose(np.ptp(shown, axis=0), np.ptp(ball.vertices, axis=0), atol=1e-6)
