@@ -346,10 +346,15 @@ def test_many_vectors_at_once_are_added_as_one_by_one(prime):
     assert not span.adds_all(matrix).any()
 
 
-def test_too_many_handles_are_not_proved_and_the_report_says_so(monkeypatch):
+@pytest.fixture(scope="module")
+def plate():
+    """A plate with four holes, and its skeleton."""
+    return (mesh := shapes.plate(4)), msf_jax.skeletonize(mesh)
+
+
+def test_too_many_handles_are_not_proved_and_the_report_says_so(plate, monkeypatch):
     """A limit on linking numbers just below, and far below, what the curve of a plate needs."""
-    mesh = shapes.plate(4)
-    skeleton = msf_jax.skeletonize(mesh)
+    mesh, skeleton = plate
     curve, num = (skeleton.vertices, skeleton.edges), len(skeleton.edges)
     assert skeleton.report.is_sound and skeleton.report.loops == 4
     monkeypatch.setattr(loops, "MOST_LINKING", 8 * num)
@@ -392,10 +397,9 @@ def test_loops_that_are_laid_in_several_rounds_are_around_handles_of_their_own(m
     assert cycle_count(len(x), e) == (1, 4) and counts(loops.proof(solid.shape, x, e)) == (4, 0, 0, 0, 0)
 
 
-def test_a_search_that_reaches_its_limit_says_so(monkeypatch):
+def test_a_search_that_reaches_its_limit_says_so(plate, monkeypatch):
     """Of a curve without loops in a plate with four holes, before the first path is tried."""
-    mesh = shapes.plate(4)
-    skeleton = msf_jax.skeletonize(mesh)
+    mesh, skeleton = plate
     is_in_tree = shortest_forest(len(skeleton.vertices), skeleton.edges, np.zeros(len(skeleton.edges)))
     curve = skeleton.vertices, skeleton.edges[is_in_tree]
     whole, cut = (Roadmap(shape_of(mesh), is_inside) for _ in range(2))
