@@ -86,7 +86,8 @@ def exit_times(vertices: np.ndarray, faces: np.ndarray, owner: np.ndarray) -> np
 
 def factored(matrix: sparse.csc_matrix | sparse.csc_array) -> linalg.SuperLU:
     """The factors of a symmetric matrix (V, V) with the pattern of a surface's edges."""
-    return linalg.splu(matrix, permc_spec="MMD_AT_PLUS_A", options={"SymmetricMode": True})
+    # relax=1: SuperLU joins no columns of unlike patterns. Joined, those of a round solid took up to 20 times as long.
+    return linalg.splu(matrix, permc_spec="MMD_AT_PLUS_A", relax=1, options={"SymmetricMode": True})
 
 
 def halves(vertices: np.ndarray, faces: np.ndarray) -> np.ndarray:
