@@ -184,7 +184,8 @@ def test_a_limb_that_narrows_ends_on_its_axis(name):
 def test_a_cube_a_ball_and_a_square_plate_are_halved_by_their_shortest_line(solid, across):
     """`LONG`, `MOST_LINES`: not through corners, which takes 1.06 to 1.4 times as much."""
     shape = as_shape(solid, 0.2)
-    value = ends.halves(TURN.apply(shape.vertices), shape.faces)
+    value, is_long = ends.halves(TURN.apply(shape.vertices), shape.faces)
+    assert not is_long
     assert ends.zero_line(shape.vertices, shape.faces, value) == pytest.approx(across, rel=0.01)
     for each in (shape.vertices[:, 0], shape.vertices[:, 0] + shape.vertices[:, 1]):
         assert ends.zero_line(shape.vertices, shape.faces, each + 1e-9) > 0.98 * across
@@ -204,7 +205,8 @@ def test_the_halves_of_a_long_solid_are_on_both_sides_of_its_middle(solid, turn)
     """`LONG`: a plate of 1.2 : 1, too."""
     shape = as_shape(solid, 0.1)
     x = Rotation.from_euler("xyz", [turn] * 3, degrees=True).apply(shape.vertices)
-    value = ends.halves(x, shape.faces)
+    value, is_long = ends.halves(x, shape.faces)
+    assert is_long
     along = shape.vertices[:, 0] * np.sign(value @ shape.vertices[:, 0])
     far = np.abs(along) > 0.1
     assert (np.sign(value) == np.sign(along))[far].all()

@@ -190,8 +190,8 @@ class Caps:
         First come caps below half of the surface. Then the rest may be a limb, too, up to the first ones: the body of a
         bunny is the other end of its ears. Last come blunt ends of parts with limbs, such as the nose of a head with
         ears. A component without limbs and handles has its blunt ends instead. If a component without handles has one
-        or two limbs, it has one branch, and its halves are the limbs (see `ends.halves`): in a sheet, discs around tips
-        find its corners.
+        or two limbs, and a direction, it has one branch, and its halves are the limbs (see `ends.halves`): in a sheet,
+        discs around tips find its corners. The same goes for one without limbs, such as a cube.
         """
         if least not in self._found:
             self._found[least] = self._search(max(least, ROUND_END))
@@ -216,8 +216,8 @@ class Caps:
         ]
         count = np.bincount(self._component[[cap.tip for cap in caps]], minlength=len(self._is_ball))
         for number in np.flatnonzero((count < 3) & self._is_ball).tolist():
-            two = self._halves(number)
-            if min(cap.slenderness for cap in two) >= blunt:
+            two, is_long = self._halves(number)
+            if (is_long or not count[number]) and min(cap.slenderness for cap in two) >= blunt:
                 caps = [cap for cap in caps if self._component[cap.tip] != number] + two
         time = self._owned(caps, owner)
         raised = self._raised(caps, owner, time, least)
@@ -279,12 +279,12 @@ class Caps:
         last = float(time[cap.region].max())
         return np.sqrt(2 * (last - time[vertex])) <= cap.area / (2 * np.pi * np.sqrt(2 * last))
 
-    def _halves(self, number: int) -> list[Cap]:
-        """The halves of a component, as caps (see `ends.halves`)."""
+    def _halves(self, number: int) -> tuple[list[Cap], bool]:
+        """The halves of a component, as caps, and whether it is long in one direction (see `ends.halves`)."""
         of_face = self._component[self.surface.faces[:, 0]] == number
         member = np.flatnonzero(self._component == number)
         x, faces = self.surface.points[member], np.searchsorted(member, self.surface.faces[of_face])
-        value = ends.halves(x, faces)
+        value, is_long = ends.halves(x, faces)
         perimeter = ends.zero_line(x, faces, value)
         share = np.bincount(faces.ravel(), np.repeat(self.area[of_face] / 3, 3), len(x))
         found = []
@@ -292,7 +292,7 @@ class Caps:
             area = float(share[side > 0].sum())
             slenderness = 2 * np.pi * area / perimeter**2 - 0.5
             found.append(Cap(int(member[side.argmax()]), slenderness, area, member[side > 0]))
-        return found
+        return found, is_long
 
     def axis(self, shape: Enclosure, limbs: Limbs, number: int) -> ends.Axis:
         """The curve of one of the limbs in the solid ``shape``."""

@@ -90,8 +90,9 @@ def factored(matrix: sparse.csc_matrix | sparse.csc_array) -> linalg.SuperLU:
     return linalg.splu(matrix, permc_spec="MMD_AT_PLUS_A", relax=1, options={"SymmetricMode": True})
 
 
-def halves(vertices: np.ndarray, faces: np.ndarray) -> np.ndarray:
-    """The first eigenfunction (V,) of a connected surface; of several, the sum of them with the shortest zero line."""
+def halves(vertices: np.ndarray, faces: np.ndarray) -> tuple[np.ndarray, bool]:
+    """The first eigenfunction (V,) of a connected surface; of several, the sum of them with the shortest zero line. And
+    whether there is one only: then the solid has a direction in which it is long."""
     matrix, share = laplacian(vertices, faces)
     mass, whole = sparse.diags_array(share).tocsc(), float(share.sum())
     start = np.cos(np.arange(len(vertices)))
@@ -105,7 +106,7 @@ def halves(vertices: np.ndarray, faces: np.ndarray) -> np.ndarray:
 
     start = min(itertools.product((-1.0, 0.0, 1.0), repeat=vector.shape[1]), key=lambda each: length(np.array(each)))
     found = optimize.minimize(length, start, method="Nelder-Mead", options={"xatol": 1e-3, "maxfev": MOST_LINES})
-    return vector @ found.x
+    return vector @ found.x, vector.shape[1] == 1
 
 
 def zero_line(vertices: np.ndarray, faces: np.ndarray, value: np.ndarray) -> float:
