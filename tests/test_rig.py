@@ -459,3 +459,47 @@ def test_a_bone_with_few_vertices_is_joined_to_the_next_so_that_a_limb_begins_at
     assert left.place.tolist() == [0, 0, 1, 2] and left.parents.tolist() == [-1, 0, 1, 2]
     np.testing.assert_array_equal(left.joints[1], found.joints[1])
     np.testing.assert_array_equal(left.tails[1], found.tails[2])
+
+
+def four_legged(head: float, ears: bool, tail: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """A curve with radii: legs 2 long at z 0 and 4, a neck from the front legs to a head that has horns and ears as
+    long as the legs, and perhaps a tail of radius ``tail``."""
+    chains = [[(0, 0, 0), (0, 0.3, 4)], [(0, 0.3, 4), (0, 2.5, 6)]]
+    chains += [[(0, 0, 0), (side, -2, -0.2)] for side in (1, -1)]
+    chains += [[(0, 0.3, 4), (side, -2, 4.2)] for side in (1, -1)]
+    if ears:
+        chains += [[(0, 2.5, 6), (2.4 * side, 3, 6.0)] for side in (1, -1)]
+        chains += [[(0, 2.5, 6), (side, 4.5, 5.8)] for side in (1, -1)]
+    if tail:
+        chains += [[(0, 0, 0), (0, 0.5, -3)]]
+    points, edges, radii = [], [], []
+    for a, b in chains:
+        edges += [(len(points) + k, len(points) + k + 1) for k in range(40)]
+        points += list(np.linspace(a, b, 41))
+        is_trunk, is_neck = b == (0, 0.3, 4), b == (0, 2.5, 6)
+        radii += list(np.full(41, 0.7 if is_trunk else 0.5 if is_neck else tail if b == (0, 0.5, -3) else 0.25))
+    at, of = np.unique(np.array(points).round(9), axis=0, return_inverse=True)
+    size = np.zeros(len(at))
+    np.maximum.at(size, of.ravel(), np.array(radii))
+    size[np.linalg.norm(at - [0, 2.5, 6], axis=1) < 0.8] = head
+    return at, np.unique(np.sort(of.ravel()[np.array(edges)], axis=1), axis=0), size
+
+
+@pytest.mark.parametrize(
+    ("head", "ears", "tail"), [(1.2, True, 0.0), (0.5, True, 0.6), (0.9, False, 0.0), (0.9, False, 0.2)]
+)
+@pytest.mark.parametrize("seed", [0, 1])
+def test_the_pelvis_is_the_end_of_the_trunk_without_the_head_however_it_is_turned(head, ears, tail, seed):
+    """Horns and ears are as long as legs, and the head is the thickest part."""
+    points, edges, radii = four_legged(head, ears, tail)
+    turn = spatial.transform.Rotation.random(random_state=seed).as_matrix() @ np.diag([1, 1, 1 - 2.0 * seed])
+    straight, other = (bones.bones_of(at, edges, radii, 50) for at in (points, points @ turn.T))
+    assert np.linalg.norm(straight.joints[0]) < 1.5
+    np.testing.assert_allclose(np.sort(other.joints @ turn, axis=0), np.sort(straight.joints, axis=0), atol=1e-4)
+    names = naming.names_of(straight)
+    assert sorted(name[:-1] for name in names if name.endswith(".L")) == sorted(
+        name[:-1] for name in names if name.endswith(".R")
+    )
+    first = next(k for k, name in enumerate(names) if name.startswith("trunk") and straight.parents[k] == 0)
+    spine = np.flatnonzero(straight.branch == straight.branch[first])
+    assert len(spine) == 3 and straight.parents[spine].tolist() == [0, *spine[:2]]

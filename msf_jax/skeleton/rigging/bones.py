@@ -15,7 +15,7 @@ import numpy as np
 from msf_jax.host import graphs
 from msf_jax.host.curve import branches
 from msf_jax.host.solid.geometry import arc_length, at
-from msf_jax.skeleton.rigging import cutting, mirror, rooting
+from msf_jax.skeleton.rigging import cutting, girdles, mirror, rooting
 
 LEAST_LIMB = 0.6  # radii of the junction's ball: a limb that sticks out of the ball by less has no bone
 FOR_LIMBS = 0.6  # share of all bones for the first bones of branches, at most; the rest is for bends
@@ -43,13 +43,18 @@ class Bones(NamedTuple):
     of_node: np.ndarray
 
 
-def bones_of(vertices: np.ndarray, edges: np.ndarray, radii: np.ndarray, most: int) -> Bones:
-    """At most ``most`` bones for a curve ``(vertices (N, 3), edges (E, 2))`` in limbs of ``radii`` (N,). If there are
-    too many components, the longest have bones."""
-    edges = edges[branches.cut_loops(len(vertices), edges, radii)]
+def bones_of(
+    vertices: np.ndarray, edges: np.ndarray, radii: np.ndarray, most: int, size: np.ndarray | None = None
+) -> Bones:
+    """At most ``most`` bones for a curve ``(vertices (N, 3), edges (E, 2))`` with balls of ``radii`` (N,) in limbs of
+    ``size`` (N,), which is the radius unless given. If there are too many components, the longest have bones."""
+    size = radii if size is None else size
+    tips = np.flatnonzero(graphs.degrees(len(vertices), edges) == 1)  # without those that cuts make
+    edges = edges[branches.cut_loops(len(vertices), edges, size)]
     plane = mirror.mirror_of(vertices, edges, np.flatnonzero(graphs.degrees(len(vertices), edges) == 1))
+    body = girdles.body_of(vertices, edges, radii, tips, plane)
     stays, target = _limbs(vertices, edges, radii, max(1, int(FOR_LIMBS * most)), plane)
-    roots, paths = rooting.paths_of(vertices, edges[stays[edges].all(axis=1)], radii, stays, most, plane)
+    roots, paths = rooting.paths_of(vertices, edges[stays[edges].all(axis=1)], size, radii, stays, most, plane, body)
     cuts = cutting.cuts_of(paths, most - len(roots))
     joints, tails, parents, branch, place, is_limb, side, is_spine = [], [], [], [], [], [], [], []
     of_node, last, first_of = np.full(len(vertices), -1), {}, {}

@@ -110,7 +110,7 @@ def rigged(skeleton: "Skeleton", bones: int, influences: int, mesh: Any) -> Rig:
     node = binding.walked(vertices, skeleton.vertices, skeleton.edges, node)
     away = np.linalg.norm(vertices - skeleton.vertices[node], axis=1)
     size = _sizes(skeleton, node, away)
-    found = _without_empty(bones_of(skeleton.vertices, skeleton.edges, size, int(bones)), node)
+    found = _without_empty(bones_of(skeleton.vertices, skeleton.edges, skeleton.radii, int(bones), size), node)
     thinnest = THINNEST * float(np.linalg.norm(np.ptp(vertices, axis=0)))
     heat = binding.Heat(vertices, faces, np.maximum(np.maximum(away, size[node]), thinnest))
     weights = binding.bound(heat, found.of_node[node], found.joints, found.parents, int(influences))
