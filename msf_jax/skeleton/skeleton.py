@@ -321,8 +321,9 @@ class Skeleton:
         """Bones for the mesh, with smooth skinning weights; ``save("x.glb", mesh)`` writes one.
 
         Joints are where limbs leave the balls of junctions, where the curve bends most, and at regular distances along
-        a long limb. The root is the pelvis of a body, on two legs or four, or the thickest junction. Both sides of a symmetric shape have
-        the same joints. Loops are cut where they are thinnest. Weights are computed by heat diffusion over the surface.
+        a long limb. The root is the pelvis of a body, on two legs or four, or the thickest junction. Both sides of a
+        symmetric shape have the same joints. Loops are cut where they are thinnest. Weights are computed by heat
+        diffusion over the surface.
 
         Args:
             bones: the largest number of bones; a simple shape gets fewer.
