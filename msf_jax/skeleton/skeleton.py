@@ -317,7 +317,7 @@ class Skeleton:
         """
         precomputed.save(self, folder, segment)
 
-    def rig(self, bones: int = 50, influences: int = 4, mesh: Any = None) -> Rig:
+    def rig(self, bones: int | None = None, influences: int = 4, mesh: Any = None) -> Rig:
         """Bones for the mesh, with smooth skinning weights; ``save("x.glb", mesh)`` writes one.
 
         Joints are where limbs leave the balls of junctions, where the curve bends most, and at regular distances along
@@ -326,7 +326,8 @@ class Skeleton:
         diffusion over the surface.
 
         Args:
-            bones: the largest number of bones; a simple shape gets fewer.
+            bones: their number. If there is no length for so many, `Rig.notes` says so. None: as many as the shape has
+                bends and long limbs, at most 50.
             influences: the largest number of bones for a vertex.
             mesh: the mesh that the curve was made from, as `skeletonize` took it; only needed if repair made vertices.
 

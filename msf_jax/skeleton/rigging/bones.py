@@ -44,18 +44,33 @@ class Bones(NamedTuple):
 
 
 def bones_of(
-    vertices: np.ndarray, edges: np.ndarray, radii: np.ndarray, most: int, size: np.ndarray | None = None
+    vertices: np.ndarray,
+    edges: np.ndarray,
+    radii: np.ndarray,
+    most: int,
+    size: np.ndarray | None = None,
+    held: np.ndarray | None = None,
+    for_limbs: float = FOR_LIMBS,
+    fill: bool = False,
 ) -> Bones:
-    """At most ``most`` bones for a curve ``(vertices (N, 3), edges (E, 2))`` with balls of ``radii`` (N,) in limbs of
-    ``size`` (N,), which is the radius unless given. If there are too many components, the longest have bones."""
+    """At most ``most`` bones for a curve ``(vertices (N, 3), edges (E, 2))`` with balls of ``radii`` (N,). If there are
+    too many components, the longest have bones.
+
+    Args:
+        size: (N,) of the limbs; the radii unless given.
+        held: (N,) the number of the mesh's vertices at each node; any number unless given.
+        for_limbs: the share of ``most`` for the first bones of branches, at most.
+        fill: as many bones as there is length for, up to ``most``, also where nothing is bent or long.
+    """
     size = radii if size is None else size
+    held = np.full(len(vertices), cutting.FEWEST) if held is None else held
     tips = np.flatnonzero(graphs.degrees(len(vertices), edges) == 1)  # without those that cuts make
     edges = edges[branches.cut_loops(len(vertices), edges, size)]
-    plane = mirror.mirror_of(vertices, edges, np.flatnonzero(graphs.degrees(len(vertices), edges) == 1))
+    plane = mirror.mirror_of(vertices, edges, radii, tips)
     body = girdles.body_of(vertices, edges, radii, tips, plane)
-    stays, target = _limbs(vertices, edges, radii, max(1, int(FOR_LIMBS * most)), plane)
+    stays, target = _limbs(vertices, edges, radii, max(1, int(for_limbs * most)), plane)
     roots, paths = rooting.paths_of(vertices, edges[stays[edges].all(axis=1)], size, radii, stays, most, plane, body)
-    cuts = cutting.cuts_of(paths, most - len(roots))
+    cuts = cutting.cuts_of(paths, most - len(roots), held, fill)
     joints, tails, parents, branch, place, is_limb, side, is_spine = [], [], [], [], [], [], [], []
     of_node, last, first_of = np.full(len(vertices), -1), {}, {}
     for number, root in enumerate(roots):

@@ -12,6 +12,7 @@ from scipy import spatial
 ALIKE = 0.1  # diagonals of the curve: distance between a part's ends and those of its mirror image, at most
 NEAR = 0.04  # diagonals: distance of a mirrored node from the curve, at most, if it counts as matched
 BETTER = 0.05  # share of the length: a plane that is tried later must match so much more, so that coordinates win
+AS_THICK = 0.5  # ratio of radii, at least, if a node is matched: an arm is no image of a head
 UNLIKE = 4.0  # lengths with an image that one without counts for: like front and hind legs make no plane of an animal
 FARTHEST = 16  # tips: planes are tried between any two of those farthest from the middle
 FITS = 20  # steps to the plane that fits best, at most; about ten are enough
@@ -39,8 +40,8 @@ class Mirror(NamedTuple):
         return points - self.height(points)[..., None] * self.normal
 
 
-def mirror_of(vertices: np.ndarray, edges: np.ndarray, tips: np.ndarray) -> Mirror | None:
-    """The best mirror plane of a curve ``(vertices (N, 3), edges (E, 2))`` whose ends are ``tips`` (T,).
+def mirror_of(vertices: np.ndarray, edges: np.ndarray, radii: np.ndarray, tips: np.ndarray) -> Mirror | None:
+    """The best mirror plane of a curve ``(vertices (N, 3), edges (E, 2))`` with ``radii`` (N,) and ends ``tips`` (T,).
 
     Tried are planes across the coordinate axes, through its middle, and half-way between any two of its far tips. A
     plane counts by the length beside it that has a mirror image, less `UNLIKE` times the length that has none; at least
@@ -71,7 +72,9 @@ def mirror_of(vertices: np.ndarray, edges: np.ndarray, tips: np.ndarray) -> Mirr
         tried = _centred(Mirror(normal, float(point @ normal), size), vertices[tips])
         if tried is None:
             continue
-        is_near = tree.query(tried.flipped(points))[0] < NEAR * size
+        away, match = tree.query(tried.flipped(points))
+        thickness = radii[used] / np.maximum(radii[used][match], 1e-300)
+        is_near = (away < NEAR * size) & (thickness > AS_THICK) & (thickness < 1 / AS_THICK)
         is_aside = np.abs(tried.height(points)) > NEAR * size
         share, aside = float(weight @ is_near), float(weight @ (is_near & is_aside))
         score = aside - UNLIKE * (1 - share)

@@ -11,19 +11,22 @@ from scipy import sparse
 
 from msf_jax.base.errors import ConfigError
 from msf_jax.base.writing import write_whole
+from msf_jax.host.curve import branches
 from msf_jax.host.mesh import reading
 from msf_jax.skeleton.formats import gltf
 from msf_jax.skeleton.rigging import binding, naming
-from msf_jax.skeleton.rigging.bones import Bones, bones_of, without
+from msf_jax.skeleton.rigging.bones import FOR_LIMBS, Bones, bones_of, without
+from msf_jax.skeleton.rigging.cutting import FEWEST
 
 if TYPE_CHECKING:
     from msf_jax.skeleton.skeleton import Skeleton
 
 MOST_BONES = 65535  # bones that glTF can number
+USUAL = 50  # bones at most, where no number is asked for
+TRIES = 5  # times that bones are made, until as many have vertices as are asked for
 NEIGHBOURS = 3  # edges along the curve: the size of a limb at a node is averaged over nodes within this distance
 THINNEST = 0.003  # diagonals: the least distance from the curve for heat, so that smaller details move together
 HELD = 0.25  # a bone whose largest weight at any vertex is below this is joined to another
-FEWEST = 4  # vertices of a bone, at least; one with fewer is joined to the next of its limb, or its parent
 
 
 @dataclass(frozen=True, eq=False)
@@ -36,6 +39,7 @@ class Rig:
         parents: (B,) int, the parent of each bone; -1 for a root.
         names: of the bones: root, trunk1_1, limb2_3.L (branch 2, the third bone from the root, on the left side).
         weights: sparse (V, B); each row sums to 1.
+        notes: what is not as it was asked for, or was cut; empty if there is nothing to tell.
     """
 
     joints: np.ndarray
@@ -43,10 +47,13 @@ class Rig:
     parents: np.ndarray
     names: tuple[str, ...]
     weights: sparse.csr_matrix = field(repr=False)
+    notes: tuple[str, ...] = ()
 
     def __repr__(self) -> str:
         most = int(np.diff(self.weights.indptr).max(initial=0))
-        return f"Rig({len(self.joints)} bones, {self.num_vertices} vertices with up to {most} weights)"
+        return f"Rig({len(self.joints)} bones, {self.num_vertices} vertices with up to {most} weights)" + "".join(
+            f"\n  {note}" for note in self.notes
+        )
 
     @property
     def num_vertices(self) -> int:
@@ -97,25 +104,55 @@ class Rig:
         return found
 
 
-def rigged(skeleton: "Skeleton", bones: int, influences: int, mesh: Any) -> Rig:
+def rigged(skeleton: "Skeleton", bones: int | None, influences: int, mesh: Any) -> Rig:
     """See `Skeleton.rig`."""
-    for name, value, most in (("bones", bones, MOST_BONES), ("influences", influences, MOST_BONES)):
-        if isinstance(value, bool) or not isinstance(value, numbers.Integral) or not 1 <= value <= most:
-            raise ConfigError(f"{name} is {value!r}: expected a whole number from 1 to {most}")
+    for name, value in (("bones", USUAL if bones is None else bones), ("influences", influences)):
+        if isinstance(value, bool) or not isinstance(value, numbers.Integral) or not 1 <= value <= MOST_BONES:
+            raise ConfigError(f"{name} is {value!r}: expected a whole number from 1 to {MOST_BONES}")
     vertices, faces = _surface(skeleton) if mesh is None else reading.read(mesh, finite=False)
     reading.check_map(skeleton.mesh_map, len(vertices))
     node = skeleton.mesh_map
     is_lost = np.logical_not(np.isfinite(vertices).all(axis=1))
     vertices = np.where(is_lost[:, None], skeleton.vertices[node], vertices)
+    size = _sizes(skeleton, node, np.linalg.norm(vertices - skeleton.vertices[node], axis=1))
+    stays = branches.cut_loops(len(skeleton.vertices), skeleton.edges, size)
     node = binding.walked(vertices, skeleton.vertices, skeleton.edges, node)
     away = np.linalg.norm(vertices - skeleton.vertices[node], axis=1)
-    size = _sizes(skeleton, node, away)
-    found = _without_empty(bones_of(skeleton.vertices, skeleton.edges, skeleton.radii, int(bones), size), node)
+    found = _made(skeleton, size, node, bones)
     thinnest = THINNEST * float(np.linalg.norm(np.ptp(vertices, axis=0)))
     heat = binding.Heat(vertices, faces, np.maximum(np.maximum(away, size[node]), thinnest))
     weights = binding.bound(heat, found.of_node[node], found.joints, found.parents, int(influences))
-    found, weights = _without_idle(found, weights)
-    return Rig(found.joints, found.tails, found.parents, naming.names_of(found), sparse.csr_matrix(weights))
+    if bones is None:
+        found, weights = _without_idle(found, weights)
+    notes = [_cut_at(skeleton.vertices[edge].mean(axis=0)) for edge in skeleton.edges[np.logical_not(stays)]]
+    if bones is not None and len(found.joints) != bones:
+        notes.append(f"{len(found.joints)} bones for {bones}: more would be shorter than thick, or without vertices")
+    return Rig(
+        found.joints, found.tails, found.parents, naming.names_of(found), sparse.csr_matrix(weights), tuple(notes)
+    )
+
+
+def _cut_at(place: np.ndarray) -> str:
+    x, y, z = place
+    return f"a loop was cut at ({x:.4g}, {y:.4g}, {z:.4g}), where it is thinnest or parts merely touch"
+
+
+def _made(skeleton: "Skeleton", size: np.ndarray, node: np.ndarray, asked: int | None) -> Bones:
+    """``asked`` bones that have vertices, or as many as there is length for; None: as the shape has bends."""
+    curve, held = (skeleton.vertices, skeleton.edges, skeleton.radii), np.bincount(node, minlength=len(size))
+    if asked is None:
+        return _without_empty(bones_of(*curve, USUAL, size, held), node)
+    best = _without_empty(bones_of(*curve, 1, size, held), node)
+    for for_limbs in (FOR_LIMBS, 1.0):  # where branches cannot be cut so often, more of them have bones
+        most = asked
+        for _ in range(TRIES):
+            made = _without_empty(bones_of(*curve, most, size, held, for_limbs, fill=True), node)
+            if len(best.joints) < len(made.joints) <= asked:
+                best = made
+            if len(best.joints) == asked:
+                return best
+            most += asked - len(made.joints)
+    return best
 
 
 def _surface(skeleton: "Skeleton") -> tuple[np.ndarray, np.ndarray]:
