@@ -515,7 +515,7 @@ def four_legged(head: float, ears: bool, tail: float) -> tuple[np.ndarray, np.nd
 def test_the_pelvis_is_the_end_of_the_trunk_without_the_head_however_it_is_turned(head, ears, tail, seed):
     """Horns and ears are as long as legs, and the head is the thickest part."""
     points, edges, radii = four_legged(head, ears, tail)
-    turn = spatial.transform.Rotation.random(random_state=seed).as_matrix() @ np.diag([1, 1, 1 - 2.0 * seed])
+    turn = turned(2.0 + seed, 0) @ turned(1.0, 1) @ turned(0.7, 2) @ np.diag([1, 1, 1 - 2.0 * seed])
     straight, other = (bones.bones_of(at, edges, radii, 50) for at in (points, points @ turn.T))
     assert np.linalg.norm(straight.joints[0]) < 1.5
     np.testing.assert_allclose(np.sort(other.joints @ turn, axis=0), np.sort(straight.joints, axis=0), atol=1e-4)
@@ -526,3 +526,41 @@ def test_the_pelvis_is_the_end_of_the_trunk_without_the_head_however_it_is_turne
     first = next(k for k, name in enumerate(names) if name.startswith("trunk") and straight.parents[k] == 0)
     spine = np.flatnonzero(straight.branch == straight.branch[first])
     assert len(spine) == 3 and straight.parents[spine].tolist() == [0, *spine[:2]]
+
+
+def test_a_joint_moves_and_weights_follow_it():
+    """The second joint of a bar is moved by a radius and back: the weights beside it move, and are then as before."""
+    skeleton, mesh = known("straight")
+    made = skeleton.rig(bones=4, mesh=mesh)
+    before = made.joints.copy()
+    along = (made.tails[2] - made.joints[2]) / np.linalg.norm(made.tails[2] - made.joints[2])
+    place = made.joints[2] + 0.15 * along
+    other = made.moved({made.names[2]: place})
+    np.testing.assert_array_equal(made.joints, before)
+    np.testing.assert_array_equal(other.joints[2], place)
+    np.testing.assert_array_equal(other.tails[1], place)
+    np.testing.assert_allclose(other.weights.sum(axis=1), 1, rtol=1e-12)
+    first = [(mesh.vertices @ along)[one.weights.toarray()[:, 2] > 0.5].min() for one in (made, other)]
+    assert abs(first[1] - first[0] - 0.15) < 0.05
+    back = other.moved({made.names[2]: before[2]})
+    assert np.abs(back.weights - made.weights).max() < 0.05
+    with pytest.raises(ConfigError, match=r"joints has 'elbow' at .*: expected a bone's name"):
+        made.moved({"elbow": (0, 0, 0)})
+    with pytest.raises(ConfigError, match="expected a bone's name, and three finite numbers"):
+        made.moved({made.names[1]: (0, 0, np.nan)})
+
+
+def test_end_bones_are_where_last_bones_end_and_move_nothing(tmp_path):
+    skeleton, mesh = known("y")
+    made = skeleton.rig(mesh=mesh)
+    ends = made.with_ends()
+    new = slice(len(made.names), None)
+    assert all(name.endswith("_end") for name in ends.names[new]) and len(ends.names[new]) == 3
+    np.testing.assert_array_equal(ends.joints[new], made.tails[ends.parents[new]])
+    turns = {made.names[1]: turned(0.7, 0)}
+    np.testing.assert_allclose(ends.posed(mesh.vertices, turns), made.posed(mesh.vertices, turns), atol=1e-12)
+    ends.save(tmp_path / "y.glb", mesh)
+    document, _ = document_of(tmp_path / "y.glb")
+    assert len(document["skins"][0]["joints"]) == len(ends.names)
+    with pytest.raises(ConfigError, match="expected moved"):
+        ends.moved({})

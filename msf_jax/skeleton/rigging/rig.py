@@ -3,7 +3,7 @@
 import numbers
 import os
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -48,6 +48,7 @@ class Rig:
     names: tuple[str, ...]
     weights: sparse.csr_matrix = field(repr=False)
     notes: tuple[str, ...] = ()
+    _binding: binding.Binding | None = field(default=None, repr=False)
 
     def __repr__(self) -> str:
         most = int(np.diff(self.weights.indptr).max(initial=0))
@@ -103,6 +104,56 @@ class Rig:
             found[rows] += share[:, None] * (points[rows] @ linear[bone].T + shift[bone])
         return found
 
+    def moved(self, joints: Mapping[str, Any]) -> "Rig":
+        """The rig with some joints at other places, and weights made anew for all bones.
+
+        The bone that ends at such a joint ends at its new place. Vertices of both bones go to the one that their place
+        on the curve is nearer to.
+
+        Args:
+            joints: positions (3,) by the name of the bone that begins there; ``rig.joints`` has the present ones.
+
+        Raises:
+            ConfigError: no bone has that name, a position is not three finite numbers, or the rig has end bones.
+        """
+        if self._binding is None:
+            raise ConfigError("a rig with end bones has no weights to make anew: expected moved(...).with_ends()")
+        starts, tails, bone = self.joints.copy(), self.tails.copy(), self._binding.bone.copy()
+        for name, place in joints.items():
+            if name not in self.names or np.shape(place) != (3,) or not np.isfinite(place).all():
+                raise ConfigError(f"joints has {name!r} at {place!r}: expected a bone's name, and three finite numbers")
+            number = self.names.index(name)
+            above = int(self.parents[number])
+            if above >= 0 and (tails[above] == starts[number]).all():
+                tails[above] = place
+            starts[number] = place
+        for number in sorted(self.names.index(name) for name in joints):
+            both = np.array([self.parents[number], number])
+            if both[0] >= 0:
+                near = np.flatnonzero(np.isin(bone, both))
+                away = [binding.to_segment(self._binding.places[near], starts[each], tails[each]) for each in both]
+                bone[near] = both[np.argmin(away, axis=0)]
+        anew = self._binding._replace(bone=bone)
+        return replace(self, joints=starts, tails=tails, weights=anew.weights(starts, self.parents), _binding=anew)
+
+    def with_ends(self) -> "Rig":
+        """The rig with a bone of length 0 and without vertices at the end of each last bone, named like it with
+        ``_end``. Formats in which a bone ends at the next joint need them, such as BVH, FBX and Mixamo's. glTF does
+        not, but with them Blender shows the true length of last bones."""
+        last = np.setdiff1d(np.arange(len(self.parents)), self.parents)
+        names = (*self.names, *(f"{self.names[bone]}_end" for bone in last))
+        joints, tails = (np.concatenate([both, self.tails[last]]) for both in (self.joints, self.tails))
+        weights = sparse.hstack([self.weights, sparse.csr_matrix((self.num_vertices, len(last)))]).tocsr()
+        return replace(
+            self,
+            joints=joints,
+            tails=tails,
+            parents=np.r_[self.parents, last],
+            names=names,
+            weights=weights,
+            _binding=None,
+        )
+
 
 def rigged(skeleton: "Skeleton", bones: int | None, influences: int, mesh: Any) -> Rig:
     """See `Skeleton.rig`."""
@@ -121,15 +172,16 @@ def rigged(skeleton: "Skeleton", bones: int | None, influences: int, mesh: Any) 
     found = _made(skeleton, size, node, bones)
     thinnest = THINNEST * float(np.linalg.norm(np.ptp(vertices, axis=0)))
     heat = binding.Heat(vertices, faces, np.maximum(np.maximum(away, size[node]), thinnest))
-    weights = binding.bound(heat, found.of_node[node], found.joints, found.parents, int(influences))
+    bind = binding.Binding(heat, found.of_node[node], skeleton.vertices[node], int(influences))
+    weights = bind.weights(found.joints, found.parents)
     if bones is None:
-        found, weights = _without_idle(found, weights)
+        found, held = _without_idle(found, weights.toarray())
+        bind, weights = bind._replace(bone=found.of_node[node]), sparse.csr_matrix(held)
     notes = [_cut_at(skeleton.vertices[edge].mean(axis=0)) for edge in skeleton.edges[np.logical_not(stays)]]
     if bones is not None and len(found.joints) != bones:
         notes.append(f"{len(found.joints)} bones for {bones}: more would be shorter than thick, or without vertices")
-    return Rig(
-        found.joints, found.tails, found.parents, naming.names_of(found), sparse.csr_matrix(weights), tuple(notes)
-    )
+    names = naming.names_of(found)
+    return Rig(found.joints, found.tails, found.parents, names, weights, tuple(notes), bind)
 
 
 def _cut_at(place: np.ndarray) -> str:
