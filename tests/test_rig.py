@@ -425,8 +425,9 @@ def test_what_cannot_be_rigged_is_named(tmp_path):
     assert gltf.MOST_JOINTS == rig.MOST_BONES and list(tmp_path.iterdir()) == []
 
 
-def figure(shift: float, head: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """A biped as a curve with radii; its legs meet ``shift`` beside the middle, as an uneven curve has it."""
+def figure(shift: float, head: float, front: float = 0.0) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """A biped as a curve with radii; its legs meet ``shift`` beside the middle, as an uneven curve has it. Feet go
+    by ``front`` to the front, which is z."""
     chains = [
         [(shift, 5.0, 0), (0, 8.0, 0)],  # from the pelvis to the arms
         [(0, 8.0, 0), (0, 10.5, 0)],
@@ -435,6 +436,8 @@ def figure(shift: float, head: float) -> tuple[np.ndarray, np.ndarray, np.ndarra
         [(0, 8.0, 0), (4.0, 8.0, 0)],
         [(0, 8.0, 0), (-4.0, 8.0, 0)],
     ]
+    if front:
+        chains += [[(side, 0, 0), (side, 0, front)] for side in (1.0, -1.0)]
     points = np.unique(
         np.concatenate([np.linspace(a, b, 26) for chain in chains for a, b in pairwise(np.array(chain))]).round(9),
         axis=0,
@@ -564,3 +567,33 @@ def test_end_bones_are_where_last_bones_end_and_move_nothing(tmp_path):
     assert len(document["skins"][0]["joints"]) == len(ends.names)
     with pytest.raises(ConfigError, match="expected moved"):
         ends.moved({})
+
+
+REQUIRED = "hips spine head UpperLeg LowerLeg Foot UpperArm LowerArm Hand"  # of VRM's humanoid, by its specification
+
+
+@pytest.mark.parametrize("front", [1.2, -1.2])
+def test_the_bones_of_a_biped_have_the_names_of_a_standard_and_its_left_is_where_its_feet_tell(front):
+    found = bones.bones_of(*figure(0.0, 1.0, front), 50, is_biped=True)
+    at = dict(zip(naming.names_of(found, "vrm"), found.joints, strict=True))
+    required = REQUIRED.split()
+    assert set(required[:3]) | {side + name for side in ("left", "right") for name in required[3:]} <= set(at)
+    assert at["leftHand"][0] * front > 0 and at["rightFoot"][0] * front < 0
+    for side in ("left", "right"):
+        np.testing.assert_allclose(abs(at[f"{side}Foot"]), [1, 0, 0], atol=0.15)  # the ankle is where the leg bends
+        np.testing.assert_allclose(abs(at[f"{side}LowerLeg"]), [1, 3, 0], atol=0.5)  # so is the knee
+        assert 1.9 < abs(at[f"{side}LowerArm"][0]) < abs(at[f"{side}Hand"][0]) < 3.3
+    assert 8 < at["neck"][1] < at["head"][1] < 10
+    names = [naming.names_of(found, standard) for standard in ("mixamo", "vrm", "unreal")]
+    assert all(len(set(each)) == len(found.joints) for each in names)
+    assert {"mixamorig:LeftUpLeg", "mixamorig:RightForeArm"} <= set(names[0]) and {"thigh_l", "hand_r"} <= set(names[2])
+
+
+def test_what_is_no_biped_is_refused_with_the_reason():
+    with pytest.raises(ConfigError, match=r"its legs are at [789]\d degrees to its spine"):
+        bones.bones_of(*four_legged(0.9, False, 0.2), 50, is_biped=True)
+    skeleton, mesh = known("y")
+    with pytest.raises(ConfigError, match="no two pairs of limbs are mirror images: expected names=None"):
+        skeleton.rig(mesh=mesh, names="unreal")
+    with pytest.raises(ConfigError, match="names is 'maya': expected None or one of mixamo, vrm, unreal"):
+        skeleton.rig(mesh=mesh, names="maya")

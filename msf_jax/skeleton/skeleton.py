@@ -317,7 +317,7 @@ class Skeleton:
         """
         precomputed.save(self, folder, segment)
 
-    def rig(self, bones: int | None = None, influences: int = 4, mesh: Any = None) -> Rig:
+    def rig(self, bones: int | None = None, influences: int = 4, mesh: Any = None, names: str | None = None) -> Rig:
         """Bones for the mesh, with smooth skinning weights; ``save("x.glb", mesh)`` writes one.
 
         Joints are where limbs leave the balls of junctions, where the curve bends most, and at regular distances along
@@ -330,12 +330,15 @@ class Skeleton:
                 bends and long limbs, at most 50.
             influences: the largest number of bones for a vertex.
             mesh: the mesh that the curve was made from, as `skeletonize` took it; only needed if repair made vertices.
+            names: "mixamo", "vrm" or "unreal": the joints of a biped, with its names; left and right are where its feet
+                tell. Axes of joints are those of the mesh. Other bones keep their names.
 
         Raises:
-            ConfigError: a number is out of range, or the surface that the curve was made from is not known.
+            ConfigError: a number is out of range, the surface that the curve was made from is not known, or names were
+                asked for and the shape is no biped, with the reason.
             MeshError: ``mesh`` is not the one that the curve was made from.
         """
-        return rig.rigged(self, bones, influences, mesh)
+        return rig.rigged(self, bones, influences, mesh, names)
 
     def frame(self, tolerance: float | None = None) -> Frame:
         """Beams of a solid of bars: straight members between joints, with areas and second moments of their sections.

@@ -17,26 +17,30 @@ SPINE_JOINTS = 3
 FEWEST = 4  # vertices of a bone, at least
 
 
-def cuts_of(paths: list[BonePath], most: int, held: np.ndarray, fill: bool = False) -> list[np.ndarray]:
+def cuts_of(
+    paths: list[BonePath], most: int, held: np.ndarray, fill: bool, fixed: dict[int, list[float]]
+) -> list[np.ndarray]:
     """For each branch the places where its bones begin, and where the last ends.
 
-    A spine is cut first. Then the longest bone that is too bent or too long is cut, until there is none or there are
-    ``most`` bones. To ``fill`` up to ``most``, bones are cut that are neither, as long as they are not too short; those
-    of a spine last. Mirror images are cut together. A cut leaves `FEWEST` vertices on both sides; nodes have ``held``
-    (N,).
+    Branches of which the places are ``fixed`` have those. A spine is cut first. Then the longest bone that is too bent
+    or too long is cut, until there is none or there are ``most`` bones. To ``fill`` up to ``most``, bones are cut that
+    are neither, as long as they are not too short; those of a spine last. Mirror images are cut together. A cut leaves
+    `FEWEST` vertices on both sides; nodes have ``held`` (N,).
     """
     cuts = [[path.begin, 1.0] if path.begin < 1 else [1.0] for path in paths]
+    for number, stops in fixed.items():
+        cuts[number] = stops
     left = most - sum(len(stops) - 1 for stops in cuts)
     heap: list[tuple[bool, bool, float, int, float, float, float]] = []
 
     def consider(number: int, begin: float, end: float, long: float = LONG) -> None:
-        badness, where, length = _bend(paths[number], begin, end, long)
+        badness, where, length = bend(paths[number], begin, end, long)
         if badness > 1 or (fill and badness > 0):
             is_spine = paths[number].is_spine
             heapq.heappush(heap, (is_spine, badness <= 1, -length, number, begin, end, where))
 
     for number, (path, stops) in enumerate(zip(paths, cuts, strict=True)):
-        if len(stops) < 2 or -1 < path.image < number:  # its image is cut with it
+        if number in fixed or len(stops) < 2 or -1 < path.image < number:  # its image is cut with it
             continue
         if path.is_spine and left >= SPINE_JOINTS - 1:
             cuts[number] = [path.begin + STEP * k for k in range(SPINE_JOINTS)] + [1.0]
@@ -64,7 +68,7 @@ def _held(held: np.ndarray, path: BonePath, begin: float, end: float) -> int:
     return int(held[path.nodes[1:]][is_inside[1:]].sum())
 
 
-def _bend(path: BonePath, begin: float, end: float, long: float) -> tuple[float, float, float]:
+def bend(path: BonePath, begin: float, end: float, long: float) -> tuple[float, float, float]:
     """The badness of one bone for a piece of a branch, which should be at most 1 and is 0 for one that is too short to
     be cut; the place to cut it at; and its length."""
     inner = (path.stops > begin) & (path.stops < end)

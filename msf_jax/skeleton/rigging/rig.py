@@ -14,7 +14,7 @@ from msf_jax.base.writing import write_whole
 from msf_jax.host.curve import branches
 from msf_jax.host.mesh import reading
 from msf_jax.skeleton.formats import gltf
-from msf_jax.skeleton.rigging import binding, naming
+from msf_jax.skeleton.rigging import binding, biped, naming
 from msf_jax.skeleton.rigging.bones import FOR_LIMBS, Bones, bones_of, without
 from msf_jax.skeleton.rigging.cutting import FEWEST
 
@@ -155,8 +155,10 @@ class Rig:
         )
 
 
-def rigged(skeleton: "Skeleton", bones: int | None, influences: int, mesh: Any) -> Rig:
+def rigged(skeleton: "Skeleton", bones: int | None, influences: int, mesh: Any, names: str | None) -> Rig:
     """See `Skeleton.rig`."""
+    if names is not None and names not in biped.STANDARDS:
+        raise ConfigError(f"names is {names!r}: expected None or one of {', '.join(biped.STANDARDS)}")
     for name, value in (("bones", USUAL if bones is None else bones), ("influences", influences)):
         if isinstance(value, bool) or not isinstance(value, numbers.Integral) or not 1 <= value <= MOST_BONES:
             raise ConfigError(f"{name} is {value!r}: expected a whole number from 1 to {MOST_BONES}")
@@ -169,7 +171,7 @@ def rigged(skeleton: "Skeleton", bones: int | None, influences: int, mesh: Any) 
     stays = branches.cut_loops(len(skeleton.vertices), skeleton.edges, size)
     node = binding.walked(vertices, skeleton.vertices, skeleton.edges, node)
     away = np.linalg.norm(vertices - skeleton.vertices[node], axis=1)
-    found = _made(skeleton, size, node, bones)
+    found = _made(skeleton, size, node, bones, names is not None)
     thinnest = THINNEST * float(np.linalg.norm(np.ptp(vertices, axis=0)))
     heat = binding.Heat(vertices, faces, np.maximum(np.maximum(away, size[node]), thinnest))
     bind = binding.Binding(heat, found.of_node[node], skeleton.vertices[node], int(influences))
@@ -180,8 +182,8 @@ def rigged(skeleton: "Skeleton", bones: int | None, influences: int, mesh: Any) 
     notes = [_cut_at(skeleton.vertices[edge].mean(axis=0)) for edge in skeleton.edges[np.logical_not(stays)]]
     if bones is not None and len(found.joints) != bones:
         notes.append(f"{len(found.joints)} bones for {bones}: more would be shorter than thick, or without vertices")
-    names = naming.names_of(found)
-    return Rig(found.joints, found.tails, found.parents, names, weights, tuple(notes), bind)
+    called = naming.names_of(found, names)
+    return Rig(found.joints, found.tails, found.parents, called, weights, tuple(notes), bind)
 
 
 def _cut_at(place: np.ndarray) -> str:
@@ -189,16 +191,16 @@ def _cut_at(place: np.ndarray) -> str:
     return f"a loop was cut at ({x:.4g}, {y:.4g}, {z:.4g}), where it is thinnest or parts merely touch"
 
 
-def _made(skeleton: "Skeleton", size: np.ndarray, node: np.ndarray, asked: int | None) -> Bones:
+def _made(skeleton: "Skeleton", size: np.ndarray, node: np.ndarray, asked: int | None, is_biped: bool) -> Bones:
     """``asked`` bones that have vertices, or as many as there is length for; None: as the shape has bends."""
     curve, held = (skeleton.vertices, skeleton.edges, skeleton.radii), np.bincount(node, minlength=len(size))
     if asked is None:
-        return _without_empty(bones_of(*curve, USUAL, size, held), node)
+        return _without_empty(bones_of(*curve, USUAL, size, held, is_biped=is_biped), node)
     best = _without_empty(bones_of(*curve, 1, size, held), node)
     for for_limbs in (FOR_LIMBS, 1.0):  # where branches cannot be cut so often, more of them have bones
         most = asked
         for _ in range(TRIES):
-            made = _without_empty(bones_of(*curve, most, size, held, for_limbs, fill=True), node)
+            made = _without_empty(bones_of(*curve, most, size, held, for_limbs, True, is_biped), node)
             if len(best.joints) < len(made.joints) <= asked:
                 best = made
             if len(best.joints) == asked:
@@ -239,7 +241,7 @@ def _without_empty(bones: Bones, node: np.ndarray) -> Bones:
     while True:
         count = np.bincount(bones.of_node[node], minlength=len(bones.parents))
         is_only = np.bincount(bones.branch + 1)[bones.branch + 1] == 1
-        is_few = (count < np.where(is_only, 1, FEWEST)) & (bones.parents >= 0) & ~bones.is_spine
+        is_few = (count < np.where(is_only, 1, FEWEST)) & (bones.parents >= 0) & ~bones.is_spine & (bones.role == "")
         if not is_few.any():
             return bones
         bones = _without_pair(bones, int(is_few.argmax()))[0]
@@ -261,7 +263,7 @@ def _without_idle(bones: Bones, weights: np.ndarray) -> tuple[Bones, np.ndarray]
     Such bones occur where heat had to spread far.
     """
     while True:
-        most = np.where((bones.parents < 0) | bones.is_spine, np.inf, weights.max(axis=0))
+        most = np.where((bones.parents < 0) | bones.is_spine | (bones.role != ""), np.inf, weights.max(axis=0))
         bone = int(most.argmin())
         if most[bone] >= HELD:
             return bones, weights
