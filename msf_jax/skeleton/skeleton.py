@@ -132,7 +132,7 @@ class Skeleton:
         return changes.smoothed(self, rounds, self._is_held())
 
     def simplify(self, tolerance: float) -> "Skeleton":
-        """A new skeleton with fewer nodes, within ``tolerance`` of this one, in the caller's units. Ends and pins stay.
+        """A new skeleton with the fewest nodes within ``tolerance`` of this one, a length. Ends and pins stay.
 
         Unlike `resample`, it keeps nodes where a branch bends. Edges may leave the solid by up to ``tolerance``.
 
