@@ -165,6 +165,88 @@ def test_weights_that_are_lowered_are_few_and_do_not_jump():
     np.testing.assert_array_equal(binding.lowered(fine, 9), fine)
 
 
+def test_heat_on_a_long_tube_falls_as_its_equation_says():
+    """Two bones that meet in the middle: w = exp(-x / (1.3 d)) / 2 beyond, for w'' = (w - p) / (1.3 d)^2."""
+    radius, stops, sides = 0.2, np.linspace(-3, 3, 241), 24
+    angle = 2 * np.pi * np.arange(sides) / sides
+    points = np.array([[radius * np.cos(a), radius * np.sin(a), z] for z in stops for a in angle])
+    first = sides * np.arange(len(stops) - 1)[:, None] + np.arange(sides)
+    after = sides * np.arange(len(stops) - 1)[:, None] + (np.arange(sides) + 1) % sides
+    quads = [first.ravel(), after.ravel(), after.ravel() + sides, first.ravel() + sides]
+    faces = np.concatenate([np.stack([quads[a], quads[b], quads[c]], axis=1) for a, b, c in ((0, 1, 2), (0, 2, 3))])
+    heat = binding.Heat(points, faces, np.full(len(points), radius))
+    place = np.empty(len(heat.points))
+    place[heat.of_given] = points[:, 2]
+    weight = heat.spread((points[:, 2] > 0).astype(int), 2)[:, 1]
+    beyond = (place < -0.1) & (place > -1)
+    np.testing.assert_allclose(weight[beyond], np.exp(place[beyond] / (1.3 * radius)) / 2, rtol=0.06)
+    before = heat.away.copy()
+    heat.loosen(place == stops[120])
+    assert (heat.away / before).max() == pytest.approx(1.5)
+
+
+def test_the_stretch_of_an_edge_is_that_of_a_turn_by_40_degrees():
+    """An edge along a bone's axis, one end of which turns about a joint at a distance of 3: 2 sin 20 * 3 more."""
+    joints, parents = np.zeros((2, 3)), np.array([-1, 0])
+    points, weights = np.array([[3.0, 0, 0], [3.5, 0, 0]]), np.array([[0.0, 1.0], [1.0, 0.0]])
+    found = binding.stretch(points, np.array([[0, 1]]), joints, binding.Tree(np.arange(2), parents), weights)
+    assert found[0] == pytest.approx(1 + 2 * np.sin(np.radians(20)) * 3.5 / 0.5)
+
+
+def test_bounds_of_weights_and_of_cotangents():
+    """Rows that are shared alike stay finite; weights above 1e-6 stay; the cotangent of a needle is at most 1e4."""
+    tree = binding.Tree(np.arange(4), np.array([-1, 0, 1, 2]))
+    np.testing.assert_allclose(binding.fewest(np.array([[0.5, 0, 0, 0.5]]), tree, 2), [[0.5, 0, 0, 0.5]])
+    small = np.array([[1 - 1.5e-6, 1.5e-6, 0, 0], [1 - 0.5e-6, 0.5e-6, 0, 0]])
+    assert (binding.lowered(small, 2)[:, 1] > 0).tolist() == [True, False]
+    needle = np.array([[0.0, 0, 0], [1, 0, 0], [1, 2e-5, 0], [0, -1, 0]])
+    heat = binding.Heat(needle, np.array([[0, 1, 2], [0, 3, 1]]), np.ones(4))
+    assert -heat.laplacian[heat.of_given[1], heat.of_given[2]] == pytest.approx(1e4 / 2)
+
+
+@pytest.mark.parametrize(("out", "num"), [(0.7, 3), (0.5, 2)])
+def test_a_limb_that_sticks_out_by_less_than_0_6_radii_has_no_bone(out, num):
+    nodes = np.concatenate(
+        [np.linspace(-3, 3, 61)[:, None] * [1.0, 0, 0], np.linspace(0.05, 0.3 + 0.3 * out, 30)[:, None] * [0, 1.0, 0]]
+    )
+    edges = np.concatenate(
+        [
+            np.stack([np.arange(60), np.arange(1, 61)], axis=1),
+            [[30, 61]],
+            np.stack([np.arange(61, 90), np.arange(62, 91)], axis=1),
+        ]
+    )
+    found = bones.bones_of(nodes, edges, np.full(91, 0.3), 50)
+    assert len({branch for branch in found.branch.tolist() if branch >= 0}) == num
+
+
+@pytest.mark.parametrize(("off", "is_cut"), [(0.4, True), (0.3, False)])
+def test_a_bone_is_cut_if_the_curve_is_farther_than_0_35_radii_from_it(off, is_cut):
+    """A limb of five radii beside two straight ones; its middle is off its chord."""
+    out = np.linspace(0.25, 1.5, 26)
+    bent = np.stack([0.25 * off * (1 - np.abs(out - 0.875) / 0.625), out, 0 * out], axis=1)
+    nodes = np.concatenate([np.linspace(-2, 2.5, 46)[:, None] * [1.0, 0, 0], bent])
+    edges = np.concatenate([chain_of(range(46)), chain_of([20, *range(46, 72)])])
+    found = bones.bones_of(nodes, edges, np.full(72, 0.25), 50)
+    at = np.abs(found.joints - nodes[58]).max(axis=1)
+    assert (at.min() < 0.06) == is_cut
+
+
+@pytest.mark.parametrize(("long", "num"), [(3.5, 2), (2.5, 1)])
+def test_a_limb_of_a_pair_has_an_elbow_if_it_is_longer_than_three_radii(long, num):
+    reach = 0.3 * (1 + long)
+    arms = np.linspace(-reach, reach, 61)[:, None] * [1.0, 0, 0]
+    nodes = np.concatenate([arms, np.linspace(-0.05, -3, 60)[:, None] * [0, 1.0, 0]])
+    edges = np.concatenate([chain_of(range(61)), chain_of([30, *range(61, 121)])])
+    found = bones.bones_of(nodes, edges, np.full(121, 0.3), 50)
+    assert sum(name.endswith(".L") for name in naming.names_of(found)) == num
+
+
+def chain_of(nodes) -> np.ndarray:
+    """(n - 1, 2) edges between consecutive nodes."""
+    return np.array(list(pairwise(nodes)))
+
+
 def test_a_bone_with_small_weights_is_merged_into_its_parent():
     """In a chain of four bones the third has weights of at most 0.1. The weights of the others stay as they were."""
     nodes = np.linspace(0, 4, 41)[:, None] * [1.0, 0, 0]

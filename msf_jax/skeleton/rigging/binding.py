@@ -24,7 +24,6 @@ from msf_jax.host.solid.geometry import cross, repeated
 
 ANGLE = np.radians(40.0)  # radians: the turn of a bone at which the stretch of edges is tested
 STRETCH = 1.9  # ratio of an edge's length after that turn to its length at rest: larger ones need another round
-ROUNDS = 8  # most rounds of diffusion
 REACH = 1.3  # ratio of d to the distance from the curve
 LOOSER = 1.5  # factor on d in each round, where edges stretch too much
 LARGEST_T = 0.45  # largest t of `fewest`, below 1/2; a share of a row's sum
@@ -130,7 +129,7 @@ def bound(heat: Heat, bone: np.ndarray, joints: np.ndarray, parents: np.ndarray,
     """(V, B) weights of the vertices of ``heat``; each row sums to 1, and has at most ``influences`` above 0."""
     heat = copy.copy(heat)  # `loosen` changes it
     best, least, own = np.empty(0), np.inf, Tree(np.arange(len(parents)), parents)
-    for _ in range(ROUNDS):
+    while True:
         spread = heat.spread(bone, len(joints))
         is_tight = np.zeros(len(heat.points), dtype=bool)
         for weights in candidates(spread, own, influences):
@@ -143,9 +142,8 @@ def bound(heat: Heat, bone: np.ndarray, joints: np.ndarray, parents: np.ndarray,
             if least <= STRETCH:
                 return best[heat.of_given]
         if not is_tight.any():  # this round was no better than earlier ones
-            break
+            return best[heat.of_given]
         heat.loosen(is_tight)
-    return best[heat.of_given]
 
 
 def fewest(weights: np.ndarray, tree: Tree, most: int) -> np.ndarray:
