@@ -134,6 +134,12 @@ def test_a_cut_leaves_vertices_on_both_sides():
         assert len(found.joints) == num
 
 
+def test_branches_have_at_most_0_6_of_the_bones_and_bends_the_others():
+    skeleton, _ = known("octopus_low")
+    found = bones.bones_of(skeleton.vertices, skeleton.edges, skeleton.radii, 10)
+    assert len(set(found.branch.tolist()) - {-1}) <= 6 < 9 <= len(found.joints)
+
+
 def test_few_influences_leave_no_jump():
     """Along a path through the weights of nine bones, those of four change by little in each of its many steps."""
     random = np.random.default_rng(4)
@@ -547,6 +553,9 @@ def test_a_biped_stands_on_its_pelvis_and_is_the_same_on_both_sides(shift):
     assert len(set(names)) == len(names) and found.joints[0, 1] < 6 and abs(found.joints[0, 0]) < 1e-9
     spine = [k for k, name in enumerate(names) if name.startswith("trunk")]
     assert len(spine) == 3 and found.parents[spine].tolist() == [0, *spine[:2]]
+    if not shift:  # from the hips to the arms the second to the fifth of five equal steps
+        places = [*found.joints[[0, *spine], 1], found.tails[spine[-1], 1]]
+        np.testing.assert_allclose(np.diff(places) / (places[-1] - places[0]), 1 / 4, atol=1e-9)
     left = [name for name in names if name.endswith(".L")]
     assert len(left) == sum(name.endswith(".R") for name in names) >= 4  # an arm and a leg of two bones or more
     for name in left:
