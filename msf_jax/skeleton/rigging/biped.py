@@ -56,7 +56,7 @@ def plan(paths: list[BonePath], body: Body, plane: Mirror | None) -> Plan:
     Raises:
         ConfigError: the shape is none; the message says why.
     """
-    if plane is None or body.pelvis is None:
+    if plane is None or body.pelvis is None or body.shoulders is None:
         raise _refused("no two pairs of limbs are mirror images")
     trunk = [number for number, path in enumerate(paths) if path.is_spine and path.nodes[-1] == body.shoulders]
     if not trunk:
