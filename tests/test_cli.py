@@ -1,5 +1,6 @@
 """The command line as a user meets it: files, exit codes, one clear line for what is wrong."""
 
+import json
 import os
 import re
 import subprocess
@@ -71,6 +72,18 @@ def test_a_mesh_in_a_curve_and_a_picture_out(ball, tmp_path, capsys):
     rows = [line for line in (tmp_path / "a.swc").read_text().splitlines() if line[0] != "#"]
     assert len(rows) >= 2
     assert (tmp_path / "a.png").read_bytes().startswith(b"\x89PNG")
+
+
+def test_a_rig_has_as_many_bones_as_asked_for_or_says_why_not(tmp_path, capsys):
+    trimesh.creation.capsule(height=4.0, radius=0.4, count=[12, 24]).subdivide().export(tmp_path / "a.off")
+    for num, said in ((3, ""), (500, "bones for 500: ")):
+        code = main(["skeletonize", str(tmp_path / "a.off"), "-o", str(tmp_path / "a.glb"), "--bones", str(num), "-q"])
+        assert code == 0 and said in capsys.readouterr().err
+        content = (tmp_path / "a.glb").read_bytes()
+        document = json.loads(content[20 : 20 + int.from_bytes(content[12:16], "little")])
+        assert (len(document["skins"][0]["joints"]) == num) == (num == 3)
+    assert main(["skeletonize", str(tmp_path / "a.off"), "-o", str(tmp_path / "a.swc"), "--bones", "3"]) == 2
+    assert "--bones is for a rig, and 'a.swc' holds none: expected" in capsys.readouterr().err
 
 
 def test_the_demo_leaves_a_skeleton_and_a_picture(tmp_path, capsys):

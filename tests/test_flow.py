@@ -112,6 +112,20 @@ def test_the_volume_is_gone_by_an_independent_measure(y_flow):
     assert abs(meso.volume) <= 2 * y_flow.config.volume_tolerance * tubes()[1][0].volume
 
 
+def test_the_surface_of_every_iteration_is_that_of_its_line_in_the_history(y_flow):
+    """Its vertices, and its volume by an independent measure, as a share of that of the first one."""
+    whole = trimesh.Trimesh(*y_flow.surface(0)[1:3], process=False)
+    assert whole.is_watertight
+    for number, line in enumerate(y_flow.history, start=1):
+        stage = y_flow.surface(number)
+        assert len(stage.vertices) == line.live and stage.is_fixed.sum() == line.fixed
+        volume = trimesh.Trimesh(stage.vertices, stage.faces, process=False).volume / whole.volume
+        assert abs(volume) == pytest.approx(line.volume, abs=1e-3)
+    np.testing.assert_array_equal(stage.vertices, y_flow.meso_skeleton[0])
+    with pytest.raises(ConfigError, match="expected a whole number from 0 to"):
+        y_flow.surface(len(y_flow.history) + 1)
+
+
 def test_fixed_vertices_do_not_move():
     config, watch = Config(reconstruct_poles=0, edit_connectivity=False), Clock()
     state = loop.init(checking.prepare(blob(3)).components[0], 0, config, watch)

@@ -59,13 +59,14 @@ def test_every_bone_has_vertices_and_no_edge_stretches_to_twice_its_length_at_40
 
 
 @pytest.mark.parametrize(
-    ("name", "most_bones", "most"),
-    [("ring", 50, 3.0), ("theta", 50, 3.0), ("cube_frame", 50, 6.0), ("trefoil", 10, 2.0)],
+    ("name", "num", "most"),
+    [("ring", None, 3.0), ("theta", None, 3.0), ("cube_frame", None, 6.0), ("trefoil", 10, 2.0)],
 )
-def test_where_a_loop_was_cut_the_surface_is_not_torn(name, most_bones, most):
+def test_where_a_loop_was_cut_the_surface_is_not_torn(name, num, most):
     """When a bone of a loop turns, the other side of the cut is stretched along its limb, and not across one edge."""
     skeleton, mesh = known(name)
-    made = skeleton.rig(bones=most_bones, mesh=mesh)
+    made = skeleton.rig(bones=num, mesh=mesh)
+    assert any("a loop was cut at" in note for note in made.notes) and made.notes[0] in str(made)
     a, b = mesh.edges_unique.T
     length = np.linalg.norm(mesh.vertices[a] - mesh.vertices[b], axis=1)
     for bone in made.names:
@@ -111,6 +112,34 @@ def test_there_are_never_more_bones_than_asked_for_and_every_node_has_one(most):
     assert len(found.joints) <= most and set(found.of_node.tolist()) <= set(range(len(found.joints)))
 
 
+@pytest.mark.parametrize("num", [2, 7, 15, 16, 33])
+def test_a_number_of_bones_is_met_and_what_cannot_be_is_told(num):
+    """Octopus: many arms, of one length each; a straight bar of ten radii has no length for a bone of half a radius."""
+    skeleton, mesh = known("octopus_low")
+    made = skeleton.rig(bones=num, mesh=mesh)
+    assert len(made.joints) == num and made.notes == ()
+    skeleton, mesh = known("straight")
+    few = skeleton.rig(bones=60, mesh=mesh)
+    assert 4 < len(few.joints) < 60 and few.notes[0].startswith(f"{len(few.joints)} bones for 60:")
+
+
+def test_a_cut_leaves_vertices_on_both_sides():
+    """Vertices at the ends alone: a limb of twenty radii is one bone, and with some at the middle it is two."""
+    nodes = np.linspace(0, 1, 41)[:, None] * [1.0, 0, 0]
+    edges = np.stack([np.arange(40), np.arange(1, 41)], axis=1)
+    for middle, num in ((0, 2), (3, 2), (4, 3)):
+        held = np.zeros(41, dtype=np.int64)
+        held[[0, 40]], held[19] = 4, middle
+        found = bones.bones_of(nodes, edges, np.r_[0.06, np.full(40, 0.05)], 9, held=held, fill=True)
+        assert len(found.joints) == num
+
+
+def test_branches_have_at_most_0_6_of_the_bones_and_bends_the_others():
+    skeleton, _ = known("octopus_low")
+    found = bones.bones_of(skeleton.vertices, skeleton.edges, skeleton.radii, 10)
+    assert len(set(found.branch.tolist()) - {-1}) <= 6 < 9 <= len(found.joints)
+
+
 def test_few_influences_leave_no_jump():
     """Along a path through the weights of nine bones, those of four change by little in each of its many steps."""
     random = np.random.default_rng(4)
@@ -140,6 +169,88 @@ def test_weights_that_are_lowered_are_few_and_do_not_jump():
     np.testing.assert_allclose(binding.lowered(few, 4), few, atol=1e-5)
     np.testing.assert_allclose(binding.lowered(np.full((1, 6), 1 / 6), 4).max(axis=1), 1)
     np.testing.assert_array_equal(binding.lowered(fine, 9), fine)
+
+
+def test_heat_on_a_long_tube_falls_as_its_equation_says():
+    """Two bones that meet in the middle: w = exp(-x / (1.3 d)) / 2 beyond, for w'' = (w - p) / (1.3 d)^2."""
+    radius, stops, sides = 0.2, np.linspace(-3, 3, 241), 24
+    angle = 2 * np.pi * np.arange(sides) / sides
+    points = np.array([[radius * np.cos(a), radius * np.sin(a), z] for z in stops for a in angle])
+    first = sides * np.arange(len(stops) - 1)[:, None] + np.arange(sides)
+    after = sides * np.arange(len(stops) - 1)[:, None] + (np.arange(sides) + 1) % sides
+    quads = [first.ravel(), after.ravel(), after.ravel() + sides, first.ravel() + sides]
+    faces = np.concatenate([np.stack([quads[a], quads[b], quads[c]], axis=1) for a, b, c in ((0, 1, 2), (0, 2, 3))])
+    heat = binding.Heat(points, faces, np.full(len(points), radius))
+    place = np.empty(len(heat.points))
+    place[heat.of_given] = points[:, 2]
+    weight = heat.spread((points[:, 2] > 0).astype(int), 2)[:, 1]
+    beyond = (place < -0.1) & (place > -1)
+    np.testing.assert_allclose(weight[beyond], np.exp(place[beyond] / (1.3 * radius)) / 2, rtol=0.06)
+    before = heat.away.copy()
+    heat.loosen(place == stops[120])
+    assert (heat.away / before).max() == pytest.approx(1.5)
+
+
+def test_the_stretch_of_an_edge_is_that_of_a_turn_by_40_degrees():
+    """An edge along a bone's axis, one end of which turns about a joint at a distance of 3: 2 sin 20 * 3 more."""
+    joints, parents = np.zeros((2, 3)), np.array([-1, 0])
+    points, weights = np.array([[3.0, 0, 0], [3.5, 0, 0]]), np.array([[0.0, 1.0], [1.0, 0.0]])
+    found = binding.stretch(points, np.array([[0, 1]]), joints, binding.Tree(np.arange(2), parents), weights)
+    assert found[0] == pytest.approx(1 + 2 * np.sin(np.radians(20)) * 3.5 / 0.5)
+
+
+def test_bounds_of_weights_and_of_cotangents():
+    """Rows that are shared alike stay finite; weights above 1e-6 stay; the cotangent of a needle is at most 1e4."""
+    tree = binding.Tree(np.arange(4), np.array([-1, 0, 1, 2]))
+    np.testing.assert_allclose(binding.fewest(np.array([[0.5, 0, 0, 0.5]]), tree, 2), [[0.5, 0, 0, 0.5]])
+    small = np.array([[1 - 1.5e-6, 1.5e-6, 0, 0], [1 - 0.5e-6, 0.5e-6, 0, 0]])
+    assert (binding.lowered(small, 2)[:, 1] > 0).tolist() == [True, False]
+    needle = np.array([[0.0, 0, 0], [1, 0, 0], [1, 2e-5, 0], [0, -1, 0]])
+    heat = binding.Heat(needle, np.array([[0, 1, 2], [0, 3, 1]]), np.ones(4))
+    assert -heat.laplacian[heat.of_given[1], heat.of_given[2]] == pytest.approx(1e4 / 2)
+
+
+@pytest.mark.parametrize(("out", "num"), [(0.7, 3), (0.5, 2)])
+def test_a_limb_that_sticks_out_by_less_than_0_6_radii_has_no_bone(out, num):
+    nodes = np.concatenate(
+        [np.linspace(-3, 3, 61)[:, None] * [1.0, 0, 0], np.linspace(0.05, 0.3 + 0.3 * out, 30)[:, None] * [0, 1.0, 0]]
+    )
+    edges = np.concatenate(
+        [
+            np.stack([np.arange(60), np.arange(1, 61)], axis=1),
+            [[30, 61]],
+            np.stack([np.arange(61, 90), np.arange(62, 91)], axis=1),
+        ]
+    )
+    found = bones.bones_of(nodes, edges, np.full(91, 0.3), 50)
+    assert len({branch for branch in found.branch.tolist() if branch >= 0}) == num
+
+
+@pytest.mark.parametrize(("off", "is_cut"), [(0.4, True), (0.3, False)])
+def test_a_bone_is_cut_if_the_curve_is_farther_than_0_35_radii_from_it(off, is_cut):
+    """A limb of five radii beside two straight ones; its middle is off its chord."""
+    out = np.linspace(0.25, 1.5, 26)
+    bent = np.stack([0.25 * off * (1 - np.abs(out - 0.875) / 0.625), out, 0 * out], axis=1)
+    nodes = np.concatenate([np.linspace(-2, 2.5, 46)[:, None] * [1.0, 0, 0], bent])
+    edges = np.concatenate([chain_of(range(46)), chain_of([20, *range(46, 72)])])
+    found = bones.bones_of(nodes, edges, np.full(72, 0.25), 50)
+    at = np.abs(found.joints - nodes[58]).max(axis=1)
+    assert (at.min() < 0.06) == is_cut
+
+
+@pytest.mark.parametrize(("long", "num"), [(3.5, 2), (2.5, 1)])
+def test_a_limb_of_a_pair_has_an_elbow_if_it_is_longer_than_three_radii(long, num):
+    reach = 0.3 * (1 + long)
+    arms = np.linspace(-reach, reach, 61)[:, None] * [1.0, 0, 0]
+    nodes = np.concatenate([arms, np.linspace(-0.05, -3, 60)[:, None] * [0, 1.0, 0]])
+    edges = np.concatenate([chain_of(range(61)), chain_of([30, *range(61, 121)])])
+    found = bones.bones_of(nodes, edges, np.full(121, 0.3), 50)
+    assert sum(name.endswith(".L") for name in naming.names_of(found)) == num
+
+
+def chain_of(nodes) -> np.ndarray:
+    """(n - 1, 2) edges between consecutive nodes."""
+    return np.array(list(pairwise(nodes)))
 
 
 def test_a_bone_with_small_weights_is_merged_into_its_parent():
@@ -402,8 +513,9 @@ def test_what_cannot_be_rigged_is_named(tmp_path):
     assert gltf.MOST_JOINTS == rig.MOST_BONES and list(tmp_path.iterdir()) == []
 
 
-def figure(shift: float, head: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """A biped as a curve with radii; its legs meet ``shift`` beside the middle, as an uneven curve has it."""
+def figure(shift: float, head: float, front: float = 0.0) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """A biped as a curve with radii; its legs meet ``shift`` beside the middle, as an uneven curve has it. Feet go
+    by ``front`` to the front, which is z."""
     chains = [
         [(shift, 5.0, 0), (0, 8.0, 0)],  # from the pelvis to the arms
         [(0, 8.0, 0), (0, 10.5, 0)],
@@ -412,6 +524,8 @@ def figure(shift: float, head: float) -> tuple[np.ndarray, np.ndarray, np.ndarra
         [(0, 8.0, 0), (4.0, 8.0, 0)],
         [(0, 8.0, 0), (-4.0, 8.0, 0)],
     ]
+    if front:
+        chains += [[(side, 0, 0), (side, 0, front)] for side in (1.0, -1.0)]
     points = np.unique(
         np.concatenate([np.linspace(a, b, 26) for chain in chains for a, b in pairwise(np.array(chain))]).round(9),
         axis=0,
@@ -439,6 +553,9 @@ def test_a_biped_stands_on_its_pelvis_and_is_the_same_on_both_sides(shift):
     assert len(set(names)) == len(names) and found.joints[0, 1] < 6 and abs(found.joints[0, 0]) < 1e-9
     spine = [k for k, name in enumerate(names) if name.startswith("trunk")]
     assert len(spine) == 3 and found.parents[spine].tolist() == [0, *spine[:2]]
+    if not shift:  # from the hips to the arms the second to the fifth of five equal steps
+        places = [*found.joints[[0, *spine], 1], found.tails[spine[-1], 1]]
+        np.testing.assert_allclose(np.diff(places) / (places[-1] - places[0]), 1 / 4, atol=1e-9)
     left = [name for name in names if name.endswith(".L")]
     assert len(left) == sum(name.endswith(".R") for name in names) >= 4  # an arm and a leg of two bones or more
     for name in left:
@@ -459,3 +576,115 @@ def test_a_bone_with_few_vertices_is_joined_to_the_next_so_that_a_limb_begins_at
     assert left.place.tolist() == [0, 0, 1, 2] and left.parents.tolist() == [-1, 0, 1, 2]
     np.testing.assert_array_equal(left.joints[1], found.joints[1])
     np.testing.assert_array_equal(left.tails[1], found.tails[2])
+
+
+def four_legged(head: float, ears: bool, tail: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """A curve with radii: legs 2 long at z 0 and 4, a neck from the front legs to a head that has horns and ears as
+    long as the legs, and perhaps a tail of radius ``tail``."""
+    chains = [[(0, 0, 0), (0, 0.3, 4)], [(0, 0.3, 4), (0, 2.5, 6)]]
+    chains += [[(0, 0, 0), (side, -2, -0.2)] for side in (1, -1)]
+    chains += [[(0, 0.3, 4), (side, -2, 4.2)] for side in (1, -1)]
+    if ears:
+        chains += [[(0, 2.5, 6), (2.4 * side, 3, 6.0)] for side in (1, -1)]
+        chains += [[(0, 2.5, 6), (side, 4.5, 5.8)] for side in (1, -1)]
+    if tail:
+        chains += [[(0, 0, 0), (0, 0.5, -3)]]
+    points, edges, radii = [], [], []
+    for a, b in chains:
+        edges += [(len(points) + k, len(points) + k + 1) for k in range(40)]
+        points += list(np.linspace(a, b, 41))
+        is_trunk, is_neck = b == (0, 0.3, 4), b == (0, 2.5, 6)
+        radii += list(np.full(41, 0.7 if is_trunk else 0.5 if is_neck else tail if b == (0, 0.5, -3) else 0.25))
+    at, of = np.unique(np.array(points).round(9), axis=0, return_inverse=True)
+    size = np.zeros(len(at))
+    np.maximum.at(size, of.ravel(), np.array(radii))
+    size[np.linalg.norm(at - [0, 2.5, 6], axis=1) < 0.8] = head
+    return at, np.unique(np.sort(of.ravel()[np.array(edges)], axis=1), axis=0), size
+
+
+@pytest.mark.parametrize(
+    ("head", "ears", "tail"), [(1.2, True, 0.0), (0.5, True, 0.6), (0.9, False, 0.0), (0.9, False, 0.2)]
+)
+@pytest.mark.parametrize("seed", [0, 1])
+def test_the_pelvis_is_the_end_of_the_trunk_without_the_head_however_it_is_turned(head, ears, tail, seed):
+    """Horns and ears are as long as legs, and the head is the thickest part."""
+    points, edges, radii = four_legged(head, ears, tail)
+    turn = turned(2.0 + seed, 0) @ turned(1.0, 1) @ turned(0.7, 2) @ np.diag([1, 1, 1 - 2.0 * seed])
+    straight, other = (bones.bones_of(at, edges, radii, 50) for at in (points, points @ turn.T))
+    assert np.linalg.norm(straight.joints[0]) < 1.5
+    np.testing.assert_allclose(np.sort(other.joints @ turn, axis=0), np.sort(straight.joints, axis=0), atol=1e-4)
+    names = naming.names_of(straight)
+    assert sorted(name[:-1] for name in names if name.endswith(".L")) == sorted(
+        name[:-1] for name in names if name.endswith(".R")
+    )
+    first = next(k for k, name in enumerate(names) if name.startswith("trunk") and straight.parents[k] == 0)
+    spine = np.flatnonzero(straight.branch == straight.branch[first])
+    assert len(spine) == 3 and straight.parents[spine].tolist() == [0, *spine[:2]]
+
+
+def test_a_joint_moves_and_weights_follow_it():
+    """The second joint of a bar is moved by a radius and back: the weights beside it move, and are then as before."""
+    skeleton, mesh = known("straight")
+    made = skeleton.rig(bones=4, mesh=mesh)
+    before = made.joints.copy()
+    along = (made.tails[2] - made.joints[2]) / np.linalg.norm(made.tails[2] - made.joints[2])
+    place = made.joints[2] + 0.15 * along
+    other = made.moved({made.names[2]: place})
+    np.testing.assert_array_equal(made.joints, before)
+    np.testing.assert_array_equal(other.joints[2], place)
+    np.testing.assert_array_equal(other.tails[1], place)
+    np.testing.assert_allclose(other.weights.sum(axis=1), 1, rtol=1e-12)
+    first = [(mesh.vertices @ along)[one.weights.toarray()[:, 2] > 0.5].min() for one in (made, other)]
+    assert abs(first[1] - first[0] - 0.15) < 0.05
+    back = other.moved({made.names[2]: before[2]})
+    assert np.abs(back.weights - made.weights).max() < 0.05
+    with pytest.raises(ConfigError, match=r"joints has 'elbow' at .*: expected a bone's name"):
+        made.moved({"elbow": (0, 0, 0)})
+    with pytest.raises(ConfigError, match="expected a bone's name, and three finite numbers"):
+        made.moved({made.names[1]: (0, 0, np.nan)})
+
+
+def test_end_bones_are_where_last_bones_end_and_move_nothing(tmp_path):
+    skeleton, mesh = known("y")
+    made = skeleton.rig(mesh=mesh)
+    ends = made.with_ends()
+    new = slice(len(made.names), None)
+    assert all(name.endswith("_end") for name in ends.names[new]) and len(ends.names[new]) == 3
+    np.testing.assert_array_equal(ends.joints[new], made.tails[ends.parents[new]])
+    turns = {made.names[1]: turned(0.7, 0)}
+    np.testing.assert_allclose(ends.posed(mesh.vertices, turns), made.posed(mesh.vertices, turns), atol=1e-12)
+    ends.save(tmp_path / "y.glb", mesh)
+    document, _ = document_of(tmp_path / "y.glb")
+    assert len(document["skins"][0]["joints"]) == len(ends.names)
+    with pytest.raises(ConfigError, match="expected moved"):
+        ends.moved({})
+
+
+REQUIRED = "hips spine head UpperLeg LowerLeg Foot UpperArm LowerArm Hand"  # of VRM's humanoid, by its specification
+
+
+@pytest.mark.parametrize("front", [1.2, -1.2])
+def test_the_bones_of_a_biped_have_the_names_of_a_standard_and_its_left_is_where_its_feet_tell(front):
+    found = bones.bones_of(*figure(0.0, 1.0, front), 50, is_biped=True)
+    at = dict(zip(naming.names_of(found, "vrm"), found.joints, strict=True))
+    required = REQUIRED.split()
+    assert set(required[:3]) | {side + name for side in ("left", "right") for name in required[3:]} <= set(at)
+    assert at["leftHand"][0] * front > 0 and at["rightFoot"][0] * front < 0
+    for side in ("left", "right"):
+        np.testing.assert_allclose(abs(at[f"{side}Foot"]), [1, 0, 0], atol=0.15)  # the ankle is where the leg bends
+        np.testing.assert_allclose(abs(at[f"{side}LowerLeg"]), [1, 3, 0], atol=0.5)  # so is the knee
+        assert 1.9 < abs(at[f"{side}LowerArm"][0]) < abs(at[f"{side}Hand"][0]) < 3.3
+    assert 8 < at["neck"][1] < at["head"][1] < 10
+    names = [naming.names_of(found, standard) for standard in ("mixamo", "vrm", "unreal")]
+    assert all(len(set(each)) == len(found.joints) for each in names)
+    assert {"mixamorig:LeftUpLeg", "mixamorig:RightForeArm"} <= set(names[0]) and {"thigh_l", "hand_r"} <= set(names[2])
+
+
+def test_what_is_no_biped_is_refused_with_the_reason():
+    with pytest.raises(ConfigError, match=r"its legs are at [789]\d degrees to its spine"):
+        bones.bones_of(*four_legged(0.9, False, 0.2), 50, is_biped=True)
+    skeleton, mesh = known("y")
+    with pytest.raises(ConfigError, match="no two pairs of limbs are mirror images: expected names=None"):
+        skeleton.rig(mesh=mesh, names="unreal")
+    with pytest.raises(ConfigError, match="names is 'maya': expected None or one of mixamo, vrm, unreal"):
+        skeleton.rig(mesh=mesh, names="maya")

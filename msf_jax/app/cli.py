@@ -182,6 +182,7 @@ def _skeletonize(arguments: argparse.Namespace) -> int:
     _check_is_there(arguments.mesh)
     target = _target(arguments, ".swc")
     render = export.writer_for(target)  # refuses a wrong suffix before the flow, not after it
+    _check_bones(arguments, target)
     asked = shaping.asked_for(arguments)
     picture = None
     if arguments.picture is not None:
@@ -213,12 +214,23 @@ def _skeletonize(arguments: argparse.Namespace) -> int:
         stopped += f"; the same command continues from {arguments.checkpoint}" if arguments.checkpoint else ""
     skeleton = shaping.shaped(skeleton, asked)
     is_whole = asked.scale == 1  # then a format that contains the mesh has its file's materials, too
-    files: dict[Path, str | bytes] = {target: render(skeleton, arguments.mesh if is_whole else mesh)}
+    source = arguments.mesh if is_whole else mesh
+    notes: tuple[str, ...] = ()
+    files: dict[Path, str | bytes]
+    if target.name.lower().endswith(".glb"):
+        from msf_jax.skeleton.formats import gltf
+
+        rig = skeleton.rig(bones=arguments.bones, mesh=source)
+        notes, files = rig.notes, {target: gltf.of_rig(rig, source)}
+    else:
+        files = {target: render(skeleton, source)}
     if picture:
         from msf_jax.skeleton.pictures import panels
 
         files[picture] = panels.picture(skeleton, mesh)
     code = _finish(skeleton, files, arguments.quiet)
+    for note in notes:
+        _fail(f"rig: {note}", code)
     if stopped:
         return _fail(stopped, INTERRUPTED)
     if arguments.checkpoint and "max_seconds" in skeleton.report.reason:
@@ -226,6 +238,14 @@ def _skeletonize(arguments: argparse.Namespace) -> int:
     elif arguments.checkpoint:  # the curve is written, so the checkpoint is no longer needed
         Path(arguments.checkpoint).unlink(missing_ok=True)
     return code
+
+
+def _check_bones(arguments: argparse.Namespace, target: Path) -> None:
+    """Refuse a number of bones that no file can have, before the flow."""
+    if arguments.bones is not None and not target.name.lower().endswith(".glb"):
+        raise ConfigError(f"--bones is for a rig, and {target.name!r} holds none: expected -o with .glb")
+    if arguments.bones is not None and arguments.bones < 1:
+        raise ConfigError(f"--bones is {arguments.bones}: expected a whole number above 0")
 
 
 def _check_is_there(path: str) -> None:

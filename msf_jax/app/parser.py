@@ -51,6 +51,9 @@ def parser_of(run: Mapping[str, Callable[[argparse.Namespace], int]]) -> argpars
     _settings(one)
     shaping.add_options(one)
     one.add_argument("--pin", type=int, action="append", metavar="N", help="hold vertex N in place (can be repeated)")
+    one.add_argument(
+        "--bones", type=int, metavar="N", help="of a .glb file: their number (default: by bends and lengths)"
+    )
     one.add_argument("--check", action="store_true", help="verify the surface after every round of edits (slower)")
     _common(one)
     one.set_defaults(run=run["skeletonize"])

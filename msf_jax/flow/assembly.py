@@ -12,11 +12,10 @@ from msf_jax.base.clock import Clock
 from msf_jax.base.options import Config, Weights
 from msf_jax.flow import curves
 from msf_jax.flow.curves import MOST_VOLUME, Part, Stitched, is_left, lacks_classes
-from msf_jax.flow.state import Flow, Iteration, State
+from msf_jax.flow.state import Flow, Iteration, State, stage_at
 from msf_jax.host import graphs
 from msf_jax.host.curve import branches, finishing
 from msf_jax.host.mesh.checking import Surface
-from msf_jax.host.meso import ring_tables
 from msf_jax.host.recording.records import ComponentRecord, Recording
 from msf_jax.host.solid.solid import Solid
 from msf_jax.host.thin import outlets
@@ -212,24 +211,10 @@ def _meso_skeleton(states: list[State]) -> tuple[np.ndarray, np.ndarray]:
 def _stages(states: list[State]) -> tuple[Stage, ...]:
     """At most ``MOST_STAGES`` surfaces, from the first to the last, all components together."""
     last = max(len(state.steps) for state in states)
-    stages = []
-    for iteration in np.unique(np.linspace(0, last, MOST_STAGES).round().astype(int)).tolist():
-        vertices, faces, is_fixed, num = [], [], [], 0
-        for state in states:
-            if iteration < len(state.steps):
-                step = state.steps[iteration]
-                is_past = np.arange(step.rings.shape[1]) >= step.degree[:, None]
-                faces.append(ring_tables.faces_from_rings(np.where(is_past, -1, step.rings)) + num)
-                vertices.append(state.frame.leave(step.positions))
-                is_fixed.append(~step.free.astype(bool))
-            else:
-                faces.append(state.meso.faces() + num)
-                vertices.append(state.frame.leave(state.meso.positions))
-                is_fixed.append(state.meso.is_fixed)
-            num += len(vertices[-1])
-        joined = np.concatenate(vertices), np.concatenate(faces).astype(np.int32)
-        stages.append(Stage(iteration, *joined, np.concatenate(is_fixed)))
-    return tuple(stages)
+    ends = [(state.frame.leave(state.meso.positions), state.meso.faces(), state.meso.is_fixed) for state in states]
+    chosen = np.unique(np.linspace(0, last, MOST_STAGES).round().astype(int)).tolist()
+    steps, frames = [state.steps for state in states], [state.frame for state in states]
+    return tuple(stage_at(iteration, steps, frames, ends) for iteration in chosen)
 
 
 def _by_vertex(parts: list[np.ndarray], states: list[State], checked: Surface, others: np.ndarray) -> np.ndarray:

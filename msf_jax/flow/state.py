@@ -1,5 +1,6 @@
 """The records of a run: `Iteration`, a line of its history; `State`, while it goes on; `Flow`, when it has ended."""
 
+import numbers
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import NamedTuple
@@ -7,15 +8,17 @@ from typing import NamedTuple
 import numpy as np
 
 from msf_jax.base.clock import Work
+from msf_jax.base.errors import ConfigError
 from msf_jax.base.options import Config, Weights
 from msf_jax.gradients.tape import Tape, record
 from msf_jax.host.mesh.checking import Component
+from msf_jax.host.meso import ring_tables
 from msf_jax.host.meso.meso import Meso
 from msf_jax.host.recording.records import Recording, Start, Step
 from msf_jax.host.solid.enclosure import Enclosure
 from msf_jax.host.solid.frame import Frame
 from msf_jax.skeleton.skeleton import Skeleton
-from msf_jax.skeleton.source import Source
+from msf_jax.skeleton.source import Source, Stage
 
 
 class Iteration(NamedTuple):
@@ -86,6 +89,25 @@ class State:
     failure: str = ""  # why the flow cannot continue; empty if it can
 
 
+def stage_at(iteration: int, steps: list[list[Step]], frames: list[Frame], ends: list[tuple[np.ndarray, ...]]) -> Stage:
+    """The surface after ``iteration`` iterations, all components together, each with its ``steps`` and frame. ``ends``
+    are the last vertices, faces and is_fixed of each, for components that had ended before."""
+    vertices, faces, is_fixed, num = [], [], [], 0
+    for own, frame, end in zip(steps, frames, ends, strict=True):
+        if iteration < len(own):
+            step = own[iteration]
+            is_past = np.arange(step.rings.shape[1]) >= step.degree[:, None]
+            faces.append(ring_tables.faces_from_rings(np.where(is_past, -1, step.rings)) + num)
+            vertices.append(frame.leave(step.positions))
+            is_fixed.append(~step.free.astype(bool))
+        else:
+            vertices.append(end[0])
+            faces.append(end[1] + num)
+            is_fixed.append(end[2])
+        num += len(vertices[-1])
+    return Stage(iteration, np.concatenate(vertices), np.concatenate(faces).astype(np.int32), np.concatenate(is_fixed))
+
+
 @dataclass(frozen=True, eq=False)
 class Flow:
     """All results of a run. All coordinates are in the caller's units.
@@ -129,6 +151,29 @@ class Flow:
         """
         found = record(self.recording, self.weights, self.config, self.curve, self.source, tape)
         return found.padded(tape)
+
+    def surface(self, iteration: int) -> Stage:
+        """The surface after that many iterations, with its ``vertices`` (n, 3), ``faces`` (m, 3) and ``is_fixed`` (n,),
+        all components together; 0 is the surface at the start.
+
+        Raises:
+            ConfigError: there were fewer iterations.
+        """
+        records = self.recording.components
+        most = max(len(one.steps) for one in records)
+        if isinstance(iteration, bool) or not isinstance(iteration, numbers.Integral) or not 0 <= iteration <= most:
+            raise ConfigError(f"iteration is {iteration!r}: expected a whole number from 0 to {most}")
+        first = np.cumsum([one.num_meso for one in records])[:-1]
+        vertices, faces = self.meso_skeleton
+        of_face = np.searchsorted(first, faces[:, 0], side="right")
+        ends = [
+            (own, faces[of_face == number] - (first[number - 1] if number else 0), fixed)
+            for number, (own, fixed) in enumerate(
+                zip(np.split(vertices, first), np.split(self.is_fixed, first), strict=True)
+            )
+        ]
+        steps, frames = [list(one.steps) for one in records], [one.frame for one in records]
+        return stage_at(int(iteration), steps, frames, ends)
 
     def __repr__(self) -> str:
         return f"Flow({len(self.history)} iterations, {self.skeleton!r})"

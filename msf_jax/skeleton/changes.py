@@ -2,6 +2,7 @@
 
 import numbers
 from dataclasses import replace
+from itertools import pairwise
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -20,6 +21,7 @@ if TYPE_CHECKING:
     from msf_jax.skeleton.skeleton import Skeleton
 
 NEAREST = 16  # nearest old nodes whose balls bound the radius of a new node, if the solid is not known
+TRIED = 0.1  # share of the tolerance of `simplified`, within which nodes are tried
 MOST_NODES = 10_000_000  # most nodes of a resampled curve; a spacing that gives more is in a wrong unit
 
 
@@ -104,7 +106,7 @@ def with_radii(skeleton: "Skeleton", of: str) -> "Skeleton":
 
 
 def simplified(skeleton: "Skeleton", tolerance: float, is_held: np.ndarray) -> "Skeleton":
-    """See `Skeleton.simplify`: the nodes that Douglas and Peucker (1973) keep along each branch."""
+    """See `Skeleton.simplify`."""
     if not (isinstance(tolerance, numbers.Real) and not isinstance(tolerance, bool) and 0 < float(tolerance) < np.inf):
         raise ConfigError(f"tolerance is {tolerance!r}: expected a length above 0")
     num = len(skeleton.vertices)
@@ -130,18 +132,46 @@ def simplified(skeleton: "Skeleton", tolerance: float, is_held: np.ndarray) -> "
 
 
 def _needed(points: np.ndarray, kept: np.ndarray, tolerance: float) -> np.ndarray:
-    """(n,) which of ``points`` (n, 3) are kept so that none is farther than ``tolerance`` from the line of those."""
+    """(n,) which of ``points`` (n, 3) are kept between those of ``kept``: the fewest such that none is farther than
+    ``tolerance`` from the line of those, and of as few the ones nearest to it (Imai and Iri 1988).
+
+    Tried are the points that Douglas and Peucker (1973) keep within a tenth of it.
+    """
     found = np.zeros(len(points), dtype=bool)
-    stack = list(zip(kept[:-1].tolist(), kept[1:].tolist(), strict=True))
+    for first, last in pairwise(kept.tolist()):
+        places = [first, *_far(points, first, last, TRIED * tolerance), last]
+        cost: list[tuple[int, float, int]] = [
+            (0, 0.0, 0)
+        ]  # number of lines to a place, their distances, the one before
+        for k in range(1, len(places)):
+            tried = []
+            for j in range(k):
+                away = _away(points[places[j] : places[k] + 1]).max()
+                if away <= tolerance or j == k - 1:
+                    tried.append((cost[j][0] + 1, cost[j][1] + float(away), j))
+            cost.append(min(tried))
+        k = cost[-1][2]
+        while k > 0:
+            found[places[k]] = True
+            k = cost[k][2]
+    return found
+
+
+def _far(points: np.ndarray, first: int, last: int, tolerance: float) -> list[int]:
+    """The points between two that are farthest from the line, until none is farther than ``tolerance``."""
+    found, stack = [], [(first, last)]
     while stack:
         a, b = stack.pop()
-        if b - a < 2:
-            continue
-        along, offset = points[b] - points[a], points[a + 1 : b] - points[a]
-        t = np.clip(offset @ along / max(float(along @ along), 1e-300), 0.0, 1.0)
-        away = np.linalg.norm(offset - t[:, None] * along, axis=1)
+        away = _away(points[a : b + 1])
         if away.max() > tolerance:
-            middle = a + 1 + int(away.argmax())
-            found[middle] = True
+            middle = a + int(away.argmax())
+            found.append(middle)
             stack += [(a, middle), (middle, b)]
-    return found
+    return sorted(found)
+
+
+def _away(points: np.ndarray) -> np.ndarray:
+    """(n,) the distance of ``points`` (n, 3) from the segment between the first and the last."""
+    along, offset = points[-1] - points[0], points - points[0]
+    t = np.clip(offset @ along / max(float(along @ along), 1e-300), 0.0, 1.0)
+    return np.linalg.norm(offset - t[:, None] * along, axis=1)

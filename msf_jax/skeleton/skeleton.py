@@ -132,7 +132,7 @@ class Skeleton:
         return changes.smoothed(self, rounds, self._is_held())
 
     def simplify(self, tolerance: float) -> "Skeleton":
-        """A new skeleton with fewer nodes, within ``tolerance`` of this one, in the caller's units. Ends and pins stay.
+        """A new skeleton with the fewest nodes within ``tolerance`` of this one, a length. Ends and pins stay.
 
         Unlike `resample`, it keeps nodes where a branch bends. Edges may leave the solid by up to ``tolerance``.
 
@@ -317,23 +317,28 @@ class Skeleton:
         """
         precomputed.save(self, folder, segment)
 
-    def rig(self, bones: int = 50, influences: int = 4, mesh: Any = None) -> Rig:
+    def rig(self, bones: int | None = None, influences: int = 4, mesh: Any = None, names: str | None = None) -> Rig:
         """Bones for the mesh, with smooth skinning weights; ``save("x.glb", mesh)`` writes one.
 
         Joints are where limbs leave the balls of junctions, where the curve bends most, and at regular distances along
-        a long limb. The root is the pelvis of a biped, or the thickest junction. Both sides of a symmetric shape have
-        the same joints. Loops are cut where they are thinnest. Weights are computed by heat diffusion over the surface.
+        a long limb. The root is the pelvis of a body, on two legs or four, or the thickest junction. Both sides of a
+        symmetric shape have the same joints. Loops are cut where they are thinnest. Weights are computed by heat
+        diffusion over the surface.
 
         Args:
-            bones: the largest number of bones; a simple shape gets fewer.
+            bones: their number. If there is no length for so many, `Rig.notes` says so. None: as many as the shape has
+                bends and long limbs, at most 50.
             influences: the largest number of bones for a vertex.
             mesh: the mesh that the curve was made from, as `skeletonize` took it; only needed if repair made vertices.
+            names: "mixamo", "vrm" or "unreal": the joints of a biped, with its names; left and right are where its feet
+                tell. Axes of joints are those of the mesh. Other bones keep their names.
 
         Raises:
-            ConfigError: a number is out of range, or the surface that the curve was made from is not known.
+            ConfigError: a number is out of range, the surface that the curve was made from is not known, or names were
+                asked for and the shape is no biped, with the reason.
             MeshError: ``mesh`` is not the one that the curve was made from.
         """
-        return rig.rigged(self, bones, influences, mesh)
+        return rig.rigged(self, bones, influences, mesh, names)
 
     def frame(self, tolerance: float | None = None) -> Frame:
         """Beams of a solid of bars: straight members between joints, with areas and second moments of their sections.

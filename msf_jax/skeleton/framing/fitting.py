@@ -26,8 +26,8 @@ if TYPE_CHECKING:
 
 STATIONS = 9  # cross-sections of a member; its properties are their means
 OWN = 0.5  # share of a member's length, in its middle, where cross-sections are cut: at its ends it is in the joints
+WIDER = 1.3  # of the median area: larger cross-sections are in an acute joint, too
 LOOSE = 1e-3  # weight of the place on the curve: it decides only where axes are nearly parallel
-ROUNDS = 2  # cuts across the axis, each with the direction that the one before found
 
 
 class Cut(NamedTuple):
@@ -89,12 +89,14 @@ def _bar(
     direction = unit(points[-1] - points[0])
     found: list[Cut] = []
     middle = points.mean(axis=0)
-    for _ in range(ROUNDS):
+    for _ in range(2):  # across the curve, then across the axis that its sections have
         found = _sections(solid, points, direction, usual)
         if len(found) < 2:
             raise ConfigError(
                 f"the member from node {wire.nodes[0]} to {wire.nodes[-1]} has no cross-section: expected solid bars"
             )
+        area = np.array([cut.section.area for cut in found])
+        found = [cut for cut, own in zip(found, area, strict=True) if own <= WIDER * np.median(area)]
         centres = np.array([cut.centre for cut in found])
         middle = centres.mean(axis=0)
         onward = np.linalg.svd(centres - middle)[2][0]

@@ -13,11 +13,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-PIECES = (
-    240  # pieces of the edge, at least; the torsion constant of a rectangle 5 times as wide as high is within 0.5 %
-)
-SMALL = 4.0  # the polygon's extent, for the equation, is 1 over this
-FINEST = 8  # pieces of each side of a polygon of few sides, at least, so that corners are resolved
+PIECES = 240  # of the edge, at least; the torsion constant of a rectangle 5 times as wide as high is within 0.5 %
 
 
 class Section(NamedTuple):
@@ -48,13 +44,12 @@ def torsion_of(corners: np.ndarray) -> float:
     section = section_of(corners)
     a, polar = corners - section.centroid, float(np.trace(section.moments))
     b = np.roll(a, -1, axis=0)
-    size = SMALL * float(np.abs(a).max())
-    a, b = a / size, b / size  # a disc of radius 1 has log(1) = 0 all over its edge, and the equation no solution
+    size = 2 * float(np.abs(a).max())  # within the unit disc: that has log(1) = 0 all over its edge, and no solution
+    a, b = a / size, b / size
     length = np.linalg.norm(b - a, axis=1)
     is_side = length > 0
     a, b, length = a[is_side], b[is_side], length[is_side]
-    least = FINEST if len(length) * FINEST <= 2 * PIECES else 1
-    num = np.maximum(np.ceil(PIECES * length / length.sum()).astype(int), least)
+    num = np.ceil(PIECES * length / length.sum()).astype(int)
     row = np.repeat(np.arange(len(a)), num)
     k = np.arange(len(row)) - np.repeat(np.cumsum(num) - num, num)
     # Pieces are shorter towards corners, where the slope changes fast.

@@ -12,6 +12,7 @@ does, and none is negative. If an edge still stretches too much when a bone turn
 weights are computed again.
 """
 
+import copy
 from collections.abc import Iterator
 from typing import Any, NamedTuple
 
@@ -23,7 +24,6 @@ from msf_jax.host.solid.geometry import cross, repeated
 
 ANGLE = np.radians(40.0)  # radians: the turn of a bone at which the stretch of edges is tested
 STRETCH = 1.9  # ratio of an edge's length after that turn to its length at rest: larger ones need another round
-ROUNDS = 8  # most rounds of diffusion
 REACH = 1.3  # ratio of d to the distance from the curve
 LOOSER = 1.5  # factor on d in each round, where edges stretch too much
 LARGEST_T = 0.45  # largest t of `fewest`, below 1/2; a share of a row's sum
@@ -102,10 +102,34 @@ class Heat:
         return self._factor.solve(np.asfortranarray(pull[:, None] * source))
 
 
+class Binding(NamedTuple):
+    """What weights are made of, to make them anew when a joint has moved.
+
+    bone: (V,) of each vertex. places: (V, 3) on the curve. influences: the largest number of bones of a vertex.
+    """
+
+    heat: Heat
+    bone: np.ndarray
+    places: np.ndarray
+    influences: int
+
+    def weights(self, joints: np.ndarray, parents: np.ndarray) -> sparse.csr_matrix:
+        """(V, B) the weights for bones with these ``joints`` (B, 3) and ``parents`` (B,)."""
+        return sparse.csr_matrix(bound(self.heat, self.bone, joints, parents, self.influences))
+
+
+def to_segment(points: np.ndarray, start: np.ndarray, end: np.ndarray) -> np.ndarray:
+    """(P,) the distance of ``points`` (P, 3) from the segment from ``start`` (3,) to ``end`` (3,)."""
+    along = end - start
+    t = np.clip((points - start) @ along / max(float(along @ along), 1e-300), 0, 1)
+    return np.linalg.norm(points - start - t[:, None] * along, axis=1)
+
+
 def bound(heat: Heat, bone: np.ndarray, joints: np.ndarray, parents: np.ndarray, influences: int) -> np.ndarray:
     """(V, B) weights of the vertices of ``heat``; each row sums to 1, and has at most ``influences`` above 0."""
+    heat = copy.copy(heat)  # `loosen` changes it
     best, least, own = np.empty(0), np.inf, Tree(np.arange(len(parents)), parents)
-    for _ in range(ROUNDS):
+    while True:
         spread = heat.spread(bone, len(joints))
         is_tight = np.zeros(len(heat.points), dtype=bool)
         for weights in candidates(spread, own, influences):
@@ -118,9 +142,8 @@ def bound(heat: Heat, bone: np.ndarray, joints: np.ndarray, parents: np.ndarray,
             if least <= STRETCH:
                 return best[heat.of_given]
         if not is_tight.any():  # this round was no better than earlier ones
-            break
+            return best[heat.of_given]
         heat.loosen(is_tight)
-    return best[heat.of_given]
 
 
 def fewest(weights: np.ndarray, tree: Tree, most: int) -> np.ndarray:

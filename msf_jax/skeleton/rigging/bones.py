@@ -15,7 +15,7 @@ import numpy as np
 from msf_jax.host import graphs
 from msf_jax.host.curve import branches
 from msf_jax.host.solid.geometry import arc_length, at
-from msf_jax.skeleton.rigging import cutting, mirror, rooting
+from msf_jax.skeleton.rigging import biped, cutting, girdles, mirror, rooting
 
 LEAST_LIMB = 0.6  # radii of the junction's ball: a limb that sticks out of the ball by less has no bone
 FOR_LIMBS = 0.6  # share of all bones for the first bones of branches, at most; the rest is for bends
@@ -28,7 +28,8 @@ class Bones(NamedTuple):
     (B,) the branch of the curve, -1 for a root. place: (B,) the position along the branch, from 0. is_limb: (B,)
     whether the branch ends in a tip.
     twin: (B,) the bone that is the mirror image, -1 without one. side: (B,) 1 on the left, -1 on the right, and 0
-    without a twin. is_spine: (B,) whether it is of a biped's spine. of_node: (N,) the bone of every node of the curve.
+    without a twin. is_spine: (B,) whether it is of a spine. role: (B,) of a biped's bone, see
+    `biped`, or "". of_node: (N,) the bone of every node of the curve.
     """
 
     joints: np.ndarray
@@ -40,17 +41,45 @@ class Bones(NamedTuple):
     twin: np.ndarray
     side: np.ndarray
     is_spine: np.ndarray
+    role: np.ndarray
     of_node: np.ndarray
 
 
-def bones_of(vertices: np.ndarray, edges: np.ndarray, radii: np.ndarray, most: int) -> Bones:
-    """At most ``most`` bones for a curve ``(vertices (N, 3), edges (E, 2))`` in limbs of ``radii`` (N,). If there are
-    too many components, the longest have bones."""
-    edges = edges[branches.cut_loops(len(vertices), edges, radii)]
-    plane = mirror.mirror_of(vertices, edges, np.flatnonzero(graphs.degrees(len(vertices), edges) == 1))
-    stays, target = _limbs(vertices, edges, radii, max(1, int(FOR_LIMBS * most)), plane)
-    roots, paths = rooting.paths_of(vertices, edges[stays[edges].all(axis=1)], radii, stays, most, plane)
-    cuts = cutting.cuts_of(paths, most - len(roots))
+def bones_of(
+    vertices: np.ndarray,
+    edges: np.ndarray,
+    radii: np.ndarray,
+    most: int,
+    size: np.ndarray | None = None,
+    held: np.ndarray | None = None,
+    for_limbs: float = FOR_LIMBS,
+    fill: bool = False,
+    is_biped: bool = False,
+) -> Bones:
+    """At most ``most`` bones for a curve ``(vertices (N, 3), edges (E, 2))`` with balls of ``radii`` (N,). If there are
+    too many components, the longest have bones.
+
+    Args:
+        size: (N,) of the limbs; the radii unless given.
+        held: (N,) the number of the mesh's vertices at each node; any number unless given.
+        for_limbs: the share of ``most`` for the first bones of branches, at most.
+        fill: as many bones as there is length for, up to ``most``, also where nothing is bent or long.
+        is_biped: whether the joints are those of a biped.
+
+    Raises:
+        ConfigError: a biped was asked for, and this is none.
+    """
+    size = radii if size is None else size
+    held = np.full(len(vertices), cutting.FEWEST) if held is None else held
+    tips = np.flatnonzero(graphs.degrees(len(vertices), edges) == 1)  # without those that cuts make
+    edges = edges[branches.cut_loops(len(vertices), edges, size)]
+    plane = mirror.mirror_of(vertices, edges, radii, tips)
+    body = girdles.body_of(vertices, edges, radii, tips, plane)
+    stays, target = _limbs(vertices, edges, radii, max(1, int(for_limbs * most)), plane)
+    roots, paths = rooting.paths_of(vertices, edges[stays[edges].all(axis=1)], size, radii, stays, most, plane, body)
+    plan = biped.plan(paths, body, plane) if is_biped else biped.Plan({}, {}, False)
+    cuts = cutting.cuts_of(paths, most - len(roots), held, fill, plan.stops)
+    role: list[str] = []
     joints, tails, parents, branch, place, is_limb, side, is_spine = [], [], [], [], [], [], [], []
     of_node, last, first_of = np.full(len(vertices), -1), {}, {}
     for number, root in enumerate(roots):
@@ -62,6 +91,7 @@ def bones_of(vertices: np.ndarray, edges: np.ndarray, radii: np.ndarray, most: i
         is_limb.append(False)
         side.append(0)
         is_spine.append(False)
+        role.append("hips" if is_biped and number == 0 else "")
         of_node[root.node] = number
         last[root.node] = number  # maps the last node of a branch to its last bone
     for number, (path, stops) in enumerate(zip(paths, cuts, strict=True)):
@@ -75,7 +105,8 @@ def bones_of(vertices: np.ndarray, edges: np.ndarray, radii: np.ndarray, most: i
             branch.append(number)
             place.append(k)
             is_limb.append(path.is_limb)
-            side.append(path.side)
+            side.append(-path.side if plan.is_swapped else path.side)
+            role.append(plan.roles[number][k] if number in plan.roles else "")
             is_spine.append(path.is_spine)
         piece = np.minimum(np.searchsorted(stops, path.part, side="right") - 1, len(stops) - 2)
         own = np.where(piece < 0, above, first + piece)
@@ -90,11 +121,13 @@ def bones_of(vertices: np.ndarray, edges: np.ndarray, radii: np.ndarray, most: i
     if len(lost):
         away = np.linalg.norm(vertices[lost][:, None] - vertices[known], axis=2)
         of_node[lost] = of_node[known[away.argmin(axis=1)]]
-    columns = [np.array(column) for column in (joints, tails, parents, branch, place, is_limb, twin, side, is_spine)]
+    columns = [
+        np.array(column) for column in (joints, tails, parents, branch, place, is_limb, twin, side, is_spine, role)
+    ]
     found = Bones._make([*columns, of_node[target]])
     while len(found.joints) > most:  # a junction of more limbs than that
         length = np.linalg.norm(found.tails - found.joints, axis=1)
-        found = without(found, int(np.where(found.parents < 0, np.inf, length).argmin()))[0]
+        found = without(found, int(np.where((found.parents < 0) | (found.role != ""), np.inf, length).argmin()))[0]
     return found
 
 

@@ -1,6 +1,7 @@
 """Where a branch is cut into bones: at its bends, or in halves if it is straight and long."""
 
 import heapq
+from itertools import pairwise
 
 import numpy as np
 
@@ -13,35 +14,46 @@ LIMB = 3.0  # radii: a longer limb of a pair has a knee or an elbow
 STRAIGHT = np.radians(15.0)  # a limb that turns by less is cut at the half of its length, where anatomy has the joint
 STEP = 0.2  # share of the way from the hips to the arms between two joints of a spine
 SPINE_JOINTS = 3
+FEWEST = 4  # vertices of a bone, at least
 
 
-def cuts_of(paths: list[BonePath], most: int) -> list[np.ndarray]:
+def cuts_of(
+    paths: list[BonePath], most: int, held: np.ndarray, fill: bool, fixed: dict[int, list[float]]
+) -> list[np.ndarray]:
     """For each branch the places where its bones begin, and where the last ends.
 
-    A spine is cut first. Then the longest bone that is too bent or too long is cut, until there is none or there are
-    ``most`` bones. Mirror images are cut together.
+    Branches of which the places are ``fixed`` have those. A spine is cut first. Then the longest bone that is too bent
+    or too long is cut, until there is none or there are ``most`` bones. To ``fill`` up to ``most``, bones are cut that
+    are neither, as long as they are not too short; those of a spine last. Mirror images are cut together. A cut leaves
+    `FEWEST` vertices on both sides; nodes have ``held`` (N,).
     """
     cuts = [[path.begin, 1.0] if path.begin < 1 else [1.0] for path in paths]
+    for number, stops in fixed.items():
+        cuts[number] = stops
     left = most - sum(len(stops) - 1 for stops in cuts)
-    heap: list[tuple[float, int, float, float, float]] = []
+    heap: list[tuple[bool, bool, float, int, float, float, float]] = []
 
     def consider(number: int, begin: float, end: float, long: float = LONG) -> None:
-        badness, where, length = _bend(paths[number], begin, end, long)
-        if badness > 1:
-            heapq.heappush(heap, (-length, number, begin, end, where))
+        badness, where, length = bend(paths[number], begin, end, long)
+        if badness > 1 or (fill and badness > 0):
+            is_spine = paths[number].is_spine
+            heapq.heappush(heap, (is_spine, badness <= 1, -length, number, begin, end, where))
 
     for number, (path, stops) in enumerate(zip(paths, cuts, strict=True)):
-        if len(stops) < 2 or -1 < path.image < number:  # its image is cut with it
+        if number in fixed or len(stops) < 2 or -1 < path.image < number:  # its image is cut with it
             continue
         if path.is_spine and left >= SPINE_JOINTS - 1:
             cuts[number] = [path.begin + STEP * k for k in range(SPINE_JOINTS)] + [1.0]
             left -= SPINE_JOINTS - 1
+            for begin, end in pairwise(cuts[number] if fill else []):
+                consider(number, begin, end)
         else:
             consider(number, *stops, long=LIMB if path.side else LONG)
     while heap and left > 0:
-        _, number, begin, end, where = heapq.heappop(heap)
+        *_, number, begin, end, where = heapq.heappop(heap)
         both = [number] if paths[number].image < 0 else [number, paths[number].image]
-        if len(both) <= left:
+        pieces = ((paths[each], *piece) for each in both for piece in ((begin, where), (where, end)))
+        if len(both) <= left and all(_held(held, *piece) >= FEWEST for piece in pieces):
             for each in both:
                 cuts[each] = sorted([*cuts[each], where])
             left -= len(both)
@@ -50,7 +62,13 @@ def cuts_of(paths: list[BonePath], most: int) -> list[np.ndarray]:
     return [np.array(stops) for stops in cuts]
 
 
-def _bend(path: BonePath, begin: float, end: float, long: float) -> tuple[float, float, float]:
+def _held(held: np.ndarray, path: BonePath, begin: float, end: float) -> int:
+    """The number of vertices at a piece of a path."""
+    is_inside = (path.part >= begin) & ((path.part < end) | (end >= 1))
+    return int(held[path.nodes[1:]][is_inside[1:]].sum())
+
+
+def bend(path: BonePath, begin: float, end: float, long: float) -> tuple[float, float, float]:
     """The badness of one bone for a piece of a branch, which should be at most 1 and is 0 for one that is too short to
     be cut; the place to cut it at; and its length."""
     inner = (path.stops > begin) & (path.stops < end)

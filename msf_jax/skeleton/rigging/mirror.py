@@ -12,6 +12,11 @@ from scipy import spatial
 ALIKE = 0.1  # diagonals of the curve: distance between a part's ends and those of its mirror image, at most
 NEAR = 0.04  # diagonals: distance of a mirrored node from the curve, at most, if it counts as matched
 BETTER = 0.05  # share of the length: a plane that is tried later must match so much more, so that coordinates win
+AS_THICK = 0.5  # ratio of radii, at least, if a node is matched: an arm is no image of a head
+UNLIKE = 4.0  # lengths with an image that one without counts for: like front and hind legs make no plane of an animal
+FARTHEST = 16  # tips: planes are tried between any two of those farthest from the middle
+FITS = 20  # steps to the plane that fits best, at most; about ten are enough
+SETTLED = 1e-9  # radians: the last turn of the plane
 ENOUGH = 0.6  # share of the curve's length that has a mirror image in a symmetric shape, at least
 
 
@@ -35,12 +40,12 @@ class Mirror(NamedTuple):
         return points - self.height(points)[..., None] * self.normal
 
 
-def mirror_of(vertices: np.ndarray, edges: np.ndarray, tips: np.ndarray) -> Mirror | None:
-    """The best mirror plane of a curve ``(vertices (N, 3), edges (E, 2))`` whose ends are ``tips`` (T,).
+def mirror_of(vertices: np.ndarray, edges: np.ndarray, radii: np.ndarray, tips: np.ndarray) -> Mirror | None:
+    """The best mirror plane of a curve ``(vertices (N, 3), edges (E, 2))`` with ``radii`` (N,) and ends ``tips`` (T,).
 
-    Tried are planes across the coordinate axes and the curve's principal axes, through its middle. A plane counts by
-    the length that has a mirror image, and once more by the part of it that is not in the plane itself; at least two
-    tips must be each other's image.
+    Tried are planes across the coordinate axes, through its middle, and half-way between any two of its far tips. A
+    plane counts by the length beside it that has a mirror image, less `UNLIKE` times the length that has none; at least
+    two tips must be each other's image.
     """
     used = np.unique(edges)
     if len(tips) < 2:
@@ -51,22 +56,54 @@ def mirror_of(vertices: np.ndarray, edges: np.ndarray, tips: np.ndarray) -> Mirr
     weight /= max(float(weight.sum()), 1e-300)
     size = float(np.linalg.norm(np.ptp(points, axis=0)))
     middle = weight @ points
-    axes = np.linalg.svd((points - middle) * np.sqrt(weight)[:, None], full_matrices=False)[2]
     tree = spatial.KDTree(points)
-    best, found = 0.0, None
-    for axis in np.concatenate([np.eye(3), axes]):  # later ones count only if they are clearly better
-        normal = axis * np.sign(axis[np.abs(axis).argmax()])
-        height = points @ normal
-        for offset in ((height.max() + height.min()) / 2, float(middle @ normal)):
-            tried = _centred(Mirror(normal, float(offset), size), vertices[tips])
-            if tried is None:
-                continue
-            is_near = tree.query(tried.flipped(points))[0] < NEAR * size
-            is_aside = np.abs(tried.height(points)) > NEAR * size
-            share, aside = float(weight @ is_near), float(weight @ (is_near & is_aside))
-            if share > ENOUGH and share + aside > best + BETTER:
-                best, found = share + aside, tried
-    return found
+    best, found = -np.inf, None
+    far = vertices[tips]
+    far = far[np.argsort(-np.linalg.norm(far - middle, axis=1), kind="stable")[:FARTHEST]]
+    one, other = np.triu_indices(len(far), 1)
+    centre = (points.max(axis=0) + points.min(axis=0)) / 2
+    starts = [
+        *zip(np.eye(3), np.tile(centre, (3, 1)), strict=True),
+        *zip(np.eye(3), np.tile(middle, (3, 1)), strict=True),
+    ]
+    starts += zip(far[one] - far[other], (far[one] + far[other]) / 2, strict=True)
+    for axis, point in starts:  # later ones count only if they are clearly better
+        normal = axis / max(float(np.linalg.norm(axis)), 1e-300) * np.sign(axis[np.abs(axis).argmax()])
+        tried = _centred(Mirror(normal, float(point @ normal), size), vertices[tips])
+        if tried is None:
+            continue
+        away, match = tree.query(tried.flipped(points))
+        thickness = radii[used] / np.maximum(radii[used][match], 1e-300)
+        is_near = (away < NEAR * size) & (thickness > AS_THICK) & (thickness < 1 / AS_THICK)
+        is_aside = np.abs(tried.height(points)) > NEAR * size
+        share, aside = float(weight @ is_near), float(weight @ (is_near & is_aside))
+        score = aside - UNLIKE * (1 - share)
+        if share > ENOUGH and score > best + BETTER:
+            best, found = score, tried
+    return None if found is None else _fitted(found, points, weight, np.isin(used, tips), tree)
+
+
+def _fitted(mirror: Mirror, points: np.ndarray, weight: np.ndarray, is_tip: np.ndarray, tree: spatial.KDTree) -> Mirror:
+    """The plane that fits best, so that it does not depend on the axes that were tried. ``weight`` (P,) of ``points``.
+
+    With q the point nearest to the mirror image of p, the sum of w |flip(p) - q|^2 is least where the normal is the
+    first eigenvector of the symmetric part of -sum w p q^T, about the means of p and q. Only the better half counts, as
+    a limb may be bent on one side, and the tips, without which nothing fixes a plane through a straight trunk.
+    """
+    for _ in range(FITS):
+        away, match = tree.query(mirror.flipped(points))
+        order = np.argsort(away, kind="stable")
+        half = away[order[np.searchsorted(np.cumsum(weight[order]), weight.sum() / 2)]]
+        share = weight * ((away <= half) | (is_tip & (away < NEAR * mirror.size)))
+        middle, partner = share @ points / share.sum(), share @ points[match] / share.sum()
+        moment = -((points - middle) * share[:, None]).T @ (points[match] - partner)
+        normal = np.linalg.eigh(moment + moment.T)[1][:, -1]
+        normal *= np.sign(normal @ mirror.normal) or 1.0
+        turn = np.linalg.norm(normal - mirror.normal)
+        mirror = mirror._replace(normal=normal, offset=float((middle + partner) @ normal / 2))
+        if turn < SETTLED:
+            break
+    return mirror
 
 
 def _centred(mirror: Mirror, tips: np.ndarray) -> Mirror | None:

@@ -5,16 +5,20 @@ branch that ends in a tip. Two branches that are mirror images have the same num
 Blender finds the other side.
 """
 
+from msf_jax.skeleton.rigging import biped
 from msf_jax.skeleton.rigging.bones import Bones
 
 SIDES = {1: ".L", -1: ".R", 0: ""}
 
 
-def names_of(bones: Bones) -> tuple[str, ...]:
-    """A unique name for each bone."""
+def names_of(bones: Bones, standard: str | None = None) -> tuple[str, ...]:
+    """A unique name for each bone; those of a biped as in ``standard``, see `biped`."""
     number: dict[int, int] = {}  # of each branch; its mirror image has the same
     names, roots, kinds = [], int((bones.parents < 0).sum()), 0
     for bone, branch in enumerate(bones.branch.tolist()):
+        if standard and bones.role[bone]:
+            names.append(biped.named(str(bones.role[bone]), int(bones.side[bone]), standard))
+            continue
         if branch < 0:
             names.append("root" if roots == 1 else f"root{bone + 1}")
             continue

@@ -3,7 +3,7 @@
 import numbers
 import os
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -11,19 +11,22 @@ from scipy import sparse
 
 from msf_jax.base.errors import ConfigError
 from msf_jax.base.writing import write_whole
+from msf_jax.host.curve import branches
 from msf_jax.host.mesh import reading
 from msf_jax.skeleton.formats import gltf
-from msf_jax.skeleton.rigging import binding, naming
-from msf_jax.skeleton.rigging.bones import Bones, bones_of, without
+from msf_jax.skeleton.rigging import binding, biped, naming
+from msf_jax.skeleton.rigging.bones import FOR_LIMBS, Bones, bones_of, without
+from msf_jax.skeleton.rigging.cutting import FEWEST
 
 if TYPE_CHECKING:
     from msf_jax.skeleton.skeleton import Skeleton
 
 MOST_BONES = 65535  # bones that glTF can number
+USUAL = 50  # bones at most, where no number is asked for
+TRIES = 5  # times that bones are made, until as many have vertices as are asked for
 NEIGHBOURS = 3  # edges along the curve: the size of a limb at a node is averaged over nodes within this distance
 THINNEST = 0.003  # diagonals: the least distance from the curve for heat, so that smaller details move together
 HELD = 0.25  # a bone whose largest weight at any vertex is below this is joined to another
-FEWEST = 4  # vertices of a bone, at least; one with fewer is joined to the next of its limb, or its parent
 
 
 @dataclass(frozen=True, eq=False)
@@ -36,6 +39,7 @@ class Rig:
         parents: (B,) int, the parent of each bone; -1 for a root.
         names: of the bones: root, trunk1_1, limb2_3.L (branch 2, the third bone from the root, on the left side).
         weights: sparse (V, B); each row sums to 1.
+        notes: what is not as it was asked for, or was cut; empty if there is nothing to tell.
     """
 
     joints: np.ndarray
@@ -43,10 +47,14 @@ class Rig:
     parents: np.ndarray
     names: tuple[str, ...]
     weights: sparse.csr_matrix = field(repr=False)
+    notes: tuple[str, ...] = ()
+    _binding: binding.Binding | None = field(default=None, repr=False)
 
     def __repr__(self) -> str:
         most = int(np.diff(self.weights.indptr).max(initial=0))
-        return f"Rig({len(self.joints)} bones, {self.num_vertices} vertices with up to {most} weights)"
+        return f"Rig({len(self.joints)} bones, {self.num_vertices} vertices with up to {most} weights)" + "".join(
+            f"\n  {note}" for note in self.notes
+        )
 
     @property
     def num_vertices(self) -> int:
@@ -96,26 +104,109 @@ class Rig:
             found[rows] += share[:, None] * (points[rows] @ linear[bone].T + shift[bone])
         return found
 
+    def moved(self, joints: Mapping[str, Any]) -> "Rig":
+        """The rig with some joints at other places, and weights made anew for all bones.
 
-def rigged(skeleton: "Skeleton", bones: int, influences: int, mesh: Any) -> Rig:
+        The bone that ends at such a joint ends at its new place. Vertices of both bones go to the one that their place
+        on the curve is nearer to.
+
+        Args:
+            joints: positions (3,) by the name of the bone that begins there; ``rig.joints`` has the present ones.
+
+        Raises:
+            ConfigError: no bone has that name, a position is not three finite numbers, or the rig has end bones.
+        """
+        if self._binding is None:
+            raise ConfigError("a rig with end bones has no weights to make anew: expected moved(...).with_ends()")
+        starts, tails, bone = self.joints.copy(), self.tails.copy(), self._binding.bone.copy()
+        for name, place in joints.items():
+            if name not in self.names or np.shape(place) != (3,) or not np.isfinite(place).all():
+                raise ConfigError(f"joints has {name!r} at {place!r}: expected a bone's name, and three finite numbers")
+            number = self.names.index(name)
+            above = int(self.parents[number])
+            if above >= 0 and (tails[above] == starts[number]).all():
+                tails[above] = place
+            starts[number] = place
+        for number in sorted(self.names.index(name) for name in joints):
+            both = np.array([self.parents[number], number])
+            if both[0] >= 0:
+                near = np.flatnonzero(np.isin(bone, both))
+                away = [binding.to_segment(self._binding.places[near], starts[each], tails[each]) for each in both]
+                bone[near] = both[np.argmin(away, axis=0)]
+        anew = self._binding._replace(bone=bone)
+        return replace(self, joints=starts, tails=tails, weights=anew.weights(starts, self.parents), _binding=anew)
+
+    def with_ends(self) -> "Rig":
+        """The rig with a bone of length 0 and without vertices at the end of each last bone, named like it with
+        ``_end``. Formats in which a bone ends at the next joint need them, such as BVH, FBX and Mixamo's. glTF does
+        not, but with them Blender shows the true length of last bones."""
+        last = np.setdiff1d(np.arange(len(self.parents)), self.parents)
+        names = (*self.names, *(f"{self.names[bone]}_end" for bone in last))
+        joints, tails = (np.concatenate([both, self.tails[last]]) for both in (self.joints, self.tails))
+        weights = sparse.hstack([self.weights, sparse.csr_matrix((self.num_vertices, len(last)))]).tocsr()
+        return replace(
+            self,
+            joints=joints,
+            tails=tails,
+            parents=np.r_[self.parents, last],
+            names=names,
+            weights=weights,
+            _binding=None,
+        )
+
+
+def rigged(skeleton: "Skeleton", bones: int | None, influences: int, mesh: Any, names: str | None) -> Rig:
     """See `Skeleton.rig`."""
-    for name, value, most in (("bones", bones, MOST_BONES), ("influences", influences, MOST_BONES)):
-        if isinstance(value, bool) or not isinstance(value, numbers.Integral) or not 1 <= value <= most:
-            raise ConfigError(f"{name} is {value!r}: expected a whole number from 1 to {most}")
+    if names is not None and names not in biped.STANDARDS:
+        raise ConfigError(f"names is {names!r}: expected None or one of {', '.join(biped.STANDARDS)}")
+    for name, value in (("bones", USUAL if bones is None else bones), ("influences", influences)):
+        if isinstance(value, bool) or not isinstance(value, numbers.Integral) or not 1 <= value <= MOST_BONES:
+            raise ConfigError(f"{name} is {value!r}: expected a whole number from 1 to {MOST_BONES}")
     vertices, faces = _surface(skeleton) if mesh is None else reading.read(mesh, finite=False)
     reading.check_map(skeleton.mesh_map, len(vertices))
     node = skeleton.mesh_map
     is_lost = np.logical_not(np.isfinite(vertices).all(axis=1))
     vertices = np.where(is_lost[:, None], skeleton.vertices[node], vertices)
+    size = _sizes(skeleton, node, np.linalg.norm(vertices - skeleton.vertices[node], axis=1))
+    stays = branches.cut_loops(len(skeleton.vertices), skeleton.edges, size)
     node = binding.walked(vertices, skeleton.vertices, skeleton.edges, node)
     away = np.linalg.norm(vertices - skeleton.vertices[node], axis=1)
-    size = _sizes(skeleton, node, away)
-    found = _without_empty(bones_of(skeleton.vertices, skeleton.edges, size, int(bones)), node)
+    found = _made(skeleton, size, node, bones, names is not None)
     thinnest = THINNEST * float(np.linalg.norm(np.ptp(vertices, axis=0)))
     heat = binding.Heat(vertices, faces, np.maximum(np.maximum(away, size[node]), thinnest))
-    weights = binding.bound(heat, found.of_node[node], found.joints, found.parents, int(influences))
-    found, weights = _without_idle(found, weights)
-    return Rig(found.joints, found.tails, found.parents, naming.names_of(found), sparse.csr_matrix(weights))
+    bind = binding.Binding(heat, found.of_node[node], skeleton.vertices[node], int(influences))
+    weights = bind.weights(found.joints, found.parents)
+    if bones is None:
+        found, held = _without_idle(found, weights.toarray())
+        bind, weights = bind._replace(bone=found.of_node[node]), sparse.csr_matrix(held)
+    notes = [_cut_at(skeleton.vertices[edge].mean(axis=0)) for edge in skeleton.edges[np.logical_not(stays)]]
+    if bones is not None and len(found.joints) != bones:
+        notes.append(f"{len(found.joints)} bones for {bones}: more would be shorter than thick, or without vertices")
+    called = naming.names_of(found, names)
+    return Rig(found.joints, found.tails, found.parents, called, weights, tuple(notes), bind)
+
+
+def _cut_at(place: np.ndarray) -> str:
+    x, y, z = place
+    return f"a loop was cut at ({x:.4g}, {y:.4g}, {z:.4g}), where it is thinnest or parts merely touch"
+
+
+def _made(skeleton: "Skeleton", size: np.ndarray, node: np.ndarray, asked: int | None, is_biped: bool) -> Bones:
+    """``asked`` bones that have vertices, or as many as there is length for; None: as the shape has bends."""
+    curve, held = (skeleton.vertices, skeleton.edges, skeleton.radii), np.bincount(node, minlength=len(size))
+    if asked is None:
+        return _without_empty(bones_of(*curve, USUAL, size, held, is_biped=is_biped), node)
+    best = _without_empty(bones_of(*curve, 1, size, held), node)
+    for for_limbs in (FOR_LIMBS, 1.0):  # where branches cannot be cut so often, more of them have bones
+        most = asked
+        for _ in range(TRIES):
+            made = _without_empty(bones_of(*curve, most, size, held, for_limbs, True, is_biped), node)
+            if len(best.joints) < len(made.joints) <= asked:
+                best = made
+            if len(best.joints) == asked:
+                return best
+            most += asked - len(made.joints)
+    return best
 
 
 def _surface(skeleton: "Skeleton") -> tuple[np.ndarray, np.ndarray]:
@@ -150,7 +241,7 @@ def _without_empty(bones: Bones, node: np.ndarray) -> Bones:
     while True:
         count = np.bincount(bones.of_node[node], minlength=len(bones.parents))
         is_only = np.bincount(bones.branch + 1)[bones.branch + 1] == 1
-        is_few = (count < np.where(is_only, 1, FEWEST)) & (bones.parents >= 0) & ~bones.is_spine
+        is_few = (count < np.where(is_only, 1, FEWEST)) & (bones.parents >= 0) & ~bones.is_spine & (bones.role == "")
         if not is_few.any():
             return bones
         bones = _without_pair(bones, int(is_few.argmax()))[0]
@@ -172,7 +263,7 @@ def _without_idle(bones: Bones, weights: np.ndarray) -> tuple[Bones, np.ndarray]
     Such bones occur where heat had to spread far.
     """
     while True:
-        most = np.where((bones.parents < 0) | bones.is_spine, np.inf, weights.max(axis=0))
+        most = np.where((bones.parents < 0) | bones.is_spine | (bones.role != ""), np.inf, weights.max(axis=0))
         bone = int(most.argmin())
         if most[bone] >= HELD:
             return bones, weights

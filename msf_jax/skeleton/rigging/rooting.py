@@ -1,8 +1,6 @@
 """The root of a rig, and the branches of the curve directed away from it, paired left and right.
 
-Without a mirror plane the root is the thickest junction. With one it is a girdle: a junction where a pair of limbs
-begins. A biped has two of them, and only that of the arms goes on to a head. The other one is its pelvis, and the root.
-Otherwise the root is the thickest girdle.
+The root is the pelvis, see `girdles`. Without one it is the thickest girdle, or the thickest junction.
 """
 
 from typing import NamedTuple
@@ -12,13 +10,13 @@ import numpy as np
 
 from msf_jax.host import graphs
 from msf_jax.host.solid.geometry import arc_length, at
+from msf_jax.skeleton.rigging.girdles import Body
 from msf_jax.skeleton.rigging.mirror import Mirror, images
 
 SHORTEST = 1.0  # radii: the least length of a bone after a cut, and of one between two junctions
 USUAL = 75  # percentile of the radii along a bone that counts as the bone's radius
 LEAVES = 0.6  # share of a branch's length that the ball at its start may cover, at most
-EXACT = 0.006  # diagonals: median distance of a tip from its image, at most, if joints are moved to be symmetric
-MAIN_LIMB = 0.5  # of the longest pair of limbs: shorter pairs, such as ears, make no girdle
+EXACT = 0.006  # diagonals: mean distance of a tip from its image, at most, if joints are moved to be symmetric
 SPINE = 0.4  # share of the way from the hips to the arms where the spine's first joint is: the second of five steps
 PELVIS = 0.2  # the same for the root's joint
 
@@ -30,8 +28,7 @@ class BonePath(NamedTuple):
     negative within the ball of the junction. stops: (m,) places from 0 to 1, line: (m, 3) its points there, and size:
     (m,) the radii. begin: the place of the first joint; 1 if there is no bone. is_limb: whether it ends in a tip.
     image: the path that is its mirror image, -1 without one.
-    side: 1 on the left, -1 on the right, 0 else. is_spine: from the
-    pelvis of a biped on.
+    side: 1 on the left, -1 on the right, 0 else. is_spine: from the pelvis towards the shoulders.
     """
 
     nodes: np.ndarray
@@ -55,7 +52,14 @@ class Root(NamedTuple):
 
 
 def paths_of(
-    vertices: np.ndarray, edges: np.ndarray, radii: np.ndarray, stays: np.ndarray, most: int, plane: Mirror | None
+    vertices: np.ndarray,
+    edges: np.ndarray,
+    radii: np.ndarray,
+    balls: np.ndarray,
+    stays: np.ndarray,
+    most: int,
+    plane: Mirror | None,
+    body: Body,
 ) -> tuple[list[Root], list[BonePath]]:
     """The root of each component, and the branches directed away from it, those nearer to it first."""
     num = len(vertices)
@@ -66,12 +70,10 @@ def paths_of(
     tree.add_nodes_from(np.flatnonzero(stays).tolist())
     tree.add_edges_from(edges.tolist())
     tips = np.flatnonzero(stays & (degree == 1))
-    rank, pelvis = (degree > 2).astype(int), None
-    if plane is not None:
-        pelvis, girdles = _girdles(vertices, radii, tree, tips, plane)
-        rank[girdles] = 2
-        if pelvis is not None:
-            rank[pelvis] = 3
+    rank = (degree > 2).astype(int)
+    rank[body.girdles] = 2
+    if body.pelvis is not None:
+        rank[body.pelvis] = 3
     order = np.lexsort((-size, -rank))
     order = order[stays[order]]
     roots = order[np.sort(np.unique(label[order], return_index=True)[1])]
@@ -92,52 +94,22 @@ def paths_of(
                 nodes = [node, onward]
                 while not is_end[nodes[-1]]:
                     nodes.append(next(other for other in sorted(tree[nodes[-1]]) if other != nodes[-2]))
-                paths.append(_path(vertices, radii, np.array(nodes), bool(degree[nodes[-1]] == 1)))
+                paths.append(_path(vertices, radii, balls, np.array(nodes), bool(degree[nodes[-1]] == 1)))
                 queue.append((nodes[-1], nodes[-2]))
     if plane is not None:
         paths = _paired(vertices, paths, plane)
-    return [_rooted(vertices, radii, paths, root, plane, root == pelvis) for root in chosen], paths
+    return [_rooted(vertices, radii, paths, root, plane, root == body.pelvis) for root in chosen], paths
 
 
-def _path(vertices: np.ndarray, radii: np.ndarray, nodes: np.ndarray, is_limb: bool) -> BonePath:
+def _path(vertices: np.ndarray, radii: np.ndarray, balls: np.ndarray, nodes: np.ndarray, is_limb: bool) -> BonePath:
     along = arc_length(vertices[nodes])
     start, begin = min(float(radii[nodes[0]]), LEAVES * float(along[-1])), 0.0
-    if not is_limb and along[-1] - start < SHORTEST * np.percentile(radii[nodes], USUAL):
+    if not is_limb and along[-1] - start < SHORTEST * np.percentile(balls[nodes], USUAL):
         begin = 1.0  # the junctions are too close for a bone between them
     part = (along - start) / max(float(along[-1]) - start, 1e-300)
     stops = np.r_[0.0, part[(part > 0) & (part < 1)], 1.0]
     line = at(vertices[nodes], part, stops)
     return BonePath(nodes, part, stops, line, np.interp(stops, part, radii[nodes]), begin, is_limb)
-
-
-def _girdles(
-    vertices: np.ndarray, radii: np.ndarray, tree: nx.Graph, tips: np.ndarray, plane: Mirror
-) -> tuple[int | None, list[int]]:
-    """The pelvis of a biped, or None, and the junctions where pairs of long limbs begin."""
-    image = images(plane, vertices[tips])
-    at_girdle: dict[int, float] = {}  # the length of the longest pair that begins there
-    for k in np.flatnonzero(image > np.arange(len(tips))):
-        one, other = int(tips[k]), int(tips[image[k]])
-        if not nx.has_path(tree, one, other):
-            continue
-        nodes = np.array(nx.shortest_path(tree, one, other))
-        along = arc_length(vertices[nodes])
-        is_middle = np.abs(plane.height(vertices[nodes])) < radii[nodes]
-        is_middle &= np.array([tree.degree[node] > 2 for node in nodes.tolist()])
-        if is_middle.any():
-            girdle = int(nodes[np.where(is_middle, radii[nodes], -1.0).argmax()])
-            at_girdle[girdle] = max(at_girdle.get(girdle, 0.0), float(along[-1]))
-    longest = max(at_girdle.values(), default=0.0)
-    girdles = [girdle for girdle, each in at_girdle.items() if each >= MAIN_LIMB * longest]
-    if len(girdles) < 2:
-        return None, girdles
-    middle = nx.Graph()  # the paths between girdles, and on to tips in the middle
-    ends = [int(tip) for tip in tips if abs(plane.height(vertices[tip])) < radii[tip] + 0.01 * plane.size]
-    for other in girdles[1:] + ends:
-        if nx.has_path(tree, girdles[0], other):
-            nx.add_path(middle, nx.shortest_path(tree, girdles[0], other))
-    last = [girdle for girdle in girdles if girdle in middle and middle.degree[girdle] == 1]
-    return (last[0] if len(last) == 1 else None), girdles
 
 
 def _by_tips(vertices: np.ndarray, tree: nx.Graph, root: int, tips: np.ndarray) -> dict[int, float]:
@@ -154,12 +126,12 @@ def _paired(vertices: np.ndarray, paths: list[BonePath], plane: Mirror) -> list[
     """The paths with their images; each has the mean of its line and its image's, if the shape is as symmetric."""
     ends = np.stack([[path.nodes[0], path.nodes[-1]] for path in paths]) if paths else np.empty((0, 2), dtype=int)
     image = images(plane, vertices[ends])
-    tips = [k for k in np.flatnonzero(image >= 0) if paths[k].is_limb]
+    tips = [k for k in np.flatnonzero(image >= 0) if paths[k].is_limb and paths[image[k]].is_limb]
     away = np.linalg.norm(vertices[ends[tips, 1]] - plane.flipped(vertices[ends[image[tips], 1]]), axis=1)
-    is_exact = len(tips) > 0 and bool(np.median(away) < EXACT * plane.size)
+    is_exact = len(tips) > 0 and bool(np.mean(away) < EXACT * plane.size)
     found = []
     for number, (path, other) in enumerate(zip(paths, image.tolist(), strict=True)):
-        if other < 0 or paths[other].is_limb != path.is_limb:
+        if other < 0:
             found.append(path)
             continue
         twin = paths[other]
@@ -173,7 +145,10 @@ def _paired(vertices: np.ndarray, paths: list[BonePath], plane: Mirror) -> list[
         side = 0 if other == number else int(np.sign(plane.height(vertices[ends]).sum(axis=1)[number])) or 1
         begin = max(path.begin, twin.begin)
         image_of = -1 if other == number else other
-        found.append(path._replace(stops=stops, line=own, size=size, begin=begin, image=image_of, side=side))
+        is_limb = path.is_limb or twin.is_limb  # an arm, though the curve has fingers on one side only
+        found.append(
+            path._replace(stops=stops, line=own, size=size, begin=begin, is_limb=is_limb, image=image_of, side=side)
+        )
     return found
 
 
