@@ -17,7 +17,7 @@ import msf_jax
 from msf_jax import Config, ConfigError, FlowError, Interrupted
 from msf_jax.app.cli import main
 from msf_jax.base import clock as clocks
-from msf_jax.base.clock import Clock, Stopped, counted
+from msf_jax.base.clock import Clock, Stopped, counted, held
 from msf_jax.flow import assembly, loop, programs, starting, stepping
 from msf_jax.host.curve import finishing
 
@@ -199,6 +199,18 @@ def test_a_press_that_other_code_swallows_is_kept(mesh, ctrl_c):
         with pytest.raises(KeyboardInterrupt, match="before the first iteration"):
             loop.contract(mesh)
     assert signal.getsignal(signal.SIGINT) is signal.default_int_handler
+
+
+def test_a_press_in_an_import_waits_for_its_end(ctrl_c):
+    done = []
+    with pytest.raises(KeyboardInterrupt), held():
+        signal.raise_signal(signal.SIGINT)
+        done.append("import")
+    with pytest.raises(KeyboardInterrupt), held():  # the second one does not wait
+        signal.raise_signal(signal.SIGINT)
+        signal.raise_signal(signal.SIGINT)
+        done.append("another")
+    assert done == ["import"] and signal.getsignal(signal.SIGINT) is signal.default_int_handler
 
 
 def test_ctrl_c_in_a_run_for_the_spread_gives_the_curve(mesh, monkeypatch, ctrl_c):

@@ -100,6 +100,21 @@ def counted() -> Iterator[Presses | None]:
             signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
+@contextmanager
+def held() -> Iterator[None]:
+    """In this context, the first Ctrl-C waits for its end: JAX crashes if its import is interrupted."""
+    with counted() as presses:
+        if presses:
+            presses.is_held = True
+        try:
+            yield
+        finally:
+            if presses:
+                presses.is_held = False
+        if presses and presses.num:
+            raise KeyboardInterrupt
+
+
 class Clock:
     """The clock of a run that ends after ``max_seconds``, if given, or when Ctrl-C is among ``presses``.
 
