@@ -79,7 +79,6 @@ def _start_jax(arguments: argparse.Namespace) -> None:
     with held():
         import jax
 
-        import msf_jax.flow.skeletonize  # with all that it imports
         from msf_jax.device.caching import cache_compilations
     jax.config.update("jax_enable_x64", not arguments.float32)
     cache_compilations()
