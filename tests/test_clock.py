@@ -91,6 +91,15 @@ def test_a_compiler_is_not_waited_for(mesh, monkeypatch, ctrl_c):
     timer.cancel()
 
 
+def test_tracing_is_ended_at_once(mesh, endless, monkeypatch):
+    monkeypatch.setattr(programs, "_programs", {})
+    monkeypatch.setattr(programs, "_file", lambda _: None)
+    ended = endless(programs, "_arguments")
+    with pytest.raises(KeyboardInterrupt, match="there is no curve yet"):
+        loop.contract(mesh)
+    assert ended.is_set()
+
+
 def test_the_command_writes_nothing_before_the_first_iteration(mesh, endless, tmp_path, capsys):
     mesh.export(tmp_path / "torus.off")
     endless(starting, "_coarsened")

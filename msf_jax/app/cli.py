@@ -9,6 +9,7 @@ Help and errors appear without delay: commands import modules on demand, and JAX
 """
 
 import argparse
+import importlib
 import io
 import os
 import sys
@@ -80,6 +81,8 @@ def _start_jax(arguments: argparse.Namespace) -> None:
         import jax
 
         from msf_jax.device.caching import cache_compilations
+
+        importlib.import_module("msf_jax.flow.skeletonize")  # with all that it imports
     jax.config.update("jax_enable_x64", not arguments.float32)
     cache_compilations()
 

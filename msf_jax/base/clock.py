@@ -145,6 +145,19 @@ class Clock:
                 work.end()
 
     @contextmanager
+    def tracing(self) -> Iterator[None]:
+        """In this context Ctrl-C ends the run at once: JAX traces on this thread, for seconds."""
+        presses = self._presses or Presses()
+        presses.is_held = False
+        try:
+            yield
+        except KeyboardInterrupt:
+            self.check()
+            raise
+        finally:
+            presses.is_held = True
+
+    @contextmanager
     def stage(self, name: str) -> Iterator[None]:
         """Add the time spent inside to stage ``name``."""
         start = time.perf_counter()
