@@ -2,6 +2,7 @@
 
 import csv
 import json
+import multiprocessing
 import os
 import re
 import signal
@@ -10,7 +11,7 @@ import sys
 import threading
 import time
 import warnings
-from contextlib import nullcontext
+from contextlib import nullcontext, suppress
 from dataclasses import replace
 from pathlib import Path
 
@@ -22,6 +23,7 @@ import trimesh
 from msf_jax import Config, ConfigError, Weights, batch
 from msf_jax.app import manifest
 from msf_jax.app.cli import main
+from msf_jax.base.clock import counted
 
 NUM, BROKEN = 6, 2
 WORK = batch.work
@@ -58,7 +60,7 @@ def table(path):
 @pytest.fixture
 def here(monkeypatch):
     """No process is started: this one does the work of all."""
-    monkeypatch.setattr(batch, "_in_processes", lambda _: nullcontext(lambda jobs: map(batch.work, jobs)))
+    monkeypatch.setattr(batch, "_in_processes", lambda _: nullcontext(lambda jobs: (batch.work(job) for job in jobs)))
     yield
     jax.config.update("jax_enable_x64", True)  # a worker sets what its job says
 
@@ -230,6 +232,71 @@ def test_the_command_takes_what_skeletonize_takes(folder, tmp_path, monkeypatch)
     assert seen["weights"] == replace(seen["config"].default_weights(), w_M=0.8)
 
 
+def test_a_mesh_that_takes_too_long_has_an_error_and_the_others_a_curve(folder, here, tmp_path, monkeypatch):
+    read = batch.reading.read
+
+    def slow(path, **options):
+        end = time.monotonic() + 60
+        while path.endswith("0.off") and time.monotonic() < end:
+            time.sleep(0.01)
+        return read(path, **options)
+
+    monkeypatch.setattr(batch.reading, "read", slow)
+    paths, long = [folder / "0.off", folder / "2.off"], 50.0
+    batch.run(paths[1:], tmp_path, timeout=long)
+    done = batch.run(paths, tmp_path, timeout=0.05)
+    assert done.num_done == 1  # a curve that is there stays, whatever the timeout was
+    errors = {Path(row["path"]).name: row["error"] for row in done.rows}
+    assert errors == {"0.off": "it took more than 0.05 seconds: expected less, by timeout (--timeout)", "2.off": ""}
+    monkeypatch.setattr(batch.reading, "read", read)
+    assert batch.run(paths, tmp_path, timeout=long, retry=True).num_failed == 0
+
+
+@pytest.mark.parametrize("when", ["in an import, which keeps it", "between two rows"])
+def test_ctrl_c_ends_a_batch_with_the_rows_so_far(folder, here, tmp_path, monkeypatch, ctrl_c, when):
+    if when.startswith("in"):
+        monkeypatch.setattr(batch, "work", lambda _: pytest.fail("it was begun"))
+        with counted():
+            with suppress(KeyboardInterrupt):
+                signal.raise_signal(signal.SIGINT)
+            with pytest.raises(KeyboardInterrupt, match="interrupted: 0 of 2 done; start again to go on"):
+                batch.run([folder / "0.off", folder / "2.off"], tmp_path)
+        return
+
+    def pressed(job):
+        if job.source.endswith("2.off"):
+            signal.raise_signal(signal.SIGINT)
+        return WORK(job)
+
+    monkeypatch.setattr(batch, "work", pressed)
+    with pytest.raises(KeyboardInterrupt, match="interrupted: 1 of 2 done; start again to go on"):
+        batch.run([folder / "0.off", folder / "2.off"], tmp_path)
+    assert len(table(tmp_path / batch.MANIFEST)) == 1
+
+
+def endless(job):
+    """A worker that does not end by itself, and says that it has begun."""
+    Path(job.row).with_suffix(".begun").touch()
+    time.sleep(600)
+
+
+@pytest.mark.system
+def test_workers_are_not_waited_for_after_ctrl_c(folder, tmp_path, monkeypatch, ctrl_c):
+    monkeypatch.setattr(batch, "work", endless)
+
+    def press():
+        while not list((tmp_path / batch.ROWS).glob("*.begun")):
+            time.sleep(0.05)
+        os.kill(os.getpid(), signal.SIGINT)
+
+    threading.Thread(target=press, daemon=True).start()
+    with pytest.raises(KeyboardInterrupt, match="0 of 2 done"):
+        batch.run([folder / "0.off", folder / "2.off"], tmp_path, jobs=2)
+    for process in multiprocessing.active_children():
+        process.join(60)  # of 600
+        assert process.exitcode is not None
+
+
 @pytest.mark.parametrize(
     ("options", "says"),
     [
@@ -237,6 +304,7 @@ def test_the_command_takes_what_skeletonize_takes(folder, tmp_path, monkeypatch)
         ({"paths": ["a.off", "a.off"]}, "is given twice"),
         ({"suffix": ".xyz"}, "suffix is '.xyz': expected one of .swc"),
         ({"jobs": 0}, "jobs is 0: expected a whole number"),
+        ({"timeout": 0}, "timeout is 0: expected seconds"),
         ({"weights": Weights(w_L=np.ones(3))}, "weights that are numbers"),
         pytest.param({"scheduler": "tcp://127.0.0.1:1"}, "no Dask scheduler at", marks=pytest.mark.system),
     ],

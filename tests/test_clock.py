@@ -17,8 +17,8 @@ import msf_jax
 from msf_jax import Config, ConfigError, FlowError, Interrupted
 from msf_jax.app.cli import main
 from msf_jax.base import clock as clocks
-from msf_jax.base.clock import Clock, Stopped, counted
-from msf_jax.flow import assembly, loop, programs, starting, stepping
+from msf_jax.base.clock import Clock, Stopped, counted, held
+from msf_jax.flow import assembly, curves, loop, programs, starting, stepping
 from msf_jax.host.curve import finishing
 
 PATIENT = 60  # seconds after which a test gives up that waits for a thread
@@ -91,6 +91,14 @@ def test_a_compiler_is_not_waited_for(mesh, monkeypatch, ctrl_c):
     timer.cancel()
 
 
+def test_tracing_is_ended_at_once(mesh, endless, monkeypatch):
+    monkeypatch.setattr(programs, "_programs", {})
+    monkeypatch.setattr(programs, "_file", lambda _: None)
+    endless(programs, "_arguments")
+    with pytest.raises(KeyboardInterrupt, match="there is no curve yet"):
+        loop.contract(mesh)
+
+
 def test_the_command_writes_nothing_before_the_first_iteration(mesh, endless, tmp_path, capsys):
     mesh.export(tmp_path / "torus.off")
     endless(starting, "_coarsened")
@@ -126,6 +134,23 @@ def test_finishing_that_does_not_end_leaves_the_curve_so_far(mesh, endless, name
     assert "the run had to end before 1 of 1 curves had been finished" in report.notes
     assert (report.cycles, report.components) == (1, 1)
     assert len(skeleton.mesh_map) == len(mesh.vertices) and skeleton.mesh_map.max() < len(skeleton.vertices)
+
+
+def test_the_curve_so_far_waits_for_no_classes_of_loops(mesh, endless, monkeypatch):
+    extract = curves.extraction.extract_curve
+    ended = endless(curves.extraction, "extract_curve")
+    hang = curves.extraction.extract_curve
+    monkeypatch.setattr(
+        curves.extraction,
+        "extract_curve",
+        lambda positions, rings, classes, pinned: (extract if classes is None else hang)(
+            positions, rings, classes, pinned
+        ),
+    )
+    with pytest.raises(Interrupted) as at:
+        loop.contract(mesh)
+    assert ended.wait(PATIENT)
+    assert len(at.value.flow.skeleton.edges) and at.value.flow.skeleton.report.components == 1
 
 
 def test_a_curve_that_could_not_be_checked_is_not_sound(mesh, endless):
@@ -199,6 +224,18 @@ def test_a_press_that_other_code_swallows_is_kept(mesh, ctrl_c):
         with pytest.raises(KeyboardInterrupt, match="before the first iteration"):
             loop.contract(mesh)
     assert signal.getsignal(signal.SIGINT) is signal.default_int_handler
+
+
+def test_a_press_in_an_import_waits_for_its_end(ctrl_c):
+    done = []
+    with pytest.raises(KeyboardInterrupt), held():
+        signal.raise_signal(signal.SIGINT)
+        done.append("import")
+    with pytest.raises(KeyboardInterrupt), held():  # the second one does not wait
+        signal.raise_signal(signal.SIGINT)
+        signal.raise_signal(signal.SIGINT)
+        done.append("another")
+    assert done == ["import"] and signal.getsignal(signal.SIGINT) is signal.default_int_handler
 
 
 def test_ctrl_c_in_a_run_for_the_spread_gives_the_curve(mesh, monkeypatch, ctrl_c):

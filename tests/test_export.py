@@ -11,14 +11,17 @@ import trimesh
 
 import msf_jax
 from msf_jax import ConfigError, MeshError, Report, Skeleton, shapes
+from msf_jax.host import graphs
 from msf_jax.skeleton.formats import export
 
 
 def skeleton_of(vertices, edges):
     vertices = np.array(vertices, dtype=float)
-    report = Report(1, 1, 0, 0, 1.0, True, "no volume left", 3, 0, 4, 1e-5, 0, 30)
+    edges = np.array(edges).reshape(-1, 2)
+    components, cycles = graphs.cycle_count(len(vertices), edges)
+    report = Report(components, 1, 0, cycles, 1.0, True, "no volume left", 3, 0, 4, 1e-5, 0, 30)
     radii = np.linspace(0.1, 0.2, len(vertices))
-    return Skeleton(vertices, np.array(edges).reshape(-1, 2), radii, np.zeros(5, dtype=int), report)
+    return Skeleton(vertices, edges, radii, np.zeros(5, dtype=int), report)
 
 
 @pytest.fixture

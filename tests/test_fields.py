@@ -3,15 +3,11 @@
 import jax.numpy as jnp
 import numpy as np
 import pytest
-import trimesh
-from device_cases import pebble
 from scipy import spatial
 
 import msf_jax
-from msf_jax import Config, ConfigError, MeshError, Weights, ground_truth, objectives
-from msf_jax.host.mesh import checking
+from msf_jax import Config, ConfigError, Weights, ground_truth, objectives
 from msf_jax.tuning import surface
-from msf_jax.tuning.features import MIDDLE, NAMES, FeatureWeights, features_of
 
 LINE = np.linspace([0, 0, 0], [2.2, 0, 0], 100)  # the axis of the tube below
 
@@ -72,58 +68,8 @@ def test_a_weight_for_every_vertex_is_tuned_on_one_tape():
     assert found.weights.w_H.shape == (len(mesh.vertices),) and found.weights.w_L == 1.0
     for name, (low, high) in held.items():
         assert (low <= getattr(found.weights, name)).all() and (getattr(found.weights, name) <= high).all()
-    assert found.reason.startswith("all steps made; fresh runs have the tape's value to ") and found.model is None
+    assert found.reason.startswith("all steps made; a fresh run has the tape's value to ")
     assert str(found).count("\n") == 5 and "nan" not in str(found)
-
-
-@pytest.mark.slow
-def test_weights_of_features_are_shared_by_meshes(tmp_path):
-    """Each mesh has its target. The weights of the runs are those that the model has for their meshes."""
-    meshes = [tube(), tube(0.2)]
-    targets = [objectives.near(LINE), objectives.near(LINE)]
-    found = msf_jax.tune(meshes, targets, of="surface", steps=2, config=Config.smooth(1))
-    assert found.value == found.trajectory[-1].found < found.trajectory[0].found
-    for mesh, flow in zip(meshes, found.flows, strict=True):
-        of_mesh = found.model.of(mesh)
-        for name in vars(of_mesh):
-            np.testing.assert_allclose(getattr(of_mesh, name), getattr(flow.weights, name), rtol=1e-12)
-        assert np.ptp(of_mesh.w_M) > 0
-    values = [apart(flow.meso_skeleton[0], LINE, mesh) for flow, mesh in zip(found.flows, meshes, strict=True)]
-    assert found.value == pytest.approx(np.mean(values), rel=1e-9)
-    with pytest.raises(ConfigError, match="the weights depend on the mesh"):
-        found.save(tmp_path / "weights.json")
-
-
-def test_features_do_not_depend_on_place_turn_scale_or_order():
-    mesh = trimesh.Trimesh(*pebble(2), process=False)  # irregular: no pole is one of several, and no mode
-    features = features_of(checking.prepare(mesh))
-    assert features.shape == (len(mesh.vertices), len(NAMES)) and (features[:, 0] == 1).all()
-    order = np.random.default_rng(1).permutation(len(mesh.vertices))
-    turn = trimesh.transformations.rotation_matrix(np.pi / 2, [0, 1, 0])[:3, :3]  # the bounding box keeps its diagonal
-    moved = (7 * mesh.vertices[order] @ turn.T + [3, -2, 40], np.argsort(order)[mesh.faces])
-    other = features_of(checking.prepare(moved))
-    np.testing.assert_allclose(other, features[order], atol=1e-5)
-
-
-def test_features_of_a_sphere_are_its_radius_and_curvature():
-    """The poles are at the middle: radius 1 over the diagonal 2 sqrt(3), mean curvature 1, spokes on all sides."""
-    mesh = trimesh.creation.icosphere(3, radius=4.0)
-    features = dict(zip(NAMES, features_of(checking.prepare(mesh)).T, strict=True))
-    np.testing.assert_allclose(features["radius"], -np.log(2 * 3**0.5) - MIDDLE, atol=0.01)
-    np.testing.assert_allclose(features["curvature"], 1 - 0.5, atol=0.01)
-    np.testing.assert_allclose(features["relative radius"], 0, atol=0.01)
-
-
-def test_weights_of_features_stay_within_bounds_and_leave_the_others():
-    mesh = tube()
-    theta = np.zeros(len(NAMES))
-    theta[0] = np.log(2.0)
-    model = FeatureWeights(Weights(w_M=0.4), {"w_M": theta}, {"w_M": (0.1, 1.0)})
-    assert np.allclose(model.of(mesh).w_M, 0.8) and model.of(mesh).w_H == 0.1
-    theta[0] = np.log(9.0)
-    assert (model.of(mesh).w_M == 1.0).all()
-    with pytest.raises(MeshError):
-        model.of((mesh.vertices, mesh.faces[:-1]))
 
 
 @pytest.mark.parametrize(
@@ -132,13 +78,14 @@ def test_weights_of_features_stay_within_bounds_and_leave_the_others():
         ({"config": Config()}, "the run edits edges: expected numbers, and Config.smooth"),
         ({"weights": Weights(w_H=np.full(128, 0.1))}, "has weights per vertex already"),
         ({"bounds": (0.1, 0.1), "weights": Weights(0.1, 0.1, 0.1, 0.1)}, "w_H and w_M are 0 or held"),
-        ({"objective": [objectives.near(LINE)] * 2}, "objective has 2 entries: expected one, or 1"),
+        ({"objective": [objectives.near(LINE)] * 2}, "objective"),
+        ({"meshes": [tube(), tube()]}, "with 2 meshes: expected one, whose vertices have weights"),
         ({"objective": objectives.explained()}, "no radii and no edges"),
         ({"objective": lambda nodes, radii: jnp.inf * nodes.sum()}, "is (inf|nan) at the start"),
         ({"jobs": 2}, "jobs or checkpoint was given with arrays of weights or of='surface'"),
     ],
 )
 def test_wrong_options(options, says):
-    arguments = {"objective": objectives.near(LINE), "config": Config.smooth(1)} | options
+    arguments = {"meshes": tube(), "objective": objectives.near(LINE), "config": Config.smooth(1)} | options
     with pytest.raises(ConfigError, match=says):
-        msf_jax.tune(tube(), arguments.pop("objective"), of="surface", steps=1, **arguments)
+        msf_jax.tune(of="surface", steps=1, **arguments)

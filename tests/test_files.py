@@ -254,6 +254,11 @@ def test_materials_of_an_obj_with_odd_lines_are_kept(tmp_path: Path):
         ),
         ("a.ply", CUBE.export(file_type="ply", encoding="ascii").replace(b"\n3 1 3 0", b"\n4 1 3 0"), "a list|cut off"),
         ("a.ply", CUBE.export(file_type="ply", encoding="ascii").replace(b"\n3 1 3 0", b"\n3 1 3.5 0"), "whole number"),
+        (
+            "a.ply",
+            CUBE.export(file_type="ply", encoding="ascii").replace(b"\n3 1 3 0", b"\n3 1 3 1e300"),
+            "whole number",
+        ),
     ],
 )
 def test_a_file_that_would_be_read_as_another_mesh_is_refused(tmp_path: Path, name, content, says):
@@ -328,6 +333,8 @@ NOT_READ = {
     "needs ACME_bend, which is not supported": lambda d: d.update(extensionsRequired=["ACME_bend"]),
     "morph targets": lambda d: (primitive(d).update(targets=[{"POSITION": 0}]), d["meshes"][0].update(weights=[0.5])),
     "triangle fan": lambda d: primitive(d).update(mode=6),
+    "its POSITION has components of type 5123": lambda d: accessor(d).update(componentType=5123),
+    "its indices has components of type 5126": lambda d: accessor(d, "indices").update(componentType=5126),
     "normalized integers": lambda d: accessor(d).update(normalized=True),
 }
 

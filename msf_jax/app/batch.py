@@ -3,21 +3,18 @@
 For each mesh a batch writes the curve, and then a row with the report or the error, both atomically. So a batch that
 was killed continues with the meshes that have no row. An error of one mesh does not affect others. The table of all
 rows is written every few seconds, and at the end; see `manifest`. Meshes are sorted by file size, so that successive
-meshes use the same compiled capacities.
+meshes use the same compiled capacities. After Ctrl-C no mesh is waited for: the workers end by themselves.
 """
 
 import concurrent.futures
 import errno
 import hashlib
 import json
-import multiprocessing
 import os
-import signal
-import threading
 import time
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Generator, Iterable, Iterator
 from concurrent.futures.process import BrokenProcessPool
-from contextlib import contextmanager
+from contextlib import closing, contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -27,6 +24,8 @@ import jax
 import msf_jax
 from msf_jax.app.manifest import Manifest
 from msf_jax.app.shaping import Shaping, scaled, shaped
+from msf_jax.app.workers import Workers, deaf
+from msf_jax.base.clock import Clock, Stopped, counted
 from msf_jax.base.errors import ConfigError, FlowError, MeshError
 from msf_jax.base.options import Config, Weights
 from msf_jax.base.progress import showing
@@ -58,6 +57,7 @@ class Job:
     config: Config
     repair: Repair | None
     max_vertices: int
+    timeout: float | None
     is_double: bool
     shaping: Shaping
     cache: str
@@ -96,6 +96,7 @@ def run(
     scheduler: str | None = None,
     retry: bool = False,
     max_vertices: int = 2_000_000,
+    timeout: float | None = None,
     shaping: Shaping = UNCHANGED,
     progress: bool = False,
 ) -> Batch:
@@ -113,6 +114,8 @@ def run(
         retry: try failed meshes again. Otherwise only curves that are missing, or were made with other settings, are
             computed.
         max_vertices: a larger mesh gets an error in its row, because a run needs about 4 kB of memory for each vertex.
+        timeout: seconds for each mesh, from its file to its curve's. One that takes longer gets an error in its row;
+            ``Config(max_seconds=...)`` keeps the curve so far instead.
         shaping: changes of each curve before it is written: another scale, a tree, other nodes, ...
         progress: show a progress bar on standard error, or plain lines if that is no terminal.
 
@@ -120,6 +123,8 @@ def run(
         ConfigError: an option is out of range, a path is given twice, there are no paths, or an earlier batch wrote the
             curve of another mesh to the same file.
         OSError: the folder cannot be written, or the scheduler has ended.
+        KeyboardInterrupt: after Ctrl-C, at once; it says how many meshes are done. Their curves and the table are
+            written.
     """
     weights, config = checked_options(weights, config)
     if suffix not in export.WRITERS:
@@ -127,6 +132,8 @@ def run(
     for name, value in (("jobs", jobs), ("max_vertices", max_vertices)):
         if value is not None and (isinstance(value, bool) or not isinstance(value, int) or value < 1):
             raise ConfigError(f"{name} is {value!r}: expected a whole number of 1 or more")
+    if timeout is not None and (isinstance(timeout, bool) or not isinstance(timeout, int | float) or not timeout > 0):
+        raise ConfigError(f"timeout is {timeout!r}: expected seconds, more than 0")
     try:
         numbers = tuple(float(weight) for weight in vars(weights).values())
     except (TypeError, ValueError):
@@ -137,7 +144,7 @@ def run(
     settings = f"{VERSION} {numbers} {config} {as_repair(repair)} {suffix} {max_vertices}"
     is_double = bool(jax.config.jax_enable_x64)  # type: ignore[attr-defined]
     settings += f" {'float64' if is_double else 'float32'}" + (f" {shaping}" if shaping != UNCHANGED else "")
-    shared = (numbers, config, as_repair(repair), max_vertices, is_double, shaping)
+    shared = (numbers, config, as_repair(repair), max_vertices, timeout, is_double, shaping)
     cache = str(getattr(jax.config, "jax_compilation_cache_dir", None) or (folder / ROWS / "compiled").absolute())
     planned = [Job(*names, *shared, cache) for names in _names(paths, folder, suffix, settings)]
     (folder / ROWS).mkdir(parents=True, exist_ok=True)
@@ -149,14 +156,20 @@ def run(
     manifest = Manifest(
         folder / MANIFEST, folder / ROWS, {Path(job.row).name: (job.key, job.target) for job in planned}
     )
-    written = time.monotonic()
+    written, num_done = time.monotonic(), len(planned) - len(missing)
     try:
-        with started as results, showing(len(missing), "batch", "meshes", progress) as bar:
-            for row in results(missing):
+        shown = showing(len(missing), "batch", "meshes", progress)
+        with counted() as presses, started as results, closing(results(missing)) as rows, shown as bar:
+            if presses and presses.num:  # in an import, which has kept it
+                raise KeyboardInterrupt
+            for row in rows:
+                num_done += 1
                 bar.update(1, Path(row["path"]).name)
                 if time.monotonic() - written > TABLE_EVERY:
                     manifest.write()
                     written = time.monotonic()
+    except KeyboardInterrupt:
+        raise KeyboardInterrupt(f"interrupted: {num_done} of {len(planned)} done; start again to go on") from None
     finally:  # the table is written after Ctrl-C, too
         manifest.complete()
     return Batch(tuple(filter(None, map(_known, planned))), manifest.file, len(missing))
@@ -220,20 +233,9 @@ def work(job: Job) -> dict[str, Any]:
     start = time.perf_counter()
     row: dict[str, Any] = {"path": job.source, "output": "", "error": "", "key": job.key, "vertices": 0}
     try:
-        mesh = scaled(reading.read(job.source, finite=job.repair is None), job.shaping)
-        row["vertices"] = len(mesh[0])
-        if len(mesh[0]) > job.max_vertices:
-            raise MeshError(f"the mesh has {len(mesh[0])} vertices: expected at most max_vertices, {job.max_vertices}")
-        skeleton = msf_jax.skeletonize(mesh, Weights(*job.weights), job.config, repair=job.repair or False)
-        skeleton = shaped(skeleton, job.shaping)
-        row |= {"nodes": len(skeleton.vertices), "edges": len(skeleton.edges), "length": skeleton.length}
-        report = skeleton.report
-        row |= report.to_dict() | {"is_sound": report.is_sound, "are_limbs": report.are_limbs}
-        row["not_limbs"] = list(report.not_limbs)
-        content = export.writer_for(job.target)(skeleton, mesh)
-        Path(job.target).parent.mkdir(parents=True, exist_ok=True)
-        write_whole(job.target, content)
-        row["output"] = job.target
+        Clock(job.timeout).call(_skeletonized, job, row)
+    except Stopped:
+        row["error"] = f"it took more than {job.timeout:g} seconds: expected less, by timeout (--timeout)"
     except (MeshError, FlowError, ConfigError) as error:
         row["error"] = str(error)
     except Exception as error:  # a bug in this program must not end the batch, either
@@ -244,29 +246,45 @@ def work(job: Job) -> dict[str, Any]:
     return _noted(job, row)
 
 
+def _skeletonized(job: Job, row: dict[str, Any]) -> None:
+    """Read one mesh, and write its curve; the figures go into its ``row`` as they are known."""
+    mesh = scaled(reading.read(job.source, finite=job.repair is None), job.shaping)
+    row["vertices"] = len(mesh[0])
+    if len(mesh[0]) > job.max_vertices:
+        raise MeshError(f"the mesh has {len(mesh[0])} vertices: expected at most max_vertices, {job.max_vertices}")
+    skeleton = msf_jax.skeletonize(mesh, Weights(*job.weights), job.config, repair=job.repair or False)
+    skeleton = shaped(skeleton, job.shaping)
+    row |= {"nodes": len(skeleton.vertices), "edges": len(skeleton.edges), "length": skeleton.length}
+    report = skeleton.report
+    row |= report.to_dict() | {"is_sound": report.is_sound, "are_limbs": report.are_limbs}
+    row["not_limbs"] = list(report.not_limbs)
+    content = export.writer_for(job.target)(skeleton, mesh)
+    Path(job.target).parent.mkdir(parents=True, exist_ok=True)
+    write_whole(job.target, content)
+    row["output"] = job.target
+
+
 def _noted(job: Job, row: dict[str, Any]) -> dict[str, Any]:
     write_whole(job.row, json.dumps(row) + "\n")
     return row
 
 
-Results = Callable[[list[Job]], Iterator[dict[str, Any]]]
+Results = Callable[[list[Job]], Generator[dict[str, Any], None, None]]
 
 
 @contextmanager
 def _in_processes(num: int) -> Iterator[Results]:
     """Rows, in the order of completion, from ``num`` processes on this machine."""
+    processes = Workers()
 
-    def pool(num: int) -> concurrent.futures.ProcessPoolExecutor:
-        context = multiprocessing.get_context("spawn")  # a forked process would lack JAX's threads, and could hang
-        return concurrent.futures.ProcessPoolExecutor(num, context, _start_worker, (os.getpid(),))
-
-    def results(jobs: list[Job]) -> Iterator[dict[str, Any]]:
+    def results(jobs: list[Job]) -> Generator[dict[str, Any], None, None]:
         suspects = []
         # Each share has its own pool, because the executor's max_tasks_per_child can hang (CPython issue 115634).
         for first in range(0, len(jobs), TASKS * num):
             share = jobs[first : first + TASKS * num]
-            with _closing(pool(min(num, len(share)))) as workers:
-                futures = {workers.submit(work, job): job for job in share}
+            with processes.pool(min(num, len(share))) as pool:
+                with deaf():
+                    futures = {pool.submit(work, job): job for job in share}
                 for future in concurrent.futures.as_completed(futures):
                     try:
                         yield future.result()
@@ -274,37 +292,17 @@ def _in_processes(num: int) -> Iterator[Results]:
                         suspects.append(futures[future])
         for job in suspects:
             if (row := _known(job)) is None:
-                with _closing(pool(1)) as alone:
+                with processes.pool(1) as alone:
                     try:
                         row = alone.submit(work, job).result()
                     except BrokenProcessPool:
                         row = _noted(job, {"path": job.source, "output": "", "error": DIED, "key": job.key})
             yield row
 
-    yield results
-
-
-@contextmanager
-def _closing(
-    pool: concurrent.futures.ProcessPoolExecutor,
-) -> Iterator[concurrent.futures.ProcessPoolExecutor]:
-    """A pool that drops its waiting jobs after an error; running jobs are completed."""
     try:
-        yield pool
+        yield results
     finally:
-        pool.shutdown(cancel_futures=True)
-
-
-def _start_worker(parent: int) -> None:
-    """Ignore Ctrl-C, which the terminal sends to all processes; ``parent`` handles it. End when ``parent`` ends."""
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
-
-    def watch() -> None:
-        while os.getppid() == parent:
-            time.sleep(1.0)
-        os._exit(1)
-
-    threading.Thread(target=watch, daemon=True).start()
+        processes.end()
 
 
 @contextmanager
@@ -319,7 +317,7 @@ def _on_cluster(scheduler: str) -> Iterator[Results]:
     except (OSError, ValueError) as error:
         raise ConfigError(f"no Dask scheduler at {scheduler!r}: expected an address such as tcp://host:8786") from error
 
-    def results(jobs: list[Job]) -> Iterator[dict[str, Any]]:
+    def results(jobs: list[Job]) -> Generator[dict[str, Any], None, None]:
         futures = dict(
             zip(client.map(work, jobs, key=[f"{job.key}-{time.time_ns()}" for job in jobs]), jobs, strict=True)
         )

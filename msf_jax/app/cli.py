@@ -9,6 +9,7 @@ Help and errors appear without delay: commands import modules on demand, and JAX
 """
 
 import argparse
+import importlib
 import io
 import os
 import sys
@@ -18,7 +19,7 @@ from typing import TYPE_CHECKING, Any
 
 from msf_jax.app import shaping
 from msf_jax.app.parser import configured, parsed, parser_of, repair_of
-from msf_jax.base.clock import counted
+from msf_jax.base.clock import counted, held
 from msf_jax.base.errors import ConfigError, FlowError, Interrupted, MeshError
 from msf_jax.base.writing import write_whole
 from msf_jax.skeleton.formats import export
@@ -50,6 +51,8 @@ def main(argv: Sequence[str] | None = None) -> int:
         return _fail(f"the system has no bytes for the name {error.object!r}: choose another one", 2)
     except OSError as error:
         return _fail(f"{error.strerror or error}: {error.filename}" if error.filename else str(error), 2)
+    except MemoryError:
+        return _fail("this needs more memory than there is: coarsen the mesh, or use another machine", 2)
     except KeyboardInterrupt as interruption:
         return _fail(str(interruption) or "interrupted", INTERRUPTED)
 
@@ -57,7 +60,7 @@ def main(argv: Sequence[str] | None = None) -> int:
 def command() -> None:
     """The command as a process. After Ctrl-C it ends without waiting for threads that still compile or compute."""
     code = main()
-    if code == INTERRUPTED:
+    if code == INTERRUPTED and "msf_jax.app.workers" not in sys.modules:  # a batch computes nothing here
         for stream in filter(None, (sys.stdout, sys.stderr)):
             stream.flush()
         os._exit(code)
@@ -74,10 +77,12 @@ def _start_jax(arguments: argparse.Namespace) -> None:
     """Import JAX, which is slow, and set the precision and the cache."""
     if os.environ.get(LEVEL, "1") == "1":  # JAX sets 1 on import, so a parent process may have done so
         os.environ[LEVEL] = "3"  # hides a false alarm of XLA, see `cache_compilations`
-    import jax
+    with held():
+        import jax
 
-    from msf_jax.device.caching import cache_compilations
+        from msf_jax.device.caching import cache_compilations
 
+        importlib.import_module("msf_jax.flow.skeletonize")  # with all that it imports
     jax.config.update("jax_enable_x64", not arguments.float32)
     cache_compilations()
 
@@ -166,6 +171,7 @@ def _batch(arguments: argparse.Namespace) -> int:
         shaping=shaping.asked_for(arguments),
         scheduler=arguments.scheduler,
         retry=arguments.retry,
+        timeout=arguments.timeout,
         progress=not arguments.quiet,
     )
     if not arguments.quiet:

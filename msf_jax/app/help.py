@@ -58,6 +58,7 @@ examples:
   msf-jax batch meshes curves --format .vtp
   msf-jax batch meshes curves --w-M 0.8 --prune 2           weights and the like, as for skeletonize
   msf-jax batch meshes curves --retry                       try failed meshes again
+  msf-jax batch meshes curves --timeout 600                 an error for a mesh that takes over ten minutes
   msf-jax batch meshes curves --scheduler tcp://host:8786   on a Dask cluster that sees the folders""",
     ),
     "TRACK": (

@@ -87,6 +87,8 @@ def parser_of(run: Mapping[str, Callable[[argparse.Namespace], int]]) -> argpars
     many.add_argument("--scheduler", metavar="ADDRESS", help="of a Dask scheduler, such as tcp://host:8786")
     _repairing(many)
     many.add_argument("--retry", action="store_true", help="try failed meshes again")
+    limit = "a mesh that takes more than this many seconds gets an error; compare --max-seconds"
+    many.add_argument("--timeout", type=float, metavar="X", help=f"{limit} (default: no limit)")
     many.add_argument("--evaluate", action="store_true", help="add scores such as off-centre to the table")
     shaping.add_options(many)
     _settings(many)

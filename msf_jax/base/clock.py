@@ -100,6 +100,21 @@ def counted() -> Iterator[Presses | None]:
             signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
+@contextmanager
+def held() -> Iterator[None]:
+    """In this context, the first Ctrl-C waits for its end: JAX crashes if its import is interrupted."""
+    with counted() as presses:
+        if presses:
+            presses.is_held = True
+        try:
+            yield
+        finally:
+            if presses:
+                presses.is_held = False
+        if presses and presses.num:
+            raise KeyboardInterrupt
+
+
 class Clock:
     """The clock of a run that ends after ``max_seconds``, if given, or when Ctrl-C is among ``presses``.
 
@@ -128,6 +143,19 @@ class Clock:
             presses.is_held = False
             for work in list(self._works):
                 work.end()
+
+    @contextmanager
+    def tracing(self) -> Iterator[None]:
+        """In this context Ctrl-C ends the run at once: JAX traces on this thread, for seconds."""
+        presses = self._presses or Presses()
+        presses.is_held = False
+        try:
+            yield
+        except KeyboardInterrupt:
+            self.check()
+            raise
+        finally:
+            presses.is_held = True
 
     @contextmanager
     def stage(self, name: str) -> Iterator[None]:

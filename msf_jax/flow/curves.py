@@ -6,7 +6,7 @@ from typing import NamedTuple
 import numpy as np
 from scipy import spatial
 
-from msf_jax.base.clock import Clock
+from msf_jax.base.clock import Clock, Stopped
 from msf_jax.base.options import Config
 from msf_jax.flow.state import State
 from msf_jax.host.curve import branches, extraction, finishing
@@ -43,10 +43,17 @@ def curve_of(state: State, meso: Meso, config: Config, clock: Clock) -> Part:
     with clock.stage("curve"):
         pinned = meso.node_of_input[state.pins]
         extract = extraction.operated_curve if config.surgery else extraction.extract_curve
-        classes = meso.classes
-        if lacks_classes(state, meso):
-            classes = short_loops.short_classes(meso.positions, meso.rings)
-        found = extract(meso.positions, meso.rings, classes, pinned)
+
+        def with_loops() -> Curve:
+            classes = meso.classes
+            if lacks_classes(state, meso):
+                classes = short_loops.short_classes(meso.positions, meso.rings)
+            return extract(meso.positions, meso.rings, classes, pinned)
+
+        try:
+            found = clock.call(with_loops)
+        except Stopped:  # the curve so far may lack loops: their classes take seconds where there are many handles
+            found = extract(meso.positions, meso.rings, None, pinned)
         nodes = found.nodes.copy()
         node_of_pin = found.node_of_meso[pinned]
         is_held = np.zeros(len(nodes), dtype=bool)

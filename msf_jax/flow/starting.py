@@ -82,7 +82,7 @@ def init(
     caps = None
     if config.prune or config.extend_tips:
         caps = clock.begin(_with_limbs, of_limbs, config.prune, config.detail)
-    with clock.stage("compile"):
+    with clock.stage("compile"), clock.tracing():
         compile_ahead(meso, config)
     found = None
     if config.use_poles:

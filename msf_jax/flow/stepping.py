@@ -130,7 +130,7 @@ def _moved(state: State, packed: _Packed, config: Config, clock: Clock, limits: 
         scaled = replace(packed.weights, w_L=packed.weights.w_L * factor)
         scaled = jax.tree_util.tree_map(lambda weight: np.asarray(weight, dtype), scaled)
         buffers, scaled = jax.device_put((packed.buffers, scaled))
-        with clock.stage("compile"):
+        with clock.stage("compile"), clock.tracing():
             move = compiled_move(
                 config.on_device, packed.layout, np.ndim(scaled.w_L) > 0, partial(clock.wait, patience=patience)
             )

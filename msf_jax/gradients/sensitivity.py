@@ -1,5 +1,6 @@
 """Derivatives of the nodes of a recorded run with respect to the weights and to the vertices of the mesh."""
 
+import warnings
 from functools import partial
 from typing import NamedTuple
 
@@ -71,14 +72,20 @@ def sensitivity(tape: Tape, weights: Weights | None = None, *, tolerance: float 
         tolerance: of the solves, see `msf_jax.replay`.
 
     Decisions are held fixed, see `msf_jax.replay`. The tape should be of a run with tight solves,
-    ``contract(mesh, config=Config().tight())``: else the derivatives do not predict fresh runs, even where no decision
-    changes.
+    ``contract(mesh, config=Config().tight())``: else a warning says that the derivatives do not predict fresh runs, not
+    even where no decision changes.
 
     Raises:
         ConfigError: see `msf_jax.replay`; or a weight is an array.
     """
     if not isinstance(tape, Tape):
         raise ConfigError(f"tape is a {type(tape).__name__}: expected a Tape, such as flow.tape of a contract call")
+    if tape.config != tape.config.tight():
+        warnings.warn(
+            "the tape is of a run with loose solves, so these derivatives do not predict fresh runs: expected that of "
+            "contract(mesh, config=config.tight())",
+            stacklevel=2,
+        )
     weights = tape.weights if weights is None else weights
     if not isinstance(weights, Weights):
         raise ConfigError(f"weights is a {type(weights).__name__}: expected a msf_jax.Weights")

@@ -6,12 +6,10 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from msf_jax.base.errors import ConfigError
 from msf_jax.base.options import Weights
 from msf_jax.base.weights import save_weights
 from msf_jax.flow.state import Flow
 from msf_jax.gradients.tape import Comparison
-from msf_jax.tuning.features import FeatureWeights
 
 
 class TuningStep(NamedTuple):
@@ -44,7 +42,6 @@ class Tuned:
         trajectory: every proposal, in order.
         reason: why it stopped.
         of_defaults: the objective at the system's default weights, within the bounds; NaN if they were not tried.
-        model: for several meshes with of="surface", the weights as a function of the surface: ``model.of(mesh)``.
     """
 
     weights: Weights
@@ -53,18 +50,9 @@ class Tuned:
     trajectory: tuple[TuningStep, ...]
     reason: str
     of_defaults: float = np.nan
-    model: FeatureWeights | None = None
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Write the best weights to a JSON file, for ``msf-jax skeletonize --weights`` and `msf_jax.read_weights`.
-
-        Raises:
-            ConfigError: the weights depend on the mesh.
-        """
-        if self.model is not None:
-            raise ConfigError(
-                "the weights depend on the mesh: expected one mesh, or msf_jax.save_weights(tuned.model.of(mesh), path)"
-            )
+        """Write the best weights to a JSON file, for ``msf-jax skeletonize --weights`` and `msf_jax.read_weights`."""
         save_weights(self.weights, path)
 
     def __repr__(self) -> str:

@@ -1,17 +1,11 @@
-"""Tuning of the contracted surface on tapes: a weight for every vertex, or weights as a function of surface features.
+"""Tuning of the contracted surface on one tape: a weight for every vertex.
 
 With `Config.smooth` a run takes no decisions, so the replay of one tape is the run, at any weights. First w_H and w_M
-are searched as numbers (see `search`). Then their logarithms are fields over the vertices,
-
-    log w = log w_0 + F theta,
-
-where F is the identity (a weight for every vertex of one mesh), or has the features of each mesh in its rows, so that
-all meshes share theta. theta is found by Adam (Kingma and Ba 2015). The objective has a kink wherever a nearest point
-changes, at which L-BFGS becomes slow: 2.40 after 62 evaluations, where Adam has 1.76. At the end one fresh run of each
-mesh is made, whose objective must be that of the tape.
+are searched as numbers (see `search`). Then their logarithms are fields over the vertices, which Adam (Kingma and Ba
+2015) moves. The objective has a kink wherever a nearest point changes, at which L-BFGS becomes slow: 2.40 after 62
+evaluations, where Adam has 1.76. At the end one fresh run is made, whose objective must be that of the tape.
 """
 
-from collections.abc import Sequence
 from functools import partial
 from typing import Any, NamedTuple
 
@@ -21,10 +15,8 @@ import numpy as np
 from msf_jax.base.errors import ConfigError
 from msf_jax.base.options import Weights
 from msf_jax.flow import loop
-from msf_jax.flow.state import Flow
 from msf_jax.gradients.replay import replay_meso
 from msf_jax.gradients.tape import Tape
-from msf_jax.tuning.features import FeatureWeights, features_of
 from msf_jax.tuning.gradient import SEARCH_TOLERANCE, logarithms, with_logarithms
 from msf_jax.tuning.objectives import Objective, of_surface
 from msf_jax.tuning.result import Tuned, TuningStep
@@ -39,56 +31,53 @@ MEAN, SQUARE, LEAST = 0.9, 0.999, 1e-8  # Adam's decay of the mean slope and of 
 AGREEMENT = 1e-3  # relative difference of the objective between tape and fresh run, above which they disagree
 
 
-class Member(NamedTuple):
-    """A mesh's tape, its objective, and its features (V, K); None if every vertex has its own weight."""
-
-    tape: Tape
-    objective: Objective
-    features: np.ndarray | None
-
-
 class Point(NamedTuple):
-    """Logarithms (n,) of the numbers, theta (n, K), and the objective there, by the tapes."""
+    """Logarithms (n,) of the numbers, their changes (n, V) at the vertices, and the objective there, by the tape."""
 
     base: np.ndarray
-    theta: np.ndarray
+    change: np.ndarray
     value: float
 
 
-class _OnTapes:
-    """The objective's mean over the meshes as a function of a `Point`, by replays; and the best point so far."""
+class _OnTape:
+    """The objective as a function of a `Point`, by replays; and the best point so far."""
 
-    def __init__(self, members: list[Member], weights: Weights, free: list[str], low: np.ndarray, high: np.ndarray):
-        self.members, self.weights, self.free, self.low, self.high = members, weights, free, low, high
-        features = members[0].features
-        self.size = len(members[0].tape.vertices) if features is None else features.shape[1]
+    def __init__(
+        self, tape: Tape, objective: Objective, weights: Weights, free: list[str], low: np.ndarray, high: np.ndarray
+    ):
+        self.tape, self.objective, self.weights, self.free, self.low, self.high = (
+            tape,
+            objective,
+            weights,
+            free,
+            low,
+            high,
+        )
         here = np.array([float(logarithms(weights)[name]) for name in free])
-        self.start = self.best = Point(here, np.zeros((len(free), self.size)), np.inf)
+        self.start = self.best = Point(here, np.zeros((len(free), len(tape.vertices))), np.inf)
 
-    def weights_of(self, member: Member, point: Point) -> Weights:
-        """Arrays (V,) for the free weights of a mesh."""
-        return with_logarithms(self.weights, self._fields(member, point)[0])
+    def weights_of(self, point: Point) -> Weights:
+        """Arrays (V,) for the free weights."""
+        return with_logarithms(self.weights, self._fields(point)[0])
 
-    def _fields(self, member: Member, point: Point) -> tuple[dict[str, np.ndarray], np.ndarray]:
+    def numbers_of(self, point: Point) -> Weights:
+        """The numbers that the fields of ``point`` are changes of."""
+        return with_logarithms(self.weights, dict(zip(self.free, point.base.tolist(), strict=True)))
+
+    def _fields(self, point: Point) -> tuple[dict[str, np.ndarray], np.ndarray]:
         """Logarithms of the free weights, and where they are within their bounds (n, V)."""
-        change = point.theta if member.features is None else point.theta @ member.features.T
-        wanted = point.base[:, None] + change
+        wanted = point.base[:, None] + point.change
         held = np.clip(wanted, self.low[:, None], self.high[:, None])
         return dict(zip(self.free, held, strict=True)), held == wanted
 
     def at(self, point: Point) -> tuple[Point, np.ndarray]:
-        """The point with its value, and the slope in theta (n, K)."""
-        values, slopes = [], []
-        for member in self.members:
-            fields, is_free = self._fields(member, point)
-            value, slope = _value_and_slope(member.objective, fields, self.weights, member.tape)
-            slope = np.where(is_free, np.stack([np.asarray(slope[name]) for name in self.free]), 0.0)
-            values.append(float(value))
-            slopes.append(slope if member.features is None else slope @ member.features)
-        found = point._replace(value=float(np.mean(values)))
+        """The point with its value, and the slope in its changes (n, V)."""
+        fields, is_free = self._fields(point)
+        value, slope = _value_and_slope(self.objective, fields, self.weights, self.tape)
+        found = point._replace(value=float(value))
         if found.value < self.best.value:
             self.best = found
-        return found, np.mean(slopes, axis=0)
+        return found, np.where(is_free, np.stack([np.asarray(slope[name]) for name in self.free]), 0.0)
 
 
 @partial(jax.jit, static_argnums=0)
@@ -100,9 +89,9 @@ def _value_and_slope(objective: Objective, fields: dict[str, Any], weights: Weig
     return jax.value_and_grad(value)(fields)
 
 
-def tuned_on_tapes(
+def tuned_on_tape(
     runs: Runs,
-    objectives: Sequence[Objective],
+    objective: Objective,
     weights: Weights,
     free: list[str],
     given: list[np.ndarray],
@@ -111,54 +100,47 @@ def tuned_on_tapes(
     steps: int,
     bar: Any,
 ) -> Tuned:
-    """At most ``TRIES`` pairs of numbers, those of ``given`` first, then ``steps`` steps of Adam, then fresh runs.
+    """At most ``TRIES`` pairs of numbers, those of ``given`` first, then ``steps`` steps of Adam, then a fresh run.
 
-    The tapes are those of one run of each mesh with ``weights``. ``low`` and ``high`` are bounds of the ``free``
-    weights' logarithms, and points of ``given`` are such logarithms.
+    The tape is that of a run with ``weights``. ``low`` and ``high`` are bounds of the ``free`` weights' logarithms, and
+    points of ``given`` are such logarithms.
     """
-    flows = tuple(loop.contract(surface, weights, runs.config) for surface in runs.surfaces)
-    before = _mean(objectives, flows)
+    (mesh,) = runs.surfaces
+
+    def run(at: Weights) -> tuple[Any, float, bool]:
+        """A fresh run, the objective of its contracted surface, and whether it converges."""
+        flow = loop.contract(mesh, at, runs.config)
+        value = float(of_surface(objective, flow.tape, flow.meso_skeleton[0]))
+        return flow, value, flow.skeleton.report.converged
+
+    flow, before, converges = run(weights)
     if not np.isfinite(before):
         raise ConfigError(f"the objective is {before} at the start: expected a finite number")
-    is_one = len(flows) == 1
-    members = [
-        Member(flow.tape, objective, None if is_one else features_of(surface))
-        for flow, objective, surface in zip(flows, objectives, runs.surfaces, strict=True)
-    ]
-    problem = _OnTapes(members, weights, free, low, high)
-    first, reason = TuningStep(weights, before, before, True, FIRST_SPREAD, _converge(flows), None), "all steps made"
-    tried, of_defaults = [], np.nan
+    problem = _OnTape(flow.tape, objective, weights, free, low, high)
+    trajectory = [TuningStep(weights, before, before, True, FIRST_SPREAD, converges, None)]
+    reason, of_defaults = "all steps made", np.nan
     try:
         of_defaults = _searched(problem, given, min(steps, TRIES), bar)
-        number = problem.best
-        scalars = with_logarithms(weights, dict(zip(free, number.base.tolist(), strict=True)))
-        tried.append(TuningStep(scalars, number.value, np.nan, False, FIRST_SPREAD, _converge(flows), None))
+        numbers = problem.numbers_of(problem.best)
+        trajectory.append(TuningStep(numbers, problem.best.value, np.nan, False, FIRST_SPREAD, converges, None))
         _descended(problem, steps, bar)
     except KeyboardInterrupt:
         reason = "interrupted"
-    best = problem.best
-    each = [problem.weights_of(member, best) for member in members]
-    fresh = tuple(loop.contract(*run, runs.config) for run in zip(runs.surfaces, each, strict=True))
-    after = _mean(objectives, fresh)
-    off = abs(after - best.value) / max(abs(after), 1e-300)
-    agrees = "have the tape's value to" if off <= AGREEMENT else "do not have the tape's value: they differ by"
-    reason = f"{reason}; fresh runs {agrees} {off:.0e}"
+    best = problem.weights_of(problem.best)
+    fresh, after, converges = run(best)
+    off = abs(after - problem.best.value) / max(abs(after), 1e-300)
+    agrees = "has the tape's value to" if off <= AGREEMENT else "does not have the tape's value: they differ by"
+    reason = f"{reason}; a fresh run {agrees} {off:.0e}"
     if off > AGREEMENT:
         reason += ", as decisions or solves that are not tight make them; expected Config.smooth() in float64"
-    number = with_logarithms(weights, dict(zip(free, best.base.tolist(), strict=True)))
     is_taken = after < before
-    last = TuningStep(each[0] if is_one else number, best.value, after, is_taken, RATE, _converge(fresh), None)
-    trajectory = (first, *tried, last)
+    trajectory.append(TuningStep(best, problem.best.value, after, is_taken, RATE, converges, None))
     if not is_taken:
-        return Tuned(weights, before, flows, trajectory, f"{reason}; nothing beats the start", of_defaults)
-    if is_one:
-        return Tuned(each[0], after, fresh, trajectory, reason, of_defaults)
-    theta = dict(zip(free, best.theta, strict=True))
-    bounds = {name: (float(np.exp(a)), float(np.exp(b))) for name, a, b in zip(free, low, high, strict=True)}
-    return Tuned(number, after, fresh, trajectory, reason, of_defaults, FeatureWeights(number, theta, bounds))
+        return Tuned(weights, before, (flow,), tuple(trajectory), f"{reason}; nothing beats the start", of_defaults)
+    return Tuned(best, after, (fresh,), tuple(trajectory), reason, of_defaults)
 
 
-def _searched(problem: _OnTapes, given: list[np.ndarray], tries: int, bar: Any) -> float:
+def _searched(problem: _OnTape, given: list[np.ndarray], tries: int, bar: Any) -> float:
     """Try ``tries`` pairs of numbers. Returns the value of the last one of ``given``, the default weights."""
     search = Search(given, problem.low, problem.high)
     for _ in range(tries):
@@ -169,11 +151,10 @@ def _searched(problem: _OnTapes, given: list[np.ndarray], tries: int, bar: Any) 
     return float(search.values[len(given) - 1]) if tries >= len(given) else np.nan
 
 
-def _descended(problem: _OnTapes, steps: int, bar: Any) -> None:
+def _descended(problem: _OnTape, steps: int, bar: Any) -> None:
     """``steps`` steps of Adam from the best numbers; fewer if the slope is 0, or a solve fails."""
     point, scale = problem.best, 0.0
-    first = RATE if problem.members[0].features is None else RATE / problem.size  # all features act on each weight
-    mean = square = np.zeros_like(point.theta)
+    mean = square = np.zeros_like(point.change)
     for number in range(steps + 1):
         found, slope = problem.at(point)
         scale = scale or float(np.abs(slope).max())  # so that LEAST has no unit
@@ -182,16 +163,6 @@ def _descended(problem: _OnTapes, steps: int, bar: Any) -> None:
         slope = slope / scale
         mean, square = MEAN * mean + (1 - MEAN) * slope, SQUARE * square + (1 - SQUARE) * slope**2
         root = np.sqrt(square / (1 - SQUARE ** (number + 1))) + LEAST
-        rate = first * (1 + np.cos(np.pi * number / steps)) / 2
-        point = point._replace(theta=point.theta - rate * mean / (1 - MEAN ** (number + 1)) / root)
+        rate = RATE * (1 + np.cos(np.pi * number / steps)) / 2
+        point = point._replace(change=point.change - rate * mean / (1 - MEAN ** (number + 1)) / root)
         bar.update(1, f"objective {problem.best.value:.4g}")
-
-
-def _mean(objectives: Sequence[Objective], flows: Sequence[Flow]) -> float:
-    """The objective's mean over the contracted surfaces of runs."""
-    pairs = zip(objectives, flows, strict=True)
-    return float(np.mean([float(of_surface(one, flow.tape, flow.meso_skeleton[0])) for one, flow in pairs]))
-
-
-def _converge(flows: Sequence[Flow]) -> bool:
-    return all(flow.skeleton.report.converged for flow in flows)

@@ -6,7 +6,7 @@ contracted surface without decisions (`surface`), or of the flow's curve (`gradi
 
 import numbers
 import os
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import fields
 from typing import Any
 
@@ -21,14 +21,14 @@ from msf_jax.tuning.objectives import Objective, as_objective
 from msf_jax.tuning.result import Tuned, TuningStep, shown
 from msf_jax.tuning.runs import OF, Runs
 from msf_jax.tuning.search import FIRST_SPREAD, Search
-from msf_jax.tuning.surface import FIELD_BOUNDS, FIELDS, tuned_on_tapes
+from msf_jax.tuning.surface import FIELD_BOUNDS, FIELDS, tuned_on_tape
 
 WIDEST = (1e-6, 1e4)  # default bounds of a weight, without unit
 
 
 def tune(
     meshes: Any,
-    objective: Objective | Callable[..., Any] | Sequence[Objective | Callable[..., Any]],
+    objective: Objective | Callable[..., Any],
     weights: Weights | None = None,
     *,
     config: Config | None = None,
@@ -45,7 +45,7 @@ def tune(
     Args:
         meshes: one mesh, as `contract` takes it, or a list of them; for a list the mean of the objective is reduced.
         objective: one of `msf_jax.objectives`, a sum of them, or a JAX function of ``(nodes (N, 3), radii (N,))`` that
-            returns a number; lower is better. For of="surface" also a list with one for each mesh.
+            returns a number; lower is better.
         weights: the start; those of ``config``'s system if not given. A weight that is 0, or an array that contains 0,
             is not changed. Arrays, with one value for each vertex, are possible for a single mesh.
         config: of the runs. For of="surface" the default is `Config.smooth`, else ``Config()``.
@@ -68,10 +68,9 @@ def tune(
     tapes' gradients and confirmed by fresh runs, see `tuning.gradient`. These have tight solves (`Config.tight`): use
     ``tuned.flows[0].config`` with the weights. ``jobs`` and ``checkpoint`` are not supported there.
 
-    With of="surface" nothing is decided in a run, and one tape of each mesh is enough: numbers w_H and w_M are searched
-    on it, then made fields by Adam, a weight for every vertex of one mesh. For several meshes the fields are a function
-    of features of the surface, ``model``, which applies to other meshes, too. One fresh run of each mesh ends the
-    tuning. ``reason`` says how far its value is from the tape's. See `tuning.surface`.
+    With of="surface" nothing is decided in a run of one mesh, and one tape is enough: numbers w_H and w_M are searched
+    on it, then made fields by Adam, a weight for every vertex. One fresh run ends the tuning. ``reason`` says how far
+    its value is from the tape's. See `tuning.surface`.
 
     Weights whose runs converge are preferred to others, whatever the objective. The result is the best of the
     tried weights, not a global minimum. After Ctrl-C it is the best so far.
@@ -83,11 +82,11 @@ def tune(
     """
     weights, config = checked_options(weights, Config.smooth() if of == "surface" and config is None else config)
     meshes = _listed(meshes)
-    is_several = of == "surface" and isinstance(objective, list | tuple)
-    listed: Sequence[Any] = objective if is_several else [objective] * len(meshes)  # type: ignore[assignment]
-    objectives = [as_objective(one) for one in listed]
-    if len(objectives) != len(meshes):
-        raise ConfigError(f"objective has {len(objectives)} entries: expected one, or {len(meshes)}, one for each mesh")
+    objective = as_objective(objective)
+    if of == "surface" and len(meshes) > 1:
+        raise ConfigError(
+            f"of='surface' was given with {len(meshes)} meshes: expected one, whose vertices have weights"
+        )
     if of == "surface" and bounds is WIDEST:
         bounds = dict.fromkeys(FIELDS, FIELD_BOUNDS)
     low, high = _checked_bounds(weights, bounds)
@@ -105,7 +104,7 @@ def tune(
         raise ConfigError(f"of='surface' was given, and the run {what}: expected numbers, and Config.smooth()")
     if not by_search:
         config = config.tight()
-    runs = Runs(meshes, objectives[0], config, of, jobs, checkpoint)
+    runs = Runs(meshes, objective, config, of, jobs, checkpoint)
     with showing(int(steps), "tune", "runs", progress) as bar:
         if of == "surface":
             here = logarithms(weights)
@@ -114,7 +113,7 @@ def tune(
                 raise ConfigError("w_H and w_M are 0 or held by their bounds: expected one that is free to change")
             given = [np.frombuffer(point) for point in _given(weights, config, free, low, high)]
             ends = _ends(low, free), _ends(high, free)
-            return tuned_on_tapes(runs, objectives, weights, free, given, *ends, int(steps), bar)
+            return tuned_on_tape(runs, objective, weights, free, given, *ends, int(steps), bar)
         if by_search:
             return _searched(runs, weights, low, high, int(steps), bar)
         return descend(runs, weights, low, high, int(steps), int(inner_steps), bar)

@@ -1,10 +1,9 @@
-"""Weights per vertex, and weights by features of the surface: what they gain on the surface and on the finished curve.
+"""Weights per vertex: what they gain on the surface and on the finished curve.
 
 ``python -m tests.benchmarks.fields`` tunes a weight for every vertex of some shapes, each on its own, and prints the
 mean distance between the contracted surface and the true curve, then that of the finished curve, in thousandths of the
 diagonal: with the default weights, with the best of random numbers at the same cost, with the best numbers of `tune`,
-and with fields. ``--features`` tunes weights by features on the shapes of ``--shapes`` together, and shows those of
-``--held``, which it has not seen, too.
+and with fields.
 """
 
 import argparse
@@ -65,8 +64,6 @@ def main() -> None:
     """Print the table."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--shapes", default="straight_coarse,arc_coarse,helix_coarse,y_coarse", help="to tune on")
-    parser.add_argument("--held", default="s_curve_8,wavy_8,ring_8,taper_8", help="shown with --features")
-    parser.add_argument("--features", action="store_true", help="weights by features, in place of one for every vertex")
     parser.add_argument("--steps", type=int, default=60, help="of Adam")
     parser.add_argument("--iterations", type=int, default=6, help="of the flow")
     arguments = parser.parse_args()
@@ -74,19 +71,6 @@ def main() -> None:
     config, names = Config.smooth(arguments.iterations), arguments.shapes.split(",")
     shapes = {name: made(name) for name in names}
     options = {"of": "surface", "steps": arguments.steps, "config": config}
-    if arguments.features:
-        begin = time.perf_counter()
-        meshes, targets = zip(*((shape.mesh, target(shape)) for shape in shapes.values()), strict=True)
-        tuned = msf_jax.tune(list(meshes), list(targets), **options)
-        print(f"{tuned}\n{time.perf_counter() - begin:.0f} s\n")
-        print("| shape | default weights | numbers | by features | Config() |\n| --- | --- | --- | --- | --- |")
-        for name in (*names, *arguments.held.split(",")):
-            shape = made(name)
-            by_features = tuned.weights if tuned.model is None else tuned.model.of(shape.mesh)
-            cells = [found(shape, each, config) for each in (Weights(), tuned.trajectory[1].weights, by_features)]
-            held = "" if name in names else ", held out"
-            print(f"| {name}{held} | {' | '.join([*cells, found(shape, Weights(), Config())])} |", flush=True)
-        return
     print("| shape | default weights | random numbers | numbers | fields | tape and run | Config() | s |")
     print("| --- | --- | --- | --- | --- | --- | --- | --- |")
     for name, shape in shapes.items():

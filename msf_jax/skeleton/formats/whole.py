@@ -13,6 +13,7 @@ import numpy as np
 
 from msf_jax.base import archive
 from msf_jax.base.errors import ConfigError
+from msf_jax.host import graphs
 from msf_jax.host.solid.solid import Solid
 from msf_jax.skeleton.report import SENTENCES, Report
 from msf_jax.skeleton.source import Source
@@ -144,6 +145,16 @@ def checked_report(values: Any) -> Report:
     return report
 
 
+def _check_graph(curve: dict[str, Any], report: Report) -> None:
+    """Raise a ValueError unless the curve has the components and cycles that its report says, and each edge once."""
+    edges, num = np.sort(curve["edges"], axis=1), len(curve["vertices"])
+    if (edges[:, 0] == edges[:, 1]).any() or len(np.unique(edges, axis=0)) < len(edges):
+        raise ValueError("it has an edge twice, or from a node to itself")
+    found = graphs.cycle_count(num, edges)
+    if found != (report.components, report.cycles):
+        raise ValueError(f"it has {found[0]} components and {found[1]} cycles, which its report does not say")
+
+
 def _is_a(value: Any, hint: Any) -> bool:
     """Whether ``value`` has the type ``hint``: a plain type, or a tuple, dictionary or union of plain types."""
     kind, parts = get_origin(hint) or hint, get_args(hint)
@@ -185,8 +196,11 @@ def read_json(name: str, text: str) -> tuple[dict[str, Any], Report]:
         if content["format"] != f"msf_jax {KIND}" or content["version"] != VERSION:
             raise ValueError(f"it is a {content['format']!r} of version {content['version']!r}")
         held = content | {key: _array(content[key], (int, float), np.float64) for key in ("vertices", "radii")}
-        held |= {key: _array(held.get(key, []), (int,), np.int64) for key in ("edges", "mesh_map", "roots", "openings")}
-        return checked_curve(held), checked_report(content["report"])
+        held["edges"] = _array(held["edges"], (int,), np.int64)
+        held |= {key: _array(held.get(key, []), (int,), np.int64) for key in ("mesh_map", "roots", "openings")}
+        curve, report = checked_curve(held), checked_report(content["report"])
+        _check_graph(curve, report)
+        return curve, report
     except (ValueError, KeyError, TypeError, AttributeError, OverflowError, RecursionError, MemoryError) as error:
         raise ConfigError(
             f"{name!r} has no curve ({type(error).__name__}: {error}): expected a file of msf_jax"

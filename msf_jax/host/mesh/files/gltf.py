@@ -14,7 +14,8 @@ from msf_jax.host.mesh.files.unpacking import MOST_INSTANCES, SMALL, check_shown
 
 JSON, BINARY = b"JSON", b"BIN\0"  # types of chunks
 MOST_OBJECTS = 1_000_000  # objects and lists of the JSON, each of which takes some hundred bytes
-SIZES = {5120: 1, 5121: 1, 5122: 2, 5123: 2, 5125: 4, 5126: 4}  # bytes of each component type
+FLOAT = 5126
+SIZES = {5120: 1, 5121: 1, 5122: 2, 5123: 2, 5125: 4, FLOAT: 4}  # bytes of each component type
 WIDTHS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4, "MAT2": 4, "MAT3": 9, "MAT4": 16}
 MOST_TIMES = 4  # times that the bytes of all buffers may be read, over SMALL
 FAN = 6  # mode of a primitive
@@ -27,7 +28,8 @@ UNREAD = {
     "EXT_mesh_gpu_instancing": "export its instances as nodes",
 }
 # Beginnings of the names of extensions that do not change them.
-HARMLESS = ("KHR_materials_", "KHR_texture_", "EXT_texture_", "KHR_lights_", "KHR_xmp", "KHR_mesh_quantization")
+QUANTIZED = "KHR_mesh_quantization"  # positions are whole numbers, which the matrices of nodes scale
+HARMLESS = ("KHR_materials_", "KHR_texture_", "EXT_texture_", "KHR_lights_", "KHR_xmp", QUANTIZED)
 
 
 def check(path: Path) -> None:
@@ -109,6 +111,7 @@ def _check_primitive(document: dict[str, Any], primitive: dict[str, Any]) -> Non
     """Refuse triangles that are not read as they are meant."""
     if primitive.get("mode") == FAN:
         raise ValueError("it has a triangle fan, which is not supported: export it with triangles")
+    is_quantized = QUANTIZED in document.get("extensionsRequired", [])
     named = {"POSITION": primitive["attributes"]["POSITION"]}
     named |= {"indices": primitive["indices"]} if "indices" in primitive else {}
     for name, number in named.items():
@@ -117,6 +120,9 @@ def _check_primitive(document: dict[str, Any], primitive: dict[str, Any]) -> Non
             raise ValueError(f"its {name} is a sparse accessor, which is not supported: {WITH_VERTICES}")
         if "bufferView" not in accessor:
             raise ValueError(f"its {name} has no bufferView, and so no data: {WITH_VERTICES}")
+        is_float = accessor["componentType"] == FLOAT
+        if is_float == (name == "indices") and not (name == "POSITION" and is_quantized):
+            raise ValueError(f"its {name} has components of type {accessor['componentType']}, which the format forbids")
         if accessor.get("normalized"):
             raise ValueError(f"its {name} is normalized integers, which is not supported: {WITH_VERTICES}")
 

@@ -65,7 +65,7 @@ def mesh(content: bytes) -> tuple[np.ndarray, np.ndarray]:
         return vertices, np.empty((0, 3), dtype=np.int64)
     rows = lists[name]
     flat = rows.ravel() if isinstance(rows, np.ndarray) else np.concatenate([np.empty(0), *rows])
-    if not (flat == np.floor(flat)).all():
+    if not ((flat == np.floor(flat)) & (np.abs(flat) < 2**53)).all():
         raise ValueError("a corner of a face is no whole number")
     if isinstance(rows, np.ndarray) and rows.shape[1] == 3:
         return vertices, rows.astype(np.int64)
