@@ -320,18 +320,15 @@ class Skeleton:
     def rig(self, bones: int | None = None, influences: int = 4, mesh: Any = None, names: str | None = None) -> Rig:
         """Bones for the mesh, with smooth skinning weights; ``save("x.glb", mesh)`` writes one.
 
-        Joints are where limbs leave the balls of junctions, where the curve bends most, and at regular distances along
-        a long limb. The root is the pelvis of a body, on two legs or four, or the thickest junction. Both sides of a
-        symmetric shape have the same joints. Loops are cut where they are thinnest. Weights are computed by heat
-        diffusion over the surface.
+        Joints are where limbs begin, where the curve bends most, and at regular distances along a long limb; both sides
+        of a symmetric shape have the same. The root is the pelvis of a body, on two legs or four, or the thickest
+        junction. Loops are cut where they are thinnest. Weights are computed by heat diffusion over the surface.
 
         Args:
-            bones: their number. If there is no length for so many, `Rig.notes` says so. None: as many as the shape has
-                bends and long limbs, at most 50.
+            bones: their number; `Rig.notes` says if it is not met. None: as the shape bends, at most 50.
             influences: the largest number of bones for a vertex.
             mesh: the mesh that the curve was made from, as `skeletonize` took it; only needed if repair made vertices.
-            names: "mixamo", "vrm" or "unreal": the joints of a biped, with its names; left and right are where its feet
-                tell. Axes of joints are those of the mesh. Other bones keep their names.
+            names: "mixamo", "vrm" or "unreal": those of a biped's joints, whose axes are the mesh's. Others keep theirs.
 
         Raises:
             ConfigError: a number is out of range, the surface that the curve was made from is not known, or names were
