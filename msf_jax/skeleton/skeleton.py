@@ -328,7 +328,7 @@ class Skeleton:
             bones: their number; `Rig.notes` says if it is not met. None: as the shape bends, at most 50.
             influences: the largest number of bones for a vertex.
             mesh: the mesh that the curve was made from, as `skeletonize` took it; only needed if repair made vertices.
-            names: "mixamo", "vrm" or "unreal": those of a biped's joints, whose axes are the mesh's. Others keep theirs.
+            names: "mixamo", "vrm" or "unreal": those of a biped's joints. Axes are the mesh's; others keep theirs.
 
         Raises:
             ConfigError: a number is out of range, the surface that the curve was made from is not known, or names were
