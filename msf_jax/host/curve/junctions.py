@@ -20,7 +20,7 @@ from msf_jax.host.solid.geometry import arc_length, at, unit
 
 TUBES = 1.3  # of the largest usual radius: largest ball of a junction of tubes; 5 / 4 where three equal ones form a T
 BENT = 0.05  # radii: a stretch whose middle is nearer to its chord is straight; 0.08 for an arc of 6 radii
-OFF = 0.25  # radii: largest distance of the meeting point from an axis
+OFF = 0.2  # radii: largest distance of the meeting point from an axis
 THIN = 0.6  # of the trunk's radius: largest usual radius of a side branch that is attached anew
 THICK = 2.0  # of the usual radius of a side branch: where it has more, it is in its trunk; a cone has 1.3 to 1.6 there
 CLEAR, STRETCH = 3.0, 6.0  # radii of a side branch from its trunk, where its axis begins, and the length that gives it
