@@ -30,10 +30,10 @@ if TYPE_CHECKING:
     from msf_jax.gradients.sensitivity import sensitivity
     from msf_jax.gradients.tape import Tape
     from msf_jax.gradients.track import Track, track
-    from msf_jax.host.mesh.reading import read_mesh
-    from msf_jax.host.mesh.repair import Repair
-    from msf_jax.host.preprocessing import reconstruct, voronoi_poles
-    from msf_jax.host.thin.pruning import Branch
+    from msf_jax.inside.preprocessing import reconstruct, voronoi_poles
+    from msf_jax.limbs.pruning import Branch
+    from msf_jax.meshes.reading import read_mesh
+    from msf_jax.meshes.repair import Repair
     from msf_jax.skeleton.formats.importing import read_curve
     from msf_jax.skeleton.framing.frame import Frame
     from msf_jax.skeleton.report import Report
@@ -58,7 +58,7 @@ _MODULES = {
 _HOMES = {
     "Batch": "gradients.batch",
     "Binding": "base.binding",
-    "Branch": "host.curve.branches",
+    "Branch": "curve.branches",
     "Config": "base.options",
     "ConfigError": "base.errors",
     "Flow": "flow.state",
@@ -67,7 +67,7 @@ _HOMES = {
     "Frame": "skeleton.framing.frame",
     "Interrupted": "base.errors",
     "MeshError": "base.errors",
-    "Repair": "host.mesh.repair",
+    "Repair": "meshes.repair",
     "Report": "skeleton.report",
     "Rig": "skeleton.rigging.rig",
     "Skeleton": "skeleton.skeleton",
@@ -79,9 +79,9 @@ _HOMES = {
     "contract": "flow.loop",
     "follow": "gradients.follow",
     "read_curve": "skeleton.formats.importing",
-    "read_mesh": "host.mesh.reading",
+    "read_mesh": "meshes.reading",
     "read_weights": "base.weights",
-    "reconstruct": "host.preprocessing",
+    "reconstruct": "inside.preprocessing",
     "replay": "gradients.replay",
     "replay_meso": "gradients.replay",
     "replay_radii": "gradients.replay",
@@ -91,7 +91,7 @@ _HOMES = {
     "stack": "gradients.batch",
     "track": "gradients.track",
     "tune": "tuning.tuner",
-    "voronoi_poles": "host.preprocessing",
+    "voronoi_poles": "inside.preprocessing",
 }
 
 __version__ = version.VERSION

@@ -15,7 +15,7 @@ from scipy.spatial.transform import Rotation
 
 from msf_jax import shapes
 from msf_jax.base.errors import ConfigError
-from msf_jax.host.mesh import reading
+from msf_jax.meshes import reading
 
 _TURN = Rotation.from_euler("zyx", [0.4, 0.7, 1.1]).as_matrix()  # limbs must not lie along the sampling grid's axes
 Curve = tuple[np.ndarray, np.ndarray, np.ndarray]  # points, edges, radii

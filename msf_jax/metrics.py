@@ -8,13 +8,13 @@ from typing import Any
 import numpy as np
 
 from msf_jax.base.errors import MeshError
-from msf_jax.host import graphs
-from msf_jax.host.curve import loops
-from msf_jax.host.mesh import checking
-from msf_jax.host.solid import sections
-from msf_jax.host.solid.enclosure import Enclosure
-from msf_jax.host.solid.geometry import arc_length, at, unit
-from msf_jax.host.solid.solid import Solid
+from msf_jax.curve import handle_loops
+from msf_jax.meshes import checking
+from msf_jax.solid import sections
+from msf_jax.solid.enclosure import Enclosure
+from msf_jax.solid.geometry import arc_length, at, unit
+from msf_jax.solid.solid import Solid
+from msf_jax.topology import graphs
 
 SAMPLES_PER_EDGE = 16  # sample points on an edge that inscribed balls do not cover
 SURFACE_SAMPLES = 20_000  # sample points on the surface, about; by area, and at least one on each face
@@ -137,7 +137,7 @@ def figures_of(shape: Enclosure, vertices: np.ndarray, edges: np.ndarray) -> dic
     radii = np.where(is_inside, shape.distances(vertices), 0.0)
     components, cycles = graphs.cycle_count(len(vertices), edges)
     missed, _, area = _missed(shape, vertices, radii)
-    proof = loops.proof(shape, vertices, edges)
+    proof = handle_loops.proof(shape, vertices, edges)
     paths = graphs.trace(len(vertices), edges)
     length = np.linalg.norm(vertices[edges[:, 0]] - vertices[edges[:, 1]], axis=1)
     return {

@@ -7,8 +7,8 @@ import manifold3d
 import numpy as np
 import trimesh
 
-from msf_jax.host.meso import split
-from msf_jax.host.meso.meso import Meso
+from msf_jax.meso import split
+from msf_jax.meso.meso import Meso
 
 SIDES = 32  # sides of a round hole
 

@@ -14,8 +14,8 @@ from msf_jax.base.options import Solver
 from msf_jax.device import laplacian
 from msf_jax.device.buffers import Buffers, Rings
 from msf_jax.device.contraction import contracting, relaxed, smoothing
-from msf_jax.host.meso import packing
-from msf_jax.host.meso.meso import Meso
+from msf_jax.meso import packing
+from msf_jax.meso.meso import Meso
 
 TIGHT = 1e-13  # relative residual of solves that are compared with direct ones
 MANY = 5000  # CG steps that no test needs

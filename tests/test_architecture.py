@@ -1,4 +1,4 @@
-"""Imports keep their order: chapters downwards, modules in no circle, no JAX in `host`, jaxopt in two modules."""
+"""Imports keep their order: chapters downwards, modules in no circle, no JAX on the host, jaxopt in two modules."""
 
 import ast
 import re
@@ -10,11 +10,13 @@ import networkx as nx
 import msf_jax
 
 ROOT = Path(msf_jax.__file__).parent
-ORDER = ["base", "host", "device", "metrics", "skeleton", "gradients", "flow", "shapes", "ground_truth", "tuning"]
+ORDER = ["base", "topology", "numerics", "solid", "meshes", "inside", "meso", "limbs", "curve", "recording"]
+HOST = set(ORDER[1:])
+ORDER += ["device", "metrics", "skeleton", "gradients", "flow", "shapes", "ground_truth", "tuning"]
 ORDER += ["view", "guide", "app", "__main__"]
-FOREIGN = {"host": {"jax", "jaxlib", "jaxopt"}, "device": {"numpy", "scipy", "trimesh"}}
+FOREIGN = {name: {"jax", "jaxlib", "jaxopt"} for name in HOST} | {"device": {"numpy", "scipy", "trimesh"}}
 HANDED_ON = {"msf_jax.skeleton.skeleton.Skeleton", "msf_jax.skeleton.rigging.rig.Rig"}
-MOST_ENTRIES, MOST_FILES = 14, 12
+MOST_ENTRIES, MOST_FILES = 22, 12  # a chapter each, as the table of `architecture.md` has them
 
 
 @cache

@@ -10,13 +10,13 @@ import msf_jax
 from msf_jax import Config, ground_truth
 from msf_jax.base.layout import layout_for
 from msf_jax.base.options import Weights
+from msf_jax.curve import extraction
 from msf_jax.device.buffers import Buffers, Rings
 from msf_jax.device.iteration import _equations, _jitted_energies
-from msf_jax.host import graphs
-from msf_jax.host.curve import extraction
-from msf_jax.host.factors import factored
-from msf_jax.host.meso import packing, surgery
-from msf_jax.host.meso.meso import Meso
+from msf_jax.meso import packing, surgery
+from msf_jax.meso.meso import Meso
+from msf_jax.numerics.factors import factored
+from msf_jax.topology import graphs
 
 
 def system(mesh, w_L, w_H, area=1.0, fixed=()):
@@ -96,7 +96,7 @@ def test_the_costs_are_those_of_the_paper():
 
 @pytest.mark.parametrize("seed", range(4))
 def test_surgery_keeps_the_cycle_and_a_vertex_for_a_node(seed):
-    from msf_jax.host.meso.homology import ring_classes
+    from msf_jax.meso.homology import ring_classes
 
     mesh = torus(around=12, across=6)
     meso = Meso.from_mesh(mesh.vertices, np.array(mesh.faces))

@@ -8,9 +8,9 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from msf_jax.host.curve.branches import merge_coincident, merge_junctions
-from msf_jax.host.graphs import core, cycle_count, nearest_along, trace
-from msf_jax.host.solid.handles import Handles
+from msf_jax.curve.branches import merge_coincident, merge_junctions
+from msf_jax.solid.handles import Handles
+from msf_jax.topology.graphs import core, cycle_count, nearest_along, trace
 
 NONE = np.empty((0, 2), dtype=np.int64)
 FOUR = np.array([[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]])

@@ -13,9 +13,9 @@ from scipy.spatial.transform import Rotation
 from test_branches import as_edges, chain
 
 import msf_jax
-from msf_jax.host.solid.enclosure import Enclosure
-from msf_jax.host.thin import caps
-from msf_jax.host.thin.caps import RATIO, Cap, Caps
+from msf_jax.limbs import caps
+from msf_jax.limbs.caps import RATIO, Cap, Caps
+from msf_jax.solid.enclosure import Enclosure
 
 RADIUS = 0.3
 NOT_HELD = np.zeros(3, dtype=bool)

@@ -18,8 +18,8 @@ from msf_jax import Config, ConfigError, FlowError, Interrupted
 from msf_jax.app.cli import main
 from msf_jax.base import clock as clocks
 from msf_jax.base.clock import Clock, Stopped, counted, held
+from msf_jax.curve import finishing
 from msf_jax.flow import assembly, curves, loop, programs, starting, stepping
-from msf_jax.host.curve import finishing
 
 PATIENT = 60  # seconds after which a test gives up that waits for a thread
 

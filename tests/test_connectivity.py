@@ -12,8 +12,8 @@ import trimesh
 from conftest import blob, torus
 
 from msf_jax.base.errors import FlowError, MeshError
-from msf_jax.host.meso import collapse, fixing, kernels, ring_tables, split
-from msf_jax.host.meso.meso import Meso
+from msf_jax.meso import collapse, fixing, kernels, ring_tables, split
+from msf_jax.meso.meso import Meso
 
 OBTUSE = 110.0
 

@@ -11,10 +11,10 @@ from hypothesis import strategies as st
 from scipy.spatial.transform import Rotation
 
 import msf_jax
-from msf_jax.host.solid.enclosure import Enclosure
-from msf_jax.host.solid.geometry import triangle_areas
-from msf_jax.host.thin import ends, one_branch
-from msf_jax.host.thin.caps import Caps
+from msf_jax.limbs import ends, one_branch
+from msf_jax.limbs.caps import Caps
+from msf_jax.solid.enclosure import Enclosure
+from msf_jax.solid.geometry import triangle_areas
 
 Solid = manifold3d.Manifold
 

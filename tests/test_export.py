@@ -11,8 +11,8 @@ import trimesh
 
 import msf_jax
 from msf_jax import ConfigError, MeshError, Report, Skeleton, shapes
-from msf_jax.host import graphs
 from msf_jax.skeleton.formats import export
+from msf_jax.topology import graphs
 
 
 def skeleton_of(vertices, edges):

@@ -12,14 +12,14 @@ import msf_jax
 from msf_jax import Config, Repair, Weights
 from msf_jax.app import batch
 from msf_jax.base.version import VERSION
+from msf_jax.curve import finishing
 from msf_jax.device import cg, laplacian
 from msf_jax.flow import curves, loop, stepping
 from msf_jax.flow import skeletonize as running
 from msf_jax.gradients import holding, replay
-from msf_jax.host.curve import finishing
-from msf_jax.host.mesh import repair
-from msf_jax.host.poles import thickness
-from msf_jax.host.thin import caps, ends, fronts
+from msf_jax.inside import thickness
+from msf_jax.limbs import caps, ends, fronts
+from msf_jax.meshes import repair
 from msf_jax.skeleton import limbs, report
 from msf_jax.skeleton.formats import swc
 

@@ -11,8 +11,8 @@ import trimesh
 
 import msf_jax
 from msf_jax.base.errors import MeshError
-from msf_jax.host.mesh import checking, reading
-from msf_jax.host.mesh.files import off, unpacking
+from msf_jax.meshes import checking, reading
+from msf_jax.meshes.files import off, unpacking
 
 L_SHAPE = np.array([[0, 0], [2, 0], [2, 1], [1, 1], [1, 2], [0, 2]], dtype=float)
 

@@ -11,23 +11,15 @@ from scipy import spatial
 
 import msf_jax
 from msf_jax import Config, ground_truth, metrics
-from msf_jax.host.curve import (
-    branch_paths,
-    branches,
-    centring,
-    containment,
-    finishing,
-    loops,
-    moves,
-    resampling,
-)
-from msf_jax.host.curve.draft import Draft, Job
-from msf_jax.host.graphs import cycle_count
-from msf_jax.host.poles.roadmap import Roadmap
-from msf_jax.host.solid.enclosure import Enclosure
-from msf_jax.host.solid.frame import RESOLUTION
-from msf_jax.host.solid.geometry import unit
-from msf_jax.host.thin.caps import Caps
+from msf_jax.curve import branch_paths, branches, centring, finishing, handle_loops, moves, resampling
+from msf_jax.curve.draft import Draft, Job
+from msf_jax.inside import containment
+from msf_jax.inside.roadmap import Roadmap
+from msf_jax.limbs.caps import Caps
+from msf_jax.solid.enclosure import Enclosure
+from msf_jax.solid.frame import RESOLUTION
+from msf_jax.solid.geometry import unit
+from msf_jax.topology.graphs import cycle_count
 
 
 def path(points):
@@ -121,7 +113,9 @@ def test_a_loop_may_graze_the_surface(width, is_in):
     a, b = np.array([[-0.1, width / 2, 0.01]]), np.array([[0.1, width / 2, 0.01]])
     assert not containment.is_inside(shape, a, b).any()
     assert containment.is_inside(shape, a, b, sliver=RESOLUTION).tolist() == [is_in]
-    is_out = loops.proof(shape, np.concatenate([a, b, [[0.0, -0.1, 0.01]]]), np.array([[0, 1], [1, 2], [0, 2]])).outside
+    is_out = handle_loops.proof(
+        shape, np.concatenate([a, b, [[0.0, -0.1, 0.01]]]), np.array([[0, 1], [1, 2], [0, 2]])
+    ).outside
     assert (len(is_out) == 0) == is_in
 
 
@@ -164,7 +158,7 @@ def draft_of(x, edges):
 def loops_and_rank(shape, draft, job):
     """How many cycles there are in space, and how many handles they go around."""
     done = finishing.merge_coincident(draft, job)
-    return cycle_count(len(done.vertices), done.edges)[1], loops.proof(shape, done.vertices, done.edges).rank
+    return cycle_count(len(done.vertices), done.edges)[1], handle_loops.proof(shape, done.vertices, done.edges).rank
 
 
 def moved_to(shape, edges, x, goal):

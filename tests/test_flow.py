@@ -15,7 +15,7 @@ from msf_jax import Config, ConfigError, FlowError, Weights, shapes
 from msf_jax.base import layout
 from msf_jax.base.clock import Clock
 from msf_jax.flow import loop, programs
-from msf_jax.host.mesh import checking
+from msf_jax.meshes import checking
 
 SLOW = pytest.mark.slow  # more of the same
 CLOSED = [

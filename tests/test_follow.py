@@ -13,7 +13,7 @@ from scipy.spatial.transform import Rotation
 import msf_jax
 from msf_jax import ConfigError, MeshError, ground_truth
 from msf_jax.base import binding as bindings
-from msf_jax.host.solid.solid import Solid
+from msf_jax.solid.solid import Solid
 
 MAKERS = {
     "y": lambda: ground_truth.make("y_coarse").mesh,

@@ -11,8 +11,8 @@ import trimesh
 from msf_jax import ground_truth
 from msf_jax.base.errors import ConfigError
 from msf_jax.ground_truth import KnownShape
-from msf_jax.host.mesh import checking
-from msf_jax.host.solid.enclosure import Enclosure
+from msf_jax.meshes import checking
+from msf_jax.solid.enclosure import Enclosure
 
 NAMES = ground_truth.names()
 SMOOTH = [name for name in NAMES if not name.endswith(("_coarse", "_noisy", "_low")) and name != "sheet_and_limb"]

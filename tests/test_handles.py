@@ -12,16 +12,16 @@ from conftest import torus
 
 import msf_jax
 from msf_jax import Config, ground_truth, metrics, shapes
-from msf_jax.host.curve import loops
-from msf_jax.host.curve.containment import is_inside
-from msf_jax.host.graphs import along_forest, cycle_count, shortest_forest
-from msf_jax.host.meso import homology
-from msf_jax.host.poles.roadmap import Roadmap
-from msf_jax.host.solid import handles as handles_module
-from msf_jax.host.solid.enclosure import Enclosure
-from msf_jax.host.solid.handles import Handles, surface_loops
-from msf_jax.host.solid.solid import Solid
+from msf_jax.curve import handle_loops
+from msf_jax.inside.containment import is_inside
+from msf_jax.inside.roadmap import Roadmap
+from msf_jax.meso import homology
 from msf_jax.skeleton.report import loops_of
+from msf_jax.solid import handles as handles_module
+from msf_jax.solid.enclosure import Enclosure
+from msf_jax.solid.handles import Handles, surface_loops
+from msf_jax.solid.solid import Solid
+from msf_jax.topology.graphs import along_forest, cycle_count, shortest_forest
 
 TURN = np.linspace(0, 2 * np.pi, 120, endpoint=False)
 NO_EDGES = np.empty((0, 2), dtype=np.int64)
@@ -53,7 +53,7 @@ def proof(shape, *polylines):
     """Of closed ``polylines`` (n, 3)."""
     first = np.cumsum([0, *map(len, polylines)]).tolist()
     edges = np.concatenate([cycle(len(line), start) for line, start in zip(polylines, first, strict=False)])
-    return loops.proof(shape, np.concatenate(polylines), edges)
+    return handle_loops.proof(shape, np.concatenate(polylines), edges)
 
 
 def counts(found):
@@ -124,7 +124,7 @@ def test_a_plate_has_a_loop_around_each_hole_and_one_around_several_adds_none(nu
 def test_the_linking_number_tells_linked_rings_from_rings_apart():
     for are_linked in (True, False):
         mesh, (points, edges) = shapes.rings(are_linked), shapes.ring_curves(are_linked)
-        assert counts(loops.proof(shape_of(mesh), points, edges)) == (2, 0, 0, 0, 0)
+        assert counts(handle_loops.proof(shape_of(mesh), points, edges)) == (2, 0, 0, 0, 0)
         one, _ = mesh.split()
         own = proof(shape_of(one), points[:48]).rank + proof(shape_of(one), points[48:]).rank
         assert own == 1
@@ -151,14 +151,14 @@ def theta():
 @pytest.mark.parametrize("seed", range(8))
 def test_moves_scales_and_numbers_do_not_matter(theta, seed):
     vertices, faces, points, edges = theta
-    assert counts(loops.proof(Enclosure(vertices, faces), points, edges)) == (2, 1, 2, 0, 0)
+    assert counts(handle_loops.proof(Enclosure(vertices, faces), points, edges)) == (2, 1, 2, 0, 0)
     random = np.random.default_rng(seed)
     turn = trimesh.transformations.random_rotation_matrix(random.uniform(size=3))[:3, :3]
     scale, shift = 10.0 ** random.uniform(-3, 3), random.normal(size=3)
     order, number = random.permutation(len(vertices)), random.permutation(len(points))
     moved, nodes = (scale * (each @ turn.T + shift) for each in (vertices, points))
     turned = np.where(random.random((len(edges), 1)) < 0.5, edges, edges[:, ::-1])
-    found = loops.proof(
+    found = handle_loops.proof(
         Enclosure(moved[order], random.permutation(np.argsort(order)[faces])),
         nodes[np.argsort(number)],
         number[turned][random.permutation(len(edges))],
@@ -274,10 +274,10 @@ def test_edges_side_by_side_are_cycles_around_nothing():
     """The same edge twice, either way, and an edge from a node to itself; components apart; no edge; no node."""
     line, ends = circle(1.0), cycle(120)
     doubled = np.concatenate([ends, ends[:3], ends[5:7, ::-1], [[9, 9]]])
-    assert counts(loops.proof(RING, line, doubled)) == (1, 6, 0, 0, 0)
-    assert loops.independent(RING, line, doubled).sum() == 120
+    assert counts(handle_loops.proof(RING, line, doubled)) == (1, 6, 0, 0, 0)
+    assert handle_loops.independent(RING, line, doubled).sum() == 120
     for nodes in (line[:1], line[:0]):
-        assert counts(loops.proof(RING, nodes, NO_EDGES)) == (0, 0, 0, 0, 0)
+        assert counts(handle_loops.proof(RING, nodes, NO_EDGES)) == (0, 0, 0, 0, 0)
     ball = shape_of(trimesh.creation.icosphere(2, 2.0))
     assert counts(proof(ball, line)) == (0, 1, 0, 0, 0) and ball.handles.genus == 0
 
@@ -313,7 +313,7 @@ def test_the_rank_modulo_a_prime_is_that_of_fractions(seed):
     few = random.integers(-3, 4, (3, 8))
     matrix = np.concatenate([few, random.integers(-2, 3, (6, 3)) @ few, random.integers(-(2**40), 2**40, (3, 8))])
     matrix = matrix[random.permutation(len(matrix))]
-    span = loops.Span(8)
+    span = handle_loops.Span(8)
     for k, row in enumerate(matrix):
         before, after = (rank_by_fractions(matrix[:num]) for num in (k, k + 1))
         assert span.adds(row) == (after > before)
@@ -332,17 +332,17 @@ def rank_modulo(matrix, prime):
     return is_new
 
 
-@pytest.mark.parametrize("prime", [loops.PRIME, *loops.FACTORS])
+@pytest.mark.parametrize("prime", [handle_loops.PRIME, *handle_loops.FACTORS])
 def test_many_vectors_at_once_are_added_as_one_by_one(prime):
     """More than a block holds, with entries of all sizes; a rank by halves of numbers is exact."""
-    random, num = np.random.default_rng(5), 2 * loops.BLOCK + 10
-    few = random.integers(0, loops.PRIME, (num, num + 5))
-    mixed = random.integers(-3, 4, (num, num)) @ few % loops.PRIME
+    random, num = np.random.default_rng(5), 2 * handle_loops.BLOCK + 10
+    few = random.integers(0, handle_loops.PRIME, (num, num + 5))
+    mixed = random.integers(-3, 4, (num, num)) @ few % handle_loops.PRIME
     matrix = np.concatenate([few[:50], few[:20] + few[10:30], few[40:], mixed[:30]])
     expected = rank_modulo(matrix, prime)
-    span = loops.Span(matrix.shape[1], prime)
+    span = handle_loops.Span(matrix.shape[1], prime)
     assert span.adds_all(matrix[:70]).tolist() + [span.adds(row) for row in matrix[70:]] == expected
-    assert sum(expected) == num or prime in loops.FACTORS
+    assert sum(expected) == num or prime in handle_loops.FACTORS
     assert not span.adds_all(matrix).any()
 
 
@@ -357,13 +357,13 @@ def test_too_many_handles_are_not_proved_and_the_report_says_so(plate, monkeypat
     mesh, skeleton = plate
     curve, num = (skeleton.vertices, skeleton.edges), len(skeleton.edges)
     assert skeleton.report.is_sound and skeleton.report.loops == 4
-    monkeypatch.setattr(loops, "MOST_LINKING", 8 * num)
+    monkeypatch.setattr(handle_loops, "MOST_LINKING", 8 * num)
     assert loops_of(shape_of(mesh), *curve)["loops"] == 4
-    monkeypatch.setattr(loops, "MOST_LINKING", 8 * num - 1)
+    monkeypatch.setattr(handle_loops, "MOST_LINKING", 8 * num - 1)
     doubt = f"the loops were not proved: 4 handles are too many for a curve of {num} edges"
     assert loops_of(shape_of(mesh), *curve) == {"loops": None, "doubts": (doubt,)}
     assert np.isnan(metrics.evaluate(mesh, skeleton)["loops"])
-    monkeypatch.setattr(loops, "MOST_LINKING", 0)
+    monkeypatch.setattr(handle_loops, "MOST_LINKING", 0)
     report = msf_jax.skeletonize(mesh).report
     assert report.loops is None and not report.is_sound and "too many for a curve" in str(report)
 
@@ -386,15 +386,15 @@ def test_loops_that_are_laid_in_several_rounds_are_around_handles_of_their_own(m
 
     monkeypatch.setattr(Handles, "windings", counted)
     monkeypatch.setattr(Handles, "classes", seen)
-    monkeypatch.setattr(loops, "AT_ONCE", 1)
+    monkeypatch.setattr(handle_loops, "AT_ONCE", 1)
     roadmap = Roadmap(solid.shape, is_inside)
-    x, e = loops.completed(roadmap, nodes, NO_EDGES, 4)
+    x, e = handle_loops.completed(roadmap, nodes, NO_EDGES, 4)
     assert asked.count("windings") == 1
     of_curve = set(map(tuple, x.tolist()))
     of_balls = [ends for ends in asked if ends != "windings" and not of_curve & set(ends)]
     assert len(of_balls) == len(set(of_balls)) > 100
     monkeypatch.undo()
-    assert cycle_count(len(x), e) == (1, 4) and counts(loops.proof(solid.shape, x, e)) == (4, 0, 0, 0, 0)
+    assert cycle_count(len(x), e) == (1, 4) and counts(handle_loops.proof(solid.shape, x, e)) == (4, 0, 0, 0, 0)
 
 
 def test_a_search_that_reaches_its_limit_says_so(plate, monkeypatch):
@@ -403,14 +403,14 @@ def test_a_search_that_reaches_its_limit_says_so(plate, monkeypatch):
     is_in_tree = shortest_forest(len(skeleton.vertices), skeleton.edges, np.zeros(len(skeleton.edges)))
     curve = skeleton.vertices, skeleton.edges[is_in_tree]
     whole, cut = (Roadmap(shape_of(mesh), is_inside) for _ in range(2))
-    assert len(loops.completed(whole, *curve, 4)[1]) > len(curve[1])
+    assert len(handle_loops.completed(whole, *curve, 4)[1]) > len(curve[1])
     assert whole.num_unsought == 0 and whole.num_linked > 0
-    monkeypatch.setattr(loops, "MOST_LINKING", 8 * len(curve[1]))
-    cut.num_linked = loops.MOST_LINKING
-    assert len(loops.completed(cut, *curve, 4)[1]) == len(curve[1]) and cut.num_unsought == 4
-    monkeypatch.setattr(loops, "MOST_LINKING", 0)
+    monkeypatch.setattr(handle_loops, "MOST_LINKING", 8 * len(curve[1]))
+    cut.num_linked = handle_loops.MOST_LINKING
+    assert len(handle_loops.completed(cut, *curve, 4)[1]) == len(curve[1]) and cut.num_unsought == 4
+    monkeypatch.setattr(handle_loops, "MOST_LINKING", 0)
     cut.num_unsought = 0
-    assert loops.completed(cut, *curve, 4)[1] is curve[1] and cut.num_unsought == 4
+    assert handle_loops.completed(cut, *curve, 4)[1] is curve[1] and cut.num_unsought == 4
 
 
 # Solids of several components
@@ -425,8 +425,8 @@ def test_a_loop_proves_nothing_by_what_it_crosses_of_another_solid():
     assert is_inside(shape, across, np.roll(across, -1, axis=0)).all()
     node_of_vertex = np.r_[np.zeros(len(ring.vertices), int), np.full(len(ball.vertices), 120)]
     nodes, edges = np.concatenate([circle(1.0), across]), np.concatenate([cycle(120), cycle(120, 120)])
-    assert counts(loops.proof(shape, nodes, edges, node_of_vertex)) == (1, 1, 0, 0, 0)
-    assert counts(loops.proof(shape, nodes, edges)) == (1, 1, 0, 0, 0)
+    assert counts(handle_loops.proof(shape, nodes, edges, node_of_vertex)) == (1, 1, 0, 0, 0)
+    assert counts(handle_loops.proof(shape, nodes, edges)) == (1, 1, 0, 0, 0)
 
 
 def test_a_ring_within_a_ring_has_its_own_loop():
@@ -436,9 +436,9 @@ def test_a_ring_within_a_ring_has_its_own_loop():
     edges = np.concatenate([cycle(120), cycle(120, 120)])
     node_of_vertex = np.r_[np.zeros(len(outer.vertices), int), np.full(len(inner.vertices), 120)]
     both = np.concatenate([circle(1.0), circle(1.0)])
-    assert counts(loops.proof(shape, both, edges, node_of_vertex)) == (2, 0, 0, 0, 0)
+    assert counts(handle_loops.proof(shape, both, edges, node_of_vertex)) == (2, 0, 0, 0, 0)
     beside = np.concatenate([circle(1.0, (0, 0, 0.25)), circle(1.0)])
-    assert counts(loops.proof(shape, beside, edges)) == (2, 0, 0, 0, 0)
+    assert counts(handle_loops.proof(shape, beside, edges)) == (2, 0, 0, 0, 0)
     report = msf_jax.skeletonize(trimesh.util.concatenate([outer, inner.invert() or inner])).report
     assert report.loops == report.cycles == report.genus == 2  # a cavity that is one: all of the curve is in its wall
     assert report.doubts == ("100% of the curve's length is in sheets, where its path is arbitrary",)
@@ -453,11 +453,11 @@ def test_a_loop_that_is_missing_is_laid_around_the_hole():
     half = circle(1 / 3)[:60]
     edges = cycle(60)[:-1]
     for nodes, links in ((half, edges), (half[:1], NO_EDGES)):
-        x, e = loops.completed(Roadmap(shape, is_inside), nodes, links, 1)
-        assert cycle_count(len(x), e) == (1, 1) and counts(loops.proof(shape, x, e)) == (1, 0, 0, 0, 0)
+        x, e = handle_loops.completed(Roadmap(shape, is_inside), nodes, links, 1)
+        assert cycle_count(len(x), e) == (1, 1) and counts(handle_loops.proof(shape, x, e)) == (1, 0, 0, 0, 0)
         np.testing.assert_array_equal(x[: len(nodes)], nodes)
     apart = np.concatenate([half[5:25], half[35:55]])
-    x, e = loops.completed(Roadmap(shape, is_inside), apart, np.concatenate([edges[:19], edges[:19] + 20]), 1)
+    x, e = handle_loops.completed(Roadmap(shape, is_inside), apart, np.concatenate([edges[:19], edges[:19] + 20]), 1)
     assert (len(x), len(e)) == (40, 38)
 
 
@@ -465,7 +465,7 @@ def test_a_loop_that_is_missing_is_laid_around_the_hole():
 def test_no_loop_is_laid_where_there_is_none_or_no_node_to_begin_at(is_complete):
     shape = Enclosure(RING.vertices / 3, RING.faces)
     whole, edges = circle(1 / 3), cycle(120)
-    x, e = loops.completed(Roadmap(shape, is_inside), whole, edges, 1)
+    x, e = handle_loops.completed(Roadmap(shape, is_inside), whole, edges, 1)
     assert len(x) == 120 and len(e) == 120
     outside = circle(0.6)[:50]
     assert list(Roadmap(shape, is_inside).loops_from(outside, edges[:49], is_complete)) == []
@@ -475,12 +475,12 @@ def test_false_cycles_are_cut_at_their_longest_edge_and_true_ones_stay():
     nodes = np.concatenate([circle(1.0), circle(0.1, (1.0, 0, 0), 12), circle(1.05)])
     edges = np.concatenate([cycle(120), cycle(12, 120), cycle(120, 132)])
     nodes[125] += [-0.02, 0.0, 0.0]  # its two edges are the longest of the small one
-    stays = loops.independent(RING, nodes, edges)
+    stays = handle_loops.independent(RING, nodes, edges)
     length = np.linalg.norm(nodes[edges[:, 0]] - nodes[edges[:, 1]], axis=1)
     gone = np.flatnonzero(~stays)
     assert len(gone) == 2 and 120 <= gone[0] < 132 <= gone[1]
     assert length[gone[0]] == length[120:132].max()
-    assert counts(loops.proof(RING, nodes, edges[stays])) == (1, 0, 0, 0, 0)
+    assert counts(handle_loops.proof(RING, nodes, edges[stays])) == (1, 0, 0, 0, 0)
 
 
 # Reports

@@ -10,8 +10,8 @@ from scipy.spatial.transform import Rotation
 import msf_jax
 from msf_jax import ground_truth
 from msf_jax.gradients.track import Tracker
-from msf_jax.host.solid import crossings
-from msf_jax.host.solid.crossings import Crossings
+from msf_jax.solid import crossings
+from msf_jax.solid.crossings import Crossings
 
 
 def capsule(height):

@@ -7,10 +7,10 @@ from conftest import torus
 
 import msf_jax
 from msf_jax import Config, ConfigError, metrics
-from msf_jax.host.mesh import checking
-from msf_jax.host.solid import crossings, solid
-from msf_jax.host.solid.enclosure import Enclosure
+from msf_jax.meshes import checking
 from msf_jax.skeleton.report import assessed
+from msf_jax.solid import crossings, solid
+from msf_jax.solid.enclosure import Enclosure
 
 SEEDS = [seed if seed < 2 else pytest.param(seed, marks=pytest.mark.slow) for seed in range(12)]
 

@@ -6,10 +6,10 @@ from conftest import torus
 
 import msf_jax
 from msf_jax import Config, shapes
-from msf_jax.host import graphs
-from msf_jax.host.curve import extraction
-from msf_jax.host.meso import collapse, homology, short_loops, split
-from msf_jax.host.meso.meso import Meso
+from msf_jax.curve import extraction
+from msf_jax.meso import collapse, homology, short_loops, split
+from msf_jax.meso.meso import Meso
+from msf_jax.topology import graphs
 
 TURN = np.linspace(0, 2 * np.pi, 60, endpoint=False)
 RING = np.stack([np.cos(TURN), np.sin(TURN), 0 * TURN], axis=1)

@@ -7,7 +7,7 @@ import trimesh
 import msf_jax
 from msf_jax import Config, ConfigError, MeshError, Repair, Weights
 from msf_jax.app.cli import main
-from msf_jax.host.mesh import checking
+from msf_jax.meshes import checking
 from tests.benchmarks import faults
 
 BALL = trimesh.creation.icosphere(2)

@@ -5,8 +5,8 @@ import pytest
 import trimesh
 
 from msf_jax import shapes
-from msf_jax.host.curve import junctions
-from msf_jax.host.solid.enclosure import Enclosure
+from msf_jax.curve import junctions
+from msf_jax.solid.enclosure import Enclosure
 
 
 def ways(degrees):

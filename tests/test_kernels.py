@@ -12,11 +12,11 @@ from conftest import blob, torus
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from msf_jax.host import compiled
-from msf_jax.host.meso import collapse, kernels, ring_tables, split
-from msf_jax.host.meso.meso import Meso
-from msf_jax.host.solid.enclosure import Enclosure
-from msf_jax.host.solid.triangles import boxes, point_triangle_distance2, tree_of
+from msf_jax.meso import collapse, kernels, ring_tables, split
+from msf_jax.meso.meso import Meso
+from msf_jax.numerics import compiled
+from msf_jax.solid.enclosure import Enclosure
+from msf_jax.solid.triangles import boxes, point_triangle_distance2, tree_of
 
 lattice = st.integers(-2, 2).map(float)  # few values, so that points coincide, and lie on lines, edges and faces
 point = st.tuples(lattice, lattice, lattice)
@@ -229,7 +229,7 @@ def test_arrays_of_another_kind_are_taken_as_copies():
 PROGRAM = """
 import sys
 import msf_jax
-from msf_jax.host.solid import triangles
+from msf_jax.solid import triangles
 assert "llvmlite" not in sys.modules
 import numpy as np
 print(triangles.point_triangle_distance2(np.ones((1, 3)), np.eye(3)[None])[0])

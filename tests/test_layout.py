@@ -7,8 +7,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from msf_jax.base.layout import Layout, capacity_for, fits, layout_after, layout_for, rectangle, staircase
-from msf_jax.host.meso import collapse, packing
-from msf_jax.host.meso.meso import Meso
+from msf_jax.meso import collapse, packing
+from msf_jax.meso.meso import Meso
 
 
 def spindle(sides: int) -> Meso:

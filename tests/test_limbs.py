@@ -11,10 +11,10 @@ from test_frame import bars, cube
 import msf_jax
 from msf_jax import Repair
 from msf_jax.app.cli import _tell
-from msf_jax.host.mesh.checking import prepare
-from msf_jax.host.solid.enclosure import Enclosure
+from msf_jax.meshes.checking import prepare
 from msf_jax.skeleton import limbs, report
 from msf_jax.skeleton.limbs import shares_of
+from msf_jax.solid.enclosure import Enclosure
 
 
 def chain(points: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

@@ -11,8 +11,8 @@ from conftest import torus
 from msf_jax import Report, Skeleton, metrics
 from msf_jax.base.errors import MeshError
 from msf_jax.ground_truth import swept_tube
-from msf_jax.host.solid.enclosure import Enclosure
 from msf_jax.metrics import compare, curve_distance, evaluate, figures_of, sample_curve
+from msf_jax.solid.enclosure import Enclosure
 
 Curve = tuple[np.ndarray, np.ndarray]
 

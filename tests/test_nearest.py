@@ -12,7 +12,7 @@ from conftest import blob, torus
 import msf_jax
 from msf_jax import ground_truth
 from msf_jax.device import nearest
-from msf_jax.host.solid.solid import Solid
+from msf_jax.solid.solid import Solid
 
 
 def needle():

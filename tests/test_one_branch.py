@@ -12,10 +12,10 @@ from test_finishing import bow, draft_of, is_inside, job_of, length_of, none_hel
 
 import msf_jax
 from msf_jax import ground_truth
-from msf_jax.host.curve import finishing
-from msf_jax.host.graphs import cycle_count
-from msf_jax.host.thin import one_branch
-from msf_jax.host.thin.caps import Caps
+from msf_jax.curve import finishing
+from msf_jax.limbs import one_branch
+from msf_jax.limbs.caps import Caps
+from msf_jax.topology.graphs import cycle_count
 
 LINE = np.linspace([-1.0, 0, 0], [1, 0, 0], 41)
 

@@ -6,10 +6,10 @@ import trimesh
 
 import msf_jax
 from msf_jax.flow import assembly
-from msf_jax.host.mesh.checking import prepare
-from msf_jax.host.solid.openings import is_end
-from msf_jax.host.solid.solid import Solid
-from msf_jax.host.thin import ends, outlets
+from msf_jax.limbs import ends, outlets
+from msf_jax.meshes.checking import prepare
+from msf_jax.solid.openings import is_end
+from msf_jax.solid.solid import Solid
 
 AROUND = 48  # corners of a tube: its area is 0.3 % below a circle's, and its inner radius 0.2 %
 R = 1.5

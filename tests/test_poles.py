@@ -8,9 +8,9 @@ from scipy import spatial
 from scipy.spatial.transform import Rotation
 
 from msf_jax.base.errors import ConfigError, FlowError
-from msf_jax.host import preprocessing, reconstruction
-from msf_jax.host.poles import voronoi
-from msf_jax.host.solid.geometry import vertex_normals
+from msf_jax.inside import preprocessing, voronoi
+from msf_jax.numerics import reconstruction
+from msf_jax.solid.geometry import vertex_normals
 
 
 def arrays(mesh: trimesh.Trimesh) -> tuple[np.ndarray, np.ndarray]:

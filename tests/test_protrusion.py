@@ -5,9 +5,9 @@ import pytest
 import trimesh
 
 import msf_jax
-from msf_jax.host.solid.enclosure import Enclosure
-from msf_jax.host.thin import protrusion
-from msf_jax.host.thin.caps import Caps, Limbs
+from msf_jax.limbs import protrusion
+from msf_jax.limbs.caps import Caps, Limbs
+from msf_jax.solid.enclosure import Enclosure
 from tests.test_ends import Solid, as_shape, box, i_beam, round_bar
 
 

@@ -9,8 +9,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from test_branches import GRAPHS, NONE, as_edges, chain, degrees, graphs
 
-from msf_jax.host.thin import pruning
-from msf_jax.host.thin.pruning import by_balls, measure
+from msf_jax.limbs import pruning
+from msf_jax.limbs.pruning import by_balls, measure
 
 Balls = tuple[np.ndarray, np.ndarray, np.ndarray]
 

@@ -6,8 +6,8 @@ import trimesh
 from conftest import blob, torus
 from scipy.spatial.transform import Rotation
 
-from msf_jax.host.solid.enclosure import Enclosure
-from msf_jax.host.solid.triangles import point_triangle_distance2
+from msf_jax.solid.enclosure import Enclosure
+from msf_jax.solid.triangles import point_triangle_distance2
 
 
 def arrays(mesh: trimesh.Trimesh) -> tuple[np.ndarray, np.ndarray]:
@@ -196,7 +196,7 @@ def test_rays_with_more_hits_than_the_first_capacity(monkeypatch):
     random, shape = np.random.default_rng(4), Enclosure(*arrays(blob(65)))
     points, rays, reach = random.uniform(-1, 1, (300, 3)), random_directions(random, 300), random.uniform(0, 2, 300)
     whole = shape.ray_lengths(points, rays, reach)
-    monkeypatch.setattr("msf_jax.host.solid.enclosure.HITS_AT_FIRST", 0)
+    monkeypatch.setattr("msf_jax.solid.enclosure.HITS_AT_FIRST", 0)
     np.testing.assert_array_equal(shape.ray_lengths(points, rays, reach), whole)
 
 

@@ -9,7 +9,7 @@ from conftest import blob, torus
 
 import msf_jax
 from msf_jax import Config, ConfigError, MeshError, Repair
-from msf_jax.host.mesh import checking, rim_extrusion, sheets
+from msf_jax.meshes import checking, rim_extrusion, sheets
 from tests.benchmarks import faults
 
 BALL = trimesh.creation.icosphere(3)

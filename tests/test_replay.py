@@ -15,8 +15,8 @@ import msf_jax
 from msf_jax import Config, ConfigError, MeshError, Weights
 from msf_jax.base.layout import layout_for
 from msf_jax.gradients import replay, tape
-from msf_jax.host.recording import padded
-from msf_jax.host.recording.stretches import Planned
+from msf_jax.recording import padded
+from msf_jax.recording.stretches import Planned
 
 TIGHT = 1e-15  # of the solves, where differences of replays are taken
 

@@ -7,8 +7,8 @@ import pytest
 import trimesh
 
 import msf_jax
-from msf_jax.host.solid.enclosure import Enclosure
 from msf_jax.skeleton.report import assessed
+from msf_jax.solid.enclosure import Enclosure
 
 
 def box(*sides: float) -> Enclosure:

@@ -11,7 +11,7 @@ from PIL import Image
 from scipy import spatial
 
 from msf_jax import ConfigError, MeshError, ground_truth
-from msf_jax.host.mesh import reading, shading
+from msf_jax.meshes import reading, shading
 from msf_jax.skeleton.bare import curve_of
 from msf_jax.skeleton.formats import gltf
 from msf_jax.skeleton.rigging import binding, bones, naming, rig

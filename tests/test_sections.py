@@ -9,9 +9,9 @@ import trimesh
 from conftest import blob, torus
 from scipy.spatial.transform import Rotation
 
-from msf_jax.host.solid import sections
-from msf_jax.host.solid.enclosure import Enclosure
-from msf_jax.host.solid.sections import Sections, cut
+from msf_jax.solid import sections
+from msf_jax.solid.enclosure import Enclosure
+from msf_jax.solid.sections import Sections, cut
 
 
 def enclosure(mesh: trimesh.Trimesh) -> Enclosure:

@@ -5,7 +5,7 @@ import pytest
 import trimesh
 
 from msf_jax import shapes
-from msf_jax.host.mesh import checking
+from msf_jax.meshes import checking
 
 
 def assert_closed_manifold(mesh: trimesh.Trimesh) -> None:

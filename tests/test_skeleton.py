@@ -9,7 +9,7 @@ import trimesh
 
 import msf_jax
 from msf_jax import ConfigError, Skeleton, ground_truth
-from msf_jax.host.solid.enclosure import Enclosure
+from msf_jax.solid.enclosure import Enclosure
 
 
 @pytest.fixture(scope="module")

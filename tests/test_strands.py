@@ -4,9 +4,9 @@ import itertools
 
 import numpy as np
 
-from msf_jax.host.curve import branches
-from msf_jax.host.curve.branches import zip_strands
-from msf_jax.host.graphs import cycle_count, trace
+from msf_jax.curve import branches
+from msf_jax.curve.branches import zip_strands
+from msf_jax.topology.graphs import cycle_count, trace
 
 
 def chain(*points, step=0.2):

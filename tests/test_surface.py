@@ -8,7 +8,7 @@ import trimesh
 from conftest import blob, torus
 
 from msf_jax.base.errors import MeshError
-from msf_jax.host.mesh import checking
+from msf_jax.meshes import checking
 
 OCTAHEDRON = np.array([[1, 0, 0], [-1, 0, 0], [0, 1, 0], [0, -1, 0], [0, 0, 1], [0, 0, -1]], dtype=float)
 OCTAHEDRON_FACES = np.array([[0, 2, 4], [2, 1, 4], [1, 3, 4], [3, 0, 4], [2, 0, 5], [1, 2, 5], [3, 1, 5], [0, 3, 5]])

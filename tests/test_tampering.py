@@ -19,8 +19,8 @@ import msf_jax
 from msf_jax import Config, ConfigError, MeshError, Tape
 from msf_jax.app.cli import main
 from msf_jax.base import archive
-from msf_jax.host.mesh import reading
-from msf_jax.host.mesh.files import unpacking
+from msf_jax.meshes import reading
+from msf_jax.meshes.files import unpacking
 from msf_jax.skeleton.bare import curve_of
 from tests.benchmarks import tampering
 
@@ -274,7 +274,7 @@ def test_a_lack_of_memory_is_an_error_of_the_mesh(tmp_path, monkeypatch, place):
 
 PEAK = """
 import resource, sys
-from msf_jax.host.mesh import reading
+from msf_jax.meshes import reading
 before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
 try: reading.read(sys.argv[1])
 except reading.MeshError: pass

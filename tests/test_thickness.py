@@ -11,14 +11,13 @@ from msf_jax import Config, ground_truth
 from msf_jax.base.errors import ConfigError
 from msf_jax.flow import loop
 from msf_jax.flow.state import Iteration
-from msf_jax.host.curve import containment
-from msf_jax.host.graphs import cycle_count
-from msf_jax.host.meso import collapse, split
-from msf_jax.host.meso.meso import Meso
-from msf_jax.host.poles import balls, thickness
-from msf_jax.host.poles.roadmap import Roadmap, inner_balls
-from msf_jax.host.solid.enclosure import Enclosure
-from msf_jax.host.solid.geometry import unit, vertex_normals
+from msf_jax.inside import balls, containment, thickness
+from msf_jax.inside.roadmap import Roadmap, inner_balls
+from msf_jax.meso import collapse, split
+from msf_jax.meso.meso import Meso
+from msf_jax.solid.enclosure import Enclosure
+from msf_jax.solid.geometry import unit, vertex_normals
+from msf_jax.topology.graphs import cycle_count
 
 
 def coil(radius: float, length: float = 2.0, sides: int = 12) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
@@ -133,7 +132,7 @@ def test_a_path_is_led_round_and_searches_are_bounded(monkeypatch):
     points = np.concatenate([ends[:1], path, ends[1:]])
     assert containment.is_inside(shape, points[:-1], points[1:]).all()
     assert roadmap.num_refused == 0
-    monkeypatch.setattr("msf_jax.host.poles.roadmap.VISITS", -1)
+    monkeypatch.setattr("msf_jax.inside.roadmap.VISITS", -1)
     refused = Roadmap(shape, containment.is_inside)
     assert not len(refused.paths(ends, np.array([[0, 1]]))[0])
     assert refused.num_refused == 1
@@ -187,8 +186,8 @@ def test_joining_has_a_bound(monkeypatch):
     one, other = trimesh.creation.box([0.4] * 3), trimesh.creation.box([0.1] * 3)
     other.apply_translation([0.26, 0, 0])
     both = trimesh.util.concatenate([one, other])
-    monkeypatch.setattr("msf_jax.host.poles.roadmap.FAR", 100.0)  # there are edges from one to the other
-    monkeypatch.setattr("msf_jax.host.poles.roadmap.MOST_TESTS", -1)
+    monkeypatch.setattr("msf_jax.inside.roadmap.FAR", 100.0)  # there are edges from one to the other
+    monkeypatch.setattr("msf_jax.inside.roadmap.MOST_TESTS", -1)
     roadmap = Roadmap(Enclosure(np.array(both.vertices), np.array(both.faces)), containment.is_inside)
     assert not len(roadmap.paths(np.array([[0.0, 0, 0], [0.26, 0, 0]]), np.array([[0, 1]]))[0])
     assert roadmap.num_refused == 1 and roadmap.num_closed == 0

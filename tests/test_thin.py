@@ -6,12 +6,12 @@ import trimesh
 
 import msf_jax
 from msf_jax.flow import curves
-from msf_jax.host import graphs
-from msf_jax.host.curve import containment
-from msf_jax.host.mesh import checking
-from msf_jax.host.solid.solid import Solid
-from msf_jax.host.thin.levels import levels
-from msf_jax.host.thin.reeb_curve import reeb_curve
+from msf_jax.inside import containment
+from msf_jax.limbs.levels import levels
+from msf_jax.limbs.reeb_curve import reeb_curve
+from msf_jax.meshes import checking
+from msf_jax.solid.solid import Solid
+from msf_jax.topology import graphs
 
 SIDES = 4
 

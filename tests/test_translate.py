@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 from llvmlite import binding as llvm
 
-from msf_jax.host import compiled
+from msf_jax.numerics import compiled
 
 ROOT = Path(__file__).parents[1]
 PLATFORMS = {

@@ -9,8 +9,8 @@ from conftest import torus
 
 import msf_jax
 from msf_jax import Config, ConfigError
-from msf_jax.host import graphs
 from msf_jax.skeleton.bare import curve_of
+from msf_jax.topology import graphs
 
 
 def ring_with_a_tail() -> msf_jax.Skeleton:

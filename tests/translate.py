@@ -1,10 +1,10 @@
-"""Write `msf_jax/host/kernels.ll`, the kernels of the package in LLVM's intermediate representation.
+"""Write `msf_jax/numerics/kernels.ll`, the kernels of the package in LLVM's intermediate representation.
 
     python -m tests.translate
 
 Run from the project's root after a kernel, or a number that it names, has changed. Numba translates each kernel for the
 types that its annotations give. Each gets an entry that takes its arguments as one row of 8-byte words, in the order of
-`msf_jax.host.compiled._words`. The text is for no processor in particular: no vectors, no sum in another order. It
+`msf_jax.numerics.compiled._words`. The text is for no processor in particular: no vectors, no sum in another order. It
 depends on the versions of Numba, which `pyproject.toml` pins, and of Python, whose byte code Numba reads.
 """
 
@@ -23,8 +23,8 @@ from llvmlite import binding as llvm
 from numba import config, njit
 from numba import types as numba_types
 
-from msf_jax.host import compiled
-from msf_jax.host.compiled import Kernel
+from msf_jax.numerics import compiled
+from msf_jax.numerics.compiled import Kernel
 
 config.reload_config()
 # Division by zero is no exception, and nothing is allocated: a kernel then needs nothing of Numba when it runs.

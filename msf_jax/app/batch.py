@@ -33,8 +33,8 @@ from msf_jax.base.version import VERSION
 from msf_jax.base.writing import write_whole
 from msf_jax.device.caching import cache_compilations
 from msf_jax.flow.request import checked_options
-from msf_jax.host.mesh import reading
-from msf_jax.host.mesh.repair import Repair, as_repair
+from msf_jax.meshes import reading
+from msf_jax.meshes.repair import Repair, as_repair
 from msf_jax.skeleton.formats import export
 
 MANIFEST = "manifest.csv"  # the table, in the folder of the results

@@ -107,7 +107,7 @@ def _accepted(
     arguments: argparse.Namespace, asked: shaping.Shaping = UNCHANGED
 ) -> "tuple[tuple[np.ndarray, np.ndarray], Any]":
     """The mesh as it was read, in the requested units, and its checked surface; a `MeshError` if it is refused."""
-    from msf_jax.host.mesh import checking, reading
+    from msf_jax.meshes import checking, reading
 
     mesh = shaping.scaled(reading.read(arguments.mesh, finite=not arguments.repair), asked)
     return mesh, checking.prepare(mesh, repair_of(arguments))
@@ -147,7 +147,7 @@ def _batch(arguments: argparse.Namespace) -> int:
     folder = Path(arguments.folder)
     if not folder.is_dir():
         raise ConfigError(f"no folder {str(folder)!r}: expected one with meshes")
-    from msf_jax.host.mesh import reading
+    from msf_jax.meshes import reading
 
     known = reading.readable_suffixes()
     out = Path(arguments.output).resolve()

@@ -9,7 +9,7 @@ from msf_jax.base.errors import ConfigError, MeshError
 from msf_jax.base.progress import shown
 from msf_jax.base.writing import write_whole
 from msf_jax.gradients.track import FAULTS, Tracker, curve_of
-from msf_jax.host.mesh import reading
+from msf_jax.meshes import reading
 from msf_jax.skeleton.formats import export
 from msf_jax.skeleton.skeleton import Skeleton
 

@@ -1,4 +1,4 @@
-"""The layout of a surface in fixed-capacity buffers, which both `host` and `device` know.
+"""The layout of a surface in fixed-capacity buffers, which both the host and `device` know.
 
 Each capacity is a compiled program, so there are few: 2048 and 4096 vertices, then 1.5, 2, 3, 4, 6, ... times 4096. A
 shrinking surface passes through them downwards. Rows are sorted by degree, the largest first, so that the rows that use

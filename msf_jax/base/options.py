@@ -147,20 +147,20 @@ class Config:
         solve_tolerance: residual of the linear solves, relative to the right-hand side.
         step_tolerance: a contraction is also solved when a CG step moves no vertex by more than this part of t_c.
         preconditioner: of the contraction's conjugate gradients: "jacobi", or "factored", a sparse factorisation that
-            the host computes in every iteration, for systems too ill-conditioned for "jacobi" (see `host.factors`).
+            the host computes in every iteration, for systems too ill-conditioned for "jacobi" (see `numerics.factors`).
             Such systems are solved in float64, whatever JAX is set to.
         solve_steps: CG steps after which a solve gives up; the report counts such solves.
         surgery: whether the curve is extracted by half-edge collapses in the order of shape and sampling costs, and its
             nodes recentred by the boundaries of their regions (Au et al. 2008). Else the shortest edges go first.
-        prune: least slenderness of the solid's limbs (see `host.thin.caps`): length over radius, and half of that below
+        prune: least slenderness of the solid's limbs (see `limbs.caps`): length over radius, and half of that below
             0.12 % of the surface. Each limb gets one branch, others are removed, and junctions within one ball
             become one; 0 keeps the flow's branches. The default is above the slenderness of a half ball on a wall,
             0.5, and of the corner of a box, up to 0.6.
         detail: which limbs that are shorter than ``prune`` asks have a branch, because they stand out (see
-            `host.thin.protrusion`): none at 0, and any that might be a limb from 0.65 on. Nested: a finer detail
+            `limbs.protrusion`): none at 0, and any that might be a limb from 0.65 on. Nested: a finer detail
             only adds limbs. At the default, 0.5, they are those that people draw; the report names the next ones.
         centre: whether nodes are finally moved to the middle of their limb's cross-section, and edges refined.
-        extend_tips: whether branches end on the axes of their limbs' ends (see `host.thin.ends`), and limbs that the
+        extend_tips: whether branches end on the axes of their limbs' ends (see `limbs.ends`), and limbs that the
             flow has missed get one.
         evaluate: whether the report gets the figures of `metrics.evaluate`.
         check: whether to verify after every round of edits that the surface is a closed manifold of the same genus.
@@ -297,9 +297,9 @@ class Config:
           same factor below 1. Otherwise vertices at a limb's tip diverge along the limb. Negative cotangents are kept,
           as in the paper: without them limbs become shorter, and the surface crumples.
         - The normal equations are solved by conjugate gradients, to 1e-5 of the diagonal, instead of by factorisation.
-          A factor of their square root is the preconditioner (see `host.factors`).
+          A factor of their square root is the preconditioner (see `numerics.factors`).
         - Coordinates are rounded to a millionth of the diagonal at the start. One-ring areas are at least 1e-14.
-        - Surgery tests whether a merge would pinch a loop of the solid (see `host.meso.homology`). The paper tests
+        - Surgery tests whether a merge would pinch a loop of the solid (see `meso.homology`). The paper tests
           whether the edges i -> k and k -> j bound a face, and a ring of three edges around a limb would never
           collapse.
         - Before surgery, edges shorter than ``t_min`` are collapsed to their midpoints, in rounds of independent edges.

@@ -4,7 +4,7 @@ jaxopt's `solve_cg` reports neither its steps nor its residual. So the loop is a
 has both. It is the solve of a `lax.custom_linear_solve`. So derivatives of any order, in every transformation, are
 those of the solution, A dx = db - dA x. Each derivative costs one more solve. With a `jax.checkpoint` whose policy is
 `keeps_solutions`, the backward pass does not repeat the solve for x. The functions in `PRECONDITIONERS` use JAX;
-`host/factors.py` has a preconditioner on the host.
+`numerics/factors.py` has a preconditioner on the host.
 """
 
 import warnings

@@ -10,18 +10,18 @@ from scipy import spatial
 from msf_jax import metrics
 from msf_jax.base.clock import Clock
 from msf_jax.base.options import Config, Weights
+from msf_jax.curve import branches, finishing
 from msf_jax.flow import curves
 from msf_jax.flow.curves import MOST_VOLUME, Part, Stitched, is_left, lacks_classes
 from msf_jax.flow.state import Flow, Iteration, State, stage_at
-from msf_jax.host import graphs
-from msf_jax.host.curve import branches, finishing
-from msf_jax.host.mesh.checking import Surface
-from msf_jax.host.recording.records import ComponentRecord, Recording
-from msf_jax.host.solid.solid import Solid
-from msf_jax.host.thin import outlets
+from msf_jax.limbs import outlets
+from msf_jax.meshes.checking import Surface
+from msf_jax.recording.records import ComponentRecord, Recording
 from msf_jax.skeleton.report import Report, assessed, loops_of
 from msf_jax.skeleton.skeleton import Skeleton
 from msf_jax.skeleton.source import Source, Stage
+from msf_jax.solid.solid import Solid
+from msf_jax.topology import graphs
 
 NAMED = 4  # ends of limbs of a finer detail that a note names
 UNCHECKED = "the run ended before the curve was checked: its loops are not proved"

@@ -19,10 +19,10 @@ from msf_jax.base.options import Config, Weights
 from msf_jax.device.buffers import real_dtype
 from msf_jax.flow import resuming
 from msf_jax.flow.state import Iteration, State
-from msf_jax.host.meso.collapse import CollapseRound
-from msf_jax.host.meso.meso import Compaction, Fixing, Meso
-from msf_jax.host.meso.split import SplitRound
-from msf_jax.host.recording.records import Step
+from msf_jax.meso.collapse import CollapseRound
+from msf_jax.meso.meso import Compaction, Fixing, Meso
+from msf_jax.meso.split import SplitRound
+from msf_jax.recording.records import Step
 
 KIND = "checkpoint"  # of the file, see `archive`
 VERSION = 3  # of the format: files of other versions are refused

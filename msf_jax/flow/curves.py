@@ -8,14 +8,14 @@ from scipy import spatial
 
 from msf_jax.base.clock import Clock, Stopped
 from msf_jax.base.options import Config
+from msf_jax.curve import branches, extraction, finishing
+from msf_jax.curve.draft import Draft, Job
+from msf_jax.curve.extraction import Curve
+from msf_jax.curve.finishing import Finished
 from msf_jax.flow.state import State
-from msf_jax.host.curve import branches, extraction, finishing
-from msf_jax.host.curve.draft import Draft, Job
-from msf_jax.host.curve.extraction import Curve
-from msf_jax.host.curve.finishing import Finished
-from msf_jax.host.mesh.checking import Surface
-from msf_jax.host.meso import short_loops, surgery
-from msf_jax.host.meso.meso import Meso
+from msf_jax.meshes.checking import Surface
+from msf_jax.meso import short_loops, surgery
+from msf_jax.meso.meso import Meso
 
 MOST_VOLUME = 0.1  # share of the first volume: with more left, the curve is a tangle, and is not finished
 

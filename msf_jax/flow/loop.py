@@ -22,12 +22,12 @@ from msf_jax.flow.request import checked_options, checked_pins, weights_of_verti
 from msf_jax.flow.starting import init
 from msf_jax.flow.state import LIMITS, Flow, Iteration, Limits, State
 from msf_jax.flow.stepping import step
-from msf_jax.host.mesh import checking
-from msf_jax.host.mesh.checking import Surface
-from msf_jax.host.mesh.repair import Repair, as_repair
-from msf_jax.host.meso import collapse, fixing
-from msf_jax.host.meso.meso import Meso
-from msf_jax.host.solid.solid import Solid
+from msf_jax.meshes import checking
+from msf_jax.meshes.checking import Surface
+from msf_jax.meshes.repair import Repair, as_repair
+from msf_jax.meso import collapse, fixing
+from msf_jax.meso.meso import Meso
+from msf_jax.solid.solid import Solid
 
 SETTLED = 0.02  # share of the first volume: a flow that has settled may leave this much, of any shape
 MEMBRANES = 0.1  # share of the first volume: it may leave this much in thin membranes between fixed vertices

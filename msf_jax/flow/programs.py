@@ -30,7 +30,7 @@ from msf_jax.device.buffers import Buffers, Rings, real_dtype
 from msf_jax.device.cg import SolveReport
 from msf_jax.device.iteration import Moved, jitted_move, move, move_factored
 from msf_jax.gradients import compiler
-from msf_jax.host.factors import factored
+from msf_jax.numerics.factors import factored
 
 Program = Callable[[Buffers, Weights], Moved]
 

@@ -8,7 +8,7 @@ import numpy as np
 
 from msf_jax.base.errors import ConfigError
 from msf_jax.base.options import Config, Weights
-from msf_jax.host.mesh.checking import Surface
+from msf_jax.meshes.checking import Surface
 
 
 def checked_options(weights: Any, config: Any) -> tuple[Weights, Config]:

@@ -11,11 +11,11 @@ import numpy as np
 
 from msf_jax.base.options import Config
 from msf_jax.flow.state import Iteration, State
-from msf_jax.host.meso import fixing, ring_tables
-from msf_jax.host.meso.collapse import CollapseRound
-from msf_jax.host.meso.meso import Compaction, Fixing, Meso
-from msf_jax.host.meso.split import SplitRound
-from msf_jax.host.recording.records import Step
+from msf_jax.meso import fixing, ring_tables
+from msf_jax.meso.collapse import CollapseRound
+from msf_jax.meso.meso import Compaction, Fixing, Meso
+from msf_jax.meso.split import SplitRound
+from msf_jax.recording.records import Step
 
 FARTHEST = 1.0  # diagonals: the largest coordinate that a run accepts, see `stepping.BLOW_UP`
 LARGEST_FACTOR = 2.0**100  # on w_L, without unit, see `stepping.LARGEST_FACTOR`

@@ -11,7 +11,7 @@ from msf_jax.base.errors import ConfigError, Interrupted
 from msf_jax.base.options import Config, Weights
 from msf_jax.flow import loop
 from msf_jax.flow.request import checked_options
-from msf_jax.host.mesh.repair import Repair
+from msf_jax.meshes.repair import Repair
 from msf_jax.skeleton.skeleton import Skeleton
 from msf_jax.skeleton.source import known
 

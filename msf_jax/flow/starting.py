@@ -7,17 +7,17 @@ from msf_jax.base.errors import MeshError
 from msf_jax.base.options import Config
 from msf_jax.flow.state import LIMITS, Limits, State
 from msf_jax.flow.stepping import compile_ahead
-from msf_jax.host import reconstruction
-from msf_jax.host.mesh.checking import Component
-from msf_jax.host.meso import collapse, homology, ring_tables, split
-from msf_jax.host.meso.meso import Meso
-from msf_jax.host.poles import balls, thickness, voronoi
-from msf_jax.host.reconstruction import LowPass
-from msf_jax.host.recording.records import FoundPoles, Start
-from msf_jax.host.solid.enclosure import Enclosure
-from msf_jax.host.solid.frame import RESOLUTION, frame_of, sort_mesh
-from msf_jax.host.solid.geometry import signed_volume, triangle_areas
-from msf_jax.host.thin.caps import Caps
+from msf_jax.inside import balls, thickness, voronoi
+from msf_jax.limbs.caps import Caps
+from msf_jax.meshes.checking import Component
+from msf_jax.meso import collapse, homology, ring_tables, split
+from msf_jax.meso.meso import Meso
+from msf_jax.numerics import reconstruction
+from msf_jax.numerics.reconstruction import LowPass
+from msf_jax.recording.records import FoundPoles, Start
+from msf_jax.solid.enclosure import Enclosure
+from msf_jax.solid.frame import RESOLUTION, frame_of, sort_mesh
+from msf_jax.solid.geometry import signed_volume, triangle_areas
 
 FIRST = 400.0  # 1/diagonals: the first w_L over the square root of the mean area of a face, see `Config.au2008`
 FLATTEST = 1e-9  # diagonals cubed: the least volume of a component whose coordinates are rounded to the frame's grid

@@ -11,14 +11,14 @@ from msf_jax.base.clock import Work
 from msf_jax.base.errors import ConfigError
 from msf_jax.base.options import Config, Weights
 from msf_jax.gradients.tape import Tape, record
-from msf_jax.host.mesh.checking import Component
-from msf_jax.host.meso import ring_tables
-from msf_jax.host.meso.meso import Meso
-from msf_jax.host.recording.records import Recording, Start, Step
-from msf_jax.host.solid.enclosure import Enclosure
-from msf_jax.host.solid.frame import Frame
+from msf_jax.meshes.checking import Component
+from msf_jax.meso import ring_tables
+from msf_jax.meso.meso import Meso
+from msf_jax.recording.records import Recording, Start, Step
 from msf_jax.skeleton.skeleton import Skeleton
 from msf_jax.skeleton.source import Source, Stage
+from msf_jax.solid.enclosure import Enclosure
+from msf_jax.solid.frame import Frame
 
 
 class Iteration(NamedTuple):

@@ -14,9 +14,9 @@ from msf_jax.base.options import FACTORED, Config, Weights
 from msf_jax.device.buffers import Buffers, Rings, real_dtype
 from msf_jax.flow.programs import announce, compiled_move
 from msf_jax.flow.state import LIMITS, Iteration, Limits, State
-from msf_jax.host.meso import collapse, fixing, packing, split
-from msf_jax.host.meso.meso import Meso
-from msf_jax.host.recording.records import Step
+from msf_jax.meso import collapse, fixing, packing, split
+from msf_jax.meso.meso import Meso
+from msf_jax.recording.records import Step
 
 LARGEST_FACTOR = 2.0**100  # the largest factor on w_L, without unit: its square is finite in float64
 BLOW_UP = 1.0  # diagonals: a larger coordinate means that a step diverged; corners of the box have at most half

@@ -13,12 +13,12 @@ from typing import NamedTuple
 import numpy as np
 from scipy import spatial
 
-from msf_jax.host import graphs
-from msf_jax.host.recording.following import Surface
-from msf_jax.host.solid.crossings import Crossings
-from msf_jax.host.solid.enclosure import Enclosure
-from msf_jax.host.solid.geometry import repeated
-from msf_jax.host.solid.solid import Solid
+from msf_jax.recording.following import Surface
+from msf_jax.solid.crossings import Crossings
+from msf_jax.solid.enclosure import Enclosure
+from msf_jax.solid.geometry import repeated
+from msf_jax.solid.solid import Solid
+from msf_jax.topology import graphs
 
 # Chosen on three shapes (a capsule, a hand, three limbs) and tested on others, see tests/benchmarks/adversary.py. In
 # brackets is the worst value in good frames: bends of up to 60 degrees, noise of 0.001 diagonals.

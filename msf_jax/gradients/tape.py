@@ -20,12 +20,12 @@ from msf_jax.base.layout import Layout, Level
 from msf_jax.base.options import Config, Weights, is_traced
 from msf_jax.device.playback import Basis, Mixing, Part, Polynomial, Shape, Stretch
 from msf_jax.gradients.tape_checks import check_part, flags, indices, numbers
-from msf_jax.host.mesh import reading
-from msf_jax.host.mesh.repair import placed_between_neighbours
-from msf_jax.host.recording import padded
-from msf_jax.host.recording.decisions import decisions, num_unlike
-from msf_jax.host.recording.records import Recording
-from msf_jax.host.recording.stretches import Capacity, size_for
+from msf_jax.meshes import reading
+from msf_jax.meshes.repair import placed_between_neighbours
+from msf_jax.recording import padded
+from msf_jax.recording.decisions import decisions, num_unlike
+from msf_jax.recording.records import Recording
+from msf_jax.recording.stretches import Capacity, size_for
 from msf_jax.skeleton.skeleton import Skeleton
 from msf_jax.skeleton.source import Source
 

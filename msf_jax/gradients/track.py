@@ -19,7 +19,7 @@ from msf_jax.base.errors import ConfigError, MeshError
 from msf_jax.device import following
 from msf_jax.gradients.follow import binding_of, checked_vertices
 from msf_jax.gradients.holding import SLIGHT, Holding
-from msf_jax.host.mesh import reading
+from msf_jax.meshes import reading
 from msf_jax.skeleton.skeleton import Skeleton
 
 WARPED = 0.5  # RMS distance of corners from their plane over that from the centroid: above, a section is warped

@@ -2,9 +2,9 @@
 
 import numpy as np
 
-from msf_jax.host import graphs
 from msf_jax.skeleton.report import Report
 from msf_jax.skeleton.skeleton import Skeleton
+from msf_jax.topology import graphs
 
 
 def curve_of(vertices: np.ndarray, edges: np.ndarray, radii: np.ndarray) -> Skeleton:

@@ -9,13 +9,13 @@ import numpy as np
 from scipy import spatial
 
 from msf_jax.base.errors import ConfigError
-from msf_jax.host import graphs
-from msf_jax.host.curve import finishing, resampling
-from msf_jax.host.thin import one_branch, pruning
-from msf_jax.host.thin.caps import Caps
+from msf_jax.curve import finishing, resampling
+from msf_jax.limbs import one_branch, pruning
+from msf_jax.limbs.caps import Caps
 from msf_jax.skeleton.centrelines import table
 from msf_jax.skeleton.report import assessed
 from msf_jax.skeleton.source import known
+from msf_jax.topology import graphs
 
 if TYPE_CHECKING:
     from msf_jax.skeleton.skeleton import Skeleton

@@ -6,8 +6,8 @@ import networkx as nx
 import numpy as np
 
 from msf_jax.base.errors import ConfigError
-from msf_jax.host import graphs
 from msf_jax.skeleton.formats import swc
+from msf_jax.topology import graphs
 
 if TYPE_CHECKING:
     from trimesh.path import Path3D

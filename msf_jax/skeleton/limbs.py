@@ -15,12 +15,12 @@ from typing import NamedTuple
 import numpy as np
 from scipy import spatial
 
-from msf_jax.host import graphs
-from msf_jax.host.curve import branch_paths
-from msf_jax.host.solid import sections
-from msf_jax.host.solid.enclosure import Enclosure
-from msf_jax.host.solid.geometry import arc_length, unit
+from msf_jax.curve import branch_paths
 from msf_jax.skeleton.centrelines.profiles import volumes_of
+from msf_jax.solid import sections
+from msf_jax.solid.enclosure import Enclosure
+from msf_jax.solid.geometry import arc_length, unit
+from msf_jax.topology import graphs
 
 SHEET = 2.0  # balls' radii: mean radius of a sheet's cross-section; that of a rectangle 2.6 times as wide as thick
 STEEP = 0.7  # change of the radius over the length of an edge; a cone with an angle of 89 degrees at its tip has it

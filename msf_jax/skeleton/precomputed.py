@@ -15,8 +15,8 @@ import numpy as np
 
 from msf_jax.base.errors import ConfigError
 from msf_jax.base.writing import write_whole
-from msf_jax.host import graphs
 from msf_jax.skeleton.formats import swc
+from msf_jax.topology import graphs
 
 if TYPE_CHECKING:
     from msf_jax.skeleton.skeleton import Skeleton

@@ -7,13 +7,13 @@ from typing import Any
 import numpy as np
 from scipy import spatial
 
-from msf_jax.host.curve import loops
-from msf_jax.host.solid import crossings
-from msf_jax.host.solid.enclosure import Enclosure
-from msf_jax.host.solid.solid import bodies, without_cavities
-from msf_jax.host.thin import one_branch, pruning
-from msf_jax.host.thin.caps import Caps
+from msf_jax.curve import handle_loops
+from msf_jax.limbs import one_branch, pruning
+from msf_jax.limbs.caps import Caps
 from msf_jax.skeleton import limbs
+from msf_jax.solid import crossings
+from msf_jax.solid.enclosure import Enclosure
+from msf_jax.solid.solid import bodies, without_cavities
 
 MOST_NAMED = 5  # loops of one kind that a report names; it counts the rest
 STUB = 1.5  # slenderness below which a limb is a stub, hardly longer than wide
@@ -239,7 +239,7 @@ def loops_of(
 
     ``node_of_vertex`` (V,) is the node of each vertex of the solid, if known.
     """
-    found = loops.proof(shape, vertices, edges, node_of_vertex)
+    found = handle_loops.proof(shape, vertices, edges, node_of_vertex)
     doubts = []
     for closing, what in (
         (found.none, "goes around no handle"),

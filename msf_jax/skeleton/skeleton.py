@@ -13,10 +13,10 @@ from msf_jax import metrics
 from msf_jax.base import binding as bindings
 from msf_jax.base.binding import Binding
 from msf_jax.base.errors import ConfigError
-from msf_jax.host.recording import following
-from msf_jax.host.thin import one_branch, pruning
-from msf_jax.host.thin.caps import Caps
-from msf_jax.host.thin.pruning import Branch
+from msf_jax.limbs import one_branch, pruning
+from msf_jax.limbs.caps import Caps
+from msf_jax.limbs.pruning import Branch
+from msf_jax.recording import following
 from msf_jax.skeleton import changes, converting, precomputed, pytree, slopes, trees
 from msf_jax.skeleton.formats import export, tables
 from msf_jax.skeleton.framing import fitting

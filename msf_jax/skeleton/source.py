@@ -5,7 +5,7 @@ from typing import NamedTuple
 import numpy as np
 
 from msf_jax.base.errors import ConfigError
-from msf_jax.host.solid.solid import Solid
+from msf_jax.solid.solid import Solid
 
 
 class Stage(NamedTuple):

@@ -8,8 +8,8 @@ import numpy as np
 from scipy import spatial
 
 from msf_jax.base.errors import ConfigError
-from msf_jax.host import graphs
-from msf_jax.host.curve import branches, finishing
+from msf_jax.curve import branches, finishing
+from msf_jax.topology import graphs
 
 if TYPE_CHECKING:
     from msf_jax.skeleton.skeleton import Skeleton

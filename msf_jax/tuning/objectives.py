@@ -24,7 +24,7 @@ from msf_jax.gradients import losses
 from msf_jax.gradients.losses import norm
 from msf_jax.gradients.replay import replay, replay_radii
 from msf_jax.gradients.tape import Tape
-from msf_jax.host.mesh import reading
+from msf_jax.meshes import reading
 from msf_jax.skeleton.skeleton import Skeleton
 from msf_jax.skeleton.source import known
 

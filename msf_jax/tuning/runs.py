@@ -21,8 +21,8 @@ from msf_jax.base.options import Config, Weights
 from msf_jax.base.writing import write_whole
 from msf_jax.flow import loop
 from msf_jax.flow.state import Flow
-from msf_jax.host.mesh import checking, reading
-from msf_jax.host.mesh.checking import Surface
+from msf_jax.meshes import checking, reading
+from msf_jax.meshes.checking import Surface
 from msf_jax.tuning.objectives import Objective, of_arrays, value_at
 
 OF = ("skeleton", "flow", "surface")  # what an objective can be of: the finished curve, the flow's, its surface

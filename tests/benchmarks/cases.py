@@ -176,7 +176,7 @@ CASES: dict[str, Case] = {
 def row_of(name: str, folder: Path) -> Row:
     """A row: its name, its cells, what is wrong, and what to draw."""
     import msf_jax
-    from msf_jax.host.mesh import reading
+    from msf_jax.meshes import reading
 
     case, path = CASES[name], folder / name
     start = time.perf_counter()

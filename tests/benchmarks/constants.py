@@ -3,7 +3,7 @@
     python -m tests.benchmarks.constants [--modules NAME,..] [--names NAME,..] [--shapes NAME,..] [--meshes FOLDER]
         [--output FILE]
 
-Run from the project's root. A constant is a number at the top of a module of `host/curve`, `solid`, `thin` or `poles`.
+Run from the project's root. A constant is a number at the top of a module of `curve`, `solid`, `limbs` or `inside`.
 Shapes are names of `msf_jax.ground_truth` and of files in ``--meshes``. Each is run once as it is, and then with every
 constant halved and doubled, whole numbers to whole ones of at least 1. Printed are the greatest changes over shapes: of
 tips and cycles, off-centre and missed (`msf_jax.metrics.evaluate`), and length over the length; or what was raised.
@@ -27,7 +27,7 @@ import trimesh
 
 from tests.benchmarks import curves
 
-MODULES = ("curve", "solid", "thin", "poles")
+MODULES = ("curve", "solid", "limbs", "inside")
 SHAPES = ["y_coarse", "comb", "sheet_and_limb", "octopus_low", "hand"]
 FIGURES = {"leaves": 0.5, "cycles": 0.5, "off_centre": 0.005, "missed_95": 0.002, "length": 0.01}  # and what is much
 Solid = tuple[np.ndarray, np.ndarray]
@@ -46,8 +46,8 @@ def constants(folders: list[str], names: list[str] | None) -> list[Constant]:
     """The numbers at the top of the modules of these folders."""
     found = []
     for folder in folders:
-        for path in sorted((curves.ROOT / "msf_jax" / "host" / folder).glob("*.py")):
-            module = importlib.import_module(f"msf_jax.host.{folder}.{path.stem}")
+        for path in sorted((curves.ROOT / "msf_jax" / folder).glob("*.py")):
+            module = importlib.import_module(f"msf_jax.{folder}.{path.stem}")
             for node in ast.parse(path.read_text()).body:
                 targets = node.targets if isinstance(node, ast.Assign) else []
                 for target in (name for each in targets for name in ast.walk(each) if isinstance(name, ast.Name)):
@@ -149,7 +149,7 @@ def report(wanted: argparse.Namespace) -> Iterator[str]:
     numbers = constants(wanted.modules, wanted.names)
     meshes = shapes(wanted.shapes, wanted.meshes)
     own = {name: figures_of(mesh) for name, mesh in meshes.items()}
-    yield f"# Constants\n\n{len(numbers)} numbers of host/{', '.join(wanted.modules)}, on {', '.join(meshes)}.\n\n"
+    yield f"# Constants\n\n{len(numbers)} numbers of {', '.join(wanted.modules)}, on {', '.join(meshes)}.\n\n"
     yield curves.line(["constant", "value", "by", *FIGURES, "on"])
     yield curves.line(["---", *["---:"] * (len(FIGURES) + 2), "---"])
     unmissed = []
@@ -158,7 +158,7 @@ def report(wanted: argparse.Namespace) -> Iterator[str]:
         for factor in (0.5, 2.0):
             cells, is_missed = row_of(constant, factor, meshes, own)
             missed |= is_missed
-            name = f"{constant.module.removeprefix('msf_jax.host.')}.{constant.name}"
+            name = f"{constant.module.removeprefix('msf_jax.')}.{constant.name}"
             yield curves.line([name, f"{constant.value:g}", f"{factor:g}", *cells])
         if not missed:
             unmissed.append(name)

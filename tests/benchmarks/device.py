@@ -18,7 +18,7 @@ from msf_jax import Config, Weights, ground_truth
 from msf_jax.base.layout import Layout
 from msf_jax.flow import programs, starting, stepping
 from msf_jax.flow.state import Stopwatch
-from msf_jax.host.mesh import checking
+from msf_jax.meshes import checking
 
 TIMES = 3  # calls that are timed; the fastest counts
 MEMBERS = 4  # of a batch

@@ -54,7 +54,7 @@ class Found(NamedTuple):
 def shape_of(name: str) -> Solid:
     """A shape of `msf_jax.ground_truth`, or a file's."""
     from msf_jax import ground_truth
-    from msf_jax.host.mesh import reading
+    from msf_jax.meshes import reading
 
     if name in KNOWN:
         mesh = ground_truth.make(name).mesh
@@ -64,7 +64,7 @@ def shape_of(name: str) -> Solid:
 
 def drilled(mesh: Solid, num: int, random: np.random.Generator) -> tuple[Solid, int]:
     """The mesh with up to ``num`` blind holes, and how many there are."""
-    from msf_jax.host.solid.enclosure import Enclosure
+    from msf_jax.solid.enclosure import Enclosure
 
     x, faces = mesh
     size = float(np.linalg.norm(np.ptp(x, axis=0)))
@@ -142,7 +142,7 @@ def row_of(name: str, seed: int, num: int, limit: float, pictures: Path | None) 
 
 def shapes(folders: list[Path], only: list[str], most: int, count: int) -> list[str]:
     """Names and paths of the first ``count`` shapes; of meshes those that can be drilled, without one that is there."""
-    from msf_jax.host.mesh import checking
+    from msf_jax.meshes import checking
 
     chosen = [name for name in KNOWN if any(fnmatch.fnmatch(name, pattern) for pattern in only)]
     stems: set[str] = set()

@@ -25,7 +25,7 @@ import numpy as np
 import trimesh
 
 from msf_jax import MeshError
-from msf_jax.host.mesh import checking, reading
+from msf_jax.meshes import checking, reading
 from tests.benchmarks import parsers
 
 HOSTILE = [

@@ -125,7 +125,7 @@ def mutants(skeleton: Any) -> list[Any]:
 def run_one(name: str, oracle: Path, limit: float, cache: Path | None) -> dict[str, Any]:
     """One case, in this process: the row's figures, or ``failure``."""
     import msf_jax
-    from msf_jax.host.mesh import checking
+    from msf_jax.meshes import checking
 
     made = parts()
     mesh: Any = made[name]() if name in made else name

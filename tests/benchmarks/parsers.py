@@ -1,4 +1,4 @@
-"""Strict parsers of OBJ, PLY, OFF and GLB with NumPy only, to judge `msf_jax.host.mesh.reading`: for `fuzz`.
+"""Strict parsers of OBJ, PLY, OFF and GLB with NumPy only, to judge `msf_jax.meshes.reading`: for `fuzz`.
 
 They share no code with it. Each gives the corners of all triangles, (F, 3, 3), in the order of the file, or None for a
 file that the format does not allow. They know what `fuzz.originals` has: triangles, in GLB also nodes with matrices.

@@ -54,7 +54,7 @@ class Found(NamedTuple):
 
 def shapes(only: list[str] | None, folder: Path) -> Iterator[tuple[str, Solid]]:
     from msf_jax import ground_truth
-    from msf_jax.host.mesh import reading
+    from msf_jax.meshes import reading
 
     places = [*(folder / f"{name}.off" for name in RESEARCH)]
     places += [path for name in WILD for path in folder.parent.glob(f"wild/{name}.*")]
@@ -114,7 +114,7 @@ def curve_of(method: str, name: str, variant: Variant, limit: float) -> Found | 
 def apart(mesh: Solid, one: Found, other: Found) -> float:
     """Mean distance between two curves of the mesh, in median radii of the first."""
     from msf_jax import metrics
-    from msf_jax.host.solid.enclosure import Enclosure
+    from msf_jax.solid.enclosure import Enclosure
 
     size = np.linalg.norm(np.ptp(mesh[0], axis=0))
     points = [metrics.sample_curve(each.vertices, each.edges, STEP * size)[0] for each in (one, other)]

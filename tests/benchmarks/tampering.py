@@ -297,7 +297,7 @@ try:
         from msf_jax.skeleton.formats.reporting import lines_of
         print("read", *lines_of(sys.argv[1]))
     else:
-        from msf_jax.host.mesh import reading
+        from msf_jax.meshes import reading
         print("read", len(reading.read(sys.argv[1])[1]))
 except (ConfigError, MeshError) as error:
     print("refused:", error)

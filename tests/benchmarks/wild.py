@@ -107,7 +107,7 @@ def in_time(arguments: list[str], limit: float) -> dict[str, Any]:
 
 def cgal_seconds(path: Path, limit: float, cache: Path | None) -> float:
     """What CGAL takes for all components of the repaired surface; NaN where it fails on one."""
-    from msf_jax.host.mesh import checking
+    from msf_jax.meshes import checking
 
     try:
         components = checking.prepare(path, repair=True).components

@@ -15,9 +15,9 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 from scipy import spatial
 
-from msf_jax.host.solid.geometry import arc_length, at, unit
 from msf_jax.skeleton.centrelines import table
 from msf_jax.skeleton.centrelines.table import Columns
+from msf_jax.solid.geometry import arc_length, at, unit
 
 if TYPE_CHECKING:
     from msf_jax.skeleton.skeleton import Skeleton

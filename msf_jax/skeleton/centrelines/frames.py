@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from msf_jax.host.solid.geometry import arc_length, cross, repeated, unit
+from msf_jax.solid.geometry import arc_length, cross, repeated, unit
 
 REACH = 3.0  # radii: a cubic is fitted to the nodes within this distance along the branch, in both directions
 FEWEST = 3  # nodes in each direction that a fit uses at least, if the branch has them

@@ -5,11 +5,11 @@ from typing import NamedTuple
 import numpy as np
 from scipy import spatial
 
-from msf_jax.host import graphs
-from msf_jax.host.solid import openings, sections
-from msf_jax.host.solid.enclosure import Enclosure
-from msf_jax.host.solid.geometry import cross, unit
-from msf_jax.host.solid.solid import Solid
+from msf_jax.solid import openings, sections
+from msf_jax.solid.enclosure import Enclosure
+from msf_jax.solid.geometry import cross, unit
+from msf_jax.solid.solid import Solid
+from msf_jax.topology import graphs
 
 LONG = 2.0  # radii: length of a face that is split before its volume is given to branches; a limb is as thick
 MOST_PARTS = 64  # parts along a side of a face, at most

@@ -6,11 +6,11 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 from scipy import spatial
 
-from msf_jax.host import graphs
-from msf_jax.host.curve import branches
-from msf_jax.host.solid.geometry import arc_length, at, unit
+from msf_jax.curve import branches
 from msf_jax.skeleton.centrelines.frames import frames_of
 from msf_jax.skeleton.centrelines.profiles import Profiles, profiles_of, volumes_of
+from msf_jax.solid.geometry import arc_length, at, unit
+from msf_jax.topology import graphs
 
 if TYPE_CHECKING:
     from msf_jax.skeleton.skeleton import Skeleton

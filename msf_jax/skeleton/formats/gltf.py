@@ -16,7 +16,7 @@ from trimesh.exchange.gltf import export_glb
 
 from msf_jax.base.errors import ConfigError
 from msf_jax.base.version import VERSION
-from msf_jax.host.mesh import reading, shading
+from msf_jax.meshes import reading, shading
 
 if TYPE_CHECKING:
     from msf_jax.skeleton.rigging.rig import Rig

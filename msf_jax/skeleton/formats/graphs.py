@@ -6,9 +6,9 @@ from typing import TYPE_CHECKING
 import networkx as nx
 import numpy as np
 
-from msf_jax.host import graphs
 from msf_jax.skeleton.centrelines.table import branch_columns, node_columns
 from msf_jax.skeleton.formats.text import number, point
+from msf_jax.topology import graphs
 
 if TYPE_CHECKING:
     from msf_jax.skeleton.skeleton import Skeleton

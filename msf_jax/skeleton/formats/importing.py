@@ -6,7 +6,7 @@ from pathlib import Path
 import numpy as np
 
 from msf_jax.base.errors import ConfigError
-from msf_jax.host.decoding import decoded, lines_of
+from msf_jax.meshes.decoding import decoded, lines_of
 from msf_jax.skeleton.bare import curve_of
 from msf_jax.skeleton.formats import parsing, polylines, swc, whole
 from msf_jax.skeleton.skeleton import Skeleton

@@ -6,7 +6,7 @@ import networkx as nx
 import numpy as np
 
 from msf_jax.base.errors import ConfigError
-from msf_jax.host.mesh.files.ply import tables
+from msf_jax.meshes.files.ply import tables
 
 Parsed = tuple[np.ndarray, list[tuple[int, int]], np.ndarray]
 

@@ -5,8 +5,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from msf_jax.base.errors import ConfigError
-from msf_jax.host import graphs
 from msf_jax.skeleton.formats.text import point
+from msf_jax.topology import graphs
 
 if TYPE_CHECKING:
     from msf_jax.skeleton.skeleton import Skeleton

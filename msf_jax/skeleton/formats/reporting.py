@@ -5,7 +5,7 @@ import os
 from pathlib import Path
 
 from msf_jax.base.errors import ConfigError
-from msf_jax.host.decoding import decoded
+from msf_jax.meshes.decoding import decoded
 from msf_jax.skeleton.formats import export, swc, text, whole
 
 

@@ -13,13 +13,13 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from msf_jax.base.errors import ConfigError
-from msf_jax.host.solid import sections
-from msf_jax.host.solid.geometry import arc_length, at, cross, unit
-from msf_jax.host.solid.solid import Solid
 from msf_jax.skeleton.framing.frame import Frame
 from msf_jax.skeleton.framing.joints import Wire, wires_of
 from msf_jax.skeleton.framing.section_properties import Section, section_of, torsion_of
 from msf_jax.skeleton.source import known
+from msf_jax.solid import sections
+from msf_jax.solid.geometry import arc_length, at, cross, unit
+from msf_jax.solid.solid import Solid
 
 if TYPE_CHECKING:
     from msf_jax.skeleton.skeleton import Skeleton

@@ -11,8 +11,8 @@ from typing import NamedTuple
 import numpy as np
 from scipy.cluster.hierarchy import DisjointSet
 
-from msf_jax.host import graphs
-from msf_jax.host.solid.geometry import arc_length
+from msf_jax.solid.geometry import arc_length
+from msf_jax.topology import graphs
 
 BENT = 2.5  # median radii from a joint, within which a branch may bend without a corner
 

@@ -9,10 +9,10 @@ from scipy import spatial
 
 from msf_jax.base.errors import ConfigError
 from msf_jax.base.writing import write_whole
-from msf_jax.host.mesh import reading
-from msf_jax.host.solid.geometry import unit
+from msf_jax.meshes import reading
 from msf_jax.skeleton.pictures import packing, segmentation
 from msf_jax.skeleton.pictures.camera import looking
+from msf_jax.solid.geometry import unit
 
 if TYPE_CHECKING:
     from plotly.graph_objects import Figure

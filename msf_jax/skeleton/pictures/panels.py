@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from msf_jax.base.errors import ConfigError
-from msf_jax.host.mesh import reading
+from msf_jax.meshes import reading
 from msf_jax.skeleton.pictures import camera
 
 if TYPE_CHECKING:

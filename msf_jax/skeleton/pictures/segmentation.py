@@ -7,7 +7,7 @@ import trimesh
 from scipy import sparse
 from scipy.sparse import csgraph
 
-from msf_jax.host.mesh import reading
+from msf_jax.meshes import reading
 
 if TYPE_CHECKING:
     from msf_jax.skeleton.skeleton import Skeleton

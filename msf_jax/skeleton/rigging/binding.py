@@ -20,7 +20,7 @@ import numpy as np
 from scipy import sparse
 from scipy.sparse import csgraph, linalg
 
-from msf_jax.host.solid.geometry import cross, repeated
+from msf_jax.solid.geometry import cross, repeated
 
 ANGLE = np.radians(40.0)  # radians: the turn of a bone at which the stretch of edges is tested
 STRETCH = 1.9  # ratio of an edge's length after that turn to its length at rest: larger ones need another round

@@ -9,11 +9,11 @@ from typing import NamedTuple
 import numpy as np
 
 from msf_jax.base.errors import ConfigError
-from msf_jax.host.solid.geometry import arc_length, at
 from msf_jax.skeleton.rigging import cutting
 from msf_jax.skeleton.rigging.girdles import Body
 from msf_jax.skeleton.rigging.mirror import Mirror
 from msf_jax.skeleton.rigging.rooting import BonePath
+from msf_jax.solid.geometry import arc_length, at
 
 STANDARDS = ("mixamo", "vrm", "unreal")
 # What a bone is: its name in each of the standards, with {} for the side.

@@ -12,10 +12,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from msf_jax.host import graphs
-from msf_jax.host.curve import branches
-from msf_jax.host.solid.geometry import arc_length, at
+from msf_jax.curve import branches
 from msf_jax.skeleton.rigging import biped, cutting, girdles, mirror, rooting
+from msf_jax.solid.geometry import arc_length, at
+from msf_jax.topology import graphs
 
 LEAST_LIMB = 0.6  # radii of the junction's ball: a limb that sticks out of the ball by less has no bone
 FOR_LIMBS = 0.6  # share of all bones for the first bones of branches, at most; the rest is for bends

@@ -5,8 +5,8 @@ from itertools import pairwise
 
 import numpy as np
 
-from msf_jax.host.solid.geometry import arc_length, at
 from msf_jax.skeleton.rigging.rooting import SHORTEST, USUAL, BonePath
+from msf_jax.solid.geometry import arc_length, at
 
 BENT = 0.35  # radii: a bone's part of the curve is cut if it is farther than this from a straight line
 LONG = 6.0  # radii: a longer bone is cut

@@ -13,9 +13,9 @@ from typing import NamedTuple
 import networkx as nx
 import numpy as np
 
-from msf_jax.host import graphs
-from msf_jax.host.solid.geometry import arc_length
 from msf_jax.skeleton.rigging.mirror import Mirror, images
+from msf_jax.solid.geometry import arc_length
+from msf_jax.topology import graphs
 
 MAIN_LIMB = 0.5  # of the longest pair of limbs: shorter pairs, such as fingers of a hand, make no girdle
 

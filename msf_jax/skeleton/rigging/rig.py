@@ -11,8 +11,8 @@ from scipy import sparse
 
 from msf_jax.base.errors import ConfigError
 from msf_jax.base.writing import write_whole
-from msf_jax.host.curve import branches
-from msf_jax.host.mesh import reading
+from msf_jax.curve import branches
+from msf_jax.meshes import reading
 from msf_jax.skeleton.formats import gltf
 from msf_jax.skeleton.rigging import binding, biped, naming
 from msf_jax.skeleton.rigging.bones import FOR_LIMBS, Bones, bones_of, without

@@ -8,10 +8,10 @@ from typing import NamedTuple
 import networkx as nx
 import numpy as np
 
-from msf_jax.host import graphs
-from msf_jax.host.solid.geometry import arc_length, at
 from msf_jax.skeleton.rigging.girdles import Body
 from msf_jax.skeleton.rigging.mirror import Mirror, images
+from msf_jax.solid.geometry import arc_length, at
+from msf_jax.topology import graphs
 
 SHORTEST = 1.0  # radii: the least length of a bone after a cut, and of one between two junctions
 USUAL = 75  # percentile of the radii along a bone that counts as the bone's radius

@@ -1,0 +1,296 @@
+"""Move the nodes of a curve to the middle of the solid; its graph does not change.
+
+The middle of a limb is the centroid c of its cross-section. The nodes x of a curve minimise
+
+    sum_i w_i |P_i (x_i - c_i)|^2  +  sum_i (l_i / h_i)^4 |x_{i-1} - 2 x_i + x_{i+1}|^2  +  sum_j a_j |x_j - y_j|^2,
+
+where P_i removes the component along the branch. This is a smoothing spline: its stiffness acts over a length
+l, a part of the limb's size, or of a sheet's half width, for any spacing h of the nodes. In a loop of n nodes
+(2 - 2 cos(2 pi / n)) (x_i - mean x) is added to the second difference, which is then 0 for a circle. Nodes keep their
+shares of their branch's length, so they move across it only; those of a loop get equal shares. Near a junction a
+cross-section cuts several limbs and is no guide, so w falls to 0 there. The branches then continue straight, and the
+junction comes to where the axes of its limbs meet. That is right for tubes. If the clearance at y, the flow's place for
+a junction, is larger than that of its limbs (the rump of a horse, a shell on a back), a holds the junction at y.
+
+A section turns with the curve. In a wide section the centroid then moves much farther than the nodes, and an iteration
+with c held fixed does not converge. So each round is a Gauss-Newton step with the derivative of c by the plane
+(`sections.Sections`), and with the weights of a Geman-McClure loss of the distance to c, from the round before. The
+rounds end when the nodes hardly move any more. In a sheet, weight and section change each other, and nodes go back and
+forth: a step against the one before is shortened.
+"""
+
+import itertools
+
+import numpy as np
+from scipy import sparse
+from scipy.sparse import linalg
+
+from msf_jax.curve import branch_paths as measures
+from msf_jax.curve import moves
+from msf_jax.curve.branch_paths import BranchPath
+from msf_jax.solid import sections
+from msf_jax.solid.enclosure import Enclosure
+from msf_jax.solid.geometry import unit
+from msf_jax.solid.handles import Handles
+
+# These give the least mean errors on the ground-truth shapes and the research meshes: see `tests.benchmarks.curves`.
+ROUNDS = 12  # limit on the rounds of a centring
+TOLERANCE = 0.02  # clearances: a round in which the root mean square of all steps is less is the last
+AFRESH = 0.01  # limb sizes moved or radians turned: then a section is cut again; before, it is extrapolated
+STIFFNESS = 0.35  # limb sizes, or half widths of a sheet: the length l
+ZONE, MARGIN = 0.7, 0.4  # junction sizes: within which sections do not count; over which their weight rises to 1
+LOPSIDED, STEEP = 1.6, 8  # section radius over section size at which a section counts half; exponent of that ratio
+ROUNDNESS = 4  # exponent of (median radius of the branch / radius of the section) in the weight, if below 1
+STRAY = 0.3  # section radii: a centroid at this distance has a quarter of its weight
+ANCHOR, JUNCTION_ANCHOR = 0.003, 0.2  # a of a usual node; a of a junction
+DEEP_ANCHOR, DEEPER = 4.0, 1.0  # added to a if the clearance at y exceeds the limbs' size; relative excess for all
+FORMER_JUNCTION_DEEPER = 0.25  # the same share at a former junction, where no other branch holds the curve in its blob
+DAMPING = 0.05  # damping of a step, as a weight of its square
+DAMPING_ALONG = 0.3  # more damping of its component along the branch
+LONGEST_STEP = 0.5  # clearances: limit on a node's step in a round
+FARTHEST = 20.0  # limit on the derivative of a centroid by a node; it counts where a wall has slivers
+HELD = 1e9  # a of a node that does not move
+MOST_CORNERS = 5_000_000  # corners of all sections that are cut for a curve; then each centring ends after one round
+BACK = 0.5  # part of a step that is taken by a node that goes back, against its step of the round before
+NEARBY, DETOUR = 0.5, 1.5  # clearances: largest distance from a point to its deepest point; factor on it in the search
+CLIMBS, FINEST = 30, 0.004  # limit on the steps of the search; clearances: step length at which it ends
+DIRECTIONS = unit(np.array([each for each in itertools.product((-1.0, 0.0, 1.0), repeat=3) if any(each)]))
+
+
+class Budget:
+    """The cost limit of centring: ``left`` is the number of section corners left; ``was_hit`` is True if it ran out."""
+
+    def __init__(self) -> None:
+        self.left = MOST_CORNERS
+        self.was_hit = False
+
+
+def centre(
+    shape: Enclosure,
+    vertices: np.ndarray,
+    edges: np.ndarray,
+    is_held: np.ndarray,
+    rounds: int = ROUNDS,
+    places: np.ndarray | None = None,
+    former_junctions: np.ndarray | None = None,
+    is_far: bool = True,
+    budget: Budget | None = None,
+    handles: Handles | None = None,
+) -> np.ndarray:
+    """Centre the nodes ``vertices`` (N, 3) of the curve; those of ``is_held`` (N,) do not move.
+
+    ``places`` (N, 3) are the flow's places y; default ``vertices``. ``former_junctions`` (N,) are nodes that were
+    junctions; they, too, are held where the clearance is larger; default none. ``is_far`` says that the curve is not
+    near the middle yet: the first round then ignores distances to centroids. Steps keep the rule of `moves`, with the
+    ``handles`` of the solid, default those of ``shape``. When ``budget``, which other calls may share, is spent, there
+    is one round only.
+    """
+    budget = Budget() if budget is None else budget
+    x, num = vertices.copy(), len(vertices)
+    y = vertices.copy() if places is None else np.where(is_held[:, None], vertices, places)
+    degree = np.bincount(edges.ravel(), minlength=num)
+    paths = measures.paths_of(x, edges, is_held)
+    if not paths:
+        return x
+    is_former_junction = (degree == 2) & (False if former_junctions is None else former_junctions)
+    junction = np.flatnonzero((degree > 2) | is_former_junction)
+    rings = [path.nodes[:-1] for path in paths if path.is_loop and not is_held[path.nodes].any()]
+    is_lost = ~shape.contains(y[junction])  # a place outside holds nothing
+    y[junction[is_lost]] = x[junction[is_lost]]
+    clearance_at_place = np.where(is_lost, 0.0, shape.distances(y[junction]))
+    at = moves.places_of(shape, x)
+    size = at.clearance.copy()
+    known, before = _Known(x, budget), np.zeros_like(x)
+    for number in range(-1, rounds):  # round -1 only measures the limbs' sizes
+        if number > 0 and budget.left < 0:
+            budget.was_hit = True
+            break
+        x, clearance, near, _ = at
+        clearance[junction] = shape.distances(x[junction])
+        chord = measures.chords(x, paths, size)
+        ahead = chord @ x
+        tangent = unit(ahead)
+        clear = measures.clear_of_junctions(x, paths, degree, size, ZONE, MARGIN)
+        limb = np.flatnonzero((degree > 0) & (clear > 0) & ~is_held & (clearance > 0))
+        found = known.at(shape, x, tangent, size, near, limb)
+        middle, reach = np.zeros_like(x), np.zeros(num)
+        middle[limb], reach[limb] = found.centroid, found.radius
+        is_own = found.is_around & ~measures.crossed_again(x, paths, tangent, middle, reach)[limb]
+        limb = limb[is_own]
+        found = sections.Sections(*(field[is_own] for field in found))
+        weight, everywhere = weighed(paths, clear, limb, found, 1e-6)
+        size = measures.sizes(x, paths, *everywhere, clearance=clearance)
+        wide = np.full(num, np.nan)
+        wide[limb] = found.radius
+        wide = measures.usual(paths, wide)
+        span = np.where(wide > measures.WIDE * size, wide, size)
+        if number < 0:
+            continue
+        anchor = np.full(num, ANCHOR)
+        usual = np.where(is_former_junction, size, measures.second_sizes(paths, *everywhere))[junction]
+        deeper = np.clip(
+            (clearance_at_place / usual - 1) / np.where(is_former_junction, FORMER_JUNCTION_DEEPER, DEEPER)[junction],
+            0,
+            1,
+        )
+        anchor[junction] = np.where(is_former_junction[junction] | is_lost, ANCHOR, JUNCTION_ANCHOR)
+        anchor[junction] += DEEP_ANCHOR * deeper**2 * (3 - 2 * deeper)
+        anchor[is_held] = HELD
+        system = _System(x, paths, span, limb, found, tangent, ahead, chord, anchor, y)
+        is_blind = is_far and number == 0
+        away = np.where(is_blind, 0.0, np.linalg.norm(system.off, axis=1))
+        step = system.step(weight / (1 + (away / (STRAY * found.radius)) ** 2) ** 2)
+        if is_blind:
+            away = np.linalg.norm(system.off + system.moved(step), axis=1)
+            step = system.step(weight / (1 + (away / (STRAY * found.radius)) ** 2) ** 2)
+        for ring in rings:  # its nodes do not go round: shares of its length count from the first one
+            step[ring] -= (step[ring[0]] @ tangent[ring[0]]) * tangent[ring]
+        step = measures.spread(x + step, paths) - x
+        step[is_held] = 0.0
+        step[np.einsum("ni,ni->n", step, before) < 0] *= BACK
+        part = np.linalg.norm(step, axis=1) / np.maximum(np.maximum(clearance, 0.3 * size), 1e-300)
+        is_last = float(np.sqrt(np.mean(np.minimum(part, 1.0) ** 2))) < TOLERANCE
+        step *= np.minimum(1.0, LONGEST_STEP / np.maximum(part, 1e-300))[:, None]
+        at = moves.taken(shape, handles or shape.handles, at, step, edges)
+        before = at.x - x
+        if is_last:
+            break
+    return at.x
+
+
+def weighed(
+    paths: list[BranchPath], clear: np.ndarray, limb: np.ndarray, found: sections.Sections, slight: float
+) -> tuple[np.ndarray, np.ndarray]:
+    """The weights (L,) of the sections ``found`` of the nodes ``limb`` (L,), before their distances from nodes count;
+    and the size and the weight (2, N) of every node's section, 0 without one.
+
+    The usual radius of a branch is that of its sections of more than ``slight`` weight. ``clear`` (N,): see
+    `branch_paths.clear_of_junctions`.
+    """
+    weight = clear[limb] / (1 + (found.radius / (LOPSIDED * found.size)) ** STEEP)
+    width = np.full(len(clear), np.nan)
+    width[limb[weight > slight]] = found.radius[weight > slight]
+    weight *= np.minimum(1.0, np.nan_to_num(measures.usual(paths, width)[limb] / found.radius)) ** ROUNDNESS
+    everywhere = np.zeros((2, len(clear)))
+    everywhere[:, limb] = found.size, weight
+    return weight, everywhere
+
+
+def deepest_points(shape: Enclosure, points: np.ndarray) -> np.ndarray:
+    """For each of ``points`` (P, 3) inside: the nearby point of largest clearance, if it is within ``NEARBY``.
+
+    A blob where limbs meet has such a point, and it hardly depends on the start of the search. In a trunk of constant
+    size it is far away, and the point stays. The search steps in 26 directions, with steps that are halved.
+    """
+    clearance = shape.approximate_closest(points)[0]
+    x, best, step = points.copy(), clearance.copy(), NEARBY / 2 * clearance
+    away, is_near = np.zeros(len(x)), np.ones(len(x), dtype=bool)
+    for _ in range(CLIMBS):
+        live = np.flatnonzero(is_near & (step > FINEST * clearance))
+        if not len(live):
+            break
+        tried = x[live, None] + step[live, None, None] * DIRECTIONS
+        found = shape.approximate_closest(tried.reshape(-1, 3))[0].reshape(len(live), -1)
+        most = found.argmax(axis=1)
+        found, tried = found[np.arange(len(live)), most], tried[np.arange(len(live)), most]
+        is_better = found > best[live]
+        x[live[is_better]], best[live[is_better]] = tried[is_better], found[is_better]
+        step[live[~is_better]] /= 2
+        away = np.linalg.norm(x - points, axis=1)
+        is_near = away < DETOUR * NEARBY * clearance
+    return np.where(((away < NEARBY * clearance) & (step <= FINEST * clearance))[:, None], x, points)
+
+
+class _Known:
+    """The last section of each node, used until the node has moved or turned by `AFRESH`."""
+
+    def __init__(self, x: np.ndarray, budget: Budget):
+        self.budget = budget
+        self.place, self.normal = np.full_like(x, np.inf), np.zeros_like(x)
+        self.found = sections.nowhere(x)
+
+    def at(
+        self,
+        shape: Enclosure,
+        x: np.ndarray,
+        tangent: np.ndarray,
+        size: np.ndarray,
+        near: np.ndarray,
+        limb: np.ndarray,
+    ) -> sections.Sections:
+        """The sections of the nodes ``limb``; for a node that moved a little, the centroid is extrapolated."""
+        moved = np.linalg.norm(x[limb] - self.place[limb], axis=1) / size[limb]
+        turned = np.linalg.norm(tangent[limb] - self.normal[limb], axis=1)
+        old = limb[(moved > AFRESH) | (turned > AFRESH)]
+        if len(old):
+            corners = sections.corners(shape, x[old], tangent[old], size[old], near[old])
+            self.budget.left -= len(corners.loop)
+            for field, value in zip(self.found, sections.measured(shape, x[old], tangent[old], corners), strict=True):
+                field[old] = value
+            self.place[old], self.normal[old] = x[old], tangent[old]
+        found = sections.Sections(*(field[limb] for field in self.found))
+        normal = self.normal[limb]
+        along = np.einsum("ni,ni->n", normal, x[limb] - self.place[limb])[:, None]
+        shift = (found.slide + normal) * along + np.einsum("nij,nj->ni", found.turn, tangent[limb] - normal)
+        return found._replace(centroid=found.centroid + shift)
+
+
+class _System:
+    """A Gauss-Newton step: the rows of a least-squares problem in the nodes' steps.
+
+    off: (L, 3) P (x - c) of the nodes of ``limb``.
+    """
+
+    def __init__(
+        self,
+        x: np.ndarray,
+        paths: list[BranchPath],
+        size: np.ndarray,
+        limb: np.ndarray,
+        found: sections.Sections,
+        tangent: np.ndarray,
+        ahead: np.ndarray,
+        chord: sparse.csr_matrix,
+        anchor: np.ndarray,
+        places: np.ndarray,
+    ):
+        num, t = len(x), tangent[limb]
+        flat = np.eye(3) - t[:, :, None] * t[:, None, :]
+        self.off = np.einsum("nij,nj->ni", flat, x[limb] - found.centroid)
+        slide = np.einsum("nij,nj->ni", flat, found.slide)
+        slide *= _bound(slide)[:, None]
+        own = flat - slide[:, :, None] * t[:, None, :]
+        length = np.maximum(np.linalg.norm(ahead[limb], axis=1), 1e-300)
+        turn = -flat @ found.turn @ flat / length[:, None, None]
+        turn *= _bound(turn.reshape(-1, 9))[:, None, None]
+        reach = chord[limb].tocoo()
+        row = np.concatenate([np.arange(len(limb)), reach.row])
+        column = np.concatenate([limb, reach.col])
+        block = np.concatenate([own, turn[reach.row] * reach.data[:, None, None]])
+        i = 3 * row[:, None, None] + np.arange(3)[:, None] + np.zeros((3, 3), dtype=np.int64)
+        j = 3 * column[:, None, None] + np.arange(3) + np.zeros((3, 3), dtype=np.int64)
+        aside = sparse.csr_matrix((block.ravel(), (i.ravel(), j.ravel())), (3 * len(limb), 3 * num))
+        bend, stiffness, rest = measures.bending(x, paths, STIFFNESS * size)
+        self.stiff = np.repeat(stiffness, 3)
+        self.rows = sparse.vstack([aside, sparse.kron(bend, sparse.eye(3))], format="csr")
+        self.value = np.concatenate([self.off.ravel(), (bend @ x - rest).ravel()])
+        held = (DAMPING + anchor)[:, None, None] * np.eye(3)
+        held = held + DAMPING_ALONG * tangent[:, :, None] * tangent[:, None, :]
+        self.held = sparse.bsr_matrix((held, np.arange(num), np.arange(num + 1)), shape=(3 * num, 3 * num)).tocsc()
+        self.pull = (anchor[:, None] * (places - x)).ravel()
+
+    def step(self, weight: np.ndarray) -> np.ndarray:
+        """The step (N, 3) that minimises the energy, with ``weight`` (L,) of the sections."""
+        scale = np.concatenate([np.repeat(weight, 3), self.stiff])
+        back = self.rows.T.tocsr().multiply(scale).tocsr()
+        matrix = (back @ self.rows).tocsc() + self.held
+        return linalg.splu(matrix).solve(self.pull - back @ self.value).reshape(-1, 3)
+
+    def moved(self, step: np.ndarray) -> np.ndarray:
+        """(L, 3) the change of `off` in a step."""
+        return (self.rows @ step.ravel())[: self.off.size].reshape(-1, 3)
+
+
+def _bound(derivative: np.ndarray) -> np.ndarray:
+    """(L,) factors that limit the rows of ``derivative`` (L, k), as a section through a sliver can have a huge one."""
+    return np.minimum(1.0, FARTHEST / np.maximum(np.linalg.norm(derivative, axis=1), 1e-300))

@@ -1,0 +1,81 @@
+"""From the meso-skeleton to the curve: collapse edges that still have faces, shortest first or by Au's surgery.
+
+The contracted surface is thin but still a surface. Its edges are visited in the order of their initial length, ties by
+index. Each edge that has a face at its turn is merged. When no face is left, the remaining edges are the curve. A node
+is the centroid of the meso vertices merged into it. The surgery of Au et al. 2008 uses another order, and a node is the
+meso vertex that is left (see `meso.surgery`).
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from msf_jax.meso import ring_tables, surgery
+from msf_jax.meso.collapse import edge_lengths, shortest_first
+from msf_jax.meso.complex import Complex, cut_discs
+
+
+class Curve(NamedTuple):
+    """nodes: (N, 3). edges: (E, 2). node_of_meso: (n,) the node that each vertex of the meso-skeleton was merged into.
+
+    is_counted: (n,) which of these vertices count in a node's centroid; None for all.
+    """
+
+    nodes: np.ndarray
+    edges: np.ndarray
+    node_of_meso: np.ndarray
+    is_counted: np.ndarray | None = None
+
+
+def extract_curve(
+    positions: np.ndarray, rings: np.ndarray, classes: np.ndarray | None = None, pinned: np.ndarray | None = None
+) -> Curve:
+    """Collapse the closed surface ``(positions, rings)`` to a graph of the same components.
+
+    With ``classes`` (n, K), no merge pinches a loop that the solid's curve must keep (see `homology`). Vertices of
+    ``pinned`` are merged with each other only if no other edge can be merged.
+    The order makes this step sequential: one loop over the edges of the meso-skeleton, after the flow.
+    """
+    a, b = ring_tables.edges_from_rings(rings)
+    order = shortest_first(a, b, edge_lengths(positions, a, b), 1e-3)
+    complex_ = Complex(rings, classes, pinned)
+    edges = list(zip(a[order].tolist(), b[order].tolist(), strict=True))
+    while edges:  # an edge whose merge would pinch a cycle is tried again after the others
+        waiting = [edge for edge in edges if not complex_.merge(*edge, force=False)]
+        is_stuck = len(waiting) == len(edges)
+        if is_stuck and classes is None:
+            for edge in edges:  # no merge is allowed any more; the report shows the lost cycles
+                complex_.merge(*edge, force=True)
+            break
+        if is_stuck and not complex_.open_face(list(reversed(edges))):
+            break
+        edges = waiting
+    return _curve_of(complex_, positions, a, b, np.ones(len(rings), dtype=bool))
+
+
+def operated_curve(
+    positions: np.ndarray, rings: np.ndarray, classes: np.ndarray | None = None, pinned: np.ndarray | None = None
+) -> Curve:
+    """Like `extract_curve`, by half-edge collapses in the order of Au et al. 2008: a node is the vertex left."""
+    a, b = ring_tables.edges_from_rings(rings)
+    complex_ = Complex(rings, classes, pinned)
+    surgery.operate(complex_, positions, a, b)
+    is_left = np.array([complex_.find(vertex) == vertex for vertex in range(len(rings))])
+    return _curve_of(complex_, positions, a, b, is_left)._replace(is_counted=is_left)
+
+
+def _curve_of(complex_: Complex, positions: np.ndarray, a: np.ndarray, b: np.ndarray, is_counted: np.ndarray) -> Curve:
+    """The graph of those edges ab (E,) that remain. A node is the centroid of its vertices in ``is_counted`` (n,)."""
+    root = np.array([complex_.find(vertex) for vertex in range(len(positions))])
+    node_of_meso = np.unique(root, return_inverse=True)[1]
+    own, num = node_of_meso[is_counted], node_of_meso.max() + 1
+    count = np.bincount(own)
+    sums = [np.bincount(own, weights=positions[is_counted, axis], minlength=num) for axis in range(3)]
+    nodes = np.stack([total / count for total in sums], axis=1)
+    if complex_.has_classes:  # the complex lists its remaining edges, without those that were opened
+        a, b, value = complex_.edges()
+        length = np.linalg.norm(nodes[node_of_meso[a]] - nodes[node_of_meso[b]], axis=1)
+        is_kept = cut_discs(a, b, value, shortest_first(a, b, length, 1e-3))
+        a, b = a[is_kept], b[is_kept]
+    ends = np.sort(node_of_meso[np.stack([a, b], axis=1)], axis=1)
+    return Curve(nodes, np.unique(ends[ends[:, 0] < ends[:, 1]], axis=0), node_of_meso)

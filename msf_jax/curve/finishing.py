@@ -1,0 +1,399 @@
+"""From the flow's curve to the finished curve: inside, pruned, centred, and extended to the ends of the limbs.
+
+Each step is a pass: a function from a `Draft` to a `Draft`. The flow's nodes that stay keep their order, and new nodes
+come after them. So a function of the flow's nodes, such as a loss on a replay, means the same nodes in the finished
+curve.
+"""
+
+from collections.abc import Callable
+from functools import partial
+from typing import NamedTuple
+
+import numpy as np
+from scipy import spatial
+
+from msf_jax.base.clock import Clock, Stopped
+from msf_jax.curve import branches, centring, handle_loops, junctions, moves, resampling
+from msf_jax.curve.draft import Draft, Job
+from msf_jax.inside import containment
+from msf_jax.inside.roadmap import Roadmap
+from msf_jax.limbs import one_branch, pruning, reeb_curve
+from msf_jax.limbs.caps import Caps
+from msf_jax.solid.enclosure import Enclosure
+from msf_jax.topology import graphs
+
+SPACING = 0.5  # radii between the nodes of a finished curve
+MOST_NODES = 5_000  # nodes of a finished curve; if `SPACING` needs more, nodes are farther apart
+SHARPEST = 40.0  # degrees: largest turn of a finished branch at a node, where possible
+HOLDS = 1.1  # radii of a node: a junction whose ball is within this distance takes the place of the node
+FIRST_ROUNDS = 2  # rounds of a centring before junctions are merged
+
+
+class Finished(NamedTuple):
+    """vertices (N, 3) and edges (E, 2) of the finished curve.
+
+    is_kept: (n,) which of the flow's nodes are in it. They come first, in their order.
+    target: (n,) the flow's node that represents each: itself, or the junction that its branch was pruned from.
+    num_refused: edges left outside because a limit was reached. num_closed: edges without a path inside.
+    num_unsought: handles without a loop because the search for it reached a limit.
+    is_cut: whether the run had to end before all passes were done. is_cut_short: whether centring, or the search for
+    limbs, ended early because of its budget. is_sparse, num_pruned, num_grown, finer: see `Draft`.
+    node_of_vertex: (V,) for a Reeb curve, the node of each vertex of the solid; else None.
+    """
+
+    vertices: np.ndarray
+    edges: np.ndarray
+    is_kept: np.ndarray
+    target: np.ndarray
+    num_refused: int = 0
+    num_closed: int = 0
+    is_cut_short: bool = False
+    is_sparse: bool = False
+    num_pruned: int = 0
+    num_grown: int = 0
+    finer: tuple[tuple[float, np.ndarray], ...] = ()
+    node_of_vertex: np.ndarray | None = None
+    is_cut: bool = False
+    num_unsought: int = 0
+
+
+def passes(centre: bool, extend: bool) -> list[Callable[[Draft, Job], Draft]]:
+    """The passes in their order; ``centre`` and ``extend`` switch the passes for these steps."""
+    return [
+        contain,
+        complete_cycles,
+        partial(prune_and_extend, extend=extend),
+        partial(centre_and_merge, centre=centre, hold_leaves=extend),
+        *([partial(resample, hold_leaves=extend), straighten] if centre else []),
+        enforce_topology,
+        *([round_corners] if centre else []),
+    ]
+
+
+def finish(
+    shape: Enclosure,
+    nodes: np.ndarray,
+    edges: np.ndarray,
+    is_held: np.ndarray,
+    *,
+    prune: float,
+    centre: bool,
+    extend: bool,
+    detail: float = 0.5,
+    is_thin: bool = False,
+    is_tangle: bool = False,
+    coarse: Enclosure | None = None,
+    outside: Enclosure | None = None,
+    caps: Callable[[], Caps] | None = None,
+    first: Callable[[Draft, Job], Draft] | None = None,
+    clock: Clock | None = None,
+) -> Finished:
+    """Finish the curve ``(nodes (n, 3), edges)`` of a solid of diagonal 1; nodes of ``is_held`` (n,) do not move.
+
+    A solid that is too coarse for the flow gets a Reeb curve instead (see `limbs.reeb_curve`), if no more of that
+    is outside, ``centre`` and ``extend`` are True, and no node is held.
+
+    ``prune`` is the least slenderness of a limb, 0 for no pruning, and ``detail`` of those that only stand out
+    (see `Caps`); ``centre`` and ``extend`` switch those steps.
+    ``is_thin`` says that the solid has thin limbs, and may get a Reeb curve. ``is_tangle`` says that the flow ended in
+    a tangle that no pass can repair: it stays as it is, unless there is a Reeb curve. ``coarse`` is about the same
+    surface with fewer triangles, fine enough for centring, ``outside`` the surface without cavities, and ``caps``
+    returns its caps. ``first`` is a pass that comes before all others, and may set the places of the flow's nodes. If
+    ``clock`` says that the run has to end, the curve is the one after the last pass that was done.
+    """
+    coarse = shape if coarse is None else coarse
+    roadmap = Roadmap(shape, containment.is_inside)
+    job = Job(shape, coarse, prune, roadmap, centring.Budget(), caps or partial(Caps, outside or coarse, detail))
+    clock, is_cut = clock or Clock(), False
+    draft = Draft(nodes, edges, is_held, np.arange(len(nodes)), np.arange(len(nodes)), nodes, np.zeros_like(is_held))
+    try:
+        if is_thin and centre and extend and not is_held.any():
+            done = clock.call(_by_wavefronts, outside or shape, nodes, edges, job, is_tangle)
+            if done is not None:
+                return done
+        wanted = [] if is_tangle else [*([] if first is None else [first]), *passes(centre, extend)]
+        for each in wanted:
+            draft = clock.call(each, draft, job)
+    except Stopped:
+        is_cut = True
+    if is_tangle:
+        return Finished(nodes, edges, np.ones(len(nodes), dtype=bool), np.arange(len(nodes)), is_cut=is_cut)
+    if (draft.origin < 0).all():  # every node is new, so the first one stands for the flow's nearest node
+        draft.origin[0] = np.linalg.norm(nodes - draft.vertices[0], axis=1).argmin()
+    is_kept = np.isin(np.arange(len(nodes)), draft.origin)
+    return Finished(
+        draft.vertices,
+        in_order(draft.edges),
+        is_kept,
+        draft.origin[graphs.nearest_along(draft.vertices, draft.edges, draft.origin >= 0)[draft.node_of_flow]],
+        job.roadmap.num_refused,
+        job.roadmap.num_closed,
+        job.budget.was_hit,
+        draft.is_sparse,
+        draft.num_pruned,
+        draft.num_grown,
+        draft.finer,
+        is_cut=is_cut,
+        num_unsought=job.roadmap.num_unsought,
+    )
+
+
+def _by_wavefronts(
+    outside: Enclosure, nodes: np.ndarray, edges: np.ndarray, job: Job, is_tangle: bool
+) -> Finished | None:
+    """The finished Reeb curve of a solid, if it has one that is no more outside than the flow's curve."""
+    laid = reeb_curve.reeb_curve(outside, containment.is_inside)
+    if laid is None or not (is_tangle or _outside(job, *laid[:2]) <= _outside(job, nodes, edges)):
+        return None
+    return _of_reeb_curve(laid, nodes, job)
+
+
+def _outside(job: Job, nodes: np.ndarray, edges: np.ndarray) -> float:
+    """The share of a curve's length in edges that are not inside: rings of a body with arms are no sections of it."""
+    a, b = nodes[edges[:, 0]], nodes[edges[:, 1]]
+    length = np.linalg.norm(a - b, axis=1)
+    return float(length[~containment.is_inside(job.shape, a, b)].sum() / max(length.sum(), 1e-300))
+
+
+def _of_reeb_curve(laid: reeb_curve.ReebCurve, nodes: np.ndarray, job: Job) -> Finished:
+    """Finish the Reeb curve ``laid``. It is centred and reaches the limbs' ends, so centring and extension are left
+    out. Each of the flow's ``nodes`` (n, 3) becomes the nearest node of the curve; of several, the first stays. In the
+    draft, ``node_of_flow`` holds the solid's vertices instead of the flow's nodes."""
+    x, num = laid.vertices, len(laid.vertices)
+    none = np.zeros(num, dtype=bool)
+    draft = Draft(x, laid.edges, none, np.arange(num), laid.node_of_vertex, x, none)
+    for each in (
+        contain,
+        remove_excess_cycles,
+        straighten,
+        contain,
+        merge_coincident,
+        complete_cycles,
+        prune_by_balls,
+        intersect_axes,
+        round_corners,
+    ):
+        draft = each(draft, job)
+    near = np.asarray(spatial.KDTree(draft.vertices).query(nodes)[1])
+    taken, first, place = np.unique(near, return_index=True, return_inverse=True)
+    is_kept = np.isin(np.arange(len(nodes)), first)
+    source = np.concatenate([near[is_kept], np.setdiff1d(np.arange(len(draft.vertices)), taken)])
+    rank = np.argsort(source)
+    return Finished(
+        draft.vertices[source],
+        in_order(rank[draft.edges]),
+        is_kept,
+        first[place],
+        job.roadmap.num_refused,
+        job.roadmap.num_closed,
+        num_pruned=draft.num_pruned,
+        node_of_vertex=rank[draft.node_of_flow],
+        num_unsought=job.roadmap.num_unsought,
+    )
+
+
+def contain(draft: Draft, job: Job) -> Draft:
+    """Nodes and edges are inside; ends that no path inside leads to are removed."""
+
+    def inside(draft: Draft) -> Draft:
+        return draft.changed(*containment.contain(job.shape, draft.vertices, draft.edges, draft.is_held, job.roadmap))
+
+    draft = inside(draft)
+    if job.roadmap.num_closed:
+        stays, target = containment.cut_off(job.shape, draft.vertices, draft.edges, draft.is_held)
+        draft = draft if stays.all() else inside(_left(draft, stays, target))
+    return draft
+
+
+def remove_excess_cycles(draft: Draft, job: Job) -> Draft:
+    """All loops go around handles of the solid, at most one around each."""
+    if not job.shape.handles.genus:
+        return draft
+    return draft._replace(edges=draft.edges[handle_loops.independent(job.shape, draft.vertices, draft.edges)])
+
+
+def complete_cycles(draft: Draft, job: Job) -> Draft:
+    """There is one loop around every handle of the solid, and no other loop."""
+    draft = remove_excess_cycles(draft, job)
+    x, edges = draft.vertices, draft.edges
+    missing = job.shape.handles.genus - graphs.cycle_count(len(x), edges)[1]
+    job.roadmap.num_unsought = 0
+    if missing:
+        x, edges, _ = containment.refine(job.shape, x, edges, SPACING, MOST_NODES)
+        x, edges = handle_loops.completed(job.roadmap, x, edges, missing)
+    return draft.changed(x, edges)
+
+
+def straighten(draft: Draft, job: Job) -> Draft:
+    """Branches turn by at most ``SHARPEST`` degrees at a node, where possible."""
+    return draft.changed(resampling.straighten(job.shape, draft.vertices, draft.edges, draft.is_held, SHARPEST))
+
+
+def place_junctions(draft: Draft, job: Job) -> Draft:
+    """Junctions get places: nearby points of largest clearance, or first a node whose ball contains theirs."""
+    is_former_junction = (draft.degree() > 2) & ~draft.is_held
+    is_former_junction[is_former_junction] = job.coarse.contains(draft.place[is_former_junction])
+    place = draft.place.copy()
+    if is_former_junction.any():
+        own, clearance = (job.coarse.approximate_clearance(x)[0] for x in (place[is_former_junction], draft.vertices))
+        is_held_in = np.asarray(
+            spatial.distance.cdist(place[is_former_junction], draft.vertices) + own[:, None] <= HOLDS * clearance
+        )
+        largest = np.where(is_held_in, clearance, -1.0).argmax(axis=1)
+        place[is_former_junction] = np.where(
+            np.any(is_held_in, axis=1, keepdims=True), draft.vertices[largest], place[is_former_junction]
+        )
+    place[is_former_junction] = centring.deepest_points(job.coarse, place[is_former_junction])
+    return draft._replace(place=place, is_former_junction=is_former_junction)
+
+
+def centre_nodes(
+    draft: Draft, job: Job, hold_leaves: bool, rounds: int = centring.ROUNDS, is_far: bool = False
+) -> Draft:
+    """Nodes are in the middle of the solid."""
+    is_held = draft.is_held | draft.is_leaf() if hold_leaves else draft.is_held
+    x = centring.centre(
+        job.coarse,
+        draft.vertices,
+        draft.edges,
+        is_held,
+        rounds,
+        draft.place,
+        draft.is_former_junction,
+        is_far,
+        job.budget,
+        job.shape.handles,
+    )
+    return draft.changed(x)
+
+
+def merge_junctions(draft: Draft, job: Job) -> Draft:
+    """Junctions inside the ball of another one are merged."""
+    if not job.prune:
+        return draft
+    x = draft.vertices
+    stays, target, edges = branches.merge_junctions(
+        x, draft.edges, job.shape.approximate_closest(x)[0], draft.is_held, job.shape.handles
+    )
+    return _left(draft._replace(edges=edges), stays, target)
+
+
+def centre_and_merge(draft: Draft, job: Job, centre: bool, hold_leaves: bool) -> Draft:
+    """Junctions are where the axes of their branches meet, and none is inside the ball of another one."""
+    if centre:
+        draft = centre_nodes(place_junctions(draft, job), job, hold_leaves, FIRST_ROUNDS, is_far=True)
+    return merge_junctions(draft, job)
+
+
+def resample(draft: Draft, job: Job, hold_leaves: bool) -> Draft:
+    """Nodes are about ``SPACING`` radii apart, in the middle of the solid. No two strands run in one limb, and the
+    junctions of tubes are where the axes of their branches meet."""
+    draft = centre_nodes(refine(draft, job), job, hold_leaves)
+    radii = job.coarse.approximate_clearance(draft.vertices)[0]
+    stays, target, edges = branches.zip_strands(draft.vertices, draft.edges, radii, draft.is_held)
+    if not stays.all():
+        draft = centre_nodes(_left(draft._replace(edges=edges), stays, target), job, hold_leaves, FIRST_ROUNDS)
+    return intersect_axes(draft, job)
+
+
+def intersect_axes(draft: Draft, job: Job) -> Draft:
+    """The junctions of tubes are where the axes of their branches meet, and no others are left."""
+    radii = job.coarse.approximate_clearance(draft.vertices)[0]
+    is_leaf = draft.is_leaf()
+    draft = draft.changed(*junctions.attached(job.shape, draft.vertices, draft.edges, draft.is_held, radii))
+    worth = np.where(np.pad(is_leaf, (0, len(draft.vertices) - len(is_leaf))), np.inf, 0.0)
+    draft = _left(draft, *one_branch.kept(draft.vertices, draft.edges, worth, draft.is_held))
+    radii = job.coarse.approximate_clearance(draft.vertices)[0]
+    step = junctions.met(job.shape, draft.vertices, draft.edges, draft.is_held, radii) - draft.vertices
+    at = moves.places_of(job.shape, draft.vertices)
+    return draft.changed(moves.taken(job.shape, job.shape.handles, at, step, draft.edges).x)
+
+
+def prune_by_balls(draft: Draft, job: Job) -> Draft:
+    """Branches of a Reeb curve that are no limbs by their balls are removed: its limbs are tubes, and have too few
+    triangles for caps."""
+    if not job.prune:
+        return draft
+    x = draft.vertices
+    slenderness = pruning.by_balls(x, job.shape.approximate_clearance(x)[0])
+    left = _left(draft, *pruning.prune(len(x), draft.edges, slenderness, job.prune, draft.is_held))
+    return left._replace(num_pruned=draft.num_pruned + int(draft.is_leaf().sum() - left.is_leaf().sum()))
+
+
+def _left(draft: Draft, stays: np.ndarray, target: np.ndarray) -> Draft:
+    """The draft with the nodes of ``stays`` (N,) only; the others are replaced by their ``target`` (N,)."""
+    x, e, is_held = draft.vertices, draft.edges, draft.is_held
+    rank = np.cumsum(stays) - 1
+    left = rank[e[stays[e].all(axis=1)]]
+    of_flow = rank[target[draft.node_of_flow]]
+    return draft._replace(
+        vertices=x[stays],
+        edges=left,
+        is_held=is_held[stays],
+        origin=draft.origin[stays],
+        node_of_flow=of_flow,
+        place=draft.place[stays],
+        is_former_junction=draft.is_former_junction[stays],
+    )
+
+
+def refine(draft: Draft, job: Job) -> Draft:
+    """Nodes are about ``SPACING`` radii apart."""
+    x, edges, is_sparse = containment.refine(job.shape, draft.vertices, draft.edges, SPACING, MOST_NODES)
+    return draft.changed(x, edges)._replace(is_sparse=is_sparse)
+
+
+def prune_and_extend(draft: Draft, job: Job, extend: bool) -> Draft:
+    """Every limb of the solid has one branch, and no other branch ends in a leaf, but for held nodes.
+
+    ``extend``: whether branches are laid to the ends of their limbs, and limbs without a branch get one.
+    """
+    if not (job.prune or extend):
+        return draft
+    caps = job.caps()
+    choice = one_branch.choose(caps, draft.vertices, draft.edges, draft.is_held, job.prune)
+    job.budget.was_hit |= choice.was_hit
+    num_leaves, worth, leaf, missing = int(draft.is_leaf().sum()), choice.worth, np.array(choice.leaf, np.int64), 0
+    if job.prune:
+        if extend:
+            missing = choice.leaf.count(-1)
+            draft = _moved(draft, *one_branch.grown(caps, job.coarse, draft.vertices, draft.edges, choice, job.prune))
+            worth = np.pad(worth, (0, len(draft.vertices) - len(worth)), constant_values=np.inf)
+        stays, target = one_branch.kept(draft.vertices, draft.edges, worth, draft.is_held)
+        draft, leaf = _left(draft, stays, target), np.where(leaf < 0, -1, np.cumsum(stays)[leaf] - 1)
+    num_pruned = num_leaves + missing - int(draft.is_leaf().sum())
+    if extend:
+        curve = draft.vertices, draft.edges, draft.is_held
+        draft = contain(_moved(draft, *one_branch.laid(caps, job.coarse, *curve, leaf.tolist(), job.prune)), job)
+    finer = tuple((each.detail, caps.surface.points[each.cap.tip]) for each in caps.limbs(job.prune).finer)
+    return draft._replace(num_pruned=num_pruned, num_grown=missing, finer=finer)
+
+
+def _moved(draft: Draft, vertices: np.ndarray, edges: np.ndarray) -> Draft:
+    """The draft with moved nodes and new edges: the flow has no place for a node that moved, or a new junction."""
+    old, degree = draft.vertices, draft.degree()
+    draft = draft.changed(vertices, edges)
+    is_new = (vertices[: len(old)] != old).any(axis=1) | ((draft.degree()[: len(old)] > 2) & (degree < 3))
+    draft.place[: len(old)][is_new] = vertices[: len(old)][is_new]
+    return draft
+
+
+def enforce_topology(draft: Draft, job: Job) -> Draft:
+    """What was promised holds: all is inside, and each cycle is one in space, around a handle of its own."""
+    return complete_cycles(merge_coincident(contain(draft, job), job), job)
+
+
+def merge_coincident(draft: Draft, job: Job) -> Draft:
+    """Coincident edges are merged, so every cycle is one in space."""
+    stays, target, edges = branches.merge_coincident(draft.vertices, draft.edges, draft.is_held)
+    return _left(draft._replace(edges=edges), stays, target)
+
+
+def round_corners(draft: Draft, job: Job) -> Draft:
+    """Corners that could not be cut are rounded within their balls."""
+    return draft.changed(*resampling.round_corners(job.shape, draft.vertices, draft.edges, draft.is_held, SHARPEST))
+
+
+def in_order(edges: np.ndarray) -> np.ndarray:
+    """Edges with their smaller node first, in ascending order."""
+    return np.unique(np.sort(edges, axis=1), axis=0).reshape(-1, 2)

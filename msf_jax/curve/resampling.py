@@ -1,0 +1,252 @@
+"""Move the nodes of a curve: spread them evenly along its branches, smooth it, or round its corners. All of these keep
+the curve inside its solid."""
+
+import itertools
+from math import comb
+
+import numpy as np
+
+from msf_jax.curve import moves
+from msf_jax.inside import containment
+from msf_jax.solid.enclosure import Enclosure
+from msf_jax.solid.geometry import arc_length, at, unit
+from msf_jax.solid.solid import Solid
+from msf_jax.topology import graphs
+
+STRAIGHTENINGS = 20  # rounds of `straighten`
+ROUNDINGS = 4  # rounds, each over all corners that are left
+REACH = 0.9  # clearances of a corner: the curve is replaced within this arc length of it
+LEGS = 3  # control points of the Bezier curve on each side of the corner, with the corner itself
+FINE = 65  # points at which the Bezier curve is evaluated, to place its nodes
+EVEN = 0.3  # share of arc length in the spacing of its nodes; the rest is by turning
+SPARE = 0.75  # mean turn at these nodes, over the sharpest allowed turn
+ENDS = 0.2  # fraction of the distance to the corner: a node so near to either end of the replaced part becomes its end
+CLOSEST = 0.01  # clearances between two nodes: a corner that would need a smaller distance stays
+
+
+def resample(
+    vertices: np.ndarray, edges: np.ndarray, spacing: float, is_held: np.ndarray, solid: Solid | None
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Nodes about every ``spacing`` along the branches of a curve ``(vertices (N, 3), edges (E, 2))``.
+
+    Ends of branches and nodes of ``is_held`` (N,) stay. An edge that would leave ``solid`` is bisected.
+
+    Returns:
+        The nodes, the edges, and the new node (N,) of each old node.
+    """
+    degree = np.bincount(edges.ravel(), minlength=len(vertices))
+    is_end = (degree != 2) | is_held
+    polylines, stops = [], []
+    joined_ends: set[tuple[int, int]] = set()
+    for path in graphs.trace(len(vertices), edges):
+        cuts = [0, *(np.flatnonzero(is_end[path[1:-1]]) + 1).tolist(), len(path) - 1]
+        for first, last in itertools.pairwise(cuts) if len(path) > 1 else ():
+            nodes = np.array(path[first : last + 1])
+            is_end[nodes[[0, -1]]] = True
+            ends = (int(nodes[[0, -1]].min()), int(nodes[[0, -1]].max()))
+            along = arc_length(vertices[nodes])
+            num = max(1, round(along[-1] / spacing))
+            if ends[0] == ends[1]:
+                num = max(3, num)  # a loop needs three edges
+            elif num == 1 and ends in joined_ends:
+                num = 2  # of two branches with the same ends, one needs an inner node
+            joined_ends.add(ends)
+            polylines.append((nodes, along))
+            stops.append(_stops_inside(vertices[nodes], along, num, solid))
+    rank = np.cumsum(is_end) - 1
+    node_of_old = np.where(is_end, rank, -1)
+    new_vertices, new_edges, count = [vertices[is_end]], [np.empty((0, 2), dtype=np.int64)], int(is_end.sum())
+    for (nodes, along), stop in zip(polylines, stops, strict=True):
+        chain = np.r_[rank[nodes[0]], np.arange(count, count + len(stop) - 2), rank[nodes[-1]]]
+        new_vertices.append(at(vertices[nodes], along, stop[1:-1]))
+        new_edges.append(np.stack([chain[:-1], chain[1:]], axis=1))
+        count += len(stop) - 2
+        node_of_old[nodes[1:-1]] = chain[nearest_of(stop, along[1:-1])]
+    return np.concatenate(new_vertices), np.concatenate(new_edges), node_of_old
+
+
+def nearest_of(stops: np.ndarray, along: np.ndarray) -> np.ndarray:
+    """(P,) which of ``stops`` (S,), at least two in ascending order, is nearest to each of ``along`` (P,)."""
+    after = np.clip(np.searchsorted(stops, along), 1, len(stops) - 1)
+    return np.where(along - stops[after - 1] <= stops[after] - along, after - 1, after)
+
+
+def _stops_inside(points: np.ndarray, along: np.ndarray, num: int, solid: Solid | None) -> np.ndarray:
+    """Arc lengths of the ends of at least ``num`` edges along ``points`` (k, 3), as few as stay inside.
+
+    Instead of many bisections, a few more equal edges may be enough. So a larger spacing never needs more nodes.
+    """
+    fewest = _bisected(points, along, num, solid)
+    while num + 1 < len(fewest) - 1:
+        num += 1
+        fewest = min(fewest, _bisected(points, along, num, solid), key=len)
+    return fewest
+
+
+def _bisected(points: np.ndarray, along: np.ndarray, num: int, solid: Solid | None) -> np.ndarray:
+    """Arc lengths of the ends of ``num`` equal edges; those outside are bisected at the middle one of the old nodes
+    between their ends, until none is outside or no old node is left."""
+    stops = np.linspace(0, along[-1], num + 1)
+    while solid is not None:
+        entered = solid.enter(at(points, along, stops))
+        first = np.searchsorted(along, stops[:-1], side="right")
+        last = np.searchsorted(along, stops[1:], side="left")
+        rows = np.flatnonzero(first < last)
+        rows = rows[~containment.is_inside(solid.shape, entered[rows], entered[rows + 1])]
+        if not len(rows):
+            break
+        stops = np.sort(np.concatenate([stops, along[(first[rows] + last[rows]) // 2]]))
+    return stops
+
+
+def smooth(
+    vertices: np.ndarray, edges: np.ndarray, radii: np.ndarray, rounds: int, is_held: np.ndarray, solid: Solid | None
+) -> tuple[np.ndarray, np.ndarray]:
+    """The curve after ``rounds`` in which each node moves half of the distance to the middle of its two neighbours.
+
+    Ends of branches and nodes of ``is_held`` (N,) stay, and so does a node that would leave ``solid`` or lose half of
+    its radius. Returns the nodes and the edges; an edge that would leave the solid gets new nodes, which come last.
+    """
+    x = vertices.copy()
+    degree = np.bincount(edges.ravel(), minlength=len(x))
+    paths = graphs.trace(len(x), edges)
+    for _ in range(rounds):
+        goal = x.copy()
+        for path in paths:
+            nodes = path[:-1] + path[:2] if degree[path[0]] == 2 else path  # a loop has no fixed ends
+            goal[nodes[1:-1]] = x[nodes[1:-1]] / 2 + (x[nodes[:-2]] + x[nodes[2:]]) / 4
+        is_safe = ~is_held
+        if solid is not None:
+            is_safe &= solid.radii(goal) >= radii / 2
+        x[is_safe] = goal[is_safe]
+    if solid is None:
+        return x, edges
+    entered, edges = containment.contain(solid.shape, solid.enter(x), edges, np.ones(len(x), dtype=bool))
+    return np.concatenate([x, solid.leave(entered[len(x) :])]), edges
+
+
+def straighten(
+    shape: Enclosure, vertices: np.ndarray, edges: np.ndarray, is_held: np.ndarray, most: float
+) -> np.ndarray:
+    """Cut sharp corners: a node where its branch turns by more than ``most`` degrees moves to the middle of its
+    neighbours, or as near as the rule of `moves` allows. Returns the nodes (N, 3).
+
+    Sharp corners are spikes at nodes that came in from outside or lie in a fold of the surface.
+    """
+    at = moves.places_of(shape, vertices)
+    inner, before, after = containment.between(len(vertices), edges)
+    for _ in range(STRAIGHTENINGS):
+        turn = np.where(is_held, 0.0, turns(at.x, edges))[inner]
+        # Of two neighbours, the sharper one moves: both would swap the corner.
+        beside = np.zeros(len(vertices))
+        beside[inner] = turn
+        is_sharp = (turn > most) & (turn >= np.maximum(beside[before], beside[after]))
+        step = np.zeros_like(vertices)
+        step[inner[is_sharp]] = ((at.x[before] + at.x[after]) / 2 - at.x[inner])[is_sharp]
+        found = moves.taken(shape, shape.handles, at, step, edges)
+        if (found.x == at.x).all():  # no corner is sharp, or none can be cut
+            break
+        at = found
+    return at.x
+
+
+def round_corners(
+    shape: Enclosure, vertices: np.ndarray, edges: np.ndarray, is_held: np.ndarray, most: float
+) -> tuple[np.ndarray, np.ndarray]:
+    """The curve with corners that turn by more than ``most`` degrees rounded: its nodes, new ones last, and its edges.
+
+    The ball around a corner is convex and inside, so any curve within it is inside. There the curve is replaced by the
+    Bezier curve with the old polyline as its control polygon. Its total turn is no larger, and it has no corner. It
+    uses the old nodes there, and new ones as needed. Ends of branches and nodes of ``is_held`` (N,) stay.
+    """
+    x = vertices
+    for _ in range(ROUNDINGS):
+        is_fixed = np.pad(is_held, (0, len(x) - len(is_held)))
+        turn = np.where(is_fixed, 0.0, turns(x, edges))
+        sharp = np.flatnonzero(turn > most)
+        if not len(sharp):
+            break
+        clearance = np.zeros(len(x))
+        clearance[sharp] = shape.clearance(x[sharp])
+        before, polylines = x, []
+        for path in graphs.trace(len(x), edges):
+            nodes = np.array(path)
+            corners = nodes[clearance[nodes] > 0]
+            if len(corners) and nodes[0] == nodes[-1] and turn[nodes[0]] > 0:  # a ring begins at its straightest node
+                first = int(turn[nodes].argmin())
+                nodes = np.r_[nodes[first:-1], nodes[: first + 1]]
+            for corner in corners[np.argsort(-turn[corners], kind="stable")]:
+                x, nodes = _round_corner(x, nodes, int(corner), float(clearance[corner]), is_fixed, most)
+            polylines.append(nodes)
+        if x is before:
+            break
+        edges = np.concatenate([np.stack([nodes[:-1], nodes[1:]], axis=1) for nodes in polylines])
+    return x, edges
+
+
+def turns(vertices: np.ndarray, edges: np.ndarray) -> np.ndarray:
+    """(N,) degrees by which the curve turns at its nodes; 0 for nodes without exactly two edges."""
+    inner, before, after = containment.between(len(vertices), edges)
+    found = np.zeros(len(vertices))
+    found[inner] = _angles(vertices[inner] - vertices[before], vertices[after] - vertices[inner])
+    return found
+
+
+def _angles(one: np.ndarray, other: np.ndarray) -> np.ndarray:
+    """Degrees (n,) between vectors (n, 3), 0 if one of them is zero."""
+    found = np.degrees(np.arccos(np.clip(np.einsum("ni,ni->n", unit(one), unit(other)), -1.0, 1.0)))
+    return np.where(one.any(axis=1) & other.any(axis=1), found, 0.0)
+
+
+def _round_corner(
+    x: np.ndarray, nodes: np.ndarray, corner: int, clearance: float, is_fixed: np.ndarray, most: float
+) -> tuple[np.ndarray, np.ndarray]:
+    """Round one ``corner`` of a branch within its ball: the curve's nodes (N, 3), new ones last, and the branch's (k,).
+
+    Nodes of ``is_fixed`` and nodes that are newer than it stay. The nodes of a rounded corner become fixed.
+    """
+    here = int(np.flatnonzero(nodes == corner)[0])
+    is_end = np.append(is_fixed, True)[np.minimum(nodes, len(is_fixed))]
+    is_end[[0, -1]] = True
+    if is_end[here]:  # fixed by another corner near by, or the start of a ring: left to the next round
+        return x, nodes
+    along, ends = arc_length(x[nodes]), np.flatnonzero(is_end)
+    low, high = ends[ends < here].max(), ends[ends > here].min()
+    first, last = max(along[low], along[here] - REACH * clearance), min(along[high], along[here] + REACH * clearance)
+    begin = max(low, np.searchsorted(along, first))  # first of the nodes between; some may coincide with an end
+    end = min(high + 1, np.searchsorted(along, last, side="right"))
+    has_first = along[begin] <= first + ENDS * (along[here] - first)
+    has_last = along[end - 1] >= last - ENDS * (last - along[here])
+    first, last = along[begin] if has_first else first, along[end - 1] if has_last else last
+    old = nodes[begin + has_first : end - has_last]
+    stops = np.r_[np.linspace(first, along[here], LEGS), np.linspace(along[here], last, LEGS)[1:]]
+    curve = _bezier(at(x[nodes], along, stops))
+    step = np.diff(curve, axis=0)
+    length, turn = np.linalg.norm(step, axis=1), np.r_[0.0, _angles(step[:-1], step[1:]), 0.0]
+    num = max(len(old), int(np.ceil(turn.sum() / (SPARE * most))))
+    share = EVEN * length / length.sum() + (1 - EVEN) * (turn[:-1] + turn[1:]) / 2 / turn.sum()
+    part = np.r_[0.0, np.cumsum(share)]
+    chosen = at(curve, part, np.linspace(0.0, part[-1], num + 2))
+    chain = np.full(num + 2, -1)
+    chain[0], chain[-1] = nodes[begin] if has_first else -1, nodes[end - 1] if has_last else -1
+    chain[1 + ((np.arange(len(old)) + 0.5) * num / max(len(old), 1)).astype(np.int64)] = old
+    is_new = chain < 0
+    chain[is_new] = len(x) + np.arange(np.count_nonzero(is_new))
+    y = np.concatenate([x, chosen[is_new]])
+    y[old] = chosen[np.isin(chain, old)]
+    path = np.r_[nodes[:begin], chain, nodes[end:]]
+    around = np.diff(y[path[max(begin - 1, 0) : begin + len(chain) + 1]], axis=0)
+    before, after = np.diff(x[nodes[here - 1 : here + 2]], axis=0)
+    is_less = _angles(around[:-1], around[1:]).max() < _angles(before[None], after[None])[0]
+    is_apart = np.linalg.norm(np.diff(y[chain], axis=0), axis=1).min() > CLOSEST * clearance
+    if not (is_less and is_apart):
+        return x, nodes
+    is_fixed[old] = True
+    return y, path
+
+
+def _bezier(points: np.ndarray) -> np.ndarray:
+    """(FINE, 3) points of the Bezier curve whose control polygon is ``points`` (k, 3)."""
+    t, degree = np.linspace(0, 1, FINE)[:, None], len(points) - 1
+    number = np.arange(degree + 1)
+    return np.array([comb(degree, k) for k in number]) * t**number * (1 - t) ** (degree - number) @ points

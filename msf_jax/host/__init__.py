@@ -1,1 +1,0 @@
-"""Everything that reads or edits connectivity, in NumPy and SciPy only."""

@@ -1,0 +1,381 @@
+"""The limbs of a solid, found on its surface: caps that are long for the curve that cuts them off.
+
+The points of the surface within a geodesic distance of a *tip* are a disc. Its longest boundary curve, of length P,
+cuts off a *cap* of area A: the disc, and the smaller parts that its other boundary curves enclose. The cap's
+*slenderness* is
+
+    2 pi A / P^2 - 1 / 2,
+
+and half of that if A is less than `SMALL` of the surface. It is 0 for a flat disc, 1 / 2 for half a ball, and
+h / radius for a cylinder that sticks out by h from a larger body. Unlike a measure along a curve, it does not depend on
+where the curve runs, and little on the size of the triangles. The smallest cap around a tip that is slender enough is a
+*limb*, unless it overlaps a smaller one. A very small limb must be twice as slender: it has too few triangles in most
+meshes, and its slenderness changes by a fifth with them.
+
+A tip is a vertex whose average geodesic distance from the surface is larger than that of its neighbours (Hilaga,
+Shinagawa, Kohmura, Kunii 2001).
+"""
+
+from functools import cached_property
+from typing import NamedTuple
+
+import numpy as np
+import trimesh
+
+from msf_jax.limbs import ends, fronts, protrusion
+from msf_jax.solid.enclosure import Enclosure
+from msf_jax.solid.geometry import cross, largest_of_each
+from msf_jax.topology import graphs
+
+SOURCES = 16  # points, far from each other, whose distances are averaged
+SMOOTHINGS = 5  # of the average distance, each a mean with the neighbours: so noise makes few tips
+FIRST_RADIUS = 0.002  # of the first disc, in square roots of the surface's area
+RATIO = 1.06  # of the radii of successive discs
+SMALL = 0.0012  # of the surface, 24 triangles of 20,000: a smaller cap counts half, see `fronts.SMALLER`
+BLUNT = 0.6  # of the least slenderness: enough for blunt ends, see `Caps.limbs`; more than corners of a box have
+NEARLY = 0.7  # of the least slenderness: then the neighbours of a tip are tried, too
+ROUND_END = 0.5  # least slenderness of a limb's end, before a disc goes around a handle or a larger part: half a ball
+RAISED = 0.43  # protrusion of a limb's tip: more than a ball has, less than the end of a rod; see `protrusion`
+LEAST_RAISED = 0.7  # of what a limb needs: less is none at any detail
+LARGEST = 0.25  # of the surface: caps of limbs that only stand out
+DROP = 0.6  # of a limb's slenderness: a larger cap, of what it stands on, has less
+# Volume over area to the 3 / 2, and least slenderness, for that of a limb: 1.2 times that of the corner of a thin
+# plate, and of thicker ones; and more than half a ball, 0.5, which is the corner of a frame of rods.
+CORNER = (0.0, 0.083, 0.105, 0.13), (0.6, 0.5, 0.39, 0.6)
+TRIANGLES = 48  # fewest of a limb that only stands out
+MOST_DISCS = 200  # radii: more than from the first one to the whole of a surface
+FEWEST = 1_000  # vertices of a surface: of one with fewer, triangles are split, so that discs follow its limbs
+MOST_TIPS = 100  # places of a component, besides the curve's leaves, those with the largest average distance first
+MOST_AREA = 100.0  # surfaces of a component: area of all its discs together; then no further tip of it is tried
+
+
+class Cap(NamedTuple):
+    """tip: a vertex. slenderness, area: of the cap. region: (r,) the cap's vertices."""
+
+    tip: int
+    slenderness: float
+    area: float
+    region: np.ndarray
+
+
+class Raised(NamedTuple):
+    """A limb that stands out only: ``detail`` is the least detail (see `Config`) at which it is one."""
+
+    detail: float
+    cap: Cap
+
+
+class Limbs(NamedTuple):
+    """The limbs of a surface, see `Caps.limbs`.
+
+    caps: of the limbs. owner: (V,) the number of the limb of each vertex, from 1; 0 for none. time: (V,) the mean exit
+    time from the limb (see `ends`): how far a vertex is from the limb's base. slenderness: (V,) at each tip, the
+    largest of its caps, infinite for a tip that was not tried; 0 elsewhere. finer: the limbs of a finer detail.
+    """
+
+    caps: list[Cap]
+    owner: np.ndarray
+    time: np.ndarray
+    slenderness: np.ndarray
+    finer: list[Raised]
+
+
+class Caps:
+    """The caps of the closed surface ``shape``, whose triangles are split if they are few.
+
+    Of the limbs that only stand out, those of ``detail`` are found. ``was_hit``: whether `MOST_TIPS` or `MOST_AREA` was
+    reached. Not for several threads at once.
+    """
+
+    def __init__(self, shape: Enclosure, detail: float = 0.5):
+        self.detail = detail
+        while len(shape.vertices) < FEWEST:
+            split = trimesh.remesh.subdivide(shape.vertices, shape.faces)
+            shape = Enclosure(split[0], split[1])
+        self.shape = shape
+        x, faces = shape.vertices, shape.faces
+        around = np.argsort(faces.ravel(), kind="stable") // 3
+        first = np.concatenate([[0], np.cumsum(np.bincount(faces.ravel(), minlength=len(x)))])
+        a, b, c = shape.triangles[:, 0], shape.triangles[:, 1], shape.triangles[:, 2]
+        vector = cross(b - a, c - a) / 2
+        area, volume = np.linalg.norm(vector, axis=1), np.einsum("fi,fi->f", a, vector) / 3
+        size = np.concatenate([area[:, None], vector, volume[:, None]], axis=1)
+        self.surface, self.area = fronts.Surface(x, faces, shape.mesh.twins, first, around, size), area
+        component = graphs.labels_of_faces(faces, len(x)).astype(np.int64)
+        self._component = component
+        count, of_face = np.bincount(component), component[faces[:, 0]]
+        self._total = np.bincount(of_face, area, len(count))[component]
+        # Two vertices more than half of the faces: Euler's formula for a component without handles.
+        self._is_ball = 2 * count - np.bincount(of_face, minlength=len(count)) == 4
+        num, size = len(x), 9 * len(faces)
+        state, order, filled, stack = np.zeros((4, num), dtype=np.int64)
+        key, value = np.empty(size), np.empty(size, dtype=np.int64)
+        ring = np.full(len(faces), -1)
+        self._front = fronts.Scratch(np.full(num, np.inf), state, order, filled, stack, key, value, ring)
+        self._left, self.was_hit = np.full(component.max() + 1, MOST_AREA), False
+        self._rows = np.empty((MOST_DISCS + 4, 9))
+        self._region = np.empty(len(x) + 1, dtype=np.int64)
+        self._found: dict[float, Limbs] = {}
+
+    def grown(
+        self, tip: int, others: np.ndarray, enough: float = np.inf, share: float = 0.5, least: float = SMALL
+    ) -> tuple[np.ndarray, np.ndarray]:
+        """The caps around ``tip``, one in each row (k, 7), and the vertices (r,) of the slenderest cap.
+
+        A row is slenderness, radius of the disc, area, middle of the curve and volume. The last cap is the first one of
+        ``enough`` slenderness, or the last one below that ``share`` of the surface and without a vertex of ``others``
+        (V,). A cap of less than the share ``least`` counts half.
+        """
+        total = float(self._total[tip])
+        first, small, most = FIRST_RADIUS * np.sqrt(total), least * total, share * total
+        count = fronts.cap(
+            self.surface, self._front, int(tip), first, RATIO, enough, small, most, others, self._rows, self._region
+        )
+        end = int(np.argmax(self._region == -1))
+        self._left[self._component[tip]] -= self._rows[count - 1, 2] / total if count else 0.0
+        return self._rows[:count, :7].copy(), self._region[:end].copy()
+
+    @cached_property
+    def height(self) -> np.ndarray:
+        """(V,) the average geodesic distance of each vertex from its component, smoothed against noise."""
+        x, faces, component = self.surface.points, self.surface.faces, self._component
+        share = np.bincount(faces.ravel(), np.repeat(self.area / 3, 3), len(x))
+        whole = np.bincount(component, share)
+        middle = np.stack([np.bincount(component, share * axis) / whole for axis in x.T], axis=1)
+        source = largest_of_each(component, -np.linalg.norm(x - middle[component], axis=1))
+        source = largest_of_each(component, self._distances(source))
+        away = np.empty((SOURCES, len(x)))
+        for row in range(SOURCES):
+            away[row] = self._distances(source)
+            source = largest_of_each(component, away[: row + 1].min(axis=0))
+        pair = away.argmin(axis=0) * len(whole) + component
+        weight = np.bincount(pair, share, SOURCES * len(whole)).reshape(SOURCES, -1)
+        found = np.einsum("sv,sv->v", (weight / whole)[:, component], away)
+        tail, head = faces.ravel(), np.roll(faces, -1, axis=1).ravel()
+        degree = np.bincount(tail, minlength=len(x))
+        for _ in range(SMOOTHINGS):
+            found = (found + np.bincount(tail, found[head], len(x)) / degree) / 2
+        return found
+
+    @cached_property
+    def tip_of(self) -> np.ndarray:
+        """(V,) the tip that each vertex leads to, if the largest height among its neighbours is followed."""
+        tail, head = self.surface.faces.ravel(), np.roll(self.surface.faces, -1, axis=1).ravel()
+        above = np.arange(len(self.height))
+        order = np.argsort(self.height[head], kind="stable")
+        order = order[self.height[head[order]] > self.height[tail[order]]]
+        above[tail[order]] = head[order]  # of several, the last and highest is kept
+        while (above != above[above]).any():
+            above = above[above]
+        return above
+
+    def tips(self) -> np.ndarray:
+        """Vertices (t,) where `height` is largest among their neighbours, the largest of each component first."""
+        found = np.unique(self.tip_of)
+        found = found[np.lexsort((-self.height[found], self._component[found]))]
+        own = self._component[found]
+        is_first = np.arange(len(found)) - np.searchsorted(own, own) < MOST_TIPS
+        self.was_hit |= not is_first.all()
+        return found[is_first]
+
+    def _distances(self, sources: np.ndarray) -> np.ndarray:
+        fronts.spread(self.surface, self._front, sources)
+        found = self._front.distance.copy()
+        self._front.distance[:], self._front.state[:] = np.inf, 0
+        return found
+
+    def limbs(self, least: float) -> Limbs:
+        """The limbs of at least that slenderness, but `ROUND_END`.
+
+        First come caps below half of the surface. Then the rest may be a limb, too, up to the first ones: the body of a
+        bunny is the other end of its ears. Last come blunt ends of parts with limbs, such as the nose of a head with
+        ears. A component without limbs and handles has its blunt ends instead. If a component without handles has one
+        or two limbs, and a direction, it has one branch, and its halves are the limbs (see `ends.halves`): in a sheet,
+        discs around tips find its corners. The same goes for one without limbs, such as a cube.
+        """
+        if least not in self._found:
+            self._found[least] = self._search(max(least, ROUND_END))
+        return self._found[least]
+
+    def _search(self, least: float) -> Limbs:
+        tips = self.tips()
+        most = np.full(len(self.surface.points), np.inf)
+        owner = np.zeros(len(most), dtype=np.int64)
+        # Of each limb, its tip and the slenderness of its cap: below half of the surface, the largest one.
+        limbs = [(tip, np.inf) for tip in self._slender(tips, owner, most, least, 0.5)]
+        if limbs:
+            limbs += [(tip, least) for tip in self._slender(tips[owner[tips] == 0], owner, most, least, 1.0)]
+            limbs += self._blunt(tips[owner[tips] == 0], owner, least)
+        blunt = max(BLUNT * least, ROUND_END)
+        is_whole = (np.bincount(self._component, owner) == 0) & self._is_ball
+        rest = tips[is_whole[self._component[tips]]]
+        limbs += [(tip, np.inf) for tip in self._slender(rest, owner, most, blunt, 0.5)]
+        caps = [
+            self._of(tip, ((owner > 0) & (owner != number)).astype(np.int64), enough)
+            for number, (tip, enough) in enumerate(limbs, 1)
+        ]
+        count = np.bincount(self._component[[cap.tip for cap in caps]], minlength=len(self._is_ball))
+        for number in np.flatnonzero((count < 3) & self._is_ball).tolist():
+            two, is_long = self._halves(number)
+            if (is_long or not count[number]) and min(cap.slenderness for cap in two) >= blunt:
+                caps = [cap for cap in caps if self._component[cap.tip] != number] + two
+        time = self._owned(caps, owner)
+        raised = self._raised(caps, owner, time, least)
+        added = [each.cap for each in raised if each.detail <= self.detail]
+        if added:
+            caps += added
+            time = self._owned(caps, owner)
+        at_tips = np.zeros(len(most))
+        at_tips[tips] = most[tips]
+        finer = [each for each in raised if each.detail > self.detail]
+        return Limbs(caps, owner, time, at_tips, finer)
+
+    def _owned(self, caps: list[Cap], owner: np.ndarray) -> np.ndarray:
+        """(V,) the mean exit times from the limbs ``caps``, which are numbered in ``owner`` (V,)."""
+        owner[:] = 0
+        for number, cap in sorted(enumerate(caps, 1), key=lambda each: -each[1].area):  # the smaller one last
+            owner[cap.region] = number
+        return ends.exit_times(self.surface.points, self.surface.faces, owner)
+
+    def _raised(self, caps: list[Cap], owner: np.ndarray, time: np.ndarray, least: float) -> list[Raised]:
+        """Limbs around tips where the surface stands out (see `protrusion`), besides the limbs ``caps``, and beyond
+        their ends, by their numbers ``owner`` (V,) and exit times (V,).
+
+        Of the caps around such a tip, up to the next tip of a limb, the slenderest one counts that is followed by a
+        much less slender one: a foot ends where the body begins. It is more slender than the corner of a plate, or half
+        a ball, with as much volume for its area.
+        """
+        x, raised = self.surface.points, []
+        others = np.zeros(len(x), dtype=np.int64)
+        others[[cap.tip for cap in caps]] = 1
+        left = np.full_like(self._left, MOST_AREA)  # a budget of its own
+        for tip, height, scale in zip(*protrusion.tips(x, self.surface.faces, protrusion.BALL), strict=True):
+            near = np.flatnonzero(others)
+            is_end = (np.linalg.norm(x[near] - x[tip], axis=1) <= protrusion.APART * scale).any()
+            if is_end or (owner[tip] and self._is_end(caps[owner[tip] - 1], time, tip)):
+                continue
+            if left[self._component[tip]] <= 0:
+                self.was_hit = True
+                continue
+            rows, _ = self.grown(tip, others, np.inf, LARGEST, 0.0)
+            if not len(rows):
+                continue
+            left[self._component[tip]] -= 2 * rows[-1, 2] / self._total[tip]
+            value, after = rows[:, 0], np.minimum.accumulate(rows[::-1, 0])[::-1]
+            is_last = rows[-1, 2] < LARGEST * self._total[tip] / RATIO**2  # it ends at another tip, or around a handle
+            is_counted = np.append(after[1:], -np.inf if is_last else np.inf) <= DROP * value
+            best = int(np.where(is_counted, value, -1.0).argmax())
+            need = least * float(np.interp(rows[best, 6] / rows[best, 2] ** 1.5, *CORNER))
+            score = min(height / RAISED, value[best] / need)
+            region = self.grown(tip, others, float(value[best]), LARGEST, 0.0)[1]
+            if is_counted[best] and score >= LEAST_RAISED and 2 * len(region) >= TRIANGLES:
+                cap = Cap(int(tip), float(value[best]), float(rows[best, 2]), region)
+                raised.append(Raised(max(1.0 - score / 2, 0.01), cap))
+                others[tip] = 1
+        return raised
+
+    def _is_end(self, cap: Cap, time: np.ndarray, vertex: int) -> bool:
+        """Whether a vertex of a limb is within a width of its end."""
+        last = float(time[cap.region].max())
+        return np.sqrt(2 * (last - time[vertex])) <= cap.area / (2 * np.pi * np.sqrt(2 * last))
+
+    def _halves(self, number: int) -> tuple[list[Cap], bool]:
+        """The halves of a component, as caps, and whether it is long in one direction (see `ends.halves`)."""
+        of_face = self._component[self.surface.faces[:, 0]] == number
+        member = np.flatnonzero(self._component == number)
+        x, faces = self.surface.points[member], np.searchsorted(member, self.surface.faces[of_face])
+        value, is_long = ends.halves(x, faces)
+        perimeter = ends.zero_line(x, faces, value)
+        share = np.bincount(faces.ravel(), np.repeat(self.area[of_face] / 3, 3), len(x))
+        found = []
+        for side in (value, -value):
+            area = float(share[side > 0].sum())
+            slenderness = 2 * np.pi * area / perimeter**2 - 0.5
+            found.append(Cap(int(member[side.argmax()]), slenderness, area, member[side > 0]))
+        return found, is_long
+
+    def axis(self, shape: Enclosure, limbs: Limbs, number: int) -> ends.Axis:
+        """The curve of one of the limbs in the solid ``shape``."""
+        return ends.axis(shape, self.surface.points, self.surface.faces, limbs.time, limbs.caps[number].region)
+
+    def _slender(self, tips: np.ndarray, owner: np.ndarray, most: np.ndarray, least: float, share: float) -> list[int]:
+        """The tips of limbs with caps of at most that ``share`` of the surface, up to the limbs in ``owner`` (V,).
+
+        Numbers their vertices in ``owner``, and sets ``most`` (V,) to the largest slenderness around the tips.
+        """
+        others, found = (owner > 0).astype(np.int64), []
+        for tip in tips.tolist():
+            if self._left[self._component[tip]] < 0:
+                self.was_hit = True
+                continue
+            best, rows, region = self._slenderest(tip, others, least, share)
+            most[tip] = rows[:, 0].max(initial=0.0)
+            if most[tip] >= least and _own(rows) >= ROUND_END:
+                found.append((rows[-1, 2], best, region))
+        limbs = []
+        for _, tip, region in sorted(found, key=lambda each: each[:2]):
+            if not owner[region].any():
+                limbs.append(tip)
+                owner[region] = owner.max() + 1
+        return limbs
+
+    def _blunt(self, tips: np.ndarray, owner: np.ndarray, least: float) -> list[tuple[int, float]]:
+        """The tips of blunt ends that are not small, and their slenderness up to the limbs that ``owner`` (V,) numbers.
+        It numbers theirs.
+
+        Together with these limbs, the part that ends there is slender enough.
+        """
+        others, nothing, found = (owner > 0).astype(np.int64), np.zeros_like(owner), []
+        for tip in tips.tolist():
+            if self._left[self._component[tip]] < 0:
+                continue
+            best, rows, _ = self._slenderest(tip, others, least, 0.5)
+            own = float(rows[rows[:, 2] >= SMALL * self._total[tip], 0].max(initial=0.0))
+            if own >= BLUNT * least and self.grown(best, nothing, least)[0][:, 0].max(initial=0.0) >= least:
+                found.append((own, best))
+        limbs = []
+        for own, tip in sorted(found, key=lambda each: (-each[0], each[1])):
+            rows, region = self.grown(tip, (owner > 0).astype(np.int64), own)
+            if len(rows) and rows[-1, 0] >= own:
+                limbs.append((tip, own))
+                owner[region] = owner.max() + 1
+        return limbs
+
+    def _slenderest(
+        self, tip: int, others: np.ndarray, least: float, share: float
+    ) -> tuple[int, np.ndarray, np.ndarray]:
+        """``tip``, or a neighbour of it, with its caps (see `grown`): those of a blunt limb change with their tip."""
+        best, (rows, region) = tip, self.grown(tip, others, least, share)
+        most = rows[:, 0].max(initial=0.0)
+        if NEARLY * least <= most < least:
+            around = self.surface.around[self.surface.first[tip] : self.surface.first[tip + 1]]
+            for near in np.setdiff1d(self.surface.faces[around], [tip]).tolist():
+                other, other_region = self.grown(near, others, least, share)
+                if other[:, 0].max(initial=0.0) > most:
+                    most, best, rows, region = other[:, 0].max(), near, other, other_region
+        return best, rows, region
+
+    def slenderness(self, foot: np.ndarray, tip: np.ndarray, enough: float = np.inf) -> np.ndarray:
+        """The largest slenderness (l,) of the caps around each of the vertices ``tip`` (l,), without another one of
+        them or another ``foot`` (l,), or some value of at least ``enough``. One tip of several feet stands for none."""
+        tip = np.where(np.bincount(tip, minlength=len(self._total))[tip] > 1, foot, tip)
+        found = np.zeros(len(tip))
+        for number in range(len(tip)):
+            others = np.zeros(len(self._total), dtype=np.int64)
+            others[np.delete(foot, number)] = others[np.delete(tip, number)] = 1
+            others[tip[number]] = 0
+            found[number] = self.grown(tip[number], others, enough, 1.0)[0][:, 0].max(initial=0.0)
+        return found
+
+    def _of(self, tip: int, others: np.ndarray, enough: float) -> Cap:
+        """The slenderest cap around ``tip`` below half of the surface without a vertex of ``others`` (V,), or the first
+        cap of any size that is slender ``enough``."""
+        rows, region = self.grown(tip, others, enough, 0.5 if enough == np.inf else 1.0)
+        best = int(rows[:, 0].argmax())
+        return Cap(tip, float(rows[best, 0]), float(rows[best, 2]), region)
+
+
+def _own(rows: np.ndarray) -> float:
+    """The largest slenderness of the caps of `Caps.grown` before a disc goes around a handle or a larger part."""
+    gap = np.flatnonzero(rows[1:, 1] > 1.01 * RATIO * rows[:-1, 1])
+    return float(rows[: gap[0] + 1 if len(gap) else None, 0].max())

@@ -1,0 +1,215 @@
+"""Where the curve of a limb ends, and the rings of its surface that lead there.
+
+On a limb, let u be the mean exit time: -Laplacian u = 1 on its surface, and u = 0 beyond its base. The level lines of u
+run across the limb, and u is largest in the middle of its end. That also holds in a sheet, where the points at the
+largest distance are corners. In a limb of constant size, u falls with the square of the distance d from the end, so
+
+    d = sqrt(2 (u_max - u))
+
+measures along the limb. The middles of the rings of equal d, half a limb's radius apart, are the limb's curve.
+
+A solid with one branch has no base. There the first eigenfunction of the surface's Laplacian decides: it is positive at
+one end and negative at the other, and its zero line runs across. A ball, a cube or a square plate has several, and no
+direction in which it is long. Of their sums, the one with the shortest zero line decides: the ends of a cube are in the
+middle of two faces.
+"""
+
+import itertools
+from typing import NamedTuple
+
+import numpy as np
+from scipy import optimize, sparse
+from scipy.sparse import linalg
+
+from msf_jax.limbs.levels import levels
+from msf_jax.solid import sections
+from msf_jax.solid.enclosure import Enclosure
+from msf_jax.solid.geometry import triangle_areas, unit
+
+STEP = 0.5  # widths of a limb between its rings
+NEAR_END = 1  # rings: so many can lie on the end itself
+AROUND = 0.8  # of the rings behind: least distance of a ring's middle from the surface, for the ring's size
+BEHIND = 2.0  # widths of a limb: so far behind; more than rings on the end or beside it are apart
+ROUNDS = 3  # of moving two rings to the middles of the sections across their line; the line changes each time
+WHOLE = 0.8  # of a ring's size: least size of a section beside it; a bent ring is a sixth larger than its section
+HALF = 0.5  # of a ring's length: another one of that length goes around another part of the limb, and not a bump
+GAP = 0.3  # radii of the limb's end: the ball around the end of the curve, which is as far from the surface ahead
+WIDEST = 1.5  # of a ball's radius: a ball whose middle is within that distance of the limb's end fills the end
+LEAST = 0.25  # of the radius a width from the end: the least radius of an end, which may be a point
+SAMPLES = 65  # points of the curve's last stretch at which the ball that fills the end is looked for
+SLIVER = 1e-6  # squares of its longest edge: least area, times 4, of a triangle, such as one of a lid's in a line
+LONG = 0.9  # of two eigenvalues: above it they are one, as in a ball, a cube, a square plate; 0.25 for a plate of 2 : 1
+MOST_LINES = 200  # that are tried of a solid without a direction
+
+
+class Axis(NamedTuple):
+    """The curve of a limb. places: (k, 3) from its end to its base, the middles of rings. width: the radius of a tube
+    of the limb's area and length."""
+
+    places: np.ndarray
+    width: float
+
+
+def laplacian(vertices: np.ndarray, faces: np.ndarray) -> tuple[sparse.csr_array, np.ndarray]:
+    """The Laplacian (V, V) with cotangent weights, positive semidefinite, and a third of the area (V,) around each
+    vertex."""
+    corners = vertices[faces]
+    area = triangle_areas(corners)
+    longest = ((corners - np.roll(corners, 1, axis=1)) ** 2).sum(axis=2).max(axis=1)
+    i, j, value = [], [], []
+    for k in range(3):
+        one, other = corners[:, (k + 1) % 3] - corners[:, k], corners[:, (k + 2) % 3] - corners[:, k]
+        i.append(faces[:, (k + 1) % 3])
+        j.append(faces[:, (k + 2) % 3])
+        value.append(np.einsum("fi,fi->f", one, other) / np.maximum(4 * area, SLIVER * longest + 1e-300))
+    num = len(vertices)
+    entries = np.tile(np.concatenate(value), 2), (np.concatenate([*i, *j]), np.concatenate([*j, *i]))
+    weight = sparse.coo_array(entries, (num, num)).tocsr()
+    degree = np.asarray(weight.sum(axis=1)).ravel()
+    return (sparse.diags_array(degree) - weight).tocsr(), np.bincount(faces.ravel(), np.repeat(area / 3, 3), num)
+
+
+def exit_times(vertices: np.ndarray, faces: np.ndarray, owner: np.ndarray) -> np.ndarray:
+    """(V,) the mean exit time from the part of the surface that has the same ``owner`` (V,); 0 where that is 0."""
+    matrix, share = laplacian(vertices, faces)
+    inner = np.flatnonzero(owner)
+    if not len(inner):
+        return np.zeros(len(vertices))
+    own = matrix[inner][:, inner].tocoo()
+    # A weight between two parts stays on the diagonal only: each sees the other as its base.
+    is_same = owner[inner[own.row]] == owner[inner[own.col]]
+    own = sparse.coo_matrix((own.data[is_same], (own.row[is_same], own.col[is_same])), own.shape).tocsc()
+    found = np.zeros(len(vertices))
+    found[inner] = factored(own).solve(share[inner])
+    return found
+
+
+def factored(matrix: sparse.csc_matrix | sparse.csc_array) -> linalg.SuperLU:
+    """The factors of a symmetric matrix (V, V) with the pattern of a surface's edges."""
+    # relax=1: SuperLU joins no columns of unlike patterns. Joined, those of a round solid took up to 20 times as long.
+    return linalg.splu(matrix, permc_spec="MMD_AT_PLUS_A", relax=1, options={"SymmetricMode": True})
+
+
+def halves(vertices: np.ndarray, faces: np.ndarray) -> tuple[np.ndarray, bool]:
+    """The first eigenfunction (V,) of a connected surface; of several, the sum of them with the shortest zero line. And
+    whether there is one only: then the solid has a direction in which it is long."""
+    matrix, share = laplacian(vertices, faces)
+    mass, whole = sparse.diags_array(share).tocsc(), float(share.sum())
+    start = np.cos(np.arange(len(vertices)))
+    # Shifted by a part of 1 / area, the order of the first eigenvalues, so that the matrix is not singular.
+    value, vector = linalg.eigsh(matrix.tocsc(), 4, mass, sigma=-0.1 / whole, v0=start)
+    order = np.argsort(value)[1:]
+    vector = vector[:, order[value[order] * LONG <= value[order[0]]]]
+
+    def length(parts: np.ndarray) -> float:
+        return zero_line(vertices, faces, vector @ parts)
+
+    start = min(itertools.product((-1.0, 0.0, 1.0), repeat=vector.shape[1]), key=lambda each: length(np.array(each)))
+    found = optimize.minimize(length, start, method="Nelder-Mead", options={"xatol": 1e-3, "maxfev": MOST_LINES})
+    return vector @ found.x, vector.shape[1] == 1
+
+
+def zero_line(vertices: np.ndarray, faces: np.ndarray, value: np.ndarray) -> float:
+    """The length of the line on which ``value`` (V,) is 0; infinite where it is 0 all over."""
+    corners, height = vertices[faces], value[faces]
+    share = height / np.where(height == np.roll(height, -1, axis=1), 1.0, height - np.roll(height, -1, axis=1))
+    points = corners + share[:, :, None] * (np.roll(corners, -1, axis=1) - corners)
+    is_cut = (height > 0) != (np.roll(height, -1, axis=1) > 0)
+    points = points[is_cut.any(axis=1)][is_cut[is_cut.any(axis=1)]].reshape(-1, 2, 3)
+    return float(np.linalg.norm(points[:, 1] - points[:, 0], axis=1).sum()) or np.inf
+
+
+def axis(shape: Enclosure, vertices: np.ndarray, faces: np.ndarray, time: np.ndarray, region: np.ndarray) -> Axis:
+    """The curve of the limb ``region`` (r,), vertices of a surface ``(vertices (V, 3), faces (F, 3))`` of the solid
+    ``shape``. ``time`` (V,) is the mean exit time."""
+    is_in = np.zeros(len(vertices), dtype=bool)
+    is_in[region] = True
+    own = faces[is_in[faces].any(axis=1)]
+    near, local = np.unique(own, return_inverse=True)
+    u = np.where(is_in[near], time[near], 0.0)
+    away = np.sqrt(2 * np.maximum(u.max() - u, 0.0))
+    # The radius of a tube of that area and length; a limb that is shorter than three rings has narrower ones.
+    longest = max(float(away.max()), 1e-300)
+    width = float(triangle_areas(vertices[own]).sum()) / (2 * np.pi * longest)
+    step = min(STEP * width, longest / 3)
+    found = levels(vertices[near], local.reshape(-1, 3), away + step / 2, step)
+    # From the piece with the end on, over the longest ring of each piece. Near the end, the rings in parts of it, such
+    # as the flanges of a beam, are left out.
+    piece, rings, whole = int(found.piece[u.argmax()]), [], NEAR_END
+    while len(above := np.flatnonzero(found.below == piece)):
+        rings.append(int(above[found.perimeter[above].argmax()]))
+        piece = int(found.above[rings[-1]])
+        beside = np.setdiff1d(np.flatnonzero(found.above == piece), rings)
+        is_part = found.perimeter[beside].max(initial=0.0) > HALF * found.perimeter[rings[-1]]
+        whole = len(rings) if is_part and len(rings) <= 4 * NEAR_END else whole
+    rings = rings[:-1] if len(rings) > 3 else rings  # the last one is at the base
+    # Where triangles are longer than the limb is wide, u is not linear on them, and its rings are bent.
+    corners = vertices[own]
+    is_near = np.linalg.norm(corners - vertices[near[u.argmax()]], axis=2).min(axis=1) <= width
+    is_bent = bool(np.linalg.norm(corners - np.roll(corners, 1, axis=1), axis=2)[is_near].max() > width)
+    return Axis(_to_end(shape, found.centre[rings], found.size[rings], whole, step, is_bent), width)
+
+
+def _centred(shape: Enclosure, places: np.ndarray, heading: np.ndarray, size: np.ndarray) -> np.ndarray:
+    """The ``places`` (p, 3) in the middle of the sections across ``heading`` (3,), where that is no nearer to the
+    surface, and the section is no smaller than a ring of ``size`` (p,): one through a blind hole is."""
+    found = sections.cut(shape, places, np.tile(heading, (len(places), 1)), size)
+    is_better = (
+        found.is_around & (found.size >= WHOLE * size) & (shape.clearance(found.centroid) >= shape.clearance(places))
+    )
+    return np.where(is_better[:, None], found.centroid, places)
+
+
+def _around(shape: Enclosure, middles: np.ndarray, size: np.ndarray, width: float) -> np.ndarray:
+    """(k,) which rings, with those ``middles`` (k, 3) and that ``size`` (k,), go around the limb, though they are bent:
+    their middles are as far from the surface, for their size, as those of the rings behind them. Others are False."""
+    is_near = np.linalg.norm(middles - middles[0], axis=1) <= 2 * BEHIND * width
+    near = middles[: 1 + int(is_near.nonzero()[0][-1])]
+    ratio = np.minimum(shape.clearance(near) / np.maximum(size[: len(near)], 1e-300), 1.0)
+    is_behind = np.linalg.norm(near - near[:, None], axis=2) <= BEHIND * width
+    most = np.where(np.triu(is_behind, 1), ratio, 0.0).max(axis=1)
+    return np.pad((ratio > 0) & (ratio >= AROUND * most), (0, len(middles) - len(near)))
+
+
+def _to_end(
+    shape: Enclosure, middles: np.ndarray, size: np.ndarray, whole: int, step: float, is_bent: bool
+) -> np.ndarray:
+    """The curve (m, 3) over ``middles`` (k, 3) of rings of that ``size`` (k,), ``step`` apart, that ends `GAP` before
+    the surface.
+
+    From the ring ``whole`` on, they go around the whole limb: before, they can lie on the end itself. Rings that are
+    bent give way to sections."""
+    first, ball = min(whole, len(middles) - 1), shape.clearance(middles)
+    is_around = ball > LEAST * np.append(ball[1:], 0.0)  # a hole in the end has rings outside
+    if is_bent:
+        is_around = _around(shape, middles, size, step / STEP)
+    first += int(is_around[first:].argmax())
+    first = min(first, max(len(middles) - 2, 0))
+    # Half a step on at least: two rings of the underside of a bolt's head have one middle.
+    is_on = np.linalg.norm(middles - middles[first], axis=1)[first + 1 :] >= step / 2
+    base = min(first + 1 + int(is_on.argmax()), len(middles) - 1) if len(is_on) else first
+    heading = unit(middles[first] - middles[base])
+    if not heading.any():
+        return middles[base:]
+    if is_bent:
+        middles, both = middles.copy(), [first, base]
+        is_far = np.linalg.norm(middles - middles[first], axis=1)[base:] >= step / STEP
+        heading = unit(middles[first] - middles[base + int(is_far.argmax())])
+        for _ in range(ROUNDS):
+            middles[both] = _centred(shape, middles[both], heading, size[both])
+            heading = unit(middles[first] - middles[base])
+    # From the outermost ring on: a blind hole may lie across the line behind it. What touches the surface is the end.
+    along = (middles[: first + 1] - middles[base]) @ heading
+    line = middles[base] + along[:, None] * heading
+    ball = shape.clearance(line)
+    if not ball.any():  # the middles of a channel are outside
+        return middles
+    start = float(along[ball > GAP * LEAST * ball.max()].max(initial=along[first]))
+    reach = np.array([(2 * whole + 3) * step])
+    ahead = start + float(shape.ray_lengths(middles[[base]] + start * heading, heading[None], reach)[0])
+    # At least to a width from the end, also in a shorter limb. Denser near the end: in a sheet, its ball is small.
+    depth = max(ahead, step / STEP) * np.linspace(0.0, 1.0, SAMPLES) ** 2
+    ball = shape.clearance(middles[base] + (ahead - depth)[:, None] * heading)
+    radius = max(float(ball[depth <= WIDEST * ball].max(initial=0.0)), LEAST * float(ball[-1]))
+    end = middles[base] + (ahead - depth[(ball >= GAP * radius).argmax()]) * heading
+    return np.concatenate([end[None], middles[base:]])

@@ -1,0 +1,96 @@
+"""How the level sets of a function on a closed surface are connected: its Reeb graph, at the resolution of a step.
+
+Levels, one step apart, cut the surface into pieces, and two pieces meet at a ring. If the function grows along a limb,
+a ring is a cross-section of the limb, and the middles of successive rings are its curve (Lazarus, Verroust 1999, level
+set diagrams). The graph has a cycle for each handle that is larger than the step, and no other cycles.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from msf_jax.solid.geometry import repeated
+from msf_jax.topology import graphs
+
+MOST_POINTS = 2_000_000  # intersections of levels and edges: if there are more, the step is doubled
+
+
+class Levels(NamedTuple):
+    """Rings between pieces of the surface.
+
+    centre: (R, 3) centroid of the area inside a ring. perimeter: (R,) of a ring. size: (R,) twice its
+    area over its perimeter, the radius of a disc. below, above: (R,) the pieces that
+    meet there. piece: (V,) the piece of each vertex. num_pieces: of all pieces, also those without a vertex.
+    """
+
+    centre: np.ndarray
+    perimeter: np.ndarray
+    size: np.ndarray
+    below: np.ndarray
+    above: np.ndarray
+    piece: np.ndarray
+    num_pieces: int
+
+
+def levels(vertices: np.ndarray, faces: np.ndarray, height: np.ndarray, step: float) -> Levels:
+    """The level sets of ``height`` (V,), at multiples of ``step``, linear on each of ``faces`` (F, 3).
+
+    The levels cut an edge into stretches. Stretches of a face between the same two levels belong to one piece, and
+    points of a face on the same level belong to one ring.
+    """
+    side = np.sort(np.stack([faces, np.roll(faces, -1, axis=1)], axis=2).reshape(-1, 2), axis=1)
+    ends, edge_of = np.unique(side, axis=0, return_inverse=True)
+    edge_of = edge_of.reshape(faces.shape)
+    ends = np.take_along_axis(ends, np.argsort(height[ends], axis=1, kind="stable"), axis=1)
+    while (np.ptp(height[ends], axis=1) / step).sum() > MOST_POINTS:
+        step *= 2
+    low, high = np.floor(height[ends] / step).astype(np.int64).T
+    count = high - low
+    first = np.cumsum(count) - count  # the first point of each edge
+    edge, place = repeated(count)
+    level = low[edge] + 1 + place
+    start, stop = height[ends[edge]].T
+    share = ((level * step - start) / (stop - start))[:, None]
+    points = (1 - share) * vertices[ends[edge, 0]] + share * vertices[ends[edge, 1]]
+    # The graph's nodes are the vertices, then the stretches of every edge, from its lower end up.
+    stretch = len(vertices) + np.cumsum(count + 1) - (count + 1)
+    joined, beside = [np.stack([ends[:, 0], stretch]), np.stack([ends[:, 1], stretch + count])], []
+    for k in range(3):
+        one, other = edge_of[:, k], edge_of[:, (k + 1) % 3]
+        bottom, top = np.maximum(low[one], low[other]), np.minimum(high[one], high[other])
+        face, up = repeated(np.maximum(top - bottom + 1, 0))
+        joined.append(np.stack([stretch[e[face]] + bottom[face] + up - low[e[face]] for e in (one, other)]))
+        face, up = repeated(np.maximum(top - bottom, 0))
+        beside.append(np.stack([first[e[face]] + bottom[face] + up - low[e[face]] for e in (one, other)]))
+    piece = graphs.labels(len(vertices) + int((count + 1).sum()), *np.concatenate(joined, axis=1))
+    num_pieces = int(piece.max(initial=-1)) + 1
+    pairs = np.concatenate(beside, axis=1)
+    ring = graphs.labels(len(points), *pairs)
+    num = int(ring.max(initial=-1)) + 1
+    below, above = np.zeros((2, num), dtype=np.int64)
+    below[ring], above[ring] = piece[stretch[edge] + place], piece[stretch[edge] + place + 1]
+    centre, perimeter, size = _centroids(points[pairs[0]], points[pairs[1]], ring[pairs[0]], num)
+    return Levels(centre, perimeter, size, below, above, piece[: len(vertices)], num_pieces)
+
+
+def _centroids(a: np.ndarray, b: np.ndarray, ring: np.ndarray, num: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """The centroid (num, 3) of each ring's area, its perimeter (num,), and twice the area over it (num,).
+
+    ``a`` and ``b`` (S, 3) are the ends of the segments, which belong to each ``ring`` (S,).
+    """
+
+    def mean(points: np.ndarray, weight: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        total = np.bincount(ring, weights=weight, minlength=num)
+        sums = [np.bincount(ring, weights=weight * axis, minlength=num) for axis in points.T]
+        return np.stack(sums, axis=1) / np.maximum(total, 1e-300)[:, None], total
+
+    middle, perimeter = mean((a + b) / 2, np.linalg.norm(b - a, axis=1))
+    from_there = middle[ring]
+    area = np.linalg.norm(np.cross(a - from_there, b - from_there), axis=1)
+    centre, total = mean((a + b + from_there) / 3, area)
+    is_flat = total <= 1e-9 * perimeter**2
+    # A ring without a length is a point: all of its segments start and end there.
+    point = np.zeros((num, 3))
+    point[ring] = a
+    centre = np.where(is_flat[:, None], middle, centre)
+    return np.where(perimeter[:, None] > 0, centre, point), perimeter, total / np.maximum(perimeter, 1e-300)

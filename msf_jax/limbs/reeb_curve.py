@@ -1,0 +1,102 @@
+"""The curve of a coarse solid, whose limbs have three to five sides: its Reeb curve by geodesic distance.
+
+Decimated neurons, vessels and wires are of this kind: their edges are longer than their limbs are thick, so merging and
+splitting edges leaves no shape to contract. Instead, wavefronts of equal geodesic distance spread from the thickest
+point of the solid. The middles of the fronts' rings, about a radius apart, are the curve. Where two fronts meet, it
+closes a loop.
+"""
+
+from collections.abc import Callable
+from typing import NamedTuple
+
+import numpy as np
+from scipy import spatial
+from scipy.sparse import csgraph
+
+from msf_jax.inside import balls, thickness
+from msf_jax.limbs.levels import Levels, levels
+from msf_jax.solid.enclosure import Enclosure
+from msf_jax.solid.geometry import repeated, unit, vertex_normals
+from msf_jax.topology import graphs
+
+Test = Callable[[Enclosure, np.ndarray, np.ndarray], np.ndarray]
+
+COARSE = 1.0  # radii: median edge length of a limb with six sides; longer edges mean fewer sides
+ROUND = 3.0  # largest median perimeter of the rings, over that of a circle; a plate has far longer rings
+CANDIDATES = 100  # vertices tried for the thickest point: a ball between few vertices can be too large
+MOST_AROUND = 32  # rings of a piece that are joined by a shortest tree; if there are more, all are joined to the first
+OUTSIDE = 3.0  # factor on the length of an edge that is not inside, when the tree is chosen
+AT_TIP = 0.5  # radii: vertices that are nearer than the farthest by no more than this belong to the tip, too
+TO_TIP = 0.8  # fraction of the distance from the last ring of a limb to its tip, at which the curve ends
+
+
+class ReebCurve(NamedTuple):
+    """A curve: vertices (N, 3), edges (E, 2), and node_of_vertex (V,), a node near each vertex of the surface."""
+
+    vertices: np.ndarray
+    edges: np.ndarray
+    node_of_vertex: np.ndarray
+
+
+def reeb_curve(shape: Enclosure, is_inside: Test) -> ReebCurve | None:
+    """The curve of a connected solid of diagonal 1; None if the solid is not thin, not coarse, or a plate."""
+    x, faces = shape.vertices, shape.faces
+    normals = unit(vertex_normals(x, faces))
+    asked = x, normals, spatial.KDTree(x), balls.FIRST
+    # Whether the solid is thin is decided by balls of limited size, which are found fast.
+    if np.median(balls.shrinking_balls(*asked, 2 * thickness.THIN, np.arange(len(x))).radius) >= thickness.THIN:
+        return None
+    radius = balls.shrinking_balls(*asked, balls.LARGEST, np.arange(len(x))).radius
+    step = float(np.median(radius))
+    tail, head = faces.ravel(), np.roll(faces, -1, axis=1).ravel()
+    length = np.linalg.norm(x[tail] - x[head], axis=1)
+    if np.median(length / np.minimum(radius[tail], radius[head])) <= COARSE:
+        return None
+    graph = graphs.weighted(len(x), tail, head, np.maximum(length, 1e-12))
+    thickest = np.argsort(-radius, kind="stable")[:CANDIDATES]
+    clearance = shape.approximate_clearance(x[thickest] - radius[thickest, None] * normals[thickest])[0]
+    seed = int(thickest[clearance.argmax()])
+    away = csgraph.dijkstra(graph, indices=seed)
+    found = levels(x, faces, away, step)
+    if not len(found.centre) or np.median(found.perimeter) > ROUND * 2 * np.pi * step:
+        return None
+    # A piece with one ring is the end of a limb. There the curve goes towards the farthest vertices, or to the seed.
+    num_rings = np.bincount(np.concatenate([found.below, found.above]), minlength=found.num_pieces)
+    sign = np.where(found.piece == found.piece[seed], -1.0, 1.0)
+    top = np.full(found.num_pieces, -np.inf)
+    np.maximum.at(top, found.piece, sign * away)
+    is_top = (num_rings[found.piece] == 1) & (sign * away >= top[found.piece] - AT_TIP * step)
+    end, own = np.unique(found.piece[is_top], return_inverse=True)
+    tip = np.stack([np.bincount(own, weights=axis) for axis in x[is_top].T], axis=1) / np.bincount(own)[:, None]
+    ring_of = np.zeros(found.num_pieces, dtype=np.int64)
+    ring_of[found.below] = ring_of[found.above] = np.arange(len(found.centre))
+    last = found.centre[ring_of[end]]
+    vertices, edges = _joined(shape, found, last + TO_TIP * (tip - last), end, is_inside)
+    return ReebCurve(vertices, edges, ring_of[found.piece])
+
+
+def _joined(
+    shape: Enclosure, found: Levels, ends: np.ndarray, piece_of_end: np.ndarray, is_inside: Test
+) -> tuple[np.ndarray, np.ndarray]:
+    """The curve through the rings' centres and the ``ends`` (T, 3) of limbs, joined by a shortest tree in each piece.
+
+    Edges inside the solid are preferred. The curve has as many cycles as the graph of rings and pieces.
+    """
+    num = len(found.centre)
+    vertices = np.concatenate([found.centre, ends])
+    piece = np.concatenate([found.below, found.above, piece_of_end])
+    node = np.concatenate([np.arange(num), np.arange(num), num + np.arange(len(ends))])
+    order = np.lexsort((node, piece))
+    piece, node = piece[order], node[order]
+    count = np.bincount(piece, minlength=found.num_pieces)[piece]
+    first = np.searchsorted(piece, piece)
+    row, place = repeated(np.where(count > MOST_AROUND, 1, count))
+    other = first[row] + place
+    row, other = row[other < row], other[other < row]
+    a, b = vertices[node[row]], vertices[node[other]]
+    cost = np.linalg.norm(a - b, axis=1) + 1e-12
+    is_choice = count[row] > 2
+    cost[is_choice] *= np.where(is_inside(shape, a[is_choice], b[is_choice]), 1.0, OUTSIDE)
+    tree = csgraph.minimum_spanning_tree(graphs.weighted(len(node), row, other, cost)).tocoo()
+    edges = np.stack([node[tree.row], node[tree.col]], axis=1)
+    return vertices, edges[edges[:, 0] != edges[:, 1]]

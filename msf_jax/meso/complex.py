@@ -1,0 +1,146 @@
+"""Triangles and edges while vertices are merged to a graph, from which the curve is extracted; merges in any order.
+
+A merge contracts an edge. If the solid has handles, edges have homology classes (see `homology`), and a merge that
+would pinch a loop that the curve must keep waits until no other merge is left.
+"""
+
+import numpy as np
+
+from msf_jax.meso import ring_tables
+
+
+class Complex:
+    """A closed surface, and then the remaining simplices; ``root`` is a union-find forest.
+
+    rings: (n, K). classes: (n, K) or None. pinned: vertices that are not merged with each other unless forced.
+    """
+
+    def __init__(self, rings: np.ndarray, classes: np.ndarray | None, pinned: np.ndarray | None) -> None:
+        num = len(rings)
+        self.pinned = set() if pinned is None else set(pinned.tolist())  # roots
+        self.has_classes = classes is not None
+        self.root = list(range(num))
+        # apexes[u][v]: the third vertices of the faces at uv. classes[u][v]: the class of the edge from u to v.
+        self.apexes: list[dict[int, set[int]]] = [{} for _ in range(num)]
+        self.classes: list[dict[int, int]] = [{} for _ in range(num)]
+        for u, v, w in ring_tables.faces_from_rings(rings).tolist():
+            for x, y, z in ((u, v, w), (v, w, u), (w, u, v)):
+                self.apexes[x].setdefault(y, set()).add(z)
+                self.apexes[y].setdefault(x, set()).add(z)
+        if classes is not None:
+            vertex, slot = np.nonzero(rings >= 0)
+            ends = rings[vertex, slot].tolist()
+            for u, v, value in zip(vertex.tolist(), ends, classes[vertex, slot].tolist(), strict=True):
+                self.classes[u][v] = value
+
+    def find(self, u: int) -> int:
+        """The vertex that u was merged into."""
+        root = self.root
+        while root[u] != u:
+            root[u] = root[root[u]]
+            u = root[u]
+        return u
+
+    def merge(self, u: int, v: int, *, force: bool) -> bool:
+        """Merge the ends of an edge that has a face; False if it must wait because it would pinch a loop."""
+        u, v = self.find(u), self.find(v)
+        if u == v or not self.apexes[u].get(v):
+            return True
+        is_kept_apart = u in self.pinned and v in self.pinned
+        if not force and (is_kept_apart or (self.has_classes and self._pinches(u, v))):
+            return False
+        self.root[v] = u
+        if v in self.pinned:
+            self.pinned.add(u)
+        self._move_classes(u, v)
+        around_v, self.apexes[v] = self.apexes[v], {}
+        for x, thirds in around_v.items():  # faces (v, x, z) become (u, x, z); those with u vanish
+            around_x = self.apexes[x]
+            around_x.pop(v, None)
+            for z in thirds:
+                if z != u and x != u:
+                    self.apexes[u].setdefault(x, set()).add(z)
+                    around_x.setdefault(u, set()).add(z)
+                around_xz = around_x.get(z)
+                if around_xz is not None:
+                    around_xz.discard(v)
+                    if x != u and z != u:
+                        around_xz.add(u)
+        return True
+
+    def open_face(self, edges: list[tuple[int, int]]) -> bool:
+        """Remove a face, with the first of ``edges`` that has no other face. False if no edge has a face.
+
+        This removes faces whose three edges all close cycles. If every edge has several faces, a face of the first edge
+        is removed. `cut_discs` removes remaining cycles that bound a disc in the solid.
+        """
+        closed = None
+        for u, v in edges:
+            u, v = self.find(u), self.find(v)
+            thirds = self.apexes[u].get(v, ())
+            if u != v and len(thirds) == 1:
+                self._take_away(u, v, next(iter(thirds)))
+                self.classes[u].pop(v)
+                self.classes[v].pop(u)
+                return True
+            if u != v and thirds and closed is None:
+                closed = u, v, min(thirds)
+        if closed is not None:
+            self._take_away(*closed)
+        return closed is not None
+
+    def _take_away(self, u: int, v: int, w: int) -> None:
+        for x, y, z in ((u, v, w), (v, w, u), (w, u, v)):
+            self.apexes[x][y].discard(z)
+            self.apexes[y][x].discard(z)
+
+    def edges(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """The ends of every remaining edge, and its class; no edges if there are no classes."""
+        found = [(u, v, value) for u, classes in enumerate(self.classes) for v, value in classes.items() if u < v]
+        left = np.array(found, dtype=np.int64).reshape(-1, 3)
+        return left[:, 0], left[:, 1], left[:, 2]
+
+    def _pinches(self, u: int, v: int) -> bool:
+        """Whether the class of a loop u -> v -> x -> u is not zero."""
+        of_u, of_v = self.classes[u], self.classes[v]
+        own = of_u[v]
+        return any(x in of_u and of_u[x] != own + value for x, value in of_v.items() if x != u)
+
+    def _move_classes(self, u: int, v: int) -> None:
+        of_v, self.classes[v] = self.classes[v], {}
+        own = self.classes[u].pop(v, 0)
+        for x, value in of_v.items():
+            self.classes[x].pop(v, None)
+            if x != u:
+                self.classes[u].setdefault(x, own + value)
+                self.classes[x].setdefault(u, -self.classes[u][x])
+
+
+def cut_discs(a: np.ndarray, b: np.ndarray, value: np.ndarray, order: np.ndarray) -> np.ndarray:
+    """Which of the graph's edges ab (E,) of class ``value`` are kept, so that no cycle bounds a disc in the solid.
+
+    Edges are added in ``order``. An edge is dropped if it closes a cycle whose class is zero, or the sum of the classes
+    of up to three other cycles.
+    """
+    is_kept = np.ones(len(a), dtype=bool)
+    above: dict[int, tuple[int, int]] = {}  # a parent, and the class of the edge to it
+
+    def to_root(vertex: int) -> tuple[int, int]:
+        total = 0
+        while vertex in above:
+            vertex, step = above[vertex]
+            total += step
+        return vertex, total
+
+    known, sums = {0}, {0}  # classes of cycles, and sums of two of them
+    for edge in order.tolist():
+        (root, up), (other, other_up) = to_root(int(a[edge])), to_root(int(b[edge]))
+        around = int(value[edge]) + other_up - up
+        if root != other:
+            above[root] = other, around
+        elif any(around - one in sums for one in known):
+            is_kept[edge] = False
+        else:
+            known |= {around, -around}
+            sums |= {one + sign * around for one in known for sign in (-1, 1)}
+    return is_kept

@@ -1,0 +1,90 @@
+"""Packing of the meso-skeleton's arrays into a padded layout for the device, and unpacking."""
+
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from msf_jax.base.layout import Layout
+from msf_jax.meso.meso import Meso
+
+
+class Packed(NamedTuple):
+    """A surface of m vertices in a layout.
+
+    order: (m,) the vertex in each row. rings: (m, K) the rows of its neighbours; entries beyond its degree are not
+    defined. fields: the arrays of `device.buffers.Buffers`, by name.
+    """
+
+    order: np.ndarray
+    rings: np.ndarray
+    fields: dict[str, Any]
+
+
+def rows_beyond(meso: Meso) -> list[int]:
+    """The number of vertices with more than k neighbours, for k up to the largest degree, which a layout depends on."""
+    return degrees_beyond(meso.degree)
+
+
+def degrees_beyond(degree: np.ndarray) -> list[int]:
+    """The number of values in ``degree`` above k, for k up to the largest."""
+    return (len(degree) - np.cumsum(np.bincount(degree)))[:-1].tolist()
+
+
+def pad(array: np.ndarray, size: int, fill: float, dtype: np.dtype) -> np.ndarray:
+    """``array`` as ``dtype``, with rows of ``fill`` appended up to ``size``."""
+    padded = np.full((size, *array.shape[1:]), fill, dtype=dtype)
+    padded[: len(array)] = array
+    return padded
+
+
+def pack(meso: Meso, layout: Layout, area: np.ndarray, dtype: np.dtype, t_c: float = 0.0) -> Packed:
+    """The surface in ``layout``: rows sorted by degree, the largest first; real numbers of type ``dtype``."""
+    order = np.argsort(-meso.degree, kind="stable")
+    rank = np.empty(meso.num_rows + 1, dtype=np.int32)
+    rank[order] = np.arange(meso.num_rows, dtype=np.int32)
+    degree = meso.degree[order]
+    rings = rank[meso.rings[order, : max(1, int(degree.max()))]]  # padding -1 takes the spare last entry
+    pull = meso.has_pole if meso.trust is None else meso.has_pole * meso.trust
+    size = layout.capacity
+    fields = {
+        "positions": pad(meso.positions[order], size, 0, dtype),
+        "rings": slots(rings, degree, layout),
+        "degree": pad(degree, size, 0, dtype),
+        "free": pad(~meso.is_fixed[order] & (degree > 0), size, 0, dtype),
+        "poles": pad(meso.poles[order], size, 0, dtype),
+        "pull": pad(pull[order], size, 0, dtype),
+        "t_c": np.asarray(t_c, dtype=dtype),
+        "area": pad(area[order] if len(area) else area, size, 1, dtype),
+    }
+    return Packed(order, rings, fields)
+
+
+def slots(rings: np.ndarray, degree: np.ndarray, layout: Layout) -> tuple[np.ndarray, ...]:
+    """The fields of `device.buffers.Rings` for ``rings`` (m, K), rows by ``degree`` (m,), the largest first."""
+    last = np.arange(len(rings)), degree - 1
+    after = np.concatenate([rings[:, 1:], rings[:, :1]], axis=1)
+    after[last] = rings[:, 0]
+    before = np.concatenate([rings[last][:, None], rings[:, :-1]], axis=1)
+
+    flat = {name: np.empty(layout.num_slots, dtype=np.int32) for name in ("neighbour", "after", "before")}
+    is_used = np.zeros(layout.num_slots, dtype=bool)
+    slot = 0
+    for level in layout.levels:
+        own = np.arange(level.rows, dtype=np.int32)
+        for k in range(level.slots):  # an unused slot refers to its own row
+            part = slice(level.offset + k * level.rows, level.offset + (k + 1) * level.rows)
+            count = int(np.searchsorted(-degree, -slot, side="left"))  # rows with more than `slot` neighbours
+            for name, table in (("neighbour", rings), ("after", after), ("before", before)):
+                flat[name][part] = own
+                if count:
+                    flat[name][part][:count] = table[:count, slot]
+            is_used[part][:count] = True
+            slot += 1
+    return flat["neighbour"], flat["after"], flat["before"], is_used
+
+
+def unpack(rows: np.ndarray, order: np.ndarray) -> np.ndarray:
+    """The live ``rows`` of a device array, as float64 and in the order of the vertices."""
+    vertices = np.empty((len(order), *rows.shape[1:]), dtype=np.float64)
+    vertices[order] = rows[: len(order)]
+    return vertices

@@ -1,0 +1,127 @@
+"""Ordered one-rings: the connectivity of a closed oriented surface as one table.
+
+Row i of ``rings`` (n, K) lists the neighbours of vertex i counter-clockwise seen from outside, padded with -1. So the
+faces at i are ``(i, rings[i, k], rings[i, k + 1])``, cyclically. The table defines the surface: faces, edges, apexes of
+an edge and the link condition follow from it. An edit changes only nearby rows. The device gathers through the same
+table, transposed. A vertex has one row, and so one fan: pinched vertices cannot be represented.
+"""
+
+import numpy as np
+
+from msf_jax.base.errors import FlowError, MeshError
+from msf_jax.topology.half_edges import half_edges, next_in_ring
+
+RING_CAPACITIES = (8, 12, 16, 24, 32)  # slots of a row
+
+
+def ring_capacity(degree: int) -> int:
+    """The smallest ring capacity that holds ``degree`` neighbours: 8, 12, 16, 24, 32, then multiples of 32."""
+    for capacity in RING_CAPACITIES:
+        if degree <= capacity:
+            return capacity
+    return -(-degree // 32) * 32
+
+
+def rings_from_faces(faces: np.ndarray, num_vertices: int) -> np.ndarray:
+    """Ring table (n, K) of a closed, oriented, vertex-manifold triangle list.
+
+    Raises:
+        MeshError: a vertex is in no face, or its faces do not form one closed fan.
+    """
+    edges = half_edges(faces)
+    step = next_in_ring(edges)
+    degree = np.bincount(edges.origin, minlength=num_vertices)
+    if len(edges.origin) == 0 or degree.min() == 0 or (edges.twin < 0).any():
+        raise MeshError(
+            "the faces do not cover every vertex with a closed surface: check the mesh with meshes.checking first"
+        )
+    rings = np.full((num_vertices, ring_capacity(int(degree.max()))), -1, dtype=np.int64)
+    first = np.empty(num_vertices, dtype=np.int64)
+    first[edges.origin[::-1]] = np.arange(len(edges.origin))[::-1]
+    current = first.copy()
+    for k in range(int(degree.max())):  # one step around every vertex at once
+        open_ring = degree > k
+        rings[open_ring, k] = edges.target[current[open_ring]]
+        current = step[current]
+        if (current[open_ring & (degree > k + 1)] == first[open_ring & (degree > k + 1)]).any():
+            raise MeshError("the faces around a vertex form several fans: split it with meshes.checking first")
+    return rings
+
+
+def ring_degrees(rings: np.ndarray) -> np.ndarray:
+    """Number of neighbours (n,) in each row."""
+    return np.count_nonzero(rings >= 0, axis=1)
+
+
+def find_slot(rows: np.ndarray, neighbour: np.ndarray) -> np.ndarray:
+    """The slot (c,) of ``neighbour`` (c,) in each of ``rows`` (c, K); it must exist."""
+    return (rows == neighbour[:, None]).argmax(axis=1)
+
+
+def apexes(rings: np.ndarray, degree: np.ndarray, a: np.ndarray, b: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """For edges ab (c,), the third vertices of the faces to the left (a, b, left) and to the right (b, a, right)."""
+    slot = find_slot(rings[a], b)
+    return rings[a, (slot + 1) % degree[a]], rings[a, (slot - 1) % degree[a]]
+
+
+def edges_from_rings(rings: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Every edge once, as (a, b) with a < b, in ascending order of a."""
+    a, slot = np.nonzero(rings > np.arange(len(rings))[:, None])
+    return a, rings[a, slot]
+
+
+def encode_edges(a: np.ndarray, b: np.ndarray, num_vertices: int) -> np.ndarray:
+    """One sortable integer for each edge."""
+    return a * np.int64(num_vertices) + b
+
+
+def faces_from_rings(rings: np.ndarray) -> np.ndarray:
+    """Every face (F, 3) once, its smallest vertex first."""
+    n, capacity = rings.shape
+    degree = ring_degrees(rings)
+    following = np.concatenate([rings[:, 1:], np.full((n, 1), -1)], axis=1)
+    live = np.flatnonzero(degree)
+    following[live, degree[live] - 1] = rings[live, 0]
+    vertex = np.broadcast_to(np.arange(n)[:, None], (n, capacity))
+    smallest = (rings > vertex) & (following > vertex)
+    return np.stack([vertex[smallest], rings[smallest], following[smallest]], axis=1)
+
+
+def euler_characteristic(rings: np.ndarray) -> int:
+    """V - E + F of the live part of the table: 2 - 2 genus for each component."""
+    half = int((rings >= 0).sum())
+    return int((rings[:, 0] >= 0).sum()) - half // 2 + half // 3
+
+
+def check_closed_manifold(rings: np.ndarray, euler: int) -> None:
+    """The debug check after an edit: the surface is closed, oriented, simplicial, with the same Euler characteristic.
+
+    Raises:
+        FlowError: it is not; the message names the first vertex at fault.
+    """
+    vertex, slot = np.nonzero(rings >= 0)
+    neighbour = rings[vertex, slot]
+    degree = ring_degrees(rings)
+    code = encode_edges(vertex, neighbour, len(rings))
+    faults = {
+        "is its own neighbour": vertex[vertex == neighbour],
+        "has a neighbour twice": np.sort(code)[1:][np.diff(np.sort(code)) == 0] // len(rings),
+        "is not a neighbour of its neighbour": vertex[~np.isin(code, encode_edges(neighbour, vertex, len(rings)))],
+        "has fewer than three neighbours": np.flatnonzero((degree > 0) & (degree < 3)),
+        "has a gap in its ring": np.flatnonzero((rings >= 0) != (np.arange(rings.shape[1]) < degree[:, None]))
+        // rings.shape[1],
+    }
+    # A face (i, j, k) at i must be the face (j, k, i) at j: there i comes after k.
+    following = np.where(slot + 1 < degree[vertex], slot + 1, 0)
+    third = rings[vertex, following]
+    if not any(len(found) for found in faults.values()):
+        slot_of_third = find_slot(rings[neighbour], third)
+        after = rings[neighbour, np.where(slot_of_third + 1 < degree[neighbour], slot_of_third + 1, 0)]
+        faults["has a face that its neighbours do not have"] = vertex[after != vertex]
+    for what, found in faults.items():
+        if len(found):
+            raise FlowError(
+                f"the surface is no longer a closed manifold: vertex {found[0]} {what}, and {len(found) - 1} more"
+            )
+    if (now := euler_characteristic(rings)) != euler:
+        raise FlowError(f"an edit changed the topology: Euler characteristic {now}, was {euler}")

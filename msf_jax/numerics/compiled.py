@@ -1,0 +1,143 @@
+"""Compiled loops, for short walks over neighbours, loops and trees, which would need many masks in NumPy.
+
+A kernel is a Python function over arrays that its caller has allocated. It allocates nothing, and of NumPy it uses only
+indexing. Numba translates all kernels to LLVM's intermediate representation, `kernels.ll`, for any processor (`python
+-m tests.translate`). LLVM compiles this text in a tenth of a second when the first kernel is called. So running the
+package needs neither Numba nor a compiler, and nothing is stored on disk.
+
+Sums are not reordered: the same source gives the same bits in every process.
+"""
+
+import ctypes
+import struct
+import sys
+import threading
+from collections.abc import Callable, Iterable
+from functools import cache, cached_property
+from pathlib import Path
+from types import ModuleType
+from typing import Annotated, Any, get_type_hints
+
+import numpy as np
+
+_REAL, _INT, _FLAG = np.dtype(np.float64), np.dtype(np.int64), np.dtype(bool)
+Reals = Annotated[np.ndarray, _REAL, 1]  # an array's type, and its number of axes
+Points = Annotated[np.ndarray, _REAL, 2]
+Triangles = Annotated[np.ndarray, _REAL, 3]
+Ints = Annotated[np.ndarray, _INT, 1]
+Rows = Annotated[np.ndarray, _INT, 2]
+Flags = Annotated[np.ndarray, _FLAG, 1]
+
+MODULES = (
+    "msf_jax.solid.kernels",
+    "msf_jax.solid.walks",
+    "msf_jax.limbs.fronts",
+    "msf_jax.meso.kernels",
+)  # that have kernels
+TEXT = Path(__file__).with_name("kernels.ll")
+# C's functions that the text needs, or that some LLVM makes of its loops: another release, or for another processor.
+SYMBOLS = ("atan2", "memset")
+
+
+class Kernel:
+    """``function``, compiled on its first call; ``is_part`` if only kernels call it.
+
+    An array that is C-contiguous, writeable and of the annotated type is passed without a copy, others are copied.
+    Arrays for results must therefore be of that kind.
+    """
+
+    def __init__(self, function: Callable, is_part: bool):
+        self.function = function
+        self.__name__, self.__doc__, self.__module__ = function.__name__, function.__doc__, function.__module__
+        self.is_part = is_part
+
+    def __call__(self, *arguments: Any) -> int:
+        row: list[int] = []
+        alive = [_words(kind, value, row) for kind, value in zip(self._kinds, arguments, strict=True)]
+        found = self._entry((ctypes.c_int64 * len(row))(*row))
+        del alive  # the copies had to exist until now
+        return found
+
+    @cached_property
+    def _kinds(self) -> list[Any]:
+        return _hints(self.function)[:-1]
+
+    @cached_property
+    def _entry(self) -> Callable[[Any], int]:
+        address = _engine().get_function_address(entry_of(self))
+        if not address:
+            raise RuntimeError(f"{TEXT.name} has no {entry_of(self)}: it was made before this kernel")
+        return ctypes.CFUNCTYPE(ctypes.c_int64, ctypes.c_void_p)(address)  # releases Python's lock
+
+
+@cache
+def _hints(of: Any) -> list[Any]:
+    """The annotations of a function's arguments, or of a named tuple's fields."""
+    return list(get_type_hints(of, include_extras=True).values())
+
+
+def _words(kind: Any, value: Any, row: list[int]) -> Any:
+    """Append ``value`` of the annotated ``kind`` to ``row``, in 8-byte words; for an array, its address and lengths.
+
+    Returns the objects that must exist until the call has ended.
+    """
+    if hasattr(kind, "__metadata__"):
+        dtype = kind.__metadata__[0]
+        if value.dtype != dtype or not value.flags.carray:
+            value = np.array(value, dtype=dtype, order="C")
+        # The address comes by the buffer protocol: NumPy's own attributes take 20 times as long.
+        row += (ctypes.addressof(ctypes.c_char.from_buffer(value)) if value.size else 0, *value.shape)
+        return value
+    if hasattr(kind, "_fields"):
+        return [_words(each, field, row) for each, field in zip(_hints(kind), value, strict=True)]
+    row.append(struct.unpack("q", struct.pack("d", value))[0] if kind is float else int(value))
+    return None
+
+
+def kernel(function: Callable) -> Kernel:
+    """Compile ``function``, over arrays, numbers and named tuples of arrays as annotated; it returns None or an int."""
+    return Kernel(function, is_part=False)
+
+
+def part(function: Callable) -> Any:
+    """``function`` as a part of kernels, which only kernels call."""
+    return Kernel(function, is_part=True)
+
+
+def entry_of(kernel: Kernel) -> str:
+    """The name of the kernel's compiled code."""
+    return f"{kernel.__module__}.{kernel.__name__}"
+
+
+def kernels_of(modules: Iterable[ModuleType]) -> list[Kernel]:
+    """The kernels that the modules define."""
+    found = [(module.__name__, each) for module in modules for each in vars(module).values()]
+    return [each for name, each in found if isinstance(each, Kernel) and not each.is_part and each.__module__ == name]
+
+
+_LOADED: list[Any] = []  # the engine with the compiled code, once there is one
+_LOADING = threading.Lock()
+
+
+def _engine() -> Any:
+    """The engine with the compiled code; made once."""
+    with _LOADING:
+        if not _LOADED:
+            _LOADED.append(_compiled())
+        return _LOADED[0]
+
+
+def _compiled() -> Any:
+    from llvmlite import binding as llvm
+
+    llvm.initialize_native_target()
+    llvm.initialize_native_asmprinter()
+    machine = llvm.Target.from_default_triple().create_target_machine(opt=2, jit=True)
+    module = llvm.parse_assembly(TEXT.read_text())
+    module.triple, module.data_layout = machine.triple, str(machine.target_data)
+    library = ctypes.cdll.msvcrt if sys.platform == "win32" else ctypes.CDLL(None)
+    for name in SYMBOLS:  # not every process has them where LLVM looks: those of Windows do not
+        llvm.add_symbol(name, ctypes.cast(library[name], ctypes.c_void_p).value)
+    engine = llvm.create_mcjit_compiler(module, machine)
+    engine.finalize_object()
+    return engine

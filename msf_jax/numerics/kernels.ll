@@ -1,0 +1,8676 @@
+; Made of the kernels by `python -m tests.translate`: edit those.
+define internal fastcc void @0(ptr noalias nonnull writeonly %0, double %1, double %2, double %3, ptr readonly %4, i64 %5, i64 %6, i64 %7, i64 %8) unnamed_addr {
+  %10 = icmp slt i64 %8, 0
+  %11 = select i1 %10, i64 %5, i64 0
+  %12 = add i64 %11, %8
+  %13 = mul i64 %7, %6
+  %14 = mul i64 %13, %12
+  %15 = getelementptr double, ptr %4, i64 %14
+  %16 = load double, ptr %15, align 8
+  %17 = getelementptr i8, ptr %15, i64 8
+  %18 = load double, ptr %17, align 8
+  %19 = getelementptr i8, ptr %15, i64 16
+  %20 = load double, ptr %19, align 8
+  %21 = getelementptr double, ptr %4, i64 %7
+  %22 = getelementptr double, ptr %21, i64 %14
+  %23 = load double, ptr %22, align 8
+  %24 = fsub double %23, %16
+  %25 = getelementptr i8, ptr %22, i64 8
+  %26 = load double, ptr %25, align 8
+  %27 = fsub double %26, %18
+  %28 = getelementptr i8, ptr %22, i64 16
+  %29 = load double, ptr %28, align 8
+  %30 = fsub double %29, %20
+  %31 = fsub double %1, %16
+  %32 = fsub double %2, %18
+  %33 = fsub double %3, %20
+  %34 = fmul double %24, %24
+  %35 = fmul double %30, %30
+  %36 = fadd double %34, %35
+  %37 = fmul double %27, %27
+  %38 = fadd double %37, %36
+  %39 = fcmp ogt double %38, 0.000000e+00
+  br i1 %39, label %42, label %53
+40:
+  %41 = phi double [ %151, %137 ], [ %151, %170 ], [ %216, %207 ]
+  store double %41, ptr %0, align 8
+  ret void
+42:
+  %43 = fmul double %31, %24
+  %44 = fmul double %33, %30
+  %45 = fadd double %43, %44
+  %46 = fmul double %32, %27
+  %47 = fadd double %46, %45
+  %48 = fdiv double %47, %38
+  %49 = fcmp olt double %48, 0.000000e+00
+  %50 = select i1 %49, double 0.000000e+00, double %48
+  %51 = fcmp ogt double %50, 1.000000e+00
+  %52 = select i1 %51, double 1.000000e+00, double %50
+  br label %53
+53:
+  %54 = phi double [ 0.000000e+00, %9 ], [ %52, %42 ]
+  %55 = fmul double %24, %54
+  %56 = fsub double %31, %55
+  %57 = fmul double %27, %54
+  %58 = fsub double %32, %57
+  %59 = fmul double %30, %54
+  %60 = fsub double %33, %59
+  %61 = fmul double %56, %56
+  %62 = fmul double %60, %60
+  %63 = fadd double %61, %62
+  %64 = fmul double %58, %58
+  %65 = fadd double %64, %63
+  %66 = fcmp olt double %65, 0x7FF0000000000000
+  %67 = select i1 %66, double %65, double 0x7FF0000000000000
+  %68 = shl i64 %7, 4
+  %69 = getelementptr i8, ptr %4, i64 %68
+  %70 = getelementptr double, ptr %69, i64 %14
+  %71 = load double, ptr %70, align 8
+  %72 = fsub double %71, %23
+  %73 = getelementptr i8, ptr %70, i64 8
+  %74 = load double, ptr %73, align 8
+  %75 = fsub double %74, %26
+  %76 = getelementptr i8, ptr %70, i64 16
+  %77 = load double, ptr %76, align 8
+  %78 = fsub double %77, %29
+  %79 = fsub double %1, %23
+  %80 = fsub double %2, %26
+  %81 = fsub double %3, %29
+  %82 = fmul double %72, %72
+  %83 = fmul double %78, %78
+  %84 = fadd double %82, %83
+  %85 = fmul double %75, %75
+  %86 = fadd double %85, %84
+  %87 = fcmp ogt double %86, 0.000000e+00
+  br i1 %87, label %88, label %99
+88:
+  %89 = fmul double %79, %72
+  %90 = fmul double %81, %78
+  %91 = fadd double %89, %90
+  %92 = fmul double %80, %75
+  %93 = fadd double %92, %91
+  %94 = fdiv double %93, %86
+  %95 = fcmp olt double %94, 0.000000e+00
+  %96 = select i1 %95, double 0.000000e+00, double %94
+  %97 = fcmp ogt double %96, 1.000000e+00
+  %98 = select i1 %97, double 1.000000e+00, double %96
+  br label %99
+99:
+  %100 = phi double [ 0.000000e+00, %53 ], [ %98, %88 ]
+  %101 = fmul double %72, %100
+  %102 = fsub double %79, %101
+  %103 = fmul double %75, %100
+  %104 = fsub double %80, %103
+  %105 = fmul double %78, %100
+  %106 = fsub double %81, %105
+  %107 = fmul double %102, %102
+  %108 = fmul double %106, %106
+  %109 = fadd double %107, %108
+  %110 = fmul double %104, %104
+  %111 = fadd double %110, %109
+  %112 = fcmp olt double %111, %67
+  %113 = select i1 %112, double %111, double %67
+  %114 = fsub double %16, %71
+  %115 = fsub double %18, %74
+  %116 = fsub double %20, %77
+  %117 = fsub double %1, %71
+  %118 = fsub double %2, %74
+  %119 = fsub double %3, %77
+  %120 = fmul double %114, %114
+  %121 = fmul double %116, %116
+  %122 = fadd double %120, %121
+  %123 = fmul double %115, %115
+  %124 = fadd double %123, %122
+  %125 = fcmp ogt double %124, 0.000000e+00
+  br i1 %125, label %126, label %137
+126:
+  %127 = fmul double %117, %114
+  %128 = fmul double %119, %116
+  %129 = fadd double %127, %128
+  %130 = fmul double %118, %115
+  %131 = fadd double %130, %129
+  %132 = fdiv double %131, %124
+  %133 = fcmp olt double %132, 0.000000e+00
+  %134 = select i1 %133, double 0.000000e+00, double %132
+  %135 = fcmp ogt double %134, 1.000000e+00
+  %136 = select i1 %135, double 1.000000e+00, double %134
+  br label %137
+137:
+  %138 = phi double [ 0.000000e+00, %99 ], [ %136, %126 ]
+  %139 = fmul double %114, %138
+  %140 = fsub double %117, %139
+  %141 = fmul double %115, %138
+  %142 = fsub double %118, %141
+  %143 = fmul double %116, %138
+  %144 = fsub double %119, %143
+  %145 = fmul double %140, %140
+  %146 = fmul double %144, %144
+  %147 = fadd double %145, %146
+  %148 = fmul double %142, %142
+  %149 = fadd double %148, %147
+  %150 = fcmp olt double %149, %113
+  %151 = select i1 %150, double %149, double %113
+  %152 = fsub double %71, %16
+  %153 = fsub double %74, %18
+  %154 = fsub double %77, %20
+  %155 = fmul double %27, %154
+  %156 = fmul double %30, %153
+  %157 = fsub double %155, %156
+  %158 = fmul double %30, %152
+  %159 = fmul double %24, %154
+  %160 = fsub double %158, %159
+  %161 = fmul double %24, %153
+  %162 = fmul double %27, %152
+  %163 = fsub double %161, %162
+  %164 = fmul double %157, %157
+  %165 = fmul double %163, %163
+  %166 = fadd double %165, %164
+  %167 = fmul double %160, %160
+  %168 = fadd double %167, %166
+  %169 = fcmp ogt double %168, 0.000000e+00
+  br i1 %169, label %170, label %40
+170:
+  %171 = fmul double %32, %154
+  %172 = fmul double %33, %153
+  %173 = fsub double %171, %172
+  %174 = fmul double %33, %152
+  %175 = fmul double %31, %154
+  %176 = fsub double %174, %175
+  %177 = fmul double %31, %153
+  %178 = fmul double %32, %152
+  %179 = fsub double %177, %178
+  %180 = fmul double %173, %157
+  %181 = fmul double %179, %163
+  %182 = fadd double %181, %180
+  %183 = fmul double %176, %160
+  %184 = fadd double %183, %182
+  %185 = fmul double %33, %27
+  %186 = fmul double %32, %30
+  %187 = fsub double %185, %186
+  %188 = fmul double %31, %30
+  %189 = fmul double %33, %24
+  %190 = fsub double %188, %189
+  %191 = fmul double %32, %24
+  %192 = fmul double %31, %27
+  %193 = fsub double %191, %192
+  %194 = fmul double %187, %157
+  %195 = fmul double %193, %163
+  %196 = fadd double %195, %194
+  %197 = fmul double %190, %160
+  %198 = fadd double %197, %196
+  %199 = fdiv double %184, %168
+  %200 = fdiv double %198, %168
+  %201 = fcmp oge double %199, 0.000000e+00
+  %202 = fcmp oge double %200, 0.000000e+00
+  %203 = fadd double %199, %200
+  %204 = fcmp ole double %203, 1.000000e+00
+  %205 = and i1 %202, %204
+  %206 = select i1 %201, i1 %205, i1 false
+  br i1 %206, label %207, label %40
+207:
+  %208 = fmul double %31, %157
+  %209 = fmul double %33, %163
+  %210 = fadd double %209, %208
+  %211 = fmul double %32, %160
+  %212 = fadd double %211, %210
+  %213 = fmul double %212, %212
+  %214 = fdiv double %213, %168
+  %215 = fcmp olt double %214, %151
+  %216 = select i1 %215, double %214, double %151
+  br label %40
+}
+define noundef i64 @msf_jax.solid.kernels.distances2(ptr readonly %0) local_unnamed_addr {
+  %2 = alloca double, align 8
+  %3 = load ptr, ptr %0, align 8
+  %4 = getelementptr i8, ptr %0, i64 8
+  %5 = load i64, ptr %4, align 8
+  %6 = getelementptr i8, ptr %0, i64 16
+  %7 = load i64, ptr %6, align 8
+  %8 = shl i64 %7, 3
+  %9 = getelementptr i8, ptr %0, i64 24
+  %10 = load ptr, ptr %9, align 8
+  %11 = getelementptr i8, ptr %0, i64 32
+  %12 = load i64, ptr %11, align 8
+  %13 = getelementptr i8, ptr %0, i64 40
+  %14 = load i64, ptr %13, align 8
+  %15 = getelementptr i8, ptr %0, i64 48
+  %16 = load i64, ptr %15, align 8
+  %17 = getelementptr i8, ptr %0, i64 56
+  %18 = load ptr, ptr %17, align 8
+  %19 = icmp slt i64 %5, 1
+  br i1 %19, label %36, label %20
+20:
+  %21 = getelementptr i8, ptr %3, i64 16
+  br label %22
+22:
+  %23 = phi ptr [ %21, %20 ], [ %34, %22 ]
+  %24 = phi i64 [ 0, %20 ], [ %30, %22 ]
+  %25 = getelementptr i8, ptr %23, i64 -16
+  %26 = load double, ptr %25, align 8
+  %27 = getelementptr i8, ptr %23, i64 -8
+  %28 = load double, ptr %27, align 8
+  %29 = load double, ptr %23, align 8
+  call fastcc void @0(ptr nonnull %2, double %26, double %28, double %29, ptr readonly %10, i64 %12, i64 %14, i64 %16, i64 %24)
+  %30 = add nuw nsw i64 %24, 1
+  %31 = load double, ptr %2, align 8
+  %32 = shl i64 %24, 3
+  %33 = getelementptr i8, ptr %18, i64 %32
+  store double %31, ptr %33, align 8
+  %34 = getelementptr i8, ptr %23, i64 %8
+  %35 = icmp eq i64 %5, %30
+  br i1 %35, label %36, label %22
+36:
+  ret i64 0
+}
+define noundef i64 @msf_jax.solid.kernels.nearest(ptr readonly %0) local_unnamed_addr {
+  %2 = alloca double, align 8
+  %3 = load ptr, ptr %0, align 8
+  %4 = getelementptr i8, ptr %0, i64 8
+  %5 = load i64, ptr %4, align 8
+  %6 = getelementptr i8, ptr %0, i64 16
+  %7 = load i64, ptr %6, align 8
+  %8 = getelementptr i8, ptr %0, i64 64
+  %9 = load ptr, ptr %8, align 8
+  %10 = getelementptr i8, ptr %0, i64 72
+  %11 = load i64, ptr %10, align 8
+  %12 = getelementptr i8, ptr %0, i64 80
+  %13 = load i64, ptr %12, align 8
+  %14 = getelementptr i8, ptr %0, i64 88
+  %15 = load i64, ptr %14, align 8
+  %16 = getelementptr i8, ptr %0, i64 112
+  %17 = load ptr, ptr %16, align 8
+  %18 = getelementptr i8, ptr %0, i64 120
+  %19 = load i64, ptr %18, align 8
+  %20 = getelementptr i8, ptr %0, i64 128
+  %21 = load i64, ptr %20, align 8
+  %22 = getelementptr i8, ptr %0, i64 136
+  %23 = load ptr, ptr %22, align 8
+  %24 = getelementptr i8, ptr %0, i64 144
+  %25 = load i64, ptr %24, align 8
+  %26 = getelementptr i8, ptr %0, i64 152
+  %27 = load ptr, ptr %26, align 8
+  %28 = getelementptr i8, ptr %0, i64 168
+  %29 = load ptr, ptr %28, align 8
+  %30 = getelementptr i8, ptr %0, i64 176
+  %31 = load i64, ptr %30, align 8
+  %32 = getelementptr i8, ptr %0, i64 184
+  %33 = load ptr, ptr %32, align 8
+  %34 = getelementptr i8, ptr %0, i64 192
+  %35 = load i64, ptr %34, align 8
+  %36 = getelementptr i8, ptr %0, i64 200
+  %37 = load i8, ptr %36, align 8
+  %38 = getelementptr i8, ptr %0, i64 208
+  %39 = load ptr, ptr %38, align 8
+  %40 = getelementptr i8, ptr %0, i64 224
+  %41 = load ptr, ptr %40, align 8
+  %42 = icmp slt i64 %5, 1
+  br i1 %42, label %180, label %43
+43:
+  %44 = icmp eq i8 %37, 0
+  br label %45
+45:
+  %46 = phi i64 [ %47, %174 ], [ 0, %43 ]
+  %47 = add nuw nsw i64 %46, 1
+  %48 = mul i64 %46, %7
+  %49 = getelementptr double, ptr %3, i64 %48
+  %50 = load double, ptr %49, align 8
+  %51 = getelementptr i8, ptr %49, i64 8
+  %52 = load double, ptr %51, align 8
+  %53 = getelementptr i8, ptr %49, i64 16
+  %54 = load double, ptr %53, align 8
+  %55 = getelementptr i64, ptr %27, i64 %46
+  %56 = load i64, ptr %55, align 8
+  %57 = icmp slt i64 %56, 0
+  %58 = select i1 %57, i64 %31, i64 0
+  %59 = getelementptr i64, ptr %29, i64 %56
+  %60 = getelementptr i64, ptr %59, i64 %58
+  %61 = load i64, ptr %60, align 8
+  br i1 %44, label %62, label %69
+62:
+  %63 = icmp slt i64 %56, -1
+  %64 = select i1 %63, i64 %31, i64 0
+  %65 = getelementptr i8, ptr %59, i64 8
+  %66 = getelementptr i64, ptr %65, i64 %64
+  %67 = load i64, ptr %66, align 8
+  %68 = icmp slt i64 %61, %67
+  br i1 %68, label %69, label %174
+69:
+  %70 = phi i64 [ 0, %62 ], [ 1, %45 ]
+  %71 = icmp slt i64 %56, -1
+  %72 = select i1 %71, i64 %31, i64 0
+  %73 = getelementptr i8, ptr %59, i64 8
+  %74 = getelementptr i64, ptr %73, i64 %72
+  %75 = load i64, ptr %74, align 8
+  br label %76
+76:
+  %77 = phi i64 [ %25, %69 ], [ %169, %166 ]
+  %78 = phi double [ 0x7FF0000000000000, %69 ], [ %170, %166 ]
+  %79 = phi i64 [ %70, %69 ], [ %168, %166 ]
+  %80 = phi i64 [ %61, %69 ], [ %167, %166 ]
+  %81 = icmp slt i64 %80, %75
+  br i1 %81, label %82, label %89
+82:
+  %83 = icmp slt i64 %80, 0
+  %84 = select i1 %83, i64 %35, i64 0
+  %85 = getelementptr i64, ptr %33, i64 %80
+  %86 = getelementptr i64, ptr %85, i64 %84
+  %87 = load i64, ptr %86, align 8
+  %88 = add nsw i64 %80, 1
+  br label %153
+89:
+  %90 = icmp slt i64 %79, 0
+  %91 = select i1 %90, i64 %19, i64 0
+  %92 = add i64 %91, %79
+  %93 = mul i64 %92, %21
+  %94 = getelementptr double, ptr %17, i64 %93
+  %95 = load double, ptr %94, align 8
+  %96 = fsub double %95, %50
+  %97 = getelementptr i8, ptr %94, i64 24
+  %98 = load double, ptr %97, align 8
+  %99 = fsub double %50, %98
+  %100 = fcmp ogt double %99, %96
+  %101 = select i1 %100, double %99, double %96
+  %102 = fcmp olt double %101, 0.000000e+00
+  %103 = select i1 %102, double 0.000000e+00, double %101
+  %104 = getelementptr i8, ptr %94, i64 8
+  %105 = load double, ptr %104, align 8
+  %106 = fsub double %105, %52
+  %107 = getelementptr i8, ptr %94, i64 32
+  %108 = load double, ptr %107, align 8
+  %109 = fsub double %52, %108
+  %110 = fcmp ogt double %109, %106
+  %111 = select i1 %110, double %109, double %106
+  %112 = fcmp olt double %111, 0.000000e+00
+  %113 = select i1 %112, double 0.000000e+00, double %111
+  %114 = getelementptr i8, ptr %94, i64 16
+  %115 = load double, ptr %114, align 8
+  %116 = fsub double %115, %54
+  %117 = getelementptr i8, ptr %94, i64 40
+  %118 = load double, ptr %117, align 8
+  %119 = fsub double %54, %118
+  %120 = fcmp ogt double %119, %116
+  %121 = select i1 %120, double %119, double %116
+  %122 = fcmp olt double %121, 0.000000e+00
+  %123 = select i1 %122, double 0.000000e+00, double %121
+  %124 = fmul double %103, %103
+  %125 = fmul double %113, %113
+  %126 = fadd double %124, %125
+  %127 = fmul double %123, %123
+  %128 = fadd double %126, %127
+  %129 = fmul double %78, 0x3FF0000000001198
+  %130 = fcmp ugt double %128, %129
+  br i1 %130, label %139, label %131
+131:
+  %132 = icmp slt i64 %79, %25
+  br i1 %132, label %137, label %133
+133:
+  %134 = sub nsw i64 %79, %25
+  %135 = getelementptr i64, ptr %23, i64 %134
+  %136 = load i64, ptr %135, align 8
+  br label %139
+137:
+  %138 = shl nsw i64 %79, 1
+  br label %166
+139:
+  %140 = phi i64 [ %136, %133 ], [ -1, %89 ]
+  %141 = add nsw i64 %79, 1
+  %142 = and i64 %79, 1
+  %143 = icmp eq i64 %142, 0
+  br i1 %143, label %149, label %144
+144:
+  %145 = phi i64 [ %146, %144 ], [ %141, %139 ]
+  %146 = ashr i64 %145, 1
+  %147 = and i64 %145, 2
+  %148 = icmp eq i64 %147, 0
+  br i1 %148, label %144, label %149
+149:
+  %150 = phi i64 [ %141, %139 ], [ %146, %144 ]
+  %151 = icmp sgt i64 %150, 1
+  %152 = select i1 %151, i64 %150, i64 0
+  br label %153
+153:
+  %154 = phi i64 [ %79, %82 ], [ %152, %149 ]
+  %155 = phi i64 [ %87, %82 ], [ %140, %149 ]
+  %156 = phi i64 [ %88, %82 ], [ %80, %149 ]
+  %157 = icmp sgt i64 %155, -1
+  br i1 %157, label %158, label %166
+158:
+  call fastcc void @0(ptr nonnull %2, double %50, double %52, double %54, ptr readonly %9, i64 %11, i64 %13, i64 %15, i64 %155)
+  %159 = load double, ptr %2, align 8
+  %160 = fcmp olt double %159, %78
+  br i1 %160, label %165, label %161
+161:
+  %162 = fcmp oeq double %159, %78
+  %163 = icmp slt i64 %155, %77
+  %164 = select i1 %162, i1 %163, i1 false
+  br i1 %164, label %165, label %166
+165:
+  br label %166
+166:
+  %167 = phi i64 [ %156, %165 ], [ %156, %153 ], [ %156, %161 ], [ %80, %137 ]
+  %168 = phi i64 [ %154, %165 ], [ %154, %153 ], [ %154, %161 ], [ %138, %137 ]
+  %169 = phi i64 [ %155, %165 ], [ %77, %153 ], [ %77, %161 ], [ %77, %137 ]
+  %170 = phi double [ %159, %165 ], [ %78, %153 ], [ %78, %161 ], [ %78, %137 ]
+  %171 = icmp ne i64 %168, 0
+  %172 = icmp slt i64 %167, %75
+  %173 = select i1 %171, i1 true, i1 %172
+  br i1 %173, label %76, label %174
+174:
+  %175 = phi i64 [ %25, %62 ], [ %169, %166 ]
+  %176 = phi double [ 0x7FF0000000000000, %62 ], [ %170, %166 ]
+  %177 = getelementptr double, ptr %39, i64 %46
+  store double %176, ptr %177, align 8
+  %178 = getelementptr i64, ptr %41, i64 %46
+  store i64 %175, ptr %178, align 8
+  %179 = icmp eq i64 %5, %47
+  br i1 %179, label %180, label %45
+180:
+  ret i64 0
+}
+define noundef i64 @msf_jax.solid.kernels.windings(ptr readonly %0) local_unnamed_addr {
+  %2 = load ptr, ptr %0, align 8
+  %3 = getelementptr i8, ptr %0, i64 8
+  %4 = load i64, ptr %3, align 8
+  %5 = getelementptr i8, ptr %0, i64 16
+  %6 = load i64, ptr %5, align 8
+  %7 = getelementptr i8, ptr %0, i64 48
+  %8 = load ptr, ptr %7, align 8
+  %9 = getelementptr i8, ptr %0, i64 56
+  %10 = load i64, ptr %9, align 8
+  %11 = getelementptr i8, ptr %0, i64 64
+  %12 = load ptr, ptr %11, align 8
+  %13 = getelementptr i8, ptr %0, i64 72
+  %14 = load i64, ptr %13, align 8
+  %15 = getelementptr i8, ptr %0, i64 88
+  %16 = load i64, ptr %15, align 8
+  %17 = getelementptr i8, ptr %0, i64 112
+  %18 = load ptr, ptr %17, align 8
+  %19 = getelementptr i8, ptr %0, i64 120
+  %20 = load i64, ptr %19, align 8
+  %21 = getelementptr i8, ptr %0, i64 128
+  %22 = load i64, ptr %21, align 8
+  %23 = getelementptr i8, ptr %0, i64 136
+  %24 = load ptr, ptr %23, align 8
+  %25 = getelementptr i8, ptr %0, i64 144
+  %26 = load i64, ptr %25, align 8
+  %27 = getelementptr i8, ptr %0, i64 152
+  %28 = load ptr, ptr %27, align 8
+  %29 = icmp slt i64 %4, 1
+  br i1 %29, label %272, label %30
+30:
+  %31 = getelementptr i8, ptr %0, i64 80
+  %32 = load i64, ptr %31, align 8
+  %33 = mul i64 %32, %16
+  %34 = shl i64 %16, 4
+  br label %35
+35:
+  %36 = phi i64 [ 0, %30 ], [ %206, %205 ]
+  %37 = mul i64 %36, %6
+  %38 = getelementptr double, ptr %2, i64 %37
+  %39 = load double, ptr %38, align 8
+  %40 = getelementptr i8, ptr %38, i64 8
+  %41 = load double, ptr %40, align 8
+  %42 = getelementptr i8, ptr %38, i64 16
+  %43 = load double, ptr %42, align 8
+  br label %44
+44:
+  %45 = phi i64 [ %193, %202 ], [ 0, %35 ]
+  %46 = phi i64 [ %203, %202 ], [ 1, %35 ]
+  %47 = mul i64 %46, %22
+  %48 = getelementptr double, ptr %18, i64 %47
+  %49 = load double, ptr %48, align 8
+  %50 = fcmp ogt double %49, %39
+  br i1 %50, label %191, label %51
+51:
+  %52 = phi i64 [ %187, %182 ], [ %47, %44 ]
+  %53 = phi i64 [ %183, %182 ], [ %46, %44 ]
+  %54 = shl i64 %52, 3
+  %55 = getelementptr i8, ptr %18, i64 %54
+  %56 = getelementptr i8, ptr %55, i64 8
+  %57 = load double, ptr %56, align 8
+  %58 = fcmp ogt double %57, %41
+  br i1 %58, label %191, label %59
+59:
+  %60 = getelementptr i8, ptr %55, i64 24
+  %61 = load double, ptr %60, align 8
+  %62 = fcmp olt double %61, %39
+  br i1 %62, label %191, label %63
+63:
+  %64 = getelementptr i8, ptr %55, i64 32
+  %65 = load double, ptr %64, align 8
+  %66 = fcmp olt double %65, %41
+  br i1 %66, label %191, label %67
+67:
+  %68 = getelementptr i8, ptr %55, i64 40
+  %69 = load double, ptr %68, align 8
+  %70 = fcmp uge double %69, %43
+  br i1 %70, label %71, label %191
+71:
+  %72 = icmp slt i64 %53, %26
+  br i1 %72, label %182, label %209
+73:
+  %74 = fcmp oeq double %249, 0.000000e+00
+  br i1 %74, label %75, label %81
+75:
+  %76 = fcmp olt double %244, 0.000000e+00
+  br i1 %76, label %81, label %77
+77:
+  %78 = fcmp oeq double %244, 0.000000e+00
+  br i1 %78, label %79, label %81
+79:
+  %80 = fcmp ogt double %239, 0.000000e+00
+  br label %81
+81:
+  %82 = phi i1 [ true, %209 ], [ true, %75 ], [ %80, %79 ], [ false, %77 ], [ false, %73 ]
+  %83 = xor i1 %227, %82
+  %84 = xor i1 %83, true
+  %85 = zext i1 %84 to i64
+  %86 = fneg double %249
+  %87 = select i1 %227, double %249, double %86
+  %88 = fadd double %87, 0.000000e+00
+  %89 = shl i64 %216, 3
+  %90 = getelementptr i8, ptr %12, i64 %89
+  %91 = getelementptr i8, ptr %90, i64 16
+  %92 = load double, ptr %91, align 8
+  %93 = fmul double %87, %92
+  %94 = fadd double %93, 0.000000e+00
+  %95 = getelementptr i64, ptr %220, i64 %218
+  %96 = load i64, ptr %95, align 8
+  %97 = icmp slt i64 %226, %96
+  %98 = select i1 %97, i64 0, i64 2
+  %99 = select i1 %97, i64 2, i64 0
+  %100 = mul i64 %98, %16
+  %101 = getelementptr double, ptr %12, i64 %100
+  %102 = getelementptr double, ptr %101, i64 %216
+  %103 = load double, ptr %102, align 8
+  %104 = mul i64 %99, %16
+  %105 = getelementptr double, ptr %12, i64 %104
+  %106 = getelementptr double, ptr %105, i64 %216
+  %107 = load double, ptr %106, align 8
+  %108 = fsub double %103, %107
+  %109 = getelementptr i8, ptr %102, i64 8
+  %110 = load double, ptr %109, align 8
+  %111 = getelementptr i8, ptr %106, i64 8
+  %112 = load double, ptr %111, align 8
+  %113 = fsub double %110, %112
+  %114 = fsub double %41, %112
+  %115 = fmul double %108, %114
+  %116 = fsub double %39, %107
+  %117 = fmul double %116, %113
+  %118 = fsub double %115, %117
+  %119 = fcmp ogt double %118, 0.000000e+00
+  br i1 %119, label %128, label %120
+120:
+  %121 = fcmp oeq double %118, 0.000000e+00
+  br i1 %121, label %122, label %128
+122:
+  %123 = fcmp olt double %113, 0.000000e+00
+  br i1 %123, label %128, label %124
+124:
+  %125 = fcmp oeq double %113, 0.000000e+00
+  br i1 %125, label %126, label %128
+126:
+  %127 = fcmp ogt double %108, 0.000000e+00
+  br label %128
+128:
+  %129 = phi i1 [ true, %81 ], [ true, %122 ], [ %127, %126 ], [ false, %124 ], [ false, %120 ]
+  %130 = xor i1 %97, %129
+  %131 = xor i1 %130, true
+  %132 = zext i1 %131 to i64
+  %133 = add nuw nsw i64 %132, %85
+  %134 = fneg double %118
+  %135 = select i1 %97, double %118, double %134
+  %136 = fadd double %88, %135
+  %137 = getelementptr double, ptr %217, i64 %16
+  %138 = getelementptr i8, ptr %137, i64 16
+  %139 = load double, ptr %138, align 8
+  %140 = fmul double %135, %139
+  %141 = fadd double %94, %140
+  %142 = icmp slt i64 %96, %223
+  %143 = select i1 %142, i64 %16, i64 0
+  %144 = getelementptr double, ptr %12, i64 %143
+  %145 = getelementptr double, ptr %144, i64 %216
+  %146 = load double, ptr %145, align 8
+  %147 = select i1 %142, i64 0, i64 %16
+  %148 = getelementptr double, ptr %12, i64 %147
+  %149 = getelementptr double, ptr %148, i64 %216
+  %150 = load double, ptr %149, align 8
+  %151 = fsub double %146, %150
+  %152 = getelementptr i8, ptr %145, i64 8
+  %153 = load double, ptr %152, align 8
+  %154 = getelementptr i8, ptr %149, i64 8
+  %155 = load double, ptr %154, align 8
+  %156 = fsub double %153, %155
+  %157 = fsub double %41, %155
+  %158 = fmul double %151, %157
+  %159 = fsub double %39, %150
+  %160 = fmul double %159, %156
+  %161 = fsub double %158, %160
+  %162 = fcmp ogt double %161, 0.000000e+00
+  br i1 %162, label %251, label %163
+163:
+  %164 = fcmp oeq double %161, 0.000000e+00
+  br i1 %164, label %165, label %251
+165:
+  %166 = fcmp olt double %156, 0.000000e+00
+  br i1 %166, label %251, label %167
+167:
+  %168 = fcmp oeq double %156, 0.000000e+00
+  br i1 %168, label %169, label %251
+169:
+  %170 = fcmp ogt double %151, 0.000000e+00
+  br label %251
+171:
+  %172 = xor i1 %142, %252
+  %173 = xor i1 %172, true
+  %174 = zext i1 %173 to i64
+  %175 = add nuw nsw i64 %133, %174
+  %176 = icmp eq i64 %175, 3
+  %177 = icmp eq i64 %175, 0
+  %178 = zext i1 %176 to i64
+  %179 = sext i1 %177 to i64
+  %180 = add i64 %45, %178
+  %181 = add i64 %180, %179
+  br label %191
+182:
+  %183 = shl nsw i64 %53, 1
+  %184 = icmp slt i64 %53, 0
+  %185 = select i1 %184, i64 %20, i64 0
+  %186 = add i64 %185, %183
+  %187 = mul i64 %186, %22
+  %188 = getelementptr double, ptr %18, i64 %187
+  %189 = load double, ptr %188, align 8
+  %190 = fcmp ogt double %189, %39
+  br i1 %190, label %191, label %51
+191:
+  %192 = phi i64 [ %53, %171 ], [ %53, %251 ], [ %46, %44 ], [ %53, %67 ], [ %53, %63 ], [ %53, %59 ], [ %53, %51 ], [ %183, %182 ]
+  %193 = phi i64 [ %181, %171 ], [ %45, %251 ], [ %45, %44 ], [ %45, %51 ], [ %45, %59 ], [ %45, %63 ], [ %45, %67 ], [ %45, %182 ]
+  %194 = add nsw i64 %192, 1
+  %195 = and i64 %192, 1
+  %196 = icmp eq i64 %195, 0
+  br i1 %196, label %202, label %197
+197:
+  %198 = phi i64 [ %199, %197 ], [ %194, %191 ]
+  %199 = ashr i64 %198, 1
+  %200 = and i64 %198, 2
+  %201 = icmp eq i64 %200, 0
+  br i1 %201, label %197, label %202
+202:
+  %203 = phi i64 [ %194, %191 ], [ %199, %197 ]
+  %204 = icmp sgt i64 %203, 1
+  br i1 %204, label %44, label %205
+205:
+  %206 = add nuw nsw i64 %36, 1
+  %207 = getelementptr i64, ptr %28, i64 %36
+  store i64 %193, ptr %207, align 8
+  %208 = icmp eq i64 %206, %4
+  br i1 %208, label %272, label %35
+209:
+  %210 = sub nsw i64 %53, %26
+  %211 = getelementptr i64, ptr %24, i64 %210
+  %212 = load i64, ptr %211, align 8
+  %213 = icmp slt i64 %212, 0
+  %214 = select i1 %213, i64 %14, i64 0
+  %215 = add i64 %214, %212
+  %216 = mul i64 %33, %215
+  %217 = getelementptr double, ptr %12, i64 %216
+  %218 = select i1 %213, i64 %10, i64 0
+  %219 = mul i64 %212, 24
+  %220 = getelementptr i8, ptr %8, i64 %219
+  %221 = getelementptr i8, ptr %220, i64 8
+  %222 = getelementptr i64, ptr %221, i64 %218
+  %223 = load i64, ptr %222, align 8
+  %224 = getelementptr i8, ptr %220, i64 16
+  %225 = getelementptr i64, ptr %224, i64 %218
+  %226 = load i64, ptr %225, align 8
+  %227 = icmp slt i64 %223, %226
+  %228 = zext i1 %227 to i64
+  %229 = shl i64 %16, %228
+  %230 = getelementptr double, ptr %12, i64 %229
+  %231 = getelementptr double, ptr %230, i64 %216
+  %232 = load double, ptr %231, align 8
+  %233 = xor i1 %227, true
+  %234 = zext i1 %233 to i64
+  %235 = shl i64 %16, %234
+  %236 = getelementptr double, ptr %12, i64 %235
+  %237 = getelementptr double, ptr %236, i64 %216
+  %238 = load double, ptr %237, align 8
+  %239 = fsub double %232, %238
+  %240 = getelementptr i8, ptr %231, i64 8
+  %241 = load double, ptr %240, align 8
+  %242 = getelementptr i8, ptr %237, i64 8
+  %243 = load double, ptr %242, align 8
+  %244 = fsub double %241, %243
+  %245 = fsub double %41, %243
+  %246 = fmul double %239, %245
+  %247 = fsub double %39, %238
+  %248 = fmul double %247, %244
+  %249 = fsub double %246, %248
+  %250 = fcmp ogt double %249, 0.000000e+00
+  br i1 %250, label %81, label %73
+251:
+  %252 = phi i1 [ true, %128 ], [ true, %165 ], [ %170, %169 ], [ false, %167 ], [ false, %163 ]
+  %253 = fneg double %161
+  %254 = select i1 %142, double %161, double %253
+  %255 = fadd double %136, %254
+  %256 = freeze double %255
+  %257 = getelementptr i8, ptr %217, i64 %34
+  %258 = getelementptr i8, ptr %257, i64 16
+  %259 = load double, ptr %258, align 8
+  %260 = fmul double %254, %259
+  %261 = fadd double %141, %260
+  %262 = fcmp une double %256, 0.000000e+00
+  %263 = fdiv double %261, %256
+  %264 = select i1 %262, double %263, double %261
+  %265 = getelementptr i8, ptr %55, i64 16
+  %266 = load double, ptr %265, align 8
+  %267 = fcmp ogt double %266, %264
+  %268 = select i1 %267, double %266, double %264
+  %269 = fcmp olt double %69, %268
+  %270 = select i1 %269, double %69, double %268
+  %271 = fcmp ogt double %270, %43
+  br i1 %271, label %171, label %191
+272:
+  ret i64 0
+}
+declare double @llvm.fabs.f64(double)
+define i64 @msf_jax.solid.kernels.hits(ptr readonly %0) local_unnamed_addr {
+  %2 = load ptr, ptr %0, align 8
+  %3 = getelementptr i8, ptr %0, i64 8
+  %4 = load i64, ptr %3, align 8
+  %5 = getelementptr i8, ptr %0, i64 16
+  %6 = load i64, ptr %5, align 8
+  %7 = getelementptr i8, ptr %0, i64 24
+  %8 = load ptr, ptr %7, align 8
+  %9 = getelementptr i8, ptr %0, i64 56
+  %10 = load ptr, ptr %9, align 8
+  %11 = getelementptr i8, ptr %0, i64 72
+  %12 = load double, ptr %11, align 8
+  %13 = getelementptr i8, ptr %0, i64 120
+  %14 = load ptr, ptr %13, align 8
+  %15 = getelementptr i8, ptr %0, i64 128
+  %16 = load i64, ptr %15, align 8
+  %17 = getelementptr i8, ptr %0, i64 136
+  %18 = load i64, ptr %17, align 8
+  %19 = getelementptr i8, ptr %0, i64 144
+  %20 = load i64, ptr %19, align 8
+  %21 = getelementptr i8, ptr %0, i64 168
+  %22 = load ptr, ptr %21, align 8
+  %23 = getelementptr i8, ptr %0, i64 176
+  %24 = load i64, ptr %23, align 8
+  %25 = getelementptr i8, ptr %0, i64 184
+  %26 = load i64, ptr %25, align 8
+  %27 = getelementptr i8, ptr %0, i64 192
+  %28 = load ptr, ptr %27, align 8
+  %29 = getelementptr i8, ptr %0, i64 200
+  %30 = load i64, ptr %29, align 8
+  %31 = getelementptr i8, ptr %0, i64 208
+  %32 = load ptr, ptr %31, align 8
+  %33 = getelementptr i8, ptr %0, i64 232
+  %34 = load ptr, ptr %33, align 8
+  %35 = getelementptr i8, ptr %0, i64 240
+  %36 = load i64, ptr %35, align 8
+  %37 = getelementptr i8, ptr %0, i64 248
+  %38 = load ptr, ptr %37, align 8
+  %39 = getelementptr i8, ptr %0, i64 256
+  %40 = load i64, ptr %39, align 8
+  %41 = icmp slt i64 %4, 1
+  br i1 %41, label %371, label %42
+42:
+  %43 = getelementptr i8, ptr %0, i64 224
+  %44 = load i64, ptr %43, align 8
+  %45 = shl i64 %44, 3
+  %46 = getelementptr i8, ptr %0, i64 48
+  %47 = load i64, ptr %46, align 8
+  %48 = getelementptr i8, ptr %0, i64 40
+  %49 = load i64, ptr %48, align 8
+  %50 = mul i64 %49, %47
+  %51 = shl i64 %44, 4
+  %52 = shl i64 %47, 4
+  %53 = getelementptr i8, ptr %8, i64 %52
+  %54 = getelementptr double, ptr %8, i64 %47
+  %55 = getelementptr i8, ptr %32, i64 8
+  %56 = getelementptr i8, ptr %32, i64 16
+  %57 = getelementptr i8, ptr %32, i64 %45
+  %58 = getelementptr i8, ptr %57, i64 8
+  %59 = getelementptr i8, ptr %57, i64 16
+  %60 = getelementptr i8, ptr %32, i64 %51
+  %61 = getelementptr i8, ptr %60, i64 8
+  %62 = getelementptr i8, ptr %60, i64 16
+  br label %134
+63:
+  %64 = add nuw nsw i64 %136, 1
+  %65 = icmp eq i64 %64, %4
+  br i1 %65, label %371, label %134
+66:
+  %67 = phi i64 [ %116, %111 ], [ %192, %189 ]
+  %68 = phi i64 [ %112, %111 ], [ %191, %189 ]
+  %69 = shl i64 %67, 3
+  %70 = getelementptr i8, ptr %22, i64 %69
+  %71 = getelementptr i8, ptr %70, i64 8
+  %72 = load double, ptr %71, align 8
+  %73 = fcmp ogt double %72, %173
+  br i1 %73, label %120, label %74
+74:
+  %75 = getelementptr i8, ptr %70, i64 16
+  %76 = load double, ptr %75, align 8
+  %77 = fcmp ogt double %76, %176
+  br i1 %77, label %120, label %78
+78:
+  %79 = getelementptr i8, ptr %70, i64 24
+  %80 = load double, ptr %79, align 8
+  %81 = fcmp olt double %80, %161
+  br i1 %81, label %120, label %82
+82:
+  %83 = getelementptr i8, ptr %70, i64 32
+  %84 = load double, ptr %83, align 8
+  %85 = fcmp olt double %84, %164
+  br i1 %85, label %120, label %86
+86:
+  %87 = getelementptr i8, ptr %70, i64 40
+  %88 = load double, ptr %87, align 8
+  %89 = fcmp uge double %88, %167
+  br i1 %89, label %90, label %120
+90:
+  %91 = icmp slt i64 %68, %30
+  br i1 %91, label %111, label %196
+92:
+  %93 = tail call double @llvm.fabs.f64(double %337)
+  %94 = fmul double %322, 0x3D06849B86A12B9B
+  %95 = fcmp ogt double %93, %94
+  br i1 %95, label %349, label %120
+96:
+  %97 = load double, ptr %188, align 8
+  %98 = fcmp ugt double %369, %97
+  br i1 %98, label %120, label %99
+99:
+  %100 = icmp slt i64 %190, %36
+  br i1 %100, label %101, label %109
+101:
+  %102 = icmp slt i64 %190, 0
+  %103 = select i1 %102, i64 %36, i64 0
+  %104 = getelementptr i64, ptr %34, i64 %190
+  %105 = getelementptr i64, ptr %104, i64 %103
+  store i64 %136, ptr %105, align 8
+  %106 = select i1 %102, i64 %40, i64 0
+  %107 = getelementptr double, ptr %38, i64 %190
+  %108 = getelementptr double, ptr %107, i64 %106
+  store double %369, ptr %108, align 8
+  br label %109
+109:
+  %110 = add nsw i64 %190, 1
+  br label %120
+111:
+  %112 = shl nsw i64 %68, 1
+  %113 = icmp slt i64 %68, 0
+  %114 = select i1 %113, i64 %24, i64 0
+  %115 = add i64 %114, %112
+  %116 = mul i64 %115, %26
+  %117 = getelementptr double, ptr %22, i64 %116
+  %118 = load double, ptr %117, align 8
+  %119 = fcmp ogt double %118, %170
+  br i1 %119, label %120, label %66
+120:
+  %121 = phi i64 [ %68, %109 ], [ %68, %343 ], [ %68, %92 ], [ %68, %349 ], [ %68, %96 ], [ %191, %189 ], [ %68, %86 ], [ %68, %82 ], [ %68, %78 ], [ %68, %74 ], [ %68, %66 ], [ %112, %111 ]
+  %122 = phi i64 [ %110, %109 ], [ %190, %343 ], [ %190, %92 ], [ %190, %349 ], [ %190, %96 ], [ %190, %189 ], [ %190, %66 ], [ %190, %74 ], [ %190, %78 ], [ %190, %82 ], [ %190, %86 ], [ %190, %111 ]
+  %123 = add nsw i64 %121, 1
+  %124 = and i64 %121, 1
+  %125 = icmp eq i64 %124, 0
+  br i1 %125, label %131, label %126
+126:
+  %127 = phi i64 [ %128, %126 ], [ %123, %120 ]
+  %128 = ashr i64 %127, 1
+  %129 = and i64 %127, 2
+  %130 = icmp eq i64 %129, 0
+  br i1 %130, label %126, label %131
+131:
+  %132 = phi i64 [ %123, %120 ], [ %128, %126 ]
+  %133 = icmp sgt i64 %132, 1
+  br i1 %133, label %189, label %63
+134:
+  %135 = phi i64 [ 0, %42 ], [ %122, %63 ]
+  %136 = phi i64 [ 0, %42 ], [ %64, %63 ]
+  %137 = mul i64 %136, %6
+  %138 = getelementptr double, ptr %2, i64 %137
+  %139 = load double, ptr %138, align 8
+  %140 = getelementptr i8, ptr %138, i64 8
+  %141 = load double, ptr %140, align 8
+  %142 = getelementptr i8, ptr %138, i64 16
+  %143 = load double, ptr %142, align 8
+  %144 = getelementptr double, ptr %10, i64 %136
+  %145 = load double, ptr %144, align 8
+  %146 = mul i64 %50, %136
+  %147 = getelementptr double, ptr %53, i64 %146
+  %148 = load double, ptr %147, align 8
+  %149 = fmul double %145, %148
+  %150 = fadd double %139, %149
+  %151 = getelementptr i8, ptr %147, i64 8
+  %152 = load double, ptr %151, align 8
+  %153 = fmul double %145, %152
+  %154 = fadd double %141, %153
+  %155 = getelementptr i8, ptr %147, i64 16
+  %156 = load double, ptr %155, align 8
+  %157 = fmul double %145, %156
+  %158 = fadd double %143, %157
+  %159 = fcmp olt double %150, %139
+  %160 = select i1 %159, double %150, double %139
+  %161 = fsub double %160, %12
+  %162 = fcmp olt double %154, %141
+  %163 = select i1 %162, double %154, double %141
+  %164 = fsub double %163, %12
+  %165 = fcmp olt double %158, %143
+  %166 = select i1 %165, double %158, double %143
+  %167 = fsub double %166, %12
+  %168 = fcmp ogt double %150, %139
+  %169 = select i1 %168, double %150, double %139
+  %170 = fadd double %12, %169
+  %171 = fcmp ogt double %154, %141
+  %172 = select i1 %171, double %154, double %141
+  %173 = fadd double %12, %172
+  %174 = fcmp ogt double %158, %143
+  %175 = select i1 %174, double %158, double %143
+  %176 = fadd double %12, %175
+  %177 = shl i64 %146, 3
+  %178 = getelementptr i8, ptr %8, i64 %177
+  %179 = getelementptr i8, ptr %178, i64 8
+  %180 = getelementptr i8, ptr %178, i64 16
+  %181 = getelementptr inbounds i8, ptr %54, i64 %177
+  %182 = getelementptr i8, ptr %181, i64 8
+  %183 = getelementptr i8, ptr %181, i64 16
+  %184 = getelementptr inbounds i8, ptr %53, i64 %177
+  %185 = getelementptr i8, ptr %184, i64 8
+  %186 = getelementptr i8, ptr %184, i64 16
+  %187 = shl i64 %136, 3
+  %188 = getelementptr i8, ptr %10, i64 %187
+  br label %189
+189:
+  %190 = phi i64 [ %122, %131 ], [ %135, %134 ]
+  %191 = phi i64 [ %132, %131 ], [ 1, %134 ]
+  %192 = mul i64 %191, %26
+  %193 = getelementptr double, ptr %22, i64 %192
+  %194 = load double, ptr %193, align 8
+  %195 = fcmp ogt double %194, %170
+  br i1 %195, label %120, label %66
+196:
+  %197 = sub nsw i64 %68, %30
+  %198 = getelementptr i64, ptr %28, i64 %197
+  %199 = load i64, ptr %198, align 8
+  %200 = icmp slt i64 %199, 0
+  %201 = select i1 %200, i64 %16, i64 0
+  %202 = add i64 %201, %199
+  %203 = mul i64 %202, %18
+  %204 = mul i64 %203, %20
+  %205 = getelementptr double, ptr %14, i64 %204
+  %206 = load double, ptr %205, align 8
+  %207 = fsub double %206, %139
+  %208 = getelementptr i8, ptr %205, i64 8
+  %209 = load double, ptr %208, align 8
+  %210 = fsub double %209, %141
+  %211 = getelementptr i8, ptr %205, i64 16
+  %212 = load double, ptr %211, align 8
+  %213 = fsub double %212, %143
+  %214 = load double, ptr %178, align 8
+  %215 = load double, ptr %179, align 8
+  %216 = load double, ptr %180, align 8
+  %217 = fmul double %207, %214
+  %218 = fmul double %213, %216
+  %219 = fadd double %217, %218
+  %220 = fmul double %210, %215
+  %221 = fadd double %220, %219
+  store double %221, ptr %32, align 8
+  %222 = load double, ptr %181, align 8
+  %223 = load double, ptr %182, align 8
+  %224 = load double, ptr %183, align 8
+  %225 = fmul double %207, %222
+  %226 = fmul double %213, %224
+  %227 = fadd double %225, %226
+  %228 = fmul double %210, %223
+  %229 = fadd double %228, %227
+  store double %229, ptr %55, align 8
+  %230 = load double, ptr %184, align 8
+  %231 = load double, ptr %185, align 8
+  %232 = load double, ptr %186, align 8
+  %233 = fmul double %207, %230
+  %234 = fmul double %213, %232
+  %235 = fadd double %233, %234
+  %236 = fmul double %210, %231
+  %237 = fadd double %236, %235
+  store double %237, ptr %56, align 8
+  %238 = add i64 %203, 1
+  %239 = mul i64 %238, %20
+  %240 = getelementptr double, ptr %14, i64 %239
+  %241 = load double, ptr %240, align 8
+  %242 = fsub double %241, %139
+  %243 = getelementptr i8, ptr %240, i64 8
+  %244 = load double, ptr %243, align 8
+  %245 = fsub double %244, %141
+  %246 = getelementptr i8, ptr %240, i64 16
+  %247 = load double, ptr %246, align 8
+  %248 = fsub double %247, %143
+  %249 = load double, ptr %178, align 8
+  %250 = load double, ptr %179, align 8
+  %251 = load double, ptr %180, align 8
+  %252 = fmul double %242, %249
+  %253 = fmul double %248, %251
+  %254 = fadd double %252, %253
+  %255 = fmul double %245, %250
+  %256 = fadd double %255, %254
+  store double %256, ptr %57, align 8
+  %257 = load double, ptr %181, align 8
+  %258 = load double, ptr %182, align 8
+  %259 = load double, ptr %183, align 8
+  %260 = fmul double %242, %257
+  %261 = fmul double %248, %259
+  %262 = fadd double %260, %261
+  %263 = fmul double %245, %258
+  %264 = fadd double %263, %262
+  store double %264, ptr %58, align 8
+  %265 = load double, ptr %184, align 8
+  %266 = load double, ptr %185, align 8
+  %267 = load double, ptr %186, align 8
+  %268 = fmul double %242, %265
+  %269 = fmul double %248, %267
+  %270 = fadd double %268, %269
+  %271 = fmul double %245, %266
+  %272 = fadd double %271, %270
+  store double %272, ptr %59, align 8
+  %273 = add i64 %203, 2
+  %274 = mul i64 %273, %20
+  %275 = getelementptr double, ptr %14, i64 %274
+  %276 = load double, ptr %275, align 8
+  %277 = fsub double %276, %139
+  %278 = getelementptr i8, ptr %275, i64 8
+  %279 = load double, ptr %278, align 8
+  %280 = fsub double %279, %141
+  %281 = getelementptr i8, ptr %275, i64 16
+  %282 = load double, ptr %281, align 8
+  %283 = fsub double %282, %143
+  %284 = load double, ptr %178, align 8
+  %285 = load double, ptr %179, align 8
+  %286 = load double, ptr %180, align 8
+  %287 = fmul double %277, %284
+  %288 = fmul double %283, %286
+  %289 = fadd double %287, %288
+  %290 = fmul double %280, %285
+  %291 = fadd double %290, %289
+  store double %291, ptr %60, align 8
+  %292 = load double, ptr %181, align 8
+  %293 = load double, ptr %182, align 8
+  %294 = load double, ptr %183, align 8
+  %295 = fmul double %277, %292
+  %296 = fmul double %283, %294
+  %297 = fadd double %295, %296
+  %298 = fmul double %280, %293
+  %299 = fadd double %298, %297
+  store double %299, ptr %61, align 8
+  %300 = load double, ptr %184, align 8
+  %301 = load double, ptr %185, align 8
+  %302 = load double, ptr %186, align 8
+  %303 = fmul double %277, %300
+  %304 = fmul double %283, %302
+  %305 = fadd double %303, %304
+  %306 = fmul double %280, %301
+  %307 = fadd double %306, %305
+  store double %307, ptr %62, align 8
+  %308 = fmul double %299, %299
+  %309 = fmul double %291, %291
+  %310 = fmul double %264, %264
+  %311 = fmul double %256, %256
+  %312 = fmul double %229, %229
+  %313 = fmul double %221, %221
+  %314 = fadd double %313, %312
+  %315 = fcmp ogt double %314, 0.000000e+00
+  %316 = select i1 %315, double %314, double 0.000000e+00
+  %317 = fadd double %311, %310
+  %318 = fcmp ogt double %317, %316
+  %319 = select i1 %318, double %317, double %316
+  %320 = fadd double %309, %308
+  %321 = fcmp ogt double %320, %319
+  %322 = select i1 %321, double %320, double %319
+  %323 = load double, ptr %32, align 8
+  %324 = load double, ptr %58, align 8
+  %325 = fmul double %323, %324
+  %326 = load double, ptr %57, align 8
+  %327 = load double, ptr %55, align 8
+  %328 = fmul double %326, %327
+  %329 = fsub double %325, %328
+  %330 = fmul double %299, %326
+  %331 = fmul double %291, %324
+  %332 = fsub double %330, %331
+  %333 = fmul double %291, %327
+  %334 = fmul double %299, %323
+  %335 = fsub double %333, %334
+  %336 = fadd double %332, %329
+  %337 = fadd double %335, %336
+  %338 = fcmp olt double %332, %329
+  %339 = select i1 %338, double %332, double %329
+  %340 = fcmp olt double %335, %339
+  %341 = select i1 %340, double %335, double %339
+  %342 = fcmp ult double %341, 0.000000e+00
+  br i1 %342, label %343, label %92
+343:
+  %344 = fcmp ogt double %332, %329
+  %345 = select i1 %344, double %332, double %329
+  %346 = fcmp ogt double %335, %345
+  %347 = select i1 %346, double %335, double %345
+  %348 = fcmp ugt double %347, 0.000000e+00
+  br i1 %348, label %120, label %92
+349:
+  %350 = load double, ptr %56, align 8
+  %351 = load double, ptr %59, align 8
+  %352 = fmul double %307, %329
+  %353 = fmul double %335, %351
+  %354 = fadd double %352, %353
+  %355 = fmul double %332, %350
+  %356 = fadd double %355, %354
+  %357 = fcmp olt double %351, %350
+  %358 = select i1 %357, double %351, double %350
+  %359 = fcmp olt double %307, %358
+  %360 = select i1 %359, double %307, double %358
+  %361 = fdiv double %356, %337
+  %362 = fcmp ogt double %360, %361
+  %363 = select i1 %362, double %360, double %361
+  %364 = fcmp ogt double %351, %350
+  %365 = select i1 %364, double %351, double %350
+  %366 = fcmp ogt double %307, %365
+  %367 = select i1 %366, double %307, double %365
+  %368 = fcmp olt double %367, %363
+  %369 = select i1 %368, double %367, double %363
+  %370 = fcmp ult double %369, 0.000000e+00
+  br i1 %370, label %120, label %96
+371:
+  %372 = phi i64 [ 0, %1 ], [ %122, %63 ]
+  ret i64 %372
+}
+define internal fastcc void @1(ptr noalias nonnull writeonly %0, ptr readonly %1, i64 %2, i64 %3, i64 %4, i64 %5, i64 %6, double %7) unnamed_addr {
+  %9 = icmp slt i64 %5, 0
+  %10 = select i1 %9, i64 %2, i64 0
+  %11 = add i64 %10, %5
+  %12 = mul i64 %4, %3
+  %13 = mul i64 %11, %12
+  %14 = getelementptr double, ptr %1, i64 %13
+  %15 = load double, ptr %14, align 8
+  %16 = getelementptr i8, ptr %14, i64 8
+  %17 = load double, ptr %16, align 8
+  %18 = getelementptr i8, ptr %14, i64 16
+  %19 = load double, ptr %18, align 8
+  %20 = getelementptr double, ptr %14, i64 %4
+  %21 = load double, ptr %20, align 8
+  %22 = fsub double %21, %15
+  %23 = getelementptr i8, ptr %20, i64 8
+  %24 = load double, ptr %23, align 8
+  %25 = fsub double %24, %17
+  %26 = getelementptr i8, ptr %20, i64 16
+  %27 = load double, ptr %26, align 8
+  %28 = fsub double %27, %19
+  %29 = shl i64 %4, 4
+  %30 = getelementptr i8, ptr %14, i64 %29
+  %31 = load double, ptr %30, align 8
+  %32 = fsub double %31, %15
+  %33 = getelementptr i8, ptr %30, i64 8
+  %34 = load double, ptr %33, align 8
+  %35 = fsub double %34, %17
+  %36 = getelementptr i8, ptr %30, i64 16
+  %37 = load double, ptr %36, align 8
+  %38 = fsub double %37, %19
+  %39 = fmul double %25, %38
+  %40 = fmul double %28, %35
+  %41 = fsub double %39, %40
+  %42 = fmul double %28, %32
+  %43 = fmul double %22, %38
+  %44 = fsub double %42, %43
+  %45 = fmul double %22, %35
+  %46 = fmul double %25, %32
+  %47 = fsub double %45, %46
+  %48 = fmul double %41, %41
+  %49 = fmul double %44, %44
+  %50 = fadd double %48, %49
+  %51 = fmul double %47, %47
+  %52 = fadd double %51, %50
+  %53 = fcmp ogt double %52, 0.000000e+00
+  br i1 %53, label %56, label %92
+54:
+  %55 = phi i8 [ %156, %150 ], [ 0, %142 ]
+  store i8 %55, ptr %0, align 1
+  ret void
+56:
+  %57 = tail call double @llvm.sqrt.f64(double %52)
+  %58 = icmp slt i64 %6, 0
+  %59 = select i1 %58, i64 %2, i64 0
+  %60 = add i64 %59, %6
+  %61 = mul i64 %60, %12
+  %62 = getelementptr double, ptr %1, i64 %61
+  %63 = getelementptr i8, ptr %62, i64 16
+  %64 = load double, ptr %63, align 8
+  %65 = fsub double %64, %19
+  %66 = getelementptr i8, ptr %62, i64 8
+  %67 = load double, ptr %66, align 8
+  %68 = fsub double %67, %17
+  %69 = load double, ptr %62, align 8
+  %70 = fsub double %69, %15
+  %71 = fmul double %41, %70
+  %72 = fmul double %47, %65
+  %73 = fadd double %72, %71
+  %74 = fmul double %44, %68
+  %75 = fadd double %74, %73
+  %76 = fdiv double %75, %57
+  %77 = getelementptr double, ptr %62, i64 %4
+  %78 = getelementptr i8, ptr %77, i64 16
+  %79 = load double, ptr %78, align 8
+  %80 = fsub double %79, %19
+  %81 = getelementptr i8, ptr %77, i64 8
+  %82 = load double, ptr %81, align 8
+  %83 = fsub double %82, %17
+  %84 = load double, ptr %77, align 8
+  %85 = fsub double %84, %15
+  %86 = fmul double %41, %85
+  %87 = fmul double %47, %80
+  %88 = fadd double %87, %86
+  %89 = fmul double %44, %83
+  %90 = fadd double %89, %88
+  %91 = fdiv double %90, %57
+  br label %92
+92:
+  %93 = phi double [ %76, %56 ], [ 0.000000e+00, %8 ]
+  %94 = phi double [ %91, %56 ], [ 0.000000e+00, %8 ]
+  %95 = shl i64 %4, 1
+  %96 = getelementptr double, ptr %14, i64 %95
+  %97 = load double, ptr %96, align 8
+  %98 = fsub double %97, %15
+  %99 = getelementptr i8, ptr %96, i64 8
+  %100 = load double, ptr %99, align 8
+  %101 = fsub double %100, %17
+  %102 = getelementptr i8, ptr %96, i64 16
+  %103 = load double, ptr %102, align 8
+  %104 = fsub double %103, %19
+  %105 = fmul double %25, %104
+  %106 = fmul double %28, %101
+  %107 = fsub double %105, %106
+  %108 = fmul double %28, %98
+  %109 = fmul double %22, %104
+  %110 = fsub double %108, %109
+  %111 = fmul double %22, %101
+  %112 = fmul double %25, %98
+  %113 = fsub double %111, %112
+  %114 = fmul double %107, %107
+  %115 = fmul double %110, %110
+  %116 = fadd double %114, %115
+  %117 = fmul double %113, %113
+  %118 = fadd double %117, %116
+  %119 = fcmp ogt double %118, 0.000000e+00
+  br i1 %119, label %120, label %142
+120:
+  %121 = tail call double @llvm.sqrt.f64(double %118)
+  %122 = icmp slt i64 %6, 0
+  %123 = select i1 %122, i64 %2, i64 0
+  %124 = add i64 %123, %6
+  %125 = mul i64 %124, %12
+  %126 = getelementptr double, ptr %1, i64 %125
+  %127 = getelementptr double, ptr %126, i64 %95
+  %128 = getelementptr i8, ptr %127, i64 16
+  %129 = load double, ptr %128, align 8
+  %130 = fsub double %129, %19
+  %131 = getelementptr i8, ptr %127, i64 8
+  %132 = load double, ptr %131, align 8
+  %133 = fsub double %132, %17
+  %134 = load double, ptr %127, align 8
+  %135 = fsub double %134, %15
+  %136 = fmul double %107, %135
+  %137 = fmul double %113, %130
+  %138 = fadd double %137, %136
+  %139 = fmul double %110, %133
+  %140 = fadd double %139, %138
+  %141 = fdiv double %140, %121
+  br label %142
+142:
+  %143 = phi double [ %141, %120 ], [ 0.000000e+00, %92 ]
+  %144 = fcmp olt double %94, %93
+  %145 = select i1 %144, double %94, double %93
+  %146 = fcmp olt double %143, %145
+  %147 = select i1 %146, double %143, double %145
+  %148 = fneg double %7
+  %149 = fcmp olt double %147, %148
+  br i1 %149, label %150, label %54
+150:
+  %151 = fcmp ogt double %94, %93
+  %152 = select i1 %151, double %94, double %93
+  %153 = fcmp ogt double %143, %152
+  %154 = select i1 %153, double %143, double %152
+  %155 = fcmp ogt double %154, %7
+  %156 = zext i1 %155 to i8
+  br label %54
+}
+define internal fastcc void @2(ptr noalias nonnull writeonly %0, ptr readonly %1, i64 %2, i64 %3, i64 %4, i64 %5, i64 %6, i64 %7, double %8) unnamed_addr {
+  %10 = freeze i64 %6
+  %11 = add i64 %10, 1
+  %12 = icmp eq i64 %11, 3
+  %13 = select i1 %12, i64 0, i64 %11
+  %14 = icmp slt i64 %7, 0
+  %15 = select i1 %14, i64 %2, i64 0
+  %16 = add i64 %15, %7
+  %17 = mul i64 %4, %3
+  %18 = mul i64 %16, %17
+  %19 = getelementptr double, ptr %1, i64 %18
+  %20 = load double, ptr %19, align 8
+  %21 = getelementptr i8, ptr %19, i64 8
+  %22 = load double, ptr %21, align 8
+  %23 = getelementptr i8, ptr %19, i64 16
+  %24 = load double, ptr %23, align 8
+  %25 = getelementptr double, ptr %19, i64 %4
+  %26 = load double, ptr %25, align 8
+  %27 = fsub double %26, %20
+  %28 = getelementptr i8, ptr %25, i64 8
+  %29 = load double, ptr %28, align 8
+  %30 = fsub double %29, %22
+  %31 = getelementptr i8, ptr %25, i64 16
+  %32 = load double, ptr %31, align 8
+  %33 = fsub double %32, %24
+  %34 = shl i64 %4, 4
+  %35 = getelementptr i8, ptr %19, i64 %34
+  %36 = load double, ptr %35, align 8
+  %37 = fsub double %36, %20
+  %38 = getelementptr i8, ptr %35, i64 8
+  %39 = load double, ptr %38, align 8
+  %40 = fsub double %39, %22
+  %41 = getelementptr i8, ptr %35, i64 16
+  %42 = load double, ptr %41, align 8
+  %43 = fsub double %42, %24
+  %44 = fmul double %30, %43
+  %45 = fmul double %33, %40
+  %46 = fsub double %44, %45
+  %47 = fmul double %33, %37
+  %48 = fmul double %27, %43
+  %49 = fsub double %47, %48
+  %50 = fmul double %27, %40
+  %51 = fmul double %30, %37
+  %52 = fsub double %50, %51
+  %53 = fmul double %46, %46
+  %54 = fmul double %49, %49
+  %55 = fadd double %53, %54
+  %56 = fmul double %52, %52
+  %57 = fadd double %56, %55
+  %58 = fcmp ogt double %57, 0.000000e+00
+  br i1 %58, label %61, label %101
+59:
+  %60 = phi i8 [ %206, %112 ], [ 0, %108 ], [ 0, %101 ]
+  store i8 %60, ptr %0, align 1
+  ret void
+61:
+  %62 = tail call double @llvm.sqrt.f64(double %57)
+  %63 = icmp slt i64 %5, 0
+  %64 = select i1 %63, i64 %2, i64 0
+  %65 = add i64 %64, %5
+  %66 = mul i64 %65, %17
+  %67 = mul i64 %10, %4
+  %68 = getelementptr double, ptr %1, i64 %67
+  %69 = getelementptr double, ptr %68, i64 %66
+  %70 = getelementptr i8, ptr %69, i64 16
+  %71 = load double, ptr %70, align 8
+  %72 = fsub double %71, %24
+  %73 = getelementptr i8, ptr %69, i64 8
+  %74 = load double, ptr %73, align 8
+  %75 = fsub double %74, %22
+  %76 = load double, ptr %69, align 8
+  %77 = fsub double %76, %20
+  %78 = fmul double %46, %77
+  %79 = fmul double %52, %72
+  %80 = fadd double %79, %78
+  %81 = fmul double %49, %75
+  %82 = fadd double %81, %80
+  %83 = fdiv double %82, %62
+  %84 = mul i64 %13, %4
+  %85 = getelementptr double, ptr %1, i64 %84
+  %86 = getelementptr double, ptr %85, i64 %66
+  %87 = getelementptr i8, ptr %86, i64 16
+  %88 = load double, ptr %87, align 8
+  %89 = fsub double %88, %24
+  %90 = getelementptr i8, ptr %86, i64 8
+  %91 = load double, ptr %90, align 8
+  %92 = fsub double %91, %22
+  %93 = load double, ptr %86, align 8
+  %94 = fsub double %93, %20
+  %95 = fmul double %46, %94
+  %96 = fmul double %52, %89
+  %97 = fadd double %96, %95
+  %98 = fmul double %49, %92
+  %99 = fadd double %98, %97
+  %100 = fdiv double %99, %62
+  br label %101
+101:
+  %102 = phi double [ %83, %61 ], [ 0.000000e+00, %9 ]
+  %103 = phi double [ %100, %61 ], [ 0.000000e+00, %9 ]
+  %104 = fcmp olt double %103, %102
+  %105 = select i1 %104, double %103, double %102
+  %106 = fneg double %8
+  %107 = fcmp olt double %105, %106
+  br i1 %107, label %108, label %59
+108:
+  %109 = fcmp ogt double %103, %102
+  %110 = select i1 %109, double %103, double %102
+  %111 = fcmp ogt double %110, %8
+  br i1 %111, label %112, label %59
+112:
+  %113 = icmp slt i64 %5, 0
+  %114 = select i1 %113, i64 %2, i64 0
+  %115 = add i64 %114, %5
+  %116 = mul i64 %115, %17
+  %117 = mul i64 %10, %4
+  %118 = getelementptr double, ptr %1, i64 %117
+  %119 = getelementptr double, ptr %118, i64 %116
+  %120 = load double, ptr %119, align 8
+  %121 = getelementptr i8, ptr %119, i64 8
+  %122 = load double, ptr %121, align 8
+  %123 = getelementptr i8, ptr %119, i64 16
+  %124 = load double, ptr %123, align 8
+  %125 = mul i64 %13, %4
+  %126 = getelementptr double, ptr %1, i64 %125
+  %127 = getelementptr double, ptr %126, i64 %116
+  %128 = load double, ptr %127, align 8
+  %129 = fsub double %128, %120
+  %130 = getelementptr i8, ptr %127, i64 8
+  %131 = load double, ptr %130, align 8
+  %132 = fsub double %131, %122
+  %133 = getelementptr i8, ptr %127, i64 16
+  %134 = load double, ptr %133, align 8
+  %135 = fsub double %134, %124
+  %136 = fsub double %20, %120
+  %137 = fsub double %22, %122
+  %138 = fsub double %24, %124
+  %139 = fsub double %26, %120
+  %140 = fsub double %29, %122
+  %141 = fsub double %32, %124
+  %142 = fmul double %137, %141
+  %143 = fmul double %140, %138
+  %144 = fsub double %142, %143
+  %145 = fmul double %139, %138
+  %146 = fmul double %136, %141
+  %147 = fsub double %145, %146
+  %148 = fmul double %136, %140
+  %149 = fmul double %139, %137
+  %150 = fsub double %148, %149
+  %151 = fmul double %129, %144
+  %152 = fmul double %150, %135
+  %153 = fadd double %151, %152
+  %154 = fmul double %132, %147
+  %155 = fadd double %154, %153
+  %156 = fsub double %36, %120
+  %157 = fsub double %39, %122
+  %158 = fsub double %42, %124
+  %159 = fmul double %140, %158
+  %160 = fmul double %157, %141
+  %161 = fsub double %159, %160
+  %162 = fmul double %156, %141
+  %163 = fmul double %139, %158
+  %164 = fsub double %162, %163
+  %165 = fmul double %139, %157
+  %166 = fmul double %156, %140
+  %167 = fsub double %165, %166
+  %168 = fmul double %129, %161
+  %169 = fmul double %167, %135
+  %170 = fadd double %168, %169
+  %171 = fmul double %132, %164
+  %172 = fadd double %171, %170
+  %173 = fmul double %157, %138
+  %174 = fmul double %137, %158
+  %175 = fsub double %173, %174
+  %176 = fmul double %136, %158
+  %177 = fmul double %156, %138
+  %178 = fsub double %176, %177
+  %179 = fmul double %156, %137
+  %180 = fmul double %136, %157
+  %181 = fsub double %179, %180
+  %182 = fmul double %129, %175
+  %183 = fmul double %181, %135
+  %184 = fadd double %182, %183
+  %185 = fmul double %132, %178
+  %186 = fadd double %185, %184
+  %187 = fcmp ole double %155, 0.000000e+00
+  %188 = zext i1 %187 to i64
+  %189 = fcmp ole double %172, 0.000000e+00
+  %190 = zext i1 %189 to i64
+  %191 = add nuw nsw i64 %190, %188
+  %192 = fcmp oge double %155, 0.000000e+00
+  %193 = zext i1 %192 to i64
+  %194 = fcmp oge double %172, 0.000000e+00
+  %195 = zext i1 %194 to i64
+  %196 = add nuw nsw i64 %195, %193
+  %197 = fcmp oge double %186, 0.000000e+00
+  %198 = zext i1 %197 to i64
+  %199 = add nuw nsw i64 %196, %198
+  %200 = fcmp ole double %186, 0.000000e+00
+  %201 = zext i1 %200 to i64
+  %202 = add nuw nsw i64 %191, %201
+  %203 = icmp eq i64 %199, 3
+  %204 = icmp eq i64 %202, 3
+  %205 = select i1 %203, i1 true, i1 %204
+  %206 = zext i1 %205 to i8
+  br label %59
+}
+define i64 @msf_jax.solid.kernels.crossed(ptr readonly %0) local_unnamed_addr {
+  %2 = alloca i8, align 1
+  %3 = alloca i8, align 1
+  %4 = alloca i8, align 1
+  %5 = alloca i8, align 1
+  %6 = load ptr, ptr %0, align 8
+  %7 = getelementptr i8, ptr %0, i64 8
+  %8 = load i64, ptr %7, align 8
+  %9 = getelementptr i8, ptr %0, i64 56
+  %10 = load ptr, ptr %9, align 8
+  %11 = getelementptr i8, ptr %0, i64 64
+  %12 = load i64, ptr %11, align 8
+  %13 = getelementptr i8, ptr %0, i64 72
+  %14 = load i64, ptr %13, align 8
+  %15 = getelementptr i8, ptr %0, i64 80
+  %16 = load i64, ptr %15, align 8
+  %17 = getelementptr i8, ptr %0, i64 104
+  %18 = load ptr, ptr %17, align 8
+  %19 = getelementptr i8, ptr %0, i64 112
+  %20 = load i64, ptr %19, align 8
+  %21 = getelementptr i8, ptr %0, i64 120
+  %22 = load i64, ptr %21, align 8
+  %23 = shl i64 %22, 3
+  %24 = getelementptr i8, ptr %0, i64 128
+  %25 = load ptr, ptr %24, align 8
+  %26 = getelementptr i8, ptr %0, i64 136
+  %27 = load i64, ptr %26, align 8
+  %28 = getelementptr i8, ptr %0, i64 144
+  %29 = load double, ptr %28, align 8
+  %30 = getelementptr i8, ptr %0, i64 152
+  %31 = load i64, ptr %30, align 8
+  %32 = getelementptr i8, ptr %0, i64 160
+  %33 = load ptr, ptr %32, align 8
+  %34 = getelementptr i8, ptr %0, i64 176
+  %35 = load ptr, ptr %34, align 8
+  %36 = getelementptr i8, ptr %0, i64 184
+  %37 = load i64, ptr %36, align 8
+  %38 = getelementptr i8, ptr %0, i64 192
+  %39 = load ptr, ptr %38, align 8
+  %40 = getelementptr i8, ptr %0, i64 200
+  %41 = load i64, ptr %40, align 8
+  store i64 0, ptr %33, align 8
+  %42 = icmp slt i64 %27, 1
+  br i1 %42, label %253, label %43
+43:
+  %44 = shl i64 %8, 3
+  br label %45
+45:
+  %46 = phi i64 [ %237, %236 ], [ 0, %43 ]
+  %47 = phi i64 [ %49, %236 ], [ %27, %43 ]
+  %48 = phi i64 [ %50, %236 ], [ %27, %43 ]
+  %49 = add nsw i64 %47, -1
+  %50 = add i64 %48, 1
+  %51 = sub nsw i64 %48, %27
+  %52 = getelementptr i64, ptr %25, i64 %51
+  %53 = load i64, ptr %52, align 8
+  %54 = and i64 %48, 1
+  %55 = icmp eq i64 %54, 0
+  br i1 %55, label %239, label %56
+56:
+  %57 = phi i64 [ %58, %56 ], [ %50, %45 ]
+  %58 = ashr i64 %57, 1
+  %59 = and i64 %57, 2
+  %60 = icmp eq i64 %59, 0
+  br i1 %60, label %56, label %239
+61:
+  %62 = load i64, ptr %33, align 8
+  %63 = icmp slt i64 %62, %31
+  br i1 %63, label %64, label %236
+64:
+  %65 = icmp slt i64 %48, 0
+  %66 = select i1 %65, i64 %20, i64 0
+  %67 = add i64 %66, %48
+  %68 = mul nsw i64 %53, 3
+  %69 = getelementptr i64, ptr %6, i64 %68
+  %70 = icmp slt i64 %53, 0
+  %71 = add i64 %68, 1
+  %72 = icmp slt i64 %71, 0
+  %73 = getelementptr i64, ptr %6, i64 %71
+  %74 = add i64 %68, 2
+  %75 = icmp slt i64 %74, 0
+  %76 = getelementptr i64, ptr %6, i64 %74
+  %77 = mul i64 %23, %67
+  %78 = getelementptr i8, ptr %18, i64 %77
+  %79 = getelementptr i8, ptr %78, i64 8
+  %80 = getelementptr i8, ptr %78, i64 16
+  %81 = getelementptr i8, ptr %78, i64 24
+  %82 = getelementptr i8, ptr %78, i64 40
+  %83 = getelementptr i8, ptr %78, i64 32
+  %84 = select i1 %70, i64 %44, i64 0
+  %85 = getelementptr inbounds i8, ptr %69, i64 %84
+  %86 = select i1 %72, i64 %44, i64 0
+  %87 = getelementptr inbounds i8, ptr %73, i64 %86
+  %88 = select i1 %75, i64 %44, i64 0
+  %89 = getelementptr inbounds i8, ptr %76, i64 %88
+  br label %90
+90:
+  %91 = phi i64 [ %232, %231 ], [ %62, %64 ]
+  %92 = phi i64 [ %234, %231 ], [ %46, %64 ]
+  %93 = phi i64 [ %233, %231 ], [ %240, %64 ]
+  %94 = load double, ptr %78, align 8
+  %95 = load double, ptr %79, align 8
+  %96 = load double, ptr %80, align 8
+  %97 = load double, ptr %81, align 8
+  %98 = load double, ptr %82, align 8
+  %99 = mul i64 %93, %22
+  %100 = getelementptr double, ptr %18, i64 %99
+  %101 = load double, ptr %100, align 8
+  %102 = fcmp ogt double %101, %97
+  br i1 %102, label %216, label %103
+103:
+  %104 = load double, ptr %83, align 8
+  %105 = shl i64 %99, 3
+  %106 = getelementptr i8, ptr %18, i64 %105
+  %107 = getelementptr i8, ptr %106, i64 8
+  %108 = load double, ptr %107, align 8
+  %109 = fcmp ogt double %108, %104
+  br i1 %109, label %216, label %110
+110:
+  %111 = getelementptr i8, ptr %106, i64 16
+  %112 = load double, ptr %111, align 8
+  %113 = fcmp ogt double %112, %98
+  br i1 %113, label %216, label %114
+114:
+  %115 = getelementptr i8, ptr %106, i64 24
+  %116 = load double, ptr %115, align 8
+  %117 = fcmp olt double %116, %94
+  br i1 %117, label %216, label %118
+118:
+  %119 = getelementptr i8, ptr %106, i64 32
+  %120 = load double, ptr %119, align 8
+  %121 = fcmp olt double %120, %95
+  br i1 %121, label %216, label %122
+122:
+  %123 = getelementptr i8, ptr %106, i64 40
+  %124 = load double, ptr %123, align 8
+  %125 = fcmp uge double %124, %96
+  br i1 %125, label %126, label %216
+126:
+  %127 = icmp slt i64 %93, %27
+  br i1 %127, label %251, label %128
+128:
+  %129 = sub nsw i64 %93, %27
+  %130 = getelementptr i64, ptr %25, i64 %129
+  %131 = load i64, ptr %130, align 8
+  %132 = load i64, ptr %85, align 8
+  %133 = mul i64 %131, 24
+  %134 = getelementptr i8, ptr %6, i64 %133
+  %135 = icmp slt i64 %131, 0
+  %136 = select i1 %135, i64 %8, i64 0
+  %137 = getelementptr i64, ptr %134, i64 %136
+  %138 = load i64, ptr %137, align 8
+  %139 = icmp eq i64 %132, %138
+  br i1 %139, label %216, label %140
+140:
+  %141 = getelementptr i8, ptr %134, i64 8
+  %142 = getelementptr i64, ptr %141, i64 %136
+  %143 = load i64, ptr %142, align 8
+  %144 = icmp eq i64 %132, %143
+  br i1 %144, label %216, label %145
+145:
+  %146 = getelementptr i8, ptr %134, i64 16
+  %147 = getelementptr i64, ptr %146, i64 %136
+  %148 = load i64, ptr %147, align 8
+  %149 = icmp eq i64 %132, %148
+  br i1 %149, label %216, label %150
+150:
+  %151 = load i64, ptr %87, align 8
+  %152 = icmp eq i64 %151, %138
+  %153 = icmp eq i64 %151, %143
+  %154 = or i1 %152, %153
+  %155 = icmp eq i64 %151, %148
+  %156 = or i1 %155, %154
+  br i1 %156, label %216, label %157
+157:
+  %158 = load i64, ptr %89, align 8
+  %159 = icmp eq i64 %158, %138
+  %160 = icmp eq i64 %158, %143
+  %161 = or i1 %159, %160
+  %162 = icmp eq i64 %158, %148
+  %163 = or i1 %162, %161
+  br i1 %163, label %216, label %164
+164:
+  %165 = add nsw i64 %91, 1
+  store i64 %165, ptr %33, align 8
+  call fastcc void @1(ptr nonnull %2, ptr readonly %10, i64 %12, i64 %14, i64 %16, i64 %53, i64 %131, double %29)
+  %166 = load i8, ptr %2, align 1
+  %167 = icmp eq i8 %166, 0
+  br i1 %167, label %216, label %242
+168:
+  call fastcc void @2(ptr nonnull %4, ptr readonly %10, i64 %12, i64 %14, i64 %16, i64 %53, i64 0, i64 %131, double %29)
+  %169 = load i8, ptr %4, align 1
+  %170 = icmp eq i8 %169, 0
+  br i1 %170, label %245, label %171
+171:
+  %172 = icmp slt i64 %92, %37
+  br i1 %172, label %173, label %181
+173:
+  %174 = icmp slt i64 %92, 0
+  %175 = select i1 %174, i64 %37, i64 0
+  %176 = getelementptr i64, ptr %35, i64 %92
+  %177 = getelementptr i64, ptr %176, i64 %175
+  store i64 %53, ptr %177, align 8
+  %178 = select i1 %174, i64 %41, i64 0
+  %179 = getelementptr i64, ptr %39, i64 %92
+  %180 = getelementptr i64, ptr %179, i64 %178
+  store i64 %131, ptr %180, align 8
+  br label %181
+181:
+  %182 = add nsw i64 %92, 1
+  br label %216
+183:
+  call fastcc void @2(ptr nonnull %5, ptr readonly %10, i64 %12, i64 %14, i64 %16, i64 %131, i64 1, i64 %53, double %29)
+  %184 = load i8, ptr %5, align 1
+  %185 = icmp eq i8 %184, 0
+  br i1 %185, label %198, label %186
+186:
+  %187 = icmp slt i64 %92, %37
+  br i1 %187, label %188, label %196
+188:
+  %189 = icmp slt i64 %92, 0
+  %190 = select i1 %189, i64 %37, i64 0
+  %191 = getelementptr i64, ptr %35, i64 %92
+  %192 = getelementptr i64, ptr %191, i64 %190
+  store i64 %53, ptr %192, align 8
+  %193 = select i1 %189, i64 %41, i64 0
+  %194 = getelementptr i64, ptr %39, i64 %92
+  %195 = getelementptr i64, ptr %194, i64 %193
+  store i64 %131, ptr %195, align 8
+  br label %196
+196:
+  %197 = add nsw i64 %92, 1
+  br label %216
+198:
+  call fastcc void @2(ptr nonnull %4, ptr readonly %10, i64 %12, i64 %14, i64 %16, i64 %53, i64 2, i64 %131, double %29)
+  %199 = load i8, ptr %4, align 1
+  %200 = icmp eq i8 %199, 0
+  br i1 %200, label %201, label %204
+201:
+  call fastcc void @2(ptr nonnull %5, ptr readonly %10, i64 %12, i64 %14, i64 %16, i64 %131, i64 2, i64 %53, double %29)
+  %202 = load i8, ptr %5, align 1
+  %203 = icmp eq i8 %202, 0
+  br i1 %203, label %216, label %204
+204:
+  %205 = icmp slt i64 %92, %37
+  br i1 %205, label %206, label %214
+206:
+  %207 = icmp slt i64 %92, 0
+  %208 = select i1 %207, i64 %37, i64 0
+  %209 = getelementptr i64, ptr %35, i64 %92
+  %210 = getelementptr i64, ptr %209, i64 %208
+  store i64 %53, ptr %210, align 8
+  %211 = select i1 %207, i64 %41, i64 0
+  %212 = getelementptr i64, ptr %39, i64 %92
+  %213 = getelementptr i64, ptr %212, i64 %211
+  store i64 %131, ptr %213, align 8
+  br label %214
+214:
+  %215 = add nsw i64 %92, 1
+  br label %216
+216:
+  %217 = phi i64 [ %92, %90 ], [ %92, %122 ], [ %92, %110 ], [ %92, %114 ], [ %92, %118 ], [ %92, %103 ], [ %92, %201 ], [ %92, %145 ], [ %92, %157 ], [ %182, %181 ], [ %92, %140 ], [ %92, %128 ], [ %215, %214 ], [ %92, %150 ], [ %197, %196 ], [ %92, %242 ], [ %92, %164 ]
+  %218 = add nuw nsw i64 %93, 1
+  %219 = and i64 %93, 1
+  %220 = icmp eq i64 %219, 0
+  br i1 %220, label %226, label %221
+221:
+  %222 = phi i64 [ %223, %221 ], [ %218, %216 ]
+  %223 = lshr i64 %222, 1
+  %224 = and i64 %222, 2
+  %225 = icmp eq i64 %224, 0
+  br i1 %225, label %221, label %226
+226:
+  %227 = phi i64 [ %218, %216 ], [ %223, %221 ]
+  %228 = icmp sgt i64 %227, 1
+  br i1 %228, label %229, label %236
+229:
+  %230 = load i64, ptr %33, align 8
+  br label %231
+231:
+  %232 = phi i64 [ %91, %251 ], [ %230, %229 ]
+  %233 = phi i64 [ %252, %251 ], [ %227, %229 ]
+  %234 = phi i64 [ %92, %251 ], [ %217, %229 ]
+  %235 = icmp slt i64 %232, %31
+  br i1 %235, label %90, label %236
+236:
+  %237 = phi i64 [ %46, %61 ], [ %46, %239 ], [ %234, %231 ], [ %217, %226 ]
+  %238 = icmp sgt i64 %47, 1
+  br i1 %238, label %45, label %253
+239:
+  %240 = phi i64 [ %50, %45 ], [ %58, %56 ]
+  %241 = icmp slt i64 %240, 2
+  br i1 %241, label %236, label %61
+242:
+  call fastcc void @1(ptr nonnull %3, ptr readonly %10, i64 %12, i64 %14, i64 %16, i64 %131, i64 %53, double %29)
+  %243 = load i8, ptr %3, align 1
+  %244 = icmp eq i8 %243, 0
+  br i1 %244, label %216, label %168
+245:
+  call fastcc void @2(ptr nonnull %5, ptr readonly %10, i64 %12, i64 %14, i64 %16, i64 %131, i64 0, i64 %53, double %29)
+  %246 = load i8, ptr %5, align 1
+  %247 = icmp eq i8 %246, 0
+  br i1 %247, label %248, label %171
+248:
+  call fastcc void @2(ptr nonnull %4, ptr readonly %10, i64 %12, i64 %14, i64 %16, i64 %53, i64 1, i64 %131, double %29)
+  %249 = load i8, ptr %4, align 1
+  %250 = icmp eq i8 %249, 0
+  br i1 %250, label %183, label %186
+251:
+  %252 = shl nuw nsw i64 %93, 1
+  br label %231
+253:
+  %254 = phi i64 [ 0, %1 ], [ %237, %236 ]
+  ret i64 %254
+}
+declare { i64, i1 } @llvm.usub.with.overflow.i64(i64, i64)
+define i64 @msf_jax.solid.walks.loops(ptr readonly %0) local_unnamed_addr {
+  %2 = load ptr, ptr %0, align 8
+  %3 = getelementptr i8, ptr %0, i64 8
+  %4 = load i64, ptr %3, align 8
+  %5 = getelementptr i8, ptr %0, i64 16
+  %6 = load i64, ptr %5, align 8
+  %7 = getelementptr i8, ptr %0, i64 24
+  %8 = load ptr, ptr %7, align 8
+  %9 = getelementptr i8, ptr %0, i64 40
+  %10 = load i64, ptr %9, align 8
+  %11 = getelementptr i8, ptr %0, i64 48
+  %12 = load ptr, ptr %11, align 8
+  %13 = getelementptr i8, ptr %0, i64 64
+  %14 = load ptr, ptr %13, align 8
+  %15 = getelementptr i8, ptr %0, i64 80
+  %16 = load ptr, ptr %15, align 8
+  %17 = getelementptr i8, ptr %0, i64 88
+  %18 = load i64, ptr %17, align 8
+  %19 = getelementptr i8, ptr %0, i64 96
+  %20 = load i64, ptr %19, align 8
+  %21 = getelementptr i8, ptr %0, i64 104
+  %22 = load ptr, ptr %21, align 8
+  %23 = getelementptr i8, ptr %0, i64 112
+  %24 = load i64, ptr %23, align 8
+  %25 = getelementptr i8, ptr %0, i64 152
+  %26 = load ptr, ptr %25, align 8
+  %27 = getelementptr i8, ptr %0, i64 160
+  %28 = load i64, ptr %27, align 8
+  %29 = getelementptr i8, ptr %0, i64 168
+  %30 = load ptr, ptr %29, align 8
+  %31 = getelementptr i8, ptr %0, i64 176
+  %32 = load i64, ptr %31, align 8
+  %33 = getelementptr i8, ptr %0, i64 184
+  %34 = load i64, ptr %33, align 8
+  %35 = getelementptr i8, ptr %0, i64 192
+  %36 = load ptr, ptr %35, align 8
+  %37 = getelementptr i8, ptr %0, i64 200
+  %38 = load i64, ptr %37, align 8
+  %39 = getelementptr i8, ptr %0, i64 208
+  %40 = load i64, ptr %39, align 8
+  %41 = getelementptr i8, ptr %0, i64 216
+  %42 = load i64, ptr %41, align 8
+  %43 = getelementptr i8, ptr %0, i64 224
+  %44 = load ptr, ptr %43, align 8
+  %45 = getelementptr i8, ptr %0, i64 240
+  %46 = load i64, ptr %45, align 8
+  %47 = getelementptr i8, ptr %0, i64 248
+  %48 = load ptr, ptr %47, align 8
+  %49 = getelementptr i8, ptr %0, i64 264
+  %50 = load ptr, ptr %49, align 8
+  %51 = getelementptr i8, ptr %0, i64 272
+  %52 = load i64, ptr %51, align 8
+  %53 = getelementptr i8, ptr %0, i64 280
+  %54 = load ptr, ptr %53, align 8
+  %55 = icmp slt i64 %4, 1
+  br i1 %55, label %952, label %56
+56:
+  %57 = getelementptr i8, ptr %0, i64 288
+  %58 = load i64, ptr %57, align 8
+  %59 = icmp slt i64 %40, 1
+  %60 = getelementptr i8, ptr %44, i64 8
+  %61 = getelementptr i8, ptr %44, i64 16
+  %62 = getelementptr double, ptr %44, i64 %46
+  %63 = getelementptr i8, ptr %62, i64 8
+  %64 = getelementptr i8, ptr %62, i64 16
+  %65 = shl i64 %52, 3
+  %66 = shl i64 %58, 3
+  %67 = shl i64 %6, 3
+  %68 = shl i64 %10, 3
+  br label %69
+69:
+  %70 = phi i64 [ %825, %824 ], [ 0, %56 ]
+  %71 = phi i64 [ %72, %824 ], [ 0, %56 ]
+  %72 = add nuw nsw i64 %71, 1
+  %73 = getelementptr double, ptr %12, i64 %71
+  %74 = load double, ptr %73, align 8
+  %75 = getelementptr i64, ptr %14, i64 %71
+  %76 = load i64, ptr %75, align 8
+  %77 = icmp sgt i64 %76, -1
+  br i1 %77, label %78, label %828
+78:
+  %79 = mul i64 %71, %6
+  %80 = getelementptr double, ptr %2, i64 %79
+  %81 = load double, ptr %80, align 8
+  %82 = mul i64 %71, %10
+  %83 = getelementptr double, ptr %8, i64 %82
+  %84 = load double, ptr %83, align 8
+  %85 = getelementptr i8, ptr %80, i64 8
+  %86 = load double, ptr %85, align 8
+  %87 = getelementptr i8, ptr %83, i64 8
+  %88 = load double, ptr %87, align 8
+  %89 = getelementptr i8, ptr %80, i64 16
+  %90 = load double, ptr %89, align 8
+  %91 = getelementptr i8, ptr %83, i64 16
+  %92 = load double, ptr %91, align 8
+  br label %93
+93:
+  %94 = phi i64 [ %276, %218 ], [ 32, %78 ]
+  %95 = phi i64 [ %275, %218 ], [ %76, %78 ]
+  %96 = mul nsw i64 %95, 3
+  %97 = icmp slt i64 %95, 0
+  %98 = select i1 %97, i64 %24, i64 0
+  %99 = getelementptr i64, ptr %22, i64 %96
+  %100 = getelementptr i64, ptr %99, i64 %98
+  %101 = load i64, ptr %100, align 8
+  %102 = icmp slt i64 %101, 0
+  %103 = select i1 %102, i64 %18, i64 0
+  %104 = add i64 %103, %101
+  %105 = mul i64 %104, %20
+  %106 = getelementptr double, ptr %16, i64 %105
+  %107 = load double, ptr %106, align 8
+  %108 = fsub double %107, %81
+  %109 = fmul double %84, %108
+  %110 = getelementptr i8, ptr %106, i64 8
+  %111 = load double, ptr %110, align 8
+  %112 = fsub double %111, %86
+  %113 = fmul double %88, %112
+  %114 = fadd double %109, %113
+  %115 = getelementptr i8, ptr %106, i64 16
+  %116 = load double, ptr %115, align 8
+  %117 = fsub double %116, %90
+  %118 = fmul double %92, %117
+  %119 = fadd double %114, %118
+  %120 = fcmp ult double %119, 0.000000e+00
+  %121 = add nsw i64 %96, 1
+  %122 = getelementptr i64, ptr %22, i64 %121
+  %123 = getelementptr i64, ptr %122, i64 %98
+  %124 = load i64, ptr %123, align 8
+  br i1 %120, label %145, label %125
+125:
+  %126 = icmp slt i64 %124, 0
+  %127 = select i1 %126, i64 %18, i64 0
+  %128 = add i64 %127, %124
+  %129 = mul i64 %128, %20
+  %130 = getelementptr double, ptr %16, i64 %129
+  %131 = load double, ptr %130, align 8
+  %132 = fsub double %131, %81
+  %133 = fmul double %84, %132
+  %134 = getelementptr i8, ptr %130, i64 8
+  %135 = load double, ptr %134, align 8
+  %136 = fsub double %135, %86
+  %137 = fmul double %88, %136
+  %138 = fadd double %133, %137
+  %139 = getelementptr i8, ptr %130, i64 16
+  %140 = load double, ptr %139, align 8
+  %141 = fsub double %140, %90
+  %142 = fmul double %92, %141
+  %143 = fadd double %138, %142
+  %144 = fcmp olt double %143, 0.000000e+00
+  br i1 %144, label %211, label %145
+145:
+  %146 = icmp slt i64 %124, 0
+  %147 = select i1 %146, i64 %18, i64 0
+  %148 = add i64 %147, %124
+  %149 = mul i64 %148, %20
+  %150 = getelementptr double, ptr %16, i64 %149
+  %151 = load double, ptr %150, align 8
+  %152 = fsub double %151, %81
+  %153 = fmul double %84, %152
+  %154 = getelementptr i8, ptr %150, i64 8
+  %155 = load double, ptr %154, align 8
+  %156 = fsub double %155, %86
+  %157 = fmul double %88, %156
+  %158 = fadd double %153, %157
+  %159 = getelementptr i8, ptr %150, i64 16
+  %160 = load double, ptr %159, align 8
+  %161 = fsub double %160, %90
+  %162 = fmul double %92, %161
+  %163 = fadd double %158, %162
+  %164 = fcmp ult double %163, 0.000000e+00
+  %165 = add nsw i64 %96, 2
+  %166 = getelementptr i64, ptr %22, i64 %165
+  %167 = getelementptr i64, ptr %166, i64 %98
+  %168 = load i64, ptr %167, align 8
+  br i1 %164, label %189, label %169
+169:
+  %170 = icmp slt i64 %168, 0
+  %171 = select i1 %170, i64 %18, i64 0
+  %172 = add i64 %171, %168
+  %173 = mul i64 %172, %20
+  %174 = getelementptr double, ptr %16, i64 %173
+  %175 = load double, ptr %174, align 8
+  %176 = fsub double %175, %81
+  %177 = fmul double %84, %176
+  %178 = getelementptr i8, ptr %174, i64 8
+  %179 = load double, ptr %178, align 8
+  %180 = fsub double %179, %86
+  %181 = fmul double %88, %180
+  %182 = fadd double %177, %181
+  %183 = getelementptr i8, ptr %174, i64 16
+  %184 = load double, ptr %183, align 8
+  %185 = fsub double %184, %90
+  %186 = fmul double %92, %185
+  %187 = fadd double %182, %186
+  %188 = fcmp olt double %187, 0.000000e+00
+  br i1 %188, label %211, label %189
+189:
+  %190 = icmp slt i64 %168, 0
+  %191 = select i1 %190, i64 %18, i64 0
+  %192 = add i64 %191, %168
+  %193 = mul i64 %192, %20
+  %194 = getelementptr double, ptr %16, i64 %193
+  %195 = load double, ptr %194, align 8
+  %196 = fsub double %195, %81
+  %197 = fmul double %84, %196
+  %198 = getelementptr i8, ptr %194, i64 8
+  %199 = load double, ptr %198, align 8
+  %200 = fsub double %199, %86
+  %201 = fmul double %88, %200
+  %202 = fadd double %197, %201
+  %203 = getelementptr i8, ptr %194, i64 16
+  %204 = load double, ptr %203, align 8
+  %205 = fsub double %204, %90
+  %206 = fmul double %92, %205
+  %207 = fadd double %202, %206
+  %208 = fcmp oge double %207, 0.000000e+00
+  %209 = fcmp olt double %119, 0.000000e+00
+  %210 = and i1 %209, %208
+  br i1 %210, label %211, label %218
+211:
+  %212 = phi i64 [ %121, %169 ], [ %96, %125 ], [ %165, %189 ]
+  %213 = icmp sgt i64 %212, -1
+  br i1 %213, label %828, label %214
+214:
+  %215 = getelementptr i8, ptr %99, i64 16
+  %216 = getelementptr i64, ptr %215, i64 %98
+  %217 = load i64, ptr %216, align 8
+  br label %218
+218:
+  %219 = phi i64 [ %217, %214 ], [ %168, %189 ]
+  %220 = icmp slt i64 %124, 0
+  %221 = select i1 %220, i64 %18, i64 0
+  %222 = add i64 %221, %124
+  %223 = mul i64 %222, %20
+  %224 = getelementptr double, ptr %16, i64 %223
+  %225 = load double, ptr %224, align 8
+  %226 = fsub double %225, %81
+  %227 = fmul double %84, %226
+  %228 = getelementptr i8, ptr %224, i64 8
+  %229 = load double, ptr %228, align 8
+  %230 = fsub double %229, %86
+  %231 = fmul double %88, %230
+  %232 = fadd double %227, %231
+  %233 = getelementptr i8, ptr %224, i64 16
+  %234 = load double, ptr %233, align 8
+  %235 = fsub double %234, %90
+  %236 = fmul double %92, %235
+  %237 = fadd double %232, %236
+  %238 = icmp slt i64 %219, 0
+  %239 = select i1 %238, i64 %18, i64 0
+  %240 = add i64 %239, %219
+  %241 = mul i64 %240, %20
+  %242 = getelementptr double, ptr %16, i64 %241
+  %243 = load double, ptr %242, align 8
+  %244 = fsub double %243, %81
+  %245 = fmul double %84, %244
+  %246 = getelementptr i8, ptr %242, i64 8
+  %247 = load double, ptr %246, align 8
+  %248 = fsub double %247, %86
+  %249 = fmul double %88, %248
+  %250 = fadd double %245, %249
+  %251 = getelementptr i8, ptr %242, i64 16
+  %252 = load double, ptr %251, align 8
+  %253 = fsub double %252, %90
+  %254 = fmul double %92, %253
+  %255 = fadd double %250, %254
+  %256 = tail call double @llvm.fabs.f64(double %237)
+  %257 = tail call double @llvm.fabs.f64(double %119)
+  %258 = fcmp ogt double %257, -1.000000e+00
+  %259 = select i1 %258, double %257, double -1.000000e+00
+  %260 = fcmp ogt double %256, %259
+  %261 = select i1 %260, double %256, double %259
+  %262 = tail call double @llvm.fabs.f64(double %255)
+  %263 = fcmp ogt double %262, %261
+  %264 = select i1 %260, i64 2, i64 1
+  %265 = select i1 %263, i64 0, i64 %264
+  %266 = add nsw i64 %265, %96
+  %267 = icmp slt i64 %266, 0
+  %268 = select i1 %267, i64 %28, i64 0
+  %269 = getelementptr i64, ptr %26, i64 %266
+  %270 = getelementptr i64, ptr %269, i64 %268
+  %271 = load i64, ptr %270, align 8
+  %272 = sdiv i64 %271, 3
+  %273 = srem i64 %271, 3
+  %274 = ashr i64 %273, 63
+  %275 = add nsw i64 %274, %272
+  %276 = add nsw i64 %94, -1
+  %277 = icmp samesign ugt i64 %94, 3
+  br i1 %277, label %93, label %828
+278:
+  %279 = phi i64 [ %829, %830 ], [ %784, %797 ]
+  %280 = phi double [ %74, %830 ], [ %798, %797 ]
+  %281 = phi i64 [ 0, %830 ], [ %282, %797 ]
+  %282 = add nuw nsw i64 %281, 1
+  %283 = icmp sgt i64 %279, -1
+  br i1 %283, label %806, label %284
+284:
+  %285 = load double, ptr %832, align 8
+  %286 = load double, ptr %833, align 8
+  %287 = load double, ptr %834, align 8
+  br label %288
+288:
+  %289 = phi double [ %777, %794 ], [ %287, %284 ]
+  %290 = phi double [ %778, %794 ], [ %286, %284 ]
+  %291 = phi double [ %779, %794 ], [ %285, %284 ]
+  %292 = phi double [ %780, %794 ], [ %287, %284 ]
+  %293 = phi double [ %781, %794 ], [ %286, %284 ]
+  %294 = phi double [ %782, %794 ], [ %285, %284 ]
+  %295 = phi double [ %785, %794 ], [ %280, %284 ]
+  %296 = phi i64 [ %784, %794 ], [ -1, %284 ]
+  %297 = phi i64 [ %783, %794 ], [ %38, %284 ]
+  %298 = phi i64 [ %795, %794 ], [ 1, %284 ]
+  %299 = fmul double %295, %295
+  %300 = fmul double %299, 0x3FF0000000001198
+  br label %301
+301:
+  %302 = phi i64 [ %775, %774 ], [ %298, %288 ]
+  %303 = icmp slt i64 %302, 0
+  %304 = select i1 %303, i64 %32, i64 0
+  %305 = add i64 %304, %302
+  %306 = mul i64 %305, %34
+  %307 = getelementptr double, ptr %30, i64 %306
+  %308 = load double, ptr %307, align 8
+  %309 = fsub double %308, %294
+  %310 = getelementptr i8, ptr %307, i64 24
+  %311 = load double, ptr %310, align 8
+  %312 = fsub double %294, %311
+  %313 = fcmp ogt double %312, %309
+  %314 = select i1 %313, double %312, double %309
+  %315 = fcmp olt double %314, 0.000000e+00
+  %316 = select i1 %315, double 0.000000e+00, double %314
+  %317 = getelementptr i8, ptr %307, i64 8
+  %318 = load double, ptr %317, align 8
+  %319 = fsub double %318, %293
+  %320 = getelementptr i8, ptr %307, i64 32
+  %321 = load double, ptr %320, align 8
+  %322 = fsub double %293, %321
+  %323 = fcmp ogt double %322, %319
+  %324 = select i1 %323, double %322, double %319
+  %325 = fcmp olt double %324, 0.000000e+00
+  %326 = select i1 %325, double 0.000000e+00, double %324
+  %327 = getelementptr i8, ptr %307, i64 16
+  %328 = load double, ptr %327, align 8
+  %329 = fsub double %328, %292
+  %330 = getelementptr i8, ptr %307, i64 40
+  %331 = load double, ptr %330, align 8
+  %332 = fsub double %292, %331
+  %333 = fcmp ogt double %332, %329
+  %334 = select i1 %333, double %332, double %329
+  %335 = fcmp olt double %334, 0.000000e+00
+  %336 = select i1 %335, double 0.000000e+00, double %334
+  %337 = fmul double %316, %316
+  %338 = fmul double %326, %326
+  %339 = fadd double %337, %338
+  %340 = fmul double %336, %336
+  %341 = fadd double %339, %340
+  %342 = fcmp ugt double %341, %300
+  br i1 %342, label %776, label %343
+343:
+  %344 = icmp slt i64 %302, %38
+  br i1 %344, label %774, label %345
+345:
+  %346 = sub nsw i64 %302, %38
+  %347 = getelementptr i64, ptr %36, i64 %346
+  %348 = load i64, ptr %347, align 8
+  %349 = mul nsw i64 %348, 3
+  %350 = load double, ptr %836, align 8
+  %351 = load double, ptr %837, align 8
+  %352 = load double, ptr %838, align 8
+  %353 = icmp slt i64 %348, 0
+  %354 = select i1 %353, i64 %24, i64 0
+  %355 = getelementptr i64, ptr %22, i64 %349
+  %356 = getelementptr i64, ptr %355, i64 %354
+  %357 = load i64, ptr %356, align 8
+  %358 = icmp slt i64 %357, 0
+  %359 = select i1 %358, i64 %18, i64 0
+  %360 = add i64 %359, %357
+  %361 = mul i64 %360, %20
+  %362 = getelementptr double, ptr %16, i64 %361
+  %363 = load double, ptr %362, align 8
+  %364 = fsub double %363, %294
+  %365 = fmul double %350, %364
+  %366 = getelementptr i8, ptr %362, i64 8
+  %367 = load double, ptr %366, align 8
+  %368 = fsub double %367, %293
+  %369 = fmul double %351, %368
+  %370 = fadd double %365, %369
+  %371 = getelementptr i8, ptr %362, i64 16
+  %372 = load double, ptr %371, align 8
+  %373 = fsub double %372, %292
+  %374 = fmul double %352, %373
+  %375 = fadd double %370, %374
+  %376 = fcmp ult double %375, 0.000000e+00
+  %377 = add nsw i64 %349, 1
+  %378 = getelementptr i64, ptr %22, i64 %377
+  %379 = getelementptr i64, ptr %378, i64 %354
+  %380 = load i64, ptr %379, align 8
+  br i1 %376, label %401, label %381
+381:
+  %382 = icmp slt i64 %380, 0
+  %383 = select i1 %382, i64 %18, i64 0
+  %384 = add i64 %383, %380
+  %385 = mul i64 %384, %20
+  %386 = getelementptr double, ptr %16, i64 %385
+  %387 = load double, ptr %386, align 8
+  %388 = fsub double %387, %294
+  %389 = fmul double %350, %388
+  %390 = getelementptr i8, ptr %386, i64 8
+  %391 = load double, ptr %390, align 8
+  %392 = fsub double %391, %293
+  %393 = fmul double %351, %392
+  %394 = fadd double %389, %393
+  %395 = getelementptr i8, ptr %386, i64 16
+  %396 = load double, ptr %395, align 8
+  %397 = fsub double %396, %292
+  %398 = fmul double %352, %397
+  %399 = fadd double %394, %398
+  %400 = fcmp olt double %399, 0.000000e+00
+  br i1 %400, label %839, label %401
+401:
+  %402 = icmp slt i64 %380, 0
+  %403 = select i1 %402, i64 %18, i64 0
+  %404 = add i64 %403, %380
+  %405 = mul i64 %404, %20
+  %406 = getelementptr double, ptr %16, i64 %405
+  %407 = load double, ptr %406, align 8
+  %408 = fsub double %407, %294
+  %409 = fmul double %350, %408
+  %410 = getelementptr i8, ptr %406, i64 8
+  %411 = load double, ptr %410, align 8
+  %412 = fsub double %411, %293
+  %413 = fmul double %351, %412
+  %414 = fadd double %409, %413
+  %415 = getelementptr i8, ptr %406, i64 16
+  %416 = load double, ptr %415, align 8
+  %417 = fsub double %416, %292
+  %418 = fmul double %352, %417
+  %419 = fadd double %414, %418
+  %420 = fcmp ult double %419, 0.000000e+00
+  %421 = add nsw i64 %349, 2
+  %422 = getelementptr i64, ptr %22, i64 %421
+  %423 = getelementptr i64, ptr %422, i64 %354
+  %424 = load i64, ptr %423, align 8
+  br i1 %420, label %445, label %425
+425:
+  %426 = icmp slt i64 %424, 0
+  %427 = select i1 %426, i64 %18, i64 0
+  %428 = add i64 %427, %424
+  %429 = mul i64 %428, %20
+  %430 = getelementptr double, ptr %16, i64 %429
+  %431 = load double, ptr %430, align 8
+  %432 = fsub double %431, %294
+  %433 = fmul double %350, %432
+  %434 = getelementptr i8, ptr %430, i64 8
+  %435 = load double, ptr %434, align 8
+  %436 = fsub double %435, %293
+  %437 = fmul double %351, %436
+  %438 = fadd double %433, %437
+  %439 = getelementptr i8, ptr %430, i64 16
+  %440 = load double, ptr %439, align 8
+  %441 = fsub double %440, %292
+  %442 = fmul double %352, %441
+  %443 = fadd double %438, %442
+  %444 = fcmp olt double %443, 0.000000e+00
+  br i1 %444, label %839, label %445
+445:
+  %446 = icmp slt i64 %424, 0
+  %447 = select i1 %446, i64 %18, i64 0
+  %448 = add i64 %447, %424
+  %449 = mul i64 %448, %20
+  %450 = getelementptr double, ptr %16, i64 %449
+  %451 = load double, ptr %450, align 8
+  %452 = fsub double %451, %294
+  %453 = fmul double %350, %452
+  %454 = getelementptr i8, ptr %450, i64 8
+  %455 = load double, ptr %454, align 8
+  %456 = fsub double %455, %293
+  %457 = fmul double %351, %456
+  %458 = fadd double %453, %457
+  %459 = getelementptr i8, ptr %450, i64 16
+  %460 = load double, ptr %459, align 8
+  %461 = fsub double %460, %292
+  %462 = fmul double %352, %461
+  %463 = fadd double %458, %462
+  %464 = fcmp oge double %463, 0.000000e+00
+  %465 = fcmp olt double %375, 0.000000e+00
+  %466 = and i1 %465, %464
+  br i1 %466, label %839, label %776
+467:
+  %468 = mul i64 %348, 24
+  %469 = getelementptr i8, ptr %22, i64 %468
+  %470 = getelementptr i64, ptr %469, i64 %354
+  %471 = load i64, ptr %470, align 8
+  %472 = getelementptr i8, ptr %469, i64 8
+  %473 = getelementptr i64, ptr %472, i64 %354
+  %474 = load i64, ptr %473, align 8
+  %475 = icmp slt i64 %471, 0
+  %476 = select i1 %475, i64 %18, i64 0
+  %477 = add i64 %476, %471
+  %478 = mul i64 %477, %20
+  %479 = getelementptr double, ptr %16, i64 %478
+  %480 = load double, ptr %479, align 8
+  %481 = fsub double %480, %291
+  %482 = fmul double %350, %481
+  %483 = getelementptr i8, ptr %479, i64 8
+  %484 = load double, ptr %483, align 8
+  %485 = fsub double %484, %290
+  %486 = fmul double %351, %485
+  %487 = fadd double %482, %486
+  %488 = getelementptr i8, ptr %479, i64 16
+  %489 = load double, ptr %488, align 8
+  %490 = fsub double %489, %289
+  %491 = fmul double %352, %490
+  %492 = fadd double %487, %491
+  %493 = icmp slt i64 %474, 0
+  %494 = select i1 %493, i64 %18, i64 0
+  %495 = add i64 %494, %474
+  %496 = mul i64 %495, %20
+  %497 = getelementptr double, ptr %16, i64 %496
+  %498 = load double, ptr %497, align 8
+  %499 = fsub double %498, %291
+  %500 = fmul double %350, %499
+  %501 = getelementptr i8, ptr %497, i64 8
+  %502 = load double, ptr %501, align 8
+  %503 = fsub double %502, %290
+  %504 = fmul double %351, %503
+  %505 = fadd double %500, %504
+  %506 = getelementptr i8, ptr %497, i64 16
+  %507 = load double, ptr %506, align 8
+  %508 = fsub double %507, %289
+  %509 = fmul double %352, %508
+  %510 = fadd double %505, %509
+  %511 = fcmp oge double %492, 0.000000e+00
+  %512 = fcmp oge double %510, 0.000000e+00
+  %513 = xor i1 %511, %512
+  br i1 %513, label %514, label %551
+514:
+  %515 = fsub double %492, %510
+  %516 = fdiv double %492, %515
+  %517 = select i1 %511, i64 0, i64 %46
+  %518 = getelementptr double, ptr %44, i64 %517
+  %519 = fsub double %498, %480
+  %520 = fmul double %519, %516
+  %521 = fadd double %480, %520
+  store double %521, ptr %518, align 8
+  %522 = shl i64 %478, 3
+  %523 = getelementptr i8, ptr %16, i64 %522
+  %524 = getelementptr i8, ptr %523, i64 8
+  %525 = load double, ptr %524, align 8
+  %526 = shl i64 %496, 3
+  %527 = getelementptr i8, ptr %16, i64 %526
+  %528 = getelementptr i8, ptr %527, i64 8
+  %529 = load double, ptr %528, align 8
+  %530 = fsub double %529, %525
+  %531 = fmul double %516, %530
+  %532 = fadd double %525, %531
+  %533 = getelementptr i8, ptr %518, i64 8
+  store double %532, ptr %533, align 8
+  %534 = getelementptr i8, ptr %523, i64 16
+  %535 = load double, ptr %534, align 8
+  %536 = getelementptr i8, ptr %527, i64 16
+  %537 = load double, ptr %536, align 8
+  %538 = fsub double %537, %535
+  %539 = fmul double %516, %538
+  %540 = fadd double %535, %539
+  %541 = getelementptr i8, ptr %518, i64 16
+  store double %540, ptr %541, align 8
+  %542 = shl i64 %354, 3
+  %543 = getelementptr inbounds i8, ptr %472, i64 %542
+  %544 = load i64, ptr %543, align 8
+  %545 = load double, ptr %832, align 8
+  %546 = load double, ptr %836, align 8
+  %547 = load double, ptr %833, align 8
+  %548 = load double, ptr %837, align 8
+  %549 = load double, ptr %834, align 8
+  %550 = load double, ptr %838, align 8
+  br label %551
+551:
+  %552 = phi double [ %549, %514 ], [ %289, %467 ]
+  %553 = phi double [ %547, %514 ], [ %290, %467 ]
+  %554 = phi double [ %545, %514 ], [ %291, %467 ]
+  %555 = phi double [ %550, %514 ], [ %352, %467 ]
+  %556 = phi double [ %548, %514 ], [ %351, %467 ]
+  %557 = phi double [ %546, %514 ], [ %350, %467 ]
+  %558 = phi i64 [ %544, %514 ], [ %474, %467 ]
+  %559 = getelementptr i8, ptr %469, i64 16
+  %560 = getelementptr i64, ptr %559, i64 %354
+  %561 = load i64, ptr %560, align 8
+  %562 = icmp slt i64 %558, 0
+  %563 = select i1 %562, i64 %18, i64 0
+  %564 = add i64 %563, %558
+  %565 = mul i64 %564, %20
+  %566 = getelementptr double, ptr %16, i64 %565
+  %567 = load double, ptr %566, align 8
+  %568 = fsub double %567, %554
+  %569 = fmul double %557, %568
+  %570 = getelementptr i8, ptr %566, i64 8
+  %571 = load double, ptr %570, align 8
+  %572 = fsub double %571, %553
+  %573 = fmul double %556, %572
+  %574 = fadd double %569, %573
+  %575 = getelementptr i8, ptr %566, i64 16
+  %576 = load double, ptr %575, align 8
+  %577 = fsub double %576, %552
+  %578 = fmul double %555, %577
+  %579 = fadd double %574, %578
+  %580 = icmp slt i64 %561, 0
+  %581 = select i1 %580, i64 %18, i64 0
+  %582 = add i64 %581, %561
+  %583 = mul i64 %582, %20
+  %584 = getelementptr double, ptr %16, i64 %583
+  %585 = load double, ptr %584, align 8
+  %586 = fsub double %585, %554
+  %587 = fmul double %557, %586
+  %588 = getelementptr i8, ptr %584, i64 8
+  %589 = load double, ptr %588, align 8
+  %590 = fsub double %589, %553
+  %591 = fmul double %556, %590
+  %592 = fadd double %587, %591
+  %593 = getelementptr i8, ptr %584, i64 16
+  %594 = load double, ptr %593, align 8
+  %595 = fsub double %594, %552
+  %596 = fmul double %555, %595
+  %597 = fadd double %592, %596
+  %598 = fcmp oge double %579, 0.000000e+00
+  %599 = fcmp oge double %597, 0.000000e+00
+  %600 = xor i1 %598, %599
+  br i1 %600, label %603, label %601
+601:
+  %602 = shl i64 %354, 3
+  br label %640
+603:
+  %604 = fsub double %579, %597
+  %605 = fdiv double %579, %604
+  %606 = select i1 %598, i64 0, i64 %46
+  %607 = getelementptr double, ptr %44, i64 %606
+  %608 = fsub double %585, %567
+  %609 = fmul double %608, %605
+  %610 = fadd double %567, %609
+  store double %610, ptr %607, align 8
+  %611 = shl i64 %565, 3
+  %612 = getelementptr i8, ptr %16, i64 %611
+  %613 = getelementptr i8, ptr %612, i64 8
+  %614 = load double, ptr %613, align 8
+  %615 = shl i64 %583, 3
+  %616 = getelementptr i8, ptr %16, i64 %615
+  %617 = getelementptr i8, ptr %616, i64 8
+  %618 = load double, ptr %617, align 8
+  %619 = fsub double %618, %614
+  %620 = fmul double %605, %619
+  %621 = fadd double %614, %620
+  %622 = getelementptr i8, ptr %607, i64 8
+  store double %621, ptr %622, align 8
+  %623 = getelementptr i8, ptr %612, i64 16
+  %624 = load double, ptr %623, align 8
+  %625 = getelementptr i8, ptr %616, i64 16
+  %626 = load double, ptr %625, align 8
+  %627 = fsub double %626, %624
+  %628 = fmul double %605, %627
+  %629 = fadd double %624, %628
+  %630 = getelementptr i8, ptr %607, i64 16
+  store double %629, ptr %630, align 8
+  %631 = shl i64 %354, 3
+  %632 = getelementptr inbounds i8, ptr %559, i64 %631
+  %633 = load i64, ptr %632, align 8
+  %634 = load double, ptr %832, align 8
+  %635 = load double, ptr %836, align 8
+  %636 = load double, ptr %833, align 8
+  %637 = load double, ptr %837, align 8
+  %638 = load double, ptr %834, align 8
+  %639 = load double, ptr %838, align 8
+  br label %640
+640:
+  %641 = phi double [ %552, %601 ], [ %638, %603 ]
+  %642 = phi double [ %553, %601 ], [ %636, %603 ]
+  %643 = phi double [ %554, %601 ], [ %634, %603 ]
+  %644 = phi i64 [ %602, %601 ], [ %631, %603 ]
+  %645 = phi double [ %555, %601 ], [ %639, %603 ]
+  %646 = phi double [ %556, %601 ], [ %637, %603 ]
+  %647 = phi double [ %557, %601 ], [ %635, %603 ]
+  %648 = phi i64 [ %561, %601 ], [ %633, %603 ]
+  %649 = getelementptr inbounds i8, ptr %469, i64 %644
+  %650 = load i64, ptr %649, align 8
+  %651 = icmp slt i64 %648, 0
+  %652 = select i1 %651, i64 %18, i64 0
+  %653 = add i64 %652, %648
+  %654 = mul i64 %653, %20
+  %655 = getelementptr double, ptr %16, i64 %654
+  %656 = load double, ptr %655, align 8
+  %657 = fsub double %656, %643
+  %658 = fmul double %647, %657
+  %659 = getelementptr i8, ptr %655, i64 8
+  %660 = load double, ptr %659, align 8
+  %661 = fsub double %660, %642
+  %662 = fmul double %646, %661
+  %663 = fadd double %658, %662
+  %664 = getelementptr i8, ptr %655, i64 16
+  %665 = load double, ptr %664, align 8
+  %666 = fsub double %665, %641
+  %667 = fmul double %645, %666
+  %668 = fadd double %663, %667
+  %669 = icmp slt i64 %650, 0
+  %670 = select i1 %669, i64 %18, i64 0
+  %671 = add i64 %670, %650
+  %672 = mul i64 %671, %20
+  %673 = getelementptr double, ptr %16, i64 %672
+  %674 = load double, ptr %673, align 8
+  %675 = fsub double %674, %643
+  %676 = fmul double %647, %675
+  %677 = getelementptr i8, ptr %673, i64 8
+  %678 = load double, ptr %677, align 8
+  %679 = fsub double %678, %642
+  %680 = fmul double %646, %679
+  %681 = fadd double %676, %680
+  %682 = getelementptr i8, ptr %673, i64 16
+  %683 = load double, ptr %682, align 8
+  %684 = fsub double %683, %641
+  %685 = fmul double %645, %684
+  %686 = fadd double %681, %685
+  %687 = fcmp oge double %668, 0.000000e+00
+  %688 = fcmp oge double %686, 0.000000e+00
+  %689 = xor i1 %687, %688
+  br i1 %689, label %690, label %721
+690:
+  %691 = fsub double %668, %686
+  %692 = fdiv double %668, %691
+  %693 = select i1 %687, i64 0, i64 %46
+  %694 = getelementptr double, ptr %44, i64 %693
+  %695 = fsub double %674, %656
+  %696 = fmul double %695, %692
+  %697 = fadd double %656, %696
+  store double %697, ptr %694, align 8
+  %698 = shl i64 %654, 3
+  %699 = getelementptr i8, ptr %16, i64 %698
+  %700 = getelementptr i8, ptr %699, i64 8
+  %701 = load double, ptr %700, align 8
+  %702 = shl i64 %672, 3
+  %703 = getelementptr i8, ptr %16, i64 %702
+  %704 = getelementptr i8, ptr %703, i64 8
+  %705 = load double, ptr %704, align 8
+  %706 = fsub double %705, %701
+  %707 = fmul double %692, %706
+  %708 = fadd double %701, %707
+  %709 = getelementptr i8, ptr %694, i64 8
+  store double %708, ptr %709, align 8
+  %710 = getelementptr i8, ptr %699, i64 16
+  %711 = load double, ptr %710, align 8
+  %712 = getelementptr i8, ptr %703, i64 16
+  %713 = load double, ptr %712, align 8
+  %714 = fsub double %713, %711
+  %715 = fmul double %692, %714
+  %716 = fadd double %711, %715
+  %717 = getelementptr i8, ptr %694, i64 16
+  store double %716, ptr %717, align 8
+  %718 = load double, ptr %832, align 8
+  %719 = load double, ptr %833, align 8
+  %720 = load double, ptr %834, align 8
+  br label %721
+721:
+  %722 = phi double [ %720, %690 ], [ %641, %640 ]
+  %723 = phi double [ %719, %690 ], [ %642, %640 ]
+  %724 = phi double [ %718, %690 ], [ %643, %640 ]
+  %725 = load double, ptr %44, align 8
+  %726 = fsub double %724, %725
+  %727 = load double, ptr %60, align 8
+  %728 = fsub double %723, %727
+  %729 = load double, ptr %61, align 8
+  %730 = fsub double %722, %729
+  %731 = load double, ptr %62, align 8
+  %732 = fsub double %731, %725
+  %733 = load double, ptr %63, align 8
+  %734 = fsub double %733, %727
+  %735 = load double, ptr %64, align 8
+  %736 = fsub double %735, %729
+  %737 = fmul double %732, %732
+  %738 = fmul double %736, %736
+  %739 = fadd double %737, %738
+  %740 = fmul double %734, %734
+  %741 = fadd double %740, %739
+  %742 = fcmp ogt double %741, 0.000000e+00
+  br i1 %742, label %743, label %754
+743:
+  %744 = fmul double %726, %732
+  %745 = fmul double %730, %736
+  %746 = fadd double %744, %745
+  %747 = fmul double %728, %734
+  %748 = fadd double %747, %746
+  %749 = fdiv double %748, %741
+  %750 = fcmp olt double %749, 0.000000e+00
+  %751 = select i1 %750, double 0.000000e+00, double %749
+  %752 = fcmp ogt double %751, 1.000000e+00
+  %753 = select i1 %752, double 1.000000e+00, double %751
+  br label %754
+754:
+  %755 = phi double [ 0.000000e+00, %721 ], [ %753, %743 ]
+  %756 = fmul double %732, %755
+  %757 = fsub double %726, %756
+  %758 = fmul double %734, %755
+  %759 = fsub double %728, %758
+  %760 = fmul double %736, %755
+  %761 = fsub double %730, %760
+  %762 = fmul double %757, %757
+  %763 = fmul double %759, %759
+  %764 = fadd double %762, %763
+  %765 = fmul double %761, %761
+  %766 = fadd double %765, %764
+  %767 = tail call double @llvm.sqrt.f64(double %766)
+  %768 = fcmp olt double %767, %295
+  br i1 %768, label %773, label %769
+769:
+  %770 = fcmp oeq double %767, %295
+  %771 = icmp slt i64 %348, %297
+  %772 = select i1 %770, i1 %771, i1 false
+  br i1 %772, label %773, label %776
+773:
+  br label %776
+774:
+  %775 = shl nsw i64 %302, 1
+  br label %301
+776:
+  %777 = phi double [ %722, %773 ], [ %289, %445 ], [ %289, %839 ], [ %722, %769 ], [ %289, %301 ]
+  %778 = phi double [ %723, %773 ], [ %290, %445 ], [ %290, %839 ], [ %723, %769 ], [ %290, %301 ]
+  %779 = phi double [ %724, %773 ], [ %291, %445 ], [ %291, %839 ], [ %724, %769 ], [ %291, %301 ]
+  %780 = phi double [ %722, %773 ], [ %292, %445 ], [ %292, %839 ], [ %722, %769 ], [ %292, %301 ]
+  %781 = phi double [ %723, %773 ], [ %293, %445 ], [ %293, %839 ], [ %723, %769 ], [ %293, %301 ]
+  %782 = phi double [ %724, %773 ], [ %294, %445 ], [ %294, %839 ], [ %724, %769 ], [ %294, %301 ]
+  %783 = phi i64 [ %348, %773 ], [ %297, %445 ], [ %297, %839 ], [ %297, %769 ], [ %297, %301 ]
+  %784 = phi i64 [ %840, %773 ], [ %296, %445 ], [ %296, %839 ], [ %296, %769 ], [ %296, %301 ]
+  %785 = phi double [ %767, %773 ], [ %295, %445 ], [ %295, %839 ], [ %295, %769 ], [ %295, %301 ]
+  %786 = add nsw i64 %302, 1
+  %787 = and i64 %302, 1
+  %788 = icmp eq i64 %787, 0
+  br i1 %788, label %794, label %789
+789:
+  %790 = phi i64 [ %791, %789 ], [ %786, %776 ]
+  %791 = ashr i64 %790, 1
+  %792 = and i64 %790, 2
+  %793 = icmp eq i64 %792, 0
+  br i1 %793, label %789, label %794
+794:
+  %795 = phi i64 [ %786, %776 ], [ %791, %789 ]
+  %796 = icmp sgt i64 %795, 1
+  br i1 %796, label %288, label %797
+797:
+  %798 = fmul double %785, 3.000000e+00
+  %799 = icmp eq i64 %40, %282
+  br i1 %799, label %800, label %278
+800:
+  %801 = phi i64 [ %829, %828 ], [ %784, %797 ]
+  %802 = icmp sgt i64 %801, -1
+  br i1 %802, label %803, label %824
+803:
+  %804 = mul i64 %67, %71
+  %805 = mul i64 %68, %71
+  br label %806
+806:
+  %807 = phi i64 [ %805, %803 ], [ %835, %278 ]
+  %808 = phi i64 [ %804, %803 ], [ %831, %278 ]
+  %809 = phi i64 [ %801, %803 ], [ %279, %278 ]
+  %810 = getelementptr i8, ptr %2, i64 %808
+  %811 = getelementptr i8, ptr %8, i64 %807
+  %812 = getelementptr i8, ptr %810, i64 8
+  %813 = getelementptr i8, ptr %811, i64 8
+  %814 = getelementptr i8, ptr %810, i64 16
+  %815 = getelementptr i8, ptr %811, i64 16
+  %816 = add i64 %70, %42
+  br label %817
+817:
+  %818 = phi i64 [ %70, %806 ], [ %941, %842 ]
+  %819 = phi i64 [ %809, %806 ], [ %948, %842 ]
+  %820 = freeze i64 %819
+  %821 = icmp eq i64 %818, %816
+  br i1 %821, label %824, label %822
+822:
+  %823 = icmp eq i64 %52, %818
+  br i1 %823, label %952, label %842
+824:
+  %825 = phi i64 [ %70, %800 ], [ %70, %817 ], [ %941, %842 ]
+  %826 = getelementptr i64, ptr %48, i64 %71
+  store i64 %825, ptr %826, align 8
+  %827 = icmp eq i64 %72, %4
+  br i1 %827, label %952, label %69
+828:
+  %829 = phi i64 [ -1, %69 ], [ %212, %211 ], [ -1, %218 ]
+  br i1 %59, label %800, label %830
+830:
+  %831 = mul i64 %67, %71
+  %832 = getelementptr i8, ptr %2, i64 %831
+  %833 = getelementptr i8, ptr %832, i64 8
+  %834 = getelementptr i8, ptr %832, i64 16
+  %835 = mul i64 %68, %71
+  %836 = getelementptr i8, ptr %8, i64 %835
+  %837 = getelementptr i8, ptr %836, i64 8
+  %838 = getelementptr i8, ptr %836, i64 16
+  br label %278
+839:
+  %840 = phi i64 [ %377, %425 ], [ %349, %381 ], [ %421, %445 ]
+  %841 = icmp sgt i64 %840, -1
+  br i1 %841, label %467, label %776
+842:
+  %843 = urem i64 %820, 3
+  %844 = getelementptr i64, ptr %22, i64 %820
+  %845 = load i64, ptr %844, align 8
+  %846 = icmp slt i64 %845, 0
+  %847 = select i1 %846, i64 %18, i64 0
+  %848 = add i64 %847, %845
+  %849 = mul i64 %848, %20
+  %850 = getelementptr double, ptr %16, i64 %849
+  %851 = load double, ptr %850, align 8
+  %852 = load double, ptr %810, align 8
+  %853 = fsub double %851, %852
+  %854 = load double, ptr %811, align 8
+  %855 = fmul double %853, %854
+  %856 = getelementptr i8, ptr %850, i64 8
+  %857 = load double, ptr %856, align 8
+  %858 = load double, ptr %812, align 8
+  %859 = fsub double %857, %858
+  %860 = load double, ptr %813, align 8
+  %861 = fmul double %859, %860
+  %862 = fadd double %855, %861
+  %863 = getelementptr i8, ptr %850, i64 16
+  %864 = load double, ptr %863, align 8
+  %865 = load double, ptr %814, align 8
+  %866 = fsub double %864, %865
+  %867 = load double, ptr %815, align 8
+  %868 = fmul double %866, %867
+  %869 = fadd double %862, %868
+  %870 = icmp samesign ugt i64 %843, 1
+  %871 = select i1 %870, i64 -2, i64 1
+  %872 = add i64 %871, %820
+  %873 = icmp slt i64 %872, 0
+  %874 = select i1 %873, i64 %24, i64 0
+  %875 = getelementptr i64, ptr %22, i64 %872
+  %876 = getelementptr i64, ptr %875, i64 %874
+  %877 = load i64, ptr %876, align 8
+  %878 = icmp slt i64 %877, 0
+  %879 = select i1 %878, i64 %18, i64 0
+  %880 = add i64 %879, %877
+  %881 = mul i64 %880, %20
+  %882 = getelementptr double, ptr %16, i64 %881
+  %883 = load double, ptr %882, align 8
+  %884 = fsub double %883, %852
+  %885 = fmul double %854, %884
+  %886 = getelementptr i8, ptr %882, i64 8
+  %887 = load double, ptr %886, align 8
+  %888 = fsub double %887, %858
+  %889 = fmul double %860, %888
+  %890 = fadd double %885, %889
+  %891 = getelementptr i8, ptr %882, i64 16
+  %892 = load double, ptr %891, align 8
+  %893 = fsub double %892, %865
+  %894 = fmul double %867, %893
+  %895 = fadd double %890, %894
+  %896 = sub nuw i64 %820, %843
+  %897 = fsub double %869, %895
+  %898 = fdiv double %869, %897
+  %899 = icmp slt i64 %818, 0
+  %900 = select i1 %899, i64 %65, i64 0
+  %901 = getelementptr i8, ptr %50, i64 %900
+  %902 = shl i64 %818, 3
+  %903 = getelementptr i8, ptr %901, i64 %902
+  store i64 %820, ptr %903, align 8
+  %904 = select i1 %899, i64 %66, i64 0
+  %905 = getelementptr i8, ptr %54, i64 %904
+  %906 = getelementptr i8, ptr %905, i64 %902
+  store double %898, ptr %906, align 8
+  %907 = tail call { i64, i1 } @llvm.usub.with.overflow.i64(i64 %843, i64 1)
+  %908 = extractvalue { i64, i1 } %907, 0
+  %909 = extractvalue { i64, i1 } %907, 1
+  %910 = select i1 %909, i64 2, i64 %908
+  %911 = add nsw i64 %910, %896
+  %912 = icmp slt i64 %911, 0
+  %913 = select i1 %912, i64 %24, i64 0
+  %914 = getelementptr i64, ptr %22, i64 %911
+  %915 = getelementptr i64, ptr %914, i64 %913
+  %916 = load i64, ptr %915, align 8
+  %917 = icmp slt i64 %916, 0
+  %918 = select i1 %917, i64 %18, i64 0
+  %919 = add i64 %918, %916
+  %920 = mul i64 %919, %20
+  %921 = getelementptr double, ptr %16, i64 %920
+  %922 = load double, ptr %921, align 8
+  %923 = load double, ptr %810, align 8
+  %924 = fsub double %922, %923
+  %925 = load double, ptr %811, align 8
+  %926 = fmul double %924, %925
+  %927 = getelementptr i8, ptr %921, i64 8
+  %928 = load double, ptr %927, align 8
+  %929 = load double, ptr %812, align 8
+  %930 = fsub double %928, %929
+  %931 = load double, ptr %813, align 8
+  %932 = fmul double %930, %931
+  %933 = fadd double %926, %932
+  %934 = getelementptr i8, ptr %921, i64 16
+  %935 = load double, ptr %934, align 8
+  %936 = load double, ptr %814, align 8
+  %937 = fsub double %935, %936
+  %938 = load double, ptr %815, align 8
+  %939 = fmul double %937, %938
+  %940 = fadd double %933, %939
+  %941 = add i64 %818, 1
+  %942 = fcmp ult double %940, 0.000000e+00
+  %943 = select i1 %942, i64 %911, i64 %872
+  %944 = icmp slt i64 %943, 0
+  %945 = select i1 %944, i64 %28, i64 0
+  %946 = getelementptr i64, ptr %26, i64 %943
+  %947 = getelementptr i64, ptr %946, i64 %945
+  %948 = load i64, ptr %947, align 8
+  %949 = icmp ne i64 %948, %809
+  %950 = icmp sgt i64 %948, -1
+  %951 = and i1 %949, %950
+  br i1 %951, label %817, label %824
+952:
+  %953 = phi i64 [ 1, %1 ], [ 0, %822 ], [ 1, %824 ]
+  ret i64 %953
+}
+declare i64 @llvm.smax.i64(i64, i64)
+declare double @atan2(double, double) local_unnamed_addr
+define noundef i64 @msf_jax.solid.walks.measures(ptr readonly %0) local_unnamed_addr {
+  %2 = load ptr, ptr %0, align 8
+  %3 = getelementptr i8, ptr %0, i64 8
+  %4 = load i64, ptr %3, align 8
+  %5 = getelementptr i8, ptr %0, i64 16
+  %6 = load i64, ptr %5, align 8
+  %7 = getelementptr i8, ptr %0, i64 24
+  %8 = load ptr, ptr %7, align 8
+  %9 = getelementptr i8, ptr %0, i64 40
+  %10 = load ptr, ptr %9, align 8
+  %11 = getelementptr i8, ptr %0, i64 48
+  %12 = load i64, ptr %11, align 8
+  %13 = getelementptr i8, ptr %0, i64 56
+  %14 = load i64, ptr %13, align 8
+  %15 = getelementptr i8, ptr %0, i64 64
+  %16 = load ptr, ptr %15, align 8
+  %17 = getelementptr i8, ptr %0, i64 72
+  %18 = load i64, ptr %17, align 8
+  %19 = getelementptr i8, ptr %0, i64 80
+  %20 = load ptr, ptr %19, align 8
+  %21 = getelementptr i8, ptr %0, i64 104
+  %22 = load ptr, ptr %21, align 8
+  %23 = getelementptr i8, ptr %0, i64 112
+  %24 = load i64, ptr %23, align 8
+  %25 = icmp slt i64 %18, 1
+  br i1 %25, label %322, label %26
+26:
+  %27 = getelementptr i8, ptr %0, i64 120
+  %28 = load i64, ptr %27, align 8
+  %29 = getelementptr i8, ptr %0, i64 96
+  %30 = load double, ptr %29, align 8
+  %31 = getelementptr i8, ptr %0, i64 32
+  %32 = load i64, ptr %31, align 8
+  %33 = fmul double %30, %30
+  %34 = shl i64 %32, 3
+  %35 = shl i64 %28, 3
+  br label %167
+36:
+  %37 = phi double [ %194, %192 ], [ %263, %208 ]
+  %38 = fcmp ogt double %37, 0.000000e+00
+  br i1 %38, label %283, label %165
+39:
+  %40 = phi i64 [ %163, %39 ], [ %321, %294 ]
+  %41 = phi double [ %162, %39 ], [ %320, %294 ]
+  %42 = phi double [ %160, %39 ], [ %318, %294 ]
+  %43 = phi double [ %158, %39 ], [ %316, %294 ]
+  %44 = phi double [ %156, %39 ], [ %314, %294 ]
+  %45 = phi double [ %154, %39 ], [ %312, %294 ]
+  %46 = phi double [ %152, %39 ], [ %310, %294 ]
+  %47 = phi double [ %150, %39 ], [ %308, %294 ]
+  %48 = phi double [ %148, %39 ], [ %306, %294 ]
+  %49 = phi double [ %146, %39 ], [ %304, %294 ]
+  %50 = phi double [ %144, %39 ], [ %302, %294 ]
+  %51 = phi double [ %142, %39 ], [ %300, %294 ]
+  %52 = phi double [ %140, %39 ], [ %298, %294 ]
+  %53 = phi double [ %130, %39 ], [ %296, %294 ]
+  %54 = phi i64 [ %55, %39 ], [ %168, %294 ]
+  %55 = add i64 %54, 1
+  %56 = icmp slt i64 %55, %172
+  %57 = select i1 %56, i64 %55, i64 %168
+  %58 = icmp slt i64 %54, 0
+  %59 = select i1 %58, i64 %4, i64 0
+  %60 = add i64 %59, %54
+  %61 = mul i64 %60, %6
+  %62 = getelementptr double, ptr %2, i64 %61
+  %63 = load double, ptr %62, align 8
+  %64 = getelementptr i8, ptr %62, i64 8
+  %65 = load double, ptr %64, align 8
+  %66 = getelementptr i8, ptr %62, i64 16
+  %67 = load double, ptr %66, align 8
+  %68 = icmp slt i64 %57, 0
+  %69 = select i1 %68, i64 %4, i64 0
+  %70 = add i64 %69, %57
+  %71 = mul i64 %70, %6
+  %72 = getelementptr double, ptr %2, i64 %71
+  %73 = load double, ptr %72, align 8
+  %74 = getelementptr i8, ptr %72, i64 8
+  %75 = load double, ptr %74, align 8
+  %76 = getelementptr i8, ptr %72, i64 16
+  %77 = load double, ptr %76, align 8
+  %78 = fadd double %63, %73
+  %79 = fmul double %78, 5.000000e-01
+  %80 = fadd double %65, %75
+  %81 = fmul double %80, 5.000000e-01
+  %82 = fadd double %67, %77
+  %83 = fmul double %82, 5.000000e-01
+  %84 = fsub double %73, %63
+  %85 = fsub double %75, %65
+  %86 = fsub double %77, %67
+  %87 = fmul double %84, %84
+  %88 = fmul double %85, %85
+  %89 = fadd double %87, %88
+  %90 = fmul double %86, %86
+  %91 = fadd double %89, %90
+  %92 = tail call double @llvm.sqrt.f64(double %91)
+  %93 = select i1 %58, i64 %34, i64 0
+  %94 = getelementptr i8, ptr %8, i64 %93
+  %95 = shl i64 %54, 3
+  %96 = getelementptr i8, ptr %94, i64 %95
+  %97 = load double, ptr %96, align 8
+  %98 = fsub double %63, %286
+  %99 = fsub double %65, %289
+  %100 = fsub double %67, %292
+  %101 = fmul double %98, %98
+  %102 = fmul double %99, %99
+  %103 = fadd double %101, %102
+  %104 = fmul double %100, %100
+  %105 = fadd double %103, %104
+  %106 = tail call double @llvm.sqrt.f64(double %105)
+  %107 = fsub double %79, %286
+  %108 = fsub double %81, %289
+  %109 = fsub double %83, %292
+  %110 = fmul double %107, %107
+  %111 = fmul double %108, %108
+  %112 = fadd double %110, %111
+  %113 = fmul double %109, %109
+  %114 = fadd double %112, %113
+  %115 = tail call double @llvm.sqrt.f64(double %114)
+  %116 = fsub double %73, %286
+  %117 = fsub double %75, %289
+  %118 = fsub double %77, %292
+  %119 = fmul double %116, %116
+  %120 = fmul double %117, %117
+  %121 = fadd double %119, %120
+  %122 = fmul double %118, %118
+  %123 = fadd double %121, %122
+  %124 = tail call double @llvm.sqrt.f64(double %123)
+  %125 = fmul double %115, 4.000000e+00
+  %126 = fadd double %106, %125
+  %127 = fadd double %124, %126
+  %128 = fdiv double %127, 6.000000e+00
+  %129 = fmul double %92, %128
+  %130 = fadd double %53, %129
+  store double %130, ptr %295, align 8
+  %131 = fmul double %97, %97
+  %132 = fsub double 1.000000e+00, %131
+  %133 = fcmp olt double %132, 0.000000e+00
+  %134 = select i1 %133, double 0.000000e+00, double %132
+  %135 = fadd double %33, %134
+  %136 = tail call double @llvm.sqrt.f64(double %135)
+  %137 = fdiv double %92, %136
+  %138 = fmul double %97, %137
+  %139 = fmul double %107, %138
+  %140 = fadd double %52, %139
+  store double %140, ptr %297, align 8
+  %141 = fmul double %79, %139
+  %142 = fadd double %51, %141
+  store double %142, ptr %299, align 8
+  %143 = fmul double %81, %139
+  %144 = fadd double %50, %143
+  store double %144, ptr %301, align 8
+  %145 = fmul double %83, %139
+  %146 = fadd double %49, %145
+  store double %146, ptr %303, align 8
+  %147 = fmul double %108, %138
+  %148 = fadd double %48, %147
+  store double %148, ptr %305, align 8
+  %149 = fmul double %79, %147
+  %150 = fadd double %47, %149
+  store double %150, ptr %307, align 8
+  %151 = fmul double %81, %147
+  %152 = fadd double %46, %151
+  store double %152, ptr %309, align 8
+  %153 = fmul double %83, %147
+  %154 = fadd double %45, %153
+  store double %154, ptr %311, align 8
+  %155 = fmul double %109, %138
+  %156 = fadd double %44, %155
+  store double %156, ptr %313, align 8
+  %157 = fmul double %79, %155
+  %158 = fadd double %43, %157
+  store double %158, ptr %315, align 8
+  %159 = fmul double %81, %155
+  %160 = fadd double %42, %159
+  store double %160, ptr %317, align 8
+  %161 = fmul double %83, %155
+  %162 = fadd double %41, %161
+  store double %162, ptr %319, align 8
+  %163 = add i64 %40, -1
+  %164 = icmp samesign ugt i64 %163, 1
+  br i1 %164, label %39, label %165
+165:
+  %166 = icmp eq i64 %170, %18
+  br i1 %166, label %322, label %167
+167:
+  %168 = phi i64 [ 0, %26 ], [ %172, %165 ]
+  %169 = phi i64 [ 0, %26 ], [ %170, %165 ]
+  %170 = add nuw nsw i64 %169, 1
+  %171 = getelementptr i64, ptr %16, i64 %169
+  %172 = load i64, ptr %171, align 8
+  %173 = getelementptr i64, ptr %20, i64 %169
+  %174 = load i64, ptr %173, align 8
+  %175 = icmp slt i64 %174, 0
+  %176 = select i1 %175, i64 %24, i64 0
+  %177 = add i64 %176, %174
+  %178 = select i1 %175, i64 %12, i64 0
+  %179 = add i64 %178, %174
+  %180 = mul i64 %179, %14
+  %181 = getelementptr double, ptr %10, i64 %180
+  %182 = load double, ptr %181, align 8
+  %183 = getelementptr i8, ptr %181, i64 8
+  %184 = load double, ptr %183, align 8
+  %185 = getelementptr i8, ptr %181, i64 16
+  %186 = load double, ptr %185, align 8
+  %187 = sub i64 %172, %168
+  %188 = icmp sgt i64 %187, 0
+  %189 = tail call i64 @llvm.smax.i64(i64 %187, i64 0)
+  %190 = mul i64 %35, %177
+  %191 = getelementptr i8, ptr %22, i64 %190
+  br i1 %188, label %195, label %192
+192:
+  %193 = getelementptr i8, ptr %191, i64 24
+  %194 = load double, ptr %193, align 8
+  br label %36
+195:
+  %196 = load double, ptr %191, align 8
+  %197 = getelementptr i8, ptr %191, i64 8
+  %198 = load double, ptr %197, align 8
+  %199 = getelementptr i8, ptr %191, i64 16
+  %200 = load double, ptr %199, align 8
+  %201 = getelementptr i8, ptr %191, i64 24
+  %202 = load double, ptr %201, align 8
+  %203 = getelementptr i8, ptr %191, i64 32
+  %204 = load double, ptr %203, align 8
+  %205 = getelementptr i8, ptr %191, i64 40
+  %206 = load double, ptr %205, align 8
+  %207 = add nuw i64 %189, 1
+  br label %208
+208:
+  %209 = phi i64 [ %281, %208 ], [ %207, %195 ]
+  %210 = phi double [ %280, %208 ], [ %206, %195 ]
+  %211 = phi double [ %270, %208 ], [ %204, %195 ]
+  %212 = phi double [ %263, %208 ], [ %202, %195 ]
+  %213 = phi double [ %262, %208 ], [ %200, %195 ]
+  %214 = phi double [ %259, %208 ], [ %198, %195 ]
+  %215 = phi double [ %256, %208 ], [ %196, %195 ]
+  %216 = phi i64 [ %217, %208 ], [ %168, %195 ]
+  %217 = add i64 %216, 1
+  %218 = icmp slt i64 %217, %172
+  %219 = select i1 %218, i64 %217, i64 %168
+  %220 = icmp slt i64 %216, 0
+  %221 = select i1 %220, i64 %4, i64 0
+  %222 = add i64 %221, %216
+  %223 = mul i64 %222, %6
+  %224 = getelementptr double, ptr %2, i64 %223
+  %225 = load double, ptr %224, align 8
+  %226 = getelementptr i8, ptr %224, i64 8
+  %227 = load double, ptr %226, align 8
+  %228 = getelementptr i8, ptr %224, i64 16
+  %229 = load double, ptr %228, align 8
+  %230 = icmp slt i64 %219, 0
+  %231 = select i1 %230, i64 %4, i64 0
+  %232 = add i64 %231, %219
+  %233 = mul i64 %232, %6
+  %234 = getelementptr double, ptr %2, i64 %233
+  %235 = load double, ptr %234, align 8
+  %236 = getelementptr i8, ptr %234, i64 8
+  %237 = load double, ptr %236, align 8
+  %238 = getelementptr i8, ptr %234, i64 16
+  %239 = load double, ptr %238, align 8
+  %240 = fmul double %227, %239
+  %241 = fmul double %229, %237
+  %242 = fsub double %240, %241
+  %243 = fmul double %229, %235
+  %244 = fmul double %225, %239
+  %245 = fsub double %243, %244
+  %246 = fmul double %225, %237
+  %247 = fmul double %227, %235
+  %248 = fsub double %246, %247
+  %249 = fmul double %182, %242
+  %250 = fmul double %186, %248
+  %251 = fadd double %250, %249
+  %252 = fmul double %184, %245
+  %253 = fadd double %252, %251
+  %254 = fadd double %225, %235
+  %255 = fmul double %254, %253
+  %256 = fadd double %215, %255
+  store double %256, ptr %191, align 8
+  %257 = fadd double %227, %237
+  %258 = fmul double %257, %253
+  %259 = fadd double %214, %258
+  store double %259, ptr %197, align 8
+  %260 = fadd double %229, %239
+  %261 = fmul double %260, %253
+  %262 = fadd double %213, %261
+  store double %262, ptr %199, align 8
+  %263 = fadd double %212, %253
+  store double %263, ptr %201, align 8
+  %264 = fmul double %225, %235
+  %265 = fmul double %229, %239
+  %266 = fadd double %264, %265
+  %267 = fmul double %227, %237
+  %268 = fadd double %267, %266
+  %269 = tail call double @atan2(double %253, double %268)
+  %270 = fadd double %211, %269
+  store double %270, ptr %203, align 8
+  %271 = fsub double %235, %225
+  %272 = fsub double %237, %227
+  %273 = fsub double %239, %229
+  %274 = fmul double %271, %271
+  %275 = fmul double %272, %272
+  %276 = fadd double %274, %275
+  %277 = fmul double %273, %273
+  %278 = fadd double %276, %277
+  %279 = tail call double @llvm.sqrt.f64(double %278)
+  %280 = fadd double %210, %279
+  store double %280, ptr %205, align 8
+  %281 = add i64 %209, -1
+  %282 = icmp samesign ugt i64 %281, 1
+  br i1 %282, label %208, label %36
+283:
+  %284 = load double, ptr %191, align 8
+  %285 = fmul double %37, 3.000000e+00
+  %286 = fdiv double %284, %285
+  store double %286, ptr %191, align 8
+  %287 = getelementptr i8, ptr %191, i64 8
+  %288 = load double, ptr %287, align 8
+  %289 = fdiv double %288, %285
+  store double %289, ptr %287, align 8
+  %290 = getelementptr i8, ptr %191, i64 16
+  %291 = load double, ptr %290, align 8
+  %292 = fdiv double %291, %285
+  store double %292, ptr %290, align 8
+  %293 = icmp slt i64 %187, 1
+  br i1 %293, label %165, label %294
+294:
+  %295 = getelementptr i8, ptr %191, i64 48
+  %296 = load double, ptr %295, align 8
+  %297 = getelementptr i8, ptr %191, i64 56
+  %298 = load double, ptr %297, align 8
+  %299 = getelementptr i8, ptr %191, i64 80
+  %300 = load double, ptr %299, align 8
+  %301 = getelementptr i8, ptr %191, i64 88
+  %302 = load double, ptr %301, align 8
+  %303 = getelementptr i8, ptr %191, i64 96
+  %304 = load double, ptr %303, align 8
+  %305 = getelementptr i8, ptr %191, i64 64
+  %306 = load double, ptr %305, align 8
+  %307 = getelementptr i8, ptr %191, i64 104
+  %308 = load double, ptr %307, align 8
+  %309 = getelementptr i8, ptr %191, i64 112
+  %310 = load double, ptr %309, align 8
+  %311 = getelementptr i8, ptr %191, i64 120
+  %312 = load double, ptr %311, align 8
+  %313 = getelementptr i8, ptr %191, i64 72
+  %314 = load double, ptr %313, align 8
+  %315 = getelementptr i8, ptr %191, i64 128
+  %316 = load double, ptr %315, align 8
+  %317 = getelementptr i8, ptr %191, i64 136
+  %318 = load double, ptr %317, align 8
+  %319 = getelementptr i8, ptr %191, i64 144
+  %320 = load double, ptr %319, align 8
+  %321 = add nuw i64 %189, 1
+  br label %39
+322:
+  ret i64 0
+}
+define noundef i64 @msf_jax.limbs.fronts.spread(ptr readonly %0) local_unnamed_addr {
+  %2 = load ptr, ptr %0, align 8
+  %3 = getelementptr i8, ptr %0, i64 8
+  %4 = load i64, ptr %3, align 8
+  %5 = getelementptr i8, ptr %0, i64 16
+  %6 = load i64, ptr %5, align 8
+  %7 = getelementptr i8, ptr %0, i64 24
+  %8 = load ptr, ptr %7, align 8
+  %9 = getelementptr i8, ptr %0, i64 32
+  %10 = load i64, ptr %9, align 8
+  %11 = getelementptr i8, ptr %0, i64 40
+  %12 = load i64, ptr %11, align 8
+  %13 = getelementptr i8, ptr %0, i64 64
+  %14 = load ptr, ptr %13, align 8
+  %15 = getelementptr i8, ptr %0, i64 72
+  %16 = load i64, ptr %15, align 8
+  %17 = getelementptr i8, ptr %0, i64 80
+  %18 = load ptr, ptr %17, align 8
+  %19 = getelementptr i8, ptr %0, i64 88
+  %20 = load i64, ptr %19, align 8
+  %21 = getelementptr i8, ptr %0, i64 120
+  %22 = load ptr, ptr %21, align 8
+  %23 = getelementptr i8, ptr %0, i64 128
+  %24 = load i64, ptr %23, align 8
+  %25 = getelementptr i8, ptr %0, i64 136
+  %26 = load ptr, ptr %25, align 8
+  %27 = getelementptr i8, ptr %0, i64 144
+  %28 = load i64, ptr %27, align 8
+  %29 = getelementptr i8, ptr %0, i64 200
+  %30 = load ptr, ptr %29, align 8
+  %31 = getelementptr i8, ptr %0, i64 208
+  %32 = load i64, ptr %31, align 8
+  %33 = getelementptr i8, ptr %0, i64 216
+  %34 = load ptr, ptr %33, align 8
+  %35 = getelementptr i8, ptr %0, i64 224
+  %36 = load i64, ptr %35, align 8
+  %37 = getelementptr i8, ptr %0, i64 248
+  %38 = load ptr, ptr %37, align 8
+  %39 = getelementptr i8, ptr %0, i64 256
+  %40 = load i64, ptr %39, align 8
+  %41 = icmp sgt i64 %40, 0
+  br i1 %41, label %42, label %385
+42:
+  %43 = phi i64 [ %79, %75 ], [ 0, %1 ]
+  %44 = shl i64 %43, 3
+  %45 = getelementptr i8, ptr %38, i64 %44
+  %46 = load i64, ptr %45, align 8
+  %47 = icmp slt i64 %46, 0
+  %48 = select i1 %47, i64 %24, i64 0
+  %49 = getelementptr double, ptr %22, i64 %46
+  %50 = getelementptr double, ptr %49, i64 %48
+  store double 0.000000e+00, ptr %50, align 8
+  %51 = icmp eq i64 %43, 0
+  br i1 %51, label %75, label %52
+52:
+  %53 = add nsw i64 %43, -1
+  %54 = lshr i64 %53, 1
+  %55 = getelementptr double, ptr %30, i64 %54
+  %56 = load double, ptr %55, align 8
+  %57 = fcmp ogt double %56, 0.000000e+00
+  br i1 %57, label %58, label %75
+58:
+  %59 = phi i64 [ %61, %69 ], [ %43, %52 ]
+  %60 = add nsw i64 %59, -1
+  %61 = lshr i64 %60, 1
+  %62 = getelementptr double, ptr %30, i64 %61
+  %63 = load double, ptr %62, align 8
+  %64 = getelementptr i64, ptr %34, i64 %61
+  %65 = load i64, ptr %64, align 8
+  %66 = getelementptr double, ptr %30, i64 %59
+  store double %63, ptr %66, align 8
+  %67 = getelementptr i64, ptr %34, i64 %59
+  store i64 %65, ptr %67, align 8
+  %68 = icmp eq i64 %61, 0
+  br i1 %68, label %75, label %69
+69:
+  %70 = add nsw i64 %61, -1
+  %71 = lshr i64 %70, 1
+  %72 = getelementptr double, ptr %30, i64 %71
+  %73 = load double, ptr %72, align 8
+  %74 = fcmp ogt double %73, 0.000000e+00
+  br i1 %74, label %58, label %75
+75:
+  %76 = phi i64 [ %43, %52 ], [ 0, %42 ], [ 0, %58 ], [ %61, %69 ]
+  %77 = getelementptr double, ptr %30, i64 %76
+  store double 0.000000e+00, ptr %77, align 8
+  %78 = getelementptr i64, ptr %34, i64 %76
+  store i64 %46, ptr %78, align 8
+  %79 = add nuw nsw i64 %43, 1
+  %80 = icmp eq i64 %79, %40
+  br i1 %80, label %81, label %42
+81:
+  %82 = shl i64 %24, 3
+  %83 = shl i64 %6, 3
+  br label %84
+84:
+  %85 = phi i64 [ %368, %367 ], [ %40, %81 ]
+  %86 = load i64, ptr %34, align 8
+  %87 = add nsw i64 %85, -1
+  %88 = icmp slt i64 %85, 1
+  %89 = select i1 %88, i64 %32, i64 0
+  %90 = getelementptr double, ptr %30, i64 %87
+  %91 = getelementptr double, ptr %90, i64 %89
+  %92 = load double, ptr %91, align 8
+  %93 = select i1 %88, i64 %36, i64 0
+  %94 = getelementptr i64, ptr %34, i64 %87
+  %95 = getelementptr i64, ptr %94, i64 %93
+  %96 = load i64, ptr %95, align 8
+  %97 = icmp sgt i64 %85, 2
+  br i1 %97, label %98, label %370
+98:
+  %99 = phi i64 [ %118, %125 ], [ 0, %84 ]
+  %100 = shl nsw i64 %99, 1
+  %101 = or disjoint i64 %100, 1
+  %102 = add nsw i64 %100, 2
+  %103 = icmp slt i64 %102, %87
+  br i1 %103, label %104, label %117
+104:
+  %105 = icmp slt i64 %99, -1
+  %106 = select i1 %105, i64 %32, i64 0
+  %107 = getelementptr double, ptr %30, i64 %102
+  %108 = getelementptr double, ptr %107, i64 %106
+  %109 = load double, ptr %108, align 8
+  %110 = icmp slt i64 %99, 0
+  %111 = select i1 %110, i64 %32, i64 0
+  %112 = getelementptr double, ptr %30, i64 %101
+  %113 = getelementptr double, ptr %112, i64 %111
+  %114 = load double, ptr %113, align 8
+  %115 = fcmp olt double %109, %114
+  br i1 %115, label %116, label %117
+116:
+  br label %117
+117:
+  %118 = phi i64 [ %102, %116 ], [ %101, %104 ], [ %101, %98 ]
+  %119 = icmp slt i64 %118, 0
+  %120 = select i1 %119, i64 %32, i64 0
+  %121 = getelementptr double, ptr %30, i64 %118
+  %122 = getelementptr double, ptr %121, i64 %120
+  %123 = load double, ptr %122, align 8
+  %124 = fcmp ult double %123, %92
+  br i1 %124, label %125, label %370
+125:
+  %126 = select i1 %119, i64 %36, i64 0
+  %127 = getelementptr i64, ptr %34, i64 %118
+  %128 = getelementptr i64, ptr %127, i64 %126
+  %129 = load i64, ptr %128, align 8
+  %130 = icmp slt i64 %99, 0
+  %131 = select i1 %130, i64 %32, i64 0
+  %132 = getelementptr double, ptr %30, i64 %99
+  %133 = getelementptr double, ptr %132, i64 %131
+  store double %123, ptr %133, align 8
+  %134 = select i1 %130, i64 %36, i64 0
+  %135 = getelementptr i64, ptr %34, i64 %99
+  %136 = getelementptr i64, ptr %135, i64 %134
+  store i64 %129, ptr %136, align 8
+  %137 = shl nsw i64 %118, 1
+  %138 = or disjoint i64 %137, 1
+  %139 = icmp slt i64 %138, %87
+  br i1 %139, label %98, label %370
+140:
+  %141 = shl i64 %380, 3
+  %142 = getelementptr inbounds i8, ptr %381, i64 %141
+  store i64 1, ptr %142, align 8
+  %143 = select i1 %379, i64 %16, i64 0
+  %144 = getelementptr i64, ptr %14, i64 %86
+  %145 = getelementptr i64, ptr %144, i64 %143
+  %146 = load i64, ptr %145, align 8
+  %147 = icmp slt i64 %86, -1
+  %148 = select i1 %147, i64 %16, i64 0
+  %149 = getelementptr i8, ptr %144, i64 8
+  %150 = getelementptr i64, ptr %149, i64 %148
+  %151 = load i64, ptr %150, align 8
+  %152 = sub i64 %151, %146
+  %153 = icmp slt i64 %152, 1
+  br i1 %153, label %367, label %154
+154:
+  %155 = getelementptr double, ptr %22, i64 %86
+  %156 = select i1 %379, i64 %4, i64 0
+  %157 = add i64 %156, %86
+  %158 = select i1 %379, i64 %82, i64 0
+  %159 = getelementptr inbounds i8, ptr %155, i64 %158
+  %160 = mul i64 %83, %157
+  %161 = getelementptr i8, ptr %2, i64 %160
+  %162 = getelementptr i8, ptr %161, i64 16
+  %163 = getelementptr i8, ptr %161, i64 8
+  br label %164
+164:
+  %165 = phi i64 [ %361, %363 ], [ %87, %154 ]
+  %166 = phi i64 [ %364, %363 ], [ %152, %154 ]
+  %167 = phi i64 [ %365, %363 ], [ %146, %154 ]
+  %168 = icmp slt i64 %167, 0
+  %169 = select i1 %168, i64 %20, i64 0
+  %170 = getelementptr i64, ptr %18, i64 %167
+  %171 = getelementptr i64, ptr %170, i64 %169
+  %172 = load i64, ptr %171, align 8
+  %173 = icmp slt i64 %172, 0
+  %174 = select i1 %173, i64 %10, i64 0
+  %175 = add i64 %174, %172
+  %176 = mul i64 %175, %12
+  %177 = getelementptr i64, ptr %8, i64 %176
+  %178 = getelementptr i8, ptr %177, i64 8
+  %179 = getelementptr i8, ptr %177, i64 16
+  br label %180
+180:
+  %181 = phi i64 [ %165, %164 ], [ %361, %360 ]
+  %182 = phi i64 [ 0, %164 ], [ %183, %360 ]
+  %183 = add nuw nsw i64 %182, 1
+  %184 = getelementptr i64, ptr %177, i64 %182
+  %185 = load i64, ptr %184, align 8
+  %186 = icmp eq i64 %185, %86
+  br i1 %186, label %360, label %187
+187:
+  %188 = icmp slt i64 %185, 0
+  %189 = select i1 %188, i64 %28, i64 0
+  %190 = getelementptr i64, ptr %26, i64 %185
+  %191 = getelementptr i64, ptr %190, i64 %189
+  %192 = load i64, ptr %191, align 8
+  %193 = icmp eq i64 %192, 1
+  %194 = load double, ptr %162, align 8
+  br i1 %193, label %218, label %195
+195:
+  %196 = load double, ptr %159, align 8
+  %197 = select i1 %188, i64 %4, i64 0
+  %198 = add i64 %197, %185
+  %199 = mul i64 %198, %6
+  %200 = getelementptr double, ptr %2, i64 %199
+  %201 = getelementptr i8, ptr %200, i64 16
+  %202 = load double, ptr %201, align 8
+  %203 = fsub double %202, %194
+  %204 = fmul double %203, %203
+  %205 = load double, ptr %200, align 8
+  %206 = load double, ptr %161, align 8
+  %207 = fsub double %205, %206
+  %208 = fmul double %207, %207
+  %209 = getelementptr i8, ptr %200, i64 8
+  %210 = load double, ptr %209, align 8
+  %211 = load double, ptr %163, align 8
+  %212 = fsub double %210, %211
+  %213 = fmul double %212, %212
+  %214 = fadd double %208, %213
+  %215 = fadd double %204, %214
+  %216 = tail call double @llvm.sqrt.f64(double %215)
+  %217 = fadd double %196, %216
+  br label %308
+218:
+  %219 = load i64, ptr %177, align 8
+  %220 = load i64, ptr %178, align 8
+  %221 = load i64, ptr %179, align 8
+  %222 = add i64 %185, %86
+  %223 = sub i64 %219, %222
+  %224 = add i64 %223, %220
+  %225 = add i64 %224, %221
+  %226 = select i1 %188, i64 %4, i64 0
+  %227 = add i64 %226, %185
+  %228 = mul i64 %227, %6
+  %229 = getelementptr double, ptr %2, i64 %228
+  %230 = getelementptr i8, ptr %229, i64 16
+  %231 = load double, ptr %230, align 8
+  %232 = fsub double %194, %231
+  %233 = fmul double %232, %232
+  %234 = load double, ptr %161, align 8
+  %235 = load double, ptr %229, align 8
+  %236 = fsub double %234, %235
+  %237 = fmul double %236, %236
+  %238 = load double, ptr %163, align 8
+  %239 = getelementptr i8, ptr %229, i64 8
+  %240 = load double, ptr %239, align 8
+  %241 = fsub double %238, %240
+  %242 = fmul double %241, %241
+  %243 = fadd double %237, %242
+  %244 = fadd double %233, %243
+  %245 = tail call double @llvm.sqrt.f64(double %244)
+  %246 = fcmp une double %244, 0.000000e+00
+  br i1 %246, label %274, label %308
+247:
+  %248 = fmul double %287, %287
+  %249 = fmul double %290, %290
+  %250 = fmul double %294, %294
+  %251 = fadd double %249, %250
+  %252 = fadd double %248, %251
+  %253 = fmul double %298, %298
+  %254 = fsub double %252, %253
+  %255 = fcmp olt double %254, 0.000000e+00
+  %256 = select i1 %255, double 0.000000e+00, double %254
+  %257 = tail call double @llvm.sqrt.f64(double %256)
+  %258 = tail call double @llvm.sqrt.f64(double %306)
+  %259 = fadd double %257, %258
+  %260 = fcmp ogt double %259, 0.000000e+00
+  br i1 %260, label %261, label %308
+261:
+  %262 = fsub double %298, %304
+  %263 = fmul double %262, %258
+  %264 = fdiv double %263, %259
+  %265 = fadd double %304, %264
+  %266 = fcmp oge double %265, 0.000000e+00
+  %267 = fcmp ole double %265, %245
+  %268 = and i1 %266, %267
+  br i1 %268, label %269, label %308
+269:
+  %270 = fmul double %262, %262
+  %271 = fmul double %259, %259
+  %272 = fadd double %270, %271
+  %273 = tail call double @llvm.sqrt.f64(double %272)
+  br label %308
+274:
+  %275 = load double, ptr %159, align 8
+  %276 = getelementptr double, ptr %22, i64 %185
+  %277 = select i1 %188, i64 %24, i64 0
+  %278 = getelementptr double, ptr %276, i64 %277
+  %279 = load double, ptr %278, align 8
+  %280 = icmp slt i64 %225, 0
+  %281 = select i1 %280, i64 %4, i64 0
+  %282 = add i64 %281, %225
+  %283 = mul i64 %282, %6
+  %284 = getelementptr double, ptr %2, i64 %283
+  %285 = getelementptr i8, ptr %284, i64 16
+  %286 = load double, ptr %285, align 8
+  %287 = fsub double %286, %231
+  %288 = fmul double %232, %287
+  %289 = load double, ptr %284, align 8
+  %290 = fsub double %289, %235
+  %291 = fmul double %236, %290
+  %292 = getelementptr i8, ptr %284, i64 8
+  %293 = load double, ptr %292, align 8
+  %294 = fsub double %293, %240
+  %295 = fmul double %241, %294
+  %296 = fadd double %291, %295
+  %297 = fadd double %288, %296
+  %298 = fdiv double %297, %245
+  %299 = fmul double %279, %279
+  %300 = fmul double %275, %275
+  %301 = fsub double %299, %300
+  %302 = fadd double %244, %301
+  %303 = fmul double %245, 2.000000e+00
+  %304 = fdiv double %302, %303
+  %305 = fmul double %304, %304
+  %306 = fsub double %299, %305
+  %307 = fcmp olt double %306, 0.000000e+00
+  br i1 %307, label %308, label %247
+308:
+  %309 = phi double [ %217, %195 ], [ 0x7FF0000000000000, %274 ], [ 0x7FF0000000000000, %218 ], [ %273, %269 ], [ 0x7FF0000000000000, %261 ], [ 0x7FF0000000000000, %247 ]
+  %310 = phi i64 [ %185, %195 ], [ %225, %274 ], [ %225, %218 ], [ %225, %269 ], [ %225, %261 ], [ %225, %247 ]
+  %311 = icmp slt i64 %310, 0
+  %312 = select i1 %311, i64 %28, i64 0
+  %313 = getelementptr i64, ptr %26, i64 %310
+  %314 = getelementptr i64, ptr %313, i64 %312
+  %315 = load i64, ptr %314, align 8
+  %316 = icmp eq i64 %315, 1
+  br i1 %316, label %360, label %317
+317:
+  %318 = select i1 %311, i64 %24, i64 0
+  %319 = getelementptr double, ptr %22, i64 %310
+  %320 = getelementptr double, ptr %319, i64 %318
+  %321 = load double, ptr %320, align 8
+  %322 = fcmp olt double %309, %321
+  br i1 %322, label %323, label %360
+323:
+  %324 = shl i64 %318, 3
+  %325 = getelementptr inbounds i8, ptr %319, i64 %324
+  store double %309, ptr %325, align 8
+  %326 = icmp sgt i64 %181, 0
+  br i1 %326, label %327, label %350
+327:
+  %328 = add nsw i64 %181, -1
+  %329 = lshr i64 %328, 1
+  %330 = getelementptr double, ptr %30, i64 %329
+  %331 = load double, ptr %330, align 8
+  %332 = fcmp ogt double %331, %309
+  br i1 %332, label %333, label %350
+333:
+  %334 = phi i64 [ %336, %344 ], [ %181, %327 ]
+  %335 = add nsw i64 %334, -1
+  %336 = lshr i64 %335, 1
+  %337 = getelementptr double, ptr %30, i64 %336
+  %338 = load double, ptr %337, align 8
+  %339 = getelementptr i64, ptr %34, i64 %336
+  %340 = load i64, ptr %339, align 8
+  %341 = getelementptr double, ptr %30, i64 %334
+  store double %338, ptr %341, align 8
+  %342 = getelementptr i64, ptr %34, i64 %334
+  store i64 %340, ptr %342, align 8
+  %343 = icmp eq i64 %336, 0
+  br i1 %343, label %350, label %344
+344:
+  %345 = add nsw i64 %336, -1
+  %346 = lshr i64 %345, 1
+  %347 = getelementptr double, ptr %30, i64 %346
+  %348 = load double, ptr %347, align 8
+  %349 = fcmp ogt double %348, %309
+  br i1 %349, label %333, label %350
+350:
+  %351 = phi i64 [ %181, %327 ], [ %181, %323 ], [ 0, %333 ], [ %336, %344 ]
+  %352 = icmp slt i64 %351, 0
+  %353 = select i1 %352, i64 %32, i64 0
+  %354 = getelementptr double, ptr %30, i64 %351
+  %355 = getelementptr double, ptr %354, i64 %353
+  store double %309, ptr %355, align 8
+  %356 = select i1 %352, i64 %36, i64 0
+  %357 = getelementptr i64, ptr %34, i64 %351
+  %358 = getelementptr i64, ptr %357, i64 %356
+  store i64 %310, ptr %358, align 8
+  %359 = add nsw i64 %181, 1
+  br label %360
+360:
+  %361 = phi i64 [ %181, %180 ], [ %181, %308 ], [ %181, %317 ], [ %359, %350 ]
+  %362 = icmp eq i64 %183, 3
+  br i1 %362, label %363, label %180
+363:
+  %364 = add nsw i64 %166, -1
+  %365 = add i64 %167, 1
+  %366 = icmp sgt i64 %166, 1
+  br i1 %366, label %164, label %367
+367:
+  %368 = phi i64 [ %87, %370 ], [ %87, %140 ], [ %361, %363 ]
+  %369 = icmp eq i64 %368, 0
+  br i1 %369, label %385, label %84
+370:
+  %371 = phi i64 [ 0, %84 ], [ %118, %125 ], [ %99, %117 ]
+  %372 = icmp slt i64 %371, 0
+  %373 = select i1 %372, i64 %32, i64 0
+  %374 = getelementptr double, ptr %30, i64 %371
+  %375 = getelementptr double, ptr %374, i64 %373
+  store double %92, ptr %375, align 8
+  %376 = select i1 %372, i64 %36, i64 0
+  %377 = getelementptr i64, ptr %34, i64 %371
+  %378 = getelementptr i64, ptr %377, i64 %376
+  store i64 %96, ptr %378, align 8
+  %379 = icmp slt i64 %86, 0
+  %380 = select i1 %379, i64 %28, i64 0
+  %381 = getelementptr i64, ptr %26, i64 %86
+  %382 = getelementptr i64, ptr %381, i64 %380
+  %383 = load i64, ptr %382, align 8
+  %384 = icmp eq i64 %383, 1
+  br i1 %384, label %367, label %140
+385:
+  ret i64 0
+}
+declare i64 @llvm.smin.i64(i64, i64)
+declare void @llvm.memset.p0.i64(ptr writeonly, i8, i64, i1 immarg)
+declare { i8, i1 } @llvm.usub.with.overflow.i8(i8, i8)
+define i64 @msf_jax.limbs.fronts.cap(ptr readonly %0) local_unnamed_addr {
+  %2 = load ptr, ptr %0, align 8
+  %3 = getelementptr i8, ptr %0, i64 8
+  %4 = load i64, ptr %3, align 8
+  %5 = getelementptr i8, ptr %0, i64 16
+  %6 = load i64, ptr %5, align 8
+  %7 = shl i64 %6, 3
+  %8 = getelementptr i8, ptr %0, i64 24
+  %9 = load ptr, ptr %8, align 8
+  %10 = getelementptr i8, ptr %0, i64 32
+  %11 = load i64, ptr %10, align 8
+  %12 = getelementptr i8, ptr %0, i64 40
+  %13 = load i64, ptr %12, align 8
+  %14 = getelementptr i8, ptr %0, i64 48
+  %15 = load ptr, ptr %14, align 8
+  %16 = getelementptr i8, ptr %0, i64 56
+  %17 = load i64, ptr %16, align 8
+  %18 = getelementptr i8, ptr %0, i64 64
+  %19 = load ptr, ptr %18, align 8
+  %20 = getelementptr i8, ptr %0, i64 72
+  %21 = load i64, ptr %20, align 8
+  %22 = getelementptr i8, ptr %0, i64 80
+  %23 = load ptr, ptr %22, align 8
+  %24 = getelementptr i8, ptr %0, i64 88
+  %25 = load i64, ptr %24, align 8
+  %26 = getelementptr i8, ptr %0, i64 96
+  %27 = load ptr, ptr %26, align 8
+  %28 = getelementptr i8, ptr %0, i64 104
+  %29 = load i64, ptr %28, align 8
+  %30 = getelementptr i8, ptr %0, i64 112
+  %31 = load i64, ptr %30, align 8
+  %32 = getelementptr i8, ptr %0, i64 120
+  %33 = load ptr, ptr %32, align 8
+  %34 = getelementptr i8, ptr %0, i64 128
+  %35 = load i64, ptr %34, align 8
+  %36 = getelementptr i8, ptr %0, i64 136
+  %37 = load ptr, ptr %36, align 8
+  %38 = getelementptr i8, ptr %0, i64 144
+  %39 = load i64, ptr %38, align 8
+  %40 = getelementptr i8, ptr %0, i64 152
+  %41 = load ptr, ptr %40, align 8
+  %42 = getelementptr i8, ptr %0, i64 160
+  %43 = load i64, ptr %42, align 8
+  %44 = getelementptr i8, ptr %0, i64 168
+  %45 = load ptr, ptr %44, align 8
+  %46 = getelementptr i8, ptr %0, i64 176
+  %47 = load i64, ptr %46, align 8
+  %48 = getelementptr i8, ptr %0, i64 184
+  %49 = load ptr, ptr %48, align 8
+  %50 = getelementptr i8, ptr %0, i64 192
+  %51 = load i64, ptr %50, align 8
+  %52 = getelementptr i8, ptr %0, i64 200
+  %53 = load ptr, ptr %52, align 8
+  %54 = getelementptr i8, ptr %0, i64 208
+  %55 = load i64, ptr %54, align 8
+  %56 = getelementptr i8, ptr %0, i64 216
+  %57 = load ptr, ptr %56, align 8
+  %58 = getelementptr i8, ptr %0, i64 224
+  %59 = load i64, ptr %58, align 8
+  %60 = getelementptr i8, ptr %0, i64 232
+  %61 = load ptr, ptr %60, align 8
+  %62 = getelementptr i8, ptr %0, i64 240
+  %63 = load i64, ptr %62, align 8
+  %64 = getelementptr i8, ptr %0, i64 248
+  %65 = load i64, ptr %64, align 8
+  %66 = getelementptr i8, ptr %0, i64 256
+  %67 = load double, ptr %66, align 8
+  %68 = getelementptr i8, ptr %0, i64 264
+  %69 = load double, ptr %68, align 8
+  %70 = getelementptr i8, ptr %0, i64 272
+  %71 = load double, ptr %70, align 8
+  %72 = getelementptr i8, ptr %0, i64 280
+  %73 = load double, ptr %72, align 8
+  %74 = getelementptr i8, ptr %0, i64 288
+  %75 = load double, ptr %74, align 8
+  %76 = getelementptr i8, ptr %0, i64 296
+  %77 = load ptr, ptr %76, align 8
+  %78 = getelementptr i8, ptr %0, i64 304
+  %79 = load i64, ptr %78, align 8
+  %80 = getelementptr i8, ptr %0, i64 312
+  %81 = load ptr, ptr %80, align 8
+  %82 = getelementptr i8, ptr %0, i64 320
+  %83 = load i64, ptr %82, align 8
+  %84 = getelementptr i8, ptr %0, i64 328
+  %85 = load i64, ptr %84, align 8
+  %86 = shl i64 %85, 3
+  %87 = getelementptr i8, ptr %0, i64 336
+  %88 = load ptr, ptr %87, align 8
+  %89 = getelementptr i8, ptr %0, i64 344
+  %90 = load i64, ptr %89, align 8
+  %91 = add nsw i64 %83, -1
+  %92 = tail call i64 @llvm.smin.i64(i64 %83, i64 0)
+  %93 = add i64 %91, %92
+  %94 = mul i64 %93, %85
+  %95 = getelementptr double, ptr %81, i64 %94
+  %96 = add i64 %83, 2305843009213693950
+  %97 = icmp slt i64 %83, 2
+  %98 = select i1 %97, i64 %83, i64 0
+  %99 = add i64 %96, %98
+  %100 = add nsw i64 %83, -3
+  %101 = icmp slt i64 %83, 3
+  %102 = select i1 %101, i64 %83, i64 0
+  %103 = add i64 %100, %102
+  %104 = mul i64 %103, %85
+  %105 = getelementptr double, ptr %81, i64 %104
+  %106 = add nsw i64 %83, -4
+  %107 = icmp slt i64 %83, 4
+  %108 = select i1 %107, i64 %83, i64 0
+  %109 = add i64 %108, %106
+  %110 = mul i64 %109, %85
+  %111 = getelementptr double, ptr %81, i64 %110
+  %112 = icmp slt i64 %65, 0
+  %113 = select i1 %112, i64 %35, i64 0
+  %114 = getelementptr double, ptr %33, i64 %65
+  %115 = getelementptr double, ptr %114, i64 %113
+  store double 0.000000e+00, ptr %115, align 8
+  store double 0.000000e+00, ptr %53, align 8
+  store i64 %65, ptr %57, align 8
+  %116 = shl i64 %35, 3
+  %117 = getelementptr i8, ptr %88, i64 24
+  %118 = mul i64 %86, %99
+  %119 = getelementptr i8, ptr %81, i64 %118
+  %120 = shl i64 %25, 3
+  %121 = getelementptr i8, ptr %111, i64 8
+  %122 = getelementptr i8, ptr %111, i64 16
+  %123 = getelementptr i8, ptr %111, i64 24
+  %124 = getelementptr i8, ptr %111, i64 32
+  %125 = getelementptr i8, ptr %95, i64 8
+  %126 = getelementptr i8, ptr %95, i64 16
+  %127 = getelementptr i8, ptr %95, i64 24
+  %128 = getelementptr i8, ptr %95, i64 32
+  %129 = getelementptr i8, ptr %95, i64 40
+  %130 = getelementptr i8, ptr %95, i64 48
+  %131 = getelementptr i8, ptr %95, i64 56
+  %132 = getelementptr i8, ptr %95, i64 64
+  %133 = getelementptr i8, ptr %119, i64 8
+  %134 = getelementptr i8, ptr %119, i64 16
+  %135 = getelementptr i8, ptr %119, i64 24
+  %136 = getelementptr i8, ptr %105, i64 8
+  %137 = getelementptr i8, ptr %105, i64 16
+  %138 = getelementptr i8, ptr %105, i64 24
+  %139 = getelementptr i8, ptr %105, i64 32
+  br label %140
+140:
+  %141 = phi i64 [ 1, %1 ], [ %480, %477 ]
+  %142 = phi double [ 0xFFF0000000000000, %1 ], [ %176, %477 ]
+  %143 = phi double [ 0x7FF0000000000000, %1 ], [ %175, %477 ]
+  %144 = phi i64 [ 0, %1 ], [ %174, %477 ]
+  %145 = phi i64 [ 0, %1 ], [ %478, %477 ]
+  %146 = phi i64 [ 0, %1 ], [ %173, %477 ]
+  %147 = phi double [ %67, %1 ], [ %172, %477 ]
+  %148 = icmp sgt i64 %145, 5
+  br i1 %148, label %149, label %156
+149:
+  %150 = and i64 %145, 3
+  %151 = and i64 %145, 9223372036854775804
+  %152 = shl i64 %145, 3
+  %153 = getelementptr i8, ptr %117, i64 %152
+  %154 = getelementptr i8, ptr %88, i64 %152
+  %155 = icmp eq i64 %150, 0
+  br label %163
+156:
+  %157 = load double, ptr %53, align 8
+  %158 = fcmp olt double %157, %147
+  br i1 %158, label %171, label %159
+159:
+  %160 = phi double [ %161, %159 ], [ %147, %156 ]
+  %161 = fmul double %69, %160
+  %162 = fcmp olt double %157, %161
+  br i1 %162, label %171, label %159
+163:
+  %164 = phi double [ %1467, %1461 ], [ %147, %149 ]
+  %165 = phi i64 [ %1462, %1461 ], [ %146, %149 ]
+  %166 = phi i64 [ %1463, %1461 ], [ %144, %149 ]
+  %167 = phi double [ %1464, %1461 ], [ %143, %149 ]
+  %168 = phi double [ %1465, %1461 ], [ %142, %149 ]
+  %169 = load double, ptr %53, align 8
+  %170 = fcmp olt double %169, %164
+  br i1 %170, label %171, label %483
+171:
+  %172 = phi double [ %164, %163 ], [ %147, %156 ], [ %161, %159 ]
+  %173 = phi i64 [ %165, %163 ], [ %146, %156 ], [ %146, %159 ]
+  %174 = phi i64 [ %166, %163 ], [ %144, %156 ], [ %144, %159 ]
+  %175 = phi double [ %167, %163 ], [ %143, %156 ], [ %143, %159 ]
+  %176 = phi double [ %168, %163 ], [ %142, %156 ], [ %142, %159 ]
+  %177 = load i64, ptr %57, align 8
+  %178 = add nsw i64 %141, -1
+  %179 = icmp slt i64 %141, 1
+  %180 = select i1 %179, i64 %55, i64 0
+  %181 = getelementptr double, ptr %53, i64 %178
+  %182 = getelementptr double, ptr %181, i64 %180
+  %183 = load double, ptr %182, align 8
+  %184 = select i1 %179, i64 %59, i64 0
+  %185 = getelementptr i64, ptr %57, i64 %178
+  %186 = getelementptr i64, ptr %185, i64 %184
+  %187 = load i64, ptr %186, align 8
+  %188 = icmp sgt i64 %141, 2
+  br i1 %188, label %189, label %1507
+189:
+  %190 = phi i64 [ %209, %216 ], [ 0, %171 ]
+  %191 = shl nsw i64 %190, 1
+  %192 = or disjoint i64 %191, 1
+  %193 = add nsw i64 %191, 2
+  %194 = icmp slt i64 %193, %178
+  br i1 %194, label %195, label %208
+195:
+  %196 = icmp slt i64 %190, -1
+  %197 = select i1 %196, i64 %55, i64 0
+  %198 = getelementptr double, ptr %53, i64 %193
+  %199 = getelementptr double, ptr %198, i64 %197
+  %200 = load double, ptr %199, align 8
+  %201 = icmp slt i64 %190, 0
+  %202 = select i1 %201, i64 %55, i64 0
+  %203 = getelementptr double, ptr %53, i64 %192
+  %204 = getelementptr double, ptr %203, i64 %202
+  %205 = load double, ptr %204, align 8
+  %206 = fcmp olt double %200, %205
+  br i1 %206, label %207, label %208
+207:
+  br label %208
+208:
+  %209 = phi i64 [ %193, %207 ], [ %192, %195 ], [ %192, %189 ]
+  %210 = icmp slt i64 %209, 0
+  %211 = select i1 %210, i64 %55, i64 0
+  %212 = getelementptr double, ptr %53, i64 %209
+  %213 = getelementptr double, ptr %212, i64 %211
+  %214 = load double, ptr %213, align 8
+  %215 = fcmp ult double %214, %183
+  br i1 %215, label %216, label %1507
+216:
+  %217 = select i1 %210, i64 %59, i64 0
+  %218 = getelementptr i64, ptr %57, i64 %209
+  %219 = getelementptr i64, ptr %218, i64 %217
+  %220 = load i64, ptr %219, align 8
+  %221 = icmp slt i64 %190, 0
+  %222 = select i1 %221, i64 %55, i64 0
+  %223 = getelementptr double, ptr %53, i64 %190
+  %224 = getelementptr double, ptr %223, i64 %222
+  store double %214, ptr %224, align 8
+  %225 = select i1 %221, i64 %59, i64 0
+  %226 = getelementptr i64, ptr %57, i64 %190
+  %227 = getelementptr i64, ptr %226, i64 %225
+  store i64 %220, ptr %227, align 8
+  %228 = shl nsw i64 %209, 1
+  %229 = or disjoint i64 %228, 1
+  %230 = icmp slt i64 %229, %178
+  br i1 %230, label %189, label %1507
+231:
+  %232 = shl i64 %1517, 3
+  %233 = getelementptr inbounds i8, ptr %1518, i64 %232
+  store i64 1, ptr %233, align 8
+  %234 = icmp slt i64 %145, 0
+  %235 = select i1 %234, i64 %43, i64 0
+  %236 = getelementptr i64, ptr %41, i64 %145
+  %237 = getelementptr i64, ptr %236, i64 %235
+  store i64 %177, ptr %237, align 8
+  %238 = add i64 %145, 1
+  %239 = icmp eq i64 %177, %65
+  br i1 %239, label %246, label %240
+240:
+  %241 = select i1 %1516, i64 %79, i64 0
+  %242 = getelementptr i64, ptr %77, i64 %177
+  %243 = getelementptr i64, ptr %242, i64 %241
+  %244 = load i64, ptr %243, align 8
+  %245 = icmp eq i64 %244, 0
+  br label %246
+246:
+  %247 = phi i1 [ true, %231 ], [ %245, %240 ]
+  %248 = select i1 %1516, i64 %21, i64 0
+  %249 = getelementptr i64, ptr %19, i64 %177
+  %250 = getelementptr i64, ptr %249, i64 %248
+  %251 = load i64, ptr %250, align 8
+  %252 = icmp slt i64 %177, -1
+  %253 = select i1 %252, i64 %21, i64 0
+  %254 = getelementptr i8, ptr %249, i64 8
+  %255 = getelementptr i64, ptr %254, i64 %253
+  %256 = load i64, ptr %255, align 8
+  %257 = sub i64 %256, %251
+  %258 = icmp slt i64 %257, 1
+  br i1 %258, label %477, label %259
+259:
+  %260 = getelementptr double, ptr %33, i64 %177
+  %261 = select i1 %1516, i64 %4, i64 0
+  %262 = add i64 %261, %177
+  %263 = select i1 %1516, i64 %116, i64 0
+  %264 = mul i64 %7, %262
+  %265 = getelementptr inbounds i8, ptr %260, i64 %263
+  %266 = getelementptr i8, ptr %2, i64 %264
+  %267 = getelementptr i8, ptr %266, i64 16
+  %268 = getelementptr i8, ptr %266, i64 8
+  %269 = mul i64 %262, %6
+  %270 = getelementptr double, ptr %2, i64 %269
+  %271 = getelementptr i8, ptr %270, i64 16
+  %272 = getelementptr i8, ptr %270, i64 8
+  br label %273
+273:
+  %274 = phi i64 [ %471, %473 ], [ %178, %259 ]
+  %275 = phi i64 [ %474, %473 ], [ %257, %259 ]
+  %276 = phi i64 [ %475, %473 ], [ %251, %259 ]
+  %277 = icmp slt i64 %276, 0
+  %278 = select i1 %277, i64 %25, i64 0
+  %279 = getelementptr i64, ptr %23, i64 %276
+  %280 = getelementptr i64, ptr %279, i64 %278
+  %281 = load i64, ptr %280, align 8
+  %282 = icmp slt i64 %281, 0
+  %283 = select i1 %282, i64 %11, i64 0
+  %284 = add i64 %283, %281
+  %285 = mul i64 %284, %13
+  %286 = getelementptr i64, ptr %9, i64 %285
+  %287 = getelementptr i8, ptr %286, i64 8
+  %288 = getelementptr i8, ptr %286, i64 16
+  br label %289
+289:
+  %290 = phi i64 [ %274, %273 ], [ %471, %470 ]
+  %291 = phi i64 [ 0, %273 ], [ %292, %470 ]
+  %292 = add nuw nsw i64 %291, 1
+  %293 = getelementptr i64, ptr %286, i64 %291
+  %294 = load i64, ptr %293, align 8
+  %295 = icmp eq i64 %294, %177
+  br i1 %295, label %470, label %296
+296:
+  %297 = icmp slt i64 %294, 0
+  %298 = select i1 %297, i64 %39, i64 0
+  %299 = getelementptr i64, ptr %37, i64 %294
+  %300 = getelementptr i64, ptr %299, i64 %298
+  %301 = load i64, ptr %300, align 8
+  %302 = icmp eq i64 %301, 1
+  br i1 %302, label %327, label %303
+303:
+  %304 = load double, ptr %265, align 8
+  %305 = select i1 %297, i64 %4, i64 0
+  %306 = add i64 %305, %294
+  %307 = mul i64 %306, %6
+  %308 = getelementptr double, ptr %2, i64 %307
+  %309 = getelementptr i8, ptr %308, i64 16
+  %310 = load double, ptr %309, align 8
+  %311 = load double, ptr %267, align 8
+  %312 = fsub double %310, %311
+  %313 = fmul double %312, %312
+  %314 = load double, ptr %308, align 8
+  %315 = load double, ptr %266, align 8
+  %316 = fsub double %314, %315
+  %317 = fmul double %316, %316
+  %318 = getelementptr i8, ptr %308, i64 8
+  %319 = load double, ptr %318, align 8
+  %320 = load double, ptr %268, align 8
+  %321 = fsub double %319, %320
+  %322 = fmul double %321, %321
+  %323 = fadd double %317, %322
+  %324 = fadd double %313, %323
+  %325 = tail call double @llvm.sqrt.f64(double %324)
+  %326 = fadd double %304, %325
+  br label %418
+327:
+  %328 = load i64, ptr %286, align 8
+  %329 = load i64, ptr %287, align 8
+  %330 = load i64, ptr %288, align 8
+  %331 = add i64 %294, %177
+  %332 = sub i64 %328, %331
+  %333 = add i64 %332, %329
+  %334 = add i64 %333, %330
+  %335 = load double, ptr %271, align 8
+  %336 = select i1 %297, i64 %4, i64 0
+  %337 = add i64 %336, %294
+  %338 = mul i64 %337, %6
+  %339 = getelementptr double, ptr %2, i64 %338
+  %340 = getelementptr i8, ptr %339, i64 16
+  %341 = load double, ptr %340, align 8
+  %342 = fsub double %335, %341
+  %343 = fmul double %342, %342
+  %344 = load double, ptr %270, align 8
+  %345 = load double, ptr %339, align 8
+  %346 = fsub double %344, %345
+  %347 = fmul double %346, %346
+  %348 = load double, ptr %272, align 8
+  %349 = getelementptr i8, ptr %339, i64 8
+  %350 = load double, ptr %349, align 8
+  %351 = fsub double %348, %350
+  %352 = fmul double %351, %351
+  %353 = fadd double %347, %352
+  %354 = fadd double %343, %353
+  %355 = tail call double @llvm.sqrt.f64(double %354)
+  %356 = fcmp une double %354, 0.000000e+00
+  br i1 %356, label %384, label %418
+357:
+  %358 = fmul double %397, %397
+  %359 = fmul double %400, %400
+  %360 = fmul double %404, %404
+  %361 = fadd double %359, %360
+  %362 = fadd double %358, %361
+  %363 = fmul double %408, %408
+  %364 = fsub double %362, %363
+  %365 = fcmp olt double %364, 0.000000e+00
+  %366 = select i1 %365, double 0.000000e+00, double %364
+  %367 = tail call double @llvm.sqrt.f64(double %366)
+  %368 = tail call double @llvm.sqrt.f64(double %416)
+  %369 = fadd double %367, %368
+  %370 = fcmp ogt double %369, 0.000000e+00
+  br i1 %370, label %371, label %418
+371:
+  %372 = fsub double %408, %414
+  %373 = fmul double %372, %368
+  %374 = fdiv double %373, %369
+  %375 = fadd double %414, %374
+  %376 = fcmp oge double %375, 0.000000e+00
+  %377 = fcmp ole double %375, %355
+  %378 = and i1 %376, %377
+  br i1 %378, label %379, label %418
+379:
+  %380 = fmul double %372, %372
+  %381 = fmul double %369, %369
+  %382 = fadd double %380, %381
+  %383 = tail call double @llvm.sqrt.f64(double %382)
+  br label %418
+384:
+  %385 = load double, ptr %265, align 8
+  %386 = getelementptr double, ptr %33, i64 %294
+  %387 = select i1 %297, i64 %35, i64 0
+  %388 = getelementptr double, ptr %386, i64 %387
+  %389 = load double, ptr %388, align 8
+  %390 = icmp slt i64 %334, 0
+  %391 = select i1 %390, i64 %4, i64 0
+  %392 = add i64 %391, %334
+  %393 = mul i64 %392, %6
+  %394 = getelementptr double, ptr %2, i64 %393
+  %395 = getelementptr i8, ptr %394, i64 16
+  %396 = load double, ptr %395, align 8
+  %397 = fsub double %396, %341
+  %398 = fmul double %342, %397
+  %399 = load double, ptr %394, align 8
+  %400 = fsub double %399, %345
+  %401 = fmul double %346, %400
+  %402 = getelementptr i8, ptr %394, i64 8
+  %403 = load double, ptr %402, align 8
+  %404 = fsub double %403, %350
+  %405 = fmul double %351, %404
+  %406 = fadd double %401, %405
+  %407 = fadd double %398, %406
+  %408 = fdiv double %407, %355
+  %409 = fmul double %389, %389
+  %410 = fmul double %385, %385
+  %411 = fsub double %409, %410
+  %412 = fadd double %354, %411
+  %413 = fmul double %355, 2.000000e+00
+  %414 = fdiv double %412, %413
+  %415 = fmul double %414, %414
+  %416 = fsub double %409, %415
+  %417 = fcmp olt double %416, 0.000000e+00
+  br i1 %417, label %418, label %357
+418:
+  %419 = phi double [ %326, %303 ], [ 0x7FF0000000000000, %384 ], [ 0x7FF0000000000000, %327 ], [ %383, %379 ], [ 0x7FF0000000000000, %371 ], [ 0x7FF0000000000000, %357 ]
+  %420 = phi i64 [ %294, %303 ], [ %334, %384 ], [ %334, %327 ], [ %334, %379 ], [ %334, %371 ], [ %334, %357 ]
+  %421 = icmp slt i64 %420, 0
+  %422 = select i1 %421, i64 %39, i64 0
+  %423 = getelementptr i64, ptr %37, i64 %420
+  %424 = getelementptr i64, ptr %423, i64 %422
+  %425 = load i64, ptr %424, align 8
+  %426 = icmp eq i64 %425, 1
+  br i1 %426, label %470, label %427
+427:
+  %428 = select i1 %421, i64 %35, i64 0
+  %429 = getelementptr double, ptr %33, i64 %420
+  %430 = getelementptr double, ptr %429, i64 %428
+  %431 = load double, ptr %430, align 8
+  %432 = fcmp olt double %419, %431
+  br i1 %432, label %433, label %470
+433:
+  %434 = shl i64 %428, 3
+  %435 = getelementptr inbounds i8, ptr %429, i64 %434
+  store double %419, ptr %435, align 8
+  %436 = icmp sgt i64 %290, 0
+  br i1 %436, label %437, label %460
+437:
+  %438 = add nsw i64 %290, -1
+  %439 = lshr i64 %438, 1
+  %440 = getelementptr double, ptr %53, i64 %439
+  %441 = load double, ptr %440, align 8
+  %442 = fcmp ogt double %441, %419
+  br i1 %442, label %443, label %460
+443:
+  %444 = phi i64 [ %446, %454 ], [ %290, %437 ]
+  %445 = add nsw i64 %444, -1
+  %446 = lshr i64 %445, 1
+  %447 = getelementptr double, ptr %53, i64 %446
+  %448 = load double, ptr %447, align 8
+  %449 = getelementptr i64, ptr %57, i64 %446
+  %450 = load i64, ptr %449, align 8
+  %451 = getelementptr double, ptr %53, i64 %444
+  store double %448, ptr %451, align 8
+  %452 = getelementptr i64, ptr %57, i64 %444
+  store i64 %450, ptr %452, align 8
+  %453 = icmp eq i64 %446, 0
+  br i1 %453, label %460, label %454
+454:
+  %455 = add nsw i64 %446, -1
+  %456 = lshr i64 %455, 1
+  %457 = getelementptr double, ptr %53, i64 %456
+  %458 = load double, ptr %457, align 8
+  %459 = fcmp ogt double %458, %419
+  br i1 %459, label %443, label %460
+460:
+  %461 = phi i64 [ %290, %437 ], [ %290, %433 ], [ 0, %443 ], [ %446, %454 ]
+  %462 = icmp slt i64 %461, 0
+  %463 = select i1 %462, i64 %55, i64 0
+  %464 = getelementptr double, ptr %53, i64 %461
+  %465 = getelementptr double, ptr %464, i64 %463
+  store double %419, ptr %465, align 8
+  %466 = select i1 %462, i64 %59, i64 0
+  %467 = getelementptr i64, ptr %57, i64 %461
+  %468 = getelementptr i64, ptr %467, i64 %466
+  store i64 %420, ptr %468, align 8
+  %469 = add nsw i64 %290, 1
+  br label %470
+470:
+  %471 = phi i64 [ %290, %289 ], [ %290, %418 ], [ %290, %427 ], [ %469, %460 ]
+  %472 = icmp eq i64 %292, 3
+  br i1 %472, label %473, label %289
+473:
+  %474 = add nsw i64 %275, -1
+  %475 = add i64 %276, 1
+  %476 = icmp sgt i64 %275, 1
+  br i1 %476, label %273, label %477
+477:
+  %478 = phi i64 [ %145, %1507 ], [ %238, %246 ], [ %238, %473 ]
+  %479 = phi i1 [ true, %1507 ], [ %247, %246 ], [ %247, %473 ]
+  %480 = phi i64 [ %178, %1507 ], [ %178, %246 ], [ %471, %473 ]
+  %481 = icmp ne i64 %480, 0
+  %482 = select i1 %481, i1 %479, i1 false
+  br i1 %482, label %140, label %1468
+483:
+  %484 = icmp slt i64 %165, %106
+  br i1 %484, label %1522, label %1461
+485:
+  %486 = phi i64 [ %1525, %1523 ], [ %1502, %1501 ]
+  %487 = phi i64 [ %1524, %1523 ], [ %1503, %1501 ]
+  %488 = icmp eq i64 %1527, %145
+  br i1 %488, label %779, label %1523
+489:
+  %490 = phi i64 [ %1543, %1542 ], [ %1504, %1501 ]
+  %491 = phi i64 [ %1524, %1542 ], [ %1503, %1501 ]
+  %492 = phi i64 [ %1525, %1542 ], [ %1502, %1501 ]
+  %493 = phi i64 [ %1534, %1542 ], [ %1505, %1501 ]
+  %494 = icmp slt i64 %493, 0
+  %495 = select i1 %494, i64 %120, i64 0
+  %496 = getelementptr i8, ptr %23, i64 %495
+  %497 = shl i64 %493, 3
+  %498 = getelementptr i8, ptr %496, i64 %497
+  %499 = load i64, ptr %498, align 8
+  %500 = icmp slt i64 %499, 0
+  %501 = select i1 %500, i64 %11, i64 0
+  %502 = add i64 %501, %499
+  %503 = mul i64 %502, %13
+  %504 = getelementptr i64, ptr %9, i64 %503
+  %505 = load i64, ptr %504, align 8
+  %506 = icmp slt i64 %505, 0
+  %507 = select i1 %506, i64 %39, i64 0
+  %508 = getelementptr i64, ptr %37, i64 %505
+  %509 = getelementptr i64, ptr %508, i64 %507
+  %510 = load i64, ptr %509, align 8
+  %511 = icmp eq i64 %510, 1
+  %512 = zext i1 %511 to i64
+  %513 = getelementptr i8, ptr %504, i64 8
+  %514 = load i64, ptr %513, align 8
+  %515 = icmp slt i64 %514, 0
+  %516 = select i1 %515, i64 %39, i64 0
+  %517 = getelementptr i64, ptr %37, i64 %514
+  %518 = getelementptr i64, ptr %517, i64 %516
+  %519 = load i64, ptr %518, align 8
+  %520 = icmp eq i64 %519, 1
+  %521 = zext i1 %520 to i64
+  %522 = add nuw nsw i64 %521, %512
+  %523 = getelementptr i8, ptr %504, i64 16
+  %524 = load i64, ptr %523, align 8
+  %525 = icmp slt i64 %524, 0
+  %526 = select i1 %525, i64 %39, i64 0
+  %527 = getelementptr i64, ptr %37, i64 %524
+  %528 = getelementptr i64, ptr %527, i64 %526
+  %529 = load i64, ptr %528, align 8
+  %530 = icmp eq i64 %529, 1
+  %531 = zext i1 %530 to i64
+  %532 = add nuw nsw i64 %522, %531
+  switch i64 %532, label %535 [
+    i64 0, label %533
+    i64 3, label %533
+  ]
+533:
+  %534 = icmp samesign ugt i64 %532, 2
+  br i1 %534, label %1544, label %535
+535:
+  %536 = select i1 %500, i64 %63, i64 0
+  %537 = getelementptr i64, ptr %61, i64 %499
+  %538 = getelementptr i64, ptr %537, i64 %536
+  %539 = load i64, ptr %538, align 8
+  %540 = icmp slt i64 %539, 0
+  br i1 %540, label %541, label %1501
+541:
+  tail call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(72) %95, i8 0, i64 72, i1 false)
+  %542 = load i64, ptr %538, align 8
+  %543 = icmp slt i64 %542, 0
+  br i1 %543, label %544, label %774
+544:
+  %545 = phi i64 [ %767, %594 ], [ %499, %541 ]
+  %546 = icmp slt i64 %545, 0
+  %547 = select i1 %546, i64 %63, i64 0
+  %548 = getelementptr i64, ptr %61, i64 %545
+  %549 = getelementptr i64, ptr %548, i64 %547
+  store i64 %492, ptr %549, align 8
+  %550 = select i1 %546, i64 %11, i64 0
+  %551 = add i64 %550, %545
+  %552 = mul i64 %551, %13
+  %553 = getelementptr i64, ptr %9, i64 %552
+  %554 = load i64, ptr %553, align 8
+  %555 = icmp slt i64 %554, 0
+  %556 = select i1 %555, i64 %39, i64 0
+  %557 = getelementptr i64, ptr %37, i64 %554
+  %558 = getelementptr i64, ptr %557, i64 %556
+  %559 = load i64, ptr %558, align 8
+  %560 = icmp eq i64 %559, 1
+  %561 = zext i1 %560 to i64
+  %562 = getelementptr i8, ptr %553, i64 8
+  %563 = load i64, ptr %562, align 8
+  %564 = icmp slt i64 %563, 0
+  %565 = select i1 %564, i64 %39, i64 0
+  %566 = getelementptr i64, ptr %37, i64 %563
+  %567 = getelementptr i64, ptr %566, i64 %565
+  %568 = load i64, ptr %567, align 8
+  %569 = icmp eq i64 %568, 1
+  %570 = zext i1 %569 to i64
+  %571 = add nuw nsw i64 %570, %561
+  %572 = getelementptr i8, ptr %553, i64 16
+  %573 = load i64, ptr %572, align 8
+  %574 = icmp slt i64 %573, 0
+  %575 = select i1 %574, i64 %39, i64 0
+  %576 = getelementptr i64, ptr %37, i64 %573
+  %577 = getelementptr i64, ptr %576, i64 %575
+  %578 = load i64, ptr %577, align 8
+  %579 = icmp eq i64 %578, 1
+  %580 = zext i1 %579 to i64
+  %581 = add nuw nsw i64 %571, %580
+  switch i64 %581, label %585 [
+    i64 0, label %582
+    i64 3, label %582
+  ]
+582:
+  %583 = icmp samesign ugt i64 %581, 2
+  %584 = select i1 %583, i64 7, i64 6
+  br label %594
+585:
+  %586 = icmp ne i64 %581, 1
+  %587 = xor i1 %569, %586
+  %588 = zext i1 %587 to i64
+  %589 = xor i1 %579, %586
+  %590 = select i1 %589, i64 2, i64 %588
+  %591 = icmp eq i64 %581, 1
+  %592 = add nuw nsw i64 %590, 3
+  %593 = select i1 %591, i64 %590, i64 %592
+  br label %594
+594:
+  %595 = phi i64 [ %584, %582 ], [ %593, %585 ]
+  %596 = freeze i64 %595
+  %597 = trunc i64 %596 to i8
+  %598 = urem i8 %597, 3
+  %599 = zext nneg i8 %598 to i64
+  %600 = getelementptr i64, ptr %553, i64 %599
+  %601 = load i64, ptr %600, align 8
+  %602 = add nuw nsw i8 %598, 1
+  %603 = icmp eq i8 %602, 3
+  %604 = select i1 %603, i8 0, i8 %602
+  %605 = zext nneg i8 %604 to i64
+  %606 = getelementptr i64, ptr %553, i64 %605
+  %607 = load i64, ptr %606, align 8
+  %608 = tail call { i8, i1 } @llvm.usub.with.overflow.i8(i8 %598, i8 1)
+  %609 = extractvalue { i8, i1 } %608, 0
+  %610 = extractvalue { i8, i1 } %608, 1
+  %611 = zext nneg i8 %609 to i64
+  %612 = select i1 %610, i64 2, i64 %611
+  %613 = getelementptr i64, ptr %553, i64 %612
+  %614 = load i64, ptr %613, align 8
+  %615 = icmp slt i64 %601, 0
+  %616 = select i1 %615, i64 %35, i64 0
+  %617 = getelementptr double, ptr %33, i64 %601
+  %618 = getelementptr double, ptr %617, i64 %616
+  %619 = load double, ptr %618, align 8
+  %620 = fsub double %164, %619
+  %621 = icmp slt i64 %607, 0
+  %622 = select i1 %621, i64 %35, i64 0
+  %623 = getelementptr double, ptr %33, i64 %607
+  %624 = getelementptr double, ptr %623, i64 %622
+  %625 = load double, ptr %624, align 8
+  %626 = fsub double %625, %619
+  %627 = fdiv double %620, %626
+  %628 = icmp slt i64 %614, 0
+  %629 = select i1 %628, i64 %35, i64 0
+  %630 = getelementptr double, ptr %33, i64 %614
+  %631 = getelementptr double, ptr %630, i64 %629
+  %632 = load double, ptr %631, align 8
+  %633 = fsub double %632, %619
+  %634 = fdiv double %620, %633
+  %635 = select i1 %621, i64 %4, i64 0
+  %636 = add i64 %635, %607
+  %637 = mul i64 %636, %6
+  %638 = getelementptr double, ptr %2, i64 %637
+  %639 = select i1 %615, i64 %4, i64 0
+  %640 = add i64 %639, %601
+  %641 = mul i64 %640, %6
+  %642 = getelementptr double, ptr %2, i64 %641
+  %643 = select i1 %628, i64 %4, i64 0
+  %644 = add i64 %643, %614
+  %645 = mul i64 %644, %6
+  %646 = getelementptr double, ptr %2, i64 %645
+  %647 = load double, ptr %638, align 8
+  %648 = load double, ptr %642, align 8
+  %649 = fsub double %647, %648
+  %650 = fmul double %627, %649
+  %651 = load double, ptr %646, align 8
+  %652 = fsub double %651, %648
+  %653 = fmul double %634, %652
+  %654 = fsub double %650, %653
+  %655 = fmul double %654, %654
+  %656 = getelementptr i8, ptr %638, i64 8
+  %657 = load double, ptr %656, align 8
+  %658 = getelementptr i8, ptr %642, i64 8
+  %659 = load double, ptr %658, align 8
+  %660 = fsub double %657, %659
+  %661 = fmul double %627, %660
+  %662 = getelementptr i8, ptr %646, i64 8
+  %663 = load double, ptr %662, align 8
+  %664 = fsub double %663, %659
+  %665 = fmul double %634, %664
+  %666 = fsub double %661, %665
+  %667 = fmul double %666, %666
+  %668 = fadd double %655, %667
+  %669 = getelementptr i8, ptr %638, i64 16
+  %670 = load double, ptr %669, align 8
+  %671 = getelementptr i8, ptr %642, i64 16
+  %672 = load double, ptr %671, align 8
+  %673 = fsub double %670, %672
+  %674 = fmul double %627, %673
+  %675 = getelementptr i8, ptr %646, i64 16
+  %676 = load double, ptr %675, align 8
+  %677 = fsub double %676, %672
+  %678 = fmul double %634, %677
+  %679 = fsub double %674, %678
+  %680 = fmul double %679, %679
+  %681 = fadd double %668, %680
+  %682 = tail call double @llvm.sqrt.f64(double %681)
+  %683 = load double, ptr %95, align 8
+  %684 = fadd double %683, %682
+  store double %684, ptr %95, align 8
+  %685 = load double, ptr %125, align 8
+  %686 = load double, ptr %642, align 8
+  %687 = load double, ptr %638, align 8
+  %688 = fsub double %687, %686
+  %689 = fmul double %627, %688
+  %690 = load double, ptr %646, align 8
+  %691 = fsub double %690, %686
+  %692 = fmul double %634, %691
+  %693 = fadd double %689, %692
+  %694 = fmul double %693, 5.000000e-01
+  %695 = fadd double %686, %694
+  %696 = fmul double %682, %695
+  %697 = fadd double %685, %696
+  store double %697, ptr %125, align 8
+  %698 = load double, ptr %126, align 8
+  %699 = load double, ptr %658, align 8
+  %700 = load double, ptr %656, align 8
+  %701 = fsub double %700, %699
+  %702 = fmul double %627, %701
+  %703 = load double, ptr %662, align 8
+  %704 = fsub double %703, %699
+  %705 = fmul double %634, %704
+  %706 = fadd double %702, %705
+  %707 = fmul double %706, 5.000000e-01
+  %708 = fadd double %699, %707
+  %709 = fmul double %682, %708
+  %710 = fadd double %698, %709
+  store double %710, ptr %126, align 8
+  %711 = load double, ptr %127, align 8
+  %712 = load double, ptr %671, align 8
+  %713 = load double, ptr %669, align 8
+  %714 = fsub double %713, %712
+  %715 = fmul double %627, %714
+  %716 = load double, ptr %675, align 8
+  %717 = fsub double %716, %712
+  %718 = fmul double %634, %717
+  %719 = fadd double %715, %718
+  %720 = fmul double %719, 5.000000e-01
+  %721 = fadd double %712, %720
+  %722 = fmul double %682, %721
+  %723 = fadd double %711, %722
+  store double %723, ptr %127, align 8
+  %724 = select i1 %546, i64 %29, i64 0
+  %725 = add i64 %724, %545
+  %726 = mul i64 %725, %31
+  %727 = getelementptr double, ptr %27, i64 %726
+  %728 = icmp samesign ult i64 %596, 3
+  %729 = fmul double %627, %634
+  %730 = fsub double 1.000000e+00, %729
+  %731 = select i1 %728, double %729, double %730
+  %732 = load double, ptr %128, align 8
+  %733 = load double, ptr %727, align 8
+  %734 = fmul double %731, %733
+  %735 = fadd double %732, %734
+  store double %735, ptr %128, align 8
+  %736 = load double, ptr %129, align 8
+  %737 = getelementptr i8, ptr %727, i64 8
+  %738 = load double, ptr %737, align 8
+  %739 = fmul double %731, %738
+  %740 = fadd double %736, %739
+  store double %740, ptr %129, align 8
+  %741 = load double, ptr %130, align 8
+  %742 = getelementptr i8, ptr %727, i64 16
+  %743 = load double, ptr %742, align 8
+  %744 = fmul double %731, %743
+  %745 = fadd double %741, %744
+  store double %745, ptr %130, align 8
+  %746 = load double, ptr %131, align 8
+  %747 = getelementptr i8, ptr %727, i64 24
+  %748 = load double, ptr %747, align 8
+  %749 = fmul double %731, %748
+  %750 = fadd double %746, %749
+  store double %750, ptr %131, align 8
+  %751 = load double, ptr %132, align 8
+  %752 = getelementptr i8, ptr %727, i64 32
+  %753 = load double, ptr %752, align 8
+  %754 = fmul double %731, %753
+  %755 = fadd double %751, %754
+  store double %755, ptr %132, align 8
+  %756 = mul nsw i64 %545, 3
+  %757 = select i1 %728, i64 %612, i64 %599
+  %758 = add nsw i64 %757, %756
+  %759 = icmp slt i64 %758, 0
+  %760 = select i1 %759, i64 %17, i64 0
+  %761 = getelementptr i64, ptr %15, i64 %758
+  %762 = getelementptr i64, ptr %761, i64 %760
+  %763 = load i64, ptr %762, align 8
+  %764 = sdiv i64 %763, 3
+  %765 = srem i64 %763, 3
+  %766 = ashr i64 %765, 63
+  %767 = add nsw i64 %766, %764
+  %768 = icmp slt i64 %767, 0
+  %769 = select i1 %768, i64 %63, i64 0
+  %770 = getelementptr i64, ptr %61, i64 %767
+  %771 = getelementptr i64, ptr %770, i64 %769
+  %772 = load i64, ptr %771, align 8
+  %773 = icmp slt i64 %772, 0
+  br i1 %773, label %544, label %774
+774:
+  %775 = phi double [ 0.000000e+00, %541 ], [ %735, %594 ]
+  %776 = phi double [ 0.000000e+00, %541 ], [ %684, %594 ]
+  %777 = load double, ptr %119, align 8
+  %778 = fcmp ogt double %776, %777
+  br i1 %778, label %1573, label %1578
+779:
+  %780 = icmp sgt i64 %486, 1
+  br i1 %780, label %781, label %1631
+781:
+  %782 = load double, ptr %111, align 8
+  tail call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(40) %105, i8 0, i64 40, i1 false)
+  br label %920
+783:
+  %784 = phi i64 [ %921, %920 ], [ %918, %917 ]
+  %785 = icmp eq i64 %145, %923
+  br i1 %785, label %1243, label %920
+786:
+  %787 = phi i64 [ %918, %917 ], [ %921, %920 ]
+  %788 = phi i64 [ %790, %917 ], [ %936, %920 ]
+  %789 = phi i64 [ %791, %917 ], [ %930, %920 ]
+  %790 = add nsw i64 %788, -1
+  %791 = add i64 %789, 1
+  %792 = icmp slt i64 %789, 0
+  %793 = select i1 %792, i64 %25, i64 0
+  %794 = getelementptr i64, ptr %23, i64 %789
+  %795 = getelementptr i64, ptr %794, i64 %793
+  %796 = load i64, ptr %795, align 8
+  %797 = icmp slt i64 %796, 0
+  %798 = select i1 %797, i64 %63, i64 0
+  %799 = getelementptr i64, ptr %61, i64 %796
+  %800 = getelementptr i64, ptr %799, i64 %798
+  %801 = load i64, ptr %800, align 8
+  %802 = icmp slt i64 %801, 0
+  %803 = icmp eq i64 %801, %487
+  %804 = select i1 %802, i1 true, i1 %803
+  br i1 %804, label %917, label %938
+805:
+  %806 = shl i64 %945, 3
+  %807 = getelementptr inbounds i8, ptr %946, i64 %806
+  store i64 2, ptr %807, align 8
+  %808 = shl i64 %941, 3
+  %809 = getelementptr i8, ptr %9, i64 %808
+  %810 = load i64, ptr %809, align 8
+  %811 = icmp slt i64 %787, 0
+  %812 = select i1 %811, i64 %47, i64 0
+  %813 = getelementptr i64, ptr %45, i64 %787
+  %814 = getelementptr i64, ptr %813, i64 %812
+  store i64 %810, ptr %814, align 8
+  store i64 %810, ptr %49, align 8
+  %815 = add nsw i64 %787, 1
+  br label %816
+816:
+  %817 = phi i64 [ %951, %950 ], [ %808, %805 ]
+  %818 = phi i64 [ %787, %950 ], [ %815, %805 ]
+  %819 = phi i64 [ 0, %950 ], [ 1, %805 ]
+  %820 = getelementptr i8, ptr %9, i64 %817
+  %821 = getelementptr i8, ptr %820, i64 8
+  %822 = load i64, ptr %821, align 8
+  %823 = icmp slt i64 %822, 0
+  %824 = select i1 %823, i64 %39, i64 0
+  %825 = getelementptr i64, ptr %37, i64 %822
+  %826 = getelementptr i64, ptr %825, i64 %824
+  %827 = load i64, ptr %826, align 8
+  %828 = icmp eq i64 %827, 0
+  br i1 %828, label %829, label %840
+829:
+  %830 = shl i64 %824, 3
+  %831 = getelementptr inbounds i8, ptr %825, i64 %830
+  store i64 2, ptr %831, align 8
+  %832 = load i64, ptr %821, align 8
+  %833 = icmp slt i64 %818, 0
+  %834 = select i1 %833, i64 %47, i64 0
+  %835 = getelementptr i64, ptr %45, i64 %818
+  %836 = getelementptr i64, ptr %835, i64 %834
+  store i64 %832, ptr %836, align 8
+  %837 = getelementptr i64, ptr %49, i64 %819
+  store i64 %832, ptr %837, align 8
+  %838 = add nsw i64 %818, 1
+  %839 = add nuw nsw i64 %819, 1
+  br label %840
+840:
+  %841 = phi i64 [ %838, %829 ], [ %818, %816 ]
+  %842 = phi i64 [ %839, %829 ], [ %819, %816 ]
+  %843 = getelementptr i8, ptr %820, i64 16
+  %844 = load i64, ptr %843, align 8
+  %845 = icmp slt i64 %844, 0
+  %846 = select i1 %845, i64 %39, i64 0
+  %847 = getelementptr i64, ptr %37, i64 %844
+  %848 = getelementptr i64, ptr %847, i64 %846
+  %849 = load i64, ptr %848, align 8
+  %850 = icmp eq i64 %849, 0
+  br i1 %850, label %851, label %865
+851:
+  %852 = shl i64 %846, 3
+  %853 = getelementptr inbounds i8, ptr %847, i64 %852
+  store i64 2, ptr %853, align 8
+  %854 = load i64, ptr %843, align 8
+  %855 = icmp slt i64 %841, 0
+  %856 = select i1 %855, i64 %47, i64 0
+  %857 = getelementptr i64, ptr %45, i64 %841
+  %858 = getelementptr i64, ptr %857, i64 %856
+  store i64 %854, ptr %858, align 8
+  %859 = getelementptr i64, ptr %49, i64 %842
+  store i64 %854, ptr %859, align 8
+  %860 = add nsw i64 %841, 1
+  %861 = add nuw nsw i64 %842, 1
+  br label %862
+862:
+  %863 = phi i64 [ %841, %865 ], [ %860, %851 ]
+  %864 = phi i64 [ %842, %865 ], [ %861, %851 ]
+  br label %952
+865:
+  %866 = icmp eq i64 %842, 0
+  br i1 %866, label %917, label %862
+867:
+  %868 = phi i64 [ 0, %1241 ], [ %888, %867 ]
+  %869 = shl i64 %868, 3
+  %870 = getelementptr i8, ptr %45, i64 %869
+  %871 = load i64, ptr %870, align 8
+  %872 = icmp slt i64 %871, 0
+  %873 = select i1 %872, i64 %39, i64 0
+  %874 = getelementptr i64, ptr %37, i64 %871
+  %875 = getelementptr i64, ptr %874, i64 %873
+  store i64 0, ptr %875, align 8
+  %876 = getelementptr i8, ptr %870, i64 8
+  %877 = load i64, ptr %876, align 8
+  %878 = icmp slt i64 %877, 0
+  %879 = select i1 %878, i64 %39, i64 0
+  %880 = getelementptr i64, ptr %37, i64 %877
+  %881 = getelementptr i64, ptr %880, i64 %879
+  store i64 0, ptr %881, align 8
+  %882 = getelementptr i8, ptr %870, i64 16
+  %883 = load i64, ptr %882, align 8
+  %884 = icmp slt i64 %883, 0
+  %885 = select i1 %884, i64 %39, i64 0
+  %886 = getelementptr i64, ptr %37, i64 %883
+  %887 = getelementptr i64, ptr %886, i64 %885
+  store i64 0, ptr %887, align 8
+  %888 = add nuw nsw i64 %868, 4
+  %889 = getelementptr i8, ptr %870, i64 24
+  %890 = load i64, ptr %889, align 8
+  %891 = icmp slt i64 %890, 0
+  %892 = select i1 %891, i64 %39, i64 0
+  %893 = getelementptr i64, ptr %37, i64 %890
+  %894 = getelementptr i64, ptr %893, i64 %892
+  store i64 0, ptr %894, align 8
+  %895 = icmp eq i64 %1242, %888
+  br i1 %895, label %896, label %867
+896:
+  %897 = icmp eq i64 %1239, 0
+  br i1 %897, label %1631, label %898
+898:
+  %899 = phi i64 [ 0, %1238 ], [ %1242, %896 ]
+  %900 = shl i64 %899, 3
+  %901 = getelementptr i8, ptr %45, i64 %900
+  br label %902
+902:
+  %903 = phi i64 [ %911, %902 ], [ 0, %898 ]
+  %904 = shl i64 %903, 3
+  %905 = getelementptr i8, ptr %901, i64 %904
+  %906 = load i64, ptr %905, align 8
+  %907 = icmp slt i64 %906, 0
+  %908 = select i1 %907, i64 %39, i64 0
+  %909 = getelementptr i64, ptr %37, i64 %906
+  %910 = getelementptr i64, ptr %909, i64 %908
+  store i64 0, ptr %910, align 8
+  %911 = add i64 %903, 1
+  %912 = icmp eq i64 %1239, %911
+  br i1 %912, label %1631, label %902
+913:
+  %914 = phi i64 [ %953, %952 ], [ %1095, %1094 ], [ %1231, %1230 ]
+  %915 = phi i64 [ %955, %952 ], [ %1096, %1094 ], [ %1232, %1230 ]
+  %916 = icmp eq i64 %915, 0
+  br i1 %916, label %917, label %952
+917:
+  %918 = phi i64 [ %787, %786 ], [ %841, %865 ], [ %914, %913 ]
+  %919 = icmp sgt i64 %788, 1
+  br i1 %919, label %786, label %783
+920:
+  %921 = phi i64 [ %784, %783 ], [ 0, %781 ]
+  %922 = phi i64 [ %923, %783 ], [ 0, %781 ]
+  %923 = add nuw nsw i64 %922, 1
+  %924 = getelementptr i64, ptr %41, i64 %922
+  %925 = load i64, ptr %924, align 8
+  %926 = icmp slt i64 %925, 0
+  %927 = select i1 %926, i64 %21, i64 0
+  %928 = getelementptr i64, ptr %19, i64 %925
+  %929 = getelementptr i64, ptr %928, i64 %927
+  %930 = load i64, ptr %929, align 8
+  %931 = icmp slt i64 %925, -1
+  %932 = select i1 %931, i64 %21, i64 0
+  %933 = getelementptr i8, ptr %928, i64 8
+  %934 = getelementptr i64, ptr %933, i64 %932
+  %935 = load i64, ptr %934, align 8
+  %936 = sub i64 %935, %930
+  %937 = icmp slt i64 %936, 1
+  br i1 %937, label %783, label %786
+938:
+  %939 = select i1 %797, i64 %11, i64 0
+  %940 = add i64 %939, %796
+  %941 = mul i64 %940, %13
+  %942 = getelementptr i64, ptr %9, i64 %941
+  %943 = load i64, ptr %942, align 8
+  %944 = icmp slt i64 %943, 0
+  %945 = select i1 %944, i64 %39, i64 0
+  %946 = getelementptr i64, ptr %37, i64 %943
+  %947 = getelementptr i64, ptr %946, i64 %945
+  %948 = load i64, ptr %947, align 8
+  %949 = icmp eq i64 %948, 0
+  br i1 %949, label %805, label %950
+950:
+  %951 = shl i64 %941, 3
+  br label %816
+952:
+  %953 = phi i64 [ %914, %913 ], [ %863, %862 ]
+  %954 = phi i64 [ %915, %913 ], [ %864, %862 ]
+  %955 = add nsw i64 %954, -1
+  %956 = icmp sgt i64 %954, 0
+  %957 = select i1 %956, i64 0, i64 %51
+  %958 = getelementptr i64, ptr %49, i64 %955
+  %959 = getelementptr i64, ptr %958, i64 %957
+  %960 = load i64, ptr %959, align 8
+  %961 = icmp slt i64 %960, 0
+  %962 = select i1 %961, i64 %21, i64 0
+  %963 = getelementptr i64, ptr %19, i64 %960
+  %964 = getelementptr i64, ptr %963, i64 %962
+  %965 = load i64, ptr %964, align 8
+  %966 = icmp slt i64 %960, -1
+  %967 = select i1 %966, i64 %21, i64 0
+  %968 = getelementptr i8, ptr %963, i64 8
+  %969 = getelementptr i64, ptr %968, i64 %967
+  %970 = load i64, ptr %969, align 8
+  %971 = sub i64 %970, %965
+  %972 = icmp slt i64 %971, 1
+  br i1 %972, label %913, label %973
+973:
+  %974 = icmp slt i64 %965, 0
+  %975 = select i1 %974, i64 %25, i64 0
+  %976 = getelementptr i64, ptr %23, i64 %965
+  %977 = getelementptr i64, ptr %976, i64 %975
+  %978 = load i64, ptr %977, align 8
+  %979 = icmp slt i64 %978, 0
+  %980 = select i1 %979, i64 %29, i64 0
+  %981 = add i64 %980, %978
+  %982 = mul i64 %981, %31
+  %983 = getelementptr double, ptr %27, i64 %982
+  %984 = load double, ptr %105, align 8
+  %985 = load double, ptr %983, align 8
+  %986 = fdiv double %985, 3.000000e+00
+  %987 = fadd double %984, %986
+  store double %987, ptr %105, align 8
+  %988 = load double, ptr %136, align 8
+  %989 = getelementptr i8, ptr %983, i64 8
+  %990 = load double, ptr %989, align 8
+  %991 = fdiv double %990, 3.000000e+00
+  %992 = fadd double %988, %991
+  store double %992, ptr %136, align 8
+  %993 = load double, ptr %137, align 8
+  %994 = getelementptr i8, ptr %983, i64 16
+  %995 = load double, ptr %994, align 8
+  %996 = fdiv double %995, 3.000000e+00
+  %997 = fadd double %993, %996
+  store double %997, ptr %137, align 8
+  %998 = load double, ptr %138, align 8
+  %999 = getelementptr i8, ptr %983, i64 24
+  %1000 = load double, ptr %999, align 8
+  %1001 = fdiv double %1000, 3.000000e+00
+  %1002 = fadd double %998, %1001
+  store double %1002, ptr %138, align 8
+  %1003 = load double, ptr %139, align 8
+  %1004 = getelementptr i8, ptr %983, i64 32
+  %1005 = load double, ptr %1004, align 8
+  %1006 = fdiv double %1005, 3.000000e+00
+  %1007 = fadd double %1003, %1006
+  store double %1007, ptr %139, align 8
+  %1008 = select i1 %979, i64 %63, i64 0
+  %1009 = getelementptr i64, ptr %61, i64 %978
+  %1010 = getelementptr i64, ptr %1009, i64 %1008
+  %1011 = load i64, ptr %1010, align 8
+  %1012 = icmp eq i64 %1011, %487
+  %1013 = fcmp ogt double %987, %782
+  %1014 = select i1 %1012, i1 true, i1 %1013
+  br i1 %1014, label %1235, label %1015
+1015:
+  %1016 = select i1 %979, i64 %11, i64 0
+  %1017 = add i64 %1016, %978
+  %1018 = mul i64 %1017, %13
+  %1019 = getelementptr i64, ptr %9, i64 %1018
+  %1020 = load i64, ptr %1019, align 8
+  %1021 = icmp slt i64 %1020, 0
+  %1022 = select i1 %1021, i64 %39, i64 0
+  %1023 = getelementptr i64, ptr %37, i64 %1020
+  %1024 = getelementptr i64, ptr %1023, i64 %1022
+  %1025 = load i64, ptr %1024, align 8
+  %1026 = icmp eq i64 %1025, 0
+  br i1 %1026, label %1029, label %1027
+1027:
+  %1028 = shl i64 %1018, 3
+  br label %1042
+1029:
+  %1030 = shl i64 %1022, 3
+  %1031 = getelementptr inbounds i8, ptr %1023, i64 %1030
+  store i64 2, ptr %1031, align 8
+  %1032 = shl i64 %1018, 3
+  %1033 = getelementptr i8, ptr %9, i64 %1032
+  %1034 = load i64, ptr %1033, align 8
+  %1035 = icmp slt i64 %953, 0
+  %1036 = select i1 %1035, i64 %47, i64 0
+  %1037 = getelementptr i64, ptr %45, i64 %953
+  %1038 = getelementptr i64, ptr %1037, i64 %1036
+  store i64 %1034, ptr %1038, align 8
+  %1039 = shl i64 %957, 3
+  %1040 = getelementptr inbounds i8, ptr %958, i64 %1039
+  store i64 %1034, ptr %1040, align 8
+  %1041 = add nsw i64 %953, 1
+  br label %1042
+1042:
+  %1043 = phi i64 [ %1028, %1027 ], [ %1032, %1029 ]
+  %1044 = phi i64 [ %953, %1027 ], [ %1041, %1029 ]
+  %1045 = phi i64 [ %955, %1027 ], [ %954, %1029 ]
+  %1046 = getelementptr i8, ptr %9, i64 %1043
+  %1047 = getelementptr i8, ptr %1046, i64 8
+  %1048 = load i64, ptr %1047, align 8
+  %1049 = icmp slt i64 %1048, 0
+  %1050 = select i1 %1049, i64 %39, i64 0
+  %1051 = getelementptr i64, ptr %37, i64 %1048
+  %1052 = getelementptr i64, ptr %1051, i64 %1050
+  %1053 = load i64, ptr %1052, align 8
+  %1054 = icmp eq i64 %1053, 0
+  br i1 %1054, label %1055, label %1069
+1055:
+  %1056 = shl i64 %1050, 3
+  %1057 = getelementptr inbounds i8, ptr %1051, i64 %1056
+  store i64 2, ptr %1057, align 8
+  %1058 = load i64, ptr %1047, align 8
+  %1059 = icmp slt i64 %1044, 0
+  %1060 = select i1 %1059, i64 %47, i64 0
+  %1061 = getelementptr i64, ptr %45, i64 %1044
+  %1062 = getelementptr i64, ptr %1061, i64 %1060
+  store i64 %1058, ptr %1062, align 8
+  %1063 = icmp slt i64 %1045, 0
+  %1064 = select i1 %1063, i64 %51, i64 0
+  %1065 = getelementptr i64, ptr %49, i64 %1045
+  %1066 = getelementptr i64, ptr %1065, i64 %1064
+  store i64 %1058, ptr %1066, align 8
+  %1067 = add nsw i64 %1044, 1
+  %1068 = add nsw i64 %1045, 1
+  br label %1069
+1069:
+  %1070 = phi i64 [ %1067, %1055 ], [ %1044, %1042 ]
+  %1071 = phi i64 [ %1068, %1055 ], [ %1045, %1042 ]
+  %1072 = getelementptr i8, ptr %1046, i64 16
+  %1073 = load i64, ptr %1072, align 8
+  %1074 = icmp slt i64 %1073, 0
+  %1075 = select i1 %1074, i64 %39, i64 0
+  %1076 = getelementptr i64, ptr %37, i64 %1073
+  %1077 = getelementptr i64, ptr %1076, i64 %1075
+  %1078 = load i64, ptr %1077, align 8
+  %1079 = icmp eq i64 %1078, 0
+  br i1 %1079, label %1080, label %1094
+1080:
+  %1081 = shl i64 %1075, 3
+  %1082 = getelementptr inbounds i8, ptr %1076, i64 %1081
+  store i64 2, ptr %1082, align 8
+  %1083 = load i64, ptr %1072, align 8
+  %1084 = icmp slt i64 %1070, 0
+  %1085 = select i1 %1084, i64 %47, i64 0
+  %1086 = getelementptr i64, ptr %45, i64 %1070
+  %1087 = getelementptr i64, ptr %1086, i64 %1085
+  store i64 %1083, ptr %1087, align 8
+  %1088 = icmp slt i64 %1071, 0
+  %1089 = select i1 %1088, i64 %51, i64 0
+  %1090 = getelementptr i64, ptr %49, i64 %1071
+  %1091 = getelementptr i64, ptr %1090, i64 %1089
+  store i64 %1083, ptr %1091, align 8
+  %1092 = add nsw i64 %1070, 1
+  %1093 = add nsw i64 %1071, 1
+  br label %1094
+1094:
+  %1095 = phi i64 [ %1092, %1080 ], [ %1070, %1069 ]
+  %1096 = phi i64 [ %1093, %1080 ], [ %1071, %1069 ]
+  %1097 = icmp eq i64 %971, 1
+  br i1 %1097, label %913, label %1098
+1098:
+  %1099 = add nuw i64 %971, 1
+  br label %1100
+1100:
+  %1101 = phi i64 [ %1105, %1230 ], [ %965, %1098 ]
+  %1102 = phi i64 [ %1233, %1230 ], [ %1099, %1098 ]
+  %1103 = phi i64 [ %1232, %1230 ], [ %1096, %1098 ]
+  %1104 = phi i64 [ %1231, %1230 ], [ %1095, %1098 ]
+  %1105 = add i64 %1101, 1
+  %1106 = icmp slt i64 %1105, 0
+  %1107 = select i1 %1106, i64 %120, i64 0
+  %1108 = getelementptr i8, ptr %23, i64 %1107
+  %1109 = shl i64 %1105, 3
+  %1110 = getelementptr i8, ptr %1108, i64 %1109
+  %1111 = load i64, ptr %1110, align 8
+  %1112 = icmp slt i64 %1111, 0
+  %1113 = select i1 %1112, i64 %29, i64 0
+  %1114 = add i64 %1113, %1111
+  %1115 = mul i64 %1114, %31
+  %1116 = getelementptr double, ptr %27, i64 %1115
+  %1117 = load double, ptr %105, align 8
+  %1118 = load double, ptr %1116, align 8
+  %1119 = fdiv double %1118, 3.000000e+00
+  %1120 = fadd double %1117, %1119
+  store double %1120, ptr %105, align 8
+  %1121 = load double, ptr %136, align 8
+  %1122 = getelementptr i8, ptr %1116, i64 8
+  %1123 = load double, ptr %1122, align 8
+  %1124 = fdiv double %1123, 3.000000e+00
+  %1125 = fadd double %1121, %1124
+  store double %1125, ptr %136, align 8
+  %1126 = load double, ptr %137, align 8
+  %1127 = getelementptr i8, ptr %1116, i64 16
+  %1128 = load double, ptr %1127, align 8
+  %1129 = fdiv double %1128, 3.000000e+00
+  %1130 = fadd double %1126, %1129
+  store double %1130, ptr %137, align 8
+  %1131 = load double, ptr %138, align 8
+  %1132 = getelementptr i8, ptr %1116, i64 24
+  %1133 = load double, ptr %1132, align 8
+  %1134 = fdiv double %1133, 3.000000e+00
+  %1135 = fadd double %1131, %1134
+  store double %1135, ptr %138, align 8
+  %1136 = load double, ptr %139, align 8
+  %1137 = getelementptr i8, ptr %1116, i64 32
+  %1138 = load double, ptr %1137, align 8
+  %1139 = fdiv double %1138, 3.000000e+00
+  %1140 = fadd double %1136, %1139
+  store double %1140, ptr %139, align 8
+  %1141 = select i1 %1112, i64 %63, i64 0
+  %1142 = getelementptr i64, ptr %61, i64 %1111
+  %1143 = getelementptr i64, ptr %1142, i64 %1141
+  %1144 = load i64, ptr %1143, align 8
+  %1145 = icmp eq i64 %1144, %487
+  %1146 = fcmp ogt double %1120, %782
+  %1147 = select i1 %1145, i1 true, i1 %1146
+  br i1 %1147, label %1235, label %1148
+1148:
+  %1149 = select i1 %1112, i64 %11, i64 0
+  %1150 = add i64 %1149, %1111
+  %1151 = mul i64 %1150, %13
+  %1152 = getelementptr i64, ptr %9, i64 %1151
+  %1153 = load i64, ptr %1152, align 8
+  %1154 = icmp slt i64 %1153, 0
+  %1155 = select i1 %1154, i64 %39, i64 0
+  %1156 = getelementptr i64, ptr %37, i64 %1153
+  %1157 = getelementptr i64, ptr %1156, i64 %1155
+  %1158 = load i64, ptr %1157, align 8
+  %1159 = icmp eq i64 %1158, 0
+  br i1 %1159, label %1162, label %1160
+1160:
+  %1161 = shl i64 %1151, 3
+  br label %1178
+1162:
+  %1163 = shl i64 %1155, 3
+  %1164 = getelementptr inbounds i8, ptr %1156, i64 %1163
+  store i64 2, ptr %1164, align 8
+  %1165 = shl i64 %1151, 3
+  %1166 = getelementptr i8, ptr %9, i64 %1165
+  %1167 = load i64, ptr %1166, align 8
+  %1168 = icmp slt i64 %1104, 0
+  %1169 = select i1 %1168, i64 %47, i64 0
+  %1170 = getelementptr i64, ptr %45, i64 %1104
+  %1171 = getelementptr i64, ptr %1170, i64 %1169
+  store i64 %1167, ptr %1171, align 8
+  %1172 = icmp slt i64 %1103, 0
+  %1173 = select i1 %1172, i64 %51, i64 0
+  %1174 = getelementptr i64, ptr %49, i64 %1103
+  %1175 = getelementptr i64, ptr %1174, i64 %1173
+  store i64 %1167, ptr %1175, align 8
+  %1176 = add nsw i64 %1104, 1
+  %1177 = add nsw i64 %1103, 1
+  br label %1178
+1178:
+  %1179 = phi i64 [ %1161, %1160 ], [ %1165, %1162 ]
+  %1180 = phi i64 [ %1104, %1160 ], [ %1176, %1162 ]
+  %1181 = phi i64 [ %1103, %1160 ], [ %1177, %1162 ]
+  %1182 = getelementptr i8, ptr %9, i64 %1179
+  %1183 = getelementptr i8, ptr %1182, i64 8
+  %1184 = load i64, ptr %1183, align 8
+  %1185 = icmp slt i64 %1184, 0
+  %1186 = select i1 %1185, i64 %39, i64 0
+  %1187 = getelementptr i64, ptr %37, i64 %1184
+  %1188 = getelementptr i64, ptr %1187, i64 %1186
+  %1189 = load i64, ptr %1188, align 8
+  %1190 = icmp eq i64 %1189, 0
+  br i1 %1190, label %1191, label %1205
+1191:
+  %1192 = shl i64 %1186, 3
+  %1193 = getelementptr inbounds i8, ptr %1187, i64 %1192
+  store i64 2, ptr %1193, align 8
+  %1194 = load i64, ptr %1183, align 8
+  %1195 = icmp slt i64 %1180, 0
+  %1196 = select i1 %1195, i64 %47, i64 0
+  %1197 = getelementptr i64, ptr %45, i64 %1180
+  %1198 = getelementptr i64, ptr %1197, i64 %1196
+  store i64 %1194, ptr %1198, align 8
+  %1199 = icmp slt i64 %1181, 0
+  %1200 = select i1 %1199, i64 %51, i64 0
+  %1201 = getelementptr i64, ptr %49, i64 %1181
+  %1202 = getelementptr i64, ptr %1201, i64 %1200
+  store i64 %1194, ptr %1202, align 8
+  %1203 = add nsw i64 %1180, 1
+  %1204 = add nsw i64 %1181, 1
+  br label %1205
+1205:
+  %1206 = phi i64 [ %1203, %1191 ], [ %1180, %1178 ]
+  %1207 = phi i64 [ %1204, %1191 ], [ %1181, %1178 ]
+  %1208 = getelementptr i8, ptr %1182, i64 16
+  %1209 = load i64, ptr %1208, align 8
+  %1210 = icmp slt i64 %1209, 0
+  %1211 = select i1 %1210, i64 %39, i64 0
+  %1212 = getelementptr i64, ptr %37, i64 %1209
+  %1213 = getelementptr i64, ptr %1212, i64 %1211
+  %1214 = load i64, ptr %1213, align 8
+  %1215 = icmp eq i64 %1214, 0
+  br i1 %1215, label %1216, label %1230
+1216:
+  %1217 = shl i64 %1211, 3
+  %1218 = getelementptr inbounds i8, ptr %1212, i64 %1217
+  store i64 2, ptr %1218, align 8
+  %1219 = load i64, ptr %1208, align 8
+  %1220 = icmp slt i64 %1206, 0
+  %1221 = select i1 %1220, i64 %47, i64 0
+  %1222 = getelementptr i64, ptr %45, i64 %1206
+  %1223 = getelementptr i64, ptr %1222, i64 %1221
+  store i64 %1219, ptr %1223, align 8
+  %1224 = icmp slt i64 %1207, 0
+  %1225 = select i1 %1224, i64 %51, i64 0
+  %1226 = getelementptr i64, ptr %49, i64 %1207
+  %1227 = getelementptr i64, ptr %1226, i64 %1225
+  store i64 %1219, ptr %1227, align 8
+  %1228 = add nsw i64 %1206, 1
+  %1229 = add nsw i64 %1207, 1
+  br label %1230
+1230:
+  %1231 = phi i64 [ %1228, %1216 ], [ %1206, %1205 ]
+  %1232 = phi i64 [ %1229, %1216 ], [ %1207, %1205 ]
+  %1233 = add i64 %1102, -1
+  %1234 = icmp samesign ugt i64 %1233, 2
+  br i1 %1234, label %1100, label %913
+1235:
+  %1236 = phi i64 [ %1104, %1100 ], [ %953, %973 ]
+  %1237 = icmp slt i64 %1236, 1
+  br i1 %1237, label %1631, label %1238
+1238:
+  %1239 = and i64 %1236, 3
+  %1240 = icmp samesign ult i64 %1236, 4
+  br i1 %1240, label %898, label %1241
+1241:
+  %1242 = and i64 %1236, 9223372036854775804
+  br label %867
+1243:
+  %1244 = icmp sgt i64 %784, 0
+  br i1 %1244, label %1596, label %1631
+1245:
+  %1246 = phi i1 [ true, %1613 ], [ %1268, %1267 ]
+  %1247 = phi i64 [ 0, %1613 ], [ %1269, %1267 ]
+  br i1 %1246, label %1248, label %1267
+1248:
+  %1249 = shl i64 %1247, 3
+  %1250 = getelementptr i8, ptr %45, i64 %1249
+  %1251 = load i64, ptr %1250, align 8
+  %1252 = icmp slt i64 %1251, 0
+  %1253 = select i1 %1252, i64 %79, i64 0
+  %1254 = getelementptr i64, ptr %77, i64 %1251
+  %1255 = getelementptr i64, ptr %1254, i64 %1253
+  %1256 = load i64, ptr %1255, align 8
+  %1257 = icmp eq i64 %1256, 0
+  br i1 %1257, label %1258, label %1267
+1258:
+  %1259 = getelementptr i8, ptr %1250, i64 8
+  %1260 = load i64, ptr %1259, align 8
+  %1261 = icmp slt i64 %1260, 0
+  %1262 = select i1 %1261, i64 %79, i64 0
+  %1263 = getelementptr i64, ptr %77, i64 %1260
+  %1264 = getelementptr i64, ptr %1263, i64 %1262
+  %1265 = load i64, ptr %1264, align 8
+  %1266 = icmp eq i64 %1265, 0
+  br label %1267
+1267:
+  %1268 = phi i1 [ %1266, %1258 ], [ false, %1248 ], [ false, %1245 ]
+  %1269 = add nuw i64 %1247, 2
+  %1270 = icmp eq i64 %1614, %1269
+  br i1 %1270, label %1615, label %1245
+1271:
+  %1272 = icmp eq i64 %1636, %145
+  br i1 %1272, label %1300, label %1634
+1273:
+  %1274 = phi i64 [ %1671, %1670 ], [ %1297, %1273 ]
+  %1275 = phi i64 [ %1668, %1670 ], [ %1299, %1273 ]
+  %1276 = icmp slt i64 %1275, 0
+  %1277 = select i1 %1276, i64 %120, i64 0
+  %1278 = getelementptr i8, ptr %23, i64 %1277
+  %1279 = shl i64 %1275, 3
+  %1280 = getelementptr i8, ptr %1278, i64 %1279
+  %1281 = load i64, ptr %1280, align 8
+  %1282 = icmp slt i64 %1281, 0
+  %1283 = select i1 %1282, i64 %63, i64 0
+  %1284 = getelementptr i64, ptr %61, i64 %1281
+  %1285 = getelementptr i64, ptr %1284, i64 %1283
+  store i64 -1, ptr %1285, align 8
+  %1286 = add i64 %1275, 1
+  %1287 = icmp slt i64 %1286, 0
+  %1288 = select i1 %1287, i64 %120, i64 0
+  %1289 = getelementptr i8, ptr %23, i64 %1288
+  %1290 = getelementptr i8, ptr %1289, i64 %1279
+  %1291 = getelementptr i8, ptr %1290, i64 8
+  %1292 = load i64, ptr %1291, align 8
+  %1293 = icmp slt i64 %1292, 0
+  %1294 = select i1 %1293, i64 %63, i64 0
+  %1295 = getelementptr i64, ptr %61, i64 %1292
+  %1296 = getelementptr i64, ptr %1295, i64 %1294
+  store i64 -1, ptr %1296, align 8
+  %1297 = add i64 %1274, -2
+  %1298 = icmp samesign ugt i64 %1297, 2
+  %1299 = add i64 %1275, 2
+  br i1 %1298, label %1273, label %1271
+1300:
+  %1301 = load double, ptr %111, align 8
+  %1302 = fcmp ogt double %1301, %75
+  %1303 = fmul double %167, 1.500000e+00
+  %1304 = fcmp ogt double %164, %1303
+  %1305 = select i1 %1302, i1 true, i1 %1304
+  br i1 %1305, label %1690, label %1306
+1306:
+  br i1 %1632, label %1307, label %1690
+1307:
+  %1308 = icmp sgt i64 %1633, -1
+  br i1 %1308, label %1309, label %1461
+1309:
+  %1310 = load double, ptr %119, align 8
+  %1311 = fcmp ogt double %1310, 0.000000e+00
+  br i1 %1311, label %1312, label %1690
+1312:
+  %1313 = load double, ptr %124, align 8
+  %1314 = icmp slt i64 %165, 0
+  %1315 = select i1 %1314, i64 %83, i64 0
+  %1316 = add i64 %1315, %165
+  %1317 = mul i64 %1316, %85
+  %1318 = getelementptr double, ptr %81, i64 %1317
+  %1319 = load double, ptr %133, align 8
+  %1320 = fdiv double %1319, %1310
+  %1321 = getelementptr i8, ptr %1318, i64 24
+  store double %1320, ptr %1321, align 8
+  %1322 = load double, ptr %121, align 8
+  %1323 = fmul double %1320, %1322
+  %1324 = fdiv double %1323, 3.000000e+00
+  %1325 = fsub double %1313, %1324
+  %1326 = load double, ptr %134, align 8
+  %1327 = load double, ptr %119, align 8
+  %1328 = fdiv double %1326, %1327
+  %1329 = getelementptr i8, ptr %1318, i64 8
+  %1330 = getelementptr i8, ptr %1318, i64 32
+  store double %1328, ptr %1330, align 8
+  %1331 = load double, ptr %122, align 8
+  %1332 = fmul double %1328, %1331
+  %1333 = fdiv double %1332, 3.000000e+00
+  %1334 = fsub double %1325, %1333
+  %1335 = load double, ptr %135, align 8
+  %1336 = load double, ptr %119, align 8
+  %1337 = fdiv double %1335, %1336
+  %1338 = getelementptr i8, ptr %1318, i64 16
+  %1339 = getelementptr i8, ptr %1318, i64 40
+  store double %1337, ptr %1339, align 8
+  %1340 = load double, ptr %123, align 8
+  %1341 = fmul double %1337, %1340
+  %1342 = fdiv double %1341, 3.000000e+00
+  %1343 = fsub double %1334, %1342
+  %1344 = fmul double %1301, 0x401921FB54442D18
+  %1345 = fmul double %1310, %1310
+  %1346 = fdiv double %1344, %1345
+  %1347 = fadd double %1346, -5.000000e-01
+  %1348 = fcmp ogt double %1343, 0.000000e+00
+  %1349 = select i1 %1348, double %1347, double 0.000000e+00
+  %1350 = load double, ptr %111, align 8
+  %1351 = fcmp oge double %1350, %73
+  %1352 = fmul double %1349, 5.000000e-01
+  %1353 = select i1 %1351, double %1349, double %1352
+  store double %1353, ptr %1318, align 8
+  %1354 = load double, ptr %111, align 8
+  store double %164, ptr %1329, align 8
+  store double %1354, ptr %1338, align 8
+  %1355 = getelementptr i8, ptr %1318, i64 48
+  store double %1343, ptr %1355, align 8
+  %1356 = fcmp olt double %1353, %71
+  %1357 = fcmp ogt double %1353, %168
+  br i1 %1357, label %1358, label %1411
+1358:
+  %1359 = phi i64 [ %1376, %1358 ], [ 32, %1312 ]
+  %1360 = phi i64 [ %1371, %1358 ], [ 0, %1312 ]
+  %1361 = shl i64 %1360, 3
+  %1362 = getelementptr i8, ptr %41, i64 %1361
+  %1363 = load i64, ptr %1362, align 8
+  %1364 = getelementptr i8, ptr %88, i64 %1361
+  store i64 %1363, ptr %1364, align 8
+  %1365 = getelementptr i8, ptr %1362, i64 8
+  %1366 = load i64, ptr %1365, align 8
+  %1367 = getelementptr i8, ptr %1364, i64 8
+  store i64 %1366, ptr %1367, align 8
+  %1368 = getelementptr i8, ptr %1362, i64 16
+  %1369 = load i64, ptr %1368, align 8
+  %1370 = getelementptr i8, ptr %1364, i64 16
+  store i64 %1369, ptr %1370, align 8
+  %1371 = add nuw nsw i64 %1360, 4
+  %1372 = getelementptr i8, ptr %1362, i64 24
+  %1373 = load i64, ptr %1372, align 8
+  %1374 = getelementptr i8, ptr %1364, i64 24
+  store i64 %1373, ptr %1374, align 8
+  %1375 = icmp eq i64 %151, %1371
+  %1376 = add i64 %1359, 32
+  br i1 %1375, label %1672, label %1358
+1377:
+  %1378 = phi i64 [ 0, %1688 ], [ %1390, %1377 ]
+  %1379 = shl i64 %1378, 3
+  %1380 = getelementptr i8, ptr %45, i64 %1379
+  %1381 = load i64, ptr %1380, align 8
+  %1382 = getelementptr i8, ptr %153, i64 %1379
+  %1383 = getelementptr i8, ptr %1382, i64 -24
+  store i64 %1381, ptr %1383, align 8
+  %1384 = getelementptr i8, ptr %1380, i64 8
+  %1385 = load i64, ptr %1384, align 8
+  %1386 = getelementptr i8, ptr %1382, i64 -16
+  store i64 %1385, ptr %1386, align 8
+  %1387 = getelementptr i8, ptr %1380, i64 16
+  %1388 = load i64, ptr %1387, align 8
+  %1389 = getelementptr i8, ptr %1382, i64 -8
+  store i64 %1388, ptr %1389, align 8
+  %1390 = add i64 %1378, 4
+  %1391 = shl i64 %1390, 3
+  %1392 = getelementptr i8, ptr %45, i64 %1391
+  %1393 = getelementptr i8, ptr %1392, i64 -8
+  %1394 = load i64, ptr %1393, align 8
+  store i64 %1394, ptr %1382, align 8
+  %1395 = icmp eq i64 %1689, %1390
+  br i1 %1395, label %1396, label %1377
+1396:
+  %1397 = icmp eq i64 %1686, 0
+  br i1 %1397, label %1411, label %1398
+1398:
+  %1399 = phi i64 [ 0, %1685 ], [ %1689, %1396 ]
+  %1400 = shl i64 %1399, 3
+  %1401 = getelementptr i8, ptr %154, i64 %1400
+  %1402 = getelementptr i8, ptr %45, i64 %1400
+  br label %1403
+1403:
+  %1404 = phi i64 [ %1409, %1403 ], [ 0, %1398 ]
+  %1405 = shl nuw nsw i64 %1404, 3
+  %1406 = getelementptr i8, ptr %1402, i64 %1405
+  %1407 = load i64, ptr %1406, align 8
+  %1408 = getelementptr i8, ptr %1401, i64 %1405
+  store i64 %1407, ptr %1408, align 8
+  %1409 = add i64 %1404, 1
+  %1410 = icmp eq i64 %1686, %1409
+  br i1 %1410, label %1411, label %1403
+1411:
+  %1412 = phi i64 [ %166, %1312 ], [ %1683, %1682 ], [ %1683, %1396 ], [ %1683, %1403 ]
+  %1413 = phi double [ %168, %1312 ], [ %1353, %1682 ], [ %1353, %1396 ], [ %1353, %1403 ]
+  %1414 = add nsw i64 %165, 1
+  br label %1690
+1415:
+  %1416 = phi i64 [ 0, %1700 ], [ %1436, %1415 ]
+  %1417 = shl i64 %1416, 3
+  %1418 = getelementptr i8, ptr %45, i64 %1417
+  %1419 = load i64, ptr %1418, align 8
+  %1420 = icmp slt i64 %1419, 0
+  %1421 = select i1 %1420, i64 %39, i64 0
+  %1422 = getelementptr i64, ptr %37, i64 %1419
+  %1423 = getelementptr i64, ptr %1422, i64 %1421
+  store i64 0, ptr %1423, align 8
+  %1424 = getelementptr i8, ptr %1418, i64 8
+  %1425 = load i64, ptr %1424, align 8
+  %1426 = icmp slt i64 %1425, 0
+  %1427 = select i1 %1426, i64 %39, i64 0
+  %1428 = getelementptr i64, ptr %37, i64 %1425
+  %1429 = getelementptr i64, ptr %1428, i64 %1427
+  store i64 0, ptr %1429, align 8
+  %1430 = getelementptr i8, ptr %1418, i64 16
+  %1431 = load i64, ptr %1430, align 8
+  %1432 = icmp slt i64 %1431, 0
+  %1433 = select i1 %1432, i64 %39, i64 0
+  %1434 = getelementptr i64, ptr %37, i64 %1431
+  %1435 = getelementptr i64, ptr %1434, i64 %1433
+  store i64 0, ptr %1435, align 8
+  %1436 = add nuw nsw i64 %1416, 4
+  %1437 = getelementptr i8, ptr %1418, i64 24
+  %1438 = load i64, ptr %1437, align 8
+  %1439 = icmp slt i64 %1438, 0
+  %1440 = select i1 %1439, i64 %39, i64 0
+  %1441 = getelementptr i64, ptr %37, i64 %1438
+  %1442 = getelementptr i64, ptr %1441, i64 %1440
+  store i64 0, ptr %1442, align 8
+  %1443 = icmp eq i64 %1701, %1436
+  br i1 %1443, label %1444, label %1415
+1444:
+  %1445 = icmp eq i64 %1698, 0
+  br i1 %1445, label %1461, label %1446
+1446:
+  %1447 = phi i64 [ 0, %1697 ], [ %1701, %1444 ]
+  %1448 = shl i64 %1447, 3
+  %1449 = getelementptr i8, ptr %45, i64 %1448
+  br label %1450
+1450:
+  %1451 = phi i64 [ %1459, %1450 ], [ 0, %1446 ]
+  %1452 = shl nuw nsw i64 %1451, 3
+  %1453 = getelementptr i8, ptr %1449, i64 %1452
+  %1454 = load i64, ptr %1453, align 8
+  %1455 = icmp slt i64 %1454, 0
+  %1456 = select i1 %1455, i64 %39, i64 0
+  %1457 = getelementptr i64, ptr %37, i64 %1454
+  %1458 = getelementptr i64, ptr %1457, i64 %1456
+  store i64 0, ptr %1458, align 8
+  %1459 = add i64 %1451, 1
+  %1460 = icmp eq i64 %1698, %1459
+  br i1 %1460, label %1461, label %1450
+1461:
+  %1462 = phi i64 [ %165, %483 ], [ %1691, %1690 ], [ %165, %1307 ], [ %1691, %1444 ], [ %1691, %1450 ]
+  %1463 = phi i64 [ %166, %483 ], [ %1692, %1690 ], [ %166, %1307 ], [ %1692, %1444 ], [ %1692, %1450 ]
+  %1464 = phi double [ %167, %483 ], [ %1693, %1690 ], [ %167, %1307 ], [ %1693, %1444 ], [ %1693, %1450 ]
+  %1465 = phi double [ %168, %483 ], [ %1694, %1690 ], [ %168, %1307 ], [ %1694, %1444 ], [ %1694, %1450 ]
+  %1466 = phi i1 [ true, %483 ], [ %1695, %1690 ], [ true, %1307 ], [ %1695, %1444 ], [ %1695, %1450 ]
+  %1467 = fmul double %69, %164
+  br i1 %1466, label %163, label %1468
+1468:
+  %1469 = phi i64 [ %1462, %1461 ], [ %173, %477 ]
+  %1470 = phi i64 [ %1463, %1461 ], [ %174, %477 ]
+  %1471 = icmp slt i64 %1470, %90
+  br i1 %1471, label %1472, label %1702
+1472:
+  %1473 = getelementptr i64, ptr %88, i64 %1470
+  store i64 -1, ptr %1473, align 8
+  br label %1702
+1474:
+  %1475 = phi i64 [ 0, %1707 ], [ %1483, %1474 ]
+  %1476 = shl i64 %1475, 3
+  %1477 = getelementptr i8, ptr %33, i64 %1476
+  store double 0x7FF0000000000000, ptr %1477, align 8
+  %1478 = getelementptr i8, ptr %37, i64 %1476
+  store i64 0, ptr %1478, align 8
+  %1479 = getelementptr i8, ptr %1477, i64 8
+  store double 0x7FF0000000000000, ptr %1479, align 8
+  %1480 = getelementptr i8, ptr %1478, i64 8
+  store i64 0, ptr %1480, align 8
+  %1481 = getelementptr i8, ptr %1477, i64 16
+  store double 0x7FF0000000000000, ptr %1481, align 8
+  %1482 = getelementptr i8, ptr %1478, i64 16
+  store i64 0, ptr %1482, align 8
+  %1483 = add nuw nsw i64 %1475, 4
+  %1484 = getelementptr i8, ptr %1477, i64 24
+  store double 0x7FF0000000000000, ptr %1484, align 8
+  %1485 = getelementptr i8, ptr %1478, i64 24
+  store i64 0, ptr %1485, align 8
+  %1486 = icmp eq i64 %1708, %1483
+  br i1 %1486, label %1487, label %1474
+1487:
+  %1488 = icmp eq i64 %1705, 0
+  br i1 %1488, label %1709, label %1489
+1489:
+  %1490 = phi i64 [ 0, %1704 ], [ %1708, %1487 ]
+  %1491 = shl i64 %1490, 3
+  %1492 = getelementptr i8, ptr %37, i64 %1491
+  %1493 = getelementptr i8, ptr %33, i64 %1491
+  br label %1494
+1494:
+  %1495 = phi i64 [ %1499, %1494 ], [ 0, %1489 ]
+  %1496 = shl nuw nsw i64 %1495, 3
+  %1497 = getelementptr i8, ptr %1493, i64 %1496
+  store double 0x7FF0000000000000, ptr %1497, align 8
+  %1498 = getelementptr i8, ptr %1492, i64 %1496
+  store i64 0, ptr %1498, align 8
+  %1499 = add i64 %1495, 1
+  %1500 = icmp eq i64 %1705, %1499
+  br i1 %1500, label %1709, label %1494
+1501:
+  %1502 = phi i64 [ %492, %535 ], [ %1595, %1578 ], [ %492, %1544 ]
+  %1503 = phi i64 [ %491, %535 ], [ %1580, %1578 ], [ %491, %1544 ]
+  %1504 = add i64 %490, -1
+  %1505 = add i64 %493, 1
+  %1506 = icmp samesign ugt i64 %1504, 1
+  br i1 %1506, label %489, label %485
+1507:
+  %1508 = phi i64 [ 0, %171 ], [ %209, %216 ], [ %190, %208 ]
+  %1509 = icmp slt i64 %1508, 0
+  %1510 = select i1 %1509, i64 %55, i64 0
+  %1511 = getelementptr double, ptr %53, i64 %1508
+  %1512 = getelementptr double, ptr %1511, i64 %1510
+  store double %183, ptr %1512, align 8
+  %1513 = select i1 %1509, i64 %59, i64 0
+  %1514 = getelementptr i64, ptr %57, i64 %1508
+  %1515 = getelementptr i64, ptr %1514, i64 %1513
+  store i64 %187, ptr %1515, align 8
+  %1516 = icmp slt i64 %177, 0
+  %1517 = select i1 %1516, i64 %39, i64 0
+  %1518 = getelementptr i64, ptr %37, i64 %177
+  %1519 = getelementptr i64, ptr %1518, i64 %1517
+  %1520 = load i64, ptr %1519, align 8
+  %1521 = icmp eq i64 %1520, 1
+  br i1 %1521, label %477, label %231
+1522:
+  tail call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(40) %111, i8 0, i64 40, i1 false)
+  store double 0.000000e+00, ptr %119, align 8
+  br label %1523
+1523:
+  %1524 = phi i64 [ %487, %485 ], [ 0, %1522 ]
+  %1525 = phi i64 [ %486, %485 ], [ 0, %1522 ]
+  %1526 = phi i64 [ %1527, %485 ], [ 0, %1522 ]
+  %1527 = add nuw nsw i64 %1526, 1
+  %1528 = getelementptr i64, ptr %41, i64 %1526
+  %1529 = load i64, ptr %1528, align 8
+  %1530 = icmp slt i64 %1529, 0
+  %1531 = select i1 %1530, i64 %21, i64 0
+  %1532 = getelementptr i64, ptr %19, i64 %1529
+  %1533 = getelementptr i64, ptr %1532, i64 %1531
+  %1534 = load i64, ptr %1533, align 8
+  %1535 = icmp slt i64 %1529, -1
+  %1536 = select i1 %1535, i64 %21, i64 0
+  %1537 = getelementptr i8, ptr %1532, i64 8
+  %1538 = getelementptr i64, ptr %1537, i64 %1536
+  %1539 = load i64, ptr %1538, align 8
+  %1540 = sub i64 %1539, %1534
+  %1541 = icmp slt i64 %1540, 1
+  br i1 %1541, label %485, label %1542
+1542:
+  %1543 = add nuw i64 %1540, 1
+  br label %489
+1544:
+  %1545 = select i1 %500, i64 %29, i64 0
+  %1546 = add i64 %1545, %499
+  %1547 = mul i64 %1546, %31
+  %1548 = getelementptr double, ptr %27, i64 %1547
+  %1549 = load double, ptr %111, align 8
+  %1550 = load double, ptr %1548, align 8
+  %1551 = fdiv double %1550, 3.000000e+00
+  %1552 = fadd double %1549, %1551
+  store double %1552, ptr %111, align 8
+  %1553 = load double, ptr %121, align 8
+  %1554 = getelementptr i8, ptr %1548, i64 8
+  %1555 = load double, ptr %1554, align 8
+  %1556 = fdiv double %1555, 3.000000e+00
+  %1557 = fadd double %1553, %1556
+  store double %1557, ptr %121, align 8
+  %1558 = load double, ptr %122, align 8
+  %1559 = getelementptr i8, ptr %1548, i64 16
+  %1560 = load double, ptr %1559, align 8
+  %1561 = fdiv double %1560, 3.000000e+00
+  %1562 = fadd double %1558, %1561
+  store double %1562, ptr %122, align 8
+  %1563 = load double, ptr %123, align 8
+  %1564 = getelementptr i8, ptr %1548, i64 24
+  %1565 = load double, ptr %1564, align 8
+  %1566 = fdiv double %1565, 3.000000e+00
+  %1567 = fadd double %1563, %1566
+  store double %1567, ptr %123, align 8
+  %1568 = load double, ptr %124, align 8
+  %1569 = getelementptr i8, ptr %1548, i64 32
+  %1570 = load double, ptr %1569, align 8
+  %1571 = fdiv double %1570, 3.000000e+00
+  %1572 = fadd double %1568, %1571
+  store double %1572, ptr %124, align 8
+  br label %1501
+1573:
+  store double %776, ptr %119, align 8
+  %1574 = load double, ptr %125, align 8
+  store double %1574, ptr %133, align 8
+  %1575 = load double, ptr %126, align 8
+  store double %1575, ptr %134, align 8
+  %1576 = load double, ptr %127, align 8
+  store double %1576, ptr %135, align 8
+  %1577 = load double, ptr %128, align 8
+  br label %1578
+1578:
+  %1579 = phi double [ %775, %774 ], [ %1577, %1573 ]
+  %1580 = phi i64 [ %491, %774 ], [ %492, %1573 ]
+  %1581 = load double, ptr %111, align 8
+  %1582 = fadd double %1579, %1581
+  store double %1582, ptr %111, align 8
+  %1583 = load double, ptr %121, align 8
+  %1584 = load double, ptr %129, align 8
+  %1585 = fadd double %1583, %1584
+  store double %1585, ptr %121, align 8
+  %1586 = load double, ptr %122, align 8
+  %1587 = load double, ptr %130, align 8
+  %1588 = fadd double %1586, %1587
+  store double %1588, ptr %122, align 8
+  %1589 = load double, ptr %123, align 8
+  %1590 = load double, ptr %131, align 8
+  %1591 = fadd double %1589, %1590
+  store double %1591, ptr %123, align 8
+  %1592 = load double, ptr %124, align 8
+  %1593 = load double, ptr %132, align 8
+  %1594 = fadd double %1592, %1593
+  store double %1594, ptr %124, align 8
+  %1595 = add nsw i64 %492, 1
+  br label %1501
+1596:
+  %1597 = load double, ptr %111, align 8
+  %1598 = load double, ptr %105, align 8
+  %1599 = fadd double %1597, %1598
+  store double %1599, ptr %111, align 8
+  %1600 = load double, ptr %121, align 8
+  %1601 = load double, ptr %136, align 8
+  %1602 = fadd double %1600, %1601
+  store double %1602, ptr %121, align 8
+  %1603 = load double, ptr %122, align 8
+  %1604 = load double, ptr %137, align 8
+  %1605 = fadd double %1603, %1604
+  store double %1605, ptr %122, align 8
+  %1606 = load double, ptr %123, align 8
+  %1607 = load double, ptr %138, align 8
+  %1608 = fadd double %1606, %1607
+  store double %1608, ptr %123, align 8
+  %1609 = load double, ptr %124, align 8
+  %1610 = load double, ptr %139, align 8
+  %1611 = fadd double %1609, %1610
+  store double %1611, ptr %124, align 8
+  %1612 = icmp eq i64 %784, 1
+  br i1 %1612, label %1621, label %1613
+1613:
+  %1614 = and i64 %784, 9223372036854775806
+  br label %1245
+1615:
+  %1616 = and i64 %784, 1
+  %1617 = icmp eq i64 %1616, 0
+  %1618 = xor i1 %1268, true
+  %1619 = select i1 %1617, i1 true, i1 %1618
+  %1620 = select i1 %1617, i1 %1268, i1 false
+  br i1 %1619, label %1631, label %1621
+1621:
+  %1622 = phi i64 [ %1614, %1615 ], [ 0, %1596 ]
+  %1623 = getelementptr i64, ptr %45, i64 %1622
+  %1624 = load i64, ptr %1623, align 8
+  %1625 = icmp slt i64 %1624, 0
+  %1626 = select i1 %1625, i64 %79, i64 0
+  %1627 = getelementptr i64, ptr %77, i64 %1624
+  %1628 = getelementptr i64, ptr %1627, i64 %1626
+  %1629 = load i64, ptr %1628, align 8
+  %1630 = icmp eq i64 %1629, 0
+  br label %1631
+1631:
+  %1632 = phi i1 [ true, %779 ], [ %1620, %1615 ], [ true, %1243 ], [ %1630, %1621 ], [ true, %896 ], [ true, %1235 ], [ true, %902 ]
+  %1633 = phi i64 [ 0, %779 ], [ %784, %1615 ], [ %784, %1243 ], [ %784, %1621 ], [ -1, %896 ], [ -1, %1235 ], [ -1, %902 ]
+  br label %1634
+1634:
+  %1635 = phi i64 [ %1636, %1271 ], [ 0, %1631 ]
+  %1636 = add nuw nsw i64 %1635, 1
+  %1637 = getelementptr i64, ptr %41, i64 %1635
+  %1638 = load i64, ptr %1637, align 8
+  %1639 = icmp slt i64 %1638, 0
+  %1640 = select i1 %1639, i64 %21, i64 0
+  %1641 = getelementptr i64, ptr %19, i64 %1638
+  %1642 = getelementptr i64, ptr %1641, i64 %1640
+  %1643 = load i64, ptr %1642, align 8
+  %1644 = icmp slt i64 %1638, -1
+  %1645 = select i1 %1644, i64 %21, i64 0
+  %1646 = getelementptr i8, ptr %1641, i64 8
+  %1647 = getelementptr i64, ptr %1646, i64 %1645
+  %1648 = load i64, ptr %1647, align 8
+  %1649 = sub i64 %1648, %1643
+  %1650 = icmp slt i64 %1649, 1
+  br i1 %1650, label %1271, label %1651
+1651:
+  %1652 = add i64 %1643, 1
+  %1653 = and i64 %1649, 1
+  %1654 = icmp eq i64 %1653, 0
+  br i1 %1654, label %1666, label %1655
+1655:
+  %1656 = add nsw i64 %1649, -1
+  %1657 = icmp slt i64 %1643, 0
+  %1658 = select i1 %1657, i64 %25, i64 0
+  %1659 = getelementptr i64, ptr %23, i64 %1643
+  %1660 = getelementptr i64, ptr %1659, i64 %1658
+  %1661 = load i64, ptr %1660, align 8
+  %1662 = icmp slt i64 %1661, 0
+  %1663 = select i1 %1662, i64 %63, i64 0
+  %1664 = getelementptr i64, ptr %61, i64 %1661
+  %1665 = getelementptr i64, ptr %1664, i64 %1663
+  store i64 -1, ptr %1665, align 8
+  br label %1666
+1666:
+  %1667 = phi i64 [ %1649, %1651 ], [ %1656, %1655 ]
+  %1668 = phi i64 [ %1643, %1651 ], [ %1652, %1655 ]
+  %1669 = icmp eq i64 %1648, %1652
+  br i1 %1669, label %1271, label %1670
+1670:
+  %1671 = add nuw i64 %1667, 2
+  br label %1273
+1672:
+  br i1 %155, label %1682, label %1673
+1673:
+  %1674 = phi i64 [ %1680, %1673 ], [ %150, %1672 ]
+  %1675 = phi i64 [ %1679, %1673 ], [ %1359, %1672 ]
+  %1676 = getelementptr i8, ptr %41, i64 %1675
+  %1677 = load i64, ptr %1676, align 8
+  %1678 = getelementptr i8, ptr %88, i64 %1675
+  store i64 %1677, ptr %1678, align 8
+  %1679 = add nuw nsw i64 %1675, 8
+  %1680 = add nsw i64 %1674, -1
+  %1681 = icmp eq i64 %1680, 0
+  br i1 %1681, label %1682, label %1673
+1682:
+  %1683 = add nuw nsw i64 %1633, %145
+  %1684 = icmp eq i64 %1633, 0
+  br i1 %1684, label %1411, label %1685
+1685:
+  %1686 = and i64 %1633, 3
+  %1687 = icmp samesign ult i64 %1633, 4
+  br i1 %1687, label %1398, label %1688
+1688:
+  %1689 = and i64 %1633, 9223372036854775804
+  br label %1377
+1690:
+  %1691 = phi i64 [ %165, %1306 ], [ %1414, %1411 ], [ %165, %1309 ], [ %165, %1300 ]
+  %1692 = phi i64 [ %166, %1306 ], [ %1412, %1411 ], [ %166, %1309 ], [ %166, %1300 ]
+  %1693 = phi double [ %167, %1306 ], [ %164, %1411 ], [ %167, %1309 ], [ %167, %1300 ]
+  %1694 = phi double [ %168, %1306 ], [ %1413, %1411 ], [ %168, %1309 ], [ %168, %1300 ]
+  %1695 = phi i1 [ false, %1306 ], [ %1356, %1411 ], [ true, %1309 ], [ false, %1300 ]
+  %1696 = icmp slt i64 %1633, 1
+  br i1 %1696, label %1461, label %1697
+1697:
+  %1698 = and i64 %1633, 3
+  %1699 = icmp samesign ult i64 %1633, 4
+  br i1 %1699, label %1446, label %1700
+1700:
+  %1701 = and i64 %1633, 9223372036854775804
+  br label %1415
+1702:
+  %1703 = icmp slt i64 %35, 1
+  br i1 %1703, label %1709, label %1704
+1704:
+  %1705 = and i64 %35, 3
+  %1706 = icmp samesign ult i64 %35, 4
+  br i1 %1706, label %1489, label %1707
+1707:
+  %1708 = and i64 %35, 9223372036854775804
+  br label %1474
+1709:
+  ret i64 %1469
+}
+define i64 @msf_jax.meso.kernels.short_edges(ptr readonly %0) local_unnamed_addr {
+  %2 = load ptr, ptr %0, align 8
+  %3 = getelementptr i8, ptr %0, i64 16
+  %4 = load i64, ptr %3, align 8
+  %5 = getelementptr i8, ptr %0, i64 24
+  %6 = load ptr, ptr %5, align 8
+  %7 = getelementptr i8, ptr %0, i64 32
+  %8 = load i64, ptr %7, align 8
+  %9 = getelementptr i8, ptr %0, i64 40
+  %10 = load i64, ptr %9, align 8
+  %11 = shl i64 %10, 3
+  %12 = getelementptr i8, ptr %0, i64 48
+  %13 = load ptr, ptr %12, align 8
+  %14 = getelementptr i8, ptr %0, i64 64
+  %15 = load ptr, ptr %14, align 8
+  %16 = getelementptr i8, ptr %0, i64 80
+  %17 = load double, ptr %16, align 8
+  %18 = getelementptr i8, ptr %0, i64 88
+  %19 = load ptr, ptr %18, align 8
+  %20 = getelementptr i8, ptr %0, i64 96
+  %21 = load i64, ptr %20, align 8
+  %22 = getelementptr i8, ptr %0, i64 104
+  %23 = load i64, ptr %22, align 8
+  %24 = getelementptr i8, ptr %0, i64 112
+  %25 = load ptr, ptr %24, align 8
+  %26 = getelementptr i8, ptr %0, i64 120
+  %27 = load i64, ptr %26, align 8
+  %28 = getelementptr i8, ptr %0, i64 128
+  %29 = load i64, ptr %28, align 8
+  %30 = shl i64 %29, 3
+  %31 = getelementptr i8, ptr %0, i64 136
+  %32 = load ptr, ptr %31, align 8
+  %33 = getelementptr i8, ptr %0, i64 144
+  %34 = load i64, ptr %33, align 8
+  %35 = getelementptr i8, ptr %0, i64 152
+  %36 = load i64, ptr %35, align 8
+  %37 = shl i64 %36, 3
+  %38 = icmp slt i64 %23, 1
+  br i1 %38, label %136, label %39
+39:
+  %40 = getelementptr i8, ptr %32, i64 8
+  %41 = getelementptr i8, ptr %25, i64 32
+  br label %42
+42:
+  %43 = phi i64 [ %23, %39 ], [ %92, %88 ]
+  %44 = phi ptr [ %41, %39 ], [ %91, %88 ]
+  %45 = phi ptr [ %40, %39 ], [ %90, %88 ]
+  %46 = phi i64 [ 0, %39 ], [ %89, %88 ]
+  %47 = getelementptr i8, ptr %44, i64 -32
+  %48 = load i64, ptr %47, align 8
+  %49 = icmp sgt i64 %48, -1
+  br i1 %49, label %50, label %88
+50:
+  %51 = getelementptr i8, ptr %19, i64 %48
+  %52 = load i8, ptr %51, align 1
+  %53 = icmp eq i8 %52, 0
+  br i1 %53, label %54, label %88
+54:
+  %55 = getelementptr i8, ptr %44, i64 -24
+  %56 = load i64, ptr %55, align 8
+  %57 = icmp slt i64 %56, 0
+  %58 = select i1 %57, i64 %21, i64 0
+  %59 = getelementptr i8, ptr %19, i64 %56
+  %60 = getelementptr i8, ptr %59, i64 %58
+  %61 = load i8, ptr %60, align 1
+  %62 = icmp eq i8 %61, 0
+  br i1 %62, label %63, label %88
+63:
+  %64 = icmp slt i64 %46, 0
+  %65 = select i1 %64, i64 %27, i64 0
+  %66 = add i64 %65, %46
+  %67 = mul i64 %66, %29
+  %68 = getelementptr i64, ptr %25, i64 %67
+  store i64 %48, ptr %68, align 8
+  %69 = load i64, ptr %55, align 8
+  %70 = getelementptr i8, ptr %68, i64 8
+  store i64 %69, ptr %70, align 8
+  %71 = getelementptr i8, ptr %44, i64 -16
+  %72 = load i64, ptr %71, align 8
+  %73 = getelementptr i8, ptr %68, i64 16
+  store i64 %72, ptr %73, align 8
+  %74 = getelementptr i8, ptr %44, i64 -8
+  %75 = load i64, ptr %74, align 8
+  %76 = getelementptr i8, ptr %68, i64 24
+  store i64 %75, ptr %76, align 8
+  %77 = load i64, ptr %44, align 8
+  %78 = getelementptr i8, ptr %68, i64 32
+  store i64 %77, ptr %78, align 8
+  %79 = getelementptr i8, ptr %45, i64 -8
+  %80 = load double, ptr %79, align 8
+  %81 = load double, ptr %45, align 8
+  %82 = select i1 %64, i64 %34, i64 0
+  %83 = add i64 %82, %46
+  %84 = mul i64 %83, %36
+  %85 = getelementptr double, ptr %32, i64 %84
+  store double %80, ptr %85, align 8
+  %86 = getelementptr i8, ptr %85, i64 8
+  store double %81, ptr %86, align 8
+  %87 = add nsw i64 %46, 1
+  br label %88
+88:
+  %89 = phi i64 [ %46, %42 ], [ %46, %50 ], [ %87, %63 ], [ %46, %54 ]
+  %90 = getelementptr i8, ptr %45, i64 %37
+  %91 = getelementptr i8, ptr %44, i64 %30
+  %92 = add nsw i64 %43, -1
+  %93 = icmp eq i64 %92, 0
+  br i1 %93, label %136, label %42
+94:
+  %95 = phi i64 [ %98, %142 ], [ %98, %97 ], [ %134, %133 ]
+  %96 = icmp eq i64 %8, %100
+  br i1 %96, label %339, label %97
+97:
+  %98 = phi i64 [ %95, %94 ], [ %137, %139 ]
+  %99 = phi i64 [ %100, %94 ], [ 0, %139 ]
+  %100 = add nuw nsw i64 %99, 1
+  %101 = getelementptr i8, ptr %19, i64 %99
+  %102 = load i8, ptr %101, align 1
+  %103 = icmp eq i8 %102, 0
+  br i1 %103, label %94, label %142
+104:
+  %105 = phi i64 [ %98, %146 ], [ %134, %133 ]
+  %106 = phi i64 [ 0, %146 ], [ %107, %133 ]
+  %107 = add nuw nsw i64 %106, 1
+  %108 = getelementptr i64, ptr %148, i64 %106
+  %109 = load i64, ptr %108, align 8
+  %110 = icmp slt i64 %109, 0
+  br i1 %110, label %133, label %111
+111:
+  %112 = icmp slt i64 %109, %99
+  br i1 %112, label %113, label %149
+113:
+  %114 = getelementptr i8, ptr %19, i64 %109
+  %115 = load i8, ptr %114, align 1
+  %116 = icmp eq i8 %115, 0
+  br i1 %116, label %149, label %133
+117:
+  %118 = phi i64 [ %188, %187 ], [ %193, %189 ], [ %193, %251 ]
+  %119 = phi i64 [ 0, %187 ], [ 0, %189 ], [ %252, %251 ]
+  %120 = getelementptr i64, ptr %6, i64 %118
+  %121 = load i64, ptr %120, align 8
+  %122 = icmp eq i64 %121, %151
+  br i1 %122, label %255, label %123
+123:
+  %124 = mul i64 %150, %11
+  %125 = getelementptr i8, ptr %141, i64 %124
+  br label %126
+126:
+  %127 = phi i64 [ %128, %126 ], [ 0, %123 ]
+  %128 = add nuw i64 %127, 1
+  %129 = shl i64 %127, 3
+  %130 = getelementptr i8, ptr %125, i64 %129
+  %131 = load i64, ptr %130, align 8
+  %132 = icmp eq i64 %131, %151
+  br i1 %132, label %255, label %126
+133:
+  %134 = phi i64 [ %316, %306 ], [ %105, %149 ], [ %105, %113 ], [ %105, %104 ]
+  %135 = icmp eq i64 %144, %107
+  br i1 %135, label %94, label %104
+136:
+  %137 = phi i64 [ 0, %1 ], [ %89, %88 ]
+  %138 = icmp slt i64 %8, 1
+  br i1 %138, label %339, label %139
+139:
+  %140 = getelementptr i8, ptr %6, i64 24
+  %141 = getelementptr i8, ptr %6, i64 8
+  br label %97
+142:
+  %143 = getelementptr i64, ptr %13, i64 %99
+  %144 = load i64, ptr %143, align 8
+  %145 = icmp slt i64 %144, 1
+  br i1 %145, label %94, label %146
+146:
+  %147 = mul i64 %99, %10
+  %148 = getelementptr i64, ptr %6, i64 %147
+  br label %104
+149:
+  %150 = tail call i64 @llvm.smin.i64(i64 %109, i64 %99)
+  %151 = tail call i64 @llvm.smax.i64(i64 %109, i64 %99)
+  %152 = mul i64 %150, %4
+  %153 = getelementptr double, ptr %2, i64 %152
+  %154 = getelementptr i8, ptr %153, i64 16
+  %155 = load double, ptr %154, align 8
+  %156 = mul i64 %151, %4
+  %157 = getelementptr double, ptr %2, i64 %156
+  %158 = getelementptr i8, ptr %157, i64 16
+  %159 = load double, ptr %158, align 8
+  %160 = fsub double %155, %159
+  %161 = fmul double %160, %160
+  %162 = load double, ptr %153, align 8
+  %163 = load double, ptr %157, align 8
+  %164 = fsub double %162, %163
+  %165 = fmul double %164, %164
+  %166 = fadd double %161, %165
+  %167 = getelementptr i8, ptr %153, i64 8
+  %168 = load double, ptr %167, align 8
+  %169 = getelementptr i8, ptr %157, i64 8
+  %170 = load double, ptr %169, align 8
+  %171 = fsub double %168, %170
+  %172 = fmul double %171, %171
+  %173 = fadd double %166, %172
+  %174 = tail call double @llvm.sqrt.f64(double %173)
+  %175 = getelementptr double, ptr %15, i64 %150
+  %176 = load double, ptr %175, align 8
+  %177 = getelementptr double, ptr %15, i64 %151
+  %178 = load double, ptr %177, align 8
+  %179 = fcmp olt double %178, %176
+  %180 = select i1 %179, double %178, double %176
+  %181 = fmul double %17, %180
+  %182 = fcmp ult double %174, %181
+  br i1 %182, label %183, label %133
+183:
+  %184 = getelementptr i64, ptr %13, i64 %150
+  %185 = load i64, ptr %184, align 8
+  %186 = icmp slt i64 %185, 1
+  br i1 %186, label %187, label %189
+187:
+  %188 = mul i64 %150, %10
+  br label %117
+189:
+  %190 = getelementptr i64, ptr %13, i64 %151
+  %191 = load i64, ptr %190, align 8
+  %192 = icmp slt i64 %191, 1
+  %193 = mul i64 %150, %10
+  %194 = getelementptr i64, ptr %6, i64 %193
+  br i1 %192, label %117, label %195
+195:
+  %196 = and i64 %191, 3
+  %197 = and i64 %191, 9223372036854775804
+  %198 = mul i64 %151, %11
+  %199 = getelementptr i8, ptr %140, i64 %198
+  %200 = getelementptr i8, ptr %6, i64 %198
+  %201 = icmp samesign ult i64 %191, 4
+  %202 = icmp eq i64 %196, 0
+  br label %203
+203:
+  %204 = phi i64 [ %252, %251 ], [ 0, %195 ]
+  %205 = phi i64 [ %253, %251 ], [ 0, %195 ]
+  %206 = getelementptr i64, ptr %194, i64 %205
+  %207 = load i64, ptr %206, align 8
+  br i1 %201, label %235, label %208
+208:
+  %209 = phi i64 [ %232, %208 ], [ %204, %203 ]
+  %210 = phi i64 [ %228, %208 ], [ 0, %203 ]
+  %211 = shl i64 %210, 3
+  %212 = getelementptr i8, ptr %199, i64 %211
+  %213 = getelementptr i8, ptr %212, i64 -24
+  %214 = load i64, ptr %213, align 8
+  %215 = icmp eq i64 %207, %214
+  %216 = zext i1 %215 to i64
+  %217 = add nsw i64 %209, %216
+  %218 = getelementptr i8, ptr %212, i64 -16
+  %219 = load i64, ptr %218, align 8
+  %220 = icmp eq i64 %207, %219
+  %221 = zext i1 %220 to i64
+  %222 = add nsw i64 %217, %221
+  %223 = getelementptr i8, ptr %212, i64 -8
+  %224 = load i64, ptr %223, align 8
+  %225 = icmp eq i64 %207, %224
+  %226 = zext i1 %225 to i64
+  %227 = add nsw i64 %222, %226
+  %228 = add nuw nsw i64 %210, 4
+  %229 = load i64, ptr %212, align 8
+  %230 = icmp eq i64 %207, %229
+  %231 = zext i1 %230 to i64
+  %232 = add nsw i64 %227, %231
+  %233 = icmp eq i64 %197, %228
+  br i1 %233, label %234, label %208
+234:
+  br i1 %202, label %251, label %235
+235:
+  %236 = phi i64 [ %204, %203 ], [ %232, %234 ]
+  %237 = phi i64 [ 0, %203 ], [ %197, %234 ]
+  %238 = shl i64 %237, 3
+  %239 = getelementptr i8, ptr %200, i64 %238
+  br label %240
+240:
+  %241 = phi i64 [ %236, %235 ], [ %248, %240 ]
+  %242 = phi i64 [ 0, %235 ], [ %249, %240 ]
+  %243 = shl nuw nsw i64 %242, 3
+  %244 = getelementptr i8, ptr %239, i64 %243
+  %245 = load i64, ptr %244, align 8
+  %246 = icmp eq i64 %207, %245
+  %247 = zext i1 %246 to i64
+  %248 = add nsw i64 %241, %247
+  %249 = add i64 %242, 1
+  %250 = icmp eq i64 %196, %249
+  br i1 %250, label %251, label %240
+251:
+  %252 = phi i64 [ %232, %234 ], [ %248, %240 ]
+  %253 = add nuw nsw i64 %205, 1
+  %254 = icmp eq i64 %185, %253
+  br i1 %254, label %117, label %203
+255:
+  %256 = phi i64 [ 0, %117 ], [ %128, %126 ]
+  %257 = icmp slt i64 %105, 0
+  %258 = select i1 %257, i64 %27, i64 0
+  %259 = add i64 %258, %105
+  %260 = mul i64 %259, %29
+  %261 = getelementptr i64, ptr %25, i64 %260
+  store i64 %150, ptr %261, align 8
+  %262 = getelementptr i8, ptr %261, i64 8
+  store i64 %151, ptr %262, align 8
+  %263 = getelementptr i8, ptr %261, i64 32
+  store i64 %119, ptr %263, align 8
+  %264 = shl i64 %150, 3
+  %265 = getelementptr i8, ptr %13, i64 %264
+  %266 = load i64, ptr %265, align 8
+  %267 = icmp eq i64 %266, 0
+  br i1 %267, label %290, label %268
+268:
+  %269 = add nsw i64 %256, 1
+  %270 = or i64 %266, %269
+  %271 = icmp ult i64 %270, 4294967296
+  br i1 %271, label %272, label %277
+272:
+  %273 = trunc nuw i64 %266 to i32
+  %274 = trunc nuw i64 %269 to i32
+  %275 = urem i32 %274, %273
+  %276 = zext i32 %275 to i64
+  br label %279
+277:
+  %278 = srem i64 %269, %266
+  br label %279
+279:
+  %280 = phi i64 [ %276, %272 ], [ %278, %277 ]
+  %281 = xor i64 %280, %266
+  %282 = icmp slt i64 %281, 0
+  %283 = icmp ne i64 %280, 0
+  %284 = and i1 %283, %282
+  %285 = select i1 %284, i64 %266, i64 0
+  %286 = add i64 %285, %280
+  %287 = freeze i64 %286
+  %288 = icmp slt i64 %287, 0
+  %289 = select i1 %288, i64 %10, i64 0
+  br label %290
+290:
+  %291 = phi i64 [ %287, %279 ], [ 0, %255 ]
+  %292 = phi i64 [ %289, %279 ], [ 0, %255 ]
+  %293 = getelementptr i64, ptr %120, i64 %291
+  %294 = getelementptr i64, ptr %293, i64 %292
+  %295 = load i64, ptr %294, align 8
+  %296 = shl i64 %260, 3
+  %297 = getelementptr i8, ptr %25, i64 %296
+  %298 = getelementptr i8, ptr %297, i64 16
+  store i64 %295, ptr %298, align 8
+  %299 = add nsw i64 %256, -1
+  %300 = load i64, ptr %265, align 8
+  %301 = icmp eq i64 %300, 0
+  br i1 %301, label %306, label %302
+302:
+  %303 = icmp ne i64 %299, -9223372036854775808
+  %304 = icmp ne i64 %300, -1
+  %305 = or i1 %303, %304
+  br i1 %305, label %317, label %306
+306:
+  %307 = phi i64 [ 0, %290 ], [ %338, %327 ], [ 0, %302 ]
+  %308 = getelementptr i64, ptr %120, i64 %307
+  %309 = load i64, ptr %308, align 8
+  %310 = getelementptr i8, ptr %297, i64 24
+  store i64 %309, ptr %310, align 8
+  %311 = select i1 %257, i64 %34, i64 0
+  %312 = add i64 %311, %105
+  %313 = mul i64 %312, %36
+  %314 = getelementptr double, ptr %32, i64 %313
+  store double %174, ptr %314, align 8
+  %315 = getelementptr i8, ptr %314, i64 8
+  store double 0.000000e+00, ptr %315, align 8
+  %316 = add nsw i64 %105, 1
+  br label %133
+317:
+  %318 = or i64 %300, %299
+  %319 = icmp ult i64 %318, 4294967296
+  br i1 %319, label %320, label %325
+320:
+  %321 = trunc nuw i64 %300 to i32
+  %322 = trunc nuw i64 %299 to i32
+  %323 = urem i32 %322, %321
+  %324 = zext i32 %323 to i64
+  br label %327
+325:
+  %326 = srem i64 %299, %300
+  br label %327
+327:
+  %328 = phi i64 [ %324, %320 ], [ %326, %325 ]
+  %329 = xor i64 %328, %300
+  %330 = icmp slt i64 %329, 0
+  %331 = icmp ne i64 %328, 0
+  %332 = and i1 %331, %330
+  %333 = select i1 %332, i64 %300, i64 0
+  %334 = add i64 %333, %328
+  %335 = freeze i64 %334
+  %336 = icmp slt i64 %335, 0
+  %337 = select i1 %336, i64 %10, i64 0
+  %338 = add i64 %337, %335
+  br label %306
+339:
+  %340 = phi i64 [ %137, %136 ], [ %95, %94 ]
+  ret i64 %340
+}
+define i64 @msf_jax.meso.kernels.wide_edges(ptr readonly %0) local_unnamed_addr {
+  %2 = load ptr, ptr %0, align 8
+  %3 = getelementptr i8, ptr %0, i64 8
+  %4 = load i64, ptr %3, align 8
+  %5 = getelementptr i8, ptr %0, i64 16
+  %6 = load i64, ptr %5, align 8
+  %7 = getelementptr i8, ptr %0, i64 24
+  %8 = load ptr, ptr %7, align 8
+  %9 = getelementptr i8, ptr %0, i64 32
+  %10 = load i64, ptr %9, align 8
+  %11 = getelementptr i8, ptr %0, i64 40
+  %12 = load i64, ptr %11, align 8
+  %13 = shl i64 %12, 3
+  %14 = getelementptr i8, ptr %0, i64 48
+  %15 = load ptr, ptr %14, align 8
+  %16 = getelementptr i8, ptr %0, i64 64
+  %17 = load ptr, ptr %16, align 8
+  %18 = getelementptr i8, ptr %0, i64 80
+  %19 = load double, ptr %18, align 8
+  %20 = getelementptr i8, ptr %0, i64 88
+  %21 = load double, ptr %20, align 8
+  %22 = getelementptr i8, ptr %0, i64 96
+  %23 = load ptr, ptr %22, align 8
+  %24 = getelementptr i8, ptr %0, i64 104
+  %25 = load i64, ptr %24, align 8
+  %26 = getelementptr i8, ptr %0, i64 112
+  %27 = load i64, ptr %26, align 8
+  %28 = getelementptr i8, ptr %0, i64 120
+  %29 = load ptr, ptr %28, align 8
+  %30 = getelementptr i8, ptr %0, i64 128
+  %31 = load i64, ptr %30, align 8
+  %32 = getelementptr i8, ptr %0, i64 136
+  %33 = load i64, ptr %32, align 8
+  %34 = shl i64 %33, 3
+  %35 = getelementptr i8, ptr %0, i64 144
+  %36 = load ptr, ptr %35, align 8
+  %37 = getelementptr i8, ptr %0, i64 152
+  %38 = load i64, ptr %37, align 8
+  %39 = getelementptr i8, ptr %0, i64 160
+  %40 = load i64, ptr %39, align 8
+  %41 = shl i64 %40, 3
+  %42 = icmp slt i64 %27, 1
+  br i1 %42, label %139, label %43
+43:
+  %44 = getelementptr i8, ptr %36, i64 8
+  %45 = getelementptr i8, ptr %29, i64 32
+  br label %46
+46:
+  %47 = phi i64 [ %27, %43 ], [ %96, %92 ]
+  %48 = phi ptr [ %45, %43 ], [ %95, %92 ]
+  %49 = phi ptr [ %44, %43 ], [ %94, %92 ]
+  %50 = phi i64 [ 0, %43 ], [ %93, %92 ]
+  %51 = getelementptr i8, ptr %48, i64 -32
+  %52 = load i64, ptr %51, align 8
+  %53 = icmp sgt i64 %52, -1
+  br i1 %53, label %54, label %92
+54:
+  %55 = getelementptr i8, ptr %23, i64 %52
+  %56 = load i8, ptr %55, align 1
+  %57 = icmp eq i8 %56, 0
+  br i1 %57, label %58, label %92
+58:
+  %59 = getelementptr i8, ptr %48, i64 -24
+  %60 = load i64, ptr %59, align 8
+  %61 = icmp slt i64 %60, 0
+  %62 = select i1 %61, i64 %25, i64 0
+  %63 = getelementptr i8, ptr %23, i64 %60
+  %64 = getelementptr i8, ptr %63, i64 %62
+  %65 = load i8, ptr %64, align 1
+  %66 = icmp eq i8 %65, 0
+  br i1 %66, label %67, label %92
+67:
+  %68 = icmp slt i64 %50, 0
+  %69 = select i1 %68, i64 %31, i64 0
+  %70 = add i64 %69, %50
+  %71 = mul i64 %70, %33
+  %72 = getelementptr i64, ptr %29, i64 %71
+  store i64 %52, ptr %72, align 8
+  %73 = load i64, ptr %59, align 8
+  %74 = getelementptr i8, ptr %72, i64 8
+  store i64 %73, ptr %74, align 8
+  %75 = getelementptr i8, ptr %48, i64 -16
+  %76 = load i64, ptr %75, align 8
+  %77 = getelementptr i8, ptr %72, i64 16
+  store i64 %76, ptr %77, align 8
+  %78 = getelementptr i8, ptr %48, i64 -8
+  %79 = load i64, ptr %78, align 8
+  %80 = getelementptr i8, ptr %72, i64 24
+  store i64 %79, ptr %80, align 8
+  %81 = load i64, ptr %48, align 8
+  %82 = getelementptr i8, ptr %72, i64 32
+  store i64 %81, ptr %82, align 8
+  %83 = getelementptr i8, ptr %49, i64 -8
+  %84 = load double, ptr %83, align 8
+  %85 = load double, ptr %49, align 8
+  %86 = select i1 %68, i64 %38, i64 0
+  %87 = add i64 %86, %50
+  %88 = mul i64 %87, %40
+  %89 = getelementptr double, ptr %36, i64 %88
+  store double %84, ptr %89, align 8
+  %90 = getelementptr i8, ptr %89, i64 8
+  store double %85, ptr %90, align 8
+  %91 = add nsw i64 %50, 1
+  br label %92
+92:
+  %93 = phi i64 [ %50, %46 ], [ %50, %54 ], [ %91, %67 ], [ %50, %58 ]
+  %94 = getelementptr i8, ptr %49, i64 %41
+  %95 = getelementptr i8, ptr %48, i64 %34
+  %96 = add nsw i64 %47, -1
+  %97 = icmp eq i64 %96, 0
+  br i1 %97, label %139, label %46
+98:
+  %99 = phi i64 [ %102, %144 ], [ %102, %101 ], [ %137, %136 ]
+  %100 = icmp eq i64 %10, %104
+  br i1 %100, label %379, label %101
+101:
+  %102 = phi i64 [ %99, %98 ], [ %140, %142 ]
+  %103 = phi i64 [ %104, %98 ], [ 0, %142 ]
+  %104 = add nuw nsw i64 %103, 1
+  %105 = getelementptr i8, ptr %23, i64 %103
+  %106 = load i8, ptr %105, align 1
+  %107 = icmp eq i8 %106, 0
+  br i1 %107, label %98, label %144
+108:
+  %109 = phi i64 [ %102, %148 ], [ %137, %136 ]
+  %110 = phi i64 [ 0, %148 ], [ %111, %136 ]
+  %111 = add nuw nsw i64 %110, 1
+  %112 = getelementptr i64, ptr %150, i64 %110
+  %113 = load i64, ptr %112, align 8
+  %114 = icmp slt i64 %113, 0
+  br i1 %114, label %136, label %115
+115:
+  %116 = icmp slt i64 %113, %103
+  br i1 %116, label %117, label %151
+117:
+  %118 = getelementptr i8, ptr %23, i64 %113
+  %119 = load i8, ptr %118, align 1
+  %120 = icmp eq i8 %119, 0
+  br i1 %120, label %151, label %136
+121:
+  %122 = mul i64 %152, %12
+  %123 = getelementptr i64, ptr %8, i64 %122
+  %124 = load i64, ptr %123, align 8
+  %125 = icmp eq i64 %124, %153
+  br i1 %125, label %185, label %126
+126:
+  %127 = mul i64 %13, %152
+  %128 = getelementptr i8, ptr %143, i64 %127
+  br label %129
+129:
+  %130 = phi i64 [ %131, %129 ], [ 0, %126 ]
+  %131 = add nuw i64 %130, 1
+  %132 = shl i64 %130, 3
+  %133 = getelementptr i8, ptr %128, i64 %132
+  %134 = load i64, ptr %133, align 8
+  %135 = icmp eq i64 %134, %153
+  br i1 %135, label %185, label %129
+136:
+  %137 = phi i64 [ %109, %151 ], [ %109, %320 ], [ %378, %325 ], [ %109, %117 ], [ %109, %108 ]
+  %138 = icmp eq i64 %146, %111
+  br i1 %138, label %98, label %108
+139:
+  %140 = phi i64 [ 0, %1 ], [ %93, %92 ]
+  %141 = icmp slt i64 %10, 1
+  br i1 %141, label %379, label %142
+142:
+  %143 = getelementptr i8, ptr %8, i64 8
+  br label %101
+144:
+  %145 = getelementptr i64, ptr %15, i64 %103
+  %146 = load i64, ptr %145, align 8
+  %147 = icmp slt i64 %146, 1
+  br i1 %147, label %98, label %148
+148:
+  %149 = mul i64 %103, %12
+  %150 = getelementptr i64, ptr %8, i64 %149
+  br label %108
+151:
+  %152 = tail call i64 @llvm.smin.i64(i64 %113, i64 %103)
+  %153 = tail call i64 @llvm.smax.i64(i64 %113, i64 %103)
+  %154 = mul i64 %153, %6
+  %155 = getelementptr double, ptr %2, i64 %154
+  %156 = getelementptr i8, ptr %155, i64 16
+  %157 = load double, ptr %156, align 8
+  %158 = mul i64 %152, %6
+  %159 = getelementptr double, ptr %2, i64 %158
+  %160 = getelementptr i8, ptr %159, i64 16
+  %161 = load double, ptr %160, align 8
+  %162 = fsub double %157, %161
+  %163 = fmul double %162, %162
+  %164 = load double, ptr %155, align 8
+  %165 = load double, ptr %159, align 8
+  %166 = fsub double %164, %165
+  %167 = fmul double %166, %166
+  %168 = fadd double %163, %167
+  %169 = getelementptr i8, ptr %155, i64 8
+  %170 = load double, ptr %169, align 8
+  %171 = getelementptr i8, ptr %159, i64 8
+  %172 = load double, ptr %171, align 8
+  %173 = fsub double %170, %172
+  %174 = fmul double %173, %173
+  %175 = fadd double %168, %174
+  %176 = tail call double @llvm.sqrt.f64(double %175)
+  %177 = getelementptr double, ptr %17, i64 %152
+  %178 = load double, ptr %177, align 8
+  %179 = getelementptr double, ptr %17, i64 %153
+  %180 = load double, ptr %179, align 8
+  %181 = fcmp olt double %180, %178
+  %182 = select i1 %181, double %180, double %178
+  %183 = fmul double %19, %182
+  %184 = fcmp ugt double %176, %183
+  br i1 %184, label %121, label %136
+185:
+  %186 = phi i64 [ 0, %121 ], [ %131, %129 ]
+  %187 = getelementptr i64, ptr %15, i64 %152
+  %188 = load i64, ptr %187, align 8
+  %189 = icmp eq i64 %188, 0
+  br i1 %189, label %219, label %190
+190:
+  %191 = add nsw i64 %186, 1
+  %192 = or i64 %191, %188
+  %193 = icmp ult i64 %192, 4294967296
+  br i1 %193, label %194, label %199
+194:
+  %195 = trunc nuw i64 %188 to i32
+  %196 = trunc nuw i64 %191 to i32
+  %197 = urem i32 %196, %195
+  %198 = zext i32 %197 to i64
+  br label %201
+199:
+  %200 = srem i64 %191, %188
+  br label %201
+201:
+  %202 = phi i64 [ %198, %194 ], [ %200, %199 ]
+  %203 = xor i64 %202, %188
+  %204 = icmp slt i64 %203, 0
+  %205 = icmp ne i64 %202, 0
+  %206 = and i1 %205, %204
+  %207 = select i1 %206, i64 %188, i64 0
+  %208 = add i64 %207, %202
+  %209 = freeze i64 %208
+  %210 = icmp slt i64 %209, 0
+  %211 = select i1 %210, i64 %12, i64 0
+  %212 = getelementptr i64, ptr %123, i64 %209
+  %213 = getelementptr i64, ptr %212, i64 %211
+  %214 = load i64, ptr %213, align 8
+  %215 = add nsw i64 %186, -1
+  %216 = icmp ne i64 %215, -9223372036854775808
+  %217 = icmp ne i64 %188, -1
+  %218 = or i1 %216, %217
+  br i1 %218, label %258, label %219
+219:
+  %220 = phi i64 [ %124, %201 ], [ %281, %268 ], [ %124, %185 ]
+  %221 = phi i64 [ %214, %201 ], [ %214, %268 ], [ %124, %185 ]
+  %222 = icmp slt i64 %221, 0
+  %223 = select i1 %222, i64 %4, i64 0
+  %224 = add i64 %223, %221
+  %225 = mul i64 %224, %6
+  %226 = getelementptr double, ptr %2, i64 %225
+  %227 = getelementptr i8, ptr %226, i64 16
+  %228 = load double, ptr %227, align 8
+  %229 = fsub double %161, %228
+  %230 = fmul double %229, %229
+  %231 = load double, ptr %226, align 8
+  %232 = fsub double %165, %231
+  %233 = fmul double %232, %232
+  %234 = fadd double %230, %233
+  %235 = getelementptr i8, ptr %226, i64 8
+  %236 = load double, ptr %235, align 8
+  %237 = fsub double %172, %236
+  %238 = fmul double %237, %237
+  %239 = fadd double %234, %238
+  %240 = fsub double %157, %228
+  %241 = fmul double %240, %240
+  %242 = fsub double %164, %231
+  %243 = fmul double %242, %242
+  %244 = fadd double %241, %243
+  %245 = fsub double %170, %236
+  %246 = fmul double %245, %245
+  %247 = fadd double %244, %246
+  %248 = fmul double %239, %247
+  %249 = fcmp ogt double %248, 0.000000e+00
+  br i1 %249, label %250, label %282
+250:
+  %251 = tail call double @llvm.sqrt.f64(double %248)
+  %252 = fmul double %229, %240
+  %253 = fmul double %232, %242
+  %254 = fadd double %252, %253
+  %255 = fmul double %237, %245
+  %256 = fadd double %254, %255
+  %257 = fdiv double %256, %251
+  br label %282
+258:
+  %259 = or i64 %215, %188
+  %260 = icmp ult i64 %259, 4294967296
+  br i1 %260, label %261, label %266
+261:
+  %262 = trunc nuw i64 %188 to i32
+  %263 = trunc nuw i64 %215 to i32
+  %264 = urem i32 %263, %262
+  %265 = zext i32 %264 to i64
+  br label %268
+266:
+  %267 = srem i64 %215, %188
+  br label %268
+268:
+  %269 = phi i64 [ %265, %261 ], [ %267, %266 ]
+  %270 = xor i64 %269, %188
+  %271 = icmp slt i64 %270, 0
+  %272 = icmp ne i64 %269, 0
+  %273 = and i1 %272, %271
+  %274 = select i1 %273, i64 %188, i64 0
+  %275 = add i64 %274, %269
+  %276 = freeze i64 %275
+  %277 = icmp slt i64 %276, 0
+  %278 = select i1 %277, i64 %12, i64 0
+  %279 = getelementptr i64, ptr %123, i64 %278
+  %280 = getelementptr i64, ptr %279, i64 %276
+  %281 = load i64, ptr %280, align 8
+  br label %219
+282:
+  %283 = phi double [ %257, %250 ], [ 1.000000e+00, %219 ]
+  %284 = icmp slt i64 %220, 0
+  %285 = select i1 %284, i64 %4, i64 0
+  %286 = add i64 %285, %220
+  %287 = mul i64 %286, %6
+  %288 = getelementptr double, ptr %2, i64 %287
+  %289 = getelementptr i8, ptr %288, i64 16
+  %290 = load double, ptr %289, align 8
+  %291 = fsub double %161, %290
+  %292 = fmul double %291, %291
+  %293 = load double, ptr %288, align 8
+  %294 = fsub double %165, %293
+  %295 = fmul double %294, %294
+  %296 = fadd double %292, %295
+  %297 = getelementptr i8, ptr %288, i64 8
+  %298 = load double, ptr %297, align 8
+  %299 = fsub double %172, %298
+  %300 = fmul double %299, %299
+  %301 = fadd double %296, %300
+  %302 = fsub double %157, %290
+  %303 = fmul double %302, %302
+  %304 = fsub double %164, %293
+  %305 = fmul double %304, %304
+  %306 = fadd double %303, %305
+  %307 = fsub double %170, %298
+  %308 = fmul double %307, %307
+  %309 = fadd double %306, %308
+  %310 = fmul double %301, %309
+  %311 = fcmp ogt double %310, 0.000000e+00
+  br i1 %311, label %312, label %320
+312:
+  %313 = tail call double @llvm.sqrt.f64(double %310)
+  %314 = fmul double %291, %302
+  %315 = fmul double %294, %304
+  %316 = fadd double %314, %315
+  %317 = fmul double %299, %307
+  %318 = fadd double %316, %317
+  %319 = fdiv double %318, %313
+  br label %320
+320:
+  %321 = phi double [ %319, %312 ], [ 1.000000e+00, %282 ]
+  %322 = fcmp olt double %283, %21
+  %323 = fcmp olt double %321, %21
+  %324 = and i1 %322, %323
+  br i1 %324, label %325, label %136
+325:
+  %326 = fcmp ole double %283, %321
+  %327 = select i1 %326, i64 %221, i64 %220
+  %328 = icmp slt i64 %109, 0
+  %329 = select i1 %328, i64 %31, i64 0
+  %330 = add i64 %329, %109
+  %331 = mul i64 %330, %33
+  %332 = getelementptr i64, ptr %29, i64 %331
+  store i64 %152, ptr %332, align 8
+  %333 = getelementptr i8, ptr %332, i64 8
+  store i64 %153, ptr %333, align 8
+  %334 = getelementptr i8, ptr %332, i64 16
+  store i64 %221, ptr %334, align 8
+  %335 = getelementptr i8, ptr %332, i64 24
+  store i64 %220, ptr %335, align 8
+  %336 = getelementptr i8, ptr %332, i64 32
+  store i64 %327, ptr %336, align 8
+  %337 = icmp slt i64 %327, 0
+  %338 = select i1 %337, i64 %4, i64 0
+  %339 = add i64 %338, %327
+  %340 = mul i64 %339, %6
+  %341 = getelementptr double, ptr %2, i64 %340
+  %342 = getelementptr i8, ptr %341, i64 16
+  %343 = load double, ptr %342, align 8
+  %344 = shl i64 %158, 3
+  %345 = getelementptr i8, ptr %2, i64 %344
+  %346 = getelementptr i8, ptr %345, i64 16
+  %347 = load double, ptr %346, align 8
+  %348 = fsub double %343, %347
+  %349 = shl i64 %154, 3
+  %350 = getelementptr i8, ptr %2, i64 %349
+  %351 = getelementptr i8, ptr %350, i64 16
+  %352 = load double, ptr %351, align 8
+  %353 = fsub double %352, %347
+  %354 = fmul double %348, %353
+  %355 = load double, ptr %341, align 8
+  %356 = load double, ptr %345, align 8
+  %357 = fsub double %355, %356
+  %358 = load double, ptr %350, align 8
+  %359 = fsub double %358, %356
+  %360 = fmul double %357, %359
+  %361 = fadd double %354, %360
+  %362 = getelementptr i8, ptr %341, i64 8
+  %363 = load double, ptr %362, align 8
+  %364 = getelementptr i8, ptr %345, i64 8
+  %365 = load double, ptr %364, align 8
+  %366 = fsub double %363, %365
+  %367 = getelementptr i8, ptr %350, i64 8
+  %368 = load double, ptr %367, align 8
+  %369 = fsub double %368, %365
+  %370 = fmul double %366, %369
+  %371 = fadd double %361, %370
+  %372 = fdiv double %371, %175
+  %373 = select i1 %328, i64 %38, i64 0
+  %374 = add i64 %373, %109
+  %375 = mul i64 %374, %40
+  %376 = getelementptr double, ptr %36, i64 %375
+  store double %176, ptr %376, align 8
+  %377 = getelementptr i8, ptr %376, i64 8
+  store double %372, ptr %377, align 8
+  %378 = add nsw i64 %109, 1
+  br label %136
+379:
+  %380 = phi i64 [ %140, %139 ], [ %99, %98 ]
+  ret i64 %380
+}
+define noundef i64 @msf_jax.meso.kernels.apart(ptr readonly %0) local_unnamed_addr {
+  %2 = load ptr, ptr %0, align 8
+  %3 = getelementptr i8, ptr %0, i64 8
+  %4 = load i64, ptr %3, align 8
+  %5 = getelementptr i8, ptr %0, i64 16
+  %6 = load i64, ptr %5, align 8
+  %7 = shl i64 %6, 3
+  %8 = getelementptr i8, ptr %0, i64 24
+  %9 = load ptr, ptr %8, align 8
+  %10 = getelementptr i8, ptr %0, i64 32
+  %11 = load i64, ptr %10, align 8
+  %12 = getelementptr i8, ptr %0, i64 40
+  %13 = load ptr, ptr %12, align 8
+  %14 = getelementptr i8, ptr %0, i64 48
+  %15 = load i64, ptr %14, align 8
+  %16 = getelementptr i8, ptr %0, i64 56
+  %17 = load ptr, ptr %16, align 8
+  %18 = getelementptr i8, ptr %0, i64 64
+  %19 = load i64, ptr %18, align 8
+  %20 = icmp sgt i64 %11, 0
+  br i1 %20, label %21, label %150
+21:
+  %22 = icmp slt i64 %6, 1
+  br i1 %22, label %30, label %23
+23:
+  %24 = and i64 %6, 3
+  %25 = and i64 %6, 9223372036854775804
+  %26 = add nsw i64 %6, -1
+  %27 = getelementptr i8, ptr %2, i64 24
+  %28 = icmp samesign ult i64 %6, 4
+  %29 = icmp eq i64 %24, 0
+  br label %34
+30:
+  %31 = icmp eq i64 %11, 1
+  br i1 %31, label %124, label %32
+32:
+  %33 = and i64 %11, 9223372036854775806
+  br label %133
+34:
+  %35 = phi i64 [ %63, %61 ], [ 0, %23 ]
+  %36 = shl i64 %35, 3
+  %37 = getelementptr i8, ptr %9, i64 %36
+  %38 = load i64, ptr %37, align 8
+  %39 = icmp slt i64 %38, 0
+  %40 = select i1 %39, i64 %4, i64 0
+  %41 = add i64 %40, %38
+  %42 = mul i64 %41, %6
+  %43 = getelementptr i64, ptr %2, i64 %42
+  br label %97
+44:
+  br i1 %29, label %61, label %45
+45:
+  %46 = phi i64 [ %25, %44 ], [ 0, %117 ]
+  %47 = shl i64 %46, 3
+  %48 = getelementptr i8, ptr %2, i64 %118
+  %49 = getelementptr i8, ptr %48, i64 %47
+  br label %50
+50:
+  %51 = phi i64 [ %59, %50 ], [ 0, %45 ]
+  %52 = shl nuw nsw i64 %51, 3
+  %53 = getelementptr i8, ptr %49, i64 %52
+  %54 = load i64, ptr %53, align 8
+  %55 = icmp slt i64 %54, 0
+  %56 = select i1 %55, i64 %15, i64 0
+  %57 = getelementptr i8, ptr %13, i64 %54
+  %58 = getelementptr i8, ptr %57, i64 %56
+  store i8 1, ptr %58, align 1
+  %59 = add i64 %51, 1
+  %60 = icmp eq i64 %24, %59
+  br i1 %60, label %61, label %50
+61:
+  %62 = phi i8 [ 1, %44 ], [ 0, %116 ], [ 1, %50 ], [ 0, %114 ]
+  %63 = add nuw nsw i64 %35, 1
+  %64 = select i1 %39, i64 %19, i64 0
+  %65 = getelementptr i8, ptr %17, i64 %38
+  %66 = getelementptr i8, ptr %65, i64 %64
+  store i8 %62, ptr %66, align 1
+  %67 = icmp eq i64 %63, %11
+  br i1 %67, label %150, label %34
+68:
+  %69 = phi i64 [ %90, %68 ], [ 0, %119 ]
+  %70 = shl i64 %69, 3
+  %71 = getelementptr i8, ptr %120, i64 %70
+  %72 = getelementptr i8, ptr %71, i64 -24
+  %73 = load i64, ptr %72, align 8
+  %74 = icmp slt i64 %73, 0
+  %75 = select i1 %74, i64 %15, i64 0
+  %76 = getelementptr i8, ptr %13, i64 %73
+  %77 = getelementptr i8, ptr %76, i64 %75
+  store i8 1, ptr %77, align 1
+  %78 = getelementptr i8, ptr %71, i64 -16
+  %79 = load i64, ptr %78, align 8
+  %80 = icmp slt i64 %79, 0
+  %81 = select i1 %80, i64 %15, i64 0
+  %82 = getelementptr i8, ptr %13, i64 %79
+  %83 = getelementptr i8, ptr %82, i64 %81
+  store i8 1, ptr %83, align 1
+  %84 = getelementptr i8, ptr %71, i64 -8
+  %85 = load i64, ptr %84, align 8
+  %86 = icmp slt i64 %85, 0
+  %87 = select i1 %86, i64 %15, i64 0
+  %88 = getelementptr i8, ptr %13, i64 %85
+  %89 = getelementptr i8, ptr %88, i64 %87
+  store i8 1, ptr %89, align 1
+  %90 = add nuw nsw i64 %69, 4
+  %91 = load i64, ptr %71, align 8
+  %92 = icmp slt i64 %91, 0
+  %93 = select i1 %92, i64 %15, i64 0
+  %94 = getelementptr i8, ptr %13, i64 %91
+  %95 = getelementptr i8, ptr %94, i64 %93
+  store i8 1, ptr %95, align 1
+  %96 = icmp eq i64 %25, %90
+  br i1 %96, label %44, label %68
+97:
+  %98 = phi i1 [ true, %34 ], [ %112, %111 ]
+  %99 = phi i64 [ 0, %34 ], [ %113, %111 ]
+  br i1 %98, label %100, label %114
+100:
+  %101 = shl i64 %99, 3
+  %102 = getelementptr i8, ptr %43, i64 %101
+  %103 = load i64, ptr %102, align 8
+  %104 = icmp slt i64 %103, 0
+  %105 = select i1 %104, i64 %15, i64 0
+  %106 = getelementptr i8, ptr %13, i64 %103
+  %107 = getelementptr i8, ptr %106, i64 %105
+  %108 = load i8, ptr %107, align 1
+  %109 = icmp eq i8 %108, 0
+  %110 = icmp eq i64 %26, %99
+  br i1 %110, label %116, label %111
+111:
+  %112 = phi i1 [ %109, %100 ], [ false, %114 ]
+  %113 = add nuw nsw i64 %99, 1
+  br label %97
+114:
+  %115 = icmp eq i64 %26, %99
+  br i1 %115, label %61, label %111
+116:
+  br i1 %109, label %117, label %61
+117:
+  %118 = mul i64 %41, %7
+  br i1 %28, label %45, label %119
+119:
+  %120 = getelementptr i8, ptr %27, i64 %118
+  br label %68
+121:
+  %122 = and i64 %11, 1
+  %123 = icmp eq i64 %122, 0
+  br i1 %123, label %150, label %124
+124:
+  %125 = phi i64 [ 0, %30 ], [ %33, %121 ]
+  %126 = shl i64 %125, 3
+  %127 = getelementptr i8, ptr %9, i64 %126
+  %128 = load i64, ptr %127, align 8
+  %129 = icmp slt i64 %128, 0
+  %130 = select i1 %129, i64 %19, i64 0
+  %131 = getelementptr i8, ptr %17, i64 %128
+  %132 = getelementptr i8, ptr %131, i64 %130
+  store i8 1, ptr %132, align 1
+  br label %150
+133:
+  %134 = phi ptr [ %148, %133 ], [ %9, %32 ]
+  %135 = phi i64 [ %143, %133 ], [ 0, %32 ]
+  %136 = load i64, ptr %134, align 8
+  %137 = icmp slt i64 %136, 0
+  %138 = select i1 %137, i64 %19, i64 0
+  %139 = getelementptr i8, ptr %17, i64 %136
+  %140 = getelementptr i8, ptr %139, i64 %138
+  store i8 1, ptr %140, align 1
+  %141 = getelementptr i8, ptr %134, i64 8
+  %142 = load i64, ptr %141, align 8
+  %143 = add nuw i64 %135, 2
+  %144 = icmp slt i64 %142, 0
+  %145 = select i1 %144, i64 %19, i64 0
+  %146 = getelementptr i8, ptr %17, i64 %142
+  %147 = getelementptr i8, ptr %146, i64 %145
+  store i8 1, ptr %147, align 1
+  %148 = getelementptr i8, ptr %134, i64 16
+  %149 = icmp eq i64 %33, %143
+  br i1 %149, label %121, label %133
+150:
+  ret i64 0
+}
+define i64 @msf_jax.meso.kernels.collapse(ptr readonly %0) local_unnamed_addr {
+  %2 = load ptr, ptr %0, align 8
+  %3 = getelementptr i8, ptr %0, i64 8
+  %4 = load i64, ptr %3, align 8
+  %5 = getelementptr i8, ptr %0, i64 16
+  %6 = load i64, ptr %5, align 8
+  %7 = shl i64 %6, 3
+  %8 = getelementptr i8, ptr %0, i64 24
+  %9 = load ptr, ptr %8, align 8
+  %10 = getelementptr i8, ptr %0, i64 32
+  %11 = load i64, ptr %10, align 8
+  %12 = getelementptr i8, ptr %0, i64 40
+  %13 = load i64, ptr %12, align 8
+  %14 = shl i64 %13, 3
+  %15 = getelementptr i8, ptr %0, i64 48
+  %16 = load ptr, ptr %15, align 8
+  %17 = getelementptr i8, ptr %0, i64 56
+  %18 = load i64, ptr %17, align 8
+  %19 = getelementptr i8, ptr %0, i64 64
+  %20 = load ptr, ptr %19, align 8
+  %21 = getelementptr i8, ptr %0, i64 72
+  %22 = load i64, ptr %21, align 8
+  %23 = getelementptr i8, ptr %0, i64 80
+  %24 = load i64, ptr %23, align 8
+  %25 = shl i64 %24, 3
+  %26 = getelementptr i8, ptr %0, i64 88
+  %27 = load ptr, ptr %26, align 8
+  %28 = getelementptr i8, ptr %0, i64 96
+  %29 = load i64, ptr %28, align 8
+  %30 = getelementptr i8, ptr %0, i64 104
+  %31 = load i64, ptr %30, align 8
+  %32 = getelementptr i8, ptr %0, i64 112
+  %33 = load ptr, ptr %32, align 8
+  %34 = getelementptr i8, ptr %0, i64 120
+  %35 = load i64, ptr %34, align 8
+  %36 = getelementptr i8, ptr %0, i64 128
+  %37 = load ptr, ptr %36, align 8
+  %38 = getelementptr i8, ptr %0, i64 136
+  %39 = load i64, ptr %38, align 8
+  %40 = getelementptr i8, ptr %0, i64 144
+  %41 = load ptr, ptr %40, align 8
+  %42 = getelementptr i8, ptr %0, i64 152
+  %43 = load i64, ptr %42, align 8
+  %44 = getelementptr i8, ptr %0, i64 160
+  %45 = load ptr, ptr %44, align 8
+  %46 = getelementptr i8, ptr %0, i64 168
+  %47 = load i64, ptr %46, align 8
+  %48 = getelementptr i8, ptr %0, i64 176
+  %49 = load ptr, ptr %48, align 8
+  %50 = getelementptr i8, ptr %0, i64 184
+  %51 = load i64, ptr %50, align 8
+  %52 = getelementptr i8, ptr %0, i64 192
+  %53 = load i64, ptr %52, align 8
+  %54 = getelementptr i8, ptr %0, i64 200
+  %55 = load ptr, ptr %54, align 8
+  %56 = getelementptr i8, ptr %0, i64 208
+  %57 = load i64, ptr %56, align 8
+  %58 = getelementptr i8, ptr %0, i64 216
+  %59 = load ptr, ptr %58, align 8
+  %60 = getelementptr i8, ptr %0, i64 224
+  %61 = load i64, ptr %60, align 8
+  %62 = getelementptr i8, ptr %0, i64 232
+  %63 = load i64, ptr %62, align 8
+  %64 = getelementptr i8, ptr %0, i64 248
+  %65 = load ptr, ptr %64, align 8
+  %66 = getelementptr i8, ptr %0, i64 256
+  %67 = load i64, ptr %66, align 8
+  %68 = getelementptr i8, ptr %0, i64 264
+  %69 = load ptr, ptr %68, align 8
+  %70 = getelementptr i8, ptr %0, i64 272
+  %71 = load i64, ptr %70, align 8
+  %72 = getelementptr i8, ptr %0, i64 280
+  %73 = load ptr, ptr %72, align 8
+  %74 = getelementptr i8, ptr %0, i64 304
+  %75 = load ptr, ptr %74, align 8
+  %76 = getelementptr i8, ptr %0, i64 312
+  %77 = load i64, ptr %76, align 8
+  %78 = getelementptr i8, ptr %0, i64 320
+  %79 = load i64, ptr %78, align 8
+  %80 = getelementptr i8, ptr %0, i64 328
+  %81 = load ptr, ptr %80, align 8
+  %82 = getelementptr i8, ptr %0, i64 336
+  %83 = load i64, ptr %82, align 8
+  %84 = icmp sgt i64 %57, 0
+  br i1 %84, label %85, label %1245
+85:
+  %86 = getelementptr i8, ptr %0, i64 296
+  %87 = load i64, ptr %86, align 8
+  %88 = shl i64 %87, 3
+  %89 = getelementptr i8, ptr %0, i64 240
+  %90 = load i8, ptr %89, align 8
+  %91 = and i64 %53, 9223372036854775806
+  %92 = getelementptr double, ptr %49, i64 %91
+  %93 = add nsw i64 %91, -2
+  %94 = lshr exact i64 %93, 1
+  %95 = add nuw i64 %94, 1
+  %96 = and i64 %95, -2
+  %97 = getelementptr i8, ptr %49, i64 24
+  %98 = icmp eq i8 %90, 0
+  %99 = icmp sgt i64 %13, 0
+  %100 = getelementptr i64, ptr %73, i64 %87
+  %101 = add i64 %14, 8
+  %102 = add i64 %25, 8
+  %103 = add i64 %14, 16
+  %104 = add i64 %25, 16
+  %105 = icmp slt i64 %13, 1
+  %106 = icmp eq i64 %13, 1
+  %107 = and i64 %13, 9223372036854775806
+  %108 = getelementptr i8, ptr %73, i64 %88
+  %109 = getelementptr i8, ptr %108, i64 8
+  %110 = and i64 %13, 1
+  %111 = icmp eq i64 %110, 0
+  %112 = icmp slt i64 %53, 1
+  %113 = icmp eq i64 %53, 1
+  %114 = icmp eq i64 %93, 0
+  %115 = and i64 %93, 2
+  %116 = icmp eq i64 %115, 0
+  %117 = and i64 %53, 1
+  %118 = icmp eq i64 %117, 0
+  %119 = getelementptr i64, ptr %73, i64 %107
+  %120 = getelementptr i64, ptr %100, i64 %107
+  br label %121
+121:
+  %122 = phi i64 [ %925, %924 ], [ 0, %85 ]
+  %123 = phi i64 [ %127, %924 ], [ 0, %85 ]
+  %124 = shl i64 %123, 3
+  %125 = getelementptr i8, ptr %55, i64 %124
+  %126 = load i64, ptr %125, align 8
+  %127 = add nuw nsw i64 %123, 1
+  %128 = icmp slt i64 %126, 0
+  %129 = select i1 %128, i64 %61, i64 0
+  %130 = add i64 %129, %126
+  %131 = mul i64 %130, %63
+  %132 = getelementptr i64, ptr %59, i64 %131
+  %133 = load i64, ptr %132, align 8
+  %134 = getelementptr i8, ptr %132, i64 8
+  %135 = load i64, ptr %134, align 8
+  %136 = getelementptr i8, ptr %132, i64 16
+  %137 = load i64, ptr %136, align 8
+  %138 = getelementptr i8, ptr %132, i64 24
+  %139 = load i64, ptr %138, align 8
+  %140 = getelementptr i8, ptr %132, i64 32
+  %141 = load i64, ptr %140, align 8
+  %142 = icmp eq i64 %141, 2
+  br i1 %142, label %143, label %157
+143:
+  %144 = icmp slt i64 %133, 0
+  %145 = select i1 %144, i64 %39, i64 0
+  %146 = getelementptr i8, ptr %37, i64 %133
+  %147 = getelementptr i8, ptr %146, i64 %145
+  %148 = load i8, ptr %147, align 1
+  %149 = icmp eq i8 %148, 0
+  br i1 %149, label %927, label %150
+150:
+  %151 = icmp slt i64 %135, 0
+  %152 = select i1 %151, i64 %39, i64 0
+  %153 = getelementptr i8, ptr %37, i64 %135
+  %154 = getelementptr i8, ptr %153, i64 %152
+  %155 = load i8, ptr %154, align 1
+  %156 = icmp eq i8 %155, 0
+  br i1 %156, label %927, label %157
+157:
+  %158 = shl i64 %131, 3
+  %159 = getelementptr i8, ptr %59, i64 %158
+  store i64 -1, ptr %159, align 8
+  br label %924
+160:
+  %161 = select i1 %144, i64 %67, i64 0
+  %162 = getelementptr i8, ptr %65, i64 %133
+  %163 = getelementptr i8, ptr %162, i64 %161
+  %164 = load i8, ptr %163, align 1
+  %165 = icmp eq i8 %164, 0
+  br i1 %165, label %166, label %924
+166:
+  %167 = icmp slt i64 %135, 0
+  %168 = select i1 %167, i64 %67, i64 0
+  %169 = getelementptr i8, ptr %65, i64 %135
+  %170 = getelementptr i8, ptr %169, i64 %168
+  %171 = load i8, ptr %170, align 1
+  %172 = icmp eq i8 %171, 0
+  br i1 %172, label %173, label %924
+173:
+  store i8 1, ptr %163, align 1
+  %174 = select i1 %144, i64 %18, i64 0
+  %175 = getelementptr i64, ptr %16, i64 %133
+  %176 = getelementptr i64, ptr %175, i64 %174
+  %177 = load i64, ptr %176, align 8
+  %178 = icmp slt i64 %177, 1
+  br i1 %178, label %940, label %179
+179:
+  %180 = select i1 %144, i64 %11, i64 0
+  %181 = add i64 %180, %133
+  %182 = and i64 %177, 3
+  %183 = icmp samesign ult i64 %177, 4
+  br i1 %183, label %220, label %184
+184:
+  %185 = and i64 %177, 9223372036854775804
+  %186 = mul i64 %181, %14
+  %187 = getelementptr i8, ptr %9, i64 %186
+  %188 = getelementptr i8, ptr %187, i64 24
+  br label %189
+189:
+  %190 = phi i64 [ 0, %184 ], [ %211, %189 ]
+  %191 = shl i64 %190, 3
+  %192 = getelementptr i8, ptr %188, i64 %191
+  %193 = getelementptr i8, ptr %192, i64 -24
+  %194 = load i64, ptr %193, align 8
+  %195 = icmp slt i64 %194, 0
+  %196 = select i1 %195, i64 %67, i64 0
+  %197 = getelementptr i8, ptr %65, i64 %194
+  %198 = getelementptr i8, ptr %197, i64 %196
+  store i8 1, ptr %198, align 1
+  %199 = getelementptr i8, ptr %192, i64 -16
+  %200 = load i64, ptr %199, align 8
+  %201 = icmp slt i64 %200, 0
+  %202 = select i1 %201, i64 %67, i64 0
+  %203 = getelementptr i8, ptr %65, i64 %200
+  %204 = getelementptr i8, ptr %203, i64 %202
+  store i8 1, ptr %204, align 1
+  %205 = getelementptr i8, ptr %192, i64 -8
+  %206 = load i64, ptr %205, align 8
+  %207 = icmp slt i64 %206, 0
+  %208 = select i1 %207, i64 %67, i64 0
+  %209 = getelementptr i8, ptr %65, i64 %206
+  %210 = getelementptr i8, ptr %209, i64 %208
+  store i8 1, ptr %210, align 1
+  %211 = add nuw nsw i64 %190, 4
+  %212 = load i64, ptr %192, align 8
+  %213 = icmp slt i64 %212, 0
+  %214 = select i1 %213, i64 %67, i64 0
+  %215 = getelementptr i8, ptr %65, i64 %212
+  %216 = getelementptr i8, ptr %215, i64 %214
+  store i8 1, ptr %216, align 1
+  %217 = icmp eq i64 %185, %211
+  br i1 %217, label %218, label %189
+218:
+  %219 = icmp eq i64 %182, 0
+  br i1 %219, label %940, label %220
+220:
+  %221 = phi i64 [ 0, %179 ], [ %185, %218 ]
+  %222 = mul i64 %181, %13
+  %223 = add i64 %221, %222
+  %224 = shl i64 %223, 3
+  %225 = getelementptr i8, ptr %9, i64 %224
+  br label %226
+226:
+  %227 = phi i64 [ 0, %220 ], [ %235, %226 ]
+  %228 = shl i64 %227, 3
+  %229 = getelementptr i8, ptr %225, i64 %228
+  %230 = load i64, ptr %229, align 8
+  %231 = icmp slt i64 %230, 0
+  %232 = select i1 %231, i64 %67, i64 0
+  %233 = getelementptr i8, ptr %65, i64 %230
+  %234 = getelementptr i8, ptr %233, i64 %232
+  store i8 1, ptr %234, align 1
+  %235 = add i64 %227, 1
+  %236 = icmp eq i64 %182, %235
+  br i1 %236, label %940, label %226
+237:
+  %238 = select i1 %1012, i64 %18, i64 0
+  %239 = getelementptr i64, ptr %16, i64 %1010
+  %240 = getelementptr i64, ptr %239, i64 %238
+  %241 = load i64, ptr %240, align 8
+  %242 = icmp slt i64 %241, 1
+  br i1 %242, label %370, label %243
+243:
+  %244 = select i1 %1012, i64 %11, i64 0
+  %245 = add i64 %244, %1010
+  %246 = mul i64 %245, %13
+  %247 = getelementptr i64, ptr %9, i64 %246
+  %248 = select i1 %1012, i64 %4, i64 0
+  %249 = add i64 %248, %1010
+  %250 = icmp slt i64 %1011, 0
+  %251 = select i1 %250, i64 %4, i64 0
+  %252 = add i64 %251, %1011
+  %253 = mul i64 %249, %7
+  %254 = mul i64 %252, %7
+  %255 = getelementptr i8, ptr %2, i64 %253
+  %256 = getelementptr i8, ptr %255, i64 8
+  %257 = getelementptr i8, ptr %255, i64 16
+  %258 = getelementptr i8, ptr %2, i64 %254
+  %259 = getelementptr i8, ptr %258, i64 8
+  %260 = getelementptr i8, ptr %258, i64 16
+  br label %357
+261:
+  %262 = icmp ne i64 %1010, %366
+  %263 = icmp ne i64 %1011, %366
+  %264 = select i1 %262, i1 %263, i1 false
+  br i1 %264, label %265, label %354
+265:
+  %266 = icmp slt i64 %362, 0
+  %267 = select i1 %266, i64 %4, i64 0
+  %268 = add i64 %267, %362
+  %269 = mul i64 %268, %6
+  %270 = getelementptr double, ptr %2, i64 %269
+  %271 = icmp slt i64 %366, 0
+  %272 = select i1 %271, i64 %4, i64 0
+  %273 = add i64 %272, %366
+  %274 = mul i64 %273, %6
+  %275 = getelementptr double, ptr %2, i64 %274
+  %276 = getelementptr i8, ptr %270, i64 8
+  %277 = load double, ptr %276, align 8
+  %278 = getelementptr i8, ptr %270, i64 16
+  %279 = load double, ptr %278, align 8
+  %280 = getelementptr i8, ptr %275, i64 8
+  %281 = load double, ptr %280, align 8
+  %282 = getelementptr i8, ptr %275, i64 16
+  %283 = load double, ptr %282, align 8
+  %284 = load double, ptr %256, align 8
+  %285 = load double, ptr %257, align 8
+  %286 = fsub double %277, %284
+  %287 = fsub double %283, %285
+  %288 = fmul double %286, %287
+  %289 = fsub double %279, %285
+  %290 = fsub double %281, %284
+  %291 = fmul double %290, %289
+  %292 = fsub double %288, %291
+  %293 = fmul double %292, %292
+  %294 = load double, ptr %270, align 8
+  %295 = load double, ptr %275, align 8
+  %296 = load double, ptr %255, align 8
+  %297 = fsub double %294, %296
+  %298 = fmul double %290, %297
+  %299 = fsub double %295, %296
+  %300 = fmul double %286, %299
+  %301 = fsub double %298, %300
+  %302 = fmul double %301, %301
+  %303 = fadd double %293, %302
+  %304 = fmul double %289, %299
+  %305 = fmul double %287, %297
+  %306 = fsub double %304, %305
+  %307 = fmul double %306, %306
+  %308 = fadd double %307, %303
+  %309 = fcmp ogt double %308, 0.000000e+00
+  br i1 %309, label %310, label %354
+310:
+  %311 = load double, ptr %259, align 8
+  %312 = fsub double %311, %284
+  %313 = fmul double %1018, %312
+  %314 = fadd double %284, %313
+  %315 = fsub double %277, %314
+  %316 = load double, ptr %260, align 8
+  %317 = fsub double %316, %285
+  %318 = fmul double %1018, %317
+  %319 = fadd double %285, %318
+  %320 = fsub double %283, %319
+  %321 = fmul double %315, %320
+  %322 = fsub double %281, %314
+  %323 = fsub double %279, %319
+  %324 = fmul double %322, %323
+  %325 = fsub double %321, %324
+  %326 = fmul double %325, %325
+  %327 = load double, ptr %258, align 8
+  %328 = fsub double %327, %296
+  %329 = fmul double %1018, %328
+  %330 = fadd double %296, %329
+  %331 = fsub double %294, %330
+  %332 = fmul double %322, %331
+  %333 = fsub double %295, %330
+  %334 = fmul double %315, %333
+  %335 = fsub double %332, %334
+  %336 = fmul double %335, %335
+  %337 = fadd double %326, %336
+  %338 = fmul double %323, %333
+  %339 = fmul double %320, %331
+  %340 = fsub double %338, %339
+  %341 = fmul double %340, %340
+  %342 = fadd double %341, %337
+  %343 = fmul double %292, %325
+  %344 = fadd double %343, 0.000000e+00
+  %345 = fmul double %301, %335
+  %346 = fadd double %344, %345
+  %347 = fmul double %306, %340
+  %348 = fadd double %347, %346
+  %349 = fmul double %308, %342
+  %350 = tail call double @llvm.sqrt.f64(double %349)
+  %351 = fmul double %350, 5.000000e-01
+  %352 = fcmp ole double %348, %351
+  %353 = or i1 %363, %352
+  br i1 %353, label %1019, label %355
+354:
+  br i1 %363, label %370, label %355
+355:
+  %356 = add nuw i64 %358, 1
+  br label %357
+357:
+  %358 = phi i64 [ %356, %355 ], [ 1, %243 ]
+  %359 = shl i64 %358, 3
+  %360 = getelementptr i8, ptr %247, i64 %359
+  %361 = getelementptr i8, ptr %360, i64 -8
+  %362 = load i64, ptr %361, align 8
+  %363 = icmp eq i64 %241, %358
+  %364 = select i1 %363, i64 0, i64 %358
+  %365 = getelementptr i64, ptr %247, i64 %364
+  %366 = load i64, ptr %365, align 8
+  %367 = icmp ne i64 %1010, %362
+  %368 = icmp ne i64 %1011, %362
+  %369 = select i1 %367, i1 %368, i1 false
+  br i1 %369, label %261, label %354
+370:
+  %371 = icmp slt i64 %1011, 0
+  %372 = select i1 %371, i64 %18, i64 0
+  %373 = getelementptr i64, ptr %16, i64 %1011
+  %374 = getelementptr i64, ptr %373, i64 %372
+  %375 = load i64, ptr %374, align 8
+  %376 = icmp slt i64 %375, 1
+  br i1 %376, label %506, label %377
+377:
+  %378 = select i1 %371, i64 %11, i64 0
+  %379 = add i64 %378, %1011
+  %380 = mul i64 %379, %13
+  %381 = getelementptr i64, ptr %9, i64 %380
+  %382 = select i1 %371, i64 %4, i64 0
+  %383 = add i64 %382, %1011
+  %384 = select i1 %1012, i64 %4, i64 0
+  %385 = add i64 %384, %1010
+  %386 = mul i64 %383, %7
+  %387 = mul i64 %385, %7
+  %388 = getelementptr i8, ptr %2, i64 %386
+  %389 = getelementptr i8, ptr %388, i64 8
+  %390 = getelementptr i8, ptr %388, i64 16
+  %391 = getelementptr i8, ptr %2, i64 %387
+  %392 = getelementptr i8, ptr %391, i64 8
+  %393 = getelementptr i8, ptr %391, i64 16
+  br label %490
+394:
+  %395 = icmp ne i64 %1010, %499
+  %396 = icmp ne i64 %1011, %499
+  %397 = select i1 %395, i1 %396, i1 false
+  br i1 %397, label %398, label %487
+398:
+  %399 = icmp slt i64 %495, 0
+  %400 = select i1 %399, i64 %4, i64 0
+  %401 = add i64 %400, %495
+  %402 = mul i64 %401, %6
+  %403 = getelementptr double, ptr %2, i64 %402
+  %404 = icmp slt i64 %499, 0
+  %405 = select i1 %404, i64 %4, i64 0
+  %406 = add i64 %405, %499
+  %407 = mul i64 %406, %6
+  %408 = getelementptr double, ptr %2, i64 %407
+  %409 = getelementptr i8, ptr %403, i64 8
+  %410 = load double, ptr %409, align 8
+  %411 = getelementptr i8, ptr %403, i64 16
+  %412 = load double, ptr %411, align 8
+  %413 = getelementptr i8, ptr %408, i64 8
+  %414 = load double, ptr %413, align 8
+  %415 = getelementptr i8, ptr %408, i64 16
+  %416 = load double, ptr %415, align 8
+  %417 = load double, ptr %389, align 8
+  %418 = load double, ptr %390, align 8
+  %419 = fsub double %410, %417
+  %420 = fsub double %416, %418
+  %421 = fmul double %419, %420
+  %422 = fsub double %412, %418
+  %423 = fsub double %414, %417
+  %424 = fmul double %423, %422
+  %425 = fsub double %421, %424
+  %426 = fmul double %425, %425
+  %427 = load double, ptr %403, align 8
+  %428 = load double, ptr %408, align 8
+  %429 = load double, ptr %388, align 8
+  %430 = fsub double %427, %429
+  %431 = fmul double %423, %430
+  %432 = fsub double %428, %429
+  %433 = fmul double %419, %432
+  %434 = fsub double %431, %433
+  %435 = fmul double %434, %434
+  %436 = fadd double %426, %435
+  %437 = fmul double %422, %432
+  %438 = fmul double %420, %430
+  %439 = fsub double %437, %438
+  %440 = fmul double %439, %439
+  %441 = fadd double %440, %436
+  %442 = fcmp ogt double %441, 0.000000e+00
+  br i1 %442, label %443, label %487
+443:
+  %444 = load double, ptr %392, align 8
+  %445 = fsub double %417, %444
+  %446 = fmul double %1018, %445
+  %447 = fadd double %444, %446
+  %448 = fsub double %410, %447
+  %449 = load double, ptr %393, align 8
+  %450 = fsub double %418, %449
+  %451 = fmul double %1018, %450
+  %452 = fadd double %449, %451
+  %453 = fsub double %416, %452
+  %454 = fmul double %448, %453
+  %455 = fsub double %414, %447
+  %456 = fsub double %412, %452
+  %457 = fmul double %455, %456
+  %458 = fsub double %454, %457
+  %459 = fmul double %458, %458
+  %460 = load double, ptr %391, align 8
+  %461 = fsub double %429, %460
+  %462 = fmul double %1018, %461
+  %463 = fadd double %460, %462
+  %464 = fsub double %427, %463
+  %465 = fmul double %455, %464
+  %466 = fsub double %428, %463
+  %467 = fmul double %448, %466
+  %468 = fsub double %465, %467
+  %469 = fmul double %468, %468
+  %470 = fadd double %459, %469
+  %471 = fmul double %456, %466
+  %472 = fmul double %453, %464
+  %473 = fsub double %471, %472
+  %474 = fmul double %473, %473
+  %475 = fadd double %474, %470
+  %476 = fmul double %425, %458
+  %477 = fadd double %476, 0.000000e+00
+  %478 = fmul double %434, %468
+  %479 = fadd double %477, %478
+  %480 = fmul double %439, %473
+  %481 = fadd double %480, %479
+  %482 = fmul double %441, %475
+  %483 = tail call double @llvm.sqrt.f64(double %482)
+  %484 = fmul double %483, 5.000000e-01
+  %485 = fcmp ole double %481, %484
+  %486 = or i1 %496, %485
+  br i1 %486, label %1020, label %488
+487:
+  br i1 %496, label %506, label %488
+488:
+  %489 = add nuw i64 %491, 1
+  br label %490
+490:
+  %491 = phi i64 [ %489, %488 ], [ 1, %377 ]
+  %492 = shl i64 %491, 3
+  %493 = getelementptr i8, ptr %381, i64 %492
+  %494 = getelementptr i8, ptr %493, i64 -8
+  %495 = load i64, ptr %494, align 8
+  %496 = icmp eq i64 %375, %491
+  %497 = select i1 %496, i64 0, i64 %491
+  %498 = getelementptr i64, ptr %381, i64 %497
+  %499 = load i64, ptr %498, align 8
+  %500 = icmp ne i64 %1010, %495
+  %501 = icmp ne i64 %1011, %495
+  %502 = select i1 %500, i1 %501, i1 false
+  br i1 %502, label %394, label %487
+503:
+  %504 = shl i64 %131, 3
+  %505 = getelementptr i8, ptr %59, i64 %504
+  store i64 -1, ptr %505, align 8
+  br label %924
+506:
+  %507 = select i1 %1012, i64 %11, i64 0
+  %508 = add i64 %507, %1010
+  %509 = mul i64 %508, %13
+  %510 = getelementptr i64, ptr %9, i64 %509
+  %511 = load i64, ptr %510, align 8
+  %512 = icmp eq i64 %511, %1011
+  br i1 %512, label %679, label %513
+513:
+  %514 = shl i64 %509, 3
+  %515 = getelementptr i8, ptr %9, i64 %514
+  %516 = getelementptr i8, ptr %515, i64 8
+  br label %517
+517:
+  %518 = phi i64 [ %519, %517 ], [ 0, %513 ]
+  %519 = add i64 %518, 1
+  %520 = shl i64 %518, 3
+  %521 = getelementptr i8, ptr %516, i64 %520
+  %522 = load i64, ptr %521, align 8
+  %523 = icmp eq i64 %522, %1011
+  br i1 %523, label %679, label %517
+524:
+  %525 = phi i64 [ 0, %771 ], [ %526, %567 ]
+  %526 = add nuw nsw i64 %525, 1
+  %527 = shl i64 %525, 3
+  %528 = getelementptr i8, ptr %73, i64 %527
+  store i64 -1, ptr %528, align 8
+  %529 = getelementptr i8, ptr %100, i64 %527
+  store i64 0, ptr %529, align 8
+  %530 = load i64, ptr %775, align 8
+  %531 = add nsw i64 %530, -1
+  %532 = icmp slt i64 %525, %531
+  br i1 %532, label %533, label %536
+533:
+  %534 = add i64 %525, %698
+  %535 = icmp eq i64 %530, 0
+  br i1 %535, label %541, label %778
+536:
+  %537 = add i64 %525, %697
+  %538 = sub i64 %537, %530
+  %539 = load i64, ptr %777, align 8
+  %540 = icmp eq i64 %539, 0
+  br i1 %540, label %541, label %801
+541:
+  %542 = phi i64 [ %800, %793 ], [ 0, %533 ], [ 0, %778 ], [ %823, %816 ], [ 0, %536 ], [ 0, %801 ]
+  %543 = phi i64 [ %1010, %793 ], [ %1010, %533 ], [ %1010, %778 ], [ %1011, %816 ], [ %1011, %536 ], [ %1011, %801 ]
+  %544 = icmp slt i64 %525, %770
+  br i1 %544, label %545, label %567
+545:
+  %546 = icmp slt i64 %543, 0
+  %547 = select i1 %546, i64 %11, i64 0
+  %548 = add i64 %547, %543
+  %549 = icmp slt i64 %542, 0
+  %550 = select i1 %549, i64 %13, i64 0
+  %551 = mul i64 %548, %13
+  %552 = getelementptr i64, ptr %9, i64 %551
+  %553 = getelementptr i64, ptr %552, i64 %542
+  %554 = getelementptr i64, ptr %553, i64 %550
+  %555 = load i64, ptr %554, align 8
+  store i64 %555, ptr %528, align 8
+  %556 = select i1 %546, i64 %22, i64 0
+  %557 = add i64 %556, %543
+  %558 = select i1 %549, i64 %24, i64 0
+  %559 = mul i64 %557, %24
+  %560 = getelementptr i64, ptr %20, i64 %559
+  %561 = getelementptr i64, ptr %560, i64 %542
+  %562 = getelementptr i64, ptr %561, i64 %558
+  %563 = load i64, ptr %562, align 8
+  %564 = icmp eq i64 %543, %1011
+  %565 = select i1 %564, i64 %764, i64 0
+  %566 = add nsw i64 %563, %565
+  store i64 %566, ptr %529, align 8
+  br label %567
+567:
+  %568 = icmp eq i64 %13, %526
+  br i1 %568, label %824, label %524
+569:
+  %570 = phi i64 [ %571, %677 ], [ 0, %826 ]
+  %571 = add nuw nsw i64 %570, 1
+  %572 = getelementptr i64, ptr %685, i64 %570
+  %573 = load i64, ptr %572, align 8
+  %574 = icmp eq i64 %573, %1010
+  br i1 %574, label %677, label %575
+575:
+  %576 = icmp slt i64 %573, 0
+  %577 = select i1 %576, i64 %11, i64 0
+  %578 = add i64 %577, %573
+  %579 = mul i64 %578, %13
+  %580 = getelementptr i64, ptr %9, i64 %579
+  %581 = load i64, ptr %580, align 8
+  %582 = icmp eq i64 %581, %1011
+  br i1 %582, label %829, label %583
+583:
+  %584 = shl i64 %579, 3
+  %585 = getelementptr i8, ptr %9, i64 %584
+  %586 = getelementptr i8, ptr %585, i64 8
+  br label %587
+587:
+  %588 = phi i64 [ %589, %587 ], [ 0, %583 ]
+  %589 = add i64 %588, 1
+  %590 = shl i64 %588, 3
+  %591 = getelementptr i8, ptr %586, i64 %590
+  %592 = load i64, ptr %591, align 8
+  %593 = icmp eq i64 %592, %1011
+  br i1 %593, label %829, label %587
+594:
+  %595 = getelementptr i64, ptr %580, i64 %830
+  store i64 %1010, ptr %595, align 8
+  %596 = select i1 %576, i64 %22, i64 0
+  %597 = add i64 %596, %573
+  %598 = mul i64 %597, %24
+  %599 = getelementptr i64, ptr %20, i64 %598
+  %600 = getelementptr i64, ptr %599, i64 %830
+  %601 = load i64, ptr %600, align 8
+  %602 = sub nsw i64 %601, %764
+  store i64 %602, ptr %600, align 8
+  br label %677
+603:
+  %604 = phi i64 [ %639, %603 ], [ %864, %863 ]
+  %605 = icmp slt i64 %604, -1
+  %606 = shl i64 %604, 3
+  %607 = select i1 %605, i64 %101, i64 8
+  %608 = getelementptr i8, ptr %580, i64 %607
+  %609 = getelementptr i8, ptr %608, i64 %606
+  %610 = load i64, ptr %609, align 8
+  %611 = select i1 %605, i64 %102, i64 8
+  %612 = getelementptr i8, ptr %846, i64 %611
+  %613 = getelementptr i8, ptr %612, i64 %606
+  %614 = load i64, ptr %613, align 8
+  %615 = icmp slt i64 %604, 0
+  %616 = select i1 %615, i64 %14, i64 0
+  %617 = getelementptr i8, ptr %580, i64 %616
+  %618 = getelementptr i8, ptr %617, i64 %606
+  store i64 %610, ptr %618, align 8
+  %619 = select i1 %615, i64 %25, i64 0
+  %620 = getelementptr i8, ptr %846, i64 %619
+  %621 = getelementptr i8, ptr %620, i64 %606
+  store i64 %614, ptr %621, align 8
+  %622 = add i64 %604, 1
+  %623 = icmp slt i64 %622, -1
+  %624 = select i1 %623, i64 %103, i64 16
+  %625 = getelementptr i8, ptr %580, i64 %624
+  %626 = getelementptr i8, ptr %625, i64 %606
+  %627 = load i64, ptr %626, align 8
+  %628 = select i1 %623, i64 %104, i64 16
+  %629 = getelementptr i8, ptr %846, i64 %628
+  %630 = getelementptr i8, ptr %629, i64 %606
+  %631 = load i64, ptr %630, align 8
+  %632 = icmp slt i64 %622, 0
+  %633 = select i1 %632, i64 %101, i64 8
+  %634 = getelementptr i8, ptr %580, i64 %633
+  %635 = getelementptr i8, ptr %634, i64 %606
+  store i64 %627, ptr %635, align 8
+  %636 = select i1 %632, i64 %102, i64 8
+  %637 = getelementptr i8, ptr %846, i64 %636
+  %638 = getelementptr i8, ptr %637, i64 %606
+  store i64 %631, ptr %638, align 8
+  %639 = add i64 %604, 2
+  %640 = icmp eq i64 %639, %839
+  br i1 %640, label %641, label %603
+641:
+  %642 = shl i64 %835, 3
+  %643 = getelementptr inbounds i8, ptr %836, i64 %642
+  %644 = load i64, ptr %643, align 8
+  br label %645
+645:
+  %646 = phi i64 [ %644, %641 ], [ %839, %834 ]
+  %647 = icmp slt i64 %646, 0
+  %648 = select i1 %647, i64 %13, i64 0
+  %649 = getelementptr i64, ptr %580, i64 %646
+  %650 = getelementptr i64, ptr %649, i64 %648
+  store i64 -1, ptr %650, align 8
+  br label %677
+651:
+  %652 = phi i64 [ 0, %868 ], [ %665, %651 ]
+  %653 = shl i64 %652, 3
+  %654 = getelementptr i8, ptr %73, i64 %653
+  %655 = load i64, ptr %654, align 8
+  %656 = getelementptr i8, ptr %871, i64 %653
+  %657 = getelementptr i8, ptr %656, i64 -8
+  store i64 %655, ptr %657, align 8
+  %658 = getelementptr i8, ptr %874, i64 %653
+  %659 = getelementptr i8, ptr %658, i64 -8
+  store i64 -1, ptr %659, align 8
+  %660 = getelementptr i8, ptr %109, i64 %653
+  %661 = getelementptr i8, ptr %660, i64 -8
+  %662 = load i64, ptr %661, align 8
+  %663 = getelementptr i8, ptr %877, i64 %653
+  %664 = getelementptr i8, ptr %663, i64 -8
+  store i64 %662, ptr %664, align 8
+  %665 = add nuw i64 %652, 2
+  %666 = getelementptr i8, ptr %654, i64 8
+  %667 = load i64, ptr %666, align 8
+  store i64 %667, ptr %656, align 8
+  store i64 -1, ptr %658, align 8
+  %668 = load i64, ptr %660, align 8
+  store i64 %668, ptr %663, align 8
+  %669 = icmp eq i64 %107, %665
+  br i1 %669, label %670, label %651
+670:
+  br i1 %111, label %878, label %671
+671:
+  %672 = load i64, ptr %119, align 8
+  %673 = getelementptr i64, ptr %510, i64 %107
+  store i64 %672, ptr %673, align 8
+  %674 = getelementptr i64, ptr %685, i64 %107
+  store i64 -1, ptr %674, align 8
+  %675 = load i64, ptr %120, align 8
+  %676 = getelementptr i64, ptr %762, i64 %107
+  store i64 %675, ptr %676, align 8
+  br label %878
+677:
+  %678 = icmp eq i64 %571, %827
+  br i1 %678, label %866, label %569
+679:
+  %680 = phi i64 [ 0, %506 ], [ %519, %517 ]
+  %681 = icmp slt i64 %1011, 0
+  %682 = select i1 %681, i64 %11, i64 0
+  %683 = add i64 %682, %1011
+  %684 = mul i64 %683, %13
+  %685 = getelementptr i64, ptr %9, i64 %684
+  %686 = load i64, ptr %685, align 8
+  %687 = icmp eq i64 %686, %1010
+  br i1 %687, label %696, label %688
+688:
+  %689 = phi i64 [ %695, %688 ], [ 3, %679 ]
+  %690 = shl i64 %689, 3
+  %691 = getelementptr i8, ptr %685, i64 %690
+  %692 = getelementptr i8, ptr %691, i64 -16
+  %693 = load i64, ptr %692, align 8
+  %694 = icmp eq i64 %693, %1010
+  %695 = add i64 %689, 1
+  br i1 %694, label %696, label %688
+696:
+  %697 = phi i64 [ 3, %679 ], [ %695, %688 ]
+  %698 = add i64 %680, 1
+  %699 = select i1 %1012, i64 %18, i64 0
+  %700 = getelementptr i64, ptr %16, i64 %1010
+  %701 = getelementptr i64, ptr %700, i64 %699
+  %702 = load i64, ptr %701, align 8
+  %703 = icmp eq i64 %702, 0
+  br i1 %703, label %756, label %704
+704:
+  %705 = or i64 %702, %698
+  %706 = icmp ult i64 %705, 4294967296
+  br i1 %706, label %707, label %712
+707:
+  %708 = trunc nuw i64 %702 to i32
+  %709 = trunc nuw i64 %698 to i32
+  %710 = urem i32 %709, %708
+  %711 = zext i32 %710 to i64
+  br label %714
+712:
+  %713 = srem i64 %698, %702
+  br label %714
+714:
+  %715 = phi i64 [ %711, %707 ], [ %713, %712 ]
+  %716 = xor i64 %715, %702
+  %717 = icmp slt i64 %716, 0
+  %718 = icmp ne i64 %715, 0
+  %719 = and i1 %718, %717
+  %720 = select i1 %719, i64 %702, i64 0
+  %721 = add i64 %720, %715
+  %722 = freeze i64 %721
+  %723 = icmp slt i64 %722, 0
+  %724 = select i1 %723, i64 %13, i64 0
+  %725 = getelementptr i64, ptr %510, i64 %722
+  %726 = getelementptr i64, ptr %725, i64 %724
+  %727 = load i64, ptr %726, align 8
+  %728 = add nsw i64 %680, -1
+  %729 = icmp ne i64 %728, -9223372036854775808
+  %730 = icmp ne i64 %702, -1
+  %731 = or i1 %729, %730
+  br i1 %731, label %732, label %756
+732:
+  %733 = or i64 %702, %728
+  %734 = icmp ult i64 %733, 4294967296
+  br i1 %734, label %735, label %740
+735:
+  %736 = trunc nuw i64 %702 to i32
+  %737 = trunc nuw i64 %728 to i32
+  %738 = urem i32 %737, %736
+  %739 = zext i32 %738 to i64
+  br label %742
+740:
+  %741 = srem i64 %728, %702
+  br label %742
+742:
+  %743 = phi i64 [ %739, %735 ], [ %741, %740 ]
+  %744 = xor i64 %743, %702
+  %745 = icmp slt i64 %744, 0
+  %746 = icmp ne i64 %743, 0
+  %747 = and i1 %746, %745
+  %748 = select i1 %747, i64 %702, i64 0
+  %749 = add i64 %748, %743
+  %750 = freeze i64 %749
+  %751 = icmp slt i64 %750, 0
+  %752 = select i1 %751, i64 %13, i64 0
+  %753 = getelementptr i64, ptr %510, i64 %752
+  %754 = getelementptr i64, ptr %753, i64 %750
+  %755 = load i64, ptr %754, align 8
+  br label %756
+756:
+  %757 = phi i64 [ %511, %714 ], [ %755, %742 ], [ %511, %696 ]
+  %758 = phi i64 [ %727, %714 ], [ %727, %742 ], [ %511, %696 ]
+  %759 = select i1 %1012, i64 %22, i64 0
+  %760 = add i64 %759, %1010
+  %761 = mul i64 %760, %24
+  %762 = getelementptr i64, ptr %20, i64 %761
+  %763 = getelementptr i64, ptr %762, i64 %680
+  %764 = load i64, ptr %763, align 8
+  %765 = select i1 %681, i64 %18, i64 0
+  %766 = getelementptr i64, ptr %16, i64 %1011
+  %767 = getelementptr i64, ptr %766, i64 %765
+  %768 = load i64, ptr %767, align 8
+  %769 = add i64 %702, -4
+  %770 = add i64 %769, %768
+  br i1 %99, label %771, label %826
+771:
+  %772 = xor i64 %697, -9223372036854775808
+  %773 = add i64 %680, 9223372036854775807
+  %774 = shl i64 %699, 3
+  %775 = getelementptr i8, ptr %700, i64 %774
+  %776 = shl i64 %765, 3
+  %777 = getelementptr i8, ptr %766, i64 %776
+  br label %524
+778:
+  %779 = add i64 %773, %525
+  %780 = icmp ne i64 %779, -2
+  %781 = icmp ne i64 %530, -1
+  %782 = or i1 %780, %781
+  br i1 %782, label %783, label %541
+783:
+  %784 = or i64 %530, %534
+  %785 = icmp ult i64 %784, 4294967296
+  br i1 %785, label %786, label %791
+786:
+  %787 = trunc nuw i64 %530 to i32
+  %788 = trunc nuw i64 %534 to i32
+  %789 = urem i32 %788, %787
+  %790 = zext i32 %789 to i64
+  br label %793
+791:
+  %792 = srem i64 %534, %530
+  br label %793
+793:
+  %794 = phi i64 [ %790, %786 ], [ %792, %791 ]
+  %795 = xor i64 %794, %530
+  %796 = icmp slt i64 %795, 0
+  %797 = icmp ne i64 %794, 0
+  %798 = and i1 %797, %796
+  %799 = select i1 %798, i64 %530, i64 0
+  %800 = add i64 %799, %794
+  br label %541
+801:
+  %802 = add i64 %525, %772
+  %803 = icmp ne i64 %802, %530
+  %804 = icmp ne i64 %539, -1
+  %805 = or i1 %803, %804
+  br i1 %805, label %806, label %541
+806:
+  %807 = or i64 %539, %538
+  %808 = icmp ult i64 %807, 4294967296
+  br i1 %808, label %809, label %814
+809:
+  %810 = trunc nuw i64 %539 to i32
+  %811 = trunc nuw i64 %538 to i32
+  %812 = urem i32 %811, %810
+  %813 = zext i32 %812 to i64
+  br label %816
+814:
+  %815 = srem i64 %538, %539
+  br label %816
+816:
+  %817 = phi i64 [ %813, %809 ], [ %815, %814 ]
+  %818 = xor i64 %817, %539
+  %819 = icmp slt i64 %818, 0
+  %820 = icmp ne i64 %817, 0
+  %821 = and i1 %820, %819
+  %822 = select i1 %821, i64 %539, i64 0
+  %823 = add i64 %822, %817
+  br label %541
+824:
+  %825 = load i64, ptr %777, align 8
+  br label %826
+826:
+  %827 = phi i64 [ %825, %824 ], [ %768, %756 ]
+  %828 = icmp slt i64 %827, 1
+  br i1 %828, label %866, label %569
+829:
+  %830 = phi i64 [ 0, %575 ], [ %589, %587 ]
+  %831 = icmp ne i64 %573, %758
+  %832 = icmp ne i64 %573, %757
+  %833 = select i1 %831, i1 %832, i1 false
+  br i1 %833, label %594, label %834
+834:
+  %835 = select i1 %576, i64 %18, i64 0
+  %836 = getelementptr i64, ptr %16, i64 %573
+  %837 = getelementptr i64, ptr %836, i64 %835
+  %838 = load i64, ptr %837, align 8
+  %839 = add nsw i64 %838, -1
+  store i64 %839, ptr %837, align 8
+  %840 = sub i64 %839, %830
+  %841 = icmp slt i64 %840, 1
+  br i1 %841, label %645, label %842
+842:
+  %843 = select i1 %576, i64 %22, i64 0
+  %844 = add i64 %843, %573
+  %845 = mul i64 %844, %24
+  %846 = getelementptr i64, ptr %20, i64 %845
+  %847 = add i64 %838, -2
+  %848 = and i64 %840, 1
+  %849 = icmp eq i64 %848, 0
+  br i1 %849, label %863, label %850
+850:
+  %851 = add i64 %830, 1
+  %852 = icmp slt i64 %830, -1
+  %853 = select i1 %852, i64 %13, i64 0
+  %854 = getelementptr i64, ptr %580, i64 %851
+  %855 = getelementptr i64, ptr %854, i64 %853
+  %856 = load i64, ptr %855, align 8
+  %857 = select i1 %852, i64 %24, i64 0
+  %858 = getelementptr i64, ptr %846, i64 %851
+  %859 = getelementptr i64, ptr %858, i64 %857
+  %860 = load i64, ptr %859, align 8
+  %861 = getelementptr i64, ptr %580, i64 %830
+  store i64 %856, ptr %861, align 8
+  %862 = getelementptr i64, ptr %846, i64 %830
+  store i64 %860, ptr %862, align 8
+  br label %863
+863:
+  %864 = phi i64 [ %830, %842 ], [ %851, %850 ]
+  %865 = icmp eq i64 %847, %830
+  br i1 %865, label %641, label %603
+866:
+  br i1 %105, label %878, label %867
+867:
+  br i1 %106, label %671, label %868
+868:
+  %869 = shl i64 %509, 3
+  %870 = getelementptr i8, ptr %9, i64 %869
+  %871 = getelementptr i8, ptr %870, i64 8
+  %872 = shl i64 %684, 3
+  %873 = getelementptr i8, ptr %9, i64 %872
+  %874 = getelementptr i8, ptr %873, i64 8
+  %875 = shl i64 %761, 3
+  %876 = getelementptr i8, ptr %20, i64 %875
+  %877 = getelementptr i8, ptr %876, i64 8
+  br label %651
+878:
+  %879 = shl i64 %699, 3
+  %880 = getelementptr i8, ptr %700, i64 %879
+  store i64 %770, ptr %880, align 8
+  %881 = shl i64 %765, 3
+  %882 = getelementptr i8, ptr %766, i64 %881
+  store i64 0, ptr %882, align 8
+  %883 = icmp slt i64 %122, 0
+  %884 = select i1 %883, i64 %77, i64 0
+  %885 = add i64 %884, %122
+  %886 = mul i64 %885, %79
+  %887 = getelementptr i64, ptr %75, i64 %886
+  store i64 %1010, ptr %887, align 8
+  %888 = getelementptr i8, ptr %887, i64 8
+  store i64 %1011, ptr %888, align 8
+  %889 = select i1 %883, i64 %83, i64 0
+  %890 = getelementptr double, ptr %81, i64 %122
+  %891 = getelementptr double, ptr %890, i64 %889
+  store double %1018, ptr %891, align 8
+  %892 = select i1 %1012, i64 %4, i64 0
+  %893 = add i64 %892, %1010
+  %894 = mul i64 %893, %6
+  %895 = getelementptr double, ptr %2, i64 %894
+  %896 = select i1 %681, i64 %4, i64 0
+  %897 = add i64 %896, %1011
+  %898 = mul i64 %897, %6
+  %899 = getelementptr double, ptr %2, i64 %898
+  %900 = load double, ptr %895, align 8
+  %901 = load double, ptr %899, align 8
+  %902 = fsub double %901, %900
+  %903 = fmul double %1018, %902
+  %904 = fadd double %900, %903
+  store double %904, ptr %895, align 8
+  %905 = getelementptr i8, ptr %895, i64 8
+  %906 = load double, ptr %905, align 8
+  %907 = getelementptr i8, ptr %899, i64 8
+  %908 = load double, ptr %907, align 8
+  %909 = fsub double %908, %906
+  %910 = fmul double %1018, %909
+  %911 = fadd double %906, %910
+  store double %911, ptr %905, align 8
+  %912 = getelementptr i8, ptr %895, i64 16
+  %913 = load double, ptr %912, align 8
+  %914 = getelementptr i8, ptr %899, i64 16
+  %915 = load double, ptr %914, align 8
+  %916 = fsub double %915, %913
+  %917 = fmul double %1018, %916
+  %918 = fadd double %913, %917
+  store double %918, ptr %912, align 8
+  %919 = select i1 %681, i64 %35, i64 0
+  %920 = getelementptr i8, ptr %33, i64 %1011
+  %921 = getelementptr i8, ptr %920, i64 %919
+  %922 = load i8, ptr %921, align 1
+  %923 = icmp eq i8 %922, 0
+  br i1 %923, label %1064, label %1021
+924:
+  %925 = phi i64 [ %122, %157 ], [ %1244, %1243 ], [ %122, %503 ], [ %122, %160 ], [ %122, %166 ]
+  %926 = icmp eq i64 %127, %57
+  br i1 %926, label %1245, label %121
+927:
+  %928 = icmp slt i64 %137, 0
+  %929 = select i1 %928, i64 %18, i64 0
+  %930 = getelementptr i64, ptr %16, i64 %137
+  %931 = getelementptr i64, ptr %930, i64 %929
+  %932 = load i64, ptr %931, align 8
+  %933 = icmp slt i64 %139, 0
+  %934 = select i1 %933, i64 %18, i64 0
+  %935 = getelementptr i64, ptr %16, i64 %139
+  %936 = getelementptr i64, ptr %935, i64 %934
+  %937 = load i64, ptr %936, align 8
+  %938 = tail call i64 @llvm.smin.i64(i64 %937, i64 %932)
+  %939 = icmp slt i64 %938, 4
+  br i1 %939, label %157, label %160
+940:
+  store i8 1, ptr %170, align 1
+  %941 = select i1 %167, i64 %18, i64 0
+  %942 = getelementptr i64, ptr %16, i64 %135
+  %943 = getelementptr i64, ptr %942, i64 %941
+  %944 = load i64, ptr %943, align 8
+  %945 = icmp slt i64 %944, 1
+  br i1 %945, label %1004, label %946
+946:
+  %947 = select i1 %167, i64 %11, i64 0
+  %948 = add i64 %947, %135
+  %949 = and i64 %944, 3
+  %950 = icmp samesign ult i64 %944, 4
+  br i1 %950, label %987, label %951
+951:
+  %952 = and i64 %944, 9223372036854775804
+  %953 = mul i64 %948, %14
+  %954 = getelementptr i8, ptr %9, i64 %953
+  %955 = getelementptr i8, ptr %954, i64 24
+  br label %956
+956:
+  %957 = phi i64 [ 0, %951 ], [ %978, %956 ]
+  %958 = shl i64 %957, 3
+  %959 = getelementptr i8, ptr %955, i64 %958
+  %960 = getelementptr i8, ptr %959, i64 -24
+  %961 = load i64, ptr %960, align 8
+  %962 = icmp slt i64 %961, 0
+  %963 = select i1 %962, i64 %67, i64 0
+  %964 = getelementptr i8, ptr %65, i64 %961
+  %965 = getelementptr i8, ptr %964, i64 %963
+  store i8 1, ptr %965, align 1
+  %966 = getelementptr i8, ptr %959, i64 -16
+  %967 = load i64, ptr %966, align 8
+  %968 = icmp slt i64 %967, 0
+  %969 = select i1 %968, i64 %67, i64 0
+  %970 = getelementptr i8, ptr %65, i64 %967
+  %971 = getelementptr i8, ptr %970, i64 %969
+  store i8 1, ptr %971, align 1
+  %972 = getelementptr i8, ptr %959, i64 -8
+  %973 = load i64, ptr %972, align 8
+  %974 = icmp slt i64 %973, 0
+  %975 = select i1 %974, i64 %67, i64 0
+  %976 = getelementptr i8, ptr %65, i64 %973
+  %977 = getelementptr i8, ptr %976, i64 %975
+  store i8 1, ptr %977, align 1
+  %978 = add nuw nsw i64 %957, 4
+  %979 = load i64, ptr %959, align 8
+  %980 = icmp slt i64 %979, 0
+  %981 = select i1 %980, i64 %67, i64 0
+  %982 = getelementptr i8, ptr %65, i64 %979
+  %983 = getelementptr i8, ptr %982, i64 %981
+  store i8 1, ptr %983, align 1
+  %984 = icmp eq i64 %952, %978
+  br i1 %984, label %985, label %956
+985:
+  %986 = icmp eq i64 %949, 0
+  br i1 %986, label %1004, label %987
+987:
+  %988 = phi i64 [ 0, %946 ], [ %952, %985 ]
+  %989 = mul i64 %948, %13
+  %990 = add i64 %988, %989
+  %991 = shl i64 %990, 3
+  %992 = getelementptr i8, ptr %9, i64 %991
+  br label %993
+993:
+  %994 = phi i64 [ 0, %987 ], [ %1002, %993 ]
+  %995 = shl i64 %994, 3
+  %996 = getelementptr i8, ptr %992, i64 %995
+  %997 = load i64, ptr %996, align 8
+  %998 = icmp slt i64 %997, 0
+  %999 = select i1 %998, i64 %67, i64 0
+  %1000 = getelementptr i8, ptr %65, i64 %997
+  %1001 = getelementptr i8, ptr %1000, i64 %999
+  store i8 1, ptr %1001, align 1
+  %1002 = add i64 %994, 1
+  %1003 = icmp eq i64 %949, %1002
+  br i1 %1003, label %1004, label %993
+1004:
+  %1005 = select i1 %167, i64 %39, i64 0
+  %1006 = getelementptr i8, ptr %37, i64 %135
+  %1007 = getelementptr i8, ptr %1006, i64 %1005
+  %1008 = load i8, ptr %1007, align 1
+  %1009 = icmp eq i8 %1008, 0
+  %1010 = select i1 %1009, i64 %133, i64 %135
+  %1011 = select i1 %1009, i64 %135, i64 %133
+  %1012 = icmp slt i64 %1010, 0
+  %1013 = select i1 %1012, i64 %39, i64 0
+  %1014 = getelementptr i8, ptr %37, i64 %1010
+  %1015 = getelementptr i8, ptr %1014, i64 %1013
+  %1016 = load i8, ptr %1015, align 1
+  %1017 = icmp eq i8 %1016, 0
+  %1018 = select i1 %1017, double 5.000000e-01, double 0.000000e+00
+  br i1 %98, label %506, label %237
+1019:
+  br i1 %352, label %503, label %370
+1020:
+  br i1 %485, label %503, label %506
+1021:
+  %1022 = select i1 %681, i64 %29, i64 0
+  %1023 = add i64 %1022, %1011
+  %1024 = mul i64 %1023, %31
+  %1025 = getelementptr double, ptr %27, i64 %1024
+  %1026 = load double, ptr %1025, align 8
+  %1027 = fsub double %1026, %904
+  %1028 = fmul double %1027, %1027
+  %1029 = getelementptr i8, ptr %1025, i64 8
+  %1030 = load double, ptr %1029, align 8
+  %1031 = fsub double %1030, %911
+  %1032 = fmul double %1031, %1031
+  %1033 = fadd double %1028, %1032
+  %1034 = getelementptr i8, ptr %1025, i64 16
+  %1035 = load double, ptr %1034, align 8
+  %1036 = fsub double %1035, %918
+  %1037 = fmul double %1036, %1036
+  %1038 = fadd double %1033, %1037
+  %1039 = tail call double @llvm.sqrt.f64(double %1038)
+  br label %1064
+1040:
+  br i1 %116, label %1041, label %1056
+1041:
+  %1042 = phi i64 [ 0, %1134 ], [ %1168, %1040 ]
+  %1043 = shl i64 %1042, 3
+  %1044 = getelementptr i8, ptr %1137, i64 %1043
+  %1045 = getelementptr i8, ptr %1044, i64 -8
+  %1046 = load double, ptr %1045, align 8
+  %1047 = getelementptr i8, ptr %1140, i64 %1043
+  %1048 = getelementptr i8, ptr %1047, i64 -8
+  %1049 = load double, ptr %1048, align 8
+  %1050 = fadd double %1046, %1049
+  %1051 = fmul double %1050, 5.000000e-01
+  store double %1051, ptr %1045, align 8
+  %1052 = load double, ptr %1044, align 8
+  %1053 = load double, ptr %1047, align 8
+  %1054 = fadd double %1052, %1053
+  %1055 = fmul double %1054, 5.000000e-01
+  store double %1055, ptr %1044, align 8
+  br label %1056
+1056:
+  br i1 %118, label %1175, label %1057
+1057:
+  %1058 = getelementptr double, ptr %92, i64 %1130
+  %1059 = load double, ptr %1058, align 8
+  %1060 = getelementptr double, ptr %92, i64 %1133
+  %1061 = load double, ptr %1060, align 8
+  %1062 = fadd double %1059, %1061
+  %1063 = fmul double %1062, 5.000000e-01
+  store double %1063, ptr %1058, align 8
+  br label %1175
+1064:
+  %1065 = phi double [ %1039, %1021 ], [ 0x7FF0000000000000, %878 ]
+  %1066 = select i1 %1012, i64 %35, i64 0
+  %1067 = getelementptr i8, ptr %33, i64 %1010
+  %1068 = getelementptr i8, ptr %1067, i64 %1066
+  %1069 = load i8, ptr %1068, align 1
+  %1070 = icmp eq i8 %1069, 0
+  br i1 %1070, label %1090, label %1071
+1071:
+  %1072 = select i1 %1012, i64 %29, i64 0
+  %1073 = add i64 %1072, %1010
+  %1074 = mul i64 %1073, %31
+  %1075 = getelementptr double, ptr %27, i64 %1074
+  %1076 = load double, ptr %1075, align 8
+  %1077 = fsub double %1076, %904
+  %1078 = fmul double %1077, %1077
+  %1079 = getelementptr i8, ptr %1075, i64 8
+  %1080 = load double, ptr %1079, align 8
+  %1081 = fsub double %1080, %911
+  %1082 = fmul double %1081, %1081
+  %1083 = fadd double %1078, %1082
+  %1084 = getelementptr i8, ptr %1075, i64 16
+  %1085 = load double, ptr %1084, align 8
+  %1086 = fsub double %1085, %918
+  %1087 = fmul double %1086, %1086
+  %1088 = fadd double %1083, %1087
+  %1089 = tail call double @llvm.sqrt.f64(double %1088)
+  br label %1090
+1090:
+  %1091 = phi double [ %1089, %1071 ], [ 0x7FF0000000000000, %1064 ]
+  %1092 = fcmp olt double %1065, %1091
+  br i1 %1092, label %1093, label %1116
+1093:
+  %1094 = select i1 %681, i64 %43, i64 0
+  %1095 = getelementptr double, ptr %41, i64 %1011
+  %1096 = getelementptr double, ptr %1095, i64 %1094
+  %1097 = load double, ptr %1096, align 8
+  store i8 1, ptr %1068, align 1
+  %1098 = select i1 %1012, i64 %43, i64 0
+  %1099 = getelementptr double, ptr %41, i64 %1010
+  %1100 = getelementptr double, ptr %1099, i64 %1098
+  store double %1097, ptr %1100, align 8
+  %1101 = select i1 %681, i64 %29, i64 0
+  %1102 = add i64 %1101, %1011
+  %1103 = mul i64 %1102, %31
+  %1104 = getelementptr double, ptr %27, i64 %1103
+  %1105 = select i1 %1012, i64 %29, i64 0
+  %1106 = add i64 %1105, %1010
+  %1107 = mul i64 %1106, %31
+  %1108 = getelementptr double, ptr %27, i64 %1107
+  %1109 = load double, ptr %1104, align 8
+  store double %1109, ptr %1108, align 8
+  %1110 = getelementptr i8, ptr %1104, i64 8
+  %1111 = load double, ptr %1110, align 8
+  %1112 = getelementptr i8, ptr %1108, i64 8
+  store double %1111, ptr %1112, align 8
+  %1113 = getelementptr i8, ptr %1104, i64 16
+  %1114 = load double, ptr %1113, align 8
+  %1115 = getelementptr i8, ptr %1108, i64 16
+  store double %1114, ptr %1115, align 8
+  br label %1116
+1116:
+  %1117 = select i1 %1012, i64 %47, i64 0
+  %1118 = getelementptr double, ptr %45, i64 %1010
+  %1119 = getelementptr double, ptr %1118, i64 %1117
+  %1120 = load double, ptr %1119, align 8
+  %1121 = select i1 %681, i64 %47, i64 0
+  %1122 = getelementptr double, ptr %45, i64 %1011
+  %1123 = getelementptr double, ptr %1122, i64 %1121
+  %1124 = load double, ptr %1123, align 8
+  %1125 = fcmp olt double %1124, %1120
+  %1126 = select i1 %1125, double %1124, double %1120
+  store double %1126, ptr %1119, align 8
+  br i1 %112, label %1175, label %1127
+1127:
+  %1128 = select i1 %1012, i64 %51, i64 0
+  %1129 = add i64 %1128, %1010
+  %1130 = mul i64 %1129, %53
+  %1131 = select i1 %681, i64 %51, i64 0
+  %1132 = add i64 %1131, %1011
+  %1133 = mul i64 %1132, %53
+  br i1 %113, label %1057, label %1134
+1134:
+  %1135 = shl i64 %1130, 3
+  %1136 = getelementptr i8, ptr %49, i64 %1135
+  %1137 = getelementptr i8, ptr %1136, i64 8
+  %1138 = shl i64 %1133, 3
+  %1139 = getelementptr i8, ptr %49, i64 %1138
+  %1140 = getelementptr i8, ptr %1139, i64 8
+  br i1 %114, label %1041, label %1141
+1141:
+  %1142 = getelementptr i8, ptr %97, i64 %1135
+  %1143 = getelementptr i8, ptr %97, i64 %1138
+  br label %1144
+1144:
+  %1145 = phi i64 [ %96, %1141 ], [ %1173, %1144 ]
+  %1146 = phi i64 [ 0, %1141 ], [ %1168, %1144 ]
+  %1147 = shl i64 %1146, 3
+  %1148 = getelementptr i8, ptr %1142, i64 %1147
+  %1149 = getelementptr i8, ptr %1148, i64 -16
+  %1150 = getelementptr i8, ptr %1148, i64 -24
+  %1151 = load double, ptr %1150, align 8
+  %1152 = getelementptr i8, ptr %1143, i64 %1147
+  %1153 = getelementptr i8, ptr %1152, i64 -16
+  %1154 = getelementptr i8, ptr %1152, i64 -24
+  %1155 = load double, ptr %1154, align 8
+  %1156 = fadd double %1151, %1155
+  %1157 = fmul double %1156, 5.000000e-01
+  store double %1157, ptr %1150, align 8
+  %1158 = load double, ptr %1149, align 8
+  %1159 = load double, ptr %1153, align 8
+  %1160 = fadd double %1158, %1159
+  %1161 = fmul double %1160, 5.000000e-01
+  store double %1161, ptr %1149, align 8
+  %1162 = getelementptr i8, ptr %1148, i64 -8
+  %1163 = load double, ptr %1162, align 8
+  %1164 = getelementptr i8, ptr %1152, i64 -8
+  %1165 = load double, ptr %1164, align 8
+  %1166 = fadd double %1163, %1165
+  %1167 = fmul double %1166, 5.000000e-01
+  store double %1167, ptr %1162, align 8
+  %1168 = add i64 %1146, 4
+  %1169 = load double, ptr %1148, align 8
+  %1170 = load double, ptr %1152, align 8
+  %1171 = fadd double %1169, %1170
+  %1172 = fmul double %1171, 5.000000e-01
+  store double %1172, ptr %1148, align 8
+  %1173 = add i64 %1145, -2
+  %1174 = icmp eq i64 %1173, 0
+  br i1 %1174, label %1040, label %1144
+1175:
+  %1176 = zext i1 %1092 to i64
+  %1177 = shl i64 %886, 3
+  %1178 = getelementptr i8, ptr %75, i64 %1177
+  %1179 = getelementptr i8, ptr %1178, i64 16
+  store i64 %1176, ptr %1179, align 8
+  %1180 = select i1 %681, i64 %71, i64 0
+  %1181 = getelementptr i8, ptr %69, i64 %1011
+  %1182 = getelementptr i8, ptr %1181, i64 %1180
+  store i8 1, ptr %1182, align 1
+  %1183 = select i1 %1012, i64 %71, i64 0
+  %1184 = getelementptr i8, ptr %69, i64 %1010
+  %1185 = getelementptr i8, ptr %1184, i64 %1183
+  store i8 1, ptr %1185, align 1
+  %1186 = load i64, ptr %701, align 8
+  %1187 = icmp slt i64 %1186, 1
+  br i1 %1187, label %1243, label %1188
+1188:
+  %1189 = and i64 %1186, 3
+  %1190 = icmp samesign ult i64 %1186, 4
+  br i1 %1190, label %1227, label %1191
+1191:
+  %1192 = and i64 %1186, 9223372036854775804
+  %1193 = mul i64 %508, %14
+  %1194 = getelementptr i8, ptr %9, i64 %1193
+  %1195 = getelementptr i8, ptr %1194, i64 24
+  br label %1196
+1196:
+  %1197 = phi i64 [ 0, %1191 ], [ %1218, %1196 ]
+  %1198 = shl i64 %1197, 3
+  %1199 = getelementptr i8, ptr %1195, i64 %1198
+  %1200 = getelementptr i8, ptr %1199, i64 -24
+  %1201 = load i64, ptr %1200, align 8
+  %1202 = icmp slt i64 %1201, 0
+  %1203 = select i1 %1202, i64 %71, i64 0
+  %1204 = getelementptr i8, ptr %69, i64 %1201
+  %1205 = getelementptr i8, ptr %1204, i64 %1203
+  store i8 1, ptr %1205, align 1
+  %1206 = getelementptr i8, ptr %1199, i64 -16
+  %1207 = load i64, ptr %1206, align 8
+  %1208 = icmp slt i64 %1207, 0
+  %1209 = select i1 %1208, i64 %71, i64 0
+  %1210 = getelementptr i8, ptr %69, i64 %1207
+  %1211 = getelementptr i8, ptr %1210, i64 %1209
+  store i8 1, ptr %1211, align 1
+  %1212 = getelementptr i8, ptr %1199, i64 -8
+  %1213 = load i64, ptr %1212, align 8
+  %1214 = icmp slt i64 %1213, 0
+  %1215 = select i1 %1214, i64 %71, i64 0
+  %1216 = getelementptr i8, ptr %69, i64 %1213
+  %1217 = getelementptr i8, ptr %1216, i64 %1215
+  store i8 1, ptr %1217, align 1
+  %1218 = add nuw nsw i64 %1197, 4
+  %1219 = load i64, ptr %1199, align 8
+  %1220 = icmp slt i64 %1219, 0
+  %1221 = select i1 %1220, i64 %71, i64 0
+  %1222 = getelementptr i8, ptr %69, i64 %1219
+  %1223 = getelementptr i8, ptr %1222, i64 %1221
+  store i8 1, ptr %1223, align 1
+  %1224 = icmp eq i64 %1192, %1218
+  br i1 %1224, label %1225, label %1196
+1225:
+  %1226 = icmp eq i64 %1189, 0
+  br i1 %1226, label %1243, label %1227
+1227:
+  %1228 = phi i64 [ 0, %1188 ], [ %1192, %1225 ]
+  %1229 = add i64 %1228, %509
+  %1230 = shl i64 %1229, 3
+  %1231 = getelementptr i8, ptr %9, i64 %1230
+  br label %1232
+1232:
+  %1233 = phi i64 [ 0, %1227 ], [ %1241, %1232 ]
+  %1234 = shl i64 %1233, 3
+  %1235 = getelementptr i8, ptr %1231, i64 %1234
+  %1236 = load i64, ptr %1235, align 8
+  %1237 = icmp slt i64 %1236, 0
+  %1238 = select i1 %1237, i64 %71, i64 0
+  %1239 = getelementptr i8, ptr %69, i64 %1236
+  %1240 = getelementptr i8, ptr %1239, i64 %1238
+  store i8 1, ptr %1240, align 1
+  %1241 = add i64 %1233, 1
+  %1242 = icmp eq i64 %1189, %1241
+  br i1 %1242, label %1243, label %1232
+1243:
+  %1244 = add nsw i64 %122, 1
+  br label %924
+1245:
+  %1246 = phi i64 [ 0, %1 ], [ %925, %924 ]
+  ret i64 %1246
+}
+define noundef i64 @msf_jax.meso.kernels.cut(ptr readonly %0) local_unnamed_addr {
+  %2 = load ptr, ptr %0, align 8
+  %3 = getelementptr i8, ptr %0, i64 8
+  %4 = load i64, ptr %3, align 8
+  %5 = getelementptr i8, ptr %0, i64 16
+  %6 = load i64, ptr %5, align 8
+  %7 = getelementptr i8, ptr %0, i64 24
+  %8 = load ptr, ptr %7, align 8
+  %9 = getelementptr i8, ptr %0, i64 32
+  %10 = load i64, ptr %9, align 8
+  %11 = getelementptr i8, ptr %0, i64 40
+  %12 = load i64, ptr %11, align 8
+  %13 = shl i64 %12, 3
+  %14 = getelementptr i8, ptr %0, i64 48
+  %15 = load ptr, ptr %14, align 8
+  %16 = getelementptr i8, ptr %0, i64 56
+  %17 = load i64, ptr %16, align 8
+  %18 = getelementptr i8, ptr %0, i64 64
+  %19 = load ptr, ptr %18, align 8
+  %20 = getelementptr i8, ptr %0, i64 72
+  %21 = load i64, ptr %20, align 8
+  %22 = getelementptr i8, ptr %0, i64 80
+  %23 = load i64, ptr %22, align 8
+  %24 = shl i64 %23, 3
+  %25 = getelementptr i8, ptr %0, i64 88
+  %26 = load ptr, ptr %25, align 8
+  %27 = getelementptr i8, ptr %0, i64 96
+  %28 = load i64, ptr %27, align 8
+  %29 = getelementptr i8, ptr %0, i64 104
+  %30 = load i64, ptr %29, align 8
+  %31 = getelementptr i8, ptr %0, i64 160
+  %32 = load ptr, ptr %31, align 8
+  %33 = getelementptr i8, ptr %0, i64 168
+  %34 = load i64, ptr %33, align 8
+  %35 = getelementptr i8, ptr %0, i64 184
+  %36 = load i64, ptr %35, align 8
+  %37 = getelementptr i8, ptr %0, i64 192
+  %38 = load i64, ptr %37, align 8
+  %39 = shl i64 %38, 3
+  %40 = getelementptr i8, ptr %0, i64 200
+  %41 = load ptr, ptr %40, align 8
+  %42 = getelementptr i8, ptr %0, i64 208
+  %43 = load i64, ptr %42, align 8
+  %44 = getelementptr i8, ptr %0, i64 216
+  %45 = load ptr, ptr %44, align 8
+  %46 = getelementptr i8, ptr %0, i64 232
+  %47 = load ptr, ptr %46, align 8
+  %48 = icmp slt i64 %43, 1
+  br i1 %48, label %489, label %49
+49:
+  %50 = getelementptr i8, ptr %0, i64 176
+  %51 = load ptr, ptr %50, align 8
+  %52 = sub i64 %10, %43
+  %53 = and i64 %38, 9223372036854775806
+  %54 = getelementptr i8, ptr %51, i64 8
+  %55 = icmp slt i64 %38, 1
+  %56 = icmp eq i64 %38, 1
+  %57 = and i64 %38, 1
+  %58 = icmp eq i64 %57, 0
+  %59 = getelementptr double, ptr %51, i64 %53
+  br label %73
+60:
+  br i1 %58, label %70, label %61
+61:
+  %62 = getelementptr double, ptr %59, i64 %474
+  %63 = load double, ptr %62, align 8
+  %64 = fmul double %390, %63
+  %65 = getelementptr double, ptr %59, i64 %477
+  %66 = load double, ptr %65, align 8
+  %67 = fmul double %83, %66
+  %68 = fadd double %64, %67
+  %69 = getelementptr double, ptr %59, i64 %480
+  store double %68, ptr %69, align 8
+  br label %70
+70:
+  %71 = add i64 %74, 1
+  %72 = icmp eq i64 %76, %43
+  br i1 %72, label %489, label %73
+73:
+  %74 = phi i64 [ %52, %49 ], [ %71, %70 ]
+  %75 = phi i64 [ 0, %49 ], [ %76, %70 ]
+  %76 = add nuw nsw i64 %75, 1
+  %77 = add nsw i64 %75, %52
+  %78 = getelementptr i64, ptr %41, i64 %75
+  %79 = load i64, ptr %78, align 8
+  %80 = getelementptr i64, ptr %45, i64 %75
+  %81 = load i64, ptr %80, align 8
+  %82 = getelementptr double, ptr %47, i64 %75
+  %83 = load double, ptr %82, align 8
+  %84 = icmp slt i64 %79, 0
+  %85 = select i1 %84, i64 %10, i64 0
+  %86 = add i64 %85, %79
+  %87 = mul i64 %86, %12
+  %88 = getelementptr i64, ptr %8, i64 %87
+  %89 = load i64, ptr %88, align 8
+  %90 = icmp eq i64 %89, %81
+  br i1 %90, label %227, label %91
+91:
+  %92 = shl i64 %87, 3
+  %93 = getelementptr i8, ptr %8, i64 %92
+  %94 = getelementptr i8, ptr %93, i64 8
+  br label %95
+95:
+  %96 = phi i64 [ %97, %95 ], [ 0, %91 ]
+  %97 = add nuw i64 %96, 1
+  %98 = shl i64 %96, 3
+  %99 = getelementptr i8, ptr %94, i64 %98
+  %100 = load i64, ptr %99, align 8
+  %101 = icmp eq i64 %100, %81
+  br i1 %101, label %227, label %95
+102:
+  %103 = phi i64 [ %104, %102 ], [ %375, %364 ]
+  %104 = add i64 %103, -1
+  %105 = icmp slt i64 %103, 1
+  %106 = select i1 %105, i64 %13, i64 0
+  %107 = getelementptr i8, ptr %335, i64 %106
+  %108 = shl i64 %103, 3
+  %109 = getelementptr i8, ptr %107, i64 %108
+  %110 = getelementptr i8, ptr %109, i64 -8
+  %111 = load i64, ptr %110, align 8
+  %112 = select i1 %105, i64 %24, i64 0
+  %113 = getelementptr i8, ptr %369, i64 %112
+  %114 = getelementptr i8, ptr %113, i64 %108
+  %115 = getelementptr i8, ptr %114, i64 -8
+  %116 = load i64, ptr %115, align 8
+  %117 = icmp slt i64 %103, 0
+  %118 = select i1 %117, i64 %13, i64 0
+  %119 = getelementptr i8, ptr %335, i64 %118
+  %120 = getelementptr i8, ptr %119, i64 %108
+  store i64 %111, ptr %120, align 8
+  %121 = select i1 %117, i64 %24, i64 0
+  %122 = getelementptr i8, ptr %369, i64 %121
+  %123 = getelementptr i8, ptr %122, i64 %108
+  store i64 %116, ptr %123, align 8
+  %124 = sub i64 %104, %350
+  %125 = icmp samesign ugt i64 %124, 1
+  br i1 %125, label %102, label %126
+126:
+  %127 = sub i64 0, %371
+  %128 = icmp slt i64 %350, -1
+  %129 = select i1 %128, i64 %12, i64 0
+  %130 = getelementptr i64, ptr %335, i64 %351
+  %131 = getelementptr i64, ptr %130, i64 %129
+  store i64 %77, ptr %131, align 8
+  %132 = select i1 %128, i64 %23, i64 0
+  %133 = getelementptr i64, ptr %369, i64 %351
+  %134 = getelementptr i64, ptr %133, i64 %132
+  store i64 %371, ptr %134, align 8
+  %135 = shl i64 %326, 3
+  %136 = getelementptr i8, ptr %19, i64 %135
+  %137 = getelementptr i8, ptr %136, i64 8
+  store i64 %127, ptr %137, align 8
+  %138 = shl i64 %372, 3
+  %139 = getelementptr inbounds i8, ptr %373, i64 %138
+  %140 = load i64, ptr %139, align 8
+  %141 = add nsw i64 %140, 1
+  store i64 %141, ptr %139, align 8
+  %142 = icmp slt i64 %308, 0
+  %143 = select i1 %142, i64 %10, i64 0
+  %144 = add i64 %143, %308
+  %145 = mul i64 %144, %12
+  %146 = getelementptr i64, ptr %8, i64 %145
+  %147 = load i64, ptr %146, align 8
+  %148 = icmp eq i64 %147, %81
+  br i1 %148, label %167, label %149
+149:
+  %150 = shl i64 %145, 3
+  %151 = getelementptr i8, ptr %8, i64 %150
+  br label %152
+152:
+  %153 = phi i64 [ %158, %152 ], [ 1, %149 ]
+  %154 = shl i64 %153, 3
+  %155 = getelementptr i8, ptr %151, i64 %154
+  %156 = load i64, ptr %155, align 8
+  %157 = icmp eq i64 %156, %81
+  %158 = add nuw i64 %153, 1
+  br i1 %157, label %159, label %152
+159:
+  %160 = phi i64 [ %161, %159 ], [ 0, %152 ]
+  %161 = add nuw i64 %160, 1
+  %162 = shl i64 %160, 3
+  %163 = getelementptr i8, ptr %151, i64 %162
+  %164 = getelementptr i8, ptr %163, i64 8
+  %165 = load i64, ptr %164, align 8
+  %166 = icmp eq i64 %165, %81
+  br i1 %166, label %167, label %159
+167:
+  %168 = phi i64 [ 1, %126 ], [ %158, %159 ]
+  %169 = phi i64 [ 0, %126 ], [ %161, %159 ]
+  %170 = select i1 %142, i64 %21, i64 0
+  %171 = add i64 %170, %308
+  %172 = mul i64 %171, %23
+  %173 = getelementptr i64, ptr %19, i64 %172
+  %174 = getelementptr i64, ptr %173, i64 %169
+  %175 = load i64, ptr %174, align 8
+  %176 = select i1 %142, i64 %17, i64 0
+  %177 = getelementptr i64, ptr %15, i64 %308
+  %178 = getelementptr i64, ptr %177, i64 %176
+  %179 = load i64, ptr %178, align 8
+  %180 = sub i64 %168, %179
+  %181 = icmp ugt i64 %180, -9223372036854775808
+  br i1 %181, label %182, label %378
+182:
+  %183 = phi i64 [ %184, %182 ], [ %179, %167 ]
+  %184 = add i64 %183, -1
+  %185 = icmp slt i64 %183, 1
+  %186 = select i1 %185, i64 %13, i64 0
+  %187 = getelementptr i8, ptr %146, i64 %186
+  %188 = shl i64 %183, 3
+  %189 = getelementptr i8, ptr %187, i64 %188
+  %190 = getelementptr i8, ptr %189, i64 -8
+  %191 = load i64, ptr %190, align 8
+  %192 = select i1 %185, i64 %24, i64 0
+  %193 = getelementptr i8, ptr %173, i64 %192
+  %194 = getelementptr i8, ptr %193, i64 %188
+  %195 = getelementptr i8, ptr %194, i64 -8
+  %196 = load i64, ptr %195, align 8
+  %197 = icmp slt i64 %183, 0
+  %198 = select i1 %197, i64 %13, i64 0
+  %199 = getelementptr i8, ptr %146, i64 %198
+  %200 = getelementptr i8, ptr %199, i64 %188
+  store i64 %191, ptr %200, align 8
+  %201 = select i1 %197, i64 %24, i64 0
+  %202 = getelementptr i8, ptr %173, i64 %201
+  %203 = getelementptr i8, ptr %202, i64 %188
+  store i64 %196, ptr %203, align 8
+  %204 = sub i64 %183, %168
+  %205 = icmp samesign ugt i64 %204, 1
+  br i1 %205, label %182, label %378
+206:
+  %207 = phi i64 [ %220, %206 ], [ 0, %481 ]
+  %208 = shl i64 %207, 3
+  %209 = getelementptr i8, ptr %483, i64 %208
+  %210 = getelementptr i8, ptr %209, i64 -8
+  %211 = load double, ptr %210, align 8
+  %212 = fmul double %390, %211
+  %213 = getelementptr i8, ptr %485, i64 %208
+  %214 = getelementptr i8, ptr %213, i64 -8
+  %215 = load double, ptr %214, align 8
+  %216 = fmul double %83, %215
+  %217 = fadd double %212, %216
+  %218 = getelementptr i8, ptr %488, i64 %208
+  %219 = getelementptr i8, ptr %218, i64 -8
+  store double %217, ptr %219, align 8
+  %220 = add nuw i64 %207, 2
+  %221 = load double, ptr %209, align 8
+  %222 = fmul double %390, %221
+  %223 = load double, ptr %213, align 8
+  %224 = fmul double %83, %223
+  %225 = fadd double %222, %224
+  store double %225, ptr %218, align 8
+  %226 = icmp eq i64 %53, %220
+  br i1 %226, label %60, label %206
+227:
+  %228 = phi i64 [ 0, %73 ], [ %97, %95 ]
+  %229 = icmp slt i64 %81, 0
+  %230 = select i1 %229, i64 %10, i64 0
+  %231 = add i64 %230, %81
+  %232 = mul i64 %231, %12
+  %233 = getelementptr i64, ptr %8, i64 %232
+  %234 = load i64, ptr %233, align 8
+  %235 = icmp eq i64 %234, %79
+  br i1 %235, label %247, label %236
+236:
+  %237 = shl i64 %232, 3
+  %238 = getelementptr i8, ptr %8, i64 %237
+  %239 = getelementptr i8, ptr %238, i64 8
+  br label %240
+240:
+  %241 = phi i64 [ %242, %240 ], [ 0, %236 ]
+  %242 = add nuw i64 %241, 1
+  %243 = shl i64 %241, 3
+  %244 = getelementptr i8, ptr %239, i64 %243
+  %245 = load i64, ptr %244, align 8
+  %246 = icmp eq i64 %245, %79
+  br i1 %246, label %247, label %240
+247:
+  %248 = phi i64 [ 0, %227 ], [ %242, %240 ]
+  %249 = select i1 %84, i64 %17, i64 0
+  %250 = getelementptr i64, ptr %15, i64 %79
+  %251 = getelementptr i64, ptr %250, i64 %249
+  %252 = load i64, ptr %251, align 8
+  %253 = icmp eq i64 %252, 0
+  br i1 %253, label %307, label %254
+254:
+  %255 = add nsw i64 %228, 1
+  %256 = or i64 %252, %255
+  %257 = icmp ult i64 %256, 4294967296
+  br i1 %257, label %258, label %263
+258:
+  %259 = trunc nuw i64 %252 to i32
+  %260 = trunc nuw i64 %255 to i32
+  %261 = urem i32 %260, %259
+  %262 = zext i32 %261 to i64
+  br label %265
+263:
+  %264 = srem i64 %255, %252
+  br label %265
+265:
+  %266 = phi i64 [ %262, %258 ], [ %264, %263 ]
+  %267 = xor i64 %266, %252
+  %268 = icmp slt i64 %267, 0
+  %269 = icmp ne i64 %266, 0
+  %270 = and i1 %269, %268
+  %271 = select i1 %270, i64 %252, i64 0
+  %272 = add i64 %271, %266
+  %273 = freeze i64 %272
+  %274 = icmp slt i64 %273, 0
+  %275 = select i1 %274, i64 %12, i64 0
+  %276 = getelementptr i64, ptr %88, i64 %273
+  %277 = getelementptr i64, ptr %276, i64 %275
+  %278 = load i64, ptr %277, align 8
+  %279 = add nsw i64 %228, -1
+  %280 = icmp ne i64 %279, -9223372036854775808
+  %281 = icmp ne i64 %252, -1
+  %282 = or i1 %280, %281
+  br i1 %282, label %283, label %307
+283:
+  %284 = or i64 %252, %279
+  %285 = icmp ult i64 %284, 4294967296
+  br i1 %285, label %286, label %291
+286:
+  %287 = trunc nuw i64 %252 to i32
+  %288 = trunc nuw i64 %279 to i32
+  %289 = urem i32 %288, %287
+  %290 = zext i32 %289 to i64
+  br label %293
+291:
+  %292 = srem i64 %279, %252
+  br label %293
+293:
+  %294 = phi i64 [ %290, %286 ], [ %292, %291 ]
+  %295 = xor i64 %294, %252
+  %296 = icmp slt i64 %295, 0
+  %297 = icmp ne i64 %294, 0
+  %298 = and i1 %297, %296
+  %299 = select i1 %298, i64 %252, i64 0
+  %300 = add i64 %299, %294
+  %301 = freeze i64 %300
+  %302 = icmp slt i64 %301, 0
+  %303 = select i1 %302, i64 %12, i64 0
+  %304 = getelementptr i64, ptr %88, i64 %303
+  %305 = getelementptr i64, ptr %304, i64 %301
+  %306 = load i64, ptr %305, align 8
+  br label %307
+307:
+  %308 = phi i64 [ %89, %265 ], [ %306, %293 ], [ %89, %247 ]
+  %309 = phi i64 [ %278, %265 ], [ %278, %293 ], [ %89, %247 ]
+  %310 = icmp slt i64 %77, 0
+  %311 = select i1 %310, i64 %10, i64 0
+  %312 = add i64 %311, %77
+  %313 = mul i64 %312, %12
+  %314 = getelementptr i64, ptr %8, i64 %313
+  store i64 %81, ptr %314, align 8
+  %315 = getelementptr i8, ptr %314, i64 8
+  store i64 %309, ptr %315, align 8
+  %316 = getelementptr i8, ptr %314, i64 16
+  store i64 %79, ptr %316, align 8
+  %317 = getelementptr i8, ptr %314, i64 24
+  store i64 %308, ptr %317, align 8
+  %318 = select i1 %229, i64 %21, i64 0
+  %319 = add i64 %318, %81
+  %320 = mul i64 %319, %23
+  %321 = getelementptr i64, ptr %19, i64 %320
+  %322 = getelementptr i64, ptr %321, i64 %248
+  %323 = load i64, ptr %322, align 8
+  %324 = select i1 %310, i64 %21, i64 0
+  %325 = add i64 %324, %77
+  %326 = mul i64 %325, %23
+  %327 = getelementptr i64, ptr %19, i64 %326
+  %328 = getelementptr i8, ptr %327, i64 16
+  store i64 %323, ptr %328, align 8
+  store i64 0, ptr %322, align 8
+  %329 = getelementptr i64, ptr %88, i64 %228
+  store i64 %77, ptr %329, align 8
+  %330 = getelementptr i64, ptr %233, i64 %248
+  store i64 %77, ptr %330, align 8
+  %331 = icmp slt i64 %309, 0
+  %332 = select i1 %331, i64 %10, i64 0
+  %333 = add i64 %332, %309
+  %334 = mul i64 %333, %12
+  %335 = getelementptr i64, ptr %8, i64 %334
+  %336 = load i64, ptr %335, align 8
+  %337 = icmp eq i64 %336, %79
+  br i1 %337, label %349, label %338
+338:
+  %339 = shl i64 %334, 3
+  %340 = getelementptr i8, ptr %8, i64 %339
+  %341 = getelementptr i8, ptr %340, i64 8
+  br label %342
+342:
+  %343 = phi i64 [ %344, %342 ], [ 0, %338 ]
+  %344 = add nuw i64 %343, 1
+  %345 = shl i64 %343, 3
+  %346 = getelementptr i8, ptr %341, i64 %345
+  %347 = load i64, ptr %346, align 8
+  %348 = icmp eq i64 %347, %79
+  br i1 %348, label %349, label %342
+349:
+  %350 = phi i64 [ 0, %307 ], [ %344, %342 ]
+  %351 = add nsw i64 %350, 1
+  %352 = icmp eq i64 %336, %81
+  br i1 %352, label %364, label %353
+353:
+  %354 = shl i64 %334, 3
+  %355 = getelementptr i8, ptr %8, i64 %354
+  %356 = getelementptr i8, ptr %355, i64 8
+  br label %357
+357:
+  %358 = phi i64 [ %359, %357 ], [ 0, %353 ]
+  %359 = add nuw i64 %358, 1
+  %360 = shl i64 %358, 3
+  %361 = getelementptr i8, ptr %356, i64 %360
+  %362 = load i64, ptr %361, align 8
+  %363 = icmp eq i64 %362, %81
+  br i1 %363, label %364, label %357
+364:
+  %365 = phi i64 [ 0, %349 ], [ %359, %357 ]
+  %366 = select i1 %331, i64 %21, i64 0
+  %367 = add i64 %366, %309
+  %368 = mul i64 %367, %23
+  %369 = getelementptr i64, ptr %19, i64 %368
+  %370 = getelementptr i64, ptr %369, i64 %365
+  %371 = load i64, ptr %370, align 8
+  %372 = select i1 %331, i64 %17, i64 0
+  %373 = getelementptr i64, ptr %15, i64 %309
+  %374 = getelementptr i64, ptr %373, i64 %372
+  %375 = load i64, ptr %374, align 8
+  %376 = sub i64 %351, %375
+  %377 = icmp ugt i64 %376, -9223372036854775808
+  br i1 %377, label %102, label %126
+378:
+  %379 = sub i64 0, %175
+  %380 = getelementptr i64, ptr %146, i64 %168
+  store i64 %77, ptr %380, align 8
+  %381 = getelementptr i64, ptr %173, i64 %168
+  store i64 %175, ptr %381, align 8
+  %382 = getelementptr i8, ptr %136, i64 24
+  store i64 %379, ptr %382, align 8
+  %383 = shl i64 %176, 3
+  %384 = getelementptr inbounds i8, ptr %177, i64 %383
+  %385 = load i64, ptr %384, align 8
+  %386 = add nsw i64 %385, 1
+  store i64 %386, ptr %384, align 8
+  %387 = select i1 %310, i64 %17, i64 0
+  %388 = getelementptr i64, ptr %15, i64 %77
+  %389 = getelementptr i64, ptr %388, i64 %387
+  store i64 4, ptr %389, align 8
+  %390 = fsub double 1.000000e+00, %83
+  %391 = select i1 %84, i64 %4, i64 0
+  %392 = add i64 %391, %79
+  %393 = mul i64 %392, %6
+  %394 = getelementptr double, ptr %2, i64 %393
+  %395 = select i1 %229, i64 %4, i64 0
+  %396 = add i64 %395, %81
+  %397 = mul i64 %396, %6
+  %398 = getelementptr double, ptr %2, i64 %397
+  %399 = select i1 %310, i64 %4, i64 0
+  %400 = add i64 %399, %77
+  %401 = mul i64 %400, %6
+  %402 = getelementptr double, ptr %2, i64 %401
+  %403 = select i1 %84, i64 %28, i64 0
+  %404 = add i64 %403, %79
+  %405 = mul i64 %404, %30
+  %406 = getelementptr double, ptr %26, i64 %405
+  %407 = select i1 %229, i64 %28, i64 0
+  %408 = add i64 %407, %81
+  %409 = mul i64 %408, %30
+  %410 = getelementptr double, ptr %26, i64 %409
+  %411 = select i1 %310, i64 %28, i64 0
+  %412 = add i64 %411, %77
+  %413 = mul i64 %412, %30
+  %414 = getelementptr double, ptr %26, i64 %413
+  %415 = load double, ptr %394, align 8
+  %416 = fmul double %390, %415
+  %417 = load double, ptr %398, align 8
+  %418 = fmul double %83, %417
+  %419 = fadd double %416, %418
+  store double %419, ptr %402, align 8
+  %420 = load double, ptr %406, align 8
+  %421 = fmul double %390, %420
+  %422 = load double, ptr %410, align 8
+  %423 = fmul double %83, %422
+  %424 = fadd double %421, %423
+  store double %424, ptr %414, align 8
+  %425 = getelementptr i8, ptr %394, i64 8
+  %426 = load double, ptr %425, align 8
+  %427 = fmul double %390, %426
+  %428 = getelementptr i8, ptr %398, i64 8
+  %429 = load double, ptr %428, align 8
+  %430 = fmul double %83, %429
+  %431 = fadd double %427, %430
+  %432 = getelementptr i8, ptr %402, i64 8
+  store double %431, ptr %432, align 8
+  %433 = getelementptr i8, ptr %406, i64 8
+  %434 = load double, ptr %433, align 8
+  %435 = fmul double %390, %434
+  %436 = getelementptr i8, ptr %410, i64 8
+  %437 = load double, ptr %436, align 8
+  %438 = fmul double %83, %437
+  %439 = fadd double %435, %438
+  %440 = getelementptr i8, ptr %414, i64 8
+  store double %439, ptr %440, align 8
+  %441 = getelementptr i8, ptr %394, i64 16
+  %442 = load double, ptr %441, align 8
+  %443 = fmul double %390, %442
+  %444 = getelementptr i8, ptr %398, i64 16
+  %445 = load double, ptr %444, align 8
+  %446 = fmul double %83, %445
+  %447 = fadd double %443, %446
+  %448 = getelementptr i8, ptr %402, i64 16
+  store double %447, ptr %448, align 8
+  %449 = getelementptr i8, ptr %406, i64 16
+  %450 = load double, ptr %449, align 8
+  %451 = fmul double %390, %450
+  %452 = getelementptr i8, ptr %410, i64 16
+  %453 = load double, ptr %452, align 8
+  %454 = fmul double %83, %453
+  %455 = fadd double %451, %454
+  %456 = getelementptr i8, ptr %414, i64 16
+  store double %455, ptr %456, align 8
+  %457 = select i1 %84, i64 %34, i64 0
+  %458 = getelementptr double, ptr %32, i64 %79
+  %459 = getelementptr double, ptr %458, i64 %457
+  %460 = load double, ptr %459, align 8
+  %461 = fmul double %390, %460
+  %462 = select i1 %229, i64 %34, i64 0
+  %463 = getelementptr double, ptr %32, i64 %81
+  %464 = getelementptr double, ptr %463, i64 %462
+  %465 = load double, ptr %464, align 8
+  %466 = fmul double %83, %465
+  %467 = fadd double %461, %466
+  %468 = select i1 %310, i64 %34, i64 0
+  %469 = getelementptr double, ptr %32, i64 %77
+  %470 = getelementptr double, ptr %469, i64 %468
+  store double %467, ptr %470, align 8
+  br i1 %55, label %70, label %471
+471:
+  %472 = select i1 %84, i64 %36, i64 0
+  %473 = add i64 %472, %79
+  %474 = mul i64 %473, %38
+  %475 = select i1 %229, i64 %36, i64 0
+  %476 = add i64 %475, %81
+  %477 = mul i64 %476, %38
+  %478 = select i1 %310, i64 %36, i64 0
+  %479 = add i64 %478, %77
+  %480 = mul i64 %479, %38
+  br i1 %56, label %61, label %481
+481:
+  %482 = mul i64 %473, %39
+  %483 = getelementptr i8, ptr %54, i64 %482
+  %484 = mul i64 %476, %39
+  %485 = getelementptr i8, ptr %54, i64 %484
+  %486 = add i64 %478, %74
+  %487 = mul i64 %486, %39
+  %488 = getelementptr i8, ptr %54, i64 %487
+  br label %206
+489:
+  ret i64 0
+}

@@ -1,0 +1,182 @@
+"""Whether a point is inside a surface, and its distance from it: for poles, radii and the report.
+
+Both are exact, by a search in a tree of the triangles' bounding boxes (see `kernels`). The winding number counts signed
+crossings of a vertical ray. For a closed mesh it equals the generalised winding number of Jacobson et al. 2013
+everywhere off the surface, also where the mesh crosses itself.
+"""
+
+from functools import cached_property
+from typing import NamedTuple
+
+import numpy as np
+from scipy import spatial
+
+from msf_jax.solid import kernels
+from msf_jax.solid.geometry import barycentric, cross, unit
+from msf_jax.solid.handles import Handles
+from msf_jax.solid.kernels import Mesh
+from msf_jax.solid.triangles import Samples, boxes, middles, reaches, sampled, tree_of
+
+SURE = 0.5  # share of an approximate clearance that counts as certain
+HITS_AT_FIRST = 8  # hits a ray for which memory is allocated first; few rays have more
+MOST_CROSSED = 10_000  # pairs of triangles that cross that are listed; the rest is counted
+MOST_TESTED = 200  # pairs of triangles for each triangle that are tested for a crossing; limbs of a fan have many more
+APART = 1e-9  # extents: triangles that pass through each other by less only touch
+ROUNDING = 1e-9  # extents by which the box around a ray is enlarged, against rounding
+
+
+class Crossed(NamedTuple):
+    """Pairs (P, 2) of triangles that cross, at most ``MOST_CROSSED``; the number of all; whether the search was cut."""
+
+    pairs: np.ndarray
+    num: int
+    is_cut: bool
+
+
+class Enclosure:
+    """A closed surface prepared for many point queries.
+
+    Args:
+        vertices: (V, 3), any unit.
+        faces: (F, 3), closed and oriented.
+    """
+
+    def __init__(self, vertices: np.ndarray, faces: np.ndarray):
+        self.vertices = np.require(vertices, np.float64, ["C", "W"])  # the kernels' type
+        self.faces = np.require(faces, np.int64, ["C", "W"])
+        self.triangles = self.vertices[self.faces]
+        self.centroids = middles(self.triangles)
+
+    @cached_property
+    def reaches(self) -> np.ndarray:
+        """(F,) the largest distance from the middle of each triangle to one of its corners."""
+        return reaches(self.triangles)
+
+    @cached_property
+    def normals(self) -> np.ndarray:
+        """(F, 3) outward unit normals; 0 for a triangle without area."""
+        a, b, c = self.triangles[:, 0], self.triangles[:, 1], self.triangles[:, 2]
+        return unit(cross(b - a, c - a))
+
+    @cached_property
+    def mesh(self) -> Mesh:
+        """The surface as the kernels take it."""
+        tail, head = self.faces.ravel(), np.roll(self.faces, -1, axis=1).ravel()
+        num = len(self.vertices)
+        twins = np.empty(len(tail), dtype=np.int64)
+        twins[np.argsort(tail * num + head)] = np.argsort(head * num + tail)
+        return Mesh(self.vertices, tail, self.triangles, twins, *tree_of(*boxes(self.triangles)))
+
+    @cached_property
+    def handles(self) -> Handles:
+        """The handles of the solid, to find those that a curve inside goes around."""
+        return Handles(self.vertices, self.faces)
+
+    @cached_property
+    def _samples(self) -> Samples:
+        return sampled(self.vertices, self.faces, self.reaches)
+
+    @cached_property
+    def crossed(self) -> "Crossed":
+        """Where the surface crosses itself: pairs of triangles that have no corner in common."""
+        corners = np.unique(self.vertices, axis=0, return_inverse=True)[1].ravel()[self.faces.ravel()]
+        pairs, tested = np.empty((2, MOST_CROSSED), dtype=np.int64), np.zeros(1, dtype=np.int64)
+        most, least = MOST_TESTED * len(self.faces), APART * float(np.ptp(self.vertices, axis=0).max())
+        num = kernels.crossed(corners, self.mesh, least, most, tested, pairs[0], pairs[1])
+        return Crossed(pairs[:, :num].T, num, bool(tested[0] >= most))
+
+    def prepare(self) -> None:
+        """Make the trees of triangles and samples now, and not at the first query."""
+        _ = self.mesh, self._samples
+
+    def winding_numbers(self, points: np.ndarray) -> np.ndarray:
+        """Winding number (P,) of the surface around each point: 1 inside, 0 outside an embedded surface."""
+        winding = np.empty(len(points), dtype=np.int64)
+        kernels.windings(points, self.mesh, winding)
+        return winding
+
+    def contains(self, points: np.ndarray) -> np.ndarray:
+        """(P,) True where the surface winds around the point at least once."""
+        return self.winding_numbers(points) > 0
+
+    def distances(self, points: np.ndarray) -> np.ndarray:
+        """Unsigned distance (P,) from each point to the surface."""
+        return self.nearest(points)[0]
+
+    def nearest(self, points: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Unsigned distance (P,) from each point to the surface, and the nearest triangle (P,).
+
+        Of several at the same distance it is the first.
+        """
+        return self._nearest(points, is_exact=True)
+
+    def approximate_closest(self, points: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Approximate `nearest`, in half the time: distance (P,) to a near triangle, and that triangle (P,).
+
+        It is the nearest of the triangles at the nearest sample of the surface. The samples are its vertices and a grid
+        of points in each triangle of more than a fiftieth of the extent. The distance is never too small. With samples
+        s apart it is too large by at most about s^2 / 2d at a distance d > s, and by s close to the surface.
+        """
+        return self._nearest(points, is_exact=False)
+
+    def _nearest(self, points: np.ndarray, is_exact: bool) -> tuple[np.ndarray, np.ndarray]:
+        tree, first, fan = self._samples
+        distance2, found = np.empty(len(points)), np.empty(len(points), dtype=np.int64)
+        sample = tree.query(points)[1]
+        kernels.nearest(points, self.mesh, sample, first, fan, is_exact, distance2, found)
+        return np.sqrt(distance2), found
+
+    def clearance(self, points: np.ndarray) -> np.ndarray:
+        """Radius (P,) of the largest ball around each point inside the surface, 0 for a point outside."""
+        return np.where(self.contains(points), self.distances(points), 0.0)
+
+    def approximate_clearance(self, points: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Approximate `clearance`, in half the time, and a triangle (P,) near each point."""
+        away, near = self.approximate_closest(points)
+        return np.where(self.contains(points), away, 0.0), near
+
+    def sample_tree(self) -> spatial.KDTree:
+        """A tree of samples of the surface, see `approximate_closest`."""
+        return self._samples.tree
+
+    def surface_points(self, most: int) -> tuple[np.ndarray, np.ndarray]:
+        """At most ``most`` samples (P, 3) of the surface inside its triangles, and the unit normals there."""
+        tree, first, fan = self._samples
+        sample = np.arange(0, len(first) - 1, -(-(len(first) - 1) // most))
+        triangle = fan[first[sample]]
+        normal = self.normals[triangle]
+        has_area = normal.any(axis=1)
+        # A vertex has no normal of its own, so each sample is moved towards the middle of its triangle.
+        points = 0.75 * np.asarray(tree.data)[sample] + 0.25 * self.centroids[triangle]
+        return points[has_area], normal[has_area]
+
+    def feet(self, points: np.ndarray) -> np.ndarray:
+        """The foot (P, 3) of each point's perpendicular on its triangle of `approximate_closest`, or nearest point."""
+        triangle = self.triangles[self.approximate_closest(points)[1]]
+        return np.einsum("pk,pki->pi", barycentric(points, triangle, 0.0), triangle)
+
+    def ray_lengths(self, points: np.ndarray, directions: np.ndarray, reach: np.ndarray) -> np.ndarray:
+        """Distance (P,) to the surface from each point along its unit vector, at most ``reach`` (P,)."""
+        length = reach.astype(float)
+        ray, distance = self.ray_hits(points, directions, reach)
+        np.minimum.at(length, ray, distance)
+        return length
+
+    def ray_hits(self, points: np.ndarray, directions: np.ndarray, reach: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Every hit (H,) of the rays from ``points`` (P, 3) along unit vectors, up to ``reach`` (P,): ray and distance.
+
+        A hit on an edge or a vertex may count for one or several of the triangles there. A ray that starts on the
+        surface may hit it at 0 or not at all.
+        """
+        # Two axes perpendicular to each ray: seen along it, the ray is a point.
+        across = cross(directions, np.eye(3)[np.abs(directions).argmin(axis=1)])
+        across /= np.maximum(np.linalg.norm(across, axis=1, keepdims=True), 1e-300)
+        axes = np.stack([across, cross(directions, across), directions], axis=1)
+        slack = ROUNDING * float(np.ptp(self.mesh.boxes[1].reshape(2, 3), axis=0).max())
+        capacity = HITS_AT_FIRST * len(points)
+        while True:
+            ray, distance = np.empty(capacity, dtype=np.int64), np.empty(capacity)
+            count = kernels.hits(points, axes, reach, slack, self.mesh, np.empty((3, 3)), ray, distance)
+            if count <= capacity:
+                return ray[:count], distance[:count]
+            capacity = count

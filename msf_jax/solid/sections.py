@@ -1,0 +1,133 @@
+"""Plane sections of a surface around points of a curve: they say where the middle of a limb is.
+
+A plane cuts a closed surface in closed walks. A curve should pass through the middle of the loop around it. The loop is
+followed from triangle to triangle (see `loops`), so the cost depends on the loop's length and not on the surface.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from msf_jax.solid import walks
+from msf_jax.solid.enclosure import Enclosure
+from msf_jax.solid.geometry import cross
+
+SEARCHES = 3  # searches for the nearest loop, each three times as far as the one before
+NEAREST, FARTHEST = 1.5, 1.5 * 3 ** (SEARCHES - 1)  # radii: reach of the first and of the last search
+LONGEST_LOOP = 20_000  # triangles after which a loop is given up
+CAPACITY = 1_000  # corners a loop for which memory is allocated first; it doubles when it is full
+FLATTEST = 0.2  # sine added, as a square, between wall and plane: nearly tangent walls get bounded derivatives
+
+
+class Corners(NamedTuple):
+    """The corners of closed loops, loop by loop and in order.
+
+    loop: (C,) the loop of each corner. tail, head: (C,) ends of its mesh edge, above and below the plane. part: (C,)
+    fraction of the edge from tail to corner. triangle: (C,) the triangle from this corner to the next.
+    is_closed: (P,) which loops returned to their first corner.
+    """
+
+    loop: np.ndarray
+    tail: np.ndarray
+    head: np.ndarray
+    part: np.ndarray
+    triangle: np.ndarray
+    is_closed: np.ndarray
+
+    def places(self, shape: Enclosure) -> np.ndarray:
+        """(C, 3) the corners on ``shape``."""
+        t = self.part[:, None]
+        return (1 - t) * shape.vertices[self.tail] + t * shape.vertices[self.head]
+
+
+class Sections(NamedTuple):
+    """The loop around each of P points.
+
+    centroid: (P, 3) of the area inside the loop; the point itself without a loop.
+    radius: (P,) mean distance of the loop from its centroid; 0 without a loop.
+    size: (P,) twice the area over the loop's length: the radius of a disc, the thickness of a sheet; 0 without a loop.
+    is_found: (P,) whether there is a loop that bounds the solid from outside.
+    is_around: (P,) whether the loop goes around the point.
+    slide: (P, 3) motion of the centroid within the plane, when the plane moves along its normal n by a unit of length.
+    turn: (P, 3, 3) motion of the centroid when the plane turns about the point: turn @ dn for a change dn of n.
+    """
+
+    centroid: np.ndarray
+    radius: np.ndarray
+    size: np.ndarray
+    is_found: np.ndarray
+    is_around: np.ndarray
+    slide: np.ndarray
+    turn: np.ndarray
+
+
+def cut(
+    shape: Enclosure, points: np.ndarray, normals: np.ndarray, radii: np.ndarray, near: np.ndarray | None = None
+) -> Sections:
+    """Cut ``shape`` through ``points`` (P, 3) across the unit vectors ``normals`` (P, 3).
+
+    A point's loop is the nearest loop in its plane: the outer boundary, unless a cavity is nearer. ``radii`` (P,) are
+    estimates of its distance; the search begins within 1.5 of them. With ``near`` (P,), triangles near the points, the
+    loop reached from such a triangle is taken instead, which is fast.
+    """
+    return measured(shape, points, normals, corners(shape, points, normals, radii, near))
+
+
+def corners(
+    shape: Enclosure, points: np.ndarray, normals: np.ndarray, radii: np.ndarray, near: np.ndarray | None = None
+) -> Corners:
+    """The corners of the loops that `cut` measures."""
+    num, corner = len(points), shape.faces.ravel()
+    near = np.full(num, -1) if near is None else near
+    reach = NEAREST * np.maximum(radii, 1e-3 * np.ptp(shape.vertices, axis=0).max())
+    capacity, ends = CAPACITY * num, np.empty(num, dtype=np.int64)
+    while True:
+        edge, part = np.empty(capacity, dtype=np.int64), np.empty(capacity)
+        limits, segment = (SEARCHES, LONGEST_LOOP), np.empty((2, 3))
+        if walks.loops(points, normals, reach, near, shape.mesh, *limits, segment, ends, edge, part):
+            break
+        capacity *= 2
+    count = np.diff(ends, prepend=0)
+    loop = np.repeat(np.arange(num), count)
+    edge, part = edge[: len(loop)], part[: len(loop)]
+    triangle = edge // 3
+    head = corner[3 * triangle + (edge + 1) % 3]
+    return Corners(loop, corner[edge], head, part, triangle, count > 0)
+
+
+def nowhere(points: np.ndarray) -> Sections:
+    """The result for points without a loop."""
+    zero, none = np.zeros(len(points)), np.zeros(len(points), dtype=bool)
+    slide, turn = np.zeros_like(points), np.zeros((*points.shape, 3))
+    return Sections(points.copy(), zero, zero.copy(), none, none.copy(), slide, turn)
+
+
+def areas(shape: Enclosure, corners: Corners, normals: np.ndarray) -> np.ndarray:
+    """(P,) the area inside each loop of ``corners``, in planes across ``normals`` (P, 3); 0 without a loop."""
+    place, loop = corners.places(shape), corners.loop
+    if not len(loop):
+        return np.zeros(len(normals))
+    first = np.searchsorted(loop, loop)
+    is_last = np.append(loop[1:] != loop[:-1], True)
+    place = place - place[first]
+    onward = place[np.where(is_last, first, np.arange(len(loop)) + 1)]
+    twice = np.einsum("ci,ci->c", cross(place, onward), normals[loop])
+    return np.bincount(loop, weights=twice, minlength=len(normals)) / 2
+
+
+def measured(shape: Enclosure, points: np.ndarray, normals: np.ndarray, corners: Corners) -> Sections:
+    """Measure the loops with these ``corners``, in planes through ``points`` (P, 3) with ``normals`` (P, 3)."""
+    loop = corners.loop
+    places = corners.places(shape) - points[loop]
+    leans = -np.einsum("ci,ci->c", shape.normals[corners.triangle], normals[loop])
+    sums = np.zeros((len(points), 19))
+    ends = np.flatnonzero(np.diff(loop, append=-1)) + 1
+    walks.measures(places, leans, normals, ends, loop[ends - 1], FLATTEST, sums)
+    area2, angle, perimeter = sums[:, 3], sums[:, 4], np.maximum(sums[:, 5], 1e-300)
+    is_found = area2 > 0
+    size, radius = (np.where(is_found, column, 0.0) / perimeter for column in (area2, sums[:, 6]))
+    safe = np.where(is_found, area2, np.inf)[:, None]
+    slide, turn = sums[:, 7:10] / (safe / 2), -sums[:, 10:] / (safe / 2)
+    centroid = np.where(is_found[:, None], sums[:, :3], 0.0)
+    is_around = is_found & (angle > np.pi)
+    return Sections(points + centroid, radius, size, is_found, is_around, slide, turn.reshape(-1, 3, 3))
