@@ -19,7 +19,7 @@ import msf_jax
 from msf_jax import Config, ConfigError, MeshError, Tape
 from msf_jax.app.cli import main
 from msf_jax.base import archive
-from msf_jax.meshes import reading
+from msf_jax.meshes import checking, reading
 from msf_jax.meshes.files import unpacking
 from msf_jax.skeleton.bare import curve_of
 from tests.benchmarks import tampering
@@ -262,14 +262,17 @@ def test_what_gltf_repeats_is_counted_before_it_is_loaded(tmp_path, monkeypatch)
             reading.read(tmp_path / "a.gltf")
 
 
-@pytest.mark.parametrize("place", ["_load", "_as_vertices", "_as_faces"])
-def test_a_lack_of_memory_is_an_error_of_the_mesh(tmp_path, monkeypatch, place):
+@pytest.mark.parametrize(
+    ("module", "place"),
+    [*((reading, place) for place in ("_load", "_as_vertices", "_as_faces")), (checking, "_checked")],
+)
+def test_a_lack_of_memory_is_an_error_of_the_mesh(tmp_path, monkeypatch, module, place):
     def fail(*_, **__):
         raise MemoryError
 
-    monkeypatch.setattr(reading, place, fail)
+    monkeypatch.setattr(module, place, fail)
     with pytest.raises(MeshError, match="needs more memory than there is"):
-        reading.read(changed_gltf(tmp_path / "a.gltf"))
+        checking.prepare(changed_gltf(tmp_path / "a.gltf"))
 
 
 PEAK = """

@@ -13,7 +13,7 @@ from scipy import spatial
 
 from msf_jax.base.errors import MeshError
 from msf_jax.meshes import joining
-from msf_jax.meshes.reading import OR_REPAIR, count, read
+from msf_jax.meshes.reading import OR_REPAIR, count, enough_memory, read
 from msf_jax.meshes.repair import FEWEST_TO_JOIN, FEWEST_VERTICES, FLATTEST, Repair, as_repair, repaired, with_volume
 from msf_jax.solid.enclosure import Enclosure
 from msf_jax.solid.geometry import signed_volume
@@ -97,6 +97,7 @@ class Surface:
         )
 
 
+@enough_memory("the mesh")
 def prepare(mesh: Any, repair: bool | str | Repair = False) -> Surface:
     """Read and check ``mesh``, and repair it as ``repair`` says. The caller's object is not changed.
 

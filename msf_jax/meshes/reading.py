@@ -61,7 +61,7 @@ def read(mesh: Any, *, finite: bool = True) -> tuple[np.ndarray, np.ndarray]:
     Raises:
         MeshError: there is no such file, it has no triangle mesh, or the arrays have the wrong shape or values.
     """
-    with _enough_memory("the mesh"):
+    with enough_memory("the mesh"):
         if isinstance(mesh, str | os.PathLike):
             found = _load(mesh)
             mesh = found[0] if len(found) == 1 else trimesh.util.concatenate(found)
@@ -139,7 +139,7 @@ def parts_with_seams(mesh: Any) -> tuple[list[trimesh.Trimesh], list[np.ndarray]
     if not (isinstance(mesh, str | os.PathLike) and Path(mesh).suffix.lower() == ".obj"):
         return found, rows, int(first[-1])
     # trimesh splits vertices at seams, and does not say which; so it reads their indices in place of their positions.
-    with _enough_memory(repr(Path(mesh).name)), _quiet_loader():
+    with enough_memory(repr(Path(mesh).name)), _quiet_loader():
         text = obj.numbered(obj.plain(decoded(Path(mesh).read_bytes())))
         split = _by_trimesh(io.BytesIO(text.encode()), "obj", Path(mesh), keeps_vertices=False)
     for number, (part, seamed) in enumerate(zip(found, split, strict=True)):
@@ -190,7 +190,7 @@ def _load(given: str | os.PathLike[str], *, with_attributes: bool = False) -> li
             "export it to one of these"
         )
     try:
-        with _enough_memory(repr(path.name)), _quiet_loader():
+        with enough_memory(repr(path.name)), _quiet_loader():
             found = _meshes_of(path, suffix, with_attributes)
     except MeshError:
         raise
@@ -255,7 +255,7 @@ def check_map(mesh_map: np.ndarray, num_vertices: int) -> None:
 
 
 @contextmanager
-def _enough_memory(what: str) -> Iterator[None]:
+def enough_memory(what: str) -> Iterator[None]:
     """Turn a lack of memory into a `MeshError`."""
     try:
         yield
