@@ -58,7 +58,7 @@ _MODULES = {
 _HOMES = {
     "Batch": "gradients.batch",
     "Binding": "base.binding",
-    "Branch": "curve.branches",
+    "Branch": "limbs.pruning",
     "Config": "base.options",
     "ConfigError": "base.errors",
     "Flow": "flow.state",

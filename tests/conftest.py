@@ -31,14 +31,12 @@ import numpy as np
 import pytest
 import trimesh
 
-from msf_jax.flow import programs
 from msf_jax.gradients import compiler
 
 hypothesis.settings.register_profile("same", derandomize=True)  # the same examples in every run
 hypothesis.settings.load_profile("same")
 jax.config.update("jax_enable_x64", True)
 matplotlib.use("Agg")
-programs.OPTIONS["xla_backend_optimization_level"] = 3  # few programs, and most of a run's time without
 gc.set_threshold(100_000, 50, 100)  # a sixth of the time of tracing was the search for cycles among JAX's objects
 
 # What one process has compiled the others need not, nor the next run: most of the time of the tests is compiling.
