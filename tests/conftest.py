@@ -8,8 +8,8 @@ import sys
 import tempfile
 from pathlib import Path
 
-# Compiling is most of the time of the tests, and runs are short: half of it goes without XLA's optimisations. Tests that
-# compare bits, in test_determinism, are compiled as a user's programs are, and so are those of the smoke.
+# Compiling is most of the time of the tests, and runs are short: half of it goes without XLA's optimisations. Tests
+# that compare bits, in test_determinism, are compiled as a user's programs are, and so are those of the smoke.
 os.environ.setdefault("XLA_FLAGS", "--xla_backend_optimization_level=0")
 
 # There is a process for each core: threads of dense algebra beside it wait for each other: 40 s for 4.
