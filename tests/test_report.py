@@ -44,6 +44,17 @@ def test_the_share_of_a_curve_in_sheets(side, share):
     assert assessed(box(2.0, side, 0.3), x, edges)["in_sheets"] == pytest.approx(share, abs=0.06)
 
 
+def test_a_plane_that_cuts_off_the_side_of_a_trunk_is_in_no_sheet():
+    """Where an arm begins in a block, a section across the arm is wide, and thick as well."""
+    arm = trimesh.creation.box((0.5, 0.5, 2.0), trimesh.transformations.translation_matrix([0, 0, 2.4]))
+    mesh = trimesh.boolean.union([trimesh.creation.box((3, 3, 3)), arm]).subdivide_to_size(0.15)
+    solid = Enclosure(np.array(mesh.vertices), np.array(mesh.faces))
+    x = np.zeros((23, 3))
+    x[:, 2] = np.linspace(1.1, 3.3, 23)
+    edges = np.stack([np.arange(22), np.arange(1, 23)], axis=1)
+    assert assessed(solid, x, edges)["in_sheets"] == 0.0
+
+
 def test_a_report_says_what_it_weighs():
     skeleton = msf_jax.skeletonize(trimesh.creation.capsule(height=3.0, radius=0.4, count=[12, 12]))
     report = skeleton.report

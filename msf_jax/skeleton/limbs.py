@@ -23,6 +23,7 @@ from msf_jax.solid.geometry import arc_length, unit
 from msf_jax.topology import graphs
 
 SHEET = 2.0  # balls' radii: mean radius of a sheet's cross-section; that of a rectangle 2.6 times as wide as thick
+THICK = 2.5  # balls' radii: thickness of what is no sheet; that of an endless sheet, twice its area over its edge, is 2
 STEEP = 0.7  # change of the radius over the length of an edge; a cone with an angle of 89 degrees at its tip has it
 
 
@@ -55,8 +56,10 @@ def shares_of(
     places = vertices[asked], normal
     corners = sections.corners(shape, *places, radius[asked], near[asked])
     found = sections.measured(shape, *places, corners)
-    # Next to the inner wall of a section, a void is beside the curve, and the section is a wall around it.
-    is_wide = (found.radius > SHEET * radius[asked]) | ~found.is_found
+    # Where a limb begins, a plane across it cuts off the trunk's side: wide, and thick as well. Next to the inner wall
+    # of a section, a void is beside the curve, and the section is a wall around it.
+    is_thin = found.size < THICK * radius[asked]
+    is_wide = (found.radius > SHEET * radius[asked]) & is_thin | ~found.is_found
     known = own[asked] * corners.is_closed
     in_sheets = float(known[is_wide].sum() / max(known.sum(), 1e-300))
     area = np.full(len(vertices), np.nan)
