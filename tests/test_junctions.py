@@ -116,6 +116,28 @@ def test_a_side_branch_begins_where_its_axis_meets_the_trunk(astray):
     np.testing.assert_array_equal(found[:60], x[:60])  # the trunk stays
 
 
+def test_sections_of_a_trunk_do_not_count_where_a_side_branch_leaves_it():
+    """`BULGE`: the axis of the side branch leaves the trunk at a height of 3, and the branch from 1.6 to 4.4."""
+    shape, x, edges, _ = side_branch(8.0)
+    trunk, is_aside, is_part = junctions.bulged(x, edges, np.zeros(len(x), dtype=bool), shape.clearance(x))
+    assert len(trunk) == 59 and is_part[:60].all() and not is_part[60:].any()
+    height = x[is_aside, 2]
+    assert not is_aside[60:].any() and -0.5 < height.min() < 1.5 and 4.5 < height.max() < 6.5
+    inner = (x[:60, 2] > 1.5) & (x[:60, 2] < 4.5)
+    assert is_aside[:60][inner].all()
+
+
+def test_a_side_branch_is_on_its_axis_where_it_keeps_its_radius():
+    """`KEPT`: nodes on a bend beside its axis are nearer to the surface, and its line begins beyond them."""
+    shape, x, edges, _ = side_branch(-8.0)
+    bend = (x[:, 1] > 5) & (x[:, 1] < 8)
+    x[bend, 0] = 0.6
+    held = np.zeros(len(x), dtype=bool)
+    found, found_edges = junctions.attached(shape, x, edges, held, shape.clearance(x))
+    assert np.abs(found[: len(x)][bend, 0]).max() < 0.05
+    assert np.linalg.norm(found[np.bincount(found_edges.ravel()) > 2]) < 0.1
+
+
 def test_a_limb_that_is_nearly_as_thick_as_its_trunk_stays():
     """`THIN`: a T of equal tubes has no thin branch."""
     shape, x, edges, _ = fork(120, 0.3)

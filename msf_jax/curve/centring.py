@@ -76,17 +76,20 @@ def centre(
     is_far: bool = True,
     budget: Budget | None = None,
     handles: Handles | None = None,
+    is_aside: np.ndarray | None = None,
 ) -> np.ndarray:
     """Centre the nodes ``vertices`` (N, 3) of the curve; those of ``is_held`` (N,) do not move.
 
     ``places`` (N, 3) are the flow's places y; default ``vertices``. ``former_junctions`` (N,) are nodes that were
     junctions; they, too, are held where the clearance is larger; default none. ``is_far`` says that the curve is not
-    near the middle yet: the first round then ignores distances to centroids. Steps keep the rule of `moves`, with the
+    near the middle yet: the first round then ignores distances to centroids. Sections of the nodes ``is_aside`` (N,) do
+    not count: their middles are not those of the limb; default none. Steps keep the rule of `moves`, with the
     ``handles`` of the solid, default those of ``shape``. When ``budget``, which other calls may share, is spent, there
     is one round only.
     """
     budget = Budget() if budget is None else budget
     x, num = vertices.copy(), len(vertices)
+    is_aside = np.zeros(num, dtype=bool) if is_aside is None else is_aside
     y = vertices.copy() if places is None else np.where(is_held[:, None], vertices, places)
     degree = np.bincount(edges.ravel(), minlength=num)
     paths = measures.paths_of(x, edges, is_held)
@@ -111,6 +114,7 @@ def centre(
         ahead = chord @ x
         tangent = unit(ahead)
         clear = measures.clear_of_junctions(x, paths, degree, size, ZONE, MARGIN)
+        clear[is_aside] = 0.0
         limb = np.flatnonzero((degree > 0) & (clear > 0) & ~is_held & (clearance > 0))
         found = known.at(shape, x, tangent, size, near, limb)
         middle, reach = np.zeros_like(x), np.zeros(num)

@@ -299,6 +299,14 @@ def resample(draft: Draft, job: Job, hold_leaves: bool) -> Draft:
 def intersect_axes(draft: Draft, job: Job) -> Draft:
     """The junctions of tubes are where the axes of their branches meet, and no others are left."""
     radii = job.coarse.approximate_clearance(draft.vertices)[0]
+    x, is_held = draft.vertices, draft.is_held
+    trunk, is_aside, is_part = junctions.bulged(x, draft.edges, is_held, radii)
+    if is_aside.any():
+        held, handles = is_held | draft.is_leaf() | ~is_part, job.shape.handles
+        x = centring.centre(
+            job.coarse, x, trunk, held, is_far=False, budget=job.budget, handles=handles, is_aside=is_aside
+        )
+        draft, radii = draft.changed(x), job.coarse.approximate_clearance(x)[0]
     is_leaf = draft.is_leaf()
     draft = draft.changed(*junctions.attached(job.shape, draft.vertices, draft.edges, draft.is_held, radii))
     worth = np.where(np.pad(is_leaf, (0, len(draft.vertices) - len(is_leaf))), np.inf, 0.0)

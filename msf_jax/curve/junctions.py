@@ -1,7 +1,7 @@
 """Junctions of tubes: where the axes of their branches meet.
 
 Near a junction sections are no guide, and the nodes there follow what is wide: a side branch pulls the curve of its
-trunk towards it, and the flow's junction of a narrow fork is in front of the crotch, where its branches bend around it.
+trunk towards it (`bulged` says where), and the flow's junction of a narrow fork is in front of the crotch, where its branches bend around it.
 Farther on, where each branch has its usual radius, it is on its axis. A line continues that, or a parabola if it is
 bent, with the tangent p + t d at the place of the junction. The point m nearest to all tangents,
 
@@ -11,8 +11,12 @@ is the junction, if it is nearly on each, and sees the places where the branches
 where limbs meet, such as a rump, has a larger ball than tubes have, and its junction stays in its middle.
 """
 
+from itertools import pairwise
+from typing import NamedTuple
+
 import numpy as np
 
+from msf_jax.curve import branch_paths
 from msf_jax.inside.containment import is_inside
 from msf_jax.solid.enclosure import Enclosure
 from msf_jax.solid.geometry import arc_length, at, unit
@@ -24,14 +28,113 @@ OFF = 0.2  # radii: largest distance of the meeting point from an axis
 THIN = 0.6  # of the trunk's radius: largest usual radius of a side branch that is attached anew
 THICK = 2.0  # of the usual radius of a side branch: where it has more, it is in its trunk; a cone has 1.3 to 1.6 there
 CLEAR, STRETCH = 3.0, 6.0  # radii of a side branch from its trunk, where its axis begins, and the length that gives it
+# of its usual radius: with less, a branch is beside its axis; triangles as long as the radius make 0.85 of it
+KEPT = 0.75
 SHARED = 0.5  # radii of a side branch: it begins at a junction of the trunk that is nearer than that
 FAR = 4.0  # of the trunk's radius: largest distance to it from where a side branch is on its axis, 15 degrees from it
+# Of the width of a side branch along its trunk, where its axis leaves that: the height over which sections of the trunk
+# have a bulge. At its base a branch is thicker than usual, and sections are not quite across.
+BULGE = 2.0
 USUAL = 0.9  # of the usual radius of a branch: a radius beyond the place where it has as much, its axis begins
 BEGIN = 1.5  # radii from the place where it has its usual radius: there a branch is on its axis
 MIDDLE = 0.4  # of a branch between two junctions: there at the latest
 AXIS = 2.0  # radii: length of the stretch that gives a branch's axis
 # least eigenvalue of the sum: 0.13 for a fork of 30 degrees; below it, axes are parallel and meet nowhere
 SPREAD = 0.05
+
+
+class Side(NamedTuple):
+    """A thin side branch. path: its nodes from its junction to its leaf. size: its usual radius. begin: the position in
+    ``path`` where it is on its axis. place, heading: (3,) that node, and the unit vector of its axis away from the
+    trunk."""
+
+    path: np.ndarray
+    size: float
+    begin: int
+    place: np.ndarray
+    heading: np.ndarray
+
+
+class Meeting(NamedTuple):
+    """Where the axis of a side branch meets its trunk. edge: the trunk's edge, as a position. place: (3,). ball: the
+    trunk's radius there."""
+
+    edge: int
+    place: np.ndarray
+    ball: float
+
+
+def thin_sides(
+    x: np.ndarray, edges: np.ndarray, is_held: np.ndarray, radii: np.ndarray
+) -> tuple[list[Side], np.ndarray]:
+    """The thin side branches that are long enough to have an axis, and which ``edges`` (E,) are in no thin branch."""
+    degree = np.bincount(edges.ravel(), minlength=len(x))
+    paths, thickest = graphs.trace(len(x), edges), radii.copy()  # of each junction, also in front of a crotch
+    for path in paths:
+        thickest[[path[0], path[-1]]] = np.maximum(thickest[[path[0], path[-1]]], np.median(radii[path]))
+    in_side, sides = np.zeros(len(x), dtype=bool), []
+    for each in paths:
+        path = np.array(each if degree[each[-1]] == 1 else each[::-1])
+        size = float(np.median(radii[path[len(path) // 2 :]]))
+        if not (degree[path[-1]] == 1 and degree[path[0]] > 2 and size < THIN * thickest[path[0]]):
+            continue
+        in_side[path[1:]] = True
+        along, thick = arc_length(x[path]), np.flatnonzero(radii[path[: len(path) // 2]] > THICK * size)
+        # On its axis a branch has its usual radius, and keeps it: nodes on a bend are nearer to the surface.
+        thin = np.append(along[radii[path] < KEPT * size], np.inf)
+        is_on_axis = along >= along[thick[-1] if len(thick) else 0] + CLEAR * size
+        is_on_axis &= thin[np.searchsorted(thin, along)] > along + CLEAR * size
+        begin = int(is_on_axis.argmax()) if is_on_axis.any() else len(path)
+        if begin < len(path) and along[begin] + STRETCH * size <= along[-1] and not is_held[path[: begin + 1]].any():
+            place = x[path[begin]]
+            far = at(x[path], along, along[begin : begin + 1] + STRETCH * size)[0]
+            sides.append(Side(path, size, begin, place, unit(far - place)))
+    return sides, ~(in_side[edges[:, 0]] | in_side[edges[:, 1]])
+
+
+def meeting(side: Side, x: np.ndarray, trunk: np.ndarray, radii: np.ndarray) -> Meeting | None:
+    """Where the axis of the side branch meets the ``trunk`` (T, 2), edges between the nodes ``x`` (N, 3) with ``radii``
+    (N,); None if it passes all of it, or is as thick."""
+    share, place, off, back = _nearest_on(x[trunk], side.place, -side.heading)
+    ball = (1 - share) * radii[trunk[:, 0]] + share * radii[trunk[:, 1]]
+    is_near = (side.size < THIN * ball) & (off < OFF * ball) & (back < FAR * ball)
+    if not is_near.any():  # also where all branches end at one junction, and there is no trunk
+        return None
+    best = int(np.where(is_near, off / np.maximum(ball, 1e-300), np.inf).argmin())
+    return Meeting(best, place[best], float(ball[best]))
+
+
+def bulged(
+    x: np.ndarray, edges: np.ndarray, is_held: np.ndarray, radii: np.ndarray
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """The edges (T, 2) of the trunks of thin side branches; which nodes (N,) are where a side branch leaves its trunk;
+    and which are of a part of a trunk with such nodes.
+
+    A plane across the trunk cuts off a bulge of the side branch there, and its middle is aside: at a height from
+    (R cos a - r) / sin a to (R cos a + r) / sin a above the meeting of the axes, where the trunk has the radius R, the
+    branch r, and the angle between them is a.
+    """
+    sides, is_trunk = thin_sides(x, edges, is_held, radii)
+    trunk = edges[is_trunk]
+    is_aside, is_part = np.zeros((2, len(x)), dtype=bool)
+    paths = branch_paths.paths_of(x, trunk, is_held) if sides and len(trunk) else []
+    of_edge: dict[frozenset[int], tuple[np.ndarray, int]] = {}
+    for nodes, is_loop, *_ in paths:
+        if not is_loop:
+            of_edge |= {frozenset(pair): (nodes, k) for k, pair in enumerate(pairwise(nodes.tolist()))}
+    for side in sides if paths else ():
+        found = meeting(side, x, trunk, radii)
+        if found is None or frozenset(trunk[found.edge].tolist()) not in of_edge:
+            continue
+        nodes, first = of_edge[frozenset(trunk[found.edge].tolist())]
+        along = arc_length(x[nodes])
+        start = along[first] + np.linalg.norm(found.place - x[nodes[first]])
+        cosine = float(side.heading @ unit(x[nodes[first + 1]] - x[nodes[first]]))
+        sine = max(np.sqrt(max(1 - cosine**2, 0.0)), 1 / FAR)
+        ball = float(radii[nodes[np.abs(along - start) <= FAR * found.ball]].max(initial=found.ball))
+        is_aside[nodes[np.abs(along - start - ball * cosine / sine) <= BULGE * side.size / sine]] = True
+        is_part[nodes] |= is_aside[nodes].any()
+    return trunk, is_aside, is_part
 
 
 def attached(
@@ -43,52 +146,28 @@ def attached(
     The flow leaves the junction of a thin branch anywhere in the trunk, whose ball is larger, and the branch runs along
     the trunk until there. A new node of the trunk takes it; the old junction stays, and may be a leaf then.
     """
-    x, radii, sides = x.copy(), radii.copy(), []
-    degree = np.bincount(edges.ravel(), minlength=len(x))
-    paths, thickest = graphs.trace(len(x), edges), radii.copy()  # of each junction, also in front of a crotch
-    for path in paths:
-        thickest[[path[0], path[-1]]] = np.maximum(thickest[[path[0], path[-1]]], np.median(radii[path]))
-    for each in paths:
-        path = np.array(each if degree[each[-1]] == 1 else each[::-1])
-        size = float(np.median(radii[path[len(path) // 2 :]]))
-        if degree[path[-1]] == 1 and degree[path[0]] > 2 and size < THIN * thickest[path[0]]:
-            sides.append((path, size))
-    in_side = np.zeros(len(x), dtype=bool)
-    in_side[[node for path, _ in sides for node in path[1:]]] = True
-    is_trunk = ~in_side[edges].any(axis=1)
-    for path, size in sides:
-        along, thick = arc_length(x[path]), np.flatnonzero(radii[path[: len(path) // 2]] > THICK * size)
-        begin = int(np.searchsorted(along, along[thick[-1] if len(thick) else 0] + CLEAR * size))
-        if begin >= len(path) or along[begin] + STRETCH * size > along[-1] or is_held[path[: begin + 1]].any():
-            continue
-        place = x[path[begin]]
-        heading = unit(at(x[path], along, along[begin : begin + 1] + STRETCH * size)[0] - place)
-        trunk = edges[is_trunk]
-        if not len(trunk):
-            break
-        share, meet, off, back = _nearest_on(x[trunk], place, -heading)
-        ball = (1 - share) * radii[trunk[:, 0]] + share * radii[trunk[:, 1]]
-        is_near = (size < THIN * ball) & (off < OFF * ball) & (back < FAR * ball)
-        if not is_near.any():  # also where all branches end here, and there is no trunk
-            continue
-        best = int(np.where(is_near, off / np.maximum(ball, 1e-300), np.inf).argmin())
-        if not is_inside(shape, meet[best : best + 1], place[None])[0]:
+    x, radii = x.copy(), radii.copy()
+    sides, is_trunk = thin_sides(x, edges, is_held, radii)
+    for side in sides:
+        path, begin, trunk = side.path, side.begin, edges[is_trunk]
+        found = meeting(side, x, trunk, radii) if len(trunk) else None
+        if found is None or not is_inside(shape, found.place[None], side.place[None])[0]:
             continue
         # Branches that begin at one place share its node.
         nodes = np.intersect1d(trunk, np.flatnonzero(np.bincount(edges.ravel()) > 2))
-        away = np.linalg.norm(x[nodes] - meet[best], axis=1)
-        is_shared, new = bool((away < SHARED * size).any()), len(x)
+        away = np.linalg.norm(x[nodes] - found.place, axis=1)
+        is_shared, new, meet = bool((away < SHARED * side.size).any()), len(x), found.place
         if is_shared:
             new = int(nodes[away.argmin()])
-            meet[best] = x[new]
-        x[path[1 : begin + 1]] = meet[best] + np.linspace(0, 1, begin + 1)[1:, None] * (place - meet[best])
+            meet = x[new]
+        x[path[1 : begin + 1]] = meet + np.linspace(0, 1, begin + 1)[1:, None] * (side.place - meet)
         is_first = (np.sort(edges, axis=1) == np.sort(path[:2])).all(axis=1)
         gone = np.flatnonzero(is_first).tolist()
         added, is_added = [[new, int(path[1])]], [False]
         if not is_shared:
-            x, radii = np.append(x, meet[best : best + 1], axis=0), np.append(radii, ball[best])
-            gone.append(int(np.flatnonzero(is_trunk)[best]))
-            added += [[int(trunk[best, 0]), new], [new, int(trunk[best, 1])]]
+            x, radii = np.append(x, meet[None], axis=0), np.append(radii, found.ball)
+            gone.append(int(np.flatnonzero(is_trunk)[found.edge]))
+            added += [[int(trunk[found.edge, 0]), new], [new, int(trunk[found.edge, 1])]]
             is_added += [True, True]
         edges = np.concatenate([np.delete(edges, gone, axis=0), added])
         is_trunk = np.append(np.delete(is_trunk, gone), is_added)
