@@ -1,9 +1,9 @@
 """Junctions of tubes: where the axes of their branches meet.
 
 Near a junction sections are no guide, and the nodes there follow what is wide: a side branch pulls the curve of its
-trunk towards it (`bulged` says where), and the flow's junction of a narrow fork is in front of the crotch, where its branches bend around it.
-Farther on, where each branch has its usual radius, it is on its axis. A line continues that, or a parabola if it is
-bent, with the tangent p + t d at the place of the junction. The point m nearest to all tangents,
+trunk towards it (`bulged` says where), and the flow's junction of a narrow fork is in front of the crotch, where its
+branches bend around it. Farther on, where each branch has its usual radius, it is on its axis. A line continues that,
+or a parabola if it is bent, with the tangent p + t d at the place of the junction. The point m nearest to all tangents,
 
     minimise  sum over the branches |(I - d d^T) (m - p)|^2,
 
