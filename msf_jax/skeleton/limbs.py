@@ -56,10 +56,10 @@ def shares_of(
     places = vertices[asked], normal
     corners = sections.corners(shape, *places, radius[asked], near[asked])
     found = sections.measured(shape, *places, corners)
-    # Where a limb begins, a plane across it cuts off the trunk's side: wide, and thick as well. Next to the inner wall
-    # of a section, a void is beside the curve, and the section is a wall around it.
-    is_thin = found.size < THICK * radius[asked]
-    is_wide = (found.radius > SHEET * radius[asked]) & is_thin | ~found.is_found
+    # Where a limb begins, a plane across it cuts off the trunk's side: wide, and thick as well. In the middle of a wide
+    # section of a shell is a void. Next to its inner wall, the void is beside the curve, and the section is a wall.
+    is_thick = (found.size > THICK * radius[asked]) & shape.contains(found.centroid)
+    is_wide = (found.radius > SHEET * radius[asked]) & ~is_thick | ~found.is_found
     known = own[asked] * corners.is_closed
     in_sheets = float(known[is_wide].sum() / max(known.sum(), 1e-300))
     area = np.full(len(vertices), np.nan)
