@@ -23,7 +23,7 @@ from msf_jax.meshes import checking, reading
 from msf_jax.meshes.files import unpacking
 from msf_jax.skeleton.bare import curve_of
 from msf_jax.skeleton.formats.whole import plain_json
-from tests.benchmarks import tampering
+from tests.benchmarks import tampering, texts
 
 ONCE = Config(max_iterations=3)
 
@@ -152,6 +152,12 @@ def test_a_sample_of_altered_files(capsys):
     """More of them: python -m tests.benchmarks.adversary files."""
     assert tampering.try_files(3, 27) == []
     assert "| tape | bytes |" in capsys.readouterr().out
+
+
+def test_curves_as_text_with_another_word_are_refused_or_whole(capsys):
+    """More of them: python -m tests.benchmarks.adversary texts."""
+    assert texts.try_texts(0, 80) == []
+    assert "| graphml |" in capsys.readouterr().out
 
 
 def written_3mf(path, **parts):
