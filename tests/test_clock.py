@@ -7,6 +7,7 @@ import threading
 import time
 from concurrent.futures import Future
 from contextlib import suppress
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -15,11 +16,13 @@ from test_checkpoint import SLOW, assert_same_bits
 
 import msf_jax
 from msf_jax import Config, ConfigError, FlowError, Interrupted
+from msf_jax.app import cli
 from msf_jax.app.cli import main
 from msf_jax.base import clock as clocks
-from msf_jax.base.clock import Clock, Stopped, counted, held
+from msf_jax.base.clock import Clock, Stopped, counted
 from msf_jax.curve import finishing
 from msf_jax.flow import assembly, curves, loop, programs, starting, stepping
+from msf_jax.meshes import reading
 
 PATIENT = 60  # seconds after which a test gives up that waits for a thread
 
@@ -58,6 +61,9 @@ def endless(monkeypatch, ctrl_c):
 @pytest.mark.parametrize(
     ("module", "name"),
     [
+        (loop.checking, "prepare"),
+        (loop, "Solid"),
+        (starting, "_entered"),
         (starting, "_surface"),
         (starting.thickness, "scales"),
         (starting.homology, "ring_classes"),
@@ -226,16 +232,49 @@ def test_a_press_that_other_code_swallows_is_kept(mesh, ctrl_c):
     assert signal.getsignal(signal.SIGINT) is signal.default_int_handler
 
 
-def test_a_press_in_an_import_waits_for_its_end(ctrl_c):
-    done = []
-    with pytest.raises(KeyboardInterrupt), held():
-        signal.raise_signal(signal.SIGINT)
-        done.append("import")
-    with pytest.raises(KeyboardInterrupt), held():  # the second one does not wait
-        signal.raise_signal(signal.SIGINT)
-        signal.raise_signal(signal.SIGINT)
-        done.append("another")
-    assert done == ["import"] and signal.getsignal(signal.SIGINT) is signal.default_int_handler
+def test_the_import_of_jax_is_not_waited_for_and_not_interrupted(mesh, monkeypatch, ctrl_c, tmp_path, capsys):
+    mesh.export(tmp_path / "torus.off")
+    over, ended = threading.Event(), []
+
+    def imported(name):
+        if name == "jax":
+            signal.raise_signal(signal.SIGINT)
+            ended.append(over.wait(PATIENT))
+
+    monkeypatch.setattr(cli, "importlib", SimpleNamespace(import_module=imported))
+    assert main(["skeletonize", str(tmp_path / "torus.off"), "-q"]) == 130
+    assert not ended and "interrupted" in capsys.readouterr().err
+    assert [path.name for path in tmp_path.iterdir()] == ["torus.off"]
+    over.set()
+    while not ended:
+        time.sleep(0.01)
+    assert ended == [True]
+
+
+@pytest.mark.parametrize(("module", "name"), [(reading, "read"), (loop.checking, "prepare")])
+def test_the_seconds_of_a_command_count_from_its_begin(mesh, monkeypatch, tmp_path, capsys, module, name):
+    mesh.export(tmp_path / "torus.off")
+    ended = threading.Event()
+
+    def hang(*_, **__):
+        try:
+            for _ in range(100 * PATIENT):
+                time.sleep(0.01)
+        finally:
+            ended.set()
+
+    monkeypatch.setattr(module, name, hang)
+    assert main(["skeletonize", str(tmp_path / "torus.off"), "-q", "--max-seconds", "0.2"]) == 2
+    assert "max_seconds (0.2) reached before the first iteration" in capsys.readouterr().err
+    assert ended.wait(PATIENT)
+
+
+def test_a_run_in_a_command_has_what_is_left_of_the_seconds(mesh):
+    with counted() as presses:
+        assert presses is not None
+        presses.begun -= PATIENT
+        with pytest.raises(FlowError, match="reached before the first iteration has ended"):
+            loop.contract(mesh, config=Config(max_seconds=PATIENT))
 
 
 def test_ctrl_c_in_a_run_for_the_spread_gives_the_curve(mesh, monkeypatch, ctrl_c):

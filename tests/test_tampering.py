@@ -22,7 +22,8 @@ from msf_jax.base import archive
 from msf_jax.meshes import checking, reading
 from msf_jax.meshes.files import unpacking
 from msf_jax.skeleton.bare import curve_of
-from tests.benchmarks import tampering
+from msf_jax.skeleton.formats.whole import plain_json
+from tests.benchmarks import tampering, texts
 
 ONCE = Config(max_iterations=3)
 
@@ -118,6 +119,7 @@ FORGED = [
     ("skeleton", "edges", lambda a: a.astype(float)),
     ("skeleton", "mesh_map", lambda a: a.astype(float)),
     ("skeleton", "radii", lambda a: -1 - a),
+    ("skeleton", "edges", lambda a: a[1:]),
     ("skeleton", "vertices", lambda a: a.astype(np.int64)),
     ("skeleton", "areas", lambda a: a * np.nan),
     ("skeleton", "surface_faces", lambda a: a[:0]),
@@ -150,6 +152,12 @@ def test_a_sample_of_altered_files(capsys):
     """More of them: python -m tests.benchmarks.adversary files."""
     assert tampering.try_files(3, 27) == []
     assert "| tape | bytes |" in capsys.readouterr().out
+
+
+def test_curves_as_text_with_another_word_are_refused_or_whole(capsys):
+    """More of them: python -m tests.benchmarks.adversary texts."""
+    assert texts.try_texts(0, 80) == []
+    assert "| graphml |" in capsys.readouterr().out
 
 
 def written_3mf(path, **parts):
@@ -276,12 +284,13 @@ def test_a_lack_of_memory_is_an_error_of_the_mesh(tmp_path, monkeypatch, module,
 
 
 PEAK = """
-import resource, sys
+import sys
 from msf_jax.meshes import reading
-before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+def peak(): return int(open("/proc/self/status").read().split("VmHWM:")[1].split()[0])  # rusage has the parent's, too
+before = peak()
 try: reading.read(sys.argv[1])
 except reading.MeshError: pass
-print((resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - before) // 1000)
+print((peak() - before) // 1000)
 """
 
 
@@ -293,6 +302,15 @@ def test_a_large_3mf_needs_little_more_memory_than_its_numbers(tmp_path):
     path = written_3mf(tmp_path / "large.3mf", inside=tampering._mesh(1, more))
     done = subprocess.run([sys.executable, "-c", PEAK, str(path)], capture_output=True, text=True, check=True)
     assert int(done.stdout) < 200
+
+
+@pytest.mark.system
+def test_a_small_file_that_shows_as_much_as_it_may_needs_less_than_a_gigabyte(tmp_path):
+    """In MB, with all attributes that are loaded."""
+    path = tmp_path / "strips.glb"
+    path.write_bytes(tampering.strips(unpacking.MOST_TRIANGLES // 10_000 - 1))
+    done = subprocess.run([sys.executable, "-c", PEAK, str(path)], capture_output=True, text=True, check=True)
+    assert 300 < int(done.stdout) < 900
 
 
 @pytest.mark.system
@@ -332,17 +350,26 @@ def test_the_readers_are_new_enough():
         ("deep.json", "[" * 100_000),
         ("deeper.json", '{"report": ' + '{"a": ' * 100_000),
         ("list.json", "[]"),
-        ("text.json", json.dumps({"report": tampering._report() | {"volume": "much"}})),
-        ("flags.json", json.dumps({"report": tampering._report() | {"iterations": True}})),
-        ("notes.json", json.dumps({"report": tampering._report() | {"notes": [[1]]}})),
-        ("figures.json", json.dumps({"report": tampering._report() | {"figures": 3}})),
+        ("text.json", {"report": {"volume": "much"}}),
+        ("infinite.json", {"report": {"volume": 1e999}}),
+        ("flags.json", {"report": {"iterations": True}}),
+        ("notes.json", {"report": {"notes": [[1]]}}),
+        ("figures.json", {"report": {"figures": 3}}),
+        ("cycles.json", {"report": {"cycles": 1, "genus": 1}}),
+        ("radii.json", {"radii": [-5.0]}),
+        ("edges.json", {"edges": [[0.7, 1.9]]}),
     ],
 )
-def test_a_report_that_is_none_is_said_to_be_none(tmp_path, capsys, name, content):
+def test_a_report_that_is_none_or_has_no_curve_is_not_printed(tmp_path, capsys, name, content):
+    if isinstance(content, dict):
+        whole = json.loads(plain_json(curve_of(np.zeros((1, 3)), np.zeros((0, 2), dtype=np.int64), np.ones(1))))
+        (tmp_path / name).write_text(json.dumps(whole))
+        assert main(["report", str(tmp_path / name)]) == 0 and capsys.readouterr().out
+        content = json.dumps(whole | content | {"report": whole["report"] | content.get("report", {})})
     (tmp_path / name).write_text(content)
     assert main(["report", str(tmp_path / name)]) == 2
     said = capsys.readouterr()
-    assert f"{name}' has no report" in said.err and not said.out
+    assert f"{name}' has no curve" in said.err and not said.out
 
 
 def test_a_place_before_the_file_is_damage(written, tmp_path):

@@ -14,12 +14,14 @@ import io
 import os
 import sys
 from collections.abc import Sequence
+from concurrent.futures import wait
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from msf_jax.app import shaping
 from msf_jax.app.parser import configured, parsed, parser_of, repair_of
-from msf_jax.base.clock import counted, held
+from msf_jax.base.clock import TICK, Clock, Work, counted
 from msf_jax.base.errors import ConfigError, FlowError, Interrupted, MeshError
 from msf_jax.base.writing import write_whole
 from msf_jax.skeleton.formats import export
@@ -28,6 +30,7 @@ from msf_jax.skeleton.formats.text import plain
 if TYPE_CHECKING:
     import numpy as np
 
+    from msf_jax.base.options import Config
     from msf_jax.skeleton.skeleton import Skeleton
 
 UNCHANGED = shaping.Shaping()
@@ -77,14 +80,17 @@ def _start_jax(arguments: argparse.Namespace) -> None:
     """Import JAX, which is slow, and set the precision and the cache."""
     if os.environ.get(LEVEL, "1") == "1":  # JAX sets 1 on import, so a parent process may have done so
         os.environ[LEVEL] = "3"  # hides a false alarm of XLA, see `cache_compilations`
-    with held():
-        import jax
 
-        from msf_jax.device.caching import cache_compilations
+    def imported() -> Any:
+        return [importlib.import_module(name) for name in ("jax", "msf_jax.device.caching", "msf_jax.flow.skeletonize")]
 
-        importlib.import_module("msf_jax.flow.skeletonize")  # with all that it imports
+    # On another thread, which Ctrl-C leaves to itself: JAX crashes if its import is interrupted.
+    work = Work(imported)
+    while not wait([work], TICK).done:
+        pass
+    jax, caching, _ = work.result()
     jax.config.update("jax_enable_x64", not arguments.float32)
-    cache_compilations()
+    caching.cache_compilations()
 
 
 def _view(arguments: argparse.Namespace) -> int:
@@ -93,7 +99,7 @@ def _view(arguments: argparse.Namespace) -> int:
     if target.suffix.lower() != ".html":
         raise ConfigError(f"the page is an HTML file: expected a name that ends in .html, not {target.name!r}")
     weights, config = configured(arguments)
-    mesh, accepted = _accepted(arguments)
+    mesh, accepted = _accepted(arguments, config)
     _start_jax(arguments)
     from msf_jax.flow.skeletonize import skeletonize
 
@@ -104,13 +110,17 @@ def _view(arguments: argparse.Namespace) -> int:
 
 
 def _accepted(
-    arguments: argparse.Namespace, asked: shaping.Shaping = UNCHANGED
+    arguments: argparse.Namespace, config: "Config", asked: shaping.Shaping = UNCHANGED
 ) -> "tuple[tuple[np.ndarray, np.ndarray], Any]":
     """The mesh as it was read, in the requested units, and its checked surface; a `MeshError` if it is refused."""
     from msf_jax.meshes import checking, reading
 
-    mesh = shaping.scaled(reading.read(arguments.mesh, finite=not arguments.repair), asked)
-    return mesh, checking.prepare(mesh, repair_of(arguments))
+    with counted() as presses:
+        clock = Clock(config.max_seconds, presses)
+        with clock.before_curve():
+            mesh = clock.call(partial(reading.read, arguments.mesh, finite=not arguments.repair))
+            mesh = shaping.scaled(mesh, asked)
+            return mesh, clock.call(checking.prepare, mesh, repair_of(arguments))
 
 
 def _track(arguments: argparse.Namespace) -> int:
@@ -125,7 +135,7 @@ def _track(arguments: argparse.Namespace) -> int:
         skeleton = read_curve(arguments.mesh)
     else:
         weights, config = configured(arguments)
-        _, accepted = _accepted(arguments)
+        _, accepted = _accepted(arguments, config)
         _start_jax(arguments)
         from msf_jax.flow.skeletonize import skeletonize
 
@@ -199,7 +209,7 @@ def _skeletonize(arguments: argparse.Namespace) -> int:
         others = [arguments.mesh, str(target), *([arguments.picture] if arguments.picture else [])]
         _checked_target(arguments.checkpoint, *others)
     weights, config = configured(arguments, check=arguments.check, evaluate=arguments.evaluate)
-    mesh, accepted = _accepted(arguments, asked)
+    mesh, accepted = _accepted(arguments, config, asked)
     _start_jax(arguments)
     from msf_jax.flow.skeletonize import skeletonize
 

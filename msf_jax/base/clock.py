@@ -19,6 +19,8 @@ from contextlib import contextmanager, suppress
 from types import FrameType
 from typing import Any, TypeVar
 
+from msf_jax.base.errors import FlowError
+
 Result = TypeVar("Result")
 
 TICK = 0.05  # seconds between two looks at the clock, while another thread computes
@@ -70,6 +72,7 @@ class Presses:
 
     def __init__(self) -> None:
         self.num, self.is_held, self.first = 0, False, 0.0  # the time of the first one
+        self.begun = time.monotonic()
 
     def __call__(self, number: int, frame: FrameType | None) -> None:
         self.num += 1
@@ -100,23 +103,9 @@ def counted() -> Iterator[Presses | None]:
             signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
-@contextmanager
-def held() -> Iterator[None]:
-    """In this context, the first Ctrl-C waits for its end: JAX crashes if its import is interrupted."""
-    with counted() as presses:
-        if presses:
-            presses.is_held = True
-        try:
-            yield
-        finally:
-            if presses:
-                presses.is_held = False
-        if presses and presses.num:
-            raise KeyboardInterrupt
-
-
 class Clock:
-    """The clock of a run that ends after ``max_seconds``, if given, or when Ctrl-C is among ``presses``.
+    """The clock of a run that ends after ``max_seconds``, if given, or when Ctrl-C is among ``presses``. The seconds
+    count from when ``presses`` are counted, so that a command's run counts what the command did before it.
 
     Attributes:
         seconds: by stage, added up.
@@ -128,7 +117,8 @@ class Clock:
         self.reason, self._presses = "", presses
         self._end, self._why = math.inf, INTERRUPTED
         if max_seconds is not None:
-            self._end, self._why = time.monotonic() + max_seconds, f"max_seconds ({max_seconds:g}) reached"
+            begun = presses.begun if presses else time.monotonic()
+            self._end, self._why = begun + max_seconds, f"max_seconds ({max_seconds:g}) reached"
         self._works: weakref.WeakSet[Work] = weakref.WeakSet()
 
     @contextmanager
@@ -212,3 +202,14 @@ class Clock:
             return self.call(function, *arguments)
         except Stopped:
             return instead
+
+    @contextmanager
+    def before_curve(self) -> Iterator[None]:
+        """In this context there is no curve yet: if the run has to end, the exception says so."""
+        try:
+            yield
+        except Stopped:
+            when = "before the first iteration has ended: there is no curve"
+            if self.was_pressed:
+                raise KeyboardInterrupt(f"interrupted {when} yet") from None
+            raise FlowError(f"{self.reason} {when}; expected more seconds") from None

@@ -139,6 +139,7 @@ class Config:
             root of the mean area of a face (Au et al. 2008).
         max_iterations: the flow gives up after this many iterations.
         max_seconds: the run ends after this many seconds, and about two more, with the curve so far; None for no limit.
+            The checking of the mesh counts; on the command line all since its begin does.
             How far the curve is then depends on the machine. If no iteration has ended, a `FlowError` is raised.
         volume_tolerance, area_tolerance: the flow has converged when this fraction of the volume is left, and this
             fraction of the area, or the area has stopped shrinking. The area counts because a sheet has no volume. With

@@ -13,7 +13,7 @@ from tqdm import tqdm
 
 from msf_jax.base import forking
 from msf_jax.base.clock import Clock, Stopped, counted
-from msf_jax.base.errors import FlowError, Interrupted
+from msf_jax.base.errors import Interrupted
 from msf_jax.base.options import Config, Weights
 from msf_jax.flow import assembly
 from msf_jax.flow.checkpoint import Checkpoint, run_of
@@ -79,14 +79,15 @@ def contract(
     forking.check()
     with counted() as presses:
         clock = Clock(config.max_seconds, presses)
-        with clock.stage("validation"):
-            checked = mesh if isinstance(mesh, Surface) else checking.prepare(mesh, repair)
-        held, pinned = checked_pins(pins, checked)
-        of_vertices = weights_of_vertices(weights, checked)
-        identity = run_of(checked.given, weights, config, held, as_repair(repair)) if checkpoint is not None else {}
-        keeper = Checkpoint(checkpoint, identity)
         with clock.holding(), tqdm(desc="msf_jax", unit="it", disable=None if progress else True) as bar:
-            solid = Solid(checked.vertices, checked.faces)
+            with clock.before_curve():
+                with clock.stage("validation"):
+                    checked = mesh if isinstance(mesh, Surface) else clock.call(checking.prepare, mesh, repair)
+                solid = clock.call(Solid, checked.vertices, checked.faces)
+            held, pinned = checked_pins(pins, checked)
+            of_vertices = weights_of_vertices(weights, checked)
+            identity = run_of(checked.given, weights, config, held, as_repair(repair)) if checkpoint is not None else {}
+            keeper = Checkpoint(checkpoint, identity)
             prepared = clock.begin(solid.shape.prepare)
             states, reasons, parts = [], [], []
             for number, component in enumerate(checked.components):
@@ -114,8 +115,9 @@ def contract(
                 reasons.append((False, clock.reason) if parts[-1].finished.is_cut else end)
                 if clock.reason:  # the time that is left is for the curve so far
                     break
-            if not parts:
-                raise _nothing(clock)
+            with clock.before_curve():
+                if not parts:
+                    raise Stopped
             notes = [keeper.failure] if keeper.failure else []
             if len(parts) < len(checked.components):
                 reasons += [(False, "not begun")] * (len(checked.components) - len(parts))
@@ -132,13 +134,6 @@ def contract(
             f"interrupted after {len(run.history)} iterations: the curve so far is in this exception's flow{kept}", run
         )
     return run
-
-
-def _nothing(clock: Clock) -> BaseException:
-    """The exception of a run that had to end before its first iteration."""
-    if clock.was_pressed:
-        return KeyboardInterrupt("interrupted before the first iteration has ended: there is no curve yet")
-    return FlowError(f"{clock.reason} before the first iteration has ended: there is no curve; expected more seconds")
 
 
 def _thinned(meso: Meso, config: Config) -> Meso:

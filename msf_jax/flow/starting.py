@@ -16,7 +16,7 @@ from msf_jax.numerics import reconstruction
 from msf_jax.numerics.reconstruction import LowPass
 from msf_jax.recording.records import FoundPoles, Start
 from msf_jax.solid.enclosure import Enclosure
-from msf_jax.solid.frame import RESOLUTION, frame_of, sort_mesh
+from msf_jax.solid.frame import RESOLUTION, Frame, frame_of, sort_mesh
 from msf_jax.solid.geometry import signed_volume, triangle_areas
 
 FIRST = 400.0  # 1/diagonals: the first w_L over the square root of the mean area of a face, see `Config.au2008`
@@ -40,16 +40,8 @@ def init(
 
     ``pins`` are ids of vertices of the component that stay fixed. ``weights`` (V, 4) are weights per vertex, if given.
     """
-    frame = frame_of(component.vertices)
-    entered = frame.enter(component.vertices)
-    order, faces = sort_mesh(entered, component.faces)
-    shape = Enclosure(entered[order], faces)
-    solid = shape
-    if component.cavities is not None:
-        lining, hollow = component.cavities
-        solid = Enclosure(
-            np.concatenate([shape.vertices, frame.enter(lining)]), np.concatenate([faces, hollow + len(order)])
-        )
+    frame, order, shape, solid = clock.call(_entered, component)
+    faces = shape.faces
     pins = np.flatnonzero(np.isin(order, [] if pins is None else pins))
     meso, mesh_filter = clock.call(_surface, shape, pins, config, clock)
     meso.weights = None if weights is None else weights[order]
@@ -114,6 +106,19 @@ def init(
         caps=caps,
         w_L_factor=FIRST * np.sqrt(meso.area() / len(meso.faces())) if config.w_H_follows_area else 1.0,
     )
+
+
+def _entered(component: Component) -> tuple[Frame, np.ndarray, Enclosure, Enclosure]:
+    """The frame of a component, the order of its vertices there, its outer surface, and its solid with its cavities."""
+    frame = frame_of(component.vertices)
+    entered = frame.enter(component.vertices)
+    order, faces = sort_mesh(entered, component.faces)
+    shape = Enclosure(entered[order], faces)
+    if component.cavities is None:
+        return frame, order, shape, shape
+    lining, hollow = component.cavities
+    vertices, inner = np.concatenate([shape.vertices, frame.enter(lining)]), hollow + len(order)
+    return frame, order, shape, Enclosure(vertices, np.concatenate([faces, inner]))
 
 
 def _with_limbs(shape: Enclosure, least: float, detail: float) -> Caps:

@@ -1,6 +1,6 @@
 """What somebody tries whose aim is to break it: frames beyond a curve, files that were altered, files that unpack.
 
-    python -m tests.benchmarks.adversary [frames] [files] [bombs] [--seed N] [--each N] [--files N]
+    python -m tests.benchmarks.adversary [frames] [files] [texts] [bombs] [--seed N] [--each N] [--files N]
 
 Frames: bends, noise, limbs in limbs and new limbs, by seed, on shapes made in code. Which are wrong is told by how they
 were made and by solid angles of all faces, which nothing of `msf_jax.track` computes: a bend is wrong if a hundredth of
@@ -24,7 +24,7 @@ from scipy.spatial.transform import Rotation
 import msf_jax
 from msf_jax import Skeleton, ground_truth, shapes
 from msf_jax.gradients.track import Tracker
-from tests.benchmarks import tampering
+from tests.benchmarks import tampering, texts
 
 MOST_FLAGGED = 0.05  # of the right frames
 TORN = 2.0  # times its length, that a side of a face has at most in a right bend, or the inverse
@@ -285,7 +285,7 @@ def try_frames(seed: int, each: int) -> list[str]:
 def main() -> int:
     """Run what is named, or all."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("what", nargs="*", choices=["frames", "files", "bombs", []], help="all if not given")
+    parser.add_argument("what", nargs="*", choices=["frames", "files", "texts", "bombs", []], help="all if not given")
     parser.add_argument("--seed", type=int, default=0)
     parser.add_argument("--each", type=int, default=20, help="frames of a kind and a shape")
     parser.add_argument("--files", type=int, default=500, help="altered files")
@@ -294,6 +294,7 @@ def main() -> int:
     parts: dict[str, Callable[[], list[str]]] = {
         "frames": lambda: try_frames(arguments.seed, arguments.each),
         "files": lambda: tampering.try_files(arguments.seed, arguments.files),
+        "texts": lambda: texts.try_texts(arguments.seed, arguments.files),
         "bombs": tampering.try_bombs,
     }
     wrong = [line for name, part in parts.items() if not arguments.what or name in arguments.what for line in part()]

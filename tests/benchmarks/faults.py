@@ -1,6 +1,6 @@
 """Everything that can be wrong with a mesh, tried on the whole program: a curve with a clean account, or a clear error.
 
-    python -m tests.benchmarks.faults
+    python -m tests.benchmarks.faults [files] [arrays] [topology] [geometry] [voids]
 
 Prints a table: each kind of input, how many variants of it, and what came back without repair and with it. Whatever is
 neither a curve with finite numbers nor a `MeshError` fails, and so does one that takes longer than a minute.
@@ -23,6 +23,7 @@ from scipy.spatial.transform import Rotation
 
 import msf_jax
 from msf_jax import ConfigError, FlowError, MeshError
+from tests.benchmarks import adversary, voids
 
 BILLION = 1_000_000_000
 LONGEST = 300.0  # seconds; what takes longer hangs
@@ -213,6 +214,12 @@ def geometry_variants() -> dict[str, Any]:
     }
 
 
+def void_variants() -> dict[str, Any]:
+    """Twelve solids with cavities, and twelve tubes that cross themselves, by seed."""
+    cavities = {f"cavity {seed}": pair(voids.hollow(seed)[0]) for seed in range(12)}
+    return cavities | {f"crossing {seed}": pair(voids.knotted(seed)[0]) for seed in range(12)}
+
+
 def file_variants(folder: Path) -> dict[str, Any]:
     """Files that are not what they say."""
     vertex = "property float x\nproperty float y\nproperty float z\n"
@@ -264,6 +271,7 @@ KINDS: dict[str, Callable[[], dict[str, Any]]] = {
     "arrays": array_variants,
     "topology": topology_variants,
     "geometry": geometry_variants,
+    "voids": void_variants,
 }
 
 
@@ -289,18 +297,22 @@ def outcome(mesh: Any, *, repair: bool) -> str:
         )
         found = "a curve" if skeleton.report.is_sound else "a doubtful curve"
         found = found if is_whole else f"FAILED: the curve is not whole: {skeleton.report}"
+        if skeleton.report.is_sound and not repair and len(skeleton.edges):
+            points = skeleton.vertices[skeleton.edges].mean(axis=1)
+            if (np.abs(adversary.wound(points, np.array(mesh[0])[np.array(mesh[1]).astype(int)])) < 0.5).any():
+                found = "FAILED: a sound curve is outside of the given solid"
     return found if time.perf_counter() - start < LONGEST else "FAILED: too slow"
 
 
 def main() -> int:
     """Print the table, and every failure."""
-    failures = []
+    failures, wanted = [], sys.argv[1:] or ["files", *KINDS]
     print("| kind | precision | variants | without repair | with repair |\n| --- | --- | --- | --- | --- |")
     with tempfile.TemporaryDirectory() as folder:
         for is_double in (True, False):
             jax.config.update("jax_enable_x64", is_double)
             kinds = {"files": file_variants(Path(folder))} | {name: variants() for name, variants in KINDS.items()}
-            for kind, variants in kinds.items():
+            for kind, variants in [(kind, kinds[kind]) for kind in wanted]:
                 columns = []
                 for repair in (False, True):
                     found = {name: outcome(mesh, repair=repair) for name, mesh in variants.items()}

@@ -30,6 +30,7 @@ from tests.benchmarks import parsers
 
 HOSTILE = [
     *("nan", "inf", "-inf", "1e999", "-1", "0", "", "1000000000", "99999999999999999999", "0x10", "1/2/3", "é"),
+    *("1e308", "1180591620717411303424", "\x85", "\u2028", "\nl 1 1180591620717411303424\n"),
     *("2147483647", "4294967296", "-9223372036854775808", "\x00", "#", "1e-320", "3 0 1 2", "OFF", "end_header"),
 ]
 
@@ -85,6 +86,10 @@ LIES: list[Callable[[dict[str, Any]], Any]] = [
     lambda d: d["nodes"][-1].update(extensions={"EXT_mesh_gpu_instancing": {}}),
     lambda d: d["nodes"][-1].update(translation=[1, 2, 3]),
     lambda d: d.update(extensionsRequired=["ACME_bend"]),
+    lambda d: d.update(extensionsRequired=["KHR_draco_mesh_compression"]),
+    lambda d: d.update(extensionsRequired=["EXT_meshopt_compression"]),
+    lambda d: d["meshes"][0]["primitives"][0].update(targets=[{"POSITION": 1}]),
+    lambda d: d["accessors"][d["meshes"][0]["primitives"][0]["attributes"]["POSITION"]].update(sparse={"count": 1}),
 ]
 
 

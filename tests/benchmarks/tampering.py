@@ -8,6 +8,7 @@ signature, but never a traceback. Bombs: small files that ask for memory or time
 import io
 import json
 import os
+import struct
 import subprocess
 import sys
 import tempfile
@@ -238,6 +239,37 @@ def _repeated(what: str, num: int) -> bytes:
     return json.dumps(document).encode()
 
 
+def strips(num: int, length: int = 10_000) -> bytes:
+    """A binary glTF that has one strip of about ``length`` triangles, with all attributes, so many times."""
+    places = np.stack([np.arange(length), np.arange(length) % 2, np.zeros(length)], axis=1).astype("<f4")
+    corners = np.arange(length - 2)[:, None] + np.arange(3)
+    attributes = {"POSITION": places, "NORMAL": places, "TEXCOORD_0": places[:, :2], "COLOR_0": np.ones((length, 4))}
+    arrays = [corners.astype("<u4").ravel(), *(value.astype("<f4") for value in attributes.values())]
+    start = np.cumsum([0, *(each.nbytes for each in arrays)]).tolist()
+    primitive = {"attributes": {name: 1 + k for k, name in enumerate(attributes)}, "indices": 0}
+    content = {
+        "asset": {"version": "2.0"},
+        "scenes": [{"nodes": [0]}],
+        "nodes": [{"mesh": 0}],
+        "meshes": [{"primitives": [primitive] * num}],
+        "accessors": [
+            {"componentType": kind, "count": len(each), "type": width, "bufferView": k}
+            for k, (each, kind, width) in enumerate(
+                zip(arrays, (5125, *[5126] * 4), ("SCALAR", "VEC3", "VEC3", "VEC2", "VEC4"), strict=True)
+            )
+        ],
+        "bufferViews": [
+            {"buffer": 0, "byteOffset": first, "byteLength": each.nbytes}
+            for first, each in zip(start[:-1], arrays, strict=True)
+        ],
+        "buffers": [{"byteLength": start[-1]}],
+    }
+    text = json.dumps(content).encode()
+    text += b" " * (-len(text) % 4)
+    chunks = struct.pack("<I", len(text)) + b"JSON" + text + struct.pack("<I", start[-1]) + b"BIN\0"
+    return b"glTF" + struct.pack("<II", 2, 12 + len(chunks) + start[-1]) + chunks + b"".join(map(bytes, arrays))
+
+
 def _vertices(num: int) -> bytes:
     """Elements that do not compress to nothing: 40 bytes each."""
     places = np.random.default_rng(0).integers(0, 10**6, (num, 3)).tolist()
@@ -260,6 +292,7 @@ BOMBS: dict[str, Callable[[], bytes]] = {
     "without a view.gltf": lambda: _gltf({"count": 3_000_000_000, "bufferView": None}),
     "zeros.gltf": lambda: _gltf({"count": 200_000_000, "bufferView": None}),
     "primitives.gltf": lambda: _repeated("meshes", 300_000),
+    "strips.glb": lambda: strips(12_000, 330),
     "views.gltf": lambda: _repeated("bufferViews", 500_000),
     "strides.gltf": lambda: _gltf({"type": "MAT4", "count": 3_000_000}),
     "endless.gltf": lambda: _gltf({}, "../../../../../../../../dev/zero"),

@@ -19,8 +19,9 @@ IN_XML = {"3dxml", "xaml"}  # mesh formats of XML that trimesh reads; the first 
 LARGEST_RATIO, SMALL, LARGEST = 50, 10_000_000, 2**29
 MESH_ELEMENTS, FEWEST = {"vertex": "xyz", "triangle": ("v1", "v2", "v3")}, 3  # elements of a mesh, their attributes
 MOST_ELEMENTS = 100_000  # other elements, at most
-# Of the parts, at most: triangles of all instances, instances, and levels of parts in parts.
-MOST_TRIANGLES, MOST_INSTANCES, DEEPEST = 4_000_000, 20_000, 100
+# Of the parts, at most: triangles of all instances, instances, and levels of parts in parts. Two million triangles with
+# normals, colours and texture coordinates take up to 0.8 GB.
+MOST_TRIANGLES, MOST_INSTANCES, DEEPEST = 2_000_000, 20_000, 100
 MOST_TIMES = 2  # times that the triangles of a file may be shown, if they are over MOST_TRIANGLES
 CHUNK = 1 << 16  # bytes that are read at a time
 ROOT = "3d/3dmodel.model"  # the member that says what is shown

@@ -5,6 +5,7 @@ Curves of all formats go through `checked_curve`: types, shapes, ranges and indi
 
 import json
 import os
+import sys
 from collections.abc import Mapping
 from types import NoneType, UnionType
 from typing import TYPE_CHECKING, Any, get_args, get_origin, get_type_hints
@@ -64,6 +65,7 @@ def read_npz(path: str | os.PathLike[str]) -> "tuple[dict[str, Any], Report, Sou
         curve = checked_curve({**held, **texts})
         mesh_map = curve["mesh_map"]
         report = checked_report(json.loads(str(held["report"])))
+        _check_graph(curve, report)
         source = None
         if "surface_vertices" in held:
             vertices, faces = held["surface_vertices"], held["surface_faces"].astype(np.int64)
@@ -139,7 +141,8 @@ def checked_report(values: Any) -> Report:
         value = getattr(report, name)
         is_right = _is_a(value, hint)
         if is_right and isinstance(value, int | float):
-            is_right = not value < 0 and not (name in FRACTIONS and value > 1 + ROUNDED)  # NaN is not known
+            most = 1 + ROUNDED if name in FRACTIONS else sys.float_info.max
+            is_right = not (value < 0 or value > most)  # NaN is not known
         if not is_right:
             raise TypeError(f"{name} of the report is {value!r:.60}")
     return report
