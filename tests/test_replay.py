@@ -9,7 +9,8 @@ import numpy as np
 import pytest
 import trimesh
 from conftest import blob, torus
-from device_cases import central_difference
+from device_cases import STRICT, central_difference
+from jax.sharding import Mesh, PartitionSpec
 
 import msf_jax
 from msf_jax import Config, ConfigError, MeshError, Weights
@@ -184,6 +185,25 @@ def test_one_value_for_all_vertices_is_a_scalar(flow):
 
 
 @pytest.mark.slow  # that a step's layout does not show is in test_padding
+@pytest.mark.parametrize("mode", STRICT)
+def test_it_works_in_the_strict_modes_of_jax(flow, mode):
+    """Also where a function that was traced before is differentiated."""
+    vertices = jnp.asarray(flow.tape.vertices)
+    of_weight = jax.jit(lambda w_H: msf_jax.replay(flow.tape, Weights(w_H=w_H)).sum())
+    of_vertices = jax.jit(lambda vertices: msf_jax.replay_radii(flow.tape, flow.curve.vertices, vertices).sum())
+    with STRICT[mode]():
+        jax.eval_shape(jax.grad(of_weight), 0.1)
+        jax.eval_shape(jax.grad(of_vertices), vertices)
+
+
+def test_it_is_spread_over_devices(flow):
+    """With the checks of `jax.shard_map`, which are made while it is traced."""
+    mesh, along = Mesh(np.array(jax.devices()[:1]), ("weights",)), PartitionSpec("weights")
+    nodes = jax.vmap(lambda w_H: msf_jax.replay(flow.tape, Weights(w_H=w_H)))
+    spread = jax.shard_map(nodes, mesh=mesh, in_specs=along, out_specs=along)
+    assert jax.eval_shape(spread, jnp.ones(4)).shape == (4, *flow.curve.vertices.shape)
+
+
 def test_padding_does_not_matter(flow, monkeypatch):
     """In a larger layout, and in two stretches instead of one: the same nodes, and the same gradient."""
 

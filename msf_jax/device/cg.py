@@ -99,7 +99,10 @@ class ConjugateGradients(base.IterativeSolver):
     def init_state(self, init_params: jax.Array, b: jax.Array) -> CGState:
         del init_params  # zero: the residual is b
         z = self.precondition(b)
-        return CGState(jnp.asarray(0), jnp.sqrt(dot(b, b)), b, z, dot(b, z), jnp.zeros(2 * WINDOW, b.dtype))
+        size = jnp.sqrt(dot(b, b))
+        # Zeros, but not a constant: in a `jax.shard_map` the state must vary from device to device.
+        lengths = jnp.broadcast_to((size < 0).astype(b.dtype), 2 * WINDOW)
+        return CGState(jnp.asarray(0), size, b, z, dot(b, z), lengths)
 
     def update(self, params: jax.Array, state: CGState, b: jax.Array) -> base.OptStep:
         del b
@@ -285,7 +288,7 @@ def _run(
         ends_by_step = report.residual > solver.tolerance  # each entry changed by less than ``smallest``
         is_solved = report.is_solved & (ends_by_step | (residual <= 2 * solver.tolerance))
         report = report._replace(left=left, residual=residual, is_solved=is_solved)
-    return scale * x, report._replace(error=scale * report.error)
+    return scale * x, report._replace(error=scale * report.error.astype(scale.dtype))
 
 
 def _distance_left(state: CGState) -> jax.Array:
