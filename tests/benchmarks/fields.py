@@ -24,7 +24,8 @@ from msf_jax.tuning.surface import FIELD_BOUNDS, TRIES
 
 SPACING = 0.005  # diagonals: between points of the true curve
 LINE = np.linspace(0, 1, 401)
-SWEPT = {  # line, radius, ends: tubes of eight sides, so that a run is short
+COARSE = ("straight_coarse", "arc_coarse", "helix_coarse", "y_coarse")  # what `tune` was made with
+SWEPT = {  # held out: line, radius, ends: tubes of eight sides, so that a run is short
     "s_curve_8": ("s_curve", 0.12, "flat"),
     "taper_8": ("straight", 0.21 - 0.14 * LINE, "round"),
     "wavy_8": ("straight", 0.13 + 0.03 * np.sin(5 * np.pi * LINE), "round"),
@@ -82,7 +83,7 @@ def by_cma(cma: Any, value: Callable[[np.ndarray], float], num: int) -> Weights:
 def main() -> None:
     """Print the table."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--shapes", default="straight_coarse,arc_coarse,helix_coarse,y_coarse", help="to tune on")
+    parser.add_argument("--shapes", default=",".join([*COARSE, *SWEPT]), help="to tune on")
     parser.add_argument("--steps", type=int, default=60, help="of Adam")
     parser.add_argument("--iterations", type=int, default=6, help="of the flow")
     arguments = parser.parse_args()
