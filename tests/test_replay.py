@@ -10,7 +10,6 @@ import pytest
 import trimesh
 from conftest import blob, torus
 from device_cases import STRICT, central_difference
-from jax.sharding import Mesh, PartitionSpec
 
 import msf_jax
 from msf_jax import Config, ConfigError, MeshError, Weights
@@ -184,7 +183,6 @@ def test_one_value_for_all_vertices_is_a_scalar(flow):
     np.testing.assert_allclose(msf_jax.replay(flow.tape, alike), flow.curve.vertices, atol=1e-9)
 
 
-@pytest.mark.slow  # that a step's layout does not show is in test_padding
 @pytest.mark.parametrize("mode", STRICT)
 def test_it_works_in_the_strict_modes_of_jax(flow, mode):
     """Also where a function that was traced before is differentiated."""
@@ -196,14 +194,7 @@ def test_it_works_in_the_strict_modes_of_jax(flow, mode):
         jax.eval_shape(jax.grad(of_vertices), vertices)
 
 
-def test_it_is_spread_over_devices(flow):
-    """With the checks of `jax.shard_map`, which are made while it is traced."""
-    mesh, along = Mesh(np.array(jax.devices()[:1]), ("weights",)), PartitionSpec("weights")
-    nodes = jax.vmap(lambda w_H: msf_jax.replay(flow.tape, Weights(w_H=w_H)))
-    spread = jax.shard_map(nodes, mesh=mesh, in_specs=along, out_specs=along)
-    assert jax.eval_shape(spread, jnp.ones(4)).shape == (4, *flow.curve.vertices.shape)
-
-
+@pytest.mark.slow  # that a step's layout does not show is in test_padding
 def test_padding_does_not_matter(flow, monkeypatch):
     """In a larger layout, and in two stretches instead of one: the same nodes, and the same gradient."""
 

@@ -99,10 +99,7 @@ class ConjugateGradients(base.IterativeSolver):
     def init_state(self, init_params: jax.Array, b: jax.Array) -> CGState:
         del init_params  # zero: the residual is b
         z = self.precondition(b)
-        size = jnp.sqrt(dot(b, b))
-        # Zeros, but not a constant: in a `jax.shard_map` the state must vary from device to device.
-        lengths = jnp.broadcast_to((size < 0).astype(b.dtype), 2 * WINDOW)
-        return CGState(jnp.asarray(0), size, b, z, dot(b, z), lengths)
+        return CGState(jnp.asarray(0), jnp.sqrt(dot(b, b)), b, z, dot(b, z), jnp.zeros(2 * WINDOW, b.dtype))
 
     def update(self, params: jax.Array, state: CGState, b: jax.Array) -> base.OptStep:
         del b
