@@ -219,6 +219,10 @@ def slot_rows(layout: Layout) -> np.ndarray:
 # The package's functions on weights that are scalars or (n,), plain and compiled once for each layout
 
 quick_jit = partial(jax.jit, compiler_options={"xla_backend_optimization_level": 0})  # compiles in half the time
+STRICT = {  # modes of JAX that a user may have set for all programs
+    "dtypes": partial(jax.numpy_dtype_promotion, "strict"),
+    "ranks": partial(jax.numpy_rank_promotion, "raise"),
+}
 
 
 def plain_rows(kind: str, positions, rings, degree, layout) -> laplacian.Rows:

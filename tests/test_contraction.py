@@ -8,6 +8,7 @@ import jax.numpy as jnp
 import numpy as np
 import pytest
 from device_cases import (
+    STRICT,
     TIGHT,
     Case,
     Diagonal,
@@ -24,7 +25,7 @@ from device_cases import (
     reference_laplacian,
 )
 
-from msf_jax.base.options import FACTORED, SOLVED_BY, Config, Solver, Weights
+from msf_jax.base.options import FACTORED, LAPLACIANS, SOLVED_BY, Config, Solver, StepSettings, Weights
 from msf_jax.device import cg, iteration
 from msf_jax.device.buffers import Buffers, Rings
 from msf_jax.device.contraction import contracting, normal_equations, relaxed
@@ -475,6 +476,19 @@ def test_a_solve_ends_when_a_step_moves_nothing_by_a_part_of_the_threshold():
     assert bool(found.contraction.is_solved)
     assert np.abs(found.positions - exact.positions).max() < t_c / 2
     assert np.abs(found.positions - exact.positions).max() > 1e-7
+
+
+@pytest.mark.parametrize("mode", STRICT)
+@pytest.mark.parametrize("kind", LAPLACIANS)
+def test_an_iteration_works_in_the_strict_modes_of_jax(small, kind, mode):
+    """Also with a loose solve, in float32, and with w_H that follows areas."""
+    for tolerance, follows in ((1e-8, False), (3e-3, True)):
+        settings = StepSettings(kind, Solver(tolerance, 10), 0.0, follows)
+        with STRICT[mode]():
+            slope = jax.grad(
+                lambda w_H, s=settings: iteration.move(small.buffers, Weights(1.0, w_H), s, small.layout)[0].sum()
+            )
+            jax.eval_shape(slope, 0.1)
 
 
 def test_there_is_a_preconditioner_for_every_name():

@@ -1,6 +1,7 @@
 """The documentation: every block of the README and the guide runs, pages are built without a warning, links lead on."""
 
 import html
+import importlib
 import os
 import re
 import subprocess
@@ -34,6 +35,12 @@ BLOCKS = [  # of the quick tests: those of the README
     for page in PAGES
     for number, block in enumerate(re.findall(r"```python\n(.*?)```", page.read_text(), flags=re.DOTALL))
 ]
+
+
+def test_every_benchmark_can_be_imported():
+    """The guide names them, most are run by no test, and they use what is inside of the package."""
+    for path in sorted((ROOT / "tests" / "benchmarks").glob("*.py")):
+        importlib.import_module(f"tests.benchmarks.{path.stem}")
 
 
 def test_every_task_has_its_page():

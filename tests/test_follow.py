@@ -362,17 +362,31 @@ def test_noise_that_is_none_is_refused(limbs, sigma, says):
 
 @pytest.mark.slow
 def test_programs_that_are_kept_have_a_bound(limbs, monkeypatch, compilations):
-    """One for each capacity. Beyond the bound the one that was used longest ago is made again, and says the same."""
+    """One for each capacity. One that was dropped is made again, and says the same."""
     module = importlib.import_module("msf_jax.gradients.follow")
-    monkeypatch.setattr(module, "_program", functools.lru_cache(2)(module._program.__wrapped__))
+    monkeypatch.setattr(module, "_programs", {})
+    monkeypatch.setattr(module, "MOST_PROGRAMS", 1)
     vertices, _, skeleton = limbs
     binding, capacity = bindings.unpadded(skeleton.binding), skeleton.binding.capacity
-    sizes = [capacity._replace(nodes=capacity.nodes + 64 * more) for more in range(3)]
-    for number, is_new in ((0, True), (1, True), (0, False), (2, True), (0, False), (1, True)):
+    sizes = [capacity._replace(nodes=capacity.nodes + 64 * more) for more in range(2)]
+    for number, is_new in ((0, True), (0, False), (1, True), (0, True)):
         compilations.clear()
         nodes = np.asarray(msf_jax.follow(bindings.padded(binding, sizes[number]), vertices).nodes)
         np.testing.assert_allclose(nodes[: len(skeleton.vertices)], skeleton.vertices, atol=1e-5)
         assert bool(compilations) == is_new
+
+
+def test_a_capacity_over_the_limit_does_not_make_every_program_again(monkeypatch):
+    """In rounds, where the one that was used longest ago is always the next."""
+    module = importlib.import_module("msf_jax.gradients.follow")
+    monkeypatch.setattr(module, "_programs", {})
+    num, made = module.MOST_PROGRAMS + 1, []
+    for _ in range(20):
+        before = dict(module._programs)
+        found = {key: module._program(key) for key in range(num)}
+        made.append(sum(before.get(key) is not program for key, program in found.items()))
+        assert len(module._programs) == module.MOST_PROGRAMS
+    assert made[0] == num and np.mean(made[1:]) < num / 3
 
 
 @pytest.mark.parametrize("mode", ["dtypes", "ranks", "transfers"])

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 import trimesh
 from conftest import blob, torus
-from device_cases import central_difference
+from device_cases import STRICT, central_difference
 
 import msf_jax
 from msf_jax import Config, ConfigError, MeshError, Weights
@@ -181,6 +181,17 @@ def test_one_value_for_all_vertices_is_a_scalar(flow):
     num = len(flow.tape.vertices)
     alike = Weights(*(np.full(num, value) for value in vars(flow.weights).values()))
     np.testing.assert_allclose(msf_jax.replay(flow.tape, alike), flow.curve.vertices, atol=1e-9)
+
+
+@pytest.mark.parametrize("mode", STRICT)
+def test_it_works_in_the_strict_modes_of_jax(flow, mode):
+    """Also where a function that was traced before is differentiated."""
+    vertices = jnp.asarray(flow.tape.vertices)
+    of_weight = jax.jit(lambda w_H: msf_jax.replay(flow.tape, Weights(w_H=w_H)).sum())
+    of_vertices = jax.jit(lambda vertices: msf_jax.replay_radii(flow.tape, flow.curve.vertices, vertices).sum())
+    with STRICT[mode]():
+        jax.eval_shape(jax.grad(of_weight), 0.1)
+        jax.eval_shape(jax.grad(of_vertices), vertices)
 
 
 @pytest.mark.slow  # that a step's layout does not show is in test_padding

@@ -134,23 +134,25 @@ def test_the_hessian_of_an_iteration():
 
 @pytest.mark.slow
 def test_the_hessian_of_a_replay():
-    """In w_H and w_M: iterations with collapses and splits in a scan, with a checkpoint."""
+    """In the four weights: iterations with collapses and splits in a scan, with a checkpoint."""
     mesh = blob(3, 1)
     mesh.apply_scale([1.0, 0.5, 0.4])
     config = Config(max_iterations=2, refine=0.0, t_min=0.05, t_max=0.05)
-    flow = msf_jax.contract(mesh, Weights(w_H=0.6, w_M=0.6), config)
+    flow = msf_jax.contract(mesh, Weights(w_H=0.6, w_M=0.6, smoothing=0.05), config)
     assert len(flow.history) == 2 and flow.history[0].collapses and flow.history[0].splits
     pull = np.random.default_rng(2).normal(size=flow.curve.vertices.shape)
 
     def value(logarithms):
-        weights = Weights(flow.weights.w_L, *jnp.exp(logarithms), flow.weights.smoothing)
-        return (pull * msf_jax.replay(flow.tape, weights, tolerance=1e-13)).sum()
+        return (pull * msf_jax.replay(flow.tape, at_weights(logarithms), tolerance=1e-13)).sum()
 
     # One program for the gradient and its slope: compiling takes most of the time.
     both = quick_jit(lambda at, along: jax.jvp(jax.grad(value), (at,), (along,)))
-    start = np.log([flow.weights.w_H, flow.weights.w_M])
-    measured = differences(lambda at: both(at, np.zeros(2))[0], start)
-    check(np.stack([both(start, along)[1] for along in np.eye(2)]), measured)
+    start = np.log(jax.tree.leaves(flow.weights))
+    measured = differences(lambda at: both(at, np.zeros(4))[0], start)
+    hessian = np.stack([both(start, along)[1] for along in np.eye(4)])
+    check(hessian, measured)
+    # Only the ratios of w_L, w_H and w_M matter.
+    np.testing.assert_allclose(hessian @ [1, 1, 1, 0], 0, atol=1e-8 * np.abs(measured).max())
 
 
 @pytest.mark.slow

@@ -120,7 +120,7 @@ class Binding(NamedTuple):
 
 def _mask(count: Any, num: int) -> Any:
     count = np.asarray(count) if isinstance(count, int) else count
-    return count[..., None] > np.arange(num)
+    return count[..., None] > np.arange(num, dtype=count.dtype)
 
 
 def capacity_for(*sizes: Sizes) -> Sizes:

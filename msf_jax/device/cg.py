@@ -285,14 +285,16 @@ def _run(
         ends_by_step = report.residual > solver.tolerance  # each entry changed by less than ``smallest``
         is_solved = report.is_solved & (ends_by_step | (residual <= 2 * solver.tolerance))
         report = report._replace(left=left, residual=residual, is_solved=is_solved)
-    return scale * x, report._replace(error=scale * report.error)
+    return scale * x, report._replace(error=scale * report.error.astype(scale.dtype))
 
 
 def _distance_left(state: CGState) -> jax.Array:
     """An estimate of the norm of x minus the solution: the lengths of the last steps, continued geometrically.
 
-    A step's own length bounds nothing, as many short ones may follow. On surfaces the estimate is mostly within a
-    factor of two of the error; below 2 WINDOW steps it is rough.
+    A step's own length bounds nothing, as many short ones may follow. Nor is this a bound: on three surfaces it was
+    between an eighth of the error and 18 times as much, with a median of 1.4. It was less than half of it in solves of
+    20 to 40 steps, and down to a fortieth with weights of almost 0. Bounds of Gauss and Radau, from the least of
+    w_H^2 + w_M^2, are right, and were 4 to 1,300 times too large.
     """
     window = jnp.clip(state.iter_num // 2, 1, WINDOW)
     age = (state.iter_num - 1 - jnp.arange(2 * WINDOW)) % (2 * WINDOW)

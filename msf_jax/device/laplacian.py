@@ -49,10 +49,10 @@ def _mean_value(positions: jax.Array, rings: Rings, degree: jax.Array, layout: L
     edge = ends[::-1] - ends
     length = _length(edge[0])
     mean_length = slot_sum(layout, jnp.where(rings.is_used, length, 0.0)) / jnp.maximum(degree, 1)
-    sides = jnp.stack([positions[rings.after], positions[rings.before]]) - ends[:, None]
+    sides = jnp.stack([positions[rings.after], positions[rings.before]])[None] - ends[:, None]
     tangents = _half_angle_tangent(edge[:, None], sides).sum(1)
     means = jnp.stack([at_rows(layout, mean_length), mean_length[rings.neighbour]])
-    return Rows(*(tangents / length * means))
+    return Rows(*(tangents / length[None] * means))
 
 
 def _cotangents(positions: jax.Array, rings: Rings, degree: jax.Array, layout: Layout) -> Rows:

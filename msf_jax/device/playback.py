@@ -142,7 +142,7 @@ def replay_part(
         workspace = _replay_stretch(stretch, poles, area, workspace[stretch.handover], layout, settings)
     meso = workspace[part.meso_row, :3]
     nodes = _mixed(part.nodes, meso, len(part.is_held), part.nodes.share)
-    meso, nodes = (part.centre + part.diagonal * (points @ part.axes) for points in (meso, nodes))
+    meso, nodes = (part.centre[None] + part.diagonal * (points @ part.axes) for points in (meso, nodes))
     pins = jax.ops.segment_sum(part.pin_share[:, None] * vertices[part.pin_input], part.pin_node, len(part.is_held))
     return meso, jnp.where(part.is_held[:, None], pins, nodes)
 

@@ -4,8 +4,8 @@ Unlike `replay` it depends on no decisions of a run. It averages cross-sections 
 moderate. See `msf_jax.base.binding`.
 """
 
+import random
 from collections.abc import Callable, Hashable
-from functools import lru_cache
 from typing import Any, NamedTuple
 
 import jax
@@ -100,11 +100,22 @@ def follow(skeleton: Skeleton | Binding, vertices: Any) -> Followed:
 _follow = jax.jit(following.follow)
 
 
-@lru_cache(MOST_PROGRAMS)
+_programs: dict[Hashable, Callable[..., Any]] = {}
+_chance = random.Random(0)
+
+
 def _program(key: Hashable) -> Callable[..., Any]:
-    """A function of its own for each capacity, type and device, so that the least recently used can be dropped."""
-    del key
-    return jax.jit(lambda binding, vertices: following.follow(binding, vertices))
+    """A function of its own for each capacity, type and device, so that each can be dropped when there are too many.
+
+    Which one is left to chance. Where more capacities than the limit take turns, the least recently used is always the
+    next one, so that every round would compile all of them again.
+    """
+    found = _programs.get(key)
+    if found is None:
+        while len(_programs) >= MOST_PROGRAMS:
+            _programs.pop(_chance.choice(list(_programs)), None)
+        found = _programs[key] = jax.jit(lambda binding, vertices: following.follow(binding, vertices))
+    return found
 
 
 def binding_of(skeleton: Any) -> Binding:

@@ -43,14 +43,14 @@ def near(found: Any, binding: Binding, target: Any, mask: Any = None, *, samples
     is_point = jnp.ones(len(target), bool) if mask is None else jnp.asarray(mask)
     a, b = nodes[binding.edges[:, 0]], nodes[binding.edges[:, 1]]
     share = (jnp.arange(samples, dtype=nodes.dtype) + 0.5) / samples
-    points = (a[:, None] + share[:, None] * (b - a)[:, None]).reshape(-1, 3)
+    points = (a[:, None] + share[None, :, None] * (b - a)[:, None]).reshape(-1, 3)
     is_sample, weight = (jnp.repeat(x, samples) for x in (binding.edge_mask, norm(b - a)))
     # A node without an edge has no length, so it counts only if the curve has no edges at all.
     at_edge = jnp.zeros(len(nodes), bool).at[binding.edges].max(binding.edge_mask[:, None])
     is_lone = binding.node_mask & ~at_edge
     points, is_sample = jnp.concatenate([points, nodes]), jnp.concatenate([is_sample, is_lone])
     weight = jnp.concatenate([weight, (is_lone & ~binding.edge_mask.any()).astype(weight.dtype)])
-    there = _to_nearest(points, target, is_point | ~is_point.any()) * is_point.any()
+    there = jnp.where(is_point.any(), _to_nearest(points, target, is_point | ~is_point.any()), 0.0)
     back = _to_nearest(target, points, is_sample)
     return (_mean(there, jnp.where(is_sample, weight, 0.0)) + _mean(back, is_point)) / 2
 
@@ -143,7 +143,7 @@ def _to_nearest(points: jax.Array, others: jax.Array, counts: jax.Array) -> jax.
     held = lax.stop_gradient(others)
 
     def nearest(point: jax.Array) -> jax.Array:
-        return jnp.where(counts, ((point - held) ** 2).sum(-1), jnp.inf).argmin()
+        return jnp.where(counts, ((point[None] - held) ** 2).sum(-1), jnp.inf).argmin()
 
     found = lax.map(nearest, lax.stop_gradient(points), batch_size=BLOCK)
     away = ((points - others[found]) ** 2).sum(-1)

@@ -74,8 +74,8 @@ class Report:
         unsolved: iterations in which a linear solve ran out of steps before it reached its tolerance, or was ended by a
             short step although the estimated error is larger than the motion.
         solve_error: the largest estimated RMS error of a contraction's solve, in collapse thresholds t_c. With the
-            default tolerances it is 0.8 to 2, and about 0.5 in most solves. So a run follows the equation only that
-            closely, see the guide *gradients*.
+            default tolerances it is 1 to 27, and the errors themselves are 0.1 to 1. So a run follows the equation only
+            that closely, see the guide *gradients*.
         solve_steps: CG steps of all solves.
         doubts: reasons not to trust the curve, a sentence each: for example a loop that goes around no handle, or
             a surface that crosses itself.

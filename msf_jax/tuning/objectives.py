@@ -240,7 +240,7 @@ def explained() -> Objective:
     def function(curve: Replayed) -> jax.Array:
         stride = -(-len(curve.surface) // MOST_SAMPLES)
         points, areas = curve.surface[::stride], curve.areas[::stride]
-        away = _distances(points, curve.nodes, curve.diagonal) - curve.radii / curve.diagonal
+        away = _distances(points, curve.nodes, curve.diagonal) - (curve.radii / curve.diagonal)[None]
         nearest = jnp.where(curve.is_node, away, jnp.inf).min(axis=1)
         return (areas * jnp.maximum(nearest, 0.0)).sum() / areas.sum()
 

@@ -15,9 +15,9 @@ import numpy as np
 
 import msf_jax
 from msf_jax import Config, Weights, ground_truth
+from msf_jax.base.clock import Clock
 from msf_jax.base.layout import Layout
 from msf_jax.flow import programs, starting, stepping
-from msf_jax.flow.state import Stopwatch
 from msf_jax.meshes import checking
 
 TIMES = 3  # calls that are timed; the fastest counts
@@ -58,8 +58,8 @@ def show(what: str, steps: str, moved: float, function: Callable[[], Any], compi
 
 def show_move(mesh: Any, config: Config, name: str, real: int) -> None:
     """One iteration: assembly, contraction, smoothing."""
-    state = starting.init(checking.prepare(mesh).components[0], 0, config, Stopwatch())
-    packed = stepping._pack(state, Weights(), Stopwatch())
+    state = starting.init(checking.prepare(mesh).components[0], 0, config, Clock())
+    packed = stepping._pack(state, Weights(), Clock())
     begin = time.perf_counter()
     program = programs.compiled_move(config.on_device, packed.layout, False)
     compiling = time.perf_counter() - begin
