@@ -6,11 +6,17 @@ import shutil
 import signal
 import sys
 import tempfile
+from importlib.metadata import version
 from pathlib import Path
 
-# Compiling is most of the time of the tests, and runs are short: half of it goes without XLA's optimisations. Tests
-# that compare bits, in test_determinism, are compiled as a user's programs are, and so are those of the smoke.
-os.environ.setdefault("XLA_FLAGS", "--xla_backend_optimization_level=0")
+# Compiling is most of the time of the tests, and runs are short: half of it goes without XLA's optimisations, and two
+# thirds of the rest with its older emitters, which jaxlib 0.10 still has; later ones refuse the flag. Tests that
+# compare bits, in test_determinism, are compiled as a user's programs are, and so are those of the smoke.
+os.environ.setdefault(
+    "XLA_FLAGS",
+    "--xla_backend_optimization_level=0"
+    + (" --xla_cpu_use_fusion_emitters=false" if version("jaxlib").startswith("0.10.") else ""),
+)
 
 # There is a process for each core: threads of dense algebra beside it wait for each other: 40 s for 4.
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
