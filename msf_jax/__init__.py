@@ -7,151 +7,31 @@ print(skeleton.report)
 skeleton.save("hand.swc")
 """
 
+import ast
 import importlib
-from typing import TYPE_CHECKING, Any
+import sys
+from pathlib import Path
+from typing import Any
 
 from msf_jax.base import version
 
-if TYPE_CHECKING:
-    from msf_jax import ground_truth, guide, metrics, shapes, view
-    from msf_jax.app import batch
-    from msf_jax.base.binding import Binding
-    from msf_jax.base.errors import ConfigError, FlowError, Interrupted, MeshError
-    from msf_jax.base.options import Config, Weights
-    from msf_jax.base.weights import read_weights, save_weights
-    from msf_jax.device.caching import cache_compilations
-    from msf_jax.flow.loop import contract
-    from msf_jax.flow.skeletonize import skeletonize
-    from msf_jax.flow.state import Flow
-    from msf_jax.gradients import losses, torch
-    from msf_jax.gradients.batch import Batch, stack
-    from msf_jax.gradients.follow import Followed, follow
-    from msf_jax.gradients.replay import replay, replay_meso, replay_radii
-    from msf_jax.gradients.sensitivity import sensitivity
-    from msf_jax.gradients.tape import Tape
-    from msf_jax.gradients.track import Track, track
-    from msf_jax.inside.preprocessing import reconstruct, voronoi_poles
-    from msf_jax.limbs.pruning import Branch
-    from msf_jax.meshes.reading import read_mesh
-    from msf_jax.meshes.repair import Repair
-    from msf_jax.skeleton.formats.importing import read_curve
-    from msf_jax.skeleton.framing.frame import Frame
-    from msf_jax.skeleton.report import Report
-    from msf_jax.skeleton.rigging.rig import Rig
-    from msf_jax.skeleton.skeleton import Skeleton
-    from msf_jax.tuning import objectives
-    from msf_jax.tuning.result import Tuned
-    from msf_jax.tuning.tuner import tune
-
+_STUB = ast.parse(Path(__file__).with_suffix(".pyi").read_text("utf-8"))
 # The module of each public name. It is imported on first access: a program that needs no JAX does not import it.
-_MODULES = {
-    "batch": "app.batch",
-    "ground_truth": "ground_truth",
-    "guide": "guide",
-    "losses": "gradients.losses",
-    "metrics": "metrics",
-    "objectives": "tuning.objectives",
-    "shapes": "shapes",
-    "torch": "gradients.torch",
-    "view": "view",
-}
 _HOMES = {
-    "Batch": "gradients.batch",
-    "Binding": "base.binding",
-    "Branch": "limbs.pruning",
-    "Config": "base.options",
-    "ConfigError": "base.errors",
-    "Flow": "flow.state",
-    "FlowError": "base.errors",
-    "Followed": "gradients.follow",
-    "Frame": "skeleton.framing.frame",
-    "Interrupted": "base.errors",
-    "MeshError": "base.errors",
-    "Repair": "meshes.repair",
-    "Report": "skeleton.report",
-    "Rig": "skeleton.rigging.rig",
-    "Skeleton": "skeleton.skeleton",
-    "Tape": "gradients.tape",
-    "Track": "gradients.track",
-    "Tuned": "tuning.result",
-    "Weights": "device",  # importing `device` registers it as a pytree
-    "cache_compilations": "device.caching",
-    "contract": "flow.loop",
-    "follow": "gradients.follow",
-    "read_curve": "skeleton.formats.importing",
-    "read_mesh": "meshes.reading",
-    "read_weights": "base.weights",
-    "reconstruct": "inside.preprocessing",
-    "replay": "gradients.replay",
-    "replay_meso": "gradients.replay",
-    "replay_radii": "gradients.replay",
-    "save_weights": "base.weights",
-    "sensitivity": "gradients.sensitivity",
-    "skeletonize": "flow.skeletonize",
-    "stack": "gradients.batch",
-    "track": "gradients.track",
-    "tune": "tuning.tuner",
-    "voronoi_poles": "inside.preprocessing",
+    alias.name: str(node.module) for node in _STUB.body if isinstance(node, ast.ImportFrom) for alias in node.names
 }
 
 __version__ = version.VERSION
-
-__all__ = [
-    "Batch",
-    "Binding",
-    "Branch",
-    "Config",
-    "ConfigError",
-    "Flow",
-    "FlowError",
-    "Followed",
-    "Frame",
-    "Interrupted",
-    "MeshError",
-    "Repair",
-    "Report",
-    "Rig",
-    "Skeleton",
-    "Tape",
-    "Track",
-    "Tuned",
-    "Weights",
-    "batch",
-    "cache_compilations",
-    "contract",
-    "follow",
-    "ground_truth",
-    "guide",
-    "losses",
-    "metrics",
-    "objectives",
-    "read_curve",
-    "read_mesh",
-    "read_weights",
-    "reconstruct",
-    "replay",
-    "replay_meso",
-    "replay_radii",
-    "save_weights",
-    "sensitivity",
-    "shapes",
-    "skeletonize",
-    "stack",
-    "torch",
-    "track",
-    "tune",
-    "view",
-    "voronoi_poles",
-]
+__all__ = sorted(_HOMES)  # pyright: ignore[reportUnsupportedDunderAll]
 
 
 def __getattr__(name: str) -> Any:
-    if name in _MODULES:
-        value = importlib.import_module(f"{__name__}.{_MODULES[name]}")
-    elif name in _HOMES:
-        value = getattr(importlib.import_module(f"{__name__}.{_HOMES[name]}"), name)
-    else:
+    if name not in _HOMES:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    home = importlib.import_module(_HOMES[name])
+    # A name that its home does not define is a module in it. A module of this package is none of its names yet.
+    is_module = home is sys.modules[__name__] or not hasattr(home, name)
+    value = importlib.import_module(f"{_HOMES[name]}.{name}") if is_module else getattr(home, name)
     globals()[name] = value
     return value
 

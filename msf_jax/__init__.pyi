@@ -1,0 +1,49 @@
+"""The public names, once: editors and type checkers read them here, and `__init__.py` does."""
+
+from msf_jax import ground_truth as ground_truth
+from msf_jax import guide as guide
+from msf_jax import metrics as metrics
+from msf_jax import shapes as shapes
+from msf_jax import view as view
+from msf_jax.app import batch as batch
+from msf_jax.base.binding import Binding as Binding
+from msf_jax.base.errors import ConfigError as ConfigError
+from msf_jax.base.errors import FlowError as FlowError
+from msf_jax.base.errors import Interrupted as Interrupted
+from msf_jax.base.errors import MeshError as MeshError
+from msf_jax.base.options import Config as Config
+from msf_jax.base.weights import read_weights as read_weights
+from msf_jax.base.weights import save_weights as save_weights
+from msf_jax.device import Weights as Weights  # importing `device` registers it as a pytree
+from msf_jax.device.caching import cache_compilations as cache_compilations
+from msf_jax.flow.loop import contract as contract
+from msf_jax.flow.skeletonize import skeletonize as skeletonize
+from msf_jax.flow.state import Flow as Flow
+from msf_jax.gradients import losses as losses
+from msf_jax.gradients import torch as torch
+from msf_jax.gradients.batch import Batch as Batch
+from msf_jax.gradients.batch import stack as stack
+from msf_jax.gradients.follow import Followed as Followed
+from msf_jax.gradients.follow import follow as follow
+from msf_jax.gradients.replay import replay as replay
+from msf_jax.gradients.replay import replay_meso as replay_meso
+from msf_jax.gradients.replay import replay_radii as replay_radii
+from msf_jax.gradients.sensitivity import sensitivity as sensitivity
+from msf_jax.gradients.tape import Tape as Tape
+from msf_jax.gradients.track import Track as Track
+from msf_jax.gradients.track import track as track
+from msf_jax.inside.preprocessing import reconstruct as reconstruct
+from msf_jax.inside.preprocessing import voronoi_poles as voronoi_poles
+from msf_jax.limbs.pruning import Branch as Branch
+from msf_jax.meshes.reading import read_mesh as read_mesh
+from msf_jax.meshes.repair import Repair as Repair
+from msf_jax.skeleton.formats.importing import read_curve as read_curve
+from msf_jax.skeleton.framing.frame import Frame as Frame
+from msf_jax.skeleton.report import Report as Report
+from msf_jax.skeleton.rigging.rig import Rig as Rig
+from msf_jax.skeleton.skeleton import Skeleton as Skeleton
+from msf_jax.tuning import objectives as objectives
+from msf_jax.tuning.result import Tuned as Tuned
+from msf_jax.tuning.tuner import tune as tune
+
+__version__: str
