@@ -13,7 +13,7 @@ from typing import NamedTuple
 import numpy as np
 from scipy import spatial
 
-from msf_jax.recording.following import Surface
+from msf_jax.recording.following import BoundSurface
 from msf_jax.solid.crossings import Crossings
 from msf_jax.solid.enclosure import Enclosure
 from msf_jax.solid.geometry import repeated
@@ -89,7 +89,7 @@ class Stretches(NamedTuple):
 class Holding:
     """The recorded curve that frames are compared with: ``nodes`` (N, 3), ``edges`` (E, 2), in ``surface``'s units."""
 
-    def __init__(self, surface: Surface, nodes: np.ndarray, edges: np.ndarray):
+    def __init__(self, surface: BoundSurface, nodes: np.ndarray, edges: np.ndarray):
         self.solid, self.node, self.edges, self.nodes = surface.solid, surface.node, edges, nodes
         shape, x = self.solid.shape, self.solid.enter(nodes)
         self.winding = shape.winding_numbers(x)

@@ -100,7 +100,7 @@ class Caps:
         vector = cross(b - a, c - a) / 2
         area, volume = np.linalg.norm(vector, axis=1), np.einsum("fi,fi->f", a, vector) / 3
         size = np.concatenate([area[:, None], vector, volume[:, None]], axis=1)
-        self.surface, self.area = fronts.Surface(x, faces, shape.mesh.twins, first, around, size), area
+        self.surface, self.area = fronts.FrontSurface(x, faces, shape.mesh.twins, first, around, size), area
         component = graphs.labels_of_faces(faces, len(x)).astype(np.int64)
         self._component = component
         count, of_face = np.bincount(component), component[faces[:, 0]]

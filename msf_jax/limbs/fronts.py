@@ -10,7 +10,7 @@ LEAST_COUNT = 6  # vertices in a disc: below it, a disc is noise of the tessella
 AROUND = 1.5  # a disc that cuts off no cap while its radius grows by this factor goes around a handle or a large limb
 
 
-class Surface(NamedTuple):
+class FrontSurface(NamedTuple):
     """points: (V, 3). faces: (F, 3), closed and oriented. twins: (3F,) of half-edges. first: (V + 1,) of each vertex'
     part of ``around``, the faces around it, one after another. size: (F, 5) of a face its area, its area vector, and
     the signed volume of its tetrahedron with the origin; a part of a face has the same share of all five."""
@@ -92,7 +92,7 @@ def through(x: Points, a: int, b: int, c: int, from_a: float, from_b: float) -> 
 
 
 @part
-def settle(surface: Surface, front: Scratch, vertex: int, size: int) -> int:
+def settle(surface: FrontSurface, front: Scratch, vertex: int, size: int) -> int:
     """Update the neighbours' distances through ``vertex``: along edges, and through triangles with two settled corners.
     Returns the heap's new size."""
     x, faces, distance = surface.points, surface.faces, front.distance
@@ -114,7 +114,7 @@ def settle(surface: Surface, front: Scratch, vertex: int, size: int) -> int:
 
 
 @kernel
-def spread(surface: Surface, front: Scratch, sources: Ints) -> None:
+def spread(surface: FrontSurface, front: Scratch, sources: Ints) -> None:
     """Set ``front.distance`` to the geodesic distances from the nearest of the vertices ``sources`` (k,)."""
     size = 0
     for source in sources:
@@ -129,7 +129,7 @@ def spread(surface: Surface, front: Scratch, sources: Ints) -> None:
 
 
 @part
-def odd_corner(surface: Surface, front: Scratch, face: int) -> int:
+def odd_corner(surface: FrontSurface, front: Scratch, face: int) -> int:
     """The corner k of a face that alone is settled; k + 3 for the one that alone is not; 6 or 7 if none or all are."""
     count, k = 0, 0
     for each in range(3):
@@ -143,7 +143,7 @@ def odd_corner(surface: Surface, front: Scratch, face: int) -> int:
 
 
 @part
-def ring_through(surface: Surface, front: Scratch, start: int, level: float, number: int, middle: Reals) -> float:
+def ring_through(surface: FrontSurface, front: Scratch, start: int, level: float, number: int, middle: Reals) -> float:
     """Follow the curve at distance ``level`` from the face ``start`` on, and mark its faces with its ``number``.
 
     Sets ``middle`` (9,) to the curve's length, its first moment, and the size of what is inside it on its faces.
@@ -180,7 +180,7 @@ def ring_through(surface: Surface, front: Scratch, start: int, level: float, num
 
 
 @part
-def islands(surface: Surface, front: Scratch, count: int, longest: int, inside: float, extra: Reals) -> int:
+def islands(surface: FrontSurface, front: Scratch, count: int, longest: int, inside: float, extra: Reals) -> int:
     """Fill what smaller rings cut off besides the disc. Returns the number of filled vertices, -1 if one of these parts
     is larger than the disc of area ``inside``, or ends at the ring ``longest`` too. ``extra`` (5,) gets their size.
     """
@@ -219,7 +219,7 @@ def islands(surface: Surface, front: Scratch, count: int, longest: int, inside: 
 
 @kernel
 def cap(
-    surface: Surface,
+    surface: FrontSurface,
     front: Scratch,
     tip: int,
     level: float,

@@ -11,7 +11,7 @@ from typing import NamedTuple
 from msf_jax.numerics.compiled import Flags, Ints, Points, Reals, Rows, kernel, part
 
 
-class Surface(NamedTuple):
+class MesoArrays(NamedTuple):
     """The arrays of a `meso.Meso`, with neutral values for those that are None there: 0 for classes, 1 for trust and
     scale, and weights of shape (n, 0)."""
 
@@ -172,7 +172,7 @@ def flag_around(rings: Rows, degree: Ints, vertex: int, flags: Flags) -> None:
 
 
 @part
-def turns_a_face(surface: Surface, end: int, one: int, two: int, share: float) -> bool:
+def turns_a_face(surface: MesoArrays, end: int, one: int, two: int, share: float) -> bool:
     """Whether ``end``, if it moved the ``share`` of the way from ``one`` to ``two``, of which it is one, would turn a
     face at it that stays by more than 60 degrees, or make it degenerate."""
     x, rings, num = surface.positions, surface.rings, surface.degree[end]
@@ -232,7 +232,7 @@ def merge_rings(rings: Rows, degree: Ints, classes: Rows, one: int, two: int, me
 
 
 @part
-def distance_to_pole(surface: Surface, vertex: int, place: int) -> float:
+def distance_to_pole(surface: MesoArrays, vertex: int, place: int) -> float:
     """From the vertex ``place`` to the pole of ``vertex``, infinite without one."""
     x, y = surface.positions, surface.poles
     squares = (y[vertex, 0] - x[place, 0]) ** 2 + (y[vertex, 1] - x[place, 1]) ** 2
@@ -240,7 +240,7 @@ def distance_to_pole(surface: Surface, vertex: int, place: int) -> float:
 
 
 @part
-def merge_data(surface: Surface, one: int, two: int, share: float) -> bool:
+def merge_data(surface: MesoArrays, one: int, two: int, share: float) -> bool:
     """Move ``one`` the ``share`` of the way to ``two``, and merge their data; returns whether it takes two's pole, the
     nearer one."""
     for axis in range(3):
@@ -258,7 +258,7 @@ def merge_data(surface: Surface, one: int, two: int, share: float) -> bool:
 
 @kernel
 def collapse(
-    surface: Surface,
+    surface: MesoArrays,
     order: Ints,
     found: Rows,
     keeps_faces: bool,
@@ -304,7 +304,7 @@ def collapse(
 
 
 @kernel
-def cut(surface: Surface, a: Ints, b: Ints, fraction: Reals) -> None:
+def cut(surface: MesoArrays, a: Ints, b: Ints, fraction: Reals) -> None:
     """Insert the last rows of ``surface`` as vertices on the edges ab (c,), which share no face, each at its
     ``fraction`` from a to b.
 

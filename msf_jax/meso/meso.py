@@ -12,7 +12,7 @@ import numpy as np
 from msf_jax.meso import kernels, ring_tables
 from msf_jax.solid.geometry import signed_volume, triangle_areas
 
-ROWS = kernels.Surface._fields  # the arrays with a row for each vertex
+ROWS = kernels.MesoArrays._fields  # the arrays with a row for each vertex
 
 
 class Fixing(NamedTuple):
@@ -91,14 +91,14 @@ class Meso:
         """Area of the surface."""
         return float(triangle_areas(self.positions[self.faces()]).sum())
 
-    def surface(self) -> kernels.Surface:
+    def surface(self) -> kernels.MesoArrays:
         """The arrays for kernels, which may change them."""
         num = self.num_rows
         for name in ROWS:  # a kernel would change a copy of an array of another kind
             if (value := getattr(self, name)) is not None:
-                kind = kernels.Surface.__annotations__[name].__metadata__[0]
+                kind = kernels.MesoArrays.__annotations__[name].__metadata__[0]
                 setattr(self, name, np.require(value, kind, ["C", "W"]))
-        return kernels.Surface(
+        return kernels.MesoArrays(
             self.positions,
             self.rings,
             self.degree,

@@ -47,7 +47,7 @@ SMALLEST = {"a": 1e-3, "b": 2e-2}  # shares of a row's largest entry: smaller en
 NOTHING = 1e-6  # entries of a solved block below this are left out at once, to save memory
 
 
-class Surface(NamedTuple):
+class BoundSurface(NamedTuple):
     """The mesh that a curve is bound to.
 
     solid: the checked mesh. vertex: (v,) the caller's number of each vertex of the solid. node: (v,) its node.
@@ -82,7 +82,7 @@ class Corners(NamedTuple):
 
 
 def record(
-    surface: Surface, num: int, vertices: np.ndarray, edges: np.ndarray, pins_of_node: dict[int, np.ndarray]
+    surface: BoundSurface, num: int, vertices: np.ndarray, edges: np.ndarray, pins_of_node: dict[int, np.ndarray]
 ) -> Binding:
     """The binding of the curve ``(vertices (N, 3), edges (E, 2))``, in the caller's units, to ``surface``; not padded.
 
@@ -213,7 +213,7 @@ def _far(x: np.ndarray, edges: np.ndarray, size: np.ndarray, node: np.ndarray) -
     return csgraph.dijkstra(graph, directed=False, indices=node, min_only=True) > FAR * size
 
 
-def _with_clouds(surface: Surface, edges: np.ndarray, found: Corners, is_lost: np.ndarray) -> Corners:
+def _with_clouds(surface: BoundSurface, edges: np.ndarray, found: Corners, is_lost: np.ndarray) -> Corners:
     """Add a cloud for each node with ``is_lost`` (N,): the vertices of the node and its neighbours, if they are enough.
 
     A component of the curve with fewer than two sections and clouds gets a cloud of all its vertices."""
@@ -244,7 +244,7 @@ def _with_clouds(surface: Surface, edges: np.ndarray, found: Corners, is_lost: n
     return found
 
 
-def _wide(surface: Surface, size: np.ndarray, corners: Corners) -> np.ndarray:
+def _wide(surface: BoundSurface, size: np.ndarray, corners: Corners) -> np.ndarray:
     """``size`` (N,), at least the RMS distance of a cloud's vertices from their mean for a node with a cloud."""
     rows = np.flatnonzero(~corners.is_loop[corners.section])
     away2 = ((surface.solid.shape.vertices[corners.tail[rows]] - corners.centroid[corners.section[rows]]) ** 2).sum(1)
@@ -304,7 +304,7 @@ def _pruned(matrix: Any, smallest: float) -> sparse.csr_matrix:
     return sparse.csr_matrix(sparse.diags(1 / np.where(total == 0, 1.0, total)) @ matrix)
 
 
-def _turning(surface: Surface, corners: Corners, beta: Any, offset: np.ndarray) -> sparse.csr_matrix:
+def _turning(surface: BoundSurface, corners: Corners, beta: Any, offset: np.ndarray) -> sparse.csr_matrix:
     """The matrix b (N, V) with b V = F o, for ``offset`` (N, 3) o; ``beta`` (N, S) has the sections' weights in F."""
     shape, num = surface.solid.shape, len(corners.section)
     place = shape.vertices[corners.tail]

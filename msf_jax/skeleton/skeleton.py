@@ -189,7 +189,7 @@ class Skeleton:
         return bindings.padded(found, bindings.capacity_for(found.live))
 
     @property
-    def surface(self) -> following.Surface:
+    def surface(self) -> following.BoundSurface:
         """The checked mesh, with the input vertex and the node of each of its vertices; raises as `binding` does."""
         source = known(self.source)
         vertex = source.input_of_vertex
@@ -198,7 +198,7 @@ class Skeleton:
                 "repair has added vertices to the mesh that the skeleton was made from: expected only the mesh's own "
                 'vertices; run skeletonize without repair="join" or extruded rims'
             )
-        return following.Surface(source.solid, vertex, self.mesh_map[vertex])
+        return following.BoundSurface(source.solid, vertex, self.mesh_map[vertex])
 
     def jacobian(self) -> sparse.csr_matrix:
         """The derivative of `msf_jax.follow` at the recorded vertices.
