@@ -8,7 +8,7 @@ from typing import Any, TypeVar
 
 from tqdm import tqdm
 
-Part = TypeVar("Part")
+Item = TypeVar("Item")
 EVERY = 10.0  # seconds: the least time between two lines of a log
 
 
@@ -52,7 +52,7 @@ def showing(total: int, what: str, unit: str, is_shown: bool) -> Iterator[Progre
         made.close()
 
 
-def shown(parts: Sequence[Part], what: str, unit: str, is_shown: bool) -> Iterator[Part]:
+def shown(parts: Sequence[Item], what: str, unit: str, is_shown: bool) -> Iterator[Item]:
     """Iterate over ``parts`` with a `Progress`; a part counts as done when the next one is requested."""
     with showing(len(parts), what, unit, is_shown) as bar:
         for part in parts:

@@ -12,7 +12,7 @@ from msf_jax.base.clock import Clock
 from msf_jax.base.options import Config, Weights
 from msf_jax.curve import branches, finishing
 from msf_jax.flow import curves
-from msf_jax.flow.curves import MOST_VOLUME, Part, Stitched, is_left, lacks_classes
+from msf_jax.flow.curves import MOST_VOLUME, ComponentCurve, Stitched, is_left, lacks_classes
 from msf_jax.flow.state import Flow, Iteration, State, stage_at
 from msf_jax.limbs import outlets
 from msf_jax.meshes.checking import Surface
@@ -34,7 +34,7 @@ def assemble(
     pins: np.ndarray,
     states: list[State],
     reasons: list[tuple[bool, str]],
-    parts: list[Part],
+    parts: list[ComponentCurve],
     weights: Weights,
     config: Config,
     clock: Clock,
@@ -76,7 +76,7 @@ def assemble(
     )
 
 
-def _notes_of_finishing(states: list[State], parts: list[Part]) -> list[str]:
+def _notes_of_finishing(states: list[State], parts: list[ComponentCurve]) -> list[str]:
     """The report's notes about the finishing of the curves."""
     done, of = [part.finished for part in parts], f"of {len(parts)} curves"
     refused, closed = sum(one.num_refused for one in done), sum(one.num_closed for one in done)
@@ -174,7 +174,7 @@ def lids_of_repair(checked: Surface) -> np.ndarray:
     return lids[~np.isin(both[len(given) :], both[: len(given)])]
 
 
-def _records(checked: Surface, states: list[State], parts: list[Part]) -> tuple[ComponentRecord, ...]:
+def _records(checked: Surface, states: list[State], parts: list[ComponentCurve]) -> tuple[ComponentRecord, ...]:
     """The data for the tape, for each component."""
     return tuple(
         ComponentRecord(
@@ -195,7 +195,7 @@ def _records(checked: Surface, states: list[State], parts: list[Part]) -> tuple[
     )
 
 
-def _counted(part: Part) -> np.ndarray:
+def _counted(part: ComponentCurve) -> np.ndarray:
     """(n,) the kept node whose position each vertex of the surface contributes to, or -1."""
     number = np.where(part.finished.is_kept, np.cumsum(part.finished.is_kept) - 1, -1)[part.found.node_of_meso]
     return number if part.found.is_counted is None else np.where(part.found.is_counted, number, -1)

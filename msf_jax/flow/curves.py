@@ -20,7 +20,7 @@ from msf_jax.meso.meso import Meso
 MOST_VOLUME = 0.1  # share of the first volume: with more left, the curve is a tangle, and is not finished
 
 
-class Part(NamedTuple):
+class ComponentCurve(NamedTuple):
     """The curve of one component, in its frame.
 
     curve: the flow's curve, without the branches that were pruned. finished: the same nodes, moved, and new ones.
@@ -34,7 +34,7 @@ class Part(NamedTuple):
     is_held: np.ndarray
 
 
-def curve_of(state: State, meso: Meso, config: Config, clock: Clock) -> Part:
+def curve_of(state: State, meso: Meso, config: Config, clock: Clock) -> ComponentCurve:
     """The curve of a contracted surface ``meso``, as extracted and finished.
 
     If more than ``MOST_VOLUME`` is left, the curve is a tangle that no pass can correct. It is not finished, unless
@@ -88,7 +88,7 @@ def curve_of(state: State, meso: Meso, config: Config, clock: Clock) -> Part:
         finishing.in_order(edges[edges[:, 0] != edges[:, 1]]),
         stands_for[found.node_of_meso],
     )
-    return Part(kept, found, done, meso, is_held[done.is_kept])
+    return ComponentCurve(kept, found, done, meso, is_held[done.is_kept])
 
 
 def lacks_classes(state: State, meso: Meso) -> bool:
@@ -115,7 +115,7 @@ def is_tangle(state: State) -> bool:
     return abs(state.history[-1].volume if state.history else 1.0) > MOST_VOLUME
 
 
-def is_left(state: State, part: Part) -> bool:
+def is_left(state: State, part: ComponentCurve) -> bool:
     """Whether the curve is a tangle that was not finished."""
     return is_tangle(state) and part.finished.node_of_vertex is None
 
@@ -128,7 +128,7 @@ class Stitched(NamedTuple):
     node_of_vertex: np.ndarray
 
 
-def as_left(checked: Surface, states: list[State], parts: list[Part]) -> Stitched:
+def as_left(checked: Surface, states: list[State], parts: list[ComponentCurve]) -> Stitched:
     """The flow's curves, component by component."""
     nodes, edges, num = [], [], 0
     node_of_vertex = np.empty(len(checked.vertices), dtype=np.int64)
@@ -141,7 +141,7 @@ def as_left(checked: Surface, states: list[State], parts: list[Part]) -> Stitche
     return Stitched(np.concatenate(nodes), np.concatenate(edges), node_of_vertex)
 
 
-def finished(checked: Surface, states: list[State], parts: list[Part], clock: Clock) -> Stitched:
+def finished(checked: Surface, states: list[State], parts: list[ComponentCurve], clock: Clock) -> Stitched:
     """The finished curves: the nodes of `as_left` come first, with the same ids, then the new nodes."""
     old, new, edges = [], [], []
     num_flow = sum(len(part.curve.nodes) for part in parts)
@@ -170,12 +170,12 @@ def _nearest(nodes: np.ndarray, state: State, points: np.ndarray) -> np.ndarray:
     return np.asarray(spatial.KDTree(nodes).query(state.frame.enter(points))[1], dtype=np.int64)
 
 
-def node_of_input(part: Part) -> np.ndarray:
+def node_of_input(part: ComponentCurve) -> np.ndarray:
     """(V,) the node of the flow's curve for each sorted vertex of the component."""
     return part.curve.node_of_meso[part.meso.node_of_input]
 
 
-def _placed(checked: Surface, state: State, part: Part, member: np.ndarray, nodes: np.ndarray) -> np.ndarray:
+def _placed(checked: Surface, state: State, part: ComponentCurve, member: np.ndarray, nodes: np.ndarray) -> np.ndarray:
     """Nodes of the flow's curve in the caller's units. A pin has its input position, to the last bit."""
     node_of_pin = node_of_input(part)[state.pins]
     exact = means(checked.vertices[member[state.order][state.pins]], node_of_pin, len(nodes))
