@@ -214,7 +214,7 @@ def test_pairs_of_segments_are_all_that_cross():
     """Against every pair, in general position and on a line."""
     random = np.random.default_rng(3)
     ones, others = (tuple(random.uniform(-1, 1, (2, num, 2)) * [1.0, high]) for num, high in ((300, 1.0), (200, 1e-3)))
-    found = [np.stack(pair) for pair in handles_module._Grid(others).pairs(ones)]
+    found = [np.stack(pair) for pair in handles_module._SegmentGrid(others).pairs(ones)]
     pairs = set(map(tuple, np.concatenate(found, axis=1).T.tolist()))
     assert len(pairs) == sum(batch.shape[1] for batch in found)
 

@@ -105,8 +105,8 @@ class Handles:
         self._tail, self._head = (_turned(placed[ends[:, side]]) for side in (0, 1))
 
     @cached_property
-    def _grid(self) -> "_Grid":
-        return _Grid((self._tail[:, :2], self._head[:, :2]))
+    def _grid(self) -> "_SegmentGrid":
+        return _SegmentGrid((self._tail[:, :2], self._head[:, :2]))
 
     def classes(self, a: np.ndarray, b: np.ndarray) -> np.ndarray:
         """The class (E,) of each segment from a (E, 3) to b (E, 3): a fixed random combination of its crossings.
@@ -178,7 +178,7 @@ def _turned(points: np.ndarray) -> np.ndarray:
     return np.stack([x * axis[0] + y * axis[1] + z * axis[2] for axis in TURN], axis=1)
 
 
-class _Grid:
+class _SegmentGrid:
     """Segments of the plane with ends (n, 2), in the cells of a grid that their boxes touch. It is made once for all
     queries; what is beyond it counts as in its outermost cells."""
 
