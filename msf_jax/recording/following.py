@@ -64,7 +64,7 @@ class BoundSurface(NamedTuple):
         return vertices
 
 
-class Corners(NamedTuple):
+class BoundCorners(NamedTuple):
     """The corners (C,) of S sections, one section after the other; section: (C,); tail, head, part: `sections.Corners`.
 
     is_loop: (S,) False for a cloud. centroid: (S, 3). area: (S,). node: (S,). weight: (S,) w.
@@ -99,7 +99,7 @@ def record(
     size = _sections(surface.solid, x, edges, paths, radii, radii, nearest, is_held)[1]
     found, size = _sections(surface.solid, x, edges, paths, radii, size, nearest, is_held)
 
-    def matrices(is_lost: np.ndarray) -> tuple[Corners, Any, Any]:
+    def matrices(is_lost: np.ndarray) -> tuple[BoundCorners, Any, Any]:
         corners = _with_clouds(surface, edges, found, is_lost)
         a = _smoothing(x, edges, paths, size, corners, stiffness=centring.STIFFNESS, membrane=MEMBRANE)
         beta = _smoothing(x, edges, paths, _wide(surface, size, corners), corners, stiffness=0.0, membrane=REACH**2)
@@ -176,7 +176,7 @@ def _sections(
     size: np.ndarray,
     nearest: np.ndarray,
     is_held: np.ndarray,
-) -> tuple[Corners, np.ndarray]:
+) -> tuple[BoundCorners, np.ndarray]:
     """The sections that go around nodes, with weights as in `centring`, and the size (N,) of the nodes' limbs.
 
     ``size`` (N,) is an estimate of the latter. Sections that the lid of an opening cuts off are left out.
@@ -202,7 +202,7 @@ def _sections(
     section = (np.cumsum(is_good) - 1)[corners.loop[kept]]
     tail, head, part = corners.tail[kept], corners.head[kept], corners.part[kept]
     area = sections.areas(shape, corners, tangent[limb])[is_good]
-    return Corners(section, tail, head, part, np.ones(len(node), dtype=bool), centroid, area, node, weight), size
+    return BoundCorners(section, tail, head, part, np.ones(len(node), dtype=bool), centroid, area, node, weight), size
 
 
 def _far(x: np.ndarray, edges: np.ndarray, size: np.ndarray, node: np.ndarray) -> np.ndarray:
@@ -213,7 +213,7 @@ def _far(x: np.ndarray, edges: np.ndarray, size: np.ndarray, node: np.ndarray) -
     return csgraph.dijkstra(graph, directed=False, indices=node, min_only=True) > FAR * size
 
 
-def _with_clouds(surface: BoundSurface, edges: np.ndarray, found: Corners, is_lost: np.ndarray) -> Corners:
+def _with_clouds(surface: BoundSurface, edges: np.ndarray, found: BoundCorners, is_lost: np.ndarray) -> BoundCorners:
     """Add a cloud for each node with ``is_lost`` (N,): the vertices of the node and its neighbours, if they are enough.
 
     A component of the curve with fewer than two sections and clouds gets a cloud of all its vertices."""
@@ -230,7 +230,7 @@ def _with_clouds(surface: BoundSurface, edges: np.ndarray, found: Corners, is_lo
     for node, cloud in clouds:
         if not len(cloud):
             continue
-        found = Corners(
+        found = BoundCorners(
             np.r_[found.section, np.full(len(cloud), len(found.node))],
             np.r_[found.tail, cloud],
             np.r_[found.head, cloud],
@@ -244,7 +244,7 @@ def _with_clouds(surface: BoundSurface, edges: np.ndarray, found: Corners, is_lo
     return found
 
 
-def _wide(surface: BoundSurface, size: np.ndarray, corners: Corners) -> np.ndarray:
+def _wide(surface: BoundSurface, size: np.ndarray, corners: BoundCorners) -> np.ndarray:
     """``size`` (N,), at least the RMS distance of a cloud's vertices from their mean for a node with a cloud."""
     rows = np.flatnonzero(~corners.is_loop[corners.section])
     away2 = ((surface.solid.shape.vertices[corners.tail[rows]] - corners.centroid[corners.section[rows]]) ** 2).sum(1)
@@ -261,7 +261,7 @@ def _smoothing(
     edges: np.ndarray,
     paths: list[BranchPath],
     size: np.ndarray,
-    corners: Corners,
+    corners: BoundCorners,
     *,
     stiffness: float,
     membrane: float,
@@ -304,7 +304,7 @@ def _pruned(matrix: Any, smallest: float) -> sparse.csr_matrix:
     return sparse.csr_matrix(sparse.diags(1 / np.where(total == 0, 1.0, total)) @ matrix)
 
 
-def _turning(surface: BoundSurface, corners: Corners, beta: Any, offset: np.ndarray) -> sparse.csr_matrix:
+def _turning(surface: BoundSurface, corners: BoundCorners, beta: Any, offset: np.ndarray) -> sparse.csr_matrix:
     """The matrix b (N, V) with b V = F o, for ``offset`` (N, 3) o; ``beta`` (N, S) has the sections' weights in F."""
     shape, num = surface.solid.shape, len(corners.section)
     place = shape.vertices[corners.tail]
