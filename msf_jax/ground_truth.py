@@ -18,7 +18,7 @@ from msf_jax.base.errors import ConfigError
 from msf_jax.meshes import reading
 
 _TURN = Rotation.from_euler("zyx", [0.4, 0.7, 1.1]).as_matrix()  # limbs must not lie along the sampling grid's axes
-Curve = tuple[np.ndarray, np.ndarray, np.ndarray]  # points, edges, radii
+CurveArrays = tuple[np.ndarray, np.ndarray, np.ndarray]  # points, edges, radii
 Truth = tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray, np.ndarray]  # points, edges, radii, tips, tip_radii
 
 
@@ -217,7 +217,7 @@ def _swept(line: str, size: ArrayLike, sides: int, ends: Literal["flat", "round"
     return KnownShape("", mesh, *truth, int(closed), is_coarse=sides < 10)
 
 
-def _to_surface(curve: Curve, leaves: Sequence[int] | None = None) -> Truth:
+def _to_surface(curve: CurveArrays, leaves: Sequence[int] | None = None) -> Truth:
     """The curve with its leaves (all, or ``leaves``) extended to the poles of their rounded ends."""
     points, edges, radii = curve
     leaf = np.flatnonzero(np.bincount(edges.ravel()) == 1) if leaves is None else np.array(leaves)
@@ -229,7 +229,7 @@ def _to_surface(curve: Curve, leaves: Sequence[int] | None = None) -> Truth:
     return nodes, np.vstack([edges, link]), sizes, tips, radii[leaf]
 
 
-def _graph(*paths: ArrayLike) -> Curve:
+def _graph(*paths: ArrayLike) -> CurveArrays:
     """The curve of paths of (x, y, z, radius), which meet where they have a node in common."""
     chains = [np.asarray(path, dtype=float) for path in paths]
     nodes, number = np.unique(np.round(np.concatenate(chains), 9), axis=0, return_inverse=True)

@@ -18,14 +18,14 @@ from msf_jax.device.nearest import signed_distances
 VANISHED = 1e-3
 
 
-class Curve(NamedTuple):
+class MovedCurve(NamedTuple):
     """nodes (N, 3) and radii (N,), in the mesh's units."""
 
     nodes: jax.Array
     radii: jax.Array
 
 
-class Sections(NamedTuple):
+class MovedSections(NamedTuple):
     """The moved cross-sections.
 
     centroid: (S, 3). area: (S,). normal: (S, 3) unit. warp: (S,) the RMS distance of the corners from their plane, over
@@ -44,7 +44,7 @@ def corners(binding: Binding, vertices: jax.Array) -> jax.Array:
     return tail + jnp.asarray(binding.part, vertices.dtype)[:, None] * (head - tail)
 
 
-def centroids(binding: Binding, place: jax.Array) -> Sections:
+def centroids(binding: Binding, place: jax.Array) -> MovedSections:
     """The sections whose corners are at ``place`` (C, 3)."""
     num, dtype = len(binding.node), place.dtype
     share = jnp.asarray(binding.share, dtype)[:, None]
@@ -73,10 +73,10 @@ def centroids(binding: Binding, place: jax.Array) -> Sections:
     height2 = total(share[:, 0] * (p * normal[binding.section]).sum(1) ** 2)
     warp = jnp.sqrt(height2 / jnp.where(spread2 > 0, spread2, 1.0))
     area = jnp.where(is_there | ~is_loop, twice / 2, 0.0)
-    return Sections(mean + jnp.where(is_there[:, None], off, 0.0), area, normal, jax.lax.stop_gradient(warp))
+    return MovedSections(mean + jnp.where(is_there[:, None], off, 0.0), area, normal, jax.lax.stop_gradient(warp))
 
 
-def follow(binding: Binding, vertices: jax.Array) -> Curve:
+def follow(binding: Binding, vertices: jax.Array) -> MovedCurve:
     """The curve for ``vertices`` (V, 3), in the caller's units; NaN at a node whose section has vanished, 0 in
     padding."""
     dtype = vertices.dtype
@@ -98,4 +98,4 @@ def follow(binding: Binding, vertices: jax.Array) -> Curve:
     radii = signed_distances(binding, nodes, entered)
     is_node = binding.node_mask
     placed = jnp.where(is_node[:, None], jnp.asarray(binding.centre, dtype) + unit * nodes, 0.0)
-    return Curve(placed, jnp.where(is_node, unit * radii, 0.0))
+    return MovedCurve(placed, jnp.where(is_node, unit * radii, 0.0))

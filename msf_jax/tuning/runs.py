@@ -35,7 +35,7 @@ class Found(NamedTuple):
     converges: bool
 
 
-class Curve(NamedTuple):
+class RunCurve(NamedTuple):
     """The arrays of a run's curve that an objective needs, which another process can send; see `Replayed`."""
 
     nodes: np.ndarray
@@ -120,12 +120,12 @@ class Runs:
         if self.pool is not None:
             self.pool.shutdown(wait=True, cancel_futures=True)
 
-    def _judged(self, curves: list[Curve | None]) -> Found:
+    def _judged(self, curves: list[RunCurve | None]) -> Found:
         values = [np.inf if curve is None else self._value(number, curve) for number, curve in enumerate(curves)]
         value = float(np.mean(values))
         return Found(value, bool(np.isfinite(value)) and all(curve is not None and curve.converges for curve in curves))
 
-    def _value(self, mesh: int, curve: Curve) -> float:
+    def _value(self, mesh: int, curve: RunCurve) -> float:
         """The objective of a run's curve."""
         nodes, radii, edges, node_of_vertex, areas, _ = curve
         return of_arrays(self.objective, nodes, radii, edges, node_of_vertex, self.meshes[mesh][0], areas)
@@ -165,13 +165,13 @@ def value_at_curve(objective: Objective, run: Flow) -> float:
     return float(value_at(objective, run.tape, jnp.asarray(run.curve.vertices)))
 
 
-def _curve(run: Flow, of: str = "skeleton") -> Curve:
+def _curve(run: Flow, of: str = "skeleton") -> RunCurve:
     skeleton = run.skeleton if of == "skeleton" else run.curve
     converges = skeleton.report.converged
-    return Curve(skeleton.vertices, skeleton.radii, skeleton.edges, skeleton.mesh_map, run.source.areas, converges)
+    return RunCurve(skeleton.vertices, skeleton.radii, skeleton.edges, skeleton.mesh_map, run.source.areas, converges)
 
 
-def _run(task: tuple[Surface, Weights, Config, str]) -> Curve | None:
+def _run(task: tuple[Surface, Weights, Config, str]) -> RunCurve | None:
     """One fresh run, in another process; None if it fails."""
     surface, weights, config, of = task
     try:
