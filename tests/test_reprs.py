@@ -33,7 +33,7 @@ def results():
         (Sensitivity(flow.tape, flow.weights, flow.weights), "Sensitivity(Tape("),
         (msf_jax.follow(skeleton, shape.mesh.vertices), f"Followed(nodes float64[{len(skeleton.vertices)}, 3], radii "),
         (track, "Track(1 frames, 0 of them need a fresh run, Skeleton("),
-        (track.frames[0], "Frame(frame 0: 100.00 % inside)"),
+        (track.frames[0], "TrackedFrame(frame 0: 100.00 % inside)"),
         (tuned, "Tuned(0.1 at w_L 1 to 1, w_H 0.1, "),
         (shape, "KnownShape('straight_coarse', "),
         (Batch(({"error": "x"},), Path("m.csv"), 1), "Batch(1 meshes, 1 failed, 'm.csv')"),

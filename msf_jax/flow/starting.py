@@ -16,7 +16,7 @@ from msf_jax.numerics import reconstruction
 from msf_jax.numerics.reconstruction import LowPass
 from msf_jax.recording.records import FoundPoles, Start
 from msf_jax.solid.enclosure import Enclosure
-from msf_jax.solid.frame import RESOLUTION, Frame, frame_of, sort_mesh
+from msf_jax.solid.frame import RESOLUTION, UnitFrame, frame_of, sort_mesh
 from msf_jax.solid.geometry import signed_volume, triangle_areas
 
 FIRST = 400.0  # 1/diagonals: the first w_L over the square root of the mean area of a face, see `Config.au2008`
@@ -108,7 +108,7 @@ def init(
     )
 
 
-def _entered(component: Component) -> tuple[Frame, np.ndarray, Enclosure, Enclosure]:
+def _entered(component: Component) -> tuple[UnitFrame, np.ndarray, Enclosure, Enclosure]:
     """The frame of a component, the order of its vertices there, its outer surface, and its solid with its cavities."""
     frame = frame_of(component.vertices)
     entered = frame.enter(component.vertices)

@@ -18,7 +18,7 @@ from msf_jax.recording.records import Recording, Start, Step
 from msf_jax.skeleton.skeleton import Skeleton
 from msf_jax.skeleton.source import Source, Stage
 from msf_jax.solid.enclosure import Enclosure
-from msf_jax.solid.frame import Frame
+from msf_jax.solid.frame import UnitFrame
 
 
 class Iteration(NamedTuple):
@@ -64,7 +64,7 @@ class State:
 
     component: Component
     number: int
-    frame: Frame
+    frame: UnitFrame
     order: np.ndarray  # (V,) the component's vertex for each sorted vertex
     shape: Enclosure  # the input's surface, in the frame
     solid: Enclosure  # the same with the solid's cavities, if it has any
@@ -89,7 +89,9 @@ class State:
     failure: str = ""  # why the flow cannot continue; empty if it can
 
 
-def stage_at(iteration: int, steps: list[list[Step]], frames: list[Frame], ends: list[tuple[np.ndarray, ...]]) -> Stage:
+def stage_at(
+    iteration: int, steps: list[list[Step]], frames: list[UnitFrame], ends: list[tuple[np.ndarray, ...]]
+) -> Stage:
     """The surface after ``iteration`` iterations, all components together, each with its ``steps`` and frame. ``ends``
     are the last vertices, faces and is_fixed of each, for components that had ended before."""
     vertices, faces, is_fixed, num = [], [], [], 0

@@ -36,7 +36,7 @@ SAMPLES = 16  # sample points on an edge that the balls of its ends do not cover
 
 
 class Held(NamedTuple):
-    """The checks of a curve in a frame. `msf_jax.Frame` describes the fields."""
+    """The checks of a curve in a frame. `track.TrackedFrame` describes the fields."""
 
     radii: np.ndarray
     inside: float

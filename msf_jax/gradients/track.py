@@ -26,7 +26,7 @@ WARPED = 0.5  # RMS distance of corners from their plane over that from the cent
 TILTED = 0.3  # cosine between a section's normal and its branch: below it, a section lies along its branch,
 STRAIGHT = 0.7  # if its cosine in the recorded mesh was above this
 INSIDE = 0.99  # share of the curve's length that must be inside, else a frame wants a run
-NODES = {  # attributes of a `Frame` with ids of nodes, and their descriptions
+NODES = {  # attributes of a `TrackedFrame` with ids of nodes, and their descriptions
     "vanished": "without a section",
     "loose": "whose section no longer holds",
     "overlaps": "around which the surface winds once more",
@@ -34,12 +34,12 @@ NODES = {  # attributes of a `Frame` with ids of nodes, and their descriptions
     "pinched": "whose ball has shrunk by half",
     "strained": "in a stretch of a branch that has become much longer or shorter",
 }
-# Attributes of a `Frame` that are faults if they are not 0 or empty.
+# Attributes of a `TrackedFrame` that are faults if they are not 0 or empty.
 FAULTS = (*NODES, "overlapped", "crossings", "unexplained")
 
 
 @dataclass(frozen=True, eq=False)
-class Frame:
+class TrackedFrame:
     """The curve in one mesh of a sequence.
 
     Attributes:
@@ -90,7 +90,7 @@ class Frame:
         return {name: count for name, count in counts.items() if count}
 
     def __repr__(self) -> str:
-        return f"Frame({self})"
+        return f"TrackedFrame({self})"
 
     def __str__(self) -> str:
         parts = [f"frame {self.number}: {100 * self.inside:.2f} % inside"]
@@ -117,7 +117,7 @@ class Track:
     """
 
     skeleton: Skeleton = field(repr=False)
-    frames: tuple[Frame, ...]
+    frames: tuple[TrackedFrame, ...]
 
     @property
     def nodes(self) -> np.ndarray:
@@ -126,7 +126,7 @@ class Track:
 
     @property
     def radii(self) -> np.ndarray:
-        """(T, N), as `Frame.radii`."""
+        """(T, N), as `TrackedFrame.radii`."""
         return np.stack([frame.radii for frame in self.frames])
 
     def curve(self, number: int) -> Skeleton:
@@ -148,7 +148,7 @@ class Track:
         return "\n".join(lines + [str(frame) for frame in wanting])
 
 
-def curve_of(skeleton: Skeleton, frame: Frame) -> Skeleton:
+def curve_of(skeleton: Skeleton, frame: TrackedFrame) -> Skeleton:
     """The curve of a ``frame`` of a track of ``skeleton``; see `Track.curve`."""
     if len(frame.vanished):
         raise ConfigError(f"frame {frame.number} has no curve, {frame}")
@@ -170,7 +170,7 @@ def track(skeleton: Skeleton, frames: Iterable[Any], *, progress: bool = False) 
     Returns:
         Nodes and radii for each frame, with the same ids in all, and a validity check of each. ``wants_run`` is True
         for a frame that is bent, flattened or torn too far, in which limbs intersect, or in which a limb has grown;
-        the frame lists the nodes. See `msf_jax.Frame`.
+        the frame lists the nodes. See `TrackedFrame`.
 
     Raises:
         ConfigError: ``skeleton`` has no source mesh, or ``frames`` is no sequence.
@@ -220,7 +220,7 @@ class Tracker:
         length = np.linalg.norm(along, axis=1)
         return np.einsum("ei,ei->e", along, normal[self.section]) / np.where(length > 0, length, 1.0)
 
-    def frame(self, number: int, given: Any) -> Frame:
+    def frame(self, number: int, given: Any) -> TrackedFrame:
         """The curve in the mesh ``given``, with its checks."""
         try:
             vertices = self._vertices_of(given)
@@ -234,7 +234,7 @@ class Tracker:
         loose = np.union1d(np.asarray(self.binding.node)[is_warped > 0], self.here[is_over])
         moved = np.asarray(array, dtype=np.float64)[self.vertex]
         held = self.holding.held(moved, nodes, radii)
-        return Frame(number, nodes, vanished=vanished, loose=np.setdiff1d(loose, vanished), **held._asdict())
+        return TrackedFrame(number, nodes, vanished=vanished, loose=np.setdiff1d(loose, vanished), **held._asdict())
 
     def _vertices_of(self, given: Any) -> Any:
         if isinstance(given, np.ndarray | jax.Array) or (isinstance(given, list | tuple) and len(given) != 2):

@@ -5,7 +5,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from msf_jax.numerics.reconstruction import LowPass
-from msf_jax.solid.frame import Frame
+from msf_jax.solid.frame import UnitFrame
 
 
 class FoundPoles(NamedTuple):
@@ -61,7 +61,7 @@ class ComponentRecord(NamedTuple):
     vertices: np.ndarray
     faces: np.ndarray
     vertex_of_input: np.ndarray
-    frame: Frame
+    frame: UnitFrame
     pins: np.ndarray
     start: Start
     steps: list[Step]

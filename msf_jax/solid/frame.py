@@ -15,7 +15,7 @@ RESOLUTION = 2.0**-20  # diagonals: the grid that coordinates are rounded to
 SYMMETRIC = 1e-7  # diagonals cubed: mean cube of a coordinate below which the mesh is symmetric along that axis
 
 
-class Frame(NamedTuple):
+class UnitFrame(NamedTuple):
     """x = centre + diagonal * (y @ axes), for x in the caller's units and y in the frame.
 
     centre: (3,) of the bounding box. diagonal: its length. axes: (3, 3), a rotation by right angles.
@@ -34,7 +34,7 @@ class Frame(NamedTuple):
         return self.centre + self.diagonal * (points @ self.axes)
 
 
-def frame_of(vertices: np.ndarray) -> Frame:
+def frame_of(vertices: np.ndarray) -> UnitFrame:
     """The frame of a component with ``vertices`` (V, 3) that do not all coincide.
 
     The axes are ordered by extent, the largest first, and point to the heavier side of the mesh. For a symmetric mesh a
@@ -50,7 +50,7 @@ def frame_of(vertices: np.ndarray) -> Frame:
     sign = np.where(np.where(np.abs(skewness) > SYMMETRIC, skewness, moment) < 0, -1.0, 1.0)
     axes = sign[order][:, None] * np.eye(3)[order]
     axes[2] *= np.linalg.det(axes)
-    return Frame(centre, diagonal, axes)
+    return UnitFrame(centre, diagonal, axes)
 
 
 def sort_mesh(vertices: np.ndarray, faces: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
