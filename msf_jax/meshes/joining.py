@@ -62,7 +62,7 @@ class Gap(NamedTuple):
         return float(np.linalg.norm(self.ends[1] - self.ends[0]))
 
 
-class Body:
+class ClosedSurface:
     """One closed connected surface, oriented outwards, in diagonals of the whole mesh.
 
     vertices: (V, 3). faces: (F, 3). radius: of the ball with its ratio of volume to area. size: its box's diagonal.
@@ -115,7 +115,7 @@ def joined(parts: Sequence[Mesh], reach: float) -> Joined:
         repairs.append(f"left {_count(num, 'place')} where a part crosses itself, as a fold")
     if num_voids:
         repairs.append(f"filled {_count(num_voids, 'void')} between parts")
-    bodies, bridged, num_unmeasured = [Body(piece) for piece in pieces], [], 0
+    bodies, bridged, num_unmeasured = [ClosedSurface(piece) for piece in pieces], [], 0
     for tries in range(MOST_TRIES):
         if len(bodies) == 1:
             break
@@ -125,7 +125,7 @@ def joined(parts: Sequence[Mesh], reach: float) -> Joined:
         bridged += [(gap, min(bodies[gap.one].radius, bodies[gap.other].radius)) for gap in gaps]
         capsules = [_capsule(bodies, gap, 2**tries) for gap in gaps]
         whole = _filled(Manifold.batch_boolean([whole, *capsules], OpType.Add))
-        bodies = [Body(piece) for piece in whole.decompose()]
+        bodies = [ClosedSurface(piece) for piece in whole.decompose()]
     if bridged:
         repairs.append(_joined_over(len(pieces), len(bodies), bridged, diagonal))
     if len(bodies) > 1:
@@ -181,7 +181,7 @@ def _joined_over(before: int, after: int, bridged: list[tuple[Gap, float]], diag
     return f"joined {before} solids to {after} at {_count(len(bridged), 'place')} {over}"
 
 
-def _apart(bodies: list[Body], diagonal: float) -> str:
+def _apart(bodies: list[ClosedSurface], diagonal: float) -> str:
     """The report about solids that stay apart, with the distance from the largest to the next."""
     largest = max(bodies, key=lambda body: body.size)
     others = np.concatenate([body.vertices for body in bodies if body is not largest])
@@ -231,7 +231,7 @@ def _hollowed(whole: "Manifold", voids: list["Manifold"], united: "Manifold") ->
     return Manifold.batch_boolean([Manifold.batch_boolean([whole, *voids], OpType.Subtract), *within], OpType.Add)
 
 
-def _spanning(bodies: list[Body], reach: float) -> tuple[list[Gap], int]:
+def _spanning(bodies: list[ClosedSurface], reach: float) -> tuple[list[Gap], int]:
     """The gaps of a spanning tree that are short enough to bridge, shortest first, and the number of unmeasured pairs.
 
     Gaps are found between sample points of the surfaces, and then measured between the surfaces.
@@ -260,7 +260,7 @@ def _spanning(bodies: list[Body], reach: float) -> tuple[list[Gap], int]:
     return bridged, max(len(pairs) - MOST_PAIRS, 0)
 
 
-def _near_pairs(bodies: list[Body], radius: np.ndarray, reach: float) -> tuple[np.ndarray, np.ndarray]:
+def _near_pairs(bodies: list[ClosedSurface], radius: np.ndarray, reach: float) -> tuple[np.ndarray, np.ndarray]:
     """Pairs (n, 2) of bodies whose boxes are near enough for a bridge, nearest first, and its largest length."""
     low = np.array([body.vertices.min(axis=0) for body in bodies])
     high = np.array([body.vertices.max(axis=0) for body in bodies])
@@ -278,7 +278,7 @@ def _near_pairs(bodies: list[Body], radius: np.ndarray, reach: float) -> tuple[n
     return np.concatenate(pairs)[order], np.concatenate(bounds)[order]
 
 
-def _sites(bodies: list[Body]) -> tuple[float, list[np.ndarray]]:
+def _sites(bodies: list[ClosedSurface]) -> tuple[float, list[np.ndarray]]:
     """The spacing of sample points on large faces, and sample points of each surface, with its vertices."""
     corners = [body.vertices[body.faces] for body in bodies]
     a, b, c = np.moveaxis(np.concatenate(corners), 1, 0)
@@ -296,7 +296,7 @@ def _sites(bodies: list[Body]) -> tuple[float, list[np.ndarray]]:
     return spacing, sites
 
 
-def _measured(bodies: list[Body], one: int, other: int, at_one: np.ndarray, at_other: np.ndarray) -> Gap:
+def _measured(bodies: list[ClosedSurface], one: int, other: int, at_one: np.ndarray, at_other: np.ndarray) -> Gap:
     """The gap between two surfaces near the points ``at_one`` and ``at_other`` (3,), by alternating projections."""
     start, end, first, last = at_one, at_other, 0, 0
     for _ in range(ROUNDS):
@@ -305,7 +305,7 @@ def _measured(bodies: list[Body], one: int, other: int, at_one: np.ndarray, at_o
     return Gap(one, other, np.stack([start, end]), (first, last))
 
 
-def _capsule(bodies: list[Body], gap: Gap, factor: float) -> "Manifold":
+def _capsule(bodies: list[ClosedSurface], gap: Gap, factor: float) -> "Manifold":
     """The capsule that bridges ``gap``: the hull of two balls around its ends, ``factor`` times the usual thickness."""
     from manifold3d import Manifold
 

@@ -10,7 +10,7 @@ import numpy as np
 
 from msf_jax.base.errors import ConfigError
 from msf_jax.skeleton.rigging import cutting
-from msf_jax.skeleton.rigging.girdles import Body
+from msf_jax.skeleton.rigging.girdles import BodyGirdles
 from msf_jax.skeleton.rigging.mirror import Mirror
 from msf_jax.skeleton.rigging.rooting import BonePath
 from msf_jax.solid.geometry import arc_length, at
@@ -50,7 +50,7 @@ class Plan(NamedTuple):
     is_swapped: bool
 
 
-def plan(paths: list[BonePath], body: Body, plane: Mirror | None) -> Plan:
+def plan(paths: list[BonePath], body: BodyGirdles, plane: Mirror | None) -> Plan:
     """The joints of a biped.
 
     Raises:

@@ -20,7 +20,7 @@ from msf_jax.topology import graphs
 MAIN_LIMB = 0.5  # of the longest pair of limbs: shorter pairs, such as fingers of a hand, make no girdle
 
 
-class Body(NamedTuple):
+class BodyGirdles(NamedTuple):
     """girdles: nodes where pairs of long limbs begin. pelvis and shoulders: two of them, if there are two."""
 
     girdles: list[int]
@@ -37,7 +37,9 @@ class Pair(NamedTuple):
     length: float
 
 
-def body_of(vertices: np.ndarray, edges: np.ndarray, radii: np.ndarray, tips: np.ndarray, plane: Mirror | None) -> Body:
+def body_of(
+    vertices: np.ndarray, edges: np.ndarray, radii: np.ndarray, tips: np.ndarray, plane: Mirror | None
+) -> BodyGirdles:
     """The girdles of a tree ``(vertices (N, 3), edges (E, 2))`` in limbs of ``radii`` (N,) with ends ``tips``."""
     pairs = [] if plane is None else _pairs(vertices, edges, radii, tips, plane)
     longest = max((pair.length for pair in pairs), default=0.0)
@@ -50,10 +52,10 @@ def body_of(vertices: np.ndarray, edges: np.ndarray, radii: np.ndarray, tips: np
             trunks.append((float(radii[nodes].min()), -len(nodes), one, other))
     girdles = [pair.girdle for pair in main]
     if not trunks:
-        return Body(girdles)
+        return BodyGirdles(girdles)
     ends = max(trunks)[2:]
     pelvis, shoulders = sorted(ends, key=lambda end: _beyond(vertices, radii, tree, end, sum(ends) - end, pairs, main))
-    return Body(girdles, pelvis, shoulders)
+    return BodyGirdles(girdles, pelvis, shoulders)
 
 
 def _pairs(vertices: np.ndarray, edges: np.ndarray, radii: np.ndarray, tips: np.ndarray, plane: Mirror) -> list[Pair]:

@@ -8,7 +8,7 @@ from typing import NamedTuple
 import networkx as nx
 import numpy as np
 
-from msf_jax.skeleton.rigging.girdles import Body
+from msf_jax.skeleton.rigging.girdles import BodyGirdles
 from msf_jax.skeleton.rigging.mirror import Mirror, images
 from msf_jax.solid.geometry import arc_length, at
 from msf_jax.topology import graphs
@@ -59,7 +59,7 @@ def paths_of(
     stays: np.ndarray,
     most: int,
     plane: Mirror | None,
-    body: Body,
+    body: BodyGirdles,
 ) -> tuple[list[Root], list[BonePath]]:
     """The root of each component, and the branches directed away from it, those nearer to it first."""
     num = len(vertices)
