@@ -102,7 +102,7 @@ class Heat:
         return self._factor.solve(np.asfortranarray(pull[:, None] * source))
 
 
-class Binding(NamedTuple):
+class SkinBinding(NamedTuple):
     """What weights are made of, to make them anew when a joint has moved.
 
     bone: (V,) of each vertex. places: (V, 3) on the curve. influences: the largest number of bones of a vertex.

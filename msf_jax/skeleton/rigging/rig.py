@@ -48,7 +48,7 @@ class Rig:
     names: tuple[str, ...]
     weights: sparse.csr_matrix = field(repr=False)
     notes: tuple[str, ...] = ()
-    _binding: binding.Binding | None = field(default=None, repr=False)
+    _binding: binding.SkinBinding | None = field(default=None, repr=False)
 
     def __repr__(self) -> str:
         most = int(np.diff(self.weights.indptr).max(initial=0))
@@ -174,7 +174,7 @@ def rigged(skeleton: "Skeleton", bones: int | None, influences: int, mesh: Any, 
     found = _made(skeleton, size, node, bones, names is not None)
     thinnest = THINNEST * float(np.linalg.norm(np.ptp(vertices, axis=0)))
     heat = binding.Heat(vertices, faces, np.maximum(np.maximum(away, size[node]), thinnest))
-    bind = binding.Binding(heat, found.of_node[node], skeleton.vertices[node], int(influences))
+    bind = binding.SkinBinding(heat, found.of_node[node], skeleton.vertices[node], int(influences))
     weights = bind.weights(found.joints, found.parents)
     if bones is None:
         found, held = _without_idle(found, weights.toarray())
