@@ -62,7 +62,7 @@ def exit_time(shape: Enclosure, owner: np.ndarray) -> np.ndarray:
     return ends.exit_times(shape.vertices, shape.faces, owner.astype(np.int64))
 
 
-def axis_of(shape: Enclosure, is_limb: np.ndarray) -> ends.Axis:
+def axis_of(shape: Enclosure, is_limb: np.ndarray) -> ends.LimbAxis:
     """The axis of the vertices of ``is_limb`` (V,)."""
     time = exit_time(shape, is_limb)
     return ends.axis(shape, shape.vertices, shape.faces, time, np.flatnonzero(is_limb))

@@ -294,7 +294,7 @@ class Caps:
             found.append(Cap(int(member[side.argmax()]), slenderness, area, member[side > 0]))
         return found, is_long
 
-    def axis(self, shape: Enclosure, limbs: Limbs, number: int) -> ends.Axis:
+    def axis(self, shape: Enclosure, limbs: Limbs, number: int) -> ends.LimbAxis:
         """The curve of one of the limbs in the solid ``shape``."""
         return ends.axis(shape, self.surface.points, self.surface.faces, limbs.time, limbs.caps[number].region)
 

@@ -42,7 +42,7 @@ LONG = 0.9  # of two eigenvalues: above it they are one, as in a ball, a cube, a
 MOST_LINES = 200  # that are tried of a solid without a direction
 
 
-class Axis(NamedTuple):
+class LimbAxis(NamedTuple):
     """The curve of a limb. places: (k, 3) from its end to its base, the middles of rings. width: the radius of a tube
     of the limb's area and length."""
 
@@ -119,7 +119,7 @@ def zero_line(vertices: np.ndarray, faces: np.ndarray, value: np.ndarray) -> flo
     return float(np.linalg.norm(points[:, 1] - points[:, 0], axis=1).sum()) or np.inf
 
 
-def axis(shape: Enclosure, vertices: np.ndarray, faces: np.ndarray, time: np.ndarray, region: np.ndarray) -> Axis:
+def axis(shape: Enclosure, vertices: np.ndarray, faces: np.ndarray, time: np.ndarray, region: np.ndarray) -> LimbAxis:
     """The curve of the limb ``region`` (r,), vertices of a surface ``(vertices (V, 3), faces (F, 3))`` of the solid
     ``shape``. ``time`` (V,) is the mean exit time."""
     is_in = np.zeros(len(vertices), dtype=bool)
@@ -147,7 +147,7 @@ def axis(shape: Enclosure, vertices: np.ndarray, faces: np.ndarray, time: np.nda
     corners = vertices[own]
     is_near = np.linalg.norm(corners - vertices[near[u.argmax()]], axis=2).min(axis=1) <= width
     is_bent = bool(np.linalg.norm(corners - np.roll(corners, 1, axis=1), axis=2)[is_near].max() > width)
-    return Axis(_to_end(shape, found.centre[rings], found.size[rings], whole, step, is_bent), width)
+    return LimbAxis(_to_end(shape, found.centre[rings], found.size[rings], whole, step, is_bent), width)
 
 
 def _centred(shape: Enclosure, places: np.ndarray, heading: np.ndarray, size: np.ndarray) -> np.ndarray:

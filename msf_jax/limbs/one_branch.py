@@ -14,7 +14,7 @@ from scipy.sparse import csgraph
 from msf_jax.inside.containment import is_inside
 from msf_jax.limbs import pruning
 from msf_jax.limbs.caps import Caps
-from msf_jax.limbs.ends import STEP, Axis
+from msf_jax.limbs.ends import STEP, LimbAxis
 from msf_jax.solid.enclosure import Enclosure
 from msf_jax.solid.geometry import arc_length, at, largest_of_each
 from msf_jax.topology import graphs
@@ -169,7 +169,7 @@ def laid(
     return x, edges
 
 
-def _stretch(points: np.ndarray, is_held: np.ndarray, axis: Axis) -> int:
+def _stretch(points: np.ndarray, is_held: np.ndarray, axis: LimbAxis) -> int:
     """How many of the ``points`` (k, 3) of a branch are within `LAST` widths of the limb's end, before a held one. A
     branch that runs back is replaced from its nearest point on."""
     away = np.linalg.norm(points - axis.places[0], axis=1)
