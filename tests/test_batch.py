@@ -224,7 +224,7 @@ def test_on_the_command_line(folder, tmp_path, capsys):
 
 def test_the_command_takes_what_skeletonize_takes(folder, tmp_path, monkeypatch):
     seen = {}
-    done = batch.Batch((), tmp_path / "manifest.csv", 0)
+    done = batch.BatchResult((), tmp_path / "manifest.csv", 0)
     monkeypatch.setattr(batch, "run", lambda *_, **options: seen.update(options) or done)
     options = ["--system", "tagliasacchi2012", "--w-M", "0.8", "--prune", "0", "--evaluate"]
     assert main(["batch", str(folder), str(tmp_path), *options]) == 0

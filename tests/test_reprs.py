@@ -8,7 +8,7 @@ import pytest
 
 import msf_jax
 from msf_jax import Weights, ground_truth
-from msf_jax.app.batch import Batch
+from msf_jax.app.batch import BatchResult
 from msf_jax.gradients.sensitivity import Sensitivity
 from msf_jax.tuning.result import Tuned, TuningStep
 
@@ -36,7 +36,7 @@ def results():
         (track.frames[0], "TrackedFrame(frame 0: 100.00 % inside)"),
         (tuned, "Tuned(0.1 at w_L 1 to 1, w_H 0.1, "),
         (shape, "KnownShape('straight_coarse', "),
-        (Batch(({"error": "x"},), Path("m.csv"), 1), "Batch(1 meshes, 1 failed, 'm.csv')"),
+        (BatchResult(({"error": "x"},), Path("m.csv"), 1), "BatchResult(1 meshes, 1 failed, 'm.csv')"),
     ]
 
 

@@ -64,7 +64,7 @@ class Job:
 
 
 @dataclass(frozen=True)
-class Batch:
+class BatchResult:
     """The result of a batch.
 
     rows: one dictionary for each mesh of this call, as in the table. manifest: the table's file, which has the rows of
@@ -76,7 +76,7 @@ class Batch:
     num_done: int
 
     def __repr__(self) -> str:
-        return f"Batch({len(self.rows)} meshes, {self.num_failed} failed, {str(self.manifest)!r})"
+        return f"BatchResult({len(self.rows)} meshes, {self.num_failed} failed, {str(self.manifest)!r})"
 
     @property
     def num_failed(self) -> int:
@@ -99,7 +99,7 @@ def run(
     timeout: float | None = None,
     shaping: Shaping = UNCHANGED,
     progress: bool = False,
-) -> Batch:
+) -> BatchResult:
     """Skeletonise every mesh of ``paths`` into the folder ``out``.
 
     Args:
@@ -172,7 +172,7 @@ def run(
         raise KeyboardInterrupt(f"interrupted: {num_done} of {len(planned)} done; start again to go on") from None
     finally:  # the table is written after Ctrl-C, too
         manifest.complete()
-    return Batch(tuple(filter(None, map(_known, planned))), manifest.file, len(missing))
+    return BatchResult(tuple(filter(None, map(_known, planned))), manifest.file, len(missing))
 
 
 def _names(

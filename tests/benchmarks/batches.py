@@ -62,7 +62,7 @@ def main() -> None:
         tables = {}
         print("| run | computed | failed | s | meshes a minute |\n| --- | --- | --- | --- | --- |")
 
-        def tell(what: str, done: batch.Batch, spent: float) -> None:
+        def tell(what: str, done: batch.BatchResult, spent: float) -> None:
             tables[what] = table(done.manifest)
             rate = 60 * done.num_done / spent
             print(f"| {what} | {done.num_done} | {done.num_failed} | {spent:.0f} | {rate:.0f} |", flush=True)
