@@ -46,7 +46,7 @@ UNCHANGED = Shaping()
 
 
 @dataclass(frozen=True)
-class Job:
+class BatchJob:
     """One mesh and its settings, as plain values that can be sent to another process."""
 
     source: str
@@ -146,7 +146,7 @@ def run(
     settings += f" {'float64' if is_double else 'float32'}" + (f" {shaping}" if shaping != UNCHANGED else "")
     shared = (numbers, config, as_repair(repair), max_vertices, timeout, is_double, shaping)
     cache = str(getattr(jax.config, "jax_compilation_cache_dir", None) or (folder / ROWS / "compiled").absolute())
-    planned = [Job(*names, *shared, cache) for names in _names(paths, folder, suffix, settings)]
+    planned = [BatchJob(*names, *shared, cache) for names in _names(paths, folder, suffix, settings)]
     (folder / ROWS).mkdir(parents=True, exist_ok=True)
     for job in planned:
         _check_owner(job)
@@ -199,7 +199,7 @@ def _names(
     return [names for _, _, names in sorted(found)]
 
 
-def _check_owner(job: Job) -> None:
+def _check_owner(job: BatchJob) -> None:
     """Raise a `ConfigError` if an earlier batch used the same file for another mesh.
 
     Names are relative to the folder that all meshes of a call have in common, which can differ between calls.
@@ -215,7 +215,7 @@ def _check_owner(job: Job) -> None:
         )
 
 
-def _known(job: Job) -> dict[str, Any] | None:
+def _known(job: BatchJob) -> dict[str, Any] | None:
     """The row of a mesh that was done with these settings, if its curve exists or it has an error; else None."""
     try:
         row = json.loads(Path(job.row).read_text())
@@ -225,7 +225,7 @@ def _known(job: Job) -> dict[str, Any] | None:
     return row if is_whole else None
 
 
-def work(job: Job) -> dict[str, Any]:
+def work(job: BatchJob) -> dict[str, Any]:
     """Skeletonise one mesh, in any process. All errors go into the row, except a full disk, which is raised."""
     jax.config.update("jax_enable_x64", job.is_double)
     if getattr(jax.config, "jax_compilation_cache_dir", None) is None:
@@ -246,7 +246,7 @@ def work(job: Job) -> dict[str, Any]:
     return _noted(job, row)
 
 
-def _skeletonized(job: Job, row: dict[str, Any]) -> None:
+def _skeletonized(job: BatchJob, row: dict[str, Any]) -> None:
     """Read one mesh, and write its curve; the figures go into its ``row`` as they are known."""
     mesh = scaled(reading.read(job.source, finite=job.repair is None), job.shaping)
     row["vertices"] = len(mesh[0])
@@ -264,12 +264,12 @@ def _skeletonized(job: Job, row: dict[str, Any]) -> None:
     row["output"] = job.target
 
 
-def _noted(job: Job, row: dict[str, Any]) -> dict[str, Any]:
+def _noted(job: BatchJob, row: dict[str, Any]) -> dict[str, Any]:
     write_whole(job.row, json.dumps(row) + "\n")
     return row
 
 
-Results = Callable[[list[Job]], Generator[dict[str, Any], None, None]]
+Results = Callable[[list[BatchJob]], Generator[dict[str, Any], None, None]]
 
 
 @contextmanager
@@ -277,7 +277,7 @@ def _in_processes(num: int) -> Iterator[Results]:
     """Rows, in the order of completion, from ``num`` processes on this machine."""
     processes = Workers()
 
-    def results(jobs: list[Job]) -> Generator[dict[str, Any], None, None]:
+    def results(jobs: list[BatchJob]) -> Generator[dict[str, Any], None, None]:
         suspects = []
         # Each share has its own pool, because the executor's max_tasks_per_child can hang (CPython issue 115634).
         for first in range(0, len(jobs), TASKS * num):
@@ -317,7 +317,7 @@ def _on_cluster(scheduler: str) -> Iterator[Results]:
     except (OSError, ValueError) as error:
         raise ConfigError(f"no Dask scheduler at {scheduler!r}: expected an address such as tcp://host:8786") from error
 
-    def results(jobs: list[Job]) -> Generator[dict[str, Any], None, None]:
+    def results(jobs: list[BatchJob]) -> Generator[dict[str, Any], None, None]:
         futures = dict(
             zip(client.map(work, jobs, key=[f"{job.key}-{time.time_ns()}" for job in jobs]), jobs, strict=True)
         )
